@@ -1,0 +1,2 @@
+//! The `cyclide` command.
+fn main() {}

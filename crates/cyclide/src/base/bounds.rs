@@ -1,0 +1,55 @@
+//! Axis-aligned bounding boxes.
+
+use super::vector::Point3;
+
+/// An axis-aligned box, both corners included.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Aabb {
+    /// Smallest coordinates.
+    pub min: Point3,
+    /// Largest coordinates.
+    pub max: Point3,
+}
+
+impl Aabb {
+    /// The box of one point.
+    #[must_use]
+    pub fn of_point(p: Point3) -> Self {
+        Self { min: p, max: p }
+    }
+
+    /// The smallest box of some points; `None` if there are none.
+    #[must_use]
+    pub fn of_points<I: IntoIterator<Item = Point3>>(points: I) -> Option<Self> {
+        let mut points = points.into_iter();
+        let first = Self::of_point(points.next()?);
+        Some(points.fold(first, Self::including))
+    }
+
+    /// The box grown to include a point.
+    #[must_use]
+    pub fn including(self, p: Point3) -> Self {
+        Self {
+            min: Point3::new(self.min.x.min(p.x), self.min.y.min(p.y), self.min.z.min(p.z)),
+            max: Point3::new(self.max.x.max(p.x), self.max.y.max(p.y), self.max.z.max(p.z)),
+        }
+    }
+
+    /// The smallest box of two boxes.
+    #[must_use]
+    pub fn union(self, o: Self) -> Self {
+        self.including(o.min).including(o.max)
+    }
+
+    /// Length of the space diagonal: the size that relative measures refer to.
+    #[must_use]
+    pub fn diagonal(self) -> f64 {
+        (self.max - self.min).length()
+    }
+
+    /// Largest absolute coordinate.
+    #[must_use]
+    pub fn max_abs(self) -> f64 {
+        self.min.to_vec().max_abs().max(self.max.to_vec().max_abs())
+    }
+}

@@ -1,0 +1,81 @@
+//! Right-handed orthonormal frames: the border between space and a plane in it.
+
+use super::planar::{Point2, Vec2};
+use super::vector::{Point3, Vec3};
+use crate::error::{Error, Result};
+
+/// An origin and three orthonormal axes, right-handed.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Frame {
+    origin: Point3,
+    x: Vec3,
+    y: Vec3,
+    z: Vec3,
+}
+
+impl Frame {
+    /// The frame of the coordinate axes.
+    pub const WORLD: Self = Self { origin: Point3::ORIGIN, x: Vec3::X, y: Vec3::Y, z: Vec3::Z };
+
+    /// Frame with third axis along `normal` and first axis along the part of `toward` perpendicular to it
+    /// (any perpendicular if there is none).
+    ///
+    /// # Errors
+    /// `not-finite`, `zero-axis`.
+    pub fn from_normal(origin: Point3, normal: Vec3, toward: Vec3) -> Result<Self> {
+        if !(origin.is_finite() && normal.is_finite() && toward.is_finite()) {
+            return Err(Error::NotFinite { what: "frame", index: 0 });
+        }
+        let z = normal.unit().ok_or(Error::ZeroAxis)?;
+        let t = toward.unit().unwrap_or(Vec3::ZERO);
+        let across = t - z * t.dot(z);
+        // Below 1e-9 the direction left over is rounding of `toward`.
+        let x = if across.length() > 1e-9 { across.unit() } else { None }.unwrap_or_else(|| z.any_perpendicular());
+        // One more step: z × x is perpendicular to rounding, and so is x to z again.
+        let y = z.cross(x).unit().unwrap_or(Vec3::Y);
+        Ok(Self { origin, x: y.cross(z), y, z })
+    }
+
+    /// Origin.
+    #[must_use]
+    pub fn origin(&self) -> Point3 {
+        self.origin
+    }
+
+    /// First axis, unit.
+    #[must_use]
+    pub fn x(&self) -> Vec3 {
+        self.x
+    }
+
+    /// Second axis, unit.
+    #[must_use]
+    pub fn y(&self) -> Vec3 {
+        self.y
+    }
+
+    /// Third axis, unit.
+    #[must_use]
+    pub fn z(&self) -> Vec3 {
+        self.z
+    }
+
+    /// Plane coordinates and height of a point of space.
+    #[must_use]
+    pub fn to_local(&self, p: Point3) -> (Point2, f64) {
+        let v = p - self.origin;
+        (Point2::new(v.dot(self.x), v.dot(self.y)), v.dot(self.z))
+    }
+
+    /// The point of space at plane coordinates `p` and height 0.
+    #[must_use]
+    pub fn to_world(&self, p: Point2) -> Point3 {
+        self.origin + self.x * p.x + self.y * p.y
+    }
+
+    /// The vector of space with plane components `v`.
+    #[must_use]
+    pub fn vector_to_world(&self, v: Vec2) -> Vec3 {
+        self.x * v.x + self.y * v.y
+    }
+}

@@ -1,0 +1,72 @@
+//! A point of a curve with its derivatives, and what follows from them alone.
+
+use super::vector::{Point3, Vec3};
+
+/// A point of a curve with its first three derivatives.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct CurveJet {
+    /// The point.
+    pub point: Point3,
+    /// First derivative.
+    pub d1: Vec3,
+    /// Second derivative.
+    pub d2: Vec3,
+    /// Third derivative.
+    pub d3: Vec3,
+}
+
+impl CurveJet {
+    /// Unit tangent; `None` where the first derivative vanishes.
+    #[must_use]
+    pub fn tangent(&self) -> Option<Vec3> {
+        self.d1.unit()
+    }
+
+    /// Speed, the length of the first derivative.
+    #[must_use]
+    pub fn speed(&self) -> f64 {
+        self.d1.length()
+    }
+
+    /// Curvature vector: second derivative by arc length, pointing to the centre of curvature, length `1/R`.
+    /// `None` where the first derivative vanishes. Zero on a straight line.
+    #[must_use]
+    pub fn curvature_vector(&self) -> Option<Vec3> {
+        let t = self.tangent()?;
+        let v = self.speed();
+        Some((self.d2 - t * self.d2.dot(t)) / v / v)
+    }
+
+    /// Curvature `|x' × x''|/|x'|³` (never negative).
+    #[must_use]
+    pub fn curvature(&self) -> Option<f64> {
+        self.curvature_vector().map(Vec3::length)
+    }
+
+    /// Curvature signed by a plane normal: positive where the curve turns left seen against `normal`.
+    #[must_use]
+    pub fn signed_curvature(&self, normal: Vec3) -> Option<f64> {
+        let (t, k) = (self.tangent()?, self.curvature_vector()?);
+        Some(t.cross(k).dot(normal))
+    }
+
+    /// Torsion `(x' × x'')·x''' / |x' × x''|²`; `None` where the curvature vanishes.
+    #[must_use]
+    pub fn torsion(&self) -> Option<f64> {
+        let b = self.d1.cross(self.d2);
+        let b2 = b.length_squared();
+        let torsion = b.dot(self.d3) / b2;
+        (b2 > 0.0 && torsion.is_finite()).then_some(torsion)
+    }
+
+    /// The jet with respect to a parameter that runs `factor` times as slowly (derivatives times `factor^k`).
+    #[must_use]
+    pub fn scaled(self, factor: f64) -> Self {
+        Self {
+            point: self.point,
+            d1: self.d1 * factor,
+            d2: self.d2 * (factor * factor),
+            d3: self.d3 * (factor * factor * factor),
+        }
+    }
+}

@@ -1,0 +1,11 @@
+//! Numbers, points, quaternions, frames: what everything else is written in.
+
+pub(crate) mod bernstein;
+pub(crate) mod bounds;
+pub(crate) mod frame;
+pub(crate) mod jet;
+pub(crate) mod planar;
+pub(crate) mod quadrature;
+pub(crate) mod quat;
+pub(crate) mod roots;
+pub(crate) mod vector;

@@ -1,0 +1,51 @@
+//! Spheres through four points.
+
+use crate::base::vector::Point3;
+use crate::error::{Error, Result};
+
+/// Smallest relative volume of four points that have a sphere.
+const COPLANAR_LIMIT: f64 = 1e-12;
+
+/// A sphere.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Sphere {
+    center: Point3,
+    radius: f64,
+}
+
+impl Sphere {
+    /// The sphere through four points (`50`, section 1).
+    ///
+    /// # Errors
+    /// `not-finite`, `coincident-points`, `degenerate-sphere` (volume at most 1e-12 of the product of the edges).
+    pub fn through_points(points: [Point3; 4]) -> Result<Self> {
+        if let Some(index) = points.iter().position(|p| !p.is_finite()) {
+            return Err(Error::NotFinite { what: "point", index });
+        }
+        let edge = |i: usize| points[i] - points[0];
+        let lengths = [1, 2, 3].map(|i| edge(i).length());
+        if let Some(i) = lengths.iter().position(|l| *l == 0.0) {
+            return Err(Error::CoincidentPoints { first: 0, second: i + 1, distance: 0.0, limit: 0.0 });
+        }
+        let [lp, lq, lr] = lengths;
+        let (p, q, r) = (edge(1) / lp, edge(2) / lq, edge(3) / lr);
+        let volume = p.dot(q.cross(r));
+        if volume.abs() <= COPLANAR_LIMIT {
+            return Err(Error::DegenerateSphere { volume, limit: COPLANAR_LIMIT });
+        }
+        let offset = (q.cross(r) * lp + r.cross(p) * lq + p.cross(q) * lr) / (2.0 * volume);
+        Ok(Self { center: points[0] + offset, radius: offset.length() })
+    }
+
+    /// Centre.
+    #[must_use]
+    pub fn center(&self) -> Point3 {
+        self.center
+    }
+
+    /// Radius.
+    #[must_use]
+    pub fn radius(&self) -> f64 {
+        self.radius
+    }
+}

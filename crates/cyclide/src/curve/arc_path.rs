@@ -1,0 +1,121 @@
+//! A connected chain of arcs and segments: arc splines, biarcs, fitted contours.
+
+use super::arc::Arc;
+use super::arc::measure::ClosestPoint;
+use super::param_curve::ParamCurve;
+use crate::base::bounds::Aabb;
+use crate::base::jet::CurveJet;
+use crate::base::vector::Point3;
+use crate::conformal::mobius::Mobius;
+use crate::error::{Error, Result};
+
+/// Arcs and straight segments joined end to end; piece `i` of `n` covers `t` in `[i/n, (i+1)/n]`.
+///
+/// Consecutive ends are the *same* doubles, and the last end is the first start when the path is closed: readers
+/// treat any gap as open.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ArcPath {
+    arcs: Vec<Arc>,
+    closed: bool,
+}
+
+impl ArcPath {
+    /// Path from arcs that meet: the start of each must equal the end of the one before, to the bit.
+    ///
+    /// # Errors
+    /// `too-few-points` (no arc), `disconnected`.
+    pub fn new(arcs: Vec<Arc>, closed: bool) -> Result<Self> {
+        if arcs.is_empty() {
+            return Err(Error::TooFewPoints { given: 0, needed: 1 });
+        }
+        let joint = |piece: usize, next: usize| {
+            let (a, b) = (arcs[piece].end(), arcs[next].start());
+            if a == b { Ok(()) } else { Err(Error::Disconnected { piece, next, gap: a.distance(b), limit: 0.0 }) }
+        };
+        for i in 1..arcs.len() {
+            joint(i - 1, i)?;
+        }
+        if closed {
+            joint(arcs.len() - 1, 0)?;
+        }
+        Ok(Self { arcs, closed })
+    }
+
+    /// The arcs.
+    #[must_use]
+    pub fn arcs(&self) -> &[Arc] {
+        &self.arcs
+    }
+
+    /// Total length.
+    #[must_use]
+    pub fn length(&self) -> f64 {
+        self.arcs.iter().map(Arc::length).sum()
+    }
+
+    /// The smallest box around the path.
+    #[must_use]
+    pub fn bounds(&self) -> Aabb {
+        let first = self.arcs[0].bounds();
+        self.arcs[1..].iter().fold(first, |b, a| b.union(a.bounds()))
+    }
+
+    /// The point of the path nearest to `p`, exact per arc; the first of equals.
+    #[must_use]
+    pub fn closest_point(&self, p: Point3) -> ClosestPoint {
+        let n = self.arcs.len() as f64;
+        let on = |i: usize| {
+            let c = self.arcs[i].closest_point(p);
+            ClosestPoint { t: (i as f64 + c.t) / n, ..c }
+        };
+        (1..self.arcs.len()).map(on).fold(on(0), |best, c| if c.distance < best.distance { c } else { best })
+    }
+
+    /// The same points run backwards.
+    #[must_use]
+    pub fn reversed(&self) -> Self {
+        Self { arcs: self.arcs.iter().rev().map(Arc::reversed).collect(), closed: self.closed }
+    }
+
+    /// The image under a Möbius map, arc by arc with the same parameters.
+    ///
+    /// # Errors
+    /// As [`Arc::transformed`], wrapped with the index of the arc.
+    pub fn transformed(&self, map: &Mobius) -> Result<Self> {
+        let arcs = self.arcs.iter().enumerate().map(|(i, a)| a.transformed(map).map_err(|e| e.in_span(i)));
+        // Joints map to the same bits: both sides apply the same operations to the same point with weight 1, or
+        // with a weight that cancels up to rounding. Tie them.
+        let mut arcs = arcs.collect::<Result<Vec<_>>>()?;
+        for i in 1..arcs.len() {
+            arcs[i] = arcs[i].with_start(arcs[i - 1].end());
+        }
+        if self.closed {
+            let end = arcs[0].start();
+            if let Some(last) = arcs.last_mut() {
+                *last = last.with_end(end);
+            }
+        }
+        Self::new(arcs, self.closed)
+    }
+}
+
+impl ParamCurve for ArcPath {
+    fn piece_count(&self) -> usize {
+        self.arcs.len()
+    }
+    fn piece_jet(&self, piece: usize, s: f64) -> CurveJet {
+        self.arcs[piece].piece_jet(0, s)
+    }
+    fn is_closed(&self) -> bool {
+        self.closed
+    }
+    fn piece_point(&self, piece: usize, s: f64) -> Point3 {
+        self.arcs[piece].point(s)
+    }
+    fn piece_length(&self, piece: usize, s0: f64, s1: f64) -> f64 {
+        self.arcs[piece].piece_length(0, s0, s1)
+    }
+    fn piece_bounds(&self, piece: usize) -> Aabb {
+        self.arcs[piece].bounds()
+    }
+}

@@ -1,0 +1,172 @@
+//! Circles in space: through points, by centre and normal, as exact splines.
+
+use super::arc::Arc;
+use super::param_curve::ParamCurve;
+use crate::base::bounds::Aabb;
+use crate::base::jet::CurveJet;
+use crate::base::vector::{Point3, Vec3};
+use crate::error::{Error, Result};
+use crate::rational::NurbsCurve;
+
+/// Smallest sine of the angle at the middle point of three points that have a circle.
+const COLLINEAR_LIMIT: f64 = 1e-12;
+
+/// A full circle in space with a start point, run right-handed about its normal.
+///
+/// As a [`ParamCurve`] it is one smooth piece at constant speed, closed.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Circle {
+    center: Point3,
+    /// Unit normal.
+    normal: Vec3,
+    /// Start minus centre, perpendicular to the normal; its length is the radius.
+    spoke: Vec3,
+}
+
+impl Circle {
+    /// The circle about `center` in the plane across `normal` through the projection of `start` to that plane.
+    ///
+    /// # Errors
+    /// `not-finite`, `zero-axis`, `zero-radius` (start on the axis: at most 1e-14 of its distance away).
+    pub fn from_center(center: Point3, normal: Vec3, start: Point3) -> Result<Self> {
+        if !(center.is_finite() && start.is_finite() && normal.is_finite()) {
+            return Err(Error::NotFinite { what: "point", index: 0 });
+        }
+        let normal = normal.unit().ok_or(Error::ZeroAxis)?;
+        let v = start - center;
+        let spoke = v - normal * v.dot(normal);
+        let radius = spoke.length();
+        if radius <= 1e-14 * v.length() || radius == 0.0 {
+            return Err(Error::ZeroRadius { radius });
+        }
+        Ok(Self { center, normal, spoke })
+    }
+
+    /// The circle of a given radius; it starts in the direction of the x axis projected to its plane (of the y
+    /// axis, if the normal is along x).
+    ///
+    /// # Errors
+    /// `not-finite`, `zero-axis`, `radius-not-positive`.
+    pub fn from_radius(center: Point3, normal: Vec3, radius: f64) -> Result<Self> {
+        if !(radius > 0.0 && radius.is_finite()) {
+            return Err(Error::RadiusNotPositive { radius });
+        }
+        let n = normal.unit().ok_or(Error::ZeroAxis)?;
+        let toward = if n.x.abs() < 1.0 - 1e-9 { Vec3::X } else { Vec3::Y };
+        let across = (toward - n * toward.dot(n)).unit().ok_or(Error::ZeroAxis)?;
+        if !(center + across * radius).is_finite() {
+            return Err(Error::NotFinite { what: "point", index: 0 });
+        }
+        Ok(Self { center, normal: n, spoke: across * radius })
+    }
+
+    /// The circle through three points in their order, starting at the first (`50`, section 1).
+    ///
+    /// # Errors
+    /// `not-finite`, `coincident-points`, `degenerate-circle` (sine of the angle at the middle point <= 1e-12).
+    pub fn through_points(points: [Point3; 3]) -> Result<Self> {
+        if let Some(index) = points.iter().position(|p| !p.is_finite()) {
+            return Err(Error::NotFinite { what: "point", index });
+        }
+        let [a, b, c] = points;
+        let (p, q) = (a - b, c - b);
+        let (lp, lq) = (p.length(), q.length());
+        for (first, second, distance) in [(0, 1, lp), (1, 2, lq), (0, 2, a.distance(c))] {
+            if distance == 0.0 {
+                return Err(Error::CoincidentPoints { first, second, distance, limit: 0.0 });
+            }
+        }
+        // Unit legs: products of the fourth power of the size would overflow.
+        let (u, v) = (p / lp, q / lq);
+        let w = u.cross(v);
+        let sine = w.length();
+        if sine <= COLLINEAR_LIMIT {
+            return Err(Error::DegenerateCircle { sine, limit: COLLINEAR_LIMIT });
+        }
+        // centre = b + (|p|² (q × w) + |q|² (w × p)) / (2|w|²) with w = p × q
+        let center = b + (v.cross(w) * lp + w.cross(u) * lq) / (2.0 * sine * sine);
+        // a -> b -> c turns about (b-a) × (c-b) = q × p... = -(p × q)
+        Self::from_center(center, -w, a)
+    }
+
+    /// Centre.
+    #[must_use]
+    pub fn center(&self) -> Point3 {
+        self.center
+    }
+
+    /// Unit normal.
+    #[must_use]
+    pub fn normal(&self) -> Vec3 {
+        self.normal
+    }
+
+    /// Radius.
+    #[must_use]
+    pub fn radius(&self) -> f64 {
+        self.spoke.length()
+    }
+
+    /// Start (and end) point.
+    #[must_use]
+    pub fn start(&self) -> Point3 {
+        self.center + self.spoke
+    }
+
+    /// Unit tangent at a point of the circle (the direction `normal × (point - center)`).
+    #[must_use]
+    pub fn tangent_at(&self, point: Point3) -> Option<Vec3> {
+        self.normal.cross(point - self.center).unit()
+    }
+
+    /// The circle as two half-circle arcs (one linear arc cannot close: `000`, Example 1 corrected).
+    #[must_use]
+    pub fn to_arcs(&self) -> [Arc; 2] {
+        let (p, q) = (self.center + self.spoke, self.center - self.spoke);
+        // Weight ratio: the unit normal itself, a pure quaternion; always perpendicular to the chord and no pole.
+        let half = |a, b| Arc::from_ratio_unchecked(a, b, 0.0, self.normal);
+        [half(p, q), half(q, p)]
+    }
+
+    /// The exact nine-point rational quadratic: corners of the square around the circle, weights
+    /// `1, sqrt(1/2), 1, ...` (`10`, section 1.4).
+    ///
+    /// # Errors
+    /// `not-finite` if a corner of the square overflows.
+    pub fn to_nurbs(&self) -> Result<NurbsCurve> {
+        let (c, d, e) = (self.center, self.spoke, self.normal.cross(self.spoke));
+        let points = vec![c + d, c + d + e, c + e, c - d + e, c - d, c - d - e, c - e, c + d - e, c + d];
+        let weights = (0..9).map(|i| if i % 2 == 0 { 1.0 } else { std::f64::consts::FRAC_1_SQRT_2 }).collect();
+        let knots = vec![0.0, 0.0, 0.0, 0.25, 0.25, 0.5, 0.5, 0.75, 0.75, 1.0, 1.0, 1.0];
+        NurbsCurve::new(2, knots, points, weights)
+    }
+}
+
+impl ParamCurve for Circle {
+    fn piece_count(&self) -> usize {
+        1
+    }
+    fn piece_jet(&self, _piece: usize, s: f64) -> CurveJet {
+        let tau = std::f64::consts::TAU;
+        let (sin, cos) = (tau * s).sin_cos();
+        let (d, e) = (self.spoke, self.normal.cross(self.spoke));
+        let radial = d * cos + e * sin;
+        let tangent = e * cos - d * sin;
+        CurveJet {
+            point: self.center + radial,
+            d1: tangent * tau,
+            d2: radial * -(tau * tau),
+            d3: tangent * -(tau * tau * tau),
+        }
+    }
+    fn is_closed(&self) -> bool {
+        true
+    }
+    fn piece_length(&self, _piece: usize, s0: f64, s1: f64) -> f64 {
+        std::f64::consts::TAU * self.radius() * (s1 - s0)
+    }
+    fn piece_bounds(&self, _piece: usize) -> Aabb {
+        let [a, b] = self.to_arcs();
+        a.bounds().union(b.bounds())
+    }
+}

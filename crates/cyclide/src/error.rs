@@ -1,0 +1,311 @@
+//! The one error type of the kernel.
+//!
+//! Every variant says which item is at fault, what was measured and the limit it broke. [`Error::reason`] gives
+//! the stable kebab-case name that the reference data, the reports and the documentation use.
+
+/// Result of a fallible kernel call.
+pub type Result<T, E = Error> = std::result::Result<T, E>;
+
+/// Why a piece of input was refused.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum Error {
+    /// A number of the input is NaN or infinite.
+    #[error("{what} {index} is not a finite number")]
+    NotFinite {
+        /// The kind of item: `point`, `tangent`, `weight`, …
+        what: &'static str,
+        /// Which one, from 0.
+        index: usize,
+    },
+    /// Two points that must differ are equal (or closer than the stated limit).
+    #[error(
+        "points {first} and {second} coincide (distance {distance:e}, at most {limit:e} is allowed to be called equal)"
+    )]
+    CoincidentPoints {
+        /// Index of the first point.
+        first: usize,
+        /// Index of the second point.
+        second: usize,
+        /// Their distance.
+        distance: f64,
+        /// Distances up to this count as equal (0: only equal doubles).
+        limit: f64,
+    },
+    /// Fewer points than the construction needs.
+    #[error("{given} points given, at least {needed} needed")]
+    TooFewPoints {
+        /// Number of points given.
+        given: usize,
+        /// Number of points needed.
+        needed: usize,
+    },
+    /// A weight quaternion is zero.
+    #[error("weight {index} is zero")]
+    ZeroWeight {
+        /// Which weight, from 0.
+        index: usize,
+    },
+    /// The weight ratio is a negative real number: the arc would be the outer part of the chord's line.
+    #[error("the arc passes through infinity: its weight ratio has real part {real:e} and vector part {vector:e}")]
+    PoleOnSegment {
+        /// Real part of the weight ratio.
+        real: f64,
+        /// Length of its vector part.
+        vector: f64,
+    },
+    /// The weight's vector part is not perpendicular to the chord, so the arc would leave three-space.
+    #[error("the weight takes the arc out of three-space: cosine {cosine:e} between chord and weight, limit {limit:e}")]
+    NotInImH {
+        /// Cosine of the angle between the chord and the weight's vector part.
+        cosine: f64,
+        /// Largest cosine accepted.
+        limit: f64,
+    },
+    /// A tangent or direction vector is zero.
+    #[error("tangent {index} is zero")]
+    ZeroTangent {
+        /// Which tangent, from 0.
+        index: usize,
+    },
+    /// The tangent points straight away from the other end: only an infinite line would do.
+    #[error("tangent {index} points away from the chord: the arc would pass through infinity")]
+    TangentOpposesChord {
+        /// Which tangent (or arc of a chain), from 0.
+        index: usize,
+    },
+    /// The third point lies on the line of the other two, outside the segment; or a point maps to infinity.
+    #[error("a point is at infinity: it lies on the line through the ends outside the segment, or maps there")]
+    PointAtInfinity,
+    /// No biarc with finite arcs joins the data.
+    #[error("no finite biarc: {measured} is {value:e}, limit {limit:e}")]
+    NoFiniteBiarc {
+        /// What was measured.
+        measured: &'static str,
+        /// Its value.
+        value: f64,
+        /// The limit it broke.
+        limit: f64,
+    },
+    /// A rotation axis or plane normal is zero (or not usable in the plane asked for).
+    #[error("the axis is zero")]
+    ZeroAxis,
+    /// A radius is zero relative to the position of its centre.
+    #[error("the radius {radius:e} is zero")]
+    ZeroRadius {
+        /// The radius found.
+        radius: f64,
+    },
+    /// A radius, length or tolerance that must be positive is not.
+    #[error("the radius {radius:e} is not positive")]
+    RadiusNotPositive {
+        /// The value given.
+        radius: f64,
+    },
+    /// Three points on a line have no finite circle.
+    #[error("the points lie on a line: sine of their angle {sine:e}, limit {limit:e}")]
+    DegenerateCircle {
+        /// Sine of the angle at the middle point.
+        sine: f64,
+        /// Smallest sine accepted.
+        limit: f64,
+    },
+    /// Four points in a plane have no finite sphere.
+    #[error("the points lie in a plane: relative volume {volume:e}, limit {limit:e}")]
+    DegenerateSphere {
+        /// Volume relative to the product of the three edges.
+        volume: f64,
+        /// Smallest relative volume accepted.
+        limit: f64,
+    },
+    /// The blend order is outside what is supported.
+    #[error("blend order {order} is outside 1 to {max}")]
+    OrderOutOfRange {
+        /// The order asked for.
+        order: u32,
+        /// The largest order supported.
+        max: u32,
+    },
+    /// A circle of a blend is the chord's own line taken through infinity.
+    #[error("segment {segment}: a start tangent opposes the chord, the blend would pass through infinity")]
+    ArcThroughInfinity {
+        /// Which segment, from 0.
+        segment: usize,
+    },
+    /// Opposite circles whose common tangent is the chord: no half-turn is preferred.
+    #[error("segment {segment}: opposite circles along the chord, the half-turn between them is ambiguous")]
+    AmbiguousHalfTurn {
+        /// Which segment, from 0.
+        segment: usize,
+    },
+    /// An approximation to the tolerance would need more pieces than the cap.
+    #[error(
+        "segment {segment} needs {needed} pieces for this tolerance, the cap is {cap}; use the rational variant or a larger tolerance"
+    )]
+    TooManyPieces {
+        /// Which segment, from 0.
+        segment: usize,
+        /// Pieces needed.
+        needed: usize,
+        /// Largest number of pieces made.
+        cap: usize,
+    },
+    /// A tolerance is zero, negative or not a number.
+    #[error("the tolerance {tolerance:e} is not positive")]
+    ToleranceNotPositive {
+        /// The tolerance given.
+        tolerance: f64,
+    },
+    /// A swept angle is outside its range.
+    #[error("the swept angle {sweep} is outside {min} to {max} radians")]
+    SweepOutOfRange {
+        /// The angle given, radians.
+        sweep: f64,
+        /// Smallest angle accepted.
+        min: f64,
+        /// Largest angle accepted.
+        max: f64,
+    },
+    /// A parameter is outside its interval.
+    #[error("{name} = {value} is outside {min} to {max}")]
+    ParameterOutOfRange {
+        /// Name of the parameter.
+        name: &'static str,
+        /// Its value.
+        value: f64,
+        /// Smallest value accepted.
+        min: f64,
+        /// Largest value accepted.
+        max: f64,
+    },
+    /// No tangent-continuous arc spline stays within the tolerance of the polyline near this vertex.
+    #[error("no G1 arc spline within {tolerance:e} of the polyline near vertex {vertex}")]
+    NoG1SplineInTube {
+        /// Vertex of the input where the search died.
+        vertex: usize,
+        /// The tolerance.
+        tolerance: f64,
+    },
+    /// Data that must lie in one plane do not.
+    #[error("the points are not in one plane: point {index} is {distance:e} off, limit {limit:e}")]
+    NotPlanar {
+        /// The point farthest from the plane.
+        index: usize,
+        /// Its distance from the plane.
+        distance: f64,
+        /// Largest distance accepted.
+        limit: f64,
+    },
+    /// Consecutive pieces of a path do not meet.
+    #[error("pieces {piece} and {next} do not meet: gap {gap:e}, limit {limit:e}")]
+    Disconnected {
+        /// The piece that ends.
+        piece: usize,
+        /// The piece that should start there.
+        next: usize,
+        /// Distance between the two ends.
+        gap: f64,
+        /// Largest gap accepted.
+        limit: f64,
+    },
+    /// A matrix of quaternions does not map three-space to itself.
+    #[error("the Möbius matrix does not preserve three-space: defect {defect:e}, limit {limit:e}")]
+    NotMobius {
+        /// Relative defect measured.
+        defect: f64,
+        /// Largest defect accepted.
+        limit: f64,
+    },
+    /// The knots, weights and points of a spline do not fit together.
+    #[error("not a spline: {detail}")]
+    NotASpline {
+        /// What does not fit.
+        detail: &'static str,
+    },
+    /// A rational weight that must be positive is not.
+    #[error("weight {index} is {weight:e}: rational weights must be positive here")]
+    WeightNotPositive {
+        /// Which weight, from 0.
+        index: usize,
+        /// Its value.
+        weight: f64,
+    },
+    /// One span of a chain failed; the cause says why.
+    #[error("span {span}: {cause}")]
+    InSpan {
+        /// Which span, from 0.
+        span: usize,
+        /// What went wrong in it.
+        cause: Box<Error>,
+    },
+}
+
+impl Error {
+    /// The stable name of the reason, as used in reference data and reports.
+    ///
+    /// ```
+    /// let error = cyclide::Error::ZeroWeight { index: 1 };
+    /// assert_eq!(error.reason(), "zero-weight");
+    /// ```
+    #[must_use]
+    pub fn reason(&self) -> &'static str {
+        match self {
+            Self::NotFinite { .. } => "not-finite",
+            Self::CoincidentPoints { .. } => "coincident-points",
+            Self::TooFewPoints { .. } => "too-few-points",
+            Self::ZeroWeight { .. } => "zero-weight",
+            Self::PoleOnSegment { .. } => "pole-on-segment",
+            Self::NotInImH { .. } => "not-in-im-h",
+            Self::ZeroTangent { .. } => "zero-tangent",
+            Self::TangentOpposesChord { .. } => "tangent-opposes-chord",
+            Self::PointAtInfinity => "point-at-infinity",
+            Self::NoFiniteBiarc { .. } => "no-finite-biarc",
+            Self::ZeroAxis => "zero-axis",
+            Self::ZeroRadius { .. } => "zero-radius",
+            Self::RadiusNotPositive { .. } => "radius-not-positive",
+            Self::DegenerateCircle { .. } => "degenerate-circle",
+            Self::DegenerateSphere { .. } => "degenerate-sphere",
+            Self::OrderOutOfRange { .. } => "order-out-of-range",
+            Self::ArcThroughInfinity { .. } => "arc-through-infinity",
+            Self::AmbiguousHalfTurn { .. } => "ambiguous-half-turn",
+            Self::TooManyPieces { .. } => "too-many-pieces",
+            Self::ToleranceNotPositive { .. } => "tolerance-not-positive",
+            Self::SweepOutOfRange { .. } => "sweep-out-of-range",
+            Self::ParameterOutOfRange { .. } => "parameter-out-of-range",
+            Self::NoG1SplineInTube { .. } => "no-g1-spline-in-tube",
+            Self::NotPlanar { .. } => "not-planar",
+            Self::Disconnected { .. } => "disconnected",
+            Self::NotMobius { .. } => "not-mobius",
+            Self::NotASpline { .. } => "not-a-spline",
+            Self::WeightNotPositive { .. } => "weight-not-positive",
+            Self::InSpan { cause, .. } => cause.reason(),
+        }
+    }
+
+    /// The index of the input item at fault (a point, tangent, span or segment), where there is one.
+    #[must_use]
+    pub fn index(&self) -> Option<usize> {
+        match *self {
+            Self::NotFinite { index, .. }
+            | Self::ZeroWeight { index }
+            | Self::ZeroTangent { index }
+            | Self::TangentOpposesChord { index }
+            | Self::WeightNotPositive { index, .. }
+            | Self::NotPlanar { index, .. } => Some(index),
+            Self::CoincidentPoints { second, .. } => Some(second),
+            Self::ArcThroughInfinity { segment }
+            | Self::AmbiguousHalfTurn { segment }
+            | Self::TooManyPieces { segment, .. } => Some(segment),
+            Self::NoG1SplineInTube { vertex, .. } => Some(vertex),
+            Self::Disconnected { piece, .. } => Some(piece),
+            Self::InSpan { span, .. } => Some(span),
+            _ => None,
+        }
+    }
+
+    /// Wraps the error as the failure of one span of a chain.
+    #[must_use]
+    pub fn in_span(self, span: usize) -> Self {
+        Self::InSpan { span, cause: Box::new(self) }
+    }
+}

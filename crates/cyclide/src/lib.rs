@@ -1,0 +1,30 @@
+//! `cyclide`: a geometric-modelling kernel whose primitive is the circle.
+//!
+//! Curves are made of circles and are exact: an [`Arc`] is two points and one quaternion, a circle spline in its
+//! rational variant is a rational Bézier curve, and both leave the kernel as [`NurbsCurve`] without any tolerance.
+//!
+//! Everything is `f64`, lengths are unitless, angles are radians, parameters run over `[0, 1]`. The kernel has no
+//! I/O, no clock and no global tolerance; bad input gets an [`Error`] with the item, the measure and the limit.
+
+mod base;
+mod conformal;
+mod curve;
+mod error;
+mod model;
+mod rational;
+mod warning;
+
+pub use base::bounds::Aabb;
+pub use base::frame::Frame;
+pub use base::jet::CurveJet;
+pub use base::planar::{Point2, Vec2};
+pub use base::quat::Quat;
+pub use base::vector::{Point3, Vec3};
+pub use conformal::hpoint::HPoint;
+pub use conformal::mobius::Mobius;
+pub use conformal::sphere::Sphere;
+pub use curve::{Arc, ArcPath, Circle, ClosestPoint, DEFAULT_PIECE_ANGLE, ParamCurve};
+pub use error::{Error, Result};
+pub use model::{ChainPiece, CurveChain, CurveObject, Exactness, Item, Lower, Model, Units};
+pub use rational::{NurbsCurve, RationalBezier};
+pub use warning::Warning;

@@ -1,0 +1,129 @@
+//! The curve carrier: a connected chain of arcs, segments and rational splines.
+
+use crate::base::bounds::Aabb;
+use crate::base::jet::CurveJet;
+use crate::base::vector::Point3;
+use crate::curve::{Arc, ArcPath, ParamCurve};
+use crate::error::{Error, Result};
+use crate::rational::NurbsCurve;
+
+/// One piece of a chain.
+#[derive(Debug, Clone, PartialEq)]
+pub enum ChainPiece {
+    /// A circular arc or straight segment.
+    Arc(Arc),
+    /// A smooth rational B-spline.
+    Spline(NurbsCurve),
+}
+
+impl ChainPiece {
+    /// Start point.
+    #[must_use]
+    pub fn start(&self) -> Point3 {
+        match self {
+            Self::Arc(a) => a.start(),
+            Self::Spline(c) => c.control_points()[0],
+        }
+    }
+
+    /// End point.
+    #[must_use]
+    pub fn end(&self) -> Point3 {
+        match self {
+            Self::Arc(a) => a.end(),
+            Self::Spline(c) => c.control_points()[c.control_points().len() - 1],
+        }
+    }
+
+    /// The piece as a curve.
+    #[must_use]
+    pub fn as_curve(&self) -> &dyn ParamCurve {
+        match self {
+            Self::Arc(a) => a,
+            Self::Spline(c) => c,
+        }
+    }
+}
+
+/// A connected curve of arcs and rational splines, the form that exchange files carry. As a [`ParamCurve`] it has
+/// one piece per arc and per knot span.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CurveChain {
+    pieces: Vec<ChainPiece>,
+    closed: bool,
+    /// For each smooth piece of the curve: which chain piece, and which of its own pieces.
+    index: Vec<(usize, usize)>,
+}
+
+impl CurveChain {
+    /// Chain from pieces that meet: each starts within `gap_limit` of where the last one ended, and the end meets
+    /// the start if closed. Kernel-made chains meet to the bit; files read back may carry rounding.
+    ///
+    /// # Errors
+    /// `too-few-points` (no piece), `disconnected`.
+    pub fn new(pieces: Vec<ChainPiece>, closed: bool, gap_limit: f64) -> Result<Self> {
+        let n = pieces.len();
+        if n == 0 {
+            return Err(Error::TooFewPoints { given: 0, needed: 1 });
+        }
+        for next in usize::from(!closed)..n {
+            let piece = (next + n - 1) % n;
+            let gap = pieces[piece].end().distance(pieces[next].start());
+            if gap > gap_limit {
+                return Err(Error::Disconnected { piece, next, gap, limit: gap_limit });
+            }
+        }
+        let own =
+            |(i, p): (usize, &ChainPiece)| (0..p.as_curve().piece_count()).map(move |j| (i, j)).collect::<Vec<_>>();
+        let index = pieces.iter().enumerate().flat_map(own).collect();
+        Ok(Self { pieces, closed, index })
+    }
+
+    /// The pieces.
+    #[must_use]
+    pub fn pieces(&self) -> &[ChainPiece] {
+        &self.pieces
+    }
+
+    /// Smallest and largest weight of the rational splines (1 for arcs and segments as such).
+    #[must_use]
+    pub fn weight_range(&self) -> (f64, f64) {
+        let weights = self.pieces.iter().flat_map(|p| match p {
+            ChainPiece::Arc(_) => [1.0].to_vec(),
+            ChainPiece::Spline(c) => c.weights().to_vec(),
+        });
+        weights.fold((f64::INFINITY, 0.0), |(lo, hi), w| (lo.min(w), hi.max(w)))
+    }
+}
+
+impl From<ArcPath> for CurveChain {
+    fn from(path: ArcPath) -> Self {
+        let index = (0..path.arcs().len()).map(|i| (i, 0)).collect();
+        Self { pieces: path.arcs().iter().copied().map(ChainPiece::Arc).collect(), closed: path.is_closed(), index }
+    }
+}
+
+impl ParamCurve for CurveChain {
+    fn piece_count(&self) -> usize {
+        self.index.len()
+    }
+    fn piece_jet(&self, piece: usize, s: f64) -> CurveJet {
+        let (i, j) = self.index[piece];
+        self.pieces[i].as_curve().piece_jet(j, s)
+    }
+    fn is_closed(&self) -> bool {
+        self.closed
+    }
+    fn piece_point(&self, piece: usize, s: f64) -> Point3 {
+        let (i, j) = self.index[piece];
+        self.pieces[i].as_curve().piece_point(j, s)
+    }
+    fn piece_length(&self, piece: usize, s0: f64, s1: f64) -> f64 {
+        let (i, j) = self.index[piece];
+        self.pieces[i].as_curve().piece_length(j, s0, s1)
+    }
+    fn piece_bounds(&self, piece: usize) -> Aabb {
+        let (i, j) = self.index[piece];
+        self.pieces[i].as_curve().piece_bounds(j)
+    }
+}

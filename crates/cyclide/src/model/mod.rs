@@ -1,0 +1,9 @@
+//! What leaves the kernel: named objects, lowered to a few carriers with their exactness.
+
+mod chain;
+mod lower;
+mod object;
+
+pub use chain::{ChainPiece, CurveChain};
+pub use lower::{Exactness, Lower};
+pub use object::{CurveObject, Item, Model, Units};

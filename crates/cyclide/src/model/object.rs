@@ -1,0 +1,122 @@
+//! Named objects with units: what a document builds and what exporters read.
+
+use super::chain::CurveChain;
+use super::lower::{Exactness, Lower};
+use crate::curve::{Arc, ArcPath, Circle, ParamCurve};
+use crate::error::Result;
+use crate::warning::Warning;
+
+/// What one unit of the coordinates means. Coordinates are never rescaled; units label them.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Units {
+    /// Millimetres (the default).
+    #[default]
+    Millimetre,
+    /// Centimetres.
+    Centimetre,
+    /// Metres.
+    Metre,
+    /// Inches.
+    Inch,
+    /// Feet.
+    Foot,
+}
+
+impl Units {
+    /// Every unit.
+    pub const ALL: [Self; 5] = [Self::Millimetre, Self::Centimetre, Self::Metre, Self::Inch, Self::Foot];
+
+    /// The symbol used in documents and on the command line: `mm`, `cm`, `m`, `in`, `ft`.
+    #[must_use]
+    pub const fn symbol(self) -> &'static str {
+        match self {
+            Self::Millimetre => "mm",
+            Self::Centimetre => "cm",
+            Self::Metre => "m",
+            Self::Inch => "in",
+            Self::Foot => "ft",
+        }
+    }
+
+    /// Length of one unit in millimetres.
+    #[must_use]
+    pub const fn in_millimetres(self) -> f64 {
+        match self {
+            Self::Millimetre => 1.0,
+            Self::Centimetre => 10.0,
+            Self::Metre => 1000.0,
+            Self::Inch => 25.4,
+            Self::Foot => 304.8,
+        }
+    }
+
+    /// The unit with this symbol.
+    #[must_use]
+    pub fn from_symbol(symbol: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|u| u.symbol() == symbol)
+    }
+}
+
+/// Any curve of the kernel.
+#[derive(Debug, Clone, PartialEq)]
+pub enum CurveObject {
+    /// One arc or segment.
+    Arc(Arc),
+    /// A full circle.
+    Circle(Circle),
+    /// Biarc, arc spline or fitted arcs.
+    ArcPath(ArcPath),
+}
+
+impl CurveObject {
+    /// The curve behind the name.
+    #[must_use]
+    pub fn as_curve(&self) -> &dyn ParamCurve {
+        match self {
+            Self::Arc(c) => c,
+            Self::Circle(c) => c,
+            Self::ArcPath(c) => c,
+        }
+    }
+
+    fn as_lower(&self) -> &dyn Lower {
+        match self {
+            Self::Arc(c) => c,
+            Self::Circle(c) => c,
+            Self::ArcPath(c) => c,
+        }
+    }
+}
+
+impl Lower for CurveObject {
+    fn to_chain(&self, tolerance: f64) -> Result<(CurveChain, Exactness)> {
+        self.as_lower().to_chain(tolerance)
+    }
+    fn to_arcs(&self, tolerance: f64) -> Result<(ArcPath, Exactness)> {
+        self.as_lower().to_arcs(tolerance)
+    }
+}
+
+/// A named object: one or more connected curves (contours) made by one construction.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Item {
+    /// Name, unique in the model.
+    pub name: String,
+    /// The document's type word: `arc`, `circle-spline`, ….
+    pub kind: String,
+    /// Its connected curves.
+    pub contours: Vec<CurveObject>,
+    /// Remarks of the construction, with the contour they belong to.
+    pub warnings: Vec<(usize, Warning)>,
+    /// The bound the construction promised on the distance to its input (an arc fit's tolerance), if any.
+    pub tolerance: Option<f64>,
+}
+
+/// Named objects and the unit of their coordinates.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Model {
+    /// Unit of all coordinates.
+    pub units: Units,
+    /// The objects, in the document's order.
+    pub items: Vec<Item>,
+}

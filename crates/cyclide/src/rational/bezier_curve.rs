@@ -1,0 +1,92 @@
+//! One rational Bézier curve in homogeneous rows `[wx, wy, wz, w]`.
+
+use crate::base::bernstein;
+use crate::base::jet::CurveJet;
+use crate::base::vector::{Point3, Vec3};
+use crate::error::{Error, Result};
+
+/// A rational Bézier curve of degree `rows - 1`. The rows are homogeneous, so a middle row may be a direction
+/// (weight 0); only the quotient at evaluated parameters must be finite.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RationalBezier {
+    rows: Vec<[f64; 4]>,
+}
+
+impl RationalBezier {
+    /// Curve from homogeneous rows `[wx, wy, wz, w]`, at least two.
+    ///
+    /// # Errors
+    /// `too-few-points`, `not-finite`.
+    pub fn new(rows: Vec<[f64; 4]>) -> Result<Self> {
+        if rows.len() < 2 {
+            return Err(Error::TooFewPoints { given: rows.len(), needed: 2 });
+        }
+        match rows.iter().position(|row| row.iter().any(|v| !v.is_finite())) {
+            Some(index) => Err(Error::NotFinite { what: "row", index }),
+            None => Ok(Self { rows }),
+        }
+    }
+
+    /// The rows `[wx, wy, wz, w]`.
+    #[must_use]
+    pub fn rows(&self) -> &[[f64; 4]] {
+        &self.rows
+    }
+
+    /// Degree.
+    #[must_use]
+    pub fn degree(&self) -> usize {
+        self.rows.len() - 1
+    }
+
+    /// True if every weight coefficient is positive.
+    #[must_use]
+    pub fn has_positive_weights(&self) -> bool {
+        self.rows.iter().all(|r| r[3] > 0.0)
+    }
+
+    /// The point at `t`.
+    #[must_use]
+    pub fn point(&self, t: f64) -> Point3 {
+        let [x, y, z, w] = bernstein::eval(&self.rows, t);
+        Point3::new(x / w, y / w, z / w)
+    }
+
+    /// Point and derivatives at `t`.
+    #[must_use]
+    pub fn jet(&self, t: f64) -> CurveJet {
+        jet_of_homogeneous(std::array::from_fn(|k| bernstein::derivative(&self.rows, k, t)))
+    }
+
+    /// Both parts of the curve cut at `t`.
+    ///
+    /// # Errors
+    /// `parameter-out-of-range` unless `0 < t < 1`.
+    pub fn split(&self, t: f64) -> Result<(Self, Self)> {
+        if !(t > 0.0 && t < 1.0) {
+            return Err(Error::ParameterOutOfRange { name: "t", value: t, min: 0.0, max: 1.0 });
+        }
+        let (l, r) = bernstein::split(&self.rows, t);
+        Ok((Self { rows: l }, Self { rows: r }))
+    }
+
+    /// The curve times a common factor: same points, rows multiplied by the scalar Bernstein polynomial `factor`
+    /// (degree raised by its degree).
+    #[must_use]
+    pub fn multiplied(&self, factor: &[f64]) -> Self {
+        let column = |d: usize| bernstein::product(&self.rows.iter().map(|r| r[d]).collect::<Vec<_>>(), factor);
+        let columns: [Vec<f64>; 4] = std::array::from_fn(column);
+        Self { rows: (0..columns[0].len()).map(|i| std::array::from_fn(|d| columns[d][i])).collect() }
+    }
+}
+
+/// The affine jet of homogeneous derivatives `[wx, wy, wz, w]` of orders 0 to 3 (quotient rule).
+pub(super) fn jet_of_homogeneous(h: [[f64; 4]; 4]) -> CurveJet {
+    let v = |k: usize| Vec3::new(h[k][0], h[k][1], h[k][2]);
+    let (w0, w1, w2, w3) = (h[0][3], h[1][3], h[2][3], h[3][3]);
+    let x0 = v(0) / w0;
+    let x1 = (v(1) - x0 * w1) / w0;
+    let x2 = (v(2) - x1 * (2.0 * w1) - x0 * w2) / w0;
+    let x3 = (v(3) - x2 * (3.0 * w1) - x1 * (3.0 * w2) - x0 * w3) / w0;
+    CurveJet { point: Point3::ORIGIN + x0, d1: x1, d2: x2, d3: x3 }
+}

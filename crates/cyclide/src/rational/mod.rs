@@ -1,0 +1,8 @@
+//! Exact rational Bézier and B-spline forms.
+
+mod bezier_curve;
+mod nurbs_curve;
+mod smooth_knots;
+
+pub use bezier_curve::RationalBezier;
+pub use nurbs_curve::NurbsCurve;

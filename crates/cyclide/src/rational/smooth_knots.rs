@@ -1,0 +1,99 @@
+//! Lowering knot multiplicity: a parametric C1 curve written with C1 knots.
+//!
+//! A chain of rational Bézier pieces may be C1 as a curve while its homogeneous form is only C0, because the weight
+//! functions meet with a kink. Then the knots need multiplicity `degree`, and CAD systems call the curve C0: they
+//! refuse to offset or sweep along it. Multiplying numerator and denominator of each piece by a common positive
+//! polynomial `g` changes no point and no parameter. The cubic with Bernstein coefficients
+//! `1, 1 + a/3, 1 + b/3, 1`, `a = -W'(0)/W(0)`, `b = W'(1)/W(1)`, flattens the weight function at both ends, so the
+//! homogeneous form is C1 where the curve is, and the shared control point at the joint can be left out
+//! (multiplicity `degree - 1` at degree `n + 3`). (Own derivation.)
+
+use super::bezier_curve::RationalBezier;
+use super::nurbs_curve::NurbsCurve;
+use crate::base::vector::{Point3, Vec3};
+
+/// Relative jump of the affine derivative that still counts as C1: rounding of the construction.
+const C1_LIMIT: f64 = 1e-9;
+
+impl NurbsCurve {
+    /// The same curve with the same parameter and C1 knots (multiplicity `degree - 1`) at every knot where the
+    /// derivative is continuous; the degree rises by 3. `None` if nothing can be gained (one span, no C1 knot, or
+    /// a factor that would not stay positive).
+    #[must_use]
+    pub fn with_c1_knots(&self) -> Option<Self> {
+        let beziers = self.to_beziers();
+        let breaks = self.breaks();
+        let intervals: Vec<f64> = breaks.windows(2).map(|w| w[1] - w[0]).collect();
+        let smooth: Vec<bool> = (1..beziers.len()).map(|j| self.is_c1_at(j, &intervals)).collect();
+        if !smooth.contains(&true) {
+            return None;
+        }
+        let mut rows: Vec<[f64; 4]> = Vec::new();
+        let mut knots: Vec<f64> = Vec::new();
+        let degree = self.degree() + 3;
+        let mut scale = 1.0;
+        for (j, bezier) in beziers.iter().enumerate() {
+            let raised = flattened(bezier)?;
+            let first = raised.rows()[0];
+            if let Some(last) = rows.last() {
+                scale = last[3] / first[3];
+            }
+            knots.extend(std::iter::repeat_n(
+                breaks[j],
+                if j == 0 { degree + 1 } else { degree - usize::from(smooth[j - 1]) },
+            ));
+            let skip = usize::from(j > 0);
+            rows.extend(raised.rows()[skip..].iter().map(|r| r.map(|v| v * scale)));
+        }
+        knots.extend(std::iter::repeat_n(breaks[beziers.len()], degree + 1));
+        // The joint rows of smooth knots are combinations of their neighbours: left out.
+        let kept: Vec<[f64; 4]> = rows
+            .into_iter()
+            .enumerate()
+            .filter(|(i, _)| !(i % degree == 0 && *i > 0 && *i < beziers.len() * degree && smooth[i / degree - 1]))
+            .map(|(_, r)| r)
+            .collect();
+        let weights: Vec<f64> = kept.iter().map(|r| r[3]).collect();
+        let points = kept.iter().map(|r| Point3::new(r[0] / r[3], r[1] / r[3], r[2] / r[3])).collect();
+        Self::new(degree, knots, points, weights).ok()
+    }
+
+    /// True if the affine derivative is continuous at the inner break `j`.
+    fn is_c1_at(&self, j: usize, intervals: &[f64]) -> bool {
+        let before: Vec3 = self.span_jet(j - 1, 1.0).d1 / intervals[j - 1];
+        let after: Vec3 = self.span_jet(j, 0.0).d1 / intervals[j];
+        (after - before).length() <= C1_LIMIT * after.length().max(before.length())
+    }
+}
+
+/// The piece multiplied by the cubic that makes its weight function flat at both ends, if that cubic is positive.
+fn flattened(bezier: &RationalBezier) -> Option<RationalBezier> {
+    let rows = bezier.rows();
+    let (n, last) = (bezier.degree() as f64, rows.len() - 1);
+    let (w0, w1) = (rows[0][3], rows[last][3]);
+    let (a, b) = (-n * (rows[1][3] - w0) / w0, n * (w1 - rows[last - 1][3]) / w1);
+    let factor = [1.0, 1.0 + a / 3.0, 1.0 + b / 3.0, 1.0];
+    let raised = bezier.multiplied(&factor);
+    (factor.iter().all(|g| *g > 0.0) && raised.has_positive_weights()).then_some(raised)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn quarter_circles_become_c1_and_keep_every_point() {
+        let q = std::f64::consts::FRAC_1_SQRT_2;
+        let xy = [(1.0, 0.0), (1.0, 1.0), (0.0, 1.0), (-1.0, 1.0), (-1.0, 0.0)];
+        let points = xy.iter().map(|&(x, y)| Point3::new(x, y, 0.0)).collect();
+        let c = NurbsCurve::new(2, vec![0.0, 0.0, 0.0, 0.5, 0.5, 1.0, 1.0, 1.0], points, vec![1.0, q, 1.0, q, 1.0])
+            .unwrap();
+        let s = c.with_c1_knots().unwrap();
+        assert_eq!(s.degree(), 5);
+        assert_eq!(s.knot_multiplicities()[1], (0.5, 4));
+        for i in 0..=40 {
+            let u = f64::from(i) / 40.0;
+            assert!(c.point_at_knot(u).distance(s.point_at_knot(u)) < 1e-15, "{u}");
+        }
+    }
+}

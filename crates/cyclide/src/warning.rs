@@ -1,0 +1,148 @@
+//! What a construction did that its user should know: named, with the place, the measure and the limit.
+
+/// A remark on a result that is valid but may not be what was meant.
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub enum Warning {
+    /// The curve turns back on itself at a node: one-sided tangents, the joint is only connected (G0).
+    Cusp {
+        /// Index of the point.
+        node: usize,
+    },
+    /// A turn close to half a turn: the circle through the node is very large.
+    SharpTurn {
+        /// Index of the point.
+        node: usize,
+        /// Turn at the point, radians.
+        angle: f64,
+        /// Turns above this are reported, radians.
+        limit: f64,
+    },
+    /// The blend takes the long way round between its two circles.
+    LongWay {
+        /// Segment, from 0; it starts at the point of the same index.
+        segment: usize,
+    },
+    /// The two circles of a segment run in opposite directions: a small change of the data moves the curve a lot.
+    OppositeCircles {
+        /// Segment, from 0.
+        segment: usize,
+    },
+    /// Neighbouring chords differ much in length, which makes interpolating curves bulge.
+    UnevenSpacing {
+        /// Index of the point between the two chords.
+        node: usize,
+        /// Longer over shorter chord.
+        ratio: f64,
+        /// Ratios above this are reported.
+        limit: f64,
+    },
+    /// A corner of the input was kept as a corner.
+    CornerKept {
+        /// Index of the point.
+        vertex: usize,
+        /// Turn at the point, radians.
+        angle: f64,
+    },
+    /// The samples are too far apart for the tolerance if the edges themselves are meant.
+    SamplesTooCoarse {
+        /// Median sagitta of the edges.
+        sagitta: f64,
+        /// Largest sagitta an arc over two vertices can have.
+        limit: f64,
+    },
+    /// The tolerance is below the noise of the data: nearly every span has two edges or fewer.
+    ToleranceBelowNoise {
+        /// Fraction of such spans.
+        fraction: f64,
+    },
+    /// Points closer than the limit to their neighbour were merged.
+    PointsMerged {
+        /// Index of the first one dropped.
+        first: usize,
+        /// How many were dropped.
+        count: usize,
+        /// Distances up to this count as equal.
+        limit: f64,
+    },
+}
+
+impl Warning {
+    /// The stable name of the warning, as used in reports.
+    #[must_use]
+    pub fn reason(&self) -> &'static str {
+        match self {
+            Self::Cusp { .. } => "cusp",
+            Self::SharpTurn { .. } => "sharp-turn",
+            Self::LongWay { .. } => "long-way",
+            Self::OppositeCircles { .. } => "opposite-circles",
+            Self::UnevenSpacing { .. } => "uneven-spacing",
+            Self::CornerKept { .. } => "corner-kept",
+            Self::SamplesTooCoarse { .. } => "samples-too-coarse",
+            Self::ToleranceBelowNoise { .. } => "tolerance-below-noise",
+            Self::PointsMerged { .. } => "points-merged",
+        }
+    }
+
+    /// The index of the point or segment, where there is one.
+    #[must_use]
+    pub fn index(&self) -> Option<usize> {
+        match *self {
+            Self::Cusp { node } | Self::SharpTurn { node, .. } | Self::UnevenSpacing { node, .. } => Some(node),
+            Self::LongWay { segment } | Self::OppositeCircles { segment } => Some(segment),
+            Self::CornerKept { vertex, .. } => Some(vertex),
+            Self::PointsMerged { first, .. } => Some(first),
+            Self::SamplesTooCoarse { .. } | Self::ToleranceBelowNoise { .. } => None,
+        }
+    }
+}
+
+impl std::fmt::Display for Warning {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Cusp { node } => {
+                write!(f, "point {node}: the curve turns back on itself (cusp), joint only connected")
+            }
+            Self::SharpTurn { node, angle, limit } => {
+                write!(
+                    f,
+                    "point {node}: turn of {:.2} degrees, above {:.0}: very large circle",
+                    angle.to_degrees(),
+                    limit.to_degrees()
+                )
+            }
+            Self::LongWay { segment } => {
+                write!(f, "segment {segment}: the blend takes the long way between its circles")
+            }
+            Self::OppositeCircles { segment } => {
+                write!(
+                    f,
+                    "segment {segment}: its circles run in opposite directions, small changes move the curve a lot"
+                )
+            }
+            Self::UnevenSpacing { node, ratio, limit } => {
+                write!(
+                    f,
+                    "point {node}: neighbouring chords differ by a factor {ratio:.1} (above {limit}), the curve may bulge"
+                )
+            }
+            Self::CornerKept { vertex, angle } => {
+                write!(f, "point {vertex}: corner of {:.1} degrees kept", angle.to_degrees())
+            }
+            Self::SamplesTooCoarse { sagitta, limit } => write!(
+                f,
+                "median sagitta of the edges is {sagitta:.3e}, an arc over two of them allows {limit:.3e}: if the points are samples of a smooth curve, use the target `points`"
+            ),
+            Self::ToleranceBelowNoise { fraction } => {
+                write!(
+                    f,
+                    "{:.0} % of the arcs span two edges or fewer: the tolerance is below the noise",
+                    fraction * 100.0
+                )
+            }
+            Self::PointsMerged { first, count, limit } => {
+                write!(f, "{count} point(s) within {limit:.3e} of their neighbour merged, the first is point {first}")
+            }
+        }
+    }
+}
