@@ -140,3 +140,63 @@ impl Mobius {
         self.map_pair(HPoint::weighted(p, Quat::ONE)).quotient().map(Quat::to_point)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn close(a: Point3, b: Point3, tol: f64) {
+        assert!(a.distance(b) <= tol, "{a:?} {b:?}");
+    }
+
+    fn samples() -> Vec<Point3> {
+        vec![Point3::new(0.3, -1.2, 2.0), Point3::new(-4.0, 0.5, 0.25), Point3::new(10.0, 7.0, -3.0)]
+    }
+
+    #[test]
+    fn inversion_is_the_classical_one_and_an_involution() {
+        let (o, r) = (Point3::new(1.0, -2.0, 0.5), 1.75);
+        let m = Mobius::inversion(o, r).unwrap();
+        for p in samples() {
+            let v = p - o;
+            let image = m.map_point(p).unwrap();
+            close(image, o + v * (r * r / v.length_squared()), 1e-14);
+            close(m.map_point(image).unwrap(), p, 1e-13);
+            close(m.after(&m).map_point(p).unwrap(), p, 1e-13);
+        }
+        assert!(m.map_point(o).is_none(), "the centre goes to infinity");
+    }
+
+    #[test]
+    fn reflection_and_similarity_are_the_classical_ones() {
+        let (o, n) = (Point3::new(1.0, 2.0, 3.0), Vec3::new(1.0, 2.0, -2.0) / 3.0);
+        let mirror = Mobius::reflection(o, n * 7.0).unwrap();
+        let (q, s, v) = (Quat::from_axis_angle(n, 0.7), 2.5, Vec3::new(-1.0, 4.0, 0.25));
+        let turn = Mobius::similarity(q * 3.0, s, v).unwrap();
+        for p in samples() {
+            close(mirror.map_point(p).unwrap(), p - n * (2.0 * n.dot(p - o)), 1e-14);
+            close(turn.map_point(p).unwrap(), Point3::ORIGIN + q.rotate(p.to_vec()) * s + v, 1e-13);
+            close(
+                turn.after(&mirror).map_point(p).unwrap(),
+                turn.map_point(mirror.map_point(p).unwrap()).unwrap(),
+                1e-13,
+            );
+        }
+    }
+
+    #[test]
+    fn only_matrices_that_keep_space_are_accepted() {
+        let m = Mobius::inversion(Point3::new(1.0, -2.0, 0.5), 3.0).unwrap();
+        let m = m.after(&Mobius::similarity(Quat::new(1.0, 2.0, -1.0, 0.5), 0.3, Vec3::X).unwrap());
+        // A common real or quaternionic gauge factor on the left of all entries is also a Möbius matrix only if the
+        // image stays imaginary: real factors do.
+        let s = 1e3;
+        assert!(Mobius::from_matrix(m.a * s, m.b * s, m.c * s, m.d * s).is_ok());
+        let q = Quat::new(0.5, -1.0, 2.0, 0.25);
+        let wrong = Mobius::from_matrix(q, Quat::ONE, Quat::new(0.0, 1.0, 0.0, 0.0), q);
+        assert_eq!(wrong.unwrap_err().reason(), "not-mobius");
+        let constant = Mobius::from_matrix(Quat::ONE, Quat::ONE, Quat::ONE, Quat::ONE);
+        assert_eq!(constant.unwrap_err().reason(), "not-mobius");
+        assert!(Mobius::from_matrix(Quat::new(f64::NAN, 0.0, 0.0, 0.0), Quat::ONE, Quat::ONE, Quat::ONE).is_err());
+    }
+}
