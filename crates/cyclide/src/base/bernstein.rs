@@ -55,7 +55,9 @@ pub(crate) fn derivative<const D: usize>(row: &[[f64; D]], k: usize, t: f64) -> 
     let factor = (0..k).fold(1.0, |f, j| f * (n - j) as f64);
     let difference = |i: usize, d: usize| {
         (0..=k)
-            .map(|j| if (k - j) % 2 == 0 { binomial(k, j) * row[i + j][d] } else { -binomial(k, j) * row[i + j][d] })
+            .map(|j| {
+                if (k - j).is_multiple_of(2) { binomial(k, j) * row[i + j][d] } else { -binomial(k, j) * row[i + j][d] }
+            })
             .sum::<f64>()
     };
     let s = 1.0 - t;

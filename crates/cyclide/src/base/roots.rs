@@ -33,7 +33,7 @@ pub(crate) fn bracketed(mut f: impl FnMut(f64) -> f64, mut a: f64, mut b: f64, w
         let inside = secant > a.min(b) && secant < a.max(b);
         // Every third step halves the bracket, so 200 steps always suffice.
         let m = if inside && step % 3 != 2 { secant } else { 0.5 * (a + b) };
-        if m == a || m == b {
+        if m <= a.min(b) || m >= a.max(b) {
             break;
         }
         let fm = f(m);

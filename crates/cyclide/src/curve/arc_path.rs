@@ -6,7 +6,7 @@ use super::param_curve::ParamCurve;
 use crate::base::bounds::Aabb;
 use crate::base::jet::CurveJet;
 use crate::base::vector::Point3;
-use crate::conformal::mobius::Mobius;
+use crate::conformal::mobius::{Conformal, Mobius};
 use crate::error::{Error, Result};
 
 /// Arcs and straight segments joined end to end; piece `i` of `n` covers `t` in `[i/n, (i+1)/n]`.
@@ -76,12 +76,14 @@ impl ArcPath {
     pub fn reversed(&self) -> Self {
         Self { arcs: self.arcs.iter().rev().map(Arc::reversed).collect(), closed: self.closed }
     }
+}
 
+impl Conformal for ArcPath {
     /// The image under a Möbius map, arc by arc with the same parameters.
     ///
     /// # Errors
     /// As [`Arc::transformed`], wrapped with the index of the arc.
-    pub fn transformed(&self, map: &Mobius) -> Result<Self> {
+    fn transformed(&self, map: &Mobius) -> Result<Self> {
         let arcs = self.arcs.iter().enumerate().map(|(i, a)| a.transformed(map).map_err(|e| e.in_span(i)));
         // Joints map to the same bits: both sides apply the same operations to the same point with weight 1, or
         // with a weight that cancels up to rounding. Tie them.

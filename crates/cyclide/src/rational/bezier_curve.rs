@@ -27,6 +27,11 @@ impl RationalBezier {
         }
     }
 
+    /// As [`new`](Self::new) for rows that are finite by construction.
+    pub(crate) fn from_rows_unchecked(rows: Vec<[f64; 4]>) -> Self {
+        Self { rows }
+    }
+
     /// The rows `[wx, wy, wz, w]`.
     #[must_use]
     pub fn rows(&self) -> &[[f64; 4]] {

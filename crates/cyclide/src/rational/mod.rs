@@ -1,8 +1,10 @@
 //! Exact rational Bézier and B-spline forms.
 
 mod bezier_curve;
+mod exact;
 mod nurbs_curve;
 mod smooth_knots;
 
 pub use bezier_curve::RationalBezier;
+pub use exact::ExactRational;
 pub use nurbs_curve::NurbsCurve;

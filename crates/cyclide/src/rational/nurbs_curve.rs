@@ -154,8 +154,7 @@ impl NurbsCurve {
     /// The knot spans as Bézier curves.
     #[must_use]
     pub fn to_beziers(&self) -> Vec<RationalBezier> {
-        // The rows come from checked points and weights: finite, at least two.
-        self.spans.iter().filter_map(|rows| RationalBezier::new(rows.clone()).ok()).collect()
+        self.spans.iter().map(|rows| RationalBezier::from_rows_unchecked(rows.clone())).collect()
     }
 
     /// Point at the knot-domain parameter `u` (clamped to the domain).

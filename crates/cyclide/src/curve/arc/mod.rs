@@ -20,6 +20,7 @@ use crate::base::jet::CurveJet;
 use crate::base::quat::Quat;
 use crate::base::vector::{Point3, Vec3};
 use crate::error::{Error, Result};
+use crate::rational::{ExactRational, RationalBezier};
 
 /// A circular arc or straight segment in space, parametrised by a linear fraction over `t` in `[0, 1]`.
 ///
@@ -74,8 +75,12 @@ impl Arc {
         }
         let pn = p.length();
         let n = r.hypot(pn);
-        if n == 0.0 {
+        // Squares of |w| occur in every formula: they must stay in range.
+        if n < 1e-150 {
             return Err(Error::ZeroWeight { index: 1 });
+        }
+        if n > 1e150 {
+            return Err(Error::NotFinite { what: "weight ratio", index: 1 });
         }
         if r < 0.0 && pn <= 8.0 * f64::EPSILON * -r {
             return Err(Error::PoleOnSegment { real: r, vector: pn });
@@ -260,6 +265,15 @@ impl Arc {
         let row = |v: Vec3, w: f64| [v.x, v.y, v.z, w];
         let (a0, a1, n2) = (self.p0.to_vec(), self.p1.to_vec(), self.n * self.n);
         [row(a0, 1.0), row(((a0 + a1) * self.r + self.cp) * 0.5, self.r), row(a1 * n2, n2)]
+    }
+}
+
+impl ExactRational for Arc {
+    type Form = RationalBezier;
+
+    /// The rational quadratic of [`bezier_rows`](Arc::bezier_rows), with the same parameter.
+    fn to_rational(&self) -> RationalBezier {
+        RationalBezier::from_rows_unchecked(self.bezier_rows().to_vec())
     }
 }
 

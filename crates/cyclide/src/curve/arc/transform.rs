@@ -3,16 +3,16 @@
 use super::Arc;
 use crate::base::quat::Quat;
 use crate::conformal::hpoint::HPoint;
-use crate::conformal::mobius::Mobius;
+use crate::conformal::mobius::{Conformal, Mobius};
 use crate::error::{Error, Result};
 
-impl Arc {
+impl Conformal for Arc {
     /// The image under a Möbius map, with the same parameter (`10`, section 1.6).
     ///
     /// # Errors
     /// `pole-on-segment` if the arc passes through the point that goes to infinity, `point-at-infinity` if an end
     /// does, `not-in-im-h` if rounding destroyed the result.
-    pub fn transformed(&self, map: &Mobius) -> Result<Self> {
+    fn transformed(&self, map: &Mobius) -> Result<Self> {
         let start = map.map_pair(HPoint::weighted(self.p0, Quat::ONE));
         let end = map.map_pair(HPoint::weighted(self.p1, self.weight_ratio()));
         let point = |p: HPoint| p.quotient().map(Quat::to_point).ok_or(Error::PointAtInfinity);
