@@ -87,6 +87,24 @@ pub enum Error {
         /// The limit it broke.
         limit: f64,
     },
+    /// The points turn back on themselves: there is no tangent to estimate.
+    #[error("cusp at point {index}: the unit chords sum to {measured:e}, limit {limit:e}; split the points there")]
+    Cusp {
+        /// The point, from 0.
+        index: usize,
+        /// Length of the sum of the two unit chords.
+        measured: f64,
+        /// Sums up to this are a cusp.
+        limit: f64,
+    },
+    /// There is not one tangent per point.
+    #[error("{given} tangents given for {needed} points")]
+    TangentCount {
+        /// Number of tangents given.
+        given: usize,
+        /// Number of points.
+        needed: usize,
+    },
     /// A rotation axis or plane normal is zero (or not usable in the plane asked for).
     #[error("the axis is zero")]
     ZeroAxis,
@@ -260,6 +278,8 @@ impl Error {
             Self::TangentOpposesChord { .. } => "tangent-opposes-chord",
             Self::PointAtInfinity => "point-at-infinity",
             Self::NoFiniteBiarc { .. } => "no-finite-biarc",
+            Self::Cusp { .. } => "cusp",
+            Self::TangentCount { .. } => "tangent-count",
             Self::ZeroAxis => "zero-axis",
             Self::ZeroRadius { .. } => "zero-radius",
             Self::RadiusNotPositive { .. } => "radius-not-positive",
@@ -290,6 +310,7 @@ impl Error {
             | Self::ZeroWeight { index }
             | Self::ZeroTangent { index }
             | Self::TangentOpposesChord { index }
+            | Self::Cusp { index, .. }
             | Self::WeightNotPositive { index, .. }
             | Self::NotPlanar { index, .. } => Some(index),
             Self::CoincidentPoints { second, .. } => Some(second),

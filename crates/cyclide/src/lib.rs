@@ -8,6 +8,7 @@
 
 mod base;
 mod conformal;
+mod construct;
 mod curve;
 mod error;
 mod model;
@@ -23,6 +24,7 @@ pub use base::vector::{Point3, Vec3};
 pub use conformal::hpoint::HPoint;
 pub use conformal::mobius::{Conformal, Mobius};
 pub use conformal::sphere::Sphere;
+pub use construct::{ArcSplineOptions, Biarc, BiarcRule, estimate_tangents};
 pub use curve::{Arc, ArcPath, Circle, ClosestPoint, DEFAULT_PIECE_ANGLE, ParamCurve};
 pub use error::{Error, Result};
 pub use model::{ChainPiece, CurveChain, CurveObject, Exactness, Item, Lower, Model, Units};

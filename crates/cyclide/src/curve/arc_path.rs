@@ -41,6 +41,12 @@ impl ArcPath {
         Ok(Self { arcs, closed })
     }
 
+    /// Path from arcs that share their end points by construction (at least one).
+    pub(crate) fn from_joined(arcs: Vec<Arc>, closed: bool) -> Self {
+        debug_assert!(Self::new(arcs.clone(), closed).is_ok(), "arcs do not share their ends");
+        Self { arcs, closed }
+    }
+
     /// The arcs.
     #[must_use]
     pub fn arcs(&self) -> &[Arc] {

@@ -242,6 +242,11 @@ impl Arc {
         Self::from_ratio_unchecked(self.p1, self.p0, self.r / n2, -self.p / n2)
     }
 
+    /// The segment between the same ends, at the same start speed.
+    pub(crate) fn straightened(&self) -> Self {
+        Self::from_ratio_unchecked(self.p0, self.p1, self.n, Vec3::ZERO)
+    }
+
     /// The same weight with the start moved (by rounding): ties the joints of a chain to equal doubles.
     pub(crate) fn with_start(&self, p0: Point3) -> Self {
         Self::tied(p0, self.p1, self.r, self.p)
