@@ -24,7 +24,10 @@ pub use base::vector::{Point3, Vec3};
 pub use conformal::hpoint::HPoint;
 pub use conformal::mobius::{Conformal, Mobius};
 pub use conformal::sphere::Sphere;
-pub use construct::{ArcSplineOptions, Biarc, BiarcRule, estimate_tangents};
+pub use construct::{
+    ArcCertificate, ArcSplineOptions, Biarc, BiarcRule, BulgeIntervals, certify_arc, curvature_intervals,
+    estimate_tangents, feasible_bulges,
+};
 pub use curve::{Arc, ArcPath, Circle, ClosestPoint, DEFAULT_PIECE_ANGLE, ParamCurve};
 pub use error::{Error, Result};
 pub use model::{ChainPiece, CurveChain, CurveObject, Exactness, Item, Lower, Model, Units};

@@ -1,7 +1,9 @@
-//! Recipes of several steps that make curves: biarcs, arc splines.
+//! Recipes of several steps that make curves: biarcs, arc splines, arc fits.
 
+mod arc_fit;
 mod arc_spline;
 mod biarc;
 
+pub use arc_fit::{ArcCertificate, BulgeIntervals, certify_arc, curvature_intervals, feasible_bulges};
 pub use arc_spline::{ArcSplineOptions, estimate_tangents};
 pub use biarc::{Biarc, BiarcRule};
