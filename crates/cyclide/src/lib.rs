@@ -11,6 +11,7 @@ mod conformal;
 mod construct;
 mod curve;
 mod error;
+mod mesh;
 mod model;
 mod rational;
 mod warning;
@@ -28,8 +29,10 @@ pub use construct::{
     ArcCertificate, ArcSplineOptions, Biarc, BiarcRule, BulgeIntervals, certify_arc, curvature_intervals,
     estimate_tangents, feasible_bulges,
 };
-pub use curve::{Arc, ArcPath, Circle, ClosestPoint, DEFAULT_PIECE_ANGLE, ParamCurve};
+pub use curve::{Arc, ArcPath, Circle, ClosestPoint, DEFAULT_PIECE_ANGLE, ParamCurve, PieceForm};
+pub use curve::{ExtremeCurvature, Joint, bounds, curvature_comb, extreme_curvature, joints, length};
 pub use error::{Error, Result};
+pub use mesh::{flatten, flatten_into};
 pub use model::{ChainPiece, CurveChain, CurveObject, Exactness, Item, Lower, Model, Units};
 pub use rational::{ExactRational, NurbsCurve, RationalBezier};
 pub use warning::Warning;

@@ -1,6 +1,6 @@
 //! Axis-aligned bounding boxes.
 
-use super::vector::Point3;
+use super::vector::{Point3, Vec3};
 
 /// An axis-aligned box, both corners included.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -39,6 +39,21 @@ impl Aabb {
     #[must_use]
     pub fn union(self, o: Self) -> Self {
         self.including(o.min).including(o.max)
+    }
+
+    /// True if the other box lies inside this one (touching allowed).
+    #[must_use]
+    pub fn contains(self, o: Self) -> bool {
+        self.union(o) == self
+    }
+
+    /// Distance from a point to the box, 0 inside.
+    #[must_use]
+    pub fn distance(self, p: Point3) -> f64 {
+        let out = |p: f64, lo: f64, hi: f64| (lo - p).max(p - hi).max(0.0);
+        let (x, y, z) =
+            (out(p.x, self.min.x, self.max.x), out(p.y, self.min.y, self.max.y), out(p.z, self.min.z, self.max.z));
+        Vec3::new(x, y, z).length()
     }
 
     /// Length of the space diagonal: the size that relative measures refer to.

@@ -3,6 +3,7 @@
 use super::arc::Arc;
 use super::arc::measure::ClosestPoint;
 use super::param_curve::ParamCurve;
+use super::piece_form::PieceForm;
 use crate::base::bounds::Aabb;
 use crate::base::jet::CurveJet;
 use crate::base::vector::Point3;
@@ -119,6 +120,9 @@ impl ParamCurve for ArcPath {
     }
     fn piece_point(&self, piece: usize, s: f64) -> Point3 {
         self.arcs[piece].point(s)
+    }
+    fn piece_form(&self, piece: usize) -> PieceForm {
+        PieceForm::Arc(self.arcs[piece])
     }
     fn piece_length(&self, piece: usize, s0: f64, s1: f64) -> f64 {
         self.arcs[piece].piece_length(0, s0, s1)

@@ -2,6 +2,7 @@
 
 use super::arc::Arc;
 use super::param_curve::ParamCurve;
+use super::piece_form::PieceForm;
 use crate::base::bounds::Aabb;
 use crate::base::jet::CurveJet;
 use crate::base::vector::{Point3, Vec3};
@@ -161,6 +162,9 @@ impl ParamCurve for Circle {
     }
     fn is_closed(&self) -> bool {
         true
+    }
+    fn piece_form(&self, _piece: usize) -> PieceForm {
+        PieceForm::Circle(*self)
     }
     fn piece_length(&self, _piece: usize, s0: f64, s1: f64) -> f64 {
         std::f64::consts::TAU * self.radius() * (s1 - s0)

@@ -4,8 +4,10 @@
 //! `[i/n, (i+1)/n]` by its own parameter `s` in `[0, 1]`, so `t = (i + s)/n`. Everything that is measured on curves
 //! (length, closest point, flattening, continuity at the joints) works piece by piece on the two required methods.
 
+use super::piece_form::PieceForm;
 use crate::base::bounds::Aabb;
 use crate::base::jet::CurveJet;
+use crate::base::quadrature::{gauss8, integrate};
 use crate::base::vector::{Point3, Vec3};
 
 /// A parametric curve made of one or more smooth pieces; parameters run over `[0, 1]`.
@@ -29,11 +31,16 @@ pub trait ParamCurve: Send + Sync {
         self.piece_jet(piece, s).point
     }
 
+    /// What the piece is where it has a closed form; override for arcs and circles, whose measures are then exact.
+    fn piece_form(&self, _piece: usize) -> PieceForm {
+        PieceForm::Free
+    }
+
     /// Arc length of the part `[s0, s1]` of a piece, to the relative tolerance 1e-12 of the piece or better.
     fn piece_length(&self, piece: usize, s0: f64, s1: f64) -> f64 {
         let mut speed = |s: f64| self.piece_jet(piece, s).speed();
-        let rough = crate::base::quadrature::integrate(&mut speed, s0, s1, f64::INFINITY);
-        crate::base::quadrature::integrate(&mut speed, s0, s1, 1e-13 * rough)
+        let rough = gauss8(&mut speed, s0, s1);
+        integrate(&mut speed, s0, s1, 1e-13 * rough)
     }
 
     /// A box that contains the piece, not necessarily the smallest one.

@@ -3,7 +3,7 @@
 use crate::base::bounds::Aabb;
 use crate::base::jet::CurveJet;
 use crate::base::vector::Point3;
-use crate::curve::{Arc, ArcPath, ParamCurve};
+use crate::curve::{Arc, ArcPath, ParamCurve, PieceForm};
 use crate::error::{Error, Result};
 use crate::rational::NurbsCurve;
 
@@ -117,6 +117,10 @@ impl ParamCurve for CurveChain {
     fn piece_point(&self, piece: usize, s: f64) -> Point3 {
         let (i, j) = self.index[piece];
         self.pieces[i].as_curve().piece_point(j, s)
+    }
+    fn piece_form(&self, piece: usize) -> PieceForm {
+        let (i, j) = self.index[piece];
+        self.pieces[i].as_curve().piece_form(j)
     }
     fn piece_length(&self, piece: usize, s0: f64, s1: f64) -> f64 {
         let (i, j) = self.index[piece];

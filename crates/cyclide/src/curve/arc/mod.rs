@@ -15,6 +15,7 @@ pub(super) mod subdivide;
 mod transform;
 
 use super::param_curve::ParamCurve;
+use super::piece_form::PieceForm;
 use crate::base::bounds::Aabb;
 use crate::base::jet::CurveJet;
 use crate::base::quat::Quat;
@@ -295,6 +296,9 @@ impl ParamCurve for Arc {
     }
     fn piece_point(&self, _piece: usize, s: f64) -> Point3 {
         self.point(s)
+    }
+    fn piece_form(&self, _piece: usize) -> PieceForm {
+        PieceForm::Arc(*self)
     }
     fn piece_length(&self, _piece: usize, s0: f64, s1: f64) -> f64 {
         self.length_to(s1) - self.length_to(s0)

@@ -1,0 +1,73 @@
+//! Continuity at the joints of a curve, measured.
+
+use crate::base::jet::CurveJet;
+use crate::base::vector::Vec3;
+use crate::curve::ParamCurve;
+
+/// How two consecutive pieces meet.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Joint {
+    /// The piece that ends here.
+    pub piece: usize,
+    /// The piece that starts here. It is `piece + 1`, 0 at the closing joint, or a later one where pieces of no
+    /// extent lie between.
+    pub next: usize,
+    /// Distance between the end and the start (0 if they are the same doubles).
+    pub gap: f64,
+    /// Angle between the unit tangents in `[0, pi]`, radians, accurate near 0.
+    pub angle: f64,
+    /// Length of the difference of the two curvature vectors, in 1/length. Infinite where a piece ends in a cusp.
+    pub curvature_jump: f64,
+}
+
+/// Every joint of the curve in order; the last one joins the end to the start if the curve is closed.
+///
+/// Tangents are those of the geometry: where the first derivative vanishes, the limit direction is taken. A piece
+/// without any direction (all its points are one) is passed over, and its gaps are added to those of the joint.
+#[must_use]
+pub fn joints(curve: &dyn ParamCurve) -> Vec<Joint> {
+    let n = curve.piece_count();
+    let start = |i: usize| curve.piece_jet(i, 0.0);
+    let end = |i: usize| curve.piece_jet(i, 1.0);
+    let extended = |i: &usize| direction(&start(*i), 1.0).is_some() && direction(&end(*i), -1.0).is_some();
+    let pieces: Vec<usize> = (0..n).filter(extended).collect();
+    let inner = pieces.windows(2).map(|w| (w[0], w[1]));
+    let closing = match (pieces.first(), pieces.last()) {
+        (Some(&first), Some(&last)) if curve.is_closed() => Some((last, first)),
+        _ => None,
+    };
+    let measure = |(piece, next): (usize, usize)| {
+        let (before, after) = (end(piece), start(next));
+        // One step to the next piece, more over pieces without extent; once around for a single closed piece.
+        let steps = if next > piece { next - piece } else { next + n - piece };
+        let between = |k: usize| {
+            let (at, to) = ((piece + k) % n, (piece + k + 1) % n);
+            curve.piece_point(at, 1.0).distance(curve.piece_point(to, 0.0))
+        };
+        let gap = (0..steps).map(between).sum();
+        let angle = match (direction(&before, -1.0), direction(&after, 1.0)) {
+            (Some(a), Some(b)) => a.angle(b),
+            // Not reached: only pieces with directions are listed.
+            _ => 0.0,
+        };
+        let curvature_jump = match (limit_curvature(&before), limit_curvature(&after)) {
+            (Some(a), Some(b)) => (b - a).length(),
+            _ => f64::INFINITY,
+        };
+        Joint { piece, next, gap, angle, curvature_jump }
+    };
+    inner.chain(closing).map(measure).collect()
+}
+
+/// Unit direction of travel at an end of a piece, from the first derivative that does not vanish; `side` is +1 at
+/// the start and -1 at the end of the piece. `None` if all three vanish.
+fn direction(jet: &CurveJet, side: f64) -> Option<Vec3> {
+    // x'(s0 + h) = d1 + h d2 + h²/2 d3 with h of the sign of `side`.
+    jet.d1.unit().or_else(|| (jet.d2 * side).unit()).or_else(|| jet.d3.unit())
+}
+
+/// The curvature vector, or its limit where the speed vanishes: zero if the next two derivatives are parallel, else
+/// infinite (`None`).
+fn limit_curvature(jet: &CurveJet) -> Option<Vec3> {
+    jet.curvature_vector().or_else(|| (jet.d2.cross(jet.d3).max_abs() == 0.0).then_some(Vec3::ZERO))
+}

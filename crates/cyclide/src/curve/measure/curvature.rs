@@ -1,0 +1,64 @@
+//! The largest curvature of a curve.
+
+use super::maximum::maximum;
+use crate::base::jet::CurveJet;
+use crate::base::vector::Point3;
+use crate::curve::{ParamCurve, PieceForm};
+
+/// The largest curvature and where it is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ExtremeCurvature {
+    /// Largest curvature, in 1/length; 0 on straight curves, infinite if a scanned place is a cusp.
+    pub max: f64,
+    /// Global parameter in `[0, 1]`, the first such place.
+    pub t: f64,
+    /// The point there.
+    pub point: Point3,
+}
+
+/// The largest curvature over all pieces: exact for arcs and circles; elsewhere maxima are bracketed by an adaptive
+/// scan of each piece and refined to rounding.
+#[must_use]
+pub fn extreme_curvature(curve: &dyn ParamCurve) -> ExtremeCurvature {
+    let n = curve.piece_count();
+    let mut best = (0, 0.0, -1.0);
+    for piece in 0..n {
+        let (s, max) = match curve.piece_form(piece) {
+            PieceForm::Arc(arc) => (0.0, arc.curvature()),
+            PieceForm::Circle(circle) => (0.0, 1.0 / circle.radius()),
+            PieceForm::Free => {
+                let mut cusp = None;
+                let found = maximum(&mut |s| {
+                    let (value, slope) = curvature_and_slope(&curve.piece_jet(piece, s));
+                    if value.is_finite() {
+                        return (value, slope);
+                    }
+                    cusp = cusp.or(Some(s));
+                    (0.0, 0.0)
+                });
+                cusp.map_or(found, |s| (s, f64::INFINITY))
+            }
+        };
+        if max > best.2 {
+            best = (piece, s, max);
+        }
+    }
+    let (piece, s, max) = best;
+    ExtremeCurvature { max, t: (piece as f64 + s) / n as f64, point: curve.piece_point(piece, s) }
+}
+
+/// Curvature and its derivative by the parameter; infinite at a cusp, 0 on a piece without extent.
+///
+/// With `C = x' × x''`: `k = |C|/|x'|³`, `k' = k (C·(x' × x''')/|C|² - 3 x'·x''/|x'|²)`.
+fn curvature_and_slope(jet: &CurveJet) -> (f64, f64) {
+    let Some(curvature) = jet.curvature() else {
+        return (if jet.d2.cross(jet.d3).max_abs() > 0.0 { f64::INFINITY } else { 0.0 }, 0.0);
+    };
+    // Scaled so that the squares neither overflow nor vanish.
+    let scale = jet.d1.max_abs();
+    let (d1, d2, d3) = (jet.d1 / scale, jet.d2 / scale, jet.d3 / scale);
+    let c = d1.cross(d2);
+    let c2 = c.length_squared();
+    let slope = curvature * (c.dot(d1.cross(d3)) / c2 - 3.0 * d1.dot(d2) / d1.length_squared());
+    (curvature, if slope.is_finite() { slope } else { 0.0 })
+}

@@ -1,0 +1,17 @@
+//! What can be measured on every curve, written once on [`ParamCurve`](crate::ParamCurve).
+//!
+//! Pieces that are arcs or circles ([`PieceForm`](crate::PieceForm)) are measured in closed form, all others by
+//! their jets to the tolerance each function states.
+
+mod bounds;
+mod comb;
+mod continuity;
+mod curvature;
+mod length;
+mod maximum;
+
+pub use bounds::bounds;
+pub use comb::curvature_comb;
+pub use continuity::{Joint, joints};
+pub use curvature::{ExtremeCurvature, extreme_curvature};
+pub use length::length;

@@ -1,0 +1,16 @@
+//! What a piece of a curve is, where it has a closed form.
+
+use super::arc::Arc;
+use super::circle::Circle;
+
+/// The shape of one smooth piece, with the piece's own parameter: measures are exact for arcs and circles and
+/// numerical for the rest.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum PieceForm {
+    /// The piece is this arc or straight segment, point for point at equal parameters.
+    Arc(Arc),
+    /// The piece is this full circle, at constant speed.
+    Circle(Circle),
+    /// Anything else: known by its jets only.
+    Free,
+}

@@ -1,0 +1,177 @@
+//! Flattening: the polyline of few vertices within a chordal tolerance of a curve.
+//!
+//! An arc of radius `R` is within `R(1 - cos(delta/2)) <= tolerance` of chords of equal angles `delta`. On other
+//! pieces vertices are spread with density `sqrt(k)` (`k` the curvature), the ideal for a small tolerance, and each
+//! chord is then checked: a part of length `L` over a chord of length `c` lies in the ellipse with the chord's ends
+//! as foci, so it is nowhere farther from the chord than `sqrt(L² - c²)/2`, which is 1.155 times the sagitta of a
+//! flat arc. Chords that fail are halved.
+
+use crate::base::quadrature::gauss8;
+use crate::base::vector::Point3;
+use crate::curve::{ParamCurve, PieceForm};
+use crate::error::{Error, Result};
+
+/// Largest number of vertices made.
+const VERTEX_CAP: usize = 100_000_000;
+/// Intervals on which the density of vertices of a piece is sampled.
+const DENSITY_SCAN: usize = 32;
+/// Halvings of one chord that fails its check; beyond, the part is shorter than rounding.
+const DEPTH: u32 = 48;
+
+/// Parameters and points of a polyline within `tolerance` of the curve, in both directions (largest distance of a
+/// curve point from its chord). The ends of all pieces are vertices; a closed curve ends with the bits of its start.
+///
+/// # Errors
+/// `tolerance-not-positive`; `too-many-pieces` if more than 10^8 vertices would be needed.
+pub fn flatten(curve: &dyn ParamCurve, tolerance: f64) -> Result<Vec<(f64, Point3)>> {
+    let mut vertices = Vec::new();
+    flatten_into(curve, tolerance, &mut vertices)?;
+    Ok(vertices)
+}
+
+/// As [`flatten`], into a vector that is cleared first and keeps its capacity for the next call.
+///
+/// # Errors
+/// As [`flatten`].
+pub fn flatten_into(curve: &dyn ParamCurve, tolerance: f64, vertices: &mut Vec<(f64, Point3)>) -> Result<()> {
+    if !(tolerance > 0.0 && tolerance.is_finite()) {
+        return Err(Error::ToleranceNotPositive { tolerance });
+    }
+    let n = curve.piece_count();
+    vertices.clear();
+    vertices.push((0.0, curve.piece_point(0, 0.0)));
+    for piece in 0..n {
+        let global = |s: f64| (piece as f64 + s) / n as f64;
+        match curve.piece_form(piece) {
+            PieceForm::Arc(arc) => {
+                let chords = chords_of_arc(arc.radius().unwrap_or(f64::INFINITY), arc.angle(), tolerance);
+                let m = count(chords, vertices.len(), piece)?;
+                for j in 1..m {
+                    let l = j as f64 / m as f64;
+                    vertices.push((global(arc.parameter_at_length(l)), arc.point_at_length(l)));
+                }
+            }
+            PieceForm::Circle(circle) => {
+                // Three chords at least: two would be one segment, there and back.
+                let chords = chords_of_arc(circle.radius(), std::f64::consts::TAU, tolerance).max(3.0);
+                let m = count(chords, vertices.len(), piece)?;
+                vertices.extend((1..m).map(|j| {
+                    let s = j as f64 / m as f64;
+                    (global(s), curve.piece_point(piece, s))
+                }));
+            }
+            PieceForm::Free => Free { curve, piece, tolerance }.flatten(vertices)?,
+        }
+        vertices.push((global(1.0), curve.piece_point(piece, 1.0)));
+    }
+    if curve.is_closed() {
+        let (_, start) = vertices[0];
+        if let Some(last) = vertices.last_mut() {
+            last.1 = start;
+        }
+    }
+    Ok(())
+}
+
+/// Number of equal chords of an arc: `R(1 - cos(delta/2)) = 2R sin²(delta/4) <= tolerance`. Not rounded to `usize`
+/// yet: it may be anything up to infinity.
+fn chords_of_arc(radius: f64, angle: f64, tolerance: f64) -> f64 {
+    if angle == 0.0 || radius.is_infinite() {
+        return 1.0;
+    }
+    let sine = (0.5 * tolerance / radius).sqrt();
+    if sine >= 1.0 {
+        return 1.0;
+    }
+    // Rounding of the quotient must not add a chord.
+    (angle / (4.0 * sine.asin()) * (1.0 - 1e-12)).ceil().max(1.0)
+}
+
+/// The number of chords as an integer, refused if the vertices would exceed the cap.
+fn count(chords: f64, have: usize, piece: usize) -> Result<usize> {
+    // The cast saturates: infinity becomes the largest integer.
+    let chords = chords as usize;
+    if chords > VERTEX_CAP.saturating_sub(have) {
+        return Err(Error::TooManyPieces { segment: piece, needed: chords, cap: VERTEX_CAP });
+    }
+    Ok(chords)
+}
+
+/// One piece that is known by its jets only.
+struct Free<'a> {
+    curve: &'a dyn ParamCurve,
+    piece: usize,
+    tolerance: f64,
+}
+
+impl Free<'_> {
+    /// Appends the inner vertices of the piece.
+    fn flatten(&self, vertices: &mut Vec<(f64, Point3)>) -> Result<()> {
+        // Chords by the integral of sqrt(k) by arc length: a part of curvature k fills its bound at the length
+        // sqrt(4 sqrt(3) tolerance/k).
+        let mut sums = [0.0; DENSITY_SCAN + 1];
+        let mut before = self.density(0.0);
+        for i in 1..=DENSITY_SCAN {
+            let here = self.density(i as f64 / DENSITY_SCAN as f64);
+            sums[i] = sums[i - 1] + 0.5 * (before + here) / DENSITY_SCAN as f64;
+            before = here;
+        }
+        let total = sums[DENSITY_SCAN];
+        let chords = (total / (4.0 * 3.0_f64.sqrt() * self.tolerance).sqrt()).ceil().max(1.0);
+        let m = count(if chords.is_finite() { chords } else { 1.0 }, vertices.len(), self.piece)?;
+        let (mut s, mut point) = (0.0, self.curve.piece_point(self.piece, 0.0));
+        let mut interval = 1;
+        for j in 1..=m {
+            let goal = total * j as f64 / m as f64;
+            while interval < DENSITY_SCAN && sums[interval] < goal {
+                interval += 1;
+            }
+            let step = sums[interval] - sums[interval - 1];
+            let inside = if step > 0.0 { (goal - sums[interval - 1]) / step } else { 1.0 };
+            let next = if j == m { 1.0 } else { ((interval - 1) as f64 + inside) / DENSITY_SCAN as f64 };
+            let next_point = self.curve.piece_point(self.piece, next);
+            self.check(s, point, next, next_point, DEPTH, vertices)?;
+            if j < m {
+                vertices.push((self.global(next), next_point));
+            }
+            (s, point) = (next, next_point);
+        }
+        Ok(())
+    }
+
+    fn global(&self, s: f64) -> f64 {
+        (self.piece as f64 + s) / self.curve.piece_count() as f64
+    }
+
+    /// Vertices per parameter up to a factor: `sqrt(k) |x'|`, 0 where there is no tangent.
+    fn density(&self, s: f64) -> f64 {
+        let jet = self.curve.piece_jet(self.piece, s);
+        jet.curvature().map_or(0.0, |k| k.sqrt() * jet.speed())
+    }
+
+    /// Adds vertices between two parameters where the part is not within the tolerance of its chord.
+    fn check(
+        &self,
+        a: f64,
+        from: Point3,
+        b: f64,
+        to: Point3,
+        depth: u32,
+        vertices: &mut Vec<(f64, Point3)>,
+    ) -> Result<()> {
+        let chord = from.distance(to);
+        let mut speed = |s: f64| self.curve.piece_jet(self.piece, s).speed();
+        let m = 0.5 * (a + b);
+        let length = gauss8(&mut speed, a, b);
+        // Half the minor axis, (L-c)(L+c) without cancellation of squares.
+        let deviation = 0.5 * ((length - chord).max(0.0) * (length + chord)).sqrt();
+        if deviation <= self.tolerance || depth == 0 || m <= a || m >= b {
+            return Ok(());
+        }
+        count(1.0, vertices.len(), self.piece)?;
+        let middle = self.curve.piece_point(self.piece, m);
+        self.check(a, from, m, middle, depth - 1, vertices)?;
+        vertices.push((self.global(m), middle));
+        self.check(m, middle, b, to, depth - 1, vertices)
+    }
+}

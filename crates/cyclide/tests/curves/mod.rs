@@ -1,0 +1,121 @@
+//! The list of every implementor of `ParamCurve`, in easy and hard shapes.
+
+use cyclide::{
+    Arc, ArcPath, ChainPiece, Circle, CurveChain, DEFAULT_PIECE_ANGLE, NurbsCurve, ParamCurve, Point3, Vec3,
+};
+
+/// One curve of the list.
+pub struct Case {
+    /// Name for messages.
+    pub name: String,
+    /// The curve.
+    pub curve: Box<dyn ParamCurve>,
+    /// Its size: about the diagonal of its box.
+    pub size: f64,
+    /// Its largest absolute coordinate, which sets the rounding.
+    pub reach: f64,
+}
+
+fn case(name: &str, curve: impl ParamCurve + 'static) -> Case {
+    let b = cyclide::bounds(&curve);
+    Case { name: name.to_owned(), size: b.diagonal(), reach: b.max_abs(), curve: Box::new(curve) }
+}
+
+pub fn point(x: f64, y: f64, z: f64) -> Point3 {
+    Point3::new(x, y, z)
+}
+
+/// Arcs that meet with a tangent: a chain from one start tangent by reflection.
+pub fn arc_chain(points: &[Point3], mut tangent: Vec3, closed: bool) -> ArcPath {
+    let mut arcs = Vec::new();
+    for w in points.windows(2) {
+        arcs.push(Arc::from_start_tangent(w[0], w[1], tangent).unwrap());
+        tangent = tangent.reflect((w[1] - w[0]).unit().unwrap());
+    }
+    ArcPath::new(arcs, closed).unwrap()
+}
+
+/// A rational cubic with weights and a double knot, scaled.
+pub fn rational_cubic(scale: f64) -> NurbsCurve {
+    let rows: [[f64; 3]; 7] = [
+        [0.0, 0.0, 0.0],
+        [1.0, 2.0, 0.5],
+        [3.0, 1.5, -0.5],
+        [4.0, -1.0, 0.0],
+        [6.0, 0.0, 1.0],
+        [6.5, 2.0, 1.0],
+        [5.0, 3.0, 0.0],
+    ];
+    let points = rows.iter().map(|r| point(r[0] * scale, r[1] * scale, r[2] * scale)).collect();
+    let weights = vec![1.0, 0.7, 1.6, 1.0, 0.9, 1.3, 1.0];
+    NurbsCurve::new(3, vec![0.0, 0.0, 0.0, 0.0, 0.3, 0.3, 0.7, 1.0, 1.0, 1.0, 1.0], points, weights).unwrap()
+}
+
+/// A track of two straights and two half circles, closed, tilted out of the plane.
+pub fn stadium(scale: f64) -> ArcPath {
+    let p = |x: f64, y: f64| point(x * scale, y * scale, (0.25 * x - 0.5 * y) * scale);
+    let (a, b, c, d) = (p(0.0, 0.0), p(4.0, 0.0), p(4.0, 2.0), p(0.0, 2.0));
+    let out = b - a;
+    let arcs = vec![
+        Arc::segment(a, b).unwrap(),
+        Arc::from_start_tangent(b, c, out).unwrap(),
+        Arc::segment(c, d).unwrap(),
+        Arc::from_start_tangent(d, a, -out).unwrap(),
+    ];
+    ArcPath::new(arcs, true).unwrap()
+}
+
+/// Every implementor at one scale.
+fn cases_at(s: f64) -> Vec<Case> {
+    let p = |x: f64, y: f64, z: f64| point(x * s, y * s, z * s);
+    let circle = Circle::from_center(p(1.0, -2.0, 0.5), Vec3::new(0.3, -0.5, 0.8), p(3.0, 0.0, 0.0)).unwrap();
+    let chain_points = [p(0.0, 0.0, 0.0), p(1.0, 0.5, 0.2), p(2.0, 0.0, 0.0), p(3.5, 1.0, -0.5), p(3.0, 2.0, 0.0)];
+    let arc = Arc::from_three_points(p(0.0, 0.0, 0.0), p(1.0, 1.0, 0.5), p(2.5, 0.0, 1.0)).unwrap();
+    let nurbs = rational_cubic(s);
+    let mixed = CurveChain::new(
+        vec![
+            ChainPiece::Arc(Arc::from_bulge(p(-2.0, 1.0, 0.0), p(0.0, 0.0, 0.0), Vec3::Z, 0.7).unwrap()),
+            ChainPiece::Spline(nurbs.clone()),
+            ChainPiece::Arc(Arc::segment(p(5.0, 3.0, 0.0), p(5.0, 7.0, 2.0)).unwrap()),
+        ],
+        false,
+        0.0,
+    )
+    .unwrap();
+    vec![
+        case("arc", arc),
+        case("line", Arc::segment(p(1.0, 2.0, 3.0), p(-2.0, 1.0, 0.0)).unwrap()),
+        case("half circle", Arc::from_bulge(p(0.0, 0.0, 0.0), p(2.0, 0.0, 1.0), Vec3::Y, 1.0).unwrap()),
+        case(
+            "nearly full arc",
+            Arc::from_center(p(1.0, 1.0, 0.0), Vec3::new(0.2, 0.1, 1.0), p(3.0, 1.0, 0.0), 6.2).unwrap(),
+        ),
+        case("nearly straight arc", Arc::from_bulge(p(0.0, 0.0, 0.0), p(3.0, 1.0, 0.0), Vec3::Z, 1e-9).unwrap()),
+        case(
+            "uneven weights",
+            Arc::from_start_tangent(p(0.0, 0.0, 0.0), p(1.0, 0.0, 0.0), Vec3::new(2.0, 3.0, 1.0) * s).unwrap(),
+        ),
+        case("circle", circle),
+        case("open arc path", arc_chain(&chain_points, Vec3::new(1.0, 1.0, 0.3), false)),
+        case("closed arc path", stadium(s)),
+        case("rational cubic", nurbs),
+        case("circle as spline", circle.to_nurbs().unwrap()),
+        case("arc as spline", arc.to_nurbs(DEFAULT_PIECE_ANGLE).unwrap()),
+        case("smooth circle spline", circle.to_nurbs().unwrap().with_c1_knots().unwrap()),
+        case("mixed chain", mixed),
+    ]
+}
+
+/// Every implementor at three scales.
+pub fn cases() -> Vec<Case> {
+    let scales = [1e-6, 1.0, 1e6];
+    scales
+        .into_iter()
+        .flat_map(|s| {
+            cases_at(s).into_iter().map(move |mut c| {
+                c.name = format!("{} at scale {s:e}", c.name);
+                c
+            })
+        })
+        .collect()
+}
