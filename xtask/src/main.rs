@@ -1,2 +1,35 @@
-//! Developer tasks of cyclide.
-fn main() {}
+//! Developer tasks of cyclide: `cargo xtask <task>`.
+#![allow(clippy::print_stdout, clippy::print_stderr, reason = "a command-line program reports by printing")]
+
+mod reference;
+
+use std::process::ExitCode;
+
+const HELP: &str = "\
+usage: cargo xtask <task> [arguments]
+
+tasks:
+  reference [--only CONSTRUCT,… | --curves] FILE…
+             run reference cases (cyclide-reference/1) through the public API; `cargo xtask reference --help`
+";
+
+fn main() -> ExitCode {
+    let mut arguments = std::env::args().skip(1);
+    let task = arguments.next();
+    let rest: Vec<String> = arguments.collect();
+    match task.as_deref() {
+        Some("reference") => reference::main(&rest),
+        Some("help" | "--help" | "-h") => {
+            print!("{HELP}");
+            ExitCode::SUCCESS
+        }
+        Some(other) => {
+            eprint!("no task {other}\n\n{HELP}");
+            ExitCode::from(2)
+        }
+        None => {
+            eprint!("{HELP}");
+            ExitCode::from(2)
+        }
+    }
+}

@@ -1,1 +1,3 @@
-//! Test helpers of cyclide (unpublished).
+//! Test helpers of cyclide (unpublished): the runner of reference files.
+
+pub mod reference;

@@ -29,7 +29,7 @@ pub use construct::{
     ArcCertificate, ArcSplineOptions, Biarc, BiarcRule, BulgeIntervals, certify_arc, curvature_intervals,
     estimate_tangents, feasible_bulges,
 };
-pub use curve::{Arc, ArcPath, Circle, ClosestPoint, DEFAULT_PIECE_ANGLE, ParamCurve, PieceForm};
+pub use curve::{Arc, Arc4, ArcPath, Circle, ClosestPoint, DEFAULT_PIECE_ANGLE, ParamCurve, PieceForm};
 pub use curve::{ExtremeCurvature, Joint, bounds, curvature_comb, extreme_curvature, joints, length};
 pub use error::{Error, Result};
 pub use mesh::{flatten, flatten_into};

@@ -1,6 +1,7 @@
 //! Curves: the trait, arcs, circles, chains of arcs.
 
 mod arc;
+mod arc4;
 mod arc_path;
 mod circle;
 mod measure;
@@ -12,6 +13,7 @@ pub use arc::Arc;
 pub use arc::measure::ClosestPoint;
 pub use arc::subdivide::DEFAULT_PIECE_ANGLE;
 pub use arc_path::ArcPath;
+pub use arc4::Arc4;
 pub use circle::Circle;
 pub use measure::{ExtremeCurvature, Joint, bounds, curvature_comb, extreme_curvature, joints, length};
 pub use param_curve::ParamCurve;
