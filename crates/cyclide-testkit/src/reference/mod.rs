@@ -9,7 +9,6 @@ mod arc;
 mod arc_spline;
 mod case;
 mod check;
-mod deviation;
 mod report;
 
 pub use case::{Case, Fault};
@@ -88,7 +87,7 @@ pub fn run(text: &str, only: Option<&[String]>, report: &mut Report) -> Result<(
 }
 
 /// Runs one case; the check holds what was compared and what failed.
-fn judge(case: &Case, handler: Handler) -> Check {
+fn judge<'a>(case: &Case<'a>, handler: Handler) -> Check<'a> {
     let mut check = Check::new(case);
     let outcome = handler(case, &mut check);
     match (case.expected_error(), outcome) {

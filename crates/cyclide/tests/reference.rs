@@ -1,0 +1,39 @@
+//! The reference files (computed independently, at 50 digits) run through the public API by the runner of
+//! `cargo xtask reference`. The copies here hold the constructs about curves.
+
+use cyclide_testkit::reference::{Report, run};
+
+/// Runs a file and checks that exactly these constructs, with these numbers of cases, were run and passed.
+fn all_pass(text: &str, expected: &[(&str, usize)]) {
+    let names: Vec<String> = expected.iter().map(|(name, _)| (*name).to_owned()).collect();
+    let mut report = Report::default();
+    run(text, Some(&names), &mut report).unwrap();
+    assert!(report.is_success(), "{report}");
+    let got: Vec<(&str, usize)> = report.tallies().iter().map(|(n, t)| (n.as_str(), t.passed)).collect();
+    assert_eq!(got, expected);
+}
+
+#[test]
+fn arcs() {
+    all_pass(
+        include_str!("reference/10-arcs.json"),
+        &[
+            ("arc-three-points", 20),
+            ("arc-point-tangent", 17),
+            ("arc-weights", 10),
+            ("arc-weights-4d", 3),
+            ("arc-complex", 10),
+            ("arc-angle-parameter", 11),
+            ("arc-split", 11),
+            ("arc-reverse", 11),
+            ("arc-bbox", 11),
+            ("arc-closest-point", 24),
+            ("arc-subdivide", 11),
+            ("arc-nurbs", 11),
+            ("arc-bulge", 12),
+            ("circle-nurbs", 4),
+            ("biarc", 29),
+            ("arc-spline", 11),
+        ],
+    );
+}
