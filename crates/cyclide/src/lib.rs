@@ -30,6 +30,7 @@ pub use construct::{
     estimate_tangents, feasible_bulges,
 };
 pub use curve::{Arc, Arc4, ArcPath, Circle, ClosestPoint, DEFAULT_PIECE_ANGLE, ParamCurve, PieceForm};
+pub use curve::{BlendSegment, BlendVariant, CircleSpline, CircleSplineOptions, SplineEnds, corners_by_angle};
 pub use curve::{ExtremeCurvature, Joint, bounds, curvature_comb, extreme_curvature, joints, length};
 pub use error::{Error, Result};
 pub use mesh::{flatten, flatten_into};
