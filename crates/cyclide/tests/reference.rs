@@ -37,3 +37,16 @@ fn arcs() {
         ],
     );
 }
+
+#[test]
+fn circle_blends() {
+    all_pass(include_str!("reference/50-blending.json"), &[("circle-through-points", 8), ("sphere-through-points", 5)]);
+}
+
+#[test]
+fn arc_fits() {
+    all_pass(
+        include_str!("reference/60-arc-fitting.json"),
+        &[("arc-fit-interval", 37), ("arc-certify", 18), ("g1-arc-interval", 16)],
+    );
+}

@@ -6,7 +6,9 @@
 //! numbers: nothing is recognised by its value.
 
 mod arc;
+mod arc_fit;
 mod arc_spline;
+mod blend;
 mod case;
 mod check;
 mod report;
@@ -55,7 +57,7 @@ pub const CURVE_CONSTRUCTS: [&str; 29] = [
 
 /// The handler of a construct; `None` if the product does not have it (yet).
 fn handler(construct: &str) -> Option<Handler> {
-    arc::handler(construct).or_else(|| arc_spline::handler(construct))
+    [arc::handler, arc_spline::handler, blend::handler, arc_fit::handler].iter().find_map(|topic| topic(construct))
 }
 
 /// Fields of `expect` that are information, not to be compared (`10`, section 4; `60`, section 9).

@@ -1,0 +1,83 @@
+//! Arc fitting: the constructs of `60`, section 9, about one arc and one chain.
+
+use super::Handler;
+use super::case::{Case, Fault};
+use super::check::Check;
+use cyclide::{Point2, certify_arc, curvature_intervals, feasible_bulges};
+use serde_json::Value;
+
+pub(super) fn handler(construct: &str) -> Option<Handler> {
+    Some(match construct {
+        "arc-fit-interval" => fit_interval,
+        "arc-certify" => certify,
+        "g1-arc-interval" => g1_interval,
+        _ => return None,
+    })
+}
+
+/// The comparison rule of `60`, section 9: `rtol (1 + |value|)` per number.
+fn allowed(case: &Case) -> impl Fn(&[f64]) -> f64 + use<> {
+    let rtol = case.rtol();
+    move |want| rtol * (1.0 + want.iter().fold(0.0, |m: f64, w| m.max(w.abs())))
+}
+
+/// The ends of an interval, each compared on its own.
+fn interval(check: &mut Check, field: &str, place: &str, got: [f64; 2], want: &Value, allowed: &dyn Fn(&[f64]) -> f64) {
+    match super::check::numbers(want).as_deref() {
+        Some([lo, hi]) => {
+            check.measure(field, place, (got[0] - lo).abs(), allowed(&[*lo]));
+            check.measure(field, place, (got[1] - hi).abs(), allowed(&[*hi]));
+        }
+        _ => check.fail(field, format!("{place}expected {want}, got {got:?}")),
+    }
+}
+
+fn fit_interval(case: &Case, check: &mut Check) -> Result<(), Fault> {
+    let allowed = allowed(case);
+    let points = case.planar_points("points")?;
+    let max_sweep = case.number("max_sweep_deg")?.to_radians();
+    let bulges = feasible_bulges(&points, case.number("tolerance")?, case.flag("edges")?, max_sweep)?;
+    for (field, got) in [("ccw", bulges.ccw), ("cw", bulges.cw)] {
+        // Here null is a result: no arc of this orientation.
+        match (check.want_raw(field), got) {
+            (None, _) => {}
+            (Some(Value::Null), None) => check.measure(field, "", 0.0, 1.0),
+            (Some(Value::Null), Some(got)) => check.fail(field, format!("{got:?}, expected none")),
+            (Some(want), None) => check.fail(field, format!("none, expected {want}")),
+            (Some(want), Some(got)) => interval(check, field, "", got, want, &allowed),
+        }
+    }
+    Ok(())
+}
+
+fn certify(case: &Case, check: &mut Check) -> Result<(), Fault> {
+    let allowed = allowed(case);
+    let points = case.planar_points("points")?;
+    let z = case.input("z")?;
+    let heights = if z.is_null() { None } else { super::check::numbers(z) };
+    let certificate = certify_arc(&points, case.number("bulge")?, heights.as_deref())?;
+    check.number("vertex_deviation", Some(certificate.vertex_deviation), &allowed);
+    check.number("deviation", Some(certificate.deviation), &allowed);
+    check.exact("monotone", certificate.monotone);
+    check.exact("extra_turns", certificate.extra_turns);
+    check.number("radius", Some(certificate.radius), &allowed);
+    check.number("length", Some(certificate.length), &allowed);
+    check.number("z_deviation", certificate.z_deviation, &allowed);
+    Ok(())
+}
+
+fn g1_interval(case: &Case, check: &mut Check) -> Result<(), Fault> {
+    let allowed = allowed(case);
+    let (points, start) = (case.planar_points("points")?, Point2::from(case.pair("start")?));
+    let got = curvature_intervals(&points, start, case.number("tangent_angle")?, case.number("tolerance")?)?;
+    let Some(want) = check.want_raw("curvature") else { return Ok(()) };
+    // Null ends the list: there the interval is empty.
+    let want: Vec<&Value> = want.as_array().into_iter().flatten().take_while(|v| !v.is_null()).collect();
+    if want.len() != got.len() {
+        check.fail("curvature", format!("{} intervals, expected {}", got.len(), want.len()));
+    }
+    for (i, (want, got)) in want.into_iter().zip(got).enumerate() {
+        interval(check, "curvature", &format!("vertex {}: ", i + 1), got, want, &allowed);
+    }
+    Ok(())
+}
