@@ -20,6 +20,7 @@ pub use arc4::Arc4;
 pub use blend::{BlendSegment, BlendVariant};
 pub use circle::Circle;
 pub use circle_spline::{CircleSpline, CircleSplineOptions, SplineEnds, corners_by_angle};
-pub use measure::{ExtremeCurvature, Joint, bounds, curvature_comb, extreme_curvature, joints, length};
+pub use measure::{ArcLength, CurveIndex, ExtremeCurvature, Joint};
+pub use measure::{bounds, closest_point, curvature_comb, extreme_curvature, joints, length, resample};
 pub use param_curve::ParamCurve;
 pub use piece_form::PieceForm;
