@@ -30,8 +30,8 @@ pub use construct::{
     FitTarget, certify_arc, curvature_intervals, estimate_tangents, feasible_bulges,
 };
 pub use curve::{Arc, Arc4, ArcPath, Circle, ClosestPoint, DEFAULT_PIECE_ANGLE, ParamCurve, PieceForm};
-pub use curve::{BlendSegment, BlendVariant, CircleSpline, CircleSplineOptions, SplineEnds, corners_by_angle};
 pub use curve::{ArcLength, CurveIndex, ExtremeCurvature, Joint};
+pub use curve::{BlendSegment, BlendVariant, CircleSpline, CircleSplineOptions, SplineEnds, corners_by_angle};
 pub use curve::{bounds, closest_point, curvature_comb, extreme_curvature, joints, length, resample};
 pub use error::{Error, Result};
 pub use mesh::{flatten, flatten_into};

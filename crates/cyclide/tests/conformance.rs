@@ -9,8 +9,8 @@ mod curves;
 
 use curves::{Case, cases};
 use cyclide::{
-    ArcLength, CurveIndex, CurveJet, ParamCurve, Point3, Vec3, bounds, closest_point, extreme_curvature, flatten, joints, length,
-    resample,
+    ArcLength, CurveIndex, CurveJet, ParamCurve, Point3, Vec3, bounds, closest_point, extreme_curvature, flatten,
+    joints, length, resample,
 };
 
 /// Runs a law on every curve of the list.
