@@ -1,6 +1,7 @@
 //! Developer tasks of cyclide: `cargo xtask <task>`.
 #![allow(clippy::print_stdout, clippy::print_stderr, reason = "a command-line program reports by printing")]
 
+mod layers;
 mod reference;
 
 use std::process::ExitCode;
@@ -9,6 +10,7 @@ const HELP: &str = "\
 usage: cargo xtask <task> [arguments]
 
 tasks:
+  layers     fail on a use of a room by a room below it, and on I/O, clocks or f32 in the kernel
   reference [--only CONSTRUCT,… | --curves] FILE…
              run reference cases (cyclide-reference/1) through the public API; `cargo xtask reference --help`
 ";
@@ -18,6 +20,7 @@ fn main() -> ExitCode {
     let task = arguments.next();
     let rest: Vec<String> = arguments.collect();
     match task.as_deref() {
+        Some("layers") => layers::main(),
         Some("reference") => reference::main(&rest),
         Some("help" | "--help" | "-h") => {
             print!("{HELP}");

@@ -4,7 +4,6 @@
 //! their jets to the tolerance each function states.
 
 mod bounds;
-mod closest;
 mod comb;
 mod continuity;
 mod curvature;
@@ -12,8 +11,7 @@ mod length;
 mod maximum;
 
 pub use bounds::bounds;
-pub use closest::{CurveIndex, closest_point};
 pub use comb::curvature_comb;
 pub use continuity::{Joint, joints};
 pub use curvature::{ExtremeCurvature, extreme_curvature};
-pub use length::{ArcLength, length, resample};
+pub use length::length;

@@ -1,0 +1,50 @@
+"""Licences and sources of every crate in Cargo.lock against the lists of deny.toml, by `cargo metadata` alone."""
+
+import json
+import re
+import subprocess
+import sys
+import tomllib
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+
+
+def accepted(expression, allow):
+    """True if the SPDX expression can be met with allowed licences (`/` is the old spelling of OR)."""
+    tokens = re.findall(r"\(|\)|[^()\s]+", expression.replace("/", " OR "))
+    words, i = [], 0
+    while i < len(tokens):  # join `X WITH Y` to one licence name
+        if i + 2 < len(tokens) and tokens[i + 1] == "WITH":
+            words.append(" ".join(tokens[i : i + 3]))
+            i += 3
+        else:
+            words.append(tokens[i])
+            i += 1
+    code = {"(": "(", ")": ")", "AND": " and ", "OR": " or "}
+    return bool(eval("".join(code.get(w, str(w in allow)) for w in words)))  # only True, False, and, or, brackets
+
+
+def main():
+    rules = tomllib.loads((ROOT / "deny.toml").read_text())
+    allow, registries = set(rules["licenses"]["allow"]), set(rules["sources"]["allow-registry"])
+    banned = {d["crate"] for d in rules["bans"]["deny"]}
+    listing = subprocess.run(
+        ["cargo", "metadata", "--format-version", "1", "--locked"], cwd=ROOT, check=True, stdout=subprocess.PIPE
+    )
+    packages = json.loads(listing.stdout)["packages"]
+    faults = []
+    for package in packages:
+        name = f"{package['name']} {package['version']}"
+        if not accepted(package["license"] or "none", allow):
+            faults.append(f"{name}: licence {package['license']}")
+        if package["source"] and package["source"].removeprefix("registry+") not in registries:
+            faults.append(f"{name}: source {package['source']}")
+        if package["name"] in banned:
+            faults.append(f"{name}: banned")
+    print("\n".join(faults) or f"{len(packages)} crates: licences and sources as deny.toml allows")
+    return 1 if faults else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,103 @@
+"""The reference curves of every object of a model document, from the document and its point lists alone."""
+
+import json
+from pathlib import Path
+
+import numpy as np
+
+import quaternion_form as form
+
+MILLIMETRES = {"mm": 1.0, "cm": 10.0, "m": 1000.0, "in": 25.4, "ft": 304.8}
+
+
+class Reference:
+    """The contours of one object; `curves` is None where the data do not determine the curve (an arc fit)."""
+
+    def __init__(self, kind, spec, points, curves):
+        self.kind, self.spec, self.points, self.curves = kind, spec, points, curves
+
+
+def read_contours(path, columns):
+    """Point lists of a CSV file, one per contour; contours are separated by blank lines."""
+    rows = Path(path).read_text().splitlines()
+    names = [name.strip(" #") for name in rows[0].split(",")]
+    where = [names.index(column) for column in columns]
+    contours = [[]]
+    for row in rows[1:]:
+        if not row.strip():
+            contours.append([])
+            continue
+        fields = row.split(",")
+        point = [float(fields[i]) for i in where]
+        contours[-1].append(point + [0.0] * (3 - len(point)))
+    return [np.array(c) for c in contours if c]
+
+
+def load(document_path):
+    """Units and {name: Reference} of a document."""
+    path = Path(document_path)
+    document = json.loads(path.read_text())
+    objects = {name: _object(spec, path.parent) for name, spec in document["objects"].items()}
+    return document.get("units", "mm"), objects
+
+
+def _contours(spec, folder):
+    points = spec["points"]
+    if isinstance(points, dict):
+        return read_contours(folder / points["csv"], points["columns"])
+    return [np.array([[*p, 0.0][:3] for p in points], float)]
+
+
+def _object(spec, folder):
+    kind = spec["type"]
+    single = {"arc": _arc, "circle": _circle, "biarc": _biarc}
+    if kind in single:
+        return Reference(kind, spec, None, [single[kind](spec)])
+    contours = _contours(spec, folder)
+    if kind == "arc-fit":
+        return Reference(kind, spec, contours, None)
+    build = {"arc-spline": _arc_spline, "circle-spline": _circle_spline}[kind]
+    return Reference(kind, spec, contours, [build(spec, points) for points in contours])
+
+
+def _space(point):
+    return [*point, 0.0][:3]
+
+
+def _arc(spec):
+    if "through" in spec:
+        return form.Curve([form.Arc.through(*map(_space, spec["through"]))], False)
+    a0, a1 = _space(spec["from"]), _space(spec["to"])
+    if "tangent" in spec:
+        arc = form.Arc.start_tangent(a0, a1, _space(spec["tangent"]))
+    elif "end_tangent" in spec:
+        arc = form.Arc.end_tangent(a0, a1, _space(spec["end_tangent"]))
+    elif "weights" in spec:
+        arc = form.Arc(a0, a1, *spec["weights"])
+    else:
+        arc = form.Arc.bulge(a0, a1, spec["bulge"])
+    return form.Curve([arc], False)
+
+
+def _circle(spec):
+    return form.circle(_space(spec["center"]), spec.get("normal", [0, 0, 1]), spec["radius"])
+
+
+def _biarc(spec):
+    ends = [_space(spec[key]) for key in ("from", "from_tangent", "to", "to_tangent")]
+    return form.Curve(form.biarc(*ends, spec.get("rule", "equal-d")), False)
+
+
+def _arc_spline(spec, points):
+    tangents = [form.unit(_space(t)) for t in spec["tangents"]] if "tangents" in spec else None
+    return form.arc_spline(points, spec.get("closed", False), tangents, spec.get("rule", "equal-d"))
+
+
+def _circle_spline(spec, points):
+    closed, order, variant = spec.get("closed", False), spec.get("order", 2), spec.get("variant", "rational")
+    if "corner_angle" in spec:
+        return form.circle_spline_with_corners(points, closed, spec["corner_angle"], order, variant)
+    ends = spec.get("ends", "natural")
+    clamped = ends if isinstance(ends, dict) else {}
+    start, end = (_space(clamped[k]) if k in clamped else None for k in ("start", "end"))
+    return form.circle_spline(points, closed, order, variant, start, end)

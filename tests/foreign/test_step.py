@@ -1,0 +1,125 @@
+"""STEP files read by OpenCASCADE, against the quaternion form of the input data."""
+
+import math
+
+import numpy as np
+import pytest
+
+import quaternion_form as form
+from step_reader import StepFile
+
+POINTS_PER_EDGE = 200
+# Of the model's size: a few roundings of the file's coordinates and of the reader's evaluation, with a wide margin.
+POINT_LIMIT = 1e-9
+LENGTH_LIMIT = 1e-9
+
+
+@pytest.fixture(scope="module")
+def step(built):
+    return StepFile(built.file("step"))
+
+
+def wire_of(step, curve, scale):
+    """The wire that runs along this reference curve."""
+    gaps = [curve.distances(wire.points(5) / scale).max() for wire in step.wires]
+    return step.wires[int(np.argmin(gaps))]
+
+
+def determined(built):
+    """Contours whose curve follows from the input data."""
+    return [(name, i, curve) for name, i, curve, _ in built.contours() if curve is not None]
+
+
+def is_exact(built, name):
+    return built.objects[name].spec.get("variant", "rational") != "trigonometric"
+
+
+def test_one_valid_wire_per_connected_curve(built, step):
+    contours = list(built.contours())
+    assert step.valid
+    assert len(step.wires) == len(contours)
+    assert all(wire.edge_count == len(wire.edges) for wire in step.wires), "a wire is not traversed as a whole"
+    assert step.edge_count == sum(len(wire.edges) for wire in step.wires), "edges outside of wires"
+    closed = [bool(built.objects[name].spec.get("closed", built.objects[name].kind == "circle")) for name, *_ in contours]
+    assert sorted(wire.closed for wire in step.wires) == sorted(closed)
+    for name, _, curve in determined(built):
+        assert wire_of(step, curve, built.in_millimetres).closed == curve.closed, name
+
+
+def test_edges_meet_within_the_file_tolerance(built, step):
+    # OpenCASCADE widens the tolerance of an edge whose ends do not meet its vertices; 1e-7 mm is its floor.
+    assert max(edge.tolerance for wire in step.wires for edge in wire.edges) <= 1e-7
+
+
+def test_points_lie_on_the_quaternion_form(built, step):
+    for name, _, curve in determined(built):
+        points = wire_of(step, curve, built.in_millimetres).points(POINTS_PER_EDGE) / built.in_millimetres
+        size = curve.extent()
+        limit = POINT_LIMIT * size + (0.0 if is_exact(built, name) else built.bound("step"))
+        worst = curve.distances(points).max()
+        assert worst <= limit, f"{name}: {worst:.3g} off, limit {limit:.3g}"
+
+
+def test_length_is_that_of_the_quaternion_form(built, step):
+    lengths = {name: entry["length"] for name, entry in built.report()["objects"].items()}
+    expected = dict.fromkeys(lengths, 0.0)
+    for name, _, curve in determined(built):
+        length = curve.length()
+        expected[name] += length
+        if is_exact(built, name):
+            read = wire_of(step, curve, built.in_millimetres).length() / built.in_millimetres
+            assert read == pytest.approx(length, rel=LENGTH_LIMIT), name
+    for name, _, _ in determined(built):
+        assert lengths[name] == pytest.approx(expected[name], rel=LENGTH_LIMIT), name
+
+
+def test_a_smooth_rational_spline_is_one_c1_edge(built, step):
+    for name, i, curve in determined(built):
+        spec = built.objects[name].spec
+        if built.objects[name].kind != "circle-spline" or not is_exact(built, name):
+            continue
+        edges = wire_of(step, curve, built.in_millimetres).edges
+        points = built.objects[name].points[i]
+        corner_angle = spec.get("corner_angle")
+        corners = 0 if corner_angle is None else sum(form.turn_angles(points, curve.closed) > corner_angle)
+        runs = max(corners, 1) if curve.closed else corners + 1
+        assert len(edges) == runs, name
+        assert all(edge.is_c1() for edge in edges), f"{name}: an edge is only {min(e.curve.Continuity() for e in edges)}"
+
+
+def test_arcs_are_circles_and_lines(built, step):
+    for name, _, curve in determined(built):
+        if all(isinstance(piece, form.Arc) for piece in curve.pieces):
+            wire = wire_of(step, curve, built.in_millimetres)
+            assert {edge.kind for edge in wire.edges} <= {"circle", "line"}, name
+            radii = [edge.curve.Circle().Radius() / built.in_millimetres for edge in wire.edges if edge.kind == "circle"]
+            expected = [piece.radius() for piece in curve.pieces if math.isfinite(piece.radius())]
+            assert sorted({round(math.log(r), 6) for r in radii}) == sorted({round(math.log(r), 6) for r in expected}), name
+
+
+def test_fitted_arcs_hold_their_tolerance_and_their_tangents(built, step):
+    """An arc fit is not determined by its points: here the reader's own circles must pass them all, tangent at joints."""
+    fitted = [(name, points) for name, _, curve, points in built.contours() if curve is None]
+    others = [curve for _, _, curve in determined(built)]
+    for name, points in fitted:
+        spec = built.objects[name].spec
+        wires = [w for w in step.wires if not others or min(c.distances(w.points(3) / built.in_millimetres).max() for c in others) > 1e-6]
+        assert len(wires) == len(fitted)
+        wire = wires[[n for n, _ in fitted].index(name)]
+        arcs = [edge_arc(edge, built.in_millimetres) for edge in wire.edges]
+        curve = form.Curve(arcs, wire.closed)
+        worst = curve.distances(points).max()
+        assert worst <= spec["tolerance"] * (1 + 1e-9), f"{name}: a point is {worst} off"
+        kinks = [kink(a, b) for a, b in zip(arcs, arcs[1:] + arcs[:1] if wire.closed else arcs[1:])]
+        assert max(kinks) < 1e-8, f"{name}: a joint has a kink of {max(kinks)}"
+
+
+def edge_arc(edge, scale):
+    """The edge as an arc through three points of it, in document units."""
+    a, b, c = edge.points(3) / scale
+    return form.Arc.segment(a, c) if edge.kind == "line" else form.Arc.through(a, b, c)
+
+
+def kink(a, b):
+    u, v = form.unit(a.derivative(np.array(1.0))), form.unit(b.derivative(np.array(0.0)))
+    return 2.0 * math.atan2(math.hypot(*(u - v)), math.hypot(*(u + v)))

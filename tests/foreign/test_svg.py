@@ -1,0 +1,73 @@
+"""SVG files drawn by two renderers: ink where the curves are, none elsewhere."""
+
+import io
+import xml.etree.ElementTree as ElementTree
+
+import cairosvg
+import numpy as np
+import pytest
+import resvg_py
+from PIL import Image
+
+WIDTH = 1200
+
+
+def by_cairo(path):
+    return Image.open(io.BytesIO(cairosvg.svg2png(url=str(path), output_width=WIDTH)))
+
+
+def by_resvg(path):
+    return Image.open(io.BytesIO(bytes(resvg_py.svg_to_bytes(svg_path=str(path), width=WIDTH, dpi=96))))
+
+
+def ink_of(image):
+    """True where the picture differs from its background (the colour of its corner)."""
+    pixels = np.asarray(image.convert("RGBA"), float)
+    flat = pixels[..., :3] * pixels[..., 3:] / 255.0 + 255.0 - pixels[..., 3:]
+    return np.abs(flat - flat[0, 0]).max(axis=-1) > 48.0
+
+
+@pytest.mark.parametrize("render", [by_cairo, by_resvg])
+@pytest.mark.parametrize("name", ["track", "logo"])
+def test_ink_lies_on_the_curves(examples, name, render):
+    built = examples[name]
+    path = built.file("svg")
+    root = ElementTree.parse(path).getroot()
+    x0, y0, width, height = map(float, root.get("viewBox").split())
+    assert root.get("width") == f"{width:.17g}mm" or float(root.get("width").removesuffix("mm")) == width
+    assert float(root.get("height").removesuffix("mm")) == height
+    image = render(path)
+    assert image.width == WIDTH
+    assert abs(image.height - WIDTH * height / width) <= 1.0
+    ink = ink_of(image)
+    pixel = width / WIDTH
+
+    rows, columns = np.nonzero(ink)
+    assert len(rows) > 0
+    centres = np.stack([x0 + (columns + 0.5) * pixel, -(y0 + (rows + 0.5) * height / image.height), 0 * rows], axis=1)
+    curves = [curve for _, _, curve, _ in built.contours() if curve is not None]
+    distance = np.min([curve.distances(centres[::7]) for curve in curves], axis=0)
+    widest = float(max(e.get("stroke-width", "0") for e in root.iter())) if False else stroke_width(root)
+    assert distance.max() <= 0.5 * widest + 1.5 * pixel + 0.05, "ink away from the curves"
+
+    for curve in curves:  # and every point of the curve is inked
+        _, samples = curve.sample(40)
+        i = np.clip(((-samples[:, 1] - y0) / height * image.height).astype(int), 1, image.height - 2)
+        j = np.clip(((samples[:, 0] - x0) / pixel).astype(int), 1, image.width - 2)
+        near = np.max([ink[i + a, j + b] for a in (-1, 0, 1) for b in (-1, 0, 1)], axis=0)
+        assert near.all(), f"{np.sum(~near)} points of the curve are blank"
+
+
+def stroke_width(root):
+    widths = [float(e.get("stroke-width")) for e in root.iter() if e.get("stroke-width")]
+    assert widths, "no stroke width"
+    return max(widths)
+
+
+def test_arcs_are_true_arcs(examples):
+    text = examples["logo"].file("svg").read_text()
+    root = ElementTree.fromstring(text)
+    data = " ".join(e.get("d") for e in root.iter() if e.get("d"))
+    assert "A" in data
+    assert "C" not in data.upper().replace("A", "") and "Q" not in data.upper()
+    assert data.upper().count("Z") == 3
