@@ -1,9 +1,28 @@
 //! Readers and writers of cyclide: model documents and point lists in, exchange files and reports out.
 //!
 //! Everything works on text and bytes; the only functions that touch the file system are the few that say so.
+//! Writers are pure functions from a [`Model`](cyclide::Model) to bytes ([`export()`]); each format has a reader of
+//! our own files ([`read_back`]), so that every export is checked from the bytes written ([`file_deviation`]).
 
+mod csv_samples;
+mod deviation;
+mod dxf;
 mod error;
+mod export;
+mod file;
+mod format;
+mod number;
+mod nurbs_json;
 mod place;
+mod png;
+mod read_back;
+mod step;
+mod svg;
 
+pub use deviation::deviation;
 pub use error::{Error, Result};
+pub use export::{DxfVersion, ExportError, ExportOptions, Exported, export};
+pub use file::write_file;
+pub use format::Format;
 pub use place::{Diagnostic, Source, decode};
+pub use read_back::{ReadError, file_deviation, read_back};

@@ -1,0 +1,122 @@
+//! CSV of points along the curves, with tangent and curvature, for plotting and for programs that take polylines.
+//!
+//! One row per vertex of the polyline within the tolerance: object, contour (from 1), global parameter, point, unit
+//! tangent, curvature. A closed curve's last row repeats its first point. Where the tangent or the curvature does
+//! not exist, its fields are empty.
+
+use crate::export::{Contour, ExportError, Exported, Job, Promise};
+use crate::number::push_plain;
+use crate::read_back::ReadError;
+use cyclide::{Arc, ArcPath, CurveChain, Exactness, ParamCurve as _, Point3, flatten};
+
+const HEADER: &str = "object,contour,t,x,y,z,tangent_x,tangent_y,tangent_z,curvature";
+const COLUMNS: usize = 10;
+
+/// Writes the model as CSV.
+pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
+    let mut promise = Promise::EXACT;
+    let mut out = format!("{HEADER}\n");
+    for contour in job.contours() {
+        let vertices = contour.lowered(flatten(contour.curve.as_curve(), job.tolerance))?;
+        promise.add(Exactness::Within(job.tolerance));
+        let name = field(contour.object);
+        for (t, point) in vertices {
+            push_row(&mut out, &name, &contour, t, point);
+        }
+    }
+    Ok(promise.exported(out.into_bytes(), Vec::new()))
+}
+
+fn push_row(out: &mut String, name: &str, contour: &Contour<'_>, t: f64, point: Point3) {
+    out.push_str(name);
+    out.push_str(&format!(",{}", contour.index + 1));
+    let jet = contour.curve.as_curve().jet(t);
+    let tangent = jet.tangent().map(cyclide::Vec3::to_array);
+    for v in std::iter::once(t).chain(point.to_array()) {
+        out.push(',');
+        push_plain(out, v);
+    }
+    for i in 0..3 {
+        out.push(',');
+        if let Some(tangent) = tangent {
+            push_plain(out, tangent[i]);
+        }
+    }
+    out.push(',');
+    if let Some(curvature) = jet.curvature().filter(|k| k.is_finite()) {
+        push_plain(out, curvature);
+    }
+    out.push('\n');
+}
+
+/// A name as a field: quoted where it has to be (RFC 4180); line breaks become spaces, one row stays one line.
+fn field(name: &str) -> String {
+    let name = name.replace(['\n', '\r'], " ");
+    if name.contains([',', '"']) || name.starts_with('#') || name.trim() != name {
+        format!("\"{}\"", name.replace('"', "\"\""))
+    } else {
+        name
+    }
+}
+
+/// Reads the polylines: rows of one object and contour that follow each other.
+pub(crate) fn read(bytes: &[u8]) -> Result<Vec<CurveChain>, ReadError> {
+    let text = std::str::from_utf8(bytes).map_err(|e| ReadError::syntax("the text", e.to_string()))?;
+    let mut lines = text.lines().enumerate().map(|(i, l)| (i + 1, l));
+    if lines.next().is_none_or(|(_, l)| l != HEADER) {
+        return Err(ReadError::syntax("line 1", format!("expected {HEADER}")));
+    }
+    let mut chains = Vec::new();
+    let mut key = None;
+    let mut points: Vec<Point3> = Vec::new();
+    for (number, line) in lines {
+        let place = || format!("line {number}");
+        let (name, rest) = split_name(line).ok_or_else(|| ReadError::syntax(place(), "a quote has no end"))?;
+        let fields: Vec<&str> = rest.split(',').collect();
+        if fields.len() != COLUMNS - 1 {
+            return Err(ReadError::syntax(place(), format!("expected {COLUMNS} fields")));
+        }
+        let number = |i: usize| {
+            let v: Result<f64, _> = fields[i].parse();
+            v.map_err(|_| ReadError::syntax(place(), format!("'{}' is not a number", fields[i])))
+        };
+        let here = Some((name, fields[0]));
+        if key != here {
+            finish(&mut points, &mut chains, place)?;
+            key = here;
+        }
+        points.push(Point3::new(number(2)?, number(3)?, number(4)?));
+    }
+    finish(&mut points, &mut chains, || "the end".to_owned())?;
+    Ok(chains)
+}
+
+/// The first field as it stands, and the text behind its comma.
+fn split_name(line: &str) -> Option<(&str, &str)> {
+    let Some(inner) = line.strip_prefix('"') else {
+        return line.split_once(',');
+    };
+    // An even number of quotes before the comma ends the field.
+    let mut open = true;
+    let end = inner.char_indices().find(|&(_, c)| {
+        open ^= c == '"';
+        !open && c == ','
+    })?;
+    Some((&inner[..end.0], &inner[end.0 + 1..]))
+}
+
+fn finish(
+    points: &mut Vec<Point3>,
+    chains: &mut Vec<CurveChain>,
+    place: impl Fn() -> String,
+) -> Result<(), ReadError> {
+    if points.is_empty() {
+        return Ok(());
+    }
+    let closed = points.first() == points.last();
+    let segments = points.windows(2).map(|w| Arc::segment(w[0], w[1])).collect::<cyclide::Result<Vec<_>>>();
+    let path = segments.and_then(|s| ArcPath::new(s, closed));
+    chains.push(path.map_err(|source| ReadError::Geometry { place: place(), source })?.into());
+    points.clear();
+    Ok(())
+}

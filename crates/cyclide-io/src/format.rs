@@ -1,0 +1,71 @@
+//! The formats that are written, by file suffix.
+
+use crate::export::ExportError;
+use std::path::Path;
+
+/// A file format.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Format {
+    /// STEP AP214 (ISO 10303-21): CAD systems.
+    Step,
+    /// AutoCAD DXF: laser cutters, 2D CAD.
+    Dxf,
+    /// Scalable Vector Graphics: browsers, laser cutters.
+    Svg,
+    /// Comma-separated samples.
+    Csv,
+    /// Exact rational B-splines as JSON.
+    Json,
+    /// A picture.
+    Png,
+}
+
+impl Format {
+    /// Every format.
+    pub const ALL: [Self; 6] = [Self::Step, Self::Dxf, Self::Svg, Self::Csv, Self::Json, Self::Png];
+
+    /// The suffixes that are understood, for messages.
+    pub const SUFFIXES: &'static str = ".step .stp .dxf .svg .csv .json .png";
+
+    /// Lower-case name, as in reports.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Step => "step",
+            Self::Dxf => "dxf",
+            Self::Svg => "svg",
+            Self::Csv => "csv",
+            Self::Json => "json",
+            Self::Png => "png",
+        }
+    }
+
+    /// True if the file holds geometry that can be read back (everything but the picture).
+    #[must_use]
+    pub const fn has_geometry(self) -> bool {
+        !matches!(self, Self::Png)
+    }
+
+    /// The format that a file's suffix stands for, upper or lower case.
+    ///
+    /// # Errors
+    /// [`ExportError::UnknownSuffix`].
+    ///
+    /// ```
+    /// use cyclide_io::Format;
+    /// assert_eq!(Format::from_path("logo.STP".as_ref()).unwrap(), Format::Step);
+    /// assert!(Format::from_path("logo.iges".as_ref()).unwrap_err().to_string().contains(".step"));
+    /// ```
+    pub fn from_path(path: &Path) -> Result<Self, ExportError> {
+        let suffix = path.extension().map(|s| s.to_string_lossy().to_lowercase()).unwrap_or_default();
+        match suffix.as_str() {
+            "step" | "stp" => Ok(Self::Step),
+            "dxf" => Ok(Self::Dxf),
+            "svg" => Ok(Self::Svg),
+            "csv" => Ok(Self::Csv),
+            "json" => Ok(Self::Json),
+            "png" => Ok(Self::Png),
+            _ => Err(ExportError::UnknownSuffix { path: path.to_path_buf(), known: Self::SUFFIXES }),
+        }
+    }
+}

@@ -1,0 +1,99 @@
+//! Curves as STEP entities.
+
+use super::data::{Data, list, real, reals, references, string};
+use cyclide::{Arc, ChainPiece, CurveChain, NurbsCurve, ParamCurve};
+
+/// Beyond this radius, relative to the chord, to the model and absolute (readers join ends that are 1e-7 apart), a
+/// trimmed circle loses digits: its points are the centre plus the radius, rounded to about 4e-16 of the radius.
+/// Such an arc, all but straight, is written as the exact rational quadratic instead.
+const LARGEST_RADIUS: (f64, f64, f64) = (1e6, 1e5, 2e7);
+/// Below this radius, relative to the chord, an arc is visibly curved and always a circle.
+const CURVED_RADIUS: f64 = 1e3;
+
+/// A composite curve from the pieces of a chain; `size` is the model's diagonal.
+pub(super) fn composite(data: &mut Data, name: &str, chain: &CurveChain, size: f64) -> usize {
+    let pieces: Vec<usize> = chain.pieces().iter().map(|piece| bounded_curve(data, piece, size)).collect();
+    let last = pieces.len() - 1;
+    let segments: Vec<usize> = pieces
+        .iter()
+        .enumerate()
+        .map(|(i, curve)| {
+            let open = i == last && !chain.is_closed();
+            let transition = if open { ".DISCONTINUOUS." } else { ".CONTINUOUS." };
+            data.add(&format!("COMPOSITE_CURVE_SEGMENT({transition},.T.,#{curve})"))
+        })
+        .collect();
+    data.add(&format!("COMPOSITE_CURVE({},{},.F.)", string(name), references(&segments)))
+}
+
+fn bounded_curve(data: &mut Data, piece: &ChainPiece, size: f64) -> usize {
+    match piece {
+        ChainPiece::Arc(arc) => bounded_arc(data, arc, size),
+        ChainPiece::Spline(curve) => b_spline(data, curve),
+    }
+}
+
+fn bounded_arc(data: &mut Data, arc: &Arc, size: f64) -> usize {
+    if let Some(curve) = trimmed_circle(data, arc, size) {
+        return curve;
+    }
+    match arc.to_nurbs(cyclide::DEFAULT_PIECE_ANGLE) {
+        Ok(curve) if !arc.is_straight() => b_spline(data, &curve),
+        _ => trimmed_line(data, arc),
+    }
+}
+
+/// The arc as a circle that starts at the arc's start, trimmed from 0 to the swept angle: the reader then gets the
+/// length to the last digits. `None` for segments and for radii that would lose digits.
+fn trimmed_circle(data: &mut Data, arc: &Arc, size: f64) -> Option<usize> {
+    let (center, radius, normal) = (arc.center()?, arc.radius()?, arc.normal()?);
+    let chord = arc.chord().length();
+    let (by_chord, by_size, absolute) = LARGEST_RADIUS;
+    let flat = radius > CURVED_RADIUS * chord;
+    if flat && (radius > by_chord * chord || radius > by_size * size || radius > absolute) {
+        return None;
+    }
+    // From the chord's direction, not from the difference of two rounded points far away.
+    let spoke = normal.cross(arc.start_tangent()?).unit()? * -1.0;
+    let placement = data.placement(center, normal, spoke);
+    let circle = data.add(&format!("CIRCLE('',#{placement},{})", real(radius)));
+    Some(trimmed(data, circle, arc, arc.angle()))
+}
+
+fn trimmed_line(data: &mut Data, arc: &Arc) -> usize {
+    let chord = arc.chord();
+    let direction = data.direction(chord.unit().unwrap_or(cyclide::Vec3::X));
+    let vector = data.share(format!("VECTOR('',#{direction},1.)"));
+    let start = data.point(arc.start());
+    let line = data.add(&format!("LINE('',#{start},#{vector})"));
+    trimmed(data, line, arc, chord.length())
+}
+
+/// Trimmed from the curve's own start to parameter `end`, with the points beside the parameters.
+fn trimmed(data: &mut Data, basis: usize, arc: &Arc, end: f64) -> usize {
+    let (from, to) = (data.point(arc.start()), data.point(arc.end()));
+    data.add(&format!(
+        "TRIMMED_CURVE('',#{basis},(#{from},PARAMETER_VALUE(0.)),(#{to},PARAMETER_VALUE({})),.T.,.PARAMETER.)",
+        real(end)
+    ))
+}
+
+/// One rational B-spline, with C1 knots where the curve is C1: readers take the multiplicity for the continuity.
+fn b_spline(data: &mut Data, curve: &NurbsCurve) -> usize {
+    let smooth = curve.with_c1_knots();
+    let curve = smooth.as_ref().unwrap_or(curve);
+    let points: Vec<usize> = curve.control_points().iter().map(|&p| data.point(p)).collect();
+    let knots = curve.knot_multiplicities();
+    let multiplicities = list(knots.iter().map(|(_, m)| m.to_string()));
+    let values: Vec<f64> = knots.iter().map(|(k, _)| *k).collect();
+    let closed = if curve.is_closed() { ".T." } else { ".F." };
+    data.add(&format!(
+        "(BOUNDED_CURVE() B_SPLINE_CURVE({},{},.UNSPECIFIED.,{closed},.F.) \
+         B_SPLINE_CURVE_WITH_KNOTS({multiplicities},{},.UNSPECIFIED.) CURVE() GEOMETRIC_REPRESENTATION_ITEM() \
+         RATIONAL_B_SPLINE_CURVE({}) REPRESENTATION_ITEM(''))",
+        curve.degree(),
+        references(&points),
+        reals(&values),
+        reals(curve.weights()),
+    ))
+}

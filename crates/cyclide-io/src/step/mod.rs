@@ -1,0 +1,70 @@
+//! STEP AP214 (ISO 10303-21), curves without faces.
+//!
+//! One `GEOMETRIC_CURVE_SET` per object, in it one `COMPOSITE_CURVE` per connected curve, so that a reader gets one
+//! wire per connected curve, closed where it is closed. Arcs are trimmed `CIRCLE`s, segments trimmed `LINE`s,
+//! rational splines B-splines; nothing is approximated that is exact in the kernel. Coordinates are written as they
+//! are and the file says their unit. The time stamp is fixed: the same model gives the same bytes.
+
+mod curves;
+mod data;
+mod part21;
+mod reader;
+mod structure;
+
+use crate::export::{Contour, ExportError, Exported, Job, Promise};
+use cyclide::{ChainPiece, CurveChain, Units};
+use data::Data;
+
+pub(crate) use reader::read;
+
+/// Readers merge what is closer than this (OpenCASCADE's vertex tolerance is 1e-7), in file units.
+const SHORTEST_EDGE: f64 = 1e-6;
+
+/// Writes the model as STEP.
+pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
+    let mut data = Data::default();
+    let mut promise = Promise::EXACT;
+    let mut notes = Vec::new();
+    let mut shortest = f64::INFINITY;
+    let mut sets = Vec::new();
+    let mut curves = Vec::new();
+    for contour in job.contours() {
+        let (chain, exactness) = job.chain(&contour)?;
+        promise.add(exactness);
+        shortest = shortest.min(shortest_piece(&chain));
+        curves.push(curves::composite(&mut data, &contour.label(), &chain, job.size()));
+        if contour.index + 1 == contour.count {
+            sets.push(curve_set(&mut data, &contour, &std::mem::take(&mut curves)));
+        }
+    }
+    if shortest < SHORTEST_EDGE {
+        let unit = job.units().symbol();
+        notes.push(format!("an edge is only {shortest:.1e} {unit} long: STEP readers merge points closer than 1e-7"));
+    }
+    structure::product(&mut data, job.title(), &sets, job.units());
+    let text = structure::file(&data, job.title());
+    Ok(promise.exported(text.into_bytes(), notes))
+}
+
+fn curve_set(data: &mut Data, contour: &Contour<'_>, curves: &[usize]) -> usize {
+    let (name, list) = (data::string(contour.object), data::references(curves));
+    data.add(&format!("GEOMETRIC_CURVE_SET({name},{list})"))
+}
+
+/// Shortest chord of an arc, or extent of a spline.
+fn shortest_piece(chain: &CurveChain) -> f64 {
+    let extent = |piece: &ChainPiece| match piece {
+        ChainPiece::Arc(arc) => arc.length(),
+        ChainPiece::Spline(curve) => crate::export::bounds_of(curve).diagonal(),
+    };
+    chain.pieces().iter().map(extent).fold(f64::INFINITY, f64::min)
+}
+
+/// Name of a unit that is no metric one, with its length in millimetres; `None` for metric units.
+fn conversion(units: Units) -> Option<&'static str> {
+    match units {
+        Units::Inch => Some("INCH"),
+        Units::Foot => Some("FOOT"),
+        Units::Millimetre | Units::Centimetre | Units::Metre => None,
+    }
+}

@@ -1,0 +1,213 @@
+//! Part 21 text to instances: enough of the syntax for any exchange file, without its meaning.
+
+use crate::read_back::ReadError;
+use std::collections::BTreeMap;
+
+/// Lists nest this deep at most.
+const DEEPEST: usize = 16;
+
+/// One parameter of an entity.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum Value {
+    Reference(u64),
+    Number(f64),
+    Text(String),
+    /// `.NAME.` without the dots.
+    Enumeration(String),
+    List(Vec<Self>),
+    /// `NAME(value)`: a value with its type.
+    Typed(String, Vec<Self>),
+    /// `$` or `*`.
+    Absent,
+}
+
+/// One instance: its entities (several for a complex one) with their parameters.
+pub(super) type Instance = Vec<(String, Vec<Value>)>;
+
+/// The instances of the DATA section by number.
+pub(super) fn parse(bytes: &[u8]) -> Result<BTreeMap<u64, Instance>, ReadError> {
+    let mut text = Cursor { bytes, at: 0 };
+    text.skip_to(b"DATA;")?;
+    let mut instances = BTreeMap::new();
+    loop {
+        text.blank();
+        if text.peek() != Some(b'#') {
+            break;
+        }
+        text.at += 1;
+        let number = text.integer()?;
+        text.expect(b'=')?;
+        let instance = text.instance()?;
+        text.expect(b';')?;
+        if instances.insert(number, instance).is_some() {
+            return Err(text.error(format!("instance #{number} is defined twice")));
+        }
+    }
+    text.keyword("ENDSEC")?;
+    Ok(instances)
+}
+
+struct Cursor<'a> {
+    bytes: &'a [u8],
+    at: usize,
+}
+
+impl Cursor<'_> {
+    fn error(&self, detail: impl Into<String>) -> ReadError {
+        ReadError::syntax(format!("byte {}", self.at), detail)
+    }
+
+    fn peek(&self) -> Option<u8> {
+        self.bytes.get(self.at).copied()
+    }
+
+    fn blank(&mut self) {
+        while self.peek().is_some_and(|b| b.is_ascii_whitespace()) {
+            self.at += 1;
+        }
+    }
+
+    fn expect(&mut self, byte: u8) -> Result<(), ReadError> {
+        self.blank();
+        if self.peek() == Some(byte) {
+            self.at += 1;
+            Ok(())
+        } else {
+            Err(self.error(format!("expected '{}'", char::from(byte))))
+        }
+    }
+
+    fn skip_to(&mut self, mark: &[u8]) -> Result<(), ReadError> {
+        let found = self.bytes.windows(mark.len()).position(|w| w == mark);
+        self.at = found.ok_or_else(|| self.error("no DATA section"))? + mark.len();
+        Ok(())
+    }
+
+    fn name(&mut self) -> Result<String, ReadError> {
+        self.blank();
+        let rest = &self.bytes[self.at..];
+        let length = rest.iter().take_while(|b| b.is_ascii_alphanumeric() || **b == b'_').count();
+        if length == 0 {
+            return Err(self.error("expected a name"));
+        }
+        self.at += length;
+        Ok(String::from_utf8_lossy(&rest[..length]).into_owned())
+    }
+
+    fn keyword(&mut self, keyword: &str) -> Result<(), ReadError> {
+        if self.name()? == keyword { Ok(()) } else { Err(self.error(format!("expected {keyword}"))) }
+    }
+
+    fn integer(&mut self) -> Result<u64, ReadError> {
+        let rest = &self.bytes[self.at..];
+        let length = rest.iter().take_while(|b| b.is_ascii_digit()).count();
+        let digits = String::from_utf8_lossy(&rest[..length]);
+        let number = digits.parse().map_err(|_| self.error("expected an instance number"))?;
+        self.at += length;
+        Ok(number)
+    }
+
+    fn instance(&mut self) -> Result<Instance, ReadError> {
+        self.blank();
+        if self.peek() != Some(b'(') {
+            return Ok(vec![self.entity()?]);
+        }
+        self.at += 1;
+        let mut entities = Vec::new();
+        loop {
+            self.blank();
+            if self.peek() == Some(b')') {
+                self.at += 1;
+                return Ok(entities);
+            }
+            entities.push(self.entity()?);
+        }
+    }
+
+    fn entity(&mut self) -> Result<(String, Vec<Value>), ReadError> {
+        let name = self.name()?;
+        Ok((name, self.list(0)?))
+    }
+
+    fn list(&mut self, depth: usize) -> Result<Vec<Value>, ReadError> {
+        if depth > DEEPEST {
+            return Err(self.error(format!("lists nest deeper than {DEEPEST}")));
+        }
+        self.expect(b'(')?;
+        let mut values = Vec::new();
+        self.blank();
+        if self.peek() == Some(b')') {
+            self.at += 1;
+            return Ok(values);
+        }
+        loop {
+            values.push(self.value(depth)?);
+            self.blank();
+            match self.peek() {
+                Some(b',') => self.at += 1,
+                Some(b')') => {
+                    self.at += 1;
+                    return Ok(values);
+                }
+                _ => return Err(self.error("expected ',' or ')'")),
+            }
+        }
+    }
+
+    fn value(&mut self, depth: usize) -> Result<Value, ReadError> {
+        self.blank();
+        match self.peek() {
+            Some(b'#') => {
+                self.at += 1;
+                Ok(Value::Reference(self.integer()?))
+            }
+            Some(b'\'') => self.text(),
+            Some(b'.') => {
+                self.at += 1;
+                let name = self.name()?;
+                self.expect(b'.')?;
+                Ok(Value::Enumeration(name))
+            }
+            Some(b'(') => Ok(Value::List(self.list(depth + 1)?)),
+            Some(b'$' | b'*') => {
+                self.at += 1;
+                Ok(Value::Absent)
+            }
+            Some(b'+' | b'-' | b'0'..=b'9') => self.number(),
+            Some(_) => {
+                let name = self.name()?;
+                Ok(Value::Typed(name, self.list(depth + 1)?))
+            }
+            None => Err(self.error("the file ends inside an instance")),
+        }
+    }
+
+    fn number(&mut self) -> Result<Value, ReadError> {
+        let rest = &self.bytes[self.at..];
+        let length = rest.iter().take_while(|b| b.is_ascii_digit() || b"+-.E".contains(b)).count();
+        let digits = String::from_utf8_lossy(&rest[..length]);
+        let number: f64 = digits.parse().map_err(|_| self.error(format!("'{digits}' is not a number")))?;
+        if !number.is_finite() {
+            return Err(self.error(format!("'{digits}' is too large")));
+        }
+        self.at += length;
+        Ok(Value::Number(number))
+    }
+
+    /// A quoted string; escapes stay as they are, since no name has a meaning for the geometry.
+    fn text(&mut self) -> Result<Value, ReadError> {
+        self.at += 1;
+        let start = self.at;
+        loop {
+            match self.peek() {
+                Some(b'\'') if self.bytes.get(self.at + 1) == Some(&b'\'') => self.at += 2,
+                Some(b'\'') => break,
+                Some(_) => self.at += 1,
+                None => return Err(self.error("a string has no end")),
+            }
+        }
+        let text = String::from_utf8_lossy(&self.bytes[start..self.at]).replace("''", "'");
+        self.at += 1;
+        Ok(Value::Text(text))
+    }
+}

@@ -1,0 +1,205 @@
+//! Our own STEP curves back from the bytes, evaluated as a reader would: from circle, placement and parameters.
+
+use super::part21::{Instance, Value, parse};
+use crate::read_back::ReadError;
+use cyclide::{Arc, ChainPiece, CurveChain, NurbsCurve, Point3, Vec3};
+use std::collections::BTreeMap;
+
+/// Gap allowed between the pieces of a composite curve, relative to its largest coordinate or radius: the rounding
+/// of centre plus radius.
+const GAP: f64 = 1e-9;
+
+/// Reads the composite curves of all curve sets, in file order.
+pub(crate) fn read(bytes: &[u8]) -> Result<Vec<CurveChain>, ReadError> {
+    let file = File { instances: parse(bytes)? };
+    let sets = file.instances.iter().filter(|(_, i)| i[..].first().is_some_and(|e| e.0 == "GEOMETRIC_CURVE_SET"));
+    let mut chains = Vec::new();
+    for (number, instance) in sets {
+        let place = format!("#{number}");
+        for curve in references(argument(instance, 0, 1, &place)?, &place)? {
+            chains.push(file.composite(curve)?);
+        }
+    }
+    Ok(chains)
+}
+
+struct File {
+    instances: BTreeMap<u64, Instance>,
+}
+
+/// A conic or line before trimming.
+enum Basis {
+    Line { origin: Point3, direction: Vec3 },
+    Circle { center: Point3, z: Vec3, x: Vec3, radius: f64 },
+}
+
+impl File {
+    fn instance(&self, number: u64) -> Result<&Instance, ReadError> {
+        self.instances.get(&number).ok_or_else(|| ReadError::syntax(format!("#{number}"), "no such instance"))
+    }
+
+    /// The parameters of a simple instance of the given type.
+    fn simple(&self, number: u64, name: &str) -> Result<&[Value], ReadError> {
+        match self.instance(number)?.as_slice() {
+            [(found, values)] if found == name => Ok(values),
+            other => {
+                let found: Vec<&str> = other.iter().map(|e| e.0.as_str()).collect();
+                Err(ReadError::unsupported(found.join(" "), format!("#{number} (expected {name})")))
+            }
+        }
+    }
+
+    fn triple(&self, number: u64, name: &str) -> Result<[f64; 3], ReadError> {
+        let place = format!("#{number}");
+        let values = self.simple(number, name)?;
+        let numbers = numbers(value(values, 1, &place)?, &place)?;
+        <[f64; 3]>::try_from(numbers).map_err(|_| ReadError::syntax(place, "expected three numbers"))
+    }
+
+    fn point(&self, number: u64) -> Result<Point3, ReadError> {
+        Ok(self.triple(number, "CARTESIAN_POINT")?.into())
+    }
+
+    fn direction(&self, number: u64) -> Result<Vec3, ReadError> {
+        let v: Vec3 = self.triple(number, "DIRECTION")?.into();
+        v.unit().ok_or_else(|| ReadError::syntax(format!("#{number}"), "a direction is zero"))
+    }
+
+    fn composite(&self, number: u64) -> Result<CurveChain, ReadError> {
+        let place = format!("#{number}");
+        let segments = references(value(self.simple(number, "COMPOSITE_CURVE")?, 1, &place)?, &place)?;
+        let mut pieces = Vec::new();
+        let mut closed = true;
+        for segment in segments {
+            let values = self.simple(segment, "COMPOSITE_CURVE_SEGMENT")?;
+            let place = format!("#{segment}");
+            closed = enumeration(value(values, 0, &place)?, &place)? == "CONTINUOUS";
+            pieces.push(self.bounded(reference(value(values, 2, &place)?, &place)?)?);
+        }
+        let size = pieces.iter().map(extent).fold(0.0, f64::max);
+        CurveChain::new(pieces, closed, GAP * size).map_err(|source| ReadError::Geometry { place, source })
+    }
+
+    fn bounded(&self, number: u64) -> Result<ChainPiece, ReadError> {
+        let instance = self.instance(number)?;
+        if instance.len() > 1 {
+            return self.b_spline(instance, number).map(ChainPiece::Spline);
+        }
+        let place = format!("#{number}");
+        let values = self.simple(number, "TRIMMED_CURVE")?;
+        let basis = self.basis(reference(value(values, 1, &place)?, &place)?)?;
+        let (u0, u1) = (trim(value(values, 2, &place)?, &place)?, trim(value(values, 3, &place)?, &place)?);
+        let arc = match basis {
+            Basis::Line { origin, direction } => Arc::segment(origin + direction * u0, origin + direction * u1),
+            Basis::Circle { center, z, x, radius } => {
+                let (sin, cos) = u0.sin_cos();
+                let start = center + (x * cos + z.cross(x) * sin) * radius;
+                Arc::from_center(center, z, start, u1 - u0)
+            }
+        };
+        arc.map(ChainPiece::Arc).map_err(|source| ReadError::Geometry { place, source })
+    }
+
+    fn basis(&self, number: u64) -> Result<Basis, ReadError> {
+        let place = format!("#{number}");
+        if let Ok(values) = self.simple(number, "LINE") {
+            let origin = self.point(reference(value(values, 1, &place)?, &place)?)?;
+            let vector = reference(value(values, 2, &place)?, &place)?;
+            let vector = self.simple(vector, "VECTOR")?;
+            let direction = self.direction(reference(value(vector, 1, &place)?, &place)?)?;
+            return Ok(Basis::Line { origin, direction });
+        }
+        let values = self.simple(number, "CIRCLE")?;
+        let radius = number_of(value(values, 2, &place)?, &place)?;
+        let placement = self.simple(reference(value(values, 1, &place)?, &place)?, "AXIS2_PLACEMENT_3D")?;
+        let part = |i: usize| reference(value(placement, i, &place)?, &place);
+        let (center, z, x) = (self.point(part(1)?)?, self.direction(part(2)?)?, self.direction(part(3)?)?);
+        Ok(Basis::Circle { center, z, x, radius })
+    }
+
+    fn b_spline(&self, instance: &Instance, number: u64) -> Result<NurbsCurve, ReadError> {
+        let place = format!("#{number}");
+        let part = |name: &str| {
+            let found = instance.iter().find(|e| e.0 == name).map(|e| e.1.as_slice());
+            found.ok_or_else(|| ReadError::unsupported(format!("a complex instance without {name}"), &place))
+        };
+        let (curve, knots) = (part("B_SPLINE_CURVE")?, part("B_SPLINE_CURVE_WITH_KNOTS")?);
+        let degree = number_of(value(curve, 0, &place)?, &place)?;
+        let points = references(value(curve, 1, &place)?, &place)?;
+        let points = points.into_iter().map(|p| self.point(p)).collect::<Result<Vec<_>, _>>()?;
+        let weights = numbers(value(part("RATIONAL_B_SPLINE_CURVE")?, 0, &place)?, &place)?;
+        let multiplicities = numbers(value(knots, 0, &place)?, &place)?;
+        let breaks = numbers(value(knots, 1, &place)?, &place)?;
+        let most = points.len() as f64 + degree + 1.0;
+        if !(degree >= 1.0 && degree < most && multiplicities.iter().sum::<f64>() <= most) {
+            return Err(ReadError::syntax(place, "degree, points and knot multiplicities do not fit"));
+        }
+        let repeated = breaks.iter().zip(&multiplicities).flat_map(|(&k, &m)| std::iter::repeat_n(k, m as usize));
+        NurbsCurve::new(degree as usize, repeated.collect(), points, weights)
+            .map_err(|source| ReadError::Geometry { place, source })
+    }
+}
+
+/// Largest coordinate or radius of a piece.
+fn extent(piece: &ChainPiece) -> f64 {
+    let ends = piece.start().to_vec().max_abs().max(piece.end().to_vec().max_abs());
+    match piece {
+        ChainPiece::Arc(arc) => ends.max(arc.radius().unwrap_or(0.0)),
+        ChainPiece::Spline(_) => ends,
+    }
+}
+
+/// The parameter among the trimming values.
+fn trim(value: &Value, place: &str) -> Result<f64, ReadError> {
+    let Value::List(values) = value else {
+        return Err(ReadError::syntax(place, "expected a list"));
+    };
+    let parameter = values.iter().find_map(|v| match v {
+        Value::Typed(name, values) if name == "PARAMETER_VALUE" => values.first(),
+        _ => None,
+    });
+    number_of(parameter.unwrap_or(&Value::Absent), place)
+}
+
+fn argument<'a>(instance: &'a Instance, entity: usize, i: usize, place: &str) -> Result<&'a Value, ReadError> {
+    value(instance.get(entity).map_or(&[], |e| e.1.as_slice()), i, place)
+}
+
+fn value<'a>(values: &'a [Value], i: usize, place: &str) -> Result<&'a Value, ReadError> {
+    values.get(i).ok_or_else(|| ReadError::syntax(place, format!("no parameter {i}")))
+}
+
+fn reference(value: &Value, place: &str) -> Result<u64, ReadError> {
+    match value {
+        Value::Reference(number) => Ok(*number),
+        _ => Err(ReadError::syntax(place, "expected a reference")),
+    }
+}
+
+fn references(value: &Value, place: &str) -> Result<Vec<u64>, ReadError> {
+    match value {
+        Value::List(values) => values.iter().map(|v| reference(v, place)).collect(),
+        _ => Err(ReadError::syntax(place, "expected a list of references")),
+    }
+}
+
+fn number_of(value: &Value, place: &str) -> Result<f64, ReadError> {
+    match value {
+        Value::Number(number) => Ok(*number),
+        _ => Err(ReadError::syntax(place, "expected a number")),
+    }
+}
+
+fn numbers(value: &Value, place: &str) -> Result<Vec<f64>, ReadError> {
+    match value {
+        Value::List(values) => values.iter().map(|v| number_of(v, place)).collect(),
+        _ => Err(ReadError::syntax(place, "expected a list of numbers")),
+    }
+}
+
+fn enumeration<'a>(value: &'a Value, place: &str) -> Result<&'a str, ReadError> {
+    match value {
+        Value::Enumeration(name) => Ok(name),
+        _ => Err(ReadError::syntax(place, "expected an enumeration")),
+    }
+}

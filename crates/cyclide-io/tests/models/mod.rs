@@ -1,0 +1,84 @@
+//! Models that the tests write and read back.
+
+use cyclide::{Arc, ArcPath, Circle, CurveObject, Item, Model, Point3, Units, Vec3};
+
+/// A model of one object per contour list.
+pub fn model(items: Vec<(&str, Vec<CurveObject>)>) -> Model {
+    let item = |(name, contours): (&str, Vec<CurveObject>)| Item {
+        name: name.to_owned(),
+        kind: "arc-spline".to_owned(),
+        contours,
+        warnings: Vec::new(),
+        tolerance: None,
+    };
+    Model { units: Units::Millimetre, items: items.into_iter().map(item).collect() }
+}
+
+/// A point in a frame: `map` moves the plane figures below into space.
+pub type Map = fn(f64, f64) -> Point3;
+
+/// The plane z = 0.
+pub fn flat(x: f64, y: f64) -> Point3 {
+    Point3::new(x, y, 0.0)
+}
+
+/// A tilted plane far from the origin (two orthonormal axes of rationals).
+pub fn tilted(x: f64, y: f64) -> Point3 {
+    let (u, v) = (Vec3::new(2.0, 3.0, 6.0) / 7.0, Vec3::new(3.0, -6.0, 2.0) / 7.0);
+    Point3::new(11.0, -7.0, 30.0) + u * x + v * y
+}
+
+fn normal(map: Map) -> Vec3 {
+    let o = map(0.0, 0.0);
+    (map(1.0, 0.0) - o).cross(map(0.0, 1.0) - o)
+}
+
+/// Chain through plane points with one bulge per edge (the last one closes).
+pub fn bulges(map: Map, points: &[(f64, f64)], bulges: &[f64]) -> ArcPath {
+    let closed = bulges.len() == points.len();
+    let arcs = bulges
+        .iter()
+        .enumerate()
+        .map(|(i, &b)| {
+            let (p, q) = (points[i], points[(i + 1) % points.len()]);
+            Arc::from_bulge(map(p.0, p.1), map(q.0, q.1), normal(map), b).unwrap()
+        })
+        .collect();
+    ArcPath::new(arcs, closed).unwrap()
+}
+
+/// A slot with two half circles: closed, straight and round.
+pub fn slot(map: Map) -> ArcPath {
+    bulges(map, &[(0.0, 0.0), (40.0, 0.0), (40.0, 12.0), (0.0, 12.0)], &[0.0, 1.0, 0.0, 1.0])
+}
+
+/// An open chain with arcs to both sides, a corner, one of more than half a turn and one of nearly a full turn.
+pub fn open_chain(map: Map) -> ArcPath {
+    bulges(
+        map,
+        &[(0.0, 0.0), (10.0, 1.0), (14.0, 9.0), (13.0, 9.5), (13.01, 9.5), (30.0, -4.0), (31.0, 20.0)],
+        &[0.3, -0.7, 1.8, -40.0, 1e-5, 1e-9],
+    )
+}
+
+/// A chain of arcs in space, no two in one plane, with a segment and a sharp hairpin.
+pub fn space_chain() -> ArcPath {
+    let points = [[0.0, 0.0, 0.0], [10.0, 0.0, 2.0], [12.0, 8.0, 5.0], [3.0, 9.0, 9.0], [11.0, 8.5, 5.5]];
+    let tangents = [[1.0, 1.0, 0.0], [1.0, 0.5, 1.0], [0.0, 1.0, 1.0]];
+    let p = |i: usize| Point3::from(points[i]);
+    let mut arcs: Vec<Arc> =
+        (0..3).map(|i| Arc::from_start_tangent(p(i), p(i + 1), tangents[i].into()).unwrap()).collect();
+    arcs.push(Arc::segment(p(3), p(4)).unwrap());
+    ArcPath::new(arcs, false).unwrap()
+}
+
+/// Everything at once: several objects, several contours, circles, awkward names.
+pub fn mixed(map: Map) -> Model {
+    let circle = |x: f64, y: f64, r: f64| Circle::from_center(map(x, y), normal(map), map(x + r, y)).unwrap();
+    let arc = Arc::from_bulge(map(-5.0, -5.0), map(-9.0, -2.0), normal(map), 0.5).unwrap();
+    model(vec![
+        ("slot", vec![CurveObject::ArcPath(slot(map)), CurveObject::Circle(circle(5.0, 6.0, 2.0))]),
+        ("it's a \"1\\2\" <&> 5° 円", vec![CurveObject::ArcPath(open_chain(map))]),
+        ("arc", vec![CurveObject::Arc(arc)]),
+    ])
+}
