@@ -7,7 +7,7 @@
 use crate::export::{Contour, ExportError, Exported, Job, Promise};
 use crate::number::push_plain;
 use crate::read_back::ReadError;
-use cyclide::{Arc, ArcPath, CurveChain, Exactness, ParamCurve as _, Point3, flatten};
+use cyclide::{Arc, ArcPath, CurveChain, Exactness, Point3, flatten};
 
 const HEADER: &str = "object,contour,t,x,y,z,tangent_x,tangent_y,tangent_z,curvature";
 const COLUMNS: usize = 10;
@@ -105,11 +105,7 @@ fn split_name(line: &str) -> Option<(&str, &str)> {
     Some((&inner[..end.0], &inner[end.0 + 1..]))
 }
 
-fn finish(
-    points: &mut Vec<Point3>,
-    chains: &mut Vec<CurveChain>,
-    place: impl Fn() -> String,
-) -> Result<(), ReadError> {
+fn finish(points: &mut Vec<Point3>, chains: &mut Vec<CurveChain>, place: impl Fn() -> String) -> Result<(), ReadError> {
     if points.is_empty() {
         return Ok(());
     }

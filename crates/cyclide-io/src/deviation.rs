@@ -179,29 +179,28 @@ impl Walker<'_> {
     fn distance(&mut self, p: Point3) -> f64 {
         let windows = &self.on.windows;
         loop {
-            let w = &windows[self.window];
-            let beyond = (p - w.end.point).dot(w.end.d1) > 0.0;
-            if !(beyond && self.window + 1 < windows.len()) {
-                break;
-            }
-            self.window += 1;
-            self.s = windows[self.window].start.s;
-        }
-        let here = &windows[self.window];
-        let (s, distance) = self.on.foot(here, p, self.s);
-        // At a corner sharper than a right angle, or a cusp, the next piece leads back past the end of this one, so
-        // that `p` never gets beyond it: look ahead where the walk is stuck.
-        let stuck = s <= self.s || s >= here.end.s;
-        if let Some(next) = windows.get(self.window + 1).filter(|_| stuck && distance > 0.0) {
-            let (other_s, other) = self.on.foot(next, p, next.start.s);
-            if other < distance {
+            let here = &windows[self.window];
+            let next = windows.get(self.window + 1);
+            if let Some(next) = next.filter(|_| (p - here.end.point).dot(here.end.d1) > 0.0) {
                 self.window += 1;
-                self.s = other_s;
-                return other;
+                self.s = next.start.s;
+                continue;
             }
+            let (s, distance) = self.on.foot(here, p, self.s);
+            // At a corner sharper than a right angle, or a cusp, the next piece leads back past the end of this
+            // one, so that `p` never gets beyond it: look ahead where the walk is stuck.
+            let stuck = distance > 0.0 && (s <= self.s || s >= here.end.s);
+            if let Some(next) = next.filter(|_| stuck) {
+                let (ahead_s, ahead) = self.on.foot(next, p, next.start.s);
+                if ahead < distance {
+                    self.window += 1;
+                    self.s = ahead_s;
+                    continue;
+                }
+            }
+            self.s = s;
+            return distance;
         }
-        self.s = s;
-        distance
     }
 }
 

@@ -155,9 +155,7 @@ fn read_contour(contour: &Value, place: String) -> Result<CurveChain, ReadError>
         let knots = numbers(array(curve, "knots", &place)?, &place)?;
         let weights = numbers(array(curve, "weights", &place)?, &place)?;
         let curve = NurbsCurve::new(degree, knots, points, weights);
-        pieces.push(ChainPiece::Spline(
-            curve.map_err(|source| ReadError::Geometry { place: place.clone(), source })?,
-        ));
+        pieces.push(ChainPiece::Spline(curve.map_err(|source| ReadError::Geometry { place: place.clone(), source })?));
     }
     let ends = pieces.iter().flat_map(|p| [p.start(), p.end()]);
     let size = ends.map(|p| p.to_vec().max_abs()).fold(0.0, f64::max);

@@ -30,7 +30,15 @@ fn swapped_pieces_are_seen() {
 
 #[test]
 fn dump() {
-    for (name, m) in [("flat", mixed(flat)), ("tilted", mixed(tilted)), ("space", model(vec![("s", vec![CurveObject::ArcPath(space_chain())])]))] {
-        std::fs::write(format!("/tmp/fmt/{name}.step"), export(&m, Format::Step, &ExportOptions::default()).unwrap().bytes).unwrap();
+    for (name, m) in [
+        ("flat", mixed(flat)),
+        ("tilted", mixed(tilted)),
+        ("space", model(vec![("s", vec![CurveObject::ArcPath(space_chain())])])),
+    ] {
+        std::fs::write(
+            format!("/tmp/fmt/{name}.step"),
+            export(&m, Format::Step, &ExportOptions::default()).unwrap().bytes,
+        )
+        .unwrap();
     }
 }

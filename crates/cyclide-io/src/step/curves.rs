@@ -1,7 +1,7 @@
 //! Curves as STEP entities.
 
 use super::data::{Data, list, real, reals, references, string};
-use cyclide::{Arc, ChainPiece, CurveChain, NurbsCurve, ParamCurve};
+use cyclide::{Arc, ChainPiece, Circle, CurveChain, NurbsCurve, ParamCurve};
 
 /// Beyond this radius, relative to the chord, to the model and absolute (readers join ends that are 1e-7 apart), a
 /// trimmed circle loses digits: its points are the centre plus the radius, rounded to about 4e-16 of the radius.
@@ -13,12 +13,24 @@ const CURVED_RADIUS: f64 = 1e3;
 /// A composite curve from the pieces of a chain; `size` is the model's diagonal.
 pub(super) fn composite(data: &mut Data, name: &str, chain: &CurveChain, size: f64) -> usize {
     let pieces: Vec<usize> = chain.pieces().iter().map(|piece| bounded_curve(data, piece, size)).collect();
-    let last = pieces.len() - 1;
+    composite_of(data, name, &pieces, chain.is_closed())
+}
+
+/// A full circle, which needs no trimming.
+pub(super) fn full_circle(data: &mut Data, name: &str, circle: &Circle) -> usize {
+    let (center, normal) = (circle.center(), circle.normal());
+    let spoke = (circle.start() - center).unit().unwrap_or_else(|| normal.any_perpendicular());
+    let placement = data.placement(center, normal, spoke);
+    let curve = data.add(&format!("CIRCLE('',#{placement},{})", real(circle.radius())));
+    composite_of(data, name, &[curve], true)
+}
+
+fn composite_of(data: &mut Data, name: &str, pieces: &[usize], closed: bool) -> usize {
     let segments: Vec<usize> = pieces
         .iter()
         .enumerate()
         .map(|(i, curve)| {
-            let open = i == last && !chain.is_closed();
+            let open = i + 1 == pieces.len() && !closed;
             let transition = if open { ".DISCONTINUOUS." } else { ".CONTINUOUS." };
             data.add(&format!("COMPOSITE_CURVE_SEGMENT({transition},.T.,#{curve})"))
         })

@@ -1,8 +1,8 @@
 //! STEP AP214 (ISO 10303-21), curves without faces.
 //!
 //! One `GEOMETRIC_CURVE_SET` per object, in it one `COMPOSITE_CURVE` per connected curve, so that a reader gets one
-//! wire per connected curve, closed where it is closed. Arcs are trimmed `CIRCLE`s, segments trimmed `LINE`s,
-//! rational splines B-splines; nothing is approximated that is exact in the kernel. Coordinates are written as they
+//! wire per connected curve, closed where it is closed. Full circles are `CIRCLE`s, arcs trimmed ones, segments
+//! trimmed `LINE`s, rational splines B-splines; nothing is approximated that is exact in the kernel. Coordinates are written as they
 //! are and the file says their unit. The time stamp is fixed: the same model gives the same bytes.
 
 mod curves;
@@ -12,7 +12,7 @@ mod reader;
 mod structure;
 
 use crate::export::{Contour, ExportError, Exported, Job, Promise};
-use cyclide::{ChainPiece, CurveChain, Units};
+use cyclide::{ChainPiece, CurveChain, CurveObject, Units};
 use data::Data;
 
 pub(crate) use reader::read;
@@ -29,10 +29,14 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
     let mut sets = Vec::new();
     let mut curves = Vec::new();
     for contour in job.contours() {
-        let (chain, exactness) = job.chain(&contour)?;
-        promise.add(exactness);
-        shortest = shortest.min(shortest_piece(&chain));
-        curves.push(curves::composite(&mut data, &contour.label(), &chain, job.size()));
+        curves.push(if let CurveObject::Circle(circle) = contour.curve {
+            curves::full_circle(&mut data, &contour.label(), circle)
+        } else {
+            let (chain, exactness) = job.chain(&contour)?;
+            promise.add(exactness);
+            shortest = shortest.min(shortest_piece(&chain));
+            curves::composite(&mut data, &contour.label(), &chain, job.size())
+        });
         if contour.index + 1 == contour.count {
             sets.push(curve_set(&mut data, &contour, &std::mem::take(&mut curves)));
         }

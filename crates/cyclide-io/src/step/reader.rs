@@ -2,7 +2,7 @@
 
 use super::part21::{Instance, Value, parse};
 use crate::read_back::ReadError;
-use cyclide::{Arc, ChainPiece, CurveChain, NurbsCurve, Point3, Vec3};
+use cyclide::{Arc, ChainPiece, Circle, CurveChain, NurbsCurve, Point3, Vec3};
 use std::collections::BTreeMap;
 
 /// Gap allowed between the pieces of a composite curve, relative to its largest coordinate or radius: the rounding
@@ -74,18 +74,26 @@ impl File {
             let values = self.simple(segment, "COMPOSITE_CURVE_SEGMENT")?;
             let place = format!("#{segment}");
             closed = enumeration(value(values, 0, &place)?, &place)? == "CONTINUOUS";
-            pieces.push(self.bounded(reference(value(values, 2, &place)?, &place)?)?);
+            pieces.extend(self.bounded(reference(value(values, 2, &place)?, &place)?)?);
         }
         let size = pieces.iter().map(extent).fold(0.0, f64::max);
         CurveChain::new(pieces, closed, GAP * size).map_err(|source| ReadError::Geometry { place, source })
     }
 
-    fn bounded(&self, number: u64) -> Result<ChainPiece, ReadError> {
+    fn bounded(&self, number: u64) -> Result<Vec<ChainPiece>, ReadError> {
+        let place = format!("#{number}");
+        let fail = |source| ReadError::Geometry { place: place.clone(), source };
         let instance = self.instance(number)?;
         if instance.len() > 1 {
-            return self.b_spline(instance, number).map(ChainPiece::Spline);
+            return Ok(vec![ChainPiece::Spline(self.b_spline(instance, number)?)]);
         }
-        let place = format!("#{number}");
+        if self.simple(number, "CIRCLE").is_ok() {
+            let Basis::Circle { center, z, x, radius } = self.basis(number)? else {
+                return Ok(Vec::new());
+            };
+            let circle = Circle::from_center(center, z, center + x * radius).map_err(fail)?;
+            return Ok(circle.to_arcs().map(ChainPiece::Arc).to_vec());
+        }
         let values = self.simple(number, "TRIMMED_CURVE")?;
         let basis = self.basis(reference(value(values, 1, &place)?, &place)?)?;
         let (u0, u1) = (trim(value(values, 2, &place)?, &place)?, trim(value(values, 3, &place)?, &place)?);
@@ -97,7 +105,7 @@ impl File {
                 Arc::from_center(center, z, start, u1 - u0)
             }
         };
-        arc.map(ChainPiece::Arc).map_err(|source| ReadError::Geometry { place, source })
+        Ok(vec![ChainPiece::Arc(arc.map_err(fail)?)])
     }
 
     fn basis(&self, number: u64) -> Result<Basis, ReadError> {

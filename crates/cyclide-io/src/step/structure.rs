@@ -34,7 +34,8 @@ pub(super) fn product(data: &mut Data, title: &str, sets: &[usize], units: Units
     let product = data.add(&format!("PRODUCT({name},{name},'',(#{product_context}))"));
     data.add(&format!("PRODUCT_RELATED_PRODUCT_CATEGORY('part','',(#{product}))"));
     let formation = data.add(&format!("PRODUCT_DEFINITION_FORMATION('','',#{product})"));
-    let definition_context = data.add(&format!("PRODUCT_DEFINITION_CONTEXT('part definition',#{application},'design')"));
+    let definition_context =
+        data.add(&format!("PRODUCT_DEFINITION_CONTEXT('part definition',#{application},'design')"));
     let definition = data.add(&format!("PRODUCT_DEFINITION('design','',#{formation},#{definition_context})"));
     let definition_shape = data.add(&format!("PRODUCT_DEFINITION_SHAPE('','',#{definition})"));
     data.add(&format!("SHAPE_DEFINITION_REPRESENTATION(#{definition_shape},#{shape})"));
@@ -65,10 +66,8 @@ fn length_unit(data: &mut Data, units: Units) -> usize {
     let Some(name) = conversion(units) else {
         return metric;
     };
-    let factor = data.add(&format!(
-        "LENGTH_MEASURE_WITH_UNIT(LENGTH_MEASURE({}),#{metric})",
-        real(units.in_millimetres())
-    ));
+    let factor =
+        data.add(&format!("LENGTH_MEASURE_WITH_UNIT(LENGTH_MEASURE({}),#{metric})", real(units.in_millimetres())));
     let exponents = data.add("DIMENSIONAL_EXPONENTS(1.,0.,0.,0.,0.,0.,0.)");
     data.add(&format!("(CONVERSION_BASED_UNIT('{name}',#{factor}) LENGTH_UNIT() NAMED_UNIT(#{exponents}))"))
 }
