@@ -234,6 +234,9 @@ pub enum Error {
         /// Largest defect accepted.
         limit: f64,
     },
+    /// A Möbius map that is not a similarity was given where only similarities keep the kind of curve.
+    #[error("the map is not a similarity")]
+    NotASimilarity,
     /// The knots, weights and points of a spline do not fit together.
     #[error("not a spline: {detail}")]
     NotASpline {
@@ -296,6 +299,7 @@ impl Error {
             Self::NotPlanar { .. } => "not-planar",
             Self::Disconnected { .. } => "disconnected",
             Self::NotMobius { .. } => "not-mobius",
+            Self::NotASimilarity => "not-a-similarity",
             Self::NotASpline { .. } => "not-a-spline",
             Self::WeightNotPositive { .. } => "weight-not-positive",
             Self::InSpan { cause, .. } => cause.reason(),

@@ -26,11 +26,13 @@ pub use conformal::hpoint::HPoint;
 pub use conformal::mobius::{Conformal, Mobius};
 pub use conformal::sphere::Sphere;
 pub use construct::{
-    ArcCertificate, ArcSplineOptions, Biarc, BiarcRule, BulgeIntervals, certify_arc, curvature_intervals,
-    estimate_tangents, feasible_bulges,
+    ArcCertificate, ArcFit, ArcFitOptions, ArcSplineOptions, Biarc, BiarcRule, BulgeIntervals, Effort, FitCertificate,
+    FitTarget, certify_arc, curvature_intervals, estimate_tangents, feasible_bulges,
 };
 pub use curve::{Arc, Arc4, ArcPath, Circle, ClosestPoint, DEFAULT_PIECE_ANGLE, ParamCurve, PieceForm};
-pub use curve::{ExtremeCurvature, Joint, bounds, curvature_comb, extreme_curvature, joints, length};
+pub use curve::{ArcLength, CurveIndex, ExtremeCurvature, Joint};
+pub use curve::{BlendSegment, BlendVariant, CircleSpline, CircleSplineOptions, SplineEnds, corners_by_angle};
+pub use curve::{bounds, closest_point, curvature_comb, extreme_curvature, joints, length, resample};
 pub use error::{Error, Result};
 pub use mesh::{flatten, flatten_into};
 pub use model::{ChainPiece, CurveChain, CurveObject, Exactness, Item, Lower, Model, Units};

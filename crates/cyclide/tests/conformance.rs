@@ -8,7 +8,10 @@
 mod curves;
 
 use curves::{Case, cases};
-use cyclide::{ParamCurve, Point3, bounds, extreme_curvature, flatten, joints, length};
+use cyclide::{
+    ArcLength, CurveIndex, CurveJet, ParamCurve, Point3, Vec3, bounds, closest_point, extreme_curvature, flatten,
+    joints, length, resample,
+};
 
 /// Runs a law on every curve of the list.
 fn each(law: impl Fn(&Case, &dyn ParamCurve)) {
@@ -129,5 +132,143 @@ fn largest_curvature_is_not_exceeded_by_samples() {
         let there = curve.jet(e.t);
         assert!((there.curvature().unwrap_or(0.0) - e.max).abs() <= rounding, "{}", case.name);
         assert_eq!(there.point, e.point, "{}", case.name);
+    });
+}
+
+#[test]
+fn points_of_jets_and_slices_are_the_points() {
+    each(|case, curve| {
+        let ts: Vec<f64> = (0..=97).map(|i| f64::from(i) / 97.0).collect();
+        let mut points = vec![Point3::ORIGIN; ts.len()];
+        let mut jets = vec![CurveJet::default(); ts.len()];
+        curve.eval_into(&ts, &mut points);
+        curve.jets_into(&ts, &mut jets);
+        for ((t, p), j) in ts.iter().zip(&points).zip(&jets) {
+            assert_eq!(*p, curve.eval(*t), "{} at {t}", case.name);
+            assert_eq!(*j, curve.jet(*t), "{} at {t}", case.name);
+            // Both are quotients of sums of at most ten products of the size of the coordinates.
+            assert!(p.distance(j.point) <= 16.0 * f64::EPSILON * case.reach, "{} at {t}", case.name);
+        }
+    });
+}
+
+#[test]
+fn derivatives_are_limits_of_differences() {
+    let h = 1e-4;
+    each(|case, curve| {
+        for piece in 0..curve.piece_count() {
+            for i in 0..12 {
+                let s = 0.03 + 0.94 * f64::from(i) / 11.0;
+                let order = |s: f64, k: usize| -> Vec3 {
+                    let j = curve.piece_jet(piece, s);
+                    [j.point.to_vec(), j.d1, j.d2, j.d3][k]
+                };
+                for k in 1..=3 {
+                    let difference = |h: f64| (order(s + h, k - 1) - order(s - h, k - 1)) / (2.0 * h);
+                    let (coarse, fine) = (difference(h), difference(0.5 * h));
+                    // The error of a central difference falls by 4 when the step is halved. Rounding of the
+                    // derivative below: that of coordinates, times about the degree for each order.
+                    let below = order(s, k - 1).length() + 10.0_f64.powi(k as i32 - 1) * case.reach;
+                    let bound = (coarse - fine).length() + 64.0 * f64::EPSILON * below / h;
+                    let error = (order(s, k) - fine).length();
+                    assert!(error <= bound, "{} piece {piece} at {s}, order {k}: {error:e} > {bound:e}", case.name);
+                    // The law must be able to fail: the bound is far below what it judges.
+                    let typical = order(s, k).length().max(case.size);
+                    assert!(bound <= 1e-2 * typical, "{} piece {piece} at {s}, order {k}: {bound:e}", case.name);
+                }
+            }
+        }
+    });
+}
+
+/// Points around a curve: on it, near it, far from it.
+fn probes(case: &Case, curve: &dyn ParamCurve) -> Vec<Point3> {
+    // A fixed sequence of directions (multiples of irrational steps), so failures repeat.
+    let direction = |i: u32| {
+        let x = f64::from(i);
+        Vec3::new((x * 0.754_877).fract() - 0.5, (x * 0.569_840).fract() - 0.5, (x * 0.430_159_7).fract() - 0.5)
+    };
+    let mut probes = Vec::new();
+    for i in 1..60 {
+        let t = (f64::from(i) * 0.618_034).fract();
+        for size in [0.0, 1e-9, 1e-3, 0.1, 1.0, 10.0] {
+            probes.push(curve.eval(t) + direction(i) * (size * case.size));
+        }
+        // The centre of curvature: the hardest place, where the distance is flat.
+        if let Some(k) = curve.jet(t).curvature_vector() {
+            let k2 = k.length_squared();
+            if k2 * case.size * case.size > 1e-6 {
+                probes.push(curve.eval(t) + k / k2);
+            }
+        }
+    }
+    probes
+}
+
+#[test]
+fn closest_point_is_never_beaten_by_a_dense_search() {
+    each(|case, curve| {
+        let index = CurveIndex::new(curve);
+        let dense = dense_points(curve);
+        for p in probes(case, curve) {
+            let c = index.closest_point(p);
+            let rounding = case.rounding + 4.0 * f64::EPSILON * p.to_vec().max_abs();
+            // It is a point of the curve, at that distance.
+            assert!(c.point.distance(curve.eval(c.t)) <= 1e-9 * case.size, "{} {p:?} {c:?}", case.name);
+            assert!((c.distance - c.point.distance(p)).abs() <= rounding, "{} {p:?} {c:?}", case.name);
+            let best = dense.iter().map(|q| q.distance(p)).fold(f64::INFINITY, f64::min);
+            assert!(c.distance <= best + rounding, "{} {p:?}: {c:?}, dense search finds {best}", case.name);
+        }
+        let p = Point3::new(0.3, 0.2, 0.1) + curve.eval(0.7).to_vec();
+        assert_eq!(index.closest_point(p), closest_point(curve, p), "{}", case.name);
+    });
+}
+
+#[test]
+fn points_of_the_curve_are_their_own_closest_points() {
+    each(|case, curve| {
+        let index = CurveIndex::new(curve);
+        for i in 0..=200 {
+            let p = curve.eval(f64::from(i) / 200.0);
+            let c = index.closest_point(p);
+            assert!(c.distance <= case.rounding, "{}: {c:?}", case.name);
+        }
+    });
+}
+
+#[test]
+fn constant_speed_parameter_inverts_the_length() {
+    each(|case, curve| {
+        let table = ArcLength::new(curve);
+        let total = length(curve);
+        assert!((table.total() - total).abs() <= 1e-12 * total, "{}: {} {total}", case.name, table.total());
+        let ts = table.uniform(41);
+        assert_eq!((ts[0], ts[40]), (0.0, 1.0));
+        assert!(ts.windows(2).all(|w| w[0] < w[1]), "{}: not monotone", case.name);
+        for (i, t) in ts.iter().enumerate() {
+            let (piece, s) = curve.locate(*t);
+            let before: f64 = (0..piece).map(|j| curve.piece_length(j, 0.0, 1.0)).sum();
+            let got = before + curve.piece_length(piece, 0.0, s);
+            let want = total * i as f64 / 40.0;
+            // The parameter itself is rounded: eps times the speed (the nearly full arc has speed 2000 its length).
+            let speed = curve.jet(*t).speed();
+            assert!((got - want).abs() <= 1e-12 * total + f64::EPSILON * speed, "{} {t}: {got} {want}", case.name);
+        }
+        for (t, p) in resample(curve, 7) {
+            assert_eq!(p, curve.eval(t));
+        }
+    });
+}
+
+#[test]
+fn length_adds_up() {
+    each(|case, curve| {
+        for piece in 0..curve.piece_count() {
+            let whole = curve.piece_length(piece, 0.0, 1.0);
+            for s in [0.1, 0.5, 0.77] {
+                let sum = curve.piece_length(piece, 0.0, s) + curve.piece_length(piece, s, 1.0);
+                assert!((sum - whole).abs() <= 2e-12 * whole, "{}: {sum} {whole}", case.name);
+            }
+        }
     });
 }

@@ -128,6 +128,12 @@ impl Mobius {
         }
     }
 
+    /// True if the map keeps the point at infinity: a similarity, orientation-preserving or not.
+    #[must_use]
+    pub fn is_similarity(&self) -> bool {
+        self.c == Quat::ZERO
+    }
+
     /// The image of a homogeneous point (linear).
     #[must_use]
     pub fn map_pair(&self, p: HPoint) -> HPoint {

@@ -4,6 +4,9 @@ mod arc_fit;
 mod arc_spline;
 mod biarc;
 
-pub use arc_fit::{ArcCertificate, BulgeIntervals, certify_arc, curvature_intervals, feasible_bulges};
+pub use arc_fit::{
+    ArcCertificate, ArcFit, ArcFitOptions, BulgeIntervals, Effort, FitCertificate, FitTarget, certify_arc,
+    curvature_intervals, feasible_bulges,
+};
 pub use arc_spline::{ArcSplineOptions, estimate_tangents};
 pub use biarc::{Biarc, BiarcRule};

@@ -1,6 +1,7 @@
 //! Circles in space: through points, by centre and normal, as exact splines.
 
 use super::arc::Arc;
+use super::arc::measure::ClosestPoint;
 use super::param_curve::ParamCurve;
 use super::piece_form::PieceForm;
 use crate::base::bounds::Aabb;
@@ -118,6 +119,19 @@ impl Circle {
     #[must_use]
     pub fn tangent_at(&self, point: Point3) -> Option<Vec3> {
         self.normal.cross(point - self.center).unit()
+    }
+
+    /// The point of the circle nearest to `p`; on the axis, where all points are equally near, the start.
+    #[must_use]
+    pub fn closest_point(&self, p: Point3) -> ClosestPoint {
+        let v = p - self.center;
+        // Scaled by the spoke: coordinates in the plane of the circle, x along the spoke.
+        let unit = self.spoke / self.radius();
+        let (x, y) = (v.dot(unit), v.dot(self.normal.cross(unit)));
+        let turn = y.atan2(x) / std::f64::consts::TAU;
+        let t = if turn < 0.0 { (turn + 1.0).min(1.0) } else { turn };
+        let point = self.piece_jet(0, t).point;
+        ClosestPoint { t, point, distance: point.distance(p) }
     }
 
     /// The circle as two half-circle arcs (one linear arc cannot close: `000`, Example 1 corrected).

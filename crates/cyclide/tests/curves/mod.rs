@@ -12,13 +12,20 @@ pub struct Case {
     pub curve: Box<dyn ParamCurve>,
     /// Its size: about the diagonal of its box.
     pub size: f64,
-    /// Its largest absolute coordinate, which sets the rounding.
+    /// Its largest absolute coordinate.
     pub reach: f64,
+    /// Rounding of one evaluated point: of the coordinates, and of the parameter times the largest speed of a piece
+    /// (a nearly full arc runs through its middle 400 times as fast as its size).
+    pub rounding: f64,
 }
 
 fn case(name: &str, curve: impl ParamCurve + 'static) -> Case {
     let b = cyclide::bounds(&curve);
-    Case { name: name.to_owned(), size: b.diagonal(), reach: b.max_abs(), curve: Box::new(curve) }
+    let pieces = curve.piece_count();
+    let speed = |i: usize| curve.jet(i as f64 / (256 * pieces) as f64).speed() / pieces as f64;
+    let fastest = (0..=256 * pieces).map(speed).fold(0.0, f64::max);
+    let rounding = 4.0 * f64::EPSILON * (b.max_abs() + fastest);
+    Case { name: name.to_owned(), size: b.diagonal(), reach: b.max_abs(), rounding, curve: Box::new(curve) }
 }
 
 pub fn point(x: f64, y: f64, z: f64) -> Point3 {

@@ -1,15 +1,30 @@
-//! Checks of what comes in from the user (`60`, section 4).
+//! Checks of what comes in, merging of equal neighbours, and the plane of the data (`60`, section 4).
 
+use crate::base::bounds::Aabb;
+use crate::base::frame::Frame;
 use crate::base::planar::Point2;
+use crate::base::vector::{Point3, Vec3};
 use crate::error::{Error, Result};
+use crate::warning::Warning;
+
+/// Neighbours closer than this times the diameter are one point.
+const MERGE_LIMIT: f64 = 1e-9;
+/// Off-plane distances up to this times the diameter are rounding.
+const PLANE_LIMIT: f64 = 1e-9;
+/// Off-plane distances up to this times the tolerance do not matter.
+const PLANE_TOLERANCE: f64 = 1e-3;
 
 /// # Errors
 /// `too-few-points`, `not-finite`.
 pub(super) fn check_points(points: &[Point2], needed: usize) -> Result<()> {
-    if points.len() < needed {
-        return Err(Error::TooFewPoints { given: points.len(), needed });
+    check(points.len(), needed, |i| points[i].is_finite())
+}
+
+fn check(given: usize, needed: usize, finite: impl Fn(usize) -> bool) -> Result<()> {
+    if given < needed {
+        return Err(Error::TooFewPoints { given, needed });
     }
-    match points.iter().position(|p| !p.is_finite()) {
+    match (0..given).find(|i| !finite(*i)) {
         Some(index) => Err(Error::NotFinite { what: "point", index }),
         None => Ok(()),
     }
@@ -22,4 +37,92 @@ pub(super) fn check_tolerance(tolerance: f64) -> Result<()> {
         return Err(Error::ToleranceNotPositive { tolerance });
     }
     if tolerance.is_finite() { Ok(()) } else { Err(Error::NotFinite { what: "tolerance", index: 0 }) }
+}
+
+/// Points that all differ from their neighbours, with the index each had in the user's list.
+pub(super) struct Distinct {
+    pub points: Vec<Point3>,
+    pub source: Vec<usize>,
+    pub warning: Option<Warning>,
+}
+
+impl Distinct {
+    /// Merges equal neighbours; an open polyline keeps its first and its last point, a closed one its first.
+    ///
+    /// # Errors
+    /// `too-few-points`, `not-finite`, `coincident-points` (all equal).
+    pub fn new(points: &[Point3], closed: bool) -> Result<Self> {
+        let needed = if closed { 3 } else { 2 };
+        check(points.len(), needed, |i| points[i].is_finite())?;
+        let limit = MERGE_LIMIT * diameter(points);
+        if !limit.is_finite() {
+            return Err(Error::NotFinite { what: "distance from point", index: 0 });
+        }
+        let mut source = vec![0];
+        for (i, p) in points.iter().enumerate().skip(1) {
+            if p.distance(points[source[source.len() - 1]]) > limit {
+                source.push(i);
+            }
+        }
+        let last = points.len() - 1;
+        let mut first_dropped = (1..=last).zip(&source[1..]).find(|(i, s)| i != *s).map(|(i, _)| i);
+        let kept = source.len();
+        if closed {
+            while source.len() > 1 && points[source[source.len() - 1]].distance(points[0]) <= limit {
+                source.pop();
+            }
+        } else if source.len() > 1 && source[kept - 1] != last {
+            source[kept - 1] = last;
+        }
+        if source.len() == 1 {
+            let distance = points[0].distance(points[1]);
+            return Err(Error::CoincidentPoints { first: 0, second: 1, distance, limit });
+        }
+        if source.len() < needed {
+            return Err(Error::TooFewPoints { given: source.len(), needed });
+        }
+        let count = points.len() - source.len();
+        if count > 0 && first_dropped.is_none() {
+            first_dropped = (0..points.len()).find(|i| source.get(*i) != Some(i));
+        }
+        let warning = first_dropped.filter(|_| count > 0).map(|first| Warning::PointsMerged { first, count, limit });
+        Ok(Self { points: source.iter().map(|i| points[*i]).collect(), source, warning })
+    }
+
+    /// Position in the merged list of a point of the user's list.
+    pub fn position(&self, index: usize) -> usize {
+        self.source.partition_point(|s| *s <= index).saturating_sub(1)
+    }
+}
+
+/// Diagonal of the box around the points.
+pub(super) fn diameter(points: &[Point3]) -> f64 {
+    let mut bounds = Aabb::of_point(points[0]);
+    for p in &points[1..] {
+        bounds = bounds.including(*p);
+    }
+    (bounds.max - bounds.min).length()
+}
+
+/// The frame of the plane the points lie in, with its origin in the first of them so that big offsets of the
+/// coordinates cost no digits; `None` if they are not planar. Data in a coordinate plane get its axes.
+pub(super) fn plane(points: &[Point3], tolerance: f64) -> Option<Frame> {
+    let origin = points[0];
+    let farthest = |measure: &dyn Fn(Vec3) -> f64| {
+        let values = points.iter().map(|p| *p - origin);
+        values.max_by(|a, b| measure(*a).total_cmp(&measure(*b))).unwrap_or(Vec3::X)
+    };
+    let size = diameter(points);
+    let along = farthest(&|v| v.length()).unit()?;
+    let across = farthest(&|v| v.cross(along).length());
+    let normal = if across.cross(along).length() > PLANE_LIMIT * size {
+        along.cross(across).unit()?
+    } else {
+        // On a line: the plane that contains the first axes as far as possible.
+        [Vec3::Z, Vec3::Y].into_iter().find(|n| n.dot(along).abs() < 1e-3).unwrap_or(along.any_perpendicular())
+    };
+    let leading = [normal.z, normal.y, normal.x].into_iter().find(|c| c.abs() > 0.5).unwrap_or(1.0);
+    let frame = Frame::from_normal(origin, normal * leading.signum(), Vec3::X).ok()?;
+    let limit = (PLANE_LIMIT * size).min(PLANE_TOLERANCE * tolerance);
+    points.iter().all(|p| frame.to_local(*p).1.abs() <= limit).then_some(frame)
 }

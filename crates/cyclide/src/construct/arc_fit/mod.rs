@@ -1,11 +1,157 @@
-//! Certified arc fitting: the fewest arcs and lines within a tolerance of given points (`60`, sections 1, 3, 4).
+//! Certified arc fitting: few tangent-continuous arcs and lines within a tolerance of given points, with a proof
+//! sheet (`60`, sections 1, 3, 4; points in space by `10`, section 2.4).
 
 mod arc_certificate;
+mod beam;
 mod bulge_interval;
+mod certificate;
 mod chord;
+mod closing;
+mod corners;
 mod curvature_interval;
 mod input;
+mod options;
+mod planar;
+mod single;
+mod trace;
 
 pub use arc_certificate::{ArcCertificate, certify_arc};
 pub use bulge_interval::{BulgeIntervals, feasible_bulges};
+pub use certificate::FitCertificate;
 pub use curvature_interval::curvature_intervals;
+pub use options::{ArcFitOptions, Effort, FitTarget};
+
+use crate::base::frame::Frame;
+use crate::base::planar::Point2;
+use crate::base::vector::Point3;
+use crate::curve::{Arc, ArcPath};
+use crate::error::{Error, Result};
+use crate::warning::Warning;
+use beam::ChainJoint;
+use certificate::{Span, certify};
+use input::Distinct;
+use trace::{Chain, Trace};
+
+/// Part of the tolerance kept for rounding between the search and the certificate.
+const ROUNDING_MARGIN: f64 = 1e-9;
+
+/// A fitted chain of arcs and lines with its certificate.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ArcFit {
+    path: ArcPath,
+    certificate: FitCertificate,
+    warnings: Vec<Warning>,
+}
+
+impl ArcFit {
+    /// Fits tangent-continuous arcs and lines to points within `options.tolerance`; see [`ArcFitOptions`].
+    ///
+    /// Joints are free inside the tolerance tube. The first and last point of open data and the corners are kept
+    /// exactly; a closed curve without corners is tangent-continuous at its seam too. The number of arcs is near the
+    /// minimum, which is an observation and no theorem; everything in the certificate is measured on the result.
+    ///
+    /// # Errors
+    /// `tolerance-not-positive`, `parameter-out-of-range` (corner angle or index), `too-few-points`, `not-finite`,
+    /// `coincident-points` (all points equal), `no-g1-spline-in-tube` with the point where the search died.
+    pub fn new(points: &[Point3], options: &ArcFitOptions) -> Result<Self> {
+        options.check(points.len())?;
+        let distinct = Distinct::new(points, options.closed)?;
+        let data = &distinct.points;
+        let tolerance = options.tolerance;
+        let forced: Vec<usize> = options.corners.iter().map(|c| distinct.position(*c)).collect();
+        let corners = corners::corners(data, &forced, options);
+        let indices: Vec<usize> = corners.iter().map(|c| c.0).collect();
+        let died = |vertex: usize| Error::NoG1SplineInTube { vertex: distinct.source[vertex], tolerance };
+
+        let largest = data.iter().map(|p| p.to_vec().max_abs()).fold(0.0, f64::max);
+        let room = tolerance - (ROUNDING_MARGIN * tolerance).max(8.0 * f64::EPSILON * largest).min(0.5 * tolerance);
+        let frame = input::plane(data, tolerance).ok_or(Error::NotPlanar { index: 0, distance: 0.0, limit: 0.0 })?;
+        let (trace, chains) = planar::fit(data, &indices, &frame, room, options).map_err(died)?;
+        let pieces = planar_pieces(&trace, &chains, &frame)?;
+
+        let (mut arcs, mut spans, mut smooth) = (Vec::new(), Vec::new(), Vec::new());
+        for (arc, span, joint) in pieces {
+            arcs.push(arc);
+            spans.push(span);
+            smooth.push(joint);
+        }
+        let path = ArcPath::new(arcs, options.closed)?;
+        let mut certificate = certify(&path, &spans, &smooth, &trace, options.target, true);
+        if certificate.deviation > tolerance {
+            return Err(died(certificate.worst));
+        }
+        certificate.worst = distinct.source[certificate.worst];
+        let mut warnings: Vec<Warning> = distinct.warning.into_iter().collect();
+        warnings.extend(
+            corners.iter().map(|(i, angle)| Warning::CornerKept { vertex: distinct.source[*i], angle: *angle }),
+        );
+        Ok(Self { path, certificate, warnings })
+    }
+
+    /// The arcs and lines.
+    #[must_use]
+    pub fn path(&self) -> &ArcPath {
+        &self.path
+    }
+
+    /// The path alone.
+    #[must_use]
+    pub fn into_path(self) -> ArcPath {
+        self.path
+    }
+
+    /// What is proved about the path.
+    #[must_use]
+    pub fn certificate(&self) -> &FitCertificate {
+        &self.certificate
+    }
+
+    /// Corners kept, points merged, and doubts about the data.
+    #[must_use]
+    pub fn warnings(&self) -> &[Warning] {
+        &self.warnings
+    }
+}
+
+/// An arc, the part of the trace it stands for, and whether its start is a smooth joint.
+type Piece = (Arc, Span, bool);
+
+fn planar_pieces(trace: &Trace, chains: &[Chain], frame: &Frame) -> Result<Vec<Piece>> {
+    let mut pieces = Vec::new();
+    for chain in chains {
+        let joints = &chain.joints;
+        let loops = trace.closed && chains.len() == 1 && joints[0].frame == joints[joints.len() - 1].frame;
+        let place = |i: usize| {
+            let at_end = i == 0 || i == joints.len() - 1;
+            if loops {
+                frame.to_world(joints[if at_end { 0 } else { i }].frame.joint)
+            } else if at_end {
+                trace.point(chain.first + joints[i].vertex)
+            } else {
+                frame.to_world(joints[i].frame.joint)
+            }
+        };
+        for i in 1..joints.len() {
+            let (from, to) = (&joints[i - 1], &joints[i]);
+            let arc = Arc::from_bulge(place(i - 1), place(i), frame.z(), bulge(from, to))?;
+            let span = Span { from: chain.first + from.vertex, to: chain.first + to.vertex };
+            pieces.push((arc, span, i > 1 || loops));
+        }
+    }
+    Ok(pieces)
+}
+
+/// Bulge of the arc between two joints, by the angle from its start tangent to the chord: `tan(sweep/4)`.
+fn bulge(from: &ChainJoint, to: &ChainJoint) -> f64 {
+    if to.straight {
+        return 0.0;
+    }
+    let chord = chord_direction(from.frame.joint, to.frame.joint);
+    let (sine, cosine) = (from.frame.tangent.cross(chord), from.frame.tangent.dot(chord));
+    if cosine >= 0.0 { sine / (1.0 + cosine) } else { (1.0 - cosine) / sine }
+}
+
+fn chord_direction(from: Point2, to: Point2) -> crate::base::planar::Vec2 {
+    let chord = to - from;
+    chord * (1.0 / chord.length())
+}

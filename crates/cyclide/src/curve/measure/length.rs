@@ -1,9 +1,148 @@
-//! Arc length: total, and the constant-speed parameter.
+//! Arc length: the total, and the constant-speed parameter.
 
-use crate::curve::ParamCurve;
+use crate::base::quadrature::gauss8;
+use crate::base::vector::Point3;
+use crate::curve::{ParamCurve, PieceForm};
+
+/// Relative disagreement of one quadrature with its two halves at which a cell of the table is good.
+const CELL_LIMIT: f64 = 1e-13;
+/// Halvings of a piece into cells.
+const CELL_DEPTH: u32 = 40;
+/// Cells of the table of one piece: far above what smooth pieces and cusps need.
+const CELL_CAP: usize = 4096;
 
 /// Length of the whole curve: closed form for arcs and circles, else each piece to 1e-12 of itself.
 #[must_use]
 pub fn length(curve: &dyn ParamCurve) -> f64 {
     (0..curve.piece_count()).map(|piece| curve.piece_length(piece, 0.0, 1.0)).sum()
+}
+
+/// `count` points at equal steps of arc length with their parameters, both ends included (on a closed curve the last
+/// is the first again).
+#[must_use]
+pub fn resample(curve: &dyn ParamCurve, count: usize) -> Vec<(f64, Point3)> {
+    ArcLength::new(curve).uniform(count).into_iter().map(|t| (t, curve.eval(t))).collect()
+}
+
+/// A table of the arc length of a curve, made once and inverted as often as wanted.
+///
+/// Pieces that are arcs or circles are inverted in closed form, others by Newton steps inside cells on which one
+/// 8-point quadrature gives the length to rounding. Pieces of length zero are passed over.
+pub struct ArcLength<'a> {
+    curve: &'a dyn ParamCurve,
+    cells: Vec<Cell>,
+    total: f64,
+}
+
+/// The part `[s0, s1]` of a piece.
+struct Cell {
+    piece: usize,
+    s0: f64,
+    s1: f64,
+    length: f64,
+    /// Length of the curve up to the end of the cell.
+    end: f64,
+    form: PieceForm,
+}
+
+impl<'a> ArcLength<'a> {
+    /// Measures the curve.
+    #[must_use]
+    pub fn new(curve: &'a dyn ParamCurve) -> Self {
+        let mut cells = Vec::with_capacity(curve.piece_count());
+        for piece in 0..curve.piece_count() {
+            match curve.piece_form(piece) {
+                PieceForm::Free => cut(curve, piece, &mut cells),
+                form => {
+                    let length = curve.piece_length(piece, 0.0, 1.0);
+                    cells.push(Cell { piece, s0: 0.0, s1: 1.0, length, end: 0.0, form });
+                }
+            }
+        }
+        let mut total = 0.0;
+        for cell in &mut cells {
+            total += cell.length;
+            cell.end = total;
+        }
+        Self { curve, cells, total }
+    }
+
+    /// Length of the whole curve.
+    #[must_use]
+    pub fn total(&self) -> f64 {
+        self.total
+    }
+
+    /// The global parameter of the point at the fraction `fraction` of the length (clamped to `[0, 1]`), to about
+    /// 1e-12 of the length. Ends are exact. On a curve of length zero it is the fraction itself.
+    #[must_use]
+    pub fn parameter_at(&self, fraction: f64) -> f64 {
+        let fraction = fraction.clamp(0.0, 1.0);
+        if self.total == 0.0 || fraction == 0.0 || fraction >= 1.0 {
+            return fraction;
+        }
+        let goal = fraction * self.total;
+        let index = self.cells.partition_point(|cell| cell.end < goal).min(self.cells.len() - 1);
+        let cell = &self.cells[index];
+        let rest = (goal - (cell.end - cell.length)).clamp(0.0, cell.length);
+        let s = match cell.form {
+            PieceForm::Arc(arc) => arc.parameter_at_length(rest / cell.length),
+            PieceForm::Circle(_) => rest / cell.length,
+            PieceForm::Free => cell.invert(self.curve, rest),
+        };
+        (cell.piece as f64 + s) / self.curve.piece_count() as f64
+    }
+
+    /// `count` parameters at equal steps of arc length from 0 to 1, both included; `[0]` for `count` 1.
+    #[must_use]
+    pub fn uniform(&self, count: usize) -> Vec<f64> {
+        let last = count.saturating_sub(1).max(1) as f64;
+        (0..count).map(|i| self.parameter_at(i as f64 / last)).collect()
+    }
+}
+
+/// Appends the cells of a piece, in order.
+fn cut(curve: &dyn ParamCurve, piece: usize, cells: &mut Vec<Cell>) {
+    let mut speed = |s: f64| curve.piece_jet(piece, s).speed();
+    let whole = gauss8(&mut speed, 0.0, 1.0);
+    let first = cells.len();
+    // Parts still to be judged: ends, length, halvings left.
+    let mut stack = vec![(0.0, 1.0, whole, CELL_DEPTH)];
+    while let Some((s0, s1, length, depth)) = stack.pop() {
+        let m = 0.5 * (s0 + s1);
+        let (l, r) = (gauss8(&mut speed, s0, m), gauss8(&mut speed, m, s1));
+        let good = (l + r - length).abs() <= CELL_LIMIT * whole;
+        if good || depth == 0 || cells.len() - first >= CELL_CAP {
+            cells.push(Cell { piece, s0, s1, length: l + r, end: 0.0, form: PieceForm::Free });
+        } else {
+            stack.push((m, s1, r, depth - 1));
+            stack.push((s0, m, l, depth - 1));
+        }
+    }
+}
+
+impl Cell {
+    /// The parameter at which the length from the start of the cell is `rest`: Newton steps kept in a bracket.
+    fn invert(&self, curve: &dyn ParamCurve, rest: f64) -> f64 {
+        let mut speed = |s: f64| curve.piece_jet(self.piece, s).speed();
+        let (mut low, mut high) = (self.s0, self.s1);
+        let mut s = self.s0 + (self.s1 - self.s0) * (rest / self.length);
+        for _ in 0..64 {
+            let error = gauss8(&mut speed, self.s0, s) - rest;
+            if error < 0.0 {
+                low = s;
+            } else {
+                high = s;
+            }
+            let next = s - error / speed(s);
+            let next = if next >= low && next <= high { next } else { 0.5 * (low + high) };
+            let moved = (next - s).abs();
+            s = next;
+            // The error after a Newton step is of the order of the square of the step.
+            if moved <= 1e-9 * (self.s1 - self.s0) || error == 0.0 {
+                break;
+            }
+        }
+        s
+    }
 }

@@ -4,6 +4,7 @@
 //! their jets to the tolerance each function states.
 
 mod bounds;
+mod closest;
 mod comb;
 mod continuity;
 mod curvature;
@@ -11,7 +12,8 @@ mod length;
 mod maximum;
 
 pub use bounds::bounds;
+pub use closest::{CurveIndex, closest_point};
 pub use comb::curvature_comb;
 pub use continuity::{Joint, joints};
 pub use curvature::{ExtremeCurvature, extreme_curvature};
-pub use length::length;
+pub use length::{ArcLength, length, resample};

@@ -1,0 +1,295 @@
+//! The tube beam: the fewest tangent-continuous arcs inside a tube about a polyline (`60`, section 3).
+//!
+//! A state is a vertex, a joint on the normal through it at most one tolerance away, and a tangent. From a state all
+//! arcs are one curvature interval per end vertex ([`CurvatureSweep`]). Each level of the search adds one arc, so the
+//! first level that reaches the goal has the count. States that fall into one cell (vertex, offset, angle) are
+//! represented by one of them, exact and not rounded; the number of cells per level is capped, half of them the
+//! farthest and half an even stride over the rest. (Keeping only the farthest falls into a zigzag trap: all states
+//! alternate about the middle of the tube and never get long.) The count is near the minimum, not proved to be it.
+
+use super::curvature_interval::{CurvatureSweep, JointFrame, curvature_to};
+use crate::base::planar::{Point2, Vec2};
+
+/// Tangent angles tried at a free start.
+const START_ANGLES: usize = 81;
+/// No start tangent farther than this from the first edge: beyond, the sweep would soon pass half a turn.
+const MAX_START_ANGLE: f64 = 1.5;
+/// Levels fan out over the last `3 + 0.34 (farthest reach - nearest state)` end vertices.
+const WINDOW_BASE: f64 = 3.0;
+const WINDOW_SLOPE: f64 = 0.34;
+
+/// A polyline in the plane and the tolerance about it.
+pub(super) struct Tube<'a> {
+    pub points: &'a [Point2],
+    pub tolerance: f64,
+    /// Bind the edges too, not only the vertices.
+    pub edges: bool,
+    /// Unit direction of the edge that ends in each vertex; the first repeats the second.
+    directions: Vec<Vec2>,
+}
+
+impl<'a> Tube<'a> {
+    /// Neighbouring points must differ, and there must be at least two.
+    pub fn new(points: &'a [Point2], tolerance: f64, edges: bool) -> Self {
+        let unit = |w: &[Point2]| (w[1] - w[0]).unit().unwrap_or(Vec2::new(1.0, 0.0));
+        let mut directions = Vec::with_capacity(points.len());
+        directions.push(unit(&points[..2]));
+        directions.extend(points.windows(2).map(unit));
+        Self { points, tolerance, edges, directions }
+    }
+
+    pub fn last(&self) -> usize {
+        self.points.len() - 1
+    }
+
+    pub fn sweep_from(&self, frame: &JointFrame, vertex: usize) -> CurvatureSweep {
+        CurvatureSweep::new(frame.local(self.points[vertex]), self.tolerance, self.edges)
+    }
+
+    /// States at the first point with a fan of tangents about the first edge: as far as the turn at the second
+    /// vertex and the tolerance make sense.
+    pub fn start_fan(&self) -> Vec<JointFrame> {
+        let first = self.directions[1];
+        let turn = self.directions.get(2).map_or(0.0, |d| first.cross(*d).atan2(first.dot(*d)).abs());
+        let edge = self.points[0].distance(self.points[1]);
+        let spread = (turn + 2.0 * self.tolerance / edge).min(MAX_START_ANGLE);
+        let half = (START_ANGLES / 2) as f64;
+        let fan = (0..START_ANGLES).map(|i| {
+            let (s, c) = (spread * (i as f64 / half - 1.0)).sin_cos();
+            JointFrame { joint: self.points[0], tangent: first * c + first.left() * s }
+        });
+        fan.collect()
+    }
+}
+
+/// How hard to search.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct BeamSize {
+    /// Curvatures tried across each interval.
+    pub samples: usize,
+    /// Cells kept per level.
+    pub cells: usize,
+}
+
+/// Where the chain must end.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Goal {
+    /// In the last point, with any tangent.
+    Point,
+    /// In this joint with this tangent; it belongs to the last vertex.
+    Joint(JointFrame),
+}
+
+/// A joint of a chain; its arc is the one that ends here.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct ChainJoint {
+    pub vertex: usize,
+    pub frame: JointFrame,
+    /// The arc that ends here is a straight segment.
+    pub straight: bool,
+}
+
+/// A state of the search.
+#[derive(Clone, Copy)]
+pub(super) struct Node {
+    pub at: ChainJoint,
+    parent: Option<usize>,
+    /// Straight segments on the way here.
+    lines: u32,
+}
+
+/// One end vertex a state reaches: its frame coordinates and the curvatures that get there.
+#[derive(Clone, Copy)]
+pub(super) struct End {
+    pub lo: f64,
+    pub hi: f64,
+    pub at: Vec2,
+}
+
+impl End {
+    /// Distance of a curvature from the ends of the interval, relative to its width: 1/2 in the middle, negative
+    /// outside.
+    pub fn margin(&self, kappa: f64) -> f64 {
+        (kappa - self.lo).min(self.hi - kappa) / (self.hi - self.lo).max(f64::MIN_POSITIVE)
+    }
+}
+
+/// All states with the same number of arcs, and what each of them reaches.
+pub(super) struct Level {
+    /// Indices into the arena.
+    pub nodes: std::ops::Range<usize>,
+    ends: Vec<End>,
+    /// Where the ends of each node begin; one more at the end.
+    offsets: Vec<usize>,
+}
+
+impl Level {
+    fn new(tube: &Tube<'_>, arena: &[Node], nodes: std::ops::Range<usize>) -> Self {
+        let (mut ends, mut offsets) = (Vec::new(), vec![0]);
+        for node in &arena[nodes.clone()] {
+            let frame = node.at.frame;
+            let mut sweep = tube.sweep_from(&frame, node.at.vertex);
+            for p in &tube.points[node.at.vertex + 1..] {
+                let at = frame.local(*p);
+                if !sweep.advance(at) {
+                    break;
+                }
+                ends.push(End { lo: sweep.lo, hi: sweep.hi, at });
+            }
+            offsets.push(ends.len());
+        }
+        Self { nodes, ends, offsets }
+    }
+
+    /// What a node of this level reaches: element `i` is the end vertex `vertex + 1 + i`.
+    pub fn ends_of(&self, node: usize) -> &[End] {
+        let i = node - self.nodes.start;
+        &self.ends[self.offsets[i]..self.offsets[i + 1]]
+    }
+}
+
+/// A chain that reaches the goal, or the farthest vertex any chain came to.
+pub(super) fn search(
+    tube: &Tube<'_>,
+    start: &[JointFrame],
+    goal: Goal,
+    size: BeamSize,
+) -> Result<Vec<ChainJoint>, usize> {
+    let root = |frame: &JointFrame| Node {
+        at: ChainJoint { vertex: 0, frame: *frame, straight: false },
+        parent: None,
+        lines: 0,
+    };
+    let mut arena: Vec<Node> = start.iter().map(root).collect();
+    let mut nodes = 0..arena.len();
+    loop {
+        let level = Level::new(tube, &arena, nodes.clone());
+        let finished = match goal {
+            Goal::Point => end_in_point(tube, &arena, &level),
+            Goal::Joint(target) => super::closing::end_in_joint(tube, &arena, &level, target),
+        };
+        if let Some((node, tail)) = finished {
+            return Ok(chain(&arena, node, tail));
+        }
+        let reach = |i: usize| arena[i].at.vertex + level.ends_of(i).len();
+        let far = nodes.clone().map(reach).max().unwrap_or(0);
+        let children = next_level(tube, &arena, &level, far, size);
+        if children.is_empty() {
+            return Err(far);
+        }
+        nodes = arena.len()..arena.len() + children.len();
+        arena.extend(children);
+    }
+}
+
+/// The joints from the start to a node and on along `tail`.
+fn chain(arena: &[Node], node: usize, tail: impl IntoIterator<Item = ChainJoint>) -> Vec<ChainJoint> {
+    let mut joints: Vec<_> = std::iter::successors(Some(node), |i| arena[*i].parent).map(|i| arena[i].at).collect();
+    joints.reverse();
+    joints.extend(tail);
+    joints
+}
+
+/// The state whose exact arc to the last point lies deepest inside its interval; more straight segments win first.
+fn end_in_point(tube: &Tube<'_>, arena: &[Node], level: &Level) -> Option<(usize, Vec<ChainJoint>)> {
+    let last = tube.last();
+    let candidate = |i: usize| {
+        let node = &arena[i].at;
+        let end = level.ends_of(i).get(last - node.vertex - 1)?;
+        let kappa = curvature_to(end.at);
+        let margin = end.margin(kappa);
+        (margin >= 0.0).then_some((i, *end, kappa, margin))
+    };
+    let better = |a: &(usize, End, f64, f64), b: &(usize, End, f64, f64)| {
+        arena[a.0].lines.cmp(&arena[b.0].lines).then(a.3.total_cmp(&b.3))
+    };
+    let (i, end, kappa, _) = level.nodes.clone().filter_map(candidate).max_by(better)?;
+    let tangent = arena[i].at.frame.end_tangent_at(end.at);
+    let frame = JointFrame { joint: tube.points[last], tangent };
+    Some((i, vec![ChainJoint { vertex: last, frame, straight: kappa == 0.0 }]))
+}
+
+/// A child not yet made: its cell, its rank inside the cell (less is better), and what makes it.
+#[derive(Clone, Copy)]
+struct Candidate {
+    cell: (i64, i64),
+    rank: (u32, u32),
+    node: usize,
+    kappa: f64,
+}
+
+fn next_level(tube: &Tube<'_>, arena: &[Node], level: &Level, far: usize, size: BeamSize) -> Vec<Node> {
+    let nearest = level.nodes.clone().map(|i| arena[i].at.vertex).min().unwrap_or(0);
+    let window = (WINDOW_BASE + WINDOW_SLOPE * (far - nearest) as f64) as usize;
+    let highest = far.min(tube.last() - 1);
+    let mut children: Vec<(usize, Candidate)> = Vec::new();
+    let mut candidates = Vec::new();
+    for vertex in (far.saturating_sub(window).max(nearest + 1)..=highest).rev() {
+        candidates.clear();
+        for i in level.nodes.clone() {
+            let node = &arena[i];
+            if vertex > node.at.vertex
+                && let Some(end) = level.ends_of(i).get(vertex - node.at.vertex - 1)
+            {
+                fan_out(tube, node, i, end, vertex, size.samples, &mut candidates);
+            }
+        }
+        candidates.sort_unstable_by(|a, b| (a.cell, a.rank, a.node).cmp(&(b.cell, b.rank, b.node)));
+        candidates.dedup_by_key(|c| c.cell);
+        children.extend(candidates.iter().map(|c| (vertex, *c)));
+    }
+    let make = |(vertex, c): &(usize, Candidate)| {
+        let parent = &arena[c.node];
+        let v = parent.at.frame.local(tube.points[*vertex]);
+        let straight = c.kappa == 0.0;
+        Node {
+            at: ChainJoint { vertex: *vertex, frame: parent.at.frame.end_over(c.kappa, v), straight },
+            parent: Some(c.node),
+            lines: parent.lines + u32::from(straight),
+        }
+    };
+    if children.len() <= size.cells {
+        return children.iter().map(make).collect();
+    }
+    let front = size.cells / 2;
+    let (kept, rest) = (size.cells - front, children.len() - front);
+    let stride = (0..kept).map(|i| front + i * rest / kept);
+    (0..front).chain(stride).map(|i| make(&children[i])).collect()
+}
+
+/// Curvatures across one interval, and the straight line if it is inside.
+fn fan_out(
+    tube: &Tube<'_>,
+    node: &Node,
+    index: usize,
+    end: &End,
+    vertex: usize,
+    samples: usize,
+    out: &mut Vec<Candidate>,
+) {
+    let frame = &node.at.frame;
+    let Vec2 { x, y } = end.at;
+    let direction = tube.directions[vertex];
+    let (along, across) = (frame.tangent.dot(direction), frame.tangent.cross(direction));
+    let squared = end.at.dot(end.at);
+    let mut push = |kappa: f64, off_middle: f64| {
+        let (a, b) = (kappa * x, 1.0 - kappa * y);
+        let z = (a * a + b * b).sqrt();
+        let offset = (2.0 * y - kappa * squared) / (1.0 + z);
+        // Sine of the angle from the edge to the new tangent (b, a)/z, continued beyond a quarter turn.
+        let (sine, cosine) = ((a * along - b * across) / z, (b * along + a * across) / z);
+        let angle = if cosine >= 0.0 { sine } else { (2.0 - sine.abs()).copysign(sine) };
+        // The joint is at x/z along and a x/(z (z+b)) across.
+        let chord = x / z * 1.0_f64.hypot(a / (z + b));
+        let cell = ((offset / (0.5 * tube.tolerance)).round() as i64, (angle * chord / tube.tolerance).round() as i64);
+        let lines = node.lines + u32::from(kappa == 0.0);
+        out.push(Candidate { cell, rank: (u32::MAX - lines, (off_middle * 1e6) as u32), node: index, kappa });
+    };
+    for i in 0..samples {
+        let fraction = (i as f64 + 0.5) / samples as f64;
+        push(end.lo + (end.hi - end.lo) * fraction, (fraction - 0.5).abs());
+    }
+    if end.lo < 0.0 && end.hi > 0.0 {
+        push(0.0, 0.5 - end.margin(0.0));
+    }
+}

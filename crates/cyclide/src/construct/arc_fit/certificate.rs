@@ -1,0 +1,154 @@
+//! The proof sheet of a fit: measured on the finished arcs, sharing no code with the search (`60`, section 11).
+//!
+//! Distances are nearest points on each arc, tangents come from the arcs as they are stored, and the closing joint
+//! is a joint like the others. Each arc is compared with the run of the polyline it stands for, in order: the feet
+//! of consecutive vertices must advance along the path, and every edge must run with the arc under it (conditions M
+//! and W of section 1.1), so the distances are Fréchet distances and not merely those of two point sets.
+
+use super::options::FitTarget;
+use super::trace::Trace;
+use crate::base::vector::{Point3, Vec3};
+use crate::curve::{Arc, ArcPath, ParamCurve};
+
+/// Feet may step back by this much of an arc's parameter: rounding at joints.
+const FOOT_SLACK: f64 = 1e-9;
+
+/// What is proved about a fitted path.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct FitCertificate {
+    /// The deviation the tolerance binds: of the points for [`FitTarget::Points`], both ways between curve and
+    /// polyline for [`FitTarget::Polyline`].
+    pub deviation: f64,
+    /// Largest distance of a point from the part of the path that stands for it.
+    pub vertex_deviation: f64,
+    /// Largest distance between path and polyline, both ways (an upper bound of the Hausdorff distance, and its
+    /// value for planar data).
+    pub polyline_deviation: f64,
+    /// True if points and path advance together (M and W): [`polyline_deviation`](Self::polyline_deviation) is then
+    /// the Fréchet distance of planar data, and bounds it in space.
+    pub monotone: bool,
+    /// Largest angle between the tangents at a joint, corners excepted, radians.
+    pub max_kink: f64,
+    /// Circular arcs in the path.
+    pub arcs: usize,
+    /// Straight segments in the path.
+    pub lines: usize,
+    /// The point (in the user's numbering) with the largest deviation of the kind that the tolerance binds.
+    pub worst: usize,
+}
+
+/// The part of the trace an arc stands for: from one index to another, which may wrap around.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Span {
+    pub from: usize,
+    pub to: usize,
+}
+
+/// Certifies `path` against the trace, arc `i` against `spans[i]`. `smooth[i]` says whether the joint at the start
+/// of arc `i` is meant to be tangent-continuous. `planar`: the edges are in the plane of their arc.
+pub(super) fn certify(
+    path: &ArcPath,
+    spans: &[Span],
+    smooth: &[bool],
+    trace: &Trace,
+    target: FitTarget,
+    planar: bool,
+) -> FitCertificate {
+    let mut sheet = Sheet { vertex: (0.0, 0), polyline: (0.0, 0), monotone: true };
+    for (arc, span) in path.arcs().iter().zip(spans) {
+        sheet.add(arc, *span, trace, planar);
+    }
+    let arcs = path.arcs();
+    let kink = |i: usize| {
+        let before = if i > 0 { &arcs[i - 1] } else { arcs.last()? };
+        Some(before.end_tangent()?.angle(arcs[i].start_tangent()?))
+    };
+    let joints = (0..arcs.len()).filter(|i| smooth[*i] && (*i > 0 || path.is_closed()));
+    let max_kink = joints.filter_map(kink).fold(0.0, f64::max);
+    let lines = arcs.iter().filter(|a| a.is_straight()).count();
+    let (deviation, worst) = match target {
+        FitTarget::Points => sheet.vertex,
+        FitTarget::Polyline => sheet.polyline,
+    };
+    FitCertificate {
+        deviation,
+        vertex_deviation: sheet.vertex.0,
+        polyline_deviation: sheet.polyline.0,
+        monotone: sheet.monotone,
+        max_kink,
+        arcs: arcs.len() - lines,
+        lines,
+        worst,
+    }
+}
+
+/// Largest deviations so far, each with the vertex where it was found.
+struct Sheet {
+    vertex: (f64, usize),
+    polyline: (f64, usize),
+    monotone: bool,
+}
+
+fn raise(largest: &mut (f64, usize), value: f64, vertex: usize) {
+    if value > largest.0 {
+        *largest = (value, vertex);
+    }
+}
+
+impl Sheet {
+    fn add(&mut self, arc: &Arc, span: Span, trace: &Trace, planar: bool) {
+        let n = trace.points.len();
+        let mut before: Option<(Point3, f64, f64)> = None;
+        for index in span.from..=span.to {
+            let p = trace.point(index);
+            let foot = arc.closest_point(p);
+            let vertex = trace.vertex_before(index % n);
+            if trace.vertex[index % n].is_some() {
+                raise(&mut self.vertex, foot.distance, vertex);
+            }
+            raise(&mut self.polyline, foot.distance, vertex);
+            if let Some((q, t, distance)) = before {
+                self.monotone &= foot.t >= t - FOOT_SLACK && runs_along(arc, t, foot.t, p - q);
+                let largest = distance.max(foot.distance);
+                let edge = if planar {
+                    apex_height(arc, t, foot.t, q, p - q)
+                } else {
+                    let (length, turn) =
+                        (arc.length_to(foot.t) - arc.length_to(t), arc.angle_to(foot.t) - arc.angle_to(t));
+                    largest + 0.5 * length * (0.25 * turn).tan()
+                };
+                raise(&mut self.polyline, edge.max(largest), vertex);
+            }
+            before = Some((p, foot.t, foot.distance));
+        }
+    }
+}
+
+/// The edge runs with the arc at the feet of both its ends.
+fn runs_along(arc: &Arc, t0: f64, t1: f64, edge: Vec3) -> bool {
+    let along = |t: f64| arc.piece_jet(0, t).d1.unit().is_none_or(|d| d.dot(edge) >= -FOOT_SLACK * edge.length());
+    along(t0) && along(t1)
+}
+
+/// Height over the line of the edge of the point between the two feet where arc and edge are parallel, found by
+/// bisection; 0 if there is none (the extremes are then the ends).
+fn apex_height(arc: &Arc, t0: f64, t1: f64, from: Point3, edge: Vec3) -> f64 {
+    let (Some(normal), Some(along)) = (arc.normal(), edge.unit()) else { return 0.0 };
+    let across = normal.cross(along);
+    let rising = |t: f64| arc.piece_jet(0, t).d1.dot(across);
+    let (mut lo, mut hi) = (t0, t1);
+    let sign = rising(lo) > 0.0;
+    if (rising(hi) > 0.0) == sign {
+        return 0.0;
+    }
+    while hi - lo > 1e-12 {
+        let middle = 0.5 * (lo + hi);
+        if (rising(middle) > 0.0) == sign {
+            lo = middle;
+        } else {
+            hi = middle;
+        }
+    }
+    (arc.point(0.5 * (lo + hi)) - from).dot(across).abs()
+}

@@ -1,0 +1,48 @@
+//! Which vertices stay corners (`60`, sections 3 and 4).
+
+use super::options::{ArcFitOptions, FitTarget};
+use crate::base::vector::Point3;
+
+/// A corner stands out if its turn is this many times those of its neighbours.
+const PROMINENCE: f64 = 3.0;
+/// A turn above this is a reversal: no smooth curve turns so far from one sample to the next.
+const CUSP_ANGLE: f64 = 150.0 * std::f64::consts::PI / 180.0;
+
+/// Turn at every vertex, radians in `[0, pi]`; 0 at the ends of an open polyline. Neighbouring points differ.
+pub(super) fn turns(points: &[Point3], closed: bool) -> Vec<f64> {
+    let n = points.len();
+    let turn = |i: usize| {
+        if !closed && (i == 0 || i == n - 1) {
+            return 0.0;
+        }
+        let (before, at, after) = (points[(i + n - 1) % n], points[i], points[(i + 1) % n]);
+        (at - before).angle(after - at)
+    };
+    (0..n).map(turn).collect()
+}
+
+/// How far from a vertex of the given turn an arc that stays within the tolerance of both legs can begin: the arc
+/// of radius `tolerance cot²(turn/4)` is `2 tolerance cot(turn/4)` away.
+pub(super) fn rounding_reach(turn: f64, tolerance: f64) -> f64 {
+    2.0 * tolerance / (0.25 * turn).tan()
+}
+
+/// Corners in ascending order, with their turn. The ends of an open polyline are none.
+///
+/// Asked for by index; or reversals; or turns above the angle limit that stand out from their neighbours. Edges that
+/// are meant themselves (`Polyline`) also keep a corner whose rounding would be lost in its long legs.
+pub(super) fn corners(points: &[Point3], forced: &[usize], options: &ArcFitOptions) -> Vec<(usize, f64)> {
+    let (n, closed) = (points.len(), options.closed);
+    let turns = turns(points, closed);
+    let stands_out = |i: usize| {
+        let (before, after) = ((i + n - 1) % n, (i + 1) % n);
+        let prominent = turns[i] > PROMINENCE * turns[before].max(turns[after]);
+        let leg = points[i].distance(points[before]).min(points[i].distance(points[after]));
+        let lost = options.target == FitTarget::Polyline && rounding_reach(turns[i], options.tolerance) < 0.5 * leg;
+        prominent || lost
+    };
+    let is_corner =
+        |i: usize| forced.contains(&i) || turns[i] > CUSP_ANGLE || (turns[i] > options.corner_angle && stands_out(i));
+    let range = if closed { 0..n } else { 1..n - 1 };
+    range.filter(|i| is_corner(*i)).map(|i| (i, turns[i])).collect()
+}

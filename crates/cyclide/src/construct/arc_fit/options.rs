@@ -1,0 +1,102 @@
+//! What the user can ask of an arc fit.
+
+use super::beam::BeamSize;
+use super::input;
+use crate::error::{Error, Result};
+use std::f64::consts::PI;
+
+/// What the points are; never mixed silently.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum FitTarget {
+    /// Samples of a smooth curve: the tolerance binds the points, and the straight edges between them differ from
+    /// the curve by their sagitta besides.
+    #[default]
+    Points,
+    /// The polyline itself: the tolerance binds every point of every edge (Fréchet distance).
+    Polyline,
+}
+
+/// How long to search for fewer arcs.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Effort {
+    /// About a quarter of the time of the default for 2 to 6 % more arcs.
+    Fast,
+    /// The default.
+    #[default]
+    Default,
+    /// Two to seven times the time of the default for up to 6 % fewer arcs.
+    Best,
+}
+
+impl Effort {
+    /// Samples and cells of the planar beam (`60`, section 3).
+    pub(super) fn beam(self) -> BeamSize {
+        match self {
+            Self::Fast => BeamSize { samples: 3, cells: 60 },
+            Self::Default => BeamSize { samples: 5, cells: 300 },
+            Self::Best => BeamSize { samples: 7, cells: 1500 },
+        }
+    }
+
+    /// Where along an open run of a closed curve seams are tried.
+    pub(super) fn seams(self) -> &'static [f64] {
+        &[1.0 / 6.0, 0.5, 5.0 / 6.0]
+    }
+
+    /// States kept by the beam of biarcs in space (`10`, section 2.4).
+    pub(super) fn space_states(self) -> usize {
+        match self {
+            Self::Fast => 2,
+            Self::Default => 5,
+            Self::Best => 10,
+        }
+    }
+}
+
+/// Options of [`ArcFit::new`](super::ArcFit::new).
+#[derive(Debug, Clone, PartialEq)]
+pub struct ArcFitOptions {
+    /// The last point joins the first.
+    pub closed: bool,
+    /// Largest distance of the curve from the target, in the unit of the points; positive.
+    pub tolerance: f64,
+    /// What the points are.
+    pub target: FitTarget,
+    /// How long to search.
+    pub effort: Effort,
+    /// Turns above this angle (radians, in `(0, pi]`) that also stand out from their neighbours stay corners.
+    /// `pi`: only reversals.
+    pub corner_angle: f64,
+    /// Indices of points that are corners in any case.
+    pub corners: Vec<usize>,
+}
+
+impl ArcFitOptions {
+    /// Open, target points, default effort, corners above 30 degrees.
+    #[must_use]
+    pub fn new(tolerance: f64) -> Self {
+        Self {
+            closed: false,
+            tolerance,
+            target: FitTarget::default(),
+            effort: Effort::default(),
+            corner_angle: PI / 6.0,
+            corners: Vec::new(),
+        }
+    }
+
+    /// # Errors
+    /// `tolerance-not-positive`, `not-finite`, `parameter-out-of-range` (corner angle, corner index).
+    pub(super) fn check(&self, points: usize) -> Result<()> {
+        input::check_tolerance(self.tolerance)?;
+        if !(self.corner_angle > 0.0 && self.corner_angle <= PI) {
+            let value = self.corner_angle;
+            return Err(Error::ParameterOutOfRange { name: "corner_angle", value, min: 0.0, max: PI });
+        }
+        if let Some(corner) = self.corners.iter().find(|c| **c >= points) {
+            let max = points.saturating_sub(1) as f64;
+            return Err(Error::ParameterOutOfRange { name: "corner", value: *corner as f64, min: 0.0, max });
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,61 @@
+//! The polyline the curve is matched with, and the chains of joints over it.
+
+use super::beam::ChainJoint;
+use crate::base::vector::Point3;
+
+/// Points along the polyline in order: its vertices, and points on its edges where arcs meet between vertices.
+pub(super) struct Trace {
+    pub points: Vec<Point3>,
+    /// The vertex each point is; `None` for points on an edge.
+    pub vertex: Vec<Option<usize>>,
+    pub closed: bool,
+}
+
+impl Trace {
+    pub fn empty(closed: bool) -> Self {
+        Self { points: Vec::new(), vertex: Vec::new(), closed }
+    }
+
+    pub fn of_points(points: &[Point3], closed: bool) -> Self {
+        Self { points: points.to_vec(), vertex: (0..points.len()).map(Some).collect(), closed }
+    }
+
+    pub fn push(&mut self, point: Point3, vertex: Option<usize>) {
+        self.points.push(point);
+        self.vertex.push(vertex);
+    }
+
+    /// Point at an index that may have wrapped around.
+    pub fn point(&self, index: usize) -> Point3 {
+        self.points[index % self.points.len()]
+    }
+
+    /// Where a vertex stands.
+    pub fn position_of(&self, vertex: usize) -> usize {
+        self.vertex.iter().position(|v| *v == Some(vertex)).unwrap_or(0)
+    }
+
+    /// The last vertex at or before a position.
+    pub fn vertex_before(&self, position: usize) -> usize {
+        self.vertex[..=position].iter().rev().find_map(|v| *v).unwrap_or(0)
+    }
+
+    /// Index ranges between corners, ends included; those that pass the seam of a closed polyline exceed its length.
+    pub fn runs(&self, corners: &[usize]) -> Vec<(usize, usize)> {
+        let n = self.points.len();
+        let mut ends = corners.to_vec();
+        if self.closed {
+            ends.extend(corners.first().map(|c| c + n));
+        } else {
+            ends.insert(0, 0);
+            ends.push(n - 1);
+        }
+        ends.windows(2).map(|w| (w[0], w[1])).collect()
+    }
+}
+
+/// Tangent-continuous joints over a run of the trace; vertices count from `first`.
+pub(super) struct Chain {
+    pub first: usize,
+    pub joints: Vec<ChainJoint>,
+}

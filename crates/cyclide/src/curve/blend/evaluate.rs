@@ -1,0 +1,56 @@
+//! Points and derivatives of a blend.
+
+use super::segment::BlendSegment;
+use crate::base::jet::CurveJet;
+use crate::base::vector::{Point3, Vec3};
+
+impl BlendSegment {
+    /// The point at `l` in `[0, 1]`; the end points come out as given, to the bit.
+    #[must_use]
+    pub fn point(&self, l: f64) -> Point3 {
+        self.point_of_whole(self.whole_parameter(l))
+    }
+
+    /// The point at a parameter of the whole segment: one division, measured from the nearer end.
+    pub(super) fn point_of_whole(&self, l: f64) -> Point3 {
+        let m = 1.0 - l;
+        let [c, s, q] = self.law.at(l);
+        // q t and q N: the common factor q of numerator and denominator stays in.
+        let t = self.t1 * c + self.b * s;
+        if l <= 0.5 {
+            let n = self.u * (l * q) + t * m;
+            self.x1 + n * (self.length * l * q / n.length_squared())
+        } else {
+            // The same arc from its other end: start tangent 2<u,t>u - t reversed, chord -u.
+            let n = t * l - self.u * (m * q + 2.0 * l * self.u.dot(t));
+            self.x2 + n * (self.length * m * q / n.length_squared())
+        }
+    }
+
+    /// Point and derivatives by `l` in `[0, 1]`, all in closed form (`50`, section 4).
+    #[must_use]
+    pub fn jet(&self, l: f64) -> CurveJet {
+        let [a, b] = self.range;
+        self.jet_of_whole(self.whole_parameter(l)).scaled(b - a)
+    }
+
+    fn jet_of_whole(&self, l: f64) -> CurveJet {
+        let m = 1.0 - l;
+        let (c, s) = self.law.series(l);
+        let t: [Vec3; 4] = std::array::from_fn(|j| self.t1 * c[j] + self.b * s[j]);
+        // Taylor coefficients of N = l u + m t, of |N|² and of G = N/|N|².
+        let n = [self.u * l + t[0] * m, self.u + t[1] * m - t[0], t[2] * m - t[1], t[3] * m - t[2]];
+        let d: [f64; 4] = std::array::from_fn(|j| (0..=j).map(|i| n[i].dot(n[j - i])).sum());
+        let mut g = [Vec3::ZERO; 4];
+        for j in 0..4 {
+            g[j] = (1..=j).fold(n[j], |sum, i| sum - g[j - i] * d[i]) / d[0];
+        }
+        let derivative = |j: usize, factorial: f64| (g[j] * l + g[j - 1]) * (factorial * self.length);
+        CurveJet {
+            point: self.point_of_whole(l),
+            d1: derivative(1, 1.0),
+            d2: derivative(2, 2.0),
+            d3: derivative(3, 6.0),
+        }
+    }
+}

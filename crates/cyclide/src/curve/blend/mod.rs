@@ -1,0 +1,17 @@
+//! Blends of two circles: the segment of a circle spline.
+//!
+//! ```text
+//! x(l) = x1 + |d| l N/|N|²,   N = l u + (1-l) t(l),   d = x2 - x1 = |d| u
+//! ```
+//! For a fixed unit vector `t` this is the circular arc from `x1` to `x2` with start tangent `t`. A blend lets `t`
+//! run along a great circle from the start tangent of one arc to that of the other; at both ends it touches them to
+//! the blend order (`50`, sections 3 and 4; source: `004`, (40) to (58)). No geometric algebra is needed at run time.
+
+mod angle_law;
+mod evaluate;
+mod rational_form;
+mod segment;
+
+pub use angle_law::BlendVariant;
+pub use segment::BlendSegment;
+pub(super) use segment::{BlendTangents, check_order, check_points, unit_tangent};

@@ -1,0 +1,173 @@
+//! Circle splines: smooth curves through points whose joints are circles.
+//!
+//! At every node the curve touches the circle through the node and its two neighbours to the blend order `k`, so
+//! joints are G^k; between two nodes it is a [`BlendSegment`] (`50`, sections 2 to 5; source: `004`). Points on a
+//! circle, a line, a sphere or a plane give a curve on it. A segment depends on four points only.
+//!
+//! Circle splines commute with similarities and reversal, but not with Möbius maps (`50`, section 7.2). They are not
+//! continuous in the data where neighbouring circles run in opposite directions or the blend changes to the long way
+//! round: those segments carry a warning.
+
+mod build;
+mod modify;
+
+pub use build::corners_by_angle;
+
+use super::blend::{BlendSegment, BlendVariant};
+use super::param_curve::ParamCurve;
+use crate::base::bounds::Aabb;
+use crate::base::jet::CurveJet;
+use crate::base::vector::{Point3, Vec3};
+use crate::warning::Warning;
+use std::ops::Range;
+
+/// How an open circle spline (and each run between two corners) ends.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub enum SplineEnds {
+    /// The end circle is the circle of the first (last) three points: the end segment is an exact arc.
+    #[default]
+    Natural,
+    /// Given tangents, of any length but zero, in the direction of travel; `None` is a natural end.
+    Clamped {
+        /// Tangent at the first point.
+        start: Option<Vec3>,
+        /// Tangent at the last point.
+        end: Option<Vec3>,
+    },
+}
+
+/// How [`CircleSpline::from_points`] makes its curve.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CircleSplineOptions {
+    /// Closed curve through all points; the first point is not repeated at the end.
+    pub closed: bool,
+    /// Blend order `k`, 1 to 4: joints are G^k. Default 2.
+    pub order: u32,
+    /// The angle law. Default rational: an exact rational curve.
+    pub variant: BlendVariant,
+    /// Ends of an open curve; without effect on a closed one.
+    pub ends: SplineEnds,
+    /// Indices of points that stay corners: the curve is cut there and each run ends naturally. The ends of an open
+    /// curve may be listed without effect.
+    pub corners: Vec<usize>,
+}
+
+impl Default for CircleSplineOptions {
+    fn default() -> Self {
+        Self {
+            closed: false,
+            order: 2,
+            variant: BlendVariant::default(),
+            ends: SplineEnds::default(),
+            corners: Vec::new(),
+        }
+    }
+}
+
+/// A smooth curve through points, made of one blend of two circles per pair of neighbours.
+///
+/// Segment `i` of `n` covers `t` in `[i/n, (i+1)/n]`. With a parameter step of the chord length per segment the
+/// curve is C1; its joints are G^k, except at corners and cusps, where it is only connected.
+///
+/// ```
+/// use cyclide::{CircleSpline, CircleSplineOptions, ParamCurve, Point3};
+/// let points = [[0.0, 0.0, 0.0], [4.0, 1.0, 0.0], [5.0, 4.0, 1.0], [1.0, 3.0, 2.0]].map(Point3::from);
+/// let spline = CircleSpline::from_points(&points, &CircleSplineOptions { closed: true, ..Default::default() })?;
+/// assert_eq!(spline.eval(0.25), points[1]);
+/// # Ok::<(), cyclide::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct CircleSpline {
+    /// Never empty; each starts where the one before ends, to the bit.
+    segments: Vec<BlendSegment>,
+    closed: bool,
+    /// Indices of the segments at whose start the tangent jumps (corners and cusps), rising. 0 only if closed.
+    kinks: Vec<usize>,
+    warnings: Vec<Warning>,
+}
+
+impl CircleSpline {
+    /// The segments, one per pair of neighbouring points.
+    #[must_use]
+    pub fn segments(&self) -> &[BlendSegment] {
+        &self.segments
+    }
+
+    /// What the user should know: cusps, sharp turns, uneven spacing (by node), long ways and opposite circles (by
+    /// segment).
+    #[must_use]
+    pub fn warnings(&self) -> &[Warning] {
+        &self.warnings
+    }
+
+    /// Blend order.
+    #[must_use]
+    pub fn order(&self) -> u32 {
+        self.segments[0].order()
+    }
+
+    /// The angle law.
+    #[must_use]
+    pub fn variant(&self) -> BlendVariant {
+        self.segments[0].variant()
+    }
+
+    /// The nodes where the curve is only connected (corners and cusps): indices of the segments that start there.
+    #[must_use]
+    pub fn kinks(&self) -> &[usize] {
+        &self.kinks
+    }
+
+    /// The smooth runs between kinks as ranges of segments, in order. In a closed curve with kinks the first run
+    /// starts at the first kink and the last one passes the seam: indices are to be taken modulo the number of
+    /// segments. Without kinks there is one run.
+    #[must_use]
+    pub fn smooth_runs(&self) -> Vec<Range<usize>> {
+        let n = self.segments.len();
+        let (first, last) = if self.closed { self.kinks.first().map_or((0, n), |k| (*k, k + n)) } else { (0, n) };
+        let mut runs = Vec::with_capacity(self.kinks.len() + 1);
+        let mut from = first;
+        for &k in self.kinks.iter().filter(|k| **k > first) {
+            runs.push(from..k);
+            from = k;
+        }
+        runs.push(from..last);
+        runs
+    }
+}
+
+impl ParamCurve for CircleSpline {
+    fn piece_count(&self) -> usize {
+        self.segments.len()
+    }
+    fn piece_jet(&self, piece: usize, s: f64) -> CurveJet {
+        self.segments[piece].jet(s)
+    }
+    fn is_closed(&self) -> bool {
+        self.closed
+    }
+    fn piece_point(&self, piece: usize, s: f64) -> Point3 {
+        self.segments[piece].point(s)
+    }
+    fn piece_bounds(&self, piece: usize) -> Aabb {
+        self.segments[piece].bounds()
+    }
+}
+
+impl ParamCurve for BlendSegment {
+    fn piece_count(&self) -> usize {
+        1
+    }
+    fn piece_jet(&self, _piece: usize, s: f64) -> CurveJet {
+        self.jet(s)
+    }
+    fn is_closed(&self) -> bool {
+        false
+    }
+    fn piece_point(&self, _piece: usize, s: f64) -> Point3 {
+        self.point(s)
+    }
+    fn piece_bounds(&self, _piece: usize) -> Aabb {
+        self.bounds()
+    }
+}

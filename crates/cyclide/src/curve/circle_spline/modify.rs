@@ -1,0 +1,85 @@
+//! Circle splines reversed, cut and moved: the result is a circle spline again, segment by segment.
+
+use super::CircleSpline;
+use crate::conformal::mobius::Mobius;
+use crate::curve::param_curve::ParamCurve;
+use crate::error::{Error, Result};
+use crate::warning::Warning;
+
+impl CircleSpline {
+    /// The same points run backwards; a closed curve still starts at the same node.
+    #[must_use]
+    pub fn reversed(&self) -> Self {
+        let n = self.segments.len();
+        let node = |i: usize| if self.closed { (n - i) % n } else { n - i };
+        let mut kinks: Vec<usize> = self.kinks.iter().map(|k| node(*k)).collect();
+        kinks.sort_unstable();
+        Self {
+            segments: self.segments.iter().rev().map(|s| s.reversed()).collect(),
+            closed: self.closed,
+            kinks,
+            warnings: self.warnings.iter().map(|w| renumbered(w, node, |s| n - 1 - s)).collect(),
+        }
+    }
+
+    /// The image under a similarity or a reflection, with the same parameter. (A circle spline is not a circle
+    /// spline any more after other Möbius maps.)
+    ///
+    /// # Errors
+    /// `not-a-similarity`, or as [`BlendSegment::similar`](crate::BlendSegment::similar), wrapped with the segment.
+    pub fn similar(&self, map: &Mobius) -> Result<Self> {
+        let segments = self.segments.iter().enumerate().map(|(i, s)| s.similar(map).map_err(|e| e.in_span(i)));
+        Ok(Self { segments: segments.collect::<Result<_>>()?, ..self.clone() })
+    }
+
+    /// The part between two global parameters, `0 <= t0 < t1 <= 1`, as an open curve of the same points; segments
+    /// that are cut keep their shape (their parameter is stretched to `[0, 1]`).
+    ///
+    /// # Errors
+    /// `parameter-out-of-range`.
+    pub fn restricted(&self, t0: f64, t1: f64) -> Result<Self> {
+        if !(t0 < t1 && t0 >= 0.0 && t1 <= 1.0) {
+            return Err(Error::ParameterOutOfRange { name: "t1", value: t1, min: t0, max: 1.0 });
+        }
+        let (first, l0) = self.locate(t0);
+        let (mut last, mut l1) = self.locate(t1);
+        if l1 <= 0.0 {
+            (last, l1) = (last - 1, 1.0);
+        }
+        let mut segments = Vec::with_capacity(last - first + 1);
+        for i in first..=last {
+            let from = if i == first { l0 } else { 0.0 };
+            let to = if i == last { l1 } else { 1.0 };
+            segments.push(self.segments[i].restricted(from, to)?);
+        }
+        let kinks = self.kinks.iter().filter(|k| **k > first && **k <= last).map(|k| k - first).collect();
+        let kept = |w: &&Warning| {
+            let about_node = !matches!(w, Warning::LongWay { .. } | Warning::OppositeCircles { .. });
+            w.index().is_some_and(|i| i <= last && (i > first || (i == first && !about_node)))
+        };
+        let warnings = self.warnings.iter().filter(kept).map(|w| renumbered(w, |i| i - first, |s| s - first));
+        Ok(Self { segments, closed: false, kinks, warnings: warnings.collect() })
+    }
+
+    /// The two parts before and after a global parameter in `(0, 1)`, as open curves. Exact: no approximation, and
+    /// they meet in the same doubles.
+    ///
+    /// # Errors
+    /// `parameter-out-of-range`.
+    pub fn split(&self, t: f64) -> Result<(Self, Self)> {
+        Ok((self.restricted(0.0, t)?, self.restricted(t, 1.0)?))
+    }
+}
+
+/// The warning with its node or segment renumbered.
+fn renumbered(warning: &Warning, node_of: impl Fn(usize) -> usize, segment_of: impl Fn(usize) -> usize) -> Warning {
+    let mut warning = warning.clone();
+    match &mut warning {
+        Warning::Cusp { node } | Warning::SharpTurn { node, .. } | Warning::UnevenSpacing { node, .. } => {
+            *node = node_of(*node);
+        }
+        Warning::LongWay { segment } | Warning::OppositeCircles { segment } => *segment = segment_of(*segment),
+        _ => {}
+    }
+    warning
+}
