@@ -10,7 +10,8 @@ const HELP: &str = "\
 usage: cargo xtask <task> [arguments]
 
 tasks:
-  layers     fail on a use of a room by a room below it, and on I/O, clocks or f32 in the kernel
+  layers     fail on a forbidden arrow between the rooms of the kernel or between the crates, and on I/O, clocks,
+             unsafe code or f32 in the kernel
   reference [--only CONSTRUCT,… | --curves] FILE…
              run reference cases (cyclide-reference/1) through the public API; `cargo xtask reference --help`
 ";
