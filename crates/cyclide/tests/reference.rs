@@ -40,13 +40,25 @@ fn arcs() {
 
 #[test]
 fn circle_blends() {
-    all_pass(include_str!("reference/50-blending.json"), &[("circle-through-points", 8), ("sphere-through-points", 5)]);
+    all_pass(
+        include_str!("reference/50-blending.json"),
+        &[
+            ("circle-through-points", 8),
+            ("sphere-through-points", 5),
+            ("blend-angle", 20),
+            ("circle-blend-curve", 26),
+            ("rational-circle-blend-curve", 5),
+            ("circle-blend-derivatives", 6),
+            ("rational-circle-blend-bezier", 6),
+            ("circle-blend-hermite", 6),
+        ],
+    );
 }
 
 #[test]
 fn arc_fits() {
     all_pass(
         include_str!("reference/60-arc-fitting.json"),
-        &[("arc-fit-interval", 37), ("arc-certify", 18), ("g1-arc-interval", 16)],
+        &[("arc-fit-interval", 37), ("arc-certify", 18), ("g1-arc-interval", 16), ("g1-arc-spline", 5)],
     );
 }

@@ -1,9 +1,13 @@
-//! Arc fitting: the constructs of `60`, section 9, about one arc and one chain.
+//! Arc fitting: the constructs of `60`, section 9, and `fit-arc-spline` of `10`, section 4. Splines are judged by
+//! a property, measured without the fit's own certificate.
 
 use super::Handler;
 use super::case::{Case, Fault};
 use super::check::Check;
-use cyclide::{Point2, certify_arc, curvature_intervals, feasible_bulges};
+use super::deviation::{largest_distance, largest_kink};
+use cyclide::{
+    ArcFit, ArcFitOptions, ArcPath, FitTarget, Point2, Point3, certify_arc, curvature_intervals, feasible_bulges,
+};
 use serde_json::Value;
 
 pub(super) fn handler(construct: &str) -> Option<Handler> {
@@ -11,6 +15,8 @@ pub(super) fn handler(construct: &str) -> Option<Handler> {
         "arc-fit-interval" => fit_interval,
         "arc-certify" => certify,
         "g1-arc-interval" => g1_interval,
+        "g1-arc-spline" => g1_spline,
+        "fit-arc-spline" => fit_spline,
         _ => return None,
     })
 }
@@ -79,5 +85,40 @@ fn g1_interval(case: &Case, check: &mut Check) -> Result<(), Fault> {
     for (i, (want, got)) in want.into_iter().zip(got).enumerate() {
         interval(check, "curvature", &format!("vertex {}: ", i + 1), got, want, &allowed);
     }
+    Ok(())
+}
+
+/// Kinks of `fit-arc-spline` up to this are rounding, radians: the file asks for G1 without a number, `60` allows 1e-9.
+const G1_LIMIT: f64 = 1e-9;
+
+/// What both spline properties share: the fit ends in the data's ends, to the bit, and every vertex is near it.
+fn near_the_data(check: &mut Check, path: &ArcPath, points: &[Point3]) {
+    check.at_most("max_deviation", largest_distance(path, points));
+    let ends = [path.arcs()[0].start(), path.arcs()[path.arcs().len() - 1].end()];
+    if points.first().zip(points.last()) != Some((&ends[0], &ends[1])) {
+        check.fail("property", format!("the fit ends in {ends:?}"));
+    }
+}
+
+fn fit_spline(case: &Case, check: &mut Check) -> Result<(), Fault> {
+    let points = case.points("points")?;
+    let fit = ArcFit::new(&points, &ArcFitOptions::new(case.number("tolerance")?))?;
+    check.exact("property", "deviation-and-count");
+    near_the_data(check, fit.path(), &points);
+    check.measure("property", "kink: ", largest_kink(fit.path()), G1_LIMIT);
+    check.at_most("max_segments", fit.path().arcs().len() as f64);
+    Ok(())
+}
+
+fn g1_spline(case: &Case, check: &mut Check) -> Result<(), Fault> {
+    let points: Vec<Point3> = case.planar_points("points")?.into_iter().map(|p| Point3::new(p.x, p.y, 0.0)).collect();
+    let target = if case.flag("edges")? { FitTarget::Polyline } else { FitTarget::Points };
+    let options =
+        ArcFitOptions { closed: case.flag("closed")?, target, ..ArcFitOptions::new(case.number("tolerance")?) };
+    let fit = ArcFit::new(&points, &options)?;
+    check.exact("property", "g1-deviation-and-count");
+    near_the_data(check, fit.path(), &points);
+    check.at_most("max_kink", largest_kink(fit.path()));
+    check.at_most("max_arcs", fit.path().arcs().len() as f64);
     Ok(())
 }

@@ -11,6 +11,7 @@ mod arc_spline;
 mod blend;
 mod case;
 mod check;
+mod deviation;
 mod report;
 
 pub use case::{Case, Fault};
