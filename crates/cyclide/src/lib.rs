@@ -25,6 +25,7 @@ pub use base::vector::{Point3, Vec3};
 pub use conformal::hpoint::HPoint;
 pub use conformal::mobius::{Conformal, Mobius};
 pub use conformal::sphere::Sphere;
+pub use construct::RationalRun;
 pub use construct::{
     ArcCertificate, ArcFit, ArcFitOptions, ArcSplineOptions, Biarc, BiarcRule, BulgeIntervals, Effort, FitCertificate,
     FitTarget, certify_arc, curvature_intervals, estimate_tangents, feasible_bulges,

@@ -131,7 +131,9 @@ fn largest_curvature_is_not_exceeded_by_samples() {
         assert!(e.max >= sampled - rounding, "{}: {} {sampled}", case.name, e.max);
         let there = curve.jet(e.t);
         assert!((there.curvature().unwrap_or(0.0) - e.max).abs() <= rounding, "{}", case.name);
-        assert_eq!(there.point, e.point, "{}", case.name);
+        // The global parameter is rounded once: a few roundings of the speed, itself a few sizes.
+        let rounding = 1e-14 * case.size + 4.0 * f64::EPSILON * case.reach;
+        assert!(there.point.distance(e.point) <= rounding, "{}", case.name);
     });
 }
 

@@ -228,23 +228,16 @@ impl Data {
     }
 }
 
-/// The arc from `a` with unit tangent `t` to `b`, weights of equal length. An arc that departs from its chord by no
-/// more than the rounding of its coordinates is the segment: its curvature would be noise.
+/// The arc from `a` with unit tangent `t` to `b`, weights of equal length.
 pub(super) fn starting(a: Point3, t: Vec3, b: Point3) -> Result<Arc> {
     let l = a.distance(b);
-    Ok(settled(Arc::from_start_tangent(a, b, t * l)?))
+    Ok(Arc::from_start_tangent(a, b, t * l)?.settled())
 }
 
 /// As [`starting`], with the unit tangent at the end.
 fn ending(a: Point3, b: Point3, t: Vec3) -> Result<Arc> {
     let l = a.distance(b);
-    Ok(settled(Arc::from_end_tangent(a, b, t * l)?))
-}
-
-fn settled(arc: Arc) -> Arc {
-    let size = arc.start().to_vec().max_abs().max(arc.end().to_vec().max_abs());
-    let sagitta = 0.5 * arc.chord().length() * arc.bulge_vector().length();
-    if sagitta <= f64::EPSILON * size { arc.straightened() } else { arc }
+    Ok(Arc::from_end_tangent(a, b, t * l)?.settled())
 }
 
 #[cfg(test)]

@@ -1,6 +1,7 @@
 //! What leaves the kernel: named objects, lowered to a few carriers with their exactness.
 
 mod chain;
+mod circle_spline;
 mod lower;
 mod object;
 

@@ -2,7 +2,7 @@
 
 use super::chain::CurveChain;
 use super::lower::{Exactness, Lower};
-use crate::curve::{Arc, ArcPath, Circle, ParamCurve};
+use crate::curve::{Arc, ArcPath, Circle, CircleSpline, ParamCurve};
 use crate::error::Result;
 use crate::warning::Warning;
 
@@ -66,6 +66,8 @@ pub enum CurveObject {
     Circle(Circle),
     /// Biarc, arc spline or fitted arcs.
     ArcPath(ArcPath),
+    /// A circle spline of either variant.
+    CircleSpline(CircleSpline),
 }
 
 impl CurveObject {
@@ -76,6 +78,7 @@ impl CurveObject {
             Self::Arc(c) => c,
             Self::Circle(c) => c,
             Self::ArcPath(c) => c,
+            Self::CircleSpline(c) => c,
         }
     }
 
@@ -84,6 +87,7 @@ impl CurveObject {
             Self::Arc(c) => c,
             Self::Circle(c) => c,
             Self::ArcPath(c) => c,
+            Self::CircleSpline(c) => c,
         }
     }
 }

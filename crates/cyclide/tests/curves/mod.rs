@@ -1,7 +1,8 @@
 //! The list of every implementor of `ParamCurve`, in easy and hard shapes.
 
 use cyclide::{
-    Arc, ArcPath, ChainPiece, Circle, CurveChain, DEFAULT_PIECE_ANGLE, NurbsCurve, ParamCurve, Point3, Vec3,
+    Arc, ArcPath, BlendVariant, ChainPiece, Circle, CircleSpline, CircleSplineOptions, CurveChain, DEFAULT_PIECE_ANGLE,
+    NurbsCurve, ParamCurve, Point3, SplineEnds, Vec3,
 };
 
 /// One curve of the list.
@@ -72,6 +73,16 @@ pub fn stadium(scale: f64) -> ArcPath {
     ArcPath::new(arcs, true).unwrap()
 }
 
+/// A circle spline in space through unevenly spaced points, two of them on a straight run, one a corner.
+pub fn circle_spline(scale: f64, closed: bool, order: u32, variant: BlendVariant) -> CircleSpline {
+    let points =
+        [[0.0, 0.0, 0.0], [2.0, 0.0, 0.1], [4.0, 0.0, 0.2], [5.0, 3.0, 1.0], [2.5, 4.0, -1.0], [-0.5, 2.0, 0.0]]
+            .map(|[x, y, z]| point(x * scale, y * scale, z * scale));
+    let ends = SplineEnds::Clamped { start: Some(Vec3::new(1.0, -2.0, 0.5)), end: None };
+    let options = CircleSplineOptions { closed, order, variant, ends, corners: vec![4] };
+    CircleSpline::from_points(&points, &options).unwrap()
+}
+
 /// Every implementor at one scale.
 fn cases_at(s: f64) -> Vec<Case> {
     let p = |x: f64, y: f64, z: f64| point(x * s, y * s, z * s);
@@ -110,6 +121,14 @@ fn cases_at(s: f64) -> Vec<Case> {
         case("arc as spline", arc.to_nurbs(DEFAULT_PIECE_ANGLE).unwrap()),
         case("smooth circle spline", circle.to_nurbs().unwrap().with_c1_knots().unwrap()),
         case("mixed chain", mixed),
+        case("closed rational circle spline", circle_spline(s, true, 2, BlendVariant::Rational)),
+        case("open trigonometric circle spline", circle_spline(s, false, 3, BlendVariant::Trigonometric)),
+        case("G1 circle spline", circle_spline(s, true, 1, BlendVariant::Trigonometric)),
+        case(
+            "part of a circle spline",
+            circle_spline(s, true, 4, BlendVariant::Rational).restricted(0.1, 0.7).unwrap(),
+        ),
+        case("blend segment", circle_spline(s, false, 2, BlendVariant::Rational).segments()[1]),
     ]
 }
 

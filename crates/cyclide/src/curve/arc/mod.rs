@@ -243,6 +243,14 @@ impl Arc {
         Self::from_ratio_unchecked(self.p1, self.p0, self.r / n2, -self.p / n2)
     }
 
+    /// The arc itself, or the segment if it departs from its chord by no more than the rounding of its coordinates:
+    /// its curvature would be noise.
+    pub(crate) fn settled(&self) -> Self {
+        let size = self.p0.to_vec().max_abs().max(self.p1.to_vec().max_abs());
+        let sagitta = 0.5 * self.c.length() * self.bulge_vector().length();
+        if sagitta <= f64::EPSILON * size { self.straightened() } else { *self }
+    }
+
     /// The segment between the same ends, at the same start speed.
     pub(crate) fn straightened(&self) -> Self {
         Self::from_ratio_unchecked(self.p0, self.p1, self.n, Vec3::ZERO)

@@ -9,6 +9,7 @@
 
 mod angle_law;
 mod evaluate;
+mod rational_approximation;
 mod rational_form;
 mod segment;
 

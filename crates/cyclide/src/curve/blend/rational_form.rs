@@ -23,26 +23,28 @@ impl BlendSegment {
         let ([ch, sh], [cf, sf]) = (self.law.half, self.law.full());
         let (h, t2) = (self.t1 * ch + self.b * sh, self.t1 * cf + self.b * sf);
         let arc = RationalArcOfTangents { from: self.t1, middle: h, to: t2, cos_half: ch };
-        let mut rows = self.blend_rows(&a, &b, &arc, [0.0, 1.0]);
-        let last = rows.len() - 1;
-        (rows[0], rows[last]) = (row(self.x1, 1.0), row(self.x2, 1.0));
-        let whole = RationalBezier::from_rows_unchecked(rows);
-        Some(self.cut_to_range(whole))
+        let rows = self.blend_rows(&a, &b, &arc, [0.0, 1.0]);
+        self.cut_to_range(rows, [0.0, 1.0]).map(|(bezier, _)| bezier)
     }
 
-    fn cut_to_range(&self, whole: RationalBezier) -> RationalBezier {
-        let [a, b] = self.range;
-        let mut rows = whole.rows().to_vec();
-        if b < 1.0 {
-            rows = bernstein::split(&rows, b).0;
+    /// The part of rows over the range `[l0, l1]` of the whole segment that lies in this segment's own range, with
+    /// its length in the parameter of the whole; `None` if there is none. The ends are points of the curve: the same
+    /// doubles as evaluation gives.
+    pub(super) fn cut_to_range(&self, mut rows: Vec<[f64; 4]>, [l0, l1]: [f64; 2]) -> Option<(RationalBezier, f64)> {
+        let (from, to) = (l0.max(self.range[0]), l1.min(self.range[1]));
+        if !(from < to) {
+            return None;
         }
-        if a > 0.0 {
-            rows = bernstein::split(&rows, a / b).1;
+        if to < l1 {
+            rows = bernstein::split(&rows, (to - l0) / (l1 - l0)).0;
         }
-        // The ends are points of the curve: the same doubles as evaluation gives.
+        if from > l0 {
+            rows = bernstein::split(&rows, (from - l0) / (to - l0)).1;
+        }
         let last = rows.len() - 1;
-        (rows[0], rows[last]) = (row(self.start(), rows[0][3]), row(self.end(), rows[last][3]));
-        RationalBezier::from_rows_unchecked(rows)
+        rows[0] = row(self.point_of_whole(from), rows[0][3]);
+        rows[last] = row(self.point_of_whole(to), rows[last][3]);
+        Some((RationalBezier::from_rows_unchecked(rows), to - from))
     }
 
     /// Homogeneous rows of `x1 + |d| l N/|N|²` over the parameter range `[l0, l1]`, where the tangent moves by the
@@ -90,6 +92,6 @@ pub(super) struct RationalArcOfTangents {
 }
 
 /// Homogeneous row of a point with a weight.
-pub(super) fn row(p: Point3, w: f64) -> [f64; 4] {
+fn row(p: Point3, w: f64) -> [f64; 4] {
     [p.x * w, p.y * w, p.z * w, w]
 }

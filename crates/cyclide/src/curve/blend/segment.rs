@@ -4,6 +4,7 @@ use super::angle_law::{AngleLaw, BlendVariant, MAX_ORDER};
 use crate::base::bounds::Aabb;
 use crate::base::vector::{Point3, Vec3};
 use crate::conformal::mobius::Mobius;
+use crate::curve::arc::Arc;
 use crate::curve::node_tangent::Chord;
 use crate::error::{Error, Result};
 
@@ -188,6 +189,17 @@ impl BlendSegment {
         self.law.theta * self.length <= 16.0 * f64::EPSILON * size.max(self.length)
     }
 
+    /// The segment as one circular arc or straight segment with the same parameter, where it [is one](Self::is_arc).
+    #[must_use]
+    pub fn to_arc(&self) -> Option<Arc> {
+        if !self.is_arc() {
+            return None;
+        }
+        let whole = Arc::from_start_tangent(self.x1, self.x2, self.t1 * self.length).ok()?.settled();
+        let [a, b] = self.range;
+        whole.restricted(a, b).ok()
+    }
+
     /// The part `[a, b]` of the whole segment's parameter that this segment covers: `[0, 1]` unless it was cut.
     #[must_use]
     pub fn range(&self) -> [f64; 2] {
@@ -274,10 +286,13 @@ impl BlendSegment {
         }
     }
 
-    /// A box around the segment: every point lies on an arc over the chord that leaves it at an angle `alpha` with
+    /// A box around the segment, the smallest one if it is an arc: every point lies on an arc over the chord that leaves it at an angle `alpha` with
     /// `|u + t| = 2 cos(alpha/2)`, hence within its sagitta of the chord (or, above a half circle, of its middle).
     #[must_use]
     pub fn bounds(&self) -> Aabb {
+        if let Some(arc) = self.to_arc() {
+            return arc.bounds();
+        }
         let w2 = self.distance_from_infinity_squared();
         let sagitta = 0.5 * self.length * ((4.0 - w2).max(0.0) / w2).sqrt();
         let rounding = 8.0 * f64::EPSILON * (self.x1.to_vec().max_abs().max(self.x2.to_vec().max_abs()) + sagitta);

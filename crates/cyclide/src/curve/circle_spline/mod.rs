@@ -15,6 +15,7 @@ pub use build::corners_by_angle;
 
 use super::blend::{BlendSegment, BlendVariant};
 use super::param_curve::ParamCurve;
+use super::piece_form::PieceForm;
 use crate::base::bounds::Aabb;
 use crate::base::jet::CurveJet;
 use crate::base::vector::{Point3, Vec3};
@@ -149,6 +150,9 @@ impl ParamCurve for CircleSpline {
     fn piece_point(&self, piece: usize, s: f64) -> Point3 {
         self.segments[piece].point(s)
     }
+    fn piece_form(&self, piece: usize) -> PieceForm {
+        self.segments[piece].piece_form(0)
+    }
     fn piece_bounds(&self, piece: usize) -> Aabb {
         self.segments[piece].bounds()
     }
@@ -166,6 +170,10 @@ impl ParamCurve for BlendSegment {
     }
     fn piece_point(&self, _piece: usize, s: f64) -> Point3 {
         self.point(s)
+    }
+    /// An arc where the two circles are one.
+    fn piece_form(&self, _piece: usize) -> PieceForm {
+        self.to_arc().map_or(PieceForm::Free, PieceForm::Arc)
     }
     fn piece_bounds(&self, _piece: usize) -> Aabb {
         self.bounds()

@@ -1,0 +1,176 @@
+//! Smooth curves as G1 arcs within a tolerance, by biarcs as long as the tolerance allows.
+//!
+//! A biarc takes its ends and end tangents from the curve, so the result is G1 and interpolates at every second
+//! joint, and its distance from the curve is of third order in its length: the number of arcs doubles per decade of
+//! the tolerance (`50`, section 5, "G1 biarcs", in the joint formula of [`Biarc`]; the greedy length and the halving
+//! of the rest are ours). The distance is sampled in both directions, not certified.
+
+use super::biarc::{Biarc, BiarcRule};
+use crate::base::vector::{Point3, Vec3};
+use crate::curve::{Arc, CircleSpline, ParamCurve};
+use crate::error::{Error, Result};
+use std::ops::Range;
+
+/// Samples on each segment of the curve, and on each biarc at least.
+const SAMPLES: usize = 12;
+/// The part of the tolerance that sampled distances may use: between samples a distance grows by at most the square
+/// of the spacing, (pi/12)²/8 of itself.
+const SAFETY: f64 = 0.99;
+/// A biarc is as long as it may be up to this factor.
+const LENGTH_RESOLUTION: f64 = 1.05;
+/// Feet go back by no more than this part of an arc: rounding of their parameters.
+const PLACE_ROUNDING: f64 = 1e-9;
+/// Most biarcs per segment.
+const PIECE_CAP: usize = 4096;
+
+impl CircleSpline {
+    /// The curve as a chain of arcs and straight segments within `tolerance` of it (sampled in both directions), G1
+    /// wherever the curve is. Segments that are arcs stay as they are; the others share biarcs across their nodes
+    /// where the tolerance allows. The flag is true if every segment was an arc: then the chain is exact.
+    ///
+    /// # Errors
+    /// `too-many-pieces` if a segment would need more than 4096 biarcs.
+    pub fn to_g1_arcs(&self, tolerance: f64) -> Result<(Vec<Arc>, bool)> {
+        let n = self.segments().len();
+        let mut arcs = Vec::new();
+        let mut exact = true;
+        for run in self.smooth_runs() {
+            let mut i = run.start;
+            while i < run.end {
+                if let Some(arc) = self.segments()[i % n].to_arc() {
+                    arcs.push(arc);
+                    i += 1;
+                } else {
+                    let stretch = (i..run.end).find(|j| self.segments()[j % n].is_arc()).unwrap_or(run.end);
+                    Stretch { curve: self, tolerance }.append_biarcs(i..stretch, &mut arcs)?;
+                    exact = false;
+                    i = stretch;
+                }
+            }
+        }
+        Ok((arcs, exact))
+    }
+}
+
+/// Consecutive smooth pieces of a curve that join G1, under one parameter: piece number plus the piece's own.
+struct Stretch<'a> {
+    curve: &'a dyn ParamCurve,
+    tolerance: f64,
+}
+
+/// A place on the stretch.
+#[derive(Clone, Copy)]
+struct Place {
+    v: f64,
+    point: Point3,
+    tangent: Vec3,
+}
+
+impl Stretch<'_> {
+    /// Piece and own parameter; at a joint the piece before it if `before`.
+    fn locate(&self, v: f64, before: bool) -> (usize, f64) {
+        let floor = if before { v.ceil() - 1.0 } else { v.floor() };
+        (floor as usize % self.curve.piece_count(), v - floor)
+    }
+
+    fn place(&self, v: f64, before: bool) -> Result<Place> {
+        let (piece, s) = self.locate(v, before);
+        let jet = self.curve.piece_jet(piece, s);
+        let tangent = jet.tangent().ok_or(Error::ZeroTangent { index: piece })?;
+        Ok(Place { v, point: jet.point, tangent })
+    }
+
+    /// Covers the pieces with biarcs, each as long as the tolerance allows; the last two share the rest.
+    fn append_biarcs(&self, pieces: Range<usize>, arcs: &mut Vec<Arc>) -> Result<()> {
+        let cap = PIECE_CAP * pieces.len();
+        let end = self.place(pieces.end as f64, true)?;
+        let mut from = self.place(pieces.start as f64, false)?;
+        let mut step = 1.0;
+        let mut count = 0;
+        while from.v < end.v {
+            count += 1;
+            let (mut biarc, mut to) = self.longest(&from, &end, step, cap)?;
+            let (used, rest) = (to.v - from.v, end.v - to.v);
+            step = used;
+            if rest > 0.0 && rest < used {
+                let middle = self.place(from.v + 0.5 * (end.v - from.v), false)?;
+                if let Some(shorter) = self.biarc_within(&from, &middle) {
+                    (biarc, to) = (shorter, middle);
+                }
+            }
+            if count > cap {
+                let segment = self.locate(from.v, false).0;
+                return Err(Error::TooManyPieces { segment, needed: count, cap });
+            }
+            arcs.extend(biarc.arcs());
+            from = to;
+        }
+        Ok(())
+    }
+
+    /// The longest biarc from a place that stays within the tolerance, to a few per cent of its length.
+    fn longest(&self, from: &Place, end: &Place, guess: f64, cap: usize) -> Result<(Biarc, Place)> {
+        let all = end.v - from.v;
+        let mut best = None;
+        let (mut good, mut bad) = (0.0, f64::INFINITY);
+        let mut step = guess.min(all);
+        loop {
+            let to = if step >= all { *end } else { self.place(from.v + step, false)? };
+            match self.biarc_within(from, &to) {
+                Some(biarc) => {
+                    best = Some((biarc, to));
+                    good = step;
+                    if step >= all {
+                        break;
+                    }
+                }
+                None => bad = step,
+            }
+            if bad <= good * LENGTH_RESOLUTION {
+                break;
+            }
+            if bad * (cap as f64) < 1.0 {
+                let segment = self.locate(from.v, false).0;
+                return Err(Error::TooManyPieces { segment, needed: cap + 1, cap });
+            }
+            step = if bad.is_finite() { 0.5 * (good + bad) } else { (1.5 * step).min(all) };
+        }
+        best.ok_or(Error::TooManyPieces { segment: self.locate(from.v, false).0, needed: cap + 1, cap })
+    }
+
+    /// The biarc between two places, if it and the curve stay within the tolerance of each other.
+    ///
+    /// Every sample of the curve has its foot on the biarc within the tolerance, and the feet advance from end to
+    /// end without leaps: then every part of the biarc is near the curve too.
+    fn biarc_within(&self, from: &Place, to: &Place) -> Option<Biarc> {
+        let biarc = Biarc::new(from.point, from.tangent, to.point, to.tangent, BiarcRule::EqualD).ok()?;
+        let limit = SAFETY * self.tolerance;
+        let count = ((to.v - from.v) * SAMPLES as f64).ceil().max(SAMPLES as f64) as usize;
+        let (mut last_point, mut last_foot, mut last_place) = (from.point, from.point, 0.0);
+        for i in 1..=count {
+            let (point, foot, place) = if i == count {
+                (to.point, to.point, 2.0)
+            } else {
+                let (piece, s) = self.locate(from.v + (to.v - from.v) * (i as f64 / count as f64), false);
+                let point = self.curve.piece_point(piece, s);
+                let (foot, place) = foot(&biarc, point);
+                (point, foot, place)
+            };
+            if point.distance(foot) > limit || place < last_place - PLACE_ROUNDING {
+                return None;
+            }
+            // Feet advance like the samples: projection onto a curve this near cannot leap, except over a loop.
+            if foot.distance(last_foot) > 2.0 * point.distance(last_point) + self.tolerance {
+                return None;
+            }
+            (last_point, last_foot, last_place) = (point, foot, place);
+        }
+        Some(biarc)
+    }
+}
+
+/// The nearest point of a biarc and its place, arc number plus parameter.
+fn foot(biarc: &Biarc, point: Point3) -> (Point3, f64) {
+    let [first, second] = biarc.arcs().map(|arc| arc.closest_point(point));
+    if first.distance <= second.distance { (first.point, first.t) } else { (second.point, 1.0 + second.t) }
+}

@@ -1,0 +1,57 @@
+//! Circle splines as rational B-splines: exact for the rational variant, certified for the trigonometric one.
+//!
+//! One spline per smooth run. Its knots lie a chord length apart, in which parameter the curve is C1 (`50`,
+//! section 4, "free C1"); [`NurbsCurve::with_c1_knots`] writes that into the knots.
+
+use crate::curve::{Arc, BlendSegment, CircleSpline};
+use crate::error::Result;
+use crate::rational::NurbsCurve;
+use std::ops::Range;
+
+/// A smooth run of a circle spline in its rational form.
+#[derive(Debug, Clone, PartialEq)]
+pub enum RationalRun {
+    /// Every segment of the run is one arc or straight segment: these.
+    Arcs(Vec<Arc>),
+    /// A rational B-spline over the chord lengths.
+    Spline(NurbsCurve),
+}
+
+impl CircleSpline {
+    /// The curve in rational form, one part per [smooth run](Self::smooth_runs), and a bound on its distance from the
+    /// curve: 0 (exact) for the rational variant, which gives degree `2k + 2`; at most `tolerance` for the
+    /// trigonometric one, which gives degree `4k`. Runs that are arcs throughout are exact in both. Ends of runs are
+    /// those of the curve, to the bit; all weights are positive.
+    ///
+    /// # Errors
+    /// `too-many-pieces` if a segment of the trigonometric variant would need more than 4096.
+    pub fn to_rational_runs(&self, tolerance: f64) -> Result<(Vec<RationalRun>, f64)> {
+        let mut worst: f64 = 0.0;
+        let mut runs = Vec::new();
+        for range in self.smooth_runs() {
+            let (run, bound) = rational_run(self, range, tolerance)?;
+            worst = worst.max(bound);
+            runs.push(run);
+        }
+        Ok((runs, worst))
+    }
+}
+
+fn rational_run(spline: &CircleSpline, range: Range<usize>, tolerance: f64) -> Result<(RationalRun, f64)> {
+    let n = spline.segments().len();
+    let segments = || range.clone().map(|i| (i % n, &spline.segments()[i % n]));
+    let arcs: Option<Vec<Arc>> = segments().map(|(_, s)| BlendSegment::to_arc(s)).collect();
+    if let Some(arcs) = arcs {
+        return Ok((RationalRun::Arcs(arcs), 0.0));
+    }
+    let (mut beziers, mut intervals, mut worst) = (Vec::new(), Vec::new(), 0.0_f64);
+    for (i, segment) in segments() {
+        let (pieces, bound) = segment.rational_pieces(tolerance, i)?;
+        worst = worst.max(bound);
+        for piece in pieces {
+            beziers.push(piece.bezier);
+            intervals.push(piece.interval);
+        }
+    }
+    NurbsCurve::from_beziers(&beziers, &intervals).map(|spline| (RationalRun::Spline(spline), worst))
+}
