@@ -234,7 +234,7 @@ fn next_level(tube: &Tube<'_>, arena: &[Node], level: &Level, far: usize, size: 
                 fan_out(tube, node, i, end, vertex, size.samples, &mut candidates);
             }
         }
-        candidates.sort_unstable_by(|a, b| (a.cell, a.rank, a.node).cmp(&(b.cell, b.rank, b.node)));
+        candidates.sort_unstable_by_key(|c| (c.cell, c.rank, c.node));
         candidates.dedup_by_key(|c| c.cell);
         children.extend(candidates.iter().map(|c| (vertex, *c)));
     }

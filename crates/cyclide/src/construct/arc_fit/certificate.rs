@@ -8,7 +8,7 @@
 use super::options::FitTarget;
 use super::trace::Trace;
 use crate::base::vector::{Point3, Vec3};
-use crate::curve::{Arc, ArcPath, ParamCurve};
+use crate::curve::{Arc, ArcPath, ClosestPoint, ParamCurve};
 
 /// Feet may step back by this much of an arc's parameter: rounding at joints.
 const FOOT_SLACK: f64 = 1e-9;
@@ -102,7 +102,15 @@ impl Sheet {
         let mut before: Option<(Point3, f64, f64)> = None;
         for index in span.from..=span.to {
             let p = trace.point(index);
-            let foot = arc.closest_point(p);
+            // The ends of the span are matched with the ends of the arc: the pieces must join up.
+            let end = |t: f64, point: Point3| ClosestPoint { t, point, distance: point.distance(p) };
+            let foot = if index == span.from {
+                end(0.0, arc.start())
+            } else if index == span.to {
+                end(1.0, arc.end())
+            } else {
+                arc.closest_point(p)
+            };
             let vertex = trace.vertex_before(index % n);
             if trace.vertex[index % n].is_some() {
                 raise(&mut self.vertex, foot.distance, vertex);

@@ -9,10 +9,13 @@ mod chord;
 mod closing;
 mod corners;
 mod curvature_interval;
+mod doubts;
 mod input;
 mod options;
 mod planar;
 mod single;
+mod space;
+mod space_tangents;
 mod trace;
 
 pub use arc_certificate::{ArcCertificate, certify_arc};
@@ -65,9 +68,15 @@ impl ArcFit {
 
         let largest = data.iter().map(|p| p.to_vec().max_abs()).fold(0.0, f64::max);
         let room = tolerance - (ROUNDING_MARGIN * tolerance).max(8.0 * f64::EPSILON * largest).min(0.5 * tolerance);
-        let frame = input::plane(data, tolerance).ok_or(Error::NotPlanar { index: 0, distance: 0.0, limit: 0.0 })?;
-        let (trace, chains) = planar::fit(data, &indices, &frame, room, options).map_err(died)?;
-        let pieces = planar_pieces(&trace, &chains, &frame)?;
+        let plane = input::plane(data, tolerance);
+        let (trace, pieces) = match &plane {
+            Some(frame) => {
+                let (trace, chains) = planar::fit(data, &indices, frame, room, options).map_err(died)?;
+                let pieces = planar_pieces(&trace, &chains, frame)?;
+                (trace, pieces)
+            }
+            None => space::fit(data, &indices, room, options).map_err(died)?,
+        };
 
         let (mut arcs, mut spans, mut smooth) = (Vec::new(), Vec::new(), Vec::new());
         for (arc, span, joint) in pieces {
@@ -76,7 +85,7 @@ impl ArcFit {
             smooth.push(joint);
         }
         let path = ArcPath::new(arcs, options.closed)?;
-        let mut certificate = certify(&path, &spans, &smooth, &trace, options.target, true);
+        let mut certificate = certify(&path, &spans, &smooth, &trace, options.target, plane.is_some());
         if certificate.deviation > tolerance {
             return Err(died(certificate.worst));
         }
@@ -85,6 +94,8 @@ impl ArcFit {
         warnings.extend(
             corners.iter().map(|(i, angle)| Warning::CornerKept { vertex: distinct.source[*i], angle: *angle }),
         );
+        warnings.extend(doubts::coarse_samples(data, options));
+        warnings.extend(doubts::noise(&path, &spans, &trace));
         Ok(Self { path, certificate, warnings })
     }
 
