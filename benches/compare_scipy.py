@@ -1,0 +1,75 @@
+"""Circle splines against SciPy's CubicSpline on the same points in the same run.
+
+    .venv/bin/python benches/compare_scipy.py [POINTS] [SAMPLES_PER_SEGMENT]      default 100000 16
+
+Both build a closed curve through the points and evaluate it at the same number of parameters, on one thread; the smallest
+of five times is printed. The cubic is C2 and polynomial, the circle spline G2 (order 2) and exact on circles: the
+comparison is of speed only.
+"""
+
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+os.environ.setdefault("OMP_NUM_THREADS", "1")
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+
+import numpy as np
+from scipy.interpolate import CubicSpline
+
+ROOT = Path(__file__).resolve().parent.parent
+
+
+def closed_points(count):
+    """A closed space curve with slowly varying radius and height, about unit spacing."""
+    a = np.arange(count) * (2 * np.pi / count)
+    r = count / (2 * np.pi) * (1 + 0.3 * np.cos(7 * a))
+    return np.stack([r * np.cos(a), r * np.sin(a), 0.1 * count * np.sin(5 * a)], axis=1)
+
+
+def scipy_times(points, samples):
+    closed = np.vstack([points, points[:1]])
+    chord = np.r_[0.0, np.cumsum(np.linalg.norm(np.diff(closed, axis=0), axis=1))]
+    parameters = np.arange(samples * len(points)) * (chord[-1] / (samples * len(points)))
+    build = evaluate = float("inf")
+    for _ in range(5):
+        start = time.perf_counter()
+        spline = CubicSpline(chord, closed, bc_type="periodic")
+        built = time.perf_counter()
+        out = spline(parameters)
+        evaluate = min(evaluate, time.perf_counter() - built)
+        build = min(build, built - start)
+    assert out.shape == (samples * len(points), 3)
+    return build, evaluate
+
+
+def our_times(points, samples):
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder, "points.csv")
+        np.savetxt(path, points, fmt="%.17g", delimiter=",")
+        command = ["cargo", "run", "--release", "--quiet", "--package", "cyclide", "--example", "spline_throughput", "--"]
+        done = subprocess.run([*command, path, str(samples)], cwd=ROOT, check=True, stdout=subprocess.PIPE, text=True)
+    return [json.loads(line) for line in done.stdout.splitlines()]
+
+
+def main():
+    count = int(sys.argv[1]) if len(sys.argv) > 1 else 100_000
+    samples = int(sys.argv[2]) if len(sys.argv) > 2 else 16
+    points = closed_points(count)
+    build, evaluate = scipy_times(points, samples)
+    total = count * samples
+    print(f"{count} points, {total} samples; build in ms, evaluation in ns per sample, ratio = SciPy / circle spline")
+    print(f"{'':34} {'build':>9} {'ratio':>7} {'evaluate':>9} {'ratio':>7}")
+    print(f"{'SciPy CubicSpline, periodic':34} {build * 1e3:9.2f} {'':7} {evaluate / total * 1e9:9.1f}")
+    for ours in our_times(points, samples):
+        name = f"circle spline, {ours['variant'].lower()}, order 2"
+        ratios = f"{build / ours['build']:7.2f}", f"{evaluate / ours['evaluate']:7.2f}"
+        print(f"{name:34} {ours['build'] * 1e3:9.2f} {ratios[0]} {ours['evaluate'] / total * 1e9:9.1f} {ratios[1]}")
+
+
+if __name__ == "__main__":
+    main()

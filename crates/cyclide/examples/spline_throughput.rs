@@ -1,0 +1,44 @@
+//! How fast circle splines are made and evaluated: reads points (`x,y,z` per line) from a file, prints JSON.
+//!
+//! `cargo run --release --example spline_throughput -- points.csv 16` evaluates 16 points per segment. It is the half
+//! of `benches/compare_scipy.py` that runs our side.
+#![allow(clippy::print_stdout, reason = "an example program reports by printing")]
+
+use cyclide::{BlendVariant, CircleSpline, CircleSplineOptions, ParamCurve, Point3};
+use std::error::Error;
+use std::time::Instant;
+
+/// Repetitions; the smallest time is printed.
+const REPETITIONS: usize = 5;
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let mut arguments = std::env::args().skip(1);
+    let file = arguments.next().ok_or("usage: spline_throughput FILE SAMPLES_PER_SEGMENT")?;
+    let samples: usize = arguments.next().ok_or("usage: spline_throughput FILE SAMPLES_PER_SEGMENT")?.parse()?;
+    let mut points = Vec::new();
+    for line in std::fs::read_to_string(file)?.lines() {
+        let xyz = line.split(',').map(str::parse).collect::<Result<Vec<f64>, _>>()?;
+        let [x, y, z] = xyz[..] else { return Err("three numbers per line".into()) };
+        points.push(Point3::new(x, y, z));
+    }
+    let count = samples * points.len();
+    let parameters: Vec<f64> = (0..count).map(|i| i as f64 / count as f64).collect();
+    let mut out = vec![Point3::default(); count];
+
+    for variant in [BlendVariant::Rational, BlendVariant::Trigonometric] {
+        let options = CircleSplineOptions { closed: true, variant, ..Default::default() };
+        let (mut build, mut evaluate) = (f64::INFINITY, f64::INFINITY);
+        for _ in 0..REPETITIONS {
+            let start = Instant::now();
+            let spline = CircleSpline::from_points(&points, &options)?;
+            let built = Instant::now();
+            spline.eval_into(&parameters, &mut out);
+            evaluate = evaluate.min(built.elapsed().as_secs_f64());
+            build = build.min((built - start).as_secs_f64());
+        }
+        // A sum of the output, so that no evaluation can be left out.
+        let sum: f64 = out.iter().map(|p| p.x + p.y + p.z).sum();
+        println!(r#"{{"variant": "{variant:?}", "build": {build:e}, "evaluate": {evaluate:e}, "sum": {sum:e}}}"#);
+    }
+    Ok(())
+}
