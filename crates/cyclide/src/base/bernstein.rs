@@ -40,40 +40,73 @@ pub(crate) fn split<const D: usize>(row: &[[f64; D]], t: f64) -> (Vec<[f64; D]>,
 /// Value at `t` by nested multiplication (Farin's form of Horner's scheme): exact at both ends, no allocation.
 #[must_use]
 pub(crate) fn eval<const D: usize>(row: &[[f64; D]], t: f64) -> [f64; D] {
-    derivative(row, 0, t)
+    nested(row.len() - 1, t, |i| row[i])
 }
 
-/// The `k`-th derivative at `t` from the `k`-th differences of the coefficients; zero above the degree.
+/// Value and derivatives of orders 1 to 3 at `t`, from the differences of the coefficients; zero above the degree.
 #[must_use]
-pub(crate) fn derivative<const D: usize>(row: &[[f64; D]], k: usize, t: f64) -> [f64; D] {
+pub(crate) fn derivatives<const D: usize>(row: &[[f64; D]], t: f64) -> [[f64; D]; 4] {
     let n = row.len() - 1;
-    if k > n {
-        return [0.0; D];
+    let first = |i: usize| minus(&row[i + 1], &row[i]);
+    let second = |i: usize| minus(&first(i + 1), &first(i));
+    let third = |i: usize| minus(&second(i + 1), &second(i));
+    let mut out = [eval(row, t), [0.0; D], [0.0; D], [0.0; D]];
+    let mut factor = n as f64;
+    if n >= 1 {
+        out[1] = nested(n - 1, t, first).map(|v| v * factor);
     }
-    let degree = n - k;
-    // Coefficient i of the derivative: n!/(n-k)! times the k-th difference at i.
-    let factor = (0..k).fold(1.0, |f, j| f * (n - j) as f64);
-    let difference = |i: usize, d: usize| {
-        (0..=k)
-            .map(|j| {
-                if (k - j).is_multiple_of(2) { binomial(k, j) * row[i + j][d] } else { -binomial(k, j) * row[i + j][d] }
-            })
-            .sum::<f64>()
-    };
+    if n >= 2 {
+        factor *= (n - 1) as f64;
+        out[2] = nested(n - 2, t, second).map(|v| v * factor);
+    }
+    if n >= 3 {
+        factor *= (n - 2) as f64;
+        out[3] = nested(n - 3, t, third).map(|v| v * factor);
+    }
+    out
+}
+
+/// The polynomial of degree `n` with Bernstein coefficients `coefficient(0..=n)` at `t`.
+fn nested<const D: usize>(n: usize, t: f64, coefficient: impl Fn(usize) -> [f64; D]) -> [f64; D] {
+    if n == 0 {
+        return coefficient(0);
+    }
     let s = 1.0 - t;
-    std::array::from_fn(|d| {
-        if degree == 0 {
-            return factor * difference(0, d);
+    let mut sum = coefficient(0).map(|v| v * s);
+    let (mut power, mut choose) = (1.0, 1.0);
+    for i in 1..n {
+        power *= t;
+        choose = next_binomial(choose, n, i);
+        let (c, f) = (coefficient(i), power * choose);
+        sum = std::array::from_fn(|d| (sum[d] + f * c[d]) * s);
+    }
+    let (c, f) = (coefficient(n), power * t);
+    std::array::from_fn(|d| sum[d] + f * c[d])
+}
+
+/// `C(n, i)` from `C(n, i-1)`; a table up to degree 16 saves the divisions.
+fn next_binomial(before: f64, n: usize, i: usize) -> f64 {
+    if n < BINOMIALS.len() { BINOMIALS[n][i] } else { before * (n - i + 1) as f64 / i as f64 }
+}
+
+/// Pascal's triangle.
+const BINOMIALS: [[f64; 17]; 17] = {
+    let mut table = [[0.0; 17]; 17];
+    let mut n = 0;
+    while n < 17 {
+        table[n][0] = 1.0;
+        let mut i = 1;
+        while i <= n {
+            table[n][i] = table[n - 1][i - 1] + if i < n { table[n - 1][i] } else { 0.0 };
+            i += 1;
         }
-        let (mut power, mut choose) = (1.0, 1.0);
-        let mut sum = difference(0, d) * s;
-        for i in 1..degree {
-            power *= t;
-            choose *= (degree - i + 1) as f64 / i as f64;
-            sum = (sum + power * choose * difference(i, d)) * s;
-        }
-        factor * (sum + power * t * difference(degree, d))
-    })
+        n += 1;
+    }
+    table
+};
+
+fn minus<const D: usize>(a: &[f64; D], b: &[f64; D]) -> [f64; D] {
+    std::array::from_fn(|d| a[d] - b[d])
 }
 
 fn mix<const D: usize>(a: &[f64; D], b: &[f64; D], t: f64) -> [f64; D] {
@@ -92,6 +125,23 @@ mod tests {
             let value = |r: &[f64]| eval(&r.iter().map(|&v| [v]).collect::<Vec<_>>(), t)[0];
             assert!((value(&c) - value(&a) * value(&b)).abs() < 1e-15);
         }
+    }
+
+    #[test]
+    fn derivatives_of_a_cube_at_any_degree() {
+        // t³ has the coefficients C(i,3)/C(n,3); 20 is above the table of binomials.
+        for n in [3, 5, 20] {
+            let choose = |i: usize| if i < 3 { 0.0 } else { binomial(i, 3) };
+            let row: Vec<[f64; 1]> = (0..=n).map(|i| [choose(i) / binomial(n, 3)]).collect();
+            for t in [0.0_f64, 0.3, 0.5, 1.0] {
+                let got = derivatives(&row, t);
+                for (k, want) in [t * t * t, 3.0 * t * t, 6.0 * t, 6.0].into_iter().enumerate() {
+                    // Third differences of rounded coefficients, times n(n-1)(n-2).
+                    assert!((got[k][0] - want).abs() < 1e-15 * (n as f64).powi(k as i32), "{n} {t} {k}");
+                }
+            }
+        }
+        assert_eq!(derivatives(&[[1.0], [3.0]], 0.25), [[1.5], [2.0], [0.0], [0.0]]);
     }
 
     #[test]

@@ -2,6 +2,7 @@
 
 pub(crate) mod bernstein;
 pub(crate) mod bounds;
+pub(crate) mod cut;
 pub(crate) mod frame;
 pub(crate) mod jet;
 pub(crate) mod planar;

@@ -5,6 +5,7 @@ use super::arc::measure::ClosestPoint;
 use super::param_curve::ParamCurve;
 use super::piece_form::PieceForm;
 use crate::base::bounds::Aabb;
+use crate::base::cut::{check_interval, place_of_cut};
 use crate::base::jet::CurveJet;
 use crate::base::vector::Point3;
 use crate::conformal::mobius::{Conformal, Mobius};
@@ -76,6 +77,36 @@ impl ArcPath {
             ClosestPoint { t: (i as f64 + c.t) / n, ..c }
         };
         (1..self.arcs.len()).map(on).fold(on(0), |best, c| if c.distance < best.distance { c } else { best })
+    }
+
+    /// The part between two global parameters, `0 <= t0 < t1 <= 1`, as an open path; the arcs that are cut keep
+    /// their shape. Parameters within rounding of a joint cut there.
+    ///
+    /// # Errors
+    /// `parameter-out-of-range`.
+    pub fn restricted(&self, t0: f64, t1: f64) -> Result<Self> {
+        check_interval(t0, t1)?;
+        let n = self.arcs.len();
+        let (first, s0) = if t0 > 0.0 { place_of_cut(t0, n)? } else { (0, 0.0) };
+        let (end, s1) = if t1 < 1.0 { place_of_cut(t1, n)? } else { (n, 0.0) };
+        let mut arcs = self.arcs[first..end].to_vec();
+        if s1 > 0.0 {
+            arcs.push(self.arcs[end].split(s1)?.0);
+        }
+        if let Some(arc) = arcs.first_mut().filter(|_| s0 > 0.0) {
+            // Within one arc, s0 is the fraction s0/s1 of what is left of it.
+            let inside = if first == end { s0 / s1 } else { s0 };
+            *arc = arc.split(inside)?.1.with_start(self.arcs[first].point(s0));
+        }
+        Self::new(arcs, false)
+    }
+
+    /// The two parts before and after a global parameter in `(0, 1)`, as open paths that meet in the same doubles.
+    ///
+    /// # Errors
+    /// `parameter-out-of-range`.
+    pub fn split(&self, t: f64) -> Result<(Self, Self)> {
+        Ok((self.restricted(0.0, t)?, self.restricted(t, 1.0)?))
     }
 
     /// The same points run backwards.

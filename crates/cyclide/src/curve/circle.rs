@@ -5,8 +5,10 @@ use super::arc::measure::ClosestPoint;
 use super::param_curve::ParamCurve;
 use super::piece_form::PieceForm;
 use crate::base::bounds::Aabb;
+use crate::base::cut::{check_interval, place_of_cut};
 use crate::base::jet::CurveJet;
 use crate::base::vector::{Point3, Vec3};
+use crate::conformal::mobius::Mobius;
 use crate::error::{Error, Result};
 use crate::rational::NurbsCurve;
 
@@ -134,6 +136,51 @@ impl Circle {
         ClosestPoint { t, point, distance: point.distance(p) }
     }
 
+    /// The same points run backwards.
+    #[must_use]
+    pub fn reversed(&self) -> Self {
+        Self { normal: -self.normal, ..*self }
+    }
+
+    /// The image under a similarity or a reflection, with the same parameter.
+    ///
+    /// # Errors
+    /// `not-a-similarity`; `not-finite` or `zero-radius` if the image is too large or too small.
+    pub fn similar(&self, map: &Mobius) -> Result<Self> {
+        if !map.is_similarity() {
+            return Err(Error::NotASimilarity);
+        }
+        let lost = Error::NotFinite { what: "point", index: 0 };
+        let center = map.map_point(self.center).ok_or(lost.clone())?;
+        let start = map.map_point(self.start()).ok_or(lost.clone())?;
+        // A reflection turns the sense of running: the normal of the pushed vectors, not the pushed normal.
+        let push = |v: Vec3| map.push_forward(self.center, v).and_then(Vec3::unit);
+        let (x, y) = (push(self.spoke), push(self.normal.cross(self.spoke)));
+        let (x, y) = (x.ok_or(lost.clone())?, y.ok_or(lost)?);
+        Self::from_center(center, x.cross(y), start)
+    }
+
+    /// The part between two parameters, `0 <= t0 < t1 <= 1`, not the whole circle: the same points, at the arc's own
+    /// parameter.
+    ///
+    /// # Errors
+    /// `parameter-out-of-range`, `sweep-out-of-range` (the whole circle).
+    pub fn restricted(&self, t0: f64, t1: f64) -> Result<Arc> {
+        check_interval(t0, t1)?;
+        let (start, end) = (self.piece_point(0, t0), self.piece_point(0, t1));
+        let arc = Arc::from_center(self.center, self.normal, start, std::f64::consts::TAU * (t1 - t0))?;
+        Ok(arc.with_start(start).with_end(end))
+    }
+
+    /// The two arcs before and after a parameter in `(0, 1)`.
+    ///
+    /// # Errors
+    /// `parameter-out-of-range`.
+    pub fn split(&self, t: f64) -> Result<(Arc, Arc)> {
+        place_of_cut(t, 1)?;
+        Ok((self.restricted(0.0, t)?, self.restricted(t, 1.0)?))
+    }
+
     /// The circle as two half-circle arcs (one linear arc cannot close: `000`, Example 1 corrected).
     #[must_use]
     pub fn to_arcs(&self) -> [Arc; 2] {
@@ -163,7 +210,8 @@ impl ParamCurve for Circle {
     }
     fn piece_jet(&self, _piece: usize, s: f64) -> CurveJet {
         let tau = std::f64::consts::TAU;
-        let (sin, cos) = (tau * s).sin_cos();
+        // The second half backwards from the end, so that the end is the start to the bit.
+        let (sin, cos) = (tau * if s > 0.5 { s - 1.0 } else { s }).sin_cos();
         let (d, e) = (self.spoke, self.normal.cross(self.spoke));
         let radial = d * cos + e * sin;
         let tangent = e * cos - d * sin;

@@ -1,8 +1,10 @@
 //! The curve carrier: a connected chain of arcs, segments and rational splines.
 
 use crate::base::bounds::Aabb;
+use crate::base::cut::place_of_cut;
 use crate::base::jet::CurveJet;
 use crate::base::vector::Point3;
+use crate::conformal::mobius::{Conformal, Mobius};
 use crate::curve::{Arc, ArcPath, ParamCurve, PieceForm};
 use crate::error::{Error, Result};
 use crate::rational::NurbsCurve;
@@ -33,6 +35,38 @@ impl ChainPiece {
             Self::Arc(a) => a.end(),
             Self::Spline(c) => c.control_points()[c.control_points().len() - 1],
         }
+    }
+
+    /// The same points run backwards.
+    #[must_use]
+    pub fn reversed(&self) -> Self {
+        match self {
+            Self::Arc(a) => Self::Arc(a.reversed()),
+            Self::Spline(c) => Self::Spline(c.reversed()),
+        }
+    }
+
+    /// The image under a similarity or a reflection.
+    ///
+    /// # Errors
+    /// `not-a-similarity`, or as [`Arc::transformed`](crate::Conformal::transformed) and [`NurbsCurve::similar`].
+    pub fn similar(&self, map: &Mobius) -> Result<Self> {
+        match self {
+            Self::Arc(_) if !map.is_similarity() => Err(Error::NotASimilarity),
+            Self::Arc(a) => Ok(Self::Arc(a.transformed(map)?)),
+            Self::Spline(c) => Ok(Self::Spline(c.similar(map)?)),
+        }
+    }
+
+    /// The two parts before and after a parameter of the piece in `(0, 1)`.
+    ///
+    /// # Errors
+    /// `parameter-out-of-range`.
+    pub fn split(&self, t: f64) -> Result<(Self, Self)> {
+        Ok(match self {
+            Self::Arc(a) => a.split(t).map(|(l, r)| (Self::Arc(l), Self::Arc(r)))?,
+            Self::Spline(c) => c.split(t).map(|(l, r)| (Self::Spline(l), Self::Spline(r)))?,
+        })
     }
 
     /// The piece as a curve.
@@ -73,10 +107,46 @@ impl CurveChain {
                 return Err(Error::Disconnected { piece, next, gap, limit: gap_limit });
             }
         }
-        let own =
-            |(i, p): (usize, &ChainPiece)| (0..p.as_curve().piece_count()).map(move |j| (i, j)).collect::<Vec<_>>();
+        Ok(Self::from_joined(pieces, closed))
+    }
+
+    /// Chain of pieces that are known to meet.
+    fn from_joined(pieces: Vec<ChainPiece>, closed: bool) -> Self {
+        let own = |(i, p): (usize, &ChainPiece)| (0..p.as_curve().piece_count()).map(move |j| (i, j));
         let index = pieces.iter().enumerate().flat_map(own).collect();
-        Ok(Self { pieces, closed, index })
+        Self { pieces, closed, index }
+    }
+
+    /// The same points run backwards.
+    #[must_use]
+    pub fn reversed(&self) -> Self {
+        Self::from_joined(self.pieces.iter().rev().map(ChainPiece::reversed).collect(), self.closed)
+    }
+
+    /// The image under a similarity or a reflection. Gaps between the pieces, if any, are scaled along.
+    ///
+    /// # Errors
+    /// As [`ChainPiece::similar`], wrapped with the piece.
+    pub fn similar(&self, map: &Mobius) -> Result<Self> {
+        let pieces = self.pieces.iter().enumerate().map(|(i, p)| p.similar(map).map_err(|e| e.in_span(i)));
+        Ok(Self::from_joined(pieces.collect::<Result<_>>()?, self.closed))
+    }
+
+    /// The two parts before and after a global parameter in `(0, 1)`, as open chains; exact.
+    ///
+    /// # Errors
+    /// `parameter-out-of-range`.
+    pub fn split(&self, t: f64) -> Result<(Self, Self)> {
+        let (smooth, s) = place_of_cut(t, self.index.len())?;
+        let (piece, own) = self.index[smooth];
+        let (mut left, mut right) = (self.pieces[..piece].to_vec(), self.pieces[piece..].to_vec());
+        if own > 0 || s > 0.0 {
+            let cut = &self.pieces[piece];
+            let (l, r) = cut.split((own as f64 + s) / cut.as_curve().piece_count() as f64)?;
+            left.push(l);
+            right[0] = r;
+        }
+        Ok((Self::from_joined(left, false), Self::from_joined(right, false)))
     }
 
     /// The pieces.

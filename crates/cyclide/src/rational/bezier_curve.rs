@@ -60,7 +60,7 @@ impl RationalBezier {
     /// Point and derivatives at `t`.
     #[must_use]
     pub fn jet(&self, t: f64) -> CurveJet {
-        jet_of_homogeneous(std::array::from_fn(|k| bernstein::derivative(&self.rows, k, t)))
+        jet_of_homogeneous(bernstein::derivatives(&self.rows, t))
     }
 
     /// Both parts of the curve cut at `t`.

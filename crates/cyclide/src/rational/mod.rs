@@ -3,6 +3,7 @@
 mod bezier_curve;
 mod exact;
 mod nurbs_curve;
+mod nurbs_edit;
 mod smooth_knots;
 
 pub use bezier_curve::RationalBezier;

@@ -52,17 +52,47 @@ impl NurbsCurve {
         }
         let (first, last) = (knots[0], knots[knots.len() - 1]);
         // Clamped ends are copies of one number: compared as such.
-        let multiplicity = |k: f64| knots.iter().filter(|&&x| x.total_cmp(&k).is_eq()).count();
-        if multiplicity(first) != degree + 1 || multiplicity(last) != degree + 1 {
+        if multiplicity(&knots, first) != degree + 1 || multiplicity(&knots, last) != degree + 1 {
             return fail("end knots do not have multiplicity degree + 1");
         }
         let mut breaks = knots.clone();
-        breaks.dedup_by(|a, b| a.total_cmp(b).is_eq());
-        if breaks[1..breaks.len() - 1].iter().any(|&k| multiplicity(k) > degree) {
+        breaks.dedup_by(|a, b| *a <= *b); // sorted: equal
+        if breaks[1..breaks.len() - 1].iter().any(|&k| multiplicity(&knots, k) > degree) {
             return fail("an inner knot has multiplicity above the degree");
         }
-        let spans = spans(degree, &knots, &points, &weights, &breaks);
+        let rows = homogeneous_rows(&points, &weights);
+        let spans = spans(degree, &knots, &rows, &breaks);
         Ok(Self { degree, knots, points, weights, spans, breaks })
+    }
+
+    /// Curve from homogeneous control rows `[wx, wy, wz, w]`; errors as [`new`](Self::new).
+    pub(super) fn from_rows(degree: usize, knots: Vec<f64>, rows: &[[f64; 4]]) -> Result<Self> {
+        let points = rows.iter().map(|r| Point3::new(r[0] / r[3], r[1] / r[3], r[2] / r[3])).collect();
+        Self::new(degree, knots, points, rows.iter().map(|r| r[3]).collect())
+    }
+
+    /// The same points run backwards over the same knot domain.
+    #[must_use]
+    pub fn reversed(&self) -> Self {
+        let (first, last) = self.domain();
+        // The mirror image of each end is the other end, to the bit.
+        let mirrored = |k: &f64| {
+            if *k <= first {
+                last
+            } else if *k >= last {
+                first
+            } else {
+                first + (last - k)
+            }
+        };
+        Self {
+            degree: self.degree,
+            knots: self.knots.iter().rev().map(mirrored).collect(),
+            points: self.points.iter().rev().copied().collect(),
+            weights: self.weights.iter().rev().copied().collect(),
+            spans: self.spans.iter().rev().map(|rows| rows.iter().rev().copied().collect()).collect(),
+            breaks: self.breaks.iter().rev().map(mirrored).collect(),
+        }
     }
 
     /// Joins Bézier curves of one degree end to end, each over a knot interval of the given length; joints get
@@ -127,10 +157,16 @@ impl NurbsCurve {
         &self.knots
     }
 
+    /// First and last knot.
+    #[must_use]
+    pub fn domain(&self) -> (f64, f64) {
+        (self.knots[0], self.knots[self.knots.len() - 1])
+    }
+
     /// Distinct knots with their multiplicities.
     #[must_use]
     pub fn knot_multiplicities(&self) -> Vec<(f64, usize)> {
-        self.breaks.iter().map(|&b| (b, self.knots.iter().filter(|k| k.total_cmp(&b).is_eq()).count())).collect()
+        self.breaks.iter().map(|&b| (b, multiplicity(&self.knots, b))).collect()
     }
 
     /// Distinct knots.
@@ -191,7 +227,7 @@ impl NurbsCurve {
     /// If there is no such span.
     #[must_use]
     pub fn span_jet(&self, span: usize, s: f64) -> CurveJet {
-        jet_of_homogeneous(std::array::from_fn(|k| bernstein::derivative(&self.spans[span], k, s)))
+        jet_of_homogeneous(bernstein::derivatives(&self.spans[span], s))
     }
 
     fn span_of(&self, u: f64) -> (usize, f64) {
@@ -203,36 +239,53 @@ impl NurbsCurve {
     }
 }
 
-/// Bézier rows of every span by knot insertion (Boehm) up to full multiplicity.
-fn spans(degree: usize, knots: &[f64], points: &[Point3], weights: &[f64], breaks: &[f64]) -> Vec<Vec<[f64; 4]>> {
-    let mut knots = knots.to_vec();
-    let mut rows: Vec<[f64; 4]> = points.iter().zip(weights).map(|(p, w)| [p.x * w, p.y * w, p.z * w, *w]).collect();
-    for &u in &breaks[1..breaks.len() - 1] {
-        let have = knots.iter().filter(|k| k.total_cmp(&u).is_eq()).count();
-        for _ in have..degree {
-            // k: last knot not above u
-            let k = knots.partition_point(|x| *x <= u) - 1;
-            let mut next = Vec::with_capacity(rows.len() + 1);
-            for i in 0..=rows.len() {
-                next.push(if i + degree <= k {
-                    rows[i]
-                } else if i > k || (knots[k].total_cmp(&u).is_eq() && i > k - multiplicity_at(&knots, k)) {
-                    rows[i - 1]
-                } else {
-                    let a = (u - knots[i]) / (knots[i + degree] - knots[i]);
-                    std::array::from_fn(|d| (1.0 - a) * rows[i - 1][d] + a * rows[i][d])
-                });
-            }
-            rows = next;
-            knots.insert(k + 1, u);
-        }
-    }
-    rows.windows(degree + 1).step_by(degree).map(<[_]>::to_vec).collect()
+/// Homogeneous rows `[wx, wy, wz, w]` of control points.
+pub(super) fn homogeneous_rows(points: &[Point3], weights: &[f64]) -> Vec<[f64; 4]> {
+    points.iter().zip(weights).map(|(p, w)| [p.x * w, p.y * w, p.z * w, *w]).collect()
 }
 
-/// Multiplicity of the knot at index `k`, counted backwards from it.
-fn multiplicity_at(knots: &[f64], k: usize) -> usize {
-    knots[..=k].iter().rev().take_while(|x| x.total_cmp(&knots[k]).is_eq()).count()
+/// How many of the sorted knots are this number.
+pub(super) fn multiplicity(knots: &[f64], k: f64) -> usize {
+    knots.partition_point(|x| *x <= k) - knots.partition_point(|x| *x < k)
+}
+
+/// Bézier rows of every span: its two end knots are inserted up to full multiplicity, in the window of the knots and
+/// rows that act on the span. Neighbours share the row of their joint.
+fn spans(degree: usize, knots: &[f64], rows: &[[f64; 4]], breaks: &[f64]) -> Vec<Vec<[f64; 4]>> {
+    let mut spans: Vec<Vec<[f64; 4]>> = Vec::with_capacity(breaks.len() - 1);
+    for ends in breaks.windows(2) {
+        let k = knots.partition_point(|x| *x <= ends[0]) - 1;
+        let mut local_knots = knots[k - degree..=k + degree + 1].to_vec();
+        let mut local = rows[k - degree..=k].to_vec();
+        for &u in ends {
+            for _ in multiplicity(&local_knots, u)..degree {
+                insert_knot(degree, &mut local_knots, &mut local, u);
+            }
+        }
+        let k = local_knots.partition_point(|x| *x <= ends[0]) - 1;
+        let mut span = local[k - degree..=k].to_vec();
+        if let Some(before) = spans.last() {
+            span[0] = before[degree];
+        }
+        spans.push(span);
+    }
+    spans
+}
+
+/// Inserts the knot `u`, inside the domain and of multiplicity below the degree, once (W. Boehm, 1980).
+pub(super) fn insert_knot(degree: usize, knots: &mut Vec<f64>, rows: &mut Vec<[f64; 4]>, u: f64) {
+    // k: last knot not above u, s: how often u is there already.
+    let k = knots.partition_point(|x| *x <= u) - 1;
+    let s = multiplicity(knots, u);
+    // Rows k-degree+1 to k-s are replaced by one more combinations of neighbours.
+    let replaced: Vec<[f64; 4]> = (k + 1 - degree..=k - s)
+        .map(|i| {
+            let a = (u - knots[i]) / (knots[i + degree] - knots[i]);
+            std::array::from_fn(|d| (1.0 - a) * rows[i - 1][d] + a * rows[i][d])
+        })
+        .collect();
+    rows.splice(k + 1 - degree..k - s, replaced);
+    knots.insert(k + 1, u);
 }
 
 #[cfg(test)]

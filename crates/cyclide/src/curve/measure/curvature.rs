@@ -10,7 +10,7 @@ use crate::curve::{ParamCurve, PieceForm};
 pub struct ExtremeCurvature {
     /// Largest curvature, in 1/length; 0 on straight curves, infinite if a scanned place is a cusp.
     pub max: f64,
-    /// Global parameter in `[0, 1]`, the first such place.
+    /// Global parameter in `[0, 1]`, the first such place; at a joint the side of the larger curvature counts.
     pub t: f64,
     /// The point there.
     pub point: Point3,

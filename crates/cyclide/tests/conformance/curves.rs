@@ -74,13 +74,29 @@ pub fn stadium(scale: f64) -> ArcPath {
 }
 
 /// A circle spline in space through unevenly spaced points, two of them on a straight run, one a corner.
-pub fn circle_spline(scale: f64, closed: bool, order: u32, variant: BlendVariant) -> CircleSpline {
+pub fn kinked_spline(scale: f64, closed: bool, order: u32, variant: BlendVariant) -> CircleSpline {
     let points =
         [[0.0, 0.0, 0.0], [2.0, 0.0, 0.1], [4.0, 0.0, 0.2], [5.0, 3.0, 1.0], [2.5, 4.0, -1.0], [-0.5, 2.0, 0.0]]
             .map(|[x, y, z]| point(x * scale, y * scale, z * scale));
     let ends = SplineEnds::Clamped { start: Some(Vec3::new(1.0, -2.0, 0.5)), end: None };
     let options = CircleSplineOptions { closed, order, variant, ends, corners: vec![4] };
     CircleSpline::from_points(&points, &options).unwrap()
+}
+
+/// A circle spline through eight points of space; closed ones join the last to the first.
+pub fn circle_spline(scale: f64, options: &CircleSplineOptions) -> CircleSpline {
+    let rows: [[f64; 3]; 8] = [
+        [0.0, 0.0, 0.0],
+        [2.0, -0.5, 0.3],
+        [4.0, 0.5, 0.0],
+        [4.5, 2.5, -0.4],
+        [3.0, 4.0, 0.0],
+        [1.8, 3.2, 0.5],
+        [0.5, 3.9, 0.2],
+        [-1.0, 2.0, 0.0],
+    ];
+    let points = rows.map(|r| point(r[0] * scale, r[1] * scale, r[2] * scale));
+    CircleSpline::from_points(&points, options).unwrap()
 }
 
 /// Every implementor at one scale.
@@ -100,7 +116,7 @@ fn cases_at(s: f64) -> Vec<Case> {
         0.0,
     )
     .unwrap();
-    vec![
+    let mut cases = vec![
         case("arc", arc),
         case("line", Arc::segment(p(1.0, 2.0, 3.0), p(-2.0, 1.0, 0.0)).unwrap()),
         case("half circle", Arc::from_bulge(p(0.0, 0.0, 0.0), p(2.0, 0.0, 1.0), Vec3::Y, 1.0).unwrap()),
@@ -121,15 +137,25 @@ fn cases_at(s: f64) -> Vec<Case> {
         case("arc as spline", arc.to_nurbs(DEFAULT_PIECE_ANGLE).unwrap()),
         case("smooth circle spline", circle.to_nurbs().unwrap().with_c1_knots().unwrap()),
         case("mixed chain", mixed),
-        case("closed rational circle spline", circle_spline(s, true, 2, BlendVariant::Rational)),
-        case("open trigonometric circle spline", circle_spline(s, false, 3, BlendVariant::Trigonometric)),
-        case("G1 circle spline", circle_spline(s, true, 1, BlendVariant::Trigonometric)),
-        case(
-            "part of a circle spline",
-            circle_spline(s, true, 4, BlendVariant::Rational).restricted(0.1, 0.7).unwrap(),
-        ),
-        case("blend segment", circle_spline(s, false, 2, BlendVariant::Rational).segments()[1]),
-    ]
+    ];
+    for order in 1..=4 {
+        for variant in [BlendVariant::Rational, BlendVariant::Trigonometric] {
+            for closed in [false, true] {
+                let options = CircleSplineOptions { order, variant, closed, ..Default::default() };
+                let name = format!("circle spline, order {order}, {variant:?}, closed {closed}");
+                cases.push(case(&name, circle_spline(s, &options)));
+            }
+        }
+    }
+    let clamped = SplineEnds::Clamped { start: Some(Vec3::Y), end: None };
+    let options = CircleSplineOptions { ends: clamped, corners: vec![3], ..Default::default() };
+    let spline = circle_spline(s, &options);
+    cases.push(case("blend segment", spline.segments()[1]));
+    cases.push(case("circle spline with a corner", spline));
+    cases.push(case("kinked circle spline", kinked_spline(s, true, 2, BlendVariant::Rational)));
+    let part = kinked_spline(s, true, 4, BlendVariant::Rational).restricted(0.1, 0.7).unwrap();
+    cases.push(case("part of a circle spline", part));
+    cases
 }
 
 /// Every implementor at three scales.
