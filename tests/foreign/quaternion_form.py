@@ -97,11 +97,10 @@ class Arc:
         return cls(a0, a1, [1, 0, 0, 0], multiply(inverse(pure(v1)), pure(a1 - a0)))
 
     @classmethod
-    def bulge(cls, a0, a1, b):
-        """Planar (xy) arc with DXF bulge b = tan(sweep / 4), positive counter-clockwise."""
-        a0, a1 = (np.array([p[0], p[1], p[2] if len(p) > 2 else 0.0]) for p in (a0, a1))
-        half = 2.0 * math.atan(b)  # half the swept angle, right-handed about +z
-        return cls(a0, a1, [1, 0, 0, 0], [math.cos(half), 0.0, 0.0, math.sin(half)])
+    def bulge(cls, a0, a1, b, normal=(0.0, 0.0, 1.0)):
+        """With DXF bulge b = tan(sweep / 4), counter-clockwise about the normal (across the chord) if positive."""
+        half = 2.0 * math.atan(b)  # half the swept angle: the argument of the weight ratio
+        return cls(a0, a1, [1, 0, 0, 0], [math.cos(half), *(math.sin(half) * unit(normal))])
 
     def weight(self):
         return multiply(self.w1, inverse(self.w0))

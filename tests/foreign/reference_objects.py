@@ -75,7 +75,7 @@ def _arc(spec):
     elif "weights" in spec:
         arc = form.Arc(a0, a1, *spec["weights"])
     else:
-        arc = form.Arc.bulge(a0, a1, spec["bulge"])
+        arc = form.Arc.bulge(a0, a1, spec["bulge"], spec.get("normal", [0, 0, 1]))
     return form.Curve([arc], False)
 
 

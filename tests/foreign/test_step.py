@@ -89,29 +89,33 @@ def test_a_smooth_rational_spline_is_one_c1_edge(built, step):
 
 def test_arcs_are_circles_and_lines(built, step):
     for name, _, curve in determined(built):
-        if all(isinstance(piece, form.Arc) for piece in curve.pieces):
-            wire = wire_of(step, curve, built.in_millimetres)
-            assert {edge.kind for edge in wire.edges} <= {"circle", "line"}, name
-            radii = [edge.curve.Circle().Radius() / built.in_millimetres for edge in wire.edges if edge.kind == "circle"]
-            expected = [piece.radius() for piece in curve.pieces if math.isfinite(piece.radius())]
-            assert sorted({round(math.log(r), 6) for r in radii}) == sorted({round(math.log(r), 6) for r in expected}), name
+        if not all(isinstance(piece, form.Arc) for piece in curve.pieces):
+            continue
+        wire = wire_of(step, curve, built.in_millimetres)
+        assert {edge.kind for edge in wire.edges} <= {"circle", "line"}, name
+        read = [edge.curve.Circle().Radius() / built.in_millimetres for edge in wire.edges if edge.kind == "circle"]
+        expected = [piece.radius() for piece in curve.pieces if math.isfinite(piece.radius())]
+        for radius in read:
+            assert min(abs(radius / e - 1.0) for e in expected) < 1e-9, name
+        for radius in expected:
+            assert min(abs(radius / r - 1.0) for r in read) < 1e-9, name
 
 
 def test_fitted_arcs_hold_their_tolerance_and_their_tangents(built, step):
     """An arc fit is not determined by its points: here the reader's own circles must pass them all, tangent at joints."""
-    fitted = [(name, points) for name, _, curve, points in built.contours() if curve is None]
-    others = [curve for _, _, curve in determined(built)]
-    for name, points in fitted:
+    arc_wires = [w for w in step.wires if {edge.kind for edge in w.edges} <= {"circle", "line"}]
+    curves = [(w, form.Curve([edge_arc(e, built.in_millimetres) for e in w.edges], w.closed)) for w in arc_wires]
+    for name, _, determined_curve, points in built.contours():
+        if determined_curve is not None:
+            continue
         spec = built.objects[name].spec
-        wires = [w for w in step.wires if not others or min(c.distances(w.points(3) / built.in_millimetres).max() for c in others) > 1e-6]
-        assert len(wires) == len(fitted)
-        wire = wires[[n for n, _ in fitted].index(name)]
-        arcs = [edge_arc(edge, built.in_millimetres) for edge in wire.edges]
-        curve = form.Curve(arcs, wire.closed)
-        worst = curve.distances(points).max()
+        worst, wire, curve = min(((c.distances(points).max(), w, c) for w, c in curves), key=lambda found: found[0])
+        assert wire.closed == spec.get("closed", False)
         assert worst <= spec["tolerance"] * (1 + 1e-9), f"{name}: a point is {worst} off"
+        arcs = curve.pieces
         kinks = [kink(a, b) for a, b in zip(arcs, arcs[1:] + arcs[:1] if wire.closed else arcs[1:])]
-        assert max(kinks) < 1e-8, f"{name}: a joint has a kink of {max(kinks)}"
+        corners = sum(form.turn_angles(points, wire.closed) > math.pi / 6)
+        assert sum(k > 1e-8 for k in kinks) == corners, f"{name}: kinks {sorted(kinks)[-3:]}"
 
 
 def edge_arc(edge, scale):
