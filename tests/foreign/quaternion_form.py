@@ -297,11 +297,10 @@ def turn_angles(points, closed):
     return turn
 
 
-def circle_spline_with_corners(points, closed, corner_angle, order=2, variant="rational"):
-    """Runs between the corners (turns above corner_angle), natural ends at each corner."""
+def circle_spline_with_corners(points, closed, corners, order=2, variant="rational"):
+    """Runs between the corners (indices of points), with natural ends at each corner."""
     p = np.asarray(points, float)
-    n, turns = len(p), turn_angles(points, closed)
-    corners = [i for i in range(n) if turns[i] > corner_angle]
+    n, corners = len(p), sorted(corners)
     if not corners:
         return circle_spline(p, closed, order, variant)
     if closed:

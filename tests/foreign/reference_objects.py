@@ -13,24 +13,27 @@ MILLIMETRES = {"mm": 1.0, "cm": 10.0, "m": 1000.0, "in": 25.4, "ft": 304.8}
 class Reference:
     """The contours of one object; `curves` is None where the data do not determine the curve (an arc fit)."""
 
-    def __init__(self, kind, spec, points, curves):
-        self.kind, self.spec, self.points, self.curves = kind, spec, points, curves
+    def __init__(self, kind, spec, points, corners, curves):
+        self.kind, self.spec, self.points, self.corners, self.curves = kind, spec, points, corners, curves
 
 
 def read_contours(path, columns):
-    """Point lists of a CSV file, one per contour; contours are separated by blank lines."""
+    """(points, indices of corners) for every contour of a CSV file; contours are separated by blank lines."""
     rows = Path(path).read_text().splitlines()
     names = [name.strip(" #") for name in rows[0].split(",")]
     where = [names.index(column) for column in columns]
-    contours = [[]]
+    corner = names.index("corner") if "corner" in names else None
+    contours = [([], [])]
     for row in rows[1:]:
         if not row.strip():
-            contours.append([])
+            contours.append(([], []))
             continue
         fields = row.split(",")
-        point = [float(fields[i]) for i in where]
-        contours[-1].append(point + [0.0] * (3 - len(point)))
-    return [np.array(c) for c in contours if c]
+        points, corners = contours[-1]
+        if corner is not None and fields[corner] == "1":
+            corners.append(len(points))
+        points.append(_space([float(fields[i]) for i in where]))
+    return [(np.array(points), corners) for points, corners in contours if points]
 
 
 def load(document_path):
@@ -44,20 +47,26 @@ def load(document_path):
 def _contours(spec, folder):
     points = spec["points"]
     if isinstance(points, dict):
-        return read_contours(folder / points["csv"], points["columns"])
-    return [np.array([[*p, 0.0][:3] for p in points], float)]
+        contours = read_contours(folder / points["csv"], points["columns"])
+    else:
+        contours = [(np.array([_space(p) for p in points], float), [])]
+    if "corner_angle" in spec:
+        for points, corners in contours:
+            turns = form.turn_angles(points, spec.get("closed", False))
+            corners[:] = sorted({*corners, *np.flatnonzero(turns > spec["corner_angle"]).tolist()})
+    return contours
 
 
 def _object(spec, folder):
     kind = spec["type"]
     single = {"arc": _arc, "circle": _circle, "biarc": _biarc}
     if kind in single:
-        return Reference(kind, spec, None, [single[kind](spec)])
-    contours = _contours(spec, folder)
+        return Reference(kind, spec, None, [[]], [single[kind](spec)])
+    points, corners = map(list, zip(*_contours(spec, folder)))
     if kind == "arc-fit":
-        return Reference(kind, spec, contours, None)
+        return Reference(kind, spec, points, corners, None)
     build = {"arc-spline": _arc_spline, "circle-spline": _circle_spline}[kind]
-    return Reference(kind, spec, contours, [build(spec, points) for points in contours])
+    return Reference(kind, spec, points, corners, [build(spec, p, c) for p, c in zip(points, corners)])
 
 
 def _space(point):
@@ -88,15 +97,15 @@ def _biarc(spec):
     return form.Curve(form.biarc(*ends, spec.get("rule", "equal-d")), False)
 
 
-def _arc_spline(spec, points):
+def _arc_spline(spec, points, _corners):
     tangents = [form.unit(_space(t)) for t in spec["tangents"]] if "tangents" in spec else None
     return form.arc_spline(points, spec.get("closed", False), tangents, spec.get("rule", "equal-d"))
 
 
-def _circle_spline(spec, points):
+def _circle_spline(spec, points, corners):
     closed, order, variant = spec.get("closed", False), spec.get("order", 2), spec.get("variant", "rational")
-    if "corner_angle" in spec:
-        return form.circle_spline_with_corners(points, closed, spec["corner_angle"], order, variant)
+    if corners:
+        return form.circle_spline_with_corners(points, closed, corners, order, variant)
     ends = spec.get("ends", "natural")
     clamped = ends if isinstance(ends, dict) else {}
     start, end = (_space(clamped[k]) if k in clamped else None for k in ("start", "end"))

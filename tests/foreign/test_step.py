@@ -79,9 +79,7 @@ def test_a_smooth_rational_spline_is_one_c1_edge(built, step):
         if built.objects[name].kind != "circle-spline" or not is_exact(built, name):
             continue
         edges = wire_of(step, curve, built.in_millimetres).edges
-        points = built.objects[name].points[i]
-        corner_angle = spec.get("corner_angle")
-        corners = 0 if corner_angle is None else sum(form.turn_angles(points, curve.closed) > corner_angle)
+        corners = len(built.objects[name].corners[i])
         runs = max(corners, 1) if curve.closed else corners + 1
         assert len(edges) == runs, name
         assert all(edge.is_c1() for edge in edges), f"{name}: an edge is only {min(e.curve.Continuity() for e in edges)}"
