@@ -65,7 +65,7 @@ STEPS = [
     ("layers", ["cargo", "xtask", "layers"], one),
     ("dependencies", [PYTHON, "tests/dependencies.py"], one),
     ("Rust tests", ["cargo", "test", "--workspace", "--locked", "--no-fail-fast"], from_cargo_test),
-    ("reference cases", ["cargo", "xtask", "reference", "--curves", *sorted(glob.glob("crates/cyclide/tests/reference/*.json", root_dir=ROOT))], from_last_line),
+    ("reference cases", ["cargo", "xtask", "reference", *sorted(glob.glob("crates/cyclide/tests/reference/*.json", root_dir=ROOT))], from_last_line),
     ("program", ["cargo", "build", "--release", "--locked", "--package", "cyclide-cli"], one),
     ("foreign readers", [PYTHON, "-m", "pytest", "tests/foreign", "-q", "-rsxX", "-p", "no:cacheprovider"], from_pytest),
 ]
