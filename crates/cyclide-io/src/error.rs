@@ -1,4 +1,4 @@
-//! The error type of reading and writing; it wraps the kernel's.
+//! The error type of reading models; it wraps the kernel's.
 
 use std::path::PathBuf;
 
@@ -7,7 +7,7 @@ use crate::place::Diagnostic;
 /// Result of a fallible call of this crate.
 pub type Result<T, E = Error> = std::result::Result<T, E>;
 
-/// Why a file was not read, built or written.
+/// Why a model was not read or built.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {
@@ -22,36 +22,12 @@ pub enum Error {
         /// What the system said.
         source: std::io::Error,
     },
-    /// A file could not be written; what stood there before is untouched.
-    #[error("cannot write {}: {source}", path.display())]
-    Write {
-        /// The file.
-        path: PathBuf,
-        /// What the system said.
-        source: std::io::Error,
-    },
-    /// The suffix of an output file names no format.
-    #[error("{}: no format has this suffix; use one of {known}", path.display())]
-    UnknownFormat {
-        /// The file.
-        path: PathBuf,
-        /// The suffixes known, separated by commas.
-        known: String,
-    },
-    /// An object could not be turned into what a format carries.
-    #[error("{object}: {source}")]
+    /// The kernel refused an object that was not made from a text.
+    #[error("{object}: {source} [{}]", source.reason())]
     Geometry {
         /// Name of the object.
         object: String,
         /// What the kernel said.
         source: cyclide::Error,
-    },
-    /// The bytes of a file do not hold what its format promises; `detail` says where.
-    #[error("{format}: {detail}")]
-    Malformed {
-        /// Name of the format.
-        format: &'static str,
-        /// What is wrong, with the place.
-        detail: String,
     },
 }

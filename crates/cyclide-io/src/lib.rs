@@ -6,6 +6,7 @@
 
 mod csv_samples;
 mod deviation;
+mod document;
 mod dxf;
 mod error;
 mod export;
@@ -15,14 +16,21 @@ mod number;
 mod nurbs_json;
 mod place;
 mod png;
+mod points;
 mod read_back;
 mod step;
 mod svg;
 
 pub use deviation::deviation;
+pub use document::{
+    ArcFitSpec, ArcSpec, ArcSplineSpec, BiarcSpec, BuiltObject, CircleSpec, CircleSplineSpec, ClampedEnds, ContourFacts,
+    Coordinates, DOCUMENT_VERSION, Document, EffortWord, EndsSpec, Lists, ObjectSpec, PointFile, PointSource, Remark,
+    RuleWord, TargetWord, TypeWord, UnitWord, VariantWord, document_schema,
+};
 pub use error::{Error, Result};
 pub use export::{DxfVersion, ExportError, ExportOptions, Exported, export};
 pub use file::write_file;
 pub use format::Format;
 pub use place::{Diagnostic, Source, decode};
+pub use points::{PointColumns, PointList, PointTable, read_points};
 pub use read_back::{ReadError, file_deviation, read_back};

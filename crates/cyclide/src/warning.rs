@@ -65,6 +65,11 @@ pub enum Warning {
         /// Distances up to this count as equal.
         limit: f64,
     },
+    /// The last points of a closed curve repeat its first one and were merged with it.
+    ClosingPointMerged {
+        /// Index of the first one dropped.
+        index: usize,
+    },
 }
 
 impl Warning {
@@ -81,6 +86,7 @@ impl Warning {
             Self::SamplesTooCoarse { .. } => "samples-too-coarse",
             Self::ToleranceBelowNoise { .. } => "tolerance-below-noise",
             Self::PointsMerged { .. } => "points-merged",
+            Self::ClosingPointMerged { .. } => "closing-point-merged",
         }
     }
 
@@ -92,6 +98,7 @@ impl Warning {
             Self::LongWay { segment } | Self::OppositeCircles { segment } => Some(segment),
             Self::CornerKept { vertex, .. } => Some(vertex),
             Self::PointsMerged { first, .. } => Some(first),
+            Self::ClosingPointMerged { index } => Some(index),
             Self::SamplesTooCoarse { .. } | Self::ToleranceBelowNoise { .. } => None,
         }
     }
@@ -142,6 +149,9 @@ impl std::fmt::Display for Warning {
             }
             Self::PointsMerged { first, count, limit } => {
                 write!(f, "{count} point(s) within {limit:.3e} of their neighbour merged, the first is point {first}")
+            }
+            Self::ClosingPointMerged { index } => {
+                write!(f, "point {index} repeats the first point of the closed curve: merged with it")
             }
         }
     }

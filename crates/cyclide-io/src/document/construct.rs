@@ -1,0 +1,128 @@
+//! Constructions that run on lists of points, from the fields of a document to the kernel's options.
+
+use cyclide::{
+    ArcFit, ArcFitOptions, ArcPath, ArcSplineOptions, BiarcRule, BlendVariant, CircleSpline, CircleSplineOptions,
+    CurveObject, Effort, FitCertificate, FitTarget, Point3, SplineEnds, Vec3, Warning, corners_by_angle,
+};
+
+use super::coordinates::Coordinates;
+use super::spec::{
+    ArcFitSpec, ArcSplineSpec, CircleSplineSpec, EffortWord, EndsSpec, RuleWord, TargetWord, VariantWord,
+};
+use crate::points::PointList;
+
+/// What is known about a contour besides its curve.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct ContourFacts {
+    /// Points it was made from, after merging; 0 if it was not made from a list.
+    pub points: usize,
+    /// The certificate of an arc fit.
+    pub fit: Option<FitCertificate>,
+}
+
+/// A contour's points after merging.
+pub(super) struct Contour<'a> {
+    pub(super) index: usize,
+    pub(super) list: &'a PointList,
+    /// The index, in the list as given, of each point.
+    pub(super) kept: &'a [usize],
+}
+
+/// A curve, what is known about it, and what its construction remarked.
+pub(super) type Made = cyclide::Result<(CurveObject, ContourFacts, Vec<Warning>)>;
+
+pub(super) fn arc_spline(spec: &ArcSplineSpec, at: &Contour<'_>) -> Made {
+    let tangents = match &spec.tangents {
+        None => None,
+        Some(given) => {
+            let needed = at.kept.last().map_or(0, |last| last + 1).max(at.kept.len());
+            let given = given.lists.get(at.index).map_or(&[][..], Vec::as_slice);
+            // Tangents belong to the points as given; those of points that were merged away go with them.
+            let tangents: Option<Vec<Vec3>> = at.kept.iter().map(|&i| given.get(i).map(|t| t.vector())).collect();
+            Some(tangents.ok_or(cyclide::Error::TangentCount { given: given.len(), needed })?)
+        }
+    };
+    let options = ArcSplineOptions { closed: spec.closed, rule: spec.rule.into(), tangents };
+    let path = ArcPath::spline(&at.list.points, &options)?;
+    Ok((CurveObject::ArcPath(path), at.facts(None), Vec::new()))
+}
+
+pub(super) fn arc_fit(spec: &ArcFitSpec, at: &Contour<'_>) -> Made {
+    let mut options = ArcFitOptions::new(spec.tolerance);
+    options.closed = spec.closed;
+    options.target = spec.target.into();
+    options.effort = spec.effort.into();
+    options.corner_angle = spec.corner_angle.unwrap_or(options.corner_angle);
+    options.corners.clone_from(&at.list.corners);
+    let fit = ArcFit::new(&at.list.points, &options)?;
+    Ok((CurveObject::ArcPath(fit.path().clone()), at.facts(Some(*fit.certificate())), fit.warnings().to_vec()))
+}
+
+pub(super) fn circle_spline(spec: &CircleSplineSpec, at: &Contour<'_>) -> Made {
+    let points: &[Point3] = &at.list.points;
+    let mut corners = at.list.corners.clone();
+    if let Some(angle) = spec.corner_angle {
+        let max = std::f64::consts::PI;
+        if !(angle > 0.0 && angle <= max) {
+            return Err(cyclide::Error::ParameterOutOfRange { name: "corner_angle", value: angle, min: 0.0, max });
+        }
+        corners.extend(corners_by_angle(points, spec.closed, angle));
+        corners.sort_unstable();
+        corners.dedup();
+    }
+    let ends = match spec.ends {
+        EndsSpec::Natural => SplineEnds::Natural,
+        EndsSpec::Clamped(given) => SplineEnds::Clamped {
+            start: given.start.map(Coordinates::vector),
+            end: given.end.map(Coordinates::vector),
+        },
+    };
+    let (closed, order, variant) = (spec.closed, spec.order, spec.variant.into());
+    let spline = CircleSpline::from_points(points, &CircleSplineOptions { closed, order, variant, ends, corners })?;
+    let warnings = spline.warnings().to_vec();
+    Ok((CurveObject::CircleSpline(spline), at.facts(None), warnings))
+}
+
+impl Contour<'_> {
+    fn facts(&self, fit: Option<FitCertificate>) -> ContourFacts {
+        ContourFacts { points: self.list.points.len(), fit }
+    }
+}
+
+impl From<RuleWord> for BiarcRule {
+    fn from(word: RuleWord) -> Self {
+        match word {
+            RuleWord::EqualD => Self::EqualD,
+            RuleWord::EqualChord => Self::EqualChord,
+            RuleWord::Auto => Self::Auto,
+        }
+    }
+}
+
+impl From<TargetWord> for FitTarget {
+    fn from(word: TargetWord) -> Self {
+        match word {
+            TargetWord::Points => Self::Points,
+            TargetWord::Polyline => Self::Polyline,
+        }
+    }
+}
+
+impl From<EffortWord> for Effort {
+    fn from(word: EffortWord) -> Self {
+        match word {
+            EffortWord::Fast => Self::Fast,
+            EffortWord::Default => Self::Default,
+            EffortWord::Best => Self::Best,
+        }
+    }
+}
+
+impl From<VariantWord> for BlendVariant {
+    fn from(word: VariantWord) -> Self {
+        match word {
+            VariantWord::Rational => Self::Rational,
+            VariantWord::Trigonometric => Self::Trigonometric,
+        }
+    }
+}

@@ -1,0 +1,188 @@
+//! The model document: JSON with a version, units and named objects, each a construction with its data.
+//!
+//! ```text
+//! { "cyclide": 1, "units": "mm", "objects": { "NAME": { "type": "…", … } } }
+//! ```
+//! Parsing goes object by object on the raw text, so that every message can show its place: the type word first,
+//! then the fields of that type; unknown fields and repeated names are errors. [`Document::build_object`] runs the
+//! construction; what the kernel refuses is reported at the point or field at fault.
+
+mod build;
+mod construct;
+mod coordinates;
+mod locate;
+mod spec;
+
+use std::borrow::Cow;
+
+use cyclide::Units;
+use schemars::generate::SchemaSettings;
+use serde::Deserialize;
+use serde_json::value::RawValue;
+
+use crate::place::{Diagnostic, Source, decode};
+pub use build::{BuiltObject, Remark};
+pub use construct::ContourFacts;
+pub use coordinates::{Coordinates, Lists, PointFile, PointSource};
+use locate::{Entries, Step, offset_in, path_text, value_at};
+pub use spec::{
+    ArcFitSpec, ArcSpec, ArcSplineSpec, BiarcSpec, CircleSpec, CircleSplineSpec, ClampedEnds, EffortWord, EndsSpec,
+    ObjectSpec, RuleWord, TargetWord, TypeWord, UnitWord, VariantWord,
+};
+
+/// The document version this crate reads.
+pub const DOCUMENT_VERSION: u64 = 1;
+
+/// A parsed model document.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Document {
+    /// Unit of all coordinates.
+    pub units: Units,
+    /// The objects with their names, in the document's order.
+    pub objects: Vec<(String, ObjectSpec)>,
+    name: String,
+    /// Empty if the document was not made from a text.
+    text: String,
+}
+
+/// The outer fields.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Root<'a> {
+    #[serde(rename = "$schema")]
+    _schema: Option<String>,
+    #[serde(rename = "cyclide")]
+    _version: serde::de::IgnoredAny,
+    #[serde(default)]
+    units: UnitWord,
+    #[serde(borrow)]
+    objects: Entries<'a>,
+}
+
+impl Document {
+    /// Document of objects made by a program instead of a text; `name` is what messages call it.
+    #[must_use]
+    pub fn from_objects(name: &str, units: Units, objects: Vec<(String, ObjectSpec)>) -> Self {
+        Self { units, objects, name: name.to_owned(), text: String::new() }
+    }
+
+    /// Parses a document from the bytes of a file; `name` is what messages call it.
+    ///
+    /// # Errors
+    /// A message with file, line, column, path and the text at that place: not UTF-8, not JSON, another version, an
+    /// unknown type or field, a missing field, a value of the wrong kind, a repeated name.
+    pub fn parse(name: &str, bytes: &[u8]) -> Result<Self, Box<Diagnostic>> {
+        let text = decode(name, bytes)?;
+        let source = Source { name, text };
+        check_version(source)?;
+        let root: Root<'_> = serde_json::from_str(text).map_err(|e| refused(source, &[], text, &e))?;
+        let objects = root.objects.0.into_iter().map(|(name, raw)| Ok((object_name(source, &name)?, raw)));
+        let objects = objects
+            .map(|entry| entry.and_then(|(name, raw)| parse_object(source, &name, raw).map(|spec| (name, spec))))
+            .collect::<Result<Vec<_>, _>>()?;
+        Ok(Self { units: root.units.into(), objects, name: name.to_owned(), text: text.to_owned() })
+    }
+
+    fn source(&self) -> Source<'_> {
+        Source { name: &self.name, text: &self.text }
+    }
+}
+
+/// The JSON Schema (draft 2020-12) of the model document, as text.
+#[must_use]
+pub fn document_schema() -> String {
+    let schema = SchemaSettings::draft2020_12().into_generator().into_root_schema_for::<spec::DocumentShape>();
+    let mut value = schema.to_value();
+    if let Some(object) = value.as_object_mut() {
+        object.insert("$id".into(), "cyclide-1.schema.json".into());
+    }
+    // Keys come out sorted, so the text is reproducible.
+    format!("{value:#}\n")
+}
+
+/// Refuses what is no cyclide document of our version, before anything else is looked at.
+fn check_version(source: Source<'_>) -> Result<(), Box<Diagnostic>> {
+    let Entries(entries) = serde_json::from_str(source.text).map_err(|e| refused(source, &[], source.text, &e))?;
+    let Some((_, raw)) = entries.iter().find(|(key, _)| key == "cyclide") else {
+        let message = "not a cyclide document: the field `cyclide` with the version is missing";
+        return Err(source.diagnostic(0..1, "", message));
+    };
+    let text = raw.get();
+    if text.parse() == Ok(DOCUMENT_VERSION) {
+        return Ok(());
+    }
+    let start = offset_in(source.text, text);
+    let message = format!("document version {text} is not known: this program reads version {DOCUMENT_VERSION}");
+    Err(source.diagnostic(start..start + text.len(), "cyclide", message))
+}
+
+/// Refuses names that could not be shown or found again.
+fn object_name(source: Source<'_>, name: &str) -> Result<String, Box<Diagnostic>> {
+    if !name.trim().is_empty() && !name.chars().any(char::is_control) {
+        return Ok(name.to_owned());
+    }
+    let steps = [Step::from("objects"), Step::from(name)];
+    let span = locate::span_of(source.text, &steps).unwrap_or(0..0);
+    let message = "the name of an object must not be empty or hold control characters";
+    Err(source.diagnostic(span, &path_text(&steps), message))
+}
+
+/// The word of the `type` field.
+#[derive(Deserialize)]
+struct TypeField<'a>(#[serde(borrow)] Cow<'a, str>);
+
+fn parse_object(source: Source<'_>, name: &str, raw: &RawValue) -> Result<ObjectSpec, Box<Diagnostic>> {
+    let path = [Step::from("objects"), Step::from(name)];
+    let refuse = |error: &serde_json::Error| refused(source, &path, raw.get(), error);
+    let Entries(entries) = serde_json::from_str(raw.get()).map_err(|e| refuse(&e))?;
+    let known = ObjectSpec::TYPES.join("`, `");
+    let start = offset_in(source.text, raw.get());
+    let Some((_, word)) = entries.iter().find(|(key, _)| key == "type") else {
+        let message = format!("missing field `type`: one of `{known}`");
+        return Err(source.diagnostic(start..start + 1, &path_text(&path), message));
+    };
+    let at = [path[0].clone(), path[1].clone(), Step::from("type")];
+    let TypeField(kind) = serde_json::from_str(word.get()).map_err(|e| refused(source, &at, word.get(), &e))?;
+    ObjectSpec::parse(&kind, raw.get())
+        .ok_or_else(|| {
+            let start = offset_in(source.text, word.get());
+            let message = format!("unknown type `{kind}`, expected one of `{known}`");
+            source.diagnostic(start..start + word.get().len(), &path_text(&at), message)
+        })?
+        .map_err(|e| refuse(&e))
+}
+
+/// The message for what the JSON parser said about `part`, the text of the value at `path`.
+fn refused(source: Source<'_>, path: &[Step], part: &str, error: &serde_json::Error) -> Box<Diagnostic> {
+    let line_start = match error.line() {
+        0 | 1 => 0,
+        line => part.match_indices('\n').nth(line - 2).map_or(part.len(), |(at, _)| at + 1),
+    };
+    // The parser counts bytes of the line, and stands behind what it read.
+    let offset = offset_in(source.text, part) + (line_start + error.column()).min(part.len());
+    let message = error.to_string();
+    let message = message.rfind(" at line ").map_or(message.as_str(), |at| &message[..at]);
+    if !error.is_data() {
+        let before = source.text[..offset.min(source.text.len())].char_indices().next_back().map_or(0, |(at, _)| at);
+        return source.diagnostic(before..offset, "", message);
+    }
+    let (steps, span) = value_at(source.text, path, offset);
+    let is_leaf = !matches!(source.text.as_bytes().get(span.start), Some(b'{' | b'['));
+    let place = if let Some(key) = quoted_name_before(source.text, offset).filter(|_| message.contains("field `")) {
+        key
+    } else if is_leaf {
+        span
+    } else {
+        span.start..span.start + 1
+    };
+    source.diagnostic(place, &path_text(&steps), message)
+}
+
+/// The range of the quoted name that ends at a byte offset, if one does.
+fn quoted_name_before(text: &str, offset: usize) -> Option<std::ops::Range<usize>> {
+    let before = text.get(..offset)?.strip_suffix('"')?;
+    before.rfind('"').map(|start| start..offset)
+}
+
+#[cfg(test)]
+mod tests;

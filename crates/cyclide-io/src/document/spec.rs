@@ -1,0 +1,376 @@
+//! The types of object a document may hold, field by field. Their doc comments are the published schema's text.
+
+use std::collections::BTreeMap;
+
+use cyclide::Units;
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+use super::coordinates::{Coordinates, Lists, PointSource};
+
+/// A cyclide model: named curves made of circles. Lengths are in the document's units and are never rescaled,
+/// angles are in radians.
+#[derive(JsonSchema)]
+#[schemars(rename = "cyclide model document", deny_unknown_fields)]
+#[expect(dead_code, reason = "the shape of the whole document, for the schema; parsing goes object by object")]
+pub(super) struct DocumentShape {
+    /// Address of this schema, for editors; not read.
+    #[schemars(rename = "$schema")]
+    schema: Option<String>,
+    /// Version of the document format.
+    #[schemars(extend("const" = 1))]
+    cyclide: u64,
+    /// What one unit of the coordinates is.
+    #[schemars(default)]
+    units: UnitWord,
+    /// The objects by name.
+    #[schemars(extend("propertyNames" = { "minLength": 1 }))]
+    objects: BTreeMap<String, ObjectSpec>,
+}
+
+/// The units of a document.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Deserialize, JsonSchema)]
+#[schemars(inline)]
+pub enum UnitWord {
+    /// Millimetres.
+    #[default]
+    #[serde(rename = "mm")]
+    Millimetre,
+    /// Centimetres.
+    #[serde(rename = "cm")]
+    Centimetre,
+    /// Metres.
+    #[serde(rename = "m")]
+    Metre,
+    /// Inches.
+    #[serde(rename = "in")]
+    Inch,
+    /// Feet.
+    #[serde(rename = "ft")]
+    Foot,
+}
+
+impl From<UnitWord> for Units {
+    fn from(word: UnitWord) -> Self {
+        match word {
+            UnitWord::Millimetre => Self::Millimetre,
+            UnitWord::Centimetre => Self::Centimetre,
+            UnitWord::Metre => Self::Metre,
+            UnitWord::Inch => Self::Inch,
+            UnitWord::Foot => Self::Foot,
+        }
+    }
+}
+
+/// One object of a document.
+#[derive(Debug, Clone, PartialEq, JsonSchema)]
+#[schemars(untagged, rename = "Object")]
+pub enum ObjectSpec {
+    /// A circular arc or straight segment.
+    Arc(ArcSpec),
+    /// A full circle.
+    Circle(CircleSpec),
+    /// Two arcs between two points with given directions.
+    Biarc(BiarcSpec),
+    /// Arcs through points, tangent-continuous.
+    ArcSpline(ArcSplineSpec),
+    /// The fewest arcs near points, tangent-continuous.
+    ArcFit(ArcFitSpec),
+    /// A smooth curve through points, blended from circles.
+    CircleSpline(CircleSplineSpec),
+}
+
+/// The field `type`: its word has been read before, to tell what the other fields are.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct TypeWord;
+
+impl<'de> Deserialize<'de> for TypeWord {
+    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        serde::de::IgnoredAny::deserialize(deserializer).map(|_| Self)
+    }
+}
+
+/// A circular arc or straight segment: through three points, or from one point to another with one more datum
+/// (`tangent`, `end_tangent`, `weights` or `bulge`).
+#[derive(Debug, Clone, PartialEq, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(extend("oneOf" = [
+    { "required": ["through"], "properties": { "from": false, "to": false } },
+    { "required": ["from", "to", "tangent"] },
+    { "required": ["from", "to", "end_tangent"] },
+    { "required": ["from", "to", "weights"] },
+    { "required": ["from", "to", "bulge"] }
+], "dependentRequired" = { "normal": ["bulge"] }))]
+pub struct ArcSpec {
+    /// The word `arc`.
+    #[schemars(with = "String", extend("const" = "arc"))]
+    pub r#type: TypeWord,
+    /// Start, a point between, end.
+    pub through: Option<[Coordinates; 3]>,
+    /// Start.
+    pub from: Option<Coordinates>,
+    /// End.
+    pub to: Option<Coordinates>,
+    /// Direction of travel at the start, of any length.
+    pub tangent: Option<Coordinates>,
+    /// Direction of travel at the end, of any length.
+    pub end_tangent: Option<Coordinates>,
+    /// Quaternion weights `[w, x, y, z]` of start and end; only their ratio matters, and its vector part must be
+    /// perpendicular to the chord.
+    pub weights: Option<[[f64; 4]; 2]>,
+    /// DXF bulge, the tangent of a quarter of the swept angle: positive turns counter-clockwise about `normal`, 0 is
+    /// the straight segment.
+    pub bulge: Option<f64>,
+    /// Axis about which a positive bulge turns counter-clockwise. Default `[0, 0, 1]`.
+    pub normal: Option<Coordinates>,
+}
+
+/// A full circle.
+#[derive(Debug, Clone, PartialEq, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct CircleSpec {
+    /// The word `circle`.
+    #[schemars(with = "String", extend("const" = "circle"))]
+    pub r#type: TypeWord,
+    /// Centre.
+    pub center: Coordinates,
+    /// Axis about which the circle runs counter-clockwise, of any length. Default `[0, 0, 1]`.
+    pub normal: Option<Coordinates>,
+    /// Radius.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub radius: f64,
+}
+
+/// Two arcs from one point and direction to another, tangent-continuous at their joint.
+#[derive(Debug, Clone, PartialEq, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct BiarcSpec {
+    /// The word `biarc`.
+    #[schemars(with = "String", extend("const" = "biarc"))]
+    pub r#type: TypeWord,
+    /// Start.
+    pub from: Coordinates,
+    /// Direction of travel at the start, of any length.
+    pub from_tangent: Coordinates,
+    /// End.
+    pub to: Coordinates,
+    /// Direction of travel at the end, of any length.
+    pub to_tangent: Coordinates,
+    /// How the joint is chosen.
+    #[serde(default)]
+    pub rule: RuleWord,
+}
+
+/// Arcs through points: a biarc from each point to the next, tangent-continuous everywhere.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ArcSplineSpec {
+    /// The word `arc-spline`.
+    #[schemars(with = "String", extend("const" = "arc-spline"))]
+    pub r#type: TypeWord,
+    /// The points.
+    pub points: PointSource,
+    /// Directions of travel, one per point, of any length. Default: estimated from the circle through each point and
+    /// its neighbours.
+    pub tangents: Option<Lists>,
+    /// The last point joins the first.
+    #[serde(default)]
+    pub closed: bool,
+    /// How the joint between two points is chosen.
+    #[serde(default)]
+    pub rule: RuleWord,
+}
+
+/// The fewest arcs and segments within a tolerance, tangent-continuous except at corners.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ArcFitSpec {
+    /// The word `arc-fit`.
+    #[schemars(with = "String", extend("const" = "arc-fit"))]
+    pub r#type: TypeWord,
+    /// The points.
+    pub points: PointSource,
+    /// The last point joins the first.
+    #[serde(default)]
+    pub closed: bool,
+    /// Largest distance between the arcs and the target.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub tolerance: f64,
+    /// What the points are.
+    #[serde(default)]
+    pub target: TargetWord,
+    /// How hard to search for fewer arcs.
+    #[serde(default)]
+    pub effort: EffortWord,
+    /// Turns of the points above this angle, in radians, are kept as corners. Default: pi/6.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub corner_angle: Option<f64>,
+}
+
+/// A smooth curve through points: neighbouring circles blended into each other.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct CircleSplineSpec {
+    /// The word `circle-spline`.
+    #[schemars(with = "String", extend("const" = "circle-spline"))]
+    pub r#type: TypeWord,
+    /// The points.
+    pub points: PointSource,
+    /// The last point joins the first.
+    #[serde(default)]
+    pub closed: bool,
+    /// Blend order: joints are continuous of this order (2: no jump of curvature).
+    #[serde(default = "default_order")]
+    #[schemars(range(min = 1, max = 4))]
+    pub order: u32,
+    /// How the circles are blended.
+    #[serde(default)]
+    pub variant: VariantWord,
+    /// What happens at the ends of an open curve.
+    #[serde(default)]
+    pub ends: EndsSpec,
+    /// Turns of the points above this angle, in radians, are kept as corners. Default: none are (a column `corner`
+    /// of a file of points marks corners too).
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub corner_angle: Option<f64>,
+}
+
+/// The default blend order.
+pub(super) const fn default_order() -> u32 {
+    2
+}
+
+/// How the joint of a biarc is chosen.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+#[schemars(rename = "Rule")]
+pub enum RuleWord {
+    /// Equal legs of the two control triangles.
+    #[default]
+    EqualD,
+    /// Equal chords.
+    EqualChord,
+    /// Equal legs, unless equal chords give a clearly better curve.
+    Auto,
+}
+
+/// What the points of an arc fit are.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+#[schemars(rename = "Target")]
+pub enum TargetWord {
+    /// Samples of a smooth curve: the points are within the tolerance of the arcs.
+    #[default]
+    Points,
+    /// The edges themselves: every point of every edge is within the tolerance, and every point of the arcs.
+    Polyline,
+}
+
+/// How hard an arc fit searches.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+#[schemars(rename = "Effort")]
+pub enum EffortWord {
+    /// Quick, a few per cent more arcs.
+    Fast,
+    /// The usual search.
+    #[default]
+    Default,
+    /// Slow, sometimes fewer arcs.
+    Best,
+}
+
+/// How the circles of a circle spline are blended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+#[schemars(rename = "Variant")]
+pub enum VariantWord {
+    /// An exact rational curve.
+    #[default]
+    Rational,
+    /// Sines of a blended angle; files carry it within a tolerance.
+    Trigonometric,
+}
+
+/// The ends of an open circle spline: `natural`, or given directions.
+#[derive(Debug, Clone, Copy, PartialEq, Default, JsonSchema)]
+#[schemars(untagged, rename = "Ends")]
+pub enum EndsSpec {
+    /// The end segments are arcs.
+    #[default]
+    #[schemars(with = "NaturalWord")]
+    Natural,
+    /// Directions of travel at the ends.
+    Clamped(ClampedEnds),
+}
+
+/// The word for ends without given directions.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
+#[schemars(inline)]
+enum NaturalWord {
+    /// The end segments are arcs.
+    #[serde(rename = "natural")]
+    Natural,
+}
+
+/// Directions of travel at the ends of an open curve; an end that is left out is natural.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ClampedEnds {
+    /// Direction at the first point, of any length.
+    pub start: Option<Coordinates>,
+    /// Direction at the last point, of any length.
+    pub end: Option<Coordinates>,
+}
+
+impl<'de> Deserialize<'de> for EndsSpec {
+    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct EndsVisitor;
+        impl<'de> serde::de::Visitor<'de> for EndsVisitor {
+            type Value = EndsSpec;
+            fn expecting(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+                f.write_str("\"natural\" or {\"start\": [x, y], \"end\": [x, y]}")
+            }
+            fn visit_str<E: serde::de::Error>(self, word: &str) -> Result<EndsSpec, E> {
+                let word = serde::de::value::StrDeserializer::new(word);
+                NaturalWord::deserialize(word).map(|_| EndsSpec::Natural)
+            }
+            fn visit_map<A: serde::de::MapAccess<'de>>(self, map: A) -> Result<EndsSpec, A::Error> {
+                let map = serde::de::value::MapAccessDeserializer::new(map);
+                ClampedEnds::deserialize(map).map(EndsSpec::Clamped)
+            }
+        }
+        deserializer.deserialize_any(EndsVisitor)
+    }
+}
+
+impl ObjectSpec {
+    /// The words of the types, in the order of the documentation.
+    pub const TYPES: [&'static str; 6] = ["arc", "circle", "biarc", "arc-spline", "arc-fit", "circle-spline"];
+
+    /// The word of the object's type.
+    #[must_use]
+    pub fn type_word(&self) -> &'static str {
+        match self {
+            Self::Arc(_) => "arc",
+            Self::Circle(_) => "circle",
+            Self::Biarc(_) => "biarc",
+            Self::ArcSpline(_) => "arc-spline",
+            Self::ArcFit(_) => "arc-fit",
+            Self::CircleSpline(_) => "circle-spline",
+        }
+    }
+
+    /// Reads an object of the type `word`; `None` if there is no such type.
+    pub(super) fn parse(word: &str, text: &str) -> Option<serde_json::Result<Self>> {
+        Some(match word {
+            "arc" => serde_json::from_str(text).map(Self::Arc),
+            "circle" => serde_json::from_str(text).map(Self::Circle),
+            "biarc" => serde_json::from_str(text).map(Self::Biarc),
+            "arc-spline" => serde_json::from_str(text).map(Self::ArcSpline),
+            "arc-fit" => serde_json::from_str(text).map(Self::ArcFit),
+            "circle-spline" => serde_json::from_str(text).map(Self::CircleSpline),
+            _ => return None,
+        })
+    }
+}

@@ -1,0 +1,83 @@
+use super::*;
+
+fn parse(text: &str) -> Result<Document, String> {
+    Document::parse("m.json", text.as_bytes()).map_err(|d| d.to_string())
+}
+
+fn object(fields: &str) -> Result<Document, String> {
+    parse(&format!("{{\"cyclide\": 1, \"objects\": {{\n\"a\": {{ {fields} }} }} }}"))
+}
+
+#[test]
+fn a_document_keeps_order_units_and_fields() {
+    let document = parse(
+        r#"{"$schema": "cyclide-1.schema.json", "cyclide": 1, "units": "m", "objects": {
+            "z": {"type": "circle", "center": [0, 0], "radius": 2},
+            "a": {"radius": 2, "type": "circle", "center": [0, 0, 1], "normal": [0, 1, 0]}}}"#,
+    )
+    .unwrap();
+    assert_eq!(document.units, Units::Metre);
+    assert_eq!(document.objects.iter().map(|(n, _)| n.as_str()).collect::<Vec<_>>(), ["z", "a"]);
+    let ObjectSpec::Circle(circle) = &document.objects[1].1 else { panic!("a circle") };
+    assert_eq!(circle.center, Coordinates([0.0, 0.0, 1.0]));
+    assert_eq!(parse(r#"{"cyclide":1,"objects":{}}"#).unwrap().units, Units::Millimetre);
+}
+
+#[test]
+fn what_is_no_document_is_refused() {
+    for (text, start) in [
+        ("", "m.json:1:1: EOF while parsing a value"),
+        ("[]", "m.json:1:1: invalid type: sequence, expected an object"),
+        ("{}", "m.json:1:1: not a cyclide document"),
+        ("{\"cyclide\": 2}", "m.json:1:13: cyclide: document version 2 is not known: this program reads version 1"),
+        ("{\"cyclide\": \"1\"}", "m.json:1:13: cyclide: document version \"1\" is not known"),
+        ("{\"cyclide\": 1}", "m.json:1:1: missing field `objects`"),
+        ("{\"cyclide\": 1, \"objects\": {}} x", "m.json:1:31: trailing characters"),
+        ("{\"cyclide\": 1,\n \"objects\": {},\n}", "m.json:3:1: trailing comma"),
+        ("{\"cyclide\": 1, \"objects\": {}, \"unit\": \"mm\"}", "m.json:1:31: unknown field `unit`, expected one of"),
+        ("{\"cyclide\": 1, \"objects\": {}, \"units\": \"yd\"}", "m.json:1:40: units: unknown variant `yd`"),
+        ("{\"cyclide\": 1, \"objects\": {\"a\": {}, \"a\": {}}}", "m.json:1:28: objects: the name `a` is used twice"),
+    ] {
+        let message = parse(text).unwrap_err();
+        assert!(message.starts_with(start), "{text}: {message}");
+    }
+}
+
+#[test]
+fn fields_are_checked_with_their_place() {
+    for (fields, start) in [
+        ("", "m.json:2:6: objects.a: missing field `type`: one of `arc`, `circle`"),
+        ("\"type\": \"sphere\"", "m.json:2:16: objects.a.type: unknown type `sphere`, expected one of `arc`"),
+        ("\"type\": 7", "m.json:2:16: objects.a.type: invalid type: integer `7`, expected a string"),
+        ("\"type\": \"circle\", \"radius\": 1", "m.json:2:6: objects.a: missing field `center`"),
+        (
+            "\"type\": \"circle\", \"center\": [0,0], \"radius\": 1, \"diameter\": 2",
+            "m.json:2:58: objects.a: unknown field `diameter`, expected one of",
+        ),
+        ("\"type\": \"circle\", \"center\": [0,0], \"radius\": \"1\"", "m.json:2:54: objects.a.radius: invalid type"),
+        (
+            "\"type\": \"arc-spline\", \"points\": [[0,0],[1,null]]",
+            "m.json:2:50: objects.a.points[1][1]: invalid type: null, expected f64",
+        ),
+        (
+            "\"type\": \"arc-spline\", \"points\": {\"csv\": \"a\", \"column\": 1}",
+            "m.json:2:54: objects.a.points: unknown field `column`",
+        ),
+        (
+            "\"type\": \"circle-spline\", \"points\": [[0,0]], \"ends\": \"free\"",
+            "m.json:2:61: objects.a.ends: unknown variant `free`, expected `natural`",
+        ),
+        ("\"type\": \"arc-fit\", \"points\": [[0,0],[1,1]]", "m.json:2:6: objects.a: missing field `tolerance`"),
+        ("\"type\": \"arc\", \"type\": \"arc\"", "m.json:2:21: objects.a: the name `type` is used twice"),
+    ] {
+        let message = object(fields).unwrap_err();
+        assert!(message.starts_with(start), "{fields}: {message}");
+    }
+}
+
+#[test]
+fn the_caret_stands_under_the_value() {
+    let message = object("\"type\": \"circle\", \"center\": [0,0], \"radius\": \"big\"").unwrap_err();
+    let lines: Vec<&str> = message.lines().collect();
+    assert_eq!(lines[1].find("\"big\""), lines[2].find("^^^^^"), "{message}");
+}
