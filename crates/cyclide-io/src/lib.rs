@@ -23,9 +23,9 @@ mod svg;
 
 pub use deviation::deviation;
 pub use document::{
-    ArcFitSpec, ArcSpec, ArcSplineSpec, BiarcSpec, BuiltObject, CircleSpec, CircleSplineSpec, ClampedEnds, ContourFacts,
-    Coordinates, DOCUMENT_VERSION, Document, EffortWord, EndsSpec, Lists, ObjectSpec, PointFile, PointSource, Remark,
-    RuleWord, TargetWord, TypeWord, UnitWord, VariantWord, document_schema,
+    ArcFitSpec, ArcSpec, ArcSplineSpec, BiarcSpec, BuiltObject, CircleSpec, CircleSplineSpec, ClampedEnds,
+    ContourFacts, Coordinates, DOCUMENT_VERSION, Document, EffortWord, EndsSpec, Lists, ObjectSpec, PointFile,
+    PointSource, Remark, RuleWord, TargetWord, TypeWord, UnitWord, VariantWord, document_schema,
 };
 pub use error::{Error, Result};
 pub use export::{DxfVersion, ExportError, ExportOptions, Exported, export};

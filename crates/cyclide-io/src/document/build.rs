@@ -184,7 +184,8 @@ impl Builder<'_> {
         for contour in 0..points.lists.len() {
             let list = &mut points.lists[contour];
             if !closed && list.ends_meet() {
-                let message = "the last point repeats the first, but the curve is not closed: set `closed` if it is meant to be";
+                let message =
+                    "the last point repeats the first, but the curve is not closed: set `closed` if it is meant to be";
                 let last = list.points.len() - 1;
                 let place = self.place(&points, contour, last);
                 self.remark("ends-meet", Some(contour), Some(last), Some(place), message.to_owned());
@@ -220,9 +221,9 @@ impl Builder<'_> {
         let columns = PointColumns { coordinates: file.columns.clone(), contour: file.contour.clone() };
         let table = read_points(&name, &bytes, &columns)?;
         let units = self.document.units;
-        let other = table.unit_hints.iter().filter(|(_, hint)| *hint != units);
+        let mut other = table.unit_hints.iter().filter(|(_, hint)| *hint != units);
         let names: Vec<&str> = other.clone().map(|(name, _)| name.as_str()).collect();
-        if let Some((_, hint)) = other.last() {
+        if let Some((_, hint)) = other.next() {
             let message = format!(
                 "the columns {} of {name} speak of {}, the model says {}; coordinates are taken as they are",
                 names.join(", "),
@@ -332,7 +333,8 @@ fn inline_points(source: &Lists) -> Points {
         ..PointList::default()
     };
     // An empty list is one contour without points, for the kernel to refuse.
-    let lists = if source.lists.is_empty() { vec![PointList::default()] } else { source.lists.iter().map(list).collect() };
+    let lists =
+        if source.lists.is_empty() { vec![PointList::default()] } else { source.lists.iter().map(list).collect() };
     Points { kept: vec![Vec::new(); lists.len()], lists, origin: Origin::Document { nested: source.nested } }
 }
 
@@ -355,7 +357,11 @@ fn blame(spec: &ObjectSpec, error: &cyclide::Error) -> Blame {
         E::NotFinite { what: "tolerance", .. } | E::ToleranceNotPositive { .. } => Blame::Field("tolerance"),
         E::NotFinite { what: "bulge", .. } => Blame::Field("bulge"),
         E::NotInImH { .. } | E::PoleOnSegment { .. } => {
-            Blame::Field(if matches!(spec, ObjectSpec::Arc(ArcSpec { bulge: Some(_), .. })) { "bulge" } else { "weights" })
+            Blame::Field(if matches!(spec, ObjectSpec::Arc(ArcSpec { bulge: Some(_), .. })) {
+                "bulge"
+            } else {
+                "weights"
+            })
         }
         E::RadiusNotPositive { .. } => Blame::Field("radius"),
         E::ZeroAxis => Blame::Field("normal"),

@@ -72,10 +72,9 @@ pub(super) fn circle_spline(spec: &CircleSplineSpec, at: &Contour<'_>) -> Made {
     }
     let ends = match spec.ends {
         EndsSpec::Natural => SplineEnds::Natural,
-        EndsSpec::Clamped(given) => SplineEnds::Clamped {
-            start: given.start.map(Coordinates::vector),
-            end: given.end.map(Coordinates::vector),
-        },
+        EndsSpec::Clamped(given) => {
+            SplineEnds::Clamped { start: given.start.map(Coordinates::vector), end: given.end.map(Coordinates::vector) }
+        }
     };
     let (closed, order, variant) = (spec.closed, spec.order, spec.variant.into());
     let spline = CircleSpline::from_points(points, &CircleSplineOptions { closed, order, variant, ends, corners })?;

@@ -5,9 +5,9 @@ use std::fmt;
 
 use cyclide::{Point3, Vec3};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use serde::Deserialize;
 use serde::de::value::MapAccessDeserializer;
 use serde::de::{Deserializer, Error as _, MapAccess, SeqAccess, Visitor};
-use serde::Deserialize;
 
 /// A point or vector with two or three coordinates; the third is 0 if left out.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -290,7 +290,7 @@ mod tests {
     fn refusals_say_what_is_needed_and_where() {
         for (text, message) in [
             ("[[0]]", "a point or vector needs 2 or 3 coordinates at line 1 column 4"),
-            ("[[0,1,2,3]]", "a point or vector has 2 or 3 coordinates, not more at line 1 column 9"),
+            ("[[0,1,2,3]]", "a point or vector has 2 or 3 coordinates, not more at line 1 column 10"),
             ("[[]]", "a point needs 2 or 3 coordinates, a contour needs points at line 1 column 3"),
             ("[[0,1],\n[[2,3]]]", "points and contours are mixed: give one list, or one list per contour at line 2"),
             ("[[0,\"1\"]]", "invalid type: string \"1\", expected f64 at line 1 column 7"),

@@ -11,12 +11,12 @@ mod build;
 mod construct;
 mod coordinates;
 mod locate;
+mod schema;
 mod spec;
 
 use std::borrow::Cow;
 
 use cyclide::Units;
-use schemars::generate::SchemaSettings;
 use serde::Deserialize;
 use serde_json::value::RawValue;
 
@@ -25,6 +25,7 @@ pub use build::{BuiltObject, Remark};
 pub use construct::ContourFacts;
 pub use coordinates::{Coordinates, Lists, PointFile, PointSource};
 use locate::{Entries, Step, offset_in, path_text, value_at};
+pub use schema::document_schema;
 pub use spec::{
     ArcFitSpec, ArcSpec, ArcSplineSpec, BiarcSpec, CircleSpec, CircleSplineSpec, ClampedEnds, EffortWord, EndsSpec,
     ObjectSpec, RuleWord, TargetWord, TypeWord, UnitWord, VariantWord,
@@ -80,24 +81,13 @@ impl Document {
         let objects = objects
             .map(|entry| entry.and_then(|(name, raw)| parse_object(source, &name, raw).map(|spec| (name, spec))))
             .collect::<Result<Vec<_>, _>>()?;
+        check_no_null(source)?;
         Ok(Self { units: root.units.into(), objects, name: name.to_owned(), text: text.to_owned() })
     }
 
     fn source(&self) -> Source<'_> {
         Source { name: &self.name, text: &self.text }
     }
-}
-
-/// The JSON Schema (draft 2020-12) of the model document, as text.
-#[must_use]
-pub fn document_schema() -> String {
-    let schema = SchemaSettings::draft2020_12().into_generator().into_root_schema_for::<spec::DocumentShape>();
-    let mut value = schema.to_value();
-    if let Some(object) = value.as_object_mut() {
-        object.insert("$id".into(), "cyclide-1.schema.json".into());
-    }
-    // Keys come out sorted, so the text is reproducible.
-    format!("{value:#}\n")
 }
 
 /// Refuses what is no cyclide document of our version, before anything else is looked at.
@@ -114,6 +104,24 @@ fn check_version(source: Source<'_>) -> Result<(), Box<Diagnostic>> {
     let start = offset_in(source.text, text);
     let message = format!("document version {text} is not known: this program reads version {DOCUMENT_VERSION}");
     Err(source.diagnostic(start..start + text.len(), "cyclide", message))
+}
+
+/// Refuses `null`, which the parser takes for a field left out: nothing of a document may be null.
+fn check_no_null(source: Source<'_>) -> Result<(), Box<Diagnostic>> {
+    let (mut quoted, mut escaped) = (false, false);
+    for (at, byte) in source.text.bytes().enumerate() {
+        match byte {
+            b'"' if !escaped => quoted = !quoted,
+            b'n' if !quoted && source.text[at..].starts_with("null") => {
+                let (steps, span) = value_at(source.text, &[], at);
+                let message = "null is no value here: leave the field out";
+                return Err(source.diagnostic(span, &path_text(&steps), message));
+            }
+            _ => {}
+        }
+        escaped = quoted && byte == b'\\' && !escaped;
+    }
+    Ok(())
 }
 
 /// Refuses names that could not be shown or found again.
@@ -162,13 +170,17 @@ fn refused(source: Source<'_>, path: &[Step], part: &str, error: &serde_json::Er
     let offset = offset_in(source.text, part) + (line_start + error.column()).min(part.len());
     let message = error.to_string();
     let message = message.rfind(" at line ").map_or(message.as_str(), |at| &message[..at]);
+    // The parser speaks of its own types.
+    let message =
+        message.replace("expected f64", "expected a number").replace("expected u32", "expected a whole number");
     if !error.is_data() {
         let before = source.text[..offset.min(source.text.len())].char_indices().next_back().map_or(0, |(at, _)| at);
         return source.diagnostic(before..offset, "", message);
     }
     let (steps, span) = value_at(source.text, path, offset);
     let is_leaf = !matches!(source.text.as_bytes().get(span.start), Some(b'{' | b'['));
-    let place = if let Some(key) = quoted_name_before(source.text, offset).filter(|_| message.contains("field `")) {
+    let about_name = message.contains("field `") || message.contains("name `");
+    let place = if let Some(key) = quoted_name_before(source.text, offset).filter(|_| about_name) {
         key
     } else if is_leaf {
         span

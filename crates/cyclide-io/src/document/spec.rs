@@ -203,7 +203,7 @@ pub struct ArcFitSpec {
     #[serde(default)]
     pub effort: EffortWord,
     /// Turns of the points above this angle, in radians, are kept as corners. Default: pi/6.
-    #[schemars(extend("exclusiveMinimum" = 0))]
+    #[schemars(extend("exclusiveMinimum" = 0, "maximum" = std::f64::consts::PI))]
     pub corner_angle: Option<f64>,
 }
 
@@ -231,7 +231,7 @@ pub struct CircleSplineSpec {
     pub ends: EndsSpec,
     /// Turns of the points above this angle, in radians, are kept as corners. Default: none are (a column `corner`
     /// of a file of points marks corners too).
-    #[schemars(extend("exclusiveMinimum" = 0))]
+    #[schemars(extend("exclusiveMinimum" = 0, "maximum" = std::f64::consts::PI))]
     pub corner_angle: Option<f64>,
 }
 

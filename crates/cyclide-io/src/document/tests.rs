@@ -36,7 +36,7 @@ fn what_is_no_document_is_refused() {
         ("{\"cyclide\": 1,\n \"objects\": {},\n}", "m.json:3:1: trailing comma"),
         ("{\"cyclide\": 1, \"objects\": {}, \"unit\": \"mm\"}", "m.json:1:31: unknown field `unit`, expected one of"),
         ("{\"cyclide\": 1, \"objects\": {}, \"units\": \"yd\"}", "m.json:1:40: units: unknown variant `yd`"),
-        ("{\"cyclide\": 1, \"objects\": {\"a\": {}, \"a\": {}}}", "m.json:1:28: objects: the name `a` is used twice"),
+        ("{\"cyclide\": 1, \"objects\": {\"a\": {}, \"a\": {}}}", "m.json:1:37: objects: the name `a` is used twice"),
     ] {
         let message = parse(text).unwrap_err();
         assert!(message.starts_with(start), "{text}: {message}");
@@ -52,27 +52,35 @@ fn fields_are_checked_with_their_place() {
         ("\"type\": \"circle\", \"radius\": 1", "m.json:2:6: objects.a: missing field `center`"),
         (
             "\"type\": \"circle\", \"center\": [0,0], \"radius\": 1, \"diameter\": 2",
-            "m.json:2:58: objects.a: unknown field `diameter`, expected one of",
+            "m.json:2:56: objects.a: unknown field `diameter`, expected one of",
         ),
-        ("\"type\": \"circle\", \"center\": [0,0], \"radius\": \"1\"", "m.json:2:54: objects.a.radius: invalid type"),
+        ("\"type\": \"circle\", \"center\": [0,0], \"radius\": \"1\"", "m.json:2:53: objects.a.radius: invalid type"),
         (
             "\"type\": \"arc-spline\", \"points\": [[0,0],[1,null]]",
-            "m.json:2:50: objects.a.points[1][1]: invalid type: null, expected f64",
+            "m.json:2:50: objects.a.points[1][1]: invalid type: null, expected a number",
         ),
         (
             "\"type\": \"arc-spline\", \"points\": {\"csv\": \"a\", \"column\": 1}",
-            "m.json:2:54: objects.a.points: unknown field `column`",
+            "m.json:2:53: objects.a.points: unknown field `column`",
         ),
         (
             "\"type\": \"circle-spline\", \"points\": [[0,0]], \"ends\": \"free\"",
-            "m.json:2:61: objects.a.ends: unknown variant `free`, expected `natural`",
+            "m.json:2:60: objects.a.ends: unknown variant `free`, expected `natural`",
         ),
         ("\"type\": \"arc-fit\", \"points\": [[0,0],[1,1]]", "m.json:2:6: objects.a: missing field `tolerance`"),
-        ("\"type\": \"arc\", \"type\": \"arc\"", "m.json:2:21: objects.a: the name `type` is used twice"),
+        ("\"type\": \"arc\", \"through\": null", "m.json:2:34: objects.a.through: null is no value here"),
+        ("\"type\": \"arc\", \"type\": \"arc\"", "m.json:2:23: objects.a: the name `type` is used twice"),
     ] {
         let message = object(fields).unwrap_err();
         assert!(message.starts_with(start), "{fields}: {message}");
     }
+}
+
+#[test]
+fn the_word_null_may_stand_in_names() {
+    let name = r#"null \"null\\"#;
+    let text = format!(r#"{{"cyclide":1,"objects":{{"{name}":{{"type":"circle","center":[0,0],"radius":1}}}}}}"#);
+    assert_eq!(parse(&text).unwrap().objects[0].0, "null \"null\\");
 }
 
 #[test]

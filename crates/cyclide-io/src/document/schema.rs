@@ -1,0 +1,47 @@
+//! The published schema of the model document, derived from the types that read it.
+
+use schemars::generate::SchemaSettings;
+use serde_json::{Value, json};
+
+use super::spec::DocumentShape;
+
+/// The JSON Schema (draft 2020-12) of the model document, as text.
+#[must_use]
+pub fn document_schema() -> String {
+    let schema = SchemaSettings::draft2020_12().into_generator().into_root_schema_for::<DocumentShape>();
+    let mut value = schema.to_value();
+    tidy(&mut value);
+    format!("{value:#}\n")
+}
+
+/// Takes out `null` (an optional field may be left out, not null), the number formats of the program's own types and
+/// the line breaks of descriptions.
+fn tidy(value: &mut Value) {
+    match value {
+        Value::Object(object) => {
+            if let Some(Value::Array(types)) = object.get("type")
+                && let [one, null] = types.as_slice()
+                && *null == json!("null")
+            {
+                object["type"] = one.clone();
+            }
+            if let Some(Value::Array(cases)) = object.get_mut("anyOf") {
+                cases.retain(|case| *case != json!({ "type": "null" }));
+                if let [Value::Object(only)] = cases.as_slice() {
+                    let only = only.clone();
+                    object.shift_remove("anyOf");
+                    object.extend(only);
+                }
+            }
+            if object.get("format").is_some_and(Value::is_string) {
+                object.shift_remove("format");
+            }
+            if let Some(Value::String(text)) = object.get_mut("description") {
+                *text = text.replace('\n', " ");
+            }
+            object.values_mut().for_each(tidy);
+        }
+        Value::Array(items) => items.iter_mut().for_each(tidy),
+        _ => {}
+    }
+}

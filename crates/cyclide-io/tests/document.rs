@@ -1,0 +1,237 @@
+//! Documents of every type are built, and what the kernel refuses is shown at its place.
+
+use cyclide::{CurveObject, ParamCurve, Point3, Units, joints, length};
+use cyclide_io::{BuiltObject, Document, Error};
+use std::f64::consts::{FRAC_PI_2, PI};
+use std::path::Path;
+
+/// Builds the object `a` of a document with these fields; the only file is `p.csv` with the given text.
+fn build_with(fields: &str, file: &str) -> Result<BuiltObject, String> {
+    let text = format!("{{\"cyclide\": 1, \"objects\": {{\n\"a\": {{ {fields} }} }} }}");
+    let document = Document::parse("m.json", text.as_bytes()).map_err(|d| d.to_string())?;
+    let read = |path: &Path| {
+        if path == Path::new("dir/p.csv") {
+            Ok(file.as_bytes().to_vec())
+        } else {
+            Err(std::io::ErrorKind::NotFound.into())
+        }
+    };
+    document.build_object(0, Path::new("dir"), &read).map_err(|e| e.to_string())
+}
+
+fn build(fields: &str) -> Result<BuiltObject, String> {
+    build_with(fields, "")
+}
+
+fn curve(built: &BuiltObject) -> &dyn ParamCurve {
+    built.item.contours[0].as_curve()
+}
+
+fn near(a: Point3, b: [f64; 3]) -> bool {
+    a.distance(Point3::from(b)) < 1e-14
+}
+
+#[test]
+fn arcs_in_every_form_are_the_same_quarter_circle() {
+    let s = FRAC_PI_2 / 2.0;
+    for form in [
+        format!("\"through\": [[1,0],[{},{}],[0,1]]", s.cos(), s.sin()),
+        "\"from\": [1,0], \"to\": [0,1], \"tangent\": [0,5]".to_owned(),
+        "\"from\": [1,0], \"to\": [0,1], \"end_tangent\": [-0.1,0]".to_owned(),
+        // The ratio of the weights turns by half the sweep about the normal.
+        format!("\"from\": [1,0], \"to\": [0,1], \"weights\": [[1,0,0,0],[{},0,0,{}]]", s.cos(), s.sin()),
+        format!("\"from\": [1,0], \"to\": [0,1], \"bulge\": {}", (s / 2.0).tan()),
+        format!("\"from\": [1,0], \"to\": [0,1], \"bulge\": {}, \"normal\": [0,0,-1]", -(s / 2.0).tan()),
+    ] {
+        let built = build(&format!("\"type\": \"arc\", {form}")).unwrap();
+        assert!((length(curve(&built)) - FRAC_PI_2).abs() < 1e-14, "{form}");
+        assert!(near(curve(&built).eval(0.0), [1.0, 0.0, 0.0]) && near(curve(&built).eval(1.0), [0.0, 1.0, 0.0]));
+        let middle = curve(&built).eval(0.5);
+        assert!((middle.distance(Point3::new(0.0, 0.0, 0.0)) - 1.0).abs() < 1e-14, "{form}");
+    }
+}
+
+#[test]
+fn an_arc_needs_one_complete_form() {
+    for form in [
+        "\"from\": [1,0], \"to\": [0,1]",
+        "\"from\": [1,0], \"tangent\": [0,1]",
+        "\"through\": [[1,0],[0,1],[-1,0]], \"from\": [1,0]",
+        "\"through\": [[1,0],[0,1],[-1,0]], \"bulge\": 1",
+        "\"from\": [1,0], \"to\": [0,1], \"tangent\": [0,1], \"bulge\": 1",
+    ] {
+        let message = build(&format!("\"type\": \"arc\", {form}")).unwrap_err();
+        assert!(message.starts_with("m.json:2:6: objects.a: an arc is given by `through`"), "{message}");
+    }
+    let message = build("\"type\": \"arc\", \"from\": [1,0], \"to\": [0,1], \"tangent\": [0,1], \"normal\": [0,0,1]");
+    assert!(message.unwrap_err().contains("`normal` goes with `bulge` only"));
+}
+
+#[test]
+fn circle_and_biarc() {
+    let built = build("\"type\": \"circle\", \"center\": [1,2,3], \"normal\": [0,1,0], \"radius\": 2").unwrap();
+    assert!((length(curve(&built)) - 4.0 * PI).abs() < 1e-13);
+    assert_eq!(built.item.kind, "circle");
+    let built = build(
+        "\"type\": \"biarc\", \"from\": [0,0], \"from_tangent\": [1,0], \"to\": [2,1], \"to_tangent\": [2,0], \"rule\": \"equal-chord\"",
+    )
+    .unwrap();
+    assert_eq!(curve(&built).piece_count(), 2);
+    assert!(near(curve(&built).eval(1.0), [2.0, 1.0, 0.0]));
+}
+
+#[test]
+fn splines_and_fits_run_on_every_contour() {
+    let square = "[[0,0],[4,0],[4,4],[0,4]]";
+    let hole = "[[1,1],[1,2],[2,2],[2,1],[1,1]]";
+    let circle: Vec<String> =
+        (0..48).map(|i| PI * f64::from(i) / 24.0).map(|a| format!("[{},{}]", 10.0 * a.cos(), 10.0 * a.sin())).collect();
+    let circle = format!("[{}]", circle.join(","));
+    for (fields, pieces) in [
+        ("\"type\": \"circle-spline\", \"order\": 3, \"variant\": \"trigonometric\"", 4),
+        ("\"type\": \"arc-spline\", \"rule\": \"auto\"", 8),
+    ] {
+        let built = build(&format!("{fields}, \"closed\": true, \"points\": [{square}, {hole}]")).unwrap();
+        assert_eq!(built.item.contours.len(), 2);
+        assert!(built.item.contours.iter().all(|c| c.as_curve().piece_count() == pieces && c.as_curve().is_closed()));
+        assert_eq!(built.contours.iter().map(|c| c.points).collect::<Vec<_>>(), [4, 4]);
+        let remark = &built.remarks[0];
+        assert_eq!((remark.reason, remark.contour, remark.index), ("closing-point-merged", Some(1), Some(4)));
+        assert_eq!(remark.place.as_deref(), Some("objects.a.points[1][4]"));
+        assert_eq!(built.item.warnings.len(), built.remarks.len());
+    }
+    let fit = format!("\"type\": \"arc-fit\", \"closed\": true, \"tolerance\": 0.01, \"points\": {circle}");
+    let built = build(&fit).unwrap();
+    let certificate = built.contours[0].fit.unwrap();
+    assert!(certificate.deviation <= 0.01 && built.item.tolerance == Some(0.01));
+    assert!((length(curve(&built)) - 20.0 * PI).abs() < 0.1);
+}
+
+#[test]
+fn ends_and_corners_reach_the_spline() {
+    let l = "[[0,0],[2,0],[4,0],[4,2],[4,4]]";
+    let smooth = build(&format!("\"type\": \"circle-spline\", \"points\": {l}")).unwrap();
+    let sharp = build(&format!("\"type\": \"circle-spline\", \"points\": {l}, \"corner_angle\": 1.5")).unwrap();
+    let largest = |b: &BuiltObject| joints(curve(b)).iter().fold(0.0, |m: f64, j| m.max(j.angle));
+    assert!(largest(&smooth) < 1e-12);
+    assert!((largest(&sharp) - FRAC_PI_2).abs() < 1e-12);
+    let clamped =
+        build(&format!("\"type\": \"circle-spline\", \"points\": {l}, \"ends\": {{\"start\": [0,1]}}")).unwrap();
+    let tangent = curve(&clamped).jet(0.0).d1;
+    assert!(tangent.x.abs() < 1e-12 * tangent.length() && tangent.y > 0.0);
+    // The same corner, from a column of the file.
+    let file = "x,y,corner\n0,0,0\n2,0,0\n4,0,1\n4,2,0\n4,4,0\n";
+    let marked = build_with("\"type\": \"circle-spline\", \"points\": {\"csv\": \"p.csv\"}", file).unwrap();
+    assert_eq!(marked.item.contours, sharp.item.contours);
+}
+
+#[test]
+fn files_of_points_are_found_next_to_the_document() {
+    let file = "# x_m,y_m\n0,0\n1,0\n1,1\n\n5,5\n6,5\n6,6\n5,5\n";
+    let fields = "\"type\": \"arc-spline\", \"points\": {\"csv\": \"p.csv\", \"columns\": [\"y_m\", \"x_m\"]}";
+    let built = build_with(fields, file).unwrap();
+    assert_eq!(built.item.contours.len(), 2);
+    assert!(near(curve(&built).eval(1.0), [1.0, 1.0, 0.0]) && near(curve(&built).eval(0.5), [0.0, 1.0, 0.0]));
+    let reasons: Vec<_> = built.remarks.iter().map(|r| (r.reason, r.place.as_deref())).collect();
+    assert_eq!(reasons, [("units-differ", Some("dir/p.csv")), ("ends-meet", Some("dir/p.csv:9"))]);
+    let missing = build("\"type\": \"arc-spline\", \"points\": {\"csv\": \"q.csv\"}").unwrap_err();
+    assert!(missing.starts_with("cannot read dir/q.csv"), "{missing}");
+}
+
+#[test]
+fn what_the_kernel_refuses_is_shown_at_its_place() {
+    for (fields, piece, start) in [
+        ("\"type\": \"circle\", \"center\": [0,0], \"radius\": -1", "-1", "objects.a.radius: "),
+        (
+            "\"type\": \"circle\", \"center\": [0,0], \"normal\": [0,0,0], \"radius\": 1",
+            "[0,0,0]",
+            "objects.a.normal: the axis is zero",
+        ),
+        ("\"type\": \"arc\", \"through\": [[0,0],[0,0],[1,1]]", "[0,0]", "objects.a.through[1]: points 0 and 1"),
+        (
+            "\"type\": \"arc\", \"from\": [0,0], \"to\": [1,0], \"tangent\": [0,0]",
+            "[0,0]",
+            "objects.a.tangent: tangent 0 is zero",
+        ),
+        (
+            "\"type\": \"arc\", \"from\": [0,0], \"to\": [1,0], \"end_tangent\": [-1,0]",
+            "[-1,0]",
+            "objects.a.end_tangent: tangent 1 points away",
+        ),
+        (
+            "\"type\": \"arc\", \"from\": [0,0], \"to\": [1,0], \"weights\": [[1,0,0,0],[0,0,0,0]]",
+            "[0,0,0,0]",
+            "objects.a.weights[1]: weight 1 is zero",
+        ),
+        (
+            "\"type\": \"biarc\", \"from\": [0,0], \"from_tangent\": [0,0], \"to\": [1,0], \"to_tangent\": [1,0]",
+            "[0,0]",
+            "objects.a.from_tangent: tangent 0 is zero",
+        ),
+        ("\"type\": \"circle-spline\", \"points\": []", "[]", "objects.a.points: 0 points given"),
+        (
+            "\"type\": \"circle-spline\", \"points\": [[0,0],[1,0],[1,1]], \"order\": 7",
+            "7",
+            "objects.a.order: blend order 7 is outside 1 to 4",
+        ),
+        (
+            "\"type\": \"circle-spline\", \"points\": [[0,0],[1,0],[1,1]], \"corner_angle\": 0",
+            "0",
+            "objects.a.corner_angle: corner_angle = 0",
+        ),
+        (
+            "\"type\": \"circle-spline\", \"points\": [[[0,0],[1,0]],[[5,5]]]",
+            "[[5,5]]",
+            "objects.a.points[1]: 1 points given, at least 2 needed",
+        ),
+        ("\"type\": \"arc-fit\", \"points\": [[0,0],[1,0]], \"tolerance\": 0", "0", "objects.a.tolerance: "),
+        ("\"type\": \"arc-spline\", \"points\": [[0,0],[1,0],[1,0],[0,0]]", "[1,0]", "objects.a.points[1]: "),
+        (
+            "\"type\": \"arc-spline\", \"points\": [[0,0],[1,0],[1,1]], \"tangents\": [[1,0]]",
+            "[[1,0]]",
+            "objects.a.tangents: ",
+        ),
+        (
+            "\"type\": \"arc-spline\", \"points\": [[0,0],[1,0],[1,1]], \"tangents\": [[1,0],[0,0],[0,1]]",
+            "[0,0]",
+            "objects.a.tangents[1]: tangent 1 is zero",
+        ),
+    ] {
+        let message = build(fields).map(|b| format!("built {:?}", b.item)).unwrap_err();
+        let lines: Vec<&str> = message.lines().collect();
+        assert!(lines[0].starts_with("m.json:2:") && lines[0].contains(&format!(": {start}")), "{fields}\n{message}");
+        let carets = lines[2].find('^').unwrap()..lines[2].len();
+        assert_eq!(&lines[1][carets], piece, "{message}");
+        assert!(message.lines().next().is_some_and(|l| l.ends_with(']')), "the reason is named: {message}");
+    }
+}
+
+#[test]
+fn what_the_kernel_refuses_in_a_file_is_shown_there() {
+    let fields = "\"type\": \"arc-spline\", \"points\": {\"csv\": \"p.csv\"}";
+    // The repeated point is merged, so the place counts lines of the file, not points left.
+    let message = build_with(fields, "x,y\n0,0\n0,0\n1,0\n0,0\n").unwrap_err();
+    assert!(message.starts_with("dir/p.csv:4:1: objects.a: "), "{message}");
+    assert!(message.contains("[cusp]") && message.contains("4 | 1,0\n"), "{message}");
+    let message = build_with(fields, "0,0\n1,0\n\n7,7\n").unwrap_err();
+    assert!(message.starts_with("dir/p.csv:4:1: objects.a: 1 points given"), "{message}");
+    let message = build_with(fields, "0,0\n1,x\n").unwrap_err();
+    assert!(message.starts_with("dir/p.csv:2:3: `x` is not a number"), "{message}");
+}
+
+#[test]
+fn documents_made_by_a_program_name_the_object() {
+    let text = "{\"cyclide\": 1, \"objects\": {\"a\": {\"type\": \"circle\", \"center\": [0,0], \"radius\": -1}}}";
+    let parsed = Document::parse("m.json", text.as_bytes()).unwrap();
+    let made = Document::from_objects("made", Units::Inch, parsed.objects);
+    let error = made.build_object(0, Path::new(""), &|_| Ok(Vec::new())).unwrap_err();
+    assert!(matches!(&error, Error::Geometry { object, .. } if object == "a"), "{error}");
+    assert!(error.to_string().ends_with("[radius-not-positive]"));
+}
+
+#[test]
+fn a_circle_spline_is_one() {
+    let built = build("\"type\": \"circle-spline\", \"points\": [[0,0],[1,0],[1,1]]").unwrap();
+    let CurveObject::CircleSpline(spline) = &built.item.contours[0] else { panic!("a circle spline") };
+    assert_eq!((spline.order(), spline.variant()), (2, cyclide::BlendVariant::Rational));
+}
