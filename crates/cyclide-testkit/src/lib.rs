@@ -1,3 +1,4 @@
-//! Test helpers of cyclide (unpublished): the runner of reference files.
+//! Test helpers of cyclide (unpublished): generators of random input, the runner of reference files.
 
+pub mod generators;
 pub mod reference;

@@ -8,5 +8,6 @@ pub(crate) mod jet;
 pub(crate) mod planar;
 pub(crate) mod quadrature;
 pub(crate) mod quat;
+pub(crate) mod range;
 pub(crate) mod roots;
 pub(crate) mod vector;

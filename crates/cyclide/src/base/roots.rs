@@ -9,7 +9,9 @@ pub(crate) fn projective_quadratic(a: f64, b: f64, c: f64, root: f64) -> [Option
     let q = -(b + if b < 0.0 { -root } else { root });
     let parameter = |t: f64, sigma: f64| {
         let sum = t + sigma;
-        ((t != 0.0 || sigma != 0.0) && t * sigma >= 0.0).then(|| t / sum).filter(|t| t.is_finite())
+        // Signs, not their product: it underflows to a zero of either sign.
+        let mixed = (t < 0.0 && sigma > 0.0) || (t > 0.0 && sigma < 0.0);
+        (!mixed && (t != 0.0 || sigma != 0.0)).then(|| t / sum).filter(|t| t.is_finite())
     };
     [parameter(q, c), parameter(a, q)]
 }
@@ -65,6 +67,8 @@ mod tests {
         got.sort_by(f64::total_cmp);
         assert_eq!(got, [0.5, 0.75]);
         assert_eq!(projective_quadratic(0.0, 0.0, 0.0, 0.0), [None, None]);
+        // Signs of tiny coefficients: t² = sigma² has one root with both positive.
+        assert_eq!(projective_quadratic(-1e-170, 0.0, 1e-170, 1e-170).into_iter().flatten().collect::<Vec<_>>(), [0.5]);
     }
 
     #[test]

@@ -73,7 +73,9 @@ impl Mobius {
         }
         let o = Quat::from(center);
         let l = center.to_vec().length();
-        Ok(Self { a: o, b: Quat::ONE * ((l - radius) * (l + radius)), c: Quat::ONE, d: -o })
+        // All entries over the radius: products of two lengths would leave the range of doubles early.
+        let s = 1.0 / radius;
+        Ok(Self { a: o * s, b: Quat::ONE * ((l - radius) * ((l + radius) * s)), c: Quat::ONE * s, d: o * -s })
     }
 
     /// The similarity `y -> scale · q y q^-1 + shift`.

@@ -1,5 +1,6 @@
 //! Spheres through four points.
 
+use crate::base::range;
 use crate::base::vector::Point3;
 use crate::error::{Error, Result};
 
@@ -17,10 +18,11 @@ impl Sphere {
     /// The sphere through four points (`50`, section 1).
     ///
     /// # Errors
-    /// `not-finite`, `coincident-points`, `degenerate-sphere` (volume at most 1e-12 of the product of the edges).
+    /// `not-finite`, `parameter-out-of-range` (coordinates above 1e150), `coincident-points`,
+    /// `degenerate-sphere` (volume at most 1e-12 of the product of the edges).
     pub fn through_points(points: [Point3; 4]) -> Result<Self> {
-        if let Some(index) = points.iter().position(|p| !p.is_finite()) {
-            return Err(Error::NotFinite { what: "point", index });
+        for (index, p) in points.into_iter().enumerate() {
+            range::check_point(index, p.to_vec())?;
         }
         let edge = |i: usize| points[i] - points[0];
         let lengths = [1, 2, 3].map(|i| edge(i).length());

@@ -7,6 +7,8 @@
 //! product `c p` in place of `c × p`; the condition that keeps an arc in three-space (Proposition 4) is not needed.
 
 use crate::base::quat::Quat;
+use crate::base::range;
+use crate::base::vector::Vec3;
 use crate::error::{Error, Result};
 
 /// A circular arc or straight segment in four-space, parametrised by a linear fraction over `t` in `[0, 1]`.
@@ -31,12 +33,11 @@ impl Arc4 {
     /// nothing. Equal ends give a constant arc.
     ///
     /// # Errors
-    /// `not-finite`, `zero-weight`, `pole-on-segment`.
+    /// `not-finite`, `parameter-out-of-range` (size of the data), `zero-weight`, `pole-on-segment`.
     pub fn from_weights(start: Quat, end: Quat, start_weight: Quat, end_weight: Quat) -> Result<Self> {
         for (index, q) in [start, end].into_iter().enumerate() {
-            if !q.is_finite() {
-                return Err(Error::NotFinite { what: "point", index });
-            }
+            range::check_point(index, q.vector())?;
+            range::check_point(index, Vec3::new(q.w, 0.0, 0.0))?;
         }
         for (index, w) in [start_weight, end_weight].into_iter().enumerate() {
             if !w.is_finite() {
@@ -48,9 +49,8 @@ impl Arc4 {
         }
         let w = end_weight * start_weight.inverse().ok_or(Error::ZeroWeight { index: 0 })?;
         let (c, p) = (end - start, w.vector());
-        if !(w.is_finite() && c.is_finite()) {
-            return Err(Error::NotFinite { what: "weight", index: 1 });
-        }
+        range::check_distance(c.norm())?;
+        range::check_weight_ratio(w.norm())?;
         let pn = p.length();
         if w.w < 0.0 && pn <= 8.0 * f64::EPSILON * -w.w {
             return Err(Error::PoleOnSegment { real: w.w, vector: pn });

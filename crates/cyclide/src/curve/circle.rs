@@ -7,6 +7,7 @@ use super::piece_form::PieceForm;
 use crate::base::bounds::Aabb;
 use crate::base::cut::{check_interval, place_of_cut};
 use crate::base::jet::CurveJet;
+use crate::base::range;
 use crate::base::vector::{Point3, Vec3};
 use crate::conformal::mobius::Mobius;
 use crate::error::{Error, Result};
@@ -31,46 +32,61 @@ impl Circle {
     /// The circle about `center` in the plane across `normal` through the projection of `start` to that plane.
     ///
     /// # Errors
-    /// `not-finite`, `zero-axis`, `zero-radius` (start on the axis: at most 1e-14 of its distance away).
+    /// `not-finite`, `parameter-out-of-range` (coordinates above 1e150, radius below 1e-150), `zero-axis`, `zero-radius`
+    /// (start on the axis: at most 1e-14 of its distance away; or below the rounding of the centre).
     pub fn from_center(center: Point3, normal: Vec3, start: Point3) -> Result<Self> {
-        if !(center.is_finite() && start.is_finite() && normal.is_finite()) {
-            return Err(Error::NotFinite { what: "point", index: 0 });
+        range::check_point(0, center.to_vec())?;
+        range::check_point(1, start.to_vec())?;
+        if !normal.is_finite() {
+            return Err(Error::NotFinite { what: "normal", index: 0 });
         }
         let normal = normal.unit().ok_or(Error::ZeroAxis)?;
         let v = start - center;
-        let spoke = v - normal * v.dot(normal);
+        let spoke = across(v, normal);
         let radius = spoke.length();
         if radius <= 1e-14 * v.length() || radius == 0.0 {
             return Err(Error::ZeroRadius { radius });
         }
-        Ok(Self { center, normal, spoke })
+        Self::new(center, normal, spoke)
     }
 
     /// The circle of a given radius; it starts in the direction of the x axis projected to its plane (of the y
     /// axis, if the normal is along x).
     ///
     /// # Errors
-    /// `not-finite`, `zero-axis`, `radius-not-positive`.
+    /// `not-finite`, `parameter-out-of-range` (coordinates or radius above 1e150, radius below 1e-150), `zero-axis`,
+    /// `radius-not-positive`, `zero-radius` (below the rounding of the centre).
     pub fn from_radius(center: Point3, normal: Vec3, radius: f64) -> Result<Self> {
-        if !(radius > 0.0 && radius.is_finite()) {
+        range::check_point(0, center.to_vec())?;
+        if !normal.is_finite() {
+            return Err(Error::NotFinite { what: "normal", index: 0 });
+        }
+        if !(radius > 0.0) {
             return Err(Error::RadiusNotPositive { radius });
         }
-        let n = normal.unit().ok_or(Error::ZeroAxis)?;
-        let toward = if n.x.abs() < 1.0 - 1e-9 { Vec3::X } else { Vec3::Y };
-        let across = (toward - n * toward.dot(n)).unit().ok_or(Error::ZeroAxis)?;
-        if !(center + across * radius).is_finite() {
-            return Err(Error::NotFinite { what: "point", index: 0 });
+        let normal = normal.unit().ok_or(Error::ZeroAxis)?;
+        let toward = if normal.x.abs() < 1.0 - 1e-9 { Vec3::X } else { Vec3::Y };
+        Self::new(center, normal, across(toward, normal).unit().ok_or(Error::ZeroAxis)? * radius)
+    }
+
+    /// A radius below the rounding of the centre's coordinates is zero: all points would be the same doubles.
+    fn new(center: Point3, normal: Vec3, spoke: Vec3) -> Result<Self> {
+        let radius = spoke.length();
+        range::check_distance(radius)?;
+        if radius <= f64::EPSILON * center.to_vec().max_abs() {
+            return Err(Error::ZeroRadius { radius });
         }
-        Ok(Self { center, normal: n, spoke: across * radius })
+        Ok(Self { center, normal, spoke })
     }
 
     /// The circle through three points in their order, starting at the first (`50`, section 1).
     ///
     /// # Errors
-    /// `not-finite`, `coincident-points`, `degenerate-circle` (sine of the angle at the middle point <= 1e-12).
+    /// `not-finite`, `parameter-out-of-range`, `coincident-points`, `degenerate-circle` (sine of the angle at
+    /// the middle point <= 1e-12).
     pub fn through_points(points: [Point3; 3]) -> Result<Self> {
-        if let Some(index) = points.iter().position(|p| !p.is_finite()) {
-            return Err(Error::NotFinite { what: "point", index });
+        for (index, p) in points.into_iter().enumerate() {
+            range::check_point(index, p.to_vec())?;
         }
         let [a, b, c] = points;
         let (p, q) = (a - b, c - b);
@@ -202,6 +218,12 @@ impl Circle {
         let knots = vec![0.0, 0.0, 0.0, 0.25, 0.25, 0.5, 0.5, 0.75, 0.75, 1.0, 1.0, 1.0];
         NurbsCurve::new(2, knots, points, weights)
     }
+}
+
+/// The part of `v` across a unit vector. Twice: where little is left, the first step leaves rounding of `v` along it.
+fn across(v: Vec3, unit: Vec3) -> Vec3 {
+    let once = v - unit * v.dot(unit);
+    once - unit * once.dot(unit)
 }
 
 impl ParamCurve for Circle {

@@ -1,28 +1,32 @@
 //! Making arcs: from weights, tangents, a third point, a bulge, a centre, complex weights.
+//!
+//! Every constructor refuses as `parameter-out-of-range` coordinates above 1e150, distances above 4e150 or below 1e-150
+//! (and not 0), and a weight ratio longer than 1e30 or shorter than 1e-30: beyond, derivatives leave the range of
+//! doubles.
 
 use super::Arc;
 use crate::base::quat::Quat;
+use crate::base::range;
 use crate::base::vector::{Point3, Vec3};
 use crate::error::{Error, Result};
 
 /// Largest cosine between chord and weight that counts as rounding of the input (`000`, Proposition 4).
 const PERPENDICULAR_LIMIT: f64 = 1e-9;
 
+/// Part of a weight ratio along the chord that counts as rounding of a quotient of quaternions, relative to the ratio.
+const RATIO_ROUNDING: f64 = 16.0 * f64::EPSILON;
+
 /// The chord between two points with its length, refusing equal doubles.
 fn chord(a: Point3, b: Point3, first: usize, second: usize) -> Result<(Vec3, f64)> {
     for (index, p) in [(first, a), (second, b)] {
-        if !p.is_finite() {
-            return Err(Error::NotFinite { what: "point", index });
-        }
+        range::check_point(index, p.to_vec())?;
     }
     let c = b - a;
     let l = c.length();
     if l == 0.0 {
         return Err(Error::CoincidentPoints { first, second, distance: l, limit: 0.0 });
     }
-    if !l.is_finite() {
-        return Err(Error::NotFinite { what: "chord", index: first });
-    }
+    range::check_distance(l)?;
     Ok((c, l))
 }
 
@@ -70,18 +74,21 @@ impl Arc {
     /// # Errors
     /// As [`from_weights`](Self::from_weights).
     pub fn from_weight_ratio(start: Point3, end: Point3, ratio: Quat) -> Result<Self> {
-        let (c, p) = (end - start, ratio.vector());
-        let mut vector = p;
-        if let (Some(cu), Some(pu)) = (c.unit(), p.unit()) {
-            let cosine = cu.dot(pu);
-            // A nearly real ratio carries its rounding in p: measured against |w|, it is nothing.
-            let relative = cosine.abs() * p.length() / ratio.norm();
-            if cosine.abs() > PERPENDICULAR_LIMIT && relative > 4.0 * f64::EPSILON {
+        if let (Some(c), Some(p)) = ((end - start).unit(), ratio.vector().unit()) {
+            let cosine = c.dot(p);
+            // A nearly real ratio carries its rounding in the vector part: measured against |w|, it is nothing.
+            let along = cosine.abs() * (ratio.vector().length() / ratio.norm());
+            if cosine.abs() > PERPENDICULAR_LIMIT && along > RATIO_ROUNDING {
                 return Err(Error::NotInImH { cosine, limit: PERPENDICULAR_LIMIT });
             }
-            vector = p - cu * p.dot(cu);
         }
-        Self::from_ratio(start, end, ratio.w, vector)
+        Self::from_ratio_across(start, end, ratio)
+    }
+
+    /// As [`from_weight_ratio`](Self::from_weight_ratio), dropping any part of the ratio along the chord.
+    pub(super) fn from_ratio_across(start: Point3, end: Point3, ratio: Quat) -> Result<Self> {
+        let p = ratio.vector();
+        Self::from_ratio(start, end, ratio.w, (end - start).unit().map_or(p, |c| p - c * p.dot(c)))
     }
 
     /// The arc that starts with derivative `v0 = xi'(0)`; its length sets the parametrisation (`000`, Remark 4, (22)).
@@ -167,8 +174,10 @@ impl Arc {
     /// # Errors
     /// `not-finite`, `zero-axis`, `zero-radius`, `sweep-out-of-range`.
     pub fn from_center(center: Point3, normal: Vec3, start: Point3, sweep: f64) -> Result<Self> {
-        if !(center.is_finite() && start.is_finite() && normal.is_finite()) {
-            return Err(Error::NotFinite { what: "point", index: 0 });
+        range::check_point(0, center.to_vec())?;
+        range::check_point(1, start.to_vec())?;
+        if !normal.is_finite() {
+            return Err(Error::NotFinite { what: "normal", index: 0 });
         }
         let limit = std::f64::consts::TAU;
         if !(sweep.abs() < limit) {

@@ -19,6 +19,7 @@ use super::piece_form::PieceForm;
 use crate::base::bounds::Aabb;
 use crate::base::jet::CurveJet;
 use crate::base::quat::Quat;
+use crate::base::range;
 use crate::base::vector::{Point3, Vec3};
 use crate::error::{Error, Result};
 use crate::rational::{ExactRational, RationalBezier};
@@ -63,26 +64,18 @@ impl Arc {
     ///
     /// `r + p` is the weight ratio; the part of `p` along the chord must be rounding and is removed.
     pub(super) fn from_ratio(p0: Point3, p1: Point3, r: f64, p: Vec3) -> Result<Self> {
-        for (index, point) in [p0, p1].into_iter().enumerate() {
-            if !point.is_finite() {
-                return Err(Error::NotFinite { what: "point", index });
-            }
-        }
+        range::check_point(0, p0.to_vec())?;
+        range::check_point(1, p1.to_vec())?;
+        range::check_distance(p0.distance(p1))?;
         if !(r.is_finite() && p.is_finite()) {
             return Err(Error::NotFinite { what: "weight", index: 1 });
         }
-        if !(p1 - p0).is_finite() {
-            return Err(Error::NotFinite { what: "chord", index: 0 });
-        }
         let pn = p.length();
         let n = r.hypot(pn);
-        // Squares of |w| occur in every formula: they must stay in range.
-        if n < 1e-150 {
+        if n == 0.0 {
             return Err(Error::ZeroWeight { index: 1 });
         }
-        if n > 1e150 {
-            return Err(Error::NotFinite { what: "weight ratio", index: 1 });
-        }
+        range::check_weight_ratio(n)?;
         if r < 0.0 && pn <= 8.0 * f64::EPSILON * -r {
             return Err(Error::PoleOnSegment { real: r, vector: pn });
         }

@@ -6,6 +6,12 @@ use crate::conformal::hpoint::HPoint;
 use crate::conformal::mobius::{Conformal, Mobius};
 use crate::error::{Error, Result};
 
+/// Largest part of the image's weight along its chord, relative to the weight, that counts as rounding.
+const DEFECT_LIMIT: f64 = 1e-9;
+
+/// Rounding of a mapped end, relative to its coordinates.
+const END_ROUNDING: f64 = 32.0 * f64::EPSILON;
+
 impl Conformal for Arc {
     /// The image under a Möbius map, with the same parameter (`10`, section 1.6).
     ///
@@ -18,6 +24,16 @@ impl Conformal for Arc {
         let point = |p: HPoint| p.quotient().map(Quat::to_point).ok_or(Error::PointAtInfinity);
         let (a0, a1) = (point(start)?, point(end)?);
         let inverse = start.d.inverse().ok_or(Error::PointAtInfinity)?;
-        Self::from_weight_ratio(a0, a1, end.d * inverse)
+        let ratio = end.d * inverse;
+        // The image of an arc is an arc: what is left along the chord is rounding, of the map and of the ends, which
+        // turn a chord that is short against its distance from the origin. Beyond this the image means nothing.
+        let chord = a1 - a0;
+        let size = a0.to_vec().max_abs().max(a1.to_vec().max_abs());
+        let limit = DEFECT_LIMIT + END_ROUNDING * size / chord.max_abs();
+        let cosine = chord.unit().map_or(0.0, |c| c.dot(ratio.vector()) / ratio.norm());
+        if cosine.abs() > limit {
+            return Err(Error::NotInImH { cosine, limit });
+        }
+        Self::from_ratio_across(a0, a1, ratio)
     }
 }
