@@ -22,6 +22,8 @@ const WINDOW_SLOPE: f64 = 0.34;
 pub(super) struct Tube<'a> {
     pub points: &'a [Point2],
     pub tolerance: f64,
+    /// What is added to the tolerance at each point: more than 0 where a point only offers a place for a joint.
+    slack: &'a [f64],
     /// Bind the edges too, not only the vertices.
     pub edges: bool,
     /// Unit direction of the edge that ends in each vertex; the first repeats the second.
@@ -29,13 +31,19 @@ pub(super) struct Tube<'a> {
 }
 
 impl<'a> Tube<'a> {
-    /// Neighbouring points must differ, and there must be at least two.
-    pub fn new(points: &'a [Point2], tolerance: f64, edges: bool) -> Self {
+    /// Neighbouring points must differ, and there must be at least two, with a slack each.
+    pub fn new(points: &'a [Point2], slack: &'a [f64], tolerance: f64, edges: bool) -> Self {
         let unit = |w: &[Point2]| (w[1] - w[0]).unit().unwrap_or(Vec2::new(1.0, 0.0));
         let mut directions = Vec::with_capacity(points.len());
         directions.push(unit(&points[..2]));
         directions.extend(points.windows(2).map(unit));
-        Self { points, tolerance, edges, directions }
+        Self { points, tolerance, slack, edges, directions }
+    }
+
+    /// Adds a vertex to a sweep from the frame; its frame coordinates, if any curvature is left.
+    pub fn advance(&self, sweep: &mut CurvatureSweep, frame: &JointFrame, vertex: usize) -> Option<Vec2> {
+        let at = frame.local(self.points[vertex]);
+        sweep.advance(at, self.tolerance + self.slack[vertex]).then_some(at)
     }
 
     pub fn last(&self) -> usize {
@@ -129,11 +137,8 @@ impl Level {
         for node in &arena[nodes.clone()] {
             let frame = node.at.frame;
             let mut sweep = tube.sweep_from(&frame, node.at.vertex);
-            for p in &tube.points[node.at.vertex + 1..] {
-                let at = frame.local(*p);
-                if !sweep.advance(at) {
-                    break;
-                }
+            for vertex in node.at.vertex + 1..=tube.last() {
+                let Some(at) = tube.advance(&mut sweep, &frame, vertex) else { break };
                 ends.push(End { lo: sweep.lo, hi: sweep.hi, at });
             }
             offsets.push(ends.len());

@@ -87,10 +87,8 @@ fn closing_curvatures(from: &JointFrame, lo: f64, hi: f64, v: Vec2, goal: JointF
 fn second_margin(tube: &Tube<'_>, from: &JointFrame, vertex: usize, goal: JointFrame) -> Option<f64> {
     let kappa = curvature_to(from.local(goal.joint));
     let mut sweep = tube.sweep_from(from, vertex);
-    for p in &tube.points[vertex + 1..] {
-        if !(sweep.advance(from.local(*p)) && sweep.lo <= kappa && kappa <= sweep.hi) {
-            return None;
-        }
+    for next in vertex + 1..=tube.last() {
+        tube.advance(&mut sweep, from, next).filter(|_| sweep.lo <= kappa && kappa <= sweep.hi)?;
     }
     Some((kappa - sweep.lo).min(sweep.hi - kappa) / (sweep.hi - sweep.lo).max(f64::MIN_POSITIVE))
 }
@@ -99,23 +97,25 @@ fn second_margin(tube: &Tube<'_>, from: &JointFrame, vertex: usize, goal: JointF
 /// vertices counted from there; the last joint is the first. `Err` is the vertex where the search died.
 pub(super) fn closed_chain(
     points: &[Point2],
+    slack: &[f64],
     tolerance: f64,
     edges: bool,
     size: BeamSize,
     seams: &[f64],
 ) -> Result<(usize, Vec<ChainJoint>), usize> {
     let n = points.len();
-    let around = |from: usize| -> Vec<Point2> { (0..=n).map(|i| points[(from + i) % n]).collect() };
-    let ring = around(0);
-    let tube = Tube::new(&ring, tolerance, edges);
+    let around =
+        |from: usize| -> (Vec<Point2>, Vec<f64>) { (from..=from + n).map(|i| (points[i % n], slack[i % n])).unzip() };
+    let (ring, room) = around(0);
+    let tube = Tube::new(&ring, &room, tolerance, edges);
     let open = search(&tube, &tube.start_fan(), Goal::Point, size).map_err(|v| v % n)?;
     let mut best: Option<(usize, Vec<ChainJoint>)> = None;
     let mut died = 0;
     for cells in [size.cells, 2 * size.cells] {
         for fraction in seams {
             let seam = open[((open.len() - 1) as f64 * fraction).round() as usize];
-            let ring = around(seam.vertex);
-            let tube = Tube::new(&ring, tolerance, edges);
+            let (ring, room) = around(seam.vertex);
+            let tube = Tube::new(&ring, &room, tolerance, edges);
             match search(&tube, &[seam.frame], Goal::Joint(seam.frame), BeamSize { cells, ..size }) {
                 Ok(joints) if best.as_ref().is_none_or(|b| joints.len() < b.1.len()) => {
                     best = Some((seam.vertex % n, joints));

@@ -30,7 +30,9 @@ impl JointFrame {
         let (a, b) = (kappa * v.x, 1.0 - kappa * v.y);
         let z = a.hypot(b);
         let forward = self.tangent * (v.x / z);
-        let aside = self.tangent.left() * (a * v.x / (z * (z + b)));
+        // a x/(z (z+b)) with z + b = a²/(z-b) where it would cancel, near half a turn.
+        let across = if b >= 0.0 { a * v.x / (z * (z + b)) } else { (z - b) / (z * kappa) };
+        let aside = self.tangent.left() * across;
         Self { joint: self.joint + forward + aside, tangent: self.rotated(b, a) }
     }
 
@@ -57,8 +59,8 @@ pub(super) fn curvature_to(v: Vec2) -> f64 {
 pub(super) struct CurvatureSweep {
     pub lo: f64,
     pub hi: f64,
-    tolerance: f64,
-    edges: bool,
+    /// Tolerance about the edges, if they are bound too.
+    edges: Option<f64>,
     last: Vec2,
 }
 
@@ -66,22 +68,21 @@ impl CurvatureSweep {
     /// `start` is the vertex the joint belongs to, in frame coordinates.
     pub fn new(start: Vec2, tolerance: f64, edges: bool) -> Self {
         let limit = MAX_CURVATURE_TOLERANCE / tolerance;
-        Self { lo: -limit, hi: limit, tolerance, edges, last: start }
+        Self { lo: -limit, hi: limit, edges: edges.then_some(tolerance), last: start }
     }
 
-    /// Adds the next vertex, in frame coordinates; false if no curvature is left.
-    pub fn advance(&mut self, q: Vec2) -> bool {
+    /// Adds the next vertex, in frame coordinates, with its own tolerance; false if no curvature is left.
+    pub fn advance(&mut self, q: Vec2, tolerance: f64) -> bool {
         let p = std::mem::replace(&mut self.last, q);
         if !(q.x > 0.0) {
             return false; // sweeps stay below half a turn
         }
-        self.vertex(q);
+        self.vertex(q, tolerance);
         self.step(p, q);
-        self.lo <= self.hi && (!self.edges || self.edge(p, q))
+        self.lo <= self.hi && self.edges.is_none_or(|t| self.edge(p, q, t))
     }
 
-    fn vertex(&mut self, q: Vec2) {
-        let t = self.tolerance;
+    fn vertex(&mut self, q: Vec2, t: f64) {
         let d = q.dot(q) - t * t;
         if d > 0.0 {
             self.lo = self.lo.max(2.0 * (q.y - t) / d);
@@ -104,7 +105,7 @@ impl CurvatureSweep {
     /// E: `|kappa| (tolerance + p x e) >= 1 - e_x` (mirrored for negative curvature) where the foot of the centre is
     /// inside the edge. Where it leaves the edge the condition is that of a vertex, which holds already; so a bound
     /// of large curvature that breaks E leaves nothing.
-    fn edge(&mut self, p: Vec2, q: Vec2) -> bool {
+    fn edge(&mut self, p: Vec2, q: Vec2, tolerance: f64) -> bool {
         let Some(e) = (q - p).unit() else { return true };
         let (from, to) = (e.dot(p), e.dot(q));
         let (minus, _) = one_minus_and_plus(e);
@@ -112,7 +113,7 @@ impl CurvatureSweep {
         // The smallest |kappa| that satisfies E, if the foot is inside and E is broken at this curvature.
         let broken = |kappa: f64| {
             let foot = e.y / kappa;
-            let room = self.tolerance + if kappa > 0.0 { moment } else { -moment };
+            let room = tolerance + if kappa > 0.0 { moment } else { -moment };
             let inside = kappa != 0.0 && from <= foot && foot <= to;
             (inside && kappa.abs() * room < minus).then(|| if room > 0.0 { minus / room } else { f64::INFINITY })
         };
@@ -153,6 +154,7 @@ pub fn curvature_intervals(
     let (sine, cosine) = tangent_angle.sin_cos();
     let frame = JointFrame { joint: start, tangent: Vec2::new(cosine, sine) };
     let mut sweep = CurvatureSweep::new(frame.local(points[0]), tolerance, false);
-    let ends = points[1..].iter().map_while(|p| sweep.advance(frame.local(*p)).then_some([sweep.lo, sweep.hi]));
+    let ends =
+        points[1..].iter().map_while(|p| sweep.advance(frame.local(*p), tolerance).then_some([sweep.lo, sweep.hi]));
     Ok(ends.collect())
 }

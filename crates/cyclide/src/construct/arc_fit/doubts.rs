@@ -1,7 +1,7 @@
 //! Warnings about data that do not suit the tolerance or the target (`60`, sections 3 and 4).
 
 use super::certificate::Span;
-use super::corners::turns;
+use super::corners::sagitta_quantile;
 use super::options::{ArcFitOptions, FitTarget};
 use super::trace::Trace;
 use crate::base::vector::Point3;
@@ -22,25 +22,16 @@ pub(super) fn coarse_samples(points: &[Point3], options: &ArcFitOptions) -> Opti
     if options.target != FitTarget::Polyline {
         return None;
     }
-    let n = points.len();
-    let turns = turns(points, options.closed);
-    let inner = if options.closed { 0..n } else { 1..n - 1 };
-    // h² kappa/8 with h kappa = turn.
-    let sagitta = |i: usize| {
-        let (before, after) = (points[(i + n - 1) % n], points[(i + 1) % n]);
-        turns[i] * (points[i].distance(before) + points[i].distance(after)) / 16.0
-    };
-    let mut sagittas: Vec<f64> = inner.map(sagitta).collect();
-    sagittas.sort_by(f64::total_cmp);
-    let sagitta = *sagittas.get(sagittas.len() / 2)?;
+    let sagitta = sagitta_quantile(points, options.closed, 0.5);
     let limit = SAGITTA_LIMIT * options.tolerance;
     (sagitta > limit).then_some(Warning::SamplesTooCoarse { sagitta, limit })
 }
 
 /// Most arcs stand for one or two edges and turn the other way than their neighbour: they follow noise.
-pub(super) fn noise(path: &ArcPath, spans: &[Span], trace: &Trace) -> Option<Warning> {
+pub(super) fn noise(path: &ArcPath, spans: &[Span], trace: &Trace, target: FitTarget) -> Option<Warning> {
     let arcs = path.arcs();
-    if arcs.len() < MIN_ARCS {
+    // Edges that are meant themselves may well turn to and fro.
+    if arcs.len() < MIN_ARCS || target == FitTarget::Polyline {
         return None;
     }
     let n = trace.points.len();

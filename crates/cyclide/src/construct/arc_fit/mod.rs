@@ -71,9 +71,17 @@ impl ArcFit {
         let plane = input::plane(data, tolerance);
         let (trace, pieces) = match &plane {
             Some(frame) => {
-                let (trace, chains) = planar::fit(data, &indices, frame, room, options).map_err(died)?;
-                let pieces = planar_pieces(&trace, &chains, frame)?;
-                (trace, pieces)
+                match planar::fit(data, &indices, frame, room, options) {
+                    Ok((trace, chains)) => {
+                        let pieces = planar_pieces(&trace, &chains, frame)?;
+                        (trace, pieces)
+                    }
+                    // Wild samples: biarcs through the points take more arcs but nearly always exist.
+                    Err(vertex) if options.target == FitTarget::Points => {
+                        space::fit(data, &indices, room, options).map_err(|_| died(vertex))?
+                    }
+                    Err(vertex) => return Err(died(vertex)),
+                }
             }
             None => space::fit(data, &indices, room, options).map_err(died)?,
         };
@@ -95,7 +103,7 @@ impl ArcFit {
             corners.iter().map(|(i, angle)| Warning::CornerKept { vertex: distinct.source[*i], angle: *angle }),
         );
         warnings.extend(doubts::coarse_samples(data, options));
-        warnings.extend(doubts::noise(&path, &spans, &trace));
+        warnings.extend(doubts::noise(&path, &spans, &trace, options.target));
         Ok(Self { path, certificate, warnings })
     }
 

@@ -38,6 +38,15 @@ impl Effort {
         }
     }
 
+    /// Places for joints tried first on each edge between coarse samples.
+    pub(super) fn extra_points(self) -> usize {
+        match self {
+            Self::Fast => 0,
+            Self::Default => 1,
+            Self::Best => 2,
+        }
+    }
+
     /// Where along an open run of a closed curve seams are tried.
     pub(super) fn seams(self) -> &'static [f64] {
         &[1.0 / 6.0, 0.5, 5.0 / 6.0]

@@ -2,7 +2,7 @@
 
 use super::beam::{Goal, Tube, search};
 use super::closing;
-use super::corners::{rounding_reach, turns};
+use super::corners::{rounding_reach, sagitta_quantile, turns};
 use super::options::{ArcFitOptions, FitTarget};
 use super::single::{single_arc, single_circle};
 use super::trace::{Chain, Trace};
@@ -10,8 +10,20 @@ use crate::base::frame::Frame;
 use crate::base::planar::Point2;
 use crate::base::vector::Point3;
 
-/// Extra points per edge tried one after the other when the edges themselves are meant.
-const EXTRA_POINTS: [usize; 3] = [1, 2, 3];
+/// Most extra points per edge; tried one number after the other until a chain is found.
+const MAX_EXTRA_POINTS: usize = 3;
+/// If the sagitta of most edges (this fraction of them) is below this part of the tolerance, samples are dense
+/// enough for joints over samples alone.
+const DENSE_FRACTION: f64 = 0.9;
+const DENSE_SAGITTA: f64 = 0.1;
+/// Where on the legs of a turn a joint is offered, as a part of the farthest place a rounding can begin: there its
+/// arc has room to either side. (At half of it the only arc is tangent to the leg.)
+const ROUNDING_PLACE: f64 = 0.75;
+/// Ratio of the distances of further joints from that turn.
+const GRADING: f64 = 3.0;
+/// Between samples the curve may leave the edge by this part of edge length times turn: twice the sagitta of a
+/// circle.
+const EDGE_SLACK: f64 = 0.25;
 
 /// The chains between corners over a trace of the polyline; the error is the position among `points` where the
 /// search died.
@@ -22,12 +34,14 @@ pub(super) fn fit(
     tolerance: f64,
     options: &ArcFitOptions,
 ) -> Result<(Trace, Vec<Chain>), usize> {
-    if options.target == FitTarget::Points {
-        let trace = Trace::of_points(points, options.closed);
-        return fit_trace(&trace, corners, frame, tolerance, options).map(|chains| (trace, chains));
-    }
+    let dense = sagitta_quantile(points, options.closed, DENSE_FRACTION) < DENSE_SAGITTA * tolerance;
+    let fewest = match options.target {
+        FitTarget::Polyline => 1,
+        FitTarget::Points if dense => 0,
+        FitTarget::Points => options.effort.extra_points(),
+    };
     let mut died = 0;
-    for extra in EXTRA_POINTS {
+    for extra in fewest..=MAX_EXTRA_POINTS {
         let trace = densified(points, options, extra);
         let at: Vec<usize> = corners.iter().map(|c| trace.position_of(*c)).collect();
         match fit_trace(&trace, &at, frame, tolerance, options) {
@@ -50,30 +64,44 @@ fn fit_trace(
     let edges = options.target == FitTarget::Polyline;
     let size = options.effort.beam();
     let source = |died: usize| trace.vertex_before(died % n);
+    // The points that bind as they are; the others only offer places for joints.
+    let binding = |range: std::ops::RangeInclusive<usize>| -> Vec<usize> {
+        range.filter(|i| trace.slack[i % n] == 0.0).collect()
+    };
+    let place = |indices: &[usize]| -> Vec<Point2> { indices.iter().map(|i| flat[i % n]).collect() };
     if options.closed && corners.is_empty() {
-        if let Some(joints) = single_circle(&flat, tolerance, edges) {
+        let anchors = binding(0..=n);
+        if let Some(mut joints) = single_circle(&place(&anchors[..anchors.len() - 1]), tolerance, edges) {
+            joints.iter_mut().for_each(|j| j.vertex = anchors[j.vertex]);
             return Ok(vec![Chain { first: 0, joints }]);
         }
         let (first, joints) =
-            closing::closed_chain(&flat, tolerance, edges, size, options.effort.seams()).map_err(source)?;
+            closing::closed_chain(&flat, &trace.slack, tolerance, edges, size, options.effort.seams())
+                .map_err(source)?;
         return Ok(vec![Chain { first, joints }]);
     }
     let piece = |(from, to): (usize, usize)| {
-        let run: Vec<Point2> = (from..=to).map(|i| flat[i % n]).collect();
-        if let Some(joints) = single_arc(&run, tolerance, edges) {
+        let (run, slack): (Vec<Point2>, Vec<f64>) = (from..=to).map(|i| (flat[i % n], trace.slack[i % n])).unzip();
+        let anchors = binding(from..=to);
+        if let Some(mut joints) = single_arc(&place(&anchors), tolerance, edges) {
+            joints.iter_mut().for_each(|j| j.vertex = anchors[j.vertex] - from);
             return Ok(Chain { first: from, joints });
         }
-        let tube = Tube::new(&run, tolerance, edges);
+        let tube = Tube::new(&run, &slack, tolerance, edges);
         let joints = search(&tube, &tube.start_fan(), Goal::Point, size).map_err(|died| source(from + died))?;
         Ok(Chain { first: from, joints })
     };
     trace.runs(corners).into_iter().map(piece).collect()
 }
 
-/// The polyline with extra points on its edges for joints to sit over: `extra` uniform ones, and those where the
-/// rounding of the turns at the two ends can begin.
+/// The polyline with extra points on its edges for joints to sit over: `extra` uniform ones and, if the edges are
+/// meant, those where the rounding of the turns at the two ends can begin.
 fn densified(points: &[Point3], options: &ArcFitOptions, extra: usize) -> Trace {
+    if extra == 0 {
+        return Trace::of_points(points, options.closed);
+    }
     let n = points.len();
+    let edges = options.target == FitTarget::Polyline;
     let turns = turns(points, options.closed);
     let mut trace = Trace::empty(options.closed);
     for (i, p) in points.iter().enumerate() {
@@ -83,14 +111,26 @@ fn densified(points: &[Point3], options: &ArcFitOptions, extra: usize) -> Trace 
         }
         let (next, end) = (points[(i + 1) % n], (i + 1) % n);
         let length = p.distance(next);
-        let reach = |turn: f64| (0.5 * rounding_reach(turn, options.tolerance) / length).min(1.0);
         let mut at: Vec<f64> = (1..=extra).map(|j| j as f64 / (extra + 1) as f64).collect();
-        at.extend([reach(turns[i]), 1.0 - reach(turns[end])].into_iter().filter(|t| *t > 0.01 && *t < 0.99));
-        at.sort_by(f64::total_cmp);
-        at.dedup_by(|a, b| *a - *b < 0.02);
+        let mut slack = EDGE_SLACK * length * turns[i].max(turns[end]);
+        if edges {
+            let reach = |turn: f64| ROUNDING_PLACE * rounding_reach(turn, options.tolerance) / length;
+            let apart = options.tolerance / length;
+            at.extend(graded(reach(turns[i])).filter(|t| *t > apart));
+            at.extend(graded(reach(turns[end])).filter(|t| *t > apart).map(|t| 1.0 - t));
+            at.sort_by(f64::total_cmp);
+            at.dedup_by(|a, b| *a - *b < apart);
+            slack = 0.0;
+        }
         for t in at {
-            trace.push(p.lerp(next, t), None);
+            trace.push_loose(p.lerp(next, t), None, slack);
         }
     }
     trace
+}
+
+/// Places ever farther from an end, up to the middle of the edge: each arc can then be a few times longer than the
+/// one before, as the angle its tangent must keep gets finer.
+fn graded(first: f64) -> impl Iterator<Item = f64> {
+    std::iter::successors(Some(first), |t| Some(t * GRADING)).take_while(|t| *t < 0.5)
 }

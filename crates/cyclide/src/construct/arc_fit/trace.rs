@@ -8,21 +8,29 @@ pub(super) struct Trace {
     pub points: Vec<Point3>,
     /// The vertex each point is; `None` for points on an edge.
     pub vertex: Vec<Option<usize>>,
+    /// How much farther than the tolerance the curve may be from each point; 0 at vertices.
+    pub slack: Vec<f64>,
     pub closed: bool,
 }
 
 impl Trace {
     pub fn empty(closed: bool) -> Self {
-        Self { points: Vec::new(), vertex: Vec::new(), closed }
+        Self { points: Vec::new(), vertex: Vec::new(), slack: Vec::new(), closed }
     }
 
     pub fn of_points(points: &[Point3], closed: bool) -> Self {
-        Self { points: points.to_vec(), vertex: (0..points.len()).map(Some).collect(), closed }
+        let n = points.len();
+        Self { points: points.to_vec(), vertex: (0..n).map(Some).collect(), slack: vec![0.0; n], closed }
     }
 
     pub fn push(&mut self, point: Point3, vertex: Option<usize>) {
+        self.push_loose(point, vertex, 0.0);
+    }
+
+    pub fn push_loose(&mut self, point: Point3, vertex: Option<usize>, slack: f64) {
         self.points.push(point);
         self.vertex.push(vertex);
+        self.slack.push(slack);
     }
 
     /// Point at an index that may have wrapped around.
