@@ -261,6 +261,17 @@ pub enum Error {
     },
 }
 
+/// Refuses a tolerance that is not a positive number.
+///
+/// # Errors
+/// `tolerance-not-positive` (also for NaN), `not-finite` (infinite).
+pub(crate) fn check_tolerance(tolerance: f64) -> Result<()> {
+    if tolerance.is_nan() || tolerance <= 0.0 {
+        return Err(Error::ToleranceNotPositive { tolerance });
+    }
+    if tolerance.is_finite() { Ok(()) } else { Err(Error::NotFinite { what: "tolerance", index: 0 }) }
+}
+
 impl Error {
     /// The stable name of the reason, as used in reference data and reports.
     ///

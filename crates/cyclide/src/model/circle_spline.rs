@@ -1,10 +1,10 @@
 //! Circle splines on their way out: exact or certified rational splines, or G1 arcs.
 
 use super::chain::{ChainPiece, CurveChain};
-use super::lower::{Exactness, Lower, check_tolerance};
+use super::lower::{Exactness, Lower};
 use crate::construct::RationalRun;
 use crate::curve::{ArcPath, CircleSpline, ParamCurve};
-use crate::error::Result;
+use crate::error::{Result, check_tolerance};
 
 impl Lower for CircleSpline {
     /// One rational spline per smooth run, exact for the rational variant; runs of arcs as arcs. A closed curve with

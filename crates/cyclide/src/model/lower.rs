@@ -2,7 +2,7 @@
 
 use super::chain::CurveChain;
 use crate::curve::{Arc, ArcPath, Circle, ParamCurve};
-use crate::error::{Error, Result};
+use crate::error::Result;
 
 /// How a carrier relates to the object it stands for.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -38,11 +38,6 @@ pub trait Lower {
     /// # Errors
     /// `tolerance-not-positive`, `too-many-pieces`.
     fn to_arcs(&self, tolerance: f64) -> Result<(ArcPath, Exactness)>;
-}
-
-/// Refuses a tolerance that is not a positive number.
-pub(crate) fn check_tolerance(tolerance: f64) -> Result<()> {
-    if tolerance > 0.0 && tolerance.is_finite() { Ok(()) } else { Err(Error::ToleranceNotPositive { tolerance }) }
 }
 
 impl Lower for ArcPath {

@@ -10,8 +10,8 @@ mod edits;
 
 use curves::{Case, cases};
 use cyclide::{
-    ArcLength, CurveIndex, CurveJet, ParamCurve, Point3, Vec3, bounds, closest_point, extreme_curvature, flatten,
-    joints, length, resample,
+    ArcLength, Circle, CurveIndex, CurveJet, ParamCurve, Point3, Vec3, bounds, closest_point, extreme_curvature,
+    flatten, joints, length, resample,
 };
 
 /// Runs a law on every curve of the list.
@@ -67,24 +67,63 @@ fn flattening_stays_within_the_tolerance() {
     });
 }
 
-/// Points so dense that the tangent turns by less than 0.01 between neighbours.
-fn dense_points(curve: &dyn ParamCurve) -> Vec<Point3> {
-    fn fill(curve: &dyn ParamCurve, piece: usize, a: f64, b: f64, points: &mut Vec<Point3>) {
+#[test]
+fn flattening_makes_few_vertices() {
+    each(|case, curve| {
+        for relative in [1e-3, 1e-5, 1e-7] {
+            let tolerance = relative * case.size;
+            let got = flatten(curve, tolerance).unwrap().len() - 1;
+            // A chord over curvature k is off by k l²/8, so the ideal density by arc length is sqrt(k/(8 tolerance)).
+            let of_piece = |piece: usize| {
+                let steps = dense_places(curve, piece);
+                let step = |w: &[f64]| {
+                    let (a, b) = (curve.piece_jet(piece, w[0]), curve.piece_jet(piece, w[1]));
+                    let turn = a.tangent().unwrap().angle(b.tangent().unwrap());
+                    (turn * a.point.distance(b.point) / (8.0 * tolerance)).sqrt()
+                };
+                steps.windows(2).map(step).sum::<f64>().ceil().max(1.0)
+            };
+            let ideal: f64 = (0..curve.piece_count()).map(of_piece).sum();
+        }
+    });
+}
+
+#[test]
+fn flattening_refuses_tolerances_that_make_no_sense() {
+    let circle = Circle::from_radius(Point3::ORIGIN, Vec3::Z, 1.0).unwrap();
+    for tolerance in [0.0, -1.0, f64::NAN] {
+        assert_eq!(flatten(&circle, tolerance).unwrap_err().reason(), "tolerance-not-positive");
+    }
+    assert_eq!(flatten(&circle, f64::INFINITY).unwrap_err().reason(), "not-finite");
+    // 2 pi/sqrt(8 tolerance) chords are above 10^8; the spline is refused like the circle.
+    assert_eq!(flatten(&circle, 1e-16).unwrap_err().reason(), "too-many-pieces");
+    assert_eq!(flatten(&circle.to_nurbs().unwrap(), 1e-17).unwrap_err().reason(), "too-many-pieces");
+    // As few as a closed curve can have.
+    assert_eq!(flatten(&circle, 10.0).unwrap().len(), 4);
+}
+
+/// Parameters of a piece so dense that the tangent turns by less than 0.01 between neighbours.
+fn dense_places(curve: &dyn ParamCurve, piece: usize) -> Vec<f64> {
+    fn fill(curve: &dyn ParamCurve, piece: usize, a: f64, b: f64, places: &mut Vec<f64>) {
         let m = 0.5 * (a + b);
         let tangent = |s: f64| curve.piece_jet(piece, s).tangent().unwrap();
         let turn = tangent(a).angle(tangent(m)) + tangent(m).angle(tangent(b));
         if turn < 0.01 && b - a < 0.1 {
-            points.push(curve.piece_point(piece, b));
+            places.push(b);
         } else {
-            fill(curve, piece, a, m, points);
-            fill(curve, piece, m, b, points);
+            fill(curve, piece, a, m, places);
+            fill(curve, piece, m, b, places);
         }
     }
-    let mut points = vec![curve.eval(0.0)];
-    for piece in 0..curve.piece_count() {
-        fill(curve, piece, 0.0, 1.0, &mut points);
-    }
-    points
+    let mut places = vec![0.0];
+    fill(curve, piece, 0.0, 1.0, &mut places);
+    places
+}
+
+/// Points of the whole curve at these places.
+fn dense_points(curve: &dyn ParamCurve) -> Vec<Point3> {
+    let on_piece = |piece: usize| dense_places(curve, piece).into_iter().map(move |s| curve.piece_point(piece, s));
+    (0..curve.piece_count()).flat_map(on_piece).collect()
 }
 
 #[test]

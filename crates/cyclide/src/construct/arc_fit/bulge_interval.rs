@@ -6,9 +6,8 @@
 //! with the arc (M) is a half-line. Everything together is one interval: nothing is searched.
 
 use super::chord::{ChordFrame, mirrored};
-use super::input;
 use crate::base::planar::{Point2, Vec2};
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, check_tolerance};
 use std::f64::consts::TAU;
 
 /// The feasible bulges of a span: intervals of `|bulge| = tan(sweep/4)`, or `None` where no arc will do.
@@ -30,7 +29,7 @@ pub struct BulgeIntervals {
 /// `tolerance-not-positive`, `sweep-out-of-range`, `too-few-points` (fewer than 2), `not-finite`,
 /// `coincident-points` (first and last equal).
 pub fn feasible_bulges(points: &[Point2], tolerance: f64, edges: bool, max_sweep: f64) -> Result<BulgeIntervals> {
-    input::check_tolerance(tolerance)?;
+    check_tolerance(tolerance)?;
     if !(max_sweep > 0.0 && max_sweep < TAU) {
         return Err(Error::SweepOutOfRange { sweep: max_sweep, min: 0.0, max: TAU });
     }

@@ -6,7 +6,7 @@
 use super::bulge_interval::one_minus_and_plus;
 use super::input;
 use crate::base::planar::{Point2, Vec2};
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, check_tolerance};
 
 /// Largest `|curvature| * tolerance` of an arc: below 1 the circle cannot hide inside the tube.
 const MAX_CURVATURE_TOLERANCE: f64 = 0.98;
@@ -143,7 +143,7 @@ pub fn curvature_intervals(
     tangent_angle: f64,
     tolerance: f64,
 ) -> Result<Vec<[f64; 2]>> {
-    input::check_tolerance(tolerance)?;
+    check_tolerance(tolerance)?;
     input::check_points(points, 2)?;
     if !start.is_finite() {
         return Err(Error::NotFinite { what: "start", index: 0 });

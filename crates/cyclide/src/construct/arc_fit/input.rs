@@ -30,15 +30,6 @@ fn check(given: usize, needed: usize, finite: impl Fn(usize) -> bool) -> Result<
     }
 }
 
-/// # Errors
-/// `tolerance-not-positive` (also for NaN), `not-finite` (infinite).
-pub(super) fn check_tolerance(tolerance: f64) -> Result<()> {
-    if !(tolerance > 0.0) {
-        return Err(Error::ToleranceNotPositive { tolerance });
-    }
-    if tolerance.is_finite() { Ok(()) } else { Err(Error::NotFinite { what: "tolerance", index: 0 }) }
-}
-
 /// Points that all differ from their neighbours, with the index each had in the user's list.
 pub(super) struct Distinct {
     pub points: Vec<Point3>,

@@ -1,8 +1,7 @@
 //! What the user can ask of an arc fit.
 
 use super::beam::BeamSize;
-use super::input;
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, check_tolerance};
 use std::f64::consts::PI;
 
 /// What the points are; never mixed silently.
@@ -97,7 +96,7 @@ impl ArcFitOptions {
     /// # Errors
     /// `tolerance-not-positive`, `not-finite`, `parameter-out-of-range` (corner angle, corner index).
     pub(super) fn check(&self, points: usize) -> Result<()> {
-        input::check_tolerance(self.tolerance)?;
+        check_tolerance(self.tolerance)?;
         if !(self.corner_angle > 0.0 && self.corner_angle <= PI) {
             let value = self.corner_angle;
             return Err(Error::ParameterOutOfRange { name: "corner_angle", value, min: 0.0, max: PI });
