@@ -43,6 +43,13 @@ pub(crate) fn eval<const D: usize>(row: &[[f64; D]], t: f64) -> [f64; D] {
     nested(row.len() - 1, t, |i| row[i])
 }
 
+/// First derivative at `t`.
+#[must_use]
+pub(crate) fn first_derivative<const D: usize>(row: &[[f64; D]], t: f64) -> [f64; D] {
+    let n = row.len() - 1;
+    if n == 0 { [0.0; D] } else { nested(n - 1, t, |i| minus(&row[i + 1], &row[i])).map(|v| v * n as f64) }
+}
+
 /// Value and derivatives of orders 1 to 3 at `t`, from the differences of the coefficients; zero above the degree.
 #[must_use]
 pub(crate) fn derivatives<const D: usize>(row: &[[f64; D]], t: f64) -> [[f64; D]; 4] {
@@ -50,11 +57,8 @@ pub(crate) fn derivatives<const D: usize>(row: &[[f64; D]], t: f64) -> [[f64; D]
     let first = |i: usize| minus(&row[i + 1], &row[i]);
     let second = |i: usize| minus(&first(i + 1), &first(i));
     let third = |i: usize| minus(&second(i + 1), &second(i));
-    let mut out = [eval(row, t), [0.0; D], [0.0; D], [0.0; D]];
+    let mut out = [eval(row, t), first_derivative(row, t), [0.0; D], [0.0; D]];
     let mut factor = n as f64;
-    if n >= 1 {
-        out[1] = nested(n - 1, t, first).map(|v| v * factor);
-    }
     if n >= 2 {
         factor *= (n - 1) as f64;
         out[2] = nested(n - 2, t, second).map(|v| v * factor);

@@ -2,6 +2,7 @@
 
 use super::arc::Arc;
 use super::arc::measure::ClosestPoint;
+use super::measure;
 use super::param_curve::ParamCurve;
 use super::piece_form::PieceForm;
 use crate::base::bounds::Aabb;
@@ -58,25 +59,19 @@ impl ArcPath {
     /// Total length.
     #[must_use]
     pub fn length(&self) -> f64 {
-        self.arcs.iter().map(Arc::length).sum()
+        measure::length(self)
     }
 
     /// The smallest box around the path.
     #[must_use]
     pub fn bounds(&self) -> Aabb {
-        let first = self.arcs[0].bounds();
-        self.arcs[1..].iter().fold(first, |b, a| b.union(a.bounds()))
+        measure::bounds(self)
     }
 
     /// The point of the path nearest to `p`, exact per arc; the first of equals.
     #[must_use]
     pub fn closest_point(&self, p: Point3) -> ClosestPoint {
-        let n = self.arcs.len() as f64;
-        let on = |i: usize| {
-            let c = self.arcs[i].closest_point(p);
-            ClosestPoint { t: (i as f64 + c.t) / n, ..c }
-        };
-        (1..self.arcs.len()).map(on).fold(on(0), |best, c| if c.distance < best.distance { c } else { best })
+        measure::closest_point(self, p)
     }
 
     /// The part between two global parameters, `0 <= t0 < t1 <= 1`, as an open path; the arcs that are cut keep
@@ -151,6 +146,9 @@ impl ParamCurve for ArcPath {
     }
     fn piece_point(&self, piece: usize, s: f64) -> Point3 {
         self.arcs[piece].point(s)
+    }
+    fn piece_speed(&self, piece: usize, s: f64) -> f64 {
+        self.arcs[piece].piece_speed(0, s)
     }
     fn piece_form(&self, piece: usize) -> PieceForm {
         PieceForm::Arc(self.arcs[piece])

@@ -247,6 +247,9 @@ impl ParamCurve for Circle {
     fn is_closed(&self) -> bool {
         true
     }
+    fn piece_speed(&self, _piece: usize, _s: f64) -> f64 {
+        std::f64::consts::TAU * self.radius()
+    }
     fn piece_form(&self, _piece: usize) -> PieceForm {
         PieceForm::Circle(*self)
     }

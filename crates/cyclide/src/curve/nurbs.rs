@@ -21,6 +21,9 @@ impl ParamCurve for NurbsCurve {
     fn piece_point(&self, piece: usize, s: f64) -> Point3 {
         self.span_point(piece, s)
     }
+    fn piece_speed(&self, piece: usize, s: f64) -> f64 {
+        self.span_velocity(piece, s).length()
+    }
     /// The box of the span's control points: weights are positive, so the curve lies in their hull.
     fn piece_bounds(&self, piece: usize) -> Aabb {
         let start = Aabb::of_point(self.span_point(piece, 0.0));

@@ -172,7 +172,7 @@ impl Free<'_> {
         vertices: &mut Vec<(f64, Point3)>,
     ) -> Result<()> {
         let chord = from.distance(to);
-        let mut speed = |s: f64| self.curve.piece_jet(self.piece, s).speed();
+        let mut speed = |s: f64| self.curve.piece_speed(self.piece, s);
         let m = 0.5 * (a + b);
         let length = gauss8(&mut speed, a, b);
         // Half the minor axis, (L-c)(L+c) without cancellation of squares.

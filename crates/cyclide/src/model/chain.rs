@@ -188,6 +188,10 @@ impl ParamCurve for CurveChain {
         let (i, j) = self.index[piece];
         self.pieces[i].as_curve().piece_point(j, s)
     }
+    fn piece_speed(&self, piece: usize, s: f64) -> f64 {
+        let (i, j) = self.index[piece];
+        self.pieces[i].as_curve().piece_speed(j, s)
+    }
     fn piece_form(&self, piece: usize) -> PieceForm {
         let (i, j) = self.index[piece];
         self.pieces[i].as_curve().piece_form(j)

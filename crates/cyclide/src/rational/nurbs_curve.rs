@@ -3,7 +3,7 @@
 use super::bezier_curve::{RationalBezier, jet_of_homogeneous};
 use crate::base::bernstein;
 use crate::base::jet::CurveJet;
-use crate::base::vector::Point3;
+use crate::base::vector::{Point3, Vec3};
 use crate::error::{Error, Result};
 
 /// A rational B-spline curve: clamped knots, positive weights, affine control points.
@@ -228,6 +228,13 @@ impl NurbsCurve {
     #[must_use]
     pub fn span_jet(&self, span: usize, s: f64) -> CurveJet {
         jet_of_homogeneous(bernstein::derivatives(&self.spans[span], s))
+    }
+
+    /// First derivative of a knot span by its own parameter in `[0, 1]`.
+    pub(crate) fn span_velocity(&self, span: usize, s: f64) -> Vec3 {
+        let rows = &self.spans[span];
+        let ([x, y, z, w], [dx, dy, dz, dw]) = (bernstein::eval(rows, s), bernstein::first_derivative(rows, s));
+        (Vec3::new(dx, dy, dz) - Vec3::new(x, y, z) * (dw / w)) / w
     }
 
     fn span_of(&self, u: f64) -> (usize, f64) {

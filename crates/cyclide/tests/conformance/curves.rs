@@ -61,7 +61,7 @@ pub fn rational_cubic(scale: f64) -> NurbsCurve {
 
 /// A track of two straights and two half circles, closed, tilted out of the plane.
 pub fn stadium(scale: f64) -> ArcPath {
-    let p = |x: f64, y: f64| point(x * scale, y * scale, (0.25 * x - 0.5 * y) * scale);
+    let p = |x: f64, y: f64| point(x * scale, y * scale, -0.5 * y * scale);
     let (a, b, c, d) = (p(0.0, 0.0), p(4.0, 0.0), p(4.0, 2.0), p(0.0, 2.0));
     let out = b - a;
     let arcs = vec![

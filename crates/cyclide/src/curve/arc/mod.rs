@@ -298,6 +298,10 @@ impl ParamCurve for Arc {
     fn piece_point(&self, _piece: usize, s: f64) -> Point3 {
         self.point(s)
     }
+    /// `|c| |w|/D` (`10`, section 1.2).
+    fn piece_speed(&self, _piece: usize, s: f64) -> f64 {
+        self.c.length() * self.n / self.denominator(s).1
+    }
     fn piece_form(&self, _piece: usize) -> PieceForm {
         PieceForm::Arc(*self)
     }

@@ -31,9 +31,10 @@ pub(crate) fn smooth_step(order: u32, l: f64) -> f64 {
     power(l, order) * (a + l * (b + l * (c + l * d)))
 }
 
-/// `base^order` for orders 1 to 4 by multiplication alone.
+/// `base^order` for orders 0 to 4 by multiplication alone.
 fn power(base: f64, order: u32) -> f64 {
     match order {
+        0 => 1.0,
         1 => base,
         2 => base * base,
         3 => base * base * base,
@@ -85,6 +86,18 @@ impl AngleLaw {
                 let (aa, ab, bb) = (a * a, 2.0 * a * b, b * b);
                 [aa + ab * ch + bb * cf, ab * sh + bb * sf, aa + ab * ch + bb]
             }
+        }
+    }
+
+    /// Derivative by `l` of the angle between `t1` and the tangent.
+    pub(super) fn rate(&self, l: f64) -> f64 {
+        let k = self.order as usize - 1;
+        // (l (1-l))^(k-1)
+        let z = power(l * (1.0 - l), self.order - 1);
+        match self.variant {
+            BlendVariant::Trigonometric => self.theta * STEP_SLOPE[k] * z,
+            // The angle is theta/2 + 2 atan((2g-1) tan(theta/4)), g = B/(A+B), with B'A - A'B = k z.
+            BlendVariant::Rational => 2.0 * f64::from(self.order) * self.half[1] * z / self.at(l)[2],
         }
     }
 

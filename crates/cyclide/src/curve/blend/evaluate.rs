@@ -27,6 +27,21 @@ impl BlendSegment {
         }
     }
 
+    /// Speed by `l` in `[0, 1]`.
+    ///
+    /// `x - x1` is the inverse of `(u + t (1-l)/l)/|d|`, whose derivative has two parts at right angles, along `t`
+    /// and along `t'`: with `phi'` the rate of the angle, `|x'| = |d| sqrt(1 + (l (1-l) phi')²)/|N|²`. (Own derivation.)
+    #[must_use]
+    pub fn speed(&self, l: f64) -> f64 {
+        let [a, b] = self.range;
+        let l = self.whole_parameter(l);
+        let m = 1.0 - l;
+        let [c, s, q] = self.law.at(l);
+        let n = self.u * (l * q) + (self.t1 * c + self.b * s) * m;
+        let turn = l * m * self.law.rate(l);
+        (b - a) * self.length * (1.0 + turn * turn).sqrt() * (q * q / n.length_squared())
+    }
+
     /// Point and derivatives by `l` in `[0, 1]`, all in closed form (`50`, section 4).
     #[must_use]
     pub fn jet(&self, l: f64) -> CurveJet {

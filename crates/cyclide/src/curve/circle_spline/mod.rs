@@ -153,6 +153,9 @@ impl ParamCurve for CircleSpline {
     fn piece_form(&self, piece: usize) -> PieceForm {
         self.segments[piece].piece_form(0)
     }
+    fn piece_speed(&self, piece: usize, s: f64) -> f64 {
+        self.segments[piece].speed(s)
+    }
     fn piece_bounds(&self, piece: usize) -> Aabb {
         self.segments[piece].bounds()
     }
@@ -174,6 +177,9 @@ impl ParamCurve for BlendSegment {
     /// An arc where the two circles are one.
     fn piece_form(&self, _piece: usize) -> PieceForm {
         self.to_arc().map_or(PieceForm::Free, PieceForm::Arc)
+    }
+    fn piece_speed(&self, _piece: usize, s: f64) -> f64 {
+        self.speed(s)
     }
     fn piece_bounds(&self, _piece: usize) -> Aabb {
         self.bounds()

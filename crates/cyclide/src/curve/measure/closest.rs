@@ -200,7 +200,7 @@ impl Part {
 
 impl FreePart {
     fn new(curve: &dyn ParamCurve, piece: usize, s: [f64; 2], ends: [CurveJet; 2]) -> Self {
-        let length = gauss8(&mut |s| curve.piece_jet(piece, s).speed(), s[0], s[1]);
+        let length = gauss8(&mut |s| curve.piece_speed(piece, s), s[0], s[1]);
         let chord = ends[0].point.distance(ends[1].point);
         let sagitta = 0.5 * ((length - chord).max(0.0) * (length + chord)).sqrt();
         let middle = curve.piece_jet(piece, 0.5 * (s[0] + s[1]));

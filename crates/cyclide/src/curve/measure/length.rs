@@ -103,7 +103,7 @@ impl<'a> ArcLength<'a> {
 
 /// Appends the cells of a piece, in order.
 fn cut(curve: &dyn ParamCurve, piece: usize, cells: &mut Vec<Cell>) {
-    let mut speed = |s: f64| curve.piece_jet(piece, s).speed();
+    let mut speed = |s: f64| curve.piece_speed(piece, s);
     let whole = gauss8(&mut speed, 0.0, 1.0);
     let first = cells.len();
     // Parts still to be judged: ends, length, halvings left.
@@ -124,7 +124,7 @@ fn cut(curve: &dyn ParamCurve, piece: usize, cells: &mut Vec<Cell>) {
 impl Cell {
     /// The parameter at which the length from the start of the cell is `rest`: Newton steps kept in a bracket.
     fn invert(&self, curve: &dyn ParamCurve, rest: f64) -> f64 {
-        let mut speed = |s: f64| curve.piece_jet(self.piece, s).speed();
+        let mut speed = |s: f64| curve.piece_speed(self.piece, s);
         let (mut low, mut high) = (self.s0, self.s1);
         let mut s = self.s0 + (self.s1 - self.s0) * (rest / self.length);
         for _ in 0..64 {

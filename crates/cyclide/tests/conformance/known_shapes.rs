@@ -1,0 +1,130 @@
+//! Measures of shapes whose values are known.
+
+use crate::curves::{point, stadium};
+use cyclide::{
+    Arc, ArcPath, Circle, CurveIndex, NurbsCurve, ParamCurve, Point3, Vec3, bounds, curvature_comb, extreme_curvature,
+    joints, length,
+};
+
+/// The parabola `(x, x²)` over `[-1, 2]` as one Bézier piece.
+fn parabola() -> NurbsCurve {
+    let points = vec![point(-1.0, 1.0, 0.0), point(0.5, -2.0, 0.0), point(2.0, 4.0, 0.0)];
+    NurbsCurve::new(2, vec![0.0, 0.0, 0.0, 1.0, 1.0, 1.0], points, vec![1.0; 3]).unwrap()
+}
+
+#[test]
+fn parabola_has_its_curvature_length_box_and_nearest_points() {
+    let c = parabola();
+    let e = extreme_curvature(&c);
+    // k = 2/(1 + 4x²)^(3/2): 2 at the vertex, t = 1/3.
+    assert!((e.max - 2.0).abs() < 1e-14 && (e.t - 1.0 / 3.0).abs() < 1e-9, "{e:?}");
+    // x²' = 2x: F(x) = x sqrt(1+4x²)/2 + asinh(2x)/4
+    let f = |x: f64| 0.5 * x * (1.0 + 4.0 * x * x).sqrt() + 0.25 * (2.0 * x).asinh();
+    let want = f(2.0) - f(-1.0);
+    assert!((length(&c) - want).abs() < 1e-13 * want);
+    let b = bounds(&c);
+    assert!(b.min.distance(point(-1.0, 0.0, 0.0)) < 1e-15 && b.max.distance(point(2.0, 4.0, 0.0)) < 1e-15, "{b:?}");
+    // The nearest point to (0, 1/2) is the vertex; all of its neighbours are equally far to fourth order (evolute).
+    let near = CurveIndex::new(&c).closest_point(point(0.0, 0.5, 0.0));
+    assert!((near.distance - 0.5).abs() < 1e-15, "{near:?}");
+    // From (0, 2) both (±sqrt(3/2), 3/2) are sqrt(7)/2 away, but x stops at -1: the right one is nearest.
+    let near = CurveIndex::new(&c).closest_point(point(0.0, 2.0, 0.0));
+    assert!(near.point.distance(point(1.5_f64.sqrt(), 1.5, 0.0)) < 1e-14, "{near:?}");
+    // Left of the start the end is nearest.
+    let near = CurveIndex::new(&c).closest_point(point(-3.0, 2.0, 0.0));
+    assert_eq!((near.t, near.point), (0.0, point(-1.0, 1.0, 0.0)));
+}
+
+#[test]
+fn curvature_has_the_sign_of_the_turn() {
+    for (bulge, sign) in [(0.5, 1.0), (-0.5, -1.0)] {
+        let arc = Arc::from_bulge(point(0.0, 0.0, 0.0), point(2.0, 0.0, 0.0), Vec3::Z, bulge).unwrap();
+        // Radius (c/4)(b + 1/b) = 1.25.
+        for i in 0..=8 {
+            let k = arc.jet(f64::from(i) / 8.0).signed_curvature(Vec3::Z).unwrap();
+            assert!((k - sign / 1.25).abs() < 1e-14, "{k}");
+        }
+    }
+}
+
+#[test]
+fn helix_like_cubic_has_torsion_of_its_handedness() {
+    // The twisted cubic (t, t², t³): torsion 3 at t = 0 (12/4), positive throughout: right-handed.
+    let points =
+        vec![point(0.0, 0.0, 0.0), point(1.0 / 3.0, 0.0, 0.0), point(2.0 / 3.0, 1.0 / 3.0, 0.0), point(1.0, 1.0, 1.0)];
+    let c = NurbsCurve::new(3, [[0.0; 4], [1.0; 4]].concat(), points, vec![1.0; 4]).unwrap();
+    assert!((c.jet(0.0).torsion().unwrap() - 3.0).abs() < 1e-14);
+    assert!(c.jet(0.9).torsion().unwrap() > 0.0);
+    assert!(c.reversed().jet(0.1).torsion().unwrap() > 0.0, "reversal keeps the hand");
+}
+
+#[test]
+fn stadium_has_jumps_of_curvature_but_no_kinks() {
+    let c = stadium(1.0);
+    let list = joints(&c);
+    assert_eq!(list.len(), 4);
+    // Straights at the distance sqrt(2² + 1²), joined by half circles.
+    let curvature = 2.0 / 5.0_f64.sqrt();
+    for (i, joint) in list.iter().enumerate() {
+        assert_eq!((joint.piece, joint.next), (i, (i + 1) % 4));
+        assert!(joint.gap == 0.0 && joint.angle < 1e-15, "{joint:?}");
+        assert!((joint.curvature_jump - curvature).abs() < 1e-15, "{joint:?}");
+    }
+    let e = extreme_curvature(&c);
+    assert!((e.max - curvature).abs() < 1e-15 && e.t == 0.25, "{e:?}");
+    let want = 8.0 + 5.0_f64.sqrt() * std::f64::consts::PI;
+    assert!((length(&c) - want).abs() < 1e-14 * want);
+}
+
+#[test]
+fn kinks_and_small_angles_are_measured() {
+    // Two segments that turn by 1e-9: an arc cosine would see nothing.
+    for turn in [1e-9, 0.3, std::f64::consts::FRAC_PI_2] {
+        let end = point(1.0 + f64::cos(turn), f64::sin(turn), 0.0);
+        let (a, b) = (point(0.0, 0.0, 0.0), point(1.0, 0.0, 0.0));
+        let path = ArcPath::new(vec![Arc::segment(a, b).unwrap(), Arc::segment(b, end).unwrap()], false).unwrap();
+        let [joint] = joints(&path)[..] else { panic!("one joint") };
+        // Rounding of the second chord: 1e-16 of its length.
+        assert!((joint.angle - turn).abs() < 1e-15 && joint.curvature_jump == 0.0, "{joint:?}");
+    }
+}
+
+#[test]
+fn joints_look_past_pieces_without_extent() {
+    let (a, b, c) = (point(0.0, 0.0, 0.0), point(1.0, 0.0, 0.0), point(1.0, 2.0, 0.0));
+    let arcs = vec![Arc::segment(a, b).unwrap(), Arc::segment(b, b).unwrap(), Arc::segment(b, c).unwrap()];
+    let path = ArcPath::new(arcs, false).unwrap();
+    let [joint] = joints(&path)[..] else { panic!("one joint") };
+    assert_eq!((joint.piece, joint.next), (0, 2));
+    assert!((joint.angle - std::f64::consts::FRAC_PI_2).abs() < 1e-15);
+    assert!((length(&path) - 3.0).abs() < 1e-15);
+    let near = cyclide::closest_point(&path, point(2.0, 0.0, 0.0));
+    // The joint: the end of the first piece comes first.
+    assert_eq!((near.point, near.t), (b, 1.0 / 3.0));
+    let table = cyclide::ArcLength::new(&path);
+    assert!((table.parameter_at(2.0 / 3.0) - 5.0 / 6.0).abs() < 1e-15);
+}
+
+#[test]
+fn equally_near_points_give_the_first() {
+    let circle = Circle::from_radius(point(1.0, 2.0, 0.0), Vec3::Z, 2.0).unwrap();
+    let near = cyclide::closest_point(&circle, point(1.0, 2.0, 5.0));
+    assert_eq!(near.t, 0.0);
+    // A square: its centre is equally far from the middles of all sides.
+    let corners = [point(1.0, 1.0, 0.0), point(-1.0, 1.0, 0.0), point(-1.0, -1.0, 0.0), point(1.0, -1.0, 0.0)];
+    let sides = (0..4).map(|i| Arc::segment(corners[i], corners[(i + 1) % 4]).unwrap()).collect();
+    let square = ArcPath::new(sides, true).unwrap();
+    assert_eq!(cyclide::closest_point(&square, Point3::ORIGIN).t, 0.125);
+}
+
+#[test]
+fn comb_of_a_circle_is_a_larger_circle() {
+    let circle = Circle::from_radius(point(1.0, 2.0, 3.0), Vec3::new(0.2, 0.3, 1.0), 2.0).unwrap();
+    let comb = curvature_comb(&circle, 12, 0.5);
+    assert_eq!(comb.len(), 13);
+    for (foot, tip) in comb {
+        // Outside, by scale times curvature: 2 + 0.5/2.
+        assert!((tip.distance(point(1.0, 2.0, 3.0)) - 2.25).abs() < 1e-14);
+        assert!((foot.distance(tip) - 0.25).abs() < 1e-14);
+    }
+}
