@@ -177,7 +177,7 @@ impl<'a> Check<'a> {
         }
     }
 
-    /// A case within a field (an object or list element), compared like a case of its own.
+    /// An expected number that another field's tolerance refers to; this does not count as a comparison.
     pub(super) fn number_expected(&self, field: &str) -> Option<f64> {
         self.expect.get(field).and_then(Value::as_f64)
     }
