@@ -1,2 +1,31 @@
-//! The `cyclide` command.
-fn main() {}
+//! The `cyclide` command: points and model documents in, curves made of circles out.
+//!
+//! Arguments are read as typed ([`args`]), turned into a plan that is known to make sense ([`plan`]), and carried out
+//! ([`make`], [`inspect`]). Results go to standard output, everything else to standard error.
+
+mod args;
+mod failure;
+mod inspect;
+mod load;
+mod make;
+mod plan;
+mod progress;
+mod terminal;
+
+use std::process::ExitCode;
+
+use clap::Parser as _;
+use plan::Plan;
+
+fn main() -> ExitCode {
+    let outcome = args::Args::parse().plan().and_then(|plan| match plan {
+        Plan::Make(plan) => make::run(&plan),
+        Plan::Sample(plan) => inspect::sample(&plan),
+        Plan::Report(plan) => inspect::report(&plan),
+        Plan::Schema => inspect::schema(),
+    });
+    match outcome {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => failure.show(),
+    }
+}

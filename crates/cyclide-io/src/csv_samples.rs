@@ -7,7 +7,7 @@
 use crate::export::{Contour, ExportError, Exported, Job, Promise};
 use crate::number::push_plain;
 use crate::read_back::ReadError;
-use cyclide::{Arc, ArcPath, CurveChain, Exactness, Point3, flatten};
+use cyclide::{Arc, ArcPath, CurveChain, CurveJet, Exactness, Point3, flatten};
 
 const HEADER: &str = "object,contour,t,x,y,z,tangent_x,tangent_y,tangent_z,curvature";
 const COLUMNS: usize = 10;
@@ -29,10 +29,15 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
 
 fn push_row(out: &mut String, name: &str, contour: &Contour<'_>, t: f64, point: Point3) {
     out.push_str(name);
-    out.push_str(&format!(",{}", contour.index + 1));
-    let jet = contour.curve.as_curve().jet(t);
+    out.push_str(&format!(",{},", contour.index + 1));
+    push_sample(out, t, point, &contour.curve.as_curve().jet(t));
+}
+
+/// The fields parameter, point, unit tangent, curvature, and the end of the line.
+pub(crate) fn push_sample(out: &mut String, t: f64, point: Point3, jet: &CurveJet) {
     let tangent = jet.tangent().map(cyclide::Vec3::to_array);
-    for v in std::iter::once(t).chain(point.to_array()) {
+    push_plain(out, t);
+    for v in point.to_array() {
         out.push(',');
         push_plain(out, v);
     }

@@ -262,7 +262,7 @@ pub(crate) fn bounds_of(curve: &dyn ParamCurve) -> Aabb {
 }
 
 /// The tolerance that applies when none is asked for; for a model without extent that of a model of size 1.
-fn default_tolerance(bounds: Aabb) -> f64 {
+pub(crate) fn default_tolerance(bounds: Aabb) -> f64 {
     let size = bounds.diagonal();
     DEFAULT_RELATIVE_TOLERANCE * if size > 0.0 { size } else { 1.0 }
 }

@@ -18,6 +18,8 @@ mod place;
 mod png;
 mod points;
 mod read_back;
+mod report;
+mod sample;
 mod step;
 mod svg;
 
@@ -34,3 +36,7 @@ pub use format::Format;
 pub use place::{Diagnostic, Source, decode};
 pub use points::{PointColumns, PointList, PointTable, read_points};
 pub use read_back::{ReadError, file_deviation, read_back};
+pub use report::{
+    CheckError, CurvatureReport, FileReport, FitReport, JointReport, ObjectReport, Report, WarningReport, WeightReport,
+};
+pub use sample::{Spacing, sample};

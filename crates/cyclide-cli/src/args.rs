@@ -1,0 +1,269 @@
+//! The command line as it is typed.
+
+use std::path::PathBuf;
+
+use clap::{ArgAction, Args as ClapArgs, Parser, Subcommand, ValueEnum};
+
+const EXIT_CODES: &str = "\
+Exit codes:
+  0  success (also when nobody reads standard output to its end)
+  1  the input was refused: the message shows the file, line and column
+  2  the command line makes no sense
+  3  a file could not be read or written; old files are left as they were
+  4  a file failed its check when read back and was not written (a fault of cyclide)
+
+All files of a run are made and checked before the first is written, and each is written whole or not at all.
+Warnings and progress go to standard error, reports to standard output.";
+
+const EXAMPLES: &str = "\
+Examples:
+  cyclide curve track.csv --closed --units m -o track.step -o track.dxf -o track.png
+  cyclide build logo.cyclide.json -o logo.dxf --tolerance 0.01
+  cyclide report logo.cyclide.json --json";
+
+const BUILD_EXAMPLES: &str = "\
+Examples:
+  cyclide build logo.cyclide.json -o logo.step -o logo.svg
+  cyclide build logo.cyclide.json -o logo.dxf --tolerance 0.01 --json > report.json";
+
+const CURVE_EXAMPLES: &str = "\
+Examples:
+  A race track, closed, in metres, as an exact curve for CAD and a picture:
+      cyclide curve track.csv --closed --units m -o track.step -o track.png
+  The fewest arcs within 0.05 of the points, for a machine that knows arcs only:
+      cyclide curve track.csv --closed --units m --kind arc-fit --tolerance 0.05 -o track.dxf
+  A logo with contours and corners, columns chosen by name:
+      cyclide curve logo.csv --closed --corner-angle-deg 40 --columns x_mm,y_mm -o logo.svg
+
+The file: one point per line, separated by commas, semicolons, tabs or blanks; a header line is optional. A blank line
+starts a new contour, as does a new value in a column named 'contour'; a column 'corner' (0 or 1) marks corners.";
+
+const SAMPLE_EXAMPLES: &str = "\
+Examples:
+  cyclide sample logo.cyclide.json --object outline --count 500 > outline.csv
+  cyclide sample route.cyclide.json --object cable --count 200 --equal-length -o cable.csv
+
+Columns: t,x,y,z,tx,ty,tz,curvature (parameter, point, unit tangent, curvature), with a column 'contour' in front if the
+object has several. Each contour gets its own samples, both ends included.";
+
+const REPORT_EXAMPLES: &str = "\
+Examples:
+  cyclide report logo.cyclide.json
+  cyclide report logo.cyclide.json --json | jq '.objects[].length'";
+
+const SCHEMA_EXAMPLES: &str = "\
+Example:
+  cyclide schema > cyclide-1.schema.json";
+
+/// Curves made of circles: points in, exact and fair curves out, in CAD, on a laser cutter or in a drawing.
+#[derive(Debug, Parser)]
+#[command(name = "cyclide", version, arg_required_else_help = true, after_help = format!("{EXAMPLES}\n\n{EXIT_CODES}"))]
+pub struct Args {
+    #[command(subcommand)]
+    pub command: Command,
+}
+
+#[derive(Debug, Subcommand)]
+pub enum Command {
+    /// Build a model document and write its curves to files.
+    #[command(after_help = BUILD_EXAMPLES)]
+    Build(BuildArgs),
+    /// Turn a list of points into a curve and write it to files.
+    #[command(after_help = CURVE_EXAMPLES)]
+    Curve(CurveArgs),
+    /// Sample an object of a model: points, tangents, curvature as CSV.
+    #[command(after_help = SAMPLE_EXAMPLES)]
+    Sample(SampleArgs),
+    /// Build a model document and report on its objects without writing files.
+    #[command(after_help = REPORT_EXAMPLES)]
+    Report(ReportArgs),
+    /// Print the JSON Schema of the model document.
+    #[command(after_help = SCHEMA_EXAMPLES)]
+    Schema,
+}
+
+#[derive(Debug, ClapArgs)]
+pub struct BuildArgs {
+    /// The model document (JSON).
+    pub model: PathBuf,
+    #[command(flatten)]
+    pub output: OutputArgs,
+    /// Largest distance between a file's curve and the object, where the format needs an approximation [default:
+    /// 1e-5 of the model's size].
+    #[arg(long, value_name = "T", value_parser = positive)]
+    pub tolerance: Option<f64>,
+}
+
+/// Options about the files that are written.
+#[derive(Debug, ClapArgs)]
+pub struct OutputArgs {
+    /// File to write; the suffix says the format: .step .stp .dxf .svg .csv .json .png. Give it once per file.
+    #[arg(short, long = "output", value_name = "FILE", required = true, action = ArgAction::Append)]
+    pub output: Vec<PathBuf>,
+    /// Print the report as JSON.
+    #[arg(long)]
+    pub json: bool,
+    /// DXF: rational curves as exact SPLINE entities (many cutters and 2D programs ignore their weights).
+    #[arg(long, help_heading = "Formats")]
+    pub dxf_splines: bool,
+    /// DXF: the version written.
+    #[arg(long, value_name = "VERSION", value_enum, default_value_t, help_heading = "Formats")]
+    pub dxf_version: DxfArg,
+    /// SVG: draw the curvature comb.
+    #[arg(long, help_heading = "Formats")]
+    pub svg_comb: bool,
+    /// SVG: draw the joints of the curves as dots.
+    #[arg(long, help_heading = "Formats")]
+    pub svg_points: bool,
+    /// PNG: leave out the curvature comb.
+    #[arg(long, help_heading = "Formats")]
+    pub png_plain: bool,
+}
+
+#[derive(Debug, ClapArgs)]
+pub struct CurveArgs {
+    /// The points (CSV).
+    pub points: PathBuf,
+    #[command(flatten)]
+    pub output: OutputArgs,
+    /// The last point joins the first.
+    #[arg(long)]
+    pub closed: bool,
+    /// The construction.
+    #[arg(long, value_enum, default_value_t)]
+    pub kind: Kind,
+    /// Arc fit: largest distance from the points (or the polyline). Else: largest distance between a file's curve and
+    /// the curve, where the format needs an approximation [default: 1e-5 of the curve's size].
+    #[arg(long, value_name = "T", value_parser = positive)]
+    pub tolerance: Option<f64>,
+    /// What the coordinates are measured in; they are labelled, never rescaled.
+    #[arg(long, value_enum, default_value_t)]
+    pub units: UnitsArg,
+    /// The two or three coordinate columns, by name or by number from 1 [default: x, y and z by their names].
+    #[arg(long, value_name = "A,B", value_delimiter = ',', num_args = 1)]
+    pub columns: Option<Vec<String>>,
+    /// The column that tells contours apart [default: 'contour', else blank lines].
+    #[arg(long, value_name = "NAME")]
+    pub contour_column: Option<String>,
+    /// Turns above this angle, in degrees, are corners [default: none for a circle spline, 30 for an arc fit].
+    #[arg(long, value_name = "DEGREES", value_parser = positive)]
+    pub corner_angle_deg: Option<f64>,
+    /// Circle spline: blend order, 1 to 4 [default: 2].
+    #[arg(long, value_name = "K", value_parser = clap::value_parser!(u32).range(1..=4))]
+    pub order: Option<u32>,
+    /// Circle spline: how circles are blended [default: rational].
+    #[arg(long, value_enum)]
+    pub variant: Option<VariantArg>,
+    /// Arc spline: how the joint between two points is chosen [default: equal-d].
+    #[arg(long, value_enum)]
+    pub rule: Option<RuleArg>,
+    /// Arc fit: what the points are [default: points].
+    #[arg(long, value_enum)]
+    pub target: Option<TargetArg>,
+    /// Arc fit: how hard to search [default: default].
+    #[arg(long, value_enum)]
+    pub effort: Option<EffortArg>,
+}
+
+#[derive(Debug, ClapArgs)]
+pub struct SampleArgs {
+    /// The model document (JSON).
+    pub model: PathBuf,
+    /// Name of the object; may be left out if there is only one.
+    #[arg(long, value_name = "NAME")]
+    pub object: Option<String>,
+    /// Samples per contour, at least 2.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(2..=10_000_000))]
+    pub count: u32,
+    /// Equal steps of arc length instead of the parameter.
+    #[arg(long)]
+    pub equal_length: bool,
+    /// Write to a file instead of standard output.
+    #[arg(short, long, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+}
+
+#[derive(Debug, ClapArgs)]
+pub struct ReportArgs {
+    /// The model document (JSON).
+    pub model: PathBuf,
+    /// Print the report as JSON.
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Constructions that start from a list of points.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
+pub enum Kind {
+    /// A smooth curve through the points, blended from circles.
+    #[default]
+    CircleSpline,
+    /// Arcs through the points.
+    ArcSpline,
+    /// The fewest arcs within a tolerance.
+    ArcFit,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
+pub enum UnitsArg {
+    #[default]
+    Mm,
+    Cm,
+    M,
+    In,
+    Ft,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum VariantArg {
+    /// An exact rational curve.
+    Rational,
+    /// Sines of a blended angle; files carry it within a tolerance.
+    Trigonometric,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum RuleArg {
+    /// Equal legs of the control triangles.
+    EqualD,
+    /// Equal chords.
+    EqualChord,
+    /// Equal legs, unless equal chords are clearly better.
+    Auto,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum TargetArg {
+    /// Samples of a smooth curve.
+    Points,
+    /// The edges themselves.
+    Polyline,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum EffortArg {
+    /// Quick, a few per cent more arcs.
+    Fast,
+    /// The usual search.
+    Default,
+    /// Slow, sometimes fewer arcs.
+    Best,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
+pub enum DxfArg {
+    /// AutoCAD 2000: the default.
+    #[default]
+    R2000,
+    /// AutoCAD R12: for old machines.
+    R12,
+}
+
+/// A positive, finite number.
+fn positive(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(value) if value > 0.0 && value.is_finite() => Ok(value),
+        Ok(_) => Err("it must be positive and finite".to_owned()),
+        Err(_) => Err("it is not a number".to_owned()),
+    }
+}

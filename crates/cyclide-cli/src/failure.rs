@@ -1,0 +1,52 @@
+//! Why a run ended without its result, and the exit code that says so.
+
+use std::fmt::Display;
+use std::process::ExitCode;
+
+use crate::terminal;
+
+/// The kinds of failure, each with its exit code (documented in the help).
+#[derive(Debug)]
+pub enum Failure {
+    /// The input was read and refused: exit code 1.
+    Refused(String),
+    /// The command line makes no sense: exit code 2, as for what the argument parser refuses itself.
+    Usage(String),
+    /// A file could not be read or written: exit code 3.
+    File(String),
+    /// A file that was made did not pass its check and was not written, a fault of the program: exit code 4.
+    Check(String),
+}
+
+impl Failure {
+    /// A file that could not be read.
+    pub fn read(path: &std::path::Path, error: &std::io::Error) -> Self {
+        Self::File(format!("cannot read {}: {error}", path.display()))
+    }
+
+    /// A file that could not be written; the old one is untouched.
+    pub fn write(path: impl Display, error: &std::io::Error) -> Self {
+        Self::File(format!("cannot write {path}: {error}"))
+    }
+
+    /// Prints the message and gives the exit code.
+    pub fn show(self) -> ExitCode {
+        let (code, message) = match self {
+            Self::Refused(message) => (1, message),
+            Self::Usage(message) => (2, message + "\n\nFor more information, try '--help'."),
+            Self::File(message) => (3, message),
+            Self::Check(message) => (4, message + "\nThis is a fault of cyclide; nothing was written."),
+        };
+        terminal::error(&message);
+        ExitCode::from(code)
+    }
+}
+
+impl From<cyclide_io::Error> for Failure {
+    fn from(error: cyclide_io::Error) -> Self {
+        match error {
+            cyclide_io::Error::Read { path, source } => Self::read(&path, &source),
+            other => Self::Refused(other.to_string()),
+        }
+    }
+}

@@ -1,0 +1,81 @@
+//! Reading a model document (or one made from the command line) and building its objects.
+
+use std::collections::HashMap;
+use std::path::{Path, PathBuf};
+
+use cyclide::{Model, Units};
+use cyclide_io::{BuiltObject, Document};
+
+use crate::failure::Failure;
+use crate::plan::Input;
+use crate::progress::Progress;
+use crate::terminal;
+
+/// Warnings of one kind shown per object; the JSON report holds them all.
+const SHOWN_WARNINGS: usize = 3;
+
+/// A built model.
+pub struct Loaded {
+    pub units: Units,
+    pub objects: Vec<BuiltObject>,
+    /// The files of points that were read.
+    pub point_files: Vec<PathBuf>,
+}
+
+impl Loaded {
+    /// The objects without what is known about them besides.
+    pub fn model(&self) -> Model {
+        Model { units: self.units, items: self.objects.iter().map(|built| built.item.clone()).collect() }
+    }
+}
+
+/// Reads the document.
+pub fn document(input: &Input) -> Result<(Document, PathBuf), Failure> {
+    match input {
+        Input::Made(document) => Ok((document.as_ref().clone(), PathBuf::new())),
+        Input::File(path) => {
+            let bytes = std::fs::read(path).map_err(|e| Failure::read(path, &e))?;
+            let document = Document::parse(&path.display().to_string(), &bytes);
+            let folder = path.parent().map(Path::to_path_buf).unwrap_or_default();
+            document.map(|d| (d, folder)).map_err(|message| Failure::Refused(message.to_string()))
+        }
+    }
+}
+
+/// Builds the document's objects one by one and shows their warnings.
+pub fn build(document: &Document, folder: &Path, progress: &Progress) -> Result<Loaded, Failure> {
+    let mut objects = Vec::with_capacity(document.objects.len());
+    for (index, (name, spec)) in document.objects.iter().enumerate() {
+        progress.doing(format!("{name}: {}", spec.type_word()));
+        let built = document.build_object(index, folder, &|path| std::fs::read(path))?;
+        progress.suspended(|| show_warnings(&built));
+        objects.push(built);
+        progress.done();
+    }
+    let point_files = document.point_files().map(|file| folder.join(file)).collect();
+    Ok(Loaded { units: document.units, objects, point_files })
+}
+
+fn show_warnings(built: &BuiltObject) {
+    let mut counts: HashMap<&str, usize> = HashMap::new();
+    for remark in &built.remarks {
+        let count = counts.entry(remark.reason).or_default();
+        *count += 1;
+        if *count <= SHOWN_WARNINGS {
+            let name = &built.item.name;
+            let place = remark.place.as_ref().map_or_else(|| name.clone(), |place| format!("{place}: {name}"));
+            terminal::warning(&format!("{place}: {} [{}]", remark.message, remark.reason));
+        }
+    }
+    // In the order of their first appearance, so that equal runs print equal text.
+    let mut rest: Vec<&str> = Vec::new();
+    for remark in &built.remarks {
+        if counts[remark.reason] > SHOWN_WARNINGS && !rest.contains(&remark.reason) {
+            rest.push(remark.reason);
+        }
+    }
+    for reason in rest {
+        let more = counts[reason] - SHOWN_WARNINGS;
+        terminal::warning(&format!("{}: {more} more of these (--json reports all) [{reason}]", built.item.name));
+    }
+}

@@ -1,0 +1,254 @@
+//! From arguments as typed to a plan that makes sense: formats known, options that fit together, defaults filled in.
+
+use std::ffi::OsStr;
+use std::path::{Path, PathBuf};
+
+use cyclide::Units;
+use cyclide_io::{
+    ArcFitSpec, ArcSplineSpec, CircleSplineSpec, Document, DxfVersion, EffortWord, EndsSpec, ExportOptions, Format,
+    ObjectSpec, PointFile, PointSource, RuleWord, Spacing, TargetWord, TypeWord, VariantWord,
+};
+
+use crate::args::{
+    Args, BuildArgs, Command, CurveArgs, DxfArg, EffortArg, Kind, OutputArgs, ReportArgs, RuleArg, SampleArgs,
+    TargetArg, UnitsArg, VariantArg,
+};
+use crate::failure::Failure;
+
+/// What to do.
+pub enum Plan {
+    Make(MakePlan),
+    Sample(SamplePlan),
+    Report(ReportPlan),
+    Schema,
+}
+
+/// Build a model and write files.
+pub struct MakePlan {
+    pub input: Input,
+    pub outputs: Vec<(PathBuf, Format)>,
+    pub options: ExportOptions,
+    pub json: bool,
+}
+
+/// Where the model comes from.
+pub enum Input {
+    /// A model document.
+    File(PathBuf),
+    /// A document made from the command line; it refers to files by their paths as given.
+    Made(Box<Document>),
+}
+
+/// Sample one object of a model.
+pub struct SamplePlan {
+    pub input: Input,
+    pub object: Option<String>,
+    pub count: usize,
+    pub spacing: Spacing,
+    pub output: Option<PathBuf>,
+}
+
+/// Report on a model.
+pub struct ReportPlan {
+    pub input: Input,
+    pub json: bool,
+}
+
+impl Args {
+    /// The plan for what was typed.
+    pub fn plan(self) -> Result<Plan, Failure> {
+        match self.command {
+            Command::Build(BuildArgs { model, output, tolerance }) => {
+                output.plan(Input::File(model), tolerance).map(Plan::Make)
+            }
+            Command::Curve(args) => args.plan().map(Plan::Make),
+            Command::Sample(SampleArgs { model, object, count, equal_length, output }) => {
+                let spacing = if equal_length { Spacing::Length } else { Spacing::Parameter };
+                refuse_overwriting(output.as_deref(), &model)?;
+                Ok(Plan::Sample(SamplePlan {
+                    input: Input::File(model),
+                    object,
+                    count: count as usize,
+                    spacing,
+                    output,
+                }))
+            }
+            Command::Report(ReportArgs { model, json }) => {
+                Ok(Plan::Report(ReportPlan { input: Input::File(model), json }))
+            }
+            Command::Schema => Ok(Plan::Schema),
+        }
+    }
+}
+
+impl OutputArgs {
+    fn plan(self, input: Input, tolerance: Option<f64>) -> Result<MakePlan, Failure> {
+        let mut outputs: Vec<(PathBuf, Format)> = Vec::new();
+        for path in self.output {
+            let format = Format::from_path(&path).map_err(|e| Failure::Usage(e.to_string()))?;
+            if outputs.iter().any(|(other, _)| *other == path) {
+                return Err(Failure::Usage(format!("{} is given twice as output", path.display())));
+            }
+            if let Input::File(model) = &input {
+                refuse_overwriting(Some(&path), model)?;
+            }
+            outputs.push((path, format));
+        }
+        let options = ExportOptions {
+            tolerance,
+            dxf_splines: self.dxf_splines,
+            dxf_version: match self.dxf_version {
+                DxfArg::R2000 => DxfVersion::R2000,
+                DxfArg::R12 => DxfVersion::R12,
+            },
+            svg_comb: self.svg_comb,
+            svg_points: self.svg_points,
+            png_plain: self.png_plain,
+            ..ExportOptions::default()
+        };
+        Ok(MakePlan { input, outputs, options, json: self.json })
+    }
+}
+
+impl CurveArgs {
+    fn plan(self) -> Result<MakePlan, Failure> {
+        self.check_options()?;
+        let name = self.points.file_stem().and_then(OsStr::to_str).filter(|s| !s.trim().is_empty()).unwrap_or("curve");
+        let Some(csv) = self.points.to_str().map(str::to_owned) else {
+            return Err(Failure::Usage(format!("{}: the path is not Unicode", self.points.display())));
+        };
+        let file = PointFile { csv, columns: self.columns.clone(), contour: self.contour_column.clone() };
+        let (points, closed, r#type) = (PointSource::File(file), self.closed, TypeWord);
+        let corner_angle = self.corner_angle_deg.map(f64::to_radians);
+        let spec = match self.kind {
+            Kind::CircleSpline => ObjectSpec::CircleSpline(CircleSplineSpec {
+                r#type,
+                points,
+                closed,
+                order: self.order.unwrap_or(2),
+                variant: self.variant.map_or_else(VariantWord::default, VariantArg::word),
+                ends: EndsSpec::Natural,
+                corner_angle,
+            }),
+            Kind::ArcSpline => ObjectSpec::ArcSpline(ArcSplineSpec {
+                r#type,
+                points,
+                tangents: None,
+                closed,
+                rule: self.rule.map_or_else(RuleWord::default, RuleArg::word),
+            }),
+            Kind::ArcFit => {
+                let needed = || Failure::Usage("--kind arc-fit needs --tolerance".to_owned());
+                ObjectSpec::ArcFit(ArcFitSpec {
+                    r#type,
+                    points,
+                    closed,
+                    tolerance: self.tolerance.ok_or_else(needed)?,
+                    target: self.target.map_or_else(TargetWord::default, TargetArg::word),
+                    effort: self.effort.map_or_else(EffortWord::default, EffortArg::word),
+                    corner_angle,
+                })
+            }
+        };
+        let objects = vec![(name.to_owned(), spec)];
+        for path in &self.output.output {
+            refuse_overwriting(Some(path), &self.points)?;
+        }
+        let document = Document::from_objects(&self.points.display().to_string(), self.units.units(), objects);
+        self.output.plan(Input::Made(Box::new(document)), self.tolerance)
+    }
+
+    /// Refuses options that the kind of curve does not have.
+    fn check_options(&self) -> Result<(), Failure> {
+        let given = [
+            ("--order", self.order.is_some(), &[Kind::CircleSpline][..]),
+            ("--variant", self.variant.is_some(), &[Kind::CircleSpline]),
+            ("--rule", self.rule.is_some(), &[Kind::ArcSpline]),
+            ("--target", self.target.is_some(), &[Kind::ArcFit]),
+            ("--effort", self.effort.is_some(), &[Kind::ArcFit]),
+            ("--corner-angle-deg", self.corner_angle_deg.is_some(), &[Kind::CircleSpline, Kind::ArcFit]),
+        ];
+        let wrong = given.iter().find(|(_, given, kinds)| *given && !kinds.contains(&self.kind));
+        match wrong {
+            None => Ok(()),
+            Some((option, _, kinds)) => {
+                let kinds: Vec<&str> = kinds.iter().map(|kind| kind.word()).collect();
+                let message =
+                    format!("{option} goes with --kind {}, not with {}", kinds.join(" or "), self.kind.word());
+                Err(Failure::Usage(message))
+            }
+        }
+    }
+}
+
+/// Refuses to write over a file that is read. A file that does not exist cannot be meant.
+pub fn refuse_overwriting(output: Option<&Path>, input: &Path) -> Result<(), Failure> {
+    let same = |output: &&Path| match (output.canonicalize(), input.canonicalize()) {
+        (Ok(a), Ok(b)) => a == b,
+        _ => false,
+    };
+    match output.filter(same) {
+        None => Ok(()),
+        Some(path) => Err(Failure::Usage(format!("{} is an input: it will not be written over", path.display()))),
+    }
+}
+
+impl Kind {
+    const fn word(self) -> &'static str {
+        match self {
+            Self::CircleSpline => "circle-spline",
+            Self::ArcSpline => "arc-spline",
+            Self::ArcFit => "arc-fit",
+        }
+    }
+}
+
+impl UnitsArg {
+    const fn units(self) -> Units {
+        match self {
+            Self::Mm => Units::Millimetre,
+            Self::Cm => Units::Centimetre,
+            Self::M => Units::Metre,
+            Self::In => Units::Inch,
+            Self::Ft => Units::Foot,
+        }
+    }
+}
+
+impl VariantArg {
+    const fn word(self) -> VariantWord {
+        match self {
+            Self::Rational => VariantWord::Rational,
+            Self::Trigonometric => VariantWord::Trigonometric,
+        }
+    }
+}
+
+impl RuleArg {
+    const fn word(self) -> RuleWord {
+        match self {
+            Self::EqualD => RuleWord::EqualD,
+            Self::EqualChord => RuleWord::EqualChord,
+            Self::Auto => RuleWord::Auto,
+        }
+    }
+}
+
+impl TargetArg {
+    const fn word(self) -> TargetWord {
+        match self {
+            Self::Points => TargetWord::Points,
+            Self::Polyline => TargetWord::Polyline,
+        }
+    }
+}
+
+impl EffortArg {
+    const fn word(self) -> EffortWord {
+        match self {
+            Self::Fast => EffortWord::Fast,
+            Self::Default => EffortWord::Default,
+            Self::Best => EffortWord::Best,
+        }
+    }
+}

@@ -1,0 +1,46 @@
+//! A progress bar on standard error, where a person can see it and when the work is long enough to ask.
+
+use std::time::Duration;
+
+use indicatif::{ProgressBar, ProgressStyle};
+
+/// The bar appears when the work has lasted this long.
+const PATIENCE: Duration = Duration::from_millis(400);
+
+/// Steps of a run; drawn only if standard error is a terminal.
+pub struct Progress {
+    bar: ProgressBar,
+}
+
+impl Progress {
+    /// Progress over `steps` steps.
+    pub fn new(steps: usize) -> Self {
+        let bar = ProgressBar::new(steps as u64);
+        if let Ok(style) = ProgressStyle::with_template("{bar:24} {pos}/{len} {elapsed} {msg}") {
+            bar.set_style(style);
+        }
+        bar.enable_steady_tick(PATIENCE);
+        Self { bar }
+    }
+
+    /// Says what is being done now.
+    pub fn doing(&self, what: String) {
+        self.bar.set_message(what);
+    }
+
+    /// One step is done.
+    pub fn done(&self) {
+        self.bar.inc(1);
+    }
+
+    /// Prints something without the bar in the way.
+    pub fn suspended(&self, show: impl FnOnce()) {
+        self.bar.suspend(show);
+    }
+}
+
+impl Drop for Progress {
+    fn drop(&mut self) {
+        self.bar.finish_and_clear();
+    }
+}

@@ -1,0 +1,146 @@
+//! The report as text for people: aligned, few digits, units behind the numbers.
+
+use std::fmt;
+
+use super::{FileReport, ObjectReport, Report};
+
+/// A number with about five digits: plain in the usual range, else with an exponent.
+fn short(value: f64) -> String {
+    let size = value.abs();
+    if value == 0.0 {
+        "0".to_owned()
+    } else if !value.is_finite() {
+        "infinite".to_owned()
+    } else if (1e-3..1e7).contains(&size) {
+        // Digits behind the point so that five count, but none invented for large numbers.
+        let digits = (4 - size.log10().floor() as i32).clamp(0, 7) as usize;
+        let text = format!("{value:.digits$}");
+        if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
+    } else {
+        format!("{value:.2e}")
+    }
+}
+
+fn plural(count: usize, one: &str) -> String {
+    format!("{count} {one}{}", if count == 1 { "" } else { "s" })
+}
+
+impl fmt::Display for Report {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (i, (name, object)) in self.objects.iter().enumerate() {
+            if i > 0 {
+                writeln!(f)?;
+            }
+            object.write(f, name, self.units)?;
+        }
+        if self.files.is_empty() {
+            return Ok(());
+        }
+        writeln!(f, "\nfiles")?;
+        let rows: Vec<[String; 5]> = self.files.iter().map(|file| file.row(self.units)).collect();
+        let width = |column: usize| rows.iter().map(|r| r[column].chars().count()).max().unwrap_or(0);
+        let widths: Vec<usize> = (0..5).map(width).collect();
+        for (row, file) in rows.iter().zip(&self.files) {
+            let cells = row.iter().zip(&widths).map(|(cell, &width)| format!("{cell:width$}"));
+            writeln!(f, "  {}", cells.collect::<Vec<_>>().join("  ").trim_end())?;
+            for note in &file.notes {
+                writeln!(f, "    note: {note}")?;
+            }
+        }
+        Ok(())
+    }
+}
+
+impl ObjectReport {
+    fn write(&self, f: &mut fmt::Formatter<'_>, name: &str, units: &str) -> fmt::Result {
+        let mut facts = vec![self.r#type.clone(), if self.closed { "closed" } else { "open" }.to_owned()];
+        if self.contours != 1 {
+            facts.push(plural(self.contours, "contour"));
+        }
+        if self.points > 0 {
+            facts.push(plural(self.points, "point"));
+        }
+        facts.push(plural(self.pieces, "piece"));
+        writeln!(f, "{name}: {}", facts.join(", "))?;
+        let mut line = |label: &str, text: String| writeln!(f, "  {label:<11}{text}");
+        line("length", format!("{} {units}", short(self.length)))?;
+        let j = &self.joints;
+        let smooth = j.count - j.corners;
+        if smooth > 0 {
+            let (angle, jump) = (short(j.smooth_angle), short(j.smooth_curvature_jump));
+            let text =
+                format!("{smooth}: gap {} {units}, angle {angle} rad, curvature jump {jump} /{units}", short(j.gap));
+            line("joints", text)?;
+        }
+        if j.corners > 0 {
+            line("corners", format!("{}: angle up to {} rad", j.corners, short(j.angle)))?;
+        }
+        let c = &self.curvature;
+        let mut text = format!("up to {} /{units}", short(c.max));
+        if c.max > 0.0 {
+            let place = c.point.map(short).join(", ");
+            text += &format!(" (radius {} {units}) at t = {}, point {place}", short(1.0 / c.max), short(c.t));
+            if self.contours > 1 {
+                text += &format!(" of contour {}", c.contour + 1);
+            }
+        }
+        line("curvature", text)?;
+        match &self.weights {
+            Some(w) => line("weights", format!("{} to {}", short(w.min), short(w.max)))?,
+            None => line("weights", "no rational form within the tolerance".to_owned())?,
+        }
+        if let Some(fit) = &self.fit {
+            let made = format!("{} and {}", plural(fit.arcs, "arc"), plural(fit.lines, "line"));
+            let (deviation, tolerance) = (short(fit.deviation), short(fit.tolerance));
+            let polyline = short(fit.polyline_deviation);
+            line(
+                "fit",
+                format!(
+                    "{made}: deviation {deviation} {units} (tolerance {tolerance} {units}), {polyline} {units} from the polyline"
+                ),
+            )?;
+        }
+        if !self.warnings.is_empty() {
+            line("warnings", self.warnings.len().to_string())?;
+        }
+        Ok(())
+    }
+}
+
+impl FileReport {
+    fn row(&self, units: &str) -> [String; 5] {
+        let kept = if self.exact { "exact".to_owned() } else { format!("within {} {units}", short(self.bound)) };
+        let deviation = match self.deviation {
+            Some(d) => format!("deviation {} {units}", short(d)),
+            None => String::new(),
+        };
+        let kept = if self.deviation.is_none() { "picture".to_owned() } else { kept };
+        [self.path.clone(), self.format.to_owned(), kept, deviation, size_text(self.bytes)]
+    }
+}
+
+fn size_text(bytes: usize) -> String {
+    if bytes < 10_000 { format!("{bytes} bytes") } else { format!("{:.0} kB", bytes as f64 / 1000.0) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_are_short() {
+        for (value, text) in [
+            (0.0, "0"),
+            (1.0, "1"),
+            (5134.2671, "5134.3"),
+            (0.08214567, "0.082146"),
+            (-0.5, "-0.5"),
+            (123456.7, "123457"),
+            (1.25e9, "1.25e9"),
+            (4.4e-16, "4.40e-16"),
+            (f64::INFINITY, "infinite"),
+        ] {
+            assert_eq!(short(value), text);
+        }
+    }
+}
