@@ -69,14 +69,14 @@ impl ObjectReport {
         if smooth > 0 {
             let (angle, jump) = (short(j.smooth_angle), short(j.smooth_curvature_jump));
             let text =
-                format!("{smooth}: gap {} {units}, angle {angle} rad, curvature jump {jump} /{units}", short(j.gap));
+                format!("{smooth}: gap {} {units}, angle {angle} rad, curvature jump {jump} 1/{units}", short(j.gap));
             line("joints", text)?;
         }
         if j.corners > 0 {
             line("corners", format!("{}: angle up to {} rad", j.corners, short(j.angle)))?;
         }
         let c = &self.curvature;
-        let mut text = format!("up to {} /{units}", short(c.max));
+        let mut text = format!("up to {} 1/{units}", short(c.max));
         if c.max > 0.0 {
             let place = c.point.map(short).join(", ");
             text += &format!(" (radius {} {units}) at t = {}, point {place}", short(1.0 / c.max), short(c.t));
