@@ -12,10 +12,11 @@ use crate::error::{Error, Result};
 use std::ops::Range;
 
 /// Samples on each segment of the curve, and on each biarc at least.
-const SAMPLES: usize = 12;
-/// The part of the tolerance that sampled distances may use: between samples a distance grows by at most the square
-/// of the spacing, (pi/12)²/8 of itself.
-const SAFETY: f64 = 0.99;
+const SAMPLES: usize = 24;
+/// The part of the tolerance that distances may use. They are sampled, with a parabola through the three samples at
+/// each largest one: with four samples to a lobe it misses at most 0.8 % of the top. A biarc over a smooth
+/// piece has four lobes, over a joint of order 1 up to six.
+const SAFETY: f64 = 0.98;
 /// A biarc is as long as it may be up to this factor.
 const LENGTH_RESOLUTION: f64 = 1.05;
 /// Feet go back by no more than this part of an arc: rounding of their parameters.
@@ -147,6 +148,7 @@ impl Stretch<'_> {
         let limit = SAFETY * self.tolerance;
         let count = ((to.v - from.v) * SAMPLES as f64).ceil().max(SAMPLES as f64) as usize;
         let (mut last_point, mut last_foot, mut last_place) = (from.point, from.point, 0.0);
+        let mut last_distances = [0.0; 2];
         for i in 1..=count {
             let (point, foot, place) = if i == count {
                 (to.point, to.point, 2.0)
@@ -156,7 +158,9 @@ impl Stretch<'_> {
                 let (foot, place) = foot(&biarc, point);
                 (point, foot, place)
             };
-            if point.distance(foot) > limit || place < last_place - PLACE_ROUNDING {
+            let distance = point.distance(foot);
+            let [before, middle] = last_distances;
+            if top_of_parabola(before, middle, distance) > limit || place < last_place - PLACE_ROUNDING {
                 return None;
             }
             // Feet advance like the samples: projection onto a curve this near cannot leap, except over a loop.
@@ -164,9 +168,16 @@ impl Stretch<'_> {
                 return None;
             }
             (last_point, last_foot, last_place) = (point, foot, place);
+            last_distances = [middle, distance];
         }
         Some(biarc)
     }
+}
+
+/// Largest value over three samples one step apart, between them by the parabola through them.
+fn top_of_parabola(a: f64, b: f64, c: f64) -> f64 {
+    let bend = 2.0 * b - a - c;
+    if b >= a && b >= c && bend > 0.0 { b + (a - c) * (a - c) / (8.0 * bend) } else { a.max(b).max(c) }
 }
 
 /// The nearest point of a biarc and its place, arc number plus parameter.

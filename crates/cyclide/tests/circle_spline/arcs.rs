@@ -1,0 +1,83 @@
+//! The G1 arcs of a circle spline: near it in both directions, tangent-continuous where it is, with its ends.
+
+use crate::data::{self, infinity_distance_squared, p, spline};
+use cyclide::{
+    ArcPath, BlendVariant, CircleSpline, CircleSplineOptions, Exactness, Lower, ParamCurve, Point3, closest_point,
+    joints,
+};
+use proptest::prelude::*;
+
+/// Largest distances of samples: of the curve from the arcs and of the arcs from the curve.
+fn two_sided(s: &CircleSpline, arcs: &ArcPath) -> (f64, f64) {
+    let samples = |curve: &dyn ParamCurve, n: usize| -> Vec<Point3> {
+        let n = n * curve.piece_count();
+        (0..=n).map(|i| curve.eval(i as f64 / n as f64)).collect()
+    };
+    let there = samples(s, 24).into_iter().map(|q| arcs.closest_point(q).distance).fold(0.0, f64::max);
+    let back = samples(arcs, 6).into_iter().map(|q| closest_point(s, q).distance).fold(0.0, f64::max);
+    (there, back)
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(32))]
+    #[test]
+    fn arcs_stay_within_the_tolerance_both_ways(points in data::tame_points(), options in data::options(), digits in 1.0_f64..4.0) {
+        let Some(s) = spline(&points, &options) else { return Ok(()) };
+        if s.segments().iter().any(|x| infinity_distance_squared(x) < 1e-2) {
+            return Ok(()); // curves a hundred times the size of the points
+        }
+        let tolerance = 10.0_f64.powf(-digits);
+        let (arcs, exactness) = s.to_arcs(tolerance).unwrap();
+        prop_assert!(exactness.bound() <= tolerance);
+        let (there, back) = two_sided(&s, &arcs);
+        prop_assert!(there <= tolerance && back <= tolerance, "{there:e} {back:e} of {tolerance:e}");
+        let kink = joints(&arcs).iter().map(|j| j.angle).fold(0.0, f64::max);
+        // Tangents are shared: rounding over the length of the shortest arc.
+        prop_assert!(!s.kinks().is_empty() || kink < 1e-9, "{kink:e}");
+        prop_assert_eq!(arcs.eval(0.0), s.eval(0.0));
+        prop_assert_eq!(arcs.eval(1.0), s.eval(1.0));
+        prop_assert_eq!(arcs.is_closed(), s.is_closed());
+    }
+}
+
+#[test]
+fn counts_double_per_decade_and_nodes_are_shared() {
+    let at = |i: usize| {
+        let a = std::f64::consts::TAU * i as f64 / 200.0;
+        let r = 100.0 * (1.0 + 0.3 * (3.0 * a).sin());
+        p(r * a.cos(), r * a.sin(), 0.0)
+    };
+    let points: Vec<Point3> = (0..200).map(at).collect();
+    for variant in [BlendVariant::Rational, BlendVariant::Trigonometric] {
+        let options = CircleSplineOptions { closed: true, variant, ..CircleSplineOptions::default() };
+        let s = CircleSpline::from_points(&points, &options).unwrap();
+        let count = |tolerance: f64| s.to_arcs(tolerance).unwrap().0.arcs().len();
+        let (coarse, fine) = (count(0.1), count(0.01));
+        // Third order: 10^(1/3) = 2.15 per decade.
+        assert!(fine as f64 / (coarse as f64) < 2.6, "{coarse} {fine}");
+        assert!(coarse < 60, "biarcs of dense data pass over nodes: {coarse} arcs for 200 points");
+    }
+}
+
+#[test]
+fn exact_arcs_and_straight_runs_stay_as_they_are() {
+    // A straight run, a bend, a straight run.
+    let points = [[0.0, 0.0], [1.0, 0.0], [2.0, 0.0], [3.0, 0.0], [4.0, 1.0], [4.0, 2.0], [4.0, 3.0], [4.0, 4.0]]
+        .map(|[x, y]| p(x, y, 0.0));
+    let s = CircleSpline::from_points(&points, &CircleSplineOptions::default()).unwrap();
+    let (arcs, exactness) = s.to_arcs(1e-3).unwrap();
+    assert_eq!(exactness, Exactness::Within(1e-3));
+    assert_eq!(arcs.arcs().iter().filter(|a| a.is_straight()).count(), 4);
+    let corner = CircleSplineOptions { corners: vec![3, 4], ..CircleSplineOptions::default() };
+    let s = CircleSpline::from_points(&points, &corner).unwrap();
+    let (arcs, exactness) = s.to_arcs(1e-3).unwrap();
+    assert_eq!((arcs.arcs().len(), exactness), (7, Exactness::Exact));
+    assert!(arcs.arcs().iter().all(cyclide::Arc::is_straight));
+}
+
+#[test]
+fn a_tolerance_below_rounding_is_refused() {
+    let points = [[1e6, 0.0], [1e6 + 1.0, 0.3], [1e6 + 2.0, 0.0], [1e6 + 2.5, 1.0]].map(|[x, y]| p(x, y, 0.0));
+    let s = CircleSpline::from_points(&points, &CircleSplineOptions::default()).unwrap();
+    assert_eq!(s.to_arcs(1e-12).unwrap_err().reason(), "too-many-pieces");
+}

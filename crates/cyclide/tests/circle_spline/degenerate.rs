@@ -1,0 +1,159 @@
+//! Where circles stop being circles: cusps, opposite circles, the long way, circles through infinity, bad input.
+
+use crate::data::p;
+use cyclide::{
+    BlendSegment, BlendVariant, CircleSpline, CircleSplineOptions, Error, Mobius, ParamCurve, Point3, Quat, SplineEnds,
+    Vec3, Warning,
+};
+use proptest::prelude::*;
+
+fn closed() -> CircleSplineOptions {
+    CircleSplineOptions { closed: true, ..CircleSplineOptions::default() }
+}
+
+fn reason(points: &[Point3], options: &CircleSplineOptions) -> &'static str {
+    CircleSpline::from_points(points, options).unwrap_err().reason()
+}
+
+proptest! {
+    #[test]
+    fn nearly_collinear_triples_never_go_the_long_way(
+        exponent in -12.0_f64..-5.0, between in -0.9_f64..1.9, turn in (-1.0..1.0, -1.0..1.0, -1.0..1.0, -1.0..1.0),
+        scale in prop_oneof![Just(1.0), Just(1e-6), Just(1e6)]
+    ) {
+        let q = Quat::new(turn.0, turn.1, turn.2, turn.3);
+        prop_assume!(q.norm() > 1e-3 && between.abs() > 1e-3 && (between - 1.0).abs() > 1e-3);
+        let map = Mobius::similarity(q, scale, Vec3::ZERO).unwrap();
+        let points = [p(0.0, 0.0, 0.0), p(1.0, 0.0, 0.0), p(between, 10.0_f64.powf(exponent), 0.0)]
+            .map(|x| map.map_point(x).unwrap());
+        let s = CircleSpline::from_points(&points, &closed()).unwrap();
+        // Where one sharp turn counts as a cusp and the other does not, the tangents are opposite to rounding.
+        prop_assume!(s.kinks().is_empty() || s.kinks().len() == 2);
+        for segment in s.segments() {
+            prop_assert!(!segment.long_way() && !segment.opposite_circles(), "{s:?}");
+        }
+    }
+
+    #[test]
+    fn a_crossed_square_stays_in_its_plane(turn in (-1.0..1.0, -1.0..1.0, -1.0..1.0, -1.0..1.0), far in 0.0..4.5) {
+        // Opposite circles in the first and third segment: the half turn must be taken in the plane, although the
+        // tangents are opposite to rounding only (and rounding grows with the distance from the origin).
+        let q = Quat::new(turn.0, turn.1, turn.2, turn.3);
+        prop_assume!(q.norm() > 1e-3);
+        let distance = 10.0_f64.powf(far);
+        let map = Mobius::similarity(q, 1.0, Vec3::new(0.6, -0.64, 0.48) * distance).unwrap();
+        let points = [p(0.0, 0.0, 0.0), p(1.0, 1.0, 0.0), p(1.0, 0.0, 0.0), p(0.0, 1.0, 0.0)].map(|x| map.map_point(x).unwrap());
+        let normal = map.push_forward(p(0.0, 0.0, 0.0), Vec3::Z).unwrap();
+        for variant in [BlendVariant::Trigonometric, BlendVariant::Rational] {
+            let s = CircleSpline::from_points(&points, &CircleSplineOptions { variant, ..closed() }).unwrap();
+            for i in 0..=64 {
+                let off = (s.eval(f64::from(i) / 64.0) - points[0]).dot(normal).abs();
+                // The coordinates are rounded by 1e-16 of the distance; chords are 1 and the circles small.
+                prop_assert!(off < 64.0 * f64::EPSILON * (1.0 + distance), "{off:e}");
+            }
+        }
+    }
+
+    #[test]
+    fn three_points_closed_are_their_circle(exponent in -6.0..0.0, between in 0.1..0.9) {
+        let points = [p(0.0, 0.0, 0.0), p(1.0, 0.0, 0.0), p(between, 10.0_f64.powf(exponent), 0.0)];
+        let s = CircleSpline::from_points(&points, &closed()).unwrap();
+        let circle = cyclide::Circle::through_points(points).unwrap();
+        for i in 0..=48 {
+            let off = (s.eval(f64::from(i) / 48.0).distance(circle.center()) - circle.radius()).abs();
+            // The circle's own rounding grows with its radius, that of its centre with the square of it.
+            prop_assert!(off < 1e-14 * (1.0 + circle.radius()).powi(2), "{off:e} of {}", circle.radius());
+        }
+    }
+}
+
+#[test]
+fn cusps_are_reported_and_keep_one_sided_tangents() {
+    let points = [p(0.0, 0.0, 0.0), p(2.0, 0.0, 0.0), p(1.0, 0.0, 0.0), p(1.0, 1.0, 0.0)];
+    let s = CircleSpline::from_points(&points, &CircleSplineOptions::default()).unwrap();
+    assert_eq!(s.warnings()[0], Warning::Cusp { node: 1 });
+    assert_eq!(s.kinks(), [1]);
+    assert!((s.segments()[0].end_tangent() - Vec3::X).length() < 1e-15);
+    assert!((s.segments()[1].start_tangent() + Vec3::X).length() < 1e-15);
+    // Three collinear points closed turn back twice.
+    let s = CircleSpline::from_points(&[p(0.0, 0.0, 0.0), p(1.0, 0.0, 0.0), p(3.0, 0.0, 0.0)], &closed()).unwrap();
+    assert_eq!(s.kinks(), [0, 2]);
+}
+
+#[test]
+fn unusual_data_are_named() {
+    let has = |points: &[Point3], wanted: &str, index: usize| {
+        let s = CircleSpline::from_points(points, &CircleSplineOptions::default()).unwrap();
+        let found = s.warnings().iter().any(|w| w.reason() == wanted && w.index() == Some(index));
+        assert!(found, "{wanted} {index}: {:?}", s.warnings());
+    };
+    has(&[p(0.0, 0.0, 0.0), p(2.0, 0.0, 0.0), p(1.0, 0.05, 0.0)], "sharp-turn", 1);
+    has(&[p(0.0, 0.0, 0.0), p(1.0, 0.0, 0.0), p(5.0, 1.0, 0.0)], "uneven-spacing", 1);
+    has(&[p(0.0, 1.0, 0.0), p(0.0, 0.0, 0.0), p(1.0, 1.0, 0.0), p(1.0, 0.0, 0.0)], "opposite-circles", 1);
+    // Circles that leave the chord backwards on both sides of it: the blend takes the long way round.
+    let p3 = |x: f64, y: f64| p(x, y, 0.0);
+    has(&[p3(0.2, -0.3), p3(0.0, 0.0), p3(1.0, 0.0), p3(0.8, 0.3)], "long-way", 1);
+    let calm = [p(0.0, 0.0, 0.0), p(1.0, 0.2, 0.0), p(2.0, 0.0, 0.5), p(3.0, 0.3, 0.0)];
+    assert!(CircleSpline::from_points(&calm, &CircleSplineOptions::default()).unwrap().warnings().is_empty());
+}
+
+#[test]
+fn bad_input_is_refused_by_name() {
+    let good = [p(0.0, 0.0, 0.0), p(1.0, 0.0, 0.0), p(1.0, 1.0, 0.0), p(0.0, 1.0, 1.0)];
+    let open = CircleSplineOptions::default();
+    assert_eq!(reason(&good[..1], &open), "too-few-points");
+    assert_eq!(reason(&good[..2], &closed()), "too-few-points");
+    assert_eq!(reason(&[], &closed()), "too-few-points");
+    for order in [0, 5, u32::MAX] {
+        assert_eq!(reason(&good, &CircleSplineOptions { order, ..open.clone() }), "order-out-of-range");
+    }
+    let mut bad = good;
+    bad[2].y = f64::NAN;
+    assert_eq!(CircleSpline::from_points(&bad, &open).unwrap_err(), Error::NotFinite { what: "point", index: 2 });
+    assert_eq!(reason(&[p(-1e308, 0.0, 0.0), p(1e308, 0.0, 0.0), p(0.0, 1.0, 0.0)], &open), "not-finite");
+    // A repeated first point closes nothing, and a billionth of the size is not nothing.
+    let repeated = [good[0], good[1], good[2], good[0]];
+    let error = CircleSpline::from_points(&repeated, &closed()).unwrap_err();
+    assert!(matches!(error, Error::CoincidentPoints { first: 3, second: 0, .. }));
+    let near = |h: f64| [good[0], good[1], p(1.0, h, 0.0), good[3]];
+    assert_eq!(reason(&near(1e-12), &open), "coincident-points");
+    assert!(CircleSpline::from_points(&near(1e-9), &open).is_ok());
+    assert_eq!(reason(&good, &CircleSplineOptions { corners: vec![4], ..open }), "parameter-out-of-range");
+}
+
+#[test]
+fn clamped_ends_are_kept_and_checked() {
+    let points = [p(0.0, 0.0, 0.0), p(1.0, 0.5, 0.0), p(2.0, 0.0, 0.5)];
+    let clamped = |start: Option<Vec3>, end: Option<Vec3>| {
+        let options = CircleSplineOptions { ends: SplineEnds::Clamped { start, end }, ..Default::default() };
+        CircleSpline::from_points(&points, &options)
+    };
+    let (start, end) = (Vec3::new(0.0, 3.0, 4.0), Vec3::new(1.0, -1.0, 0.0));
+    let s = clamped(Some(start), Some(end)).unwrap();
+    assert!((s.segments()[0].start_tangent() - start / 5.0).length() < 1e-15);
+    assert!(s.segments()[1].end_tangent().angle(end) < 1e-15);
+    let natural = clamped(None, None).unwrap();
+    assert!(natural.segments().iter().all(BlendSegment::is_arc));
+    assert_eq!(clamped(Some(Vec3::ZERO), None).unwrap_err().reason(), "zero-tangent");
+    assert_eq!(clamped(None, Some(Vec3::new(f64::INFINITY, 0.0, 0.0))).unwrap_err().reason(), "not-finite");
+    assert_eq!(clamped(Some(p(-1.0, -0.5, 0.0).to_vec()), None).unwrap_err().reason(), "arc-through-infinity");
+}
+
+#[test]
+fn hermite_segments_are_checked() {
+    let (a, b) = (p(0.0, 0.0, 0.0), p(2.0, 0.0, 0.0));
+    let hermite = |t1: Vec3, t2: Vec3| BlendSegment::hermite(a, t1, b, t2, 2, BlendVariant::Rational);
+    let s = hermite(Vec3::new(0.0, 7.0, 0.0), Vec3::new(0.0, 0.0, 0.1)).unwrap();
+    assert!((s.start_tangent() - Vec3::Y).length() < 1e-15 && (s.end_tangent() - Vec3::Z).length() < 1e-15);
+    assert_eq!(hermite(Vec3::ZERO, Vec3::X).unwrap_err(), Error::ZeroTangent { index: 0 });
+    assert_eq!(hermite(Vec3::X, Vec3::ZERO).unwrap_err(), Error::ZeroTangent { index: 1 });
+    // Backwards along the chord at either end: the circle is the outer part of its line.
+    assert_eq!(hermite(-Vec3::X, Vec3::X).unwrap_err().reason(), "arc-through-infinity");
+    assert_eq!(hermite(Vec3::X, -Vec3::X).unwrap_err().reason(), "arc-through-infinity");
+    assert_eq!(hermite(-Vec3::X, -Vec3::X).unwrap_err().reason(), "arc-through-infinity");
+    // Opposite circles: t2 = -t1 at the first point, te = -t1 mirrored.
+    let s = hermite(Vec3::Y, Vec3::Y).unwrap();
+    assert!(s.opposite_circles() && s.point(0.5).distance(p(1.0, 0.0, 0.0)) < 1e-15, "through the chord");
+    let same = BlendSegment::hermite(a, Vec3::X, a, Vec3::X, 2, BlendVariant::Rational);
+    assert_eq!(same.unwrap_err().reason(), "coincident-points");
+}
