@@ -183,8 +183,8 @@ fn runs_of_arcs_stay_arcs_and_hopeless_tolerances_are_refused() {
     let options = CircleSplineOptions { closed: true, variant: BlendVariant::Trigonometric, ..Default::default() };
     let s = CircleSpline::from_points(&track(8, 1.0), &options).unwrap();
     assert_eq!(s.to_chain(1e-15).unwrap_err().reason(), "too-many-pieces");
-    let refused = [0.0, -1.0].map(|t| (t, "tolerance-not-positive")).into_iter();
-    for (tolerance, reason) in refused.chain([f64::NAN, f64::INFINITY].map(|t| (t, "not-finite"))) {
+    let not_positive = [0.0, -1.0, f64::NAN].map(|t| (t, "tolerance-not-positive"));
+    for (tolerance, reason) in not_positive.into_iter().chain([(f64::INFINITY, "not-finite")]) {
         assert_eq!(s.to_chain(tolerance).unwrap_err().reason(), reason);
         assert_eq!(s.to_arcs(tolerance).unwrap_err().reason(), reason);
     }
