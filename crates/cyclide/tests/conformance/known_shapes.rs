@@ -128,3 +128,45 @@ fn comb_of_a_circle_is_a_larger_circle() {
         assert!((foot.distance(tip) - 0.25).abs() < 1e-14);
     }
 }
+
+#[test]
+fn a_cusp_is_measured_like_any_other_place() {
+    // (x, y) = (t², t³), t from -1 to 1: a cusp in the middle.
+    let third = 1.0 / 3.0;
+    let points = vec![point(1.0, -1.0, 0.0), point(-third, 1.0, 0.0), point(-third, -1.0, 0.0), point(1.0, 1.0, 0.0)];
+    let c = NurbsCurve::new(3, [[0.0; 4], [1.0; 4]].concat(), points, vec![1.0; 4]).unwrap();
+    let want = 2.0 * (13.0_f64.powf(1.5) - 8.0) / 27.0;
+    assert!((length(&c) - want).abs() < 1e-12 * want);
+    let e = extreme_curvature(&c);
+    assert!(e.max.is_infinite() && e.t == 0.5, "{e:?}");
+    let near = cyclide::closest_point(&c, point(-1.0, 0.0, 0.0));
+    assert!(near.distance - 1.0 < 1e-15 && (near.t - 0.5).abs() < 1e-7, "{near:?}");
+    let b = bounds(&c);
+    assert!(b.min.distance(point(0.0, -1.0, 0.0)) < 1e-15 && b.max.distance(point(1.0, 1.0, 0.0)) < 1e-15, "{b:?}");
+    let half = cyclide::ArcLength::new(&c).parameter_at(0.5);
+    // Length runs with the square of the parameter here: half of its digits are left.
+    assert!((half - 0.5).abs() < 1e-6, "{half}");
+    let polyline = cyclide::flatten(&c, 1e-4).unwrap();
+    for w in polyline.windows(2) {
+        let (a, b) = (w[0].1, w[1].1);
+        for i in 0..=8 {
+            let p = c.eval(w[0].0 + (w[1].0 - w[0].0) * f64::from(i) / 8.0);
+            let f = ((p - a).dot(b - a) / (b - a).length_squared()).clamp(0.0, 1.0);
+            assert!(p.distance(a.lerp(b, f)) <= 1e-4, "{w:?}");
+        }
+    }
+}
+
+#[test]
+fn a_spline_of_one_point_is_measured_without_trouble() {
+    let p = point(1.0, 2.0, 3.0);
+    let c = NurbsCurve::new(2, [[0.0; 3], [1.0; 3]].concat(), vec![p; 3], vec![1.0, 2.0, 1.0]).unwrap();
+    assert!(length(&c) < 1e-15);
+    assert_eq!(extreme_curvature(&c).point, p);
+    assert!(joints(&c).is_empty());
+    assert!(bounds(&c).diagonal() < 1e-15);
+    assert!((cyclide::closest_point(&c, point(1.0, 2.0, 5.0)).distance - 2.0).abs() < 1e-15);
+    assert_eq!(cyclide::flatten(&c, 1.0).unwrap().len(), 2);
+    let ts = cyclide::ArcLength::new(&c).uniform(5);
+    assert!(ts.windows(2).all(|w| w[0] <= w[1]) && ts[4] == 1.0, "{ts:?}");
+}
