@@ -20,6 +20,7 @@ fn closest_point(c: &mut Criterion) {
     let mut group = c.benchmark_group("closest point");
     for (name, curve) in curves {
         let index = CurveIndex::new(curve);
+        group.throughput(Throughput::Elements(curve.piece_count() as u64));
         group.bench_function(BenchmarkId::new("make the index", name), |b| {
             b.iter(|| CurveIndex::new(black_box(curve)));
         });
