@@ -46,14 +46,24 @@ class Built:
         self._run = run
         self._written = {}
 
-    def file(self, suffix, *options):
-        """Path of the model's file with this suffix, made on first use."""
+    def _build(self, suffix, options):
+        """Path and report of the model's file with this suffix, made on first use."""
         key = (suffix, options)
         if key not in self._written:
             path = self.folder / f"{self.name}-{len(self._written)}.{suffix}"
-            self._run("build", self.document, "-o", path, *options)
-            self._written[key] = path
+            report = json.loads(self._run("build", self.document, "-o", path, "--json", *options))
+            self._written[key] = path, report
         return self._written[key]
+
+    def file(self, suffix, *options):
+        return self._build(suffix, options)[0]
+
+    def file_report(self, suffix, *options):
+        """What the program says about the file: format, exact, deviation, bound."""
+        path, report = self._build(suffix, options)
+        (entry,) = report["files"]
+        assert Path(entry["path"]).resolve() == path.resolve()
+        return entry
 
     def report(self):
         return json.loads(self._run("report", self.document, "--json"))

@@ -55,7 +55,7 @@ def test_points_lie_on_the_quaternion_form(built, step):
     for name, _, curve in determined(built):
         points = wire_of(step, curve, built.in_millimetres).points(POINTS_PER_EDGE) / built.in_millimetres
         size = curve.extent()
-        limit = POINT_LIMIT * size + (0.0 if is_exact(built, name) else built.bound("step"))
+        limit = POINT_LIMIT * size + (0.0 if is_exact(built, name) else built.file_report("step")["bound"])
         worst = curve.distances(points).max()
         assert worst <= limit, f"{name}: {worst:.3g} off, limit {limit:.3g}"
 
