@@ -13,6 +13,7 @@ geometric algebra", section 4). Quaternions are arrays [w, x, y, z]; all functio
 import math
 
 import numpy as np
+from scipy.spatial import cKDTree
 
 # ---------------------------------------------------------------------------------------------------- quaternions
 
@@ -101,6 +102,11 @@ class Arc:
         """With DXF bulge b = tan(sweep / 4), counter-clockwise about the normal (across the chord) if positive."""
         half = 2.0 * math.atan(b)  # half the swept angle: the argument of the weight ratio
         return cls(a0, a1, [1, 0, 0, 0], [math.cos(half), *(math.sin(half) * unit(normal))])
+
+    def evenly(self):
+        """The same arc with a unit weight ratio, which only changes the parameter: equal speeds at both ends."""
+        w = self.weight()
+        return Arc(self.a0, self.a1, [1, 0, 0, 0], w / math.hypot(*w))
 
     def weight(self):
         return multiply(self.w1, inverse(self.w0))
@@ -320,26 +326,25 @@ class Curve:
     """Pieces in order; the parameter runs over [0, number of pieces]."""
 
     def __init__(self, pieces, closed):
-        self.pieces, self.closed = list(pieces), closed
+        self.pieces = [p.evenly() if isinstance(p, Arc) else p for p in pieces]
+        self.closed = closed
 
     def __len__(self):
         return len(self.pieces)
 
-    def _each(self, t, method):
-        t = np.atleast_1d(np.asarray(t, float))
-        t = np.mod(t, len(self)) if self.closed else np.clip(t, 0.0, len(self))
-        index = np.minimum(t.astype(int), len(self) - 1)
-        out = np.empty((len(t), 3))
+    def _each(self, index, s, method):
+        """A method of the pieces `index` at their own parameters `s`."""
+        out = np.empty((len(s), 3))
         for i in np.unique(index):
             mask = index == i
-            out[mask] = getattr(self.pieces[i], method)(t[mask] - i)
+            out[mask] = getattr(self.pieces[i], method)(s[mask])
         return out
 
     def point(self, t):
-        return self._each(t, "point")
-
-    def derivative(self, t):
-        return self._each(t, "derivative")
+        """Points at global parameters; at a joint those of the piece that starts there."""
+        t = np.atleast_1d(np.asarray(t, float))
+        index = np.clip(t.astype(int), 0, len(self) - 1)
+        return self._each(index, t - index, "point")
 
     def length(self):
         return sum(p.length() if isinstance(p, Arc) else self._quadrature(p) for p in self.pieces)
@@ -369,21 +374,21 @@ class Curve:
         return float(np.linalg.norm(x.max(axis=0) - x.min(axis=0)))
 
     def distances(self, points):
-        """Distance of every given point to the curve: nearest sample, then Gauss-Newton on the parameter."""
-        from scipy.spatial import cKDTree
-
+        """Distance of every given point to the curve: nearest samples, then Gauss-Newton inside their pieces."""
         points = np.atleast_2d(np.asarray(points, float))
         t, x = self.sample()
-        tree = cKDTree(x)
+        _, nearest = cKDTree(x).query(points, k=2)
         best = np.full(len(points), np.inf)
-        _, nearest = tree.query(points, k=3)
         for column in nearest.T:
-            guess = t[column].copy()
-            for _ in range(25):
-                d = self.derivative(guess)
-                step = np.sum((points - self.point(guess)) * d, axis=1) / np.sum(d * d, axis=1)
-                guess = guess + np.clip(step, -0.05, 0.05)
-                if not self.closed:
-                    guess = np.clip(guess, 0.0, len(self))
-            best = np.minimum(best, np.linalg.norm(points - self.point(guess), axis=1))
+            for side in (-1e-9, 1e-9):  # a sample at a joint belongs to both pieces
+                index = np.floor(t[column] + side).astype(int)
+                s = np.clip(t[column] - index, 0.0, 1.0)
+                index = index % len(self) if self.closed else np.clip(index, 0, len(self) - 1)
+                for _ in range(30):
+                    d = self._each(index, s, "derivative")
+                    step = np.sum((points - self._each(index, s, "point")) * d, axis=1) / np.sum(d * d, axis=1)
+                    before, s = s, np.clip(s + np.clip(step, -0.05, 0.05), 0.0, 1.0)
+                    if np.abs(s - before).max() < 1e-10:  # the next step would be its square
+                        break
+                best = np.minimum(best, np.linalg.norm(points - self._each(index, s, "point"), axis=1))
         return best

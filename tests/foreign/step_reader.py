@@ -102,6 +102,7 @@ class StepFile:
         self.valid = BRepCheck_Analyzer(shape).IsValid()
         self.edge_count = _count(shape, TopAbs_EDGE)
         self.wires = []
+        self.found = {}  # which wire runs along which reference curve, filled by the tests
         explorer = TopExp_Explorer(shape, TopAbs_WIRE)
         while explorer.More():
             self.wires.append(Wire(TopoDS.Wire(explorer.Current())))
