@@ -1,9 +1,246 @@
-//! stub
-use crate::export::*;
-use crate::read_back::ReadError;
-pub(crate) fn write(_job: &Job<'_>) -> Result<Exported, ExportError> {
-    Err(ExportError::Empty)
+//! DXF: AutoCAD's exchange format, for laser cutters and 2D CAD.
+//!
+//! A planar curve becomes one polyline with bulges in its own plane (R2000: LWPOLYLINE, R12: POLYLINE), closed by
+//! its flag, the first vertex not repeated; arcs above half a turn are cut in two. Curves that are no arcs are
+//! replaced by arcs within the tolerance, or by exact rational SPLINE entities on request. A curve in space becomes
+//! LINE and ARC entities in their own planes, in R2000 held together by a GROUP. One layer per object.
+//!
+//! Arcs that turn by less than 5e-8 radians are written as straight: readers find the circle from chord and bulge
+//! and would lose more digits than the sagitta has. The promised bound includes it.
+
+mod layers;
+mod plane;
+mod reader;
+mod skeleton;
+mod tags;
+
+use crate::export::{Contour, DxfVersion, ExportError, Exported, Job, Promise};
+use cyclide::{Arc, ArcPath, ChainPiece, CurveChain, Exactness, NurbsCurve, ParamCurve as _, Point3, Vec3};
+use plane::{Ocs, plane_of};
+use skeleton::{Content, FIRST_FREE, Group, MODEL_SPACE};
+use tags::Tags;
+
+pub(crate) use reader::read;
+
+/// Smallest swept angle that is written as an arc.
+const SMALLEST_SWEEP: f64 = 5e-8;
+
+/// Writes the model as DXF.
+pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
+    let version = job.options.dxf_version;
+    let layers = layers::layer_names(job.model.items.iter().map(|i| i.name.as_str()), version);
+    let mut file = Entities {
+        tags: Tags::default(),
+        version,
+        next_handle: FIRST_FREE + layers.len(),
+        groups: Vec::new(),
+        promise: Promise::EXACT,
+        in_space: false,
+        splines: false,
+    };
+    for contour in job.contours() {
+        file.contour(job, &contour, &layers[contour.item])?;
+    }
+    let Entities { tags: entities, groups, promise, next_handle, in_space, splines, .. } = file;
+    let content = Content { layers: &layers, groups: &groups, next_handle };
+    let mut tags = Tags::default();
+    skeleton::opening(&mut tags, job, &content);
+    tags.append(entities);
+    skeleton::closing(&mut tags, job, &content);
+    let mut notes = Vec::new();
+    if in_space {
+        notes.push("curves in space are LINE and ARC entities, which many 2D programs show wrongly".to_owned());
+    }
+    if splines {
+        notes.push("rational SPLINE entities: many programs that cut or draw ignore their weights".to_owned());
+    }
+    Ok(promise.exported(tags.into_bytes(), notes))
 }
-pub(crate) fn read(_bytes: &[u8]) -> Result<Vec<cyclide::CurveChain>, ReadError> {
-    Ok(vec![])
+
+/// The ENTITIES section as it grows.
+struct Entities {
+    tags: Tags,
+    version: DxfVersion,
+    next_handle: usize,
+    groups: Vec<Group>,
+    promise: Promise,
+    /// Some curve did not lie in a plane.
+    in_space: bool,
+    splines: bool,
+}
+
+impl Entities {
+    fn contour(&mut self, job: &Job<'_>, contour: &Contour<'_>, layer: &str) -> Result<(), ExportError> {
+        if job.options.dxf_splines {
+            let (chain, exactness) = job.chain(contour)?;
+            if chain.pieces().iter().any(|p| matches!(p, ChainPiece::Spline(_))) {
+                if self.version == DxfVersion::R12 {
+                    let object = contour.object.to_owned();
+                    return Err(ExportError::NotInFormat { object, format: "DXF R12", detail: "it has no SPLINE" });
+                }
+                self.promise.add(exactness);
+                self.splines = true;
+                self.pieces(&chain, &contour.label(), layer);
+                return Ok(());
+            }
+        }
+        let (path, exactness) = job.arcs(contour)?;
+        self.promise.add(exactness);
+        if let Some(ocs) = plane_of(path.arcs(), job.size()) {
+            self.polyline(&path, ocs, layer);
+        } else {
+            self.in_space = true;
+            self.pieces(&path.into(), &contour.label(), layer);
+        }
+        Ok(())
+    }
+
+    /// Type, handle, owner and layer of an entity; returns its handle.
+    fn entity(&mut self, name: &str, group: Option<usize>, layer: &str) -> usize {
+        let handle = self.next_handle;
+        self.tags.begin(name);
+        if self.version == DxfVersion::R2000 {
+            self.next_handle += 1;
+            self.tags.handle(5, handle);
+            if let Some(group) = group {
+                self.tags.raw("102 {ACAD_REACTORS").handle(330, group).raw("102 }");
+            }
+            self.tags.handle(330, MODEL_SPACE).text(100, "AcDbEntity");
+        }
+        self.tags.text(8, layer);
+        handle
+    }
+
+    fn class(&mut self, name: &str) {
+        if self.version == DxfVersion::R2000 {
+            self.tags.text(100, name);
+        }
+    }
+
+    fn extrusion(&mut self, z: Vec3) {
+        if z != Vec3::Z {
+            self.tags.point(210, Point3::ORIGIN + z);
+        }
+    }
+
+    /// A planar path as one polyline with bulges.
+    fn polyline(&mut self, path: &ArcPath, ocs: Ocs, layer: &str) {
+        let mut vertices: Vec<(Point3, f64)> = Vec::with_capacity(path.arcs().len() + 1);
+        for arc in path.arcs() {
+            for part in at_most_half_turns(arc) {
+                let bulge = if self.straightened(&part) { 0.0 } else { part.bulge_vector().dot(ocs.z) };
+                vertices.push((ocs.to_local(part.start()), bulge));
+            }
+        }
+        if !path.is_closed() {
+            vertices.extend(path.arcs().last().map(|a| (ocs.to_local(a.end()), 0.0)));
+        }
+        let elevation = vertices[0].0.z;
+        let closed = usize::from(path.is_closed());
+        match self.version {
+            DxfVersion::R2000 => {
+                self.entity("LWPOLYLINE", None, layer);
+                self.tags.text(100, "AcDbPolyline").int(90, vertices.len()).int(70, closed).real(38, elevation);
+                for (p, bulge) in &vertices {
+                    self.tags.real(10, p.x).real(20, p.y).real(42, *bulge);
+                }
+                self.extrusion(ocs.z);
+            }
+            DxfVersion::R12 => {
+                self.entity("POLYLINE", None, layer);
+                self.tags.int(66, 1).point(10, Point3::new(0.0, 0.0, elevation)).int(70, closed);
+                self.extrusion(ocs.z);
+                for (p, bulge) in &vertices {
+                    self.entity("VERTEX", None, layer);
+                    self.tags.point(10, Point3::new(p.x, p.y, elevation)).real(42, *bulge);
+                }
+                self.entity("SEQEND", None, layer);
+            }
+        }
+    }
+
+    /// A chain as separate entities, held together by a group where the version has them.
+    fn pieces(&mut self, chain: &CurveChain, label: &str, layer: &str) {
+        let grouped = self.version == DxfVersion::R2000 && chain.pieces().len() > 1;
+        let group = grouped.then(|| {
+            self.next_handle += 1;
+            self.next_handle - 1
+        });
+        let mut members = Vec::with_capacity(chain.pieces().len());
+        for piece in chain.pieces() {
+            match piece {
+                ChainPiece::Spline(curve) => members.push(self.spline(curve, group, layer)),
+                ChainPiece::Arc(arc) => members.push(self.arc(arc, group, layer)),
+            }
+        }
+        if let Some(handle) = group {
+            let name = layers::layer_names(std::iter::once(label), DxfVersion::R2000).swap_remove(0);
+            let name = format!("{name}_{}", self.groups.len() + 1);
+            self.groups.push(Group { handle, name, members });
+        }
+    }
+
+    fn arc(&mut self, arc: &Arc, group: Option<usize>, layer: &str) -> usize {
+        let circle = arc.center().zip(arc.radius()).zip(arc.normal()).zip(arc.start_tangent());
+        let Some((((center, radius), normal), tangent)) = circle.filter(|_| !self.straightened(arc)) else {
+            let handle = self.entity("LINE", group, layer);
+            self.class("AcDbLine");
+            self.tags.point(10, arc.start()).point(11, arc.end());
+            return handle;
+        };
+        let ocs = Ocs::new(normal);
+        // From the centre to the start, in a direction free of the cancellation of two far points.
+        let spoke = tangent.cross(normal);
+        let start = spoke.dot(ocs.y).atan2(spoke.dot(ocs.x)).to_degrees();
+        let start = if start < 0.0 { start + 360.0 } else { start };
+        let end = start + arc.angle().to_degrees();
+        let handle = self.entity("ARC", group, layer);
+        self.class("AcDbCircle");
+        self.tags.point(10, ocs.to_local(center)).real(40, radius);
+        self.extrusion(normal);
+        self.class("AcDbArc");
+        self.tags.real(50, start).real(51, if end >= 360.0 { end - 360.0 } else { end });
+        handle
+    }
+
+    fn spline(&mut self, curve: &NurbsCurve, group: Option<usize>, layer: &str) -> usize {
+        const CLOSED: usize = 1;
+        const RATIONAL: usize = 4;
+        let points = curve.control_points();
+        let flags = RATIONAL + if curve.is_closed() { CLOSED } else { 0 };
+        let handle = self.entity("SPLINE", group, layer);
+        self.class("AcDbSpline");
+        self.tags.int(70, flags).int(71, curve.degree());
+        self.tags.int(72, curve.knots().len()).int(73, points.len()).int(74, 0).real(42, 1e-9).real(43, 1e-10);
+        self.tags.reals(40, curve.knots()).reals(41, curve.weights());
+        for &p in points {
+            self.tags.point(10, p);
+        }
+        handle
+    }
+
+    /// True if the arc is written as its chord; the promise then includes its sagitta.
+    fn straightened(&mut self, arc: &Arc) -> bool {
+        if arc.is_straight() {
+            return true;
+        }
+        let straight = arc.angle() < SMALLEST_SWEEP;
+        if straight {
+            let sagitta = 0.5 * arc.chord().length() * arc.bulge_vector().length();
+            let unseen = f64::EPSILON * arc.start().to_vec().max_abs().max(arc.end().to_vec().max_abs());
+            if sagitta > unseen {
+                self.promise.add(Exactness::Within(sagitta));
+            }
+        }
+        straight
+    }
+}
+
+/// The arc, cut in two equal parts if it turns by more than half a turn (plus rounding).
+fn at_most_half_turns(arc: &Arc) -> Vec<Arc> {
+    if arc.angle() <= std::f64::consts::PI * (1.0 + 1e-9) {
+        return vec![*arc];
+    }
+    let middle = arc.parameter_at_length(0.5);
+    arc.split(middle).map_or_else(|_| vec![*arc], |(a, b)| vec![a, b])
 }

@@ -1,4 +1,5 @@
 //! Models that the tests write and read back.
+#![allow(clippy::unwrap_used, reason = "a model that cannot be made fails the test")]
 
 use cyclide::{Arc, ArcPath, Circle, CurveObject, Item, Model, Point3, Units, Vec3};
 

@@ -1,0 +1,228 @@
+//! Our own DXF back from the bytes.
+
+use super::plane::Ocs;
+use super::tags::{Tag, parse};
+use crate::read_back::ReadError;
+use cyclide::{Arc, ArcPath, ChainPiece, CurveChain, NurbsCurve, Point3, Vec3};
+
+/// Gap allowed between entities of one curve, relative to its largest coordinate or radius: the rounding of centre
+/// plus radius.
+const GAP: f64 = 1e-9;
+
+/// Reads the curves of the ENTITIES section in file order.
+pub(crate) fn read(bytes: &[u8]) -> Result<Vec<CurveChain>, ReadError> {
+    let tags = parse(bytes)?;
+    let mut section = false;
+    let mut curves = Curves::default();
+    let mut at = 0;
+    while at < tags.len() {
+        let length = 1 + tags[at + 1..].iter().take_while(|t| t.code != 0).count();
+        let entity = Entity { tags: &tags[at..at + length] };
+        at += length;
+        match (tags[at - length].code, entity.name()) {
+            (0, "SECTION") => section = entity.text(2) == Some("ENTITIES"),
+            (0, "ENDSEC") => section = false,
+            (0, _) if section => curves.entity(&entity)?,
+            _ => {}
+        }
+    }
+    curves.finish()?;
+    Ok(curves.chains)
+}
+
+/// The pairs of one entity, its type first.
+struct Entity<'a> {
+    tags: &'a [Tag<'a>],
+}
+
+impl<'a> Entity<'a> {
+    fn name(&self) -> &'a str {
+        self.tags[0].value
+    }
+
+    fn place(&self) -> String {
+        self.tags[0].place()
+    }
+
+    fn text(&self, code: u16) -> Option<&'a str> {
+        self.tags.iter().find(|t| t.code == code).map(|t| t.value)
+    }
+
+    fn real(&self, code: u16) -> Result<f64, ReadError> {
+        let tag = self.tags.iter().find(|t| t.code == code);
+        tag.ok_or_else(|| ReadError::syntax(self.place(), format!("no value of code {code}")))?.real()
+    }
+
+    fn int(&self, code: u16) -> Result<usize, ReadError> {
+        self.tags.iter().find(|t| t.code == code).map_or(Ok(0), Tag::int)
+    }
+
+    fn all(&self, code: u16) -> Result<Vec<f64>, ReadError> {
+        self.tags.iter().filter(|t| t.code == code).map(Tag::real).collect()
+    }
+
+    fn point(&self, code: u16) -> Result<Point3, ReadError> {
+        Ok(Point3::new(self.real(code)?, self.real(code + 10)?, self.real(code + 20)?))
+    }
+
+    fn ocs(&self) -> Result<Ocs, ReadError> {
+        if self.text(210).is_none() {
+            return Ok(Ocs::new(Vec3::Z));
+        }
+        let z = self.point(210)?.to_vec().unit();
+        Ok(Ocs::new(z.ok_or_else(|| ReadError::syntax(self.place(), "the extrusion is zero"))?))
+    }
+
+    /// The group that the entity belongs to.
+    fn group(&self) -> Option<&'a str> {
+        let start = self.tags.iter().position(|t| t.code == 102 && t.value == "{ACAD_REACTORS")?;
+        self.tags.get(start + 1).filter(|t| t.code == 330).map(|t| t.value)
+    }
+
+    fn geometry(&self, source: cyclide::Error) -> ReadError {
+        ReadError::Geometry { place: self.place(), source }
+    }
+}
+
+/// The curves found so far, and those that are still growing.
+#[derive(Default)]
+struct Curves<'a> {
+    chains: Vec<CurveChain>,
+    /// LINE, ARC and SPLINE entities of one curve, with their group or layer.
+    pieces: Vec<ChainPiece>,
+    key: (Option<&'a str>, Option<&'a str>),
+    place: String,
+    polyline: Option<Polyline>,
+}
+
+struct Polyline {
+    ocs: Ocs,
+    elevation: f64,
+    closed: bool,
+    /// First and second coordinate and bulge.
+    vertices: Vec<[f64; 3]>,
+}
+
+impl<'a> Curves<'a> {
+    fn entity(&mut self, entity: &Entity<'a>) -> Result<(), ReadError> {
+        match entity.name() {
+            "LWPOLYLINE" => {
+                let (x, y, bulge) = (entity.all(10)?, entity.all(20)?, entity.all(42)?);
+                if x.len() != y.len() || x.len() != bulge.len() || x.len() != entity.int(90)? {
+                    return Err(ReadError::syntax(entity.place(), "vertices are incomplete"));
+                }
+                let vertices = (0..x.len()).map(|i| [x[i], y[i], bulge[i]]).collect();
+                let (ocs, closed) = (entity.ocs()?, entity.int(70)? % 2 == 1);
+                self.finish()?;
+                self.push(&Polyline { ocs, elevation: entity.real(38)?, closed, vertices }, entity)
+            }
+            "POLYLINE" => {
+                self.finish()?;
+                let (ocs, closed) = (entity.ocs()?, entity.int(70)? % 2 == 1);
+                self.polyline = Some(Polyline { ocs, elevation: entity.real(30)?, closed, vertices: Vec::new() });
+                Ok(())
+            }
+            "VERTEX" => {
+                let vertex = [entity.real(10)?, entity.real(20)?, entity.real(42)?];
+                let polyline = self.polyline.as_mut();
+                let polyline = polyline.ok_or_else(|| ReadError::syntax(entity.place(), "a VERTEX of no POLYLINE"))?;
+                polyline.vertices.push(vertex);
+                Ok(())
+            }
+            "SEQEND" => {
+                let polyline = self.polyline.take();
+                let polyline = polyline.ok_or_else(|| ReadError::syntax(entity.place(), "a SEQEND of no POLYLINE"))?;
+                self.push(&polyline, entity)
+            }
+            "LINE" => {
+                let arc = Arc::segment(entity.point(10)?, entity.point(11)?);
+                self.piece(ChainPiece::Arc(arc.map_err(|e| entity.geometry(e))?), entity)
+            }
+            "ARC" => self.piece(ChainPiece::Arc(read_arc(entity)?), entity),
+            "SPLINE" => self.piece(ChainPiece::Spline(read_spline(entity)?), entity),
+            other => Err(ReadError::unsupported(other, entity.place())),
+        }
+    }
+
+    fn push(&mut self, polyline: &Polyline, entity: &Entity<'_>) -> Result<(), ReadError> {
+        let Polyline { ocs, elevation, closed, vertices } = polyline;
+        let n = vertices.len();
+        let point = |i: usize| ocs.to_world(Point3::new(vertices[i % n][0], vertices[i % n][1], *elevation));
+        let edges = if *closed { n } else { n.saturating_sub(1) };
+        let arcs = (0..edges).map(|i| Arc::from_bulge(point(i), point(i + 1), ocs.z, vertices[i][2]));
+        let path = arcs.collect::<cyclide::Result<Vec<_>>>().and_then(|arcs| ArcPath::new(arcs, *closed));
+        self.chains.push(path.map_err(|e| entity.geometry(e))?.into());
+        Ok(())
+    }
+
+    /// Adds a piece to the curve that is growing, or starts another one: a new group, or, where there are none, a
+    /// new layer, a gap, or a curve that has just closed.
+    fn piece(&mut self, piece: ChainPiece, entity: &Entity<'a>) -> Result<(), ReadError> {
+        let key = (entity.group(), entity.text(8));
+        let follows = self.pieces.last().is_some_and(|last| {
+            let meets = last.end().distance(piece.start()) <= self.gap();
+            key == self.key && meets && (key.0.is_some() || !self.is_closed())
+        });
+        if !follows {
+            self.finish()?;
+            self.key = key;
+            self.place = entity.place();
+        }
+        self.pieces.push(piece);
+        Ok(())
+    }
+
+    fn gap(&self) -> f64 {
+        GAP * self.pieces.iter().map(extent).fold(0.0, f64::max)
+    }
+
+    fn is_closed(&self) -> bool {
+        match (self.pieces.first(), self.pieces.last()) {
+            (Some(first), Some(last)) => last.end().distance(first.start()) <= self.gap(),
+            _ => false,
+        }
+    }
+
+    fn finish(&mut self) -> Result<(), ReadError> {
+        if self.pieces.is_empty() {
+            return Ok(());
+        }
+        let (closed, gap) = (self.is_closed(), self.gap());
+        let chain = CurveChain::new(std::mem::take(&mut self.pieces), closed, gap);
+        let place = std::mem::take(&mut self.place);
+        self.chains.push(chain.map_err(|source| ReadError::Geometry { place, source })?);
+        Ok(())
+    }
+}
+
+/// Largest coordinate or radius of a piece.
+fn extent(piece: &ChainPiece) -> f64 {
+    let ends = piece.start().to_vec().max_abs().max(piece.end().to_vec().max_abs());
+    match piece {
+        ChainPiece::Arc(arc) => ends.max(arc.radius().unwrap_or(0.0)),
+        ChainPiece::Spline(_) => ends,
+    }
+}
+
+fn read_arc(entity: &Entity<'_>) -> Result<Arc, ReadError> {
+    let ocs = entity.ocs()?;
+    let (center, radius) = (ocs.to_world(entity.point(10)?), entity.real(40)?);
+    let (start, end) = (entity.real(50)?, entity.real(51)?);
+    let sweep = if end > start { end - start } else { end - start + 360.0 };
+    let (sin, cos) = start.to_radians().sin_cos();
+    let arc = Arc::from_center(center, ocs.z, center + (ocs.x * cos + ocs.y * sin) * radius, sweep.to_radians());
+    arc.map_err(|e| entity.geometry(e))
+}
+
+fn read_spline(entity: &Entity<'_>) -> Result<NurbsCurve, ReadError> {
+    let (x, y, z) = (entity.all(10)?, entity.all(20)?, entity.all(30)?);
+    if x.len() != y.len() || x.len() != z.len() {
+        return Err(ReadError::syntax(entity.place(), "control points are incomplete"));
+    }
+    let points = (0..x.len()).map(|i| Point3::new(x[i], y[i], z[i])).collect();
+    let degree = entity.int(71)?;
+    if degree > x.len() {
+        return Err(ReadError::syntax(entity.place(), "the degree is larger than the number of points"));
+    }
+    NurbsCurve::new(degree, entity.all(40)?, points, entity.all(41)?).map_err(|e| entity.geometry(e))
+}
