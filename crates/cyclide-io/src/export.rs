@@ -2,7 +2,7 @@
 
 use crate::format::Format;
 use crate::{csv_samples, dxf, nurbs_json, png, step, svg};
-use cyclide::{Aabb, ArcPath, ChainPiece, CurveChain, CurveObject, Exactness, Lower, Model, ParamCurve, Units};
+use cyclide::{Aabb, Arc, ArcPath, ChainPiece, CurveChain, CurveObject, Exactness, Lower, Model, ParamCurve, Units};
 use std::path::PathBuf;
 
 /// Tolerance when none is asked for: this part of the model's diagonal.
@@ -286,4 +286,21 @@ impl Promise {
     pub(crate) fn exported(self, bytes: Vec<u8>, notes: Vec<String>) -> Exported {
         Exported { bytes, exact: self.bound.is_none(), bound: self.bound.unwrap_or(0.0), notes }
     }
+}
+
+/// Smallest swept angle that drawings and polylines keep as an arc. Readers find the circle from the chord and a
+/// radius or bulge: below, they would lose more digits than the arc's sagitta has.
+const SMALLEST_SWEEP: f64 = 5e-8;
+
+/// What is lost if the arc is written as its chord, for arcs that have to be; `None` for arcs that stay arcs.
+pub(crate) fn straightened(arc: &Arc) -> Option<Exactness> {
+    if arc.is_straight() {
+        return Some(Exactness::Exact);
+    }
+    if arc.angle() >= SMALLEST_SWEEP {
+        return None;
+    }
+    let sagitta = 0.5 * arc.chord().length() * arc.bulge_vector().length();
+    let rounding = f64::EPSILON * arc.start().to_vec().max_abs().max(arc.end().to_vec().max_abs());
+    Some(if sagitta > rounding { Exactness::Within(sagitta) } else { Exactness::Exact })
 }

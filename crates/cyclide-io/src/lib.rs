@@ -7,6 +7,7 @@
 mod csv_samples;
 mod deviation;
 mod document;
+mod drawing;
 mod dxf;
 mod error;
 mod export;

@@ -6,7 +6,7 @@ use cyclide::{CurveObject, Model};
 use cyclide_io::{ExportOptions, Format, export, file_deviation};
 use models::{flat, mixed, model, space_chain, tilted};
 
-const FORMATS: [Format; 4] = [Format::Step, Format::Dxf, Format::Csv, Format::Json];
+const FORMATS: [Format; 5] = [Format::Step, Format::Dxf, Format::Svg, Format::Csv, Format::Json];
 
 fn all_models() -> Vec<(&'static str, Model)> {
     let space = model(vec![("space", vec![CurveObject::ArcPath(space_chain())])]);

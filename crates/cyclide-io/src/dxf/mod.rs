@@ -14,16 +14,13 @@ mod reader;
 mod skeleton;
 mod tags;
 
-use crate::export::{Contour, DxfVersion, ExportError, Exported, Job, Promise};
-use cyclide::{Arc, ArcPath, ChainPiece, CurveChain, Exactness, NurbsCurve, ParamCurve as _, Point3, Vec3};
+use crate::export::{Contour, DxfVersion, ExportError, Exported, Job, Promise, straightened};
+use cyclide::{Arc, ArcPath, ChainPiece, CurveChain, NurbsCurve, ParamCurve as _, Point3, Vec3};
 use plane::{Ocs, plane_of};
 use skeleton::{Content, FIRST_FREE, Group, MODEL_SPACE};
 use tags::Tags;
 
 pub(crate) use reader::read;
-
-/// Smallest swept angle that is written as an arc.
-const SMALLEST_SWEEP: f64 = 5e-8;
 
 /// Writes the model as DXF.
 pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
@@ -219,20 +216,13 @@ impl Entities {
         handle
     }
 
-    /// True if the arc is written as its chord; the promise then includes its sagitta.
+    /// True if the arc is written as its chord; the promise then includes what is lost.
     fn straightened(&mut self, arc: &Arc) -> bool {
-        if arc.is_straight() {
-            return true;
+        let lost = straightened(arc);
+        if let Some(lost) = lost {
+            self.promise.add(lost);
         }
-        let straight = arc.angle() < SMALLEST_SWEEP;
-        if straight {
-            let sagitta = 0.5 * arc.chord().length() * arc.bulge_vector().length();
-            let unseen = f64::EPSILON * arc.start().to_vec().max_abs().max(arc.end().to_vec().max_abs());
-            if sagitta > unseen {
-                self.promise.add(Exactness::Within(sagitta));
-            }
-        }
-        straight
+        lost.is_some()
     }
 }
 

@@ -1,9 +1,290 @@
-//! stub
-use crate::export::*;
-use crate::read_back::ReadError;
-pub(crate) fn write(_job: &Job<'_>) -> Result<Exported, ExportError> {
-    Err(ExportError::Empty)
+//! SVG: drawings for browsers, laser cutters and print.
+//!
+//! One user unit is one model unit, the second axis points up (coordinates are negated, there is no transform), and
+//! `width` and `height` are in millimetres: true size for models in mm, cm and inches; models in metres and feet are
+//! drawn to the scale 1:1, 1:2, 1:5, 1:10, … at which they fit on 420 mm, named in `desc`. Arcs are true `A`
+//! commands, those above 150 degrees cut in equal parts (near half circles readers find the centre badly). One
+//! `path` per connected curve, closed ones end in `Z`; one group per object with its name as `title`.
+//!
+//! A curve in space is drawn as seen along the third axis: its arcs become ellipses there, so it is written as a
+//! polyline within the tolerance.
+
+mod path;
+mod reader;
+
+use crate::drawing;
+use crate::export::{Contour, ExportError, Exported, Job, Promise};
+use crate::number::push_plain;
+use cyclide::{Aabb, Arc, Exactness, Point3, Units, flatten};
+use path::Path;
+use std::collections::HashSet;
+
+pub(crate) use reader::read;
+
+/// Margin round the drawing, relative to its larger side.
+const MARGIN: f64 = 0.04;
+/// Width of the curve, relative to the larger side.
+const STROKE: f64 = 0.0025;
+/// Largest side of a drawing that is scaled, millimetres.
+const PAPER: f64 = 420.0;
+/// An arc is level, and stays an arc in the drawing, if its normal is this close to the third axis.
+const LEVEL: f64 = 1e-12;
+
+/// Writes the model as SVG.
+pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
+    let mut promise = Promise::EXACT;
+    let mut notes = Vec::new();
+    let mut paths: Vec<(Contour<'_>, Path)> = Vec::new();
+    for contour in job.contours() {
+        let path = draw(job, &contour, &mut promise)?;
+        if path.is_point() {
+            let (object, detail) = (contour.object.to_owned(), "seen along the z axis it is a point");
+            return Err(ExportError::NotInFormat { object, format: "SVG", detail });
+        }
+        paths.push((contour, path));
+    }
+    let Some(mut bounds) = paths.iter().map(|(_, p)| p.bounds()).reduce(Aabb::union) else {
+        return Err(ExportError::Empty);
+    };
+    if job.bounds.max.z - job.bounds.min.z > LEVEL * job.size() {
+        notes.push("heights are left out: the drawing is the view along the z axis".to_owned());
+    }
+    let size = larger_side(bounds);
+    let combs = if job.options.svg_comb { drawing::combs(job, size) } else { Vec::new() };
+    bounds = combs.iter().flatten().fold(bounds, |b, (_, tip)| b.including(Point3::new(tip.x, -tip.y, 0.0)));
+
+    let page = Page::new(job.units(), bounds);
+    if let Some(scale) = page.scale_note() {
+        notes.push(scale);
+    }
+    let mut out = page.opening(job);
+    push_combs(&mut out, &combs, STROKE * size);
+    push_curves(&mut out, paths, STROKE * size);
+    if job.options.svg_points {
+        push_joints(&mut out, &drawing::joints(job), size);
+    }
+    out.push_str("</svg>\n");
+    Ok(promise.exported(out.into_bytes(), notes))
 }
-pub(crate) fn read(_bytes: &[u8]) -> Result<Vec<cyclide::CurveChain>, ReadError> {
-    Ok(vec![])
+
+/// A contour as a path: its arcs if they are level, else a polyline of its view.
+fn draw(job: &Job<'_>, contour: &Contour<'_>, promise: &mut Promise) -> Result<Path, ExportError> {
+    let closed = contour.curve.as_curve().is_closed();
+    let (arcs, exactness) = job.arcs(contour)?;
+    let level = |a: &Arc| a.normal().is_none_or(|n| n.x.abs() <= LEVEL && n.y.abs() <= LEVEL);
+    if arcs.arcs().iter().all(level) {
+        promise.add(exactness);
+        let mut path = Path::new(arcs.arcs()[0].start(), closed);
+        for arc in arcs.arcs() {
+            promise.add(path.arc(arc));
+        }
+        return Ok(path);
+    }
+    let vertices = contour.lowered(flatten(contour.curve.as_curve(), job.tolerance))?;
+    promise.add(Exactness::Within(job.tolerance));
+    let mut path = Path::new(vertices[0].1, closed);
+    for (_, point) in &vertices[1..] {
+        path.segment(*point);
+    }
+    Ok(path)
+}
+
+fn larger_side(bounds: Aabb) -> f64 {
+    let extent = bounds.max - bounds.min;
+    let side = extent.x.max(extent.y);
+    // A single point cannot be drawn to any scale; everything else has an extent.
+    if side > 0.0 { side } else { 1.0 }
+}
+
+/// The visible area and its size on paper.
+struct Page {
+    left: f64,
+    top: f64,
+    width: f64,
+    height: f64,
+    units: Units,
+    /// Model lengths are this many times as long as on paper.
+    scale: f64,
+}
+
+impl Page {
+    /// Bounds are in the drawing's own axes, the second one down.
+    fn new(units: Units, bounds: Aabb) -> Self {
+        let side = larger_side(bounds);
+        let margin = MARGIN * side;
+        // Rounded outwards to a thousandth of the size: short numbers.
+        let step = 10_f64.powf((side.log10() - 3.0).ceil());
+        let down = |v: f64| ((v - margin) / step).floor() * step;
+        let up = |v: f64| ((v + margin) / step).ceil() * step;
+        let short = |v: f64| format!("{v:.*}", (-step.log10()).max(0.0) as usize).parse().unwrap_or(v);
+        let (left, top) = (short(down(bounds.min.x)), short(down(bounds.min.y)));
+        let (width, height) = (short(up(bounds.max.x) - left), short(up(bounds.max.y) - top));
+        let scale = match units {
+            Units::Millimetre | Units::Centimetre | Units::Inch => 1.0,
+            Units::Metre | Units::Foot => round_scale(width.max(height) * units.in_millimetres() / PAPER),
+        };
+        Self { left, top, width, height, units, scale }
+    }
+
+    fn scale_note(&self) -> Option<String> {
+        let scale = self.scale;
+        (scale > 1.0).then(|| format!("the drawing's size on paper is to the scale 1:{scale}"))
+    }
+
+    fn opening(&self, job: &Job<'_>) -> String {
+        let on_paper = |v: f64| {
+            let mut text = String::new();
+            push_plain(&mut text, v * self.units.in_millimetres() / self.scale);
+            text
+        };
+        let mut area = String::new();
+        for (i, v) in [self.left, self.top, self.width, self.height].into_iter().enumerate() {
+            if i > 0 {
+                area.push(' ');
+            }
+            push_plain(&mut area, v);
+        }
+        let (width, height, symbol) = (on_paper(self.width), on_paper(self.height), self.units.symbol());
+        let scale = self.scale_note().map_or(String::new(), |note| format!("; {note}"));
+        format!(
+            "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n\
+             <svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}mm\" height=\"{height}mm\" viewBox=\"{area}\">\n\
+             <title>{}</title>\n<desc>1 user unit = 1 {symbol}{scale}</desc>\n",
+            escaped(job.title())
+        )
+    }
+}
+
+/// The smallest of 1, 2, 5, 10, 20, 50, … that is not below `least`.
+fn round_scale(least: f64) -> f64 {
+    if !(least > 1.0) {
+        return 1.0;
+    }
+    let decade = 10_f64.powf(least.log10().floor());
+    [1.0, 2.0, 5.0].into_iter().map(|m| m * decade).find(|s| *s >= least).unwrap_or(10.0 * decade).round()
+}
+
+fn push_curves(out: &mut String, paths: Vec<(Contour<'_>, Path)>, stroke: f64) {
+    out.push_str(
+        "<g fill=\"none\" stroke=\"#17202e\" stroke-linecap=\"round\" stroke-linejoin=\"round\" stroke-width=\"",
+    );
+    push_plain(out, three_digits(stroke));
+    out.push_str("\">\n");
+    let mut ids = HashSet::new();
+    for (contour, path) in paths {
+        if contour.index == 0 {
+            let (id, title) = (unique_id(contour.object, &mut ids), escaped(contour.object));
+            out.push_str(&format!("<g id=\"{id}\"><title>{title}</title>\n"));
+        }
+        out.push_str(&format!("{}{}\"/>\n", reader::CONTOUR, path.into_data()));
+        if contour.index + 1 == contour.count {
+            out.push_str("</g>\n");
+        }
+    }
+    out.push_str("</g>\n");
+}
+
+fn push_combs(out: &mut String, combs: &[drawing::Comb], stroke: f64) {
+    if combs.is_empty() {
+        return;
+    }
+    let mut data = String::new();
+    for comb in combs {
+        for (foot, tip) in comb {
+            push_line(&mut data, &[*foot, *tip]);
+        }
+        let tips: Vec<Point3> = comb.iter().map(|(_, tip)| *tip).collect();
+        push_line(&mut data, &tips);
+    }
+    out.push_str("<g id=\"comb\" fill=\"none\" stroke=\"#e0793a\" stroke-opacity=\"0.6\" stroke-width=\"");
+    push_plain(out, three_digits(0.3 * stroke));
+    out.push_str(&format!("\">\n<path d=\"{data}\"/>\n</g>\n"));
+}
+
+/// An open polyline; auxiliary geometry gets six digits.
+fn push_line(data: &mut String, points: &[Point3]) {
+    for (i, p) in points.iter().enumerate() {
+        data.push(if i == 0 { 'M' } else { 'L' });
+        push_plain(data, six_digits(p.x));
+        data.push(' ');
+        push_plain(data, six_digits(-p.y));
+    }
+}
+
+fn push_joints(out: &mut String, joints: &[Point3], size: f64) {
+    out.push_str("<g id=\"joints\" fill=\"#1f6feb\">\n");
+    let radius = three_digits(drawing::dot_radius(joints, size));
+    for p in joints {
+        out.push_str("<circle cx=\"");
+        push_plain(out, six_digits(p.x));
+        out.push_str("\" cy=\"");
+        push_plain(out, six_digits(-p.y));
+        out.push_str("\" r=\"");
+        push_plain(out, radius);
+        out.push_str("\"/>\n");
+    }
+    out.push_str("</g>\n");
+}
+
+fn three_digits(v: f64) -> f64 {
+    format!("{v:.2e}").parse().unwrap_or(v)
+}
+
+fn six_digits(v: f64) -> f64 {
+    format!("{v:.6e}").parse().unwrap_or(v)
+}
+
+/// Text of an element: markup escaped, characters that XML does not allow replaced.
+fn escaped(text: &str) -> String {
+    let mut out = String::new();
+    for c in text.chars() {
+        match c {
+            '&' => out.push_str("&amp;"),
+            '<' => out.push_str("&lt;"),
+            '>' => out.push_str("&gt;"),
+            '\u{FFFE}' | '\u{FFFF}' => out.push('\u{FFFD}'),
+            c if c.is_control() => out.push(' '),
+            c => out.push(c),
+        }
+    }
+    out
+}
+
+/// An XML name for the object, different from all before (and from the groups that the drawing itself has).
+fn unique_id(name: &str, taken: &mut HashSet<String>) -> String {
+    let mut id: String =
+        name.chars().map(|c| if c.is_ascii_alphanumeric() || "-_.".contains(c) { c } else { '_' }).collect();
+    if !id.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_') {
+        id.insert(0, '_');
+    }
+    let mut candidate = id.clone();
+    let mut number = 2;
+    while candidate == "comb" || candidate == "joints" || !taken.insert(candidate.clone()) {
+        candidate = format!("{id}_{number}");
+        number += 1;
+    }
+    candidate
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn scales_are_round() {
+        let cases = [(0.3, 1.0), (1.0, 1.0), (1.01, 2.0), (3.0, 5.0), (7.0, 10.0), (4321.0, 5000.0), (5001.0, 10000.0)];
+        for (least, scale) in cases {
+            assert!((round_scale(least) - scale).abs() < 1e-9 * scale, "{least}");
+        }
+    }
+
+    #[test]
+    fn names_become_ids_and_titles() {
+        let mut taken = HashSet::new();
+        assert_eq!(unique_id("a b", &mut taken), "a_b");
+        assert_eq!(unique_id("a_b", &mut taken), "a_b_2");
+        assert_eq!(unique_id("5°", &mut taken), "_5_");
+        assert_eq!(unique_id("comb", &mut taken), "comb_2");
+        assert_eq!(escaped("<&>\u{1}\""), "&lt;&amp;&gt; \"");
+    }
 }
