@@ -1,0 +1,135 @@
+//! Strokes and fills in pixels.
+
+use tiny_skia::{Color, FillRule, LineCap, LineJoin, Paint, Path, PathBuilder, Pixmap, Stroke, Transform};
+
+/// A colour with its opacity.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Ink {
+    red: f64,
+    green: f64,
+    blue: f64,
+    alpha: f64,
+}
+
+/// Paper.
+const PAPER: Ink = Ink::new(0xFBFBF9, 1.0);
+/// Colours of the objects in turn.
+const OBJECTS: [Ink; 6] = [
+    Ink::new(0x1B2A41, 1.0),
+    Ink::new(0x0B6E6E, 1.0),
+    Ink::new(0x7A2E52, 1.0),
+    Ink::new(0x3A5A98, 1.0),
+    Ink::new(0x5B6B1F, 1.0),
+    Ink::new(0x6B4A2B, 1.0),
+];
+
+impl Ink {
+    pub(super) const COMB: Self = Self::new(0xE2803F, 0.42);
+    pub(super) const COMB_EDGE: Self = Self::new(0xD9722E, 0.75);
+    pub(super) const COMB_AREA: Self = Self::new(0xF2A46B, 0.13);
+    pub(super) const FLOOR: Self = Self::new(0xF1F2F0, 1.0);
+    pub(super) const FLOOR_LINE: Self = Self::new(0xDFE2E0, 1.0);
+    pub(super) const SHADOW: Self = Self::new(0xB9C0C4, 0.8);
+
+    const fn new(rgb: u32, alpha: f64) -> Self {
+        Self {
+            red: (rgb >> 16) as f64 / 255.0,
+            green: (rgb >> 8 & 0xFF) as f64 / 255.0,
+            blue: (rgb & 0xFF) as f64 / 255.0,
+            alpha,
+        }
+    }
+
+    /// The colour of an object.
+    pub(super) fn object(index: usize) -> Self {
+        OBJECTS[index % OBJECTS.len()]
+    }
+
+    /// The colour moved towards the paper; 1 is far away, which is still well visible.
+    pub(super) fn faded(self, far: f64) -> Self {
+        let mix = |a: f64, b: f64| a + (b - a) * 0.55 * far;
+        Self {
+            red: mix(self.red, PAPER.red),
+            green: mix(self.green, PAPER.green),
+            blue: mix(self.blue, PAPER.blue),
+            ..self
+        }
+    }
+
+    fn color(self) -> Color {
+        let channel = |v: f64| v.clamp(0.0, 1.0) as f32;
+        Color::from_rgba(channel(self.red), channel(self.green), channel(self.blue), channel(self.alpha))
+            .unwrap_or(Color::BLACK)
+    }
+
+    fn paint(self) -> Paint<'static> {
+        let mut paint = Paint { anti_alias: true, ..Paint::default() };
+        paint.set_color(self.color());
+        paint
+    }
+}
+
+/// The picture as it is drawn.
+pub(super) struct Canvas {
+    pixels: Pixmap,
+}
+
+impl Canvas {
+    /// An empty sheet; `None` if it has no size.
+    pub(super) fn new(width: u32, height: u32) -> Option<Self> {
+        let mut pixels = Pixmap::new(width, height)?;
+        pixels.fill(PAPER.color());
+        Some(Self { pixels })
+    }
+
+    /// A line with round ends and corners.
+    pub(super) fn stroke(&mut self, points: &[(f32, f32)], closed: bool, width: f64, ink: Ink) {
+        self.line(points, closed, width, ink, LineCap::Round);
+    }
+
+    /// A line in the colour of the paper that ends where it ends.
+    pub(super) fn rim(&mut self, points: &[(f32, f32)], width: f64) {
+        self.line(points, false, width, Ink { alpha: 0.85, ..PAPER }, LineCap::Butt);
+    }
+
+    fn line(&mut self, points: &[(f32, f32)], closed: bool, width: f64, ink: Ink, line_cap: LineCap) {
+        let Some(path) = path(points, closed) else {
+            return;
+        };
+        let stroke = Stroke { width: width as f32, line_cap, line_join: LineJoin::Round, ..Stroke::default() };
+        self.pixels.stroke_path(&path, &ink.paint(), &stroke, Transform::identity(), None);
+    }
+
+    pub(super) fn fill(&mut self, points: &[(f32, f32)], ink: Ink) {
+        if let Some(path) = path(points, true) {
+            self.pixels.fill_path(&path, &ink.paint(), FillRule::EvenOdd, Transform::identity(), None);
+        }
+    }
+
+    /// A joint: a pale dot with a dark ring.
+    pub(super) fn dot(&mut self, (x, y): (f32, f32), radius: f64) {
+        let Some(circle) = PathBuilder::from_circle(x, y, radius as f32) else {
+            return;
+        };
+        let stroke = Stroke { width: (0.38 * radius) as f32, ..Stroke::default() };
+        self.pixels.fill_path(&circle, &PAPER.paint(), FillRule::Winding, Transform::identity(), None);
+        self.pixels.stroke_path(&circle, &OBJECTS[0].paint(), &stroke, Transform::identity(), None);
+    }
+
+    pub(super) fn encode(&self) -> Result<Vec<u8>, String> {
+        self.pixels.encode_png().map_err(|e| e.to_string())
+    }
+}
+
+fn path(points: &[(f32, f32)], closed: bool) -> Option<Path> {
+    let (&(x, y), rest) = points.split_first()?;
+    let mut builder = PathBuilder::new();
+    builder.move_to(x, y);
+    for &(x, y) in rest {
+        builder.line_to(x, y);
+    }
+    if closed {
+        builder.close();
+    }
+    builder.finish()
+}
