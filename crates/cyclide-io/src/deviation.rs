@@ -54,11 +54,23 @@ pub(crate) fn deviation_within(model: &Model, read: &[CurveChain], view: View) -
         if view != View::Points && object.is_closed() != chain.is_closed() {
             return Err(ReadError::Closedness { curve, found: chain.is_closed() });
         }
-        let (a, b) = (Track::new(object, plan), Track::new(chain, plan));
-        largest = largest.max(one_way(&a, &b)).max(one_way(&b, &a));
+        let (mut a, b) = (Track::new(object, plan), Track::new(chain, plan));
+        // A closed curve may start elsewhere in the file (at a corner).
+        let starts = if object.is_closed() { a.starts_near(b.windows[0].start.point) } else { vec![0] };
+        let mut best = f64::INFINITY;
+        let mut rotated = 0;
+        for start in starts {
+            a.windows.rotate_left(start - rotated);
+            rotated = start;
+            best = best.min(one_way(&a, &b).max(one_way(&b, &a)));
+        }
+        largest = largest.max(best);
     }
     Ok(largest)
 }
+
+/// Windows that may be the start of a closed curve at most: passes of the curve through one point.
+const START_CAP: usize = 4;
 
 /// A point of a curve with its derivative.
 #[derive(Clone, Copy)]
@@ -97,6 +109,15 @@ impl<'a> Track<'a> {
         track
     }
 
+    /// The windows that start nearest to a point, all that are equally near, in order.
+    fn starts_near(&self, p: Point3) -> Vec<usize> {
+        let distance = |w: &Window| w.start.point.distance(p);
+        let nearest = self.windows.iter().map(distance).fold(f64::INFINITY, f64::min);
+        let limit = nearest + 1e-9 * p.to_vec().max_abs();
+        let near = self.windows.iter().enumerate().filter(|(_, w)| distance(w) <= limit);
+        near.map(|(i, _)| i).take(START_CAP).collect()
+    }
+
     /// Adds a window, halved until it is tame.
     fn cut(&mut self, window: Window, depth: u32) {
         let Window { piece, start, end } = window;
@@ -121,8 +142,9 @@ impl<'a> Track<'a> {
         Node { s, point, d1 }
     }
 
-    fn point(&self, piece: usize, s: f64) -> Point3 {
-        let mut point = self.curve.piece_point(piece, s);
+    /// The point at a part of a window.
+    fn part(&self, w: &Window, part: f64) -> Point3 {
+        let mut point = self.curve.piece_point(w.piece, w.start.s + (w.end.s - w.start.s) * part);
         if self.plan {
             point.z = 0.0;
         }
@@ -168,6 +190,7 @@ impl<'a> Track<'a> {
 }
 
 /// Walks the feet of one curve's samples along the other.
+#[derive(Clone)]
 struct Walker<'a> {
     on: &'a Track<'a>,
     window: usize,
@@ -204,19 +227,46 @@ impl Walker<'_> {
     }
 }
 
-/// Largest distance from the samples of `a` to their feet on `b`.
+/// Largest distance from the points of `a` to their feet on `b`: of samples, then refined at the largest one.
 fn one_way(a: &Track<'_>, b: &Track<'_>) -> f64 {
     let mut walker = Walker { on: b, window: 0, s: b.windows[0].start.s };
     let mut largest = 0.0_f64;
+    // Window, part of it, and the walk as it was before the largest sample.
+    let mut place = None;
     for w in &a.windows {
         largest = largest.max(walker.distance(w.start.point));
         for f in SAMPLES {
-            let s = w.start.s + (w.end.s - w.start.s) * f;
-            largest = largest.max(walker.distance(a.point(w.piece, s)));
+            let before = walker.clone();
+            let distance = walker.distance(a.part(w, f));
+            if distance > largest {
+                largest = distance;
+                place = Some((w, f, before));
+            }
         }
     }
     if let Some(last) = a.windows.last() {
         largest = largest.max(walker.distance(last.end.point));
     }
-    largest
+    let refined = place.map_or(0.0, |(w, f, before)| top(|f| before.clone().distance(a.part(w, f)), f));
+    largest.max(refined)
+}
+
+/// Largest value of a function with one hump between the neighbours of sample `f`, by golden section.
+fn top(value: impl Fn(f64) -> f64, f: f64) -> f64 {
+    const GOLDEN: f64 = 0.618_033_988_749_895;
+    let (mut a, mut b) = (f - SAMPLES[0], f + SAMPLES[0]);
+    let (mut c, mut d) = (b - GOLDEN * (b - a), a + GOLDEN * (b - a));
+    let (mut at_c, mut at_d) = (value(c), value(d));
+    for _ in 0..24 {
+        if at_c > at_d {
+            (b, d, at_d) = (d, c, at_c);
+            c = b - GOLDEN * (b - a);
+            at_c = value(c);
+        } else {
+            (a, c, at_c) = (c, d, at_d);
+            d = a + GOLDEN * (b - a);
+            at_d = value(d);
+        }
+    }
+    at_c.max(at_d)
 }

@@ -1,18 +1,22 @@
 //! What drawings show beside the curves: curvature combs and joints.
 
 use crate::export::Job;
-use cyclide::{ParamCurve, Point3, Vec3, length};
+use cyclide::{CurveJet, ParamCurve, PieceForm, Point3, Vec3, length};
 
 /// Distance of the comb's teeth relative to the drawing, and the largest turn between two of them in radians.
 const SPACING: f64 = 0.008;
 const TURN: f64 = 0.15;
 /// Teeth of one drawing, about, if that spacing would give more.
 const TEETH: f64 = 3000.0;
-/// Length of the comb's tooth at the curvature below which [`COMMON`] of the teeth lie, relative to the drawing.
-const TOOTH: f64 = 0.06;
+/// Length of the comb's tooth at the curvature below which [`COMMON`] of the bent length lies, relative to the
+/// drawing.
+const TOOTH: f64 = 0.055;
 /// Sharp bends, the rest, must not shrink the whole comb; their teeth are cut at [`LONGEST`].
 const COMMON: f64 = 0.9;
-const LONGEST: f64 = 2.5;
+const LONGEST: f64 = 2.0;
+/// Teeth of a piece of varying curvature at least, unless they would be closer than [`CLOSEST`].
+const VARYING: f64 = 16.0;
+const CLOSEST: f64 = 0.002;
 
 /// The comb of one smooth piece: feet on the curve and tips, in order.
 pub(crate) type Comb = Vec<(Point3, Point3)>;
@@ -22,14 +26,12 @@ pub(crate) type Comb = Vec<(Point3, Point3)>;
 pub(crate) fn combs(job: &Job<'_>, size: f64) -> Vec<Comb> {
     let total: f64 = job.contours().map(|c| length(c.curve.as_curve())).sum();
     let spacing = (SPACING * size).max(total / TEETH);
-    let mut feet: Vec<Vec<(Point3, Vec3)>> = Vec::new();
+    let mut pieces: Vec<Vec<Tooth>> = Vec::new();
     for contour in job.contours() {
         let curve = contour.curve.as_curve();
-        feet.extend((0..curve.piece_count()).map(|piece| piece_feet(curve, piece, spacing)));
+        pieces.extend((0..curve.piece_count()).map(|piece| piece_teeth(curve, piece, spacing)));
     }
-    let mut all: Vec<f64> = feet.iter().flatten().map(|(_, k)| k.length()).filter(|k| *k > 0.0).collect();
-    all.sort_by(f64::total_cmp);
-    let Some(common) = all.get(((all.len() as f64 - 1.0) * COMMON) as usize) else {
+    let Some(common) = common_curvature(&pieces) else {
         return Vec::new();
     };
     let scale = TOOTH * size / common;
@@ -39,17 +41,60 @@ pub(crate) fn combs(job: &Job<'_>, size: f64) -> Vec<Comb> {
         p - k * (scale * if length > longest { longest / length } else { 1.0 })
     };
     let visible = |comb: &Comb| comb.iter().any(|(foot, tip)| foot.distance(*tip) > 1e-3 * size);
-    let piece = |feet: Vec<(Point3, Vec3)>| feet.into_iter().map(|(p, k)| (p, tip(p, k))).collect();
-    feet.into_iter().map(piece).filter(visible).collect()
+    let piece = |teeth: Vec<Tooth>| teeth.into_iter().map(|(p, k, _)| (p, tip(p, k))).collect();
+    pieces.into_iter().map(piece).filter(visible).collect()
 }
 
-/// Points of a piece with their curvature vectors, about `spacing` apart.
-fn piece_feet(curve: &dyn ParamCurve, piece: usize, spacing: f64) -> Vec<(Point3, Vec3)> {
+/// The curvature below which [`COMMON`] of the bent length lies; `None` if nothing is bent.
+fn common_curvature(pieces: &[Vec<Tooth>]) -> Option<f64> {
+    let bent = pieces.iter().flatten().map(|(_, k, length)| (k.length(), *length)).filter(|(k, _)| *k > 0.0);
+    let mut bent: Vec<(f64, f64)> = bent.collect();
+    bent.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let total: f64 = bent.iter().map(|(_, length)| length).sum();
+    let mut sum = 0.0;
+    let found = bent.iter().find(|(_, length)| {
+        sum += length;
+        sum >= COMMON * total
+    });
+    found.or(bent.last()).map(|(k, _)| *k)
+}
+
+/// A tooth before it has a length: foot, curvature vector, and the length of curve that it stands for.
+type Tooth = (Point3, Vec3, f64);
+
+/// The teeth of a piece, evenly about `spacing` apart or closer where it bends sharply.
+fn piece_teeth(curve: &dyn ParamCurve, piece: usize, spacing: f64) -> Vec<Tooth> {
     let length = curve.piece_length(piece, 0.0, 1.0);
     let turn = length * curve.piece_jet(piece, 0.5).curvature().unwrap_or(0.0);
-    let teeth = (length / spacing).max((turn / TURN).min(100.0)).round().clamp(1.0, TEETH);
-    let jets = (0..=teeth as usize).map(|i| curve.piece_jet(piece, i as f64 / teeth));
-    jets.filter_map(|j| j.curvature_vector().filter(|k| k.is_finite()).map(|k| (j.point, k))).collect()
+    let varying = match curve.piece_form(piece) {
+        PieceForm::Free => VARYING.min(length * SPACING / (spacing * CLOSEST)),
+        PieceForm::Arc(_) | PieceForm::Circle(_) => 1.0,
+    };
+    let count = (length / spacing).max((turn / TURN).min(100.0)).max(varying).round().clamp(1.0, TEETH);
+    let jets = even_parameters(curve, piece, count as usize).into_iter().map(|s| curve.piece_jet(piece, s));
+    let tooth = |j: CurveJet| j.curvature_vector().filter(|k| k.is_finite()).map(|k| (j.point, k, length / count));
+    jets.filter_map(tooth).collect()
+}
+
+/// Parameters of a piece that cut it into `count` parts of about equal length (by chords: a drawing needs no more).
+fn even_parameters(curve: &dyn ParamCurve, piece: usize, count: usize) -> Vec<f64> {
+    let n = 4 * count.max(4);
+    let at = |i: usize| curve.piece_point(piece, i as f64 / n as f64);
+    let mut sums = vec![0.0; n + 1];
+    let mut last = at(0);
+    for i in 1..=n {
+        let next = at(i);
+        sums[i] = sums[i - 1] + last.distance(next);
+        last = next;
+    }
+    let parameter = |k: usize| {
+        let wanted = sums[n] * k as f64 / count as f64;
+        let i = sums.partition_point(|l| *l < wanted).clamp(1, n);
+        let part = sums[i] - sums[i - 1];
+        let inside = if part > 0.0 { ((wanted - sums[i - 1]) / part).clamp(0.0, 1.0) } else { 0.0 };
+        ((i - 1) as f64 + inside) / n as f64
+    };
+    (0..=count).map(parameter).collect()
 }
 
 /// Where the smooth pieces of the curves meet, and the ends of open curves.

@@ -2,7 +2,9 @@
 
 use crate::format::Format;
 use crate::{csv_samples, dxf, nurbs_json, png, step, svg};
-use cyclide::{Aabb, Arc, ArcPath, ChainPiece, CurveChain, CurveObject, Exactness, Lower, Model, ParamCurve, Units};
+use cyclide::{
+    Aabb, Arc, ArcPath, ChainPiece, CurveChain, CurveObject, Exactness, Lower, Model, ParamCurve as _, Units, bounds,
+};
 use std::path::PathBuf;
 
 /// Tolerance when none is asked for: this part of the model's diagonal.
@@ -152,7 +154,7 @@ pub(crate) struct Job<'a> {
     pub(crate) model: &'a Model,
     pub(crate) options: &'a ExportOptions,
     pub(crate) tolerance: f64,
-    /// Box around all curves (of their control hulls, so possibly a little too large).
+    /// The smallest box around all curves.
     pub(crate) bounds: Aabb,
 }
 
@@ -183,16 +185,16 @@ impl Contour<'_> {
 
 impl<'a> Job<'a> {
     fn new(model: &'a Model, options: &'a ExportOptions) -> Result<Self, ExportError> {
-        let mut bounds: Option<Aabb> = None;
+        let mut total: Option<Aabb> = None;
         for contour in contours(model) {
-            let own = bounds_of(contour.curve.as_curve());
+            let own = bounds(contour.curve.as_curve());
             if !(own.max_abs() <= LARGEST_COORDINATE) {
                 let object = contour.object.to_owned();
                 return Err(ExportError::TooLarge { object, value: own.max_abs(), limit: LARGEST_COORDINATE });
             }
-            bounds = Some(bounds.map_or(own, |b| b.union(own)));
+            total = Some(total.map_or(own, |b| b.union(own)));
         }
-        let bounds = bounds.ok_or(ExportError::Empty)?;
+        let bounds = total.ok_or(ExportError::Empty)?;
         let tolerance = options.tolerance.unwrap_or_else(|| default_tolerance(bounds));
         if !(tolerance > 0.0 && tolerance.is_finite()) {
             return Err(ExportError::ToleranceNotPositive { tolerance });
@@ -253,12 +255,6 @@ pub(crate) fn contours(model: &Model) -> impl Iterator<Item = Contour<'_>> {
         let own = it.contours.iter().enumerate();
         own.map(move |(index, curve)| Contour { object: &it.name, item, index, count, curve })
     })
-}
-
-/// A box around a curve, piece by piece.
-pub(crate) fn bounds_of(curve: &dyn ParamCurve) -> Aabb {
-    let first = curve.piece_bounds(0);
-    (1..curve.piece_count()).fold(first, |b, piece| b.union(curve.piece_bounds(piece)))
 }
 
 /// The tolerance that applies when none is asked for; for a model without extent that of a model of size 1.

@@ -2,15 +2,17 @@
 
 mod models;
 
-use cyclide::{CurveObject, Model};
-use cyclide_io::{ExportOptions, Format, export, file_deviation};
-use models::{flat, mixed, model, space_chain, tilted};
+use cyclide::{CurveChain, CurveObject, Model, ParamCurve, Point3};
+use cyclide_io::{ExportOptions, Format, ReadError, deviation, export, file_deviation, read_back};
+use models::{Map, flat, mixed, model, open_chain, slot, space_chain, splines, tilted};
 
 const FORMATS: [Format; 5] = [Format::Step, Format::Dxf, Format::Svg, Format::Csv, Format::Json];
 
 fn all_models() -> Vec<(&'static str, Model)> {
     let space = model(vec![("space", vec![CurveObject::ArcPath(space_chain())])]);
-    vec![("flat", mixed(flat)), ("tilted", mixed(tilted)), ("space", space)]
+    let mut models = vec![("flat", mixed(flat)), ("tilted", mixed(tilted)), ("space", space)];
+    models.extend(splines());
+    models
 }
 
 #[test]
@@ -34,4 +36,74 @@ fn bytes_are_reproducible() {
             assert_eq!(bytes(), bytes(), "{name} {format:?}");
         }
     }
+}
+
+#[test]
+fn size_and_place_do_not_matter() {
+    let tiny: Map = |x, y| Point3::new(1e-6 * x, 1e-6 * y, 0.0);
+    let far: Map = |x, y| Point3::new(1e6 + x, 3.0 - 2e6 + y, 5e5);
+    let huge: Map = |x, y| Point3::new(1e40 * x, 0.0, 1e40 * y);
+    for (map, size, largest) in [(tiny, 5e-5, 5e-5), (far, 50.0, 2e6), (huge, 5e41, 5e41)] {
+        let m = model(vec![("slot", vec![CurveObject::ArcPath(slot(map))])]);
+        for format in FORMATS {
+            // Nothing is left of a vertical plane seen from above but a line; the plan is not the curve.
+            if format == Format::Svg && size > 1e40 {
+                continue;
+            }
+            let file = export(&m, format, &ExportOptions::default()).unwrap();
+            let d = file_deviation(&m, format, &file.bytes).unwrap();
+            // Some ulps of the coordinates.
+            assert!(d <= file.bound + 1e-15 * largest, "{format:?} at {size:e}: {d:e}");
+        }
+    }
+}
+
+#[test]
+fn coordinates_are_the_same_doubles() {
+    let m = model(vec![("c", vec![CurveObject::ArcPath(open_chain(tilted))])]);
+    for format in [Format::Csv, Format::Json] {
+        let chains = read_back(format, &export(&m, format, &ExportOptions::default()).unwrap().bytes).unwrap();
+        let curve = m.items[0].contours[0].as_curve();
+        let (start, end) = (curve.eval(0.0), curve.eval(1.0));
+        assert_eq!((chains[0].eval(0.0), chains[0].eval(1.0)), (start, end), "{format:?}");
+    }
+}
+
+#[test]
+fn a_wrong_file_is_found_out() {
+    let m = model(vec![("slot", vec![CurveObject::ArcPath(slot(flat))])]);
+    let bytes = export(&m, Format::Step, &ExportOptions::default()).unwrap().bytes;
+    let chain = read_back(Format::Step, &bytes).unwrap().remove(0);
+    let pieces = chain.pieces().to_vec();
+    let wrong = |order: &[usize], closed| {
+        let pieces = order.iter().map(|i| pieces[*i].clone()).collect();
+        CurveChain::new(pieces, closed, f64::INFINITY).unwrap()
+    };
+    let far = |chain| deviation(&m, &[chain]).unwrap();
+    assert!(far(wrong(&[0, 1, 2, 3], true)) < 1e-13);
+    // A closed curve may start at another joint, run the other way it may not.
+    assert!(far(wrong(&[2, 3, 0, 1], true)) < 1e-13);
+    // Swapped, doubled and missing pieces are as far off as the curve is wide, though every point is near it.
+    assert!(far(wrong(&[0, 3, 2, 1], true)) > 5.0);
+    assert!(far(wrong(&[0, 1, 0, 1, 2, 3], true)) > 5.0);
+    assert!(far(wrong(&[0, 1, 2], true)) > 5.0);
+    assert_eq!(deviation(&m, &[]).unwrap_err(), ReadError::CurveCount { found: 0, expected: 1 });
+    let open = wrong(&[0, 1, 2, 3], false);
+    assert_eq!(deviation(&m, &[open]).unwrap_err(), ReadError::Closedness { curve: 0, found: false });
+}
+
+#[test]
+fn bad_requests_are_named() {
+    let m = mixed(flat);
+    let reason = |m: &Model, tolerance| {
+        let options = ExportOptions { tolerance, ..ExportOptions::default() };
+        export(m, Format::Svg, &options).unwrap_err().reason()
+    };
+    for tolerance in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+        assert_eq!(reason(&m, Some(tolerance)), "tolerance-not-positive");
+    }
+    assert_eq!(reason(&model(vec![]), None), "empty-model");
+    let huge: Map = |x, y| Point3::new(1e130 * x, 1e130 * y, 0.0);
+    let m = model(vec![("slot", vec![CurveObject::ArcPath(slot(huge))])]);
+    assert_eq!(reason(&m, None), "coordinate-too-large");
 }

@@ -2,7 +2,7 @@
 //!
 //! Curves of the plane are shown from above with their curvature comb and joints; a model with heights is shown
 //! from the side and above (parallel projection), nearer parts darker and in front, with the shadow of each curve on
-//! the ground below.
+//! the ground below. The promised bound is half a pixel.
 
 mod canvas;
 mod view;
@@ -57,7 +57,7 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
     let bytes = canvas.encode().map_err(|e| picture(&e))?;
     let mut promise = Promise::EXACT;
     promise.add(Exactness::Within(0.5 * view.unit()));
-    Ok(promise.exported(bytes, vec!["a picture: half a pixel is the promise".to_owned()]))
+    Ok(promise.exported(bytes, Vec::new()))
 }
 
 fn picture(detail: &str) -> ExportError {

@@ -7,8 +7,17 @@ use cyclide::{Aabb, Point3, Vec3};
 const MARGIN: f64 = 0.06;
 /// Flattest picture: height over width, and the other way round.
 const SLIMMEST: f64 = 0.3;
-/// Where a model with heights is looked at from.
-const EYE: Vec3 = Vec3::new(0.5, -0.8, 0.55);
+/// Where a model with heights is looked at from, in order of preference: front right, front left, and turned further.
+const EYES: [Vec3; 6] = [
+    Vec3::new(0.5, -0.8, 0.55),
+    Vec3::new(-0.5, -0.8, 0.55),
+    Vec3::new(0.92, -0.2, 0.55),
+    Vec3::new(-0.92, -0.2, 0.55),
+    Vec3::new(0.2, -0.92, 0.55),
+    Vec3::new(-0.2, -0.92, 0.55),
+];
+/// A view is left for a later one only if that shows this much more.
+const BETTER: f64 = 1.5;
 /// The floor lies this far below the model and reaches this far beyond it, relative to its larger side.
 const FLOOR_GAP: f64 = 0.04;
 const FLOOR_RIM: f64 = 0.06;
@@ -40,7 +49,7 @@ impl View {
     /// From above, or from the side and above if there are heights; `largest` is the largest picture.
     pub(super) fn new(points: impl Iterator<Item = Point3>, heights: bool, largest: (f64, f64)) -> Self {
         let points: Vec<Point3> = points.collect();
-        let toward = if heights { EYE.unit().unwrap_or(UP) } else { UP };
+        let toward = if heights { eye(&points) } else { UP };
         let right = if heights { UP.cross(toward).unit().unwrap_or(Vec3::X) } else { Vec3::X };
         let up = toward.cross(right);
         let bounds = Aabb::of_points(points.iter().copied()).unwrap_or(Aabb::of_point(Point3::ORIGIN));
@@ -100,6 +109,35 @@ impl View {
         let (far, near) = self.depths;
         if near > far { ((p.to_vec().dot(self.toward) - far) / (near - far)).clamp(0.0, 1.0) } else { 1.0 }
     }
+}
+
+/// The direction to look from: a curve close to a plane must not be seen edge on.
+fn eye(points: &[Point3]) -> Vec3 {
+    let mut best = (EYES[0].unit().unwrap_or(UP), 0.0);
+    for eye in EYES.into_iter().filter_map(Vec3::unit) {
+        let spread = spread(points, eye);
+        if spread > BETTER * best.1 {
+            best = (eye, spread);
+        }
+    }
+    best.0
+}
+
+/// How broad the points look: the smaller axis of their ellipse of inertia in the view.
+fn spread(points: &[Point3], toward: Vec3) -> f64 {
+    let right = UP.cross(toward).unit().unwrap_or(Vec3::X);
+    let up = toward.cross(right);
+    let first = points.first().copied().unwrap_or(Point3::ORIGIN);
+    let flat = points.iter().map(|p| ((*p - first).dot(right), (*p - first).dot(up)));
+    let n = points.len().max(1) as f64;
+    let (x, y) = flat.clone().fold((0.0, 0.0), |(a, b), (x, y)| (a + x / n, b + y / n));
+    let (mut xx, mut xy, mut yy) = (0.0, 0.0, 0.0);
+    for (u, v) in flat {
+        let (u, v) = (u - x, v - y);
+        (xx, xy, yy) = (xx + u * u, xy + u * v, yy + v * v);
+    }
+    let least = 0.5 * (xx + yy - (xx - yy).hypot(2.0 * xy));
+    (least.max(0.0) / n).sqrt()
 }
 
 impl Floor {

@@ -59,7 +59,7 @@ fn curve_set(data: &mut Data, contour: &Contour<'_>, curves: &[usize]) -> usize 
 fn shortest_piece(chain: &CurveChain) -> f64 {
     let extent = |piece: &ChainPiece| match piece {
         ChainPiece::Arc(arc) => arc.length(),
-        ChainPiece::Spline(curve) => crate::export::bounds_of(curve).diagonal(),
+        ChainPiece::Spline(curve) => cyclide::bounds(curve).diagonal(),
     };
     chain.pieces().iter().map(extent).fold(f64::INFINITY, f64::min)
 }

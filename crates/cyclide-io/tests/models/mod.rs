@@ -1,7 +1,10 @@
 //! Models that the tests write and read back.
 #![allow(clippy::unwrap_used, reason = "a model that cannot be made fails the test")]
 
-use cyclide::{Arc, ArcPath, Circle, CurveObject, Item, Model, Point3, Units, Vec3};
+use cyclide::{
+    Arc, ArcPath, BlendVariant, Circle, CircleSpline, CircleSplineOptions, CurveObject, Item, Model, Point3, Units,
+    Vec3,
+};
 
 /// A model of one object per contour list.
 pub fn model(items: Vec<(&str, Vec<CurveObject>)>) -> Model {
@@ -82,4 +85,42 @@ pub fn mixed(map: Map) -> Model {
         ("it's a \"1\\2\" <&> 5° 円", vec![CurveObject::ArcPath(open_chain(map))]),
         ("arc", vec![CurveObject::Arc(arc)]),
     ])
+}
+
+/// Data points of a wavy closed curve.
+pub fn wave(map: Map, n: usize) -> Vec<Point3> {
+    let at = |i: usize| {
+        let a = std::f64::consts::TAU * i as f64 / n as f64;
+        let r = 50.0 + 9.0 * (3.0 * a).sin() + 4.0 * (7.0 * a).cos();
+        map(1.6 * r * a.cos(), r * a.sin())
+    };
+    (0..n).map(at).collect()
+}
+
+/// Data points of a rising coil.
+pub fn coil(n: usize) -> Vec<Point3> {
+    let at = |i: usize| {
+        let a = 4.0 * std::f64::consts::PI * i as f64 / n as f64;
+        Point3::new(30.0 * a.cos(), 24.0 * a.sin(), 3.0 * a + 2.0 * (2.0 * a).sin())
+    };
+    (0..=n).map(at).collect()
+}
+
+/// A circle spline through points.
+pub fn circle_spline(points: &[Point3], closed: bool, variant: BlendVariant, corners: Vec<usize>) -> CurveObject {
+    let options = CircleSplineOptions { closed, variant, corners, ..CircleSplineOptions::default() };
+    CurveObject::CircleSpline(CircleSpline::from_points(points, &options).unwrap())
+}
+
+/// Models whose curves are circle splines.
+pub fn splines() -> Vec<(&'static str, Model)> {
+    use BlendVariant::{Rational, Trigonometric};
+    let flat_points = wave(flat, 40);
+    vec![
+        ("rational", model(vec![("wave", vec![circle_spline(&flat_points, true, Rational, vec![])])])),
+        ("tilted", model(vec![("wave", vec![circle_spline(&wave(tilted, 40), true, Rational, vec![])])])),
+        ("corners", model(vec![("wave", vec![circle_spline(&flat_points, true, Rational, vec![5, 20])])])),
+        ("trigonometric", model(vec![("wave", vec![circle_spline(&flat_points, true, Trigonometric, vec![])])])),
+        ("coil", model(vec![("coil", vec![circle_spline(&coil(30), false, Rational, vec![])])])),
+    ]
 }

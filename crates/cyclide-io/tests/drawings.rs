@@ -1,0 +1,108 @@
+//! SVG and PNG: what is drawn, and how large.
+
+mod models;
+
+use cyclide::{CurveObject, Model, Units};
+use cyclide_io::{ExportOptions, Format, export};
+use models::{bulges, flat, mixed, model, slot, space_chain, splines, tilted};
+
+fn svg(m: &Model, options: &ExportOptions) -> String {
+    String::from_utf8(export(m, Format::Svg, options).unwrap().bytes).unwrap()
+}
+
+fn contours(text: &str) -> Vec<&str> {
+    let paths = text.split("<path class=\"contour\" d=\"").skip(1);
+    paths.map(|p| p.split('"').next().unwrap()).collect()
+}
+
+#[test]
+fn slots_are_arcs_and_lines_and_closed() {
+    let m = model(vec![("slot", vec![CurveObject::ArcPath(slot(flat))])]);
+    let text = svg(&m, &ExportOptions::default());
+    // Counter-clockwise in the model is falling angle on the page; half circles come in two parts.
+    let expected =
+        "M0 0 L40 0 A6 6 0 0 0 46 -6 A6 6 0 0 0 40 -12 L0 -12 A6 6 0 0 0 -5.999999999999999 -6 A6 6 0 0 0 0 0 Z";
+    assert_eq!(contours(&text), [expected]);
+}
+
+#[test]
+fn the_segment_that_closes_is_left_to_the_close_command() {
+    let triangle = bulges(flat, &[(0.0, 0.0), (4.0, 0.0), (0.0, 0.0), (0.0, 3.0)], &[0.0; 4]);
+    let m = model(vec![("t", vec![CurveObject::ArcPath(triangle)])]);
+    // The pass through the start in the middle is drawn.
+    assert_eq!(contours(&svg(&m, &ExportOptions::default())), ["M0 0 L4 0 L0 0 L0 -3 Z"]);
+}
+
+#[test]
+fn paper_size_is_true_or_to_a_round_scale() {
+    let m = model(vec![("slot", vec![CurveObject::ArcPath(slot(flat))])]);
+    for (units, size) in [
+        (Units::Millimetre, "width=\"56.2mm\""),
+        (Units::Centimetre, "width=\"562mm\""),
+        (Units::Inch, "width=\"1427.48mm\""),
+        (Units::Metre, "width=\"281mm\""), // 1:200
+    ] {
+        let text = svg(&Model { units, ..m.clone() }, &ExportOptions::default());
+        assert!(text.contains(size), "{units:?}: {}", &text[..300]);
+        assert!(text.contains("viewBox=\"-8.1 -14.1 56.2 16.2\""));
+    }
+}
+
+#[test]
+fn comb_and_joints_only_on_request() {
+    let m = model(vec![("slot", vec![CurveObject::ArcPath(slot(flat))])]);
+    let plain = svg(&m, &ExportOptions::default());
+    assert!(!plain.contains("id=\"comb\"") && !plain.contains("<circle"));
+    let options = ExportOptions { svg_comb: true, svg_points: true, ..ExportOptions::default() };
+    let rich = svg(&m, &options);
+    assert!(rich.contains("id=\"comb\"") && rich.matches("<circle").count() == 4);
+    assert_eq!(contours(&plain), contours(&rich));
+}
+
+#[test]
+fn space_is_seen_from_above_and_points_are_refused() {
+    let m = model(vec![("s", vec![CurveObject::ArcPath(space_chain())])]);
+    let file = export(&m, Format::Svg, &ExportOptions::default()).unwrap();
+    assert!(!file.exact && file.notes[0].contains("view along the z axis"));
+    let up = cyclide::Arc::segment([1.0, 2.0, 0.0].into(), [1.0, 2.0, 5.0].into()).unwrap();
+    let m = model(vec![("up", vec![CurveObject::Arc(up)])]);
+    let error = export(&m, Format::Svg, &ExportOptions::default()).unwrap_err();
+    assert_eq!(error.reason(), "not-in-format");
+    assert!(error.to_string().contains("object up"), "{error}");
+}
+
+#[test]
+fn titles_are_escaped() {
+    let text = svg(&mixed(flat), &ExportOptions::default());
+    assert!(text.contains("<title>it's a \"1\\2\" &lt;&amp;&gt; 5° 円</title>"));
+}
+
+/// Width, height and the share of pixels that differ from the paper in the corner.
+fn picture(bytes: &[u8]) -> (u32, u32, f64) {
+    let pixels = tiny_skia::Pixmap::decode_png(bytes).unwrap();
+    let paper = pixels.pixels()[0];
+    let ink = pixels.pixels().iter().filter(|p| **p != paper).count();
+    (pixels.width(), pixels.height(), ink as f64 / pixels.pixels().len() as f64)
+}
+
+#[test]
+fn pictures_are_full_and_reproducible() {
+    let space = model(vec![("s", vec![CurveObject::ArcPath(space_chain())])]);
+    for m in [mixed(flat), mixed(tilted), space].into_iter().chain(splines().into_iter().map(|(_, m)| m)) {
+        let bytes = || export(&m, Format::Png, &ExportOptions::default()).unwrap().bytes;
+        let (width, height, ink) = picture(&bytes());
+        assert!(width == 1600 && height <= 1200 || width <= 1600 && height == 1200, "{width} x {height}");
+        assert!(ink > 0.01 && ink < 0.6, "{ink}");
+        assert_eq!(bytes(), bytes());
+    }
+}
+
+#[test]
+fn a_straight_line_has_a_picture() {
+    for end in [[5.0, 0.0, 0.0], [0.0, 5.0, 0.0], [0.0, 0.0, 5.0], [1e-9, 0.0, 0.0], [1e9, 0.0, 0.0]] {
+        let line = cyclide::Arc::segment([0.0; 3].into(), end.into()).unwrap();
+        let m = model(vec![("line", vec![CurveObject::Arc(line)])]);
+        let (_, _, ink) = picture(&export(&m, Format::Png, &ExportOptions::default()).unwrap().bytes);
+        assert!(ink > 0.001, "{end:?}");
+    }
+}

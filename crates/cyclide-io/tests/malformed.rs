@@ -1,0 +1,109 @@
+//! Readers meet bytes that nobody wrote: an error or curves, never a panic.
+
+mod models;
+
+use cyclide::{CurveObject, Model};
+use cyclide_io::{DxfVersion, ExportOptions, Format, ReadError, export, read_back};
+use models::{coil, flat, mixed, model, space_chain};
+use proptest::prelude::*;
+
+/// Files of every kind of entity.
+fn files() -> Vec<(Format, Vec<u8>)> {
+    use cyclide::BlendVariant::Rational;
+    let spline = models::circle_spline(&coil(4), false, Rational, vec![]);
+    let spatial = model(vec![("s", vec![CurveObject::ArcPath(space_chain()), spline])]);
+    let exact = ExportOptions { dxf_splines: true, ..ExportOptions::default() };
+    let r12 = ExportOptions { dxf_version: DxfVersion::R12, ..ExportOptions::default() };
+    let file = |m: &Model, format, options: &ExportOptions| (format, export(m, format, options).unwrap().bytes);
+    let mut files = Vec::new();
+    for m in [mixed(flat), spatial] {
+        for format in [Format::Step, Format::Dxf, Format::Svg, Format::Csv, Format::Json] {
+            files.push(file(&m, format, &exact));
+        }
+        files.push(file(&m, Format::Dxf, &r12));
+    }
+    files
+}
+
+/// What happens to a file: some bytes replaced, a part cut out, a part repeated.
+#[derive(Debug, Clone)]
+enum Damage {
+    Replace(Vec<(prop::sample::Index, u8)>),
+    Cut(prop::sample::Index, prop::sample::Index),
+    Repeat(prop::sample::Index, prop::sample::Index),
+}
+
+fn damage() -> impl Strategy<Value = Damage> {
+    // Bytes that mean something in one of the formats come more often than others.
+    let byte = prop_oneof![Just(b"0123456789-.eE"[..].to_vec()), Just(b"(),#'*$\"/\n \\AMZ[]{}"[..].to_vec())]
+        .prop_flat_map(prop::sample::select)
+        .boxed();
+    let byte = prop_oneof![4 => byte, 1 => any::<u8>()];
+    let index = any::<prop::sample::Index>;
+    prop_oneof![
+        prop::collection::vec((index(), byte), 1..12).prop_map(Damage::Replace),
+        (index(), index()).prop_map(|(a, b)| Damage::Cut(a, b)),
+        (index(), index()).prop_map(|(a, b)| Damage::Repeat(a, b)),
+    ]
+}
+
+fn damaged(bytes: &[u8], damage: &Damage) -> Vec<u8> {
+    let span = |a: &prop::sample::Index, b: &prop::sample::Index| {
+        let (a, b) = (a.index(bytes.len()), b.index(bytes.len()));
+        a.min(b)..a.max(b)
+    };
+    match damage {
+        Damage::Replace(changes) => {
+            let mut out = bytes.to_vec();
+            for (index, byte) in changes {
+                let at = index.index(out.len());
+                out[at] = *byte;
+            }
+            out
+        }
+        Damage::Cut(a, b) => {
+            let span = span(a, b);
+            [&bytes[..span.start], &bytes[span.end..]].concat()
+        }
+        Damage::Repeat(a, b) => {
+            let span = span(a, b);
+            [&bytes[..span.end], &bytes[span.start..]].concat()
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(400))]
+    #[test]
+    fn damaged_files_do_not_panic(damage in damage()) {
+        for (format, bytes) in files() {
+            let _ = read_back(format, &damaged(&bytes, &damage));
+        }
+    }
+}
+
+#[test]
+fn what_is_wrong_is_said_with_its_place() {
+    let cases: [(Format, &[u8], &str); 9] = [
+        (Format::Step, b"", "no DATA section"),
+        (Format::Step, b"DATA;#1=A(;ENDSEC;", "expected a name"),
+        (Format::Step, b"DATA;#1=A();#1=B();ENDSEC;", "#1 is defined twice"),
+        (Format::Step, b"DATA;#1=GEOMETRIC_CURVE_SET('',(#7));ENDSEC;", "#7"),
+        (Format::Dxf, b"  0\nSECTION\n  2\nENTITIES\n  0\nTEXT\n", "TEXT at line 5"),
+        (Format::Dxf, b"x\n", "line 1"),
+        (Format::Svg, b"<path class=\"contour\" d=\"M0 0 C\"", "command C"),
+        (Format::Csv, b"a,b\n", "line 1"),
+        (Format::Json, b"{\n\"objects\": 3}", "no object"),
+    ];
+    for (format, bytes, part) in cases {
+        let message = read_back(format, bytes).unwrap_err().to_string();
+        assert!(message.contains(part), "{format:?}: {message}");
+    }
+    assert_eq!(read_back(Format::Png, b"x").unwrap_err(), ReadError::NoGeometry { format: "png" });
+}
+
+#[test]
+fn deep_lists_are_refused() {
+    let deep = format!("DATA;#1=A({});ENDSEC;", "(".repeat(100_000));
+    assert!(read_back(Format::Step, deep.as_bytes()).unwrap_err().to_string().contains("deeper"));
+}
