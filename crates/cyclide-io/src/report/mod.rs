@@ -4,12 +4,12 @@ mod text;
 
 use std::path::Path;
 
-use cyclide::{Aabb, CurveObject, Lower, Model, Units, extreme_curvature, joints, length};
+use cyclide::{Aabb, CurveObject, Lower, Model, Units, bounds, extreme_curvature, joints, length};
 use indexmap::IndexMap;
 use serde::Serialize;
 
 use crate::document::{BuiltObject, Remark};
-use crate::export::{Exported, bounds_of, default_tolerance};
+use crate::export::{Exported, default_tolerance};
 use crate::format::Format;
 use crate::read_back::{ReadError, file_deviation};
 
@@ -234,8 +234,8 @@ impl ObjectReport {
 
 /// The range of the weights over the contours' rational forms.
 fn weights(contours: &[CurveObject], tolerance: Option<f64>) -> Option<WeightReport> {
-    let bounds = contours.iter().map(|c| bounds_of(c.as_curve())).reduce(Aabb::union)?;
-    let tolerance = tolerance.unwrap_or_else(|| default_tolerance(bounds));
+    let size = contours.iter().map(|c| bounds(c.as_curve())).reduce(Aabb::union)?;
+    let tolerance = tolerance.unwrap_or_else(|| default_tolerance(size));
     let mut range = WeightReport { min: f64::INFINITY, max: 0.0 };
     for curve in contours {
         let (chain, _) = curve.to_chain(tolerance).ok()?;
@@ -309,6 +309,6 @@ impl FileReport {
 
 /// Size of the model and its distance from the origin, whichever is larger: rounding is relative to coordinates.
 fn extent(model: &Model) -> f64 {
-    let boxes = model.items.iter().flat_map(|item| &item.contours).map(|c| bounds_of(c.as_curve()));
+    let boxes = model.items.iter().flat_map(|item| &item.contours).map(|c| bounds(c.as_curve()));
     boxes.reduce(Aabb::union).map_or(0.0, |b| b.diagonal().max(b.max_abs()))
 }

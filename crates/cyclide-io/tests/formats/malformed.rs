@@ -1,16 +1,14 @@
 //! Readers meet bytes that nobody wrote: an error or curves, never a panic.
 
-mod models;
-
+use crate::models::{coil, flat, mixed, model, space_chain};
 use cyclide::{CurveObject, Model};
 use cyclide_io::{DxfVersion, ExportOptions, Format, ReadError, export, read_back};
-use models::{coil, flat, mixed, model, space_chain};
 use proptest::prelude::*;
 
 /// Files of every kind of entity.
 fn files() -> Vec<(Format, Vec<u8>)> {
     use cyclide::BlendVariant::Rational;
-    let spline = models::circle_spline(&coil(4), false, Rational, vec![]);
+    let spline = crate::models::circle_spline(&coil(4), false, Rational, vec![]);
     let spatial = model(vec![("s", vec![CurveObject::ArcPath(space_chain()), spline])]);
     let exact = ExportOptions { dxf_splines: true, ..ExportOptions::default() };
     let r12 = ExportOptions { dxf_version: DxfVersion::R12, ..ExportOptions::default() };

@@ -1,10 +1,8 @@
 //! SVG and PNG: what is drawn, and how large.
 
-mod models;
-
+use crate::models::{bulges, flat, mixed, model, slot, space_chain, splines, tilted};
 use cyclide::{CurveObject, Model, Units};
 use cyclide_io::{ExportOptions, Format, export};
-use models::{bulges, flat, mixed, model, slot, space_chain, splines, tilted};
 
 fn svg(m: &Model, options: &ExportOptions) -> String {
     String::from_utf8(export(m, Format::Svg, options).unwrap().bytes).unwrap()

@@ -1,10 +1,8 @@
 //! What only DXF has: polylines in any plane, versions, layers, flags.
 
-mod models;
-
+use crate::models::{circle_spline, coil, flat, mixed, model, slot, space_chain, splines, tilted, wave};
 use cyclide::{BlendVariant, CurveObject, Model, Units};
 use cyclide_io::{DxfVersion, ExportOptions, Format, export, file_deviation, read_back};
-use models::{circle_spline, coil, flat, mixed, model, slot, space_chain, splines, tilted, wave};
 
 fn with(m: &Model, options: &ExportOptions) -> Vec<(u16, String)> {
     let text = String::from_utf8(export(m, Format::Dxf, options).unwrap().bytes).unwrap();

@@ -1,10 +1,8 @@
 //! What only STEP has: its text rules, units, names and the choice of entities.
 
-mod models;
-
+use crate::models::{Map, bulges, flat, mixed, model, splines, tilted};
 use cyclide::{CurveObject, Units};
 use cyclide_io::{ExportOptions, Format, export, file_deviation};
-use models::{Map, bulges, flat, mixed, model, splines, tilted};
 
 fn text(m: &cyclide::Model) -> String {
     let file = export(m, Format::Step, &ExportOptions::default()).unwrap();
@@ -66,7 +64,7 @@ fn arcs_are_circles_lines_lines_and_splines_splines() {
     let flat_text = text(&mixed(flat));
     // Slot: two arcs, two lines; the full circle is one; open chain: five arcs and one all but straight; one arc.
     assert_eq!((count(&flat_text, "=CIRCLE("), count(&flat_text, "=LINE(")), (9, 2));
-    assert_eq!(count(&flat_text, "B_SPLINE_CURVE("), 1, "the arc of 4e-9 radians");
+    assert_eq!(count(&flat_text, "RATIONAL_B_SPLINE_CURVE("), 1, "the arc of 4e-9 radians");
     for (name, m) in splines() {
         let text = text(&m);
         let splines = if name == "corners" { 2 } else { 1 };
@@ -90,7 +88,7 @@ fn nearly_straight_arcs_keep_their_digits() {
 #[test]
 fn edges_that_readers_would_lose_are_named() {
     let tiny: Map = |x, y| cyclide::Point3::new(1e-8 * x, 1e-8 * y, 0.0);
-    let m = model(vec![("a", vec![CurveObject::ArcPath(models::slot(tiny))])]);
+    let m = model(vec![("a", vec![CurveObject::ArcPath(crate::models::slot(tiny))])]);
     let file = export(&m, Format::Step, &ExportOptions::default()).unwrap();
     assert!(file.notes[0].contains("1e-7"), "{:?}", file.notes);
 }

@@ -1,10 +1,8 @@
 //! Every format with geometry: written, read back, compared.
 
-mod models;
-
+use crate::models::{Map, flat, mixed, model, open_chain, slot, space_chain, splines, tilted};
 use cyclide::{CurveChain, CurveObject, Model, ParamCurve, Point3};
 use cyclide_io::{ExportOptions, Format, ReadError, deviation, export, file_deviation, read_back};
-use models::{Map, flat, mixed, model, open_chain, slot, space_chain, splines, tilted};
 
 const FORMATS: [Format; 5] = [Format::Step, Format::Dxf, Format::Svg, Format::Csv, Format::Json];
 
