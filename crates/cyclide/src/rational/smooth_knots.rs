@@ -4,9 +4,9 @@
 //! functions meet with a kink. Then the knots need multiplicity `degree`, and CAD systems call the curve C0: they
 //! refuse to offset or sweep along it. Multiplying numerator and denominator of each piece by a common positive
 //! polynomial `g` changes no point and no parameter. The cubic with Bernstein coefficients
-//! `1, 1 + a/3, 1 + b/3, 1`, `a = -W'(0)/W(0)`, `b = W'(1)/W(1)`, flattens the weight function at both ends, so the
-//! homogeneous form is C1 where the curve is, and the shared control point at the joint can be left out
-//! (multiplicity `degree - 1` at degree `n + 3`). (Own derivation.)
+//! `1, 1 + a/3, 1 - b/3, 1`, `a = g'(0)`, `b = g'(1)`, gives the weight functions of both sides of a joint the same
+//! logarithmic slope, so the homogeneous form is C1 where the curve is, and the shared control point at the joint can
+//! be left out (multiplicity `degree - 1` at degree `n + 3`). (Own derivation.)
 
 use super::bezier_curve::RationalBezier;
 use super::nurbs_curve::NurbsCurve;
@@ -14,6 +14,8 @@ use crate::base::vector::{Point3, Vec3};
 
 /// Relative jump of the affine derivative that still counts as C1: rounding of the construction.
 const C1_LIMIT: f64 = 1e-9;
+/// Roundings of a control point that its derivative may carry.
+const POINT_ROUNDINGS: f64 = 8.0;
 
 impl NurbsCurve {
     /// The same curve with the same parameter and C1 knots (multiplicity `degree - 1`) at every knot where the
@@ -28,12 +30,13 @@ impl NurbsCurve {
         if !smooth.contains(&true) {
             return None;
         }
+        let slopes = common_slopes(&beziers, &intervals, &smooth);
         let mut rows: Vec<[f64; 4]> = Vec::new();
         let mut knots: Vec<f64> = Vec::new();
         let degree = self.degree() + 3;
         let mut scale = 1.0;
         for (j, bezier) in beziers.iter().enumerate() {
-            let raised = flattened(bezier)?;
+            let raised = with_slopes(bezier, [slopes[j], slopes[j + 1]].map(|s| s.map(|s| s * intervals[j])))?;
             let first = raised.rows()[0];
             if let Some(last) = rows.last() {
                 scale = last[3] / first[3];
@@ -58,21 +61,46 @@ impl NurbsCurve {
         Self::new(degree, knots, points, weights).ok()
     }
 
-    /// True if the affine derivative is continuous at the inner break `j`.
+    /// True if the affine derivative is continuous at the inner break `j`, up to the rounding of the control points.
     fn is_c1_at(&self, j: usize, intervals: &[f64]) -> bool {
-        let before: Vec3 = self.span_jet(j - 1, 1.0).d1 / intervals[j - 1];
-        let after: Vec3 = self.span_jet(j, 0.0).d1 / intervals[j];
-        (after - before).length() <= C1_LIMIT * after.length().max(before.length())
+        let (before, after) = (self.span_jet(j - 1, 1.0), self.span_jet(j, 0.0));
+        let (before_d1, after_d1): (Vec3, Vec3) = (before.d1 / intervals[j - 1], after.d1 / intervals[j]);
+        let unit = POINT_ROUNDINGS * f64::EPSILON * after.point.to_vec().max_abs() * self.degree() as f64;
+        let (left, right) = (self.span_rows(j - 1), self.span_rows(j));
+        let n = self.degree();
+        let rounding =
+            unit * (left[n - 1][3] / left[n][3] / intervals[j - 1] + right[1][3] / right[0][3] / intervals[j]);
+        (after_d1 - before_d1).length() <= C1_LIMIT * after_d1.length().max(before_d1.length()) + rounding
     }
 }
 
-/// The piece multiplied by the cubic that makes its weight function flat at both ends, if that cubic is positive.
-fn flattened(bezier: &RationalBezier) -> Option<RationalBezier> {
-    let rows = bezier.rows();
-    let (n, last) = (bezier.degree() as f64, rows.len() - 1);
-    let (w0, w1) = (rows[0][3], rows[last][3]);
-    let (a, b) = (-n * (rows[1][3] - w0) / w0, n * (w1 - rows[last - 1][3]) / w1);
-    let factor = [1.0, 1.0 + a / 3.0, 1.0 + b / 3.0, 1.0];
+/// Logarithmic slopes `W'/W` of the weight function at both ends, by the curve's own parameter.
+fn end_slopes(bezier: &RationalBezier) -> [f64; 2] {
+    let (rows, n) = (bezier.rows(), bezier.degree());
+    let (w0, w1) = (rows[0][3], rows[n][3]);
+    [(rows[1][3] - w0) / w0 * n as f64, (w1 - rows[n - 1][3]) / w1 * n as f64]
+}
+
+/// For every break the logarithmic slope by the knot parameter that both sides are given, chosen so that the factors
+/// stay positive: 0 or the nearest to it between the slopes of the two sides where the weights have a crest there,
+/// and what changes both sides alike where they have a dent. `None` at ends and kinks: nothing to join there.
+fn common_slopes(beziers: &[RationalBezier], intervals: &[f64], smooth: &[bool]) -> Vec<Option<f64>> {
+    let mut slopes = vec![None; beziers.len() + 1];
+    for j in (1..beziers.len()).filter(|j| smooth[j - 1]) {
+        let (h0, h1) = (intervals[j - 1], intervals[j]);
+        let (before, after) = (end_slopes(&beziers[j - 1])[1] / h0, end_slopes(&beziers[j])[0] / h1);
+        slopes[j] =
+            Some(if after <= before { 0.0_f64.clamp(after, before) } else { (after * h1 + before * h0) / (h0 + h1) });
+    }
+    slopes
+}
+
+/// The piece multiplied by the cubic that gives its weight function these logarithmic slopes at its ends, if that
+/// cubic is positive.
+fn with_slopes(bezier: &RationalBezier, slopes: [Option<f64>; 2]) -> Option<RationalBezier> {
+    let have = end_slopes(bezier);
+    let change = |end: usize| slopes[end].map_or(0.0, |slope| slope - have[end]);
+    let factor = [1.0, 1.0 + change(0) / 3.0, 1.0 - change(1) / 3.0, 1.0];
     let raised = bezier.multiplied(&factor);
     (factor.iter().all(|g| *g > 0.0) && raised.has_positive_weights()).then_some(raised)
 }
