@@ -21,6 +21,8 @@ const DENSE_SAGITTA: f64 = 0.1;
 const ROUNDING_PLACE: f64 = 0.75;
 /// Ratio of the distances of further joints from that turn.
 const GRADING: f64 = 3.0;
+/// At most this many of them: the ratio of a long edge to a tolerance near its rounding.
+const MAX_GRADES: usize = 24;
 /// Between samples the curve may leave the edge by this part of edge length times turn: twice the sagitta of a
 /// circle.
 const EDGE_SLACK: f64 = 0.25;
@@ -132,5 +134,5 @@ fn densified(points: &[Point3], options: &ArcFitOptions, extra: usize) -> Trace 
 /// Places ever farther from an end, up to the middle of the edge: each arc can then be a few times longer than the
 /// one before, as the angle its tangent must keep gets finer.
 fn graded(first: f64) -> impl Iterator<Item = f64> {
-    std::iter::successors(Some(first), |t| Some(t * GRADING)).take_while(|t| *t < 0.5)
+    std::iter::successors(Some(first), |t| Some(t * GRADING)).take(MAX_GRADES).take_while(|t| *t < 0.5)
 }
