@@ -116,7 +116,7 @@ pub(crate) fn joints(job: &Job<'_>) -> Vec<Point3> {
 
 /// Radius of the dots on joints: a part of the drawing's size, smaller where the joints stand close.
 pub(crate) fn dot_radius(joints: &[Point3], size: f64) -> f64 {
-    (0.3 * typical_gap(joints).unwrap_or(size)).clamp(0.0015 * size, 0.004 * size)
+    (0.3 * typical_gap(joints).unwrap_or(size)).clamp(0.0014 * size, 0.003 * size)
 }
 
 /// The middle one of the distances between consecutive joints.

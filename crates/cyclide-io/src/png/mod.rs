@@ -156,7 +156,7 @@ fn joints(canvas: &mut Canvas, view: &View, job: &Job<'_>) {
         return;
     }
     for p in joints {
-        canvas.dot(view.at(p), radius.clamp(2.6, 5.0));
+        canvas.dot(view.at(p), radius.clamp(2.3, 4.2));
     }
 }
 

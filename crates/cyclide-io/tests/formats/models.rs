@@ -1,5 +1,4 @@
 //! Models that the tests write and read back.
-#![allow(clippy::unwrap_used, reason = "a model that cannot be made fails the test")]
 
 use cyclide::{
     Arc, ArcPath, BlendVariant, Circle, CircleSpline, CircleSplineOptions, CurveObject, Item, Model, Point3, Units,
