@@ -195,9 +195,15 @@ struct Walker<'a> {
     on: &'a Track<'a>,
     window: usize,
     s: f64,
+    /// The last sample and the distance of its foot.
+    last: Option<(Point3, f64)>,
 }
 
-impl Walker<'_> {
+impl<'a> Walker<'a> {
+    fn new(on: &'a Track<'a>) -> Self {
+        Self { on, window: 0, s: on.windows[0].start.s, last: None }
+    }
+
     /// Distance from `p` to its foot, from the last foot onwards.
     fn distance(&mut self, p: Point3) -> f64 {
         let windows = &self.on.windows;
@@ -210,26 +216,42 @@ impl Walker<'_> {
                 continue;
             }
             let (s, distance) = self.on.foot(here, p, self.s);
-            // At a corner sharper than a right angle, or a cusp, the next piece leads back past the end of this
-            // one, so that `p` never gets beyond it: look ahead where the walk is stuck.
             let stuck = distance > 0.0 && (s <= self.s || s >= here.end.s);
-            if let Some(next) = next.filter(|_| stuck) {
-                let (ahead_s, ahead) = self.on.foot(next, p, next.start.s);
-                if ahead < distance {
-                    self.window += 1;
-                    self.s = ahead_s;
-                    continue;
-                }
+            let ahead = if stuck { self.ahead(p, distance) } else { None };
+            if let Some((window, s)) = ahead {
+                (self.window, self.s) = (window, s);
+                continue;
             }
             self.s = s;
+            self.last = Some((p, distance));
             return distance;
         }
+    }
+
+    /// A place further on that is nearer to `p`. At a corner sharper than a right angle, a cusp, or where the view
+    /// shows a whole piece as a point, the curve leads back past the end of a window, so that `p` never gets beyond
+    /// it. How far to look: the foot may move twice as far as the sample did, not over a loop.
+    fn ahead(&self, p: Point3, distance: f64) -> Option<(usize, f64)> {
+        let (last, last_distance) = self.last?;
+        let mut budget = 2.0 * (p.distance(last) + last_distance);
+        let mut best = (distance, None);
+        for (i, window) in self.on.windows.iter().enumerate().skip(self.window + 1) {
+            if budget < 0.0 {
+                break;
+            }
+            let (s, d) = self.on.foot(window, p, window.start.s);
+            if d < best.0 {
+                best = (d, Some((i, s)));
+            }
+            budget -= window.start.point.distance(window.end.point);
+        }
+        best.1
     }
 }
 
 /// Largest distance from the points of `a` to their feet on `b`: of samples, then refined at the largest one.
 fn one_way(a: &Track<'_>, b: &Track<'_>) -> f64 {
-    let mut walker = Walker { on: b, window: 0, s: b.windows[0].start.s };
+    let mut walker = Walker::new(b);
     let mut largest = 0.0_f64;
     // Window, part of it, and the walk as it was before the largest sample.
     let mut place = None;

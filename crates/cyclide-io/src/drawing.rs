@@ -1,7 +1,7 @@
 //! What drawings show beside the curves: curvature combs and joints.
 
 use crate::export::Job;
-use cyclide::{CurveJet, ParamCurve, PieceForm, Point3, Vec3, length};
+use cyclide::{CurveJet, ParamCurve, Point3, Vec3, length};
 
 /// Distance of the comb's teeth relative to the drawing, and the largest turn between two of them in radians.
 const SPACING: f64 = 0.008;
@@ -66,14 +66,18 @@ type Tooth = (Point3, Vec3, f64);
 fn piece_teeth(curve: &dyn ParamCurve, piece: usize, spacing: f64) -> Vec<Tooth> {
     let length = curve.piece_length(piece, 0.0, 1.0);
     let turn = length * curve.piece_jet(piece, 0.5).curvature().unwrap_or(0.0);
-    let varying = match curve.piece_form(piece) {
-        PieceForm::Free => VARYING.min(length * SPACING / (spacing * CLOSEST)),
-        PieceForm::Arc(_) | PieceForm::Circle(_) => 1.0,
-    };
+    let varying = if varies(curve, piece) { VARYING.min(length * SPACING / (spacing * CLOSEST)) } else { 1.0 };
     let count = (length / spacing).max((turn / TURN).min(100.0)).max(varying).round().clamp(1.0, TEETH);
     let jets = even_parameters(curve, piece, count as usize).into_iter().map(|s| curve.piece_jet(piece, s));
     let tooth = |j: CurveJet| j.curvature_vector().filter(|k| k.is_finite()).map(|k| (j.point, k, length / count));
     jets.filter_map(tooth).collect()
+}
+
+/// True if the curvature of a piece is not the same all along, as far as a drawing shows it.
+fn varies(curve: &dyn ParamCurve, piece: usize) -> bool {
+    let at = |s: f64| curve.piece_jet(piece, s).curvature_vector().map_or(0.0, Vec3::length);
+    let middle = at(0.5);
+    [0.0, 0.25, 0.75, 1.0].into_iter().any(|s| (at(s) - middle).abs() > 0.01 * middle)
 }
 
 /// Parameters of a piece that cut it into `count` parts of about equal length (by chords: a drawing needs no more).

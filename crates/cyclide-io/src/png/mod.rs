@@ -26,6 +26,8 @@ const RIM: f64 = 9.0;
 const JOINT_GAP: f64 = 14.0;
 /// Length of the parts that a curve in space is cut into for hiding, pixels.
 const PART: f64 = 24.0;
+/// Depth by which each object is drawn in front of the one before it: two that run side by side must not take turns.
+const LAYER: f64 = 0.03;
 
 /// Draws the model.
 pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
@@ -114,7 +116,8 @@ fn curves_in_space(canvas: &mut Canvas, view: &View, curves: &[Polyline]) {
             parts.push((depth, curve.object, part));
         }
     }
-    parts.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let order = |part: &(f64, usize, Vec<Point3>)| part.0 + LAYER * part.1 as f64;
+    parts.sort_by(|a, b| order(a).total_cmp(&order(b)));
     for (depth, object, part) in parts {
         let points: Vec<_> = part.iter().map(|p| view.at(*p)).collect();
         canvas.rim(&points, RIM);

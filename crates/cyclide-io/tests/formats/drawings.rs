@@ -1,8 +1,8 @@
 //! SVG and PNG: what is drawn, and how large.
 
-use crate::models::{bulges, flat, mixed, model, slot, space_chain, splines, tilted};
-use cyclide::{CurveObject, Model, Units};
-use cyclide_io::{ExportOptions, Format, export};
+use crate::models::{bulges, circle_spline, flat, mixed, model, slot, space_chain, splines, tilted};
+use cyclide::{BlendVariant, CurveObject, Model, Units};
+use cyclide_io::{ExportOptions, Format, export, file_deviation};
 
 fn svg(m: &Model, options: &ExportOptions) -> String {
     String::from_utf8(export(m, Format::Svg, options).unwrap().bytes).unwrap()
@@ -67,6 +67,25 @@ fn space_is_seen_from_above_and_points_are_refused() {
     let error = export(&m, Format::Svg, &ExportOptions::default()).unwrap_err();
     assert_eq!(error.reason(), "not-in-format");
     assert!(error.to_string().contains("object up"), "{error}");
+}
+
+/// Seen from above, the riser is a point and the hairpin leads back over itself.
+#[test]
+fn the_plan_of_a_riser_keeps_its_promise() {
+    let points = [
+        [0.0, 0.0, 0.0],
+        [0.0, 0.0, 40.0],
+        [6.0, 2.0, 78.0],
+        [30.0, 10.0, 104.0],
+        [70.0, 24.0, 110.0],
+        [70.0, 24.0, 60.0],
+        [30.0, 10.0, 50.0],
+    ];
+    let points = points.map(cyclide::Point3::from);
+    let m = model(vec![("cable", vec![circle_spline(&points, false, BlendVariant::Rational, vec![])])]);
+    let file = export(&m, Format::Svg, &ExportOptions::default()).unwrap();
+    let d = file_deviation(&m, Format::Svg, &file.bytes).unwrap();
+    assert!(d <= file.bound, "{d:e} of {:e}", file.bound);
 }
 
 #[test]
