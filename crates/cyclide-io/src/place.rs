@@ -82,6 +82,13 @@ impl<'a> Source<'a> {
         1 + self.text[..self.boundary(offset)].matches('\n').count()
     }
 
+    /// The character that holds the byte before an offset; empty at the start of the text.
+    pub(crate) fn character_before(self, offset: usize) -> Range<usize> {
+        let start = self.boundary(offset.saturating_sub(1));
+        let width = self.text[start..].chars().next().map_or(0, char::len_utf8);
+        start..start + if offset == 0 { 0 } else { width }
+    }
+
     /// The nearest character boundary at or before an offset.
     fn boundary(self, offset: usize) -> usize {
         let mut at = offset.min(self.text.len());

@@ -174,8 +174,7 @@ fn refused(source: Source<'_>, path: &[Step], part: &str, error: &serde_json::Er
     let message =
         message.replace("expected f64", "expected a number").replace("expected u32", "expected a whole number");
     if !error.is_data() {
-        let before = source.text[..offset.min(source.text.len())].char_indices().next_back().map_or(0, |(at, _)| at);
-        return source.diagnostic(before..offset, "", message);
+        return source.diagnostic(source.character_before(offset), "", message);
     }
     let (steps, span) = value_at(source.text, path, offset);
     let is_leaf = !matches!(source.text.as_bytes().get(span.start), Some(b'{' | b'['));

@@ -1,0 +1,196 @@
+//! What cannot be done is refused with its place and its exit code, and nothing is lost.
+
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
+
+mod common;
+
+use std::io::Read as _;
+use std::process::Stdio;
+
+use common::{Folder, Run};
+
+const CIRCLE: &str = r#"{"cyclide": 1, "objects": {"c": {"type": "circle", "center": [0, 0], "radius": 1}}}"#;
+const POINTS: &str = "x,y\n0,0\n1,0\n1,1\n";
+
+#[test]
+fn refused_input_shows_file_line_and_column() {
+    let folder = Folder::with(&[
+        ("json.json", "{\"cyclide\": 1,\n \"objects\": {\n}"),
+        ("version.json", "{\"cyclide\": 3, \"objects\": {}}"),
+        ("field.json", "{\"cyclide\": 1, \"objects\": {\n  \"c\": {\"type\": \"circle\", \"size\": 1}}}"),
+        (
+            "kernel.json",
+            "{\"cyclide\": 1, \"objects\": {\n  \"c\": {\"type\": \"circle\", \"center\": [0,0], \"radius\": 0}}}",
+        ),
+        (
+            "csv.json",
+            "{\"cyclide\": 1, \"objects\": {\"c\": {\"type\": \"arc-spline\", \"points\": {\"csv\": \"bad.csv\"}}}}",
+        ),
+        ("empty.json", "{\"cyclide\": 1, \"objects\": {}}"),
+        ("bad.csv", "x,y\n0,0\n1,nan\n"),
+        ("few.csv", "0,0\n"),
+        ("none.csv", "x,y\n"),
+        ("bytes.csv", "0,0\n1,1\n"),
+    ]);
+    std::fs::write(folder.path("bytes.csv"), b"0,0\n1,\xff\n").unwrap();
+    let before = folder.count();
+    for (command, message) in [
+        ("build json.json", "error: json.json:3:1: EOF while parsing an object\n  3 | }\n    | ^"),
+        ("build version.json", "error: version.json:1:13: cyclide: document version 3 is not known"),
+        ("report field.json", "error: field.json:2:27: objects.c: unknown field `size`, expected one of"),
+        (
+            "build kernel.json",
+            "error: kernel.json:2:54: objects.c.radius: the radius 0e0 is not positive [radius-not-positive]",
+        ),
+        ("sample csv.json --count 5", "error: bad.csv:3:3: `nan` is not a finite number\n  3 | 1,nan\n    |   ^^^"),
+        ("build empty.json", "error: o.step: there is no curve to write [empty-model]"),
+        ("curve bad.csv", "error: bad.csv:3:3: `nan` is not a finite number"),
+        ("curve few.csv", "error: few.csv:1:1: objects.few: 1 points given, at least 2 needed [too-few-points]"),
+        ("curve none.csv", "error: none.csv:1:1: the file holds no points"),
+        ("curve bytes.csv", "error: bytes.csv:2:3: byte 0xff is not UTF-8 text"),
+        ("curve few.csv --columns a,b", "error: few.csv:1:1: no column `a`: the file has no header line"),
+    ] {
+        let output = if command.starts_with("build") || command.starts_with("curve") { " -o o.step" } else { "" };
+        let error = folder.fails(1, &format!("{command}{output}"));
+        assert!(error.starts_with(message), "{command}\n{error}");
+    }
+    assert_eq!(folder.count(), before, "nothing was written");
+}
+
+#[test]
+fn usage_that_makes_no_sense_is_refused() {
+    let folder = Folder::with(&[("c.json", CIRCLE), ("p.csv", POINTS)]);
+    for (command, message) in [
+        ("", "Usage:"),
+        ("paint", "unrecognized subcommand"),
+        ("build c.json", "--output <FILE>"),
+        ("build c.json -o a.iges", "a.iges: no format for this suffix; known are .step"),
+        ("build c.json -o a", "no format for this suffix"),
+        ("build c.json -o a.step -o a.step", "a.step is given twice"),
+        ("build c.json -o a.step b.step", "unexpected argument 'b.step'"),
+        ("build c.json -o a.step --tolerance 0", "it must be positive and finite"),
+        ("build c.json -o a.step --tolerance x", "it is not a number"),
+        ("build c.json -o ./c.json", "./c.json is an input: it will not be written over"),
+        ("curve p.csv -o p.csv", "p.csv is an input"),
+        ("sample c.json --count 5 -o c.json", "c.json is an input"),
+        ("curve p.csv -o a.step --order 5", "5 is not in 1..=4"),
+        ("curve p.csv -o a.step --kind arc-fit", "--kind arc-fit needs --tolerance"),
+        (
+            "curve p.csv -o a.step --kind arc-spline --order 3",
+            "--order goes with --kind circle-spline, not with arc-spline",
+        ),
+        (
+            "curve p.csv -o a.step --kind arc-spline --corner-angle-deg 3",
+            "circle-spline or arc-fit, not with arc-spline",
+        ),
+        ("curve p.csv -o a.step --effort best", "--effort goes with --kind arc-fit"),
+        ("curve p.csv -o a.step --units yd", "possible values: mm, cm, m, in, ft"),
+        ("sample c.json --count 1", "1 is not in 2..="),
+    ] {
+        let error = folder.fails(2, command);
+        assert!(error.contains(message), "{command}\n{error}");
+    }
+    assert_eq!(folder.count(), 2);
+    assert_eq!((folder.read("c.json"), folder.read("p.csv")), (CIRCLE.into(), POINTS.into()));
+}
+
+#[test]
+fn a_point_file_of_the_model_is_not_written_over() {
+    let model = r#"{"cyclide": 1, "objects": {"c": {"type": "arc-spline", "points": {"csv": "p.csv"}}}}"#;
+    let folder = Folder::with(&[("m.json", model), ("p.csv", POINTS)]);
+    assert!(folder.fails(2, "build m.json -o a.step -o p.csv").contains("p.csv is an input"));
+    assert!(folder.fails(2, "sample m.json --count 3 -o p.csv").contains("p.csv is an input"));
+    assert_eq!(folder.read("p.csv"), POINTS.as_bytes());
+    assert!(!folder.has("a.step"));
+}
+
+#[test]
+fn files_that_cannot_be_read_or_written() {
+    let missing = r#"{"cyclide": 1, "objects": {"c": {"type": "arc-spline", "points": {"csv": "none.csv"}}}}"#;
+    let folder = Folder::with(&[("c.json", CIRCLE), ("m.json", missing)]);
+    for (command, message) in [
+        ("build none.json -o a.step", "error: cannot read none.json: "),
+        ("build m.json -o a.step", "error: cannot read none.csv: "),
+        ("curve none.csv -o a.step", "error: cannot read none.csv: "),
+        ("build . -o a.step", "error: cannot read .: "),
+        ("build c.json -o no/such/folder/a.step", "error: cannot write no/such/folder/a.step: "),
+        ("sample c.json --count 3 -o no/a.csv", "error: cannot write no/a.csv: "),
+    ] {
+        let error = folder.fails(3, command);
+        assert!(error.starts_with(message), "{command}\n{error}");
+    }
+    assert_eq!(folder.count(), 2);
+}
+
+#[test]
+fn a_failed_run_leaves_the_old_files() {
+    let folder = Folder::with(&[("c.json", CIRCLE), ("a.step", "old"), ("bad.json", "{")]);
+    folder.fails(1, "build bad.json -o a.step");
+    assert_eq!(folder.read("a.step"), b"old");
+    // A later output that cannot be made keeps an earlier one from being written.
+    let space = r#"{"cyclide": 1, "objects": {"c": {"type": "circle", "center": [1e200, 0], "radius": 1}}}"#;
+    folder.write("far.json", space);
+    folder.fails(1, "build far.json -o a.step -o b.svg");
+    assert_eq!(folder.read("a.step"), b"old");
+    assert!(!folder.has("b.svg"));
+    // And a good run replaces the file.
+    folder.ok("build c.json -o a.step");
+    assert!(folder.read("a.step").starts_with(b"ISO-10303-21;"));
+    assert_eq!(folder.count(), 4, "no temporary files are left");
+}
+
+#[test]
+fn warnings_are_on_standard_error_with_their_place() {
+    let folder = Folder::with(&[
+        ("track.csv", "# x_m,y_m,w_m\n0,0,1\n4,0,1\n4,0,1\n4,4,1\n0,4,1\n0,0,1\n"),
+        ("mm.csv", "x [mm],y [mm]\n0,0\n4,0\n4,4\n"),
+    ]);
+    let run = folder.run("curve track.csv --closed -o a.step");
+    assert_eq!(run.code, 0);
+    let expected = [
+        "warning: track.csv: track: the columns x_m, y_m of track.csv speak of m, the model says mm; coordinates are taken as they are [units-differ]",
+        "warning: track.csv:4: track: 1 point(s) within ",
+        "warning: track.csv:7: track: point 5 repeats the first point of the closed curve: merged with it [closing-point-merged]",
+    ];
+    let lines: Vec<&str> = run.stderr.lines().collect();
+    assert_eq!(lines.len(), expected.len(), "{}", run.stderr);
+    for (line, start) in lines.iter().zip(expected) {
+        assert!(line.starts_with(start), "{line}");
+    }
+    assert!(run.stdout.contains("  warnings   3\n"), "{}", run.stdout);
+    assert!(!run.stderr.contains('\x1b'), "no colour where there is no terminal");
+    // The right unit, and columns without one that is wrong.
+    assert_eq!(folder.run("curve mm.csv -o b.step").stderr, "");
+    let open = folder.run("curve track.csv --units m -o c.step");
+    assert!(open.stderr.contains("set `closed` if it is meant to be [ends-meet]"), "{}", open.stderr);
+    assert!(!open.stderr.contains("units-differ"));
+}
+
+#[test]
+fn many_warnings_of_a_kind_are_counted() {
+    let zigzag: String = (0..40).map(|i| format!("{},{}\n{0},{1}\n", i, i % 3)).collect();
+    let folder = Folder::with(&[("z.csv", &zigzag)]);
+    let stderr = folder.run("curve z.csv -o z.step").stderr;
+    assert_eq!(stderr.matches("[points-merged]").count(), 4, "{stderr}");
+    assert!(stderr.contains("37 more of these (--json reports all) [points-merged]"), "{stderr}");
+    let report = folder.json("curve z.csv -o z.step --json");
+    assert_eq!(report["objects"]["z"]["warnings"].as_array().unwrap().len(), 40);
+}
+
+#[test]
+fn a_reader_that_stops_early_is_no_failure() {
+    let folder = Folder::with(&[("c.json", CIRCLE)]);
+    let mut child = folder
+        .command()
+        .args(["sample", "c.json", "--count", "200000"])
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    let mut start = [0; 10];
+    child.stdout.take().unwrap().read_exact(&mut start).unwrap();
+    assert_eq!(&start, b"t,x,y,z,tx");
+    // The pipe is closed now, long before megabytes of samples are through.
+    let run = Run::new(child.wait_with_output().unwrap());
+    assert_eq!((run.code, run.stderr.as_str()), (0, ""));
+}

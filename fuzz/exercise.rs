@@ -1,0 +1,54 @@
+//! What the fuzz targets do with their bytes, and what the tests do with the crashes that were kept.
+
+#![allow(dead_code, reason = "each target uses its part")]
+
+use std::path::Path;
+
+use cyclide_io::{Document, PointColumns, Report, read_points};
+
+/// The points that any file a document refers to holds.
+const FILE: &[u8] =
+    b"contour,x,y,z,corner\na,0,0,0,1\na,1,0,0,0\na,1,1,0.5,0\na,0,1,0,0\na,0,0,0,0\nb,5,5,5,0\nb,6,5,5,0\nb,7,7,5,0\n";
+
+/// Parses a document, builds its objects, measures them, and formats whatever comes out.
+pub fn document(data: &[u8]) {
+    let document = match Document::parse("fuzz.json", data) {
+        Ok(document) => document,
+        Err(message) => return check_message(&message.to_string()),
+    };
+    let mut objects = Vec::new();
+    for index in 0..document.objects.len() {
+        match document.build_object(index, Path::new("folder"), &|_| Ok(FILE.to_vec())) {
+            Ok(built) => objects.push(built),
+            Err(error) => check_message(&error.to_string()),
+        }
+    }
+    let report = Report::new(document.units, &objects, None).to_string();
+    assert!(objects.is_empty() || report.contains("length"));
+}
+
+/// Reads a list of points with and without columns asked for.
+pub fn points_csv(data: &[u8]) {
+    let named = |names: &[&str]| Some(names.iter().map(|&name| name.to_owned()).collect());
+    for columns in
+        [PointColumns::default(), PointColumns { coordinates: named(&["x", "2"]), contour: Some("3".to_owned()) }]
+    {
+        match read_points("fuzz.csv", data, &columns) {
+            Ok(table) => {
+                assert!(!table.contours.is_empty());
+                for list in &table.contours {
+                    assert!(!list.points.is_empty() && list.points.len() == list.offsets.len());
+                    assert!(list.points.iter().all(|p| p.is_finite()));
+                    assert!(list.corners.iter().all(|&c| c < list.points.len()));
+                }
+            }
+            Err(message) => check_message(&message.to_string()),
+        }
+    }
+}
+
+/// Messages are for terminals: no control characters but the line ends.
+fn check_message(message: &str) {
+    assert!(!message.is_empty());
+    assert!(message.lines().count() <= 3 || message.contains("\\n"), "{message:?}");
+}
