@@ -446,6 +446,36 @@ fn corners_are_kept_by_angle_and_by_index() {
 }
 
 #[test]
+fn straight_data_give_true_lines() {
+    // A slot of two half circles and two straight sides, closed: no end to hide a nearly straight arc in.
+    let side = |from: f64, step: f64, y: f64| (0..40).map(move |i| Point3::new(from + step * f64::from(i), y, 0.0));
+    let bend = |x: f64, start: f64| {
+        (0..40).map(move |i| {
+            let (s, c) = (start + PI * f64::from(i) / 40.0).sin_cos();
+            Point3::new(x + c, s, 0.0)
+        })
+    };
+    let slot: Vec<_> = side(-2.0, 0.1, -1.0)
+        .chain(bend(2.0, -FRAC_PI_2))
+        .chain(side(2.0, -0.1, 1.0))
+        .chain(bend(-2.0, FRAC_PI_2))
+        .collect();
+    for base in [closed(1e-3), ArcFitOptions { target: FitTarget::Polyline, ..closed(1e-3) }] {
+        for start in [0, 20, 55] {
+            let mut points = slot.clone();
+            points.rotate_left(start);
+            let certificate = *fitted(&points, &base).certificate();
+            assert_eq!(certificate.lines, 2, "{certificate:?}");
+            assert!(certificate.arcs <= 4 && certificate.max_kink < 1e-13);
+        }
+    }
+    // Open: line, fillet, line between two fixed ends.
+    let points = &bracket()[..91];
+    let certificate = *fitted(points, &ArcFitOptions::new(1e-3)).certificate();
+    assert_eq!((certificate.arcs, certificate.lines), (1, 2));
+}
+
+#[test]
 fn scale_and_offset_do_not_matter() {
     let points = bracket();
     let count = pieces(&fitted(&points, &ArcFitOptions::new(1e-3)));

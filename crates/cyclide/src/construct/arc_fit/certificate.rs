@@ -6,9 +6,11 @@
 //! and W of section 1.1), so the distances are Fréchet distances and not merely those of two point sets.
 
 use super::options::FitTarget;
+use super::piece::{Piece, Place, Span};
 use super::trace::Trace;
 use crate::base::vector::{Point3, Vec3};
-use crate::curve::{Arc, ArcPath, ClosestPoint, ParamCurve};
+use crate::curve::{Arc, ClosestPoint, ParamCurve};
+use std::f64::consts::PI;
 
 /// Feet may step back by this much of an arc's parameter: rounding at joints.
 const FOOT_SLACK: f64 = 1e-9;
@@ -22,8 +24,8 @@ pub struct FitCertificate {
     pub deviation: f64,
     /// Largest distance of a point from the part of the path that stands for it.
     pub vertex_deviation: f64,
-    /// Largest distance between path and polyline, both ways (an upper bound of the Hausdorff distance, and its
-    /// value for planar data).
+    /// Largest distance between path and polyline, both ways: their Hausdorff distance for planar data, a bound of it
+    /// in space. Proved where [`monotone`](Self::monotone) holds.
     pub polyline_deviation: f64,
     /// True if points and path advance together (M and W): [`polyline_deviation`](Self::polyline_deviation) is then
     /// the Fréchet distance of planar data, and bounds it in space.
@@ -38,49 +40,37 @@ pub struct FitCertificate {
     pub worst: usize,
 }
 
-/// The part of the trace an arc stands for: from one index to another, which may wrap around.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Span {
-    pub from: usize,
-    pub to: usize,
-}
-
-/// Certifies `path` against the trace, arc `i` against `spans[i]`. `smooth[i]` says whether the joint at the start
-/// of arc `i` is meant to be tangent-continuous. `planar`: the edges are in the plane of their arc.
-pub(super) fn certify(
-    path: &ArcPath,
-    spans: &[Span],
-    smooth: &[bool],
-    trace: &Trace,
-    target: FitTarget,
-    planar: bool,
-) -> FitCertificate {
-    let mut sheet = Sheet { vertex: (0.0, 0), polyline: (0.0, 0), monotone: true };
-    for (arc, span) in path.arcs().iter().zip(spans) {
-        sheet.add(arc, *span, trace, planar);
+/// Certifies the pieces against the trace they stand for. `planar`: the edges are in the plane of their arc.
+pub(super) fn certify(pieces: &[Piece], trace: &Trace, target: FitTarget, planar: bool) -> FitCertificate {
+    let mut sheet = Sheet::new();
+    for piece in pieces {
+        sheet.add(piece, trace, planar);
     }
-    let arcs = path.arcs();
     let kink = |i: usize| {
-        let before = if i > 0 { &arcs[i - 1] } else { arcs.last()? };
-        Some(before.end_tangent()?.angle(arcs[i].start_tangent()?))
+        let before = if i > 0 { &pieces[i - 1] } else { pieces.last()? };
+        Some(before.arc.end_tangent()?.angle(pieces[i].arc.start_tangent()?))
     };
-    let joints = (0..arcs.len()).filter(|i| smooth[*i] && (*i > 0 || path.is_closed()));
+    let joints = (0..pieces.len()).filter(|i| pieces[*i].smooth);
     let max_kink = joints.filter_map(kink).fold(0.0, f64::max);
-    let lines = arcs.iter().filter(|a| a.is_straight()).count();
-    let (deviation, worst) = match target {
-        FitTarget::Points => sheet.vertex,
-        FitTarget::Polyline => sheet.polyline,
-    };
+    let lines = pieces.iter().filter(|p| p.arc.is_straight()).count();
+    let (deviation, worst) = sheet.bound(target);
     FitCertificate {
         deviation,
         vertex_deviation: sheet.vertex.0,
         polyline_deviation: sheet.polyline.0,
         monotone: sheet.monotone,
         max_kink,
-        arcs: arcs.len() - lines,
+        arcs: pieces.len() - lines,
         lines,
         worst,
     }
+}
+
+/// The deviation of one planar piece; `None` if it does not run with its part of the trace.
+pub(super) fn deviation_of(piece: &Piece, trace: &Trace, target: FitTarget) -> Option<f64> {
+    let mut sheet = Sheet::new();
+    sheet.add(piece, trace, true);
+    sheet.monotone.then_some(sheet.bound(target).0)
 }
 
 /// Largest deviations so far, each with the vertex where it was found.
@@ -97,33 +87,48 @@ fn raise(largest: &mut (f64, usize), value: f64, vertex: usize) {
 }
 
 impl Sheet {
-    fn add(&mut self, arc: &Arc, span: Span, trace: &Trace, planar: bool) {
-        let n = trace.points.len();
-        let mut before: Option<(Point3, f64, f64)> = None;
-        for index in span.from..=span.to {
+    fn new() -> Self {
+        Self { vertex: (0.0, 0), polyline: (0.0, 0), monotone: true }
+    }
+
+    /// The deviation the tolerance binds, and where.
+    fn bound(&self, target: FitTarget) -> (f64, usize) {
+        match target {
+            FitTarget::Points => self.vertex,
+            FitTarget::Polyline => self.polyline,
+        }
+    }
+
+    fn add(&mut self, piece: &Piece, trace: &Trace, planar: bool) {
+        let (n, arc, Span { from, to }) = (trace.points.len(), &piece.arc, piece.span);
+        // The ends of the span are matched with the ends of the arc: the pieces must join up.
+        let end = |place: Place, t: f64, point: Point3| {
+            let p = place.point(trace);
+            (place, p, ClosestPoint { t, point, distance: point.distance(p) })
+        };
+        let inside = piece.span.inside().map(|index| {
             let p = trace.point(index);
-            // The ends of the span are matched with the ends of the arc: the pieces must join up.
-            let end = |t: f64, point: Point3| ClosestPoint { t, point, distance: point.distance(p) };
-            let foot = if index == span.from {
-                end(0.0, arc.start())
-            } else if index == span.to {
-                end(1.0, arc.end())
-            } else {
-                arc.closest_point(p)
-            };
-            let vertex = trace.vertex_before(index % n);
-            if trace.vertex[index % n].is_some() {
+            (Place::over(index), p, arc.closest_point(p))
+        });
+        let matched = [end(from, 0.0, arc.start())].into_iter().chain(inside).chain([end(to, 1.0, arc.end())]);
+        let mut before: Option<(Point3, f64, f64)> = None;
+        for (place, p, foot) in matched {
+            let vertex = trace.vertex_before(place.index % n);
+            if place.fraction == 0.0 && trace.vertex[place.index % n].is_some() {
                 raise(&mut self.vertex, foot.distance, vertex);
             }
             raise(&mut self.polyline, foot.distance, vertex);
             if let Some((q, t, distance)) = before {
-                self.monotone &= foot.t >= t - FOOT_SLACK && runs_along(arc, t, foot.t, p - q);
+                let (length, turn) = part(arc, t, foot.t);
+                // W: seen from the centre an edge spans less than half a turn, and so does the arc over it.
+                let short = turn < PI;
+                self.monotone &= foot.t >= t - FOOT_SLACK && short && runs_along(arc, t, foot.t, p - q);
                 let largest = distance.max(foot.distance);
-                let edge = if planar {
+                let edge = if !short {
+                    largest + length
+                } else if planar {
                     apex_height(arc, t, foot.t, q, p - q)
                 } else {
-                    let (length, turn) =
-                        (arc.length_to(foot.t) - arc.length_to(t), arc.angle_to(foot.t) - arc.angle_to(t));
                     largest + 0.5 * length * (0.25 * turn).tan()
                 };
                 raise(&mut self.polyline, edge.max(largest), vertex);
@@ -131,6 +136,11 @@ impl Sheet {
             before = Some((p, foot.t, foot.distance));
         }
     }
+}
+
+/// Length and turn of an arc between two parameters.
+fn part(arc: &Arc, t0: f64, t1: f64) -> (f64, f64) {
+    (arc.length_to(t1) - arc.length_to(t0), arc.angle_to(t1) - arc.angle_to(t0))
 }
 
 /// The edge runs with the arc at the feet of both its ends.

@@ -1,11 +1,10 @@
 //! Warnings about data that do not suit the tolerance or the target (`60`, sections 3 and 4).
 
-use super::certificate::Span;
 use super::corners::sagitta_quantile;
 use super::options::{ArcFitOptions, FitTarget};
+use super::piece::Piece;
 use super::trace::Trace;
 use crate::base::vector::Point3;
-use crate::curve::ArcPath;
 use crate::warning::Warning;
 
 /// An arc over two vertices may leave their edge by this many tolerances, one to each side.
@@ -28,18 +27,17 @@ pub(super) fn coarse_samples(points: &[Point3], options: &ArcFitOptions) -> Opti
 }
 
 /// Most arcs stand for one or two edges and turn the other way than their neighbour: they follow noise.
-pub(super) fn noise(path: &ArcPath, spans: &[Span], trace: &Trace, target: FitTarget) -> Option<Warning> {
-    let arcs = path.arcs();
+pub(super) fn noise(pieces: &[Piece], trace: &Trace, target: FitTarget) -> Option<Warning> {
     // Edges that are meant themselves may well turn to and fro.
-    if arcs.len() < MIN_ARCS || target == FitTarget::Polyline {
+    if pieces.len() < MIN_ARCS || target == FitTarget::Polyline {
         return None;
     }
     let n = trace.points.len();
-    let edges = |s: &Span| (s.from + 1..=s.to).filter(|i| trace.vertex[i % n].is_some()).count();
+    let edges = |p: &Piece| 1 + p.span.inside().filter(|i| trace.vertex[i % n].is_some()).count();
     let follows = |i: &usize| {
-        let next = (i + 1) % arcs.len();
-        edges(&spans[*i]) <= SHORT_SPAN && arcs[*i].bulge_vector().dot(arcs[next].bulge_vector()) < 0.0
+        let (this, next) = (&pieces[*i], &pieces[(i + 1) % pieces.len()]);
+        edges(this) <= SHORT_SPAN && this.arc.bulge_vector().dot(next.arc.bulge_vector()) < 0.0
     };
-    let fraction = (0..arcs.len()).filter(follows).count() as f64 / arcs.len() as f64;
+    let fraction = (0..pieces.len()).filter(follows).count() as f64 / pieces.len() as f64;
     (fraction > NOISE_FRACTION).then_some(Warning::ToleranceBelowNoise { fraction })
 }

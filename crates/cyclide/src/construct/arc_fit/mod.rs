@@ -12,10 +12,12 @@ mod curvature_interval;
 mod doubts;
 mod input;
 mod options;
+mod piece;
 mod planar;
 mod single;
 mod space;
 mod space_tangents;
+mod straighten;
 mod trace;
 
 pub use arc_certificate::{ArcCertificate, certify_arc};
@@ -31,8 +33,9 @@ use crate::curve::{Arc, ArcPath};
 use crate::error::{Error, Result};
 use crate::warning::Warning;
 use beam::ChainJoint;
-use certificate::{Span, certify};
+use certificate::certify;
 use input::Distinct;
+use piece::{Piece, Place, Span};
 use trace::{Chain, Trace};
 
 /// Part of the tolerance kept for rounding between the search and the certificate.
@@ -73,7 +76,8 @@ impl ArcFit {
             Some(frame) => {
                 match planar::fit(data, &indices, frame, room, options) {
                     Ok((trace, chains)) => {
-                        let pieces = planar_pieces(&trace, &chains, frame)?;
+                        let mut pieces = planar_pieces(&trace, &chains, frame)?;
+                        straighten::straighten(&mut pieces, &trace, frame.z(), room, options.target);
                         (trace, pieces)
                     }
                     // Wild samples: biarcs through the points take more arcs but nearly always exist.
@@ -86,15 +90,10 @@ impl ArcFit {
             None => space::fit(data, &indices, room, options).map_err(died)?,
         };
 
-        let (mut arcs, mut spans, mut smooth) = (Vec::new(), Vec::new(), Vec::new());
-        for (arc, span, joint) in pieces {
-            arcs.push(arc);
-            spans.push(span);
-            smooth.push(joint);
-        }
-        let path = ArcPath::new(arcs, options.closed)?;
-        let mut certificate = certify(&path, &spans, &smooth, &trace, options.target, plane.is_some());
-        if certificate.deviation > tolerance {
+        let path = ArcPath::new(pieces.iter().map(|p| p.arc).collect(), options.closed)?;
+        let mut certificate = certify(&pieces, &trace, options.target, plane.is_some());
+        let proved = certificate.monotone || options.target == FitTarget::Points;
+        if certificate.deviation > tolerance || !proved {
             return Err(died(certificate.worst));
         }
         certificate.worst = distinct.source[certificate.worst];
@@ -103,7 +102,7 @@ impl ArcFit {
             corners.iter().map(|(i, angle)| Warning::CornerKept { vertex: distinct.source[*i], angle: *angle }),
         );
         warnings.extend(doubts::coarse_samples(data, options));
-        warnings.extend(doubts::noise(&path, &spans, &trace, options.target));
+        warnings.extend(doubts::noise(&pieces, &trace, options.target));
         Ok(Self { path, certificate, warnings })
     }
 
@@ -132,9 +131,6 @@ impl ArcFit {
     }
 }
 
-/// An arc, the part of the trace it stands for, and whether its start is a smooth joint.
-type Piece = (Arc, Span, bool);
-
 fn planar_pieces(trace: &Trace, chains: &[Chain], frame: &Frame) -> Result<Vec<Piece>> {
     let mut pieces = Vec::new();
     for chain in chains {
@@ -153,8 +149,8 @@ fn planar_pieces(trace: &Trace, chains: &[Chain], frame: &Frame) -> Result<Vec<P
         for i in 1..joints.len() {
             let (from, to) = (&joints[i - 1], &joints[i]);
             let arc = Arc::from_bulge(place(i - 1), place(i), frame.z(), bulge(from, to))?;
-            let span = Span { from: chain.first + from.vertex, to: chain.first + to.vertex };
-            pieces.push((arc, span, i > 1 || loops));
+            let over = |joint: &ChainJoint| Place::over(chain.first + joint.vertex);
+            pieces.push(Piece { arc, span: Span { from: over(from), to: over(to) }, smooth: i > 1 || loops });
         }
     }
     Ok(pieces)

@@ -5,14 +5,11 @@
 //! are kept too. Each layer adds one biarc; the farthest states of a layer go on, and the first layer that reaches
 //! the end has the count.
 
-use super::certificate::Span;
+use super::super::biarc::{Biarc, BiarcRule};
 use super::options::{ArcFitOptions, FitTarget};
+use super::piece::{Piece, Place, Span, merged};
 use super::space_tangents::Run;
 use super::trace::Trace;
-use super::{
-    super::biarc::{Biarc, BiarcRule},
-    Piece,
-};
 use crate::base::vector::{Point3, Vec3};
 use crate::curve::{Arc, ClosestPoint};
 
@@ -22,8 +19,6 @@ const SHORTER_ENDS: usize = 3;
 const MAX_LENGTH_RATIO: f64 = 1.3;
 /// Feet may step back by this much of a piece's parameter.
 const FOOT_SLACK: f64 = 1e-9;
-/// Two arcs that one arc replaces with its end tangent within this angle are one (rounding of their own tangents).
-const MERGE_ANGLE: f64 = 1e-12;
 
 /// The polyline between corners, and what binds the curve to it.
 struct Fitter<'a> {
@@ -50,12 +45,12 @@ pub(super) fn fit(
     options: &ArcFitOptions,
 ) -> Result<(Trace, Vec<Piece>), usize> {
     let n = points.len();
-    let mut trace = Trace::empty(options.closed);
+    let trace = Trace::of_points(points, options.closed);
     let mut pieces = Vec::new();
     let width = options.effort.space_states();
     let edges = options.target == FitTarget::Polyline;
     let ring = options.closed && corners.is_empty();
-    let runs = if ring { vec![(0, n)] } else { Trace::of_points(points, options.closed).runs(corners) };
+    let runs = if ring { vec![(0, n)] } else { trace.runs(corners) };
     for (from, to) in runs {
         let last = if ring { n - 1 } else { to };
         let run: Vec<Point3> = (from..=last).map(|i| points[i % n]).collect();
@@ -63,11 +58,8 @@ pub(super) fn fit(
         let chain = fitter.chain(width).map_err(|died| (from + died) % n)?;
         for (i, pair) in chain.windows(2).enumerate() {
             let Some(arcs) = fitter.biarc(pair[0], pair[1]) else { return Err((from + pair[0].0) % n) };
-            fitter.emit(&arcs, pair[0].0, pair[1].0, from, n, ring || i > 0, &mut trace, &mut pieces);
+            pieces.extend(fitter.pieces(&arcs, pair[0].0, pair[1].0, from, ring || i > 0, &trace));
         }
-    }
-    if !options.closed {
-        trace.push(points[n - 1], Some(n - 1));
     }
     Ok((trace, merged(pieces)))
 }
@@ -196,6 +188,12 @@ impl<'a> Fitter<'a> {
             return None;
         }
         let arcs = *biarc.arcs();
+        // Biarcs that are too long mostly show it in the middle.
+        let inside = to.0 - from.0;
+        let far = |i: usize| i > 0 && Foot::nearest(&arcs, self.run.at(from.0 + i)).distance > self.tolerance;
+        if [inside / 2, inside / 4, 3 * inside / 4].into_iter().any(far) {
+            return None;
+        }
         let mut before = Foot { piece: 0, t: 0.0, distance: 0.0 };
         for vertex in from.0 + 1..=to.0 {
             let foot = if vertex == to.0 {
@@ -233,43 +231,18 @@ impl<'a> Fitter<'a> {
         worst <= self.tolerance
     }
 
-    /// Adds the two arcs with the part of the polyline each stands for; the joint stands over the point of the
-    /// polyline nearest to it.
-    #[expect(clippy::too_many_arguments, reason = "one call site; the places of one biarc in the whole curve")]
-    fn emit(
-        &self,
-        arcs: &[Arc; 2],
-        from: usize,
-        to: usize,
-        first: usize,
-        total: usize,
-        smooth: bool,
-        trace: &mut Trace,
-        pieces: &mut Vec<Piece>,
-    ) {
-        let start = trace.points.len();
-        let mut middle = start;
-        let mut before = from;
-        for vertex in from..to {
-            let p = self.run.at(vertex);
-            if vertex > from && middle == start && Foot::nearest(arcs, p).piece == 1 {
-                middle = self.push_joint(arcs, before, trace);
-            }
-            trace.push(p, Some((first + vertex) % total));
-            before = vertex;
-        }
-        if middle == start {
-            middle = self.push_joint(arcs, before, trace);
-        }
-        let end = trace.points.len();
-        pieces.push((arcs[0], Span { from: start, to: middle }, smooth));
-        pieces.push((arcs[1], Span { from: middle, to: end }, true));
-    }
-
-    /// Adds the point of the edge after `vertex` that is nearest to the biarc's joint, and returns its index.
-    fn push_joint(&self, arcs: &[Arc; 2], vertex: usize, trace: &mut Trace) -> usize {
-        trace.push(nearest_on_edge(self.run.at(vertex), self.run.at(vertex + 1), arcs[0].end()), None);
-        trace.points.len() - 1
+    /// The two arcs of a biarc with the part of the polyline each stands for; the joint stands over the point of the
+    /// polyline nearest to it. Places count from `first`.
+    fn pieces(&self, arcs: &[Arc; 2], from: usize, to: usize, first: usize, smooth: bool, trace: &Trace) -> [Piece; 2] {
+        let beyond = |vertex: &usize| Foot::nearest(arcs, self.run.at(*vertex)).piece == 1;
+        let next = (from + 1..to).find(beyond).unwrap_or(to);
+        let edge = Span { from: Place::over(first + next - 1), to: Place::over(first + next) };
+        let middle = Place::nearest(trace, arcs[0].end(), edge);
+        let (start, end) = (Place::over(first + from), Place::over(first + to));
+        [
+            Piece { arc: arcs[0], span: Span { from: start, to: middle }, smooth },
+            Piece { arc: arcs[1], span: Span { from: middle, to: end }, smooth: true },
+        ]
     }
 }
 
@@ -299,32 +272,4 @@ impl Foot {
     fn along(self) -> f64 {
         self.piece as f64 + self.t
     }
-}
-
-/// Neighbouring arcs on one circle or line become one.
-fn merged(pieces: Vec<Piece>) -> Vec<Piece> {
-    let mut out: Vec<Piece> = Vec::with_capacity(pieces.len());
-    for piece in pieces {
-        if piece.2
-            && let Some(last) = out.last_mut()
-            && let Some(arc) = one_arc(&last.0, &piece.0)
-        {
-            *last = (arc, Span { from: last.1.from, to: piece.1.to }, last.2);
-        } else {
-            out.push(piece);
-        }
-    }
-    out
-}
-
-fn one_arc(a: &Arc, b: &Arc) -> Option<Arc> {
-    if a.is_straight() && b.is_straight() {
-        let aligned = a.end_tangent()?.angle(b.start_tangent()?) <= MERGE_ANGLE;
-        return if aligned { Arc::segment(a.start(), b.end()).ok() } else { None };
-    }
-    let tangent = a.start_tangent()?;
-    let arc = Arc::from_start_tangent(a.start(), b.end(), tangent * a.start().distance(b.end())).ok()?;
-    let same_way = arc.angle() > a.angle() && arc.end_tangent()?.angle(b.end_tangent()?) <= MERGE_ANGLE;
-    let through = arc.closest_point(a.end()).distance <= MERGE_ANGLE * a.length();
-    (same_way && through).then_some(arc)
 }

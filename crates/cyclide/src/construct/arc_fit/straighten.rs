@@ -1,0 +1,136 @@
+//! Nearly straight arcs become true lines (`60`, section 4, collinear runs).
+//!
+//! The search offers lines wherever a curvature interval holds 0, but the arcs that close a chain come out of an
+//! equation and are straight only up to rounding or tolerance. Such an arc is replaced by a line near its chord, and its
+//! two neighbours by the arcs from their far joints that are tangent to that line: from a point `p` with unit tangent
+//! `t`, the arc that ends on the line through `q` along `d` with tangent `d` has its chord along `t + d`. The count stays,
+//! the tangents at the far joints stay, and the change is taken only if the certificate of the three pieces holds.
+
+use super::certificate::deviation_of;
+use super::options::FitTarget;
+use super::piece::{Piece, Place, Span};
+use super::trace::Trace;
+use crate::base::vector::{Point3, Vec3};
+use crate::curve::Arc;
+
+/// Arcs are tried whose sagitta, or whose data's distance from their chord, is at most this part of the tolerance.
+const STRAIGHTNESS: f64 = 0.2;
+/// The sweeps of the neighbours change by less than this, radians.
+const MAX_SWEEP_CHANGE: f64 = 0.5;
+/// Places of the line between chord (0) and apex (1) of the arc.
+const OFFSETS: [f64; 3] = [0.5, 0.0, 1.0];
+
+/// Replaces what can be replaced; `normal` is the normal of the plane of all pieces.
+pub(super) fn straighten(pieces: &mut [Piece], trace: &Trace, normal: Vec3, tolerance: f64, target: FitTarget) {
+    let n = pieces.len();
+    for i in 0..n {
+        let arc = &pieces[i].arc;
+        let sagitta = 0.5 * arc.chord().length() * arc.bulge_vector().length();
+        let limit = STRAIGHTNESS * tolerance;
+        if arc.is_straight() || (sagitta > limit && data_height(pieces[i].span, trace) > limit) {
+            continue;
+        }
+        // Neighbours that share a smooth joint; a fixed end or corner has none.
+        let before = pieces[i].smooth.then_some((i + n - 1) % n);
+        let after = Some((i + 1) % n).filter(|j| pieces[*j].smooth);
+        let curved = |j: Option<usize>| j.is_none_or(|j| !pieces[j].arc.is_straight());
+        if !(curved(before) && curved(after)) || (n < 3 && before.is_some() && after.is_some()) {
+            continue;
+        }
+        let apex = arc.midpoint() - arc.start().midpoint(arc.end());
+        for offset in OFFSETS {
+            let shift = apex * offset;
+            let triple = Triple {
+                before: before.map(|j| pieces[j]),
+                middle: pieces[i],
+                after: after.map(|j| pieces[j]),
+                wraps: trace.points.len(),
+            };
+            let Some(new) = triple.with_line(shift, normal, trace) else { continue };
+            if !triple.resembles(&new) {
+                continue;
+            }
+            let fits = |p: &Piece| deviation_of(p, trace, target).is_some_and(|d| d <= tolerance);
+            if new.before.iter().chain([&new.middle]).chain(&new.after).all(fits) {
+                pieces[i] = new.middle;
+                before.into_iter().zip(new.before).for_each(|(j, piece)| pieces[j] = piece);
+                after.into_iter().zip(new.after).for_each(|(j, piece)| pieces[j] = piece);
+                break;
+            }
+        }
+    }
+}
+
+/// Largest distance of the trace under a span from the span's chord.
+fn data_height(span: Span, trace: &Trace) -> f64 {
+    let from = span.from.point(trace);
+    let Some(along) = (span.to.point(trace) - from).unit() else { return f64::INFINITY };
+    span.inside().map(|i| (trace.point(i) - from).cross(along).length()).fold(0.0, f64::max)
+}
+
+/// A piece with its smooth neighbours.
+struct Triple {
+    before: Option<Piece>,
+    middle: Piece,
+    after: Option<Piece>,
+    /// Points of the trace: what indices wrap by.
+    wraps: usize,
+}
+
+impl Triple {
+    /// The neighbours keep their sweeps but for a little: the other circle tangent to the line is a rogue.
+    fn resembles(&self, new: &Self) -> bool {
+        let near = |a: &Option<Piece>, b: &Option<Piece>| {
+            a.iter().zip(b).all(|(a, b)| (a.arc.angle() - b.arc.angle()).abs() < MAX_SWEEP_CHANGE)
+        };
+        near(&self.before, &new.before) && near(&self.after, &new.after)
+    }
+
+    /// The middle piece as a line along its chord, moved by `shift` where its ends are free.
+    fn with_line(&self, shift: Vec3, normal: Vec3, trace: &Trace) -> Option<Self> {
+        let arc = &self.middle.arc;
+        let direction = arc.chord().unit()?;
+        let fixed = self.before.is_none() || self.after.is_none();
+        let on = arc.start() + if fixed { Vec3::ZERO } else { shift };
+        let mut new = Self { before: self.before, middle: self.middle, after: self.after, wraps: self.wraps };
+        let (mut start, mut end) = (arc.start(), arc.end());
+        if let Some(piece) = &mut new.before {
+            let (p, t) = (piece.arc.start(), piece.arc.start_tangent()?);
+            start = tangent_point(p, t, on, direction, normal)?;
+            piece.arc = Arc::from_start_tangent(p, start, t * p.distance(start)).ok()?;
+            let range = joined(piece.span, self.middle.span, self.wraps);
+            let place = Place::nearest(trace, start, range);
+            piece.span = Span { from: range.from, to: place };
+            new.middle.span = Span { from: place, to: range.to };
+        }
+        if let Some(piece) = &mut new.after {
+            let (p, t) = (piece.arc.end(), piece.arc.end_tangent()?);
+            end = tangent_point(p, -t, on, -direction, normal)?;
+            piece.arc = Arc::from_end_tangent(end, p, t * p.distance(end)).ok()?;
+            let range = joined(new.middle.span, piece.span, self.wraps);
+            let place = Place::nearest(trace, end, range);
+            new.middle.span.to = place;
+            piece.span = Span { from: place, to: range.to };
+        }
+        let forward = (end - start).dot(direction) > 0.0;
+        let ordered = |p: &Piece| p.span.from.along() <= p.span.to.along();
+        let in_order = new.before.iter().chain([&new.middle]).chain(&new.after).all(ordered);
+        new.middle.arc = Arc::segment(start, end).ok()?;
+        (forward && in_order).then_some(new)
+    }
+}
+
+/// Both spans as one; the second may count from another lap.
+fn joined(first: Span, second: Span, wraps: usize) -> Span {
+    let lap = |place: Place| Place { index: place.index + wraps, ..place };
+    let behind = second.from.along() + 0.5 < first.to.along();
+    Span { from: first.from, to: if behind { lap(second.to) } else { second.to } }
+}
+
+/// The end of the arc from `p` with unit tangent `t` that arrives on the line through `q` with its direction `d`.
+fn tangent_point(p: Point3, t: Vec3, q: Point3, d: Vec3, normal: Vec3) -> Option<Point3> {
+    // The chord is along t + d, which is perpendicular to d - t: well conditioned up to half a turn and beyond.
+    let u = if t.dot(d) >= 0.0 { t + d } else { normal.cross(d - t) }.unit()?;
+    let length = (q - p).cross(d).dot(normal) / u.cross(d).dot(normal);
+    length.is_finite().then(|| p + u * length)
+}
