@@ -1,21 +1,29 @@
 //! Polynomials in Bernstein form: products, de Casteljau, degree elevation.
 
-/// Binomial coefficient as a float (exact up to `n = 60`).
-#[must_use]
-pub(crate) fn binomial(n: usize, k: usize) -> f64 {
-    let k = k.min(n - k.min(n));
-    (0..k).fold(1.0, |c, i| c * (n - i) as f64 / (i + 1) as f64).round()
+/// The binomial coefficients `C(n, 0..=n)` as floats (exact up to `n = 57`).
+fn binomials(n: usize) -> impl Iterator<Item = f64> {
+    let mut value = 1.0;
+    (0..=n).map(move |i| {
+        value = if i == 0 { 1.0 } else { next_binomial(value, n, i) };
+        value
+    })
 }
 
 /// The Bernstein coefficients of the product of two polynomials (degrees add).
 #[must_use]
 pub(crate) fn product(a: &[f64], b: &[f64]) -> Vec<f64> {
     let (n, m) = (a.len() - 1, b.len() - 1);
+    // In the basis t^i (1-t)^(n-i), without binomials, products are convolutions.
+    let scaled: Vec<f64> = b.iter().zip(binomials(m)).map(|(b, c)| b * c).collect();
     let mut out = vec![0.0; n + m + 1];
-    for (i, &ai) in a.iter().enumerate() {
-        for (j, &bj) in b.iter().enumerate() {
-            out[i + j] += ai * bj * binomial(n, i) * binomial(m, j) / binomial(n + m, i + j);
+    for (i, (a, c)) in a.iter().zip(binomials(n)).enumerate() {
+        let a = a * c;
+        for (out, b) in out[i..].iter_mut().zip(&scaled) {
+            *out += a * b;
         }
+    }
+    for (out, c) in out.iter_mut().zip(binomials(n + m)) {
+        *out /= c;
     }
     out
 }
@@ -135,8 +143,8 @@ mod tests {
     fn derivatives_of_a_cube_at_any_degree() {
         // t³ has the coefficients C(i,3)/C(n,3); 20 is above the table of binomials.
         for n in [3, 5, 20] {
-            let choose = |i: usize| if i < 3 { 0.0 } else { binomial(i, 3) };
-            let row: Vec<[f64; 1]> = (0..=n).map(|i| [choose(i) / binomial(n, 3)]).collect();
+            let choose = |i: usize| if i < 3 { 0.0 } else { (i * (i - 1) * (i - 2) / 6) as f64 };
+            let row: Vec<[f64; 1]> = (0..=n).map(|i| [choose(i) / choose(n)]).collect();
             for t in [0.0_f64, 0.3, 0.5, 1.0] {
                 let got = derivatives(&row, t);
                 for (k, want) in [t * t * t, 3.0 * t * t, 6.0 * t, 6.0].into_iter().enumerate() {

@@ -7,12 +7,16 @@
 
 use super::biarc::{Biarc, BiarcRule};
 use crate::base::vector::{Point3, Vec3};
-use crate::curve::{Arc, CircleSpline, ParamCurve};
+use crate::curve::{Arc, CircleSpline};
 use crate::error::{Error, Result};
 use std::ops::Range;
 
-/// Samples on each segment of the curve, and on each biarc at least.
+/// Turn of the curve's arcs over one interval of a stretch, radians: 15 degrees.
+const INTERVAL_TURN: f64 = std::f64::consts::PI / 12.0;
+/// Samples on each biarc at least.
 const SAMPLES: usize = 24;
+/// Samples on each interval of a stretch.
+const INTERVAL_SAMPLES: f64 = 12.0;
 /// The part of the tolerance that distances may use. They are sampled, with a parabola through the three samples at
 /// each largest one: with four samples to a lobe it misses at most 0.8 % of the top. A biarc over a smooth
 /// piece has four lobes, over a joint of order 1 up to six.
@@ -21,7 +25,7 @@ const SAFETY: f64 = 0.98;
 const LENGTH_RESOLUTION: f64 = 1.05;
 /// Feet go back by no more than this part of an arc: rounding of their parameters.
 const PLACE_ROUNDING: f64 = 1e-9;
-/// Most biarcs per segment.
+/// Most biarcs per segment, and the shortest one as part of an interval.
 const PIECE_CAP: usize = 4096;
 
 impl CircleSpline {
@@ -43,7 +47,7 @@ impl CircleSpline {
                     i += 1;
                 } else {
                     let stretch = (i..run.end).find(|j| self.segments()[j % n].is_arc()).unwrap_or(run.end);
-                    Stretch { curve: self, tolerance }.append_biarcs(i..stretch, &mut arcs)?;
+                    Stretch::new(self, i..stretch, tolerance).append_biarcs(&mut arcs)?;
                     exact = false;
                     i = stretch;
                 }
@@ -53,10 +57,22 @@ impl CircleSpline {
     }
 }
 
-/// Consecutive smooth pieces of a curve that join G1, under one parameter: piece number plus the piece's own.
+/// Consecutive segments that join G1, cut into intervals of little turning, under one parameter: the number of the
+/// interval plus the fraction of it. So neither steps nor samples leap over a part that runs far out.
 struct Stretch<'a> {
-    curve: &'a dyn ParamCurve,
+    spline: &'a CircleSpline,
+    intervals: Vec<Interval>,
     tolerance: f64,
+    /// Most biarcs made.
+    cap: usize,
+}
+
+/// A part of a segment.
+#[derive(Clone, Copy)]
+struct Interval {
+    segment: usize,
+    from: f64,
+    to: f64,
 }
 
 /// A place on the stretch.
@@ -67,30 +83,45 @@ struct Place {
     tangent: Vec3,
 }
 
-impl Stretch<'_> {
-    /// Piece and own parameter; at a joint the piece before it if `before`.
+impl<'a> Stretch<'a> {
+    fn new(spline: &'a CircleSpline, range: Range<usize>, tolerance: f64) -> Self {
+        let cap = PIECE_CAP * range.len();
+        let mut intervals = Vec::with_capacity(range.len());
+        for segment in range.map(|i| i % spline.segments().len()) {
+            let mut from = 0.0;
+            spline.segments()[segment].steps_of_turn(INTERVAL_TURN, &mut |to| {
+                intervals.push(Interval { segment, from, to });
+                from = to;
+            });
+        }
+        Self { spline, intervals, tolerance, cap }
+    }
+
+    /// Segment and its own parameter; at a joint the interval before it if `before`.
     fn locate(&self, v: f64, before: bool) -> (usize, f64) {
         let floor = if before { v.ceil() - 1.0 } else { v.floor() };
-        (floor as usize % self.curve.piece_count(), v - floor)
+        // A place next to the end may round to it.
+        let i = (floor as usize).min(self.intervals.len() - 1);
+        let (Interval { segment, from, to }, s) = (self.intervals[i], v - i as f64);
+        (segment, from * (1.0 - s) + to * s)
     }
 
     fn place(&self, v: f64, before: bool) -> Result<Place> {
         let (piece, s) = self.locate(v, before);
-        let jet = self.curve.piece_jet(piece, s);
+        let jet = self.spline.segments()[piece].jet(s);
         let tangent = jet.tangent().ok_or(Error::ZeroTangent { index: piece })?;
         Ok(Place { v, point: jet.point, tangent })
     }
 
-    /// Covers the pieces with biarcs, each as long as the tolerance allows; the last two share the rest.
-    fn append_biarcs(&self, pieces: Range<usize>, arcs: &mut Vec<Arc>) -> Result<()> {
-        let cap = PIECE_CAP * pieces.len();
-        let end = self.place(pieces.end as f64, true)?;
-        let mut from = self.place(pieces.start as f64, false)?;
+    /// Covers the segments with biarcs, each as long as the tolerance allows; the last two share the rest.
+    fn append_biarcs(&self, arcs: &mut Vec<Arc>) -> Result<()> {
+        let end = self.place(self.intervals.len() as f64, true)?;
+        let mut from = self.place(0.0, false)?;
         let mut step = 1.0;
         let mut count = 0;
         while from.v < end.v {
             count += 1;
-            let (mut biarc, mut to) = self.longest(&from, &end, step, cap)?;
+            let (mut biarc, mut to) = self.longest(&from, &end, step)?;
             let (used, rest) = (to.v - from.v, end.v - to.v);
             step = used;
             if rest > 0.0 && rest < used {
@@ -99,9 +130,8 @@ impl Stretch<'_> {
                     (biarc, to) = (shorter, middle);
                 }
             }
-            if count > cap {
-                let segment = self.locate(from.v, false).0;
-                return Err(Error::TooManyPieces { segment, needed: count, cap });
+            if count > self.cap {
+                return Err(self.too_many(from.v));
             }
             arcs.extend(biarc.arcs());
             from = to;
@@ -110,7 +140,7 @@ impl Stretch<'_> {
     }
 
     /// The longest biarc from a place that stays within the tolerance, to a few per cent of its length.
-    fn longest(&self, from: &Place, end: &Place, guess: f64, cap: usize) -> Result<(Biarc, Place)> {
+    fn longest(&self, from: &Place, end: &Place, guess: f64) -> Result<(Biarc, Place)> {
         let all = end.v - from.v;
         let mut best = None;
         let (mut good, mut bad) = (0.0, f64::INFINITY);
@@ -130,13 +160,16 @@ impl Stretch<'_> {
             if bad <= good * LENGTH_RESOLUTION {
                 break;
             }
-            if bad * (cap as f64) < 1.0 {
-                let segment = self.locate(from.v, false).0;
-                return Err(Error::TooManyPieces { segment, needed: cap + 1, cap });
+            if bad * (PIECE_CAP as f64) < 1.0 {
+                break;
             }
             step = if bad.is_finite() { 0.5 * (good + bad) } else { (1.5 * step).min(all) };
         }
-        best.ok_or(Error::TooManyPieces { segment: self.locate(from.v, false).0, needed: cap + 1, cap })
+        best.ok_or_else(|| self.too_many(from.v))
+    }
+
+    fn too_many(&self, v: f64) -> Error {
+        Error::TooManyPieces { segment: self.locate(v, false).0, needed: self.cap + 1, cap: self.cap }
     }
 
     /// The biarc between two places, if it and the curve stay within the tolerance of each other.
@@ -146,7 +179,7 @@ impl Stretch<'_> {
     fn biarc_within(&self, from: &Place, to: &Place) -> Option<Biarc> {
         let biarc = Biarc::new(from.point, from.tangent, to.point, to.tangent, BiarcRule::EqualD).ok()?;
         let limit = SAFETY * self.tolerance;
-        let count = ((to.v - from.v) * SAMPLES as f64).ceil().max(SAMPLES as f64) as usize;
+        let count = (((to.v - from.v) * INTERVAL_SAMPLES).ceil() as usize).max(SAMPLES);
         let (mut last_point, mut last_foot, mut last_place) = (from.point, from.point, 0.0);
         let mut last_distances = [0.0; 2];
         for i in 1..=count {
@@ -154,7 +187,7 @@ impl Stretch<'_> {
                 (to.point, to.point, 2.0)
             } else {
                 let (piece, s) = self.locate(from.v + (to.v - from.v) * (i as f64 / count as f64), false);
-                let point = self.curve.piece_point(piece, s);
+                let point = self.spline.segments()[piece].point(s);
                 let (foot, place) = foot(&biarc, point);
                 (point, foot, place)
             };

@@ -2,8 +2,8 @@
 
 use crate::data::{self, infinity_distance_squared, p, spline};
 use cyclide::{
-    ArcPath, BlendVariant, CircleSpline, CircleSplineOptions, Exactness, Lower, ParamCurve, Point3, closest_point,
-    joints,
+    ArcPath, BlendVariant, CircleSpline, CircleSplineOptions, Exactness, Lower, ParamCurve, Point3, SplineEnds, Vec3,
+    closest_point, joints,
 };
 use proptest::prelude::*;
 
@@ -80,4 +80,29 @@ fn a_tolerance_below_rounding_is_refused() {
     let points = [[1e6, 0.0], [1e6 + 1.0, 0.3], [1e6 + 2.0, 0.0], [1e6 + 2.5, 1.0]].map(|[x, y]| p(x, y, 0.0));
     let s = CircleSpline::from_points(&points, &CircleSplineOptions::default()).unwrap();
     assert_eq!(s.to_arcs(1e-12).unwrap_err().reason(), "too-many-pieces");
+}
+
+#[test]
+fn a_segment_that_runs_far_out_is_followed() {
+    // Tangents that point away from the chord: the curve runs out to hundreds of chords and back, between l = 0.499
+    // and 0.501, where samples at even parameters would miss it.
+    let points = [p(0.0, 0.0, 0.0), p(1.0, 0.0, 0.0)];
+    for (order, variant) in [(1, BlendVariant::Rational), (2, BlendVariant::Trigonometric), (3, BlendVariant::Rational)]
+    {
+        let ends =
+            SplineEnds::Clamped { start: Some(Vec3::new(-1.0, 2e-3, 0.0)), end: Some(Vec3::new(-1.0, -3e-3, 1e-3)) };
+        let s = CircleSpline::from_points(&points, &CircleSplineOptions { order, variant, ends, ..Default::default() });
+        let s = s.unwrap();
+        let tolerance = 1e-2;
+        let (arcs, _) = s.to_arcs(tolerance).unwrap();
+        let size = s.piece_bounds(0).diagonal();
+        assert!(size > 400.0, "{size}");
+        // 1 - 2l = w tan of uniform angles, with w about the angles above: even along the large circles.
+        for i in -2000..=2000 {
+            let l = 0.5 + 1e-3 * (f64::from(i) / 2000.0 * 1.5688).tan();
+            let distance = arcs.closest_point(s.piece_point(0, l.clamp(0.0, 1.0))).distance;
+            assert!(distance <= tolerance, "{order} {variant:?} at {l}: {distance:e}");
+        }
+        assert!(arcs.bounds().diagonal() > 400.0 && arcs.bounds().diagonal() < 4.0 * size);
+    }
 }

@@ -101,6 +101,17 @@ impl AngleLaw {
         }
     }
 
+    /// The angle between `t1` and the tangent at `l`, rising from 0 to the blend angle (`50`, section 5).
+    pub(super) fn angle(&self, l: f64) -> f64 {
+        match self.variant {
+            BlendVariant::Trigonometric => self.theta * smooth_step(self.order, l),
+            BlendVariant::Rational => {
+                let (a, b) = (power(1.0 - l, self.order), power(l, self.order));
+                0.5 * self.theta + 2.0 * ((b - a) / (a + b) * (0.25 * self.theta).tan()).atan()
+            }
+        }
+    }
+
     /// Taylor coefficients at `l` of the cosine and sine of the angle between `t1` and the tangent.
     pub(super) fn series(&self, l: f64) -> (Series, Series) {
         match self.variant {

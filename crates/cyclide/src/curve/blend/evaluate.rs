@@ -68,4 +68,32 @@ impl BlendSegment {
             d3: derivative(3, 6.0),
         }
     }
+
+    /// Calls with rising parameters up to 1 that are so close that neither the start tangent `t` of the arcs nor the
+    /// direction of `N` (of the point seen from `x1`) turns by more than `turn` radians from one to the next, so the
+    /// arcs' tangents, mirror images of `t` in `N`, turn by at most three times as much.
+    ///
+    /// Bisection cannot miss a part: between `t` and `u` the vector `N` turns by less than half a turn, and what it
+    /// turns more follows `t`, whose angle is known.
+    pub(crate) fn steps_of_turn(&self, turn: f64, step: &mut impl FnMut(f64)) {
+        const DEPTH: u32 = 50;
+        let at = |l: f64| {
+            let whole = self.whole_parameter(l);
+            let [c, s, q] = self.law.at(whole);
+            (l, self.law.angle(whole), self.u * (whole * q) + (self.t1 * c + self.b * s) * (1.0 - whole))
+        };
+        let mut last = at(0.0);
+        let mut ahead = vec![(at(1.0), DEPTH)];
+        while let Some(&(next, depth)) = ahead.last() {
+            if depth == 0 || (next.1 - last.1 <= turn && last.2.angle(next.2) <= turn) {
+                step(next.0);
+                last = next;
+                ahead.pop();
+            } else {
+                let index = ahead.len() - 1;
+                ahead[index].1 = depth - 1;
+                ahead.push((at(0.5 * (last.0 + next.0)), depth - 1));
+            }
+        }
+    }
 }
