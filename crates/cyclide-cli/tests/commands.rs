@@ -1,6 +1,7 @@
 //! Every command does its job: files, reports, samples, schema.
 
 #![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
+#![allow(clippy::float_cmp, reason = "what is compared is printed exactly, to the bit")]
 
 mod common;
 

@@ -1,5 +1,7 @@
 //! Bytes that once broke the readers, and random ones, on the stable toolchain.
 
+#![allow(clippy::expect_used, reason = "what is not there fails the test")]
+
 #[path = "../../../fuzz/exercise.rs"]
 mod exercise;
 

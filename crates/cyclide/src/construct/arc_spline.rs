@@ -87,8 +87,8 @@ impl ArcPath {
     }
 }
 
-/// Unit tangents at the points, estimated from the circle through each point and its neighbours (see the
-/// [module](self)); exact where the points lie on a circle or line. Two points give their chord.
+/// Unit tangents at the points, estimated from the circle through each point and its neighbours (`10`,
+/// section 2.3); exact where the points lie on a circle or line. Two points give their chord.
 ///
 /// # Errors
 /// `too-few-points` (fewer than 2, or 3 if closed), `not-finite`, `coincident-points` (neighbours); `cusp` where the
