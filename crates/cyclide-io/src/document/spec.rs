@@ -95,11 +95,16 @@ impl<'de> Deserialize<'de> for TypeWord {
 #[derive(Debug, Clone, PartialEq, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(extend("oneOf" = [
-    { "required": ["through"], "properties": { "from": false, "to": false } },
-    { "required": ["from", "to", "tangent"] },
-    { "required": ["from", "to", "end_tangent"] },
-    { "required": ["from", "to", "weights"] },
-    { "required": ["from", "to", "bulge"] }
+    {
+        "required": ["through"],
+        "properties": {
+            "from": false, "to": false, "tangent": false, "end_tangent": false, "weights": false, "bulge": false
+        }
+    },
+    { "required": ["from", "to", "tangent"], "properties": { "through": false } },
+    { "required": ["from", "to", "end_tangent"], "properties": { "through": false } },
+    { "required": ["from", "to", "weights"], "properties": { "through": false } },
+    { "required": ["from", "to", "bulge"], "properties": { "through": false } }
 ], "dependentRequired" = { "normal": ["bulge"] }))]
 pub struct ArcSpec {
     /// The word `arc`.

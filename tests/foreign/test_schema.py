@@ -1,0 +1,113 @@
+"""The published schema against the program: what a validator of JSON Schema accepts and refuses, cyclide does too."""
+
+import json
+import subprocess
+from pathlib import Path
+
+import jsonschema
+import pytest
+
+from conftest import MODELS, ROOT, _program
+
+SCHEMA = json.loads((ROOT / "docs" / "schema" / "cyclide-1.schema.json").read_text())
+VALIDATOR = jsonschema.Draft202012Validator(SCHEMA)
+DOCUMENTS = {**MODELS, **{p.stem: p for p in sorted((ROOT / "examples").glob("*.json"))}}
+
+ARC = {"type": "arc", "from": [0, 0], "to": [1, 0], "bulge": 0.5}
+SPLINE = {"type": "circle-spline", "points": [[0, 0], [1, 0], [1, 1]]}
+FIT = {"type": "arc-fit", "points": [[0, 0], [1, 0], [1, 1]], "tolerance": 0.1}
+CIRCLE = {"type": "circle", "center": [0, 0], "radius": 1}
+BIARC = {"type": "biarc", "from": [0, 0], "from_tangent": [1, 0], "to": [1, 1], "to_tangent": [1, 0]}
+
+
+def without(fields, *names):
+    return {k: v for k, v in fields.items() if k not in names}
+
+
+GOOD = {
+    "arc through points": {"type": "arc", "through": [[0, 0], [1, 1], [2, 0, 1]]},
+    "arc with weights": {**without(ARC, "bulge"), "weights": [[1, 0, 0, 0], [1, 0, 0, 1]]},
+    "arc with a normal": {**ARC, "normal": [0, 1, 1]},
+    "circle": CIRCLE,
+    "biarc": {**BIARC, "rule": "equal-chord"},
+    "contours": {**SPLINE, "points": [[[0, 0], [1, 0], [1, 1]], [[5, 5], [6, 6]]]},
+    "clamped": {**SPLINE, "ends": {"start": [0, 1]}, "order": 4, "variant": "trigonometric", "corner_angle": 1.5},
+    "natural": {**SPLINE, "ends": "natural", "closed": True},
+    "fit": {**FIT, "target": "polyline", "effort": "fast", "corner_angle": 3},
+    "tangents": {"type": "arc-spline", "points": [[0, 0], [1, 1]], "tangents": [[1, 0], [0, 1, 0]], "rule": "auto"},
+}
+
+BAD = {
+    "no type": without(CIRCLE, "type"),
+    "unknown type": {**CIRCLE, "type": "sphere"},
+    "unknown field": {**CIRCLE, "colour": "red"},
+    "missing field": without(CIRCLE, "radius"),
+    "null": {**CIRCLE, "normal": None},
+    "text for a number": {**CIRCLE, "radius": "1"},
+    "radius zero": {**CIRCLE, "radius": 0},
+    "one coordinate": {**CIRCLE, "center": [0]},
+    "four coordinates": {**CIRCLE, "center": [0, 0, 0, 0]},
+    "arc without a datum": without(ARC, "bulge"),
+    "arc with two data": {**ARC, "tangent": [0, 1]},
+    "arc both ways": {**ARC, "through": [[0, 0], [1, 1], [2, 0]]},
+    "arc through points with a bulge": {"type": "arc", "through": [[0, 0], [1, 1], [2, 0]], "bulge": 1},
+    "normal without a bulge": {**without(ARC, "bulge"), "tangent": [0, 1], "normal": [0, 0, 1]},
+    "two points": {"type": "arc", "through": [[0, 0], [1, 1]]},
+    "weights of three numbers": {**without(ARC, "bulge"), "weights": [[1, 0, 0], [1, 0, 0]]},
+    "order 0": {**SPLINE, "order": 0},
+    "order 5": {**SPLINE, "order": 5},
+    "order 1.5": {**SPLINE, "order": 1.5},
+    "ends of another kind": {**SPLINE, "ends": "free"},
+    "ends with another field": {**SPLINE, "ends": {"middle": [0, 1]}},
+    "no points": {**SPLINE, "points": []},
+    "points and contours": {**SPLINE, "points": [[0, 0], [[1, 1], [2, 2]]]},
+    "file with another field": {**SPLINE, "points": {"csv": "p.csv", "sheet": 1}},
+    "corner angle 0": {**SPLINE, "corner_angle": 0},
+    "corner angle above a half turn": {**SPLINE, "corner_angle": 4},
+    "fit without a tolerance": without(FIT, "tolerance"),
+    "fit with tolerance 0": {**FIT, "tolerance": 0},
+    "fit with a rule": {**FIT, "rule": "auto"},
+    "another rule": {**BIARC, "rule": "best"},
+}
+
+BAD_DOCUMENTS = {
+    "no version": {"objects": {}},
+    "another version": {"cyclide": 2, "objects": {}},
+    "no objects": {"cyclide": 1},
+    "list of objects": {"cyclide": 1, "objects": [CIRCLE]},
+    "another unit": {"cyclide": 1, "units": "yd", "objects": {"c": CIRCLE}},
+    "another field": {"cyclide": 1, "objects": {"c": CIRCLE}, "author": "me"},
+    "object without a name": {"cyclide": 1, "objects": {"": CIRCLE}},
+}
+
+
+def exit_code(document, folder):
+    path = folder / "document.json"
+    path.write_text(json.dumps(document))
+    return subprocess.run([_program(), "report", path], capture_output=True).returncode
+
+
+def one(fields):
+    return {"cyclide": 1, "objects": {"a": fields}}
+
+
+def test_the_schema_is_one():
+    jsonschema.Draft202012Validator.check_schema(SCHEMA)
+
+
+@pytest.mark.parametrize("name", DOCUMENTS)
+def test_our_documents_are_valid(name):
+    VALIDATOR.validate(json.loads(Path(DOCUMENTS[name]).read_text()))
+
+
+@pytest.mark.parametrize("name", GOOD)
+def test_both_accept(name, tmp_path):
+    VALIDATOR.validate(one(GOOD[name]))
+    assert exit_code(one(GOOD[name]), tmp_path) == 0
+
+
+@pytest.mark.parametrize("document", [pytest.param(one(v), id=k) for k, v in BAD.items()]
+                         + [pytest.param(v, id=k) for k, v in BAD_DOCUMENTS.items()])
+def test_both_refuse(document, tmp_path):
+    assert not VALIDATOR.is_valid(document)
+    assert exit_code(document, tmp_path) == 1
