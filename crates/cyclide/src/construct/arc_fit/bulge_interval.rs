@@ -20,7 +20,7 @@ pub struct BulgeIntervals {
 }
 
 /// Every bulge of an arc from the first to the last point that passes within `tolerance` of each vertex (V), runs
-/// with every edge (M) and, if `edges`, stays within `tolerance` of the edges themselves (E). Sweeps go up to
+/// with every edge (M; not asked of two samples alone) and, if `edges`, stays within `tolerance` of the edges themselves (E). Sweeps go up to
 /// `max_sweep` radians, in `(0, 2 pi)`.
 ///
 /// Extra turns (W of [`certify_arc`](super::certify_arc)) are not excluded here: test the bulge chosen.
@@ -50,8 +50,11 @@ fn counter_clockwise(points: &[Vec2], t: f64, edges: bool, limit: f64) -> Option
     for k in [m / 2, m / 4, 3 * m / 4].into_iter().chain(0..=m).filter(|k| *k > 0 && *k < m) {
         range.vertex(points[k], t)?;
     }
-    for step in points.windows(2) {
-        range.step(step[0], step[1])?;
+    // Two samples alone say nothing about the way between them: every arc over the chord will do.
+    if edges || m > 1 {
+        for step in points.windows(2) {
+            range.step(step[0], step[1])?;
+        }
     }
     if edges {
         // After all vertices and steps: the rule reads off the bounds reached so far.
@@ -164,4 +167,22 @@ impl Range {
 /// `1 - e_x` and `1 + e_x` of a unit vector without cancellation.
 pub(super) fn one_minus_and_plus(e: Vec2) -> (f64, f64) {
     if e.x > 0.0 { (e.y * e.y / (1.0 + e.x), 1.0 + e.x) } else { (1.0 - e.x, e.y * e.y / (1.0 - e.x)) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn two_points_alone_bind_nothing_and_their_edge_binds_the_sagitta() {
+        let points = [Point2::new(1.0, 2.0), Point2::new(5.0, 5.0)]; // half chord 2.5
+        let limit = (0.25 * 6.0_f64).tan();
+        let free = feasible_bulges(&points, 0.5, false, 6.0).unwrap();
+        assert_eq!((free.ccw, free.cw), (Some([0.0, limit]), Some([0.0, limit])));
+        // The sagitta is bulge times half chord: at most 0.5.
+        let bound = feasible_bulges(&points, 0.5, true, 6.0).unwrap();
+        for [lo, hi] in [bound.ccw.unwrap(), bound.cw.unwrap()] {
+            assert!(lo == 0.0 && (hi - 0.2).abs() < 1e-15, "{lo} {hi}");
+        }
+    }
 }
