@@ -41,3 +41,8 @@ pub use report::{
     CheckError, CurvatureReport, FileReport, FitReport, JointReport, ObjectReport, Report, WarningReport, WeightReport,
 };
 pub use sample::{Spacing, sample};
+
+/// The example of the README is compiled and run with the documentation tests.
+#[cfg(doctest)]
+#[doc = include_str!("../../../README.md")]
+struct Readme;
