@@ -7,7 +7,7 @@
 use super::piece_form::PieceForm;
 use crate::base::bounds::Aabb;
 use crate::base::jet::CurveJet;
-use crate::base::quadrature::{gauss8, integrate};
+use crate::base::quadrature::integrate;
 use crate::base::vector::{Point3, Vec3};
 
 /// A parametric curve made of one or more smooth pieces; parameters run over `[0, 1]`.
@@ -43,9 +43,7 @@ pub trait ParamCurve: Send + Sync {
 
     /// Arc length of the part `[s0, s1]` of a piece, to the relative tolerance 1e-12 of the piece or better.
     fn piece_length(&self, piece: usize, s0: f64, s1: f64) -> f64 {
-        let mut speed = |s: f64| self.piece_speed(piece, s);
-        let rough = gauss8(&mut speed, s0, s1);
-        integrate(&mut speed, s0, s1, 1e-13 * rough)
+        integrate(&mut |s: f64| self.piece_speed(piece, s), s0, s1)
     }
 
     /// A box that contains the piece, not necessarily the smallest one.

@@ -118,6 +118,8 @@ fn other_moebius_maps_are_refused() {
     for (t0, t1) in [(0.5, 0.5), (0.7, 0.2), (-0.1, 0.5), (0.5, 1.1), (f64::NAN, 0.5)] {
         assert_eq!(s.restricted(t0, t1).unwrap_err().reason(), "parameter-out-of-range");
     }
+    let joint = 1.0_f64 / 3.0;
+    assert_eq!(s.restricted(joint, joint.next_up()).unwrap_err().reason(), "parameter-out-of-range");
     // Cut at a joint: whole segments.
     let (left, right) = s.split(1.0 / 3.0).unwrap();
     assert_eq!((left.piece_count(), right.piece_count()), (1, 2));

@@ -231,3 +231,25 @@ fn corners_cut_the_curve_into_runs() {
     assert_eq!((s.kinks(), s.smooth_runs()), ([4].as_slice(), vec![0..4, 4..7]));
     assert!(corners_by_angle(&points[..1], false, 0.1).is_empty() && corners_by_angle(&[], true, 0.1).is_empty());
 }
+
+#[test]
+fn a_segment_that_runs_far_out_is_measured_in_full() {
+    // Circles that pass near infinity: out and back between l = 1/2 - w and 1/2 + w.
+    for w in [1e-2, 1e-3, 1e-5] {
+        for variant in [BlendVariant::Rational, BlendVariant::Trigonometric] {
+            let (start, end) = (Vec3::new(-1.0, 2.0 * w, 0.0), Vec3::new(-1.0, -3.0 * w, w));
+            let s = BlendSegment::hermite(p(0.0, 0.0, 0.0), start, p(1.0, 0.0, 0.0), end, 2, variant).unwrap();
+            let n = 100_000;
+            let even = (1.0_f64 / w).atan();
+            let at = |i: i32| s.point((0.5 + 0.5 * w * (f64::from(i) / f64::from(n) * even).tan()).clamp(0.0, 1.0));
+            let chords: f64 = (-n..n).map(|i| at(i).distance(at(i + 1))).sum();
+            // Chords are short by (turn)²/24, with a turn of at most 4 pi over all of them; rounding near the far end
+            // is eps/w of the size.
+            assert!((cyclide::length(&s) / chords - 1.0).abs() < 1e-9 + 1e-14 / w, "{w} {variant:?}");
+            let table = cyclide::ArcLength::new(&s);
+            assert!((table.total() / chords - 1.0).abs() < 1e-9 + 1e-14 / w);
+            let sampled = cyclide::Aabb::of_points((-n..=n).map(at)).unwrap();
+            assert!((cyclide::bounds(&s).diagonal() / sampled.diagonal() - 1.0).abs() < 1e-8);
+        }
+    }
+}

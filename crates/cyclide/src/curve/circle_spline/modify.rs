@@ -1,8 +1,8 @@
 //! Circle splines reversed, cut and moved: the result is a circle spline again, segment by segment.
 
 use super::CircleSpline;
+use crate::base::cut::{check_interval, place_of_cut};
 use crate::conformal::mobius::Mobius;
-use crate::curve::param_curve::ParamCurve;
 use crate::error::{Error, Result};
 use crate::warning::Warning;
 
@@ -33,24 +33,26 @@ impl CircleSpline {
     }
 
     /// The part between two global parameters, `0 <= t0 < t1 <= 1`, as an open curve of the same points; segments
-    /// that are cut keep their shape (their parameter is stretched to `[0, 1]`).
+    /// that are cut keep their shape (their parameter is stretched to `[0, 1]`). Parameters within rounding of a joint
+    /// cut there.
     ///
     /// # Errors
     /// `parameter-out-of-range`.
     pub fn restricted(&self, t0: f64, t1: f64) -> Result<Self> {
-        if !(t0 < t1 && t0 >= 0.0 && t1 <= 1.0) {
-            return Err(Error::ParameterOutOfRange { name: "t1", value: t1, min: t0, max: 1.0 });
-        }
-        let (first, l0) = self.locate(t0);
-        let (mut last, mut l1) = self.locate(t1);
-        if l1 <= 0.0 {
-            (last, l1) = (last - 1, 1.0);
-        }
-        let mut segments = Vec::with_capacity(last - first + 1);
-        for i in first..=last {
+        check_interval(t0, t1)?;
+        let n = self.segments.len();
+        let (first, l0) = if t0 > 0.0 { place_of_cut(t0, n)? } else { (0, 0.0) };
+        let (end, l1) = if t1 < 1.0 { place_of_cut(t1, n)? } else { (n, 0.0) };
+        let last = if l1 > 0.0 { end } else { end.saturating_sub(1) };
+        let part = |i: usize| {
             let from = if i == first { l0 } else { 0.0 };
-            let to = if i == last { l1 } else { 1.0 };
-            segments.push(self.segments[i].restricted(from, to)?);
+            let to = if i == end { l1 } else { 1.0 };
+            self.segments[i].restricted(from, to)
+        };
+        let segments = (first..=last).map(part).collect::<Result<Vec<_>>>()?;
+        if segments.is_empty() {
+            // Both ends within rounding of one joint.
+            return Err(Error::ParameterOutOfRange { name: "t1", value: t1, min: t0, max: 1.0 });
         }
         let kinks = self.kinks.iter().filter(|k| **k > first && **k <= last).map(|k| k - first).collect();
         let kept = |w: &&Warning| {

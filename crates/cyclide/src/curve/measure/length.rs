@@ -1,15 +1,8 @@
 //! Arc length: the total, and the constant-speed parameter.
 
-use crate::base::quadrature::gauss8;
+use crate::base::quadrature::{self, gauss8};
 use crate::base::vector::Point3;
 use crate::curve::{ParamCurve, PieceForm};
-
-/// Relative disagreement of one quadrature with its two halves at which a cell of the table is good.
-const CELL_LIMIT: f64 = 1e-13;
-/// Halvings of a piece into cells.
-const CELL_DEPTH: u32 = 40;
-/// Cells of the table of one piece: far above what smooth pieces and cusps need.
-const CELL_CAP: usize = 4096;
 
 /// Length of the whole curve: closed form for arcs and circles, else each piece to 1e-12 of itself.
 #[must_use]
@@ -103,22 +96,9 @@ impl<'a> ArcLength<'a> {
 
 /// Appends the cells of a piece, in order.
 fn cut(curve: &dyn ParamCurve, piece: usize, cells: &mut Vec<Cell>) {
-    let mut speed = |s: f64| curve.piece_speed(piece, s);
-    let whole = gauss8(&mut speed, 0.0, 1.0);
-    let first = cells.len();
-    // Parts still to be judged: ends, length, halvings left.
-    let mut stack = vec![(0.0, 1.0, whole, CELL_DEPTH)];
-    while let Some((s0, s1, length, depth)) = stack.pop() {
-        let m = 0.5 * (s0 + s1);
-        let (l, r) = (gauss8(&mut speed, s0, m), gauss8(&mut speed, m, s1));
-        let good = (l + r - length).abs() <= CELL_LIMIT * whole;
-        if good || depth == 0 || cells.len() - first >= CELL_CAP {
-            cells.push(Cell { piece, s0, s1, length: l + r, end: 0.0, form: PieceForm::Free });
-        } else {
-            stack.push((m, s1, r, depth - 1));
-            stack.push((s0, m, l, depth - 1));
-        }
-    }
+    let parts = quadrature::cells(&mut |s: f64| curve.piece_speed(piece, s), 0.0, 1.0);
+    let form = PieceForm::Free;
+    cells.extend(parts.into_iter().map(|c| Cell { piece, s0: c.a, s1: c.b, length: c.integral, end: 0.0, form }));
 }
 
 impl Cell {
