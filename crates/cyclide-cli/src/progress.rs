@@ -2,10 +2,13 @@
 
 use std::time::Duration;
 
-use indicatif::{ProgressBar, ProgressStyle};
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
 /// The bar appears when the work has lasted this long.
 const PATIENCE: Duration = Duration::from_millis(400);
+
+/// Time between two pictures of the bar.
+const TICK: Duration = Duration::from_millis(100);
 
 /// Steps of a run; drawn only if standard error is a terminal.
 pub struct Progress {
@@ -15,11 +18,19 @@ pub struct Progress {
 impl Progress {
     /// Progress over `steps` steps.
     pub fn new(steps: usize) -> Self {
-        let bar = ProgressBar::new(steps as u64);
+        let bar = ProgressBar::with_draw_target(Some(steps as u64), ProgressDrawTarget::hidden());
         if let Ok(style) = ProgressStyle::with_template("{bar:24} {pos}/{len} {elapsed} {msg}") {
             bar.set_style(style);
         }
-        bar.enable_steady_tick(PATIENCE);
+        let later = bar.clone();
+        // Not waited for: a run that is done sooner ends without having shown the bar.
+        std::thread::spawn(move || {
+            std::thread::sleep(PATIENCE);
+            if !later.is_finished() {
+                later.set_draw_target(ProgressDrawTarget::stderr());
+                later.enable_steady_tick(TICK);
+            }
+        });
         Self { bar }
     }
 
