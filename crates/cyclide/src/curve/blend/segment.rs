@@ -2,6 +2,7 @@
 
 use super::angle_law::{AngleLaw, BlendVariant, MAX_ORDER};
 use crate::base::bounds::Aabb;
+use crate::base::range;
 use crate::base::vector::{Point3, Vec3};
 use crate::conformal::mobius::Mobius;
 use crate::curve::arc::Arc;
@@ -314,17 +315,14 @@ pub(crate) fn check_order(order: u32) -> Result<()> {
     if (1..=MAX_ORDER).contains(&order) { Ok(()) } else { Err(Error::OrderOutOfRange { order, max: MAX_ORDER }) }
 }
 
-/// Refuses non-finite points; returns the length up to which neighbours coincide.
+/// Refuses points that are not finite or too far out; returns the length up to which neighbours coincide.
 pub(crate) fn check_points(points: &[Point3]) -> Result<f64> {
-    if let Some(index) = points.iter().position(|p| !p.is_finite()) {
-        return Err(Error::NotFinite { what: "point", index });
+    for (index, p) in points.iter().enumerate() {
+        range::check_point(index, p.to_vec())?;
     }
     let diagonal = Aabb::of_points(points.iter().copied()).map_or(0.0, Aabb::diagonal);
-    if diagonal.is_finite() {
-        Ok(COINCIDENT_LIMIT * diagonal)
-    } else {
-        Err(Error::NotFinite { what: "size of the point set, point", index: 0 })
-    }
+    // Neighbours that differ are then no closer than distances may be.
+    Ok((COINCIDENT_LIMIT * diagonal).max(range::MIN_DISTANCE))
 }
 
 /// A tangent given by the user, normalised.
