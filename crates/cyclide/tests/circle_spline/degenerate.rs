@@ -2,8 +2,8 @@
 
 use crate::data::p;
 use cyclide::{
-    BlendSegment, BlendVariant, CircleSpline, CircleSplineOptions, Error, Mobius, ParamCurve, Point3, Quat, SplineEnds,
-    Vec3, Warning,
+    BlendSegment, BlendVariant, CircleSpline, CircleSplineOptions, CurveIndex, Error, Mobius, ParamCurve, Point3, Quat,
+    SplineEnds, Vec3, Warning, bounds, flatten,
 };
 use proptest::prelude::*;
 
@@ -110,7 +110,8 @@ fn bad_input_is_refused_by_name() {
     let mut bad = good;
     bad[2].y = f64::NAN;
     assert_eq!(CircleSpline::from_points(&bad, &open).unwrap_err(), Error::NotFinite { what: "point", index: 2 });
-    assert_eq!(reason(&[p(-1e308, 0.0, 0.0), p(1e308, 0.0, 0.0), p(0.0, 1.0, 0.0)], &open), "not-finite");
+    let huge = [p(-1e308, 0.0, 0.0), p(1e308, 0.0, 0.0), p(0.0, 1.0, 0.0)];
+    assert_eq!(reason(&huge, &open), "parameter-out-of-range");
     // A repeated first point closes nothing, and a billionth of the size is not nothing.
     let repeated = [good[0], good[1], good[2], good[0]];
     let error = CircleSpline::from_points(&repeated, &closed()).unwrap_err();
@@ -156,4 +157,48 @@ fn hermite_segments_are_checked() {
     assert!(s.opposite_circles() && s.point(0.5).distance(p(1.0, 0.0, 0.0)) < 1e-15, "through the chord");
     let same = BlendSegment::hermite(a, Vec3::X, a, Vec3::X, 2, BlendVariant::Rational);
     assert_eq!(same.unwrap_err().reason(), "coincident-points");
+}
+
+#[test]
+fn numbers_beyond_the_range_of_the_kernel_are_refused() {
+    // Their arcs could not be made: the conversion to arcs would have nothing to put there.
+    for (scale, expected) in [(1e151, "parameter-out-of-range"), (1e-151, "coincident-points")] {
+        let points = [p(0.0, 0.0, 0.0), p(scale, 0.2 * scale, 0.0), p(2.0 * scale, scale, 0.0)];
+        assert_eq!(reason(&points, &CircleSplineOptions::default()), expected, "{scale:e}");
+    }
+}
+
+#[test]
+fn an_interval_that_falls_on_one_joint_is_refused() {
+    let points = [p(0.0, 0.0, 0.0), p(1.0, 1.0, 0.0), p(2.0, 0.0, 0.0), p(3.0, 1.0, 0.0)];
+    let s = CircleSpline::from_points(&points, &CircleSplineOptions::default()).unwrap();
+    let t: f64 = 1.0 / 3.0;
+    // Three times either number is 1.
+    for (t0, t1) in [(t, t.next_up()), (t, t)] {
+        assert_eq!(s.restricted(t0, t1).unwrap_err().reason(), "parameter-out-of-range");
+    }
+}
+
+/// Out and back with turns of 179.9 degrees, closed: loops a hundred times as large as the points, run through in a
+/// small part of the parameter.
+fn hairpins() -> [Point3; 4] {
+    [p(-0.0633, 0.0, 0.0), p(0.9774, 0.0007, 0.0), p(0.019, 0.0014, 0.0), p(1.0743, 0.0021, 0.0)]
+}
+
+#[test]
+fn every_point_of_a_loop_is_found_on_it() {
+    // The loop from the last point to the first has no curvature at its ends and its middle.
+    for variant in [BlendVariant::Rational, BlendVariant::Trigonometric] {
+        for order in 1..=4 {
+            let options = CircleSplineOptions { order, variant, ..closed() };
+            let s = CircleSpline::from_points(&hairpins(), &options).unwrap();
+            let index = CurveIndex::new(&s);
+            let points = flatten(&s, 1e-3).unwrap();
+            let size = bounds(&s).diagonal();
+            for (t, point) in points {
+                let d = index.closest_point(point).distance;
+                assert!(d < 1e-12 * size, "{variant:?} {order} at {t}: {d:e} of {size}");
+            }
+        }
+    }
 }

@@ -11,7 +11,7 @@
 //!   `1 + (x - P)·k`: where it is positive throughout there is one minimum, found by a safeguarded Newton iteration;
 //!   where it is negative throughout the minimum is at an end; else the part is halved.
 //!
-//! Lengths come from 8-point quadrature and the range of `k` from three places of the part with a margin.
+//! Lengths come from 8-point quadrature and the range of `k` from five places of the part with a margin.
 
 use crate::base::bounds::Aabb;
 use crate::base::jet::CurveJet;
@@ -28,6 +28,8 @@ const QUERY_DEPTH: u32 = 48;
 /// Halvings in one query, all parts together. Only a spline nearly all of whose points are equally far needs more: its
 /// distance is flat, and the ends of parts of length `h` miss the minimum by `k² h³` at most.
 const QUERY_HALVINGS: u32 = 512;
+/// Relative error of a length beyond which its quadrature has missed something.
+const LENGTH_ERROR: f64 = 1e-6;
 /// How much farther than measured the curvature vector of a part may stray from that of its middle.
 const STRAY_MARGIN: f64 = 2.0;
 
@@ -66,6 +68,8 @@ struct FreePart {
     middle: CurveJet,
     /// Curvature vector at the middle and how far the others stray from it; `None` if it is not finite everywhere.
     curvature: Option<(Vec3, f64)>,
+    /// Too long for its chord to turn by less than [`TURN`].
+    bent: bool,
 }
 
 /// What a query carries along.
@@ -161,7 +165,7 @@ fn build(leaves: &[Aabb], boxes: &mut Vec<Aabb>) {
 fn cut(curve: &dyn ParamCurve, piece: usize, s: [f64; 2], ends: [CurveJet; 2], depth: u32, parts: &mut Vec<Part>) {
     let part = FreePart::new(curve, piece, s, ends);
     let turn = part.curvature.map_or(f64::INFINITY, |(k, stray)| (k.length() + stray) * part.length);
-    if depth == 0 || turn < TURN || part.length == 0.0 {
+    if depth == 0 || (turn < TURN && !part.bent) || part.length == 0.0 {
         parts.push(Part::Free(Box::new(part)));
         return;
     }
@@ -204,14 +208,22 @@ impl FreePart {
         let chord = ends[0].point.distance(ends[1].point);
         let sagitta = 0.5 * ((length - chord).max(0.0) * (length + chord)).sqrt();
         let middle = curve.piece_jet(piece, 0.5 * (s[0] + s[1]));
-        let vectors = [ends[0], middle, ends[1]].map(|jet| jet.curvature_vector());
-        let curvature = if let [Some(a), Some(m), Some(b)] = vectors {
-            let stray = STRAY_MARGIN * (a - m).length().max((b - m).length());
+        let quarters = [0.75, 0.25].map(|w| curve.piece_jet(piece, w * s[0] + (1.0 - w) * s[1]));
+        let stray = middle.curvature_vector().and_then(|m| {
+            // The ends alone would miss the lobes of a part that is symmetric about its middle.
+            let others = [ends[0], quarters[0], quarters[1], ends[1]];
+            let from_middle = others.iter().map(|jet| Some((jet.curvature_vector()? - m).length()));
+            let stray = STRAY_MARGIN * from_middle.collect::<Option<Vec<f64>>>()?.into_iter().fold(0.0, f64::max);
             stray.is_finite().then_some((m, stray))
-        } else {
-            None
-        };
-        Self { piece, s, ends, length, sagitta, middle, curvature }
+        });
+        // A curve whose inscribed polygon is longer than itself was measured wrongly.
+        let places = [ends[0].point, quarters[0].point, middle.point, quarters[1].point, ends[1].point];
+        let inscribed: f64 = places.windows(2).map(|w| w[0].distance(w[1])).sum();
+        let rounding = 8.0 * f64::EPSILON * middle.point.to_vec().max_abs();
+        let curvature = stray.filter(|_| inscribed <= length * (1.0 + LENGTH_ERROR) + rounding);
+        // A curve that turns by less than TURN in all is no longer than its chord over cos(TURN/2) (A. Schur).
+        let bent = length * (0.5 * TURN).cos() > chord + rounding;
+        Self { piece, s, ends, length, sagitta, middle, curvature, bent }
     }
 
     /// A lower bound on the distance of the part.
