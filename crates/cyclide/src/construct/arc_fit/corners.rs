@@ -43,7 +43,7 @@ pub(super) fn rounding_reach(turn: f64, tolerance: f64) -> f64 {
 
 /// Corners in ascending order, with their turn. The ends of an open polyline are none.
 ///
-/// Asked for by index; or reversals; or turns above the angle limit that stand out from their neighbours. Edges that
+/// Asked for by index (ascending); or reversals; or turns above the angle limit that stand out from their neighbours. Edges that
 /// are meant themselves (`Polyline`) also keep a corner whose rounding would be lost in its long legs.
 pub(super) fn corners(points: &[Point3], forced: &[usize], options: &ArcFitOptions) -> Vec<(usize, f64)> {
     let (n, closed) = (points.len(), options.closed);
@@ -55,8 +55,9 @@ pub(super) fn corners(points: &[Point3], forced: &[usize], options: &ArcFitOptio
         let lost = options.target == FitTarget::Polyline && rounding_reach(turns[i], options.tolerance) < 0.5 * leg;
         prominent || lost
     };
-    let is_corner =
-        |i: usize| forced.contains(&i) || turns[i] > CUSP_ANGLE || (turns[i] > options.corner_angle && stands_out(i));
+    let is_corner = |i: usize| {
+        forced.binary_search(&i).is_ok() || turns[i] > CUSP_ANGLE || (turns[i] > options.corner_angle && stands_out(i))
+    };
     let range = if closed { 0..n } else { 1..n - 1 };
     range.filter(|i| is_corner(*i)).map(|i| (i, turns[i])).collect()
 }

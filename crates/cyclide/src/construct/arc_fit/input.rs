@@ -34,6 +34,8 @@ fn check(given: usize, needed: usize, finite: impl Fn(usize) -> bool) -> Result<
 pub(super) struct Distinct {
     pub points: Vec<Point3>,
     pub source: Vec<usize>,
+    /// Points of the user's list from this index on were merged with the one at this position.
+    tail: (usize, usize),
     pub warning: Option<Warning>,
 }
 
@@ -58,11 +60,13 @@ impl Distinct {
         let last = points.len() - 1;
         let mut first_dropped = (1..=last).zip(&source[1..]).find(|(i, s)| i != *s).map(|(i, _)| i);
         let kept = source.len();
+        let mut tail = (points.len(), 0);
         if closed {
             while source.len() > 1 && points[source[source.len() - 1]].distance(points[0]) <= limit {
-                source.pop();
+                tail.0 = source.pop().unwrap_or(0);
             }
         } else if source.len() > 1 && source[kept - 1] != last {
+            tail = (source[kept - 1], kept - 1);
             source[kept - 1] = last;
         }
         if source.len() == 1 {
@@ -77,12 +81,13 @@ impl Distinct {
             first_dropped = (0..points.len()).find(|i| source.get(*i) != Some(i));
         }
         let warning = first_dropped.filter(|_| count > 0).map(|first| Warning::PointsMerged { first, count, limit });
-        Ok(Self { points: source.iter().map(|i| points[*i]).collect(), source, warning })
+        Ok(Self { points: source.iter().map(|i| points[*i]).collect(), source, tail, warning })
     }
 
     /// Position in the merged list of a point of the user's list.
     pub fn position(&self, index: usize) -> usize {
-        self.source.partition_point(|s| *s <= index).saturating_sub(1)
+        let (first, position) = self.tail;
+        if index >= first { position } else { self.source.partition_point(|s| *s <= index).saturating_sub(1) }
     }
 }
 
@@ -116,4 +121,19 @@ pub(super) fn plane(points: &[Point3], tolerance: f64) -> Option<Frame> {
     let frame = Frame::from_normal(origin, normal * leading.signum(), Vec3::X).ok()?;
     let limit = (PLANE_LIMIT * size).min(PLANE_TOLERANCE * tolerance);
     points.iter().all(|p| frame.to_local(*p).1.abs() <= limit).then_some(frame)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn merged_points_are_found_where_they_went() {
+        let at = |xs: &[f64]| -> Vec<Point3> { xs.iter().map(|x| Point3::new(*x, x * x, 0.0)).collect() };
+        let closed = Distinct::new(&at(&[0.0, 1.0, 1.0, 2.0, 0.0, 0.0]), true).unwrap();
+        assert_eq!([0, 1, 2, 3, 4, 5].map(|i| closed.position(i)), [0, 1, 1, 2, 0, 0]);
+        let open = Distinct::new(&at(&[0.0, 0.0, 1.0, 2.0, 2.0]), false).unwrap();
+        assert_eq!([0, 1, 2, 3, 4].map(|i| open.position(i)), [0, 0, 1, 2, 2]);
+        assert_eq!(open.source, [0, 2, 4]);
+    }
 }

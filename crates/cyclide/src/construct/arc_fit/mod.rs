@@ -64,7 +64,8 @@ impl ArcFit {
         let distinct = Distinct::new(points, options.closed)?;
         let data = &distinct.points;
         let tolerance = options.tolerance;
-        let forced: Vec<usize> = options.corners.iter().map(|c| distinct.position(*c)).collect();
+        let mut forced: Vec<usize> = options.corners.iter().map(|c| distinct.position(*c)).collect();
+        forced.sort_unstable();
         let corners = corners::corners(data, &forced, options);
         let indices: Vec<usize> = corners.iter().map(|c| c.0).collect();
         let died = |vertex: usize| Error::NoG1SplineInTube { vertex: distinct.source[vertex], tolerance };

@@ -45,7 +45,7 @@ pub(super) fn fit(
     let mut died = 0;
     for extra in fewest..=MAX_EXTRA_POINTS {
         let trace = densified(points, options, extra);
-        let at: Vec<usize> = corners.iter().map(|c| trace.position_of(*c)).collect();
+        let at: Vec<usize> = trace.positions_of(corners);
         match fit_trace(&trace, &at, frame, tolerance, options) {
             Ok(chains) => return Ok((trace, chains)),
             Err(vertex) => died = vertex,

@@ -38,9 +38,10 @@ impl Trace {
         self.points[index % self.points.len()]
     }
 
-    /// Where a vertex stands.
-    pub fn position_of(&self, vertex: usize) -> usize {
-        self.vertex.iter().position(|v| *v == Some(vertex)).unwrap_or(0)
+    /// Where the vertices stand; both in ascending order.
+    pub fn positions_of(&self, vertices: &[usize]) -> Vec<usize> {
+        let mut places = self.vertex.iter().enumerate();
+        vertices.iter().filter_map(|v| places.find(|(_, w)| **w == Some(*v)).map(|(i, _)| i)).collect()
     }
 
     /// The last vertex at or before a position.
@@ -66,4 +67,18 @@ impl Trace {
 pub(super) struct Chain {
     pub first: usize,
     pub joints: Vec<ChainJoint>,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn vertices_are_found_among_extra_points() {
+        let mut trace = Trace::empty(false);
+        for vertex in [Some(0), None, None, Some(1), Some(2), None, Some(3)] {
+            trace.push(Point3::ORIGIN, vertex);
+        }
+        assert_eq!(trace.positions_of(&[0, 2, 3]), [0, 4, 6]);
+    }
 }
