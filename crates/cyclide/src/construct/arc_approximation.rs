@@ -46,7 +46,8 @@ impl CircleSpline {
                     arcs.push(arc);
                     i += 1;
                 } else {
-                    let stretch = (i..run.end).find(|j| self.segments()[j % n].is_arc()).unwrap_or(run.end);
+                    let is_arc = |j: &usize| self.segments()[j % n].to_arc().is_some();
+                    let stretch = (i + 1..run.end).find(is_arc).unwrap_or(run.end);
                     Stretch::new(self, i..stretch, tolerance).append_biarcs(&mut arcs)?;
                     exact = false;
                     i = stretch;

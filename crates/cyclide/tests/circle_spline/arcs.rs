@@ -2,8 +2,8 @@
 
 use crate::data::{self, infinity_distance_squared, p, spline};
 use cyclide::{
-    ArcPath, BlendVariant, CircleSpline, CircleSplineOptions, Exactness, Lower, ParamCurve, Point3, SplineEnds, Vec3,
-    closest_point, joints,
+    ArcPath, BlendVariant, CircleSpline, CircleSplineOptions, CurveIndex, Exactness, Lower, ParamCurve, Point3,
+    SplineEnds, Vec3, closest_point, flatten, joints,
 };
 use proptest::prelude::*;
 
@@ -105,4 +105,24 @@ fn a_segment_that_runs_far_out_is_followed() {
         }
         assert!(arcs.bounds().diagonal() > 400.0 && arcs.bounds().diagonal() < 4.0 * size);
     }
+}
+
+#[test]
+fn arcs_follow_the_fast_parts_of_hairpins() {
+    // Turns of 179.9 degrees: samples evenly spaced in the parameter would step over the far ends of the loops.
+    let points = [(0.0776, 0.0), (1.0323, 4.0326e-4), (0.088, 8.0653e-4), (0.9225, 12.0979e-4), (-0.0121, 16.1306e-4)]
+        .map(|(x, y)| p(x, y, 0.0));
+    let options =
+        CircleSplineOptions { closed: true, order: 3, variant: BlendVariant::Trigonometric, ..Default::default() };
+    let s = CircleSpline::from_points(&points, &options).unwrap();
+    let tolerance = 0.01;
+    let arcs = s.to_arcs(tolerance).unwrap().0;
+    // Vertices of fine polylines are dense where the curve is fast too.
+    let far = |from: &dyn ParamCurve, to: &dyn ParamCurve| {
+        let index = CurveIndex::new(to);
+        let vertices = flatten(from, 1e-4).unwrap();
+        vertices.into_iter().map(|(_, q)| index.closest_point(q).distance).fold(0.0, f64::max)
+    };
+    let (there, back) = (far(&s, &arcs), far(&arcs, &s));
+    assert!(there <= tolerance && back <= tolerance, "{there:e} {back:e}");
 }
