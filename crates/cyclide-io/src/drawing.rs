@@ -14,7 +14,7 @@ const TOOTH: f64 = 0.055;
 /// Sharp bends, the rest, must not shrink the whole comb; their teeth are cut at [`LONGEST`].
 const COMMON: f64 = 0.9;
 const LONGEST: f64 = 2.0;
-/// Teeth of a piece of varying curvature at least, unless they would be closer than [`CLOSEST`].
+/// Teeth of a piece of a curve of varying curvature at least, unless they would be closer than [`CLOSEST`].
 const VARYING: f64 = 16.0;
 const CLOSEST: f64 = 0.002;
 
@@ -29,7 +29,9 @@ pub(crate) fn combs(job: &Job<'_>, size: f64) -> Vec<Comb> {
     let mut pieces: Vec<Vec<Tooth>> = Vec::new();
     for contour in job.contours() {
         let curve = contour.curve.as_curve();
-        pieces.extend((0..curve.piece_count()).map(|piece| piece_teeth(curve, piece, spacing)));
+        // One piece that needs close teeth gives them to all of its curve: an arc among blends is no hole in the comb.
+        let varying = (0..curve.piece_count()).any(|piece| varies(curve, piece));
+        pieces.extend((0..curve.piece_count()).map(|piece| piece_teeth(curve, piece, spacing, varying)));
     }
     let Some(common) = common_curvature(&pieces) else {
         return Vec::new();
@@ -63,11 +65,11 @@ fn common_curvature(pieces: &[Vec<Tooth>]) -> Option<f64> {
 type Tooth = (Point3, Vec3, f64);
 
 /// The teeth of a piece, evenly about `spacing` apart or closer where it bends sharply.
-fn piece_teeth(curve: &dyn ParamCurve, piece: usize, spacing: f64) -> Vec<Tooth> {
+fn piece_teeth(curve: &dyn ParamCurve, piece: usize, spacing: f64, varying: bool) -> Vec<Tooth> {
     let length = curve.piece_length(piece, 0.0, 1.0);
     let turn = length * curve.piece_jet(piece, 0.5).curvature().unwrap_or(0.0);
-    let varying = if varies(curve, piece) { VARYING.min(length * SPACING / (spacing * CLOSEST)) } else { 1.0 };
-    let count = (length / spacing).max((turn / TURN).min(100.0)).max(varying).round().clamp(1.0, TEETH);
+    let least = if varying { VARYING.min(length * SPACING / (spacing * CLOSEST)) } else { 1.0 };
+    let count = (length / spacing).max((turn / TURN).min(100.0)).max(least).round().clamp(1.0, TEETH);
     let jets = even_parameters(curve, piece, count as usize).into_iter().map(|s| curve.piece_jet(piece, s));
     let tooth = |j: CurveJet| j.curvature_vector().filter(|k| k.is_finite()).map(|k| (j.point, k, length / count));
     jets.filter_map(tooth).collect()
