@@ -153,7 +153,20 @@ impl<'a> Table<'a> {
             table.header = remark;
         }
         table.width = if table.header.is_empty() { table.rows[0].count } else { table.header.len() };
+        table.refuse_longer_lines(source)?;
         Ok(table)
+    }
+
+    /// Refuses lines with more fields than there are columns, as decimal commas make them; empty fields do not count.
+    fn refuse_longer_lines(&self, source: Source<'_>) -> Result<(), Box<Diagnostic>> {
+        for row in &self.rows {
+            let beyond = self.fields(row).iter().skip(self.width).find(|f| !f.text.is_empty());
+            if let Some(field) = beyond {
+                let message = format!("the line has {} fields for {} columns", row.count, self.width);
+                return Err(field.refused(source, message));
+            }
+        }
+        Ok(())
     }
 
     /// The fields of a row.

@@ -17,6 +17,11 @@ fn a_track_file_gives_its_first_two_columns_and_its_unit() {
 }
 
 #[test]
+fn an_empty_field_at_the_end_of_a_line_is_no_column() {
+    assert_eq!(xyz(&read("x,y\n1,2,\n3,4,,\n").unwrap()), [[[1.0, 2.0, 0.0], [3.0, 4.0, 0.0]]]);
+}
+
+#[test]
 fn delimiters_line_ends_and_marks_of_the_encoding() {
     for text in [
         "1,2\n3,4\n",
@@ -79,6 +84,8 @@ fn every_refusal_has_its_place() {
         ("1,2\n3,\n", "p.csv:2:3: a number is missing"),
         ("1,2\n3\n", "p.csv:2:2: the coordinate of column 2 is missing: the line has 1 fields"),
         ("1,2\n\n3\n", "p.csv:3:2: the coordinate of column 2 is missing"),
+        ("x,y\n1,2\n1,5,2,5\n", "p.csv:3:5: the line has 4 fields for 2 columns"),
+        ("1,2\n3,4,five\n", "p.csv:2:5: the line has 3 fields for 2 columns"),
         ("1;2\n1,5;2,5\n", "p.csv:2:1: `1,5` is not a number: use a decimal point"),
         ("5\n6\n", "p.csv:1:1: two or three coordinates are needed in each line"),
         ("x,y\n1,2\nx,y\n", "p.csv:3:1: `x` is not a number"),
