@@ -1,6 +1,6 @@
 //! `build` and `curve`: all files are made and checked, then all are written, then the report is printed.
 
-use cyclide_io::{ExportError, FileReport, Report, export, write_file};
+use cyclide_io::{ExportError, FileReport, Report, export, write_files};
 
 use crate::failure::Failure;
 use crate::load;
@@ -32,9 +32,7 @@ pub fn run(plan: &MakePlan) -> Result<(), Failure> {
         progress.done();
     }
     drop(progress);
-    for (path, bytes) in files {
-        write_file(path, &bytes).map_err(|error| Failure::write(path.display(), &error))?;
-    }
+    write_files(&files).map_err(|(i, error)| Failure::write(files[i].0.display(), &error))?;
     print_report(&report, plan.json)
 }
 

@@ -133,6 +133,13 @@ fn a_failed_run_leaves_the_old_files() {
     folder.fails(1, "build far.json -o a.step -o b.svg");
     assert_eq!(folder.read("a.step"), b"old");
     assert!(!folder.has("b.svg"));
+    // So does one that cannot be written.
+    for second in ["no/such/folder/b.svg", "folder.svg"] {
+        std::fs::create_dir_all(folder.path("folder.svg")).expect("a folder is made");
+        folder.fails(3, &format!("build c.json -o a.step -o {second}"));
+        assert_eq!(folder.read("a.step"), b"old");
+    }
+    std::fs::remove_dir(folder.path("folder.svg")).expect("the folder is empty");
     // And a good run replaces the file.
     folder.ok("build c.json -o a.step");
     assert!(folder.read("a.step").starts_with(b"ISO-10303-21;"));

@@ -9,15 +9,47 @@ use std::path::Path;
 /// # Errors
 /// Those of the file system.
 pub fn write_file(path: &Path, bytes: &[u8]) -> io::Result<()> {
-    let folder = path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or_else(|| Path::new("."));
-    let mut builder = tempfile::Builder::new();
-    builder.prefix(".cyclide-");
-    #[cfg(unix)]
-    builder.permissions(usual_permissions(path));
-    let mut file = builder.tempfile_in(folder)?;
-    file.write_all(bytes)?;
-    file.persist(path).map_err(|e| e.error)?;
-    Ok(())
+    Staged::new(path, bytes)?.replace()
+}
+
+/// Writes several files as [`write_file`] does: none is replaced before all are on the disk under temporary names.
+///
+/// # Errors
+/// Those of the file system, with the index of the file.
+pub fn write_files<P: AsRef<Path>>(files: &[(P, Vec<u8>)]) -> Result<(), (usize, io::Error)> {
+    let mut staged = Vec::with_capacity(files.len());
+    for (i, (path, bytes)) in files.iter().enumerate() {
+        staged.push(Staged::new(path.as_ref(), bytes).map_err(|e| (i, e))?);
+    }
+    staged.into_iter().enumerate().try_for_each(|(i, file)| file.replace().map_err(|e| (i, e)))
+}
+
+/// A file complete under a temporary name beside its own; dropped, it is removed.
+struct Staged<'a> {
+    file: tempfile::NamedTempFile,
+    path: &'a Path,
+}
+
+impl<'a> Staged<'a> {
+    fn new(path: &'a Path, bytes: &[u8]) -> io::Result<Self> {
+        let folder = path.parent().filter(|p| !p.as_os_str().is_empty()).unwrap_or_else(|| Path::new("."));
+        // Said before other files are replaced, and without the temporary name.
+        std::fs::metadata(folder)?;
+        if path.is_dir() {
+            return Err(io::ErrorKind::IsADirectory.into());
+        }
+        let mut builder = tempfile::Builder::new();
+        builder.prefix(".cyclide-");
+        #[cfg(unix)]
+        builder.permissions(usual_permissions(path));
+        let mut file = builder.tempfile_in(folder).map_err(|error| io::Error::from(error.kind()))?;
+        file.write_all(bytes).map_err(|error| io::Error::from(error.kind()))?;
+        Ok(Self { file, path })
+    }
+
+    fn replace(self) -> io::Result<()> {
+        self.file.persist(self.path).map(drop).map_err(|e| e.error)
+    }
 }
 
 /// Temporary files are private to their owner; the result must be as readable as the file it replaces, or as a

@@ -32,7 +32,7 @@ pub use document::{
 };
 pub use error::{Error, Result};
 pub use export::{DxfVersion, ExportError, ExportOptions, Exported, export};
-pub use file::write_file;
+pub use file::{write_file, write_files};
 pub use format::Format;
 pub use place::{Diagnostic, Source, decode};
 pub use points::{PointColumns, PointList, PointTable, read_points};
