@@ -446,6 +446,29 @@ fn corners_are_kept_by_angle_and_by_index() {
 }
 
 #[test]
+fn a_tolerance_as_wide_as_the_figure_still_has_a_fit() {
+    // Points without order: the search in the whole tube dies at the ninth.
+    let points = [
+        [0.1595712467096746, 0.8527005277574062],
+        [0.8138867621310055, 0.7936311149969697],
+        [0.8960940479300916, 0.4813811220228672],
+        [0.8068309016525745, 0.6460279668681324],
+        [0.9237998379394412, 0.6526364600285888],
+        [0.05000823736190796, 0.23717439221218228],
+        [0.05431232042610645, 0.4463132433593273],
+        [0.3676684186793864, 0.4578312742523849],
+        [0.8364745290018618, 0.9953548470512033],
+        [0.6382710933685303, 0.08920634491369128],
+        [0.3306893026456237, 0.08871648786589503],
+    ]
+    .map(|[x, y]| Point3::new(x, y, 0.0));
+    for closed in [false, true] {
+        let options = ArcFitOptions { closed, ..ArcFitOptions::new(1.0) };
+        check(&points, &options, &fitted(&points, &options));
+    }
+}
+
+#[test]
 fn straight_data_give_true_lines() {
     // A slot of two half circles and two straight sides, closed: no end to hide a nearly straight arc in.
     let side = |from: f64, step: f64, y: f64| (0..40).map(move |i| Point3::new(from + step * f64::from(i), y, 0.0));

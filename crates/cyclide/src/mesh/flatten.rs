@@ -12,7 +12,7 @@ use crate::curve::{ParamCurve, PieceForm};
 use crate::error::{Error, Result, check_tolerance};
 
 /// Largest number of vertices made.
-const VERTEX_CAP: usize = 100_000_000;
+const VERTEX_CAP: usize = 10_000_000;
 /// Intervals on which the density of vertices of a piece is sampled.
 const DENSITY_SCAN: usize = 24;
 /// More chords than the scan asks for, so that its errors do not make every other chord fail its check by a hair.
@@ -24,7 +24,7 @@ const DEPTH: u32 = 48;
 /// curve point from its chord). The ends of all pieces are vertices; a closed curve ends with the bits of its start.
 ///
 /// # Errors
-/// `tolerance-not-positive`, `not-finite` (infinite tolerance); `too-many-pieces` if more than 10^8 vertices would be needed.
+/// `tolerance-not-positive`, `not-finite` (infinite tolerance); `too-many-pieces` if more than 10^7 vertices would be needed.
 pub fn flatten(curve: &dyn ParamCurve, tolerance: f64) -> Result<Vec<(f64, Point3)>> {
     let mut vertices = Vec::new();
     flatten_into(curve, tolerance, &mut vertices)?;

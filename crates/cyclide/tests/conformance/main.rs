@@ -98,7 +98,7 @@ fn flattening_refuses_tolerances_that_make_no_sense() {
         assert_eq!(flatten(&circle, tolerance).unwrap_err().reason(), "tolerance-not-positive");
     }
     assert_eq!(flatten(&circle, f64::INFINITY).unwrap_err().reason(), "not-finite");
-    // 2 pi/sqrt(8 tolerance) chords are above 10^8; the spline is refused like the circle.
+    // 2 pi/sqrt(8 tolerance) chords are above 10^7; the spline is refused like the circle.
     assert_eq!(flatten(&circle, 1e-16).unwrap_err().reason(), "too-many-pieces");
     assert_eq!(flatten(&circle.to_nurbs().unwrap(), 1e-17).unwrap_err().reason(), "too-many-pieces");
     // As few as a closed curve can have.

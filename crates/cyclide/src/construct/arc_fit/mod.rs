@@ -26,6 +26,7 @@ pub use certificate::FitCertificate;
 pub use curvature_interval::curvature_intervals;
 pub use options::{ArcFitOptions, Effort, FitTarget};
 
+use crate::base::bounds::Aabb;
 use crate::base::frame::Frame;
 use crate::base::planar::Point2;
 use crate::base::vector::Point3;
@@ -40,6 +41,9 @@ use trace::{Chain, Trace};
 
 /// Part of the tolerance kept for rounding between the search and the certificate.
 const ROUNDING_MARGIN: f64 = 1e-9;
+
+/// A tolerance above this part of the figure's size is tried again with it where the search dies.
+const WIDE_TUBE: f64 = 0.05;
 
 /// A fitted chain of arcs and lines with its certificate.
 #[derive(Debug, Clone, PartialEq)]
@@ -61,6 +65,19 @@ impl ArcFit {
     /// `coincident-points` (all points equal), `no-g1-spline-in-tube` with the point where the search died.
     pub fn new(points: &[Point3], options: &ArcFitOptions) -> Result<Self> {
         options.check(points.len())?;
+        let fit = Self::within_tube(points, options);
+        // A tube as wide as the figure gives the search no hold; a fit within less is within the tolerance too.
+        let size = Aabb::of_points(points.iter().copied()).map_or(0.0, Aabb::diagonal);
+        let tolerance = WIDE_TUBE * size;
+        match fit {
+            Err(died @ Error::NoG1SplineInTube { .. }) if tolerance > 0.0 && options.tolerance > tolerance => {
+                Self::within_tube(points, &ArcFitOptions { tolerance, ..options.clone() }).map_err(|_| died)
+            }
+            fit => fit,
+        }
+    }
+
+    fn within_tube(points: &[Point3], options: &ArcFitOptions) -> Result<Self> {
         let distinct = Distinct::new(points, options.closed)?;
         let data = &distinct.points;
         let tolerance = options.tolerance;
