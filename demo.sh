@@ -9,5 +9,5 @@ need_rust
 need_linker
 out="${1:-out}"
 mkdir -p "$out"
-cargo run --release --quiet --bin cyclide -- curve examples/track.csv --closed --units m \
+cargo run --release --locked --bin cyclide -- curve examples/track.csv --closed --units m \
     -o "$out/track.step" -o "$out/track.dxf" -o "$out/track.svg" -o "$out/track.png"
