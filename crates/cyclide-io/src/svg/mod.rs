@@ -201,13 +201,13 @@ fn push_combs(out: &mut String, combs: &[drawing::Comb], stroke: f64) {
     out.push_str(&format!("\">\n<path d=\"{data}\"/>\n</g>\n"));
 }
 
-/// An open polyline; auxiliary geometry gets six digits.
+/// An open polyline.
 fn push_line(data: &mut String, points: &[Point3]) {
     for (i, p) in points.iter().enumerate() {
         data.push(if i == 0 { 'M' } else { 'L' });
-        push_plain(data, six_digits(p.x));
+        push_plain(data, p.x);
         data.push(' ');
-        push_plain(data, six_digits(-p.y));
+        push_plain(data, -p.y);
     }
 }
 
@@ -216,9 +216,9 @@ fn push_joints(out: &mut String, joints: &[Point3], size: f64) {
     let radius = three_digits(drawing::dot_radius(joints, size));
     for p in joints {
         out.push_str("<circle cx=\"");
-        push_plain(out, six_digits(p.x));
+        push_plain(out, p.x);
         out.push_str("\" cy=\"");
-        push_plain(out, six_digits(-p.y));
+        push_plain(out, -p.y);
         out.push_str("\" r=\"");
         push_plain(out, radius);
         out.push_str("\"/>\n");
@@ -228,10 +228,6 @@ fn push_joints(out: &mut String, joints: &[Point3], size: f64) {
 
 fn three_digits(v: f64) -> f64 {
     format!("{v:.2e}").parse().unwrap_or(v)
-}
-
-fn six_digits(v: f64) -> f64 {
-    format!("{v:.6e}").parse().unwrap_or(v)
 }
 
 /// Text of an element: markup escaped, characters that XML does not allow replaced.

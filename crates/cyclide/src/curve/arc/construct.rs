@@ -206,11 +206,36 @@ impl Arc {
         let weight = |w: [f64; 2]| Quat::new(w[0], 0.0, 0.0, -w[1]);
         Self::from_weights(point(start), point(end), weight(start_weight), weight(end_weight))
     }
+
+    /// Start, end and weight ratio as complex numbers, the inverse of [`from_complex`](Self::from_complex) with start
+    /// weight 1; `None` unless the arc lies at height 0.
+    #[must_use]
+    pub fn to_complex(&self) -> Option<[[f64; 2]; 3]> {
+        let (p, level) = (self.p, self.p0.z == 0.0 && self.p1.z == 0.0);
+        let planar = level && p.x == 0.0 && p.y == 0.0;
+        planar.then_some([[self.p0.x, self.p0.y], [self.p1.x, self.p1.y], [self.r, -p.z]])
+    }
 }
 
 fn opposes(error: Error, index: usize) -> Error {
     match error {
         Error::PoleOnSegment { .. } => Error::TangentOpposesChord { index },
         other => other,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_complex_form_goes_both_ways() {
+        let arc = Arc::from_complex([-1.0, 1.0], [1.0, 0.0], [1.0, 0.0], [-0.75, -0.5]).unwrap();
+        let [start, end, ratio] = arc.to_complex().unwrap();
+        assert_eq!(arc, Arc::from_complex(start, end, [1.0, 0.0], ratio).unwrap());
+        assert_eq!(ratio, [-0.75, -0.5]);
+        let tilted =
+            Arc::from_three_points(Point3::ORIGIN, Point3::new(1.0, 0.0, 1.0), Point3::new(2.0, 0.0, 0.0)).unwrap();
+        assert!(tilted.to_complex().is_none());
     }
 }
