@@ -233,7 +233,7 @@ mod tests {
         let arc = Arc::from_complex([-1.0, 1.0], [1.0, 0.0], [1.0, 0.0], [-0.75, -0.5]).unwrap();
         let [start, end, ratio] = arc.to_complex().unwrap();
         assert_eq!(arc, Arc::from_complex(start, end, [1.0, 0.0], ratio).unwrap());
-        assert_eq!(ratio, [-0.75, -0.5]);
+        assert_eq!(ratio.map(f64::to_bits), [-0.75_f64, -0.5].map(f64::to_bits));
         let tilted =
             Arc::from_three_points(Point3::ORIGIN, Point3::new(1.0, 0.0, 1.0), Point3::new(2.0, 0.0, 0.0)).unwrap();
         assert!(tilted.to_complex().is_none());
