@@ -1,7 +1,8 @@
 # Functions that install what is missing on a Debian machine; sourced by demo.sh and test.sh.
 #
-# need_tools:   gcc and the C headers (Rust links with them), python3-venv
-# need_readers: the shared libraries that the readers of the test suite load
+# need_rust:    a Rust toolchain (never installed, only asked for)
+# need_linker:  gcc and the C headers (Rust links with them)
+# need_readers: python3-venv and the shared libraries that the readers of the test suite load
 # Debian packages: gcc libc6-dev python3-venv libgl1 libx11-6 libexpat1 libcairo2
 
 # Installs Debian packages as root or through sudo; says what to do where neither works.
