@@ -18,13 +18,13 @@ Warnings and progress go to standard error, reports to standard output.";
 const EXAMPLES: &str = "\
 Examples:
   cyclide curve track.csv --closed --units m -o track.step -o track.dxf -o track.png
-  cyclide build logo.cyclide.json -o logo.dxf --tolerance 0.01
-  cyclide report logo.cyclide.json --json";
+  cyclide build logo.json -o logo.dxf --tolerance 0.01
+  cyclide report logo.json --json";
 
 const BUILD_EXAMPLES: &str = "\
 Examples:
-  cyclide build logo.cyclide.json -o logo.step -o logo.svg
-  cyclide build logo.cyclide.json -o logo.dxf --tolerance 0.01 --json > report.json";
+  cyclide build logo.json -o logo.step -o logo.svg
+  cyclide build logo.json -o logo.dxf --tolerance 0.01 --json > report.json";
 
 const CURVE_EXAMPLES: &str = "\
 Examples:
@@ -40,22 +40,22 @@ starts a new contour, as does a new value in a column named 'contour'; a column 
 
 const SAMPLE_EXAMPLES: &str = "\
 Examples:
-  cyclide sample logo.cyclide.json --object outline --count 500 > outline.csv
-  cyclide sample route.cyclide.json --object cable --count 200 --equal-length -o cable.csv
+  cyclide sample logo.json --count 500 > logo.csv
+  cyclide sample cable.json --object cable --count 200 --equal-length -o cable.csv
 
 Columns: t,x,y,z,tx,ty,tz,curvature (parameter, point, unit tangent, curvature), with a column 'contour' in front if the
 object has several. Each contour gets its own samples, both ends included.";
 
 const REPORT_EXAMPLES: &str = "\
 Examples:
-  cyclide report logo.cyclide.json
-  cyclide report logo.cyclide.json --json | jq '.objects[].length'";
+  cyclide report logo.json
+  cyclide report logo.json --json | jq '.objects[].length'";
 
 const SCHEMA_EXAMPLES: &str = "\
 Example:
   cyclide schema > cyclide-1.schema.json";
 
-/// Curves made of circles: points in, exact and fair curves out, in CAD, on a laser cutter or in a drawing.
+/// Curves made of circles: points in, exact and smooth curves out, in CAD, on a laser cutter or in a drawing.
 #[derive(Debug, Parser)]
 #[command(name = "cyclide", version, arg_required_else_help = true, after_help = format!("{EXAMPLES}\n\n{EXIT_CODES}"))]
 pub struct Args {
@@ -90,7 +90,7 @@ pub struct BuildArgs {
     pub output: OutputArgs,
     /// Largest distance between a file's curve and the object, where the format needs an approximation [default:
     /// 1e-5 of the model's size].
-    #[arg(long, value_name = "T", value_parser = positive)]
+    #[arg(long, value_name = "T", value_parser = positive, allow_negative_numbers = true)]
     pub tolerance: Option<f64>,
 }
 
@@ -134,7 +134,7 @@ pub struct CurveArgs {
     pub kind: Kind,
     /// Arc fit: largest distance from the points (or the polyline). Else: largest distance between a file's curve and
     /// the curve, where the format needs an approximation [default: 1e-5 of the curve's size].
-    #[arg(long, value_name = "T", value_parser = positive)]
+    #[arg(long, value_name = "T", value_parser = positive, allow_negative_numbers = true)]
     pub tolerance: Option<f64>,
     /// What the coordinates are measured in; they are labelled, never rescaled.
     #[arg(long, value_enum, default_value_t)]
@@ -146,7 +146,7 @@ pub struct CurveArgs {
     #[arg(long, value_name = "NAME")]
     pub contour_column: Option<String>,
     /// Turns above this angle, in degrees, are corners [default: none for a circle spline, 30 for an arc fit].
-    #[arg(long, value_name = "DEGREES", value_parser = positive)]
+    #[arg(long, value_name = "DEGREES", value_parser = positive, allow_negative_numbers = true)]
     pub corner_angle_deg: Option<f64>,
     /// Circle spline: blend order, 1 to 4 [default: 2].
     #[arg(long, value_name = "K", value_parser = clap::value_parser!(u32).range(1..=4))]

@@ -57,6 +57,17 @@ pub struct ReportPlan {
 impl Args {
     /// The plan for what was typed.
     pub fn plan(self) -> Result<Plan, Failure> {
+        match &self.command {
+            Command::Build(BuildArgs { model: path, .. })
+            | Command::Sample(SampleArgs { model: path, .. })
+            | Command::Report(ReportArgs { model: path, .. }) => {
+                refuse_suffix(path, "csv", "a list of points, not a model document: see 'cyclide curve'")?;
+            }
+            Command::Curve(CurveArgs { points: path, .. }) => {
+                refuse_suffix(path, "json", "a model document, not a list of points: see 'cyclide build'")?;
+            }
+            Command::Schema => {}
+        }
         match self.command {
             Command::Build(BuildArgs { model, output, tolerance }) => {
                 output.plan(Input::File(model), tolerance).map(Plan::Make)
@@ -108,6 +119,14 @@ impl OutputArgs {
         };
         Ok(MakePlan { input, outputs, options, json: self.json })
     }
+}
+
+/// Refuses an input that its suffix says to be of the other kind, before its first line is called a mistake.
+fn refuse_suffix(path: &Path, suffix: &str, kind: &str) -> Result<(), Failure> {
+    if path.extension().is_some_and(|s| s.eq_ignore_ascii_case(suffix)) {
+        return Err(Failure::Usage(format!("{} seems to be {kind}", path.display())));
+    }
+    Ok(())
 }
 
 impl CurveArgs {

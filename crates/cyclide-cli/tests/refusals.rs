@@ -29,6 +29,7 @@ fn refused_input_shows_file_line_and_column() {
         ("empty.json", "{\"cyclide\": 1, \"objects\": {}}"),
         ("bad.csv", "x,y\n0,0\n1,nan\n"),
         ("few.csv", "0,0\n"),
+        ("twice.csv", "0,0\n0,0\n"),
         ("none.csv", "x,y\n"),
         ("bytes.csv", "0,0\n1,1\n"),
     ]);
@@ -45,7 +46,14 @@ fn refused_input_shows_file_line_and_column() {
         ("sample csv.json --count 5", "error: bad.csv:3:3: `nan` is not a finite number\n  3 | 1,nan\n    |   ^^^"),
         ("build empty.json", "error: o.step: there is no curve to write [empty-model]"),
         ("curve bad.csv", "error: bad.csv:3:3: `nan` is not a finite number"),
-        ("curve few.csv", "error: few.csv:1:1: objects.few: 1 points given, at least 2 needed [too-few-points]"),
+        (
+            "curve few.csv",
+            "error: few.csv:1:1: objects.few: too few points: 1 given, at least 2 needed [too-few-points]",
+        ),
+        (
+            "curve twice.csv",
+            "error: twice.csv:1:1: objects.twice: too few points: 1 given, at least 2 needed (repeated points count once) [too-few-points]",
+        ),
         ("curve none.csv", "error: none.csv:1:1: the file holds no points"),
         ("curve bytes.csv", "error: bytes.csv:2:3: byte 0xff is not UTF-8 text"),
         ("curve few.csv --columns a,b", "error: few.csv:1:1: no column `a`: the file has no header line"),
@@ -69,9 +77,13 @@ fn usage_that_makes_no_sense_is_refused() {
         ("build c.json -o a.step -o a.step", "a.step is given twice"),
         ("build c.json -o a.step b.step", "unexpected argument 'b.step'"),
         ("build c.json -o a.step --tolerance 0", "it must be positive and finite"),
+        ("build c.json -o a.step --tolerance -1", "it must be positive and finite"),
         ("build c.json -o a.step --tolerance x", "it is not a number"),
         ("build c.json -o ./c.json", "./c.json is an input: it will not be written over"),
         ("curve p.csv -o p.csv", "p.csv is an input"),
+        ("build p.csv -o a.step", "p.csv seems to be a list of points, not a model document"),
+        ("report p.csv", "see 'cyclide curve'"),
+        ("curve c.json -o a.step", "c.json seems to be a model document, not a list of points"),
         ("sample c.json --count 5 -o c.json", "c.json is an input"),
         ("curve p.csv -o a.step --order 5", "5 is not in 1..=4"),
         ("curve p.csv -o a.step --kind arc-fit", "--kind arc-fit needs --tolerance"),
@@ -155,7 +167,7 @@ fn warnings_are_on_standard_error_with_their_place() {
     let run = folder.run("curve track.csv --closed -o a.step");
     assert_eq!(run.code, 0);
     let expected = [
-        "warning: track.csv: track: the columns x_m, y_m of track.csv speak of m, the model says mm; coordinates are taken as they are [units-differ]",
+        "warning: track.csv: track: the columns x_m, y_m speak of m, the model says mm; coordinates are taken as they are [units-differ]",
         "warning: track.csv:4: track: 1 point(s) within ",
         "warning: track.csv:7: track: point 5 repeats the first point of the closed curve: merged with it [closing-point-merged]",
     ];

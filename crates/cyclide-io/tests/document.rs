@@ -168,7 +168,7 @@ fn what_the_kernel_refuses_is_shown_at_its_place() {
             "[0,0]",
             "objects.a.from_tangent: tangent 0 is zero",
         ),
-        ("\"type\": \"circle-spline\", \"points\": []", "[]", "objects.a.points: 0 points given"),
+        ("\"type\": \"circle-spline\", \"points\": []", "[]", "objects.a.points: too few points: 0 given"),
         (
             "\"type\": \"circle-spline\", \"points\": [[0,0],[1,0],[1,1]], \"order\": 7",
             "7",
@@ -182,7 +182,7 @@ fn what_the_kernel_refuses_is_shown_at_its_place() {
         (
             "\"type\": \"circle-spline\", \"points\": [[[0,0],[1,0]],[[5,5]]]",
             "[[5,5]]",
-            "objects.a.points[1]: 1 points given, at least 2 needed",
+            "objects.a.points[1]: too few points: 1 given, at least 2 needed",
         ),
         ("\"type\": \"arc-fit\", \"points\": [[0,0],[1,0]], \"tolerance\": 0", "0", "objects.a.tolerance: "),
         ("\"type\": \"arc-spline\", \"points\": [[0,0],[1,0],[1,0],[0,0]]", "[1,0]", "objects.a.points[1]: "),
@@ -214,7 +214,7 @@ fn what_the_kernel_refuses_in_a_file_is_shown_there() {
     assert!(message.starts_with("dir/p.csv:4:1: objects.a: "), "{message}");
     assert!(message.contains("[cusp]") && message.contains("4 | 1,0\n"), "{message}");
     let message = build_with(fields, "0,0\n1,0\n\n7,7\n").unwrap_err();
-    assert!(message.starts_with("dir/p.csv:4:1: objects.a: 1 points given"), "{message}");
+    assert!(message.starts_with("dir/p.csv:4:1: objects.a: too few points: 1 given"), "{message}");
     let message = build_with(fields, "0,0\n1,x\n").unwrap_err();
     assert!(message.starts_with("dir/p.csv:2:3: `x` is not a number"), "{message}");
 }

@@ -33,7 +33,7 @@ pub enum Error {
         limit: f64,
     },
     /// Fewer points than the construction needs.
-    #[error("{given} points given, at least {needed} needed")]
+    #[error("too few points: {given} given, at least {needed} needed")]
     TooFewPoints {
         /// Number of points given.
         given: usize,

@@ -225,7 +225,7 @@ impl Builder<'_> {
         let names: Vec<&str> = other.clone().map(|(name, _)| name.as_str()).collect();
         if let Some((_, hint)) = other.next() {
             let message = format!(
-                "the columns {} of {name} speak of {}, the model says {}; coordinates are taken as they are",
+                "the columns {} speak of {}, the model says {}; coordinates are taken as they are",
                 names.join(", "),
                 hint.symbol(),
                 units.symbol()
@@ -271,6 +271,19 @@ impl Builder<'_> {
         Error::Input(self.document.source().diagnostic(span, &path_text(&path), message))
     }
 
+    /// What the kernel said; it counts points after repeated ones were merged, which is said where the number matters.
+    fn words(&self, error: &cyclide::Error, contour: usize) -> String {
+        let merged = |(c, w): &(usize, Warning)| {
+            *c == contour && matches!(w, Warning::PointsMerged { .. } | Warning::ClosingPointMerged { .. })
+        };
+        match error {
+            cyclide::Error::TooFewPoints { .. } if self.warnings.iter().any(merged) => {
+                format!("{error} (repeated points count once)")
+            }
+            _ => error.to_string(),
+        }
+    }
+
     /// The message for what the kernel said, at the point or field it is about.
     fn refused(&self, error: &cyclide::Error, from: Option<(&Points, usize)>) -> Error {
         let blame = blame(self.spec, error);
@@ -285,7 +298,7 @@ impl Builder<'_> {
             let width = text[start..].find(['\n', '\r', '#']).unwrap_or(text.len() - start);
             let width = text[start..start + width].trim_end().len();
             let source = Source { name, text };
-            let message = source.diagnostic(start..start + width, &path_text(&path), error.to_string());
+            let message = source.diagnostic(start..start + width, &path_text(&path), self.words(error, contour));
             return Error::Input(message.with_reason(error.reason()));
         }
         let document = &self.document.text;
@@ -316,7 +329,8 @@ impl Builder<'_> {
             let start = span_of(document, &path).map_or(0, |s| s.start);
             (path, start..start + 1)
         });
-        let message = self.document.source().diagnostic(span, &path_text(&path), error.to_string());
+        let words = self.words(error, from.map_or(0, |(_, contour)| contour));
+        let message = self.document.source().diagnostic(span, &path_text(&path), words);
         Error::Input(message.with_reason(error.reason()))
     }
 }
