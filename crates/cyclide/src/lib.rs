@@ -5,6 +5,37 @@
 //!
 //! Everything is `f64`, lengths are unitless, angles are radians, parameters run over `[0, 1]`. The kernel has no
 //! I/O, no clock and no global tolerance; bad input gets an [`Error`] with the item, the measure and the limit.
+//!
+//! An arc through three points, its measures and its exact rational form:
+//! ```
+//! use cyclide::{Arc, Point3};
+//! let [a, b, c] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0]].map(Point3::from);
+//! let arc = Arc::from_three_points(a, b, c)?;
+//! assert!((arc.length() - std::f64::consts::PI).abs() < 1e-15);
+//! let nurbs = arc.to_nurbs(cyclide::DEFAULT_PIECE_ANGLE)?; // two quadratic pieces, positive weights
+//! assert_eq!((nurbs.degree(), nurbs.span_count()), (2, 2));
+//! # Ok::<(), cyclide::Error>(())
+//! ```
+//!
+//! A closed curve through points with continuous curvature, exact as a B-spline:
+//! ```
+//! use cyclide::{CircleSpline, CircleSplineOptions, Exactness, Lower, Point3, joints};
+//! let points = [[0.0, 0.0, 0.0], [4.0, 1.0, 0.0], [6.0, 5.0, 2.0], [2.0, 6.0, 0.5]].map(Point3::from);
+//! let spline = CircleSpline::from_points(&points, &CircleSplineOptions { closed: true, ..Default::default() })?;
+//! assert!(joints(&spline).iter().all(|joint| joint.curvature_jump < 1e-13));
+//! let (_chain, exactness) = spline.to_chain(1e-6)?;
+//! assert_eq!(exactness, Exactness::Exact);
+//! # Ok::<(), cyclide::Error>(())
+//! ```
+//!
+//! The fewest tangent arcs within a tolerance of points, with a certificate:
+//! ```
+//! use cyclide::{ArcFit, ArcFitOptions, Point3};
+//! let wave = |i: i32| Point3::new(0.1 * f64::from(i), (0.1 * f64::from(i)).sin(), 0.0);
+//! let fit = ArcFit::new(&(0..=60).map(wave).collect::<Vec<_>>(), &ArcFitOptions::new(0.01))?;
+//! assert!(fit.certificate().deviation <= 0.01 && fit.path().arcs().len() < 10);
+//! # Ok::<(), cyclide::Error>(())
+//! ```
 
 mod base;
 mod conformal;
