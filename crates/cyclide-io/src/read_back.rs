@@ -94,8 +94,9 @@ pub fn read_back(format: Format, bytes: &[u8]) -> Result<Vec<CurveChain>, ReadEr
 pub fn file_deviation(model: &Model, format: Format, bytes: &[u8]) -> Result<f64, ReadError> {
     let view = match format {
         Format::Svg => View::Plan,
-        Format::Csv => View::Points,
-        Format::Step | Format::Dxf | Format::Json | Format::Png => View::Space,
+        // In DXF: curves of ARC and LINE entities.
+        Format::Csv | Format::Dxf => View::Points,
+        Format::Step | Format::Json | Format::Png => View::Space,
     };
     deviation_within(model, &read_back(format, bytes)?, view)
 }

@@ -1,7 +1,10 @@
 //! Every format with geometry: written, read back, compared.
 
-use crate::models::{Map, flat, mixed, model, open_chain, slot, space_chain, splines, tilted};
-use cyclide::{CurveChain, CurveObject, Model, ParamCurve, Point3};
+use crate::models::{Map, bulges, flat, mixed, model, open_chain, slot, space_chain, splines, tilted};
+use cyclide::{
+    Arc, ArcPath, BlendVariant, CircleSpline, CircleSplineOptions, CurveChain, CurveObject, Model, ParamCurve, Point3,
+    bounds,
+};
 use cyclide_io::{ExportOptions, Format, ReadError, deviation, export, file_deviation, read_back};
 
 const FORMATS: [Format; 5] = [Format::Step, Format::Dxf, Format::Svg, Format::Csv, Format::Json];
@@ -104,4 +107,54 @@ fn bad_requests_are_named() {
     let huge: Map = |x, y| Point3::new(1e130 * x, 1e130 * y, 0.0);
     let m = model(vec![("slot", vec![CurveObject::ArcPath(slot(huge))])]);
     assert_eq!(reason(&m, None), "coordinate-too-large");
+}
+
+/// Random points, half of them on a grid: hairpins, cusps, loops, curves that run back over themselves. A check that
+/// fails here would refuse a good file.
+#[test]
+fn wild_curves_pass_their_own_check() {
+    let mut state = 12_345_u64;
+    let mut random = move || {
+        state ^= state << 13;
+        state ^= state >> 7;
+        state ^= state << 17;
+        (state >> 11) as f64 / (1_u64 << 53) as f64
+    };
+    let mut files = 0;
+    for case in 0..120 {
+        let (count, space, grid) = (3 + (random() * 12.0) as usize, random() < 0.5, random() < 0.5);
+        let mut coordinate = || if grid { (random() * 4.0).round() } else { random() * 10.0 };
+        let mut point = || Point3::new(coordinate(), coordinate(), if space { coordinate() } else { 0.0 });
+        let points: Vec<Point3> = (0..count).map(|_| point()).collect();
+        let variant = if case % 2 == 0 { BlendVariant::Rational } else { BlendVariant::Trigonometric };
+        let options = CircleSplineOptions { closed: case % 4 < 2, order: 1 + case % 4, variant, ..Default::default() };
+        // Some of these points allow no curve.
+        let Ok(spline) = CircleSpline::from_points(&points, &options) else { continue };
+        let m = model(vec![("wild", vec![CurveObject::CircleSpline(spline)])]);
+        let size = bounds(m.items[0].contours[0].as_curve()).diagonal();
+        for format in FORMATS {
+            let file = export(&m, format, &ExportOptions::default()).unwrap();
+            let d = file_deviation(&m, format, &file.bytes).unwrap();
+            assert!(d <= file.bound + 1e-11 * size, "{case} {format:?}: {d:e} of {:e}", file.bound);
+            files += 1;
+        }
+    }
+    assert!(files > 400, "{files}");
+}
+
+#[test]
+fn an_open_curve_may_end_where_it_starts() {
+    let loop_of = |map: Map| bulges(map, &[(0.0, 0.0), (9.0, 4.0), (0.0, 0.0)], &[0.5, 0.7]);
+    let there_and_back = bulges(flat, &[(0.0, 0.0), (9.0, 4.0), (0.0, 0.0)], &[0.5, -0.5]);
+    let mut spatial = space_chain().arcs().to_vec();
+    spatial.push(Arc::segment(spatial[3].end(), spatial[0].start()).unwrap());
+    for path in [loop_of(flat), loop_of(tilted), there_and_back, ArcPath::new(spatial, false).unwrap()] {
+        let m = model(vec![("loop", vec![CurveObject::ArcPath(path)])]);
+        for format in FORMATS {
+            let file = export(&m, format, &ExportOptions::default()).unwrap();
+            let d = file_deviation(&m, format, &file.bytes).unwrap();
+            // Rounding of coordinates up to 40.
+            assert!(d <= file.bound + 1e-13, "{format:?}: {d:e} of {:e}", file.bound);
+        }
+    }
 }
