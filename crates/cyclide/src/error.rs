@@ -251,6 +251,50 @@ pub enum Error {
         /// Its value.
         weight: f64,
     },
+    /// A frame that must be orthonormal is not.
+    #[error("the frame is not orthonormal: lengths or cosine off by {measured:e}, limit {limit:e}")]
+    FrameNotOrthonormal {
+        /// Largest deviation of a length from 1 or of the cosine from 0.
+        measured: f64,
+        /// Largest deviation accepted.
+        limit: f64,
+    },
+    /// The four corners of a quad are not on one circle (or line).
+    #[error("quad {quad}: the corners are not on one circle: off by {measured:e} of the size, limit {limit:e}")]
+    NotConcircular {
+        /// Which quad, from 0.
+        quad: usize,
+        /// Distance of the last corner from the circle of the others, relative to the quad's size.
+        measured: f64,
+        /// Largest distance accepted.
+        limit: f64,
+    },
+    /// The corners of a quad are on a circle but not in the order a0, a1, a3, a2.
+    #[error(
+        "quad {quad}: its sides cross: the corner opposite to the first is outside the arc between its neighbours (position {position}, should be 0 to 1)"
+    )]
+    CrossingQuad {
+        /// Which quad, from 0.
+        quad: usize,
+        /// Position of the opposite corner on the inverted arc between its neighbours.
+        position: f64,
+    },
+    /// The weights do not put the surface into three-space.
+    #[error("the weights leave three-space: defect {defect:e} of the size, limit {limit:e}")]
+    NotInSpace {
+        /// Largest real part of the quotient, relative to the size.
+        defect: f64,
+        /// Largest defect accepted.
+        limit: f64,
+    },
+    /// The patch contains the point at infinity.
+    #[error("the patch passes through infinity near s = {s}, t = {t}")]
+    PatchThroughInfinity {
+        /// First parameter.
+        s: f64,
+        /// Second parameter.
+        t: f64,
+    },
     /// One span of a chain failed; the cause says why.
     #[error("span {span}: {cause}")]
     InSpan {
@@ -313,6 +357,11 @@ impl Error {
             Self::NotASimilarity => "not-a-similarity",
             Self::NotASpline { .. } => "not-a-spline",
             Self::WeightNotPositive { .. } => "weight-not-positive",
+            Self::FrameNotOrthonormal { .. } => "frame-not-orthonormal",
+            Self::NotConcircular { .. } => "not-concircular",
+            Self::CrossingQuad { .. } => "crossing-quad",
+            Self::NotInSpace { .. } => "not-in-space",
+            Self::PatchThroughInfinity { .. } => "patch-through-infinity",
             Self::InSpan { cause, .. } => cause.reason(),
         }
     }
@@ -333,6 +382,7 @@ impl Error {
             | Self::AmbiguousHalfTurn { segment }
             | Self::TooManyPieces { segment, .. } => Some(segment),
             Self::NoG1SplineInTube { vertex, .. } => Some(vertex),
+            Self::NotConcircular { quad, .. } | Self::CrossingQuad { quad, .. } => Some(quad),
             Self::Disconnected { piece, .. } => Some(piece),
             Self::InSpan { span, .. } => Some(span),
             _ => None,

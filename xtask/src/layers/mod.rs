@@ -13,16 +13,18 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 /// The rooms of the kernel and what each may use, besides itself. `error` and `warning` stand beside `base`.
-const ROOMS: [(&str, &[&str]); 9] = [
+const ROOMS: [(&str, &[&str]); 11] = [
     ("error", &[]),
     ("warning", &[]),
     ("base", &["error", "warning"]),
     ("conformal", &["base", "error", "warning"]),
     ("rational", &["base", "conformal", "error", "warning"]),
-    ("curve", &["base", "conformal", "rational", "error", "warning"]),
-    ("construct", &["base", "conformal", "rational", "curve", "error", "warning"]),
-    ("mesh", &["base", "conformal", "rational", "curve", "error", "warning"]),
-    ("model", &["base", "conformal", "rational", "curve", "construct", "mesh", "error", "warning"]),
+    ("batch", &["base", "conformal", "rational", "error", "warning"]),
+    ("curve", &["base", "conformal", "rational", "batch", "error", "warning"]),
+    ("surface", &["base", "conformal", "rational", "batch", "curve", "error", "warning"]),
+    ("construct", &["base", "conformal", "rational", "batch", "curve", "surface", "error", "warning"]),
+    ("mesh", &["base", "conformal", "rational", "batch", "curve", "surface", "error", "warning"]),
+    ("model", &["base", "conformal", "rational", "batch", "curve", "surface", "construct", "mesh", "error", "warning"]),
 ];
 
 /// Modules of `std` that the kernel does without: it has no input, output, clock, threads or environment.

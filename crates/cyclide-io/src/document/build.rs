@@ -135,7 +135,7 @@ impl Builder<'_> {
         let tolerance = if let ObjectSpec::ArcFit(s) = self.spec { Some(s.tolerance) } else { None };
         let (curves, contours) = made.into_iter().unzip();
         let (name, kind) = (self.name.to_owned(), self.spec.type_word().to_owned());
-        let item = Item { name, kind, contours: curves, warnings: self.warnings, tolerance };
+        let item = Item { name, kind, contours: curves, surfaces: Vec::new(), warnings: self.warnings, tolerance };
         Ok(BuiltObject { item, contours, remarks: self.remarks })
     }
 

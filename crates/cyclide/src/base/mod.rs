@@ -10,4 +10,5 @@ pub(crate) mod quadrature;
 pub(crate) mod quat;
 pub(crate) mod range;
 pub(crate) mod roots;
+pub(crate) mod surface_jet;
 pub(crate) mod vector;

@@ -4,7 +4,9 @@ mod chain;
 mod circle_spline;
 mod lower;
 mod object;
+mod surface_object;
 
 pub use chain::{ChainPiece, CurveChain};
 pub use lower::{Exactness, Lower};
 pub use object::{CurveObject, Item, Model, Units};
+pub use surface_object::SurfaceObject;

@@ -2,6 +2,7 @@
 
 use super::chain::CurveChain;
 use super::lower::{Exactness, Lower};
+use super::surface_object::SurfaceObject;
 use crate::curve::{Arc, ArcPath, Circle, CircleSpline, ParamCurve};
 use crate::error::Result;
 use crate::warning::Warning;
@@ -101,7 +102,7 @@ impl Lower for CurveObject {
     }
 }
 
-/// A named object: one or more connected curves (contours) made by one construction.
+/// A named object made by one construction: connected curves (contours), surfaces, or both.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Item {
     /// Name, unique in the model.
@@ -110,6 +111,8 @@ pub struct Item {
     pub kind: String,
     /// Its connected curves.
     pub contours: Vec<CurveObject>,
+    /// Its surfaces, each one body.
+    pub surfaces: Vec<SurfaceObject>,
     /// Remarks of the construction, with the contour they belong to.
     pub warnings: Vec<(usize, Warning)>,
     /// The bound the construction promised on the distance to its input (an arc fit's tolerance), if any.

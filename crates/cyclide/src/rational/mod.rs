@@ -1,11 +1,13 @@
 //! Exact rational Bézier and B-spline forms.
 
 mod bezier_curve;
+mod bezier_surface;
 mod exact;
 mod nurbs_curve;
 mod nurbs_edit;
 mod smooth_knots;
 
 pub use bezier_curve::RationalBezier;
+pub use bezier_surface::RationalBezierSurface;
 pub use exact::ExactRational;
 pub use nurbs_curve::NurbsCurve;

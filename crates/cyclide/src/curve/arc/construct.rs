@@ -86,7 +86,7 @@ impl Arc {
     }
 
     /// As [`from_weight_ratio`](Self::from_weight_ratio), dropping any part of the ratio along the chord.
-    pub(super) fn from_ratio_across(start: Point3, end: Point3, ratio: Quat) -> Result<Self> {
+    pub(crate) fn from_ratio_across(start: Point3, end: Point3, ratio: Quat) -> Result<Self> {
         let p = ratio.vector();
         Self::from_ratio(start, end, ratio.w, (end - start).unit().map_or(p, |c| p - c * p.dot(c)))
     }

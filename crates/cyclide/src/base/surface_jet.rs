@@ -1,0 +1,49 @@
+//! A point of a surface with its derivatives, and what follows from them alone.
+
+use super::vector::{Point3, Vec3};
+
+/// A point of a surface with its first and second partial derivatives.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct SurfaceJet {
+    /// The point.
+    pub point: Point3,
+    /// Derivative by the first parameter.
+    pub ds: Vec3,
+    /// Derivative by the second parameter.
+    pub dt: Vec3,
+    /// Second derivative by the first parameter.
+    pub dss: Vec3,
+    /// Mixed second derivative.
+    pub dst: Vec3,
+    /// Second derivative by the second parameter.
+    pub dtt: Vec3,
+}
+
+impl SurfaceJet {
+    /// Unit normal `ds × dt`; `None` where it vanishes.
+    #[must_use]
+    pub fn normal(&self) -> Option<Vec3> {
+        // Directions first: the product of two tiny derivatives would underflow.
+        self.ds.unit()?.cross(self.dt.unit()?).unit()
+    }
+
+    /// Coefficients `[E, F, G]` of the first fundamental form.
+    #[must_use]
+    pub fn first_form(&self) -> [f64; 3] {
+        [self.ds.dot(self.ds), self.ds.dot(self.dt), self.dt.dot(self.dt)]
+    }
+
+    /// Coefficients `[L, M, N]` of the second fundamental form against [`normal`](Self::normal); `None` where there
+    /// is no normal.
+    #[must_use]
+    pub fn second_form(&self) -> Option<[f64; 3]> {
+        let n = self.normal()?;
+        Some([self.dss.dot(n), self.dst.dot(n), self.dtt.dot(n)])
+    }
+
+    /// Element of area `|ds × dt|`.
+    #[must_use]
+    pub fn area_element(&self) -> f64 {
+        self.ds.cross(self.dt).length()
+    }
+}

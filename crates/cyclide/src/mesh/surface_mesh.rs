@@ -1,0 +1,54 @@
+//! A polygon mesh of surfaces, with shared vertices.
+
+use crate::base::vector::{Point3, Vec3};
+
+/// A corner of a polygon: indices of its position and of its normal. Positions are shared by all polygons around a
+/// vertex (watertight); normals differ where the surface has an edge.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub struct MeshCorner {
+    /// Index into the positions.
+    pub position: usize,
+    /// Index into the normals.
+    pub normal: usize,
+}
+
+/// A planar quad or a triangle (at the pole of a patch), counter-clockwise seen from the outer side.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum MeshFace {
+    /// Three corners.
+    Triangle([MeshCorner; 3]),
+    /// Four corners in one plane.
+    Quad([MeshCorner; 4]),
+}
+
+impl MeshFace {
+    /// The corners.
+    #[must_use]
+    pub fn corners(&self) -> &[MeshCorner] {
+        match self {
+            Self::Triangle(c) => c,
+            Self::Quad(c) => c,
+        }
+    }
+}
+
+/// A mesh of one body with the certified distance to it, and its patches' edges as polylines for drawing.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct SurfaceMesh {
+    /// Positions of the vertices.
+    pub positions: Vec<Point3>,
+    /// Unit normals.
+    pub normals: Vec<Vec3>,
+    /// Quads and triangles.
+    pub faces: Vec<MeshFace>,
+    /// No point of the surface is farther from the mesh than this, nor the other way.
+    pub bound: f64,
+}
+
+impl SurfaceMesh {
+    /// Number of triangles when quads are cut in two.
+    #[must_use]
+    pub fn triangle_count(&self) -> usize {
+        self.faces.iter().map(|f| f.corners().len() - 2).sum()
+    }
+}

@@ -1,0 +1,11 @@
+//! Surfaces: the trait, principal patches of Dupin cyclides, shells of patches that share edges.
+
+mod param_surface;
+mod patch;
+mod quad_grid;
+mod shell;
+
+pub use param_surface::ParamSurface;
+pub use patch::CyclidePatch;
+pub use quad_grid::QuadGrid;
+pub use shell::{Body, FaceEdge, Shell, ShellEdge, ShellFace};

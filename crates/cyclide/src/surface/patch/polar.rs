@@ -1,0 +1,66 @@
+//! The polar forms of a patch: speeds `q1, q2` and bending vectors `m, m*` of the parameter circles.
+//!
+//! ```text
+//! K_s(t) = ~D0 n1 + ~n0 D1 = q1(t) V1,   K_t(s) = q2(s) V2,   m(t) = Im(~D(0,t) D(1,t)),   m*(s) = Im(~D(s,0) D(s,1))
+//! ```
+//! Bernstein coefficients from `K_ij = ~w_i (a_j - a_i) w_j` (`20`, section 2).
+
+use crate::base::quat::Quat;
+use crate::base::vector::{Point3, Vec3};
+
+/// Quadratics in Bernstein form.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Polar {
+    /// `q1(t)`, a length.
+    pub(super) q1: [f64; 3],
+    /// `q2(s)`, a length.
+    pub(super) q2: [f64; 3],
+    /// `m(t)`, perpendicular to `V1`.
+    pub(super) m: [Vec3; 3],
+    /// `m*(s)`, perpendicular to `V2`.
+    pub(super) m_star: [Vec3; 3],
+}
+
+impl Polar {
+    pub(super) fn new(a: &[Point3; 4], w: &[Quat; 4], v: [Vec3; 3]) -> Self {
+        // An edge that is one point has speed zero exactly: a difference of equal doubles.
+        let k = |i: usize, j: usize, v: Vec3| v.dot((w[i].conj() * Quat::from(a[j] - a[i]) * w[j]).vector());
+        let im = |i: usize, j: usize| (w[i].conj() * w[j]).vector();
+        Self {
+            q1: [k(0, 1, v[0]), 0.5 * (k(0, 3, v[0]) + k(2, 1, v[0])), k(2, 3, v[0])],
+            q2: [k(0, 2, v[1]), 0.5 * (k(0, 3, v[1]) + k(1, 2, v[1])), k(1, 3, v[1])],
+            m: [im(0, 1), (im(0, 3) + im(2, 1)) * 0.5, im(2, 3)],
+            m_star: [im(0, 2), (im(0, 3) + im(1, 2)) * 0.5, im(1, 3)],
+        }
+    }
+
+    pub(super) fn q1_at(&self, t: f64) -> f64 {
+        quadratic(&self.q1, t)
+    }
+
+    pub(super) fn q2_at(&self, s: f64) -> f64 {
+        quadratic(&self.q2, s)
+    }
+
+    pub(super) fn q1_derivative(&self, t: f64) -> f64 {
+        2.0 * ((1.0 - t) * (self.q1[1] - self.q1[0]) + t * (self.q1[2] - self.q1[1]))
+    }
+
+    pub(super) fn m_at(&self, t: f64) -> Vec3 {
+        quadratic_vector(&self.m, t)
+    }
+
+    pub(super) fn m_star_at(&self, s: f64) -> Vec3 {
+        quadratic_vector(&self.m_star, s)
+    }
+}
+
+fn quadratic(c: &[f64; 3], t: f64) -> f64 {
+    let u = 1.0 - t;
+    u * (u * c[0] + 2.0 * t * c[1]) + t * t * c[2]
+}
+
+fn quadratic_vector(c: &[Vec3; 3], t: f64) -> Vec3 {
+    let u = 1.0 - t;
+    (c[0] * u + c[1] * (2.0 * t)) * u + c[2] * (t * t)
+}

@@ -1,0 +1,130 @@
+//! Patches that share edges and vertices: what files, meshes and pictures are made of.
+
+use super::patch::CyclidePatch;
+use crate::base::vector::Point3;
+use crate::curve::Arc;
+use crate::error::Result;
+
+/// An edge of a shell: an arc between two vertices, with the parameter that every face along it has.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ShellEdge {
+    /// Vertex at parameter 0.
+    pub start: usize,
+    /// Vertex at parameter 1.
+    pub end: usize,
+    /// The curve; its ends are the vertices, bit for bit.
+    pub arc: Arc,
+}
+
+/// A side of a face on an edge of the shell.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct FaceEdge {
+    /// Index of the edge.
+    pub edge: usize,
+    /// True if the face's parameter grows with that of the edge.
+    pub forward: bool,
+}
+
+/// A patch in its shell.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ShellFace {
+    /// The surface.
+    pub patch: CyclidePatch,
+    /// The sides t=0, t=1 (along s), s=0, s=1 (along t); `None` for a side that is one point.
+    pub sides: [Option<FaceEdge>; 4],
+    /// True if the shell's outer side is that of `f_s × f_t`.
+    pub same_sense: bool,
+}
+
+/// Faces that share edges, edges that share vertices; connected, and closed if every edge has two faces.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Shell {
+    pub(crate) vertices: Vec<Point3>,
+    pub(crate) edges: Vec<ShellEdge>,
+    pub(crate) faces: Vec<ShellFace>,
+}
+
+impl Shell {
+    /// The shell of one patch with its (up to four) edges.
+    ///
+    /// # Errors
+    /// As [`CyclidePatch::s_line`].
+    pub fn from_patch(patch: CyclidePatch) -> Result<Self> {
+        let [a0, a1, a2, a3] = patch.corners();
+        // A pole repeats a corner: the vertex is the same one.
+        let mut vertices: Vec<Point3> = Vec::with_capacity(4);
+        let index = [a0, a1, a2, a3].map(|p| {
+            vertices.iter().position(|v| *v == p).unwrap_or_else(|| {
+                vertices.push(p);
+                vertices.len() - 1
+            })
+        });
+        let lines = [patch.s_line(0.0)?, patch.s_line(1.0)?, patch.t_line(0.0)?, patch.t_line(1.0)?];
+        let ends = [(0, 1), (2, 3), (0, 2), (1, 3)];
+        let mut edges = Vec::with_capacity(4);
+        let sides = std::array::from_fn(|k| {
+            let (start, end) = (index[ends[k].0], index[ends[k].1]);
+            (start != end).then(|| {
+                edges.push(ShellEdge { start, end, arc: lines[k] });
+                FaceEdge { edge: edges.len() - 1, forward: true }
+            })
+        });
+        Ok(Self { vertices, edges, faces: vec![ShellFace { patch, sides, same_sense: true }] })
+    }
+
+    /// The vertices.
+    #[must_use]
+    pub fn vertices(&self) -> &[Point3] {
+        &self.vertices
+    }
+
+    /// The edges.
+    #[must_use]
+    pub fn edges(&self) -> &[ShellEdge] {
+        &self.edges
+    }
+
+    /// The faces.
+    #[must_use]
+    pub fn faces(&self) -> &[ShellFace] {
+        &self.faces
+    }
+
+    /// How many faces each edge has.
+    #[must_use]
+    pub fn edge_uses(&self) -> Vec<usize> {
+        let mut uses = vec![0; self.edges.len()];
+        for side in self.faces.iter().flat_map(|f| f.sides.iter().flatten()) {
+            uses[side.edge] += 1;
+        }
+        uses
+    }
+
+    /// True if every edge has two faces.
+    #[must_use]
+    pub fn is_closed(&self) -> bool {
+        self.edge_uses().iter().all(|&n| n == 2)
+    }
+}
+
+/// One body: an open shell, or a solid bounded by a closed outer shell and any number of closed voids inside it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Body {
+    /// The shell, or the outer shell of a solid.
+    pub outer: Shell,
+    /// Shells of the hollows of a solid; their outer sides point into the hollow.
+    pub voids: Vec<Shell>,
+}
+
+impl Body {
+    /// True if the body is a solid: every shell is closed.
+    #[must_use]
+    pub fn is_solid(&self) -> bool {
+        self.shells().all(Shell::is_closed)
+    }
+
+    /// All shells, the outer one first.
+    pub fn shells(&self) -> impl Iterator<Item = &Shell> {
+        std::iter::once(&self.outer).chain(&self.voids)
+    }
+}
