@@ -1,9 +1,10 @@
 //! The front door of the writers: a model in, the bytes of a file out, with what was kept and what was promised.
 
 use crate::format::Format;
-use crate::{csv_samples, dxf, nurbs_json, png, step, svg};
+use crate::{csv_samples, dxf, glb, nurbs_json, obj, png, step, stl, svg};
 use cyclide::{
-    Aabb, Arc, ArcPath, ChainPiece, CurveChain, CurveObject, Exactness, Lower, Model, ParamCurve as _, Units, bounds,
+    Aabb, Arc, ArcPath, Body, ChainPiece, CurveChain, CurveObject, Exactness, Lower, Model, ParamCurve as _, Units,
+    bounds,
 };
 use std::path::PathBuf;
 
@@ -146,6 +147,29 @@ pub fn export(model: &Model, format: Format, options: &ExportOptions) -> Result<
         Format::Csv => csv_samples::write(&job),
         Format::Json => nurbs_json::write(&job),
         Format::Png => png::write(&job),
+        Format::Glb => glb::write(&job),
+        Format::Obj => obj::write(&job),
+        Format::Stl => stl::write(&job),
+    }
+}
+
+/// The body of one surface with the object it belongs to.
+pub(crate) struct BodyOf<'a> {
+    /// Name of the object.
+    pub(crate) object: &'a str,
+    /// Index of the object in the model.
+    pub(crate) item: usize,
+    /// Which of the object's surfaces.
+    pub(crate) index: usize,
+    /// How many surfaces the object has.
+    pub(crate) count: usize,
+    pub(crate) body: Body,
+}
+
+impl BodyOf<'_> {
+    /// The object's name, with the surface's number from 1 behind it where there are several.
+    pub(crate) fn label(&self) -> String {
+        if self.count == 1 { self.object.to_owned() } else { format!("{} {}", self.object, self.index + 1) }
     }
 }
 
@@ -156,6 +180,8 @@ pub(crate) struct Job<'a> {
     pub(crate) tolerance: f64,
     /// The smallest box around all curves.
     pub(crate) bounds: Aabb,
+    /// The bodies of all surfaces, in the model's order.
+    pub(crate) bodies: Vec<BodyOf<'a>>,
 }
 
 /// One connected curve with the object it belongs to.
@@ -194,12 +220,23 @@ impl<'a> Job<'a> {
             }
             total = Some(total.map_or(own, |b| b.union(own)));
         }
+        let bodies = bodies(model)?;
+        for body in &bodies {
+            let vertices = body.body.shells().flat_map(|s| s.vertices().iter().copied());
+            if let Some(own) = Aabb::of_points(vertices) {
+                if !(own.max_abs() <= LARGEST_COORDINATE) {
+                    let object = body.object.to_owned();
+                    return Err(ExportError::TooLarge { object, value: own.max_abs(), limit: LARGEST_COORDINATE });
+                }
+                total = Some(total.map_or(own, |b| b.union(own)));
+            }
+        }
         let bounds = total.ok_or(ExportError::Empty)?;
         let tolerance = options.tolerance.unwrap_or_else(|| default_tolerance(bounds));
         if !(tolerance > 0.0 && tolerance.is_finite()) {
             return Err(ExportError::ToleranceNotPositive { tolerance });
         }
-        Ok(Self { model, options, tolerance, bounds })
+        Ok(Self { model, options, tolerance, bounds, bodies })
     }
 
     pub(crate) fn units(&self) -> Units {
@@ -246,6 +283,19 @@ impl<'a> Job<'a> {
         let path = ArcPath::new(arcs, path.is_closed());
         Ok((contour.lowered(path)?, exactness))
     }
+}
+
+/// The bodies of a model's surfaces in the order in which every format writes them.
+fn bodies(model: &Model) -> Result<Vec<BodyOf<'_>>, ExportError> {
+    let mut bodies = Vec::new();
+    for (item, it) in model.items.iter().enumerate() {
+        for (index, surface) in it.surfaces.iter().enumerate() {
+            let lowered = |source| ExportError::Lowering { object: it.name.clone(), contour: index, source };
+            let body = surface.to_body().map_err(lowered)?;
+            bodies.push(BodyOf { object: &it.name, item, index, count: it.surfaces.len(), body });
+        }
+    }
+    Ok(bodies)
 }
 
 /// The connected curves of a model in the order in which every format writes them.

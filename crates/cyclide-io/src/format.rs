@@ -18,14 +18,21 @@ pub enum Format {
     Json,
     /// A picture.
     Png,
+    /// Binary glTF 2.0: rendering, browsers.
+    Glb,
+    /// Wavefront OBJ: meshes with quads.
+    Obj,
+    /// Binary STL: 3D printing.
+    Stl,
 }
 
 impl Format {
     /// Every format.
-    pub const ALL: [Self; 6] = [Self::Step, Self::Dxf, Self::Svg, Self::Csv, Self::Json, Self::Png];
+    pub const ALL: [Self; 9] =
+        [Self::Step, Self::Dxf, Self::Svg, Self::Csv, Self::Json, Self::Png, Self::Glb, Self::Obj, Self::Stl];
 
     /// The suffixes that are understood, for messages.
-    pub const SUFFIXES: &'static str = ".step .stp .dxf .svg .csv .json .png";
+    pub const SUFFIXES: &'static str = ".step .stp .dxf .svg .csv .json .png .glb .obj .stl";
 
     /// Lower-case name, as in reports.
     #[must_use]
@@ -37,6 +44,9 @@ impl Format {
             Self::Csv => "csv",
             Self::Json => "json",
             Self::Png => "png",
+            Self::Glb => "glb",
+            Self::Obj => "obj",
+            Self::Stl => "stl",
         }
     }
 
@@ -65,6 +75,9 @@ impl Format {
             "csv" => Ok(Self::Csv),
             "json" => Ok(Self::Json),
             "png" => Ok(Self::Png),
+            "glb" => Ok(Self::Glb),
+            "obj" => Ok(Self::Obj),
+            "stl" => Ok(Self::Stl),
             _ => Err(ExportError::UnknownSuffix { path: path.to_path_buf(), known: Self::SUFFIXES }),
         }
     }

@@ -13,8 +13,10 @@ mod error;
 mod export;
 mod file;
 mod format;
+mod glb;
 mod number;
 mod nurbs_json;
+mod obj;
 mod place;
 mod png;
 mod points;
@@ -22,6 +24,7 @@ mod read_back;
 mod report;
 mod sample;
 mod step;
+mod stl;
 mod svg;
 
 pub use deviation::deviation;

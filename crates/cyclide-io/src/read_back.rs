@@ -81,7 +81,7 @@ pub fn read_back(format: Format, bytes: &[u8]) -> Result<Vec<CurveChain>, ReadEr
         Format::Svg => svg::read(bytes),
         Format::Csv => csv_samples::read(bytes),
         Format::Json => nurbs_json::read(bytes),
-        Format::Png => Err(ReadError::NoGeometry { format: format.name() }),
+        Format::Glb | Format::Obj | Format::Stl | Format::Png => Err(ReadError::NoGeometry { format: format.name() }),
     }
 }
 
@@ -96,7 +96,7 @@ pub fn file_deviation(model: &Model, format: Format, bytes: &[u8]) -> Result<f64
         Format::Svg => View::Plan,
         // In DXF: curves of ARC and LINE entities.
         Format::Csv | Format::Dxf => View::Points,
-        Format::Step | Format::Json | Format::Png => View::Space,
+        Format::Step | Format::Json | Format::Png | Format::Glb | Format::Obj | Format::Stl => View::Space,
     };
     deviation_within(model, &read_back(format, bytes)?, view)
 }

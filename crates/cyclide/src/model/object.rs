@@ -103,7 +103,7 @@ impl Lower for CurveObject {
 }
 
 /// A named object made by one construction: connected curves (contours), surfaces, or both.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Item {
     /// Name, unique in the model.
     pub name: String,
