@@ -1,5 +1,6 @@
 //! Surfaces: the trait, principal patches of Dupin cyclides, shells of patches that share edges.
 
+mod bounds;
 mod param_surface;
 mod patch;
 mod quad_grid;

@@ -1,0 +1,6 @@
+//! Laws of surfaces as a whole: boxes, areas and volumes, meshes.
+
+#![allow(clippy::unwrap_used, reason = "helpers of tests")]
+
+mod bounds;
+mod data;
