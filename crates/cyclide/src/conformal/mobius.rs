@@ -130,6 +130,13 @@ impl Mobius {
         }
     }
 
+    /// The determinant `Re(~a d + ~c b)`, a real number that is not zero; the map keeps orientation where it is positive
+    /// and reverses it where it is negative (`20`, section 3). A real factor of the matrix enters squared.
+    #[must_use]
+    pub fn determinant(&self) -> f64 {
+        self.a.dot(self.d) + self.c.dot(self.b)
+    }
+
     /// True if the map keeps the point at infinity: a similarity, orientation-preserving or not.
     #[must_use]
     pub fn is_similarity(&self) -> bool {

@@ -7,6 +7,6 @@ mod quad_grid;
 mod shell;
 
 pub use param_surface::ParamSurface;
-pub use patch::CyclidePatch;
+pub use patch::{CyclidePatch, PatchKind};
 pub use quad_grid::QuadGrid;
 pub use shell::{Body, FaceEdge, Shell, ShellEdge, ShellFace};

@@ -9,7 +9,7 @@ use crate::error::{Error, Result};
 /// Corners closer than this part of the largest distance coincide.
 const COINCIDENT_LIMIT: f64 = 1e-12;
 /// Largest distance of the fourth corner from the circle of the others, and of its place from their arc, relative.
-const CONCIRCULAR_LIMIT: f64 = 1e-9;
+pub(super) const CONCIRCULAR_LIMIT: f64 = 1e-9;
 /// Largest deviation of the frame from unit length and right angle.
 const FRAME_LIMIT: f64 = 1e-9;
 
@@ -95,14 +95,20 @@ impl CyclidePatch {
         let (v1, v2) = orthonormal(v1, v2)?;
         let patch = Self::from_weights_unchecked(corners, weights, v1, v2);
         patch.check_no_pole()?;
+        patch.check_in_space(CONCIRCULAR_LIMIT)?;
+        Ok(patch)
+    }
+
+    /// Refuses weights that put the quotient out of three-space by more than `limit` of the size.
+    ///
+    /// # Errors
+    /// `not-in-space`.
+    pub(super) fn check_in_space(&self, limit: f64) -> Result<()> {
         // Re(~D n) is biquadratic: zero at five places of each parameter is zero.
         let places = [0.0, 0.25, 0.5, 0.75, 1.0];
         let residuals = places.iter().flat_map(|&s| places.iter().map(move |&t| (s, t)));
-        let defect = residuals.map(|(s, t)| patch.real_residual(s, t)).fold(0.0, f64::max) / scale;
-        if !(defect <= CONCIRCULAR_LIMIT) {
-            return Err(Error::NotInSpace { defect, limit: CONCIRCULAR_LIMIT });
-        }
-        Ok(patch)
+        let defect = residuals.map(|(s, t)| self.real_residual(s, t)).fold(0.0, f64::max) / self.scale;
+        if defect <= limit { Ok(()) } else { Err(Error::NotInSpace { defect, limit }) }
     }
 }
 

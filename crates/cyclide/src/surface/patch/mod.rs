@@ -8,19 +8,25 @@
 //! All parameter lines are circles and lines of curvature. The corners are in binary order, first parameter fastest:
 //! `a0` at (0,0), `a1` at (1,0), `a2` at (0,1), `a3` at (1,1), so round the corner circle they come as a0, a1, a3, a2.
 
+mod circles;
 mod construct;
 mod curvature;
 mod lines;
+mod offset;
 mod polar;
 mod pole;
 mod rational;
+mod recognise;
 mod singular;
+mod transform;
 
 use super::param_surface::ParamSurface;
 use crate::base::quat::Quat;
 use crate::base::surface_jet::SurfaceJet;
 use crate::base::vector::{Point3, Vec3};
 use polar::Polar;
+
+pub use recognise::PatchKind;
 
 /// A principal patch of a Dupin cyclide (plane, sphere, cylinder, cone and torus included), over `[0, 1]²`.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -42,6 +42,16 @@ impl Polar {
         quadratic(&self.q2, s)
     }
 
+    /// `m·V2` for the given `V2`: `q1 + 2h m·V2` is the speed of the offset, `-2 m·V2/q1` the curvature of the s-lines.
+    pub(super) fn bend1(&self, v2: Vec3) -> [f64; 3] {
+        self.m.map(|m| m.dot(v2))
+    }
+
+    /// `-m*·V1` for the given `V1`, the same for the t-lines.
+    pub(super) fn bend2(&self, v1: Vec3) -> [f64; 3] {
+        self.m_star.map(|m| -m.dot(v1))
+    }
+
     pub(super) fn q1_derivative(&self, t: f64) -> f64 {
         2.0 * ((1.0 - t) * (self.q1[1] - self.q1[0]) + t * (self.q1[2] - self.q1[1]))
     }
@@ -58,6 +68,21 @@ impl Polar {
 fn quadratic(c: &[f64; 3], t: f64) -> f64 {
     let u = 1.0 - t;
     u * (u * c[0] + 2.0 * t * c[1]) + t * t * c[2]
+}
+
+/// The value at 1/2.
+pub(super) fn at_half(c: &[f64; 3]) -> f64 {
+    0.25 * (c[0] + 2.0 * c[1] + c[2])
+}
+
+/// The number `k` with `a = k b` by least squares, and the largest `|a - k b|` over the largest `|b|`. NaN for `b = 0`.
+pub(super) fn proportion(a: [f64; 3], b: [f64; 3]) -> (f64, f64) {
+    let largest = b.iter().fold(0.0, |m: f64, b| m.max(b.abs()));
+    let b = b.map(|b| b / largest);
+    let dot = |a: [f64; 3]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+    let k = dot(a) / dot(b);
+    let rest = a.iter().zip(b).map(|(a, b)| (a - k * b).abs()).fold(0.0, f64::max);
+    (k / largest, rest / largest)
 }
 
 fn quadratic_vector(c: &[Vec3; 3], t: f64) -> Vec3 {

@@ -24,7 +24,7 @@ impl CyclidePatch {
 
 /// Zeros in (0, 1) of the quadratic with these Bernstein coefficients. An end that is exactly zero is a side of one
 /// point, not a zero inside.
-fn roots(c: [f64; 3]) -> Vec<f64> {
+pub(super) fn roots(c: [f64; 3]) -> Vec<f64> {
     let [a, b, e] = c;
     // a u² + 2 b u t + e t² = 0 with u = 1 - t.
     let inside = |t: f64, u: f64| {

@@ -1,0 +1,114 @@
+//! The offset surface, which keeps the weights (`20`, section 3).
+
+use super::polar::at_half;
+use super::singular::roots;
+use super::{CyclidePatch, largest_distance};
+use crate::base::range;
+use crate::error::{Error, Result};
+
+/// An offset side whose speed cancels to this part of its terms is one point.
+const COLLAPSED: f64 = 64.0 * f64::EPSILON;
+
+/// An offset of this size, relative to the patch and the distance, is one point.
+const POINT_LIMIT: f64 = 1e-14;
+
+impl CyclidePatch {
+    /// The surface at the signed distance `h` along [`unit_normal`](Self::unit_normal), with the same parameters:
+    /// `f_h = f + h N` exactly. Weights and frame are the same, corners `a_k + h w_k V3 w_k^-1`, speeds
+    /// `q1 + 2h m·V2` and `q2 - 2h m*·V1` (`20`, section 3). An offset beyond a curvature centre is made all the
+    /// same; [`offset_is_regular`](Self::offset_is_regular) tells.
+    ///
+    /// # Errors
+    /// `not-finite`, `parameter-out-of-range` (coordinates above 1e150), `coincident-points` (the offset of a sphere
+    /// by its radius: a point).
+    pub fn offset(&self, h: f64) -> Result<Self> {
+        if !h.is_finite() {
+            return Err(Error::NotFinite { what: "offset distance", index: 0 });
+        }
+        let (q1, q2) = self.offset_speeds(h);
+        let mut corners = std::array::from_fn(|k| {
+            let w = self.weights[k];
+            self.corners[k] + (w * (1.0 / w.norm())).rotate(self.v[2]) * h
+        });
+        for (index, p) in corners.into_iter().enumerate() {
+            range::check_point(index, p.to_vec())?;
+        }
+        // A side of one point has one corner, bit for bit.
+        for (speed, from, to) in [(q1[0], 0, 1), (q1[2], 2, 3), (q2[0], 0, 2), (q2[2], 1, 3)] {
+            if speed == 0.0 {
+                corners[to] = corners[from];
+            }
+        }
+        let (distance, limit) = (largest_distance(&corners), POINT_LIMIT * (self.scale + h.abs()));
+        if distance <= limit {
+            return Err(Error::CoincidentPoints { first: 0, second: 3, distance, limit });
+        }
+        let mut patch = Self::from_weights_unchecked(corners, self.weights, self.v[0], self.v[1]);
+        (patch.polar.q1, patch.polar.q2) = (q1, q2);
+        Ok(patch)
+    }
+
+    /// True if no curvature centre lies on the way from the patch to its [`offset`](Self::offset), ends included:
+    /// the speeds of the offset have the signs of `q1`, `q2` all over the patch, so it has no cuspidal edge and the
+    /// same side up. Sides that are one point may stay so. False for a patch that is singular inside itself.
+    #[must_use]
+    pub fn offset_is_regular(&self, h: f64) -> bool {
+        let same_sign = |before: [f64; 3], after: [f64; 3]| {
+            let (p, q) = (at_half(&before), at_half(&after));
+            roots(before).is_empty() && roots(after).is_empty() && ((p > 0.0 && q > 0.0) || (p < 0.0 && q < 0.0))
+        };
+        let (q1, q2) = self.offset_speeds(h);
+        same_sign(self.polar.q1, q1) && same_sign(self.polar.q2, q2)
+    }
+
+    /// Speeds of the offset; those of sides that are one point are exactly zero.
+    fn offset_speeds(&self, h: f64) -> ([f64; 3], [f64; 3]) {
+        let polar = &self.polar;
+        let shifted = |speed: [f64; 3], bend: [f64; 3]| {
+            std::array::from_fn(|i| {
+                let (sum, terms) = (speed[i] + 2.0 * h * bend[i], speed[i].abs() + 2.0 * (h * bend[i]).abs());
+                if i != 1 && sum.abs() <= COLLAPSED * terms { 0.0 } else { sum }
+            })
+        };
+        (shifted(polar.q1, polar.bend1(self.v[1])), shifted(polar.q2, polar.bend2(self.v[0])))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::base::vector::{Point3, Vec3};
+    use crate::surface::ParamSurface as _;
+
+    /// An octant of the unit sphere about (2, 0, 0) with its pole at a2 = a3, normal outward.
+    fn octant() -> CyclidePatch {
+        let at = |x: f64, y: f64, z: f64| Point3::new(2.0 + x, y, z);
+        let corners = [at(1.0, 0.0, 0.0), at(0.0, 1.0, 0.0), at(0.0, 0.0, 1.0), at(0.0, 0.0, 1.0)];
+        CyclidePatch::from_corners_and_frame(corners, Vec3::Y, Vec3::Z).unwrap()
+    }
+
+    #[test]
+    fn every_point_moves_along_its_normal() {
+        let patch = octant();
+        let offset = patch.offset(0.25).unwrap();
+        for i in 0..=8 {
+            for j in 0..=8 {
+                let (s, t) = (f64::from(i) / 8.0, f64::from(j) / 8.0);
+                let want = patch.point(s, t) + patch.unit_normal(s, t) * 0.25;
+                assert!(offset.point(s, t).distance(want) < 1e-15);
+            }
+        }
+        assert_eq!(offset.corners()[2], offset.corners()[3], "the pole stays one point");
+        assert!(offset.is_regular());
+    }
+
+    #[test]
+    fn the_centre_is_the_limit() {
+        let patch = octant();
+        assert!(patch.offset_is_regular(-0.999) && patch.offset_is_regular(1e9));
+        assert!(!patch.offset_is_regular(-1.001) && !patch.offset_is_regular(f64::NAN));
+        assert_eq!(patch.offset(-1.0).unwrap_err().reason(), "coincident-points");
+        assert_eq!(patch.offset(f64::INFINITY).unwrap_err().reason(), "not-finite");
+        assert_eq!(patch.offset(1e200).unwrap_err().reason(), "parameter-out-of-range");
+    }
+}

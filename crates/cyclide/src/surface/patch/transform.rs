@@ -1,0 +1,105 @@
+//! Möbius maps of patches: the homogeneous pairs map linearly, so the image is a patch with the same parameters.
+
+use super::CyclidePatch;
+use super::construct::CONCIRCULAR_LIMIT;
+use crate::base::quat::Quat;
+use crate::base::range;
+use crate::conformal::hpoint::HPoint;
+use crate::conformal::mobius::{Conformal, Mobius};
+use crate::error::{Error, Result};
+
+/// Rounding of a mapped corner, relative to its coordinates.
+const CORNER_ROUNDING: f64 = 64.0 * f64::EPSILON;
+
+impl Conformal for CyclidePatch {
+    /// The image under a Möbius map `y -> (a y + b)(c y + d)^-1`, with the same parameters: corners by the map, weights
+    /// `(c a_k + d) w_k` up to a common factor (`20`, section 3). The speeds keep their signs: a map that reverses
+    /// orientation turns `V1` and `V2` round and keeps `V3`. Its [`unit_normal`](CyclidePatch::unit_normal) is
+    /// then the opposite of the pushed forward one.
+    ///
+    /// # Errors
+    /// `point-at-infinity` if a corner goes to infinity, `patch-through-infinity` if an inner point does,
+    /// `parameter-out-of-range` (coordinates above 1e150), `coincident-points` (the image is smaller than
+    /// rounding), `not-in-space` if rounding destroyed the result.
+    fn transformed(&self, map: &Mobius) -> Result<Self> {
+        let images = self.corners.map(|a| map.map_pair(HPoint::weighted(a, Quat::ONE)));
+        let size = images[0].d.norm();
+        if size == 0.0 {
+            return Err(Error::PointAtInfinity);
+        }
+        let mut corners = self.corners;
+        let mut weights = self.weights;
+        for (k, image) in images.into_iter().enumerate() {
+            corners[k] = image.quotient().ok_or(Error::PointAtInfinity)?.to_point();
+            range::check_point(k, corners[k].to_vec())?;
+            // Lengths near those before: a gauge, the same for all corners.
+            weights[k] = image.d * (1.0 / size) * self.weights[k];
+        }
+        let lambda = map.determinant();
+        let sign = 1.0_f64.copysign(lambda);
+        let mut image = Self::from_weights_unchecked(corners, weights, self.v[0] * sign, self.v[1] * sign);
+        if image.scale == 0.0 {
+            return Err(Error::CoincidentPoints { first: 0, second: 3, distance: 0.0, limit: 0.0 });
+        }
+        image.check_no_pole()?;
+        let far = corners.iter().map(|a| a.to_vec().max_abs()).fold(0.0, f64::max);
+        image.check_in_space(CONCIRCULAR_LIMIT + CORNER_ROUNDING * far / image.scale)?;
+        // The speeds scale by the determinant: zeros and signs stay.
+        let factor = lambda.abs() / size / size;
+        image.polar.q1 = self.polar.q1.map(|q| q * factor);
+        image.polar.q2 = self.polar.q2.map(|q| q * factor);
+        Ok(image)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::base::vector::{Point3, Vec3};
+    use crate::surface::ParamSurface as _;
+
+    fn patch() -> CyclidePatch {
+        // Corners on the circle of radius 2 in the plane z = 1.
+        let at = |angle: f64| Point3::new(2.0 * angle.cos(), 2.0 * angle.sin(), 1.0);
+        let v1 = Vec3::new(-0.3, 0.9, 0.2).unit().unwrap();
+        let v2 = v1.cross(Vec3::new(0.1, 0.3, 1.0)).unit().unwrap();
+        CyclidePatch::from_corners_and_frame([at(0.0), at(0.7), at(5.5), at(2.0)], v1, v2).unwrap()
+    }
+
+    #[test]
+    fn images_of_points_and_their_derivatives() {
+        let patch = patch();
+        let turn = Mobius::similarity(Quat::new(1.0, 2.0, -1.0, 0.5), 0.3, Vec3::X).unwrap();
+        let inversion = Mobius::inversion(Point3::new(0.5, -4.0, 7.0), 3.0).unwrap();
+        let mirror = Mobius::reflection(Point3::new(1.0, 2.0, 3.0), Vec3::new(1.0, 2.0, -2.0)).unwrap();
+        for map in [turn, inversion, mirror, turn.after(&inversion), inversion.after(&mirror)] {
+            let image = patch.transformed(&map).unwrap();
+            for i in 0..=4 {
+                for j in 0..=4 {
+                    let (s, t) = (f64::from(i) / 4.0, f64::from(j) / 4.0);
+                    let (before, after) = (patch.jet(s, t), image.jet(s, t));
+                    assert!(after.point.distance(map.map_point(before.point).unwrap()) < 1e-13);
+                    for (v, w) in [(before.ds, after.ds), (before.dt, after.dt)] {
+                        assert!((map.push_forward(before.point, v).unwrap() - w).length() < 1e-12 * w.length());
+                    }
+                    let along = patch.moving_frame(s, t)[2];
+                    let normal = map.push_forward(before.point, along).unwrap().unit().unwrap();
+                    let sign = map.determinant().signum();
+                    assert!((normal * sign - image.unit_normal(s, t)).length() < 1e-12);
+                }
+            }
+            // Signs of the speeds stay.
+            for (q, p) in patch.q1().into_iter().zip(image.q1()).chain(patch.q2().into_iter().zip(image.q2())) {
+                assert!((q > 0.0) == (p > 0.0));
+            }
+        }
+    }
+
+    #[test]
+    fn centres_of_inversion_on_the_patch_are_refused() {
+        let patch = patch();
+        let at = |p: Point3| patch.transformed(&Mobius::inversion(p, 1.0).unwrap()).unwrap_err().reason();
+        assert_eq!(at(patch.corners()[2]), "point-at-infinity");
+        assert_eq!(at(patch.point(0.4, 0.7)), "patch-through-infinity");
+    }
+}
