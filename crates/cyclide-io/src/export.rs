@@ -2,17 +2,10 @@
 
 use crate::format::Format;
 use crate::{csv_samples, dxf, glb, nurbs_json, obj, png, step, stl, svg};
-use cyclide::{
-    Aabb, Arc, ArcPath, Body, ChainPiece, CurveChain, CurveObject, Exactness, Lower, Model, ParamCurve as _, Units,
-    bounds,
-};
+use cyclide::{Arc, Exactness, Model};
 use std::path::PathBuf;
 
-/// Tolerance when none is asked for: this part of the model's diagonal.
-const DEFAULT_RELATIVE_TOLERANCE: f64 = 1e-5;
-
-/// Largest coordinate that is written: products of two of them must not overflow.
-const LARGEST_COORDINATE: f64 = 1e120;
+pub(crate) use crate::job::{Contour, Job, contours, default_tolerance};
 
 /// Why a file could not be made.
 #[derive(Debug, thiserror::Error)]
@@ -26,8 +19,8 @@ pub enum ExportError {
         /// The suffixes that are known.
         known: &'static str,
     },
-    /// The model has no curve.
-    #[error("there is no curve to write")]
+    /// The model has no curve and no surface.
+    #[error("there is nothing to write")]
     Empty,
     /// The tolerance is not a positive number.
     #[error("the tolerance {tolerance:e} is not positive")]
@@ -56,7 +49,7 @@ pub enum ExportError {
         source: cyclide::Error,
     },
     /// The format cannot express this.
-    #[error("object {object}: {format} cannot hold this curve: {detail}")]
+    #[error("object {object}: {format} cannot hold this: {detail}")]
     NotInFormat {
         /// Name of the object.
         object: String,
@@ -102,8 +95,8 @@ pub enum DxfVersion {
 /// What may be chosen about a file.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct ExportOptions {
-    /// Largest distance between the file's curve and the object where the format needs an approximation, in model
-    /// units; `None` is 1e-5 of the model's diagonal.
+    /// Largest distance between the file's curve or mesh and the object where the format needs an approximation, in
+    /// model units; `None` is 1e-5 of the model's diagonal for curves and 1e-4 for meshes.
     pub tolerance: Option<f64>,
     /// Name of the model, for formats that have a place for it; `None` is the name of the only object, or
     /// `cyclide`.
@@ -140,7 +133,8 @@ pub struct Exported {
 /// [`ExportError`], naming the object and contour at fault.
 pub fn export(model: &Model, format: Format, options: &ExportOptions) -> Result<Exported, ExportError> {
     let job = Job::new(model, options)?;
-    match format {
+    let left_out = job.left_out(format)?;
+    let file = match format {
         Format::Step => step::write(&job),
         Format::Dxf => dxf::write(&job),
         Format::Svg => svg::write(&job),
@@ -150,167 +144,10 @@ pub fn export(model: &Model, format: Format, options: &ExportOptions) -> Result<
         Format::Glb => glb::write(&job),
         Format::Obj => obj::write(&job),
         Format::Stl => stl::write(&job),
-    }
-}
-
-/// The body of one surface with the object it belongs to.
-pub(crate) struct BodyOf<'a> {
-    /// Name of the object.
-    pub(crate) object: &'a str,
-    /// Index of the object in the model.
-    pub(crate) item: usize,
-    /// Which of the object's surfaces.
-    pub(crate) index: usize,
-    /// How many surfaces the object has.
-    pub(crate) count: usize,
-    pub(crate) body: Body,
-}
-
-impl BodyOf<'_> {
-    /// The object's name, with the surface's number from 1 behind it where there are several.
-    pub(crate) fn label(&self) -> String {
-        if self.count == 1 { self.object.to_owned() } else { format!("{} {}", self.object, self.index + 1) }
-    }
-}
-
-/// A checked request: the model, the options with the defaults filled in, and the model's size.
-pub(crate) struct Job<'a> {
-    pub(crate) model: &'a Model,
-    pub(crate) options: &'a ExportOptions,
-    pub(crate) tolerance: f64,
-    /// The smallest box around all curves.
-    pub(crate) bounds: Aabb,
-    /// The bodies of all surfaces, in the model's order.
-    pub(crate) bodies: Vec<BodyOf<'a>>,
-}
-
-/// One connected curve with the object it belongs to.
-pub(crate) struct Contour<'a> {
-    /// Name of the object.
-    pub(crate) object: &'a str,
-    /// Index of the object in the model.
-    pub(crate) item: usize,
-    /// Which of the object's contours.
-    pub(crate) index: usize,
-    /// How many contours the object has.
-    pub(crate) count: usize,
-    pub(crate) curve: &'a CurveObject,
-}
-
-impl Contour<'_> {
-    /// The object's name, with the contour's number from 1 behind it where there are several.
-    pub(crate) fn label(&self) -> String {
-        if self.count == 1 { self.object.to_owned() } else { format!("{} {}", self.object, self.index + 1) }
-    }
-
-    /// A result of the kernel with the place it belongs to.
-    pub(crate) fn lowered<T>(&self, result: cyclide::Result<T>) -> Result<T, ExportError> {
-        result.map_err(|source| ExportError::Lowering { object: self.object.to_owned(), contour: self.index, source })
-    }
-}
-
-impl<'a> Job<'a> {
-    fn new(model: &'a Model, options: &'a ExportOptions) -> Result<Self, ExportError> {
-        let mut total: Option<Aabb> = None;
-        for contour in contours(model) {
-            let own = bounds(contour.curve.as_curve());
-            if !(own.max_abs() <= LARGEST_COORDINATE) {
-                let object = contour.object.to_owned();
-                return Err(ExportError::TooLarge { object, value: own.max_abs(), limit: LARGEST_COORDINATE });
-            }
-            total = Some(total.map_or(own, |b| b.union(own)));
-        }
-        let bodies = bodies(model)?;
-        for body in &bodies {
-            let vertices = body.body.shells().flat_map(|s| s.vertices().iter().copied());
-            if let Some(own) = Aabb::of_points(vertices) {
-                if !(own.max_abs() <= LARGEST_COORDINATE) {
-                    let object = body.object.to_owned();
-                    return Err(ExportError::TooLarge { object, value: own.max_abs(), limit: LARGEST_COORDINATE });
-                }
-                total = Some(total.map_or(own, |b| b.union(own)));
-            }
-        }
-        let bounds = total.ok_or(ExportError::Empty)?;
-        let tolerance = options.tolerance.unwrap_or_else(|| default_tolerance(bounds));
-        if !(tolerance > 0.0 && tolerance.is_finite()) {
-            return Err(ExportError::ToleranceNotPositive { tolerance });
-        }
-        Ok(Self { model, options, tolerance, bounds, bodies })
-    }
-
-    pub(crate) fn units(&self) -> Units {
-        self.model.units
-    }
-
-    /// Diagonal of the model, never zero.
-    pub(crate) fn size(&self) -> f64 {
-        self.bounds.diagonal().max(f64::MIN_POSITIVE)
-    }
-
-    /// The model's name: asked for, or that of the only object.
-    pub(crate) fn title(&self) -> &str {
-        match (&self.options.title, self.model.items.as_slice()) {
-            (Some(title), _) => title,
-            (None, [only]) => &only.name,
-            _ => "cyclide",
-        }
-    }
-
-    pub(crate) fn contours(&self) -> impl Iterator<Item = Contour<'a>> {
-        contours(self.model)
-    }
-
-    /// The contour as arcs and rational splines, without pieces of no length, which no format wants.
-    pub(crate) fn chain(&self, contour: &Contour<'_>) -> Result<(CurveChain, Exactness), ExportError> {
-        let (chain, exactness) = contour.lowered(contour.curve.to_chain(self.tolerance))?;
-        let is_point = |p: &ChainPiece| matches!(p, ChainPiece::Arc(arc) if arc.start() == arc.end());
-        if !chain.pieces().iter().any(is_point) {
-            return Ok((chain, exactness));
-        }
-        let pieces = chain.pieces().iter().filter(|p| !is_point(p)).cloned().collect();
-        let chain = CurveChain::new(pieces, chain.is_closed(), 0.0);
-        Ok((contour.lowered(chain)?, exactness))
-    }
-
-    /// The contour as arcs and segments, without those of no length.
-    pub(crate) fn arcs(&self, contour: &Contour<'_>) -> Result<(ArcPath, Exactness), ExportError> {
-        let (path, exactness) = contour.lowered(contour.curve.to_arcs(self.tolerance))?;
-        if path.arcs().iter().all(|a| a.start() != a.end()) {
-            return Ok((path, exactness));
-        }
-        let arcs = path.arcs().iter().filter(|a| a.start() != a.end()).copied().collect();
-        let path = ArcPath::new(arcs, path.is_closed());
-        Ok((contour.lowered(path)?, exactness))
-    }
-}
-
-/// The bodies of a model's surfaces in the order in which every format writes them.
-fn bodies(model: &Model) -> Result<Vec<BodyOf<'_>>, ExportError> {
-    let mut bodies = Vec::new();
-    for (item, it) in model.items.iter().enumerate() {
-        for (index, surface) in it.surfaces.iter().enumerate() {
-            let lowered = |source| ExportError::Lowering { object: it.name.clone(), contour: index, source };
-            let body = surface.to_body().map_err(lowered)?;
-            bodies.push(BodyOf { object: &it.name, item, index, count: it.surfaces.len(), body });
-        }
-    }
-    Ok(bodies)
-}
-
-/// The connected curves of a model in the order in which every format writes them.
-pub(crate) fn contours(model: &Model) -> impl Iterator<Item = Contour<'_>> {
-    model.items.iter().enumerate().flat_map(|(item, it)| {
-        let count = it.contours.len();
-        let own = it.contours.iter().enumerate();
-        own.map(move |(index, curve)| Contour { object: &it.name, item, index, count, curve })
-    })
-}
-
-/// The tolerance that applies when none is asked for; for a model without extent that of a model of size 1.
-pub(crate) fn default_tolerance(bounds: Aabb) -> f64 {
-    let size = bounds.diagonal();
-    DEFAULT_RELATIVE_TOLERANCE * if size > 0.0 { size } else { 1.0 }
+    };
+    let mut file = file?;
+    file.notes.extend(left_out);
+    Ok(file)
 }
 
 /// Collects the bound over the contours of a file.

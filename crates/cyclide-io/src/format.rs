@@ -3,6 +3,13 @@
 use crate::export::ExportError;
 use std::path::Path;
 
+/// What a model consists of.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Kind {
+    Curves,
+    Surfaces,
+}
+
 /// A file format.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Format {
@@ -47,6 +54,30 @@ impl Format {
             Self::Glb => "glb",
             Self::Obj => "obj",
             Self::Stl => "stl",
+        }
+    }
+
+    /// The name that people use, for messages.
+    pub(crate) const fn title(self) -> &'static str {
+        match self {
+            Self::Step => "STEP",
+            Self::Dxf => "DXF",
+            Self::Svg => "SVG",
+            Self::Csv => "CSV",
+            Self::Json => "JSON",
+            Self::Png => "PNG",
+            Self::Glb => "GLB",
+            Self::Obj => "OBJ",
+            Self::Stl => "STL",
+        }
+    }
+
+    /// The kind of objects that the format cannot hold.
+    pub(crate) const fn lacks(self) -> Option<Kind> {
+        match self {
+            Self::Dxf | Self::Svg | Self::Csv => Some(Kind::Surfaces),
+            Self::Stl => Some(Kind::Curves),
+            Self::Step | Self::Json | Self::Png | Self::Glb | Self::Obj => None,
         }
     }
 

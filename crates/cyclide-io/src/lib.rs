@@ -14,6 +14,7 @@ mod export;
 mod file;
 mod format;
 mod glb;
+mod job;
 mod number;
 mod nurbs_json;
 mod obj;
@@ -39,7 +40,7 @@ pub use file::{write_file, write_files};
 pub use format::Format;
 pub use place::{Diagnostic, Source, decode};
 pub use points::{PointColumns, PointList, PointTable, read_points};
-pub use read_back::{ReadError, file_deviation, read_back};
+pub use read_back::{FileContent, ReadError, file_deviation, read_back};
 pub use report::{
     CheckError, CurvatureReport, FileReport, FitReport, JointReport, ObjectReport, Report, WarningReport, WeightReport,
 };

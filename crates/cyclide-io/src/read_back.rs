@@ -1,11 +1,12 @@
-//! Reading our own files: the way from the bytes back to curves, by which every export is checked.
+//! Reading our own files: the way from the bytes back to geometry, by which every export is checked.
 
 use crate::deviation::{View, deviation_within};
+use crate::export::Exported;
 use crate::format::Format;
 use crate::{csv_samples, dxf, nurbs_json, step, svg};
-use cyclide::{CurveChain, Model};
+use cyclide::{CurveChain, Model, SurfaceMesh};
 
-/// Why bytes could not be read back as curves.
+/// Why bytes could not be read back.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum ReadError {
@@ -70,33 +71,49 @@ impl ReadError {
     }
 }
 
-/// Reads the connected curves of a file that [`export`](crate::export()) wrote, in file order.
+/// What a file of ours holds.
+#[derive(Debug, Clone, PartialEq, Default)]
+#[non_exhaustive]
+pub struct FileContent {
+    /// The connected curves, in file order.
+    pub curves: Vec<CurveChain>,
+    /// The meshes of formats that have them: one per body, in file order; in STL one for all.
+    pub meshes: Vec<SurfaceMesh>,
+}
+
+impl From<Vec<CurveChain>> for FileContent {
+    fn from(curves: Vec<CurveChain>) -> Self {
+        Self { curves, ..Self::default() }
+    }
+}
+
+/// Reads a file that [`export`](crate::export()) wrote.
 ///
 /// # Errors
 /// [`ReadError`]; never panics, whatever the bytes are.
-pub fn read_back(format: Format, bytes: &[u8]) -> Result<Vec<CurveChain>, ReadError> {
+pub fn read_back(format: Format, bytes: &[u8]) -> Result<FileContent, ReadError> {
     match format {
-        Format::Step => step::read(bytes),
-        Format::Dxf => dxf::read(bytes),
-        Format::Svg => svg::read(bytes),
-        Format::Csv => csv_samples::read(bytes),
-        Format::Json => nurbs_json::read(bytes),
+        Format::Step => step::read(bytes).map(FileContent::from),
+        Format::Dxf => dxf::read(bytes).map(FileContent::from),
+        Format::Svg => svg::read(bytes).map(FileContent::from),
+        Format::Csv => csv_samples::read(bytes).map(FileContent::from),
+        Format::Json => nurbs_json::read(bytes).map(FileContent::from),
         Format::Glb | Format::Obj | Format::Stl | Format::Png => Err(ReadError::NoGeometry { format: format.name() }),
     }
 }
 
-/// The largest distance between the curves in a file and the model's curves, recomputed from the bytes.
+/// The largest distance between what a file holds and the model, recomputed from the file's bytes.
 ///
 /// SVG is a drawing of the plane: there both are compared as seen along the third axis.
 ///
 /// # Errors
-/// [`ReadError`] if the bytes cannot be read, or hold other curves than the model.
-pub fn file_deviation(model: &Model, format: Format, bytes: &[u8]) -> Result<f64, ReadError> {
+/// [`ReadError`] if the bytes cannot be read, or hold other things than the model.
+pub fn file_deviation(model: &Model, format: Format, file: &Exported) -> Result<f64, ReadError> {
     let view = match format {
         Format::Svg => View::Plan,
         // In DXF: curves of ARC and LINE entities.
         Format::Csv | Format::Dxf => View::Points,
         Format::Step | Format::Json | Format::Png | Format::Glb | Format::Obj | Format::Stl => View::Space,
     };
-    deviation_within(model, &read_back(format, bytes)?, view)
+    deviation_within(model, &read_back(format, &file.bytes)?.curves, view)
 }

@@ -9,7 +9,7 @@ use indexmap::IndexMap;
 use serde::Serialize;
 
 use crate::document::{BuiltObject, Remark};
-use crate::export::{Exported, default_tolerance};
+use crate::export::{ExportOptions, Exported, Job, default_tolerance};
 use crate::format::Format;
 use crate::read_back::{ReadError, file_deviation};
 
@@ -284,7 +284,7 @@ impl FileReport {
         let path = path.display().to_string();
         let bound = exported.bound;
         let deviation = if format.has_geometry() {
-            match file_deviation(model, format, &exported.bytes) {
+            match file_deviation(model, format, exported) {
                 Ok(deviation) => Some(deviation),
                 Err(source) => return Err(CheckError::Unreadable { path, source }),
             }
@@ -309,6 +309,6 @@ impl FileReport {
 
 /// Size of the model and its distance from the origin, whichever is larger: rounding is relative to coordinates.
 fn extent(model: &Model) -> f64 {
-    let boxes = model.items.iter().flat_map(|item| &item.contours).map(|c| bounds(c.as_curve()));
-    boxes.reduce(Aabb::union).map_or(0.0, |b| b.diagonal().max(b.max_abs()))
+    let options = ExportOptions::default();
+    Job::new(model, &options).map_or(0.0, |job| job.bounds.diagonal().max(job.bounds.max_abs()))
 }

@@ -84,7 +84,7 @@ fn the_plan_of_a_riser_keeps_its_promise() {
     let points = points.map(cyclide::Point3::from);
     let m = model(vec![("cable", vec![circle_spline(&points, false, BlendVariant::Rational, vec![])])]);
     let file = export(&m, Format::Svg, &ExportOptions::default()).unwrap();
-    let d = file_deviation(&m, Format::Svg, &file.bytes).unwrap();
+    let d = file_deviation(&m, Format::Svg, &file).unwrap();
     assert!(d <= file.bound, "{d:e} of {:e}", file.bound);
 }
 

@@ -22,7 +22,7 @@ fn files_keep_their_promise() {
         for format in FORMATS {
             let file = export(&m, format, &ExportOptions::default()).unwrap();
             assert_eq!(file.exact, file.bound == 0.0);
-            let d = file_deviation(&m, format, &file.bytes).unwrap();
+            let d = file_deviation(&m, format, &file).unwrap();
             // Rounding: half ulps of the largest radius, 7.4e5, and of coordinates up to 60.
             assert!(d <= file.bound + 3e-16 * 7.4e5, "{name} {format:?}: {d:e} of {:e}", file.bound);
         }
@@ -52,7 +52,7 @@ fn size_and_place_do_not_matter() {
                 continue;
             }
             let file = export(&m, format, &ExportOptions::default()).unwrap();
-            let d = file_deviation(&m, format, &file.bytes).unwrap();
+            let d = file_deviation(&m, format, &file).unwrap();
             // Some ulps of the coordinates.
             assert!(d <= file.bound + 1e-15 * largest, "{format:?} at {size:e}: {d:e}");
         }
@@ -63,7 +63,8 @@ fn size_and_place_do_not_matter() {
 fn coordinates_are_the_same_doubles() {
     let m = model(vec![("c", vec![CurveObject::ArcPath(open_chain(tilted))])]);
     for format in [Format::Csv, Format::Json] {
-        let chains = read_back(format, &export(&m, format, &ExportOptions::default()).unwrap().bytes).unwrap();
+        let bytes = export(&m, format, &ExportOptions::default()).unwrap().bytes;
+        let chains = read_back(format, &bytes).unwrap().curves;
         let curve = m.items[0].contours[0].as_curve();
         let (start, end) = (curve.eval(0.0), curve.eval(1.0));
         assert_eq!((chains[0].eval(0.0), chains[0].eval(1.0)), (start, end), "{format:?}");
@@ -74,7 +75,7 @@ fn coordinates_are_the_same_doubles() {
 fn a_wrong_file_is_found_out() {
     let m = model(vec![("slot", vec![CurveObject::ArcPath(slot(flat))])]);
     let bytes = export(&m, Format::Step, &ExportOptions::default()).unwrap().bytes;
-    let chain = read_back(Format::Step, &bytes).unwrap().remove(0);
+    let chain = read_back(Format::Step, &bytes).unwrap().curves.remove(0);
     let pieces = chain.pieces().to_vec();
     let wrong = |order: &[usize], closed| {
         let pieces = order.iter().map(|i| pieces[*i].clone()).collect();
@@ -134,7 +135,7 @@ fn wild_curves_pass_their_own_check() {
         let size = bounds(m.items[0].contours[0].as_curve()).diagonal();
         for format in FORMATS {
             let file = export(&m, format, &ExportOptions::default()).unwrap();
-            let d = file_deviation(&m, format, &file.bytes).unwrap();
+            let d = file_deviation(&m, format, &file).unwrap();
             assert!(d <= file.bound + 1e-11 * size, "{case} {format:?}: {d:e} of {:e}", file.bound);
             files += 1;
         }
@@ -152,7 +153,7 @@ fn an_open_curve_may_end_where_it_starts() {
         let m = model(vec![("loop", vec![CurveObject::ArcPath(path)])]);
         for format in FORMATS {
             let file = export(&m, format, &ExportOptions::default()).unwrap();
-            let d = file_deviation(&m, format, &file.bytes).unwrap();
+            let d = file_deviation(&m, format, &file).unwrap();
             // Rounding of coordinates up to 40.
             assert!(d <= file.bound + 1e-13, "{format:?}: {d:e} of {:e}", file.bound);
         }

@@ -80,7 +80,7 @@ fn nearly_straight_arcs_keep_their_digits() {
         let m = model(vec![("a", vec![CurveObject::ArcPath(bulges(map, &square, &[1e-3, 1e-5, 1e-7, 1e-9]))])]);
         let file = export(&m, Format::Step, &ExportOptions::default()).unwrap();
         // The second one is a circle of radius 1.25e6: half an ulp of centre and radius. The others are better.
-        let d = file_deviation(&m, Format::Step, &file.bytes).unwrap();
+        let d = file_deviation(&m, Format::Step, &file).unwrap();
         assert!(file.exact && d < 3e-16 * 1.25e6, "{d:e}");
     }
 }

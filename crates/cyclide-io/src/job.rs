@@ -1,0 +1,204 @@
+//! A checked request to a writer: the model lowered to contours and bodies, the options with the defaults filled in.
+
+use crate::export::{ExportError, ExportOptions};
+use crate::format::{Format, Kind};
+use cyclide::{
+    Aabb, ArcPath, Body, ChainPiece, CurveChain, CurveObject, Exactness, Item, Lower, Model, ParamCurve as _, Units,
+    bounds,
+};
+
+/// Tolerance of curves when none is asked for: this part of the model's diagonal.
+const DEFAULT_RELATIVE_TOLERANCE: f64 = 1e-5;
+/// The same of meshes, whose size grows with its inverse (that of polylines with the root only).
+const DEFAULT_MESH_TOLERANCE: f64 = 1e-4;
+
+/// Largest coordinate that is written: products of two of them must not overflow.
+const LARGEST_COORDINATE: f64 = 1e120;
+
+/// The body of one surface with the object it belongs to.
+pub(crate) struct BodyOf<'a> {
+    /// Name of the object.
+    pub(crate) object: &'a str,
+    /// Index of the object in the model.
+    pub(crate) item: usize,
+    /// Which of the object's surfaces.
+    pub(crate) index: usize,
+    /// How many surfaces the object has.
+    pub(crate) count: usize,
+    pub(crate) body: Body,
+}
+
+impl BodyOf<'_> {
+    /// The object's name, with the surface's number from 1 behind it where there are several.
+    pub(crate) fn label(&self) -> String {
+        if self.count == 1 { self.object.to_owned() } else { format!("{} {}", self.object, self.index + 1) }
+    }
+}
+
+/// A checked request: the model, the options with the defaults filled in, and the model's size.
+pub(crate) struct Job<'a> {
+    pub(crate) model: &'a Model,
+    pub(crate) options: &'a ExportOptions,
+    /// Tolerance of curves.
+    pub(crate) tolerance: f64,
+    /// Tolerance of meshes.
+    pub(crate) mesh_tolerance: f64,
+    /// The smallest box around all curves and surfaces.
+    pub(crate) bounds: Aabb,
+    /// The bodies of all surfaces, in the model's order.
+    pub(crate) bodies: Vec<BodyOf<'a>>,
+}
+
+/// One connected curve with the object it belongs to.
+pub(crate) struct Contour<'a> {
+    /// Name of the object.
+    pub(crate) object: &'a str,
+    /// Index of the object in the model.
+    pub(crate) item: usize,
+    /// Which of the object's contours.
+    pub(crate) index: usize,
+    /// How many contours the object has.
+    pub(crate) count: usize,
+    pub(crate) curve: &'a CurveObject,
+}
+
+impl Contour<'_> {
+    /// The object's name, with the contour's number from 1 behind it where there are several.
+    pub(crate) fn label(&self) -> String {
+        if self.count == 1 { self.object.to_owned() } else { format!("{} {}", self.object, self.index + 1) }
+    }
+
+    /// A result of the kernel with the place it belongs to.
+    pub(crate) fn lowered<T>(&self, result: cyclide::Result<T>) -> Result<T, ExportError> {
+        result.map_err(|source| ExportError::Lowering { object: self.object.to_owned(), contour: self.index, source })
+    }
+}
+
+impl<'a> Job<'a> {
+    pub(crate) fn new(model: &'a Model, options: &'a ExportOptions) -> Result<Self, ExportError> {
+        let mut total: Option<Aabb> = None;
+        for contour in contours(model) {
+            let own = bounds(contour.curve.as_curve());
+            if !(own.max_abs() <= LARGEST_COORDINATE) {
+                let object = contour.object.to_owned();
+                return Err(ExportError::TooLarge { object, value: own.max_abs(), limit: LARGEST_COORDINATE });
+            }
+            total = Some(total.map_or(own, |b| b.union(own)));
+        }
+        let bodies = bodies(model)?;
+        for body in &bodies {
+            let own = body.body.bounds();
+            if !(own.max_abs() <= LARGEST_COORDINATE) {
+                let object = body.object.to_owned();
+                return Err(ExportError::TooLarge { object, value: own.max_abs(), limit: LARGEST_COORDINATE });
+            }
+            total = Some(total.map_or(own, |b| b.union(own)));
+        }
+        let bounds = total.ok_or(ExportError::Empty)?;
+        let tolerance = options.tolerance.unwrap_or_else(|| default_tolerance(bounds));
+        let relative = DEFAULT_MESH_TOLERANCE / DEFAULT_RELATIVE_TOLERANCE;
+        let mesh_tolerance = options.tolerance.unwrap_or_else(|| relative * default_tolerance(bounds));
+        if !(tolerance > 0.0 && tolerance.is_finite()) {
+            return Err(ExportError::ToleranceNotPositive { tolerance });
+        }
+        Ok(Self { model, options, tolerance, mesh_tolerance, bounds, bodies })
+    }
+
+    pub(crate) fn units(&self) -> Units {
+        self.model.units
+    }
+
+    /// Diagonal of the model, never zero.
+    pub(crate) fn size(&self) -> f64 {
+        self.bounds.diagonal().max(f64::MIN_POSITIVE)
+    }
+
+    /// The model's name: asked for, or that of the only object.
+    pub(crate) fn title(&self) -> &str {
+        match (&self.options.title, self.model.items.as_slice()) {
+            (Some(title), _) => title,
+            (None, [only]) => &only.name,
+            _ => "cyclide",
+        }
+    }
+
+    pub(crate) fn contours(&self) -> impl Iterator<Item = Contour<'a>> {
+        contours(self.model)
+    }
+
+    /// A note on the objects that the format has no place for; refused where nothing remains.
+    pub(crate) fn left_out(&self, format: Format) -> Result<Option<String>, ExportError> {
+        let Some(kind) = format.lacks() else {
+            return Ok(None);
+        };
+        let has = |item: &&Item, kind: Kind| match kind {
+            Kind::Curves => !item.contours.is_empty(),
+            Kind::Surfaces => !item.surfaces.is_empty(),
+        };
+        let (other, what) = match kind {
+            Kind::Curves => (Kind::Surfaces, "curves"),
+            Kind::Surfaces => (Kind::Curves, "surfaces"),
+        };
+        let lost: Vec<&str> =
+            self.model.items.iter().filter(|item| has(item, kind)).map(|item| item.name.as_str()).collect();
+        let Some(first) = lost.first() else {
+            return Ok(None);
+        };
+        if !self.model.items.iter().any(|item| has(&item, other)) {
+            let (object, format) = ((*first).to_owned(), format.title());
+            return Err(ExportError::NotInFormat { object, format, detail: what });
+        }
+        Ok(Some(format!("{what} are left out ({} cannot hold them): {}", format.title(), lost.join(", "))))
+    }
+
+    /// The contour as arcs and rational splines, without pieces of no length, which no format wants.
+    pub(crate) fn chain(&self, contour: &Contour<'_>) -> Result<(CurveChain, Exactness), ExportError> {
+        let (chain, exactness) = contour.lowered(contour.curve.to_chain(self.tolerance))?;
+        let is_point = |p: &ChainPiece| matches!(p, ChainPiece::Arc(arc) if arc.start() == arc.end());
+        if !chain.pieces().iter().any(is_point) {
+            return Ok((chain, exactness));
+        }
+        let pieces = chain.pieces().iter().filter(|p| !is_point(p)).cloned().collect();
+        let chain = CurveChain::new(pieces, chain.is_closed(), 0.0);
+        Ok((contour.lowered(chain)?, exactness))
+    }
+
+    /// The contour as arcs and segments, without those of no length.
+    pub(crate) fn arcs(&self, contour: &Contour<'_>) -> Result<(ArcPath, Exactness), ExportError> {
+        let (path, exactness) = contour.lowered(contour.curve.to_arcs(self.tolerance))?;
+        if path.arcs().iter().all(|a| a.start() != a.end()) {
+            return Ok((path, exactness));
+        }
+        let arcs = path.arcs().iter().filter(|a| a.start() != a.end()).copied().collect();
+        let path = ArcPath::new(arcs, path.is_closed());
+        Ok((contour.lowered(path)?, exactness))
+    }
+}
+
+/// The bodies of a model's surfaces in the order in which every format writes them.
+fn bodies(model: &Model) -> Result<Vec<BodyOf<'_>>, ExportError> {
+    let mut bodies = Vec::new();
+    for (item, it) in model.items.iter().enumerate() {
+        for (index, surface) in it.surfaces.iter().enumerate() {
+            let lowered = |source| ExportError::Lowering { object: it.name.clone(), contour: index, source };
+            let body = surface.to_body().map_err(lowered)?;
+            bodies.push(BodyOf { object: &it.name, item, index, count: it.surfaces.len(), body });
+        }
+    }
+    Ok(bodies)
+}
+
+/// The connected curves of a model in the order in which every format writes them.
+pub(crate) fn contours(model: &Model) -> impl Iterator<Item = Contour<'_>> {
+    model.items.iter().enumerate().flat_map(|(item, it)| {
+        let count = it.contours.len();
+        let own = it.contours.iter().enumerate();
+        own.map(move |(index, curve)| Contour { object: &it.name, item, index, count, curve })
+    })
+}
+
+/// The tolerance that applies when none is asked for; for a model without extent that of a model of size 1.
+pub(crate) fn default_tolerance(bounds: Aabb) -> f64 {
+    let size = bounds.diagonal();
+    DEFAULT_RELATIVE_TOLERANCE * if size > 0.0 { size } else { 1.0 }
+}
