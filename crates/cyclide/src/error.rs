@@ -295,6 +295,49 @@ pub enum Error {
         /// Second parameter.
         t: f64,
     },
+    /// The frame does not come back when it is carried once round a closed net.
+    #[error(
+        "the net does not close along {direction}: after one turn the frame is off by {angle:e} radians and the speed of the lines across by the factor 1 + {stretch:e}, limit {limit:e}"
+    )]
+    NetDoesNotClose {
+        /// The closed direction: `s` or `t`.
+        direction: &'static str,
+        /// Angle of the rotation from the frame that left to the frame that came back, radians.
+        angle: f64,
+        /// Ratio of the parameter speeds on both sides of the seam, minus 1.
+        stretch: f64,
+        /// Largest angle and stretch accepted.
+        limit: f64,
+    },
+    /// No frame fits the directions of the edges of a net better than all others.
+    #[error("the edges of the net determine no frame: give one at the first vertex")]
+    AmbiguousFrame,
+    /// A construction needs four real sides and met one that is a single point.
+    #[error("the side {side} of the net is one point: {cannot}")]
+    CollapsedSide {
+        /// The side: `s = 0`, `s = 1`, `t = 0` or `t = 1`.
+        side: &'static str,
+        /// What cannot be made.
+        cannot: &'static str,
+    },
+    /// Vertices, edges and faces do not make a shell.
+    #[error("not a shell: {item} {index}: {detail}")]
+    NotAShell {
+        /// The kind of item: `vertex`, `edge`, `face`.
+        item: &'static str,
+        /// Which one, from 0.
+        index: usize,
+        /// What is wrong with it.
+        detail: &'static str,
+    },
+    /// One quad of a net failed; the cause says why.
+    #[error("quad {quad}: {cause}")]
+    InQuad {
+        /// Which quad, from 0, s fastest.
+        quad: usize,
+        /// What went wrong in it.
+        cause: Box<Error>,
+    },
     /// One span of a chain failed; the cause says why.
     #[error("span {span}: {cause}")]
     InSpan {
@@ -362,7 +405,11 @@ impl Error {
             Self::CrossingQuad { .. } => "crossing-quad",
             Self::NotInSpace { .. } => "not-in-space",
             Self::PatchThroughInfinity { .. } => "patch-through-infinity",
-            Self::InSpan { cause, .. } => cause.reason(),
+            Self::NetDoesNotClose { .. } => "net-does-not-close",
+            Self::AmbiguousFrame => "ambiguous-frame",
+            Self::CollapsedSide { .. } => "collapsed-side",
+            Self::NotAShell { .. } => "not-a-shell",
+            Self::InQuad { cause, .. } | Self::InSpan { cause, .. } => cause.reason(),
         }
     }
 
@@ -385,7 +432,20 @@ impl Error {
             Self::NotConcircular { quad, .. } | Self::CrossingQuad { quad, .. } => Some(quad),
             Self::Disconnected { piece, .. } => Some(piece),
             Self::InSpan { span, .. } => Some(span),
+            Self::NotAShell { index, .. } => Some(index),
+            Self::InQuad { quad, .. } => Some(quad),
             _ => None,
+        }
+    }
+
+    /// Wraps the error as the failure of one quad of a net.
+    #[must_use]
+    pub fn in_quad(self, quad: usize) -> Self {
+        match self {
+            // These say which quad themselves.
+            Self::NotConcircular { measured, limit, .. } => Self::NotConcircular { quad, measured, limit },
+            Self::CrossingQuad { position, .. } => Self::CrossingQuad { quad, position },
+            other => Self::InQuad { quad, cause: Box::new(other) },
         }
     }
 

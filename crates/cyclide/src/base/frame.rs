@@ -1,6 +1,7 @@
 //! Right-handed orthonormal frames: the border between space and a plane in it.
 
 use super::planar::{Point2, Vec2};
+use super::quat::Quat;
 use super::vector::{Point3, Vec3};
 use crate::error::{Error, Result};
 
@@ -58,6 +59,22 @@ impl Frame {
     #[must_use]
     pub fn z(&self) -> Vec3 {
         self.z
+    }
+
+    /// The unit quaternion that turns the coordinate axes to those of the frame.
+    #[must_use]
+    pub(crate) fn rotation(&self) -> Quat {
+        let (x, y, z) = (self.x, self.y, self.z);
+        // Four times the products of one coefficient with all: the largest of the four rows, so nothing cancels.
+        let rows = [
+            Quat::new(1.0 + x.x + y.y + z.z, y.z - z.y, z.x - x.z, x.y - y.x),
+            Quat::new(y.z - z.y, 1.0 + x.x - y.y - z.z, y.x + x.y, z.x + x.z),
+            Quat::new(z.x - x.z, y.x + x.y, 1.0 - x.x + y.y - z.z, z.y + y.z),
+            Quat::new(x.y - y.x, z.x + x.z, z.y + y.z, 1.0 - x.x - y.y + z.z),
+        ];
+        let diagonal = [rows[0].w, rows[1].x, rows[2].y, rows[3].z];
+        let largest = (1..4).fold(0, |best, k| if diagonal[k] > diagonal[best] { k } else { best });
+        rows[largest] * (1.0 / rows[largest].norm())
     }
 
     /// Plane coordinates and height of a point of space.

@@ -11,4 +11,5 @@ pub(crate) mod quat;
 pub(crate) mod range;
 pub(crate) mod roots;
 pub(crate) mod surface_jet;
+pub(crate) mod svd3;
 pub(crate) mod vector;

@@ -1,11 +1,15 @@
 //! Surfaces: the trait, principal patches of Dupin cyclides, shells of patches that share edges.
 
 mod bounds;
+mod dupin;
+mod net;
 mod param_surface;
 mod patch;
 mod quad_grid;
 mod shell;
 
+pub use dupin::{CyclideKind, DupinCyclide};
+pub use net::{CyclidicNet, NetFrame};
 pub use param_surface::ParamSurface;
 pub use patch::{CyclidePatch, PatchKind};
 pub use quad_grid::QuadGrid;

@@ -1,15 +1,14 @@
 //! The patch from four concircular corners and a frame (`20`, section 2, formula (C)).
 
+use super::corner_circle::{CornerCircle, corner_circle, distinct};
 use super::{CyclidePatch, largest_distance};
 use crate::base::quat::Quat;
 use crate::base::range;
 use crate::base::vector::{Point3, Vec3};
 use crate::error::{Error, Result};
 
-/// Corners closer than this part of the largest distance coincide.
-const COINCIDENT_LIMIT: f64 = 1e-12;
-/// Largest distance of the fourth corner from the circle of the others, and of its place from their arc, relative.
-pub(super) const CONCIRCULAR_LIMIT: f64 = 1e-9;
+/// Largest distance from three-space that counts as rounding, relative to the size.
+pub(super) const SPACE_LIMIT: f64 = 1e-9;
 /// Largest deviation of the frame from unit length and right angle.
 const FRAME_LIMIT: f64 = 1e-9;
 
@@ -34,29 +33,11 @@ impl CyclidePatch {
                 return Err(Error::NotFinite { what: "frame vector", index });
             }
         }
-        let scale = largest_distance(&corners);
-        range::check_distance(scale)?;
-        let distance = |i: usize, j: usize| corners[i].distance(corners[j]);
-        for (first, second) in [(0, 1), (0, 2), (0, 3), (1, 2)] {
-            let (distance, limit) = (distance(first, second), COINCIDENT_LIMIT * scale);
-            if distance <= limit {
-                return Err(Error::CoincidentPoints { first, second, distance, limit });
-            }
-        }
+        let scale = distinct(&corners)?;
         let (v1, v2) = orthonormal(v1, v2)?;
-        let x = |k: usize| (corners[k] - corners[0]) / scale;
-        // b_k = (a_k - a0)^-1 = -x/|x|², imaginary.
-        let inverse = |x: Vec3| x / -x.length_squared();
-        let (b1, b2) = (inverse(x(1)), inverse(x(2)));
-        let (b3, corner) = if distance(1, 3) <= COINCIDENT_LIMIT * scale {
-            (b1, corners[1])
-        } else if distance(2, 3) <= COINCIDENT_LIMIT * scale {
-            (b2, corners[2])
-        } else {
-            on_circle(b1, b2, inverse(x(3)), corners[0], corners[3], scale)?
-        };
-        let (b1, b2, b3) = (Quat::from(b1), Quat::from(b2), Quat::from(b3));
-        let (d1, d2) = (x(1).length(), x(2).length());
+        let CornerCircle { inverses, corner } = corner_circle(&corners, scale)?;
+        let [b1, b2, b3] = inverses.map(Quat::from);
+        let (d1, d2) = (corners[0].distance(corners[1]) / scale, corners[0].distance(corners[2]) / scale);
         let weights = [
             Quat::ONE,
             b1 * Quat::from(v1) * d1,
@@ -95,7 +76,7 @@ impl CyclidePatch {
         let (v1, v2) = orthonormal(v1, v2)?;
         let patch = Self::from_weights_unchecked(corners, weights, v1, v2);
         patch.check_no_pole()?;
-        patch.check_in_space(CONCIRCULAR_LIMIT)?;
+        patch.check_in_space(SPACE_LIMIT)?;
         Ok(patch)
     }
 
@@ -110,22 +91,6 @@ impl CyclidePatch {
         let defect = residuals.map(|(s, t)| self.real_residual(s, t)).fold(0.0, f64::max) / self.scale;
         if defect <= limit { Ok(()) } else { Err(Error::NotInSpace { defect, limit }) }
     }
-}
-
-/// `b3` moved onto the segment `b1 b2` (the inverted arc opposite to a0), and the corner it stands for.
-fn on_circle(b1: Vec3, b2: Vec3, b3: Vec3, a0: Point3, a3: Point3, scale: f64) -> Result<(Vec3, Point3)> {
-    let side = b2 - b1;
-    let x = (b3 - b1).dot(side) / side.length_squared();
-    let foot = b1 + side * x;
-    let corner = a0 + foot * (-scale / foot.length_squared());
-    let (moved, limit) = (corner.distance(a3) / scale, CONCIRCULAR_LIMIT);
-    if !(moved <= limit) {
-        return Err(Error::NotConcircular { quad: 0, measured: moved, limit });
-    }
-    if !(-limit..=1.0 + limit).contains(&x) {
-        return Err(Error::CrossingQuad { quad: 0, position: x });
-    }
-    Ok((foot, corner))
 }
 
 /// The frame made orthonormal to rounding, if it is orthonormal to the limit.

@@ -10,6 +10,7 @@
 
 mod circles;
 mod construct;
+mod corner_circle;
 mod curvature;
 mod lines;
 mod offset;
@@ -19,6 +20,9 @@ mod rational;
 mod recognise;
 mod singular;
 mod transform;
+
+pub(super) use construct::orthonormal;
+pub(super) use corner_circle::check_quad;
 
 use super::param_surface::ParamSurface;
 use crate::base::quat::Quat;

@@ -22,6 +22,9 @@ impl CyclidePatch {
     }
 }
 
+/// A side of one point where the speed has a double zero has its other zero nearer to it than this, by rounding.
+const DOUBLE_ZERO: f64 = 16.0 * f64::EPSILON;
+
 /// Zeros in (0, 1) of the quadratic with these Bernstein coefficients. An end that is exactly zero is a side of one
 /// point, not a zero inside.
 pub(super) fn roots(c: [f64; 3]) -> Vec<f64> {
@@ -32,9 +35,11 @@ pub(super) fn roots(c: [f64; 3]) -> Vec<f64> {
         ((t > 0.0) == (u > 0.0) && t != 0.0 && u != 0.0 && r > 0.0 && r < 1.0).then_some(r)
     };
     let mut found: Vec<f64> = if a == 0.0 {
-        inside(-2.0 * b, e).into_iter().collect() // t (2 b u + e t) = 0
+        // t (2 b u + e t) = 0
+        inside(-2.0 * b, e).filter(|r| *r > DOUBLE_ZERO).into_iter().collect()
     } else if e == 0.0 {
-        inside(a, -2.0 * b).into_iter().collect() // u (a u + 2 b t) = 0
+        // u (a u + 2 b t) = 0
+        inside(a, -2.0 * b).filter(|r| *r < 1.0 - DOUBLE_ZERO).into_iter().collect()
     } else {
         let discriminant = b * b - a * e;
         if discriminant < 0.0 {
@@ -64,6 +69,7 @@ mod tests {
         assert_eq!(roots(bernstein(0.5, 2.0)), [0.5]);
         assert_eq!(roots(bernstein(0.5, 1.0)), [0.5], "the zero at the end is a side");
         assert_eq!(roots(bernstein(0.0, 0.5)), [0.5]);
+        assert!(roots([0.0, -1e-17, 0.5]).is_empty(), "a double zero at the side");
         assert!(roots([0.0, 0.0, 0.0]).is_empty() && roots([1.0, 1.0, 1.0]).is_empty());
     }
 }

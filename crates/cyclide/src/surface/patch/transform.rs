@@ -1,7 +1,7 @@
 //! Möbius maps of patches: the homogeneous pairs map linearly, so the image is a patch with the same parameters.
 
 use super::CyclidePatch;
-use super::construct::CONCIRCULAR_LIMIT;
+use super::construct::SPACE_LIMIT;
 use crate::base::quat::Quat;
 use crate::base::range;
 use crate::conformal::hpoint::HPoint;
@@ -43,7 +43,7 @@ impl Conformal for CyclidePatch {
         }
         image.check_no_pole()?;
         let far = corners.iter().map(|a| a.to_vec().max_abs()).fold(0.0, f64::max);
-        image.check_in_space(CONCIRCULAR_LIMIT + CORNER_ROUNDING * far / image.scale)?;
+        image.check_in_space(SPACE_LIMIT + CORNER_ROUNDING * far / image.scale)?;
         // The speeds scale by the determinant: zeros and signs stay.
         let factor = lambda.abs() / size / size;
         image.polar.q1 = self.polar.q1.map(|q| q * factor);

@@ -1,5 +1,8 @@
 //! Patches that share edges and vertices: what files, meshes and pictures are made of.
 
+mod check;
+mod measure;
+
 use super::patch::CyclidePatch;
 use crate::base::vector::Point3;
 use crate::curve::Arc;
@@ -45,6 +48,20 @@ pub struct Shell {
 }
 
 impl Shell {
+    /// A shell from its vertices, edges and faces, all relations checked.
+    ///
+    /// # Errors
+    /// `not-a-shell`, with the kind and the index of the item and what is wrong: an index out of range; an edge whose
+    /// ends are not its vertices bit for bit; a side whose edge joins other vertices or has another parameter (weight
+    /// ratios that differ by more than 1e-9); a side without edge that is not one point; an edge with more than two
+    /// faces, or with two faces that run along it in the same direction; faces that do not hang together through
+    /// edges; no face at all.
+    pub fn new(vertices: Vec<Point3>, edges: Vec<ShellEdge>, faces: Vec<ShellFace>) -> Result<Self> {
+        let shell = Self { vertices, edges, faces };
+        shell.check()?;
+        Ok(shell)
+    }
+
     /// The shell of one patch with its (up to four) edges.
     ///
     /// # Errors
@@ -98,6 +115,15 @@ impl Shell {
             uses[side.edge] += 1;
         }
         uses
+    }
+
+    /// The same faces with the other side outside.
+    #[must_use]
+    pub fn flipped(mut self) -> Self {
+        for face in &mut self.faces {
+            face.same_sense = !face.same_sense;
+        }
+        self
     }
 
     /// True if every edge has two faces.

@@ -1,0 +1,159 @@
+//! Nets of patches in closed form (`20`, section 4).
+//!
+//! With half angles `cc = cos(th/2) cos(ps/2)`, `sc = sin(th/2) cos(ps/2)`, `cs`, `ss` and `al = sqrt(a-c)`,
+//! `be = sqrt(a+c)`:
+//! ```text
+//! w = al (cc + i ss) + be (k sc - j cs),   |w|² = den = a - c cos th cos ps,   V1 = j, V2 = -k
+//! p = (mu (c - a cos th cos ps) + b² cos th,  b sin th (a - mu cos ps),  b sin ps (c cos th - mu)) / den
+//! ```
+//! The parameter lines `th` = const shrink to points where `mu = c cos th`, the lines `ps` = const where
+//! `a = mu cos ps`: these angles are breakpoints. So are 0 and pi, which makes all nine real weights of every patch
+//! positive: they are `a ka ka' - c ga ga'` with `ka = (1, cos(d/2), 1)` and `ga = (cos th_0, cos th_mid, cos th_1)`,
+//! and `|cos th_mid| <= cos(d/2)` for a step `d` inside `[0, pi]`.
+
+use super::{CyclideKind, DupinCyclide, NODE_LIMIT};
+use crate::base::quat::Quat;
+use crate::base::vector::Vec3;
+use crate::error::{Error, Result};
+use crate::surface::net::CyclidicNet;
+use crate::surface::quad_grid::QuadGrid;
+use crate::surface::shell::{Body, Shell};
+use std::f64::consts::{PI, TAU};
+
+/// Segments of a whole turn by default, in both directions.
+pub const DEFAULT_SEGMENTS: [usize; 2] = [4, 4];
+
+/// Most segments of a turn.
+const MAX_SEGMENTS: usize = 4096;
+
+/// Angles from one node to the next, or all round.
+struct Range {
+    angles: Vec<f64>,
+    closed: bool,
+}
+
+impl DupinCyclide {
+    /// The cyclide as nets of patches: s runs round the long way (`th`), t round the tube (`ps`), in steps of at most
+    /// `TAU/segments`, with 0, pi and the nodes among the breakpoints, from 0 (or from the node below it). A ring is
+    /// one net, closed in both directions. A horn is two nets, closed along t, with the nodes for sides `s = 0` and
+    /// `s = 1`; a spindle is two nets, closed along s, with the nodes for sides `t = 0` and `t = 1`: first the part
+    /// that contains the angle 0 (of the spindle: the inner surface), then the other. If both nodes are one, the
+    /// part between them is missing. The weights of the rational forms are all positive.
+    ///
+    /// # Errors
+    /// `parameter-out-of-range` (segments outside 3 to 4096).
+    pub fn nets(&self, segments: [usize; 2]) -> Result<Vec<CyclidicNet>> {
+        for (name, value) in [("segments along s", segments[0]), ("segments along t", segments[1])] {
+            if !(3..=MAX_SEGMENTS).contains(&value) {
+                let (value, max) = (value as f64, MAX_SEGMENTS as f64);
+                return Err(Error::ParameterOutOfRange { name, value, min: 3.0, max });
+            }
+        }
+        let (node_s, node_t) = match self.kind() {
+            CyclideKind::Ring => (None, None),
+            CyclideKind::Horn => (Some(self.node_angle(self.mu, self.c)), None),
+            CyclideKind::Spindle => (None, Some(self.node_angle(self.a, self.mu))),
+        };
+        let (along_s, along_t) = (ranges(segments[0], node_s), ranges(segments[1], node_t));
+        along_s.iter().flat_map(|s| along_t.iter().map(move |t| (s, t))).map(|(s, t)| self.net(s, t)).collect()
+    }
+
+    /// The solids that the cyclide bounds: one for a ring, for a horn two that touch in the nodes, for a spindle the
+    /// inner and the outer one. Each is one closed shell, outside outwards; the nodes of different solids are
+    /// different vertices at the same place.
+    ///
+    /// # Errors
+    /// As [`nets`](Self::nets).
+    pub fn to_bodies(&self, segments: [usize; 2]) -> Result<Vec<Body>> {
+        let body = |net: CyclidicNet| Ok(Body { outer: net.to_shell()?, voids: Vec::new() });
+        self.nets(segments)?.into_iter().map(body).collect()
+    }
+
+    /// The ring cyclide as one closed shell of 4 x 4 patches.
+    ///
+    /// # Errors
+    /// `not-a-shell` for a horn or a spindle, which is more than one: see [`to_bodies`](Self::to_bodies).
+    pub fn to_shell(&self) -> Result<Shell> {
+        match (self.kind(), self.nets(DEFAULT_SEGMENTS)?.as_slice()) {
+            (CyclideKind::Ring, [net]) => net.to_shell(),
+            _ => Err(Error::NotAShell { item: "vertex", index: 0, detail: "the cyclide touches itself in its nodes" }),
+        }
+    }
+
+    /// The angle in [0, pi/2] with cosine `x/y`, 0 if these are equal to rounding.
+    fn node_angle(&self, x: f64, y: f64) -> f64 {
+        if y - x <= NODE_LIMIT * self.a { 0.0 } else { (x / y).acos() }
+    }
+
+    fn net(&self, s: &Range, t: &Range) -> Result<CyclidicNet> {
+        let Self { a, c, mu, frame } = *self;
+        let (al, be, b) = ((a - c).sqrt(), (a + c).sqrt(), ((a - c) * (a + c)).sqrt());
+        let turn = frame.rotation();
+        let (mut points, mut weights) = (Vec::new(), Vec::new());
+        for &ps in &t.angles {
+            for &th in &s.angles {
+                let ((sin_s, cos_s), (sin_t, cos_t)) = (sin_cos(0.5 * th), sin_cos(0.5 * ps));
+                let w = Quat::new(al * cos_s * cos_t, al * sin_s * sin_t, -be * cos_s * sin_t, be * sin_s * cos_t);
+                weights.push(turn * w * (1.0 / a.sqrt()));
+                let ((st, ct), (sp, cp)) = (sin_cos(th), sin_cos(ps));
+                let p = Vec3::new(mu * (c - a * ct * cp) + b * b * ct, b * st * (a - mu * cp), b * sp * (c * ct - mu))
+                    / (a - c * ct * cp);
+                points.push(frame.origin() + frame.x() * p.x + frame.y() * p.y + frame.z() * p.z);
+            }
+        }
+        let size = [s.angles.len(), t.angles.len()];
+        // The nodes are one point each.
+        let [m, n] = size;
+        if !s.closed {
+            for i in [0, m - 1] {
+                (1..n).for_each(|j| points[i + j * m] = points[i]);
+            }
+        }
+        if !t.closed {
+            for j in [0, n - 1] {
+                (1..m).for_each(|i| points[i + j * m] = points[j * m]);
+            }
+        }
+        let grid = QuadGrid::new(points, size, [s.closed, t.closed])?;
+        // After a full turn the half angles are half a turn further.
+        Ok(CyclidicNet::from_weights_unchecked(grid, weights, [Vec3::Y, -Vec3::Z], [-1.0, -1.0]))
+    }
+}
+
+/// Sine and cosine, exactly 0 where they are zero up to the rounding of pi.
+fn sin_cos(angle: f64) -> (f64, f64) {
+    let settle = |x: f64| if x.abs() <= 4.0 * f64::EPSILON { 0.0 } else { x };
+    let (sin, cos) = angle.sin_cos();
+    (settle(sin), settle(cos))
+}
+
+/// The whole turn, or its two parts between the angles `-node` and `node` (only the second if node is 0).
+fn ranges(segments: usize, node: Option<f64>) -> Vec<Range> {
+    let step = TAU / segments as f64;
+    let chain = |fixed: &[f64]| {
+        let mut angles = vec![fixed[0]];
+        for ends in fixed.windows(2) {
+            let (from, to) = (ends[0], ends[1]);
+            // A span that is a whole number of steps up to rounding has that number.
+            let parts = (((to - from) / step) * (1.0 - 1e-12)).ceil().max(1.0) as usize;
+            angles.extend(
+                (1..=parts).map(|k| if k == parts { to } else { from + (to - from) * k as f64 / parts as f64 }),
+            );
+        }
+        angles
+    };
+    match node {
+        None => {
+            let mut angles = chain(&[0.0, PI, TAU]);
+            angles.pop(); // the first again
+            vec![Range { angles, closed: true }]
+        }
+        Some(node) => {
+            let outer = Range { angles: chain(&[node, PI, TAU - node]), closed: false };
+            if node == 0.0 {
+                return vec![outer];
+            }
+            vec![Range { angles: chain(&[-node, 0.0, node]), closed: false }, outer]
+        }
+    }
+}

@@ -1,0 +1,165 @@
+//! The net of a circular grid and one frame (`20`, section 6; A. Bobenko and E. Huhnen-Venedey).
+//!
+//! Along an edge with unit chord `d`, in direction `k`, the weight goes on by `w -> d^-1 w V_k` and with it the frame
+//! by reflection in the plane half way, the forward direction kept forward. Round an embedded
+//! circular quad this comes back up to a positive real factor, which the lengths take up:
+//! `|w3| = |w1| |w2| / |w0| · delta_12/delta_03`.
+
+use super::{CyclidicNet, NetFrame, frame};
+use crate::base::quat::Quat;
+use crate::base::range;
+use crate::base::vector::Vec3;
+use crate::error::{Error, Result};
+use crate::surface::patch::{CyclidePatch, check_quad, orthonormal};
+use crate::surface::quad_grid::QuadGrid;
+
+/// Largest angle (radians) and relative stretch by which a closed net may fail to close.
+const CLOSING_LIMIT: f64 = 1e-9;
+
+impl CyclidicNet {
+    /// The net over a grid whose quads are embedded and concircular (to 1e-9 of their size), with the given frame.
+    /// Quads are counted from 0, s fastest.
+    ///
+    /// The weights are those of the whole net: neighbouring patches agree pointwise on the edge they share. Their
+    /// lengths, of which one row and one column are free, are those nearest to 1 (least squares of the logarithms).
+    ///
+    /// # Errors
+    /// `not-finite`, `frame-not-orthonormal`; `coincident-points`, `not-concircular`, `crossing-quad`, `not-in-space`,
+    /// `patch-through-infinity` with the quad; `net-does-not-close` if a closed direction does not bring the frame
+    /// back (for a generic circular net it does not: see `20`, section 6); `ambiguous-frame` if the edges give no
+    /// frame for [`NetFrame::Auto`].
+    pub fn new(grid: QuadGrid, frame: NetFrame) -> Result<Self> {
+        let [m, n] = grid.quads();
+        // ln(delta_12/delta_03) of every quad.
+        let mut kappa = Vec::with_capacity(m * n);
+        for quad in 0..m * n {
+            let a = grid.corners(quad % m, quad / m).map(|k| grid.points()[k]);
+            check_quad(&a).map_err(|e| e.in_quad(quad))?;
+            kappa.push((a[1].distance(a[2]) / a[0].distance(a[3])).ln());
+        }
+        let (v1, v2) = match frame {
+            NetFrame::Auto => frame::fitted(&grid)?,
+            NetFrame::First(v1, v2) => {
+                for (index, v) in [v1, v2].into_iter().enumerate() {
+                    if !v.is_finite() {
+                        return Err(Error::NotFinite { what: "frame vector", index });
+                    }
+                }
+                orthonormal(v1, v2)?
+            }
+        };
+        let v = [v1, v2];
+        let directions = transported(&grid, v);
+        let turn = closing(&grid, v, &directions)?;
+        let lengths = lengths(&grid, &kappa)?;
+        let weights = directions.iter().zip(&lengths).map(|(w, l)| *w * *l).collect();
+        let net = Self { grid, weights, v, turn };
+        for quad in 0..m * n {
+            let (corners, weights) = net.pairs(quad % m, quad / m);
+            CyclidePatch::from_weights(corners, weights, v1, v2).map_err(|e| e.in_quad(quad))?;
+        }
+        Ok(net)
+    }
+}
+
+impl CyclidicNet {
+    /// The net of given vertices and weights: valid by construction, patches without poles.
+    pub(in crate::surface) fn from_weights_unchecked(
+        grid: QuadGrid,
+        weights: Vec<Quat>,
+        v: [Vec3; 2],
+        turn: [f64; 2],
+    ) -> Self {
+        debug_assert_eq!(weights.len(), grid.points().len());
+        Self { grid, weights, v, turn }
+    }
+}
+
+/// The unit weight at the other end of an edge with unit chord `d` in the direction of `v`: `d^-1 w v`.
+fn step(w: Quat, d: Vec3, v: Vec3) -> Quat {
+    let next = Quat::from(-d) * w * Quat::from(v);
+    next * (1.0 / next.norm())
+}
+
+/// Unit weights of all vertices: along the first row, and from it along the columns.
+fn transported(grid: &QuadGrid, v: [Vec3; 2]) -> Vec<Quat> {
+    let [m, n] = grid.size();
+    let mut w = vec![Quat::ONE; m * n];
+    for j in 0..n {
+        for i in 0..m {
+            let before = match (i, j) {
+                (0, 0) => continue,
+                (_, 0) => (i - 1, 0, v[0]),
+                _ => (i, j - 1, v[1]),
+            };
+            let chord = grid.point(i, j) - grid.point(before.0, before.1);
+            w[grid.index(i, j)] = step(w[grid.index(before.0, before.1)], frame::unit(chord), before.2);
+        }
+    }
+    w
+}
+
+/// The signs of the weights after a turn in the closed directions.
+fn closing(grid: &QuadGrid, v: [Vec3; 2], w: &[Quat]) -> Result<[f64; 2]> {
+    let size = grid.size();
+    let mut turn = [1.0; 2];
+    for d in 0..2 {
+        if !grid.closed()[d] {
+            continue;
+        }
+        // Carried round the first row or column, whose weights are a chain of steps.
+        let last = if d == 0 { (size[0] - 1, 0) } else { (0, size[1] - 1) };
+        let chord = grid.point(0, 0) - grid.point(last.0, last.1);
+        let back = step(w[grid.index(last.0, last.1)], frame::unit(chord), v[d]);
+        // The start has weight 1: what comes back is the rotation by which the frame is off, as a unit quaternion.
+        let angle = 2.0 * back.vector().length().atan2(back.w.abs());
+        if !(angle <= CLOSING_LIMIT) {
+            return Err(does_not_close(d, angle, 0.0));
+        }
+        turn[d] = 1.0_f64.copysign(back.w);
+    }
+    Ok(turn)
+}
+
+/// The lengths of the weights: `ln|w3| = ln|w1| + ln|w2| - ln|w0| + kappa` fixes them up to a term per column and a
+/// term per row; those that make the squares least are the negative means.
+fn lengths(grid: &QuadGrid, kappa: &[f64]) -> Result<Vec<f64>> {
+    let ([m, n], [cells, rows]) = (grid.size(), grid.quads());
+    for d in 0..2 {
+        // Round a strip of quads the terms must cancel, or the lines across would come back at another speed.
+        let strips = if d == 0 { rows } else { cells };
+        for k in 0..strips {
+            let sum: f64 = if d == 0 {
+                kappa[k * cells..(k + 1) * cells].iter().sum()
+            } else {
+                (0..rows).map(|j| kappa[k + j * cells]).sum()
+            };
+            if grid.closed()[d] && !(sum.abs() <= CLOSING_LIMIT) {
+                return Err(does_not_close(d, 0.0, sum.exp_m1()));
+            }
+        }
+    }
+    let mut u = vec![0.0; m * n];
+    for j in 1..n {
+        for i in 1..m {
+            u[i + j * m] =
+                u[i - 1 + j * m] + u[i + (j - 1) * m] - u[i - 1 + (j - 1) * m] + kappa[i - 1 + (j - 1) * cells];
+        }
+    }
+    for i in 0..m {
+        let mean = (0..n).map(|j| u[i + j * m]).sum::<f64>() / n as f64;
+        (0..n).for_each(|j| u[i + j * m] -= mean);
+    }
+    for row in u.chunks_mut(m) {
+        let mean = row.iter().sum::<f64>() / m as f64;
+        row.iter_mut().for_each(|x| *x -= mean);
+    }
+    for value in &u {
+        range::check_weight_ratio(value.exp())?;
+    }
+    Ok(u.into_iter().map(f64::exp).collect())
+}
+
+fn does_not_close(d: usize, angle: f64, stretch: f64) -> Error {
+    Error::NetDoesNotClose { direction: ["s", "t"][d], angle, stretch, limit: CLOSING_LIMIT }
+}

@@ -1,0 +1,121 @@
+//! The frame at the first vertex that fits all edges of a net best (`20`, section 6).
+
+use crate::base::svd3;
+use crate::base::vector::Vec3;
+use crate::error::{Error, Result};
+use crate::surface::quad_grid::QuadGrid;
+
+/// The frame of a net at its vertex (0, 0), from which all others follow.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub enum NetFrame {
+    /// The frame whose copies at all vertices are nearest to the directions of the edges.
+    #[default]
+    Auto,
+    /// Unit directions of growing s and t at vertex (0, 0), perpendicular to each other.
+    First(Vec3, Vec3),
+}
+
+/// The unit vector along a chord of points that differ.
+pub(super) fn unit(chord: Vec3) -> Vec3 {
+    chord.unit().unwrap_or(Vec3::ZERO)
+}
+
+/// The frame at vertex (0, 0) by global least squares. At each vertex the target `t1, t2, N` is the symmetric
+/// orthonormalisation of the directions of its edges along s and t; the product `A` of the reflections along any path
+/// from (0, 0) carries a frame `v` there as `(-1)^i A v1, (-1)^j A v2, A v3`, so that
+/// `sum tr(target^T A v)` is largest for the rotation nearest to the sum of the targets carried back. In a net that
+/// is closed with an odd number of edges only some frames come back: the best of these.
+///
+/// # Errors
+/// `ambiguous-frame` if that rotation is not unique.
+pub(super) fn fitted(grid: &QuadGrid) -> Result<(Vec3, Vec3)> {
+    let [m, n] = grid.size();
+    // Aᵀ = A^-1 of the vertices, as the images of the axes: carried with the rows like the frames.
+    let mut back = vec![[Vec3::X, Vec3::Y, Vec3::Z]; m * n];
+    let mut sum = [Vec3::ZERO; 3];
+    for j in 0..n {
+        for i in 0..m {
+            let index = grid.index(i, j);
+            if (i, j) != (0, 0) {
+                let before = if j == 0 { (i - 1, 0) } else { (i, j - 1) };
+                let d = unit(grid.point(i, j) - grid.point(before.0, before.1));
+                // The rows of A: A_new = R A_old, and (R A)ᵀ x = Aᵀ R x; the images of the axes under Aᵀ R.
+                let old = back[grid.index(before.0, before.1)];
+                back[index] = [Vec3::X, Vec3::Y, Vec3::Z].map(|axis| apply(old, mirrored(axis, d)));
+            }
+            let Some(target) = target(grid, i, j) else { continue };
+            let signs = [if i % 2 == 0 { 1.0 } else { -1.0 }, if j % 2 == 0 { 1.0 } else { -1.0 }, 1.0];
+            for k in 0..3 {
+                sum[k] += apply(back[index], target[k]) * signs[k];
+            }
+        }
+    }
+    let axes = [0, 1].map(|d| closing_axis(grid, &back, d));
+    nearest(sum, axes).ok_or(Error::AmbiguousFrame)
+}
+
+/// Frames come back round a closed direction of an odd number of edges only if their vector along it is turned round
+/// by the reflections on the way, which together must be one reflection: its axis. Round an even number every frame
+/// comes back or none does; `None` stands for that, too.
+fn closing_axis(grid: &QuadGrid, back: &[[Vec3; 3]], d: usize) -> Option<Vec3> {
+    let size = grid.size()[d];
+    if !grid.closed()[d] || size.is_multiple_of(2) {
+        return None;
+    }
+    let last = if d == 0 { (size - 1, 0) } else { (0, size - 1) };
+    let edge = unit(grid.point(0, 0) - grid.point(last.0, last.1));
+    // I - Hᵀ = 2 d dᵀ for a reflection H: its largest column.
+    let column = |axis: Vec3| axis - apply(back[grid.index(last.0, last.1)], mirrored(axis, edge));
+    let columns = [Vec3::X, Vec3::Y, Vec3::Z].map(column);
+    columns.into_iter().max_by(|x, y| x.length_squared().total_cmp(&y.length_squared())).and_then(Vec3::unit)
+}
+
+/// The frame that maximises the sum of `v_k · sum_k`, of those with the given lines of `v1` and `v2`.
+fn nearest(sum: [Vec3; 3], axes: [Option<Vec3>; 2]) -> Option<(Vec3, Vec3)> {
+    let [g1, g2, g3] = sum;
+    let across = |x: Vec3, axis: Vec3| (x - axis * x.dot(axis)).unit();
+    let both = [1.0, -1.0];
+    let candidates: Vec<(Vec3, Vec3)> = match axes {
+        [None, None] => return svd3::nearest_rotation(sum).map(|[v1, v2, _]| (v1, v2)),
+        // v3·g3 = v2·(g3 × v1) = v1·(v2 × g3)
+        [Some(x), None] => both.iter().filter_map(|&k| Some((x * k, across(g2 + g3.cross(x * k), x)?))).collect(),
+        [None, Some(y)] => both.iter().filter_map(|&k| Some((across(g1 + (y * k).cross(g3), y)?, y * k))).collect(),
+        [Some(x), Some(y)] => {
+            let y = across(y, x)?;
+            both.iter().flat_map(|&k| both.map(|l| (x * k, y * l))).collect()
+        }
+    };
+    let score = |(v1, v2): (Vec3, Vec3)| v1.dot(g1) + v2.dot(g2) + v1.cross(v2).dot(g3);
+    candidates.into_iter().max_by(|a, b| score(*a).total_cmp(&score(*b)))
+}
+
+/// The linear map with the given images of the axes.
+fn apply(images: [Vec3; 3], x: Vec3) -> Vec3 {
+    images[0] * x.x + images[1] * x.y + images[2] * x.z
+}
+
+/// Reflection in the plane across `d` (unit): `d x d` as quaternions.
+fn mirrored(x: Vec3, d: Vec3) -> Vec3 {
+    x - d * (2.0 * d.dot(x))
+}
+
+/// Orthonormal frame nearest to the directions of the edges at a vertex; `None` if these cancel or are parallel.
+fn target(grid: &QuadGrid, i: usize, j: usize) -> Option<[Vec3; 3]> {
+    let at = grid.point(i, j);
+    let along = |d: usize| {
+        let (k, size) = ([i, j][d], grid.size()[d]);
+        let place = |k: usize| if d == 0 { grid.point(k, j) } else { grid.point(i, k) };
+        let mut sum = Vec3::ZERO;
+        if grid.closed()[d] || k + 1 < size {
+            sum += unit(place(k + 1) - at);
+        }
+        if grid.closed()[d] || k > 0 {
+            sum += unit(at - place((k + size - 1) % size));
+        }
+        sum.unit()
+    };
+    let (t1, t2) = (along(0)?, along(1)?);
+    let (g, h) = ((t1 + t2).unit()?, (t1 - t2).unit()?);
+    let (v1, v2) = ((g + h).unit()?, (g - h).unit()?);
+    Some([v1, v2, v1.cross(v2)])
+}

@@ -1,0 +1,95 @@
+//! Cyclidic nets: circular nets of points with one frame, filled by principal patches of Dupin cyclides.
+//!
+//! A vertex with point `a` and weight `w` stands for the pair `(a w, w)`; with the constant frame `V1, V2, V3` of the
+//! net its orthonormal frame is `w V w^-1`. The patch of a quad is that of its four pairs, so patches that share an
+//! edge read the same two pairs: they have the same boundary arc with the same parameter, and the same tangent plane
+//! all along it. The surface is G1, its parameter lines are C1 up to their speed (`20`, section 6).
+
+mod build;
+mod frame;
+mod sew;
+
+pub use frame::NetFrame;
+
+use super::patch::CyclidePatch;
+use super::quad_grid::QuadGrid;
+use crate::base::quat::Quat;
+use crate::base::vector::{Point3, Vec3};
+
+/// A regular net of principal patches that join with a common tangent plane.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CyclidicNet {
+    grid: QuadGrid,
+    /// One weight per vertex.
+    weights: Vec<Quat>,
+    /// The constant frame `V1, V2`.
+    v: [Vec3; 2],
+    /// Factor of the weights after one turn in each closed direction: 1 or -1.
+    turn: [f64; 2],
+}
+
+impl CyclidicNet {
+    /// The vertices.
+    #[must_use]
+    pub fn grid(&self) -> &QuadGrid {
+        &self.grid
+    }
+
+    /// Patches along s and along t.
+    #[must_use]
+    pub fn size(&self) -> [usize; 2] {
+        self.grid.quads()
+    }
+
+    /// Weight of vertex `(i, j)`, counted round in closed directions, where a full turn may change its sign.
+    ///
+    /// # Panics
+    /// If the vertex is outside an open direction.
+    #[must_use]
+    pub fn weight(&self, i: usize, j: usize) -> Quat {
+        let [m, n] = self.grid.size();
+        let sign = |k: usize, n: usize, d: usize| if (k / n) % 2 == 1 { self.turn[d] } else { 1.0 };
+        self.weights[self.grid.index(i, j)] * (sign(i, m, 0) * sign(j, n, 1))
+    }
+
+    /// The constant frame `V1, V2, V3`: the frame of a vertex with weight `w` is `w V w^-1`.
+    #[must_use]
+    pub fn frame(&self) -> [Vec3; 3] {
+        [self.v[0], self.v[1], self.v[0].cross(self.v[1])]
+    }
+
+    /// The orthonormal frame at vertex `(i, j)`: directions of growing s and t, and the normal.
+    ///
+    /// # Panics
+    /// If the vertex is outside an open direction.
+    #[must_use]
+    pub fn vertex_frame(&self, i: usize, j: usize) -> [Vec3; 3] {
+        let w = self.weight(i, j);
+        let unit = w * (1.0 / w.norm());
+        self.frame().map(|v| unit.rotate(v))
+    }
+
+    /// The patch of quad `(i, j)`.
+    ///
+    /// # Panics
+    /// If there is no such quad.
+    #[must_use]
+    pub fn patch(&self, i: usize, j: usize) -> CyclidePatch {
+        let [m, n] = self.size();
+        assert!(i < m && j < n, "quad ({i}, {j}) of a net of {m} x {n}");
+        let (corners, weights) = self.pairs(i, j);
+        CyclidePatch::from_weights_unchecked(corners, weights, self.v[0], self.v[1])
+    }
+
+    /// All patches, s fastest.
+    pub fn patches(&self) -> impl Iterator<Item = CyclidePatch> {
+        let [m, n] = self.size();
+        (0..m * n).map(move |quad| self.patch(quad % m, quad / m))
+    }
+
+    /// Corners and weights of quad `(i, j)`, binary order.
+    fn pairs(&self, i: usize, j: usize) -> ([Point3; 4], [Quat; 4]) {
+        let places = [(i, j), (i + 1, j), (i, j + 1), (i + 1, j + 1)];
+        (places.map(|(i, j)| self.grid.point(i, j)), places.map(|(i, j)| self.weight(i, j)))
+    }
+}

@@ -1,0 +1,147 @@
+//! The net as a shell: every vertex and every edge once.
+
+use super::CyclidicNet;
+use crate::base::vector::Point3;
+use crate::curve::Arc;
+use crate::error::{Error, Result};
+use crate::surface::shell::{FaceEdge, Shell, ShellEdge, ShellFace};
+
+/// Vertices, edges and faces on their way to a shell.
+#[derive(Debug, Default)]
+pub(super) struct Sewing {
+    vertices: Vec<Point3>,
+    edges: Vec<ShellEdge>,
+    faces: Vec<ShellFace>,
+}
+
+/// Where the parts of a net are in a [`Sewing`].
+#[derive(Debug)]
+pub(super) struct Skin {
+    /// Vertex of each grid vertex; those of a side of one point are the same.
+    pub(super) vertices: Vec<usize>,
+    /// Edge along s from each grid vertex, `None` where it is one point or outside.
+    pub(super) along_s: Vec<Option<usize>>,
+    /// Edge along t from each grid vertex.
+    pub(super) along_t: Vec<Option<usize>>,
+}
+
+impl Sewing {
+    /// Adds an edge.
+    pub(super) fn edge(&mut self, start: usize, end: usize, arc: Arc) -> usize {
+        self.edges.push(ShellEdge { start, end, arc });
+        self.edges.len() - 1
+    }
+
+    /// Adds a face.
+    pub(super) fn face(&mut self, face: ShellFace) {
+        self.faces.push(face);
+    }
+
+    /// Adds all of a net.
+    pub(super) fn skin(&mut self, net: &CyclidicNet, same_sense: bool) -> Result<Skin> {
+        let skin = self.frame_of(net)?;
+        let grid = net.grid();
+        let [m, n] = net.size();
+        for (i, j) in (0..n).flat_map(|j| (0..m).map(move |i| (i, j))) {
+            let [k0, k1, k2, _] = grid.corners(i, j);
+            let edges = [skin.along_s[k0], skin.along_s[k2], skin.along_t[k0], skin.along_t[k1]];
+            let sides = edges.map(|edge| edge.map(|edge| FaceEdge { edge, forward: true }));
+            self.face(ShellFace { patch: net.patch(i, j), sides, same_sense });
+        }
+        Ok(skin)
+    }
+
+    /// Adds the vertices and edges of a net.
+    fn frame_of(&mut self, net: &CyclidicNet) -> Result<Skin> {
+        let grid = net.grid();
+        let ([m, n], closed) = (grid.size(), grid.closed());
+        let places = || (0..n).flat_map(|j| (0..m).map(move |i| (i, j)));
+        let next = |i: usize, j: usize| {
+            [(closed[0] || i + 1 < m).then_some((i + 1, j)), (closed[1] || j + 1 < n).then_some((i, j + 1))]
+        };
+        // A side of one point is one vertex: that of its first corner. Chains of equal points lead to their first.
+        let mut same: Vec<usize> = (0..m * n).collect();
+        fn first_of(same: &[usize], mut k: usize) -> usize {
+            while same[k] != k {
+                k = same[k];
+            }
+            k
+        }
+        for (i, j) in places() {
+            let here = grid.index(i, j);
+            for (i1, j1) in next(i, j).into_iter().flatten() {
+                let there = grid.index(i1, j1);
+                if grid.points()[here] == grid.points()[there] {
+                    let (a, b) = (first_of(&same, here), first_of(&same, there));
+                    same[a.max(b)] = a.min(b);
+                }
+            }
+        }
+        let mut vertices = vec![0; m * n];
+        for k in 0..m * n {
+            // A vertex leads to an earlier one, which has its number.
+            vertices[k] = if same[k] == k {
+                self.vertices.push(grid.points()[k]);
+                self.vertices.len() - 1
+            } else {
+                vertices[same[k]]
+            };
+        }
+        let mut skin = Skin { vertices, along_s: vec![None; m * n], along_t: vec![None; m * n] };
+        for (i, j) in places() {
+            let here = grid.index(i, j);
+            for (d, place) in next(i, j).into_iter().enumerate() {
+                let Some((i1, j1)) = place else { continue };
+                let (start, end) = (skin.vertices[here], skin.vertices[grid.index(i1, j1)]);
+                if start == end {
+                    continue;
+                }
+                let edge = Some(self.edge(start, end, net.edge((i, j), (i1, j1))?));
+                if d == 0 {
+                    skin.along_s[here] = edge;
+                } else {
+                    skin.along_t[here] = edge;
+                }
+            }
+        }
+        Ok(skin)
+    }
+
+    /// The shell, checked.
+    pub(super) fn finish(self) -> Result<Shell> {
+        Shell::new(self.vertices, self.edges, self.faces)
+    }
+}
+
+impl CyclidicNet {
+    /// The arc between two neighbouring vertices.
+    fn edge(&self, from: (usize, usize), to: (usize, usize)) -> Result<Arc> {
+        let inverse = self.weight(from.0, from.1).inverse().ok_or(Error::ZeroWeight { index: 0 })?;
+        let ratio = self.weight(to.0, to.1) * inverse;
+        Arc::from_ratio_across(self.grid.point(from.0, from.1), self.grid.point(to.0, to.1), ratio)
+    }
+
+    /// The net as one shell: every inner edge has two faces, and a direction that is closed is sewn together. The
+    /// outer side is that of `f_s × f_t`; of a shell that is closed it is the outside.
+    ///
+    /// # Errors
+    /// As [`Arc::from_weights`], only beyond the range of the kernel's numbers.
+    pub fn to_shell(&self) -> Result<Shell> {
+        let mut sewing = Sewing::default();
+        sewing.skin(self, true)?;
+        let shell = sewing.finish()?;
+        Ok(if shell.is_closed() && shell.is_inside_out() { shell.flipped() } else { shell })
+    }
+
+    /// The arcs of all edges, each once: first those along s, then those along t, each s fastest. Sides of one point
+    /// are left out.
+    ///
+    /// # Errors
+    /// As [`to_shell`](Self::to_shell).
+    pub fn support_arcs(&self) -> Result<Vec<Arc>> {
+        let mut sewing = Sewing::default();
+        let skin = sewing.frame_of(self)?;
+        let edges = skin.along_s.iter().chain(&skin.along_t).flatten();
+        Ok(edges.map(|&edge| sewing.edges[edge].arc).collect())
+    }
+}

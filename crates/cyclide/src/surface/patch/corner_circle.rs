@@ -1,0 +1,83 @@
+//! The circle of a quad's corners: are they four points on one, in order?
+
+use super::largest_distance;
+use crate::base::range;
+use crate::base::vector::{Point3, Vec3};
+use crate::error::{Error, Result};
+
+/// Corners closer than this part of the largest distance coincide.
+const COINCIDENT_LIMIT: f64 = 1e-12;
+/// Largest distance of the fourth corner from the circle of the others, and of its place from their arc, relative.
+const CONCIRCULAR_LIMIT: f64 = 1e-9;
+
+/// The corners of a quad seen from the first one, after an inversion there that takes their circle to a line.
+pub(super) struct CornerCircle {
+    /// `b_k = (x_k - x_0)^-1` of the corners 1, 2, 3 with `x` in units of the size; the last between the others.
+    pub(super) inverses: [Vec3; 3],
+    /// The last corner, moved onto the circle of the others.
+    pub(super) corner: Point3,
+}
+
+/// Largest distance between the corners, if those are distinct that must be (the last may be that of a neighbour).
+///
+/// # Errors
+/// `parameter-out-of-range`, `coincident-points`.
+pub(super) fn distinct(corners: &[Point3; 4]) -> Result<f64> {
+    let scale = largest_distance(corners);
+    range::check_distance(scale)?;
+    for (first, second) in [(0, 1), (0, 2), (0, 3), (1, 2)] {
+        let (distance, limit) = (corners[first].distance(corners[second]), COINCIDENT_LIMIT * scale);
+        if distance <= limit {
+            return Err(Error::CoincidentPoints { first, second, distance, limit });
+        }
+    }
+    Ok(scale)
+}
+
+/// The corners on their circle, if they are in the order a0, a1, a3, a2 on one (`20`, section 2, admissible input).
+///
+/// # Errors
+/// `not-concircular`, `crossing-quad`.
+pub(super) fn corner_circle(corners: &[Point3; 4], scale: f64) -> Result<CornerCircle> {
+    let coincide = |i: usize| corners[i].distance(corners[3]) <= COINCIDENT_LIMIT * scale;
+    // b_k = (a_k - a0)^-1 = -x/|x|², imaginary.
+    let inverse = |k: usize| {
+        let x = (corners[k] - corners[0]) / scale;
+        x / -x.length_squared()
+    };
+    let (b1, b2) = (inverse(1), inverse(2));
+    if coincide(1) {
+        return Ok(CornerCircle { inverses: [b1, b2, b1], corner: corners[1] });
+    }
+    if coincide(2) {
+        return Ok(CornerCircle { inverses: [b1, b2, b2], corner: corners[2] });
+    }
+    // The foot of b3 on the line b1 b2.
+    let side = b2 - b1;
+    let x = (inverse(3) - b1).dot(side) / side.length_squared();
+    let b3 = b1 + side * x;
+    let corner = corners[0] + b3 * (-scale / b3.length_squared());
+    let (moved, limit) = (corner.distance(corners[3]) / scale, CONCIRCULAR_LIMIT);
+    if !(moved <= limit) {
+        return Err(Error::NotConcircular { quad: 0, measured: moved, limit });
+    }
+    if !(-limit..=1.0 + limit).contains(&x) {
+        return Err(Error::CrossingQuad { quad: 0, position: x });
+    }
+    Ok(CornerCircle { inverses: [b1, b2, b3], corner })
+}
+
+/// Refuses a quad of a net unless its corners are distinct and on one circle, in order.
+///
+/// # Errors
+/// `parameter-out-of-range`, `coincident-points`, `not-concircular`, `crossing-quad`.
+pub(in crate::surface) fn check_quad(corners: &[Point3; 4]) -> Result<()> {
+    let scale = distinct(corners)?;
+    for first in [1, 2] {
+        let (distance, limit) = (corners[first].distance(corners[3]), COINCIDENT_LIMIT * scale);
+        if distance <= limit {
+            return Err(Error::CoincidentPoints { first, second: 3, distance, limit });
+        }
+    }
+    corner_circle(corners, scale).map(|_| ())
+}

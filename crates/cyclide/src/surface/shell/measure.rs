@@ -1,0 +1,75 @@
+//! Area and enclosed volume by quadrature over the faces.
+
+use super::{Shell, ShellFace};
+use crate::base::quadrature::gauss8;
+use crate::surface::ParamSurface as _;
+
+/// The rule on a cell and on its quarters agree to this part of the face's integral of absolute values.
+const AGREEMENT: f64 = 1e-12;
+/// Quarterings of a face: beyond, the disagreement is rounding.
+const QUARTERINGS: u32 = 6;
+
+impl Shell {
+    /// Area of all faces, to about 1e-12 of itself.
+    #[must_use]
+    pub fn area(&self) -> f64 {
+        let area = |face: &ShellFace| {
+            let element = |s, t| face.patch.jet(s, t).area_element();
+            integral(&element, rule(&element, UNIT))
+        };
+        self.faces.iter().map(area).sum()
+    }
+
+    /// Volume enclosed by a closed shell, to about 1e-12 of area times diameter: positive if the outer side is outside.
+    /// For an open shell, the volume between its faces and its first vertex.
+    #[must_use]
+    pub fn volume(&self) -> f64 {
+        let volume = |face: &ShellFace| {
+            let element = |s, t| self.cone(face, s, t);
+            integral(&element, rule(&|s, t| element(s, t).abs(), UNIT))
+        };
+        self.faces.iter().map(volume).sum()
+    }
+
+    /// True if the volume is negative, by one rule per face.
+    pub(in crate::surface) fn is_inside_out(&self) -> bool {
+        self.faces.iter().map(|face| rule(&|s, t| self.cone(face, s, t), UNIT)).sum::<f64>() < 0.0
+    }
+
+    /// Volume element of the cone over the face from the first vertex: `(f - v)·(f_s × f_t)/3`, signed by the side.
+    fn cone(&self, face: &ShellFace, s: f64, t: f64) -> f64 {
+        let jet = face.patch.jet(s, t);
+        let element = (jet.point - self.vertices[0]).dot(jet.ds.cross(jet.dt)) / 3.0;
+        if face.same_sense { element } else { -element }
+    }
+}
+
+/// A cell: its ends in s, then in t.
+type Cell = [[f64; 2]; 2];
+
+/// The whole face.
+const UNIT: Cell = [[0.0, 1.0]; 2];
+
+/// The 8×8-point rule on a cell.
+fn rule(element: &impl Fn(f64, f64) -> f64, [[s0, s1], [t0, t1]]: Cell) -> f64 {
+    gauss8(&mut |s| gauss8(&mut |t| element(s, t), t0, t1), s0, s1)
+}
+
+/// Integral over the unit square of an analytic function; `size` is that of its absolute value.
+fn integral(element: &impl Fn(f64, f64) -> f64, size: f64) -> f64 {
+    refined(element, UNIT, rule(element, UNIT), AGREEMENT * size.abs(), QUARTERINGS)
+}
+
+fn refined(element: &impl Fn(f64, f64) -> f64, cell: Cell, whole: f64, tolerance: f64, depth: u32) -> f64 {
+    let [halves_s, halves_t] = cell.map(|[a, b]| {
+        let m = 0.5 * (a + b);
+        [[a, m], [m, b]]
+    });
+    let cells = [0, 1, 2, 3].map(|k| [halves_s[k & 1], halves_t[k >> 1]]);
+    let quarters = cells.map(|cell| rule(element, cell));
+    let sum: f64 = quarters.iter().sum();
+    if depth == 0 || (sum - whole).abs() <= tolerance {
+        return sum;
+    }
+    (0..4).map(|k| refined(element, cells[k], quarters[k], tolerance, depth - 1)).sum()
+}

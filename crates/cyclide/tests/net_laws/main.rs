@@ -1,0 +1,6 @@
+//! Laws of whole cyclides, cyclidic nets and their shells (`20`, sections 4, 6, 7).
+
+mod data;
+mod dupin;
+mod nets;
+mod shells;

@@ -1,0 +1,116 @@
+//! Nets of grids: frames, joints, errors.
+
+use crate::data::{PLACES, cyclide_grid, gap, generic_grid, kink, nets};
+use cyclide::{CyclidicNet, NetFrame, ParamSurface, Point3, QuadGrid, Vec3};
+
+#[test]
+fn neighbours_agree_pointwise_with_a_common_normal() {
+    for (name, net) in nets() {
+        let size = net.patches().map(|p| p.size()).fold(0.0, f64::max);
+        assert!(gap(&net) <= 1e-13 * size, "{name}: {:e}", gap(&net));
+        assert!(kink(&net) <= 1e-12, "{name}: {:e}", kink(&net));
+    }
+}
+
+#[test]
+fn patches_stay_in_space_and_interpolate() {
+    for (name, net) in nets() {
+        for patch in net.patches() {
+            for (s, t) in PLACES.iter().flat_map(|&s| PLACES.map(|t| (s, t))) {
+                let off = patch.real_residual(s, t);
+                assert!(off <= 1e-12 * patch.size(), "{name}: {off:e}");
+            }
+            let [a0, a1, a2, a3] = patch.corners();
+            for (p, s, t) in [(a0, 0.0, 0.0), (a1, 1.0, 0.0), (a2, 0.0, 1.0), (a3, 1.0, 1.0)] {
+                // The quotient of two quaternions: some ten roundings.
+                let off = patch.point(s, t).distance(p);
+                assert!(off <= 4e-15 * (patch.size() + p.to_vec().length()), "{name}: {off:e}");
+            }
+            // The frame runs with the parameters: q1 and q2 are positive on the sides.
+            assert!([patch.q1()[0], patch.q1()[2], patch.q2()[0], patch.q2()[2]].iter().all(|q| *q > 0.0), "{name}");
+        }
+    }
+}
+
+#[test]
+fn the_frame_comes_back_round_every_quad() {
+    for (name, net) in nets() {
+        let ([m, n], v) = (net.size(), net.frame());
+        for (i, j) in (0..n).flat_map(|j| (0..m).map(move |i| (i, j))) {
+            let p = |i, j| net.grid().point(i, j);
+            let reflect = |x: Vec3, a: Point3, b: Point3| {
+                let d = (b - a).unit().unwrap();
+                x - d * (2.0 * d.dot(x))
+            };
+            let round = [(i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1), (i, j)];
+            for x in v {
+                let back = round.windows(2).fold(x, |x, e| reflect(x, p(e[0].0, e[0].1), p(e[1].0, e[1].1)));
+                // Four reflections of chords known to rounding relative to their length.
+                assert!((back - x).length() < 1e-11, "{name}: {:e}", (back - x).length());
+            }
+        }
+    }
+}
+
+#[test]
+fn a_given_frame_is_kept() {
+    let grid = generic_grid([6, 5]);
+    let (v1, v2) = (Vec3::new(0.6, 0.0, 0.8), Vec3::new(0.0, 1.0, 0.0));
+    let net = CyclidicNet::new(grid, NetFrame::First(v1, v2)).unwrap();
+    let [e1, e2, e3] = net.vertex_frame(0, 0);
+    assert!((e1 - v1).length() < 1e-15 && (e2 - v2).length() < 1e-15 && (e3 - v1.cross(v2)).length() < 1e-15);
+}
+
+#[test]
+fn on_a_cyclide_the_automatic_frame_is_near_its_lines_of_curvature() {
+    // The grid is in lines of curvature: with the frame of the cyclide the net is the cyclide itself. Chords differ
+    // from tangents by half the turn of a step, which cancels between neighbours up to the second order.
+    for (size, limit) in [([8, 8], 0.1), ([16, 16], 0.025), ([32, 32], 0.00625)] {
+        let grid = cyclide_grid([2.0, 0.7, 1.1], size, [false; 2]);
+        let net = CyclidicNet::new(grid.clone(), NetFrame::Auto).unwrap();
+        let along = |from: Point3, to: Point3| (to - from).unit().unwrap();
+        let (i, j) = (size[0] / 2, size[1] / 2);
+        let chord = along(grid.point(i - 1, j), grid.point(i + 1, j));
+        assert!(net.vertex_frame(i, j)[0].angle(chord) < limit, "{size:?}: {}", net.vertex_frame(i, j)[0].angle(chord));
+    }
+}
+
+#[test]
+fn bad_grids_are_refused_with_the_quad() {
+    let size = [6, 5];
+    let good = generic_grid(size);
+    let changed = |index: usize, p: Point3| {
+        let mut points = good.points().to_vec();
+        points[index] = p;
+        CyclidicNet::new(QuadGrid::new(points, size, [false; 2]).unwrap(), NetFrame::Auto).unwrap_err()
+    };
+    // Vertex (5, 4) is a corner of the last quad only.
+    let corner = good.points()[29];
+    let error = changed(29, corner + Vec3::new(0.0, 0.0, 1e-3));
+    assert_eq!((error.reason(), error.index()), ("not-concircular", Some(19)), "{error}");
+    // On the circle, but between its neighbour and the first corner.
+    let [a0, a1, a2] = [good.points()[22], good.points()[23], good.points()[28]];
+    let inverse = |p: Point3| (p - a0) / -(p - a0).length_squared();
+    let b = inverse(a1) + (inverse(a2) - inverse(a1)) * 1.5;
+    let error = changed(29, a0 + b * (-1.0 / b.length_squared()));
+    assert_eq!((error.reason(), error.index()), ("crossing-quad", Some(19)), "{error}");
+    let error = changed(29, good.points()[28]);
+    assert_eq!((error.reason(), error.index()), ("coincident-points", Some(19)), "{error}");
+    let frame = NetFrame::First(Vec3::X, Vec3::new(0.1, 1.0, 0.0));
+    assert_eq!(CyclidicNet::new(good, frame).unwrap_err().reason(), "frame-not-orthonormal");
+}
+
+#[test]
+fn a_generic_closed_net_does_not_close() {
+    // A ring of points and its inverse: every quad of a strip between them is circular, but the points lie on no
+    // circle, and the frame comes back turned.
+    let ring = (0..8).map(|k| {
+        let phi = std::f64::consts::TAU * f64::from(k) / 8.0;
+        Vec3::new(phi.cos(), phi.sin(), 0.3 * (2.0 * phi).sin() + 0.2 * phi.cos())
+    });
+    let inverse = ring.clone().map(|v| v * (4.0 / v.length_squared()));
+    let points = ring.chain(inverse).map(|v| Point3::ORIGIN + v).collect();
+    let grid = QuadGrid::new(points, [8, 2], [true, false]).unwrap();
+    let error = CyclidicNet::new(grid, NetFrame::Auto).unwrap_err();
+    assert_eq!(error.reason(), "net-does-not-close", "{error}");
+}
