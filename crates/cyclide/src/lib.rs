@@ -72,6 +72,6 @@ pub use mesh::{MeshCorner, MeshFace, SurfaceMesh, flatten, flatten_into};
 pub use model::{ChainPiece, CurveChain, CurveObject, Exactness, Item, Lower, Model, SurfaceObject, Units};
 pub use rational::{ExactRational, NurbsCurve, RationalBezier, RationalBezierSurface};
 pub use surface::{Body, FaceEdge, ParamSurface, QuadGrid, Shell, ShellEdge, ShellFace};
-pub use surface::{CyclideKind, CyclidicNet, DupinCyclide, NetFrame};
+pub use surface::{CyclideKind, CyclidicNet, DupinCyclide, NetFrame, NetQuality, SingularPatch};
 pub use surface::{CyclidePatch, PatchKind};
 pub use warning::Warning;

@@ -9,7 +9,7 @@ mod quad_grid;
 mod shell;
 
 pub use dupin::{CyclideKind, DupinCyclide};
-pub use net::{CyclidicNet, NetFrame};
+pub use net::{CyclidicNet, NetFrame, NetQuality, SingularPatch};
 pub use param_surface::ParamSurface;
 pub use patch::{CyclidePatch, PatchKind};
 pub use quad_grid::QuadGrid;

@@ -1,6 +1,7 @@
 //! Laws of whole cyclides, cyclidic nets and their shells (`20`, sections 4, 6, 7).
 
 mod data;
+mod derived;
 mod dupin;
 mod nets;
 mod shells;

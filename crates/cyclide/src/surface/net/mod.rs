@@ -7,9 +7,13 @@
 
 mod build;
 mod frame;
+mod offset;
+mod quality;
 mod sew;
+mod transform;
 
 pub use frame::NetFrame;
+pub use quality::{NetQuality, SingularPatch};
 
 use super::patch::CyclidePatch;
 use super::quad_grid::QuadGrid;

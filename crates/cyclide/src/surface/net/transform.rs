@@ -1,0 +1,33 @@
+//! Möbius maps of nets: the pairs of the vertices map linearly.
+
+use super::CyclidicNet;
+use crate::base::quat::Quat;
+use crate::conformal::hpoint::HPoint;
+use crate::conformal::mobius::{Conformal, Mobius};
+use crate::error::{Error, Result};
+use crate::surface::quad_grid::QuadGrid;
+
+impl Conformal for CyclidicNet {
+    /// The image under `y -> (a y + b)(c y + d)^-1`, with the same parameters: vertices by the map, weights
+    /// `(c y + d) w` up to a common real factor (`20`, section 3). A map that reverses orientation turns the normals
+    /// to the other side, as [`CyclidePatch::transformed`](crate::CyclidePatch).
+    ///
+    /// # Errors
+    /// Those of patches, with the quad: `point-at-infinity`, `patch-through-infinity`, `parameter-out-of-range`,
+    /// `coincident-points`, `not-in-space`.
+    fn transformed(&self, map: &Mobius) -> Result<Self> {
+        for (quad, patch) in self.patches().enumerate() {
+            patch.transformed(map).map_err(|e| e.in_quad(quad))?;
+        }
+        let images: Vec<HPoint> =
+            self.grid.points().iter().map(|a| map.map_pair(HPoint::weighted(*a, Quat::ONE))).collect();
+        let points = images.iter().map(|p| p.quotient().map(Quat::to_point).ok_or(Error::PointAtInfinity));
+        let grid = QuadGrid::new(points.collect::<Result<_>>()?, self.grid.size(), self.grid.closed())?;
+        let weights: Vec<Quat> = images.iter().zip(&self.weights).map(|(p, w)| p.d * *w).collect();
+        // A common factor changes nothing: lengths around 1.
+        let mean = weights.iter().map(|w| w.norm().ln()).sum::<f64>() / weights.len() as f64;
+        let weights = weights.into_iter().map(|w| w * (-mean).exp()).collect();
+        let sign = 1.0_f64.copysign(map.determinant());
+        Ok(Self::from_weights_unchecked(grid, weights, self.v.map(|v| v * sign), self.turn))
+    }
+}
