@@ -168,6 +168,14 @@ pub enum Error {
         /// Largest number of pieces made.
         cap: usize,
     },
+    /// A mesh to the tolerance would need more cells than the cap.
+    #[error("the mesh needs {needed:e} cells for this tolerance, the cap is {cap}; use a larger tolerance")]
+    TooManyCells {
+        /// Cells needed, as far as counted.
+        needed: f64,
+        /// Largest number of cells made.
+        cap: usize,
+    },
     /// A tolerance is zero, negative or not a number.
     #[error("the tolerance {tolerance:e} is not positive")]
     ToleranceNotPositive {
@@ -390,6 +398,7 @@ impl Error {
             Self::ArcThroughInfinity { .. } => "arc-through-infinity",
             Self::AmbiguousHalfTurn { .. } => "ambiguous-half-turn",
             Self::TooManyPieces { .. } => "too-many-pieces",
+            Self::TooManyCells { .. } => "too-many-cells",
             Self::ToleranceNotPositive { .. } => "tolerance-not-positive",
             Self::SweepOutOfRange { .. } => "sweep-out-of-range",
             Self::ParameterOutOfRange { .. } => "parameter-out-of-range",

@@ -6,6 +6,7 @@
 //! as foci, so it is nowhere farther from the chord than `sqrt(L² - c²)/2`, which is 1.155 times the sagitta of a
 //! flat arc. Chords that fail are halved.
 
+use super::equidistribute::fraction;
 use crate::base::quadrature::gauss8;
 use crate::base::vector::Point3;
 use crate::curve::{ParamCurve, PieceForm};
@@ -131,7 +132,7 @@ impl Free<'_> {
             let next = if j == m {
                 1.0
             } else {
-                step * (interval as f64 + Self::fraction(&density[interval..], (goal - before) / step))
+                step * (interval as f64 + fraction(&density[interval..], (goal - before) / step))
             };
             let next_point = self.curve.piece_point(self.piece, next);
             self.check(s, point, next, next_point, DEPTH, vertices)?;
@@ -145,13 +146,6 @@ impl Free<'_> {
 
     fn global(&self, s: f64) -> f64 {
         (self.piece as f64 + s) / self.curve.piece_count() as f64
-    }
-
-    /// The `x` in `[0, 1]` at which the integral of the linear function from `d[0]` at 0 to `d[1]` at 1 is `goal`.
-    fn fraction(d: &[f64], goal: f64) -> f64 {
-        let root = (d[0] * d[0] + 2.0 * (d[1] - d[0]) * goal).max(0.0).sqrt();
-        let x = 2.0 * goal / (d[0] + root);
-        if x >= 0.0 { x.min(1.0) } else { 1.0 }
     }
 
     /// Vertices per parameter up to a factor: `sqrt(k) |x'|`, 0 where there is no tangent.

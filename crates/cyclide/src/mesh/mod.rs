@@ -1,7 +1,10 @@
 //! Polylines and polygon meshes of anything with jets.
 
+mod equidistribute;
 mod flatten;
 mod surface_mesh;
+mod tessellate;
 
 pub use flatten::{flatten, flatten_into};
-pub use surface_mesh::{MeshCorner, MeshFace, SurfaceMesh};
+pub use surface_mesh::{MeshCorner, MeshFace, MeshSource, SurfaceMesh};
+pub use tessellate::{tessellate, tessellate_all};

@@ -30,9 +30,29 @@ impl MeshFace {
             Self::Quad(c) => c,
         }
     }
+
+    pub(super) fn corners_mut(&mut self) -> &mut [MeshCorner] {
+        match self {
+            Self::Triangle(c) => c,
+            Self::Quad(c) => c,
+        }
+    }
 }
 
-/// A mesh of one body with the certified distance to it, and its patches' edges as polylines for drawing.
+/// The part of a body that a polygon of its mesh stands for.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct MeshSource {
+    /// Index of the shell, the outer one first.
+    pub shell: usize,
+    /// Index of the face in its shell.
+    pub face: usize,
+    /// First parameters of the cell, ascending.
+    pub s: [f64; 2],
+    /// Second parameters of the cell, ascending.
+    pub t: [f64; 2],
+}
+
+/// A mesh of one body with the certified distance to it.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct SurfaceMesh {
     /// Positions of the vertices.
@@ -41,6 +61,8 @@ pub struct SurfaceMesh {
     pub normals: Vec<Vec3>,
     /// Quads and triangles.
     pub faces: Vec<MeshFace>,
+    /// What each of [`faces`](Self::faces) stands for.
+    pub sources: Vec<MeshSource>,
     /// No point of the surface is farther from the mesh than this, nor the other way.
     pub bound: f64,
 }

@@ -3,4 +3,6 @@
 #![allow(clippy::unwrap_used, reason = "helpers of tests")]
 
 mod bounds;
+mod checks;
 mod data;
+mod mesh;

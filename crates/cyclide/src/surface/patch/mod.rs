@@ -92,6 +92,13 @@ impl CyclidePatch {
         self.polar.q2
     }
 
+    /// Bernstein coefficients of the bending vectors `m(t) = Im(~D(0,t) D(1,t))` and `m*(s) = Im(~D(s,0) D(s,1))`, in the
+    /// constant frame (`m·V1 = 0`, `m*·V2 = 0`): the parameter circles have the curvatures `2|m|/|q1|`, `2|m*|/|q2|`.
+    #[must_use]
+    pub(crate) fn bending(&self) -> [[Vec3; 3]; 2] {
+        [self.polar.m, self.polar.m_star]
+    }
+
     /// Denominator `D(s, t)`.
     #[must_use]
     pub fn denominator(&self, s: f64, t: f64) -> Quat {

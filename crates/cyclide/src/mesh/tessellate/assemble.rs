@@ -1,0 +1,183 @@
+//! Cells become polygons.
+
+use super::cell_bound::{PatchSpeeds, denominators};
+use super::cuts::Cuts;
+use super::strips::{SAME_CUT, Strips};
+use super::vertices::{BorderVertices, compact};
+use crate::base::quat::Quat;
+use crate::base::vector::Vec3;
+use crate::mesh::surface_mesh::{MeshCorner, MeshFace, MeshSource, SurfaceMesh};
+use crate::surface::{ParamSurface as _, Shell, ShellFace};
+
+/// Appends the cells of a shell to the mesh. Returns how far vertices shared with other faces are off the patches.
+pub(super) fn assemble(
+    shell: &Shell,
+    index: usize,
+    strips: &Strips,
+    cuts: &Cuts,
+    speeds: &[PatchSpeeds],
+    mesh: &mut SurfaceMesh,
+) -> f64 {
+    let base = mesh.positions.len();
+    let mut border = BorderVertices::new(shell, strips, cuts, mesh);
+    let grids: Vec<FaceGrid> = shell
+        .faces()
+        .iter()
+        .zip(speeds)
+        .enumerate()
+        .map(|(f, (face, speeds))| {
+            let [s, t] = strips.faces[f].map(|place| cuts.at(place));
+            FaceGrid::new(face, speeds, s, t)
+        })
+        .collect();
+    let mut joined = false;
+    for grid in &grids {
+        joined |= grid.join_points(&mut border);
+    }
+    let mut gap = 0.0_f64;
+    for (f, grid) in grids.iter().enumerate() {
+        gap = gap.max(grid.emit(&mut border, [index, f], mesh));
+    }
+    if joined {
+        compact(mesh, base);
+    }
+    gap
+}
+
+/// A face with its cuts.
+struct FaceGrid<'a> {
+    face: &'a ShellFace,
+    speeds: &'a PatchSpeeds,
+    s: Vec<f64>,
+    t: Vec<f64>,
+    /// Whether the t-line at each s, the s-line at each t, is one point.
+    points: [Vec<bool>; 2],
+}
+
+impl<'a> FaceGrid<'a> {
+    fn new(face: &'a ShellFace, speeds: &'a PatchSpeeds, s: Vec<f64>, t: Vec<f64>) -> Self {
+        // The zeros of a speed; the sides that are one point are known to the shell.
+        let singular = [0, 1].map(|direction| match (speeds.is_regular(direction), direction) {
+            (true, _) => Vec::new(),
+            (_, 0) => face.patch.singular_s(),
+            _ => face.patch.singular_t(),
+        });
+        let is_point = |direction: usize, cuts: &[f64], sides: [usize; 2]| -> Vec<bool> {
+            let near = |u: f64| singular[direction].iter().any(|&r| (r - u).abs() <= SAME_CUT);
+            let mut points: Vec<bool> = cuts.iter().map(|&u| near(u)).collect();
+            for (k, side) in [(0, sides[0]), (cuts.len() - 1, sides[1])] {
+                points[k] = face.sides[side].is_none();
+            }
+            points
+        };
+        let points = [is_point(0, &s, [2, 3]), is_point(1, &t, [0, 1])];
+        Self { face, speeds, s, t, points }
+    }
+
+    /// The vertex at a grid point of the border, or of an inner line that is one point.
+    fn border_vertex(&self, border: &BorderVertices, i: usize, j: usize) -> Option<usize> {
+        let (n, m) = (self.s.len() - 1, self.t.len() - 1);
+        // A line that is one point is where it starts.
+        let (i, j) = (if self.points[1][j] { 0 } else { i }, if self.points[0][i] { 0 } else { j });
+        let side = |on: bool, side: usize, k: usize, last: usize| {
+            if on { border.on_side(self.face, side, k, last) } else { None }
+        };
+        side(j == 0, 0, i, n)
+            .or_else(|| side(j == m, 1, i, n))
+            .or_else(|| side(i == 0, 2, j, m))
+            .or_else(|| side(i == n, 3, j, m))
+    }
+
+    /// Joins the ends of inner lines that are one point; true if there are any.
+    fn join_points(&self, border: &mut BorderVertices) -> bool {
+        let (n, m) = (self.s.len() - 1, self.t.len() - 1);
+        let mut joined = false;
+        for (direction, [first, second], last) in [(0, [0, 1], n), (1, [2, 3], m)] {
+            for k in (1..last).filter(|&k| self.points[direction][k]) {
+                let ends = [first, second].map(|side| border.on_side(self.face, side, k, last));
+                if let [Some(a), Some(b)] = ends {
+                    joined |= border.join(a, b);
+                }
+            }
+        }
+        joined
+    }
+
+    /// Appends vertices, normals and polygons; returns how far shared vertices are off the patch.
+    fn emit(&self, border: &mut BorderVertices, [shell, face]: [usize; 2], mesh: &mut SurfaceMesh) -> f64 {
+        let (patch, n, m) = (&self.face.patch, self.s.len() - 1, self.t.len() - 1);
+        let d = denominators(patch, &self.s, &self.t);
+        let v3 = patch.frame()[2];
+        // Against `f_s × f_t` the patch's own normal turns where a speed changes its sign.
+        let outer = if self.face.same_sense { 1.0 } else { -1.0 };
+        let signs = |direction: usize, cuts: &[f64]| -> Vec<f64> {
+            cuts.windows(2).map(|w| self.speeds.sign(direction, w[0], w[1])).collect()
+        };
+        let (across_t, across_s) = (signs(0, &self.t), signs(1, &self.s));
+        let normal = |d: Quat, i: usize, j: usize| unit_rotation(d, v3) * (outer * across_s[i] * across_t[j]);
+        let mut gap = 0.0_f64;
+        let mut corners = Vec::with_capacity(d.len());
+        for (j, &t) in self.t.iter().enumerate() {
+            for (i, &s) in self.s.iter().enumerate() {
+                let point = patch.point(s, t);
+                let upward = normal(d[i + j * (n + 1)], i.min(n - 1), j.min(m - 1));
+                let inside = i > 0 && i < n && j > 0 && j < m && !self.points[0][i] && !self.points[1][j];
+                let vertex = if inside { None } else { self.border_vertex(border, i, j) };
+                corners.push(if let Some(position) = vertex {
+                    gap = gap.max(mesh.positions[position].distance(point));
+                    // Normals at points of lines belong to their cells.
+                    let single = self.points[0][i] || self.points[1][j];
+                    let normal = if single { 0 } else { border.normal(position, upward, &mut mesh.normals) };
+                    MeshCorner { position, normal }
+                } else {
+                    mesh.positions.push(point);
+                    mesh.normals.push(upward);
+                    MeshCorner { position: mesh.positions.len() - 1, normal: mesh.normals.len() - 1 }
+                });
+            }
+        }
+        for j in 0..m {
+            for i in 0..n {
+                let grid = [(i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)];
+                let mut cell = grid.map(|(i, j)| corners[i + j * (n + 1)]);
+                for (corner, (gi, gj)) in cell.iter_mut().zip(grid) {
+                    if self.points[0][gi] || self.points[1][gj] {
+                        // In the middle of the line, as seen from the cell.
+                        let middle = |cuts: &[f64], on: bool, k: usize, cell: usize| {
+                            if on { cuts[k] } else { 0.5 * (cuts[cell] + cuts[cell + 1]) }
+                        };
+                        let s = middle(&self.s, self.points[0][gi], gi, i);
+                        let t = middle(&self.t, self.points[1][gj], gj, j);
+                        let n = normal(patch.denominator(s, t), i, j);
+                        corner.normal = border.normal(corner.position, n, &mut mesh.normals);
+                    }
+                }
+                if !self.face.same_sense {
+                    cell.reverse();
+                }
+                if let Some(polygon) = polygon(cell) {
+                    mesh.faces.push(polygon);
+                    let (s, t) = ([self.s[i], self.s[i + 1]], [self.t[j], self.t[j + 1]]);
+                    mesh.sources.push(MeshSource { shell, face, s, t });
+                }
+            }
+        }
+        gap
+    }
+}
+
+/// The vector turned by a quaternion of any length.
+fn unit_rotation(d: Quat, v: Vec3) -> Vec3 {
+    (d * (1.0 / d.norm_squared().sqrt())).rotate(v)
+}
+
+/// The polygon of four corners of which neighbours may be one; `None` if two remain.
+fn polygon(cell: [MeshCorner; 4]) -> Option<MeshFace> {
+    let same = |k: usize| cell[k].position == cell[(k + 1) % 4].position;
+    let doubled: usize = (0..4).filter(|&k| same(k)).count();
+    match (doubled, (0..4).find(|&k| same(k))) {
+        (0, _) => Some(MeshFace::Quad(cell)),
+        (1, Some(k)) => Some(MeshFace::Triangle([cell[(k + 1) % 4], cell[(k + 2) % 4], cell[(k + 3) % 4]])),
+        _ => None,
+    }
+}

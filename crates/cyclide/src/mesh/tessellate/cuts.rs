@@ -1,0 +1,264 @@
+//! Where to cut: densities from the sagitta in closed form, then as many cuts as the certificate asks for.
+
+use super::cell_bound::{PatchSpeeds, denominators, grid_bound};
+use super::strips::{Member, Place, Strip, Strips};
+use crate::error::{Error, Result};
+use crate::mesh::equidistribute::Density;
+use crate::surface::{CyclidePatch, Shell};
+
+/// Largest number of cells of one mesh.
+const CELL_CAP: usize = 10_000_000;
+/// Intervals on which densities are sampled.
+const SCAN: usize = 16;
+/// Times the densities of all strips are adapted to each other.
+const SWEEPS: usize = 2;
+/// Rounds of the certificate; few are needed, as cells that fail are divided by what they fail by.
+const ROUNDS: usize = 200;
+/// A little more cuts than a cell fails by, as its neighbours are wider or narrower.
+const MARGIN: f64 = 1.002;
+/// Largest number of parts of one cell in one round.
+const SPLIT: f64 = 8.0;
+
+/// A patch on the grid of samples.
+struct Samples {
+    /// `1/|D|⁴`, s fastest.
+    inverse: Vec<f64>,
+    /// `|q| |m|/4` of the s-lines, then of the t-lines: times `1/|D|⁴` and the square of a width, a sagitta.
+    bend: [[f64; SCAN + 1]; 2],
+    /// Normal component of their bulge.
+    normal: [[f64; SCAN + 1]; 2],
+}
+
+/// The sample with the given index.
+fn at(k: usize) -> f64 {
+    k as f64 / SCAN as f64
+}
+
+impl Samples {
+    fn new(patch: &CyclidePatch, speeds: &PatchSpeeds) -> Self {
+        let places: [f64; SCAN + 1] = std::array::from_fn(at);
+        let square = |v: f64| v * v;
+        let d = denominators(patch, &places, &places);
+        let lines = [0, 1].map(|direction| places.map(|x| speeds.line(direction, x)));
+        Self {
+            inverse: d.iter().map(|d| 1.0 / square(d.norm_squared())).collect(),
+            bend: lines.map(|lines| lines.map(|l| 0.25 * l.q * l.m)),
+            normal: lines.map(|lines| lines.map(|l| l.normal)),
+        }
+    }
+
+    /// Curvature of the sagitta along the direction, that across it, and the cosine of their bulges at a sample: `along`
+    /// counts along the direction.
+    fn bends(&self, direction: usize, along: usize, across: usize) -> (f64, f64, f64) {
+        let (i, j) = if direction == 0 { (along, across) } else { (across, along) };
+        let inverse = self.inverse[i + j * (SCAN + 1)];
+        let (own, other) = (self.bend[direction][across], self.bend[1 - direction][along]);
+        (own * inverse, other * inverse, self.normal[direction][across] * self.normal[1 - direction][along])
+    }
+}
+
+/// The density of cuts of one strip, with its rounding to whole numbers of cuts.
+struct StripDensity {
+    values: [f64; SCAN + 1],
+    /// Widths of the cells there.
+    widths: [f64; SCAN + 1],
+    /// Parts between fixed places: the ends, the integral of the density, the number of cells.
+    parts: Vec<([f64; 2], f64, usize)>,
+}
+
+impl StripDensity {
+    fn new(values: [f64; SCAN + 1], fixed: &[f64]) -> Self {
+        let parts = fixed.windows(2).map(|w| ([w[0], w[1]], Density(&values).integral([w[0], w[1]])));
+        let parts: Vec<([f64; 2], f64, usize)> =
+            parts.map(|(ends, integral)| (ends, integral, count(integral))).collect();
+        let widths = std::array::from_fn(|k| {
+            let part = parts.iter().find(|(ends, ..)| at(k) <= ends[1]);
+            part.map_or(1.0, |&([a, b], integral, n)| {
+                let width = integral / (n as f64 * values[k]);
+                // Nothing bends: the cells are even.
+                if width.is_finite() { width.min(b - a) } else { (b - a) / n as f64 }
+            })
+        });
+        Self { values, widths, parts }
+    }
+
+    /// All cuts, ends included.
+    fn cuts(&self, symmetric: bool) -> Vec<f64> {
+        let mut cuts = vec![0.0];
+        for &(ends, _, n) in self.parts.iter().filter(|(ends, ..)| !symmetric || ends[0] < 0.5) {
+            Density(&self.values).cut(ends, n, &mut cuts);
+            cuts.push(ends[1]);
+        }
+        if symmetric { mirrored(cuts) } else { cuts }
+    }
+}
+
+/// Cuts of the first half and their mirror images.
+fn mirrored(mut cuts: Vec<f64>) -> Vec<f64> {
+    let other: Vec<f64> = cuts.iter().rev().skip(1).map(|u| 1.0 - u).collect();
+    cuts.extend(other);
+    cuts
+}
+
+/// New cuts of a strip, `excess[k]` times as many where cell `k` failed. Between fixed places the cells share their
+/// excesses equally, so all grow narrower if one fails, and there is one more at least.
+fn refined(old: &[f64], excess: &[f64], strip: &Strip) -> Vec<f64> {
+    let mut cuts = vec![0.0];
+    let last = if strip.symmetric { 0.5 } else { 1.0 };
+    let mut first = 0;
+    for end in strip.fixed.iter().copied().filter(|&u| u > 0.0 && u <= last) {
+        let count = old[first..].iter().position(|&u| u >= end).unwrap_or(old.len() - 1 - first);
+        let part = first..first + count;
+        let needs = part.clone().map(|k| {
+            let mirror = if strip.symmetric { excess[excess.len() - 1 - k] } else { 0.0 };
+            let excess = excess[k].max(mirror);
+            if excess > 1.0 { (excess * MARGIN).min(SPLIT) } else { 1.0 }
+        });
+        let needs: Vec<f64> = needs.collect();
+        let total: f64 = needs.iter().sum();
+        let cells = total.ceil();
+        let (mut k, mut before) = (0, 0.0);
+        for j in 1..cells as usize {
+            let goal = total * j as f64 / cells;
+            while k + 1 < needs.len() && before + needs[k] < goal {
+                before += needs[k];
+                k += 1;
+            }
+            let (a, b) = (old[first + k], old[first + k + 1]);
+            let place = a + (b - a) * ((goal - before) / needs[k]).min(1.0);
+            // Rounding must not let two cuts meet.
+            if place > cuts.last().copied().unwrap_or(0.0) && place < end {
+                cuts.push(place);
+            }
+        }
+        cuts.push(end);
+        first = part.end;
+    }
+    if strip.symmetric { mirrored(cuts) } else { cuts }
+}
+
+/// Whole number of cells of an integral of a density; it is below the cap where it is used.
+fn count(integral: f64) -> usize {
+    // Rounding of the integral must not add a cell.
+    ((integral * (1.0 - 1e-12)).ceil() as usize).clamp(1, CELL_CAP)
+}
+
+/// The cuts of every strip of a shell, and the certified distance of the mesh.
+pub(super) struct Cuts {
+    of_strips: Vec<Vec<f64>>,
+    /// The certified distance of every cell.
+    pub(super) distance: f64,
+}
+
+impl Cuts {
+    /// The cuts at a place, as its own parameter runs.
+    pub(super) fn at(&self, place: Place) -> Vec<f64> {
+        let cuts = &self.of_strips[place.strip];
+        if place.flipped { cuts.iter().rev().map(|u| 1.0 - u).collect() } else { cuts.clone() }
+    }
+
+    /// Cuts of every strip so that no cell is farther than `tolerance` from its quad.
+    ///
+    /// Cells cost the least when the deviation is the same everywhere. A cut in one direction costs as much as one in
+    /// the other, so both get equal shares of the tolerance at first; then each strip takes what the other leaves at
+    /// every place.
+    pub(super) fn new(shell: &Shell, strips: &Strips, speeds: &[PatchSpeeds], tolerance: f64) -> Result<Self> {
+        let densities = densities(shell, strips, speeds, tolerance);
+        check_count(strips, |strip| densities[strip].parts.iter().map(|&(.., n)| n).sum())?;
+        let all = densities.iter().zip(&strips.strips);
+        let mut cuts = Self { of_strips: all.map(|(d, strip)| d.cuts(strip.symmetric)).collect(), distance: 0.0 };
+        for _ in 0..ROUNDS {
+            check_count(strips, |strip| cuts.of_strips[strip].len() - 1)?;
+            let excess = cuts.certify(shell, strips, speeds, tolerance);
+            let mut done = true;
+            for ((cuts, excess), strip) in cuts.of_strips.iter_mut().zip(&excess).zip(&strips.strips) {
+                if excess.iter().any(|&e| e > 1.0) {
+                    *cuts = refined(cuts, excess, strip);
+                    done = false;
+                }
+            }
+            if done {
+                return Ok(cuts);
+            }
+        }
+        Err(Error::TooManyCells { needed: f64::INFINITY, cap: CELL_CAP })
+    }
+
+    /// Certifies the mesh of these cuts: how many times as many cuts the cells of each strip need.
+    fn certify(&mut self, shell: &Shell, strips: &Strips, speeds: &[PatchSpeeds], tolerance: f64) -> Vec<Vec<f64>> {
+        let mut excess: Vec<Vec<f64>> = self.of_strips.iter().map(|cuts| vec![0.0; cuts.len() - 1]).collect();
+        self.distance = 0.0;
+        for (f, face) in shell.faces().iter().enumerate() {
+            let [s, t] = strips.faces[f].map(|place| self.at(place));
+            let d = denominators(&face.patch, &s, &t);
+            let bound = grid_bound(&speeds[f], &s, &t, &d, tolerance);
+            self.distance = self.distance.max(bound.distance);
+            for (place, own) in strips.faces[f].iter().zip(bound.excess) {
+                let of_strip = &mut excess[place.strip];
+                let last = own.len() - 1;
+                for (k, e) in own.into_iter().enumerate() {
+                    let worst = &mut of_strip[if place.flipped { last - k } else { k }];
+                    *worst = worst.max(e);
+                }
+            }
+        }
+        excess
+    }
+}
+
+/// Refuses more cells than the cap, for the given number of cells along each strip.
+fn check_count(strips: &Strips, count: impl Fn(usize) -> usize) -> Result<()> {
+    let needed: f64 = strips.faces.iter().map(|[s, t]| count(s.strip) as f64 * count(t.strip) as f64).sum();
+    if needed <= CELL_CAP as f64 { Ok(()) } else { Err(Error::TooManyCells { needed, cap: CELL_CAP }) }
+}
+
+/// The densities of all strips.
+fn densities(shell: &Shell, strips: &Strips, speeds: &[PatchSpeeds], tolerance: f64) -> Vec<StripDensity> {
+    let faces = shell.faces().iter().zip(speeds);
+    let samples: Vec<Samples> = faces.map(|(face, speeds)| Samples::new(&face.patch, speeds)).collect();
+    // Equal shares: a = b with a² + b² + 2abc = tolerance².
+    let equal = |_: Member, _: usize, _: usize, c: f64| tolerance / (2.0 + 2.0 * c).sqrt().max(1.0);
+    let mut densities: Vec<StripDensity> =
+        (0..strips.strips.len()).map(|k| density(strips, k, &samples, equal)).collect();
+    for _ in 0..SWEEPS {
+        for k in 0..densities.len() {
+            // What the cells of the crossing strips leave, and a tenth at least: they give way in their turn.
+            let left = |member: Member, along: usize, across: usize, c: f64| {
+                let crossing = strips.faces[member.face][1 - member.direction];
+                let (_, other, _) = samples[member.face].bends(member.direction, along, across);
+                let width = densities[crossing.strip].widths[if crossing.flipped { SCAN - across } else { across }];
+                let b = other * width * width;
+                let root = (tolerance * tolerance - b * b * (1.0 - c * c)).max(0.0).sqrt();
+                (root - b * c).clamp(0.1 * tolerance, tolerance)
+            };
+            densities[k] = density(strips, k, &samples, left);
+        }
+    }
+    densities
+}
+
+/// The density of one strip: at each place the largest of its members, whose share of the tolerance is `share(member,
+/// along, across, cosine)`.
+fn density(
+    strips: &Strips,
+    strip: usize,
+    samples: &[Samples],
+    share: impl Fn(Member, usize, usize, f64) -> f64,
+) -> StripDensity {
+    let mut values = [0.0_f64; SCAN + 1];
+    let strip = &strips.strips[strip];
+    for &member in &strip.members {
+        for (along, value) in values.iter_mut().enumerate() {
+            let own = if member.flipped { SCAN - along } else { along };
+            for across in 0..=SCAN {
+                let (bend, _, c) = samples[member.face].bends(member.direction, own, across);
+                *value = value.max((bend / share(member, own, across, c)).sqrt());
+            }
+        }
+    }
+    if strip.symmetric {
+        let mirrored: [f64; SCAN + 1] = std::array::from_fn(|k| values[SCAN - k]);
+        values = std::array::from_fn(|k| values[k].max(mirrored[k]));
+    }
+    StripDensity::new(values, &strip.fixed)
+}
