@@ -328,6 +328,14 @@ pub enum Error {
         /// What cannot be made.
         cannot: &'static str,
     },
+    /// A solid between a surface and its offset would run through itself.
+    #[error("quad {quad}: a centre of curvature lies between the surface and its offset at {distance:e}")]
+    OffsetNotRegular {
+        /// Which quad, from 0, s fastest.
+        quad: usize,
+        /// Signed distance of the offset.
+        distance: f64,
+    },
     /// Vertices, edges and faces do not make a shell.
     #[error("not a shell: {item} {index}: {detail}")]
     NotAShell {
@@ -417,6 +425,7 @@ impl Error {
             Self::NetDoesNotClose { .. } => "net-does-not-close",
             Self::AmbiguousFrame => "ambiguous-frame",
             Self::CollapsedSide { .. } => "collapsed-side",
+            Self::OffsetNotRegular { .. } => "offset-not-regular",
             Self::NotAShell { .. } => "not-a-shell",
             Self::InQuad { cause, .. } | Self::InSpan { cause, .. } => cause.reason(),
         }
@@ -442,7 +451,7 @@ impl Error {
             Self::Disconnected { piece, .. } => Some(piece),
             Self::InSpan { span, .. } => Some(span),
             Self::NotAShell { index, .. } => Some(index),
-            Self::InQuad { quad, .. } => Some(quad),
+            Self::InQuad { quad, .. } | Self::OffsetNotRegular { quad, .. } => Some(quad),
             _ => None,
         }
     }

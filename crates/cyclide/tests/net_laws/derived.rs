@@ -59,6 +59,7 @@ fn beyond_the_focal_surface_patches_flip() {
     let net = DupinCyclide::new(2.0, 0.7, 1.1).unwrap().nets([4, 4]).unwrap().remove(0);
     assert!(net.offset(-0.39).unwrap().flipped_patches().is_empty());
     assert_eq!(net.offset(-1.9).unwrap().flipped_patches().len(), 16);
+    assert_eq!(net.thick(-1.0).unwrap_err().reason(), "offset-not-regular");
     let half = net.offset(-1.0).unwrap();
     assert!(!half.singular_patches().is_empty());
     for found in half.singular_patches() {

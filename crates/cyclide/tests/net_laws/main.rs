@@ -3,5 +3,6 @@
 mod data;
 mod derived;
 mod dupin;
+mod models;
 mod nets;
 mod shells;

@@ -13,6 +13,7 @@
 
 use super::{CyclideKind, DupinCyclide, NODE_LIMIT};
 use crate::base::quat::Quat;
+use crate::base::range;
 use crate::base::vector::Vec3;
 use crate::error::{Error, Result};
 use crate::surface::net::CyclidicNet;
@@ -41,7 +42,7 @@ impl DupinCyclide {
     /// part between them is missing. The weights of the rational forms are all positive.
     ///
     /// # Errors
-    /// `parameter-out-of-range` (segments outside 3 to 4096).
+    /// `parameter-out-of-range` (segments outside 3 to 4096, coordinates above 1e150).
     pub fn nets(&self, segments: [usize; 2]) -> Result<Vec<CyclidicNet>> {
         for (name, value) in [("segments along s", segments[0]), ("segments along t", segments[1])] {
             if !(3..=MAX_SEGMENTS).contains(&value) {
@@ -113,6 +114,9 @@ impl DupinCyclide {
             for j in [0, n - 1] {
                 (1..m).for_each(|i| points[i + j * m] = points[j * m]);
             }
+        }
+        for (index, p) in points.iter().enumerate() {
+            range::check_point(index, p.to_vec())?;
         }
         let grid = QuadGrid::new(points, size, [s.closed, t.closed])?;
         // After a full turn the half angles are half a turn further.

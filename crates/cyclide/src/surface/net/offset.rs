@@ -45,7 +45,8 @@ impl CyclidicNet {
     ///
     /// # Errors
     /// As [`offset`](Self::offset); `parameter-out-of-range` for `h = 0`; `collapsed-side` if an open side of the net
-    /// or of its offset is one point.
+    /// or of its offset is one point; `offset-not-regular` if a centre of curvature lies between, or a patch is singular
+    /// inside.
     pub fn thick(&self, h: f64) -> Result<Body> {
         if h == 0.0 {
             let (min, max) = (range::MIN_DISTANCE, range::MAX_COORDINATE);
@@ -54,13 +55,16 @@ impl CyclidicNet {
         let offset = self.offset(h)?;
         // The upper one is ahead along the normals.
         let [lower, upper] = if h > 0.0 { [self, &offset] } else { [&offset, self] };
-        if self.grid.closed() == [true, true] {
-            return between_closed(lower, upper);
-        }
         for net in [lower, upper] {
             if let Some(side) = net.collapsed_side() {
                 return Err(Error::CollapsedSide { side, cannot: "the rim of a thick shell needs an edge there" });
             }
+        }
+        if let Some(quad) = self.patches().position(|patch| !patch.offset_is_regular(h)) {
+            return Err(Error::OffsetNotRegular { quad, distance: h });
+        }
+        if self.grid.closed() == [true, true] {
+            return between_closed(lower, upper);
         }
         let mut sewing = Sewing::default();
         let skins = [sewing.skin(lower, false)?, sewing.skin(upper, true)?];
