@@ -5,9 +5,10 @@
 //! not exist, its fields are empty.
 
 use crate::export::{Contour, ExportError, Exported, Job, Promise};
+use crate::mesh::chain;
 use crate::number::push_plain;
 use crate::read_back::ReadError;
-use cyclide::{Arc, ArcPath, CurveChain, CurveJet, Exactness, Point3, flatten};
+use cyclide::{CurveChain, CurveJet, Exactness, Point3, flatten};
 
 const HEADER: &str = "object,contour,t,x,y,z,tangent_x,tangent_y,tangent_z,curvature";
 const COLUMNS: usize = 10;
@@ -114,10 +115,7 @@ fn finish(points: &mut Vec<Point3>, chains: &mut Vec<CurveChain>, place: impl Fn
     if points.is_empty() {
         return Ok(());
     }
-    let closed = points.first() == points.last();
-    let segments = points.windows(2).map(|w| Arc::segment(w[0], w[1])).collect::<cyclide::Result<Vec<_>>>();
-    let path = segments.and_then(|s| ArcPath::new(s, closed));
-    chains.push(path.map_err(|source| ReadError::Geometry { place: place(), source })?.into());
+    chains.push(chain(points, place)?);
     points.clear();
     Ok(())
 }

@@ -1,5 +1,6 @@
 //! The front door of the writers: a model in, the bytes of a file out, with what was kept and what was promised.
 
+use crate::deviation::Cell;
 use crate::format::Format;
 use crate::{csv_samples, dxf, glb, nurbs_json, obj, png, step, stl, svg};
 use cyclide::{Arc, Exactness, Model};
@@ -106,6 +107,8 @@ pub struct ExportOptions {
     pub dxf_splines: bool,
     /// DXF: the version.
     pub dxf_version: DxfVersion,
+    /// GLB: draw the edges of the patches as lines on their mesh.
+    pub glb_edges: bool,
     /// SVG: draw the curvature comb.
     pub svg_comb: bool,
     /// SVG: draw the joints of the curves as dots.
@@ -125,6 +128,8 @@ pub struct Exported {
     pub bound: f64,
     /// Remarks for the user, one sentence each.
     pub notes: Vec<String>,
+    /// What the polygons of a mesh stand for, in file order: what the file is checked against.
+    pub(crate) cells: Vec<Cell>,
 }
 
 /// Makes the content of a file. The same model and options give the same bytes.
@@ -167,7 +172,12 @@ impl Promise {
 
     /// The finished file under this promise.
     pub(crate) fn exported(self, bytes: Vec<u8>, notes: Vec<String>) -> Exported {
-        Exported { bytes, exact: self.bound.is_none(), bound: self.bound.unwrap_or(0.0), notes }
+        self.exported_mesh(bytes, notes, Vec::new())
+    }
+
+    /// The finished file of a mesh format.
+    pub(crate) fn exported_mesh(self, bytes: Vec<u8>, notes: Vec<String>, cells: Vec<Cell>) -> Exported {
+        Exported { bytes, exact: self.bound.is_none(), bound: self.bound.unwrap_or(0.0), notes, cells }
     }
 }
 

@@ -176,7 +176,7 @@ impl<'a> Job<'a> {
 }
 
 /// The bodies of a model's surfaces in the order in which every format writes them.
-fn bodies(model: &Model) -> Result<Vec<BodyOf<'_>>, ExportError> {
+pub(crate) fn bodies(model: &Model) -> Result<Vec<BodyOf<'_>>, ExportError> {
     let mut bodies = Vec::new();
     for (item, it) in model.items.iter().enumerate() {
         for (index, surface) in it.surfaces.iter().enumerate() {

@@ -1,9 +1,10 @@
 //! Reading our own files: the way from the bytes back to geometry, by which every export is checked.
 
-use crate::deviation::{View, deviation_within};
-use crate::export::Exported;
+use crate::deviation::{View, deviation_within, mesh_deviation};
+use crate::export::{ExportError, Exported};
 use crate::format::Format;
-use crate::{csv_samples, dxf, nurbs_json, step, svg};
+use crate::job::bodies;
+use crate::{csv_samples, dxf, glb, nurbs_json, obj, step, stl, svg};
 use cyclide::{CurveChain, Model, SurfaceMesh};
 
 /// Why bytes could not be read back.
@@ -56,6 +57,22 @@ pub enum ReadError {
         /// Closed in the file.
         found: bool,
     },
+    /// The file holds another number of polygons than were made of the model.
+    #[error("{found} polygons in the file, {expected} were made")]
+    PolygonCount {
+        /// In the file.
+        found: usize,
+        /// Made of the model.
+        expected: usize,
+    },
+    /// Polygons are missing, or a part of a face has several.
+    #[error("face {face} of {object} is not covered once by polygons")]
+    NotCovered {
+        /// The object.
+        object: String,
+        /// Which of its faces, from 0, those of all its shells counted through.
+        face: usize,
+    },
 }
 
 fn openness(closed: bool) -> &'static str {
@@ -98,7 +115,10 @@ pub fn read_back(format: Format, bytes: &[u8]) -> Result<FileContent, ReadError>
         Format::Svg => svg::read(bytes).map(FileContent::from),
         Format::Csv => csv_samples::read(bytes).map(FileContent::from),
         Format::Json => nurbs_json::read(bytes).map(FileContent::from),
-        Format::Glb | Format::Obj | Format::Stl | Format::Png => Err(ReadError::NoGeometry { format: format.name() }),
+        Format::Glb => glb::read(bytes),
+        Format::Obj => obj::read_back(bytes),
+        Format::Stl => stl::read(bytes),
+        Format::Png => Err(ReadError::NoGeometry { format: format.name() }),
     }
 }
 
@@ -112,8 +132,25 @@ pub fn file_deviation(model: &Model, format: Format, file: &Exported) -> Result<
     let view = match format {
         Format::Svg => View::Plan,
         // In DXF: curves of ARC and LINE entities.
-        Format::Csv | Format::Dxf => View::Points,
-        Format::Step | Format::Json | Format::Png | Format::Glb | Format::Obj | Format::Stl => View::Space,
+        Format::Csv | Format::Dxf | Format::Glb | Format::Obj => View::Points,
+        Format::Step | Format::Json | Format::Png | Format::Stl => View::Space,
     };
-    deviation_within(model, &read_back(format, &file.bytes)?.curves, view)
+    let content = read_back(format, &file.bytes)?;
+    let curves = match format {
+        Format::Stl => 0.0,
+        _ => deviation_within(model, &content.curves, view)?,
+    };
+    if matches!(format, Format::Glb | Format::Obj | Format::Stl) {
+        let bodies = bodies(model).map_err(no_bodies)?;
+        return Ok(curves.max(mesh_deviation(&bodies, &content.meshes, &file.cells)?));
+    }
+    Ok(curves)
+}
+
+/// A surface of the model that has no body cannot be compared.
+fn no_bodies(error: ExportError) -> ReadError {
+    match error {
+        ExportError::Lowering { object, source, .. } => ReadError::Geometry { place: object, source },
+        other => ReadError::syntax("the model", other.to_string()),
+    }
 }

@@ -5,12 +5,14 @@
 //! distance of the point sets, close to the Fréchet distance.
 
 mod matching;
+mod mesh;
 mod track;
 
 use crate::export::contours;
 use crate::read_back::ReadError;
 use cyclide::{CurveChain, Model, ParamCurve as _};
 use matching::one_way;
+pub(crate) use mesh::{Cell, mesh_deviation};
 use track::Track;
 
 /// The largest distance between the curves read from a file and the model's curves, both ways, in the model's

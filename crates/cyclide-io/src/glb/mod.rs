@@ -1,9 +1,211 @@
 //! Binary glTF 2.0: meshes of surfaces and lines of curves, for rendering and browsers.
+//!
+//! The model keeps its coordinates: one root node turns the third axis up and scales its unit to metres. Below it is
+//! one node per object, with a mesh of one primitive per surface (triangles) and per curve (`LINES`, an index pair per
+//! segment, which every reader knows). Vertices are in single precision, relative to the centre of the object, which is
+//! the translation of its node; the promised bound includes the rounding. Materials have the colours of the pictures,
+//! surfaces are seen from both sides, lines are unlit.
+//!
+//! The edges of the patches can be drawn as lines on the vertices of the mesh.
 
-use crate::export::{ExportError, Exported, Job};
+mod buffer;
+mod edges;
+mod reader;
 
-/// Writes the model.
+use crate::export::{Contour, ExportError, Exported, Job, Promise};
+use crate::mesh::{BodyMesh, Single, body_meshes, check_single, polyline, promised, single, triangles};
+use crate::palette;
+use buffer::Buffer;
+use cyclide::{Aabb, Item, MeshCorner, Point3, bounds};
+use serde_json::{Value, json};
+use std::collections::HashMap;
+
+pub(crate) use reader::read;
+
+/// Modes of primitives.
+const LINES: u64 = 1;
+const TRIANGLES: u64 = 4;
+/// The turn that takes the third axis to the second.
+const Z_UP: [f64; 4] = [-std::f64::consts::FRAC_1_SQRT_2, 0.0, 0.0, std::f64::consts::FRAC_1_SQRT_2];
+
+/// Writes the model as GLB.
 pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
-    let object = job.model.items.first().map(|i| i.name.clone()).unwrap_or_default();
-    Err(ExportError::NotInFormat { object, format: "glb", detail: "this format is not written yet" })
+    check_single(job, job.size(), "GLB")?;
+    let mut file = File::default();
+    let meshes = body_meshes(job)?;
+    for (index, item) in job.model.items.iter().enumerate() {
+        let own: Vec<&BodyMesh<'_>> = meshes.iter().filter(|mesh| mesh.body.item == index).collect();
+        file.object(job, index, item, &own)?;
+    }
+    let File { buffer, nodes, meshes, materials, promise, cells } = file;
+    // The scene's root is the last node.
+    let children: Vec<usize> = (0..nodes.len()).collect();
+    let scale = job.units().in_millimetres() / 1000.0;
+    let mut nodes = nodes;
+    nodes.push(json!({"name": job.title(), "rotation": Z_UP, "scale": [scale, scale, scale], "children": children}));
+    let unlit = materials.iter().any(|material| material.get("extensions").is_some());
+    let mut document = json!({
+        "asset": {"version": "2.0", "generator": "cyclide"},
+        "scene": 0,
+        "scenes": [{"nodes": [nodes.len() - 1]}],
+        "nodes": nodes,
+        "meshes": meshes,
+        "materials": materials,
+    });
+    if unlit {
+        document["extensionsUsed"] = json!([UNLIT]);
+    }
+    let bytes = buffer.container(document).ok_or_else(|| {
+        let object = job.model.items.first().map(|item| item.name.clone()).unwrap_or_default();
+        ExportError::NotInFormat { object, format: "GLB", detail: "it would be larger than 4 GiB" }
+    })?;
+    Ok(promise.exported_mesh(bytes, Vec::new(), cells))
+}
+
+/// The extension for lines.
+const UNLIT: &str = "KHR_materials_unlit";
+
+/// The parts of the document as they grow.
+struct File {
+    buffer: Buffer,
+    nodes: Vec<Value>,
+    meshes: Vec<Value>,
+    materials: Vec<Value>,
+    promise: Promise,
+    cells: Vec<crate::deviation::Cell>,
+}
+
+impl Default for File {
+    fn default() -> Self {
+        let (nodes, meshes, materials, cells) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
+        Self { buffer: Buffer::default(), nodes, meshes, materials, promise: Promise::EXACT, cells }
+    }
+}
+
+impl File {
+    fn object(
+        &mut self,
+        job: &Job<'_>,
+        index: usize,
+        item: &Item,
+        bodies: &[&BodyMesh<'_>],
+    ) -> Result<(), ExportError> {
+        let curves = item.contours.iter().map(|curve| bounds(curve.as_curve()));
+        let Some(extent) = curves.chain(bodies.iter().map(|mesh| mesh.body.body.bounds())).reduce(Aabb::union) else {
+            return Ok(());
+        };
+        let center = extent.min.midpoint(extent.max);
+        let mut primitives = Vec::new();
+        if !bodies.is_empty() {
+            let material = self.material(&item.name, palette::surface(index), false);
+            let ink = job.options.glb_edges.then(|| self.material(&item.name, palette::linear(index), true));
+            for body in bodies {
+                self.body(body, center, [Some(material), ink], &mut primitives);
+            }
+        }
+        if !item.contours.is_empty() {
+            let material = self.material(&item.name, palette::linear(index), true);
+            for contour in job.contours().filter(|contour| contour.item == index) {
+                primitives.push(self.curve(job, &contour, center, material)?);
+            }
+        }
+        self.nodes.push(json!({"name": item.name, "mesh": self.meshes.len(), "translation": center.to_array()}));
+        self.meshes.push(json!({"name": item.name, "primitives": primitives}));
+        Ok(())
+    }
+
+    /// Adds a material; gives its index.
+    fn material(&mut self, name: &str, [red, green, blue]: [f64; 3], unlit: bool) -> usize {
+        let colour = json!([red, green, blue, 1.0]);
+        let mut material = json!({
+            "name": if unlit { format!("{name} lines") } else { name.to_owned() },
+            "pbrMetallicRoughness": {"baseColorFactor": colour, "metallicFactor": 0.0, "roughnessFactor": 0.45},
+        });
+        if unlit {
+            material["extensions"] = json!({UNLIT: {}});
+        } else {
+            material["doubleSided"] = json!(true);
+        }
+        self.materials.push(material);
+        self.materials.len() - 1
+    }
+
+    /// Adds the triangles of a body and, with a second material, its edges.
+    fn body(
+        &mut self,
+        body: &BodyMesh<'_>,
+        center: Point3,
+        [material, ink]: [Option<usize>; 2],
+        primitives: &mut Vec<Value>,
+    ) {
+        let mesh = &body.mesh;
+        let mut rounding = Single::new(center);
+        let mut vertices = Vertices::default();
+        let mut indices = Vec::new();
+        for face in &mesh.faces {
+            let corners: Vec<u32> = face.corners().iter().map(|corner| vertices.index(*corner)).collect();
+            for triangle in triangles(face) {
+                indices.extend(triangle.map(|i| corners[i]));
+            }
+        }
+        let positions: Vec<[f32; 3]> =
+            vertices.corners.iter().map(|corner| rounding.point(mesh.positions[corner.position])).collect();
+        let normals = vertices.corners.iter().map(|corner| mesh.normals[corner.normal].to_array().map(single));
+        let position = self.buffer.positions(&positions);
+        let normal = self.buffer.vectors(normals);
+        let attributes = json!({"POSITION": position, "NORMAL": normal});
+        let indices = self.buffer.indices(&indices);
+        primitives.push(json!({"attributes": attributes, "indices": indices, "material": material, "mode": TRIANGLES}));
+        if let Some(ink) = ink {
+            let lines: Vec<u32> =
+                edges::of_patches(mesh).into_iter().flatten().map(|corner| vertices.index(corner)).collect();
+            let indices = self.buffer.indices(&lines);
+            let attributes = json!({"POSITION": position});
+            primitives.push(json!({"attributes": attributes, "indices": indices, "material": ink, "mode": LINES}));
+        }
+        self.cells.extend(body.cells(|face| triangles(face).len()));
+        promised(&mut self.promise, mesh.bound + rounding.moved);
+    }
+
+    /// The primitive of a curve.
+    fn curve(
+        &mut self,
+        job: &Job<'_>,
+        contour: &Contour<'_>,
+        center: Point3,
+        material: usize,
+    ) -> Result<Value, ExportError> {
+        let mut rounding = Single::new(center);
+        let mut points: Vec<[f32; 3]> = polyline(job, contour)?.into_iter().map(|p| rounding.point(p)).collect();
+        points.dedup();
+        let closed = contour.curve.as_curve().is_closed();
+        if points.len() < if closed { 3 } else { 2 } {
+            let (object, detail) = (contour.object.to_owned(), "the curve is below the rounding of single precision");
+            return Err(ExportError::NotInFormat { object, format: "GLB", detail });
+        }
+        let count = points.len() as u32;
+        let segments = (1..count).map(|i| [i - 1, i]).chain(closed.then_some([count - 1, 0]));
+        let indices: Vec<u32> = segments.flatten().collect();
+        let attributes = json!({"POSITION": self.buffer.positions(&points)});
+        let indices = self.buffer.indices(&indices);
+        promised(&mut self.promise, job.tolerance + rounding.moved);
+        Ok(json!({"attributes": attributes, "indices": indices, "material": material, "mode": LINES}))
+    }
+}
+
+/// The corners of a mesh that have a vertex of their own, in the order in which they are met.
+#[derive(Default)]
+struct Vertices {
+    corners: Vec<MeshCorner>,
+    index: HashMap<MeshCorner, u32>,
+}
+
+impl Vertices {
+    fn index(&mut self, corner: MeshCorner) -> u32 {
+        *self.index.entry(corner).or_insert_with(|| {
+            self.corners.push(corner);
+            // Beyond 4 GiB of indices the container is refused.
+            (self.corners.len() - 1) as u32
+        })
+    }
 }

@@ -1,9 +1,7 @@
 //! Wavefront OBJ: meshes of surfaces, quads kept.
 
-use crate::export::{ExportError, Exported, Job};
+mod read_back;
+mod writer;
 
-/// Writes the model.
-pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
-    let object = job.model.items.first().map(|i| i.name.clone()).unwrap_or_default();
-    Err(ExportError::NotInFormat { object, format: "obj", detail: "this format is not written yet" })
-}
+pub(crate) use read_back::read_back;
+pub(crate) use writer::write;

@@ -13,16 +13,6 @@ pub(super) struct Ink {
 
 /// Paper.
 const PAPER: Ink = Ink::new(0xFBFBF9, 1.0);
-/// Colours of the objects in turn.
-const OBJECTS: [Ink; 6] = [
-    Ink::new(0x1B2A41, 1.0),
-    Ink::new(0x0B6E6E, 1.0),
-    Ink::new(0x7A2E52, 1.0),
-    Ink::new(0x3A5A98, 1.0),
-    Ink::new(0x5B6B1F, 1.0),
-    Ink::new(0x6B4A2B, 1.0),
-];
-
 impl Ink {
     pub(super) const COMB: Self = Self::new(0xE2803F, 0.42);
     pub(super) const COMB_EDGE: Self = Self::new(0xD9722E, 0.75);
@@ -42,7 +32,7 @@ impl Ink {
 
     /// The colour of an object.
     pub(super) fn object(index: usize) -> Self {
-        OBJECTS[index % OBJECTS.len()]
+        Self::new(crate::palette::object(index), 1.0)
     }
 
     /// The colour moved towards the paper; 1 is far away, which is still well visible.
@@ -113,7 +103,7 @@ impl Canvas {
         };
         let stroke = Stroke { width: (0.38 * radius) as f32, ..Stroke::default() };
         self.pixels.fill_path(&circle, &PAPER.paint(), FillRule::Winding, Transform::identity(), None);
-        self.pixels.stroke_path(&circle, &OBJECTS[0].paint(), &stroke, Transform::identity(), None);
+        self.pixels.stroke_path(&circle, &Ink::object(0).paint(), &stroke, Transform::identity(), None);
     }
 
     pub(super) fn encode(&self) -> Result<Vec<u8>, String> {

@@ -1,9 +1,82 @@
 //! Binary STL: triangles of surfaces, for printing.
+//!
+//! 80 bytes of head that do not start with `solid`, the number of triangles, 50 bytes for each: normal and corners in
+//! single precision, little-endian. Coordinates are the model's own (readers take them for millimetres), rounded; equal
+//! vertices are equal bits. The promised bound is that of the mesh and the rounding.
 
-use crate::export::{ExportError, Exported, Job};
+mod reader;
 
-/// Writes the model.
+use crate::export::{ExportError, Exported, Job, Promise};
+use crate::mesh::{Single, body_meshes, check_single, promised, single, triangles};
+use cyclide::{Point3, Units};
+
+pub(crate) use reader::read;
+
+/// Length of the head, and of the record of a triangle.
+const HEAD: usize = 80;
+const RECORD: usize = 50;
+
+/// Writes the model's surfaces.
 pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
-    let object = job.model.items.first().map(|i| i.name.clone()).unwrap_or_default();
-    Err(ExportError::NotInFormat { object, format: "stl", detail: "this format is not written yet" })
+    check_single(job, job.bounds.max_abs(), "STL")?;
+    let mut promise = Promise::EXACT;
+    let (mut records, mut cells) = (Vec::new(), Vec::new());
+    let mut count = 0_usize;
+    for body in body_meshes(job)? {
+        let mesh = &body.mesh;
+        let mut rounding = Single::new(Point3::ORIGIN);
+        let points: Vec<[f32; 3]> = mesh.positions.iter().map(|p| rounding.point(*p)).collect();
+        // Rounding may leave nothing of a triangle: then its neighbours close the gap.
+        let kept = |face: &cyclide::MeshFace| {
+            let corners = face.corners();
+            let whole = |t: &[usize; 3]| distinct(t.map(|i| points[corners[i].position]));
+            triangles(face).iter().copied().filter(whole).map(|t| t.map(|i| points[corners[i].position])).collect()
+        };
+        let per_face: Vec<Vec<[[f32; 3]; 3]>> = mesh.faces.iter().map(kept).collect();
+        let mut counts = per_face.iter().map(Vec::len);
+        cells.extend(body.cells(|_| counts.next().unwrap_or(0)));
+        for triangle in per_face.iter().flatten() {
+            push_triangle(&mut records, triangle);
+            count += 1;
+        }
+        promised(&mut promise, mesh.bound + rounding.moved);
+    }
+    let Ok(count) = u32::try_from(count) else {
+        let object = job.bodies.first().map(|b| b.object.to_owned()).unwrap_or_default();
+        return Err(ExportError::NotInFormat { object, format: "STL", detail: "more than 4294967295 triangles" });
+    };
+    let mut bytes = head(job);
+    bytes.extend(count.to_le_bytes());
+    bytes.append(&mut records);
+    let mut notes = Vec::new();
+    if job.units() != Units::Millimetre {
+        notes.push(format!(
+            "STL has no unit and most readers take it for mm; the coordinates are in {}",
+            job.units().symbol()
+        ));
+    }
+    Ok(promise.exported_mesh(bytes, notes, cells))
+}
+
+/// The head: program, unit and title as far as they fit, padded with spaces.
+fn head(job: &Job<'_>) -> Vec<u8> {
+    let text = format!("cyclide, units {}, {}", job.units().symbol(), job.title());
+    let printable = text.bytes().map(|b| if (0x20..0x7F).contains(&b) { b } else { b'?' });
+    let mut head: Vec<u8> = printable.take(HEAD).collect();
+    head.resize(HEAD, b' ');
+    head
+}
+
+fn distinct([a, b, c]: [[f32; 3]; 3]) -> bool {
+    a != b && b != c && c != a
+}
+
+fn push_triangle(out: &mut Vec<u8>, corners: &[[f32; 3]; 3]) {
+    let [a, b, c] = corners.map(|p| Point3::from(p.map(f64::from)));
+    // A sliver on a line has no normal; readers then find their own.
+    let normal = (b - a).unit().zip((c - a).unit()).and_then(|(u, v)| u.cross(v).unit()).unwrap_or_default();
+    for v in normal.to_array().map(single).iter().chain(corners.as_flattened()) {
+        out.extend(v.to_le_bytes());
+    }
+    out.extend([0; 2]);
 }

@@ -6,6 +6,7 @@
 mod drawings;
 mod dxf;
 mod malformed;
+mod meshes;
 mod models;
 mod round_trip;
 mod step;

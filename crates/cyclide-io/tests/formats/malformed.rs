@@ -20,6 +20,11 @@ fn files() -> Vec<(Format, Vec<u8>)> {
         }
         files.push(file(&m, Format::Dxf, &r12));
     }
+    let meshes = crate::models::curve_and_surfaces();
+    for format in [Format::Glb, Format::Obj, Format::Stl] {
+        let coarse = ExportOptions { tolerance: Some(0.3), glb_edges: true, ..ExportOptions::default() };
+        files.push(file(&meshes, format, &coarse));
+    }
     files
 }
 
@@ -82,7 +87,7 @@ proptest! {
 
 #[test]
 fn what_is_wrong_is_said_with_its_place() {
-    let cases: [(Format, &[u8], &str); 9] = [
+    let cases: [(Format, &[u8], &str); 13] = [
         (Format::Step, b"", "no DATA section"),
         (Format::Step, b"DATA;#1=A(;ENDSEC;", "expected a name"),
         (Format::Step, b"DATA;#1=A();#1=B();ENDSEC;", "#1 is defined twice"),
@@ -92,6 +97,10 @@ fn what_is_wrong_is_said_with_its_place() {
         (Format::Svg, b"<path class=\"contour\" d=\"M0 0 C\"", "command C"),
         (Format::Csv, b"a,b\n", "line 1"),
         (Format::Json, b"{\n\"objects\": 3}", "no object"),
+        (Format::Glb, b"glTF\x02\0\0\0\x0c\0\0\0", "JSON chunk"),
+        (Format::Obj, b"v 1 2\n", "line 1"),
+        (Format::Obj, b"v 1 2 3\nvn 0 0 1\nf 1//1 1//1 2//1\n", "line 3"),
+        (Format::Stl, &[b'x'; 90], "byte 80"),
     ];
     for (format, bytes, part) in cases {
         let message = read_back(format, bytes).unwrap_err().to_string();

@@ -1,8 +1,8 @@
 //! Models that the tests write and read back.
 
 use cyclide::{
-    Arc, ArcPath, BlendVariant, Circle, CircleSpline, CircleSplineOptions, CurveObject, Item, Model, Point3, Units,
-    Vec3,
+    Arc, ArcPath, BlendVariant, Circle, CircleSpline, CircleSplineOptions, CurveObject, CyclidePatch, Item, Model,
+    Point3, SurfaceObject, Units, Vec3,
 };
 
 /// A model of one object per contour list.
@@ -123,4 +123,52 @@ pub fn splines() -> Vec<(&'static str, Model)> {
         ("trigonometric", model(vec![("wave", vec![circle_spline(&flat_points, true, Trigonometric, vec![])])])),
         ("coil", model(vec![("coil", vec![circle_spline(&coil(30), false, Rational, vec![])])])),
     ]
+}
+
+/// A model of one object per patch: s0, s1, ….
+pub fn surfaces(patches: &[CyclidePatch]) -> Model {
+    let item = |(i, patch): (usize, &CyclidePatch)| Item {
+        name: format!("s{i}"),
+        kind: "cyclide-patch".to_owned(),
+        surfaces: vec![SurfaceObject::Patch(*patch)],
+        ..Item::default()
+    };
+    Model { units: Units::Millimetre, items: patches.iter().enumerate().map(item).collect() }
+}
+
+/// One eighth of the unit sphere, with a pole.
+pub fn octant() -> CyclidePatch {
+    let corners = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [0.0, 0.0, 1.0]].map(Point3::from);
+    CyclidePatch::from_corners_and_frame(corners, Vec3::Y, Vec3::Z).unwrap()
+}
+
+/// The upper half of a plane ring of radii 1 and 2.
+pub fn annulus() -> CyclidePatch {
+    let corners = [[1.0, 0.0, 0.0], [-1.0, 0.0, 0.0], [2.0, 0.0, 0.0], [-2.0, 0.0, 0.0]].map(Point3::from);
+    CyclidePatch::from_corners_and_frame(corners, Vec3::Y, Vec3::X).unwrap()
+}
+
+/// A part of a torus of radii 2 and 0.5 about a centre: 100 degrees round the axis, 120 round the tube.
+pub fn torus_part(center: Point3) -> CyclidePatch {
+    let at = |u: f64, v: f64| {
+        let r = 2.0 + 0.5 * v.cos();
+        center + Vec3::new(r * u.cos(), r * u.sin(), 0.5 * v.sin())
+    };
+    let (u, v) = (100_f64.to_radians(), 120_f64.to_radians());
+    let corners = [at(0.0, 0.0), at(u, 0.0), at(0.0, v), at(u, v)];
+    CyclidePatch::from_corners_and_frame(corners, Vec3::Y, Vec3::Z).unwrap()
+}
+
+/// A patch of no special kind on the corners of a rectangle.
+pub fn bent_quad() -> CyclidePatch {
+    let corners = [[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [0.0, 1.0, 0.0], [2.0, 1.0, 0.0]].map(Point3::from);
+    let (v1, v2) = (Vec3::new(2.0, 3.0, 6.0) / 7.0, Vec3::new(-6.0, -2.0, 3.0) / 7.0);
+    CyclidePatch::from_corners_and_frame(corners, v1, v2).unwrap()
+}
+
+/// A closed curve and two surfaces.
+pub fn curve_and_surfaces() -> Model {
+    let mut m = model(vec![("slot", vec![CurveObject::ArcPath(slot(flat))])]);
+    m.items.extend(surfaces(&[torus_part(Point3::new(10.0, 5.0, 4.0)), octant()]).items);
+    m
 }

@@ -1,0 +1,158 @@
+//! Reads GLB files of our own: triangles and lines of the nodes below the root, in model coordinates.
+
+use super::{LINES, TRIANGLES};
+use crate::mesh::chain;
+use crate::read_back::{FileContent, ReadError};
+use cyclide::{MeshCorner, MeshFace, Point3, SurfaceMesh, Vec3};
+use serde_json::Value;
+
+/// Reads the meshes and lines.
+pub(crate) fn read(bytes: &[u8]) -> Result<FileContent, ReadError> {
+    let (text, binary) = chunks(bytes)?;
+    let document = serde_json::from_slice::<Value>(text);
+    let document = document.map_err(|e| ReadError::syntax("the JSON chunk", e.to_string()))?;
+    let file = File { document: &document, binary };
+    let mut content = FileContent::default();
+    for node in file.list("nodes")? {
+        // The root has no mesh; its turn and scale are no part of the model's coordinates.
+        let Some(mesh) = node.get("mesh") else { continue };
+        let offset = node.get("translation").map_or(Some([0.0; 3]), triple);
+        let offset = offset.ok_or_else(|| ReadError::syntax("nodes", "expected a translation of three numbers"))?;
+        file.mesh(mesh, Vec3::from(offset), &mut content)?;
+    }
+    Ok(content)
+}
+
+/// The JSON chunk and the binary chunk.
+fn chunks(bytes: &[u8]) -> Result<(&[u8], &[u8]), ReadError> {
+    let wrong = |place: usize, detail: &str| ReadError::syntax(format!("byte {place}"), detail);
+    let number = |at: usize| bytes.get(at..)?.first_chunk().map(|b| u32::from_le_bytes(*b) as usize);
+    if bytes.get(..4) != Some(b"glTF") || number(4) != Some(2) || number(8) != Some(bytes.len()) {
+        return Err(wrong(0, "expected glTF, version 2 and the length of the file"));
+    }
+    let chunk = |at: usize, kind: &[u8]| {
+        let length = number(at)?;
+        if bytes.get(at + 4..at + 8) != Some(kind) {
+            return None;
+        }
+        bytes.get(at + 8..)?.get(..length)
+    };
+    let text = chunk(12, b"JSON").ok_or_else(|| wrong(12, "expected a JSON chunk"))?;
+    let next = 20 + text.len();
+    let binary = chunk(next, b"BIN\0").ok_or_else(|| wrong(next, "expected a BIN chunk"))?;
+    Ok((text, binary))
+}
+
+struct File<'a> {
+    document: &'a Value,
+    binary: &'a [u8],
+}
+
+impl<'a> File<'a> {
+    fn list(&self, key: &str) -> Result<&'a [Value], ReadError> {
+        let list = self.document.get(key).and_then(Value::as_array);
+        list.map(Vec::as_slice).ok_or_else(|| ReadError::syntax("the JSON chunk", format!("no array \"{key}\"")))
+    }
+
+    fn entry(&self, key: &str, index: Option<&Value>) -> Result<&'a Value, ReadError> {
+        let index = index.and_then(Value::as_u64).and_then(|i| usize::try_from(i).ok());
+        let entry = index.and_then(|i| self.document.get(key)?.get(i));
+        entry.ok_or_else(|| ReadError::syntax(key, format!("there is no entry {index:?}")))
+    }
+
+    fn mesh(&self, index: &Value, offset: Vec3, content: &mut FileContent) -> Result<(), ReadError> {
+        let mesh = self.entry("meshes", Some(index))?;
+        let primitives = mesh.get("primitives").and_then(Value::as_array);
+        let primitives = primitives.ok_or_else(|| ReadError::syntax("meshes", "no array \"primitives\""))?;
+        // Edges of patches are drawn on the vertices of their mesh.
+        let mut of_meshes: Vec<&Value> = Vec::new();
+        for primitive in primitives {
+            let attributes = primitive.get("attributes").unwrap_or(&Value::Null);
+            let position = attributes.get("POSITION").unwrap_or(&Value::Null);
+            match primitive.get("mode").and_then(Value::as_u64) {
+                Some(TRIANGLES) => {
+                    of_meshes.push(position);
+                    content.meshes.push(self.triangles(primitive, position, attributes.get("NORMAL"), offset)?);
+                }
+                Some(LINES) if of_meshes.contains(&position) => {}
+                Some(LINES) => {
+                    let line = self.line(primitive, position, offset)?;
+                    content.curves.push(chain(&line, || "a curve".to_owned())?);
+                }
+                _ => return Err(ReadError::unsupported("a primitive of another mode", "meshes")),
+            }
+        }
+        Ok(())
+    }
+
+    fn triangles(
+        &self,
+        primitive: &Value,
+        position: &Value,
+        normal: Option<&Value>,
+        offset: Vec3,
+    ) -> Result<SurfaceMesh, ReadError> {
+        let positions = self.vectors(Some(position))?.into_iter().map(|v| Point3::from(v) + offset).collect();
+        let normals: Vec<Vec3> = self.vectors(normal)?.into_iter().map(Vec3::from).collect();
+        let mut mesh = SurfaceMesh { positions, normals, ..SurfaceMesh::default() };
+        let indices = self.indices(primitive, mesh.positions.len().min(mesh.normals.len()))?;
+        if indices.len() % 3 != 0 {
+            return Err(ReadError::syntax("accessors", "triangles need three indices each"));
+        }
+        let corner = |i: usize| MeshCorner { position: i, normal: i };
+        mesh.faces =
+            indices.chunks_exact(3).map(|t| MeshFace::Triangle([corner(t[0]), corner(t[1]), corner(t[2])])).collect();
+        Ok(mesh)
+    }
+
+    /// The vertices of segments that follow each other.
+    fn line(&self, primitive: &Value, position: &Value, offset: Vec3) -> Result<Vec<Point3>, ReadError> {
+        let points = self.vectors(Some(position))?;
+        let indices = self.indices(primitive, points.len())?;
+        let connected = indices.len() % 2 == 0 && indices.windows(2).skip(1).step_by(2).all(|w| w[0] == w[1]);
+        if indices.is_empty() || !connected {
+            return Err(ReadError::syntax("accessors", "the segments of a curve do not follow each other"));
+        }
+        let order = indices.first().into_iter().chain(indices.iter().skip(1).step_by(2));
+        Ok(order.map(|i| Point3::from(points[*i]) + offset).collect())
+    }
+
+    fn indices(&self, primitive: &Value, count: usize) -> Result<Vec<usize>, ReadError> {
+        let indices = self.numbers(primitive.get("indices"), "SCALAR", 4)?;
+        let indices: Vec<usize> = indices.iter().map(|b| u32::from_le_bytes(*b) as usize).collect();
+        if indices.iter().any(|i| *i >= count) {
+            return Err(ReadError::syntax("accessors", "an index is beyond the vertices"));
+        }
+        Ok(indices)
+    }
+
+    fn vectors(&self, accessor: Option<&Value>) -> Result<Vec<[f64; 3]>, ReadError> {
+        let numbers = self.numbers(accessor, "VEC3", 12)?;
+        let vector = |v: &[[u8; 4]]| [0, 1, 2].map(|i| f64::from(f32::from_le_bytes(v[i])));
+        let vectors: Vec<[f64; 3]> = numbers.chunks_exact(3).map(vector).collect();
+        if vectors.iter().flatten().any(|v| !v.is_finite()) {
+            return Err(ReadError::syntax("accessors", "a number is not finite"));
+        }
+        Ok(vectors)
+    }
+
+    /// The words of four bytes of an accessor.
+    fn numbers(&self, accessor: Option<&Value>, kind: &str, width: usize) -> Result<Vec<[u8; 4]>, ReadError> {
+        let accessor = self.entry("accessors", accessor)?;
+        let view = self.entry("bufferViews", accessor.get("bufferView"))?;
+        let number = |v: &Value, key: &str| v.get(key).and_then(Value::as_u64).and_then(|n| usize::try_from(n).ok());
+        let place = || {
+            let (start, length) = (number(view, "byteOffset")?, number(view, "byteLength")?);
+            let bytes = self.binary.get(start..)?.get(..length)?;
+            let whole = number(accessor, "count")?.checked_mul(width)? == length;
+            (whole && accessor.get("type")?.as_str()? == kind).then_some(bytes)
+        };
+        let bytes = place().ok_or_else(|| ReadError::syntax("accessors", "the bytes of an accessor are not there"))?;
+        Ok(bytes.chunks_exact(4).filter_map(|b| b.try_into().ok()).collect())
+    }
+}
+
+fn triple(value: &Value) -> Option<[f64; 3]> {
+    let numbers: Option<Vec<f64>> = value.as_array()?.iter().map(Value::as_f64).collect();
+    <[f64; 3]>::try_from(numbers?).ok()
+}

@@ -1,0 +1,106 @@
+//! What the mesh formats share: bodies as meshes, curves as polylines, and what single precision costs.
+
+use crate::deviation::Cell;
+use crate::export::{Contour, ExportError, Job, Promise};
+use crate::job::BodyOf;
+use crate::read_back::ReadError;
+use cyclide::{Arc, ArcPath, CurveChain, Exactness, MeshFace, Point3, SurfaceMesh, Vec3, flatten, tessellate};
+
+/// Single precision is used between these sizes: products of two numbers must neither vanish nor overflow.
+const SINGLE: std::ops::Range<f64> = 1e-15..1e15;
+
+/// A body as a mesh.
+pub(crate) struct BodyMesh<'a> {
+    /// Index of the body in the job.
+    pub(crate) index: usize,
+    pub(crate) body: &'a BodyOf<'a>,
+    pub(crate) mesh: SurfaceMesh,
+}
+
+/// The meshes of all bodies within the job's tolerance.
+pub(crate) fn body_meshes<'a>(job: &'a Job<'_>) -> Result<Vec<BodyMesh<'a>>, ExportError> {
+    let one = |(index, body): (usize, &'a BodyOf<'_>)| {
+        let mesh = tessellate(&body.body, job.mesh_tolerance).map_err(|source| ExportError::Lowering {
+            object: body.object.to_owned(),
+            contour: body.index,
+            source,
+        })?;
+        Ok(BodyMesh { index, body, mesh })
+    };
+    job.bodies.iter().enumerate().map(one).collect()
+}
+
+impl BodyMesh<'_> {
+    /// What the faces of the mesh stand for, where each is written as `polygons(face)` polygons.
+    pub(crate) fn cells(&self, mut polygons: impl FnMut(&MeshFace) -> usize) -> impl Iterator<Item = Cell> {
+        let faces = self.mesh.faces.iter().zip(&self.mesh.sources);
+        faces.map(move |(face, source)| Cell { body: self.index, source: *source, polygons: polygons(face) })
+    }
+}
+
+/// The distance that is promised, exact if it is zero.
+pub(crate) fn promised(promise: &mut Promise, bound: f64) {
+    promise.add(if bound > 0.0 { Exactness::Within(bound) } else { Exactness::Exact });
+}
+
+/// The vertices of a contour's polyline; a closed one does not repeat its first.
+pub(crate) fn polyline(job: &Job<'_>, contour: &Contour<'_>) -> Result<Vec<Point3>, ExportError> {
+    let curve = contour.curve.as_curve();
+    let mut vertices = contour.lowered(flatten(curve, job.tolerance))?;
+    if curve.is_closed() {
+        vertices.pop();
+    }
+    Ok(vertices.into_iter().map(|(_, p)| p).collect())
+}
+
+/// The triangles of a face, corners as positions in its list.
+pub(crate) fn triangles(face: &MeshFace) -> &'static [[usize; 3]] {
+    match face {
+        MeshFace::Triangle(_) => &[[0, 1, 2]],
+        MeshFace::Quad(_) => &[[0, 1, 2], [0, 2, 3]],
+    }
+}
+
+/// Rounding of points to single precision, relative to a centre, with the largest distance that it moved one.
+pub(crate) struct Single {
+    center: Point3,
+    pub(crate) moved: f64,
+}
+
+impl Single {
+    pub(crate) fn new(center: Point3) -> Self {
+        Self { center, moved: 0.0 }
+    }
+
+    /// The rounded coordinates relative to the centre.
+    pub(crate) fn point(&mut self, p: Point3) -> [f32; 3] {
+        let exact = p - self.center;
+        let rounded = exact.to_array().map(single);
+        let back = Vec3::from(rounded.map(f64::from));
+        self.moved = self.moved.max((back - exact).length());
+        rounded
+    }
+}
+
+/// The nearest number of single precision, without a negative zero.
+pub(crate) fn single(v: f64) -> f32 {
+    v as f32 + 0.0
+}
+
+/// Refuses models whose size or place single precision does not reach.
+pub(crate) fn check_single(job: &Job<'_>, largest: f64, format: &'static str) -> Result<(), ExportError> {
+    if SINGLE.contains(&job.size()) && largest < SINGLE.end {
+        return Ok(());
+    }
+    let object = job.model.items.first().map(|item| item.name.clone()).unwrap_or_default();
+    let detail = "its numbers of single precision do not reach beyond sizes of 1e-15 to 1e15";
+    Err(ExportError::NotInFormat { object, format, detail })
+}
+
+/// A polyline that was read, closed if it ends with its first vertex.
+pub(crate) fn chain(points: &[Point3], place: impl Fn() -> String) -> Result<CurveChain, ReadError> {
+    let closed = points.len() > 1 && points.first() == points.last();
+    let segments = points.windows(2).map(|w| Arc::segment(w[0], w[1])).collect::<cyclide::Result<Vec<_>>>();
+    let path = segments.and_then(|s| ArcPath::new(s, closed));
+    Ok(path.map_err(|source| ReadError::Geometry { place: place(), source })?.into())
+}

@@ -1,0 +1,268 @@
+//! Meshes of surfaces: written, read back, compared, refused.
+
+use crate::models::{annulus, bent_quad, curve_and_surfaces, octant, surfaces, torus_part};
+use cyclide::{CurveObject, MeshFace, Model, Point3, SurfaceMesh, tessellate};
+use cyclide_io::{ExportOptions, Exported, Format, export, file_deviation, read_back};
+use std::collections::HashMap;
+
+const FORMATS: [Format; 3] = [Format::Glb, Format::Obj, Format::Stl];
+
+fn with_tolerance(tolerance: f64) -> ExportOptions {
+    ExportOptions { tolerance: Some(tolerance), glb_edges: true, ..ExportOptions::default() }
+}
+
+fn all_models() -> Vec<(&'static str, Model)> {
+    let far = Point3::new(2e4, -1e4, 3e4);
+    vec![
+        ("patches", surfaces(&[octant(), annulus(), torus_part(Point3::ORIGIN), bent_quad()])),
+        ("far", surfaces(&[torus_part(far)])),
+        ("with curve", curve_and_surfaces()),
+    ]
+}
+
+#[test]
+fn files_keep_their_promise_and_use_it() {
+    for (name, m) in all_models() {
+        for format in FORMATS {
+            for tolerance in [0.1, 1e-2, 1e-3] {
+                let file = export(&m, format, &with_tolerance(tolerance)).unwrap();
+                let d = file_deviation(&m, format, &file).unwrap();
+                assert!(d <= file.bound, "{name} {format:?}: {d:e} of {:e}", file.bound);
+                assert!(!file.exact && d > 0.05 * tolerance, "{name} {format:?}: {d:e} of {tolerance:e}");
+                // 6e-8 of the distance from the origin, 3.8e4, in STL; from the centre of the object, up to 27, in GLB.
+                let rounding = if format == Format::Stl { 2.3e-3 } else { 1.7e-6 };
+                assert!(file.bound <= tolerance + rounding, "{name} {format:?}: {:e}", file.bound);
+            }
+        }
+    }
+}
+
+#[test]
+fn bytes_are_reproducible() {
+    for (name, m) in all_models() {
+        for format in FORMATS {
+            let bytes = || export(&m, format, &ExportOptions::default()).unwrap().bytes;
+            assert_eq!(bytes(), bytes(), "{name} {format:?}");
+        }
+    }
+}
+
+/// The tolerance of meshes is 1e-4 of the diagonal, that of curves in the same file 1e-5.
+#[test]
+fn default_tolerances_follow_the_size() {
+    let m = surfaces(&[annulus()]);
+    // From the box (-2, 0, 0) to (2, 2, 0) round the half annulus.
+    let size = 20.0_f64.sqrt();
+    let file = export(&m, Format::Obj, &ExportOptions::default()).unwrap();
+    assert!(file.bound <= 1e-4 * size && file.bound > 0.2e-4 * size, "{:e}", file.bound);
+    let curve = &curve_and_surfaces().items[0];
+    let m = Model { items: vec![curve.clone()], ..Model::default() };
+    let file = export(&m, Format::Obj, &ExportOptions::default()).unwrap();
+    assert!(file.bound < 1.1e-5 * 53.4, "{:e}", file.bound);
+}
+
+/// Vertices told apart by their bits alone.
+fn merged(mesh: &SurfaceMesh) -> Vec<Vec<usize>> {
+    let mut index: HashMap<[u64; 3], usize> = HashMap::new();
+    let mut vertex = |p: Point3| {
+        let next = index.len();
+        *index.entry(p.to_array().map(f64::to_bits)).or_insert(next)
+    };
+    let polygon = |f: &MeshFace| f.corners().iter().map(|c| vertex(mesh.positions[c.position])).collect();
+    mesh.faces.iter().map(polygon).collect()
+}
+
+/// Every patch is a disc: no crack, no T-joint, all polygons turn the same way round, V - E + F = 1.
+#[test]
+fn meshes_are_discs_from_the_bytes() {
+    let patches = [octant(), annulus(), torus_part(Point3::ORIGIN), bent_quad()];
+    for patch in patches {
+        let m = surfaces(&[patch]);
+        for format in FORMATS {
+            let file = export(&m, format, &with_tolerance(2e-3)).unwrap();
+            let mesh = &read_back(format, &file.bytes).unwrap().meshes[0];
+            let polygons = merged(mesh);
+            let mut sides: HashMap<[usize; 2], [usize; 2]> = HashMap::new();
+            let mut vertices = 0;
+            for polygon in &polygons {
+                vertices = vertices.max(1 + polygon.iter().max().unwrap());
+                for (i, &a) in polygon.iter().enumerate() {
+                    let b = polygon[(i + 1) % polygon.len()];
+                    assert_ne!(a, b, "a side of no length");
+                    sides.entry([a.min(b), a.max(b)]).or_default()[usize::from(a < b)] += 1;
+                }
+            }
+            assert!(sides.values().all(|[there, back]| *there <= 1 && *back <= 1), "{format:?}");
+            assert_eq!(vertices + polygons.len(), sides.len() + 1, "{format:?}");
+        }
+    }
+}
+
+#[test]
+fn obj_keeps_quads_and_doubles() {
+    let m = surfaces(&[torus_part(Point3::ORIGIN)]);
+    let file = export(&m, Format::Obj, &with_tolerance(1e-2)).unwrap();
+    let made = tessellate(&m.items[0].surfaces[0].to_body().unwrap(), 1e-2).unwrap();
+    let read = read_back(Format::Obj, &file.bytes).unwrap().meshes.remove(0);
+    assert_eq!((&read.positions, &read.normals, &read.faces), (&made.positions, &made.normals, &made.faces));
+    assert!(read.faces.iter().all(|f| matches!(f, MeshFace::Quad(_))));
+    assert!(String::from_utf8(file.bytes).unwrap().starts_with("# cyclide, units mm\no s0\ng s0\nv "));
+}
+
+#[test]
+fn stl_is_binary_with_the_length_it_says() {
+    let m = surfaces(&[octant(), annulus()]);
+    let bytes = export(&m, Format::Stl, &with_tolerance(1e-2)).unwrap().bytes;
+    let count = u32::from_le_bytes(bytes[80..84].try_into().unwrap()) as usize;
+    let made: usize = m
+        .items
+        .iter()
+        .map(|item| tessellate(&item.surfaces[0].to_body().unwrap(), 1e-2).unwrap().triangle_count())
+        .sum();
+    assert_eq!((count, bytes.len()), (made, 84 + 50 * made));
+    assert!(!bytes.starts_with(b"solid"));
+    // The normal of the first triangle is that of its corners: the octant's outside is that of f_s × f_t.
+    let mesh = read_back(Format::Stl, &bytes).unwrap().meshes.remove(0);
+    let normal = mesh.normals[0];
+    let middle = mesh.positions[0].midpoint(mesh.positions[1]).midpoint(mesh.positions[2]);
+    assert!(normal.dot(middle.to_vec()) > 0.9 && (normal.length() - 1.0).abs() < 1e-6);
+}
+
+#[test]
+fn formats_without_a_kind_say_what_is_left_out() {
+    let m = curve_and_surfaces();
+    let note = |format| export(&m, format, &ExportOptions::default()).unwrap().notes.join("; ");
+    assert!(note(Format::Stl).contains("curves are left out (STL cannot hold them): slot"), "{}", note(Format::Stl));
+    for format in [Format::Dxf, Format::Csv] {
+        assert!(note(format).contains("surfaces are left out") && note(format).contains("s0, s1"), "{}", note(format));
+    }
+    for format in [Format::Glb, Format::Obj] {
+        assert_eq!(note(format), "", "{format:?}");
+    }
+    let (curves, surfaces) = (m.items[..1].to_vec(), m.items[1..].to_vec());
+    for (items, format, what) in [
+        (curves, Format::Stl, "object slot: STL cannot hold this: curves"),
+        (surfaces.clone(), Format::Dxf, "object s0: DXF cannot hold this: surfaces"),
+        (surfaces, Format::Csv, "object s0: CSV cannot hold this: surfaces"),
+    ] {
+        let error = export(&Model { items, ..Model::default() }, format, &ExportOptions::default()).unwrap_err();
+        assert_eq!((error.reason(), error.to_string().as_str()), ("not-in-format", what));
+    }
+}
+
+#[test]
+fn sizes_beyond_single_precision_are_refused() {
+    for scale in [1e-20, 1e20] {
+        let corners = bent_quad().corners().map(|p| Point3::ORIGIN + p.to_vec() * scale);
+        let [v1, v2, _] = bent_quad().frame();
+        let m = surfaces(&[cyclide::CyclidePatch::from_corners_and_frame(corners, v1, v2).unwrap()]);
+        for format in [Format::Glb, Format::Stl] {
+            let error = export(&m, format, &ExportOptions::default()).unwrap_err();
+            assert_eq!(error.reason(), "not-in-format", "{format:?}");
+        }
+        let file = export(&m, Format::Obj, &ExportOptions::default()).unwrap();
+        assert!(file_deviation(&m, Format::Obj, &file).unwrap() <= file.bound);
+    }
+}
+
+/// What happens to the bytes is found in the deviation, or said.
+#[test]
+fn a_wrong_file_is_found_out() {
+    let m = surfaces(&[torus_part(Point3::ORIGIN)]);
+    let file = export(&m, Format::Stl, &with_tolerance(1e-2)).unwrap();
+    let far = |bytes: Vec<u8>| {
+        let mut wrong: Exported = file.clone();
+        wrong.bytes = bytes;
+        file_deviation(&m, Format::Stl, &wrong)
+    };
+    let (first, last) = (84, file.bytes.len() - 50);
+    // Two triangles swapped: all there, none in its place.
+    let mut bytes = file.bytes.clone();
+    let (head, tail) = bytes.split_at_mut(last);
+    head[first..first + 50].swap_with_slice(tail);
+    assert!(far(bytes).unwrap() > 0.5);
+    // The vertex at the first corner moved by a twentieth along the normal there.
+    let mut bytes = file.bytes.clone();
+    let x = f32::from_le_bytes(bytes[first + 12..first + 16].try_into().unwrap()) + 0.05;
+    bytes[first + 12..first + 16].copy_from_slice(&x.to_le_bytes());
+    assert!(far(bytes).unwrap() > 0.03);
+    // A triangle missing.
+    let mut bytes = file.bytes[..last].to_vec();
+    let count = u32::from_le_bytes(bytes[80..84].try_into().unwrap()) - 1;
+    bytes[80..84].copy_from_slice(&count.to_le_bytes());
+    assert!(far(bytes).unwrap_err().to_string().contains("polygons"));
+}
+
+/// The JSON of a GLB file.
+fn document(bytes: &[u8]) -> (serde_json::Value, &[u8]) {
+    let length = u32::from_le_bytes(bytes[12..16].try_into().unwrap()) as usize;
+    assert_eq!(length % 4, 0);
+    (serde_json::from_slice(&bytes[20..20 + length]).unwrap(), &bytes[28 + length..])
+}
+
+#[test]
+fn glb_says_its_bounds_exactly_and_stays_near_its_centre() {
+    let far = Point3::new(2e4, -1e4, 3e4);
+    let m = Model { units: cyclide::Units::Metre, ..surfaces(&[torus_part(far)]) };
+    let bytes = export(&m, Format::Glb, &with_tolerance(1e-2)).unwrap().bytes;
+    let (json, binary) = document(&bytes);
+    let accessor = &json["accessors"][0];
+    let view = &json["bufferViews"][0];
+    let (start, length) = (view["byteOffset"].as_u64().unwrap(), view["byteLength"].as_u64().unwrap());
+    let numbers: Vec<f64> = binary[start as usize..(start + length) as usize]
+        .chunks_exact(4)
+        .map(|b| f64::from(f32::from_le_bytes(b.try_into().unwrap())))
+        .collect();
+    assert_eq!(numbers.len(), 3 * accessor["count"].as_u64().unwrap() as usize);
+    for axis in 0..3 {
+        let own = || numbers.iter().skip(axis).step_by(3).copied();
+        assert_eq!(accessor["min"][axis].as_f64().unwrap(), own().fold(f64::INFINITY, f64::min));
+        assert_eq!(accessor["max"][axis].as_f64().unwrap(), own().fold(f64::NEG_INFINITY, f64::max));
+        assert!(own().all(|v| v.abs() < 3.0), "relative to the centre");
+        assert!((json["nodes"][0]["translation"][axis].as_f64().unwrap() - far.to_array()[axis]).abs() < 3.0);
+    }
+    let root = &json["nodes"][1];
+    assert_eq!(root["scale"], serde_json::json!([1.0, 1.0, 1.0]));
+    assert_eq!(json["scenes"][0]["nodes"], serde_json::json!([1]));
+    assert_eq!(json["extensionsUsed"], serde_json::json!(["KHR_materials_unlit"]));
+}
+
+/// The lines on a GLB are the four sides of the patch.
+#[test]
+fn glb_lines_are_the_edges() {
+    let m = surfaces(&[torus_part(Point3::ORIGIN)]);
+    let bytes = export(&m, Format::Glb, &with_tolerance(1e-2)).unwrap().bytes;
+    let (json, binary) = document(&bytes);
+    let primitives = json["meshes"][0]["primitives"].as_array().unwrap();
+    assert_eq!(primitives.len(), 2);
+    assert_eq!(primitives[1]["attributes"], serde_json::json!({"POSITION": 0}));
+    let view = &json["bufferViews"][primitives[1]["indices"].as_u64().unwrap() as usize];
+    let start = view["byteOffset"].as_u64().unwrap() as usize;
+    let length = view["byteLength"].as_u64().unwrap() as usize;
+    let indices = binary[start..start + length].chunks_exact(4).map(|b| u32::from_le_bytes(b.try_into().unwrap()));
+    let mesh = read_back(Format::Glb, &bytes).unwrap().meshes.remove(0);
+    let patch = torus_part(Point3::ORIGIN);
+    let sides = [patch.s_line(0.0), patch.s_line(1.0), patch.t_line(0.0), patch.t_line(1.0)].map(Result::unwrap);
+    let mut length = 0.0;
+    let points: Vec<Point3> = indices.map(|i| mesh.positions[i as usize]).collect();
+    for segment in points.chunks_exact(2) {
+        let near = |p: Point3| sides.iter().map(|a| cyclide::closest_point(a, p).distance).fold(9.0, f64::min);
+        assert!(near(segment[0]) < 1e-6 && near(segment[1]) < 1e-6, "single precision of lengths up to 3");
+        length += segment[0].distance(segment[1]);
+    }
+    let whole: f64 = sides.iter().map(cyclide::Arc::length).sum();
+    // Chords are shorter than their arcs by a part of (angle)²/24, here of less than 0.5 radians.
+    assert!(length < whole && length > 0.98 * whole, "{length} of {whole}");
+}
+
+#[test]
+fn curves_of_meshes_are_lines() {
+    let m = Model { items: curve_and_surfaces().items[..1].to_vec(), ..Model::default() };
+    let CurveObject::ArcPath(slot) = &m.items[0].contours[0] else { panic!("a path") };
+    assert!(cyclide::ParamCurve::is_closed(slot));
+    for format in [Format::Glb, Format::Obj] {
+        let content = read_back(format, &export(&m, format, &ExportOptions::default()).unwrap().bytes).unwrap();
+        assert!(content.meshes.is_empty() && content.curves.len() == 1);
+        assert!(cyclide::ParamCurve::is_closed(&content.curves[0]), "{format:?}");
+    }
+}
