@@ -9,6 +9,7 @@ trap 'echo "the set-up failed, no check was run"; echo "0 passed, 1 failed"' ERR
 need_rust
 need_linker
 need_readers
+need_validator
 [ -x .venv/bin/python ] || python3 -m venv .venv
 .venv/bin/python -m pip install --quiet --disable-pip-version-check -r tests/foreign/requirements.txt
 trap - ERR

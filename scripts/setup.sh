@@ -3,7 +3,8 @@
 # need_rust:    a Rust toolchain (never installed, only asked for)
 # need_linker:  gcc and the C headers (Rust links with them)
 # need_readers: python3-venv and the shared libraries that the readers of the test suite load
-# Debian packages: gcc libc6-dev python3-venv libgl1 libx11-6 libexpat1 libcairo2
+# need_validator: Node.js, npm and the glTF validator of tests/foreign/gltf, in its folder
+# Debian packages: gcc libc6-dev python3-venv libgl1 libx11-6 libexpat1 libcairo2 nodejs npm
 
 # Installs Debian packages as root or through sudo; says what to do where neither works.
 install_packages() {
@@ -54,4 +55,16 @@ need_readers() {
     has_library libcairo.so.2 || missing="$missing libcairo2"
     # shellcheck disable=SC2086  # a list of words
     [ -z "$missing" ] || install_packages $missing
+}
+
+# Node.js and npm, and the glTF validator at the version of its lock file.
+need_validator() {
+    missing=""
+    command -v node >/dev/null || missing="$missing nodejs"
+    command -v npm >/dev/null || missing="$missing npm"
+    # shellcheck disable=SC2086  # a list of words
+    [ -z "$missing" ] || install_packages $missing
+    if ! [ tests/foreign/gltf/node_modules/.package-lock.json -nt tests/foreign/gltf/package-lock.json ]; then
+        npm ci --prefix tests/foreign/gltf --silent --no-audit --no-fund
+    fi
 }

@@ -1,7 +1,7 @@
 //! Meshes of surfaces: written, read back, compared, refused.
 
 use crate::models::{annulus, bent_quad, curve_and_surfaces, octant, surfaces, torus_part};
-use cyclide::{CurveObject, MeshFace, Model, Point3, SurfaceMesh, tessellate};
+use cyclide::{CurveObject, DupinCyclide, Item, MeshFace, Model, Point3, SurfaceMesh, SurfaceObject, tessellate};
 use cyclide_io::{ExportOptions, Exported, Format, export, file_deviation, read_back};
 use std::collections::HashMap;
 
@@ -96,6 +96,47 @@ fn meshes_are_discs_from_the_bytes() {
             assert_eq!(vertices + polygons.len(), sides.len() + 1, "{format:?}");
         }
     }
+}
+
+/// A ring, and a solid shell of it with a hollow: every side of a polygon has another one running back, and the volume
+/// is that of the torus within the bound.
+#[test]
+fn closed_bodies_are_watertight_from_the_bytes() {
+    use std::f64::consts::PI;
+    let net = DupinCyclide::new(5.0, 0.0, 2.0).unwrap().nets([6, 6]).unwrap().remove(0);
+    let volume = |m: &Model, format| {
+        let file = export(m, format, &with_tolerance(0.01)).unwrap();
+        assert!(file_deviation(m, format, &file).unwrap() <= file.bound);
+        let mesh = read_back(format, &file.bytes).unwrap().meshes.remove(0);
+        let polygons = merged(&mesh);
+        let mut sides: HashMap<[usize; 2], [usize; 2]> = HashMap::new();
+        for polygon in &polygons {
+            for (i, &a) in polygon.iter().enumerate() {
+                let b = polygon[(i + 1) % polygon.len()];
+                sides.entry([a.min(b), a.max(b)]).or_default()[usize::from(a < b)] += 1;
+            }
+        }
+        assert!(sides.values().all(|uses| *uses == [1, 1]), "{format:?}");
+        let tetrahedron = |face: &MeshFace| {
+            let p: Vec<_> = face.corners().iter().map(|c| mesh.positions[c.position].to_vec()).collect();
+            p.windows(2).skip(1).map(|w| p[0].dot(w[0].cross(w[1])) / 6.0).sum::<f64>()
+        };
+        (mesh.faces.iter().map(tetrahedron).sum::<f64>(), file.bound)
+    };
+    for format in FORMATS {
+        let (ring, bound) = volume(&solid(SurfaceObject::Net(net.clone())), format);
+        let area = 4.0 * PI * PI * 5.0 * 2.0;
+        // A layer as thick as the bound; the area of its outer side is 2.01/2 of the torus.
+        assert!((ring - PI * PI * 40.0).abs() < 1.01 * bound * area, "{format:?}: {ring}");
+        let (thick, bound) = volume(&solid(SurfaceObject::Thick(net.thick(0.25).unwrap())), format);
+        let exact = 2.0 * PI * PI * 5.0 * (2.25 * 2.25 - 4.0);
+        assert!((thick - exact).abs() < 1.01 * bound * area * (1.0 + 2.25 / 2.0), "{format:?}: {thick}");
+    }
+}
+
+fn solid(surface: SurfaceObject) -> Model {
+    let item = Item { name: "ring".to_owned(), kind: "cyclide".to_owned(), surfaces: vec![surface], ..Item::default() };
+    Model { items: vec![item], ..Model::default() }
 }
 
 #[test]
