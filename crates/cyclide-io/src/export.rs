@@ -93,6 +93,16 @@ pub enum DxfVersion {
     R12,
 }
 
+/// The curves of the edges between faces in STEP.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum StepEdges {
+    /// `CIRCLE` and `LINE`: CAD systems show radii and centres. The default.
+    #[default]
+    Circles,
+    /// Rational B-splines in the parameter of the faces: readers find exact parameter curves.
+    Rational,
+}
+
 /// What may be chosen about a file.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct ExportOptions {
@@ -109,6 +119,8 @@ pub struct ExportOptions {
     pub dxf_version: DxfVersion,
     /// GLB: draw the edges of the patches as lines on their mesh.
     pub glb_edges: bool,
+    /// STEP: the curves of the edges between faces.
+    pub step_edges: StepEdges,
     /// SVG: draw the curvature comb.
     pub svg_comb: bool,
     /// SVG: draw the joints of the curves as dots.

@@ -4,6 +4,7 @@
 //! Writers are pure functions from a [`Model`](cyclide::Model) to bytes ([`export()`]); each format has a reader of
 //! our own files ([`read_back`]), so that every export is checked from the bytes written ([`file_deviation`]).
 
+mod bodies;
 mod csv_samples;
 mod deviation;
 mod document;
@@ -30,6 +31,7 @@ mod step;
 mod stl;
 mod svg;
 
+pub use bodies::{FileBody, FileEdge, FileFace, FileShell, FileSurface};
 pub use deviation::deviation;
 pub use document::{
     ArcFitSpec, ArcSpec, ArcSplineSpec, BiarcSpec, BuiltObject, CircleSpec, CircleSplineSpec, ClampedEnds,
@@ -37,7 +39,7 @@ pub use document::{
     PointSource, Remark, RuleWord, TargetWord, TypeWord, UnitWord, VariantWord, document_schema,
 };
 pub use error::{Error, Result};
-pub use export::{DxfVersion, ExportError, ExportOptions, Exported, export};
+pub use export::{DxfVersion, ExportError, ExportOptions, Exported, StepEdges, export};
 pub use file::{write_file, write_files};
 pub use format::Format;
 pub use place::{Diagnostic, Source, decode};

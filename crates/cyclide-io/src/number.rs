@@ -35,7 +35,17 @@ fn push_pointed(out: &mut String, v: f64, fill: &str) {
         out.push_str(fill);
         return;
     }
-    let text = if PLAIN.contains(&v.abs()) { format!("{v}") } else { format!("{v:E}") };
+    // Writing to a string cannot fail.
+    let start = out.len();
+    if PLAIN.contains(&v.abs()) {
+        let _ = write!(out, "{v}");
+        if !out[start..].contains('.') {
+            out.push('.');
+            out.push_str(fill);
+        }
+        return;
+    }
+    let text = format!("{v:E}");
     let (digits, exponent) = text.find('E').map_or((text.as_str(), ""), |i| text.split_at(i));
     out.push_str(digits);
     if !digits.contains('.') {

@@ -1,6 +1,7 @@
 //! Reading our own files: the way from the bytes back to geometry, by which every export is checked.
 
-use crate::deviation::{View, deviation_within, mesh_deviation};
+use crate::bodies::FileBody;
+use crate::deviation::{View, bodies_deviation, deviation_within, mesh_deviation};
 use crate::export::{ExportError, Exported};
 use crate::format::Format;
 use crate::job::bodies;
@@ -73,6 +74,22 @@ pub enum ReadError {
         /// Which of its faces, from 0, those of all its shells counted through.
         face: usize,
     },
+    /// The file holds another number of bodies than the model.
+    #[error("{found} bodies in the file, {expected} in the model")]
+    BodyCount {
+        /// In the file.
+        found: usize,
+        /// In the model.
+        expected: usize,
+    },
+    /// A body of the file is not built as that of the model.
+    #[error("body {body}: {detail}")]
+    Body {
+        /// Which body, from 0.
+        body: usize,
+        /// What differs.
+        detail: &'static str,
+    },
 }
 
 fn openness(closed: bool) -> &'static str {
@@ -94,6 +111,8 @@ impl ReadError {
 pub struct FileContent {
     /// The connected curves, in file order.
     pub curves: Vec<CurveChain>,
+    /// The bodies of formats that have them, in file order.
+    pub bodies: Vec<FileBody>,
     /// The meshes of formats that have them: one per body, in file order; in STL one for all.
     pub meshes: Vec<SurfaceMesh>,
 }
@@ -110,7 +129,7 @@ impl From<Vec<CurveChain>> for FileContent {
 /// [`ReadError`]; never panics, whatever the bytes are.
 pub fn read_back(format: Format, bytes: &[u8]) -> Result<FileContent, ReadError> {
     match format {
-        Format::Step => step::read(bytes).map(FileContent::from),
+        Format::Step => step::read(bytes),
         Format::Dxf => dxf::read(bytes).map(FileContent::from),
         Format::Svg => svg::read(bytes).map(FileContent::from),
         Format::Csv => csv_samples::read(bytes).map(FileContent::from),
@@ -140,11 +159,12 @@ pub fn file_deviation(model: &Model, format: Format, file: &Exported) -> Result<
         Format::Stl => 0.0,
         _ => deviation_within(model, &content.curves, view)?,
     };
-    if matches!(format, Format::Glb | Format::Obj | Format::Stl) {
-        let bodies = bodies(model).map_err(no_bodies)?;
-        return Ok(curves.max(mesh_deviation(&bodies, &content.meshes, &file.cells)?));
-    }
-    Ok(curves)
+    let bodies = || bodies(model).map_err(no_bodies);
+    Ok(curves.max(match format {
+        Format::Step => bodies_deviation(&bodies()?, &content.bodies)?,
+        Format::Glb | Format::Obj | Format::Stl => mesh_deviation(&bodies()?, &content.meshes, &file.cells)?,
+        Format::Dxf | Format::Svg | Format::Csv | Format::Json | Format::Png => 0.0,
+    }))
 }
 
 /// A surface of the model that has no body cannot be compared.

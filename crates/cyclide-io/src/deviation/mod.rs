@@ -6,6 +6,7 @@
 
 mod matching;
 mod mesh;
+mod step_faces;
 mod track;
 
 use crate::export::contours;
@@ -13,6 +14,7 @@ use crate::read_back::ReadError;
 use cyclide::{CurveChain, Model, ParamCurve as _};
 use matching::one_way;
 pub(crate) use mesh::{Cell, mesh_deviation};
+pub(crate) use step_faces::bodies_deviation;
 use track::Track;
 
 /// The largest distance between the curves read from a file and the model's curves, both ways, in the model's

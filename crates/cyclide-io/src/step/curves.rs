@@ -1,7 +1,9 @@
 //! Curves as STEP entities.
 
 use super::data::{Data, list, real, reals, references, string};
+use crate::number::push_step;
 use cyclide::{Arc, ChainPiece, Circle, CurveChain, NurbsCurve, ParamCurve};
+use std::fmt::Write as _;
 
 /// Beyond this radius, relative to the chord, to the model and absolute (readers join ends that are 1e-7 apart), a
 /// trimmed circle loses digits: its points are the centre plus the radius, rounded to about 4e-16 of the radius.
@@ -55,9 +57,16 @@ fn bounded_arc(data: &mut Data, arc: &Arc, size: f64) -> usize {
     }
 }
 
-/// The arc as a circle that starts at the arc's start, trimmed from 0 to the swept angle: the reader then gets the
-/// length to the last digits. `None` for segments and for radii that would lose digits.
+/// The arc as a circle trimmed from 0 to the swept angle: the reader then gets the length to the last digits. `None`
+/// for segments and for radii that would lose digits.
 fn trimmed_circle(data: &mut Data, arc: &Arc, size: f64) -> Option<usize> {
+    let circle = circle(data, arc, size)?;
+    Some(trimmed(data, circle, arc, arc.angle()))
+}
+
+/// The circle of an arc, started at the arc's start and run in its direction. `None` for segments and for radii that
+/// would lose digits.
+pub(super) fn circle(data: &mut Data, arc: &Arc, size: f64) -> Option<usize> {
     let (center, radius, normal) = (arc.center()?, arc.radius()?, arc.normal()?);
     let chord = arc.chord().length();
     let (by_chord, by_size, absolute) = LARGEST_RADIUS;
@@ -68,17 +77,23 @@ fn trimmed_circle(data: &mut Data, arc: &Arc, size: f64) -> Option<usize> {
     // From the chord's direction, not from the difference of two rounded points far away.
     let spoke = normal.cross(arc.start_tangent()?).unit()? * -1.0;
     let placement = data.placement(center, normal, spoke);
-    let circle = data.add(&format!("CIRCLE('',#{placement},{})", real(radius)));
-    Some(trimmed(data, circle, arc, arc.angle()))
+    Some(data.write(|out| {
+        let _ = write!(out, "CIRCLE('',#{placement},");
+        push_step(out, radius);
+        out.push(')');
+    }))
 }
 
 fn trimmed_line(data: &mut Data, arc: &Arc) -> usize {
-    let chord = arc.chord();
-    let direction = data.direction(chord.unit().unwrap_or(cyclide::Vec3::X));
-    let vector = data.share(format!("VECTOR('',#{direction},1.)"));
+    let line = line(data, arc);
+    trimmed(data, line, arc, arc.chord().length())
+}
+
+/// The line from the start of a segment through its end.
+pub(super) fn line(data: &mut Data, arc: &Arc) -> usize {
+    let vector = data.unit_vector(arc.chord().unit().unwrap_or(cyclide::Vec3::X));
     let start = data.point(arc.start());
-    let line = data.add(&format!("LINE('',#{start},#{vector})"));
-    trimmed(data, line, arc, chord.length())
+    data.add(&format!("LINE('',#{start},#{vector})"))
 }
 
 /// Trimmed from the curve's own start to parameter `end`, with the points beside the parameters.
@@ -91,7 +106,7 @@ fn trimmed(data: &mut Data, basis: usize, arc: &Arc, end: f64) -> usize {
 }
 
 /// One rational B-spline, with C1 knots where the curve is C1: readers take the multiplicity for the continuity.
-fn b_spline(data: &mut Data, curve: &NurbsCurve) -> usize {
+pub(super) fn b_spline(data: &mut Data, curve: &NurbsCurve) -> usize {
     let smooth = curve.with_c1_knots();
     let curve = smooth.as_ref().unwrap_or(curve);
     let points: Vec<usize> = curve.control_points().iter().map(|&p| data.point(p)).collect();

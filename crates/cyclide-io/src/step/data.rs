@@ -10,8 +10,14 @@ use std::fmt::Write as _;
 pub(super) struct Data {
     text: String,
     count: usize,
-    /// Points, directions and placements already written.
-    shared: HashMap<String, usize>,
+    /// Points already written, by their coordinates.
+    points: HashMap<[u64; 3], usize>,
+    /// Directions already written, by their components.
+    directions: HashMap<[u64; 3], usize>,
+    /// Placements already written, by the numbers of origin, axis and first axis.
+    placements: HashMap<[usize; 3], usize>,
+    /// Vectors of length 1 already written, by the number of their direction.
+    unit_vectors: HashMap<usize, usize>,
 }
 
 impl Data {
@@ -20,37 +26,97 @@ impl Data {
         &self.text
     }
 
-    /// Adds an instance and returns its number.
-    pub(super) fn add(&mut self, body: &str) -> usize {
+    /// Adds an instance whose body is written by a function, and returns its number.
+    pub(super) fn write(&mut self, body: impl FnOnce(&mut String)) -> usize {
         self.count += 1;
         // Writing to a string cannot fail.
-        let _ = writeln!(self.text, "#{}={body};", self.count);
+        let _ = write!(self.text, "#{}=", self.count);
+        body(&mut self.text);
+        self.text.push_str(";\n");
         self.count
     }
 
-    /// The number of an instance with this body, added if there is none yet.
-    pub(super) fn share(&mut self, body: String) -> usize {
-        if let Some(&number) = self.shared.get(&body) {
-            return number;
-        }
-        let number = self.add(&body);
-        self.shared.insert(body, number);
-        number
+    /// Adds an instance and returns its number.
+    pub(super) fn add(&mut self, body: &str) -> usize {
+        self.write(|out| out.push_str(body))
     }
 
     pub(super) fn point(&mut self, p: Point3) -> usize {
-        self.share(format!("CARTESIAN_POINT('',{})", reals(&p.to_array())))
+        let key = bits(p.to_array());
+        if let Some(&number) = self.points.get(&key) {
+            return number;
+        }
+        let number = self.write(|out| triple(out, "CARTESIAN_POINT('',", p.to_array()));
+        self.points.insert(key, number);
+        number
     }
 
     pub(super) fn direction(&mut self, v: Vec3) -> usize {
-        self.share(format!("DIRECTION('',{})", reals(&v.to_array())))
+        let key = bits(v.to_array());
+        if let Some(&number) = self.directions.get(&key) {
+            return number;
+        }
+        let number = self.write(|out| triple(out, "DIRECTION('',", v.to_array()));
+        self.directions.insert(key, number);
+        number
     }
 
     /// Placement with third axis `z` and first axis `x`, both unit and perpendicular.
     pub(super) fn placement(&mut self, origin: Point3, z: Vec3, x: Vec3) -> usize {
-        let (origin, z, x) = (self.point(origin), self.direction(z), self.direction(x));
-        self.share(format!("AXIS2_PLACEMENT_3D('',#{origin},#{z},#{x})"))
+        let key = [self.point(origin), self.direction(z), self.direction(x)];
+        if let Some(&number) = self.placements.get(&key) {
+            return number;
+        }
+        let [origin, z, x] = key;
+        let number = self.add(&format!("AXIS2_PLACEMENT_3D('',#{origin},#{z},#{x})"));
+        self.placements.insert(key, number);
+        number
     }
+
+    /// The vector of length 1 in a direction.
+    pub(super) fn unit_vector(&mut self, v: Vec3) -> usize {
+        let direction = self.direction(v);
+        if let Some(&number) = self.unit_vectors.get(&direction) {
+            return number;
+        }
+        let number = self.add(&format!("VECTOR('',#{direction},1.)"));
+        self.unit_vectors.insert(direction, number);
+        number
+    }
+}
+
+/// The bits of three numbers, those of 0 for -0, which is written as 0.
+fn bits(values: [f64; 3]) -> [u64; 3] {
+    values.map(|v| (v + 0.0).to_bits())
+}
+
+/// `head` and the three numbers as a list, closed by a parenthesis.
+fn triple(out: &mut String, head: &str, values: [f64; 3]) {
+    out.push_str(head);
+    push_list(out, values, |out, v| push_step(out, v));
+    out.push(')');
+}
+
+/// A list of items, each written by a function.
+pub(super) fn push_list<T>(out: &mut String, items: impl IntoIterator<Item = T>, mut push: impl FnMut(&mut String, T)) {
+    out.push('(');
+    for (i, item) in items.into_iter().enumerate() {
+        if i > 0 {
+            out.push(',');
+        }
+        push(out, item);
+    }
+    out.push(')');
+}
+
+/// A reference to an instance.
+pub(super) fn push_reference(out: &mut String, number: usize) {
+    let _ = write!(out, "#{number}");
+}
+
+/// `.T.` or `.F.`.
+pub(super) fn logical(value: bool) -> &'static str {
+    if value { ".T." } else { ".F." }
 }
 
 /// One REAL.
@@ -62,24 +128,22 @@ pub(super) fn real(v: f64) -> String {
 
 /// A list of REALs.
 pub(super) fn reals(values: &[f64]) -> String {
-    list(values.iter().map(|&v| real(v)))
+    let mut out = String::new();
+    push_list(&mut out, values, |out, &v| push_step(out, v));
+    out
 }
 
 /// A list of references.
 pub(super) fn references(numbers: &[usize]) -> String {
-    list(numbers.iter().map(|n| format!("#{n}")))
+    let mut out = String::new();
+    push_list(&mut out, numbers, |out, &n| push_reference(out, n));
+    out
 }
 
 /// A list of texts.
 pub(super) fn list<I: IntoIterator<Item = String>>(items: I) -> String {
-    let mut out = String::from("(");
-    for (i, item) in items.into_iter().enumerate() {
-        if i > 0 {
-            out.push(',');
-        }
-        out.push_str(&item);
-    }
-    out.push(')');
+    let mut out = String::new();
+    push_list(&mut out, items, |out, item| out.push_str(&item));
     out
 }
 

@@ -1,21 +1,30 @@
-//! STEP AP214 (ISO 10303-21), curves without faces.
+//! STEP AP214 (ISO 10303-21): curves without faces, and bodies.
 //!
 //! One `GEOMETRIC_CURVE_SET` per object, in it one `COMPOSITE_CURVE` per connected curve, so that a reader gets one
 //! wire per connected curve, closed where it is closed. Full circles are `CIRCLE`s, arcs trimmed ones, segments
 //! trimmed `LINE`s, rational splines B-splines; nothing is approximated that is exact in the kernel. Coordinates are written as they
 //! are and the file says their unit. The time stamp is fixed: the same model gives the same bytes.
+//!
+//! Bodies are `SHELL_BASED_SURFACE_MODEL`s of open shells, or `MANIFOLD_SOLID_BREP`s. Every shared edge is one
+//! `EDGE_CURVE`, every shared corner one `VERTEX_POINT`; a side that is one point is left out of its loop. No
+//! parameter curves are written. All weights are positive: faces are halved until they are.
 
 mod curves;
 mod data;
 mod part21;
 mod reader;
 mod structure;
+mod surfaces;
+mod topology;
 
 use crate::export::{Contour, ExportError, Exported, Job, Promise};
 use cyclide::{ChainPiece, CurveChain, CurveObject, Units};
 use data::Data;
+use structure::Items;
+use topology::Written;
 
 pub(crate) use reader::read;
+pub(crate) use topology::{LOOP, components, exported};
 
 /// Readers merge what is closer than this (OpenCASCADE's vertex tolerance is 1e-7), in file units.
 const SHORTEST_EDGE: f64 = 1e-6;
@@ -41,11 +50,29 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
             sets.push(curve_set(&mut data, &contour, &std::mem::take(&mut curves)));
         }
     }
+    let mut items = Items { curve_sets: sets, ..Items::default() };
+    for body in &job.bodies {
+        let lowered = |source| ExportError::Lowering { object: body.object.to_owned(), contour: body.index, source };
+        let (written, remarks) =
+            topology::body(&mut data, &body.label(), &body.body, job.size(), job.options.step_edges)
+                .map_err(lowered)?;
+        shortest = shortest.min(remarks.shortest);
+        if remarks.touches_itself {
+            notes.push(format!(
+                "{} touches itself in single points: written as closed shells, not as a solid",
+                body.label()
+            ));
+        }
+        match written {
+            Written::Solid(number) => items.solids.push(number),
+            Written::Surface(number) => items.surfaces.push(number),
+        }
+    }
     if shortest < SHORTEST_EDGE {
         let unit = job.units().symbol();
         notes.push(format!("an edge is only {shortest:.1e} {unit} long: STEP readers merge points closer than 1e-7"));
     }
-    structure::product(&mut data, job.title(), &sets, job.units());
+    structure::product(&mut data, job.title(), &items, job.units());
     let text = structure::file(&data, job.title());
     Ok(promise.exported(text.into_bytes(), notes))
 }

@@ -16,16 +16,41 @@ pub(super) fn file(data: &Data, title: &str) -> String {
     )
 }
 
-/// The product with the curve sets as its shape.
-pub(super) fn product(data: &mut Data, title: &str, sets: &[usize], units: Units) {
+/// What the product's shape consists of, by the representation that each kind belongs to.
+#[derive(Default)]
+pub(super) struct Items {
+    pub(super) curve_sets: Vec<usize>,
+    pub(super) surfaces: Vec<usize>,
+    pub(super) solids: Vec<usize>,
+}
+
+/// The product with its shape. Things of one kind are one representation; a mixture is an empty representation to
+/// which one of each kind is related, since no kind may hold the things of another.
+pub(super) fn product(data: &mut Data, title: &str, items: &Items, units: Units) {
     let context = representation_context(data, units);
     let origin = data.placement(Point3::ORIGIN, Vec3::Z, Vec3::X);
     let name = string(title);
-    let items: Vec<usize> = std::iter::once(origin).chain(sets.iter().copied()).collect();
-    let shape = data.add(&format!(
-        "GEOMETRICALLY_BOUNDED_WIREFRAME_SHAPE_REPRESENTATION({name},{},#{context})",
-        references(&items)
-    ));
+    let mut representation = |kind: &str, items: &[usize]| {
+        let items: Vec<usize> = std::iter::once(origin).chain(items.iter().copied()).collect();
+        data.add(&format!("{kind}({name},{},#{context})", references(&items)))
+    };
+    let kinds = [
+        ("ADVANCED_BREP_SHAPE_REPRESENTATION", &items.solids),
+        ("MANIFOLD_SURFACE_SHAPE_REPRESENTATION", &items.surfaces),
+        ("GEOMETRICALLY_BOUNDED_WIREFRAME_SHAPE_REPRESENTATION", &items.curve_sets),
+    ];
+    let parts: Vec<usize> =
+        kinds.iter().filter(|k| !k.1.is_empty()).map(|(kind, items)| representation(kind, items)).collect();
+    let shape = match parts[..] {
+        [only] => only,
+        _ => {
+            let whole = representation("SHAPE_REPRESENTATION", &[]);
+            for part in parts {
+                data.add(&format!("SHAPE_REPRESENTATION_RELATIONSHIP('','',#{whole},#{part})"));
+            }
+            whole
+        }
+    };
     let application = data.add("APPLICATION_CONTEXT('core data for automotive mechanical design processes')");
     data.add(&format!(
         "APPLICATION_PROTOCOL_DEFINITION('international standard','automotive_design',2000,#{application})"

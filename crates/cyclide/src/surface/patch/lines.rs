@@ -60,8 +60,7 @@ impl CyclidePatch {
         }
         let places = [(s0, t0), (s1, t0), (s0, t1), (s1, t1)];
         let corners = places.map(|p| self.corner_point(p));
-        let weights: [Quat; 4] = places.map(|(s, t)| bilinear(&self.weights, s, t));
-        let mut part = Self::from_weights_unchecked(corners, weights, self.v[0], self.v[1]);
+        let mut part = self.part_between([s0, s1], [t0, t1], corners);
         // Sides of one point stay so: their speed is zero, not rounding.
         for (t, value) in [(t0, 0), (t1, 2)] {
             if self.polar.q1_at(t) == 0.0 {
@@ -74,5 +73,13 @@ impl CyclidePatch {
             }
         }
         Ok(part)
+    }
+
+    /// The part over `[s0, s1] × [t0, t1]` with corners that are known better than by evaluation: vertices shared
+    /// with other patches, or a side of one point.
+    pub(crate) fn part_between(&self, [s0, s1]: [f64; 2], [t0, t1]: [f64; 2], corners: [Point3; 4]) -> Self {
+        let places = [(s0, t0), (s1, t0), (s0, t1), (s1, t1)];
+        let weights: [Quat; 4] = places.map(|(s, t)| bilinear(&self.weights, s, t));
+        Self::from_weights_unchecked(corners, weights, self.v[0], self.v[1])
     }
 }

@@ -2,6 +2,7 @@
 
 mod check;
 mod measure;
+mod split;
 
 use super::patch::CyclidePatch;
 use crate::base::vector::Point3;

@@ -1,7 +1,9 @@
-//! Our own STEP curves back from the bytes, evaluated as a reader would: from circle, placement and parameters.
+//! Our own STEP files back from the bytes, evaluated as a reader would: from circle, placement and parameters.
+
+mod shapes;
 
 use super::part21::{Instance, Value, parse};
-use crate::read_back::ReadError;
+use crate::read_back::{FileContent, ReadError};
 use cyclide::{Arc, ChainPiece, Circle, CurveChain, NurbsCurve, Point3, Vec3};
 use std::collections::BTreeMap;
 
@@ -9,18 +11,18 @@ use std::collections::BTreeMap;
 /// of centre plus radius.
 const GAP: f64 = 1e-9;
 
-/// Reads the composite curves of all curve sets, in file order.
-pub(crate) fn read(bytes: &[u8]) -> Result<Vec<CurveChain>, ReadError> {
+/// Reads the composite curves of all curve sets and all bodies, in file order.
+pub(crate) fn read(bytes: &[u8]) -> Result<FileContent, ReadError> {
     let file = File { instances: parse(bytes)? };
     let sets = file.instances.iter().filter(|(_, i)| i[..].first().is_some_and(|e| e.0 == "GEOMETRIC_CURVE_SET"));
-    let mut chains = Vec::new();
+    let mut curves = Vec::new();
     for (number, instance) in sets {
         let place = format!("#{number}");
         for curve in references(argument(instance, 0, 1, &place)?, &place)? {
-            chains.push(file.composite(curve)?);
+            curves.push(file.composite(curve)?);
         }
     }
-    Ok(chains)
+    Ok(FileContent { curves, bodies: file.bodies()?, ..FileContent::default() })
 }
 
 struct File {
@@ -119,18 +121,21 @@ impl File {
         }
         let values = self.simple(number, "CIRCLE")?;
         let radius = number_of(value(values, 2, &place)?, &place)?;
-        let placement = self.simple(reference(value(values, 1, &place)?, &place)?, "AXIS2_PLACEMENT_3D")?;
-        let part = |i: usize| reference(value(placement, i, &place)?, &place);
-        let (center, z, x) = (self.point(part(1)?)?, self.direction(part(2)?)?, self.direction(part(3)?)?);
+        let (center, z, x) = self.placement(reference(value(values, 1, &place)?, &place)?)?;
         Ok(Basis::Circle { center, z, x, radius })
+    }
+
+    /// Origin, third axis and first axis.
+    fn placement(&self, number: u64) -> Result<(Point3, Vec3, Vec3), ReadError> {
+        let place = format!("#{number}");
+        let placement = self.simple(number, "AXIS2_PLACEMENT_3D")?;
+        let part = |i: usize| reference(value(placement, i, &place)?, &place);
+        Ok((self.point(part(1)?)?, self.direction(part(2)?)?, self.direction(part(3)?)?))
     }
 
     fn b_spline(&self, instance: &Instance, number: u64) -> Result<NurbsCurve, ReadError> {
         let place = format!("#{number}");
-        let part = |name: &str| {
-            let found = instance.iter().find(|e| e.0 == name).map(|e| e.1.as_slice());
-            found.ok_or_else(|| ReadError::unsupported(format!("a complex instance without {name}"), &place))
-        };
+        let part = |name: &str| entity(instance, name, &place);
         let (curve, knots) = (part("B_SPLINE_CURVE")?, part("B_SPLINE_CURVE_WITH_KNOTS")?);
         let degree = number_of(value(curve, 0, &place)?, &place)?;
         let points = references(value(curve, 1, &place)?, &place)?;
@@ -146,6 +151,12 @@ impl File {
         NurbsCurve::new(degree as usize, repeated.collect(), points, weights)
             .map_err(|source| ReadError::Geometry { place, source })
     }
+}
+
+/// The parameters of one entity of a complex instance.
+fn entity<'a>(instance: &'a Instance, name: &str, place: &str) -> Result<&'a [Value], ReadError> {
+    let found = instance.iter().find(|e| e.0 == name).map(|e| e.1.as_slice());
+    found.ok_or_else(|| ReadError::unsupported(format!("a complex instance without {name}"), place))
 }
 
 /// Largest coordinate or radius of a piece.
@@ -202,6 +213,21 @@ fn numbers(value: &Value, place: &str) -> Result<Vec<f64>, ReadError> {
     match value {
         Value::List(values) => values.iter().map(|v| number_of(v, place)).collect(),
         _ => Err(ReadError::syntax(place, "expected a list of numbers")),
+    }
+}
+
+fn logical(value: &Value, place: &str) -> Result<bool, ReadError> {
+    match enumeration(value, place)? {
+        "T" => Ok(true),
+        "F" => Ok(false),
+        _ => Err(ReadError::syntax(place, "expected .T. or .F.")),
+    }
+}
+
+fn list<'a>(value: &'a Value, place: &str) -> Result<&'a [Value], ReadError> {
+    match value {
+        Value::List(values) => Ok(values),
+        _ => Err(ReadError::syntax(place, "expected a list")),
     }
 }
 

@@ -1,0 +1,66 @@
+//! Bodies as a file holds them.
+
+use cyclide::{ChainPiece, PatchKind, Point3, RationalBezierSurface};
+
+/// A body of a file: a solid, or one or more shells.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FileBody {
+    /// True for solids.
+    pub solid: bool,
+    /// The shells; of a solid the outer one first, then the boundaries of its hollows.
+    pub shells: Vec<FileShell>,
+}
+
+/// A shell of a file.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FileShell {
+    /// True if the file calls it closed.
+    pub closed: bool,
+    /// False if the body uses the other sides of the faces.
+    pub forward: bool,
+    /// Its faces.
+    pub faces: Vec<FileFace>,
+}
+
+/// A face of a file.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FileFace {
+    /// The surface.
+    pub surface: FileSurface,
+    /// True if the face's normal is that of its surface.
+    pub same_sense: bool,
+    /// The loop, counter-clockwise against the face's normal.
+    pub edges: Vec<FileEdge>,
+}
+
+/// The surface of a face of a file.
+#[derive(Debug, Clone, PartialEq)]
+pub enum FileSurface {
+    /// A rational Bézier surface.
+    Rational(RationalBezierSurface),
+    /// A plane, sphere, cylinder, cone or torus; its own normal points outward.
+    Analytic(PatchKind),
+}
+
+/// An edge as a loop uses it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FileEdge {
+    /// Number of the edge in the file.
+    pub edge: u64,
+    /// Numbers of its vertices, start and end.
+    pub vertices: [u64; 2],
+    /// Points of its vertices.
+    pub ends: [Point3; 2],
+    /// True if the loop runs along the edge, false if against it.
+    pub forward: bool,
+    /// The curve from start to end.
+    pub curve: ChainPiece,
+}
+
+impl FileEdge {
+    /// Vertices in the direction of the loop.
+    pub(crate) fn oriented(&self) -> [u64; 2] {
+        let [start, end] = self.vertices;
+        if self.forward { [start, end] } else { [end, start] }
+    }
+}

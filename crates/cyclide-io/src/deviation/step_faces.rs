@@ -1,0 +1,176 @@
+//! The distance between the bodies of a STEP file and those of the model, face by face, and their structure.
+//!
+//! Faces, sides and edges are compared in the order in which they are written: rational surfaces and edges at equal
+//! parameters, analytic surfaces and circles by distance. Readers repair wrong orientations and unshared edges
+//! silently, so that both are checked here: each face looks to the model's outer side, loops run head to tail and
+//! counter-clockwise against it, faces use one edge where the model's faces share one, and solids have positive volume.
+
+use crate::bodies::{FileBody, FileEdge, FileFace, FileShell, FileSurface};
+use crate::job::BodyOf;
+use crate::read_back::ReadError;
+use crate::step::{LOOP, components, exported};
+use cyclide::{Body, ChainPiece, CyclidePatch, ParamCurve as _, ParamSurface as _, PatchKind, Point3, Shell, Vec3};
+use std::collections::{HashMap, HashSet};
+
+/// Places per parameter at which surfaces and edges are compared.
+const PLACES: u32 = 9;
+
+/// The largest distance between surfaces, edges and vertices of the file and the model.
+///
+/// # Errors
+/// [`ReadError::BodyCount`], [`ReadError::Body`], `Geometry` where the model's faces cannot be cut.
+pub(crate) fn bodies_deviation(expected: &[BodyOf<'_>], read: &[FileBody]) -> Result<f64, ReadError> {
+    if expected.len() != read.len() {
+        return Err(ReadError::BodyCount { found: read.len(), expected: expected.len() });
+    }
+    let mut largest = 0.0_f64;
+    for (index, (body, file)) in expected.iter().zip(read).enumerate() {
+        let deviation = body_deviation(&body.body, file).map_err(|e| match e {
+            Mismatch::Structure(detail) => ReadError::Body { body: index, detail },
+            Mismatch::Kernel(source) => ReadError::Geometry { place: format!("body {index}"), source },
+        })?;
+        largest = largest.max(deviation);
+    }
+    Ok(largest)
+}
+
+/// Why a body is not the model's.
+enum Mismatch {
+    Structure(&'static str),
+    Kernel(cyclide::Error),
+}
+
+impl From<cyclide::Error> for Mismatch {
+    fn from(source: cyclide::Error) -> Self {
+        Self::Kernel(source)
+    }
+}
+
+fn require(holds: bool, detail: &'static str) -> Result<(), Mismatch> {
+    if holds { Ok(()) } else { Err(Mismatch::Structure(detail)) }
+}
+
+fn body_deviation(body: &Body, file: &FileBody) -> Result<f64, Mismatch> {
+    let shells = body.shells().map(exported).collect::<cyclide::Result<Vec<Shell>>>()?;
+    let parts: Vec<Vec<Vec<usize>>> = shells.iter().map(components).collect();
+    let solid = shells.iter().all(Shell::is_closed) && parts.iter().all(|p| p.len() == 1);
+    require(file.solid == solid, "it is a solid in one of file and model only")?;
+    require(file.shells.len() == parts.iter().map(Vec::len).sum::<usize>(), "another number of shells")?;
+    let mut read = file.shells.iter();
+    let mut largest = 0.0_f64;
+    for (index, (shell, parts)) in shells.iter().zip(&parts).enumerate() {
+        let void = solid && index > 0;
+        for part in parts {
+            let Some(file) = read.next() else { break };
+            require(file.forward != void, "a shell is used from the wrong side")?;
+            require(file.closed == shell.is_closed(), "a shell is closed in one of file and model only")?;
+            largest = largest.max(shell_deviation(shell, part, void, file)?);
+        }
+        // A hollow's faces look into it: away from the solid.
+        require(!solid || (shell.volume() > 0.0) != void, "a solid is inside out")?;
+    }
+    Ok(largest)
+}
+
+/// Faces of one shell, or of the part of it that hangs together; `flip` where the file has the other sides.
+fn shell_deviation(shell: &Shell, part: &[usize], flip: bool, file: &FileShell) -> Result<f64, Mismatch> {
+    require(file.faces.len() == part.len(), "another number of faces")?;
+    let mut largest = 0.0_f64;
+    // The model's edge of each edge of the file, and the directions in which it is used.
+    let mut edges: HashMap<u64, (usize, Vec<bool>)> = HashMap::new();
+    for (&index, file) in part.iter().zip(&file.faces) {
+        let face = &shell.faces()[index];
+        let outer_side = face.same_sense != flip;
+        largest = largest.max(surface_deviation(&face.patch, file, outer_side)?);
+        let mut sides: Vec<(usize, bool)> = LOOP.into_iter().filter(|&(k, _)| face.sides[k].is_some()).collect();
+        if !outer_side {
+            sides.reverse();
+            sides.iter_mut().for_each(|side| side.1 = !side.1);
+        }
+        require(sides.len() == file.edges.len(), "another number of edges round a face")?;
+        for (i, ((k, along), edge)) in sides.into_iter().zip(&file.edges).enumerate() {
+            let next = &file.edges[(i + 1) % file.edges.len()];
+            require(edge.oriented()[1] == next.oriented()[0], "a loop does not run head to tail")?;
+            let Some(side) = face.sides[k] else { continue };
+            require(edge.forward == (along == side.forward), "an edge runs the wrong way round a face")?;
+            let used = edges.entry(edge.edge).or_insert((side.edge, Vec::new()));
+            require(used.0 == side.edge, "faces share an edge in the file only")?;
+            used.1.push(edge.forward);
+            largest = largest.max(edge_deviation(&face.patch, k, side.forward, edge));
+        }
+    }
+    let of_model: HashSet<usize> = edges.values().map(|(edge, _)| *edge).collect();
+    require(of_model.len() == edges.len(), "faces share an edge in the model only")?;
+    for (_, uses) in edges.values() {
+        let paired = matches!(uses[..], [a, b] if a != b);
+        require(paired || (uses.len() == 1 && !file.closed), "an edge is not used once in each direction")?;
+    }
+    Ok(largest)
+}
+
+fn surface_deviation(patch: &CyclidePatch, file: &FileFace, outer_side: bool) -> Result<f64, Mismatch> {
+    let places = (0..PLACES * PLACES).map(|k| (parameter(k % PLACES), parameter(k / PLACES)));
+    let (distance, outward) = match &file.surface {
+        FileSurface::Rational(surface) => {
+            let apart = places.map(|(s, t)| surface.point(s, t).distance(patch.point(s, t)));
+            (apart.fold(0.0, f64::max), true)
+        }
+        FileSurface::Analytic(kind) => {
+            let apart = places.map(|(s, t)| kind.distance(patch.point(s, t)).unwrap_or(f64::INFINITY));
+            let (middle, normal) = (patch.point(0.5, 0.5), patch.normal(0.5, 0.5));
+            let outward = normal.zip(outward(kind, middle)).is_some_and(|(n, out)| n.dot(out) > 0.0);
+            (apart.fold(0.0, f64::max), outward)
+        }
+    };
+    require(file.same_sense == (outward == outer_side), "a face looks to the wrong side")?;
+    Ok(distance)
+}
+
+/// A vector on the side of the surface's own normal.
+fn outward(kind: &PatchKind, p: Point3) -> Option<Vec3> {
+    let from_axis = |frame: &cyclide::Frame| {
+        let v = p - frame.origin();
+        v - frame.z() * v.dot(frame.z())
+    };
+    match kind {
+        PatchKind::Plane { frame } => Some(frame.z()),
+        PatchKind::Sphere { frame, .. } => Some(p - frame.origin()),
+        PatchKind::Cylinder { frame, .. } | PatchKind::Cone { frame, .. } => Some(from_axis(frame)),
+        PatchKind::Torus { frame, major_radius, .. } => {
+            Some(p - (frame.origin() + from_axis(frame).unit()? * *major_radius))
+        }
+        PatchKind::Cyclide => None,
+    }
+}
+
+/// Side `k` of a patch against the file's edge; `forward` if the parameters of both grow together.
+fn edge_deviation(patch: &CyclidePatch, k: usize, forward: bool, edge: &FileEdge) -> f64 {
+    let side = |x: f64| match k {
+        0 => patch.point(x, 0.0),
+        1 => patch.point(x, 1.0),
+        2 => patch.point(0.0, x),
+        _ => patch.point(1.0, x),
+    };
+    let mut largest = 0.0_f64;
+    for i in 0..PLACES {
+        let x = parameter(i);
+        let along = if forward { x } else { 1.0 - x };
+        let p = side(x);
+        largest = largest.max(match &edge.curve {
+            ChainPiece::Arc(arc) => arc.closest_point(p).distance,
+            ChainPiece::Spline(curve) => curve.eval(along).distance(p),
+        });
+        if i == 0 || i + 1 == PLACES {
+            largest = largest.max(edge.ends[usize::from(along > 0.5)].distance(p));
+        }
+    }
+    let (start, end) = match &edge.curve {
+        ChainPiece::Arc(arc) => (arc.start(), arc.end()),
+        ChainPiece::Spline(curve) => (curve.eval(0.0), curve.eval(1.0)),
+    };
+    largest.max(start.distance(edge.ends[0])).max(end.distance(edge.ends[1]))
+}
+
+fn parameter(i: u32) -> f64 {
+    f64::from(i) / f64::from(PLACES - 1)
+}

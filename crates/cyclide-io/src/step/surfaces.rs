@@ -1,0 +1,156 @@
+//! The surfaces of faces: planes, cylinders, cones, spheres and tori where the patch lies on one, else exact rational
+//! biquadratics of one Bézier span.
+//!
+//! A face of a sphere is written as `SPHERICAL_SURFACE` only if its edges are meridians and parallels about one axis,
+//! which is then the placement's: readers find parameter curves by interpolation, and edges that are no lines of the
+//! parameters lose digits there (an octant with its poles elsewhere: parameter curves off by 3e-7 of the size, area by
+//! 6e-9). The other faces of spheres, whose circles belong to two elliptic and hyperbolic pencils, stay rational. The
+//! edges of all other kinds are lines of the parameters anyway. The seam is turned to the side away from the face.
+
+use super::data::{Data, push_list, push_reference};
+use crate::number::push_step;
+use cyclide::{
+    Arc, CyclidePatch, Error, ExactRational as _, Frame, ParamSurface as _, PatchKind, Point3, Result, Shell,
+    ShellFace, Vec3,
+};
+use std::fmt::Write as _;
+
+/// Beyond this radius, in sizes of the model, an analytic surface loses digits: its points are the centre plus the
+/// radius, rounded.
+const LARGEST_RADIUS: f64 = 1e4;
+/// Cones at least this far from cylinders and planes, radians.
+const SMALLEST_CONE_ANGLE: f64 = 1e-3;
+/// Angle up to which circles of a sphere are parallel to, or contain, an axis.
+const AXIS_LIMIT: f64 = 1e-10;
+
+/// The surface of a face as it is written: the kind with its placement, the general one for a rational face.
+pub(super) fn kind(shell: &Shell, face: &ShellFace, size: f64) -> PatchKind {
+    let kind = face.patch.recognise();
+    let keep = match kind {
+        PatchKind::Plane { .. } => true,
+        PatchKind::Cylinder { radius, .. } => radius <= LARGEST_RADIUS * size,
+        PatchKind::Cone { radius, half_angle, .. } => {
+            let steep = std::f64::consts::FRAC_PI_2 - half_angle;
+            radius <= LARGEST_RADIUS * size && half_angle >= SMALLEST_CONE_ANGLE && steep >= SMALLEST_CONE_ANGLE
+        }
+        // A torus that crosses itself has another entity, which few systems read.
+        PatchKind::Torus { major_radius, minor_radius, .. } => {
+            minor_radius < major_radius && major_radius <= LARGEST_RADIUS * size
+        }
+        PatchKind::Sphere { frame, radius, outward } => {
+            let center = frame.origin();
+            let axis = (radius <= LARGEST_RADIUS * size).then(|| axis(shell, face, center, radius)).flatten();
+            let away = center - face.patch.point(0.5, 0.5);
+            let frame = axis.and_then(|axis| Frame::from_normal(center, axis, away).ok());
+            return frame.map_or(PatchKind::Cyclide, |frame| PatchKind::Sphere { frame, radius, outward });
+        }
+        PatchKind::Cyclide => false,
+    };
+    if keep { kind } else { PatchKind::Cyclide }
+}
+
+/// The axis about which the edges of a spherical face are meridians and parallels, if there is one.
+fn axis(shell: &Shell, face: &ShellFace, center: Point3, radius: f64) -> Option<Vec3> {
+    let arc = |k: usize| face.sides[k].map(|side| &shell.edges()[side.edge].arc);
+    let through_center = |arc: &Arc, normal: Vec3| (arc.start() - center).dot(normal).abs() <= AXIS_LIMIT * radius;
+    [[0, 1, 2, 3], [2, 3, 0, 1]].into_iter().find_map(|[k, l, m, n]| {
+        let (a, b) = (arc(k)?, arc(l)?);
+        let (normal_a, normal_b) = (a.normal()?, b.normal()?);
+        let meridians = through_center(a, normal_a) && through_center(b, normal_b);
+        let axis = normal_a.cross(normal_b);
+        // Narrow faces leave the axis undetermined by the rounding of the normals.
+        let axis = if axis.length() > 1e-4 { axis.unit()? } else { return None };
+        let parallel = |arc: &Arc| arc.normal().is_some_and(|normal| normal.cross(axis).length() <= AXIS_LIMIT);
+        (meridians && [m, n].into_iter().filter_map(arc).all(parallel)).then_some(axis)
+    })
+}
+
+/// The analytic surface of a kind, and whether its own normal is that of the patch, `f_s × f_t`; `None` for a rational
+/// face.
+pub(super) fn analytic(data: &mut Data, kind: &PatchKind) -> Option<(usize, bool)> {
+    let (entity, frame, measures, outward) = match kind {
+        PatchKind::Plane { frame } => ("PLANE", frame, [None; 2], true),
+        PatchKind::Sphere { frame, radius, outward } => ("SPHERICAL_SURFACE", frame, [Some(*radius), None], *outward),
+        PatchKind::Cylinder { frame, radius, outward } => {
+            ("CYLINDRICAL_SURFACE", frame, [Some(*radius), None], *outward)
+        }
+        PatchKind::Cone { frame, radius, half_angle, outward } => {
+            ("CONICAL_SURFACE", frame, [Some(*radius), Some(*half_angle)], *outward)
+        }
+        PatchKind::Torus { frame, major_radius, minor_radius, outward } => {
+            ("TOROIDAL_SURFACE", frame, [Some(*major_radius), Some(*minor_radius)], *outward)
+        }
+        PatchKind::Cyclide => return None,
+    };
+    let placement = data.placement(frame.origin(), frame.z(), frame.x());
+    let surface = data.write(|out| {
+        // Writing to a string cannot fail.
+        let _ = write!(out, "{entity}('',#{placement}");
+        for measure in measures.into_iter().flatten() {
+            out.push(',');
+            push_step(out, measure);
+        }
+        out.push(')');
+    });
+    Some((surface, outward))
+}
+
+/// The patch as a rational B-spline surface, a complex instance. `middles` are the control points of the sides t=0,
+/// t=1, s=0, s=1, so that neighbours share them; for a side of one point that point.
+///
+/// # Errors
+/// `weight-not-positive`: no other weight is ever written.
+pub(super) fn rational(data: &mut Data, patch: &CyclidePatch, middles: [Point3; 4]) -> Result<usize> {
+    let weights = scaled(patch.real_weights());
+    for (index, &weight) in weights.as_flattened().iter().enumerate() {
+        if !(weight > 0.0) {
+            return Err(Error::WeightNotPositive { index, weight });
+        }
+    }
+    let [a0, a1, a2, a3] = patch.corners();
+    let [x, y, z, w] = patch.to_rational().rows()[4];
+    let middle = Point3::new(x / w, y / w, z / w);
+    let [bottom, top, left, right] = middles;
+    // Outer lists along s, inner ones along t.
+    let points = [[a0, left, a2], [bottom, middle, top], [a1, right, a3]].map(|row| row.map(|p| data.point(p)));
+    Ok(data.write(|out| {
+        out.push_str("(BOUNDED_SURFACE() B_SPLINE_SURFACE(2,2,");
+        push_list(out, points, |out, row| push_list(out, row, push_reference));
+        out.push_str(
+            ",.UNSPECIFIED.,.F.,.F.,.F.) \
+             B_SPLINE_SURFACE_WITH_KNOTS((3,3),(3,3),(0.,1.),(0.,1.),.UNSPECIFIED.) \
+             GEOMETRIC_REPRESENTATION_ITEM() RATIONAL_B_SPLINE_SURFACE(",
+        );
+        push_list(out, weights, |out, row| push_list(out, row, push_step));
+        out.push_str(") REPRESENTATION_ITEM('') SURFACE())");
+    }))
+}
+
+/// The middle control point of an arc below half a turn: where its end tangents meet.
+pub(super) fn middle_point(arc: &Arc) -> Point3 {
+    let ratio = arc.weight_ratio();
+    arc.start().midpoint(arc.end()) + arc.chord().cross(ratio.vector()) * (0.5 / ratio.w)
+}
+
+/// The weights times a power of two, which is exact, so that the largest is in [1, 2).
+fn scaled(weights: [[f64; 3]; 3]) -> [[f64; 3]; 3] {
+    let largest = weights.iter().flatten().fold(0.0, |m: f64, w| m.max(w.abs()));
+    if !(largest.is_normal()) {
+        return weights;
+    }
+    let exponent = ((largest.to_bits() >> 52) & 0x7ff) as i32 - 1023;
+    weights.map(|row| row.map(|w| w * 2.0_f64.powi(-exponent)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn weights_are_scaled_exactly() {
+        let weights = [[3e-40, 1e-40, 2e-40]; 3];
+        let out = scaled(weights);
+        assert!(out[0][0] >= 1.0 && out[0][0] < 2.0);
+        assert_eq!(out[0][1] / out[0][0], weights[0][1] / weights[0][0]);
+    }
+}

@@ -1,0 +1,237 @@
+//! Bodies: vertices, edges, loops and faces, all shared, in open and closed shells.
+
+use super::curves;
+use super::data::{Data, logical, push_list, push_reference, references, string};
+use super::surfaces;
+use crate::export::StepEdges;
+use cyclide::{Arc, Body, FaceEdge, NurbsCurve, PatchKind, Point3, Result, Shell, ShellFace};
+use std::fmt::Write as _;
+
+/// The loop of a face, counter-clockwise against `f_s × f_t`: sides t=0, s=1, t=1, s=0, and whether each runs with
+/// the growing parameter.
+pub(crate) const LOOP: [(usize, bool); 4] = [(0, true), (3, true), (1, false), (2, false)];
+
+/// An edge that departs from its chord by no more than this part of the model's size is a line: its curvature is
+/// rounding.
+const STRAIGHT: f64 = 1e-15;
+
+/// How a body was written.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Written {
+    /// `MANIFOLD_SOLID_BREP` or `BREP_WITH_VOIDS`.
+    Solid(usize),
+    /// `SHELL_BASED_SURFACE_MODEL`.
+    Surface(usize),
+}
+
+/// What the user should know about a body.
+#[derive(Default)]
+pub(super) struct Remarks {
+    /// Length of the shortest edge; infinite without edges.
+    pub(super) shortest: f64,
+    /// True if a closed body touches itself in single points, so that it is no solid.
+    pub(super) touches_itself: bool,
+}
+
+/// Writes a body; `size` is the model's diagonal.
+pub(super) fn body(
+    data: &mut Data,
+    name: &str,
+    body: &Body,
+    size: f64,
+    edges: StepEdges,
+) -> Result<(Written, Remarks)> {
+    let mut remarks = Remarks { shortest: f64::INFINITY, touches_itself: false };
+    let mut shells = Vec::new();
+    for shell in body.shells() {
+        let shell = exported(shell)?;
+        for arc in shell.edges().iter().map(|e| &e.arc) {
+            remarks.shortest = remarks.shortest.min(arc.length());
+        }
+        shells.push(shell);
+    }
+    let parts: Vec<Vec<Vec<usize>>> = shells.iter().map(components).collect();
+    let closed: Vec<bool> = shells.iter().map(Shell::is_closed).collect();
+    let solid = closed.iter().all(|&c| c) && parts.iter().all(|p| p.len() == 1);
+    remarks.touches_itself = closed[0] && parts[0].len() > 1;
+    let mut written = Vec::new();
+    for (index, (shell, parts)) in shells.iter().zip(&parts).enumerate() {
+        // A void is written as the boundary of the hollow, whose outer side is the other one.
+        let flip = solid && index > 0;
+        let mut writer = Writer::new(data, shell, size, edges);
+        for part in parts {
+            let faces = part.iter().map(|&f| writer.face(f, flip)).collect::<Result<Vec<_>>>()?;
+            let kind = if closed[index] { "CLOSED_SHELL" } else { "OPEN_SHELL" };
+            written.push(writer.data.add(&format!("{kind}('',{})", references(&faces))));
+        }
+    }
+    let name = string(name);
+    let written = if !solid {
+        Written::Surface(data.add(&format!("SHELL_BASED_SURFACE_MODEL({name},{})", references(&written))))
+    } else if let [outer] = written[..] {
+        Written::Solid(data.add(&format!("MANIFOLD_SOLID_BREP({name},#{outer})")))
+    } else {
+        let voids: Vec<usize> =
+            written[1..].iter().map(|v| data.add(&format!("ORIENTED_CLOSED_SHELL('',*,#{v},.F.)"))).collect();
+        let (outer, voids) = (written[0], references(&voids));
+        Written::Solid(data.add(&format!("BREP_WITH_VOIDS({name},#{outer},{voids})")))
+    };
+    Ok((written, remarks))
+}
+
+/// The faces as they are written: regular inside, with positive weights.
+pub(crate) fn exported(shell: &Shell) -> Result<Shell> {
+    shell.with_regular_faces()?.with_positive_weights()
+}
+
+/// The faces of a shell by parts that hang together through edges, in order.
+pub(crate) fn components(shell: &Shell) -> Vec<Vec<usize>> {
+    let mut along = vec![Vec::new(); shell.edges().len()];
+    for (f, face) in shell.faces().iter().enumerate() {
+        for side in face.sides.iter().flatten() {
+            along[side.edge].push(f);
+        }
+    }
+    let mut seen = vec![false; shell.faces().len()];
+    let mut parts = Vec::new();
+    for first in 0..shell.faces().len() {
+        if std::mem::replace(&mut seen[first], true) {
+            continue;
+        }
+        let mut part = vec![first];
+        let mut next = 0;
+        while let Some(&f) = part.get(next) {
+            next += 1;
+            for side in shell.faces()[f].sides.iter().flatten() {
+                for &other in &along[side.edge] {
+                    if !std::mem::replace(&mut seen[other], true) {
+                        part.push(other);
+                    }
+                }
+            }
+        }
+        part.sort_unstable();
+        parts.push(part);
+    }
+    parts
+}
+
+/// One shell as it is written: the numbers of what is shared already.
+struct Writer<'a> {
+    data: &'a mut Data,
+    shell: &'a Shell,
+    size: f64,
+    /// The surface of each face.
+    kinds: Vec<PatchKind>,
+    /// Whether each edge is written as circle or line.
+    plain: Vec<bool>,
+    /// `VERTEX_POINT`s and `EDGE_CURVE`s already written.
+    vertex: Vec<Option<usize>>,
+    edge: Vec<Option<usize>>,
+}
+
+impl<'a> Writer<'a> {
+    fn new(data: &'a mut Data, shell: &'a Shell, size: f64, edges: StepEdges) -> Self {
+        let kinds: Vec<PatchKind> = shell.faces().iter().map(|face| surfaces::kind(shell, face, size)).collect();
+        let mut plain = vec![edges == StepEdges::Circles; shell.edges().len()];
+        for (face, kind) in shell.faces().iter().zip(&kinds) {
+            // On an analytic surface only circles and lines are lines of its parameters.
+            if *kind != PatchKind::Cyclide {
+                face.sides.iter().flatten().for_each(|side| plain[side.edge] = true);
+            }
+        }
+        let (vertex, edge) = (vec![None; shell.vertices().len()], vec![None; shell.edges().len()]);
+        Self { data, shell, size, kinds, plain, vertex, edge }
+    }
+
+    fn face(&mut self, index: usize, flip: bool) -> Result<usize> {
+        let face = &self.shell.faces()[index];
+        let (surface, outward) = match surfaces::analytic(self.data, &self.kinds[index]) {
+            Some(found) => found,
+            None => (self.rational(face)?, true),
+        };
+        let outer_side = face.same_sense != flip;
+        let bound = self.bound(face, outer_side)?;
+        let same_sense = logical(outer_side == outward);
+        Ok(self.data.write(|out| {
+            let _ = write!(out, "ADVANCED_FACE('',(#{bound}),#{surface},{same_sense})");
+        }))
+    }
+
+    /// The rational surface of a face; neighbours get the same control points along their common edge.
+    fn rational(&mut self, face: &ShellFace) -> Result<usize> {
+        let corners = face.patch.corners();
+        let middle = |k: usize| match face.sides[k] {
+            Some(side) => surfaces::middle_point(&self.shell.edges()[side.edge].arc),
+            None => corners[[0, 2, 0, 1][k]],
+        };
+        let middles: [Point3; 4] = std::array::from_fn(middle);
+        surfaces::rational(self.data, &face.patch, middles)
+    }
+
+    /// The loop of a face, counter-clockwise against its outer side; a side of one point is no edge.
+    fn bound(&mut self, face: &ShellFace, outer_side: bool) -> Result<usize> {
+        let mut sides: Vec<(FaceEdge, bool)> =
+            LOOP.iter().filter_map(|&(k, along)| face.sides[k].map(|side| (side, along == side.forward))).collect();
+        if !outer_side {
+            sides.reverse();
+            sides.iter_mut().for_each(|side| side.1 = !side.1);
+        }
+        let mut oriented = Vec::with_capacity(4);
+        for (side, forward) in sides {
+            let edge = self.edge(side.edge)?;
+            oriented.push(self.data.write(|out| {
+                let _ = write!(out, "ORIENTED_EDGE('',*,*,#{edge},{})", logical(forward));
+            }));
+        }
+        let edges = self.data.write(|out| {
+            out.push_str("EDGE_LOOP('',");
+            push_list(out, oriented, push_reference);
+            out.push(')');
+        });
+        Ok(self.data.write(|out| {
+            let _ = write!(out, "FACE_OUTER_BOUND('',#{edges},.T.)");
+        }))
+    }
+
+    fn edge(&mut self, index: usize) -> Result<usize> {
+        if let Some(number) = self.edge[index] {
+            return Ok(number);
+        }
+        let edge = &self.shell.edges()[index];
+        let (start, end) = (self.vertex(edge.start), self.vertex(edge.end));
+        let curve = self.curve(&edge.arc, self.plain[index])?;
+        let number = self.data.write(|out| {
+            let _ = write!(out, "EDGE_CURVE('',#{start},#{end},#{curve},.T.)");
+        });
+        self.edge[index] = Some(number);
+        Ok(number)
+    }
+
+    fn vertex(&mut self, index: usize) -> usize {
+        *self.vertex[index].get_or_insert_with(|| {
+            let point = self.data.point(self.shell.vertices()[index]);
+            self.data.write(|out| {
+                let _ = write!(out, "VERTEX_POINT('',#{point})");
+            })
+        })
+    }
+
+    /// A circle or a line; or the rational quadratic in the parameter of the faces, where that is asked for or the
+    /// circle would lose digits.
+    fn curve(&mut self, arc: &Arc, plain: bool) -> Result<usize> {
+        if plain {
+            let sagitta = 0.5 * arc.chord().length() * arc.bulge_vector().length();
+            if sagitta <= STRAIGHT * self.size {
+                return Ok(curves::line(self.data, arc));
+            }
+            if let Some(circle) = curves::circle(self.data, arc, self.size) {
+                return Ok(circle);
+            }
+        }
+        let weights = arc.bezier_rows().map(|row| row[3]).to_vec();
+        let points = vec![arc.start(), surfaces::middle_point(arc), arc.end()];
+        let curve = NurbsCurve::new(2, vec![0.0, 0.0, 0.0, 1.0, 1.0, 1.0], points, weights)?;
+        Ok(curves::b_spline(self.data, &curve))
+    }
+}

@@ -1,0 +1,358 @@
+//! Cutting the faces of a shell along whole strips, so that neighbours keep sharing their edges.
+//!
+//! A cut of one edge cuts every face along it, hence the opposite edge of each such face, and so on: the faces linked
+//! through opposite sides are a strip, and a strip is cut as a whole. Faces that share an edge agree on its parameter,
+//! so the cut has one parameter per edge and its vertex is computed once.
+
+use super::check::SIDE_CORNERS;
+use super::{FaceEdge, Shell, ShellEdge, ShellFace};
+use crate::base::vector::Point3;
+use crate::curve::Arc;
+use crate::error::{Error, Result};
+use crate::surface::ParamSurface as _;
+use crate::surface::patch::CyclidePatch;
+
+/// Smallest cosine of half an edge's angle: edges stay below 150 degrees.
+const SMALLEST_COSINE: f64 = 0.25;
+/// Smallest weight of the middle of a patch, relative to the geometric mean of its corners' weights.
+const SMALLEST_MIDDLE: f64 = 0.0625;
+/// A strip is halved this often at most: sixteen halvings leave 3e-5 of an edge.
+const MOST_PASSES: usize = 16;
+/// Speeds below this part of the largest one are zero: the parameter line is one point.
+const ZERO_SPEED: f64 = 1e-9;
+
+/// The two sides that run along s, and along t.
+const SIDES_ALONG: [[usize; 2]; 2] = [[0, 1], [2, 3]];
+
+/// Where edges are cut, in their own parameter, and where faces are cut across a direction in which both sides are one
+/// point, in the parameter of the face.
+struct Cuts {
+    edges: Vec<Option<f64>>,
+    lunes: Vec<[Option<f64>; 2]>,
+}
+
+impl Cuts {
+    fn none(shell: &Shell) -> Self {
+        Self { edges: vec![None; shell.edges.len()], lunes: vec![[None; 2]; shell.faces.len()] }
+    }
+
+    fn is_empty(&self) -> bool {
+        self.edges.iter().all(Option::is_none) && self.lunes.iter().flatten().all(Option::is_none)
+    }
+
+    /// Where a face is cut in a direction.
+    fn of(&self, index: usize, face: &ShellFace, direction: usize) -> Option<f64> {
+        match face.side_along(direction) {
+            Some(side) => self.edges[side.edge].map(|at| turned(at, side.forward)),
+            None => self.lunes[index][direction],
+        }
+    }
+}
+
+impl ShellFace {
+    /// An edge of the face that runs in this direction.
+    fn side_along(&self, direction: usize) -> Option<FaceEdge> {
+        SIDES_ALONG[direction].iter().find_map(|&k| self.sides[k])
+    }
+}
+
+impl Shell {
+    /// The same surface in faces whose nine real weights are all positive and whose edges are below 150 degrees:
+    /// strips of faces are halved, at the middle of their widest side, until all are. Edges and vertices stay shared
+    /// bit for bit, sides of one point stay so.
+    ///
+    /// # Errors
+    /// `patch-through-infinity` where sixteen halvings do not suffice.
+    pub fn with_positive_weights(&self) -> Result<Self> {
+        let mut shell = self.clone();
+        for _ in 0..MOST_PASSES {
+            let mut wide: Vec<Wide> = Vec::new();
+            for (face, f) in shell.faces.iter().enumerate() {
+                wide.extend(too_wide(&f.patch).into_iter().flatten().map(|w| Wide { face, ..w }));
+            }
+            if wide.is_empty() {
+                return Ok(shell);
+            }
+            // The widest side decides where its strip is cut.
+            wide.sort_by(|a, b| a.cosine.total_cmp(&b.cosine));
+            let (mut cuts, along) = (Cuts::none(&shell), shell.faces_along_edges());
+            for w in wide {
+                shell.mark(&along, &mut cuts, w.face, w.direction, w.middle);
+            }
+            shell = shell.cut(&cuts)?;
+        }
+        Err(Error::PatchThroughInfinity { s: 0.5, t: 0.5 })
+    }
+
+    /// The same surface in faces without a parameter line of one point inside: strips of faces are cut there, and the
+    /// parts of a singular face meet in that point, which is a side of each. Neighbours of a singular face are cut
+    /// with it.
+    ///
+    /// # Errors
+    /// `parameter-out-of-range` beyond the range of the kernel's numbers.
+    pub fn with_regular_faces(&self) -> Result<Self> {
+        let mut shell = self.clone();
+        // Every pass cuts each strip once; a patch has two such lines at most in each direction.
+        for _ in 0..MOST_PASSES {
+            let (mut cuts, along) = (Cuts::none(&shell), shell.faces_along_edges());
+            for (index, face) in shell.faces.iter().enumerate() {
+                for (direction, places) in [face.patch.singular_s(), face.patch.singular_t()].iter().enumerate() {
+                    if let Some(&at) = places.first() {
+                        shell.mark(&along, &mut cuts, index, direction, at);
+                    }
+                }
+            }
+            if cuts.is_empty() {
+                break;
+            }
+            shell = shell.cut(&cuts)?;
+        }
+        Ok(shell)
+    }
+
+    /// Marks a face, and the strip through it, for a cut at the face's parameter `at` of a direction.
+    fn mark(&self, along: &[Vec<(usize, usize)>], cuts: &mut Cuts, face: usize, direction: usize, at: f64) {
+        match self.faces[face].side_along(direction) {
+            Some(side) => self.mark_strip(along, &mut cuts.edges, side.edge, turned(at, side.forward)),
+            None => cuts.lunes[face][direction] = Some(at),
+        }
+    }
+
+    /// For each edge the faces along it, with the side.
+    fn faces_along_edges(&self) -> Vec<Vec<(usize, usize)>> {
+        let mut along = vec![Vec::new(); self.edges.len()];
+        for (f, face) in self.faces.iter().enumerate() {
+            for (k, side) in face.sides.iter().enumerate() {
+                if let Some(side) = side {
+                    along[side.edge].push((f, k));
+                }
+            }
+        }
+        along
+    }
+
+    /// Marks the strip through an edge for a cut at the edge's parameter `at`, unless it is marked already. A strip
+    /// that comes back to itself the other way round is cut in the middle.
+    fn mark_strip(&self, along: &[Vec<(usize, usize)>], cuts: &mut [Option<f64>], edge: usize, at: f64) {
+        if cuts[edge].is_some() {
+            return;
+        }
+        let mut strip = vec![edge];
+        let mut turned_over = false;
+        cuts[edge] = Some(at);
+        let mut next = 0;
+        while let Some(&e) = strip.get(next) {
+            next += 1;
+            for &(f, k) in &along[e] {
+                let sides = &self.faces[f].sides;
+                let (Some(side), Some(other)) = (sides[k], sides[k ^ 1]) else { continue };
+                // The same parameter if both edges run the same way along the face.
+                let here = cuts[e].unwrap_or(at);
+                let there = turned(here, side.forward == other.forward);
+                match cuts[other.edge] {
+                    None => {
+                        cuts[other.edge] = Some(there);
+                        strip.push(other.edge);
+                    }
+                    Some(found) => turned_over |= (found - there).abs() > ZERO_SPEED,
+                }
+            }
+        }
+        if turned_over {
+            for e in strip {
+                cuts[e] = Some(0.5);
+            }
+        }
+    }
+
+    /// Vertices of the corners of a face.
+    fn corner_vertices(&self, face: &ShellFace) -> [usize; 4] {
+        let mut corners = [usize::MAX; 4];
+        for (side, (from, to)) in face.sides.iter().zip(SIDE_CORNERS) {
+            if let Some(side) = side {
+                let ShellEdge { start, end, .. } = self.edges[side.edge];
+                let (start, end) = if side.forward { (start, end) } else { (end, start) };
+                (corners[from], corners[to]) = (start, end);
+            }
+        }
+        corners
+    }
+
+    /// The shell with the marked edges cut; every strip must be marked as a whole.
+    fn cut(&self, cuts: &Cuts) -> Result<Self> {
+        let mut new = Self { vertices: self.vertices.clone(), edges: Vec::new(), faces: Vec::new() };
+        let middles = self.cut_vertices(&cuts.edges, &mut new.vertices);
+        // The one or two parts of each edge, in its direction.
+        let mut parts = Vec::with_capacity(self.edges.len());
+        for (e, edge) in self.edges.iter().enumerate() {
+            let first = new.edges.len();
+            parts.push(first);
+            if let Some(at) = cuts.edges[e] {
+                let (left, right) = edge.arc.split(at)?;
+                let (middle, point) = (middles[e], new.vertices[middles[e]]);
+                new.edges.push(ShellEdge { start: edge.start, end: middle, arc: left.with_end(point) });
+                new.edges.push(ShellEdge { start: middle, end: edge.end, arc: right.with_start(point) });
+            } else {
+                new.edges.push(*edge);
+            }
+        }
+        for index in 0..self.faces.len() {
+            self.cut_face(index, cuts, &middles, &parts, &mut new)?;
+        }
+        Ok(new)
+    }
+
+    /// The vertices of the cuts, one per cut edge; edges that meet in a line of one point share it.
+    fn cut_vertices(&self, cuts: &[Option<f64>], vertices: &mut Vec<Point3>) -> Vec<usize> {
+        let mut same: Vec<usize> = (0..self.edges.len()).collect();
+        for face in &self.faces {
+            for (direction, [k, l]) in SIDES_ALONG.into_iter().enumerate() {
+                if let (Some(a), Some(b)) = (face.sides[k], face.sides[l])
+                    && let Some(at) = cuts[a.edge]
+                    && is_one_point(&face.patch, direction, turned(at, a.forward))
+                {
+                    let (ra, rb) = (root(&same, a.edge), root(&same, b.edge));
+                    same[ra.max(rb)] = ra.min(rb);
+                }
+            }
+        }
+        let mut middles = vec![usize::MAX; self.edges.len()];
+        for (e, edge) in self.edges.iter().enumerate() {
+            if let Some(at) = cuts[e] {
+                // The representative has the smallest number of its set.
+                middles[e] = match root(&same, e) {
+                    r if r < e => middles[r],
+                    _ => {
+                        vertices.push(edge.arc.point(at));
+                        vertices.len() - 1
+                    }
+                };
+            }
+        }
+        middles
+    }
+
+    /// The one, two or four parts of a face, with their inner edges.
+    fn cut_face(&self, index: usize, cuts: &Cuts, middles: &[usize], parts: &[usize], new: &mut Self) -> Result<()> {
+        let face = &self.faces[index];
+        let breaks = [0, 1].map(|d| cuts.of(index, face, d).map_or(vec![0.0, 1.0], |at| vec![0.0, at, 1.0]));
+        let [ns, nt] = [breaks[0].len() - 1, breaks[1].len() - 1];
+        let corners = self.corner_vertices(face);
+        // The middle of side k: of its edge, or the corner that it is.
+        let middle = |k: usize| face.sides[k].map_or(corners[SIDE_CORNERS[k].0], |side| middles[side.edge]);
+        let end = |i: usize, n: usize| if i == 0 { Some(0) } else { (i == n).then_some(1) };
+        let mut vertex = [[0; 3]; 3];
+        for (i, &s) in breaks[0].iter().enumerate() {
+            for (j, &t) in breaks[1].iter().enumerate() {
+                vertex[i][j] = match (end(i, ns), end(j, nt)) {
+                    (Some(a), Some(b)) => corners[a + 2 * b],
+                    (None, Some(b)) => middle(b),
+                    (Some(a), None) => middle(2 + a),
+                    (None, None) => {
+                        new.vertices.push(face.patch.point(s, t));
+                        new.vertices.len() - 1
+                    }
+                };
+            }
+        }
+        let patch = |i: usize, j: usize| {
+            let points = [(i, j), (i + 1, j), (i, j + 1), (i + 1, j + 1)].map(|(i, j)| new.vertices[vertex[i][j]]);
+            face.patch.part_between([breaks[0][i], breaks[0][i + 1]], [breaks[1][j], breaks[1][j + 1]], points)
+        };
+        let patches: Vec<CyclidePatch> =
+            if ns * nt == 1 { vec![face.patch] } else { (0..ns * nt).map(|k| patch(k % ns, k / ns)).collect() };
+        // The part of a side between two breaks, or the side as a whole.
+        let part = |k: usize, i: usize| {
+            face.sides[k].map(|side| {
+                let i = if side.forward { i } else { 1 - i };
+                let i = if cuts.edges[side.edge].is_some() { i } else { 0 };
+                FaceEdge { edge: parts[side.edge] + i, forward: side.forward }
+            })
+        };
+        let mut inner = |start: usize, end: usize, arc: Arc| {
+            (start != end).then(|| {
+                new.edges.push(ShellEdge { start, end, arc });
+                FaceEdge { edge: new.edges.len() - 1, forward: true }
+            })
+        };
+        let (mut along_s, mut along_t) = ([[None; 3]; 2], [[None; 2]; 3]);
+        for i in 0..ns {
+            for j in 0..=nt {
+                along_s[i][j] = match end(j, nt) {
+                    Some(k) => part(k, i),
+                    None => inner(vertex[i][j], vertex[i + 1][j], patches[i + ns * j].s_line(0.0)?),
+                };
+            }
+        }
+        for i in 0..=ns {
+            for j in 0..nt {
+                along_t[i][j] = match end(i, ns) {
+                    Some(k) => part(2 + k, j),
+                    None => inner(vertex[i][j], vertex[i][j + 1], patches[i + ns * j].t_line(0.0)?),
+                };
+            }
+        }
+        for (k, patch) in patches.into_iter().enumerate() {
+            let (i, j) = (k % ns, k / ns);
+            let sides = [along_s[i][j], along_s[i][j + 1], along_t[i][j], along_t[i + 1][j]];
+            new.faces.push(ShellFace { patch, sides, same_sense: face.same_sense });
+        }
+        Ok(())
+    }
+}
+
+/// A parameter as it is, or counted from the other end.
+fn turned(at: f64, forward: bool) -> f64 {
+    if forward { at } else { 1.0 - at }
+}
+
+/// The representative of a set of edges.
+fn root(same: &[usize], mut e: usize) -> usize {
+    while same[e] != e {
+        e = same[e];
+    }
+    e
+}
+
+/// True if the parameter line at `at`, across the sides of this direction, is one point.
+fn is_one_point(patch: &CyclidePatch, direction: usize, at: f64) -> bool {
+    let speeds = if direction == 0 { patch.q2() } else { patch.q1() };
+    let largest = speeds.iter().fold(0.0, |m: f64, q| m.max(q.abs()));
+    let [a, b, c] = speeds;
+    let u = 1.0 - at;
+    (u * (u * a + 2.0 * at * b) + at * at * c).abs() <= ZERO_SPEED * largest
+}
+
+/// A face that has to be halved in a direction.
+#[derive(Debug, Clone, Copy)]
+struct Wide {
+    face: usize,
+    direction: usize,
+    /// Cosine of half the angle of the widest side in this direction; for a side of one point, of its weights.
+    cosine: f64,
+    /// The face's parameter in the middle of that side.
+    middle: f64,
+}
+
+/// The directions in which a patch has to be halved.
+fn too_wide(patch: &CyclidePatch) -> [Option<Wide>; 2] {
+    let w = patch.real_weights();
+    let ends = [[w[0][0], w[2][0]], [w[0][2], w[2][2]], [w[0][0], w[0][2]], [w[2][0], w[2][2]]];
+    let middles = [w[1][0], w[1][2], w[0][1], w[2][1]];
+    let widest = [0, 1].map(|direction| {
+        let side = |k: usize| {
+            let [a, b] = ends[k].map(f64::sqrt);
+            // Where both ends weigh the same is the middle of the arc.
+            Wide { face: 0, direction, cosine: middles[k] / (a * b), middle: a / (a + b) }
+        };
+        let [k, l] = SIDES_ALONG[direction].map(side);
+        if k.cosine <= l.cosine { k } else { l }
+    });
+    let wide = widest.map(|side| (!(side.cosine >= SMALLEST_COSINE)).then_some(side));
+    let middle = w[1][1] / (w[0][0] * w[2][0] * w[0][2] * w[2][2]).powf(0.25);
+    if wide.iter().all(Option::is_none) && !(middle >= SMALLEST_MIDDLE) {
+        let wider = usize::from(widest[1].cosine < widest[0].cosine);
+        return [0, 1].map(|d| (d == wider).then_some(widest[d]));
+    }
+    wide
+}
