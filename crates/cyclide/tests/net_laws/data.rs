@@ -42,9 +42,9 @@ pub(crate) fn inverted(grid: &QuadGrid, center: Point3, radius: f64) -> QuadGrid
 pub(crate) fn generic_grid(size: [usize; 2]) -> QuadGrid {
     let [m, n] = size;
     let mut points = vec![Point3::ORIGIN; m * n];
-    for i in 0..m {
+    for (i, p) in points[..m].iter_mut().enumerate() {
         let x = i as f64;
-        points[i] = Point3::new(x, 0.15 * (0.7 * x).sin(), 0.4 * (0.35 * x).sin());
+        *p = Point3::new(x, 0.15 * (0.7 * x).sin(), 0.4 * (0.35 * x).sin());
     }
     for j in 1..n {
         let y = j as f64;
