@@ -4,7 +4,7 @@
 
 use std::path::Path;
 
-use cyclide_io::{Document, PointColumns, Report, read_points};
+use cyclide_io::{Document, PointColumns, Report, read_points, read_quad_grid};
 
 /// The points that any file a document refers to holds.
 const FILE: &[u8] =
@@ -44,6 +44,22 @@ pub fn points_csv(data: &[u8]) {
             }
             Err(message) => check_message(&message.to_string()),
         }
+    }
+}
+
+/// Reads a grid of quads and checks that it is one.
+pub fn obj(data: &[u8]) {
+    match read_quad_grid("fuzz.obj", data) {
+        Ok(read) => {
+            let quads = read.grid.quads();
+            assert!(quads[0] >= 1 && quads[1] >= 1);
+            assert_eq!(read.numbers.len(), read.grid.points().len());
+            let mut numbers = read.numbers.clone();
+            numbers.extend(&read.unused);
+            numbers.sort_unstable();
+            assert!(numbers.iter().enumerate().all(|(k, n)| *n == k + 1), "every point once");
+        }
+        Err(message) => check_message(&message.to_string()),
     }
 }
 

@@ -3,6 +3,7 @@
 
 mod layers;
 mod reference;
+mod roof;
 
 use std::process::ExitCode;
 
@@ -14,6 +15,7 @@ tasks:
              unsafe code or f32 in the kernel
   reference [--only CONSTRUCT,… | --curves] FILE…
              run reference cases (cyclide-reference/1) through the public API; `cargo xtask reference --help`
+  roof       write the free-form roofs of the examples: examples/roof.obj, examples/roof-20.obj
 ";
 
 fn main() -> ExitCode {
@@ -23,6 +25,7 @@ fn main() -> ExitCode {
     match task.as_deref() {
         Some("layers") => layers::main(),
         Some("reference") => reference::main(&rest),
+        Some("roof") => roof::main(),
         Some("help" | "--help" | "-h") => {
             print!("{HELP}");
             ExitCode::SUCCESS

@@ -42,6 +42,7 @@ pub use error::{Error, Result};
 pub use export::{DxfVersion, ExportError, ExportOptions, Exported, StepEdges, export};
 pub use file::{write_file, write_files};
 pub use format::Format;
+pub use obj::{ObjGrid, read_quad_grid};
 pub use place::{Diagnostic, Source, decode};
 pub use points::{PointColumns, PointList, PointTable, read_points};
 pub use read_back::{FileContent, ReadError, file_deviation, read_back};

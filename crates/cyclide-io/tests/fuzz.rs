@@ -19,6 +19,7 @@ fn replay(target: &str, exercise: fn(&[u8])) -> usize {
 fn kept_inputs_do_not_break_the_readers() {
     assert!(replay("document", exercise::document) > 0);
     assert!(replay("points_csv", exercise::points_csv) > 0);
+    assert!(replay("obj", exercise::obj) > 0);
 }
 
 /// Pieces of documents, so that random texts get past the first brace.
@@ -67,6 +68,12 @@ proptest! {
     fn random_bytes_do_not_break_the_readers(bytes in prop::collection::vec(any::<u8>(), 0..200)) {
         exercise::document(&bytes);
         exercise::points_csv(&bytes);
+        exercise::obj(&bytes);
+    }
+
+    #[test]
+    fn random_faces_do_not_break_the_grid(text in "(v 0 0 0\n|v 1 2 3\n){4,12}(f( -?[0-9]){4}\n|f 1 2 4 3\n|f 3 4 6 5\n){0,8}") {
+        exercise::obj(text.as_bytes());
     }
 
     #[test]

@@ -1,4 +1,6 @@
-//! Test helpers of cyclide (unpublished): generators of random input, the runner of reference files.
+//! Test helpers of cyclide (unpublished): generators of random input, the roof of the examples, the runner of reference
+//! files.
 
 pub mod generators;
 pub mod reference;
+pub mod roof;

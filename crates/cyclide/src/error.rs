@@ -354,6 +354,16 @@ pub enum Error {
         /// What went wrong in it.
         cause: Box<Error>,
     },
+    /// The quads of a grid cannot be made circular.
+    #[error("not circular after {step} steps: the largest residual is {residual:e}, limit {limit:e}")]
+    NotConverged {
+        /// Steps made.
+        step: usize,
+        /// Largest residual of a quad (dimensionless).
+        residual: f64,
+        /// Largest residual accepted.
+        limit: f64,
+    },
     /// One span of a chain failed; the cause says why.
     #[error("span {span}: {cause}")]
     InSpan {
@@ -428,6 +438,7 @@ impl Error {
             Self::OffsetNotRegular { .. } => "offset-not-regular",
             Self::NotAShell { .. } => "not-a-shell",
             Self::InQuad { cause, .. } | Self::InSpan { cause, .. } => cause.reason(),
+            Self::NotConverged { .. } => "not-converged",
         }
     }
 

@@ -63,6 +63,10 @@ pub use construct::{
     ArcCertificate, ArcFit, ArcFitOptions, ArcSplineOptions, Biarc, BiarcRule, BulgeIntervals, Effort, FitCertificate,
     FitTarget, certify_arc, curvature_intervals, estimate_tangents, feasible_bulges,
 };
+pub use construct::{
+    Border, CircularMesh, CircularMeshOptions, CircularMeshReport, CircularMeshStep, LineAngles, VertexMoves,
+    make_circular,
+};
 pub use curve::{Arc, Arc4, ArcPath, Circle, ClosestPoint, DEFAULT_PIECE_ANGLE, ParamCurve, PieceForm};
 pub use curve::{ArcLength, CurveIndex, ExtremeCurvature, Joint};
 pub use curve::{BlendSegment, BlendVariant, CircleSpline, CircleSplineOptions, SplineEnds, corners_by_angle};

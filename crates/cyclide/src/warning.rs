@@ -70,6 +70,31 @@ pub enum Warning {
         /// Index of the first one dropped.
         index: usize,
     },
+    /// A vertex moved far when its grid was made circular: the grid does not follow the curvature lines of its surface.
+    MovedFar {
+        /// The vertex, s fastest.
+        vertex: usize,
+        /// Length of its move.
+        distance: f64,
+        /// Moves above this are reported: two median edges.
+        limit: f64,
+    },
+    /// A vertex left the surface of its grid when it was made circular.
+    LeftSurface {
+        /// The vertex, s fastest.
+        vertex: usize,
+        /// Its distance from the input surface.
+        distance: f64,
+        /// Distances above this are reported: the median edge.
+        limit: f64,
+    },
+    /// Grid lines turn to and fro from vertex to vertex: a noisy or too coarse grid, better smoothed first.
+    Zigzag {
+        /// How neighbouring turns agree: 1 for smooth lines, -2/3 for independent errors of the vertices.
+        agreement: f64,
+        /// Mean turn at a vertex, radians.
+        turn: f64,
+    },
 }
 
 impl Warning {
@@ -87,6 +112,9 @@ impl Warning {
             Self::ToleranceBelowNoise { .. } => "tolerance-below-noise",
             Self::PointsMerged { .. } => "points-merged",
             Self::ClosingPointMerged { .. } => "closing-point-merged",
+            Self::MovedFar { .. } => "moved-far",
+            Self::LeftSurface { .. } => "left-surface",
+            Self::Zigzag { .. } => "zigzag",
         }
     }
 
@@ -99,7 +127,8 @@ impl Warning {
             Self::CornerKept { vertex, .. } => Some(vertex),
             Self::PointsMerged { first, .. } => Some(first),
             Self::ClosingPointMerged { index } => Some(index),
-            Self::SamplesTooCoarse { .. } | Self::ToleranceBelowNoise { .. } => None,
+            Self::MovedFar { vertex, .. } | Self::LeftSurface { vertex, .. } => Some(vertex),
+            Self::SamplesTooCoarse { .. } | Self::ToleranceBelowNoise { .. } | Self::Zigzag { .. } => None,
         }
     }
 }
@@ -153,6 +182,20 @@ impl std::fmt::Display for Warning {
             Self::ClosingPointMerged { index } => {
                 write!(f, "point {index} repeats the first point of the closed curve: merged with it")
             }
+            Self::MovedFar { vertex, distance, limit } => {
+                write!(
+                    f,
+                    "vertex {vertex} moved by {distance:.3e} (above {limit:.3e}): align the grid with the curvature lines first"
+                )
+            }
+            Self::LeftSurface { vertex, distance, limit } => {
+                write!(f, "vertex {vertex} is {distance:.3e} off the input surface (above {limit:.3e})")
+            }
+            Self::Zigzag { agreement, turn } => write!(
+                f,
+                "grid lines zigzag: neighbouring turns of {:.1} degrees on average agree by {agreement:.2}; smooth or refine the grid first",
+                turn.to_degrees()
+            ),
         }
     }
 }

@@ -1,7 +1,13 @@
-//! Wavefront OBJ: meshes of surfaces, quads kept.
+//! Wavefront OBJ: meshes of surfaces, quads kept; grids of quads in.
 
+mod polygons;
+mod quad_grid;
 mod read_back;
 mod writer;
 
+pub use quad_grid::{ObjGrid, read_quad_grid};
 pub(crate) use read_back::read_back;
 pub(crate) use writer::write;
+
+#[cfg(test)]
+mod tests;

@@ -1,9 +1,10 @@
-//! Recipes of several steps that make curves: biarcs, arc splines, arc fits.
+//! Recipes of several steps: biarcs, arc splines, arc fits, circular grids.
 
 mod arc_approximation;
 mod arc_fit;
 mod arc_spline;
 mod biarc;
+mod circular_mesh;
 mod rational_runs;
 
 pub use arc_fit::{
@@ -12,4 +13,8 @@ pub use arc_fit::{
 };
 pub use arc_spline::{ArcSplineOptions, estimate_tangents};
 pub use biarc::{Biarc, BiarcRule};
+pub use circular_mesh::{
+    Border, CircularMesh, CircularMeshOptions, CircularMeshReport, CircularMeshStep, LineAngles, VertexMoves,
+    make_circular,
+};
 pub use rational_runs::RationalRun;

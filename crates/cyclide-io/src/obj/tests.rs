@@ -1,0 +1,138 @@
+use super::*;
+use cyclide::Point3;
+
+fn read(text: &str) -> Result<ObjGrid, String> {
+    read_quad_grid("m.obj", text.as_bytes()).map_err(|d| d.to_string())
+}
+
+/// Text of a grid of `m` times `n` quads, open or closed, at the points `(i, j, 0)`.
+fn text([m, n]: [usize; 2], closed: [bool; 2], faces: impl Fn(usize, usize) -> [usize; 4]) -> String {
+    let size = [m + usize::from(!closed[0]), n + usize::from(!closed[1])];
+    let number = |i: usize, j: usize| 1 + i % size[0] + (j % size[1]) * size[0];
+    let mut text = String::new();
+    for k in 0..size[0] * size[1] {
+        text += &format!("v {} {} 0\n", k % size[0], k / size[0]);
+    }
+    for j in 0..n {
+        for i in 0..m {
+            let around = [number(i, j), number(i + 1, j), number(i + 1, j + 1), number(i, j + 1)];
+            let [a, b, c, d] = faces(i, j).map(|k| around[k]);
+            text += &format!("f {a} {b} {c} {d}\n");
+        }
+    }
+    text
+}
+
+fn straight(_: usize, _: usize) -> [usize; 4] {
+    [0, 1, 2, 3]
+}
+
+#[test]
+fn all_topologies_keep_the_order_of_their_points() {
+    for (size, closed) in [
+        ([3, 2], [false; 2]),
+        ([1, 1], [false; 2]),
+        ([4, 2], [true, false]),
+        ([2, 3], [false, true]),
+        ([3, 5], [true; 2]),
+    ] {
+        let read = read(&text(size, closed, straight)).unwrap();
+        assert_eq!((read.grid.quads(), read.grid.closed()), (size, closed));
+        let in_order = (1..=read.grid.points().len()).collect::<Vec<_>>();
+        assert_eq!((read.numbers, read.unused), (in_order, vec![]));
+    }
+}
+
+#[test]
+fn the_first_face_sets_the_directions_whatever_the_others_do() {
+    // Every face starts elsewhere and some are turned over.
+    let mixed = |i: usize, j: usize| {
+        let k = i + 2 * j;
+        let order = [k % 4, (k + 1) % 4, (k + 2) % 4, (k + 3) % 4];
+        if (i + j) % 2 == 1 { [order[3], order[2], order[1], order[0]] } else { order }
+    };
+    assert_eq!(read(&text([3, 3], [false; 2], mixed)).unwrap(), read(&text([3, 3], [false; 2], straight)).unwrap());
+    // The last face of the file first, beginning at its second corner: s runs up, t to the left.
+    let straight = text([3, 2], [false; 2], straight);
+    let mut lines: Vec<&str> = straight.lines().collect();
+    lines.pop();
+    lines.insert(12, "f 8 12 11 7");
+    let turned = read(&lines.join("\n")).unwrap();
+    assert_eq!(turned.grid.size(), [3, 4]);
+    assert_eq!(turned.grid.point(0, 0), Point3::new(3.0, 0.0, 0.0));
+    assert_eq!(turned.grid.point(2, 0), Point3::new(3.0, 2.0, 0.0));
+    assert_eq!(turned.grid.point(0, 3), Point3::new(0.0, 0.0, 0.0));
+}
+
+#[test]
+fn every_form_of_a_line_is_read() {
+    let text = "# roof\r\nmtllib a.mtl\no roof\nv 0 0 0 1\nv 1 0 0 # corner\nv 9 9 9\nv 1 1 0.5 0.1 0.2 0.3\n\
+                vn 0 0 1\nvt 0 0\nv 0 1 -1e-1\ns off\nf 1/1 2//1 \\\n -2/1/1 5\n";
+    let read = read(text).unwrap();
+    assert_eq!(read.numbers, [1, 2, 5, 4]);
+    assert_eq!(read.unused, [3]);
+    assert_eq!(read.grid.point(1, 1), Point3::new(1.0, 1.0, 0.5));
+    assert_eq!(read.grid.point(0, 1), Point3::new(0.0, 1.0, -0.1));
+}
+
+#[test]
+fn refusals_name_line_and_reason() {
+    let four = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+    let six = format!("{four}v 2 0 0\nv 2 1 0\n");
+    // Three quads about point 1, and six points around.
+    let tripod = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv -1 1 0\nv -1 0 0\nv 1 -1 0\nf 1 2 3 4\nf 1 4 5 6\nf 1 6 7 2\n";
+    let shifted = {
+        // A torus of 3 x 3 whose last row is joined one place on.
+        let place = |i: usize, j: usize| 1 + (i + usize::from(j == 3)) % 3 + (j % 3) * 3;
+        let mut text = (0..9).map(|k| format!("v {} {} 0\n", k % 3, k / 3)).collect::<String>();
+        for (i, j) in (0..9).map(|k| (k % 3, k / 3)) {
+            text += &format!("f {} {} {} {}\n", place(i, j), place(i + 1, j), place(i + 1, j + 1), place(i, j + 1));
+        }
+        text
+    };
+    let mobius = {
+        let mut text = (0..10).map(|k| format!("v {k} 0 {}\n", k % 2)).collect::<String>();
+        for i in 0..5 {
+            let (a, b) = if i == 4 { (2, 1) } else { (2 * i + 3, 2 * i + 4) };
+            text += &format!("f {} {a} {b} {}\n", 2 * i + 1, 2 * i + 2);
+        }
+        text
+    };
+    let cases = [
+        (format!("{four}f 1 2 3\n"), "m.obj:5:1: a face of 3 corners, not a quad [not-a-quad]"),
+        (format!("{four}f 1 2 3 1\n"), "m.obj:5:1: the face has the same point twice [not-a-quad]"),
+        (format!("{four}f 1 2 3 5\n"), "m.obj:5:9: there is no such point: the file has 4"),
+        (format!("{four}f 1 2 3 -5\n"), "m.obj:5:9: there is no such point: 4 stand before this line"),
+        (format!("{four}f 0 2 3 4\n"), "m.obj:5:3: points are numbered from 1"),
+        (format!("{four}f 1 x 3 4\n"), "m.obj:5:5: `x` does not start with"),
+        (format!("{four}f 1 2\n"), "m.obj:5:1: a face needs at least three corners"),
+        ("v 0 0\n".to_owned(), "m.obj:1:1: a point needs three coordinates"),
+        ("v 0 0 nan\n".to_owned(), "m.obj:1:7: `nan` is not a finite number"),
+        ("v 0 0 1,5\n".to_owned(), "m.obj:1:7: `1,5` is not a number"),
+        ("v 0 0 0\n".to_owned(), "m.obj:1:1: the file holds no faces"),
+        (
+            format!("{six}f 1 2 3 4\nf 2 5 6 3\nf 2 3 4 5\n"),
+            "m.obj:9:1: a third face at the edge between the points 2 and 3",
+        ),
+        (format!("{four}{four}f 1 2 3 4\nf 5 6 7 8\n"), "m.obj:10:1: no chain of neighbours"),
+        (
+            tripod.to_owned(),
+            "m.obj:1:1: point 1 is an inner vertex of 3 quads: only 4 make a grid [extraordinary-vertex]",
+        ),
+        (shifted, "the rows through this face do not close up"),
+        (mobius, "[not-a-grid]"),
+        (format!("{}f 1 2 3 4\n", four.replace("v 1 1 0", "v 1 1e200 0")), "m.obj:1:1: coordinate = "),
+    ];
+    for (text, expected) in cases {
+        let message = read(&text).unwrap_err();
+        assert!(message.contains(expected), "{message}\nexpected {expected}");
+    }
+}
+
+#[test]
+fn an_inward_corner_is_extraordinary() {
+    let full = text([2, 2], [false; 2], straight);
+    let without_last: Vec<&str> = full.lines().take(9 + 3).collect();
+    let message = read(&without_last.join("\n")).unwrap_err();
+    assert!(message.contains("point 5 is a border vertex of 3 quads") && message.contains("[extraordinary-vertex]"));
+}

@@ -1,0 +1,57 @@
+//! What the user can ask of [`make_circular`](super::make_circular).
+
+use crate::curve::ParamCurve;
+use crate::error::{Error, Result};
+use crate::surface::QuadGrid;
+
+/// What the border vertices of an open direction may do.
+#[derive(Clone, Copy, Default)]
+pub enum Border<'a> {
+    /// They move like the others.
+    #[default]
+    Free,
+    /// They stay where they are, bit for bit. The inner vertices alone must then make every quad circular. Each quad
+    /// takes two conditions and each vertex has three freedoms, so fewer than 6 × 6 quads have more conditions than
+    /// freedoms, and a border that was drawn without regard to circles may have no solution near at any size.
+    Pinned,
+    /// They slide on the curve of their side; the sides are t=0, t=1 (along s), s=0, s=1 (along t), and a side
+    /// without a curve is free. The vertices are first moved to the nearest point of their curve. A corner of the grid
+    /// between two sides with curves stays where it is given, bit for bit. A side of a closed direction has no
+    /// vertices: a curve there is refused.
+    OnCurves([Option<&'a dyn ParamCurve>; 4]),
+}
+
+/// Options of [`make_circular`](super::make_circular).
+#[derive(Clone, Copy)]
+pub struct CircularMeshOptions<'a> {
+    /// What the border may do.
+    pub border: Border<'a>,
+    /// Steps tried before the search is given up, at least 1. Grids of 8 × 8 to 40 × 40 quads take 6 to 70.
+    pub max_steps: usize,
+}
+
+impl Default for CircularMeshOptions<'_> {
+    fn default() -> Self {
+        Self { border: Border::Free, max_steps: 500 }
+    }
+}
+
+impl CircularMeshOptions<'_> {
+    /// # Errors
+    /// `parameter-out-of-range`.
+    pub(super) fn check(&self, grid: &QuadGrid) -> Result<()> {
+        if self.max_steps == 0 {
+            return Err(Error::ParameterOutOfRange { name: "max_steps", value: 0.0, min: 1.0, max: f64::MAX });
+        }
+        if let Border::OnCurves(sides) = self.border {
+            for (side, curve) in sides.iter().enumerate() {
+                // Sides 0 and 1 bound t, sides 2 and 3 bound s.
+                if curve.is_some() && grid.closed()[1 - side / 2] {
+                    let name = "side of a border curve (the direction is closed)";
+                    return Err(Error::ParameterOutOfRange { name, value: side as f64, min: 0.0, max: 3.0 });
+                }
+            }
+        }
+        Ok(())
+    }
+}
