@@ -13,7 +13,7 @@ usage: cargo xtask <task> [arguments]
 tasks:
   layers     fail on a forbidden arrow between the rooms of the kernel or between the crates, and on I/O, clocks,
              unsafe code or f32 in the kernel
-  reference [--only CONSTRUCT,… | --curves] FILE…
+  reference [--only CONSTRUCT,… | --curves | --surfaces] FILE…
              run reference cases (cyclide-reference/1) through the public API; `cargo xtask reference --help`
   roof       write the free-form roofs of the examples: examples/roof.obj, examples/roof-20.obj
 ";

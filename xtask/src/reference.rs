@@ -1,10 +1,10 @@
 //! `cargo xtask reference`: the command around the runner of the test kit.
 
-use cyclide_testkit::reference::{CURVE_CONSTRUCTS, Report, run};
+use cyclide_testkit::reference::{CURVE_CONSTRUCTS, Report, SURFACE_CONSTRUCTS, run};
 use std::process::ExitCode;
 
 const HELP: &str = "\
-usage: cargo xtask reference [--only CONSTRUCT,… | --curves] FILE…
+usage: cargo xtask reference [--only CONSTRUCT,… | --curves | --surfaces] FILE…
 
 Runs every case of the files (format cyclide-reference/1) through the public API of `cyclide` and compares every
 expected field at the case's own tolerance; a field that is not compared, a missing or an unexpected error, and a wrong
@@ -12,9 +12,10 @@ reason are failures. Prints per construct the cases passed and failed and the la
 
   --only A,B  run these constructs only; cases of others are skipped and counted
   --curves    run the constructs about curves only
+  --surfaces  run the constructs about patches and nets only (volumes are listed as unknown)
 
-Ends with `N passed, M failed`. Exit status: 0 all passed; 1 a case failed, a construct is unknown (surfaces and others
-that the kernel does not have: they are listed, with the number of their cases), a construct of --only is in none of the
+Ends with `N passed, M failed`. Exit status: 0 all passed; 1 a case failed, a construct is unknown (one that the kernel
+does not have: it is listed, with the number of its cases), a construct of --only is in none of the
 files, or nothing was run; 2 a file cannot be read, or the arguments are wrong.
 ";
 
@@ -32,8 +33,8 @@ fn parse(arguments: &[String]) -> Result<Request, String> {
     let mut rest = arguments.iter();
     while let Some(argument) = rest.next() {
         match argument.as_str() {
-            "--only" | "--curves" if request.only.is_some() => {
-                return Err("--only and --curves exclude each other".into());
+            "--only" | "--curves" | "--surfaces" if request.only.is_some() => {
+                return Err("--only, --curves and --surfaces exclude each other".into());
             }
             "--only" => {
                 let names = rest.next().ok_or("--only needs a list of constructs")?;
@@ -41,6 +42,7 @@ fn parse(arguments: &[String]) -> Result<Request, String> {
                 request.named = true;
             }
             "--curves" => request.only = Some(CURVE_CONSTRUCTS.map(str::to_owned).to_vec()),
+            "--surfaces" => request.only = Some(SURFACE_CONSTRUCTS.map(str::to_owned).to_vec()),
             option if option.starts_with('-') => return Err(format!("no option {option}")),
             file => request.files.push(file.into()),
         }
@@ -95,7 +97,8 @@ mod tests {
         assert_eq!(request.files, ["a.json", "b.json"]);
         assert_eq!(request.only.unwrap(), ["biarc", "arc-split"]);
         assert_eq!(parsed("--curves a.json").unwrap().only.unwrap().len(), CURVE_CONSTRUCTS.len());
-        for wrong in ["", "--only", "--curves", "--only a --curves f", "--fast f"] {
+        assert_eq!(parsed("--surfaces a.json").unwrap().only.unwrap().len(), SURFACE_CONSTRUCTS.len());
+        for wrong in ["", "--surfaces --curves a.json", "--only", "--curves", "--only a --curves f", "--fast f"] {
             assert!(parsed(wrong).is_err(), "{wrong}");
         }
     }

@@ -1,5 +1,6 @@
 //! The reference files (computed independently, at 50 digits) run through the public API by the runner of
-//! `cargo xtask reference`. The copies here hold the constructs about curves.
+//! `cargo xtask reference`. The copies here hold the constructs about curves, patches and
+//! nets.
 
 use cyclide_testkit::reference::{Report, run};
 
@@ -61,5 +62,22 @@ fn arc_fits() {
     all_pass(
         include_str!("reference/60-arc-fitting.json"),
         &[("arc-fit-interval", 37), ("arc-certify", 18), ("g1-arc-interval", 16), ("g1-arc-spline", 5)],
+    );
+}
+
+#[test]
+fn patches_and_nets() {
+    all_pass(
+        include_str!("reference/20-cyclides.json"),
+        &[
+            ("qb-arc", 17),
+            ("qb-arc-three-points", 10),
+            ("cyclide-patch", 43),
+            ("cyclide-offset", 10),
+            ("cyclide-locate", 5),
+            ("cyclide-implicit", 3),
+            ("cyclide-moebius", 10),
+            ("circular-net-frames", 2),
+        ],
     );
 }

@@ -154,6 +154,46 @@ impl<'a> Check<'a> {
         }
     }
 
+    /// Sample rows of a surface: two parameters, then the numbers there.
+    pub(super) fn surface_samples(&mut self, field: &str, at: impl Fn(f64, f64) -> Vec<f64>, allowed: Allowed) {
+        let Some(value) = self.want(field) else { return };
+        let Some(rows) = value.as_array().filter(|rows| !rows.is_empty()) else {
+            return self.fail(field, "the expected value is not a list of samples".into());
+        };
+        for (i, row) in rows.iter().enumerate() {
+            let place = format!("sample {i}: ");
+            match numbers(row).as_deref() {
+                Some([s, t, want @ ..]) => self.row(field, &place, &at(*s, *t), want, allowed),
+                _ => self.fail(field, format!("{place}the expected value is not a row")),
+            }
+        }
+    }
+
+    /// Rows of numbers in lists of lists, which are compared in their order.
+    pub(super) fn table(&mut self, field: &str, got: &[Vec<f64>], allowed: Allowed) {
+        let Some(value) = self.want(field) else { return };
+        let mut wanted = Vec::new();
+        collect_rows(value, &mut wanted);
+        if wanted.len() != got.len() {
+            return self.fail(field, format!("{} rows, expected {}", got.len(), wanted.len()));
+        }
+        for (i, (want, got)) in wanted.iter().zip(got).enumerate() {
+            match numbers(want) {
+                Some(want) => self.row(field, &format!("row {i}: "), got, &want, allowed),
+                None => self.fail(field, format!("row {i}: the expected value is not a row")),
+            }
+        }
+    }
+
+    /// Largest absolute value among the expected numbers of a field, without the first `skip` of every row; 0 if
+    /// there are none. This does not count as a comparison.
+    pub(super) fn largest_expected(&self, field: &str, skip: usize) -> f64 {
+        let mut rows = Vec::new();
+        collect_rows(self.expect.get(field).unwrap_or(&Value::Null), &mut rows);
+        let entries = rows.into_iter().filter_map(numbers).flat_map(|row| row.into_iter().skip(skip));
+        entries.fold(0.0, |m: f64, x| m.max(x.abs()))
+    }
+
     /// A count, flag or word that must be equal.
     pub(super) fn exact(&mut self, field: &str, got: impl Into<Value>) {
         let Some(want) = self.want(field) else { return };
@@ -204,5 +244,15 @@ pub(super) fn numbers(value: &Value) -> Option<Vec<f64>> {
         Value::Number(n) => n.as_f64().map(|x| vec![x]),
         Value::Array(row) => row.iter().map(Value::as_f64).collect(),
         _ => None,
+    }
+}
+
+/// The rows of numbers below a value, in order; what is no number and no list is a row of its own.
+fn collect_rows<'a>(value: &'a Value, rows: &mut Vec<&'a Value>) {
+    match value {
+        Value::Array(list) if list.iter().any(|v| !v.is_number()) => {
+            list.iter().for_each(|inner| collect_rows(inner, rows));
+        }
+        other => rows.push(other),
     }
 }

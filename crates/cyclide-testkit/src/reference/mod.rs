@@ -12,6 +12,7 @@ mod blend;
 mod case;
 mod check;
 mod deviation;
+mod patch;
 mod report;
 
 pub use case::{Case, Fault};
@@ -56,16 +57,30 @@ pub const CURVE_CONSTRUCTS: [&str; 29] = [
     "g1-arc-spline",
 ];
 
+/// The constructs about patches and nets of Dupin cyclides: `--surfaces` of the command.
+pub const SURFACE_CONSTRUCTS: [&str; 8] = [
+    "qb-arc",
+    "qb-arc-three-points",
+    "cyclide-patch",
+    "cyclide-offset",
+    "cyclide-locate",
+    "cyclide-implicit",
+    "cyclide-moebius",
+    "circular-net-frames",
+];
+
 /// The handler of a construct; `None` if the product does not have it (yet).
 fn handler(construct: &str) -> Option<Handler> {
-    [arc::handler, arc_spline::handler, blend::handler, arc_fit::handler].iter().find_map(|topic| topic(construct))
+    [arc::handler, arc_spline::handler, blend::handler, arc_fit::handler, patch::handler]
+        .iter()
+        .find_map(|topic| topic(construct))
 }
 
 /// Fields of `expect` that are information, not to be compared (`10`, section 4; `60`, section 9).
 const INFORMATION: [&str; 3] = ["straight", "true_segments", "true_arcs"];
 
 /// Runs the cases of one file and adds the outcome to `report`. With `only`, cases of other constructs are counted as
-/// skipped.
+/// skipped, those without a handler named as unknown.
 ///
 /// # Errors
 /// A sentence if the text is not a reference file.
@@ -78,7 +93,7 @@ pub fn run(text: &str, only: Option<&[String]>, report: &mut Report) -> Result<(
     for (index, value) in cases.iter().enumerate() {
         let case = Case::new(value).map_err(|e| format!("case {index}: {e}"))?;
         if only.is_some_and(|names| names.iter().all(|n| n != case.construct())) {
-            report.skip(case.construct());
+            report.skip(case.construct(), handler(case.construct()).is_some());
             continue;
         }
         match handler(case.construct()) {
@@ -95,10 +110,10 @@ fn judge<'a>(case: &Case<'a>, handler: Handler) -> Check<'a> {
     let outcome = handler(case, &mut check);
     match (case.expected_error(), outcome) {
         (None, Ok(())) => check.finish(&INFORMATION),
-        (Some(want), Err(Fault::Refused(error))) if error.reason() == want => check.agree("error"),
-        (Some(want), Err(Fault::Refused(error))) => {
-            check.fail("error", format!("refused as {} ({error}), expected {want}", error.reason()));
-        }
+        (Some(want), Err(Fault::Refused(error))) => match patch::reason(case.construct(), &error) {
+            reason if reason == want => check.agree("error"),
+            reason => check.fail("error", format!("refused as {reason} ({error}), expected {want}")),
+        },
         (Some(want), Ok(())) => check.fail("error", format!("accepted, expected the error {want}")),
         (None, Err(Fault::Refused(error))) => check.fail("error", format!("refused as {}: {error}", error.reason())),
         (_, Err(Fault::Malformed(what))) => check.fail("input", what),

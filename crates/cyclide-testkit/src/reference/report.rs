@@ -31,7 +31,8 @@ pub struct Failure {
 pub struct Report {
     tallies: Vec<(String, Tally)>,
     unknown: Vec<(String, usize)>,
-    skipped: Vec<(String, usize)>,
+    /// Not asked for: number of cases, and whether the construct is known.
+    skipped: Vec<(String, (usize, bool))>,
     failures: Vec<Failure>,
 }
 
@@ -72,8 +73,10 @@ impl Report {
         self.passed() > 0 && self.failed() == 0 && self.unknown.is_empty()
     }
 
-    pub(super) fn skip(&mut self, construct: &str) {
-        *entry(&mut self.skipped, construct) += 1;
+    pub(super) fn skip(&mut self, construct: &str, known: bool) {
+        let (count, is_known) = entry(&mut self.skipped, construct);
+        *count += 1;
+        *is_known = known;
     }
 
     pub(super) fn add_unknown(&mut self, construct: &str) {
@@ -127,13 +130,14 @@ impl fmt::Display for Report {
                 _ => writeln!(f, "  0")?,
             }
         }
-        for (name, count) in &self.skipped {
-            writeln!(f, "{name:<30} {count} skipped (not asked for)")?;
+        for (name, (count, known)) in &self.skipped {
+            let what = if *known { "" } else { ": UNKNOWN CONSTRUCT" };
+            writeln!(f, "{name:<30} {count} skipped (not asked for){what}")?;
         }
         for (name, count) in &self.unknown {
             writeln!(f, "{name:<30} {count} not run: UNKNOWN CONSTRUCT")?;
         }
-        let skipped: usize = self.skipped.iter().map(|(_, n)| n).sum();
+        let skipped: usize = self.skipped.iter().map(|(_, (n, _))| n).sum();
         let unknown: usize = self.unknown.iter().map(|(_, n)| n).sum();
         if skipped + unknown > 0 {
             writeln!(f, "{skipped} skipped, {unknown} of unknown constructs")?;

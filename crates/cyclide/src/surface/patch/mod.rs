@@ -12,7 +12,9 @@ mod circles;
 mod construct;
 mod corner_circle;
 mod curvature;
+mod implicit;
 mod lines;
+mod locate;
 mod offset;
 mod polar;
 mod pole;
@@ -30,6 +32,8 @@ use crate::base::surface_jet::SurfaceJet;
 use crate::base::vector::{Point3, Vec3};
 use polar::Polar;
 
+pub use implicit::ImplicitForm;
+pub use locate::PatchLocation;
 pub use recognise::PatchKind;
 
 /// A principal patch of a Dupin cyclide (plane, sphere, cylinder, cone and torus included), over `[0, 1]²`.
