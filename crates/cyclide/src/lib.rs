@@ -38,6 +38,7 @@
 //! ```
 
 mod base;
+mod batch;
 mod conformal;
 mod construct;
 mod curve;
@@ -78,5 +79,5 @@ pub use rational::{ExactRational, NurbsCurve, RationalBezier, RationalBezierSurf
 pub use surface::{Body, FaceEdge, ParamSurface, QuadGrid, Shell, ShellEdge, ShellFace};
 pub use surface::{CyclideKind, CyclidicNet, DupinCyclide, NetFrame, NetQuality, SingularPatch};
 pub use surface::{CyclidePatch, PatchKind};
-pub use surface::{ImplicitForm, PatchLocation};
+pub use surface::{ImplicitForm, PatchLocation, PatchRow};
 pub use warning::Warning;

@@ -5,7 +5,8 @@ use super::arc::{triple, xyz};
 use super::case::{Case, Fault};
 use super::check::Check;
 use cyclide::{
-    Arc, Conformal, CyclidePatch, Error, ExactRational, ImplicitForm, Mobius, ParamSurface, Point3, Quat, Vec3,
+    Arc, Conformal, CyclidePatch, CyclidicNet, Error, ExactRational, ImplicitForm, Mobius, NetFrame, ParamSurface,
+    Point3, QuadGrid, Quat, Vec3,
 };
 use serde_json::Value;
 
@@ -158,31 +159,18 @@ fn net_frames(case: &Case, check: &mut Check) -> Result<(), Fault> {
         .iter()
         .map(|column| column.as_array().ok_or_else(malformed)?.iter().map(point).collect())
         .collect::<Result<_, Fault>>()?;
-    let frames = transported(&grid, [case.vector("v1")?, case.vector("v2")?])?;
-    let row = |v: Vec3| triple(v).to_vec();
-    let all = || frames.iter().flatten();
-    table(case, check, "frames", &all().flat_map(|f| [row(f[0]), row(f[1])]).collect::<Vec<_>>());
-    table(case, check, "normals", &all().map(|f| row(f[2])).collect::<Vec<_>>());
+    let (m, n) = (columns.len(), columns.first().and_then(Value::as_array).map_or(0, Vec::len));
+    if grid.iter().any(|column| column.len() != n) {
+        return Err(malformed());
+    }
+    let points = (0..m * n).map(|k| grid[k % m][k / m]).collect();
+    let frame = NetFrame::First(case.vector("v1")?, case.vector("v2")?);
+    let net = CyclidicNet::new(QuadGrid::new(points, [m, n], [false, false])?, frame)?;
+    let frames: Vec<[Vec3; 3]> = (0..m * n).map(|k| net.vertex_frame(k / n, k % n)).collect();
+    let rows = |axes: &[usize]| -> Vec<Vec<f64>> {
+        frames.iter().flat_map(|f| axes.iter().map(|axis| triple(f[*axis]).to_vec())).collect()
+    };
+    table(case, check, "frames", &rows(&[0, 1]));
+    table(case, check, "normals", &rows(&[2]));
     Ok(())
-}
-
-/// The frames at the vertices of a net whose patches, from `(0, 0)` on, hand their corner frames to the next.
-fn transported(grid: &[Vec<Point3>], first: [Vec3; 2]) -> Result<Vec<Vec<[Vec3; 3]>>, Fault> {
-    let (m, n) = (grid.len(), grid.first().map_or(0, Vec::len));
-    if m < 2 || n < 2 || grid.iter().any(|column| column.len() != n) {
-        return Err(Fault::Malformed("input `points` is no grid".into()));
-    }
-    let mut frames = vec![vec![[Vec3::ZERO; 3]; n]; m];
-    frames[0][0] = [first[0], first[1], first[0].cross(first[1])];
-    for i in 0..m - 1 {
-        for j in 0..n - 1 {
-            let corners = [grid[i][j], grid[i + 1][j], grid[i][j + 1], grid[i + 1][j + 1]];
-            let [v1, v2, _] = frames[i][j];
-            let patch = CyclidePatch::from_corners_and_frame(corners, v1, v2)?;
-            frames[i + 1][j] = patch.moving_frame(1.0, 0.0);
-            frames[i][j + 1] = patch.moving_frame(0.0, 1.0);
-            frames[i + 1][j + 1] = patch.moving_frame(1.0, 1.0);
-        }
-    }
-    Ok(frames)
 }

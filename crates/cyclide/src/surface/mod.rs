@@ -11,6 +11,6 @@ mod shell;
 pub use dupin::{CyclideKind, DupinCyclide};
 pub use net::{CyclidicNet, NetFrame, NetQuality, SingularPatch};
 pub use param_surface::ParamSurface;
-pub use patch::{CyclidePatch, ImplicitForm, PatchKind, PatchLocation};
+pub use patch::{CyclidePatch, ImplicitForm, PatchKind, PatchLocation, PatchRow};
 pub use quad_grid::QuadGrid;
 pub use shell::{Body, FaceEdge, Shell, ShellEdge, ShellFace};

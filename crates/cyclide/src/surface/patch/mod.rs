@@ -20,6 +20,7 @@ mod polar;
 mod pole;
 mod rational;
 mod recognise;
+mod rows;
 mod singular;
 mod transform;
 
@@ -35,6 +36,7 @@ use polar::Polar;
 pub use implicit::ImplicitForm;
 pub use locate::PatchLocation;
 pub use recognise::PatchKind;
+pub use rows::PatchRow;
 
 /// A principal patch of a Dupin cyclide (plane, sphere, cylinder, cone and torus included), over `[0, 1]²`.
 #[derive(Debug, Clone, Copy, PartialEq)]
