@@ -11,8 +11,8 @@ proptest! {
         let s: Vec<f64> = (0..count).map(|i| i as f64 / (count as f64 - 1.0).max(1.0)).collect();
         let mut lanes = vec![f64::NAN; 9 * count];
         let mut lane = lanes.chunks_mut(count.max(1));
-        let mut three = || std::array::from_fn(|_| lane.next().unwrap_or_default());
-        let (mut alone, mut points, mut normals): ([&mut [f64]; 3], [&mut [f64]; 3], [&mut [f64]; 3]) = (three(), three(), three());
+        let mut three = || -> [&mut [f64]; 3] { std::array::from_fn(|_| lane.next().unwrap_or_default()) };
+        let (mut alone, mut points, mut normals) = (three(), three(), three());
         let row = patch.row(t);
         row.points(&s, alone.each_mut().map(|l| &mut **l));
         row.points_and_normals(&s, points.each_mut().map(|l| &mut **l), normals.each_mut().map(|l| &mut **l));
