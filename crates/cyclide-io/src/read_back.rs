@@ -6,7 +6,7 @@ use crate::export::{ExportError, Exported};
 use crate::format::Format;
 use crate::job::bodies;
 use crate::{csv_samples, dxf, glb, nurbs_json, obj, step, stl, svg};
-use cyclide::{CurveChain, Model, SurfaceMesh};
+use cyclide::{CurveChain, Model, RationalBezierSurface, SurfaceMesh};
 
 /// Why bytes could not be read back.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -66,6 +66,14 @@ pub enum ReadError {
         /// Made of the model.
         expected: usize,
     },
+    /// The file holds another number of rational patches than the model.
+    #[error("{found} patches in the file, {expected} in the model")]
+    PatchCount {
+        /// In the file.
+        found: usize,
+        /// In the model.
+        expected: usize,
+    },
     /// Polygons are missing, or a part of a face has several.
     #[error("face {face} of {object} is not covered once by polygons")]
     NotCovered {
@@ -115,6 +123,8 @@ pub struct FileContent {
     pub bodies: Vec<FileBody>,
     /// The meshes of formats that have them: one per body, in file order; in STL one for all.
     pub meshes: Vec<SurfaceMesh>,
+    /// The rational patches of JSON, in file order.
+    pub patches: Vec<RationalBezierSurface>,
 }
 
 impl From<Vec<CurveChain>> for FileContent {
@@ -133,7 +143,7 @@ pub fn read_back(format: Format, bytes: &[u8]) -> Result<FileContent, ReadError>
         Format::Dxf => dxf::read(bytes).map(FileContent::from),
         Format::Svg => svg::read(bytes).map(FileContent::from),
         Format::Csv => csv_samples::read(bytes).map(FileContent::from),
-        Format::Json => nurbs_json::read(bytes).map(FileContent::from),
+        Format::Json => nurbs_json::read(bytes),
         Format::Glb => glb::read(bytes),
         Format::Obj => obj::read_back(bytes),
         Format::Stl => stl::read(bytes),
@@ -163,7 +173,8 @@ pub fn file_deviation(model: &Model, format: Format, file: &Exported) -> Result<
     Ok(curves.max(match format {
         Format::Step => bodies_deviation(&bodies()?, &content.bodies)?,
         Format::Glb | Format::Obj | Format::Stl => mesh_deviation(&bodies()?, &content.meshes, &file.cells)?,
-        Format::Dxf | Format::Svg | Format::Csv | Format::Json | Format::Png => 0.0,
+        Format::Json => nurbs_json::patch_deviation(&bodies()?, &content.patches)?,
+        Format::Dxf | Format::Svg | Format::Csv | Format::Png => 0.0,
     }))
 }
 

@@ -5,6 +5,7 @@
 
 mod drawings;
 mod dxf;
+mod exact_surfaces;
 mod malformed;
 mod meshes;
 mod models;

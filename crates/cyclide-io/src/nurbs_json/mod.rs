@@ -1,4 +1,4 @@
-//! JSON of the exact rational B-splines, for programs that compute with them.
+//! JSON of the exact rational B-splines and surfaces, for programs that compute with them.
 //!
 //! ```text
 //! {"cyclide-nurbs": 1, "units": "mm", "objects": {"NAME": {"type": "arc-spline", "contours": [
@@ -9,12 +9,25 @@
 //! weights positive. A run of arcs and segments is one curve of degree 2: knot `i` to `i + 1` is its `i`-th arc, in
 //! equal parts of at most a quarter turn. A smooth rational spline is one curve. The curves of a contour follow each
 //! other end to end. `bound` is the largest distance from the object, 0 if exact.
+//!
+//! An object with surfaces has the list `surfaces` as well, one element per body:
+//! ```text
+//! {"closed": true, "exact": true, "shells": [{"patches": [
+//!   {"outward": true, "degrees": [2, 2], "knots": [[...], [...]], "control_points": [[x, y, z], ...],
+//!    "weights": [...]}, ...]}, ...]}
+//! ```
+//! The second parameter runs fastest in the lists of points and weights. `outward` is true if the outer side of the
+//! body is that of `f_s × f_t`. Patches whose weights are not all positive are cut into patches whose weights are.
+
+mod surfaces;
 
 use crate::export::{Contour, ExportError, Exported, Job, Promise};
 use crate::number::push_plain;
-use crate::read_back::ReadError;
+use crate::read_back::{FileContent, ReadError};
 use cyclide::{Arc, ChainPiece, CurveChain, DEFAULT_PIECE_ANGLE, Exactness, NurbsCurve, Point3};
 use serde_json::Value;
+
+pub(crate) use surfaces::deviation as patch_deviation;
 
 /// Gap allowed between the curves of a contour, relative to its largest coordinate: they share their end points.
 const GAP: f64 = 1e-12;
@@ -23,19 +36,22 @@ const GAP: f64 = 1e-12;
 pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
     let mut promise = Promise::EXACT;
     let mut out = format!("{{\n\"cyclide-nurbs\": 1,\n\"units\": \"{}\",\n\"objects\": {{", job.units().symbol());
-    for contour in job.contours() {
-        let (chain, exactness) = job.chain(&contour)?;
-        promise.add(exactness);
-        if contour.index == 0 {
-            out.push_str(if contour.item == 0 { "\n" } else { ",\n" });
-            let (name, kind) = (quoted(contour.object), quoted(&job.model.items[contour.item].kind));
-            out.push_str(&format!("{name}: {{\"type\": {kind}, \"contours\": ["));
+    for (index, item) in job.model.items.iter().enumerate() {
+        let (name, kind) = (quoted(&item.name), quoted(&item.kind));
+        out.push_str(if index == 0 { "\n" } else { ",\n" });
+        out.push_str(&format!("{name}: {{\"type\": {kind}, \"contours\": ["));
+        for contour in job.contours().filter(|contour| contour.item == index) {
+            let (chain, exactness) = job.chain(&contour)?;
+            promise.add(exactness);
+            out.push_str(if contour.index == 0 { "\n" } else { ",\n" });
+            push_contour(&mut out, &contour, &chain, exactness)?;
         }
-        out.push_str(if contour.index == 0 { "\n" } else { ",\n" });
-        push_contour(&mut out, &contour, &chain, exactness)?;
-        if contour.index + 1 == contour.count {
-            out.push_str("\n]}");
+        out.push_str(if item.contours.is_empty() { "]" } else { "\n]" });
+        for body in job.bodies.iter().filter(|body| body.item == index) {
+            out.push_str(if body.index == 0 { ", \"surfaces\": [\n" } else { ",\n" });
+            surfaces::push_body(&mut out, body)?;
         }
+        out.push_str(if item.surfaces.is_empty() { "}" } else { "\n]}" });
     }
     out.push_str("\n}\n}\n");
     Ok(promise.exported(out.into_bytes(), Vec::new()))
@@ -127,20 +143,21 @@ fn quadratic<'a>(arcs: impl Iterator<Item = &'a Arc>) -> cyclide::Result<NurbsCu
     NurbsCurve::new(2, knots, points, weights)
 }
 
-/// Reads the curves of all contours.
-pub(crate) fn read(bytes: &[u8]) -> Result<Vec<CurveChain>, ReadError> {
+/// Reads the curves of all contours and the patches of all surfaces.
+pub(crate) fn read(bytes: &[u8]) -> Result<FileContent, ReadError> {
     let text = serde_json::from_slice::<Value>(bytes);
     let file = text.map_err(|e| ReadError::syntax(format!("line {}", e.line()), e.to_string()))?;
     let objects = file.get("objects").and_then(Value::as_object);
     let objects = objects.ok_or_else(|| ReadError::syntax("/", "no object \"objects\""))?;
-    let mut chains = Vec::new();
+    let mut content = FileContent::default();
     for (name, object) in objects {
         let place = format!("/objects/{name}/contours");
         for (i, contour) in array(object, "contours", &place)?.iter().enumerate() {
-            chains.push(read_contour(contour, format!("{place}/{i}"))?);
+            content.curves.push(read_contour(contour, format!("{place}/{i}"))?);
         }
+        surfaces::read(object, &format!("/objects/{name}/surfaces"), &mut content.patches)?;
     }
-    Ok(chains)
+    Ok(content)
 }
 
 fn read_contour(contour: &Value, place: String) -> Result<CurveChain, ReadError> {
