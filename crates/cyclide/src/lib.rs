@@ -73,6 +73,7 @@ pub use curve::{ArcLength, CurveIndex, ExtremeCurvature, Joint};
 pub use curve::{BlendSegment, BlendVariant, CircleSpline, CircleSplineOptions, SplineEnds, corners_by_angle};
 pub use curve::{bounds, closest_point, curvature_comb, extreme_curvature, joints, length, resample};
 pub use error::{Error, Result};
+pub use mesh::{LineKind, ParameterLine, parameter_lines};
 pub use mesh::{MeshCorner, MeshFace, MeshSource, SurfaceMesh, flatten, flatten_into, tessellate, tessellate_all};
 pub use model::{ChainPiece, CurveChain, CurveObject, Exactness, Item, Lower, Model, SurfaceObject, Units};
 pub use rational::{ExactRational, NurbsCurve, RationalBezier, RationalBezierSurface};

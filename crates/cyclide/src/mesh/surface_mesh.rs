@@ -73,4 +73,27 @@ impl SurfaceMesh {
     pub fn triangle_count(&self) -> usize {
         self.faces.iter().map(|f| f.corners().len() - 2).sum()
     }
+
+    /// Area of all polygons.
+    #[must_use]
+    pub fn area(&self) -> f64 {
+        self.triangles().map(|[a, b, c]| 0.5 * (b - a).cross(c - a).length()).sum()
+    }
+
+    /// Volume enclosed by a closed mesh, positive if its outer side is outside. For an open mesh, the volume between it and
+    /// its first vertex.
+    #[must_use]
+    pub fn volume(&self) -> f64 {
+        let Some(&apex) = self.positions.first() else { return 0.0 };
+        self.triangles().map(|[a, b, c]| (a - apex).dot((b - apex).cross(c - apex)) / 6.0).sum()
+    }
+
+    /// All polygons, quads cut in two.
+    fn triangles(&self) -> impl Iterator<Item = [Point3; 3]> + '_ {
+        self.faces.iter().flat_map(|face| {
+            let c = face.corners();
+            let at = |k: usize| self.positions[c[k].position];
+            (1..c.len() - 1).map(move |k| [at(0), at(k), at(k + 1)])
+        })
+    }
 }

@@ -4,5 +4,6 @@
 
 mod bounds;
 mod checks;
+mod closed;
 mod data;
 mod mesh;

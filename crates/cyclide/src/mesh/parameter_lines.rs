@@ -1,0 +1,97 @@
+//! Parameter circles as polylines: what pictures of a body draw on its faces.
+
+use super::flatten::flatten;
+use crate::base::vector::{Point3, Vec3};
+use crate::curve::Arc;
+use crate::error::Result;
+use crate::surface::{Body, ParamSurface as _, Shell, ShellFace};
+
+/// Which parameter lines a polyline follows.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum LineKind {
+    /// The common edge of patches, or a side without neighbour.
+    Edge,
+    /// A parameter circle inside a patch.
+    Inner,
+}
+
+/// A parameter circle of a body as a polyline.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ParameterLine {
+    /// Edge or inner line.
+    pub kind: LineKind,
+    /// Index of the shell, the outer one first.
+    pub shell: usize,
+    /// Points on the circle, ends included.
+    pub points: Vec<Point3>,
+    /// The outer unit normal of the surface at each point; on an edge the mean of its faces'.
+    pub normals: Vec<Vec3>,
+}
+
+/// Every edge of the body once, then `inner` parameter circles of each face in each direction, at equal steps of the
+/// parameter, so that they continue from face to face. No point of a circle is farther than `tolerance` from its polyline.
+///
+/// # Errors
+/// As [`flatten`]; as [`CyclidePatch::s_line`](crate::CyclidePatch::s_line).
+pub fn parameter_lines(body: &Body, inner: usize, tolerance: f64) -> Result<Vec<ParameterLine>> {
+    let mut lines = Vec::new();
+    for (index, shell) in body.shells().enumerate() {
+        edge_lines(shell, index, tolerance, &mut lines)?;
+        for face in shell.faces() {
+            for k in 1..=inner {
+                let u = k as f64 / (inner + 1) as f64;
+                let along_s = (face.patch.s_line(u)?, &(|v| (v, u)) as &dyn Fn(f64) -> (f64, f64));
+                for (arc, place) in [along_s, (face.patch.t_line(u)?, &|v| (u, v))] {
+                    // A line that is one point is no line.
+                    if arc.chord().max_abs() > 0.0 {
+                        let normal = |v: f64| outer_normal(face, place(v));
+                        lines.push(line(&arc, LineKind::Inner, index, tolerance, normal)?);
+                    }
+                }
+            }
+        }
+    }
+    Ok(lines)
+}
+
+/// Appends the edges of a shell.
+fn edge_lines(shell: &Shell, index: usize, tolerance: f64, lines: &mut Vec<ParameterLine>) -> Result<()> {
+    let mut faces: Vec<Vec<(&ShellFace, usize, bool)>> = vec![Vec::new(); shell.edges().len()];
+    for face in shell.faces() {
+        for (side, edge) in face.sides.iter().enumerate() {
+            if let Some(edge) = edge {
+                faces[edge.edge].push((face, side, edge.forward));
+            }
+        }
+    }
+    for (edge, faces) in shell.edges().iter().zip(&faces) {
+        let normal = |u: f64| {
+            let of_face = |&(face, side, forward): &(&ShellFace, usize, bool)| {
+                let v = if forward { u } else { 1.0 - u };
+                outer_normal(face, [(v, 0.0), (v, 1.0), (0.0, v), (1.0, v)][side])
+            };
+            let first = faces.first().map_or(Vec3::ZERO, of_face);
+            // Faces folded back on each other have no mean.
+            faces.iter().skip(1).map(of_face).fold(first, |a, b| a + b).unit().unwrap_or(first)
+        };
+        lines.push(line(&edge.arc, LineKind::Edge, index, tolerance, normal)?);
+    }
+    Ok(())
+}
+
+fn line(
+    arc: &Arc,
+    kind: LineKind,
+    shell: usize,
+    tolerance: f64,
+    normal: impl Fn(f64) -> Vec3,
+) -> Result<ParameterLine> {
+    let (normals, points) = flatten(arc, tolerance)?.into_iter().map(|(u, p)| (normal(u), p)).unzip();
+    Ok(ParameterLine { kind, shell, points, normals })
+}
+
+/// Unit normal on the shell's outer side.
+fn outer_normal(face: &ShellFace, (s, t): (f64, f64)) -> Vec3 {
+    let normal = face.patch.normal(s, t).unwrap_or(Vec3::ZERO);
+    if face.same_sense { normal } else { -normal }
+}
