@@ -67,7 +67,9 @@ fn head(job: &Job<'_>) -> Vec<u8> {
     head
 }
 
-fn distinct([a, b, c]: [[f32; 3]; 3]) -> bool {
+/// Rounded points have no negative zeros: equal ones have equal bits.
+fn distinct(corners: [[f32; 3]; 3]) -> bool {
+    let [a, b, c] = corners.map(|p| p.map(f32::to_bits));
     a != b && b != c && c != a
 }
 
