@@ -1,4 +1,5 @@
 //! Quad grids made circular: the mesh families of the theory, what the result promises, and what is refused.
+#![allow(clippy::float_cmp, reason = "what must not move or must be reported as it is, is compared exactly")]
 
 use cyclide::{Border, Circle, CircularMesh, CircularMeshOptions, Error, Point3, QuadGrid, Quat, Vec3, make_circular};
 use std::f64::consts::TAU;
@@ -155,7 +156,7 @@ fn every_step_is_reported_and_ends_below_the_target() {
     assert_eq!(steps.len(), mesh.report.steps);
     assert!(steps.iter().enumerate().all(|(k, s)| s.step == k + 1));
     let last = steps.last().unwrap();
-    assert!(last.accepted && last.residual < last.target && last.target == 1e-12);
+    assert!(last.accepted && last.residual < last.target);
 }
 
 #[test]

@@ -35,14 +35,21 @@ pub fn read_quad_grid(name: &str, bytes: &[u8]) -> Result<ObjGrid, Box<Diagnosti
     let mesh = Mesh::new(source, &polygons)?;
     mesh.check_connected()?;
     mesh.check_vertices()?;
-    let (corners, size, closed) = mesh.grid()?;
+    let Layout { vertices, size, closed } = mesh.layout()?;
 
-    let points = corners.iter().map(|&v| polygons.points[v]).collect();
-    let grid = QuadGrid::new(points, size, closed).map_err(|error| mesh.refused_by_kernel(&error, &corners))?;
+    let points = vertices.iter().map(|&v| polygons.points[v]).collect();
+    let grid = QuadGrid::new(points, size, closed).map_err(|error| mesh.refused_by_kernel(&error, &vertices))?;
     let mut used = vec![false; polygons.points.len()];
-    corners.iter().for_each(|&v| used[v] = true);
+    vertices.iter().for_each(|&v| used[v] = true);
     let unused = used.iter().enumerate().filter(|(_, used)| !**used).map(|(v, _)| v + 1).collect();
-    Ok(ObjGrid { grid, numbers: corners.iter().map(|v| v + 1).collect(), unused })
+    Ok(ObjGrid { grid, numbers: vertices.iter().map(|v| v + 1).collect(), unused })
+}
+
+/// The vertices of a grid, s fastest.
+struct Layout {
+    vertices: Vec<usize>,
+    size: [usize; 2],
+    closed: [bool; 2],
 }
 
 /// A face with its corners named as the grid names them: a0 (0,0), a1 (1,0), a2 (0,1), a3 (1,1).
@@ -225,8 +232,8 @@ impl<'a> Mesh<'a> {
         self.refused(face, "not-a-grid", message)
     }
 
-    /// Vertices, s fastest, the size and the closed directions.
-    fn grid(&self) -> Result<(Vec<usize>, [usize; 2], [bool; 2]), Box<Diagnostic>> {
+    /// Finds the rows and columns.
+    fn layout(&self) -> Result<Layout, Box<Diagnostic>> {
         let [a0, a1, a3, a2] = self.quads[0];
         let first = Cell { face: 0, corners: [a0, a1, a2, a3] };
         let back_s = self.end(first, Way::BackS)?;
@@ -281,6 +288,6 @@ impl<'a> Mesh<'a> {
         if repeated || faces != self.quads.len() {
             return Err(self.not_a_grid(origin.face));
         }
-        Ok((vertices, [size.unwrap_or_default(), rows], closed))
+        Ok(Layout { vertices, size: [size.unwrap_or_default(), rows], closed })
     }
 }

@@ -95,13 +95,10 @@ fn quadric(local: &[[f64; 3]]) -> Option<[f64; 5]> {
         if !(rows[k][k] > 1e-9) {
             return None;
         }
-        for i in 0..5 {
-            if i != k {
-                let factor = rows[i][k] / rows[k][k];
-                for j in k..6 {
-                    rows[i][j] -= factor * rows[k][j];
-                }
-            }
+        let pivot = rows[k];
+        for (_, row) in rows.iter_mut().enumerate().filter(|(i, _)| *i != k) {
+            let factor = row[k] / pivot[k];
+            row.iter_mut().zip(pivot).skip(k).for_each(|(x, p)| *x -= factor * p);
         }
     }
     let solution = |k: usize| rows[k][5] / rows[k][k];
