@@ -75,9 +75,9 @@ impl Format {
     /// The kind of objects that the format cannot hold.
     pub(crate) const fn lacks(self) -> Option<Kind> {
         match self {
-            Self::Dxf | Self::Svg | Self::Csv => Some(Kind::Surfaces),
+            Self::Dxf | Self::Csv => Some(Kind::Surfaces),
             Self::Stl => Some(Kind::Curves),
-            Self::Step | Self::Json | Self::Png | Self::Glb | Self::Obj => None,
+            Self::Step | Self::Json | Self::Svg | Self::Png | Self::Glb | Self::Obj => None,
         }
     }
 

@@ -21,6 +21,7 @@ mod number;
 mod nurbs_json;
 mod obj;
 mod palette;
+mod parameter_circles;
 mod place;
 mod png;
 mod points;

@@ -11,9 +11,11 @@ pub(super) struct Ink {
     alpha: f64,
 }
 
-/// Paper.
-const PAPER: Ink = Ink::new(0xFBFBF9, 1.0);
+/// Paper, as a colour of the screen.
+pub(super) const PAPER: u32 = 0xFBFBF9;
+
 impl Ink {
+    const PAPER: Self = Self::new(PAPER, 1.0);
     pub(super) const COMB: Self = Self::new(0xE2803F, 0.42);
     pub(super) const COMB_EDGE: Self = Self::new(0xD9722E, 0.75);
     pub(super) const COMB_AREA: Self = Self::new(0xF2A46B, 0.13);
@@ -39,9 +41,9 @@ impl Ink {
     pub(super) fn faded(self, far: f64) -> Self {
         let mix = |a: f64, b: f64| a + (b - a) * 0.55 * far;
         Self {
-            red: mix(self.red, PAPER.red),
-            green: mix(self.green, PAPER.green),
-            blue: mix(self.blue, PAPER.blue),
+            red: mix(self.red, Ink::PAPER.red),
+            green: mix(self.green, Ink::PAPER.green),
+            blue: mix(self.blue, Ink::PAPER.blue),
             ..self
         }
     }
@@ -68,7 +70,7 @@ impl Canvas {
     /// An empty sheet; `None` if it has no size.
     pub(super) fn new(width: u32, height: u32) -> Option<Self> {
         let mut pixels = Pixmap::new(width, height)?;
-        pixels.fill(PAPER.color());
+        pixels.fill(Ink::PAPER.color());
         Some(Self { pixels })
     }
 
@@ -79,7 +81,7 @@ impl Canvas {
 
     /// A line in the colour of the paper that ends where it ends.
     pub(super) fn rim(&mut self, points: &[(f32, f32)], width: f64) {
-        self.line(points, false, width, Ink { alpha: 0.85, ..PAPER }, LineCap::Butt);
+        self.line(points, false, width, Ink { alpha: 0.85, ..Ink::PAPER }, LineCap::Butt);
     }
 
     fn line(&mut self, points: &[(f32, f32)], closed: bool, width: f64, ink: Ink, line_cap: LineCap) {
@@ -102,8 +104,14 @@ impl Canvas {
             return;
         };
         let stroke = Stroke { width: (0.38 * radius) as f32, ..Stroke::default() };
-        self.pixels.fill_path(&circle, &PAPER.paint(), FillRule::Winding, Transform::identity(), None);
+        self.pixels.fill_path(&circle, &Ink::PAPER.paint(), FillRule::Winding, Transform::identity(), None);
         self.pixels.stroke_path(&circle, &Ink::object(0).paint(), &stroke, Transform::identity(), None);
+    }
+
+    /// Sets a pixel to a colour of the screen.
+    pub(super) fn set(&mut self, x: usize, y: usize, [red, green, blue]: [u8; 3]) {
+        let start = 4 * (y * self.pixels.width() as usize + x);
+        self.pixels.data_mut()[start..start + 4].copy_from_slice(&[red, green, blue, u8::MAX]);
     }
 
     pub(super) fn encode(&self) -> Result<Vec<u8>, String> {

@@ -2,9 +2,11 @@
 //!
 //! Curves of the plane are shown from above with their curvature comb and joints; a model with heights is shown
 //! from the side and above (parallel projection), nearer parts darker and in front, with the shadow of each curve on
-//! the ground below. The promised bound is half a pixel.
+//! the ground below. A model with surfaces is shown in perspective, shaded, with its parameter circles and with the
+//! curves among the surfaces ([`scene`]). The promised bound is half a pixel.
 
 mod canvas;
+mod scene;
 mod view;
 
 use crate::drawing;
@@ -31,6 +33,9 @@ const LAYER: f64 = 0.03;
 
 /// Draws the model.
 pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
+    if !job.bodies.is_empty() {
+        return scene::write(job);
+    }
     let size = job.size();
     let combs = if job.options.png_plain { Vec::new() } else { drawing::combs(job, size) };
     let heights = job.bounds.max.z - job.bounds.min.z > 1e-6 * size;

@@ -8,14 +8,9 @@ const MARGIN: f64 = 0.06;
 /// Flattest picture: height over width, and the other way round.
 const SLIMMEST: f64 = 0.3;
 /// Where a model with heights is looked at from, in order of preference: front right, front left, and turned further.
-const EYES: [Vec3; 6] = [
-    Vec3::new(0.5, -0.8, 0.55),
-    Vec3::new(-0.5, -0.8, 0.55),
-    Vec3::new(0.92, -0.2, 0.55),
-    Vec3::new(-0.92, -0.2, 0.55),
-    Vec3::new(0.2, -0.92, 0.55),
-    Vec3::new(-0.2, -0.92, 0.55),
-];
+const EYES: [(f64, f64); 6] = [(0.5, -0.8), (-0.5, -0.8), (0.92, -0.2), (-0.92, -0.2), (0.2, -0.92), (-0.2, -0.92)];
+/// Height of the eye that goes with these.
+const STEEPNESS: f64 = 0.55;
 /// A view is left for a later one only if that shows this much more.
 const BETTER: f64 = 1.5;
 /// The floor lies this far below the model and reaches this far beyond it, relative to its larger side.
@@ -49,7 +44,7 @@ impl View {
     /// From above, or from the side and above if there are heights; `largest` is the largest picture.
     pub(super) fn new(points: impl Iterator<Item = Point3>, heights: bool, largest: (f64, f64)) -> Self {
         let points: Vec<Point3> = points.collect();
-        let toward = if heights { eye(&points) } else { UP };
+        let toward = if heights { eye(&points, STEEPNESS) } else { UP };
         let right = if heights { UP.cross(toward).unit().unwrap_or(Vec3::X) } else { Vec3::X };
         let up = toward.cross(right);
         let bounds = Aabb::of_points(points.iter().copied()).unwrap_or(Aabb::of_point(Point3::ORIGIN));
@@ -112,11 +107,11 @@ impl View {
 }
 
 /// The direction to look from: a curve close to a plane must not be seen edge on.
-fn eye(points: &[Point3]) -> Vec3 {
-    let mut best = (EYES[0].unit().unwrap_or(UP), 0.0);
-    for eye in EYES.into_iter().filter_map(Vec3::unit) {
+pub(super) fn eye(points: &[Point3], steepness: f64) -> Vec3 {
+    let mut best = (UP, 0.0);
+    for eye in EYES.into_iter().filter_map(|(x, y)| Vec3::new(x, y, steepness).unit()) {
         let spread = spread(points, eye);
-        if spread > BETTER * best.1 {
+        if best.0 == UP || spread > BETTER * best.1 {
             best = (eye, spread);
         }
     }

@@ -7,9 +7,11 @@
 //! `path` per connected curve, closed ones end in `Z`; one group per object with its name as `title`.
 //!
 //! A curve in space is drawn as seen along the third axis: its arcs become ellipses there, so it is written as a
-//! polyline within the tolerance.
+//! polyline within the tolerance. Surfaces are drawn as the edges of their patches and some of their parameter circles,
+//! in finer lines under the curves.
 
 mod path;
+mod plan;
 mod reader;
 
 use crate::drawing;
@@ -17,6 +19,7 @@ use crate::export::{Contour, ExportError, Exported, Job, Promise};
 use crate::number::push_plain;
 use cyclide::{Aabb, Arc, Exactness, Point3, Units, flatten};
 use path::Path;
+use plan::Plan;
 use std::collections::HashSet;
 
 pub(crate) use reader::read;
@@ -43,7 +46,9 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
         }
         paths.push((contour, path));
     }
-    let Some(mut bounds) = paths.iter().map(|(_, p)| p.bounds()).reduce(Aabb::union) else {
+    let plan = Plan::new(job, &mut promise)?;
+    let drawn = paths.iter().map(|(_, p)| p.bounds()).chain(plan.bounds());
+    let Some(mut bounds) = drawn.reduce(Aabb::union) else {
         return Err(ExportError::Empty);
     };
     if job.bounds.max.z - job.bounds.min.z > LEVEL * job.size() {
@@ -58,8 +63,11 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
         notes.push(scale);
     }
     let mut out = page.opening(job);
+    plan.push(&mut out, STROKE * size);
     push_combs(&mut out, &combs, STROKE * size);
-    push_curves(&mut out, paths, STROKE * size);
+    if !paths.is_empty() {
+        push_curves(&mut out, paths, STROKE * size);
+    }
     if job.options.svg_points {
         push_joints(&mut out, &drawing::joints(job), size);
     }
@@ -246,6 +254,9 @@ fn escaped(text: &str) -> String {
     out
 }
 
+/// Names of the groups that the drawing itself has.
+const GROUPS: [&str; 4] = ["comb", "joints", "edges", "circles"];
+
 /// An XML name for the object, different from all before (and from the groups that the drawing itself has).
 fn unique_id(name: &str, taken: &mut HashSet<String>) -> String {
     let mut id: String =
@@ -255,7 +266,7 @@ fn unique_id(name: &str, taken: &mut HashSet<String>) -> String {
     }
     let mut candidate = id.clone();
     let mut number = 2;
-    while candidate == "comb" || candidate == "joints" || !taken.insert(candidate.clone()) {
+    while GROUPS.contains(&candidate.as_str()) || !taken.insert(candidate.clone()) {
         candidate = format!("{id}_{number}");
         number += 1;
     }

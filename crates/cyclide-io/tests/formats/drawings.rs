@@ -69,6 +69,25 @@ fn space_is_seen_from_above_and_points_are_refused() {
     assert!(error.to_string().contains("object up"), "{error}");
 }
 
+/// A net of one patch in the plane: its lines are arcs of the plane.
+#[test]
+fn the_plan_of_a_level_patch_is_made_of_arcs() {
+    let corners = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 1.0, 0.0]].map(cyclide::Point3::from);
+    let (v1, v2) = (cyclide::Vec3::new(0.6, 0.8, 0.0), cyclide::Vec3::new(-0.8, 0.6, 0.0));
+    let patch = cyclide::CyclidePatch::from_corners_and_frame(corners, v1, v2).unwrap();
+    let item = cyclide::Item { surfaces: vec![cyclide::SurfaceObject::Patch(patch)], ..cyclide::Item::default() };
+    let m = Model { units: Units::Metre, items: vec![item] };
+    let file = export(&m, Format::Svg, &ExportOptions::default()).unwrap();
+    assert!(file.exact && file.notes.len() <= 1, "{:?}", file.notes);
+    let text = String::from_utf8(file.bytes).unwrap();
+    let edges = text.split("<g id=\"edges\"").nth(1).unwrap();
+    assert_eq!((edges.matches("<path").count(), edges.matches(" A").count()), (4, 4));
+    let circles = text.split("<g id=\"circles\"").nth(1).unwrap().split("</g>").next().unwrap();
+    // Halved five times along each parameter.
+    assert_eq!((circles.matches("<path").count(), circles.matches(" L").count()), (62, 0));
+    assert_eq!(contours(&text), [""; 0]);
+}
+
 /// Seen from above, the riser is a point and the hairpin leads back over itself.
 #[test]
 fn the_plan_of_a_riser_keeps_its_promise() {

@@ -9,5 +9,6 @@ mod exact_surfaces;
 mod malformed;
 mod meshes;
 mod models;
+mod pictures;
 mod round_trip;
 mod step;

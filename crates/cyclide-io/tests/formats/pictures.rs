@@ -1,0 +1,90 @@
+//! PNG pictures of surfaces: they show the model, whatever its size, and are the same every time.
+
+use cyclide::{Circle, CurveObject, CyclidePatch, Item, Model, Point3, SurfaceObject, Units, Vec3};
+use cyclide_io::{ExportOptions, Format, export};
+use tiny_skia::Pixmap;
+
+fn model(surfaces: Vec<CyclidePatch>, contours: Vec<CurveObject>) -> Model {
+    let surfaces = surfaces.into_iter().map(SurfaceObject::Patch).collect();
+    let item = Item { name: "object".to_owned(), surfaces, contours, ..Item::default() };
+    Model { units: Units::Millimetre, items: vec![item] }
+}
+
+fn patch(corners: [[f64; 3]; 4], v1: [f64; 3], v2: [f64; 3]) -> CyclidePatch {
+    let corners = corners.map(Point3::from);
+    CyclidePatch::from_corners_and_frame(corners, Vec3::from(v1), Vec3::from(v2)).unwrap()
+}
+
+/// A vault over a square.
+fn vault(size: f64) -> CyclidePatch {
+    let s = size;
+    patch([[0.0; 3], [s, 0.0, 0.0], [0.0, s, 0.0], [s, s, 0.0]], [0.6, 0.0, 0.8], [0.0, 1.0, 0.0])
+}
+
+/// An eighth of a sphere: one side is a point.
+fn octant() -> CyclidePatch {
+    patch([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [0.0, 0.0, 1.0]], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0])
+}
+
+fn bytes(model: &Model) -> Vec<u8> {
+    export(model, Format::Png, &ExportOptions::default()).unwrap().bytes
+}
+
+fn picture(model: &Model) -> Pixmap {
+    let picture = Pixmap::decode_png(&bytes(model)).unwrap();
+    assert_eq!((picture.width(), picture.height()), (1600, 1200));
+    picture
+}
+
+/// Share of the pixels darker than the paper by a tenth of the scale: the model and the deep of its shadow.
+fn ink(picture: &Pixmap) -> f64 {
+    let paper = i32::from(picture.pixels()[0].green());
+    let dark = picture.pixels().iter().filter(|p| paper - i32::from(p.green()) > 25).count();
+    dark as f64 / picture.pixels().len() as f64
+}
+
+#[test]
+fn pictures_do_not_depend_on_size_or_run() {
+    let reference = picture(&model(vec![vault(1.0)], vec![]));
+    assert!((0.2..0.7).contains(&ink(&reference)), "{}", ink(&reference));
+    assert_eq!(bytes(&model(vec![vault(1.0)], vec![])), bytes(&model(vec![vault(1.0)], vec![])));
+    for size in [1e-9, 0.3, 1e9] {
+        let other = picture(&model(vec![vault(size)], vec![]));
+        let difference = |(a, b): (&u8, &u8)| f64::from(a.abs_diff(*b));
+        let sum: f64 = reference.data().iter().zip(other.data()).map(difference).sum();
+        // Rounding moves a sample at an edge here and there.
+        assert!(sum / (reference.data().len() as f64) < 0.01, "size {size}: {sum}");
+    }
+}
+
+#[test]
+fn awkward_surfaces_have_pictures() {
+    let level = patch([[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 1.0, 0.0]], [0.6, 0.8, 0.0], [-0.8, 0.6, 0.0]);
+    // In a plane through the usual eye, where another place is chosen to look from.
+    let edge_on = patch(
+        [[0.0; 3], [0.5, -0.8, 0.0], [0.0, 0.0, 1.0], [0.5, -0.8, 1.0]],
+        [0.5 / 0.89f64.sqrt(), -0.8 / 0.89f64.sqrt(), 0.0],
+        [0.0, 0.0, 1.0],
+    );
+    let sliver =
+        patch([[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1e-6, 0.0], [1.0, 1e-6, 0.0]], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]);
+    for (name, surface, least) in
+        [("level", level, 0.3), ("edge on", edge_on, 0.1), ("octant", octant(), 0.1), ("sliver", sliver, 0.0)]
+    {
+        let share = ink(&picture(&model(vec![surface], vec![])));
+        assert!(share >= least && share < 0.9, "{name}: {share}");
+    }
+}
+
+/// A ring under the vault is hidden by it, one above it is seen.
+#[test]
+fn curves_are_hidden_by_surfaces() {
+    let vault_with = |contours: Vec<CurveObject>| picture(&model(vec![vault(1.0)], contours));
+    let ring =
+        |y: f64, z: f64| vec![CurveObject::Circle(Circle::from_radius(Point3::new(0.5, y, z), Vec3::Z, 0.1).unwrap())];
+    // Pixels of nearly full ink: the rings, and where the vault's borders are seen at a slant.
+    let dark = |p: &Pixmap| p.pixels().iter().filter(|p| p.green() < 80).count();
+    let alone = dark(&vault_with(vec![]));
+    assert_eq!(dark(&vault_with(ring(0.8, 0.05))), alone, "the vault stands between the ring and the eye");
+    assert!(dark(&vault_with(ring(0.5, 0.4))) > alone + 500);
+}
