@@ -36,10 +36,10 @@ fn picture(model: &Model) -> Pixmap {
     picture
 }
 
-/// Share of the pixels darker than the paper by a tenth of the scale: the model and the deep of its shadow.
+/// Share of the pixels less red than the paper by a tenth of the scale: the model, which is blue, and the deep of its shadow.
 fn ink(picture: &Pixmap) -> f64 {
-    let paper = i32::from(picture.pixels()[0].green());
-    let dark = picture.pixels().iter().filter(|p| paper - i32::from(p.green()) > 25).count();
+    let paper = i32::from(picture.pixels()[0].red());
+    let dark = picture.pixels().iter().filter(|p| paper - i32::from(p.red()) > 25).count();
     dark as f64 / picture.pixels().len() as f64
 }
 
