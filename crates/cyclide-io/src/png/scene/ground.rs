@@ -81,10 +81,11 @@ impl Ground {
             if !(from <= to) {
                 continue;
             }
-            for cell in row * self.columns + from as usize..=row * self.columns + to as usize {
-                if hidden[cell] != mark {
-                    hidden[cell] = mark;
-                    self.dark[cell] += share;
+            let cells = row * self.columns + from as usize..=row * self.columns + to as usize;
+            for (mark_of, dark) in hidden[cells.clone()].iter_mut().zip(&mut self.dark[cells]) {
+                if *mark_of != mark {
+                    *mark_of = mark;
+                    *dark += share;
                 }
             }
         }
