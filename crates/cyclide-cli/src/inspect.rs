@@ -1,6 +1,7 @@
 //! `sample`, `report` and `schema`: looking at a model without writing exchange files.
 
-use cyclide_io::{Report, document_schema, write_file};
+use cyclide::Body;
+use cyclide_io::{Report, Spacing, document_schema, write_file};
 
 use crate::failure::Failure;
 use crate::load;
@@ -9,9 +10,12 @@ use crate::plan::{ReportPlan, SamplePlan, refuse_overwriting};
 use crate::progress::Progress;
 use crate::terminal;
 
+/// Most rows that one run samples: about ten gigabytes of text.
+const MOST_ROWS: usize = 100_000_000;
+
 /// Samples one object.
 pub fn sample(plan: &SamplePlan) -> Result<(), Failure> {
-    let (mut document, folder) = load::document(&plan.input)?;
+    let (document, folder) = load::document(&plan.input)?;
     let names = || document.objects.iter().map(|(name, _)| format!("'{name}'")).collect::<Vec<_>>().join(", ");
     let index = match &plan.object {
         Some(name) => document
@@ -22,13 +26,20 @@ pub fn sample(plan: &SamplePlan) -> Result<(), Failure> {
         None if document.objects.len() == 1 => 0,
         None => return Err(Failure::Usage(format!("--object is needed: the model has {}", names()))),
     };
-    // The other objects need not be built.
-    document.objects = vec![document.objects.swap_remove(index)];
-    let loaded = load::build(&document, &folder, &Progress::new(1))?;
-    for input in &loaded.point_files {
-        refuse_overwriting(plan.output.as_deref(), input)?;
+    for input in load::input_files(&document, &folder) {
+        refuse_overwriting(plan.output.as_deref(), &input)?;
     }
-    let text = cyclide_io::sample(&loaded.objects[0].item, plan.count, plan.spacing);
+    let object = load::build_one(&document, &folder, index, &Progress::new(1))?;
+    let patches: usize = object.bodies.iter().flat_map(Body::shells).map(|shell| shell.faces().len()).sum();
+    if patches > 0 && plan.spacing == Spacing::Length {
+        return Err(Failure::Usage("--equal-length is for curves, the object is a surface".to_owned()));
+    }
+    let rows = patches.saturating_mul(plan.count).saturating_mul(plan.count);
+    if rows > MOST_ROWS {
+        let message = format!("--count {} gives {rows} rows on {patches} patches, more than {MOST_ROWS}", plan.count);
+        return Err(Failure::Usage(message));
+    }
+    let text = cyclide_io::sample(&object, plan.count, plan.spacing);
     match &plan.output {
         None => terminal::print(&text),
         Some(path) => write_file(path, text.as_bytes()).map_err(|error| Failure::write(path.display(), &error)),

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 
 use cyclide::{Model, Units};
-use cyclide_io::{BuiltObject, Document};
+use cyclide_io::{BuiltObject, Document, ModelBuilder};
 
 use crate::failure::Failure;
 use crate::plan::Input;
@@ -18,14 +18,15 @@ const SHOWN_WARNINGS: usize = 3;
 pub struct Loaded {
     pub units: Units,
     pub objects: Vec<BuiltObject>,
-    /// The files of points that were read.
-    pub point_files: Vec<PathBuf>,
+    /// The files that the document refers to.
+    pub input_files: Vec<PathBuf>,
 }
 
 impl Loaded {
-    /// The objects without what is known about them besides.
+    /// The objects for files, without what is known about them besides: construction geometry stays behind.
     pub fn model(&self) -> Model {
-        Model { units: self.units, items: self.objects.iter().map(|built| built.item.clone()).collect() }
+        let shown = self.objects.iter().filter(|built| !built.construction);
+        Model { units: self.units, items: shown.map(|built| built.item.clone()).collect() }
     }
 }
 
@@ -44,16 +45,44 @@ pub fn document(input: &Input) -> Result<(Document, PathBuf), Failure> {
 
 /// Builds the document's objects one by one and shows their warnings.
 pub fn build(document: &Document, folder: &Path, progress: &Progress) -> Result<Loaded, Failure> {
+    let read = |path: &Path| std::fs::read(path);
+    let mut builder = ModelBuilder::new(document, folder, &read)?;
     let mut objects = Vec::with_capacity(document.objects.len());
-    for (index, (name, spec)) in document.objects.iter().enumerate() {
-        progress.doing(format!("{name}: {}", spec.type_word()));
-        let built = document.build_object(index, folder, &|path| std::fs::read(path))?;
-        progress.suspended(|| show_warnings(&built));
-        objects.push(built);
-        progress.done();
+    for index in 0..document.objects.len() {
+        objects.push(build_next(&mut builder, document, index, progress)?);
     }
-    let point_files = document.point_files().map(|file| folder.join(file)).collect();
-    Ok(Loaded { units: document.units, objects, point_files })
+    Ok(Loaded { units: document.units, objects, input_files: input_files(document, folder) })
+}
+
+/// Builds one object, and what it is made from, and shows its warnings.
+pub fn build_one(
+    document: &Document,
+    folder: &Path,
+    index: usize,
+    progress: &Progress,
+) -> Result<BuiltObject, Failure> {
+    let read = |path: &Path| std::fs::read(path);
+    build_next(&mut ModelBuilder::new(document, folder, &read)?, document, index, progress)
+}
+
+fn build_next(
+    builder: &mut ModelBuilder<'_>,
+    document: &Document,
+    index: usize,
+    progress: &Progress,
+) -> Result<BuiltObject, Failure> {
+    let (name, spec) = &document.objects[index];
+    let title = format!("{name}: {}", spec.type_word());
+    progress.doing(title.clone());
+    let built = builder.build(index, &mut |step| progress.doing(format!("{title}, {step}")))?;
+    progress.suspended(|| show_warnings(&built));
+    progress.done();
+    Ok(built)
+}
+
+/// The files that the document refers to.
+pub fn input_files(document: &Document, folder: &Path) -> Vec<PathBuf> {
+    document.input_files().map(|file| folder.join(file)).collect()
 }
 
 fn show_warnings(built: &BuiltObject) {

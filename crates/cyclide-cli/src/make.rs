@@ -14,7 +14,7 @@ pub fn run(plan: &MakePlan) -> Result<(), Failure> {
     let progress = Progress::new(document.objects.len() + plan.outputs.len() + 1);
     let loaded = load::build(&document, &folder, &progress)?;
     for (path, _) in &plan.outputs {
-        for input in &loaded.point_files {
+        for input in &loaded.input_files {
             refuse_overwriting(Some(path), input)?;
         }
     }

@@ -36,8 +36,8 @@ pub use bodies::{FileBody, FileEdge, FileFace, FileShell, FileSurface};
 pub use deviation::deviation;
 pub use document::{
     ArcFitSpec, ArcSpec, ArcSplineSpec, BiarcSpec, BuiltObject, CircleSpec, CircleSplineSpec, ClampedEnds,
-    ContourFacts, Coordinates, DOCUMENT_VERSION, Document, EffortWord, EndsSpec, Lists, ObjectSpec, PointFile,
-    PointSource, Remark, RuleWord, TargetWord, TypeWord, UnitWord, VariantWord, document_schema,
+    ContourFacts, Coordinates, CyclidePatchSpec, DOCUMENT_VERSION, Document, EffortWord, EndsSpec, Lists,
+    ModelBuilder, ObjectSpec, PointFile, PointSource, Remark, RuleWord, TargetWord, TypeWord, UnitWord, VariantWord, document_schema,
 };
 pub use error::{Error, Result};
 pub use export::{DxfVersion, ExportError, ExportOptions, Exported, StepEdges, export};
@@ -48,7 +48,9 @@ pub use place::{Diagnostic, Source, decode};
 pub use points::{PointColumns, PointList, PointTable, read_points};
 pub use read_back::{FileContent, ReadError, file_deviation, read_back};
 pub use report::{
-    CheckError, CurvatureReport, FileReport, FitReport, JointReport, ObjectReport, Report, WarningReport, WeightReport,
+    CheckError, CurvatureReport, CurvesReport, FileReport, FitReport, GeometryReport, JointReport, ObjectReport,
+    PatchPlace, RangeReport, Report, SingularPatchReport,
+    SurfaceJointReport, SurfaceReport, WarningReport,
 };
 pub use sample::{Spacing, sample};
 

@@ -1,8 +1,11 @@
-//! Samples of one object as CSV: parameter, point, unit tangent, curvature.
+//! Samples of one object as CSV: points with tangent and curvature along curves, with normal and principal curvatures
+//! on surfaces.
 
-use cyclide::{ArcLength, Item};
+use cyclide::{ArcLength, Body, Item, ParamSurface as _, ShellFace};
 
 use crate::csv_samples::push_sample;
+use crate::document::BuiltObject;
+use crate::number::push_plain;
 
 /// Where the samples of a curve lie.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -14,17 +17,34 @@ pub enum Spacing {
     Length,
 }
 
-/// `count` samples of every contour of an object, both ends included (of a closed contour the last repeats the
-/// first). Columns `t,x,y,z,tx,ty,tz,curvature`, with a column `contour` (from 1) in front if there are several.
-/// Tangent and curvature are empty where they do not exist.
+/// Samples of an object, ends included: `count` per contour of a curve, `count` by `count` per patch of a surface.
+///
+/// Curves: columns `t,x,y,z,tangent_x,tangent_y,tangent_z,curvature`, with a column `contour` (from 1) in front if
+/// there are several; of a closed contour the last sample repeats the first.
+///
+/// Surfaces: columns `patch,s,t,x,y,z,normal_x,normal_y,normal_z,curvature_s,curvature_t` with patches from 0, s
+/// fastest, the outer unit normal, and principal curvatures that are negative where the surface bends away from it; a
+/// column `body` (from 0) in front if there are several. `spacing` is for curves.
+///
+/// Fields are empty where a tangent, normal or curvature does not exist.
 #[must_use]
-pub fn sample(item: &Item, count: usize, spacing: Spacing) -> String {
+pub fn sample(built: &BuiltObject, count: usize, spacing: Spacing) -> String {
+    if built.bodies.is_empty() { curves(&built.item, count, spacing) } else { surfaces(&built.bodies, count) }
+}
+
+/// Fractions 0, 1/(count-1), … 1.
+fn fractions(count: usize) -> impl Iterator<Item = f64> + Clone {
+    (0..count).map(move |i| i as f64 / count.saturating_sub(1).max(1) as f64)
+}
+
+fn curves(item: &Item, count: usize, spacing: Spacing) -> String {
     let several = item.contours.len() > 1;
-    let mut out = format!("{}t,x,y,z,tx,ty,tz,curvature\n", if several { "contour," } else { "" });
+    let columns = "t,x,y,z,tangent_x,tangent_y,tangent_z,curvature";
+    let mut out = format!("{}{columns}\n", if several { "contour," } else { "" });
     for (contour, curve) in item.contours.iter().enumerate() {
         let curve = curve.as_curve();
         let ts = match spacing {
-            Spacing::Parameter => (0..count).map(|i| i as f64 / count.saturating_sub(1).max(1) as f64).collect(),
+            Spacing::Parameter => fractions(count).collect(),
             Spacing::Length => ArcLength::new(curve).uniform(count),
         };
         for t in ts {
@@ -35,4 +55,40 @@ pub fn sample(item: &Item, count: usize, spacing: Spacing) -> String {
         }
     }
     out
+}
+
+fn surfaces(bodies: &[Body], count: usize) -> String {
+    let several = bodies.len() > 1;
+    let columns = "patch,s,t,x,y,z,normal_x,normal_y,normal_z,curvature_s,curvature_t";
+    let mut out = format!("{}{columns}\n", if several { "body," } else { "" });
+    for (index, body) in bodies.iter().enumerate() {
+        for (patch, face) in body.shells().flat_map(cyclide::Shell::faces).enumerate() {
+            let name = if several { format!("{index},{patch}") } else { patch.to_string() };
+            for t in fractions(count) {
+                for s in fractions(count) {
+                    out += &name;
+                    push_surface_sample(&mut out, face, s, t);
+                }
+            }
+        }
+    }
+    out
+}
+
+/// The fields of a place on a patch behind its number, and the end of the line.
+fn push_surface_sample(out: &mut String, face: &ShellFace, s: f64, t: f64) {
+    let patch = &face.patch;
+    let normal = patch.normal(s, t).map(|n| if face.same_sense { n } else { -n });
+    // Curvatures are against D V3 D^-1.
+    let side = normal.map(|n| n.dot(patch.unit_normal(s, t)).signum());
+    let point = patch.point(s, t).to_array().map(Some);
+    let normal = [0, 1, 2].map(|i| normal.map(|n| n.to_array()[i]));
+    let curvatures = [patch.k1(t), patch.k2(s)].map(|k| side.map(|side| side * k).filter(|k| k.is_finite()));
+    for value in [s, t].map(Some).into_iter().chain(point).chain(normal).chain(curvatures) {
+        out.push(',');
+        if let Some(value) = value {
+            push_plain(out, value);
+        }
+    }
+    out.push('\n');
 }

@@ -4,8 +4,8 @@
 //! { "cyclide": 1, "units": "mm", "objects": { "NAME": { "type": "…", … } } }
 //! ```
 //! Parsing goes object by object on the raw text, so that every message can show its place: the type word first,
-//! then the fields of that type; unknown fields and repeated names are errors. [`Document::build_object`] runs the
-//! construction; what the kernel refuses is reported at the point or field at fault.
+//! then the fields of that type; unknown fields and repeated names are errors. [`ModelBuilder`] runs the
+//! constructions; what the kernel refuses is reported at the point or field at fault.
 
 mod build;
 mod construct;
@@ -21,14 +21,14 @@ use serde::Deserialize;
 use serde_json::value::RawValue;
 
 use crate::place::{Diagnostic, Source, decode};
-pub use build::{BuiltObject, Remark};
+pub use build::{BuiltObject, ModelBuilder, Remark};
 pub use construct::ContourFacts;
 pub use coordinates::{Coordinates, Lists, PointFile, PointSource};
 use locate::{Entries, Step, offset_in, path_text, value_at};
 pub use schema::document_schema;
 pub use spec::{
-    ArcFitSpec, ArcSpec, ArcSplineSpec, BiarcSpec, CircleSpec, CircleSplineSpec, ClampedEnds, EffortWord, EndsSpec,
-    ObjectSpec, RuleWord, TargetWord, TypeWord, UnitWord, VariantWord,
+    ArcFitSpec, ArcSpec, ArcSplineSpec, BiarcSpec, CircleSpec, CircleSplineSpec, ClampedEnds, CyclidePatchSpec,
+    EffortWord, EndsSpec, ObjectSpec, RuleWord, TargetWord, TypeWord, UnitWord, VariantWord,
 };
 
 /// The document version this crate reads.

@@ -1,17 +1,21 @@
 //! What was made and what was written: measured on the curves and on the bytes, never taken from the plan.
 
+mod curves;
+mod surface;
 mod text;
 
 use std::path::Path;
 
-use cyclide::{Aabb, CurveObject, Lower, Model, Units, bounds, extreme_curvature, joints, length};
+use cyclide::{Aabb, Model, Units, bounds};
 use indexmap::IndexMap;
 use serde::Serialize;
 
 use crate::document::{BuiltObject, Remark};
-use crate::export::{ExportOptions, Exported, Job, default_tolerance};
+use crate::export::{ExportOptions, Exported, Job};
 use crate::format::Format;
 use crate::read_back::{ReadError, file_deviation};
+pub use curves::{CurvatureReport, CurvesReport, FitReport, JointReport};
+pub use surface::{PatchPlace, SingularPatchReport, SurfaceJointReport, SurfaceReport};
 
 /// Joints that turn by more than this (radians) count as corners.
 const CORNER_ANGLE: f64 = 1e-3;
@@ -30,73 +34,37 @@ pub struct Report {
     pub files: Vec<FileReport>,
 }
 
-/// The report on one object; largest values are over all its contours.
+/// The report on one object.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct ObjectReport {
     /// The document's word for the construction.
     pub r#type: String,
-    /// Length of all contours together.
-    pub length: f64,
-    /// Smooth pieces of all contours together.
-    pub pieces: usize,
-    /// True if every contour is closed.
-    pub closed: bool,
-    /// How the pieces meet.
-    pub joints: JointReport,
-    /// The largest curvature and its place.
-    pub curvature: CurvatureReport,
-    /// Weights of the exact rational form (within the default tolerance for curves that have none); 1 for arcs.
-    /// `None` if there is no such form.
-    pub weights: Option<WeightReport>,
+    /// True for helper geometry, which is in no file.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub construction: bool,
+    /// Its curves or its surfaces.
+    #[serde(flatten)]
+    pub geometry: GeometryReport,
     /// What the user should know.
     pub warnings: Vec<WarningReport>,
-    /// Number of connected curves.
-    pub contours: usize,
-    /// Points the object was made from, after merging repeated ones; 0 if it was not made from a list.
-    pub points: usize,
-    /// The certificate of an arc fit, over all contours.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub fit: Option<FitReport>,
 }
 
-/// Continuity, measured at every joint (the closing one included).
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
-pub struct JointReport {
-    /// Largest distance between an end and the start that follows.
-    pub gap: f64,
-    /// Largest angle between the tangents, radians.
-    pub angle: f64,
-    /// Largest difference of the curvature vectors, in 1/length.
-    pub curvature_jump: f64,
-    /// Number of joints.
-    pub count: usize,
-    /// Joints that turn by more than a thousandth of a radian.
-    pub corners: usize,
-    /// Largest angle at the other joints, radians.
-    pub smooth_angle: f64,
-    /// Largest difference of the curvature vectors at the other joints, in 1/length.
-    pub smooth_curvature_jump: f64,
+/// What is said about an object's geometry, by its kind.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(untagged)]
+pub enum GeometryReport {
+    /// Curves.
+    Curves(CurvesReport),
+    /// Surfaces.
+    Surface(SurfaceReport),
 }
 
-/// The largest curvature.
+/// Smallest and largest value.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-pub struct CurvatureReport {
-    /// Its value, in 1/length; infinite at a cusp.
-    pub max: f64,
-    /// Where it is: global parameter of the contour.
-    pub t: f64,
-    /// The contour, from 0.
-    pub contour: usize,
-    /// The point.
-    pub point: [f64; 3],
-}
-
-/// The range of the weights.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-pub struct WeightReport {
-    /// Smallest weight.
+pub struct RangeReport {
+    /// Smallest.
     pub min: f64,
-    /// Largest weight.
+    /// Largest.
     pub max: f64,
 }
 
@@ -116,25 +84,6 @@ pub struct WarningReport {
     /// `file:line` or the path in the document.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub place: Option<String>,
-}
-
-/// What an arc fit achieved; largest values over all contours.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-pub struct FitReport {
-    /// The bound that was asked for.
-    pub tolerance: f64,
-    /// The deviation it binds: of the points from the arcs, or both ways between arcs and polyline.
-    pub deviation: f64,
-    /// Largest distance between the arcs and the polyline of the points, both ways.
-    pub polyline_deviation: f64,
-    /// Circular arcs.
-    pub arcs: usize,
-    /// Straight segments.
-    pub lines: usize,
-    /// Largest angle at a joint, corners excepted, radians.
-    pub max_kink: f64,
-    /// True if points and arcs advance together everywhere.
-    pub monotone: bool,
 }
 
 /// The report on one file.
@@ -194,77 +143,24 @@ impl ObjectReport {
     /// Measures an object.
     #[must_use]
     pub fn new(built: &BuiltObject, tolerance: Option<f64>) -> Self {
-        let curves = || built.item.contours.iter().map(CurveObject::as_curve);
-        let mut joint = JointReport::default();
-        for j in curves().flat_map(joints) {
-            joint.count += 1;
-            joint.gap = joint.gap.max(j.gap);
-            joint.angle = joint.angle.max(j.angle);
-            joint.curvature_jump = joint.curvature_jump.max(j.curvature_jump);
-            if j.angle > CORNER_ANGLE {
-                joint.corners += 1;
-            } else {
-                joint.smooth_angle = joint.smooth_angle.max(j.angle);
-                joint.smooth_curvature_jump = joint.smooth_curvature_jump.max(j.curvature_jump);
-            }
-        }
-        let mut curvature = CurvatureReport { max: f64::NEG_INFINITY, t: 0.0, contour: 0, point: [0.0; 3] };
-        for (contour, curve) in curves().enumerate() {
-            let extreme = extreme_curvature(curve);
-            if extreme.max > curvature.max {
-                let point = extreme.point.to_array();
-                curvature = CurvatureReport { max: extreme.max, t: extreme.t, contour, point };
-            }
-        }
-        Self {
-            r#type: built.item.kind.clone(),
-            length: curves().map(length).sum(),
-            pieces: curves().map(cyclide::ParamCurve::piece_count).sum(),
-            closed: curves().all(cyclide::ParamCurve::is_closed),
-            joints: joint,
-            curvature,
-            weights: weights(&built.item.contours, tolerance),
-            warnings: built.remarks.iter().map(WarningReport::from).collect(),
-            contours: built.item.contours.len(),
-            points: built.contours.iter().map(|c| c.points).sum(),
-            fit: fit(built),
-        }
+        let geometry = if built.item.surfaces.is_empty() {
+            GeometryReport::Curves(CurvesReport::new(built, tolerance))
+        } else {
+            GeometryReport::Surface(SurfaceReport::new(built))
+        };
+        let warnings = built.remarks.iter().map(WarningReport::from).collect();
+        Self { r#type: built.item.kind.clone(), construction: built.construction, geometry, warnings }
     }
 }
 
-/// The range of the weights over the contours' rational forms.
-fn weights(contours: &[CurveObject], tolerance: Option<f64>) -> Option<WeightReport> {
-    let size = contours.iter().map(|c| bounds(c.as_curve())).reduce(Aabb::union)?;
-    let tolerance = tolerance.unwrap_or_else(|| default_tolerance(size));
-    let mut range = WeightReport { min: f64::INFINITY, max: 0.0 };
-    for curve in contours {
-        let (chain, _) = curve.to_chain(tolerance).ok()?;
-        let (min, max) = chain.weight_range();
-        range = WeightReport { min: range.min.min(min), max: range.max.max(max) };
-    }
-    Some(range)
-}
+impl RangeReport {
+    /// The range of no value yet.
+    pub(crate) const EMPTY: Self = Self { min: f64::INFINITY, max: f64::NEG_INFINITY };
 
-fn fit(built: &BuiltObject) -> Option<FitReport> {
-    let mut total: Option<FitReport> = None;
-    for c in built.contours.iter().filter_map(|facts| facts.fit) {
-        let sum = total.get_or_insert(FitReport {
-            tolerance: built.item.tolerance.unwrap_or_default(),
-            deviation: 0.0,
-            polyline_deviation: 0.0,
-            arcs: 0,
-            lines: 0,
-            max_kink: 0.0,
-            monotone: true,
-        });
-        sum.deviation = sum.deviation.max(c.deviation);
-        sum.polyline_deviation = sum.polyline_deviation.max(c.polyline_deviation);
-        sum.max_kink = sum.max_kink.max(c.max_kink);
-        sum.arcs += c.arcs;
-        sum.lines += c.lines;
-        sum.monotone &= c.monotone;
+    /// The smallest range that holds both.
+    pub(crate) fn with(self, min: f64, max: f64) -> Self {
+        Self { min: self.min.min(min), max: self.max.max(max) }
     }
-    total
 }
 
 impl From<&Remark> for WarningReport {

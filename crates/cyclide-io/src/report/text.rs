@@ -2,7 +2,8 @@
 
 use std::fmt;
 
-use super::{FileReport, ObjectReport, Report};
+use super::surface::PatchPlace;
+use super::{CurvesReport, FileReport, GeometryReport, ObjectReport, RangeReport, Report, SurfaceReport};
 
 /// A number with about five digits: plain in the usual range, else with an exponent.
 fn short(value: f64) -> String {
@@ -53,7 +54,33 @@ impl fmt::Display for Report {
 
 impl ObjectReport {
     fn write(&self, f: &mut fmt::Formatter<'_>, name: &str, units: &str) -> fmt::Result {
-        let mut facts = vec![self.r#type.clone(), if self.closed { "closed" } else { "open" }.to_owned()];
+        let mut facts = vec![self.r#type.clone()];
+        match &self.geometry {
+            GeometryReport::Curves(curves) => curves.facts(&mut facts),
+            GeometryReport::Surface(surface) => surface.facts(&mut facts),
+        }
+        if self.construction {
+            facts.push("construction".to_owned());
+        }
+        writeln!(f, "{name}: {}", facts.join(", "))?;
+        let mut line = |label: &str, text: String| writeln!(f, "  {label:<11}{text}");
+        match &self.geometry {
+            GeometryReport::Curves(curves) => curves.lines(units, &mut line)?,
+            GeometryReport::Surface(surface) => surface.lines(units, &mut line)?,
+        }
+        if !self.warnings.is_empty() {
+            line("warnings", self.warnings.len().to_string())?;
+        }
+        Ok(())
+    }
+}
+
+/// Writes one line of a report: its label and its text.
+type Line<'a> = &'a mut dyn FnMut(&str, String) -> fmt::Result;
+
+impl CurvesReport {
+    fn facts(&self, facts: &mut Vec<String>) {
+        facts.push(if self.closed { "closed" } else { "open" }.to_owned());
         if self.contours != 1 {
             facts.push(plural(self.contours, "contour"));
         }
@@ -61,8 +88,9 @@ impl ObjectReport {
             facts.push(plural(self.points, "point"));
         }
         facts.push(plural(self.pieces, "piece"));
-        writeln!(f, "{name}: {}", facts.join(", "))?;
-        let mut line = |label: &str, text: String| writeln!(f, "  {label:<11}{text}");
+    }
+
+    fn lines(&self, units: &str, line: Line<'_>) -> fmt::Result {
         line("length", format!("{} {units}", short(self.length)))?;
         let j = &self.joints;
         let smooth = j.count - j.corners;
@@ -100,11 +128,78 @@ impl ObjectReport {
                 ),
             )?;
         }
-        if !self.warnings.is_empty() {
-            line("warnings", self.warnings.len().to_string())?;
+        Ok(())
+    }
+}
+
+impl SurfaceReport {
+    fn facts(&self, facts: &mut Vec<String>) {
+        let state = match (self.volume, self.closed) {
+            (Some(_), _) => "solid",
+            (None, true) => "closed",
+            (None, false) => "open",
+        };
+        facts.push(state.to_owned());
+        if self.bodies != 1 {
+            facts.push(if self.bodies == 0 { "no body".to_owned() } else { format!("{} bodies", self.bodies) });
+        }
+        facts.push(if self.patches == 1 { "1 patch".to_owned() } else { format!("{} patches", self.patches) });
+    }
+
+    fn lines(&self, units: &str, line: Line<'_>) -> fmt::Result {
+        line("area", format!("{} {units}²", short(self.area)))?;
+        if let Some(volume) = self.volume {
+            line("volume", format!("{} {units}³", short(volume)))?;
+        }
+        let j = &self.joints;
+        if j.count > 0 {
+            let smooth = j.count - j.creases;
+            line("joints", format!("{smooth} smooth: gap {} {units}, angle {} rad", short(j.gap), short(j.angle)))?;
+        }
+        if j.creases > 0 {
+            line("creases", format!("{}: angle up to {} rad", j.creases, short(j.crease_angle)))?;
+        }
+        let range = |r: &RangeReport| format!("{} to {}", short(r.min), short(r.max));
+        let (s, t) = (range(&self.curvature_s), range(&self.curvature_t));
+        line("curvature", format!("along s {s} 1/{units}, along t {t} 1/{units}"))?;
+        line("weights", range(&self.weights))?;
+        let (residual, cosine) = (short(self.residual), short(self.orthogonality));
+        line("accuracy", format!("in space to {residual} {units}, lines orthogonal to {cosine} rad"))?;
+        if !self.singular.is_empty() {
+            let places = self.singular.iter().map(|p| (p.place, [('s', &p.s), ('t', &p.t)]));
+            let texts = places.map(|(place, lists)| {
+                let lists = lists.iter().filter(|(_, list)| !list.is_empty());
+                let lists = lists.map(|(name, list)| {
+                    format!("{name} = {}", list.iter().map(|v| short(*v)).collect::<Vec<_>>().join(", "))
+                });
+                format!("{} at {}", self.place(place), lists.collect::<Vec<_>>().join(", "))
+            });
+            line("singular", listed(self.singular.len(), texts))?;
+        }
+        if !self.flipped.is_empty() {
+            line("flipped", listed(self.flipped.len(), self.flipped.iter().map(|place| self.place(*place))))?;
         }
         Ok(())
     }
+
+    /// A patch as the text names it: counted from 0, with its body where there are several.
+    fn place(&self, place: PatchPlace) -> String {
+        if self.bodies > 1 {
+            format!("patch {} of body {}", place.patch, place.body)
+        } else {
+            format!("patch {}", place.patch)
+        }
+    }
+}
+
+/// Items of a list named in the text; the JSON report holds them all.
+const SHOWN: usize = 3;
+
+/// A count and the first few items.
+fn listed(count: usize, items: impl Iterator<Item = String>) -> String {
+    let shown = items.take(SHOWN).collect::<Vec<_>>().join("; ");
+    let more = if count > SHOWN { format!("; {} more", count - SHOWN) } else { String::new() };
+    format!("{count}: {shown}{more}")
 }
 
 impl FileReport {

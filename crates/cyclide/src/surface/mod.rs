@@ -3,6 +3,7 @@
 mod bounds;
 mod dupin;
 mod net;
+mod joints;
 mod param_surface;
 mod patch;
 mod quad_grid;
@@ -10,6 +11,8 @@ mod shell;
 
 pub use dupin::{CyclideKind, DupinCyclide};
 pub use net::{CyclidicNet, NetFrame, NetQuality, SingularPatch};
+pub use net::{CyclidicNet, NetFrame};
+pub use joints::{SurfaceJoint, surface_joints};
 pub use param_surface::ParamSurface;
 pub use patch::{CyclidePatch, ImplicitForm, PatchKind, PatchLocation, PatchRow};
 pub use quad_grid::QuadGrid;

@@ -12,6 +12,8 @@ mod circles;
 mod construct;
 mod corner_circle;
 mod curvature;
+mod curvature_range;
+mod frame_at;
 mod implicit;
 mod lines;
 mod locate;

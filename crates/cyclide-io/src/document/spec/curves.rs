@@ -1,94 +1,10 @@
-//! The types of object a document may hold, field by field. Their doc comments are the published schema's text.
+//! Curves, field by field.
 
-use std::collections::BTreeMap;
-
-use cyclide::Units;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use super::coordinates::{Coordinates, Lists, PointSource};
-
-/// A cyclide model: named curves made of circles. Lengths are in the document's units and are never rescaled,
-/// angles are in radians.
-#[derive(JsonSchema)]
-#[schemars(rename = "cyclide model document", deny_unknown_fields)]
-#[expect(dead_code, reason = "the shape of the whole document, for the schema; parsing goes object by object")]
-pub(super) struct DocumentShape {
-    /// Address of this schema, for editors; not read.
-    #[schemars(rename = "$schema")]
-    schema: Option<String>,
-    /// Version of the document format.
-    #[schemars(extend("const" = 1))]
-    cyclide: u64,
-    /// What one unit of the coordinates is.
-    #[schemars(default)]
-    units: UnitWord,
-    /// The objects by name.
-    #[schemars(extend("propertyNames" = { "minLength": 1 }))]
-    objects: BTreeMap<String, ObjectSpec>,
-}
-
-/// The units of a document.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Deserialize, JsonSchema)]
-#[schemars(inline)]
-pub enum UnitWord {
-    /// Millimetres.
-    #[default]
-    #[serde(rename = "mm")]
-    Millimetre,
-    /// Centimetres.
-    #[serde(rename = "cm")]
-    Centimetre,
-    /// Metres.
-    #[serde(rename = "m")]
-    Metre,
-    /// Inches.
-    #[serde(rename = "in")]
-    Inch,
-    /// Feet.
-    #[serde(rename = "ft")]
-    Foot,
-}
-
-impl From<UnitWord> for Units {
-    fn from(word: UnitWord) -> Self {
-        match word {
-            UnitWord::Millimetre => Self::Millimetre,
-            UnitWord::Centimetre => Self::Centimetre,
-            UnitWord::Metre => Self::Metre,
-            UnitWord::Inch => Self::Inch,
-            UnitWord::Foot => Self::Foot,
-        }
-    }
-}
-
-/// One object of a document.
-#[derive(Debug, Clone, PartialEq, JsonSchema)]
-#[schemars(untagged, rename = "Object")]
-pub enum ObjectSpec {
-    /// A circular arc or straight segment.
-    Arc(ArcSpec),
-    /// A full circle.
-    Circle(CircleSpec),
-    /// Two arcs between two points with given directions.
-    Biarc(BiarcSpec),
-    /// Arcs through points, tangent-continuous.
-    ArcSpline(ArcSplineSpec),
-    /// The fewest arcs near points, tangent-continuous.
-    ArcFit(ArcFitSpec),
-    /// A smooth curve through points, blended from circles.
-    CircleSpline(CircleSplineSpec),
-}
-
-/// The field `type`: its word has been read before, to tell what the other fields are.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct TypeWord;
-
-impl<'de> Deserialize<'de> for TypeWord {
-    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        serde::de::IgnoredAny::deserialize(deserializer).map(|_| Self)
-    }
-}
+use super::TypeWord;
+use crate::document::coordinates::{Coordinates, Lists, PointSource};
 
 /// A circular arc or straight segment: through three points, or from one point to another with one more datum
 /// (`tangent`, `end_tangent`, `weights` or `bulge`).
@@ -110,6 +26,9 @@ pub struct ArcSpec {
     /// The word `arc`.
     #[schemars(with = "String", extend("const" = "arc"))]
     pub r#type: TypeWord,
+    /// Helper geometry: built and reported, not written to files.
+    #[serde(default)]
+    pub construction: bool,
     /// Start, a point between, end.
     pub through: Option<[Coordinates; 3]>,
     /// Start.
@@ -137,6 +56,9 @@ pub struct CircleSpec {
     /// The word `circle`.
     #[schemars(with = "String", extend("const" = "circle"))]
     pub r#type: TypeWord,
+    /// Helper geometry: built and reported, not written to files.
+    #[serde(default)]
+    pub construction: bool,
     /// Centre.
     pub center: Coordinates,
     /// Axis about which the circle runs counter-clockwise, of any length. Default `[0, 0, 1]`.
@@ -153,6 +75,9 @@ pub struct BiarcSpec {
     /// The word `biarc`.
     #[schemars(with = "String", extend("const" = "biarc"))]
     pub r#type: TypeWord,
+    /// Helper geometry: built and reported, not written to files.
+    #[serde(default)]
+    pub construction: bool,
     /// Start.
     pub from: Coordinates,
     /// Direction of travel at the start, of any length.
@@ -173,6 +98,9 @@ pub struct ArcSplineSpec {
     /// The word `arc-spline`.
     #[schemars(with = "String", extend("const" = "arc-spline"))]
     pub r#type: TypeWord,
+    /// Helper geometry: built and reported, not written to files.
+    #[serde(default)]
+    pub construction: bool,
     /// The points.
     pub points: PointSource,
     /// Directions of travel, one per point, of any length. Default: estimated from the circle through each point and
@@ -193,6 +121,9 @@ pub struct ArcFitSpec {
     /// The word `arc-fit`.
     #[schemars(with = "String", extend("const" = "arc-fit"))]
     pub r#type: TypeWord,
+    /// Helper geometry: built and reported, not written to files.
+    #[serde(default)]
+    pub construction: bool,
     /// The points.
     pub points: PointSource,
     /// The last point joins the first.
@@ -219,6 +150,9 @@ pub struct CircleSplineSpec {
     /// The word `circle-spline`.
     #[schemars(with = "String", extend("const" = "circle-spline"))]
     pub r#type: TypeWord,
+    /// Helper geometry: built and reported, not written to files.
+    #[serde(default)]
+    pub construction: bool,
     /// The points.
     pub points: PointSource,
     /// The last point joins the first.
@@ -346,36 +280,5 @@ impl<'de> Deserialize<'de> for EndsSpec {
             }
         }
         deserializer.deserialize_any(EndsVisitor)
-    }
-}
-
-impl ObjectSpec {
-    /// The words of the types, in the order of the documentation.
-    pub const TYPES: [&'static str; 6] = ["arc", "circle", "biarc", "arc-spline", "arc-fit", "circle-spline"];
-
-    /// The word of the object's type.
-    #[must_use]
-    pub fn type_word(&self) -> &'static str {
-        match self {
-            Self::Arc(_) => "arc",
-            Self::Circle(_) => "circle",
-            Self::Biarc(_) => "biarc",
-            Self::ArcSpline(_) => "arc-spline",
-            Self::ArcFit(_) => "arc-fit",
-            Self::CircleSpline(_) => "circle-spline",
-        }
-    }
-
-    /// Reads an object of the type `word`; `None` if there is no such type.
-    pub(super) fn parse(word: &str, text: &str) -> Option<serde_json::Result<Self>> {
-        Some(match word {
-            "arc" => serde_json::from_str(text).map(Self::Arc),
-            "circle" => serde_json::from_str(text).map(Self::Circle),
-            "biarc" => serde_json::from_str(text).map(Self::Biarc),
-            "arc-spline" => serde_json::from_str(text).map(Self::ArcSpline),
-            "arc-fit" => serde_json::from_str(text).map(Self::ArcFit),
-            "circle-spline" => serde_json::from_str(text).map(Self::CircleSpline),
-            _ => return None,
-        })
     }
 }

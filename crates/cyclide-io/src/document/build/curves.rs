@@ -1,0 +1,189 @@
+//! Curves: from fields and lists of points to the kernel's constructions.
+
+use cyclide::{Arc, Biarc, Circle, CurveObject, Quat, Vec3};
+
+use super::Builder;
+use crate::document::construct::{Contour, ContourFacts, Made, arc_fit, arc_spline, circle_spline};
+use crate::document::coordinates::{Coordinates, Lists, PointFile, PointSource};
+use crate::document::locate::{Step, path_text};
+use crate::document::spec::{ArcSpec, ObjectSpec};
+use crate::error::{Error, Result};
+use crate::place::{Source, decode};
+use crate::points::{PointColumns, PointList, merge_repeated, read_points};
+
+/// The points of an object and the text they stand in.
+pub(super) struct Points {
+    pub(super) lists: Vec<PointList>,
+    /// The original index of each point, per contour.
+    pub(super) kept: Vec<Vec<usize>>,
+    pub(super) origin: Origin,
+}
+
+pub(super) enum Origin {
+    /// In the document, as a list or (nested) a list of lists.
+    Document { nested: bool },
+    /// In a file of its own: its name and text.
+    File { name: String, text: String },
+}
+
+impl ObjectSpec {
+    /// Where the points of the object come from, if it is made from points.
+    pub(super) fn points(&self) -> Option<&PointSource> {
+        match self {
+            Self::ArcSpline(s) => Some(&s.points),
+            Self::ArcFit(s) => Some(&s.points),
+            Self::CircleSpline(s) => Some(&s.points),
+            _ => None,
+        }
+    }
+}
+
+impl Builder<'_> {
+    /// The curves of an object that has some.
+    pub(super) fn curves(&mut self) -> Result<Vec<(CurveObject, ContourFacts)>> {
+        let single = |curve: CurveObject| Ok(vec![(curve, ContourFacts::default())]);
+        let normal = |n: &Option<Coordinates>| n.map_or(Vec3::Z, Coordinates::vector);
+        match self.spec {
+            ObjectSpec::Arc(s) => single(CurveObject::Arc(self.arc(s)?)),
+            ObjectSpec::Circle(s) => {
+                let circle = Circle::from_radius(s.center.point(), normal(&s.normal), s.radius);
+                single(CurveObject::Circle(circle.map_err(|e| self.refused(&e, None))?))
+            }
+            ObjectSpec::Biarc(s) => {
+                let (t0, t1) = (s.from_tangent.vector(), s.to_tangent.vector());
+                let biarc = Biarc::new(s.from.point(), t0, s.to.point(), t1, s.rule.into());
+                single(CurveObject::ArcPath(biarc.map_err(|e| self.refused(&e, None))?.to_path()))
+            }
+            ObjectSpec::ArcSpline(s) => self.each_contour(&s.points, s.closed, |at| arc_spline(s, at)),
+            ObjectSpec::ArcFit(s) => self.each_contour(&s.points, s.closed, |at| arc_fit(s, at)),
+            ObjectSpec::CircleSpline(s) => self.each_contour(&s.points, s.closed, |at| circle_spline(s, at)),
+            _ => Ok(Vec::new()),
+        }
+    }
+
+    fn arc(&self, spec: &ArcSpec) -> Result<Arc> {
+        let data = [spec.tangent.is_some(), spec.end_tangent.is_some(), spec.weights.is_some(), spec.bulge.is_some()];
+        let given = data.into_iter().filter(|d| *d).count();
+        if spec.normal.is_some() && spec.bulge.is_none() {
+            return Err(self.unfit("`normal` goes with `bulge` only"));
+        }
+        let arc = match (spec.through, spec.from, spec.to) {
+            (Some([a, b, c]), None, None) if given == 0 => Arc::from_three_points(a.point(), b.point(), c.point()),
+            (None, Some(a), Some(b)) if given == 1 => {
+                let (a, b) = (a.point(), b.point());
+                if let Some(t) = spec.tangent {
+                    Arc::from_start_tangent(a, b, t.vector())
+                } else if let Some(t) = spec.end_tangent {
+                    Arc::from_end_tangent(a, b, t.vector())
+                } else if let Some([[w0, x0, y0, z0], [w1, x1, y1, z1]]) = spec.weights {
+                    Arc::from_weights(a, b, Quat::new(w0, x0, y0, z0), Quat::new(w1, x1, y1, z1))
+                } else {
+                    let normal = spec.normal.map_or(Vec3::Z, Coordinates::vector);
+                    Arc::from_bulge(a, b, normal, spec.bulge.unwrap_or_default())
+                }
+            }
+            _ => {
+                return Err(self.unfit(
+                    "an arc is given by `through` (three points), or by `from` and `to` with exactly one of `tangent`, `end_tangent`, `weights`, `bulge`",
+                ));
+            }
+        };
+        arc.map_err(|e| self.refused(&e, None))
+    }
+
+    /// Reads the points, merges repeated ones and runs a construction on every contour.
+    fn each_contour(
+        &mut self,
+        source: &PointSource,
+        closed: bool,
+        construct: impl Fn(&Contour<'_>) -> Made,
+    ) -> Result<Vec<(CurveObject, ContourFacts)>> {
+        let mut points = match source {
+            PointSource::Inline(lists) => inline_points(lists),
+            PointSource::File(file) => self.file_points(file)?,
+        };
+        let mut made = Vec::new();
+        for contour in 0..points.lists.len() {
+            let list = &mut points.lists[contour];
+            if !closed && list.ends_meet() {
+                let message =
+                    "the last point repeats the first, but the curve is not closed: set `closed` if it is meant to be";
+                let last = list.points.len() - 1;
+                let place = self.place(&points, contour, last);
+                self.remark("ends-meet", Some(contour), Some(last), Some(place), message.to_owned());
+            }
+            // Places are looked up in the list as given, so before the merge drops entries.
+            let given_offsets = points.lists[contour].offsets.clone();
+            let merged = merge_repeated(&mut points.lists[contour], closed);
+            points.lists[contour].offsets = given_offsets;
+            points.kept[contour] = merged.kept;
+            for warning in merged.warnings {
+                let index = warning.index();
+                let place = index.map(|i| self.place(&points, contour, i));
+                self.remark(warning.reason(), Some(contour), index, place, warning.to_string());
+                self.warnings.push((contour, warning));
+            }
+            let at = Contour { index: contour, list: &points.lists[contour], kept: &points.kept[contour] };
+            let (curve, facts, warnings) = construct(&at).map_err(|e| self.refused(&e, Some((&points, contour))))?;
+            for warning in warnings {
+                let index = warning.index().and_then(|i| points.kept[contour].get(i).copied());
+                let place = index.map(|i| self.place(&points, contour, i));
+                self.remark(warning.reason(), Some(contour), index, place, warning.to_string());
+                self.warnings.push((contour, warning));
+            }
+            made.push((curve, facts));
+        }
+        Ok(made)
+    }
+
+    fn file_points(&mut self, file: &PointFile) -> Result<Points> {
+        let path = self.folder.join(&file.csv);
+        let bytes = (self.read)(&path).map_err(|source| Error::Read { path: path.clone(), source })?;
+        let name = path.display().to_string();
+        let columns = PointColumns { coordinates: file.columns.clone(), contour: file.contour.clone() };
+        let table = read_points(&name, &bytes, &columns)?;
+        let units = self.document.units;
+        let mut other = table.unit_hints.iter().filter(|(_, hint)| *hint != units);
+        let names: Vec<&str> = other.clone().map(|(name, _)| name.as_str()).collect();
+        if let Some((_, hint)) = other.next() {
+            let message = format!(
+                "the columns {} speak of {}, the model says {}; coordinates are taken as they are",
+                names.join(", "),
+                hint.symbol(),
+                units.symbol()
+            );
+            self.remark("units-differ", None, None, Some(name.clone()), message);
+        }
+        let text = decode(&name, &bytes)?.to_owned();
+        let kept = vec![Vec::new(); table.contours.len()];
+        Ok(Points { lists: table.contours, kept, origin: Origin::File { name, text } })
+    }
+
+    /// Where a point stands, by its index in the list as given.
+    fn place(&self, points: &Points, contour: usize, index: usize) -> String {
+        match &points.origin {
+            Origin::Document { nested } => path_text(&self.path(point_steps(*nested, contour, Some(index)))),
+            Origin::File { name, text } => {
+                let offset = points.lists[contour].offsets.get(index).copied().unwrap_or_default();
+                format!("{name}:{}", Source { name, text }.line_of(offset))
+            }
+        }
+    }
+}
+
+/// The path of a point below its object.
+pub(super) fn point_steps(nested: bool, contour: usize, index: Option<usize>) -> Vec<Step> {
+    let contour = nested.then_some(Step::Index(contour));
+    [Step::from("points")].into_iter().chain(contour).chain(index.map(Step::Index)).collect()
+}
+
+fn inline_points(source: &Lists) -> Points {
+    let list = |points: &Vec<Coordinates>| PointList {
+        points: points.iter().map(|p| p.point()).collect(),
+        ..PointList::default()
+    };
+    // An empty list is one contour without points, for the kernel to refuse.
+    let lists =
+        if source.lists.is_empty() { vec![PointList::default()] } else { source.lists.iter().map(list).collect() };
+    Points { kept: vec![Vec::new(); lists.len()], lists, origin: Origin::Document { nested: source.nested } }
+}

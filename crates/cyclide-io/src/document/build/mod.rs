@@ -1,0 +1,205 @@
+//! From objects of a document to the kernel's curves and surfaces; what the kernel refuses is shown at its place.
+
+mod curves;
+mod refuse;
+mod surfaces;
+
+use std::collections::HashMap;
+use std::io;
+use std::path::Path;
+
+use cyclide::{Body, Item, SurfaceObject, Warning};
+
+use super::Document;
+use super::construct::ContourFacts;
+use super::coordinates::PointSource;
+use super::locate::{Step, path_text, span_of};
+use super::spec::ObjectSpec;
+use crate::error::{Error, Result};
+
+/// An object made by its construction, with what is known about it besides its geometry.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct BuiltObject {
+    /// The object for the model.
+    pub item: Item,
+    /// The surfaces as patches that share edges, in their order.
+    pub bodies: Vec<Body>,
+    /// Helper geometry: not for files.
+    pub construction: bool,
+    /// One entry per contour.
+    pub contours: Vec<ContourFacts>,
+    /// What the user should know.
+    pub remarks: Vec<Remark>,
+}
+
+/// A warning with its place in the input.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Remark {
+    /// Stable kebab-case name.
+    pub reason: &'static str,
+    /// Which contour, from 0, where it is about one.
+    pub contour: Option<usize>,
+    /// Which point (or the segment that starts there), from 0, as the input counts them.
+    pub index: Option<usize>,
+    /// `file:line` or the path in the document, where known.
+    pub place: Option<String>,
+    /// The sentence.
+    pub message: String,
+}
+
+/// Builds the objects of a document, each once, however many others are made from it.
+pub struct ModelBuilder<'a> {
+    document: &'a Document,
+    folder: &'a Path,
+    read: Read<'a>,
+    /// The object that each one is made from, if it is made from one.
+    base: Vec<Option<usize>>,
+    made: Vec<Option<BuiltObject>>,
+}
+
+/// Reads a file.
+type Read<'a> = &'a dyn Fn(&Path) -> io::Result<Vec<u8>>;
+
+impl<'a> ModelBuilder<'a> {
+    /// Builder of a document's objects. Files are looked up relative to `folder` and read by `read`.
+    ///
+    /// # Errors
+    /// [`Error::Input`] at a name that no object has, or that leads back to the object itself.
+    pub fn new(document: &'a Document, folder: &'a Path, read: Read<'a>) -> Result<Self> {
+        let base = document.bases()?;
+        Ok(Self { document, folder, read, base, made: vec![None; document.objects.len()] })
+    }
+
+    /// Runs the construction of the object with this index, and before it those of the objects it is made from.
+    /// `progress` hears what long constructions are doing.
+    ///
+    /// # Errors
+    /// [`Error::Read`]; [`Error::Input`] at the point or field at fault; [`Error::Geometry`] if the document was not
+    /// made from a text.
+    ///
+    /// # Panics
+    /// If there is no object with this index.
+    pub fn build(&mut self, index: usize, progress: &mut dyn FnMut(String)) -> Result<BuiltObject> {
+        let mut chain = vec![index];
+        let mut next = self.base[index];
+        while let Some(base) = next.filter(|&base| self.made[base].is_none()) {
+            chain.push(base);
+            next = self.base[base];
+        }
+        for &index in chain.iter().rev() {
+            if self.made[index].is_none() {
+                let (name, spec) = &self.document.objects[index];
+                let Self { document, folder, read, .. } = *self;
+                let base = self.base[index].and_then(|base| self.made[base].as_ref());
+                let (remarks, warnings) = (Vec::new(), Vec::new());
+                let builder = Builder { document, name, spec, base, folder, read, progress, remarks, warnings };
+                self.made[index] = Some(builder.build()?);
+            }
+        }
+        Ok(self.made[index].clone().unwrap_or_default())
+    }
+}
+
+impl Document {
+    /// The files the document refers to, as it writes them.
+    pub fn input_files(&self) -> impl Iterator<Item = &str> {
+        self.objects.iter().filter_map(|(_, spec)| match spec.points() {
+            Some(PointSource::File(file)) => Some(file.csv.as_str()),
+            _ => None,
+        })
+    }
+
+    /// The index of the object that each one is made from, checked: no name is unknown and none leads to itself.
+    fn bases(&self) -> Result<Vec<Option<usize>>> {
+        let refused = |index: usize, message: String| {
+            let path = [Step::from("objects"), Step::from(self.objects[index].0.as_str()), Step::from("of")];
+            let span = span_of(&self.text, &path).unwrap_or(0..0);
+            Error::Input(self.source().diagnostic(span, &path_text(&path), message))
+        };
+        let indices: HashMap<&str, usize> = self.objects.iter().enumerate().map(|(i, (n, _))| (n.as_str(), i)).collect();
+        let find = |(index, (_, spec)): (usize, &(String, ObjectSpec))| match spec.base() {
+            None => Ok(None),
+            Some(name) => indices
+                .get(name)
+                .map(|base| Some(*base))
+                .ok_or_else(|| refused(index, format!("there is no object `{name}`"))),
+        };
+        let bases = self.objects.iter().enumerate().map(find).collect::<Result<Vec<Option<usize>>>>()?;
+        // Ways that are known to end.
+        let mut ends = vec![false; bases.len()];
+        for start in 0..bases.len() {
+            let mut way = Vec::new();
+            let mut at = Some(start);
+            while let Some(index) = at.filter(|&index| !ends[index]) {
+                if way.len() > bases.len() {
+                    let message = format!("`{}` is made from itself", self.objects[index].0);
+                    return Err(refused(index, message));
+                }
+                way.push(index);
+                at = bases[index];
+            }
+            for index in way {
+                ends[index] = true;
+            }
+        }
+        Ok(bases)
+    }
+}
+
+impl ObjectSpec {
+    /// Name of the object it is made from, if it is made from one.
+    fn base(&self) -> Option<&str> {
+        None
+    }
+}
+
+/// One construction.
+struct Builder<'a> {
+    document: &'a Document,
+    name: &'a str,
+    spec: &'a ObjectSpec,
+    /// The object it is made from.
+    base: Option<&'a BuiltObject>,
+    folder: &'a Path,
+    read: Read<'a>,
+    progress: &'a mut dyn FnMut(String),
+    remarks: Vec<Remark>,
+    warnings: Vec<(usize, Warning)>,
+}
+
+impl Builder<'_> {
+    fn build(mut self) -> Result<BuiltObject> {
+        let (curves, facts) = self.curves()?.into_iter().unzip();
+        let surfaces = self.surfaces()?;
+        let bodies = surfaces.iter().map(SurfaceObject::to_body).collect::<cyclide::Result<_>>();
+        let bodies = bodies.map_err(|e| self.refused(&e, None))?;
+        let tolerance = if let ObjectSpec::ArcFit(s) = self.spec { Some(s.tolerance) } else { None };
+        let (name, kind) = (self.name.to_owned(), self.spec.type_word().to_owned());
+        let item = Item { name, kind, contours: curves, surfaces, warnings: self.warnings, tolerance };
+        let construction = self.spec.is_construction();
+        Ok(BuiltObject { item, bodies, construction, contours: facts, remarks: self.remarks })
+    }
+
+    fn remark(
+        &mut self,
+        reason: &'static str,
+        contour: Option<usize>,
+        index: Option<usize>,
+        place: Option<String>,
+        message: String,
+    ) {
+        self.remarks.push(Remark { reason, contour, index, place, message });
+    }
+
+    /// Path of this object, or of a value in it.
+    fn path(&self, steps: impl IntoIterator<Item = Step>) -> Vec<Step> {
+        [Step::from("objects"), Step::from(self.name)].into_iter().chain(steps).collect()
+    }
+
+    /// The message that the object's fields do not fit together.
+    fn unfit(&self, message: &str) -> Error {
+        let path = self.path([]);
+        let span = span_of(&self.document.text, &path).map_or(0..0, |s| s.start..s.start + 1);
+        Error::Input(self.document.source().diagnostic(span, &path_text(&path), message))
+    }
+}

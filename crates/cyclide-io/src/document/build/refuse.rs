@@ -1,0 +1,124 @@
+//! What the kernel refused, shown at the point or field it is about.
+
+use cyclide::Warning;
+
+use super::Builder;
+use super::curves::{Origin, Points, point_steps};
+use crate::document::locate::{Step, path_text, span_of};
+use crate::document::spec::{ArcSpec, ObjectSpec};
+use crate::error::Error;
+use crate::place::Source;
+
+/// The value of an object that an error is about.
+enum Blame {
+    Field(&'static str),
+    Entry(&'static str, usize),
+    Point(usize),
+    Object,
+}
+
+impl Builder<'_> {
+    /// What the kernel said; it counts points after repeated ones were merged, which is said where the number matters.
+    fn words(&self, error: &cyclide::Error, contour: usize) -> String {
+        let merged = |(c, w): &(usize, Warning)| {
+            *c == contour && matches!(w, Warning::PointsMerged { .. } | Warning::ClosingPointMerged { .. })
+        };
+        match error {
+            cyclide::Error::TooFewPoints { .. } if self.warnings.iter().any(merged) => {
+                format!("{error} (repeated points count once)")
+            }
+            _ => error.to_string(),
+        }
+    }
+
+    /// The message for what the kernel said, at the point or field it is about.
+    pub(super) fn refused(&self, error: &cyclide::Error, from: Option<(&Points, usize)>) -> Error {
+        let blame = blame(self.spec, error);
+        let original = |k: usize| from.and_then(|(p, c)| p.kept[c].get(k).copied()).unwrap_or(k);
+        let path = self.path([]);
+        if let Some((points, contour)) = from
+            && let Origin::File { name, text } = &points.origin
+            && matches!(blame, Blame::Point(_) | Blame::Object)
+        {
+            let index = if let Blame::Point(k) = blame { original(k) } else { 0 };
+            let start = points.lists[contour].offsets.get(index).copied().unwrap_or_default();
+            let width = text[start..].find(['\n', '\r', '#']).unwrap_or(text.len() - start);
+            let width = text[start..start + width].trim_end().len();
+            let source = Source { name, text };
+            let message = source.diagnostic(start..start + width, &path_text(&path), self.words(error, contour));
+            return Error::Input(message.with_reason(error.reason()));
+        }
+        let document = &self.document.text;
+        if document.is_empty() {
+            return Error::Geometry { object: self.name.to_owned(), source: error.clone() };
+        }
+        let nested = |points: &Points| matches!(points.origin, Origin::Document { nested: true });
+        let in_points = |k: Option<usize>| from.map(|(p, c)| self.path(point_steps(nested(p), c, k)));
+        let candidates = match blame {
+            Blame::Field(field) => vec![self.path([field.into()])],
+            Blame::Entry(field, k) => {
+                let contour = from.map_or(0, |(_, c)| c);
+                let one = self.path([field.into(), original(k).into()]);
+                let several = self.path([field.into(), contour.into(), original(k).into()]);
+                // A list of lists also has an entry at the first path: the deeper one is meant.
+                let nested = from.is_some_and(|(p, _)| p.lists.len() > 1 || nested(p));
+                if nested { vec![several, one] } else { vec![one, self.path([field.into()])] }
+            }
+            Blame::Point(k) => {
+                let end = if k == 0 { "from" } else { "to" };
+                let fixed = [self.path(["through".into(), k.into()]), self.path([end.into()])];
+                in_points(Some(original(k))).into_iter().chain(fixed).collect()
+            }
+            Blame::Object => in_points(None).into_iter().collect(),
+        };
+        let place = |p: &Vec<Step>| span_of(document, p).map(|span| (p.clone(), span));
+        let (path, span) = candidates.iter().find_map(place).unwrap_or_else(|| {
+            let start = span_of(document, &path).map_or(0, |s| s.start);
+            (path, start..start + 1)
+        });
+        let words = self.words(error, from.map_or(0, |(_, contour)| contour));
+        let message = self.document.source().diagnostic(span, &path_text(&path), words);
+        Error::Input(message.with_reason(error.reason()))
+    }
+}
+
+/// Which value of an object an error of the kernel is about.
+fn blame(spec: &ObjectSpec, error: &cyclide::Error) -> Blame {
+    use cyclide::Error as E;
+    let tangent = |index: usize| match (spec, index) {
+        (ObjectSpec::Arc(s), _) => Blame::Field(if s.tangent.is_some() { "tangent" } else { "end_tangent" }),
+        (ObjectSpec::Biarc(_), 0) => Blame::Field("from_tangent"),
+        (ObjectSpec::Biarc(_), _) => Blame::Field("to_tangent"),
+        (ObjectSpec::CircleSpline(_), 0) => Blame::Field("ends"),
+        (ObjectSpec::CircleSpline(_), _) => Blame::Field("ends"),
+        _ => Blame::Entry("tangents", index),
+    };
+    let is_patch = matches!(spec, ObjectSpec::CyclidePatch(_));
+    match *error {
+        E::NotFinite { what: "tangent", index } | E::ZeroTangent { index } | E::TangentOpposesChord { index } => {
+            tangent(index)
+        }
+        E::NotFinite { what: "weight", index } | E::ZeroWeight { index } => Blame::Entry("weights", index),
+        E::NotFinite { what: "frame vector", index } => Blame::Entry("frame", index),
+        E::FrameNotOrthonormal { .. } => Blame::Field("frame"),
+        E::NotConcircular { .. } | E::CrossingQuad { .. } if is_patch => Blame::Entry("corners", 3),
+        E::NotFinite { what: "point", index } | E::CoincidentPoints { second: index, .. } if is_patch => {
+            Blame::Entry("corners", index)
+        }
+        E::NotFinite { what: "tolerance", .. } | E::ToleranceNotPositive { .. } => Blame::Field("tolerance"),
+        E::NotFinite { what: "bulge", .. } => Blame::Field("bulge"),
+        E::NotInImH { .. } | E::PoleOnSegment { .. } => {
+            Blame::Field(if matches!(spec, ObjectSpec::Arc(ArcSpec { bulge: Some(_), .. })) {
+                "bulge"
+            } else {
+                "weights"
+            })
+        }
+        E::RadiusNotPositive { .. } => Blame::Field("radius"),
+        E::ZeroAxis => Blame::Field("normal"),
+        E::OrderOutOfRange { .. } => Blame::Field("order"),
+        E::TangentCount { .. } => Blame::Field("tangents"),
+        E::ParameterOutOfRange { name, .. } => Blame::Field(name),
+        _ => error.index().map_or(Blame::Object, Blame::Point),
+    }
+}

@@ -1,0 +1,31 @@
+//! Surfaces: from fields to the kernel's patches.
+
+use cyclide::{CyclidePatch, SurfaceObject, Vec3};
+
+use super::Builder;
+use crate::document::coordinates::Coordinates;
+use crate::document::spec::{CyclidePatchSpec, ObjectSpec};
+use crate::error::Result;
+
+impl Builder<'_> {
+    /// The surfaces of an object that has some.
+    pub(super) fn surfaces(&mut self) -> Result<Vec<SurfaceObject>> {
+        match self.spec {
+            ObjectSpec::CyclidePatch(spec) => self.patch(spec),
+            _ => Ok(Vec::new()),
+        }
+    }
+
+    fn patch(&self, spec: &CyclidePatchSpec) -> Result<Vec<SurfaceObject>> {
+        let [v1, v2] = spec.frame.map(direction);
+        let corners = spec.corners.map(Coordinates::point);
+        let patch = CyclidePatch::from_corners_and_frame_at(corners, spec.frame_corner as usize, v1, v2);
+        patch.map(|patch| vec![SurfaceObject::Patch(patch)]).map_err(|e| self.refused(&e, None))
+    }
+}
+
+/// A direction of any length as a unit vector; one that has none stays what it is, for the kernel to refuse.
+fn direction(given: Coordinates) -> Vec3 {
+    let v = given.vector();
+    v.unit().unwrap_or(v)
+}

@@ -1,0 +1,144 @@
+//! The types of object a document may hold, field by field. Their doc comments are the published schema's text.
+
+mod curves;
+mod surfaces;
+
+use std::collections::BTreeMap;
+
+use cyclide::Units;
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+pub use curves::{
+    ArcFitSpec, ArcSpec, ArcSplineSpec, BiarcSpec, CircleSpec, CircleSplineSpec, ClampedEnds, EffortWord, EndsSpec,
+    RuleWord, TargetWord, VariantWord,
+};
+pub use surfaces::{CyclidePatchSpec};
+
+/// A cyclide model: named curves and surfaces made of circles. Lengths are in the document's units and are never rescaled,
+/// angles are in radians.
+#[derive(JsonSchema)]
+#[schemars(rename = "cyclide model document", deny_unknown_fields)]
+#[expect(dead_code, reason = "the shape of the whole document, for the schema; parsing goes object by object")]
+pub(super) struct DocumentShape {
+    /// Address of this schema, for editors; not read.
+    #[schemars(rename = "$schema")]
+    schema: Option<String>,
+    /// Version of the document format.
+    #[schemars(extend("const" = 1))]
+    cyclide: u64,
+    /// What one unit of the coordinates is.
+    #[schemars(default)]
+    units: UnitWord,
+    /// The objects by name.
+    #[schemars(extend("propertyNames" = { "minLength": 1 }))]
+    objects: BTreeMap<String, ObjectSpec>,
+}
+
+/// The units of a document.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Deserialize, JsonSchema)]
+#[schemars(inline)]
+pub enum UnitWord {
+    /// Millimetres.
+    #[default]
+    #[serde(rename = "mm")]
+    Millimetre,
+    /// Centimetres.
+    #[serde(rename = "cm")]
+    Centimetre,
+    /// Metres.
+    #[serde(rename = "m")]
+    Metre,
+    /// Inches.
+    #[serde(rename = "in")]
+    Inch,
+    /// Feet.
+    #[serde(rename = "ft")]
+    Foot,
+}
+
+impl From<UnitWord> for Units {
+    fn from(word: UnitWord) -> Self {
+        match word {
+            UnitWord::Millimetre => Self::Millimetre,
+            UnitWord::Centimetre => Self::Centimetre,
+            UnitWord::Metre => Self::Metre,
+            UnitWord::Inch => Self::Inch,
+            UnitWord::Foot => Self::Foot,
+        }
+    }
+}
+
+/// One object of a document.
+#[derive(Debug, Clone, PartialEq, JsonSchema)]
+#[schemars(untagged, rename = "Object")]
+pub enum ObjectSpec {
+    /// A circular arc or straight segment.
+    Arc(ArcSpec),
+    /// A full circle.
+    Circle(CircleSpec),
+    /// Two arcs between two points with given directions.
+    Biarc(BiarcSpec),
+    /// Arcs through points, tangent-continuous.
+    ArcSpline(ArcSplineSpec),
+    /// The fewest arcs near points, tangent-continuous.
+    ArcFit(ArcFitSpec),
+    /// A smooth curve through points, blended from circles.
+    CircleSpline(CircleSplineSpec),
+    /// One patch of a Dupin cyclide, bounded by four circular arcs.
+    CyclidePatch(CyclidePatchSpec),
+}
+
+/// The field `type`: its word has been read before, to tell what the other fields are.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct TypeWord;
+
+impl<'de> Deserialize<'de> for TypeWord {
+    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        serde::de::IgnoredAny::deserialize(deserializer).map(|_| Self)
+    }
+}
+
+/// The functions that go through all types of object.
+macro_rules! object_types {
+    ($($word:literal => $variant:ident),* $(,)?) => {
+        impl ObjectSpec {
+            /// The words of the types, in the order of the documentation.
+            pub const TYPES: &'static [&'static str] = &[$($word),*];
+
+            /// The word of the object's type.
+            #[must_use]
+            pub fn type_word(&self) -> &'static str {
+                match self {
+                    $(Self::$variant(_) => $word,)*
+                }
+            }
+
+            /// True for helper geometry, which is built and reported but not written to files.
+            #[must_use]
+            pub fn is_construction(&self) -> bool {
+                match self {
+                    $(Self::$variant(spec) => spec.construction,)*
+                }
+            }
+
+            /// Reads an object of the type `word`; `None` if there is no such type.
+            pub(super) fn parse(word: &str, text: &str) -> Option<serde_json::Result<Self>> {
+                match word {
+                    $($word => Some(serde_json::from_str(text).map(Self::$variant)),)*
+                    _ => None,
+                }
+            }
+        }
+    };
+}
+
+object_types! {
+    "arc" => Arc,
+    "circle" => Circle,
+    "biarc" => Biarc,
+    "arc-spline" => ArcSpline,
+    "arc-fit" => ArcFit,
+    "circle-spline" => CircleSpline,
+    "cyclide-patch" => CyclidePatch,
+}

@@ -1,0 +1,164 @@
+//! The report on surfaces.
+
+use cyclide::{Body, CyclidePatch, ParamSurface as _, Shell, ShellFace, surface_joints};
+use serde::Serialize;
+
+use super::{CORNER_ANGLE, RangeReport};
+use crate::document::BuiltObject;
+
+/// Places per direction at which a patch is measured where there is no closed form.
+const SAMPLES: usize = 5;
+
+/// The report on the surfaces of an object; largest values are over all its patches.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct SurfaceReport {
+    /// Patches of all bodies together.
+    pub patches: usize,
+    /// Connected bodies.
+    pub bodies: usize,
+    /// True if no edge is free.
+    pub closed: bool,
+    /// Edges with one patch only.
+    pub free_edges: usize,
+    /// Area of all patches.
+    pub area: f64,
+    /// Enclosed volume, hollows taken out; `None` if a body is open.
+    pub volume: Option<f64>,
+    /// How the patches meet.
+    pub joints: SurfaceJointReport,
+    /// Principal curvatures along the s-lines, in 1/length: negative where the surface bends away from its outer
+    /// side. Infinite where a line shrinks to a point.
+    pub curvature_s: RangeReport,
+    /// Principal curvatures along the t-lines.
+    pub curvature_t: RangeReport,
+    /// The nine real weights of every patch, before patches are cut so that all are positive.
+    pub weights: RangeReport,
+    /// Largest real part of the quaternion quotient, a length: how far rounding takes the surface out of three-space.
+    pub residual: f64,
+    /// Largest cosine between the two directions of the parameter lines.
+    pub orthogonality: f64,
+    /// Patches in which a parameter line shrinks to a point.
+    pub singular: Vec<SingularPatchReport>,
+    /// Patches whose normal `f_s × f_t` is against that of their neighbours' frame.
+    pub flipped: Vec<PatchPlace>,
+}
+
+/// How patches meet, measured along every edge that two share.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
+pub struct SurfaceJointReport {
+    /// Number of such edges.
+    pub count: usize,
+    /// Largest distance between the two patches, at equal parameters.
+    pub gap: f64,
+    /// Edges at which the normals differ by more than a thousandth of a radian.
+    pub creases: usize,
+    /// Largest angle between the normals at the creases, radians.
+    pub crease_angle: f64,
+    /// Largest angle between the normals at the other edges, radians.
+    pub angle: f64,
+}
+
+/// A patch of an object.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+pub struct PatchPlace {
+    /// The body, from 0.
+    pub body: usize,
+    /// The patch of the body, from 0; in a net s fastest.
+    pub patch: usize,
+}
+
+/// A patch in which parameter lines shrink to a point.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct SingularPatchReport {
+    /// The patch.
+    #[serde(flatten)]
+    pub place: PatchPlace,
+    /// The parameters s whose t-line is one point.
+    pub s: Vec<f64>,
+    /// The parameters t whose s-line is one point.
+    pub t: Vec<f64>,
+}
+
+impl SurfaceReport {
+    /// Measures the bodies of an object.
+    pub(super) fn new(built: &BuiltObject) -> Self {
+        let bodies = &built.bodies;
+        let shells = || bodies.iter().flat_map(Body::shells);
+        let volumes: Option<Vec<f64>> = bodies.iter().map(volume).collect();
+        let mut report = Self {
+            patches: shells().map(|shell| shell.faces().len()).sum(),
+            bodies: bodies.len(),
+            closed: shells().all(Shell::is_closed),
+            free_edges: shells().flat_map(Shell::edge_uses).filter(|&uses| uses == 1).count(),
+            area: shells().map(Shell::area).sum(),
+            volume: volumes.map(|v| v.iter().sum()),
+            joints: joints(shells()),
+            curvature_s: RangeReport::EMPTY,
+            curvature_t: RangeReport::EMPTY,
+            weights: RangeReport::EMPTY,
+            residual: 0.0,
+            orthogonality: 0.0,
+            singular: Vec::new(),
+            flipped: Vec::new(),
+        };
+        for (body, it) in bodies.iter().enumerate() {
+            for (patch, face) in it.shells().flat_map(Shell::faces).enumerate() {
+                report.add(PatchPlace { body, patch }, face);
+            }
+        }
+        report
+    }
+
+    fn add(&mut self, place: PatchPlace, face: &ShellFace) {
+        let patch = &face.patch;
+        let (s, t) = (patch.singular_s(), patch.singular_t());
+        let flipped = is_flipped(patch);
+        if !(s.is_empty() && t.is_empty()) {
+            self.singular.push(SingularPatchReport { place, s, t });
+        } else if flipped {
+            self.flipped.push(place);
+        }
+        // The curvatures are against D V3 D^-1; the outer side may be the other one.
+        let outer = if flipped == face.same_sense { -1.0 } else { 1.0 };
+        let turned = |range: RangeReport, [a, b]: [f64; 2]| range.with((outer * a).min(outer * b), (outer * a).max(outer * b));
+        self.curvature_s = turned(self.curvature_s, patch.k1_range());
+        self.curvature_t = turned(self.curvature_t, patch.k2_range());
+        for weight in patch.real_weights().as_flattened() {
+            self.weights = self.weights.with(*weight, *weight);
+        }
+        for i in 0..SAMPLES * SAMPLES {
+            let [s, t] = [i % SAMPLES, i / SAMPLES].map(|k| k as f64 / (SAMPLES - 1) as f64);
+            self.residual = self.residual.max(patch.real_residual(s, t));
+            let jet = patch.jet(s, t);
+            if let (Some(a), Some(b)) = (jet.ds.unit(), jet.dt.unit()) {
+                self.orthogonality = self.orthogonality.max(a.dot(b).abs());
+            }
+        }
+    }
+}
+
+/// True if `f_s × f_t` is against `D V3 D^-1`, judged in the middle.
+fn is_flipped(patch: &CyclidePatch) -> bool {
+    let middle = |[a, b, c]: [f64; 3]| 0.25 * (a + 2.0 * b + c);
+    middle(patch.q1()) * middle(patch.q2()) < 0.0
+}
+
+fn volume(body: &Body) -> Option<f64> {
+    // The shells of hollows are oriented into them: their volumes are negative.
+    body.is_solid().then(|| body.shells().map(Shell::volume).sum())
+}
+
+fn joints<'a>(shells: impl Iterator<Item = &'a Shell>) -> SurfaceJointReport {
+    let mut report = SurfaceJointReport::default();
+    for joint in shells.flat_map(surface_joints) {
+        report.count += 1;
+        report.gap = report.gap.max(joint.gap);
+        if joint.angle > CORNER_ANGLE {
+            report.creases += 1;
+            report.crease_angle = report.crease_angle.max(joint.angle);
+        } else {
+            report.angle = report.angle.max(joint.angle);
+        }
+    }
+    report
+}
