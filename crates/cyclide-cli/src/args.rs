@@ -43,8 +43,12 @@ Examples:
   cyclide sample logo.json --count 500 > logo.csv
   cyclide sample cable.json --object cable --count 200 --equal-length -o cable.csv
 
-Columns: t,x,y,z,tx,ty,tz,curvature (parameter, point, unit tangent, curvature), with a column 'contour' in front if the
-object has several. Each contour gets its own samples, both ends included.";
+  cyclide sample roof.json --object skin --count 8 -o roof.csv
+
+Curves: columns t,x,y,z,tangent_x,tangent_y,tangent_z,curvature, with a column 'contour' in front if the object has
+several. Each contour gets its own samples, both ends included.
+Surfaces: columns patch,s,t,x,y,z,normal_x,normal_y,normal_z,curvature_s,curvature_t on a grid of N by N places of every
+patch, edges included, with a column 'body' in front if the object has several.";
 
 const REPORT_EXAMPLES: &str = "\
 Examples:
@@ -55,7 +59,8 @@ const SCHEMA_EXAMPLES: &str = "\
 Example:
   cyclide schema > cyclide-1.schema.json";
 
-/// Curves made of circles: points in, exact and smooth curves out, in CAD, on a laser cutter or in a drawing.
+/// Curves and surfaces made of circles: points or meshes in, exact and smooth geometry out, for CAD, cutting, drawing and
+/// rendering.
 #[derive(Debug, Parser)]
 #[command(name = "cyclide", version, arg_required_else_help = true, after_help = format!("{EXAMPLES}\n\n{EXIT_CODES}"))]
 pub struct Args {
@@ -65,13 +70,13 @@ pub struct Args {
 
 #[derive(Debug, Subcommand)]
 pub enum Command {
-    /// Build a model document and write its curves to files.
+    /// Build a model document and write its curves and surfaces to files.
     #[command(after_help = BUILD_EXAMPLES)]
     Build(BuildArgs),
     /// Turn a list of points into a curve and write it to files.
     #[command(after_help = CURVE_EXAMPLES)]
     Curve(CurveArgs),
-    /// Sample an object of a model: points, tangents, curvature as CSV.
+    /// Sample an object of a model: points, tangents or normals, curvatures as CSV.
     #[command(after_help = SAMPLE_EXAMPLES)]
     Sample(SampleArgs),
     /// Build a model document and report on its objects without writing files.
@@ -97,7 +102,8 @@ pub struct BuildArgs {
 /// Options about the files that are written.
 #[derive(Debug, ClapArgs)]
 pub struct OutputArgs {
-    /// File to write; the suffix says the format: .step .stp .dxf .svg .csv .json .png. Give it once per file.
+    /// File to write; the suffix says the format: .step .stp .dxf .svg .csv .json .png
+    /// .glb .obj .stl. Give it once per file.
     #[arg(short, long = "output", value_name = "FILE", required = true, action = ArgAction::Append)]
     pub output: Vec<PathBuf>,
     /// Print the report as JSON.
@@ -172,10 +178,10 @@ pub struct SampleArgs {
     /// Name of the object; may be left out if there is only one.
     #[arg(long, value_name = "NAME")]
     pub object: Option<String>,
-    /// Samples per contour, at least 2.
+    /// Samples per contour, or per direction of a patch, at least 2.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(2..=10_000_000))]
     pub count: u32,
-    /// Equal steps of arc length instead of the parameter.
+    /// Curves: equal steps of arc length instead of the parameter.
     #[arg(long)]
     pub equal_length: bool,
     /// Write to a file instead of standard output.

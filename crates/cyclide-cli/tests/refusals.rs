@@ -208,7 +208,7 @@ fn a_reader_that_stops_early_is_no_failure() {
         .unwrap();
     let mut start = [0; 10];
     child.stdout.take().unwrap().read_exact(&mut start).unwrap();
-    assert_eq!(&start, b"t,x,y,z,tx");
+    assert_eq!(&start, b"t,x,y,z,ta");
     // The pipe is closed now, long before megabytes of samples are through.
     let run = Run::new(child.wait_with_output().unwrap());
     assert_eq!((run.code, run.stderr.as_str()), (0, ""));

@@ -37,7 +37,8 @@ pub use deviation::deviation;
 pub use document::{
     ArcFitSpec, ArcSpec, ArcSplineSpec, BiarcSpec, BuiltObject, CircleSpec, CircleSplineSpec, ClampedEnds,
     ContourFacts, Coordinates, CyclidePatchSpec, DOCUMENT_VERSION, Document, EffortWord, EndsSpec, Lists,
-    ModelBuilder, ObjectSpec, PointFile, PointSource, Remark, RuleWord, TargetWord, TypeWord, UnitWord, VariantWord, document_schema,
+    ModelBuilder, ObjectSpec, OffsetSpec, PlaneSpec, PointFile, PointSource, Remark, RotationSpec, RuleWord, ScaleSpec,
+    SphereSpec, StepSpec, TransformSpec, TargetWord, TypeWord, UnitWord, VariantWord, document_schema,
 };
 pub use error::{Error, Result};
 pub use export::{DxfVersion, ExportError, ExportOptions, Exported, StepEdges, export};

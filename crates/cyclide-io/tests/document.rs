@@ -1,7 +1,7 @@
 //! Documents of every type are built, and what the kernel refuses is shown at its place.
 
 use cyclide::{CurveObject, ParamCurve, Point3, Units, joints, length};
-use cyclide_io::{BuiltObject, Document, Error};
+use cyclide_io::{BuiltObject, Document, Error, ModelBuilder};
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::path::Path;
 
@@ -16,7 +16,8 @@ fn build_with(fields: &str, file: &str) -> Result<BuiltObject, String> {
             Err(std::io::ErrorKind::NotFound.into())
         }
     };
-    document.build_object(0, Path::new("dir"), &read).map_err(|e| e.to_string())
+    let built = ModelBuilder::new(&document, Path::new("dir"), &read).and_then(|mut b| b.build(0, &mut |_| {}));
+    built.map_err(|e| e.to_string())
 }
 
 fn build(fields: &str) -> Result<BuiltObject, String> {
@@ -224,7 +225,8 @@ fn documents_made_by_a_program_name_the_object() {
     let text = "{\"cyclide\": 1, \"objects\": {\"a\": {\"type\": \"circle\", \"center\": [0,0], \"radius\": -1}}}";
     let parsed = Document::parse("m.json", text.as_bytes()).unwrap();
     let made = Document::from_objects("made", Units::Inch, parsed.objects);
-    let error = made.build_object(0, Path::new(""), &|_| Ok(Vec::new())).unwrap_err();
+    let read = |_: &Path| Ok(Vec::new());
+    let error = ModelBuilder::new(&made, Path::new(""), &read).unwrap().build(0, &mut |_| {}).unwrap_err();
     assert!(matches!(&error, Error::Geometry { object, .. } if object == "a"), "{error}");
     assert!(error.to_string().ends_with("[radius-not-positive]"));
 }

@@ -6,7 +6,7 @@ mod text;
 
 use std::path::Path;
 
-use cyclide::{Aabb, Model, Units, bounds};
+use cyclide::{Model, Units};
 use indexmap::IndexMap;
 use serde::Serialize;
 

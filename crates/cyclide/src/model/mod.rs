@@ -2,6 +2,7 @@
 
 mod chain;
 mod circle_spline;
+mod derived;
 mod lower;
 mod object;
 mod surface_object;

@@ -57,6 +57,9 @@ impl Builder<'_> {
             ObjectSpec::ArcSpline(s) => self.each_contour(&s.points, s.closed, |at| arc_spline(s, at)),
             ObjectSpec::ArcFit(s) => self.each_contour(&s.points, s.closed, |at| arc_fit(s, at)),
             ObjectSpec::CircleSpline(s) => self.each_contour(&s.points, s.closed, |at| circle_spline(s, at)),
+            ObjectSpec::Transform(s) => {
+                Ok(self.mapped_curves(s)?.into_iter().map(|curve| (curve, ContourFacts::default())).collect())
+            }
             _ => Ok(Vec::new()),
         }
     }

@@ -1,10 +1,11 @@
 //! From objects of a document to the kernel's curves and surfaces; what the kernel refuses is shown at its place.
 
 mod curves;
+mod derived;
+mod references;
 mod refuse;
 mod surfaces;
 
-use std::collections::HashMap;
 use std::io;
 use std::path::Path;
 
@@ -16,6 +17,7 @@ use super::coordinates::PointSource;
 use super::locate::{Step, path_text, span_of};
 use super::spec::ObjectSpec;
 use crate::error::{Error, Result};
+use references::References;
 
 /// An object made by its construction, with what is known about it besides its geometry.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -52,8 +54,7 @@ pub struct ModelBuilder<'a> {
     document: &'a Document,
     folder: &'a Path,
     read: Read<'a>,
-    /// The object that each one is made from, if it is made from one.
-    base: Vec<Option<usize>>,
+    references: References,
     made: Vec<Option<BuiltObject>>,
 }
 
@@ -66,8 +67,8 @@ impl<'a> ModelBuilder<'a> {
     /// # Errors
     /// [`Error::Input`] at a name that no object has, or that leads back to the object itself.
     pub fn new(document: &'a Document, folder: &'a Path, read: Read<'a>) -> Result<Self> {
-        let base = document.bases()?;
-        Ok(Self { document, folder, read, base, made: vec![None; document.objects.len()] })
+        let references = References::new(document)?;
+        Ok(Self { document, folder, read, references, made: vec![None; document.objects.len()] })
     }
 
     /// Runs the construction of the object with this index, and before it those of the objects it is made from.
@@ -80,19 +81,13 @@ impl<'a> ModelBuilder<'a> {
     /// # Panics
     /// If there is no object with this index.
     pub fn build(&mut self, index: usize, progress: &mut dyn FnMut(String)) -> Result<BuiltObject> {
-        let mut chain = vec![index];
-        let mut next = self.base[index];
-        while let Some(base) = next.filter(|&base| self.made[base].is_none()) {
-            chain.push(base);
-            next = self.base[base];
-        }
-        for &index in chain.iter().rev() {
+        for index in self.references.needed_for(index) {
             if self.made[index].is_none() {
                 let (name, spec) = &self.document.objects[index];
                 let Self { document, folder, read, .. } = *self;
-                let base = self.base[index].and_then(|base| self.made[base].as_ref());
+                let sources = self.references.of(index).iter().filter_map(|&k| self.made[k].as_ref()).collect();
                 let (remarks, warnings) = (Vec::new(), Vec::new());
-                let builder = Builder { document, name, spec, base, folder, read, progress, remarks, warnings };
+                let builder = Builder { document, name, spec, sources, folder, read, progress, remarks, warnings };
                 self.made[index] = Some(builder.build()?);
             }
         }
@@ -108,49 +103,6 @@ impl Document {
             _ => None,
         })
     }
-
-    /// The index of the object that each one is made from, checked: no name is unknown and none leads to itself.
-    fn bases(&self) -> Result<Vec<Option<usize>>> {
-        let refused = |index: usize, message: String| {
-            let path = [Step::from("objects"), Step::from(self.objects[index].0.as_str()), Step::from("of")];
-            let span = span_of(&self.text, &path).unwrap_or(0..0);
-            Error::Input(self.source().diagnostic(span, &path_text(&path), message))
-        };
-        let indices: HashMap<&str, usize> = self.objects.iter().enumerate().map(|(i, (n, _))| (n.as_str(), i)).collect();
-        let find = |(index, (_, spec)): (usize, &(String, ObjectSpec))| match spec.base() {
-            None => Ok(None),
-            Some(name) => indices
-                .get(name)
-                .map(|base| Some(*base))
-                .ok_or_else(|| refused(index, format!("there is no object `{name}`"))),
-        };
-        let bases = self.objects.iter().enumerate().map(find).collect::<Result<Vec<Option<usize>>>>()?;
-        // Ways that are known to end.
-        let mut ends = vec![false; bases.len()];
-        for start in 0..bases.len() {
-            let mut way = Vec::new();
-            let mut at = Some(start);
-            while let Some(index) = at.filter(|&index| !ends[index]) {
-                if way.len() > bases.len() {
-                    let message = format!("`{}` is made from itself", self.objects[index].0);
-                    return Err(refused(index, message));
-                }
-                way.push(index);
-                at = bases[index];
-            }
-            for index in way {
-                ends[index] = true;
-            }
-        }
-        Ok(bases)
-    }
-}
-
-impl ObjectSpec {
-    /// Name of the object it is made from, if it is made from one.
-    fn base(&self) -> Option<&str> {
-        None
-    }
 }
 
 /// One construction.
@@ -158,8 +110,8 @@ struct Builder<'a> {
     document: &'a Document,
     name: &'a str,
     spec: &'a ObjectSpec,
-    /// The object it is made from.
-    base: Option<&'a BuiltObject>,
+    /// The objects it is made from, in the order of [`ObjectSpec::references`].
+    sources: Vec<&'a BuiltObject>,
     folder: &'a Path,
     read: Read<'a>,
     progress: &'a mut dyn FnMut(String),

@@ -31,6 +31,17 @@ impl Builder<'_> {
         }
     }
 
+    /// The message for what the kernel said about the value at a path below the object.
+    pub(super) fn refused_at(&self, steps: impl IntoIterator<Item = Step>, error: &cyclide::Error) -> Error {
+        if self.document.text.is_empty() {
+            return Error::Geometry { object: self.name.to_owned(), source: error.clone() };
+        }
+        let path = self.path(steps);
+        let span = span_of(&self.document.text, &path).unwrap_or(0..1);
+        let message = self.document.source().diagnostic(span, &path_text(&path), error.to_string());
+        Error::Input(message.with_reason(error.reason()))
+    }
+
     /// The message for what the kernel said, at the point or field it is about.
     pub(super) fn refused(&self, error: &cyclide::Error, from: Option<(&Points, usize)>) -> Error {
         let blame = blame(self.spec, error);

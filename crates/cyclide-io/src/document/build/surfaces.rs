@@ -12,6 +12,8 @@ impl Builder<'_> {
     pub(super) fn surfaces(&mut self) -> Result<Vec<SurfaceObject>> {
         match self.spec {
             ObjectSpec::CyclidePatch(spec) => self.patch(spec),
+            ObjectSpec::Offset(spec) => self.offset(spec),
+            ObjectSpec::Transform(spec) => self.mapped_surfaces(spec),
             _ => Ok(Vec::new()),
         }
     }

@@ -1,6 +1,7 @@
 //! The types of object a document may hold, field by field. Their doc comments are the published schema's text.
 
 mod curves;
+mod derived;
 mod surfaces;
 
 use std::collections::BTreeMap;
@@ -13,7 +14,8 @@ pub use curves::{
     ArcFitSpec, ArcSpec, ArcSplineSpec, BiarcSpec, CircleSpec, CircleSplineSpec, ClampedEnds, EffortWord, EndsSpec,
     RuleWord, TargetWord, VariantWord,
 };
-pub use surfaces::{CyclidePatchSpec};
+pub use derived::{OffsetSpec, PlaneSpec, RotationSpec, ScaleSpec, SphereSpec, StepSpec, TransformSpec};
+pub use surfaces::CyclidePatchSpec;
 
 /// A cyclide model: named curves and surfaces made of circles. Lengths are in the document's units and are never rescaled,
 /// angles are in radians.
@@ -87,6 +89,10 @@ pub enum ObjectSpec {
     CircleSpline(CircleSplineSpec),
     /// One patch of a Dupin cyclide, bounded by four circular arcs.
     CyclidePatch(CyclidePatchSpec),
+    /// A parallel surface.
+    Offset(OffsetSpec),
+    /// An object mapped.
+    Transform(TransformSpec),
 }
 
 /// The field `type`: its word has been read before, to tell what the other fields are.
@@ -141,4 +147,6 @@ object_types! {
     "arc-fit" => ArcFit,
     "circle-spline" => CircleSpline,
     "cyclide-patch" => CyclidePatch,
+    "offset" => Offset,
+    "transform" => Transform,
 }

@@ -1,0 +1,110 @@
+//! Which objects are made from which others: names found, circles refused, the order of building.
+
+use std::collections::HashMap;
+
+use crate::document::Document;
+use crate::document::locate::{Step, path_text, span_of};
+use crate::document::spec::ObjectSpec;
+use crate::error::{Error, Result};
+
+/// The objects that each object is made from.
+pub(super) struct References {
+    of: Vec<Vec<usize>>,
+}
+
+/// How far the walk over an object's references has come.
+#[derive(Clone, Copy, PartialEq)]
+enum State {
+    New,
+    Begun,
+    Done,
+}
+
+impl References {
+    /// Finds every name.
+    ///
+    /// # Errors
+    /// [`Error::Input`] at a name that no object has, or that leads back to the object itself.
+    pub(super) fn new(document: &Document) -> Result<Self> {
+        let names = document.objects.iter().enumerate();
+        let indices: HashMap<&str, usize> = names.map(|(i, (name, _))| (name.as_str(), i)).collect();
+        let mut of = Vec::with_capacity(document.objects.len());
+        for (index, (_, spec)) in document.objects.iter().enumerate() {
+            let find = |(place, name): (usize, (Vec<Step>, &str))| {
+                let missing = || refused(document, index, place, &format!("there is no object `{name}`"));
+                indices.get(name).copied().ok_or_else(missing)
+            };
+            of.push(spec.references().into_iter().enumerate().map(find).collect::<Result<Vec<_>>>()?);
+        }
+        let references = Self { of };
+        let mut state = vec![State::New; references.of.len()];
+        for index in 0..references.of.len() {
+            references.walk(index, &mut state, &mut |_| {}).map_err(|(index, place)| {
+                let message = format!("`{}` is made from itself", document.objects[index].0);
+                refused(document, index, place, &message)
+            })?;
+        }
+        Ok(references)
+    }
+
+    /// The objects that an object is made from, in the order of [`ObjectSpec::references`].
+    pub(super) fn of(&self, index: usize) -> &[usize] {
+        &self.of[index]
+    }
+
+    /// The object and all it needs, each after what it is made from.
+    pub(super) fn needed_for(&self, index: usize) -> Vec<usize> {
+        let mut order = Vec::new();
+        // Circles were refused by `new`.
+        let _no_circle = self.walk(index, &mut vec![State::New; self.of.len()], &mut |i| order.push(i));
+        order
+    }
+
+    /// Visits what is not done yet, each object after those it is made from; or gives the object and reference that
+    /// close a circle. Without recursion: documents may have chains of any length.
+    fn walk(
+        &self,
+        start: usize,
+        state: &mut [State],
+        visit: &mut dyn FnMut(usize),
+    ) -> std::result::Result<(), (usize, usize)> {
+        let mut way = vec![(start, 0)];
+        while let Some((index, next)) = way.pop() {
+            if next == 0 && state[index] == State::Done {
+                continue;
+            }
+            state[index] = State::Begun;
+            let Some(&base) = self.of[index].get(next) else {
+                state[index] = State::Done;
+                visit(index);
+                continue;
+            };
+            if state[base] == State::Begun {
+                return Err((index, next));
+            }
+            way.extend([(index, next + 1), (base, 0)]);
+        }
+        Ok(())
+    }
+}
+
+/// The message at the reference of an object with this number.
+fn refused(document: &Document, index: usize, place: usize, message: &str) -> Error {
+    let (name, spec) = &document.objects[index];
+    let steps = spec.references().swap_remove(place).0;
+    let path: Vec<Step> = [Step::from("objects"), Step::from(name.as_str())].into_iter().chain(steps).collect();
+    let span = span_of(&document.text, &path).unwrap_or(0..0);
+    Error::Input(document.source().diagnostic(span, &path_text(&path), message))
+}
+
+impl ObjectSpec {
+    /// The names of the objects it is made from, with their paths below the object.
+    pub(super) fn references(&self) -> Vec<(Vec<Step>, &str)> {
+        let of = |name| vec![(vec![Step::from("of")], name)];
+        match self {
+            Self::Offset(s) => of(s.of.as_str()),
+            Self::Transform(s) => of(s.of.as_str()),
+            _ => Vec::new(),
+        }
+    }
+}

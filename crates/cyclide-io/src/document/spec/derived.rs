@@ -1,0 +1,103 @@
+//! Objects made from other objects, field by field.
+
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+use super::TypeWord;
+use crate::document::coordinates::Coordinates;
+
+/// A parallel surface of another object, exact.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct OffsetSpec {
+    /// The word `offset`.
+    #[schemars(with = "String", extend("const" = "offset"))]
+    pub r#type: TypeWord,
+    /// Helper geometry: built and reported, not written to files.
+    #[serde(default)]
+    pub construction: bool,
+    /// Name of the surface.
+    pub of: String,
+    /// Distance along the normal `f_s x f_t`; negative to the other side.
+    pub distance: f64,
+}
+
+/// The image of another object under a chain of maps.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct TransformSpec {
+    /// The word `transform`.
+    #[schemars(with = "String", extend("const" = "transform"))]
+    pub r#type: TypeWord,
+    /// Helper geometry: built and reported, not written to files.
+    #[serde(default)]
+    pub construction: bool,
+    /// Name of the object.
+    pub of: String,
+    /// The maps, the first one first.
+    #[schemars(length(min = 1))]
+    pub steps: Vec<StepSpec>,
+}
+
+/// One map. Inversions and matrices keep arcs and surfaces; full circles and circle splines take the others only.
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields)]
+#[schemars(rename = "Step")]
+pub enum StepSpec {
+    /// Inversion in a sphere.
+    Inversion(SphereSpec),
+    /// Shift by a vector.
+    Translation(Coordinates),
+    /// Turn about an axis.
+    Rotation(RotationSpec),
+    /// Enlarge or shrink.
+    Scale(ScaleSpec),
+    /// Reflection in a plane.
+    Mirror(PlaneSpec),
+    /// The map `x -> (A x + B)(C x + E)^-1` with quaternions `[w, x, y, z]`, rows `[A, B]`, `[C, E]`.
+    Matrix([[[f64; 4]; 2]; 2]),
+}
+
+/// A sphere to invert in.
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct SphereSpec {
+    /// Centre.
+    pub center: Coordinates,
+    /// Radius.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub radius: f64,
+}
+
+/// A turn.
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct RotationSpec {
+    /// Axis about which a positive angle turns counter-clockwise, of any length. Default `[0, 0, 1]`.
+    pub axis: Option<Coordinates>,
+    /// Angle in radians.
+    pub angle: f64,
+    /// A point of the axis. Default: the origin.
+    pub center: Option<Coordinates>,
+}
+
+/// A change of size.
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ScaleSpec {
+    /// Factor of all lengths.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub factor: f64,
+    /// The point that stays. Default: the origin.
+    pub center: Option<Coordinates>,
+}
+
+/// A plane to reflect in.
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct PlaneSpec {
+    /// Normal of the plane, of any length.
+    pub normal: Coordinates,
+    /// A point of the plane. Default: the origin.
+    pub origin: Option<Coordinates>,
+}
