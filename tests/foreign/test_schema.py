@@ -19,6 +19,16 @@ FIT = {"type": "arc-fit", "points": [[0, 0], [1, 0], [1, 1]], "tolerance": 0.1}
 CIRCLE = {"type": "circle", "center": [0, 0], "radius": 1}
 BIARC = {"type": "biarc", "from": [0, 0], "from_tangent": [1, 0], "to": [1, 1], "to_tangent": [1, 0]}
 
+PATCH = {"type": "cyclide-patch", "corners": [[0, 0], [1, 0], [0, 1], [1, 1]], "frame": [[1, 0, 1], [0, 1]]}
+STEPS = [
+    {"translation": [1, 0]},
+    {"rotation": {"angle": 1, "axis": [0, 1, 0], "center": [1, 1]}},
+    {"scale": {"factor": 2}},
+    {"mirror": {"normal": [1, 0]}},
+    {"inversion": {"center": [9, 9], "radius": 1}},
+    {"matrix": [[[1, 0, 0, 0], [0, 1, 0, 0]], [[0, 0, 0, 0], [1, 0, 0, 0]]]},
+]
+
 
 def without(fields, *names):
     return {k: v for k, v in fields.items() if k not in names}
@@ -34,6 +44,9 @@ GOOD = {
     "clamped": {**SPLINE, "ends": {"start": [0, 1]}, "order": 4, "variant": "trigonometric", "corner_angle": 1.5},
     "natural": {**SPLINE, "ends": "natural", "closed": True},
     "fit": {**FIT, "target": "polyline", "effort": "fast", "corner_angle": 3},
+    "construction": {**CIRCLE, "construction": True},
+    "patch": PATCH,
+    "patch with its frame elsewhere": {**PATCH, "frame": [[1, 0], [0, 1]], "frame_corner": 3},
     "tangents": {"type": "arc-spline", "points": [[0, 0], [1, 1]], "tangents": [[1, 0], [0, 1, 0]], "rule": "auto"},
 }
 
@@ -67,10 +80,25 @@ BAD = {
     "fit without a tolerance": without(FIT, "tolerance"),
     "fit with tolerance 0": {**FIT, "tolerance": 0},
     "fit with a rule": {**FIT, "rule": "auto"},
+    "construction in words": {**CIRCLE, "construction": "yes"},
+    "patch with three corners": {**PATCH, "corners": [[0, 0], [1, 0], [0, 1]]},
+    "patch without a frame": without(PATCH, "frame"),
+    "frame of one direction": {**PATCH, "frame": [[1, 0]]},
+    "frame at a fifth corner": {**PATCH, "frame_corner": 4},
     "another rule": {**BIARC, "rule": "best"},
 }
 
+GOOD_DOCUMENTS = {
+    "offset": {"cyclide": 1, "objects": {"o": {"type": "offset", "of": "p", "distance": -0.1}, "p": PATCH}},
+    "transform": {"cyclide": 1, "objects": {"p": PATCH, "t": {"type": "transform", "of": "p", "steps": STEPS}}},
+}
+
 BAD_DOCUMENTS = {
+    "offset of nothing": {"cyclide": 1, "objects": {"o": {"type": "offset", "distance": 1}}},
+    "offset in words": {"cyclide": 1, "objects": {"p": PATCH, "o": {"type": "offset", "of": "p", "distance": "1"}}},
+    "another step": {"cyclide": 1, "objects": {"p": PATCH, "t": {"type": "transform", "of": "p", "steps": [{"shift": [1, 0]}]}}},
+    "two maps in a step": {"cyclide": 1, "objects": {"p": PATCH, "t": {"type": "transform", "of": "p", "steps": [{**STEPS[0], **STEPS[3]}]}}},
+
     "no version": {"objects": {}},
     "another version": {"cyclide": 2, "objects": {}},
     "no objects": {"cyclide": 1},
@@ -104,6 +132,12 @@ def test_our_documents_are_valid(name):
 def test_both_accept(name, tmp_path):
     VALIDATOR.validate(one(GOOD[name]))
     assert exit_code(one(GOOD[name]), tmp_path) == 0
+
+
+@pytest.mark.parametrize("name", GOOD_DOCUMENTS)
+def test_both_accept_documents(name, tmp_path):
+    VALIDATOR.validate(GOOD_DOCUMENTS[name])
+    assert exit_code(GOOD_DOCUMENTS[name], tmp_path) == 0
 
 
 @pytest.mark.parametrize("document", [pytest.param(one(v), id=k) for k, v in BAD.items()]

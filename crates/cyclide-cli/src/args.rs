@@ -55,6 +55,12 @@ Examples:
   cyclide report logo.json
   cyclide report logo.json --json | jq '.objects[].length'";
 
+const GALLERY_EXAMPLES: &str = "\
+Example:
+  cyclide gallery -o gallery
+
+Each model comes with its document, so that it can be changed and built again: cyclide build gallery/patch.json -o new.step";
+
 const SCHEMA_EXAMPLES: &str = "\
 Example:
   cyclide schema > cyclide-1.schema.json";
@@ -82,6 +88,9 @@ pub enum Command {
     /// Build a model document and report on its objects without writing files.
     #[command(after_help = REPORT_EXAMPLES)]
     Report(ReportArgs),
+    /// Build every example model to files, with a page that shows them.
+    #[command(after_help = GALLERY_EXAMPLES)]
+    Gallery(GalleryArgs),
     /// Print the JSON Schema of the model document.
     #[command(after_help = SCHEMA_EXAMPLES)]
     Schema,
@@ -196,6 +205,13 @@ pub struct ReportArgs {
     /// Print the report as JSON.
     #[arg(long)]
     pub json: bool,
+}
+
+#[derive(Debug, ClapArgs)]
+pub struct GalleryArgs {
+    /// The folder for the files, made if it does not exist. The page is index.html.
+    #[arg(short, long = "output", value_name = "DIR")]
+    pub output: PathBuf,
 }
 
 /// Constructions that start from a list of points.

@@ -1,10 +1,11 @@
-//! The `cyclide` command: points and model documents in, curves made of circles out.
+//! The `cyclide` command: points, meshes and model documents in, curves and surfaces made of circles out.
 //!
 //! Arguments are read as typed ([`args`]), turned into a plan that is known to make sense ([`plan`]), and carried out
-//! ([`make`], [`inspect`]). Results go to standard output, everything else to standard error.
+//! ([`make`], [`inspect`], [`gallery`]). Results go to standard output, everything else to standard error.
 
 mod args;
 mod failure;
+mod gallery;
 mod inspect;
 mod load;
 mod make;
@@ -22,6 +23,7 @@ fn main() -> ExitCode {
         Plan::Make(plan) => make::run(&plan),
         Plan::Sample(plan) => inspect::sample(&plan),
         Plan::Report(plan) => inspect::report(&plan),
+        Plan::Gallery(plan) => gallery::run(&plan),
         Plan::Schema => inspect::schema(),
     });
     match outcome {

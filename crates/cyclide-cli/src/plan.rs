@@ -10,7 +10,7 @@ use cyclide_io::{
 };
 
 use crate::args::{
-    Args, BuildArgs, Command, CurveArgs, DxfArg, EffortArg, Kind, OutputArgs, ReportArgs, RuleArg, SampleArgs,
+    Args, BuildArgs, Command, CurveArgs, DxfArg, EffortArg, GalleryArgs, Kind, OutputArgs, ReportArgs, RuleArg, SampleArgs,
     TargetArg, UnitsArg, VariantArg,
 };
 use crate::failure::Failure;
@@ -20,6 +20,7 @@ pub enum Plan {
     Make(MakePlan),
     Sample(SamplePlan),
     Report(ReportPlan),
+    Gallery(GalleryPlan),
     Schema,
 }
 
@@ -54,6 +55,11 @@ pub struct ReportPlan {
     pub json: bool,
 }
 
+/// Build the gallery.
+pub struct GalleryPlan {
+    pub folder: PathBuf,
+}
+
 impl Args {
     /// The plan for what was typed.
     pub fn plan(self) -> Result<Plan, Failure> {
@@ -66,7 +72,7 @@ impl Args {
             Command::Curve(CurveArgs { points: path, .. }) => {
                 refuse_suffix(path, "json", "a model document, not a list of points: see 'cyclide build'")?;
             }
-            Command::Schema => {}
+            Command::Gallery(_) | Command::Schema => {}
         }
         match self.command {
             Command::Build(BuildArgs { model, output, tolerance }) => {
@@ -87,6 +93,7 @@ impl Args {
             Command::Report(ReportArgs { model, json }) => {
                 Ok(Plan::Report(ReportPlan { input: Input::File(model), json }))
             }
+            Command::Gallery(GalleryArgs { output }) => Ok(Plan::Gallery(GalleryPlan { folder: output })),
             Command::Schema => Ok(Plan::Schema),
         }
     }

@@ -36,9 +36,9 @@ pub use bodies::{FileBody, FileEdge, FileFace, FileShell, FileSurface};
 pub use deviation::deviation;
 pub use document::{
     ArcFitSpec, ArcSpec, ArcSplineSpec, BiarcSpec, BuiltObject, CircleSpec, CircleSplineSpec, ClampedEnds,
-    ContourFacts, Coordinates, CyclidePatchSpec, DOCUMENT_VERSION, Document, EffortWord, EndsSpec, Lists,
-    ModelBuilder, ObjectSpec, OffsetSpec, PlaneSpec, PointFile, PointSource, Remark, RotationSpec, RuleWord, ScaleSpec,
-    SphereSpec, StepSpec, TransformSpec, TargetWord, TypeWord, UnitWord, VariantWord, document_schema,
+    ContourFacts, Coordinates, CyclidePatchSpec, DOCUMENT_VERSION, Document, EffortWord, EndsSpec, Lists, ModelBuilder,
+    ObjectSpec, OffsetSpec, PlaneSpec, PointFile, PointSource, Remark, RotationSpec, RuleWord, ScaleSpec, SphereSpec,
+    StepSpec, TargetWord, TransformSpec, TypeWord, UnitWord, VariantWord, document_schema,
 };
 pub use error::{Error, Result};
 pub use export::{DxfVersion, ExportError, ExportOptions, Exported, StepEdges, export};
@@ -50,8 +50,7 @@ pub use points::{PointColumns, PointList, PointTable, read_points};
 pub use read_back::{FileContent, ReadError, file_deviation, read_back};
 pub use report::{
     CheckError, CurvatureReport, CurvesReport, FileReport, FitReport, GeometryReport, JointReport, ObjectReport,
-    PatchPlace, RangeReport, Report, SingularPatchReport,
-    SurfaceJointReport, SurfaceReport, WarningReport,
+    PatchPlace, RangeReport, Report, SingularPatchReport, SurfaceJointReport, SurfaceReport, WarningReport,
 };
 pub use sample::{Spacing, sample};
 

@@ -120,7 +120,8 @@ impl SurfaceReport {
         }
         // The curvatures are against D V3 D^-1; the outer side may be the other one.
         let outer = if flipped == face.same_sense { -1.0 } else { 1.0 };
-        let turned = |range: RangeReport, [a, b]: [f64; 2]| range.with((outer * a).min(outer * b), (outer * a).max(outer * b));
+        let turned =
+            |range: RangeReport, [a, b]: [f64; 2]| range.with((outer * a).min(outer * b), (outer * a).max(outer * b));
         self.curvature_s = turned(self.curvature_s, patch.k1_range());
         self.curvature_t = turned(self.curvature_t, patch.k2_range());
         for weight in patch.real_weights().as_flattened() {

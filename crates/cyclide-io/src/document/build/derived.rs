@@ -2,7 +2,7 @@
 
 use cyclide::{Conformal as _, CurveObject, Mobius, Quat, SurfaceObject, Vec3};
 
-use super::{BuiltObject, Builder};
+use super::{Builder, BuiltObject};
 use crate::document::coordinates::Coordinates;
 use crate::document::locate::{Step, path_text, span_of};
 use crate::document::spec::{OffsetSpec, StepSpec, TransformSpec};
@@ -12,7 +12,13 @@ impl Builder<'_> {
     /// The parallel surfaces.
     pub(super) fn offset(&self, spec: &OffsetSpec) -> Result<Vec<SurfaceObject>> {
         let source = self.surface_source("only surfaces have an offset")?;
-        source.item.surfaces.iter().map(|surface| surface.offset(spec.distance)).collect::<cyclide::Result<_>>().map_err(|e| self.refused(&e, None))
+        source
+            .item
+            .surfaces
+            .iter()
+            .map(|surface| surface.offset(spec.distance))
+            .collect::<cyclide::Result<_>>()
+            .map_err(|e| self.refused(&e, None))
     }
 
     /// The images of curves.

@@ -30,7 +30,7 @@ impl References {
         let indices: HashMap<&str, usize> = names.map(|(i, (name, _))| (name.as_str(), i)).collect();
         let mut of = Vec::with_capacity(document.objects.len());
         for (index, (_, spec)) in document.objects.iter().enumerate() {
-            let find = |(place, name): (usize, (Vec<Step>, &str))| {
+            let find = |(place, (_, name)): (usize, (Vec<Step>, &str))| {
                 let missing = || refused(document, index, place, &format!("there is no object `{name}`"));
                 indices.get(name).copied().ok_or_else(missing)
             };

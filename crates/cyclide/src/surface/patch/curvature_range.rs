@@ -46,10 +46,9 @@ mod tests {
         let v2 = v1.cross(Vec3::new(0.1, 0.4, 0.7)).unit().unwrap();
         let patch = CyclidePatch::from_corners_and_frame([p0, p1, p2, p3], v1, v2).unwrap();
         assert!(patch.is_regular());
-        for (range, at) in [
-            (patch.k1_range(), &(|t| patch.k1(t)) as &dyn Fn(f64) -> f64),
-            (patch.k2_range(), &|s| patch.k2(s)),
-        ] {
+        for (range, at) in
+            [(patch.k1_range(), &(|t| patch.k1(t)) as &dyn Fn(f64) -> f64), (patch.k2_range(), &|s| patch.k2(s))]
+        {
             let sampled: Vec<f64> = (0..=10_000).map(|i| at(f64::from(i) / 10_000.0)).collect();
             let low = sampled.iter().fold(f64::INFINITY, |a, b| a.min(*b));
             let high = sampled.iter().fold(f64::NEG_INFINITY, |a, b| a.max(*b));

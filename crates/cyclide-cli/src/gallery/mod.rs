@@ -1,0 +1,72 @@
+//! `gallery`: every example model as files, with a page that shows them.
+
+mod entries;
+mod page;
+
+use std::io;
+use std::path::Path;
+
+use cyclide_io::{Document, ExportOptions, FileReport, ModelBuilder, Report, export, write_files};
+
+use crate::failure::Failure;
+use crate::load::Loaded;
+use crate::plan::GalleryPlan;
+use crate::progress::Progress;
+use crate::terminal;
+use entries::{ENTRIES, Entry};
+
+/// An entry with what was made of it.
+struct Shown {
+    entry: &'static Entry,
+    report: Report,
+}
+
+/// Builds all entries, checks their files, and writes them and the page: all, or none.
+pub fn run(plan: &GalleryPlan) -> Result<(), Failure> {
+    let progress = Progress::new(ENTRIES.iter().map(|entry| entry.formats.len() + 1).sum());
+    let mut files: Vec<(String, Vec<u8>)> = Vec::new();
+    let mut shown = Vec::new();
+    for entry in &ENTRIES {
+        progress.doing(entry.title.to_owned());
+        shown.push(Shown { entry, report: make(entry, &mut files, &progress)? });
+    }
+    drop(progress);
+    files.push(("index.html".to_owned(), page::html(&shown).into_bytes()));
+    std::fs::create_dir_all(&plan.folder).map_err(|error| Failure::write(plan.folder.display(), &error))?;
+    let files: Vec<_> = files.into_iter().map(|(name, bytes)| (plan.folder.join(name), bytes)).collect();
+    write_files(&files).map_err(|(i, error)| Failure::write(files[i].0.display(), &error))?;
+    let page = plan.folder.join("index.html");
+    terminal::print(&format!("{} models, {} files: {}\n", ENTRIES.len(), files.len(), page.display()))
+}
+
+/// Builds one entry and adds its files, those it is made from included.
+fn make(entry: &'static Entry, files: &mut Vec<(String, Vec<u8>)>, progress: &Progress) -> Result<Report, Failure> {
+    let fault = |message: String| Failure::Check(format!("{}: {message}", entry.name));
+    let read = |path: &Path| {
+        let found = entry.inputs.iter().find(|(name, _)| Path::new(name) == path);
+        found.map(|(_, bytes)| bytes.to_vec()).ok_or_else(|| io::ErrorKind::NotFound.into())
+    };
+    let name = format!("{}.json", entry.name);
+    let document = Document::parse(&name, entry.document.as_bytes()).map_err(|message| fault(message.to_string()))?;
+    let mut builder = ModelBuilder::new(&document, Path::new(""), &read).map_err(|error| fault(error.to_string()))?;
+    let mut hear = |step| progress.doing(format!("{}, {step}", entry.title));
+    let objects = (0..document.objects.len()).map(|index| builder.build(index, &mut hear));
+    let objects = objects.collect::<cyclide_io::Result<_>>().map_err(|error| fault(error.to_string()))?;
+    let loaded = Loaded { units: document.units, objects, input_files: Vec::new() };
+    let model = loaded.model();
+    let mut report = Report::new(loaded.units, &loaded.objects, None);
+    files.push((name, entry.document.as_bytes().to_vec()));
+    files.extend(entry.inputs.iter().map(|(name, bytes)| ((*name).to_owned(), bytes.to_vec())));
+    progress.done();
+    for format in entry.formats {
+        let name = format!("{}.{}", entry.name, format.name());
+        progress.doing(name.clone());
+        let options = ExportOptions { title: Some(entry.name.to_owned()), ..ExportOptions::default() };
+        let exported = export(&model, *format, &options).map_err(|error| fault(error.to_string()))?;
+        let checked = FileReport::new(Path::new(&name), *format, &model, &exported);
+        report.files.push(checked.map_err(|error| fault(error.to_string()))?);
+        files.push((name, exported.bytes));
+        progress.done();
+    }
+    Ok(report)
+}

@@ -1,0 +1,152 @@
+//! The page of the gallery: one static HTML file beside the models.
+
+use std::fmt::Write as _;
+
+use cyclide_io::{Format, GeometryReport, Report, SurfaceReport};
+
+use super::Shown;
+
+/// The page with a card per model.
+pub fn html(shown: &[Shown]) -> String {
+    let cards: String = shown.iter().map(card).collect();
+    let version = env!("CARGO_PKG_VERSION");
+    format!(
+        r#"<!DOCTYPE html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<title>cyclide gallery</title>
+<style>{STYLE}</style>
+</head>
+<body>
+<header>
+<h1>cyclide</h1>
+<p>Curves and surfaces made of circles. Every picture is a model that you can open in CAD or turn in a viewer, and a
+document that you can change and build again. The figures are measured on the files, after reading them back.</p>
+</header>
+<main>
+{cards}</main>
+<footer>Made by <code>cyclide gallery</code> {version}.</footer>
+</body>
+</html>
+"#
+    )
+}
+
+const STYLE: &str = "
+:root { color-scheme: light dark; --ink: #1d242b; --soft: #5d6974; --line: #dfe4e8; --paper: #f5f6f7; --card: #ffffff; --accent: #0b66a8; }
+@media (prefers-color-scheme: dark) { :root { --ink: #e6eaed; --soft: #9ba7b1; --line: #333c44; --paper: #14181c; --card: #1c2227; --accent: #6cb8f0; } }
+* { box-sizing: border-box; }
+body { margin: 0; background: var(--paper); color: var(--ink); font: 16px/1.5 system-ui, sans-serif; }
+header, main, footer { max-width: 84rem; margin: 0 auto; padding: 0 1.5rem; }
+header { padding-top: 3rem; padding-bottom: 1.5rem; }
+h1 { margin: 0; font-size: 2.25rem; font-weight: 650; letter-spacing: -0.02em; }
+header p { max-width: 46rem; margin: 0.5rem 0 0; color: var(--soft); }
+main { display: grid; grid-template-columns: repeat(auto-fill, minmax(min(24rem, 100%), 1fr)); gap: 1.5rem; }
+article { display: flex; flex-direction: column; background: var(--card); border: 1px solid var(--line); border-radius: 10px; overflow: hidden; }
+article > a { display: block; background: #ffffff; border-bottom: 1px solid var(--line); }
+img { display: block; width: 100%; aspect-ratio: 4 / 3; object-fit: contain; }
+.text { display: flex; flex-direction: column; flex: 1; gap: 0.75rem; padding: 1.1rem 1.25rem 1.25rem; }
+h2 { margin: 0; font-size: 1.15rem; font-weight: 620; }
+.text p { margin: 0; color: var(--soft); }
+dl { display: grid; grid-template-columns: max-content 1fr; gap: 0.1rem 1rem; margin: 0; font-size: 0.875rem; font-variant-numeric: tabular-nums; }
+dt { color: var(--soft); }
+dd { margin: 0; }
+nav { display: flex; flex-wrap: wrap; gap: 0.4rem; margin-top: auto; }
+nav a { padding: 0.15rem 0.6rem; border: 1px solid var(--line); border-radius: 6px; color: var(--accent); font-size: 0.875rem; text-decoration: none; }
+nav a:hover, nav a:focus-visible { border-color: var(--accent); }
+footer { padding-top: 2rem; padding-bottom: 3rem; color: var(--soft); font-size: 0.875rem; }
+";
+
+fn card(shown: &Shown) -> String {
+    let Shown { entry, report } = shown;
+    let name = entry.name;
+    let mut links = String::new();
+    for file in &report.files {
+        let _never_fails = write!(links, "<a href=\"{0}\">{1}</a>", escaped(&file.path), file.format.to_uppercase());
+    }
+    let _never_fails = write!(links, "<a href=\"{name}.json\">document</a>");
+    for (input, _) in entry.inputs {
+        let _never_fails = write!(links, "<a href=\"{0}\">{0}</a>", escaped(input));
+    }
+    let figures: String =
+        figures(report).iter().map(|(label, value)| format!("<dt>{label}</dt><dd>{}</dd>\n", escaped(value))).collect();
+    format!(
+        r#"<article>
+<a href="{name}.png"><img src="{name}.png" alt="{title}" loading="lazy"></a>
+<div class="text">
+<h2>{title}</h2>
+<p>{text}</p>
+<dl>
+{figures}</dl>
+<nav>{links}</nav>
+</div>
+</article>
+"#,
+        title = escaped(entry.title),
+        text = escaped(entry.text),
+    )
+}
+
+/// What is said about a model: what it is made of, its measures, and how well its files keep it.
+fn figures(report: &Report) -> Vec<(&'static str, String)> {
+    let units = report.units;
+    let mut figures = Vec::new();
+    let shown = || report.objects.values().filter(|object| !object.construction);
+    let surfaces: Vec<&SurfaceReport> = shown()
+        .filter_map(|object| match &object.geometry {
+            GeometryReport::Surface(surface) => Some(surface),
+            GeometryReport::Curves(_) => None,
+        })
+        .collect();
+    let curves = || {
+        shown().filter_map(|object| match &object.geometry {
+            GeometryReport::Curves(curves) => Some(curves),
+            GeometryReport::Surface(_) => None,
+        })
+    };
+    if !surfaces.is_empty() {
+        let patches: usize = surfaces.iter().map(|s| s.patches).sum();
+        let solids = surfaces.iter().filter(|s| s.volume.is_some()).count();
+        let kind = if solids == surfaces.len() { "solid" } else { "surface" };
+        figures.push(("patches", format!("{patches} in {} {kind}{}", surfaces.len(), plural(surfaces.len()))));
+        figures.push(("area", format!("{} {units}²", number(surfaces.iter().map(|s| s.area).sum()))));
+        if solids > 0 {
+            figures.push(("volume", format!("{} {units}³", number(surfaces.iter().filter_map(|s| s.volume).sum()))));
+        }
+        let smooth: usize = surfaces.iter().map(|s| s.joints.count - s.joints.creases).sum();
+        if smooth > 0 {
+            let angle = surfaces.iter().map(|s| s.joints.angle).fold(0.0, f64::max);
+            figures.push(("joints", format!("{smooth}, normals within {angle:.0e} rad")));
+        }
+    }
+    let (count, pieces, length) =
+        curves().fold((0, 0, 0.0), |(n, p, l), c| (n + c.contours, p + c.pieces, l + c.length));
+    if count > 0 {
+        figures.push(("curves", format!("{count}, in {pieces} pieces")));
+        figures.push(("length", format!("{} {units}", number(length))));
+    }
+    let step = Format::Step.name();
+    if let Some(file) = report.files.iter().find(|file| file.format == step) {
+        let deviation = file.deviation.unwrap_or_default();
+        let kept = if file.exact { "exact" } else { "approximated" };
+        figures.push(("STEP", format!("{kept}, read back within {deviation:.0e} {units}")));
+    }
+    figures
+}
+
+fn plural(count: usize) -> &'static str {
+    if count == 1 { "" } else { "s" }
+}
+
+/// A measure with four digits.
+fn number(value: f64) -> String {
+    let digits = (3 - value.abs().max(f64::MIN_POSITIVE).log10().floor() as i32).clamp(0, 6) as usize;
+    format!("{value:.digits$}")
+}
+
+/// Text for HTML, also inside of quotes.
+fn escaped(text: &str) -> String {
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
+}

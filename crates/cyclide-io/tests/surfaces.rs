@@ -1,0 +1,199 @@
+//! Surfaces of documents: every type is built, and what is refused is shown at its place.
+
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
+
+use std::path::Path;
+
+use cyclide::{ParamSurface as _, Point3, SurfaceObject, Vec3};
+use cyclide_io::{BuiltObject, Document, GeometryReport, ModelBuilder, Report, Spacing, sample};
+
+/// Builds the last object of a document with these objects, written one per line from line 2.
+fn build(objects: &str) -> Result<BuiltObject, String> {
+    let text = format!("{{\"cyclide\": 1, \"objects\": {{\n{objects}\n}} }}");
+    let document = Document::parse("m.json", text.as_bytes()).map_err(|d| d.to_string())?;
+    let read = |_: &Path| Err(std::io::ErrorKind::NotFound.into());
+    let mut builder = ModelBuilder::new(&document, Path::new(""), &read).map_err(|e| e.to_string())?;
+    builder.build(document.objects.len() - 1, &mut |_| {}).map_err(|e| e.to_string())
+}
+
+fn point(built: &BuiltObject, s: f64, t: f64) -> Point3 {
+    built.bodies[0].outer.faces()[0].patch.point(s, t)
+}
+
+/// An eighth of the sphere of radius 2 about (1, 0, 0), with a pole at its last two corners.
+const OCTANT: &str =
+    r#""o": {"type": "cyclide-patch", "corners": [[3,0,0],[1,2,0],[1,0,2],[1,0,2]], "frame": [[0,3,0],[0,0,1]]}"#;
+const CIRCLE: &str = r#""c": {"type": "circle", "center": [5, 0], "radius": 1}"#;
+
+#[test]
+fn a_patch_and_its_report() {
+    let built = build(OCTANT).unwrap();
+    assert!(matches!(built.item.surfaces[..], [SurfaceObject::Patch(_)]));
+    let center = Point3::new(1.0, 0.0, 0.0);
+    for (s, t) in [(0.2, 0.1), (0.5, 0.5), (0.9, 0.3), (0.0, 1.0)] {
+        assert!((point(&built, s, t).distance(center) - 2.0).abs() < 1e-14);
+    }
+    let report = Report::new(cyclide::Units::Metre, &[built], None);
+    let GeometryReport::Surface(surface) = &report.objects["o"].geometry else { panic!("a surface") };
+    assert_eq!((surface.patches, surface.bodies, surface.closed, surface.free_edges), (1, 1, false, 3));
+    assert_eq!(surface.volume, None);
+    // A quarter of pi r², the quadrature's 1e-12.
+    assert!((surface.area / (std::f64::consts::PI * 2.0) - 1.0).abs() < 1e-12, "{}", surface.area);
+    for range in [surface.curvature_s, surface.curvature_t] {
+        // Away from the outer side, which is that of f_s x f_t: outside.
+        assert!((range.min + 0.5).abs() < 1e-13 && (range.max + 0.5).abs() < 1e-13, "{range:?}");
+    }
+    assert!(surface.residual < 1e-15 && surface.orthogonality < 1e-14);
+    assert!(surface.singular.is_empty() && surface.flipped.is_empty(), "a side of one point is no singular line");
+    let text = report.to_string();
+    assert!(text.starts_with("o: cyclide-patch, open, 1 patch\n  area       6.2832 m²\n"), "{text}");
+}
+
+#[test]
+fn a_frame_at_any_corner_and_of_any_length() {
+    let patch = |rest: &str| {
+        build(&format!(r#""p": {{"type": "cyclide-patch", "corners": [[-40,-30],[40,-30],[-30,40],[30,40]], {rest}}}"#))
+            .unwrap()
+    };
+    let first = patch(r#""frame": [[8,-1,4],[-1,4,3]]"#);
+    let longer = patch(r#""frame": [[0.8,-0.1,0.4],[-5,20,15]], "frame_corner": 0"#);
+    let frame = first.bodies[0].outer.faces()[0].patch.moving_frame(1.0, 0.0);
+    let numbers = |v: Vec3| format!("[{},{},{}]", v.x, v.y, v.z);
+    let second = patch(&format!(r#""frame": [{}, {}], "frame_corner": 1"#, numbers(frame[0]), numbers(frame[1])));
+    for other in [longer, second] {
+        // Rounding of unit vectors, times the size 80.
+        assert!(point(&first, 0.3, 0.8).distance(point(&other, 0.3, 0.8)) < 1e-12);
+    }
+}
+
+#[test]
+fn offsets_and_images() {
+    let grown = build(&format!(r#"{OCTANT}, "b": {{"type": "offset", "of": "o", "distance": 0.5}}"#)).unwrap();
+    assert!((point(&grown, 0.3, 0.6).distance(Point3::new(1.0, 0.0, 0.0)) - 2.5).abs() < 1e-14);
+    let steps = r#"[{"scale": {"factor": 2, "center": [1,0]}}, {"translation": [0,0,1]},
+        {"rotation": {"angle": 1.5707963267948966, "center": [1,0]}}, {"mirror": {"normal": [0,0,2]}},
+        {"matrix": [[[1,0,0,0],[0,1,0,0]],[[0,0,0,0],[1,0,0,0]]]}]"#;
+    let moved = build(&format!(r#"{OCTANT}, "b": {{"type": "transform", "of": "o", "steps": {steps}}}"#)).unwrap();
+    assert!((point(&moved, 0.3, 0.6).distance(Point3::new(2.0, 0.0, -1.0)) - 4.0).abs() < 1e-13);
+    // The start (3,0,0) by hand: (5,0,0), (5,0,1), (1,4,1), (1,4,-1), (2,4,-1).
+    assert!(point(&moved, 0.0, 0.0).distance(Point3::new(2.0, 4.0, -1.0)) < 1e-14);
+    // Inversion in the unit sphere about (1,0,0) keeps the centre and takes the radius 2 to 1/2.
+    let inverted = build(&format!(
+        r#"{OCTANT}, "b": {{"type": "transform", "of": "o", "steps": [{{"inversion": {{"center": [1,0], "radius": 1}}}}]}}"#
+    ))
+    .unwrap();
+    assert!((point(&inverted, 0.3, 0.6).distance(Point3::new(1.0, 0.0, 0.0)) - 0.5).abs() < 1e-14);
+    // Curves too, and in any order of the document.
+    let text = format!(
+        r#"{{"cyclide": 1, "objects": {{"b": {{"type": "transform", "of": "c", "steps": [{{"translation": [0,7]}}]}}, {CIRCLE}}}}}"#
+    );
+    let document = Document::parse("m.json", text.as_bytes()).unwrap();
+    let read = |_: &Path| Ok(Vec::new());
+    let built = ModelBuilder::new(&document, Path::new(""), &read).unwrap().build(0, &mut |_| {}).unwrap();
+    assert!(built.item.contours[0].as_curve().eval(0.25).distance(Point3::new(5.0, 8.0, 0.0)) < 1e-14);
+}
+
+#[test]
+fn construction_geometry_is_marked() {
+    let built = build(&OCTANT.replace("\"corners\"", "\"construction\": true, \"corners\"")).unwrap();
+    assert!(built.construction);
+    let text = Report::new(cyclide::Units::Metre, &[built], None).to_string();
+    assert!(text.starts_with("o: cyclide-patch, open, 1 patch, construction\n"), "{text}");
+}
+
+#[test]
+fn samples_lie_on_a_grid_of_every_patch() {
+    let text = sample(&build(OCTANT).unwrap(), 3, Spacing::Parameter);
+    let mut lines = text.lines();
+    assert_eq!(lines.next(), Some("patch,s,t,x,y,z,normal_x,normal_y,normal_z,curvature_s,curvature_t"));
+    let rows: Vec<Vec<f64>> = lines.map(|l| l.split(',').map(|v| v.parse().unwrap_or(f64::NAN)).collect()).collect();
+    assert_eq!(rows.len(), 9);
+    assert_eq!(rows[0][..6], [0.0, 0.0, 0.0, 3.0, 0.0, 0.0]);
+    assert_eq!(rows[1][1..3], [0.5, 0.0]);
+    for row in &rows {
+        for i in 0..3 {
+            let center = [1.0, 0.0, 0.0];
+            assert!((row[3 + i] - center[i] - 2.0 * row[6 + i]).abs() < 1e-14, "{row:?}");
+        }
+        // At the pole an s-line is one point: no curvature along it.
+        assert!((row[9] + 0.5).abs() < 1e-13 || row[2] == 1.0 && row[9].is_nan(), "{row:?}");
+        assert!((row[10] + 0.5).abs() < 1e-13, "{row:?}");
+    }
+}
+
+#[test]
+fn what_is_refused_is_shown_at_its_place() {
+    let patch = |corners: &str, frame: &str| {
+        format!(r#""a": {{"type": "cyclide-patch", "corners": [{corners}], "frame": [{frame}]}}"#)
+    };
+    let square = "[0,0],[1,0],[0,1],[1,1]";
+    let with = |rest: &str| format!("{OCTANT}, {CIRCLE}, {rest}");
+    let transform = |of: &str, step: &str| {
+        with(&format!(r#""a": {{"type": "transform", "of": "{of}", "steps": [{{"translation": [1,0]}}, {step}]}}"#))
+    };
+    for (objects, piece, start) in [
+        (
+            patch("[0,0],[1,0],[0,1],[1,1.1]", "[1,0],[0,1]"),
+            "[1,1.1]",
+            "objects.a.corners[3]: quad 0: the corners are not on one circle",
+        ),
+        (patch("[0,0],[1,0],[1,1],[0,1]", "[1,0],[0,1]"), "[0,1]", "objects.a.corners[3]: quad 0: its sides cross"),
+        (patch("[0,0],[0,0],[1,1],[0,1]", "[1,0],[0,1]"), "[0,0]", "objects.a.corners[1]: points 0 and 1 coincide"),
+        (patch(square, "[1,0],[1,1]"), "[[1,0],[1,1]]", "objects.a.frame: the frame is not orthonormal"),
+        (patch(square, "[1,0],[0,0]"), "[[1,0],[0,0]]", "objects.a.frame: the frame is not orthonormal"),
+        (
+            patch(square, "[1,0],[0,1]").replace("\"frame\"", "\"frame_corner\": 4, \"frame\""),
+            "4",
+            "objects.a.frame_corner: frame_corner = 4",
+        ),
+        (with(r#""a": {"type": "offset", "of": "x", "distance": 1}"#), "\"x\"", "objects.a.of: there is no object `x`"),
+        (
+            with(r#""a": {"type": "offset", "of": "c", "distance": 1}"#),
+            "\"c\"",
+            "objects.a.of: `c` is of type `circle`: only surfaces have an offset",
+        ),
+        (
+            with(r#""a": {"type": "offset", "of": "a", "distance": 1}"#),
+            "\"a\"",
+            "objects.a.of: `a` is made from itself",
+        ),
+        (
+            transform("o", r#"{"inversion": {"center": [3,0], "radius": 1}}"#),
+            "",
+            "objects.a.steps[1]: a point is at infinity",
+        ),
+        (transform("o", r#"{"inversion": {"center": [3,0], "radius": 0}}"#), "", "objects.a.steps[1]: the radius"),
+        (transform("o", r#"{"rotation": {"axis": [0,0], "angle": 1}}"#), "", "objects.a.steps[1]: the axis is zero"),
+        (
+            transform("o", r#"{"matrix": [[[1,0,0,0],[1,0,0,0]],[[0,0,0,0],[1,0,0,0]]]}"#),
+            "",
+            "objects.a.steps[1]: the Möbius matrix",
+        ),
+        (
+            transform("c", r#"{"inversion": {"center": [9,0], "radius": 1}}"#),
+            "",
+            "objects.a.steps[1]: the map is not a similarity",
+        ),
+        (transform("o", r#"{"shift": [1,0]}"#), "", "objects.a.steps[1]: unknown variant `shift`"),
+    ] {
+        let message = build(&objects).map(|b| format!("built {:?}", b.item)).unwrap_err();
+        let lines: Vec<&str> = message.lines().collect();
+        assert!(lines[0].starts_with("m.json:2:") && lines[0].contains(&format!(": {start}")), "{start}\n{message}");
+        if !piece.is_empty() {
+            let carets = lines[2].find('^').unwrap()..lines[2].len();
+            assert_eq!(&lines[1][carets], piece, "{message}");
+        }
+    }
+}
+
+#[test]
+fn long_chains_and_circles_of_references() {
+    let link = |i: usize, of: usize| format!(r#""{i}": {{"type": "offset", "of": "{of}", "distance": 0.001}}"#);
+    let chain: Vec<String> = (1..2000).map(|i| link(i, i - 1)).collect();
+    let base = OCTANT.replacen("\"o\"", "\"0\"", 1);
+    let built = build(&format!("{base}, {}", chain.join(", "))).unwrap();
+    assert!((point(&built, 0.5, 0.5).distance(Point3::new(1.0, 0.0, 0.0)) - 3.999).abs() < 1e-12);
+    let circle: Vec<String> = (0..2000).map(|i| link(i, (i + 1) % 2000)).collect();
+    let message = build(&circle.join(", ")).unwrap_err();
+    assert!(message.contains("is made from itself"), "{message}");
+}
