@@ -10,8 +10,8 @@ use cyclide_io::{
 };
 
 use crate::args::{
-    Args, BuildArgs, Command, CurveArgs, DxfArg, EffortArg, GalleryArgs, Kind, OutputArgs, ReportArgs, RuleArg, SampleArgs,
-    TargetArg, UnitsArg, VariantArg,
+    Args, BuildArgs, Command, CurveArgs, DxfArg, EffortArg, GalleryArgs, Kind, OutputArgs, ReportArgs, RuleArg,
+    SampleArgs, TargetArg, UnitsArg, VariantArg,
 };
 use crate::failure::Failure;
 
@@ -149,6 +149,7 @@ impl CurveArgs {
         let spec = match self.kind {
             Kind::CircleSpline => ObjectSpec::CircleSpline(CircleSplineSpec {
                 r#type,
+                construction: false,
                 points,
                 closed,
                 order: self.order.unwrap_or(2),
@@ -158,6 +159,7 @@ impl CurveArgs {
             }),
             Kind::ArcSpline => ObjectSpec::ArcSpline(ArcSplineSpec {
                 r#type,
+                construction: false,
                 points,
                 tangents: None,
                 closed,
@@ -167,6 +169,7 @@ impl CurveArgs {
                 let needed = || Failure::Usage("--kind arc-fit needs --tolerance".to_owned());
                 ObjectSpec::ArcFit(ArcFitSpec {
                     r#type,
+                    construction: false,
                     points,
                     closed,
                     tolerance: self.tolerance.ok_or_else(needed)?,

@@ -33,34 +33,9 @@ macro_rules! input {
 }
 
 const CURVES: &[Format] = &[Format::Step, Format::Svg, Format::Png];
-const SURFACES: &[Format] = &[Format::Step, Format::Glb, Format::Png];
 
 /// All models, in the order of the page.
-pub const ENTRIES: [Entry; 7] = [
-    Entry {
-        name: "patch",
-        title: "A patch with its parameter circles",
-        text: "Four corners on one circle and one frame: every parameter line is a circular arc and a line of curvature.",
-        document: example!("patch.json"),
-        inputs: &[],
-        formats: SURFACES,
-    },
-    Entry {
-        name: "ring",
-        title: "Ring cyclide",
-        text: "A whole Dupin cyclide from three numbers, as a closed solid of patches that share their circles.",
-        document: example!("ring.json"),
-        inputs: &[],
-        formats: SURFACES,
-    },
-    Entry {
-        name: "inverted_torus",
-        title: "Inverted torus",
-        text: "Inversion in a sphere takes circles to circles and a torus to a Dupin cyclide, patch by patch, exactly.",
-        document: example!("inverted_torus.json"),
-        inputs: &[],
-        formats: SURFACES,
-    },
+pub const ENTRIES: [Entry; 4] = [
     Entry {
         name: "track",
         title: "Race track",

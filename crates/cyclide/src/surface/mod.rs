@@ -1,18 +1,17 @@
-//! Surfaces: the trait, principal patches of Dupin cyclides, shells of patches that share edges.
+//! Surfaces: the trait, principal patches of Dupin cyclides, nets of them, shells of patches that share edges.
 
 mod bounds;
 mod dupin;
-mod net;
 mod joints;
+mod net;
 mod param_surface;
 mod patch;
 mod quad_grid;
 mod shell;
 
 pub use dupin::{CyclideKind, DupinCyclide};
-pub use net::{CyclidicNet, NetFrame, NetQuality, SingularPatch};
-pub use net::{CyclidicNet, NetFrame};
 pub use joints::{SurfaceJoint, surface_joints};
+pub use net::{CyclidicNet, NetFrame, NetQuality, SingularPatch};
 pub use param_surface::ParamSurface;
 pub use patch::{CyclidePatch, ImplicitForm, PatchKind, PatchLocation, PatchRow};
 pub use quad_grid::QuadGrid;

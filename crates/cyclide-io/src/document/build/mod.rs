@@ -81,14 +81,17 @@ impl<'a> ModelBuilder<'a> {
     /// # Panics
     /// If there is no object with this index.
     pub fn build(&mut self, index: usize, progress: &mut dyn FnMut(String)) -> Result<BuiltObject> {
-        for index in self.references.needed_for(index) {
-            if self.made[index].is_none() {
-                let (name, spec) = &self.document.objects[index];
+        for needed in self.references.needed_for(index) {
+            if self.made[needed].is_none() {
+                let (name, spec) = &self.document.objects[needed];
+                if needed != index {
+                    progress(format!("first {name}: {}", spec.type_word()));
+                }
                 let Self { document, folder, read, .. } = *self;
-                let sources = self.references.of(index).iter().filter_map(|&k| self.made[k].as_ref()).collect();
+                let sources = self.references.of(needed).iter().filter_map(|&k| self.made[k].as_ref()).collect();
                 let (remarks, warnings) = (Vec::new(), Vec::new());
-                let builder = Builder { document, name, spec, sources, folder, read, progress, remarks, warnings };
-                self.made[index] = Some(builder.build()?);
+                let builder = Builder { document, name, spec, sources, folder, read, remarks, warnings };
+                self.made[needed] = Some(builder.build()?);
             }
         }
         Ok(self.made[index].clone().unwrap_or_default())
@@ -114,7 +117,6 @@ struct Builder<'a> {
     sources: Vec<&'a BuiltObject>,
     folder: &'a Path,
     read: Read<'a>,
-    progress: &'a mut dyn FnMut(String),
     remarks: Vec<Remark>,
     warnings: Vec<(usize, Warning)>,
 }
