@@ -20,6 +20,8 @@ CIRCLE = {"type": "circle", "center": [0, 0], "radius": 1}
 BIARC = {"type": "biarc", "from": [0, 0], "from_tangent": [1, 0], "to": [1, 1], "to_tangent": [1, 0]}
 
 PATCH = {"type": "cyclide-patch", "corners": [[0, 0], [1, 0], [0, 1], [1, 1]], "frame": [[1, 0, 1], [0, 1]]}
+CYCLIDE = {"type": "cyclide", "a": 3, "mu": 2}
+NET = {"type": "cyclidic-net", "grid": [[[0, 0], [1, 0], [3, 0]], [[0, 1], [1, 1], [3, 1]]]}
 STEPS = [
     {"translation": [1, 0]},
     {"rotation": {"angle": 1, "axis": [0, 1, 0], "center": [1, 1]}},
@@ -46,6 +48,11 @@ GOOD = {
     "fit": {**FIT, "target": "polyline", "effort": "fast", "corner_angle": 3},
     "construction": {**CIRCLE, "construction": True},
     "patch": PATCH,
+    "cyclide": CYCLIDE,
+    "cyclide somewhere": {**CYCLIDE, "c": 1, "center": [1, 2], "axis": [0, 1], "x_direction": [0, 0, 1], "segments": [5, 4]},
+    "net": NET,
+    "net with a frame": {**NET, "frame": [[1, 0], [0, 1]], "closed": [False, False]},
+    "net with a frame that is chosen": {**NET, "frame": "auto"},
     "patch with its frame elsewhere": {**PATCH, "frame": [[1, 0], [0, 1]], "frame_corner": 3},
     "tangents": {"type": "arc-spline", "points": [[0, 0], [1, 1]], "tangents": [[1, 0], [0, 1, 0]], "rule": "auto"},
 }
@@ -85,11 +92,21 @@ BAD = {
     "patch without a frame": without(PATCH, "frame"),
     "frame of one direction": {**PATCH, "frame": [[1, 0]]},
     "frame at a fifth corner": {**PATCH, "frame_corner": 4},
+    "cyclide without mu": without(CYCLIDE, "mu"),
+    "cyclide with a negative radius": {**CYCLIDE, "mu": -1},
+    "cyclide with half a segment": {**CYCLIDE, "segments": [4, 0.5]},
+    "net without a grid": without(NET, "grid"),
+    "net with one row": {**NET, "grid": NET["grid"][:1]},
+    "net with half a frame": {**NET, "frame": [[1, 0]]},
+    "net with a frame in words": {**NET, "frame": "best"},
+    "net closed in words": {**NET, "closed": "s"},
     "another rule": {**BIARC, "rule": "best"},
 }
 
 GOOD_DOCUMENTS = {
     "offset": {"cyclide": 1, "objects": {"o": {"type": "offset", "of": "p", "distance": -0.1}, "p": PATCH}},
+    "thick": {"cyclide": 1, "objects": {"p": PATCH, "o": {"type": "offset", "of": "p", "distance": 0.1, "thick": True}}},
+    "support": {"cyclide": 1, "objects": {"p": PATCH, "o": {"type": "support-structure", "of": "p"}}},
     "transform": {"cyclide": 1, "objects": {"p": PATCH, "t": {"type": "transform", "of": "p", "steps": STEPS}}},
 }
 

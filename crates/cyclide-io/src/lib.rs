@@ -36,9 +36,10 @@ pub use bodies::{FileBody, FileEdge, FileFace, FileShell, FileSurface};
 pub use deviation::deviation;
 pub use document::{
     ArcFitSpec, ArcSpec, ArcSplineSpec, BiarcSpec, BuiltObject, CircleSpec, CircleSplineSpec, ClampedEnds,
-    ContourFacts, Coordinates, CyclidePatchSpec, DOCUMENT_VERSION, Document, EffortWord, EndsSpec, Lists, ModelBuilder,
-    ObjectSpec, OffsetSpec, PlaneSpec, PointFile, PointSource, Remark, RotationSpec, RuleWord, ScaleSpec, SphereSpec,
-    StepSpec, TargetWord, TransformSpec, TypeWord, UnitWord, VariantWord, document_schema,
+    ContourFacts, Coordinates, CyclidePatchSpec, CyclideSpec, CyclidicNetSpec, DOCUMENT_VERSION, Document, EffortWord,
+    EndsSpec, FrameSpec, Lists, ModelBuilder, ObjectSpec, OffsetSpec, PlaneSpec, PointFile, PointSource, Remark,
+    RotationSpec, RuleWord, ScaleSpec, SphereSpec, StepSpec, TargetWord, TransformSpec, TypeWord, UnitWord,
+    VariantWord, document_schema,
 };
 pub use error::{Error, Result};
 pub use export::{DxfVersion, ExportError, ExportOptions, Exported, StepEdges, export};

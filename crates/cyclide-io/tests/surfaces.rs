@@ -150,7 +150,7 @@ fn what_is_refused_is_shown_at_its_place() {
         (
             with(r#""a": {"type": "offset", "of": "c", "distance": 1}"#),
             "\"c\"",
-            "objects.a.of: `c` is of type `circle`: only surfaces have an offset",
+            "objects.a.of: `c` is of type `circle`: only surfaces",
         ),
         (
             with(r#""a": {"type": "offset", "of": "a", "distance": 1}"#),
@@ -196,4 +196,113 @@ fn long_chains_and_circles_of_references() {
     let circle: Vec<String> = (0..2000).map(|i| link(i, (i + 1) % 2000)).collect();
     let message = build(&circle.join(", ")).unwrap_err();
     assert!(message.contains("is made from itself"), "{message}");
+}
+
+fn surface(built: &BuiltObject) -> cyclide_io::SurfaceReport {
+    let report = Report::new(cyclide::Units::Millimetre, std::slice::from_ref(built), None);
+    let Some(GeometryReport::Surface(surface)) = report.objects.into_values().next().map(|o| o.geometry) else {
+        panic!("a surface")
+    };
+    surface
+}
+
+#[test]
+fn whole_cyclides_in_any_place() {
+    // A torus: volume 2 pi² R r², area 4 pi² R r. Five segments become six: 0 and pi are always among the joints.
+    let placed = r#""center": [1,2,3], "axis": [0,1,0], "segments": [5, 6]"#;
+    let built = build(&format!(r#""t": {{"type": "cyclide", "a": 3, "mu": 1, {placed}}}"#)).unwrap();
+    let torus = surface(&built);
+    assert_eq!((torus.patches, torus.bodies, torus.free_edges, torus.joints.creases), (36, 1, 0, 0));
+    let pi2 = std::f64::consts::PI.powi(2);
+    assert!((torus.volume.unwrap() / (6.0 * pi2) - 1.0).abs() < 1e-11, "{:?}", torus.volume);
+    assert!((torus.area / (12.0 * pi2) - 1.0).abs() < 1e-11);
+    assert!(torus.joints.gap < 1e-14 && torus.joints.angle < 1e-13, "{:?}", torus.joints);
+    for face in built.bodies[0].outer.faces() {
+        let p = face.patch.point(0.3, 0.7) - Point3::new(1.0, 2.0, 3.0);
+        assert!((((p.x * p.x + p.z * p.z).sqrt() - 3.0).hypot(p.y) - 1.0).abs() < 1e-13);
+    }
+    // A spindle is more than one closed surface.
+    let spindle = surface(&build(r#""s": {"type": "cyclide", "a": 2, "c": 1, "mu": 3}"#).unwrap());
+    assert!(spindle.bodies > 1 && spindle.closed && spindle.singular.is_empty(), "{spindle:?}");
+}
+
+/// A net of two by one quads on a cylinder about the x axis.
+const NET: &str = r#""n": {"type": "cyclidic-net", "grid": [[[0,1,0],[1,1,0],[3,1,0]],[[0,0,1],[1,0,1],[3,0,1]]]}"#;
+
+#[test]
+fn nets_with_their_skins_and_edges() {
+    let net = surface(&build(NET).unwrap());
+    assert_eq!((net.patches, net.joints.count, net.free_edges), (2, 1, 6));
+    let quarter = std::f64::consts::FRAC_PI_2;
+    // The frame follows the edges: the straight ones lie on the cylinder, the chords of its circles are turned equally.
+    assert!(net.joints.gap < 1e-15 && net.joints.angle < 1e-14 && net.singular.is_empty());
+    let framed = NET.replace("]]]}", r#"]]], "frame": [[1,0,0],[0,0,5]]}"#);
+    let cylinder = surface(&build(&framed).unwrap());
+    assert!((cylinder.area / (3.0 * quarter) - 1.0).abs() < 1e-12, "{}", cylinder.area);
+    let thick = |distance: f64| {
+        format!(r#"{framed}, "t": {{"type": "offset", "of": "n", "distance": {distance}, "thick": true}}"#)
+    };
+    for distance in [0.5, -0.5] {
+        let solid = build(&thick(distance)).unwrap();
+        let report = surface(&solid);
+        // Between the radii 1 and 1 + distance or 1 - distance: the normal f_s x f_t points inward here.
+        let other = 1.0 - distance;
+        let volume = 3.0 * quarter / 2.0 * (1.0 - other * other).abs();
+        assert!((report.volume.unwrap() / volume - 1.0).abs() < 1e-11, "{:?} {volume}", report.volume);
+        assert_eq!((report.free_edges, report.closed), (0, true));
+        assert!(report.joints.creases > 0);
+        // Thick shells are mapped as wholes, and have no offset of their own.
+        let moved = format!(
+            r#"{}, "m": {{"type": "transform", "of": "t", "steps": [{{"mirror": {{"normal": [1,1,0]}}}}]}}"#,
+            thick(distance)
+        );
+        assert!((surface(&build(&moved).unwrap()).volume.unwrap() / volume - 1.0).abs() < 1e-11);
+        let again = format!(r#"{}, "m": {{"type": "offset", "of": "t", "distance": 1}}"#, thick(distance));
+        assert!(build(&again).unwrap_err().contains("`t` is of type `offset`: only surfaces that are not thick"));
+    }
+    let edges = build(&format!(r#"{framed}, "e": {{"type": "support-structure", "of": "n"}}"#)).unwrap();
+    assert_eq!(edges.item.contours.len(), 7);
+    let length: f64 = edges.item.contours.iter().map(|c| cyclide::length(c.as_curve())).sum();
+    assert!((length - (6.0 + 3.0 * quarter)).abs() < 1e-13);
+}
+
+#[test]
+fn refused_nets_and_cyclides() {
+    for (object, piece, start) in [
+        (
+            NET.replace("[3,0,1]", "[3,0,1.1]"),
+            "[1,1,0]",
+            "objects.n.grid[0][1]: quad 1: the corners are not on one circle",
+        ),
+        (NET.replace(",[3,0,1]", ""), "[[0,0,1],[1,0,1]]", "objects.n.grid[1]: row 1 has 2 points, the first has 3"),
+        (
+            NET.replace("]]]}", r#"]]], "frame": [[1,0],[1,1]]}"#),
+            "[[1,0],[1,1]]",
+            "objects.n.frame: the frame is not orthonormal",
+        ),
+        (NET.replace("]]]}", r#"]]], "frame": "best"}"#), "\"best\"", "objects.n.frame: unknown variant `best`"),
+        (
+            NET.replace("]]]}", r#"]]], "closed": [false, true]}"#),
+            "[[[0,1,0],[1,1,0],[3,1,0]],[[0,0,1],[1,0,1],[3,0,1]]]",
+            "objects.n.grid: too few points",
+        ),
+        (r#""c": {"type": "cyclide", "a": 1, "c": 2, "mu": 1}"#.to_owned(), "2", "objects.c.c: c = 2 is outside"),
+        (r#""c": {"type": "cyclide", "a": 1, "mu": 0}"#.to_owned(), "0", "objects.c.mu: mu = 0 is outside"),
+        (
+            r#""c": {"type": "cyclide", "a": 2, "mu": 1, "segments": [4, 2]}"#.to_owned(),
+            "2",
+            "objects.c.segments[1]: segments along t = 2",
+        ),
+        (
+            r#""c": {"type": "cyclide", "a": 2, "mu": 1, "axis": [0,0]}"#.to_owned(),
+            "[0,0]",
+            "objects.c.axis: the axis is zero",
+        ),
+    ] {
+        let message = build(&object).map(|b| format!("built {:?}", b.item)).unwrap_err();
+        let lines: Vec<&str> = message.lines().collect();
+        assert!(lines[0].starts_with("m.json:2:") && lines[0].contains(&format!(": {start}")), "{start}\n{message}");
+        let carets = lines[2].find('^').unwrap()..lines[2].len();
+        assert!(piece.starts_with(&lines[1][carets.clone()]), "{message}");
+    }
 }

@@ -28,8 +28,8 @@ use locate::{Entries, Step, offset_in, path_text, value_at};
 pub use schema::document_schema;
 pub use spec::{
     ArcFitSpec, ArcSpec, ArcSplineSpec, BiarcSpec, CircleSpec, CircleSplineSpec, ClampedEnds, CyclidePatchSpec,
-    EffortWord, EndsSpec, ObjectSpec, OffsetSpec, PlaneSpec, RotationSpec, RuleWord, ScaleSpec, SphereSpec, StepSpec,
-    TargetWord, TransformSpec, TypeWord, UnitWord, VariantWord,
+    CyclideSpec, CyclidicNetSpec, EffortWord, EndsSpec, FrameSpec, ObjectSpec, OffsetSpec, PlaneSpec, RotationSpec,
+    RuleWord, ScaleSpec, SphereSpec, StepSpec, TargetWord, TransformSpec, TypeWord, UnitWord, VariantWord,
 };
 
 /// The document version this crate reads.

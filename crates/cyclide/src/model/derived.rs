@@ -3,7 +3,9 @@
 use super::object::CurveObject;
 use super::surface_object::SurfaceObject;
 use crate::conformal::mobius::{Conformal, Mobius};
+use crate::curve::Arc;
 use crate::error::Result;
+use crate::surface::{CyclidePatch, CyclidicNet, NetFrame, QuadGrid, Shell};
 
 impl Conformal for CurveObject {
     /// The image: of arcs and chains of arcs under any map, of circles and circle splines under similarities and
@@ -29,18 +31,53 @@ impl Conformal for SurfaceObject {
     fn transformed(&self, map: &Mobius) -> Result<Self> {
         match self {
             Self::Patch(patch) => patch.transformed(map).map(Self::Patch),
+            Self::Net(net) => net.transformed(map).map(Self::Net),
+            Self::Thick(body) => body.transformed(map).map(Self::Thick),
         }
     }
 }
 
 impl SurfaceObject {
-    /// The parallel surface at a signed distance along the unit normal, exact.
+    /// The parallel surface at a signed distance along the unit normal, exact; `None` for a solid, whose normal is not
+    /// one along its creases.
     ///
     /// # Errors
     /// As the surface's own `offset`.
-    pub fn offset(&self, distance: f64) -> Result<Self> {
+    #[must_use]
+    pub fn offset(&self, distance: f64) -> Option<Result<Self>> {
         match self {
-            Self::Patch(patch) => patch.offset(distance).map(Self::Patch),
+            Self::Patch(patch) => Some(patch.offset(distance).map(Self::Patch)),
+            Self::Net(net) => Some(net.offset(distance).map(Self::Net)),
+            Self::Thick(_) => None,
         }
     }
+
+    /// The solid between the surface and its parallel surface; `None` for what is a solid between two surfaces already.
+    ///
+    /// # Errors
+    /// As [`CyclidicNet::thick`].
+    #[must_use]
+    pub fn thick(&self, distance: f64) -> Option<Result<Self>> {
+        match self {
+            Self::Patch(patch) => Some(net_of(patch).and_then(|net| net.thick(distance)).map(Self::Thick)),
+            Self::Net(net) => Some(net.thick(distance).map(Self::Thick)),
+            Self::Thick(_) => None,
+        }
+    }
+
+    /// The edges of all patches as arcs, each once.
+    ///
+    /// # Errors
+    /// As [`to_body`](Self::to_body).
+    pub fn edge_arcs(&self) -> Result<Vec<Arc>> {
+        let body = self.to_body()?;
+        Ok(body.shells().flat_map(Shell::edges).map(|edge| edge.arc).collect())
+    }
+}
+
+/// The patch as a net of one quad.
+fn net_of(patch: &CyclidePatch) -> Result<CyclidicNet> {
+    let grid = QuadGrid::new(patch.corners().to_vec(), [2, 2], [false, false])?;
+    let [v1, v2, _] = patch.moving_frame(0.0, 0.0);
+    CyclidicNet::new(grid, NetFrame::First(v1, v2))
 }

@@ -57,9 +57,8 @@ impl Builder<'_> {
             ObjectSpec::ArcSpline(s) => self.each_contour(&s.points, s.closed, |at| arc_spline(s, at)),
             ObjectSpec::ArcFit(s) => self.each_contour(&s.points, s.closed, |at| arc_fit(s, at)),
             ObjectSpec::CircleSpline(s) => self.each_contour(&s.points, s.closed, |at| circle_spline(s, at)),
-            ObjectSpec::Transform(s) => {
-                Ok(self.mapped_curves(s)?.into_iter().map(|curve| (curve, ContourFacts::default())).collect())
-            }
+            ObjectSpec::Transform(s) => Ok(without_facts(self.mapped_curves(s)?)),
+            ObjectSpec::SupportStructure(_) => Ok(without_facts(self.support_structure()?)),
             _ => Ok(Vec::new()),
         }
     }
@@ -189,4 +188,9 @@ fn inline_points(source: &Lists) -> Points {
     let lists =
         if source.lists.is_empty() { vec![PointList::default()] } else { source.lists.iter().map(list).collect() };
     Points { kept: vec![Vec::new(); lists.len()], lists, origin: Origin::Document { nested: source.nested } }
+}
+
+/// Curves that were not made from points.
+fn without_facts(curves: Vec<CurveObject>) -> Vec<(CurveObject, ContourFacts)> {
+    curves.into_iter().map(|curve| (curve, ContourFacts::default())).collect()
 }

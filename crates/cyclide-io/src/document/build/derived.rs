@@ -9,16 +9,25 @@ use crate::document::spec::{OffsetSpec, StepSpec, TransformSpec};
 use crate::error::{Error, Result};
 
 impl Builder<'_> {
-    /// The parallel surfaces.
+    /// The parallel surfaces, or the solids between.
     pub(super) fn offset(&self, spec: &OffsetSpec) -> Result<Vec<SurfaceObject>> {
-        let source = self.surface_source("only surfaces have an offset")?;
-        source
-            .item
-            .surfaces
-            .iter()
-            .map(|surface| surface.offset(spec.distance))
-            .collect::<cyclide::Result<_>>()
-            .map_err(|e| self.refused(&e, None))
+        let needed = "only surfaces that are not thick already have an offset";
+        let source = self.surface_source(needed)?;
+        let made = source.item.surfaces.iter().map(|surface| {
+            let made = if spec.thick { surface.thick(spec.distance) } else { surface.offset(spec.distance) };
+            made.ok_or_else(|| self.wrong_source(needed))?.map_err(|e| self.refused(&e, None))
+        });
+        made.collect()
+    }
+
+    /// The edges of a surface, each once.
+    pub(super) fn support_structure(&self) -> Result<Vec<CurveObject>> {
+        let source = self.surface_source("only surfaces have a support structure")?;
+        let mut arcs = Vec::new();
+        for surface in &source.item.surfaces {
+            arcs.extend(surface.edge_arcs().map_err(|e| self.refused(&e, None))?);
+        }
+        Ok(arcs.into_iter().map(CurveObject::Arc).collect())
     }
 
     /// The images of curves.
@@ -55,14 +64,17 @@ impl Builder<'_> {
     pub(super) fn surface_source(&self, needed: &str) -> Result<&BuiltObject> {
         match self.sources.first() {
             Some(source) if !source.item.surfaces.is_empty() => Ok(source),
-            source => {
-                let source = source.map(|s| format!("`{}` is of type `{}`", s.item.name, s.item.kind));
-                let path = self.path([Step::from("of")]);
-                let span = span_of(&self.document.text, &path).unwrap_or(0..0);
-                let message = format!("{}: {needed}", source.unwrap_or_default());
-                Err(Error::Input(self.document.source().diagnostic(span, &path_text(&path), message)))
-            }
+            _ => Err(self.wrong_source(needed)),
         }
+    }
+
+    /// The message that the source is of the wrong kind.
+    fn wrong_source(&self, needed: &str) -> Error {
+        let source = self.sources.first().map(|s| format!("`{}` is of type `{}`", s.item.name, s.item.kind));
+        let path = self.path([Step::from("of")]);
+        let span = span_of(&self.document.text, &path).unwrap_or(0..0);
+        let message = format!("{}: {needed}", source.unwrap_or_default());
+        Error::Input(self.document.source().diagnostic(span, &path_text(&path), message))
     }
 }
 

@@ -2,6 +2,7 @@
 
 mod curves;
 mod derived;
+mod nets;
 mod references;
 mod refuse;
 mod surfaces;

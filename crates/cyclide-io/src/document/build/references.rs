@@ -104,6 +104,7 @@ impl ObjectSpec {
         match self {
             Self::Offset(s) => of(s.of.as_str()),
             Self::Transform(s) => of(s.of.as_str()),
+            Self::SupportStructure(s) => of(s.of.as_str()),
             _ => Vec::new(),
         }
     }

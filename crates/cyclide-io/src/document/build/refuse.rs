@@ -126,7 +126,10 @@ fn blame(spec: &ObjectSpec, error: &cyclide::Error) -> Blame {
             })
         }
         E::RadiusNotPositive { .. } => Blame::Field("radius"),
+        E::ZeroAxis if matches!(spec, ObjectSpec::Cyclide(_)) => Blame::Field("axis"),
         E::ZeroAxis => Blame::Field("normal"),
+        E::ParameterOutOfRange { name: "segments along s", .. } => Blame::Entry("segments", 0),
+        E::ParameterOutOfRange { name: "segments along t", .. } => Blame::Entry("segments", 1),
         E::OrderOutOfRange { .. } => Blame::Field("order"),
         E::TangentCount { .. } => Blame::Field("tangents"),
         E::ParameterOutOfRange { name, .. } => Blame::Field(name),

@@ -12,6 +12,8 @@ impl Builder<'_> {
     pub(super) fn surfaces(&mut self) -> Result<Vec<SurfaceObject>> {
         match self.spec {
             ObjectSpec::CyclidePatch(spec) => self.patch(spec),
+            ObjectSpec::Cyclide(spec) => self.cyclide(spec),
+            ObjectSpec::CyclidicNet(spec) => self.net(spec),
             ObjectSpec::Offset(spec) => self.offset(spec),
             ObjectSpec::Transform(spec) => self.mapped_surfaces(spec),
             _ => Ok(Vec::new()),
@@ -27,7 +29,7 @@ impl Builder<'_> {
 }
 
 /// A direction of any length as a unit vector; one that has none stays what it is, for the kernel to refuse.
-fn direction(given: Coordinates) -> Vec3 {
+pub(super) fn direction(given: Coordinates) -> Vec3 {
     let v = given.vector();
     v.unit().unwrap_or(v)
 }

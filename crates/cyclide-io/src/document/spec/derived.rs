@@ -6,7 +6,7 @@ use serde::Deserialize;
 use super::TypeWord;
 use crate::document::coordinates::Coordinates;
 
-/// A parallel surface of another object, exact.
+/// A parallel surface of another object, exact, or the solid between both.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct OffsetSpec {
@@ -20,6 +20,9 @@ pub struct OffsetSpec {
     pub of: String,
     /// Distance along the normal `f_s x f_t`; negative to the other side.
     pub distance: f64,
+    /// Make the solid between the surface and its parallel surface, with a rim along free edges.
+    #[serde(default)]
+    pub thick: bool,
 }
 
 /// The image of another object under a chain of maps.
@@ -100,4 +103,18 @@ pub struct PlaneSpec {
     pub normal: Coordinates,
     /// A point of the plane. Default: the origin.
     pub origin: Option<Coordinates>,
+}
+
+/// The edges of another surface as arcs: what carries a skin.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct SupportStructureSpec {
+    /// The word `support-structure`.
+    #[schemars(with = "String", extend("const" = "support-structure"))]
+    pub r#type: TypeWord,
+    /// Helper geometry: built and reported, not written to files.
+    #[serde(default)]
+    pub construction: bool,
+    /// Name of the surface.
+    pub of: String,
 }

@@ -2,6 +2,7 @@
 
 mod curves;
 mod derived;
+mod nets;
 mod surfaces;
 
 use std::collections::BTreeMap;
@@ -14,7 +15,10 @@ pub use curves::{
     ArcFitSpec, ArcSpec, ArcSplineSpec, BiarcSpec, CircleSpec, CircleSplineSpec, ClampedEnds, EffortWord, EndsSpec,
     RuleWord, TargetWord, VariantWord,
 };
-pub use derived::{OffsetSpec, PlaneSpec, RotationSpec, ScaleSpec, SphereSpec, StepSpec, TransformSpec};
+pub use derived::{
+    OffsetSpec, PlaneSpec, RotationSpec, ScaleSpec, SphereSpec, StepSpec, SupportStructureSpec, TransformSpec,
+};
+pub use nets::{CyclideSpec, CyclidicNetSpec, FrameSpec};
 pub use surfaces::CyclidePatchSpec;
 
 /// A cyclide model: named curves and surfaces made of circles. Lengths are in the document's units and are never rescaled,
@@ -89,10 +93,16 @@ pub enum ObjectSpec {
     CircleSpline(CircleSplineSpec),
     /// One patch of a Dupin cyclide, bounded by four circular arcs.
     CyclidePatch(CyclidePatchSpec),
-    /// A parallel surface.
+    /// A whole Dupin cyclide.
+    Cyclide(CyclideSpec),
+    /// A smooth surface of patches over a grid of points.
+    CyclidicNet(CyclidicNetSpec),
+    /// A parallel surface, or the solid between.
     Offset(OffsetSpec),
     /// An object mapped.
     Transform(TransformSpec),
+    /// The edges of a surface as arcs.
+    SupportStructure(SupportStructureSpec),
 }
 
 /// The field `type`: its word has been read before, to tell what the other fields are.
@@ -147,6 +157,9 @@ object_types! {
     "arc-fit" => ArcFit,
     "circle-spline" => CircleSpline,
     "cyclide-patch" => CyclidePatch,
+    "cyclide" => Cyclide,
+    "cyclidic-net" => CyclidicNet,
     "offset" => Offset,
     "transform" => Transform,
+    "support-structure" => SupportStructure,
 }

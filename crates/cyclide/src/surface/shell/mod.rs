@@ -2,6 +2,7 @@
 
 mod check;
 mod measure;
+mod transform;
 mod split;
 
 use super::patch::CyclidePatch;

@@ -1,0 +1,117 @@
+//! Surfaces on the command line: reports, samples, refusals, the gallery.
+
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
+
+mod common;
+
+use common::{Folder, project};
+
+const MODEL: &str = r#"{"cyclide": 1, "units": "m", "objects": {
+  "ring": {"type": "cyclide", "a": 3, "c": 1, "mu": 2},
+  "patch": {"type": "cyclide-patch", "corners": [[0,0],[1,0],[0,1],[1,1]], "frame": [[1,0,1],[0,1,0]]},
+  "base": {"type": "circle", "center": [0,0], "radius": 1, "construction": true}
+}}"#;
+
+#[test]
+fn reports_on_surfaces() {
+    let folder = Folder::with(&[("m.json", MODEL)]);
+    let report = folder.json("report m.json --json");
+    let ring = &report["objects"]["ring"];
+    assert_eq!(
+        (ring["patches"].as_u64(), ring["bodies"].as_u64(), ring["closed"].as_bool()),
+        (Some(16), Some(1), Some(true))
+    );
+    for key in ["area", "volume", "residual", "orthogonality"] {
+        assert!(ring[key].is_number(), "{key}: {ring}");
+    }
+    for path in
+        ["/joints/count", "/joints/gap", "/joints/angle", "/curvature_s/min", "/curvature_t/max", "/weights/min"]
+    {
+        assert!(ring.pointer(path).is_some_and(serde_json::Value::is_number), "{path}");
+    }
+    assert!(ring["singular"].as_array().unwrap().is_empty() && ring["warnings"].as_array().unwrap().is_empty());
+    assert!(report["objects"]["patch"]["volume"].is_null());
+    assert_eq!(report["objects"]["base"]["construction"], true);
+    let text = folder.ok("report m.json");
+    assert!(text.starts_with("ring: cyclide, solid, 16 patches\n  area  "), "{text}");
+    assert!(text.contains("\nbase: circle, closed, 1 piece, construction\n"), "{text}");
+}
+
+#[test]
+fn samples_surfaces() {
+    let folder = Folder::with(&[("m.json", MODEL)]);
+    let text = folder.ok("sample m.json --object ring --count 4");
+    assert_eq!(text.lines().count(), 1 + 16 * 16);
+    assert!(text.starts_with("patch,s,t,x,y,z,normal_x,normal_y,normal_z,curvature_s,curvature_t\n0,0,0,"));
+    let error = folder.fails(2, "sample m.json --object ring --count 4 --equal-length");
+    assert!(error.contains("--equal-length is for curves"), "{error}");
+    let error = folder.fails(2, "sample m.json --object ring --count 10000000");
+    assert!(error.contains("rows on 16 patches"), "{error}");
+    assert!(folder.ok("sample m.json --object base --count 3").starts_with("t,x,y,z,tangent_x,"));
+}
+
+#[test]
+fn construction_geometry_is_in_no_file() {
+    let only =
+        r#"{"cyclide": 1, "objects": {"c": {"type": "circle", "center": [0,0], "radius": 1, "construction": true}}}"#;
+    let folder = Folder::with(&[("m.json", only)]);
+    assert!(folder.fails(1, "build m.json -o a.step").contains("there is nothing to write [empty-model]"));
+    assert_eq!(folder.count(), 1);
+}
+
+#[test]
+fn names_that_lead_nowhere_are_refused_at_their_place() {
+    let model = |objects: &str| format!("{{\"cyclide\": 1, \"objects\": {{\n{objects}}}}}");
+    let folder = Folder::with(&[
+        ("a.json", &model(r#""a": {"type": "offset", "of": "b", "distance": 1}"#)),
+        (
+            "b.json",
+            &model(
+                r#""a": {"type": "transform", "of": "b", "steps": []}, "b": {"type": "support-structure", "of": "a"}"#,
+            ),
+        ),
+    ]);
+    let error = folder.fails(1, "report a.json");
+    assert!(error.starts_with("error: a.json:2:31: objects.a.of: there is no object `b`\n"), "{error}");
+    // Also where only another object is asked for.
+    let error = folder.fails(1, "sample b.json --object a --count 3");
+    assert!(error.contains("is made from itself"), "{error}");
+}
+
+#[test]
+fn the_gallery_shows_every_example() {
+    let folder = Folder::with(&[]);
+    let said = folder.ok("gallery -o out/gallery");
+    assert!(said.ends_with("index.html\n"), "{said}");
+    let page = String::from_utf8(folder.read("out/gallery/index.html")).unwrap();
+    let mut links = 0;
+    for link in page.split("href=\"").skip(1).chain(page.split("src=\"").skip(1)) {
+        let file = &link[..link.find('"').unwrap()];
+        assert!(!folder.read(&format!("out/gallery/{file}")).is_empty(), "{file}");
+        links += 1;
+    }
+    let examples = std::fs::read_dir(project("examples")).unwrap().map(|e| e.unwrap().path());
+    for example in examples.filter(|p| p.extension().is_some_and(|s| s == "json")) {
+        let name = example.file_stem().unwrap().to_str().unwrap();
+        assert!(page.contains(&format!("href=\"{name}.json\"")), "examples/{name}.json is in the gallery");
+        for suffix in ["png", "step"] {
+            assert!(page.contains(&format!("href=\"{name}.{suffix}\"")), "{name}.{suffix}");
+        }
+        assert_eq!(folder.read(&format!("out/gallery/{name}.json")), std::fs::read(&example).unwrap());
+    }
+    assert!(links > 20);
+    // What is shown can be built again, and a second run gives the same bytes.
+    let first = folder.read("out/gallery/track.step");
+    folder.ok("build out/gallery/track.json -o again.step");
+    folder.ok("gallery -o out/gallery");
+    assert_eq!(folder.read("out/gallery/track.step"), first);
+    assert_eq!(page.as_bytes(), folder.read("out/gallery/index.html"));
+}
+
+#[test]
+fn a_gallery_that_cannot_be_written() {
+    let folder = Folder::with(&[("taken", "a file")]);
+    assert!(folder.fails(3, "gallery -o taken").starts_with("error: cannot write taken"));
+    assert!(folder.fails(2, "gallery").contains("--output <DIR>"));
+    assert_eq!(folder.read("taken"), b"a file");
+}
