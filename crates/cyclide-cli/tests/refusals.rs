@@ -44,7 +44,7 @@ fn refused_input_shows_file_line_and_column() {
             "error: kernel.json:2:54: objects.c.radius: the radius 0e0 is not positive [radius-not-positive]",
         ),
         ("sample csv.json --count 5", "error: bad.csv:3:3: `nan` is not a finite number\n  3 | 1,nan\n    |   ^^^"),
-        ("build empty.json", "error: o.step: there is no curve to write [empty-model]"),
+        ("build empty.json", "error: o.step: there is nothing to write [empty-model]"),
         ("curve bad.csv", "error: bad.csv:3:3: `nan` is not a finite number"),
         (
             "curve few.csv",
