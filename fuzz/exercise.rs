@@ -4,8 +4,7 @@
 
 use std::path::Path;
 
-use cyclide_io::{Document, ModelBuilder, PointColumns, Report, read_points};
-use cyclide_io::{Document, PointColumns, Report, read_points, read_quad_grid};
+use cyclide_io::{Document, ModelBuilder, PointColumns, Report, read_points, read_quad_grid};
 
 /// The points that any file a document refers to holds.
 const FILE: &[u8] =

@@ -35,9 +35,10 @@ mod svg;
 pub use bodies::{FileBody, FileEdge, FileFace, FileShell, FileSurface};
 pub use deviation::deviation;
 pub use document::{
-    ArcFitSpec, ArcSpec, ArcSplineSpec, BiarcSpec, BuiltObject, CircleSpec, CircleSplineSpec, ClampedEnds,
-    ContourFacts, Coordinates, CyclidePatchSpec, CyclideSpec, CyclidicNetSpec, DOCUMENT_VERSION, Document, EffortWord,
-    EndsSpec, FrameSpec, Lists, ModelBuilder, ObjectSpec, OffsetSpec, PlaneSpec, PointFile, PointSource, Remark,
+    ArcFitSpec, ArcSpec, ArcSplineSpec, BiarcSpec, BorderCurves, BorderSpec, BorderWord, BuiltObject, CircleSpec,
+    CircleSplineSpec, ClampedEnds, ContourFacts, Coordinates, CyclidePatchSpec, CyclideSpec, CyclidicNetSpec,
+    DOCUMENT_VERSION, Document, EffortWord, EndsSpec, FrameSpec, GridSource, Lists, MakeCircularOptions,
+    MakeCircularSpec, MeshFile, ModelBuilder, ObjectSpec, OffsetSpec, PlaneSpec, PointFile, PointSource, Remark,
     RotationSpec, RuleWord, ScaleSpec, SphereSpec, StepSpec, TargetWord, TransformSpec, TypeWord, UnitWord,
     VariantWord, document_schema,
 };
@@ -50,8 +51,9 @@ pub use place::{Diagnostic, Source, decode};
 pub use points::{PointColumns, PointList, PointTable, read_points};
 pub use read_back::{FileContent, ReadError, file_deviation, read_back};
 pub use report::{
-    CheckError, CurvatureReport, CurvesReport, FileReport, FitReport, GeometryReport, JointReport, ObjectReport,
-    PatchPlace, RangeReport, Report, SingularPatchReport, SurfaceJointReport, SurfaceReport, WarningReport,
+    CheckError, CircularReport, CurvatureReport, CurvesReport, FileReport, FitReport, GeometryReport, JointReport,
+    ObjectReport, PatchPlace, RangeReport, Report, SingularPatchReport, SurfaceJointReport, SurfaceReport,
+    WarningReport,
 };
 pub use sample::{Spacing, sample};
 

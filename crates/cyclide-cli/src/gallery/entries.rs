@@ -33,9 +33,58 @@ macro_rules! input {
 }
 
 const CURVES: &[Format] = &[Format::Step, Format::Svg, Format::Png];
+const SURFACES: &[Format] = &[Format::Step, Format::Glb, Format::Png];
 
 /// All models, in the order of the page.
-pub const ENTRIES: [Entry; 4] = [
+pub const ENTRIES: [Entry; 10] = [
+    Entry {
+        name: "roof",
+        title: "Free-form roof with two skins",
+        text: "A mesh of 20 by 20 quads, moved a little so that every quad has a circle, and a second skin at an exact distance.",
+        document: example!("roof.json"),
+        inputs: &[input!("roof-20.obj")],
+        formats: SURFACES,
+    },
+    Entry {
+        name: "patch",
+        title: "A patch with its parameter circles",
+        text: "Four corners on one circle and one frame: every parameter line is a circular arc and a line of curvature.",
+        document: example!("patch.json"),
+        inputs: &[],
+        formats: SURFACES,
+    },
+    Entry {
+        name: "ring",
+        title: "Ring cyclide",
+        text: "A whole Dupin cyclide from three numbers, as a closed solid of patches that share their circles.",
+        document: example!("ring.json"),
+        inputs: &[],
+        formats: SURFACES,
+    },
+    Entry {
+        name: "inverted_torus",
+        title: "Inverted torus",
+        text: "Inversion in a sphere takes circles to circles and a torus to a Dupin cyclide, patch by patch, exactly.",
+        document: example!("inverted_torus.json"),
+        inputs: &[],
+        formats: SURFACES,
+    },
+    Entry {
+        name: "handle",
+        title: "Triply curved handle",
+        text: "A pipe of 12 patches, bent in three planes, made thick: a closed solid of exact skins and rims.",
+        document: example!("handle.json"),
+        inputs: &[],
+        formats: SURFACES,
+    },
+    Entry {
+        name: "volume_faces",
+        title: "Faces of a cyclidic cube",
+        text: "Six patches that meet at right angles along their common circles.",
+        document: example!("volume_faces.json"),
+        inputs: &[],
+        formats: SURFACES,
+    },
     Entry {
         name: "track",
         title: "Race track",

@@ -27,9 +27,10 @@ pub use coordinates::{Coordinates, Lists, PointFile, PointSource};
 use locate::{Entries, Step, offset_in, path_text, value_at};
 pub use schema::document_schema;
 pub use spec::{
-    ArcFitSpec, ArcSpec, ArcSplineSpec, BiarcSpec, CircleSpec, CircleSplineSpec, ClampedEnds, CyclidePatchSpec,
-    CyclideSpec, CyclidicNetSpec, EffortWord, EndsSpec, FrameSpec, ObjectSpec, OffsetSpec, PlaneSpec, RotationSpec,
-    RuleWord, ScaleSpec, SphereSpec, StepSpec, TargetWord, TransformSpec, TypeWord, UnitWord, VariantWord,
+    ArcFitSpec, ArcSpec, ArcSplineSpec, BiarcSpec, BorderCurves, BorderSpec, BorderWord, CircleSpec, CircleSplineSpec,
+    ClampedEnds, CyclidePatchSpec, CyclideSpec, CyclidicNetSpec, EffortWord, EndsSpec, FrameSpec, GridSource,
+    MakeCircularOptions, MakeCircularSpec, MeshFile, ObjectSpec, OffsetSpec, PlaneSpec, RotationSpec, RuleWord,
+    ScaleSpec, SphereSpec, StepSpec, TargetWord, TransformSpec, TypeWord, UnitWord, VariantWord,
 };
 
 /// The document version this crate reads.

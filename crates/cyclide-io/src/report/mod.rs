@@ -15,7 +15,7 @@ use crate::export::{ExportOptions, Exported, Job};
 use crate::format::Format;
 use crate::read_back::{ReadError, file_deviation};
 pub use curves::{CurvatureReport, CurvesReport, FitReport, JointReport};
-pub use surface::{PatchPlace, SingularPatchReport, SurfaceJointReport, SurfaceReport};
+pub use surface::{CircularReport, PatchPlace, SingularPatchReport, SurfaceJointReport, SurfaceReport};
 
 /// Joints that turn by more than this (radians) count as corners.
 const CORNER_ANGLE: f64 = 1e-3;

@@ -1,6 +1,6 @@
 //! The report on surfaces.
 
-use cyclide::{Body, CyclidePatch, ParamSurface as _, Shell, ShellFace, surface_joints};
+use cyclide::{Body, CircularMeshReport, CyclidePatch, ParamSurface as _, Shell, ShellFace, surface_joints};
 use serde::Serialize;
 
 use super::{CORNER_ANGLE, RangeReport};
@@ -41,6 +41,34 @@ pub struct SurfaceReport {
     pub singular: Vec<SingularPatchReport>,
     /// Patches whose normal `f_s × f_t` is against that of their neighbours' frame.
     pub flipped: Vec<PatchPlace>,
+    /// What it took to make a net circular.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub circular: Option<CircularReport>,
+}
+
+/// How the vertices of a net were moved so that every quad has a circle; lengths in model units, angles in radians.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct CircularReport {
+    /// Steps of the search.
+    pub steps: usize,
+    /// Largest residual of a quad as given (0 if its corners are on a circle).
+    pub residual_before: f64,
+    /// Largest residual of a quad as made.
+    pub residual_after: f64,
+    /// Median length of the edges as given.
+    pub median_edge: f64,
+    /// Largest move of a vertex.
+    pub move_max: f64,
+    /// Mean move of a vertex.
+    pub move_mean: f64,
+    /// Index of the vertex that moved farthest, s fastest.
+    pub farthest_vertex: usize,
+    /// Largest distance of a vertex from the surface given.
+    pub off_surface_max: f64,
+    /// Median angle between grid lines and curvature lines as given; `None` where there are none.
+    pub angle_before: Option<f64>,
+    /// The same as made.
+    pub angle_after: Option<f64>,
 }
 
 /// How patches meet, measured along every edge that two share.
@@ -100,6 +128,7 @@ impl SurfaceReport {
             orthogonality: 0.0,
             singular: Vec::new(),
             flipped: Vec::new(),
+            circular: built.circular.as_ref().map(CircularReport::from),
         };
         for (body, it) in bodies.iter().enumerate() {
             for (patch, face) in it.shells().flat_map(Shell::faces).enumerate() {
@@ -134,6 +163,23 @@ impl SurfaceReport {
             if let (Some(a), Some(b)) = (jet.ds.unit(), jet.dt.unit()) {
                 self.orthogonality = self.orthogonality.max(a.dot(b).abs());
             }
+        }
+    }
+}
+
+impl From<&CircularMeshReport> for CircularReport {
+    fn from(report: &CircularMeshReport) -> Self {
+        Self {
+            steps: report.steps,
+            residual_before: report.residual_before,
+            residual_after: report.residual_after,
+            median_edge: report.median_edge,
+            move_max: report.moves.max,
+            move_mean: report.moves.mean,
+            farthest_vertex: report.moves.farthest_vertex,
+            off_surface_max: report.moves.max_off_surface,
+            angle_before: report.angle_before.map(|angle| angle.median),
+            angle_after: report.angle_after.map(|angle| angle.median),
         }
     }
 }

@@ -165,6 +165,15 @@ impl SurfaceReport {
         line("weights", range(&self.weights))?;
         let (residual, cosine) = (short(self.residual), short(self.orthogonality));
         line("accuracy", format!("in space to {residual} {units}, lines orthogonal to {cosine} rad"))?;
+        if let Some(c) = &self.circular {
+            let moved = format!("moved up to {} {units}, {} {units} on average", short(c.move_max), short(c.move_mean));
+            let off = short(c.off_surface_max);
+            line("circular", format!("{}: {moved}, up to {off} {units} off the surface", plural(c.steps, "step")))?;
+            if let (Some(before), Some(after)) = (c.angle_before, c.angle_after) {
+                let (before, after) = (short(before), short(after));
+                line("", format!("angle to the curvature lines {after} rad in the median, before {before} rad"))?;
+            }
+        }
         if !self.singular.is_empty() {
             let places = self.singular.iter().map(|p| (p.place, [('s', &p.s), ('t', &p.t)]));
             let texts = places.map(|(place, lists)| {

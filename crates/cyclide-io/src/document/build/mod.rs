@@ -10,13 +10,13 @@ mod surfaces;
 use std::io;
 use std::path::Path;
 
-use cyclide::{Body, Item, SurfaceObject, Warning};
+use cyclide::{Body, CircularMeshReport, Item, SurfaceObject, Warning};
 
 use super::Document;
 use super::construct::ContourFacts;
 use super::coordinates::PointSource;
 use super::locate::{Step, path_text, span_of};
-use super::spec::ObjectSpec;
+use super::spec::{CyclidicNetSpec, GridSource, ObjectSpec};
 use crate::error::{Error, Result};
 use references::References;
 
@@ -27,6 +27,8 @@ pub struct BuiltObject {
     pub item: Item,
     /// The surfaces as patches that share edges, in their order.
     pub bodies: Vec<Body>,
+    /// What it took to make a net circular.
+    pub circular: Option<CircularMeshReport>,
     /// Helper geometry: not for files.
     pub construction: bool,
     /// One entry per contour.
@@ -91,7 +93,18 @@ impl<'a> ModelBuilder<'a> {
                 let Self { document, folder, read, .. } = *self;
                 let sources = self.references.of(needed).iter().filter_map(|&k| self.made[k].as_ref()).collect();
                 let (remarks, warnings) = (Vec::new(), Vec::new());
-                let builder = Builder { document, name, spec, sources, folder, read, remarks, warnings };
+                let builder = Builder {
+                    document,
+                    name,
+                    spec,
+                    sources,
+                    folder,
+                    read,
+                    progress,
+                    circular: None,
+                    remarks,
+                    warnings,
+                };
                 self.made[needed] = Some(builder.build()?);
             }
         }
@@ -102,8 +115,11 @@ impl<'a> ModelBuilder<'a> {
 impl Document {
     /// The files the document refers to, as it writes them.
     pub fn input_files(&self) -> impl Iterator<Item = &str> {
-        self.objects.iter().filter_map(|(_, spec)| match spec.points() {
-            Some(PointSource::File(file)) => Some(file.csv.as_str()),
+        self.objects.iter().filter_map(|(_, spec)| match (spec, spec.points()) {
+            (_, Some(PointSource::File(file))) => Some(file.csv.as_str()),
+            (ObjectSpec::CyclidicNet(CyclidicNetSpec { grid: GridSource::File(file), .. }), _) => {
+                Some(file.obj.as_str())
+            }
             _ => None,
         })
     }
@@ -118,6 +134,9 @@ struct Builder<'a> {
     sources: Vec<&'a BuiltObject>,
     folder: &'a Path,
     read: Read<'a>,
+    progress: &'a mut dyn FnMut(String),
+    /// What it took to make the net of the object circular.
+    circular: Option<CircularMeshReport>,
     remarks: Vec<Remark>,
     warnings: Vec<(usize, Warning)>,
 }
@@ -132,7 +151,7 @@ impl Builder<'_> {
         let (name, kind) = (self.name.to_owned(), self.spec.type_word().to_owned());
         let item = Item { name, kind, contours: curves, surfaces, warnings: self.warnings, tolerance };
         let construction = self.spec.is_construction();
-        Ok(BuiltObject { item, bodies, construction, contours: facts, remarks: self.remarks })
+        Ok(BuiltObject { item, bodies, circular: self.circular, construction, contours: facts, remarks: self.remarks })
     }
 
     fn remark(

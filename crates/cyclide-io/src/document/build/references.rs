@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use crate::document::Document;
 use crate::document::locate::{Step, path_text, span_of};
-use crate::document::spec::ObjectSpec;
+use crate::document::spec::{BorderCurves, ObjectSpec};
 use crate::error::{Error, Result};
 
 /// The objects that each object is made from.
@@ -105,6 +105,11 @@ impl ObjectSpec {
             Self::Offset(s) => of(s.of.as_str()),
             Self::Transform(s) => of(s.of.as_str()),
             Self::SupportStructure(s) => of(s.of.as_str()),
+            Self::CyclidicNet(s) => {
+                let sides = s.make_circular.border_curves().map(BorderCurves::sides).into_iter().flatten();
+                let path = |field| vec![Step::from("make_circular"), Step::from("border"), Step::from(field)];
+                sides.filter_map(|(field, name)| name.map(|name| (path(field), name))).collect()
+            }
             _ => Vec::new(),
         }
     }

@@ -1,5 +1,6 @@
 //! The types of object a document may hold, field by field. Their doc comments are the published schema's text.
 
+mod circular;
 mod curves;
 mod derived;
 mod nets;
@@ -11,6 +12,7 @@ use cyclide::Units;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
+pub use circular::{BorderCurves, BorderSpec, BorderWord, MakeCircularOptions, MakeCircularSpec};
 pub use curves::{
     ArcFitSpec, ArcSpec, ArcSplineSpec, BiarcSpec, CircleSpec, CircleSplineSpec, ClampedEnds, EffortWord, EndsSpec,
     RuleWord, TargetWord, VariantWord,
@@ -18,7 +20,7 @@ pub use curves::{
 pub use derived::{
     OffsetSpec, PlaneSpec, RotationSpec, ScaleSpec, SphereSpec, StepSpec, SupportStructureSpec, TransformSpec,
 };
-pub use nets::{CyclideSpec, CyclidicNetSpec, FrameSpec};
+pub use nets::{CyclideSpec, CyclidicNetSpec, FrameSpec, GridSource, MeshFile};
 pub use surfaces::CyclidePatchSpec;
 
 /// A cyclide model: named curves and surfaces made of circles. Lengths are in the document's units and are never rescaled,

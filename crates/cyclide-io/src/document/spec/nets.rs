@@ -4,6 +4,7 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 
 use super::TypeWord;
+use super::circular::MakeCircularSpec;
 use crate::document::coordinates::Coordinates;
 
 /// A whole Dupin cyclide by its three parameters: the points with
@@ -40,7 +41,7 @@ pub struct CyclideSpec {
 }
 
 /// A smooth surface of patches over a grid of points: neighbouring patches share their circular edge and their normals
-/// along it. The four corners of every quad must be on one circle.
+/// along it. The four corners of every quad must be on one circle: `make_circular` sees to it.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct CyclidicNetSpec {
@@ -50,16 +51,54 @@ pub struct CyclidicNetSpec {
     /// Helper geometry: built and reported, not written to files.
     #[serde(default)]
     pub construction: bool,
-    /// The vertices, in rows of equally many: s grows along a row, t from row to row.
-    #[schemars(length(min = 2))]
-    pub grid: Vec<Vec<Coordinates>>,
+    /// The vertices.
+    pub grid: GridSource,
     /// Whether the grid is closed along s (the last column joins the first) and along t (the last row joins the first). Do not
-    /// repeat the first points. Default: open.
-    #[serde(default)]
-    pub closed: [bool; 2],
+    /// repeat the first points. Default: open. For a grid inline only.
+    pub closed: Option<[bool; 2]>,
     /// The frame from which all others follow: `"auto"`, or the directions of growing s and t at the first vertex.
     #[serde(default)]
     pub frame: FrameSpec,
+    /// Move the vertices a little so that the corners of every quad are on one circle.
+    #[serde(default)]
+    pub make_circular: MakeCircularSpec,
+}
+
+/// Where the vertices of a net come from.
+#[derive(Debug, Clone, PartialEq, JsonSchema)]
+#[schemars(untagged, rename = "Grid")]
+pub enum GridSource {
+    /// Rows of points: s grows along a row, t from row to row. All rows have equally many.
+    Rows(#[schemars(length(min = 2))] Vec<Vec<Coordinates>>),
+    /// A mesh of quads in a file of its own.
+    File(MeshFile),
+}
+
+/// A mesh of quads in a file of its own.
+#[derive(Debug, Clone, PartialEq, Eq, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct MeshFile {
+    /// Path of the Wavefront OBJ file, relative to the document: a regular grid of quads, open or closed.
+    pub obj: String,
+}
+
+impl<'de> Deserialize<'de> for GridSource {
+    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct GridVisitor;
+        impl<'de> serde::de::Visitor<'de> for GridVisitor {
+            type Value = GridSource;
+            fn expecting(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+                f.write_str("rows of points `[[[x, y, z], …], …]`, or `{\"obj\": \"FILE\"}`")
+            }
+            fn visit_seq<A: serde::de::SeqAccess<'de>>(self, seq: A) -> Result<GridSource, A::Error> {
+                Vec::deserialize(serde::de::value::SeqAccessDeserializer::new(seq)).map(GridSource::Rows)
+            }
+            fn visit_map<A: serde::de::MapAccess<'de>>(self, map: A) -> Result<GridSource, A::Error> {
+                MeshFile::deserialize(serde::de::value::MapAccessDeserializer::new(map)).map(GridSource::File)
+            }
+        }
+        deserializer.deserialize_any(GridVisitor)
+    }
 }
 
 /// The frame of a net: `auto`, or two directions.

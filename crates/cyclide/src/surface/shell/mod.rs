@@ -2,8 +2,8 @@
 
 mod check;
 mod measure;
-mod transform;
 mod split;
+mod transform;
 
 use super::patch::CyclidePatch;
 use crate::base::vector::Point3;
