@@ -247,7 +247,7 @@ fn the_examples_build() {
         if path.extension().is_some_and(|e| e == "json") {
             found += 1;
             let mut command = folder.command();
-            command.arg("build").arg(&path).args(["-o", "e.step", "-o", "e.dxf", "--json"]);
+            command.arg("build").arg(&path).args(["-o", "e.step", "--json"]);
             let run = common::Run::new(command.output().unwrap());
             assert_eq!(run.code, 0, "{}\n{}", path.display(), run.stderr);
         }

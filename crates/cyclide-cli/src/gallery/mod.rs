@@ -23,6 +23,10 @@ struct Shown {
 
 /// Builds all entries, checks their files, and writes them and the page: all, or none.
 pub fn run(plan: &GalleryPlan) -> Result<(), Failure> {
+    // Said before the work is done.
+    if plan.folder.exists() && !plan.folder.is_dir() {
+        return Err(Failure::write(plan.folder.display(), &io::ErrorKind::NotADirectory.into()));
+    }
     let progress = Progress::new(ENTRIES.iter().map(|entry| entry.formats.len() + 1).sum());
     let mut files: Vec<(String, Vec<u8>)> = Vec::new();
     let mut shown = Vec::new();
