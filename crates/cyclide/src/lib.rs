@@ -80,6 +80,6 @@ pub use rational::{ExactRational, NurbsCurve, RationalBezier, RationalBezierSurf
 pub use surface::{Body, FaceEdge, ParamSurface, QuadGrid, Shell, ShellEdge, ShellFace};
 pub use surface::{CyclideKind, CyclidicNet, DupinCyclide, NetFrame, NetQuality, SingularPatch};
 pub use surface::{CyclidePatch, PatchKind};
-pub use surface::{SurfaceJoint, surface_joints};
 pub use surface::{ImplicitForm, PatchLocation, PatchRow};
+pub use surface::{SurfaceJoint, surface_joints};
 pub use warning::Warning;

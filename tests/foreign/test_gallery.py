@@ -1,0 +1,93 @@
+"""The gallery: its page, and every file of it in the hands of a foreign reader."""
+
+import json
+import re
+import subprocess
+from html.parser import HTMLParser
+from pathlib import Path
+
+import pytest
+import trimesh
+from PIL import Image
+
+from conftest import ROOT
+from step_reader import StepFile
+
+EXAMPLES = sorted(p.stem for p in (ROOT / "examples").glob("*.json"))
+VOID = {"meta", "img", "link", "br"}
+
+
+@pytest.fixture(scope="session")
+def gallery(program, tmp_path_factory):
+    folder = tmp_path_factory.mktemp("gallery") / "made"
+    program("gallery", "-o", folder)
+    return folder
+
+
+class Page(HTMLParser):
+    """Links, pictures and whether every element is closed in order."""
+
+    def __init__(self, text):
+        super().__init__()
+        self.links, self.pictures, self.open = [], [], []
+        self.feed(text)
+
+    def handle_starttag(self, tag, attributes):
+        attributes = dict(attributes)
+        if tag == "a":
+            self.links.append(attributes["href"])
+        if tag == "img":
+            self.pictures.append(attributes["src"])
+            assert attributes["alt"], "pictures are described"
+        if tag not in VOID:
+            self.open.append(tag)
+
+    def handle_endtag(self, tag):
+        assert self.open.pop() == tag
+
+
+def test_the_page_leads_to_every_file(gallery):
+    text = (gallery / "index.html").read_text()
+    page = Page(text)
+    assert not page.open
+    assert not re.search(r"https?://", text), "the page needs nothing from elsewhere"
+    files = {p.name for p in gallery.iterdir()} - {"index.html"}
+    assert set(page.links) | set(page.pictures) == files
+    assert {Path(f).stem for f in files if f.endswith(".json")} == set(EXAMPLES)
+    assert "NaN" not in text and "inf" not in re.sub(r"<style>.*</style>", "", text, flags=re.S)
+
+
+@pytest.mark.parametrize("name", EXAMPLES)
+def test_step_files_are_valid(gallery, name):
+    assert StepFile(gallery / f"{name}.step").valid
+
+
+@pytest.mark.parametrize("name", EXAMPLES)
+def test_pictures_show_something(gallery, name):
+    with Image.open(gallery / f"{name}.png") as picture:
+        picture.verify()
+    with Image.open(gallery / f"{name}.png") as picture:
+        colours = picture.convert("RGB").getcolors(maxcolors=1 << 24)
+        background = max(count for count, _ in colours)
+        assert len(colours) > 16
+        # At least a hundredth of the picture is not background.
+        assert background < 0.99 * picture.width * picture.height
+
+
+def test_meshes_are_those_of_the_report(gallery, program):
+    for path in sorted(gallery.glob("*.glb")):
+        check = subprocess.run(["node", ROOT / "tests/foreign/gltf/validate.cjs", path], capture_output=True, text=True)
+        assert check.returncode == 0, check.stderr
+        assert json.loads(check.stdout)["errors"] == 0, check.stdout
+        report = json.loads(program("report", gallery / f"{path.stem}.json", "--json"))
+        objects = [o for o in report["objects"].values() if not o.get("construction")]
+        scene = trimesh.load(path)
+        metres = {"mm": 1e-3, "m": 1.0}[report["units"]]
+        area = sum(o["area"] for o in objects) * metres**2
+        # Planar faces within 1e-4 of the model's size: the area differs by at most about their angle, a few per cent.
+        assert scene.area == pytest.approx(area, rel=0.05), path.name
+
+
+def test_the_documents_beside_the_files_are_the_examples(gallery):
+    for name in EXAMPLES:
+        assert (gallery / f"{name}.json").read_bytes() == (ROOT / "examples" / f"{name}.json").read_bytes()
