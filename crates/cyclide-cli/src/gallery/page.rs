@@ -118,7 +118,8 @@ fn figures(report: &Report) -> Vec<(&'static str, String)> {
         let smooth: usize = surfaces.iter().map(|s| s.joints.count - s.joints.creases).sum();
         if smooth > 0 {
             let angle = surfaces.iter().map(|s| s.joints.angle).fold(0.0, f64::max);
-            figures.push(("joints", format!("{smooth}, normals within {angle:.0e} rad")));
+            let normals = if angle > 0.0 { format!("within {angle:.0e} rad") } else { "equal to the bit".to_owned() };
+            figures.push(("joints", format!("{smooth}, normals {normals}")));
         }
     }
     let (count, pieces, length) =
