@@ -110,10 +110,10 @@ fn meshes_become_smooth_surfaces() {
     ]);
     let error = folder.fails(1, "report as_given.json");
     assert!(
-        error.contains("as_given.json:1:")
-            && error.contains("objects.n.grid: quad 0: the corners are not on one circle"),
+        error.contains("as_given.json:1:") && error.contains("objects.n.grid: quad 0: the corners are not"),
         "{error}"
     );
+    assert!(error.contains("(points 1, 2, 10, 11 of s.obj) [not-concircular]"), "{error}");
     for (file, moves) in [("moved", true), ("pinned", true), ("side", true)] {
         let report = folder.json(&format!("report {file}.json --json"));
         let net = &report["objects"]["n"];

@@ -18,6 +18,7 @@ use super::coordinates::PointSource;
 use super::locate::{Step, path_text, span_of};
 use super::spec::{CyclidicNetSpec, GridSource, ObjectSpec};
 use crate::error::{Error, Result};
+use nets::MeshNames;
 use references::References;
 
 /// An object made by its construction, with what is known about it besides its geometry.
@@ -101,6 +102,7 @@ impl<'a> ModelBuilder<'a> {
                     folder,
                     read,
                     progress,
+                    mesh: None,
                     circular: None,
                     remarks,
                     warnings,
@@ -135,6 +137,8 @@ struct Builder<'a> {
     folder: &'a Path,
     read: Read<'a>,
     progress: &'a mut dyn FnMut(String),
+    /// The file that the grid of a net was read from.
+    mesh: Option<MeshNames>,
     /// What it took to make the net of the object circular.
     circular: Option<CircularMeshReport>,
     remarks: Vec<Remark>,

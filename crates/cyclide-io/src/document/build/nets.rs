@@ -18,6 +18,14 @@ use crate::obj::read_quad_grid;
 /// Patches of a whole cyclide round the hole and round the tube.
 const SEGMENTS: [u32; 2] = [4, 4];
 
+/// What a file calls the points of a grid.
+pub(super) struct MeshNames {
+    /// The file.
+    name: String,
+    /// The number of each point of the grid.
+    numbers: Vec<usize>,
+}
+
 impl<'a> Builder<'a> {
     /// A whole cyclide as one closed net, or as several that touch in the nodes.
     pub(super) fn cyclide(&self, spec: &CyclideSpec) -> Result<Vec<SurfaceObject>> {
@@ -86,8 +94,9 @@ impl<'a> Builder<'a> {
         if let Some(first) = mesh.unused.first() {
             let message =
                 format!("{} point(s) that no face uses are left out, the first is number {first}", mesh.unused.len());
-            self.remark("points-unused", None, None, Some(name), message);
+            self.remark("points-unused", None, None, Some(name.clone()), message);
         }
+        self.mesh = Some(MeshNames { name, numbers: mesh.numbers });
         Ok(mesh.grid)
     }
 
@@ -137,15 +146,27 @@ impl<'a> Builder<'a> {
 
     /// The message for what the kernel said about a quad, a vertex or the frame of a net.
     fn refused_in_grid(&self, grid: &QuadGrid, error: &KernelError) -> Error {
-        let place =
-            |index: usize, columns: usize| vec!["grid".into(), (index / columns).into(), (index % columns).into()];
-        let path: Vec<Step> = match error {
-            KernelError::FrameNotOrthonormal { .. } | KernelError::NotFinite { what: "frame vector", .. } => {
-                vec!["frame".into()]
+        if matches!(
+            error,
+            KernelError::FrameNotOrthonormal { .. } | KernelError::NotFinite { what: "frame vector", .. }
+        ) {
+            return self.refused_at([Step::from("frame")], error);
+        }
+        let (vertices, first, columns) = match (error, error.index()) {
+            (KernelError::CoincidentPoints { first, second, .. }, _) => {
+                (vec![*first, *second], *second, grid.size()[0])
             }
-            KernelError::CoincidentPoints { second, .. } => place(*second, grid.size()[0]),
-            _ => error.index().map_or_else(|| vec!["grid".into()], |quad| place(quad, grid.quads()[0])),
+            (_, Some(quad)) => {
+                let columns = grid.quads()[0];
+                (grid.corners(quad % columns, quad / columns).to_vec(), quad, columns)
+            }
+            (_, None) => return self.refused_at([Step::from("grid")], error),
         };
-        self.refused_at(path, error)
+        let Some(mesh) = &self.mesh else {
+            return self.refused_at(["grid".into(), (first / columns).into(), (first % columns).into()], error);
+        };
+        let numbers: Vec<String> = vertices.iter().map(|&v| mesh.numbers[v].to_string()).collect();
+        let words = format!("{error} (points {} of {})", numbers.join(", "), mesh.name);
+        self.refused_in_words([Step::from("grid")], error, words)
     }
 }

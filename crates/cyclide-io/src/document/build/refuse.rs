@@ -36,9 +36,19 @@ impl Builder<'_> {
         if self.document.text.is_empty() {
             return Error::Geometry { object: self.name.to_owned(), source: error.clone() };
         }
+        self.refused_in_words(steps, error, error.to_string())
+    }
+
+    /// As [`refused_at`](Self::refused_at), in other words.
+    pub(super) fn refused_in_words(
+        &self,
+        steps: impl IntoIterator<Item = Step>,
+        error: &cyclide::Error,
+        words: String,
+    ) -> Error {
         let path = self.path(steps);
         let span = span_of(&self.document.text, &path).unwrap_or(0..1);
-        let message = self.document.source().diagnostic(span, &path_text(&path), error.to_string());
+        let message = self.document.source().diagnostic(span, &path_text(&path), words);
         Error::Input(message.with_reason(error.reason()))
     }
 
