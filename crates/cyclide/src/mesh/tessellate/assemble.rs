@@ -34,6 +34,12 @@ pub(super) fn assemble(
     for grid in &grids {
         joined |= grid.join_points(&mut border);
     }
+    let cells: usize = grids.iter().map(|g| (g.s.len() - 1) * (g.t.len() - 1)).sum();
+    // About one vertex and one normal per cell.
+    mesh.positions.reserve(cells);
+    mesh.normals.reserve(cells);
+    mesh.faces.reserve(cells);
+    mesh.sources.reserve(cells);
     let mut gap = 0.0_f64;
     for (f, grid) in grids.iter().enumerate() {
         gap = gap.max(grid.emit(&mut border, [index, f], mesh));
