@@ -94,10 +94,10 @@ fn draw(
     if arc.normal().is_none_or(|n| n.x.abs() <= LEVEL && n.y.abs() <= LEVEL) {
         promise.add(path.arc(&arc));
     } else {
-        for (_, point) in flatten(&arc, job.tolerance).map_err(failed)?.into_iter().skip(1) {
+        for (_, point) in flatten(&arc, job.mesh_tolerance).map_err(failed)?.into_iter().skip(1) {
             path.segment(point);
         }
-        promise.add(Exactness::Within(job.tolerance));
+        promise.add(Exactness::Within(job.mesh_tolerance));
     }
     Ok((!path.is_point()).then_some(path))
 }

@@ -2,6 +2,7 @@
 
 use super::camera::{Camera, Projected};
 use super::light::Rgb;
+use super::surface::growth;
 use crate::export::Job;
 use crate::palette;
 use crate::png::{CURVE, Polyline};
@@ -151,7 +152,7 @@ pub(super) fn parameters(corners: &[Projected; 3], at: &[[f64; 2]; 3], x: f64, y
     let parameter = |k: usize| {
         let (v, v_x, v_y) = linear([at[0][k] * a.near, at[1][k] * b.near, at[2][k] * c.near]);
         let value = v / near;
-        let slope = ((v_x - value * near_x) / near).hypot((v_y - value * near_y) / near);
+        let slope = growth((v_x - value * near_x) / near, (v_y - value * near_y) / near);
         (value.clamp(0.0, 1.0), slope)
     };
     let ((s, ds), (t, dt)) = (parameter(0), parameter(1));

@@ -17,6 +17,8 @@ const CIRCLE_INK: f64 = 0.36;
 const EDGE_INK: f64 = 0.78;
 /// Lines closer together than the first are gone, farther apart than the second they have their full strength, pixels.
 const FADE: (f64, f64) = (3.5, 9.0);
+/// A step of Newton's method after which no other is needed, relative to the facet's parameters.
+const SMALL_STEP: f64 = 0.03;
 /// How much darker the inner side of an open shell is.
 const INNER: f64 = 0.78;
 
@@ -86,7 +88,11 @@ impl Surface<'_> {
             }
             at = [(at[0] + a).clamp(0.0, 1.0), (at[1] + b).clamp(0.0, 1.0)];
             let [right, up] = camera.steps(from_eye).map(step);
-            best = (at, [right[0].hypot(up[0]), right[1].hypot(up[1])]);
+            best = (at, [growth(right[0], up[0]), growth(right[1], up[1])]);
+            // The square of this is out of sight.
+            if a.abs() <= SMALL_STEP * extent[0] && b.abs() <= SMALL_STEP * extent[1] {
+                break;
+            }
         }
         best
     }
@@ -126,6 +132,11 @@ impl Surface<'_> {
         }
         strength
     }
+}
+
+/// Length of a gradient; `hypot` guards against overflow that pixels do not have, at ten times the cost.
+pub(super) fn growth(x: f64, y: f64) -> f64 {
+    (x * x + y * y).sqrt()
 }
 
 /// How much of a pixel a line covers whose middle is so many pixels away.
