@@ -1,8 +1,13 @@
 """PNG pictures: they open, have their size, and show something."""
 
+import resource
+from pathlib import Path
+
 import numpy as np
 import pytest
 from PIL import Image
+
+ROOT = Path(__file__).resolve().parents[2]
 
 
 @pytest.mark.parametrize("name", ["track", "logo", "cable"])
@@ -17,3 +22,38 @@ def test_picture_shows_the_curve(examples, name):
     rows, columns = np.nonzero(ink)
     # The drawing fills the picture in at least one direction.
     assert max(np.ptp(rows) / image.height, np.ptp(columns) / image.width) > 0.6
+
+
+@pytest.fixture(scope="module")
+def surface_pictures(program, tmp_path_factory):
+    """Pictures of the example surfaces: the image and the processor time that its build took, seconds."""
+    folder, pictures = tmp_path_factory.mktemp("surfaces"), {}
+    for name in ("patch", "ring", "inverted_torus", "handle"):
+        path = folder / f"{name}.png"
+        before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
+        program("build", ROOT / "examples" / f"{name}.json", "-o", path)
+        spent = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
+        with Image.open(path) as image:
+            pictures[name] = np.asarray(image.convert("RGB"), float), spent
+    return pictures
+
+
+@pytest.mark.parametrize("name", ["patch", "ring", "inverted_torus", "handle"])
+def test_picture_of_a_surface(surface_pictures, name):
+    pixels, spent = surface_pictures[name]
+    assert pixels.shape == (1200, 1600, 3)
+    paper = np.array([0xFB, 0xFB, 0xF9], float)
+    # The upper corners are beyond model and shadow, for the ground lies below the model.
+    assert (pixels[0, 0] == paper).all() and (pixels[0, -1] == paper).all()
+    # The first object is blue: more blue than red by a tenth of the scale or more. Shadows are less so.
+    surface = pixels[..., 2] - pixels[..., 0] > 12.0
+    assert 0.1 < surface.mean() < 0.75
+    rows, columns = np.nonzero(surface)
+    # Fitted to 0.85 of one side, less where a pole's region at the outline shines in white.
+    assert max(np.ptp(rows) / 1200, np.ptp(columns) / 1600) > 0.75
+    red, green, blue = pixels[surface].mean(axis=0)
+    assert 120 < red < green < blue < 250, "pale blue"
+    # Shaded: neither flat nor noise.
+    assert 10 < pixels[surface].std(axis=0).mean() < 60
+    # Picture with all the rest of the program, on a machine that may be busy; below one second where it is not.
+    assert spent < 4.0
