@@ -114,19 +114,23 @@ fn meshes_become_smooth_surfaces() {
         "{error}"
     );
     assert!(error.contains("(points 1, 2, 10, 11 of s.obj) [not-concircular]"), "{error}");
-    for (file, moves) in [("moved", true), ("pinned", true), ("side", true)] {
+    for file in ["moved", "side"] {
         let report = folder.json(&format!("report {file}.json --json"));
         let net = &report["objects"]["n"];
         assert_eq!((net["patches"].as_u64(), net["joints"]["count"].as_u64()), (Some(64), Some(112)));
         let circular = &net["circular"];
         // The search ends at 1e-12.
         assert!(circular["residual_after"].as_f64().unwrap() < 1e-12 && circular["steps"].as_u64().unwrap() > 0);
-        assert_eq!(circular["move_max"].as_f64().unwrap() > 0.0, moves);
+        assert!(circular["move_max"].as_f64().unwrap() > 0.0);
         assert!(net["joints"]["gap"].as_f64().unwrap() < 1e-13);
     }
     assert!(folder.ok("report moved.json").contains("\n  circular "));
     assert!(folder.fails(1, "report closed.json").contains("`closed` goes with a grid inline"));
-    assert!(folder.fails(1, "report steps.json").contains("[not-converged]"));
+    // So coarse a grid has no solution near a border that stays.
+    for file in ["pinned", "steps"] {
+        let error = folder.fails(1, &format!("report {file}.json"));
+        assert!(error.contains("objects.n.make_circular: not circular after"), "{error}");
+    }
     // The mesh is an input, and is not written over.
     assert!(folder.fails(2, "sample moved.json --count 2 -o s.obj").contains("s.obj is an input"));
     assert_eq!(folder.read("s.obj"), saddle().as_bytes());

@@ -152,6 +152,9 @@ impl<'a> Builder<'a> {
         ) {
             return self.refused_at([Step::from("frame")], error);
         }
+        if let KernelError::NotConverged { .. } = error {
+            return self.refused_at([Step::from("make_circular")], error);
+        }
         let (vertices, first, columns) = match (error, error.index()) {
             (KernelError::CoincidentPoints { first, second, .. }, _) => {
                 (vec![*first, *second], *second, grid.size()[0])
