@@ -116,7 +116,7 @@ fn samples_lie_on_a_grid_of_every_patch() {
             assert!((row[3 + i] - center[i] - 2.0 * row[6 + i]).abs() < 1e-14, "{row:?}");
         }
         // At the pole an s-line is one point: no curvature along it.
-        assert!((row[9] + 0.5).abs() < 1e-13 || row[2] == 1.0 && row[9].is_nan(), "{row:?}");
+        assert!((row[9] + 0.5).abs() < 1e-13 || row[2] > 0.75 && row[9].is_nan(), "{row:?}");
         assert!((row[10] + 0.5).abs() < 1e-13, "{row:?}");
     }
 }
@@ -158,7 +158,7 @@ fn what_is_refused_is_shown_at_its_place() {
             "objects.a.of: `a` is made from itself",
         ),
         (
-            transform("o", r#"{"inversion": {"center": [3,0], "radius": 1}}"#),
+            transform("o", r#"{"inversion": {"center": [4,0], "radius": 1}}"#),
             "",
             "objects.a.steps[1]: a point is at infinity",
         ),
