@@ -45,7 +45,7 @@ h1 { margin: 0; font-size: 2.25rem; font-weight: 650; letter-spacing: -0.02em; }
 header p { max-width: 46rem; margin: 0.5rem 0 0; color: var(--soft); }
 main { display: grid; grid-template-columns: repeat(auto-fill, minmax(min(24rem, 100%), 1fr)); gap: 1.5rem; }
 article { display: flex; flex-direction: column; background: var(--card); border: 1px solid var(--line); border-radius: 10px; overflow: hidden; }
-article > a { display: block; background: #ffffff; border-bottom: 1px solid var(--line); }
+article > a { display: block; background: #fbfbf9; border-bottom: 1px solid var(--line); }
 img { display: block; width: 100%; aspect-ratio: 4 / 3; object-fit: contain; }
 .text { display: flex; flex-direction: column; flex: 1; gap: 0.75rem; padding: 1.1rem 1.25rem 1.25rem; }
 h2 { margin: 0; font-size: 1.15rem; font-weight: 620; }
