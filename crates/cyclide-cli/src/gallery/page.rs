@@ -23,7 +23,7 @@ pub fn html(shown: &[Shown]) -> String {
 <header>
 <h1>cyclide</h1>
 <p>Curves and surfaces made of circles. Every picture is a model that you can open in CAD or turn in a viewer, and a
-document that you can change and build again. The figures are measured on the files, after reading them back.</p>
+document that you can change and build again. Measures are those of the models; deviations those of the files, read back.</p>
 </header>
 <main>
 {cards}</main>
@@ -53,7 +53,7 @@ h2 { margin: 0; font-size: 1.15rem; font-weight: 620; }
 dl { display: grid; grid-template-columns: max-content 1fr; gap: 0.1rem 1rem; margin: 0; font-size: 0.875rem; font-variant-numeric: tabular-nums; }
 dt { color: var(--soft); }
 dd { margin: 0; }
-nav { display: flex; flex-wrap: wrap; gap: 0.4rem; margin-top: auto; }
+nav { display: flex; flex-wrap: wrap; align-items: flex-start; gap: 0.4rem; margin-top: auto; }
 nav a { padding: 0.15rem 0.6rem; border: 1px solid var(--line); border-radius: 6px; color: var(--accent); font-size: 0.875rem; text-decoration: none; }
 nav a:hover, nav a:focus-visible { border-color: var(--accent); }
 footer { padding-top: 2rem; padding-bottom: 3rem; color: var(--soft); font-size: 0.875rem; }
