@@ -1,4 +1,5 @@
 //! Quad grids made circular: the mesh families of the theory, what the result promises, and what is refused.
+#![allow(clippy::unwrap_used, reason = "helpers of tests")]
 #![allow(clippy::float_cmp, reason = "what must not move or must be reported as it is, is compared exactly")]
 
 use cyclide::{Border, Circle, CircularMesh, CircularMeshOptions, Error, Point3, QuadGrid, Quat, Vec3, make_circular};

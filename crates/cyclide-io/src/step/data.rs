@@ -93,7 +93,7 @@ fn bits(values: [f64; 3]) -> [u64; 3] {
 /// `head` and the three numbers as a list, closed by a parenthesis.
 fn triple(out: &mut String, head: &str, values: [f64; 3]) {
     out.push_str(head);
-    push_list(out, values, |out, v| push_step(out, v));
+    push_list(out, values, push_step);
     out.push(')');
 }
 

@@ -1,4 +1,5 @@
 //! Laws of whole cyclides, cyclidic nets and their shells (`20`, sections 4, 6, 7).
+#![allow(clippy::unwrap_used, reason = "helpers of tests")]
 
 mod data;
 mod derived;
