@@ -124,6 +124,9 @@ pub struct OutputArgs {
     /// DXF: the version written.
     #[arg(long, value_name = "VERSION", value_enum, default_value_t, help_heading = "Formats")]
     pub dxf_version: DxfArg,
+    /// STEP: the curves of the edges between faces.
+    #[arg(long, value_name = "CURVE", value_enum, default_value_t, help_heading = "Formats")]
+    pub step_edges: EdgesArg,
     /// SVG: draw the curvature comb.
     #[arg(long, help_heading = "Formats")]
     pub svg_comb: bool,
@@ -279,6 +282,15 @@ pub enum DxfArg {
     R2000,
     /// AutoCAD R12: for old machines.
     R12,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
+pub enum EdgesArg {
+    /// Circles and lines, with radii and centres: the default.
+    #[default]
+    Circle,
+    /// Rational B-splines in the parameter of the faces, which other systems read faster and check more strictly.
+    Rational,
 }
 
 /// A positive, finite number.

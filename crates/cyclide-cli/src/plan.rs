@@ -6,12 +6,12 @@ use std::path::{Path, PathBuf};
 use cyclide::Units;
 use cyclide_io::{
     ArcFitSpec, ArcSplineSpec, CircleSplineSpec, Document, DxfVersion, EffortWord, EndsSpec, ExportOptions, Format,
-    ObjectSpec, PointFile, PointSource, RuleWord, Spacing, TargetWord, TypeWord, VariantWord,
+    ObjectSpec, PointFile, PointSource, RuleWord, Spacing, StepEdges, TargetWord, TypeWord, VariantWord,
 };
 
 use crate::args::{
-    Args, BuildArgs, Command, CurveArgs, DxfArg, EffortArg, GalleryArgs, Kind, OutputArgs, ReportArgs, RuleArg,
-    SampleArgs, TargetArg, UnitsArg, VariantArg,
+    Args, BuildArgs, Command, CurveArgs, DxfArg, EdgesArg, EffortArg, GalleryArgs, Kind, OutputArgs, ReportArgs,
+    RuleArg, SampleArgs, TargetArg, UnitsArg, VariantArg,
 };
 use crate::failure::Failure;
 
@@ -118,6 +118,10 @@ impl OutputArgs {
             dxf_version: match self.dxf_version {
                 DxfArg::R2000 => DxfVersion::R2000,
                 DxfArg::R12 => DxfVersion::R12,
+            },
+            step_edges: match self.step_edges {
+                EdgesArg::Circle => StepEdges::Circles,
+                EdgesArg::Rational => StepEdges::Rational,
             },
             svg_comb: self.svg_comb,
             svg_points: self.svg_points,

@@ -12,3 +12,4 @@ mod models;
 mod pictures;
 mod round_trip;
 mod step;
+mod step_bodies;

@@ -1,0 +1,188 @@
+//! Bodies in STEP: the surfaces chosen, shared edges, positive weights, and what the comparison with the model finds.
+
+use cyclide::{CurveObject, CyclidePatch, Item, Model, Point3, SurfaceObject, Vec3};
+use cyclide_io::{
+    ExportOptions, Exported, FileSurface, Format, ReadError, StepEdges, export, file_deviation, read_back,
+};
+
+fn model(items: Vec<(&str, SurfaceObject)>) -> Model {
+    let item = |(name, surface): (&str, SurfaceObject)| Item {
+        name: name.to_owned(),
+        kind: "cyclide-patch".to_owned(),
+        surfaces: vec![surface],
+        ..Item::default()
+    };
+    Model { items: items.into_iter().map(item).collect(), ..Model::default() }
+}
+
+/// Patch of revolution about the third axis over `[u0, u1]`, from its meridian's ends and start direction.
+fn revolved(from: [f64; 2], to: [f64; 2], [dr, dz]: [f64; 2], [u0, u1]: [f64; 2]) -> SurfaceObject {
+    let at = |[r, z]: [f64; 2], u: f64| Point3::new(r * u.cos(), r * u.sin(), z);
+    let n = dr.hypot(dz);
+    let (v1, v2) = (Vec3::new(-u0.sin(), u0.cos(), 0.0), Vec3::new(dr * u0.cos() / n, dr * u0.sin() / n, dz / n));
+    let corners = [at(from, u0), at(from, u1), at(to, u0), at(to, u1)];
+    SurfaceObject::Patch(CyclidePatch::from_corners_and_frame(corners, v1, v2).unwrap())
+}
+
+/// A patch of a general cyclide: corners on a circle of radius 3, an oblique frame.
+fn general() -> SurfaceObject {
+    let at = |x: f64| Point3::new(3.0 * x.cos() + 1.0, 3.0 * x.sin() - 2.0, 0.5);
+    let (v1, v2) = (Vec3::new(2.0, 3.0, 6.0) / 7.0, Vec3::new(-6.0, -2.0, 3.0) / 7.0);
+    SurfaceObject::Patch(CyclidePatch::from_corners_and_frame([at(0.1), at(1.0), at(5.0), at(3.0)], v1, v2).unwrap())
+}
+
+fn patch(surface: &SurfaceObject) -> CyclidePatch {
+    match surface {
+        SurfaceObject::Patch(patch) => *patch,
+        _ => unreachable!("the tests' surfaces are patches"),
+    }
+}
+
+fn step(model: &Model, edges: StepEdges) -> (Exported, String) {
+    let file = export(model, Format::Step, &ExportOptions { step_edges: edges, ..ExportOptions::default() }).unwrap();
+    let text = String::from_utf8(file.bytes.clone()).unwrap();
+    (file, text)
+}
+
+/// The file is the model to rounding: 2e-14 of the size is some tens of roundings, magnified by the weights.
+fn assert_exact(model: &Model, file: &Exported, size: f64) {
+    let deviation = file_deviation(model, Format::Step, file).unwrap();
+    assert!(file.exact && deviation <= 2e-14 * size, "{deviation:e} of {size}");
+}
+
+#[test]
+fn each_surface_of_revolution_is_written_as_what_it_is() {
+    let turn = [0.3, 2.0];
+    let (low, high) = (0.3_f64, 1.1_f64);
+    let on_sphere = |x: f64| [2.0 * x.cos(), 2.0 * x.sin()];
+    let start = [-low.sin(), low.cos()];
+    for (entity, sides, surface) in [
+        ("PLANE", 4, revolved([1.0, 0.0], [2.0, 0.0], [1.0, 0.0], turn)),
+        ("CYLINDRICAL_SURFACE", 4, revolved([2.0, -1.0], [2.0, 2.0], [0.0, 1.0], turn)),
+        ("CONICAL_SURFACE", 4, revolved([2.0, -1.0], [1.0, 2.0], [-1.0, 3.0], turn)),
+        ("CONICAL_SURFACE", 3, revolved([2.0, -1.0], [0.0, 2.0], [-2.0, 3.0], turn)),
+        ("SPHERICAL_SURFACE", 4, revolved(on_sphere(low), on_sphere(high), start, turn)),
+        ("SPHERICAL_SURFACE", 3, revolved(on_sphere(low), [0.0, 2.0], start, turn)),
+        ("TOROIDAL_SURFACE", 4, revolved([3.0, 1.0], [2.0, 0.0], [-1.0, 0.0], turn)),
+    ] {
+        let m = model(vec![(entity, surface)]);
+        let (file, text) = step(&m, StepEdges::Circles);
+        assert_eq!(text.matches(&format!("={entity}(")).count(), 1, "{entity}");
+        assert_eq!(text.matches("RATIONAL_B_SPLINE").count(), 0, "{entity}");
+        assert_eq!(text.matches("=EDGE_CURVE(").count(), sides, "{entity}");
+        assert_exact(&m, &file, 4.0);
+        // Rational edges would leave the lines of the parameters of an analytic surface.
+        assert_eq!(step(&m, StepEdges::Rational).1.matches("RATIONAL_B_SPLINE").count(), 0, "{entity}");
+    }
+}
+
+#[test]
+fn spheres_with_other_circles_stay_rational() {
+    let at = |x: f64| Point3::new(x.cos(), x.sin(), 1.0);
+    // A frame tangent to the sphere about the origin at (1, 0, 1), turned against the circle of the corners.
+    let (e1, e2) = (Vec3::new(0.0, 1.0, 0.0), Vec3::new(-(0.5_f64.sqrt()), 0.0, 0.5_f64.sqrt()));
+    let (v1, v2) = (e1 * 0.8 + e2 * 0.6, e2 * 0.8 - e1 * 0.6);
+    let corners = [at(0.0), at(0.6), at(-0.7), at(2.5)];
+    let surface = SurfaceObject::Patch(CyclidePatch::from_corners_and_frame(corners, v1, v2).unwrap());
+    assert!(matches!(patch(&surface).recognise(), cyclide::PatchKind::Sphere { .. }));
+    let m = model(vec![("sphere", surface)]);
+    let (file, text) = step(&m, StepEdges::Circles);
+    assert_eq!(text.matches("SPHERICAL_SURFACE").count(), 0);
+    assert!(text.matches("RATIONAL_B_SPLINE_SURFACE").count() >= 1);
+    assert_exact(&m, &file, 4.0);
+}
+
+#[test]
+fn general_patches_are_rational_with_positive_weights_and_shared_edges() {
+    let m = model(vec![("patch", general())]);
+    let size = patch(&m.items[0].surfaces[0]).size();
+    for (edges, circles) in [(StepEdges::Circles, true), (StepEdges::Rational, false)] {
+        let (file, text) = step(&m, edges);
+        assert_exact(&m, &file, 20.0 * size);
+        let content = read_back(Format::Step, &file.bytes).unwrap();
+        let faces = &content.bodies[0].shells[0].faces;
+        assert!(faces.len() > 1, "wide edges are halved");
+        for face in faces {
+            let FileSurface::Rational(surface) = &face.surface else { panic!("an analytic face") };
+            assert!(surface.has_positive_weights());
+        }
+        let used: usize = faces.iter().map(|f| f.edges.len()).sum();
+        let written = text.matches("=EDGE_CURVE(").count();
+        assert!(written < used, "inner edges are shared");
+        assert_eq!(text.matches("=CIRCLE(").count(), if circles { written } else { 0 });
+        assert_eq!(text.matches("OPEN_SHELL(").count(), 1);
+    }
+}
+
+#[test]
+fn the_same_model_gives_the_same_bytes() {
+    let m = model(vec![("a", general()), ("b", revolved([2.0, -1.0], [1.0, 2.0], [-1.0, 3.0], [0.0, 6.0]))]);
+    assert_eq!(step(&m, StepEdges::Circles).0, step(&m, StepEdges::Circles).0);
+}
+
+#[test]
+fn a_mixture_is_related_representations_of_one_kind_each() {
+    let mut m = model(vec![("patch", general())]);
+    let line = patch(&m.items[0].surfaces[0]).s_line(0.5).unwrap();
+    m.items[0].contours.push(CurveObject::Arc(line));
+    let (file, text) = step(&m, StepEdges::Circles);
+    for kind in ["MANIFOLD_SURFACE_SHAPE", "GEOMETRICALLY_BOUNDED_WIREFRAME_SHAPE"] {
+        assert_eq!(text.matches(&format!("={kind}_REPRESENTATION(")).count(), 1);
+    }
+    assert_eq!(text.matches("=SHAPE_REPRESENTATION_RELATIONSHIP(").count(), 2);
+    assert!(file_deviation(&m, Format::Step, &file).unwrap() < 1e-11);
+}
+
+#[test]
+fn edges_too_short_for_readers_are_named() {
+    let small = |p: [f64; 2]| p.map(|x| 1e-7 * x);
+    let m = model(vec![("a", revolved(small([2.0, -1.0]), small([1.0, 2.0]), [-1.0, 3.0], [0.3, 2.0]))]);
+    let (file, _) = step(&m, StepEdges::Circles);
+    assert!(file.notes[0].contains("1e-7"), "{:?}", file.notes);
+}
+
+/// Faults that readers repair silently, made in the text.
+#[test]
+fn the_comparison_finds_what_readers_repair() {
+    let m = model(vec![("patch", general())]);
+    let (good, text) = step(&m, StepEdges::Circles);
+    let line = |entity: &str| text.lines().find(|l| l.contains(&format!("={entity}("))).unwrap().to_owned();
+    let flip = |entity: &str| {
+        let line = line(entity);
+        let (head, tail) = line.split_at(line.rfind(".T.").unwrap());
+        text.replace(&line, &format!("{head}.F.{}", &tail[3..]))
+    };
+    let read = |text: String| {
+        let mut file = good.clone();
+        file.bytes = text.into_bytes();
+        file_deviation(&m, Format::Step, &file)
+    };
+    let detail = |result: Result<f64, ReadError>| match result {
+        Err(ReadError::Body { detail, .. }) => detail,
+        other => panic!("{other:?}"),
+    };
+    assert_eq!(detail(read(flip("ADVANCED_FACE"))), "a face looks to the wrong side");
+    assert_eq!(detail(read(flip("ORIENTED_EDGE"))), "a loop does not run head to tail");
+    assert!(matches!(read(flip("EDGE_CURVE")), Err(ReadError::Unsupported { .. })));
+    // The complementary arc: the same circle about the opposite axis.
+    let circle = line("CIRCLE");
+    let placement = circle.split("'',").nth(1).unwrap().split(',').next().unwrap();
+    let placement = text.lines().find(|l| l.starts_with(&format!("{placement}="))).unwrap();
+    let axis = placement.split(',').nth(2).unwrap();
+    let axis_line = text.lines().find(|l| l.starts_with(&format!("{axis}="))).unwrap();
+    let numbers = axis_line.split("(").nth(2).unwrap().trim_end_matches(")));").trim_end_matches("));");
+    let negated: Vec<String> =
+        numbers.split(',').map(|v| v.strip_prefix('-').map_or(format!("-{v}"), str::to_owned)).collect();
+    let wrong = text.replace(axis_line, &format!("{axis}=DIRECTION('',({}));", negated.join(",")));
+    assert_ne!(wrong, text);
+    assert!(read(wrong).unwrap() > 0.1);
+    // A vertex moved by 1e-6.
+    let vertex = line("VERTEX_POINT");
+    let point = vertex.split("'',").nth(1).unwrap().trim_end_matches(");");
+    let point_line = text.lines().find(|l| l.starts_with(&format!("{point}="))).unwrap();
+    let x: f64 = point_line.split('(').nth(2).unwrap().split(',').next().unwrap().parse().unwrap();
+    let moved = point_line.replacen(&format!("(({x},"), &format!("(({},", x + 1e-6), 1);
+    let moved = moved.replacen(&format!("({x},"), &format!("({},", x + 1e-6), 1);
+    assert_ne!(moved, point_line);
+    assert!(read(text.replace(point_line, &moved)).unwrap() > 0.9e-6);
+}

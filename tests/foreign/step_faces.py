@@ -1,0 +1,211 @@
+"""The faces of a STEP file as OpenCASCADE sees them: topology, tolerances, areas, points and normals."""
+
+import math
+
+import numpy as np
+from OCP.BRep import BRep_Tool
+from OCP.BRepAdaptor import BRepAdaptor_Curve, BRepAdaptor_Surface
+from OCP.BRepCheck import BRepCheck_Analyzer
+from OCP.BRepGProp import BRepGProp
+from OCP.BRepTools import BRepTools
+from OCP.GeomAbs import GeomAbs_CurveType as Curve
+from OCP.GeomAbs import GeomAbs_SurfaceType as Kind
+from OCP.gp import gp_Pnt, gp_Vec
+from OCP.GProp import GProp_GProps
+from OCP.IFSelect import IFSelect_RetDone
+from OCP.STEPControl import STEPControl_Reader
+from OCP.TopAbs import TopAbs_EDGE, TopAbs_FACE, TopAbs_REVERSED, TopAbs_SHELL, TopAbs_SOLID, TopAbs_VERTEX
+from OCP.TopExp import TopExp_Explorer
+from OCP.TopoDS import TopoDS
+
+KINDS = {
+    Kind.GeomAbs_Plane: "plane",
+    Kind.GeomAbs_Cylinder: "cylinder",
+    Kind.GeomAbs_Cone: "cone",
+    Kind.GeomAbs_Sphere: "sphere",
+    Kind.GeomAbs_Torus: "torus",
+    Kind.GeomAbs_BSplineSurface: "b-spline",
+    Kind.GeomAbs_BezierSurface: "b-spline",
+}
+_NODES, _WEIGHTS = np.polynomial.legendre.leggauss(24)
+
+
+def _each(shape, kind):
+    explorer = TopExp_Explorer(shape, kind)
+    while explorer.More():
+        yield explorer.Current()
+        explorer.Next()
+
+
+def distinct(shape, kind):
+    """Sub-shapes of a kind, each once."""
+    found = {}
+    for s in _each(shape, kind):
+        same = found.setdefault(hash(s), [])
+        if not any(s.IsSame(other) for other in same):
+            same.append(s)
+    return [s for same in found.values() for s in same]
+
+
+def vector(v):
+    return np.array([v.X(), v.Y(), v.Z()])
+
+
+class Edge:
+    def __init__(self, edge):
+        self.shape, self.curve = edge, BRepAdaptor_Curve(edge)
+        self.first, self.last = self.curve.FirstParameter(), self.curve.LastParameter()
+        self.tolerance = BRep_Tool.Tolerance_s(edge)
+
+    def point(self, x):
+        """At the fraction x of the parameter's range."""
+        return vector(self.curve.Value(self.first + (self.last - self.first) * x))
+
+
+class Face:
+    def __init__(self, face):
+        self.shape, self.surface = face, BRepAdaptor_Surface(face)
+        self.kind = KINDS.get(self.surface.GetType(), "other")
+        self.box = BRepTools.UVBounds_s(face)
+        self.sign = -1.0 if face.Orientation() == TopAbs_REVERSED else 1.0
+        self.edges = [TopoDS.Edge(e) for e in _each(face, TopAbs_EDGE)]
+
+    def at(self, u, v):
+        """Point and the product of the derivatives, towards the outer side."""
+        p, du, dv = gp_Pnt(), gp_Vec(), gp_Vec()
+        self.surface.D1(float(u), float(v), p, du, dv)
+        return vector(p), self.sign * np.cross(vector(du), vector(dv))
+
+    def points(self, count, generator):
+        """Random places inside: points and unit normals. The range of the parameters is the face, except in a plane,
+        where the places are on chords between opposite edges, arcs first."""
+        places = generator.uniform(0.02, 0.98, (count, 2))
+        if self.kind == "plane":
+            k = 0 if BRepAdaptor_Curve(self.edges[0]).GetType() == Curve.GeomAbs_Circle else 1
+            from_, to = (self._along(self.edges[k + j]) for j in (0, 2))
+            normal = self.at(self.box[0], self.box[2])[1]
+            points = np.array([from_(a) * (1 - b) + to(1 - a) * b for a, b in places])
+            return points, np.broadcast_to(normal / np.linalg.norm(normal), points.shape)
+        u0, u1, v0, v1 = self.box
+        points, normals = (np.array(x) for x in zip(*(self.at(u0 + (u1 - u0) * a, v0 + (v1 - v0) * b) for a, b in places)))
+        return points, normals / np.linalg.norm(normals, axis=-1, keepdims=True)
+
+    @staticmethod
+    def _along(edge):
+        """Points of an edge in the direction of the loop."""
+        curve = Edge(edge)
+        back = edge.Orientation() == TopAbs_REVERSED
+        return lambda x: curve.point(1 - x if back else x)
+
+    def area(self):
+        """Own quadrature; in a plane along the edges."""
+        return self._plane_area() if self.kind == "plane" else self._integral(lambda _, n: np.linalg.norm(n))
+
+    def volume(self):
+        """Volume of the cone over the face from the origin, signed by the outer side."""
+        if self.kind == "plane":
+            p, n = self.at(self.box[0], self.box[2])
+            return float(np.dot(p, n) / np.linalg.norm(n)) * self._plane_area() / 3
+        return self._integral(lambda p, n: np.dot(p, n) / 3)
+
+    def _integral(self, element):
+        """Gauss-Legendre, 24 x 24 nodes on each quarter of the range of the parameters, which is the face."""
+        u0, u1, v0, v1 = self.box
+        total = 0.0
+        for a, b in ((0.0, 0.5), (0.5, 1.0)):
+            for c, d in ((0.0, 0.5), (0.5, 1.0)):
+                us = u0 + (u1 - u0) * (0.5 * (a + b) + 0.5 * (b - a) * _NODES)
+                vs = v0 + (v1 - v0) * (0.5 * (c + d) + 0.5 * (d - c) * _NODES)
+                weight = 0.25 * (b - a) * (d - c) * (u1 - u0) * (v1 - v0)
+                values = [[element(*self.at(u, v)) for v in vs] for u in us]
+                total += weight * float(_WEIGHTS @ np.array(values) @ _WEIGHTS)
+        return total
+
+    def _plane_area(self):
+        """Half the integral of r x dr round the face."""
+        origin, total = self.at(self.box[0], self.box[2])[0], np.zeros(3)
+        for edge in self.edges:
+            curve = BRepAdaptor_Curve(edge)
+            first, last = curve.FirstParameter(), curve.LastParameter()
+            sign = -1.0 if edge.Orientation() == TopAbs_REVERSED else 1.0
+            for x, w in zip(_NODES, _WEIGHTS):
+                p, d = gp_Pnt(), gp_Vec()
+                curve.D1(0.5 * (first + last) + 0.5 * (last - first) * x, p, d)
+                total += sign * 0.25 * (last - first) * w * np.cross(vector(p) - origin, vector(d))
+        return float(np.linalg.norm(total))
+
+    def normal_near(self, point, edge):
+        """Unit normal at the point of an edge of this face, found through the edge's curve in the parameters."""
+        curve = BRep_Tool.CurveOnSurface_s(edge, self.shape, 0.0, 0.0)
+        curve = curve[0] if isinstance(curve, tuple) else curve
+        adaptor = BRepAdaptor_Curve(edge)
+        place = curve.Value(0.5 * (adaptor.FirstParameter() + adaptor.LastParameter()))
+        u, v = place.X(), place.Y()
+        for _ in range(4):  # the interpolated curve is near the edge: one or two Newton steps are enough
+            p, du, dv = gp_Pnt(), gp_Vec(), gp_Vec()
+            self.surface.D1(u, v, p, du, dv)
+            du, dv, r = vector(du), vector(dv), point - vector(p)
+            step = np.linalg.lstsq(np.stack([du, dv], 1), r, rcond=None)[0]
+            u, v = u + step[0], v + step[1]
+        p, normal = self.at(u, v)
+        assert np.linalg.norm(p - point) < 1e-7 * (1 + abs(point).max())
+        return normal / np.linalg.norm(normal)
+
+
+class StepFaces:
+    """Everything in the file that belongs to faces."""
+
+    def __init__(self, path):
+        reader = STEPControl_Reader()
+        assert reader.ReadFile(str(path)) == IFSelect_RetDone, f"OpenCASCADE does not read {path}"
+        reader.TransferRoots()
+        self.shape = reader.OneShape()
+        assert not self.shape.IsNull(), f"{path} holds no shape"
+        self.valid = BRepCheck_Analyzer(self.shape).IsValid()
+        self.exactly_valid = BRepCheck_Analyzer(self.shape, True, False, True).IsValid()
+        self.faces = [Face(TopoDS.Face(f)) for f in distinct(self.shape, TopAbs_FACE)]
+        edges = [TopoDS.Edge(e) for e in distinct(self.shape, TopAbs_EDGE)]
+        self.poles = sum(BRep_Tool.Degenerated_s(e) for e in edges)
+        self.edges = [Edge(e) for e in edges if not BRep_Tool.Degenerated_s(e)]
+        self.vertices = distinct(self.shape, TopAbs_VERTEX)
+        self.shells = distinct(self.shape, TopAbs_SHELL)
+        self.solids = distinct(self.shape, TopAbs_SOLID)
+        self.tolerance = max(
+            [e.tolerance for e in self.edges] + [BRep_Tool.Tolerance_s(TopoDS.Vertex(v)) for v in self.vertices]
+        )
+
+    def faces_of_edges(self):
+        """(edge, faces) with the edge as each face uses it."""
+        users = {}
+        for face in self.faces:
+            for edge in face.edges:
+                if BRep_Tool.Degenerated_s(edge):
+                    continue
+                groups = users.setdefault(hash(edge), [])
+                for group in groups:
+                    if group[0][1].IsSame(edge):
+                        group.append((face, edge))
+                        break
+                else:
+                    groups.append([(face, edge)])
+        return [group for groups in users.values() for group in groups]
+
+    def size(self):
+        points = np.array([e.point(x) for e in self.edges for x in (0.0, 0.5, 1.0)])
+        return float(np.linalg.norm(np.ptp(points, axis=0)))
+
+    def area(self):
+        """By OpenCASCADE's adaptive integration."""
+        measure = GProp_GProps()
+        BRepGProp.SurfaceProperties_s(self.shape, measure, 1e-11)
+        return measure.Mass()
+
+    def volume(self):
+        measure = GProp_GProps()
+        BRepGProp.VolumeProperties_s(self.shape, measure, 1e-11)
+        return measure.Mass()
+
+
+def angle(a, b):
+    """Angle between unit vectors without loss for small ones."""
+    return 2.0 * math.atan2(np.linalg.norm(a - b), np.linalg.norm(a + b))
