@@ -80,7 +80,7 @@ def test_samples_are_the_quaternion_form(examples, program, name, object_name):
     curve = built.objects[object_name].curves[0]
     points = np.array([[float(row[k]) for k in "xyz"] for row in rows])
     assert curve.distances(points).max() <= EXACT_LIMIT * curve.extent()
-    tangents = np.array([[float(row[k]) for k in ("tx", "ty", "tz")] for row in rows])
+    tangents = np.array([[float(row[k]) for k in ("tangent_x", "tangent_y", "tangent_z")] for row in rows])
     assert np.abs(np.linalg.norm(tangents, axis=1) - 1.0).max() < 1e-14
     # Along the curve: the chord to the next sample leaves in the direction of the tangent.
     chords = np.diff(points, axis=0)
