@@ -62,6 +62,49 @@ class Edge:
         return vector(self.curve.Value(self.first + (self.last - self.first) * x))
 
 
+class Bezier:
+    """A rational surface of one span per parameter, from the poles, weights and knots as read: the reader's own evaluation
+    of single points is too slow for all points of thousands of faces."""
+
+    def __init__(self, surface):
+        assert (surface.NbUKnots(), surface.NbVKnots()) == (2, 2), "a face of several spans"
+        self.degrees = surface.UDegree(), surface.VDegree()
+        self.ranges = (surface.UKnot(1), surface.UKnot(2)), (surface.VKnot(1), surface.VKnot(2))
+        rows = []
+        for i in range(self.degrees[0] + 1):
+            for j in range(self.degrees[1] + 1):
+                w = surface.Weight(i + 1, j + 1)
+                assert w > 0
+                rows.append([*(w * vector(surface.Pole(i + 1, j + 1))), w])
+        self.rows = np.array(rows).reshape(self.degrees[0] + 1, self.degrees[1] + 1, 4)
+        places = [(a + 0.3 * (b - a)) for a, b in self.ranges]
+        p, du, dv = gp_Pnt(), gp_Vec(), gp_Vec()
+        surface.D1(*places, p, du, dv)
+        for own, read in zip(self.jet(*places), (p, du, dv)):
+            assert np.allclose(own, vector(read), rtol=1e-12, atol=1e-12 * abs(own).max()), "not the reader's surface"
+
+    @staticmethod
+    def _bernstein(x, degree, order):
+        """Values of the polynomials, or of their derivatives, in a last axis."""
+        if order:
+            low = Bezier._bernstein(x, degree - 1, 0)
+            zero = np.zeros_like(low[..., :1])
+            return degree * (np.concatenate([zero, low], -1) - np.concatenate([low, zero], -1))
+        return np.stack([math.comb(degree, i) * x**i * (1 - x) ** (degree - i) for i in range(degree + 1)], -1)
+
+    def jet(self, us, vs):
+        """Point and derivatives by both parameters."""
+        (u0, u1), (v0, v1) = self.ranges
+        x, y = (np.asarray(us, float) - u0) / (u1 - u0), (np.asarray(vs, float) - v0) / (v1 - v0)
+        basis = [[self._bernstein(z, d, order) for order in (0, 1)] for z, d in ((x, self.degrees[0]), (y, self.degrees[1]))]
+        h, hu, hv = (
+            np.einsum("...i,...j,ijk->...k", basis[0][a], basis[1][b], self.rows) for a, b in ((0, 0), (1, 0), (0, 1))
+        )
+        point = h[..., :3] / h[..., 3:]
+        du, dv = ((d[..., :3] - point * d[..., 3:]) / h[..., 3:] for d in (hu, hv))
+        return point, du / (u1 - u0), dv / (v1 - v0)
+
+
 class Face:
     def __init__(self, face):
         self.shape, self.surface = face, BRepAdaptor_Surface(face)
@@ -69,12 +112,22 @@ class Face:
         self.box = BRepTools.UVBounds_s(face)
         self.sign = -1.0 if face.Orientation() == TopAbs_REVERSED else 1.0
         self.edges = [TopoDS.Edge(e) for e in _each(face, TopAbs_EDGE)]
+        self.rational = Bezier(self.surface.BSpline()) if self.kind == "b-spline" else None
 
     def at(self, u, v):
         """Point and the product of the derivatives, towards the outer side."""
         p, du, dv = gp_Pnt(), gp_Vec(), gp_Vec()
         self.surface.D1(float(u), float(v), p, du, dv)
         return vector(p), self.sign * np.cross(vector(du), vector(dv))
+
+    def at_all(self, us, vs):
+        """`at` for arrays of parameters."""
+        us, vs = np.broadcast_arrays(np.asarray(us, float), np.asarray(vs, float))
+        if self.rational:
+            points, du, dv = self.rational.jet(us, vs)
+            return points, self.sign * np.cross(du, dv)
+        found = [self.at(u, v) for u, v in zip(us.ravel(), vs.ravel())]
+        return tuple(np.array(x).reshape(*us.shape, 3) for x in zip(*found))
 
     def points(self, count, generator):
         """Random places inside: points and unit normals. The range of the parameters is the face, except in a plane,
@@ -87,7 +140,7 @@ class Face:
             points = np.array([from_(a) * (1 - b) + to(1 - a) * b for a, b in places])
             return points, np.broadcast_to(normal / np.linalg.norm(normal), points.shape)
         u0, u1, v0, v1 = self.box
-        points, normals = (np.array(x) for x in zip(*(self.at(u0 + (u1 - u0) * a, v0 + (v1 - v0) * b) for a, b in places)))
+        points, normals = self.at_all(u0 + (u1 - u0) * places[:, 0], v0 + (v1 - v0) * places[:, 1])
         return points, normals / np.linalg.norm(normals, axis=-1, keepdims=True)
 
     @staticmethod
@@ -99,14 +152,14 @@ class Face:
 
     def area(self):
         """Own quadrature; in a plane along the edges."""
-        return self._plane_area() if self.kind == "plane" else self._integral(lambda _, n: np.linalg.norm(n))
+        return self._plane_area() if self.kind == "plane" else self._integral(lambda _, n: np.linalg.norm(n, axis=-1))
 
     def volume(self):
         """Volume of the cone over the face from the origin, signed by the outer side."""
         if self.kind == "plane":
             p, n = self.at(self.box[0], self.box[2])
             return float(np.dot(p, n) / np.linalg.norm(n)) * self._plane_area() / 3
-        return self._integral(lambda p, n: np.dot(p, n) / 3)
+        return self._integral(lambda p, n: np.sum(p * n, axis=-1) / 3)
 
     def _integral(self, element):
         """Gauss-Legendre, 24 x 24 nodes on each quarter of the range of the parameters, which is the face."""
@@ -117,8 +170,7 @@ class Face:
                 us = u0 + (u1 - u0) * (0.5 * (a + b) + 0.5 * (b - a) * _NODES)
                 vs = v0 + (v1 - v0) * (0.5 * (c + d) + 0.5 * (d - c) * _NODES)
                 weight = 0.25 * (b - a) * (d - c) * (u1 - u0) * (v1 - v0)
-                values = [[element(*self.at(u, v)) for v in vs] for u in us]
-                total += weight * float(_WEIGHTS @ np.array(values) @ _WEIGHTS)
+                total += weight * float(_WEIGHTS @ element(*self.at_all(us[:, None], vs[None, :])) @ _WEIGHTS)
         return total
 
     def _plane_area(self):

@@ -76,20 +76,11 @@ impl Contour<'_> {
 
 impl<'a> Job<'a> {
     pub(crate) fn new(model: &'a Model, options: &'a ExportOptions) -> Result<Self, ExportError> {
-        let mut total: Option<Aabb> = None;
-        for contour in contours(model) {
-            let own = bounds(contour.curve.as_curve());
-            if !(own.max_abs() <= LARGEST_COORDINATE) {
-                let object = contour.object.to_owned();
-                return Err(ExportError::TooLarge { object, value: own.max_abs(), limit: LARGEST_COORDINATE });
-            }
-            total = Some(total.map_or(own, |b| b.union(own)));
-        }
         let bodies = bodies(model)?;
-        for body in &bodies {
-            let own = body.body.bounds();
+        let mut total: Option<Aabb> = None;
+        for (object, own) in boxes(model, &bodies) {
             if !(own.max_abs() <= LARGEST_COORDINATE) {
-                let object = body.object.to_owned();
+                let object = object.to_owned();
                 return Err(ExportError::TooLarge { object, value: own.max_abs(), limit: LARGEST_COORDINATE });
             }
             total = Some(total.map_or(own, |b| b.union(own)));
@@ -186,6 +177,12 @@ pub(crate) fn bodies(model: &Model) -> Result<Vec<BodyOf<'_>>, ExportError> {
         }
     }
     Ok(bodies)
+}
+
+/// The boxes round all curves and surfaces of a model, each with the name of its object.
+pub(crate) fn boxes<'a>(model: &'a Model, bodies: &'a [BodyOf<'a>]) -> impl Iterator<Item = (&'a str, Aabb)> {
+    let curves = contours(model).map(|contour| (contour.object, bounds(contour.curve.as_curve())));
+    curves.chain(bodies.iter().map(|body| (body.object, body.body.bounds())))
 }
 
 /// The connected curves of a model in the order in which every format writes them.

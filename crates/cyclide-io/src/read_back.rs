@@ -4,9 +4,9 @@ use crate::bodies::FileBody;
 use crate::deviation::{View, bodies_deviation, deviation_within, mesh_deviation};
 use crate::export::{ExportError, Exported};
 use crate::format::Format;
-use crate::job::bodies;
+use crate::job::{bodies, boxes};
 use crate::{csv_samples, dxf, glb, nurbs_json, obj, step, stl, svg};
-use cyclide::{CurveChain, Model, RationalBezierSurface, SurfaceMesh};
+use cyclide::{Aabb, CurveChain, Model, RationalBezierSurface, SurfaceMesh};
 
 /// Why bytes could not be read back.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -171,7 +171,11 @@ pub fn file_deviation(model: &Model, format: Format, file: &Exported) -> Result<
     };
     let bodies = || bodies(model).map_err(no_bodies);
     Ok(curves.max(match format {
-        Format::Step => bodies_deviation(&bodies()?, &content.bodies)?,
+        Format::Step => {
+            let bodies = bodies()?;
+            let size = boxes(model, &bodies).map(|(_, own)| own).reduce(Aabb::union).map_or(0.0, Aabb::diagonal);
+            bodies_deviation(&bodies, &content.bodies, size)?
+        }
         Format::Glb | Format::Obj | Format::Stl => mesh_deviation(&bodies()?, &content.meshes, &file.cells)?,
         Format::Json => nurbs_json::patch_deviation(&bodies()?, &content.patches)?,
         Format::Dxf | Format::Svg | Format::Csv | Format::Png => 0.0,

@@ -133,6 +133,21 @@ fn neighbours_are_cut_together() {
 }
 
 #[test]
+fn strips_of_named_faces_are_halved_as_often_as_asked() {
+    let ring = DupinCyclide::new(6.0, 2.0, 3.5).unwrap().to_shell().unwrap();
+    let first = ring.faces()[0].patch.corners()[0];
+    let at_first = |face: &cyclide::ShellFace| face.patch.corners()[0] == first;
+    // The strips round the ring along t through the first face, and then through the part of it that keeps its corner.
+    for (most, faces) in [(0, 16), (1, 20), (2, 24)] {
+        let shell = ring.halved(|_, face| [at_first(face), false], most).unwrap();
+        assert_eq!(shell.faces().len(), faces);
+        assert!(shell.is_closed());
+        assert!((shell.area() / ring.area() - 1.0).abs() < 1e-12);
+        Shell::new(shell.vertices().to_vec(), shell.edges().to_vec(), shell.faces().to_vec()).unwrap();
+    }
+}
+
+#[test]
 fn good_shells_stay_as_they_are() {
     let ring = DupinCyclide::new(6.0, 2.0, 3.5).unwrap().to_shell().unwrap();
     assert_eq!(ring.with_regular_faces().unwrap().with_positive_weights().unwrap(), ring);

@@ -15,17 +15,17 @@ use std::collections::{HashMap, HashSet};
 /// Places per parameter at which surfaces and edges are compared.
 const PLACES: u32 = 9;
 
-/// The largest distance between surfaces, edges and vertices of the file and the model.
+/// The largest distance between surfaces, edges and vertices of the file and the model, whose diagonal is `size`.
 ///
 /// # Errors
 /// [`ReadError::BodyCount`], [`ReadError::Body`], `Geometry` where the model's faces cannot be cut.
-pub(crate) fn bodies_deviation(expected: &[BodyOf<'_>], read: &[FileBody]) -> Result<f64, ReadError> {
+pub(crate) fn bodies_deviation(expected: &[BodyOf<'_>], read: &[FileBody], size: f64) -> Result<f64, ReadError> {
     if expected.len() != read.len() {
         return Err(ReadError::BodyCount { found: read.len(), expected: expected.len() });
     }
     let mut largest = 0.0_f64;
     for (index, (body, file)) in expected.iter().zip(read).enumerate() {
-        let deviation = body_deviation(&body.body, file).map_err(|e| match e {
+        let deviation = body_deviation(&body.body, file, size).map_err(|e| match e {
             Mismatch::Structure(detail) => ReadError::Body { body: index, detail },
             Mismatch::Kernel(source) => ReadError::Geometry { place: format!("body {index}"), source },
         })?;
@@ -50,8 +50,8 @@ fn require(holds: bool, detail: &'static str) -> Result<(), Mismatch> {
     if holds { Ok(()) } else { Err(Mismatch::Structure(detail)) }
 }
 
-fn body_deviation(body: &Body, file: &FileBody) -> Result<f64, Mismatch> {
-    let shells = body.shells().map(exported).collect::<cyclide::Result<Vec<Shell>>>()?;
+fn body_deviation(body: &Body, file: &FileBody, size: f64) -> Result<f64, Mismatch> {
+    let shells = body.shells().map(|shell| exported(shell, size)).collect::<cyclide::Result<Vec<Shell>>>()?;
     let parts: Vec<Vec<Vec<usize>>> = shells.iter().map(components).collect();
     let solid = shells.iter().all(Shell::is_closed) && parts.iter().all(|p| p.len() == 1);
     require(file.solid == solid, "it is a solid in one of file and model only")?;

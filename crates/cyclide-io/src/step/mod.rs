@@ -11,6 +11,7 @@
 
 mod curves;
 mod data;
+mod integration;
 mod part21;
 mod reader;
 mod structure;

@@ -20,6 +20,8 @@ use std::fmt::Write as _;
 const LARGEST_RADIUS: f64 = 1e4;
 /// Cones at least this far from cylinders and planes, radians.
 const SMALLEST_CONE_ANGLE: f64 = 1e-3;
+/// The radius of a torus' hole is at least this part of its major radius.
+const SMALLEST_HOLE: f64 = 1e-6;
 /// Angle up to which circles of a sphere are parallel to, or contain, an axis.
 const AXIS_LIMIT: f64 = 1e-10;
 
@@ -33,9 +35,10 @@ pub(super) fn kind(shell: &Shell, face: &ShellFace, size: f64) -> PatchKind {
             let steep = std::f64::consts::FRAC_PI_2 - half_angle;
             radius <= LARGEST_RADIUS * size && half_angle >= SMALLEST_CONE_ANGLE && steep >= SMALLEST_CONE_ANGLE
         }
-        // A torus that crosses itself has another entity, which few systems read.
+        // A torus that crosses itself has another entity, which few systems read, and whose two parts they confuse; one
+        // that meets itself is such a torus or not by rounding.
         PatchKind::Torus { major_radius, minor_radius, .. } => {
-            minor_radius < major_radius && major_radius <= LARGEST_RADIUS * size
+            major_radius - minor_radius >= SMALLEST_HOLE * major_radius && major_radius <= LARGEST_RADIUS * size
         }
         PatchKind::Sphere { frame, radius, outward } => {
             let center = frame.origin();

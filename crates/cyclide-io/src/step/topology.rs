@@ -2,6 +2,7 @@
 
 use super::curves;
 use super::data::{Data, logical, push_list, push_reference, references, string};
+use super::integration::is_integrable;
 use super::surfaces;
 use crate::export::StepEdges;
 use cyclide::{Arc, Body, FaceEdge, NurbsCurve, PatchKind, Point3, Result, Shell, ShellFace};
@@ -44,7 +45,7 @@ pub(super) fn body(
     let mut remarks = Remarks { shortest: f64::INFINITY, touches_itself: false };
     let mut shells = Vec::new();
     for shell in body.shells() {
-        let shell = exported(shell)?;
+        let shell = exported(shell, size)?;
         for arc in shell.edges().iter().map(|e| &e.arc) {
             remarks.shortest = remarks.shortest.min(arc.length());
         }
@@ -79,9 +80,15 @@ pub(super) fn body(
     Ok((written, remarks))
 }
 
-/// The faces as they are written: regular inside, with positive weights.
-pub(crate) fn exported(shell: &Shell) -> Result<Shell> {
-    shell.with_regular_faces()?.with_positive_weights()
+/// Strips are halved this often at most for the sake of integration, which sharpens the rule more than enough.
+const MOST_HALVINGS: usize = 8;
+
+/// The faces as they are written: regular inside, with positive weights; rational ones such that readers integrate them.
+/// `size` is the model's diagonal.
+pub(crate) fn exported(shell: &Shell, size: f64) -> Result<Shell> {
+    let good = shell.with_regular_faces()?.with_positive_weights()?;
+    let is_rational = |shell: &Shell, face: &ShellFace| surfaces::kind(shell, face, size) == PatchKind::Cyclide;
+    good.halved(|shell, face| [!is_integrable(&face.patch) && is_rational(shell, face), false], MOST_HALVINGS)
 }
 
 /// The faces of a shell by parts that hang together through edges, in order.

@@ -58,30 +58,47 @@ impl ShellFace {
 
 impl Shell {
     /// The same surface in faces whose nine real weights are all positive and whose edges are below 150 degrees:
-    /// strips of faces are halved, at the middle of their widest side, until all are. Edges and vertices stay shared
-    /// bit for bit, sides of one point stay so.
+    /// strips of faces are halved until all are. Edges and vertices stay shared bit for bit, sides of one point stay so.
     ///
     /// # Errors
     /// `patch-through-infinity` where sixteen halvings do not suffice.
     pub fn with_positive_weights(&self) -> Result<Self> {
+        let shell = self.halved(|_, face| too_wide(&face.patch), MOST_PASSES)?;
+        match shell.faces.iter().all(|face| too_wide(&face.patch) == [false, false]) {
+            true => Ok(shell),
+            false => Err(Error::PatchThroughInfinity { s: 0.5, t: 0.5 }),
+        }
+    }
+
+    /// The same surface with strips of faces halved, at the middle of their widest side, until `wide` names no direction
+    /// (s, t) of a face of the shell so far that is to be halved, `most` times at most. Edges and vertices stay shared bit for bit, sides of
+    /// one point stay so.
+    ///
+    /// # Errors
+    /// `parameter-out-of-range` beyond the range of the kernel's numbers.
+    pub fn halved(&self, wide: impl Fn(&Self, &ShellFace) -> [bool; 2], most: usize) -> Result<Self> {
         let mut shell = self.clone();
-        for _ in 0..MOST_PASSES {
-            let mut wide: Vec<Wide> = Vec::new();
-            for (face, f) in shell.faces.iter().enumerate() {
-                wide.extend(too_wide(&f.patch).into_iter().flatten().map(|w| Wide { face, ..w }));
+        for _ in 0..most {
+            let mut found: Vec<(usize, usize, WidestSide)> = Vec::new();
+            for (index, face) in shell.faces.iter().enumerate() {
+                let wide = wide(&shell, face);
+                if wide != [false, false] {
+                    let sides = widest_sides(&face.patch);
+                    found.extend([0, 1].into_iter().filter(|&d| wide[d]).map(|d| (index, d, sides[d])));
+                }
             }
-            if wide.is_empty() {
-                return Ok(shell);
+            if found.is_empty() {
+                break;
             }
             // The widest side decides where its strip is cut.
-            wide.sort_by(|a, b| a.cosine.total_cmp(&b.cosine));
+            found.sort_by(|a, b| a.2.cosine.total_cmp(&b.2.cosine));
             let (mut cuts, along) = (Cuts::none(&shell), shell.faces_along_edges());
-            for w in wide {
-                shell.mark(&along, &mut cuts, w.face, w.direction, w.middle);
+            for (face, direction, side) in found {
+                shell.mark(&along, &mut cuts, face, direction, side.middle);
             }
             shell = shell.cut(&cuts)?;
         }
-        Err(Error::PatchThroughInfinity { s: 0.5, t: 0.5 })
+        Ok(shell)
     }
 
     /// The same surface in faces without a parameter line of one point inside: strips of faces are cut there, and the
@@ -323,36 +340,40 @@ fn is_one_point(patch: &CyclidePatch, direction: usize, at: f64) -> bool {
     (u * (u * a + 2.0 * at * b) + at * at * c).abs() <= ZERO_SPEED * largest
 }
 
-/// A face that has to be halved in a direction.
+/// The widest of the two sides of a patch in a direction.
 #[derive(Debug, Clone, Copy)]
-struct Wide {
-    face: usize,
-    direction: usize,
-    /// Cosine of half the angle of the widest side in this direction; for a side of one point, of its weights.
+struct WidestSide {
+    /// Cosine of half its angle; for a side of one point, of its weights.
     cosine: f64,
-    /// The face's parameter in the middle of that side.
+    /// The face's parameter in its middle.
     middle: f64,
 }
 
-/// The directions in which a patch has to be halved.
-fn too_wide(patch: &CyclidePatch) -> [Option<Wide>; 2] {
+/// The widest sides of a patch along s and along t.
+fn widest_sides(patch: &CyclidePatch) -> [WidestSide; 2] {
     let w = patch.real_weights();
     let ends = [[w[0][0], w[2][0]], [w[0][2], w[2][2]], [w[0][0], w[0][2]], [w[2][0], w[2][2]]];
     let middles = [w[1][0], w[1][2], w[0][1], w[2][1]];
-    let widest = [0, 1].map(|direction| {
-        let side = |k: usize| {
-            let [a, b] = ends[k].map(f64::sqrt);
-            // Where both ends weigh the same is the middle of the arc.
-            Wide { face: 0, direction, cosine: middles[k] / (a * b), middle: a / (a + b) }
-        };
-        let [k, l] = SIDES_ALONG[direction].map(side);
+    let side = |k: usize| {
+        let [a, b] = ends[k].map(f64::sqrt);
+        // Where both ends weigh the same is the middle of the arc.
+        WidestSide { cosine: middles[k] / (a * b), middle: a / (a + b) }
+    };
+    SIDES_ALONG.map(|sides| {
+        let [k, l] = sides.map(side);
         if k.cosine <= l.cosine { k } else { l }
-    });
-    let wide = widest.map(|side| (!(side.cosine >= SMALLEST_COSINE)).then_some(side));
+    })
+}
+
+/// The directions in which a patch has to be halved for positive weights.
+fn too_wide(patch: &CyclidePatch) -> [bool; 2] {
+    let widest = widest_sides(patch);
+    let wide = widest.map(|side| !(side.cosine >= SMALLEST_COSINE));
+    let w = patch.real_weights();
     let middle = w[1][1] / (w[0][0] * w[2][0] * w[0][2] * w[2][2]).powf(0.25);
-    if wide.iter().all(Option::is_none) && !(middle >= SMALLEST_MIDDLE) {
+    if wide == [false, false] && !(middle >= SMALLEST_MIDDLE) {
         let wider = usize::from(widest[1].cosine < widest[0].cosine);
-        return [0, 1].map(|d| (d == wider).then_some(widest[d]));
+        return [0, 1].map(|direction| direction == wider);
     }
     wide
 }
