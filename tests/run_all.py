@@ -61,6 +61,7 @@ PYTHON = sys.executable
 STEPS = [
     ("format", ["cargo", "fmt", "--all", "--check"], one),
     ("lints", ["cargo", "clippy", "--workspace", "--all-targets", "--locked", "--", "-D", "warnings"], one),
+    ("without faer", ["cargo", "clippy", "--package", "cyclide", "--no-default-features", "--locked", "--", "-D", "warnings"], one),
     ("documentation", ["cargo", "doc", "--workspace", "--no-deps", "--locked"], one),
     ("layers", ["cargo", "xtask", "layers"], one),
     ("dependencies", [PYTHON, "tests/dependencies.py"], one),

@@ -64,6 +64,7 @@ pub use construct::{
     ArcCertificate, ArcFit, ArcFitOptions, ArcSplineOptions, Biarc, BiarcRule, BulgeIntervals, Effort, FitCertificate,
     FitTarget, certify_arc, curvature_intervals, estimate_tangents, feasible_bulges,
 };
+#[cfg(feature = "circular-mesh")]
 pub use construct::{
     Border, CircularMesh, CircularMeshOptions, CircularMeshReport, CircularMeshStep, LineAngles, VertexMoves,
     make_circular,

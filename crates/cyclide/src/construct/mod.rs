@@ -4,6 +4,7 @@ mod arc_approximation;
 mod arc_fit;
 mod arc_spline;
 mod biarc;
+#[cfg(feature = "circular-mesh")]
 mod circular_mesh;
 mod rational_runs;
 
@@ -13,6 +14,7 @@ pub use arc_fit::{
 };
 pub use arc_spline::{ArcSplineOptions, estimate_tangents};
 pub use biarc::{Biarc, BiarcRule};
+#[cfg(feature = "circular-mesh")]
 pub use circular_mesh::{
     Border, CircularMesh, CircularMeshOptions, CircularMeshReport, CircularMeshStep, LineAngles, VertexMoves,
     make_circular,

@@ -29,48 +29,8 @@ impl Block {
         self.0[0][0] + self.0[1][1] + self.0[2][2]
     }
 
-    /// The lower triangular factor L of a symmetric matrix `L L^T`, read from its lower triangle; `None` if it is not
-    /// positive definite.
-    pub(super) fn cholesky(&self) -> Option<Self> {
-        let a = &self.0;
-        let root = |x: f64| (x > 0.0 && x.is_finite()).then(|| x.sqrt());
-        let l00 = root(a[0][0])?;
-        let (l10, l20) = (a[1][0] / l00, a[2][0] / l00);
-        let l11 = root(a[1][1] - l10 * l10)?;
-        let l21 = (a[2][1] - l20 * l10) / l11;
-        let l22 = root(a[2][2] - l20 * l20 - l21 * l21)?;
-        Some(Self([[l00, 0.0, 0.0], [l10, l11, 0.0], [l20, l21, l22]]))
-    }
-
-    /// `X` with `X L^T = self`, for a lower triangular L: each row of X solves `L x = row`.
-    pub(super) fn solved_right(&self, l: Self) -> Self {
-        Self(self.0.map(|row| l.solved_lower(Vec3::from(row)).to_array()))
-    }
-
-    /// Solves `L x = y`; the matrix is lower triangular.
-    pub(super) fn solved_lower(&self, y: Vec3) -> Vec3 {
-        let l = &self.0;
-        let a = y.x / l[0][0];
-        let b = (y.y - l[1][0] * a) / l[1][1];
-        Vec3::new(a, b, (y.z - l[2][0] * a - l[2][1] * b) / l[2][2])
-    }
-
-    /// Solves `L^T x = y`; the matrix is lower triangular.
-    pub(super) fn solved_upper(&self, y: Vec3) -> Vec3 {
-        let l = &self.0;
-        let c = y.z / l[2][2];
-        let b = (y.y - l[2][1] * c) / l[1][1];
-        Vec3::new((y.x - l[1][0] * b - l[2][0] * c) / l[0][0], b, c)
-    }
-
-    /// Subtracts the product of two others: the inner loop of the factorisation.
-    #[inline]
-    pub(super) fn subtract_product(&mut self, a: &Self, b: &Self) {
-        for i in 0..3 {
-            for j in 0..3 {
-                self.0[i][j] -= a.0[i][0] * b.0[0][j] + a.0[i][1] * b.0[1][j] + a.0[i][2] * b.0[2][j];
-            }
-        }
+    pub(super) fn column(&self, j: usize) -> [f64; 3] {
+        std::array::from_fn(|i| self.0[i][j])
     }
 
     pub(super) fn apply(self, v: Vec3) -> Vec3 {

@@ -3,8 +3,6 @@
 
 mod block;
 mod border;
-mod cholesky;
-mod dissection;
 mod fairness;
 mod finish;
 mod input_surface;
@@ -53,8 +51,8 @@ pub struct CircularMesh {
 /// projected onto the circle of the others where that lowers the residual further. A grid that is circular as given is
 /// returned bit for bit.
 ///
-/// Free of scale; the same input gives the same bits on the same kind of processor. A step on 40 × 40 quads takes about
-/// a tenth of a second. `progress` is called after each step.
+/// Free of scale; the same input gives the same bits on the same kind of processor. A step on 40 × 40 quads takes some
+/// hundredths of a second. `progress` is called after each step.
 ///
 /// ```
 /// use cyclide::{CircularMeshOptions, Point3, QuadGrid, make_circular};
@@ -95,7 +93,7 @@ pub fn make_circular(
     holds.settle(&mut points);
     let edge = world_edge / scale;
     let terms = quads.iter().map(|q| &q[..]).chain(triples.iter().map(|t| &t[..]));
-    let pattern = Pattern::new(grid, terms);
+    let pattern = Pattern::new(points.len(), terms).ok_or(search::refused(0, residual_before))?;
     let metric = fairness::metric(&pattern, &triples, &normals, edge);
     let problem = Problem { quads: &quads, pattern, metric, holds: &holds, edge, max_steps: options.max_steps };
     let steps = problem.search(&mut points, progress)?;

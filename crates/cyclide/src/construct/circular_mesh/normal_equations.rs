@@ -1,51 +1,70 @@
 //! The damped normal equations `(J^T J + lambda M) dx = -J^T r` in blocks of one vertex by another, and their
 //! restriction to the moves that border vertices may make.
 //!
-//! The pattern never changes, so it is ordered and analysed once. Everything runs on one thread in a fixed order.
+//! The pattern never changes, so faer orders (approximate minimum degree) and analyses it once; each step is one sparse
+//! Cholesky factorisation. Everything runs on one thread in a fixed order.
 
 use super::block::Block;
-use super::cholesky::FactorPattern;
-use super::dissection;
 use crate::base::vector::Vec3;
-use crate::surface::QuadGrid;
+use faer::prelude::Solve;
+use faer::sparse::linalg::solvers::{Llt, SymbolicLlt};
+use faer::sparse::{SparseColMatRef, SymbolicSparseColMat};
+use faer::{MatMut, Side};
 
-/// A symmetric matrix of blocks: its lower triangle in the order of elimination, at the places of the factor.
+/// A symmetric matrix of blocks: its lower triangle, column by column.
 pub(super) struct BlockMatrix {
     blocks: Vec<Block>,
 }
 
-/// Where the blocks are not zero, and the order of elimination.
+/// Where the blocks are not zero, and what is known of the factor from that alone.
 pub(super) struct Pattern {
-    factor: FactorPattern,
-    /// Place of each vertex in the order.
-    place: Vec<usize>,
+    /// Blocks of the column of vertex `v`: `first[v]..first[v + 1]`.
+    first: Vec<usize>,
+    /// The vertex of each block's row, ascending in its column; the first is the diagonal.
+    row: Vec<usize>,
+    /// The lower triangle by coordinates: 3 rows and 3 columns for each vertex.
+    coordinates: SymbolicSparseColMat<usize>,
+    factor: SymbolicLlt<usize>,
 }
 
 impl Pattern {
-    /// Pattern of a sum of squares whose terms each couple a few vertices of the grid.
-    pub(super) fn new<'a>(grid: &QuadGrid, terms: impl Iterator<Item = &'a [usize]>) -> Self {
-        let order = dissection::order(grid);
-        let mut place = vec![0; order.len()];
-        order.iter().enumerate().for_each(|(k, &v)| place[v] = k);
-        let mut columns: Vec<Vec<usize>> = (0..order.len()).map(|k| vec![k]).collect();
+    /// Pattern of a sum of squares whose terms each couple a few vertices; `None` if there is no memory for its factor.
+    pub(super) fn new<'a>(vertices: usize, terms: impl Iterator<Item = &'a [usize]>) -> Option<Self> {
+        let mut columns: Vec<Vec<usize>> = (0..vertices).map(|v| vec![v]).collect();
         for term in terms {
-            for k in term.iter().map(|v| place[*v]) {
-                columns[k].extend(term.iter().map(|v| place[*v]).filter(|row| *row > k));
+            for &v in term {
+                columns[v].extend(term.iter().filter(|row| **row > v));
             }
         }
-        Self { factor: FactorPattern::new(columns), place }
+        let (mut first, mut row) = (vec![0], Vec::new());
+        let (mut starts, mut indices) = (vec![0], Vec::new());
+        for rows in &mut columns {
+            rows.sort_unstable();
+            rows.dedup();
+            for coordinate in 0..3 {
+                let entries = rows.iter().flat_map(|v| (0..3).map(move |k| 3 * v + k));
+                indices.extend(entries.skip(coordinate));
+                starts.push(indices.len());
+            }
+            row.append(rows);
+            first.push(row.len());
+        }
+        let size = 3 * vertices;
+        let coordinates = SymbolicSparseColMat::new_checked(size, size, starts, None, indices);
+        let factor = SymbolicLlt::try_new(coordinates.as_ref(), Side::Lower).ok()?;
+        Some(Self { first, row, coordinates, factor })
     }
 
     pub(super) fn zero(&self) -> BlockMatrix {
-        BlockMatrix { blocks: vec![Block::ZERO; self.factor.len()] }
+        BlockMatrix { blocks: vec![Block::ZERO; self.row.len()] }
     }
 
     /// Adds a block and, if it is not on the diagonal, its transpose at the mirrored place.
     pub(super) fn add(&self, matrix: &mut BlockMatrix, u: usize, v: usize, block: Block) {
-        let (row, column) = (self.place[u], self.place[v]);
-        let (row, column, block) = if row >= column { (row, column, block) } else { (column, row, block.transposed()) };
-        if let Some(k) = self.factor.position(row, column) {
-            matrix.blocks[k] += block;
+        let (row, column, block) = if u >= v { (u, v, block) } else { (v, u, block.transposed()) };
+        let (from, to) = (self.first[column], self.first[column + 1]);
+        if let Ok(k) = self.row[from..to].binary_search(&row) {
+            matrix.blocks[from + k] += block;
         }
     }
 
@@ -59,22 +78,87 @@ impl Pattern {
         projectors: &[Block],
         y: &[Vec3],
     ) -> Option<Vec<Vec3>> {
-        let mut right = vec![Vec3::ZERO; y.len()];
-        let mut ordered = vec![Block::IDENTITY; y.len()];
-        for (v, &k) in self.place.iter().enumerate() {
-            right[k] = projectors[v].apply(y[v]);
-            ordered[k] = projectors[v];
-        }
-        let restricted = |(k, row, column): (usize, usize, usize)| {
+        let restricted = |k: usize, column: usize| {
             let block = a.blocks[k] + b.blocks[k] * lambda;
-            let (p, q) = (ordered[row], ordered[column]);
-            if p == Block::IDENTITY && q == Block::IDENTITY {
-                return block;
-            }
-            let held = if row == column { (Block::IDENTITY - p) * block.trace() } else { Block::ZERO };
-            p * block * q + held
+            let (row, q) = (self.row[k], projectors[column]);
+            let held = if row == column { (Block::IDENTITY - q) * block.trace() } else { Block::ZERO };
+            projectors[row] * block * q + held
         };
-        self.factor.factor(self.factor.places().map(restricted).collect())?.solve(&mut right);
-        Some(self.place.iter().map(|&k| right[k]).collect())
+        let mut values = Vec::with_capacity(self.coordinates.row_idx().len());
+        let mut blocks = Vec::new();
+        for v in 0..projectors.len() {
+            blocks.clear();
+            blocks.extend((self.first[v]..self.first[v + 1]).map(|k| restricted(k, v)));
+            for column in 0..3 {
+                values.extend(blocks.iter().flat_map(|block| block.column(column)).skip(column));
+            }
+        }
+        let matrix = SparseColMatRef::new(self.coordinates.as_ref(), &values);
+        let factor = Llt::try_new_with_symbolic(self.factor.clone(), matrix, Side::Lower).ok()?;
+        let mut x: Vec<f64> = y.iter().zip(projectors).flat_map(|(y, p)| p.apply(*y).to_array()).collect();
+        let size = x.len();
+        factor.solve_in_place(MatMut::from_column_major_slice_mut(&mut x, size, 1));
+        Some(x.chunks_exact(3).map(|c| Vec3::new(c[0], c[1], c[2])).collect())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A ring of six vertices with a chord: eliminating any of them couples its neighbours.
+    const PAIRS: [[usize; 2]; 7] = [[1, 0], [2, 1], [3, 2], [4, 3], [5, 4], [0, 5], [4, 1]];
+
+    fn off_diagonal() -> Block {
+        Block::from_columns([Vec3::new(1.0, -0.5, 0.25), Vec3::new(0.0, 0.5, 1.0), Vec3::new(-1.0, 0.25, 0.5)])
+    }
+
+    fn diagonal() -> Block {
+        Block::IDENTITY * 8.0 + Block::square(Vec3::new(1.0, 2.0, -1.0))
+    }
+
+    fn product(x: &[Vec3]) -> Vec<Vec3> {
+        let mut y: Vec<Vec3> = x.iter().map(|x| diagonal().apply(*x)).collect();
+        for [row, column] in PAIRS {
+            y[row] += off_diagonal().apply(x[column]);
+            y[column] += off_diagonal().transposed().apply(x[row]);
+        }
+        y
+    }
+
+    fn matrix(pattern: &Pattern) -> BlockMatrix {
+        let mut matrix = pattern.zero();
+        (0..6).for_each(|v| pattern.add(&mut matrix, v, v, diagonal()));
+        PAIRS.iter().for_each(|[row, column]| pattern.add(&mut matrix, *row, *column, off_diagonal()));
+        matrix
+    }
+
+    #[test]
+    fn solves_a_matrix_that_fills_in() {
+        let pattern = Pattern::new(6, PAIRS.iter().map(|p| &p[..])).unwrap();
+        let x: Vec<Vec3> = (0..6).map(|k| Vec3::new(k as f64, 1.0, -2.0 * k as f64)).collect();
+        let (a, zero) = (matrix(&pattern), pattern.zero());
+        let solved = pattern.solve((&a, &zero, 0.0), &[Block::IDENTITY; 6], &product(&x)).unwrap();
+        // Condition below 10, values up to 10.
+        assert!(x.iter().zip(&solved).all(|(x, y)| (*x - *y).length() < 1e-13));
+        let mut b = pattern.zero();
+        pattern.add(&mut b, 3, 3, diagonal() * -1.0);
+        assert!(pattern.solve((&a, &b, 2.0), &[Block::IDENTITY; 6], &product(&x)).is_none());
+    }
+
+    #[test]
+    fn moves_stay_in_the_ranges_of_the_projectors() {
+        let pattern = Pattern::new(6, PAIRS.iter().map(|p| &p[..])).unwrap();
+        let along = Vec3::new(0.6, 0.0, 0.8);
+        let mut projectors = [Block::IDENTITY; 6];
+        (projectors[0], projectors[3]) = (Block::ZERO, Block::square(along));
+        let y: Vec<Vec3> = (0..6).map(|k| Vec3::new(1.0, k as f64, -1.0)).collect();
+        let (a, zero) = (matrix(&pattern), pattern.zero());
+        let x = pattern.solve((&a, &zero, 0.0), &projectors, &y).unwrap();
+        // Values up to 1, condition below 10.
+        assert!(x[0].length() < 1e-14 && x[3].cross(along).length() < 1e-14);
+        // What is left of the equations is perpendicular to every move that is allowed.
+        let left = product(&x).into_iter().zip(&y).zip(projectors).map(|((p, y), q)| q.apply(p - *y).length());
+        assert!(left.fold(0.0, f64::max) < 1e-13);
     }
 }

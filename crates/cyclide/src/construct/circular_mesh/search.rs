@@ -56,7 +56,6 @@ impl Problem<'_> {
         points: &mut Vec<Point3>,
         progress: &mut dyn FnMut(&CircularMeshStep),
     ) -> Result<usize> {
-        let refused = |step: usize, residual: f64| Error::NotConverged { step, residual, limit: RESIDUAL_LIMIT };
         let mut r = residuals(points, self.quads).ok_or(refused(0, f64::INFINITY))?;
         let mut damping = DAMPING;
         let mut costs = vec![cost(&r)];
@@ -129,6 +128,11 @@ impl Problem<'_> {
         let r = residuals(&moved, self.quads)?;
         Some((moved, r))
     }
+}
+
+/// The error of a search that ends with this residual.
+pub(super) fn refused(step: usize, residual: f64) -> Error {
+    Error::NotConverged { step, residual, limit: RESIDUAL_LIMIT }
 }
 
 fn cost(r: &[Vec3]) -> f64 {
