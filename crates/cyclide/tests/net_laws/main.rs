@@ -4,6 +4,7 @@
 mod data;
 mod derived;
 mod dupin;
+mod far;
 mod models;
 mod nets;
 mod shells;

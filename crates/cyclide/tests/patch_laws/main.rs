@@ -8,6 +8,7 @@
 
 mod derived;
 mod evaluation;
+mod far;
 mod recognition;
 mod refusals;
 mod rows;

@@ -77,6 +77,25 @@ fn weights_that_leave_space_are_refused() {
     assert_eq!(refused(weights), "not-finite");
 }
 
+#[test]
+fn the_order_round_the_circle_is_judged_in_space() {
+    let at = |angle: f64| [angle.cos(), angle.sin(), 0.0];
+    let quad = |angles: [f64; 4]| reason(angles.map(at), Vec3::X, Vec3::Z);
+    // The side from a0 to a2 is short: seen by the inversion at a0, a3 and a1 nearly coincide beside it.
+    assert_eq!(quad([0.0, 1.5, -1e-6, 1.4995]), "crossing-quad", "a3 comes before a1, by 5e-4");
+    assert_eq!(quad([0.0, -1e-6, 1.5, 1.4995]), "crossing-quad", "the same with the directions exchanged");
+    assert_eq!(quad([0.0, 1.5, -1e-6, 1.5005]), "none");
+    assert_eq!(quad([0.0, -1e-6, 1.5, 1.5005]), "none");
+    // An overrun by rounding is none: the corner stands on its neighbour.
+    let corners = [0.0, 1.5, -0.7, 1.5 - 1e-10].map(|angle| Point3::from(at(angle)));
+    let patch = CyclidePatch::from_corners_and_frame(corners, Vec3::Y, Vec3::Z).unwrap();
+    assert_eq!(patch.corners()[3], corners[1]);
+    assert_eq!(quad([0.0, 1.5, -0.7, 1.5 - 1e-8]), "crossing-quad");
+    let corners = [0.0, 1.5, -0.7, -0.7 + 1e-10].map(|angle| Point3::from(at(angle)));
+    let patch = CyclidePatch::from_corners_and_frame(corners, Vec3::Y, Vec3::Z).unwrap();
+    assert_eq!(patch.corners()[3], corners[2]);
+}
+
 proptest! {
     #[test]
     fn any_numbers_give_an_error_or_finite_points(

@@ -1,8 +1,6 @@
 //! Möbius maps of arcs: the homogeneous pairs map linearly, so the image is an arc with the same parameter.
 
 use super::Arc;
-use crate::base::quat::Quat;
-use crate::conformal::hpoint::HPoint;
 use crate::conformal::mobius::{Conformal, Mobius};
 use crate::error::{Error, Result};
 
@@ -19,12 +17,10 @@ impl Conformal for Arc {
     /// `pole-on-segment` if the arc passes through the point that goes to infinity, `point-at-infinity` if an end
     /// does, `not-in-im-h` if rounding destroyed the result.
     fn transformed(&self, map: &Mobius) -> Result<Self> {
-        let start = map.map_pair(HPoint::weighted(self.p0, Quat::ONE));
-        let end = map.map_pair(HPoint::weighted(self.p1, self.weight_ratio()));
-        let point = |p: HPoint| p.quotient().map(Quat::to_point).ok_or(Error::PointAtInfinity);
-        let (a0, a1) = (point(start)?, point(end)?);
-        let inverse = start.d.inverse().ok_or(Error::PointAtInfinity)?;
-        let ratio = end.d * inverse;
+        let image = |p| map.map_weighted(p).ok_or(Error::PointAtInfinity);
+        let ((a0, f0), (a1, f1)) = (image(self.p0)?, image(self.p1)?);
+        let inverse = f0.inverse().ok_or(Error::PointAtInfinity)?;
+        let ratio = f1 * self.weight_ratio() * inverse;
         // The image of an arc is an arc: what is left along the chord is rounding, of the map and of the ends, which
         // turn a chord that is short against its distance from the origin. Beyond this the image means nothing.
         let chord = a1 - a0;

@@ -8,17 +8,23 @@
 use super::{CyclidicNet, NetFrame, frame};
 use crate::base::quat::Quat;
 use crate::base::range;
-use crate::base::vector::Vec3;
+use crate::base::vector::{Point3, Vec3};
 use crate::error::{Error, Result};
 use crate::surface::patch::{CyclidePatch, check_quad, orthonormal};
 use crate::surface::quad_grid::QuadGrid;
 
-/// Largest angle (radians) and relative stretch by which a closed net may fail to close.
+/// Largest angle (radians) and relative stretch by which a closed net may fail to close, beyond the rounding of its
+/// vertices.
 const CLOSING_LIMIT: f64 = 1e-9;
 
+/// Angle by which rounded ends turn the reflection in an edge, in units of the largest coordinate over its length: each
+/// end is off by `√3/2 ε`, and a reflection turns twice as far as its axis.
+const EDGE_ROUNDING: f64 = 4.0 * f64::EPSILON;
+
 impl CyclidicNet {
-    /// The net over a grid whose quads are embedded and concircular (to 1e-9 of their size), with the given frame.
-    /// Quads are counted from 0, s fastest.
+    /// The net over a grid whose quads are embedded and concircular, with the given frame. Quads are counted from 0, s
+    /// fastest. The limits (1e-9 of a quad's size, 1e-9 radians round a closed direction) are for exact vertices: far
+    /// from the origin these are rounded, and to the limits is added what that makes of the shortest edge.
     ///
     /// The weights are those of the whole net: neighbouring patches agree pointwise on the edge they share. Their
     /// lengths, of which one row and one column are free, are those nearest to 1 (least squares of the logarithms).
@@ -50,13 +56,14 @@ impl CyclidicNet {
         };
         let v = [v1, v2];
         let directions = transported(&grid, v);
-        let turn = closing(&grid, v, &directions)?;
-        let lengths = lengths(&grid, &kappa)?;
+        let rounding = rounding(&grid);
+        let turn = closing(&grid, v, &directions, CLOSING_LIMIT + rounding)?;
+        let lengths = lengths(&grid, &kappa, CLOSING_LIMIT + rounding)?;
         let weights = directions.iter().zip(&lengths).map(|(w, l)| *w * *l).collect();
         let net = Self { grid, weights, v, turn };
         for quad in 0..m * n {
             let (corners, weights) = net.pairs(quad % m, quad / m);
-            CyclidePatch::from_weights(corners, weights, v1, v2).map_err(|e| e.in_quad(quad))?;
+            CyclidePatch::from_rounded_weights(corners, weights, v1, v2, rounding).map_err(|e| e.in_quad(quad))?;
         }
         Ok(net)
     }
@@ -99,8 +106,20 @@ fn transported(grid: &QuadGrid, v: [Vec3; 2]) -> Vec<Quat> {
     w
 }
 
+/// The angle by which the frame may be off after a row and a column, because the vertices are rounded.
+fn rounding(grid: &QuadGrid) -> f64 {
+    let ([cells, rows], largest) = (grid.quads(), |p: &Point3| p.to_vec().max_abs());
+    let sides = |quad: usize| {
+        let a = grid.corners(quad % cells, quad / cells).map(|k| grid.points()[k]);
+        a[0].distance(a[1]).min(a[0].distance(a[2])).min(a[1].distance(a[3])).min(a[2].distance(a[3]))
+    };
+    let shortest = (0..cells * rows).map(sides).fold(f64::INFINITY, f64::min);
+    let far = grid.points().iter().map(largest).fold(0.0, f64::max);
+    EDGE_ROUNDING * (cells + rows) as f64 * (far / shortest)
+}
+
 /// The signs of the weights after a turn in the closed directions.
-fn closing(grid: &QuadGrid, v: [Vec3; 2], w: &[Quat]) -> Result<[f64; 2]> {
+fn closing(grid: &QuadGrid, v: [Vec3; 2], w: &[Quat], limit: f64) -> Result<[f64; 2]> {
     let size = grid.size();
     let mut turn = [1.0; 2];
     for d in 0..2 {
@@ -113,8 +132,8 @@ fn closing(grid: &QuadGrid, v: [Vec3; 2], w: &[Quat]) -> Result<[f64; 2]> {
         let back = step(w[grid.index(last.0, last.1)], frame::unit(chord), v[d]);
         // The start has weight 1: what comes back is the rotation by which the frame is off, as a unit quaternion.
         let angle = 2.0 * back.vector().length().atan2(back.w.abs());
-        if !(angle <= CLOSING_LIMIT) {
-            return Err(does_not_close(d, angle, 0.0));
+        if !(angle <= limit) {
+            return Err(does_not_close(d, angle, 0.0, limit));
         }
         turn[d] = 1.0_f64.copysign(back.w);
     }
@@ -123,7 +142,7 @@ fn closing(grid: &QuadGrid, v: [Vec3; 2], w: &[Quat]) -> Result<[f64; 2]> {
 
 /// The lengths of the weights: `ln|w3| = ln|w1| + ln|w2| - ln|w0| + kappa` fixes them up to a term per column and a
 /// term per row; those that make the squares least are the negative means.
-fn lengths(grid: &QuadGrid, kappa: &[f64]) -> Result<Vec<f64>> {
+fn lengths(grid: &QuadGrid, kappa: &[f64], limit: f64) -> Result<Vec<f64>> {
     let ([m, n], [cells, rows]) = (grid.size(), grid.quads());
     for d in 0..2 {
         // Round a strip of quads the terms must cancel, or the lines across would come back at another speed.
@@ -134,8 +153,8 @@ fn lengths(grid: &QuadGrid, kappa: &[f64]) -> Result<Vec<f64>> {
             } else {
                 (0..rows).map(|j| kappa[k + j * cells]).sum()
             };
-            if grid.closed()[d] && !(sum.abs() <= CLOSING_LIMIT) {
-                return Err(does_not_close(d, 0.0, sum.exp_m1()));
+            if grid.closed()[d] && !(sum.abs() <= limit) {
+                return Err(does_not_close(d, 0.0, sum.exp_m1(), limit));
             }
         }
     }
@@ -160,6 +179,6 @@ fn lengths(grid: &QuadGrid, kappa: &[f64]) -> Result<Vec<f64>> {
     Ok(u.into_iter().map(f64::exp).collect())
 }
 
-fn does_not_close(d: usize, angle: f64, stretch: f64) -> Error {
-    Error::NetDoesNotClose { direction: ["s", "t"][d], angle, stretch, limit: CLOSING_LIMIT }
+fn does_not_close(d: usize, angle: f64, stretch: f64, limit: f64) -> Error {
+    Error::NetDoesNotClose { direction: ["s", "t"][d], angle, stretch, limit }
 }

@@ -2,7 +2,6 @@
 
 use super::CyclidicNet;
 use crate::base::quat::Quat;
-use crate::conformal::hpoint::HPoint;
 use crate::conformal::mobius::{Conformal, Mobius};
 use crate::error::{Error, Result};
 use crate::surface::quad_grid::QuadGrid;
@@ -19,11 +18,10 @@ impl Conformal for CyclidicNet {
         for (quad, patch) in self.patches().enumerate() {
             patch.transformed(map).map_err(|e| e.in_quad(quad))?;
         }
-        let images: Vec<HPoint> =
-            self.grid.points().iter().map(|a| map.map_pair(HPoint::weighted(*a, Quat::ONE))).collect();
-        let points = images.iter().map(|p| p.quotient().map(Quat::to_point).ok_or(Error::PointAtInfinity));
-        let grid = QuadGrid::new(points.collect::<Result<_>>()?, self.grid.size(), self.grid.closed())?;
-        let weights: Vec<Quat> = images.iter().zip(&self.weights).map(|(p, w)| p.d * *w).collect();
+        let images = self.grid.points().iter().map(|a| map.map_weighted(*a).ok_or(Error::PointAtInfinity));
+        let (points, factors): (Vec<_>, Vec<_>) = images.collect::<Result<Vec<_>>>()?.into_iter().unzip();
+        let grid = QuadGrid::new(points, self.grid.size(), self.grid.closed())?;
+        let weights: Vec<Quat> = factors.iter().zip(&self.weights).map(|(f, w)| *f * *w).collect();
         // A common factor changes nothing: lengths around 1.
         let mean = weights.iter().map(|w| w.norm().ln()).sum::<f64>() / weights.len() as f64;
         let weights = weights.into_iter().map(|w| w * (-mean).exp()).collect();

@@ -7,15 +7,18 @@ use crate::base::range;
 use crate::base::vector::{Point3, Vec3};
 use crate::error::{Error, Result};
 
-/// Largest distance from three-space that counts as rounding, relative to the size.
-pub(super) const SPACE_LIMIT: f64 = 1e-9;
+/// Largest distance from three-space that counts as rounding of weights, relative to the size.
+const SPACE_LIMIT: f64 = 1e-9;
+/// Rounding of a corner by itself and by the map it comes from, relative to its coordinates.
+const CORNER_ROUNDING: f64 = 64.0 * f64::EPSILON;
 /// Largest deviation of the frame from unit length and right angle.
 const FRAME_LIMIT: f64 = 1e-9;
 
 impl CyclidePatch {
     /// The patch with the given corners and unit directions `v1` (of growing s) and `v2` (of growing t) at the first
     /// corner. Corners in binary order `a0` (0,0), `a1` (1,0), `a2` (0,1), `a3` (1,1); they must be concircular (or
-    /// collinear) in the cyclic order a0, a1, a3, a2, and a3 is moved onto the circle of the others by rounding.
+    /// collinear) in the cyclic order a0, a1, a3, a2, both to 1e-9 of the largest distance and the rounding of their
+    /// coordinates; a3 is moved onto the circle of the others, and to a1 or a2 if it is beyond that by no more.
     /// `a3 = a1` or `a3 = a2` is legal (a triangular patch with a pole). Weights are those of `001`, (9), by the form
     /// (C) of `20`, which has the right sign in every order. Every frame direction is admissible; whether a parameter
     /// line shrinks to a point inside is told by [`singular_s`](Self::singular_s) and
@@ -35,7 +38,7 @@ impl CyclidePatch {
         }
         let scale = distinct(&corners)?;
         let (v1, v2) = orthonormal(v1, v2)?;
-        let CornerCircle { inverses, corner } = corner_circle(&corners, scale)?;
+        let CornerCircle { inverses, corner, .. } = corner_circle(&corners, scale)?;
         let [b1, b2, b3] = inverses.map(Quat::from);
         let (d1, d2) = (corners[0].distance(corners[1]) / scale, corners[0].distance(corners[2]) / scale);
         let weights = [
@@ -55,8 +58,22 @@ impl CyclidePatch {
     ///
     /// # Errors
     /// `not-finite`, `coincident-points`, `zero-weight`, `frame-not-orthonormal`, `not-in-space` (the quotient leaves
-    /// three-space by more than 1e-9 of the size), `patch-through-infinity`.
+    /// three-space by more than 1e-9 of the size and 1e-14 of the coordinates), `patch-through-infinity`.
     pub fn from_weights(corners: [Point3; 4], weights: [Quat; 4], v1: Vec3, v2: Vec3) -> Result<Self> {
+        Self::from_rounded_weights(corners, weights, v1, v2, 0.0)
+    }
+
+    /// As [`from_weights`](Self::from_weights), with weights that are wrong by a part `rounding`.
+    ///
+    /// # Errors
+    /// As [`from_weights`](Self::from_weights).
+    pub(in crate::surface) fn from_rounded_weights(
+        corners: [Point3; 4],
+        weights: [Quat; 4],
+        v1: Vec3,
+        v2: Vec3,
+        rounding: f64,
+    ) -> Result<Self> {
         for (index, p) in corners.into_iter().enumerate() {
             range::check_point(index, p.to_vec())?;
         }
@@ -76,15 +93,22 @@ impl CyclidePatch {
         let (v1, v2) = orthonormal(v1, v2)?;
         let patch = Self::from_weights_unchecked(corners, weights, v1, v2);
         patch.check_no_pole()?;
-        patch.check_in_space(SPACE_LIMIT)?;
+        patch.check_in_space(patch.corner_rounding() + rounding)?;
         Ok(patch)
     }
 
-    /// Refuses weights that put the quotient out of three-space by more than `limit` of the size.
+    /// How far the rounding of the corners may put the quotient out of three-space, relative to the size.
+    pub(super) fn corner_rounding(&self) -> f64 {
+        CORNER_ROUNDING * self.corners.iter().map(|a| a.to_vec().max_abs()).fold(0.0, f64::max) / self.scale
+    }
+
+    /// Refuses weights that put the quotient out of three-space by more than 1e-9 of the size and what is known of
+    /// their rounding and that of the corners.
     ///
     /// # Errors
     /// `not-in-space`.
-    pub(super) fn check_in_space(&self, limit: f64) -> Result<()> {
+    pub(super) fn check_in_space(&self, rounding: f64) -> Result<()> {
+        let limit = SPACE_LIMIT + rounding;
         // Re(~D n) is biquadratic: zero at five places of each parameter is zero.
         let places = [0.0, 0.25, 0.5, 0.75, 1.0];
         let residuals = places.iter().flat_map(|&s| places.iter().map(move |&t| (s, t)));

@@ -7,15 +7,20 @@ use crate::error::{Error, Result};
 
 /// Corners closer than this part of the largest distance coincide.
 const COINCIDENT_LIMIT: f64 = 1e-12;
-/// Largest distance of the fourth corner from the circle of the others, and of its place from their arc, relative.
+/// Largest distance of the fourth corner from the circle of the others, and along it from their arc, relative to the
+/// size, beyond the rounding of the corners.
 const CONCIRCULAR_LIMIT: f64 = 1e-9;
+/// Rounding of the four corners together, relative to the largest coordinate.
+const CORNER_ROUNDING: f64 = 8.0 * f64::EPSILON;
 
 /// The corners of a quad seen from the first one, after an inversion there that takes their circle to a line.
 pub(super) struct CornerCircle {
     /// `b_k = (x_k - x_0)^-1` of the corners 1, 2, 3 with `x` in units of the size; the last between the others.
     pub(super) inverses: [Vec3; 3],
-    /// The last corner, moved onto the circle of the others.
+    /// The last corner, moved onto the circle of the others and to the end of their arc if rounding put it beyond.
     pub(super) corner: Point3,
+    /// Where it was on the inverted arc: 0 at corner 1, 1 at corner 2.
+    position: f64,
 }
 
 /// Largest distance between the corners, if those are distinct that must be (the last may be that of a neighbour).
@@ -46,28 +51,39 @@ pub(super) fn corner_circle(corners: &[Point3; 4], scale: f64) -> Result<CornerC
         x / -x.length_squared()
     };
     let (b1, b2) = (inverse(1), inverse(2));
+    let at_1 = |position| CornerCircle { inverses: [b1, b2, b1], corner: corners[1], position };
+    let at_2 = |position| CornerCircle { inverses: [b1, b2, b2], corner: corners[2], position };
     if coincide(1) {
-        return Ok(CornerCircle { inverses: [b1, b2, b1], corner: corners[1] });
+        return Ok(at_1(0.0));
     }
     if coincide(2) {
-        return Ok(CornerCircle { inverses: [b1, b2, b2], corner: corners[2] });
+        return Ok(at_2(1.0));
     }
     // The foot of b3 on the line b1 b2.
     let side = b2 - b1;
     let x = (inverse(3) - b1).dot(side) / side.length_squared();
     let b3 = b1 + side * x;
     let corner = corners[0] + b3 * (-scale / b3.length_squared());
-    let (moved, limit) = (corner.distance(corners[3]) / scale, CONCIRCULAR_LIMIT);
-    if !(moved <= limit) {
-        return Err(Error::NotConcircular { quad: 0, measured: moved, limit });
+    // Rounding of the ends turns the circle about the first corner by itself over the distance to them.
+    let rounding = CORNER_ROUNDING * corners.iter().map(|a| a.to_vec().max_abs()).fold(0.0, f64::max);
+    let nearest = corners[0].distance(corners[1]).min(corners[0].distance(corners[2]));
+    let (measured, limit) = (corner.distance(corners[3]) / scale, CONCIRCULAR_LIMIT + rounding / nearest);
+    if !(measured <= limit) {
+        return Err(Error::NotConcircular { quad: 0, measured, limit });
     }
-    if !(-limit..=1.0 + limit).contains(&x) {
-        return Err(Error::CrossingQuad { quad: 0, position: x });
+    if (0.0..=1.0).contains(&x) {
+        return Ok(CornerCircle { inverses: [b1, b2, b3], corner, position: x });
     }
-    Ok(CornerCircle { inverses: [b1, b2, b3], corner })
+    // Beyond an end of the arc, as far as is seen in space: the inversion makes what is near a short side near.
+    let (end, snapped) = if x < 0.0 { (corners[1], at_1(x)) } else { (corners[2], at_2(x)) };
+    if corner.distance(end) <= CONCIRCULAR_LIMIT * scale + rounding {
+        Ok(snapped)
+    } else {
+        Err(Error::CrossingQuad { quad: 0, position: x })
+    }
 }
 
-/// Refuses a quad of a net unless its corners are distinct and on one circle, in order.
+/// Refuses a quad of a net unless its corners are distinct and on one circle, strictly in order.
 ///
 /// # Errors
 /// `parameter-out-of-range`, `coincident-points`, `not-concircular`, `crossing-quad`.
@@ -79,5 +95,7 @@ pub(in crate::surface) fn check_quad(corners: &[Point3; 4]) -> Result<()> {
             return Err(Error::CoincidentPoints { first, second: 3, distance, limit });
         }
     }
-    corner_circle(corners, scale).map(|_| ())
+    // Nets keep their vertices, so rounding must not put one beyond the next either.
+    let position = corner_circle(corners, scale)?.position;
+    if (0.0..=1.0).contains(&position) { Ok(()) } else { Err(Error::CrossingQuad { quad: 0, position }) }
 }

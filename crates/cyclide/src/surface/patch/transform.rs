@@ -1,15 +1,9 @@
 //! Möbius maps of patches: the homogeneous pairs map linearly, so the image is a patch with the same parameters.
 
 use super::CyclidePatch;
-use super::construct::SPACE_LIMIT;
-use crate::base::quat::Quat;
 use crate::base::range;
-use crate::conformal::hpoint::HPoint;
 use crate::conformal::mobius::{Conformal, Mobius};
 use crate::error::{Error, Result};
-
-/// Rounding of a mapped corner, relative to its coordinates.
-const CORNER_ROUNDING: f64 = 64.0 * f64::EPSILON;
 
 impl Conformal for CyclidePatch {
     /// The image under a Möbius map `y -> (a y + b)(c y + d)^-1`, with the same parameters: corners by the map, weights
@@ -22,18 +16,18 @@ impl Conformal for CyclidePatch {
     /// `parameter-out-of-range` (coordinates above 1e150), `coincident-points` (the image is smaller than
     /// rounding), `not-in-space` if rounding destroyed the result.
     fn transformed(&self, map: &Mobius) -> Result<Self> {
-        let images = self.corners.map(|a| map.map_pair(HPoint::weighted(a, Quat::ONE)));
-        let size = images[0].d.norm();
-        if size == 0.0 {
-            return Err(Error::PointAtInfinity);
-        }
         let mut corners = self.corners;
         let mut weights = self.weights;
-        for (k, image) in images.into_iter().enumerate() {
-            corners[k] = image.quotient().ok_or(Error::PointAtInfinity)?.to_point();
-            range::check_point(k, corners[k].to_vec())?;
+        let mut size = 1.0;
+        for k in 0..4 {
+            let (image, factor) = map.map_weighted(self.corners[k]).ok_or(Error::PointAtInfinity)?;
+            range::check_point(k, image.to_vec())?;
+            if k == 0 {
+                size = factor.norm();
+            }
+            corners[k] = image;
             // Lengths near those before: a gauge, the same for all corners.
-            weights[k] = image.d * (1.0 / size) * self.weights[k];
+            weights[k] = factor * (1.0 / size) * self.weights[k];
         }
         let lambda = map.determinant();
         let sign = 1.0_f64.copysign(lambda);
@@ -42,8 +36,7 @@ impl Conformal for CyclidePatch {
             return Err(Error::CoincidentPoints { first: 0, second: 3, distance: 0.0, limit: 0.0 });
         }
         image.check_no_pole()?;
-        let far = corners.iter().map(|a| a.to_vec().max_abs()).fold(0.0, f64::max);
-        image.check_in_space(SPACE_LIMIT + CORNER_ROUNDING * far / image.scale)?;
+        image.check_in_space(self.corner_rounding() + image.corner_rounding())?;
         // The speeds scale by the determinant: zeros and signs stay.
         let factor = lambda.abs() / size / size;
         image.polar.q1 = self.polar.q1.map(|q| q * factor);
@@ -55,6 +48,7 @@ impl Conformal for CyclidePatch {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::base::quat::Quat;
     use crate::base::vector::{Point3, Vec3};
     use crate::surface::ParamSurface as _;
 
