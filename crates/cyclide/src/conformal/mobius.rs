@@ -171,6 +171,18 @@ impl Mobius {
         self.determinant
     }
 
+    /// The entries `a, b, c, d`, between the origins.
+    #[must_use]
+    pub(crate) fn matrix(&self) -> [Quat; 4] {
+        [self.a, self.b, self.c, self.d]
+    }
+
+    /// The origins before and after the map.
+    #[must_use]
+    pub(crate) fn origins(&self) -> [Point3; 2] {
+        [self.source, self.target]
+    }
+
     /// True if the map keeps the point at infinity: a similarity, orientation-preserving or not.
     #[must_use]
     pub fn is_similarity(&self) -> bool {

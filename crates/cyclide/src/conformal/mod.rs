@@ -1,5 +1,6 @@
-//! Points as quaternion pairs, Möbius maps, spheres through points.
+//! Points as quaternion pairs, Möbius maps, spheres through points and oriented ones.
 
 pub(crate) mod hpoint;
+pub(crate) mod lie_sphere;
 pub(crate) mod mobius;
 pub(crate) mod sphere;

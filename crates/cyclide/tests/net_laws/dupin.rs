@@ -1,7 +1,7 @@
 //! Whole cyclides against their implicit equation, their closed form and formula (C).
 
 use crate::data::{HORNS, PLACES, RINGS, SPINDLES, gap, kink};
-use cyclide::{CyclideKind, CyclidePatch, DupinCyclide, Frame, ParamSurface, Point3, Vec3};
+use cyclide::{Conformal, CyclideKind, CyclidePatch, DupinCyclide, Frame, Mobius, ParamSurface, Point3, Quat, Vec3};
 use std::f64::consts::PI;
 
 fn all() -> impl Iterator<Item = DupinCyclide> {
@@ -10,7 +10,8 @@ fn all() -> impl Iterator<Item = DupinCyclide> {
 
 /// `|F|/|grad F|` of the implicit quartic, a distance; the points are of size `a`.
 fn distance(d: &DupinCyclide, p: Point3) -> f64 {
-    let ([a, c, mu], v) = (d.parameters(), p.to_vec());
+    let (in_plane, height) = d.frame().to_local(p);
+    let ([a, c, mu], v) = (d.parameters(), Vec3::new(in_plane.x, in_plane.y, height));
     let b2 = (a - c) * (a + c);
     let (g, x) = (v.length_squared() + b2 - mu * mu, a * v.x - c * mu);
     let f = g * g - 4.0 * x * x - 4.0 * b2 * v.y * v.y;
@@ -191,4 +192,80 @@ fn parameters_out_of_range_are_refused() {
     assert_eq!(DupinCyclide::new(1.0, 0.5, 0.2).unwrap().to_shell().unwrap_err().reason(), "not-a-shell");
     assert_eq!(ring.offset(-0.6).unwrap_err().reason(), "parameter-out-of-range");
     assert_eq!(ring.offset(-0.4).unwrap().kind(), CyclideKind::Horn);
+}
+
+/// Points of a cyclide off its nodes.
+fn points(d: &DupinCyclide) -> Vec<Point3> {
+    let patches = d.nets([6, 6]).unwrap().into_iter().flat_map(|net| net.patches().collect::<Vec<_>>());
+    patches.flat_map(|p| [0.3, 0.7].map(|s| [0.4, 0.6].map(|t| p.point(s, t))).into_iter().flatten()).collect()
+}
+
+#[test]
+fn images_are_whole_cyclides_through_the_images_of_points() {
+    let kinds = |d: &DupinCyclide| d.kind() == CyclideKind::Ring;
+    for d in all() {
+        let [a, c, mu] = d.parameters();
+        let size = a + c + mu;
+        let frame = Frame::from_normal(Point3::new(0.2, -0.1, 0.4), Vec3::new(1.0, 2.0, 2.0), Vec3::X).unwrap();
+        let d = d.placed(frame);
+        let at = |x: f64, y: f64, z: f64| frame.origin() + Vec3::new(x, y, z) * size;
+        let turn = Mobius::similarity(Quat::new(1.0, 2.0, -1.0, 0.5), 0.3, Vec3::X * size).unwrap();
+        let mirror = Mobius::reflection(at(0.1, 0.2, 0.3), Vec3::new(1.0, 2.0, -2.0)).unwrap();
+        // Outside, near the centre, inside the tube (where a ring's families of spheres change places), far away.
+        let tube = frame.origin() - frame.x() * (a + 0.2 * (mu + c)) + frame.z() * (0.3 * (mu + c));
+        let centres = [at(1.0, 0.5, 2.0), at(0.03, 0.05, -0.02), tube, at(300.0, -200.0, 100.0)];
+        let inversions = centres.map(|center| Mobius::inversion(center, size).unwrap());
+        let both = [turn.after(&inversions[0]), inversions[0].after(&mirror), inversions[1].after(&inversions[0])];
+        for map in [turn, mirror].into_iter().chain(inversions).chain(both) {
+            let image = d.transformed(&map).unwrap();
+            let [a1, c1, mu1] = image.parameters();
+            let size1 = a1 + c1 + mu1;
+            assert_eq!(kinds(&image), kinds(&d), "{d:?} {image:?}");
+            let mut magnified_back = size;
+            for p in points(&d) {
+                let q = map.map_point(p).unwrap();
+                // Rounding of the image, and of the point, which the map magnifies.
+                let magnified = map.push_forward(p, Vec3::X).unwrap().length();
+                let far = q.to_vec().max_abs() + size1;
+                let bound = 1e-13 * (far + size * magnified);
+                let off = distance(&image, q);
+                assert!(off <= bound, "{d:?} {image:?}: {off:e} > {bound:e}");
+                magnified_back = magnified_back.max(far / magnified);
+            }
+            // And back: what is small in the image is wrong by the rounding of all of it.
+            let back = image.transformed(&map.inverse()).unwrap();
+            for (p, q) in back.parameters().into_iter().zip(d.parameters()) {
+                assert!((p - q).abs() <= 1e-13 * magnified_back, "{:?} {d:?}", back.parameters());
+            }
+        }
+        // A similarity keeps the parameters up to its factor, and the place.
+        let turned = d.transformed(&turn).unwrap();
+        for (p, q) in turned.parameters().into_iter().zip(d.parameters()) {
+            assert!((p - 0.3 * q).abs() <= 1e-14 * size);
+        }
+        let origin = turn.map_point(frame.origin()).unwrap();
+        assert!(turned.frame().origin().distance(origin) <= 1e-14 * size);
+    }
+}
+
+#[test]
+fn cyclides_through_the_centre_have_no_bounded_image() {
+    for d in all() {
+        for p in points(&d).into_iter().step_by(7) {
+            let refused = d.transformed(&Mobius::inversion(p, 1.0).unwrap()).unwrap_err().reason();
+            assert!(["point-at-infinity", "parameter-out-of-range"].contains(&refused), "{refused}");
+        }
+    }
+    let ring = DupinCyclide::new(2.0, 0.5, 1.0).unwrap();
+    let on_it = Mobius::inversion(Point3::new(2.5, 0.0, 0.0), 1.0).unwrap();
+    assert_eq!(ring.transformed(&on_it).unwrap_err().reason(), "point-at-infinity");
+    // A torus becomes a torus by an inversion on its axis, and a ring again by one in its tube.
+    let torus = DupinCyclide::new(2.0, 0.0, 1.0).unwrap();
+    let on_the_axis = torus.transformed(&Mobius::inversion(Point3::ORIGIN, 3.0).unwrap()).unwrap();
+    // The circles at distance 1 and 3 go to 9 and 3: (9 + 3)/2 and (9 - 3)/2.
+    for (p, q) in on_the_axis.parameters().into_iter().zip([6.0, 0.0, 3.0]) {
+        assert!((p - q).abs() <= 1e-14);
+    }
+    let in_the_tube = torus.transformed(&Mobius::inversion(Point3::new(2.0, 0.0, 0.0), 1.0).unwrap()).unwrap();
+    assert_eq!(in_the_tube.kind(), CyclideKind::Ring);
 }

@@ -8,6 +8,7 @@
 //! (`20`, section 4). For `c = 0` it is the torus of radii `a` and `mu`.
 
 mod build;
+mod transform;
 
 use crate::base::frame::Frame;
 use crate::error::{Error, Result};
