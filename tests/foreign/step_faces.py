@@ -1,5 +1,6 @@
 """The faces of a STEP file as OpenCASCADE sees them: topology, tolerances, areas, points and normals."""
 
+import functools
 import math
 
 import numpy as np
@@ -7,16 +8,18 @@ from OCP.BRep import BRep_Tool
 from OCP.BRepAdaptor import BRepAdaptor_Curve, BRepAdaptor_Surface
 from OCP.BRepCheck import BRepCheck_Analyzer
 from OCP.BRepGProp import BRepGProp
-from OCP.BRepTools import BRepTools
+from OCP.BRepTools import BRepTools, BRepTools_WireExplorer
 from OCP.GeomAbs import GeomAbs_CurveType as Curve
 from OCP.GeomAbs import GeomAbs_SurfaceType as Kind
 from OCP.gp import gp_Pnt, gp_Vec
 from OCP.GProp import GProp_GProps
 from OCP.IFSelect import IFSelect_RetDone
 from OCP.STEPControl import STEPControl_Reader
-from OCP.TopAbs import TopAbs_EDGE, TopAbs_FACE, TopAbs_REVERSED, TopAbs_SHELL, TopAbs_SOLID, TopAbs_VERTEX
+from OCP.TopAbs import TopAbs_EDGE, TopAbs_FACE, TopAbs_REVERSED, TopAbs_SHELL, TopAbs_SOLID, TopAbs_VERTEX, TopAbs_WIRE
 from OCP.TopExp import TopExp_Explorer
 from OCP.TopoDS import TopoDS
+
+import surface_form as form
 
 KINDS = {
     Kind.GeomAbs_Plane: "plane",
@@ -83,6 +86,17 @@ class Bezier:
         for own, read in zip(self.jet(*places), (p, du, dv)):
             assert np.allclose(own, vector(read), rtol=1e-12, atol=1e-12 * abs(own).max()), "not the reader's surface"
 
+    def patch(self):
+        """The patch in the quaternion form through the corners as read, with the frame of the first corner as read, in the
+        parameters of this surface: corners and frame fix a principal patch, all else of the face is to be compared."""
+        h = self.rows
+        at = h[..., :3] / h[..., 3:]
+        corners = [at[0, 0], at[-1, 0], at[0, -1], at[-1, -1]]
+        v1, v2 = form.unit(at[1, 0] - at[0, 0]), form.unit(at[0, 1] - at[0, 0])
+        patch = form.Patch(corners, v1, v2)
+        norms = [math.sqrt(h[i, j, 3] / h[0, 0, 3]) for i, j in ((-1, 0), (0, -1))]
+        return patch.with_factors(*(n / np.linalg.norm(w) for n, w in zip(norms, patch.w[1:3])))
+
     @staticmethod
     def _bernstein(x, degree, order):
         """Values of the polynomials, or of their derivatives, in a last axis."""
@@ -91,6 +105,11 @@ class Bezier:
             zero = np.zeros_like(low[..., :1])
             return degree * (np.concatenate([zero, low], -1) - np.concatenate([low, zero], -1))
         return np.stack([math.comb(degree, i) * x**i * (1 - x) ** (degree - i) for i in range(degree + 1)], -1)
+
+    def scaled(self, x, y):
+        """The parameters at fractions of their ranges."""
+        (u0, u1), (v0, v1) = self.ranges
+        return u0 + (u1 - u0) * x, v0 + (v1 - v0) * y
 
     def jet(self, us, vs):
         """Point and derivatives by both parameters."""
@@ -142,6 +161,27 @@ class Face:
         u0, u1, v0, v1 = self.box
         points, normals = self.at_all(u0 + (u1 - u0) * places[:, 0], v0 + (v1 - v0) * places[:, 1])
         return points, normals / np.linalg.norm(normals, axis=-1, keepdims=True)
+
+    def patch(self):
+        """The patch in the quaternion form through the corners as read, with the tangents of the edges at the first."""
+        found = []
+        explorer = BRepTools_WireExplorer(TopoDS.Wire(distinct(self.shape, TopAbs_WIRE)[0]), self.shape)
+        while explorer.More():
+            found.append(explorer.Current())
+            explorer.Next()
+        assert len(found) == 4, "a side is one point"
+        corners = [self._along(edge)(0.0) for edge in found]
+        v1, v2 = self._leaving(found[0], 0.0), self._leaving(found[3], 1.0)
+        return form.Patch([corners[0], corners[1], corners[3], corners[2]], v1, v2)
+
+    @staticmethod
+    def _leaving(edge, x):
+        """Direction into an edge from its start (x = 0) or end (x = 1) in the direction of the loop."""
+        curve = BRepAdaptor_Curve(edge)
+        at_last = (x == 1.0) != (edge.Orientation() == TopAbs_REVERSED)
+        p, d = gp_Pnt(), gp_Vec()
+        curve.D1(curve.LastParameter() if at_last else curve.FirstParameter(), p, d)
+        return -vector(d) if at_last else vector(d)
 
     @staticmethod
     def _along(edge):
@@ -214,7 +254,6 @@ class StepFaces:
         self.shape = reader.OneShape()
         assert not self.shape.IsNull(), f"{path} holds no shape"
         self.valid = BRepCheck_Analyzer(self.shape).IsValid()
-        self.exactly_valid = BRepCheck_Analyzer(self.shape, True, False, True).IsValid()
         self.faces = [Face(TopoDS.Face(f)) for f in distinct(self.shape, TopAbs_FACE)]
         edges = [TopoDS.Edge(e) for e in distinct(self.shape, TopAbs_EDGE)]
         self.poles = sum(BRep_Tool.Degenerated_s(e) for e in edges)
@@ -225,6 +264,10 @@ class StepFaces:
         self.tolerance = max(
             [e.tolerance for e in self.edges] + [BRep_Tool.Tolerance_s(TopoDS.Vertex(v)) for v in self.vertices]
         )
+
+    @functools.cached_property
+    def exactly_valid(self):
+        return BRepCheck_Analyzer(self.shape, True, False, True).IsValid()
 
     def faces_of_edges(self):
         """(edge, faces) with the edge as each face uses it."""

@@ -49,6 +49,12 @@ class Patch:
         self.a = a
         self.n = [multiply(pure(p - a[0]), w) for p, w in zip(a, self.w)]
 
+    def with_factors(self, lam, mu):
+        """The same patch in other parameters: the weights times 1, lam, mu, lam mu."""
+        for q in (self.w, self.n):
+            q[1], q[2], q[3] = q[1] * lam, q[2] * mu, q[3] * (lam * mu)
+        return self
+
     @staticmethod
     def _bilinear(q, s, t):
         s, t = np.asarray(s, float)[..., None], np.asarray(t, float)[..., None]

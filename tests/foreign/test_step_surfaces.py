@@ -7,7 +7,9 @@ import numpy as np
 import pytest
 
 import surface_form as form
-from step_faces import Edge, StepFaces, angle
+from conftest import ROOT
+from OCP.TopAbs import TopAbs_EDGE, TopAbs_FACE, TopAbs_VERTEX
+from step_faces import Edge, StepFaces, angle, distinct
 
 POINTS_PER_FACE = 1000
 # Of the model's size, as the project promises: a few roundings with a wide margin.
@@ -122,13 +124,40 @@ def structure(step, closed):
     return size, users
 
 
-def normals_across_joints(users):
-    worst = 0.0
+def normals_across_joints(users, creases=0):
+    """The largest angle between the normals of neighbours in the middle of their edges, but for this number of creases."""
+    angles = []
     for group in users:
         if len(group) == 2:
             point = Edge(group[0][1]).point(0.5)
-            worst = max(worst, angle(*(face.normal_near(point, edge) for face, edge in group)))
-    return worst
+            angles.append(angle(*(face.normal_near(point, edge) for face, edge in group)))
+    angles.sort()
+    if creases:
+        assert angles[-creases] > 0.1, "fewer creases"
+    return angles[-creases - 1] if len(angles) > creases else 0.0
+
+
+def assert_quaternion_form(step, size):
+    """Random points of every face are on the patch in the quaternion form through its corners, with its normals: at equal
+    parameters of rational faces, else at the nearest place."""
+    generator = np.random.default_rng(11)
+    for face in step.faces:
+        if face.rational:
+            x, y = generator.uniform(0.0, 1.0, (2, POINTS_PER_FACE))
+            points, du, dv = face.rational.jet(*face.rational.scaled(x, y))
+            expected, _, _, normals = face.rational.patch().jet(x, y)
+            distance, own = np.linalg.norm(points - expected, axis=-1), np.cross(du, dv)
+            own = own / np.linalg.norm(own, axis=-1, keepdims=True)
+        else:
+            points, own = face.points(POINTS_PER_FACE, generator)
+            distance, normals = face.patch().locate(points)
+        assert distance.max() <= POINT_LIMIT * size
+        assert_parallel(own, normals)
+
+
+def assert_parallel(own, normals):
+    parallel = np.minimum(np.linalg.norm(own - normals, axis=-1), np.linalg.norm(own + normals, axis=-1))
+    assert parallel.max() <= NORMAL_LIMIT
 
 
 def assert_area(step, expected):
@@ -149,8 +178,7 @@ def assert_points(step, size, locate):
         points, normals = face.points(POINTS_PER_FACE, generator)
         distance, expected = locate(points)
         assert distance.max() <= POINT_LIMIT * size
-        parallel = np.minimum(np.linalg.norm(normals - expected, axis=-1), np.linalg.norm(normals + expected, axis=-1))
-        assert parallel.max() <= NORMAL_LIMIT
+        assert_parallel(normals, expected)
 
 
 @pytest.mark.parametrize("edges", EDGES)
@@ -178,8 +206,9 @@ def test_singular_patch_is_cut_at_its_nodes(program, tmp_path):
     spec = revolved(1 + 2 * math.cos(a), 2 * math.sin(a), 1 + 2 * math.cos(b), 2 * math.sin(b), -math.sin(a), math.cos(a), *u)
     path, _ = built(program, tmp_path, {"wedge": {"type": "cyclide-patch", **spec}})
     step = StepFaces(path)
-    size, _ = structure(step, closed=False)
+    size, users = structure(step, closed=False)
     assert len(step.shells) == 3
+    assert normals_across_joints(users) <= NORMAL_LIMIT
     # Pappus: the distance 1 + 2 cos x from the axis along the meridian, times the angle.
     node = 2 / 3 * math.pi
     outer, inner = 2 * (node + 2 * math.sin(node) - a - 2 * math.sin(a)), 4 * math.sin(node) - 2 * (math.pi - node)
@@ -338,8 +367,10 @@ def test_thick_torus_is_a_solid_with_a_hollow(program, tmp_path):
     }
     path, _ = built(program, tmp_path, objects)
     step = StepFaces(path)
-    structure(step, closed=True)
+    size, users = structure(step, closed=True)
     assert (len(step.solids), len(step.shells), len(step.faces)) == (1, 2, 32)
+    assert normals_across_joints(users) <= NORMAL_LIMIT
+    assert_quaternion_form(step, size)
     assert_volume(step, 2 * math.pi**2 * 5 * (2.4**2 - 2**2))
     assert_area(step, form.cyclide_measures(5, 0, 2)[0] + form.cyclide_measures(5, 0, 2.4)[0])
 
@@ -354,8 +385,11 @@ def test_thick_net_with_a_rim_is_a_solid(program, tmp_path):
     }
     path, _ = built(program, tmp_path, objects)
     step = StepFaces(path)
-    structure(step, closed=True)
+    size, users = structure(step, closed=True)
     assert (len(step.solids), len(step.shells), len(step.faces)) == (1, 1, 24 + 14)
+    # The rim meets both skins in 14 edges, and itself in the corners of the grid.
+    assert normals_across_joints(users, 2 * 14 + 4) <= NORMAL_LIMIT
+    assert_quaternion_form(step, size)
     assert {face.kind for face in step.faces} <= {"b-spline", "cone", "cylinder", "plane"}
     # Between two parallel surfaces: the integral of the area over the distance, a quadratic in it.
     areas = [sum(p.area(4) for p in form.net(points, v1, v2, offset=h)) for h in (0.0, -0.1, -0.2)]
@@ -384,3 +418,38 @@ def test_inverted_torus_is_a_solid_cyclide(program, tmp_path):
         return distance * d2[:, 0] / 4900, normal
 
     assert_points(step, size, locate)
+
+
+MILLIMETRES = {"mm": 1.0, "m": 1000.0}
+# Examples with surfaces: faces, edges and vertices of each shell, and whether each is closed.
+EXAMPLES = {
+    "patch": [((1, 4, 4), False)],
+    "ring": [((64, 128, 64), True)],
+    "inverted_torus": [((72, 144, 72), True)],
+    "roof": [((400, 840, 441), False)] * 2,
+    "handle": [((32, 64, 32), True)],
+    "volume_faces": [((1, 4, 4), False)] * 6,
+    "roof-40/outer": [((1600, 3280, 1681), False)],
+    "roof-40/inner": [((1600, 3280, 1681), False)],
+}
+
+
+def counts(shape):
+    return tuple(len(distinct(shape, kind)) for kind in (TopAbs_FACE, TopAbs_EDGE, TopAbs_VERTEX))
+
+
+@pytest.mark.parametrize("name", EXAMPLES)
+def test_example(name, program, tmp_path):
+    """Counts, shared edges, area, the surface of every face and the joints, of every example as its file is read."""
+    path = tmp_path / "example.step"
+    report = json.loads(program("build", ROOT / "examples" / f"{name}.json", "-o", path, "--json"))
+    built = [entry for entry in report["objects"].values() if not entry.get("construction")]
+    step, expected = StepFaces(path), EXAMPLES[name]
+    size, users = structure(step, closed=all(closed for _, closed in expected))
+    assert sorted((counts(shell), shell.Closed()) for shell in step.shells) == sorted(expected)
+    # Every edge has two faces but those of the rim, as many as the report says.
+    assert sum(len(group) == 1 for group in users) == sum(entry["free_edges"] for entry in built)
+    # The reader converts to millimetres.
+    assert_area(step, sum(entry["area"] for entry in built) * MILLIMETRES[report["units"]] ** 2)
+    assert normals_across_joints(users, sum(entry["joints"]["creases"] for entry in built)) <= NORMAL_LIMIT
+    assert_quaternion_form(step, size)
