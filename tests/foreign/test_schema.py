@@ -11,7 +11,7 @@ from conftest import MODELS, ROOT, _program
 
 SCHEMA = json.loads((ROOT / "docs" / "schema" / "cyclide-1.schema.json").read_text())
 VALIDATOR = jsonschema.Draft202012Validator(SCHEMA)
-DOCUMENTS = {**MODELS, **{p.stem: p for p in sorted((ROOT / "examples").glob("*.json"))}}
+DOCUMENTS = {**MODELS, **{p.stem: p for p in sorted((ROOT / "examples").rglob("*.json"))}}
 
 ARC = {"type": "arc", "from": [0, 0], "to": [1, 0], "bulge": 0.5}
 SPLINE = {"type": "circle-spline", "points": [[0, 0], [1, 0], [1, 1]]}

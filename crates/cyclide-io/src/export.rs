@@ -142,6 +142,8 @@ pub struct Exported {
     pub notes: Vec<String>,
     /// What the polygons of a mesh stand for, in file order: what the file is checked against.
     pub(crate) cells: Vec<Cell>,
+    /// What the lines of surfaces in a drawing stand for, in file order: what the file is checked against.
+    pub(crate) lines: Vec<Arc>,
 }
 
 /// Makes the content of a file. The same model and options give the same bytes.
@@ -189,7 +191,14 @@ impl Promise {
 
     /// The finished file of a mesh format.
     pub(crate) fn exported_mesh(self, bytes: Vec<u8>, notes: Vec<String>, cells: Vec<Cell>) -> Exported {
-        Exported { bytes, exact: self.bound.is_none(), bound: self.bound.unwrap_or(0.0), notes, cells }
+        Exported {
+            bytes,
+            exact: self.bound.is_none(),
+            bound: self.bound.unwrap_or(0.0),
+            notes,
+            cells,
+            lines: Vec::new(),
+        }
     }
 }
 

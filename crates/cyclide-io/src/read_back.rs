@@ -1,7 +1,7 @@
 //! Reading our own files: the way from the bytes back to geometry, by which every export is checked.
 
 use crate::bodies::FileBody;
-use crate::deviation::{View, bodies_deviation, deviation_within, mesh_deviation};
+use crate::deviation::{View, bodies_deviation, deviation_within, lines_deviation, mesh_deviation};
 use crate::export::{ExportError, Exported};
 use crate::format::Format;
 use crate::job::{bodies, boxes};
@@ -82,6 +82,14 @@ pub enum ReadError {
         /// Which of its faces, from 0, those of all its shells counted through.
         face: usize,
     },
+    /// The file holds another number of lines for surfaces than were drawn.
+    #[error("{found} lines of surfaces in the file, {expected} were drawn")]
+    LineCount {
+        /// In the file.
+        found: usize,
+        /// Drawn.
+        expected: usize,
+    },
     /// The file holds another number of bodies than the model.
     #[error("{found} bodies in the file, {expected} in the model")]
     BodyCount {
@@ -125,6 +133,8 @@ pub struct FileContent {
     pub meshes: Vec<SurfaceMesh>,
     /// The rational patches of JSON, in file order.
     pub patches: Vec<RationalBezierSurface>,
+    /// The lines that stand for surfaces in a drawing, in file order.
+    pub lines: Vec<CurveChain>,
 }
 
 impl From<Vec<CurveChain>> for FileContent {
@@ -141,7 +151,7 @@ pub fn read_back(format: Format, bytes: &[u8]) -> Result<FileContent, ReadError>
     match format {
         Format::Step => step::read(bytes),
         Format::Dxf => dxf::read(bytes).map(FileContent::from),
-        Format::Svg => svg::read(bytes).map(FileContent::from),
+        Format::Svg => svg::read(bytes),
         Format::Csv => csv_samples::read(bytes).map(FileContent::from),
         Format::Json => nurbs_json::read(bytes),
         Format::Glb => glb::read(bytes),
@@ -153,7 +163,8 @@ pub fn read_back(format: Format, bytes: &[u8]) -> Result<FileContent, ReadError>
 
 /// The largest distance between what a file holds and the model, recomputed from the file's bytes.
 ///
-/// SVG is a drawing of the plane: there both are compared as seen along the third axis.
+/// SVG is a drawing of the plane: there both are compared as seen along the third axis, surfaces by the edges and
+/// parameter circles that are drawn.
 ///
 /// # Errors
 /// [`ReadError`] if the bytes cannot be read, or hold other things than the model.
@@ -178,7 +189,8 @@ pub fn file_deviation(model: &Model, format: Format, file: &Exported) -> Result<
         }
         Format::Glb | Format::Obj | Format::Stl => mesh_deviation(&bodies()?, &content.meshes, &file.cells)?,
         Format::Json => nurbs_json::patch_deviation(&bodies()?, &content.patches)?,
-        Format::Dxf | Format::Svg | Format::Csv | Format::Png => 0.0,
+        Format::Svg => lines_deviation(&file.lines, &content.lines)?,
+        Format::Dxf | Format::Csv | Format::Png => 0.0,
     }))
 }
 

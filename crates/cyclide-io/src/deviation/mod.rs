@@ -11,7 +11,7 @@ mod track;
 
 use crate::export::contours;
 use crate::read_back::ReadError;
-use cyclide::{CurveChain, Model, ParamCurve as _};
+use cyclide::{Arc, CurveChain, Model, ParamCurve as _};
 use matching::one_way;
 pub(crate) use mesh::{Cell, mesh_deviation};
 pub(crate) use step_faces::bodies_deviation;
@@ -64,4 +64,19 @@ pub(crate) fn deviation_within(model: &Model, read: &[CurveChain], view: View) -
         largest = largest.max(best);
     }
     Ok(largest)
+}
+
+/// The largest distance in the plan, both ways, between the lines of a drawing and the arcs that they stand for.
+///
+/// # Errors
+/// [`ReadError::LineCount`].
+pub(crate) fn lines_deviation(expected: &[Arc], read: &[CurveChain]) -> Result<f64, ReadError> {
+    if expected.len() != read.len() {
+        return Err(ReadError::LineCount { found: read.len(), expected: expected.len() });
+    }
+    let apart = expected.iter().zip(read).map(|(arc, line)| {
+        let (a, b) = (Track::new(arc, true), Track::new(line, true));
+        one_way(&a, &b).max(one_way(&b, &a))
+    });
+    Ok(apart.fold(0.0, f64::max))
 }

@@ -63,7 +63,7 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
         notes.push(scale);
     }
     let mut out = page.opening(job);
-    plan.push(&mut out, STROKE * size);
+    let lines = plan.push(&mut out, STROKE * size);
     push_combs(&mut out, &combs, STROKE * size);
     if !paths.is_empty() {
         push_curves(&mut out, paths, STROKE * size);
@@ -72,7 +72,7 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
         push_joints(&mut out, &drawing::joints(job), size);
     }
     out.push_str("</svg>\n");
-    Ok(promise.exported(out.into_bytes(), notes))
+    Ok(Exported { lines, ..promise.exported(out.into_bytes(), notes) })
 }
 
 /// A contour as a path: its arcs if they are level, else a polyline of its view.

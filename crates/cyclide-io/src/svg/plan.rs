@@ -3,23 +3,25 @@
 //! Hidden lines are drawn too: a plan is read like a drawing, not like a picture (that is what PNG is for).
 
 use super::path::Path;
-use super::{LEVEL, three_digits};
+use super::{LEVEL, reader, three_digits};
 use crate::export::{ExportError, Job, Promise};
 use crate::job::BodyOf;
 use crate::number::push_plain;
 use crate::parameter_circles::halvings;
 use cyclide::{Aabb, Arc, Exactness, Shell, flatten};
 
+/// Names of the groups in the order in which they are drawn: inner circles, edges.
+pub(super) const GROUPS: [&str; 2] = ["circles", "edges"];
 /// Distance of the inner circles, about, relative to the model's size.
 const SPACING: f64 = 0.02;
 /// Width of edges and of inner circles, relative to that of a curve.
 const EDGE: f64 = 0.45;
 const CIRCLE: f64 = 0.2;
 
-/// The lines of all surfaces: edges, then inner circles.
+/// The lines of all surfaces, each with what it stands for.
 pub(super) struct Plan {
-    edges: Vec<Path>,
-    circles: Vec<Path>,
+    edges: Vec<(Arc, Path)>,
+    circles: Vec<(Arc, Path)>,
 }
 
 impl Plan {
@@ -59,25 +61,30 @@ impl Plan {
     }
 
     pub(super) fn bounds(&self) -> Option<Aabb> {
-        self.edges.iter().chain(&self.circles).map(Path::bounds).reduce(Aabb::union)
+        self.edges.iter().chain(&self.circles).map(|(_, path)| path.bounds()).reduce(Aabb::union)
     }
 
-    pub(super) fn push(self, out: &mut String, stroke: f64) {
-        let groups = [("circles", "#8a97a8", CIRCLE, self.circles), ("edges", "#17202e", EDGE, self.edges)];
-        for (id, colour, width, paths) in groups {
-            if paths.is_empty() {
+    /// Draws the lines and returns what they stand for, in the same order.
+    pub(super) fn push(self, out: &mut String, stroke: f64) -> Vec<Arc> {
+        let looks = [("#8a97a8", CIRCLE, self.circles), ("#17202e", EDGE, self.edges)];
+        let mut drawn = Vec::new();
+        for (id, (colour, width, lines)) in GROUPS.into_iter().zip(looks) {
+            if lines.is_empty() {
                 continue;
             }
             out.push_str(&format!(
-                "<g id=\"{id}\" fill=\"none\" stroke=\"{colour}\" stroke-linecap=\"round\" stroke-width=\""
+                "{}{id}\" fill=\"none\" stroke=\"{colour}\" stroke-linecap=\"round\" stroke-width=\"",
+                reader::GROUP
             ));
             push_plain(out, three_digits(width * stroke));
             out.push_str("\">\n");
-            for path in paths {
-                out.push_str(&format!("<path d=\"{}\"/>\n", path.into_data()));
+            for (arc, path) in lines {
+                drawn.push(arc);
+                out.push_str(&format!("{}{}\"/>\n", reader::LINE, path.into_data()));
             }
             out.push_str("</g>\n");
         }
+        drawn
     }
 }
 
@@ -87,7 +94,7 @@ fn draw(
     body: &BodyOf<'_>,
     arc: cyclide::Result<Arc>,
     promise: &mut Promise,
-) -> Result<Option<Path>, ExportError> {
+) -> Result<Option<(Arc, Path)>, ExportError> {
     let failed = |source| ExportError::Lowering { object: body.object.to_owned(), contour: body.index, source };
     let arc = arc.map_err(failed)?;
     let mut path = Path::new(arc.start(), false);
@@ -99,5 +106,5 @@ fn draw(
         }
         promise.add(Exactness::Within(job.mesh_tolerance));
     }
-    Ok((!path.is_point()).then_some(path))
+    Ok((!path.is_point()).then_some((arc, path)))
 }

@@ -1,17 +1,33 @@
-//! Our own SVG back from the bytes: the contours' paths.
+//! Our own SVG back from the bytes: the contours' paths, and the lines of surfaces.
 
-use crate::read_back::ReadError;
+use super::plan;
+use crate::read_back::{FileContent, ReadError};
 use cyclide::{Arc, ArcPath, CurveChain, Point3, Vec3};
 
 /// How the element of a contour starts.
 pub(super) const CONTOUR: &str = "<path class=\"contour\" d=\"";
+/// How the group of the lines of surfaces starts, before its name, and each line in it.
+pub(super) const GROUP: &str = "<g id=\"";
+pub(super) const LINE: &str = "<path d=\"";
 
-/// Reads the contours in file order, in the plane.
-pub(crate) fn read(bytes: &[u8]) -> Result<Vec<CurveChain>, ReadError> {
+/// Reads the contours and the lines of surfaces in file order, in the plane.
+pub(crate) fn read(bytes: &[u8]) -> Result<FileContent, ReadError> {
     let text = std::str::from_utf8(bytes).map_err(|e| ReadError::syntax("the text", e.to_string()))?;
+    let mut content = FileContent::from(paths(text, CONTOUR, "contour")?);
+    for name in plan::GROUPS {
+        if let Some((_, rest)) = text.split_once(&format!("{GROUP}{name}\" ")) {
+            let group = rest.split_once("</g>").ok_or_else(|| ReadError::syntax(name, "the group has no end"))?.0;
+            content.lines.extend(paths(group, LINE, name)?);
+        }
+    }
+    Ok(content)
+}
+
+/// The paths whose elements start in this way.
+fn paths(text: &str, start: &str, what: &str) -> Result<Vec<CurveChain>, ReadError> {
     let mut chains = Vec::new();
-    for (i, rest) in text.split(CONTOUR).skip(1).enumerate() {
-        let place = format!("contour {i}");
+    for (i, rest) in text.split(start).skip(1).enumerate() {
+        let place = format!("{what} {i}");
         let data = rest.split_once('"').ok_or_else(|| ReadError::syntax(&place, "the path has no end"))?.0;
         let (arcs, closed) = Reader { rest: data, place: &place }.path()?;
         let path = ArcPath::new(arcs, closed);

@@ -109,6 +109,32 @@ fn the_plan_of_a_riser_keeps_its_promise() {
 }
 
 #[test]
+fn plans_of_surfaces_are_measured_line_by_line() {
+    let ring = cyclide::DupinCyclide::new(6.0, 2.0, 3.5).unwrap();
+    let surfaces = ring.nets([8, 8]).unwrap().into_iter().map(cyclide::SurfaceObject::Net).collect();
+    let item = cyclide::Item { name: "ring".to_owned(), surfaces, ..cyclide::Item::default() };
+    let m = Model { items: vec![item], ..Model::default() };
+    for tolerance in [0.1, 1e-3] {
+        let options = ExportOptions { tolerance: Some(tolerance), ..ExportOptions::default() };
+        let file = export(&m, Format::Svg, &options).unwrap();
+        // Chords: as far away as allowed within a factor, and no farther.
+        let found = file_deviation(&m, Format::Svg, &file).unwrap();
+        assert!(file.bound == tolerance && found > 0.2 * tolerance && found <= tolerance, "{found:e} of {tolerance:e}");
+        // A corner of one line moved by 5: seen.
+        let text = String::from_utf8(file.bytes.clone()).unwrap();
+        let (before, rest) = text.split_once("<path d=\"M").unwrap();
+        let (x, after) = rest.split_once(' ').unwrap();
+        let moved = format!("{before}<path d=\"M{} {after}", x.parse::<f64>().unwrap() + 5.0);
+        let mut wrong = file.clone();
+        wrong.bytes = moved.into_bytes();
+        assert!((file_deviation(&m, Format::Svg, &wrong).unwrap() - 5.0).abs() < 2.0);
+        // A line less: said.
+        wrong.bytes = text.replacen("<path d=", "<path data-d=", 1).into_bytes();
+        assert!(matches!(file_deviation(&m, Format::Svg, &wrong), Err(cyclide_io::ReadError::LineCount { .. })));
+    }
+}
+
+#[test]
 fn titles_are_escaped() {
     let text = svg(&mixed(flat), &ExportOptions::default());
     assert!(text.contains("<title>it's a \"1\\2\" &lt;&amp;&gt; 5° 円</title>"));
