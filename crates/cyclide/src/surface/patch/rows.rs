@@ -24,8 +24,9 @@ const BLOCK: usize = 256;
 ///
 /// # Accuracy
 ///
-/// With `r = max |D|²/min |D|²` over the line, points are within `16 ε r` of the patch's size, plus 2 units of the
-/// last place of the coordinates, of [`point`](crate::ParamSurface::point), and normals within `16 ε r` of
+/// With `r = max |D|²/min |D|²` over the line, points are within `16 ε r` of the patch's size or, where the line bulges
+/// farther, of its largest distance from the first corner, plus 2 units of the last place of the coordinates, of
+/// [`point`](crate::ParamSurface::point), and normals within `16 ε r` of
 /// [`unit_normal`](CyclidePatch::unit_normal): the quadratics are in powers of s, whose coefficients are up to four times
 /// the largest value, and rounded three times. The results are the same on every machine.
 #[derive(Debug, Clone, Copy)]
