@@ -1,13 +1,17 @@
 """Points and normals of a patch on a 1000 by 1000 grid: cyclide against its peers in one run.
 
-    .venv/bin/python benches/compare_surfaces.py [--rust-peers]
+    .venv/bin/python benches/compare_surfaces.py [--rust-peers] [--small-pages]
 
 The patch is a quarter by a quarter of the torus with radii 2 and 1/2, a rational biquadratic for the peers: numpy
 (Bernstein products), SciPy (two passes of BSpline on homogeneous points), splinepy where it is installed, and with
 --rust-peers curvo and truck-geometry, which are built first (benches/peers, some minutes). Every peer's points are
 checked against the torus. One thread; the smallest of several times is printed. Ratios are time of the peer over time of
-cyclide, into a buffer allocated by the call, which is what all peers but the two Rust loops do, and into a kept one: at
-48 MB fresh memory costs several times the arithmetic.
+cyclide, into a buffer allocated by the call, which is what all peers but the two Rust loops do, and into a kept one.
+
+At 48 MB memory is the limit, not arithmetic: a kept buffer takes points and normals as fast as it can be filled with one
+number, and touching one number of each 4 kB page of a fresh one already takes three times as long as that or more. numpy
+asks the kernel for 2 MB pages for its arrays; so that all compare under the same pages, the allocator of the Rust
+programs is told to do the same (GLIBC_TUNABLES, without effect elsewhere). --small-pages leaves it out.
 """
 
 import json
@@ -121,7 +125,9 @@ def smallest(run, times):
 
 
 def rust(command):
-    done = subprocess.run(command, cwd=ROOT, check=True, stdout=subprocess.PIPE, text=True)
+    pages = {} if "--small-pages" in sys.argv[1:] else {"GLIBC_TUNABLES": "glibc.malloc.hugetlb=1"}
+    environment = {**os.environ, **pages}
+    done = subprocess.run(command, cwd=ROOT, check=True, stdout=subprocess.PIPE, text=True, env=environment)
     return [json.loads(line) for line in done.stdout.splitlines()]
 
 
