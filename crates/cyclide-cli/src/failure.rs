@@ -45,7 +45,7 @@ impl Failure {
 impl From<cyclide_io::Error> for Failure {
     fn from(error: cyclide_io::Error) -> Self {
         match error {
-            cyclide_io::Error::Read { path, source } => Self::read(&path, &source),
+            unread @ cyclide_io::Error::Read { .. } => Self::File(unread.to_string()),
             other => Self::Refused(other.to_string()),
         }
     }

@@ -1,6 +1,6 @@
 //! The error type of reading models; it wraps the kernel's.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use crate::place::Diagnostic;
 
@@ -15,12 +15,14 @@ pub enum Error {
     #[error("{0}")]
     Input(#[from] Box<Diagnostic>),
     /// A file could not be read.
-    #[error("cannot read {}: {source}", path.display())]
+    #[error("{}", unread(path, source, place.as_deref()))]
     Read {
         /// The file.
         path: PathBuf,
         /// What the system said.
         source: std::io::Error,
+        /// The message at the place of the document that names the file; `None` if it was not made from a text.
+        place: Option<Box<Diagnostic>>,
     },
     /// The kernel refused an object that was not made from a text.
     #[error("{object}: {source} [{}]", source.reason())]
@@ -30,4 +32,8 @@ pub enum Error {
         /// What the kernel said.
         source: cyclide::Error,
     },
+}
+
+fn unread(path: &Path, source: &std::io::Error, place: Option<&Diagnostic>) -> String {
+    place.map_or_else(|| format!("cannot read {}: {source}", path.display()), ToString::to_string)
 }

@@ -3,7 +3,7 @@
 use crate::deviation::Cell;
 use crate::format::Format;
 use crate::{csv_samples, dxf, glb, nurbs_json, obj, png, step, stl, svg};
-use cyclide::{Arc, Exactness, Model};
+use cyclide::{Arc, Exactness, Model, ShortNumber};
 use std::path::PathBuf;
 
 pub(crate) use crate::job::{Contour, Job, contours, default_tolerance};
@@ -24,13 +24,13 @@ pub enum ExportError {
     #[error("there is nothing to write")]
     Empty,
     /// The tolerance is not a positive number.
-    #[error("the tolerance {tolerance:e} is not positive")]
+    #[error("the tolerance {} is not positive", ShortNumber(*.tolerance))]
     ToleranceNotPositive {
         /// The tolerance given.
         tolerance: f64,
     },
     /// Coordinates are too large for the formats' arithmetic.
-    #[error("object {object}: coordinate {value:e} is beyond {limit:e}")]
+    #[error("object {object}: coordinate {} is beyond {}", ShortNumber(*.value), ShortNumber(*.limit))]
     TooLarge {
         /// Name of the object.
         object: String,

@@ -136,7 +136,7 @@ fn files_of_points_are_found_next_to_the_document() {
     let reasons: Vec<_> = built.remarks.iter().map(|r| (r.reason, r.place.as_deref())).collect();
     assert_eq!(reasons, [("units-differ", Some("dir/p.csv")), ("ends-meet", Some("dir/p.csv:9"))]);
     let missing = build("\"type\": \"arc-spline\", \"points\": {\"csv\": \"q.csv\"}").unwrap_err();
-    assert!(missing.starts_with("cannot read dir/q.csv"), "{missing}");
+    assert!(missing.starts_with("m.json:2:48: objects.a.points.csv: cannot read dir/q.csv: "), "{missing}");
 }
 
 #[test]

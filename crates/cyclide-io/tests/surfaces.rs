@@ -135,10 +135,27 @@ fn what_is_refused_is_shown_at_its_place() {
         (
             patch("[0,0],[1,0],[0,1],[1,1.1]", "[1,0],[0,1]"),
             "[1,1.1]",
-            "objects.a.corners[3]: quad 0: the corners are not on one circle",
+            "objects.a.corners[3]: the corners are not on one circle: off by 0.049723 of the size, limit 1e-9 [",
         ),
-        (patch("[0,0],[1,0],[1,1],[0,1]", "[1,0],[0,1]"), "[0,1]", "objects.a.corners[3]: quad 0: its sides cross"),
+        (patch("[0,0],[1,0],[1,1],[0,1]", "[1,0],[0,1]"), "[0,1]", "objects.a.corners[3]: the sides cross"),
         (patch("[0,0],[0,0],[1,1],[0,1]", "[1,0],[0,1]"), "[0,0]", "objects.a.corners[1]: points 0 and 1 coincide"),
+        (patch("[0,0],[1,0],[0,1]", "[1,0],[0,1]"), "[", "objects.a.corners: 3 values are given, 4 are needed"),
+        (
+            patch("[0,0],[1,0],[0,1], [1,1],[2,2]", "[1,0],[0,1]"),
+            "[",
+            "objects.a.corners: 5 values are given, 4 are needed",
+        ),
+        (patch(square, "[1,0],[0,1],[0,0,1]"), "[", "objects.a.frame: 3 values are given, 2 are needed"),
+        (
+            transform("o", r#"{"scale": {"factor": 2}, "translation": [1,0]}"#),
+            "{",
+            "objects.a.steps[1]: one name is needed here: give each its own braces",
+        ),
+        (
+            transform("o", r#"{"matrix": [[[1,0,0,0],[0]],[]]}"#),
+            "[",
+            "objects.a.steps[1].matrix[0][1]: 1 value is given, 4 are needed",
+        ),
         (patch(square, "[1,0],[1,1]"), "[[1,0],[1,1]]", "objects.a.frame: the frame is not orthonormal"),
         (patch(square, "[1,0],[0,0]"), "[[1,0],[0,0]]", "objects.a.frame: the frame is not orthonormal"),
         (
@@ -196,6 +213,31 @@ fn long_chains_and_circles_of_references() {
     let circle: Vec<String> = (0..2000).map(|i| link(i, (i + 1) % 2000)).collect();
     let message = build(&circle.join(", ")).unwrap_err();
     assert!(message.contains("is made from itself"), "{message}");
+}
+
+#[test]
+fn quads_that_no_patch_fits_into_are_named_by_index() {
+    // All corners are on one circle, so that no vertex moves; the sides of both outer quads cross.
+    let at = |degrees: f64| format!("[{},{}]", degrees.to_radians().cos(), degrees.to_radians().sin());
+    let row = |angles: [f64; 4]| format!("[{}]", angles.map(at).join(","));
+    let net =
+        |rows: &str| build(&format!(r#""n": {{"type": "cyclidic-net", "grid": [{rows}], "make_circular": true}}"#));
+    let message = net(&[row([0.0, 20.0, 40.0, 60.0]), row([110.0, 170.0, 130.0, 150.0])].join(",")).unwrap_err();
+    let words = "objects.n.grid[0][0]: quads 0, 2: sides cross or have no length, no patch fits in [crossing-quad]";
+    assert!(message.contains(words), "{message}");
+    // What was built has no such quad, and says so.
+    let report = surface(&net(&[row([0.0, 20.0, 40.0, 60.0]), row([170.0, 150.0, 130.0, 110.0])].join(",")).unwrap());
+    assert!(report.circular.unwrap().rejected_quads.is_empty());
+}
+
+#[test]
+fn joints_are_told_from_creases() {
+    // A box of one patch: twelve creases and no smooth joint.
+    let thick = r#""a": {"type": "cyclide-patch", "corners": [[0,0],[1,0],[0,1],[1,1]], "frame": [[1,0],[0,1]]},
+        "b": {"type": "offset", "of": "a", "distance": 1, "thick": true}"#;
+    let text = Report::new(cyclide::Units::Metre, &[build(thick).unwrap()], None).to_string();
+    assert!(text.contains("\n  creases    12: gap ") && text.contains(" m, angle up to 1.5708 rad\n"), "{text}");
+    assert!(!text.contains("smooth"), "{text}");
 }
 
 fn surface(built: &BuiltObject) -> cyclide_io::SurfaceReport {

@@ -3,6 +3,8 @@
 //! Every variant says which item is at fault, what was measured and the limit it broke. [`Error::reason`] gives
 //! the stable kebab-case name that the reference data, the reports and the documentation use.
 
+use crate::short_number::ShortNumber;
+
 /// Result of a fallible kernel call.
 pub type Result<T, E = Error> = std::result::Result<T, E>;
 
@@ -20,7 +22,7 @@ pub enum Error {
     },
     /// Two points that must differ are equal (or closer than the stated limit).
     #[error(
-        "points {first} and {second} coincide (distance {distance:e}, at most {limit:e} is allowed to be called equal)"
+        "points {first} and {second} coincide (distance {}, at most {} is allowed to be called equal)", ShortNumber(*.distance), ShortNumber(*.limit)
     )]
     CoincidentPoints {
         /// Index of the first point.
@@ -47,7 +49,7 @@ pub enum Error {
         index: usize,
     },
     /// The weight ratio is a negative real number: the arc would be the outer part of the chord's line.
-    #[error("the arc passes through infinity: its weight ratio has real part {real:e} and vector part {vector:e}")]
+    #[error("the arc passes through infinity: its weight ratio has real part {} and vector part {}", ShortNumber(*.real), ShortNumber(*.vector))]
     PoleOnSegment {
         /// Real part of the weight ratio.
         real: f64,
@@ -55,7 +57,7 @@ pub enum Error {
         vector: f64,
     },
     /// The weight's vector part is not perpendicular to the chord, so the arc would leave three-space.
-    #[error("the weight takes the arc out of three-space: cosine {cosine:e} between chord and weight, limit {limit:e}")]
+    #[error("the weight takes the arc out of three-space: cosine {} between chord and weight, limit {}", ShortNumber(*.cosine), ShortNumber(*.limit))]
     NotInImH {
         /// Cosine of the angle between the chord and the weight's vector part.
         cosine: f64,
@@ -78,7 +80,7 @@ pub enum Error {
     #[error("a point is at infinity: it lies on the line through the ends outside the segment, or maps there")]
     PointAtInfinity,
     /// No biarc with finite arcs joins the data.
-    #[error("no finite biarc: {measured} is {value:e}, limit {limit:e}")]
+    #[error("no finite biarc: {measured} is {}, limit {}", ShortNumber(*.value), ShortNumber(*.limit))]
     NoFiniteBiarc {
         /// What was measured.
         measured: &'static str,
@@ -88,7 +90,7 @@ pub enum Error {
         limit: f64,
     },
     /// The points turn back on themselves: there is no tangent to estimate.
-    #[error("cusp at point {index}: the unit chords sum to {measured:e}, limit {limit:e}; split the points there")]
+    #[error("cusp at point {index}: the unit chords sum to {}, limit {}; split the points there", ShortNumber(*.measured), ShortNumber(*.limit))]
     Cusp {
         /// The point, from 0.
         index: usize,
@@ -109,19 +111,19 @@ pub enum Error {
     #[error("the axis is zero")]
     ZeroAxis,
     /// A radius is zero relative to the position of its centre.
-    #[error("the radius {radius:e} is zero")]
+    #[error("the radius {} is zero", ShortNumber(*.radius))]
     ZeroRadius {
         /// The radius found.
         radius: f64,
     },
     /// A radius, length or tolerance that must be positive is not.
-    #[error("the radius {radius:e} is not positive")]
+    #[error("the radius {} is not positive", ShortNumber(*.radius))]
     RadiusNotPositive {
         /// The value given.
         radius: f64,
     },
     /// Three points on a line have no finite circle.
-    #[error("the points lie on a line: sine of their angle {sine:e}, limit {limit:e}")]
+    #[error("the points lie on a line: sine of their angle {}, limit {}", ShortNumber(*.sine), ShortNumber(*.limit))]
     DegenerateCircle {
         /// Sine of the angle at the middle point.
         sine: f64,
@@ -129,7 +131,7 @@ pub enum Error {
         limit: f64,
     },
     /// Four points in a plane have no finite sphere.
-    #[error("the points lie in a plane: relative volume {volume:e}, limit {limit:e}")]
+    #[error("the points lie in a plane: relative volume {}, limit {}", ShortNumber(*.volume), ShortNumber(*.limit))]
     DegenerateSphere {
         /// Volume relative to the product of the three edges.
         volume: f64,
@@ -169,7 +171,7 @@ pub enum Error {
         cap: usize,
     },
     /// A mesh to the tolerance would need more cells than the cap.
-    #[error("the mesh needs {needed:e} cells for this tolerance, the cap is {cap}; use a larger tolerance")]
+    #[error("the mesh needs {} cells for this tolerance, the cap is {cap}; use a larger tolerance", ShortNumber(*.needed))]
     TooManyCells {
         /// Cells needed, as far as counted.
         needed: f64,
@@ -177,13 +179,16 @@ pub enum Error {
         cap: usize,
     },
     /// A tolerance is zero, negative or not a number.
-    #[error("the tolerance {tolerance:e} is not positive")]
+    #[error("the tolerance {} is not positive", ShortNumber(*.tolerance))]
     ToleranceNotPositive {
         /// The tolerance given.
         tolerance: f64,
     },
     /// A swept angle is outside its range.
-    #[error("the swept angle {sweep} is outside {min} to {max} radians")]
+    #[error(
+        "the swept angle {:#} is outside {:#} to {:#} radians",
+        ShortNumber(*.sweep), ShortNumber(*.min), ShortNumber(*.max)
+    )]
     SweepOutOfRange {
         /// The angle given, radians.
         sweep: f64,
@@ -193,7 +198,10 @@ pub enum Error {
         max: f64,
     },
     /// A parameter is outside its interval.
-    #[error("{name} = {value} is outside {min} to {max}")]
+    #[error(
+        "{name} = {:#} is outside {:#} to {:#}",
+        ShortNumber(*.value), ShortNumber(*.min), ShortNumber(*.max)
+    )]
     ParameterOutOfRange {
         /// Name of the parameter.
         name: &'static str,
@@ -205,7 +213,7 @@ pub enum Error {
         max: f64,
     },
     /// No tangent-continuous arc spline stays within the tolerance of the polyline near this vertex.
-    #[error("no G1 arc spline within {tolerance:e} of the polyline near vertex {vertex}")]
+    #[error("no G1 arc spline within {} of the polyline near vertex {vertex}", ShortNumber(*.tolerance))]
     NoG1SplineInTube {
         /// Vertex of the input where the search died.
         vertex: usize,
@@ -213,7 +221,7 @@ pub enum Error {
         tolerance: f64,
     },
     /// Data that must lie in one plane do not.
-    #[error("the points are not in one plane: point {index} is {distance:e} off, limit {limit:e}")]
+    #[error("the points are not in one plane: point {index} is {} off, limit {}", ShortNumber(*.distance), ShortNumber(*.limit))]
     NotPlanar {
         /// The point farthest from the plane.
         index: usize,
@@ -223,7 +231,7 @@ pub enum Error {
         limit: f64,
     },
     /// Consecutive pieces of a path do not meet.
-    #[error("pieces {piece} and {next} do not meet: gap {gap:e}, limit {limit:e}")]
+    #[error("pieces {piece} and {next} do not meet: gap {}, limit {}", ShortNumber(*.gap), ShortNumber(*.limit))]
     Disconnected {
         /// The piece that ends.
         piece: usize,
@@ -235,7 +243,7 @@ pub enum Error {
         limit: f64,
     },
     /// A matrix of quaternions does not map three-space to itself.
-    #[error("the Möbius matrix does not preserve three-space: defect {defect:e}, limit {limit:e}")]
+    #[error("the Möbius matrix does not preserve three-space: defect {}, limit {}", ShortNumber(*.defect), ShortNumber(*.limit))]
     NotMobius {
         /// Relative defect measured.
         defect: f64,
@@ -252,7 +260,7 @@ pub enum Error {
         detail: &'static str,
     },
     /// A rational weight that must be positive is not.
-    #[error("weight {index} is {weight:e}: rational weights must be positive here")]
+    #[error("weight {index} is {}: rational weights must be positive here", ShortNumber(*.weight))]
     WeightNotPositive {
         /// Which weight, from 0.
         index: usize,
@@ -260,7 +268,7 @@ pub enum Error {
         weight: f64,
     },
     /// A frame that must be orthonormal is not.
-    #[error("the frame is not orthonormal: lengths or cosine off by {measured:e}, limit {limit:e}")]
+    #[error("the frame is not orthonormal: lengths or cosine off by {}, limit {}", ShortNumber(*.measured), ShortNumber(*.limit))]
     FrameNotOrthonormal {
         /// Largest deviation of a length from 1 or of the cosine from 0.
         measured: f64,
@@ -268,10 +276,8 @@ pub enum Error {
         limit: f64,
     },
     /// The four corners of a quad are not on one circle (or line).
-    #[error("quad {quad}: the corners are not on one circle: off by {measured:e} of the size, limit {limit:e}")]
+    #[error("the corners are not on one circle: off by {} of the size, limit {}", ShortNumber(*.measured), ShortNumber(*.limit))]
     NotConcircular {
-        /// Which quad, from 0.
-        quad: usize,
         /// Distance of the last corner from the circle of the others, relative to the quad's size.
         measured: f64,
         /// Largest distance accepted.
@@ -279,16 +285,15 @@ pub enum Error {
     },
     /// The corners of a quad are on a circle but not in the order a0, a1, a3, a2.
     #[error(
-        "quad {quad}: its sides cross: the corner opposite to the first is outside the arc between its neighbours (position {position}, should be 0 to 1)"
+        "the sides cross: the corner opposite to the first is outside the arc between its neighbours (position {}, should be 0 to 1)",
+        ShortNumber(*.position)
     )]
     CrossingQuad {
-        /// Which quad, from 0.
-        quad: usize,
         /// Position of the opposite corner on the inverted arc between its neighbours.
         position: f64,
     },
     /// The weights do not put the surface into three-space.
-    #[error("the weights leave three-space: defect {defect:e} of the size, limit {limit:e}")]
+    #[error("the weights leave three-space: defect {} of the size, limit {}", ShortNumber(*.defect), ShortNumber(*.limit))]
     NotInSpace {
         /// Largest real part of the quotient, relative to the size.
         defect: f64,
@@ -296,7 +301,7 @@ pub enum Error {
         limit: f64,
     },
     /// The patch contains the point at infinity.
-    #[error("the patch passes through infinity near s = {s}, t = {t}")]
+    #[error("the patch passes through infinity near s = {}, t = {}", ShortNumber(*.s), ShortNumber(*.t))]
     PatchThroughInfinity {
         /// First parameter.
         s: f64,
@@ -305,7 +310,7 @@ pub enum Error {
     },
     /// The frame does not come back when it is carried once round a closed net.
     #[error(
-        "the net does not close along {direction}: after one turn the frame is off by {angle:e} radians and the speed of the lines across by the factor 1 + {stretch:e}, limit {limit:e}"
+        "the net does not close along {direction}: after one turn the frame is off by {} radians and the speed of the lines across by the factor 1 + {}, limit {}", ShortNumber(*.angle), ShortNumber(*.stretch), ShortNumber(*.limit)
     )]
     NetDoesNotClose {
         /// The closed direction: `s` or `t`.
@@ -329,10 +334,8 @@ pub enum Error {
         cannot: &'static str,
     },
     /// A solid between a surface and its offset would run through itself.
-    #[error("quad {quad}: a centre of curvature lies between the surface and its offset at {distance:e}")]
+    #[error("a centre of curvature lies between the surface and its offset at {}", ShortNumber(*.distance))]
     OffsetNotRegular {
-        /// Which quad, from 0, s fastest.
-        quad: usize,
         /// Signed distance of the offset.
         distance: f64,
     },
@@ -355,7 +358,7 @@ pub enum Error {
         cause: Box<Error>,
     },
     /// The quads of a grid cannot be made circular.
-    #[error("not circular after {step} steps: the largest residual is {residual:e}, limit {limit:e}")]
+    #[error("not circular after {step} steps: the largest residual is {}, limit {}", ShortNumber(*.residual), ShortNumber(*.limit))]
     NotConverged {
         /// Steps made.
         step: usize,
@@ -458,11 +461,10 @@ impl Error {
             | Self::AmbiguousHalfTurn { segment }
             | Self::TooManyPieces { segment, .. } => Some(segment),
             Self::NoG1SplineInTube { vertex, .. } => Some(vertex),
-            Self::NotConcircular { quad, .. } | Self::CrossingQuad { quad, .. } => Some(quad),
             Self::Disconnected { piece, .. } => Some(piece),
             Self::InSpan { span, .. } => Some(span),
             Self::NotAShell { index, .. } => Some(index),
-            Self::InQuad { quad, .. } | Self::OffsetNotRegular { quad, .. } => Some(quad),
+            Self::InQuad { quad, .. } => Some(quad),
             _ => None,
         }
     }
@@ -470,12 +472,7 @@ impl Error {
     /// Wraps the error as the failure of one quad of a net.
     #[must_use]
     pub fn in_quad(self, quad: usize) -> Self {
-        match self {
-            // These say which quad themselves.
-            Self::NotConcircular { measured, limit, .. } => Self::NotConcircular { quad, measured, limit },
-            Self::CrossingQuad { position, .. } => Self::CrossingQuad { quad, position },
-            other => Self::InQuad { quad, cause: Box::new(other) },
-        }
+        Self::InQuad { quad, cause: Box::new(self) }
     }
 
     /// Wraps the error as the failure of one span of a chain.

@@ -1,7 +1,8 @@
 //! `cyclide`: a geometric-modelling kernel whose primitive is the circle.
 //!
-//! Curves are made of circles and are exact: an [`Arc`] is two points and one quaternion, a circle spline in its
-//! rational variant is a rational Bézier curve, and both leave the kernel as [`NurbsCurve`] without any tolerance.
+//! Curves and surfaces are made of circles and are exact: an [`Arc`] is two points and one quaternion, a [`CyclidePatch`]
+//! four points and one frame. A circle spline in its rational variant is a rational curve, a patch a rational surface:
+//! they leave the kernel as [`NurbsCurve`] and [`RationalBezierSurface`] without any tolerance.
 //!
 //! Everything is `f64`, lengths are unitless, angles are radians, parameters run over `[0, 1]`. The kernel has no
 //! I/O, no clock and no global tolerance; bad input gets an [`Error`] with the item, the measure and the limit.
@@ -28,6 +29,19 @@
 //! # Ok::<(), cyclide::Error>(())
 //! ```
 //!
+//! A patch of a Dupin cyclide from four points on a circle and one frame; its parameter lines are circles, its offset is
+//! such a patch again, and so is its exact rational form:
+//! ```
+//! use cyclide::{CyclidePatch, ParamSurface, Point3, Vec3};
+//! let corners = [[-4.0, -3.0, 0.0], [4.0, -3.0, 0.0], [-3.0, 4.0, 0.0], [3.0, 4.0, 0.0]].map(Point3::from);
+//! let [s, t] = [Vec3::new(8.0, -1.0, 4.0), Vec3::new(-1.0, 4.0, 3.0)].map(|v| v.unit().unwrap_or(v));
+//! let patch = CyclidePatch::from_corners_and_frame(corners, s, t)?;
+//! let offset = patch.offset(0.2)?;
+//! let (p, normal) = (patch.point(0.3, 0.6), patch.unit_normal(0.3, 0.6));
+//! assert!(offset.point(0.3, 0.6).distance(p + normal * 0.2) < 1e-14);
+//! # Ok::<(), cyclide::Error>(())
+//! ```
+//!
 //! The fewest tangent arcs within a tolerance of points, with a certificate:
 //! ```
 //! use cyclide::{ArcFit, ArcFitOptions, Point3};
@@ -46,6 +60,7 @@ mod error;
 mod mesh;
 mod model;
 mod rational;
+mod short_number;
 mod surface;
 mod warning;
 
@@ -78,6 +93,7 @@ pub use mesh::{LineKind, ParameterLine, parameter_lines};
 pub use mesh::{MeshCorner, MeshFace, MeshSource, SurfaceMesh, flatten, flatten_into, tessellate, tessellate_all};
 pub use model::{ChainPiece, CurveChain, CurveObject, Exactness, Item, Lower, Model, SurfaceObject, Units};
 pub use rational::{ExactRational, NurbsCurve, RationalBezier, RationalBezierSurface};
+pub use short_number::ShortNumber;
 pub use surface::{Body, FaceEdge, ParamSurface, QuadGrid, Shell, ShellEdge, ShellFace};
 pub use surface::{CyclideKind, CyclidicNet, DupinCyclide, NetFrame, NetQuality, SingularPatch};
 pub use surface::{CyclidePatch, PatchKind};

@@ -1,5 +1,7 @@
 //! What a construction did that its user should know: named, with the place, the measure and the limit.
 
+use crate::short_number::ShortNumber;
+
 /// A remark on a result that is valid but may not be what was meant.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
@@ -167,7 +169,9 @@ impl std::fmt::Display for Warning {
             }
             Self::SamplesTooCoarse { sagitta, limit } => write!(
                 f,
-                "median sagitta of the edges is {sagitta:.3e}, an arc over two of them allows {limit:.3e}: if the points are samples of a smooth curve, use the target `points`"
+                "median sagitta of the edges is {}, an arc over two of them allows {}: if the points are samples of a smooth curve, use the target `points`",
+                ShortNumber(*sagitta),
+                ShortNumber(*limit)
             ),
             Self::ToleranceBelowNoise { fraction } => {
                 write!(
@@ -177,7 +181,11 @@ impl std::fmt::Display for Warning {
                 )
             }
             Self::PointsMerged { first, count, limit } => {
-                write!(f, "{count} point(s) within {limit:.3e} of their neighbour merged, the first is point {first}")
+                write!(
+                    f,
+                    "{count} point(s) within {} of their neighbour merged, the first is point {first}",
+                    ShortNumber(*limit)
+                )
             }
             Self::ClosingPointMerged { index } => {
                 write!(f, "point {index} repeats the first point of the closed curve: merged with it")
@@ -185,11 +193,18 @@ impl std::fmt::Display for Warning {
             Self::MovedFar { vertex, distance, limit } => {
                 write!(
                     f,
-                    "vertex {vertex} moved by {distance:.3e} (above {limit:.3e}): align the grid with the curvature lines first"
+                    "vertex {vertex} moved by {} (more than {} is far): align the grid with the curvature lines first",
+                    ShortNumber(*distance),
+                    ShortNumber(*limit)
                 )
             }
             Self::LeftSurface { vertex, distance, limit } => {
-                write!(f, "vertex {vertex} is {distance:.3e} off the input surface (above {limit:.3e})")
+                write!(
+                    f,
+                    "vertex {vertex} is {} off the input surface (more than {} is far)",
+                    ShortNumber(*distance),
+                    ShortNumber(*limit)
+                )
             }
             Self::Zigzag { agreement, turn } => write!(
                 f,

@@ -12,10 +12,12 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-/// The rooms of the kernel and what each may use, besides itself. `error` and `warning` stand beside `base`.
+/// The rooms of the kernel and what each may use, besides itself. `error`, `warning` and the numbers
+/// in their texts stand beside `base`.
 const ROOMS: [(&str, &[&str]); 11] = [
-    ("error", &[]),
-    ("warning", &[]),
+    ("short_number", &[]),
+    ("error", &["short_number"]),
+    ("warning", &["short_number"]),
     ("base", &["error", "warning"]),
     ("conformal", &["base", "error", "warning"]),
     ("rational", &["base", "conformal", "error", "warning"]),

@@ -2,6 +2,7 @@
 
 use std::fmt::Write as _;
 
+use cyclide::ShortNumber;
 use cyclide_io::{Format, GeometryReport, Report, SurfaceReport};
 
 use super::Shown;
@@ -111,14 +112,16 @@ fn figures(report: &Report) -> Vec<(&'static str, String)> {
         let solids = surfaces.iter().filter(|s| s.volume.is_some()).count();
         let kind = if solids == surfaces.len() { "solid" } else { "surface" };
         figures.push(("patches", format!("{patches} in {} {kind}{}", surfaces.len(), plural(surfaces.len()))));
-        figures.push(("area", format!("{} {units}²", number(surfaces.iter().map(|s| s.area).sum()))));
+        figures.push(("area", format!("{} {units}²", ShortNumber(surfaces.iter().map(|s| s.area).sum()))));
         if solids > 0 {
-            figures.push(("volume", format!("{} {units}³", number(surfaces.iter().filter_map(|s| s.volume).sum()))));
+            figures
+                .push(("volume", format!("{} {units}³", ShortNumber(surfaces.iter().filter_map(|s| s.volume).sum()))));
         }
         let smooth: usize = surfaces.iter().map(|s| s.joints.count - s.joints.creases).sum();
         if smooth > 0 {
             let angle = surfaces.iter().map(|s| s.joints.angle).fold(0.0, f64::max);
-            let normals = if angle > 0.0 { format!("within {angle:.0e} rad") } else { "equal to the bit".to_owned() };
+            let normals =
+                if angle > 0.0 { format!("within {} rad", ShortNumber(angle)) } else { "equal to the bit".to_owned() };
             figures.push(("joints", format!("{smooth}, normals {normals}")));
         }
     }
@@ -126,25 +129,19 @@ fn figures(report: &Report) -> Vec<(&'static str, String)> {
         curves().fold((0, 0, 0.0), |(n, p, l), c| (n + c.contours, p + c.pieces, l + c.length));
     if count > 0 {
         figures.push(("curves", format!("{count}, in {pieces} pieces")));
-        figures.push(("length", format!("{} {units}", number(length))));
+        figures.push(("length", format!("{} {units}", ShortNumber(length))));
     }
     let step = Format::Step.name();
     if let Some(file) = report.files.iter().find(|file| file.format == step) {
         let deviation = file.deviation.unwrap_or_default();
         let kept = if file.exact { "exact" } else { "approximated" };
-        figures.push(("STEP", format!("{kept}, read back within {deviation:.0e} {units}")));
+        figures.push(("STEP", format!("{kept}, read back within {} {units}", ShortNumber(deviation))));
     }
     figures
 }
 
 fn plural(count: usize) -> &'static str {
     if count == 1 { "" } else { "s" }
-}
-
-/// A measure with four digits.
-fn number(value: f64) -> String {
-    let digits = (3 - value.abs().max(f64::MIN_POSITIVE).log10().floor() as i32).clamp(0, 6) as usize;
-    format!("{value:.digits$}")
 }
 
 /// Text for HTML, also inside of quotes.

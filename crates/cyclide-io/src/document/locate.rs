@@ -125,6 +125,39 @@ pub(super) fn value_at(text: &str, from: &[Step], offset: usize) -> (Vec<Step>, 
     (steps, span)
 }
 
+/// The innermost list or object around a byte offset that is behind one of its members, or behind the first byte of the
+/// member that follows (the parser has looked at it); searched from the value at `from`.
+pub(super) fn members_around(text: &str, from: &[Step], offset: usize) -> Option<Members> {
+    let mut steps = from.to_vec();
+    let mut span = span_of(text, from)?;
+    loop {
+        let members = members(&text[span.clone()])?;
+        let start = |part: &str| offset_in(text, part);
+        match members.iter().find(|(_, part)| start(part) + 1 < offset && offset < start(part) + part.len()) {
+            Some((step, part)) => {
+                steps.push(step.clone());
+                span = start(part)..start(part) + part.len();
+            }
+            None => {
+                let before = members.iter().filter(|(_, part)| start(part) + part.len() < offset).count();
+                let is_list = text[span.clone()].starts_with('[');
+                return Some(Members { steps, span, before, count: members.len(), is_list });
+            }
+        }
+    }
+}
+
+/// What [`members_around`] finds.
+pub(super) struct Members {
+    pub(super) steps: Vec<Step>,
+    pub(super) span: Range<usize>,
+    /// Members that end before the offset.
+    pub(super) before: usize,
+    /// All members.
+    pub(super) count: usize,
+    pub(super) is_list: bool,
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

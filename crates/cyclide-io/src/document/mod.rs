@@ -172,12 +172,11 @@ fn refused(source: Source<'_>, path: &[Step], part: &str, error: &serde_json::Er
     let offset = offset_in(source.text, part) + (line_start + error.column()).min(part.len());
     let message = error.to_string();
     let message = message.rfind(" at line ").map_or(message.as_str(), |at| &message[..at]);
-    // The parser speaks of its own types.
-    let message =
-        message.replace("expected f64", "expected a number").replace("expected u32", "expected a whole number");
     if !error.is_data() {
-        return source.diagnostic(source.character_before(offset), "", message);
+        let syntax = || source.diagnostic(source.character_before(offset), "", message);
+        return one_value_too_many(source, path, offset, message).unwrap_or_else(syntax);
     }
+    let message = in_plain_words(message);
     let (steps, span) = value_at(source.text, path, offset);
     let is_leaf = !matches!(source.text.as_bytes().get(span.start), Some(b'{' | b'['));
     let about_name = message.contains("field `") || message.contains("name `");
@@ -189,6 +188,39 @@ fn refused(source: Source<'_>, path: &[Step], part: &str, error: &serde_json::Er
         span.start..span.start + 1
     };
     source.diagnostic(place, &path_text(&steps), message)
+}
+
+/// What the parser said without the names of its own types.
+fn in_plain_words(message: &str) -> String {
+    let lengths = message.strip_prefix("invalid length ").and_then(|rest| rest.split_once(", expected "));
+    if let Some((given, needed)) = lengths {
+        let number = |text: &str| text.rsplit(' ').find_map(|word| word.parse::<usize>().ok());
+        if let (Ok(given), Some(needed)) = (given.parse(), number(needed)) {
+            return wrong_count(given, needed);
+        }
+    }
+    message.replace("expected f64", "expected a number").replace("expected u32", "expected a whole number")
+}
+
+fn wrong_count(given: usize, needed: usize) -> String {
+    let verb = |count| if count == 1 { "value is" } else { "values are" };
+    format!("{given} {} given, {needed} {} needed", verb(given), if needed == 1 { "is" } else { "are" })
+}
+
+/// A list with more values than its type holds, or a choice with more than one name: the parser takes the next comma for
+/// a fault of the syntax. `None` if the syntax is at fault indeed.
+fn one_value_too_many(source: Source<'_>, path: &[Step], offset: usize, message: &str) -> Option<Box<Diagnostic>> {
+    // The syntax of an object was found sound before its fields are read.
+    if path.is_empty() || !matches!(message, "trailing characters" | "expected value") {
+        return None;
+    }
+    let list = locate::members_around(source.text, path, offset)?;
+    let message = if list.is_list {
+        wrong_count(list.count, list.before)
+    } else {
+        "one name is needed here: give each its own braces `{…}`".to_owned()
+    };
+    Some(source.diagnostic(list.span.start..list.span.start + 1, &path_text(&list.steps), message))
 }
 
 /// The range of the quoted name that ends at a byte offset, if one does.

@@ -6,7 +6,7 @@ mod text;
 
 use std::path::Path;
 
-use cyclide::{Model, Units};
+use cyclide::{Model, ShortNumber, Units};
 use indexmap::IndexMap;
 use serde::Serialize;
 
@@ -39,7 +39,7 @@ pub struct Report {
 pub struct ObjectReport {
     /// The document's word for the construction.
     pub r#type: String,
-    /// True for helper geometry, which is in no file.
+    /// True for construction geometry, which is in no file.
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     pub construction: bool,
     /// Its curves or its surfaces.
@@ -118,7 +118,10 @@ pub enum CheckError {
         source: ReadError,
     },
     /// The curves read back are farther from the objects than promised.
-    #[error("{path}: the curves read back deviate by {deviation:e}, promised was {bound:e}")]
+    #[error(
+        "{path}: what was read back deviates by {}, promised was {}",
+        ShortNumber(*.deviation), ShortNumber(*.bound)
+    )]
     BeyondBound {
         /// The file.
         path: String,

@@ -47,7 +47,7 @@ pub struct SurfaceReport {
 }
 
 /// How the vertices of a net were moved so that every quad has a circle; lengths in model units, angles in radians.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct CircularReport {
     /// Steps of the search.
     pub steps: usize,
@@ -69,6 +69,9 @@ pub struct CircularReport {
     pub angle_before: Option<f64>,
     /// The same as made.
     pub angle_after: Option<f64>,
+    /// Quads by index, s fastest, that no patch fits into: sides cross or have no length. A document with such quads is
+    /// refused by name, so that reports on what was built have none.
+    pub rejected_quads: Vec<usize>,
 }
 
 /// How patches meet, measured along every edge that two share.
@@ -180,6 +183,7 @@ impl From<&CircularMeshReport> for CircularReport {
             off_surface_max: report.moves.max_off_surface,
             angle_before: report.angle_before.map(|angle| angle.median),
             angle_after: report.angle_after.map(|angle| angle.median),
+            rejected_quads: report.rejected_quads.clone(),
         }
     }
 }

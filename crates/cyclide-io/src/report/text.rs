@@ -2,23 +2,20 @@
 
 use std::fmt;
 
+use cyclide::ShortNumber;
+
 use super::surface::PatchPlace;
 use super::{CurvesReport, FileReport, GeometryReport, ObjectReport, RangeReport, Report, SurfaceReport};
 
-/// A number with about five digits: plain in the usual range, else with an exponent.
 fn short(value: f64) -> String {
-    let size = value.abs();
-    if value == 0.0 {
-        "0".to_owned()
-    } else if !value.is_finite() {
-        "infinite".to_owned()
-    } else if (1e-3..1e7).contains(&size) {
-        // Digits behind the point so that five count, but none invented for large numbers.
-        let digits = (4 - size.log10().floor() as i32).clamp(0, 7) as usize;
-        let text = format!("{value:.digits$}");
-        if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
-    } else {
-        format!("{value:.2e}")
+    ShortNumber(value).to_string()
+}
+
+/// Smallest and largest value, or the one where they look alike.
+fn range(range: &RangeReport) -> String {
+    match [range.min, range.max].map(short) {
+        [min, max] if min == max => min,
+        [min, max] => format!("{min} to {max}"),
     }
 }
 
@@ -109,12 +106,12 @@ impl CurvesReport {
             let place = c.point.map(short).join(", ");
             text += &format!(" (radius {} {units}) at t = {}, point {place}", short(1.0 / c.max), short(c.t));
             if self.contours > 1 {
-                text += &format!(" of contour {}", c.contour + 1);
+                text += &format!(" of contour {}", c.contour);
             }
         }
         line("curvature", text)?;
         match &self.weights {
-            Some(w) => line("weights", format!("{} to {}", short(w.min), short(w.max)))?,
+            Some(weights) => line("weights", range(weights))?,
             None => line("weights", "no rational form within the tolerance".to_owned())?,
         }
         if let Some(fit) = &self.fit {
@@ -152,23 +149,24 @@ impl SurfaceReport {
             line("volume", format!("{} {units}³", short(volume)))?;
         }
         let j = &self.joints;
-        if j.count > 0 {
-            let smooth = j.count - j.creases;
-            line("joints", format!("{smooth} smooth: gap {} {units}, angle {} rad", short(j.gap), short(j.angle)))?;
+        let (smooth, gap) = (j.count - j.creases, short(j.gap));
+        if smooth > 0 {
+            line("joints", format!("{smooth} smooth: gap {gap} {units}, angle {} rad", short(j.angle)))?;
         }
         if j.creases > 0 {
-            line("creases", format!("{}: angle up to {} rad", j.creases, short(j.crease_angle)))?;
+            let gap = if smooth > 0 { String::new() } else { format!("gap {gap} {units}, ") };
+            line("creases", format!("{}: {gap}angle up to {} rad", j.creases, short(j.crease_angle)))?;
         }
-        let range = |r: &RangeReport| format!("{} to {}", short(r.min), short(r.max));
         let (s, t) = (range(&self.curvature_s), range(&self.curvature_t));
         line("curvature", format!("along s {s} 1/{units}, along t {t} 1/{units}"))?;
         line("weights", range(&self.weights))?;
         let (residual, cosine) = (short(self.residual), short(self.orthogonality));
         line("accuracy", format!("in space to {residual} {units}, lines orthogonal to {cosine} rad"))?;
         if let Some(c) = &self.circular {
-            let moved = format!("moved up to {} {units}, {} {units} on average", short(c.move_max), short(c.move_mean));
-            let off = short(c.off_surface_max);
-            line("circular", format!("{}: {moved}, up to {off} {units} off the surface", plural(c.steps, "step")))?;
+            let [most, mean, off] = [c.move_max, c.move_mean, c.off_surface_max].map(short);
+            let moved = format!("vertices moved up to {most} {units}, {mean} {units} on average");
+            let steps = plural(c.steps, "step");
+            line("circular", format!("{moved}, and up to {off} {units} off the surface, in {steps}"))?;
             if let (Some(before), Some(after)) = (c.angle_before, c.angle_after) {
                 let (before, after) = (short(before), short(after));
                 line("", format!("angle to the curvature lines {after} rad in the median, before {before} rad"))?;
@@ -225,26 +223,4 @@ impl FileReport {
 
 fn size_text(bytes: usize) -> String {
     if bytes < 10_000 { format!("{bytes} bytes") } else { format!("{:.0} kB", bytes as f64 / 1000.0) }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn numbers_are_short() {
-        for (value, text) in [
-            (0.0, "0"),
-            (1.0, "1"),
-            (5134.2671, "5134.3"),
-            (0.08214567, "0.082146"),
-            (-0.5, "-0.5"),
-            (123456.7, "123457"),
-            (1.25e9, "1.25e9"),
-            (4.4e-16, "4.40e-16"),
-            (f64::INFINITY, "infinite"),
-        ] {
-            assert_eq!(short(value), text);
-        }
-    }
 }

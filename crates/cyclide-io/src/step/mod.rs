@@ -19,7 +19,7 @@ mod surfaces;
 mod topology;
 
 use crate::export::{Contour, ExportError, Exported, Job, Promise};
-use cyclide::{ChainPiece, CurveChain, CurveObject, Units};
+use cyclide::{ChainPiece, CurveChain, CurveObject, ShortNumber, Units};
 use data::Data;
 use structure::Items;
 use topology::Written;
@@ -71,7 +71,10 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
     }
     if shortest < SHORTEST_EDGE {
         let unit = job.units().symbol();
-        notes.push(format!("an edge is only {shortest:.1e} {unit} long: STEP readers merge points closer than 1e-7"));
+        notes.push(format!(
+            "an edge is only {} {unit} long: STEP readers merge points closer than 1e-7",
+            ShortNumber(shortest)
+        ));
     }
     structure::product(&mut data, job.title(), &items, job.units());
     let text = structure::file(&data, job.title());

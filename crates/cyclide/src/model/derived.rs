@@ -4,7 +4,7 @@ use super::object::CurveObject;
 use super::surface_object::SurfaceObject;
 use crate::conformal::mobius::{Conformal, Mobius};
 use crate::curve::Arc;
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::surface::{CyclidePatch, CyclidicNet, NetFrame, QuadGrid, Shell};
 
 impl Conformal for CurveObject {
@@ -59,7 +59,9 @@ impl SurfaceObject {
     #[must_use]
     pub fn thick(&self, distance: f64) -> Option<Result<Self>> {
         match self {
-            Self::Patch(patch) => Some(net_of(patch).and_then(|net| net.thick(distance)).map(Self::Thick)),
+            Self::Patch(patch) => {
+                Some(net_of(patch).and_then(|net| net.thick(distance)).map(Self::Thick).map_err(of_one_quad))
+            }
             Self::Net(net) => Some(net.thick(distance).map(Self::Thick)),
             Self::Thick(_) => None,
         }
@@ -73,6 +75,11 @@ impl SurfaceObject {
         let body = self.to_body()?;
         Ok(body.shells().flat_map(Shell::edges).map(|edge| edge.arc).collect())
     }
+}
+
+/// The error about the only quad of a net as one about the patch.
+fn of_one_quad(error: Error) -> Error {
+    if let Error::InQuad { cause, .. } = error { *cause } else { error }
 }
 
 /// The patch as a net of one quad.

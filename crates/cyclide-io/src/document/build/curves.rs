@@ -7,7 +7,7 @@ use crate::document::construct::{Contour, ContourFacts, Made, arc_fit, arc_splin
 use crate::document::coordinates::{Coordinates, Lists, PointFile, PointSource};
 use crate::document::locate::{Step, path_text};
 use crate::document::spec::{ArcSpec, ObjectSpec};
-use crate::error::{Error, Result};
+use crate::error::Result;
 use crate::place::{Source, decode};
 use crate::points::{PointColumns, PointList, merge_repeated, read_points};
 
@@ -139,9 +139,7 @@ impl Builder<'_> {
     }
 
     fn file_points(&mut self, file: &PointFile) -> Result<Points> {
-        let path = self.folder.join(&file.csv);
-        let bytes = (self.read)(&path).map_err(|source| Error::Read { path: path.clone(), source })?;
-        let name = path.display().to_string();
+        let (name, bytes) = self.file(&file.csv, ["points", "csv"])?;
         let columns = PointColumns { coordinates: file.columns.clone(), contour: file.contour.clone() };
         let table = read_points(&name, &bytes, &columns)?;
         let units = self.document.units;

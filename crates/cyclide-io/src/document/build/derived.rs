@@ -4,7 +4,7 @@ use cyclide::{Conformal as _, CurveObject, Mobius, Quat, SurfaceObject, Vec3};
 
 use super::{Builder, BuiltObject};
 use crate::document::coordinates::Coordinates;
-use crate::document::locate::{Step, path_text, span_of};
+use crate::document::locate::Step;
 use crate::document::spec::{OffsetSpec, StepSpec, TransformSpec};
 use crate::error::{Error, Result};
 
@@ -71,10 +71,8 @@ impl Builder<'_> {
     /// The message that the source is of the wrong kind.
     fn wrong_source(&self, needed: &str) -> Error {
         let source = self.sources.first().map(|s| format!("`{}` is of type `{}`", s.item.name, s.item.kind));
-        let path = self.path([Step::from("of")]);
-        let span = span_of(&self.document.text, &path).unwrap_or(0..0);
         let message = format!("{}: {needed}", source.unwrap_or_default());
-        Error::Input(self.document.source().diagnostic(span, &path_text(&path), message))
+        Error::Input(self.diagnostic([Step::from("of")], &message))
     }
 }
 

@@ -18,6 +18,7 @@ use super::coordinates::PointSource;
 use super::locate::{Step, path_text, span_of};
 use super::spec::{CyclidicNetSpec, GridSource, ObjectSpec};
 use crate::error::{Error, Result};
+use crate::place::Diagnostic;
 use nets::MeshNames;
 use references::References;
 
@@ -30,7 +31,7 @@ pub struct BuiltObject {
     pub bodies: Vec<Body>,
     /// What it took to make a net circular.
     pub circular: Option<CircularMeshReport>,
-    /// Helper geometry: not for files.
+    /// Construction geometry: not for files.
     pub construction: bool,
     /// One entry per contour.
     pub contours: Vec<ContourFacts>,
@@ -172,6 +173,26 @@ impl Builder<'_> {
     /// Path of this object, or of a value in it.
     fn path(&self, steps: impl IntoIterator<Item = Step>) -> Vec<Step> {
         [Step::from("objects"), Step::from(self.name)].into_iter().chain(steps).collect()
+    }
+
+    /// The bytes of a file that a field names.
+    fn file<const N: usize>(&self, file: &str, steps: [&str; N]) -> Result<(String, Vec<u8>)> {
+        let path = self.folder.join(file);
+        let name = path.display().to_string();
+        let unread = |source: io::Error| {
+            let message = format!("cannot read {name}: {source}");
+            let place = (!self.document.text.is_empty()).then(|| self.diagnostic(steps.map(Step::from), &message));
+            Error::Read { path: path.clone(), source, place }
+        };
+        let bytes = (self.read)(&path).map_err(unread)?;
+        Ok((name, bytes))
+    }
+
+    /// A message about the value at a path below the object.
+    fn diagnostic(&self, steps: impl IntoIterator<Item = Step>, message: &str) -> Box<Diagnostic> {
+        let path = self.path(steps);
+        let span = span_of(&self.document.text, &path).unwrap_or(0..1);
+        self.document.source().diagnostic(span, &path_text(&path), message)
     }
 
     /// The message that the object's fields do not fit together.

@@ -8,9 +8,10 @@ use cyclide::{
 use super::Builder;
 use super::surfaces::direction;
 use crate::document::coordinates::Coordinates;
-use crate::document::locate::{Step, path_text, span_of};
+use crate::document::locate::Step;
 use crate::document::spec::{
     BorderSpec, BorderWord, CyclideSpec, CyclidicNetSpec, FrameSpec, GridSource, MakeCircularOptions, MeshFile,
+    ObjectSpec,
 };
 use crate::error::{Error, Result};
 use crate::obj::read_quad_grid;
@@ -74,10 +75,8 @@ impl<'a> Builder<'a> {
         };
         let columns = rows.first().map_or(0, Vec::len);
         if let Some(row) = rows.iter().position(|row| row.len() != columns) {
-            let path = self.path(["grid".into(), row.into()]);
-            let span = span_of(&self.document.text, &path).unwrap_or(0..0);
             let message = format!("row {row} has {} points, the first has {columns}", rows[row].len());
-            return Err(Error::Input(self.document.source().diagnostic(span, &path_text(&path), message)));
+            return Err(Error::Input(self.diagnostic(["grid".into(), row.into()], &message)));
         }
         let points = rows.iter().flatten().map(|p| p.point()).collect();
         let size = [columns, rows.len()];
@@ -87,9 +86,7 @@ impl<'a> Builder<'a> {
 
     /// The grid of a mesh in a file of its own.
     fn mesh_file(&mut self, file: &MeshFile) -> Result<QuadGrid> {
-        let path = self.folder.join(&file.obj);
-        let bytes = (self.read)(&path).map_err(|source| Error::Read { path: path.clone(), source })?;
-        let name = path.display().to_string();
+        let (name, bytes) = self.file(&file.obj, ["grid", "obj"])?;
         let mesh = read_quad_grid(&name, &bytes)?;
         if let Some(first) = mesh.unused.first() {
             let message =
@@ -112,7 +109,7 @@ impl<'a> Builder<'a> {
         let max_steps = given.max_steps.map_or(usual.max_steps, |n| n as usize);
         let progress = &mut *self.progress;
         let mesh = make_circular(grid, &CircularMeshOptions { border, max_steps }, &mut |step| {
-            progress(format!("circular quads: step {}, residual {:.1e}", step.step, step.residual));
+            progress(format!("circular quads: step {}, residual {}", step.step, cyclide::ShortNumber(step.residual)));
         });
         let mesh = mesh.map_err(|e| self.refused_in_grid(grid, &e))?;
         for warning in mesh.warnings {
@@ -120,8 +117,9 @@ impl<'a> Builder<'a> {
             self.remark(warning.reason(), None, index, None, message);
             self.warnings.push((0, warning));
         }
-        if let Some(&quad) = mesh.report.rejected_quads.first() {
-            return Err(self.refused_in_grid(grid, &KernelError::CrossingQuad { quad, position: f64::NAN }));
+        if let [first, ..] = mesh.report.rejected_quads[..] {
+            let error = KernelError::CrossingQuad { position: f64::NAN }.in_quad(first);
+            return Err(self.refused_at_quad(grid, first, &error, rejected(&mesh.report.rejected_quads)));
         }
         self.circular = Some(mesh.report);
         Ok(mesh.grid)
@@ -134,10 +132,9 @@ impl<'a> Builder<'a> {
         let named = given.sides().into_iter().enumerate().filter(|(_, (_, name))| name.is_some());
         for ((side, (field, _)), source) in named.zip(&self.sources) {
             let [curve] = source.item.contours.as_slice() else {
-                let path = self.path(["make_circular".into(), "border".into(), field.into()]);
-                let span = span_of(&self.document.text, &path).unwrap_or(0..0);
                 let message = format!("`{}` is not one connected curve", source.item.name);
-                return Err(Error::Input(self.document.source().diagnostic(span, &path_text(&path), message)));
+                let steps = ["make_circular".into(), "border".into(), field.into()];
+                return Err(Error::Input(self.diagnostic(steps, &message)));
             };
             curves[side] = Some(CurveObject::as_curve(curve));
         }
@@ -153,23 +150,53 @@ impl<'a> Builder<'a> {
             return self.refused_at([Step::from("frame")], error);
         }
         if let KernelError::NotConverged { .. } = error {
-            return self.refused_at([Step::from("make_circular")], error);
+            let hint = "a border that may move leaves more room: `free`, or sides on curves";
+            let bound = matches!(self.spec, ObjectSpec::CyclidicNet(net) if !net.make_circular.border_is_free());
+            let words = if bound { format!("{error}; {hint}") } else { error.to_string() };
+            return self.refused_in_words([Step::from("make_circular")], error, words);
         }
-        let (vertices, first, columns) = match (error, error.index()) {
+        match (error, error.index()) {
             (KernelError::CoincidentPoints { first, second, .. }, _) => {
-                (vec![*first, *second], *second, grid.size()[0])
+                self.refused_at_vertices(grid, &[*second, *first], error, error.to_string())
             }
-            (_, Some(quad)) => {
-                let columns = grid.quads()[0];
-                (grid.corners(quad % columns, quad / columns).to_vec(), quad, columns)
+            (KernelError::InQuad { quad, cause }, _) if matches!(**cause, KernelError::NotConcircular { .. }) => {
+                let hint = "`make_circular` moves the vertices until they are";
+                self.refused_at_quad(grid, *quad, error, format!("{error}; {hint}"))
             }
-            (_, None) => return self.refused_at([Step::from("grid")], error),
-        };
-        let Some(mesh) = &self.mesh else {
-            return self.refused_at(["grid".into(), (first / columns).into(), (first % columns).into()], error);
-        };
-        let numbers: Vec<String> = vertices.iter().map(|&v| mesh.numbers[v].to_string()).collect();
-        let words = format!("{error} (points {} of {})", numbers.join(", "), mesh.name);
-        self.refused_in_words([Step::from("grid")], error, words)
+            (_, Some(quad)) => self.refused_at_quad(grid, quad, error, error.to_string()),
+            (_, None) => self.refused_at([Step::from("grid")], error),
+        }
     }
+
+    /// The message at a quad: where its first corner stands.
+    fn refused_at_quad(&self, grid: &QuadGrid, quad: usize, error: &KernelError, words: String) -> Error {
+        let columns = grid.quads()[0];
+        self.refused_at_vertices(grid, &grid.corners(quad % columns, quad / columns), error, words)
+    }
+
+    /// The message at the first of some vertices; of a mesh in a file with the numbers of all of them.
+    fn refused_at_vertices(&self, grid: &QuadGrid, vertices: &[usize], error: &KernelError, words: String) -> Error {
+        if let Some(mesh) = &self.mesh {
+            let numbers: Vec<String> = vertices.iter().map(|&v| mesh.numbers[v].to_string()).collect();
+            let words = format!("{words} (points {} of {})", numbers.join(", "), mesh.name);
+            return self.refused_in_words([Step::from("grid")], error, words);
+        }
+        let columns = grid.size()[0];
+        let [row, column] = [vertices[0] / columns, vertices[0] % columns];
+        self.refused_in_words(["grid".into(), row.into(), column.into()], error, words)
+    }
+}
+
+/// Quads named in a message at most.
+const NAMED_QUADS: usize = 12;
+
+/// The sentence about quads, by index, that no patch fits into.
+fn rejected(quads: &[usize]) -> String {
+    let named: Vec<String> = quads.iter().take(NAMED_QUADS).map(ToString::to_string).collect();
+    let more = match quads.len() - named.len() {
+        0 => String::new(),
+        more => format!(" and {more} more"),
+    };
+    let noun = if quads.len() == 1 { "quad" } else { "quads" };
+    format!("{noun} {}{more}: sides cross or have no length, no patch fits in", named.join(", "))
 }

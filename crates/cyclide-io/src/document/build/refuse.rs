@@ -46,10 +46,7 @@ impl Builder<'_> {
         error: &cyclide::Error,
         words: String,
     ) -> Error {
-        let path = self.path(steps);
-        let span = span_of(&self.document.text, &path).unwrap_or(0..1);
-        let message = self.document.source().diagnostic(span, &path_text(&path), words);
-        Error::Input(message.with_reason(error.reason()))
+        Error::Input(self.diagnostic(steps, &words).with_reason(error.reason()))
     }
 
     /// The message for what the kernel said, at the point or field it is about.

@@ -95,6 +95,14 @@ impl MakeCircularSpec {
         }
     }
 
+    /// True if every vertex of the border may move anywhere.
+    pub(in crate::document) fn border_is_free(&self) -> bool {
+        match self {
+            Self::Switch(_) => true,
+            Self::Options(options) => options.border == BorderSpec::default(),
+        }
+    }
+
     /// The curves on which sides slide.
     pub(in crate::document) fn border_curves(&self) -> Option<&BorderCurves> {
         match self {

@@ -26,7 +26,7 @@ pub struct ArcSpec {
     /// The word `arc`.
     #[schemars(with = "String", extend("const" = "arc"))]
     pub r#type: TypeWord,
-    /// Helper geometry: built and reported, not written to files.
+    /// Construction geometry: built and reported, not written to files.
     #[serde(default)]
     pub construction: bool,
     /// Start, a point between, end.
@@ -56,7 +56,7 @@ pub struct CircleSpec {
     /// The word `circle`.
     #[schemars(with = "String", extend("const" = "circle"))]
     pub r#type: TypeWord,
-    /// Helper geometry: built and reported, not written to files.
+    /// Construction geometry: built and reported, not written to files.
     #[serde(default)]
     pub construction: bool,
     /// Centre.
@@ -75,7 +75,7 @@ pub struct BiarcSpec {
     /// The word `biarc`.
     #[schemars(with = "String", extend("const" = "biarc"))]
     pub r#type: TypeWord,
-    /// Helper geometry: built and reported, not written to files.
+    /// Construction geometry: built and reported, not written to files.
     #[serde(default)]
     pub construction: bool,
     /// Start.
@@ -98,7 +98,7 @@ pub struct ArcSplineSpec {
     /// The word `arc-spline`.
     #[schemars(with = "String", extend("const" = "arc-spline"))]
     pub r#type: TypeWord,
-    /// Helper geometry: built and reported, not written to files.
+    /// Construction geometry: built and reported, not written to files.
     #[serde(default)]
     pub construction: bool,
     /// The points.
@@ -121,7 +121,7 @@ pub struct ArcFitSpec {
     /// The word `arc-fit`.
     #[schemars(with = "String", extend("const" = "arc-fit"))]
     pub r#type: TypeWord,
-    /// Helper geometry: built and reported, not written to files.
+    /// Construction geometry: built and reported, not written to files.
     #[serde(default)]
     pub construction: bool,
     /// The points.
@@ -150,7 +150,7 @@ pub struct CircleSplineSpec {
     /// The word `circle-spline`.
     #[schemars(with = "String", extend("const" = "circle-spline"))]
     pub r#type: TypeWord,
-    /// Helper geometry: built and reported, not written to files.
+    /// Construction geometry: built and reported, not written to files.
     #[serde(default)]
     pub construction: bool,
     /// The points.

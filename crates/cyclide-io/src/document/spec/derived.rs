@@ -13,7 +13,7 @@ pub struct OffsetSpec {
     /// The word `offset`.
     #[schemars(with = "String", extend("const" = "offset"))]
     pub r#type: TypeWord,
-    /// Helper geometry: built and reported, not written to files.
+    /// Construction geometry: built and reported, not written to files.
     #[serde(default)]
     pub construction: bool,
     /// Name of the surface.
@@ -32,7 +32,7 @@ pub struct TransformSpec {
     /// The word `transform`.
     #[schemars(with = "String", extend("const" = "transform"))]
     pub r#type: TypeWord,
-    /// Helper geometry: built and reported, not written to files.
+    /// Construction geometry: built and reported, not written to files.
     #[serde(default)]
     pub construction: bool,
     /// Name of the object.
@@ -112,7 +112,7 @@ pub struct SupportStructureSpec {
     /// The word `support-structure`.
     #[schemars(with = "String", extend("const" = "support-structure"))]
     pub r#type: TypeWord,
-    /// Helper geometry: built and reported, not written to files.
+    /// Construction geometry: built and reported, not written to files.
     #[serde(default)]
     pub construction: bool,
     /// Name of the surface.

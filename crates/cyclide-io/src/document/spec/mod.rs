@@ -132,7 +132,7 @@ macro_rules! object_types {
                 }
             }
 
-            /// True for helper geometry, which is built and reported but not written to files.
+            /// True for construction geometry, which is built and reported but not written to files.
             #[must_use]
             pub fn is_construction(&self) -> bool {
                 match self {

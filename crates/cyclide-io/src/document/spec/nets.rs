@@ -15,7 +15,7 @@ pub struct CyclideSpec {
     /// The word `cyclide`.
     #[schemars(with = "String", extend("const" = "cyclide"))]
     pub r#type: TypeWord,
-    /// Helper geometry: built and reported, not written to files.
+    /// Construction geometry: built and reported, not written to files.
     #[serde(default)]
     pub construction: bool,
     /// Half the long axis of the ellipse of centres.
@@ -48,7 +48,7 @@ pub struct CyclidicNetSpec {
     /// The word `cyclidic-net`.
     #[schemars(with = "String", extend("const" = "cyclidic-net"))]
     pub r#type: TypeWord,
-    /// Helper geometry: built and reported, not written to files.
+    /// Construction geometry: built and reported, not written to files.
     #[serde(default)]
     pub construction: bool,
     /// The vertices.

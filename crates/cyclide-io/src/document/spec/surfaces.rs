@@ -14,7 +14,7 @@ pub struct CyclidePatchSpec {
     /// The word `cyclide-patch`.
     #[schemars(with = "String", extend("const" = "cyclide-patch"))]
     pub r#type: TypeWord,
-    /// Helper geometry: built and reported, not written to files.
+    /// Construction geometry: built and reported, not written to files.
     #[serde(default)]
     pub construction: bool,
     /// The corners at (s, t) = (0, 0), (1, 0), (0, 1), (1, 1). Round their circle they follow each other as the

@@ -61,7 +61,7 @@ impl CyclidicNet {
             }
         }
         if let Some(quad) = self.patches().position(|patch| !patch.offset_is_regular(h)) {
-            return Err(Error::OffsetNotRegular { quad, distance: h });
+            return Err(Error::OffsetNotRegular { distance: h }.in_quad(quad));
         }
         if self.grid.closed() == [true, true] {
             return between_closed(lower, upper);

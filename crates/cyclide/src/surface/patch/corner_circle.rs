@@ -69,7 +69,7 @@ pub(super) fn corner_circle(corners: &[Point3; 4], scale: f64) -> Result<CornerC
     let nearest = corners[0].distance(corners[1]).min(corners[0].distance(corners[2]));
     let (measured, limit) = (corner.distance(corners[3]) / scale, CONCIRCULAR_LIMIT + rounding / nearest);
     if !(measured <= limit) {
-        return Err(Error::NotConcircular { quad: 0, measured, limit });
+        return Err(Error::NotConcircular { measured, limit });
     }
     if (0.0..=1.0).contains(&x) {
         return Ok(CornerCircle { inverses: [b1, b2, b3], corner, position: x });
@@ -79,7 +79,7 @@ pub(super) fn corner_circle(corners: &[Point3; 4], scale: f64) -> Result<CornerC
     if corner.distance(end) <= CONCIRCULAR_LIMIT * scale + rounding {
         Ok(snapped)
     } else {
-        Err(Error::CrossingQuad { quad: 0, position: x })
+        Err(Error::CrossingQuad { position: x })
     }
 }
 
@@ -97,5 +97,5 @@ pub(in crate::surface) fn check_quad(corners: &[Point3; 4]) -> Result<()> {
     }
     // Nets keep their vertices, so rounding must not put one beyond the next either.
     let position = corner_circle(corners, scale)?.position;
-    if (0.0..=1.0).contains(&position) { Ok(()) } else { Err(Error::CrossingQuad { quad: 0, position }) }
+    if (0.0..=1.0).contains(&position) { Ok(()) } else { Err(Error::CrossingQuad { position }) }
 }
