@@ -19,12 +19,22 @@ const EXAMPLES: &str = "\
 Examples:
   cyclide curve track.csv --closed --units m -o track.step -o track.dxf -o track.png
   cyclide build logo.json -o logo.dxf --tolerance 0.01
-  cyclide report logo.json --json";
+  cyclide build roof.json -o roof.step -o roof.glb -o roof.png
+  cyclide report roof.json --json
+  cyclide gallery -o gallery";
 
 const BUILD_EXAMPLES: &str = "\
 Examples:
-  cyclide build logo.json -o logo.step -o logo.svg
-  cyclide build logo.json -o logo.dxf --tolerance 0.01 --json > report.json";
+  Curves, exact for CAD, within 0.01 for a cutter:
+      cyclide build logo.json -o logo.step
+      cyclide build logo.json -o logo.dxf --tolerance 0.01 --json > report.json
+  Surfaces, one sewn shell or solid each for CAD, meshes within 0.5 of them, a picture:
+      cyclide build roof.json -o roof.step -o roof.png
+      cyclide build roof.json -o roof.glb -o roof.obj -o roof.stl --tolerance 0.5
+  A document with the two skins of a roof over a mesh of quads:
+      {\"cyclide\": 1, \"units\": \"m\", \"objects\": {
+        \"outer\": {\"type\": \"cyclidic-net\", \"grid\": {\"obj\": \"roof.obj\"}, \"make_circular\": true},
+        \"inner\": {\"type\": \"offset\", \"of\": \"outer\", \"distance\": -0.3}}}";
 
 const CURVE_EXAMPLES: &str = "\
 Examples:
@@ -42,7 +52,6 @@ const SAMPLE_EXAMPLES: &str = "\
 Examples:
   cyclide sample logo.json --count 500 > logo.csv
   cyclide sample cable.json --object cable --count 200 --equal-length -o cable.csv
-
   cyclide sample roof.json --object skin --count 8 -o roof.csv
 
 Curves: columns t,x,y,z,tangent_x,tangent_y,tangent_z,curvature, with a column 'contour' in front if the object has
@@ -53,7 +62,8 @@ patch, edges included, with a column 'body' in front if the object has several."
 const REPORT_EXAMPLES: &str = "\
 Examples:
   cyclide report logo.json
-  cyclide report logo.json --json | jq '.objects[].length'";
+  cyclide report logo.json --json | jq '.objects[].length'
+  cyclide report roof.json --json | jq '.objects[].circular.move_max'";
 
 const GALLERY_EXAMPLES: &str = "\
 Example:
@@ -102,8 +112,8 @@ pub struct BuildArgs {
     pub model: PathBuf,
     #[command(flatten)]
     pub output: OutputArgs,
-    /// Largest distance between a file's curve and the object, where the format needs an approximation [default:
-    /// 1e-5 of the model's size].
+    /// Largest distance between a file's curve or mesh and the object, where the format needs an approximation [default:
+    /// 1e-5 of the model's size for curves, 1e-4 for meshes].
     #[arg(long, value_name = "T", value_parser = positive, allow_negative_numbers = true)]
     pub tolerance: Option<f64>,
 }
@@ -133,7 +143,10 @@ pub struct OutputArgs {
     /// SVG: draw the joints of the curves as dots.
     #[arg(long, help_heading = "Formats")]
     pub svg_points: bool,
-    /// PNG: leave out the curvature comb.
+    /// GLB: draw the edges of the patches as lines on the surfaces.
+    #[arg(long, help_heading = "Formats")]
+    pub glb_edges: bool,
+    /// PNG of curves: leave out the curvature comb (pictures of surfaces have none).
     #[arg(long, help_heading = "Formats")]
     pub png_plain: bool,
 }

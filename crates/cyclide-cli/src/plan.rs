@@ -68,8 +68,18 @@ impl Args {
             | Command::Sample(SampleArgs { model: path, .. })
             | Command::Report(ReportArgs { model: path, .. }) => {
                 refuse_suffix(path, "csv", "a list of points, not a model document: see 'cyclide curve'")?;
+                refuse_suffix(
+                    path,
+                    "obj",
+                    "a mesh, not a model document: 'cyclide build --help' shows one for a mesh",
+                )?;
             }
             Command::Curve(CurveArgs { points: path, .. }) => {
+                refuse_suffix(
+                    path,
+                    "obj",
+                    "a mesh, not a list of points: 'cyclide build --help' shows a document for it",
+                )?;
                 refuse_suffix(path, "json", "a model document, not a list of points: see 'cyclide build'")?;
             }
             Command::Gallery(_) | Command::Schema => {}
@@ -123,10 +133,11 @@ impl OutputArgs {
                 EdgesArg::Circle => StepEdges::Circles,
                 EdgesArg::Rational => StepEdges::Rational,
             },
+            glb_edges: self.glb_edges,
             svg_comb: self.svg_comb,
             svg_points: self.svg_points,
             png_plain: self.png_plain,
-            ..ExportOptions::default()
+            title: None,
         };
         Ok(MakePlan { input, outputs, options, json: self.json })
     }

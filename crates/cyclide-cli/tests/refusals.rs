@@ -41,7 +41,7 @@ fn refused_input_shows_file_line_and_column() {
         ("report field.json", "error: field.json:2:27: objects.c: unknown field `size`, expected one of"),
         (
             "build kernel.json",
-            "error: kernel.json:2:54: objects.c.radius: the radius 0e0 is not positive [radius-not-positive]",
+            "error: kernel.json:2:54: objects.c.radius: the radius 0 is not positive [radius-not-positive]",
         ),
         ("sample csv.json --count 5", "error: bad.csv:3:3: `nan` is not a finite number\n  3 | 1,nan\n    |   ^^^"),
         ("build empty.json", "error: o.step: there is nothing to write [empty-model]"),
@@ -83,6 +83,8 @@ fn usage_that_makes_no_sense_is_refused() {
         ("curve p.csv -o p.csv", "p.csv is an input"),
         ("build p.csv -o a.step", "p.csv seems to be a list of points, not a model document"),
         ("report p.csv", "see 'cyclide curve'"),
+        ("build m.obj -o a.step", "m.obj seems to be a mesh, not a model document: 'cyclide build --help' shows one"),
+        ("curve m.obj -o a.step", "m.obj seems to be a mesh, not a list of points"),
         ("curve c.json -o a.step", "c.json seems to be a model document, not a list of points"),
         ("sample c.json --count 5 -o c.json", "c.json is an input"),
         ("curve p.csv -o a.step --order 5", "5 is not in 1..=4"),
@@ -122,7 +124,8 @@ fn files_that_cannot_be_read_or_written() {
     let folder = Folder::with(&[("c.json", CIRCLE), ("m.json", missing)]);
     for (command, message) in [
         ("build none.json -o a.step", "error: cannot read none.json: "),
-        ("build m.json -o a.step", "error: cannot read none.csv: "),
+        ("build m.json -o a.step", "error: m.json:1:74: objects.c.points.csv: cannot read none.csv: "),
+        ("curve none.csv -o a.step", "error: cannot read none.csv: "),
         ("curve none.csv -o a.step", "error: cannot read none.csv: "),
         ("build . -o a.step", "error: cannot read .: "),
         ("build c.json -o no/such/folder/a.step", "error: cannot write no/such/folder/a.step: "),

@@ -113,6 +113,7 @@ fn meshes_become_smooth_surfaces() {
         error.contains("as_given.json:1:") && error.contains("objects.n.grid: quad 0: the corners are not"),
         "{error}"
     );
+    assert!(error.contains("`make_circular` moves the vertices"), "{error}");
     assert!(error.contains("(points 1, 2, 10, 11 of s.obj) [not-concircular]"), "{error}");
     for file in ["moved", "side"] {
         let report = folder.json(&format!("report {file}.json --json"));
@@ -130,6 +131,7 @@ fn meshes_become_smooth_surfaces() {
     for file in ["pinned", "steps"] {
         let error = folder.fails(1, &format!("report {file}.json"));
         assert!(error.contains("objects.n.make_circular: not circular after"), "{error}");
+        assert_eq!(error.contains("a border that may move leaves more room"), file == "pinned", "{error}");
     }
     // The mesh is an input, and is not written over.
     assert!(folder.fails(2, "sample moved.json --count 2 -o s.obj").contains("s.obj is an input"));
@@ -143,7 +145,36 @@ fn refused_meshes_show_their_line() {
     let error = folder.fails(1, "report m.json");
     assert!(error.starts_with("error: s.obj:4:") && error.contains("[not-a-quad]"), "{error}");
     std::fs::remove_file(folder.path("s.obj")).unwrap();
-    assert!(folder.fails(3, "report m.json").starts_with("error: cannot read s.obj"));
+    let error = folder.fails(3, "report m.json");
+    let place = "error: m.json:1:74: objects.n.grid.obj: cannot read s.obj: ";
+    assert!(error.starts_with(place) && error.ends_with("^^^^^^^\n"), "{error}");
+}
+
+#[test]
+fn edges_of_patches_in_glb_on_demand() {
+    let folder = Folder::with(&[("m.json", MODEL)]);
+    folder.ok("build m.json -o plain.glb");
+    folder.ok("build m.json --glb-edges -o lines.glb");
+    // The primitives drawn as lines (mode 1): none, or one for each of the two surfaces.
+    let lines = |name: &str| String::from_utf8_lossy(&folder.read(name)).matches("\"mode\":1").count();
+    assert_eq!((lines("plain.glb"), lines("lines.glb")), (0, 2));
+}
+
+#[test]
+fn the_help_names_what_holds_for_surfaces() {
+    let folder = Folder::with(&[]);
+    let help = folder.ok("build --help");
+    for piece in ["1e-4 for meshes", "cyclidic-net", "--glb-edges", "pictures of surfaces have none"] {
+        assert!(help.contains(piece), "{piece}\n{help}");
+    }
+    // The document that is shown can be built.
+    let start = help.find("{\"cyclide\"").unwrap();
+    let document = &help[start..start + help[start..].find("}}}").unwrap() + 3];
+    folder.write(
+        "m.json",
+        &document.replace("\"obj\": \"roof.obj\"", &format!("\"obj\": {:?}", project("examples/roof-20.obj"))),
+    );
+    assert!(folder.ok("report m.json").contains("inner: offset, open, 400 patches"));
 }
 
 #[test]
