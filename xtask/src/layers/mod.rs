@@ -14,7 +14,7 @@ use std::process::ExitCode;
 
 /// The rooms of the kernel and what each may use, besides itself. `error`, `warning` and the numbers
 /// in their texts stand beside `base`.
-const ROOMS: [(&str, &[&str]); 11] = [
+const ROOMS: [(&str, &[&str]); 12] = [
     ("short_number", &[]),
     ("error", &["short_number"]),
     ("warning", &["short_number"]),
