@@ -265,7 +265,73 @@ fn whole_cyclides_in_any_place() {
     }
     // A spindle is more than one closed surface.
     let spindle = surface(&build(r#""s": {"type": "cyclide", "a": 2, "c": 1, "mu": 3}"#).unwrap());
-    assert!(spindle.bodies > 1 && spindle.closed && spindle.singular.is_empty(), "{spindle:?}");
+    assert!(spindle.bodies > 1 && spindle.closed && spindle.flipped.is_empty(), "{spindle:?}");
+}
+
+#[test]
+fn nodes_are_named_with_the_finite_curvatures() {
+    // The horn 5, 3, 1: th = acos(1/3), nodes at (a mu/c, ±b sqrt(1 - mu²/c²), 0). Two by four patches between them,
+    // four by four round the other way.
+    let horn = build(r#""h": {"type": "cyclide", "a": 5, "c": 3, "mu": 1}"#).unwrap();
+    let report = surface(&horn);
+    assert!(report.flipped.is_empty());
+    let places: Vec<_> = report.singular.iter().map(|p| (p.place.body, p.place.patch)).collect();
+    let outer = [0, 3, 4, 7, 8, 11, 12, 15].map(|patch| (1, patch));
+    assert_eq!(places, (0..8).map(|patch| (0, patch)).chain(outer).collect::<Vec<_>>());
+    for patch in &report.singular {
+        assert!(patch.t.is_empty() && patch.s.len() == 1 && (patch.s[0] == 0.0 || patch.s[0] == 1.0), "{patch:?}");
+        let [x, y, z] = patch.points[0];
+        let want = 4.0 * (8.0_f64 / 9.0).sqrt();
+        assert!((x - 5.0 / 3.0).abs() < 1e-14 && (y.abs() - want).abs() < 1e-14 && z.abs() < 1e-14, "{patch:?}");
+    }
+    // k2 = -1/|mu - c cos th| is flattest at th = 0 and pi: -1/2, -1/4; k1 = ±1/(a ± mu) and less.
+    let [s, t] = [report.curvature_s, report.curvature_t];
+    assert!((t.min + 0.5).abs() < 1e-13 && (t.max + 0.25).abs() < 1e-13, "{t:?}");
+    assert!((s.min + 0.25).abs() < 1e-13 && (s.max - 0.25).abs() < 1e-13, "{s:?}");
+    let text = Report::new(cyclide::Units::Millimetre, &[horn], None).to_string();
+    assert!(
+        text.contains("along s -0.25 to 0.25 1/mm; along t -0.5 to -0.25 1/mm, unbounded at singular points\n"),
+        "{text}"
+    );
+    assert!(text.contains("\n  singular   16: patch 0 of body 0 at s = 0; "), "{text}");
+    assert!(!text.contains("flipped") && !text.contains("infinite"), "{text}");
+    // The single node of a spindle with mu = a, a double zero of the speed.
+    let one = surface(&build(r#""s": {"type": "cyclide", "a": 5, "c": 1, "mu": 5}"#).unwrap());
+    assert!(one.curvature_s.min.abs() < 1.0 && one.curvature_s.max.abs() < 1.0, "{:?}", one.curvature_s);
+    assert_eq!(one.singular.len(), 8);
+}
+
+#[test]
+fn offsets_beyond_the_focal_set_and_on_it() {
+    let torus = r#""r": {"type": "cyclide", "a": 4, "mu": 1}"#;
+    let offset = |of: &str, name: &str, distance: f64, thick: bool| {
+        format!(r#", "{name}": {{"type": "offset", "of": "{of}", "distance": {distance:?}, "thick": {thick}}}"#)
+    };
+    // Offsets go along the normal of the torus, and back; between, they say that they are flipped.
+    let beyond = format!("{torus}{}", offset("r", "o", -2.5, false));
+    let report = surface(&build(&beyond).unwrap());
+    assert_eq!((report.flipped.len(), report.singular.len()), (16, 0));
+    let back = surface(&build(&format!("{beyond}{}", offset("o", "b", 2.5, false))).unwrap());
+    assert!(back.flipped.is_empty() && (back.area / (16.0 * std::f64::consts::PI.powi(2)) - 1.0).abs() < 1e-12);
+    let solid = surface(&build(&format!("{beyond}{}", offset("o", "k", 0.2, true))).unwrap());
+    let volume = 8.0 * std::f64::consts::PI.powi(2) * (1.5 * 1.5 - 1.3 * 1.3);
+    assert!((solid.volume.unwrap() / volume - 1.0).abs() < 1e-11 && solid.flipped.is_empty(), "{:?}", solid.volume);
+    // Whole horns grow outwards as a whole.
+    let horn = r#""r": {"type": "cyclide", "a": 5, "c": 3, "mu": 1}"#;
+    let (small, large) = (surface(&build(horn).unwrap()), format!("{horn}{}", offset("r", "o", 0.1, false)));
+    assert!(surface(&build(&large).unwrap()).area > small.area);
+    for (distance, thick, words) in [
+        (-1.0, false, "quad 0: the offset at distance -1 lies on the focal set"),
+        (-1.5, true, "quad 0: a centre of curvature lies between the surface and its offset at distance -1.5"),
+        (0.0, true, "a solid between a surface and its offset needs a distance other than 0"),
+    ] {
+        let message = build(&format!("{torus}{}", offset("r", "k", distance, thick))).unwrap_err();
+        assert!(message.contains(&format!(": objects.k.distance: {words}")), "{message}");
+    }
+    // Both parts of a horn in one net, which the node between them takes apart.
+    let ring = r#""r": {"type": "cyclide", "a": 4, "c": 1, "mu": 2}"#;
+    let message = build(&format!("{ring}{}", offset("r", "o", -2.0, false))).unwrap_err();
+    assert!(message.contains(": objects.o.distance: at distance -2 the offset meets the focal set: "), "{message}");
 }
 
 /// A net of two by one quads on a cylinder about the x axis.

@@ -333,8 +333,20 @@ pub enum Error {
         /// What cannot be made.
         cannot: &'static str,
     },
+    /// An offset that is no surface.
+    #[error(
+        "the offset at distance {} lies on the focal set: all centres of curvature of one family of lines are at that distance, and the surface shrinks to a curve or a point",
+        ShortNumber(*.distance)
+    )]
+    OffsetOnFocalSet {
+        /// Signed distance of the offset.
+        distance: f64,
+    },
     /// A solid between a surface and its offset would run through itself.
-    #[error("a centre of curvature lies between the surface and its offset at {}", ShortNumber(*.distance))]
+    #[error(
+        "a centre of curvature lies between the surface and its offset at distance {}, or on one of them",
+        ShortNumber(*.distance)
+    )]
     OffsetNotRegular {
         /// Signed distance of the offset.
         distance: f64,
@@ -348,6 +360,19 @@ pub enum Error {
         index: usize,
         /// What is wrong with it.
         detail: &'static str,
+    },
+    /// An edge that other programs would take for a point.
+    #[error(
+        "edge {edge} of the faces for a file is {} long, shorter than {}: the surface is too close to a singular one",
+        ShortNumber(*.length), ShortNumber(*.limit)
+    )]
+    ShortEdge {
+        /// Which edge, from 0, after faces were cut.
+        edge: usize,
+        /// Distance of its ends.
+        length: f64,
+        /// Shortest length accepted.
+        limit: f64,
     },
     /// One quad of a net failed; the cause says why.
     #[error("quad {quad}: {cause}")]
@@ -438,8 +463,10 @@ impl Error {
             Self::NetDoesNotClose { .. } => "net-does-not-close",
             Self::AmbiguousFrame => "ambiguous-frame",
             Self::CollapsedSide { .. } => "collapsed-side",
+            Self::OffsetOnFocalSet { .. } => "offset-on-focal-set",
             Self::OffsetNotRegular { .. } => "offset-not-regular",
             Self::NotAShell { .. } => "not-a-shell",
+            Self::ShortEdge { .. } => "short-edge",
             Self::InQuad { cause, .. } | Self::InSpan { cause, .. } => cause.reason(),
             Self::NotConverged { .. } => "not-converged",
         }

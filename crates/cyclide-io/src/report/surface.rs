@@ -1,6 +1,8 @@
 //! The report on surfaces.
 
-use cyclide::{Body, CircularMeshReport, CyclidePatch, ParamSurface as _, Shell, ShellFace, surface_joints};
+use cyclide::{
+    Body, CircularMeshReport, CyclidePatch, ParamSurface as _, Shell, ShellFace, SurfaceObject, surface_joints,
+};
 use serde::Serialize;
 
 use super::{CORNER_ANGLE, RangeReport};
@@ -27,9 +29,10 @@ pub struct SurfaceReport {
     /// How the patches meet.
     pub joints: SurfaceJointReport,
     /// Principal curvatures along the s-lines, in 1/length: negative where the surface bends away from its outer
-    /// side. Infinite where a line shrinks to a point.
+    /// side. Towards the parameters t named in `singular` it grows beyond all bounds; the range is that of its finite
+    /// values at the sides of patches and where it is stationary.
     pub curvature_s: RangeReport,
-    /// Principal curvatures along the t-lines.
+    /// Principal curvatures along the t-lines; beyond all bounds towards the parameters s named in `singular`.
     pub curvature_t: RangeReport,
     /// The nine real weights of every patch, before patches are cut so that all are positive.
     pub weights: RangeReport,
@@ -37,9 +40,10 @@ pub struct SurfaceReport {
     pub residual: f64,
     /// Largest cosine between the two directions of the parameter lines.
     pub orthogonality: f64,
-    /// Patches in which a parameter line shrinks to a point.
+    /// Patches with a singular point: a parameter line that shrinks to a point inside, or a side that is a node.
     pub singular: Vec<SingularPatchReport>,
-    /// Patches whose normal `f_s × f_t` is against that of their neighbours' frame.
+    /// Patches whose `f_s × f_t` is against the normal along which offsets are made: offsets beyond a focal set. Of a
+    /// thick shell, which has no offset, none.
     pub flipped: Vec<PatchPlace>,
     /// What it took to make a net circular.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -98,16 +102,18 @@ pub struct PatchPlace {
     pub patch: usize,
 }
 
-/// A patch in which parameter lines shrink to a point.
+/// A patch with singular points.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct SingularPatchReport {
     /// The patch.
     #[serde(flatten)]
     pub place: PatchPlace,
-    /// The parameters s whose t-line is one point.
+    /// The parameters s whose t-line is one point; 0 or 1 for a side that is a node (the pole of a sphere is none).
     pub s: Vec<f64>,
     /// The parameters t whose s-line is one point.
     pub t: Vec<f64>,
+    /// These points: first those of `s`, then those of `t`.
+    pub points: Vec<[f64; 3]>,
 }
 
 impl SurfaceReport {
@@ -134,8 +140,13 @@ impl SurfaceReport {
             circular: built.circular.as_ref().map(CircularReport::from),
         };
         for (body, it) in bodies.iter().enumerate() {
+            let thick = matches!(built.item.surfaces.get(body), Some(SurfaceObject::Thick(_)));
             for (patch, face) in it.shells().flat_map(Shell::faces).enumerate() {
-                report.add(PatchPlace { body, patch }, face);
+                let place = PatchPlace { body, patch };
+                if !thick && face.patch.is_flipped() && face.patch.is_regular() {
+                    report.flipped.push(place);
+                }
+                report.add(place, face);
             }
         }
         report
@@ -143,17 +154,10 @@ impl SurfaceReport {
 
     fn add(&mut self, place: PatchPlace, face: &ShellFace) {
         let patch = &face.patch;
-        let (s, t) = (patch.singular_s(), patch.singular_t());
-        let flipped = is_flipped(patch);
-        if !(s.is_empty() && t.is_empty()) {
-            self.singular.push(SingularPatchReport { place, s, t });
-        } else if flipped {
-            self.flipped.push(place);
-        }
+        self.singular.extend(SingularPatchReport::new(place, patch));
         // The curvatures are against D V3 D^-1; the outer side may be the other one.
-        let outer = if flipped == face.same_sense { -1.0 } else { 1.0 };
-        let turned =
-            |range: RangeReport, [a, b]: [f64; 2]| range.with((outer * a).min(outer * b), (outer * a).max(outer * b));
+        let against = patch.is_flipped() == face.same_sense;
+        let turned = |range: RangeReport, [a, b]: [f64; 2]| if against { range.with(-b, -a) } else { range.with(a, b) };
         self.curvature_s = turned(self.curvature_s, patch.k1_range());
         self.curvature_t = turned(self.curvature_t, patch.k2_range());
         for weight in patch.real_weights().as_flattened() {
@@ -188,10 +192,19 @@ impl From<&CircularMeshReport> for CircularReport {
     }
 }
 
-/// True if `f_s × f_t` is against `D V3 D^-1`, judged in the middle.
-fn is_flipped(patch: &CyclidePatch) -> bool {
-    let middle = |[a, b, c]: [f64; 3]| 0.25 * (a + 2.0 * b + c);
-    middle(patch.q1()) * middle(patch.q2()) < 0.0
+impl SingularPatchReport {
+    /// The singular points of a patch, if it has some.
+    fn new(place: PatchPlace, patch: &CyclidePatch) -> Option<Self> {
+        let sorted = |inside: Vec<f64>, sides: Vec<f64>| {
+            let mut all = [inside, sides].concat();
+            all.sort_by(f64::total_cmp);
+            all
+        };
+        let (s, t) = (sorted(patch.singular_s(), patch.node_s()), sorted(patch.singular_t(), patch.node_t()));
+        let of_s = s.iter().map(|&s| patch.point(s, 0.5));
+        let points = of_s.chain(t.iter().map(|&t| patch.point(0.5, t))).map(|p| p.to_array()).collect();
+        (!(s.is_empty() && t.is_empty())).then_some(Self { place, s, t, points })
+    }
 }
 
 fn volume(body: &Body) -> Option<f64> {

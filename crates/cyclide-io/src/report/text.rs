@@ -5,7 +5,9 @@ use std::fmt;
 use cyclide::ShortNumber;
 
 use super::surface::PatchPlace;
-use super::{CurvesReport, FileReport, GeometryReport, ObjectReport, RangeReport, Report, SurfaceReport};
+use super::{
+    CurvesReport, FileReport, GeometryReport, ObjectReport, RangeReport, Report, SingularPatchReport, SurfaceReport,
+};
 
 fn short(value: f64) -> String {
     ShortNumber(value).to_string()
@@ -158,7 +160,11 @@ impl SurfaceReport {
             line("creases", format!("{}: {gap}angle up to {} rad", j.creases, short(j.crease_angle)))?;
         }
         let (s, t) = (range(&self.curvature_s), range(&self.curvature_t));
-        line("curvature", format!("along s {s} 1/{units}, along t {t} 1/{units}"))?;
+        let unbounded = |of: fn(&SingularPatchReport) -> &Vec<f64>| {
+            if self.singular.iter().any(|p| !of(p).is_empty()) { ", unbounded at singular points" } else { "" }
+        };
+        let (at_t, at_s) = (unbounded(|p| &p.t), unbounded(|p| &p.s));
+        line("curvature", format!("along s {s} 1/{units}{at_t}; along t {t} 1/{units}{at_s}"))?;
         line("weights", range(&self.weights))?;
         let (residual, cosine) = (short(self.residual), short(self.orthogonality));
         line("accuracy", format!("in space to {residual} {units}, lines orthogonal to {cosine} rad"))?;

@@ -5,7 +5,7 @@ use super::surface_object::SurfaceObject;
 use crate::conformal::mobius::{Conformal, Mobius};
 use crate::curve::Arc;
 use crate::error::{Error, Result};
-use crate::surface::{CyclidePatch, CyclidicNet, NetFrame, QuadGrid, Shell};
+use crate::surface::{CyclidicNet, Shell};
 
 impl Conformal for CurveObject {
     /// The image: of arcs and chains of arcs under any map, of circles and circle splines under similarities and
@@ -59,9 +59,7 @@ impl SurfaceObject {
     #[must_use]
     pub fn thick(&self, distance: f64) -> Option<Result<Self>> {
         match self {
-            Self::Patch(patch) => {
-                Some(net_of(patch).and_then(|net| net.thick(distance)).map(Self::Thick).map_err(of_one_quad))
-            }
+            Self::Patch(patch) => Some(CyclidicNet::from(*patch).thick(distance).map(Self::Thick).map_err(of_one_quad)),
             Self::Net(net) => Some(net.thick(distance).map(Self::Thick)),
             Self::Thick(_) => None,
         }
@@ -80,11 +78,4 @@ impl SurfaceObject {
 /// The error about the only quad of a net as one about the patch.
 fn of_one_quad(error: Error) -> Error {
     if let Error::InQuad { cause, .. } = error { *cause } else { error }
-}
-
-/// The patch as a net of one quad.
-fn net_of(patch: &CyclidePatch) -> Result<CyclidicNet> {
-    let grid = QuadGrid::new(patch.corners().to_vec(), [2, 2], [false, false])?;
-    let [v1, v2, _] = patch.moving_frame(0.0, 0.0);
-    CyclidicNet::new(grid, NetFrame::First(v1, v2))
 }

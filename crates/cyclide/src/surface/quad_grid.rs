@@ -35,6 +35,11 @@ impl QuadGrid {
         Ok(Self { points, size, closed })
     }
 
+    /// The grid of one quad with its corners in binary order.
+    pub(in crate::surface) fn of_corners(corners: [Point3; 4]) -> Self {
+        Self { points: corners.to_vec(), size: [2, 2], closed: [false, false] }
+    }
+
     /// Vertices along s and along t.
     #[must_use]
     pub fn size(&self) -> [usize; 2] {

@@ -73,7 +73,7 @@ fn beyond_the_focal_surface_patches_flip() {
 
 /// Volume of the layer over the patches by their curvatures, exact: `∫∫ h - (k1 + k2) h²/2 + k1 k2 h³/3 dA`, for the
 /// convention `N_s = -k1 f_s`, under which the area element at height z is `(1 - k1 z)(1 - k2 z)`.
-fn layer(net: &CyclidicNet, h: f64) -> f64 {
+pub fn layer(net: &CyclidicNet, h: f64) -> f64 {
     let nodes =
         [(0.046_910_077_030_668, 0.118_463_442_528_094_5), (0.230_765_344_947_158_45, 0.239_314_335_249_683_23)];
     let rule: Vec<(f64, f64)> = nodes

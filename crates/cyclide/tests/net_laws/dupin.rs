@@ -164,6 +164,66 @@ fn horns_and_spindles_are_closed_parts_that_touch_in_their_nodes() {
 }
 
 #[test]
+fn normals_of_all_parts_are_outward() {
+    for d in all() {
+        for net in d.nets([4, 4]).unwrap() {
+            assert!(net.flipped_patches().is_empty(), "{d:?}");
+            for patch in net.patches() {
+                // Where both nodes are one its speed has a double zero, up to rounding.
+                assert!(patch.q1().into_iter().chain(patch.q2()).all(|q| q >= -1e-15 * patch.size()), "{d:?}");
+                assert!(patch.normal(0.4, 0.6).unwrap().dot(patch.unit_normal(0.4, 0.6)) > 0.0);
+            }
+            // Not turned round to be outward.
+            let shell = net.to_shell().unwrap();
+            assert!(shell.volume() > 0.0 && shell.faces().iter().all(|face| face.same_sense), "{d:?}");
+        }
+    }
+}
+
+#[test]
+fn nodes_are_known_with_the_finite_curvatures_beside_them() {
+    for d in all() {
+        let ([_, c, mu], kind) = (d.parameters(), d.kind());
+        for (part, net) in d.nets([4, 4]).unwrap().into_iter().enumerate() {
+            let (mut nodes, mut range) = ([0, 0], [f64::INFINITY, f64::NEG_INFINITY]);
+            for patch in net.patches() {
+                nodes[0] += patch.node_s().len();
+                nodes[1] += patch.node_t().len();
+                let [low, high] = patch.k2_range();
+                range = [range[0].min(low), range[1].max(high)];
+            }
+            let want = match kind {
+                CyclideKind::Ring => [0, 0],
+                CyclideKind::Horn => [2 * net.size()[1], 0],
+                CyclideKind::Spindle => [0, 2 * net.size()[0]],
+            };
+            assert_eq!(nodes, want, "{d:?}");
+            let quality = net.quality().curvatures;
+            assert!(quality[0].is_finite() && quality[1].is_finite() && quality[0] <= range[0]);
+            if kind == CyclideKind::Horn {
+                // k2 = -1/|mu - c cos th|, against the outward normal: flattest in the middle of each part.
+                let middle = if part == 0 && net.patch(0, 0).corners()[1].to_vec().x > 0.0 && mu < c {
+                    -1.0 / (c - mu)
+                } else {
+                    -1.0 / (c + mu)
+                };
+                assert!((range[1] / middle - 1.0).abs() < 1e-9, "{d:?} {part}: {range:?} {middle}");
+            }
+        }
+    }
+}
+
+#[test]
+fn nearly_singular_cyclides_have_no_edges_like_points_in_files() {
+    // Its parts near the nodes have a size of 5e-8, and are cut where much larger ones have to be.
+    let d = DupinCyclide::new(5.0, 4.999_999_9, 4.999_999_95).unwrap();
+    let error = d.to_shell().unwrap().with_positive_weights().unwrap_err();
+    assert_eq!(error.reason(), "short-edge", "{error}");
+    // Still good.
+    DupinCyclide::new(5.0, 4.99, 4.995).unwrap().to_shell().unwrap().with_positive_weights().unwrap();
+}
+
+#[test]
 fn a_placed_cyclide_is_the_same_in_its_frame() {
     let frame = Frame::from_normal(Point3::new(1.0, -2.0, 3.0), Vec3::new(0.3, -0.5, -2.0), Vec3::new(-1.0, 1.0, 0.2));
     let frame = frame.unwrap();

@@ -1,5 +1,5 @@
 //! Laws of whole cyclides, cyclidic nets and their shells (`20`, sections 4, 6, 7).
-#![allow(clippy::unwrap_used, reason = "helpers of tests")]
+#![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests")]
 
 mod data;
 mod derived;
@@ -8,3 +8,4 @@ mod far;
 mod models;
 mod nets;
 mod shells;
+mod thick;

@@ -23,9 +23,17 @@ impl Builder<'_> {
         let merged = |(c, w): &(usize, Warning)| {
             *c == contour && matches!(w, Warning::PointsMerged { .. } | Warning::ClosingPointMerged { .. })
         };
-        match error {
-            cyclide::Error::TooFewPoints { .. } if self.warnings.iter().any(merged) => {
+        match (error, self.spec) {
+            (cyclide::Error::TooFewPoints { .. }, _) if self.warnings.iter().any(merged) => {
                 format!("{error} (repeated points count once)")
+            }
+            (cyclide::Error::ParameterOutOfRange { name: "distance", .. }, ObjectSpec::Offset(spec))
+                if spec.distance == 0.0 =>
+            {
+                "a solid between a surface and its offset needs a distance other than 0".to_owned()
+            }
+            (cyclide::Error::NotAShell { .. }, ObjectSpec::Offset(spec)) => {
+                format!("at distance {} the offset meets the focal set: {error}", spec.distance)
             }
             _ => error.to_string(),
         }
@@ -112,7 +120,9 @@ fn blame(spec: &ObjectSpec, error: &cyclide::Error) -> Blame {
         _ => Blame::Entry("tangents", index),
     };
     let is_patch = matches!(spec, ObjectSpec::CyclidePatch(_));
+    let of_distance = ["offset-on-focal-set", "offset-not-regular", "not-a-shell"];
     match *error {
+        _ if matches!(spec, ObjectSpec::Offset(_)) && of_distance.contains(&error.reason()) => Blame::Field("distance"),
         E::NotFinite { what: "tangent", index } | E::ZeroTangent { index } | E::TangentOpposesChord { index } => {
             tangent(index)
         }

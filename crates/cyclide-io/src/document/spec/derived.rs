@@ -18,7 +18,9 @@ pub struct OffsetSpec {
     pub construction: bool,
     /// Name of the surface.
     pub of: String,
-    /// Distance along the normal `f_s x f_t`; negative to the other side.
+    /// Distance along the normal; negative to the other side. The normal of a whole cyclide is outward, that of other
+    /// surfaces along `f_s x f_t`. An offset keeps the normal of its surface, so that distances add up: beyond a focal
+    /// set it is against its own `f_s x f_t`, and the report lists the patch as flipped.
     pub distance: f64,
     /// Make the solid between the surface and its parallel surface, with a rim along free edges.
     #[serde(default)]

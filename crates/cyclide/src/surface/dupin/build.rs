@@ -10,6 +10,11 @@
 //! `a = mu cos ps`: these angles are breakpoints. So are 0 and pi, which makes all nine real weights of every patch
 //! positive: they are `a ka ka' - c ga ga'` with `ka = (1, cos(d/2), 1)` and `ga = (cos th_0, cos th_mid, cos th_1)`,
 //! and `|cos th_mid| <= cos(d/2)` for a step `d` inside `[0, pi]`.
+//!
+//! With these `V1, V2` the speeds are `q1 ~ a - mu cos ps` and `q2 ~ mu - c cos th`, and `V3 = -i` gives the normal
+//! `N`: outward on a ring, on both parts of a spindle and on the larger part of a horn. Between the nodes of a spindle
+//! `q1 < 0`: there s runs the other way. Between those of a horn `q2 < 0` and `N` is inward: `V2` is turned round, and
+//! `V3` with it. So the normals of all nets are `f_s × f_t` and outward.
 
 use super::{CyclideKind, DupinCyclide, NODE_LIMIT};
 use crate::base::quat::Quat;
@@ -31,6 +36,8 @@ const MAX_SEGMENTS: usize = 4096;
 struct Range {
     angles: Vec<f64>,
     closed: bool,
+    /// The part that contains the angle 0, of two.
+    between_nodes: bool,
 }
 
 impl DupinCyclide {
@@ -38,8 +45,9 @@ impl DupinCyclide {
     /// `TAU/segments`, with 0, pi and the nodes among the breakpoints, from 0 (or from the node below it). A ring is
     /// one net, closed in both directions. A horn is two nets, closed along t, with the nodes for sides `s = 0` and
     /// `s = 1`; a spindle is two nets, closed along s, with the nodes for sides `t = 0` and `t = 1`: first the part
-    /// that contains the angle 0 (of the spindle: the inner surface), then the other. If both nodes are one, the
-    /// part between them is missing. The weights of the rational forms are all positive.
+    /// that contains the angle 0 (of the spindle: the inner surface, round which s runs the other way), then the other.
+    /// If both nodes are one, the part between them is missing. `f_s × f_t` and the normals are outward everywhere. The
+    /// weights of the rational forms are all positive.
     ///
     /// # Errors
     /// `parameter-out-of-range` (segments outside 3 to 4096, coordinates above 1e150).
@@ -91,8 +99,11 @@ impl DupinCyclide {
         let (al, be, b) = ((a - c).sqrt(), (a + c).sqrt(), ((a - c) * (a + c)).sqrt());
         let turn = frame.rotation();
         let (mut points, mut weights) = (Vec::new(), Vec::new());
+        // Speeds and normals as at the top.
+        let way = if t.between_nodes { -1.0 } else { 1.0 };
+        let v2 = if s.between_nodes { Vec3::Z } else { -Vec3::Z };
         for &ps in &t.angles {
-            for &th in &s.angles {
+            for th in s.angles.iter().map(|th| way * th) {
                 let ((sin_s, cos_s), (sin_t, cos_t)) = (sin_cos(0.5 * th), sin_cos(0.5 * ps));
                 let w = Quat::new(al * cos_s * cos_t, al * sin_s * sin_t, -be * cos_s * sin_t, be * sin_s * cos_t);
                 weights.push(turn * w * (1.0 / a.sqrt()));
@@ -120,7 +131,7 @@ impl DupinCyclide {
         }
         let grid = QuadGrid::new(points, size, [s.closed, t.closed])?;
         // After a full turn the half angles are half a turn further.
-        Ok(CyclidicNet::from_weights_unchecked(grid, weights, [Vec3::Y, -Vec3::Z], [-1.0, -1.0]))
+        Ok(CyclidicNet::from_weights_unchecked(grid, weights, [Vec3::Y, v2], [-1.0, -1.0]))
     }
 }
 
@@ -150,14 +161,14 @@ fn ranges(segments: usize, node: Option<f64>) -> Vec<Range> {
         None => {
             let mut angles = chain(&[0.0, PI, TAU]);
             angles.pop(); // the first again
-            vec![Range { angles, closed: true }]
+            vec![Range { angles, closed: true, between_nodes: false }]
         }
         Some(node) => {
-            let outer = Range { angles: chain(&[node, PI, TAU - node]), closed: false };
+            let outer = Range { angles: chain(&[node, PI, TAU - node]), closed: false, between_nodes: false };
             if node == 0.0 {
                 return vec![outer];
             }
-            vec![Range { angles: chain(&[-node, 0.0, node]), closed: false }, outer]
+            vec![Range { angles: chain(&[-node, 0.0, node]), closed: false, between_nodes: true }, outer]
         }
     }
 }

@@ -95,7 +95,8 @@ impl DupinCyclide {
         }
     }
 
-    /// The surface at signed distance `h`: outwards on a ring for `h > 0`. Offsets change `mu` only (`20`, section 4).
+    /// The surface at signed distance `h`, which has another `mu` only (`20`, section 4). For `h > 0` it is outside a
+    /// ring, both parts of a spindle and the larger part of a horn, and inside the smaller part of a horn.
     ///
     /// # Errors
     /// As [`new`](Self::new), if `mu + h` is out of range.

@@ -82,6 +82,14 @@ impl CyclidicNet {
     }
 }
 
+impl From<CyclidePatch> for CyclidicNet {
+    /// The patch as a net of one quad: the same corners, weights and frame.
+    fn from(patch: CyclidePatch) -> Self {
+        let ([v1, v2, _], weights) = (patch.frame(), patch.weights().to_vec());
+        Self { grid: QuadGrid::of_corners(patch.corners()), weights, v: [v1, v2], turn: [1.0, 1.0] }
+    }
+}
+
 /// The unit weight at the other end of an edge with unit chord `d` in the direction of `v`: `d^-1 w v`.
 fn step(w: Quat, d: Vec3, v: Vec3) -> Quat {
     let next = Quat::from(-d) * w * Quat::from(v);

@@ -33,7 +33,8 @@ pub struct NetQuality {
     pub weights: [f64; 2],
     /// Smallest of the nine real weights of all patches; not positive where a patch is to be divided for files.
     pub smallest_real_weight: f64,
-    /// Smallest and largest principal curvature against the normals; infinite where a line shrinks to a point.
+    /// Smallest and largest principal curvature against the normals, over whole patches; where a line is a node or
+    /// singular, of the finite values as in [`CyclidePatch::k1_range`].
     pub curvatures: [f64; 2],
 }
 
@@ -48,8 +49,8 @@ impl CyclidicNet {
         self.quads().filter_map(singular).collect()
     }
 
-    /// The quads whose patch runs against the frame at a corner: its parameter lines turn back there, as in an offset
-    /// beyond a centre of curvature. None in a net made of a grid.
+    /// The quads whose `f_s × f_t` is against the normal at a corner: one family of their lines runs against the frame,
+    /// as in an offset beyond a centre of curvature. None in a net made of a grid, nor in a whole cyclide.
     #[must_use]
     pub fn flipped_patches(&self) -> Vec<[usize; 2]> {
         let against = |patch: &CyclidePatch| {
@@ -104,12 +105,9 @@ impl NetQuality {
                     self.orthogonality = self.orthogonality.max(a.dot(b).abs());
                 }
             }
-            // Each is constant along its lines.
-            for k in [patch.k1(s), patch.k2(s)] {
-                if !k.is_nan() {
-                    self.curvatures = [self.curvatures[0].min(k), self.curvatures[1].max(k)];
-                }
-            }
+        }
+        for [low, high] in [patch.k1_range(), patch.k2_range()] {
+            self.curvatures = [self.curvatures[0].min(low), self.curvatures[1].max(high)];
         }
         for w in patch.real_weights().into_iter().flatten() {
             self.smallest_real_weight = self.smallest_real_weight.min(w);

@@ -14,6 +14,29 @@ pub(super) struct Sewing {
     faces: Vec<ShellFace>,
 }
 
+/// Which vertices of a grid are the same point: chains of vertices lead to their first.
+#[derive(Debug)]
+pub(super) struct SameVertices(Vec<usize>);
+
+impl SameVertices {
+    pub(super) fn new(count: usize) -> Self {
+        Self((0..count).collect())
+    }
+
+    pub(super) fn join(&mut self, a: usize, b: usize) {
+        let (a, b) = (self.first(a), self.first(b));
+        self.0[a.max(b)] = a.min(b);
+    }
+
+    /// The first vertex that is the same.
+    pub(super) fn first(&self, mut k: usize) -> usize {
+        while self.0[k] != k {
+            k = self.0[k];
+        }
+        k
+    }
+}
+
 /// Where the parts of a net are in a [`Sewing`].
 #[derive(Debug)]
 pub(super) struct Skin {
@@ -59,32 +82,25 @@ impl Sewing {
         let next = |i: usize, j: usize| {
             [(closed[0] || i + 1 < m).then_some((i + 1, j)), (closed[1] || j + 1 < n).then_some((i, j + 1))]
         };
-        // A side of one point is one vertex: that of its first corner. Chains of equal points lead to their first.
-        let mut same: Vec<usize> = (0..m * n).collect();
-        fn first_of(same: &[usize], mut k: usize) -> usize {
-            while same[k] != k {
-                k = same[k];
-            }
-            k
-        }
+        // A side of one point is one vertex: that of its first corner.
+        let mut same = SameVertices::new(m * n);
         for (i, j) in places() {
             let here = grid.index(i, j);
             for (i1, j1) in next(i, j).into_iter().flatten() {
                 let there = grid.index(i1, j1);
                 if grid.points()[here] == grid.points()[there] {
-                    let (a, b) = (first_of(&same, here), first_of(&same, there));
-                    same[a.max(b)] = a.min(b);
+                    same.join(here, there);
                 }
             }
         }
         let mut vertices = vec![0; m * n];
         for k in 0..m * n {
-            // A vertex leads to an earlier one, which has its number.
-            vertices[k] = if same[k] == k {
-                self.vertices.push(grid.points()[k]);
-                self.vertices.len() - 1
-            } else {
-                vertices[same[k]]
+            vertices[k] = match same.first(k) {
+                first if first < k => vertices[first],
+                _ => {
+                    self.vertices.push(grid.points()[k]);
+                    self.vertices.len() - 1
+                }
             };
         }
         let mut skin = Skin { vertices, along_s: vec![None; m * n], along_t: vec![None; m * n] };

@@ -1,29 +1,35 @@
 //! The offset surface, which keeps the weights (`20`, section 3).
 
+use super::CyclidePatch;
 use super::polar::at_half;
 use super::singular::roots;
-use super::{CyclidePatch, largest_distance};
 use crate::base::range;
+use crate::base::vector::Vec3;
 use crate::error::{Error, Result};
 
-/// An offset side whose speed cancels to this part of its terms is one point.
+/// An offset side is one point if its radius cancels to this part of the distance and of the radius before.
 const COLLAPSED: f64 = 64.0 * f64::EPSILON;
 
-/// An offset of this size, relative to the patch and the distance, is one point.
-const POINT_LIMIT: f64 = 1e-14;
+/// The same for all lines of one family: the offset is a curve or a point. Patches of nets and of given corners are in
+/// space to about 1e-13.
+const FOCAL: f64 = 1e-12;
 
 impl CyclidePatch {
     /// The surface at the signed distance `h` along [`unit_normal`](Self::unit_normal), with the same parameters:
     /// `f_h = f + h N` exactly. Weights and frame are the same, corners `a_k + h w_k V3 w_k^-1`, speeds
     /// `q1 + 2h m·V2` and `q2 - 2h m*·V1` (`20`, section 3). An offset beyond a curvature centre is made all the
-    /// same; [`offset_is_regular`](Self::offset_is_regular) tells.
+    /// same; [`offset_is_regular`](Self::offset_is_regular) tells. It keeps the normal, which is then against its
+    /// `f_s × f_t` if one of the two centres was passed: distances add up.
     ///
     /// # Errors
-    /// `not-finite`, `parameter-out-of-range` (coordinates above 1e150), `coincident-points` (the offset of a sphere
-    /// by its radius: a point).
+    /// `not-finite`, `parameter-out-of-range` (coordinates above 1e150), `offset-on-focal-set` (all curvature centres
+    /// of one family are at that distance: of a sphere by its radius, of a torus by that of its tube).
     pub fn offset(&self, h: f64) -> Result<Self> {
         if !h.is_finite() {
             return Err(Error::NotFinite { what: "offset distance", index: 0 });
+        }
+        if self.offset_is_focal(h) {
+            return Err(Error::OffsetOnFocalSet { distance: h });
         }
         let (q1, q2) = self.offset_speeds(h);
         let mut corners = std::array::from_fn(|k| {
@@ -34,14 +40,8 @@ impl CyclidePatch {
             range::check_point(index, p.to_vec())?;
         }
         // A side of one point has one corner, bit for bit.
-        for (speed, from, to) in [(q1[0], 0, 1), (q1[2], 2, 3), (q2[0], 0, 2), (q2[2], 1, 3)] {
-            if speed == 0.0 {
-                corners[to] = corners[from];
-            }
-        }
-        let (distance, limit) = (largest_distance(&corners), POINT_LIMIT * (self.scale + h.abs()));
-        if distance <= limit {
-            return Err(Error::CoincidentPoints { first: 0, second: 3, distance, limit });
+        for [from, to] in self.offset_points(h).into_iter().flatten() {
+            corners[to] = corners[from];
         }
         let mut patch = Self::from_weights_unchecked(corners, self.weights, self.v[0], self.v[1]);
         (patch.polar.q1, patch.polar.q2) = (q1, q2);
@@ -61,23 +61,45 @@ impl CyclidePatch {
         same_sign(self.polar.q1, q1) && same_sign(self.polar.q2, q2)
     }
 
+    /// The corners of the sides t=0, t=1, s=0, s=1 of the offset that are one point.
+    pub(in crate::surface) fn offset_points(&self, h: f64) -> [Option<[usize; 2]>; 4] {
+        let (q1, q2) = self.offset_speeds(h);
+        let sides = [(q1[0], [0, 1]), (q1[2], [2, 3]), (q2[0], [0, 2]), (q2[2], [1, 3])];
+        sides.map(|(speed, corners)| (speed == 0.0).then_some(corners))
+    }
+
+    /// True if all lines of one family shrink to points in the offset.
+    pub(in crate::surface) fn offset_is_focal(&self, h: f64) -> bool {
+        self.offset_lines(h).iter().any(|lines| lines.iter().all(|[speed, terms]| speed.abs() <= FOCAL * terms))
+    }
+
     /// Speeds of the offset; those of sides that are one point are exactly zero.
     fn offset_speeds(&self, h: f64) -> ([f64; 3], [f64; 3]) {
-        let polar = &self.polar;
-        let shifted = |speed: [f64; 3], bend: [f64; 3]| {
+        let settled = |lines: [[f64; 2]; 3]| {
             std::array::from_fn(|i| {
-                let (sum, terms) = (speed[i] + 2.0 * h * bend[i], speed[i].abs() + 2.0 * (h * bend[i]).abs());
-                if i != 1 && sum.abs() <= COLLAPSED * terms { 0.0 } else { sum }
+                let [speed, terms] = lines[i];
+                if i != 1 && speed.abs() <= COLLAPSED * terms { 0.0 } else { speed }
             })
         };
-        (shifted(polar.q1, polar.bend1(self.v[1])), shifted(polar.q2, polar.bend2(self.v[0])))
+        let [q1, q2] = self.offset_lines(h);
+        (settled(q1), settled(q2))
+    }
+
+    /// Bernstein coefficients of both speeds of the offset, each with the size of its terms: `|q| + 2|h m|`, so that
+    /// their quotient is that of the radius of a line to the radius before and the distance.
+    fn offset_lines(&self, h: f64) -> [[[f64; 2]; 3]; 2] {
+        let polar = &self.polar;
+        let shifted = |speed: [f64; 3], bend: [f64; 3], m: [Vec3; 3]| {
+            std::array::from_fn(|i| [speed[i] + 2.0 * h * bend[i], speed[i].abs() + 2.0 * h.abs() * m[i].length()])
+        };
+        [shifted(polar.q1, polar.bend1(self.v[1]), polar.m), shifted(polar.q2, polar.bend2(self.v[0]), polar.m_star)]
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::base::vector::{Point3, Vec3};
+    use crate::base::vector::Point3;
     use crate::surface::ParamSurface as _;
 
     /// An octant of the unit sphere about (2, 0, 0) with its pole at a2 = a3, normal outward.
@@ -107,7 +129,7 @@ mod tests {
         let patch = octant();
         assert!(patch.offset_is_regular(-0.999) && patch.offset_is_regular(1e9));
         assert!(!patch.offset_is_regular(-1.001) && !patch.offset_is_regular(f64::NAN));
-        assert_eq!(patch.offset(-1.0).unwrap_err().reason(), "coincident-points");
+        assert_eq!(patch.offset(-1.0).unwrap_err().reason(), "offset-on-focal-set");
         assert_eq!(patch.offset(f64::INFINITY).unwrap_err().reason(), "not-finite");
         assert_eq!(patch.offset(1e200).unwrap_err().reason(), "parameter-out-of-range");
     }

@@ -1,6 +1,7 @@
 //! Where a parameter line shrinks to a point.
 
 use super::CyclidePatch;
+use super::polar::at_half;
 
 impl CyclidePatch {
     /// The parameters t in (0, 1) whose s-line is one point: the zeros of `q1`. Sorted.
@@ -20,10 +21,41 @@ impl CyclidePatch {
     pub fn is_regular(&self) -> bool {
         self.singular_s().is_empty() && self.singular_t().is_empty()
     }
+
+    /// Which of t = 0 and t = 1 are s-lines of one point that is a node of the surface: the normals along the line are
+    /// those of a cone, and [`k1`](Self::k1) grows beyond all bounds towards it. A pole, as of a sphere, is none: there
+    /// the normals along the line are equal.
+    #[must_use]
+    pub fn node_t(&self) -> Vec<f64> {
+        nodes(self.polar.q1, self.polar.m.map(|m| [m.dot(self.v[1]), m.length()]))
+    }
+
+    /// Which of s = 0 and s = 1 are t-lines of one point that is a node, as [`node_t`](Self::node_t).
+    #[must_use]
+    pub fn node_s(&self) -> Vec<f64> {
+        nodes(self.polar.q2, self.polar.m_star.map(|m| [m.dot(self.v[0]), m.length()]))
+    }
+
+    /// True if `f_s × f_t` is against the normal `D V3 D^-1`, judged in the middle: so it is beyond a focal set, after
+    /// an [`offset`](Self::offset) by more than one of the two radii of curvature.
+    #[must_use]
+    pub fn is_flipped(&self) -> bool {
+        at_half(&self.polar.q1) * at_half(&self.polar.q2) < 0.0
+    }
+}
+
+/// Along a side of one point the normals turn about an axis: about themselves at a pole, where this cosine of the
+/// angle to the tangent plane is 0.
+const POLE_LIMIT: f64 = 1e-9;
+
+/// The ends at which the speed is zero and the bending `[m·V, |m|]` across the normal is not.
+fn nodes(speed: [f64; 3], bending: [[f64; 2]; 3]) -> Vec<f64> {
+    let node = |k: usize| speed[k] == 0.0 && bending[k][0].abs() > POLE_LIMIT * bending[k][1];
+    [(0, 0.0), (2, 1.0)].into_iter().filter(|&(k, _)| node(k)).map(|(_, at)| at).collect()
 }
 
 /// A side of one point where the speed has a double zero has its other zero nearer to it than this, by rounding.
-const DOUBLE_ZERO: f64 = 16.0 * f64::EPSILON;
+pub(super) const DOUBLE_ZERO: f64 = 16.0 * f64::EPSILON;
 
 /// Zeros in (0, 1) of the quadratic with these Bernstein coefficients. An end that is exactly zero is a side of one
 /// point, not a zero inside.

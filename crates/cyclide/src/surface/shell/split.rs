@@ -6,6 +6,7 @@
 
 use super::check::SIDE_CORNERS;
 use super::{FaceEdge, Shell, ShellEdge, ShellFace};
+use crate::base::bounds::Aabb;
 use crate::base::vector::Point3;
 use crate::curve::Arc;
 use crate::error::{Error, Result};
@@ -18,6 +19,8 @@ const SMALLEST_COSINE: f64 = 0.25;
 const SMALLEST_MIDDLE: f64 = 0.0625;
 /// A strip is halved this often at most: sixteen halvings leave 3e-5 of an edge.
 const MOST_PASSES: usize = 16;
+/// Shortest edge that other programs tell from a point, relative to the box of the vertices.
+const SHORTEST_EDGE: f64 = 1e-13;
 /// Speeds below this part of the largest one are zero: the parameter line is one point.
 const ZERO_SPEED: f64 = 1e-9;
 
@@ -61,13 +64,15 @@ impl Shell {
     /// strips of faces are halved until all are. Edges and vertices stay shared bit for bit, sides of one point stay so.
     ///
     /// # Errors
-    /// `patch-through-infinity` where sixteen halvings do not suffice.
+    /// `patch-through-infinity` where sixteen halvings do not suffice; `short-edge` if an edge is shorter than 1e-13 of
+    /// the shell, as in cyclides that are nearly singular.
     pub fn with_positive_weights(&self) -> Result<Self> {
         let shell = self.halved(|_, face| too_wide(&face.patch), MOST_PASSES)?;
-        match shell.faces.iter().all(|face| too_wide(&face.patch) == [false, false]) {
-            true => Ok(shell),
-            false => Err(Error::PatchThroughInfinity { s: 0.5, t: 0.5 }),
+        if !shell.faces.iter().all(|face| too_wide(&face.patch) == [false, false]) {
+            return Err(Error::PatchThroughInfinity { s: 0.5, t: 0.5 });
         }
+        shell.check_long_edges()?;
+        Ok(shell)
     }
 
     /// The same surface with strips of faces halved, at the middle of their widest side, until `wide` names no direction
@@ -99,6 +104,18 @@ impl Shell {
             shell = shell.cut(&cuts)?;
         }
         Ok(shell)
+    }
+
+    /// Refuses edges that are points for other programs.
+    fn check_long_edges(&self) -> Result<()> {
+        let limit = SHORTEST_EDGE * Aabb::of_points(self.vertices.iter().copied()).map_or(0.0, Aabb::diagonal);
+        for (edge, ShellEdge { arc, .. }) in self.edges.iter().enumerate() {
+            let length = arc.start().distance(arc.end());
+            if length < limit {
+                return Err(Error::ShortEdge { edge, length, limit });
+            }
+        }
+        Ok(())
     }
 
     /// The same surface in faces without a parameter line of one point inside: strips of faces are cut there, and the

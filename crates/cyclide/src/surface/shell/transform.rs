@@ -33,17 +33,21 @@ impl Conformal for Shell {
 }
 
 impl Conformal for Body {
-    /// The image of a body that does not hold the point that goes to infinity.
+    /// The image of a body that does not hold the point that goes to infinity. If a hollow holds it, that hollow becomes
+    /// the outside, and the outer shell the wall of a hollow.
     ///
     /// # Errors
     /// As those of its shells; `point-at-infinity` if a solid holds the point that goes to infinity.
     fn transformed(&self, map: &Mobius) -> Result<Self> {
-        let outer = self.outer.transformed(map)?;
-        let voids = self.voids.iter().map(|shell| shell.transformed(map)).collect::<Result<_>>()?;
-        if self.is_solid() && outer.is_inside_out() {
-            return Err(Error::PointAtInfinity);
+        let mut shells = self.shells().map(|shell| shell.transformed(map)).collect::<Result<Vec<_>>>()?;
+        if self.is_solid() {
+            // The outer sides still point away from the material: one shell has it inside, unless it reaches infinity.
+            let around: Vec<usize> = (0..shells.len()).filter(|&k| shells[k].volume() > 0.0).collect();
+            let [outer] = around[..] else { return Err(Error::PointAtInfinity) };
+            shells.swap(0, outer);
         }
-        Ok(Self { outer, voids })
+        let outer = shells.remove(0);
+        Ok(Self { outer, voids: shells })
     }
 }
 
