@@ -1,11 +1,12 @@
 """Thick shells beyond focal sets, over poles and nodes, and turned inside out, as OpenCASCADE reads them."""
 
+import json
 import math
 
 import pytest
 
 from step_faces import StepFaces
-from test_step_surfaces import assert_volume, built, revolved, structure
+from test_step_surfaces import VOLUME_LIMIT, assert_volume, built, revolved, structure
 
 HALF = 0.6
 # Unit cylinder over 2 HALF, height 2; unit sphere over 0.9 in longitude and 0 to 0.8 in latitude; an eighth of it.
@@ -65,5 +66,11 @@ def test_hollow_turned_outside_is_a_solid_with_a_hollow(program, tmp_path):
     path, _ = built(program, tmp_path, objects)
     step = StepFaces(path)
     structure(step, closed=True)
-    assert (len(step.solids), len(step.shells), len(step.faces)) == (1, 2, 72)
-    assert step.volume() > 0
+    assert (len(step.solids), len(step.shells)) == (1, 2)
+    # 36 faces on each side, some halved where edges are wide.
+    assert len(step.faces) >= 72
+    report = json.loads(program("report", tmp_path / "model.json", "--json"))
+    # The reader's own integral of faces as wide as these is good to a few parts in a thousand.
+    volume = sum(face.volume() for face in step.faces)
+    assert volume == pytest.approx(report["objects"]["out"]["volume"], rel=VOLUME_LIMIT)
+    assert step.volume() == pytest.approx(volume, rel=1e-2)

@@ -279,7 +279,7 @@ fn nodes_are_named_with_the_finite_curvatures() {
     let outer = [0, 3, 4, 7, 8, 11, 12, 15].map(|patch| (1, patch));
     assert_eq!(places, (0..8).map(|patch| (0, patch)).chain(outer).collect::<Vec<_>>());
     for patch in &report.singular {
-        assert!(patch.t.is_empty() && patch.s.len() == 1 && (patch.s[0] == 0.0 || patch.s[0] == 1.0), "{patch:?}");
+        assert!(patch.t.is_empty() && patch.s.len() == 1 && [0.0, 1.0].contains(&patch.s[0]), "{patch:?}");
         let [x, y, z] = patch.points[0];
         let want = 4.0 * (8.0_f64 / 9.0).sqrt();
         assert!((x - 5.0 / 3.0).abs() < 1e-14 && (y.abs() - want).abs() < 1e-14 && z.abs() < 1e-14, "{patch:?}");
