@@ -12,6 +12,10 @@ const OWN: f64 = 1e-6;
 const TIE: f64 = 1e-9;
 /// Newton steps from each start.
 const STEPS: usize = 40;
+/// A step that leads away is halved so many times at most.
+const HALVINGS: usize = 12;
+/// Places along each parameter among which the nearest is a start: on sharply curved patches the others may miss it.
+const GRID: u32 = 8;
 
 /// Where a point is on a patch.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -31,10 +35,11 @@ impl CyclidePatch {
     ///
     /// On the surface the point's parameters are roots of a quadratic (`20`, section 3, robust form: also on planes
     /// and spheres, where every other closed form degenerates); of two pairs that both give the point the one nearer
-    /// to `[0, 1]²` is taken. Off the surface Newton steps follow, from these roots and from the middle of the patch:
-    /// the parameter lines are orthogonal and lines of curvature, so a step is two divisions. The result is then *a* foot,
-    /// the nearest that was reached: up to 1e-3 of the patch's size away practically always the nearest there is, at
-    /// 0.1 not always. Where a whole parameter line is the point, any parameter on it is right.
+    /// to `[0, 1]²` is taken. Off the surface Newton steps follow, from these roots and from the nearest of a few places of
+    /// the patch: the parameter lines are orthogonal and lines of curvature, so a step is two divisions; it is halved while
+    /// it leads away. The result is then *a* foot, the nearest that was reached: up to 1e-3 of the patch's size away
+    /// practically always the nearest there is, at 0.1 not always. Where a whole parameter line is the point, any
+    /// parameter on it is right.
     ///
     /// A point that is not finite has no place: all fields are NaN.
     #[must_use]
@@ -48,8 +53,7 @@ impl CyclidePatch {
             let own = [0, 1].map(|i| starts[i].filter(|_| is_own(&roots[i])));
             return self.nearest(p, own);
         }
-        let smaller = [&roots[0], &roots[1]].into_iter().flatten().min_by(|a, b| a.rest.total_cmp(&b.rest));
-        self.nearest(p, [smaller.map(|r| (r.s, r.t)), self.sphere_parameters(&e), Some((0.5, 0.5))])
+        self.nearest(p, [starts[0], starts[1], self.sphere_parameters(&e), Some(self.nearest_of_grid(p))])
     }
 
     /// The best place that Newton steps reach from the starts.
@@ -82,29 +86,45 @@ impl CyclidePatch {
             PatchLocation { s, t, point, distance: point.distance(p) }
         };
         let mut best = place(s, t);
-        let (mut s, mut t) = (s, t);
         let rounding = 4.0 * f64::EPSILON * (self.scale + p.to_vec().max_abs());
         for _ in 0..STEPS {
-            let jet = self.jet(s, t);
+            let jet = self.jet(best.s, best.t);
             let rest = p - jet.point;
             let [e, _, g] = jet.first_form();
             // At the foot the second derivative of half the squared distance is |f_s|² (1 - h k1), and there is no
             // mixed one; before a curvature centre, steps that count on it are steps of Newton.
-            let height = rest.dot(self.unit_normal(s, t));
-            let stretch = |k: f64| Some(1.0 - height * k).filter(|x| *x > 0.25).unwrap_or(1.0);
+            let height = rest.dot(self.unit_normal(best.s, best.t));
+            let stretch = |k: f64| Some(1.0 - height * k).filter(|x| *x > 1e-3).unwrap_or(1.0);
             let step = |along: f64, square: f64, k: f64| {
                 let step = along / (square * stretch(k));
                 if step.is_finite() { step } else { 0.0 }
             };
-            let ds = step(rest.dot(jet.ds), e, self.k1(t));
-            let dt = step(rest.dot(jet.dt), g, self.k2(s));
-            (s, t) = (s + ds, t + dt);
-            let found = place(s, t);
-            if found.distance < best.distance {
-                best = found;
-            }
+            let ds = step(rest.dot(jet.ds), e, self.k1(best.t));
+            let dt = step(rest.dot(jet.dt), g, self.k2(best.s));
+            let mut parts = (0..=HALVINGS).map(|k| 0.5_f64.powi(k as i32));
+            let nearer = parts.find_map(|part| {
+                let found = place(best.s + part * ds, best.t + part * dt);
+                (found.distance < best.distance).then_some(found)
+            });
+            let Some(found) = nearer else { break };
+            best = found;
             if !(ds.abs() * e.sqrt() + dt.abs() * g.sqrt() > rounding) {
                 break;
+            }
+        }
+        best
+    }
+
+    /// The nearest of the places in the middles of equal parts of the parameters.
+    fn nearest_of_grid(&self, p: Point3) -> (f64, f64) {
+        let middle = |k: u32| (f64::from(k) + 0.5) / f64::from(GRID);
+        let mut best = (0.5, 0.5);
+        let mut least = f64::INFINITY;
+        for k in 0..GRID * GRID {
+            let (s, t) = (middle(k % GRID), middle(k / GRID));
+            let distance = self.point(s, t).distance(p);
+            if distance < least {
+                (least, best) = (distance, (s, t));
             }
         }
         best
