@@ -286,6 +286,14 @@ fn corners_between_two_curves_stay() {
 }
 
 #[test]
+fn a_search_that_gets_no_further_is_accepted_below_what_patches_accept() {
+    // A needle a million times as high as its cells are wide: rounding stops the search at some 1e-11.
+    let needle: Surface = |u, v| [u, v, 1e6 * (-20.0 * ((u - 0.01).powi(2) + v * v)).exp()];
+    let mesh = circular(&grid(needle, 8, 0.0), Border::Free).unwrap();
+    assert!((1e-12..1e-10).contains(&mesh.report.residual_after), "{:e}", mesh.report.residual_after);
+}
+
+#[test]
 fn crossing_quads_are_named() {
     // A square's corners in the wrong order lie on a circle: the search has nothing to do.
     let points = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]].map(Point3::from).to_vec();

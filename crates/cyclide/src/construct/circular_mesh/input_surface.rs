@@ -60,7 +60,10 @@ pub(super) fn curvature_lines(points: &[Point3], grid: &QuadGrid, normals: &[Opt
         }
         let column = |k: usize| (k % grid.size()[0], k / grid.size()[0]);
         let diagonal = [w, e].into_iter().flat_map(|k| neighbours(grid, column(k).0, column(k).1, 1));
-        let u = normal.any_perpendicular();
+        // Along the longer cells, so that slim ones are spread along one axis.
+        let along = [[w, e], [s, n]].map(|[before, after]| points[after] - points[before]);
+        let longer = if along[0].length() >= along[1].length() { along[0] } else { along[1] };
+        let u = (longer - normal * longer.dot(normal)).unit()?;
         let v = normal.cross(u);
         let around = [w, e, s, n].into_iter().chain(diagonal).map(|k| points[k] - points[centre]);
         let local: Vec<[f64; 3]> = around.map(|d| [d.dot(u), d.dot(v), d.dot(normal)]).collect();
@@ -77,12 +80,12 @@ pub(super) fn curvature_lines(points: &[Point3], grid: &QuadGrid, normals: &[Opt
     vertices(grid).map(lines).collect()
 }
 
-/// Coefficients `d, e, a, b, c` of the least squares of [`curvature_lines`], by the normal equations in the scale of
-/// the points.
+/// Coefficients `d, e, a, b, c` of the least squares of [`curvature_lines`], by the normal equations in the scale that
+/// the points have along each axis; `None` where they lie on a conic.
 fn quadric(local: &[[f64; 3]]) -> Option<[f64; 5]> {
-    let scale = local.iter().map(|d| d[0].hypot(d[1])).fold(0.0, f64::max);
+    let [reach_u, reach_v] = [0, 1].map(|axis| local.iter().map(|d| d[axis].abs()).fold(0.0, f64::max));
     let mut rows = [[0.0; 6]; 5];
-    for [u, v, z] in local.iter().map(|d| d.map(|x| x / scale)) {
+    for [u, v, z] in local.iter().map(|[u, v, z]| [u / reach_u, v / reach_v, *z]) {
         let terms = [u, v, 0.5 * u * u, u * v, 0.5 * v * v, z];
         for i in 0..5 {
             for j in 0..6 {
@@ -91,7 +94,7 @@ fn quadric(local: &[[f64; 3]]) -> Option<[f64; 5]> {
         }
     }
     for k in 0..5 {
-        // Positive definite unless the vertices lie on a conic: the diagonal serves as pivot.
+        // Positive definite unless the vertices lie on a conic: the diagonal serves as pivot. Its values are near 1.
         if !(rows[k][k] > 1e-9) {
             return None;
         }
@@ -102,7 +105,8 @@ fn quadric(local: &[[f64; 3]]) -> Option<[f64; 5]> {
         }
     }
     let solution = |k: usize| rows[k][5] / rows[k][k];
-    Some([solution(0), solution(1), solution(2) / scale, solution(3) / scale, solution(4) / scale])
+    let [uu, uv, vv] = [reach_u * reach_u, reach_u * reach_v, reach_v * reach_v];
+    Some([solution(0) / reach_u, solution(1) / reach_v, solution(2) / uu, solution(3) / uv, solution(4) / vv])
 }
 
 /// Angles (in `[0, pi/4]`, radians) between the grid lines at each vertex and the nearer of two directions; both grid
@@ -184,20 +188,26 @@ mod tests {
         assert!((at(-3.0, -4.0, 0.0) - 5.0).abs() < 1e-15); // nearest to a corner
     }
 
-    #[test]
-    fn curvature_lines_of_a_turned_cylinder() {
-        let (turn, step) = (0.3_f64, 0.02);
+    /// A unit cylinder, its grid turned on it, with cells of the given sides.
+    fn turned_cylinder(turn: f64, sides: [f64; 2]) -> Vec<f64> {
         let point = |i: usize, j: usize| {
-            let (x, y) = (step * (i as f64 - 4.0), step * (j as f64 - 4.0));
+            let (x, y) = (sides[0] * (i as f64 - 4.0), sides[1] * (j as f64 - 4.0));
             let (u, v) = (x * turn.cos() - y * turn.sin(), x * turn.sin() + y * turn.cos());
             Point3::new(u.sin(), v, u.cos())
         };
         let points = (0..9).flat_map(|j| (0..9).map(move |i| point(i, j))).collect();
         let grid = QuadGrid::new(points, [9, 9], [false; 2]).unwrap();
         let lines = curvature_lines(grid.points(), &grid, &normals(grid.points(), &grid));
-        let angles = line_angles(grid.points(), &grid, &lines);
-        assert_eq!(angles.len(), 2 * 7 * 7);
-        // The estimate is of second order: step² is 4e-4.
-        assert!(angles.iter().all(|a| (a - turn).abs() < 4e-4), "{angles:?}");
+        line_angles(grid.points(), &grid, &lines)
+    }
+
+    #[test]
+    fn curvature_lines_of_a_turned_cylinder() {
+        for sides in [[0.02, 0.02], [0.02, 0.02 / 300.0], [0.02 / 300.0, 0.02]] {
+            let angles = turned_cylinder(0.3, sides);
+            assert_eq!(angles.len(), 2 * 7 * 7, "{sides:?}");
+            // The estimate is of second order: 0.02² is 4e-4.
+            assert!(angles.iter().all(|a| (a - 0.3).abs() < 4e-4), "{sides:?}: {angles:?}");
+        }
     }
 }

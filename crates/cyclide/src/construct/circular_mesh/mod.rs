@@ -44,7 +44,7 @@ pub struct CircularMesh {
 /// Moves the vertices of a grid until the corners of every quad lie on one circle (or line).
 ///
 /// The residual of a quad is the vector part of `d_01 d_13 d_32 d_20` (unit sides, quaternion product); it is brought
-/// below 1e-12 by Levenberg-Marquardt steps damped by a fairness metric, with the constants of `20`, section 6: grid
+/// below 1e-12 (1e-10 where the search gets no further) by Levenberg-Marquardt steps damped by a fairness metric, with the constants of `20`, section 6: grid
 /// lines stay smooth, vertices slide along the surface more easily than they leave it. The result is a circular net,
 /// the discrete form of a net of curvature lines: a grid roughly along the curvature lines of its surface moves little
 /// (hundredths of the surface's width), one 45 degrees off ends nearly planar, with warnings. The last corners are then

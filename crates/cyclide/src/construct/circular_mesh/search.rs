@@ -8,6 +8,8 @@ use crate::error::{Error, Result};
 
 /// The search ends when no residual is longer: far below the 1e-9 that a patch accepts, far above rounding.
 const RESIDUAL_LIMIT: f64 = 1e-12;
+/// A search that gets no further is still a success below this: patches accept ten times as much.
+const GOOD_ENOUGH: f64 = 1e-10;
 /// The damping at the start.
 const DAMPING: f64 = 1.0;
 /// Growth of the damping after a rejected step.
@@ -68,7 +70,7 @@ impl Problem<'_> {
                 return Ok(step - 1);
             }
             if stalled {
-                return Err(refused(step - 1, residual));
+                return if residual < GOOD_ENOUGH { Ok(step - 1) } else { Err(refused(step - 1, residual)) };
             }
             let (matrix, downhill) =
                 linear.get_or_insert_with(|| self.linearised(points, &r).unwrap_or((self.pattern.zero(), Vec::new())));
@@ -98,7 +100,7 @@ impl Problem<'_> {
             progress(&CircularMeshStep { step, accepted, residual: largest(&r), target: RESIDUAL_LIMIT, damping });
         }
         let residual = largest(&r);
-        if residual < RESIDUAL_LIMIT { Ok(self.max_steps) } else { Err(refused(self.max_steps, residual)) }
+        if residual < GOOD_ENOUGH { Ok(self.max_steps) } else { Err(refused(self.max_steps, residual)) }
     }
 
     /// `J^T J` and `-J^T r`.
