@@ -95,7 +95,7 @@ pub use model::{ChainPiece, CurveChain, CurveObject, Exactness, Item, Lower, Mod
 pub use rational::{ExactRational, NurbsCurve, RationalBezier, RationalBezierSurface};
 pub use short_number::ShortNumber;
 pub use surface::{Body, FaceEdge, ParamSurface, QuadGrid, Shell, ShellEdge, ShellFace};
-pub use surface::{CyclideKind, CyclidicNet, DupinCyclide, NetFrame, NetQuality, SingularPatch};
+pub use surface::{CyclideKind, CyclidicNet, DupinCyclide, NetFrame, SingularPatch};
 pub use surface::{CyclidePatch, PatchKind};
 pub use surface::{ImplicitForm, PatchLocation, PatchRow};
 pub use surface::{SurfaceJoint, surface_joints};

@@ -11,7 +11,7 @@ mod shell;
 
 pub use dupin::{CyclideKind, DupinCyclide};
 pub use joints::{SurfaceJoint, surface_joints};
-pub use net::{CyclidicNet, NetFrame, NetQuality, SingularPatch};
+pub use net::{CyclidicNet, NetFrame, SingularPatch};
 pub use param_surface::ParamSurface;
 pub use patch::{CyclidePatch, ImplicitForm, PatchKind, PatchLocation, PatchRow};
 pub use quad_grid::QuadGrid;

@@ -1,7 +1,9 @@
 //! Offsets, thick shells, Möbius images, singular patches.
 
 use crate::data::{PLACES, cyclide_grid, gap, generic_grid, inverted, kink, nets};
-use cyclide::{Body, Conformal, CyclidicNet, DupinCyclide, Mobius, NetFrame, ParamSurface, Point3, Quat, Vec3};
+use cyclide::{
+    Body, Conformal, CyclidicNet, DupinCyclide, Mobius, NetFrame, ParamSurface, Point3, Quat, Vec3, surface_joints,
+};
 
 /// Largest coordinate and largest patch: what rounding is relative to.
 fn size(net: &CyclidicNet) -> f64 {
@@ -203,10 +205,18 @@ fn the_automatic_frame_leaves_no_patch_singular_where_others_leave_hundreds() {
     assert_eq!(auto.size(), [40, 40]);
     assert_eq!(auto.singular_patches().len(), 0);
     assert_eq!(auto.flipped_patches().len(), 0);
-    let quality = auto.quality();
-    assert!(quality.residual < 1e-12 && quality.orthogonality < 1e-12 && quality.kink < 1e-12, "{quality:?}");
-    assert!(quality.gap < 1e-13, "{quality:?}");
-    assert!(quality.weights[0] > 0.3 && quality.weights[1] < 3.0, "{quality:?}");
+    for patch in auto.patches() {
+        for (s, t) in PLACES.into_iter().flat_map(|s| PLACES.map(|t| (s, t))) {
+            let jet = patch.jet(s, t);
+            let cosine = jet.ds.dot(jet.dt) / (jet.ds.length() * jet.dt.length());
+            assert!(patch.real_residual(s, t) < 1e-12 * patch.size() && cosine.abs() < 1e-12, "{s} {t}");
+        }
+    }
+    let joints = surface_joints(&auto.to_shell().unwrap());
+    assert_eq!(joints.len(), 2 * 39 * 40);
+    assert!(joints.iter().all(|joint| joint.angle < 1e-12 && joint.gap < 1e-13));
+    let mut weights = auto.patches().flat_map(|patch| patch.weights()).map(|w| w.norm());
+    assert!(weights.all(|length| (0.3..3.0).contains(&length)));
     // Frames that have nothing to do with the grid.
     let mut counts = Vec::new();
     for k in 0..9 {

@@ -8,12 +8,12 @@
 mod build;
 mod frame;
 mod offset;
-mod quality;
 mod sew;
+mod singular;
 mod transform;
 
 pub use frame::NetFrame;
-pub use quality::{NetQuality, SingularPatch};
+pub use singular::SingularPatch;
 
 use super::patch::CyclidePatch;
 use super::quad_grid::QuadGrid;
