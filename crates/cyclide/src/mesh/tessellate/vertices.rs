@@ -8,6 +8,9 @@ use crate::surface::{Shell, ShellFace};
 
 /// Normals that differ by less than this (radians) are one.
 const SAME_NORMAL: f64 = 1e-6;
+/// Normals at a vertex with which a new one is compared. All cells round the tip of a cone meet in one vertex, each with its
+/// own normal: they must not all be compared. The faces that meet in a vertex of a net are fewer.
+const COMPARED: usize = 16;
 
 /// The vertices of a shell and those on its edges, in a mesh; points to which parameter lines shrink are one.
 pub(super) struct BorderVertices {
@@ -19,7 +22,8 @@ pub(super) struct BorderVertices {
     ends: Vec<[usize; 2]>,
     /// For each vertex the one that stands for it.
     stands: Vec<usize>,
-    /// Head of the list of normals at each vertex, one more than the index of the entry.
+    /// Head of the list of normals at each vertex, one more than the index of the entry: the first, then from the newest
+    /// to the second.
     heads: Vec<usize>,
     /// Normals with the next entry of the list.
     lists: Vec<(usize, usize)>,
@@ -67,11 +71,14 @@ impl BorderVertices {
         a != b
     }
 
-    /// The index of a normal at a vertex: of an equal one, or of a new one.
+    /// The index of a normal at a vertex: of an equal one among the first and the newest, or of a new one.
     pub(super) fn normal(&mut self, vertex: usize, normal: Vec3, normals: &mut Vec<Vec3>) -> usize {
-        let head = &mut self.heads[vertex - self.base];
-        let mut entry = *head;
-        while entry > 0 {
+        let head = self.heads[vertex - self.base];
+        let mut entry = head;
+        for _ in 0..COMPARED {
+            if entry == 0 {
+                break;
+            }
             let (index, next) = self.lists[entry - 1];
             if (normals[index] - normal).length_squared() <= SAME_NORMAL * SAME_NORMAL {
                 return index;
@@ -79,8 +86,14 @@ impl BorderVertices {
             entry = next;
         }
         normals.push(normal);
-        self.lists.push((normals.len() - 1, *head));
-        *head = self.lists.len();
+        let second = if head > 0 { self.lists[head - 1].1 } else { 0 };
+        self.lists.push((normals.len() - 1, second));
+        let entry = self.lists.len();
+        if head > 0 {
+            self.lists[head - 1].1 = entry;
+        } else {
+            self.heads[vertex - self.base] = entry;
+        }
         normals.len() - 1
     }
 }
@@ -112,5 +125,32 @@ pub(super) fn compact(mesh: &mut SurfaceMesh, base: usize) {
                 corner.position = new[corner.position - base];
             }
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn normals_are_compared_with_the_first_and_the_newest() {
+        let mut border = BorderVertices {
+            base: 0,
+            edges: Vec::new(),
+            ends: Vec::new(),
+            stands: vec![0],
+            heads: vec![0],
+            lists: Vec::new(),
+        };
+        // The cells round the tip of a cone.
+        let around = |k: u32| Vec3::new((f64::from(k) * 1e-3).cos(), (f64::from(k) * 1e-3).sin(), 0.0);
+        let mut normals = Vec::new();
+        for k in 0..1000 {
+            assert_eq!(border.normal(0, around(k), &mut normals), k as usize);
+        }
+        for k in [0, 999, 990] {
+            assert_eq!(border.normal(0, around(k), &mut normals), k as usize);
+        }
+        assert_eq!(border.normal(0, around(500), &mut normals), 1000, "the way to the older ones is not taken");
     }
 }
