@@ -100,10 +100,19 @@ pub fn edges(mesh: &SurfaceMesh) -> HashMap<(usize, usize), Vec<bool>> {
 }
 
 /// Fails unless the mesh is sound: two polygons at most and opposite ones on an edge, planar, none degenerate or reflex, every
-/// vertex used, unit normals on the polygon's side, one source each.
+/// vertex used, unit normals on the polygon's side, one source each, and no parameters of a face left out.
 pub fn sound(name: &str, mesh: &SurfaceMesh) {
     for (edge, uses) in edges(mesh) {
         assert!(uses.len() == 1 || (uses.len() == 2 && uses[0] != uses[1]), "{name}: edge {edge:?} used {uses:?}");
+    }
+    let mut covered: HashMap<(usize, usize), f64> = HashMap::new();
+    for source in &mesh.sources {
+        let [s, t] = [source.s, source.t].map(|ends| ends[1] - ends[0]);
+        *covered.entry((source.shell, source.face)).or_default() += s * t;
+    }
+    for (face, area) in covered {
+        // Lines closer than 4e-9 that are points may share a cut.
+        assert!((area - 1.0).abs() <= 1e-8, "{name}: {area} of the parameters of {face:?}");
     }
     let mut used = vec![false; mesh.positions.len()];
     assert_eq!(mesh.faces.len(), mesh.sources.len());

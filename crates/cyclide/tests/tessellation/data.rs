@@ -51,12 +51,32 @@ pub fn known() -> Vec<(&'static str, CyclidePatch)> {
             let at = |v: f64| [0.5 + v.cos(), v.sin()];
             revolved(at(1.4), at(4.7), [-1.4_f64.sin(), 1.4_f64.cos()], [0.4, 1.4])
         }),
+        ("lens between two tips", lens(1.001)),
+        ("narrow lens between two tips", lens(1.0 + 1e-7)),
+        ("lens ending at its tip", lens_to_its_tip()),
     ]
 }
 
+/// Part of a spindle torus with a tube of the given radius about the circle of radius 1: from before the first tip through
+/// the inner side to behind the second. The tips are close together for a radius near 1.
+fn lens(radius: f64) -> CyclidePatch {
+    let at = |v: f64| [1.0 + radius * v.cos(), radius * v.sin()];
+    let tip = (-1.0 / radius).acos();
+    let (low, high) = (tip - 0.3, TAU - tip + 0.3);
+    revolved(at(low), at(high), [-low.sin(), low.cos()], [0.0, FRAC_PI_2])
+}
+
+/// As [`lens`], to the second tip: a line that is one point, and a side that is.
+fn lens_to_its_tip() -> CyclidePatch {
+    let at = |v: f64| [1.0 + 1.001 * v.cos(), 1.001 * v.sin()];
+    let tip = (-1.0_f64 / 1.001).acos();
+    let low = tip - 0.3;
+    revolved(at(low), [0.0, -1.001 * tip.sin()], [-low.sin(), low.cos()], [0.0, FRAC_PI_2])
+}
+
 /// A random patch: four points of a random circle in cyclic order and a random frame. Some have singular lines.
-/// `None` if the patch passes through infinity.
-fn random(angles: [f64; 4], frame: [f64; 3]) -> Option<CyclidePatch> {
+/// `None` if the patch passes through infinity. The last corner may be the one given.
+fn random(angles: [f64; 4], frame: [f64; 3], last: Option<usize>) -> Option<CyclidePatch> {
     let [a, b, c] = frame;
     // Rotations about z, x, z: any frame.
     let turn = |v: Vec3, angle: f64, axis: Vec3| {
@@ -67,18 +87,22 @@ fn random(angles: [f64; 4], frame: [f64; 3]) -> Option<CyclidePatch> {
     let mut sorted = angles;
     sorted.sort_by(f64::total_cmp);
     let at = |k: usize| Point3::new(sorted[k].cos(), sorted[k].sin(), 0.25);
-    CyclidePatch::from_corners_and_frame([at(0), at(1), at(3), at(2)], rotate(Vec3::X), rotate(Vec3::Y)).ok()
+    let mut corners = [at(0), at(1), at(3), at(2)];
+    corners[3] = corners[last.unwrap_or(3)];
+    CyclidePatch::from_corners_and_frame(corners, rotate(Vec3::X), rotate(Vec3::Y)).ok()
 }
 
-/// Random patches of size about 1; a third of them have a singular line.
+/// Random patches of size about 1; a third of them have a singular line, a quarter a side of one point.
 pub fn patch() -> impl Strategy<Value = CyclidePatch> {
     let angle = || 0.0..TAU;
     let four = (angle(), angle(), angle(), angle()).prop_map(|(a, b, c, d)| [a, b, c, d]);
     let frame = (angle(), 0.0..PI, angle()).prop_map(|(a, b, c)| [a, b, c]);
-    (four, frame).prop_filter_map("distinct corners, no pole", |(angles, frame)| {
-        random(angles, frame).filter(|patch| {
+    let last = prop_oneof![6 => Just(None), 1 => Just(Some(1)), 1 => Just(Some(2))];
+    (four, frame, last).prop_filter_map("distinct corners, not through infinity", |(angles, frame, last)| {
+        random(angles, frame, last).filter(|patch| {
             let [a0, a1, a2, a3] = patch.corners();
-            let shortest = a0.distance(a1).min(a0.distance(a2)).min(a1.distance(a3)).min(a2.distance(a3));
+            let sides = [(a0, a1), (a0, a2), (a1, a3), (a2, a3)].map(|(a, b)| a.distance(b));
+            let shortest = sides.into_iter().filter(|&d| d > 0.0).fold(f64::INFINITY, f64::min);
             // Rounding grows with the square of the size over that of the corner circle, which is 1.
             shortest > 1e-3 && patch.bounds().max_abs() < 30.0
         })

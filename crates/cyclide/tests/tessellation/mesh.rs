@@ -31,12 +31,31 @@ fn known_patches_are_meshed_within_the_bound() {
 }
 
 #[test]
+fn coarse_meshes_have_no_hole_between_two_points() {
+    for (name, patch) in data::known().into_iter().filter(|(name, _)| name.contains("lens")) {
+        let body = body(patch);
+        for tolerance in [1e300, 1.0, 0.3, 0.1, 0.03, 0.01, 0.003] {
+            let mesh = tessellate(&body, tolerance).unwrap();
+            sound(name, &mesh);
+            let [there, back] = deviation(&body, &mesh, 6);
+            assert!(there <= mesh.bound && back <= mesh.bound, "{name}: {there:e} {back:e}, bound {:e}", mesh.bound);
+        }
+    }
+}
+
+#[test]
 fn flat_directions_are_not_cut() {
     let count = |name: &str, tolerance: f64| {
         let (_, patch) = data::known().into_iter().find(|(n, _)| *n == name).unwrap();
         tessellate(&body(patch), tolerance).unwrap().faces.len()
     };
     assert_eq!(count("rectangle", 1e-12), 1);
+    for (name, patch) in data::known().into_iter().filter(|(name, _)| ["annulus", "cylinder", "cone"].contains(name)) {
+        for exponent in 2..14 {
+            let mesh = tessellate(&body(patch.clone()), 0.5_f64.powi(2 * exponent)).unwrap();
+            assert!(mesh.sources.iter().all(|source| source.t == [0.0, 1.0]), "{name} 4^-{exponent}");
+        }
+    }
     // 2.5 radians of radius 1: R(1 - cos(angle/2n)) <= 1e-4 needs n = 89.
     assert!((89..=90).contains(&count("cylinder", 1e-4)), "{}", count("cylinder", 1e-4));
 }

@@ -2,7 +2,7 @@
 
 use super::cell_bound::{PatchSpeeds, denominators};
 use super::cuts::Cuts;
-use super::strips::{SAME_CUT, Strips};
+use super::strips::{SAME_CUT, Strips, point_lines};
 use super::vertices::{BorderVertices, compact};
 use crate::base::quat::Quat;
 use crate::base::vector::Vec3;
@@ -62,15 +62,11 @@ struct FaceGrid<'a> {
 
 impl<'a> FaceGrid<'a> {
     fn new(face: &'a ShellFace, speeds: &'a PatchSpeeds, s: Vec<f64>, t: Vec<f64>) -> Self {
-        // The zeros of a speed; the sides that are one point are known to the shell.
-        let singular = [0, 1].map(|direction| match (speeds.is_regular(direction), direction) {
-            (true, _) => Vec::new(),
-            (_, 0) => face.patch.singular_s(),
-            _ => face.patch.singular_t(),
-        });
         let is_point = |direction: usize, cuts: &[f64], sides: [usize; 2]| -> Vec<bool> {
-            let near = |u: f64| singular[direction].iter().any(|&r| (r - u).abs() <= SAME_CUT);
+            let lines = point_lines(face, speeds, direction);
+            let near = |u: f64| lines.iter().any(|&r| (r - u).abs() <= SAME_CUT);
             let mut points: Vec<bool> = cuts.iter().map(|&u| near(u)).collect();
+            // A side is one point if it is to the shell.
             for (k, side) in [(0, sides[0]), (cuts.len() - 1, sides[1])] {
                 points[k] = face.sides[side].is_none();
             }
@@ -165,6 +161,10 @@ impl<'a> FaceGrid<'a> {
                     mesh.faces.push(polygon);
                     let (s, t) = ([self.s[i], self.s[i + 1]], [self.t[j], self.t[j + 1]]);
                     mesh.sources.push(MeshSource { shell, face, s, t });
+                } else {
+                    // Two points that are one but for rounding: of what is between, the second is the farthest.
+                    let [a, b, c, d] = cell.map(|corner| mesh.positions[corner.position]);
+                    gap = gap.max(a.distance(c)).max(b.distance(d));
                 }
             }
         }

@@ -4,7 +4,7 @@
 //! strip runs across opposite sides through the whole shell, as on a quad mesh. Within it parameters may run either way.
 
 use super::cell_bound::PatchSpeeds;
-use crate::surface::{CyclidePatch, FaceEdge, Shell, ShellFace};
+use crate::surface::{FaceEdge, Shell, ShellFace};
 
 /// A direction of a face in its strip.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -33,7 +33,10 @@ pub(super) struct Strip {
     pub(super) members: Vec<Member>,
     /// True if it meets itself the other way round (a Möbius band): its cuts are symmetric.
     pub(super) symmetric: bool,
-    /// Places that must be cuts, ascending, with the ends 0 and 1: parameter lines of a member that are one point.
+    /// True if the parameter of a face or an edge runs against it.
+    pub(super) reversed: bool,
+    /// Places that must be cuts, ascending, with the ends 0 and 1: parameter lines of a member that are one point, and one
+    /// between two of these.
     pub(super) fixed: Vec<f64>,
 }
 
@@ -69,6 +72,7 @@ impl Strips {
                 strips.push(Strip { symmetric: links.symmetric[root], fixed: vec![0.0, 1.0], ..Strip::default() });
                 strips.len() - 1
             });
+            strips[strip].reversed |= flipped || links.symmetric[root];
             places.push(Place { strip, flipped });
             if node < 2 * faces.len() {
                 strips[strip].members.push(Member { face: node / 2, direction: node % 2, flipped });
@@ -83,15 +87,21 @@ impl Strips {
 }
 
 impl Strip {
+    /// Whether two places in this order are so far apart that no parameter of a member takes them for one.
+    pub(super) fn apart(&self, a: f64, b: f64) -> bool {
+        a < b && (!self.reversed || 1.0 - b < 1.0 - a)
+    }
+
     /// Collects the places that must be cuts.
     fn fix(&mut self, faces: &[ShellFace], speeds: &[PatchSpeeds]) {
         for member in &self.members {
-            let patch: &CyclidePatch = &faces[member.face].patch;
-            if speeds[member.face].is_regular(member.direction) {
-                continue;
-            }
-            let singular = if member.direction == 0 { patch.singular_s() } else { patch.singular_t() };
-            self.fixed.extend(singular.iter().map(|&u| if member.flipped { 1.0 - u } else { u }));
+            let points = point_lines(&faces[member.face], &speeds[member.face], member.direction);
+            // A cell from one point to another has no area: between them go two at least. Points nearer to each other
+            // share a cut.
+            let apart = points.windows(2).filter(|w| w[1] - w[0] > 4.0 * SAME_CUT);
+            let between = apart.map(|w| 0.5 * (w[0] + w[1]));
+            let places = points.iter().copied().chain(between);
+            self.fixed.extend(places.map(|u| if member.flipped { 1.0 - u } else { u }));
         }
         if self.symmetric {
             let mirrored: Vec<f64> = self.fixed.iter().map(|&u| 1.0 - u).collect();
@@ -105,6 +115,17 @@ impl Strip {
             *last = 1.0;
         }
     }
+}
+
+/// The lines across a direction of a face that are one point, sides included, ascending.
+pub(super) fn point_lines(face: &ShellFace, speeds: &PatchSpeeds, direction: usize) -> Vec<f64> {
+    let [first, last] = [2 - 2 * direction, 3 - 2 * direction].map(|side| face.sides[side].is_none());
+    let inside = match (speeds.is_regular(direction), direction) {
+        (true, _) => Vec::new(),
+        (_, 0) => face.patch.singular_s(),
+        _ => face.patch.singular_t(),
+    };
+    first.then_some(0.0).into_iter().chain(inside).chain(last.then_some(1.0)).collect()
 }
 
 /// The edges along s, then those along t, with the direction.
