@@ -6,7 +6,6 @@
 //! as foci, so it is nowhere farther from the chord than `sqrt(L² - c²)/2`, which is 1.155 times the sagitta of a
 //! flat arc. Chords that fail are halved.
 
-use super::equidistribute::fraction;
 use crate::base::quadrature::gauss8;
 use crate::base::vector::Point3;
 use crate::curve::{ParamCurve, PieceForm};
@@ -180,4 +179,11 @@ impl Free<'_> {
         vertices.push((self.global(m), middle));
         self.check(m, middle, b, to, depth - 1, vertices)
     }
+}
+
+/// The `x` in `[0, 1]` at which the integral of the linear function from `d[0]` at 0 to `d[1]` at 1 is `goal`.
+fn fraction(d: &[f64], goal: f64) -> f64 {
+    let root = (d[0] * d[0] + 2.0 * (d[1] - d[0]) * goal).max(0.0).sqrt();
+    let x = 2.0 * goal / (d[0] + root);
+    if x >= 0.0 { x.min(1.0) } else { 1.0 }
 }

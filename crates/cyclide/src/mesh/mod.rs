@@ -1,6 +1,5 @@
 //! Polylines and polygon meshes of anything with jets.
 
-mod equidistribute;
 mod flatten;
 mod parameter_lines;
 mod surface_mesh;

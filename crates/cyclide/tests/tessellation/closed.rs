@@ -2,8 +2,10 @@
 
 use super::checks::{deviation, edges, sound};
 use cyclide::{
-    Body, CyclidicNet, DupinCyclide, LineKind, NetFrame, Point3, QuadGrid, SurfaceMesh, parameter_lines, tessellate,
+    Body, Conformal, CyclidicNet, DupinCyclide, LineKind, Mobius, NetFrame, Point3, QuadGrid, SurfaceMesh,
+    parameter_lines, tessellate,
 };
+use std::f64::consts::PI;
 
 /// Fails unless every edge has two polygons, or one where the shell has one face.
 fn watertight(name: &str, body: &Body, mesh: &SurfaceMesh) {
@@ -67,7 +69,7 @@ fn whole_cyclides_are_watertight() {
 #[test]
 fn a_ring_has_the_volume_of_the_quadrature() {
     let torus = Body { outer: DupinCyclide::new(2.0, 0.0, 0.5).unwrap().to_shell().unwrap(), voids: Vec::new() };
-    let exact = 2.0 * std::f64::consts::PI.powi(2) * 2.0 * 0.25;
+    let exact = 2.0 * PI.powi(2) * 2.0 * 0.25;
     let mut before = f64::INFINITY;
     for tolerance in [1e-1, 1e-2, 1e-3] {
         let mesh = tessellate(&torus, tolerance).unwrap();
@@ -77,6 +79,25 @@ fn a_ring_has_the_volume_of_the_quadrature() {
         // One smooth surface: as many normals as vertices, and Euler's number of a torus.
         assert_eq!(mesh.normals.len(), mesh.positions.len());
         assert_eq!(mesh.positions.len() + mesh.faces.len(), edges(&mesh).len());
+    }
+}
+
+#[test]
+fn images_near_infinity_have_as_many_cells_wherever_the_pole_is() {
+    let torus = DupinCyclide::new(3.0, 0.0, 1.0).unwrap().to_bodies([6, 6]).unwrap().remove(0);
+    for distance in [1e-2, 1e-3, 1e-4] {
+        // Nearest to the pole are a vertex, a point of no account, and one at an eighth of an edge.
+        let cells = [0.0, 0.1, PI / 24.0].map(|angle: f64| {
+            let center = Point3::new(3.0 * angle.cos(), 3.0 * angle.sin(), 1.0 + distance);
+            let image = torus.transformed(&Mobius::inversion(center, 1.0).unwrap()).unwrap();
+            let tolerance = 1e-3 * image.bounds().diagonal();
+            let mesh = tessellate(&image, tolerance).unwrap();
+            assert!(mesh.bound <= tolerance);
+            mesh.faces.len() as f64
+        });
+        let [least, most] =
+            [cells.iter().fold(f64::INFINITY, |a, &b| a.min(b)), cells.iter().fold(0.0, |a, &b| b.max(a))];
+        assert!(most <= 2.0 * least, "{distance:e}: {cells:?}");
     }
 }
 

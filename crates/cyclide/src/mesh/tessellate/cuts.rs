@@ -1,9 +1,9 @@
 //! Where to cut: densities from the sagitta in closed form, then as many cuts as the certificate asks for.
 
 use super::cell_bound::{PatchSpeeds, denominators, grid_bound};
+use super::density::Density;
 use super::strips::{Member, Place, Strip, Strips};
 use crate::error::{Error, Result};
-use crate::mesh::equidistribute::Density;
 use crate::surface::{CyclidePatch, Shell};
 
 /// Largest number of cells of one mesh.
@@ -83,13 +83,13 @@ impl StripDensity {
     }
 
     /// All cuts, ends included.
-    fn cuts(&self, symmetric: bool) -> Vec<f64> {
+    fn cuts(&self, strip: &Strip) -> Vec<f64> {
         let mut cuts = vec![0.0];
-        for &(ends, _, n) in self.parts.iter().filter(|(ends, ..)| !symmetric || ends[0] < 0.5) {
-            Density(&self.values).cut(ends, n, &mut cuts);
+        for &(ends, _, n) in self.parts.iter().filter(|(ends, ..)| !strip.symmetric || ends[0] < 0.5) {
+            Density(&self.values).cut(ends, n, &mut cuts, |a, b| strip.apart(a, b));
             cuts.push(ends[1]);
         }
-        if symmetric { mirrored(cuts) } else { cuts }
+        if strip.symmetric { mirrored(cuts) } else { cuts }
     }
 }
 
@@ -126,8 +126,7 @@ fn refined(old: &[f64], excess: &[f64], strip: &Strip) -> Vec<f64> {
             }
             let (a, b) = (old[first + k], old[first + k + 1]);
             let place = a + (b - a) * ((goal - before) / needs[k]).min(1.0);
-            // Rounding must not let two cuts meet.
-            if place > cuts.last().copied().unwrap_or(0.0) && place < end {
+            if strip.apart(cuts.last().copied().unwrap_or(0.0), place) && strip.apart(place, end) {
                 cuts.push(place);
             }
         }
@@ -166,7 +165,7 @@ impl Cuts {
         let densities = densities(shell, strips, speeds, tolerance);
         check_count(strips, |strip| densities[strip].parts.iter().map(|&(.., n)| n).sum())?;
         let all = densities.iter().zip(&strips.strips);
-        let mut cuts = Self { of_strips: all.map(|(d, strip)| d.cuts(strip.symmetric)).collect(), distance: 0.0 };
+        let mut cuts = Self { of_strips: all.map(|(d, strip)| d.cuts(strip)).collect(), distance: 0.0 };
         for _ in 0..ROUNDS {
             check_count(strips, |strip| cuts.of_strips[strip].len() - 1)?;
             let excess = cuts.certify(shell, strips, speeds, tolerance);
@@ -261,4 +260,23 @@ fn density(
         values = std::array::from_fn(|k| values[k].max(mirrored[k]));
     }
     StripDensity::new(values, &strip.fixed)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn cuts_stay_apart_from_either_end() {
+        // Below the rounding of 1: from the other end both ends of a part of the first cell are 1.
+        let old = [0.0, 3e-16, 1.0];
+        for reversed in [false, true] {
+            let strip = Strip { fixed: vec![0.0, 1.0], reversed, ..Strip::default() };
+            let cuts = Cuts { of_strips: vec![refined(&old, &[8.0, 1.0], &strip)], distance: 0.0 };
+            for flipped in [false, reversed] {
+                let cuts = cuts.at(Place { strip: 0, flipped });
+                assert!(cuts.len() > 3 && cuts.windows(2).all(|w| w[0] < w[1]), "{flipped}: {cuts:?}");
+            }
+        }
+    }
 }

@@ -7,6 +7,7 @@
 mod assemble;
 mod cell_bound;
 mod cuts;
+mod density;
 mod strips;
 mod vertices;
 
