@@ -5,6 +5,7 @@
 //! the middles of its sides and its centre to the cell; the middle of a cell, where the distance is largest, is among
 //! them.
 
+use super::triangle::to_triangle;
 use crate::job::BodyOf;
 use crate::read_back::ReadError;
 use cyclide::{CyclidePatch, MeshSource, ParamSurface as _, Point3, SurfaceMesh};
@@ -106,41 +107,4 @@ fn to_cell(patch: &CyclidePatch, source: &MeshSource, samples: &[(f64, f64, Poin
         t = (t + along(jet.dt)).clamp(source.t[0], source.t[1]);
     }
     best.min(patch.point(s, t).distance(p))
-}
-
-/// Distance of a point from a triangle, which may be flat.
-fn to_triangle(p: Point3, &[a, b, c]: &[Point3; 3]) -> f64 {
-    let normal = (b - a).cross(c - a);
-    let inside = |from: Point3, to: Point3| (to - from).cross(p - from).dot(normal) >= 0.0;
-    if normal.length_squared() > 0.0 && inside(a, b) && inside(b, c) && inside(c, a) {
-        return (p - a).dot(normal).abs() / normal.length();
-    }
-    [(a, b), (b, c), (c, a)].into_iter().map(|(from, to)| to_segment(p, from, to)).fold(f64::INFINITY, f64::min)
-}
-
-fn to_segment(p: Point3, from: Point3, to: Point3) -> f64 {
-    let along = to - from;
-    let squared = along.length_squared();
-    let part = if squared > 0.0 { ((p - from).dot(along) / squared).clamp(0.0, 1.0) } else { 0.0 };
-    p.distance(from + along * part)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn distances_from_a_triangle() {
-        let triangle = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 3.0, 0.0]].map(Point3::from);
-        for (p, distance) in [
-            ([1.0, 1.0, 2.0], 2.0),
-            ([2.0, -1.5, 0.0], 1.5),
-            ([7.0, 0.0, 4.0], 5.0),
-            ([4.0, 3.0, 0.0], 2.4), // 12/5 from the long side
-        ] {
-            assert!((to_triangle(p.into(), &triangle) - distance).abs() < 1e-15, "{p:?}");
-        }
-        let flat = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [2.0, 0.0, 0.0]].map(Point3::from);
-        assert!((to_triangle([2.0, 3.0, 0.0].into(), &flat) - 3.0).abs() < 1e-15);
-    }
 }

@@ -8,6 +8,7 @@ mod matching;
 mod mesh;
 mod step_faces;
 mod track;
+mod triangle;
 
 use crate::export::contours;
 use crate::read_back::ReadError;

@@ -95,7 +95,7 @@ pub struct FileReport {
     pub format: &'static str,
     /// True if the file's curves are the objects' curves up to rounding.
     pub exact: bool,
-    /// Distance between the file's curves and the objects', recomputed from the bytes; `None` for a picture.
+    /// Distance between the file's curves or meshes and the objects, recomputed from the bytes; `None` for a picture.
     pub deviation: Option<f64>,
     /// The distance that was promised; 0 if exact.
     pub bound: f64,
@@ -117,7 +117,7 @@ pub enum CheckError {
         /// What the reader said.
         source: ReadError,
     },
-    /// The curves read back are farther from the objects than promised.
+    /// What was read back is farther from the objects than promised.
     #[error(
         "{path}: what was read back deviates by {}, promised was {}",
         ShortNumber(*.deviation), ShortNumber(*.bound)

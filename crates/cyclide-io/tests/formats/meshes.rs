@@ -206,6 +206,25 @@ fn sizes_beyond_single_precision_are_refused() {
     }
 }
 
+/// Products of four lengths neither vanish nor overflow when the file is measured.
+#[test]
+fn sizes_near_the_limits_of_doubles_are_measured() {
+    let deviation = |scale: f64| {
+        let corners = bent_quad().corners().map(|p| Point3::ORIGIN + p.to_vec() * scale);
+        let [v1, v2, _] = bent_quad().frame();
+        let m = surfaces(&[cyclide::CyclidePatch::from_corners_and_frame(corners, v1, v2).unwrap()]);
+        let file = export(&m, Format::Obj, &ExportOptions::default()).unwrap();
+        (file_deviation(&m, Format::Obj, &file).unwrap() / scale, file.bound / scale)
+    };
+    let (usual, bound) = deviation(1.0);
+    assert!(usual <= bound);
+    for scale in [1e-140, 1e-80, 1e80, 1e100] {
+        // The cuts depend on rounding; the distance of each cell is a part of the tolerance that does not.
+        let (own, bound) = deviation(scale);
+        assert!(own <= bound && (own / usual - 1.0).abs() < 1e-6, "{scale:e}: {own:e} and {usual:e}");
+    }
+}
+
 /// What happens to the bytes is found in the deviation, or said.
 #[test]
 fn a_wrong_file_is_found_out() {
