@@ -2,6 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
+use cyclide::ShortNumber;
+
 use crate::place::Diagnostic;
 
 /// Result of a fallible call of this crate.
@@ -32,6 +34,39 @@ pub enum Error {
         /// What the kernel said.
         source: cyclide::Error,
     },
+    /// A grid that was not made from a text is circular, but no patch fits into some of its quads.
+    #[error("{object}: {} [{CROSSING_QUAD}]", rejected_quads(quads, *steps, *moved))]
+    RejectedQuads {
+        /// Name of the object.
+        object: String,
+        /// The quads, s fastest.
+        quads: Vec<usize>,
+        /// Steps that were made.
+        steps: usize,
+        /// How far a vertex was moved at most.
+        moved: f64,
+    },
+}
+
+/// The reason for quads whose sides cross; the kernel's of a single one.
+pub(crate) const CROSSING_QUAD: &str = "crossing-quad";
+
+/// Quads named in a message at most.
+const NAMED_QUADS: usize = 12;
+
+/// The sentence about quads of a circular grid, by index, that no patch fits into.
+pub(crate) fn rejected_quads(quads: &[usize], steps: usize, moved: f64) -> String {
+    let named: Vec<String> = quads.iter().take(NAMED_QUADS).map(ToString::to_string).collect();
+    let more = match quads.len() - named.len() {
+        0 => String::new(),
+        more => format!(" and {more} more"),
+    };
+    let noun = if quads.len() == 1 { "quad" } else { "quads" };
+    let moves = match steps {
+        0 => "no vertex was moved".to_owned(),
+        _ => format!("vertices were moved by up to {} in {steps} steps", ShortNumber(moved)),
+    };
+    format!("{noun} {}{more}: sides cross or have no length, no patch fits in; {moves}", named.join(", "))
 }
 
 fn unread(path: &Path, source: &std::io::Error, place: Option<&Diagnostic>) -> String {

@@ -5,7 +5,7 @@
 use std::path::Path;
 
 use cyclide::{ParamSurface as _, Point3, SurfaceObject, Vec3};
-use cyclide_io::{BuiltObject, Document, GeometryReport, ModelBuilder, Report, Spacing, sample};
+use cyclide_io::{BuiltObject, Document, Error, GeometryReport, ModelBuilder, Report, Spacing, sample};
 
 /// Builds the last object of a document with these objects, written one per line from line 2.
 fn build(objects: &str) -> Result<BuiltObject, String> {
@@ -223,8 +223,25 @@ fn quads_that_no_patch_fits_into_are_named_by_index() {
     let net =
         |rows: &str| build(&format!(r#""n": {{"type": "cyclidic-net", "grid": [{rows}], "make_circular": true}}"#));
     let message = net(&[row([0.0, 20.0, 40.0, 60.0]), row([110.0, 170.0, 130.0, 150.0])].join(",")).unwrap_err();
-    let words = "objects.n.grid[0][0]: quads 0, 2: sides cross or have no length, no patch fits in [crossing-quad]";
+    let words = "objects.n.grid[0][0]: quads 0, 2: sides cross or have no length, no patch fits in; \
+        no vertex was moved [crossing-quad]";
     assert!(message.contains(words), "{message}");
+    // A quad that crosses itself and has no circle: its corners are moved onto one, and it crosses itself still.
+    let message = net("[[0,0,0],[1,0,0.1]],[[1,1,0],[0,1,0]]").unwrap_err();
+    let words = "objects.n.grid[0][0]: quad 0: sides cross or have no length, no patch fits in; vertices were moved by up to 0.";
+    assert!(message.contains(words) && message.contains(" steps [crossing-quad]"), "{message}");
+    assert!(!message.contains("NaN"), "{message}");
+    // Of objects made by a program, the same without a place.
+    let object =
+        r#""n": {"type": "cyclidic-net", "grid": [[[0,0,0],[1,0,0.1]],[[1,1,0],[0,1,0]]], "make_circular": true}"#;
+    let text = format!(r#"{{"cyclide": 1, "objects": {{{object}}}}}"#);
+    let Document { units, objects, .. } = Document::parse("m.json", text.as_bytes()).unwrap();
+    let document = Document::from_objects("program", units, objects);
+    let read = |_: &Path| Ok(Vec::new());
+    let error = ModelBuilder::new(&document, Path::new(""), &read).unwrap().build(0, &mut |_| {}).unwrap_err();
+    assert!(error.to_string().starts_with("n: quad 0: sides cross or have no length"), "{error}");
+    let Error::RejectedQuads { quads, steps, moved, .. } = error else { panic!("{error}") };
+    assert!(quads == [0] && steps > 0 && moved > 0.0 && moved < 1.0, "{quads:?} {steps} {moved}");
     // What was built has no such quad, and says so.
     let report = surface(&net(&[row([0.0, 20.0, 40.0, 60.0]), row([170.0, 150.0, 130.0, 110.0])].join(",")).unwrap());
     assert!(report.circular.unwrap().rejected_quads.is_empty());

@@ -1,8 +1,8 @@
 //! Nets and whole cyclides: from grids and parameters to the kernel's surfaces.
 
 use cyclide::{
-    Border, CircularMeshOptions, CurveObject, CyclidicNet, DupinCyclide, Error as KernelError, Frame, NetFrame,
-    ParamCurve, QuadGrid, SurfaceObject, Vec3, make_circular,
+    Border, CircularMeshOptions, CircularMeshReport, CurveObject, CyclidicNet, DupinCyclide, Error as KernelError,
+    Frame, NetFrame, ParamCurve, QuadGrid, SurfaceObject, Vec3, make_circular,
 };
 
 use super::Builder;
@@ -13,7 +13,7 @@ use crate::document::spec::{
     BorderSpec, BorderWord, CyclideSpec, CyclidicNetSpec, FrameSpec, GridSource, MakeCircularOptions, MeshFile,
     ObjectSpec,
 };
-use crate::error::{Error, Result};
+use crate::error::{CROSSING_QUAD, Error, Result, rejected_quads};
 use crate::obj::read_quad_grid;
 
 /// Patches of a whole cyclide round the hole and round the tube.
@@ -118,8 +118,7 @@ impl<'a> Builder<'a> {
             self.warnings.push((0, warning));
         }
         if let [first, ..] = mesh.report.rejected_quads[..] {
-            let error = KernelError::CrossingQuad { position: f64::NAN }.in_quad(first);
-            return Err(self.refused_at_quad(grid, first, &error, rejected(&mesh.report.rejected_quads)));
+            return Err(self.rejected_quads(grid, first, &mesh.report));
         }
         self.circular = Some(mesh.report);
         Ok(mesh.grid)
@@ -153,50 +152,45 @@ impl<'a> Builder<'a> {
             let hint = "a border that may move leaves more room: `free`, or sides on curves";
             let bound = matches!(self.spec, ObjectSpec::CyclidicNet(net) if !net.make_circular.border_is_free());
             let words = if bound { format!("{error}; {hint}") } else { error.to_string() };
-            return self.refused_in_words([Step::from("make_circular")], error, words);
+            return self.refused_in_words([Step::from("make_circular")], error.reason(), words);
         }
         match (error, error.index()) {
             (KernelError::CoincidentPoints { first, second, .. }, _) => {
-                self.refused_at_vertices(grid, &[*second, *first], error, error.to_string())
+                self.refused_at_vertices(grid, &[*second, *first], error.reason(), error.to_string())
             }
             (KernelError::InQuad { quad, cause }, _) if matches!(**cause, KernelError::NotConcircular { .. }) => {
                 let hint = "`make_circular` moves the vertices until they are";
-                self.refused_at_quad(grid, *quad, error, format!("{error}; {hint}"))
+                self.refused_at_quad(grid, *quad, error.reason(), format!("{error}; {hint}"))
             }
-            (_, Some(quad)) => self.refused_at_quad(grid, quad, error, error.to_string()),
+            (_, Some(quad)) => self.refused_at_quad(grid, quad, error.reason(), error.to_string()),
             (_, None) => self.refused_at([Step::from("grid")], error),
         }
     }
 
+    /// The message about quads of the circular grid that no patch fits into, at the first of them.
+    fn rejected_quads(&self, grid: &QuadGrid, first: usize, report: &CircularMeshReport) -> Error {
+        let (quads, steps, moved) = (&report.rejected_quads, report.steps, report.moves.max);
+        if self.document.text.is_empty() {
+            return Error::RejectedQuads { object: self.name.to_owned(), quads: quads.clone(), steps, moved };
+        }
+        self.refused_at_quad(grid, first, CROSSING_QUAD, rejected_quads(quads, steps, moved))
+    }
+
     /// The message at a quad: where its first corner stands.
-    fn refused_at_quad(&self, grid: &QuadGrid, quad: usize, error: &KernelError, words: String) -> Error {
+    fn refused_at_quad(&self, grid: &QuadGrid, quad: usize, reason: &'static str, words: String) -> Error {
         let columns = grid.quads()[0];
-        self.refused_at_vertices(grid, &grid.corners(quad % columns, quad / columns), error, words)
+        self.refused_at_vertices(grid, &grid.corners(quad % columns, quad / columns), reason, words)
     }
 
     /// The message at the first of some vertices; of a mesh in a file with the numbers of all of them.
-    fn refused_at_vertices(&self, grid: &QuadGrid, vertices: &[usize], error: &KernelError, words: String) -> Error {
+    fn refused_at_vertices(&self, grid: &QuadGrid, vertices: &[usize], reason: &'static str, words: String) -> Error {
         if let Some(mesh) = &self.mesh {
             let numbers: Vec<String> = vertices.iter().map(|&v| mesh.numbers[v].to_string()).collect();
             let words = format!("{words} (points {} of {})", numbers.join(", "), mesh.name);
-            return self.refused_in_words([Step::from("grid")], error, words);
+            return self.refused_in_words([Step::from("grid")], reason, words);
         }
         let columns = grid.size()[0];
         let [row, column] = [vertices[0] / columns, vertices[0] % columns];
-        self.refused_in_words(["grid".into(), row.into(), column.into()], error, words)
+        self.refused_in_words(["grid".into(), row.into(), column.into()], reason, words)
     }
-}
-
-/// Quads named in a message at most.
-const NAMED_QUADS: usize = 12;
-
-/// The sentence about quads, by index, that no patch fits into.
-fn rejected(quads: &[usize]) -> String {
-    let named: Vec<String> = quads.iter().take(NAMED_QUADS).map(ToString::to_string).collect();
-    let more = match quads.len() - named.len() {
-        0 => String::new(),
-        more => format!(" and {more} more"),
-    };
-    let noun = if quads.len() == 1 { "quad" } else { "quads" };
-    format!("{noun} {}{more}: sides cross or have no length, no patch fits in", named.join(", "))
 }

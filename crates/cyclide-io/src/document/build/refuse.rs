@@ -44,17 +44,17 @@ impl Builder<'_> {
         if self.document.text.is_empty() {
             return Error::Geometry { object: self.name.to_owned(), source: error.clone() };
         }
-        self.refused_in_words(steps, error, error.to_string())
+        self.refused_in_words(steps, error.reason(), error.to_string())
     }
 
     /// As [`refused_at`](Self::refused_at), in other words.
     pub(super) fn refused_in_words(
         &self,
         steps: impl IntoIterator<Item = Step>,
-        error: &cyclide::Error,
+        reason: &'static str,
         words: String,
     ) -> Error {
-        Error::Input(self.diagnostic(steps, &words).with_reason(error.reason()))
+        Error::Input(self.diagnostic(steps, &words).with_reason(reason))
     }
 
     /// The message for what the kernel said, at the point or field it is about.
