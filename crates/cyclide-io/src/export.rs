@@ -1,6 +1,6 @@
 //! The front door of the writers: a model in, the bytes of a file out, with what was kept and what was promised.
 
-use crate::deviation::Cell;
+use crate::deviation::MeshPlan;
 use crate::format::Format;
 use crate::{csv_samples, dxf, glb, nurbs_json, obj, png, step, stl, svg};
 use cyclide::{Arc, Exactness, Model, ShortNumber};
@@ -59,6 +59,25 @@ pub enum ExportError {
         /// What cannot be expressed.
         detail: &'static str,
     },
+    /// The format's numbers are rounded by more than the tolerance.
+    #[error(
+        "object {object}: {format} rounds coordinates of up to {} by {}, more than the tolerance {}: {hint}",
+        ShortNumber(*.largest), ShortNumber(*.rounding), ShortNumber(*.tolerance)
+    )]
+    Rounding {
+        /// Name of the object.
+        object: String,
+        /// Name of the format.
+        format: &'static str,
+        /// Largest coordinate.
+        largest: f64,
+        /// How far a vertex moves.
+        rounding: f64,
+        /// The tolerance.
+        tolerance: f64,
+        /// What to do instead.
+        hint: &'static str,
+    },
     /// The picture could not be encoded.
     #[error("the picture could not be encoded: {detail}")]
     Picture {
@@ -78,6 +97,7 @@ impl ExportError {
             Self::TooLarge { .. } => "coordinate-too-large",
             Self::Lowering { source, .. } => source.reason(),
             Self::NotInFormat { .. } => "not-in-format",
+            Self::Rounding { .. } => "rounding-above-tolerance",
             Self::Picture { .. } => "picture",
         }
     }
@@ -140,8 +160,8 @@ pub struct Exported {
     pub bound: f64,
     /// Remarks for the user, one sentence each.
     pub notes: Vec<String>,
-    /// What the polygons of a mesh stand for, in file order: what the file is checked against.
-    pub(crate) cells: Vec<Cell>,
+    /// What the polygons of a mesh stand for: what the file is checked against.
+    pub(crate) mesh: MeshPlan,
     /// What the lines of surfaces in a drawing stand for, in file order: what the file is checked against.
     pub(crate) lines: Vec<Arc>,
 }
@@ -186,17 +206,17 @@ impl Promise {
 
     /// The finished file under this promise.
     pub(crate) fn exported(self, bytes: Vec<u8>, notes: Vec<String>) -> Exported {
-        self.exported_mesh(bytes, notes, Vec::new())
+        self.exported_mesh(bytes, notes, MeshPlan::default())
     }
 
     /// The finished file of a mesh format.
-    pub(crate) fn exported_mesh(self, bytes: Vec<u8>, notes: Vec<String>, cells: Vec<Cell>) -> Exported {
+    pub(crate) fn exported_mesh(self, bytes: Vec<u8>, notes: Vec<String>, mesh: MeshPlan) -> Exported {
         Exported {
             bytes,
             exact: self.bound.is_none(),
             bound: self.bound.unwrap_or(0.0),
             notes,
-            cells,
+            mesh,
             lines: Vec::new(),
         }
     }

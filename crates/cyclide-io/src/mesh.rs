@@ -1,10 +1,12 @@
 //! What the mesh formats share: bodies as meshes, curves as polylines, and what single precision costs.
 
-use crate::deviation::Cell;
+use crate::deviation::{BodyPlan, Cell, MeshPlan, side_use};
 use crate::export::{Contour, ExportError, Job, Promise};
 use crate::job::BodyOf;
 use crate::read_back::ReadError;
-use cyclide::{Arc, ArcPath, CurveChain, Exactness, MeshFace, Point3, SurfaceMesh, Vec3, flatten, tessellate};
+use cyclide::{
+    Arc, ArcPath, CurveChain, Exactness, MeshCorner, MeshFace, Point3, SurfaceMesh, Vec3, flatten, tessellate,
+};
 
 /// Single precision is used between these sizes: products of two numbers must neither vanish nor overflow.
 const SINGLE: std::ops::Range<f64> = 1e-15..1e15;
@@ -31,8 +33,30 @@ pub(crate) fn body_meshes<'a>(job: &'a Job<'_>) -> Result<Vec<BodyMesh<'a>>, Exp
 }
 
 impl BodyMesh<'_> {
+    /// Notes what the file is checked against, where faces are written whole with the vertices that they share.
+    pub(crate) fn plan_whole(&self, plan: &mut MeshPlan) {
+        let polygons = self.mesh.faces.iter().map(|face| face.corners().iter().map(|corner| corner.position));
+        plan.bodies.push(BodyPlan { sides: side_use(polygons), moved: 0.0 });
+        plan.cells.extend(self.cells(|_| 1));
+    }
+
+    /// Notes what the file is checked against, where faces are cut into triangles and vertices known by the bits of
+    /// their rounded positions; `count(face)` triangles of a face are written.
+    pub(crate) fn plan_triangles(
+        &self,
+        rounded: &[[f32; 3]],
+        moved: f64,
+        count: impl FnMut(&MeshFace) -> usize,
+        plan: &mut MeshPlan,
+    ) {
+        let bits = |corner: &MeshCorner| rounded[corner.position].map(f32::to_bits);
+        let of_face = |face| triangles(face).iter().map(move |t| t.map(|i| bits(&MeshFace::corners(face)[i])));
+        plan.bodies.push(BodyPlan { sides: side_use(self.mesh.faces.iter().flat_map(of_face)), moved });
+        plan.cells.extend(self.cells(count));
+    }
+
     /// What the faces of the mesh stand for, where each is written as `polygons(face)` polygons.
-    pub(crate) fn cells(&self, mut polygons: impl FnMut(&MeshFace) -> usize) -> impl Iterator<Item = Cell> {
+    fn cells(&self, mut polygons: impl FnMut(&MeshFace) -> usize) -> impl Iterator<Item = Cell> {
         let faces = self.mesh.faces.iter().zip(&self.mesh.sources);
         faces.map(move |(face, source)| Cell { body: self.index, source: *source, polygons: polygons(face) })
     }

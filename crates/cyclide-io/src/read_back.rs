@@ -6,7 +6,7 @@ use crate::export::{ExportError, Exported};
 use crate::format::Format;
 use crate::job::{bodies, boxes};
 use crate::{csv_samples, dxf, glb, nurbs_json, obj, step, stl, svg};
-use cyclide::{Aabb, CurveChain, Model, RationalBezierSurface, SurfaceMesh};
+use cyclide::{Aabb, CurveChain, Model, RationalBezierSurface, ShortNumber, SurfaceMesh};
 
 /// Why bytes could not be read back.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -81,6 +81,45 @@ pub enum ReadError {
         object: String,
         /// Which of its faces, from 0, those of all its shells counted through.
         face: usize,
+    },
+    /// A body has no polygon at all.
+    #[error("{object} has no polygon")]
+    NoPolygons {
+        /// The object.
+        object: String,
+    },
+    /// A polygon looks to the inner side of its face.
+    #[error("a polygon of face {face} of {object} looks to the wrong side")]
+    WrongSide {
+        /// The object.
+        object: String,
+        /// Which of its faces, from 0, those of all its shells counted through.
+        face: usize,
+    },
+    /// A normal is not that of the surface, or in STL not that of its triangle.
+    #[error("a normal of face {face} of {object} is off by {}, limit {}", ShortNumber(*.off), ShortNumber(*.limit))]
+    Normal {
+        /// The object.
+        object: String,
+        /// Which of its faces, from 0, those of all its shells counted through.
+        face: usize,
+        /// Length of the difference.
+        off: f64,
+        /// The largest one accepted.
+        limit: f64,
+    },
+    /// Polygons do not share the sides that they share in the mesh that was made.
+    #[error(
+        "the polygons of {object} have {} free sides and {} used twice the same way, {} and {} were made",
+        .free[0], .repeated[0], .free[1], .repeated[1]
+    )]
+    SideUse {
+        /// The object.
+        object: String,
+        /// Sides without another polygon: in the file, made.
+        free: [usize; 2],
+        /// Uses of a side beyond the first in one direction: in the file, made.
+        repeated: [usize; 2],
     },
     /// The file holds another number of lines for surfaces than were drawn.
     #[error("{found} lines of surfaces in the file, {expected} were drawn")]
@@ -187,7 +226,7 @@ pub fn file_deviation(model: &Model, format: Format, file: &Exported) -> Result<
             let size = boxes(model, &bodies).map(|(_, own)| own).reduce(Aabb::union).map_or(0.0, Aabb::diagonal);
             bodies_deviation(&bodies, &content.bodies, size)?
         }
-        Format::Glb | Format::Obj | Format::Stl => mesh_deviation(&bodies()?, &content.meshes, &file.cells)?,
+        Format::Glb | Format::Obj | Format::Stl => mesh_deviation(format, &bodies()?, &content.meshes, &file.mesh)?,
         Format::Json => nurbs_json::patch_deviation(&bodies()?, &content.patches)?,
         Format::Svg => lines_deviation(&file.lines, &content.lines)?,
         Format::Dxf | Format::Csv | Format::Png => 0.0,

@@ -1,14 +1,19 @@
-//! The distance between the polygons of a file and the cells of the patches that they stand for, both ways.
+//! The distance between the polygons of a file and the cells of the patches that they stand for, both ways, and their
+//! structure.
 //!
 //! Every polygon is held against its own cell, not against the nearest part of the surface: swapped, missing and
 //! doubled polygons are found out. From the cell 5 × 5 points are taken to the polygon, from the polygon its corners,
 //! the middles of its sides and its centre to the cell; the middle of a cell, where the distance is largest, is among
-//! them.
+//! them. Polygons look to the outer side of their face, normals are those of the surface (in STL of the triangle), and
+//! polygons share the sides that they share in the kernel's mesh.
 
+use super::facing::{Facing, NORMAL_LIMIT, facet_error};
+use super::side_use::{SideUse, side_use};
 use super::triangle::to_triangle;
+use crate::format::Format;
 use crate::job::BodyOf;
 use crate::read_back::ReadError;
-use cyclide::{CyclidePatch, MeshSource, ParamSurface as _, Point3, SurfaceMesh};
+use cyclide::{CyclidePatch, MeshCorner, MeshFace, MeshSource, ParamSurface as _, Point3, ShellFace, SurfaceMesh};
 
 /// Points of a cell in each direction.
 const GRID: usize = 5;
@@ -16,6 +21,15 @@ const GRID: usize = 5;
 const STEPS: usize = 3;
 /// The cells of a face cover its parameters up to the rounding of their sum.
 const COVER: f64 = 1e-9;
+
+/// What the polygons of a file stand for and how they hang together, known from the meshes that were written.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub(crate) struct MeshPlan {
+    /// The cells in file order, those of a body one after the other.
+    pub(crate) cells: Vec<Cell>,
+    /// One entry per body, in the same order.
+    pub(crate) bodies: Vec<BodyPlan>,
+}
 
 /// A cell of a patch and the number of polygons that the file has for it, one after the other.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -26,37 +40,137 @@ pub(crate) struct Cell {
     pub(crate) polygons: usize,
 }
 
+/// What holds for all polygons of a body.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(crate) struct BodyPlan {
+    pub(crate) sides: SideUse,
+    /// How far rounding has moved a vertex at most.
+    pub(crate) moved: f64,
+}
+
+/// A polygon of the file.
+#[derive(Clone, Copy)]
+struct Polygon<'a> {
+    /// Its mesh, and the mesh's number in the file.
+    mesh: &'a SurfaceMesh,
+    number: usize,
+    face: &'a MeshFace,
+}
+
+impl Polygon<'_> {
+    fn point(&self, corner: &MeshCorner) -> Point3 {
+        self.mesh.positions[corner.position]
+    }
+
+    fn triangles(&self) -> impl Iterator<Item = [Point3; 3]> {
+        let corners = self.face.corners();
+        crate::mesh::triangles(self.face).iter().map(move |t| t.map(|i| self.point(&corners[i])))
+    }
+}
+
 /// The largest distance between meshes read and the bodies, both ways.
 ///
 /// # Errors
-/// [`ReadError::PolygonCount`], [`ReadError::NotCovered`].
-pub(crate) fn mesh_deviation(bodies: &[BodyOf<'_>], meshes: &[SurfaceMesh], cells: &[Cell]) -> Result<f64, ReadError> {
-    check_cover(bodies, cells)?;
-    let expected = cells.iter().map(|cell| cell.polygons).sum();
+/// [`ReadError::PolygonCount`], [`ReadError::NotCovered`], [`ReadError::NoPolygons`], [`ReadError::WrongSide`],
+/// [`ReadError::Normal`], [`ReadError::SideUse`].
+pub(crate) fn mesh_deviation(
+    format: Format,
+    bodies: &[BodyOf<'_>],
+    meshes: &[SurfaceMesh],
+    plan: &MeshPlan,
+) -> Result<f64, ReadError> {
+    check_cover(bodies, &plan.cells)?;
+    let expected = plan.cells.iter().map(|cell| cell.polygons).sum();
     let found = meshes.iter().map(|mesh| mesh.faces.len()).sum();
     if found != expected {
         return Err(ReadError::PolygonCount { found, expected });
     }
-    let mut polygons = meshes.iter().flat_map(|mesh| mesh.faces.iter().map(move |face| (mesh, face)));
+    let mut polygons = meshes
+        .iter()
+        .enumerate()
+        .flat_map(|(number, mesh)| mesh.faces.iter().map(move |face| Polygon { mesh, number, face }));
+    let mut largest = 0.0_f64;
+    for (cells, plan) in plan.cells.chunk_by(|a, b| a.body == b.body).zip(&plan.bodies) {
+        let Some(body) = cells.first().and_then(|cell| bodies.get(cell.body)) else { continue };
+        let count = cells.iter().map(|cell| cell.polygons).sum();
+        let own: Vec<Polygon<'_>> = polygons.by_ref().take(count).collect();
+        if own.is_empty() {
+            return Err(ReadError::NoPolygons { object: body.label() });
+        }
+        largest = largest.max(body_deviation(format, body, cells, &own, plan)?);
+        check_sides(format, body, &own, plan)?;
+    }
+    Ok(largest)
+}
+
+/// The largest distance between the polygons of one body and its cells.
+fn body_deviation(
+    format: Format,
+    body: &BodyOf<'_>,
+    cells: &[Cell],
+    polygons: &[Polygon<'_>],
+    plan: &BodyPlan,
+) -> Result<f64, ReadError> {
+    let mut rest = polygons;
     let mut triangles: Vec<[Point3; 3]> = Vec::new();
     let mut largest = 0.0_f64;
     for cell in cells {
+        let (own, after) = rest.split_at(cell.polygons);
+        rest = after;
+        let Some((index, face)) = face(body, &cell.source) else { continue };
         triangles.clear();
-        for (mesh, face) in polygons.by_ref().take(cell.polygons) {
-            let at = |i: usize| mesh.positions[face.corners()[i].position];
-            triangles.extend(crate::mesh::triangles(face).iter().map(|t| t.map(at)));
+        triangles.extend(own.iter().flat_map(Polygon::triangles));
+        let samples = samples(&face.patch, &cell.source);
+        largest = largest.max(if own.is_empty() {
+            to_mesh(&samples, polygons)
+        } else {
+            cell_deviation(&face.patch, &cell.source, &samples, &triangles)
+        });
+        let facing = Facing::new(face, &cell.source);
+        if !triangles.iter().all(|triangle| facing.is_outward(triangle)) {
+            return Err(ReadError::WrongSide { object: body.label(), face: index });
         }
-        // A cell that rounding has left nothing of has none.
-        if let Some(patch) = patch(bodies, cell).filter(|_| !triangles.is_empty()) {
-            largest = largest.max(cell_deviation(patch, &cell.source, &triangles));
+        let off = own.iter().map(|polygon| normal_error(format, polygon, &facing, plan.moved)).fold(0.0, f64::max);
+        if !(off <= NORMAL_LIMIT) {
+            return Err(ReadError::Normal { object: body.label(), face: index, off, limit: NORMAL_LIMIT });
         }
     }
     Ok(largest)
 }
 
-fn patch<'a>(bodies: &'a [BodyOf<'_>], cell: &Cell) -> Option<&'a CyclidePatch> {
-    let shell = bodies.get(cell.body)?.body.shells().nth(cell.source.shell)?;
-    Some(&shell.faces().get(cell.source.face)?.patch)
+/// How far the normals of a polygon are off: in STL that of the triangle, elsewhere those of the surface at the corners.
+fn normal_error(format: Format, polygon: &Polygon<'_>, facing: &Facing<'_>, moved: f64) -> f64 {
+    let corners = polygon.face.corners();
+    let normal = |corner: &MeshCorner| polygon.mesh.normals[corner.normal];
+    if format == Format::Stl {
+        let facet = corners.first().map(normal).unwrap_or_default();
+        return polygon.triangles().map(|triangle| facet_error(&triangle, facet)).fold(0.0, f64::max);
+    }
+    let errors = corners.iter().map(|corner| facing.normal_error(polygon.point(corner), normal(corner), moved));
+    errors.fold(0.0, f64::max)
+}
+
+/// Polygons share the sides that they share in the kernel's mesh. In OBJ vertices are shared by number; GLB has one per
+/// normal and STL none, so that readers know them by equal bits.
+fn check_sides(format: Format, body: &BodyOf<'_>, polygons: &[Polygon<'_>], plan: &BodyPlan) -> Result<(), ReadError> {
+    let found = if format == Format::Obj {
+        side_use(polygons.iter().map(|p| p.face.corners().iter().map(|c| (p.number, c.position))))
+    } else {
+        let bits = |p: Point3| p.to_array().map(f64::to_bits);
+        side_use(polygons.iter().map(|p| p.face.corners().iter().map(move |c| bits(p.point(c)))))
+    };
+    if found == plan.sides {
+        return Ok(());
+    }
+    let (free, repeated) = ([found.free, plan.sides.free], [found.repeated, plan.sides.repeated]);
+    Err(ReadError::SideUse { object: body.label(), free, repeated })
+}
+
+/// The face of a cell with its number, those of all shells counted through.
+fn face<'a>(body: &'a BodyOf<'_>, source: &MeshSource) -> Option<(usize, &'a ShellFace)> {
+    let before: usize = body.body.shells().take(source.shell).map(|shell| shell.faces().len()).sum();
+    let face = body.body.shells().nth(source.shell)?.faces().get(source.face)?;
+    Some((before + source.face, face))
 }
 
 /// Every face of every body is covered by its cells once.
@@ -77,25 +191,46 @@ fn check_cover(bodies: &[BodyOf<'_>], cells: &[Cell]) -> Result<(), ReadError> {
     Ok(())
 }
 
-fn cell_deviation(patch: &CyclidePatch, source: &MeshSource, triangles: &[[Point3; 3]]) -> f64 {
+/// A point of a patch with its parameters.
+type Sample = (f64, f64, Point3);
+
+/// Points of a cell, evenly in both parameters.
+fn samples(patch: &CyclidePatch, source: &MeshSource) -> [Sample; GRID * GRID] {
     let within = |[from, to]: [f64; 2], i: usize| from + (to - from) * (i as f64 / (GRID - 1) as f64);
-    let mut samples = [(0.0, 0.0, Point3::ORIGIN); GRID * GRID];
-    for (k, sample) in samples.iter_mut().enumerate() {
+    std::array::from_fn(|k| {
         let (s, t) = (within(source.s, k % GRID), within(source.t, k / GRID));
-        *sample = (s, t, patch.point(s, t));
-    }
+        (s, t, patch.point(s, t))
+    })
+}
+
+fn cell_deviation(patch: &CyclidePatch, source: &MeshSource, samples: &[Sample], triangles: &[[Point3; 3]]) -> f64 {
     let to_polygon = |p: Point3| triangles.iter().map(|t| to_triangle(p, t)).fold(f64::INFINITY, f64::min);
     let outward = samples.iter().map(|(_, _, p)| to_polygon(*p)).fold(0.0, f64::max);
     let back = triangles.iter().flat_map(|&[a, b, c]| {
         let center = Point3::ORIGIN + (a.to_vec() + b.to_vec() + c.to_vec()) / 3.0;
         [a, b, c, a.midpoint(b), b.midpoint(c), c.midpoint(a), center]
     });
-    back.map(|p| to_cell(patch, source, &samples, p)).fold(outward, f64::max)
+    back.map(|p| to_cell(patch, source, samples, p)).fold(outward, f64::max)
+}
+
+/// Distance of a cell that rounding has left no polygon of from the other polygons of its body.
+fn to_mesh(samples: &[Sample], polygons: &[Polygon<'_>]) -> f64 {
+    let middle = samples[samples.len() / 2].2;
+    let radius = samples.iter().map(|(_, _, p)| p.distance(middle)).fold(0.0, f64::max);
+    let all = || polygons.iter().flat_map(Polygon::triangles);
+    // Only triangles that may be nearer to a sample than the nearest corner is to the farthest one count.
+    let nearest = all().map(|[a, ..]| a.distance(middle)).fold(f64::INFINITY, f64::min);
+    let counts = |&[a, b, c]: &[Point3; 3]| {
+        a.distance(middle) - a.distance(b).max(a.distance(c)) <= (nearest + 2.0 * radius) * (1.0 + 1e-9)
+    };
+    let near: Vec<[Point3; 3]> = all().filter(counts).collect();
+    let distance = |p: Point3| near.iter().map(|t| to_triangle(p, t)).fold(f64::INFINITY, f64::min);
+    samples.iter().map(|(_, _, p)| distance(*p)).fold(0.0, f64::max)
 }
 
 /// Distance of a point from the cell: from the nearest sample a few steps along the parameter circles, which are
 /// orthogonal, so that each step is two projections.
-fn to_cell(patch: &CyclidePatch, source: &MeshSource, samples: &[(f64, f64, Point3)], p: Point3) -> f64 {
+fn to_cell(patch: &CyclidePatch, source: &MeshSource, samples: &[Sample], p: Point3) -> f64 {
     let nearest = samples.iter().map(|&(s, t, q)| (s, t, q.distance(p))).min_by(|a, b| a.2.total_cmp(&b.2));
     let (mut s, mut t, mut best) = nearest.unwrap_or((source.s[0], source.t[0], f64::INFINITY));
     for _ in 0..STEPS {
@@ -107,4 +242,60 @@ fn to_cell(patch: &CyclidePatch, source: &MeshSource, samples: &[(f64, f64, Poin
         t = (t + along(jet.dt)).clamp(source.t[0], source.t[1]);
     }
     best.min(patch.point(s, t).distance(p))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use cyclide::{Body, CyclidePatch, Shell, Vec3, tessellate};
+
+    /// The octant of the unit sphere as triangles and quads, with a plan.
+    fn octant() -> (BodyOf<'static>, SurfaceMesh, MeshPlan) {
+        let corners = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [0.0, 0.0, 1.0]].map(Point3::from);
+        let patch = CyclidePatch::from_corners_and_frame(corners, Vec3::Y, Vec3::Z).unwrap();
+        let body = Body { outer: Shell::from_patch(patch).unwrap(), voids: Vec::new() };
+        let mesh = tessellate(&body, 1e-2).unwrap();
+        let cells = mesh.sources.iter().map(|source| Cell { body: 0, source: *source, polygons: 1 }).collect();
+        let sides = side_use(mesh.faces.iter().map(|face| face.corners().iter().map(|corner| corner.position)));
+        let plan = MeshPlan { cells, bodies: vec![BodyPlan { sides, moved: 0.0 }] };
+        (BodyOf { object: "octant", item: 0, index: 0, count: 1, body }, mesh, plan)
+    }
+
+    fn measured(body: BodyOf<'_>, mesh: SurfaceMesh, plan: &MeshPlan) -> Result<f64, ReadError> {
+        mesh_deviation(Format::Obj, &[body], &[mesh], plan)
+    }
+
+    #[test]
+    fn a_body_without_polygons_is_refused() {
+        let (body, mesh, plan) = octant();
+        let whole = measured(body, mesh, &plan).unwrap();
+        assert!(whole > 3e-3 && whole <= 1e-2, "{whole:e}");
+        let (body, mut mesh, mut plan) = octant();
+        mesh.faces.clear();
+        plan.cells.iter_mut().for_each(|cell| cell.polygons = 0);
+        plan.bodies[0].sides = SideUse::default();
+        assert_eq!(measured(body, mesh, &plan), Err(ReadError::NoPolygons { object: "octant".to_owned() }));
+    }
+
+    /// A cell that has no polygon is not passed over: it is as far from the mesh as the middle of the hole.
+    #[test]
+    fn a_cell_without_polygons_is_measured() {
+        let (body, mut mesh, mut plan) = octant();
+        let inner = |cell: &Cell| {
+            let [s, t] = [cell.source.s, cell.source.t];
+            s[0] > 0.0 && s[1] < 1.0 && t[0] > 0.0 && t[1] < 1.0
+        };
+        let k = plan.cells.iter().position(inner).unwrap();
+        let corners: Vec<Point3> = mesh.faces[k].corners().iter().map(|c| mesh.positions[c.position]).collect();
+        mesh.faces.remove(k);
+        plan.cells[k].polygons = 0;
+        plan.bodies[0].sides.free += 4;
+        let hole = measured(body, mesh, &plan).unwrap();
+        // From the middle of a quad to its sides: half of the shorter middle line, up to the sagitta.
+        let side = |i: usize, j: usize| {
+            corners[i].midpoint(corners[(i + 1) % 4]).distance(corners[j].midpoint(corners[(j + 1) % 4]))
+        };
+        let half = 0.5 * side(0, 2).min(side(1, 3));
+        assert!(half > 5e-2 && hole > 0.95 * half && hole < 1.05 * half, "{hole:e} {half:e}");
+    }
 }

@@ -4,8 +4,10 @@
 //! order and the samples are matched with places on the other curve that advance along it: an upper bound of the
 //! distance of the point sets, close to the Fréchet distance.
 
+mod facing;
 mod matching;
 mod mesh;
+mod side_use;
 mod step_faces;
 mod track;
 mod triangle;
@@ -14,7 +16,8 @@ use crate::export::contours;
 use crate::read_back::ReadError;
 use cyclide::{Arc, CurveChain, Model, ParamCurve as _};
 use matching::one_way;
-pub(crate) use mesh::{Cell, mesh_deviation};
+pub(crate) use mesh::{BodyPlan, Cell, MeshPlan, mesh_deviation};
+pub(crate) use side_use::side_use;
 pub(crate) use step_faces::bodies_deviation;
 use track::Track;
 

@@ -12,6 +12,7 @@ mod buffer;
 mod edges;
 mod reader;
 
+use crate::deviation::MeshPlan;
 use crate::export::{Contour, ExportError, Exported, Job, Promise};
 use crate::mesh::{BodyMesh, Single, body_meshes, check_single, polyline, promised, single, triangles};
 use crate::palette;
@@ -37,7 +38,7 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
         let own: Vec<&BodyMesh<'_>> = meshes.iter().filter(|mesh| mesh.body.item == index).collect();
         file.object(job, index, item, &own)?;
     }
-    let File { buffer, nodes, meshes, materials, promise, cells } = file;
+    let File { buffer, nodes, meshes, materials, promise, plan } = file;
     // The scene's root is the last node.
     let children: Vec<usize> = (0..nodes.len()).collect();
     let scale = job.units().in_millimetres() / 1000.0;
@@ -59,7 +60,7 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
         let object = job.model.items.first().map(|item| item.name.clone()).unwrap_or_default();
         ExportError::NotInFormat { object, format: "GLB", detail: "it would be larger than 4 GiB" }
     })?;
-    Ok(promise.exported_mesh(bytes, Vec::new(), cells))
+    Ok(promise.exported_mesh(bytes, Vec::new(), plan))
 }
 
 /// The extension for lines.
@@ -72,13 +73,13 @@ struct File {
     meshes: Vec<Value>,
     materials: Vec<Value>,
     promise: Promise,
-    cells: Vec<crate::deviation::Cell>,
+    plan: MeshPlan,
 }
 
 impl Default for File {
     fn default() -> Self {
-        let (nodes, meshes, materials, cells) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
-        Self { buffer: Buffer::default(), nodes, meshes, materials, promise: Promise::EXACT, cells }
+        let (nodes, meshes, materials) = (Vec::new(), Vec::new(), Vec::new());
+        Self { buffer: Buffer::default(), nodes, meshes, materials, promise: Promise::EXACT, plan: MeshPlan::default() }
     }
 }
 
@@ -148,8 +149,8 @@ impl File {
                 indices.extend(triangle.map(|i| corners[i]));
             }
         }
-        let positions: Vec<[f32; 3]> =
-            vertices.corners.iter().map(|corner| rounding.point(mesh.positions[corner.position])).collect();
+        let rounded: Vec<[f32; 3]> = mesh.positions.iter().map(|p| rounding.point(*p)).collect();
+        let positions: Vec<[f32; 3]> = vertices.corners.iter().map(|corner| rounded[corner.position]).collect();
         let normals = vertices.corners.iter().map(|corner| mesh.normals[corner.normal].to_array().map(single));
         let position = self.buffer.positions(&positions);
         let normal = self.buffer.vectors(normals);
@@ -163,7 +164,7 @@ impl File {
             let attributes = json!({"POSITION": position});
             primitives.push(json!({"attributes": attributes, "indices": indices, "material": ink, "mode": LINES}));
         }
-        self.cells.extend(body.cells(|face| triangles(face).len()));
+        body.plan_triangles(&rounded, rounding.moved, |face| triangles(face).len(), &mut self.plan);
         promised(&mut self.promise, mesh.bound + rounding.moved);
     }
 

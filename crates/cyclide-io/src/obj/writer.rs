@@ -4,6 +4,7 @@
 //! polyline `l` within the tolerance; a closed one ends with its first vertex. The unit stands in a comment: the
 //! format has none.
 
+use crate::deviation::MeshPlan;
 use crate::export::{ExportError, Exported, Job, Promise};
 use crate::mesh::{BodyMesh, body_meshes, polyline, promised};
 use crate::number::push_plain;
@@ -13,7 +14,7 @@ use std::fmt::Write as _;
 /// Writes the model as OBJ.
 pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
     let mut promise = Promise::EXACT;
-    let mut cells = Vec::new();
+    let mut plan = MeshPlan::default();
     let mut file = File { text: format!("# cyclide, units {}\n", job.units().symbol()), positions: 0, normals: 0 };
     let meshes = body_meshes(job)?;
     for (index, item) in job.model.items.iter().enumerate() {
@@ -22,7 +23,7 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
             let BodyMesh { mesh, .. } = body;
             file.name("g", &body.body.label());
             file.mesh(mesh);
-            cells.extend(body.cells(|_| 1));
+            body.plan_whole(&mut plan);
             promised(&mut promise, mesh.bound);
         }
         for contour in job.contours().filter(|contour| contour.item == index) {
@@ -31,7 +32,7 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
             promise.add(Exactness::Within(job.tolerance));
         }
     }
-    Ok(promise.exported_mesh(file.text.into_bytes(), Vec::new(), cells))
+    Ok(promise.exported_mesh(file.text.into_bytes(), Vec::new(), plan))
 }
 
 /// The text with the numbers of vertices and normals so far.

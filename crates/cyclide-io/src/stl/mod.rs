@@ -2,11 +2,13 @@
 //!
 //! 80 bytes of head that do not start with `solid`, the number of triangles, 50 bytes for each: normal and corners in
 //! single precision, little-endian. Coordinates are the model's own (readers take them for millimetres), rounded; equal
-//! vertices are equal bits. The promised bound is that of the mesh and the rounding.
+//! vertices are equal bits. The promised bound is that of the mesh and the rounding, which must not exceed the tolerance.
 
 mod reader;
 
+use crate::deviation::MeshPlan;
 use crate::export::{ExportError, Exported, Job, Promise};
+use crate::job::BodyOf;
 use crate::mesh::{Single, body_meshes, check_single, promised, single, triangles};
 use cyclide::{Point3, Units};
 
@@ -20,12 +22,13 @@ const RECORD: usize = 50;
 pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
     check_single(job, job.bounds.max_abs(), "STL")?;
     let mut promise = Promise::EXACT;
-    let (mut records, mut cells) = (Vec::new(), Vec::new());
+    let (mut records, mut plan) = (Vec::new(), MeshPlan::default());
     let mut count = 0_usize;
     for body in body_meshes(job)? {
         let mesh = &body.mesh;
         let mut rounding = Single::new(Point3::ORIGIN);
         let points: Vec<[f32; 3]> = mesh.positions.iter().map(|p| rounding.point(*p)).collect();
+        check_rounding(job, body.body, rounding.moved)?;
         // Rounding may leave nothing of a triangle: then its neighbours close the gap.
         let kept = |face: &cyclide::MeshFace| {
             let corners = face.corners();
@@ -34,7 +37,7 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
         };
         let per_face: Vec<Vec<[[f32; 3]; 3]>> = mesh.faces.iter().map(kept).collect();
         let mut counts = per_face.iter().map(Vec::len);
-        cells.extend(body.cells(|_| counts.next().unwrap_or(0)));
+        body.plan_triangles(&points, rounding.moved, |_| counts.next().unwrap_or(0), &mut plan);
         for triangle in per_face.iter().flatten() {
             push_triangle(&mut records, triangle);
             count += 1;
@@ -55,7 +58,24 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
             job.units().symbol()
         ));
     }
-    Ok(promise.exported_mesh(bytes, notes, cells))
+    Ok(promise.exported_mesh(bytes, notes, plan))
+}
+
+/// Refuses coordinates that single precision rounds by more than the tolerance.
+fn check_rounding(job: &Job<'_>, body: &BodyOf<'_>, rounding: f64) -> Result<(), ExportError> {
+    if rounding <= job.mesh_tolerance {
+        return Ok(());
+    }
+    let (bounds, half) = (body.body.bounds(), 0.5 * job.size());
+    let largest = bounds.max_abs();
+    // About the origin coordinates would not be larger than half the size, and rounded by so much less.
+    let hint = if rounding * half <= job.mesh_tolerance * largest {
+        "move the model to the origin, or write OBJ, or GLB, which counts from the middle of each object"
+    } else {
+        "allow a larger tolerance or write OBJ"
+    };
+    let object = body.object.to_owned();
+    Err(ExportError::Rounding { object, format: "STL", largest, rounding, tolerance: job.mesh_tolerance, hint })
 }
 
 /// The head: program, unit and title as far as they fit, padded with spaces.

@@ -7,6 +7,7 @@ mod drawings;
 mod dxf;
 mod exact_surfaces;
 mod malformed;
+mod mesh_damage;
 mod meshes;
 mod models;
 mod pictures;
