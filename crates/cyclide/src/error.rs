@@ -392,6 +392,16 @@ pub enum Error {
         /// Largest residual accepted.
         limit: f64,
     },
+    /// Two curves on which the sides of a grid slide do not meet at the corner between them.
+    #[error("the curves of the two sides at vertex {vertex} do not meet near it: {} apart, limit {}", ShortNumber(*.distance), ShortNumber(*.limit))]
+    BorderCurvesApart {
+        /// The corner of the grid, s fastest.
+        vertex: usize,
+        /// Distance of the curves beside the corner.
+        distance: f64,
+        /// Curves at most this far apart meet.
+        limit: f64,
+    },
     /// One span of a chain failed; the cause says why.
     #[error("span {span}: {cause}")]
     InSpan {
@@ -469,6 +479,7 @@ impl Error {
             Self::ShortEdge { .. } => "short-edge",
             Self::InQuad { cause, .. } | Self::InSpan { cause, .. } => cause.reason(),
             Self::NotConverged { .. } => "not-converged",
+            Self::BorderCurvesApart { .. } => "border-curves-apart",
         }
     }
 

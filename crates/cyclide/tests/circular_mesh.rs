@@ -285,6 +285,65 @@ fn corners_between_two_curves_stay() {
     assert!((0..=10).all(|k| mesh.grid.point(k, 0).y.abs() == 1.0 && mesh.grid.point(k, 0).z == 0.0));
 }
 
+/// Part of a torus with radii 5 and 2, as a function of the two angles.
+fn torus(u: f64, v: f64) -> Point3 {
+    let r = 5.0 + 2.0 * v.cos();
+    Point3::new(r * u.cos(), r * u.sin(), 2.0 * v.sin())
+}
+
+/// A noisy grid on the torus over `[0, 2] × [-1, 1]`, and its four border circles, each longer by `beyond` at both ends.
+fn noisy_torus(noisy: f64, beyond: f64) -> (QuadGrid, [cyclide::Arc; 4]) {
+    let place = |k: usize| ((k % 13) as f64 / 6.0, (k / 13) as f64 / 5.0 - 1.0);
+    let shaken = |k: usize| {
+        let (u, v) = place(k);
+        torus(u, v) + Vec3::new(noise(3 * k), noise(3 * k + 1), noise(3 * k + 2)) * noisy
+    };
+    let before = QuadGrid::new((0..13 * 11).map(shaken).collect(), [13, 11], [false; 2]).unwrap();
+    let through = |at: &dyn Fn(f64) -> Point3, [a, b]: [f64; 2]| {
+        cyclide::Arc::from_three_points(at(a - beyond), at(0.5 * (a + b)), at(b + beyond)).unwrap()
+    };
+    let rows = [-1.0, 1.0].map(|v| through(&|u| torus(u, v), [0.0, 2.0]));
+    let columns = [0.0, 2.0].map(|u| through(&|v| torus(u, v), [-1.0, 1.0]));
+    let [a, b] = rows;
+    let [c, d] = columns;
+    (before, [a, b, c, d])
+}
+
+#[test]
+fn sides_slide_on_curves_that_end_at_the_corners() {
+    // As quickly as on curves that run past the corners: vertices at the ends are held there.
+    for used in [[true, false, false, false], [true, true, false, false], [true, false, true, false], [true; 4]] {
+        let (before, curves) = noisy_torus(1e-3, 0.0);
+        let sides: [Option<&dyn cyclide::ParamCurve>; 4] =
+            std::array::from_fn(|k| used[k].then_some(&curves[k] as &dyn cyclide::ParamCurve));
+        let mesh = circular(&before, Border::OnCurves(sides)).unwrap();
+        assert!(mesh.report.steps <= 15, "{used:?}: {} steps", mesh.report.steps);
+        // The exact grid is within the noise.
+        assert!(mesh.report.moves.max < 0.02, "{used:?}: {:e}", mesh.report.moves.max);
+        let side = |k: usize, i: usize| if k < 2 { (i, 10 * k) } else { (12 * (k - 2), i) };
+        for k in (0..4).filter(|&k| used[k]) {
+            for i in 0..if k < 2 { 13 } else { 11 } {
+                let (i, j) = side(k, i);
+                // Rounding of points of size 7.
+                assert!(curves[k].closest_point(mesh.grid.point(i, j)).distance < 1e-14, "{used:?}: ({i}, {j})");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_corner_between_two_curves_is_where_they_meet() {
+    let (before, curves) = noisy_torus(1e-2, 0.1);
+    let [a, _, c, _] = &curves;
+    let mesh = circular(&before, Border::OnCurves([Some(a), None, Some(c), None])).unwrap();
+    let corner = mesh.grid.point(0, 0);
+    // A billionth of the edges, which are about 1 long.
+    assert!(corner.distance(torus(0.0, -1.0)) < 1e-9 && corner.distance(before.point(0, 0)) > 1e-3);
+    let away = cyclide::Arc::segment(Point3::new(9.0, -1.0, 3.0), Point3::new(9.0, 6.0, 3.0)).unwrap();
+    let apart = circular(&before, Border::OnCurves([Some(a), None, Some(&away), None])).unwrap_err();
+    assert_eq!(apart.reason(), "border-curves-apart");
+}
+
 #[test]
 fn a_search_that_gets_no_further_is_accepted_below_what_patches_accept() {
     // A needle a million times as high as its cells are wide: rounding stops the search at some 1e-11.

@@ -2,9 +2,15 @@
 
 use super::block::Block;
 use super::options::Border;
-use crate::base::vector::Point3;
+use crate::base::vector::{Point3, Vec3};
 use crate::curve::{CurveIndex, ParamCurve};
+use crate::error::{Error, Result};
 use crate::surface::QuadGrid;
+
+/// Two curves meet where they come as close as this part of the median edge.
+const MEETING: f64 = 1e-9;
+/// Rounds of projections from one curve to the other in search of their common point.
+const PROJECTIONS: usize = 1000;
 
 /// What holds one vertex.
 #[derive(Clone, Copy, PartialEq)]
@@ -79,6 +85,69 @@ impl<'a> Holds<'a> {
         };
         self.holds.iter().zip(points).map(projector).collect()
     }
+}
+
+impl Holds<'_> {
+    /// Holds the vertices at the end of an open curve that would move beyond it; true if there are any. Without this
+    /// they would be brought back each time, and the other vertices never get the moves that suit.
+    pub(super) fn stop_at_ends(&self, points: &[Point3], moves: &[Vec3], projectors: &mut [Block]) -> bool {
+        let mut any = false;
+        for (v, hold) in self.holds.iter().enumerate() {
+            let Hold::Curve(k) = *hold else { continue };
+            let (curve, index) = &self.curves[k];
+            if curve.is_closed() || projectors[v] == Block::ZERO {
+                continue;
+            }
+            let t = index.closest_point(self.origin + points[v].to_vec() * self.scale).t;
+            let onward = moves[v].dot(curve.jet(t).d1);
+            if (t <= 0.0 && onward < 0.0) || (t >= 1.0 && onward > 0.0) {
+                projectors[v] = Block::ZERO;
+                any = true;
+            }
+        }
+        any
+    }
+}
+
+/// The grid with its corners between two sides on curves moved to the point where the curves meet. A corner on both
+/// stays bit for bit.
+///
+/// # Errors
+/// `border-curves-apart`: they do not meet within a median edge of the corner.
+pub(super) fn corners_on_curves(grid: &QuadGrid, border: Border<'_>, edge: f64) -> Result<QuadGrid> {
+    let Border::OnCurves(sides) = border else { return Ok(grid.clone()) };
+    let [m, n] = grid.size();
+    let mut points = grid.points().to_vec();
+    for ([i, j], [a, b]) in [([0, 0], [0, 2]), ([m - 1, 0], [0, 3]), ([0, n - 1], [1, 2]), ([m - 1, n - 1], [1, 3])] {
+        let (Some(a), Some(b)) = (sides[a], sides[b]) else { continue };
+        let vertex = grid.index(i, j);
+        points[vertex] = common_point(points[vertex], a, b, edge).map_err(|distance| {
+            let limit = MEETING * edge;
+            Error::BorderCurvesApart { vertex, distance, limit }
+        })?;
+    }
+    QuadGrid::new(points, grid.size(), grid.closed())
+}
+
+/// The common point of two curves near a point, by projections from one to the other; their distance if there is none.
+fn common_point(p: Point3, a: &dyn ParamCurve, b: &dyn ParamCurve, edge: f64) -> std::result::Result<Point3, f64> {
+    let (a, b) = (CurveIndex::new(a), CurveIndex::new(b));
+    let enough = MEETING * edge;
+    if a.closest_point(p).distance.max(b.closest_point(p).distance) <= enough {
+        return Ok(p);
+    }
+    let (mut at, mut gap) = (a.closest_point(p).point, f64::INFINITY);
+    for _ in 0..PROJECTIONS {
+        let on_b = b.closest_point(at);
+        let on_a = a.closest_point(on_b.point);
+        at = on_a.point;
+        if !(on_a.distance < gap) {
+            break;
+        }
+        gap = on_a.distance;
+    }
+    let near = at.distance(p) <= edge;
+    if gap <= enough && near { Ok(at) } else { Err(if near { gap } else { at.distance(p) }) }
 }
 
 /// Vertices of a side of the grid (t=0, t=1, s=0, s=1); none in a closed direction.

@@ -68,7 +68,7 @@ pub struct CircularMesh {
 ///
 /// # Errors
 /// `parameter-out-of-range` (an option, a border curve in a closed direction, a coordinate out of range),
-/// `coincident-points` (the ends of an edge), `not-converged` (with the step and the residual reached: the border is
+/// `coincident-points` (the ends of an edge), `border-curves-apart` (at a corner between two curves), `not-converged` (with the step and the residual reached: the border is
 /// held too tightly, or the grid is folded).
 pub fn make_circular(
     grid: &QuadGrid,
@@ -77,6 +77,8 @@ pub fn make_circular(
 ) -> Result<CircularMesh> {
     options.check(grid)?;
     let world_edge = median_edge(grid)?;
+    let input = grid;
+    let grid = &border::corners_on_curves(input, options.border, world_edge)?;
     // The search works about the middle of the grid in units near its edge: powers of two, which round nothing.
     let bounds = Aabb::of_points(grid.points().iter().copied());
     let origin = bounds.map_or(Point3::ORIGIN, |b| b.min.midpoint(b.max));
@@ -106,7 +108,7 @@ pub fn make_circular(
         if moved && !holds.is_pinned(v) { origin + p.to_vec() * scale } else { grid.points()[v] }
     };
     let after: Vec<Point3> = points.iter().enumerate().map(to_world).collect();
-    let comparison = Comparison { before: grid, after: &after, normals: &normals };
+    let comparison = Comparison { before: input, after: &after, normals: &normals };
     let moves = comparison.moves();
     let [angle_before, angle_after] = comparison.angles();
     let warnings = comparison.warnings(&moves, world_edge, &triples);

@@ -15,9 +15,10 @@ pub enum Border<'a> {
     /// freedoms, and a border that was drawn without regard to circles may have no solution near at any size.
     Pinned,
     /// They slide on the curve of their side; the sides are t=0, t=1 (along s), s=0, s=1 (along t), and a side
-    /// without a curve is free. The vertices are first moved to the nearest point of their curve. A corner of the grid
-    /// between two sides with curves stays where it is given, bit for bit. A side of a closed direction has no
-    /// vertices: a curve there is refused.
+    /// without a curve is free. The vertices are first moved to the nearest point of their curve and never leave its
+    /// ends. A corner of the grid between two sides with curves is held where the curves meet, which must be within a
+    /// median edge of the corner; a corner on both stays bit for bit. A side of a closed direction has no vertices: a
+    /// curve there is refused.
     OnCurves([Option<&'a dyn ParamCurve>; 4]),
 }
 

@@ -74,8 +74,11 @@ impl Problem<'_> {
             }
             let (matrix, downhill) =
                 linear.get_or_insert_with(|| self.linearised(points, &r).unwrap_or((self.pattern.zero(), Vec::new())));
-            let projectors = self.holds.projectors(points);
-            let moves = self.pattern.solve((matrix, &self.metric, damping), &projectors, downhill);
+            let mut projectors = self.holds.projectors(points);
+            let mut moves = self.pattern.solve((matrix, &self.metric, damping), &projectors, downhill);
+            while moves.as_ref().is_some_and(|moves| self.holds.stop_at_ends(points, moves, &mut projectors)) {
+                moves = self.pattern.solve((matrix, &self.metric, damping), &projectors, downhill);
+            }
             let trial = moves.and_then(|moves| self.trial(points, &moves));
             let accepted = match trial {
                 Some((moved, residuals)) if cost(&residuals) <= cost(&r) => {
