@@ -4,10 +4,14 @@
 //! tangent, curvature. A closed curve's last row repeats its first point. Where the tangent or the curvature does
 //! not exist, its fields are empty.
 
-use crate::export::{Contour, ExportError, Exported, Job, Promise};
+use crate::export_error::ExportError;
+
+use crate::exported::{Exported, Promise};
+
+use crate::file_content::ReadError;
+use crate::job::{Contour, Job};
 use crate::mesh::chain;
 use crate::number::push_plain;
-use crate::read_back::ReadError;
 use cyclide::{CurveChain, CurveJet, Exactness, Point3, flatten};
 
 const HEADER: &str = "object,contour,t,x,y,z,tangent_x,tangent_y,tangent_z,curvature";

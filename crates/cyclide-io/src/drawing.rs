@@ -1,6 +1,6 @@
 //! What drawings show beside the curves: curvature combs and joints.
 
-use crate::export::Job;
+use crate::job::Job;
 use cyclide::{CurveJet, ParamCurve, Point3, Vec3, length};
 
 /// Distance of the comb's teeth relative to the drawing, and the largest turn between two of them in radians.

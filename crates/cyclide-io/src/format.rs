@@ -1,6 +1,6 @@
 //! The formats that are written, by file suffix.
 
-use crate::export::ExportError;
+use crate::export_error::ExportError;
 use std::path::Path;
 
 /// What a model consists of.

@@ -1,7 +1,9 @@
 //! A checked request to a writer: the model lowered to contours and bodies, the options with the defaults filled in.
 
-use crate::export::{ExportError, ExportOptions};
+use crate::export_error::ExportError;
+
 use crate::format::{Format, Kind};
+use crate::options::ExportOptions;
 use cyclide::{
     Aabb, ArcPath, Body, ChainPiece, CurveChain, CurveObject, Exactness, Item, Lower, Model, ParamCurve as _, Units,
     bounds,

@@ -12,7 +12,10 @@ mod drawing;
 mod dxf;
 mod error;
 mod export;
+mod export_error;
+mod exported;
 mod file;
+mod file_content;
 mod format;
 mod glb;
 mod job;
@@ -20,6 +23,7 @@ mod mesh;
 mod number;
 mod nurbs_json;
 mod obj;
+mod options;
 mod palette;
 mod parameter_circles;
 mod place;
@@ -43,13 +47,17 @@ pub use document::{
     VariantWord, document_schema,
 };
 pub use error::{Error, Result};
-pub use export::{DxfVersion, ExportError, ExportOptions, Exported, StepEdges, export};
+pub use export::export;
+pub use export_error::ExportError;
+pub use exported::Exported;
 pub use file::{write_file, write_files};
+pub use file_content::{FileContent, ReadError};
 pub use format::Format;
 pub use obj::{ObjGrid, read_quad_grid};
+pub use options::{DxfVersion, ExportOptions, StepEdges};
 pub use place::{Diagnostic, Source, decode};
 pub use points::{PointColumns, PointList, PointTable, read_points};
-pub use read_back::{FileContent, ReadError, file_deviation, read_back};
+pub use read_back::{file_deviation, read_back};
 pub use report::{
     CheckError, CircularReport, CurvatureReport, CurvesReport, FileReport, FitReport, GeometryReport, JointReport,
     ObjectReport, PatchPlace, RangeReport, Report, SingularPatchReport, SurfaceJointReport, SurfaceReport,

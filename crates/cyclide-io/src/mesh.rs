@@ -1,9 +1,11 @@
 //! What the mesh formats share: bodies as meshes, curves as polylines, and what single precision costs.
 
 use crate::deviation::{BodyPlan, Cell, MeshPlan, side_use};
-use crate::export::{Contour, ExportError, Job, Promise};
+use crate::export_error::ExportError;
+use crate::exported::Promise;
+use crate::file_content::ReadError;
 use crate::job::BodyOf;
-use crate::read_back::ReadError;
+use crate::job::{Contour, Job};
 use cyclide::{
     Arc, ArcPath, CurveChain, Exactness, MeshCorner, MeshFace, Point3, SurfaceMesh, Vec3, flatten, tessellate,
 };

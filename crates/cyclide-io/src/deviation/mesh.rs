@@ -10,9 +10,9 @@
 use super::facing::{Facing, NORMAL_LIMIT, facet_error};
 use super::side_use::{SideUse, side_use};
 use super::triangle::to_triangle;
+use crate::file_content::ReadError;
 use crate::format::Format;
 use crate::job::BodyOf;
-use crate::read_back::ReadError;
 use cyclide::{CyclidePatch, MeshCorner, MeshFace, MeshSource, ParamSurface as _, Point3, ShellFace, SurfaceMesh};
 
 /// Points of a cell in each direction.

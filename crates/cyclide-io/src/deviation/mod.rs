@@ -12,8 +12,8 @@ mod step_faces;
 mod track;
 mod triangle;
 
-use crate::export::contours;
-use crate::read_back::ReadError;
+use crate::file_content::ReadError;
+use crate::job::contours;
 use cyclide::{Arc, CurveChain, Model, ParamCurve as _};
 use matching::one_way;
 pub(crate) use mesh::{BodyPlan, Cell, MeshPlan, mesh_deviation};

@@ -6,8 +6,8 @@
 //! counter-clockwise against it, faces use one edge where the model's faces share one, and solids have positive volume.
 
 use crate::bodies::{FileBody, FileEdge, FileFace, FileShell, FileSurface};
+use crate::file_content::ReadError;
 use crate::job::BodyOf;
-use crate::read_back::ReadError;
 use crate::step::{LOOP, components, exported};
 use cyclide::{Body, ChainPiece, CyclidePatch, ParamCurve as _, ParamSurface as _, PatchKind, Point3, Shell, Vec3};
 use std::collections::{HashMap, HashSet};

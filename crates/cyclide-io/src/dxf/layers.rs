@@ -1,6 +1,6 @@
 //! Layer names: one layer per object, in letters that the version allows.
 
-use crate::export::DxfVersion;
+use crate::options::DxfVersion;
 use std::collections::HashSet;
 use std::fmt::Write as _;
 

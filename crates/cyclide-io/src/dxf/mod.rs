@@ -14,7 +14,13 @@ mod reader;
 mod skeleton;
 mod tags;
 
-use crate::export::{Contour, DxfVersion, ExportError, Exported, Job, Promise, straightened};
+use crate::export_error::ExportError;
+
+use crate::exported::{Exported, Promise, straightened};
+
+use crate::job::{Contour, Job};
+
+use crate::options::DxfVersion;
 use cyclide::{Arc, ArcPath, ChainPiece, CurveChain, NurbsCurve, ParamCurve as _, Point3, Vec3};
 use plane::{Ocs, plane_of};
 use skeleton::{Content, FIRST_FREE, Group, MODEL_SPACE};

@@ -2,7 +2,7 @@
 
 use super::plane::Ocs;
 use super::tags::{Tag, parse};
-use crate::read_back::ReadError;
+use crate::file_content::ReadError;
 use cyclide::{Arc, ArcPath, ChainPiece, CurveChain, NurbsCurve, Point3, Vec3};
 
 /// Gap allowed between entities of one curve, relative to its largest coordinate or radius: the rounding of centre

@@ -1,7 +1,8 @@
 //! Everything around the entities: header, tables, blocks and objects as AutoCAD wants them.
 
 use super::tags::Tags;
-use crate::export::{DxfVersion, Job};
+use crate::job::Job;
+use crate::options::DxfVersion;
 use cyclide::{Point3, Units};
 
 /// Handles of the fixed records; entities get theirs from [`FIRST_FREE`] on.

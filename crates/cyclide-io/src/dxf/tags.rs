@@ -1,7 +1,7 @@
 //! DXF text: pairs of a group code and a value, one line each.
 
+use crate::file_content::ReadError;
 use crate::number::push_dxf;
-use crate::read_back::ReadError;
 use cyclide::Point3;
 use std::fmt::Write as _;
 

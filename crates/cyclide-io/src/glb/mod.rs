@@ -13,7 +13,9 @@ mod edges;
 mod reader;
 
 use crate::deviation::MeshPlan;
-use crate::export::{Contour, ExportError, Exported, Job, Promise};
+use crate::export_error::ExportError;
+use crate::exported::{Exported, Promise};
+use crate::job::{Contour, Job};
 use crate::mesh::{BodyMesh, Single, body_meshes, check_single, polyline, promised, single, triangles};
 use crate::palette;
 use buffer::Buffer;

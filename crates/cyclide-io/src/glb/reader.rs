@@ -1,8 +1,8 @@
 //! Reads GLB files of our own: triangles and lines of the nodes below the root, in model coordinates.
 
 use super::{LINES, TRIANGLES};
+use crate::file_content::{FileContent, ReadError};
 use crate::mesh::chain;
-use crate::read_back::{FileContent, ReadError};
 use cyclide::{MeshCorner, MeshFace, Point3, SurfaceMesh, Vec3};
 use serde_json::Value;
 

@@ -21,9 +21,13 @@
 
 mod surfaces;
 
-use crate::export::{Contour, ExportError, Exported, Job, Promise};
+use crate::export_error::ExportError;
+
+use crate::exported::{Exported, Promise};
+
+use crate::file_content::{FileContent, ReadError};
+use crate::job::{Contour, Job};
 use crate::number::push_plain;
-use crate::read_back::{FileContent, ReadError};
 use cyclide::{Arc, ChainPiece, CurveChain, DEFAULT_PIECE_ANGLE, Exactness, NurbsCurve, Point3};
 use serde_json::Value;
 

@@ -1,10 +1,10 @@
 //! Bodies as exact rational surfaces of degree (2, 2) with positive weights.
 
 use super::{array, numbers, point, push_numbers};
-use crate::export::ExportError;
+use crate::export_error::ExportError;
+use crate::file_content::ReadError;
 use crate::job::BodyOf;
 use crate::number::push_plain;
-use crate::read_back::ReadError;
 use cyclide::{ExactRational as _, ParamSurface as _, RationalBezierSurface, Shell};
 use serde_json::Value;
 

@@ -1,7 +1,7 @@
 //! Reads OBJ files of our own: the meshes and polylines of their groups.
 
+use crate::file_content::{FileContent, ReadError};
 use crate::mesh::chain;
-use crate::read_back::{FileContent, ReadError};
 use cyclide::{MeshCorner, MeshFace, Point3, SurfaceMesh, Vec3};
 
 /// Reads every group as one mesh or one polyline.

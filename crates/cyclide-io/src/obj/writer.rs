@@ -5,7 +5,9 @@
 //! format has none.
 
 use crate::deviation::MeshPlan;
-use crate::export::{ExportError, Exported, Job, Promise};
+use crate::export_error::ExportError;
+use crate::exported::{Exported, Promise};
+use crate::job::Job;
 use crate::mesh::{BodyMesh, body_meshes, polyline, promised};
 use crate::number::push_plain;
 use cyclide::{Exactness, SurfaceMesh};

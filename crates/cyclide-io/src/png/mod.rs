@@ -10,7 +10,9 @@ mod scene;
 mod view;
 
 use crate::drawing;
-use crate::export::{ExportError, Exported, Job, Promise};
+use crate::export_error::ExportError;
+use crate::exported::{Exported, Promise};
+use crate::job::Job;
 use canvas::{Canvas, Ink};
 use cyclide::{Exactness, Point3, Vec3, flatten};
 use view::View;
@@ -79,7 +81,7 @@ struct Polyline {
 }
 
 fn curves(job: &Job<'_>, tolerance: f64) -> Result<Vec<Polyline>, ExportError> {
-    let one = |contour: crate::export::Contour<'_>| {
+    let one = |contour: crate::job::Contour<'_>| {
         let curve = contour.curve.as_curve();
         let vertices = contour.lowered(flatten(curve, tolerance))?;
         let points = vertices.into_iter().map(|(_, p)| p).collect();

@@ -5,7 +5,7 @@ use serde::Serialize;
 
 use super::{CORNER_ANGLE, RangeReport};
 use crate::document::BuiltObject;
-use crate::export::default_tolerance;
+use crate::job::default_tolerance;
 
 /// The report on the curves of an object; largest values are over all its contours.
 #[derive(Debug, Clone, PartialEq, Serialize)]

@@ -11,9 +11,12 @@ use indexmap::IndexMap;
 use serde::Serialize;
 
 use crate::document::{BuiltObject, Remark};
-use crate::export::{ExportOptions, Exported, Job};
+use crate::exported::Exported;
+use crate::file_content::ReadError;
 use crate::format::Format;
-use crate::read_back::{ReadError, file_deviation};
+use crate::job::Job;
+use crate::options::ExportOptions;
+use crate::read_back::file_deviation;
 pub use curves::{CurvatureReport, CurvesReport, FitReport, JointReport};
 pub use surface::{CircularReport, PatchPlace, SingularPatchReport, SurfaceJointReport, SurfaceReport};
 

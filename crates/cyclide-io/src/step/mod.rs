@@ -18,7 +18,11 @@ mod structure;
 mod surfaces;
 mod topology;
 
-use crate::export::{Contour, ExportError, Exported, Job, Promise};
+use crate::export_error::ExportError;
+
+use crate::exported::{Exported, Promise};
+
+use crate::job::{Contour, Job};
 use cyclide::{ChainPiece, CurveChain, CurveObject, ShortNumber, Units};
 use data::Data;
 use structure::Items;

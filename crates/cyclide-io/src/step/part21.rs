@@ -1,6 +1,6 @@
 //! Part 21 text to instances: enough of the syntax for any exchange file, without its meaning.
 
-use crate::read_back::ReadError;
+use crate::file_content::ReadError;
 use std::collections::BTreeMap;
 
 /// Lists nest this deep at most.

@@ -4,7 +4,7 @@ use super::curves;
 use super::data::{Data, logical, push_list, push_reference, references, string};
 use super::integration::is_integrable;
 use super::surfaces;
-use crate::export::StepEdges;
+use crate::options::StepEdges;
 use cyclide::{Arc, Body, FaceEdge, NurbsCurve, PatchKind, Point3, Result, Shell, ShellFace};
 use std::fmt::Write as _;
 

@@ -7,8 +7,10 @@
 mod reader;
 
 use crate::deviation::MeshPlan;
-use crate::export::{ExportError, Exported, Job, Promise};
+use crate::export_error::ExportError;
+use crate::exported::{Exported, Promise};
 use crate::job::BodyOf;
+use crate::job::Job;
 use crate::mesh::{Single, body_meshes, check_single, promised, single, triangles};
 use cyclide::{Point3, Units};
 

@@ -1,7 +1,7 @@
 //! Reads a binary STL file as one mesh of triangles that share no vertices.
 
 use super::{HEAD, RECORD};
-use crate::read_back::{FileContent, ReadError};
+use crate::file_content::{FileContent, ReadError};
 use cyclide::{MeshCorner, MeshFace, Point3, SurfaceMesh, Vec3};
 
 /// Reads the triangles.

@@ -15,7 +15,9 @@ mod plan;
 mod reader;
 
 use crate::drawing;
-use crate::export::{Contour, ExportError, Exported, Job, Promise};
+use crate::export_error::ExportError;
+use crate::exported::{Exported, Promise};
+use crate::job::{Contour, Job};
 use crate::number::push_plain;
 use cyclide::{Aabb, Arc, Exactness, Point3, Units, flatten};
 use path::Path;

@@ -1,6 +1,6 @@
 //! The `d` attribute of one connected curve.
 
-use crate::export::straightened;
+use crate::exported::straightened;
 use crate::number::push_plain;
 use cyclide::{Aabb, Arc, Exactness, Point3};
 

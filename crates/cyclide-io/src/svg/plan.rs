@@ -4,8 +4,10 @@
 
 use super::path::Path;
 use super::{LEVEL, reader, three_digits};
-use crate::export::{ExportError, Job, Promise};
+use crate::export_error::ExportError;
+use crate::exported::Promise;
 use crate::job::BodyOf;
+use crate::job::Job;
 use crate::number::push_plain;
 use crate::parameter_circles::halvings;
 use cyclide::{Aabb, Arc, Exactness, Shell, flatten};

@@ -1,7 +1,7 @@
 //! Our own SVG back from the bytes: the contours' paths, and the lines of surfaces.
 
 use super::plan;
-use crate::read_back::{FileContent, ReadError};
+use crate::file_content::{FileContent, ReadError};
 use cyclide::{Arc, ArcPath, CurveChain, Point3, Vec3};
 
 /// How the element of a contour starts.

@@ -3,7 +3,7 @@
 use super::camera::{Camera, Projected};
 use super::light::Rgb;
 use super::surface::growth;
-use crate::export::Job;
+use crate::job::Job;
 use crate::palette;
 use crate::png::{CURVE, Polyline};
 use cyclide::{Body, CyclidePatch, MeshSource, ParamSurface as _, Point3, Shell, SurfaceMesh, tessellate};

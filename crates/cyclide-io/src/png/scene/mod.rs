@@ -15,7 +15,9 @@ mod surface;
 mod tests;
 
 use super::{FLATNESS, HEIGHT, UP, WIDTH, curves, picture};
-use crate::export::{ExportError, Exported, Job, Promise};
+use crate::export_error::ExportError;
+use crate::exported::{Exported, Promise};
+use crate::job::Job;
 use crate::palette::to_linear;
 use crate::png::canvas::{Canvas, PAPER};
 use crate::png::view::eye;

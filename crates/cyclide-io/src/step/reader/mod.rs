@@ -3,7 +3,7 @@
 mod shapes;
 
 use super::part21::{Instance, Value, parse};
-use crate::read_back::{FileContent, ReadError};
+use crate::file_content::{FileContent, ReadError};
 use cyclide::{Arc, ChainPiece, Circle, CurveChain, NurbsCurve, Point3, Vec3};
 use std::collections::BTreeMap;
 

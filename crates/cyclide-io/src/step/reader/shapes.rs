@@ -2,7 +2,7 @@
 
 use super::{Basis, File, entity, list, logical, number_of, numbers, reference, references, value};
 use crate::bodies::{FileBody, FileEdge, FileFace, FileShell, FileSurface};
-use crate::read_back::ReadError;
+use crate::file_content::ReadError;
 use cyclide::{Arc, ChainPiece, Frame, PatchKind, Point3, RationalBezierSurface, Vec3};
 
 /// Entities that are bodies.

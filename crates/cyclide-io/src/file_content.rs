@@ -1,0 +1,178 @@
+//! What a file of ours holds when it is read back, and why it may not be readable.
+
+use crate::bodies::FileBody;
+use cyclide::{CurveChain, RationalBezierSurface, ShortNumber, SurfaceMesh};
+
+/// What a file of ours holds.
+#[derive(Debug, Clone, PartialEq, Default)]
+#[non_exhaustive]
+pub struct FileContent {
+    /// The connected curves, in file order.
+    pub curves: Vec<CurveChain>,
+    /// The bodies of formats that have them, in file order.
+    pub bodies: Vec<FileBody>,
+    /// The meshes of formats that have them: one per body, in file order; in STL one for all.
+    pub meshes: Vec<SurfaceMesh>,
+    /// The rational patches of JSON, in file order.
+    pub patches: Vec<RationalBezierSurface>,
+    /// The lines that stand for surfaces in a drawing, in file order.
+    pub lines: Vec<CurveChain>,
+}
+
+impl From<Vec<CurveChain>> for FileContent {
+    fn from(curves: Vec<CurveChain>) -> Self {
+        Self { curves, ..Self::default() }
+    }
+}
+
+/// Why bytes could not be read back.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum ReadError {
+    /// The format holds no geometry.
+    #[error("{format} holds no geometry to read back")]
+    NoGeometry {
+        /// Name of the format.
+        format: &'static str,
+    },
+    /// The text breaks the rules of its format.
+    #[error("not readable at {place}: {detail}")]
+    Syntax {
+        /// Where: a line, a byte or an entity.
+        place: String,
+        /// What was wrong.
+        detail: String,
+    },
+    /// Something that our writers do not write.
+    #[error("{what} at {place} is not something that this program writes")]
+    Unsupported {
+        /// The thing.
+        what: String,
+        /// Where.
+        place: String,
+    },
+    /// The numbers describe no curve.
+    #[error("no curve at {place}: {source}")]
+    Geometry {
+        /// Where.
+        place: String,
+        /// What the kernel said.
+        source: cyclide::Error,
+    },
+    /// The file holds another number of connected curves than the model.
+    #[error("{found} connected curves in the file, {expected} in the model")]
+    CurveCount {
+        /// In the file.
+        found: usize,
+        /// In the model.
+        expected: usize,
+    },
+    /// A curve is closed in the model and open in the file, or the other way round.
+    #[error("curve {curve} is {} in the file and {} in the model", openness(*.found), openness(!*.found))]
+    Closedness {
+        /// Which connected curve, from 0.
+        curve: usize,
+        /// Closed in the file.
+        found: bool,
+    },
+    /// The file holds another number of polygons than were made of the model.
+    #[error("{found} polygons in the file, {expected} were made")]
+    PolygonCount {
+        /// In the file.
+        found: usize,
+        /// Made of the model.
+        expected: usize,
+    },
+    /// The file holds another number of rational patches than the model.
+    #[error("{found} patches in the file, {expected} in the model")]
+    PatchCount {
+        /// In the file.
+        found: usize,
+        /// In the model.
+        expected: usize,
+    },
+    /// Polygons are missing, or a part of a face has several.
+    #[error("face {face} of {object} is not covered once by polygons")]
+    NotCovered {
+        /// The object.
+        object: String,
+        /// Which of its faces, from 0, those of all its shells counted through.
+        face: usize,
+    },
+    /// A body has no polygon at all.
+    #[error("{object} has no polygon")]
+    NoPolygons {
+        /// The object.
+        object: String,
+    },
+    /// A polygon looks to the inner side of its face.
+    #[error("a polygon of face {face} of {object} looks to the wrong side")]
+    WrongSide {
+        /// The object.
+        object: String,
+        /// Which of its faces, from 0, those of all its shells counted through.
+        face: usize,
+    },
+    /// A normal is not that of the surface, or in STL not that of its triangle.
+    #[error("a normal of face {face} of {object} is off by {}, limit {}", ShortNumber(*.off), ShortNumber(*.limit))]
+    Normal {
+        /// The object.
+        object: String,
+        /// Which of its faces, from 0, those of all its shells counted through.
+        face: usize,
+        /// Length of the difference.
+        off: f64,
+        /// The largest one accepted.
+        limit: f64,
+    },
+    /// Polygons do not share the sides that they share in the mesh that was made.
+    #[error(
+        "the polygons of {object} have {} free sides and {} used twice the same way, {} and {} were made",
+        .free[0], .repeated[0], .free[1], .repeated[1]
+    )]
+    SideUse {
+        /// The object.
+        object: String,
+        /// Sides without another polygon: in the file, made.
+        free: [usize; 2],
+        /// Uses of a side beyond the first in one direction: in the file, made.
+        repeated: [usize; 2],
+    },
+    /// The file holds another number of lines for surfaces than were drawn.
+    #[error("{found} lines of surfaces in the file, {expected} were drawn")]
+    LineCount {
+        /// In the file.
+        found: usize,
+        /// Drawn.
+        expected: usize,
+    },
+    /// The file holds another number of bodies than the model.
+    #[error("{found} bodies in the file, {expected} in the model")]
+    BodyCount {
+        /// In the file.
+        found: usize,
+        /// In the model.
+        expected: usize,
+    },
+    /// A body of the file is not built as that of the model.
+    #[error("body {body}: {detail}")]
+    Body {
+        /// Which body, from 0.
+        body: usize,
+        /// What differs.
+        detail: &'static str,
+    },
+}
+
+fn openness(closed: bool) -> &'static str {
+    if closed { "closed" } else { "open" }
+}
+
+impl ReadError {
+    pub(crate) fn syntax(place: impl Into<String>, detail: impl Into<String>) -> Self {
+        Self::Syntax { place: place.into(), detail: detail.into() }
+    }
+    pub(crate) fn unsupported(what: impl Into<String>, place: impl Into<String>) -> Self {
+        Self::Unsupported { what: what.into(), place: place.into() }
+    }
+}

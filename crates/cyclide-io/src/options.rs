@@ -1,0 +1,47 @@
+//! What may be chosen about a file.
+
+/// Which DXF.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum DxfVersion {
+    /// AC1015: LWPOLYLINE, SPLINE, groups. The default.
+    #[default]
+    R2000,
+    /// AC1009: POLYLINE, for old machines; no splines.
+    R12,
+}
+
+/// The curves of the edges between faces in STEP.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum StepEdges {
+    /// `CIRCLE` and `LINE`: CAD systems show radii and centres. The default.
+    #[default]
+    Circles,
+    /// Rational B-splines in the parameter of the faces: readers find exact parameter curves.
+    Rational,
+}
+
+/// What may be chosen about a file.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct ExportOptions {
+    /// Largest distance between the file's curve or mesh and the object where the format needs an approximation, in
+    /// model units; `None` is 1e-5 of the model's diagonal for curves and 1e-4 for meshes.
+    pub tolerance: Option<f64>,
+    /// Name of the model, for formats that have a place for it; `None` is the name of the only object, or
+    /// `cyclide`.
+    pub title: Option<String>,
+    /// DXF: rational curves as exact SPLINE entities instead of arcs within the tolerance. Many readers that cut
+    /// or draw ignore the weights of a SPLINE; CAD systems do not.
+    pub dxf_splines: bool,
+    /// DXF: the version.
+    pub dxf_version: DxfVersion,
+    /// GLB: draw the edges of the patches as lines on their mesh.
+    pub glb_edges: bool,
+    /// STEP: the curves of the edges between faces.
+    pub step_edges: StepEdges,
+    /// SVG: draw the curvature comb.
+    pub svg_comb: bool,
+    /// SVG: draw the joints of the curves as dots.
+    pub svg_points: bool,
+    /// PNG: leave out the curvature comb.
+    pub png_plain: bool,
+}
