@@ -40,7 +40,7 @@ pub const ENTRIES: [Entry; 10] = [
     Entry {
         name: "roof",
         title: "Free-form roof with two skins",
-        text: "A mesh of 20 by 20 quads, moved a little so that every quad has a circle, and a second skin at an exact distance.",
+        text: "A mesh of 20 by 20 quads on a roof 66 m long, whose vertices move by half a metre on average so that every quad has a circle, and a second skin at an exact distance.",
         document: example!("roof.json"),
         inputs: &[input!("roof-20.obj")],
         formats: SURFACES,

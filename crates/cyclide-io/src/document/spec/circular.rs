@@ -59,7 +59,8 @@ pub enum BorderWord {
     Pinned,
 }
 
-/// Names of curves of the model on which the sides of a border slide; a side that is left out is free.
+/// Names of curves of the model on which the sides of a border slide; a side that is left out is free. Rows run along
+/// s and columns along t: for a grid from a file see the field `frame` of the net.
 #[derive(Debug, Clone, PartialEq, Eq, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct BorderCurves {
