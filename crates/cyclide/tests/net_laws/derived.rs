@@ -189,6 +189,36 @@ fn images_of_nets_are_nets_of_images() {
 }
 
 #[test]
+fn vertices_at_infinity_are_refused_to_rounding() {
+    // The vertex at th = ps = 0 is at mu (c - a)/(a - c) + a + c = 38, but for rounding.
+    let net = DupinCyclide::new(50.0, 20.0, 32.0).unwrap().nets([4, 4]).unwrap().remove(0);
+    let vertex = Point3::new(38.0, 0.0, 0.0);
+    for k in 0..net.grid().points().len() {
+        let vertex = if k == 0 { vertex } else { net.grid().points()[k] };
+        // Along the normal, so that no other point of the surface is nearer.
+        let patch = net.patch(k % 4, k / 4);
+        for beside in [0.0, 1e-13, 1e-9] {
+            let center = vertex + patch.unit_normal(0.0, 0.0) * beside;
+            let error = net.transformed(&Mobius::inversion(center, 10.0).unwrap()).unwrap_err();
+            let refused = ["point-at-infinity", "patch-through-infinity"];
+            assert!(refused.contains(&error.reason()), "{k} {beside}: {error}");
+        }
+    }
+    let on_it = |net: &CyclidicNet| net.transformed(&Mobius::inversion(vertex, 10.0).unwrap()).unwrap_err();
+    assert_eq!((on_it(&net).reason(), on_it(&net).index()), ("point-at-infinity", Some(0)));
+    // One part in a hundred thousand away, what comes back is what went in, and in space.
+    let beside = Mobius::inversion(vertex + Vec3::X * 1e-3, 10.0).unwrap();
+    let image = net.transformed(&beside).unwrap();
+    let back = image.transformed(&beside).unwrap();
+    for (p, q) in net.grid().points().iter().zip(back.grid().points()) {
+        // Rounding of the image's 1e5, which is the inverse of 1e-3 in a sphere of radius 10, through the map's 1e-6
+        // and 100 times its own size at the other vertices: 1e-16 (1e5)² / 100.
+        assert!(p.distance(*q) < 1e-7, "{p:?} {q:?}");
+    }
+    assert!(gap(&image) < 1e-13 * size(&image));
+}
+
+#[test]
 fn lobes_keep_their_nodes_under_inversion() {
     let map = Mobius::inversion(Point3::new(0.3, 0.4, 5.0), 3.0).unwrap();
     for lobe in DupinCyclide::new(1.0, 0.3, 1.2).unwrap().nets([4, 4]).unwrap() {

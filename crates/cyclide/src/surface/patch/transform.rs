@@ -5,6 +5,10 @@ use crate::base::range;
 use crate::conformal::mobius::{Conformal, Mobius};
 use crate::error::{Error, Result};
 
+/// Rounding of the real weights of a rational form, relative to the largest: they are products of two weights, which are
+/// in the image as the distances of the corners from the point that goes to infinity.
+const WEIGHT_ROUNDING: f64 = 16.0 * f64::EPSILON;
+
 impl Conformal for CyclidePatch {
     /// The image under a Möbius map `y -> (a y + b)(c y + d)^-1`, with the same parameters: corners by the map, weights
     /// `(c a_k + d) w_k` up to a common factor (`20`, section 3). The speeds keep their signs: a map that reverses
@@ -12,7 +16,8 @@ impl Conformal for CyclidePatch {
     /// then the opposite of the pushed forward one.
     ///
     /// # Errors
-    /// `point-at-infinity` if a corner goes to infinity, `patch-through-infinity` if an inner point does,
+    /// `point-at-infinity` if a corner goes to infinity, or is nearer than 6e-8 of the patch's size to the point that
+    /// does (then nothing of the image's size is known, nor the sign of its weights), `patch-through-infinity` if an inner point does,
     /// `parameter-out-of-range` (coordinates above 1e150), `coincident-points` (the image is smaller than
     /// rounding), `not-in-space` if rounding destroyed the result.
     fn transformed(&self, map: &Mobius) -> Result<Self> {
@@ -21,6 +26,11 @@ impl Conformal for CyclidePatch {
         let mut size = 1.0;
         for k in 0..4 {
             let (image, factor) = map.map_weighted(self.corners[k]).ok_or(Error::PointAtInfinity)?;
+            // The factor is c times the distance from the point that goes to infinity.
+            let nearest = map.matrix()[2].norm() * self.scale;
+            if factor.norm_squared() <= WEIGHT_ROUNDING * nearest * nearest {
+                return Err(Error::PointAtInfinity);
+            }
             range::check_point(k, image.to_vec())?;
             if k == 0 {
                 size = factor.norm();
