@@ -431,3 +431,67 @@ fn refused_nets_and_cyclides() {
         assert!(piece.starts_with(&lines[1][carets.clone()]), "{message}");
     }
 }
+
+/// Three by three points of a quarter of a cylinder about the x axis, as a net with a field more.
+fn cylinder(field: &str) -> String {
+    let row = |angle: f64| {
+        let place = |x: f64| format!("[{x}, {}, {}]", angle.cos(), angle.sin());
+        format!("[{}]", [0.0, 1.0, 2.0].map(place).join(","))
+    };
+    let rows = [0.0, 0.8, 1.6].map(row).join(",");
+    format!(r#""n": {{"type": "cyclidic-net", "grid": [{rows}]{field}}}"#)
+}
+
+#[test]
+fn a_frame_that_folds_its_net_is_warned_of() {
+    let suits = build(&cylinder(r#", "frame": [[1, 0, 0], [0, 0, 1]]"#)).unwrap();
+    assert!(suits.remarks.is_empty(), "{:?}", suits.remarks);
+    assert!(build(&cylinder("")).unwrap().remarks.is_empty());
+
+    // The directions of s and t exchanged.
+    let folded = build(&cylinder(r#", "frame": [[0, 0, 1], [1, 0, 0]]"#)).unwrap();
+    let report = Report::new(cyclide::Units::Metre, std::slice::from_ref(&folded), None);
+    let GeometryReport::Surface(surface) = &report.objects["n"].geometry else { panic!("a surface") };
+    let [remark] = &folded.remarks[..] else { panic!("one remark: {:?}", folded.remarks) };
+    assert_eq!((remark.reason, remark.index), ("folded-net", Some(surface.singular[0].place.patch)));
+    assert!(
+        remark.message.starts_with(&format!("{} singular patch(es)", surface.singular.len())),
+        "{}",
+        remark.message
+    );
+    assert!(remark.message.ends_with("use the frame \"auto\" or another one"), "{}", remark.message);
+    // Offsets and whole cyclides with nodes are no such nets.
+    let horn = build(r#""c": {"type": "cyclide", "a": 4, "c": 2, "mu": 1.5}"#).unwrap();
+    assert!(horn.remarks.is_empty(), "{:?}", horn.remarks);
+}
+
+#[test]
+fn refusals_name_the_factor_the_steps_and_the_curve() {
+    for (factor, words) in [("0", "the scale factor 0 is not positive"), ("-2", "the scale factor -2 is not positive")]
+    {
+        let scaled = format!(
+            r#"{CIRCLE}, "b": {{"type": "transform", "of": "c", "steps": [{{"scale": {{"factor": {factor}}}}}]}}"#
+        );
+        let message = build(&scaled).unwrap_err();
+        assert!(message.contains(words) && message.contains("[scale-not-positive]"), "{message}");
+    }
+    let message = build(&cylinder(r#", "make_circular": {"max_steps": 0}"#)).unwrap_err();
+    let words = "objects.n.make_circular.max_steps: max_steps = 0 is out of range: at least 1 [";
+    assert!(message.contains(words), "{message}");
+
+    // The whole side lies behind one end of the segment.
+    let far = r#""far": {"type": "arc-spline", "points": [[-9, 0], [-8, 0]], "construction": true}, "#;
+    let on_far = cylinder(r#", "make_circular": {"border": {"first_row": "far"}}"#);
+    let message = build(&(far.to_owned() + &on_far)).unwrap_err();
+    let words = "objects.n.make_circular.border: vertices 0 and 1 fall together on the curve of their side";
+    assert!(message.contains(words) && message.contains("[collapsed-on-curve]"), "{message}");
+}
+
+#[test]
+fn seams_that_do_not_close_name_the_ratio_only_where_there_is_one() {
+    let message =
+        |stretch| cyclide::Error::NetDoesNotClose { direction: "s", angle: 0.25, stretch, limit: 1e-9 }.to_string();
+    assert!(message(0.0).ends_with("the frame is off by 0.25 radians, limit 1e-9"), "{}", message(0.0));
+    let slower = message(-1.91e-6);
+    assert!(slower.ends_with("of the lines across by the factor 1 - 1.91e-6, limit 1e-9"), "{slower}");
+}

@@ -116,6 +116,12 @@ pub enum Error {
         /// The radius found.
         radius: f64,
     },
+    /// The factor of a similarity is zero, negative or not a number.
+    #[error("the scale factor {} is not positive", ShortNumber(*.factor))]
+    ScaleNotPositive {
+        /// The factor given.
+        factor: f64,
+    },
     /// A radius, length or tolerance that must be positive is not.
     #[error("the radius {} is not positive", ShortNumber(*.radius))]
     RadiusNotPositive {
@@ -199,8 +205,8 @@ pub enum Error {
     },
     /// A parameter is outside its interval.
     #[error(
-        "{name} = {:#} is outside {:#} to {:#}",
-        ShortNumber(*.value), ShortNumber(*.min), ShortNumber(*.max)
+        "{name} = {:#} is {}",
+        ShortNumber(*.value), outside(*.min, *.max)
     )]
     ParameterOutOfRange {
         /// Name of the parameter.
@@ -209,7 +215,7 @@ pub enum Error {
         value: f64,
         /// Smallest value accepted.
         min: f64,
-        /// Largest value accepted.
+        /// Largest value accepted; `f64::MAX` for no upper limit.
         max: f64,
     },
     /// No tangent-continuous arc spline stays within the tolerance of the polyline near this vertex.
@@ -310,7 +316,7 @@ pub enum Error {
     },
     /// The frame does not come back when it is carried once round a closed net.
     #[error(
-        "the net does not close along {direction}: after one turn the frame is off by {} radians and the speed of the lines across by the factor 1 + {}, limit {}", ShortNumber(*.angle), ShortNumber(*.stretch), ShortNumber(*.limit)
+        "the net does not close along {direction}: after one turn the frame is off by {} radians{}, limit {}", ShortNumber(*.angle), speed_ratio(*.stretch, *.limit), ShortNumber(*.limit)
     )]
     NetDoesNotClose {
         /// The closed direction: `s` or `t`.
@@ -382,6 +388,14 @@ pub enum Error {
         /// What went wrong in it.
         cause: Box<Error>,
     },
+    /// Two neighbouring vertices of a side came to the same point of the curve it shall slide on.
+    #[error("vertices {first} and {second} fall together on the curve of their side: let it run along the whole side")]
+    CollapsedOnCurve {
+        /// The first vertex, s fastest.
+        first: usize,
+        /// The second vertex.
+        second: usize,
+    },
     /// The quads of a grid cannot be made circular.
     #[error("not circular after {step} steps: the largest residual is {}, limit {}", ShortNumber(*.residual), ShortNumber(*.limit))]
     NotConverged {
@@ -410,6 +424,23 @@ pub enum Error {
         /// What went wrong in it.
         cause: Box<Error>,
     },
+}
+
+/// In words, that a value is outside its interval.
+fn outside(min: f64, max: f64) -> String {
+    if max >= f64::MAX {
+        return format!("out of range: at least {:#}", ShortNumber(min));
+    }
+    format!("outside {:#} to {:#}", ShortNumber(min), ShortNumber(max))
+}
+
+/// The ratio of speeds `1 + stretch` in words, where it is worth any.
+fn speed_ratio(stretch: f64, limit: f64) -> String {
+    if stretch.abs() <= limit {
+        return String::new();
+    }
+    let sign = if stretch < 0.0 { '-' } else { '+' };
+    format!(" and the speed of the lines across by the factor 1 {sign} {}", ShortNumber(stretch.abs()))
 }
 
 /// Refuses a tolerance that is not a positive number.
@@ -447,6 +478,7 @@ impl Error {
             Self::TangentCount { .. } => "tangent-count",
             Self::ZeroAxis => "zero-axis",
             Self::ZeroRadius { .. } => "zero-radius",
+            Self::ScaleNotPositive { .. } => "scale-not-positive",
             Self::RadiusNotPositive { .. } => "radius-not-positive",
             Self::DegenerateCircle { .. } => "degenerate-circle",
             Self::DegenerateSphere { .. } => "degenerate-sphere",
@@ -478,6 +510,7 @@ impl Error {
             Self::NotAShell { .. } => "not-a-shell",
             Self::ShortEdge { .. } => "short-edge",
             Self::InQuad { cause, .. } | Self::InSpan { cause, .. } => cause.reason(),
+            Self::CollapsedOnCurve { .. } => "collapsed-on-curve",
             Self::NotConverged { .. } => "not-converged",
             Self::BorderCurvesApart { .. } => "border-curves-apart",
         }

@@ -97,6 +97,17 @@ pub enum Warning {
         /// Mean turn at a vertex, radians.
         turn: f64,
     },
+    /// A net whose frame does not suit its grid: lines shrink to a point inside patches, or neighbours fold over.
+    FoldedNet {
+        /// Patches inside which a parameter line shrinks to a point.
+        singular: usize,
+        /// The first of them, s fastest.
+        first: Option<usize>,
+        /// Inner edges at which the normals differ by more than a thousandth of a radian.
+        creases: usize,
+        /// Largest angle there, radians.
+        angle: f64,
+    },
 }
 
 impl Warning {
@@ -117,6 +128,7 @@ impl Warning {
             Self::MovedFar { .. } => "moved-far",
             Self::LeftSurface { .. } => "left-surface",
             Self::Zigzag { .. } => "zigzag",
+            Self::FoldedNet { .. } => "folded-net",
         }
     }
 
@@ -130,6 +142,7 @@ impl Warning {
             Self::PointsMerged { first, .. } => Some(first),
             Self::ClosingPointMerged { index } => Some(index),
             Self::MovedFar { vertex, .. } | Self::LeftSurface { vertex, .. } => Some(vertex),
+            Self::FoldedNet { first, .. } => first,
             Self::SamplesTooCoarse { .. } | Self::ToleranceBelowNoise { .. } | Self::Zigzag { .. } => None,
         }
     }
@@ -211,6 +224,16 @@ impl std::fmt::Display for Warning {
                 "grid lines zigzag: neighbouring turns of {:.1} degrees on average agree by {agreement:.2}; smooth or refine the grid first",
                 turn.to_degrees()
             ),
+            Self::FoldedNet { singular, first, creases, angle } => {
+                if let Some(first) = first {
+                    write!(f, "{singular} singular patch(es), the first is quad {first}")?;
+                }
+                let and = if first.is_some() && *creases > 0 { "; " } else { "" };
+                if *creases > 0 {
+                    write!(f, "{and}{creases} joint(s) with a crease of up to {:.1} degrees", angle.to_degrees())?;
+                }
+                f.write_str(": the frame does not suit the grid")
+            }
         }
     }
 }

@@ -93,6 +93,24 @@ pub struct SurfaceJointReport {
     pub angle: f64,
 }
 
+impl SurfaceJointReport {
+    /// Measures the edges of shells that two patches share.
+    pub(crate) fn new<'a>(shells: impl Iterator<Item = &'a Shell>) -> Self {
+        let mut report = Self::default();
+        for joint in shells.flat_map(surface_joints) {
+            report.count += 1;
+            report.gap = report.gap.max(joint.gap);
+            if joint.angle > CORNER_ANGLE {
+                report.creases += 1;
+                report.crease_angle = report.crease_angle.max(joint.angle);
+            } else {
+                report.angle = report.angle.max(joint.angle);
+            }
+        }
+        report
+    }
+}
+
 /// A patch of an object.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 pub struct PatchPlace {
@@ -129,7 +147,7 @@ impl SurfaceReport {
             free_edges: shells().flat_map(Shell::edge_uses).filter(|&uses| uses == 1).count(),
             area: shells().map(Shell::area).sum(),
             volume: volumes.map(|v| v.iter().sum()),
-            joints: joints(shells()),
+            joints: SurfaceJointReport::new(shells()),
             curvature_s: RangeReport::EMPTY,
             curvature_t: RangeReport::EMPTY,
             weights: RangeReport::EMPTY,
@@ -210,19 +228,4 @@ impl SingularPatchReport {
 fn volume(body: &Body) -> Option<f64> {
     // The shells of hollows are oriented into them: their volumes are negative.
     body.is_solid().then(|| body.shells().map(Shell::volume).sum())
-}
-
-fn joints<'a>(shells: impl Iterator<Item = &'a Shell>) -> SurfaceJointReport {
-    let mut report = SurfaceJointReport::default();
-    for joint in shells.flat_map(surface_joints) {
-        report.count += 1;
-        report.gap = report.gap.max(joint.gap);
-        if joint.angle > CORNER_ANGLE {
-            report.creases += 1;
-            report.crease_angle = report.crease_angle.max(joint.angle);
-        } else {
-            report.angle = report.angle.max(joint.angle);
-        }
-    }
-    report
 }

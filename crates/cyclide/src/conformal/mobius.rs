@@ -103,13 +103,13 @@ impl Mobius {
     /// The similarity `y -> scale · q y q^-1 + shift`.
     ///
     /// # Errors
-    /// `not-finite`, `zero-axis` (rotation zero), `radius-not-positive` (scale).
+    /// `not-finite`, `zero-axis` (rotation zero), `scale-not-positive`.
     pub fn similarity(rotation: Quat, scale: f64, shift: Vec3) -> Result<Self> {
         if !(rotation.is_finite() && shift.is_finite()) {
             return Err(Error::NotFinite { what: "similarity", index: 0 });
         }
         if !(scale > 0.0 && scale.is_finite()) {
-            return Err(Error::RadiusNotPositive { radius: scale });
+            return Err(Error::ScaleNotPositive { factor: scale });
         }
         let norm = rotation.norm();
         if norm == 0.0 {

@@ -151,7 +151,10 @@ impl Builder<'_> {
         let (curves, facts) = self.curves()?.into_iter().unzip();
         let surfaces = self.surfaces()?;
         let bodies = surfaces.iter().map(SurfaceObject::to_body).collect::<cyclide::Result<_>>();
-        let bodies = bodies.map_err(|e| self.refused(&e, None))?;
+        let bodies: Vec<Body> = bodies.map_err(|e| self.refused(&e, None))?;
+        if let ObjectSpec::CyclidicNet(net) = self.spec {
+            self.warn_of_folds(net, &surfaces, &bodies);
+        }
         let tolerance = if let ObjectSpec::ArcFit(s) = self.spec { Some(s.tolerance) } else { None };
         let (name, kind) = (self.name.to_owned(), self.spec.type_word().to_owned());
         let item = Item { name, kind, contours: curves, surfaces, warnings: self.warnings, tolerance };

@@ -1,8 +1,8 @@
 //! Nets and whole cyclides: from grids and parameters to the kernel's surfaces.
 
 use cyclide::{
-    Border, CircularMeshOptions, CircularMeshReport, CurveObject, CyclidicNet, DupinCyclide, Error as KernelError,
-    Frame, NetFrame, ParamCurve, QuadGrid, SurfaceObject, Vec3, make_circular,
+    Body, Border, CircularMeshOptions, CircularMeshReport, CurveObject, CyclidicNet, DupinCyclide,
+    Error as KernelError, Frame, NetFrame, ParamCurve, QuadGrid, SurfaceObject, Vec3, Warning, make_circular,
 };
 
 use super::Builder;
@@ -15,6 +15,7 @@ use crate::document::spec::{
 };
 use crate::error::{CROSSING_QUAD, Error, Result, rejected_quads};
 use crate::obj::read_quad_grid;
+use crate::report::SurfaceJointReport;
 
 /// Patches of a whole cyclide round the hole and round the tube.
 const SEGMENTS: [u32; 2] = [4, 4];
@@ -124,6 +125,30 @@ impl<'a> Builder<'a> {
         Ok(mesh.grid)
     }
 
+    /// Warns of a net that its frame folded.
+    pub(super) fn warn_of_folds(&mut self, spec: &CyclidicNetSpec, surfaces: &[SurfaceObject], bodies: &[Body]) {
+        let nets =
+            surfaces.iter().filter_map(|surface| if let SurfaceObject::Net(net) = surface { Some(net) } else { None });
+        let singular: Vec<[usize; 2]> = nets.flat_map(|net| net.singular_patches()).map(|patch| patch.quad).collect();
+        let joints = SurfaceJointReport::new(bodies.iter().flat_map(Body::shells));
+        if singular.is_empty() && joints.creases == 0 {
+            return;
+        }
+        let columns = match surfaces {
+            [SurfaceObject::Net(net), ..] => net.size()[0],
+            _ => 0,
+        };
+        let first = singular.first().map(|[i, j]| j * columns + i);
+        let warning =
+            Warning::FoldedNet { singular: singular.len(), first, creases: joints.creases, angle: joints.crease_angle };
+        let hint = match spec.frame {
+            FrameSpec::Auto => "smooth the grid, or give a frame",
+            FrameSpec::First(_) => "use the frame \"auto\" or another one",
+        };
+        self.remark(warning.reason(), None, first, None, format!("{warning}; {hint}"));
+        self.warnings.push((0, warning));
+    }
+
     /// The curves of the sides, in the kernel's order.
     fn border_curves(&self, spec: &CyclidicNetSpec) -> Result<[Option<&'a dyn ParamCurve>; 4]> {
         let mut curves = [None; 4];
@@ -153,6 +178,12 @@ impl<'a> Builder<'a> {
             let bound = matches!(self.spec, ObjectSpec::CyclidicNet(net) if !net.make_circular.border_is_free());
             let words = if bound { format!("{error}; {hint}") } else { error.to_string() };
             return self.refused_in_words([Step::from("make_circular")], error.reason(), words);
+        }
+        if let KernelError::CollapsedOnCurve { .. } = error {
+            return self.refused_at(["make_circular".into(), "border".into()], error);
+        }
+        if let KernelError::ParameterOutOfRange { name: "max_steps", .. } = error {
+            return self.refused_at(["make_circular".into(), "max_steps".into()], error);
         }
         match (error, error.index()) {
             (KernelError::CoincidentPoints { first, second, .. }, _) => {

@@ -68,7 +68,9 @@ pub struct CircularMesh {
 ///
 /// # Errors
 /// `parameter-out-of-range` (an option, a border curve in a closed direction, a coordinate out of range),
-/// `coincident-points` (the ends of an edge), `border-curves-apart` (at a corner between two curves), `not-converged` (with the step and the residual reached: the border is
+/// `coincident-points` (the ends of an edge), `border-curves-apart` (at a corner between two curves),
+/// `collapsed-on-curve` (neighbours have the same nearest point on the curve of their side), `not-converged` (with the
+/// step and the residual reached: the border is
 /// held too tightly, or the grid is folded).
 pub fn make_circular(
     grid: &QuadGrid,
@@ -93,6 +95,7 @@ pub fn make_circular(
     let residual_before = measure(&points);
 
     holds.settle(&mut points);
+    check_distinct(&points, &quads)?;
     let edge = world_edge / scale;
     let terms = quads.iter().map(|q| &q[..]).chain(triples.iter().map(|t| &t[..]));
     let pattern = Pattern::new(points.len(), terms).ok_or(search::refused(0, residual_before))?;
@@ -123,6 +126,16 @@ pub fn make_circular(
         rejected_quads: report::rejected(&after, &quads),
     };
     Ok(CircularMesh { grid: QuadGrid::new(after, grid.size(), grid.closed())?, report, warnings })
+}
+
+/// # Errors
+/// `collapsed-on-curve`: the edges as given have a length, so that only a border curve can bring their ends together.
+fn check_distinct(points: &[Point3], quads: &[[usize; 4]]) -> Result<()> {
+    let sides = quads.iter().flat_map(|&[a, b, c, d]| [[a, b], [c, d], [a, c], [b, d]]);
+    match sides.into_iter().find(|&[a, b]| points[a] == points[b]) {
+        Some([first, second]) => Err(Error::CollapsedOnCurve { first, second }),
+        None => Ok(()),
+    }
 }
 
 /// The median length of the grid's edges.
