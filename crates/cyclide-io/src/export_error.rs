@@ -44,6 +44,16 @@ pub enum ExportError {
         /// What the kernel said.
         source: cyclide::Error,
     },
+    /// A surface has no form of the kind that the format needs.
+    #[error("object {object}, surface {surface}: {source}")]
+    Surface {
+        /// Name of the object.
+        object: String,
+        /// Which of its surfaces, from 0.
+        surface: usize,
+        /// What the kernel said.
+        source: cyclide::Error,
+    },
     /// The format cannot express this.
     #[error("object {object}: {format} cannot hold this: {detail}")]
     NotInFormat {
@@ -90,7 +100,7 @@ impl ExportError {
             Self::Empty => "empty-model",
             Self::ToleranceNotPositive { .. } => "tolerance-not-positive",
             Self::TooLarge { .. } => "coordinate-too-large",
-            Self::Lowering { source, .. } => source.reason(),
+            Self::Lowering { source, .. } | Self::Surface { source, .. } => source.reason(),
             Self::NotInFormat { .. } => "not-in-format",
             Self::Rounding { .. } => "rounding-above-tolerance",
             Self::Picture { .. } => "picture",

@@ -31,6 +31,11 @@ pub(crate) struct BodyOf<'a> {
 }
 
 impl BodyOf<'_> {
+    /// The error of a surface that has no form as a format needs it.
+    pub(crate) fn unfit(&self, source: cyclide::Error) -> ExportError {
+        ExportError::Surface { object: self.object.to_owned(), surface: self.index, source }
+    }
+
     /// The object's name, with the surface's number from 1 behind it where there are several.
     pub(crate) fn label(&self) -> String {
         if self.count == 1 { self.object.to_owned() } else { format!("{} {}", self.object, self.index + 1) }
@@ -173,7 +178,7 @@ pub(crate) fn bodies(model: &Model) -> Result<Vec<BodyOf<'_>>, ExportError> {
     let mut bodies = Vec::new();
     for (item, it) in model.items.iter().enumerate() {
         for (index, surface) in it.surfaces.iter().enumerate() {
-            let lowered = |source| ExportError::Lowering { object: it.name.clone(), contour: index, source };
+            let lowered = |source| ExportError::Surface { object: it.name.clone(), surface: index, source };
             let body = surface.to_body().map_err(lowered)?;
             bodies.push(BodyOf { object: &it.name, item, index, count: it.surfaces.len(), body });
         }

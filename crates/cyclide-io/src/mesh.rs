@@ -24,11 +24,7 @@ pub(crate) struct BodyMesh<'a> {
 /// The meshes of all bodies within the job's tolerance.
 pub(crate) fn body_meshes<'a>(job: &'a Job<'_>) -> Result<Vec<BodyMesh<'a>>, ExportError> {
     let one = |(index, body): (usize, &'a BodyOf<'_>)| {
-        let mesh = tessellate(&body.body, job.mesh_tolerance).map_err(|source| ExportError::Lowering {
-            object: body.object.to_owned(),
-            contour: body.index,
-            source,
-        })?;
+        let mesh = tessellate(&body.body, job.mesh_tolerance).map_err(|source| body.unfit(source))?;
         Ok(BodyMesh { index, body, mesh })
     };
     job.bodies.iter().enumerate().map(one).collect()

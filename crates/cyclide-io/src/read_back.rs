@@ -63,7 +63,9 @@ pub fn file_deviation(model: &Model, format: Format, file: &Exported) -> Result<
 /// A surface of the model that has no body cannot be compared.
 fn no_bodies(error: ExportError) -> ReadError {
     match error {
-        ExportError::Lowering { object, source, .. } => ReadError::Geometry { place: object, source },
+        ExportError::Lowering { object, source, .. } | ExportError::Surface { object, source, .. } => {
+            ReadError::Geometry { place: object, source }
+        }
         other => ReadError::syntax("the model", other.to_string()),
     }
 }

@@ -18,7 +18,7 @@ fn shells(body: &BodyOf<'_>) -> cyclide::Result<Vec<Shell>> {
 
 /// Writes a body as one element of the list `surfaces`.
 pub(super) fn push_body(out: &mut String, body: &BodyOf<'_>) -> Result<(), ExportError> {
-    let lowered = |source| ExportError::Lowering { object: body.object.to_owned(), contour: body.index, source };
+    let lowered = |source| body.unfit(source);
     out.push_str(&format!("{{\"closed\": {}, \"exact\": true, \"shells\": [", body.body.is_solid()));
     for (i, shell) in shells(body).map_err(lowered)?.iter().enumerate() {
         out.push_str(if i == 0 { "\n{\"patches\": [" } else { ",\n{\"patches\": [" });

@@ -57,7 +57,7 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
     }
     let mut items = Items { curve_sets: sets, ..Items::default() };
     for body in &job.bodies {
-        let lowered = |source| ExportError::Lowering { object: body.object.to_owned(), contour: body.index, source };
+        let lowered = |source| body.unfit(source);
         let (written, remarks) =
             topology::body(&mut data, &body.label(), &body.body, job.size(), job.options.step_edges)
                 .map_err(lowered)?;

@@ -97,7 +97,7 @@ fn draw(
     arc: cyclide::Result<Arc>,
     promise: &mut Promise,
 ) -> Result<Option<(Arc, Path)>, ExportError> {
-    let failed = |source| ExportError::Lowering { object: body.object.to_owned(), contour: body.index, source };
+    let failed = |source| body.unfit(source);
     let arc = arc.map_err(failed)?;
     let mut path = Path::new(arc.start(), false);
     if arc.normal().is_none_or(|n| n.x.abs() <= LEVEL && n.y.abs() <= LEVEL) {

@@ -374,3 +374,13 @@ fn curves_of_meshes_are_lines() {
         assert!(cyclide::ParamCurve::is_closed(&content.curves[0]), "{format:?}");
     }
 }
+
+#[test]
+fn refusals_name_the_surface() {
+    let patches = [torus_part(Point3::ORIGIN), octant()].map(SurfaceObject::Patch);
+    let item = Item { name: "parts".to_owned(), surfaces: patches.to_vec(), ..Item::default() };
+    let model = Model { items: vec![item], ..Model::default() };
+    let error = export(&model, Format::Obj, &with_tolerance(1e-12)).unwrap_err();
+    assert!(error.to_string().starts_with("object parts, surface 0: "), "{error}");
+    assert_eq!(error.reason(), "too-many-cells");
+}

@@ -52,8 +52,7 @@ pub(super) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
             drawn.extend(surfaces(shell, body.item, camera.unit()));
         }
         let added = facets.add_body(&body.body, first, &camera, MESH * camera.unit());
-        let (object, contour) = (body.object, body.index);
-        added.map_err(|source| ExportError::Lowering { object: object.to_owned(), contour, source })?;
+        added.map_err(|source| body.unfit(source))?;
     }
     for curve in curves(job, FLATNESS * camera.unit())? {
         facets.add_curve(&curve, &camera);
