@@ -286,6 +286,25 @@ fn whole_cyclides_in_any_place() {
 }
 
 #[test]
+fn a_closed_surface_that_touches_itself_is_no_solid() {
+    // The ring 50, 20, 32 inwards by 20 is a horn: its two lobes meet in two points.
+    let offset = |distance: f64| {
+        let objects = format!(
+            r#""r": {{"type": "cyclide", "a": 50, "c": 20, "mu": 32}},
+            "o": {{"type": "offset", "of": "r", "distance": {distance}}}"#
+        );
+        build(&objects).unwrap()
+    };
+    let report = |built: BuiltObject| Report::new(cyclide::Units::Millimetre, &[built], None).to_string();
+    let horn = surface(&offset(-20.0));
+    assert!(horn.closed && horn.touches_itself && horn.bodies == 1, "{horn:?}");
+    assert!(report(offset(-20.0)).starts_with("o: offset, closed, touches itself, 16 patches"));
+    let ring = surface(&offset(-5.0));
+    assert!(ring.closed && !ring.touches_itself, "{ring:?}");
+    assert!(report(offset(-5.0)).starts_with("o: offset, solid, 16 patches"));
+}
+
+#[test]
 fn nodes_are_named_with_the_finite_curvatures() {
     // The horn 5, 3, 1: th = acos(1/3), nodes at (a mu/c, ±b sqrt(1 - mu²/c²), 0). Two by four patches between them,
     // four by four round the other way.
