@@ -1,6 +1,6 @@
 """Points and normals of a patch on a 1000 by 1000 grid: cyclide against its peers in one run.
 
-    .venv/bin/python benches/compare_surfaces.py [--rust-peers] [--small-pages]
+    .venv/bin/python benches/compare_surfaces.py [--rust-peers] [--default-allocator]
 
 The patch is a quarter by a quarter of the torus with radii 2 and 1/2, a rational biquadratic for the peers: numpy
 (Bernstein products), SciPy (two passes of BSpline on homogeneous points), splinepy where it is installed, and with
@@ -8,10 +8,10 @@ The patch is a quarter by a quarter of the torus with radii 2 and 1/2, a rationa
 checked against the torus. One thread; the smallest of several times is printed. Ratios are time of the peer over time of
 cyclide, into a buffer allocated by the call, which is what all peers but the two Rust loops do, and into a kept one.
 
-At 48 MB memory is the limit, not arithmetic: a kept buffer takes points and normals as fast as it can be filled with one
-number, and touching one number of each 4 kB page of a fresh one already takes three times as long as that or more. numpy
-asks the kernel for 2 MB pages for its arrays; so that all compare under the same pages, the allocator of the Rust
-programs is told to do the same (GLIBC_TUNABLES, without effect elsewhere). --small-pages leaves it out.
+Memory is the limit, not arithmetic: the first line of each table is a fresh buffer of the same size (24 MB; points and
+normals have two) that is filled with one number. What a fresh buffer costs is up to the allocator: pages of 4 kB from the
+system alone take longer than all arithmetic. So all programs run under the same one, glibc's with 2 MB pages (as numpy
+asks for) and with freed memory kept for the next buffer. --default-allocator leaves that out.
 """
 
 import json
@@ -20,6 +20,11 @@ import subprocess
 import sys
 import time
 from pathlib import Path
+
+ALLOCATOR = "glibc.malloc.hugetlb=1:glibc.malloc.mmap_threshold=1073741824:glibc.malloc.trim_threshold=4294967296"
+if "--default-allocator" not in sys.argv[1:] and "GLIBC_TUNABLES" not in os.environ:
+    # It is read when a process starts: this one starts again.
+    os.execve(sys.executable, [sys.executable, *sys.argv], {**os.environ, "GLIBC_TUNABLES": ALLOCATOR})
 
 os.environ.setdefault("OMP_NUM_THREADS", "1")
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
@@ -125,9 +130,7 @@ def smallest(run, times):
 
 
 def rust(command):
-    pages = {} if "--small-pages" in sys.argv[1:] else {"GLIBC_TUNABLES": "glibc.malloc.hugetlb=1"}
-    environment = {**os.environ, **pages}
-    done = subprocess.run(command, cwd=ROOT, check=True, stdout=subprocess.PIPE, text=True, env=environment)
+    done = subprocess.run(command, cwd=ROOT, check=True, stdout=subprocess.PIPE, text=True)
     return [json.loads(line) for line in done.stdout.splitlines()]
 
 
@@ -148,7 +151,7 @@ def main():
         best = {"fresh": float("inf"), "kept": float("inf")}
         for row in (row for row in rows if row["kind"] == kind):
             ratios = {buffer: row["seconds"] / ours[kind, buffer] for buffer in best}
-            if row["name"] != "cyclide":
+            if row["name"] != "cyclide" and not row["name"].startswith("memory"):
                 best = {buffer: min(least, ratios[buffer]) for buffer, least in best.items()}
             rate = COUNT**2 / row["seconds"] / 1e6
             print(f"  {row['name']:36} {row['buffer']:20} {rate:10.1f} {ratios['fresh']:15.2f} {ratios['kept']:8.2f}")

@@ -22,14 +22,14 @@ fn surface_grid(c: &mut Criterion) {
         b.iter(|| torus_grid::points(&patch, black_box(&s), &mut kept[..3 * COUNT * COUNT]));
     });
     group.bench_function("points, fresh buffer", |b| {
-        b.iter(|| {
-            let mut fresh = vec![0.0; 3 * COUNT * COUNT];
-            torus_grid::points(&patch, black_box(&s), &mut fresh);
-            fresh
-        });
+        b.iter(|| torus_grid::fresh_points(&patch, black_box(&s)));
     });
     group.bench_function("points and normals, kept buffer", |b| {
-        b.iter(|| torus_grid::points_and_normals(&patch, black_box(&s), &mut kept));
+        let (points, normals) = kept.split_at_mut(3 * COUNT * COUNT);
+        b.iter(|| torus_grid::points_and_normals(&patch, black_box(&s), points, normals));
+    });
+    group.bench_function("points and normals, fresh buffers", |b| {
+        b.iter(|| torus_grid::fresh_points_and_normals(&patch, black_box(&s)));
     });
     group.bench_function("points, one at a time", |b| {
         b.iter(|| s.iter().map(|t| s.iter().map(|s| patch.point(*s, *t).x).sum::<f64>()).sum::<f64>());

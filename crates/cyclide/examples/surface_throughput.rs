@@ -31,37 +31,45 @@ fn main() -> Result<()> {
     let last = |out: &[f64]| out.last().copied().unwrap_or(f64::NAN);
     // The torus equation at every point, before anything is measured.
     torus_grid::points(&patch, &s, &mut kept[..3 * COUNT * COUNT]);
-    let [x, y, z] = [0, 1, 2].map(|k| &kept[k * COUNT * COUNT..(k + 1) * COUNT * COUNT]);
-    let off = |((x, y), z): ((&f64, &f64), &f64)| ((x.hypot(*y) - 2.0).hypot(*z) - 0.5).abs();
-    let worst = x.iter().zip(y).zip(z).map(off).fold(0.0, f64::max);
+    let off = |row: &[f64], i: usize| ((row[i].hypot(row[COUNT + i]) - 2.0).hypot(row[2 * COUNT + i]) - 0.5).abs();
+    let rows = kept.chunks(3 * COUNT).take(COUNT);
+    let worst = rows.flat_map(|row| (0..COUNT).map(move |i| off(row, i))).fold(0.0, f64::max);
     assert!(worst < 1e-14, "{worst:e} off the torus");
     let points_kept = smallest(|| {
         torus_grid::points(&patch, &s, &mut kept[..3 * COUNT * COUNT]);
         kept[3 * COUNT * COUNT - 1]
     });
     let points_fresh = smallest(|| {
-        let mut fresh = vec![0.0; 3 * COUNT * COUNT];
-        torus_grid::points(&patch, &s, &mut fresh);
-        last(&fresh)
+        let points = torus_grid::fresh_points(&patch, &s);
+        last(&points)
     });
     let normals_kept = smallest(|| {
-        torus_grid::points_and_normals(&patch, &s, &mut kept);
-        last(&kept)
+        let (points, normals) = kept.split_at_mut(3 * COUNT * COUNT);
+        torus_grid::points_and_normals(&patch, &s, points, normals);
+        last(normals)
     });
     let normals_fresh = smallest(|| {
-        let mut fresh = vec![0.0; 6 * COUNT * COUNT];
-        torus_grid::points_and_normals(&patch, &s, &mut fresh);
-        last(&fresh)
+        // Two arrays, as the peers make them.
+        let [points, normals] = torus_grid::fresh_points_and_normals(&patch, &s);
+        last(&points) + last(&normals)
+    });
+    // What memory allows: a fresh buffer of one number only.
+    let filled = smallest(|| last(&vec![std::hint::black_box(1.5); 3 * COUNT * COUNT]));
+    let filled_twice = smallest(|| {
+        let [points, normals] = [1.5, 0.5].map(|number| vec![std::hint::black_box(number); 3 * COUNT * COUNT]);
+        last(&points) + last(&normals)
     });
     let one_by_one = smallest(|| s.iter().map(|t| s.iter().map(|s| patch.point(*s, *t).x).sum::<f64>()).sum());
-    for (kind, buffer, seconds) in [
-        ("points", "fresh", points_fresh),
-        ("points", "kept", points_kept),
-        ("points", "none, one at a time", one_by_one),
-        ("normals", "fresh", normals_fresh),
-        ("normals", "kept", normals_kept),
+    for (name, kind, buffer, seconds) in [
+        ("memory, filled with one number", "points", "fresh", filled),
+        ("cyclide", "points", "fresh", points_fresh),
+        ("cyclide", "points", "kept", points_kept),
+        ("cyclide", "points", "none, one at a time", one_by_one),
+        ("memory, filled with one number", "normals", "fresh", filled_twice),
+        ("cyclide", "normals", "fresh", normals_fresh),
+        ("cyclide", "normals", "kept", normals_kept),
     ] {
-        println!(r#"{{"name": "cyclide", "kind": "{kind}", "buffer": "{buffer}", "seconds": {seconds:e}}}"#);
+        println!(r#"{{"name": "{name}", "kind": "{kind}", "buffer": "{buffer}", "seconds": {seconds:e}}}"#);
     }
     Ok(())
 }

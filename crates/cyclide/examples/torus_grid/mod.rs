@@ -15,23 +15,52 @@ pub fn parameters(count: usize) -> Vec<f64> {
     (0..count).map(|i| i as f64 / (count - 1) as f64).collect()
 }
 
-/// The points of a grid, coordinate by coordinate: all x, all y, all z, s fastest.
+/// The x, y and z of one row of n points after another.
+fn lanes(row: &mut [f64], n: usize) -> [&mut [f64]; 3] {
+    let mut lanes = row.chunks_mut(n);
+    std::array::from_fn(|_| lanes.next().unwrap_or_default())
+}
+
+/// The points of a grid: x, y and z of one row after another, s fastest.
 pub fn points(patch: &CyclidePatch, s: &[f64], out: &mut [f64]) {
     let n = s.len();
-    let (x, rest) = out.split_at_mut(n * n);
-    let (y, z) = rest.split_at_mut(n * n);
-    for (((t, x), y), z) in s.iter().zip(x.chunks_mut(n)).zip(y.chunks_mut(n)).zip(z.chunks_mut(n)) {
-        patch.row(*t).points(s, [x, y, z]);
+    for (t, row) in s.iter().zip(out.chunks_mut(3 * n)) {
+        patch.row(*t).points(s, lanes(row, n));
     }
 }
 
-/// The points and unit normals of a grid, row by row: x, y, z and the coordinates of the normal of one row after
-/// another.
-pub fn points_and_normals(patch: &CyclidePatch, s: &[f64], out: &mut [f64]) {
+/// As [`points`], with the unit normals in a buffer of the same kind.
+pub fn points_and_normals(patch: &CyclidePatch, s: &[f64], points: &mut [f64], normals: &mut [f64]) {
     let n = s.len();
-    for (t, row) in s.iter().zip(out.chunks_mut(6 * n)) {
-        let mut lanes = row.chunks_mut(n);
-        let mut three = || std::array::from_fn(|_| lanes.next().unwrap_or_default());
-        patch.row(*t).points_and_normals(s, three(), three());
+    for ((t, p), q) in s.iter().zip(points.chunks_mut(3 * n)).zip(normals.chunks_mut(3 * n)) {
+        patch.row(*t).points_and_normals(s, lanes(p, n), lanes(q, n));
     }
+}
+
+/// Space for one more row at the end of a vector that has room for it. Growing a fresh buffer row by row writes zeros
+/// where the cache still holds them when the points come; zeros for the whole grid would go to memory and back.
+fn next_row(grown: &mut Vec<f64>, n: usize) -> [&mut [f64]; 3] {
+    let start = grown.len();
+    grown.resize(start + 3 * n, 0.0);
+    lanes(&mut grown[start..], n)
+}
+
+/// [`points`] into a fresh buffer.
+pub fn fresh_points(patch: &CyclidePatch, s: &[f64]) -> Vec<f64> {
+    let n = s.len();
+    let mut points = Vec::with_capacity(3 * n * n);
+    for t in s {
+        patch.row(*t).points(s, next_row(&mut points, n));
+    }
+    points
+}
+
+/// [`points_and_normals`] into two fresh buffers.
+pub fn fresh_points_and_normals(patch: &CyclidePatch, s: &[f64]) -> [Vec<f64>; 2] {
+    let n = s.len();
+    let [mut points, mut normals] = [0, 1].map(|_| Vec::with_capacity(3 * n * n));
+    for t in s {
+        patch.row(*t).points_and_normals(s, next_row(&mut points, n), next_row(&mut normals, n));
+    }
+    [points, normals]
 }
