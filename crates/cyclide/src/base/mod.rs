@@ -3,6 +3,7 @@
 pub(crate) mod bernstein;
 pub(crate) mod bounds;
 pub(crate) mod cut;
+pub(crate) mod euclidean;
 pub(crate) mod frame;
 pub(crate) mod jet;
 pub(crate) mod planar;

@@ -1,5 +1,6 @@
 //! Points and vectors of the plane, used by the planar arc fit inside a frame of its own.
 
+use super::euclidean::length;
 use std::ops::{Add, Mul, Neg, Sub};
 
 /// A vector of the plane.
@@ -42,7 +43,7 @@ impl Vec2 {
     /// Length, without overflow of the squares.
     #[must_use]
     pub fn length(self) -> f64 {
-        self.x.hypot(self.y)
+        length([self.x, self.y])
     }
 
     /// The vector turned by a quarter to the left.

@@ -1,5 +1,6 @@
 //! Quaternions `[w, x, y, z]`, of any length: they are weights here, not only rotations.
 
+use super::euclidean::length;
 use super::vector::{Point3, Vec3};
 use std::ops::{Add, Mul, Neg, Sub};
 
@@ -68,7 +69,7 @@ impl Quat {
     /// Length, without overflow of the squares.
     #[must_use]
     pub fn norm(self) -> f64 {
-        self.w.hypot(self.vector().length())
+        length([self.w, self.x, self.y, self.z])
     }
 
     /// Inverse; `None` for zero.

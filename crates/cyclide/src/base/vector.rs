@@ -2,6 +2,7 @@
 //!
 //! Points and vectors differ: under an inversion a point maps, a tangent vector is pushed forward.
 
+use super::euclidean::length;
 use std::ops::{Add, AddAssign, Div, Index, Mul, Neg, Sub, SubAssign};
 
 /// A vector (displacement, tangent, normal) of three-space.
@@ -67,7 +68,7 @@ impl Vec3 {
     /// Length, without overflow or underflow of the squares.
     #[must_use]
     pub fn length(self) -> f64 {
-        self.x.hypot(self.y).hypot(self.z)
+        length([self.x, self.y, self.z])
     }
 
     /// Largest absolute component.
