@@ -114,6 +114,7 @@ fn body_deviation(
     let mut rest = polygons;
     let mut triangles: Vec<[Point3; 3]> = Vec::new();
     let mut largest = 0.0_f64;
+    let mut lost: Vec<[Sample; GRID * GRID]> = Vec::new();
     for cell in cells {
         let (own, after) = rest.split_at(cell.polygons);
         rest = after;
@@ -121,11 +122,11 @@ fn body_deviation(
         triangles.clear();
         triangles.extend(own.iter().flat_map(Polygon::triangles));
         let samples = samples(&face.patch, &cell.source);
-        largest = largest.max(if own.is_empty() {
-            to_mesh(&samples, polygons)
-        } else {
-            cell_deviation(&face.patch, &cell.source, &samples, &triangles)
-        });
+        if own.is_empty() {
+            lost.push(samples);
+            continue;
+        }
+        largest = largest.max(cell_deviation(&face.patch, &cell.source, &samples, &triangles));
         let facing = Facing::new(face, &cell.source);
         if !triangles.iter().all(|triangle| facing.is_outward(triangle)) {
             return Err(ReadError::WrongSide { object: body.label(), face: index });
@@ -135,7 +136,24 @@ fn body_deviation(
             return Err(ReadError::Normal { object: body.label(), face: index, off, limit: NORMAL_LIMIT });
         }
     }
-    Ok(largest)
+    Ok(with_lost_cells(&lost, polygons, largest))
+}
+
+/// The largest distance with that of the cells of which rounding has left no polygon, for what it is without them.
+///
+/// They lie in heaps, so that a corner of a polygon near one is near the next ones too. Only what is farther from it than
+/// anything else is off is compared with all polygons.
+fn with_lost_cells(lost: &[[Sample; GRID * GRID]], polygons: &[Polygon<'_>], mut largest: f64) -> f64 {
+    let mut near: Option<Point3> = None;
+    for samples in lost {
+        let reach = |corner: Point3| samples.iter().map(|(_, _, p)| p.distance(corner)).fold(0.0, f64::max);
+        if near.is_none_or(|corner| reach(corner) > largest) {
+            let (corner, distance) = to_mesh(samples, polygons);
+            largest = largest.max(distance);
+            near = corner;
+        }
+    }
+    largest
 }
 
 /// How far the normals of a polygon are off: in STL that of the triangle, elsewhere those of the surface at the corners.
@@ -213,19 +231,22 @@ fn cell_deviation(patch: &CyclidePatch, source: &MeshSource, samples: &[Sample],
     back.map(|p| to_cell(patch, source, samples, p)).fold(outward, f64::max)
 }
 
-/// Distance of a cell that rounding has left no polygon of from the other polygons of its body.
-fn to_mesh(samples: &[Sample], polygons: &[Polygon<'_>]) -> f64 {
+/// A corner near a cell that rounding has left no polygon of, and the distance of the cell from the other polygons of
+/// its body.
+fn to_mesh(samples: &[Sample], polygons: &[Polygon<'_>]) -> (Option<Point3>, f64) {
     let middle = samples[samples.len() / 2].2;
     let radius = samples.iter().map(|(_, _, p)| p.distance(middle)).fold(0.0, f64::max);
     let all = || polygons.iter().flat_map(Polygon::triangles);
     // Only triangles that may be nearer to a sample than the nearest corner is to the farthest one count.
-    let nearest = all().map(|[a, ..]| a.distance(middle)).fold(f64::INFINITY, f64::min);
+    let corners = all().map(|[a, ..]| (a, a.distance(middle)));
+    let (corner, nearest) = corners.min_by(|a, b| a.1.total_cmp(&b.1)).unzip();
+    let nearest = nearest.unwrap_or(f64::INFINITY);
     let counts = |&[a, b, c]: &[Point3; 3]| {
         a.distance(middle) - a.distance(b).max(a.distance(c)) <= (nearest + 2.0 * radius) * (1.0 + 1e-9)
     };
     let near: Vec<[Point3; 3]> = all().filter(counts).collect();
     let distance = |p: Point3| near.iter().map(|t| to_triangle(p, t)).fold(f64::INFINITY, f64::min);
-    samples.iter().map(|(_, _, p)| distance(*p)).fold(0.0, f64::max)
+    (corner, samples.iter().map(|(_, _, p)| distance(*p)).fold(0.0, f64::max))
 }
 
 /// Distance of a point from the cell: from the nearest sample a few steps along the parameter circles, which are

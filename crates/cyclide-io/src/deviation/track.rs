@@ -1,6 +1,7 @@
 //! A curve cut into tame windows, with the foot of a point on each.
 
-use cyclide::{ParamCurve, PieceForm, Point3, Vec3};
+use cyclide::{Arc, ParamCurve, PieceForm, Point3, Vec3};
+use std::collections::BTreeMap;
 
 /// Windows of a piece before the turn is looked at: one alone would take a circle for a point, two an S for a line.
 const FIRST_WINDOWS: [usize; 2] = [2, 3];
@@ -15,6 +16,9 @@ const CHORD_SPEEDS: f64 = 1.5;
 const UNSEEN: f64 = 1e-13;
 /// Halvings of a window at most.
 const WINDOW_DEPTH: u32 = 16;
+/// Largest quotient of the weights of an arc whose own parameter is taken. Its speeds at the ends differ by the square:
+/// an arc through a point near infinity is nearly all within a tiny range of its parameter.
+const WEIGHT_RATIO: f64 = 16.0;
 /// A foot is found when its parameter moves by less than this part of the window; what is left is quadratic in it.
 const FOOT: f64 = 1e-9;
 /// Windows that may be the start of a closed curve at most: passes of the curve through one point.
@@ -43,6 +47,8 @@ pub(super) struct Window {
 /// A curve cut into windows, in order.
 pub(super) struct Track<'a> {
     curve: &'a dyn ParamCurve,
+    /// Arcs with weights of equal size in place of the pieces that have weights of very different sizes.
+    balanced: BTreeMap<usize, Arc>,
     plan: bool,
     pub(super) windows: Vec<Window>,
     pub(super) length: f64,
@@ -52,7 +58,8 @@ impl<'a> Track<'a> {
     /// The curve in space or in the plan view.
     pub(super) fn new(curve: &'a dyn ParamCurve, plan: bool) -> Self {
         let windows = Vec::with_capacity(FIRST_WINDOWS[0] * curve.piece_count());
-        let mut track = Self { curve, plan, windows, length: 0.0 };
+        let balanced = (0..curve.piece_count()).filter_map(|piece| Some((piece, balanced(curve, piece)?))).collect();
+        let mut track = Self { curve, balanced, plan, windows, length: 0.0 };
         for piece in 0..curve.piece_count() {
             let bent = matches!(curve.piece_form(piece), PieceForm::Free);
             let first = FIRST_WINDOWS[usize::from(bent)];
@@ -92,7 +99,11 @@ impl<'a> Track<'a> {
 
     /// The point at a part of a window.
     pub(super) fn point(&self, w: &Window, part: f64) -> Point3 {
-        let mut point = self.curve.piece_point(w.piece, w.start.s + (w.end.s - w.start.s) * part);
+        let s = w.start.s + (w.end.s - w.start.s) * part;
+        let mut point = match self.balanced.get(&w.piece) {
+            Some(arc) => arc.point(s),
+            None => self.curve.piece_point(w.piece, s),
+        };
         if self.plan {
             point.z = 0.0;
         }
@@ -151,7 +162,10 @@ impl<'a> Track<'a> {
     }
 
     fn node(&self, piece: usize, s: f64) -> Node {
-        let jet = self.curve.piece_jet(piece, s);
+        let jet = match self.balanced.get(&piece) {
+            Some(arc) => arc.piece_jet(0, s),
+            None => self.curve.piece_jet(piece, s),
+        };
         let (mut point, mut d1) = (jet.point, jet.d1);
         if self.plan {
             point.z = 0.0;
@@ -159,6 +173,16 @@ impl<'a> Track<'a> {
         }
         Node { s, point, d1 }
     }
+}
+
+/// The points of an arc with weights of very different sizes, in the same order, at weights of equal size.
+fn balanced(curve: &dyn ParamCurve, piece: usize) -> Option<Arc> {
+    let PieceForm::Arc(arc) = curve.piece_form(piece) else { return None };
+    let ratio = arc.weight_ratio();
+    let size = ratio.norm();
+    let tame = (1.0 / WEIGHT_RATIO..=WEIGHT_RATIO).contains(&size);
+    // A positive factor of one weight moves the points along the arc.
+    if tame { None } else { Arc::from_weight_ratio(arc.start(), arc.end(), ratio * (1.0 / size)).ok() }
 }
 
 /// True if the tangents at both ends and the chord agree in direction, and the speeds with each other and with the

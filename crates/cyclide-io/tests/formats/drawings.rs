@@ -1,7 +1,7 @@
 //! SVG and PNG: what is drawn, and how large.
 
 use crate::models::{bulges, circle_spline, flat, mixed, model, slot, space_chain, splines, tilted};
-use cyclide::{BlendVariant, CurveObject, Model, Units};
+use cyclide::{BlendVariant, Conformal as _, CurveObject, Model, Point3, Units};
 use cyclide_io::{ExportOptions, Format, export, file_deviation};
 
 fn svg(m: &Model, options: &ExportOptions) -> String {
@@ -72,7 +72,7 @@ fn space_is_seen_from_above_and_points_are_refused() {
 /// A net of one patch in the plane: its lines are arcs of the plane.
 #[test]
 fn the_plan_of_a_level_patch_is_made_of_arcs() {
-    let corners = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 1.0, 0.0]].map(cyclide::Point3::from);
+    let corners = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 1.0, 0.0]].map(Point3::from);
     let (v1, v2) = (cyclide::Vec3::new(0.6, 0.8, 0.0), cyclide::Vec3::new(-0.8, 0.6, 0.0));
     let patch = cyclide::CyclidePatch::from_corners_and_frame(corners, v1, v2).unwrap();
     let item = cyclide::Item { surfaces: vec![cyclide::SurfaceObject::Patch(patch)], ..cyclide::Item::default() };
@@ -101,7 +101,7 @@ fn the_plan_of_a_riser_keeps_its_promise() {
         [70.0, 24.0, 60.0],
         [30.0, 10.0, 50.0],
     ];
-    let points = points.map(cyclide::Point3::from);
+    let points = points.map(Point3::from);
     let m = model(vec![("cable", vec![circle_spline(&points, false, BlendVariant::Rational, vec![])])]);
     let file = export(&m, Format::Svg, &ExportOptions::default()).unwrap();
     let d = file_deviation(&m, Format::Svg, &file).unwrap();
@@ -131,6 +131,22 @@ fn plans_of_surfaces_are_measured_line_by_line() {
         // A line less: said.
         wrong.bytes = text.replacen("<path d=", "<path data-d=", 1).into_bytes();
         assert!(matches!(file_deviation(&m, Format::Svg, &wrong), Err(cyclide_io::ReadError::LineCount { .. })));
+    }
+}
+
+/// Inverted about a point beside one of its vertices: circles as large as the distance is small, nearly all of each in a
+/// tiny part of its parameters.
+#[test]
+fn plans_of_images_near_infinity_keep_their_promise() {
+    let ring = cyclide::DupinCyclide::new(50.0, 20.0, 32.0).unwrap();
+    for beside in [1.0, 1e-2, 1e-4] {
+        let map = cyclide::Mobius::inversion(Point3::new(38.0 + beside, 0.0, 0.0), 10.0).unwrap();
+        let net = ring.nets([4, 4]).unwrap().remove(0).transformed(&map).unwrap();
+        let item = cyclide::Item { surfaces: vec![cyclide::SurfaceObject::Net(net)], ..cyclide::Item::default() };
+        let m = Model { items: vec![item], ..Model::default() };
+        let file = export(&m, Format::Svg, &ExportOptions::default()).unwrap();
+        let found = file_deviation(&m, Format::Svg, &file).unwrap();
+        assert!(found <= file.bound, "{beside}: {found:e} of {:e}", file.bound);
     }
 }
 
