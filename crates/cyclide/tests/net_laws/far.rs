@@ -1,7 +1,9 @@
 //! Nets and shells far from the origin, and their images there.
 
 use super::data::{PLACES, cyclide_grid, generic_grid, kink};
-use cyclide::{Conformal, CyclidicNet, DupinCyclide, Frame, Mobius, NetFrame, ParamSurface, Point3, QuadGrid, Vec3};
+use cyclide::{
+    Body, Conformal, CyclidicNet, DupinCyclide, Frame, Mobius, NetFrame, ParamSurface, Point3, QuadGrid, Vec3,
+};
 
 const DISTANCES: [f64; 3] = [1.0, 1e3, 1e6];
 
@@ -60,5 +62,22 @@ fn nets_are_made_of_points_rounded_far_from_the_origin() {
                 assert!(error <= bound, "{distance}: {error:e} > {bound:e}");
             }
         }
+    }
+}
+
+#[test]
+fn areas_and_volumes_of_images_near_infinity() {
+    // Inverted about a point beside the vertex (38, 0, 0): one corner of four faces goes far away, and nearly all of the
+    // area is near it in the parameters. The image is a whole cyclide again; cut at its own angles it has no such corner.
+    let ring = DupinCyclide::new(50.0, 20.0, 32.0).unwrap();
+    for beside in [1.0, 1e-2, 1e-3, -1e-3] {
+        let map = Mobius::inversion(Point3::new(38.0 + beside, 1e-3 * beside, 0.0), 10.0).unwrap();
+        let image = ring.to_shell().unwrap().transformed(&map).unwrap();
+        let own = ring.transformed(&map).unwrap().to_shell().unwrap();
+        // A centre in the tube turns the shell inside out.
+        let [area, volume] = [image.area() / own.area(), image.volume().abs() / own.volume()];
+        // The size of the whole image is a difference of spheres: what is left of them is the square of the distance.
+        let bound = 1e-11 + 32.0 * f64::EPSILON * (38.0 / beside).powi(2);
+        assert!((area - 1.0).abs() < bound && (volume - 1.0).abs() < bound, "{beside}: {area} {volume}");
     }
 }

@@ -146,7 +146,7 @@ impl CyclidicNet {
         let mut sewing = Sewing::default();
         sewing.skin(self, true)?;
         let shell = sewing.finish()?;
-        Ok(if shell.is_closed() && shell.is_inside_out() { shell.flipped() } else { shell })
+        Ok(if shell.is_closed() && shell.volume() < 0.0 { shell.flipped() } else { shell })
     }
 
     /// The arcs of all edges, each once: first those along s, then those along t, each s fastest. Sides of one point

@@ -3,11 +3,13 @@
 use super::{Shell, ShellFace};
 use crate::base::quadrature::gauss8;
 use crate::surface::ParamSurface as _;
+use std::collections::BinaryHeap;
 
 /// The rule on a cell and on its quarters agree to this part of the face's integral of absolute values.
 const AGREEMENT: f64 = 1e-12;
-/// Quarterings of a face: beyond, the disagreement is rounding.
-const QUARTERINGS: u32 = 6;
+/// Quarterings of a face at most. A corner near infinity takes two or three per power of two of its distance; a face whose
+/// rounding is above the agreement would be quartered for ever.
+const QUARTERINGS: usize = 512;
 
 impl Shell {
     /// Area of all faces, to about 1e-12 of itself. The area element `|q1 q2|/|D|⁴` has a kink where a parameter line
@@ -33,11 +35,6 @@ impl Shell {
             integral(&element, UNIT, size)
         };
         self.faces.iter().map(volume).sum()
-    }
-
-    /// True if the volume is negative, by one rule per face.
-    pub(in crate::surface) fn is_inside_out(&self) -> bool {
-        self.faces.iter().map(|face| rule(&|s, t| self.cone(face, s, t), UNIT)).sum::<f64>() < 0.0
     }
 
     /// Volume element of the cone over the face from the first vertex: `(f - v)·(f_s × f_t)/3`, signed by the side.
@@ -68,21 +65,73 @@ fn rule(element: &impl Fn(f64, f64) -> f64, [[s0, s1], [t0, t1]]: Cell) -> f64 {
     gauss8(&mut |s| gauss8(&mut |t| element(s, t), t0, t1), s0, s1)
 }
 
-/// Integral over a cell of an analytic function; `size` is that of its absolute value.
+/// Integral over a cell of an analytic function; `size` is that of its absolute value, as far as one rule sees it.
+///
+/// The worst part is quartered first. So a peak that the first rule missed (a corner near infinity has nearly all of the
+/// area in a tiny part of its parameters) raises the integral, and with it what counts as good.
 fn integral(element: &impl Fn(f64, f64) -> f64, cell: Cell, size: f64) -> f64 {
-    refined(element, cell, rule(element, cell), AGREEMENT * size.abs(), QUARTERINGS)
+    let mut parts = BinaryHeap::from([Part::new(element, cell, rule(element, cell))]);
+    let mut sum = parts.peek().map_or(0.0, Part::integral);
+    for _ in 0..QUARTERINGS {
+        let Some(worst) = parts.pop() else { break };
+        // Not `<=`: a NaN is not worth quartering either.
+        if !(worst.error > AGREEMENT * size.abs().max(sum.abs())) {
+            parts.push(worst);
+            break;
+        }
+        sum -= worst.integral();
+        for (cell, whole) in quarters(worst.cell).into_iter().zip(worst.quarters) {
+            let part = Part::new(element, cell, whole);
+            sum += part.integral();
+            parts.push(part);
+        }
+    }
+    // Added anew, the small ones first: the running sum has the rounding of peaks that came and went.
+    let mut integrals: Vec<f64> = parts.iter().map(Part::integral).collect();
+    integrals.sort_by(|a, b| a.abs().total_cmp(&b.abs()));
+    integrals.iter().sum()
 }
 
-fn refined(element: &impl Fn(f64, f64) -> f64, cell: Cell, whole: f64, tolerance: f64, depth: u32) -> f64 {
+/// The four parts of a cell.
+fn quarters(cell: Cell) -> [Cell; 4] {
     let [halves_s, halves_t] = cell.map(|[a, b]| {
         let m = 0.5 * (a + b);
         [[a, m], [m, b]]
     });
-    let cells = [0, 1, 2, 3].map(|k| [halves_s[k & 1], halves_t[k >> 1]]);
-    let quarters = cells.map(|cell| rule(element, cell));
-    let sum: f64 = quarters.iter().sum();
-    if depth == 0 || (sum - whole).abs() <= tolerance {
-        return sum;
-    }
-    (0..4).map(|k| refined(element, cells[k], quarters[k], tolerance, depth - 1)).sum()
+    [0, 1, 2, 3].map(|k| [halves_s[k & 1], halves_t[k >> 1]])
 }
+
+/// A cell with the rule on its quarters, ordered by the disagreement with the rule on the whole.
+struct Part {
+    cell: Cell,
+    quarters: [f64; 4],
+    error: f64,
+}
+
+impl Part {
+    fn new(element: &impl Fn(f64, f64) -> f64, cell: Cell, whole: f64) -> Self {
+        let quarters = quarters(cell).map(|cell| rule(element, cell));
+        Self { cell, quarters, error: (quarters.iter().sum::<f64>() - whole).abs() }
+    }
+
+    fn integral(&self) -> f64 {
+        self.quarters.iter().sum()
+    }
+}
+
+impl Ord for Part {
+    fn cmp(&self, other: &Self) -> std::cmp::Ordering {
+        self.error.total_cmp(&other.error)
+    }
+}
+impl PartialOrd for Part {
+    fn partial_cmp(&self, other: &Self) -> Option<std::cmp::Ordering> {
+        Some(self.cmp(other))
+    }
+}
+impl PartialEq for Part {
+    fn eq(&self, other: &Self) -> bool {
+        self.cmp(other).is_eq()
+    }
+}
+impl Eq for Part {}
