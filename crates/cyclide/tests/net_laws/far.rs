@@ -1,9 +1,7 @@
 //! Nets and shells far from the origin, and their images there.
 
 use super::data::{PLACES, cyclide_grid, generic_grid, kink};
-use cyclide::{
-    Body, Conformal, CyclidicNet, DupinCyclide, Frame, Mobius, NetFrame, ParamSurface, Point3, QuadGrid, Vec3,
-};
+use cyclide::{Conformal, CyclidicNet, DupinCyclide, Frame, Mobius, NetFrame, ParamSurface, Point3, QuadGrid, Vec3};
 
 const DISTANCES: [f64; 3] = [1.0, 1e3, 1e6];
 
