@@ -30,9 +30,9 @@ mod tests {
             assert!((found - expected).abs() <= 4.0 * f64::EPSILON * expected + 1e-322, "{scale:e}: {found:e}");
         }
         assert_eq!(length([0.0, -0.0]).to_bits(), 0);
-        assert_eq!(length([1.0, f64::NEG_INFINITY]), f64::INFINITY);
+        assert_eq!(length([1.0, f64::NEG_INFINITY]).to_bits(), f64::INFINITY.to_bits());
         assert!(length([f64::NAN, 1.0, 0.0]).is_nan() && length([f64::NAN, f64::INFINITY]).is_nan());
         // A part whose square vanishes next to one at the end of the range counts for nothing.
-        assert_eq!(length([1e-140, 1e-170]), 1e-140);
+        assert_eq!(length([1e-140, 1e-170]).to_bits(), 1e-140_f64.to_bits());
     }
 }
