@@ -163,7 +163,7 @@ def cyclide_area(a, c, mu, cells=16):
         half = 0.5 * np.diff(ends)[:, None]
         return ((ends[:-1, None] + half) + half * _NODES).ravel(), (half * _WEIGHTS).ravel()
 
-    (th, wt), (ps, wp) = places(mu / c if c else 2.0), places(a / mu)
+    (th, wt), (ps, wp) = places(mu / c if c else 2.0), places(a / mu if mu else 2.0)
     element = (a * a - c * c) * abs(a - mu * np.cos(ps)) * abs(mu - c * np.cos(th[:, None])) / (a - c * np.cos(th[:, None]) * np.cos(ps)) ** 2
     # Both angles over half their period: the element is even in them.
     return float(4 * wt @ element @ wp)

@@ -270,7 +270,7 @@ def test_tori_that_meet_themselves_are_the_right_part(name, edges, program, tmp_
 
 
 WHOLE = {
-    # Closed surfaces that touch themselves in their nodes: shells, not solids.
+    # Closed surfaces that touch in their nodes: a solid each.
     "horn": {"a": 4, "c": 2, "mu": 2},
     "spindle": {"a": 4, "c": 1, "mu": 6},
     "spindle torus": {"a": 1, "mu": 2},
@@ -288,6 +288,30 @@ def test_whole_cyclides_with_nodes(name, program, tmp_path):
     assert {face.kind for face in step.faces} == {"b-spline"}
     assert normals_across_joints(users) <= NORMAL_LIMIT
     a, c, mu = spec["a"], spec.get("c", 0), spec["mu"]
+    assert_area(step, form.cyclide_area(a, c, mu))
+    assert_points(step, size, lambda points: form.cyclide_distance(a, c, mu, points))
+
+
+# Rings offset to horns and spindles: their nodes inside patches or on edges.
+OFFSETS = {
+    "horn": ({"a": 50, "c": 20, "mu": 32}, -20),
+    "horn on edges": ({"a": 4, "c": 1, "mu": 2}, -2),
+    "horn on edges by rounding": ({"a": 4, "c": 1, "mu": 2, "segments": [6, 4]}, -1.5),
+    "spindle": ({"a": 4, "c": 1, "mu": 2}, 3),
+}
+
+
+@pytest.mark.parametrize("name", OFFSETS)
+def test_offsets_with_nodes_are_the_solids_of_their_lobes(name, program, tmp_path):
+    spec, distance = OFFSETS[name]
+    ring = {"type": "cyclide", "construction": True, **spec}
+    path, entry = built(program, tmp_path, {"ring": ring, name: {"type": "offset", "of": "ring", "distance": distance}})
+    step = StepFaces(path)
+    size, users = structure(step, closed=True)
+    assert entry["exact"] and entry["deviation"] <= 1e-12 * size
+    assert (len(step.solids), len(step.shells)) == (2, 2)
+    assert normals_across_joints(users) <= NORMAL_LIMIT
+    a, c, mu = spec["a"], spec["c"], spec["mu"] + distance
     assert_area(step, form.cyclide_area(a, c, mu))
     assert_points(step, size, lambda points: form.cyclide_distance(a, c, mu, points))
 

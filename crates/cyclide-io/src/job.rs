@@ -17,15 +17,15 @@ const DEFAULT_MESH_TOLERANCE: f64 = 1e-4;
 /// Largest coordinate that is written: products of two of them must not overflow.
 const LARGEST_COORDINATE: f64 = 1e120;
 
-/// The body of one surface with the object it belongs to.
+/// A body of a surface with the object it belongs to.
 pub(crate) struct BodyOf<'a> {
     /// Name of the object.
     pub(crate) object: &'a str,
     /// Index of the object in the model.
     pub(crate) item: usize,
-    /// Which of the object's surfaces.
+    /// Which of the object's bodies.
     pub(crate) index: usize,
-    /// How many surfaces the object has.
+    /// How many bodies the object has: one per surface, or more where one falls apart into lobes.
     pub(crate) count: usize,
     pub(crate) body: Body,
 }
@@ -36,7 +36,7 @@ impl BodyOf<'_> {
         ExportError::Surface { object: self.object.to_owned(), surface: self.index, source }
     }
 
-    /// The object's name, with the surface's number from 1 behind it where there are several.
+    /// The object's name, with the body's number from 1 behind it where there are several.
     pub(crate) fn label(&self) -> String {
         if self.count == 1 { self.object.to_owned() } else { format!("{} {}", self.object, self.index + 1) }
     }
@@ -177,11 +177,14 @@ impl<'a> Job<'a> {
 pub(crate) fn bodies(model: &Model) -> Result<Vec<BodyOf<'_>>, ExportError> {
     let mut bodies = Vec::new();
     for (item, it) in model.items.iter().enumerate() {
+        let mut own = Vec::new();
         for (index, surface) in it.surfaces.iter().enumerate() {
             let lowered = |source| ExportError::Surface { object: it.name.clone(), surface: index, source };
-            let body = surface.to_body().map_err(lowered)?;
-            bodies.push(BodyOf { object: &it.name, item, index, count: it.surfaces.len(), body });
+            own.extend(surface.to_bodies().map_err(lowered)?);
         }
+        let count = own.len();
+        let named = |(index, body)| BodyOf { object: &it.name, item, index, count, body };
+        bodies.extend(own.into_iter().enumerate().map(named));
     }
     Ok(bodies)
 }

@@ -286,22 +286,27 @@ fn whole_cyclides_in_any_place() {
 }
 
 #[test]
-fn a_closed_surface_that_touches_itself_is_no_solid() {
-    // The ring 50, 20, 32 inwards by 20 is a horn: its two lobes meet in two points.
-    let offset = |distance: f64| {
-        let objects = format!(
-            r#""r": {{"type": "cyclide", "a": 50, "c": 20, "mu": 32}},
-            "o": {{"type": "offset", "of": "r", "distance": {distance}}}"#
-        );
-        build(&objects).unwrap()
-    };
-    let report = |built: BuiltObject| Report::new(cyclide::Units::Millimetre, &[built], None).to_string();
-    let horn = surface(&offset(-20.0));
-    assert!(horn.closed && horn.touches_itself && horn.bodies == 1, "{horn:?}");
-    assert!(report(offset(-20.0)).starts_with("o: offset, closed, touches itself, 16 patches"));
-    let ring = surface(&offset(-5.0));
-    assert!(ring.closed && !ring.touches_itself, "{ring:?}");
-    assert!(report(offset(-5.0)).starts_with("o: offset, solid, 16 patches"));
+fn an_offset_with_nodes_is_the_solids_of_its_lobes() {
+    // Rings offset inwards to horns: with the nodes inside patches, and on their edges.
+    for ([a, c, mu], distance, patches) in [([50, 20, 32], -20, 24), ([4, 1, 2], -2, 16)] {
+        let whole = format!(r#"{{"type": "cyclide", "a": {a}, "c": {c}, "mu""#);
+        let built =
+            build(&format!(r#""r": {whole}: {mu}}}, "o": {{"type": "offset", "of": "r", "distance": {distance}}}"#));
+        let offset = surface(&built.unwrap());
+        let horn = surface(&build(&format!(r#""h": {whole}: {}}}"#, mu + distance)).unwrap());
+        assert_eq!((offset.bodies, offset.patches, offset.free_edges), (2, patches, 0), "{offset:?}");
+        assert!((offset.area / horn.area - 1.0).abs() < 1e-11, "{} {}", offset.area, horn.area);
+        assert!((offset.volume.unwrap() / horn.volume.unwrap() - 1.0).abs() < 1e-11);
+    }
+    // The net is kept: an offset back is the ring again.
+    let back = build(
+        r#""r": {"type": "cyclide", "a": 4, "c": 1, "mu": 2}, "o": {"type": "offset", "of": "r", "distance": -2},
+        "b": {"type": "offset", "of": "o", "distance": 2}"#,
+    );
+    let ring = surface(&build(r#""r": {"type": "cyclide", "a": 4, "c": 1, "mu": 2}"#).unwrap());
+    let back = surface(&back.unwrap());
+    assert_eq!((back.bodies, back.patches), (1, 16));
+    assert!((back.volume.unwrap() / ring.volume.unwrap() - 1.0).abs() < 1e-12);
 }
 
 #[test]
@@ -364,10 +369,6 @@ fn offsets_beyond_the_focal_set_and_on_it() {
         let message = build(&format!("{torus}{}", offset("r", "k", distance, thick))).unwrap_err();
         assert!(message.contains(&format!(": objects.k.distance: {words}")), "{message}");
     }
-    // Both parts of a horn in one net, which the node between them takes apart.
-    let ring = r#""r": {"type": "cyclide", "a": 4, "c": 1, "mu": 2}"#;
-    let message = build(&format!("{ring}{}", offset("r", "o", -2.0, false))).unwrap_err();
-    assert!(message.contains(": objects.o.distance: at distance -2 the offset meets the focal set: "), "{message}");
 }
 
 /// A net of two by one quads on a cylinder about the x axis.

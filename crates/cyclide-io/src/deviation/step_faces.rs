@@ -8,7 +8,7 @@
 use crate::bodies::{FileBody, FileEdge, FileFace, FileShell, FileSurface};
 use crate::file_content::ReadError;
 use crate::job::BodyOf;
-use crate::step::{LOOP, components, exported};
+use crate::step::{LOOP, exported};
 use cyclide::{Body, ChainPiece, CyclidePatch, ParamCurve as _, ParamSurface as _, PatchKind, Point3, Shell, Vec3};
 use std::collections::{HashMap, HashSet};
 
@@ -52,7 +52,7 @@ fn require(holds: bool, detail: &'static str) -> Result<(), Mismatch> {
 
 fn body_deviation(body: &Body, file: &FileBody, size: f64) -> Result<f64, Mismatch> {
     let shells = body.shells().map(|shell| exported(shell, size)).collect::<cyclide::Result<Vec<Shell>>>()?;
-    let parts: Vec<Vec<Vec<usize>>> = shells.iter().map(components).collect();
+    let parts: Vec<Vec<Vec<usize>>> = shells.iter().map(Shell::parts).collect();
     let solid = shells.iter().all(Shell::is_closed) && parts.iter().all(|p| p.len() == 1);
     require(file.solid == solid, "it is a solid in one of file and model only")?;
     require(file.shells.len() == parts.iter().map(Vec::len).sum::<usize>(), "another number of shells")?;

@@ -7,7 +7,6 @@ use serde::Serialize;
 
 use super::{CORNER_ANGLE, RangeReport};
 use crate::document::BuiltObject;
-use crate::step::components;
 
 /// Places per direction at which a patch is measured where there is no closed form.
 const SAMPLES: usize = 5;
@@ -21,9 +20,6 @@ pub struct SurfaceReport {
     pub bodies: usize,
     /// True if no edge is free.
     pub closed: bool,
-    /// True if a closed body hangs together in single points only, where a parameter line shrinks to a point inside its
-    /// patches: the closed surfaces that meet there are no solid.
-    pub touches_itself: bool,
     /// Edges with one patch only.
     pub free_edges: usize,
     /// Area of all patches.
@@ -148,7 +144,6 @@ impl SurfaceReport {
             patches: shells().map(|shell| shell.faces().len()).sum(),
             bodies: bodies.len(),
             closed: shells().all(Shell::is_closed),
-            touches_itself: shells().any(touches_itself),
             free_edges: shells().flat_map(Shell::edge_uses).filter(|&uses| uses == 1).count(),
             area: shells().map(Shell::area).sum(),
             volume: volumes.map(|v| v.iter().sum()),
@@ -228,11 +223,6 @@ impl SingularPatchReport {
         let points = of_s.chain(t.iter().map(|&t| patch.point(0.5, t))).map(|p| p.to_array()).collect();
         (!(s.is_empty() && t.is_empty())).then_some(Self { place, s, t, points })
     }
-}
-
-/// True if a closed shell falls apart once its patches are cut at their singular lines, as files have them.
-fn touches_itself(shell: &Shell) -> bool {
-    shell.is_closed() && shell.with_regular_faces().is_ok_and(|cut| components(&cut).len() > 1)
 }
 
 fn volume(body: &Body) -> Option<f64> {

@@ -134,7 +134,6 @@ impl CurvesReport {
 impl SurfaceReport {
     fn facts(&self, facts: &mut Vec<String>) {
         let state = match (self.volume, self.closed) {
-            _ if self.touches_itself => "closed, touches itself",
             (Some(_), _) => "solid",
             (None, true) => "closed",
             (None, false) => "open",

@@ -29,7 +29,7 @@ use structure::Items;
 use topology::Written;
 
 pub(crate) use reader::read;
-pub(crate) use topology::{LOOP, components, exported};
+pub(crate) use topology::{LOOP, exported};
 
 /// Readers merge what is closer than this (OpenCASCADE's vertex tolerance is 1e-7), in file units.
 const SHORTEST_EDGE: f64 = 1e-6;

@@ -51,7 +51,7 @@ pub(super) fn body(
         }
         shells.push(shell);
     }
-    let parts: Vec<Vec<Vec<usize>>> = shells.iter().map(components).collect();
+    let parts: Vec<Vec<Vec<usize>>> = shells.iter().map(Shell::parts).collect();
     let closed: Vec<bool> = shells.iter().map(Shell::is_closed).collect();
     let solid = closed.iter().all(|&c| c) && parts.iter().all(|p| p.len() == 1);
     remarks.touches_itself = closed[0] && parts[0].len() > 1;
@@ -89,38 +89,6 @@ pub(crate) fn exported(shell: &Shell, size: f64) -> Result<Shell> {
     let good = shell.with_regular_faces()?.with_positive_weights()?;
     let is_rational = |shell: &Shell, face: &ShellFace| surfaces::kind(shell, face, size) == PatchKind::Cyclide;
     good.halved(|shell, face| [!is_integrable(&face.patch) && is_rational(shell, face), false], MOST_HALVINGS)
-}
-
-/// The faces of a shell by parts that hang together through edges, in order.
-pub(crate) fn components(shell: &Shell) -> Vec<Vec<usize>> {
-    let mut along = vec![Vec::new(); shell.edges().len()];
-    for (f, face) in shell.faces().iter().enumerate() {
-        for side in face.sides.iter().flatten() {
-            along[side.edge].push(f);
-        }
-    }
-    let mut seen = vec![false; shell.faces().len()];
-    let mut parts = Vec::new();
-    for first in 0..shell.faces().len() {
-        if std::mem::replace(&mut seen[first], true) {
-            continue;
-        }
-        let mut part = vec![first];
-        let mut next = 0;
-        while let Some(&f) = part.get(next) {
-            next += 1;
-            for side in shell.faces()[f].sides.iter().flatten() {
-                for &other in &along[side.edge] {
-                    if !std::mem::replace(&mut seen[other], true) {
-                        part.push(other);
-                    }
-                }
-            }
-        }
-        part.sort_unstable();
-        parts.push(part);
-    }
-    parts
 }
 
 /// One shell as it is written: the numbers of what is shared already.

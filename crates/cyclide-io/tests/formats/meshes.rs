@@ -149,7 +149,7 @@ fn solid(surface: SurfaceObject) -> Model {
 fn obj_keeps_quads_and_doubles() {
     let m = surfaces(&[torus_part(Point3::ORIGIN)]);
     let file = export(&m, Format::Obj, &with_tolerance(1e-2)).unwrap();
-    let made = tessellate(&m.items[0].surfaces[0].to_body().unwrap(), 1e-2).unwrap();
+    let made = tessellate(&m.items[0].surfaces[0].to_bodies().unwrap()[0], 1e-2).unwrap();
     let read = read_back(Format::Obj, &file.bytes).unwrap().meshes.remove(0);
     assert_eq!((&read.positions, &read.normals, &read.faces), (&made.positions, &made.normals, &made.faces));
     assert!(read.faces.iter().all(|f| matches!(f, MeshFace::Quad(_))));
@@ -164,7 +164,7 @@ fn stl_is_binary_with_the_length_it_says() {
     let made: usize = m
         .items
         .iter()
-        .map(|item| tessellate(&item.surfaces[0].to_body().unwrap(), 1e-2).unwrap().triangle_count())
+        .map(|item| tessellate(&item.surfaces[0].to_bodies().unwrap()[0], 1e-2).unwrap().triangle_count())
         .sum();
     assert_eq!((count, bytes.len()), (made, 84 + 50 * made));
     assert!(!bytes.starts_with(b"solid"));

@@ -5,7 +5,7 @@ use super::surface_object::SurfaceObject;
 use crate::conformal::mobius::{Conformal, Mobius};
 use crate::curve::Arc;
 use crate::error::{Error, Result};
-use crate::surface::{CyclidicNet, Shell};
+use crate::surface::{Body, CyclidicNet, Shell};
 
 impl Conformal for CurveObject {
     /// The image: of arcs and chains of arcs under any map, of circles and circle splines under similarities and
@@ -68,10 +68,13 @@ impl SurfaceObject {
     /// The edges of all patches as arcs, each once.
     ///
     /// # Errors
-    /// As [`to_body`](Self::to_body).
+    /// As [`to_bodies`](Self::to_bodies).
     pub fn edge_arcs(&self) -> Result<Vec<Arc>> {
-        let body = self.to_body()?;
-        Ok(body.shells().flat_map(Shell::edges).map(|edge| edge.arc).collect())
+        if let Self::Net(net) = self {
+            return net.support_arcs();
+        }
+        let bodies = self.to_bodies()?;
+        Ok(bodies.iter().flat_map(Body::shells).flat_map(Shell::edges).map(|edge| edge.arc).collect())
     }
 }
 

@@ -9,7 +9,7 @@ use crate::surface::{Body, CyclidePatch, CyclidicNet, Shell};
 pub enum SurfaceObject {
     /// One principal patch.
     Patch(CyclidePatch),
-    /// Patches in a regular net, as one shell. A whole cyclide is one of its nets, or two: see
+    /// Patches in a regular net. A whole cyclide is one of its nets, or two: see
     /// [`DupinCyclide::nets`](crate::DupinCyclide::nets).
     Net(CyclidicNet),
     /// A solid between a net and its offset, made by [`CyclidicNet::thick`].
@@ -17,15 +17,17 @@ pub enum SurfaceObject {
 }
 
 impl SurfaceObject {
-    /// The surface as patches that share edges: what every exporter reads.
+    /// The surface as patches that share edges, what every exporter reads: one body, or the lobes of a net that hangs
+    /// together in nodes only, as [`CyclidicNet::to_shells`].
     ///
     /// # Errors
     /// Only where an edge is beyond the range of the kernel's numbers.
-    pub fn to_body(&self) -> Result<Body> {
+    pub fn to_bodies(&self) -> Result<Vec<Body>> {
+        let alone = |outer| Body { outer, voids: Vec::new() };
         match self {
-            Self::Patch(patch) => Ok(Body { outer: Shell::from_patch(*patch)?, voids: Vec::new() }),
-            Self::Net(net) => Ok(Body { outer: net.to_shell()?, voids: Vec::new() }),
-            Self::Thick(body) => Ok(body.clone()),
+            Self::Patch(patch) => Ok(vec![alone(Shell::from_patch(*patch)?)]),
+            Self::Net(net) => Ok(net.to_shells()?.into_iter().map(alone).collect()),
+            Self::Thick(body) => Ok(vec![body.clone()]),
         }
     }
 }

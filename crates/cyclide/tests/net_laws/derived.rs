@@ -2,7 +2,8 @@
 
 use crate::data::{PLACES, cyclide_grid, gap, generic_grid, inverted, kink, nets};
 use cyclide::{
-    Body, Conformal, CyclidicNet, DupinCyclide, Mobius, NetFrame, ParamSurface, Point3, Quat, Vec3, surface_joints,
+    Body, Conformal, CyclidicNet, DupinCyclide, Mobius, NetFrame, ParamSurface, Point3, Quat, Shell, Vec3,
+    surface_joints,
 };
 
 /// Largest coordinate and largest patch: what rounding is relative to.
@@ -286,4 +287,30 @@ fn the_frame_of_a_cyclide_gives_the_cyclide_back() {
     // Closed with an odd number of edges along t, the automatic frame has v2 along the lines of curvature, as it must.
     let [_, e2, _] = net.vertex_frame(0, 0);
     assert!((e2 - v2).length() < 1e-12);
+}
+
+#[test]
+fn offsets_with_nodes_fall_apart_into_lobes() {
+    let net = DupinCyclide::new(4.0, 1.0, 2.0).unwrap().nets([4, 4]).unwrap().remove(0);
+    assert_eq!(net.to_shells().unwrap(), [net.to_shell().unwrap()]);
+    // A horn with its nodes on edges and inside patches, a spindle.
+    for (distance, on_edges) in [(-2.0, true), (-1.5, false), (3.0, false)] {
+        let offset = net.offset(distance).unwrap();
+        assert_eq!(offset.to_shell().map_err(|e| e.reason()).err(), on_edges.then_some("not-a-shell"));
+        let lobes = offset.to_shells().unwrap();
+        let whole = DupinCyclide::new(4.0, 1.0, 2.0 + distance).unwrap().to_bodies([4, 4]).unwrap();
+        assert_eq!(lobes.len(), 2);
+        let by_volume = |mut shells: Vec<Shell>| {
+            shells.sort_by(|a, b| a.volume().total_cmp(&b.volume()));
+            shells
+        };
+        let whole = by_volume(whole.into_iter().map(|body| body.outer).collect());
+        for (lobe, whole) in by_volume(lobes).iter().zip(&whole) {
+            assert!(lobe.is_closed() && lobe.parts().len() == 1 && lobe.faces().iter().all(|f| f.patch.is_regular()));
+            assert!((lobe.volume() / whole.volume() - 1.0).abs() < 1e-12, "{distance}: {}", lobe.volume());
+            assert!((lobe.area() / whole.area() - 1.0).abs() < 1e-12, "{distance}: {}", lobe.area());
+            let (v, e, f) = (lobe.vertices().to_vec(), lobe.edges().to_vec(), lobe.faces().to_vec());
+            assert_eq!(&Shell::new(v, e, f).unwrap(), lobe);
+        }
+    }
 }

@@ -150,8 +150,8 @@ impl Builder<'_> {
     fn build(mut self) -> Result<BuiltObject> {
         let (curves, facts) = self.curves()?.into_iter().unzip();
         let surfaces = self.surfaces()?;
-        let bodies = surfaces.iter().map(SurfaceObject::to_body).collect::<cyclide::Result<_>>();
-        let bodies: Vec<Body> = bodies.map_err(|e| self.refused(&e, None))?;
+        let bodies = surfaces.iter().map(SurfaceObject::to_bodies).collect::<cyclide::Result<Vec<_>>>();
+        let bodies: Vec<Body> = bodies.map_err(|e| self.refused(&e, None))?.into_iter().flatten().collect();
         if let ObjectSpec::CyclidicNet(net) = self.spec {
             self.warn_of_folds(net, &surfaces, &bodies);
         }

@@ -32,9 +32,6 @@ impl Builder<'_> {
             {
                 "a solid between a surface and its offset needs a distance other than 0".to_owned()
             }
-            (cyclide::Error::NotAShell { .. }, ObjectSpec::Offset(spec)) => {
-                format!("at distance {} the offset meets the focal set: {error}", spec.distance)
-            }
             _ => error.to_string(),
         }
     }

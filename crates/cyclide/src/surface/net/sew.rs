@@ -127,6 +127,17 @@ impl Sewing {
     pub(super) fn finish(self) -> Result<Shell> {
         Shell::new(self.vertices, self.edges, self.faces)
     }
+
+    /// The shells of what hangs together through edges, checked.
+    fn finish_apart(self) -> Result<Vec<Shell>> {
+        let checked = |Shell { vertices, edges, faces }| Shell::new(vertices, edges, faces);
+        let Self { vertices, edges, faces } = self;
+        let all = Shell { vertices, edges, faces };
+        match all.parts().as_slice() {
+            [] | [_] => Ok(vec![checked(all)?]),
+            parts => parts.iter().map(|part| checked(all.part(part))).collect(),
+        }
+    }
 }
 
 impl CyclidicNet {
@@ -141,12 +152,28 @@ impl CyclidicNet {
     /// outer side is that of `f_s × f_t`; of a shell that is closed it is the outside.
     ///
     /// # Errors
-    /// As [`Arc::from_weights`], only beyond the range of the kernel's numbers.
+    /// As [`Arc::from_weights`], only beyond the range of the kernel's numbers; `not-a-shell` for an offset that hangs
+    /// together in nodes only, which are vertices: see [`to_shells`](Self::to_shells).
     pub fn to_shell(&self) -> Result<Shell> {
         let mut sewing = Sewing::default();
         sewing.skin(self, true)?;
-        let shell = sewing.finish()?;
-        Ok(if shell.is_closed() && shell.volume() < 0.0 { shell.flipped() } else { shell })
+        sewing.finish().map(outside_out)
+    }
+
+    /// The net as shells that do not hang together: one, unless it is an offset with nodes. At a node, be it a vertex or
+    /// inside patches, which are cut there, a closed net falls apart into [`lobes`](Shell::lobes) that touch; an open
+    /// one falls apart where a node is a vertex.
+    ///
+    /// # Errors
+    /// As [`Arc::from_weights`] and [`Shell::with_regular_faces`], only beyond the range of the kernel's numbers.
+    pub fn to_shells(&self) -> Result<Vec<Shell>> {
+        let mut sewing = Sewing::default();
+        sewing.skin(self, true)?;
+        let mut shells = Vec::new();
+        for shell in sewing.finish_apart()? {
+            shells.extend(outside_out(shell).lobes()?);
+        }
+        Ok(shells)
     }
 
     /// The arcs of all edges, each once: first those along s, then those along t, each s fastest. Sides of one point
@@ -160,4 +187,9 @@ impl CyclidicNet {
         let edges = skin.along_s.iter().chain(&skin.along_t).flatten();
         Ok(edges.map(|&edge| sewing.edges[edge].arc).collect())
     }
+}
+
+/// The outer side of a closed shell is the outside.
+fn outside_out(shell: Shell) -> Shell {
+    if shell.is_closed() { shell.outside_out() } else { shell }
 }

@@ -116,23 +116,7 @@ impl Shell {
         if self.faces.is_empty() {
             return Err(Error::NotAShell { item: "face", index: 0, detail: "there is none" });
         }
-        let mut faces_of: Vec<Vec<usize>> = vec![Vec::new(); self.edges.len()];
-        for (index, face) in self.faces.iter().enumerate() {
-            for side in face.sides.iter().flatten() {
-                faces_of[side.edge].push(index);
-            }
-        }
-        let mut reached = vec![false; self.faces.len()];
-        let mut front = vec![0];
-        reached[0] = true;
-        while let Some(face) = front.pop() {
-            for &next in self.faces[face].sides.iter().flatten().flat_map(|side| &faces_of[side.edge]) {
-                if !std::mem::replace(&mut reached[next], true) {
-                    front.push(next);
-                }
-            }
-        }
-        match reached.iter().position(|r| !r) {
+        match self.parts().get(1).and_then(|part| part.first().copied()) {
             Some(index) => {
                 Err(Error::NotAShell { item: "face", index, detail: "no chain of edges joins it to face 0" })
             }

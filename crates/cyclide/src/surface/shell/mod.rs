@@ -2,6 +2,7 @@
 
 mod check;
 mod measure;
+mod parts;
 mod split;
 mod transform;
 

@@ -153,7 +153,7 @@ impl Shell {
     }
 
     /// For each edge the faces along it, with the side.
-    fn faces_along_edges(&self) -> Vec<Vec<(usize, usize)>> {
+    pub(super) fn faces_along_edges(&self) -> Vec<Vec<(usize, usize)>> {
         let mut along = vec![Vec::new(); self.edges.len()];
         for (f, face) in self.faces.iter().enumerate() {
             for (k, side) in face.sides.iter().enumerate() {
