@@ -23,6 +23,8 @@ pub(crate) struct BodyOf<'a> {
     pub(crate) object: &'a str,
     /// Index of the object in the model.
     pub(crate) item: usize,
+    /// Which of the object's surfaces it belongs to.
+    pub(crate) surface: usize,
     /// Which of the object's bodies.
     pub(crate) index: usize,
     /// How many bodies the object has: one per surface, or more where one falls apart into lobes.
@@ -33,7 +35,7 @@ pub(crate) struct BodyOf<'a> {
 impl BodyOf<'_> {
     /// The error of a surface that has no form as a format needs it.
     pub(crate) fn unfit(&self, source: cyclide::Error) -> ExportError {
-        ExportError::Surface { object: self.object.to_owned(), surface: self.index, source }
+        ExportError::Surface { object: self.object.to_owned(), surface: self.surface, source }
     }
 
     /// The object's name, with the body's number from 1 behind it where there are several.
@@ -180,10 +182,10 @@ pub(crate) fn bodies(model: &Model) -> Result<Vec<BodyOf<'_>>, ExportError> {
         let mut own = Vec::new();
         for (index, surface) in it.surfaces.iter().enumerate() {
             let lowered = |source| ExportError::Surface { object: it.name.clone(), surface: index, source };
-            own.extend(surface.to_bodies().map_err(lowered)?);
+            own.extend(surface.to_bodies().map_err(lowered)?.into_iter().map(|body| (index, body)));
         }
         let count = own.len();
-        let named = |(index, body)| BodyOf { object: &it.name, item, index, count, body };
+        let named = |(index, (surface, body))| BodyOf { object: &it.name, item, surface, index, count, body };
         bodies.extend(own.into_iter().enumerate().map(named));
     }
     Ok(bodies)

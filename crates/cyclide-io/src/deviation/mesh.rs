@@ -114,18 +114,18 @@ fn body_deviation(
     let mut rest = polygons;
     let mut triangles: Vec<[Point3; 3]> = Vec::new();
     let mut largest = 0.0_f64;
-    let mut lost: Vec<[Sample; GRID * GRID]> = Vec::new();
+    let mut lost: Vec<&Cell> = Vec::new();
     for cell in cells {
         let (own, after) = rest.split_at(cell.polygons);
         rest = after;
         let Some((index, face)) = face(body, &cell.source) else { continue };
         triangles.clear();
         triangles.extend(own.iter().flat_map(Polygon::triangles));
-        let samples = samples(&face.patch, &cell.source);
         if own.is_empty() {
-            lost.push(samples);
+            lost.push(cell);
             continue;
         }
+        let samples = samples(&face.patch, &cell.source);
         largest = largest.max(cell_deviation(&face.patch, &cell.source, &samples, &triangles));
         let facing = Facing::new(face, &cell.source);
         if !triangles.iter().all(|triangle| facing.is_outward(triangle)) {
@@ -136,19 +136,21 @@ fn body_deviation(
             return Err(ReadError::Normal { object: body.label(), face: index, off, limit: NORMAL_LIMIT });
         }
     }
-    Ok(with_lost_cells(&lost, polygons, largest))
+    Ok(with_lost_cells(body, &lost, polygons, largest))
 }
 
 /// The largest distance with that of the cells of which rounding has left no polygon, for what it is without them.
 ///
 /// They lie in heaps, so that a corner of a polygon near one is near the next ones too. Only what is farther from it than
 /// anything else is off is compared with all polygons.
-fn with_lost_cells(lost: &[[Sample; GRID * GRID]], polygons: &[Polygon<'_>], mut largest: f64) -> f64 {
+fn with_lost_cells(body: &BodyOf<'_>, lost: &[&Cell], polygons: &[Polygon<'_>], mut largest: f64) -> f64 {
     let mut near: Option<Point3> = None;
-    for samples in lost {
+    for cell in lost {
+        let Some((_, face)) = face(body, &cell.source) else { continue };
+        let samples = samples(&face.patch, &cell.source);
         let reach = |corner: Point3| samples.iter().map(|(_, _, p)| p.distance(corner)).fold(0.0, f64::max);
         if near.is_none_or(|corner| reach(corner) > largest) {
-            let (corner, distance) = to_mesh(samples, polygons);
+            let (corner, distance) = to_mesh(&samples, polygons);
             largest = largest.max(distance);
             near = corner;
         }
@@ -279,7 +281,7 @@ mod tests {
         let cells = mesh.sources.iter().map(|source| Cell { body: 0, source: *source, polygons: 1 }).collect();
         let sides = side_use(mesh.faces.iter().map(|face| face.corners().iter().map(|corner| corner.position)));
         let plan = MeshPlan { cells, bodies: vec![BodyPlan { sides, moved: 0.0 }] };
-        (BodyOf { object: "octant", item: 0, index: 0, count: 1, body }, mesh, plan)
+        (BodyOf { object: "octant", item: 0, surface: 0, index: 0, count: 1, body }, mesh, plan)
     }
 
     fn measured(body: BodyOf<'_>, mesh: SurfaceMesh, plan: &MeshPlan) -> Result<f64, ReadError> {

@@ -116,7 +116,7 @@ impl SurfaceJointReport {
 pub struct PatchPlace {
     /// The body, from 0.
     pub body: usize,
-    /// The patch of the body, from 0; in a net s fastest.
+    /// The patch of the body, from 0; in a net s fastest, in the lobes of an offset with nodes in the order of the cuts.
     pub patch: usize,
 }
 
@@ -157,8 +157,9 @@ impl SurfaceReport {
             flipped: Vec::new(),
             circular: built.circular.as_ref().map(CircularReport::from),
         };
+        // An object has solids only, or none: a solid's rims have no normal of their own to be against.
+        let thick = built.item.surfaces.iter().any(|surface| matches!(surface, SurfaceObject::Thick(_)));
         for (body, it) in bodies.iter().enumerate() {
-            let thick = matches!(built.item.surfaces.get(body), Some(SurfaceObject::Thick(_)));
             for (patch, face) in it.shells().flat_map(Shell::faces).enumerate() {
                 let place = PatchPlace { body, patch };
                 if !thick && face.patch.is_flipped() && face.patch.is_regular() {

@@ -1,7 +1,9 @@
 //! Whole cyclides against their implicit equation, their closed form and formula (C).
 
 use crate::data::{HORNS, PLACES, RINGS, SPINDLES, gap, kink};
-use cyclide::{Conformal, CyclideKind, CyclidePatch, DupinCyclide, Frame, Mobius, ParamSurface, Point3, Quat, Vec3};
+use cyclide::{
+    Conformal, CyclideKind, CyclidePatch, DupinCyclide, Frame, Mobius, ParamSurface, Point3, Quat, Vec3, surface_joints,
+};
 use std::f64::consts::PI;
 
 fn all() -> impl Iterator<Item = DupinCyclide> {
@@ -327,4 +329,40 @@ fn cyclides_through_the_centre_have_no_bounded_image() {
     }
     let in_the_tube = torus.transformed(&Mobius::inversion(Point3::new(2.0, 0.0, 0.0), 1.0).unwrap()).unwrap();
     assert_eq!(in_the_tube.kind(), CyclideKind::Ring);
+}
+
+#[test]
+fn double_nodes_are_one_point_of_one_surface() {
+    // mu = c, mu = a, the horn torus: the speed has a double zero, of which rounding makes two or none.
+    let needle = [2.1741761016485346, 2.172001925546886, 2.1741761016485346];
+    for [a, c, mu] in [[4.0, 1.0, 1.0], [50.0, 20.0, 20.0], [7.0, 2.0, 2.0], [2.0, 0.0, 2.0], [4.0, 1.0, 4.0], needle] {
+        for segments in [[4, 4], [3, 9], [12, 12], [24, 12]] {
+            for axis in [Vec3::Z, Vec3::new(-0.68, -0.36, 0.46)] {
+                let place = Frame::from_normal(Point3::new(0.1, 0.2, 0.3), axis, Vec3::new(1.0, 2.0, 0.1)).unwrap();
+                let nets = DupinCyclide::new(a, c, mu).unwrap().placed(place).nets(segments).unwrap();
+                let [net] = nets.as_slice() else { panic!("{} nets", nets.len()) };
+                let shells = net.to_shells().unwrap();
+                assert_eq!((shells.len(), shells[0].faces().len()), (1, net.patches().count()), "{a} {c} {mu}");
+                assert!(net.patches().all(|patch| patch.is_regular() && !patch.is_flipped()), "{a} {c} {mu}");
+            }
+        }
+    }
+}
+
+#[test]
+fn offsets_to_double_nodes_are_one_surface() {
+    let place = Frame::from_normal(Point3::new(0.1, 0.2, 0.3), Vec3::new(1.0, 2.0, 3.0), Vec3::X).unwrap();
+    for ([a, c, mu], segments, distance) in
+        [([2.0, 0.0, 1.0], [12, 12], 1.0), ([4.0, 1.0, 1.9], [7, 5], -2.9), ([50.0, 45.0, 49.0], [12, 3], 1.0)]
+    {
+        let net = DupinCyclide::new(a, c, mu).unwrap().placed(place).nets(segments).unwrap().remove(0);
+        let offset = net.offset(distance).unwrap();
+        let shells = offset.to_shells().unwrap();
+        assert_eq!(shells.len(), 1, "{a} {c} {mu}");
+        let whole = DupinCyclide::new(a, c, (mu + distance).abs()).unwrap().nets(segments).unwrap();
+        let whole: f64 = whole.iter().map(|net| net.to_shell().unwrap().volume()).sum();
+        assert!((shells[0].volume() / whole - 1.0).abs() < 1e-11, "{} {whole}", shells[0].volume());
+        // The normals have one side, at the node too.
+        assert!(surface_joints(&shells[0]).iter().all(|joint| joint.angle < 1e-9), "{a} {c} {mu}");
+    }
 }

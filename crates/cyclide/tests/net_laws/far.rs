@@ -79,3 +79,17 @@ fn areas_and_volumes_of_images_near_infinity() {
         assert!((area - 1.0).abs() < bound && (volume - 1.0).abs() < bound, "{beside}: {area} {volume}");
     }
 }
+
+#[test]
+fn areas_and_volumes_far_away_are_those_here() {
+    // Coordinates are rounded to 1e-8 there, but patches are smooth: the element is taken from their corners.
+    let ring = DupinCyclide::new(4.0, 1.0, 2.0).unwrap();
+    let shell = |origin| {
+        let place = Frame::from_normal(origin, Vec3::Z, Vec3::X).unwrap();
+        ring.placed(place).nets([16, 16]).unwrap().remove(0).to_shell().unwrap()
+    };
+    let (here, there) = (shell(Point3::ORIGIN), shell(Point3::ORIGIN + shift(1e8)));
+    for (a, b) in [(here.area(), there.area()), (here.volume(), there.volume())] {
+        assert!((a / b - 1.0).abs() < 1e-7, "{a} {b}");
+    }
+}

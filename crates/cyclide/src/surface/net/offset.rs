@@ -122,7 +122,7 @@ fn between_closed([lower, upper]: [&CyclidicNet; 2], along: bool) -> Result<Body
         sewing.finish()
     };
     let (below, above) = (shell(lower, !along)?, shell(upper, along)?);
-    let (outer, void) = if above.volume() < 0.0 { (below, above) } else { (above, below) };
+    let (outer, void) = if above.is_inside_out() { (below, above) } else { (above, below) };
     Ok(Body { outer, voids: vec![void] })
 }
 

@@ -160,7 +160,7 @@ impl CyclidicNet {
         sewing.finish().map(outside_out)
     }
 
-    /// The net as shells that do not hang together: one, unless it is an offset with nodes. At a node, be it a vertex or
+    /// The net as shells that do not hang together: one, unless it has nodes, as offsets may. At a node, be it a vertex or
     /// inside patches, which are cut there, a closed net falls apart into [`lobes`](Shell::lobes) that touch; an open
     /// one falls apart where a node is a vertex.
     ///

@@ -1,7 +1,7 @@
 //! Extremes of the principal curvatures over a patch, in closed form.
 
 use super::CyclidePatch;
-use super::singular::{DOUBLE_ZERO, roots};
+use super::singular::roots;
 
 impl CyclidePatch {
     /// Smallest and largest of the finite values that the principal curvature along the s-lines, [`k1`](Self::k1), takes
@@ -11,26 +11,30 @@ impl CyclidePatch {
     /// such value.
     #[must_use]
     pub fn k1_range(&self) -> [f64; 2] {
-        range(self.polar.m.map(|m| -2.0 * m.dot(self.v[1])), self.polar.q1, &self.node_t())
+        range(self.polar.m.map(|m| -2.0 * m.dot(self.v[1])), self.polar.q1, self.speed_rounding(0.0)[0], &self.node_t())
     }
 
     /// The same of the principal curvature along the t-lines, [`k2`](Self::k2), with [`node_s`](Self::node_s) and
     /// [`singular_s`](Self::singular_s).
     #[must_use]
     pub fn k2_range(&self) -> [f64; 2] {
-        range(self.polar.m_star.map(|m| 2.0 * m.dot(self.v[0])), self.polar.q2, &self.node_s())
+        range(
+            self.polar.m_star.map(|m| 2.0 * m.dot(self.v[0])),
+            self.polar.q2,
+            self.speed_rounding(0.0)[1],
+            &self.node_s(),
+        )
     }
 }
 
 /// Finite extremes over [0, 1] of a quotient of quadratics `p/q` in Bernstein form: at the ends, and where the Wronskian
 /// of the two quadratics is zero, which is a quadratic again.
-fn range(p: [f64; 3], q: [f64; 3], nodes: &[f64]) -> [f64; 2] {
+fn range(p: [f64; 3], q: [f64; 3], rounding: [f64; 3], nodes: &[f64]) -> [f64; 2] {
     let (mut p, mut q) = (p, q);
-    let largest = q.iter().fold(0.0, |m: f64, q| m.max(q.abs()));
     for (end, at) in [(0, 0.0), (2, 1.0)] {
         if q[end] == 0.0 {
             // A zero of the speed that is double but for rounding is double.
-            if q[1].abs() <= DOUBLE_ZERO * largest {
+            if q[1].abs() <= rounding[1] {
                 q[1] = 0.0;
             }
             // At a pole both quadratics vanish, the first but for rounding.
@@ -50,7 +54,7 @@ fn range(p: [f64; 3], q: [f64; 3], nodes: &[f64]) -> [f64; 2] {
         }
     };
     let minor = |i: usize, j: usize| p[j] * q[i] - p[i] * q[j];
-    let inside = roots([minor(0, 1), 0.5 * minor(0, 2), minor(1, 2)]);
+    let inside = roots([minor(0, 1), 0.5 * minor(0, 2), minor(1, 2)], [0.0; 3]);
     let at = |t: f64| {
         let value = |c: [f64; 3]| (1.0 - t) * ((1.0 - t) * c[0] + 2.0 * t * c[1]) + t * t * c[2];
         value(p) / value(q)

@@ -33,7 +33,7 @@ use super::param_surface::ParamSurface;
 use crate::base::quat::Quat;
 use crate::base::surface_jet::SurfaceJet;
 use crate::base::vector::{Point3, Vec3};
-use polar::Polar;
+use polar::{Polar, at_half};
 
 pub use implicit::ImplicitForm;
 pub use locate::PatchLocation;
@@ -113,10 +113,25 @@ impl CyclidePatch {
         bilinear(&self.weights, s, t)
     }
 
+    /// Element of area `q1(t) q2(s)/|D|⁴`, with the sign of `f_s × f_t` along the unit normal.
+    pub(in crate::surface) fn element(&self, s: f64, t: f64) -> f64 {
+        let squared = self.denominator(s, t).norm_squared();
+        self.polar.q1_at(t) / squared * (self.polar.q2_at(s) / squared)
+    }
+
+    /// The way from the first corner to a point.
+    pub(in crate::surface) fn way_from_first_corner(&self, s: f64, t: f64) -> Vec3 {
+        self.numerator_over(s, t, self.denominator(s, t))
+    }
+
     /// Point from numerator and denominator.
     fn quotient(&self, s: f64, t: f64, d: Quat) -> Point3 {
-        let n = bilinear(&self.n, s, t);
-        self.corners[0] + (n * d.conj()).vector() * (self.scale / d.norm_squared())
+        self.corners[0] + self.numerator_over(s, t, d)
+    }
+
+    /// Numerator over denominator, from the first corner.
+    fn numerator_over(&self, s: f64, t: f64, d: Quat) -> Vec3 {
+        (bilinear(&self.n, s, t) * d.conj()).vector() * (self.scale / d.norm_squared())
     }
 
     /// The moving frame at `(s, t)`: unit directions of growing s and t where `q1, q2 > 0`, and the unit normal
@@ -143,6 +158,9 @@ impl CyclidePatch {
         (bilinear(&self.n, s, t) * d.conj()).w.abs() * (self.scale / d.norm_squared())
     }
 }
+
+/// Speeds below this part of the largest one have no sign.
+const VANISHING: f64 = 1e-13;
 
 impl ParamSurface for CyclidePatch {
     fn jet(&self, s: f64, t: f64) -> SurfaceJet {
@@ -172,9 +190,14 @@ impl ParamSurface for CyclidePatch {
     /// [`unit_normal`](CyclidePatch::unit_normal) with the sign of `f_s × f_t`, which is the limit where a parameter
     /// line shrinks to a point.
     fn normal(&self, s: f64, t: f64) -> Option<Vec3> {
-        let sign = self.polar.q1_at(t) * self.polar.q2_at(s);
+        let backwards = |c: [f64; 3], q: f64| {
+            let largest = c.iter().fold(0.0, |m: f64, c| m.max(c.abs()));
+            // At a double zero rounding has any sign, and the speeds on both sides that of the middle.
+            if q.abs() <= VANISHING * largest { at_half(&c) < 0.0 } else { q < 0.0 }
+        };
         let n = self.unit_normal(s, t);
-        Some(if sign < 0.0 { -n } else { n })
+        let turned = backwards(self.polar.q1, self.polar.q1_at(t)) != backwards(self.polar.q2, self.polar.q2_at(s));
+        Some(if turned { -n } else { n })
     }
 }
 

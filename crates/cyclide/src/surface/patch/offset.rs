@@ -53,12 +53,16 @@ impl CyclidePatch {
     /// same side up. Sides that are one point may stay so. False for a patch that is singular inside itself.
     #[must_use]
     pub fn offset_is_regular(&self, h: f64) -> bool {
-        let same_sign = |before: [f64; 3], after: [f64; 3]| {
+        let rounding = [self.speed_rounding(0.0), self.speed_rounding(h)];
+        let same_sign = |direction: usize, before: [f64; 3], after: [f64; 3]| {
             let (p, q) = (at_half(&before), at_half(&after));
-            roots(before).is_empty() && roots(after).is_empty() && ((p > 0.0 && q > 0.0) || (p < 0.0 && q < 0.0))
+            let regular = |speed, rounding: [[f64; 3]; 2]| roots(speed, rounding[direction]).is_empty();
+            regular(before, rounding[0])
+                && regular(after, rounding[1])
+                && ((p > 0.0 && q > 0.0) || (p < 0.0 && q < 0.0))
         };
         let (q1, q2) = self.offset_speeds(h);
-        same_sign(self.polar.q1, q1) && same_sign(self.polar.q2, q2)
+        same_sign(0, self.polar.q1, q1) && same_sign(1, self.polar.q2, q2)
     }
 
     /// The corners of the sides t=0, t=1, s=0, s=1 of the offset that are one point.

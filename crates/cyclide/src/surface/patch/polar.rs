@@ -65,7 +65,7 @@ impl Polar {
     }
 }
 
-fn quadratic(c: &[f64; 3], t: f64) -> f64 {
+pub(super) fn quadratic(c: &[f64; 3], t: f64) -> f64 {
     let u = 1.0 - t;
     u * (u * c[0] + 2.0 * t * c[1]) + t * t * c[2]
 }

@@ -2,46 +2,56 @@
 
 use super::{Shell, ShellFace};
 use crate::base::quadrature::gauss8;
-use crate::surface::ParamSurface as _;
 use std::collections::BinaryHeap;
 
-/// The rule on a cell and on its quarters agree to this part of the face's integral of absolute values.
+/// The rule on all cells and on their quarters agree to this part of the sum of absolute values.
 const AGREEMENT: f64 = 1e-12;
-/// Quarterings of a face at most. A corner near infinity takes two or three per power of two of its distance; a face whose
+/// Quarterings at most, and per face. A corner near infinity takes two or three per power of two of its distance; what
 /// rounding is above the agreement would be quartered for ever.
-const QUARTERINGS: usize = 512;
+const QUARTERINGS: [usize; 2] = [512, 4];
+/// Quarterings after which the running sums are added anew.
+const RENEWAL: usize = 32;
 
 impl Shell {
     /// Area of all faces, to about 1e-12 of itself. The area element `|q1 q2|/|D|⁴` has a kink where a parameter line
     /// is one point: faces are integrated part by part between such lines.
     #[must_use]
     pub fn area(&self) -> f64 {
-        let area = |face: &ShellFace| {
-            let element = |s, t| face.patch.jet(s, t).area_element();
-            let part = |cell| integral(&element, cell, rule(&element, cell));
-            regular_cells(face).map(part).sum::<f64>()
-        };
-        self.faces.iter().map(area).sum()
+        let cells = self.faces.iter().enumerate().flat_map(|(f, face)| regular_cells(face).map(move |cell| (f, cell)));
+        let element = |face: usize, s, t| self.faces[face].patch.element(s, t).abs();
+        let mut area = Quadrature::new(cells, element);
+        area.refine(Quadrature::agrees);
+        area.sum()
     }
 
     /// Volume enclosed by a closed shell, to about 1e-12 of area times diameter: positive if the outer side is outside.
     /// For an open shell, the volume between its faces and its first vertex.
     #[must_use]
     pub fn volume(&self) -> f64 {
-        let volume = |face: &ShellFace| {
-            let element = |s, t| self.cone(face, s, t);
-            // Signed, it has no kinks; its size has.
-            let size: f64 = regular_cells(face).map(|cell| rule(&|s, t| element(s, t).abs(), cell)).sum();
-            integral(&element, UNIT, size)
-        };
-        self.faces.iter().map(volume).sum()
+        let mut volume = self.cones();
+        volume.refine(Quadrature::agrees);
+        volume.sum()
     }
 
-    /// Volume element of the cone over the face from the first vertex: `(f - v)·(f_s × f_t)/3`, signed by the side.
-    fn cone(&self, face: &ShellFace, s: f64, t: f64) -> f64 {
-        let jet = face.patch.jet(s, t);
-        let element = (jet.point - self.vertices[0]).dot(jet.ds.cross(jet.dt)) / 3.0;
-        if face.same_sense { element } else { -element }
+    /// True if the volume is negative, which is known long before the volume is.
+    pub(in crate::surface) fn is_inside_out(&self) -> bool {
+        let mut volume = self.cones();
+        volume.refine(|volume| volume.sum.abs() > volume.error);
+        volume.sum() < 0.0
+    }
+
+    /// The volumes of the cones over the faces from the first vertex: `(f - v)·(f_s × f_t)/3`, signed by the side. Signed,
+    /// they have no kinks. Points are taken from a corner of the face: far from the origin their rounding would be seen.
+    fn cones(&self) -> Quadrature<impl Fn(usize, f64, f64) -> f64> {
+        let faces = self.faces.iter().map(|face| (face, face.patch.corners()[0] - self.vertices[0]));
+        let faces: Vec<_> = faces.collect();
+        let cells = (0..faces.len()).map(|face| (face, UNIT));
+        Quadrature::new(cells, move |face, s, t| {
+            let (ShellFace { patch, same_sense, .. }, corner) = &faces[face];
+            let height = (patch.way_from_first_corner(s, t) + *corner).dot(patch.unit_normal(s, t));
+            let cone = height * patch.element(s, t) / 3.0;
+            if *same_sense { cone } else { -cone }
+        })
     }
 }
 
@@ -52,7 +62,7 @@ type Cell = [[f64; 2]; 2];
 const UNIT: Cell = [[0.0, 1.0]; 2];
 
 /// The parts of a face between its singular lines.
-fn regular_cells(face: &ShellFace) -> impl Iterator<Item = Cell> {
+fn regular_cells(face: &ShellFace) -> impl Iterator<Item = Cell> + use<> {
     let ends = |inside: Vec<f64>| [vec![0.0], inside, vec![1.0]].concat();
     let (s, t) = (ends(face.patch.singular_s()), ends(face.patch.singular_t()));
     let parts = |ends: &[f64]| ends.windows(2).map(|w| [w[0], w[1]]).collect::<Vec<_>>();
@@ -60,36 +70,81 @@ fn regular_cells(face: &ShellFace) -> impl Iterator<Item = Cell> {
     t.into_iter().flat_map(move |t| s.clone().into_iter().map(move |s| [s, t]))
 }
 
-/// The 8×8-point rule on a cell.
-fn rule(element: &impl Fn(f64, f64) -> f64, [[s0, s1], [t0, t1]]: Cell) -> f64 {
-    gauss8(&mut |s| gauss8(&mut |t| element(s, t), t0, t1), s0, s1)
+/// The integral of an element over cells of faces, in parts of which the worst is quartered first. So a peak that the first
+/// rule missed (a corner near infinity has nearly all of the area in a tiny part of its parameters) raises the
+/// integral, and with it what counts as good.
+struct Quadrature<E> {
+    element: E,
+    parts: BinaryHeap<Part>,
+    /// Of the parts' integrals, of their absolute values, of their errors. Running sums: they steer, and are no result.
+    sum: f64,
+    size: f64,
+    error: f64,
 }
 
-/// Integral over a cell of an analytic function; `size` is that of its absolute value, as far as one rule sees it.
-///
-/// The worst part is quartered first. So a peak that the first rule missed (a corner near infinity has nearly all of the
-/// area in a tiny part of its parameters) raises the integral, and with it what counts as good.
-fn integral(element: &impl Fn(f64, f64) -> f64, cell: Cell, size: f64) -> f64 {
-    let mut parts = BinaryHeap::from([Part::new(element, cell, rule(element, cell))]);
-    let mut sum = parts.peek().map_or(0.0, Part::integral);
-    for _ in 0..QUARTERINGS {
-        let Some(worst) = parts.pop() else { break };
-        // Not `<=`: a NaN is not worth quartering either.
-        if !(worst.error > AGREEMENT * size.abs().max(sum.abs())) {
-            parts.push(worst);
-            break;
+impl<E: Fn(usize, f64, f64) -> f64> Quadrature<E> {
+    fn new(cells: impl Iterator<Item = (usize, Cell)>, element: E) -> Self {
+        let mut new = Self { element, parts: BinaryHeap::new(), sum: 0.0, size: 0.0, error: 0.0 };
+        for (face, cell) in cells {
+            let whole = new.rule(face, cell);
+            new.push(face, cell, whole);
         }
-        sum -= worst.integral();
-        for (cell, whole) in quarters(worst.cell).into_iter().zip(worst.quarters) {
-            let part = Part::new(element, cell, whole);
-            sum += part.integral();
-            parts.push(part);
+        new
+    }
+
+    /// Quarters parts until the sums are good enough.
+    fn refine(&mut self, is_good: impl Fn(&Self) -> bool) {
+        for step in 1..=QUARTERINGS[0] + QUARTERINGS[1] * self.parts.len() {
+            if is_good(self) || !self.error.is_finite() {
+                return;
+            }
+            let Some(worst) = self.parts.pop() else { return };
+            self.add(&worst, -1.0);
+            for (cell, whole) in quarters(worst.cell).into_iter().zip(worst.quarters) {
+                self.push(worst.face, cell, whole);
+            }
+            if step % RENEWAL == 0 {
+                self.renew();
+            }
         }
     }
-    // Added anew, the small ones first: the running sum has the rounding of peaks that came and went.
-    let mut integrals: Vec<f64> = parts.iter().map(Part::integral).collect();
-    integrals.sort_by(|a, b| a.abs().total_cmp(&b.abs()));
-    integrals.iter().sum()
+
+    /// Frees the running sums of the rounding of peaks that came and went.
+    fn renew(&mut self) {
+        (self.sum, self.size, self.error) = (0.0, 0.0, 0.0);
+        let parts = std::mem::take(&mut self.parts);
+        parts.iter().for_each(|part| self.add(part, 1.0));
+        self.parts = parts;
+    }
+
+    fn agrees(&self) -> bool {
+        self.error <= AGREEMENT * self.size
+    }
+
+    /// The integral, added anew, small parts first.
+    fn sum(self) -> f64 {
+        let mut integrals: Vec<f64> = self.parts.iter().map(Part::integral).collect();
+        integrals.sort_by(|a, b| a.abs().total_cmp(&b.abs()));
+        integrals.iter().sum()
+    }
+
+    fn push(&mut self, face: usize, cell: Cell, whole: f64) {
+        let quarters = quarters(cell).map(|cell| self.rule(face, cell));
+        let part = Part { face, cell, quarters, error: (quarters.iter().sum::<f64>() - whole).abs() };
+        self.add(&part, 1.0);
+        self.parts.push(part);
+    }
+
+    fn add(&mut self, part: &Part, sign: f64) {
+        self.sum += sign * part.integral();
+        self.size += sign * part.integral().abs();
+        self.error += sign * part.error;
+    }
+
+    /// The 8×8-point rule on a cell.
+    fn rule(&self, face: usize, [[s0, s1], [t0, t1]]: Cell) -> f64 {
+        gauss8(&mut |s| gauss8(&mut |t| (self.element)(face, s, t), t0, t1), s0, s1)
+    }
 }
 
 /// The four parts of a cell.
@@ -101,19 +156,15 @@ fn quarters(cell: Cell) -> [Cell; 4] {
     [0, 1, 2, 3].map(|k| [halves_s[k & 1], halves_t[k >> 1]])
 }
 
-/// A cell with the rule on its quarters, ordered by the disagreement with the rule on the whole.
+/// A cell of a face with the rule on its quarters, ordered by the disagreement with the rule on the whole.
 struct Part {
+    face: usize,
     cell: Cell,
     quarters: [f64; 4],
     error: f64,
 }
 
 impl Part {
-    fn new(element: &impl Fn(f64, f64) -> f64, cell: Cell, whole: f64) -> Self {
-        let quarters = quarters(cell).map(|cell| rule(element, cell));
-        Self { cell, quarters, error: (quarters.iter().sum::<f64>() - whole).abs() }
-    }
-
     fn integral(&self) -> f64 {
         self.quarters.iter().sum()
     }

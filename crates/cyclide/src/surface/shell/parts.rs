@@ -73,7 +73,7 @@ impl Shell {
 
     /// The closed shell with its outer side outside.
     pub(in crate::surface) fn outside_out(self) -> Self {
-        if self.volume() < 0.0 { self.flipped() } else { self }
+        if self.is_inside_out() { self.flipped() } else { self }
     }
 }
 
