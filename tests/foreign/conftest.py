@@ -8,6 +8,8 @@ import pytest
 
 import reference_objects
 
+pytest.register_assert_rewrite("step_checks")
+
 ROOT = Path(__file__).resolve().parents[2]
 MODELS = {
     **{name: ROOT / "examples" / f"{name}.json" for name in ("track", "logo", "cable")},
@@ -15,7 +17,7 @@ MODELS = {
 }
 
 
-def _program():
+def program_path():
     command = ["cargo", "metadata", "--format-version", "1", "--no-deps", "--offline"]
     folder = json.loads(subprocess.run(command, cwd=ROOT, check=True, capture_output=True).stdout)["target_directory"]
     path = Path(folder, "release", "cyclide")
@@ -26,7 +28,7 @@ def _program():
 @pytest.fixture(scope="session")
 def program():
     """Runs the program; the arguments are those of its command line. Returns what it printed."""
-    path = _program()
+    path = program_path()
 
     def run(*arguments, cwd=ROOT):
         done = subprocess.run([path, *map(str, arguments)], cwd=cwd, capture_output=True, text=True)

@@ -86,16 +86,16 @@ class Bezier:
         for own, read in zip(self.jet(*places), (p, du, dv)):
             assert np.allclose(own, vector(read), rtol=1e-12, atol=1e-12 * abs(own).max()), "not the reader's surface"
 
-    def patch(self):
-        """The patch in the quaternion form through the corners as read, with the frame of the first corner as read, in the
-        parameters of this surface: corners and frame fix a principal patch, all else of the face is to be compared."""
+    def patch(self, given=None):
+        """A given patch in the parameters of this surface, else that in the quaternion form through the corners as read, with
+        the frame of the first corner as read: corners and frame fix a principal patch, all else of the face is to be compared."""
         h = self.rows
         at = h[..., :3] / h[..., 3:]
-        corners = [at[0, 0], at[-1, 0], at[0, -1], at[-1, -1]]
-        v1, v2 = form.unit(at[1, 0] - at[0, 0]), form.unit(at[0, 1] - at[0, 0])
-        patch = form.Patch(corners, v1, v2)
+        if given is None:
+            v1, v2 = form.unit(at[1, 0] - at[0, 0]), form.unit(at[0, 1] - at[0, 0])
+            given = form.Patch([at[0, 0], at[-1, 0], at[0, -1], at[-1, -1]], v1, v2)
         norms = [math.sqrt(h[i, j, 3] / h[0, 0, 3]) for i, j in ((-1, 0), (0, -1))]
-        return patch.with_factors(*(n / np.linalg.norm(w) for n, w in zip(norms, patch.w[1:3])))
+        return given.with_factors(*(n / np.linalg.norm(w) for n, w in zip(norms, given.w[1:3])))
 
     @staticmethod
     def _bernstein(x, degree, order):
@@ -137,7 +137,7 @@ class Face:
         """Point and the product of the derivatives, towards the outer side."""
         p, du, dv = gp_Pnt(), gp_Vec(), gp_Vec()
         self.surface.D1(float(u), float(v), p, du, dv)
-        return vector(p), self.sign * np.cross(vector(du), vector(dv))
+        return vector(p), self.sign * vector(du.Crossed(dv))
 
     def at_all(self, us, vs):
         """`at` for arrays of parameters."""
@@ -190,6 +190,9 @@ class Face:
         back = edge.Orientation() == TopAbs_REVERSED
         return lambda x: curve.point(1 - x if back else x)
 
+    def middle_of_corners(self):
+        return np.mean([vector(BRep_Tool.Pnt_s(TopoDS.Vertex(v))) for v in distinct(self.shape, TopAbs_VERTEX)], axis=0)
+
     def area(self):
         """Own quadrature; in a plane along the edges."""
         return self._plane_area() if self.kind == "plane" else self._integral(lambda _, n: np.linalg.norm(n, axis=-1))
@@ -204,14 +207,10 @@ class Face:
     def _integral(self, element):
         """Gauss-Legendre, 24 x 24 nodes on each quarter of the range of the parameters, which is the face."""
         u0, u1, v0, v1 = self.box
-        total = 0.0
-        for a, b in ((0.0, 0.5), (0.5, 1.0)):
-            for c, d in ((0.0, 0.5), (0.5, 1.0)):
-                us = u0 + (u1 - u0) * (0.5 * (a + b) + 0.5 * (b - a) * _NODES)
-                vs = v0 + (v1 - v0) * (0.5 * (c + d) + 0.5 * (d - c) * _NODES)
-                weight = 0.25 * (b - a) * (d - c) * (u1 - u0) * (v1 - v0)
-                total += weight * float(_WEIGHTS @ element(*self.at_all(us[:, None], vs[None, :])) @ _WEIGHTS)
-        return total
+        places = np.concatenate([0.25 + 0.25 * _NODES, 0.75 + 0.25 * _NODES])
+        weights = 0.25 * np.concatenate([_WEIGHTS, _WEIGHTS])
+        values = element(*self.at_all(u0 + (u1 - u0) * places[:, None], v0 + (v1 - v0) * places[None, :]))
+        return float((u1 - u0) * (v1 - v0) * (weights @ values @ weights))
 
     def _plane_area(self):
         """Half the integral of r x dr round the face."""
@@ -226,22 +225,27 @@ class Face:
                 total += sign * 0.25 * (last - first) * w * np.cross(vector(p) - origin, vector(d))
         return float(np.linalg.norm(total))
 
-    def normal_near(self, point, edge):
-        """Unit normal at the point of an edge of this face, found through the edge's curve in the parameters."""
+    def normals_near(self, points, edge, places):
+        """Unit normals at points of an edge of this face, at these fractions of its parameter's range, found through the
+        edge's curve in the parameters."""
         curve = BRep_Tool.CurveOnSurface_s(edge, self.shape, 0.0, 0.0)
         curve = curve[0] if isinstance(curve, tuple) else curve
         adaptor = BRepAdaptor_Curve(edge)
-        place = curve.Value(0.5 * (adaptor.FirstParameter() + adaptor.LastParameter()))
-        u, v = place.X(), place.Y()
-        for _ in range(4):  # the interpolated curve is near the edge: one or two Newton steps are enough
-            p, du, dv = gp_Pnt(), gp_Vec(), gp_Vec()
-            self.surface.D1(u, v, p, du, dv)
-            du, dv, r = vector(du), vector(dv), point - vector(p)
-            step = np.linalg.lstsq(np.stack([du, dv], 1), r, rcond=None)[0]
-            u, v = u + step[0], v + step[1]
-        p, normal = self.at(u, v)
-        assert np.linalg.norm(p - point) < 1e-7 * (1 + abs(point).max())
-        return normal / np.linalg.norm(normal)
+        first, last = adaptor.FirstParameter(), adaptor.LastParameter()
+        found = []
+        for point, place in zip(points, places):
+            at = curve.Value(first + (last - first) * place)
+            u, v = at.X(), at.Y()
+            for _ in range(4):  # the interpolated curve is near the edge: one or two Newton steps are enough
+                p, du, dv = gp_Pnt(), gp_Vec(), gp_Vec()
+                self.surface.D1(u, v, p, du, dv)
+                r = gp_Vec(p, gp_Pnt(*point))
+                # The parameter lines are orthogonal: two divisions.
+                u, v = u + r.Dot(du) / du.SquareMagnitude(), v + r.Dot(dv) / dv.SquareMagnitude()
+            p, normal = self.at(u, v)
+            assert np.linalg.norm(p - point) < 1e-9 * (1 + abs(point).max()), "the edge is not on the face"
+            found.append(normal / np.linalg.norm(normal))
+        return found
 
 
 class StepFaces:

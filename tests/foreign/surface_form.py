@@ -87,6 +87,13 @@ class Patch:
         _, fs, ft, _ = self.jet(s, t)
         return float(np.einsum("i,j,ij", w, w, np.linalg.norm(np.cross(fs, ft), axis=-1)))
 
+    def length(self, side):
+        """Length of the side t=0, t=1, s=0 or s=1."""
+        along, at = side // 2, np.full(len(_NODES), float(side % 2))
+        x = 0.5 * (_NODES + 1)
+        jet = self.jet(x, at) if along == 0 else self.jet(at, x)
+        return float(0.5 * _WEIGHTS @ np.linalg.norm(jet[1 + along], axis=-1))
+
     def locate(self, points):
         """Distance to the patch and unit normal at the nearest place: nearest samples, then Gauss-Newton."""
         points = np.asarray(points, float)
@@ -104,10 +111,45 @@ class Patch:
         return np.linalg.norm(points - f, axis=-1), normal
 
 
+# Corners at the ends of the sides t=0, t=1, s=0, s=1 and the direction along them.
+SIDES = ((0, 1, 0), (2, 3, 0), (0, 2, 1), (1, 3, 1))
+
+
+def rim(first, second, side):
+    """The ruled patch between two parallel patches along a side; none at a side that is a point of both."""
+    i, j, along = SIDES[side]
+    # The first two corners are apart: at a tip one of the patches has only one.
+    first, second = sorted((first, second), key=lambda patch: -math.dist(patch.a[i], patch.a[j]))
+    if math.dist(first.a[i], first.a[j]) == 0.0:
+        return None
+    tangent = first.jet(*(np.array(float(i >> bit & 1)) for bit in (0, 1)))[1 + along]
+    return Patch([first.a[i], first.a[j], second.a[i], second.a[j]], tangent, second.a[i] - first.a[i])
+
+
+def layer(first, second, columns=1, closed=(False, False)):
+    """The faces of the layer between two parallel nets of so many patches a row: both nets and the rims along free sides."""
+    rows = len(first) // columns
+    rims = []
+    for k, pair in enumerate(zip(first, second)):
+        free = (k < columns, k >= (rows - 1) * columns, k % columns == 0, k % columns == columns - 1)
+        rims += [rim(*pair, side) for side in range(4) if free[side] and not closed[1 - SIDES[side][2]]]
+    return [*first, *second, *(r for r in rims if r)]
+
+
 def reflect(v, chord):
     """The vector reflected in the plane across the chord."""
     u = unit(chord)
     return v - 2.0 * np.dot(u, v) * u
+
+
+def _carried(p, vectors):
+    """Vectors at the first of the rows of points, carried to all by reflection across the edges."""
+    out = np.empty((*p.shape[:2], *np.shape(vectors)))
+    for j in range(p.shape[0]):
+        for i in range(p.shape[1]):
+            before = (j, i - 1) if i else (j - 1, 0)
+            out[j, i] = [reflect(v, p[j, i] - p[before]) for v in out[before]] if i or j else vectors
+    return out
 
 
 def net(grid, v1, v2, closed=(False, False), offset=0.0):
@@ -115,23 +157,35 @@ def net(grid, v1, v2, closed=(False, False), offset=0.0):
     edge by reflection across it, the tangent along the edge reversed."""
     p = np.asarray(grid, float)
     rows, columns = p.shape[:2]
-    frames = np.empty((rows, columns, 2, 3))
     v1 = unit(v1)
-    frames[0, 0] = v1, unit(np.asarray(v2, float) - np.dot(v1, v2) * v1)
-    for j in range(rows):
-        for i in range(columns):
-            if i:
-                a, b, (e1, e2) = p[j, i - 1], p[j, i], frames[j, i - 1]
-                frames[j, i] = -reflect(e1, b - a), reflect(e2, b - a)
-            elif j:
-                a, b, (e1, e2) = p[j - 1, i], p[j, i], frames[j - 1, i]
-                frames[j, i] = reflect(e1, b - a), -reflect(e2, b - a)
+    frames = _carried(p, [v1, unit(np.asarray(v2, float) - np.dot(v1, v2) * v1)])
+    frames[:, 1::2, 0] *= -1
+    frames[1::2, :, 1] *= -1
     patches = []
     for j in range(rows if closed[1] else rows - 1):
         for i in range(columns if closed[0] else columns - 1):
             k, m = (i + 1) % columns, (j + 1) % rows
             patches.append(Patch([p[j, i], p[j, k], p[m, i], p[m, k]], *frames[j, i], offset=offset))
     return patches
+
+
+def fitted_frame(grid):
+    """The frame at the first point of an open net whose copies are nearest to the edges: the rotation nearest to the sum
+    of the orthonormal frames nearest to the directions of the edges at each point, carried back to the first."""
+    p = np.asarray(grid, float)
+    back, total = _carried(p, np.eye(3)), np.zeros((3, 3))
+    steps = [np.diff(p, axis=axis) for axis in (1, 0)]
+    steps = [s / np.linalg.norm(s, axis=-1, keepdims=True) for s in steps]
+    rows, columns = p.shape[:2]
+    for j in range(rows):
+        for i in range(columns):
+            edges = steps[0][j, max(i - 1, 0) : i + 1], steps[1][max(j - 1, 0) : j + 1, i]
+            u, _, v = np.linalg.svd(np.stack([unit(e.sum(axis=0)) for e in edges], axis=1), full_matrices=False)
+            t1, t2 = (u @ v).T
+            total += back[j, i] @ np.stack([t1 * (-1) ** i, t2 * (-1) ** j, np.cross(t1, t2)], axis=1)
+    u, _, v = np.linalg.svd(total)
+    rotation = u @ np.diag([1.0, 1.0, np.linalg.det(u @ v)]) @ v
+    return rotation[:, 0], rotation[:, 1]
 
 
 def cyclide_point(a, c, mu, th, ps):
@@ -144,18 +198,42 @@ def cyclide_point(a, c, mu, th, ps):
     return p / den[..., None], n / den[..., None]
 
 
-def cyclide_measures(a, c, mu, nodes=400):
-    """Area and enclosed volume of a ring: the trapezoidal rule over both periods converges geometrically."""
+def cyclide_measures(a, c, mu, inversion=None, nodes=400):
+    """Area and enclosed volume of a ring, or of its image under an inversion (centre, radius) that leaves it finite: the
+    trapezoidal rule over both periods converges geometrically."""
     x = np.arange(nodes) * 2 * math.pi / nodes
     th, ps = np.meshgrid(x, x, indexing="ij")
     p, n = cyclide_point(a, c, mu, th, ps)
     b2, den = a * a - c * c, a - c * np.cos(th) * np.cos(ps)
     element = b2 * abs(a - mu * np.cos(ps)) * abs(mu - c * np.cos(th)) / den**2 * (2 * math.pi / nodes) ** 2
+    if inversion:
+        p, n, stretch = _inverted(p, n, *inversion)
+        element = element * stretch**2
     return float(element.sum()), abs(float((np.sum(p * n, -1) * element).sum() / 3))
 
 
-def cyclide_area(a, c, mu, cells=16):
-    """Area of any cyclide: Gauss-Legendre between the angles at which a factor of the element changes its sign (nodes)."""
+def _inverted(points, normals, center, radius):
+    """Images of points and unit normals under an inversion, and by how much it stretches there."""
+    v = points - np.asarray(center, float)
+    d2 = np.sum(v * v, -1, keepdims=True)
+    image = normals - 2 * v * np.sum(v * normals, -1, keepdims=True) / d2
+    return center + v * (radius**2 / d2), image, radius**2 / d2[..., 0]
+
+
+def inverted(locate, center, radius):
+    """`locate` (points to distances and normals) of the image of a surface under an inversion, distances to first order."""
+
+    def located(points):
+        back, _, stretch = _inverted(points, points, center, radius)
+        distance, normals = locate(back)
+        return distance / stretch, _inverted(back, normals, center, radius)[1]
+
+    return located
+
+
+def cyclide_lobes(a, c, mu, cells=16):
+    """Areas and enclosed volumes of the lobes between the nodes of any cyclide, a ring being one: Gauss-Legendre between the
+    angles at which a factor of the element changes its sign (nodes)."""
 
     def places(cosine):
         turn = math.acos(cosine) if abs(cosine) <= 1 else math.pi / 2
@@ -164,9 +242,14 @@ def cyclide_area(a, c, mu, cells=16):
         return ((ends[:-1, None] + half) + half * _NODES).ravel(), (half * _WEIGHTS).ravel()
 
     (th, wt), (ps, wp) = places(mu / c if c else 2.0), places(a / mu if mu else 2.0)
-    element = (a * a - c * c) * abs(a - mu * np.cos(ps)) * abs(mu - c * np.cos(th[:, None])) / (a - c * np.cos(th[:, None]) * np.cos(ps)) ** 2
-    # Both angles over half their period: the element is even in them.
-    return float(4 * wt @ element @ wp)
+    th, ps = np.meshgrid(th, ps, indexing="ij")
+    element = (a * a - c * c) * (a - mu * np.cos(ps)) * (mu - c * np.cos(th)) / (a - c * np.cos(th) * np.cos(ps)) ** 2
+    p, n = cyclide_point(a, c, mu, th, ps)
+    # Both angles over half their period: the integrands are even in them.
+    weight = 4 * element * wt[:, None] * wp[None, :]
+    cone = np.sum(p * n, -1) / 3
+    lobes = [weight[side] for side in (element > 0, element < 0)], [cone[side] for side in (element > 0, element < 0)]
+    return [(float(abs(w).sum()), abs(float((w * h).sum()))) for w, h in zip(*lobes) if len(w)]
 
 
 def cyclide_distance(a, c, mu, points):
@@ -180,3 +263,30 @@ def cyclide_distance(a, c, mu, points):
     gradient[..., 1] -= 8 * b2 * y
     length = np.linalg.norm(gradient, axis=-1)
     return abs(f) / length, gradient / length[..., None]
+
+
+def grid_on_cyclide(a, c, mu, th, ps):
+    """Rows of points (th along a row) and the frame at the first."""
+    points, _ = cyclide_point(a, c, mu, *np.meshgrid(th, ps))
+    h = 1e-6
+    along = [cyclide_point(a, c, mu, np.array(th[0] + x), np.array(ps[0] + y))[0] for x, y in ((h, 0), (-h, 0), (0, h), (0, -h))]
+    v1, v2 = unit(along[0] - along[1]), along[2] - along[3]
+    return points, v1, unit(v2 - np.dot(v1, v2) * v1)
+
+
+def turned_net():
+    """A net that is no cyclide: a circular grid with a frame turned away from its edges."""
+    points, v1, v2 = grid_on_cyclide(6, 2, 3.5, np.linspace(0.3, 1.4, 5), np.linspace(0.4, 1.6, 4))
+    x = 0.15
+    return points, math.cos(x) * v1 + math.sin(x) * v2, -math.sin(x) * v1 + math.cos(x) * v2
+
+
+def net_document(points, v1, v2, **fields):
+    """The net as an object of a document."""
+    return {"type": "cyclidic-net", "grid": points.tolist(), "frame": [v1.tolist(), v2.tolist()], **fields}
+
+
+def simpson(areas, distance):
+    """Volume between parallel surfaces from the areas at both and in the middle: the area is a quadratic in the distance."""
+    first, middle, last = areas
+    return abs(distance) / 6 * (first + 4 * middle + last)
