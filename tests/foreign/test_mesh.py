@@ -8,6 +8,8 @@ import numpy as np
 import pytest
 import trimesh
 
+import surface_form as form
+
 GLTF = Path(__file__).resolve().parent / "gltf"
 A, C, MU = 50.0, 20.0, 32.0
 RING = {"type": "cyclide", "a": A, "c": C, "mu": MU, "segments": [8, 8]}
@@ -18,30 +20,61 @@ PATCH = {
 }
 ARC = {"type": "arc", "from": [0, 0, 50], "to": [10, 0, 50], "tangent": [1, 1, 0]}
 SUFFIXES = ["glb", "obj", "stl"]
+NET = form.turned_net()
+NET_OBJECT = form.net_document(*NET)
+# All round a ring, both directions closed.
+TURN = np.arange(8) * np.pi / 4
+WHOLE_NET = form.grid_on_cyclide(6, 2, 3.5, TURN, TURN)
 
 
-def ring_volume():
-    """Volume and area of the ring cyclide by the divergence theorem on its parametrisation (periodic: spectral)."""
-    n = 256
-    theta, psi = np.meshgrid(2 * np.pi * np.arange(n) / n, 2 * np.pi * np.arange(n) / n, indexing="ij")
-    b = np.sqrt(A * A - C * C)
-    d = A - C * np.cos(theta) * np.cos(psi)
-    points = np.stack(
-        [
-            (MU * (C - A * np.cos(theta) * np.cos(psi)) + b * b * np.cos(theta)) / d,
-            b * np.sin(theta) * (A - MU * np.cos(psi)) / d,
-            b * np.sin(psi) * (C * np.cos(theta) - MU) / d,
-        ],
-        axis=-1,
-    )
+def thick(shell, distance):
+    layer = {"type": "offset", "of": "shell", "distance": distance, "thick": True}
+    return {"shell": dict(shell, construction=True), "layer": layer}
 
-    def derivative(f, axis):
-        k = 1j * np.fft.fftfreq(n, 1.0 / n)
-        k = k[:, None, None] if axis == 0 else k[None, :, None]
-        return np.fft.ifft(k * np.fft.fft(f, axis=axis), axis=axis).real
 
-    normal = np.cross(derivative(points, 0), derivative(points, 1)) * (2 * np.pi / n) ** 2
-    return abs(np.sum(points * normal)) / 3.0, np.sum(np.linalg.norm(normal, axis=-1))
+def lobes(a, c, mu):
+    """Area and volume of all lobes together."""
+    return np.sum(form.cyclide_lobes(a, c, mu), axis=0)
+
+
+def thick_open_net():
+    skins = [form.net(*NET, offset=h) for h in (0.0, -0.1, -0.2)]
+    area = sum(patch.area(2) for patch in form.layer(skins[0], skins[2], 4))
+    return area, form.simpson([sum(patch.area(2) for patch in skin) for skin in skins], -0.2)
+
+
+def thick_closed_net():
+    (inner, hollow), (outer, whole) = (form.cyclide_measures(6, 2, mu) for mu in (3.5, 3.9))
+    return inner + outer, whole - hollow
+
+
+INVERSION = (75, 0, 20), 70
+# name: (objects, function to area and volume)
+BODIES = {
+    "torus": ({"torus": {"type": "cyclide", "a": 5, "mu": 2}}, lambda: form.cyclide_measures(5, 0, 2)),
+    "horn": ({"horn": {"type": "cyclide", "a": 4, "c": 2, "mu": 1}}, lambda: lobes(4, 2, 1)),
+    "spindle": ({"spindle": {"type": "cyclide", "a": 4, "c": 1, "mu": 6}}, lambda: lobes(4, 1, 6)),
+    "inverted torus": (
+        {
+            "torus": {"type": "cyclide", "a": 40, "mu": 14, "construction": True},
+            "inverted": {
+                "type": "transform",
+                "of": "torus",
+                "steps": [{"inversion": dict(zip(("center", "radius"), INVERSION))}],
+            },
+        },
+        lambda: form.cyclide_measures(40, 0, 14, INVERSION),
+    ),
+    "offset with nodes": (
+        {
+            "ring": {"type": "cyclide", "a": A, "c": C, "mu": MU, "construction": True},
+            "offset": {"type": "offset", "of": "ring", "distance": -20},
+        },
+        lambda: lobes(A, C, MU - 20),
+    ),
+    "thick open net": (thick(NET_OBJECT, -0.2), thick_open_net),
+    "thick closed net": (thick(form.net_document(*WHOLE_NET, closed=[True, True]), 0.4), thick_closed_net),
+}
 
 
 @pytest.fixture(scope="module")
@@ -59,29 +92,46 @@ def build(program, tmp_path_factory):
 
 
 def load(path):
-    """All triangles of a file in one mesh, equal vertices merged, and its curves."""
-    scene = trimesh.load_scene(path)
-    placed = scene.dump()
+    """All triangles of a file in one mesh, vertices that are equal to the bit being one, and its curves."""
+    placed = trimesh.load_scene(path, process=False).dump()
     curves = [g for g in placed if isinstance(g, trimesh.path.Path3D)]
-    mesh = trimesh.util.concatenate([g for g in placed if isinstance(g, trimesh.Trimesh)])
-    if isinstance(mesh, trimesh.Trimesh):
-        mesh.merge_vertices(merge_norm=True, merge_tex=True)
-    return mesh, curves
+    meshes = [g for g in placed if isinstance(g, trimesh.Trimesh)]
+    if not meshes:
+        return None, curves
+    mesh = trimesh.util.concatenate(meshes)
+    vertices, index = np.unique(mesh.vertices, axis=0, return_inverse=True)
+    return trimesh.Trimesh(vertices, index.reshape(-1)[mesh.faces], process=False), curves
+
+
+def assert_body(path, report, area, volume):
+    """Closed, turned outward, and of this volume as far as a mesh within the bound of a surface of this area can be."""
+    mesh, _ = load(path)
+    scale = 1000.0 if path.suffix == ".glb" else 1.0  # GLB is in metres
+    assert mesh.is_watertight and mesh.is_winding_consistent
+    # The mesh is within the bound of the surface: a layer of that thickness on both sides.
+    assert abs(mesh.volume * scale**3 - volume) <= 1.02 * report["bound"] * area
+    assert mesh.volume > 0, "the normals point outward"
+    return mesh
 
 
 @pytest.mark.parametrize("suffix", SUFFIXES)
 @pytest.mark.parametrize("tolerance", [0.5, 0.01])
 def test_a_closed_surface_is_watertight_with_its_volume(build, suffix, tolerance):
     path, report = build(f"ring-{tolerance}", suffix, {"ring": RING}, "--tolerance", tolerance)
-    mesh, _ = load(path)
-    scale = 1000.0 if suffix == "glb" else 1.0  # GLB is in metres
-    volume, area = ring_volume()
-    assert mesh.is_watertight and mesh.is_winding_consistent
+    mesh = assert_body(path, report, *form.cyclide_measures(A, C, MU))
     assert mesh.euler_number == 0, "a ring has one hole"
-    # The mesh is within the bound of the surface: a layer of that thickness on both sides.
-    assert abs(mesh.volume * scale**3 - volume) <= 1.02 * report["bound"] * area
-    assert mesh.volume > 0, "the normals point outward"
     assert report["deviation"] <= report["bound"] <= tolerance + 1e-5
+
+
+@pytest.mark.parametrize("suffix", SUFFIXES)
+@pytest.mark.parametrize("name", BODIES)
+def test_a_body_is_watertight_with_its_volume(build, suffix, name):
+    objects, measures = BODIES[name]
+    path, report = build(name, suffix, objects)
+    mesh = assert_body(path, report, *measures())
+    # As fine as it is by default, so that the volume means something: 1e-4 of the model, and the rounding to f32 of GLB and STL.
+    size = np.linalg.norm(mesh.extents) * (1000.0 if suffix == "glb" else 1.0)
+    assert report["bound"] <= 1.001e-4 * size
 
 
 @pytest.mark.parametrize("suffix", SUFFIXES)
@@ -112,9 +162,38 @@ def test_glb_passes_the_validator(build):
         build("glb-curve", "glb", {"arc": ARC}),
         build("glb-all", "glb", {"arc": ARC, "patch": PATCH, "ring": RING}, units="in"),
         build("glb-far", "glb", {"patch": far}),
+        build("glb-net", "glb", {"net": NET_OBJECT}),
+        build("glb-thick", "glb", thick(NET_OBJECT, -0.2)),
+        build("glb-edges", "glb", {"net": NET_OBJECT, "ring": RING}, "--glb-edges"),
     ]
     for issues in validate(*[path for path, _ in cases]):
         assert (issues["errors"], issues["warnings"]) == (0, 0), issues["messages"]
+
+
+def segments(path):
+    """Ends of the line segments of a GLB file, read by hand: trimesh joins all points in their order."""
+    data = path.read_bytes()
+    start = 20 + int.from_bytes(data[12:16], "little")
+    document, buffer = json.loads(data[20:start]), data[start + 8 :]
+
+    def numbers(accessor):
+        entry = document["accessors"][accessor]
+        kind, width = {5126: ("<f4", 3), 5125: ("<u4", 1)}[entry["componentType"]]
+        at = document["bufferViews"][entry["bufferView"]]["byteOffset"]
+        return np.frombuffer(buffer, kind, entry["count"] * width, at).reshape(-1, width)
+
+    lines = [p for mesh in document["meshes"] for p in mesh["primitives"] if p["mode"] == 1]
+    return [numbers(p["attributes"]["POSITION"]).astype(float)[numbers(p["indices"])[:, 0]].reshape(-1, 2, 3) for p in lines]
+
+
+def test_edges_of_patches_are_lines_if_asked_for(build):
+    objects = {"net": NET_OBJECT}
+    assert not segments(build("glb-plain", "glb", objects)[0])
+    (lines,) = segments(build("glb-lines", "glb", objects, "--glb-edges")[0])
+    sides = np.array([[patch.length(side) for side in range(4)] for patch in form.net(*NET)]).reshape(3, 4, 4)
+    length = sides[:, :, 0].sum() + sides[-1, :, 1].sum() + sides[:, :, 2].sum() + sides[:, -1, 3].sum()
+    # Chords within 1e-4 of the model's size: shorter than their arcs by parts in ten thousand.
+    assert np.linalg.norm(lines[:, 1] - lines[:, 0], axis=-1).sum() == pytest.approx(length, rel=5e-4)
 
 
 def test_glb_stands_upright_in_metres(build):
