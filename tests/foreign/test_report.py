@@ -2,6 +2,8 @@
 
 import pytest
 
+from conftest import ROOT
+
 
 def test_report_measures_the_curves(built):
     report = built.report()
@@ -33,16 +35,23 @@ def test_deviation_of_the_file_keeps_the_promise(built, suffix):
     assert 0.0 <= entry["deviation"] <= entry["bound"] + rounding
 
 
-def test_the_same_input_gives_the_same_bytes(examples, program, tmp_path):
-    for name, built in examples.items():
-        for suffix in ("step", "dxf", "svg", "csv", "json", "png"):
-            again = tmp_path / f"{name}.{suffix}"
-            program("build", built.document, "-o", again)
-            # The file's name may stand in its header: same name, other folder.
-            first = built.folder / "again"
-            first.mkdir(exist_ok=True)
-            program("build", built.document, "-o", first / again.name)
-            assert again.read_bytes() == (first / again.name).read_bytes(), again.name
+CURVE_SUFFIXES = ("step", "dxf", "svg", "csv", "json", "png")
+SURFACE_SUFFIXES = ("step", "glb", "obj", "stl", "png", "svg", "json")
+SAME = {name: CURVE_SUFFIXES for name in ("track", "logo", "cable")} | {name: SURFACE_SUFFIXES for name in ("handle", "roof")}
+
+
+@pytest.mark.parametrize("name", SAME)
+def test_the_same_input_gives_the_same_bytes(name, program, tmp_path):
+    # The file's name may stand in its header: same names, other folders; each run is a process of its own.
+    runs = [tmp_path / run for run in ("first", "again")]
+    for folder in runs:
+        folder.mkdir()
+        outputs = [x for suffix in SAME[name] for x in ("-o", folder / f"{name}.{suffix}")]
+        program("build", ROOT / "examples" / f"{name}.json", *outputs)
+    for suffix in SAME[name]:
+        first, again = (folder / f"{name}.{suffix}" for folder in runs)
+        assert first.stat().st_size > 0
+        assert first.read_bytes() == again.read_bytes(), first.name
 
 
 def test_a_failed_run_leaves_the_old_file(program, tmp_path):

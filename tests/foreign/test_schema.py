@@ -7,7 +7,7 @@ from pathlib import Path
 import jsonschema
 import pytest
 
-from conftest import MODELS, ROOT, _program
+from conftest import MODELS, ROOT, program_path
 
 SCHEMA = json.loads((ROOT / "docs" / "schema" / "cyclide-1.schema.json").read_text())
 VALIDATOR = jsonschema.Draft202012Validator(SCHEMA)
@@ -136,7 +136,7 @@ BAD_DOCUMENTS = {
 def exit_code(document, folder):
     path = folder / "document.json"
     path.write_text(json.dumps(document))
-    return subprocess.run([_program(), "report", path], capture_output=True).returncode
+    return subprocess.run([program_path(), "report", path], capture_output=True).returncode
 
 
 def one(fields):
