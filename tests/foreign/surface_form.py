@@ -169,6 +169,15 @@ def net(grid, v1, v2, closed=(False, False), offset=0.0):
     return patches
 
 
+def residuals(grid):
+    """How far the quads of rows of points are from circles: the vector part of the product of their unit edges."""
+    p = np.asarray(grid, float)
+    round_ = [p[:-1, :-1], p[:-1, 1:], p[1:, 1:], p[1:, :-1], p[:-1, :-1]]
+    edges = np.diff(round_, axis=0)
+    product = _chain(*pure(edges / np.linalg.norm(edges, axis=-1, keepdims=True)))
+    return np.linalg.norm(product[..., 1:], axis=-1)
+
+
 def fitted_frame(grid):
     """The frame at the first point of an open net whose copies are nearest to the edges: the rotation nearest to the sum
     of the orthonormal frames nearest to the directions of the edges at each point, carried back to the first."""

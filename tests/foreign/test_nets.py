@@ -76,18 +76,39 @@ def test_handle_is_what_its_document_says(program, tmp_path):
     assert_volume(step, form.simpson([sum(p.area() for p in skin) for skin in skins], distance))
 
 
-def test_roof_is_the_net_over_its_vertices(program, tmp_path):
-    """The example from the vertices that were made circular: frame, patches and offset are computed here."""
-    document, size = ROOT / "examples/roof.json", 20
-    rows = csv.DictReader(program("sample", document, "--object", "outer skin", "--count", 2).splitlines())
-    grid = np.full((size + 1, size + 1, 3), np.nan)
+ROOF = ROOT / "examples/roof.json"
+
+
+@pytest.fixture(scope="module")
+def roof_grid(program):
+    """Rows of the 21 by 21 vertices that were made circular, metres."""
+    rows = csv.DictReader(program("sample", ROOF, "--object", "outer skin", "--count", 2).splitlines())
+    grid = np.full((21, 21, 3), np.nan)
     for row in rows:
-        j, i = divmod(int(row["patch"]), size)
-        # The reader converts to millimetres.
-        grid[j + int(row["t"]), i + int(row["s"])] = [1000 * float(row[k]) for k in "xyz"]
-    distance = 1000 * json.loads(document.read_text())["objects"]["inner skin"]["distance"]
+        j, i = divmod(int(row["patch"]), 20)
+        grid[j + int(row["t"]), i + int(row["s"])] = [float(row[k]) for k in "xyz"]
+    return grid
+
+
+def test_roof_vertices_are_on_circles_as_near_as_reported(program, roof_grid):
+    """Moves and residuals from the mesh file and the vertices alone."""
+    report = json.loads(program("report", ROOF, "--json"))["objects"]["outer skin"]["circular"]
+    lines = (ROOT / "examples/roof-20.obj").read_text().splitlines()
+    mesh = np.array([line.split()[1:] for line in lines if line.startswith("v ")], float).reshape(roof_grid.shape)
+    moves = np.linalg.norm(roof_grid - mesh, axis=-1)
+    assert (moves.max(), moves.mean()) == pytest.approx((report["move_max"], report["move_mean"]), rel=1e-12)
+    assert moves.argmax() == report["farthest_vertex"]
+    assert form.residuals(mesh).max() == pytest.approx(report["residual_before"], rel=1e-12)
+    # The program stops at 1e-12; the differences of the coordinates lose a digit or two of sixteen.
+    assert form.residuals(roof_grid).max() <= 1e-12
+
+
+def test_roof_is_the_net_over_its_vertices(program, roof_grid, tmp_path):
+    """The example from the vertices that were made circular: frame, patches and offset are computed here."""
+    # The reader converts to millimetres.
+    grid, distance = 1000 * roof_grid, 1000 * json.loads(ROOF.read_text())["objects"]["inner skin"]["distance"]
     frame = form.fitted_frame(grid)
-    program("build", document, "-o", tmp_path / "roof.step")
+    program("build", ROOF, "-o", tmp_path / "roof.step")
     step = StepFaces(tmp_path / "roof.step")
-    extent, _ = structure(step, closed=False)
-    assert_patches(step, extent, form.net(grid, *frame) + form.net(grid, *frame, offset=distance))
+    size, _ = structure(step, closed=False)
+    assert_patches(step, size, form.net(grid, *frame) + form.net(grid, *frame, offset=distance))
