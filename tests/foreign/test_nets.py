@@ -28,7 +28,7 @@ CREASES = 2 * 14 + 4
 def assert_patches(step, size, patches):
     """Every face is one of the patches, and their areas are the area."""
     assert_quaternion_form(step, size, partners(step, patches, size))
-    # A quarter of the cells of other tests: these patches turn by less than a radian.
+    # A quarter of the cells of other tests in each direction: these patches turn by a quarter at most.
     assert_area(step, sum(patch.area(2) for patch in patches))
 
 
