@@ -20,6 +20,41 @@ proptest! {
     }
 
     #[test]
+    fn speeds_are_real_multiples_of_the_constant_frame(case in patch()) {
+        // Line by line what is proved at `PatchRow`.
+        let (a, w, [v1, v2, v3]) = (case.patch.corners(), case.patch.weights(), case.patch.frame());
+        let k = |i: usize, j: usize| w[i].conj() * Quat::from(a[j] - a[i]) * w[j];
+        let inverse = |i: usize| (a[i] - a[0]) / -(a[i] - a[0]).length_squared();
+        let (e, side) = (inverse(1) - inverse(2), inverse(1) - inverse(3));
+        let x = side.dot(e) / e.length_squared();
+        // (9) is (C) with these factors of w1 and w2.
+        let (lam, mu) = (a[0].distance(a[1]), a[0].distance(a[2]));
+        let e = e * (lam * mu);
+        let squared = e.length_squared() / (lam * mu);
+        let expected = [
+            (k(0, 1), v1 * lam, 0.0),
+            (k(0, 2), v2 * mu, 0.0),
+            (k(0, 3), v1 * e.dot(v2) - v2 * e.dot(v1), -e.dot(v3)),
+            (k(1, 2), v1 * -e.dot(v2) - v2 * e.dot(v1), e.dot(v3)),
+            (k(1, 3), v2 * (x * squared * lam), 0.0),
+            (k(2, 3), v1 * ((1.0 - x) * squared * mu), 0.0),
+        ];
+        // Lengths times two weights, with the rounding of the corners.
+        let largest = w.iter().map(|w| w.norm_squared()).fold(0.0, f64::max);
+        let bound = case.rounding(64.0) / case.reach * case.aspect * largest;
+        for (got, vector, real) in expected {
+            prop_assert!((got - Quat::from_parts(real, vector)).norm() <= bound, "{got:?} {vector:?} {real}");
+        }
+        let middle = [k(0, 3) + k(1, 2).conj(), k(0, 3) + k(1, 2)];
+        let (q1, q2) = (case.patch.q1(), case.patch.q2());
+        for (got, direction, speeds) in [([k(0, 1), middle[0], k(2, 3)], v1, q1), ([k(0, 2), middle[1], k(1, 3)], v2, q2)] {
+            for (got, speed) in got.into_iter().zip([speeds[0], 2.0 * speeds[1], speeds[2]]) {
+                prop_assert!((got - Quat::from(direction * speed)).norm() <= bound, "{got:?} {speed}");
+            }
+        }
+    }
+
+    #[test]
     fn derivatives_are_those_of_the_point(case in tame_patch()) {
         let (patch, h) = (&case.patch, 1e-5);
         for (s, t) in INNER {
