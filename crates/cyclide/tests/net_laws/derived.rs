@@ -5,6 +5,9 @@ use cyclide::{
     Body, Conformal, CyclidicNet, DupinCyclide, Mobius, NetFrame, ParamSurface, Point3, Quat, Shell, Vec3,
     surface_joints,
 };
+use proptest::prelude::*;
+use std::ops::Range;
+use std::sync::LazyLock;
 
 /// Largest coordinate and largest patch: what rounding is relative to.
 fn size(net: &CyclidicNet) -> f64 {
@@ -34,6 +37,35 @@ fn offsets_move_every_point_along_its_normal_and_back() {
             assert!(p.distance(*q) < 4e-16 * size(&net), "{name}");
         }
         assert!(gap(&offset) < 1e-13 * size(&net) && kink(&offset) < 1e-12, "{name}");
+    }
+}
+
+proptest! {
+    #[test]
+    fn offsets_have_the_same_weights_and_frame(which in 0..6usize, parts in [-1.5..1.5, -1.5..1.5]) {
+        static NETS: LazyLock<Vec<(&'static str, CyclidicNet)>> = LazyLock::new(nets);
+        let (name, net) = &NETS[which];
+        let mut before = net.clone();
+        for part in parts {
+            let h = part * net.patch(0, 0).size();
+            let offset = before.offset(h).unwrap();
+            // Bit for bit, and again for the offset of an offset: all weights, those after one turn, and the frame.
+            let [m, n] = net.grid().size().map(|k| 0..k);
+            let round = |k: Range<usize>, d: usize| if net.grid().closed()[d] { k.start..2 * k.end } else { k };
+            for (i, j) in round(n, 1).flat_map(|j| round(m.clone(), 0).map(move |i| (i, j))) {
+                let bits = |net: &CyclidicNet| net.weight(i, j).to_array().map(f64::to_bits);
+                prop_assert_eq!(bits(&offset), bits(net), "{} ({}, {})", name, i, j);
+                // It is another net: the vertex moved by the distance, rounded like a turned normal and coordinates.
+                if net.grid().index(i, j) == i + j * net.grid().size()[0] {
+                    let (p, q) = (before.grid().point(i, j), offset.grid().point(i, j));
+                    let far = p.to_vec().max_abs().max(h.abs());
+                    prop_assert!((p.distance(q) - h.abs()).abs() <= 16.0 * f64::EPSILON * far, "{}", name);
+                }
+            }
+            let bits = |net: &CyclidicNet| net.frame().map(|v| v.to_array().map(f64::to_bits));
+            prop_assert_eq!(bits(&offset), bits(net), "{}", name);
+            before = offset;
+        }
     }
 }
 
@@ -231,35 +263,38 @@ fn lobes_keep_their_nodes_under_inversion() {
 
 #[test]
 fn the_automatic_frame_leaves_no_patch_singular_where_others_leave_hundreds() {
-    let grid = inverted(&cyclide_grid([2.0, 0.7, 1.1], [41, 41], [false; 2]), Point3::new(0.4, 0.5, 2.6), 1.5);
-    let auto = CyclidicNet::new(grid.clone(), NetFrame::Auto).unwrap();
-    assert_eq!(auto.size(), [40, 40]);
-    assert_eq!(auto.singular_patches().len(), 0);
-    assert_eq!(auto.flipped_patches().len(), 0);
-    for patch in auto.patches() {
-        for (s, t) in PLACES.into_iter().flat_map(|s| PLACES.map(|t| (s, t))) {
-            let jet = patch.jet(s, t);
-            let cosine = jet.ds.dot(jet.dt) / (jet.ds.length() * jet.dt.length());
-            assert!(patch.real_residual(s, t) < 1e-12 * patch.size() && cosine.abs() < 1e-12, "{s} {t}");
+    let ring = cyclide_grid([2.0, 0.7, 1.1], [41, 41], [false; 2]);
+    let grids = [inverted(&ring, Point3::new(0.4, 0.5, 2.6), 1.5), generic_grid([41, 41])];
+    for grid in grids {
+        let auto = CyclidicNet::new(grid.clone(), NetFrame::Auto).unwrap();
+        assert_eq!(auto.size(), [40, 40]);
+        assert_eq!(auto.singular_patches().len(), 0);
+        assert_eq!(auto.flipped_patches().len(), 0);
+        for patch in auto.patches() {
+            for (s, t) in places() {
+                let jet = patch.jet(s, t);
+                let cosine = jet.ds.dot(jet.dt) / (jet.ds.length() * jet.dt.length());
+                assert!(patch.real_residual(s, t) < 1e-12 * patch.size() && cosine.abs() < 1e-12, "{s} {t}");
+            }
         }
+        let joints = surface_joints(&auto.to_shell().unwrap());
+        assert_eq!(joints.len(), 2 * 39 * 40);
+        assert!(joints.iter().all(|joint| joint.angle < 1e-12 && joint.gap < 1e-13));
+        let mut weights = auto.patches().flat_map(|patch| patch.weights()).map(|w| w.norm());
+        assert!(weights.all(|length| (0.3..3.0).contains(&length)));
+        // Frames that have nothing to do with the grid. All of them make a net: none is refused, all are counted.
+        let mut counts: Vec<usize> = (0..15)
+            .map(|k| {
+                let x = f64::from(k);
+                let normal = Vec3::new((1.3 * x).sin(), (2.1 * x).cos(), (0.7 * x + 1.0).sin()).unit().unwrap();
+                let v1 = normal.cross(Vec3::new((3.1 * x).cos(), 0.2, (1.7 * x).sin())).unit().unwrap();
+                let net = CyclidicNet::new(grid.clone(), NetFrame::First(v1, normal.cross(v1))).unwrap();
+                net.singular_patches().len()
+            })
+            .collect();
+        counts.sort_unstable();
+        assert!(counts[7] >= 100, "{counts:?}");
     }
-    let joints = surface_joints(&auto.to_shell().unwrap());
-    assert_eq!(joints.len(), 2 * 39 * 40);
-    assert!(joints.iter().all(|joint| joint.angle < 1e-12 && joint.gap < 1e-13));
-    let mut weights = auto.patches().flat_map(|patch| patch.weights()).map(|w| w.norm());
-    assert!(weights.all(|length| (0.3..3.0).contains(&length)));
-    // Frames that have nothing to do with the grid.
-    let mut counts = Vec::new();
-    for k in 0..9 {
-        let x = f64::from(k);
-        let normal = Vec3::new((1.3 * x).sin(), (2.1 * x).cos(), (0.7 * x + 1.0).sin()).unit().unwrap();
-        let v1 = normal.cross(Vec3::new((3.1 * x).cos(), 0.2, (1.7 * x).sin())).unit().unwrap();
-        let net = CyclidicNet::new(grid.clone(), NetFrame::First(v1, normal.cross(v1)));
-        // A frame may also send a patch through infinity: the net is refused, which is more than singular.
-        counts.push(net.map_or(1600, |net| net.singular_patches().len()));
-    }
-    counts.sort_unstable();
-    assert!(counts[4] >= 100, "{counts:?}");
 }
 
 #[test]
