@@ -72,7 +72,7 @@ pub const ENTRIES: [Entry; 10] = [
     Entry {
         name: "handle",
         title: "Triply curved handle",
-        text: "A pipe of 12 patches, bent in three planes, made thick: a closed solid of exact skins and rims.",
+        text: "A grip that swells and tapers, bent in three planes: 12 patches of three Dupin cyclides, made thick to a closed solid.",
         document: example!("handle.json"),
         inputs: &[],
         formats: SURFACES,

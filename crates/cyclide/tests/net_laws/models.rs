@@ -1,11 +1,81 @@
-//! Models of the gallery: a handle of twelve patches, the faces of a cyclidic cube, an inverted torus.
+//! Models of the gallery and others like them: a handle of twelve patches, a bent pipe, the faces of a cyclidic cube, an
+//! inverted torus.
 
 use crate::data::{PLACES, kink};
-use cyclide::{Conformal, CyclidePatch, CyclidicNet, DupinCyclide, Mobius, NetFrame, Point3, QuadGrid, Vec3};
+use crate::derived::layer;
+use cyclide::{
+    Circle, Conformal, CyclidePatch, CyclidicNet, DupinCyclide, Mobius, NetFrame, PatchKind, Point3, QuadGrid, Vec3,
+};
+
+/// Four rings of four vertices on circles of the radii 13, 9, 8.5 and 11.07, each the image of the last under an
+/// inversion.
+const HANDLE: [[f64; 3]; 16] = [
+    [9.19238815542512, 9.192388155425117, 0.0],
+    [-9.192388155425117, 9.19238815542512, 0.0],
+    [-9.19238815542512, -9.192388155425117, 0.0],
+    [9.192388155425116, -9.19238815542512, 0.0],
+    [31.563780150876177, 6.773379508486247, 35.1816129362558],
+    [27.228671771370642, 5.954432565990452, 47.092225319835805],
+    [27.228671771370642, -5.954432565990451, 47.092225319835805],
+    [31.563780150876177, -6.773379508486248, 35.1816129362558],
+    [121.5908177660624, 28.605296951910304, 48.467529465298156],
+    [122.43145854004138, 29.02859840091446, 60.44558088560703],
+    [127.54357380459214, 19.055018698979268, 61.162617593646075],
+    [127.42421653954693, 17.23193875588578, 49.32840472275592],
+    [159.43093394187127, 49.507310219706646, 0.0],
+    [173.14080410705202, 57.02511211246716, 0.0],
+    [180.85796794054102, 44.00283498992669, 0.0],
+    [167.65934644973152, 35.59144609380825, 0.0],
+];
+
+#[test]
+fn a_handle_of_twelve_patches_of_cyclides() {
+    let points = HANDLE.map(Point3::from);
+    let grid = QuadGrid::new(points.to_vec(), [4, 4], [true, false]).unwrap();
+    let r = std::f64::consts::FRAC_1_SQRT_2;
+    // At the foot the surface narrows by 16°.
+    let (sin, cos) = 16.0_f64.to_radians().sin_cos();
+    let frame = NetFrame::First(Vec3::new(-r, r, 0.0), Vec3::new(-r * sin, -r * sin, cos));
+    let net = CyclidicNet::new(grid, frame).unwrap();
+    assert!(net.singular_patches().is_empty() && net.flipped_patches().is_empty() && kink(&net) < 1e-12);
+    for patch in net.patches() {
+        assert_eq!(patch.recognise(), PatchKind::Cyclide);
+        assert!(patch.real_weights().into_iter().flatten().all(|w| w > 0.0));
+    }
+    for j in 0..3 {
+        let [ring, next] = [4 * j, 4 * j + 4].map(|k| &points[k..k + 4]);
+        // The line through a vertex and its image goes through the centre, and the distances from it have one product.
+        let [p, q] = [0, 2].map(|k| next[k] - ring[k]);
+        let (normal, between) = (p.cross(q), ring[2] - ring[0]);
+        let centre = ring[0] + p * (between.cross(q).dot(normal) / normal.length_squared());
+        let power = (ring[0] - centre).dot(next[0] - centre);
+        let inversion = Mobius::inversion(centre, power.sqrt()).unwrap();
+        for (from, to) in ring.iter().zip(next) {
+            // The centre is where lines meet at a small angle: rounding of 1e-14 over that.
+            assert!(inversion.map_point(*from).unwrap().distance(*to) < 1e-11);
+        }
+        // All sides of a ring are parts of its circle.
+        let radius = Circle::through_points([ring[0], ring[1], ring[2]]).unwrap().radius();
+        for i in 0..4 {
+            assert!((net.patch(i, j).s_line(0.0).unwrap().radius().unwrap() - radius).abs() < 1e-12);
+        }
+    }
+    // The grip swells between its ends, and both feet widen.
+    let radii = |j: usize| PLACES.map(|t| net.patch(0, j).s_line(t).unwrap().radius().unwrap());
+    let ([a, _, b, _, c], [foot, ..], [.., end]) = (radii(1), radii(0), radii(2));
+    assert!(b > 1.2 * a && b > 1.2 * c && foot > a && end > c, "{a} {b} {c}, {foot} {end}");
+    let body = net.thick(-2.0).unwrap();
+    assert!(body.is_solid());
+    let outer = &body.outer;
+    assert_eq!((outer.faces().len(), outer.edges().len(), outer.vertices().len()), (32, 64, 32));
+    let want = layer(&net, -2.0);
+    // Gauss rules of 20 × 20 points per patch.
+    assert!((outer.volume() - want).abs() < 1e-9 * want, "{} {want}", outer.volume());
+}
 
 /// Four vertices of a circle of radius 10, carried along by three turns: 80° at radius 30, 75° at 24 (in a plane turned
 /// by 70°), 85° at 34 (turned by -35°).
-const HANDLE: [[f64; 3]; 16] = [
+const PIPE: [[f64; 3]; 16] = [
     [7.071067811865476, 7.071067811865475, 0.0],
     [-7.071067811865475, 7.071067811865476, 0.0],
     [-7.071067811865477, -7.071067811865475, 0.0],
@@ -25,8 +95,8 @@ const HANDLE: [[f64; 3]; 16] = [
 ];
 
 #[test]
-fn a_handle_of_twelve_patches() {
-    let grid = QuadGrid::new(HANDLE.map(Point3::from).to_vec(), [4, 4], [true, false]).unwrap();
+fn a_pipe_of_twelve_patches_of_tori() {
+    let grid = QuadGrid::new(PIPE.map(Point3::from).to_vec(), [4, 4], [true, false]).unwrap();
     let r = std::f64::consts::FRAC_1_SQRT_2;
     let own = NetFrame::First(Vec3::new(-r, r, 0.0), Vec3::Z);
     let net = CyclidicNet::new(grid, own).unwrap();
