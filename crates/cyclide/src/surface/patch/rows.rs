@@ -47,15 +47,14 @@ const BLOCK: usize = 256;
 ///
 /// # Accuracy
 ///
-/// With `r = max |D|²/min |D|²` over the line, points are within `16 ε r` of the patch's size or, where the line bulges
+/// With `r = max |D|²/min |D|²` over the line, points are within `32 ε r` of the patch's size or, where the line bulges
 /// farther, of its largest distance from the first corner, plus 2 units of the last place of the coordinates, of
-/// [`point`](crate::ParamSurface::point), and normals within `16 ε r` of
+/// [`point`](crate::ParamSurface::point), and normals within `32 ε r` of
 /// [`unit_normal`](CyclidePatch::unit_normal). `|D|` is largest, M, at an end, so the coefficients in powers of s, products
 /// of the ends of two linear forms and of their differences, are at most `4 M²` times that distance; the products of
 /// quaternions, the change to powers and the Horner scheme round numerator and denominator by `16 ε M²` at most each, and
-/// the quotient divides by `|D|²`. To first order, with corner weights no longer than M, that is some `32 ε r` if no two
-/// roundings cancel; half of it is a bound by experience, of which 40 000 random patches need two thirds. The results are
-/// the same on every machine.
+/// the quotient divides by `|D|²`. To first order, with corner weights no longer than M, that is `32 ε r` if no two roundings
+/// cancel; 40 000 random patches needed a third of it. The results are the same on every machine.
 #[derive(Debug, Clone, Copy)]
 pub struct PatchRow {
     points: [[f64; 3]; 3],
