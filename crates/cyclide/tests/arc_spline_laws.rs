@@ -17,7 +17,13 @@ fn size(points: &[Point3]) -> f64 {
 
 /// The angle that rounding of the ends can turn an arc's tangents by: of the chord against the coordinates.
 fn tangent_rounding(arc: &Arc) -> f64 {
-    64.0 * f64::EPSILON * (1.0 + size(&[arc.start(), arc.end()]) / arc.chord().length())
+    rounding(arc, &[arc.start(), arc.end()])
+}
+
+/// The same of an arc with an end that was computed from all of these points: the joint of a biarc may be near an end that
+/// is the origin, and is as far off as the other end is away.
+fn rounding(arc: &Arc, from: &[Point3]) -> f64 {
+    64.0 * f64::EPSILON * (1.0 + size(from) / arc.chord().length())
 }
 
 /// What rounding of unit tangents is multiplied by in the joint of a biarc: by the legs of the control triangles over
@@ -46,7 +52,8 @@ fn is_g1(path: &ArcPath, condition: f64) -> Result<(), TestCaseError> {
         let (a, b) = (path.arcs()[i], path.arcs()[(i + 1) % n]);
         prop_assert_eq!(a.end(), b.start());
         let kink = angle(a.end_tangent().unwrap(), b.start_tangent().unwrap());
-        let allowed = condition * (tangent_rounding(&a) + tangent_rounding(&b));
+        let ends = [a.start(), a.end(), b.end()];
+        let allowed = condition * (rounding(&a, &ends) + rounding(&b, &ends));
         prop_assert!(kink <= allowed, "joint {i}: kink {kink:e} > {allowed:e}: {a:?} {b:?}");
     }
     Ok(())
@@ -117,10 +124,13 @@ proptest! {
                 // Exact up to the straightening of arcs whose sagitta is rounding.
                 prop_assert!(angle(first.start_tangent().unwrap(), t0) <= tangent_rounding(first));
                 prop_assert!(angle(second.end_tangent().unwrap(), t1) <= tangent_rounding(second));
-                prop_assert!(angle(first.end_tangent().unwrap(), biarc.joint_tangent()) <= condition * tangent_rounding(first));
+                prop_assert!(angle(first.end_tangent().unwrap(), biarc.joint_tangent()) <= condition * rounding(first, &[p0, p1]));
                 let chord = p0.distance(p1);
                 match biarc.rule() {
-                    BiarcRule::EqualD => prop_assert!(biarc.arcs().iter().all(|a| a.weight_ratio().w > -1e-7)),
+                    // Half a turn at most, up to rounding.
+                    BiarcRule::EqualD => prop_assert!(
+                        biarc.arcs().iter().all(|a| a.weight_ratio().w > -1e-7 - condition * rounding(a, &[p0, p1]))
+                    ),
                     BiarcRule::EqualChord => {
                         let [l0, l1] = biarc.arcs().map(|a| a.chord().length());
                         prop_assert!((l0 - l1).abs() <= 64.0 * f64::EPSILON * (l0 + chord + s), "{l0:e} {l1:e}");
@@ -211,4 +221,16 @@ proptest! {
             Err(error) => prop_assert_eq!(error.reason(), "tangent-opposes-chord"),
         }
     }
+}
+
+#[test]
+fn a_joint_beside_the_origin_is_rounded_as_the_far_end_is() {
+    // Nearly mirrored tangents: the joint is 1.4e-8 from the start, the difference of two points at a half.
+    let c = Vec3::new(-0.016482843767568003, 0.7358335748563813, -0.6769617906317994);
+    let t0 = Vec3::new(-0.9635866549663425, -0.1948548996884704, -0.18311833998311255);
+    let t1 = Vec3::new(-0.963586654225668, -0.1948548996884704, -0.18311833998311255);
+    let t1 = -t1.reflect(c);
+    let biarc = Biarc::new(Point3::ORIGIN, t0, Point3::ORIGIN + c, t1, BiarcRule::EqualD).unwrap();
+    assert!(biarc.arcs()[0].chord().length() < 2e-8);
+    is_g1(&biarc.to_path(), joint_condition(&biarc)).unwrap();
 }
