@@ -14,12 +14,13 @@ use std::ops::Range;
 /// Turn of the curve's arcs over one interval of a stretch, radians: 15 degrees.
 const INTERVAL_TURN: f64 = std::f64::consts::PI / 12.0;
 /// Samples on each biarc at least.
-const SAMPLES: usize = 24;
+const SAMPLES: usize = 48;
 /// Samples on each interval of a stretch.
-const INTERVAL_SAMPLES: f64 = 12.0;
+const INTERVAL_SAMPLES: f64 = 24.0;
 /// The part of the tolerance that distances may use. They are sampled, with a parabola through the three samples at
 /// each largest one: with four samples to a lobe it misses at most 0.8 % of the top. A biarc over a smooth
-/// piece has four lobes, over a joint of order 1 up to six.
+/// piece has four lobes, over a joint of order 1 up to six, and where the speed of the parameter varies some of them have
+/// half as many samples as the others.
 const SAFETY: f64 = 0.98;
 /// A biarc is as long as it may be up to this factor.
 const LENGTH_RESOLUTION: f64 = 1.05;
