@@ -52,7 +52,7 @@ const SAMPLE_EXAMPLES: &str = "\
 Examples:
   cyclide sample logo.json --count 500 > logo.csv
   cyclide sample cable.json --object cable --count 200 --equal-length -o cable.csv
-  cyclide sample roof.json --object skin --count 8 -o roof.csv
+  cyclide sample roof.json --object 'outer skin' --count 8 -o roof.csv
 
 Curves: columns t,x,y,z,tangent_x,tangent_y,tangent_z,curvature, with a column 'contour' in front if the object has
 several. Each contour gets its own samples, both ends included.
