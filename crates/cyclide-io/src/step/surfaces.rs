@@ -4,8 +4,9 @@
 //! A face of a sphere is written as `SPHERICAL_SURFACE` only if its edges are meridians and parallels about one axis,
 //! which is then the placement's: readers find parameter curves by interpolation, and edges that are no lines of the
 //! parameters lose digits there (an octant with its poles elsewhere: parameter curves off by 3e-7 of the size, area by
-//! 6e-9). The other faces of spheres, whose circles belong to two elliptic and hyperbolic pencils, stay rational. The
-//! edges of all other kinds are lines of the parameters anyway. The seam is turned to the side away from the face.
+//! 6e-9). The other faces of spheres, whose circles belong to two elliptic and hyperbolic pencils, stay rational, and
+//! so do tori without a hole: `TOROIDAL_SURFACE` is for a smaller radius of the tube. The edges of all other kinds are
+//! lines of the parameters anyway. The seam is turned to the side away from the face.
 
 use super::data::{Data, push_list, push_reference};
 use crate::number::push_step;
