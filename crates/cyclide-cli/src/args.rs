@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use clap::{ArgAction, Args as ClapArgs, Parser, Subcommand, ValueEnum};
+use clap_complete::Shell;
 
 const EXIT_CODES: &str = "\
 Exit codes:
@@ -16,12 +17,39 @@ All files of a run are made and checked before the first is written, and each is
 Warnings and progress go to standard error, reports to standard output.";
 
 const EXAMPLES: &str = "\
+First steps:
+  cyclide gallery -o gallery            every example, with a page of pictures
+  cyclide new circle-spline -o my.json  a commented document to change ('cyclide new' lists all kinds)
+  cyclide build my.json -o my.step -o my.png
+
 Examples:
   cyclide curve track.csv --closed --units m -o track.step -o track.dxf -o track.png
   cyclide build logo.json -o logo.dxf --tolerance 0.01
   cyclide build roof.json -o roof.step -o roof.glb -o roof.png
   cyclide report roof.json --json
-  cyclide gallery -o gallery";
+
+The documentation of the project explains the words: docs/document.md (what a document may hold), docs/report.md (every word
+of the report), docs/formats.md (what each format carries).";
+
+const NEW_EXAMPLES: &str = "\
+Examples:
+  cyclide new arc-fit -o part.json
+  cyclide build part.json -o part.dxf -o part.png
+
+Each document builds as printed. Its comments say what the fields mean; docs/document.md and 'cyclide schema' have them all.";
+
+const COMPLETIONS_EXAMPLES: &str = "\
+Examples:
+  bash:        cyclide completions bash > ~/.local/share/bash-completion/completions/cyclide
+  zsh:         cyclide completions zsh > ~/.zfunc/_cyclide        (a folder of $fpath)
+  fish:        cyclide completions fish > ~/.config/fish/completions/cyclide.fish
+  PowerShell:  cyclide completions powershell | Out-String | Invoke-Expression
+Then start a new shell.";
+
+const MAN_EXAMPLES: &str = "\
+Examples:
+  cyclide man -o man && man -l man/cyclide.1
+  cyclide man -o ~/.local/share/man/man1        (then: man cyclide, man cyclide-build)";
 
 const BUILD_EXAMPLES: &str = "\
 Examples:
@@ -63,7 +91,10 @@ const REPORT_EXAMPLES: &str = "\
 Examples:
   cyclide report logo.json
   cyclide report logo.json --json | jq '.objects[].length'
-  cyclide report roof.json --json | jq '.objects[].circular.move_max'";
+  cyclide report roof.json --json | jq '.objects[].circular.move_max'
+
+docs/report.md explains every word of the report, with what is good and what to do about the rest; the fields of --json are in
+docs/formats.md.";
 
 const GALLERY_EXAMPLES: &str = "\
 Example:
@@ -98,12 +129,45 @@ pub enum Command {
     /// Build a model document and report on its objects without writing files.
     #[command(after_help = REPORT_EXAMPLES)]
     Report(ReportArgs),
+    /// Print a commented model document to start from, for any type of object.
+    #[command(after_help = NEW_EXAMPLES)]
+    New(NewArgs),
     /// Build every example model to files, with a page that shows them.
     #[command(after_help = GALLERY_EXAMPLES)]
     Gallery(GalleryArgs),
     /// Print the JSON Schema of the model document.
     #[command(after_help = SCHEMA_EXAMPLES)]
     Schema,
+    /// Print a script that completes commands and options in a shell.
+    #[command(after_help = COMPLETIONS_EXAMPLES)]
+    Completions(CompletionsArgs),
+    /// Write manual pages to a folder, one per command.
+    #[command(after_help = MAN_EXAMPLES)]
+    Man(ManArgs),
+}
+
+#[derive(Debug, ClapArgs)]
+pub struct NewArgs {
+    /// The type of object; without it the types are listed.
+    #[arg(value_parser = crate::start::kinds())]
+    pub kind: Option<String>,
+    /// Write to a new file instead of standard output; an old one is never written over.
+    #[arg(short, long, value_name = "FILE", requires = "kind")]
+    pub output: Option<PathBuf>,
+}
+
+#[derive(Debug, ClapArgs)]
+pub struct CompletionsArgs {
+    /// The shell.
+    #[arg(value_enum)]
+    pub shell: Shell,
+}
+
+#[derive(Debug, ClapArgs)]
+pub struct ManArgs {
+    /// The folder for the pages, made if it does not exist.
+    #[arg(short, long = "output", value_name = "DIR")]
+    pub output: PathBuf,
 }
 
 #[derive(Debug, ClapArgs)]

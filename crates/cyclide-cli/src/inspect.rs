@@ -1,7 +1,7 @@
 //! `sample`, `report` and `schema`: looking at a model without writing exchange files.
 
 use cyclide::Body;
-use cyclide_io::{Report, Spacing, document_schema, write_file};
+use cyclide_io::{Report, Spacing, did_you_mean, document_schema, write_file};
 
 use crate::failure::Failure;
 use crate::load;
@@ -18,11 +18,10 @@ pub fn sample(plan: &SamplePlan) -> Result<(), Failure> {
     let (document, folder) = load::document(&plan.input)?;
     let names = || document.objects.iter().map(|(name, _)| format!("'{name}'")).collect::<Vec<_>>().join(", ");
     let index = match &plan.object {
-        Some(name) => document
-            .objects
-            .iter()
-            .position(|(n, _)| n == name)
-            .ok_or_else(|| Failure::Usage(format!("the model has no object '{name}'; it has {}", names())))?,
+        Some(name) => document.objects.iter().position(|(n, _)| n == name).ok_or_else(|| {
+            let hint = did_you_mean(name, document.objects.iter().map(|(n, _)| n.as_str()));
+            Failure::Usage(format!("the model has no object '{name}'; it has {}{hint}", names()))
+        })?,
         None if document.objects.len() == 1 => 0,
         None => return Err(Failure::Usage(format!("--object is needed: the model has {}", names()))),
     };

@@ -1,12 +1,15 @@
 //! Reading a model document (or one made from the command line) and building its objects.
 
 use std::collections::HashMap;
+use std::fs::File;
+use std::io::Read as _;
 use std::path::{Path, PathBuf};
 
 use cyclide::{Model, Units};
 use cyclide_io::{BuiltObject, Document, ModelBuilder};
 
 use crate::failure::Failure;
+use crate::mistaken::{HEAD, Wanted, refuse_content};
 use crate::plan::Input;
 use crate::progress::Progress;
 use crate::terminal;
@@ -33,14 +36,28 @@ impl Loaded {
 /// Reads the document.
 pub fn document(input: &Input) -> Result<(Document, PathBuf), Failure> {
     match input {
-        Input::Made(document) => Ok((document.as_ref().clone(), PathBuf::new())),
+        Input::Made { document, sniff } => {
+            for path in document.input_files().map(Path::new).filter(|_| *sniff) {
+                // What cannot be read is refused where it is needed.
+                refuse_content(path, &head(path).unwrap_or_default(), Wanted::Points)?;
+            }
+            Ok((document.as_ref().clone(), PathBuf::new()))
+        }
         Input::File(path) => {
             let bytes = std::fs::read(path).map_err(|e| Failure::read(path, &e))?;
+            refuse_content(path, &bytes, Wanted::Document)?;
             let document = Document::parse(&path.display().to_string(), &bytes);
             let folder = path.parent().map(Path::to_path_buf).unwrap_or_default();
             document.map(|d| (d, folder)).map_err(|message| Failure::Refused(message.to_string()))
         }
     }
+}
+
+/// The first bytes of a file.
+fn head(path: &Path) -> std::io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    File::open(path)?.take(HEAD as u64).read_to_end(&mut bytes)?;
+    Ok(bytes)
 }
 
 /// Builds the document's objects one by one and shows their warnings.

@@ -3,25 +3,32 @@
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
+use clap_complete::Shell;
 use cyclide::Units;
 use cyclide_io::{
-    ArcFitSpec, ArcSplineSpec, CircleSplineSpec, Document, DxfVersion, EffortWord, EndsSpec, ExportOptions, Format,
-    ObjectSpec, PointFile, PointSource, RuleWord, Spacing, StepEdges, TargetWord, TypeWord, VariantWord,
+    ArcFitSpec, ArcSplineSpec, CircleSplineSpec, Comment, Document, DxfVersion, EffortWord, EndsSpec, ExportOptions,
+    Format, ObjectSpec, PointFile, PointSource, RuleWord, Spacing, StepEdges, TargetWord, TypeWord, VariantWord,
 };
 
 use crate::args::{
-    Args, BuildArgs, Command, CurveArgs, DxfArg, EdgesArg, EffortArg, GalleryArgs, Kind, OutputArgs, ReportArgs,
-    RuleArg, SampleArgs, TargetArg, UnitsArg, VariantArg,
+    Args, BuildArgs, Command, CompletionsArgs, CurveArgs, DxfArg, EdgesArg, EffortArg, GalleryArgs, Kind, ManArgs,
+    NewArgs, OutputArgs, ReportArgs, RuleArg, SampleArgs, TargetArg, UnitsArg, VariantArg,
 };
 use crate::failure::Failure;
+use crate::mistaken::{Wanted, refuse_suffix};
+use crate::start::NewPlan;
 
 /// What to do.
 pub enum Plan {
     Make(MakePlan),
     Sample(SamplePlan),
     Report(ReportPlan),
+    New(NewPlan),
     Gallery(GalleryPlan),
     Schema,
+    Completions(Shell),
+    /// The manual pages, into a folder.
+    Man(PathBuf),
 }
 
 /// Build a model and write files.
@@ -37,7 +44,11 @@ pub enum Input {
     /// A model document.
     File(PathBuf),
     /// A document made from the command line; it refers to files by their paths as given.
-    Made(Box<Document>),
+    Made {
+        document: Box<Document>,
+        /// Whether its files are looked at for what they are: not if their columns were named.
+        sniff: bool,
+    },
 }
 
 /// Sample one object of a model.
@@ -67,22 +78,10 @@ impl Args {
             Command::Build(BuildArgs { model: path, .. })
             | Command::Sample(SampleArgs { model: path, .. })
             | Command::Report(ReportArgs { model: path, .. }) => {
-                refuse_suffix(path, "csv", "a list of points, not a model document: see 'cyclide curve'")?;
-                refuse_suffix(
-                    path,
-                    "obj",
-                    "a mesh, not a model document: 'cyclide build --help' shows one for a mesh",
-                )?;
+                refuse_suffix(path, Wanted::Document)?;
             }
-            Command::Curve(CurveArgs { points: path, .. }) => {
-                refuse_suffix(
-                    path,
-                    "obj",
-                    "a mesh, not a list of points: 'cyclide build --help' shows a document for it",
-                )?;
-                refuse_suffix(path, "json", "a model document, not a list of points: see 'cyclide build'")?;
-            }
-            Command::Gallery(_) | Command::Schema => {}
+            Command::Curve(CurveArgs { points: path, .. }) => refuse_suffix(path, Wanted::Points)?,
+            Command::New(_) | Command::Gallery(_) | Command::Schema | Command::Completions(_) | Command::Man(_) => {}
         }
         match self.command {
             Command::Build(BuildArgs { model, output, tolerance }) => {
@@ -91,6 +90,7 @@ impl Args {
             Command::Curve(args) => args.plan().map(Plan::Make),
             Command::Sample(SampleArgs { model, object, count, equal_length, output }) => {
                 let spacing = if equal_length { Spacing::Length } else { Spacing::Parameter };
+                output.as_deref().map_or(Ok(()), |path| refuse_other_suffix(path, "csv", "samples are CSV"))?;
                 refuse_overwriting(output.as_deref(), &model)?;
                 Ok(Plan::Sample(SamplePlan {
                     input: Input::File(model),
@@ -103,8 +103,20 @@ impl Args {
             Command::Report(ReportArgs { model, json }) => {
                 Ok(Plan::Report(ReportPlan { input: Input::File(model), json }))
             }
-            Command::Gallery(GalleryArgs { output }) => Ok(Plan::Gallery(GalleryPlan { folder: output })),
+            Command::New(NewArgs { kind, output }) => {
+                output.as_deref().map_or(Ok(()), |path| refuse_other_suffix(path, "json", "a document is JSON"))?;
+                Ok(Plan::New(NewPlan { kind, output }))
+            }
+            Command::Gallery(GalleryArgs { output }) => {
+                refuse_file_name(&output)?;
+                Ok(Plan::Gallery(GalleryPlan { folder: output }))
+            }
             Command::Schema => Ok(Plan::Schema),
+            Command::Completions(CompletionsArgs { shell }) => Ok(Plan::Completions(shell)),
+            Command::Man(ManArgs { output }) => {
+                refuse_file_name(&output)?;
+                Ok(Plan::Man(output))
+            }
         }
     }
 }
@@ -143,14 +155,6 @@ impl OutputArgs {
     }
 }
 
-/// Refuses an input that its suffix says to be of the other kind, before its first line is called a mistake.
-fn refuse_suffix(path: &Path, suffix: &str, kind: &str) -> Result<(), Failure> {
-    if path.extension().is_some_and(|s| s.eq_ignore_ascii_case(suffix)) {
-        return Err(Failure::Usage(format!("{} seems to be {kind}", path.display())));
-    }
-    Ok(())
-}
-
 impl CurveArgs {
     fn plan(self) -> Result<MakePlan, Failure> {
         self.check_options()?;
@@ -164,6 +168,7 @@ impl CurveArgs {
         let spec = match self.kind {
             Kind::CircleSpline => ObjectSpec::CircleSpline(CircleSplineSpec {
                 r#type,
+                comment: Comment,
                 construction: false,
                 points,
                 closed,
@@ -174,6 +179,7 @@ impl CurveArgs {
             }),
             Kind::ArcSpline => ObjectSpec::ArcSpline(ArcSplineSpec {
                 r#type,
+                comment: Comment,
                 construction: false,
                 points,
                 tangents: None,
@@ -184,6 +190,7 @@ impl CurveArgs {
                 let needed = || Failure::Usage("--kind arc-fit needs --tolerance".to_owned());
                 ObjectSpec::ArcFit(ArcFitSpec {
                     r#type,
+                    comment: Comment,
                     construction: false,
                     points,
                     closed,
@@ -199,7 +206,8 @@ impl CurveArgs {
             refuse_overwriting(Some(path), &self.points)?;
         }
         let document = Document::from_objects(&self.points.display().to_string(), self.units.units(), objects);
-        self.output.plan(Input::Made(Box::new(document)), self.tolerance)
+        let input = Input::Made { document: Box::new(document), sniff: self.columns.is_none() };
+        self.output.plan(input, self.tolerance)
     }
 
     /// Refuses options that the kind of curve does not have.
@@ -223,6 +231,25 @@ impl CurveArgs {
             }
         }
     }
+}
+
+/// Refuses the suffix of a format that another command writes; names without one, and unknown ones, may be meant.
+fn refuse_other_suffix(path: &Path, suffix: &str, what: &str) -> Result<(), Failure> {
+    match Format::from_path(path) {
+        Ok(format) if format.name() != suffix => {
+            Err(Failure::Usage(format!("{}: {what}; for this format see 'cyclide build'", path.display())))
+        }
+        _ => Ok(()),
+    }
+}
+
+/// Refuses the name of a file where a folder is meant.
+fn refuse_file_name(path: &Path) -> Result<(), Failure> {
+    let page = path.extension().is_some_and(|suffix| suffix.eq_ignore_ascii_case("html"));
+    if !path.is_dir() && (page || Format::from_path(path).is_ok()) {
+        return Err(Failure::Usage(format!("{}: the name of a folder is needed, for several files", path.display())));
+    }
+    Ok(())
 }
 
 /// Refuses to write over a file that is read. A file that does not exist cannot be meant.

@@ -83,7 +83,7 @@ fn usage_that_makes_no_sense_is_refused() {
         ("curve p.csv -o p.csv", "p.csv is an input"),
         ("build p.csv -o a.step", "p.csv seems to be a list of points, not a model document"),
         ("report p.csv", "see 'cyclide curve'"),
-        ("build m.obj -o a.step", "m.obj seems to be a mesh, not a model document: 'cyclide build --help' shows one"),
+        ("build m.obj -o a.step", "m.obj seems to be a mesh, not a model document: 'cyclide new cyclidic-net' prints"),
         ("curve m.obj -o a.step", "m.obj seems to be a mesh, not a list of points"),
         ("curve c.json -o a.step", "c.json seems to be a model document, not a list of points"),
         ("sample c.json --count 5 -o c.json", "c.json is an input"),

@@ -134,7 +134,8 @@ fn meshes_become_smooth_surfaces() {
         assert_eq!(error.contains("a border that may move leaves more room"), file == "pinned", "{error}");
     }
     // The mesh is an input, and is not written over.
-    assert!(folder.fails(2, "sample moved.json --count 2 -o s.obj").contains("s.obj is an input"));
+    assert!(folder.fails(2, "sample moved.json --count 2 -o s.obj").contains("samples are CSV"));
+    assert!(folder.fails(2, "build moved.json -o s.obj").contains("s.obj is an input"));
     assert_eq!(folder.read("s.obj"), saddle().as_bytes());
 }
 
@@ -199,6 +200,8 @@ fn the_gallery_shows_every_example() {
         assert_eq!(folder.read(&format!("out/gallery/{name}.json")), std::fs::read(&example).unwrap());
     }
     assert!(links > 20);
+    // Each skin of the roof has an area of its own.
+    assert!(page.contains("<dt>area</dt><dd>outer skin 1703.4 m², inner skin 1661.8 m²</dd>"), "{page}");
     // What is shown can be built again.
     folder.ok("build out/gallery/track.json -o again.step");
     folder.ok("build out/gallery/patch.json -o again.step");

@@ -8,12 +8,14 @@ use std::path::PathBuf;
 #[non_exhaustive]
 pub enum ExportError {
     /// The suffix stands for no known format.
-    #[error("{}: no format for this suffix; known are {known}", path.display())]
+    #[error("{}: no format for this suffix; known are {known}{hint}", path.display())]
     UnknownSuffix {
         /// The file's path.
         path: PathBuf,
         /// The suffixes that are known.
         known: &'static str,
+        /// What to write in its place, as the end of the sentence; empty if there is no telling.
+        hint: String,
     },
     /// The model has no curve and no surface.
     #[error("there is nothing to write")]

@@ -1,6 +1,7 @@
 //! The formats that are written, by file suffix.
 
 use crate::export_error::ExportError;
+use crate::suggest::did_you_mean;
 use std::path::Path;
 
 /// What a model consists of.
@@ -109,7 +110,50 @@ impl Format {
             "glb" => Ok(Self::Glb),
             "obj" => Ok(Self::Obj),
             "stl" => Ok(Self::Stl),
-            _ => Err(ExportError::UnknownSuffix { path: path.to_path_buf(), known: Self::SUFFIXES }),
+            other => {
+                let (path, known) = (path.to_path_buf(), Self::SUFFIXES);
+                Err(ExportError::UnknownSuffix { path, known, hint: in_place_of(other) })
+            }
+        }
+    }
+}
+
+/// What to write in the place of a format that is not written, or the suffix that was meant.
+fn in_place_of(suffix: &str) -> String {
+    let known = || Format::SUFFIXES.split(' ').map(|known| known.trim_start_matches('.'));
+    let place = match suffix {
+        "iges" | "igs" | "x_t" | "x_b" | "sat" | "brep" | "brp" | "fcstd" | "sldprt" | "ipt" | "3dm" | "f3d" => {
+            ".step carries curves and surfaces to CAD"
+        }
+        "dwg" => ".dxf is what programs that read DWG read too",
+        "pdf" | "eps" | "ps" | "ai" => ".svg is a drawing at true size, to print or convert",
+        "jpg" | "jpeg" | "webp" | "gif" | "bmp" | "tif" | "tiff" => ".png is a picture",
+        "gltf" => ".glb is the same in one file",
+        "3mf" | "ply" | "off" | "fbx" | "dae" | "usd" | "usdz" => ".glb, .obj and .stl are meshes",
+        "nc" | "ngc" | "tap" | "gcode" | "cnc" => ".dxf holds arcs, from which CAM makes the machine's code",
+        "txt" | "tsv" | "xyz" | "dat" | "asc" => ".csv is a list of points",
+        _ => return did_you_mean(suffix, known()),
+    };
+    format!("; {place}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_unknown_suffix_is_answered_with_one_that_serves() {
+        for (path, hint) in [
+            ("a.iges", "; .step carries curves and surfaces to CAD"),
+            ("a.PDF", "; .svg is a drawing at true size, to print or convert"),
+            ("a.setp", "; did you mean `step` or `stp`?"),
+            ("a.dfx", "; did you mean `dxf`?"),
+            ("a.nc", "; .dxf holds arcs, from which CAM makes the machine's code"),
+            ("a", ""),
+            ("a.qqqq", ""),
+        ] {
+            let message = Format::from_path(Path::new(path)).unwrap_err().to_string();
+            assert!(message.ends_with(&format!(".glb .obj .stl{hint}")), "{message}");
         }
     }
 }

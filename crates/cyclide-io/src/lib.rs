@@ -34,13 +34,14 @@ mod report;
 mod sample;
 mod step;
 mod stl;
+mod suggest;
 mod svg;
 
 pub use bodies::{FileBody, FileEdge, FileFace, FileShell, FileSurface};
 pub use deviation::deviation;
 pub use document::{
     ArcFitSpec, ArcSpec, ArcSplineSpec, BiarcSpec, BorderCurves, BorderSpec, BorderWord, BuiltObject, CircleSpec,
-    CircleSplineSpec, ClampedEnds, ContourFacts, Coordinates, CyclidePatchSpec, CyclideSpec, CyclidicNetSpec,
+    CircleSplineSpec, ClampedEnds, Comment, ContourFacts, Coordinates, CyclidePatchSpec, CyclideSpec, CyclidicNetSpec,
     DOCUMENT_VERSION, Document, EffortWord, EndsSpec, FrameSpec, GridSource, Lists, MakeCircularOptions,
     MakeCircularSpec, MeshFile, ModelBuilder, ObjectSpec, OffsetSpec, PlaneSpec, PointFile, PointSource, Remark,
     RotationSpec, RuleWord, ScaleSpec, SphereSpec, StepSpec, TargetWord, TransformSpec, TypeWord, UnitWord,
@@ -60,10 +61,11 @@ pub use points::{PointColumns, PointList, PointTable, read_points};
 pub use read_back::{file_deviation, read_back};
 pub use report::{
     CheckError, CircularReport, CurvatureReport, CurvesReport, FileReport, FitReport, GeometryReport, JointReport,
-    ObjectReport, PatchPlace, RangeReport, Report, SingularPatchReport, SurfaceJointReport, SurfaceReport,
+    ObjectReport, PartReport, PatchPlace, RangeReport, Report, SingularPatchReport, SurfaceJointReport, SurfaceReport,
     WarningReport,
 };
 pub use sample::{Spacing, sample};
+pub use suggest::{did_you_mean, similar};
 
 /// The example of the README is compiled and run with the documentation tests.
 #[cfg(doctest)]

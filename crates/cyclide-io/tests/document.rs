@@ -82,6 +82,30 @@ fn circle_and_biarc() {
 }
 
 #[test]
+fn a_circle_through_three_points() {
+    let built = build("\"type\": \"circle\", \"through\": [[4,0,1],[1,3,1],[-2,0,1]]").unwrap();
+    let CurveObject::Circle(circle) = &built.item.contours[0] else { panic!("a circle") };
+    // The circle about (1, 0, 1) with the radius 3, from the first point counter-clockwise: a few roundings of coordinates of 4.
+    assert!(circle.center().distance(Point3::new(1.0, 0.0, 1.0)) < 4e-15 && (circle.radius() - 3.0).abs() < 4e-15);
+    assert!(near(curve(&built).eval(0.0), [4.0, 0.0, 1.0]) && near(curve(&built).eval(0.25), [1.0, 3.0, 1.0]));
+    let back = build("\"type\": \"circle\", \"through\": [[-2,0],[1,3],[4,0]]").unwrap();
+    assert!(near(curve(&back).eval(0.25), [1.0, 3.0, 0.0]), "the order of the points is the sense of running");
+    for (fields, start) in [
+        ("\"through\": [[0,0],[1,1],[2,2]]", "objects.a.through: the points lie on a line: sine of their angle 0, "),
+        ("\"through\": [[0,0],[1,1],[1,1]]", "objects.a.through[2]: points 1 and 2 coincide"),
+        ("\"through\": [[0,0],[1,1],[0,0]]", "objects.a.through[2]: points 0 and 2 coincide"),
+        ("\"through\": [[0,0],[1,1]]", "objects.a.through: 2 values are given, 3 are needed"),
+        ("\"through\": [[0,0],[1,1],[2,0]], \"radius\": 1", "objects.a: a circle is given by `center` and `radius`"),
+        ("\"through\": [[0,0],[1,1],[2,0]], \"normal\": [0,0,1]", "objects.a: a circle is given by"),
+        ("\"center\": [0,0]", "objects.a: a circle is given by `center` and `radius`"),
+        ("\"radius\": 1", "objects.a: a circle is given by `center` and `radius`"),
+    ] {
+        let message = build(&format!("\"type\": \"circle\", {fields}")).map(|b| b.item).unwrap_err();
+        assert!(message.contains(&format!(": {start}")), "{fields}: {message}");
+    }
+}
+
+#[test]
 fn splines_and_fits_run_on_every_contour() {
     let square = "[[0,0],[4,0],[4,4],[0,4]]";
     let hole = "[[1,1],[1,2],[2,2],[2,1],[1,1]]";

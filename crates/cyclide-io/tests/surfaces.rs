@@ -396,6 +396,14 @@ fn nets_with_their_skins_and_edges() {
         assert!((report.volume.unwrap() / volume - 1.0).abs() < 1e-11, "{:?} {volume}", report.volume);
         assert_eq!((report.free_edges, report.closed), (0, true));
         assert!(report.joints.creases > 0);
+        // Two quarters of a cylinder and four rims, each with its own area; nobody is told the sum for one skin's.
+        let skins = [1.0_f64.max(other), 1.0_f64.min(other)].map(|radius| 3.0 * quarter * radius);
+        assert_eq!((report.parts.len(), report.parts[0].patches, report.parts[1].patches), (6, 2, 2));
+        for (part, skin) in report.parts.iter().zip(skins) {
+            assert!((part.area / skin - 1.0).abs() < 1e-12, "{part:?} {skin}");
+        }
+        let sum: f64 = report.parts.iter().map(|part| part.area).sum();
+        assert!((sum / report.area - 1.0).abs() < 1e-11);
         // Thick shells are mapped as wholes, and have no offset of their own.
         let moved = format!(
             r#"{}, "m": {{"type": "transform", "of": "t", "steps": [{{"mirror": {{"normal": [1,1,0]}}}}]}}"#,

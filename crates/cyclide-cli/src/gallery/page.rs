@@ -95,12 +95,12 @@ fn figures(report: &Report) -> Vec<(&'static str, String)> {
     let units = report.units;
     let mut figures = Vec::new();
     let shown = || report.objects.values().filter(|object| !object.construction);
-    let surfaces: Vec<&SurfaceReport> = shown()
-        .filter_map(|object| match &object.geometry {
-            GeometryReport::Surface(surface) => Some(surface),
-            GeometryReport::Curves(_) => None,
-        })
-        .collect();
+    let named = report.objects.iter().filter(|(_, object)| !object.construction);
+    let named = named.filter_map(|(name, object)| match &object.geometry {
+        GeometryReport::Surface(surface) => Some((name.as_str(), surface)),
+        GeometryReport::Curves(_) => None,
+    });
+    let (names, surfaces): (Vec<&str>, Vec<&SurfaceReport>) = named.unzip();
     let curves = || {
         shown().filter_map(|object| match &object.geometry {
             GeometryReport::Curves(curves) => Some(curves),
@@ -112,10 +112,15 @@ fn figures(report: &Report) -> Vec<(&'static str, String)> {
         let solids = surfaces.iter().filter(|s| s.volume.is_some()).count();
         let kind = if solids == surfaces.len() { "solid" } else { "surface" };
         figures.push(("patches", format!("{patches} in {} {kind}{}", surfaces.len(), plural(surfaces.len()))));
-        figures.push(("area", format!("{} {units}²", ShortNumber(surfaces.iter().map(|s| s.area).sum()))));
+        // The skins of a thick shell are its largest parts.
+        let areas = names.iter().zip(&surfaces).flat_map(|(name, surface)| match surface.parts.as_slice() {
+            [one, two, _, ..] => vec![(format!("{name}, one side"), one.area), ("other side".to_owned(), two.area)],
+            _ => vec![((*name).to_owned(), surface.area)],
+        });
+        figures.push(("area", each(&areas.collect::<Vec<_>>(), &format!("{units}²"))));
+        let volumes = names.iter().zip(&surfaces).filter_map(|(name, s)| s.volume.map(|v| ((*name).to_owned(), v)));
         if solids > 0 {
-            figures
-                .push(("volume", format!("{} {units}³", ShortNumber(surfaces.iter().filter_map(|s| s.volume).sum()))));
+            figures.push(("volume", each(&volumes.collect::<Vec<_>>(), &format!("{units}³"))));
         }
         let smooth: usize = surfaces.iter().map(|s| s.joints.count - s.joints.creases).sum();
         if smooth > 0 {
@@ -138,6 +143,25 @@ fn figures(report: &Report) -> Vec<(&'static str, String)> {
         figures.push(("STEP", format!("{kept}, read back within {} {units}", ShortNumber(deviation))));
     }
     figures
+}
+
+/// Measures that are listed with their names; of more the range is given.
+const LISTED: usize = 3;
+
+/// The measures of several things, each for itself: of two skins nobody wants the sum.
+fn each(measures: &[(String, f64)], units: &str) -> String {
+    match measures {
+        [(_, one)] => format!("{} {units}", ShortNumber(*one)),
+        few if few.len() <= LISTED => {
+            let few = few.iter().map(|(name, value)| format!("{name} {} {units}", ShortNumber(*value)));
+            few.collect::<Vec<_>>().join(", ")
+        }
+        many => {
+            let ends = |a: [f64; 2], (_, v): &(String, f64)| [a[0].min(*v), a[1].max(*v)];
+            let [least, most] = many.iter().fold([f64::INFINITY, f64::NEG_INFINITY], ends);
+            format!("{} of {} to {} {units}", many.len(), ShortNumber(least), ShortNumber(most))
+        }
+    }
 }
 
 fn plural(count: usize) -> &'static str {

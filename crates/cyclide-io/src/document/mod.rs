@@ -21,6 +21,7 @@ use serde::Deserialize;
 use serde_json::value::RawValue;
 
 use crate::place::{Diagnostic, Source, decode};
+use crate::suggest::did_you_mean;
 pub use build::{BuiltObject, ModelBuilder, Remark};
 pub use construct::ContourFacts;
 pub use coordinates::{Coordinates, Lists, PointFile, PointSource};
@@ -28,7 +29,7 @@ use locate::{Entries, Step, offset_in, path_text, value_at};
 pub use schema::document_schema;
 pub use spec::{
     ArcFitSpec, ArcSpec, ArcSplineSpec, BiarcSpec, BorderCurves, BorderSpec, BorderWord, CircleSpec, CircleSplineSpec,
-    ClampedEnds, CyclidePatchSpec, CyclideSpec, CyclidicNetSpec, EffortWord, EndsSpec, FrameSpec, GridSource,
+    ClampedEnds, Comment, CyclidePatchSpec, CyclideSpec, CyclidicNetSpec, EffortWord, EndsSpec, FrameSpec, GridSource,
     MakeCircularOptions, MakeCircularSpec, MeshFile, ObjectSpec, OffsetSpec, PlaneSpec, RotationSpec, RuleWord,
     ScaleSpec, SphereSpec, StepSpec, TargetWord, TransformSpec, TypeWord, UnitWord, VariantWord,
 };
@@ -54,6 +55,8 @@ pub struct Document {
 struct Root<'a> {
     #[serde(rename = "$schema")]
     _schema: Option<String>,
+    #[serde(rename = "comment", default)]
+    _comment: Comment,
     #[serde(rename = "cyclide")]
     _version: serde::de::IgnoredAny,
     #[serde(default)]
@@ -156,7 +159,8 @@ fn parse_object(source: Source<'_>, name: &str, raw: &RawValue) -> Result<Object
     ObjectSpec::parse(&kind, raw.get())
         .ok_or_else(|| {
             let start = offset_in(source.text, word.get());
-            let message = format!("unknown type `{kind}`, expected one of `{known}`");
+            let hint = did_you_mean(&kind, ObjectSpec::TYPES.iter().copied());
+            let message = format!("unknown type `{kind}`, expected one of `{known}`{hint}");
             source.diagnostic(start..start + word.get().len(), &path_text(&at), message)
         })?
         .map_err(|e| refuse(&e))
@@ -199,7 +203,17 @@ fn in_plain_words(message: &str) -> String {
             return wrong_count(given, needed);
         }
     }
-    message.replace("expected f64", "expected a number").replace("expected u32", "expected a whole number")
+    let plain = message.replace("expected f64", "expected a number").replace("expected u32", "expected a whole number");
+    plain + &suggestion(message)
+}
+
+/// What may be meant by a field or word that the parser does not know: it names all it knows, in backquotes.
+fn suggestion(message: &str) -> String {
+    if !["unknown field `", "unknown variant `"].iter().any(|start| message.starts_with(start)) {
+        return String::new();
+    }
+    let mut quoted = message.split('`').skip(1).step_by(2);
+    quoted.next().map_or_else(String::new, |word| did_you_mean(word, quoted))
 }
 
 fn wrong_count(given: usize, needed: usize) -> String {

@@ -19,7 +19,7 @@ fn a_document_keeps_order_units_and_fields() {
     assert_eq!(document.units, Units::Metre);
     assert_eq!(document.objects.iter().map(|(n, _)| n.as_str()).collect::<Vec<_>>(), ["z", "a"]);
     let ObjectSpec::Circle(circle) = &document.objects[1].1 else { panic!("a circle") };
-    assert_eq!(circle.center, Coordinates([0.0, 0.0, 1.0]));
+    assert_eq!(circle.center, Some(Coordinates([0.0, 0.0, 1.0])));
     assert_eq!(parse(r#"{"cyclide":1,"objects":{}}"#).unwrap().units, Units::Millimetre);
 }
 
@@ -49,7 +49,7 @@ fn fields_are_checked_with_their_place() {
         ("", "m.json:2:6: objects.a: missing field `type`: one of `arc`, `circle`"),
         ("\"type\": \"sphere\"", "m.json:2:16: objects.a.type: unknown type `sphere`, expected one of `arc`"),
         ("\"type\": 7", "m.json:2:16: objects.a.type: invalid type: integer `7`, expected a string"),
-        ("\"type\": \"circle\", \"radius\": 1", "m.json:2:6: objects.a: missing field `center`"),
+        ("\"type\": \"offset\", \"distance\": 1", "m.json:2:6: objects.a: missing field `of`"),
         (
             "\"type\": \"circle\", \"center\": [0,0], \"radius\": 1, \"diameter\": 2",
             "m.json:2:56: objects.a: unknown field `diameter`, expected one of",
@@ -74,6 +74,35 @@ fn fields_are_checked_with_their_place() {
         let message = object(fields).unwrap_err();
         assert!(message.starts_with(start), "{fields}: {message}");
     }
+}
+
+#[test]
+fn every_object_and_the_document_take_comments() {
+    for kind in ObjectSpec::TYPES {
+        let text = ObjectSpec::starter(kind).unwrap();
+        let document = parse(text).unwrap();
+        assert!(document.objects.iter().any(|(_, spec)| spec.type_word() == *kind), "{text}");
+        // Comments change nothing: with them taken out the document is the same.
+        let mut bare: serde_json::Value = serde_json::from_str(text).unwrap();
+        bare.as_object_mut().unwrap().remove("comment").unwrap();
+        for object in bare["objects"].as_object_mut().unwrap().values_mut() {
+            object.as_object_mut().unwrap().remove("comment").unwrap();
+        }
+        assert_eq!(parse(&bare.to_string()).unwrap().objects, document.objects);
+    }
+    assert_eq!(ObjectSpec::starter("sphere"), None);
+    let circle = "\"type\": \"circle\", \"center\": [0,0], \"radius\": 1, \"comment\"";
+    assert!(object(&format!("{circle}: \"one, with null in it\"")).is_ok());
+    assert!(object(&format!("{circle}: []")).is_ok());
+    for (comment, start) in [
+        ("7", "m.json:2:67: objects.a.comment: invalid type: integer `7`, expected a text or a list of texts"),
+        ("[\"a\", 7]", "m.json:2:73: objects.a.comment[1]: invalid type: integer `7`, expected a string"),
+        ("{}", "m.json:2:67: objects.a.comment: invalid type: map, expected a text or a list of texts"),
+    ] {
+        let message = object(&format!("{circle}: {comment}")).unwrap_err();
+        assert!(message.starts_with(start), "{message}");
+    }
+    assert!(parse("{\"cyclide\": 1, \"comment\": 1, \"objects\": {}}").unwrap_err().contains("comment: invalid type"));
 }
 
 #[test]

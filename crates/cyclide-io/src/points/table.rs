@@ -1,6 +1,7 @@
 //! Lines and fields of a delimited text, with the place of each field.
 
 use crate::place::{Diagnostic, Source};
+use crate::suggest::did_you_mean;
 
 /// A field: its text without blanks and quotes around it, and where it starts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -197,7 +198,8 @@ impl<'a> Table<'a> {
         match (self.header.first(), self.header.last()) {
             (Some(first), Some(last)) => {
                 let names: Vec<&str> = self.header.iter().map(|f| f.text).collect();
-                let message = format!("no column is named `{name}`; there are {}", names.join(", "));
+                let hint = did_you_mean(name, names.iter().copied());
+                let message = format!("no column is named `{name}`; there are {}{hint}", names.join(", "));
                 source.diagnostic(first.start..last.start + last.text.len(), "", message)
             }
             _ => {

@@ -18,7 +18,7 @@ use crate::job::Job;
 use crate::options::ExportOptions;
 use crate::read_back::file_deviation;
 pub use curves::{CurvatureReport, CurvesReport, FitReport, JointReport};
-pub use surface::{CircularReport, PatchPlace, SingularPatchReport, SurfaceJointReport, SurfaceReport};
+pub use surface::{CircularReport, PartReport, PatchPlace, SingularPatchReport, SurfaceJointReport, SurfaceReport};
 
 /// Joints that turn by more than this (radians) count as corners.
 const CORNER_ANGLE: f64 = 1e-3;

@@ -1,5 +1,7 @@
 //! The report on surfaces.
 
+use std::collections::BTreeMap;
+
 use cyclide::{
     Body, CircularMeshReport, CyclidePatch, ParamSurface as _, Shell, ShellFace, SurfaceObject, surface_joints,
 };
@@ -24,6 +26,9 @@ pub struct SurfaceReport {
     pub free_edges: usize,
     /// Area of all patches.
     pub area: f64,
+    /// What creases divide the bodies into, the largest first: one part for a smooth surface; the skins and the rims of a
+    /// thick shell.
+    pub parts: Vec<PartReport>,
     /// Enclosed volume, hollows taken out; `None` if a body is open.
     pub volume: Option<f64>,
     /// How the patches meet.
@@ -48,6 +53,49 @@ pub struct SurfaceReport {
     /// What it took to make a net circular.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub circular: Option<CircularReport>,
+}
+
+/// Patches of one body that hang together without a crease.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct PartReport {
+    /// The body, from 0.
+    pub body: usize,
+    /// Its patches.
+    pub patches: usize,
+    /// Their area.
+    pub area: f64,
+}
+
+impl PartReport {
+    /// The parts of a shell.
+    fn of_shell(body: usize, shell: &Shell) -> Vec<Self> {
+        let faces = shell.faces();
+        // A face of the same part before each, or itself.
+        let mut before: Vec<usize> = (0..faces.len()).collect();
+        for joint in surface_joints(shell).iter().filter(|joint| joint.angle <= CORNER_ANGLE) {
+            let [a, b] = joint.faces.map(|face| first_of_part(&mut before, face));
+            before[a.max(b)] = a.min(b);
+        }
+        let mut parts: BTreeMap<usize, Vec<&ShellFace>> = BTreeMap::new();
+        for (index, face) in faces.iter().enumerate() {
+            parts.entry(first_of_part(&mut before, index)).or_default().push(face);
+        }
+        if parts.len() == 1 {
+            return vec![Self { body, patches: faces.len(), area: shell.area() }];
+        }
+        // A face of a shell has edges in range.
+        let area = |face: &&ShellFace| Shell::from_patch(face.patch).map_or(f64::NAN, |alone| alone.area());
+        parts.into_values().map(|part| Self { body, patches: part.len(), area: part.iter().map(area).sum() }).collect()
+    }
+}
+
+/// The first face of a part; the way to it gets shorter each time.
+fn first_of_part(before: &mut [usize], mut face: usize) -> usize {
+    while before[face] != face {
+        before[face] = before[before[face]];
+        face = before[face];
+    }
+    face
 }
 
 /// How the vertices of a net were moved so that every quad has a circle; lengths in model units, angles in radians.
@@ -140,12 +188,18 @@ impl SurfaceReport {
         let bodies = &built.bodies;
         let shells = || bodies.iter().flat_map(Body::shells);
         let volumes: Option<Vec<f64>> = bodies.iter().map(volume).collect();
+        let of_body = |(body, it): (usize, &Body)| -> Vec<PartReport> {
+            it.shells().flat_map(|shell| PartReport::of_shell(body, shell)).collect()
+        };
+        let mut parts: Vec<PartReport> = bodies.iter().enumerate().flat_map(of_body).collect();
+        parts.sort_by(|a, b| b.area.total_cmp(&a.area));
         let mut report = Self {
             patches: shells().map(|shell| shell.faces().len()).sum(),
             bodies: bodies.len(),
             closed: shells().all(Shell::is_closed),
             free_edges: shells().flat_map(Shell::edge_uses).filter(|&uses| uses == 1).count(),
             area: shells().map(Shell::area).sum(),
+            parts,
             volume: volumes.map(|v| v.iter().sum()),
             joints: SurfaceJointReport::new(shells()),
             curvature_s: RangeReport::EMPTY,

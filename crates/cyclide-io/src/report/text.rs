@@ -146,7 +146,13 @@ impl SurfaceReport {
     }
 
     fn lines(&self, units: &str, line: Line<'_>) -> fmt::Result {
-        line("area", format!("{} {units}²", short(self.area)))?;
+        let area = format!("{} {units}²", short(self.area));
+        if self.parts.len() > 1 {
+            let each = self.parts.iter().map(|part| format!("{} {units}²", short(part.area)));
+            line("areas", format!("{}; {area} in all", listed(self.parts.len(), each)))?;
+        } else {
+            line("area", area)?;
+        }
         if let Some(volume) = self.volume {
             line("volume", format!("{} {units}³", short(volume)))?;
         }

@@ -6,7 +6,7 @@ use super::Builder;
 use crate::document::construct::{Contour, ContourFacts, Made, arc_fit, arc_spline, circle_spline};
 use crate::document::coordinates::{Coordinates, Lists, PointFile, PointSource};
 use crate::document::locate::{Step, path_text};
-use crate::document::spec::{ArcSpec, ObjectSpec};
+use crate::document::spec::{ArcSpec, CircleSpec, ObjectSpec};
 use crate::error::Result;
 use crate::place::{Source, decode};
 use crate::points::{PointColumns, PointList, merge_repeated, read_points};
@@ -42,13 +42,9 @@ impl Builder<'_> {
     /// The curves of an object that has some.
     pub(super) fn curves(&mut self) -> Result<Vec<(CurveObject, ContourFacts)>> {
         let single = |curve: CurveObject| Ok(vec![(curve, ContourFacts::default())]);
-        let normal = |n: &Option<Coordinates>| n.map_or(Vec3::Z, Coordinates::vector);
         match self.spec {
             ObjectSpec::Arc(s) => single(CurveObject::Arc(self.arc(s)?)),
-            ObjectSpec::Circle(s) => {
-                let circle = Circle::from_radius(s.center.point(), normal(&s.normal), s.radius);
-                single(CurveObject::Circle(circle.map_err(|e| self.refused(&e, None))?))
-            }
+            ObjectSpec::Circle(s) => single(CurveObject::Circle(self.circle(s)?)),
             ObjectSpec::Biarc(s) => {
                 let (t0, t1) = (s.from_tangent.vector(), s.to_tangent.vector());
                 let biarc = Biarc::new(s.from.point(), t0, s.to.point(), t1, s.rule.into());
@@ -91,6 +87,24 @@ impl Builder<'_> {
             }
         };
         arc.map_err(|e| self.refused(&e, None))
+    }
+
+    fn circle(&self, spec: &CircleSpec) -> Result<Circle> {
+        let circle = match (spec.through, spec.center, spec.radius) {
+            (Some(points), None, None) if spec.normal.is_none() => {
+                Circle::through_points(points.map(Coordinates::point))
+            }
+            (None, Some(center), Some(radius)) => {
+                let normal = spec.normal.map_or(Vec3::Z, Coordinates::vector);
+                Circle::from_radius(center.point(), normal, radius)
+            }
+            _ => {
+                return Err(self.unfit(
+                    "a circle is given by `center` and `radius` (and `normal`), or by `through` (three points) alone",
+                ));
+            }
+        };
+        circle.map_err(|e| self.refused(&e, None))
     }
 
     /// Reads the points, merges repeated ones and runs a construction on every contour.

@@ -6,6 +6,7 @@ use crate::document::Document;
 use crate::document::locate::{Step, path_text, span_of};
 use crate::document::spec::{BorderCurves, ObjectSpec};
 use crate::error::{Error, Result};
+use crate::suggest::did_you_mean;
 
 /// The objects that each object is made from.
 pub(super) struct References {
@@ -31,7 +32,12 @@ impl References {
         let mut of = Vec::with_capacity(document.objects.len());
         for (index, (_, spec)) in document.objects.iter().enumerate() {
             let find = |(place, (_, name)): (usize, (Vec<Step>, &str))| {
-                let missing = || refused(document, index, place, &format!("there is no object `{name}`"));
+                let missing = || {
+                    let others = document.objects.iter().map(|(other, _)| other.as_str());
+                    let others = others.enumerate().filter(|(i, _)| *i != index).map(|(_, other)| other);
+                    let hint = did_you_mean(name, others);
+                    refused(document, index, place, &format!("there is no object `{name}`{hint}"))
+                };
                 indices.get(name).copied().ok_or_else(missing)
             };
             of.push(spec.references().into_iter().enumerate().map(find).collect::<Result<Vec<_>>>()?);

@@ -140,6 +140,7 @@ fn blame(spec: &ObjectSpec, error: &cyclide::Error) -> Blame {
             })
         }
         E::RadiusNotPositive { .. } => Blame::Field("radius"),
+        E::DegenerateCircle { .. } if matches!(spec, ObjectSpec::Circle(_)) => Blame::Field("through"),
         E::ZeroAxis if matches!(spec, ObjectSpec::Cyclide(_)) => Blame::Field("axis"),
         E::ZeroAxis => Blame::Field("normal"),
         E::ParameterOutOfRange { name: "segments along s", .. } => Blame::Entry("segments", 0),

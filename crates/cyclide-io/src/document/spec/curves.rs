@@ -4,6 +4,7 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 
 use super::TypeWord;
+use super::comment::Comment;
 use crate::document::coordinates::{Coordinates, Lists, PointSource};
 
 /// A circular arc or straight segment: through three points, or from one point to another with one more datum
@@ -26,6 +27,9 @@ pub struct ArcSpec {
     /// The word `arc`.
     #[schemars(with = "String", extend("const" = "arc"))]
     pub r#type: TypeWord,
+    /// What the author remarks; read and left aside.
+    #[serde(default)]
+    pub comment: Comment,
     /// Construction geometry: built and reported, not written to files.
     #[serde(default)]
     pub construction: bool,
@@ -49,23 +53,32 @@ pub struct ArcSpec {
     pub normal: Option<Coordinates>,
 }
 
-/// A full circle.
+/// A full circle: by its centre and radius, or through three points.
 #[derive(Debug, Clone, PartialEq, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[schemars(extend("oneOf" = [
+    { "required": ["center", "radius"], "properties": { "through": false } },
+    { "required": ["through"], "properties": { "center": false, "radius": false, "normal": false } }
+]))]
 pub struct CircleSpec {
     /// The word `circle`.
     #[schemars(with = "String", extend("const" = "circle"))]
     pub r#type: TypeWord,
+    /// What the author remarks; read and left aside.
+    #[serde(default)]
+    pub comment: Comment,
     /// Construction geometry: built and reported, not written to files.
     #[serde(default)]
     pub construction: bool,
+    /// Three points of the circle: it starts at the first and runs through the second to the third.
+    pub through: Option<[Coordinates; 3]>,
     /// Centre.
-    pub center: Coordinates,
+    pub center: Option<Coordinates>,
     /// Axis about which the circle runs counter-clockwise, of any length. Default `[0, 0, 1]`.
     pub normal: Option<Coordinates>,
     /// Radius.
     #[schemars(extend("exclusiveMinimum" = 0))]
-    pub radius: f64,
+    pub radius: Option<f64>,
 }
 
 /// Two arcs from one point and direction to another, tangent-continuous at their joint.
@@ -75,6 +88,9 @@ pub struct BiarcSpec {
     /// The word `biarc`.
     #[schemars(with = "String", extend("const" = "biarc"))]
     pub r#type: TypeWord,
+    /// What the author remarks; read and left aside.
+    #[serde(default)]
+    pub comment: Comment,
     /// Construction geometry: built and reported, not written to files.
     #[serde(default)]
     pub construction: bool,
@@ -98,6 +114,9 @@ pub struct ArcSplineSpec {
     /// The word `arc-spline`.
     #[schemars(with = "String", extend("const" = "arc-spline"))]
     pub r#type: TypeWord,
+    /// What the author remarks; read and left aside.
+    #[serde(default)]
+    pub comment: Comment,
     /// Construction geometry: built and reported, not written to files.
     #[serde(default)]
     pub construction: bool,
@@ -121,6 +140,9 @@ pub struct ArcFitSpec {
     /// The word `arc-fit`.
     #[schemars(with = "String", extend("const" = "arc-fit"))]
     pub r#type: TypeWord,
+    /// What the author remarks; read and left aside.
+    #[serde(default)]
+    pub comment: Comment,
     /// Construction geometry: built and reported, not written to files.
     #[serde(default)]
     pub construction: bool,
@@ -150,6 +172,9 @@ pub struct CircleSplineSpec {
     /// The word `circle-spline`.
     #[schemars(with = "String", extend("const" = "circle-spline"))]
     pub r#type: TypeWord,
+    /// What the author remarks; read and left aside.
+    #[serde(default)]
+    pub comment: Comment,
     /// Construction geometry: built and reported, not written to files.
     #[serde(default)]
     pub construction: bool,

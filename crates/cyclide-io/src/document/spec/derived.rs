@@ -4,6 +4,7 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 
 use super::TypeWord;
+use super::comment::Comment;
 use crate::document::coordinates::Coordinates;
 
 /// A parallel surface of another object, exact, or the solid between both.
@@ -13,6 +14,9 @@ pub struct OffsetSpec {
     /// The word `offset`.
     #[schemars(with = "String", extend("const" = "offset"))]
     pub r#type: TypeWord,
+    /// What the author remarks; read and left aside.
+    #[serde(default)]
+    pub comment: Comment,
     /// Construction geometry: built and reported, not written to files.
     #[serde(default)]
     pub construction: bool,
@@ -34,6 +38,9 @@ pub struct TransformSpec {
     /// The word `transform`.
     #[schemars(with = "String", extend("const" = "transform"))]
     pub r#type: TypeWord,
+    /// What the author remarks; read and left aside.
+    #[serde(default)]
+    pub comment: Comment,
     /// Construction geometry: built and reported, not written to files.
     #[serde(default)]
     pub construction: bool,
@@ -114,6 +121,9 @@ pub struct SupportStructureSpec {
     /// The word `support-structure`.
     #[schemars(with = "String", extend("const" = "support-structure"))]
     pub r#type: TypeWord,
+    /// What the author remarks; read and left aside.
+    #[serde(default)]
+    pub comment: Comment,
     /// Construction geometry: built and reported, not written to files.
     #[serde(default)]
     pub construction: bool,

@@ -1,6 +1,7 @@
 //! The types of object a document may hold, field by field. Their doc comments are the published schema's text.
 
 mod circular;
+mod comment;
 mod curves;
 mod derived;
 mod nets;
@@ -13,6 +14,7 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 
 pub use circular::{BorderCurves, BorderSpec, BorderWord, MakeCircularOptions, MakeCircularSpec};
+pub use comment::Comment;
 pub use curves::{
     ArcFitSpec, ArcSpec, ArcSplineSpec, BiarcSpec, CircleSpec, CircleSplineSpec, ClampedEnds, EffortWord, EndsSpec,
     RuleWord, TargetWord, VariantWord,
@@ -32,6 +34,8 @@ pub(super) struct DocumentShape {
     /// Address of this schema, for editors; not read.
     #[schemars(rename = "$schema")]
     schema: Option<String>,
+    /// What the author remarks; read and left aside.
+    comment: Option<Comment>,
     /// Version of the document format.
     #[schemars(extend("const" = 1))]
     cyclide: u64,
@@ -117,7 +121,7 @@ impl<'de> Deserialize<'de> for TypeWord {
     }
 }
 
-/// The functions that go through all types of object.
+/// The functions that go through all types of object. A new type needs its line below and its starter.
 macro_rules! object_types {
     ($($word:literal => $variant:ident),* $(,)?) => {
         impl ObjectSpec {
@@ -137,6 +141,15 @@ macro_rules! object_types {
             pub fn is_construction(&self) -> bool {
                 match self {
                     $(Self::$variant(spec) => spec.construction,)*
+                }
+            }
+
+            /// A commented document with an object of this type, to start from; `None` if there is no such type.
+            #[must_use]
+            pub fn starter(word: &str) -> Option<&'static str> {
+                match word {
+                    $($word => Some(include_str!(concat!("../starters/", $word, ".json"))),)*
+                    _ => None,
                 }
             }
 

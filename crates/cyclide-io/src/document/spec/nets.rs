@@ -5,6 +5,7 @@ use serde::Deserialize;
 
 use super::TypeWord;
 use super::circular::MakeCircularSpec;
+use super::comment::Comment;
 use crate::document::coordinates::Coordinates;
 
 /// A whole Dupin cyclide by its three parameters: the points with
@@ -15,6 +16,9 @@ pub struct CyclideSpec {
     /// The word `cyclide`.
     #[schemars(with = "String", extend("const" = "cyclide"))]
     pub r#type: TypeWord,
+    /// What the author remarks; read and left aside.
+    #[serde(default)]
+    pub comment: Comment,
     /// Construction geometry: built and reported, not written to files.
     #[serde(default)]
     pub construction: bool,
@@ -48,6 +52,9 @@ pub struct CyclidicNetSpec {
     /// The word `cyclidic-net`.
     #[schemars(with = "String", extend("const" = "cyclidic-net"))]
     pub r#type: TypeWord,
+    /// What the author remarks; read and left aside.
+    #[serde(default)]
+    pub comment: Comment,
     /// Construction geometry: built and reported, not written to files.
     #[serde(default)]
     pub construction: bool,

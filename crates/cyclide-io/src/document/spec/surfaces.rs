@@ -4,6 +4,7 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 
 use super::TypeWord;
+use super::comment::Comment;
 use crate::document::coordinates::Coordinates;
 
 /// One principal patch of a Dupin cyclide: four corners on one circle and a frame at one of them. All its parameter
@@ -14,6 +15,9 @@ pub struct CyclidePatchSpec {
     /// The word `cyclide-patch`.
     #[schemars(with = "String", extend("const" = "cyclide-patch"))]
     pub r#type: TypeWord,
+    /// What the author remarks; read and left aside.
+    #[serde(default)]
+    pub comment: Comment,
     /// Construction geometry: built and reported, not written to files.
     #[serde(default)]
     pub construction: bool,

@@ -1,0 +1,271 @@
+//! What a newcomer meets: documents to start from, manuals, and answers to what was meant otherwise.
+
+#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
+
+mod common;
+
+use std::collections::BTreeSet;
+
+use common::{Folder, project};
+use cyclide_io::ObjectSpec;
+use serde_json::Value;
+
+const CIRCLE: &str = r#"{"cyclide": 1, "objects": {"c": {"type": "circle", "center": [0, 0], "radius": 1}}}"#;
+
+/// The types of the published schema: the constants of the fields `type` of its definitions.
+fn types_of_the_schema() -> BTreeSet<String> {
+    let schema = std::fs::read_to_string(project("docs/schema/cyclide-1.schema.json")).unwrap();
+    let schema: Value = serde_json::from_str(&schema).unwrap();
+    let definitions = schema["$defs"].as_object().unwrap().values();
+    definitions.filter_map(|d| d.pointer("/properties/type/const")?.as_str().map(str::to_owned)).collect()
+}
+
+#[test]
+fn every_type_has_a_document_to_start_from_that_builds_and_is_drawn() {
+    let types = types_of_the_schema();
+    assert!(types.len() >= 12 && types.contains("cyclidic-net"), "{types:?}");
+    assert_eq!(types, ObjectSpec::TYPES.iter().map(|kind| (*kind).to_owned()).collect());
+    let folder = Folder::with(&[]);
+    for kind in &types {
+        let document = folder.ok(&format!("new {kind}"));
+        let read: Value = serde_json::from_str(&document).unwrap();
+        let objects = read["objects"].as_object().unwrap();
+        assert!(objects.values().any(|object| object["type"] == kind.as_str()), "{document}");
+        assert!(read["comment"][0].is_string(), "it says what it makes: {document}");
+        assert!(
+            objects.values().all(|object| object["comment"].is_array()),
+            "it says what the fields mean: {document}"
+        );
+        assert!(document.lines().all(|line| line.chars().count() <= 190), "{kind}: {document}");
+        folder.write("m.json", &document);
+        let run = folder.run("build m.json -o m.step -o m.png -o m.svg --json");
+        assert_eq!((run.code, run.stderr.as_str()), (0, ""), "{kind}");
+        let report: Value = serde_json::from_str(&run.stdout).unwrap();
+        let files = report["files"].as_array().unwrap();
+        // An exact file, a picture that is more than an empty page.
+        assert!(files[0]["deviation"].as_f64().unwrap() < 1e-9, "{kind}: {}", files[0]);
+        assert!(folder.read("m.png").starts_with(b"\x89PNG") && folder.read("m.png").len() > 10_000, "{kind}");
+    }
+}
+
+#[test]
+fn new_lists_the_kinds_and_keeps_what_exists() {
+    let folder = Folder::with(&[("old.json", CIRCLE)]);
+    let listed = folder.ok("new");
+    assert!(ObjectSpec::TYPES.iter().all(|kind| listed.contains(&format!("\n  {kind} "))), "{listed}");
+    let made = folder.ok("new circle -o ring.json");
+    assert_eq!(made, "ring.json: made. Build it with: cyclide build ring.json -o ring.step -o ring.png\n");
+    assert_eq!(String::from_utf8(folder.read("ring.json")).unwrap(), folder.ok("new circle"));
+    folder.ok("build ring.json -o ring.step -o ring.png");
+    assert!(folder.fails(2, "new circle -o old.json").contains("old.json exists: it will not be written over"));
+    assert_eq!(folder.read("old.json"), CIRCLE.as_bytes());
+    assert!(
+        folder.fails(2, "new circle -o a.step").contains("a document is JSON; for this format see 'cyclide build'")
+    );
+    assert!(folder.fails(2, "new arcfit").contains("a similar value exists: 'arc-fit'"));
+}
+
+#[test]
+fn completions_know_every_command() {
+    let folder = Folder::with(&[]);
+    for shell in ["bash", "elvish", "fish", "powershell", "zsh"] {
+        let script = folder.ok(&format!("completions {shell}"));
+        for word in ["build", "curve", "gallery", "tolerance", "units"] {
+            assert!(script.contains(word), "{shell} completes {word}");
+        }
+    }
+    assert!(folder.fails(2, "completions fisch").contains("a similar value exists: 'fish'"));
+}
+
+#[test]
+fn every_command_has_a_manual_page() {
+    let folder = Folder::with(&[]);
+    let said = folder.ok("man -o pages");
+    assert!(said.contains(" pages; read them with: man -l pages"), "{said}");
+    let page = |name: &str| String::from_utf8(folder.read(&format!("pages/{name}.1"))).unwrap();
+    let program = page("cyclide");
+    assert!(program.starts_with(".ie") && program.contains(".TH cyclide 1"), "{program}");
+    for command in ["build", "curve", "sample", "report", "new", "gallery", "schema", "completions", "man"] {
+        let text = page(&format!("cyclide-{command}"));
+        assert!(text.contains(".SH SYNOPSIS") && text.contains(".SH EXAMPLES"), "{text}");
+        assert!(program.contains(&format!("cyclide\\-{command}(1)")), "{command} in {program}");
+    }
+    // The same pages again: no date in them.
+    folder.ok("man -o again");
+    assert_eq!(folder.read("pages/cyclide.1"), folder.read("again/cyclide.1"));
+}
+
+#[test]
+fn near_words_are_suggested() {
+    let object = |fields: &str| format!("{{\"cyclide\": 1, \"objects\": {{\"a\": {{{fields}}}}}}}");
+    let circle = |more: &str| object(&format!("\"type\": \"circle\", \"center\": [0, 0], \"radius\": 1{more}"));
+    let folder = Folder::with(&[
+        ("type.json", &object("\"type\": \"arcfit\"")),
+        ("part.json", &object("\"type\": \"spline\"")),
+        ("field.json", &object("\"type\": \"circle\", \"centre\": [0, 0], \"radius\": 1")),
+        ("outer.json", "{\"cyclide\": 1, \"unit\": \"mm\", \"objects\": {}}"),
+        ("units.json", "{\"cyclide\": 1, \"units\": \"inn\", \"objects\": {}}"),
+        (
+            "word.json",
+            &object("\"type\": \"arc-fit\", \"points\": [[0, 0], [1, 0]], \"tolerance\": 1, \"effort\": \"fats\""),
+        ),
+        (
+            "name.json",
+            "{\"cyclide\": 1, \"objects\": {\"outer skin\": {\"type\": \"cyclide\", \"a\": 3, \"mu\": 1}, \"b\": {\"type\": \"offset\", \"of\": \"outer_skin\", \"distance\": 1}}}",
+        ),
+        ("far.json", &object("\"type\": \"sphere\"")),
+        ("good.json", &circle("")),
+        ("p.csv", "east_m,north_m\n0,0\n1,0\n1,1\n"),
+    ]);
+    for (code, command, hint) in [
+        (1, "report type.json", "; did you mean `arc-fit`?\n"),
+        (1, "report part.json", "; did you mean `arc-spline` or `circle-spline`?\n"),
+        (1, "report field.json", "; did you mean `center`?\n"),
+        (1, "report outer.json", "; did you mean `units`?\n"),
+        (1, "report units.json", "; did you mean `in`?\n"),
+        (1, "report word.json", "; did you mean `fast`?\n"),
+        (1, "report name.json", "there is no object `outer_skin`; did you mean `outer skin`?\n"),
+        (1, "curve p.csv --columns est_m,north_m -o a.step", "; did you mean `east_m`?\n"),
+        (2, "sample good.json --count 2 --object A", "it has 'a'; did you mean `a`?\n"),
+        (2, "build good.json -o a.setp", "; did you mean `step` or `stp`?\n"),
+        // The argument parser's own.
+        (2, "biuld good.json -o a.step", "'build'"),
+        (2, "build good.json -o a.step --tolerence 1", "'--tolerance'"),
+        (2, "build good.json -o a.step --dxf-version r13", "'r12'"),
+        (2, "curve p.csv -o a.step --kind arcfit", "'arc-fit'"),
+    ] {
+        let error = folder.fails(code, command);
+        assert!(error.contains(hint), "{command}\n{error}");
+    }
+    assert!(!folder.fails(1, "report far.json").contains("did you mean"));
+}
+
+#[test]
+fn what_belongs_to_another_command_is_answered_with_it() {
+    let folder = Folder::with(&[
+        ("c.json", CIRCLE),
+        ("p.csv", "x,y\n0,0\n1,0\n1,1\n"),
+        ("p.txt", "0 0\n1 0\n1 1\n"),
+        ("d.txt", CIRCLE),
+        ("m.txt", "# a mesh\nv 0 0 0\nv 1 0 0\n"),
+        ("list.txt", "[[0, 0], [1, 0]]"),
+        ("i.csv", "i,j,x,y,z\n0,0,0,0,0\n1,0,1,0,0\n0,1,0,1,0\n"),
+    ]);
+    folder.ok("build c.json -o c.step -o nurbs.json");
+    std::fs::copy(folder.path("c.step"), folder.path("step.txt")).unwrap();
+    for (command, message) in [
+        // Inputs of other commands, by their suffix or by what is in them.
+        ("build p.csv -o a.step", "p.csv seems to be a list of points, not a model document: see 'cyclide curve'"),
+        ("report p.txt", "p.txt seems to be a list of points, not a model document: see 'cyclide curve'"),
+        ("sample list.txt --count 2", "'cyclide new circle-spline' prints a document with room for it"),
+        ("curve d.txt -o a.step", "d.txt seems to be a model document, not a list of points: see 'cyclide build'"),
+        ("build m.txt -o a.step", "'cyclide new cyclidic-net' prints a document for it"),
+        ("curve m.txt -o a.step", "m.txt seems to be a mesh, not a list of points: 'cyclide new cyclidic-net'"),
+        ("curve i.csv -o a.step", "its columns speak of rows or patches"),
+        ("build c.step -o a.dxf", "c.step is STEP, which cyclide writes and does not read: it reads model documents"),
+        ("curve step.txt -o a.dxf", "step.txt is STEP, which cyclide writes"),
+        ("curve none.dxf -o a.step", "none.dxf is DXF, which cyclide writes and does not read"),
+        ("report none.iges", "export points of its curves as CSV"),
+        ("build nurbs.json -o a.step", "nurbs.json is a file of exact B-splines, which cyclide writes"),
+        ("curve none.xlsx -o a.step", "save it as CSV"),
+        // Files in the place of a command.
+        ("p.csv -o a.step", "make a curve of points with 'cyclide curve p.csv -o FILE'"),
+        ("c.json", "build a model document with 'cyclide build c.json -o FILE'"),
+        ("none.obj", "'cyclide new cyclidic-net'"),
+        // Outputs of other commands.
+        ("build c.json -o a.pdf", ".svg is a drawing at true size"),
+        ("build c.json -o a.iges", ".step carries curves and surfaces to CAD"),
+        ("sample c.json --count 3 -o a.step", "samples are CSV; for this format see 'cyclide build'"),
+        ("gallery -o page.html", "the name of a folder is needed"),
+        ("man -o cyclide.json", "the name of a folder is needed"),
+        // Options of other commands.
+        ("build c.json -o a.step --closed", "'--closed' is an option of 'cyclide curve'"),
+        ("report c.json --tolerance 1", "'--tolerance' is an option of 'cyclide build', 'cyclide curve'"),
+        ("report c.json -o a.txt", "'-o' is an option of 'cyclide build'"),
+    ] {
+        let error = folder.fails(2, command);
+        assert!(error.contains(message), "{command}\n{error}");
+    }
+    // A curve all the same.
+    folder.ok("curve i.csv --columns x,y,z -o a.step");
+    // Samples of a surface are not a curve, those of a curve are.
+    folder.write("ring.json", r#"{"cyclide": 1, "objects": {"r": {"type": "cyclide", "a": 3, "mu": 1}}}"#);
+    folder.ok("sample ring.json --count 3 -o s.csv");
+    assert!(folder.fails(2, "curve s.csv -o b.step").contains("s.csv seems to be points of a surface"));
+    assert!(!folder.has("b.step"));
+}
+
+/// The lines of the README's blocks that run the program, without the file that the shell writes.
+fn commands_of_the_readme() -> Vec<String> {
+    let readme = std::fs::read_to_string(project("README.md")).unwrap();
+    let blocks = readme.split("```sh\n").skip(1).map(|block| block.split("```").next().unwrap().to_owned());
+    let lines: Vec<String> = blocks.flat_map(|b| b.lines().map(str::to_owned).collect::<Vec<_>>()).collect();
+    let of_the_program = lines.iter().filter_map(|line| line.strip_prefix("cyclide "));
+    of_the_program.map(|line| line.split(" > ").next().unwrap().to_owned()).collect()
+}
+
+#[test]
+fn the_commands_of_the_readme_work_word_for_word() {
+    let folder = Folder::with(&[]);
+    std::fs::create_dir(folder.path("examples")).unwrap();
+    for file in std::fs::read_dir(project("examples")).unwrap().map(|entry| entry.unwrap().path()) {
+        if file.is_file() {
+            std::fs::copy(&file, folder.path("examples").join(file.file_name().unwrap())).unwrap();
+        }
+    }
+    let commands = commands_of_the_readme();
+    assert!(commands.len() >= 9 && commands[0].starts_with("new "), "{commands:?}");
+    // The gallery has a test of its own.
+    for command in commands.iter().filter(|command| !command.starts_with("gallery")) {
+        folder.ok(command);
+    }
+}
+
+#[test]
+fn the_readme_says_how_far_the_vertices_of_its_picture_moved() {
+    let folder = Folder::with(&[]);
+    let report = folder.json(&format!("report {} --json", project("examples/roof.json").display()));
+    let circular = &report["objects"]["outer skin"]["circular"];
+    let [mean, max, edge, off] =
+        ["move_mean", "move_max", "median_edge", "off_surface_max"].map(|key| circular[key].as_f64().unwrap());
+    let readme = std::fs::read_to_string(project("README.md")).unwrap().replace('\n', " ");
+    let said = format!(
+        "moved by {mean:.2} m on average and by up to {max:.2} m (at a corner; the median edge is {edge:.2} m long), and by up to {off:.2} m off the surface given"
+    );
+    assert!(readme.contains(&said), "{said}");
+}
+
+#[test]
+fn every_word_of_the_report_is_explained() {
+    let guide = std::fs::read_to_string(project("docs/report.md")).unwrap();
+    let folder = Folder::with(&[(
+        "bent.json",
+        r#"{"cyclide": 1, "objects": {
+        "net": {"type": "cyclidic-net", "grid": [[[0,1,0],[1,1,0],[3,1,0]],[[0,0,1],[1,0,1],[3,0,1]]], "frame": [[1,0,0],[0,0,5]]},
+        "thick": {"type": "offset", "of": "net", "distance": 0.5, "thick": true},
+        "horn": {"type": "cyclide", "a": 5, "c": 3, "mu": 1},
+        "torus": {"type": "cyclide", "a": 3, "mu": 1},
+        "beyond": {"type": "offset", "of": "torus", "distance": -1.5}}}"#,
+    )]);
+    let mut reports = folder.ok("report bent.json");
+    for example in ["roof", "ring", "track", "logo"] {
+        reports += &folder.ok(&format!("report {}", project(&format!("examples/{example}.json")).display()));
+    }
+    // The labels in front of the lines.
+    let labels: BTreeSet<&str> = reports
+        .lines()
+        .filter_map(|line| line.strip_prefix("  ").filter(|rest| !rest.starts_with(' ')))
+        .filter_map(|rest| rest.split_whitespace().next())
+        .collect();
+    assert!(labels.len() >= 12 && labels.contains("flipped") && labels.contains("creases"), "{labels:?}");
+    for word in labels.iter().copied().chain([
+        "gap",
+        "angle",
+        "curvature jump",
+        "lines orthogonal to",
+        "in space to",
+        "focal set",
+    ]) {
+        assert!(guide.contains(&format!("*{word}")), "{word} is explained in docs/report.md");
+    }
+}

@@ -1,0 +1,44 @@
+//! Remarks of the author: JSON has no comments of its own, and files with others in their place are no JSON to scripts.
+
+use std::borrow::Cow;
+use std::fmt;
+
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use serde::Deserialize;
+use serde::de::{Deserializer, SeqAccess, Visitor};
+
+/// A text, or a list of texts, one per line. It is checked and left aside.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Comment;
+
+impl<'de> Deserialize<'de> for Comment {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct CommentVisitor;
+        impl<'de> Visitor<'de> for CommentVisitor {
+            type Value = Comment;
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str("a text or a list of texts `[\"…\", …]`")
+            }
+            fn visit_str<E>(self, _text: &str) -> Result<Comment, E> {
+                Ok(Comment)
+            }
+            fn visit_seq<A: SeqAccess<'de>>(self, mut seq: A) -> Result<Comment, A::Error> {
+                while seq.next_element::<Cow<'de, str>>()?.is_some() {}
+                Ok(Comment)
+            }
+        }
+        deserializer.deserialize_any(CommentVisitor)
+    }
+}
+
+impl JsonSchema for Comment {
+    fn schema_name() -> Cow<'static, str> {
+        "Comment".into()
+    }
+    fn json_schema(_generator: &mut SchemaGenerator) -> Schema {
+        json_schema!({
+            "description": "A remark: a text, or a list of texts, one per line.",
+            "anyOf": [{ "type": "string" }, { "type": "array", "items": { "type": "string" } }]
+        })
+    }
+}
