@@ -76,8 +76,9 @@ pub use conformal::mobius::{Conformal, Mobius};
 pub use conformal::sphere::Sphere;
 pub use construct::RationalRun;
 pub use construct::{
-    ArcCertificate, ArcFit, ArcFitOptions, ArcSplineOptions, Biarc, BiarcRule, BulgeIntervals, Effort, FitCertificate,
-    FitTarget, certify_arc, curvature_intervals, estimate_tangents, feasible_bulges,
+    ArcCertificate, ArcFit, ArcFitOptions, ArcSplineOptions, Biarc, BiarcRule, BulgeIntervals, Effort, FairEnd,
+    FairSplineOptions, FitCertificate, FitTarget, blends_by_turn, certify_arc, curvature_intervals, estimate_tangents,
+    feasible_bulges,
 };
 #[cfg(feature = "circular-mesh")]
 pub use construct::{
@@ -86,7 +87,9 @@ pub use construct::{
 };
 pub use curve::{Arc, Arc4, ArcPath, Circle, ClosestPoint, DEFAULT_PIECE_ANGLE, ParamCurve, PieceForm};
 pub use curve::{ArcLength, CurveIndex, ExtremeCurvature, Joint};
-pub use curve::{BlendSegment, BlendVariant, CircleSpline, CircleSplineOptions, SplineEnds, corners_by_angle};
+pub use curve::{
+    BlendLaw, BlendSegment, BlendVariant, CircleSpline, CircleSplineOptions, SplineEnds, corners_by_angle,
+};
 pub use curve::{bounds, closest_point, curvature_comb, extreme_curvature, joints, length, resample};
 pub use error::{Error, Result};
 pub use mesh::{LineKind, ParameterLine, parameter_lines};

@@ -20,6 +20,21 @@ pub enum Warning {
         /// Turns above this are reported, radians.
         limit: f64,
     },
+    /// A turn close to half a turn, where a smooth curve would swing out: cut, both sides end there (G0).
+    SharpTurnCut {
+        /// Index of the point.
+        node: usize,
+        /// Turn at the point, radians.
+        angle: f64,
+        /// Turns above this are cut, radians.
+        limit: f64,
+    },
+    /// Segments of a fair spline that are less fair than asked for, because the fairest curve does not exist or swings out
+    /// far there; its curvature is continuous all the same.
+    Relaxed {
+        /// Segments, from 0, rising, each with its blend: 1 is the fairest, 0 follows its neighbours alone.
+        segments: Vec<(usize, f64)>,
+    },
     /// The blend takes the long way round between its two circles.
     LongWay {
         /// Segment, from 0; it starts at the point of the same index.
@@ -117,6 +132,8 @@ impl Warning {
         match self {
             Self::Cusp { .. } => "cusp",
             Self::SharpTurn { .. } => "sharp-turn",
+            Self::SharpTurnCut { .. } => "sharp-turn-cut",
+            Self::Relaxed { .. } => "relaxed",
             Self::LongWay { .. } => "long-way",
             Self::OppositeCircles { .. } => "opposite-circles",
             Self::UnevenSpacing { .. } => "uneven-spacing",
@@ -136,7 +153,11 @@ impl Warning {
     #[must_use]
     pub fn index(&self) -> Option<usize> {
         match *self {
-            Self::Cusp { node } | Self::SharpTurn { node, .. } | Self::UnevenSpacing { node, .. } => Some(node),
+            Self::Cusp { node }
+            | Self::SharpTurn { node, .. }
+            | Self::SharpTurnCut { node, .. }
+            | Self::UnevenSpacing { node, .. } => Some(node),
+            Self::Relaxed { ref segments } => segments.first().map(|(segment, _)| *segment),
             Self::LongWay { segment } | Self::OppositeCircles { segment } => Some(segment),
             Self::CornerKept { vertex, .. } => Some(vertex),
             Self::PointsMerged { first, .. } => Some(first),
@@ -162,6 +183,15 @@ impl std::fmt::Display for Warning {
                     limit.to_degrees()
                 )
             }
+            Self::SharpTurnCut { node, angle, limit } => {
+                write!(
+                    f,
+                    "point {node}: turn of {:.2} degrees, above {:.0}: cut into a corner, a smooth curve would swing out",
+                    angle.to_degrees(),
+                    limit.to_degrees()
+                )
+            }
+            Self::Relaxed { segments } => write_relaxed(f, segments),
             Self::LongWay { segment } => {
                 write!(f, "segment {segment}: the blend takes the long way between its circles")
             }
@@ -236,4 +266,21 @@ impl std::fmt::Display for Warning {
             }
         }
     }
+}
+
+/// The relaxed segments with the range of their blends.
+fn write_relaxed(f: &mut std::fmt::Formatter<'_>, segments: &[(usize, f64)]) -> std::fmt::Result {
+    let least = segments.iter().map(|(_, e)| *e).fold(1.0, f64::min);
+    let largest = segments.iter().map(|(_, e)| *e).fold(0.0, f64::max);
+    match segments {
+        [] => f.write_str("no segment is relaxed"),
+        [(one, _)] => write!(f, "segment {one}"),
+        [(first, _), .., (last, _)] => write!(f, "{} segments from {first} to {last}", segments.len()),
+    }?;
+    let (least, largest) = (ShortNumber(least), ShortNumber(largest));
+    write!(f, ": relaxed to the blend {least}")?;
+    if least != largest {
+        write!(f, " to {largest}")?;
+    }
+    f.write_str(" (1 is fairest), the fairest curve would swing out there: sharp turns are better marked as corners")
 }

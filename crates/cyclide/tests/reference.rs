@@ -58,6 +58,20 @@ fn circle_blends() {
 }
 
 #[test]
+fn fair_splines() {
+    all_pass(
+        include_str!("reference/65-fair-splines.json"),
+        &[
+            ("fair-spline", 25),
+            ("fair-spline-bezier", 5),
+            ("fair-spline-residual", 4),
+            ("blend-segment-ends", 4),
+            ("fair-spline-relaxation", 2),
+        ],
+    );
+}
+
+#[test]
 fn arc_fits() {
     all_pass(
         include_str!("reference/60-arc-fitting.json"),

@@ -23,29 +23,29 @@ pub(super) fn handler(construct: &str) -> Option<Handler> {
 
 /// The comparison rules of `50`, section 10.
 #[derive(Clone, Copy)]
-struct Rules {
+pub(super) struct Rules {
     rtol: f64,
     /// Largest absolute coordinate of the input points.
     size: f64,
 }
 
 impl Rules {
-    fn of(case: &Case, points: &[Point3]) -> Self {
+    pub(super) fn of(case: &Case, points: &[Point3]) -> Self {
         Self { rtol: case.rtol(), size: points.iter().map(|p| p.to_vec().max_abs()).fold(0.0, f64::max) }
     }
 
     /// Points, centres, radii, homogeneous coordinates.
-    fn point(self) -> impl Fn(&[f64]) -> f64 {
+    pub(super) fn point(self) -> impl Fn(&[f64]) -> f64 {
         move |_| self.rtol * self.size
     }
 
     /// Angles, weights, tangents.
-    fn absolute(self) -> impl Fn(&[f64]) -> f64 {
+    pub(super) fn absolute(self) -> impl Fn(&[f64]) -> f64 {
         move |_| self.rtol
     }
 
     /// Curvature and torsion.
-    fn relative(self) -> impl Fn(&[f64]) -> f64 {
+    pub(super) fn relative(self) -> impl Fn(&[f64]) -> f64 {
         move |want| self.rtol * largest(want)
     }
 }
@@ -135,6 +135,11 @@ fn derivatives(case: &Case, check: &mut Check) -> Result<(), Fault> {
 
 fn bezier(case: &Case, check: &mut Check) -> Result<(), Fault> {
     let (segment, rules) = segment(case, BlendVariant::Rational)?;
+    bezier_rows(&segment, check, rules)
+}
+
+/// Degree and homogeneous rows of a segment.
+pub(super) fn bezier_rows(segment: &BlendSegment, check: &mut Check, rules: Rules) -> Result<(), Fault> {
     let bezier = segment.to_bezier().ok_or(Fault::Malformed("the segment has no rational form".into()))?;
     check.exact("degree", bezier.degree());
     let rows = check.want_raw("homogeneous").and_then(Value::as_array).map_or(&[][..], Vec::as_slice);

@@ -130,6 +130,10 @@ impl<'a> Case<'a> {
         Ok(self.arrays::<3>(name)?.into_iter().map(Point3::from).collect())
     }
 
+    pub(super) fn vectors(&self, name: &str) -> Result<Vec<Vec3>, Fault> {
+        Ok(self.arrays::<3>(name)?.into_iter().map(Vec3::from).collect())
+    }
+
     pub(super) fn planar_points(&self, name: &str) -> Result<Vec<Point2>, Fault> {
         Ok(self.arrays::<2>(name)?.into_iter().map(Point2::from).collect())
     }

@@ -208,6 +208,15 @@ impl<'a> Check<'a> {
         }
     }
 
+    /// A list of flags that must be equal.
+    pub(super) fn flags(&mut self, field: &str, got: &[bool]) {
+        let Some(want) = self.want(field) else { return };
+        let got = Value::from(got);
+        if *want != got {
+            self.fail(field, format!("{got}, expected {want}"));
+        }
+    }
+
     /// A quantity that must not exceed the expected one.
     pub(super) fn at_most(&mut self, field: &str, got: f64) {
         let Some(value) = self.want(field) else { return };

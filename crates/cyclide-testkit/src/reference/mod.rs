@@ -12,6 +12,7 @@ mod blend;
 mod case;
 mod check;
 mod deviation;
+mod fair;
 mod patch;
 mod report;
 
@@ -25,7 +26,7 @@ use serde_json::Value;
 type Handler = fn(&Case, &mut Check) -> Result<(), Fault>;
 
 /// The constructs about curves, whether or not the kernel has them yet: `--curves` of the command.
-pub const CURVE_CONSTRUCTS: [&str; 29] = [
+pub const CURVE_CONSTRUCTS: [&str; 34] = [
     "arc-three-points",
     "arc-point-tangent",
     "arc-weights",
@@ -51,6 +52,11 @@ pub const CURVE_CONSTRUCTS: [&str; 29] = [
     "circle-blend-derivatives",
     "rational-circle-blend-bezier",
     "circle-blend-hermite",
+    "fair-spline",
+    "fair-spline-bezier",
+    "fair-spline-residual",
+    "blend-segment-ends",
+    "fair-spline-relaxation",
     "arc-fit-interval",
     "arc-certify",
     "g1-arc-interval",
@@ -71,7 +77,7 @@ pub const SURFACE_CONSTRUCTS: [&str; 8] = [
 
 /// The handler of a construct; `None` if the product does not have it (yet).
 fn handler(construct: &str) -> Option<Handler> {
-    [arc::handler, arc_spline::handler, blend::handler, arc_fit::handler, patch::handler]
+    [arc::handler, arc_spline::handler, blend::handler, fair::handler, arc_fit::handler, patch::handler]
         .iter()
         .find_map(|topic| topic(construct))
 }

@@ -1,4 +1,4 @@
-//! Recipes of several steps: biarcs, arc splines, arc fits, circular grids.
+//! Recipes of several steps: biarcs, arc splines, arc fits, fair splines, circular grids.
 
 mod arc_approximation;
 mod arc_fit;
@@ -6,6 +6,7 @@ mod arc_spline;
 mod biarc;
 #[cfg(feature = "circular-mesh")]
 mod circular_mesh;
+mod fair_spline;
 mod rational_runs;
 
 pub use arc_fit::{
@@ -19,4 +20,5 @@ pub use circular_mesh::{
     Border, CircularMesh, CircularMeshOptions, CircularMeshReport, CircularMeshStep, LineAngles, VertexMoves,
     make_circular,
 };
+pub use fair_spline::{FairEnd, FairSplineOptions, blends_by_turn};
 pub use rational_runs::RationalRun;

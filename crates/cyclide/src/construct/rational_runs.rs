@@ -1,11 +1,11 @@
-//! Circle splines as rational B-splines: exact for the rational variant, certified for the trigonometric one.
+//! Circle splines as rational B-splines: exact for the rational laws, certified for the trigonometric one.
 //!
 //! One spline per smooth run. Its knots lie a chord length apart, in which parameter the curve is C1 (`50`,
 //! section 4, "free C1"); [`NurbsCurve::with_c1_knots`] writes that into the knots.
 
 use crate::curve::{Arc, BlendSegment, CircleSpline};
 use crate::error::Result;
-use crate::rational::NurbsCurve;
+use crate::rational::{NurbsCurve, RationalBezier};
 use std::ops::Range;
 
 /// A smooth run of a circle spline in its rational form.
@@ -19,8 +19,8 @@ pub enum RationalRun {
 
 impl CircleSpline {
     /// The curve in rational form, one part per [smooth run](Self::smooth_runs), and a bound on its distance from the
-    /// curve: 0 (exact) for the rational variant, which gives degree `2k + 2`; at most `tolerance` for the
-    /// trigonometric one, which gives degree `4k`. Runs that are arcs throughout are exact in both. Ends of runs are
+    /// curve: 0 (exact) for the rational laws, which give degree `2k + 2` and of fair splines 4, or 6 where a blend of
+    /// the run is below 1; at most `tolerance` for the trigonometric law, which gives degree `4k`. Runs that are arcs throughout are exact in both. Ends of runs are
     /// those of the curve, to the bit; all weights are positive.
     ///
     /// # Errors
@@ -53,5 +53,14 @@ fn rational_run(spline: &CircleSpline, range: Range<usize>, tolerance: f64) -> R
             intervals.push(piece.interval);
         }
     }
+    raise_to_one_degree(&mut beziers);
     NurbsCurve::from_beziers(&beziers, &intervals).map(|spline| (RationalRun::Spline(spline), worst))
+}
+
+/// Fair segments have degree 4 or 6 by their blend; a run has one degree.
+fn raise_to_one_degree(beziers: &mut [RationalBezier]) {
+    let degree = beziers.iter().map(RationalBezier::degree).max().unwrap_or(0);
+    for bezier in beziers.iter_mut().filter(|b| b.degree() < degree) {
+        *bezier = bezier.multiplied(&vec![1.0; degree - bezier.degree() + 1]);
+    }
 }

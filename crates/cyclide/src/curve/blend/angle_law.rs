@@ -1,6 +1,6 @@
 //! How the start tangent moves along its great circle: the angle law of a blend.
 //!
-//! Both variants give the tangent as `t = (C t1 + S b)/q` with `C² + S² = q²`, so everything else is shared.
+//! All laws give the tangent as `t = (C t1 + S b)/q` with `C² + S² = q²`, so everything else is shared.
 
 /// Largest blend order supported: joints are G1 up to G4.
 pub(crate) const MAX_ORDER: u32 = 4;
@@ -13,6 +13,46 @@ pub enum BlendVariant {
     /// Rational functions of `l` of degree `2k`: an exact rational curve of degree `2k + 2`, no trigonometry.
     #[default]
     Rational,
+}
+
+/// The angle law of a segment with its parameter.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum BlendLaw {
+    /// The angle follows the smooth step of the blend order.
+    Trigonometric {
+        /// Order of contact with the circles at the ends.
+        order: u32,
+    },
+    /// Rational functions `A = m^k`, `B = l^k` of the blend order `k`.
+    Rational {
+        /// Order of contact with the circles at the ends.
+        order: u32,
+    },
+    /// Rational functions `A = m (m + e l)`, `B = l (l + e m)`: fair with `e = 1`, which is the rational law of order 1
+    /// (degree 4), and with `e = 0` the rational law of order 2 (`65`, section 2, (1)).
+    Fair {
+        /// The blend `e`, 0 to 1.
+        blend: f64,
+    },
+}
+
+impl BlendLaw {
+    /// The law of a variant and order.
+    pub(crate) fn of(variant: BlendVariant, order: u32) -> Self {
+        match variant {
+            BlendVariant::Trigonometric => Self::Trigonometric { order },
+            BlendVariant::Rational => Self::Rational { order },
+        }
+    }
+
+    /// Order of contact with the circles at the ends.
+    #[must_use]
+    pub fn order(self) -> u32 {
+        match self {
+            Self::Trigonometric { order } | Self::Rational { order } => order,
+            Self::Fair { blend } => 1 + u32::from(blend == 0.0),
+        }
+    }
 }
 
 /// A number with its Taylor coefficients to third order.
@@ -57,8 +97,7 @@ fn smooth_step_series(order: u32, l: f64) -> Series {
 /// The angle law of one segment.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct AngleLaw {
-    pub(super) variant: BlendVariant,
-    pub(super) order: u32,
+    pub(super) law: BlendLaw,
     /// Blend angle, in `[0, 2 pi)`.
     pub(super) theta: f64,
     /// Cosine and sine of half the blend angle.
@@ -74,50 +113,72 @@ impl AngleLaw {
 
     /// `[C, S, q]` at `l`: the tangent is `(C t1 + S b)/q`.
     pub(super) fn at(&self, l: f64) -> [f64; 3] {
-        match self.variant {
-            BlendVariant::Trigonometric => {
-                let (s, c) = (self.theta * smooth_step(self.order, l)).sin_cos();
+        match self.law {
+            BlendLaw::Trigonometric { order } => {
+                let (s, c) = (self.theta * smooth_step(order, l)).sin_cos();
                 [c, s, 1.0]
             }
-            BlendVariant::Rational => {
-                // `50`, section 5: (A² t1 + 2AB h + B² t2)/(A² + 2AB cos(theta/2) + B²), A = m^k, B = l^k.
-                let (a, b) = (power(1.0 - l, self.order), power(l, self.order));
-                let ([ch, sh], [cf, sf]) = (self.half, self.full());
-                let (aa, ab, bb) = (a * a, 2.0 * a * b, b * b);
-                [aa + ab * ch + bb * cf, ab * sh + bb * sf, aa + ab * ch + bb]
+            BlendLaw::Rational { order } => self.blended(power(1.0 - l, order), power(l, order)),
+            BlendLaw::Fair { blend } => {
+                let [a, b] = fair_factors(blend, l);
+                self.blended(a, b)
             }
         }
     }
 
+    /// `[C, S, q]` of `(A² t1 + 2AB h + B² t2)/(A² + 2AB cos(theta/2) + B²)` (`50`, section 5).
+    fn blended(&self, a: f64, b: f64) -> [f64; 3] {
+        let ([ch, sh], [cf, sf]) = (self.half, self.full());
+        let (aa, ab, bb) = (a * a, 2.0 * a * b, b * b);
+        [aa + ab * ch + bb * cf, ab * sh + bb * sf, aa + ab * ch + bb]
+    }
+
     /// Derivative by `l` of the angle between `t1` and the tangent.
+    ///
+    /// The rational angle is `theta/2 + 2 atan((2g-1) tan(theta/4))`, `g = B/(A+B)`, with the rate
+    /// `2 sin(theta/2) (B'A - A'B)/q`.
     pub(super) fn rate(&self, l: f64) -> f64 {
-        let k = self.order as usize - 1;
-        // (l (1-l))^(k-1)
-        let z = power(l * (1.0 - l), self.order - 1);
-        match self.variant {
-            BlendVariant::Trigonometric => self.theta * STEP_SLOPE[k] * z,
-            // The angle is theta/2 + 2 atan((2g-1) tan(theta/4)), g = B/(A+B), with B'A - A'B = k z.
-            BlendVariant::Rational => 2.0 * f64::from(self.order) * self.half[1] * z / self.at(l)[2],
+        let z = l * (1.0 - l);
+        match self.law {
+            BlendLaw::Trigonometric { order } => self.theta * STEP_SLOPE[order as usize - 1] * power(z, order - 1),
+            BlendLaw::Rational { order } => 2.0 * f64::from(order) * self.half[1] * power(z, order - 1) / self.at(l)[2],
+            BlendLaw::Fair { blend } => 2.0 * self.half[1] * (blend + 2.0 * z * (1.0 - blend)) / self.at(l)[2],
         }
     }
 
     /// The angle between `t1` and the tangent at `l`, rising from 0 to the blend angle (`50`, section 5).
     pub(super) fn angle(&self, l: f64) -> f64 {
-        match self.variant {
-            BlendVariant::Trigonometric => self.theta * smooth_step(self.order, l),
-            BlendVariant::Rational => {
-                let (a, b) = (power(1.0 - l, self.order), power(l, self.order));
-                0.5 * self.theta + 2.0 * ((b - a) / (a + b) * (0.25 * self.theta).tan()).atan()
+        let rational = |a: f64, b: f64| 0.5 * self.theta + 2.0 * ((b - a) / (a + b) * (0.25 * self.theta).tan()).atan();
+        match self.law {
+            BlendLaw::Trigonometric { order } => self.theta * smooth_step(order, l),
+            BlendLaw::Rational { order } => rational(power(1.0 - l, order), power(l, order)),
+            BlendLaw::Fair { blend } => {
+                let [a, b] = fair_factors(blend, l);
+                rational(a, b)
             }
+        }
+    }
+
+    /// `p` and `q` of the angle `p l + q l² + ...` near the start; near the end it is the same, seen from there.
+    pub(super) fn end_rates(&self) -> [f64; 2] {
+        let chord = 2.0 * self.half[1];
+        let fair = |e: f64| [e * chord, chord * (1.0 + e - e * e * (1.0 + self.half[0]))];
+        match self.law {
+            BlendLaw::Trigonometric { order: 1 } => [self.theta, 0.0],
+            BlendLaw::Trigonometric { order: 2 } => [0.0, 3.0 * self.theta],
+            BlendLaw::Rational { order: 1 } => fair(1.0),
+            BlendLaw::Rational { order: 2 } => fair(0.0),
+            BlendLaw::Fair { blend } => fair(blend),
+            _ => [0.0; 2],
         }
     }
 
     /// Taylor coefficients at `l` of the cosine and sine of the angle between `t1` and the tangent.
     pub(super) fn series(&self, l: f64) -> (Series, Series) {
-        match self.variant {
-            BlendVariant::Trigonometric => {
+        match self.law {
+            BlendLaw::Trigonometric { order } => {
                 // `50`, section 4: recursion for the cosine and sine of a power series.
-                let p = smooth_step_series(self.order, l).map(|f| f * self.theta);
+                let p = smooth_step_series(order, l).map(|f| f * self.theta);
                 let (sin, cos) = p[0].sin_cos();
                 let (mut c, mut s) = ([cos, 0.0, 0.0, 0.0], [sin, 0.0, 0.0, 0.0]);
                 for j in 1..4 {
@@ -126,17 +187,31 @@ impl AngleLaw {
                 }
                 (c, s)
             }
-            BlendVariant::Rational => {
-                let (a, b) = (power_series(1.0 - l, -1.0, self.order), power_series(l, 1.0, self.order));
-                let ([ch, sh], [cf, sf]) = (self.half, self.full());
-                let (aa, ab, bb) = (product(&a, &a), product(&a, &b), product(&b, &b));
-                let c = std::array::from_fn(|j| aa[j] + 2.0 * ch * ab[j] + cf * bb[j]);
-                let s = std::array::from_fn(|j| 2.0 * sh * ab[j] + sf * bb[j]);
-                let q = std::array::from_fn(|j| aa[j] + 2.0 * ch * ab[j] + bb[j]);
-                (quotient(&c, &q), quotient(&s, &q))
+            BlendLaw::Rational { order } => {
+                self.blended_series(&power_series(1.0 - l, -1.0, order), &power_series(l, 1.0, order))
+            }
+            BlendLaw::Fair { blend } => {
+                let ([a, b], m) = (fair_factors(blend, l), 1.0 - l);
+                let (twist, bend) = (blend * (m - l), 1.0 - blend);
+                self.blended_series(&[a, twist - 2.0 * m, bend, 0.0], &[b, twist + 2.0 * l, bend, 0.0])
             }
         }
     }
+
+    fn blended_series(&self, a: &Series, b: &Series) -> (Series, Series) {
+        let ([ch, sh], [cf, sf]) = (self.half, self.full());
+        let (aa, ab, bb) = (product(a, a), product(a, b), product(b, b));
+        let c = std::array::from_fn(|j| aa[j] + 2.0 * ch * ab[j] + cf * bb[j]);
+        let s = std::array::from_fn(|j| 2.0 * sh * ab[j] + sf * bb[j]);
+        let q = std::array::from_fn(|j| aa[j] + 2.0 * ch * ab[j] + bb[j]);
+        (quotient(&c, &q), quotient(&s, &q))
+    }
+}
+
+/// `A = m (m + e l)` and `B = l (l + e m)` (`65`, section 2, (1)).
+fn fair_factors(blend: f64, l: f64) -> [f64; 2] {
+    let m = 1.0 - l;
+    [m * (m + blend * l), l * (l + blend * m)]
 }
 
 /// Taylor coefficients of `(x + slope h)^order` in `h`, `slope` being 1 or -1.
@@ -167,13 +242,13 @@ mod tests {
 
     fn laws() -> impl Iterator<Item = AngleLaw> {
         let angles = [0.0, 1e-9, 0.7, 3.0, std::f64::consts::PI, 5.5];
-        let variants = [BlendVariant::Trigonometric, BlendVariant::Rational];
-        variants.into_iter().flat_map(move |variant| {
-            (1..=MAX_ORDER).flat_map(move |order| {
-                angles.map(|theta: f64| {
-                    let (s, c) = (0.5 * theta).sin_cos();
-                    AngleLaw { variant, order, theta, half: [c, s] }
-                })
+        let orders =
+            (1..=MAX_ORDER).flat_map(|order| [BlendLaw::Trigonometric { order }, BlendLaw::Rational { order }]);
+        let fair = [0.0, 0.3, 1.0].map(|blend| BlendLaw::Fair { blend });
+        orders.chain(fair).flat_map(move |law| {
+            angles.map(|theta: f64| {
+                let (s, c) = (0.5 * theta).sin_cos();
+                AngleLaw { law, theta, half: [c, s] }
             })
         })
     }
@@ -207,6 +282,34 @@ mod tests {
                 let sum = |x: Series| x[0] + h * (x[1] + h * (x[2] + h * x[3]));
                 assert!((sum(c) - cw / q).abs() < (100.0 * h).powi(4), "{law:?} {l}");
                 assert!((sum(s) - sw / q).abs() < (100.0 * h).powi(4), "{law:?} {l}");
+            }
+        }
+    }
+
+    #[test]
+    fn rates_are_the_derivatives_of_the_angle() {
+        let h = 1e-6;
+        for law in laws() {
+            for l in [0.1, 0.5, 0.8] {
+                let difference = (law.angle(l + h) - law.angle(l - h)) / (2.0 * h);
+                // Rounding of angles up to 2 pi over the step, and its square times the third derivative (100³).
+                assert!((law.rate(l) - difference).abs() < 1e-8 * (1.0 + law.rate(l)) + 1e6 * h * h, "{law:?} {l}");
+            }
+            let [p, q] = law.end_rates();
+            let ahead = law.angle(h);
+            assert!((ahead - h * (p + q * h)).abs() < 1e-14 + 1e4 * h * h * h, "{law:?}");
+        }
+    }
+
+    #[test]
+    fn the_fair_law_ends_in_the_rational_laws_of_order_1_and_2() {
+        let of = |law| AngleLaw { law, theta: 2.0, half: [1.0_f64.cos(), 1.0_f64.sin()] };
+        for (blend, order) in [(1.0, 1), (0.0, 2)] {
+            let (fair, rational) = (of(BlendLaw::Fair { blend }), of(BlendLaw::Rational { order }));
+            for l in [0.0, 0.2, 0.5, 0.9, 1.0] {
+                // A few roundings of angles up to 2.
+                assert!((fair.angle(l) - rational.angle(l)).abs() < 2e-15);
+                assert!((fair.rate(l) - rational.rate(l)).abs() < 4e-15);
             }
         }
     }

@@ -5,14 +5,17 @@
 //! ```
 //! For a fixed unit vector `t` this is the circular arc from `x1` to `x2` with start tangent `t`. A blend lets `t`
 //! run along a great circle from the start tangent of one arc to that of the other; at both ends it touches them to
-//! the blend order (`50`, sections 3 and 4; source: `004`, (40) to (58)). No geometric algebra is needed at run time.
+//! the blend order (`50`, sections 3 and 4; source: `004`, (40) to (58)). Fair segments, whose angle moves at the ends,
+//! bend there by what the other arc asks for too (`65`, section 2). No geometric algebra is needed at run time.
 
 mod angle_law;
+mod ends;
 mod evaluate;
 mod rational_approximation;
 mod rational_form;
 mod segment;
 
-pub use angle_law::BlendVariant;
+pub use angle_law::{BlendLaw, BlendVariant};
 pub use segment::BlendSegment;
-pub(super) use segment::{BlendTangents, check_order, check_points, unit_tangent};
+pub(super) use segment::check_order;
+pub(crate) use segment::{BlendTangents, check_points, unit_tangent};

@@ -24,7 +24,7 @@ pub(crate) struct RationalPiece {
 
 impl BlendSegment {
     /// The segment in rational Bézier pieces with positive weights, and a bound on their distance from it: 0 for the
-    /// rational variant (degree `2k + 2`), at most `tolerance` for the trigonometric one (degree `4k`).
+    /// rational laws (degree `2k + 2`, fair 4 or 6), at most `tolerance` for the trigonometric one (degree `4k`).
     ///
     /// # Errors
     /// `too-many-pieces` if the tolerance asks for more than 4096.
@@ -72,13 +72,13 @@ impl BlendSegment {
 
     /// The parameter at which the smooth step has the given value.
     fn parameter_of_step(&self, value: f64) -> f64 {
-        bracketed(|l| smooth_step(self.law.order, l) - value, 0.0, 1.0, 0.0)
+        bracketed(|l| smooth_step(self.law.law.order(), l) - value, 0.0, 1.0, 0.0)
     }
 
     /// Rows of part `i` of `n` over `[l0, l1] = f^-1([i/n, (i+1)/n])`: the rational law with `B = n f(l) - i`,
     /// `A = 1 - B`. Equal slopes at both ends of every part make the inner joints C1.
     fn part_rows(&self, i: usize, n: usize, range: [f64; 2]) -> Vec<[f64; 4]> {
-        let k = self.law.order as usize;
+        let k = self.law.law.order() as usize;
         // f_k has the Bernstein coefficients 0 (k times), 1 (k times).
         let mut step: Vec<[f64; 1]> = (0..2 * k).map(|j| [if j < k { 0.0 } else { 1.0 }]).collect();
         if range[1] < 1.0 {

@@ -1,30 +1,40 @@
 //! The exact rational Bézier form of the rational variant.
 
-use super::angle_law::BlendVariant;
+use super::angle_law::BlendLaw;
 use super::segment::BlendSegment;
 use crate::base::bernstein;
 use crate::base::vector::{Point3, Vec3};
 use crate::rational::RationalBezier;
 
 impl BlendSegment {
-    /// The segment as a rational Bézier curve of degree `2k + 2` in the same parameter (`50`, section 5); `None` for
-    /// the trigonometric variant, which has no rational form. Ends as given, to the bit; a whole segment has
+    /// The segment as a rational Bézier curve in the same parameter, of degree `2k + 2` (`50`, section 5), of a fair
+    /// segment 4 where its blend is 1 and else 6 (`65`, section 6); `None` for the trigonometric variant, which has no
+    /// rational form. Ends as given, to the bit; a whole segment has
     /// weight 1 at both ends. Weights between may be zero or negative (always somewhere for order 4), although
     /// the weight function is positive: split at the middle until they are.
     #[must_use]
     pub fn to_bezier(&self) -> Option<RationalBezier> {
-        if self.law.variant != BlendVariant::Rational {
-            return None;
-        }
-        let k = self.law.order as usize;
-        // A = m^k, B = l^k in Bernstein form of degree k.
-        let (mut a, mut b) = (vec![0.0; k + 1], vec![0.0; k + 1]);
-        (a[0], b[k]) = (1.0, 1.0);
+        let (a, b) = self.law_factors()?;
         let ([ch, sh], [cf, sf]) = (self.law.half, self.law.full());
         let (h, t2) = (self.t1 * ch + self.b * sh, self.t1 * cf + self.b * sf);
         let arc = RationalArcOfTangents { from: self.t1, middle: h, to: t2, cos_half: ch };
         let rows = self.blend_rows(&a, &b, &arc, [0.0, 1.0]);
         self.cut_to_range(rows, [0.0, 1.0]).map(|(bezier, _)| bezier)
+    }
+
+    /// `A` and `B` of the angle law in Bernstein form.
+    fn law_factors(&self) -> Option<(Vec<f64>, Vec<f64>)> {
+        let powers = |k: usize| {
+            let (mut a, mut b) = (vec![0.0; k + 1], vec![0.0; k + 1]);
+            (a[0], b[k]) = (1.0, 1.0);
+            (a, b)
+        };
+        match self.law.law {
+            BlendLaw::Trigonometric { .. } => None,
+            BlendLaw::Rational { order } => Some(powers(order as usize)),
+            BlendLaw::Fair { blend } if blend >= 1.0 => Some(powers(1)),
+            BlendLaw::Fair { blend } => Some((vec![1.0, 0.5 * blend, 0.0], vec![0.0, 0.5 * blend, 1.0])),
+        }
     }
 
     /// The part of rows over the range `[l0, l1]` of the whole segment that lies in this segment's own range, with

@@ -1,6 +1,6 @@
 //! The segment between two nodes: its two circles, the angle between them and the way from one to the other.
 
-use super::angle_law::{AngleLaw, BlendVariant, MAX_ORDER};
+use super::angle_law::{AngleLaw, BlendLaw, BlendVariant, MAX_ORDER};
 use crate::base::bounds::Aabb;
 use crate::base::range;
 use crate::base::vector::{Point3, Vec3};
@@ -64,6 +64,22 @@ impl BlendSegment {
         variant: BlendVariant,
     ) -> Result<Self> {
         check_order(order)?;
+        Self::between([start, end], [start_tangent, end_tangent], BlendLaw::of(variant, order))
+    }
+
+    /// The segment of a fair circle spline between two points with given tangents (any length but zero) and blend `e`
+    /// in `[0, 1]` (`65`, section 2).
+    ///
+    /// # Errors
+    /// As [`hermite`](Self::hermite), and `parameter-out-of-range` (blend).
+    pub fn fair(start: Point3, start_tangent: Vec3, end: Point3, end_tangent: Vec3, blend: f64) -> Result<Self> {
+        if !(0.0..=1.0).contains(&blend) {
+            return Err(Error::ParameterOutOfRange { name: "blend", value: blend, min: 0.0, max: 1.0 });
+        }
+        Self::between([start, end], [start_tangent, end_tangent], BlendLaw::Fair { blend })
+    }
+
+    fn between([start, end]: [Point3; 2], [start_tangent, end_tangent]: [Vec3; 2], law: BlendLaw) -> Result<Self> {
         let limit = check_points(&[start, end])?;
         let chord = Chord::new(start, end);
         if chord.length <= limit {
@@ -71,7 +87,7 @@ impl BlendSegment {
         }
         let (t1, te) = (unit_tangent(start_tangent, 0)?, unit_tangent(end_tangent, 1)?);
         let tangents = BlendTangents { start: t1, end: te.reflect(chord.unit), magnification: 0.0 };
-        Self::from_tangents([start, end], &chord, &tangents, order, variant, 0)
+        Self::from_tangents([start, end], &chord, &tangents, law, 0)
     }
 
     /// Blend angle, direction of turning and orientation test (`50`, section 3), for checked data.
@@ -79,8 +95,7 @@ impl BlendSegment {
         [x1, x2]: [Point3; 2],
         chord: &Chord,
         tangents: &BlendTangents,
-        order: u32,
-        variant: BlendVariant,
+        law: BlendLaw,
         segment: usize,
     ) -> Result<Self> {
         let (u, t1, t2) = (chord.unit, tangents.start, tangents.end);
@@ -116,7 +131,7 @@ impl BlendSegment {
             if long_way { ([-c, s], -across) } else { ([c, s], across) }
         };
         let theta = 2.0 * half[1].atan2(half[0]);
-        let law = AngleLaw { variant, order, theta, half };
+        let law = AngleLaw { law, theta, half };
         Ok(Self { x1, x2, u, length: chord.length, t1, b, law, range: [0.0, 1.0], long_way, opposite })
     }
 
@@ -151,16 +166,10 @@ impl BlendSegment {
         self.length
     }
 
-    /// Blend order `k`: the segment touches the circles at its ends to order `k`.
-    #[must_use]
-    pub fn order(&self) -> u32 {
-        self.law.order
-    }
-
     /// The angle law.
     #[must_use]
-    pub fn variant(&self) -> BlendVariant {
-        self.law.variant
+    pub fn law(&self) -> BlendLaw {
+        self.law.law
     }
 
     /// Blend angle between the two circles in the direction the blend takes, in `[0, 2 pi)`, radians.

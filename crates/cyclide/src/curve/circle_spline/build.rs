@@ -2,13 +2,15 @@
 
 use super::{CircleSpline, CircleSplineOptions, SplineEnds};
 use crate::base::vector::{Point3, Vec3};
-use crate::curve::blend::{BlendSegment, BlendTangents, BlendVariant, check_order, check_points, unit_tangent};
+use crate::curve::blend::{
+    BlendLaw, BlendSegment, BlendTangents, BlendVariant, check_order, check_points, unit_tangent,
+};
 use crate::curve::node_tangent::Chord;
 use crate::error::{Error, Result};
 use crate::warning::Warning;
 
 /// Turns above this make very large circles (`50`, section 2).
-const SHARP_TURN: f64 = 175.0 * std::f64::consts::PI / 180.0;
+pub(crate) const SHARP_TURN: f64 = 175.0 * std::f64::consts::PI / 180.0;
 /// Neighbouring chords that differ by more make the curve bulge (`50`, section 7.4).
 const UNEVEN_SPACING: f64 = 3.0;
 
@@ -35,13 +37,9 @@ impl CircleSpline {
     /// a point), and for clamped ends `zero-tangent`, `arc-through-infinity`, `ambiguous-half-turn`.
     pub fn from_points(points: &[Point3], options: &CircleSplineOptions) -> Result<Self> {
         let (n, closed) = (points.len(), options.closed);
-        let needed = if closed { 3 } else { 2 };
-        if n < needed {
-            return Err(Error::TooFewPoints { given: n, needed });
-        }
         check_order(options.order)?;
-        let chords = chords(points, closed)?;
-        let corners = corners(&options.corners, n, closed)?;
+        let chords = chords_between(points, closed)?;
+        let corners = corner_nodes(&options.corners, n, closed)?;
         let [start_tangent, end_tangent] = end_tangents(options)?;
 
         let mut warnings = Vec::new();
@@ -56,10 +54,11 @@ impl CircleSpline {
                 return Node::Free;
             }
             let (before, after) = (&chords[(i + n - 1) % n], &chords[i]);
-            inspect(i, before, after, warnings);
+            inspect_node(i, before, after, warnings);
             before.tangent_to(after).map_or(Node::Cusp, Node::Through)
         };
 
+        let law = BlendLaw::of(options.variant, options.order);
         let mut segments = Vec::with_capacity(chords.len());
         let mut kinks = Vec::new();
         let first = node(0, &mut warnings);
@@ -75,7 +74,7 @@ impl CircleSpline {
                 ..tangents(chord, from, to)
             };
             let ends = [points[i], points[next]];
-            let segment = BlendSegment::from_tangents(ends, chord, &tangents, options.order, options.variant, i)?;
+            let segment = BlendSegment::from_tangents(ends, chord, &tangents, law, i)?;
             if segment.opposite_circles() {
                 warnings.push(Warning::OppositeCircles { segment: i });
             } else if segment.long_way() {
@@ -113,8 +112,15 @@ pub fn corners_by_angle(points: &[Point3], closed: bool, limit: f64) -> Vec<usiz
     inner.filter(turns).collect()
 }
 
-/// The chords from each point to the next, checked.
-fn chords(points: &[Point3], closed: bool) -> Result<Vec<Chord>> {
+/// The chords from each point to the next, of points that make a curve.
+///
+/// # Errors
+/// `too-few-points` (2 open, 3 closed), `not-finite`, `coincident-points`.
+pub(crate) fn chords_between(points: &[Point3], closed: bool) -> Result<Vec<Chord>> {
+    let needed = if closed { 3 } else { 2 };
+    if points.len() < needed {
+        return Err(Error::TooFewPoints { given: points.len(), needed });
+    }
     let limit = check_points(points)?;
     let n = points.len();
     let count = if closed { n } else { n - 1 };
@@ -131,7 +137,10 @@ fn chords(points: &[Point3], closed: bool) -> Result<Vec<Chord>> {
 }
 
 /// The corners, rising and without repetition; the ends of an open curve are none.
-fn corners(given: &[usize], n: usize, closed: bool) -> Result<Vec<usize>> {
+///
+/// # Errors
+/// `parameter-out-of-range`.
+pub(crate) fn corner_nodes(given: &[usize], n: usize, closed: bool) -> Result<Vec<usize>> {
     if let Some(&corner) = given.iter().find(|c| **c >= n) {
         return Err(Error::ParameterOutOfRange { name: "corner", value: corner as f64, min: 0.0, max: (n - 1) as f64 });
     }
@@ -191,7 +200,7 @@ fn magnification(points: &[Point3], chords: &[Chord], i: usize, ends: [Node; 2],
 }
 
 /// Notes what is unusual at a node between two chords.
-fn inspect(node: usize, before: &Chord, after: &Chord, warnings: &mut Vec<Warning>) {
+pub(crate) fn inspect_node(node: usize, before: &Chord, after: &Chord, warnings: &mut Vec<Warning>) {
     // Cosine first: the angle itself is needed for the few sharp turns only.
     if before.unit.dot(after.unit) < -0.9 {
         let angle = before.turn(after);

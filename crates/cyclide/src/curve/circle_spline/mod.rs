@@ -12,8 +12,9 @@ mod build;
 mod modify;
 
 pub use build::corners_by_angle;
+pub(crate) use build::{SHARP_TURN, chords_between, corner_nodes, inspect_node};
 
-use super::blend::{BlendSegment, BlendVariant};
+use super::blend::{BlendLaw, BlendSegment, BlendVariant};
 use super::param_curve::ParamCurve;
 use super::piece_form::PieceForm;
 use crate::base::bounds::Aabb;
@@ -88,6 +89,16 @@ pub struct CircleSpline {
 }
 
 impl CircleSpline {
+    /// A spline of segments that were made elsewhere, each starting where the one before ends, to the bit; at least one.
+    pub(crate) fn from_segments(
+        segments: Vec<BlendSegment>,
+        closed: bool,
+        kinks: Vec<usize>,
+        warnings: Vec<Warning>,
+    ) -> Self {
+        Self { segments, closed, kinks, warnings }
+    }
+
     /// The segments, one per pair of neighbouring points.
     #[must_use]
     pub fn segments(&self) -> &[BlendSegment] {
@@ -101,16 +112,14 @@ impl CircleSpline {
         &self.warnings
     }
 
-    /// Blend order.
+    /// The order `k` of its joints, which are G^k except at [kinks](Self::kinks): the blend order, 2 of a fair spline. (The
+    /// laws of the segments: [`BlendSegment::law`].)
     #[must_use]
     pub fn order(&self) -> u32 {
-        self.segments[0].order()
-    }
-
-    /// The angle law.
-    #[must_use]
-    pub fn variant(&self) -> BlendVariant {
-        self.segments[0].variant()
+        match self.segments[0].law() {
+            BlendLaw::Fair { .. } => 2,
+            law => law.order(),
+        }
     }
 
     /// The nodes where the curve is only connected (corners and cusps): indices of the segments that start there.

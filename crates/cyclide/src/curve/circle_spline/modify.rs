@@ -18,7 +18,11 @@ impl CircleSpline {
             segments: self.segments.iter().rev().map(|s| s.reversed()).collect(),
             closed: self.closed,
             kinks,
-            warnings: self.warnings.iter().map(|w| renumbered(w, node, |s| n - 1 - s)).collect(),
+            warnings: self
+                .warnings
+                .iter()
+                .filter_map(|w| renumbered(w, |i| Some(node(i)), |s| Some(n - 1 - s)))
+                .collect(),
         }
     }
 
@@ -55,11 +59,9 @@ impl CircleSpline {
             return Err(Error::ParameterOutOfRange { name: "t1", value: t1, min: t0, max: 1.0 });
         }
         let kinks = self.kinks.iter().filter(|k| **k > first && **k <= last).map(|k| k - first).collect();
-        let kept = |w: &&Warning| {
-            let about_node = !matches!(w, Warning::LongWay { .. } | Warning::OppositeCircles { .. });
-            w.index().is_some_and(|i| i <= last && (i > first || (i == first && !about_node)))
-        };
-        let warnings = self.warnings.iter().filter(kept).map(|w| renumbered(w, |i| i - first, |s| s - first));
+        let node = |i: usize| (i > first && i <= last).then(|| i - first);
+        let segment = |i: usize| (i >= first && i <= last).then(|| i - first);
+        let warnings = self.warnings.iter().filter_map(|w| renumbered(w, node, segment));
         Ok(Self { segments, closed: false, kinks, warnings: warnings.collect() })
     }
 
@@ -73,15 +75,27 @@ impl CircleSpline {
     }
 }
 
-/// The warning with its node or segment renumbered.
-fn renumbered(warning: &Warning, node_of: impl Fn(usize) -> usize, segment_of: impl Fn(usize) -> usize) -> Warning {
+/// The warning with its node or segments renumbered; `None` if they are gone.
+fn renumbered(
+    warning: &Warning,
+    node_of: impl Fn(usize) -> Option<usize>,
+    segment_of: impl Fn(usize) -> Option<usize>,
+) -> Option<Warning> {
     let mut warning = warning.clone();
     match &mut warning {
-        Warning::Cusp { node } | Warning::SharpTurn { node, .. } | Warning::UnevenSpacing { node, .. } => {
-            *node = node_of(*node);
+        Warning::Cusp { node }
+        | Warning::SharpTurn { node, .. }
+        | Warning::SharpTurnCut { node, .. }
+        | Warning::UnevenSpacing { node, .. } => *node = node_of(*node)?,
+        Warning::LongWay { segment } | Warning::OppositeCircles { segment } => *segment = segment_of(*segment)?,
+        Warning::Relaxed { segments } => {
+            segments.retain_mut(|(segment, _)| segment_of(*segment).map(|new| *segment = new).is_some());
+            segments.sort_unstable_by_key(|(segment, _)| *segment);
+            if segments.is_empty() {
+                return None;
+            }
         }
-        Warning::LongWay { segment } | Warning::OppositeCircles { segment } => *segment = segment_of(*segment),
         _ => {}
     }
-    warning
+    Some(warning)
 }
