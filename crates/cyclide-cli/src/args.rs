@@ -172,7 +172,7 @@ pub struct ManArgs {
 
 #[derive(Debug, ClapArgs)]
 pub struct BuildArgs {
-    /// The model document (JSON).
+    /// The model document (JSON); 'cyclide new' prints one to start from.
     pub model: PathBuf,
     #[command(flatten)]
     pub output: OutputArgs,
@@ -189,7 +189,7 @@ pub struct OutputArgs {
     /// .glb .obj .stl. Give it once per file.
     #[arg(short, long = "output", value_name = "FILE", required = true, action = ArgAction::Append)]
     pub output: Vec<PathBuf>,
-    /// Print the report as JSON.
+    /// Print the report as JSON (docs/report.md explains its words).
     #[arg(long)]
     pub json: bool,
     /// DXF: rational curves as exact SPLINE entities (many cutters and 2D programs ignore their weights).
@@ -217,7 +217,7 @@ pub struct OutputArgs {
 
 #[derive(Debug, ClapArgs)]
 pub struct CurveArgs {
-    /// The points (CSV).
+    /// The points (CSV, one per line: see below).
     pub points: PathBuf,
     #[command(flatten)]
     pub output: OutputArgs,
@@ -262,12 +262,12 @@ pub struct CurveArgs {
 
 #[derive(Debug, ClapArgs)]
 pub struct SampleArgs {
-    /// The model document (JSON).
+    /// The model document (JSON); 'cyclide new' prints one to start from.
     pub model: PathBuf,
     /// Name of the object; may be left out if there is only one.
     #[arg(long, value_name = "NAME")]
     pub object: Option<String>,
-    /// Samples per contour, or per direction of a patch, at least 2.
+    /// Samples per contour of a curve, or N by N per patch of a surface; at least 2.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(2..=10_000_000))]
     pub count: u32,
     /// Curves: equal steps of arc length instead of the parameter.
@@ -280,7 +280,7 @@ pub struct SampleArgs {
 
 #[derive(Debug, ClapArgs)]
 pub struct ReportArgs {
-    /// The model document (JSON).
+    /// The model document (JSON); 'cyclide new' prints one to start from.
     pub model: PathBuf,
     /// Print the report as JSON.
     #[arg(long)]

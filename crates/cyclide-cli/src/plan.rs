@@ -90,8 +90,8 @@ impl Args {
             Command::Curve(args) => args.plan().map(Plan::Make),
             Command::Sample(SampleArgs { model, object, count, equal_length, output }) => {
                 let spacing = if equal_length { Spacing::Length } else { Spacing::Parameter };
-                output.as_deref().map_or(Ok(()), |path| refuse_other_suffix(path, "csv", "samples are CSV"))?;
                 refuse_overwriting(output.as_deref(), &model)?;
+                output.as_deref().map_or(Ok(()), |path| refuse_other_suffix(path, "csv", "samples are CSV"))?;
                 Ok(Plan::Sample(SamplePlan {
                     input: Input::File(model),
                     object,
