@@ -9,7 +9,7 @@ use cyclide::{Model, Units};
 use cyclide_io::{BuiltObject, Document, ModelBuilder};
 
 use crate::failure::Failure;
-use crate::mistaken::{HEAD, Wanted, refuse_content};
+use crate::mistaken::{Wanted, refuse_content};
 use crate::plan::Input;
 use crate::progress::Progress;
 use crate::terminal;
@@ -53,10 +53,13 @@ pub fn document(input: &Input) -> Result<(Document, PathBuf), Failure> {
     }
 }
 
+/// Bytes that tell what a file is, and more.
+const HEAD: u64 = 1 << 16;
+
 /// The first bytes of a file.
 fn head(path: &Path) -> std::io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
-    File::open(path)?.take(HEAD as u64).read_to_end(&mut bytes)?;
+    File::open(path)?.take(HEAD).read_to_end(&mut bytes)?;
     Ok(bytes)
 }
 

@@ -113,7 +113,12 @@ fn near_words_are_suggested() {
             "name.json",
             "{\"cyclide\": 1, \"objects\": {\"outer skin\": {\"type\": \"cyclide\", \"a\": 3, \"mu\": 1}, \"b\": {\"type\": \"offset\", \"of\": \"outer_skin\", \"distance\": 1}}}",
         ),
-        ("far.json", &object("\"type\": \"sphere\"")),
+        ("far.json", &object("\"type\": \"teapot\"")),
+        ("torus.json", &object("\"type\": \"torus\", \"R\": 3")),
+        ("line.json", &object("\"type\": \"line\"")),
+        ("step.json", &object("\"type\": \"transform\", \"of\": \"a\", \"steps\": [{\"rotate\": {\"angle\": 1}}]")),
+        ("inner.json", &circle(", \"units\": \"mm\"")),
+        ("other.json", &circle(", \"effort\": \"best\"")),
         ("good.json", &circle("")),
         ("p.csv", "east_m,north_m\n0,0\n1,0\n1,1\n"),
     ]);
@@ -124,6 +129,12 @@ fn near_words_are_suggested() {
         (1, "report outer.json", "; did you mean `units`?\n"),
         (1, "report units.json", "; did you mean `in`?\n"),
         (1, "report word.json", "; did you mean `fast`?\n"),
+        (1, "report step.json", "; did you mean `rotation`?\n"),
+        // What other programs call it, and where it belongs.
+        (1, "report torus.json", "; a torus is a `cyclide` with the radii `a` and `mu`\n"),
+        (1, "report line.json", "; an `arc` with the bulge 0 is a straight segment\n"),
+        (1, "report inner.json", "; `units` stands in the document, before its objects\n"),
+        (1, "report other.json", "; `effort` is a field of `arc-fit`\n"),
         (1, "report name.json", "there is no object `outer_skin`; did you mean `outer skin`?\n"),
         (1, "curve p.csv --columns est_m,north_m -o a.step", "; did you mean `east_m`?\n"),
         (2, "sample good.json --count 2 --object A", "it has 'a'; did you mean `a`?\n"),
@@ -185,6 +196,24 @@ fn what_belongs_to_another_command_is_answered_with_it() {
     ] {
         let error = folder.fails(2, command);
         assert!(error.contains(message), "{command}\n{error}");
+    }
+    // Files in the wrong place of a document.
+    for (file, fields, message) in [
+        (
+            "a.json",
+            r#""type": "arc-spline", "points": {"csv": "m.txt"}"#,
+            "m.txt is a mesh, not a list of points: the field `grid`",
+        ),
+        ("b.json", r#""type": "arc-spline", "points": {"csv": "step.txt"}"#, "step.txt is STEP, not a list of points"),
+        (
+            "d.json",
+            r#""type": "cyclidic-net", "grid": {"obj": "p.csv"}"#,
+            "p.csv is a list of points, not a mesh (OBJ)",
+        ),
+    ] {
+        folder.write(file, &format!("{{\"cyclide\": 1, \"objects\": {{\"a\": {{{fields}}}}}}}"));
+        let error = folder.fails(1, &format!("report {file}"));
+        assert!(error.starts_with(&format!("error: {file}:1:")) && error.contains(message), "{error}");
     }
     // A curve all the same.
     folder.ok("curve i.csv --columns x,y,z -o a.step");

@@ -10,7 +10,7 @@ use crate::place::Diagnostic;
 pub type Result<T, E = Error> = std::result::Result<T, E>;
 
 /// Why a model was not read or built.
-#[derive(Debug, thiserror::Error)]
+#[derive(thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {
     /// The text of an input file was refused, at a place in it.
@@ -48,6 +48,13 @@ pub enum Error {
     },
 }
 
+/// The message as it is displayed: what a program prints whose `main` returns the error.
+impl std::fmt::Debug for Error {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{self}")
+    }
+}
+
 /// The reason for quads whose sides cross; the kernel's of a single one.
 pub(crate) const CROSSING_QUAD: &str = "crossing-quad";
 
@@ -71,4 +78,26 @@ pub(crate) fn rejected_quads(quads: &[usize], steps: usize, moved: f64) -> Strin
 
 fn unread(path: &Path, source: &std::io::Error, place: Option<&Diagnostic>) -> String {
     place.map_or_else(|| format!("cannot read {}: {source}", path.display()), ToString::to_string)
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::Format;
+
+    /// What `fn main() -> Result<(), Box<dyn std::error::Error>>` prints.
+    fn shown_by_main(error: impl std::error::Error + 'static) -> String {
+        format!("{:?}", Box::<dyn std::error::Error>::from(error))
+    }
+
+    #[test]
+    fn errors_that_main_returns_can_be_read() {
+        let frame = cyclide::Error::FrameNotOrthonormal { measured: 8.0, limit: 1e-9 };
+        let shown = shown_by_main(frame.clone());
+        assert_eq!(shown, format!("{frame} [frame-not-orthonormal]"));
+        assert!(!shown.contains('{') && shown.contains('8'), "{shown}");
+        let wrapped = super::Error::Geometry { object: "roof".to_owned(), source: frame.clone() };
+        assert_eq!(shown_by_main(wrapped), format!("roof: {frame} [frame-not-orthonormal]"));
+        let suffix = Format::from_path("a.iges".as_ref()).unwrap_err();
+        assert!(shown_by_main(suffix).ends_with("[unknown-suffix]"));
+    }
 }

@@ -4,7 +4,7 @@ use cyclide::ShortNumber;
 use std::path::PathBuf;
 
 /// Why a file could not be made.
-#[derive(Debug, thiserror::Error)]
+#[derive(thiserror::Error)]
 #[non_exhaustive]
 pub enum ExportError {
     /// The suffix stands for no known format.
@@ -91,6 +91,13 @@ pub enum ExportError {
         /// What the encoder said.
         detail: String,
     },
+}
+
+/// The sentence and the reason: what a program prints whose `main` returns the error.
+impl std::fmt::Debug for ExportError {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{self} [{}]", self.reason())
+    }
 }
 
 impl ExportError {

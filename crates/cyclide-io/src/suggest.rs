@@ -11,7 +11,7 @@ const SHORTEST_PART: usize = 3;
 
 /// The known words that `word` may stand for, nearest first: those that are a few letters away (inserted, left out,
 /// replaced or swapped: at most one in three), else those that share a whole word with it (`spline`, `arc-spline`), else
-/// those that it begins (`tol`, `tolerance`). Capitals and the kind of dash do not count.
+/// those that begin alike (`tol`, `tolerance`; `rotate`, `rotation`). Capitals and the kind of dash do not count.
 #[must_use]
 pub fn similar<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> Vec<&'a str> {
     if word.len() > LONGEST {
@@ -36,7 +36,9 @@ pub fn similar<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> Vec<
     };
     let typed_parts = parts(&typed);
     let shares = |k: &str| parts(k).iter().any(|part| typed_parts.contains(part));
-    let begins = |k: &str| typed.len() >= SHORTEST_PART && k.starts_with(&typed);
+    // Two thirds of the word typed, and not of a short one.
+    let alike = |k: &str| typed.bytes().zip(k.bytes()).take_while(|(a, b)| a == b).count();
+    let begins = |k: &str| typed.len() >= SHORTEST_PART && alike(k) >= SHORTEST_PART && 3 * alike(k) >= 2 * typed.len();
     let pick = |fits: &dyn Fn(&str) -> bool| -> Vec<&'a str> {
         known.iter().filter(|(_, plain)| fits(plain)).map(|(k, _)| *k).take(MOST).collect()
     };
@@ -78,6 +80,7 @@ mod tests {
         }
         assert_eq!(similar("centre", ["center", "radius"]), ["center"]);
         assert_eq!(similar("tol", ["tolerance", "target"]), ["tolerance"]);
+        assert_eq!(similar("rotate", ["translation", "rotation", "scale"]), ["rotation"]);
     }
 
     #[test]

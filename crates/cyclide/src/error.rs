@@ -9,7 +9,7 @@ use crate::short_number::ShortNumber;
 pub type Result<T, E = Error> = std::result::Result<T, E>;
 
 /// Why a piece of input was refused.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[derive(Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {
     /// A number of the input is NaN or infinite.
@@ -452,6 +452,13 @@ pub(crate) fn check_tolerance(tolerance: f64) -> Result<()> {
         return Err(Error::ToleranceNotPositive { tolerance });
     }
     if tolerance.is_finite() { Ok(()) } else { Err(Error::NotFinite { what: "tolerance", index: 0 }) }
+}
+
+/// The sentence and the reason: what a program prints whose `main` returns the error.
+impl std::fmt::Debug for Error {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{self} [{}]", self.reason())
+    }
 }
 
 impl Error {

@@ -27,6 +27,7 @@ pub use construct::ContourFacts;
 pub use coordinates::{Coordinates, Lists, PointFile, PointSource};
 use locate::{Entries, Step, offset_in, path_text, value_at};
 pub use schema::document_schema;
+use schema::types_with_field;
 pub use spec::{
     ArcFitSpec, ArcSpec, ArcSplineSpec, BiarcSpec, BorderCurves, BorderSpec, BorderWord, CircleSpec, CircleSplineSpec,
     ClampedEnds, Comment, CyclidePatchSpec, CyclideSpec, CyclidicNetSpec, EffortWord, EndsSpec, FrameSpec, GridSource,
@@ -99,7 +100,7 @@ impl Document {
 fn check_version(source: Source<'_>) -> Result<(), Box<Diagnostic>> {
     let Entries(entries) = serde_json::from_str(source.text).map_err(|e| refused(source, &[], source.text, &e))?;
     let Some((_, raw)) = entries.iter().find(|(key, _)| key == "cyclide") else {
-        let message = "not a cyclide document: the field `cyclide` with the version is missing";
+        let message = "not a cyclide document: the field `cyclide` with the version is missing (`\"cyclide\": 1`)";
         return Err(source.diagnostic(0..1, "", message));
     };
     let text = raw.get();
@@ -159,11 +160,32 @@ fn parse_object(source: Source<'_>, name: &str, raw: &RawValue) -> Result<Object
     ObjectSpec::parse(&kind, raw.get())
         .ok_or_else(|| {
             let start = offset_in(source.text, word.get());
-            let hint = did_you_mean(&kind, ObjectSpec::TYPES.iter().copied());
+            let hint = Some(did_you_mean(&kind, ObjectSpec::TYPES.iter().copied())).filter(|hint| !hint.is_empty());
+            let hint = hint.unwrap_or_else(|| other_word_for(&kind));
             let message = format!("unknown type `{kind}`, expected one of `{known}`{hint}");
             source.diagnostic(start..start + word.get().len(), &path_text(&at), message)
         })?
         .map_err(|e| refuse(&e))
+}
+
+/// The type that makes what other programs call by this word, as the end of a message.
+fn other_word_for(kind: &str) -> String {
+    let answer = match kind.to_lowercase().as_str() {
+        "line" | "segment" => "an `arc` with the bulge 0 is a straight segment",
+        "ellipse" | "bezier" | "nurbs" | "bspline" | "b-spline" | "curve" => {
+            "a smooth curve through points is a `circle-spline`"
+        }
+        "polyline" | "polygon" | "path" => "arcs along points are an `arc-fit` (target `polyline`) or an `arc-spline`",
+        "torus" | "ring" | "horn" | "spindle" => "a torus is a `cyclide` with the radii `a` and `mu`",
+        "surface" | "mesh" | "grid" | "net" | "nurbs-surface" | "quads" => "a surface over a grid is a `cyclidic-net`",
+        "thicken" | "thick" | "solid" | "shell" => "an `offset` with `thick` makes the solid",
+        "mirror" | "rotation" | "translation" | "scale" | "inversion" | "move" | "rotate" => {
+            "it is a step of a `transform`"
+        }
+        "beams" | "edges" | "support" => "the edges of a surface are its `support-structure`",
+        _ => return String::new(),
+    };
+    format!("; {answer}")
 }
 
 /// The message for what the JSON parser said about `part`, the text of the value at `path`.
@@ -213,7 +235,16 @@ fn suggestion(message: &str) -> String {
         return String::new();
     }
     let mut quoted = message.split('`').skip(1).step_by(2);
-    quoted.next().map_or_else(String::new, |word| did_you_mean(word, quoted))
+    let Some(word) = quoted.next() else { return String::new() };
+    let near = did_you_mean(word, quoted);
+    if !near.is_empty() || !message.starts_with("unknown field") {
+        return near;
+    }
+    match types_with_field(word).as_slice() {
+        _ if word == "units" => "; `units` stands in the document, before its objects".to_owned(),
+        types if (1..=3).contains(&types.len()) => format!("; `{word}` is a field of `{}`", types.join("` and `")),
+        _ => String::new(),
+    }
 }
 
 fn wrong_count(given: usize, needed: usize) -> String {

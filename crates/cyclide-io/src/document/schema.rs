@@ -8,10 +8,25 @@ use super::spec::DocumentShape;
 /// The JSON Schema (draft 2020-12) of the model document, as text.
 #[must_use]
 pub fn document_schema() -> String {
-    let schema = SchemaSettings::draft2020_12().into_generator().into_root_schema_for::<DocumentShape>();
-    let mut value = schema.to_value();
+    let mut value = shape();
     tidy(&mut value);
     format!("{value:#}\n")
+}
+
+fn shape() -> Value {
+    SchemaSettings::draft2020_12().into_generator().into_root_schema_for::<DocumentShape>().to_value()
+}
+
+/// The words of the types of object that have a field, for messages.
+pub(super) fn types_with_field(field: &str) -> Vec<String> {
+    let shape = shape();
+    let definitions = shape.get("$defs").and_then(Value::as_object).into_iter().flat_map(serde_json::Map::values);
+    let with_field = definitions.filter_map(|definition| {
+        let fields = definition.get("properties")?;
+        fields.get(field)?;
+        fields.pointer("/type/const")?.as_str().map(str::to_owned)
+    });
+    with_field.collect()
 }
 
 /// Takes out `null` (an optional field may be left out, not null), the number formats of the program's own types and

@@ -7,7 +7,8 @@ use crate::document::construct::{Contour, ContourFacts, Made, arc_fit, arc_splin
 use crate::document::coordinates::{Coordinates, Lists, PointFile, PointSource};
 use crate::document::locate::{Step, path_text};
 use crate::document::spec::{ArcSpec, CircleSpec, ObjectSpec};
-use crate::error::Result;
+use crate::error::{Error, Result};
+use crate::input_kind::InputKind;
 use crate::place::{Source, decode};
 use crate::points::{PointColumns, PointList, merge_repeated, read_points};
 
@@ -154,6 +155,20 @@ impl Builder<'_> {
 
     fn file_points(&mut self, file: &PointFile) -> Result<Points> {
         let (name, bytes) = self.file(&file.csv, ["points", "csv"])?;
+        if file.columns.is_none()
+            && let Some(found) = InputKind::of_bytes(&bytes).filter(|found| *found != InputKind::Points)
+        {
+            let place = match found {
+                InputKind::Mesh => ": the field `grid` of a `cyclidic-net` reads it",
+                InputKind::PointGrid => {
+                    ": a `cyclidic-net` reads it as a mesh (OBJ); choose `columns` if it is a curve"
+                }
+                InputKind::PointsJson => ": write it into the document, as `points`",
+                _ => "",
+            };
+            let message = format!("{name} is {}, not a list of points{place}", found.name());
+            return Err(Error::Input(self.diagnostic(["points".into(), "csv".into()], &message)));
+        }
         let columns = PointColumns { coordinates: file.columns.clone(), contour: file.contour.clone() };
         let table = read_points(&name, &bytes, &columns)?;
         let units = self.document.units;

@@ -14,6 +14,7 @@ use crate::document::spec::{
     ObjectSpec,
 };
 use crate::error::{CROSSING_QUAD, Error, Result, rejected_quads};
+use crate::input_kind::InputKind;
 use crate::obj::read_quad_grid;
 use crate::report::SurfaceJointReport;
 
@@ -88,7 +89,13 @@ impl<'a> Builder<'a> {
     /// The grid of a mesh in a file of its own.
     fn mesh_file(&mut self, file: &MeshFile) -> Result<QuadGrid> {
         let (name, bytes) = self.file(&file.obj, ["grid", "obj"])?;
-        let mesh = read_quad_grid(&name, &bytes)?;
+        let mesh = read_quad_grid(&name, &bytes).map_err(|message| match InputKind::of_bytes(&bytes) {
+            None | Some(InputKind::Mesh) => Error::Input(message),
+            Some(found) => {
+                let text = format!("{name} is {}, not a mesh (OBJ)", found.name());
+                Error::Input(self.diagnostic(["grid".into(), "obj".into()], &text))
+            }
+        })?;
         if let Some(first) = mesh.unused.first() {
             let message =
                 format!("{} point(s) that no face uses are left out, the first is number {first}", mesh.unused.len());
