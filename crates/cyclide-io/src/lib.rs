@@ -62,7 +62,7 @@ pub use place::{Diagnostic, Source, decode};
 pub use points::{PointColumns, PointList, PointTable, read_points};
 pub use read_back::{file_deviation, read_back};
 pub use report::{
-    CheckError, CircularReport, CurvatureReport, CurvesReport, FileReport, FitReport, GeometryReport, JointReport,
+    CheckError, CircularReport, CurvatureReport, CurvesReport, FairnessReport, FileReport, FitReport, GeometryReport, JointReport,
     ObjectReport, PartReport, PatchPlace, RangeReport, Report, SingularPatchReport, SurfaceJointReport, SurfaceReport,
     WarningReport,
 };

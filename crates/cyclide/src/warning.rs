@@ -73,6 +73,20 @@ pub enum Warning {
         /// Fraction of such spans.
         fraction: f64,
     },
+    /// An interpolating curve changes between left and right far more often than its data.
+    Wavers {
+        /// Changes of the curve.
+        curve: usize,
+        /// Changes of the polygon through its nodes.
+        data: usize,
+    },
+    /// The data themselves change between left and right as noise does, and a curve through all of them must.
+    DataWaver {
+        /// Changes of the polygon through the nodes.
+        changes: usize,
+        /// Nodes, corners and ends excepted.
+        nodes: usize,
+    },
     /// Points closer than the limit to their neighbour were merged.
     PointsMerged {
         /// Index of the first one dropped.
@@ -140,6 +154,8 @@ impl Warning {
             Self::CornerKept { .. } => "corner-kept",
             Self::SamplesTooCoarse { .. } => "samples-too-coarse",
             Self::ToleranceBelowNoise { .. } => "tolerance-below-noise",
+            Self::Wavers { .. } => "wavers",
+            Self::DataWaver { .. } => "data-waver",
             Self::PointsMerged { .. } => "points-merged",
             Self::ClosingPointMerged { .. } => "closing-point-merged",
             Self::MovedFar { .. } => "moved-far",
@@ -164,7 +180,11 @@ impl Warning {
             Self::ClosingPointMerged { index } => Some(index),
             Self::MovedFar { vertex, .. } | Self::LeftSurface { vertex, .. } => Some(vertex),
             Self::FoldedNet { first, .. } => first,
-            Self::SamplesTooCoarse { .. } | Self::ToleranceBelowNoise { .. } | Self::Zigzag { .. } => None,
+            Self::SamplesTooCoarse { .. }
+            | Self::ToleranceBelowNoise { .. }
+            | Self::Wavers { .. }
+            | Self::DataWaver { .. }
+            | Self::Zigzag { .. } => None,
         }
     }
 }
@@ -223,6 +243,14 @@ impl std::fmt::Display for Warning {
                     fraction * 100.0
                 )
             }
+            Self::Wavers { curve, data } => write!(
+                f,
+                "the curve changes {curve} times between left and right, its points {data} times: it wavers between them (the comb of a picture shows where)"
+            ),
+            Self::DataWaver { changes, nodes } => write!(
+                f,
+                "the points change {changes} times between left and right at {nodes} nodes, as noise does, and the curve passes through all of them: a fit within a tolerance is smoother"
+            ),
             Self::PointsMerged { first, count, limit } => {
                 write!(
                     f,

@@ -2,7 +2,8 @@
 
 use cyclide::{
     ArcFit, ArcFitOptions, ArcPath, ArcSplineOptions, BiarcRule, BlendVariant, CircleSpline, CircleSplineOptions,
-    CurveObject, Effort, FitCertificate, FitTarget, Point3, SplineEnds, Vec3, Warning, corners_by_angle,
+    CurveObject, Effort, Fairness, FitCertificate, FitTarget, Point3, SplineEnds, Vec3, Warning, corners_by_angle,
+    fairness, wavering,
 };
 
 use super::coordinates::Coordinates;
@@ -18,6 +19,8 @@ pub struct ContourFacts {
     pub points: usize,
     /// The certificate of an arc fit.
     pub fit: Option<FitCertificate>,
+    /// How evenly an interpolating curve bends, where that was compared with its points.
+    pub fairness: Option<Fairness>,
 }
 
 /// A contour's points after merging.
@@ -84,7 +87,22 @@ pub(super) fn circle_spline(spec: &CircleSplineSpec, at: &Contour<'_>) -> Made {
 
 impl Contour<'_> {
     fn facts(&self, fit: Option<FitCertificate>) -> ContourFacts {
-        ContourFacts { points: self.list.points.len(), fit }
+        ContourFacts { points: self.list.points.len(), fit, fairness: None }
+    }
+}
+
+impl ContourFacts {
+    /// Measures how evenly a curve through all its points bends, and tells if it wavers between them, or they do.
+    pub(super) fn compare(&mut self, curve: &CurveObject) -> Option<Warning> {
+        let CurveObject::CircleSpline(spline) = curve else {
+            return None;
+        };
+        let measured = *self.fairness.insert(fairness(spline));
+        let found = wavering(spline, &measured)?;
+        if found.curve_wavers {
+            return Some(Warning::Wavers { curve: found.curve, data: found.data });
+        }
+        found.data_waver.then_some(Warning::DataWaver { changes: found.data, nodes: found.nodes })
     }
 }
 

@@ -1,9 +1,9 @@
 //! The report on curves.
 
-use cyclide::{Aabb, CurveObject, Lower, bounds, extreme_curvature, joints, length};
+use cyclide::{Aabb, CORNER_ANGLE, CurveObject, Lower, bounds, extreme_curvature, joints, length};
 use serde::Serialize;
 
-use super::{CORNER_ANGLE, RangeReport};
+use super::{FairnessReport, RangeReport};
 use crate::document::BuiltObject;
 use crate::job::default_tolerance;
 
@@ -20,6 +20,8 @@ pub struct CurvesReport {
     pub joints: JointReport,
     /// The largest curvature and its place.
     pub curvature: CurvatureReport,
+    /// How evenly the curves bend.
+    pub fairness: FairnessReport,
     /// Weights of the exact rational form (within the default tolerance for curves that have none); 1 for arcs.
     /// `None` if there is no such form.
     pub weights: Option<RangeReport>,
@@ -114,6 +116,7 @@ impl CurvesReport {
             closed: curves().all(cyclide::ParamCurve::is_closed),
             joints: joint,
             curvature,
+            fairness: FairnessReport::new(built),
             weights: weights(&built.item.contours, tolerance),
             contours: built.item.contours.len(),
             points: built.contours.iter().map(|c| c.points).sum(),

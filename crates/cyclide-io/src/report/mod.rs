@@ -1,6 +1,7 @@
 //! What was made and what was written: measured on the curves and on the bytes, never taken from the plan.
 
 mod curves;
+mod fairness;
 mod surface;
 mod text;
 
@@ -18,10 +19,8 @@ use crate::job::Job;
 use crate::options::ExportOptions;
 use crate::read_back::file_deviation;
 pub use curves::{CurvatureReport, CurvesReport, FitReport, JointReport};
+pub use fairness::FairnessReport;
 pub use surface::{CircularReport, PartReport, PatchPlace, SingularPatchReport, SurfaceJointReport, SurfaceReport};
-
-/// Joints that turn by more than this (radians) count as corners.
-const CORNER_ANGLE: f64 = 1e-3;
 
 /// Part of the model's size that reading numbers back and comparing points may cost: what foreign readers are held to.
 const READ_BACK_ROUNDING: f64 = 1e-9;

@@ -3,11 +3,12 @@
 use std::collections::BTreeMap;
 
 use cyclide::{
-    Body, CircularMeshReport, CyclidePatch, ParamSurface as _, Shell, ShellFace, SurfaceObject, surface_joints,
+    Body, CORNER_ANGLE, CircularMeshReport, CyclidePatch, ParamSurface as _, Shell, ShellFace, SurfaceObject,
+    surface_joints,
 };
 use serde::Serialize;
 
-use super::{CORNER_ANGLE, RangeReport};
+use super::RangeReport;
 use crate::document::BuiltObject;
 
 /// Places per direction at which a patch is measured where there is no closed form.

@@ -6,7 +6,8 @@ use cyclide::ShortNumber;
 
 use super::surface::PatchPlace;
 use super::{
-    CurvesReport, FileReport, GeometryReport, ObjectReport, RangeReport, Report, SingularPatchReport, SurfaceReport,
+    CurvesReport, FairnessReport, FileReport, GeometryReport, ObjectReport, RangeReport, Report, SingularPatchReport,
+    SurfaceReport,
 };
 
 fn short(value: f64) -> String {
@@ -112,6 +113,7 @@ impl CurvesReport {
             }
         }
         line("curvature", text)?;
+        line("fairness", self.fairness.text())?;
         match &self.weights {
             Some(weights) => line("weights", range(weights))?,
             None => line("weights", "no rational form within the tolerance".to_owned())?,
@@ -128,6 +130,20 @@ impl CurvesReport {
             )?;
         }
         Ok(())
+    }
+}
+
+impl FairnessReport {
+    fn text(&self) -> String {
+        let mut parts = Vec::new();
+        parts.extend(self.sign_changes.map(|n| plural(n, "sign change")));
+        parts.push(if self.extrema == 1 { "1 extremum".to_owned() } else { format!("{} extrema", self.extrema) });
+        parts.push(match (self.variation, self.no_variation) {
+            (Some(variation), _) => format!("variation {}", short(variation)),
+            (None, Some("cusp")) => "no finite variation (cusp)".to_owned(),
+            (None, _) => format!("no finite variation (the curvature jumps at {})", plural(self.jumps, "joint")),
+        });
+        parts.join(", ")
     }
 }
 

@@ -23,6 +23,7 @@ pub use circle::Circle;
 pub use circle_spline::{CircleSpline, CircleSplineOptions, SplineEnds, corners_by_angle};
 pub(crate) use circle_spline::{SHARP_TURN, chords_between, corner_nodes, inspect_node};
 pub use measure::{ArcLength, CurveIndex, ExtremeCurvature, Joint};
+pub use measure::{CORNER_ANGLE, Fairness, Wavering, fairness, wavering};
 pub use measure::{bounds, closest_point, curvature_comb, extreme_curvature, joints, length, resample};
 pub(crate) use node_tangent::Chord;
 pub use param_curve::ParamCurve;

@@ -141,7 +141,9 @@ impl Builder<'_> {
                 self.warnings.push((contour, warning));
             }
             let at = Contour { index: contour, list: &points.lists[contour], kept: &points.kept[contour] };
-            let (curve, facts, warnings) = construct(&at).map_err(|e| self.refused(&e, Some((&points, contour))))?;
+            let made_of_points = construct(&at).map_err(|e| self.refused(&e, Some((&points, contour))))?;
+            let (curve, mut facts, mut warnings) = made_of_points;
+            warnings.extend(facts.compare(&curve));
             for warning in warnings {
                 let index = warning.index().and_then(|i| points.kept[contour].get(i).copied());
                 let place = index.map(|i| self.place(&points, contour, i));

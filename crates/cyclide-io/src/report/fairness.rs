@@ -1,0 +1,50 @@
+//! How evenly the curves of an object bend.
+
+use cyclide::{CurveObject, Fairness, fairness};
+use serde::Serialize;
+
+use crate::document::BuiltObject;
+
+/// How evenly the curves of an object bend, summed over its contours; each is cut at its corners.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct FairnessReport {
+    /// Changes between turning left and turning right; `None` for a curve in space.
+    pub sign_changes: Option<usize>,
+    /// Extrema of the curvature (in space of its size), the ends of runs not counted.
+    pub extrema: usize,
+    /// `L³ ∫ k'² ds` with the length `L` of each contour: without a unit. `None` where the curvature jumps or has no
+    /// bound.
+    pub variation: Option<f64>,
+    /// `∫ |k'| ds`, jumps included, in 1/length; `None` where the curvature has no bound.
+    pub total_variation: Option<f64>,
+    /// Joints, corners excepted, at which the curvature jumps.
+    pub jumps: usize,
+    /// Why there are no sign changes.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub no_sign_changes: Option<&'static str>,
+    /// Why there is no variation.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub no_variation: Option<&'static str>,
+}
+
+impl FairnessReport {
+    /// Measures an object.
+    pub(super) fn new(built: &BuiltObject) -> Self {
+        let known = |i: usize| built.contours.get(i).and_then(|facts| facts.fairness);
+        let measured = |(i, c): (usize, &CurveObject)| known(i).unwrap_or_else(|| fairness(c.as_curve()));
+        let each: Vec<Fairness> = built.item.contours.iter().enumerate().map(measured).collect();
+        let sign_changes = each.iter().map(|f| f.sign_changes).sum::<Option<usize>>();
+        let variation = each.iter().map(|f| f.variation).sum::<Option<f64>>();
+        let cusps = each.iter().any(|f| f.cusps > 0);
+        let why_not = if cusps { "cusp" } else { "curvature-jumps" };
+        Self {
+            sign_changes,
+            extrema: each.iter().map(|f| f.extrema).sum(),
+            variation,
+            total_variation: Some(each.iter().map(|f| f.total_variation).sum()).filter(|v: &f64| v.is_finite()),
+            jumps: each.iter().map(|f| f.jumps).sum(),
+            no_sign_changes: sign_changes.is_none().then_some("space"),
+            no_variation: variation.is_none().then_some(why_not),
+        }
+    }
+}
