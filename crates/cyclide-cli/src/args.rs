@@ -2,6 +2,8 @@
 
 use std::path::PathBuf;
 
+use cyclide_io::Camera;
+
 use clap::{ArgAction, Args as ClapArgs, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 
@@ -210,9 +212,19 @@ pub struct OutputArgs {
     /// GLB: draw the edges of the patches as lines on the surfaces.
     #[arg(long, help_heading = "Formats")]
     pub glb_edges: bool,
-    /// PNG of curves: leave out the curvature comb (pictures of surfaces have none).
-    #[arg(long, help_heading = "Formats")]
+    /// PNG: the model alone, without curvature comb, title, unit, scale bar, legend, names and axes.
+    #[arg(long, help_heading = "Pictures")]
     pub png_plain: bool,
+    /// PNG: width in pixels.
+    #[arg(long, value_name = "PIXELS", default_value_t = 1600, value_parser = clap::value_parser!(u32).range(200..=10_000), help_heading = "Pictures")]
+    pub width: u32,
+    /// PNG: where to look from: top, bottom, front, back, right, left, iso, or azimuth (0 is the front, 90 the right) and
+    /// elevation (90 is from above) in degrees [default: top for plane curves, else a side and above].
+    #[arg(long, value_name = "VIEW", allow_hyphen_values = true, help_heading = "Pictures")]
+    pub camera: Option<Camera>,
+    /// PNG: draw the axes: rulers in views along an axis, else arrows.
+    #[arg(long, help_heading = "Pictures")]
+    pub axes: bool,
 }
 
 #[derive(Debug, ClapArgs)]

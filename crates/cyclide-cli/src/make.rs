@@ -4,7 +4,7 @@ use cyclide_io::{ExportError, FileReport, Report, export, write_files};
 
 use crate::failure::Failure;
 use crate::load;
-use crate::plan::{MakePlan, refuse_overwriting};
+use crate::plan::{Input, MakePlan, refuse_overwriting};
 use crate::progress::Progress;
 use crate::terminal;
 
@@ -19,13 +19,19 @@ pub fn run(plan: &MakePlan) -> Result<(), Failure> {
         }
     }
     let model = loaded.model();
+    let mut options = plan.options.clone();
+    if let (None, Input::File(path)) = (&options.title, &plan.input) {
+        // One object gives its name to the file, several have that of their document.
+        let stem = || path.file_stem().map(|stem| stem.to_string_lossy().into_owned());
+        options.title = if model.items.len() == 1 { None } else { stem() };
+    }
     progress.doing("measuring".to_owned());
     let mut report = Report::new(loaded.units, &loaded.objects, plan.options.tolerance);
     progress.done();
     let mut files = Vec::with_capacity(plan.outputs.len());
     for (path, format) in &plan.outputs {
         progress.doing(path.display().to_string());
-        let exported = export(&model, *format, &plan.options).map_err(|error| refused(path, &error))?;
+        let exported = export(&model, *format, &options).map_err(|error| refused(path, &error))?;
         let checked = FileReport::new(path, *format, &model, &exported);
         report.files.push(checked.map_err(|error| Failure::Check(error.to_string()))?);
         files.push((path, exported.bytes));

@@ -149,6 +149,9 @@ impl OutputArgs {
             svg_comb: self.svg_comb,
             svg_points: self.svg_points,
             png_plain: self.png_plain,
+            png_width: Some(self.width),
+            png_axes: self.axes,
+            camera: self.camera,
             title: None,
         };
         Ok(MakePlan { input, outputs, options, json: self.json })

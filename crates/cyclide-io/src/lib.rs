@@ -5,6 +5,7 @@
 //! our own files ([`read_back`]), so that every export is checked from the bytes written ([`file_deviation`]).
 
 mod bodies;
+mod camera;
 mod csv_samples;
 mod deviation;
 mod document;
@@ -39,6 +40,7 @@ mod suggest;
 mod svg;
 
 pub use bodies::{FileBody, FileEdge, FileFace, FileShell, FileSurface};
+pub use camera::Camera;
 pub use deviation::deviation;
 pub use document::{
     ArcFitSpec, ArcSpec, ArcSplineSpec, BiarcSpec, BorderCurves, BorderSpec, BorderWord, BuiltObject, CircleSpec,
@@ -62,9 +64,9 @@ pub use place::{Diagnostic, Source, decode};
 pub use points::{PointColumns, PointList, PointTable, read_points};
 pub use read_back::{file_deviation, read_back};
 pub use report::{
-    CheckError, CircularReport, CurvatureReport, CurvesReport, FairnessReport, FileReport, FitReport, GeometryReport, JointReport,
-    ObjectReport, PartReport, PatchPlace, RangeReport, Report, SingularPatchReport, SurfaceJointReport, SurfaceReport,
-    WarningReport,
+    CheckError, CircularReport, CurvatureReport, CurvesReport, FairnessReport, FileReport, FitReport, GeometryReport,
+    JointReport, ObjectReport, PartReport, PatchPlace, RangeReport, Report, SingularPatchReport, SurfaceJointReport,
+    SurfaceReport, WarningReport,
 };
 pub use sample::{Spacing, sample};
 pub use suggest::{did_you_mean, similar};

@@ -1,5 +1,7 @@
 //! What may be chosen about a file.
 
+use crate::camera::Camera;
+
 /// Which DXF.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum DxfVersion {
@@ -42,6 +44,12 @@ pub struct ExportOptions {
     pub svg_comb: bool,
     /// SVG: draw the joints of the curves as dots.
     pub svg_points: bool,
-    /// PNG: leave out the curvature comb.
+    /// PNG: leave out what is not the model: comb, title, unit, scale bar, legend, names and axes.
     pub png_plain: bool,
+    /// PNG: width in pixels, 200 to 10000; `None` is 1600.
+    pub png_width: Option<u32>,
+    /// PNG: draw the axes.
+    pub png_axes: bool,
+    /// PNG: where the model is looked at from; `None` is from above for curves of the plane, else from a side and above.
+    pub camera: Option<Camera>,
 }

@@ -15,9 +15,14 @@ pub(crate) fn linear(index: usize) -> [f64; 3] {
     to_linear(object(index))
 }
 
+/// The colour of an object's surfaces.
+pub(crate) const fn surface_on_screen(index: usize) -> u32 {
+    SURFACES[index % SURFACES.len()]
+}
+
 /// The colour of an object's surfaces in linear light.
 pub(crate) fn surface(index: usize) -> [f64; 3] {
-    to_linear(SURFACES[index % SURFACES.len()])
+    to_linear(surface_on_screen(index))
 }
 
 /// Linear light of a colour of the screen.

@@ -6,7 +6,7 @@ mod page;
 use std::io;
 use std::path::Path;
 
-use cyclide_io::{Document, ExportOptions, FileReport, ModelBuilder, Report, export, write_files};
+use cyclide_io::{Document, ExportOptions, FileReport, Format, ModelBuilder, Report, export, write_files};
 
 use crate::failure::Failure;
 use crate::load::Loaded;
@@ -14,6 +14,9 @@ use crate::plan::GalleryPlan;
 use crate::progress::Progress;
 use crate::terminal;
 use entries::{ENTRIES, Entry};
+
+/// Width of the pictures, pixels: twice that of their place on the page.
+const PICTURE: u32 = 1280;
 
 /// An entry with what was made of it.
 struct Shown {
@@ -65,7 +68,9 @@ fn make(entry: &'static Entry, files: &mut Vec<(String, Vec<u8>)>, progress: &Pr
     for format in entry.formats {
         let name = format!("{}.{}", entry.name, format.name());
         progress.doing(name.clone());
-        let options = ExportOptions { title: Some(entry.name.to_owned()), ..ExportOptions::default() };
+        let title = if *format == Format::Png { entry.title } else { entry.name };
+        let options =
+            ExportOptions { title: Some(title.to_owned()), png_width: Some(PICTURE), ..ExportOptions::default() };
         let exported = export(&model, *format, &options).map_err(|error| fault(error.to_string()))?;
         let checked = FileReport::new(Path::new(&name), *format, &model, &exported);
         report.files.push(checked.map_err(|error| fault(error.to_string()))?);

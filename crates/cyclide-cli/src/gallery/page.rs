@@ -44,7 +44,7 @@ header, main, footer { max-width: 84rem; margin: 0 auto; padding: 0 1.5rem; }
 header { padding-top: 3rem; padding-bottom: 1.5rem; }
 h1 { margin: 0; font-size: 2.25rem; font-weight: 650; letter-spacing: -0.02em; }
 header p { max-width: 46rem; margin: 0.5rem 0 0; color: var(--soft); }
-main { display: grid; grid-template-columns: repeat(auto-fill, minmax(min(24rem, 100%), 1fr)); gap: 1.5rem; }
+main { display: grid; grid-template-columns: repeat(auto-fill, minmax(min(32rem, 100%), 1fr)); gap: 1.5rem; }
 article { display: flex; flex-direction: column; background: var(--card); border: 1px solid var(--line); border-radius: 10px; overflow: hidden; }
 article > a { display: block; background: #fbfbf9; border-bottom: 1px solid var(--line); }
 img { display: block; width: 100%; aspect-ratio: 4 / 3; object-fit: contain; }

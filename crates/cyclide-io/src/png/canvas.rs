@@ -1,6 +1,10 @@
-//! Strokes and fills in pixels.
+//! Strokes, fills and text in pixels.
 
+use super::lettering;
 use tiny_skia::{Color, FillRule, LineCap, LineJoin, Paint, Path, PathBuilder, Pixmap, Stroke, Transform};
+
+/// A place in the picture, pixels to the right and down.
+pub(super) type Pixel = (f32, f32);
 
 /// A colour with its opacity.
 #[derive(Debug, Clone, Copy)]
@@ -17,11 +21,14 @@ pub(super) const PAPER: u32 = 0xFBFBF9;
 impl Ink {
     const PAPER: Self = Self::new(PAPER, 1.0);
     pub(super) const COMB: Self = Self::new(0xE2803F, 0.42);
-    pub(super) const COMB_EDGE: Self = Self::new(0xD9722E, 0.75);
+    pub(super) const COMB_EDGE: Self = Self::new(0xD9722E, 0.85);
     pub(super) const COMB_AREA: Self = Self::new(0xF2A46B, 0.13);
     pub(super) const FLOOR: Self = Self::new(0xF1F2F0, 1.0);
     pub(super) const FLOOR_LINE: Self = Self::new(0xDFE2E0, 1.0);
     pub(super) const SHADOW: Self = Self::new(0xB9C0C4, 0.8);
+    /// Text, and what is said beside it.
+    pub(super) const TEXT: Self = Self::new(0x1D242B, 1.0);
+    pub(super) const SOFT: Self = Self::new(0x5D6974, 1.0);
 
     const fn new(rgb: u32, alpha: f64) -> Self {
         Self {
@@ -35,6 +42,11 @@ impl Ink {
     /// The colour of an object.
     pub(super) fn object(index: usize) -> Self {
         Self::new(crate::palette::object(index), 1.0)
+    }
+
+    /// The colour of an object's surfaces.
+    pub(super) fn surface(index: usize) -> Self {
+        Self::new(crate::palette::surface_on_screen(index), 1.0)
     }
 
     /// The colour moved towards the paper; 1 is far away, which is still well visible.
@@ -75,37 +87,54 @@ impl Canvas {
     }
 
     /// A line with round ends and corners.
-    pub(super) fn stroke(&mut self, points: &[(f32, f32)], closed: bool, width: f64, ink: Ink) {
-        self.line(points, closed, width, ink, LineCap::Round);
+    pub(super) fn stroke(&mut self, points: &[Pixel], closed: bool, width: f64, ink: Ink) {
+        self.line(path([points], closed), width, ink, LineCap::Round);
+    }
+
+    /// Lines that are one shape: where they cross they are not darker.
+    pub(super) fn strokes<'a>(&mut self, lines: impl IntoIterator<Item = &'a [Pixel]>, width: f64, ink: Ink) {
+        self.line(path(lines, false), width, ink, LineCap::Butt);
     }
 
     /// A line in the colour of the paper that ends where it ends.
-    pub(super) fn rim(&mut self, points: &[(f32, f32)], width: f64) {
-        self.line(points, false, width, Ink { alpha: 0.85, ..Ink::PAPER }, LineCap::Butt);
+    pub(super) fn rim(&mut self, points: &[Pixel], width: f64) {
+        self.line(path([points], false), width, Ink { alpha: 0.85, ..Ink::PAPER }, LineCap::Butt);
     }
 
-    fn line(&mut self, points: &[(f32, f32)], closed: bool, width: f64, ink: Ink, line_cap: LineCap) {
-        let Some(path) = path(points, closed) else {
+    fn line(&mut self, path: Option<Path>, width: f64, ink: Ink, line_cap: LineCap) {
+        let Some(path) = path else {
             return;
         };
         let stroke = Stroke { width: width as f32, line_cap, line_join: LineJoin::Round, ..Stroke::default() };
         self.pixels.stroke_path(&path, &ink.paint(), &stroke, Transform::identity(), None);
     }
 
-    pub(super) fn fill(&mut self, points: &[(f32, f32)], ink: Ink) {
-        if let Some(path) = path(points, true) {
+    pub(super) fn fill(&mut self, points: &[Pixel], ink: Ink) {
+        if let Some(path) = path([points], true) {
             self.pixels.fill_path(&path, &ink.paint(), FillRule::EvenOdd, Transform::identity(), None);
         }
     }
 
     /// A joint: a pale dot with a dark ring.
-    pub(super) fn dot(&mut self, (x, y): (f32, f32), radius: f64) {
+    pub(super) fn dot(&mut self, (x, y): Pixel, radius: f64) {
         let Some(circle) = PathBuilder::from_circle(x, y, radius as f32) else {
             return;
         };
         let stroke = Stroke { width: (0.38 * radius) as f32, ..Stroke::default() };
         self.pixels.fill_path(&circle, &Ink::PAPER.paint(), FillRule::Winding, Transform::identity(), None);
         self.pixels.stroke_path(&circle, &Ink::object(0).paint(), &stroke, Transform::identity(), None);
+    }
+
+    /// A line of text from the left end of its base line, capitals `size` high.
+    pub(super) fn text(&mut self, text: &str, at: (f64, f64), size: f64, ink: Ink) {
+        self.line(lettering::path(text, at, size), lettering::stroke_width(size), ink, LineCap::Round);
+    }
+
+    /// Text over a drawing: with a rim of paper round its strokes.
+    pub(super) fn label(&mut self, text: &str, at: (f64, f64), size: f64, ink: Ink) {
+        let rim = Ink { alpha: 0.9, ..Ink::PAPER };
+        self.line(lettering::path(text, at, size), 4.5 * lettering::stroke_width(size), rim, LineCap::Round);
+        self.text(text, at, size, ink);
     }
 
     /// Sets a pixel to a colour of the screen.
@@ -119,15 +148,19 @@ impl Canvas {
     }
 }
 
-fn path(points: &[(f32, f32)], closed: bool) -> Option<Path> {
-    let (&(x, y), rest) = points.split_first()?;
+fn path<'a>(lines: impl IntoIterator<Item = &'a [Pixel]>, closed: bool) -> Option<Path> {
     let mut builder = PathBuilder::new();
-    builder.move_to(x, y);
-    for &(x, y) in rest {
-        builder.line_to(x, y);
-    }
-    if closed {
-        builder.close();
+    for points in lines {
+        let Some((&(x, y), rest)) = points.split_first() else {
+            continue;
+        };
+        builder.move_to(x, y);
+        for &(x, y) in rest {
+            builder.line_to(x, y);
+        }
+        if closed {
+            builder.close();
+        }
     }
     builder.finish()
 }

@@ -1,12 +1,16 @@
 //! From model coordinates to pixels.
 
 use super::UP;
+use super::canvas::Pixel;
+use super::sheet::{Caption, Sheet};
+use crate::camera::Camera;
 use cyclide::{Aabb, Point3, Vec3};
 
-/// Margin round the drawing, relative to its larger side.
-const MARGIN: f64 = 0.06;
-/// Flattest picture: height over width, and the other way round.
-const SLIMMEST: f64 = 0.3;
+/// Room round the drawing, pixels of a picture of the usual width, and the room that axes take at the left and below.
+const MARGIN: f64 = 52.0;
+const AXES: (f64, f64) = (76.0, 40.0);
+/// The flattest drawing: height over width.
+const SLIMMEST: f64 = 0.22;
 /// Where a model with heights is looked at from, in order of preference: front right, front left, and turned further.
 const EYES: [(f64, f64); 6] = [(0.5, -0.8), (-0.5, -0.8), (0.92, -0.2), (-0.92, -0.2), (0.2, -0.92), (-0.2, -0.92)];
 /// Height of the eye that goes with these.
@@ -18,12 +22,12 @@ const FLOOR_GAP: f64 = 0.04;
 const FLOOR_RIM: f64 = 0.06;
 /// Lines across the floor, about.
 const FLOOR_LINES: f64 = 8.0;
+/// From lower than this the floor is not drawn: it would be a line, or hide the model.
+const FLOOR_SINE: f64 = 0.15;
 
 /// A parallel projection fitted to the picture.
 pub(super) struct View {
-    right: Vec3,
-    up: Vec3,
-    toward: Vec3,
+    axes: [Vec3; 3],
     /// Model units per pixel.
     unit: f64,
     /// Projected coordinates of the picture's upper left corner.
@@ -31,7 +35,9 @@ pub(super) struct View {
     pixels: (u32, u32),
     /// Nearest and farthest depth of the model.
     depths: (f64, f64),
-    floor: Floor,
+    floor: Option<Floor>,
+    /// What is shown, in projected coordinates.
+    area: Aabb,
 }
 
 /// A rectangle below the model.
@@ -40,37 +46,59 @@ pub(super) struct Floor {
     bounds: Aabb,
 }
 
+/// Right, up and toward the eye: as asked for, else from above, or from the side and above if there are heights.
+pub(super) fn axes(points: &[Point3], heights: bool, camera: Option<Camera>) -> [Vec3; 3] {
+    match camera {
+        Some(camera) => camera.axes(),
+        None if heights => from_side(points, STEEPNESS),
+        None => from_above(),
+    }
+}
+
+/// The axes of the view from above.
+pub(super) fn from_above() -> [Vec3; 3] {
+    [Vec3::X, Vec3::Y, UP]
+}
+
+/// The axes of the view from a side and above that shows the most.
+pub(super) fn from_side(points: &[Point3], steepness: f64) -> [Vec3; 3] {
+    let toward = eye(points, steepness);
+    let right = UP.cross(toward).unit().unwrap_or(Vec3::X);
+    [right, toward.cross(right), toward]
+}
+
 impl View {
-    /// From above, or from the side and above if there are heights; `largest` is the largest picture.
-    pub(super) fn new(points: impl Iterator<Item = Point3>, heights: bool, largest: (f64, f64)) -> Self {
-        let points: Vec<Point3> = points.collect();
-        let toward = if heights { eye(&points, STEEPNESS) } else { UP };
-        let right = if heights { UP.cross(toward).unit().unwrap_or(Vec3::X) } else { Vec3::X };
-        let up = toward.cross(right);
+    /// The view that shows the points on a sheet between the bands of its caption.
+    pub(super) fn new(
+        points: &[Point3],
+        [right, up, toward]: [Vec3; 3],
+        heights: bool,
+        sheet: Sheet,
+        caption: Option<&Caption>,
+        axes: bool,
+    ) -> Self {
         let bounds = Aabb::of_points(points.iter().copied()).unwrap_or(Aabb::of_point(Point3::ORIGIN));
-        let floor = Floor::below_model(bounds);
-        let shown = if heights { floor.outline().to_vec() } else { Vec::new() };
+        let floor = (heights && toward.z > FLOOR_SINE && toward != UP).then(|| Floor::below_model(bounds));
+        let shown = floor.map_or(Vec::new(), |floor| floor.outline().to_vec());
         let flat = |p: &Point3| Point3::new(p.to_vec().dot(right), p.to_vec().dot(up), p.to_vec().dot(toward));
         let area = Aabb::of_points(points.iter().chain(&shown).map(flat)).unwrap_or(bounds);
         let depths = Aabb::of_points(points.iter().map(flat)).map_or((0.0, 0.0), |b| (b.min.z, b.max.z));
 
+        let margin = MARGIN * sheet.scale;
+        let room = if axes { (AXES.0 * sheet.scale, AXES.1 * sheet.scale) } else { (0.0, 0.0) };
+        let (header, footer) = caption.map_or((0.0, 0.0), |c| (c.header(sheet), c.footer(sheet)));
+        // The bands of the caption have room of their own towards the drawing.
+        let (above, below) = if caption.is_some() { (0.35 * margin, 0.35 * margin) } else { (margin, margin) };
+        let most = (sheet.width - 2.0 * margin - room.0, sheet.tallest() - header - footer - above - below - room.1);
         let (width, height) = (area.max.x - area.min.x, area.max.y - area.min.y);
-        let side = if width.max(height) > 0.0 { width.max(height) } else { 1.0 };
-        let margin = 2.0 * MARGIN * side;
-        let (width, height) = ((width + margin).max(SLIMMEST * (height + margin)), height + margin);
-        let height = height.max(SLIMMEST * width);
-        let unit = (width / largest.0).max(height / largest.1);
+        let unit = (width / most.0).max(height / most.1);
+        let unit = if unit > 0.0 { unit } else { 1.0 / most.0 };
+        let tall = (height / unit).max(SLIMMEST * most.0).min(most.1);
+        let pixels = (sheet.width as u32, (header + above + tall + room.1 + below + footer).round() as u32);
         let middle = area.min.midpoint(area.max);
-        Self {
-            right,
-            up,
-            toward,
-            unit,
-            corner: (middle.x - 0.5 * width, middle.y + 0.5 * height),
-            pixels: ((width / unit).round() as u32, (height / unit).round() as u32),
-            depths,
-            floor,
-        }
+        let centre = (margin + room.0 + 0.5 * most.0, header + above + 0.5 * tall);
+        let corner = (middle.x - centre.0 * unit, middle.y + centre.1 * unit);
+        Self { axes: [right, up, toward], unit, corner, pixels, depths, floor, area }
     }
 
     /// Width of the picture.
@@ -88,26 +116,40 @@ impl View {
         self.unit
     }
 
-    pub(super) fn floor(&self) -> Floor {
+    pub(super) fn floor(&self) -> Option<Floor> {
         self.floor
     }
 
+    pub(super) fn axes(&self) -> [Vec3; 3] {
+        self.axes
+    }
+
+    /// What is shown, in projected coordinates: right and up.
+    pub(super) fn area(&self) -> Aabb {
+        self.area
+    }
+
     /// The pixel of a point.
-    pub(super) fn at(&self, p: Point3) -> (f32, f32) {
+    pub(super) fn at(&self, p: Point3) -> Pixel {
         let v = p.to_vec();
-        let (x, y) = (v.dot(self.right) - self.corner.0, self.corner.1 - v.dot(self.up));
-        ((x / self.unit) as f32, (y / self.unit) as f32)
+        let (x, y) = self.flat_at(v.dot(self.axes[0]), v.dot(self.axes[1]));
+        (x as f32, y as f32)
+    }
+
+    /// The pixel of projected coordinates.
+    pub(super) fn flat_at(&self, x: f64, y: f64) -> (f64, f64) {
+        ((x - self.corner.0) / self.unit, (self.corner.1 - y) / self.unit)
     }
 
     /// 0 for the farthest part of the model, 1 for the nearest.
     pub(super) fn depth(&self, p: Point3) -> f64 {
         let (far, near) = self.depths;
-        if near > far { ((p.to_vec().dot(self.toward) - far) / (near - far)).clamp(0.0, 1.0) } else { 1.0 }
+        if near > far { ((p.to_vec().dot(self.axes[2]) - far) / (near - far)).clamp(0.0, 1.0) } else { 1.0 }
     }
 }
 
 /// The direction to look from: a curve close to a plane must not be seen edge on.
-pub(super) fn eye(points: &[Point3], steepness: f64) -> Vec3 {
+fn eye(points: &[Point3], steepness: f64) -> Vec3 {
     let mut best = (UP, 0.0);
     for eye in EYES.into_iter().filter_map(|(x, y)| Vec3::new(x, y, steepness).unit()) {
         let spread = spread(points, eye);
@@ -160,16 +202,22 @@ impl Floor {
     /// Lines at round coordinates, along both axes.
     pub(super) fn lines(&self) -> Vec<[Point3; 2]> {
         let (a, b) = (self.bounds.min, self.bounds.max);
-        let rough = (b.x - a.x).max(b.y - a.y) / FLOOR_LINES;
-        let decade = 10_f64.powf(rough.log10().floor());
-        let step = [1.0, 2.0, 5.0, 10.0].into_iter().map(|m| m * decade).find(|s| *s >= rough).unwrap_or(rough);
-        let between = |low: f64, high: f64| {
-            let count = ((high - low) / step) as usize + 1;
-            let first = (low / step).ceil() * step;
-            (0..count).map(move |i| first + step * i as f64).filter(move |v| *v <= high)
-        };
-        let across = between(a.x, b.x).map(|x| [Point3::new(x, a.y, a.z), Point3::new(x, b.y, a.z)]);
-        let along = between(a.y, b.y).map(|y| [Point3::new(a.x, y, a.z), Point3::new(b.x, y, a.z)]);
+        let step = round_step((b.x - a.x).max(b.y - a.y) / FLOOR_LINES);
+        let across = multiples(a.x, b.x, step).map(|x| [Point3::new(x, a.y, a.z), Point3::new(x, b.y, a.z)]);
+        let along = multiples(a.y, b.y, step).map(|y| [Point3::new(a.x, y, a.z), Point3::new(b.x, y, a.z)]);
         across.chain(along).collect()
     }
+}
+
+/// The smallest of 1, 2, 5, 10, 20, … and their tenths that is not below `least`.
+pub(super) fn round_step(least: f64) -> f64 {
+    let decade = 10_f64.powf(least.log10().floor());
+    [1.0, 2.0, 5.0, 10.0].into_iter().map(|m| m * decade).find(|s| *s >= least).unwrap_or(least)
+}
+
+/// The multiples of a step between two values.
+pub(super) fn multiples(low: f64, high: f64, step: f64) -> impl Iterator<Item = f64> {
+    let count = ((high - low) / step) as usize + 1;
+    let first = (low / step).ceil();
+    (0..count).map(move |i| (first + i as f64) * step).filter(move |v| *v <= high)
 }

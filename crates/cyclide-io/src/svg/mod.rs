@@ -19,7 +19,7 @@ use crate::export_error::ExportError;
 use crate::exported::{Exported, Promise};
 use crate::job::{Contour, Job};
 use crate::number::push_plain;
-use cyclide::{Aabb, Arc, Exactness, Point3, Units, flatten};
+use cyclide::{Aabb, Arc, Exactness, Point3, Units, Vec3, flatten};
 use path::Path;
 use plan::Plan;
 use std::collections::HashSet;
@@ -57,8 +57,10 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
         notes.push("heights are left out: the drawing is the view along the z axis".to_owned());
     }
     let size = larger_side(bounds);
-    let combs = if job.options.svg_comb { drawing::combs(job, size) } else { Vec::new() };
-    bounds = combs.iter().flatten().fold(bounds, |b, (_, tip)| b.including(Point3::new(tip.x, -tip.y, 0.0)));
+    let combs =
+        if job.options.svg_comb { drawing::combs(job, size, [Vec3::X, Vec3::Y]) } else { drawing::Combs::default() };
+    bounds = combs.tips().fold(bounds, |b, tip| b.including(Point3::new(tip.x, -tip.y, 0.0)));
+    notes.extend(combs.left_out_note(|index| job.model.items.get(index).map_or("", |item| &item.name)));
 
     let page = Page::new(job.units(), bounds);
     if let Some(scale) = page.scale_note() {
@@ -194,21 +196,25 @@ fn push_curves(out: &mut String, paths: Vec<(Contour<'_>, Path)>, stroke: f64) {
     out.push_str("</g>\n");
 }
 
-fn push_combs(out: &mut String, combs: &[drawing::Comb], stroke: f64) {
-    if combs.is_empty() {
+fn push_combs(out: &mut String, combs: &drawing::Combs, stroke: f64) {
+    if combs.drawn.is_empty() {
         return;
     }
-    let mut data = String::new();
-    for comb in combs {
-        for (foot, tip) in comb {
-            push_line(&mut data, &[*foot, *tip]);
-        }
-        let tips: Vec<Point3> = comb.iter().map(|(_, tip)| *tip).collect();
-        push_line(&mut data, &tips);
-    }
-    out.push_str("<g id=\"comb\" fill=\"none\" stroke=\"#e0793a\" stroke-opacity=\"0.6\" stroke-width=\"");
+    out.push_str("<g id=\"comb\" fill=\"none\" stroke=\"#e0793a\" stroke-width=\"");
     push_plain(out, three_digits(0.3 * stroke));
-    out.push_str(&format!("\">\n<path d=\"{data}\"/>\n</g>\n"));
+    out.push_str("\">\n");
+    for comb in &combs.drawn {
+        let (mut teeth, mut tips) = (String::new(), String::new());
+        for strip in &comb.strips {
+            for t in strip.tips.iter().filter(|t| t.is_tooth) {
+                push_line(&mut teeth, &[t.foot, t.tip]);
+            }
+            push_line(&mut tips, &strip.tips.iter().map(|t| t.tip).collect::<Vec<_>>());
+        }
+        out.push_str(&format!("<path class=\"teeth\" stroke-opacity=\"0.5\" d=\"{teeth}\"/>\n"));
+        out.push_str(&format!("<path class=\"tips\" stroke-opacity=\"0.9\" d=\"{tips}\"/>\n"));
+    }
+    out.push_str("</g>\n");
 }
 
 /// An open polyline.

@@ -12,5 +12,6 @@ mod meshes;
 mod models;
 mod pictures;
 mod round_trip;
+mod sheets;
 mod step;
 mod step_bodies;

@@ -30,8 +30,11 @@ fn bytes(model: &Model) -> Vec<u8> {
     export(model, Format::Png, &ExportOptions::default()).unwrap().bytes
 }
 
+/// The picture without title and scale bar, which say how large the model is.
 fn picture(model: &Model) -> Pixmap {
-    let picture = Pixmap::decode_png(&bytes(model)).unwrap();
+    let options = ExportOptions { png_plain: true, ..ExportOptions::default() };
+    let bytes = export(model, Format::Png, &options).unwrap().bytes;
+    let picture = Pixmap::decode_png(&bytes).unwrap();
     assert_eq!((picture.width(), picture.height()), (1600, 1200));
     picture
 }

@@ -4,8 +4,10 @@ use cyclide::{Point3, Vec3};
 
 /// Half the angle of view over the picture's height is 21.5 degrees; its tangent.
 const HALF_HEIGHT: f64 = 0.393_910_475_614_942;
+/// The lens of views along an axis, which are drawings: so long that parallel lines stay so to a pixel or two.
+const LONG: f64 = 200.0;
 /// Part of the picture's half width and half height that the model may fill.
-const FILLED: f64 = 0.85;
+const FILLED: f64 = 0.92;
 /// The nearest point of the model is at least this far before the eye, relative to the model's size.
 const NEAREST: f64 = 0.05;
 
@@ -31,21 +33,29 @@ pub(super) struct Camera {
     /// Pixels per unit of slope.
     focal: f64,
     middle: (f64, f64),
+    /// How much longer than usual the lens is.
+    lens: f64,
     /// Greatest inverse depth.
     nearest: f64,
 }
 
 impl Camera {
-    /// The view against the unit direction `toward` in which the points fill a picture of so many pixels.
+    /// The view along the axes (right, up, toward the eye) in which the points fill a picture of so many pixels, without
+    /// perspective if `flat`.
     ///
     /// A point `(x, y, z)` in the axes right, up, toward is in the picture of an eye at `(a, b, c)` where
     /// `|x - a| <= h (c - z)` and the same for y. So the least `c` that width asks for is
     /// `(max(x + h z) + max(h z - x))/(2h)`, with `a` half the difference of these maxima; the height alike.
-    pub(super) fn new(points: &[Point3], toward: Vec3, (width, height): (f64, f64)) -> Self {
-        let right = super::UP.cross(toward).unit().unwrap_or(Vec3::X);
-        let up = toward.cross(right);
+    pub(super) fn new(
+        points: &[Point3],
+        [right, up, toward]: [Vec3; 3],
+        flat: bool,
+        (width, height): (f64, f64),
+    ) -> Self {
+        let lens = if flat { LONG } else { 1.0 };
+        let half_height = HALF_HEIGHT / lens;
         let origin = points.first().copied().unwrap_or(Point3::ORIGIN);
-        let (v, h) = (FILLED * HALF_HEIGHT, FILLED * HALF_HEIGHT * width / height);
+        let (v, h) = (FILLED * half_height, FILLED * half_height * width / height);
         let mut most = [f64::NEG_INFINITY; 4];
         let (mut front, mut reach) = (f64::NEG_INFINITY, 0.0f64);
         for p in points {
@@ -70,10 +80,26 @@ impl Camera {
             toward,
             eye: origin + aside + toward * distance,
             size,
-            focal: 0.5 * height / HALF_HEIGHT,
+            focal: 0.5 * height / half_height,
             middle: (0.5 * width, 0.5 * height),
+            lens,
             nearest: size / (distance - front),
         }
+    }
+
+    /// The same view on a larger picture, whose upper left corner is so far above the old one.
+    pub(super) fn below(self, header: f64) -> Self {
+        Self { middle: (self.middle.0, self.middle.1 + header), ..self }
+    }
+
+    /// The part of its distance by which something drawn on a surface is lifted off it.
+    pub(super) fn lift(&self, part: f64) -> f64 {
+        part / self.lens
+    }
+
+    /// Model units per pixel as far away as a point.
+    pub(super) fn unit_at(&self, p: Point3) -> f64 {
+        self.size / (self.project(p).near * self.focal)
     }
 
     /// Model units per pixel at the nearest point.
@@ -119,7 +145,8 @@ mod tests {
         let corner = |k: u32| Point3::new(f64::from(k & 1), f64::from(k >> 1 & 1) * 3.0, f64::from(k >> 2) * 0.5);
         let points: Vec<Point3> = (0..8).map(corner).collect();
         let toward = Vec3::new(0.5, -0.8, 0.5).unit().unwrap();
-        let camera = Camera::new(&points, toward, (1600.0, 1200.0));
+        let right = Vec3::Z.cross(toward).unit().unwrap();
+        let camera = Camera::new(&points, [right, toward.cross(right), toward], false, (1600.0, 1200.0));
         let seen: Vec<Projected> = points.iter().map(|p| camera.project(*p)).collect();
         let range =
             |f: fn(&Projected) -> f64| seen.iter().map(f).fold((f64::MAX, f64::MIN), |(a, b), v| (a.min(v), b.max(v)));

@@ -82,14 +82,14 @@ impl Facets {
     }
 
     /// A curve as a ribbon of constant width in the picture.
-    pub(super) fn add_curve(&mut self, curve: &Polyline, camera: &Camera) {
+    pub(super) fn add_curve(&mut self, curve: &Polyline, camera: &Camera, scale: f64) {
         let ink = palette::linear(curve.object);
         let lifted = |p: &Point3| {
             let p = camera.project(*p);
-            Projected { near: p.near * (1.0 + LIFT), ..p }
+            Projected { near: p.near * (1.0 + camera.lift(LIFT)), ..p }
         };
         let points: Vec<Projected> = curve.points.iter().map(lifted).collect();
-        let radius = 0.5 * CURVE;
+        let radius = 0.5 * CURVE * scale;
         let mut add = |corners: [Projected; 3]| {
             self.corners.push(corners);
             self.paints.push(Paint::Ink(ink));

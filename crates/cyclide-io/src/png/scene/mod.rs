@@ -14,13 +14,15 @@ mod surface;
 #[cfg(test)]
 mod tests;
 
-use super::{FLATNESS, HEIGHT, UP, WIDTH, curves, picture};
+use super::{FLATNESS, UP, curves, picture};
+use crate::drawing::Combs;
 use crate::export_error::ExportError;
 use crate::exported::{Exported, Promise};
 use crate::job::Job;
 use crate::palette::to_linear;
 use crate::png::canvas::{Canvas, PAPER};
-use crate::png::view::eye;
+use crate::png::sheet::{Caption, Sheet};
+use crate::png::{axes, view};
 use camera::Camera;
 use cyclide::{Aabb, Exactness, Point3};
 use facets::{Facets, Paint};
@@ -33,32 +35,50 @@ use surface::{Surface, surfaces};
 const MESH: f64 = 0.25;
 
 /// Draws a model with surfaces.
-pub(super) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
+pub(super) fn write(job: &Job<'_>, sheet: Sheet) -> Result<Exported, ExportError> {
     let rough = facets::rough(job);
     let mut points: Vec<Point3> = rough.iter().flatten().copied().collect();
     points.extend(curves(job, 1e-3 * job.size())?.iter().flat_map(|c| c.points.iter().copied()));
     let bounds = Aabb::of_points(points.iter().copied()).ok_or(ExportError::Empty)?;
     let heights = bounds.max.z - bounds.min.z > 1e-6 * bounds.diagonal();
-    let toward = if heights { eye(&points, STEEPNESS) } else { UP };
-    let camera = Camera::new(&points, toward, (WIDTH, HEIGHT));
+    let axes = match job.options.camera {
+        Some(camera) => camera.axes(),
+        None if heights => view::from_side(&points, STEEPNESS),
+        None => view::from_above(),
+    };
+    let flat = job.options.camera.is_some_and(crate::Camera::is_along_axis);
+    let caption = Caption::new(job, &Combs::default());
+    let height = sheet.tallest();
+    let (header, footer) = caption.as_ref().map_or((0.0, 0.0), |c| (c.header(sheet), c.footer(sheet)));
+    let room = (sheet.width, height - header - footer);
+    let camera = Camera::new(&points, axes, flat, room).below(header);
     let lights = Lights::new(camera.axes());
-    let ground = heights.then(|| Ground::new(&rough, bounds, &lights));
+    let ground = (heights && axes[2].z > 0.0).then(|| Ground::new(&rough, bounds, &lights));
 
     let mut drawn = Vec::new();
     let mut facets = Facets::default();
     for body in &job.bodies {
         let first = drawn.len();
         for shell in body.body.shells() {
-            drawn.extend(surfaces(shell, body.item, camera.unit()));
+            drawn.extend(surfaces(shell, body.item, camera.unit(), sheet.scale));
         }
         let added = facets.add_body(&body.body, first, &camera, MESH * camera.unit());
         added.map_err(|source| body.unfit(source))?;
     }
     for curve in curves(job, FLATNESS * camera.unit())? {
-        facets.add_curve(&curve, &camera);
+        facets.add_curve(&curve, &camera, sheet.scale);
     }
     let scene = Scene { camera, lights, ground, drawn, facets, paper: to_linear(PAPER) };
-    let bytes = scene.draw()?;
+    let mut canvas = scene.draw((sheet.width as usize, height as usize))?;
+    if let Some(caption) = caption {
+        let unit = scene.camera.unit_at(bounds.min.midpoint(bounds.max));
+        let note = if flat || !heights { "" } else { " at mid-depth" };
+        caption.draw(&mut canvas, sheet, height, unit, note);
+        if job.options.png_axes {
+            axes::arrows(&mut canvas, axes, sheet, height - footer);
+        }
+    }
+    let bytes = canvas.encode().map_err(|e| picture(&e))?;
     let mut promise = Promise::EXACT;
     promise.add(Exactness::Within(0.5 * scene.camera.unit()));
     Ok(promise.exported(bytes, Vec::new()))
@@ -80,8 +100,7 @@ struct Scene<'a> {
 }
 
 impl Scene<'_> {
-    fn draw(&self) -> Result<Vec<u8>, ExportError> {
-        let (width, height) = (WIDTH as usize, HEIGHT as usize);
+    fn draw(&self, (width, height): (usize, usize)) -> Result<Canvas, ExportError> {
         let mut canvas = Canvas::new(width as u32, height as u32).ok_or_else(|| picture("it has no size"))?;
         let table = Screen::new();
         raster::bands(&self.facets.corners, (width, height), |band| {
@@ -92,7 +111,7 @@ impl Scene<'_> {
                 }
             }
         });
-        canvas.encode().map_err(|e| picture(&e))
+        Ok(canvas)
     }
 
     /// The mean light of a pixel.

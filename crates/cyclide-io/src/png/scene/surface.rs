@@ -33,16 +33,18 @@ pub(super) struct Surface<'a> {
     tint: Rgb,
     inner_tint: Rgb,
     ink: Rgb,
+    /// Widths of lines are multiplied by this.
+    scale: f64,
 }
 
-/// The faces of a shell for the picture; `unit` is the size of a pixel.
-pub(super) fn surfaces(shell: &Shell, object: usize, unit: f64) -> impl Iterator<Item = Surface<'_>> {
+/// The faces of a shell for the picture; `unit` is the size of a pixel, `scale` multiplies widths and distances of lines.
+pub(super) fn surfaces(shell: &Shell, object: usize, unit: f64, scale: f64) -> impl Iterator<Item = Surface<'_>> {
     let uses = shell.edge_uses();
-    let levels = halvings(shell, SPACING * unit);
+    let levels = halvings(shell, SPACING * scale * unit);
     let closed = uses.iter().all(|n| *n == 2);
     let (ink, tint) = (palette::linear(object), palette::surface(object));
     shell.faces().iter().zip(levels).map(move |(face, levels)| {
-        let width = |edge: usize| if uses[edge] == 1 { BORDER } else { EDGE };
+        let width = |edge: usize| scale * if uses[edge] == 1 { BORDER } else { EDGE };
         Surface {
             patch: &face.patch,
             levels,
@@ -51,6 +53,7 @@ pub(super) fn surfaces(shell: &Shell, object: usize, unit: f64) -> impl Iterator
             tint,
             inner_tint: if closed { tint } else { tint.map(|c| c * INNER) },
             ink,
+            scale,
         }
     })
 }
@@ -127,7 +130,7 @@ impl Surface<'_> {
             if nearest <= 0.0 || nearest >= count {
                 continue;
             }
-            let line = cover((place - nearest).abs() * spacing, CIRCLE) * fade(spacing);
+            let line = cover((place - nearest).abs() * spacing, CIRCLE * self.scale) * fade(spacing);
             strength = strength.max(CIRCLE_INK * line);
         }
         strength

@@ -10,7 +10,8 @@ const SIZE: (usize, usize) = (800, 600);
 
 fn camera(shells: &[Shell], toward: Vec3) -> Camera {
     let points: Vec<Point3> = shells.iter().flat_map(|s| s.vertices().iter().copied()).collect();
-    Camera::new(&points, toward, (SIZE.0 as f64, SIZE.1 as f64))
+    let right = UP.cross(toward).unit().unwrap_or(Vec3::X);
+    Camera::new(&points, [right, toward.cross(right), toward], false, (SIZE.0 as f64, SIZE.1 as f64))
 }
 
 fn shell(patch: cyclide::Result<CyclidePatch>) -> Shell {
