@@ -1,6 +1,7 @@
-//! Test helpers of cyclide (unpublished): generators of random input and patches, the roof of the examples, the runner
-//! of reference files.
+//! Test helpers of cyclide (unpublished): generators of random input and patches, a set of closed curves, the roof of
+//! the examples, the runner of reference files.
 
+pub mod circuits;
 pub mod generators;
 pub mod patches;
 pub mod reference;

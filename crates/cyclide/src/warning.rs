@@ -87,6 +87,28 @@ pub enum Warning {
         /// Nodes, corners and ends excepted.
         nodes: usize,
     },
+    /// Arcs of a fit are much tighter than any circle of the data near them: a corner may be hidden in them.
+    TightArc {
+        /// The piece that is tightest against its data, from 0.
+        piece: usize,
+        /// Index of the point at its start.
+        vertex: usize,
+        /// Its radius.
+        radius: f64,
+        /// Radius of the tightest circle of the data near it.
+        data: f64,
+        /// Radii below this are reported.
+        limit: f64,
+        /// How many arcs are that tight.
+        count: usize,
+    },
+    /// A fit turns more than its data do within the tolerance: it swings to and fro between the points.
+    TurnsMoreThanData {
+        /// Total turning of the fit, radians.
+        turning: f64,
+        /// What the data turn within the tolerance at most, radians.
+        limit: f64,
+    },
     /// Points closer than the limit to their neighbour were merged.
     PointsMerged {
         /// Index of the first one dropped.
@@ -156,6 +178,8 @@ impl Warning {
             Self::ToleranceBelowNoise { .. } => "tolerance-below-noise",
             Self::Wavers { .. } => "wavers",
             Self::DataWaver { .. } => "data-waver",
+            Self::TightArc { .. } => "tight-arc",
+            Self::TurnsMoreThanData { .. } => "turns-more-than-data",
             Self::PointsMerged { .. } => "points-merged",
             Self::ClosingPointMerged { .. } => "closing-point-merged",
             Self::MovedFar { .. } => "moved-far",
@@ -175,7 +199,7 @@ impl Warning {
             | Self::UnevenSpacing { node, .. } => Some(node),
             Self::Relaxed { ref segments } => segments.first().map(|(segment, _)| *segment),
             Self::LongWay { segment } | Self::OppositeCircles { segment } => Some(segment),
-            Self::CornerKept { vertex, .. } => Some(vertex),
+            Self::CornerKept { vertex, .. } | Self::TightArc { vertex, .. } => Some(vertex),
             Self::PointsMerged { first, .. } => Some(first),
             Self::ClosingPointMerged { index } => Some(index),
             Self::MovedFar { vertex, .. } | Self::LeftSurface { vertex, .. } => Some(vertex),
@@ -184,6 +208,7 @@ impl Warning {
             | Self::ToleranceBelowNoise { .. }
             | Self::Wavers { .. }
             | Self::DataWaver { .. }
+            | Self::TurnsMoreThanData { .. }
             | Self::Zigzag { .. } => None,
         }
     }
@@ -251,6 +276,21 @@ impl std::fmt::Display for Warning {
                 f,
                 "the points change {changes} times between left and right at {nodes} nodes, as noise does, and the curve passes through all of them: a fit within a tolerance is smoother"
             ),
+            Self::TightArc { piece, vertex, radius, data, limit, count } => {
+                write!(
+                    f,
+                    "{count} arc(s) much tighter than the data, the tightest is piece {piece} at point {vertex}: radius {}, the tightest circle of the data there has {} (below {} is tight)",
+                    ShortNumber(*radius),
+                    ShortNumber(*data),
+                    ShortNumber(*limit)
+                )
+            }
+            Self::TurnsMoreThanData { turning, limit } => {
+                write!(
+                    f,
+                    "the fit turns by {turning:.2} radians in all, its data by at most {limit:.2}: smooth the points or raise the tolerance"
+                )
+            }
             Self::PointsMerged { first, count, limit } => {
                 write!(
                     f,

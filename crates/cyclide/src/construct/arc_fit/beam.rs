@@ -8,7 +8,9 @@
 //! alternate about the middle of the tube and never get long.) The count is near the minimum, not proved to be it.
 
 use super::curvature_interval::{CurvatureSweep, JointFrame, curvature_to};
+use super::trace::Trace;
 use crate::base::planar::{Point2, Vec2};
+use std::ops::RangeInclusive;
 
 /// Tangent angles tried at a free start.
 const START_ANGLES: usize = 81;
@@ -18,32 +20,56 @@ const MAX_START_ANGLE: f64 = 1.5;
 const WINDOW_BASE: f64 = 3.0;
 const WINDOW_SLOPE: f64 = 0.34;
 
+/// A part of the trace in the plane.
+pub(super) struct Run {
+    points: Vec<Point2>,
+    slack: Vec<f64>,
+    bulge: Vec<f64>,
+}
+
+impl Run {
+    /// The points of the trace at indices that may wrap around, in the plane.
+    pub fn new(flat: &[Point2], trace: &Trace, range: RangeInclusive<usize>) -> Self {
+        let n = flat.len();
+        let pick = |values: &[f64]| range.clone().map(|i| values[i % n]).collect();
+        Self {
+            points: range.clone().map(|i| flat[i % n]).collect(),
+            slack: pick(&trace.slack),
+            bulge: pick(&trace.bulge),
+        }
+    }
+
+    pub fn tube(&self, tolerance: f64) -> Tube<'_> {
+        Tube::new(&self.points, &self.slack, &self.bulge, tolerance)
+    }
+}
+
 /// A polyline in the plane and the tolerance about it.
 pub(super) struct Tube<'a> {
     pub points: &'a [Point2],
     pub tolerance: f64,
     /// What is added to the tolerance at each point: more than 0 where a point only offers a place for a joint.
     slack: &'a [f64],
-    /// Bind the edges too, not only the vertices.
-    pub edges: bool,
+    /// What is added to the tolerance for the edge that ends in each point.
+    bulge: &'a [f64],
     /// Unit direction of the edge that ends in each vertex; the first repeats the second.
     directions: Vec<Vec2>,
 }
 
 impl<'a> Tube<'a> {
-    /// Neighbouring points must differ, and there must be at least two, with a slack each.
-    pub fn new(points: &'a [Point2], slack: &'a [f64], tolerance: f64, edges: bool) -> Self {
+    /// Neighbouring points must differ, and there must be at least two, with the slacks of each.
+    fn new(points: &'a [Point2], slack: &'a [f64], bulge: &'a [f64], tolerance: f64) -> Self {
         let unit = |w: &[Point2]| (w[1] - w[0]).unit().unwrap_or(Vec2::new(1.0, 0.0));
         let mut directions = Vec::with_capacity(points.len());
         directions.push(unit(&points[..2]));
         directions.extend(points.windows(2).map(unit));
-        Self { points, tolerance, slack, edges, directions }
+        Self { points, tolerance, slack, bulge, directions }
     }
 
     /// Adds a vertex to a sweep from the frame; its frame coordinates, if any curvature is left.
     pub fn advance(&self, sweep: &mut CurvatureSweep, frame: &JointFrame, vertex: usize) -> Option<Vec2> {
         let at = frame.local(self.points[vertex]);
-        sweep.advance(at, self.tolerance + self.slack[vertex]).then_some(at)
+        sweep.advance(at, self.tolerance + self.slack[vertex], Some(self.tolerance + self.bulge[vertex])).then_some(at)
     }
 
     pub fn last(&self) -> usize {
@@ -51,7 +77,7 @@ impl<'a> Tube<'a> {
     }
 
     pub fn sweep_from(&self, frame: &JointFrame, vertex: usize) -> CurvatureSweep {
-        CurvatureSweep::new(frame.local(self.points[vertex]), self.tolerance, self.edges)
+        CurvatureSweep::new(frame.local(self.points[vertex]), self.tolerance)
     }
 
     /// States at the first point with a fan of tangents about the first edge: as far as the turn at the second
@@ -221,6 +247,8 @@ struct Candidate {
     rank: (u32, u32),
     node: usize,
     kappa: f64,
+    /// Sine of the angle between its tangent and the mean direction of the edges at its vertex.
+    lean: f64,
 }
 
 fn next_level(tube: &Tube<'_>, arena: &[Node], level: &Level, far: usize, size: BeamSize) -> Vec<Node> {
@@ -241,6 +269,8 @@ fn next_level(tube: &Tube<'_>, arena: &[Node], level: &Level, far: usize, size: 
         }
         candidates.sort_unstable_by_key(|c| (c.cell, c.rank, c.node));
         candidates.dedup_by_key(|c| c.cell);
+        // Tangents near that of the data go on farthest: they come first where the cap cuts.
+        candidates.sort_by(|a, b| a.lean.total_cmp(&b.lean));
         children.extend(candidates.iter().map(|c| (vertex, *c)));
     }
     let make = |(vertex, c): &(usize, Candidate)| {
@@ -276,6 +306,8 @@ fn fan_out(
     let Vec2 { x, y } = end.at;
     let direction = tube.directions[vertex];
     let (along, across) = (frame.tangent.dot(direction), frame.tangent.cross(direction));
+    let mean = direction + tube.directions[(vertex + 1).min(tube.last())];
+    let (mean_along, mean_across) = (frame.tangent.dot(mean), frame.tangent.cross(mean));
     let squared = end.at.dot(end.at);
     let mut push = |kappa: f64, off_middle: f64| {
         let (a, b) = (kappa * x, 1.0 - kappa * y);
@@ -288,7 +320,8 @@ fn fan_out(
         let chord = x / z * 1.0_f64.hypot(a / (z + b));
         let cell = ((offset / (0.5 * tube.tolerance)).round() as i64, (angle * chord / tube.tolerance).round() as i64);
         let lines = node.lines + u32::from(kappa == 0.0);
-        out.push(Candidate { cell, rank: (u32::MAX - lines, (off_middle * 1e6) as u32), node: index, kappa });
+        let lean = ((a * mean_along - b * mean_across) / z).abs();
+        out.push(Candidate { cell, rank: (u32::MAX - lines, (off_middle * 1e6) as u32), node: index, kappa, lean });
     };
     for i in 0..samples {
         let fraction = (i as f64 + 0.5) / samples as f64;

@@ -32,12 +32,24 @@ pub struct FitCertificate {
     pub monotone: bool,
     /// Largest angle between the tangents at a joint, corners excepted, radians.
     pub max_kink: f64,
+    /// Total turning of the path, radians: the sweeps of its arcs and the angles at its corners.
+    pub turning: f64,
+    /// The most that the data turn within the tolerance, radians: what the smooth curve through them turns and what
+    /// the tolerance adds per piece.
+    pub turning_limit: f64,
     /// Circular arcs in the path.
     pub arcs: usize,
     /// Straight segments in the path.
     pub lines: usize,
     /// The point (in the user's numbering) with the largest deviation of the kind that the tolerance binds.
     pub worst: usize,
+}
+
+impl FitCertificate {
+    /// Turning over its limit; negative within it.
+    pub(super) fn excess_turning(&self) -> f64 {
+        self.turning - self.turning_limit
+    }
 }
 
 /// Certifies the pieces against the trace they stand for. `planar`: the edges are in the plane of their arc.
@@ -60,6 +72,8 @@ pub(super) fn certify(pieces: &[Piece], trace: &Trace, target: FitTarget, planar
         polyline_deviation: sheet.polyline.0,
         monotone: sheet.monotone,
         max_kink,
+        turning: 0.0,
+        turning_limit: f64::INFINITY,
         arcs: pieces.len() - lines,
         lines,
         worst,

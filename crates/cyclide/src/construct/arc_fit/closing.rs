@@ -3,8 +3,9 @@
 //! The last two arcs meet the goal: over each end vertex the curvature of the first of them is the root of the angle
 //! between the goal's tangent and the end tangent of the exact arc to it.
 
-use super::beam::{BeamSize, ChainJoint, Goal, Level, Node, Tube, search};
+use super::beam::{BeamSize, ChainJoint, Goal, Level, Node, Run, Tube, search};
 use super::curvature_interval::{JointFrame, curvature_to};
+use super::trace::Trace;
 use crate::base::planar::{Point2, Vec2};
 use crate::base::roots;
 
@@ -97,25 +98,23 @@ fn second_margin(tube: &Tube<'_>, from: &JointFrame, vertex: usize, goal: JointF
 /// vertices counted from there; the last joint is the first. `Err` is the vertex where the search died.
 pub(super) fn closed_chain(
     points: &[Point2],
-    slack: &[f64],
+    trace: &Trace,
     tolerance: f64,
-    edges: bool,
     size: BeamSize,
     seams: &[f64],
 ) -> Result<(usize, Vec<ChainJoint>), usize> {
     let n = points.len();
-    let around =
-        |from: usize| -> (Vec<Point2>, Vec<f64>) { (from..=from + n).map(|i| (points[i % n], slack[i % n])).unzip() };
-    let (ring, room) = around(0);
-    let tube = Tube::new(&ring, &room, tolerance, edges);
+    let around = |from: usize| Run::new(points, trace, from..=from + n);
+    let run = around(0);
+    let tube = run.tube(tolerance);
     let open = search(&tube, &tube.start_fan(), Goal::Point, size).map_err(|v| v % n)?;
     let mut best: Option<(usize, Vec<ChainJoint>)> = None;
     let mut died = 0;
     for cells in [size.cells, 2 * size.cells] {
         for fraction in seams {
             let seam = open[((open.len() - 1) as f64 * fraction).round() as usize];
-            let (ring, room) = around(seam.vertex);
-            let tube = Tube::new(&ring, &room, tolerance, edges);
+            let run = around(seam.vertex);
+            let tube = run.tube(tolerance);
             match search(&tube, &[seam.frame], Goal::Joint(seam.frame), BeamSize { cells, ..size }) {
                 Ok(joints) if best.as_ref().is_none_or(|b| joints.len() < b.1.len()) => {
                     best = Some((seam.vertex % n, joints));

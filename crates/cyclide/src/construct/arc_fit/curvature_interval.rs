@@ -59,27 +59,26 @@ pub(super) fn curvature_to(v: Vec2) -> f64 {
 pub(super) struct CurvatureSweep {
     pub lo: f64,
     pub hi: f64,
-    /// Tolerance about the edges, if they are bound too.
-    edges: Option<f64>,
     last: Vec2,
 }
 
 impl CurvatureSweep {
     /// `start` is the vertex the joint belongs to, in frame coordinates.
-    pub fn new(start: Vec2, tolerance: f64, edges: bool) -> Self {
+    pub fn new(start: Vec2, tolerance: f64) -> Self {
         let limit = MAX_CURVATURE_TOLERANCE / tolerance;
-        Self { lo: -limit, hi: limit, edges: edges.then_some(tolerance), last: start }
+        Self { lo: -limit, hi: limit, last: start }
     }
 
-    /// Adds the next vertex, in frame coordinates, with its own tolerance; false if no curvature is left.
-    pub fn advance(&mut self, q: Vec2, tolerance: f64) -> bool {
+    /// Adds the next vertex, in frame coordinates, with its own tolerance, and that of the edge which ends there if it
+    /// is bound too; false if no curvature is left.
+    pub fn advance(&mut self, q: Vec2, tolerance: f64, edge: Option<f64>) -> bool {
         let p = std::mem::replace(&mut self.last, q);
         if !(q.x > 0.0) {
             return false; // sweeps stay below half a turn
         }
         self.vertex(q, tolerance);
         self.step(p, q);
-        self.lo <= self.hi && self.edges.is_none_or(|t| self.edge(p, q, t))
+        self.lo <= self.hi && edge.is_none_or(|t| self.edge(p, q, t))
     }
 
     fn vertex(&mut self, q: Vec2, t: f64) {
@@ -153,8 +152,9 @@ pub fn curvature_intervals(
     }
     let (sine, cosine) = tangent_angle.sin_cos();
     let frame = JointFrame { joint: start, tangent: Vec2::new(cosine, sine) };
-    let mut sweep = CurvatureSweep::new(frame.local(points[0]), tolerance, false);
-    let ends =
-        points[1..].iter().map_while(|p| sweep.advance(frame.local(*p), tolerance).then_some([sweep.lo, sweep.hi]));
+    let mut sweep = CurvatureSweep::new(frame.local(points[0]), tolerance);
+    let ends = points[1..]
+        .iter()
+        .map_while(|p| sweep.advance(frame.local(*p), tolerance, None).then_some([sweep.lo, sweep.hi]));
     Ok(ends.collect())
 }

@@ -19,6 +19,7 @@ mod space;
 mod space_tangents;
 mod straighten;
 mod trace;
+mod turning;
 
 pub use arc_certificate::{ArcCertificate, certify_arc};
 pub use bulge_interval::{BulgeIntervals, feasible_bulges};
@@ -77,7 +78,32 @@ impl ArcFit {
         }
     }
 
+    /// The fit with the effort asked for; with more where the search dies or turns more than its data.
     fn within_tube(points: &[Point3], options: &ArcFitOptions) -> Result<Self> {
+        let mut best: Option<Self> = None;
+        let mut died = None;
+        for effort in options.effort.and_above() {
+            match Self::with_effort(points, options, *effort) {
+                Ok(fit) if fit.certificate.turning <= fit.certificate.turning_limit => return Ok(fit),
+                Ok(fit) => {
+                    if best.as_ref().is_none_or(|b| fit.certificate.excess_turning() < b.certificate.excess_turning()) {
+                        best = Some(fit);
+                    }
+                }
+                // More effort finds more ways between samples; edges that are meant leave none.
+                Err(error @ Error::NoG1SplineInTube { .. }) if options.target == FitTarget::Points => {
+                    died = Some(error);
+                }
+                Err(error) => return best.ok_or(error),
+            }
+        }
+        let Some(mut fit) = best else { return Err(died.unwrap_or(Error::TooFewPoints { given: 0, needed: 2 })) };
+        let FitCertificate { turning, turning_limit: limit, .. } = fit.certificate;
+        fit.warnings.push(Warning::TurnsMoreThanData { turning, limit });
+        Ok(fit)
+    }
+
+    fn with_effort(points: &[Point3], options: &ArcFitOptions, effort: Effort) -> Result<Self> {
         let distinct = Distinct::new(points, options.closed)?;
         let data = &distinct.points;
         let tolerance = options.tolerance;
@@ -92,14 +118,14 @@ impl ArcFit {
         let plane = input::plane(data, tolerance);
         let (trace, pieces) = match &plane {
             Some(frame) => {
-                match planar::fit(data, &indices, frame, room, options) {
+                match planar::fit(data, &indices, frame, room, options, effort) {
                     Ok((trace, chains)) => {
                         let mut pieces = planar_pieces(&trace, &chains, frame)?;
                         straighten::straighten(&mut pieces, &trace, frame.z(), room, options.target);
                         (trace, pieces)
                     }
                     // Wild samples: biarcs through the points take more arcs but nearly always exist.
-                    Err(vertex) if options.target == FitTarget::Points => {
+                    Err(vertex) if options.target == FitTarget::Points && effort == Effort::Best => {
                         space::fit(data, &indices, room, options).map_err(|_| died(vertex))?
                     }
                     Err(vertex) => return Err(died(vertex)),
@@ -115,12 +141,16 @@ impl ArcFit {
             return Err(died(certificate.worst));
         }
         certificate.worst = distinct.source[certificate.worst];
+        let judged = turning::Data::new(data, &corners, options);
+        certificate.turning = turning::of_pieces(&pieces, options.closed);
+        certificate.turning_limit = judged.limit(&pieces, &trace);
         let mut warnings: Vec<Warning> = distinct.warning.into_iter().collect();
         warnings.extend(
             corners.iter().map(|(i, angle)| Warning::CornerKept { vertex: distinct.source[*i], angle: *angle }),
         );
         warnings.extend(doubts::coarse_samples(data, options));
         warnings.extend(doubts::noise(&pieces, &trace, options.target));
+        warnings.extend(judged.tight_arcs(&pieces, &trace, &distinct.source));
         Ok(Self { path, certificate, warnings })
     }
 

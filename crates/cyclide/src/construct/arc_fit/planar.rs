@@ -1,9 +1,9 @@
 //! The fit in a plane: one circle or arc if it does, else the tube beam, piece by piece between corners.
 
-use super::beam::{Goal, Tube, search};
+use super::beam::{Goal, Run, search};
 use super::closing;
 use super::corners::{rounding_reach, sagitta_quantile, turns};
-use super::options::{ArcFitOptions, FitTarget};
+use super::options::{ArcFitOptions, Effort, FitTarget};
 use super::single::{single_arc, single_circle};
 use super::trace::{Chain, Trace};
 use crate::base::frame::Frame;
@@ -35,18 +35,19 @@ pub(super) fn fit(
     frame: &Frame,
     tolerance: f64,
     options: &ArcFitOptions,
+    effort: Effort,
 ) -> Result<(Trace, Vec<Chain>), usize> {
     let dense = sagitta_quantile(points, options.closed, DENSE_FRACTION) < DENSE_SAGITTA * tolerance;
     let fewest = match options.target {
         FitTarget::Polyline => 1,
         FitTarget::Points if dense => 0,
-        FitTarget::Points => options.effort.extra_points(),
+        FitTarget::Points => effort.extra_points(),
     };
     let mut died = 0;
     for extra in fewest..=MAX_EXTRA_POINTS {
         let trace = densified(points, options, extra);
         let at: Vec<usize> = trace.positions_of(corners);
-        match fit_trace(&trace, &at, frame, tolerance, options) {
+        match fit_trace(&trace, &at, frame, tolerance, options, effort) {
             Ok(chains) => return Ok((trace, chains)),
             Err(vertex) => died = vertex,
         }
@@ -60,11 +61,12 @@ fn fit_trace(
     frame: &Frame,
     tolerance: f64,
     options: &ArcFitOptions,
+    effort: Effort,
 ) -> Result<Vec<Chain>, usize> {
     let flat: Vec<Point2> = trace.points.iter().map(|p| frame.to_local(*p).0).collect();
     let n = flat.len();
     let edges = options.target == FitTarget::Polyline;
-    let size = options.effort.beam();
+    let size = effort.beam();
     let source = |died: usize| trace.vertex_before(died % n);
     // The points that bind as they are; the others only offer places for joints.
     let binding = |range: std::ops::RangeInclusive<usize>| -> Vec<usize> {
@@ -77,19 +79,17 @@ fn fit_trace(
             joints.iter_mut().for_each(|j| j.vertex = anchors[j.vertex]);
             return Ok(vec![Chain { first: 0, joints }]);
         }
-        let (first, joints) =
-            closing::closed_chain(&flat, &trace.slack, tolerance, edges, size, options.effort.seams())
-                .map_err(source)?;
+        let (first, joints) = closing::closed_chain(&flat, trace, tolerance, size, effort.seams()).map_err(source)?;
         return Ok(vec![Chain { first, joints }]);
     }
     let piece = |(from, to): (usize, usize)| {
-        let (run, slack): (Vec<Point2>, Vec<f64>) = (from..=to).map(|i| (flat[i % n], trace.slack[i % n])).unzip();
         let anchors = binding(from..=to);
         if let Some(mut joints) = single_arc(&place(&anchors), tolerance, edges) {
             joints.iter_mut().for_each(|j| j.vertex = anchors[j.vertex] - from);
             return Ok(Chain { first: from, joints });
         }
-        let tube = Tube::new(&run, &slack, tolerance, edges);
+        let run = Run::new(&flat, trace, from..=to);
+        let tube = run.tube(tolerance);
         let joints = search(&tube, &tube.start_fan(), Goal::Point, size).map_err(|died| source(from + died))?;
         Ok(Chain { first: from, joints })
     };
@@ -99,22 +99,23 @@ fn fit_trace(
 /// The polyline with extra points on its edges for joints to sit over: `extra` uniform ones and, if the edges are
 /// meant, those where the rounding of the turns at the two ends can begin.
 fn densified(points: &[Point3], options: &ArcFitOptions, extra: usize) -> Trace {
-    if extra == 0 {
-        return Trace::of_points(points, options.closed);
-    }
     let n = points.len();
     let edges = options.target == FitTarget::Polyline;
     let turns = turns(points, options.closed);
+    let slack = |from: usize| {
+        let end = (from + 1) % n;
+        let length = points[from].distance(points[end]);
+        if edges { 0.0 } else { EDGE_SLACK * length * turns[from].max(turns[end]) }
+    };
     let mut trace = Trace::empty(options.closed);
     for (i, p) in points.iter().enumerate() {
-        trace.push(*p, Some(i));
-        if i + 1 == n && !options.closed {
-            break;
+        trace.push(*p, i, slack((i + n - 1) % n));
+        if extra == 0 || (i + 1 == n && !options.closed) {
+            continue;
         }
         let (next, end) = (points[(i + 1) % n], (i + 1) % n);
         let length = p.distance(next);
         let mut at: Vec<f64> = (1..=extra).map(|j| j as f64 / (extra + 1) as f64).collect();
-        let mut slack = EDGE_SLACK * length * turns[i].max(turns[end]);
         if edges {
             let reach = |turn: f64| ROUNDING_PLACE * rounding_reach(turn, options.tolerance) / length;
             let apart = options.tolerance / length;
@@ -122,10 +123,9 @@ fn densified(points: &[Point3], options: &ArcFitOptions, extra: usize) -> Trace 
             at.extend(graded(reach(turns[end])).filter(|t| *t > apart).map(|t| 1.0 - t));
             at.sort_by(f64::total_cmp);
             at.dedup_by(|a, b| *a - *b < apart);
-            slack = 0.0;
         }
         for t in at {
-            trace.push_loose(p.lerp(next, t), None, slack);
+            trace.push_loose(p.lerp(next, t), slack(i));
         }
     }
     trace

@@ -17,6 +17,8 @@ use crate::curve::Arc;
 const STRAIGHTNESS: f64 = 0.2;
 /// The sweeps of the neighbours change by less than this, radians.
 const MAX_SWEEP_CHANGE: f64 = 0.5;
+/// The neighbours get at most this many times tighter: a turn squeezed into a short arc is a hidden corner.
+const MAX_TIGHTENING: f64 = 2.0;
 /// Places of the line between chord (0) and apex (1) of the arc.
 const OFFSETS: [f64; 3] = [0.5, 0.0, 1.0];
 
@@ -78,10 +80,14 @@ struct Triple {
 }
 
 impl Triple {
-    /// The neighbours keep their sweeps but for a little: the other circle tangent to the line is a rogue.
+    /// The neighbours keep their sweeps and radii but for a little: the other circle tangent to the line is a rogue, and
+    /// what the line takes from a neighbour must not leave a corner.
     fn resembles(&self, new: &Self) -> bool {
         let near = |a: &Option<Piece>, b: &Option<Piece>| {
-            a.iter().zip(b).all(|(a, b)| (a.arc.angle() - b.arc.angle()).abs() < MAX_SWEEP_CHANGE)
+            a.iter().zip(b).all(|(a, b)| {
+                let tighter = b.arc.curvature() > MAX_TIGHTENING * a.arc.curvature();
+                (a.arc.angle() - b.arc.angle()).abs() < MAX_SWEEP_CHANGE && !tighter
+            })
         };
         near(&self.before, &new.before) && near(&self.after, &new.after)
     }

@@ -10,27 +10,36 @@ pub(super) struct Trace {
     pub vertex: Vec<Option<usize>>,
     /// How much farther than the tolerance the curve may be from each point; 0 at vertices.
     pub slack: Vec<f64>,
+    /// How much farther than the tolerance the curve may bulge out over the edge that ends in each point.
+    pub bulge: Vec<f64>,
     pub closed: bool,
 }
 
 impl Trace {
     pub fn empty(closed: bool) -> Self {
-        Self { points: Vec::new(), vertex: Vec::new(), slack: Vec::new(), closed }
+        Self { points: Vec::new(), vertex: Vec::new(), slack: Vec::new(), bulge: Vec::new(), closed }
     }
 
     pub fn of_points(points: &[Point3], closed: bool) -> Self {
         let n = points.len();
-        Self { points: points.to_vec(), vertex: (0..n).map(Some).collect(), slack: vec![0.0; n], closed }
+        let vertex = (0..n).map(Some).collect();
+        Self { points: points.to_vec(), vertex, slack: vec![0.0; n], bulge: vec![0.0; n], closed }
     }
 
-    pub fn push(&mut self, point: Point3, vertex: Option<usize>) {
-        self.push_loose(point, vertex, 0.0);
-    }
-
-    pub fn push_loose(&mut self, point: Point3, vertex: Option<usize>, slack: f64) {
+    /// A vertex, and the slack of the edge that ends there.
+    pub fn push(&mut self, point: Point3, vertex: usize, bulge: f64) {
         self.points.push(point);
-        self.vertex.push(vertex);
+        self.vertex.push(Some(vertex));
+        self.slack.push(0.0);
+        self.bulge.push(bulge);
+    }
+
+    /// A point on an edge with this slack.
+    pub fn push_loose(&mut self, point: Point3, slack: f64) {
+        self.points.push(point);
+        self.vertex.push(None);
         self.slack.push(slack);
+        self.bulge.push(slack);
     }
 
     /// Point at an index that may have wrapped around.
@@ -77,7 +86,10 @@ mod tests {
     fn vertices_are_found_among_extra_points() {
         let mut trace = Trace::empty(false);
         for vertex in [Some(0), None, None, Some(1), Some(2), None, Some(3)] {
-            trace.push(Point3::ORIGIN, vertex);
+            match vertex {
+                Some(vertex) => trace.push(Point3::ORIGIN, vertex, 0.0),
+                None => trace.push_loose(Point3::ORIGIN, 0.0),
+            }
         }
         assert_eq!(trace.positions_of(&[0, 2, 3]), [0, 4, 6]);
     }
