@@ -3,8 +3,8 @@
     .venv/bin/python benches/compare_scipy.py [POINTS] [SAMPLES_PER_SEGMENT]      default 100000 16
 
 Both build a closed curve through the points and evaluate it at the same number of parameters, on one thread; the smallest
-of five times is printed. The cubic is C2 and polynomial, the circle spline G2 (order 2) and exact on circles: the
-comparison is of speed only.
+of five times is printed. The cubic is C2 and polynomial, circle splines (order 2) and fair splines are G2 and exact on circles:
+the comparison is of speed only. The points lie in space; the planar fair spline and the planar cubic have them without their heights.
 """
 
 import json
@@ -43,7 +43,7 @@ def scipy_times(points, samples):
         out = spline(parameters)
         evaluate = min(evaluate, time.perf_counter() - built)
         build = min(build, built - start)
-    assert out.shape == (samples * len(points), 3)
+    assert out.shape == (samples * len(points), points.shape[1])
     return build, evaluate
 
 
@@ -60,15 +60,17 @@ def main():
     count = int(sys.argv[1]) if len(sys.argv) > 1 else 100_000
     samples = int(sys.argv[2]) if len(sys.argv) > 2 else 16
     points = closed_points(count)
-    build, evaluate = scipy_times(points, samples)
+    cubics = {"planar": scipy_times(points[:, :2], samples), "space": scipy_times(points, samples)}
     total = count * samples
-    print(f"{count} points, {total} samples; build in ms, evaluation in ns per sample, ratio = SciPy / circle spline")
-    print(f"{'':34} {'build':>9} {'ratio':>7} {'evaluate':>9} {'ratio':>7}")
-    print(f"{'SciPy CubicSpline, periodic':34} {build * 1e3:9.2f} {'':7} {evaluate / total * 1e9:9.1f}")
+    print(f"{count} points, {total} samples; build in ms, evaluation in ns per sample, ratio = SciPy / ours")
+    print(f"{'':38} {'build':>9} {'ratio':>7} {'evaluate':>9} {'ratio':>7}")
+    for where, (build, evaluate) in cubics.items():
+        name = f"SciPy CubicSpline, periodic, {where}"
+        print(f"{name:38} {build * 1e3:9.2f} {'':7} {evaluate / total * 1e9:9.1f}")
     for ours in our_times(points, samples):
-        name = f"circle spline, {ours['variant'].lower()}, order 2"
+        build, evaluate = cubics["planar" if "planar" in ours["name"] else "space"]
         ratios = f"{build / ours['build']:7.2f}", f"{evaluate / ours['evaluate']:7.2f}"
-        print(f"{name:34} {ours['build'] * 1e3:9.2f} {ratios[0]} {ours['evaluate'] / total * 1e9:9.1f} {ratios[1]}")
+        print(f"{ours['name']:38} {ours['build'] * 1e3:9.2f} {ratios[0]} {ours['evaluate'] / total * 1e9:9.1f} {ratios[1]}")
 
 
 if __name__ == "__main__":

@@ -13,6 +13,7 @@ geometric algebra", section 4). Quaternions are arrays [w, x, y, z]; all functio
 import math
 
 import numpy as np
+from scipy.optimize import root
 from scipy.spatial import cKDTree
 
 # ---------------------------------------------------------------------------------------------------- quaternions
@@ -239,14 +240,17 @@ class Blend:
             f, df = smooth_step(self.order, l)
             cos, sin = np.cos(f * self.theta), np.sin(f * self.theta)
             return cos * self.t1 + sin * self.b, df * self.theta * (cos * self.b - sin * self.t1)
-        k, m = self.order, 1.0 - l
-        a, b = m**k, l**k
-        da, db = -k * m ** (k - 1), k * l ** (k - 1)
+        a, b, da, db = self.factors(l)
         n = a * a * self.t1 + 2 * a * b * self.h + b * b * self.t2
         q = a * a + 2 * a * b * self.c + b * b
         dn = 2 * a * da * self.t1 + 2 * (da * b + a * db) * self.h + 2 * b * db * self.t2
         dq = 2 * a * da + 2 * (da * b + a * db) * self.c + 2 * b * db
         return n / q, (dn * q - n * dq) / (q * q)
+
+    def factors(self, l):
+        """The functions A and B of the rational angle law, and their derivatives."""
+        k, m = self.order, 1.0 - l
+        return m**k, l**k, -k * m ** (k - 1), k * l ** (k - 1)
 
     def point(self, l):
         """The linear fraction (x1 m + x2 w l)(m + w l)^-1 with w = d^-1 |d| t(l), a unit quaternion."""
@@ -291,6 +295,121 @@ def circle_spline(points, closed=False, order=2, variant="rational", start=None,
             t1 = t2
         segments.append(Blend(x1, x2, t1, t2, order, variant))
     return Curve(segments, closed)
+
+
+# -------------------------------------------------------------------------------------------------- fair splines
+
+
+class FairBlend(Blend):
+    """A segment whose angle law has A = m (m + e l), B = l (l + e m)."""
+
+    def __init__(self, x1, x2, t1, t2, blend):
+        super().__init__(x1, x2, t1, t2, None, "fair")
+        self.blend = blend
+
+    def factors(self, l):
+        e, m = self.blend, 1.0 - l
+        return m * (m + e * l), l * (l + e * m), e * (m - l) - 2 * m, e * (m - l) + 2 * l
+
+    def start_curvature(self):
+        """The curvature vector at the start: of the arc there, and what the turn of its tangent adds."""
+        turning = self.direction(0.0)[1]
+        return 2.0 / self.size * (self.u - np.dot(self.u, self.t1) * self.t1 + turning)
+
+
+def straight_factors(points, closed):
+    """By how much the blend at each node is reduced because it is on a straight run beside a corner, or is that corner."""
+    turn, n = turn_angles(points, closed), len(points)
+    ramp = lambda x, a, b: min(max((x - a) / (b - a), 0.0), 1.0)
+    factor = np.ones(n)
+    for i in range(0 if closed else 1, n if closed else n - 1):
+        beside = [(i - 1) % n, (i + 1) % n]
+        largest, smallest = max(turn[beside]), max(turn[i], min(turn[beside]))
+        if largest <= math.radians(30):
+            continue
+        own = 1.0 - ramp(math.degrees(largest), 30, 60) * (1.0 - ramp(smallest / largest, 0.005, 0.02))
+        for j in [i] + [j for j in beside if turn[j] == largest]:
+            factor[j] = min(factor[j], own)
+    return factor
+
+
+def fair_spline(points, closed=False, tension=0.0, straight="auto", ends=("circle", "circle")):
+    """One run with continuous curvature: its tangents are found by SciPy's root finder from those of the three-point circles.
+
+    Ends are "circle", "arc", "free" or a direction. Data that would have to be relaxed have no reference here."""
+    p = np.asarray(points, float)
+    n, count = len(p), len(points) if closed else len(points) - 1
+    if n == 2 and all(isinstance(end, str) for end in ends):
+        return Curve([Arc.segment(p[0], p[1])], False)
+    factor = straight_factors(p, closed) if straight == "auto" else np.ones(n)
+    blends = [(1.0 - tension) * min(factor[i], factor[(i + 1) % n]) for i in range(count)]
+    normal = np.linalg.svd(p - p.mean(axis=0))[2][2]
+    flat = np.abs((p - p[0]) @ normal).max() < 1e-9 * np.ptp(p, axis=0).max()
+    inner = range(0 if closed else 1, n if closed else n - 1)
+    start = {i: three_point_tangent(p[i - 1], p[i], p[(i + 1) % n]) for i in inner}
+    free = list(inner)
+    given = {}
+    for end, at, beside in (((ends[0], 0, 1), (ends[1], n - 1, n - 2)) if not closed else ()):
+        if not isinstance(end, str):
+            given[at] = unit(end)
+        elif end == "circle":
+            along = unit(p[beside] - p[at])
+            given[at] = reflect(start[beside], along)
+            sign = 1.0 if at == 0 else -1.0
+            if flat and sign * np.dot(given[at], along) < 0.0:
+                given[at] = unit(given[at] - np.dot(given[at], along) * along)
+        elif end == "free":
+            start[at] = reflect(start[beside], p[beside] - p[at])
+            free.append(at)
+    # Each unknown tangent moves in one direction across it in a plane, in two in space.
+    across = {}
+    for i in free:
+        side = unit(np.cross(normal, start[i]) if flat else np.cross(start[i], np.eye(3)[np.argmin(abs(start[i]))]))
+        across[i] = [side] if flat else [side, np.cross(start[i], side)]
+    step = 1 if flat else 2
+
+    def tangents(y):
+        t = dict(given)
+        for k, i in enumerate(free):
+            t[i] = unit(start[i] + sum(y[step * k + r] * v for r, v in enumerate(across[i])))
+        if not closed:
+            for end, at, beside in ((ends[0], 0, 1), (ends[1], n - 1, n - 2)):
+                if isinstance(end, str) and end == "arc":
+                    t[at] = reflect(t[beside], p[beside] - p[at])
+        return t
+
+    def segment(t, i, backward=False):
+        a, b = i, (i + 1) % n
+        if backward:
+            return FairBlend(p[b], p[a], -t[b], reflect(-t[a], p[a] - p[b]), blends[i])
+        return FairBlend(p[a], p[b], t[a], reflect(t[b], p[b] - p[a]), blends[i])
+
+    def jumps(y):
+        t, out = tangents(y), []
+        for i in free:
+            after = segment(t, i).start_curvature() if i < count else 0.0
+            before = segment(t, (i - 1) % n, backward=True).start_curvature() if closed or i > 0 else 0.0
+            sizes = [np.linalg.norm(p[(i + 1) % n] - p[i]), np.linalg.norm(p[i] - p[i - 1])]
+            out += [np.dot(after - before, v) * min(sizes) for v in across[i]]
+        return np.array(out)
+
+    y = np.zeros(step * len(free))
+    if len(y):
+        for _ in range(3):  # the finder stops a little early: from where it stopped, again
+            y = root(jumps, y, tol=1e-14).x
+        assert np.abs(jumps(y)).max() < 1e-11, "the reference tangents were not found"
+    t = tangents(y)
+    segments = [segment(t, i) for i in range(count)]
+    assert all(min(np.dot(s.u, s.t1), np.dot(s.u, s.t2)) > -0.8 for s in segments), "this would be relaxed"
+    return Curve(segments, closed)
+
+
+def fair_spline_with_corners(points, closed, corners, tension=0.0, straight="auto"):
+    """Runs between the corners, each ending along the circle of its last three points."""
+    p, n = np.asarray(points, float), len(points)
+    cuts = [*corners, corners[0] + n] if closed else [0, *corners, n - 1]
+    runs = [[p[k % n] for k in range(i, j + 1)] for i, j in zip(cuts, cuts[1:])]
+    return Curve([s for run in runs for s in fair_spline(run, False, tension, straight).pieces], closed)
 
 
 def turn_angles(points, closed):

@@ -65,7 +65,7 @@ def _object(spec, folder):
     points, corners = map(list, zip(*_contours(spec, folder)))
     if kind == "arc-fit":
         return Reference(kind, spec, points, corners, None)
-    build = {"arc-spline": _arc_spline, "circle-spline": _circle_spline}[kind]
+    build = {"arc-spline": _arc_spline, "circle-spline": _circle_spline, "fair-spline": _fair_spline}[kind]
     return Reference(kind, spec, points, corners, [build(spec, p, c) for p, c in zip(points, corners)])
 
 
@@ -110,3 +110,13 @@ def _circle_spline(spec, points, corners):
     clamped = ends if isinstance(ends, dict) else {}
     start, end = (_space(clamped[k]) if k in clamped else None for k in ("start", "end"))
     return form.circle_spline(points, closed, order, variant, start, end)
+
+
+def _fair_spline(spec, points, corners):
+    assert "tight" not in spec, "tight corners have no reference here"
+    closed, tension, straight = spec.get("closed", False), spec.get("tension", 0.0), spec.get("straight", "auto")
+    if corners:
+        return form.fair_spline_with_corners(points, closed, sorted(corners), tension, straight)
+    given = spec.get("ends", "circle")
+    ends = [given, given] if isinstance(given, str) else [given.get(k, "circle") for k in ("start", "end")]
+    return form.fair_spline(points, closed, tension, straight, [e if isinstance(e, str) else _space(e) for e in ends])

@@ -77,7 +77,7 @@ def test_length_is_that_of_the_quaternion_form(built, step):
 
 def test_a_smooth_rational_spline_is_one_c1_edge(built, step):
     for name, i, curve in determined(built):
-        if built.objects[name].kind != "circle-spline" or not is_exact(built, name):
+        if built.objects[name].kind not in ("circle-spline", "fair-spline") or not is_exact(built, name):
             continue
         edges = wire_of(step, curve, built.in_millimetres).edges
         corners = built.objects[name].corners[i]

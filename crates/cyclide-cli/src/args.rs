@@ -21,7 +21,7 @@ Warnings and progress go to standard error, reports to standard output.";
 const EXAMPLES: &str = "\
 First steps:
   cyclide gallery -o gallery            every example, with a page of pictures
-  cyclide new circle-spline -o my.json  a commented document to change ('cyclide new' lists all kinds)
+  cyclide new fair-spline -o my.json    a commented document to change ('cyclide new' lists all kinds)
   cyclide build my.json -o my.step -o my.png
 
 Examples:
@@ -252,9 +252,22 @@ pub struct CurveArgs {
     /// The column that tells contours apart [default: 'contour', else blank lines].
     #[arg(long, value_name = "NAME")]
     pub contour_column: Option<String>,
-    /// Turns above this angle, in degrees, are corners [default: none for a circle spline, 30 for an arc fit].
+    /// Turns above this angle, in degrees, are corners [default: none for a fair or circle spline, 30 for an
+    /// arc fit].
     #[arg(long, value_name = "DEGREES", value_parser = positive, allow_negative_numbers = true)]
     pub corner_angle_deg: Option<f64>,
+    /// Fair spline: 0 is the fairest curve, with 1 every point follows its neighbours alone [default: 0].
+    #[arg(long, value_name = "E", value_parser = up_to_one, allow_negative_numbers = true)]
+    pub tension: Option<f64>,
+    /// Fair spline: corners beside straight runs are rounded within this part of their shorter leg, below 0.5.
+    #[arg(long, value_name = "PART", value_parser = below_half, allow_negative_numbers = true)]
+    pub tight: Option<f64>,
+    /// Fair spline: the ends of an open curve [default: circle].
+    #[arg(long, value_enum)]
+    pub ends: Option<EndsArg>,
+    /// Fair spline: whether runs of points on a line beside a corner stay straight [default: auto].
+    #[arg(long, value_enum)]
+    pub straight: Option<StraightArg>,
     /// Circle spline: blend order, 1 to 4 [default: 2].
     #[arg(long, value_name = "K", value_parser = clap::value_parser!(u32).range(1..=4))]
     pub order: Option<u32>,
@@ -309,8 +322,10 @@ pub struct GalleryArgs {
 /// Constructions that start from a list of points.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
 pub enum Kind {
-    /// A smooth curve through the points, blended from circles.
+    /// The fairest smooth curve through the points.
     #[default]
+    FairSpline,
+    /// A smooth curve through the points, blended from circles.
     CircleSpline,
     /// Arcs through the points.
     ArcSpline,
@@ -334,6 +349,24 @@ pub enum VariantArg {
     Rational,
     /// Sines of a blended angle; files carry it within a tolerance.
     Trigonometric,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum EndsArg {
+    /// Along the circle through the three points at the end.
+    Circle,
+    /// The end segment is an arc.
+    Arc,
+    /// The curvature vanishes.
+    Free,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum StraightArg {
+    /// They stay straight, the curve bends at the corner only.
+    Auto,
+    /// The curve is as fair as it can be and swings a little along them.
+    Off,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -388,5 +421,22 @@ fn positive(text: &str) -> Result<f64, String> {
         Ok(value) if value > 0.0 && value.is_finite() => Ok(value),
         Ok(_) => Err("it must be positive and finite".to_owned()),
         Err(_) => Err("it is not a number".to_owned()),
+    }
+}
+
+/// A number from 0 to 1.
+fn up_to_one(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(value) if (0.0..=1.0).contains(&value) => Ok(value),
+        Ok(_) => Err("it must be from 0 to 1".to_owned()),
+        Err(_) => Err("it is not a number".to_owned()),
+    }
+}
+
+/// A positive number below one half.
+fn below_half(text: &str) -> Result<f64, String> {
+    match positive(text) {
+        Ok(value) if value >= 0.5 => Err("it must be below 0.5".to_owned()),
+        other => other,
     }
 }

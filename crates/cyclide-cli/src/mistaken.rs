@@ -45,9 +45,9 @@ fn refuse(path: &Path, found: InputKind, wanted: Wanted) -> Result<(), Failure> 
         }
         (InputKind::Document, Wanted::Points) => "see 'cyclide build'".to_owned(),
         (InputKind::Points, Wanted::Document) => {
-            "see 'cyclide curve', or 'cyclide new circle-spline' for a document that reads it".to_owned()
+            "see 'cyclide curve', or 'cyclide new fair-spline' for a document that reads it".to_owned()
         }
-        (InputKind::PointsJson, _) => "'cyclide new circle-spline' prints a document with room for it".to_owned(),
+        (InputKind::PointsJson, _) => "'cyclide new fair-spline' prints a document with room for it".to_owned(),
         (InputKind::PointGrid, Wanted::Points) => {
             format!("{net}; if it is a curve all the same, choose its columns: --columns x,y,z")
         }

@@ -7,12 +7,13 @@ use clap_complete::Shell;
 use cyclide::Units;
 use cyclide_io::{
     ArcFitSpec, ArcSplineSpec, CircleSplineSpec, Comment, Document, DxfVersion, EffortWord, EndsSpec, ExportOptions,
-    Format, ObjectSpec, PointFile, PointSource, RuleWord, Spacing, StepEdges, TargetWord, TypeWord, VariantWord,
+    FairEndWord, FairEndsSpec, FairSplineSpec, Format, ObjectSpec, PointFile, PointSource, RuleWord, Spacing,
+    StepEdges, StraightWord, TargetWord, TypeWord, VariantWord,
 };
 
 use crate::args::{
-    Args, BuildArgs, Command, CompletionsArgs, CurveArgs, DxfArg, EdgesArg, EffortArg, GalleryArgs, Kind, ManArgs,
-    NewArgs, OutputArgs, ReportArgs, RuleArg, SampleArgs, TargetArg, UnitsArg, VariantArg,
+    Args, BuildArgs, Command, CompletionsArgs, CurveArgs, DxfArg, EdgesArg, EffortArg, EndsArg, GalleryArgs, Kind,
+    ManArgs, NewArgs, OutputArgs, ReportArgs, RuleArg, SampleArgs, StraightArg, TargetArg, UnitsArg, VariantArg,
 };
 use crate::failure::Failure;
 use crate::mistaken::{Wanted, refuse_suffix};
@@ -169,6 +170,18 @@ impl CurveArgs {
         let (points, closed, r#type) = (PointSource::File(file), self.closed, TypeWord);
         let corner_angle = self.corner_angle_deg.map(f64::to_radians);
         let spec = match self.kind {
+            Kind::FairSpline => ObjectSpec::FairSpline(FairSplineSpec {
+                r#type,
+                comment: Comment,
+                construction: false,
+                points,
+                closed,
+                tension: self.tension.unwrap_or_default(),
+                tight: self.tight,
+                ends: self.ends.map_or_else(FairEndsSpec::default, |ends| FairEndsSpec::Both(ends.word())),
+                straight: self.straight.map_or_else(StraightWord::default, StraightArg::word),
+                corner_angle,
+            }),
             Kind::CircleSpline => ObjectSpec::CircleSpline(CircleSplineSpec {
                 r#type,
                 comment: Comment,
@@ -216,12 +229,20 @@ impl CurveArgs {
     /// Refuses options that the kind of curve does not have.
     fn check_options(&self) -> Result<(), Failure> {
         let given = [
-            ("--order", self.order.is_some(), &[Kind::CircleSpline][..]),
+            ("--tension", self.tension.is_some(), &[Kind::FairSpline][..]),
+            ("--tight", self.tight.is_some(), &[Kind::FairSpline]),
+            ("--ends", self.ends.is_some(), &[Kind::FairSpline]),
+            ("--straight", self.straight.is_some(), &[Kind::FairSpline]),
+            ("--order", self.order.is_some(), &[Kind::CircleSpline]),
             ("--variant", self.variant.is_some(), &[Kind::CircleSpline]),
             ("--rule", self.rule.is_some(), &[Kind::ArcSpline]),
             ("--target", self.target.is_some(), &[Kind::ArcFit]),
             ("--effort", self.effort.is_some(), &[Kind::ArcFit]),
-            ("--corner-angle-deg", self.corner_angle_deg.is_some(), &[Kind::CircleSpline, Kind::ArcFit]),
+            (
+                "--corner-angle-deg",
+                self.corner_angle_deg.is_some(),
+                &[Kind::FairSpline, Kind::CircleSpline, Kind::ArcFit],
+            ),
         ];
         let wrong = given.iter().find(|(_, given, kinds)| *given && !kinds.contains(&self.kind));
         match wrong {
@@ -270,6 +291,7 @@ pub fn refuse_overwriting(output: Option<&Path>, input: &Path) -> Result<(), Fai
 impl Kind {
     const fn word(self) -> &'static str {
         match self {
+            Self::FairSpline => "fair-spline",
             Self::CircleSpline => "circle-spline",
             Self::ArcSpline => "arc-spline",
             Self::ArcFit => "arc-fit",
@@ -294,6 +316,25 @@ impl VariantArg {
         match self {
             Self::Rational => VariantWord::Rational,
             Self::Trigonometric => VariantWord::Trigonometric,
+        }
+    }
+}
+
+impl EndsArg {
+    const fn word(self) -> FairEndWord {
+        match self {
+            Self::Circle => FairEndWord::Circle,
+            Self::Arc => FairEndWord::Arc,
+            Self::Free => FairEndWord::Free,
+        }
+    }
+}
+
+impl StraightArg {
+    const fn word(self) -> StraightWord {
+        match self {
+            Self::Auto => StraightWord::Auto,
+            Self::Off => StraightWord::Off,
         }
     }
 }

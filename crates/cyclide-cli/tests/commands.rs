@@ -32,7 +32,9 @@ const ALL: &str = r#"{
     "fit": {"type": "arc-fit", "points": [[0, 20], [1, 20.5], [2, 20.7], [3, 20.6], [4, 20.1]], "closed": false,
             "tolerance": 0.05, "target": "polyline", "effort": "best", "corner_angle": 1.0},
     "spline": {"type": "circle-spline", "points": {"csv": "logo.csv", "columns": ["x", "y"], "contour": "contour"},
-               "closed": true, "order": 3, "variant": "trigonometric", "ends": "natural", "corner_angle": 2.5}
+               "closed": true, "order": 3, "variant": "trigonometric", "ends": "natural", "corner_angle": 2.5},
+    "fair": {"type": "fair-spline", "points": [[0, 30], [1, 31], [3, 31], [4, 30]], "closed": false, "tension": 0.25,
+             "tight": 0.2, "ends": {"start": "free", "end": [1, -1]}, "straight": "off", "corner_angle": 2.5}
   }
 }"#;
 
@@ -47,7 +49,7 @@ fn curve_writes_every_format_and_reports_on_it() {
         "curve track.csv --closed --units m -o a.step -o b.dxf -o c.svg -o d.csv -o e.json -o f.png -o g.STP --json",
     );
     let track = &report["objects"]["track"];
-    assert_eq!(track["type"], "circle-spline");
+    assert_eq!(track["type"], "fair-spline");
     assert_eq!((&track["closed"], &track["pieces"], &track["points"]), (&true.into(), &6.into(), &6.into()));
     let length = number(track, "/length");
     // The chords are 226.7 long in all, the circle around the points has 250.
@@ -86,7 +88,10 @@ fn build_knows_every_type_and_the_report_every_key() {
     let report = folder.json("build all.json -o all.step -o all.dxf --tolerance 1e-3 --json");
     let objects = report["objects"].as_object().unwrap();
     let names: Vec<_> = objects.keys().map(String::as_str).collect();
-    assert_eq!(names, ["three points", "tangent", "end", "weights", "bulge", "ring", "s", "arcs", "fit", "spline"]);
+    assert_eq!(
+        names,
+        ["three points", "tangent", "end", "weights", "bulge", "ring", "s", "arcs", "fit", "spline", "fair"]
+    );
     for (name, object) in objects {
         for key in ["type", "length", "pieces", "closed", "joints", "curvature", "weights", "warnings"] {
             assert!(!object[key].is_null(), "{name} has {key}");
@@ -122,7 +127,9 @@ fn build_knows_every_type_and_the_report_every_key() {
 fn curve_offers_every_kind() {
     let folder = Folder::with(&[("track.csv", TRACK), ("logo.csv", LOGO)]);
     let run = |options: &str| folder.json(&format!("curve track.csv --closed --units m -o t.step --json {options}"));
-    let spline = run("--order 4 --variant trigonometric --tolerance 0.01");
+    let fair = run("--tension 0.5 --tight 0.2 --straight off --ends free");
+    assert_eq!((&fair["objects"]["track"]["type"], &fair["files"][0]["exact"]), (&"fair-spline".into(), &true.into()));
+    let spline = run("--kind circle-spline --order 4 --variant trigonometric --tolerance 0.01");
     assert_eq!(spline["files"][0]["exact"], false);
     let bound = number(&spline, "/files/0/bound");
     assert!(bound > 0.0 && bound <= 0.01, "a certified bound within the tolerance: {bound}");
@@ -147,7 +154,7 @@ fn points_on_a_circle_give_the_circle() {
         .map(|a| format!("{} {} 7\n", 3.0 * a.cos(), 3.0 * a.sin()))
         .collect();
     let folder = Folder::with(&[("ring.txt", &circle)]);
-    for kind in ["circle-spline", "arc-spline", "arc-fit --tolerance 1e-6"] {
+    for kind in ["fair-spline", "circle-spline", "arc-spline", "arc-fit --tolerance 1e-6"] {
         let report = folder.json(&format!("curve ring.txt --closed --kind {kind} -o r.step --json"));
         let length = number(&report, "/objects/ring/length");
         // Points computed in double precision; a fit may use its tolerance.

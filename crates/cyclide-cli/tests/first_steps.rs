@@ -124,7 +124,7 @@ fn near_words_are_suggested() {
     ]);
     for (code, command, hint) in [
         (1, "report type.json", "; did you mean `arc-fit`?\n"),
-        (1, "report part.json", "; did you mean `arc-spline` or `circle-spline`?\n"),
+        (1, "report part.json", "; did you mean `arc-spline` or `fair-spline` or `circle-spline`?\n"),
         (1, "report field.json", "; did you mean `center`?\n"),
         (1, "report outer.json", "; did you mean `units`?\n"),
         (1, "report units.json", "; did you mean `in`?\n"),
@@ -168,7 +168,7 @@ fn what_belongs_to_another_command_is_answered_with_it() {
         // Inputs of other commands, by their suffix or by what is in them.
         ("build p.csv -o a.step", "p.csv seems to be a list of points, not a model document: see 'cyclide curve'"),
         ("report p.txt", "p.txt seems to be a list of points, not a model document: see 'cyclide curve'"),
-        ("sample list.txt --count 2", "'cyclide new circle-spline' prints a document with room for it"),
+        ("sample list.txt --count 2", "'cyclide new fair-spline' prints a document with room for it"),
         ("curve d.txt -o a.step", "d.txt seems to be a model document, not a list of points: see 'cyclide build'"),
         ("build m.txt -o a.step", "'cyclide new cyclidic-net' prints a document for it"),
         ("curve m.txt -o a.step", "m.txt seems to be a mesh, not a list of points: 'cyclide new cyclidic-net'"),

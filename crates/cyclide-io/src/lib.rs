@@ -45,10 +45,10 @@ pub use deviation::deviation;
 pub use document::{
     ArcFitSpec, ArcSpec, ArcSplineSpec, BiarcSpec, BorderCurves, BorderSpec, BorderWord, BuiltObject, CircleSpec,
     CircleSplineSpec, ClampedEnds, Comment, ContourFacts, Coordinates, CyclidePatchSpec, CyclideSpec, CyclidicNetSpec,
-    DOCUMENT_VERSION, Document, EffortWord, EndsSpec, FrameSpec, GridSource, Lists, MakeCircularOptions,
-    MakeCircularSpec, MeshFile, ModelBuilder, ObjectSpec, OffsetSpec, PlaneSpec, PointFile, PointSource, Remark,
-    RotationSpec, RuleWord, ScaleSpec, SphereSpec, StepSpec, TargetWord, TransformSpec, TypeWord, UnitWord,
-    VariantWord, document_schema,
+    DOCUMENT_VERSION, Document, EffortWord, EndsSpec, FairEndPair, FairEndSpec, FairEndWord, FairEndsSpec,
+    FairSplineSpec, FrameSpec, GridSource, Lists, MakeCircularOptions, MakeCircularSpec, MeshFile, ModelBuilder,
+    ObjectSpec, OffsetSpec, PlaneSpec, PointFile, PointSource, Remark, RotationSpec, RuleWord, ScaleSpec, SphereSpec,
+    StepSpec, StraightWord, TargetWord, TransformSpec, TypeWord, UnitWord, VariantWord, document_schema,
 };
 pub use error::{Error, Result};
 pub use export::export;

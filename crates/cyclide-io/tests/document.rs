@@ -113,6 +113,7 @@ fn splines_and_fits_run_on_every_contour() {
         (0..48).map(|i| PI * f64::from(i) / 24.0).map(|a| format!("[{},{}]", 10.0 * a.cos(), 10.0 * a.sin())).collect();
     let circle = format!("[{}]", circle.join(","));
     for (fields, pieces) in [
+        ("\"type\": \"fair-spline\", \"tension\": 0.5", 4),
         ("\"type\": \"circle-spline\", \"order\": 3, \"variant\": \"trigonometric\"", 4),
         ("\"type\": \"arc-spline\", \"rule\": \"auto\"", 8),
     ] {
@@ -253,6 +254,35 @@ fn documents_made_by_a_program_name_the_object() {
     let error = ModelBuilder::new(&made, Path::new(""), &read).unwrap().build(0, &mut |_| {}).unwrap_err();
     assert!(matches!(&error, Error::Geometry { object, .. } if object == "a"), "{error}");
     assert!(error.to_string().ends_with("[radius-not-positive]"));
+}
+
+#[test]
+fn the_words_of_a_fair_spline_reach_the_kernel() {
+    let l = "[[0,0],[2,0],[4,0],[4,2],[4,4]]";
+    let fair = |more: &str| build(&format!("\"type\": \"fair-spline\", \"points\": {l}{more}")).unwrap();
+    let largest = |b: &BuiltObject| joints(curve(b)).iter().fold(0.0, |m: f64, j| m.max(j.angle));
+    let height = |b: &BuiltObject| curve(b).eval(0.125).y.abs();
+    let plain = fair("");
+    // Straight beside the corner, to the bit; with the word off it swings.
+    assert!(height(&plain) < 1e-15 && height(&fair(", \"straight\": \"off\"")) > 1e-3);
+    assert!(largest(&plain) < 1e-12);
+    assert!((largest(&fair(", \"corner_angle\": 1.5")) - FRAC_PI_2).abs() < 1e-12);
+    // Two more points round the corner.
+    assert_eq!(curve(&fair(", \"tight\": 0.2")).piece_count(), 6);
+    let start = |ends: &str| curve(&fair(&format!(", \"ends\": {ends}, \"straight\": \"off\""))).jet(0.0);
+    let tangent = start("{\"start\": [0, 1]}").d1;
+    assert!(tangent.x.abs() < 1e-12 * tangent.length() && tangent.y > 0.0);
+    assert!(start("\"free\"").curvature().unwrap() < 1e-12 && start("\"arc\"").curvature().unwrap() > 1e-3);
+    assert!(start("{\"start\": \"free\", \"end\": [1, 0]}").curvature().unwrap() < 1e-12);
+    let tense = fair(", \"tension\": 1");
+    let CurveObject::CircleSpline(spline) = &tense.item.contours[0] else { panic!("a circle spline") };
+    assert!(spline.segments().iter().all(|s| s.law() == cyclide::BlendLaw::Fair { blend: 0.0 }));
+    for (fields, reason) in
+        [("\"tension\": 2", "tension"), ("\"tight\": 0.5", "tight"), ("\"ends\": {\"end\": [0,0]}", "ends")]
+    {
+        let error = build(&format!("\"type\": \"fair-spline\", \"points\": {l}, {fields}")).unwrap_err();
+        assert!(error.to_string().contains(&format!("objects.a.{reason}")), "{error}");
+    }
 }
 
 #[test]

@@ -4,7 +4,7 @@
 //! of `benches/compare_scipy.py` that runs our side.
 #![allow(clippy::print_stdout, reason = "an example program reports by printing")]
 
-use cyclide::{BlendVariant, CircleSpline, CircleSplineOptions, ParamCurve, Point3};
+use cyclide::{BlendVariant, CircleSpline, CircleSplineOptions, FairSplineOptions, ParamCurve, Point3};
 use std::error::Error;
 use std::time::Instant;
 
@@ -25,20 +25,40 @@ fn main() -> Result<(), Box<dyn Error>> {
     let parameters: Vec<f64> = (0..count).map(|i| i as f64 / count as f64).collect();
     let mut out = vec![Point3::default(); count];
 
-    for variant in [BlendVariant::Rational, BlendVariant::Trigonometric] {
+    let flat: Vec<Point3> = points.iter().map(|p| Point3::new(p.x, p.y, 0.0)).collect();
+    let circle = |variant| {
         let options = CircleSplineOptions { closed: true, variant, ..Default::default() };
-        let (mut build, mut evaluate) = (f64::INFINITY, f64::INFINITY);
-        for _ in 0..REPETITIONS {
-            let start = Instant::now();
-            let spline = CircleSpline::from_points(&points, &options)?;
-            let built = Instant::now();
-            spline.eval_into(&parameters, &mut out);
-            evaluate = evaluate.min(built.elapsed().as_secs_f64());
-            build = build.min((built - start).as_secs_f64());
-        }
-        // A sum of the output, so that no evaluation can be left out.
-        let sum: f64 = out.iter().map(|p| p.x + p.y + p.z).sum();
-        println!(r#"{{"variant": "{variant:?}", "build": {build:e}, "evaluate": {evaluate:e}, "sum": {sum:e}}}"#);
+        let points = &points;
+        move || CircleSpline::from_points(points, &options)
+    };
+    let fair = |points| {
+        let options = FairSplineOptions { closed: true, ..Default::default() };
+        move || CircleSpline::fair(points, &options)
+    };
+    measure("circle spline, rational, order 2", circle(BlendVariant::Rational), &parameters, &mut out)?;
+    measure("circle spline, trigonometric, order 2", circle(BlendVariant::Trigonometric), &parameters, &mut out)?;
+    measure("fair spline", fair(&points), &parameters, &mut out)?;
+    measure("fair spline, planar", fair(&flat), &parameters, &mut out)
+}
+
+/// Prints the smallest times of construction and evaluation.
+fn measure(
+    name: &str,
+    make: impl Fn() -> cyclide::Result<CircleSpline>,
+    parameters: &[f64],
+    out: &mut [Point3],
+) -> Result<(), Box<dyn Error>> {
+    let (mut build, mut evaluate) = (f64::INFINITY, f64::INFINITY);
+    for _ in 0..REPETITIONS {
+        let start = Instant::now();
+        let spline = make()?;
+        let built = Instant::now();
+        spline.eval_into(parameters, out);
+        evaluate = evaluate.min(built.elapsed().as_secs_f64());
+        build = build.min((built - start).as_secs_f64());
     }
+    // A sum of the output, so that no evaluation can be left out.
+    let sum: f64 = out.iter().map(|p| p.x + p.y + p.z).sum();
+    println!(r#"{{"name": "{name}", "build": {build:e}, "evaluate": {evaluate:e}, "sum": {sum:e}}}"#);
     Ok(())
 }

@@ -88,7 +88,7 @@ pub const ENTRIES: [Entry; 10] = [
     Entry {
         name: "track",
         title: "Race track",
-        text: "A closed circle spline through 44 points, curvature without jumps; beside it the fewest arcs near 301 surveyed ones.",
+        text: "A closed fair spline through 44 points, curvature without jumps or needless swings; beside it the fewest arcs near 301 surveyed ones.",
         document: example!("track.json"),
         inputs: &[input!("track.csv"), input!("survey.csv")],
         formats: CURVES,
@@ -112,7 +112,7 @@ pub const ENTRIES: [Entry; 10] = [
     Entry {
         name: "gallery",
         title: "Every kind of curve",
-        text: "Arcs, biarcs, arc splines, fits and circle splines: an object of every type.",
+        text: "Arcs, biarcs, arc splines, fits, fair and circle splines: an object of every type.",
         document: example!("gallery.json"),
         inputs: &[],
         formats: CURVES,

@@ -2,13 +2,14 @@
 
 use cyclide::{
     ArcFit, ArcFitOptions, ArcPath, ArcSplineOptions, BiarcRule, BlendVariant, CircleSpline, CircleSplineOptions,
-    CurveObject, Effort, Fairness, FitCertificate, FitTarget, Point3, SplineEnds, Vec3, Warning, corners_by_angle,
-    fairness, wavering,
+    CurveObject, Effort, FairEnd, FairSplineOptions, Fairness, FitCertificate, FitTarget, Point3, SplineEnds, Vec3,
+    Warning, corners_by_angle, fairness, wavering,
 };
 
 use super::coordinates::Coordinates;
 use super::spec::{
-    ArcFitSpec, ArcSplineSpec, CircleSplineSpec, EffortWord, EndsSpec, RuleWord, TargetWord, VariantWord,
+    ArcFitSpec, ArcSplineSpec, CircleSplineSpec, EffortWord, EndsSpec, FairEndPair, FairEndSpec, FairEndWord,
+    FairEndsSpec, FairSplineSpec, RuleWord, StraightWord, TargetWord, VariantWord,
 };
 use crate::points::PointList;
 
@@ -61,18 +62,39 @@ pub(super) fn arc_fit(spec: &ArcFitSpec, at: &Contour<'_>) -> Made {
     Ok((CurveObject::ArcPath(fit.path().clone()), at.facts(Some(*fit.certificate())), fit.warnings().to_vec()))
 }
 
-pub(super) fn circle_spline(spec: &CircleSplineSpec, at: &Contour<'_>) -> Made {
-    let points: &[Point3] = &at.list.points;
+/// The corners marked in the file, and those that turn by more than the angle given.
+fn corners(at: &Contour<'_>, closed: bool, angle: Option<f64>) -> cyclide::Result<Vec<usize>> {
     let mut corners = at.list.corners.clone();
-    if let Some(angle) = spec.corner_angle {
+    if let Some(angle) = angle {
         let max = std::f64::consts::PI;
         if !(angle > 0.0 && angle <= max) {
             return Err(cyclide::Error::ParameterOutOfRange { name: "corner_angle", value: angle, min: 0.0, max });
         }
-        corners.extend(corners_by_angle(points, spec.closed, angle));
+        corners.extend(corners_by_angle(&at.list.points, closed, angle));
         corners.sort_unstable();
         corners.dedup();
     }
+    Ok(corners)
+}
+
+pub(super) fn fair_spline(spec: &FairSplineSpec, at: &Contour<'_>) -> Made {
+    let options = FairSplineOptions {
+        closed: spec.closed,
+        ends: spec.ends.into(),
+        tension: spec.tension,
+        straight_runs: spec.straight == StraightWord::Auto,
+        tight: spec.tight,
+        corners: corners(at, spec.closed, spec.corner_angle)?,
+        ..FairSplineOptions::default()
+    };
+    let spline = CircleSpline::fair(&at.list.points, &options)?;
+    let warnings = spline.warnings().to_vec();
+    Ok((CurveObject::CircleSpline(spline), at.facts(None), warnings))
+}
+
+pub(super) fn circle_spline(spec: &CircleSplineSpec, at: &Contour<'_>) -> Made {
+    let points: &[Point3] = &at.list.points;
+    let corners = corners(at, spec.closed, spec.corner_angle)?;
     let ends = match spec.ends {
         EndsSpec::Natural => SplineEnds::Natural,
         EndsSpec::Clamped(given) => {
@@ -131,6 +153,36 @@ impl From<EffortWord> for Effort {
             EffortWord::Fast => Self::Fast,
             EffortWord::Default => Self::Default,
             EffortWord::Best => Self::Best,
+        }
+    }
+}
+
+impl From<FairEndsSpec> for [FairEnd; 2] {
+    fn from(ends: FairEndsSpec) -> Self {
+        match ends {
+            FairEndsSpec::Both(word) => [word.into(); 2],
+            FairEndsSpec::Each(FairEndPair { start, end }) => {
+                [start, end].map(|end| end.map_or(FairEnd::Circle, FairEnd::from))
+            }
+        }
+    }
+}
+
+impl From<FairEndSpec> for FairEnd {
+    fn from(end: FairEndSpec) -> Self {
+        match end {
+            FairEndSpec::Word(word) => word.into(),
+            FairEndSpec::Direction(direction) => Self::Clamped(direction.vector()),
+        }
+    }
+}
+
+impl From<FairEndWord> for FairEnd {
+    fn from(word: FairEndWord) -> Self {
+        match word {
+            FairEndWord::Circle => Self::Circle,
+            FairEndWord::Arc => Self::Arc,
+            FairEndWord::Free => Self::Free,
         }
     }
 }

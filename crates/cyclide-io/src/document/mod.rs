@@ -30,9 +30,10 @@ pub use schema::document_schema;
 use schema::types_with_field;
 pub use spec::{
     ArcFitSpec, ArcSpec, ArcSplineSpec, BiarcSpec, BorderCurves, BorderSpec, BorderWord, CircleSpec, CircleSplineSpec,
-    ClampedEnds, Comment, CyclidePatchSpec, CyclideSpec, CyclidicNetSpec, EffortWord, EndsSpec, FrameSpec, GridSource,
-    MakeCircularOptions, MakeCircularSpec, MeshFile, ObjectSpec, OffsetSpec, PlaneSpec, RotationSpec, RuleWord,
-    ScaleSpec, SphereSpec, StepSpec, TargetWord, TransformSpec, TypeWord, UnitWord, VariantWord,
+    ClampedEnds, Comment, CyclidePatchSpec, CyclideSpec, CyclidicNetSpec, EffortWord, EndsSpec, FairEndPair,
+    FairEndSpec, FairEndWord, FairEndsSpec, FairSplineSpec, FrameSpec, GridSource, MakeCircularOptions,
+    MakeCircularSpec, MeshFile, ObjectSpec, OffsetSpec, PlaneSpec, RotationSpec, RuleWord, ScaleSpec, SphereSpec,
+    StepSpec, StraightWord, TargetWord, TransformSpec, TypeWord, UnitWord, VariantWord,
 };
 
 /// The document version this crate reads.

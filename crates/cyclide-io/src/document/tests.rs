@@ -67,6 +67,14 @@ fn fields_are_checked_with_their_place() {
             "\"type\": \"circle-spline\", \"points\": [[0,0]], \"ends\": \"free\"",
             "m.json:2:60: objects.a.ends: unknown variant `free`, expected `natural`",
         ),
+        (
+            "\"type\": \"fair-spline\", \"points\": [[0,0]], \"ends\": \"natural\"",
+            "m.json:2:58: objects.a.ends: unknown variant `natural`, expected one of `circle`, `arc`, `free`",
+        ),
+        (
+            "\"type\": \"fair-spline\", \"points\": [[0,0]], \"ends\": {\"start\": 3}",
+            "m.json:2:68: objects.a.ends.start: invalid type",
+        ),
         ("\"type\": \"arc-fit\", \"points\": [[0,0],[1,1]]", "m.json:2:6: objects.a: missing field `tolerance`"),
         ("\"type\": \"arc\", \"through\": null", "m.json:2:34: objects.a.through: null is no value here"),
         ("\"type\": \"arc\", \"type\": \"arc\"", "m.json:2:23: objects.a: the name `type` is used twice"),

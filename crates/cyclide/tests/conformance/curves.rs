@@ -2,7 +2,7 @@
 
 use cyclide::{
     Arc, ArcPath, BlendVariant, ChainPiece, Circle, CircleSpline, CircleSplineOptions, CurveChain, DEFAULT_PIECE_ANGLE,
-    NurbsCurve, ParamCurve, Point3, SplineEnds, Vec3,
+    FairEnd, FairSplineOptions, NurbsCurve, ParamCurve, Point3, SplineEnds, Vec3,
 };
 
 /// One curve of the list.
@@ -83,8 +83,8 @@ pub fn kinked_spline(scale: f64, closed: bool, order: u32, variant: BlendVariant
     CircleSpline::from_points(&points, &options).unwrap()
 }
 
-/// A circle spline through eight points of space; closed ones join the last to the first.
-pub fn circle_spline(scale: f64, options: &CircleSplineOptions) -> CircleSpline {
+/// Eight points of space.
+fn eight_points(scale: f64) -> [Point3; 8] {
     let rows: [[f64; 3]; 8] = [
         [0.0, 0.0, 0.0],
         [2.0, -0.5, 0.3],
@@ -95,8 +95,12 @@ pub fn circle_spline(scale: f64, options: &CircleSplineOptions) -> CircleSpline 
         [0.5, 3.9, 0.2],
         [-1.0, 2.0, 0.0],
     ];
-    let points = rows.map(|r| point(r[0] * scale, r[1] * scale, r[2] * scale));
-    CircleSpline::from_points(&points, options).unwrap()
+    rows.map(|r| point(r[0] * scale, r[1] * scale, r[2] * scale))
+}
+
+/// A circle spline through eight points of space; closed ones join the last to the first.
+pub fn circle_spline(scale: f64, options: &CircleSplineOptions) -> CircleSpline {
+    CircleSpline::from_points(&eight_points(scale), options).unwrap()
 }
 
 /// Every implementor at one scale.
@@ -147,6 +151,18 @@ fn cases_at(s: f64) -> Vec<Case> {
             }
         }
     }
+    for closed in [false, true] {
+        for tension in [0.0, 0.4] {
+            let options = FairSplineOptions { closed, tension, corners: vec![5], ..Default::default() };
+            let name = format!("fair spline, tension {tension}, closed {closed}");
+            cases.push(case(&name, CircleSpline::fair(&eight_points(s), &options).unwrap()));
+        }
+    }
+    // Segments of different blends: straight legs beside a corner, in a plane.
+    let legs = [[0.0, 0.0], [1.0, 0.0], [2.0, 0.0], [2.0, 1.0], [2.0, 2.0], [1.5, 3.0], [0.5, 3.2]];
+    let legs = legs.map(|[x, y]| point(x * s, y * s, 0.2 * y * s));
+    let options = FairSplineOptions { tight: Some(0.3), ends: [FairEnd::Free, FairEnd::Arc], ..Default::default() };
+    cases.push(case("fair spline with straight legs", CircleSpline::fair(&legs, &options).unwrap()));
     let clamped = SplineEnds::Clamped { start: Some(Vec3::Y), end: None };
     let options = CircleSplineOptions { ends: clamped, corners: vec![3], ..Default::default() };
     let spline = circle_spline(s, &options);

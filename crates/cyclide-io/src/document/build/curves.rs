@@ -3,7 +3,7 @@
 use cyclide::{Arc, Biarc, Circle, CurveObject, Quat, Vec3};
 
 use super::Builder;
-use crate::document::construct::{Contour, ContourFacts, Made, arc_fit, arc_spline, circle_spline};
+use crate::document::construct::{Contour, ContourFacts, Made, arc_fit, arc_spline, circle_spline, fair_spline};
 use crate::document::coordinates::{Coordinates, Lists, PointFile, PointSource};
 use crate::document::locate::{Step, path_text};
 use crate::document::spec::{ArcSpec, CircleSpec, ObjectSpec};
@@ -33,6 +33,7 @@ impl ObjectSpec {
         match self {
             Self::ArcSpline(s) => Some(&s.points),
             Self::ArcFit(s) => Some(&s.points),
+            Self::FairSpline(s) => Some(&s.points),
             Self::CircleSpline(s) => Some(&s.points),
             _ => None,
         }
@@ -53,6 +54,7 @@ impl Builder<'_> {
             }
             ObjectSpec::ArcSpline(s) => self.each_contour(&s.points, s.closed, |at| arc_spline(s, at)),
             ObjectSpec::ArcFit(s) => self.each_contour(&s.points, s.closed, |at| arc_fit(s, at)),
+            ObjectSpec::FairSpline(s) => self.each_contour(&s.points, s.closed, |at| fair_spline(s, at)),
             ObjectSpec::CircleSpline(s) => self.each_contour(&s.points, s.closed, |at| circle_spline(s, at)),
             ObjectSpec::Transform(s) => Ok(without_facts(self.mapped_curves(s)?)),
             ObjectSpec::SupportStructure(_) => Ok(without_facts(self.support_structure()?)),

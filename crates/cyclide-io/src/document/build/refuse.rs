@@ -112,8 +112,7 @@ fn blame(spec: &ObjectSpec, error: &cyclide::Error) -> Blame {
         (ObjectSpec::Arc(s), _) => Blame::Field(if s.tangent.is_some() { "tangent" } else { "end_tangent" }),
         (ObjectSpec::Biarc(_), 0) => Blame::Field("from_tangent"),
         (ObjectSpec::Biarc(_), _) => Blame::Field("to_tangent"),
-        (ObjectSpec::CircleSpline(_), 0) => Blame::Field("ends"),
-        (ObjectSpec::CircleSpline(_), _) => Blame::Field("ends"),
+        (ObjectSpec::CircleSpline(_) | ObjectSpec::FairSpline(_), _) => Blame::Field("ends"),
         _ => Blame::Entry("tangents", index),
     };
     let is_patch = matches!(spec, ObjectSpec::CyclidePatch(_));

@@ -4,6 +4,7 @@ mod circular;
 mod comment;
 mod curves;
 mod derived;
+mod fair;
 mod nets;
 mod surfaces;
 
@@ -22,6 +23,7 @@ pub use curves::{
 pub use derived::{
     OffsetSpec, PlaneSpec, RotationSpec, ScaleSpec, SphereSpec, StepSpec, SupportStructureSpec, TransformSpec,
 };
+pub use fair::{FairEndPair, FairEndSpec, FairEndWord, FairEndsSpec, FairSplineSpec, StraightWord};
 pub use nets::{CyclideSpec, CyclidicNetSpec, FrameSpec, GridSource, MeshFile};
 pub use surfaces::CyclidePatchSpec;
 
@@ -95,6 +97,8 @@ pub enum ObjectSpec {
     ArcSpline(ArcSplineSpec),
     /// The fewest arcs near points, tangent-continuous.
     ArcFit(ArcFitSpec),
+    /// The fairest smooth curve through points.
+    FairSpline(FairSplineSpec),
     /// A smooth curve through points, blended from circles.
     CircleSpline(CircleSplineSpec),
     /// One patch of a Dupin cyclide, bounded by four circular arcs.
@@ -170,6 +174,7 @@ object_types! {
     "biarc" => Biarc,
     "arc-spline" => ArcSpline,
     "arc-fit" => ArcFit,
+    "fair-spline" => FairSpline,
     "circle-spline" => CircleSpline,
     "cyclide-patch" => CyclidePatch,
     "cyclide" => Cyclide,

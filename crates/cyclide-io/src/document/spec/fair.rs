@@ -1,0 +1,152 @@
+//! Fair curves, field by field.
+
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+use super::TypeWord;
+use super::comment::Comment;
+use crate::document::coordinates::{Coordinates, PointSource};
+
+/// The fairest smooth curve through points: continuous curvature that varies as little as that of an Euler spiral.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct FairSplineSpec {
+    /// The word `fair-spline`.
+    #[schemars(with = "String", extend("const" = "fair-spline"))]
+    pub r#type: TypeWord,
+    /// What the author remarks; read and left aside.
+    #[serde(default)]
+    pub comment: Comment,
+    /// Construction geometry: built and reported, not written to files.
+    #[serde(default)]
+    pub construction: bool,
+    /// The points.
+    pub points: PointSource,
+    /// The last point joins the first.
+    #[serde(default)]
+    pub closed: bool,
+    /// 0 is the fairest curve; with 1 every point follows its neighbours alone, as in a `circle-spline` of order 2.
+    #[serde(default)]
+    #[schemars(extend("minimum" = 0, "maximum" = 1))]
+    pub tension: f64,
+    /// Round corners beside straight runs tightly: within this part of the shorter of their two legs, below 0.5.
+    #[schemars(extend("exclusiveMinimum" = 0, "exclusiveMaximum" = 0.5))]
+    pub tight: Option<f64>,
+    /// What happens at the ends of an open curve.
+    #[serde(default)]
+    pub ends: FairEndsSpec,
+    /// Whether runs of points on a line beside a corner stay straight.
+    #[serde(default)]
+    pub straight: StraightWord,
+    /// Turns of the points above this angle, in radians, are kept as corners. Default: none are (a column `corner`
+    /// of a file of points marks corners too).
+    #[schemars(extend("exclusiveMinimum" = 0, "maximum" = std::f64::consts::PI))]
+    pub corner_angle: Option<f64>,
+}
+
+/// Whether runs of points on a line beside a corner stay straight.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+#[schemars(rename = "Straight")]
+pub enum StraightWord {
+    /// They stay straight, and the curve bends at the corner only.
+    #[default]
+    Auto,
+    /// The curve is as fair as it can be and swings a little along them.
+    Off,
+}
+
+/// The ends of an open fair spline: a word for both, or an object with one for each.
+#[derive(Debug, Clone, Copy, PartialEq, JsonSchema)]
+#[schemars(untagged, rename = "FairEnds")]
+pub enum FairEndsSpec {
+    /// Both ends alike.
+    Both(FairEndWord),
+    /// Each end on its own.
+    Each(FairEndPair),
+}
+
+impl Default for FairEndsSpec {
+    fn default() -> Self {
+        Self::Both(FairEndWord::Circle)
+    }
+}
+
+/// The two ends of an open curve; one that is left out is `circle`.
+#[derive(Debug, Clone, Copy, PartialEq, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct FairEndPair {
+    /// At the first point: a word, or the direction of travel, of any length.
+    pub start: Option<FairEndSpec>,
+    /// At the last point.
+    pub end: Option<FairEndSpec>,
+}
+
+/// One end of an open fair spline.
+#[derive(Debug, Clone, Copy, PartialEq, JsonSchema)]
+#[schemars(untagged, rename = "FairEnd")]
+pub enum FairEndSpec {
+    /// An end without a given direction.
+    Word(FairEndWord),
+    /// The direction of travel there, of any length.
+    Direction(Coordinates),
+}
+
+/// How an end without a given direction is made.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+#[schemars(rename = "FairEndWord")]
+pub enum FairEndWord {
+    /// The curve leaves along the circle through the three points at its end.
+    #[default]
+    Circle,
+    /// The end segment is an arc.
+    Arc,
+    /// The curvature vanishes.
+    Free,
+}
+
+fn word<E: serde::de::Error>(text: &str) -> Result<FairEndWord, E> {
+    FairEndWord::deserialize(serde::de::value::StrDeserializer::new(text))
+}
+
+impl<'de> Deserialize<'de> for FairEndsSpec {
+    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct EndsVisitor;
+        impl<'de> serde::de::Visitor<'de> for EndsVisitor {
+            type Value = FairEndsSpec;
+            fn expecting(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+                f.write_str(
+                    "\"circle\", \"arc\", \"free\" or {\"start\": …, \"end\": …} with these words or directions",
+                )
+            }
+            fn visit_str<E: serde::de::Error>(self, text: &str) -> Result<FairEndsSpec, E> {
+                word(text).map(FairEndsSpec::Both)
+            }
+            fn visit_map<A: serde::de::MapAccess<'de>>(self, map: A) -> Result<FairEndsSpec, A::Error> {
+                FairEndPair::deserialize(serde::de::value::MapAccessDeserializer::new(map)).map(FairEndsSpec::Each)
+            }
+        }
+        deserializer.deserialize_any(EndsVisitor)
+    }
+}
+
+impl<'de> Deserialize<'de> for FairEndSpec {
+    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct EndVisitor;
+        impl<'de> serde::de::Visitor<'de> for EndVisitor {
+            type Value = FairEndSpec;
+            fn expecting(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+                f.write_str("\"circle\", \"arc\", \"free\" or a direction `[x, y]` or `[x, y, z]`")
+            }
+            fn visit_str<E: serde::de::Error>(self, text: &str) -> Result<FairEndSpec, E> {
+                word(text).map(FairEndSpec::Word)
+            }
+            fn visit_seq<A: serde::de::SeqAccess<'de>>(self, seq: A) -> Result<FairEndSpec, A::Error> {
+                let seq = serde::de::value::SeqAccessDeserializer::new(seq);
+                Coordinates::deserialize(seq).map(FairEndSpec::Direction)
+            }
+        }
+        deserializer.deserialize_any(EndVisitor)
+    }
+}
