@@ -1,66 +1,107 @@
 //! Extremes of the principal curvatures over a patch, in closed form.
 
 use super::CyclidePatch;
-use super::singular::roots;
+use super::polar::quadratic;
+use super::singular::{POLE_LIMIT, roots};
 
 impl CyclidePatch {
-    /// Smallest and largest of the finite values that the principal curvature along the s-lines, [`k1`](Self::k1), takes
-    /// at the ends of [0, 1] and where it is stationary. These are its extremes over the patch, but where an s-line
-    /// is a node or a singular line inside: towards those named by [`node_t`](Self::node_t) and
-    /// [`singular_t`](Self::singular_t) the curvature grows beyond all bounds. `[INFINITY, -INFINITY]` if there is no
-    /// such value.
+    /// Smallest and largest value of the principal curvature along the s-lines, [`k1`](Self::k1), over the patch. Towards
+    /// an s-line that is a node or a singular line inside ([`node_t`](Self::node_t), [`singular_t`](Self::singular_t)) the
+    /// curvature grows beyond all bounds to one side or to both: that side is `-INFINITY` or `INFINITY`, the
+    /// other one is still the extreme of all values.
     #[must_use]
     pub fn k1_range(&self) -> [f64; 2] {
-        range(self.polar.m.map(|m| -2.0 * m.dot(self.v[1])), self.polar.q1, self.speed_rounding(0.0)[0], &self.node_t())
+        Curvature {
+            bend: self.polar.m.map(|m| -2.0 * m.dot(self.v[1])),
+            size: self.polar.m.map(|m| 2.0 * m.length()),
+            speed: self.polar.q1,
+            rounding: self.speed_rounding(0.0)[0],
+        }
+        .range(&self.node_t(), &self.singular_t())
     }
 
     /// The same of the principal curvature along the t-lines, [`k2`](Self::k2), with [`node_s`](Self::node_s) and
     /// [`singular_s`](Self::singular_s).
     #[must_use]
     pub fn k2_range(&self) -> [f64; 2] {
-        range(
-            self.polar.m_star.map(|m| 2.0 * m.dot(self.v[0])),
-            self.polar.q2,
-            self.speed_rounding(0.0)[1],
-            &self.node_s(),
-        )
+        Curvature {
+            bend: self.polar.m_star.map(|m| 2.0 * m.dot(self.v[0])),
+            size: self.polar.m_star.map(|m| 2.0 * m.length()),
+            speed: self.polar.q2,
+            rounding: self.speed_rounding(0.0)[1],
+        }
+        .range(&self.node_s(), &self.singular_s())
     }
 }
 
-/// Finite extremes over [0, 1] of a quotient of quadratics `p/q` in Bernstein form: at the ends, and where the Wronskian
-/// of the two quadratics is zero, which is a quadratic again.
-fn range(p: [f64; 3], q: [f64; 3], rounding: [f64; 3], nodes: &[f64]) -> [f64; 2] {
-    let (mut p, mut q) = (p, q);
-    for (end, at) in [(0, 0.0), (2, 1.0)] {
-        if q[end] == 0.0 {
-            // A zero of the speed that is double but for rounding is double.
-            if q[1].abs() <= rounding[1] {
-                q[1] = 0.0;
+/// A curvature as a quotient of quadratics in Bernstein form over [0, 1].
+struct Curvature {
+    bend: [f64; 3],
+    /// What the values of `bend` are parts of, for rounding.
+    size: [f64; 3],
+    speed: [f64; 3],
+    rounding: [f64; 3],
+}
+
+impl Curvature {
+    /// Smallest and largest value, infinite towards poles.
+    fn range(self, nodes: &[f64], singular: &[f64]) -> [f64; 2] {
+        let [mut low, mut high] = self.finite(nodes);
+        let mut poles: Vec<f64> = [nodes, singular].concat();
+        poles.sort_by(f64::total_cmp);
+        for (k, &pole) in poles.iter().enumerate() {
+            let bend = quadratic(&self.bend, pole);
+            // A pole of a sphere inside: both vanish, and the curvature is as around it.
+            if bend.abs() <= POLE_LIMIT * quadratic(&self.size, pole) {
+                continue;
             }
-            // At a pole both quadratics vanish, the first but for rounding.
-            if !nodes.contains(&at) {
-                p[end] = 0.0;
+            let before = if k > 0 { poles[k - 1] } else { 0.0 };
+            let after = poles.get(k + 1).copied().unwrap_or(1.0);
+            for beside in [before, after].into_iter().filter(|end| *end != pole) {
+                // The speed keeps its sign up to the next pole.
+                if (bend < 0.0) == (quadratic(&self.speed, 0.5 * (pole + beside)) < 0.0) {
+                    high = f64::INFINITY;
+                } else {
+                    low = f64::NEG_INFINITY;
+                }
             }
         }
+        [low, high]
     }
-    // The value at an end, at a pole the limit: its factor is cancelled.
-    let limit = |end: usize| {
-        if q[end] != 0.0 {
-            Some(p[end] / q[end])
-        } else if nodes.contains(&(0.5 * end as f64)) {
-            None
-        } else {
-            Some(if q[1] != 0.0 { p[1] / q[1] } else { p[2 - end] / q[2 - end] })
+
+    /// Finite extremes: at the ends, and where the Wronskian of the two quadratics is zero, which is a quadratic again.
+    fn finite(&self, nodes: &[f64]) -> [f64; 2] {
+        let (mut p, mut q) = (self.bend, self.speed);
+        for (end, at) in [(0, 0.0), (2, 1.0)] {
+            if q[end] == 0.0 {
+                // A zero of the speed that is double but for rounding is double.
+                if q[1].abs() <= self.rounding[1] {
+                    q[1] = 0.0;
+                }
+                // At a pole both quadratics vanish, the first but for rounding.
+                if !nodes.contains(&at) {
+                    p[end] = 0.0;
+                }
+            }
         }
-    };
-    let minor = |i: usize, j: usize| p[j] * q[i] - p[i] * q[j];
-    let inside = roots([minor(0, 1), 0.5 * minor(0, 2), minor(1, 2)], [0.0; 3]);
-    let at = |t: f64| {
-        let value = |c: [f64; 3]| (1.0 - t) * ((1.0 - t) * c[0] + 2.0 * t * c[1]) + t * t * c[2];
-        value(p) / value(q)
-    };
-    let values = [limit(0), limit(2)].into_iter().flatten().chain(inside.into_iter().map(at));
-    values.filter(|k| k.is_finite()).fold([f64::INFINITY, f64::NEG_INFINITY], |[lo, hi], k| [lo.min(k), hi.max(k)])
+        // The value at an end, at a pole the limit: its factor is cancelled.
+        let limit = |end: usize| {
+            if q[end] != 0.0 {
+                Some(p[end] / q[end])
+            } else if nodes.contains(&(0.5 * end as f64)) {
+                None
+            } else {
+                Some(if q[1] != 0.0 { p[1] / q[1] } else { p[2 - end] / q[2 - end] })
+            }
+        };
+        let minor = |i: usize, j: usize| p[j] * q[i] - p[i] * q[j];
+        let inside = roots([minor(0, 1), 0.5 * minor(0, 2), minor(1, 2)], [0.0; 3]);
+        // Between two zeros of the speed that only rounding has parted, a value means nothing.
+        let means = |t: &f64| quadratic(&q, *t).abs() > quadratic(&self.rounding, *t);
+        let at = |t: f64| quadratic(&p, t) / quadratic(&q, t);
+        let values = [limit(0), limit(2)].into_iter().flatten().chain(inside.into_iter().filter(means).map(at));
+        values.filter(|k| k.is_finite()).fold([f64::INFINITY, f64::NEG_INFINITY], |[lo, hi], k| [lo.min(k), hi.max(k)])
+    }
 }
 
 #[cfg(test)]
@@ -78,9 +119,61 @@ mod tests {
         let up = Vec3::new(-1.0, 0.0, 1.0).unit().unwrap();
         let cone = CyclidePatch::from_corners_and_frame(corners, Vec3::Y, up).unwrap();
         assert_eq!((cone.node_t(), cone.node_s()), (vec![1.0], vec![]));
-        for (range, k) in [(octant.k1_range(), -1.0), (octant.k2_range(), -1.0), (cone.k1_range(), -(0.5_f64.sqrt()))] {
+        for (range, k) in [(octant.k1_range(), -1.0), (octant.k2_range(), -1.0)] {
             assert!((range[0] - k).abs() < 1e-13 && (range[1] - k).abs() < 1e-13, "{range:?} {k}");
         }
+        // Flattest at the base.
+        let [low, high] = cone.k1_range();
+        assert!(low == f64::NEG_INFINITY && (high + 0.5_f64.sqrt()).abs() < 1e-13, "{low} {high}");
+        assert!(cone.k2_range().iter().all(|k| k.abs() < 1e-13)); // straight lines
+    }
+
+    /// Parameters dense everywhere and denser, to 1e-9, towards some.
+    fn samples(towards: &[f64]) -> Vec<f64> {
+        let near = |r: f64| {
+            (0..400).flat_map(move |i| [-1.0, 1.0].map(|side| r + side * 10.0_f64.powf(-9.0 + 0.02 * f64::from(i))))
+        };
+        let all = (0..=2000).map(|i| f64::from(i) / 2000.0).chain(towards.iter().flat_map(|r| near(*r)));
+        all.filter(|t| (0.0..=1.0).contains(t) && !towards.contains(t)).collect()
+    }
+
+    #[test]
+    fn no_sample_is_outside_and_infinite_sides_are_approached() {
+        let mut seen = [0; 3];
+        for case in 0..200 {
+            // Corners on a circle, every third time with two together; a frame without a pattern.
+            let random = |k: usize| (1e4 * (1.0 + (17 * case + 5 * k) as f64 * 0.618_034).sin()).fract();
+            let turn = |k: usize| std::f64::consts::TAU * (0.25 * k as f64 + 0.1 * random(k));
+            let angles = [turn(0), turn(1), turn(2), if case % 3 == 0 { turn(2) } else { turn(3) }];
+            let point = |a: f64| Point3::new(1.5 * a.cos(), 1.5 * a.sin(), 0.2 * case as f64 / 200.0);
+            let [p0, p1, p3, p2] = angles.map(point);
+            let Some(v1) = Vec3::new(random(4), random(5), random(6)).unit() else { continue };
+            let Some(v2) = v1.cross(Vec3::new(random(7), random(8), 0.3)).unit() else { continue };
+            let Ok(patch) = CyclidePatch::from_corners_and_frame([p0, p1, p2, p3], v1, v2) else { continue };
+            let families: [([f64; 2], Vec<f64>, &dyn Fn(f64) -> f64); 2] = [
+                (patch.k1_range(), [patch.singular_t(), patch.node_t()].concat(), &|t| patch.k1(t)),
+                (patch.k2_range(), [patch.singular_s(), patch.node_s()].concat(), &|s| patch.k2(s)),
+            ];
+            for ([low, high], singular, at) in families {
+                let values: Vec<f64> = samples(&singular).into_iter().map(at).filter(|k| k.is_finite()).collect();
+                let size = [low, high].into_iter().filter(|k| k.is_finite()).fold(1e-3, |a: f64, k| a.max(k.abs()));
+                let (least, most) = (
+                    values.iter().fold(f64::INFINITY, |a, k| a.min(*k)),
+                    values.iter().fold(f64::NEG_INFINITY, |a, k| a.max(*k)),
+                );
+                // Rounding of quotients near their zeros.
+                assert!(
+                    least >= low - 1e-7 * size && most <= high + 1e-7 * size,
+                    "{case}: {low} {high}: {least} {most}"
+                );
+                assert!(low.is_finite() || least < -1e3 * size, "{case}: {low} {least} {singular:?}");
+                assert!(high.is_finite() || most > 1e3 * size, "{case}: {high} {most} {singular:?}");
+                assert_eq!(singular.is_empty(), low.is_finite() && high.is_finite(), "{case}: {singular:?}");
+                let infinite = [low, high].into_iter().filter(|k| k.is_infinite()).count();
+                seen[infinite] += 1;
+            }
+        }
+        assert!(seen.iter().all(|n| *n >= 10), "{seen:?}");
     }
 
     #[test]

@@ -70,7 +70,7 @@ const ROUNDING: f64 = 32.0 * f64::EPSILON;
 
 /// Along a side of one point the normals turn about an axis: about themselves at a pole, where this cosine of the
 /// angle to the tangent plane is 0.
-const POLE_LIMIT: f64 = 1e-9;
+pub(super) const POLE_LIMIT: f64 = 1e-9;
 
 /// The ends at which the speed is zero and the bending `[m·V, |m|]` across the normal is not.
 fn nodes(speed: [f64; 3], bending: [[f64; 2]; 3]) -> Vec<f64> {
