@@ -64,9 +64,9 @@ pub use place::{Diagnostic, Source, decode};
 pub use points::{PointColumns, PointList, PointTable, read_points};
 pub use read_back::{file_deviation, read_back};
 pub use report::{
-    CheckError, CircularReport, CurvatureReport, CurvesReport, FairnessReport, FileReport, FitReport, GeometryReport,
-    JointReport, ObjectReport, PartReport, PatchPlace, RangeReport, Report, SingularPatchReport, SurfaceJointReport,
-    SurfaceReport, WarningReport,
+    CheckError, CircularReport, CurvatureRangeReport, CurvatureReport, CurvesReport, FairnessReport, FileReport,
+    FitReport, GeometryReport, JointReport, ObjectReport, PartReport, PatchPlace, RangeReport, Report, SeamReport,
+    ShapeReport, SingularPatchReport, SurfaceJointReport, SurfaceReport, WarningReport,
 };
 pub use sample::{Spacing, sample};
 pub use suggest::{did_you_mean, similar};

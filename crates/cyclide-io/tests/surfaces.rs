@@ -310,7 +310,7 @@ fn an_offset_with_nodes_is_the_solids_of_its_lobes() {
 }
 
 #[test]
-fn nodes_are_named_with_the_finite_curvatures() {
+fn nodes_are_named_and_curvatures_have_no_bounds_there() {
     // The horn 5, 3, 1: th = acos(1/3), nodes at (a mu/c, ±b sqrt(1 - mu²/c²), 0). Two by four patches between them,
     // four by four round the other way.
     let horn = build(r#""h": {"type": "cyclide", "a": 5, "c": 3, "mu": 1}"#).unwrap();
@@ -327,18 +327,21 @@ fn nodes_are_named_with_the_finite_curvatures() {
     }
     // k2 = -1/|mu - c cos th| is flattest at th = 0 and pi: -1/2, -1/4; k1 = ±1/(a ± mu) and less.
     let [s, t] = [report.curvature_s, report.curvature_t];
-    assert!((t.min + 0.5).abs() < 1e-13 && (t.max + 0.25).abs() < 1e-13, "{t:?}");
+    assert!(t.min == f64::NEG_INFINITY && (t.max + 0.25).abs() < 1e-13, "{t:?}");
     assert!((s.min + 0.25).abs() < 1e-13 && (s.max - 0.25).abs() < 1e-13, "{s:?}");
+    assert_eq!([s.unbounded, t.unbounded], [None, Some("below: towards the points named in `singular`")]);
     let text = Report::new(cyclide::Units::Millimetre, &[horn], None).to_string();
     assert!(
-        text.contains("along s -0.25 to 0.25 1/mm; along t -0.5 to -0.25 1/mm, unbounded at singular points\n"),
+        text.contains("along s -0.25 to 0.25 1/mm; along t -0.25 1/mm and less, unbounded at singular points\n"),
         "{text}"
     );
     assert!(text.contains("\n  singular   16: patch 0 of body 0 at s = 0; "), "{text}");
     assert!(!text.contains("flipped") && !text.contains("infinite"), "{text}");
     // The single node of a spindle with mu = a, a double zero of the speed.
     let one = surface(&build(r#""s": {"type": "cyclide", "a": 5, "c": 1, "mu": 5}"#).unwrap());
-    assert!(one.curvature_s.min.abs() < 1.0 && one.curvature_s.max.abs() < 1.0, "{:?}", one.curvature_s);
+    assert!(one.curvature_s.min.abs() < 1.0 && one.curvature_s.max == f64::INFINITY, "{:?}", one.curvature_s);
+    assert_eq!(one.curvature_s.unbounded, Some("above: towards the points named in `singular`"));
+    assert!(one.curvature_t.min.abs() < 1.0 && one.curvature_t.max.abs() < 1.0, "{:?}", one.curvature_t);
     assert_eq!(one.singular.len(), 8);
 }
 

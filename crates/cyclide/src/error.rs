@@ -3,6 +3,7 @@
 //! Every variant says which item is at fault, what was measured and the limit it broke. [`Error::reason`] gives
 //! the stable kebab-case name that the reference data, the reports and the documentation use.
 
+use crate::shape_change::ShapeChange;
 use crate::short_number::ShortNumber;
 
 /// Result of a fallible kernel call.
@@ -406,6 +407,12 @@ pub enum Error {
         /// Largest residual accepted.
         limit: f64,
     },
+    /// A grid made circular is no longer the surface that was given.
+    #[error("the shape is lost: {}", .change.lost())]
+    ShapeLost {
+        /// What was measured.
+        change: Box<ShapeChange>,
+    },
     /// Two curves on which the sides of a grid slide do not meet at the corner between them.
     #[error("the curves of the two sides at vertex {vertex} do not meet near it: {} apart, limit {}", ShortNumber(*.distance), ShortNumber(*.limit))]
     BorderCurvesApart {
@@ -519,6 +526,7 @@ impl Error {
             Self::InQuad { cause, .. } | Self::InSpan { cause, .. } => cause.reason(),
             Self::CollapsedOnCurve { .. } => "collapsed-on-curve",
             Self::NotConverged { .. } => "not-converged",
+            Self::ShapeLost { .. } => "shape-lost",
             Self::BorderCurvesApart { .. } => "border-curves-apart",
         }
     }

@@ -1,5 +1,6 @@
 //! What a construction did that its user should know: named, with the place, the measure and the limit.
 
+use crate::shape_change::{ShapeChange, degrees};
 use crate::short_number::ShortNumber;
 
 /// A remark on a result that is valid but may not be what was meant.
@@ -123,6 +124,18 @@ pub enum Warning {
         /// Index of the first one dropped.
         index: usize,
     },
+    /// The lines of a grid to be made circular run across the curvature lines of its surface.
+    AcrossCurvatureLines {
+        /// Mean angle to the curvature lines, weighted by the difference of the principal curvatures, radians.
+        angle: f64,
+        /// Angles above this are reported, radians.
+        limit: f64,
+    },
+    /// The shape of a grid changed when it was made circular.
+    ShapeChanged {
+        /// What was measured.
+        change: ShapeChange,
+    },
     /// A vertex moved far when its grid was made circular: the grid does not follow the curvature lines of its surface.
     MovedFar {
         /// The vertex, s fastest.
@@ -147,6 +160,15 @@ pub enum Warning {
         agreement: f64,
         /// Mean turn at a vertex, radians.
         turn: f64,
+    },
+    /// Opposite borders of an open net nearly coincide, as where a tube was cut open.
+    OpenSeam {
+        /// What the borders are: `column` (s = 0 and s = 1) or `row` (t = 0 and t = 1).
+        border: &'static str,
+        /// Largest distance of a point of one border from the other one.
+        gap: f64,
+        /// Largest angle between the normals there, radians.
+        angle: f64,
     },
     /// A net whose frame does not suit its grid: lines shrink to a point inside patches, or neighbours fold over.
     FoldedNet {
@@ -182,9 +204,12 @@ impl Warning {
             Self::TurnsMoreThanData { .. } => "turns-more-than-data",
             Self::PointsMerged { .. } => "points-merged",
             Self::ClosingPointMerged { .. } => "closing-point-merged",
+            Self::AcrossCurvatureLines { .. } => "across-curvature-lines",
+            Self::ShapeChanged { .. } => "shape-changed",
             Self::MovedFar { .. } => "moved-far",
             Self::LeftSurface { .. } => "left-surface",
             Self::Zigzag { .. } => "zigzag",
+            Self::OpenSeam { .. } => "open-seam",
             Self::FoldedNet { .. } => "folded-net",
         }
     }
@@ -209,6 +234,9 @@ impl Warning {
             | Self::Wavers { .. }
             | Self::DataWaver { .. }
             | Self::TurnsMoreThanData { .. }
+            | Self::AcrossCurvatureLines { .. }
+            | Self::ShapeChanged { .. }
+            | Self::OpenSeam { .. }
             | Self::Zigzag { .. } => None,
         }
     }
@@ -301,6 +329,13 @@ impl std::fmt::Display for Warning {
             Self::ClosingPointMerged { index } => {
                 write!(f, "point {index} repeats the first point of the closed curve: merged with it")
             }
+            Self::AcrossCurvatureLines { angle, limit } => write!(
+                f,
+                "the grid lines run {} degrees off the curvature lines of the surface on average (more than {} is across them): quads with circles follow curvature lines",
+                degrees(*angle),
+                degrees(*limit)
+            ),
+            Self::ShapeChanged { change } => write!(f, "the shape changed: {}", change.changed()),
             Self::MovedFar { vertex, distance, limit } => {
                 write!(
                     f,
@@ -321,6 +356,12 @@ impl std::fmt::Display for Warning {
                 f,
                 "grid lines zigzag: neighbouring turns of {:.1} degrees on average agree by {agreement:.2}; smooth or refine the grid first",
                 turn.to_degrees()
+            ),
+            Self::OpenSeam { border, gap, angle } => write!(
+                f,
+                "the first and the last {border} of the grid are at most an edge apart and the net is open there: the surface has a gap of up to {} and an angle of up to {} degrees",
+                ShortNumber(*gap),
+                degrees(*angle)
             ),
             Self::FoldedNet { singular, first, creases, angle } => {
                 if let Some(first) = first {

@@ -12,19 +12,20 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-/// The rooms of the kernel and what each may use, besides itself. `error`, `warning` and the numbers
-/// in their texts stand beside `base`.
-const ROOMS: [(&str, &[&str]); 12] = [
+/// The rooms of the kernel and what each may use, besides itself. `error`, `warning`, the numbers
+/// in their texts and `shape_change` stand beside `base`.
+const ROOMS: [(&str, &[&str]); 13] = [
     ("short_number", &[]),
-    ("error", &["short_number"]),
-    ("warning", &["short_number"]),
+    ("shape_change", &["short_number"]),
+    ("error", &["short_number", "shape_change"]),
+    ("warning", &["short_number", "shape_change"]),
     ("base", &["error", "warning"]),
     ("conformal", &["base", "error", "warning"]),
     ("rational", &["base", "conformal", "error", "warning"]),
     ("batch", &["base", "conformal", "rational", "error", "warning"]),
     ("curve", &["base", "conformal", "rational", "batch", "error", "warning"]),
     ("surface", &["base", "conformal", "rational", "batch", "curve", "error", "warning"]),
-    ("construct", &["base", "conformal", "rational", "batch", "curve", "surface", "error", "warning"]),
+    ("construct", &["base", "conformal", "rational", "batch", "curve", "surface", "error", "warning", "shape_change"]),
     ("mesh", &["base", "conformal", "rational", "batch", "curve", "surface", "error", "warning"]),
     ("model", &["base", "conformal", "rational", "batch", "curve", "surface", "construct", "mesh", "error", "warning"]),
 ];

@@ -1,7 +1,9 @@
 //! What was made and what was written: measured on the curves and on the bytes, never taken from the plan.
 
+mod curvature;
 mod curves;
 mod fairness;
+mod seam;
 mod surface;
 mod text;
 
@@ -18,9 +20,14 @@ use crate::format::Format;
 use crate::job::Job;
 use crate::options::ExportOptions;
 use crate::read_back::file_deviation;
+pub use curvature::CurvatureRangeReport;
 pub use curves::{CurvatureReport, CurvesReport, FitReport, JointReport};
 pub use fairness::FairnessReport;
-pub use surface::{CircularReport, PartReport, PatchPlace, SingularPatchReport, SurfaceJointReport, SurfaceReport};
+pub use seam::SeamReport;
+pub(crate) use seam::measured_seams;
+pub use surface::{
+    CircularReport, PartReport, PatchPlace, ShapeReport, SingularPatchReport, SurfaceJointReport, SurfaceReport,
+};
 
 /// Part of the model's size that reading numbers back and comparing points may cost: what foreign readers are held to.
 const READ_BACK_ROUNDING: f64 = 1e-9;

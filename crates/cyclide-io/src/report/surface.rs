@@ -3,12 +3,12 @@
 use std::collections::BTreeMap;
 
 use cyclide::{
-    Body, CORNER_ANGLE, CircularMeshReport, CyclidePatch, ParamSurface as _, Shell, ShellFace, SurfaceObject,
-    surface_joints,
+    Body, CORNER_ANGLE, CircularMeshReport, CyclidePatch, ParamSurface as _, ShapeChange, Shell, ShellFace,
+    SurfaceObject, surface_joints,
 };
 use serde::Serialize;
 
-use super::RangeReport;
+use super::{CurvatureRangeReport, RangeReport, SeamReport};
 use crate::document::BuiltObject;
 
 /// Places per direction at which a patch is measured where there is no closed form.
@@ -35,11 +35,10 @@ pub struct SurfaceReport {
     /// How the patches meet.
     pub joints: SurfaceJointReport,
     /// Principal curvatures along the s-lines, in 1/length: negative where the surface bends away from its outer
-    /// side. Towards the parameters t named in `singular` it grows beyond all bounds; the range is that of its finite
-    /// values at the sides of patches and where it is stationary.
-    pub curvature_s: RangeReport,
-    /// Principal curvatures along the t-lines; beyond all bounds towards the parameters s named in `singular`.
-    pub curvature_t: RangeReport,
+    /// side. Without a bound to one side or both where `singular` names parameters t.
+    pub curvature_s: CurvatureRangeReport,
+    /// Principal curvatures along the t-lines; without a bound where `singular` names parameters s.
+    pub curvature_t: CurvatureRangeReport,
     /// The nine real weights of every patch, before patches are cut so that all are positive.
     pub weights: RangeReport,
     /// Largest real part of the quaternion quotient, a length: how far rounding takes the surface out of three-space.
@@ -51,9 +50,12 @@ pub struct SurfaceReport {
     /// Patches whose `f_s × f_t` is against the normal along which offsets are made: offsets beyond a focal set. Of a
     /// thick shell, which has no offset, none.
     pub flipped: Vec<PatchPlace>,
+    /// Opposite borders of open nets that nearly coincide.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub seams: Vec<SeamReport>,
     /// What it took to make a net circular.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub circular: Option<CircularReport>,
+    pub circular: Option<Box<CircularReport>>,
 }
 
 /// Patches of one body that hang together without a crease.
@@ -122,9 +124,36 @@ pub struct CircularReport {
     pub angle_before: Option<f64>,
     /// The same as made.
     pub angle_after: Option<f64>,
+    /// How much of the shape is left; `None` for a flat grid.
+    pub shape: Option<ShapeReport>,
     /// Quads by index, s fastest, that no patch fits into: sides cross or have no length. A document with such quads is
     /// refused by name, so that reports on what was built have none.
     pub rejected_quads: Vec<usize>,
+}
+
+/// How much of its shape a net made circular has kept: numbers free of scale (see `ShapeChange` of the kernel).
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct ShapeReport {
+    /// Bending of the surface, after over before.
+    pub bending: Option<f64>,
+    /// Thickness of the surface, after over before.
+    pub thickness: Option<f64>,
+    /// Turn of the normals over their spread in the grid given.
+    pub normal_turn: Option<f64>,
+    /// Turn of the normals, rms, radians.
+    pub turn: f64,
+    /// Part of the surface (0 to 1) in whose neighbourhood less than half of the humps and ripples is left.
+    pub lost_relief: f64,
+    /// Mean angle of the lines given to the curvature lines, weighted by the difference of the curvatures, radians;
+    /// `None` for surfaces nearly flat or spherical.
+    pub across: Option<f64>,
+}
+
+impl From<&ShapeChange> for ShapeReport {
+    fn from(change: &ShapeChange) -> Self {
+        let ShapeChange { bending, thickness, normal_turn, turn, lost_relief, across } = *change;
+        Self { bending, thickness, normal_turn, turn, lost_relief, across }
+    }
 }
 
 /// How patches meet, measured along every edge that two share.
@@ -194,6 +223,7 @@ impl SurfaceReport {
         };
         let mut parts: Vec<PartReport> = bodies.iter().enumerate().flat_map(of_body).collect();
         parts.sort_by(|a, b| b.area.total_cmp(&a.area));
+        let nets = built.item.surfaces.iter().filter_map(SurfaceObject::as_net);
         let mut report = Self {
             patches: shells().map(|shell| shell.faces().len()).sum(),
             bodies: bodies.len(),
@@ -203,14 +233,15 @@ impl SurfaceReport {
             parts,
             volume: volumes.map(|v| v.iter().sum()),
             joints: SurfaceJointReport::new(shells()),
-            curvature_s: RangeReport::EMPTY,
-            curvature_t: RangeReport::EMPTY,
+            curvature_s: CurvatureRangeReport::EMPTY,
+            curvature_t: CurvatureRangeReport::EMPTY,
             weights: RangeReport::EMPTY,
             residual: 0.0,
             orthogonality: 0.0,
             singular: Vec::new(),
             flipped: Vec::new(),
-            circular: built.circular.as_ref().map(CircularReport::from),
+            seams: nets.flat_map(|net| SeamReport::all(net, &built.seams)).collect(),
+            circular: built.circular.as_ref().map(|report| Box::new(CircularReport::from(report))),
         };
         // An object has solids only, or none: a solid's rims have no normal of their own to be against.
         let thick = built.item.surfaces.iter().any(|surface| matches!(surface, SurfaceObject::Thick(_)));
@@ -231,9 +262,9 @@ impl SurfaceReport {
         self.singular.extend(SingularPatchReport::new(place, patch));
         // The curvatures are against D V3 D^-1; the outer side may be the other one.
         let against = patch.is_flipped() == face.same_sense;
-        let turned = |range: RangeReport, [a, b]: [f64; 2]| if against { range.with(-b, -a) } else { range.with(a, b) };
-        self.curvature_s = turned(self.curvature_s, patch.k1_range());
-        self.curvature_t = turned(self.curvature_t, patch.k2_range());
+        let turned = |[a, b]: [f64; 2]| if against { [-b, -a] } else { [a, b] };
+        self.curvature_s = self.curvature_s.with(turned(patch.k1_range()));
+        self.curvature_t = self.curvature_t.with(turned(patch.k2_range()));
         for weight in patch.real_weights().as_flattened() {
             self.weights = self.weights.with(*weight, *weight);
         }
@@ -261,6 +292,7 @@ impl From<&CircularMeshReport> for CircularReport {
             off_surface_max: report.moves.max_off_surface,
             angle_before: report.angle_before.map(|angle| angle.median),
             angle_after: report.angle_after.map(|angle| angle.median),
+            shape: report.shape.as_ref().map(ShapeReport::from),
             rejected_quads: report.rejected_quads.clone(),
         }
     }

@@ -6,7 +6,7 @@ use cyclide::ShortNumber;
 
 use super::surface::PatchPlace;
 use super::{
-    CurvesReport, FairnessReport, FileReport, GeometryReport, ObjectReport, RangeReport, Report, SingularPatchReport,
+    CurvesReport, FairnessReport, FileReport, GeometryReport, ObjectReport, RangeReport, Report, ShapeReport,
     SurfaceReport,
 };
 
@@ -181,12 +181,12 @@ impl SurfaceReport {
             let gap = if smooth > 0 { String::new() } else { format!("gap {gap} {units}, ") };
             line("creases", format!("{}: {gap}angle up to {} rad", j.creases, short(j.crease_angle)))?;
         }
-        let (s, t) = (range(&self.curvature_s), range(&self.curvature_t));
-        let unbounded = |of: fn(&SingularPatchReport) -> &Vec<f64>| {
-            if self.singular.iter().any(|p| !of(p).is_empty()) { ", unbounded at singular points" } else { "" }
-        };
-        let (at_t, at_s) = (unbounded(|p| &p.t), unbounded(|p| &p.s));
-        line("curvature", format!("along s {s} 1/{units}{at_t}; along t {t} 1/{units}{at_s}"))?;
+        for seam in &self.seams {
+            let (border, gap, angle) = (seam.border, short(seam.gap), short(seam.angle));
+            line("open seam", format!("first and last {border}: gap {gap} {units}, angle {angle} rad"))?;
+        }
+        let (s, t) = (self.curvature_s.text(units), self.curvature_t.text(units));
+        line("curvature", format!("along s {s}; along t {t}"))?;
         line("weights", range(&self.weights))?;
         let (residual, cosine) = (short(self.residual), short(self.orthogonality));
         line("accuracy", format!("in space to {residual} {units}, lines orthogonal to {cosine} rad"))?;
@@ -198,6 +198,9 @@ impl SurfaceReport {
             if let (Some(before), Some(after)) = (c.angle_before, c.angle_after) {
                 let (before, after) = (short(before), short(after));
                 line("", format!("angle to the curvature lines {after} rad in the median, before {before} rad"))?;
+            }
+            if let Some(shape) = &c.shape {
+                line("shape", shape.to_string())?;
             }
         }
         if !self.singular.is_empty() {
@@ -224,6 +227,22 @@ impl SurfaceReport {
         } else {
             format!("patch {}", place.patch)
         }
+    }
+}
+
+impl fmt::Display for ShapeReport {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let percent = |part: f64| format!("{:.0} %", 100.0 * part);
+        for (part, of) in [(self.bending, "bending"), (self.thickness, "thickness")] {
+            if let Some(part) = part {
+                write!(f, "{} of the {of}, ", percent(part))?;
+            }
+        }
+        write!(f, "normals turned by {} rad rms", short(self.turn))?;
+        if let Some(turn) = self.normal_turn {
+            write!(f, " ({} of their spread)", percent(turn))?;
+        }
+        write!(f, ", humps or ripples lost on {} of the surface", percent(self.lost_relief))
     }
 }
 

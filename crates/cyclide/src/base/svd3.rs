@@ -1,4 +1,4 @@
-//! Singular values of a 3×3 matrix, by one-sided Jacobi rotations: the nearest rotation to a matrix.
+//! Singular values of a 3×3 matrix and the nearest rotation to it, by one-sided Jacobi rotations.
 
 use super::vector::Vec3;
 
@@ -14,8 +14,42 @@ pub(crate) fn nearest_rotation(columns: [Vec3; 3]) -> Option<[Vec3; 3]> {
     if !(size > 0.0 && columns.iter().all(|c| c.is_finite())) {
         return None;
     }
-    // Rotations from the right make the columns orthogonal: A = G V = U S.
-    let mut a = columns.map(|c| c / size);
+    let (a, v) = orthogonal_columns(columns.map(|c| c / size));
+    let mut order = [0, 1, 2];
+    order.sort_by(|&i, &j| a[j].length_squared().total_cmp(&a[i].length_squared()));
+    let [s0, s1, s2] = order.map(|i| a[i].length());
+    if s1 <= 1e-12 * s0 {
+        return None;
+    }
+    // The third column of U from the first two: it gives det U = 1 also where S has a zero, and with V made
+    // right-handed the same way the product has determinant 1, as the factor det(U Vᵀ) demands.
+    let (u0, u1) = (a[order[0]] / s0, a[order[1]] / s1);
+    let (v0, v1) = (v[order[0]], v[order[1]]);
+    let (u2, v2) = (u0.cross(u1), v0.cross(v1));
+    let reversed = u2.dot(a[order[2]]) * v2.dot(v[order[2]]) < 0.0;
+    if reversed && s1 - s2 <= 1e-12 * s0 {
+        return None;
+    }
+    // Column k of U Vᵀ is the sum of u_i (v_i)_k.
+    Some([0, 1, 2].map(|k| u0 * v0[k] + u1 * v1[k] + u2 * v2[k]))
+}
+
+/// The singular values of the matrix with the given columns, largest first.
+#[cfg(feature = "circular-mesh")]
+pub(crate) fn singular_values(columns: [Vec3; 3]) -> [f64; 3] {
+    let size = columns.iter().map(|c| c.max_abs()).fold(0.0, f64::max);
+    if !(size > 0.0 && columns.iter().all(|c| c.is_finite())) {
+        return [size; 3];
+    }
+    let (a, _) = orthogonal_columns(columns.map(|c| c / size));
+    let mut values = a.map(|c| size * c.length());
+    values.sort_by(|x, y| y.total_cmp(x));
+    values
+}
+
+/// Rotates the columns from the right until they are orthogonal, `A V = U S`: gives `A V` and `V`.
+fn orthogonal_columns(columns: [Vec3; 3]) -> ([Vec3; 3], [Vec3; 3]) {
+    let mut a = columns;
     let mut v = [Vec3::X, Vec3::Y, Vec3::Z];
     for _ in 0..SWEEPS {
         let mut off = 0.0_f64;
@@ -37,23 +71,7 @@ pub(crate) fn nearest_rotation(columns: [Vec3; 3]) -> Option<[Vec3; 3]> {
             break;
         }
     }
-    let mut order = [0, 1, 2];
-    order.sort_by(|&i, &j| a[j].length_squared().total_cmp(&a[i].length_squared()));
-    let [s0, s1, s2] = order.map(|i| a[i].length());
-    if s1 <= 1e-12 * s0 {
-        return None;
-    }
-    // The third column of U from the first two: it gives det U = 1 also where S has a zero, and with V made
-    // right-handed the same way the product has determinant 1, as the factor det(U Vᵀ) demands.
-    let (u0, u1) = (a[order[0]] / s0, a[order[1]] / s1);
-    let (v0, v1) = (v[order[0]], v[order[1]]);
-    let (u2, v2) = (u0.cross(u1), v0.cross(v1));
-    let reversed = u2.dot(a[order[2]]) * v2.dot(v[order[2]]) < 0.0;
-    if reversed && s1 - s2 <= 1e-12 * s0 {
-        return None;
-    }
-    // Column k of U Vᵀ is the sum of u_i (v_i)_k.
-    Some([0, 1, 2].map(|k| u0 * v0[k] + u1 * v1[k] + u2 * v2[k]))
+    (a, v)
 }
 
 #[cfg(test)]
@@ -98,6 +116,17 @@ mod tests {
                 }
             }
         }
+    }
+
+    #[test]
+    #[cfg(feature = "circular-mesh")]
+    fn singular_values_of_a_stretched_rotation() {
+        let r = [Vec3::new(2.0, -1.0, 2.0) / 3.0, Vec3::new(2.0, 2.0, -1.0) / 3.0, Vec3::new(-1.0, 2.0, 2.0) / 3.0];
+        let values = singular_values([r[2] * 1e-6, r[0] * 3.0, r[1]]);
+        for (value, expected) in values.into_iter().zip([3.0, 1.0, 1e-6]) {
+            assert!((value - expected).abs() < 1e-15 * expected.max(1.0), "{values:?}"); // rounding of the largest
+        }
+        assert!(singular_values([Vec3::ZERO; 3]).iter().all(|value| value.abs() < f64::MIN_POSITIVE));
     }
 
     #[test]

@@ -17,6 +17,12 @@ pub enum SurfaceObject {
 }
 
 impl SurfaceObject {
+    /// The net, if it is one.
+    #[must_use]
+    pub fn as_net(&self) -> Option<&CyclidicNet> {
+        if let Self::Net(net) = self { Some(net) } else { None }
+    }
+
     /// The surface as patches that share edges, what every exporter reads: one body, or the lobes of a net that hangs
     /// together in nodes only, as [`CyclidicNet::to_shells`].
     ///

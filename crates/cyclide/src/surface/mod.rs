@@ -7,6 +7,7 @@ mod net;
 mod param_surface;
 mod patch;
 mod quad_grid;
+mod seam;
 mod shell;
 
 pub use dupin::{CyclideKind, DupinCyclide};
@@ -15,4 +16,5 @@ pub use net::{CyclidicNet, NetFrame, SingularPatch};
 pub use param_surface::ParamSurface;
 pub use patch::{CyclidePatch, ImplicitForm, PatchKind, PatchLocation, PatchRow};
 pub use quad_grid::QuadGrid;
+pub use seam::{Seam, SeamMeasure};
 pub use shell::{Body, FaceEdge, Shell, ShellEdge, ShellFace};

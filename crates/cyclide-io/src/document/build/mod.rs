@@ -10,7 +10,7 @@ mod surfaces;
 use std::io;
 use std::path::Path;
 
-use cyclide::{Body, CircularMeshReport, Item, SurfaceObject, Warning};
+use cyclide::{Body, CircularMeshReport, Item, Seam, SurfaceObject, Warning};
 
 use super::Document;
 use super::construct::ContourFacts;
@@ -31,6 +31,8 @@ pub struct BuiltObject {
     pub bodies: Vec<Body>,
     /// What it took to make a net circular.
     pub circular: Option<CircularMeshReport>,
+    /// Where opposite borders of the grid of a net nearly coincide, as given.
+    pub seams: Vec<Seam>,
     /// Construction geometry: not for files.
     pub construction: bool,
     /// One entry per contour.
@@ -105,6 +107,7 @@ impl<'a> ModelBuilder<'a> {
                     progress,
                     mesh: None,
                     circular: None,
+                    seams: Vec::new(),
                     remarks,
                     warnings,
                 };
@@ -142,6 +145,8 @@ struct Builder<'a> {
     mesh: Option<MeshNames>,
     /// What it took to make the net of the object circular.
     circular: Option<CircularMeshReport>,
+    /// The seams of its grid as given.
+    seams: Vec<Seam>,
     remarks: Vec<Remark>,
     warnings: Vec<(usize, Warning)>,
 }
@@ -154,12 +159,14 @@ impl Builder<'_> {
         let bodies: Vec<Body> = bodies.map_err(|e| self.refused(&e, None))?.into_iter().flatten().collect();
         if let ObjectSpec::CyclidicNet(net) = self.spec {
             self.warn_of_folds(net, &surfaces, &bodies);
+            self.warn_of_seams(&surfaces);
         }
         let tolerance = if let ObjectSpec::ArcFit(s) = self.spec { Some(s.tolerance) } else { None };
         let (name, kind) = (self.name.to_owned(), self.spec.type_word().to_owned());
         let item = Item { name, kind, contours: curves, surfaces, warnings: self.warnings, tolerance };
         let construction = self.spec.is_construction();
-        Ok(BuiltObject { item, bodies, circular: self.circular, construction, contours: facts, remarks: self.remarks })
+        let Self { circular, seams, remarks, .. } = self;
+        Ok(BuiltObject { item, bodies, circular, seams, construction, contours: facts, remarks })
     }
 
     fn remark(

@@ -16,7 +16,7 @@ use crate::document::spec::{
 use crate::error::{CROSSING_QUAD, Error, Result, rejected_quads};
 use crate::input_kind::InputKind;
 use crate::obj::read_quad_grid;
-use crate::report::SurfaceJointReport;
+use crate::report::{SurfaceJointReport, measured_seams};
 
 /// Patches of a whole cyclide round the hole and round the tube.
 const SEGMENTS: [u32; 2] = [4, 4];
@@ -49,6 +49,7 @@ impl<'a> Builder<'a> {
     /// The net over a grid.
     pub(super) fn net(&mut self, spec: &CyclidicNetSpec) -> Result<Vec<SurfaceObject>> {
         let mut grid = self.grid(spec)?;
+        self.seams = grid.seams();
         if let Some(options) = spec.make_circular.options() {
             grid = self.circular(spec, &options, &grid)?;
         }
@@ -116,7 +117,8 @@ impl<'a> Builder<'a> {
         let usual = CircularMeshOptions::default();
         let max_steps = given.max_steps.map_or(usual.max_steps, |n| n as usize);
         let progress = &mut *self.progress;
-        let mesh = make_circular(grid, &CircularMeshOptions { border, max_steps }, &mut |step| {
+        let options = CircularMeshOptions { border, max_steps, allow_shape_change: given.allow_shape_change };
+        let mesh = make_circular(grid, &options, &mut |step| {
             progress(format!("circular quads: step {}, residual {}", step.step, cyclide::ShortNumber(step.residual)));
         });
         let mesh = mesh.map_err(|e| self.refused_in_grid(grid, &e))?;
@@ -134,8 +136,7 @@ impl<'a> Builder<'a> {
 
     /// Warns of a net that its frame folded.
     pub(super) fn warn_of_folds(&mut self, spec: &CyclidicNetSpec, surfaces: &[SurfaceObject], bodies: &[Body]) {
-        let nets =
-            surfaces.iter().filter_map(|surface| if let SurfaceObject::Net(net) = surface { Some(net) } else { None });
+        let nets = surfaces.iter().filter_map(SurfaceObject::as_net);
         let singular: Vec<[usize; 2]> = nets.flat_map(|net| net.singular_patches()).map(|patch| patch.quad).collect();
         let joints = SurfaceJointReport::new(bodies.iter().flat_map(Body::shells));
         if singular.is_empty() && joints.creases == 0 {
@@ -154,6 +155,19 @@ impl<'a> Builder<'a> {
         };
         self.remark(warning.reason(), None, first, None, format!("{warning}; {hint}"));
         self.warnings.push((0, warning));
+    }
+
+    /// Warns of borders of the grid, as given or as made, that nearly coincide: the net is open there.
+    pub(super) fn warn_of_seams(&mut self, surfaces: &[SurfaceObject]) {
+        for net in surfaces.iter().filter_map(SurfaceObject::as_net) {
+            for (seam, measure) in measured_seams(net, &self.seams) {
+                let border = ["column", "row"][seam.direction];
+                let warning = Warning::OpenSeam { border, gap: measure.gap, angle: measure.angle };
+                let hint = "if it should close there, let the grid close: `closed`, or common points in a mesh file";
+                self.remark(warning.reason(), None, None, None, format!("{warning}; {hint}"));
+                self.warnings.push((0, warning));
+            }
+        }
     }
 
     /// The curves of the sides, in the kernel's order.
@@ -184,6 +198,10 @@ impl<'a> Builder<'a> {
             let hint = "a border that may move leaves more room: `free`, or sides on curves";
             let bound = matches!(self.spec, ObjectSpec::CyclidicNet(net) if !net.make_circular.border_is_free());
             let words = if bound { format!("{error}; {hint}") } else { error.to_string() };
+            return self.refused_in_words([Step::from("make_circular")], error.reason(), words);
+        }
+        if let KernelError::ShapeLost { .. } = error {
+            let words = format!("{error}; or `\"allow_shape_change\": true` in `make_circular` takes the net as it is");
             return self.refused_in_words([Step::from("make_circular")], error.reason(), words);
         }
         if let KernelError::CollapsedOnCurve { .. } = error {

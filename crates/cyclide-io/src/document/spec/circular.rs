@@ -29,6 +29,9 @@ pub struct MakeCircularOptions {
     /// Steps after which the search is given up. Default: 500.
     #[schemars(range(min = 1))]
     pub max_steps: Option<u32>,
+    /// Whether to go on with a net that has lost the shape of its grid (default false: it is refused).
+    #[serde(default)]
+    pub allow_shape_change: bool,
 }
 
 /// What the border of a net may do: a word, or curves to slide on.

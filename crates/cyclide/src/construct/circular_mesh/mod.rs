@@ -3,9 +3,12 @@
 
 mod block;
 mod border;
+mod curvature;
 mod fairness;
 mod finish;
+mod guard;
 mod input_surface;
+mod neighbours;
 mod normal_equations;
 mod options;
 mod report;
@@ -20,9 +23,12 @@ use crate::base::bounds::Aabb;
 use crate::base::range;
 use crate::base::vector::Point3;
 use crate::error::{Error, Result};
+#[cfg(doc)]
+use crate::shape_change::ShapeChange;
 use crate::surface::QuadGrid;
 use crate::warning::Warning;
 use border::Holds;
+use guard::Guard;
 use normal_equations::Pattern;
 use report::Comparison;
 use search::Problem;
@@ -37,7 +43,8 @@ pub struct CircularMesh {
     pub grid: QuadGrid,
     /// Steps, residuals, moves, angles to curvature lines, rejected quads.
     pub report: CircularMeshReport,
-    /// Doubts: long moves, vertices off the input surface, zigzag grid lines.
+    /// Doubts: grid lines across the curvature lines, a changed shape, long moves, vertices off the input surface, zigzag
+    /// grid lines.
     pub warnings: Vec<Warning>,
 }
 
@@ -47,7 +54,8 @@ pub struct CircularMesh {
 /// below 1e-12 (1e-10 where the search gets no further) by Levenberg-Marquardt steps damped by a fairness metric, with the constants of `20`, section 6: grid
 /// lines stay smooth, vertices slide along the surface more easily than they leave it. The result is a circular net,
 /// the discrete form of a net of curvature lines: a grid roughly along the curvature lines of its surface moves little
-/// (hundredths of the surface's width), one 45 degrees off ends nearly planar, with warnings. The last corners are then
+/// (hundredths of the surface's width), one 45 degrees off ends nearly planar: a result that has lost the shape of its
+/// input is refused ([`ShapeChange`], [`CircularMeshOptions::allow_shape_change`]). The last corners are then
 /// projected onto the circle of the others where that lowers the residual further. A grid that is circular as given is
 /// returned bit for bit.
 ///
@@ -70,8 +78,8 @@ pub struct CircularMesh {
 /// `parameter-out-of-range` (an option, a border curve in a closed direction, a coordinate out of range),
 /// `coincident-points` (the ends of an edge), `border-curves-apart` (at a corner between two curves),
 /// `collapsed-on-curve` (neighbours have the same nearest point on the curve of their side), `not-converged` (with the
-/// step and the residual reached: the border is
-/// held too tightly, or the grid is folded).
+/// step and the residual reached: the border is held too tightly, or the grid is folded), `shape-lost` (unless
+/// allowed, or quads cross: those are named in the report).
 pub fn make_circular(
     grid: &QuadGrid,
     options: &CircularMeshOptions<'_>,
@@ -90,10 +98,11 @@ pub fn make_circular(
 
     let quads = residual::quads(grid);
     let triples = fairness::triples(grid);
-    let normals = input_surface::normals(grid.points(), grid);
+    let normals = input_surface::normals(grid.points(), grid, [1; 2]);
     let measure = |points: &[Point3]| residual::residuals(points, &quads).map_or(1.0, |r| residual::largest(&r));
     let residual_before = measure(&points);
 
+    let given = points.clone();
     holds.settle(&mut points);
     check_distinct(&points, &quads)?;
     let edge = world_edge / scale;
@@ -111,10 +120,16 @@ pub fn make_circular(
         if moved && !holds.is_pinned(v) { origin + p.to_vec() * scale } else { grid.points()[v] }
     };
     let after: Vec<Point3> = points.iter().enumerate().map(to_world).collect();
-    let comparison = Comparison { before: input, after: &after, normals: &normals };
+    let rejected_quads = report::rejected(&after, &quads);
+    let shape = Guard { grid, before: &given, after: &points, edge }.shape_change();
+    let refusable = !options.allow_shape_change && rejected_quads.is_empty();
+    if let Some(change) = shape.filter(|change| refusable && change.is_lost()) {
+        return Err(Error::ShapeLost { change: Box::new(change) });
+    }
+    let comparison = Comparison { before: input, after: &after, normals: &normals, triples: &triples };
     let moves = comparison.moves();
     let [angle_before, angle_after] = comparison.angles();
-    let warnings = comparison.warnings(&moves, world_edge, &triples);
+    let warnings = comparison.warnings(&moves, world_edge, shape.as_ref());
     let report = CircularMeshReport {
         steps,
         residual_before,
@@ -123,7 +138,8 @@ pub fn make_circular(
         moves,
         angle_before,
         angle_after,
-        rejected_quads: report::rejected(&after, &quads),
+        shape,
+        rejected_quads,
     };
     Ok(CircularMesh { grid: QuadGrid::new(after, grid.size(), grid.closed())?, report, warnings })
 }

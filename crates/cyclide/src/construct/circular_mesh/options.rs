@@ -29,11 +29,13 @@ pub struct CircularMeshOptions<'a> {
     pub border: Border<'a>,
     /// Steps tried before the search is given up, at least 1. Grids of 8 × 8 to 40 × 40 quads take 6 to 70.
     pub max_steps: usize,
+    /// Whether a result that has lost the shape of the input is returned all the same, with a warning.
+    pub allow_shape_change: bool,
 }
 
 impl Default for CircularMeshOptions<'_> {
     fn default() -> Self {
-        Self { border: Border::Free, max_steps: 500 }
+        Self { border: Border::Free, max_steps: 500, allow_shape_change: false }
     }
 }
 

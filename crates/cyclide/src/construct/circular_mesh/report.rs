@@ -3,6 +3,7 @@
 use super::input_surface;
 use super::residual::side_product;
 use crate::base::vector::{Point3, Vec3};
+use crate::shape_change::ShapeChange;
 use crate::surface::QuadGrid;
 use crate::warning::Warning;
 
@@ -12,6 +13,8 @@ const FAR_MOVE: f64 = 2.0;
 const FAR_OFF: f64 = 1.0;
 /// Grid lines that turn by less than this at a typical vertex (radians) are smooth enough, whatever their turns do.
 const SMOOTH_TURN: f64 = 0.01;
+/// Grid lines farther off the curvature lines than this on average (radians) are across them: `70`, part C.
+const ACROSS: f64 = 15.0 * std::f64::consts::PI / 180.0;
 /// Neighbouring turns agree by less than this: independent errors of the vertices give -2/3, smooth curves 1.
 const ZIGZAG: f64 = 0.0;
 
@@ -33,6 +36,8 @@ pub struct CircularMeshReport {
     pub angle_before: Option<LineAngles>,
     /// Angles of the resulting grid lines to the curvature lines of the input at the same vertices.
     pub angle_after: Option<LineAngles>,
+    /// How much of the shape changed; `None` for an input that is flat.
+    pub shape: Option<ShapeChange>,
     /// Quads (s fastest) whose sides cross, or with a side of no length: no patch fits into them.
     pub rejected_quads: Vec<usize>,
 }
@@ -79,6 +84,7 @@ pub(super) struct Comparison<'a> {
     pub(super) before: &'a QuadGrid,
     pub(super) after: &'a [Point3],
     pub(super) normals: &'a [Option<Vec3>],
+    pub(super) triples: &'a [[usize; 3]],
 }
 
 impl Comparison<'_> {
@@ -104,14 +110,22 @@ impl Comparison<'_> {
 
     /// Angles to the curvature lines of the input, before and after.
     pub(super) fn angles(&self) -> [Option<LineAngles>; 2] {
-        let lines = input_surface::curvature_lines(self.before.points(), self.before, self.normals);
+        let lines = input_surface::curvature_lines(self.before.points(), self.before);
         let of = |points| LineAngles::of(input_surface::line_angles(points, self.before, &lines));
         [of(self.before.points()), of(self.after)]
     }
 
-    /// Doubts about the result (`20`, section 6).
-    pub(super) fn warnings(&self, moves: &VertexMoves, edge: f64, triples: &[[usize; 3]]) -> Vec<Warning> {
+    /// Doubts about the result (`20`, section 6), those about its shape first (`70`, part C).
+    pub(super) fn warnings(&self, moves: &VertexMoves, edge: f64, shape: Option<&ShapeChange>) -> Vec<Warning> {
         let mut warnings = Vec::new();
+        if let Some(shape) = shape {
+            if let Some(angle) = shape.across.filter(|angle| *angle > ACROSS) {
+                warnings.push(Warning::AcrossCurvatureLines { angle, limit: ACROSS });
+            }
+            if shape.is_doubtful() {
+                warnings.push(Warning::ShapeChanged { change: *shape });
+            }
+        }
         if moves.max > FAR_MOVE * edge {
             let (vertex, distance) = (moves.farthest_vertex, moves.max);
             warnings.push(Warning::MovedFar { vertex, distance, limit: FAR_MOVE * edge });
@@ -120,7 +134,7 @@ impl Comparison<'_> {
             let (vertex, distance) = (moves.farthest_off_vertex, moves.max_off_surface);
             warnings.push(Warning::LeftSurface { vertex, distance, limit: FAR_OFF * edge });
         }
-        if let Some((agreement, turn)) = zigzag(self.after, triples) {
+        if let Some((agreement, turn)) = zigzag(self.after, self.triples) {
             warnings.push(Warning::Zigzag { agreement, turn });
         }
         warnings

@@ -57,7 +57,7 @@ impl Curvature {
             }
             let before = if k > 0 { poles[k - 1] } else { 0.0 };
             let after = poles.get(k + 1).copied().unwrap_or(1.0);
-            for beside in [before, after].into_iter().filter(|end| *end != pole) {
+            for beside in [before, after].into_iter().filter(|end| (end - pole).abs() > 0.0) {
                 // The speed keeps its sign up to the next pole.
                 if (bend < 0.0) == (quadratic(&self.speed, 0.5 * (pole + beside)) < 0.0) {
                     high = f64::INFINITY;
@@ -128,6 +128,9 @@ mod tests {
         assert!(cone.k2_range().iter().all(|k| k.abs() < 1e-13)); // straight lines
     }
 
+    /// A range, the parameters of singular lines, the curvature.
+    type Family<'a> = ([f64; 2], Vec<f64>, &'a dyn Fn(f64) -> f64);
+
     /// Parameters dense everywhere and denser, to 1e-9, towards some.
     fn samples(towards: &[f64]) -> Vec<f64> {
         let near = |r: f64| {
@@ -150,7 +153,7 @@ mod tests {
             let Some(v1) = Vec3::new(random(4), random(5), random(6)).unit() else { continue };
             let Some(v2) = v1.cross(Vec3::new(random(7), random(8), 0.3)).unit() else { continue };
             let Ok(patch) = CyclidePatch::from_corners_and_frame([p0, p1, p2, p3], v1, v2) else { continue };
-            let families: [([f64; 2], Vec<f64>, &dyn Fn(f64) -> f64); 2] = [
+            let families: [Family<'_>; 2] = [
                 (patch.k1_range(), [patch.singular_t(), patch.node_t()].concat(), &|t| patch.k1(t)),
                 (patch.k2_range(), [patch.singular_s(), patch.node_s()].concat(), &|s| patch.k2(s)),
             ];

@@ -1,0 +1,39 @@
+//! Borders of open nets that nearly coincide.
+
+use cyclide::{CyclidicNet, Seam, SeamMeasure};
+use serde::Serialize;
+
+/// Two opposite borders of an open net that nearly coincide, as where a tube was cut open. They do if at every vertex of
+/// one, in the grid as given or as made, the vertex opposite is not farther than the edges that lead to both are long (on
+/// average).
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct SeamReport {
+    /// The borders: `column` (s = 0 and s = 1) or `row` (t = 0 and t = 1).
+    pub border: &'static str,
+    /// True if they run in opposite directions, as in a Möbius strip.
+    pub reversed: bool,
+    /// Largest distance of a point of one border from the other one.
+    pub gap: f64,
+    /// Largest angle between the normals there, radians.
+    pub angle: f64,
+}
+
+impl SeamReport {
+    /// The seams of a net, those of the grid it was made from among them.
+    pub(super) fn all(net: &CyclidicNet, given: &[Seam]) -> Vec<Self> {
+        let report = |(seam, measure): (Seam, SeamMeasure)| Self {
+            border: ["column", "row"][seam.direction],
+            reversed: seam.reversed,
+            gap: measure.gap,
+            angle: measure.angle,
+        };
+        measured_seams(net, given).into_iter().map(report).collect()
+    }
+}
+
+/// The seams of a net, those of the grid it was made from among them, measured on the net.
+pub(crate) fn measured_seams(net: &CyclidicNet, given: &[Seam]) -> Vec<(Seam, SeamMeasure)> {
+    let own = net.grid().seams().into_iter().filter(|seam| given.iter().all(|g| g.direction != seam.direction));
+    let all = given.iter().copied().chain(own);
+    all.filter_map(|seam| Some((seam, net.measure_seam(seam)?))).collect()
+}

@@ -1,0 +1,124 @@
+//! What a document is told about a net that is not what was given: refusals, warnings and figures of the report.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
+
+use cyclide_io::{BuiltObject, Document, GeometryReport, ModelBuilder, ObjectReport, Report, SurfaceReport};
+use serde_json::{Value, json};
+use std::f64::consts::{PI, TAU};
+use std::path::Path;
+
+fn build(net: &Value) -> Result<BuiltObject, String> {
+    let text = json!({"cyclide": 1, "units": "m", "objects": {"n": net}}).to_string();
+    let document = Document::parse("m.json", text.as_bytes()).map_err(|d| d.to_string())?;
+    let read = |_: &Path| Err(std::io::ErrorKind::NotFound.into());
+    let mut builder = ModelBuilder::new(&document, Path::new(""), &read).map_err(|e| e.to_string())?;
+    builder.build(0, &mut |_| {}).map_err(|e| e.to_string())
+}
+
+fn surface(built: &BuiltObject) -> SurfaceReport {
+    match ObjectReport::new(built, None).geometry {
+        GeometryReport::Surface(report) => report,
+        GeometryReport::Curves(_) => unreachable!(),
+    }
+}
+
+/// Rows of points of a surface over `[0, 1]²`, open.
+fn rows(surface: impl Fn(f64, f64) -> [f64; 3], [m, n]: [usize; 2]) -> Value {
+    let row = |j: usize| (0..=m).map(|i| surface(i as f64 / m as f64, j as f64 / n as f64)).collect::<Vec<_>>();
+    json!((0..=n).map(row).collect::<Vec<_>>())
+}
+
+fn reasons(built: &BuiltObject) -> Vec<&str> {
+    built.remarks.iter().map(|remark| remark.reason).collect()
+}
+
+#[test]
+fn a_flattened_relief_is_refused_at_the_field_that_would_allow_it() {
+    let wave = |u: f64, v: f64| {
+        let (x, y) = (24.0 * u, 16.0 * v);
+        [x, y, 0.5 * (0.4 * x).sin() * (0.5 * y).cos()]
+    };
+    let net = |circular: Value| {
+        build(&json!({"type": "cyclidic-net", "grid": rows(wave, [24, 16]), "make_circular": circular}))
+    };
+    for refused in [json!(true), json!({"allow_shape_change": false}), json!({"max_steps": 400})] {
+        let message = net(refused).unwrap_err();
+        for words in [
+            "objects.n.make_circular: the shape is lost: ",
+            "(at least 50 %)",
+            "curvature lines",
+            "\"allow_shape_change\": true",
+            "[shape-lost]",
+        ] {
+            assert!(message.contains(words), "{message}");
+        }
+    }
+    let built = net(json!({"allow_shape_change": true})).unwrap();
+    assert_eq!(reasons(&built)[..2], ["across-curvature-lines", "shape-changed"]);
+    let shape = surface(&built).circular.unwrap().shape.unwrap();
+    assert!(shape.bending.unwrap() < 0.1 && shape.lost_relief > 0.9, "{shape:?}");
+    let text = Report::new(cyclide::Units::Metre, &[built], None).to_string();
+    let line = text.lines().find(|line| line.starts_with("  shape ")).unwrap();
+    assert!(line.contains("% of the bending, ") && line.ends_with("% of the surface"), "{line}");
+}
+
+#[test]
+fn a_tube_cut_open_says_how_far_its_seam_gaps() {
+    let tower = |u: f64, v: f64| {
+        let (r, a) = (1.0 - v / 4.0, TAU * u);
+        let (x, y) = (22.0 * r * a.cos(), 18.0 * r * a.sin());
+        let (sine, cosine) = (PI / 6.0 * v).sin_cos();
+        [x * cosine - y * sine, x * sine + y * cosine, 120.0 * v]
+    };
+    let net = json!({"type": "cyclidic-net", "grid": rows(tower, [24, 20]), "make_circular": true});
+    let built = build(&net).unwrap();
+    let report = surface(&built);
+    let [seam] = report.seams[..] else { panic!("{:?}", report.seams) };
+    assert_eq!((seam.border, seam.reversed), ("column", false));
+    // Both sides move by up to the largest move, and by more than nothing.
+    assert!(seam.gap > 0.1 && seam.gap < 2.0 * report.circular.unwrap().move_max, "{seam:?}");
+    assert!(seam.angle > 0.0 && seam.angle < 0.5, "{seam:?}");
+    let remark = built.remarks.iter().find(|remark| remark.reason == "open-seam").unwrap();
+    assert!(remark.message.contains("the first and the last column of the grid are at most an edge apart"));
+    assert!(remark.message.contains("`closed`"), "{}", remark.message);
+    let text = Report::new(cyclide::Units::Metre, &[built], None).to_string();
+    assert!(text.contains("\n  open seam  first and last column: gap "), "{text}");
+
+    let roof = |u: f64, v: f64| [10.0 * u, 10.0 * v, 2.0 * u * (1.0 - u)];
+    let roof = build(&json!({"type": "cyclidic-net", "grid": rows(roof, [8, 8])})).unwrap();
+    assert!(surface(&roof).seams.is_empty() && reasons(&roof).is_empty());
+    assert!(!serde_json::to_value(surface(&roof)).unwrap().as_object().unwrap().contains_key("seams"));
+}
+
+#[test]
+fn curvatures_without_bounds_are_null_with_the_reason() {
+    // A cone of slope 1 with its tip at t = 1, beside which the lines along s bend without end; k = ±1/(r sqrt 2).
+    let patch = json!({
+        "type": "cyclide-patch", "corners": [[1, 0, 0], [0, 1, 0], [0, 0, 1], [0, 0, 1]],
+        "frame": [[0, 1, 0], [-1, 0, 1]],
+    });
+    let built = build(&patch).unwrap();
+    let report = serde_json::to_value(surface(&built)).unwrap();
+    let ranges = ["curvature_s", "curvature_t"].map(|name| report[name].clone());
+    assert!(!report["singular"].as_array().unwrap().is_empty(), "{report}");
+    assert!(ranges[0]["min"].is_null() != ranges[0]["max"].is_null(), "{ranges:?}");
+    let bound = [&ranges[0]["min"], &ranges[0]["max"]].into_iter().find_map(Value::as_f64).unwrap();
+    assert!((bound.abs() - 0.5_f64.sqrt()).abs() < 1e-13, "{bound}"); // rounding
+    let face = &built.bodies[0].outer.faces()[0];
+    for (range, of) in ranges.iter().zip([0, 1]) {
+        let unbounded = range["min"].is_null() || range["max"].is_null();
+        assert_eq!(range["unbounded"].is_string(), unbounded, "{range}");
+        let (min, max) =
+            (range["min"].as_f64().unwrap_or(f64::NEG_INFINITY), range["max"].as_f64().unwrap_or(f64::INFINITY));
+        let against = face.patch.is_flipped() == face.same_sense;
+        for i in 0..2000 {
+            // Nearer and nearer to both ends.
+            let near = 10.0_f64.powf(-8.0 * f64::from(i % 1000) / 1000.0);
+            let x = if i < 1000 { 0.5 * near } else { 1.0 - 0.5 * near };
+            let k = if of == 0 { face.patch.k1(x) } else { face.patch.k2(x) };
+            let k = if against { -k } else { k };
+            // Rounding of the quotient.
+            let room = 1e-6 * k.abs();
+            assert!(k >= min - room && k <= max + room, "{k} at {x}: {range}");
+        }
+    }
+}

@@ -1,0 +1,133 @@
+//! Whether a grid made circular is still the surface that was given (`70`, part C).
+//!
+//! Distances do not tell: they are as large for a hypar pressed flat as for a good steep saddle whose border slid. What
+//! tells is how the normals stand, over strides of a fifth of the grid so that noise of a few hundredths of an edge
+//! does not count ([`stride`]), and how much of the relief is left around each vertex ([`relief`]).
+//!
+//! Known limits: features narrower than four quads; a relief without mean curvature (`x y` on a dome) is left to
+//! the turn of the normals; below a turn of one degree nothing is refused, whatever part of a shallow relief is lost.
+
+mod relief;
+mod stride;
+
+use super::curvature::{Curvature, angle_to};
+use super::input_surface::{Foot, foot, normals};
+use super::neighbours::{pair, vertices};
+use crate::base::svd3::singular_values;
+use crate::base::vector::{Point3, Vec3};
+use crate::shape_change::ShapeChange;
+use crate::surface::QuadGrid;
+use relief::lost_relief;
+use stride::{bending, coarse, lowered, spread};
+
+/// A surface thinner than this part of its size, or with normals within this angle (radians), is flat.
+const FLAT: f64 = 1e-6;
+/// A moved vertex is beyond the border if its foot is on the border and the cosine between the way there and the
+/// normal is below this.
+const BEYOND: f64 = 0.9;
+/// Stride for the directions of the curvature lines: smooth enough for noise, local enough for the lines.
+const LINES: usize = 2;
+/// Normals that spread by less than this (radians) have no lines worth following.
+const SPREAD: f64 = 0.0175;
+/// Mean relative difference of the principal curvatures below which the surface is nearly spherical: any lines will do.
+const UMBILIC: f64 = 0.2;
+
+/// The points of a grid before and after, in units near the edge, and the median edge in them.
+pub(super) struct Guard<'a> {
+    pub(super) grid: &'a QuadGrid,
+    pub(super) before: &'a [Point3],
+    pub(super) after: &'a [Point3],
+    pub(super) edge: f64,
+}
+
+/// Each moved vertex on the input: its foot; `None` for vertices beyond the border of the input.
+type Feet = Vec<Option<Foot>>;
+
+impl Guard<'_> {
+    /// The numbers; `None` if the input is flat.
+    pub(super) fn shape_change(&self) -> Option<ShapeChange> {
+        let (grid, stride) = (self.grid, coarse(self.grid));
+        let [before, after] = [self.before, self.after].map(|points| {
+            let unit = normals(points, grid, stride).into_iter().map(Option::unwrap_or_default);
+            unit.collect::<Vec<Vec3>>()
+        });
+        let [thin, thinner] = [self.before, self.after].map(thickness);
+        let (size, spread) = (extent(self.before), spread(grid, &before));
+        if !(thin > FLAT * size && spread > FLAT) {
+            return None;
+        }
+        let feet = self.feet(&before);
+        let turn = turn(&feet, &before, &after);
+        let bent = bending(grid, &before, stride);
+        Some(ShapeChange {
+            bending: (bent > 0.0).then(|| bending(grid, &after, stride) / bent),
+            thickness: Some(thinner / thin),
+            normal_turn: Some(turn / spread),
+            turn,
+            lost_relief: lost_relief(self, &feet),
+            across: across(grid, self.before),
+        })
+    }
+
+    fn feet(&self, normals: &[Vec3]) -> Feet {
+        let within = |(v, p): (usize, &Point3)| {
+            let foot = foot(*p, v, self.before, self.grid)?;
+            let away = *p - foot.point(self.before);
+            let normal = foot.vector(normals).unit()?;
+            let beyond = foot.is_on_border(self.grid) && away.dot(normal).abs() < BEYOND * away.length();
+            (!beyond).then_some(foot)
+        };
+        self.after.iter().enumerate().map(within).collect()
+    }
+}
+
+/// Root mean square of the angles between the new normals and those of the input at the feet.
+fn turn(feet: &Feet, before: &[Vec3], after: &[Vec3]) -> f64 {
+    let (mut squares, mut count) = (0.0, 0usize);
+    for (foot, normal) in feet.iter().zip(after) {
+        if let Some(foot) = foot {
+            squares += foot.vector(before).angle(*normal).powi(2);
+            count += 1;
+        }
+    }
+    if count == 0 { 0.0 } else { (squares / count as f64).sqrt() }
+}
+
+/// The mean angle of the grid lines to the curvature lines, each vertex weighted by the difference of its principal
+/// curvatures; `None` for surfaces that are nearly flat or spherical on the whole.
+pub(super) fn across(grid: &QuadGrid, points: &[Point3]) -> Option<f64> {
+    let stride = lowered(grid, LINES);
+    let unit: Vec<Vec3> = normals(points, grid, stride).into_iter().map(Option::unwrap_or_default).collect();
+    let (mut angles, mut weights, mut curvatures) = (0.0, 0.0, 0.0);
+    for at in vertices(grid) {
+        let Some(curvature) = Curvature::at(points, grid, at, stride) else { continue };
+        let half = curvature.half_difference();
+        curvatures += curvature.mean().abs() + half;
+        let Some(lines) = curvature.directions() else { continue };
+        for (direction, stride) in stride.into_iter().enumerate() {
+            let [before, after] = pair(grid, at, direction, stride);
+            angles += 0.5 * half * angle_to(points[after] - points[before], lines);
+        }
+        weights += half;
+    }
+    (spread(grid, &unit) > SPREAD && weights > UMBILIC * curvatures).then(|| angles / weights)
+}
+
+/// The least standard deviation of the points in any direction: the root of the smallest eigenvalue of their
+/// covariance.
+fn thickness(points: &[Point3]) -> f64 {
+    let share = 1.0 / points.len() as f64;
+    let mean = points.iter().fold(Vec3::ZERO, |sum, p| sum + p.to_vec() * share);
+    let mut columns = [Vec3::ZERO; 3];
+    for d in points.iter().map(|p| p.to_vec() - mean) {
+        for (k, column) in columns.iter_mut().enumerate() {
+            *column += d * (d[k] * share);
+        }
+    }
+    singular_values(columns)[2].sqrt()
+}
+
+/// Size of the points' bounds.
+fn extent(points: &[Point3]) -> f64 {
+    crate::base::bounds::Aabb::of_points(points.iter().copied()).map_or(0.0, |bounds| bounds.diagonal())
+}
