@@ -174,7 +174,7 @@ fn other_word_for(kind: &str) -> String {
     let answer = match kind.to_lowercase().as_str() {
         "line" | "segment" => "an `arc` with the bulge 0 is a straight segment",
         "ellipse" | "bezier" | "nurbs" | "bspline" | "b-spline" | "curve" => {
-            "a smooth curve through points is a `circle-spline`"
+            "a smooth curve through points is a `fair-spline`"
         }
         "polyline" | "polygon" | "path" => "arcs along points are an `arc-fit` (target `polyline`) or an `arc-spline`",
         "torus" | "ring" | "horn" | "spindle" => "a torus is a `cyclide` with the radii `a` and `mu`",
