@@ -177,6 +177,19 @@ pub enum Error {
         /// Largest number of pieces made.
         cap: usize,
     },
+    /// A part of a curve is not proved to be within the tolerance of its chord, however short.
+    #[error(
+        "piece {piece}: the curve is not proved to be within {} of a polyline, only within {}; use a larger tolerance",
+        ShortNumber(*.tolerance), ShortNumber(*.bound)
+    )]
+    NotWithinTolerance {
+        /// Which smooth piece, from 0.
+        piece: usize,
+        /// What is proved at the shortest chord.
+        bound: f64,
+        /// The tolerance asked for.
+        tolerance: f64,
+    },
     /// A mesh to the tolerance would need more cells than the cap.
     #[error("the mesh needs {} cells for this tolerance, the cap is {cap}; use a larger tolerance", ShortNumber(*.needed))]
     TooManyCells {
@@ -500,6 +513,7 @@ impl Error {
             Self::ArcThroughInfinity { .. } => "arc-through-infinity",
             Self::AmbiguousHalfTurn { .. } => "ambiguous-half-turn",
             Self::TooManyPieces { .. } => "too-many-pieces",
+            Self::NotWithinTolerance { .. } => "not-within-tolerance",
             Self::TooManyCells { .. } => "too-many-cells",
             Self::ToleranceNotPositive { .. } => "tolerance-not-positive",
             Self::SweepOutOfRange { .. } => "sweep-out-of-range",
@@ -547,7 +561,7 @@ impl Error {
             | Self::AmbiguousHalfTurn { segment }
             | Self::TooManyPieces { segment, .. } => Some(segment),
             Self::NoG1SplineInTube { vertex, .. } => Some(vertex),
-            Self::Disconnected { piece, .. } => Some(piece),
+            Self::Disconnected { piece, .. } | Self::NotWithinTolerance { piece, .. } => Some(piece),
             Self::InSpan { span, .. } => Some(span),
             Self::NotAShell { index, .. } => Some(index),
             Self::InQuad { quad, .. } => Some(quad),

@@ -5,6 +5,7 @@ use super::arc::measure::ClosestPoint;
 use super::measure;
 use super::param_curve::ParamCurve;
 use super::piece_form::PieceForm;
+use super::piece_hull::PieceHull;
 use crate::base::bounds::Aabb;
 use crate::base::cut::{check_interval, place_of_cut};
 use crate::base::jet::CurveJet;
@@ -149,6 +150,9 @@ impl ParamCurve for ArcPath {
     }
     fn piece_speed(&self, piece: usize, s: f64) -> f64 {
         self.arcs[piece].piece_speed(0, s)
+    }
+    fn piece_hull(&self, _piece: usize, _tolerance: f64) -> Result<PieceHull> {
+        Ok(PieceHull::closed_form())
     }
     fn piece_form(&self, piece: usize) -> PieceForm {
         PieceForm::Arc(self.arcs[piece])

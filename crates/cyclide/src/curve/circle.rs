@@ -4,6 +4,7 @@ use super::arc::Arc;
 use super::arc::measure::ClosestPoint;
 use super::param_curve::ParamCurve;
 use super::piece_form::PieceForm;
+use super::piece_hull::PieceHull;
 use crate::base::bounds::Aabb;
 use crate::base::cut::{check_interval, place_of_cut};
 use crate::base::jet::CurveJet;
@@ -249,6 +250,9 @@ impl ParamCurve for Circle {
     }
     fn piece_speed(&self, _piece: usize, _s: f64) -> f64 {
         std::f64::consts::TAU * self.radius()
+    }
+    fn piece_hull(&self, _piece: usize, _tolerance: f64) -> Result<PieceHull> {
+        Ok(PieceHull::closed_form())
     }
     fn piece_form(&self, _piece: usize) -> PieceForm {
         PieceForm::Circle(*self)

@@ -11,6 +11,7 @@ mod node_tangent;
 mod nurbs;
 mod param_curve;
 mod piece_form;
+mod piece_hull;
 
 pub use arc::Arc;
 pub use arc::measure::ClosestPoint;
@@ -28,3 +29,4 @@ pub use measure::{bounds, closest_point, curvature_comb, extreme_curvature, join
 pub(crate) use node_tangent::Chord;
 pub use param_curve::ParamCurve;
 pub use piece_form::PieceForm;
+pub use piece_hull::PieceHull;

@@ -1,10 +1,12 @@
 //! Rational B-splines as curves: one piece per knot span.
 
 use super::param_curve::ParamCurve;
+use super::piece_hull::PieceHull;
 use crate::base::bounds::Aabb;
 use crate::base::jet::CurveJet;
 use crate::base::vector::Point3;
-use crate::rational::NurbsCurve;
+use crate::error::Result;
+use crate::rational::{NurbsCurve, RationalBezier};
 
 impl ParamCurve for NurbsCurve {
     fn piece_count(&self) -> usize {
@@ -12,6 +14,9 @@ impl ParamCurve for NurbsCurve {
     }
     fn piece_jet(&self, piece: usize, s: f64) -> CurveJet {
         self.span_jet(piece, s)
+    }
+    fn piece_hull(&self, piece: usize, _tolerance: f64) -> Result<PieceHull> {
+        Ok(PieceHull::exact(&RationalBezier::from_rows_unchecked(self.span_rows(piece).to_vec())))
     }
     /// Closed if start and end are the same point.
     fn is_closed(&self) -> bool {

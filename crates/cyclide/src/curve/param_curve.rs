@@ -2,17 +2,19 @@
 //!
 //! A curve is a chain of smooth (analytic) pieces. Piece `i` of `n` covers the global parameter interval
 //! `[i/n, (i+1)/n]` by its own parameter `s` in `[0, 1]`, so `t = (i + s)/n`. Everything that is measured on curves
-//! (length, closest point, flattening, continuity at the joints) works piece by piece on the two required methods.
+//! (length, closest point, flattening, continuity at the joints) works piece by piece on the required methods.
 
 use super::piece_form::PieceForm;
+use super::piece_hull::PieceHull;
 use crate::base::bounds::Aabb;
 use crate::base::jet::CurveJet;
 use crate::base::quadrature::integrate;
 use crate::base::vector::{Point3, Vec3};
+use crate::error::Result;
 
 /// A parametric curve made of one or more smooth pieces; parameters run over `[0, 1]`.
 ///
-/// Object-safe; two methods and the closed flag are required.
+/// Object-safe; the jet, the hull, the number of pieces and the closed flag are required.
 pub trait ParamCurve: Send + Sync {
     /// Number of smooth pieces, at least 1.
     fn piece_count(&self) -> usize;
@@ -22,6 +24,16 @@ pub trait ParamCurve: Send + Sync {
     /// # Panics
     /// If `piece` is not below [`piece_count`](Self::piece_count).
     fn piece_jet(&self, piece: usize, s: f64) -> CurveJet;
+
+    /// What proves how far the piece is from a chord: its rational parts, within `tolerance` of it at equal parameters
+    /// where it has no exact ones. [`PieceHull::closed_form`] for arcs and circles.
+    ///
+    /// # Errors
+    /// `too-many-pieces` if the tolerance asks for more rational parts than the cap.
+    ///
+    /// # Panics
+    /// If `piece` is not below [`piece_count`](Self::piece_count).
+    fn piece_hull(&self, piece: usize, tolerance: f64) -> Result<PieceHull>;
 
     /// True if the end joins the start: the joint of the last with the first piece is a joint like the others.
     fn is_closed(&self) -> bool;

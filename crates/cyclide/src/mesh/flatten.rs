@@ -2,13 +2,11 @@
 //!
 //! An arc of radius `R` is within `R(1 - cos(delta/2)) <= tolerance` of chords of equal angles `delta`. On other
 //! pieces vertices are spread with density `sqrt(k)` (`k` the curvature), the ideal for a small tolerance, and each
-//! chord is then checked: a part of length `L` over a chord of length `c` lies in the ellipse with the chord's ends
-//! as foci, so it is nowhere farther from the chord than `sqrt(L² - c²)/2`, which is 1.155 times the sagitta of a
-//! flat arc. Chords that fail are halved.
+//! chord is then proved by the hull of the piece ([`PieceHull`]). Chords without proof are halved; what has none at the
+//! depth limit is refused. Nothing is sampled, so nothing is missed.
 
-use crate::base::quadrature::gauss8;
 use crate::base::vector::Point3;
-use crate::curve::{ParamCurve, PieceForm};
+use crate::curve::{ParamCurve, PieceForm, PieceHull};
 use crate::error::{Error, Result, check_tolerance};
 
 /// Largest number of vertices made.
@@ -17,14 +15,23 @@ const VERTEX_CAP: usize = 10_000_000;
 const DENSITY_SCAN: usize = 24;
 /// More chords than the scan asks for, so that its errors do not make every other chord fail its check by a hair.
 const MARGIN: f64 = 1.03;
-/// Halvings of one chord that fails its check; beyond, the part is shorter than rounding.
+/// Halvings of one chord without proof; beyond, the part is shorter than rounding.
 const DEPTH: u32 = 48;
+/// How often a part is halved to prove one chord, and the excess of a hull over the tolerance up to which it is worth
+/// while.
+const PROOF_DEPTH: u32 = 3;
+const HULL_EXCESS: f64 = 3.0;
+/// The part of the tolerance that curves without an exact rational form may use for their approximation.
+const APPROXIMATION: f64 = 1.0 / 32.0;
 
 /// Parameters and points of a polyline within `tolerance` of the curve, in both directions (largest distance of a
-/// curve point from its chord). The ends of all pieces are vertices; a closed curve ends with the bits of its start.
+/// curve point from its chord): proved, not sampled. The ends of all pieces are vertices; a closed curve ends with the bits of its start.
 ///
 /// # Errors
-/// `tolerance-not-positive`, `not-finite` (infinite tolerance); `too-many-pieces` if more than 10^7 vertices would be needed.
+/// `tolerance-not-positive`, `not-finite` (infinite tolerance); `too-many-pieces` if more than 10^7 vertices would be
+/// needed; `not-within-tolerance` if the rounding of the curve's numbers leaves no proof.
+///
+/// What is proved is about the curve in exact arithmetic; the vertices carry the rounding of evaluation besides.
 pub fn flatten(curve: &dyn ParamCurve, tolerance: f64) -> Result<Vec<(f64, Point3)>> {
     let mut vertices = Vec::new();
     flatten_into(curve, tolerance, &mut vertices)?;
@@ -60,7 +67,10 @@ pub fn flatten_into(curve: &dyn ParamCurve, tolerance: f64, vertices: &mut Vec<(
                     (global(s), curve.piece_point(piece, s))
                 }));
             }
-            PieceForm::Free => Free { curve, piece, tolerance }.flatten(vertices)?,
+            PieceForm::Free => {
+                let hull = curve.piece_hull(piece, APPROXIMATION * tolerance)?;
+                Free { curve, piece, tolerance, hull }.flatten(vertices)?;
+            }
         }
         vertices.push((global(1.0), curve.piece_point(piece, 1.0)));
     }
@@ -102,11 +112,12 @@ struct Free<'a> {
     curve: &'a dyn ParamCurve,
     piece: usize,
     tolerance: f64,
+    hull: PieceHull,
 }
 
 impl Free<'_> {
     /// Appends the inner vertices of the piece.
-    fn flatten(&self, vertices: &mut Vec<(f64, Point3)>) -> Result<()> {
+    fn flatten(&mut self, vertices: &mut Vec<(f64, Point3)>) -> Result<()> {
         // Chords by the integral of sqrt(k) by arc length, its density taken as linear between the places of the scan.
         let step = 1.0 / DENSITY_SCAN as f64;
         let mut density = [0.0; DENSITY_SCAN + 1];
@@ -114,8 +125,8 @@ impl Free<'_> {
             *d = self.density(i as f64 * step);
         }
         let total: f64 = density.windows(2).map(|d| 0.5 * (d[0] + d[1]) * step).sum();
-        // A part of curvature k fills its bound at the length sqrt(4 sqrt(3) tolerance/k).
-        let chords = MARGIN * total / (4.0 * 3.0_f64.sqrt() * self.tolerance).sqrt();
+        // A part of curvature k reaches the tolerance at the length sqrt(8 tolerance/k).
+        let chords = MARGIN * total / (8.0 * self.tolerance).sqrt();
         let m = count(chords.ceil().max(1.0), vertices.len(), self.piece)?;
         let (mut s, mut point) = (0.0, self.curve.piece_point(self.piece, 0.0));
         // The interval of the scan and the integral up to its start.
@@ -154,9 +165,21 @@ impl Free<'_> {
         if density.is_finite() { density } else { 0.0 }
     }
 
+    /// A bound on the distance of a part from a chord: of the hull of the part, or where that fails by little, of the
+    /// hulls of its halves, which are tighter.
+    fn bound(&mut self, [a, b]: [f64; 2], chord: [Point3; 2], depth: u32) -> f64 {
+        let whole = self.hull.deviation([a, b], chord);
+        if whole <= self.tolerance || depth == 0 || !(whole <= HULL_EXCESS * self.tolerance) {
+            return whole;
+        }
+        let m = 0.5 * (a + b);
+        let first = self.bound([a, m], chord, depth - 1);
+        if first > self.tolerance { first } else { first.max(self.bound([m, b], chord, depth - 1)) }
+    }
+
     /// Adds vertices between two parameters where the part is not within the tolerance of its chord.
     fn check(
-        &self,
+        &mut self,
         a: f64,
         from: Point3,
         b: f64,
@@ -164,14 +187,13 @@ impl Free<'_> {
         depth: u32,
         vertices: &mut Vec<(f64, Point3)>,
     ) -> Result<()> {
-        let chord = from.distance(to);
-        let mut speed = |s: f64| self.curve.piece_speed(self.piece, s);
-        let m = 0.5 * (a + b);
-        let length = gauss8(&mut speed, a, b);
-        // Half the minor axis, (L-c)(L+c) without cancellation of squares.
-        let deviation = 0.5 * ((length - chord).max(0.0) * (length + chord)).sqrt();
-        if deviation <= self.tolerance || depth == 0 || m <= a || m >= b {
+        let bound = self.bound([a, b], [from, to], PROOF_DEPTH);
+        if bound <= self.tolerance {
             return Ok(());
+        }
+        let m = 0.5 * (a + b);
+        if depth == 0 || m <= a || m >= b {
+            return Err(Error::NotWithinTolerance { piece: self.piece, bound, tolerance: self.tolerance });
         }
         count(1.0, vertices.len(), self.piece)?;
         let middle = self.curve.piece_point(self.piece, m);

@@ -5,7 +5,7 @@ use crate::base::cut::place_of_cut;
 use crate::base::jet::CurveJet;
 use crate::base::vector::Point3;
 use crate::conformal::mobius::{Conformal, Mobius};
-use crate::curve::{Arc, ArcPath, ParamCurve, PieceForm};
+use crate::curve::{Arc, ArcPath, ParamCurve, PieceForm, PieceHull};
 use crate::error::{Error, Result};
 use crate::rational::NurbsCurve;
 
@@ -191,6 +191,10 @@ impl ParamCurve for CurveChain {
     fn piece_speed(&self, piece: usize, s: f64) -> f64 {
         let (i, j) = self.index[piece];
         self.pieces[i].as_curve().piece_speed(j, s)
+    }
+    fn piece_hull(&self, piece: usize, tolerance: f64) -> Result<PieceHull> {
+        let (i, j) = self.index[piece];
+        self.pieces[i].as_curve().piece_hull(j, tolerance)
     }
     fn piece_form(&self, piece: usize) -> PieceForm {
         let (i, j) = self.index[piece];

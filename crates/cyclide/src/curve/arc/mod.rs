@@ -16,6 +16,7 @@ mod transform;
 
 use super::param_curve::ParamCurve;
 use super::piece_form::PieceForm;
+use super::piece_hull::PieceHull;
 use crate::base::bounds::Aabb;
 use crate::base::jet::CurveJet;
 use crate::base::quat::Quat;
@@ -301,6 +302,9 @@ impl ParamCurve for Arc {
     /// `|c| |w|/D` (`10`, section 1.2).
     fn piece_speed(&self, _piece: usize, s: f64) -> f64 {
         self.c.length() * self.n / self.denominator(s).1
+    }
+    fn piece_hull(&self, _piece: usize, _tolerance: f64) -> Result<PieceHull> {
+        Ok(PieceHull::closed_form())
     }
     fn piece_form(&self, _piece: usize) -> PieceForm {
         PieceForm::Arc(*self)

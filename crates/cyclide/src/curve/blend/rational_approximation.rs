@@ -6,6 +6,7 @@ use super::segment::BlendSegment;
 use crate::base::bernstein;
 use crate::base::roots::bracketed;
 use crate::base::vector::Vec3;
+use crate::curve::PieceHull;
 use crate::error::{Error, Result};
 use crate::rational::RationalBezier;
 
@@ -46,6 +47,27 @@ impl BlendSegment {
             from = to;
         }
         Ok((pieces, self.part_error(n)))
+    }
+
+    /// The rational pieces at equal parameters, as a proof of distances; in closed form where the segment is an arc.
+    ///
+    /// # Errors
+    /// As [`rational_pieces`](Self::rational_pieces).
+    pub(crate) fn hull(&self, tolerance: f64, segment: usize) -> Result<PieceHull> {
+        if self.to_arc().is_some() {
+            return Ok(PieceHull::closed_form());
+        }
+        let (pieces, bound) = self.rational_pieces(tolerance, segment)?;
+        let mut hull = PieceHull::within(bound);
+        // Their intervals are in chord lengths of the whole segment and follow one another.
+        let scale = self.length * (self.range[1] - self.range[0]);
+        let mut from = 0.0;
+        for (i, piece) in pieces.iter().enumerate() {
+            let to = if i + 1 == pieces.len() { 1.0 } else { from + piece.interval / scale };
+            hull.push(&piece.bezier, from, to);
+            from = to;
+        }
+        Ok(hull)
     }
 
     /// Bound on the distance between the trigonometric segment and its `n` rational parts (`50`, section 5):

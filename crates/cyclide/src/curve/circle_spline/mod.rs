@@ -17,9 +17,11 @@ pub(crate) use build::{SHARP_TURN, chords_between, corner_nodes, inspect_node};
 use super::blend::{BlendLaw, BlendSegment, BlendVariant};
 use super::param_curve::ParamCurve;
 use super::piece_form::PieceForm;
+use super::piece_hull::PieceHull;
 use crate::base::bounds::Aabb;
 use crate::base::jet::CurveJet;
 use crate::base::vector::{Point3, Vec3};
+use crate::error::Result;
 use crate::warning::Warning;
 use std::ops::Range;
 
@@ -159,6 +161,9 @@ impl ParamCurve for CircleSpline {
     fn piece_point(&self, piece: usize, s: f64) -> Point3 {
         self.segments[piece].point(s)
     }
+    fn piece_hull(&self, piece: usize, tolerance: f64) -> Result<PieceHull> {
+        self.segments[piece].hull(tolerance, piece)
+    }
     fn piece_form(&self, piece: usize) -> PieceForm {
         self.segments[piece].piece_form(0)
     }
@@ -182,6 +187,9 @@ impl ParamCurve for BlendSegment {
     }
     fn piece_point(&self, _piece: usize, s: f64) -> Point3 {
         self.point(s)
+    }
+    fn piece_hull(&self, _piece: usize, tolerance: f64) -> Result<PieceHull> {
+        self.hull(tolerance, 0)
     }
     /// An arc where the two circles are one.
     fn piece_form(&self, _piece: usize) -> PieceForm {
