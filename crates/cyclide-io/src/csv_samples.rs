@@ -23,7 +23,7 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
     let mut out = format!("{HEADER}\n");
     for contour in job.contours() {
         let vertices = contour.lowered(flatten(contour.curve.as_curve(), job.tolerance))?;
-        promise.add(Exactness::Within(job.tolerance));
+        promise.add(Exactness::Proved(job.tolerance));
         let name = field(contour.object);
         for (t, point) in vertices {
             push_row(&mut out, &name, &contour, t, point);

@@ -12,6 +12,8 @@ pub struct Exported {
     pub exact: bool,
     /// Promised bound on the distance between the file's curve and the object, model units; 0 if exact.
     pub bound: f64,
+    /// True if the bound of a part of the file is sampled, not proved.
+    pub sampled: bool,
     /// Remarks for the user, one sentence each.
     pub notes: Vec<String>,
     /// What the polygons of a mesh stand for: what the file is checked against.
@@ -24,13 +26,15 @@ pub struct Exported {
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Promise {
     bound: Option<f64>,
+    sampled: bool,
 }
 
 impl Promise {
-    pub(crate) const EXACT: Self = Self { bound: None };
+    pub(crate) const EXACT: Self = Self { bound: None, sampled: false };
 
     pub(crate) fn add(&mut self, exactness: Exactness) {
-        if let Exactness::Within(bound) = exactness {
+        self.sampled |= matches!(exactness, Exactness::Sampled(_));
+        if let Exactness::Proved(bound) | Exactness::Sampled(bound) = exactness {
             self.bound = Some(self.bound.map_or(bound, |b| b.max(bound)));
         }
     }
@@ -46,6 +50,7 @@ impl Promise {
             bytes,
             exact: self.bound.is_none(),
             bound: self.bound.unwrap_or(0.0),
+            sampled: self.sampled,
             notes,
             mesh,
             lines: Vec::new(),
@@ -67,5 +72,5 @@ pub(crate) fn straightened(arc: &Arc) -> Option<Exactness> {
     }
     let sagitta = 0.5 * arc.chord().length() * arc.bulge_vector().length();
     let rounding = f64::EPSILON * arc.start().to_vec().max_abs().max(arc.end().to_vec().max_abs());
-    Some(if sagitta > rounding { Exactness::Within(sagitta) } else { Exactness::Exact })
+    Some(if sagitta > rounding { Exactness::Proved(sagitta) } else { Exactness::Exact })
 }

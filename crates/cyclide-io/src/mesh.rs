@@ -62,7 +62,7 @@ impl BodyMesh<'_> {
 
 /// The distance that is promised, exact if it is zero.
 pub(crate) fn promised(promise: &mut Promise, bound: f64) {
-    promise.add(if bound > 0.0 { Exactness::Within(bound) } else { Exactness::Exact });
+    promise.add(if bound > 0.0 { Exactness::Proved(bound) } else { Exactness::Exact });
 }
 
 /// The vertices of a contour's polyline; a closed one does not repeat its first.

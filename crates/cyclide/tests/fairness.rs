@@ -17,6 +17,10 @@ struct Ellipse {
 }
 
 impl ParamCurve for Ellipse {
+    /// It is never flattened: nothing is claimed.
+    fn piece_hull(&self, _piece: usize, _tolerance: f64) -> cyclide::Result<cyclide::PieceHull> {
+        Ok(cyclide::PieceHull::closed_form())
+    }
     fn piece_count(&self) -> usize {
         self.pieces
     }
@@ -44,6 +48,10 @@ struct Wave {
 }
 
 impl ParamCurve for Wave {
+    /// It is never flattened: nothing is claimed.
+    fn piece_hull(&self, _piece: usize, _tolerance: f64) -> cyclide::Result<cyclide::PieceHull> {
+        Ok(cyclide::PieceHull::closed_form())
+    }
     fn piece_count(&self) -> usize {
         1
     }

@@ -31,7 +31,7 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
         for contour in job.contours().filter(|contour| contour.item == index) {
             file.name("g", &contour.label());
             file.polyline(&polyline(job, &contour)?, contour.curve.as_curve().is_closed());
-            promise.add(Exactness::Within(job.tolerance));
+            promise.add(Exactness::Proved(job.tolerance));
         }
     }
     Ok(promise.exported_mesh(file.text.into_bytes(), Vec::new(), plan))

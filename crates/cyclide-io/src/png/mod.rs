@@ -88,7 +88,7 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
     }
     let bytes = canvas.encode().map_err(|e| picture(&e))?;
     let mut promise = Promise::EXACT;
-    promise.add(Exactness::Within(0.5 * view.unit()));
+    promise.add(Exactness::Proved(0.5 * view.unit()));
     Ok(promise.exported(bytes, Vec::new()))
 }
 

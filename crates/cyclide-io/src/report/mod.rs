@@ -108,6 +108,8 @@ pub struct FileReport {
     pub deviation: Option<f64>,
     /// The distance that was promised; 0 if exact.
     pub bound: f64,
+    /// What the promise rests on: `exact`, `proved` or `sampled`.
+    pub proof: &'static str,
     /// Size of the file.
     pub bytes: usize,
     /// What the user should know about the file.
@@ -209,6 +211,11 @@ impl FileReport {
             exact: exported.exact,
             deviation,
             bound,
+            proof: match exported {
+                Exported { exact: true, .. } => "exact",
+                Exported { sampled: true, .. } => "sampled",
+                _ => "proved",
+            },
             bytes: exported.bytes.len(),
             notes: exported.notes.clone(),
         })

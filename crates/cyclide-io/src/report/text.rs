@@ -258,7 +258,11 @@ fn listed(count: usize, items: impl Iterator<Item = String>) -> String {
 
 impl FileReport {
     fn row(&self, units: &str) -> [String; 5] {
-        let kept = if self.exact { "exact".to_owned() } else { format!("within {} {units}", short(self.bound)) };
+        let kept = if self.exact {
+            "exact".to_owned()
+        } else {
+            format!("within {} {units}, {}", short(self.bound), self.proof)
+        };
         let deviation = match self.deviation {
             Some(d) => format!("deviation {} {units}", short(d)),
             None => String::new(),

@@ -93,7 +93,7 @@ fn draw(job: &Job<'_>, contour: &Contour<'_>, promise: &mut Promise) -> Result<P
         return Ok(path);
     }
     let vertices = contour.lowered(flatten(contour.curve.as_curve(), job.tolerance))?;
-    promise.add(Exactness::Within(job.tolerance));
+    promise.add(Exactness::Proved(job.tolerance));
     let mut path = Path::new(vertices[0].1, closed);
     for (_, point) in &vertices[1..] {
         path.segment(*point);

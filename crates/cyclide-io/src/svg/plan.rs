@@ -106,7 +106,7 @@ fn draw(
         for (_, point) in flatten(&arc, job.mesh_tolerance).map_err(failed)?.into_iter().skip(1) {
             path.segment(point);
         }
-        promise.add(Exactness::Within(job.mesh_tolerance));
+        promise.add(Exactness::Proved(job.mesh_tolerance));
     }
     Ok((!path.is_point()).then_some((arc, path)))
 }

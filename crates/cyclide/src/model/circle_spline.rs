@@ -16,14 +16,14 @@ impl Lower for CircleSpline {
             RationalRun::Arcs(arcs) => arcs.into_iter().map(ChainPiece::Arc).collect(),
             RationalRun::Spline(spline) => vec![ChainPiece::Spline(spline)],
         });
-        let exactness = if bound > 0.0 { Exactness::Within(bound) } else { Exactness::Exact };
+        let exactness = if bound > 0.0 { Exactness::Proved(bound) } else { Exactness::Exact };
         Ok((CurveChain::new(pieces.collect(), self.is_closed(), 0.0)?, exactness))
     }
 
     fn to_arcs(&self, tolerance: f64) -> Result<(ArcPath, Exactness)> {
         check_tolerance(tolerance)?;
         let (arcs, exact) = self.to_g1_arcs(tolerance)?;
-        let exactness = if exact { Exactness::Exact } else { Exactness::Within(tolerance) };
+        let exactness = if exact { Exactness::Exact } else { Exactness::Sampled(tolerance) };
         Ok((ArcPath::new(arcs, self.is_closed())?, exactness))
     }
 }

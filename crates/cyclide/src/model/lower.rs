@@ -9,8 +9,10 @@ use crate::error::Result;
 pub enum Exactness {
     /// The same point set, up to the rounding of the numbers.
     Exact,
-    /// No point farther away than this.
-    Within(f64),
+    /// No point farther away than this: it follows from the shapes of the pieces, between all places looked at too.
+    Proved(f64),
+    /// No point farther away than this at many places, with a reserve between them: no proof.
+    Sampled(f64),
 }
 
 impl Exactness {
@@ -19,7 +21,7 @@ impl Exactness {
     pub fn bound(self) -> f64 {
         match self {
             Self::Exact => 0.0,
-            Self::Within(bound) => bound,
+            Self::Proved(bound) | Self::Sampled(bound) => bound,
         }
     }
 }

@@ -66,7 +66,7 @@ fn exact_arcs_and_straight_runs_stay_as_they_are() {
         .map(|[x, y]| p(x, y, 0.0));
     let s = CircleSpline::from_points(&points, &CircleSplineOptions::default()).unwrap();
     let (arcs, exactness) = s.to_arcs(1e-3).unwrap();
-    assert_eq!(exactness, Exactness::Within(1e-3));
+    assert_eq!(exactness, Exactness::Sampled(1e-3));
     assert_eq!(arcs.arcs().iter().filter(|a| a.is_straight()).count(), 4);
     let corner = CircleSplineOptions { corners: vec![3, 4], ..CircleSplineOptions::default() };
     let s = CircleSpline::from_points(&points, &corner).unwrap();

@@ -80,7 +80,7 @@ pub(super) fn write(job: &Job<'_>, sheet: Sheet) -> Result<Exported, ExportError
     }
     let bytes = canvas.encode().map_err(|e| picture(&e))?;
     let mut promise = Promise::EXACT;
-    promise.add(Exactness::Within(0.5 * scene.camera.unit()));
+    promise.add(Exactness::Proved(0.5 * scene.camera.unit()));
     Ok(promise.exported(bytes, Vec::new()))
 }
 
