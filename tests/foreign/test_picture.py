@@ -24,6 +24,37 @@ def test_picture_shows_the_curve(examples, name):
     assert max(np.ptp(rows) / image.height, np.ptp(columns) / image.width) > 0.6
 
 
+@pytest.mark.parametrize("width", [300, 900, 2200])
+def test_picture_is_as_wide_as_asked_for(program, tmp_path, width):
+    path = tmp_path / "track.png"
+    program("build", ROOT / "examples" / "track.json", "-o", path, "--width", width, "--camera", "top", "--axes")
+    with Image.open(path) as image:
+        assert image.width == width and image.height <= 0.75 * width + 1
+
+
+def test_the_bar_below_a_drawing_is_its_scale(program, tmp_path):
+    """A square of 90 m: the bar is a round length in the square's own scale."""
+    points = tmp_path / "square.csv"
+    points.write_text("x,y\n0,0\n90,0\n90,90\n0,90\n")
+    path = tmp_path / "square.png"
+    options = ("--closed", "--units", "m", "--kind", "arc-fit", "--tolerance", 0.001, "--target", "polyline")
+    program("curve", points, *options, "-o", path)
+    with Image.open(path) as image:
+        pixels = np.asarray(image.convert("RGB"), int)
+
+    def places(colour):
+        return np.nonzero((np.abs(pixels - colour).max(axis=-1) < 4))
+
+    rows, columns = places([0x1B, 0x2A, 0x41])
+    square = np.ptp(columns[rows < 0.8 * image.height])
+    rows, columns = places([0x1D, 0x24, 0x2B])
+    row = np.bincount(rows[rows > 0.8 * image.height]).argmax()
+    bar = np.sort(columns[rows == row])
+    bar = bar[: 1 + np.argmax(np.diff(bar, append=10**6) > 1)]
+    metres = 90.0 * len(bar) / square
+    assert min(abs(metres / m - 1.0) for m in (10.0, 20.0, 50.0)) < 0.02
+
+
 @pytest.fixture(scope="module")
 def surface_pictures(program, tmp_path_factory):
     """Pictures of the example surfaces: the image and the processor time that its build took, seconds."""

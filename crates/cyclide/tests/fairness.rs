@@ -3,8 +3,8 @@
 #![allow(clippy::unwrap_used, reason = "what cannot be made fails the test")]
 
 use cyclide::{
-    Arc, ArcPath, ArcSplineOptions, Circle, CircleSpline, CircleSplineOptions, CurveJet, Fairness, ParamCurve, Point3,
-    Vec3, fairness, wavering,
+    Arc, ArcPath, ArcSplineOptions, Circle, CircleSpline, CircleSplineOptions, CurveJet, FairSplineOptions, Fairness,
+    ParamCurve, Point3, Vec3, fairness, wavering,
 };
 use std::f64::consts::TAU;
 
@@ -204,6 +204,18 @@ fn the_track_has_the_figures_of_the_paper() {
     let g = fairness(&spline(&moved, true));
     assert_eq!((g.sign_changes, g.extrema), (Some(38), 98));
     close(g.variation.unwrap(), f.variation.unwrap(), 1e-6);
+}
+
+/// The row "fair (e = 1)" of the same table; and it does not waver against its points.
+#[test]
+fn the_fair_spline_has_its_figures_and_does_not_waver() {
+    let curve = CircleSpline::fair(&track(), &FairSplineOptions { closed: true, ..Default::default() }).unwrap();
+    let f = fairness(&curve);
+    assert_eq!((f.sign_changes, f.extrema, f.jumps), (Some(8), 16, 0));
+    close(f.variation.unwrap(), 5.39e5, 0.005);
+    close(f.total_variation, 0.352, 0.005);
+    let w = wavering(&curve, &f).unwrap();
+    assert!(!w.curve_wavers && !w.data_waver && (w.curve, w.data) == (8, 8), "{w:?}");
 }
 
 #[test]

@@ -111,7 +111,8 @@ fn figures(report: &Report) -> Vec<(&'static str, String)> {
         let patches: usize = surfaces.iter().map(|s| s.patches).sum();
         let solids = surfaces.iter().filter(|s| s.volume.is_some()).count();
         let kind = if solids == surfaces.len() { "solid" } else { "surface" };
-        figures.push(("patches", format!("{patches} in {} {kind}{}", surfaces.len(), plural(surfaces.len()))));
+        let within = format!(" in {} {kind}{}", surfaces.len(), plural(surfaces.len()));
+        figures.push(("patches", format!("{patches}{}", if patches == 1 { "" } else { &within })));
         // The skins of a thick shell are its largest parts.
         let areas = names.iter().zip(&surfaces).flat_map(|(name, surface)| match surface.parts.as_slice() {
             [one, two, _, ..] => vec![(format!("{name}, one side"), one.area), ("other side".to_owned(), two.area)],
@@ -135,6 +136,14 @@ fn figures(report: &Report) -> Vec<(&'static str, String)> {
     if count > 0 {
         figures.push(("curves", format!("{count}, in {pieces} pieces")));
         figures.push(("length", format!("{} {units}", ShortNumber(length))));
+        // How evenly the curves bend says something of each alone, and of those without jumps of the curvature.
+        if let [only] = curves().collect::<Vec<_>>().as_slice() {
+            let fairness = &only.fairness;
+            if let (Some(changes), Some(_)) = (fairness.sign_changes, fairness.variation) {
+                let change = format!("{changes} sign change{}", plural(changes));
+                figures.push(("curvature", format!("{change}, {} extrema", fairness.extrema)));
+            }
+        }
     }
     let step = Format::Step.name();
     if let Some(file) = report.files.iter().find(|file| file.format == step) {
