@@ -212,7 +212,8 @@ pub struct OutputArgs {
     /// GLB: draw the edges of the patches as lines on the surfaces.
     #[arg(long, help_heading = "Formats")]
     pub glb_edges: bool,
-    /// PNG: the model alone, without curvature comb, title, unit, scale bar, legend, names and axes.
+    /// PNG: the model alone, without curvature comb (pictures of surfaces have none), title, unit, scale bar, legend, names
+    /// and axes.
     #[arg(long, help_heading = "Pictures")]
     pub png_plain: bool,
     /// PNG: width in pixels.
