@@ -35,6 +35,9 @@ fn document_text() -> impl Strategy<Value = String> {
         Just("\"arc-spline\","),
         Just("\"arc-fit\","),
         Just("\"circle-spline\","),
+        Just("\"fair-spline\","),
+        Just("\"tension\":0.5,"),
+        Just("\"tight\":0.2,"),
         Just("\"points\":"),
         Just("[[0,0],[1,0],[1,1]],"),
         Just("[[0,0],[0,0]],"),
@@ -90,7 +93,7 @@ proptest! {
     fn any_list_of_numbers_is_refused_or_built(
         numbers in prop::collection::vec((any::<f64>(), prop::num::f64::NORMAL, -4i32..5), 0..12),
         closed in any::<bool>(),
-        kind in 0..3usize,
+        kind in 0..4usize,
     ) {
         let point = |(x, y, z): &(f64, f64, i32)| match z {
             // Whole numbers, so that points repeat and line up; now and then any double at all.
@@ -98,7 +101,7 @@ proptest! {
             z => format!("[{},{}]", z, (*z * *z) % 3),
         };
         let points: Vec<String> = numbers.iter().map(point).collect();
-        let kind = ["\"circle-spline\"", "\"arc-spline\"", "\"arc-fit\",\"tolerance\":0.01"][kind];
+        let kind = ["\"circle-spline\"", "\"fair-spline\"", "\"arc-spline\"", "\"arc-fit\",\"tolerance\":0.01"][kind];
         let text = format!(
             "{{\"cyclide\":1,\"objects\":{{\"a\":{{\"type\":{kind},\"closed\":{closed},\"points\":[{}]}}}}}}",
             points.join(",")

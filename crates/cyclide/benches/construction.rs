@@ -5,7 +5,7 @@
 mod data;
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
-use cyclide::{ArcPath, ArcSplineOptions, BlendVariant, CircleSpline, CircleSplineOptions, Lower};
+use cyclide::{ArcPath, ArcSplineOptions, BlendVariant, CircleSpline, CircleSplineOptions, FairSplineOptions, Lower};
 use std::hint::black_box;
 
 /// Points.
@@ -23,6 +23,8 @@ fn construction(c: &mut Criterion) {
             b.iter(|| CircleSpline::from_points(black_box(&points), &options));
         });
     }
+    let options = FairSplineOptions { closed: true, ..Default::default() };
+    group.bench_function("fair spline", |b| b.iter(|| CircleSpline::fair(black_box(&points), &options)));
     let spline = data::blends(COUNT, BlendVariant::Rational);
     group.bench_function("circle spline to exact NURBS", |b| b.iter(|| black_box(&spline).to_chain(1e-6)));
     group.finish();

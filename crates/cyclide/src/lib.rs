@@ -18,11 +18,11 @@
 //! # Ok::<(), cyclide::Error>(())
 //! ```
 //!
-//! A closed curve through points with continuous curvature, exact as a B-spline:
+//! The fairest closed curve through points, with continuous curvature, exact as a B-spline:
 //! ```
-//! use cyclide::{CircleSpline, CircleSplineOptions, Exactness, Lower, Point3, joints};
+//! use cyclide::{CircleSpline, Exactness, FairSplineOptions, Lower, Point3, joints};
 //! let points = [[0.0, 0.0, 0.0], [4.0, 1.0, 0.0], [6.0, 5.0, 2.0], [2.0, 6.0, 0.5]].map(Point3::from);
-//! let spline = CircleSpline::from_points(&points, &CircleSplineOptions { closed: true, ..Default::default() })?;
+//! let spline = CircleSpline::fair(&points, &FairSplineOptions { closed: true, ..Default::default() })?;
 //! assert!(joints(&spline).iter().all(|joint| joint.curvature_jump < 1e-13));
 //! let (_chain, exactness) = spline.to_chain(1e-6)?;
 //! assert_eq!(exactness, Exactness::Exact);

@@ -1,8 +1,8 @@
 //! Models that the tests write and read back.
 
 use cyclide::{
-    Arc, ArcPath, BlendVariant, Circle, CircleSpline, CircleSplineOptions, CurveObject, CyclidePatch, Item, Model,
-    Point3, SurfaceObject, Units, Vec3,
+    Arc, ArcPath, BlendVariant, Circle, CircleSpline, CircleSplineOptions, CurveObject, CyclidePatch,
+    FairSplineOptions, Item, Model, Point3, SurfaceObject, Units, Vec3,
 };
 
 /// A model of one object per contour list.
@@ -112,6 +112,12 @@ pub fn circle_spline(points: &[Point3], closed: bool, variant: BlendVariant, cor
     CurveObject::CircleSpline(CircleSpline::from_points(points, &options).unwrap())
 }
 
+/// A closed fair spline, of degree 4 without tension and 6 with it.
+pub fn fair_spline(points: &[Point3], tension: f64, corners: Vec<usize>) -> CurveObject {
+    let options = FairSplineOptions { closed: true, tension, corners, ..FairSplineOptions::default() };
+    CurveObject::CircleSpline(CircleSpline::fair(points, &options).unwrap())
+}
+
 /// Models whose curves are circle splines.
 pub fn splines() -> Vec<(&'static str, Model)> {
     use BlendVariant::{Rational, Trigonometric};
@@ -122,6 +128,8 @@ pub fn splines() -> Vec<(&'static str, Model)> {
         ("corners", model(vec![("wave", vec![circle_spline(&flat_points, true, Rational, vec![5, 20])])])),
         ("trigonometric", model(vec![("wave", vec![circle_spline(&flat_points, true, Trigonometric, vec![])])])),
         ("coil", model(vec![("coil", vec![circle_spline(&coil(30), false, Rational, vec![])])])),
+        ("fair", model(vec![("wave", vec![fair_spline(&flat_points, 0.0, vec![5, 20])])])),
+        ("tense", model(vec![("coil", vec![fair_spline(&coil(30), 0.3, vec![])])])),
     ]
 }
 

@@ -159,7 +159,7 @@ fn what_makes_no_sense_is_refused() {
 }
 
 #[test]
-fn a_million_points_take_linear_time_and_no_deep_stack() {
+fn dense_data_take_linear_time() {
     let at = |i: u32| {
         let a = f64::from(i) * 1e-3;
         p(a, (0.7 * a).sin() * 5.0, 0.0)
