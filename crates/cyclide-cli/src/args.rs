@@ -72,6 +72,8 @@ Examples:
       cyclide curve track.csv --closed --units m -o track.step -o track.png
   The fewest arcs within 0.05 of the points, for a machine that knows arcs only:
       cyclide curve track.csv --closed --units m --kind arc-fit --tolerance 0.05 -o track.dxf
+  Noisy or dense data, a fair curve with continuous curvature within 0.2 of the points:
+      cyclide curve survey.csv --closed --units m --smooth 0.2 --centre 1 -o survey.step -o survey.png
   A logo with contours and corners, columns chosen by name:
       cyclide curve logo.csv --closed --corner-angle-deg 40 --columns x_mm,y_mm -o logo.svg
 
@@ -237,9 +239,13 @@ pub struct CurveArgs {
     /// The last point joins the first.
     #[arg(long)]
     pub closed: bool,
-    /// The construction.
-    #[arg(long, value_enum, default_value_t)]
-    pub kind: Kind,
+    /// The construction [default: fair-spline; fair-fit with --smooth].
+    #[arg(long, value_enum)]
+    pub kind: Option<Kind>,
+    /// Noisy or dense data: the fairest curve with continuous curvature within T of every point, with few nodes
+    /// (--kind fair-fit). It leans on the bounds of T; for noisy points take 3 to 4 standard deviations and --centre 1.
+    #[arg(long, value_name = "T", value_parser = positive, allow_negative_numbers = true)]
+    pub smooth: Option<f64>,
     /// Arc fit: largest distance from the points (or the polyline). Else: largest distance between a file's curve and
     /// the curve, where the format needs an approximation [default: 1e-5 of the curve's size].
     #[arg(long, value_name = "T", value_parser = positive, allow_negative_numbers = true)]
@@ -253,7 +259,7 @@ pub struct CurveArgs {
     /// The column that tells contours apart [default: 'contour', else blank lines].
     #[arg(long, value_name = "NAME")]
     pub contour_column: Option<String>,
-    /// Turns above this angle, in degrees, are corners [default: none for a fair or circle spline, 30 for an
+    /// Turns above this angle, in degrees, are corners [default: none for splines and a fair fit, 30 for an
     /// arc fit].
     #[arg(long, value_name = "DEGREES", value_parser = positive, allow_negative_numbers = true)]
     pub corner_angle_deg: Option<f64>,
@@ -284,6 +290,30 @@ pub struct CurveArgs {
     /// Arc fit: how hard to search [default: default].
     #[arg(long, value_enum)]
     pub effort: Option<EffortArg>,
+    /// Fair fit: how much the curve keeps to the middle of the points: 0 is the fairest curve, 1 halves the distance to
+    /// what noisy points were measured from for about 3 % more variation of curvature, 10 and more approach least
+    /// squares [default: 0].
+    #[arg(long, value_name = "B", value_parser = not_negative, allow_negative_numbers = true)]
+    pub centre: Option<f64>,
+    /// Fair fit: an open curve starts and ends exactly at the first and last point.
+    #[arg(long)]
+    pub fix_ends: bool,
+    /// Fair fit: fits spent on taking nodes out [default: 16].
+    #[arg(long, value_name = "N")]
+    pub max_fits: Option<u32>,
+    /// Fair fit: take no nodes out; about five times as fast. The same as --max-fits 0.
+    #[arg(long, conflicts_with_all = ["max_fits", "nodes", "budget"])]
+    pub fast: bool,
+    /// Fair fit: nodes of each smooth piece at which taking out stops.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(2..))]
+    pub nodes: Option<u32>,
+    /// Fair fit: the part of its fairness that the curve may lose for fewer nodes [default: 0.1].
+    #[arg(long, value_name = "Q", value_parser = not_negative, allow_negative_numbers = true)]
+    pub budget: Option<f64>,
+    /// Fair fit: places on each edge between two points that T binds too; for polylines that are meant themselves
+    /// [default: 0, the points are samples of a smooth curve].
+    #[arg(long, value_name = "K", value_parser = clap::value_parser!(u32).range(0..=100))]
+    pub polyline: Option<u32>,
 }
 
 #[derive(Debug, ClapArgs)]
@@ -332,6 +362,8 @@ pub enum Kind {
     ArcSpline,
     /// The fewest arcs within a tolerance.
     ArcFit,
+    /// The fairest curve within a tolerance (--smooth).
+    FairFit,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
@@ -414,6 +446,15 @@ pub enum EdgesArg {
     Circle,
     /// Rational B-splines in the parameter of the faces, which other systems read faster and check more strictly.
     Rational,
+}
+
+/// A finite number that is not negative.
+fn not_negative(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(value) if value >= 0.0 && value.is_finite() => Ok(value),
+        Ok(_) => Err("it must not be negative, and finite".to_owned()),
+        Err(_) => Err("it is not a number".to_owned()),
+    }
 }
 
 /// A positive, finite number.

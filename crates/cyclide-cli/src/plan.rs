@@ -7,8 +7,8 @@ use clap_complete::Shell;
 use cyclide::Units;
 use cyclide_io::{
     ArcFitSpec, ArcSplineSpec, CircleSplineSpec, Comment, Document, DxfVersion, EffortWord, EndsSpec, ExportOptions,
-    FairEndWord, FairEndsSpec, FairSplineSpec, Format, ObjectSpec, PointFile, PointSource, RuleWord, Spacing,
-    StepEdges, StraightWord, TargetWord, TypeWord, VariantWord,
+    FairEndWord, FairEndsSpec, FairFitSpec, FairSplineSpec, Format, ObjectSpec, PointFile, PointSource, RuleWord,
+    Spacing, StepEdges, StraightWord, TargetWord, TypeWord, VariantWord,
 };
 
 use crate::args::{
@@ -161,7 +161,8 @@ impl OutputArgs {
 
 impl CurveArgs {
     fn plan(self) -> Result<MakePlan, Failure> {
-        self.check_options()?;
+        let kind = self.kind.unwrap_or(if self.smooth.is_some() { Kind::FairFit } else { Kind::default() });
+        self.check_options(kind)?;
         let name = self.points.file_stem().and_then(OsStr::to_str).filter(|s| !s.trim().is_empty()).unwrap_or("curve");
         let Some(csv) = self.points.to_str().map(str::to_owned) else {
             return Err(Failure::Usage(format!("{}: the path is not Unicode", self.points.display())));
@@ -169,7 +170,7 @@ impl CurveArgs {
         let file = PointFile { csv, columns: self.columns.clone(), contour: self.contour_column.clone() };
         let (points, closed, r#type) = (PointSource::File(file), self.closed, TypeWord);
         let corner_angle = self.corner_angle_deg.map(f64::to_radians);
-        let spec = match self.kind {
+        let spec = match kind {
             Kind::FairSpline => ObjectSpec::FairSpline(FairSplineSpec {
                 r#type,
                 comment: Comment,
@@ -216,6 +217,24 @@ impl CurveArgs {
                     corner_angle,
                 })
             }
+            Kind::FairFit => {
+                let needed = || Failure::Usage("--kind fair-fit needs --smooth".to_owned());
+                ObjectSpec::FairFit(FairFitSpec {
+                    r#type,
+                    comment: Comment,
+                    construction: false,
+                    points,
+                    closed,
+                    tolerance: self.smooth.ok_or_else(needed)?,
+                    centre: self.centre.unwrap_or_default(),
+                    fix_ends: self.fix_ends,
+                    corner_angle,
+                    max_fits: if self.fast { Some(0) } else { self.max_fits },
+                    nodes: self.nodes,
+                    budget: self.budget,
+                    polyline: self.polyline.unwrap_or_default(),
+                })
+            }
         };
         let objects = vec![(name.to_owned(), spec)];
         for path in &self.output.output {
@@ -227,7 +246,7 @@ impl CurveArgs {
     }
 
     /// Refuses options that the kind of curve does not have.
-    fn check_options(&self) -> Result<(), Failure> {
+    fn check_options(&self, kind: Kind) -> Result<(), Failure> {
         let given = [
             ("--tension", self.tension.is_some(), &[Kind::FairSpline][..]),
             ("--tight", self.tight.is_some(), &[Kind::FairSpline]),
@@ -241,16 +260,23 @@ impl CurveArgs {
             (
                 "--corner-angle-deg",
                 self.corner_angle_deg.is_some(),
-                &[Kind::FairSpline, Kind::CircleSpline, Kind::ArcFit],
+                &[Kind::FairSpline, Kind::CircleSpline, Kind::ArcFit, Kind::FairFit],
             ),
+            ("--smooth", self.smooth.is_some(), &[Kind::FairFit]),
+            ("--centre", self.centre.is_some(), &[Kind::FairFit]),
+            ("--fix-ends", self.fix_ends, &[Kind::FairFit]),
+            ("--max-fits", self.max_fits.is_some(), &[Kind::FairFit]),
+            ("--fast", self.fast, &[Kind::FairFit]),
+            ("--nodes", self.nodes.is_some(), &[Kind::FairFit]),
+            ("--budget", self.budget.is_some(), &[Kind::FairFit]),
+            ("--polyline", self.polyline.is_some(), &[Kind::FairFit]),
         ];
-        let wrong = given.iter().find(|(_, given, kinds)| *given && !kinds.contains(&self.kind));
+        let wrong = given.iter().find(|(_, given, kinds)| *given && !kinds.contains(&kind));
         match wrong {
             None => Ok(()),
             Some((option, _, kinds)) => {
-                let kinds: Vec<&str> = kinds.iter().map(|kind| kind.word()).collect();
-                let message =
-                    format!("{option} goes with --kind {}, not with {}", kinds.join(" or "), self.kind.word());
+                let words: Vec<&str> = kinds.iter().map(|kind| kind.word()).collect();
+                let message = format!("{option} goes with --kind {}, not with {}", words.join(" or "), kind.word());
                 Err(Failure::Usage(message))
             }
         }
@@ -295,6 +321,7 @@ impl Kind {
             Self::CircleSpline => "circle-spline",
             Self::ArcSpline => "arc-spline",
             Self::ArcFit => "arc-fit",
+            Self::FairFit => "fair-fit",
         }
     }
 }

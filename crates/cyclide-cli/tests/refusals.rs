@@ -95,7 +95,7 @@ fn usage_that_makes_no_sense_is_refused() {
         ),
         (
             "curve p.csv -o a.step --kind arc-spline --corner-angle-deg 3",
-            "fair-spline or circle-spline or arc-fit, not with arc-spline",
+            "fair-spline or circle-spline or arc-fit or fair-fit, not with arc-spline",
         ),
         ("curve p.csv -o a.step --order 3", "--order goes with --kind circle-spline, not with fair-spline"),
         (
@@ -110,6 +110,15 @@ fn usage_that_makes_no_sense_is_refused() {
         ("curve p.csv -o a.step --tight 0", "it must be positive and finite"),
         ("curve p.csv -o a.step --ends natural", "possible values: circle, arc, free"),
         ("curve p.csv -o a.step --effort best", "--effort goes with --kind arc-fit"),
+        ("curve p.csv -o a.step --kind fair-fit", "--kind fair-fit needs --smooth"),
+        ("curve p.csv -o a.step --kind arc-fit --tolerance 1 --smooth 1", "--smooth goes with --kind fair-fit"),
+        ("curve p.csv -o a.step --centre 1", "--centre goes with --kind fair-fit, not with fair-spline"),
+        ("curve p.csv -o a.step --smooth 1 --order 2", "--order goes with --kind circle-spline, not with fair-fit"),
+        ("curve p.csv -o a.step --smooth 0", "it must be positive and finite"),
+        ("curve p.csv -o a.step --smooth 1 --centre -1", "it must not be negative"),
+        ("curve p.csv -o a.step --smooth 1 --fast --nodes 9", "cannot be used with"),
+        ("curve p.csv -o a.step --smooth 1 --nodes 1", "1 is not in 2..="),
+        ("curve p.csv -o a.step --smooth 1 --polyline 101", "101 is not in 0..=100"),
         ("curve p.csv -o a.step --units yd", "possible values: mm, cm, m, in, ft"),
         ("sample c.json --count 1", "1 is not in 2..="),
     ] {

@@ -45,10 +45,10 @@ pub use deviation::deviation;
 pub use document::{
     ArcFitSpec, ArcSpec, ArcSplineSpec, BiarcSpec, BorderCurves, BorderSpec, BorderWord, BuiltObject, CircleSpec,
     CircleSplineSpec, ClampedEnds, Comment, ContourFacts, Coordinates, CyclidePatchSpec, CyclideSpec, CyclidicNetSpec,
-    DOCUMENT_VERSION, Document, EffortWord, EndsSpec, FairEndPair, FairEndSpec, FairEndWord, FairEndsSpec,
-    FairSplineSpec, FrameSpec, GridSource, Lists, MakeCircularOptions, MakeCircularSpec, MeshFile, ModelBuilder,
-    ObjectSpec, OffsetSpec, PlaneSpec, PointFile, PointSource, Remark, RotationSpec, RuleWord, ScaleSpec, SphereSpec,
-    StepSpec, StraightWord, TargetWord, TransformSpec, TypeWord, UnitWord, VariantWord, document_schema,
+    DOCUMENT_VERSION, Document, EffortWord, EndsSpec, FairEndPair, FairEndSpec, FairEndWord, FairEndsSpec, FairFitSpec,
+    FairSplineSpec, Fitted, FrameSpec, GridSource, Lists, MakeCircularOptions, MakeCircularSpec, MeshFile,
+    ModelBuilder, ObjectSpec, OffsetSpec, PlaneSpec, PointFile, PointSource, Remark, RotationSpec, RuleWord, ScaleSpec,
+    SphereSpec, StepSpec, StraightWord, TargetWord, TransformSpec, TypeWord, UnitWord, VariantWord, document_schema,
 };
 pub use error::{Error, Result};
 pub use export::export;
@@ -65,8 +65,8 @@ pub use points::{PointColumns, PointList, PointTable, read_points};
 pub use read_back::{file_deviation, read_back};
 pub use report::{
     CheckError, CircularReport, CurvatureRangeReport, CurvatureReport, CurvesReport, FairnessReport, FileReport,
-    FitReport, GeometryReport, JointReport, ObjectReport, PartReport, PatchPlace, RangeReport, Report, SeamReport,
-    ShapeReport, SingularPatchReport, SurfaceJointReport, SurfaceReport, WarningReport,
+    FitPieces, FitReport, GeometryReport, JointReport, ObjectReport, PartReport, PatchPlace, RangeReport, Report,
+    SeamReport, ShapeReport, SingularPatchReport, SurfaceJointReport, SurfaceReport, WarningReport,
 };
 pub use sample::{Spacing, sample};
 pub use suggest::{did_you_mean, similar};

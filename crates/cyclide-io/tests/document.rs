@@ -1,7 +1,7 @@
 //! Documents of every type are built, and what the kernel refuses is shown at its place.
 
 use cyclide::{CurveObject, ParamCurve, Point3, Units, joints, length};
-use cyclide_io::{BuiltObject, Document, Error, ModelBuilder};
+use cyclide_io::{BuiltObject, Document, Error, Fitted, ModelBuilder};
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::path::Path;
 
@@ -128,9 +128,36 @@ fn splines_and_fits_run_on_every_contour() {
     }
     let fit = format!("\"type\": \"arc-fit\", \"closed\": true, \"tolerance\": 0.01, \"points\": {circle}");
     let built = build(&fit).unwrap();
-    let certificate = built.contours[0].fit.unwrap();
+    let Some(Fitted::Arcs(certificate)) = built.contours[0].fit else { panic!("an arc fit") };
     assert!(certificate.deviation <= 0.01 && built.item.tolerance == Some(0.01));
     assert!((length(curve(&built)) - 20.0 * PI).abs() < 0.1);
+}
+
+#[test]
+fn fair_fits_take_their_options_and_keep_their_certificate() {
+    // Half a circle of 41 points, each moved by 0.02 in or out.
+    let points: Vec<String> = (0..=40)
+        .map(|i| {
+            let (r, a) = (10.0 + if i % 2 == 0 { 0.02 } else { -0.02 }, PI * f64::from(i) / 40.0);
+            format!("[{:.17}, {:.17}]", r * a.cos(), r * a.sin())
+        })
+        .collect();
+    let fit = |fields: &str| {
+        let fields = format!("\"type\": \"fair-fit\", \"tolerance\": 0.05{fields}, \"points\": [{}]", points.join(","));
+        let built = build(&fields).unwrap();
+        let Some(Fitted::Fair(certificate)) = built.contours[0].fit else { panic!("a fair fit") };
+        assert!(certificate.deviation <= 0.05 && built.item.tolerance == Some(0.05));
+        (certificate, curve(&built).eval(0.0))
+    };
+    let (free, start) = fit("");
+    assert!(free.nodes <= 4 && start.distance(Point3::new(10.02, 0.0, 0.0)) > 1e-6, "free ends");
+    let (_, start) = fit(", \"fix_ends\": true");
+    assert_eq!(start, Point3::new(10.02, 0.0, 0.0));
+    // In the middle of the points: the distances are those of the points from the circle, 0.02.
+    let (centred, _) = fit(", \"centre\": 1");
+    assert!(centred.rms < free.rms && centred.rms < 0.021);
+    let (many, _) = fit(", \"nodes\": 6, \"max_fits\": 3, \"budget\": 0.5, \"polyline\": 2");
+    assert!(many.nodes >= free.nodes);
 }
 
 #[test]
@@ -211,6 +238,7 @@ fn what_the_kernel_refuses_is_shown_at_its_place() {
             "objects.a.points[1]: too few points: 1 given, at least 2 needed",
         ),
         ("\"type\": \"arc-fit\", \"points\": [[0,0],[1,0]], \"tolerance\": 0", "0", "objects.a.tolerance: "),
+        ("\"type\": \"fair-fit\", \"points\": [[0,0],[1,0]], \"tolerance\": 0", "0", "objects.a.tolerance: "),
         ("\"type\": \"arc-spline\", \"points\": [[0,0],[1,0],[1,0],[0,0]]", "[1,0]", "objects.a.points[1]: "),
         (
             "\"type\": \"arc-spline\", \"points\": [[0,0],[1,0],[1,1]], \"tangents\": [[1,0]]",

@@ -240,6 +240,19 @@ pub enum Error {
         /// The tolerance.
         tolerance: f64,
     },
+    /// No curve of the kind was found within the tolerance of these points.
+    #[error(
+        "tolerance {} not reached: {} stay outside, up to {} away; a larger tolerance, or corners where the data turn sharply",
+        ShortNumber(*.tolerance), points_in_words(.points), ShortNumber(*.deviation)
+    )]
+    ToleranceNotReached {
+        /// The points outside, in the user's numbering.
+        points: Vec<usize>,
+        /// Largest distance of one of them.
+        deviation: f64,
+        /// The tolerance.
+        tolerance: f64,
+    },
     /// Data that must lie in one plane do not.
     #[error("the points are not in one plane: point {index} is {} off, limit {}", ShortNumber(*.distance), ShortNumber(*.limit))]
     NotPlanar {
@@ -454,6 +467,14 @@ fn outside(min: f64, max: f64) -> String {
     format!("outside {:#} to {:#}", ShortNumber(min), ShortNumber(max))
 }
 
+/// The first of some points and how many more there are.
+fn points_in_words(points: &[usize]) -> String {
+    let shown: Vec<String> = points.iter().take(8).map(usize::to_string).collect();
+    let more = points.len().saturating_sub(shown.len());
+    let and = if more > 0 { format!(" and {more} more") } else { String::new() };
+    format!("point(s) {}{and}", shown.join(", "))
+}
+
 /// The ratio of speeds `1 + stretch` in words, where it is worth any.
 fn speed_ratio(stretch: f64, limit: f64) -> String {
     if stretch.abs() <= limit {
@@ -519,6 +540,7 @@ impl Error {
             Self::SweepOutOfRange { .. } => "sweep-out-of-range",
             Self::ParameterOutOfRange { .. } => "parameter-out-of-range",
             Self::NoG1SplineInTube { .. } => "no-g1-spline-in-tube",
+            Self::ToleranceNotReached { .. } => "tolerance-not-reached",
             Self::NotPlanar { .. } => "not-planar",
             Self::Disconnected { .. } => "disconnected",
             Self::NotMobius { .. } => "not-mobius",
@@ -565,6 +587,7 @@ impl Error {
             Self::InSpan { span, .. } => Some(span),
             Self::NotAShell { index, .. } => Some(index),
             Self::InQuad { quad, .. } => Some(quad),
+            Self::ToleranceNotReached { ref points, .. } => points.first().copied(),
             _ => None,
         }
     }

@@ -110,6 +110,28 @@ pub enum Warning {
         /// What the data turn within the tolerance at most, radians.
         limit: f64,
     },
+    /// A smooth curve within the tolerance needs so many nodes that it follows the noise of the data.
+    NodesFollowNoise {
+        /// Nodes of the curve.
+        nodes: usize,
+        /// Points it was fitted to; more than a third as many nodes are reported.
+        points: usize,
+    },
+    /// The fairest curve leans on the bounds of the tolerance: nearer to the data is nearer to what noisy data were
+    /// measured from.
+    LeansOnWalls {
+        /// Root mean square of the distances of the points from the curve.
+        rms: f64,
+        /// Values above this are reported.
+        limit: f64,
+    },
+    /// The feet of some points step back along the curve: distances are bounded one way only.
+    FeetNotMonotone {
+        /// The first point whose foot is before that of its predecessor.
+        point: usize,
+        /// How many there are.
+        count: usize,
+    },
     /// Points closer than the limit to their neighbour were merged.
     PointsMerged {
         /// Index of the first one dropped.
@@ -202,6 +224,9 @@ impl Warning {
             Self::DataWaver { .. } => "data-waver",
             Self::TightArc { .. } => "tight-arc",
             Self::TurnsMoreThanData { .. } => "turns-more-than-data",
+            Self::NodesFollowNoise { .. } => "tolerance-below-noise",
+            Self::LeansOnWalls { .. } => "leans-on-walls",
+            Self::FeetNotMonotone { .. } => "feet-not-monotone",
             Self::PointsMerged { .. } => "points-merged",
             Self::ClosingPointMerged { .. } => "closing-point-merged",
             Self::AcrossCurvatureLines { .. } => "across-curvature-lines",
@@ -226,6 +251,7 @@ impl Warning {
             Self::LongWay { segment } | Self::OppositeCircles { segment } => Some(segment),
             Self::CornerKept { vertex, .. } | Self::TightArc { vertex, .. } => Some(vertex),
             Self::PointsMerged { first, .. } => Some(first),
+            Self::FeetNotMonotone { point, .. } => Some(point),
             Self::ClosingPointMerged { index } => Some(index),
             Self::MovedFar { vertex, .. } | Self::LeftSurface { vertex, .. } => Some(vertex),
             Self::FoldedNet { first, .. } => first,
@@ -237,6 +263,8 @@ impl Warning {
             | Self::AcrossCurvatureLines { .. }
             | Self::ShapeChanged { .. }
             | Self::OpenSeam { .. }
+            | Self::NodesFollowNoise { .. }
+            | Self::LeansOnWalls { .. }
             | Self::Zigzag { .. } => None,
         }
     }
@@ -319,6 +347,19 @@ impl std::fmt::Display for Warning {
                     "the fit turns by {turning:.2} radians in all, its data by at most {limit:.2}: smooth the points or raise the tolerance"
                 )
             }
+            Self::NodesFollowNoise { nodes, points } => {
+                write!(f, "{nodes} nodes for {points} points: the tolerance is below the noise")
+            }
+            Self::LeansOnWalls { rms, limit } => write!(
+                f,
+                "the curve leans on the bounds of the tolerance: the root mean square of the distances is {} (more than {} is much); for noisy points a tolerance of 3 to 4 standard deviations with centre 1 comes nearer to what was measured",
+                ShortNumber(*rms),
+                ShortNumber(*limit)
+            ),
+            Self::FeetNotMonotone { point, count } => write!(
+                f,
+                "point {point}: its place on the curve is before that of the point before it ({count} such): the points are denser than their noise, and the distance to their polyline is bounded one way only"
+            ),
             Self::PointsMerged { first, count, limit } => {
                 write!(
                     f,

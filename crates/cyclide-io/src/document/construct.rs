@@ -2,14 +2,14 @@
 
 use cyclide::{
     ArcFit, ArcFitOptions, ArcPath, ArcSplineOptions, BiarcRule, BlendVariant, CircleSpline, CircleSplineOptions,
-    CurveObject, Effort, FairEnd, FairSplineOptions, Fairness, FitCertificate, FitTarget, Point3, SplineEnds, Vec3,
-    Warning, corners_by_angle, fairness, wavering,
+    CurveObject, Effort, FairEnd, FairFit, FairFitCertificate, FairFitOptions, FairSplineOptions, Fairness,
+    FitCertificate, FitTarget, Point3, SplineEnds, Vec3, Warning, corners_by_angle, fairness, wavering,
 };
 
 use super::coordinates::Coordinates;
 use super::spec::{
     ArcFitSpec, ArcSplineSpec, CircleSplineSpec, EffortWord, EndsSpec, FairEndPair, FairEndSpec, FairEndWord,
-    FairEndsSpec, FairSplineSpec, RuleWord, StraightWord, TargetWord, VariantWord,
+    FairEndsSpec, FairFitSpec, FairSplineSpec, RuleWord, StraightWord, TargetWord, VariantWord,
 };
 use crate::points::PointList;
 
@@ -18,10 +18,19 @@ use crate::points::PointList;
 pub struct ContourFacts {
     /// Points it was made from, after merging; 0 if it was not made from a list.
     pub points: usize,
-    /// The certificate of an arc fit.
-    pub fit: Option<FitCertificate>,
+    /// The certificate of a fit.
+    pub fit: Option<Fitted>,
     /// How evenly an interpolating curve bends, where that was compared with its points.
     pub fairness: Option<Fairness>,
+}
+
+/// What is proved about a fitted contour.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Fitted {
+    /// By arcs and lines.
+    Arcs(FitCertificate),
+    /// By a fair spline.
+    Fair(FairFitCertificate),
 }
 
 /// A contour's points after merging.
@@ -59,7 +68,27 @@ pub(super) fn arc_fit(spec: &ArcFitSpec, at: &Contour<'_>) -> Made {
     options.corner_angle = spec.corner_angle.unwrap_or(options.corner_angle);
     options.corners.clone_from(&at.list.corners);
     let fit = ArcFit::new(&at.list.points, &options)?;
-    Ok((CurveObject::ArcPath(fit.path().clone()), at.facts(Some(*fit.certificate())), fit.warnings().to_vec()))
+    Ok((
+        CurveObject::ArcPath(fit.path().clone()),
+        at.facts(Some(Fitted::Arcs(*fit.certificate()))),
+        fit.warnings().to_vec(),
+    ))
+}
+
+pub(super) fn fair_fit(spec: &FairFitSpec, at: &Contour<'_>) -> Made {
+    let mut options = FairFitOptions::new(spec.tolerance);
+    options.closed = spec.closed;
+    options.centre = spec.centre;
+    options.fix_ends = spec.fix_ends;
+    options.corner_angle = spec.corner_angle;
+    options.corners.clone_from(&at.list.corners);
+    options.max_fits = spec.max_fits.map_or(options.max_fits, |n| n as usize);
+    options.nodes = spec.nodes.map(|n| n as usize);
+    options.budget = spec.budget.unwrap_or(options.budget);
+    options.edge_points = spec.polyline as usize;
+    let fit = FairFit::new(&at.list.points, &options)?;
+    let (facts, warnings) = (at.facts(Some(Fitted::Fair(*fit.certificate()))), fit.warnings().to_vec());
+    Ok((CurveObject::CircleSpline(fit.into_spline()), facts, warnings))
 }
 
 /// The corners marked in the file, and those that turn by more than the angle given.
@@ -108,7 +137,7 @@ pub(super) fn circle_spline(spec: &CircleSplineSpec, at: &Contour<'_>) -> Made {
 }
 
 impl Contour<'_> {
-    fn facts(&self, fit: Option<FitCertificate>) -> ContourFacts {
+    fn facts(&self, fit: Option<Fitted>) -> ContourFacts {
         ContourFacts { points: self.list.points.len(), fit, fairness: None }
     }
 }
@@ -119,6 +148,10 @@ impl ContourFacts {
         let CurveObject::CircleSpline(spline) = curve else {
             return None;
         };
+        // A fit does not pass through its points: their changes are not the curve's.
+        if self.fit.is_some() {
+            return None;
+        }
         let measured = *self.fairness.insert(fairness(spline));
         let found = wavering(spline, &measured)?;
         if found.curve_wavers {

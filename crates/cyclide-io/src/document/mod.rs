@@ -23,7 +23,7 @@ use serde_json::value::RawValue;
 use crate::place::{Diagnostic, Source, decode};
 use crate::suggest::did_you_mean;
 pub use build::{BuiltObject, ModelBuilder, Remark};
-pub use construct::ContourFacts;
+pub use construct::{ContourFacts, Fitted};
 pub use coordinates::{Coordinates, Lists, PointFile, PointSource};
 use locate::{Entries, Step, offset_in, path_text, value_at};
 pub use schema::document_schema;
@@ -31,7 +31,7 @@ use schema::types_with_field;
 pub use spec::{
     ArcFitSpec, ArcSpec, ArcSplineSpec, BiarcSpec, BorderCurves, BorderSpec, BorderWord, CircleSpec, CircleSplineSpec,
     ClampedEnds, Comment, CyclidePatchSpec, CyclideSpec, CyclidicNetSpec, EffortWord, EndsSpec, FairEndPair,
-    FairEndSpec, FairEndWord, FairEndsSpec, FairSplineSpec, FrameSpec, GridSource, MakeCircularOptions,
+    FairEndSpec, FairEndWord, FairEndsSpec, FairFitSpec, FairSplineSpec, FrameSpec, GridSource, MakeCircularOptions,
     MakeCircularSpec, MeshFile, ObjectSpec, OffsetSpec, PlaneSpec, RotationSpec, RuleWord, ScaleSpec, SphereSpec,
     StepSpec, StraightWord, TargetWord, TransformSpec, TypeWord, UnitWord, VariantWord,
 };

@@ -4,7 +4,7 @@ use cyclide::{Aabb, CORNER_ANGLE, CurveObject, Lower, bounds, extreme_curvature,
 use serde::Serialize;
 
 use super::{FairnessReport, RangeReport};
-use crate::document::BuiltObject;
+use crate::document::{BuiltObject, Fitted};
 use crate::job::default_tolerance;
 
 /// The report on the curves of an object; largest values are over all its contours.
@@ -29,7 +29,7 @@ pub struct CurvesReport {
     pub contours: usize,
     /// Points the object was made from, after merging repeated ones; 0 if it was not made from a list.
     pub points: usize,
-    /// The certificate of an arc fit, over all contours.
+    /// The certificate of a fit, over all contours.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub fit: Option<FitReport>,
 }
@@ -66,23 +66,43 @@ pub struct CurvatureReport {
     pub point: [f64; 3],
 }
 
-/// What an arc fit achieved; largest values over all contours.
+/// What a fit achieved; largest values over all contours.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct FitReport {
     /// The bound that was asked for.
     pub tolerance: f64,
-    /// The deviation it binds: of the points from the arcs, or both ways between arcs and polyline.
+    /// The deviation it binds: of the points from the curve, or of an arc fit also both ways between arcs and polyline.
     pub deviation: f64,
-    /// Largest distance between the arcs and the polyline of the points, both ways.
+    /// Bound on the distance between the curve and the polyline of the points, both ways; of a fair fit that is not
+    /// monotone, of the curve from the polyline.
     pub polyline_deviation: f64,
-    /// Circular arcs.
-    pub arcs: usize,
-    /// Straight segments.
-    pub lines: usize,
-    /// Largest angle at a joint, corners excepted, radians.
-    pub max_kink: f64,
-    /// True if points and arcs advance together everywhere.
+    /// True if points and curve advance together everywhere.
     pub monotone: bool,
+    /// What the curve is made of.
+    #[serde(flatten)]
+    pub made: FitPieces,
+}
+
+/// What a fitted curve is made of, over all contours.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[serde(untagged)]
+pub enum FitPieces {
+    /// Of an arc fit.
+    Arcs {
+        /// Circular arcs.
+        arcs: usize,
+        /// Straight segments.
+        lines: usize,
+        /// Largest angle at a joint, corners excepted, radians.
+        max_kink: f64,
+    },
+    /// Of a fair fit.
+    Fair {
+        /// Nodes of the splines.
+        nodes: usize,
+        /// Largest root mean square of a contour's distances of points from the curve.
+        rms: f64,
+    },
 }
 
 impl CurvesReport {
@@ -139,23 +159,53 @@ fn weights(contours: &[CurveObject], tolerance: Option<f64>) -> Option<RangeRepo
 }
 
 fn fit(built: &BuiltObject) -> Option<FitReport> {
-    let mut total: Option<FitReport> = None;
-    for c in built.contours.iter().filter_map(|facts| facts.fit) {
-        let sum = total.get_or_insert(FitReport {
-            tolerance: built.item.tolerance.unwrap_or_default(),
-            deviation: 0.0,
-            polyline_deviation: 0.0,
-            arcs: 0,
-            lines: 0,
-            max_kink: 0.0,
-            monotone: true,
-        });
-        sum.deviation = sum.deviation.max(c.deviation);
-        sum.polyline_deviation = sum.polyline_deviation.max(c.polyline_deviation);
-        sum.max_kink = sum.max_kink.max(c.max_kink);
-        sum.arcs += c.arcs;
-        sum.lines += c.lines;
-        sum.monotone &= c.monotone;
+    let tolerance = built.item.tolerance.unwrap_or_default();
+    built
+        .contours
+        .iter()
+        .filter_map(|facts| facts.fit)
+        .map(|fit| FitReport::new(tolerance, &fit))
+        .reduce(FitReport::with)
+}
+
+impl FitReport {
+    /// The report on one contour.
+    fn new(tolerance: f64, fit: &Fitted) -> Self {
+        match fit {
+            Fitted::Arcs(c) => Self {
+                tolerance,
+                deviation: c.deviation,
+                polyline_deviation: c.polyline_deviation,
+                monotone: c.monotone,
+                made: FitPieces::Arcs { arcs: c.arcs, lines: c.lines, max_kink: c.max_kink },
+            },
+            Fitted::Fair(c) => Self {
+                tolerance,
+                deviation: c.deviation,
+                polyline_deviation: c.polyline_deviation,
+                monotone: c.monotone,
+                made: FitPieces::Fair { nodes: c.nodes, rms: c.rms },
+            },
+        }
     }
-    total
+
+    /// Together with another contour of the object, which was fitted the same way.
+    fn with(self, other: Self) -> Self {
+        let made = match (self.made, other.made) {
+            (FitPieces::Arcs { arcs, lines, max_kink }, FitPieces::Arcs { arcs: a, lines: l, max_kink: k }) => {
+                FitPieces::Arcs { arcs: arcs + a, lines: lines + l, max_kink: max_kink.max(k) }
+            }
+            (FitPieces::Fair { nodes, rms }, FitPieces::Fair { nodes: n, rms: r }) => {
+                FitPieces::Fair { nodes: nodes + n, rms: rms.max(r) }
+            }
+            (made, _) => made,
+        };
+        Self {
+            tolerance: self.tolerance,
+            deviation: self.deviation.max(other.deviation),
+            polyline_deviation: self.polyline_deviation.max(other.polyline_deviation),
+            monotone: self.monotone && other.monotone,
+            made,
+        }
+    }
 }

@@ -21,7 +21,7 @@ use crate::job::Job;
 use crate::options::ExportOptions;
 use crate::read_back::file_deviation;
 pub use curvature::CurvatureRangeReport;
-pub use curves::{CurvatureReport, CurvesReport, FitReport, JointReport};
+pub use curves::{CurvatureReport, CurvesReport, FitPieces, FitReport, JointReport};
 pub use fairness::FairnessReport;
 pub use seam::SeamReport;
 pub(crate) use seam::measured_seams;

@@ -6,8 +6,8 @@ use cyclide::ShortNumber;
 
 use super::surface::PatchPlace;
 use super::{
-    CurvesReport, FairnessReport, FileReport, GeometryReport, ObjectReport, RangeReport, Report, ShapeReport,
-    SurfaceReport,
+    CurvesReport, FairnessReport, FileReport, FitPieces, GeometryReport, ObjectReport, RangeReport, Report,
+    ShapeReport, SurfaceReport,
 };
 
 fn short(value: f64) -> String {
@@ -119,13 +119,18 @@ impl CurvesReport {
             None => line("weights", "no rational form within the tolerance".to_owned())?,
         }
         if let Some(fit) = &self.fit {
-            let made = format!("{} and {}", plural(fit.arcs, "arc"), plural(fit.lines, "line"));
+            let made = match fit.made {
+                FitPieces::Arcs { arcs, lines, .. } => format!("{} and {}", plural(arcs, "arc"), plural(lines, "line")),
+                FitPieces::Fair { nodes, .. } => plural(nodes, "node"),
+            };
             let (deviation, tolerance) = (short(fit.deviation), short(fit.tolerance));
             let polyline = short(fit.polyline_deviation);
+            // One way only where points and curve do not advance together.
+            let from = if fit.monotone { "from the polyline" } else { "at most from the curve to the polyline" };
             line(
                 "fit",
                 format!(
-                    "{made}: deviation {deviation} {units} (tolerance {tolerance} {units}), {polyline} {units} from the polyline"
+                    "{made}: deviation {deviation} {units} (tolerance {tolerance} {units}), {polyline} {units} {from}"
                 ),
             )?;
         }

@@ -6,6 +6,7 @@ mod arc_spline;
 mod biarc;
 #[cfg(feature = "circular-mesh")]
 mod circular_mesh;
+mod fair_fit;
 mod fair_spline;
 mod rational_runs;
 
@@ -20,5 +21,6 @@ pub use circular_mesh::{
     Border, CircularMesh, CircularMeshOptions, CircularMeshReport, CircularMeshStep, LineAngles, VertexMoves,
     make_circular,
 };
+pub use fair_fit::{FairFit, FairFitCertificate, FairFitOptions};
 pub use fair_spline::{FairEnd, FairSplineOptions, blends_by_turn};
 pub use rational_runs::RationalRun;

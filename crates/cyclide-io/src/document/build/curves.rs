@@ -3,7 +3,9 @@
 use cyclide::{Arc, Biarc, Circle, CurveObject, Quat, Vec3};
 
 use super::Builder;
-use crate::document::construct::{Contour, ContourFacts, Made, arc_fit, arc_spline, circle_spline, fair_spline};
+use crate::document::construct::{
+    Contour, ContourFacts, Made, arc_fit, arc_spline, circle_spline, fair_fit, fair_spline,
+};
 use crate::document::coordinates::{Coordinates, Lists, PointFile, PointSource};
 use crate::document::locate::{Step, path_text};
 use crate::document::spec::{ArcSpec, CircleSpec, ObjectSpec};
@@ -34,6 +36,7 @@ impl ObjectSpec {
             Self::ArcSpline(s) => Some(&s.points),
             Self::ArcFit(s) => Some(&s.points),
             Self::FairSpline(s) => Some(&s.points),
+            Self::FairFit(s) => Some(&s.points),
             Self::CircleSpline(s) => Some(&s.points),
             _ => None,
         }
@@ -55,6 +58,7 @@ impl Builder<'_> {
             ObjectSpec::ArcSpline(s) => self.each_contour(&s.points, s.closed, |at| arc_spline(s, at)),
             ObjectSpec::ArcFit(s) => self.each_contour(&s.points, s.closed, |at| arc_fit(s, at)),
             ObjectSpec::FairSpline(s) => self.each_contour(&s.points, s.closed, |at| fair_spline(s, at)),
+            ObjectSpec::FairFit(s) => self.each_contour(&s.points, s.closed, |at| fair_fit(s, at)),
             ObjectSpec::CircleSpline(s) => self.each_contour(&s.points, s.closed, |at| circle_spline(s, at)),
             ObjectSpec::Transform(s) => Ok(without_facts(self.mapped_curves(s)?)),
             ObjectSpec::SupportStructure(_) => Ok(without_facts(self.support_structure()?)),

@@ -161,7 +161,11 @@ impl Builder<'_> {
             self.warn_of_folds(net, &surfaces, &bodies);
             self.warn_of_seams(&surfaces);
         }
-        let tolerance = if let ObjectSpec::ArcFit(s) = self.spec { Some(s.tolerance) } else { None };
+        let tolerance = match self.spec {
+            ObjectSpec::ArcFit(s) => Some(s.tolerance),
+            ObjectSpec::FairFit(s) => Some(s.tolerance),
+            _ => None,
+        };
         let (name, kind) = (self.name.to_owned(), self.spec.type_word().to_owned());
         let item = Item { name, kind, contours: curves, surfaces, warnings: self.warnings, tolerance };
         let construction = self.spec.is_construction();

@@ -165,6 +165,56 @@ pub struct ArcFitSpec {
     pub corner_angle: Option<f64>,
 }
 
+/// The fairest smooth curve within a tolerance of points, with few nodes and continuous curvature: for dense or noisy
+/// data.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct FairFitSpec {
+    /// The word `fair-fit`.
+    #[schemars(with = "String", extend("const" = "fair-fit"))]
+    pub r#type: TypeWord,
+    /// What the author remarks; read and left aside.
+    #[serde(default)]
+    pub comment: Comment,
+    /// Construction geometry: built and reported, not written to files.
+    #[serde(default)]
+    pub construction: bool,
+    /// The points.
+    pub points: PointSource,
+    /// The last point joins the first.
+    #[serde(default)]
+    pub closed: bool,
+    /// Largest distance of a point from the curve.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub tolerance: f64,
+    /// How much the curve keeps to the middle of the points. 0 (default): the fairest curve, which leans on the bounds of
+    /// the tolerance; 1 for noisy points, with a tolerance of 3 to 4 standard deviations; 10 and more approach least
+    /// squares.
+    #[serde(default)]
+    #[schemars(range(min = 0, max = 1e6))]
+    pub centre: f64,
+    /// An open curve starts and ends exactly at the first and last point.
+    #[serde(default)]
+    pub fix_ends: bool,
+    /// Turns of the points above this angle, in radians, that last over eight tolerances are kept as corners. Default:
+    /// none are (a column `corner` of a file of points marks corners too).
+    #[schemars(extend("exclusiveMinimum" = 0, "maximum" = std::f64::consts::PI))]
+    pub corner_angle: Option<f64>,
+    /// Fits spent on taking nodes out; 0 keeps those of the first fit. Default: 16.
+    pub max_fits: Option<u32>,
+    /// Nodes of each smooth piece at which taking out stops. Default: as few as the budget allows.
+    #[schemars(range(min = 2))]
+    pub nodes: Option<u32>,
+    /// The part of its fairness that the curve may lose for fewer nodes. Default: 0.1.
+    #[schemars(range(min = 0, max = 1000))]
+    pub budget: Option<f64>,
+    /// Places on each edge between two points that the tolerance binds too. Default: 0, the points are samples of a
+    /// smooth curve.
+    #[serde(default)]
+    #[schemars(range(min = 0, max = 100))]
+    pub polyline: u32,
+}
+
 /// A smooth curve through points: neighbouring circles blended into each other.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]

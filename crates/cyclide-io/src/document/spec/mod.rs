@@ -18,7 +18,7 @@ pub use circular::{BorderCurves, BorderSpec, BorderWord, MakeCircularOptions, Ma
 pub use comment::Comment;
 pub use curves::{
     ArcFitSpec, ArcSpec, ArcSplineSpec, BiarcSpec, CircleSpec, CircleSplineSpec, ClampedEnds, EffortWord, EndsSpec,
-    RuleWord, TargetWord, VariantWord,
+    FairFitSpec, RuleWord, TargetWord, VariantWord,
 };
 pub use derived::{
     OffsetSpec, PlaneSpec, RotationSpec, ScaleSpec, SphereSpec, StepSpec, SupportStructureSpec, TransformSpec,
@@ -99,6 +99,8 @@ pub enum ObjectSpec {
     ArcFit(ArcFitSpec),
     /// The fairest smooth curve through points.
     FairSpline(FairSplineSpec),
+    /// The fairest smooth curve near points.
+    FairFit(FairFitSpec),
     /// A smooth curve through points, blended from circles.
     CircleSpline(CircleSplineSpec),
     /// One patch of a Dupin cyclide, bounded by four circular arcs.
@@ -175,6 +177,7 @@ object_types! {
     "arc-spline" => ArcSpline,
     "arc-fit" => ArcFit,
     "fair-spline" => FairSpline,
+    "fair-fit" => FairFit,
     "circle-spline" => CircleSpline,
     "cyclide-patch" => CyclidePatch,
     "cyclide" => Cyclide,

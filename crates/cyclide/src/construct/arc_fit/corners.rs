@@ -23,7 +23,7 @@ pub(super) fn turns(points: &[Point3], closed: bool) -> Vec<f64> {
 
 /// Sagitta of the edges at the vertex that stands at `fraction` of all vertices by that measure, were the points
 /// samples of something smooth: `h² kappa/8` with `h kappa` the turn; 0 if there is no turn at all.
-pub(super) fn sagitta_quantile(points: &[Point3], closed: bool, fraction: f64) -> f64 {
+pub(in crate::construct) fn sagitta_quantile(points: &[Point3], closed: bool, fraction: f64) -> f64 {
     let n = points.len();
     let turns = turns(points, closed);
     let sagitta = |i: usize| {
@@ -45,7 +45,7 @@ pub(super) fn rounding_reach(turn: f64, tolerance: f64) -> f64 {
 ///
 /// Asked for by index (ascending); or reversals; or turns above the angle limit that stand out from their neighbours. Edges that
 /// are meant themselves (`Polyline`) also keep a corner whose rounding would be lost in its long legs.
-pub(super) fn corners(points: &[Point3], forced: &[usize], options: &ArcFitOptions) -> Vec<(usize, f64)> {
+pub(in crate::construct) fn corners(points: &[Point3], forced: &[usize], options: &ArcFitOptions) -> Vec<(usize, f64)> {
     let (n, closed) = (points.len(), options.closed);
     let turns = turns(points, closed);
     let stands_out = |i: usize| {

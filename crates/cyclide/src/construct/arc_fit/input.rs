@@ -31,7 +31,7 @@ fn check(given: usize, needed: usize, finite: impl Fn(usize) -> bool) -> Result<
 }
 
 /// Points that all differ from their neighbours, with the index each had in the user's list.
-pub(super) struct Distinct {
+pub(in crate::construct) struct Distinct {
     pub points: Vec<Point3>,
     pub source: Vec<usize>,
     /// Points of the user's list from this index on were merged with the one at this position.
@@ -92,7 +92,7 @@ impl Distinct {
 }
 
 /// Diagonal of the box around the points.
-pub(super) fn diameter(points: &[Point3]) -> f64 {
+pub(in crate::construct) fn diameter(points: &[Point3]) -> f64 {
     let mut bounds = Aabb::of_point(points[0]);
     for p in &points[1..] {
         bounds = bounds.including(*p);
@@ -102,7 +102,7 @@ pub(super) fn diameter(points: &[Point3]) -> f64 {
 
 /// The frame of the plane the points lie in, with its origin in the first of them so that big offsets of the
 /// coordinates cost no digits; `None` if they are not planar. Data in a coordinate plane get its axes.
-pub(super) fn plane(points: &[Point3], tolerance: f64) -> Option<Frame> {
+pub(in crate::construct) fn plane(points: &[Point3], tolerance: f64) -> Option<Frame> {
     let origin = points[0];
     let farthest = |measure: &dyn Fn(Vec3) -> f64| {
         let values = points.iter().map(|p| *p - origin);

@@ -30,7 +30,6 @@ mod space;
 mod straight;
 mod tridiagonal;
 
-#[expect(unused_imports, reason = "the door for constructions that move the nodes")]
 pub(crate) use node_tangents::{TangentLimits, fair_tangents};
 pub use options::{FairEnd, FairSplineOptions};
 

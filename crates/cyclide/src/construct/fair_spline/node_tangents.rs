@@ -19,7 +19,6 @@ pub(crate) struct TangentLimits {
 /// from given tangents or from those of the circles through neighbours; one unknown per node if the nodes lie in a
 /// plane, two in space. `None` if there are too few nodes, neighbours coincide, the steps do not converge or an angle is
 /// out of bounds: there is no fallback.
-#[cfg_attr(not(test), expect(dead_code, reason = "for constructions that move the nodes"))]
 pub(crate) fn fair_tangents(
     nodes: &[Point3],
     closed: bool,

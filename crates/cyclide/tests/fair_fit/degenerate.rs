@@ -1,0 +1,164 @@
+//! Data that nobody wants: named errors, no panic, no runaway.
+
+use crate::data::*;
+use cyclide::{Error, FairFit, FairFitOptions, Point3};
+
+fn reason(points: &[[f64; 3]], options: &FairFitOptions) -> &'static str {
+    let points: Vec<Point3> = points.iter().map(|p| Point3::from(*p)).collect();
+    FairFit::new(&points, options).unwrap_err().reason()
+}
+
+#[test]
+fn bad_input_is_named() {
+    let open = FairFitOptions::new(0.1);
+    let line = [[0.0; 3], [1.0, 0.0, 0.0], [2.0, 0.0, 0.0]];
+    for tolerance in [0.0, -1.0, f64::NAN] {
+        assert_eq!(reason(&line, &FairFitOptions { tolerance, ..open.clone() }), "tolerance-not-positive");
+    }
+    assert_eq!(reason(&line, &FairFitOptions { tolerance: f64::INFINITY, ..open.clone() }), "not-finite");
+    assert_eq!(reason(&[[0.0; 3]], &open), "too-few-points");
+    assert_eq!(reason(&[], &open), "too-few-points");
+    assert_eq!(reason(&line[..2], &FairFitOptions { closed: true, ..open.clone() }), "too-few-points");
+    assert_eq!(reason(&[[1.0; 3]; 5], &open), "coincident-points");
+    assert_eq!(reason(&[[0.0; 3], [f64::NAN, 0.0, 0.0], [1.0; 3]], &open), "not-finite");
+    assert_eq!(reason(&[[0.0; 3], [1e200, 0.0, 0.0]], &open), "parameter-out-of-range");
+    for options in [
+        FairFitOptions { centre: -1.0, ..open.clone() },
+        FairFitOptions { centre: f64::NAN, ..open.clone() },
+        FairFitOptions { centre: 2e6, ..open.clone() },
+        FairFitOptions { budget: -0.1, ..open.clone() },
+        FairFitOptions { budget: f64::INFINITY, ..open.clone() },
+        FairFitOptions { nodes: Some(1), ..open.clone() },
+        FairFitOptions { edge_points: 101, ..open.clone() },
+        FairFitOptions { corner_angle: Some(0.0), ..open.clone() },
+        FairFitOptions { corner_angle: Some(4.0), ..open.clone() },
+        FairFitOptions { corners: vec![3], ..open.clone() },
+    ] {
+        assert_eq!(reason(&line, &options), "parameter-out-of-range", "{options:?}");
+    }
+}
+
+#[test]
+fn lines_have_no_variation() {
+    for n in [2, 3, 4, 5, 50] {
+        let points: Vec<Point3> = (0..n).map(|i| Point3::new(i as f64, 2.0 * i as f64, -0.5 * i as f64)).collect();
+        for fix_ends in [false, true] {
+            let fit = fitted(&points, &FairFitOptions { fix_ends, ..FairFitOptions::new(0.1) });
+            assert_eq!(fit.certificate().nodes, 2);
+            // Rounding of the coordinates, 100 at most, which the stiffest smoother magnifies.
+            let (fairness, deviation) = (fit.certificate().fairness, fit.certificate().deviation);
+            assert!(fairness < 1e-20 && deviation < 1e-11, "{n} {fix_ends}: {fairness} {deviation}");
+        }
+    }
+    // Noisy: still straight.
+    let g = deviates(11, 200);
+    let points: Vec<Point3> = (0..200).map(|i| Point3::new(i as f64, 0.1 * g[i], 0.0)).collect();
+    let fit = fitted(&points, &FairFitOptions::new(0.5));
+    let (var, _) = variation(fit.spline());
+    assert!(var < 1e-6 && fit.certificate().nodes <= 4, "{var} {}", fit.certificate().nodes);
+}
+
+#[test]
+fn few_points_have_a_curve() {
+    let corner =
+        |n: usize| [[0.0, 0.0, 0.0], [3.0, 0.0, 0.0], [3.0, 2.0, 0.0], [0.0, 2.0, 1.0], [1.0, 1.0, 3.0]][..n].to_vec();
+    for n in 3..=5 {
+        let points: Vec<Point3> = corner(n).into_iter().map(Point3::from).collect();
+        for closed in [false, true] {
+            for tolerance in [1e-3, 0.1, 1.0, 100.0] {
+                fitted(&points, &FairFitOptions { closed, ..FairFitOptions::new(tolerance) });
+            }
+        }
+    }
+}
+
+#[test]
+fn scale_and_place_change_nothing_but_rounding() {
+    let points = noisy_outline();
+    let plain = fitted(&points, &closed(0.4));
+    for scale in [1e-120, 1e-9, 1e9, 1e120] {
+        let scaled: Vec<Point3> = points.iter().map(|p| Point3::new(p.x * scale, p.y * scale, 0.0)).collect();
+        let fit = FairFit::new(&scaled, &closed(0.4 * scale)).unwrap();
+        assert_eq!(fit.certificate().nodes, plain.certificate().nodes, "{scale}");
+        assert!((fit.certificate().deviation / (0.4 * scale) - plain.certificate().deviation / 0.4).abs() < 1e-6);
+    }
+    let far: Vec<Point3> = points.iter().map(|p| Point3::new(p.x + 1e7, p.y - 1e7, 1e7)).collect();
+    let fit = FairFit::new(&far, &closed(0.4)).unwrap();
+    // The coordinates are rounded to 2e-9 there, the curvature changes by that over the square of a chord.
+    assert!(fit.certificate().nodes.abs_diff(plain.certificate().nodes) <= 3);
+    // A tolerance below the rounding of the coordinates cannot be kept, and is not claimed.
+    match FairFit::new(&far, &closed(1e-12)) {
+        Ok(fit) => assert!(fit.certificate().deviation <= 1e-12),
+        Err(error) => assert_eq!(error.reason(), "tolerance-not-reached"),
+    }
+}
+
+#[test]
+fn wild_data_end_in_a_curve_or_a_named_error() {
+    let g = deviates(3, 4000);
+    let cloud: Vec<Point3> = (0..300).map(|i| Point3::new(g[3 * i], g[3 * i + 1], 0.0)).collect();
+    let cloud3: Vec<Point3> = (0..200).map(|i| Point3::new(g[3 * i], g[3 * i + 1], g[3 * i + 2])).collect();
+    let hairpin: Vec<Point3> = (0..200)
+        .map(|i| {
+            let s = f64::from(i) / 100.0;
+            if i < 100 { Point3::new(s, 0.0, 0.0) } else { Point3::new(2.0 - s, 0.01, 0.0) }
+        })
+        .collect();
+    let there_and_back: Vec<Point3> =
+        (0..41).map(|i| Point3::new(f64::from(20 - i32::abs(i - 20)), 0.0, 0.0)).collect();
+    let zigzag: Vec<Point3> = (0..100).map(|i| Point3::new(f64::from(i) * 0.1, f64::from(i % 2), 0.0)).collect();
+    let twice: Vec<Point3> = circle().into_iter().chain(circle()).collect();
+    let clumped: Vec<Point3> =
+        (0..200).map(|i| Point3::new(f64::from(i / 10) + 1e-6 * f64::from(i % 10), g[i as usize / 10], 0.0)).collect();
+    for points in [cloud, cloud3, hairpin, there_and_back, zigzag, twice, clumped] {
+        for closed in [false, true] {
+            for tolerance in [1e-3, 0.02, 0.3, 50.0] {
+                let options = FairFitOptions { closed, max_fits: 3, ..FairFitOptions::new(tolerance) };
+                match FairFit::new(&points, &options) {
+                    Ok(fit) => assert!(fit.certificate().deviation <= tolerance),
+                    Err(Error::ToleranceNotReached { points: outside, deviation, .. }) => {
+                        assert!(!outside.is_empty() && outside.iter().all(|i| *i < points.len()));
+                        assert!(deviation > tolerance);
+                    }
+                    Err(error) => panic!("{error}"),
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn doubts_are_named() {
+    let reasons = |points: &[Point3], options: &FairFitOptions| -> Vec<&'static str> {
+        fitted(points, options).warnings().iter().map(cyclide::Warning::reason).collect()
+    };
+    // Below the noise a node or more is needed for three points.
+    let g = deviates(21, 400);
+    let line: Vec<Point3> = (0..200).map(|i| Point3::new(i as f64, 0.5 * g[i], 0.0)).collect();
+    assert!(reasons(&line, &FairFitOptions::new(0.05)).contains(&"tolerance-below-noise"));
+    // The fairest curve of dense noisy data leans on its bounds, one in their middle does not.
+    let wave: Vec<Point3> =
+        (0..200).map(|i| Point3::new(i as f64, 20.0 * (i as f64 * 0.05).sin() + 0.5 * g[i], 0.0)).collect();
+    assert!(!reasons(&wave, &FairFitOptions { centre: 1.0, ..FairFitOptions::new(2.0) }).contains(&"leans-on-walls"));
+    // Repeated points are merged, and the indices of errors and warnings are those of the list as given.
+    let mut repeated = line.clone();
+    repeated.insert(5, line[5]);
+    assert!(reasons(&repeated, &FairFitOptions::new(3.0)).contains(&"points-merged"));
+}
+
+#[test]
+fn a_hundred_thousand_points_are_no_trouble() {
+    let n = 100_000;
+    let g = deviates(17, 2 * n);
+    let points: Vec<Point3> = (0..n)
+        .map(|i| {
+            let a = std::f64::consts::TAU * i as f64 / n as f64;
+            let r = 100.0 + 10.0 * (7.0 * a).cos() + 2.0 * (23.0 * a).sin();
+            Point3::new(r * a.cos() + 0.02 * g[2 * i], r * a.sin() + 0.02 * g[2 * i + 1], 0.0)
+        })
+        .collect();
+    // Points 0.01 apart with noise of 0.02. A tenth of them needs 114 nodes.
+    let fit = FairFit::new(&points, &closed(0.12)).unwrap();
+    assert!(fit.certificate().deviation <= 0.12);
+    assert!(fit.certificate().nodes < 200, "{}", fit.certificate().nodes);
+}

@@ -1,0 +1,154 @@
+//! What holds of every fit (`66`, section 12, properties).
+
+use crate::data::*;
+use cyclide::{FairFit, FairFitOptions, ParamCurve, Point3};
+
+/// Nodes and variation of a fit.
+fn figures(points: &[Point3], options: &FairFitOptions) -> (usize, f64) {
+    let fit = fitted(points, options);
+    (fit.certificate().nodes, variation(fit.spline()).0)
+}
+
+/// Equal nodes, and variation to 1e-6: what rounding makes of the choices of a greedy search.
+fn same(a: (usize, f64), b: (usize, f64)) {
+    assert_eq!(a.0, b.0);
+    assert!((a.1 - b.1).abs() <= 1e-6 * a.1, "{} {}", a.1, b.1);
+}
+
+#[test]
+fn similarities_and_reversal_change_nothing() {
+    let (s, c) = 0.7_f64.sin_cos();
+    let map =
+        |p: &Point3| Point3::new(1e-3 * (c * p.x - s * p.y) + 5.0, 1e-3 * (s * p.x + c * p.y) - 3.0, 1e-3 * p.z + 1.0);
+    for (points, closed, tolerance) in
+        [(noisy_outline(), true, 0.4), (gps(), false, 8.0), (cable(), false, 0.1), (trefoil(), true, 0.01)]
+    {
+        let with = |tolerance| FairFitOptions { closed, ..FairFitOptions::new(tolerance) };
+        let plain = figures(&points, &with(tolerance));
+        let mapped: Vec<Point3> = points.iter().map(map).collect();
+        same(plain, figures(&mapped, &with(1e-3 * tolerance)));
+        let mut back: Vec<Point3> = points.iter().rev().copied().collect();
+        if closed {
+            // The same first point.
+            back.rotate_right(1);
+        }
+        let backward = figures(&back, &with(tolerance));
+        if closed || points.len() != 240 {
+            same(plain, backward);
+        } else {
+            // Data denser than their noise: the start leaves points out in their order.
+            assert_eq!(plain.0, backward.0);
+            assert!((plain.1 - backward.1).abs() < 0.05 * plain.1);
+        }
+    }
+}
+
+#[test]
+fn another_start_of_a_closed_curve_changes_little() {
+    let points = noisy_outline();
+    let plain = figures(&points, &closed(0.4));
+    for start in [137, 251] {
+        let mut moved = points.clone();
+        moved.rotate_left(start);
+        let (nodes, var) = figures(&moved, &closed(0.4));
+        assert!(nodes.abs_diff(plain.0) <= 3, "{nodes} {}", plain.0);
+        assert!((var - plain.1).abs() < 0.05 * plain.1, "{var} {}", plain.1);
+    }
+}
+
+#[test]
+fn a_larger_tolerance_is_no_less_fair() {
+    // Before nodes are taken out, within 1 % (each fit stops 0.2 % from its optimum, on nodes of its own).
+    let mut last = f64::INFINITY;
+    for tolerance in [0.25, 0.4, 0.6, 1.0] {
+        let fit = fitted(&noisy_outline(), &FairFitOptions { max_fits: 0, ..closed(tolerance) });
+        let fairness = fit.certificate().fairness;
+        assert!(fairness <= 1.01 * last, "{tolerance}: {fairness} {last}");
+        last = fairness;
+    }
+}
+
+#[test]
+fn options_do_what_they_say() {
+    let points = noisy_outline();
+    let plain = fitted(&points, &closed(0.4));
+    let centred = fitted(&points, &FairFitOptions { centre: 10.0, ..closed(0.4) });
+    assert!(centred.certificate().rms < plain.certificate().rms);
+    assert!(centred.certificate().fairness > plain.certificate().fairness);
+    let dense = fitted(&points, &FairFitOptions { max_fits: 0, ..closed(0.4) });
+    assert!(dense.certificate().nodes > plain.certificate().nodes);
+    let stopped = fitted(&points, &FairFitOptions { nodes: Some(30), ..closed(0.4) });
+    assert!((30..=dense.certificate().nodes).contains(&stopped.certificate().nodes));
+    let generous = fitted(&points, &FairFitOptions { budget: 1.0, ..closed(0.4) });
+    assert!(generous.certificate().nodes <= plain.certificate().nodes);
+    let open = fitted(&points, &FairFitOptions { fix_ends: true, ..FairFitOptions::new(0.4) });
+    assert_eq!((open.spline().eval(0.0), open.spline().eval(1.0)), (points[0], points[399]));
+    // The whole range.
+    for options in [
+        FairFitOptions { centre: 1e6, ..closed(0.4) },
+        FairFitOptions { budget: 0.0, ..closed(0.4) },
+        FairFitOptions { budget: 1e3, ..closed(0.4) },
+        FairFitOptions { nodes: Some(usize::MAX), ..closed(0.4) },
+        FairFitOptions { max_fits: usize::MAX, ..closed(0.4) },
+        FairFitOptions { edge_points: 100, max_fits: 1, ..closed(0.4) },
+    ] {
+        fitted(&points, &options);
+    }
+}
+
+#[test]
+fn the_polyline_is_bound_where_it_is_meant() {
+    // Eighteen edges round a circle of radius 10, sagitta 0.15.
+    let points: Vec<Point3> = circle().into_iter().step_by(5).collect();
+    let samples = fitted(&points, &closed(0.05));
+    assert!(samples.certificate().polyline_deviation > 0.1);
+    let options = FairFitOptions { edge_points: 9, ..closed(0.1) };
+    let edges = fitted(&points, &options);
+    // Between ten places on an edge of 3.5 the curve and the edge part by a tenth of it squared at most.
+    assert!(edges.certificate().polyline_deviation <= 0.1 + 0.02, "{}", edges.certificate().polyline_deviation);
+    // Below the sagitta the points are called samples.
+    let coarse = FairFitOptions { edge_points: 3, ..closed(0.08) };
+    let warned = |w: &cyclide::Warning| w.reason() == "samples-too-coarse";
+    assert!(!edges.warnings().iter().any(warned) || edges.certificate().polyline_deviation < 0.16);
+    if let Ok(fit) = FairFit::new(&points, &coarse) {
+        assert!(fit.warnings().iter().any(warned));
+    }
+}
+
+#[test]
+fn the_bound_on_both_distances_holds_and_is_close() {
+    for (points, closed, tolerance) in [(noisy_outline(), true, 0.4), (cable(), false, 0.1), (trefoil(), true, 0.01)] {
+        let fit = fitted(&points, &FairFitOptions { closed, ..FairFitOptions::new(tolerance) });
+        assert!(fit.certificate().monotone);
+        let sampled = sampled_distance_from_polyline(fit.spline(), &points, closed);
+        let larger = sampled.max(fit.certificate().deviation);
+        let bound = fit.certificate().polyline_deviation;
+        // Refined until within 2 %; between samples a hundredth more.
+        assert!(bound >= sampled && bound <= 1.04 * larger, "{bound} {larger}");
+    }
+}
+
+#[test]
+fn corners_are_found_by_their_angle_and_noise_makes_none() {
+    let points = legs();
+    let found = fitted(&points, &FairFitOptions { corner_angle: Some(0.8), ..FairFitOptions::new(0.08) });
+    assert_eq!(found.spline().kinks().len(), 1);
+    assert!(found.warnings().iter().any(|w| w.reason() == "corner-kept" && w.index() == Some(100)));
+    // Noisy points without corners; their bends turn by 0.8 over eight tolerances.
+    let none = fitted(&gps(), &FairFitOptions { corner_angle: Some(1.2), ..FairFitOptions::new(8.0) });
+    assert!(none.spline().kinks().is_empty());
+    // A closed square keeps its four corners and its straight sides.
+    let side = |a: [f64; 2], b: [f64; 2]| {
+        (0..25).map(move |i| {
+            let s = f64::from(i) / 25.0;
+            Point3::new(a[0] + s * (b[0] - a[0]), a[1] + s * (b[1] - a[1]), 0.0)
+        })
+    };
+    let corners = [[0.0, 0.0], [10.0, 0.0], [10.0, 10.0], [0.0, 10.0]];
+    // Started in the middle of a side.
+    let mut square: Vec<Point3> = (0..4).flat_map(|i| side(corners[i], corners[(i + 1) % 4])).collect();
+    square.rotate_left(12);
+    let fit = fitted(&square, &FairFitOptions { corner_angle: Some(1.0), ..closed(0.01) });
+    assert_eq!((fit.spline().kinks().len(), fit.certificate().nodes), (4, 4));
+    assert!(fit.certificate().deviation < 1e-14 && fit.certificate().polyline_deviation < 1e-14);
+}

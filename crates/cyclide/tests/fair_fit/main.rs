@@ -1,0 +1,7 @@
+//! Fair fits: the figures that must be reached, the laws that hold, and data that nobody wants.
+#![allow(clippy::unwrap_used, reason = "a panic is the failure of a test")]
+
+mod data;
+mod degenerate;
+mod figures;
+mod laws;
