@@ -36,7 +36,7 @@ const CURVES: &[Format] = &[Format::Step, Format::Svg, Format::Png];
 const SURFACES: &[Format] = &[Format::Step, Format::Glb, Format::Png];
 
 /// All models, in the order of the page.
-pub const ENTRIES: [Entry; 10] = [
+pub const ENTRIES: [Entry; 11] = [
     Entry {
         name: "roof",
         title: "Free-form roof with two skins",
@@ -91,6 +91,14 @@ pub const ENTRIES: [Entry; 10] = [
         text: "A closed fair spline through 44 points, curvature without jumps or needless swings; beside it the fewest arcs near 301 surveyed ones.",
         document: example!("track.json"),
         inputs: &[input!("track.csv"), input!("survey.csv")],
+        formats: CURVES,
+    },
+    Entry {
+        name: "survey",
+        title: "Surveyed line, fair",
+        text: "The fairest smooth curve within 20 cm of 301 surveyed points, with continuous curvature and a node for every six of them.",
+        document: example!("survey.json"),
+        inputs: &[input!("survey.csv")],
         formats: CURVES,
     },
     Entry {

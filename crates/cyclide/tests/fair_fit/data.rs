@@ -124,7 +124,7 @@ pub fn fitted(points: &[Point3], options: &FairFitOptions) -> FairFit {
     let largest = points.iter().map(|p| p.to_vec().max_abs()).fold(0.0, f64::max);
     for (i, joint) in cyclide::joints(curve).iter().enumerate() {
         if joint.angle > 1e-6 {
-            assert!(curve.kinks().len() >= 1, "joint {i}");
+            assert!(!curve.kinks().is_empty(), "joint {i}");
             continue;
         }
         let n = curve.segments().len();

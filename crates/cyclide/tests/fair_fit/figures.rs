@@ -70,7 +70,7 @@ fn survey_of_the_examples() {
 #[test]
 fn centre_comes_nearer_to_what_was_measured() {
     let points = noisy_outline();
-    let truth = crate::data::outline();
+    let truth = outline();
     let measure = |centre: f64| {
         let fit = fitted(&points, &FairFitOptions { centre, ..closed(0.4) });
         let squares: f64 = truth.iter().map(|p| closest_point(fit.spline(), *p).distance.powi(2)).sum();

@@ -136,6 +136,7 @@ impl<const N: usize> BorderedBand<N> {
 }
 
 #[cfg(test)]
+#[allow(clippy::needless_range_loop, reason = "matrices are read as in books")]
 mod tests {
     use super::*;
 

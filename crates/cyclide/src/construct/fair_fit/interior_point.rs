@@ -121,10 +121,10 @@ impl<const N: usize> Local<N> {
 
     /// Adds `weight c c^T` and `side c`.
     fn add(&mut self, c: &[f64; N], weight: f64, side: f64) {
-        for a in 0..N {
+        for (a, row) in self.matrix.iter_mut().enumerate() {
             let w = weight * c[a];
-            for b in 0..=a {
-                self.matrix[a][b] += w * c[b];
+            for (sum, x) in row.iter_mut().zip(&c[..=a]) {
+                *sum += w * x;
             }
             self.side[a] += side * c[a];
         }
@@ -344,6 +344,7 @@ fn dot<const N: usize>(a: &[f64; N], b: &[f64; N]) -> f64 {
 }
 
 #[cfg(test)]
+#[allow(clippy::needless_range_loop, reason = "matrices are read as in books")]
 mod tests {
     use super::super::feet::COLD;
     use super::super::places::Remap;

@@ -111,8 +111,8 @@ impl<const R: usize, const N: usize> LinearModel<R, N> {
         let mut columns = [[0.0; N]; R];
         for c in 0..N {
             let moved = self.direction(j, c) * values[c / R];
-            for a in 0..R {
-                columns[a][c] = across[a].dot(moved);
+            for (row, q) in columns.iter_mut().zip(across) {
+                row[c] = q.dot(moved);
             }
         }
         let along = foot.error.dot(foot.tangent) / self.unit;
@@ -143,8 +143,8 @@ impl<const R: usize, const N: usize> LinearModel<R, N> {
             let d3 = n * (6.0 * f[3] / (h * h * h));
             let dv =
                 d3 + d1 * k.length_squared() - k * (3.0 * (tangent.dot(d2) + k.dot(d1))) - v * (3.0 * tangent.dot(d1));
-            for a in 0..R {
-                columns[a][c] = across[a].dot(dv) * weight;
+            for (row, b) in columns.iter_mut().zip(across) {
+                row[c] = b.dot(dv) * weight;
             }
         }
         Some(VariationRow { columns, at_rest: across.map(|b| b.dot(v) * weight) })
