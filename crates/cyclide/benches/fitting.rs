@@ -1,11 +1,11 @@
-//! How fast is the arc fit, per point of the input?
+//! How fast are arc fits and fair fits, per point of the input?
 #![allow(missing_docs, reason = "the macros of criterion make undocumented functions")]
 #![allow(clippy::unwrap_used, reason = "the data are ours")]
 
 mod data;
 
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
-use cyclide::{ArcFit, ArcFitOptions, Effort};
+use cyclide::{ArcFit, ArcFitOptions, Effort, FairFit, FairFitOptions};
 use std::hint::black_box;
 
 fn fitting(c: &mut Criterion) {
@@ -22,6 +22,12 @@ fn fitting(c: &mut Criterion) {
                 b.iter(|| ArcFit::new(black_box(&points), &options));
             });
         }
+    }
+    for tolerance in [0.5, 0.05] {
+        let options = FairFitOptions { closed: true, ..FairFitOptions::new(tolerance) };
+        group.bench_function(BenchmarkId::new("Fair", tolerance), |b| {
+            b.iter(|| FairFit::new(black_box(&points), &options));
+        });
     }
     group.finish();
 }
