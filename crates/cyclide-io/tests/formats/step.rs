@@ -67,7 +67,7 @@ fn arcs_are_circles_lines_lines_and_splines_splines() {
     assert_eq!(count(&flat_text, "RATIONAL_B_SPLINE_CURVE("), 1, "the arc of 4e-9 radians");
     for (name, m) in splines() {
         let text = text(&m);
-        let splines = if name == "corners" { 2 } else { 1 };
+        let splines = if ["corners", "fair"].contains(&name) { 2 } else { 1 };
         assert_eq!(count(&text, "RATIONAL_B_SPLINE_CURVE("), splines, "{name}");
         assert_eq!(count(&text, "=COMPOSITE_CURVE("), 1, "{name}");
     }
