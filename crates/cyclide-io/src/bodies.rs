@@ -1,6 +1,6 @@
 //! Bodies as a file holds them.
 
-use cyclide::{ChainPiece, PatchKind, Point3, RationalBezierSurface};
+use cyclide::{ChainPiece, NurbsCurve, PatchKind, Point3, RationalBezierSurface};
 
 /// A body of a file: a solid, or one or more shells.
 #[derive(Debug, Clone, PartialEq)]
@@ -55,6 +55,9 @@ pub struct FileEdge {
     pub forward: bool,
     /// The curve from start to end.
     pub curve: ChainPiece,
+    /// The same in the parameters of the face's surface (the third coordinate is 0), over the angle of a circle or the
+    /// length of a line; `None` if the file leaves it to readers.
+    pub parameter_curve: Option<NurbsCurve>,
 }
 
 impl FileEdge {

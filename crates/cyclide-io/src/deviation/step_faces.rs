@@ -8,12 +8,19 @@
 use crate::bodies::{FileBody, FileEdge, FileFace, FileShell, FileSurface};
 use crate::file_content::ReadError;
 use crate::job::BodyOf;
+use crate::options::StepEdges;
 use crate::step::{LOOP, exported};
-use cyclide::{Body, ChainPiece, CyclidePatch, ParamCurve as _, ParamSurface as _, PatchKind, Point3, Shell, Vec3};
+use cyclide::{
+    Body, ChainPiece, CyclidePatch, ParamCurve as _, ParamSurface as _, PatchKind, Point3, RationalBezierSurface,
+    Shell, Vec3,
+};
 use std::collections::{HashMap, HashSet};
 
 /// Places per parameter at which surfaces and edges are compared.
 const PLACES: u32 = 9;
+/// By so much of its length and of the model's size an edge may leave its face at equal parameters: far below readers' own
+/// tolerance, above the rounding of parameters with very uneven weights.
+const PARAMETER_LIMIT: (f64, f64) = (1e-9, 1e-12);
 
 /// The largest distance between surfaces, edges and vertices of the file and the model, whose diagonal is `size`.
 ///
@@ -51,7 +58,8 @@ fn require(holds: bool, detail: &'static str) -> Result<(), Mismatch> {
 }
 
 fn body_deviation(body: &Body, file: &FileBody, size: f64) -> Result<f64, Mismatch> {
-    let shells = body.shells().map(|shell| exported(shell, size)).collect::<cyclide::Result<Vec<Shell>>>()?;
+    let edges = edges_of(file);
+    let shells = body.shells().map(|shell| exported(shell, size, edges)).collect::<cyclide::Result<Vec<Shell>>>()?;
     let parts: Vec<Vec<Vec<usize>>> = shells.iter().map(Shell::parts).collect();
     let solid = shells.iter().all(Shell::is_closed) && parts.iter().all(|p| p.len() == 1);
     require(file.solid == solid, "it is a solid in one of file and model only")?;
@@ -64,7 +72,7 @@ fn body_deviation(body: &Body, file: &FileBody, size: f64) -> Result<f64, Mismat
             let Some(file) = read.next() else { break };
             require(file.forward != void, "a shell is used from the wrong side")?;
             require(file.closed == shell.is_closed(), "a shell is closed in one of file and model only")?;
-            largest = largest.max(shell_deviation(shell, part, void, file)?);
+            largest = largest.max(shell_deviation(shell, part, void, file, size)?);
         }
         // A hollow's faces look into it: away from the solid.
         require(!solid || (shell.volume() > 0.0) != void, "a solid is inside out")?;
@@ -72,8 +80,16 @@ fn body_deviation(body: &Body, file: &FileBody, size: f64) -> Result<f64, Mismat
     Ok(largest)
 }
 
+/// How the file was written: with rational edges only planes are other surfaces than rational ones.
+fn edges_of(file: &FileBody) -> StepEdges {
+    let is_curved =
+        |f: &FileFace| !matches!(f.surface, FileSurface::Rational(_) | FileSurface::Analytic(PatchKind::Plane { .. }));
+    let curved = file.shells.iter().flat_map(|shell| &shell.faces).any(is_curved);
+    if curved { StepEdges::Circles } else { StepEdges::Rational }
+}
+
 /// Faces of one shell, or of the part of it that hangs together; `flip` where the file has the other sides.
-fn shell_deviation(shell: &Shell, part: &[usize], flip: bool, file: &FileShell) -> Result<f64, Mismatch> {
+fn shell_deviation(shell: &Shell, part: &[usize], flip: bool, file: &FileShell, size: f64) -> Result<f64, Mismatch> {
     require(file.faces.len() == part.len(), "another number of faces")?;
     let mut largest = 0.0_f64;
     // The model's edge of each edge of the file, and the directions in which it is used.
@@ -97,6 +113,9 @@ fn shell_deviation(shell: &Shell, part: &[usize], flip: bool, file: &FileShell) 
             require(used.0 == side.edge, "faces share an edge in the file only")?;
             used.1.push(edge.forward);
             largest = largest.max(edge_deviation(&face.patch, k, side.forward, edge));
+            if let FileSurface::Rational(surface) = &file.surface {
+                check_parameters(surface, k, side.forward, edge, size)?;
+            }
         }
     }
     let of_model: HashSet<usize> = edges.values().map(|(edge, _)| *edge).collect();
@@ -169,6 +188,42 @@ fn edge_deviation(patch: &CyclidePatch, k: usize, forward: bool, edge: &FileEdge
         ChainPiece::Spline(curve) => (curve.eval(0.0), curve.eval(1.0)),
     };
     largest.max(start.distance(edge.ends[0])).max(end.distance(edge.ends[1]))
+}
+
+/// Holds an edge against its face's surface at equal parameters of the edge, as readers do: on the curve that the file has
+/// in the surface's parameters; without one they interpolate, which is exact where the parameters are proportional.
+fn check_parameters(
+    surface: &RationalBezierSurface,
+    k: usize,
+    forward: bool,
+    edge: &FileEdge,
+    size: f64,
+) -> Result<(), Mismatch> {
+    let ChainPiece::Arc(arc) = &edge.curve else {
+        return Ok(()); // in the parameter of its faces, and compared there
+    };
+    if let Some(curve) = &edge.parameter_curve {
+        let range = if arc.is_straight() { arc.length() } else { arc.angle() };
+        let (from, to) = curve.domain();
+        require(
+            from == 0.0 && (to - range).abs() <= 1e-9 * range,
+            "a parameter curve has another range than its edge",
+        )?;
+    }
+    let fixed = f64::from(u32::from(k % 2 == 1));
+    let along_side = |x: f64| {
+        let x = if forward { x } else { 1.0 - x };
+        if k < 2 { [x, fixed] } else { [fixed, x] }
+    };
+    let places = (0..PLACES).map(|i| {
+        let x = parameter(i);
+        let on_curve = edge.parameter_curve.as_ref().map(|curve| curve.eval(x));
+        let [u, v] = on_curve.map_or_else(|| along_side(x), |at| [at.x, at.y]);
+        surface.point(u, v).distance(arc.point_at_length(x))
+    });
+    let (of_length, of_size) = PARAMETER_LIMIT;
+    let apart = places.fold(0.0, f64::max);
+    require(apart <= of_length * arc.length() + of_size * size, "an edge leaves its face at equal parameters")
 }
 
 fn parameter(i: u32) -> f64 {

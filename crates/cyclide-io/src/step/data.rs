@@ -12,6 +12,10 @@ pub(super) struct Data {
     count: usize,
     /// Points already written, by their coordinates.
     points: HashMap<[u64; 3], usize>,
+    /// Points in the parameters of surfaces already written.
+    parameter_points: HashMap<[u64; 2], usize>,
+    /// The context of curves in the parameters of surfaces.
+    parameter_space: Option<usize>,
     /// Directions already written, by their components.
     directions: HashMap<[u64; 3], usize>,
     /// Placements already written, by the numbers of origin, axis and first axis.
@@ -49,6 +53,36 @@ impl Data {
         let number = self.write(|out| triple(out, "CARTESIAN_POINT('',", p.to_array()));
         self.points.insert(key, number);
         number
+    }
+
+    /// A point in the parameters of a surface.
+    pub(super) fn parameter_point(&mut self, p: [f64; 2]) -> usize {
+        let key = p.map(|v| (v + 0.0).to_bits());
+        if let Some(&number) = self.parameter_points.get(&key) {
+            return number;
+        }
+        let number = self.write(|out| {
+            out.push_str("CARTESIAN_POINT('',");
+            push_list(out, p, push_step);
+            out.push(')');
+        });
+        self.parameter_points.insert(key, number);
+        number
+    }
+
+    /// A curve in the parameters of a surface, as part of an edge's curve.
+    pub(super) fn parameter_curve(&mut self, surface: usize, curve: usize) -> usize {
+        let context = if let Some(context) = self.parameter_space {
+            context
+        } else {
+            self.add(
+                "(GEOMETRIC_REPRESENTATION_CONTEXT(2) PARAMETRIC_REPRESENTATION_CONTEXT() \
+                 REPRESENTATION_CONTEXT('2D SPACE',''))",
+            )
+        };
+        self.parameter_space = Some(context);
+        let definition = self.add(&format!("DEFINITIONAL_REPRESENTATION('',(#{curve}),#{context})"));
+        self.add(&format!("PCURVE('',#{surface},#{definition})"))
     }
 
     pub(super) fn direction(&mut self, v: Vec3) -> usize {

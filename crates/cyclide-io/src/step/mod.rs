@@ -12,6 +12,7 @@
 mod curves;
 mod data;
 mod integration;
+mod parameter_curves;
 mod part21;
 mod reader;
 mod structure;

@@ -10,6 +10,7 @@
 
 use super::data::{Data, push_list, push_reference};
 use crate::number::push_step;
+use crate::options::StepEdges;
 use cyclide::{
     Arc, CyclidePatch, Error, ExactRational as _, Frame, ParamSurface as _, PatchKind, Point3, Result, Shell,
     ShellFace, Vec3,
@@ -26,11 +27,13 @@ const SMALLEST_HOLE: f64 = 1e-6;
 /// Angle up to which circles of a sphere are parallel to, or contain, an axis.
 const AXIS_LIMIT: f64 = 1e-10;
 
-/// The surface of a face as it is written: the kind with its placement, the general one for a rational face.
-pub(super) fn kind(shell: &Shell, face: &ShellFace, size: f64) -> PatchKind {
+/// The surface of a face as it is written: the kind with its placement, the general one for a rational face. Where
+/// rational edges are asked for, all but planes is rational: only there do rational edges have exact parameter curves.
+pub(super) fn kind(shell: &Shell, face: &ShellFace, size: f64, edges: StepEdges) -> PatchKind {
     let kind = face.patch.recognise();
     let keep = match kind {
         PatchKind::Plane { .. } => true,
+        _ if edges == StepEdges::Rational => false,
         PatchKind::Cylinder { radius, .. } => radius <= LARGEST_RADIUS * size,
         PatchKind::Cone { radius, half_angle, .. } => {
             let steep = std::f64::consts::FRAC_PI_2 - half_angle;

@@ -3,9 +3,10 @@
 use super::curves;
 use super::data::{Data, logical, push_list, push_reference, references, string};
 use super::integration::is_integrable;
+use super::parameter_curves::ParameterCurve;
 use super::surfaces;
 use crate::options::StepEdges;
-use cyclide::{Arc, Body, FaceEdge, NurbsCurve, PatchKind, Point3, Result, Shell, ShellFace};
+use cyclide::{Body, FaceEdge, NurbsCurve, PatchKind, Point3, Result, Shell, ShellFace};
 use std::fmt::Write as _;
 
 /// The loop of a face, counter-clockwise against `f_s × f_t`: sides t=0, s=1, t=1, s=0, and whether each runs with
@@ -45,7 +46,7 @@ pub(super) fn body(
     let mut remarks = Remarks { shortest: f64::INFINITY, touches_itself: false };
     let mut shells = Vec::new();
     for shell in body.shells() {
-        let shell = exported(shell, size)?;
+        let shell = exported(shell, size, edges)?;
         for arc in shell.edges().iter().map(|e| &e.arc) {
             remarks.shortest = remarks.shortest.min(arc.length());
         }
@@ -85,10 +86,18 @@ const MOST_HALVINGS: usize = 8;
 
 /// The faces as they are written: regular inside, with positive weights; rational ones such that readers integrate them.
 /// `size` is the model's diagonal.
-pub(crate) fn exported(shell: &Shell, size: f64) -> Result<Shell> {
+pub(crate) fn exported(shell: &Shell, size: f64, edges: StepEdges) -> Result<Shell> {
     let good = shell.with_regular_faces()?.with_positive_weights()?;
-    let is_rational = |shell: &Shell, face: &ShellFace| surfaces::kind(shell, face, size) == PatchKind::Cyclide;
+    let is_rational = |shell: &Shell, face: &ShellFace| surfaces::kind(shell, face, size, edges) == PatchKind::Cyclide;
     good.halved(|shell, face| [!is_integrable(&face.patch) && is_rational(shell, face), false], MOST_HALVINGS)
+}
+
+/// The curve of an edge in space, with its number.
+enum SpaceCurve {
+    Line(usize),
+    Circle(usize),
+    /// In the parameter of its faces, so that readers find the curves in their parameters.
+    Rational(usize),
 }
 
 /// One shell as it is written: the numbers of what is shared already.
@@ -96,41 +105,53 @@ struct Writer<'a> {
     data: &'a mut Data,
     shell: &'a Shell,
     size: f64,
+    edges: StepEdges,
     /// The surface of each face.
     kinds: Vec<PatchKind>,
-    /// Whether each edge is written as circle or line.
-    plain: Vec<bool>,
-    /// `VERTEX_POINT`s and `EDGE_CURVE`s already written.
+    /// Of each edge the faces along it, with the side of each.
+    users: Vec<Vec<(usize, usize)>>,
+    /// Surfaces, `VERTEX_POINT`s and `EDGE_CURVE`s already written; of a surface also whether its normal is the patch's.
+    surface: Vec<Option<(usize, bool)>>,
     vertex: Vec<Option<usize>>,
     edge: Vec<Option<usize>>,
 }
 
 impl<'a> Writer<'a> {
     fn new(data: &'a mut Data, shell: &'a Shell, size: f64, edges: StepEdges) -> Self {
-        let kinds: Vec<PatchKind> = shell.faces().iter().map(|face| surfaces::kind(shell, face, size)).collect();
-        let mut plain = vec![edges == StepEdges::Circles; shell.edges().len()];
-        for (face, kind) in shell.faces().iter().zip(&kinds) {
-            // On an analytic surface only circles and lines are lines of its parameters.
-            if *kind != PatchKind::Cyclide {
-                face.sides.iter().flatten().for_each(|side| plain[side.edge] = true);
+        let kinds = shell.faces().iter().map(|face| surfaces::kind(shell, face, size, edges)).collect();
+        let mut users = vec![Vec::new(); shell.edges().len()];
+        for (index, face) in shell.faces().iter().enumerate() {
+            for (k, side) in face.sides.iter().enumerate() {
+                side.iter().for_each(|side| users[side.edge].push((index, k)));
             }
         }
         let (vertex, edge) = (vec![None; shell.vertices().len()], vec![None; shell.edges().len()]);
-        Self { data, shell, size, kinds, plain, vertex, edge }
+        let surface = vec![None; shell.faces().len()];
+        Self { data, shell, size, edges, kinds, users, surface, vertex, edge }
     }
 
     fn face(&mut self, index: usize, flip: bool) -> Result<usize> {
         let face = &self.shell.faces()[index];
-        let (surface, outward) = match surfaces::analytic(self.data, &self.kinds[index]) {
-            Some(found) => found,
-            None => (self.rational(face)?, true),
-        };
+        let (surface, outward) = self.surface(index)?;
         let outer_side = face.same_sense != flip;
         let bound = self.bound(face, outer_side)?;
         let same_sense = logical(outer_side == outward);
         Ok(self.data.write(|out| {
             let _ = write!(out, "ADVANCED_FACE('',(#{bound}),#{surface},{same_sense})");
         }))
+    }
+
+    /// The surface of a face, and whether its own normal is that of the patch.
+    fn surface(&mut self, index: usize) -> Result<(usize, bool)> {
+        if let Some(found) = self.surface[index] {
+            return Ok(found);
+        }
+        let found = match surfaces::analytic(self.data, &self.kinds[index]) {
+            Some(found) => found,
+            None => (self.rational(&self.shell.faces()[index])?, true),
+        };
+        self.surface[index] = Some(found);
+        Ok(found)
     }
 
     /// The rational surface of a face; neighbours get the same control points along their common edge.
@@ -175,7 +196,17 @@ impl<'a> Writer<'a> {
         }
         let edge = &self.shell.edges()[index];
         let (start, end) = (self.vertex(edge.start), self.vertex(edge.end));
-        let curve = self.curve(&edge.arc, self.plain[index])?;
+        let curve = match self.space_curve(index)? {
+            SpaceCurve::Rational(curve) => curve,
+            SpaceCurve::Line(curve) => {
+                let along = ParameterCurve::along_line(&edge.arc);
+                self.on_rational_faces(index, curve, along.as_ref(), edge.arc.chord().length())?
+            }
+            SpaceCurve::Circle(curve) => {
+                let along = ParameterCurve::along_circle(&edge.arc);
+                self.on_rational_faces(index, curve, along.as_ref(), edge.arc.angle())?
+            }
+        };
         let number = self.data.write(|out| {
             let _ = write!(out, "EDGE_CURVE('',#{start},#{end},#{curve},.T.)");
         });
@@ -192,21 +223,51 @@ impl<'a> Writer<'a> {
         })
     }
 
-    /// A circle or a line; or the rational quadratic in the parameter of the faces, where that is asked for or the
-    /// circle would lose digits.
-    fn curve(&mut self, arc: &Arc, plain: bool) -> Result<usize> {
-        if plain {
-            let sagitta = 0.5 * arc.chord().length() * arc.bulge_vector().length();
-            if sagitta <= STRAIGHT * self.size {
-                return Ok(curves::line(self.data, arc));
+    /// A curve over `[0, range]` with the curves in the parameters of its rational faces, which readers cannot find
+    /// exactly; those of analytic surfaces, whose parameter lines circles and lines are, they can.
+    fn on_rational_faces(
+        &mut self,
+        index: usize,
+        curve: usize,
+        along: Option<&ParameterCurve>,
+        range: f64,
+    ) -> Result<usize> {
+        let Some(along) = along else { return Ok(curve) };
+        let mut found = Vec::with_capacity(2);
+        for (face, k) in self.users[index].clone() {
+            let Some(side) = self.shell.faces()[face].sides[k] else { continue };
+            if self.kinds[face] == PatchKind::Cyclide {
+                let (surface, _) = self.surface(face)?;
+                let curve = along.write(self.data, k, side.forward, range);
+                found.push(self.data.parameter_curve(surface, curve));
             }
-            if let Some(circle) = curves::circle(self.data, arc, self.size) {
-                return Ok(circle);
-            }
+        }
+        if found.is_empty() {
+            return Ok(curve);
+        }
+        Ok(self.data.write(|out| {
+            let _ = write!(out, "SURFACE_CURVE('',#{curve},");
+            push_list(out, found, push_reference);
+            out.push_str(",.CURVE_3D.)");
+        }))
+    }
+
+    /// A circle or a line; the rational quadratic in the parameter of the faces where the circle would lose digits, and
+    /// where that is asked for, but for lines at constant speed.
+    fn space_curve(&mut self, index: usize) -> Result<SpaceCurve> {
+        let arc = &self.shell.edges()[index].arc;
+        let sagitta = 0.5 * arc.chord().length() * arc.bulge_vector().length();
+        let straight = sagitta <= STRAIGHT * self.size;
+        let circles = self.edges == StepEdges::Circles;
+        if straight && (circles || ParameterCurve::along_line(arc).is_none()) {
+            return Ok(SpaceCurve::Line(curves::line(self.data, arc)));
+        }
+        if circles && let Some(circle) = curves::circle(self.data, arc, self.size) {
+            return Ok(SpaceCurve::Circle(circle));
         }
         let weights = arc.bezier_rows().map(|row| row[3]).to_vec();
         let points = vec![arc.start(), surfaces::middle_point(arc), arc.end()];
         let curve = NurbsCurve::new(2, vec![0.0, 0.0, 0.0, 1.0, 1.0, 1.0], points, weights)?;
-        Ok(curves::b_spline(self.data, &curve))
+        Ok(SpaceCurve::Rational(curves::b_spline(self.data, &curve)))
     }
 }

@@ -76,8 +76,12 @@ fn each_surface_of_revolution_is_written_as_what_it_is() {
         assert_eq!(text.matches("RATIONAL_B_SPLINE").count(), 0, "{entity}");
         assert_eq!(text.matches("=EDGE_CURVE(").count(), sides, "{entity}");
         assert_exact(&m, &file, 4.0);
-        // Rational edges would leave the lines of the parameters of an analytic surface.
-        assert_eq!(step(&m, StepEdges::Rational).1.matches("RATIONAL_B_SPLINE").count(), 0, "{entity}");
+        // Only in planes do rational edges have exact parameter curves: all else is rational with them.
+        let (file, text) = step(&m, StepEdges::Rational);
+        assert_exact(&m, &file, 4.0);
+        assert_eq!(text.matches("=CIRCLE(").count(), 0, "{entity}");
+        assert!(text.contains("RATIONAL_B_SPLINE_CURVE("), "{entity}");
+        assert_eq!(text.contains(&format!("={entity}(")), entity == "PLANE", "{entity}");
     }
 }
 
@@ -179,6 +183,33 @@ fn edges_too_short_for_readers_are_named() {
     assert!(file.notes[0].contains("1e-7"), "{:?}", file.notes);
 }
 
+/// The patch of `general`, thick: rational faces beside cones.
+fn thick() -> Model {
+    model(vec![("thick", oblique([0.1, 1.0, 3.0, 4.2]).thick(0.2).unwrap().unwrap())])
+}
+
+/// Circles have curves in the parameters of rational faces, where readers would interpolate and miss their tolerance.
+#[test]
+fn circles_on_rational_faces_carry_their_parameter_curves() {
+    let m = thick();
+    let (file, text) = step(&m, StepEdges::Circles);
+    assert_exact(&m, &file, 20.0);
+    assert!(text.contains("=CONICAL_SURFACE("), "rims are analytic");
+    let content = read_back(Format::Step, &file.bytes).unwrap();
+    let mut counts = [0, 0];
+    for face in content.bodies.iter().flat_map(|b| &b.shells).flat_map(|s| &s.faces) {
+        let rational = matches!(face.surface, FileSurface::Rational(_));
+        for edge in &face.edges {
+            // Lines between rims are left to readers: parameters are proportional there, or analytic.
+            assert_eq!(edge.parameter_curve.is_some(), rational, "{:?}", edge.curve);
+            counts[usize::from(rational)] += 1;
+        }
+    }
+    assert!(counts[0] >= 16 && counts[1] >= 8, "{counts:?}");
+    assert_eq!(text.matches("=PCURVE(").count(), counts[1]);
+    assert_eq!(step(&m, StepEdges::Rational).1.matches("=PCURVE(").count(), 0);
+}
+
 /// Faults that readers repair silently, made in the text.
 #[test]
 fn the_comparison_finds_what_readers_repair() {
@@ -213,7 +244,23 @@ fn the_comparison_finds_what_readers_repair() {
         numbers.split(',').map(|v| v.strip_prefix('-').map_or(format!("-{v}"), str::to_owned)).collect();
     let wrong = text.replace(axis_line, &format!("{axis}=DIRECTION('',({}));", negated.join(",")));
     assert_ne!(wrong, text);
-    assert!(read(wrong).unwrap() > 0.1);
+    assert_eq!(detail(read(wrong)), "a parameter curve has another range than its edge");
+    // A parameter curve that leaves its edge by 1e-6, one of the other face's, and none at all.
+    let parameters = |l: &&str| l.contains("=CARTESIAN_POINT('',(0.") && l.matches(',').count() == 2;
+    let inner = text.lines().filter(parameters).nth(3).unwrap();
+    let (head, x) = inner.split_once("(0.").unwrap();
+    let moved = format!("{head}(0.{}", x.replacen(&x[..6], &format!("{:06}", x[..6].parse::<u32>().unwrap() ^ 1), 1));
+    assert_eq!(detail(read(text.replace(inner, &moved))), "an edge leaves its face at equal parameters");
+    let pcurve = line("PCURVE");
+    let surface = pcurve.split("'',").nth(1).unwrap().split(',').next().unwrap();
+    let elsewhere = pcurve.replacen(&format!("'',{surface},"), "'',#1,", 1);
+    assert_eq!(detail(read(text.replace(&pcurve, &elsewhere))), "an edge leaves its face at equal parameters");
+    let bare = line("SURFACE_CURVE");
+    let (number, circle) =
+        (bare.split('=').next().unwrap(), bare.split("'',").nth(1).unwrap().split(',').next().unwrap());
+    let bare = text.replace(&format!(",{number},.T.);"), &format!(",{circle},.T.);"));
+    assert_ne!(bare, text);
+    assert_eq!(detail(read(bare)), "an edge leaves its face at equal parameters");
     // A vertex moved by 1e-6.
     let vertex = line("VERTEX_POINT");
     let point = vertex.split("'',").nth(1).unwrap().trim_end_matches(");");
@@ -222,5 +269,5 @@ fn the_comparison_finds_what_readers_repair() {
     let moved = point_line.replacen(&format!("(({x},"), &format!("(({},", x + 1e-6), 1);
     let moved = moved.replacen(&format!("({x},"), &format!("({},", x + 1e-6), 1);
     assert_ne!(moved, point_line);
-    assert!(read(text.replace(point_line, &moved)).unwrap() > 0.9e-6);
+    assert_eq!(detail(read(text.replace(point_line, &moved))), "a parameter curve has another range than its edge");
 }

@@ -133,14 +133,24 @@ impl File {
         Ok((self.point(part(1)?)?, self.direction(part(2)?)?, self.direction(part(3)?)?))
     }
 
+    /// A spline in space, or in the parameters of a surface (the third coordinate is 0); weights are 1 unless they stand
+    /// beside.
     fn b_spline(&self, instance: &Instance, number: u64) -> Result<NurbsCurve, ReadError> {
         let place = format!("#{number}");
-        let part = |name: &str| entity(instance, name, &place);
-        let (curve, knots) = (part("B_SPLINE_CURVE")?, part("B_SPLINE_CURVE_WITH_KNOTS")?);
+        let (curve, knots, weights) = match instance.as_slice() {
+            [(name, values)] if name == "B_SPLINE_CURVE_WITH_KNOTS" => {
+                (values.get(1..6).unwrap_or(&[]), values.get(6..).unwrap_or(&[]), None)
+            }
+            _ => {
+                let part = |name: &str| entity(instance, name, &place);
+                let weights = numbers(value(part("RATIONAL_B_SPLINE_CURVE")?, 0, &place)?, &place)?;
+                (part("B_SPLINE_CURVE")?, part("B_SPLINE_CURVE_WITH_KNOTS")?, Some(weights))
+            }
+        };
         let degree = number_of(value(curve, 0, &place)?, &place)?;
         let points = references(value(curve, 1, &place)?, &place)?;
-        let points = points.into_iter().map(|p| self.point(p)).collect::<Result<Vec<_>, _>>()?;
-        let weights = numbers(value(part("RATIONAL_B_SPLINE_CURVE")?, 0, &place)?, &place)?;
+        let points = points.into_iter().map(|p| self.any_point(p)).collect::<Result<Vec<_>, _>>()?;
+        let weights = weights.unwrap_or_else(|| vec![1.0; points.len()]);
         let multiplicities = numbers(value(knots, 0, &place)?, &place)?;
         let breaks = numbers(value(knots, 1, &place)?, &place)?;
         let most = points.len() as f64 + degree + 1.0;
@@ -150,6 +160,16 @@ impl File {
         let repeated = breaks.iter().zip(&multiplicities).flat_map(|(&k, &m)| std::iter::repeat_n(k, m as usize));
         NurbsCurve::new(degree as usize, repeated.collect(), points, weights)
             .map_err(|source| ReadError::Geometry { place, source })
+    }
+
+    /// A point in space, or one of two parameters with 0 beside them.
+    fn any_point(&self, number: u64) -> Result<Point3, ReadError> {
+        let place = format!("#{number}");
+        let coordinates = numbers(value(self.simple(number, "CARTESIAN_POINT")?, 1, &place)?, &place)?;
+        match coordinates[..] {
+            [u, v] => Ok(Point3::new(u, v, 0.0)),
+            _ => self.point(number),
+        }
     }
 }
 

@@ -1,9 +1,9 @@
 //! Bodies: shells, faces with their surfaces and loops, edges with their curves.
 
-use super::{Basis, File, entity, list, logical, number_of, numbers, reference, references, value};
+use super::{Basis, File, entity, enumeration, list, logical, number_of, numbers, reference, references, value};
 use crate::bodies::{FileBody, FileEdge, FileFace, FileShell, FileSurface};
 use crate::file_content::ReadError;
-use cyclide::{Arc, ChainPiece, Frame, PatchKind, Point3, RationalBezierSurface, Vec3};
+use cyclide::{Arc, ChainPiece, Frame, NurbsCurve, PatchKind, Point3, RationalBezierSurface, Vec3};
 
 /// Entities that are bodies.
 const BODIES: [&str; 3] = ["MANIFOLD_SOLID_BREP", "BREP_WITH_VOIDS", "SHELL_BASED_SURFACE_MODEL"];
@@ -54,7 +54,8 @@ impl File {
         let [bound] = bounds[..] else {
             return Err(ReadError::unsupported("a face with several bounds", place));
         };
-        let surface = self.surface(reference(value(values, 2, &place)?, &place)?)?;
+        let surface_number = reference(value(values, 2, &place)?, &place)?;
+        let surface = self.surface(surface_number)?;
         let same_sense = logical(value(values, 3, &place)?, &place)?;
         let bound_place = format!("#{bound}");
         let bound = self.simple(bound, "FACE_OUTER_BOUND")?;
@@ -63,11 +64,12 @@ impl File {
         }
         let edges = reference(value(bound, 1, &bound_place)?, &bound_place)?;
         let edges = references(value(self.simple(edges, "EDGE_LOOP")?, 1, &bound_place)?, &bound_place)?;
-        let edges = edges.into_iter().map(|e| self.oriented_edge(e)).collect::<Result<_, _>>()?;
+        let edges = edges.into_iter().map(|e| self.oriented_edge(e, surface_number)).collect::<Result<_, _>>()?;
         Ok(FileFace { surface, same_sense, edges })
     }
 
-    fn oriented_edge(&self, number: u64) -> Result<FileEdge, ReadError> {
+    /// An edge as the loop of a face on this surface uses it.
+    fn oriented_edge(&self, number: u64, surface: u64) -> Result<FileEdge, ReadError> {
         let place = format!("#{number}");
         let values = self.simple(number, "ORIENTED_EDGE")?;
         let edge = reference(value(values, 3, &place)?, &place)?;
@@ -84,8 +86,35 @@ impl File {
             let point = reference(value(self.simple(vertex, "VERTEX_POINT")?, 1, &place)?, &place)?;
             *end = self.point(point)?;
         }
-        let curve = self.edge_curve(part(3)?, ends)?;
-        Ok(FileEdge { edge, vertices, ends, forward, curve })
+        let (curve, parameter_curve) = match self.simple(part(3)?, "SURFACE_CURVE") {
+            Ok(values) => (reference(value(values, 1, &place)?, &place)?, self.parameter_curve(part(3)?, surface)?),
+            Err(_) => (part(3)?, None),
+        };
+        let curve = self.edge_curve(curve, ends)?;
+        Ok(FileEdge { edge, vertices, ends, forward, curve, parameter_curve })
+    }
+
+    /// Of a curve on surfaces the one in the parameters of this surface.
+    fn parameter_curve(&self, number: u64, surface: u64) -> Result<Option<NurbsCurve>, ReadError> {
+        let place = format!("#{number}");
+        let values = self.simple(number, "SURFACE_CURVE")?;
+        if enumeration(value(values, 3, &place)?, &place)? != "CURVE_3D" {
+            return Err(ReadError::unsupported("an edge whose curve in space is not the leading one", place));
+        }
+        for curve in references(value(values, 2, &place)?, &place)? {
+            let place = format!("#{curve}");
+            let values = self.simple(curve, "PCURVE")?;
+            if reference(value(values, 1, &place)?, &place)? == surface {
+                let definition = reference(value(values, 2, &place)?, &place)?;
+                let items = self.simple(definition, "DEFINITIONAL_REPRESENTATION")?;
+                let items = references(value(items, 1, &place)?, &place)?;
+                let [item] = items[..] else {
+                    return Err(ReadError::unsupported("several curves in the parameters of a surface", place));
+                };
+                return self.b_spline(self.instance(item)?, item).map(Some);
+            }
+        }
+        Ok(None)
     }
 
     /// The curve between two vertices: on a circle the way in its direction, from the foot of the first vertex.
