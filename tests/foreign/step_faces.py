@@ -255,8 +255,19 @@ class StepFaces:
         reader = STEPControl_Reader()
         assert reader.ReadFile(str(path)) == IFSelect_RetDone, f"OpenCASCADE does not read {path}"
         reader.TransferRoots()
-        self.shape = reader.OneShape()
-        assert not self.shape.IsNull(), f"{path} holds no shape"
+        shape = reader.OneShape()
+        assert not shape.IsNull(), f"{path} holds no shape"
+        self._take(shape)
+
+    @classmethod
+    def of(cls, shape):
+        """The faces of a shape that is no file."""
+        made = cls.__new__(cls)
+        made._take(shape)
+        return made
+
+    def _take(self, shape):
+        self.shape = shape
         self.valid = BRepCheck_Analyzer(self.shape).IsValid()
         self.faces = [Face(TopoDS.Face(f)) for f in distinct(self.shape, TopAbs_FACE)]
         edges = [TopoDS.Edge(e) for e in distinct(self.shape, TopAbs_EDGE)]

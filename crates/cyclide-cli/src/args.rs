@@ -202,7 +202,7 @@ pub struct OutputArgs {
     /// DXF: the version written.
     #[arg(long, value_name = "VERSION", value_enum, default_value_t, help_heading = "Formats")]
     pub dxf_version: DxfArg,
-    /// STEP: the curves of the edges between faces.
+    /// STEP: the curves of the edges between faces, and with them the faces.
     #[arg(long, value_name = "CURVE", value_enum, default_value_t, help_heading = "Formats")]
     pub step_edges: EdgesArg,
     /// SVG: draw the curvature comb.
@@ -441,10 +441,10 @@ pub enum DxfArg {
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
 pub enum EdgesArg {
-    /// Circles and lines, with radii and centres: the default.
+    /// Circles and lines, with radii and centres; planes, cylinders, cones, spheres and tori are such faces: the default.
     #[default]
     Circle,
-    /// Rational B-splines in the parameter of the faces, which other systems read faster and check more strictly.
+    /// Rational B-splines, with which all faces but planes are rational: half as large a file.
     Rational,
 }
 

@@ -12,13 +12,16 @@ pub enum DxfVersion {
     R12,
 }
 
-/// The curves of the edges between faces in STEP.
+/// The curves of the edges between faces in STEP, and with them the faces: both are such that readers find edge and face
+/// together at equal parameters, which booleans and fillets need.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum StepEdges {
-    /// `CIRCLE` and `LINE`: CAD systems show radii and centres. The default.
+    /// `CIRCLE` and `LINE`, on rational faces with their curves in the faces' parameters: CAD systems show radii and
+    /// centres, and cylinders, cones, spheres and tori are what they are. The default.
     #[default]
     Circles,
-    /// Rational B-splines in the parameter of the faces: readers find exact parameter curves.
+    /// Rational B-splines in the parameter of the faces, lines where they are even, and rational faces everywhere but in
+    /// planes: half as large a file.
     Rational,
 }
 

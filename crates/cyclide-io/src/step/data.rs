@@ -25,7 +25,7 @@ pub(super) struct Data {
 }
 
 impl Data {
-    /// The instances as text, one per line.
+    /// The instances as text, each on lines of its own.
     pub(super) fn text(&self) -> &str {
         &self.text
     }
@@ -33,10 +33,12 @@ impl Data {
     /// Adds an instance whose body is written by a function, and returns its number.
     pub(super) fn write(&mut self, body: impl FnOnce(&mut String)) -> usize {
         self.count += 1;
+        let start = self.text.len();
         // Writing to a string cannot fail.
         let _ = write!(self.text, "#{}=", self.count);
         body(&mut self.text);
         self.text.push_str(";\n");
+        fold(&mut self.text, start);
         self.count
     }
 
@@ -181,8 +183,34 @@ pub(super) fn list<I: IntoIterator<Item = String>>(items: I) -> String {
     out
 }
 
-/// A quoted STRING: quotes and backslashes doubled, everything outside printable ASCII as `\X2\` (UTF-16 unit of
-/// the basic plane) or `\X4\` (any character).
+/// Longest line, where no text is longer: Part 21 leaves it open, older readers take 80 columns.
+const WIDTH: usize = 79;
+
+/// Breaks the text from a place on, behind commas and at blanks outside of quotes, into lines of at most 79 characters.
+pub(super) fn fold(text: &mut String, start: usize) {
+    if text.len() - start <= WIDTH + 1 {
+        return;
+    }
+    let long = text.split_off(start);
+    let (mut line, mut end, mut quoted) = (0, 0, false);
+    for (i, b) in long.bytes().enumerate() {
+        // The text is ASCII: every byte is a character. `end` is behind the last place for a break.
+        if i - line >= WIDTH && end > line {
+            text.push_str(long[line..end].trim_end_matches(' '));
+            text.push('\n');
+            line = end;
+        }
+        quoted ^= b == b'\'';
+        if !quoted && (b == b',' || b == b' ') {
+            end = i + 1;
+        }
+    }
+    text.push_str(&long[line..]);
+}
+
+/// A quoted STRING: backslashes doubled, everything outside printable ASCII as `\X2\` (UTF-16 unit of the basic plane) or
+/// `\X4\` (any character). A quote, which the standard doubles, is `\X\27`: readers exist that take the first of two
+/// for the end, and OpenCASCADE, gmsh and FreeCAD know both.
 pub(super) fn string(text: &str) -> String {
     let mut out = String::from("'");
     let mut open = 0; // digits per character of the run that is open, 0 if none
@@ -204,7 +232,7 @@ pub(super) fn string(text: &str) -> String {
             open = digits;
         }
         match c {
-            '\'' => out.push_str("''"),
+            '\'' => out.push_str("\\X\\27"),
             '\\' => out.push_str("\\\\"),
             ' '..='~' => out.push(c),
             _ => {
@@ -226,11 +254,26 @@ mod tests {
     #[test]
     fn strings_are_ascii_and_escaped() {
         assert_eq!(string("plain"), "'plain'");
-        assert_eq!(string("it's C:\\X2\\no"), "'it''s C:\\\\X2\\\\no'");
+        assert_eq!(string("it's C:\\X2\\no"), "'it\\X\\27s C:\\\\X2\\\\no'");
         assert_eq!(string("5°"), "'5\\X2\\00B0\\X0\\'");
         assert_eq!(string("円弧x"), "'\\X2\\51865F27\\X0\\x'");
         assert_eq!(string("é\u{1F600}"), "'\\X2\\00E9\\X0\\\\X4\\0001F600\\X0\\'");
         assert_eq!(string("a\nb"), "'a\\X2\\000A\\X0\\b'");
+    }
+
+    #[test]
+    fn lines_are_broken_between_values_only() {
+        let name = string(&"a, b ".repeat(30));
+        let mut data = Data::default();
+        data.add(&format!("PRODUCT({name},{})", references(&[123_456; 40])));
+        let text = data.text().to_owned();
+        let lines: Vec<&str> = text.lines().collect();
+        assert!(lines[0].ends_with(&format!("{name},")), "no break in a text");
+        assert!(lines[1..].iter().all(|l| l.len() <= WIDTH && !l.is_empty()), "{lines:?}");
+        assert!(lines[1..lines.len() - 1].iter().all(|l| l.len() > WIDTH - 9), "as few as possible");
+        assert_eq!(data.text().replace('\n', ""), format!("#1=PRODUCT({name},{});", references(&[123_456; 40])));
+        data.add(&format!("({} X())", ["B_SPLINE()"; 20].join(" ")));
+        assert!(data.text().lines().skip(lines.len()).all(|l| l.len() <= WIDTH && l == l.trim()));
     }
 
     #[test]

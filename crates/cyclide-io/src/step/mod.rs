@@ -6,8 +6,12 @@
 //! are and the file says their unit. The time stamp is fixed: the same model gives the same bytes.
 //!
 //! Bodies are `SHELL_BASED_SURFACE_MODEL`s of open shells, or `MANIFOLD_SOLID_BREP`s. Every shared edge is one
-//! `EDGE_CURVE`, every shared corner one `VERTEX_POINT`; a side that is one point is left out of its loop. No
-//! parameter curves are written. All weights are positive: faces are halved until they are.
+//! `EDGE_CURVE`, every shared corner one `VERTEX_POINT`; a side that is one point is left out of its loop. Circles and
+//! lines on rational faces carry their curves in the faces' parameters, which readers cannot find exactly; with rational
+//! edges there are none, and all faces but planes are rational. All weights are positive: faces are halved until they
+//! are.
+//!
+//! Every object is a product with its colours and its layer; several are an assembly.
 
 mod curves;
 mod data;
@@ -16,6 +20,7 @@ mod parameter_curves;
 mod part21;
 mod reader;
 mod structure;
+mod styles;
 mod surfaces;
 mod topology;
 
@@ -26,7 +31,7 @@ use crate::exported::{Exported, Promise};
 use crate::job::{Contour, Job};
 use cyclide::{ChainPiece, CurveChain, CurveObject, ShortNumber, Units};
 use data::Data;
-use structure::Items;
+use structure::Part;
 use topology::Written;
 
 pub(crate) use reader::read;
@@ -41,7 +46,8 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
     let mut promise = Promise::EXACT;
     let mut notes = Vec::new();
     let mut shortest = f64::INFINITY;
-    let mut sets = Vec::new();
+    let mut parts: Vec<Part> =
+        job.model.items.iter().enumerate().map(|(index, item)| Part::new(&item.name, index)).collect();
     let mut curves = Vec::new();
     for contour in job.contours() {
         curves.push(if let CurveObject::Circle(circle) = contour.curve {
@@ -53,10 +59,9 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
             curves::composite(&mut data, &contour.label(), &chain, job.size())
         });
         if contour.index + 1 == contour.count {
-            sets.push(curve_set(&mut data, &contour, &std::mem::take(&mut curves)));
+            parts[contour.item].curve_sets.push(curve_set(&mut data, &contour, &std::mem::take(&mut curves)));
         }
     }
-    let mut items = Items { curve_sets: sets, ..Items::default() };
     for body in &job.bodies {
         let lowered = |source| body.unfit(source);
         let (written, remarks) =
@@ -70,8 +75,8 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
             ));
         }
         match written {
-            Written::Solid(number) => items.solids.push(number),
-            Written::Surface(number) => items.surfaces.push(number),
+            Written::Solid(number) => parts[body.item].solids.push(number),
+            Written::Surface(number) => parts[body.item].surfaces.push(number),
         }
     }
     if shortest < SHORTEST_EDGE {
@@ -81,7 +86,8 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
             ShortNumber(shortest)
         ));
     }
-    structure::product(&mut data, job.title(), &items, job.units());
+    parts.retain(|part| !part.items().is_empty());
+    structure::products(&mut data, job.title(), &parts, job.units());
     let text = structure::file(&data, job.title());
     Ok(promise.exported(text.into_bytes(), notes))
 }

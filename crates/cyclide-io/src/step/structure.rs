@@ -1,69 +1,129 @@
 //! Header, product structure and units: without them nothing is imported.
+//!
+//! An object is a product with one representation of its shape. Several objects are an assembly: a product without
+//! shape of its own, in which each object occurs once where it stands, so that readers show the objects by their names.
 
 use super::conversion;
-use super::data::{Data, real, references, string};
+use super::data::{Data, fold, real, references, string};
+use super::styles;
 use cyclide::{Point3, Units, Vec3};
 
 /// The whole file around the instances.
 pub(super) fn file(data: &Data, title: &str) -> String {
     let name = string(&format!("{title}.step"));
+    let mut header = String::from("ISO-10303-21;\nHEADER;\n");
+    for entry in [
+        "FILE_DESCRIPTION(('Curves and surfaces made of circles, exact'),'2;1')".to_owned(),
+        format!("FILE_NAME({name},'1970-01-01T00:00:00',(''),(''),'cyclide','cyclide','')"),
+        "FILE_SCHEMA(('AUTOMOTIVE_DESIGN { 1 0 10303 214 3 1 1 }'))".to_owned(),
+    ] {
+        let start = header.len();
+        header.push_str(&entry);
+        header.push_str(";\n");
+        fold(&mut header, start);
+    }
     let instances = data.text();
-    format!(
-        "ISO-10303-21;\nHEADER;\nFILE_DESCRIPTION((''),'2;1');\n\
-         FILE_NAME({name},'1970-01-01T00:00:00',(''),(''),'cyclide','cyclide','');\n\
-         FILE_SCHEMA(('AUTOMOTIVE_DESIGN {{ 1 0 10303 214 3 1 1 }}'));\nENDSEC;\nDATA;\n\
-         {instances}ENDSEC;\nEND-ISO-10303-21;\n"
-    )
+    format!("{header}ENDSEC;\nDATA;\n{instances}ENDSEC;\nEND-ISO-10303-21;\n")
 }
 
-/// What the product's shape consists of, by the representation that each kind belongs to.
-#[derive(Default)]
-pub(super) struct Items {
+/// An object of the model: what its shape consists of.
+pub(super) struct Part {
+    pub(super) name: String,
+    /// Index of the object in the model, which decides about its colours.
+    pub(super) index: usize,
     pub(super) curve_sets: Vec<usize>,
     pub(super) surfaces: Vec<usize>,
     pub(super) solids: Vec<usize>,
 }
 
-/// The product with its shape. Things of one kind are one representation; a mixture is an empty representation to
-/// which one of each kind is related, since no kind may hold the things of another.
-pub(super) fn product(data: &mut Data, title: &str, items: &Items, units: Units) {
+impl Part {
+    pub(super) fn new(name: &str, index: usize) -> Self {
+        let (curve_sets, surfaces, solids) = (Vec::new(), Vec::new(), Vec::new());
+        Self { name: name.to_owned(), index, curve_sets, surfaces, solids }
+    }
+
+    /// All items, in the order of the kinds.
+    pub(super) fn items(&self) -> Vec<usize> {
+        [&self.solids[..], &self.surfaces, &self.curve_sets].concat()
+    }
+
+    /// The representation that holds things of one kind only, or the general one for a mixture: representations of one
+    /// kind each, related to each other, make FreeCAD 0.20 crash.
+    fn representation(&self) -> &'static str {
+        match (self.solids.is_empty(), self.surfaces.is_empty(), self.curve_sets.is_empty()) {
+            (false, true, true) => "ADVANCED_BREP_SHAPE_REPRESENTATION",
+            (true, false, true) => "MANIFOLD_SURFACE_SHAPE_REPRESENTATION",
+            (true, true, false) => "GEOMETRICALLY_BOUNDED_WIREFRAME_SHAPE_REPRESENTATION",
+            _ => "SHAPE_REPRESENTATION",
+        }
+    }
+}
+
+/// The products of all parts, colours and layers; `title` names the whole.
+pub(super) fn products(data: &mut Data, title: &str, parts: &[Part], units: Units) {
     let context = representation_context(data, units);
     let origin = data.placement(Point3::ORIGIN, Vec3::Z, Vec3::X);
-    let name = string(title);
-    let mut representation = |kind: &str, items: &[usize]| {
-        let items: Vec<usize> = std::iter::once(origin).chain(items.iter().copied()).collect();
-        data.add(&format!("{kind}({name},{},#{context})", references(&items)))
-    };
-    let kinds = [
-        ("ADVANCED_BREP_SHAPE_REPRESENTATION", &items.solids),
-        ("MANIFOLD_SURFACE_SHAPE_REPRESENTATION", &items.surfaces),
-        ("GEOMETRICALLY_BOUNDED_WIREFRAME_SHAPE_REPRESENTATION", &items.curve_sets),
-    ];
-    let parts: Vec<usize> =
-        kinds.iter().filter(|k| !k.1.is_empty()).map(|(kind, items)| representation(kind, items)).collect();
-    let shape = match parts[..] {
-        [only] => only,
-        _ => {
-            let whole = representation("SHAPE_REPRESENTATION", &[]);
-            for part in parts {
-                data.add(&format!("SHAPE_REPRESENTATION_RELATIONSHIP('','',#{whole},#{part})"));
-            }
-            whole
+    let mut products = Products::new(data);
+    let single = parts.len() == 1;
+    let mut occurrences = Vec::new();
+    for part in parts {
+        let name = string(if single { title } else { &part.name });
+        let items = std::iter::once(origin).chain(part.items()).collect::<Vec<_>>();
+        let kind = part.representation();
+        let shape = data.add(&format!("{kind}({name},{},#{context})", references(&items)));
+        let definition = products.add(data, &name, shape);
+        occurrences.push((name, definition, shape));
+    }
+    if !single {
+        let name = string(title);
+        let whole = data.add(&format!("SHAPE_REPRESENTATION({name},(#{origin}),#{context})"));
+        let definition = products.add(data, &name, whole);
+        let place = data.add(&format!("ITEM_DEFINED_TRANSFORMATION('','',#{origin},#{origin})"));
+        for (index, (name, part, shape)) in occurrences.iter().enumerate() {
+            let id = index + 1;
+            let usage = data.add(&format!("NEXT_ASSEMBLY_USAGE_OCCURRENCE('{id}',{name},'',#{definition},#{part},$)"));
+            let placed = data.add(&format!("PRODUCT_DEFINITION_SHAPE('','',#{usage})"));
+            let relation = data.add(&format!(
+                "(REPRESENTATION_RELATIONSHIP('','',#{shape},#{whole}) \
+                 REPRESENTATION_RELATIONSHIP_WITH_TRANSFORMATION(#{place}) SHAPE_REPRESENTATION_RELATIONSHIP())"
+            ));
+            data.add(&format!("CONTEXT_DEPENDENT_SHAPE_REPRESENTATION(#{relation},#{placed})"));
         }
-    };
-    let application = data.add("APPLICATION_CONTEXT('core data for automotive mechanical design processes')");
-    data.add(&format!(
-        "APPLICATION_PROTOCOL_DEFINITION('international standard','automotive_design',2000,#{application})"
-    ));
-    let product_context = data.add(&format!("PRODUCT_CONTEXT('',#{application},'mechanical')"));
-    let product = data.add(&format!("PRODUCT({name},{name},'',(#{product_context}))"));
-    data.add(&format!("PRODUCT_RELATED_PRODUCT_CATEGORY('part','',(#{product}))"));
-    let formation = data.add(&format!("PRODUCT_DEFINITION_FORMATION('','',#{product})"));
-    let definition_context =
-        data.add(&format!("PRODUCT_DEFINITION_CONTEXT('part definition',#{application},'design')"));
-    let definition = data.add(&format!("PRODUCT_DEFINITION('design','',#{formation},#{definition_context})"));
-    let definition_shape = data.add(&format!("PRODUCT_DEFINITION_SHAPE('','',#{definition})"));
-    data.add(&format!("SHAPE_DEFINITION_REPRESENTATION(#{definition_shape},#{shape})"));
+    }
+    data.add(&format!("PRODUCT_RELATED_PRODUCT_CATEGORY('part','',{})", references(&products.all)));
+    styles::colours_and_layers(data, parts, context);
+}
+
+/// The contexts that all products share, and the products so far.
+struct Products {
+    product_context: usize,
+    definition_context: usize,
+    all: Vec<usize>,
+}
+
+impl Products {
+    fn new(data: &mut Data) -> Self {
+        let application = data.add("APPLICATION_CONTEXT('core data for automotive mechanical design processes')");
+        data.add(&format!(
+            "APPLICATION_PROTOCOL_DEFINITION('international standard','automotive_design',2000,#{application})"
+        ));
+        let product_context = data.add(&format!("PRODUCT_CONTEXT('',#{application},'mechanical')"));
+        let definition_context =
+            data.add(&format!("PRODUCT_DEFINITION_CONTEXT('part definition',#{application},'design')"));
+        Self { product_context, definition_context, all: Vec::new() }
+    }
+
+    /// A product with its shape; returns its definition.
+    fn add(&mut self, data: &mut Data, name: &str, shape: usize) -> usize {
+        let (product_context, definition_context) = (self.product_context, self.definition_context);
+        let product = data.add(&format!("PRODUCT({name},{name},'',(#{product_context}))"));
+        let formation = data.add(&format!("PRODUCT_DEFINITION_FORMATION('','',#{product})"));
+        let definition = data.add(&format!("PRODUCT_DEFINITION('design','',#{formation},#{definition_context})"));
+        let definition_shape = data.add(&format!("PRODUCT_DEFINITION_SHAPE('','',#{definition})"));
+        data.add(&format!("SHAPE_DEFINITION_REPRESENTATION(#{definition_shape},#{shape})"));
+        self.all.push(product);
+        definition
+    }
 }
 
 /// Units (radians for angles) and the uncertainty, in file units.

@@ -6,7 +6,37 @@ use cyclide_io::{ExportOptions, Format, export, file_deviation};
 
 fn text(m: &cyclide::Model) -> String {
     let file = export(m, Format::Step, &ExportOptions::default()).unwrap();
-    String::from_utf8(file.bytes).unwrap()
+    unfolded(&String::from_utf8(file.bytes).unwrap())
+}
+
+/// The text with every instance on one line.
+pub(crate) fn unfolded(text: &str) -> String {
+    let mut out = String::new();
+    for line in text.lines() {
+        out.push_str(line);
+        out.push_str(if line.ends_with(';') {
+            "\n"
+        } else if line.ends_with(',') {
+            ""
+        } else {
+            " "
+        });
+    }
+    out
+}
+
+/// The instances whose text contains a word, by the numbers that they refer to.
+fn found<'a>(text: &'a str, word: &str) -> Vec<(&'a str, Vec<&'a str>)> {
+    let numbers = |line: &'a str| {
+        let references = line.split('#').skip(2);
+        references.map(|r| r.split(|c: char| !c.is_ascii_digit()).next().unwrap_or("")).collect()
+    };
+    text.lines().filter(|l| l.contains(word)).map(|l| (l, numbers(l))).collect()
+}
+
+/// The number of the instance on a line.
+fn number(line: &str) -> &str {
+    line[1..].split('=').next().unwrap()
 }
 
 #[test]
@@ -35,11 +65,67 @@ fn names_and_product() {
     let text = text(&mixed(flat));
     assert!(text.contains("GEOMETRIC_CURVE_SET('slot'"));
     assert!(text.contains("COMPOSITE_CURVE('slot 1'") && text.contains("COMPOSITE_CURVE('slot 2'"));
-    assert!(text.contains("'it''s a \"1\\\\2\" <&> 5\\X2\\00B0\\X0\\ \\X2\\5186\\X0\\'"));
+    assert!(text.contains("'it\\X\\27s a \"1\\\\2\" <&> 5\\X2\\00B0\\X0\\ \\X2\\5186\\X0\\'"));
     assert!(text.contains("PRODUCT('cyclide','cyclide',''"));
     let options = ExportOptions { title: Some("track".to_owned()), ..ExportOptions::default() };
     let titled = export(&mixed(flat), Format::Step, &options).unwrap().bytes;
     assert!(String::from_utf8(titled).unwrap().contains("PRODUCT('track','track',''"));
+}
+
+#[test]
+fn lines_are_short_and_the_description_is_filled() {
+    for m in splines().into_iter().map(|(_, m)| m).chain([mixed(tilted)]) {
+        let file = export(&m, Format::Step, &ExportOptions::default()).unwrap();
+        let text = String::from_utf8(file.bytes.clone()).unwrap();
+        assert!(text.lines().all(|line| line.len() < 80 || line.contains('\'')), "only texts are longer");
+        assert!(text.lines().any(|line| line.len() > 70), "not more lines than needed");
+        assert!(!text.contains("FILE_DESCRIPTION((''"));
+        let mut whole = file.clone();
+        whole.bytes = unfolded(&text).into_bytes();
+        let deviation = |file| file_deviation(&m, Format::Step, file).unwrap();
+        assert_eq!(deviation(&file), deviation(&whole));
+    }
+}
+
+#[test]
+fn an_object_is_a_product_and_several_are_an_assembly() {
+    let m = mixed(flat);
+    let text = text(&m);
+    let parts = m.items.len();
+    assert_eq!(found(&text, "=PRODUCT(").len(), parts + 1);
+    let usages = found(&text, "=NEXT_ASSEMBLY_USAGE_OCCURRENCE(");
+    assert_eq!(usages.len(), parts);
+    let whole: Vec<&str> = usages.iter().map(|(_, refs)| refs[0]).collect();
+    assert!(whole.windows(2).all(|w| w[0] == w[1]), "one assembly");
+    let mut placed: Vec<&str> = usages.iter().map(|(_, refs)| refs[1]).collect();
+    placed.sort_unstable();
+    placed.dedup();
+    assert_eq!(placed.len(), parts, "each object is one part");
+    // Each part's own shape is related to the whole's, and each has its layer.
+    let related = found(&text, "REPRESENTATION_RELATIONSHIP_WITH_TRANSFORMATION(");
+    assert_eq!(related.len(), parts);
+    for name in m.items.iter().map(|i| &i.name).filter(|n| n.chars().all(char::is_alphanumeric)) {
+        assert!(text.contains(&format!("=PRODUCT('{name}','{name}',''")), "{name}");
+        assert_eq!(found(&text, &format!("=PRESENTATION_LAYER_ASSIGNMENT('{name}',''")).len(), 1, "{name}");
+    }
+    let single = self::text(&model(vec![("a", vec![m.items[0].contours[0].clone()])]));
+    assert_eq!(found(&single, "=PRODUCT(").len(), 1);
+    assert_eq!(found(&single, "ASSEMBLY").len(), 0);
+}
+
+#[test]
+fn every_curve_set_has_the_colour_of_its_object() {
+    let m = mixed(flat);
+    let text = text(&m);
+    let styled = found(&text, "=STYLED_ITEM(");
+    let sets = found(&text, "=GEOMETRIC_CURVE_SET(");
+    assert_eq!(styled.len(), sets.len());
+    for (set, _) in &sets {
+        assert_eq!(styled.iter().filter(|(_, refs)| refs.last() == Some(&number(set))).count(), 1, "{set}");
+    }
+    // The first object's colour in pictures, 0x1B2A41.
+    let first = [27.0, 42.0, 65.0].map(|v: f64| (v / 255.0).to_string()).join(",");
+    assert!(text.contains(&format!("=COLOUR_RGB('',{first})")), "{first}");
 }
 
 #[test]
