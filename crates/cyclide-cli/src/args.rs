@@ -205,6 +205,9 @@ pub struct OutputArgs {
     /// STEP: the curves of the edges between faces, and with them the faces.
     #[arg(long, value_name = "CURVE", value_enum, default_value_t, help_heading = "Formats")]
     pub step_edges: EdgesArg,
+    /// STEP: the products of several objects.
+    #[arg(long, value_name = "PRODUCTS", value_enum, default_value_t, help_heading = "Formats")]
+    pub step_products: ProductsArg,
     /// SVG: draw the curvature comb.
     #[arg(long, help_heading = "Formats")]
     pub svg_comb: bool,
@@ -455,6 +458,17 @@ fn not_negative(text: &str) -> Result<f64, String> {
         Ok(_) => Err("it must not be negative, and finite".to_owned()),
         Err(_) => Err("it is not a number".to_owned()),
     }
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
+pub enum ProductsArg {
+    /// An assembly, but one product where curves and surfaces stand together: the default.
+    #[default]
+    Auto,
+    /// One product per object in an assembly, with its name.
+    Assembly,
+    /// One product of all objects.
+    One,
 }
 
 /// A positive, finite number.

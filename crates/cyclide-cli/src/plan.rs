@@ -8,12 +8,13 @@ use cyclide::Units;
 use cyclide_io::{
     ArcFitSpec, ArcSplineSpec, CircleSplineSpec, Comment, Document, DxfVersion, EffortWord, EndsSpec, ExportOptions,
     FairEndWord, FairEndsSpec, FairFitSpec, FairSplineSpec, Format, ObjectSpec, PointFile, PointSource, RuleWord,
-    Spacing, StepEdges, StraightWord, TargetWord, TypeWord, VariantWord,
+    Spacing, StepEdges, StepProducts, StraightWord, TargetWord, TypeWord, VariantWord,
 };
 
 use crate::args::{
     Args, BuildArgs, Command, CompletionsArgs, CurveArgs, DxfArg, EdgesArg, EffortArg, EndsArg, GalleryArgs, Kind,
-    ManArgs, NewArgs, OutputArgs, ReportArgs, RuleArg, SampleArgs, StraightArg, TargetArg, UnitsArg, VariantArg,
+    ManArgs, NewArgs, OutputArgs, ProductsArg, ReportArgs, RuleArg, SampleArgs, StraightArg, TargetArg, UnitsArg,
+    VariantArg,
 };
 use crate::failure::Failure;
 use crate::mistaken::{Wanted, refuse_suffix};
@@ -145,6 +146,11 @@ impl OutputArgs {
             step_edges: match self.step_edges {
                 EdgesArg::Circle => StepEdges::Circles,
                 EdgesArg::Rational => StepEdges::Rational,
+            },
+            step_products: match self.step_products {
+                ProductsArg::Auto => StepProducts::Auto,
+                ProductsArg::Assembly => StepProducts::Assembly,
+                ProductsArg::One => StepProducts::One,
             },
             glb_edges: self.glb_edges,
             svg_comb: self.svg_comb,

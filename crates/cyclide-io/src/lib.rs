@@ -59,7 +59,7 @@ pub use file_content::{FileContent, ReadError};
 pub use format::Format;
 pub use input_kind::InputKind;
 pub use obj::{ObjGrid, read_quad_grid};
-pub use options::{DxfVersion, ExportOptions, StepEdges};
+pub use options::{DxfVersion, ExportOptions, StepEdges, StepProducts};
 pub use place::{Diagnostic, Source, decode};
 pub use points::{PointColumns, PointList, PointTable, read_points};
 pub use read_back::{file_deviation, read_back};

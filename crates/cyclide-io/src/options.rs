@@ -25,6 +25,19 @@ pub enum StepEdges {
     Rational,
 }
 
+/// The products of several objects in STEP.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum StepProducts {
+    /// One product per object in an assembly, but one product for curves and surfaces together: FreeCAD 0.20 without its
+    /// window crashes on such a file otherwise. The default.
+    #[default]
+    Auto,
+    /// One product per object in an assembly: readers show the objects by their names.
+    Assembly,
+    /// One product that holds all objects.
+    One,
+}
+
 /// What may be chosen about a file.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct ExportOptions {
@@ -43,6 +56,8 @@ pub struct ExportOptions {
     pub glb_edges: bool,
     /// STEP: the curves of the edges between faces.
     pub step_edges: StepEdges,
+    /// STEP: the products of several objects.
+    pub step_products: StepProducts,
     /// SVG: draw the curvature comb.
     pub svg_comb: bool,
     /// SVG: draw the joints of the curves as dots.

@@ -186,7 +186,8 @@ pub(super) fn list<I: IntoIterator<Item = String>>(items: I) -> String {
 /// Longest line, where no text is longer: Part 21 leaves it open, older readers take 80 columns.
 const WIDTH: usize = 79;
 
-/// Breaks the text from a place on, behind commas and at blanks outside of quotes, into lines of at most 79 characters.
+/// Breaks the text from a place on, behind commas and parentheses and at blanks, outside of quotes, into lines of at most 79
+/// characters.
 pub(super) fn fold(text: &mut String, start: usize) {
     if text.len() - start <= WIDTH + 1 {
         return;
@@ -201,7 +202,7 @@ pub(super) fn fold(text: &mut String, start: usize) {
             line = end;
         }
         quoted ^= b == b'\'';
-        if !quoted && (b == b',' || b == b' ') {
+        if !quoted && (b == b',' || b == b'(' || b == b' ') {
             end = i + 1;
         }
     }
@@ -268,12 +269,13 @@ mod tests {
         data.add(&format!("PRODUCT({name},{})", references(&[123_456; 40])));
         let text = data.text().to_owned();
         let lines: Vec<&str> = text.lines().collect();
-        assert!(lines[0].ends_with(&format!("{name},")), "no break in a text");
+        assert_eq!((lines[0], lines[1]), ("#1=PRODUCT(", &*format!("{name},")), "no break in a text");
+        let lines = &lines[1..];
         assert!(lines[1..].iter().all(|l| l.len() <= WIDTH && !l.is_empty()), "{lines:?}");
         assert!(lines[1..lines.len() - 1].iter().all(|l| l.len() > WIDTH - 9), "as few as possible");
         assert_eq!(data.text().replace('\n', ""), format!("#1=PRODUCT({name},{});", references(&[123_456; 40])));
         data.add(&format!("({} X())", ["B_SPLINE()"; 20].join(" ")));
-        assert!(data.text().lines().skip(lines.len()).all(|l| l.len() <= WIDTH && l == l.trim()));
+        assert!(data.text().lines().skip(lines.len() + 1).all(|l| l.len() <= WIDTH && l == l.trim()));
     }
 
     #[test]

@@ -11,7 +11,7 @@
 //! edges there are none, and all faces but planes are rational. All weights are positive: faces are halved until they
 //! are.
 //!
-//! Every object is a product with its colours and its layer; several are an assembly.
+//! Every object has its colours and its layer, and is a product of its own if not asked otherwise.
 
 mod curves;
 mod data;
@@ -29,6 +29,7 @@ use crate::export_error::ExportError;
 use crate::exported::{Exported, Promise};
 
 use crate::job::{Contour, Job};
+use crate::options::StepProducts;
 use cyclide::{ChainPiece, CurveChain, CurveObject, ShortNumber, Units};
 use data::Data;
 use structure::Part;
@@ -87,7 +88,21 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
         ));
     }
     parts.retain(|part| !part.items().is_empty());
-    structure::products(&mut data, job.title(), &parts, job.units());
+    let mixed = parts.iter().any(|p| !p.curve_sets.is_empty()) && parts.iter().any(Part::has_faces);
+    let one = parts.len() == 1
+        || match job.options.step_products {
+            StepProducts::Auto => mixed,
+            StepProducts::Assembly => false,
+            StepProducts::One => true,
+        };
+    if one && parts.len() > 1 && job.options.step_products == StepProducts::Auto {
+        notes.push(
+            "curves and surfaces together are one product, which more readers open; objects as products of their own: \
+             --step-products assembly"
+                .to_owned(),
+        );
+    }
+    structure::products(&mut data, job.title(), &parts, one, job.units());
     let text = structure::file(&data, job.title());
     Ok(promise.exported(text.into_bytes(), notes))
 }

@@ -1,7 +1,8 @@
 //! Header, product structure and units: without them nothing is imported.
 //!
-//! An object is a product with one representation of its shape. Several objects are an assembly: a product without
-//! shape of its own, in which each object occurs once where it stands, so that readers show the objects by their names.
+//! A product has one representation of its shape. Several objects are an assembly: a product without shape of its own,
+//! in which each object occurs once where it stands, so that readers show the objects by their names; or one product
+//! of all items.
 
 use super::conversion;
 use super::data::{Data, fold, real, references, string};
@@ -47,34 +48,39 @@ impl Part {
         [&self.solids[..], &self.surfaces, &self.curve_sets].concat()
     }
 
-    /// The representation that holds things of one kind only, or the general one for a mixture: representations of one
-    /// kind each, related to each other, make FreeCAD 0.20 crash.
-    fn representation(&self) -> &'static str {
-        match (self.solids.is_empty(), self.surfaces.is_empty(), self.curve_sets.is_empty()) {
-            (false, true, true) => "ADVANCED_BREP_SHAPE_REPRESENTATION",
-            (true, false, true) => "MANIFOLD_SURFACE_SHAPE_REPRESENTATION",
-            (true, true, false) => "GEOMETRICALLY_BOUNDED_WIREFRAME_SHAPE_REPRESENTATION",
-            _ => "SHAPE_REPRESENTATION",
-        }
+    /// True if there is a solid or a surface.
+    pub(super) fn has_faces(&self) -> bool {
+        !(self.solids.is_empty() && self.surfaces.is_empty())
     }
 }
 
-/// The products of all parts, colours and layers; `title` names the whole.
-pub(super) fn products(data: &mut Data, title: &str, parts: &[Part], units: Units) {
+/// The representation that holds things of one kind only, or the general one for a mixture: representations of one kind
+/// each, related to each other, make FreeCAD 0.20 crash.
+fn representation(parts: &[Part]) -> &'static str {
+    let none = |items: fn(&Part) -> &[usize]| parts.iter().all(|part| items(part).is_empty());
+    match (none(|p| &p.solids), none(|p| &p.surfaces), none(|p| &p.curve_sets)) {
+        (false, true, true) => "ADVANCED_BREP_SHAPE_REPRESENTATION",
+        (true, false, true) => "MANIFOLD_SURFACE_SHAPE_REPRESENTATION",
+        (true, true, false) => "GEOMETRICALLY_BOUNDED_WIREFRAME_SHAPE_REPRESENTATION",
+        _ => "SHAPE_REPRESENTATION",
+    }
+}
+
+/// The products of all parts, or one product of them, colours and layers; `title` names the whole.
+pub(super) fn products(data: &mut Data, title: &str, parts: &[Part], one: bool, units: Units) {
     let context = representation_context(data, units);
     let origin = data.placement(Point3::ORIGIN, Vec3::Z, Vec3::X);
     let mut products = Products::new(data);
-    let single = parts.len() == 1;
     let mut occurrences = Vec::new();
-    for part in parts {
-        let name = string(if single { title } else { &part.name });
-        let items = std::iter::once(origin).chain(part.items()).collect::<Vec<_>>();
-        let kind = part.representation();
+    for own in parts.chunks(if one { parts.len().max(1) } else { 1 }) {
+        let name = string(if one { title } else { &own[0].name });
+        let items = std::iter::once(origin).chain(own.iter().flat_map(Part::items)).collect::<Vec<_>>();
+        let kind = representation(own);
         let shape = data.add(&format!("{kind}({name},{},#{context})", references(&items)));
         let definition = products.add(data, &name, shape);
         occurrences.push((name, definition, shape));
     }
-    if !single {
+    if !one {
         let name = string(title);
         let whole = data.add(&format!("SHAPE_REPRESENTATION({name},(#{origin}),#{context})"));
         let definition = products.add(data, &name, whole);

@@ -16,7 +16,7 @@ pub(crate) fn unfolded(text: &str) -> String {
         out.push_str(line);
         out.push_str(if line.ends_with(';') {
             "\n"
-        } else if line.ends_with(',') {
+        } else if line.ends_with([',', '(']) {
             ""
         } else {
             " "

@@ -2,7 +2,7 @@
 
 use cyclide::{CurveObject, CyclidePatch, Item, Model, Point3, SurfaceObject, Vec3};
 use cyclide_io::{
-    ExportOptions, Exported, FileSurface, Format, ReadError, StepEdges, export, file_deviation, read_back,
+    ExportOptions, Exported, FileSurface, Format, ReadError, StepEdges, StepProducts, export, file_deviation, read_back,
 };
 
 fn model(items: Vec<(&str, SurfaceObject)>) -> Model {
@@ -175,10 +175,17 @@ fn a_mixture_is_one_representation() {
     assert_eq!((kind, items), ("SHAPE_REPRESENTATION", 2), "{shape}");
     assert!(!text.contains("RELATIONSHIP"));
     assert!(file_deviation(&m, Format::Step, &file).unwrap() < 1e-11);
-    // Of several objects each has the representation of its kind.
+    // Of several objects too, with a note; as an assembly each has the representation of its kind.
     let thick = thick().items.remove(0);
     let m = Model { items: vec![thick, Item { surfaces: Vec::new(), ..m.items[0].clone() }], ..m };
     let (file, text) = step(&m, StepEdges::Circles);
+    assert_eq!(text.matches("=PRODUCT(").count(), 1);
+    assert!(file.notes[0].contains("--step-products assembly"), "{:?}", file.notes);
+    assert!(file_deviation(&m, Format::Step, &file).unwrap() < 1e-11);
+    let options = ExportOptions { step_products: StepProducts::Assembly, ..ExportOptions::default() };
+    let file = export(&m, Format::Step, &options).unwrap();
+    let text = crate::step::unfolded(&String::from_utf8(file.bytes.clone()).unwrap());
+    assert_eq!((text.matches("=PRODUCT(").count(), &file.notes[..]), (3, &[][..]));
     for kind in ["ADVANCED_BREP", "GEOMETRICALLY_BOUNDED_WIREFRAME"] {
         assert_eq!(text.matches(&format!("={kind}_SHAPE_REPRESENTATION(")).count(), 1, "{kind}");
     }
@@ -189,6 +196,10 @@ fn a_mixture_is_one_representation() {
 fn surfaces_have_the_colour_of_their_object() {
     let m = model(vec![("a", general()), ("b", general())]);
     let text = step(&m, StepEdges::Circles).1;
+    assert_eq!(text.matches("=PRODUCT(").count(), 3);
+    let options = ExportOptions { step_products: StepProducts::One, ..ExportOptions::default() };
+    let one = String::from_utf8(export(&m, Format::Step, &options).unwrap().bytes).unwrap();
+    assert_eq!((one.matches("=PRODUCT(").count(), one.matches("ASSEMBLY").count()), (1, 0));
     // The pale colours of the pictures, 0xC3D3E6 and 0xB4DAD4.
     for rgb in [[195.0, 211.0, 230.0], [180.0, 218.0, 212.0]] {
         let rgb = rgb.map(|v: f64| (v / 255.0).to_string()).join(",");
