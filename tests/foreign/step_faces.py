@@ -153,7 +153,7 @@ class Face:
         where the places are on chords between opposite edges, arcs first."""
         places = generator.uniform(0.02, 0.98, (count, 2))
         if self.kind == "plane":
-            k = 0 if BRepAdaptor_Curve(self.edges[0]).GetType() == Curve.GeomAbs_Circle else 1
+            k = 1 if BRepAdaptor_Curve(self.edges[0]).GetType() == Curve.GeomAbs_Line else 0
             from_, to = (self._along(self.edges[k + j]) for j in (0, 2))
             normal = self.at(self.box[0], self.box[2])[1]
             points = np.array([from_(a) * (1 - b) + to(1 - a) * b for a, b in places])
