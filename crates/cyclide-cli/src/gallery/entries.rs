@@ -96,7 +96,7 @@ pub const ENTRIES: [Entry; 11] = [
     Entry {
         name: "survey",
         title: "Surveyed line, fair",
-        text: "The fairest smooth curve within 20 cm of 301 surveyed points, with continuous curvature and a node for every six of them.",
+        text: "The fairest smooth curve within 20 cm of 301 surveyed points, with continuous curvature and a node for every eight of them.",
         document: example!("survey.json"),
         inputs: &[input!("survey.csv")],
         formats: CURVES,
