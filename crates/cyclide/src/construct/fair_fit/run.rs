@@ -106,6 +106,8 @@ fn smoothed(data: &Data<'_>, mut chosen: Vec<usize>) -> (Smoothed, Vec<usize>) {
 fn every(count: usize, stride: usize, closed: bool) -> Vec<usize> {
     let total = if closed { count } else { count - 1 };
     let steps = total.div_ceil(stride);
+    // An even number of steps would end half way, where an odd number of places has none.
+    let steps = if total % 2 == 1 { steps | 1 } else { steps };
     let at = |i: usize| if 2 * i <= steps { i * total / steps } else { total - (steps - i) * total / steps };
     (0..if closed { steps } else { steps + 1 }).map(at).collect()
 }
@@ -139,27 +141,35 @@ fn points_of(points: &[Point3], chosen: &[usize]) -> Vec<Point3> {
     chosen.iter().map(|i| points[*i]).collect()
 }
 
-/// Indices of the data the start is made of: none much nearer to the one before than the tolerance.
+/// Indices of the data the start is made of: none much nearer to the one before than the tolerance. Chosen from both
+/// ends (of a closed curve: both ways from its first point) to the middle, so that reversed data give the same ones.
 fn thinned(p: &[Point3], closed: bool, tolerance: f64) -> Vec<usize> {
     let limit = (THINNED * tolerance).powi(2);
-    let mut chosen = vec![0];
-    for i in 1..p.len() {
-        if (p[i] - p[chosen[chosen.len() - 1]]).length_squared() >= limit {
-            chosen.push(i);
-        }
+    let at = |i: usize| p[i % p.len()];
+    let apart = |i: usize, k: usize| (at(i) - at(k)).length_squared() >= limit;
+    let total = if closed { p.len() } else { p.len() - 1 };
+    let along = |from: usize, rest: &mut dyn Iterator<Item = usize>| {
+        rest.fold(vec![from], |mut kept, i| {
+            if apart(i, kept[kept.len() - 1]) {
+                kept.push(i);
+            }
+            kept
+        })
+    };
+    let mut chosen = along(0, &mut (1..=total / 2));
+    let mut back = along(total, &mut (total.div_ceil(2)..total).rev());
+    let (middle, other) = (chosen[chosen.len() - 1], back[back.len() - 1]);
+    if middle == other {
+        back.pop();
+    } else if !apart(middle, other) {
+        // Neither of the two has more right to stay.
+        chosen.truncate((chosen.len() - 1).max(1));
+        back.truncate((back.len() - 1).max(1));
     }
-    let last = p.len() - 1;
+    // The end of a closed curve is its first point again.
+    chosen.extend(back.into_iter().rev().filter(|i| *i < p.len()));
     // A figure no larger than the tolerance: some of its points.
-    if chosen.len() < 8 {
-        chosen = (0..p.len()).step_by(p.len().div_ceil(8)).collect();
-    }
-    if !closed && chosen[chosen.len() - 1] != last {
-        if chosen.len() > 1 {
-            chosen.pop();
-        }
-        chosen.push(last);
-    }
-    chosen
+    if chosen.len() < 8 { every(p.len(), p.len().div_ceil(8), closed) } else { chosen }
 }
 
 fn chords(points: &[Point3], closed: bool) -> Vec<f64> {
@@ -205,7 +215,7 @@ mod tests {
 
     #[test]
     fn fewer_points_are_the_same_counted_backwards() {
-        for (count, stride) in [(2, 1), (2, 5), (10, 2), (11, 3), (100, 7), (101, 2)] {
+        for (count, stride) in [(2, 1), (2, 5), (10, 2), (11, 3), (12, 3), (100, 7), (101, 2), (300, 3), (301, 3)] {
             let open = every(count, stride, false);
             assert_eq!((open[0], open[open.len() - 1]), (0, count - 1));
             let backwards: Vec<usize> = open.iter().rev().map(|i| count - 1 - i).collect();
