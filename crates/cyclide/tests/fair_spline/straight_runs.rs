@@ -65,6 +65,31 @@ fn tight_corners_round_in_proportion() {
 }
 
 #[test]
+fn tight_figures_are_cut_at_the_corner_asked_for_where_they_pass_twice() {
+    // Through (3, 0) on a straight leg, round a tight corner at (6, 0) and over a bow back to (3, 0), where a corner is asked for.
+    let xy = [
+        (0., 0.),
+        (1.5, 0.),
+        (3., 0.),
+        (4.5, 0.),
+        (6., 0.),
+        (6., 2.),
+        (6., 4.),
+        (4., 5.),
+        (3., 3.),
+        (3., 0.),
+        (0., -4.),
+    ];
+    let points: Vec<Point3> = xy.map(|(x, y)| p(x, y, 0.0)).to_vec();
+    let options = FairSplineOptions { tight: Some(0.25), corners: vec![9], ..Default::default() };
+    let s = CircleSpline::fair(&points, &options).unwrap();
+    let kinks: Vec<usize> = joints(&s).iter().enumerate().filter(|(_, j)| j.angle > 0.1).map(|(i, _)| i).collect();
+    let before = (0..s.segments().len()).filter(|i| s.segments()[*i].end() == points[9]).max().unwrap();
+    assert_eq!(kinks, [before], "the joint behind the last segment that ends there");
+    assert_eq!(s.kinks(), [before + 1]);
+}
+
+#[test]
 fn tight_closed_figures_keep_their_seam() {
     // A square with points on its sides, starting at a corner: the point before the first one is the last of all.
     let side = |from: Point3, to: Vec3| (0..4).map(move |i| from + to * f64::from(i)).collect::<Vec<_>>();

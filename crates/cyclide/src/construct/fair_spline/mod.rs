@@ -75,7 +75,10 @@ impl CircleSpline {
             return assembled(points, &chords, options, &cuts, ends, &|i| i, warnings);
         };
         let chords = chords_between(&more, closed)?;
-        let cuts: Vec<usize> = cuts.iter().filter_map(|cut| more.iter().position(|p| *p == points[*cut])).collect();
+        // Of the points that count as a given one the first is itself.
+        let mut place = vec![0; points.len()];
+        source.iter().enumerate().rev().for_each(|(i, given)| place[*given] = i);
+        let cuts: Vec<usize> = cuts.iter().map(|cut| place[*cut]).collect();
         assembled(&more, &chords, options, &cuts, ends, &|i| source[i], warnings)
     }
 }
