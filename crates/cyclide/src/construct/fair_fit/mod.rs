@@ -123,7 +123,7 @@ impl FairFit {
             let numbers: Vec<usize> = (from..=to).map(|i| i % data.len()).collect();
             let whole = options.closed && cuts.is_empty();
             let numbers = if whole { &numbers[..data.len()] } else { &numbers[..] };
-            let ends = [from, to].map(|i| options.fix_ends || cuts.contains(&(i % data.len())));
+            let ends = [from, to].map(|i| options.fix_ends || cuts.binary_search(&(i % data.len())).is_ok());
             parts
                 .add(data, numbers, whole, ends, &frame, options)
                 .map_err(|e| in_users_numbers(e, &distinct.source))?;
