@@ -5,6 +5,7 @@ Whatever a test framework reports as skipped or ignored is listed and counted be
 """
 
 import glob
+import json
 import os
 import re
 import subprocess
@@ -57,17 +58,27 @@ def from_pytest(lines, _ok):
     return Outcome(count("passed"), count("failed") + count("error"), skipped)
 
 
+def target_folder():
+    """Where cargo puts what it builds."""
+    command = ["cargo", "metadata", "--format-version", "1", "--no-deps", "--offline"]
+    found = subprocess.run(command, cwd=ROOT, check=True, capture_output=True).stdout
+    return Path(json.loads(found)["target_directory"])
+
+
 PYTHON = sys.executable
+# As `cargo xtask`, but built by one command with the program: alone it would build every dependency again, for it needs
+# some of them with fewer features.
+XTASK = target_folder() / "release" / "xtask"
 STEPS = [
     ("format", ["cargo", "fmt", "--all", "--check"], one),
     ("lints", ["cargo", "clippy", "--workspace", "--all-targets", "--locked", "--", "-D", "warnings"], one),
     ("without faer", ["cargo", "clippy", "--package", "cyclide", "--no-default-features", "--locked", "--", "-D", "warnings"], one),
     ("documentation", ["cargo", "doc", "--workspace", "--no-deps", "--locked"], one),
-    ("layers", ["cargo", "xtask", "layers"], one),
+    ("program", ["cargo", "build", "--release", "--locked", "--package", "cyclide-cli", "--package", "xtask"], one),
+    ("layers", [XTASK, "layers"], one),
     ("dependencies", [PYTHON, "tests/dependencies.py"], one),
     ("Rust tests", ["cargo", "test", "--workspace", "--locked", "--no-fail-fast"], from_cargo_test),
-    ("reference cases", ["cargo", "xtask", "reference", *sorted(glob.glob("crates/cyclide/tests/reference/*.json", root_dir=ROOT))], from_last_line),
-    ("program", ["cargo", "build", "--release", "--locked", "--package", "cyclide-cli"], one),
+    ("reference cases", [XTASK, "reference", *sorted(glob.glob("crates/cyclide/tests/reference/*.json", root_dir=ROOT))], from_last_line),
     ("foreign readers", [PYTHON, "-m", "pytest", "tests/foreign", "-q", "-rsxX", "-p", "no:cacheprovider"], from_pytest),
 ]
 
