@@ -24,7 +24,7 @@ def command(tmp_path_factory):
     x = np.linspace(-1, 1, 61)
     grid = [[[s, t, 0.5 * math.exp(-2 * (s * s + t * t))] for s in x] for t in x]
     document = tmp_path_factory.mktemp("progress") / "net.json"
-    net = {"type": "cyclidic-net", "grid": grid, "make_circular": True}
+    net = {"type": "cyclidic-net", "grid": grid, "make_circular": {"allow_shape_change": True}}
     document.write_text(json.dumps({"cyclide": 1, "objects": {"net": net}}))
     return [program_path(), "report", document]
 
