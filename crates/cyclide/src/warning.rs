@@ -125,6 +125,15 @@ pub enum Warning {
         /// Values above this are reported.
         limit: f64,
     },
+    /// A fair fit swung out between its points, far from their polyline, as it does where a corner is no corner to it.
+    SwingsOut {
+        /// How far the curve was from the polyline.
+        distance: f64,
+        /// The tolerance and half the longest edge; larger distances are reported.
+        limit: f64,
+        /// It was fitted again with places on the edges, and does not swing out any more.
+        held: bool,
+    },
     /// The feet of some points step back along the curve: distances are bounded one way only.
     FeetNotMonotone {
         /// The first point whose foot is before that of its predecessor.
@@ -226,6 +235,7 @@ impl Warning {
             Self::TurnsMoreThanData { .. } => "turns-more-than-data",
             Self::NodesFollowNoise { .. } => "tolerance-below-noise",
             Self::LeansOnWalls { .. } => "leans-on-walls",
+            Self::SwingsOut { .. } => "swings-out",
             Self::FeetNotMonotone { .. } => "feet-not-monotone",
             Self::PointsMerged { .. } => "points-merged",
             Self::ClosingPointMerged { .. } => "closing-point-merged",
@@ -265,6 +275,7 @@ impl Warning {
             | Self::OpenSeam { .. }
             | Self::NodesFollowNoise { .. }
             | Self::LeansOnWalls { .. }
+            | Self::SwingsOut { .. }
             | Self::Zigzag { .. } => None,
         }
     }
@@ -348,13 +359,24 @@ impl std::fmt::Display for Warning {
                 )
             }
             Self::NodesFollowNoise { nodes, points } => {
-                write!(f, "{nodes} nodes for {points} points: the tolerance is below the noise")
+                write!(
+                    f,
+                    "{nodes} nodes for {points} points: the tolerance is below the noise, or the points have corners, which a smooth curve follows only if they are given (a corner angle)"
+                )
             }
             Self::LeansOnWalls { rms, limit } => write!(
                 f,
                 "the curve leans on the bounds of the tolerance: the root mean square of the distances is {} (more than {} is much); for noisy points a tolerance of 3 to 4 standard deviations with centre 1 comes nearer to what was measured",
                 ShortNumber(*rms),
                 ShortNumber(*limit)
+            ),
+            Self::SwingsOut { distance, limit, held } => write!(
+                f,
+                "between the points the curve {} up to {} from their polyline (more than {} is far){}; if the points have corners, give a corner angle",
+                if *held { "would swing out" } else { "swings out" },
+                ShortNumber(*distance),
+                ShortNumber(*limit),
+                if *held { ": it is held to places on the edges too" } else { "" }
             ),
             Self::FeetNotMonotone { point, count } => write!(
                 f,

@@ -50,6 +50,8 @@ use working_frame::WorkingFrame;
 const LEANING: f64 = 0.55;
 /// More nodes than this part of the points follow their noise.
 const NOISY: f64 = 1.0 / 3.0;
+/// Places on each edge that hold a curve which swings out between its points.
+const HELD_EDGE_POINTS: usize = 3;
 /// Fewer points than this say nothing about noise.
 const FEW_POINTS: usize = 24;
 
@@ -59,6 +61,8 @@ pub struct FairFit {
     spline: CircleSpline,
     certificate: FairFitCertificate,
     warnings: Vec<Warning>,
+    /// How far the curve is from the polyline, and the limit, where it swings out between points.
+    swing: Option<(f64, f64)>,
 }
 
 /// What is proved about a fair fit, and how fair it is.
@@ -90,6 +94,10 @@ impl FairFit {
     /// exactly; each smooth piece between them is fitted on its own and ends in an arc. Linear in the number of points,
     /// in memory and about so in time.
     ///
+    /// A curve that leaves its polyline by more than half the longest edge and the tolerance swings out: where a corner is
+    /// thinner than its points are dense, nothing holds it. It is fitted again with places on the edges, and a warning
+    /// (`swings-out`) says so.
+    ///
     /// ```
     /// use cyclide::{FairFit, FairFitOptions, Point3};
     /// // A wave, measured to 0.01.
@@ -106,6 +114,23 @@ impl FairFit {
     /// `tolerance-not-positive`, `parameter-out-of-range` (an option, a corner index, a coordinate), `too-few-points`,
     /// `not-finite`, `coincident-points` (all points equal), `tolerance-not-reached` with the points that stay outside.
     pub fn new(points: &[Point3], options: &FairFitOptions) -> Result<Self> {
+        let fit = Self::of_points(points, options)?;
+        let Some((distance, limit)) = fit.swing else {
+            return Ok(fit);
+        };
+        // The points alone do not hold the curve where a corner is thinner than they are dense.
+        let held = FairFitOptions { edge_points: HELD_EDGE_POINTS, ..options.clone() };
+        let held = if options.edge_points == 0 { Self::of_points(points, &held).ok() } else { None };
+        let (mut fit, held) = match held {
+            Some(held) if held.swing.is_none() => (held, true),
+            _ => (fit, false),
+        };
+        fit.warnings.push(Warning::SwingsOut { distance, limit, held });
+        Ok(fit)
+    }
+
+    /// The fit with these very options.
+    fn of_points(points: &[Point3], options: &FairFitOptions) -> Result<Self> {
         options.check(points.len())?;
         for (index, p) in points.iter().enumerate() {
             range::check_point(index, p.to_vec())?;
@@ -295,9 +320,18 @@ impl Parts {
         if options.centre == 0.0 && sheet.rms > LEANING * tolerance {
             warnings.push(Warning::LeansOnWalls { rms: sheet.rms, limit: LEANING * tolerance });
         }
+        let limit = tolerance + 0.5 * longest_edge(&distinct.points, options.closed);
+        let swing = (sheet.polyline_deviation > limit).then_some((sheet.polyline_deviation, limit));
         let spline = CircleSpline::from_segments(self.spline, options.closed, self.kinks, Vec::new());
-        Ok(FairFit { spline, certificate: sheet, warnings })
+        Ok(FairFit { spline, certificate: sheet, warnings, swing })
     }
+}
+
+/// The longest edge of the polyline: a curve that is farther from it than half of this turns by more than half a circle
+/// over an edge, and so holds to nothing that was given.
+fn longest_edge(points: &[Point3], closed: bool) -> f64 {
+    let last = points.last().zip(points.first()).filter(|_| closed).map(|(a, b)| a.distance(*b));
+    points.windows(2).map(|w| w[0].distance(w[1])).chain(last).fold(0.0, f64::max)
 }
 
 /// The points with places on the edges between them, and how many of these there are to a point.
