@@ -160,7 +160,9 @@ impl<'a> Curves<'a> {
     fn piece(&mut self, piece: ChainPiece, entity: &Entity<'a>) -> Result<(), ReadError> {
         let key = (entity.group(), entity.text(8));
         let follows = self.pieces.last().is_some_and(|last| {
-            let meets = last.end().distance(piece.start()) <= self.gap();
+            // The digits of the piece that begins count as those of the pieces before.
+            let gap = self.gap().max(GAP * extent(&piece));
+            let meets = last.end().distance(piece.start()) <= gap;
             key == self.key && meets && (key.0.is_some() || !self.is_closed())
         });
         if !follows {
