@@ -74,8 +74,8 @@ Examples:
       cyclide curve track.csv --closed --units m --kind arc-fit --tolerance 0.05 -o track.dxf
   Noisy or dense data, a fair curve with continuous curvature within 0.2 of the points:
       cyclide curve survey.csv --closed --units m --smooth 0.2 --centre 1 -o survey.step -o survey.png
-  A logo with contours and corners, columns chosen by name:
-      cyclide curve logo.csv --closed --corner-angle-deg 40 --columns x_mm,y_mm -o logo.svg
+  A logo with contours, its corners marked in a column, columns chosen by name:
+      cyclide curve logo.csv --closed --columns x_mm,y_mm -o logo.svg
 
 The file: one point per line, separated by commas, semicolons, tabs or blanks; a header line is optional. A blank line
 starts a new contour, as does a new value in a column named 'contour'; a column 'corner' (0 or 1) marks corners.";

@@ -91,8 +91,10 @@ impl InputKind {
         for line in text.lines().take(LINES) {
             let names = fields(line.trim_start_matches('#'));
             let has = |name: &str| names.iter().any(|field| field == name);
-            let grid = [["patch", "s"], ["i", "j"], ["row", "column"], ["row", "col"], ["u", "v"]];
-            if has("x") && has("y") && grid.iter().any(|pair| pair.iter().all(|name| has(name))) {
+            // Not `u`, `v`, which are velocities as often, nor `i`, `j`, `k`, the direction of a tool.
+            let grid = [["patch", "s"], ["i", "j"], ["row", "column"], ["row", "col"]];
+            let in_space = ["x", "y", "z"].into_iter().all(has) && !has("k");
+            if in_space && grid.iter().any(|pair| pair.iter().all(|name| has(name))) {
                 return Some(Self::PointGrid);
             }
             if line.trim_start().starts_with('#') {
@@ -150,6 +152,9 @@ mod tests {
             (b"i,j,x,y,z\n0,0,1,2,3\n", Some(InputKind::PointGrid)),
             (b"patch,s,t,x,y,z\n", Some(InputKind::PointGrid)),
             (b"t,x,y,z,tangent_x\n0,1,2,3,4\n", Some(InputKind::Points)),
+            (b"x,y,speed,u,v\n0,1,2,3,4\n", Some(InputKind::Points)),
+            (b"x,y,i,j\n0,1,2,3\n", Some(InputKind::Points)),
+            (b"x,y,z,i,j,k\n0,1,2,0,0,1\n", Some(InputKind::Points)),
             (b"vertex v\n", None),
             (b"", None),
             (b"\xff\xfe\x00", None),
