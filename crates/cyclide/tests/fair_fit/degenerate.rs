@@ -167,7 +167,7 @@ fn a_hundred_thousand_points_are_no_trouble() {
 fn a_star_does_not_swing_out_in_silence() {
     // Ten straight sides with twenty points each and sharp tips: the points alone do not hold the curve at the tips.
     let corner = |k: usize| {
-        let (radius, angle) = (if k % 2 == 0 { 50.0 } else { 20.0 }, std::f64::consts::PI * k as f64 / 5.0);
+        let (radius, angle) = (if k.is_multiple_of(2) { 50.0 } else { 20.0 }, std::f64::consts::PI * k as f64 / 5.0);
         [radius * angle.sin(), radius * angle.cos()]
     };
     let (tolerance, mut held) = (0.2, 0);
