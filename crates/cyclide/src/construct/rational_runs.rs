@@ -4,12 +4,9 @@
 //! section 4, "free C1"); [`NurbsCurve::with_c1_knots`] writes that into the knots.
 
 use crate::curve::{Arc, BlendSegment, CircleSpline};
-use crate::error::{Error, Result};
+use crate::error::Result;
 use crate::rational::{NurbsCurve, RationalBezier};
 use std::ops::Range;
-
-/// Smallest weight written: below it rounding of a rational point is more than 2e-4 of it (`65`, section 6).
-const LEAST_WEIGHT: f64 = 1e-12;
 
 /// A smooth run of a circle spline in its rational form.
 #[derive(Debug, Clone, PartialEq)]
@@ -27,8 +24,7 @@ impl CircleSpline {
     /// those of the curve, to the bit; all weights are positive.
     ///
     /// # Errors
-    /// `too-many-pieces` if a segment of the trigonometric variant would need more than 4096; `arc-through-infinity` for a
-    /// segment that passes so near infinity that it has weights below 1e-12, in which its points would be lost.
+    /// `too-many-pieces` if a segment of the trigonometric variant would need more than 4096.
     pub fn to_rational_runs(&self, tolerance: f64) -> Result<(Vec<RationalRun>, f64)> {
         let mut worst: f64 = 0.0;
         let mut runs = Vec::new();
@@ -52,9 +48,6 @@ fn rational_run(spline: &CircleSpline, range: Range<usize>, tolerance: f64) -> R
     for (i, segment) in segments() {
         let (pieces, bound) = segment.rational_pieces(tolerance, i)?;
         worst = worst.max(bound);
-        if pieces.iter().flat_map(|piece| piece.bezier.rows()).any(|row| !(row[3] >= LEAST_WEIGHT)) {
-            return Err(Error::ArcThroughInfinity { segment: i });
-        }
         for piece in pieces {
             beziers.push(piece.bezier);
             intervals.push(piece.interval);

@@ -169,15 +169,3 @@ fn dense_data_take_linear_time() {
     assert_eq!(s.piece_count(), 199_999);
     assert!(s.warnings().is_empty());
 }
-
-#[test]
-fn a_segment_next_to_infinity_has_no_rational_form() {
-    // Both tangents within 1e-8 of the reversed chord: weights to 1e-16, in which the points would be lost.
-    let back = |lean: f64| FairEnd::Clamped(Vec3::new(-1.0, lean, 0.0));
-    let made = |lean: f64| {
-        let options = FairSplineOptions { ends: [back(lean), back(lean)], ..Default::default() };
-        CircleSpline::fair(&[p(0.0, 0.0, 0.0), p(1.0, 0.0, 0.0)], &options).unwrap().to_rational_runs(1e-3)
-    };
-    assert!(made(1e-2).is_ok());
-    assert_eq!(made(1e-8).unwrap_err().reason(), "arc-through-infinity");
-}
