@@ -1,7 +1,10 @@
 //! Places in a text and the messages that show them: file, line, column, the line itself and a caret.
 
+use std::borrow::Cow;
 use std::fmt;
 use std::ops::Range;
+
+use crate::lines::line_ends;
 
 /// A text with the name under which messages speak of it.
 #[derive(Debug, Clone, Copy)]
@@ -50,20 +53,21 @@ impl<'a> Source<'a> {
     #[must_use]
     pub fn diagnostic(self, span: Range<usize>, path: &str, message: impl Into<String>) -> Box<Diagnostic> {
         let start = self.boundary(span.start);
-        let line_start = self.text[..start].rfind('\n').map_or(0, |i| i + 1);
+        let line_start = self.text[..start].rfind(['\n', '\r']).map_or(0, |i| i + 1);
         let line_end = self.text[start..].find(['\n', '\r']).map_or(self.text.len(), |i| start + i);
         let end = self.boundary(span.end).clamp(start, line_end.max(start));
-        let before: Vec<char> = self.text[line_start..start].chars().collect();
-        let piece: Vec<char> = self.text[start..end].chars().collect();
+        // A line may be as long as the file: only what is shown is taken out of it.
+        let before = &self.text[line_start..start];
+        let shown: Vec<char> = before.chars().rev().take(CONTEXT).collect();
+        let piece: Vec<char> = self.text[start..end].chars().take(MAX_UNDERLINE + 1).collect();
         let after = self.text[end..line_end.max(end)].chars();
-        let shown = &before[before.len().saturating_sub(CONTEXT)..];
         let width = piece.len().min(MAX_UNDERLINE);
         let tail = if piece.len() > width { 0 } else { CONTEXT };
-        let text = shown.iter().chain(&piece[..width]).copied().chain(after.take(tail));
+        let text = shown.iter().rev().chain(&piece[..width]).copied().chain(after.take(tail));
         Box::new(Diagnostic {
             file: self.name.to_owned(),
-            line: 1 + self.text[..line_start].matches('\n').count(),
-            column: 1 + before.len(),
+            line: 1 + line_ends(&self.text[..line_start]),
+            column: 1 + before.chars().count(),
             path: path.to_owned(),
             message: message.into(),
             reason: None,
@@ -79,7 +83,7 @@ impl<'a> Source<'a> {
     /// Line of a byte offset, from 1.
     #[must_use]
     pub fn line_of(self, offset: usize) -> usize {
-        1 + self.text[..self.boundary(offset)].matches('\n').count()
+        1 + line_ends(&self.text[..self.boundary(offset)])
     }
 
     /// The character that holds the byte before an offset; empty at the start of the text.
@@ -131,14 +135,41 @@ impl fmt::Display for Diagnostic {
 
 impl std::error::Error for Diagnostic {}
 
+/// What messages quote of an input at most, in characters.
+const QUOTED: usize = 60;
+
+/// A piece of the input as a message quotes it: cut where it is long.
+pub(crate) fn quoted(text: &str) -> Cow<'_, str> {
+    match text.char_indices().nth(QUOTED) {
+        None => Cow::Borrowed(text),
+        Some((end, _)) => Cow::Owned(format!("{}…", &text[..end])),
+    }
+}
+
+/// Bytes in which zeros tell that a text is not in UTF-8.
+const HEAD: usize = 4096;
+
 /// The text of bytes that must be UTF-8, without a byte-order mark.
 ///
 /// # Errors
-/// A message with the place of the first byte that is not UTF-8, or about a UTF-16 mark.
+/// A message with the place of the first byte that is not UTF-8, or about UTF-16, with its mark or without.
 pub fn decode<'a>(name: &str, bytes: &'a [u8]) -> Result<&'a str, Box<Diagnostic>> {
     let source = |text: &'a str| Source { name, text };
     if bytes.starts_with(&[0xFF, 0xFE]) || bytes.starts_with(&[0xFE, 0xFF]) {
         return Err(source("").diagnostic(0..0, "", "the file is UTF-16; save it as UTF-8"));
+    }
+    // Latin letters and digits in UTF-16 are valid UTF-8 with zeros between them.
+    if let [first, second, ..] = bytes
+        && (*first == 0) != (*second == 0)
+    {
+        return Err(source("").diagnostic(
+            0..0,
+            "",
+            "the file seems to be UTF-16 (every other byte is 0); save it as UTF-8",
+        ));
+    }
+    if bytes[..bytes.len().min(HEAD)].contains(&0) {
+        return Err(source("").diagnostic(0..0, "", "the file is not text: it holds zero bytes"));
     }
     match std::str::from_utf8(bytes) {
         Ok(text) => Ok(text.strip_prefix('\u{feff}').unwrap_or(text)),
@@ -184,6 +215,32 @@ mod tests {
         let d = decode("f.csv", b"1,2\n3,\xff").unwrap_err();
         assert_eq!((d.line, d.column), (2, 3));
         assert_eq!(decode("f", b"\xef\xbb\xbf1,2").unwrap(), "1,2");
-        assert!(decode("f", b"\xff\xfe1\0").unwrap_err().message.contains("UTF-16"));
+        for utf16 in [&b"\xff\xfe1\0"[..], b"1\0,\0", b"\x001\0,"] {
+            assert!(decode("f", utf16).unwrap_err().message.contains("UTF-16"));
+        }
+        assert!(decode("f", b"ab\0\0").unwrap_err().message.contains("not text"));
+    }
+
+    #[test]
+    fn a_line_as_long_as_the_file_costs_its_bytes_only() {
+        let text = format!("{}BAD", "x".repeat(30_000_000));
+        let at = text.len() - 3;
+        let begin = std::time::Instant::now();
+        let d = Source { name: "f", text: &text }.diagnostic(at..at + 3, "", "m");
+        assert_eq!((d.line, d.column), (1, at + 1));
+        assert!(begin.elapsed().as_secs_f64() < 1.0, "30 MB are counted in some ten milliseconds");
+    }
+
+    #[test]
+    fn lone_carriage_returns_end_lines() {
+        let d = Source { name: "f", text: "1\r2\r\n3\rBAD\r5" }.diagnostic(7..10, "", "m");
+        assert_eq!((d.line, d.column), (4, 1));
+        assert_eq!(d.to_string(), "f:4:1: m\n  4 | BAD\n    | ^^^");
+    }
+
+    #[test]
+    fn what_messages_quote_is_cut() {
+        assert_eq!(quoted("short"), "short");
+        assert_eq!(quoted(&"é".repeat(1000)).chars().count(), QUOTED + 1);
     }
 }

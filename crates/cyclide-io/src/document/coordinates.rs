@@ -51,8 +51,8 @@ pub enum PointSource {
 pub struct PointFile {
     /// Path of the file, relative to the document.
     pub csv: String,
-    /// Names (or numbers from 1) of the two or three coordinate columns. Default: the columns whose names start
-    /// with x, y (and z), else the first two, or three if the file has exactly three and no header.
+    /// Names (or numbers from 1) of the two or three coordinate columns. Default: the columns named x, y (and z) or
+    /// easting and northing, else the only two or three numbers of a line, without a header the first two of more.
     #[schemars(length(min = 2, max = 3))]
     pub columns: Option<Vec<String>>,
     /// Name (or number) of the column that says which contour a point belongs to. Default: the column `contour` if

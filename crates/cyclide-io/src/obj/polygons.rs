@@ -7,7 +7,8 @@ use std::ops::Range;
 
 use cyclide::Point3;
 
-use crate::place::{Diagnostic, Source};
+use crate::lines::lines;
+use crate::place::{Diagnostic, Source, quoted};
 
 /// A polygon: indices of its points, and its place in the text.
 #[derive(Debug, Clone, PartialEq)]
@@ -32,16 +33,18 @@ fn refused(source: Source<'_>, (text, start): Word<'_>, message: impl Into<Strin
     source.diagnostic(start..start + text.len(), "", message)
 }
 
+/// Longest statement that is read, in bytes; a quad has some forty.
+const LONGEST_STATEMENT: usize = 65_536;
+
 /// Parses the text.
 ///
 /// # Errors
-/// A message with its place: a coordinate or index that is no number, too few of them, an index without a point.
+/// A message with its place: a coordinate or index that is no number, too few of them, an index without a point, a
+/// statement that is too long.
 pub(super) fn parse(source: Source<'_>) -> Result<Polygons, Box<Diagnostic>> {
     let mut polygons = Polygons::default();
-    // Points may come after the faces that use them.
-    let mut words_of_corners = Vec::new();
-    for words in statements(source.text) {
-        let [keyword, data @ ..] = words.as_slice() else { continue };
+    for_each_statement(source, |words| {
+        let [keyword, data @ ..] = words else { return Ok(()) };
         let last = data.last().unwrap_or(keyword);
         let span = keyword.1..last.1 + last.0.len();
         match keyword.0 {
@@ -59,46 +62,62 @@ pub(super) fn parse(source: Source<'_>) -> Result<Polygons, Box<Diagnostic>> {
                 }
                 let so_far = polygons.points.len();
                 let corners = data.iter().map(|word| index(source, *word, so_far)).collect::<Result<_, _>>()?;
-                words_of_corners.push(data.to_vec());
                 polygons.faces.push(Polygon { corners, span });
             }
             _ => {}
         }
-    }
+        Ok(())
+    })?;
+    // Points may come after the faces that use them.
     let count = polygons.points.len();
-    for (face, words) in polygons.faces.iter().zip(&words_of_corners) {
+    for face in &polygons.faces {
         if let Some(k) = face.corners.iter().position(|corner| *corner >= count) {
-            return Err(refused(source, words[k], format!("there is no such point: the file has {count}")));
+            return Err(no_such_point(source, face, k, count));
         }
     }
     Ok(polygons)
 }
 
-/// The words of each statement: lines without comments, joined where a line ends in `\`.
-fn statements(text: &str) -> Vec<Vec<Word<'_>>> {
-    let mut statements = Vec::new();
-    let mut words: Vec<Word<'_>> = Vec::new();
-    let mut start = 0;
-    for line in text.split_inclusive('\n') {
-        let content = line.trim_end_matches(['\n', '\r']);
-        let content = &content[..content.find('#').unwrap_or(content.len())];
+/// The message about a corner of a face: its words are found again.
+fn no_such_point(source: Source<'_>, face: &Polygon, corner: usize, count: usize) -> Box<Diagnostic> {
+    let text = &source.text[face.span.clone()];
+    let mut words = text.split_whitespace().filter(|word| *word != "\\");
+    let place = |word: &str| face.span.start + (word.as_ptr() as usize - text.as_ptr() as usize);
+    let span = words.nth(corner + 1).map_or(face.span.clone(), |word| place(word)..place(word) + word.len());
+    source.diagnostic(span, "", format!("there is no such point: the file has {count}"))
+}
+
+/// Visits the words of each statement: lines without comments, joined where a line ends in `\`.
+fn for_each_statement<'a>(
+    source: Source<'a>,
+    mut visit: impl FnMut(&[Word<'a>]) -> Result<(), Box<Diagnostic>>,
+) -> Result<(), Box<Diagnostic>> {
+    let mut words: Vec<Word<'a>> = Vec::new();
+    let mut begin = None;
+    for (start, line) in lines(source.text) {
+        let begun = *begin.get_or_insert(start);
+        if start + line.len() - begun > LONGEST_STATEMENT {
+            let message = format!("the line has more than {LONGEST_STATEMENT} bytes");
+            return Err(source.diagnostic(begun..begun + 1, "", message));
+        }
+        let content = &line[..line.find('#').unwrap_or(line.len())];
         let (content, continued) = content.trim_end().strip_suffix('\\').map_or((content, false), |c| (c, true));
         let place = |word: &str| start + (word.as_ptr() as usize - line.as_ptr() as usize);
         words.extend(content.split_whitespace().map(|word| (word, place(word))));
         if !continued {
-            statements.push(std::mem::take(&mut words));
+            visit(&words)?;
+            words.clear();
+            begin = None;
         }
-        start += line.len();
     }
-    statements.push(words);
-    statements
+    visit(&words)
 }
 
 fn coordinate(source: Source<'_>, word: Word<'_>) -> Result<f64, Box<Diagnostic>> {
     match word.0.parse::<f64>() {
         Ok(x) if x.is_finite() => Ok(x),
-        Ok(_) => Err(refused(source, word, format!("`{}` is not a finite number", word.0))),
-        Err(_) => Err(refused(source, word, format!("`{}` is not a number", word.0))),
+        Ok(_) => Err(refused(source, word, format!("`{}` is not a finite number", quoted(word.0)))),
+        Err(_) => Err(refused(source, word, format!("`{}` is not a number", quoted(word.0)))),
     }
 }
 
@@ -106,7 +125,7 @@ fn coordinate(source: Source<'_>, word: Word<'_>) -> Result<f64, Box<Diagnostic>
 fn index(source: Source<'_>, word: Word<'_>, so_far: usize) -> Result<usize, Box<Diagnostic>> {
     let number = word.0.split('/').next().unwrap_or_default();
     let Ok(number) = number.parse::<i64>() else {
-        return Err(refused(source, word, format!("`{}` does not start with the number of a point", word.0)));
+        return Err(refused(source, word, format!("`{}` does not start with the number of a point", quoted(word.0))));
     };
     let back = usize::try_from(number.unsigned_abs()).unwrap_or(usize::MAX);
     match number {

@@ -136,3 +136,23 @@ fn an_inward_corner_is_extraordinary() {
     let message = read(&without_last.join("\n")).unwrap_err();
     assert!(message.contains("point 5 is a border vertex of 3 quads") && message.contains("[extraordinary-vertex]"));
 }
+
+#[test]
+fn lone_carriage_returns_end_lines() {
+    let plain = text([3, 2], [false; 2], straight);
+    assert_eq!(read(&plain.replace('\n', "\r")).unwrap(), read(&plain).unwrap());
+    assert!(read("v 0 0 0\rv 1 0 x\r").unwrap_err().starts_with("m.obj:2:7: `x` is not a number"));
+}
+
+#[test]
+fn lines_of_any_length_are_refused_and_quoted_in_part() {
+    for (text, message) in [
+        (format!("v 0 0 {}", "1".repeat(10_000_000)), "m.obj:1:1: the line has more than 65536 bytes"),
+        ("f 1 2 3 \\\n".repeat(100_000), "m.obj:1:1: the line has more than 65536 bytes"),
+        (format!("v 0 0 {}x", "1".repeat(10_000)), "m.obj:1:7: `1111"),
+        (format!("f {} 1 2", "x".repeat(10_000)), "m.obj:1:3: `xxxx"),
+    ] {
+        let error = read(&text).unwrap_err();
+        assert!(error.starts_with(message) && error.len() < 500, "{error}");
+    }
+}

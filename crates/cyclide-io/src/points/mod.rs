@@ -4,18 +4,27 @@
 //! # x_m,y_m,w_tr_right_m,w_tr_left_m      a header line is optional and may stand behind a '#'
 //! 0.96,4.02,7.57,7.36
 //! ```
-//! A blank line starts a new contour, or a column named `contour` says which one a point belongs to; a column named
-//! `corner` (0 or 1) marks corners. Coordinates are two or three columns: those named, else the ones whose names
-//! start with x, y (and z), else the first two columns (three if the file has exactly three and no header).
+//! A blank line starts a new contour (unless one stands after every point), or a column named `contour` says which one a
+//! point belongs to; a column named `corner` (0 or 1) marks corners. Coordinates are two or three columns: those asked
+//! for, else those named x, y (and z) or after the compass, else the only two or three numbers of a line; without a header
+//! the first two of more. Where that is a choice it is said, and where it would be a guess it is refused.
 
+mod columns;
+mod decimals;
 mod merge;
 mod table;
+mod unit;
+
+use std::collections::HashMap;
 
 use cyclide::{Point3, Units};
 
-use crate::place::{Diagnostic, Source, decode};
+use crate::place::{Diagnostic, Source, decode, quoted};
+use columns::Chosen;
+use decimals::{Decimals, Pairs};
 pub(crate) use merge::merge_repeated;
-use table::{Field, Table};
+use table::{Row, Table};
+pub use unit::{ColumnUnit, unit_of_columns};
 
 /// Which columns to read.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
@@ -34,6 +43,17 @@ pub struct PointTable {
     pub contours: Vec<PointList>,
     /// Units that the names of the coordinate columns speak of (`x_m`, `y [mm]`), with the name.
     pub unit_hints: Vec<(String, Units)>,
+    /// What could have been read another way.
+    pub remarks: Vec<PointRemark>,
+}
+
+/// What was read in one of several possible ways.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct PointRemark {
+    /// Stable kebab-case name: `columns-taken`, `decimal-commas`, `decimal-pairs`, `blank-lines`.
+    pub reason: &'static str,
+    /// The sentence.
+    pub message: String,
 }
 
 /// One contour's points.
@@ -51,121 +71,92 @@ pub struct PointList {
 ///
 /// # Errors
 /// A message with file, line and column: not UTF-8, no points, a field that is not a finite number, a missing
-/// column.
+/// column, columns that can only be guessed, a line or quote without end.
 pub fn read_points(name: &str, bytes: &[u8], columns: &PointColumns) -> Result<PointTable, Box<Diagnostic>> {
     let source = Source { name, text: decode(name, bytes)? };
     let table = Table::parse(source, columns.coordinates.as_deref().unwrap_or_default())?;
     let chosen = Chosen::new(source, &table, columns)?;
-    let mut contours: Vec<PointList> = Vec::new();
-    let mut labels: std::collections::HashMap<&str, usize> = std::collections::HashMap::new();
-    for row in &table.rows {
+    let mut pairs = columns.coordinates.is_none().then(|| Pairs::new(&table));
+    let mut contours = Contours::default();
+    table.for_each_row(|row| {
+        pairs.iter_mut().for_each(|pairs| pairs.row(row.fields));
+        contours.add(source, &chosen, row)
+    })?;
+    let Contours { mut lists, decimals, .. } = contours;
+    let mut remarks = Vec::new();
+    let mut remark = |reason, message: String| remarks.push(PointRemark { reason, message });
+    if pairs.is_some_and(|pairs| pairs.found()) {
+        let taken = if chosen.coordinates.len() == 2 { "the first two" } else { "the first three" };
+        let message = format!(
+            "all {} columns are whole numbers, {taken} are taken as coordinates; if the commas are decimal ones, as in \
+             `1,5,2,5`, separate the columns by semicolons",
+            table.width
+        );
+        remark("decimal-pairs", message);
+    } else if let Some(message) = chosen.remark.clone() {
+        remark("columns-taken", message);
+    }
+    if decimals.comma {
+        remark("decimal-commas", "the numbers are read with decimal commas".to_owned());
+    }
+    if chosen.contour.is_none() && lists.len() > 1 && lists.iter().all(|list| list.points.len() == 1) {
+        lists = vec![joined(lists)];
+        remark("blank-lines", "a blank line stands after every point: they separate no contours".to_owned());
+    }
+    Ok(PointTable { contours: lists, unit_hints: chosen.unit_hints(&table), remarks })
+}
+
+/// The contours as far as they are read.
+#[derive(Default)]
+struct Contours<'a> {
+    lists: Vec<PointList>,
+    labels: HashMap<&'a str, usize>,
+    decimals: Decimals,
+}
+
+impl<'a> Contours<'a> {
+    /// Adds the point of a line.
+    fn add(&mut self, source: Source<'_>, chosen: &Chosen, row: &Row<'_, 'a>) -> Result<(), Box<Diagnostic>> {
         let target = match chosen.contour {
             Some(column) => {
-                let label = table.field(source, row, column, "contour")?.text;
-                *labels.entry(label).or_insert(contours.len())
+                let label = row.field(source, column, "contour")?.text;
+                *self.labels.entry(label).or_insert(self.lists.len())
             }
             None => row.block,
         };
-        if target == contours.len() {
-            contours.push(PointList::default());
+        if target == self.lists.len() {
+            self.lists.push(PointList::default());
         }
-        let list = &mut contours[target];
+        let list = &mut self.lists[target];
         let mut coordinates = [0.0; 3];
         for (value, &column) in coordinates.iter_mut().zip(&chosen.coordinates) {
-            *value = number(source, &table.field(source, row, column, "coordinate")?)?;
+            *value = self.decimals.read(source, &row.field(source, column, "coordinate")?)?;
         }
         if let Some(column) = chosen.corner {
-            let field = table.field(source, row, column, "corner")?;
+            let field = row.field(source, column, "corner")?;
             match field.text {
                 "0" => {}
                 "1" => list.corners.push(list.points.len()),
-                other => return Err(field.refused(source, format!("corner must be 0 or 1, not `{other}`"))),
+                other => return Err(field.refused(source, format!("corner must be 0 or 1, not `{}`", quoted(other)))),
             }
         }
         let [x, y, z] = coordinates;
         list.points.push(Point3::new(x, y, z));
-        list.offsets.push(table.fields(row)[chosen.coordinates[0]].start);
-    }
-    if contours.is_empty() {
-        return Err(source.diagnostic(0..0, "", "the file holds no points"));
-    }
-    Ok(PointTable { contours, unit_hints: chosen.unit_hints(&table) })
-}
-
-/// A coordinate: any decimal number, but neither NaN nor infinite.
-fn number(source: Source<'_>, field: &Field<'_>) -> Result<f64, Box<Diagnostic>> {
-    match field.text.parse::<f64>() {
-        Ok(value) if value.is_finite() => Ok(value),
-        Ok(_) => Err(field.refused(source, format!("`{}` is not a finite number", field.text))),
-        Err(_) if field.text.is_empty() => Err(field.refused(source, "a number is missing")),
-        Err(_) if field.text.replacen(',', ".", 1).parse::<f64>().is_ok() => {
-            Err(field.refused(source, format!("`{}` is not a number: use a decimal point", field.text)))
-        }
-        Err(_) => Err(field.refused(source, format!("`{}` is not a number", field.text))),
+        list.offsets.push(row.fields[chosen.coordinates[0]].start);
+        Ok(())
     }
 }
 
-/// The columns that are read, as indices.
-struct Chosen {
-    coordinates: Vec<usize>,
-    contour: Option<usize>,
-    corner: Option<usize>,
-}
-
-impl Chosen {
-    fn new(source: Source<'_>, table: &Table<'_>, columns: &PointColumns) -> Result<Self, Box<Diagnostic>> {
-        let named = |name: &str| table.header.iter().position(|f| f.text.eq_ignore_ascii_case(name));
-        let required = |name: &String| {
-            let by_number = || name.parse::<usize>().ok().filter(|n| (1..=table.width).contains(n)).map(|n| n - 1);
-            named(name).or_else(by_number).ok_or_else(|| table.no_column(source, name))
-        };
-        let contour = columns.contour.as_ref().map_or(Ok(named("contour")), |name| required(name).map(Some))?;
-        let corner = named("corner");
-        let coordinates = match &columns.coordinates {
-            Some(names) if !(2..=3).contains(&names.len()) => {
-                let message = format!("{} coordinate columns named, 2 or 3 are needed", names.len());
-                return Err(source.diagnostic(0..0, "", message));
-            }
-            Some(names) => names.iter().map(required).collect::<Result<_, _>>()?,
-            None => Self::found(table, &[contour, corner]),
-        };
-        if coordinates.len() < 2 && !table.rows.is_empty() {
-            return Err(table.rows[0].refused(source, table, "two or three coordinates are needed in each line"));
-        }
-        Ok(Self { coordinates, contour, corner })
+/// One list of several.
+fn joined(lists: Vec<PointList>) -> PointList {
+    let mut all = PointList::default();
+    for list in lists {
+        let before = all.points.len();
+        all.corners.extend(list.corners.iter().map(|corner| before + corner));
+        all.points.extend(list.points);
+        all.offsets.extend(list.offsets);
     }
-
-    /// Coordinate columns by their names, else the first ones that are not taken.
-    fn found(table: &Table<'_>, taken: &[Option<usize>]) -> Vec<usize> {
-        let axis = |letter: char| {
-            let is_axis = |name: &str| {
-                let mut chars = name.chars().map(|c| c.to_ascii_lowercase());
-                chars.next() == Some(letter) && chars.next().is_none_or(|c| "_ [(".contains(c))
-            };
-            table.header.iter().position(|f| is_axis(f.text))
-        };
-        if let (Some(x), Some(y)) = (axis('x'), axis('y')) {
-            return [x, y].into_iter().chain(axis('z')).collect();
-        }
-        let free: Vec<usize> = (0..table.width).filter(|&i| !taken.contains(&Some(i))).collect();
-        let count = if table.header.is_empty() && table.width == 3 { 3 } else { 2 };
-        // Columns of text (a name, a date) come into question only if there are not enough numbers.
-        let numeric = |&i: &usize| table.first_row_field(i).is_some_and(|f| f.text.parse::<f64>().is_ok());
-        let numbers: Vec<usize> = free.iter().copied().filter(numeric).take(count).collect();
-        if numbers.len() == count { numbers } else { free.into_iter().take(count).collect() }
-    }
-
-    fn unit_hints(&self, table: &Table<'_>) -> Vec<(String, Units)> {
-        let names = self.coordinates.iter().filter_map(|&i| table.header.get(i));
-        names.filter_map(|f| unit_in_name(f.text).map(|u| (f.text.to_owned(), u))).collect()
-    }
-}
-
-/// The unit a column's name speaks of: `x_m`, `x [mm]`, `x (in)`, `x/ft`.
-fn unit_in_name(name: &str) -> Option<Units> {
-    let mut words = name.split(['_', ' ', '[', ']', '(', ')', '/']).filter(|w| !w.is_empty());
-    words.next()?;
-    Units::from_symbol(&words.next_back()?.to_ascii_lowercase())
+    all
 }
 
 #[cfg(test)]

@@ -1,7 +1,15 @@
-//! Lines and fields of a delimited text, with the place of each field.
+//! Lines and fields of a delimited text, with the place of each field; read line by line, nothing is kept of the rows.
 
-use crate::place::{Diagnostic, Source};
+use super::decimals::{has_decimal_comma, is_number};
+use crate::lines::lines;
+use crate::place::{Diagnostic, Source, quoted};
 use crate::suggest::did_you_mean;
+
+/// Longest line that is read, in bytes; a row of a thousand columns is a third of it.
+const LONGEST_LINE: usize = 65_536;
+
+/// Names of columns in a message at most.
+const NAMED: usize = 12;
 
 /// A field: its text without blanks and quotes around it, and where it starts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -16,201 +24,259 @@ impl Field<'_> {
     }
 }
 
-/// A line of data: which of the table's fields are its own, and which block between blank lines it stands in.
-#[derive(Debug)]
-pub(super) struct Row {
-    first: usize,
-    count: usize,
-    end: usize,
+/// A line of data, and which block between blank lines it stands in.
+#[derive(Debug, Clone)]
+pub(super) struct Row<'r, 'a> {
+    pub(super) fields: &'r [Field<'a>],
     pub(super) block: usize,
+    end: usize,
 }
 
-impl Row {
-    /// The message about the whole line.
-    pub(super) fn refused(&self, source: Source<'_>, table: &Table<'_>, message: &str) -> Box<Diagnostic> {
-        let start = table.fields(self).first().map_or(self.end, |f| f.start);
-        source.diagnostic(start..self.end, "", message)
+impl<'a> Row<'_, 'a> {
+    /// A field, or the message that the line is too short.
+    pub(super) fn field(&self, source: Source<'_>, column: usize, what: &str) -> Result<Field<'a>, Box<Diagnostic>> {
+        self.fields.get(column).copied().ok_or_else(|| {
+            let count = self.fields.len();
+            let message = format!("the {what} of column {} is missing: the line has {count} fields", column + 1);
+            source.diagnostic(self.end..self.end, "", message)
+        })
     }
-}
 
-/// The parsed text.
-#[derive(Debug)]
-pub(super) struct Table<'a> {
-    /// Names of the columns; empty if the text has none.
-    pub(super) header: Vec<Field<'a>>,
-    /// Number of columns of the header, else of the first line of data.
-    pub(super) width: usize,
-    pub(super) rows: Vec<Row>,
-    fields: Vec<Field<'a>>,
+    /// Refuses more fields than there are columns, as decimal commas make them; empty fields do not count.
+    fn refuse_longer(&self, source: Source<'_>, width: usize) -> Result<(), Box<Diagnostic>> {
+        let Some(beyond) = self.fields.iter().skip(width).find(|f| !f.text.is_empty()) else { return Ok(()) };
+        let (count, whole) = (self.fields.len(), |f: &Field<'_>| f.text.parse::<i64>().is_ok());
+        let pairs = width >= 2 && count <= 2 * width && self.fields.iter().all(whole);
+        let hint = if pairs { "; if its commas are decimal, separate the columns by semicolons" } else { "" };
+        Err(beyond.refused(source, format!("the line has {count} fields for {width} columns{hint}")))
+    }
 }
 
 /// What separates the fields.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Delimiter {
+pub(super) enum Delimiter {
     Char(char),
     Blanks,
 }
 
 impl Delimiter {
-    /// The first of tab, semicolon, comma that occurs, else blanks.
+    /// The first of tab, semicolon, comma that occurs outside quotes, else blanks. Commas between digits of numbers that
+    /// blanks separate (`1,5 2,5`) are decimal.
     fn of(line: &str) -> Self {
-        ['\t', ';', ','].into_iter().find(|&c| line.contains(c)).map_or(Self::Blanks, Self::Char)
+        let outside: String = line.split('"').step_by(2).collect();
+        let delimiter = ['\t', ';', ','].into_iter().find(|&c| outside.contains(c));
+        let decimal = || {
+            let mut words = line.split_whitespace();
+            words.clone().nth(1).is_some() && words.all(|w| has_decimal_comma(w) || w.parse::<f64>().is_ok())
+        };
+        match delimiter {
+            Some(',') if decimal() => Self::Blanks,
+            found => found.map_or(Self::Blanks, Self::Char),
+        }
     }
 
-    /// Appends the fields of a line that starts at byte `start` of the text.
-    fn split<'a>(self, line: &'a str, start: usize, out: &mut Vec<Field<'a>>) {
+    fn separates(self, c: char) -> bool {
+        match self {
+            Self::Char(delimiter) => c == delimiter,
+            Self::Blanks => c.is_whitespace(),
+        }
+    }
+
+    /// Appends the fields of a line that starts at byte `start` of the text, up to a remark. Quotes count at the start of
+    /// a field; the error is the place of one that has no end.
+    fn split<'a>(self, line: &'a str, start: usize, out: &mut Vec<Field<'a>>) -> Result<(), usize> {
         let mut push = |from: usize, to: usize| {
             let piece = &line[from..to];
             let trimmed = piece.trim();
             let lead = piece.len() - piece.trim_start().len();
-            let quoted = trimmed.strip_prefix('"').and_then(|t| t.strip_suffix('"'));
-            let text = quoted.unwrap_or(trimmed);
-            out.push(Field { text, start: start + from + lead + usize::from(quoted.is_some()) });
+            let inner = trimmed.strip_prefix('"').and_then(|t| t.strip_suffix('"'));
+            let text = inner.unwrap_or(trimmed);
+            out.push(Field { text, start: start + from + lead + usize::from(inner.is_some()) });
         };
-        let (mut from, mut quoted) = (None, false);
-        for (at, c) in line.char_indices() {
-            let separates = match self {
-                Self::Char(d) => c == d,
-                Self::Blanks => c.is_whitespace(),
-            };
-            quoted ^= c == '"';
-            match (self, separates && !quoted, from) {
-                (Self::Char(d), true, start) => {
-                    push(start.unwrap_or(0), at);
-                    from = Some(at + d.len_utf8());
-                }
-                (Self::Blanks, true, Some(start)) => {
-                    push(start, at);
-                    from = None;
-                }
-                (Self::Blanks, false, None) => from = Some(at),
-                _ => {}
+        let keeps_empty = matches!(self, Self::Char(_));
+        let mut from = keeps_empty.then_some(0);
+        let mut fresh = true;
+        let mut end = line.len();
+        let mut chars = line.char_indices().peekable();
+        while let Some((at, c)) = chars.next() {
+            if c == '#' {
+                end = at;
+                break;
             }
+            if self.separates(c) {
+                if let Some(from) = from {
+                    push(from, at);
+                }
+                from = keeps_empty.then_some(at + c.len_utf8());
+                fresh = true;
+                continue;
+            }
+            from = from.or(Some(at));
+            if fresh && c == '"' {
+                loop {
+                    match chars.next() {
+                        None => return Err(start + at),
+                        Some((_, '"')) if chars.next_if(|(_, c)| *c == '"').is_none() => break,
+                        Some(_) => {}
+                    }
+                }
+            }
+            fresh &= c.is_whitespace();
         }
-        match (self, from) {
-            (Self::Char(_), start) => push(start.unwrap_or(0), line.len()),
-            (Self::Blanks, Some(start)) => push(start, line.len()),
-            (Self::Blanks, None) => {}
+        if let Some(from) = from {
+            push(from, end);
         }
+        Ok(())
     }
 }
 
-/// True for the texts that stand for a number, NaN and infinity included: those belong to data, not to a header.
-fn is_number(field: &Field<'_>) -> bool {
-    field.text.parse::<f64>().is_ok()
+/// A text whose header and first line of data have been read.
+#[derive(Debug)]
+pub(super) struct Table<'a> {
+    source: Source<'a>,
+    pub(super) delimiter: Delimiter,
+    /// Names of the columns; empty if the text has none.
+    pub(super) header: Vec<Field<'a>>,
+    /// Number of columns of the header, else of the first line of data.
+    pub(super) width: usize,
+    /// The first line of data.
+    pub(super) first: Vec<Field<'a>>,
+    /// Where the line of it starts.
+    start: usize,
 }
 
 impl<'a> Table<'a> {
-    /// Splits the text. `wanted` are column names asked for: they help to tell a header behind a `#` from a remark.
+    /// Reads up to the first line of data. `wanted` are column names asked for: they help to tell a header behind a `#`
+    /// from a remark.
     pub(super) fn parse(source: Source<'a>, wanted: &[String]) -> Result<Self, Box<Diagnostic>> {
-        let lines = || lines(source.text);
-        let first = lines().find(|(_, line)| !content(line).trim().is_empty());
-        let Some((_, first_line)) = first else {
-            return Err(source.diagnostic(0..0, "", "the file holds no points"));
-        };
-        let delimiter = Delimiter::of(content(first_line));
-        let mut table = Self { header: Vec::new(), width: 0, rows: Vec::new(), fields: Vec::new() };
+        let empty = || source.diagnostic(0..0, "", "the file holds no points");
+        let data = |line: &str| !line.split('#').next().unwrap_or_default().trim().is_empty();
+        let (at, first) = lines(source.text).find(|(_, line)| data(line)).ok_or_else(empty)?;
+        refuse_long(source, at, first)?;
+        let delimiter = Delimiter::of(first.split('#').next().unwrap_or_default());
+        let mut table = Self { source, delimiter, header: Vec::new(), width: 0, first: Vec::new(), start: 0 };
         // The last remark before the data that could be a header.
         let mut remark: Vec<Field<'a>> = Vec::new();
-        let (mut block, mut gap, mut seen) = (0, false, false);
-        for (start, line) in lines() {
-            if let (false, Some(text)) = (seen, line.trim_start().strip_prefix('#')) {
-                let text_start = start + line.len() - text.len();
+        let mut fields = Vec::new();
+        for (start, line) in lines(source.text) {
+            if let Some(text) = line.trim_start().strip_prefix('#') {
                 let mut names = Vec::new();
-                delimiter.split(text, text_start, &mut names);
-                if is_header(&names, wanted) {
+                if text.len() <= LONGEST_LINE
+                    && delimiter.split(text, start + line.len() - text.len(), &mut names).is_ok()
+                    && is_header(&names, wanted)
+                {
                     remark = names;
                 }
                 continue;
             }
-            let text = content(line);
-            let from = table.fields.len();
-            if !text.trim().is_empty() {
-                delimiter.split(text, start, &mut table.fields);
-            }
-            let own = &table.fields[from..];
-            if own.iter().all(|f| f.text.is_empty()) {
-                // A remark alone on its line separates nothing.
-                gap |= seen && !line.contains('#');
-                table.fields.truncate(from);
+            table.split(start, line, &mut fields)?;
+            if fields.iter().all(|f| f.text.is_empty()) {
                 continue;
             }
-            if !seen && !own.iter().any(is_number) {
-                table.header = table.fields.split_off(from);
-                seen = true;
+            if table.header.is_empty() && !fields.iter().any(is_number) {
+                table.header = std::mem::take(&mut fields);
                 continue;
             }
-            if !table.rows.is_empty() && gap {
-                block += 1;
+            table.start = start;
+            table.first = fields;
+            if table.header.is_empty() && remark.len() == table.first.len() {
+                table.header = remark;
             }
-            (seen, gap) = (true, false);
-            let count = own.len();
-            table.rows.push(Row { first: from, count, end: start + text.trim_end().len(), block });
+            table.width = if table.header.is_empty() { table.first.len() } else { table.header.len() };
+            return Ok(table);
         }
-        if table.rows.is_empty() {
-            return Err(source.diagnostic(0..0, "", "the file holds no points"));
-        }
-        if table.header.is_empty() && remark.len() == table.rows[0].count {
-            table.header = remark;
-        }
-        table.width = if table.header.is_empty() { table.rows[0].count } else { table.header.len() };
-        table.refuse_longer_lines(source)?;
-        Ok(table)
+        Err(empty())
     }
 
-    /// Refuses lines with more fields than there are columns, as decimal commas make them; empty fields do not count.
-    fn refuse_longer_lines(&self, source: Source<'_>) -> Result<(), Box<Diagnostic>> {
-        for row in &self.rows {
-            let beyond = self.fields(row).iter().skip(self.width).find(|f| !f.text.is_empty());
-            if let Some(field) = beyond {
-                let message = format!("the line has {} fields for {} columns", row.count, self.width);
-                return Err(field.refused(source, message));
+    /// Replaces `fields` by those of a line.
+    fn split(&self, start: usize, line: &'a str, fields: &mut Vec<Field<'a>>) -> Result<(), Box<Diagnostic>> {
+        fields.clear();
+        refuse_long(self.source, start, line)?;
+        self.delimiter.split(line, start, fields).map_err(|quote| {
+            let message = "the quote has no end on this line: fields with line ends in them are not read";
+            self.source.diagnostic(quote..quote + 1, "", message)
+        })
+    }
+
+    /// Visits the lines of data.
+    pub(super) fn for_each_row(
+        &self,
+        mut visit: impl FnMut(&Row<'_, 'a>) -> Result<(), Box<Diagnostic>>,
+    ) -> Result<(), Box<Diagnostic>> {
+        let (mut block, mut gap, mut any) = (0, false, false);
+        let mut fields = Vec::new();
+        for (start, line) in lines(&self.source.text[self.start..]) {
+            let start = self.start + start;
+            self.split(start, line, &mut fields)?;
+            if fields.iter().all(|f| f.text.is_empty()) {
+                // A remark alone on its line separates nothing.
+                gap |= any && !line.contains('#');
+                continue;
             }
+            block += usize::from(gap);
+            (any, gap) = (true, false);
+            let row = Row { fields: &fields, block, end: start + content(line).trim_end().len() };
+            row.refuse_longer(self.source, self.width)?;
+            visit(&row)?;
         }
         Ok(())
     }
 
-    /// The fields of a row.
-    pub(super) fn fields(&self, row: &Row) -> &[Field<'a>] {
-        &self.fields[row.first..row.first + row.count]
+    /// A message about the first line of data.
+    pub(super) fn refused(&self, message: impl Into<String>) -> Box<Diagnostic> {
+        self.about(&self.first, message)
     }
 
-    pub(super) fn first_row_field(&self, column: usize) -> Option<Field<'a>> {
-        self.rows.first().and_then(|row| self.fields(row).get(column).copied())
+    /// A message about the header.
+    pub(super) fn header_refused(&self, message: impl Into<String>) -> Box<Diagnostic> {
+        self.about(&self.header, message)
     }
 
-    /// A field of a row, or the message that the line is too short.
-    pub(super) fn field(
-        &self,
-        source: Source<'_>,
-        row: &Row,
-        column: usize,
-        what: &str,
-    ) -> Result<Field<'a>, Box<Diagnostic>> {
-        self.fields(row).get(column).copied().ok_or_else(|| {
-            let message = format!("the {what} of column {} is missing: the line has {} fields", column + 1, row.count);
-            source.diagnostic(row.end..row.end, "", message)
-        })
+    fn about(&self, fields: &[Field<'_>], message: impl Into<String>) -> Box<Diagnostic> {
+        let span = match fields {
+            [first, .., last] => first.start..last.start + last.text.len(),
+            [only] => only.start..only.start + only.text.len(),
+            [] => 0..0,
+        };
+        self.source.diagnostic(span, "", message)
+    }
+
+    /// The names of columns for a message; their numbers where they have no names.
+    pub(super) fn names(&self, columns: impl IntoIterator<Item = usize>) -> String {
+        let name = |i: usize| match self.header.get(i) {
+            Some(field) => quoted(field.text).into_owned(),
+            None => (i + 1).to_string(),
+        };
+        let mut columns = columns.into_iter();
+        let mut named: Vec<String> = columns.by_ref().take(NAMED).map(name).collect();
+        match columns.count() {
+            0 => {}
+            more => named.push(format!("and {more} more")),
+        }
+        named.join(", ")
     }
 
     /// The message that a column asked for does not exist.
-    pub(super) fn no_column(&self, source: Source<'_>, name: &str) -> Box<Diagnostic> {
-        match (self.header.first(), self.header.last()) {
-            (Some(first), Some(last)) => {
-                let names: Vec<&str> = self.header.iter().map(|f| f.text).collect();
-                let hint = did_you_mean(name, names.iter().copied());
-                let message = format!("no column is named `{name}`; there are {}{hint}", names.join(", "));
-                source.diagnostic(first.start..last.start + last.text.len(), "", message)
-            }
-            _ => {
-                let message = format!(
-                    "no column `{name}`: the file has no header line, so columns have numbers from 1 to {}",
-                    self.width
-                );
-                self.rows[0].refused(source, self, &message)
-            }
+    pub(super) fn no_column(&self, name: &str) -> Box<Diagnostic> {
+        let name = quoted(name);
+        if self.header.is_empty() {
+            return self.refused(format!(
+                "no column `{name}`: the file has no header line, so columns have numbers from 1 to {}",
+                self.width
+            ));
         }
+        let hint = did_you_mean(&name, self.header.iter().map(|f| f.text));
+        let names = self.names(0..self.header.len());
+        self.header_refused(format!("no column is named `{name}`; there are {names}{hint}"))
     }
+}
+
+fn refuse_long(source: Source<'_>, start: usize, line: &str) -> Result<(), Box<Diagnostic>> {
+    if line.len() <= LONGEST_LINE {
+        return Ok(());
+    }
+    let message = format!("the line has {} bytes, more than {LONGEST_LINE}", line.len());
+    Err(source.diagnostic(start..start + 1, "", message))
 }
 
 /// A remark is a header if it names a column we would look for and holds no numbers.
@@ -226,16 +292,4 @@ fn is_header(names: &[Field<'_>], wanted: &[String]) -> bool {
 /// A line up to a remark.
 fn content(line: &str) -> &str {
     line.split('#').next().unwrap_or_default()
-}
-
-/// The lines with their byte offsets; `\n`, `\r\n` and `\r` end a line.
-fn lines(text: &str) -> impl Iterator<Item = (usize, &str)> {
-    let mut at = 0;
-    text.split_inclusive(['\n', '\r']).filter_map(move |piece| {
-        let start = at;
-        at += piece.len();
-        // The line feed of a `\r\n` is no line of its own.
-        let second_half = piece == "\n" && text.as_bytes()[..start].last() == Some(&b'\r');
-        (!second_half).then(|| (start, piece.trim_end_matches(['\n', '\r'])))
-    })
 }

@@ -42,7 +42,9 @@ fn delimiters_line_ends_and_marks_of_the_encoding() {
 fn columns_are_found_by_name_or_by_position() {
     assert_eq!(xyz(&read("1,2,3\n").unwrap()), [[[1.0, 2.0, 3.0]]]);
     assert_eq!(xyz(&read("1,2,3,4\n").unwrap()), [[[1.0, 2.0, 0.0]]]);
-    assert_eq!(xyz(&read("a,b,c\n1,2,3\n").unwrap()), [[[1.0, 2.0, 0.0]]]);
+    // The only numbers there are, which is said.
+    let only = read("name,a,b,c\nA,1,2,3\n").unwrap();
+    assert_eq!((xyz(&only), only.remarks[0].reason), (vec![vec![[1.0, 2.0, 3.0]]], "columns-taken"));
     assert_eq!(xyz(&read("id,Z (mm),Y [mm],X [mm]\n9,3,2,1\n").unwrap()), [[[1.0, 2.0, 3.0]]]);
     assert_eq!(xyz(&read("name,east,north\nA,1,2\n").unwrap()), [[[1.0, 2.0, 0.0]]]);
     assert_eq!(xyz(&read("contour,u,v\n7,1,2\n").unwrap()), [[[1.0, 2.0, 0.0]]]);
@@ -84,9 +86,14 @@ fn every_refusal_has_its_place() {
         ("1,2\n3,\n", "p.csv:2:3: a number is missing"),
         ("1,2\n3\n", "p.csv:2:2: the coordinate of column 2 is missing: the line has 1 fields"),
         ("1,2\n\n3\n", "p.csv:3:2: the coordinate of column 2 is missing"),
-        ("x,y\n1,2\n1,5,2,5\n", "p.csv:3:5: the line has 4 fields for 2 columns"),
         ("1,2\n3,4,five\n", "p.csv:2:5: the line has 3 fields for 2 columns"),
-        ("1;2\n1,5;2,5\n", "p.csv:2:1: `1,5` is not a number: use a decimal point"),
+        ("1.5;2\n1,5;2,5\n", "p.csv:2:1: `1,5` does not go with the numbers before: the file has decimal commas and"),
+        ("1,5;2\n1.5;2,5\n", "p.csv:2:1: `1.5` does not go with the numbers before"),
+        ("1;2\n1.234,5;2,5\n", "p.csv:2:1: `1.234,5` is not a number: write it without separators of thousands"),
+        ("1;2\n1,234,567;2\n", "p.csv:2:1: `1,234,567` is not a number: write it without separators"),
+        ("1,2\n\"3,4\n", "p.csv:2:1: the quote has no end on this line"),
+        ("\"x,y\n1,2\n", "p.csv:1:1: the quote has no end on this line"),
+        ("x,y\n1,2\n1,5,2,5\n", "p.csv:3:5: the line has 4 fields for 2 columns; if its commas are decimal, separate"),
         ("5\n6\n", "p.csv:1:1: two or three coordinates are needed in each line"),
         ("x,y\n1,2\nx,y\n", "p.csv:3:1: `x` is not a number"),
     ] {
@@ -102,18 +109,149 @@ fn every_refusal_has_its_place() {
     assert!(read_points("p.csv", b"x\n1\n", &columns).unwrap_err().message.contains("1 coordinate columns named"));
 }
 
+fn remarks(text: &str) -> Vec<&'static str> {
+    read(text).unwrap().remarks.iter().map(|remark| remark.reason).collect()
+}
+
 #[test]
-fn units_are_read_from_names() {
-    for (name, unit) in [
-        ("x_m", Some(Units::Metre)),
-        ("x [mm]", Some(Units::Millimetre)),
-        ("x_in", Some(Units::Inch)),
-        ("X (ft)", Some(Units::Foot)),
-        ("x/cm", Some(Units::Centimetre)),
-        ("x", None),
-        ("m", None),
-        ("x_left", None),
-    ] {
-        assert_eq!(unit_in_name(name), unit, "{name}");
+fn decimal_commas_are_read_where_commas_separate_nothing_and_it_is_said() {
+    for text in ["x;y\n1,5;2,25\n3;4\n", "1,5\t2,25\n3\t4\n", "1,5 2,25\n3 4\n", "\"1,5\",\"2,25\"\n3,4\n"] {
+        let table = read(text).unwrap();
+        assert_eq!(xyz(&table), [[[1.5, 2.25, 0.0], [3.0, 4.0, 0.0]]], "{text:?}");
+        assert_eq!(remarks(text), ["decimal-commas"], "{text:?}");
     }
+    // Numbers with points say nothing.
+    assert_eq!(remarks("x;y\n1.5;2.25\n3;4\n"), [""; 0]);
+}
+
+#[test]
+fn whole_numbers_that_may_be_pairs_are_named_and_read_as_they_stand() {
+    for (text, found) in [
+        ("1,5,2,5\n2,5,3,25\n", true),
+        ("-1,5,2,5,3,5\n2,5,3,25,0,0\n", true),
+        ("1,5,2,-5\n", false),
+        ("1,5,2,5.0\n", false),
+        ("1,5,2,5\n1.5,2,3,4\n", false),
+        ("1;5;2;5\n", false),
+        ("a,b,c,x,y\n1,5,2,5,6\n", false),
+    ] {
+        let table = read(text).unwrap();
+        assert_eq!(remarks(text).contains(&"decimal-pairs"), found, "{text:?}");
+        if found {
+            assert_eq!((table.contours[0].points[0].y, table.contours[0].points[0].z), (5.0, 0.0));
+        }
+    }
+    // Columns that were asked for are meant.
+    let columns = PointColumns { coordinates: Some(vec!["1".into(), "2".into()]), contour: None };
+    assert_eq!(read_points("p", b"1,5,2,5\n", &columns).unwrap().remarks, []);
+}
+
+#[test]
+fn names_of_coordinates_are_known_in_many_forms() {
+    let expected = [[[1.0, 2.0, 0.0]]];
+    for (header, row) in [
+        ("X,Y", "1,2"),
+        ("id,x_m,y_m", "9,1,2"),
+        ("id,easting,northing", "9,1,2"),
+        ("id,Northing (m),Easting (m)", "9,2,1"),
+        ("POINT_X,POINT_Y,time", "1,2,9"),
+        ("t,x coordinate,y coordinate", "9,1,2"),
+        ("xcoord,ycoord", "1,2"),
+        ("x_mm,y_mm,x_in,z_order_x", "1,2,9,9"),
+        ("x,y,x_smooth,y_smooth", "1,2,9,9"),
+        ("Rechtswert;Hochwert", "1;2"),
+    ] {
+        let text = format!("{header}\n{row}\n");
+        if header.starts_with("x_mm") {
+            // Two units of one coordinate.
+            assert!(read(&text).unwrap_err().contains("several columns may be x: x_mm, x_in"));
+            continue;
+        }
+        assert_eq!(xyz(&read(&text).unwrap()), expected, "{header}");
+        assert_eq!(remarks(&text), [""; 0], "{header}");
+    }
+    // Letters that may mean something else, and columns that are only the remaining ones, are said.
+    for header in ["id,e,n\n9,1,2\n", "id,foo,bar\n9,1,2\n", "name,u,v\nA,1,2\n"] {
+        assert_eq!(
+            (xyz(&read(header).unwrap()), remarks(header)),
+            (expected.map(|l| l.to_vec()).to_vec(), vec!["columns-taken"])
+        );
+    }
+    assert_eq!(remarks("1,2,3.5,4\n"), ["columns-taken"]);
+}
+
+#[test]
+fn columns_that_could_only_be_guessed_are_refused() {
+    for (text, message) in [
+        ("a,b,c,d\n1,2,3,4\n", "p.csv:1:1: no column is named x or y; there are a, b, c, d: name two or three"),
+        ("lon,lat\n7.1,50.2\n", "p.csv:1:1: lon, lat are angles on the globe: project them"),
+        ("name,Latitude,Longitude\nA,50.2,7.1\n", "p.csv:1:1: Longitude, Latitude are angles on the globe"),
+        ("x,x,y\n1,2,3\n", "p.csv:1:1: several columns may be x: x, x; choose"),
+        ("x_left,y_left,x_right,y_right\n1,2,3,4\n", "p.csv:1:1: several columns may be x: x_left, x_right"),
+        ("x,y,corner,corner\n1,2,0,1\n", "p.csv:1:1: two columns are named `corner`: choose by numbers"),
+    ] {
+        let error = read(text).unwrap_err();
+        assert!(error.starts_with(message), "{text:?}: {error}");
+    }
+    // Names that nobody asks for may repeat.
+    assert_eq!(xyz(&read("x,y,note,note\n1,2,3,4\n").unwrap()), [[[1.0, 2.0, 0.0]]]);
+    for (names, message) in [
+        (["1", "1"], "the column x is asked for twice"),
+        (["x", "1"], "the column x is asked for twice"),
+        (["note", "y"], "two columns are named `note`: choose by numbers"),
+    ] {
+        let columns = PointColumns { coordinates: Some(names.map(str::to_owned).to_vec()), contour: None };
+        let error = read_points("p", b"x,y,note,note\n1,2,3,4\n", &columns).unwrap_err().message;
+        assert!(error.starts_with(message), "{names:?}: {error}");
+    }
+    let columns = PointColumns { coordinates: Some(vec!["lon".into(), "lat".into()]), contour: None };
+    assert!(read_points("p", b"lon,lat\n1,2\n", &columns).is_ok(), "who asks for them gets them");
+}
+
+#[test]
+fn blank_lines_after_every_point_separate_nothing() {
+    let text = "x,y,corner\n\n0,0,0\n\n1,0,1\n\n1,1,0\n\n";
+    let table = read(text).unwrap();
+    assert_eq!(xyz(&table), [[[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0]]]);
+    assert_eq!((&table.contours[0].corners[..], remarks(text)), (&[1][..], vec!["blank-lines"]));
+    assert_eq!(table.contours[0].offsets.len(), 3);
+    assert_eq!(read("0,0\n\n1,0\n2,0\n").unwrap().contours.len(), 2);
+}
+
+#[test]
+fn quotes_count_at_the_start_of_a_field() {
+    let table = read("name,x,y\n5\" pipe,1,2\n\"a, \"\"b\"\" # c\",3,4 # \"remark\n").unwrap();
+    assert_eq!(xyz(&table), [[[1.0, 2.0, 0.0], [3.0, 4.0, 0.0]]]);
+}
+
+#[test]
+fn the_unit_is_found_at_the_beginning_of_a_file() {
+    let unit = |text: &str| unit_of_columns(text.as_bytes(), &PointColumns::default()).map(|found| found.unit);
+    assert_eq!(unit("# x_m,y_m\n1,2\n3,é"), Some(Units::Metre));
+    assert_eq!(unit("name,x [ft],y [ft],z_m_note\nA,1,2,3\n"), Some(Units::Foot));
+    assert_eq!(unit("x_m,y_mm\n1,2\n"), None);
+    assert_eq!(unit("x,y\n1,2\n"), None);
+    assert_eq!(unit(""), None);
+    let mut cut = b"x_m,y_m\n1,2\n3,\xc3".to_vec();
+    assert!(unit_of_columns(&cut, &PointColumns::default()).is_some(), "a character cut in two");
+    cut.clear();
+    assert!(unit_of_columns(&cut, &PointColumns::default()).is_none());
+}
+
+#[test]
+fn lines_and_fields_of_any_length_are_refused_at_once_and_quoted_in_part() {
+    let begin = std::time::Instant::now();
+    for (text, message) in [
+        ("7".repeat(30_000_000), "p.csv:1:1: the line has 30000000 bytes, more than 65536"),
+        ("1,".repeat(15_000_000), "p.csv:1:1: the line has 30000000 bytes"),
+        (format!("1,2\n{}\n", "1,".repeat(15_000_000)), "p.csv:2:1: the line has 30000000 bytes"),
+        (format!("1,{}x\n", "7".repeat(60_000)), "p.csv:1:3: `7777777"),
+        (format!("x,{}\n1,2,3\n", "y".repeat(60_000)), "p.csv:2:5: the line has 3 fields for 2 columns"),
+        (format!("a,{},c,d\n1,2,3,4\n", "y".repeat(60_000)), "p.csv:1:1: no column is named x or y"),
+    ] {
+        let error = read(&text).unwrap_err();
+        assert!(error.starts_with(message), "{error}");
+        assert!(error.len() < 700, "{error}");
+    }
+    assert!(begin.elapsed().as_secs_f64() < 5.0, "30 MB are looked through in some ten milliseconds");
 }

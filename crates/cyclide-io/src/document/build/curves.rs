@@ -11,7 +11,8 @@ use crate::document::locate::{Step, path_text};
 use crate::document::spec::{ArcSpec, CircleSpec, ObjectSpec};
 use crate::error::{Error, Result};
 use crate::input_kind::InputKind;
-use crate::place::{Source, decode};
+use crate::lines::LineStarts;
+use crate::place::decode;
 use crate::points::{PointColumns, PointList, merge_repeated, read_points};
 
 /// The points of an object and the text they stand in.
@@ -25,8 +26,8 @@ pub(super) struct Points {
 pub(super) enum Origin {
     /// In the document, as a list or (nested) a list of lists.
     Document { nested: bool },
-    /// In a file of its own: its name and text.
-    File { name: String, text: String },
+    /// In a file of its own: its name, its text, and where the lines of it start.
+    File { name: String, text: String, lines: LineStarts },
 }
 
 impl ObjectSpec {
@@ -191,18 +192,22 @@ impl Builder<'_> {
             );
             self.remark("units-differ", None, None, Some(name.clone()), message);
         }
+        for remark in table.remarks {
+            self.remark(remark.reason, None, None, Some(name.clone()), remark.message);
+        }
         let text = decode(&name, &bytes)?.to_owned();
+        let lines = LineStarts::new(&text);
         let kept = vec![Vec::new(); table.contours.len()];
-        Ok(Points { lists: table.contours, kept, origin: Origin::File { name, text } })
+        Ok(Points { lists: table.contours, kept, origin: Origin::File { name, text, lines } })
     }
 
     /// Where a point stands, by its index in the list as given.
     fn place(&self, points: &Points, contour: usize, index: usize) -> String {
         match &points.origin {
             Origin::Document { nested } => path_text(&self.path(point_steps(*nested, contour, Some(index)))),
-            Origin::File { name, text } => {
+            Origin::File { name, lines, .. } => {
                 let offset = points.lists[contour].offsets.get(index).copied().unwrap_or_default();
-                format!("{name}:{}", Source { name, text }.line_of(offset))
+                format!("{name}:{}", lines.line_of(offset))
             }
         }
     }

@@ -60,7 +60,7 @@ impl Builder<'_> {
         let original = |k: usize| from.and_then(|(p, c)| p.kept[c].get(k).copied()).unwrap_or(k);
         let path = self.path([]);
         if let Some((points, contour)) = from
-            && let Origin::File { name, text } = &points.origin
+            && let Origin::File { name, text, .. } = &points.origin
             && matches!(blame, Blame::Point(_) | Blame::Object)
         {
             let index = if let Blame::Point(k) = blame { original(k) } else { 0 };
