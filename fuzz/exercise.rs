@@ -4,7 +4,7 @@
 
 use std::path::Path;
 
-use cyclide_io::{Document, ModelBuilder, PointColumns, Report, read_points, read_quad_grid};
+use cyclide_io::{Document, Format, ModelBuilder, PointColumns, Report, read_back, read_points, read_quad_grid};
 
 /// The points that any file a document refers to holds.
 const FILE: &[u8] =
@@ -65,6 +65,19 @@ pub fn obj(data: &[u8]) {
             assert!(numbers.iter().enumerate().all(|(k, n)| *n == k + 1), "every point once");
         }
         Err(message) => check_message(&message.to_string()),
+    }
+}
+
+/// Reads a file as if it were one of ours.
+pub fn written(format: Format, data: &[u8]) {
+    match read_back(format, data) {
+        Ok(content) => {
+            // No reader makes more of a file than stands in it.
+            let vertices: usize = content.meshes.iter().map(|mesh| mesh.positions.len()).sum();
+            assert!(vertices <= data.len(), "{vertices} vertices of {} bytes", data.len());
+            assert!(content.curves.len() <= data.len() && content.bodies.len() <= data.len());
+        }
+        Err(error) => check_message(&error.to_string()),
     }
 }
 

@@ -1,25 +1,160 @@
 //! Bytes that once broke the readers, and random ones, on the stable toolchain.
 
 #![allow(clippy::expect_used, reason = "what is not there fails the test")]
+#![allow(clippy::print_stderr, reason = "the figures of a long run")]
 
 #[path = "../../../fuzz/exercise.rs"]
 mod exercise;
 
+use std::time::{Duration, Instant};
+
+use cyclide_io::{Document, DxfVersion, ExportOptions, Format, ModelBuilder, StepEdges, export};
+use cyclide_testkit::mutate::Mutator;
 use proptest::prelude::*;
 
-/// Runs every file kept for a target; gives their number.
-fn replay(target: &str, exercise: fn(&[u8])) -> usize {
+/// What is done with bytes.
+type Exercise = fn(&[u8]);
+
+/// The targets, with the words of their formats.
+const TARGETS: [(&str, Exercise, &[&str]); 6] = [
+    (
+        "document",
+        exercise::document,
+        &["\"type\":", "\"points\":", "null", "[[0,0],[1,0]]", "\"closed\":true,", "\\u0000", "é"],
+    ),
+    (
+        "points_csv",
+        exercise::points_csv,
+        &["#", "\"", "x,y", "\r", "\n\n", "1,5", "contour", "corner", "lon,lat", "\t", ";"],
+    ),
+    ("obj", exercise::obj, &["f 1 2 3 4\n", "v 0 0 0\n", "\\\n", "//", "-1", "#", "\r"]),
+    (
+        "step",
+        |data| exercise::written(Format::Step, data),
+        &["#1", "$", "*", "(())", "'", "CIRCLE", "LINE", "ENDSEC;", ".T.", "=("],
+    ),
+    (
+        "glb",
+        |data| exercise::written(Format::Glb, data),
+        &["\"mesh\":0", "\"count\":", "null", "[]", "{}", "\"mode\":1", "-1"],
+    ),
+    (
+        "dxf",
+        |data| exercise::written(Format::Dxf, data),
+        &["0\nSPLINE\n", "0\nARC\n", "90\n", "70\n", "0\nVERTEX\n", "0\nSEQEND\n", "\r\n"],
+    ),
+];
+
+/// The files kept for a target.
+fn kept(target: &str) -> Vec<Vec<u8>> {
     let folder = format!("{}/../../fuzz/regressions/{target}", env!("CARGO_MANIFEST_DIR"));
     let entries = std::fs::read_dir(&folder).expect("the regressions are there");
-    let files = entries.map(|entry| entry.expect("a file").path());
-    files.map(|path| exercise(&std::fs::read(&path).expect("a file"))).count()
+    let mut paths: Vec<_> = entries.map(|entry| entry.expect("a file").path()).collect();
+    paths.sort();
+    paths.iter().map(|path| std::fs::read(path).expect("a file")).collect()
 }
 
 #[test]
 fn kept_inputs_do_not_break_the_readers() {
-    assert!(replay("document", exercise::document) > 0);
-    assert!(replay("points_csv", exercise::points_csv) > 0);
-    assert!(replay("obj", exercise::obj) > 0);
+    for (target, exercise, _) in TARGETS {
+        let files = kept(target);
+        assert!(!files.is_empty(), "{target}");
+        files.iter().for_each(|bytes| exercise(bytes));
+    }
+}
+
+/// Curves and a patch, small.
+const MODEL: &[u8] = br#"{"cyclide": 1, "objects": {
+    "arcs": {"type": "arc-spline", "points": [[0, 0], [3, 1], [4, 4]]},
+    "round": {"type": "circle", "center": [1, 1], "radius": 2},
+    "fair": {"type": "fair-spline", "points": [[0, 0], [1, 2], [3, 3]]},
+    "patch": {"type": "cyclide-patch", "corners": [[-40, -30], [40, -30], [-30, 40], [30, 40]],
+        "frame": [[8, -1, 4], [-1, 4, 3]]}}}"#;
+
+/// Right files of a format, the kept ones and those of the model in every form.
+fn right_files(target: &str) -> Vec<Vec<u8>> {
+    let format = match target {
+        "step" => Format::Step,
+        "glb" => Format::Glb,
+        "dxf" => Format::Dxf,
+        _ => return kept(target),
+    };
+    let document = Document::parse("model.json", MODEL).expect("a right document");
+    let read = |_: &std::path::Path| Err(std::io::ErrorKind::NotFound.into());
+    let mut builder = ModelBuilder::new(&document, "".as_ref(), &read).expect("a right document");
+    let items = (0..document.objects.len()).map(|i| builder.build(i, &mut |_| {}).expect("a right object").item);
+    let model = cyclide::Model { units: document.units, items: items.collect() };
+    let all = [
+        ExportOptions::default(),
+        ExportOptions { step_edges: StepEdges::Rational, ..ExportOptions::default() },
+        ExportOptions { dxf_splines: true, glb_edges: true, ..ExportOptions::default() },
+        ExportOptions { dxf_version: DxfVersion::R12, tolerance: Some(0.1), ..ExportOptions::default() },
+    ];
+    all.iter().map(|options| export(&model, format, options).expect("a file").bytes).collect()
+}
+
+/// A broken copy. Of GLB a chunk is broken and the lengths are mended, or nobody would look into it.
+fn broken(target: &str, mutator: &mut Mutator, bytes: &[u8]) -> Vec<u8> {
+    let length = |at: usize| bytes.get(at..)?.first_chunk().map(|b| u32::from_le_bytes(*b) as usize);
+    let chunks = || {
+        let (text, rest) = bytes.get(20..)?.split_at_checked(length(12)?)?;
+        Some((text, rest.get(8..)?))
+    };
+    let Some((text, binary)) = chunks().filter(|_| target == "glb" && mutator.below(8) > 0) else {
+        return mutator.broken(bytes);
+    };
+    let in_text = mutator.below(3) > 0;
+    let text = if in_text { mutator.broken(text) } else { text.to_vec() };
+    let binary = if in_text { binary.to_vec() } else { mutator.broken_in_place(binary) };
+    let size = |bytes: &[u8]| u32::try_from(bytes.len()).expect("a small file").to_le_bytes();
+    let body = [&size(&text)[..], b"JSON", &text, &size(&binary), b"BIN\0", &binary].concat();
+    let total = u32::try_from(12 + body.len()).expect("a small file").to_le_bytes();
+    [b"glTF", &2_u32.to_le_bytes()[..], &total, &body].concat()
+}
+
+/// Longest time for one input. Copies are as small as the files they are made from, which take milliseconds.
+const PATIENCE: Duration = Duration::from_secs(20);
+
+/// Breaks the files of a target until `enough` says so; gives the number of copies.
+fn attack(index: usize, seed: u64, enough: impl Fn(usize) -> bool) -> usize {
+    let (target, exercise, words) = TARGETS[index];
+    let files = right_files(target);
+    let mut mutator = Mutator::new(seed, words);
+    let mut count = 0;
+    while !enough(count) {
+        let bytes = &files[count % files.len()];
+        let copy = broken(target, &mut mutator, bytes);
+        let begin = Instant::now();
+        if let Err(panic) = std::panic::catch_unwind(|| exercise(&copy)) {
+            let path = std::env::temp_dir().join(format!("cyclide-{target}-{seed}-{count}"));
+            std::fs::write(&path, &copy).expect("the input is kept");
+            eprintln!("{target}, copy {count} of seed {seed} is kept in {}", path.display());
+            std::panic::resume_unwind(panic);
+        }
+        assert!(begin.elapsed() < PATIENCE, "{target}, copy {count} of seed {seed}: {:?}", begin.elapsed());
+        count += 1;
+    }
+    count
+}
+
+#[test]
+fn broken_files_are_refused_or_read() {
+    for (index, copies) in [1000, 4000, 4000, 3000, 3000, 4000].into_iter().enumerate() {
+        attack(index, 1, |count| count == copies);
+    }
+}
+
+/// `CYCLIDE_SECONDS=600 CYCLIDE_SEED=2 cargo test -p cyclide-io --test fuzz --release -- --ignored --nocapture`
+#[test]
+#[ignore = "as long as one likes; CYCLIDE_SECONDS for each target"]
+fn broken_files_for_a_long_time() {
+    let number = |name: &str| std::env::var(name).ok().and_then(|text| text.parse::<u64>().ok());
+    let (seconds, seed) = (number("CYCLIDE_SECONDS").unwrap_or(60), number("CYCLIDE_SEED").unwrap_or(2));
+    for (index, (target, ..)) in TARGETS.iter().enumerate() {
+        let begin = Instant::now();
+        let count = attack(index, seed, |_| begin.elapsed().as_secs() >= seconds);
+        eprintln!("{target}: {count} copies in {seconds} s");
+    }
 }
 
 /// Pieces of documents, so that random texts get past the first brace.

@@ -5,13 +5,14 @@ use crate::file_content::{FileContent, ReadError};
 use crate::mesh::chain;
 use cyclide::{MeshCorner, MeshFace, Point3, SurfaceMesh, Vec3};
 use serde_json::Value;
+use std::cell::Cell;
 
 /// Reads the meshes and lines.
 pub(crate) fn read(bytes: &[u8]) -> Result<FileContent, ReadError> {
     let (text, binary) = chunks(bytes)?;
     let document = serde_json::from_slice::<Value>(text);
     let document = document.map_err(|e| ReadError::syntax("the JSON chunk", e.to_string()))?;
-    let file = File { document: &document, binary };
+    let file = File { document: &document, binary, left: Cell::new(2 * binary.len()) };
     let mut content = FileContent::default();
     for node in file.list("nodes")? {
         // The root has no mesh; its turn and scale are no part of the model's coordinates.
@@ -46,6 +47,8 @@ fn chunks(bytes: &[u8]) -> Result<(&[u8], &[u8]), ReadError> {
 struct File<'a> {
     document: &'a Value,
     binary: &'a [u8],
+    /// Bytes that may still be read: twice those there are, so that nothing is made many times from the same few.
+    left: Cell<usize>,
 }
 
 impl<'a> File<'a> {
@@ -144,6 +147,7 @@ impl<'a> File<'a> {
         let place = || {
             let (start, length) = (number(view, "byteOffset")?, number(view, "byteLength")?);
             let bytes = self.binary.get(start..)?.get(..length)?;
+            self.left.set(self.left.get().checked_sub(length)?);
             let whole = number(accessor, "count")?.checked_mul(width)? == length;
             (whole && accessor.get("type")?.as_str()? == kind).then_some(bytes)
         };

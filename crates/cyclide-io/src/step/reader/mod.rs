@@ -154,7 +154,8 @@ impl File {
         let multiplicities = numbers(value(knots, 0, &place)?, &place)?;
         let breaks = numbers(value(knots, 1, &place)?, &place)?;
         let most = points.len() as f64 + degree + 1.0;
-        if !(degree >= 1.0 && degree < most && multiplicities.iter().sum::<f64>() <= most) {
+        let whole = multiplicities.iter().all(|m| (0.0..=most).contains(m));
+        if !(degree >= 1.0 && degree < most && whole && multiplicities.iter().sum::<f64>() <= most) {
             return Err(ReadError::syntax(place, "degree, points and knot multiplicities do not fit"));
         }
         let repeated = breaks.iter().zip(&multiplicities).flat_map(|(&k, &m)| std::iter::repeat_n(k, m as usize));
