@@ -2,8 +2,9 @@
 
 use std::path::PathBuf;
 
-use cyclide_io::Camera;
+use cyclide_io::{Camera, Format, WriteOptions};
 
+use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{ArgAction, Args as ClapArgs, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 
@@ -12,11 +13,13 @@ Exit codes:
   0  success (also when nobody reads standard output to its end)
   1  the input was refused: the message shows the file, line and column
   2  the command line makes no sense
-  3  a file could not be read or written; old files are left as they were
+  3  a file or standard output could not be read or written
   4  a file failed its check when read back and was not written (a fault of cyclide)
 
-All files of a run are made and checked before the first is written, and each is written whole or not at all.
-Warnings and progress go to standard error, reports to standard output.";
+All files of a run are made and checked before the first is written, and each is written whole or not at all: where the exit
+code is not 0 old files are left as they were, but for a disk that fails at the last step (the message then names what was
+written). Warnings and progress go to standard error, reports to standard output; the name - is standard input or, after -o,
+standard output (docs/files.md).";
 
 const EXAMPLES: &str = "\
 First steps:
@@ -172,11 +175,13 @@ pub struct ManArgs {
     /// The folder for the pages, made if it does not exist.
     #[arg(short, long = "output", value_name = "DIR")]
     pub output: PathBuf,
+    #[command(flatten)]
+    pub write: WriteArgs,
 }
 
 #[derive(Debug, ClapArgs)]
 pub struct BuildArgs {
-    /// The model document (JSON); 'cyclide new' prints one to start from.
+    /// The model document (JSON), - for standard input; 'cyclide new' prints one to start from.
     pub model: PathBuf,
     #[command(flatten)]
     pub output: OutputArgs,
@@ -190,9 +195,14 @@ pub struct BuildArgs {
 #[derive(Debug, ClapArgs)]
 pub struct OutputArgs {
     /// File to write; the suffix says the format: .step .stp .dxf .svg .csv .json .png
-    /// .glb .obj .stl. Give it once per file.
+    /// .glb .obj .stl. Give it once per file; - with --format is standard output, and the report goes to standard error.
     #[arg(short, long = "output", value_name = "FILE", required = true, action = ArgAction::Append)]
     pub output: Vec<PathBuf>,
+    /// The format of files whose names do not say it.
+    #[arg(long, value_name = "FORMAT", value_parser = format_word())]
+    pub format: Option<Format>,
+    #[command(flatten)]
+    pub write: WriteArgs,
     /// Print the report as JSON (docs/report.md explains its words).
     #[arg(long)]
     pub json: bool,
@@ -233,9 +243,26 @@ pub struct OutputArgs {
     pub axes: bool,
 }
 
+/// How files are written.
+#[derive(Debug, Clone, Copy, ClapArgs)]
+pub struct WriteArgs {
+    /// Replace files that are read-only too.
+    #[arg(long)]
+    pub force: bool,
+    /// Wait until the files are on the disk, so that they survive a loss of power.
+    #[arg(long)]
+    pub durable: bool,
+}
+
+impl WriteArgs {
+    pub const fn options(self) -> WriteOptions {
+        WriteOptions { force: self.force, durable: self.durable }
+    }
+}
+
 #[derive(Debug, ClapArgs)]
 pub struct CurveArgs {
-    /// The points (CSV, one per line: see below).
+    /// The points (CSV, one per line: see below), - for standard input.
     pub points: PathBuf,
     #[command(flatten)]
     pub output: OutputArgs,
@@ -253,9 +280,10 @@ pub struct CurveArgs {
     /// the curve, where the format needs an approximation [default: 1e-5 of the curve's size].
     #[arg(long, value_name = "T", value_parser = positive, allow_negative_numbers = true)]
     pub tolerance: Option<f64>,
-    /// What the coordinates are measured in; they are labelled, never rescaled.
-    #[arg(long, value_enum, default_value_t)]
-    pub units: UnitsArg,
+    /// What the coordinates are measured in; they are labelled, never rescaled [default: what the names of the columns
+    /// say, as x_m, else mm].
+    #[arg(long, value_enum)]
+    pub units: Option<UnitsArg>,
     /// The two or three coordinate columns, by name or by number from 1 [default: x, y and z by their names].
     #[arg(long, value_name = "A,B", value_delimiter = ',', num_args = 1)]
     pub columns: Option<Vec<String>>,
@@ -321,7 +349,7 @@ pub struct CurveArgs {
 
 #[derive(Debug, ClapArgs)]
 pub struct SampleArgs {
-    /// The model document (JSON); 'cyclide new' prints one to start from.
+    /// The model document (JSON), - for standard input; 'cyclide new' prints one to start from.
     pub model: PathBuf,
     /// Name of the object; may be left out if there is only one.
     #[arg(long, value_name = "NAME")]
@@ -335,11 +363,13 @@ pub struct SampleArgs {
     /// Write to a file instead of standard output.
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
+    #[command(flatten)]
+    pub write: WriteArgs,
 }
 
 #[derive(Debug, ClapArgs)]
 pub struct ReportArgs {
-    /// The model document (JSON); 'cyclide new' prints one to start from.
+    /// The model document (JSON), - for standard input; 'cyclide new' prints one to start from.
     pub model: PathBuf,
     /// Print the report as JSON.
     #[arg(long)]
@@ -351,6 +381,8 @@ pub struct GalleryArgs {
     /// The folder for the files, made if it does not exist. The page is index.html.
     #[arg(short, long = "output", value_name = "DIR")]
     pub output: PathBuf,
+    #[command(flatten)]
+    pub write: WriteArgs,
 }
 
 /// Constructions that start from a list of points.
@@ -369,9 +401,8 @@ pub enum Kind {
     FairFit,
 }
 
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub enum UnitsArg {
-    #[default]
     Mm,
     Cm,
     M,
@@ -449,6 +480,12 @@ pub enum EdgesArg {
     Circle,
     /// Rational B-splines, with which all faces but planes are rational: half as large a file.
     Rational,
+}
+
+/// The name of a format.
+fn format_word() -> impl TypedValueParser<Value = Format> {
+    let named = |word: String| Format::ALL.into_iter().find(|format| format.name() == word);
+    PossibleValuesParser::new(Format::ALL.map(Format::name)).try_map(move |word| named(word).ok_or("no such format"))
 }
 
 /// A finite number that is not negative.

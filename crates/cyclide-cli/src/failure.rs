@@ -1,8 +1,10 @@
 //! Why a run ended without its result, and the exit code that says so.
 
 use std::fmt::Display;
+use std::path::Path;
 use std::process::ExitCode;
 
+use crate::plan::is_standard;
 use crate::terminal;
 
 /// The kinds of failure, each with its exit code (documented in the help).
@@ -20,13 +22,29 @@ pub enum Failure {
 
 impl Failure {
     /// A file that could not be read.
-    pub fn read(path: &std::path::Path, error: &std::io::Error) -> Self {
-        Self::File(format!("cannot read {}: {error}", path.display()))
+    pub fn read(path: &Path, error: &std::io::Error) -> Self {
+        let name = if is_standard(path) { "standard input".to_owned() } else { path.display().to_string() };
+        Self::File(format!("cannot read {name}: {error}"))
     }
 
     /// A file that could not be written; the old one is untouched.
     pub fn write(path: impl Display, error: &std::io::Error) -> Self {
         Self::File(format!("cannot write {path}: {error}"))
+    }
+
+    /// The file of this index could not be written.
+    pub fn write_of<P: AsRef<Path>, B>(files: &[(P, B)], index: usize, error: &std::io::Error) -> Self {
+        Self::write(files[index].0.as_ref().display(), error)
+    }
+
+    /// Adds the files that were written all the same.
+    pub fn but_wrote(self, files: &[String]) -> Self {
+        match self {
+            Self::File(message) if !files.is_empty() => {
+                Self::File(format!("{message}; before it was written: {}", files.join(", ")))
+            }
+            other => other,
+        }
     }
 
     /// Prints the message and gives the exit code.

@@ -4,8 +4,8 @@ use cyclide::Body;
 use cyclide_io::{Report, Spacing, did_you_mean, document_schema, write_file};
 
 use crate::failure::Failure;
-use crate::load;
-use crate::make::print_report;
+use crate::load::{self, Inputs};
+use crate::make::report_text;
 use crate::plan::{ReportPlan, SamplePlan, refuse_overwriting};
 use crate::progress::Progress;
 use crate::terminal;
@@ -15,7 +15,8 @@ const MOST_ROWS: usize = 100_000_000;
 
 /// Samples one object.
 pub fn sample(plan: &SamplePlan) -> Result<(), Failure> {
-    let (document, folder) = load::document(&plan.input)?;
+    let inputs = Inputs::default();
+    let (document, folder) = load::document(&plan.input, &inputs)?;
     let names = || document.objects.iter().map(|(name, _)| format!("'{name}'")).collect::<Vec<_>>().join(", ");
     let index = match &plan.object {
         Some(name) => document.objects.iter().position(|(n, _)| n == name).ok_or_else(|| {
@@ -28,7 +29,7 @@ pub fn sample(plan: &SamplePlan) -> Result<(), Failure> {
     for input in load::input_files(&document, &folder) {
         refuse_overwriting(plan.output.as_deref(), &input)?;
     }
-    let object = load::build_one(&document, &folder, index, &Progress::new(1))?;
+    let object = load::build_one(&document, &folder, index, &inputs, &Progress::new(1))?;
     let patches: usize = object.bodies.iter().flat_map(Body::shells).map(|shell| shell.faces().len()).sum();
     if patches > 0 && plan.spacing == Spacing::Length {
         return Err(Failure::Usage("--equal-length is for curves, the object is a surface".to_owned()));
@@ -41,19 +42,22 @@ pub fn sample(plan: &SamplePlan) -> Result<(), Failure> {
     let text = cyclide_io::sample(&object, plan.count, plan.spacing);
     match &plan.output {
         None => terminal::print(&text),
-        Some(path) => write_file(path, text.as_bytes()).map_err(|error| Failure::write(path.display(), &error)),
+        Some(path) => {
+            write_file(path, text.as_bytes(), plan.write).map_err(|error| Failure::write(path.display(), &error))
+        }
     }
 }
 
 /// Reports on the objects of a model.
 pub fn report(plan: &ReportPlan) -> Result<(), Failure> {
-    let (document, folder) = load::document(&plan.input)?;
+    let inputs = Inputs::default();
+    let (document, folder) = load::document(&plan.input, &inputs)?;
     let progress = Progress::new(document.objects.len());
-    let loaded = load::build(&document, &folder, &progress)?;
+    let loaded = load::build(&document, &folder, &inputs, &progress)?;
     progress.doing("measuring".to_owned());
     let report = Report::new(loaded.units, &loaded.objects, None);
     drop(progress);
-    print_report(&report, plan.json)
+    terminal::print(&report_text(&report, plan.json)?)
 }
 
 /// Prints the schema of the model document.

@@ -1,16 +1,18 @@
 //! Reading a model document (or one made from the command line) and building its objects.
 
+use std::cell::RefCell;
 use std::collections::HashMap;
-use std::fs::File;
-use std::io::Read as _;
+use std::io;
 use std::path::{Path, PathBuf};
 
 use cyclide::{Model, Units};
-use cyclide_io::{BuiltObject, Document, ModelBuilder};
+use cyclide_io::{
+    BuiltObject, Document, ModelBuilder, PointColumns, read_head, read_input, read_standard_input, unit_of_columns,
+};
 
 use crate::failure::Failure;
 use crate::mistaken::{Wanted, refuse_content};
-use crate::plan::Input;
+use crate::plan::{Input, is_standard};
 use crate::progress::Progress;
 use crate::terminal;
 
@@ -33,39 +35,81 @@ impl Loaded {
     }
 }
 
+/// What is read: files, and standard input by the name `-`, which is read once however often it is asked for.
+#[derive(Default)]
+pub struct Inputs {
+    standard: RefCell<Option<Vec<u8>>>,
+}
+
+impl Inputs {
+    /// All bytes of an input.
+    fn read(&self, path: &Path) -> io::Result<Vec<u8>> {
+        if is_standard(path) { self.standard(usize::MAX) } else { read_input(path) }
+    }
+
+    /// Bytes that tell what an input is, and more.
+    fn head(&self, path: &Path) -> io::Result<Vec<u8>> {
+        if is_standard(path) { self.standard(HEAD) } else { read_head(path, HEAD as u64) }
+    }
+
+    fn standard(&self, count: usize) -> io::Result<Vec<u8>> {
+        let mut read = self.standard.borrow_mut();
+        let bytes = match read.as_ref() {
+            Some(bytes) => bytes,
+            None => read.insert(read_standard_input()?),
+        };
+        Ok(bytes[..bytes.len().min(count)].to_vec())
+    }
+}
+
 /// Reads the document.
-pub fn document(input: &Input) -> Result<(Document, PathBuf), Failure> {
+pub fn document(input: &Input, inputs: &Inputs) -> Result<(Document, PathBuf), Failure> {
     match input {
-        Input::Made { document, sniff } => {
-            for path in document.input_files().map(Path::new).filter(|_| *sniff) {
+        Input::Made { document, columns, unit_of_columns } => {
+            let mut document = document.as_ref().clone();
+            let paths: Vec<PathBuf> = document.input_files().map(PathBuf::from).collect();
+            for path in paths {
                 // What cannot be read is refused where it is needed.
-                refuse_content(path, &head(path).unwrap_or_default(), Wanted::Points)?;
+                let head = inputs.head(&path).unwrap_or_default();
+                if columns.coordinates.is_none() {
+                    refuse_content(&path, &head, Wanted::Points)?;
+                }
+                if *unit_of_columns {
+                    take_unit(&mut document, &path, &head, columns);
+                }
             }
-            Ok((document.as_ref().clone(), PathBuf::new()))
+            Ok((document, PathBuf::new()))
         }
         Input::File(path) => {
-            let bytes = std::fs::read(path).map_err(|e| Failure::read(path, &e))?;
+            let bytes = inputs.read(path).map_err(|e| Failure::read(path, &e))?;
             refuse_content(path, &bytes, Wanted::Document)?;
-            let document = Document::parse(&path.display().to_string(), &bytes);
-            let folder = path.parent().map(Path::to_path_buf).unwrap_or_default();
-            document.map(|d| (d, folder)).map_err(|message| Failure::Refused(message.to_string()))
+            let standard = is_standard(path);
+            let name = if standard { "standard input".to_owned() } else { path.display().to_string() };
+            let document = Document::parse(&name, &bytes).map_err(|message| Failure::Refused(message.to_string()))?;
+            if standard && document.input_files().any(|file| is_standard(Path::new(file))) {
+                let message = "standard input is the document: it cannot be one of its files too";
+                return Err(Failure::Usage(message.to_owned()));
+            }
+            Ok((document, path.parent().map(Path::to_path_buf).unwrap_or_default()))
         }
     }
 }
 
-/// Bytes that tell what a file is, and more.
-const HEAD: u64 = 1 << 16;
-
-/// The first bytes of a file.
-fn head(path: &Path) -> std::io::Result<Vec<u8>> {
-    let mut bytes = Vec::new();
-    File::open(path)?.take(HEAD).read_to_end(&mut bytes)?;
-    Ok(bytes)
+/// Takes the unit that the names of the columns agree on, and says so.
+fn take_unit(document: &mut Document, path: &Path, head: &[u8], columns: &PointColumns) {
+    if let Some(found) = unit_of_columns(head, columns).filter(|found| found.unit != document.units) {
+        document.units = found.unit;
+        let (names, unit) = (found.columns.join(", "), found.unit.symbol());
+        terminal::note(&format!("{}: the unit is {unit}, as the columns {names} say (--units)", path.display()));
+    }
 }
 
+/// Bytes that tell what a file is, and its columns.
+const HEAD: usize = 1 << 16;
+
 /// Builds the document's objects one by one and shows their warnings.
-pub fn build(document: &Document, folder: &Path, progress: &Progress) -> Result<Loaded, Failure> {
-    let read = |path: &Path| std::fs::read(path);
+pub fn build(document: &Document, folder: &Path, inputs: &Inputs, progress: &Progress) -> Result<Loaded, Failure> {
+    let read = |path: &Path| inputs.read(path);
     let mut builder = ModelBuilder::new(document, folder, &read)?;
     let mut objects = Vec::with_capacity(document.objects.len());
     for index in 0..document.objects.len() {
@@ -79,9 +123,10 @@ pub fn build_one(
     document: &Document,
     folder: &Path,
     index: usize,
+    inputs: &Inputs,
     progress: &Progress,
 ) -> Result<BuiltObject, Failure> {
-    let read = |path: &Path| std::fs::read(path);
+    let read = |path: &Path| inputs.read(path);
     build_next(&mut ModelBuilder::new(document, folder, &read)?, document, index, progress)
 }
 
@@ -102,7 +147,8 @@ fn build_next(
 
 /// The files that the document refers to.
 pub fn input_files(document: &Document, folder: &Path) -> Vec<PathBuf> {
-    document.input_files().map(|file| folder.join(file)).collect()
+    let place = |file: &str| if is_standard(Path::new(file)) { PathBuf::from(file) } else { folder.join(file) };
+    document.input_files().map(place).collect()
 }
 
 fn show_warnings(built: &BuiltObject) {

@@ -32,7 +32,7 @@ fn main() -> ExitCode {
         Plan::Gallery(plan) => gallery::run(&plan),
         Plan::Schema => inspect::schema(),
         Plan::Completions(shell) => manuals::completions(shell),
-        Plan::Man(folder) => manuals::man(&folder),
+        Plan::Man(folder, write) => manuals::man(&folder, write),
     });
     match outcome {
         Ok(()) => ExitCode::SUCCESS,

@@ -1,18 +1,22 @@
-//! `build` and `curve`: all files are made and checked, then all are written, then the report is printed.
+//! `build` and `curve`: all files are made and checked, then all are complete under temporary names, then the report is
+//! printed, then they take their places. So standard output that cannot be written leaves the old files as they were.
 
-use cyclide_io::{ExportError, FileReport, Report, export, write_files};
+use std::path::PathBuf;
+
+use cyclide_io::{ExportError, FileReport, Report, StagedFiles, export};
 
 use crate::failure::Failure;
-use crate::load;
-use crate::plan::{Input, MakePlan, refuse_overwriting};
+use crate::load::{self, Inputs};
+use crate::plan::{Input, MakePlan, is_standard, refuse_overwriting};
 use crate::progress::Progress;
 use crate::terminal;
 
 /// Carries the plan out.
 pub fn run(plan: &MakePlan) -> Result<(), Failure> {
-    let (document, folder) = load::document(&plan.input)?;
+    let inputs = Inputs::default();
+    let (document, folder) = load::document(&plan.input, &inputs)?;
     let progress = Progress::new(document.objects.len() + plan.outputs.len() + 1);
-    let loaded = load::build(&document, &folder, &progress)?;
+    let loaded = load::build(&document, &folder, &inputs, &progress)?;
     for (path, _) in &plan.outputs {
         for input in &loaded.input_files {
             refuse_overwriting(Some(path), input)?;
@@ -20,7 +24,9 @@ pub fn run(plan: &MakePlan) -> Result<(), Failure> {
     }
     let model = loaded.model();
     let mut options = plan.options.clone();
-    if let (None, Input::File(path)) = (&options.title, &plan.input) {
+    if let (None, Input::File(path)) = (&options.title, &plan.input)
+        && !is_standard(path)
+    {
         // One object gives its name to the file, several have that of their document.
         let stem = || path.file_stem().map(|stem| stem.to_string_lossy().into_owned());
         options.title = if model.items.len() == 1 { None } else { stem() };
@@ -34,21 +40,33 @@ pub fn run(plan: &MakePlan) -> Result<(), Failure> {
         let exported = export(&model, *format, &options).map_err(|error| refused(path, &error))?;
         let checked = FileReport::new(path, *format, &model, &exported);
         report.files.push(checked.map_err(|error| Failure::Check(error.to_string()))?);
-        files.push((path, exported.bytes));
+        files.push((path.clone(), exported.bytes));
         progress.done();
     }
     drop(progress);
-    write_files(&files).map_err(|(i, error)| Failure::write(files[i].0.display(), &error))?;
-    print_report(&report, plan.json)
+    let report = report_text(&report, plan.json)?;
+    if let [(path, bytes)] = files.as_slice()
+        && is_standard(path)
+    {
+        terminal::print_aside(&report);
+        return terminal::print_bytes(bytes);
+    }
+    let staged = StagedFiles::new(&files, plan.write).map_err(|(i, error)| Failure::write_of(&files, i, &error))?;
+    terminal::print(&report)?;
+    staged.commit().map_err(|(i, error)| Failure::write_of(&files, i, &error).but_wrote(&names(&files[..i])))
 }
 
-/// Prints a report as text or JSON.
-pub fn print_report(report: &Report, json: bool) -> Result<(), Failure> {
+fn names(files: &[(PathBuf, Vec<u8>)]) -> Vec<String> {
+    files.iter().map(|(path, _)| path.display().to_string()).collect()
+}
+
+/// A report as text or JSON.
+pub fn report_text(report: &Report, json: bool) -> Result<String, Failure> {
     if !json {
-        return terminal::print(&report.to_string());
+        return Ok(report.to_string());
     }
     let text = serde_json::to_string_pretty(report);
-    terminal::print(&(text.map_err(|error| Failure::Check(error.to_string()))? + "\n"))
+    Ok(text.map_err(|error| Failure::Check(error.to_string()))? + "\n")
 }
 
 fn refused(path: &std::path::Path, error: &ExportError) -> Failure {

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use clap::{Command, CommandFactory as _};
 use clap_complete::Shell;
 use clap_mangen::Man;
-use cyclide_io::write_files;
+use cyclide_io::{WriteOptions, write_files};
 
 use crate::args::Args;
 use crate::failure::Failure;
@@ -19,14 +19,14 @@ pub fn completions(shell: Shell) -> Result<(), Failure> {
 }
 
 /// Writes the manual pages to a folder: one of the program and one per command.
-pub fn man(folder: &Path) -> Result<(), Failure> {
+pub fn man(folder: &Path, options: WriteOptions) -> Result<(), Failure> {
     let mut program = Args::command().disable_help_subcommand(true);
     program.build();
     let commands = program.get_subcommands().filter(|command| !command.is_hide_set()).cloned();
     let pages = std::iter::once(program.clone()).chain(commands).map(|command| page(folder, command));
     let pages = pages.collect::<Result<Vec<_>, _>>()?;
     std::fs::create_dir_all(folder).map_err(|error| Failure::write(folder.display(), &error))?;
-    write_files(&pages).map_err(|(i, error)| Failure::write(pages[i].0.display(), &error))?;
+    write_files(&pages, options).map_err(|(i, error)| Failure::write_of(&pages, i, &error))?;
     let first = folder.join("cyclide.1");
     terminal::print(&format!("{} pages; read them with: man -l {}\n", pages.len(), first.display()))
 }

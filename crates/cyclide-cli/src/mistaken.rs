@@ -8,6 +8,7 @@ use cyclide_io::InputKind;
 
 use crate::args::Args;
 use crate::failure::Failure;
+use crate::plan::is_standard;
 
 /// What a command reads.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -33,7 +34,7 @@ pub fn refuse_content(path: &Path, bytes: &[u8], wanted: Wanted) -> Result<(), F
 
 fn refuse(path: &Path, found: InputKind, wanted: Wanted) -> Result<(), Failure> {
     let net = "'cyclide new cyclidic-net' prints a document for it";
-    let path = path.display();
+    let path = if is_standard(path) { "standard input".to_owned() } else { path.display().to_string() };
     let answer = match (found, wanted) {
         (InputKind::Document, Wanted::Document) | (InputKind::Points, Wanted::Points) => return Ok(()),
         (InputKind::Written(format), _) => {

@@ -7,8 +7,9 @@ use clap_complete::Shell;
 use cyclide::Units;
 use cyclide_io::{
     ArcFitSpec, ArcSplineSpec, CircleSplineSpec, Comment, Document, DxfVersion, EffortWord, EndsSpec, ExportOptions,
-    FairEndWord, FairEndsSpec, FairFitSpec, FairSplineSpec, Format, ObjectSpec, PointFile, PointSource, RuleWord,
-    Spacing, StepEdges, StepProducts, StraightWord, TargetWord, TypeWord, VariantWord,
+    FairEndWord, FairEndsSpec, FairFitSpec, FairSplineSpec, Format, ObjectSpec, PointColumns, PointFile, PointSource,
+    RuleWord, Spacing, StepEdges, StepProducts, StraightWord, TargetWord, TypeWord, VariantWord, WriteOptions,
+    same_file,
 };
 
 use crate::args::{
@@ -30,26 +31,30 @@ pub enum Plan {
     Schema,
     Completions(Shell),
     /// The manual pages, into a folder.
-    Man(PathBuf),
+    Man(PathBuf, WriteOptions),
 }
 
 /// Build a model and write files.
 pub struct MakePlan {
     pub input: Input,
+    /// Files and their formats; the name `-`, alone, is standard output.
     pub outputs: Vec<(PathBuf, Format)>,
     pub options: ExportOptions,
+    pub write: WriteOptions,
     pub json: bool,
 }
 
 /// Where the model comes from.
 pub enum Input {
-    /// A model document.
+    /// A model document; the name `-` is standard input.
     File(PathBuf),
     /// A document made from the command line; it refers to files by their paths as given.
     Made {
         document: Box<Document>,
-        /// Whether its files are looked at for what they are: not if their columns were named.
-        sniff: bool,
+        /// The columns of its file: unless they were named, the file is looked at for what it is.
+        columns: PointColumns,
+        /// Whether the columns' names may say the unit: not if it was told.
+        unit_of_columns: bool,
     },
 }
 
@@ -59,7 +64,9 @@ pub struct SamplePlan {
     pub object: Option<String>,
     pub count: usize,
     pub spacing: Spacing,
+    /// `None` is standard output.
     pub output: Option<PathBuf>,
+    pub write: WriteOptions,
 }
 
 /// Report on a model.
@@ -71,6 +78,7 @@ pub struct ReportPlan {
 /// Build the gallery.
 pub struct GalleryPlan {
     pub folder: PathBuf,
+    pub write: WriteOptions,
 }
 
 impl Args {
@@ -90,7 +98,8 @@ impl Args {
                 output.plan(Input::File(model), tolerance).map(Plan::Make)
             }
             Command::Curve(args) => args.plan().map(Plan::Make),
-            Command::Sample(SampleArgs { model, object, count, equal_length, output }) => {
+            Command::Sample(SampleArgs { model, object, count, equal_length, output, write }) => {
+                let output = output.filter(|path| !is_standard(path));
                 let spacing = if equal_length { Spacing::Length } else { Spacing::Parameter };
                 refuse_overwriting(output.as_deref(), &model)?;
                 output.as_deref().map_or(Ok(()), |path| refuse_other_suffix(path, "csv", "samples are CSV"))?;
@@ -100,24 +109,26 @@ impl Args {
                     count: count as usize,
                     spacing,
                     output,
+                    write: write.options(),
                 }))
             }
             Command::Report(ReportArgs { model, json }) => {
                 Ok(Plan::Report(ReportPlan { input: Input::File(model), json }))
             }
             Command::New(NewArgs { kind, output }) => {
+                let output = output.filter(|path| !is_standard(path));
                 output.as_deref().map_or(Ok(()), |path| refuse_other_suffix(path, "json", "a document is JSON"))?;
                 Ok(Plan::New(NewPlan { kind, output }))
             }
-            Command::Gallery(GalleryArgs { output }) => {
+            Command::Gallery(GalleryArgs { output, write }) => {
                 refuse_file_name(&output)?;
-                Ok(Plan::Gallery(GalleryPlan { folder: output }))
+                Ok(Plan::Gallery(GalleryPlan { folder: output, write: write.options() }))
             }
             Command::Schema => Ok(Plan::Schema),
             Command::Completions(CompletionsArgs { shell }) => Ok(Plan::Completions(shell)),
-            Command::Man(ManArgs { output }) => {
+            Command::Man(ManArgs { output, write }) => {
                 refuse_file_name(&output)?;
-                Ok(Plan::Man(output))
+                Ok(Plan::Man(output, write.options()))
             }
         }
     }
@@ -126,10 +137,14 @@ impl Args {
 impl OutputArgs {
     fn plan(self, input: Input, tolerance: Option<f64>) -> Result<MakePlan, Failure> {
         let mut outputs: Vec<(PathBuf, Format)> = Vec::new();
+        if self.output.len() > 1 && self.output.iter().any(|path| is_standard(path)) {
+            return Err(Failure::Usage("standard output takes one file: `-o -` stands alone".to_owned()));
+        }
         for path in self.output {
-            let format = Format::from_path(&path).map_err(|e| Failure::Usage(e.to_string()))?;
-            if outputs.iter().any(|(other, _)| *other == path) {
-                return Err(Failure::Usage(format!("{} is given twice as output", path.display())));
+            let format = format_of(&path, self.format)?;
+            if let Some((other, _)) = outputs.iter().find(|(other, _)| same_file(other, &path)) {
+                let (path, other) = (path.display(), other.display());
+                return Err(Failure::Usage(format!("{path} is given twice as output: it is the same file as {other}")));
             }
             if let Input::File(model) = &input {
                 refuse_overwriting(Some(&path), model)?;
@@ -161,15 +176,37 @@ impl OutputArgs {
             camera: self.camera,
             title: None,
         };
-        Ok(MakePlan { input, outputs, options, json: self.json })
+        Ok(MakePlan { input, outputs, options, write: self.write.options(), json: self.json })
     }
+}
+
+/// The format of an output: that of its suffix, else the one that was told.
+fn format_of(path: &Path, told: Option<Format>) -> Result<Format, Failure> {
+    match (Format::from_path(path), told) {
+        (Ok(format), Some(told)) if format != told => {
+            let (name, told) = (format.name(), told.name());
+            Err(Failure::Usage(format!("{}: the suffix says {name}, --format says {told}", path.display())))
+        }
+        (Ok(format), _) | (Err(_), Some(format)) => Ok(format),
+        (Err(_), None) if is_standard(path) => {
+            let names = Format::ALL.map(Format::name).join(", ");
+            Err(Failure::Usage(format!("-o - needs --format: one of {names}")))
+        }
+        (Err(error), None) => Err(Failure::Usage(error.to_string())),
+    }
+}
+
+/// True for the name of standard input and standard output.
+pub fn is_standard(path: &Path) -> bool {
+    path.as_os_str() == "-"
 }
 
 impl CurveArgs {
     fn plan(self) -> Result<MakePlan, Failure> {
         let kind = self.kind.unwrap_or(if self.smooth.is_some() { Kind::FairFit } else { Kind::default() });
         self.check_options(kind)?;
-        let name = self.points.file_stem().and_then(OsStr::to_str).filter(|s| !s.trim().is_empty()).unwrap_or("curve");
+        let stem = self.points.file_stem().and_then(OsStr::to_str);
+        let name = stem.filter(|s| !s.trim().is_empty() && *s != "-").unwrap_or("curve");
         let Some(csv) = self.points.to_str().map(str::to_owned) else {
             return Err(Failure::Usage(format!("{}: the path is not Unicode", self.points.display())));
         };
@@ -246,8 +283,10 @@ impl CurveArgs {
         for path in &self.output.output {
             refuse_overwriting(Some(path), &self.points)?;
         }
-        let document = Document::from_objects(&self.points.display().to_string(), self.units.units(), objects);
-        let input = Input::Made { document: Box::new(document), sniff: self.columns.is_none() };
+        let units = self.units.map_or(Units::default(), UnitsArg::units);
+        let document = Document::from_objects(&self.points.display().to_string(), units, objects);
+        let columns = PointColumns { coordinates: self.columns, contour: self.contour_column };
+        let input = Input::Made { document: Box::new(document), columns, unit_of_columns: self.units.is_none() };
         self.output.plan(input, self.tolerance)
     }
 
@@ -308,13 +347,9 @@ fn refuse_file_name(path: &Path) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Refuses to write over a file that is read. A file that does not exist cannot be meant.
+/// Refuses to write over a file that is read.
 pub fn refuse_overwriting(output: Option<&Path>, input: &Path) -> Result<(), Failure> {
-    let same = |output: &&Path| match (output.canonicalize(), input.canonicalize()) {
-        (Ok(a), Ok(b)) => a == b,
-        _ => false,
-    };
-    match output.filter(same) {
+    match output.filter(|output| !is_standard(output) && !is_standard(input) && same_file(output, input)) {
         None => Ok(()),
         Some(path) => Err(Failure::Usage(format!("{} is an input: it will not be written over", path.display()))),
     }

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use clap::builder::{PossibleValue, PossibleValuesParser};
-use cyclide_io::{ObjectSpec, write_file};
+use cyclide_io::{ObjectSpec, WriteOptions, write_file};
 
 use crate::failure::Failure;
 use crate::terminal;
@@ -29,7 +29,8 @@ pub fn run(plan: &NewPlan) -> Result<(), Failure> {
     if path.exists() {
         return Err(Failure::Usage(format!("{} exists: it will not be written over", path.display())));
     }
-    write_file(path, text.as_bytes()).map_err(|error| Failure::write(path.display(), &error))?;
+    write_file(path, text.as_bytes(), WriteOptions::default())
+        .map_err(|error| Failure::write(path.display(), &error))?;
     let stem = path.file_stem().map_or_else(|| kind.clone().into(), |stem| stem.to_string_lossy());
     let (path, next) = (path.display(), Path::new(stem.as_ref()).display());
     terminal::print(&format!("{path}: made. Build it with: cyclide build {path} -o {next}.step -o {next}.png\n"))

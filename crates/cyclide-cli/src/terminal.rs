@@ -10,11 +10,27 @@ const PLAIN: &str = "\x1b[0m";
 
 /// Writes a result to standard output. Nobody reading on (`cyclide … | head`) is no failure.
 pub fn print(text: &str) -> Result<(), Failure> {
+    print_bytes(text.as_bytes())
+}
+
+/// The same for the content of a file.
+pub fn print_bytes(bytes: &[u8]) -> Result<(), Failure> {
     let mut out = io::stdout().lock();
-    match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
+    match out.write_all(bytes).and_then(|()| out.flush()) {
         Err(error) if error.kind() != io::ErrorKind::BrokenPipe => Err(Failure::write("standard output", &error)),
         _ => Ok(()),
     }
+}
+
+/// Writes a report to standard error, where standard output is taken.
+pub fn print_aside(text: &str) {
+    // There is no one left to tell that standard error is closed.
+    let _ = io::stderr().lock().write_all(text.as_bytes());
+}
+
+/// Says what was chosen.
+pub fn note(message: &str) {
+    show(PLAIN, "note", message);
 }
 
 /// Shows an error.

@@ -188,7 +188,7 @@ fn warnings_are_on_standard_error_with_their_place() {
         ("track.csv", "# x_m,y_m,w_m\n0,0,1\n4,0,1\n4,0,1\n4,4,1\n0,4,1\n0,0,1\n"),
         ("mm.csv", "x [mm],y [mm]\n0,0\n4,0\n4,4\n"),
     ]);
-    let run = folder.run("curve track.csv --closed -o a.step");
+    let run = folder.run("curve track.csv --closed --units mm -o a.step");
     assert_eq!(run.code, 0);
     let expected = [
         "warning: track.csv: track: the columns x_m, y_m speak of m, the model says mm; coordinates are taken as they are [units-differ]",
@@ -204,6 +204,12 @@ fn warnings_are_on_standard_error_with_their_place() {
     assert!(!run.stderr.contains('\x1b'), "no colour where there is no terminal");
     // The right unit, and columns without one that is wrong.
     assert_eq!(folder.run("curve mm.csv -o b.step").stderr, "");
+    let note = folder.run("curve track.csv --closed -o a.step").stderr;
+    assert!(
+        note.starts_with("note: track.csv: the unit is m, as the columns x_m, y_m say (--units)\nwarning: "),
+        "{note}"
+    );
+    assert!(!note.contains("units-differ"), "{note}");
     let open = folder.run("curve track.csv --units m -o c.step");
     assert!(open.stderr.contains("set `closed` if it is meant to be [ends-meet]"), "{}", open.stderr);
     assert!(!open.stderr.contains("units-differ"));

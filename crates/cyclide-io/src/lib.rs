@@ -19,8 +19,10 @@ mod file;
 mod file_content;
 mod format;
 mod glb;
+mod input_file;
 mod input_kind;
 mod job;
+mod lines;
 mod mesh;
 mod number;
 mod nurbs_json;
@@ -54,14 +56,15 @@ pub use error::{Error, Result};
 pub use export::export;
 pub use export_error::ExportError;
 pub use exported::Exported;
-pub use file::{write_file, write_files};
+pub use file::{StagedFiles, WriteOptions, same_file, write_file, write_files};
 pub use file_content::{FileContent, ReadError};
 pub use format::Format;
+pub use input_file::{MOST_INPUT_BYTES, read_head, read_input, read_standard_input};
 pub use input_kind::InputKind;
 pub use obj::{ObjGrid, read_quad_grid};
 pub use options::{DxfVersion, ExportOptions, StepEdges, StepProducts};
 pub use place::{Diagnostic, Source, decode};
-pub use points::{PointColumns, PointList, PointTable, read_points};
+pub use points::{ColumnUnit, PointColumns, PointList, PointRemark, PointTable, read_points, unit_of_columns};
 pub use read_back::{file_deviation, read_back};
 pub use report::{
     CheckError, CircularReport, CurvatureRangeReport, CurvatureReport, CurvesReport, FairnessReport, FileReport,

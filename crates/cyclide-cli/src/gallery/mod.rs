@@ -41,7 +41,7 @@ pub fn run(plan: &GalleryPlan) -> Result<(), Failure> {
     files.push(("index.html".to_owned(), page::html(&shown).into_bytes()));
     std::fs::create_dir_all(&plan.folder).map_err(|error| Failure::write(plan.folder.display(), &error))?;
     let files: Vec<_> = files.into_iter().map(|(name, bytes)| (plan.folder.join(name), bytes)).collect();
-    write_files(&files).map_err(|(i, error)| Failure::write(files[i].0.display(), &error))?;
+    write_files(&files, plan.write).map_err(|(i, error)| Failure::write_of(&files, i, &error))?;
     let page = plan.folder.join("index.html");
     terminal::print(&format!("{} models, {} files: {}\n", ENTRIES.len(), files.len(), page.display()))
 }

@@ -11,6 +11,8 @@ use serde::Deserialize;
 use serde::de::{Deserializer, Error as _, MapAccess, Visitor};
 use serde_json::value::RawValue;
 
+use crate::place::quoted;
+
 /// One step of a path.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) enum Step {
@@ -37,9 +39,9 @@ pub(super) fn path_text(steps: &[Step]) -> String {
         let _never_fails = match step {
             Step::Index(i) => write!(out, "[{i}]"),
             Step::Key(k) if !k.is_empty() && k.chars().all(|c| c.is_alphanumeric() || "_-$".contains(c)) => {
-                write!(out, "{}{k}", if out.is_empty() { "" } else { "." })
+                write!(out, "{}{}", if out.is_empty() { "" } else { "." }, quoted(k))
             }
-            Step::Key(k) => write!(out, "[{k:?}]"),
+            Step::Key(k) => write!(out, "[{:?}]", quoted(k)),
         };
     }
     out

@@ -10,6 +10,7 @@
 mod build;
 mod construct;
 mod coordinates;
+mod limits;
 mod locate;
 mod schema;
 mod spec;
@@ -20,7 +21,7 @@ use cyclide::Units;
 use serde::Deserialize;
 use serde_json::value::RawValue;
 
-use crate::place::{Diagnostic, Source, decode};
+use crate::place::{Diagnostic, Source, decode, quoted};
 use crate::suggest::did_you_mean;
 pub use build::{BuiltObject, ModelBuilder, Remark};
 pub use construct::{ContourFacts, Fitted};
@@ -78,10 +79,12 @@ impl Document {
     ///
     /// # Errors
     /// A message with file, line, column, path and the text at that place: not UTF-8, not JSON, another version, an
-    /// unknown type or field, a missing field, a value of the wrong kind, a repeated name.
+    /// unknown type or field, a missing field, a value of the wrong kind, a repeated name, a number or string that is too
+    /// long.
     pub fn parse(name: &str, bytes: &[u8]) -> Result<Self, Box<Diagnostic>> {
         let text = decode(name, bytes)?;
         let source = Source { name, text };
+        limits::check_limits(source)?;
         check_version(source)?;
         let root: Root<'_> = serde_json::from_str(text).map_err(|e| refused(source, &[], text, &e))?;
         let objects = root.objects.0.into_iter().map(|(name, raw)| Ok((object_name(source, &name)?, raw)));
@@ -109,6 +112,7 @@ fn check_version(source: Source<'_>) -> Result<(), Box<Diagnostic>> {
         return Ok(());
     }
     let start = offset_in(source.text, text);
+    let text = quoted(text);
     let message = format!("document version {text} is not known: this program reads version {DOCUMENT_VERSION}");
     Err(source.diagnostic(start..start + text.len(), "cyclide", message))
 }
@@ -131,14 +135,21 @@ fn check_no_null(source: Source<'_>) -> Result<(), Box<Diagnostic>> {
     Ok(())
 }
 
+/// Longest name of an object, in bytes; names of files have as many.
+const LONGEST_NAME: usize = 255;
+
 /// Refuses names that could not be shown or found again.
 fn object_name(source: Source<'_>, name: &str) -> Result<String, Box<Diagnostic>> {
-    if !name.trim().is_empty() && !name.chars().any(char::is_control) {
+    if !name.trim().is_empty() && !name.chars().any(char::is_control) && name.len() <= LONGEST_NAME {
         return Ok(name.to_owned());
     }
     let steps = [Step::from("objects"), Step::from(name)];
     let span = locate::span_of(source.text, &steps).unwrap_or(0..0);
-    let message = "the name of an object must not be empty or hold control characters";
+    let message = if name.len() > LONGEST_NAME {
+        format!("the name of an object has {} bytes, more than {LONGEST_NAME}", name.len())
+    } else {
+        "the name of an object must not be empty or hold control characters".to_owned()
+    };
     Err(source.diagnostic(span, &path_text(&steps), message))
 }
 
@@ -163,7 +174,7 @@ fn parse_object(source: Source<'_>, name: &str, raw: &RawValue) -> Result<Object
             let start = offset_in(source.text, word.get());
             let hint = Some(did_you_mean(&kind, ObjectSpec::TYPES.iter().copied())).filter(|hint| !hint.is_empty());
             let hint = hint.unwrap_or_else(|| other_word_for(&kind));
-            let message = format!("unknown type `{kind}`, expected one of `{known}`{hint}");
+            let message = format!("unknown type `{}`, expected one of `{known}`{hint}", quoted(&kind));
             source.diagnostic(start..start + word.get().len(), &path_text(&at), message)
         })?
         .map_err(|e| refuse(&e))
@@ -226,8 +237,19 @@ fn in_plain_words(message: &str) -> String {
             return wrong_count(given, needed);
         }
     }
-    let plain = message.replace("expected f64", "expected a number").replace("expected u32", "expected a whole number");
+    let plain = cut_quote(message);
+    let plain = plain.replace("expected f64", "expected a number").replace("expected u32", "expected a whole number");
     plain + &suggestion(message)
+}
+
+/// The message with what it quotes of the input cut: that is the first thing in quotes.
+fn cut_quote(message: &str) -> String {
+    let Some(open) = message.find(['`', '"']) else { return message.to_owned() };
+    let (before, rest) = message.split_at(open + 1);
+    let quote = &message[open..=open];
+    let close = rest.find(&format!("{quote}, expected ")).or_else(|| rest.rfind(quote)).unwrap_or(rest.len());
+    let (inner, after) = rest.split_at(close);
+    format!("{before}{}{after}", quoted(inner))
 }
 
 /// What may be meant by a field or word that the parser does not know: it names all it knows, in backquotes.

@@ -126,3 +126,21 @@ fn the_caret_stands_under_the_value() {
     let lines: Vec<&str> = message.lines().collect();
     assert_eq!(lines[1].find("\"big\""), lines[2].find("^^^^^"), "{message}");
 }
+
+#[test]
+fn messages_cut_what_they_quote() {
+    let long = "x".repeat(60_000);
+    for (objects, start) in [
+        (format!(r#""{long}": {{}}"#), "the name of an object has 60000 bytes, more than 255"),
+        (format!(r#""a": {{"type": "{long}"}}"#), "unknown type `xxx"),
+        (format!(r#""a": {{"type": "arc", "{long}": 1}}"#), "unknown field `xxx"),
+        (format!(r#""a": {{"type": "arc", "bulge": "{long}"}}"#), "invalid type: string \"xxx"),
+        (format!(r#""a": {{"type": "biarc", "rule": "{long}"}}"#), "unknown variant `xxx"),
+        (format!(r#""a": {{"type": "arc", "{long}": 1, "{long}": 1}}"#), "the name `xxx"),
+    ] {
+        let text = format!(r#"{{"cyclide": 1, "objects": {{{objects}}}}}"#);
+        let error = Document::parse("m.json", text.as_bytes()).unwrap_err();
+        assert!(error.message.starts_with(start), "{error}");
+        assert!(error.to_string().chars().count() < 900 && error.message.matches('x').count() < 80, "{error}");
+    }
+}

@@ -8,7 +8,7 @@ mod refuse;
 mod surfaces;
 
 use std::io;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use cyclide::{Body, CircularMeshReport, Item, Seam, SurfaceObject, Warning};
 
@@ -69,7 +69,8 @@ pub struct ModelBuilder<'a> {
 type Read<'a> = &'a dyn Fn(&Path) -> io::Result<Vec<u8>>;
 
 impl<'a> ModelBuilder<'a> {
-    /// Builder of a document's objects. Files are looked up relative to `folder` and read by `read`.
+    /// Builder of a document's objects. Files are looked up relative to `folder` and read by `read`; the name `-`, for
+    /// standard input, is handed on as it is.
     ///
     /// # Errors
     /// [`Error::Input`] at a name that no object has, or that leads back to the object itself.
@@ -191,8 +192,9 @@ impl Builder<'_> {
 
     /// The bytes of a file that a field names.
     fn file<const N: usize>(&self, file: &str, steps: [&str; N]) -> Result<(String, Vec<u8>)> {
-        let path = self.folder.join(file);
-        let name = path.display().to_string();
+        let standard = file == "-";
+        let path = if standard { PathBuf::from(file) } else { self.folder.join(file) };
+        let name = if standard { "standard input".to_owned() } else { path.display().to_string() };
         let unread = |source: io::Error| {
             let message = format!("cannot read {name}: {source}");
             let place = (!self.document.text.is_empty()).then(|| self.diagnostic(steps.map(Step::from), &message));

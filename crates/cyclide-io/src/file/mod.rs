@@ -1,0 +1,126 @@
+//! Writing files whole or not at all.
+//!
+//! Each file is made complete under a temporary name in its own folder and takes its place by a rename: nobody ever sees
+//! half of it, and whatever goes wrong before leaves the old file as it was. Of several files all are made before the
+//! first takes its place, in their order; a rename that fails then (rare: the folder was writable a moment ago) leaves
+//! those before it replaced. A run that is killed may leave a temporary file, which the next one for the same target
+//! removes.
+//!
+//! What is not a regular file (a pipe, a device, a terminal) is never replaced: it is written into, after the renames of
+//! the files before it. Of a link the file it leads to is replaced and the link stays.
+
+mod stale;
+mod target;
+mod temporary;
+
+use std::fs::{File, OpenOptions};
+use std::io::{self, Write as _};
+use std::path::{Path, PathBuf};
+
+use stale::remove_stale;
+use target::Target;
+pub use target::same_file;
+use temporary::Temporary;
+
+/// How files are written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct WriteOptions {
+    /// Files that are read-only, or that the user may not write, are replaced too.
+    pub force: bool,
+    /// The content, and then the names, are on the disk before the call returns, so that they survive a loss of power.
+    pub durable: bool,
+}
+
+/// Writes a file whole or not at all.
+///
+/// # Errors
+/// Those of the file system; a file that is read-only.
+pub fn write_file(path: &Path, bytes: &[u8], options: WriteOptions) -> io::Result<()> {
+    write_files(&[(path, bytes)], options).map_err(|(_, error)| error)
+}
+
+/// Writes several files as [`write_file`] does: none is replaced before all are complete under temporary names.
+///
+/// # Errors
+/// Those of the file system, with the index of the file; those before it may have been written.
+pub fn write_files<P: AsRef<Path>, B: AsRef<[u8]>>(
+    files: &[(P, B)],
+    options: WriteOptions,
+) -> Result<(), (usize, io::Error)> {
+    StagedFiles::new(files, options)?.commit()
+}
+
+/// Files that are complete but have not taken their places; dropped, they are removed.
+#[derive(Debug)]
+pub struct StagedFiles<'a> {
+    files: Vec<Staged<'a>>,
+    options: WriteOptions,
+}
+
+#[derive(Debug)]
+enum Staged<'a> {
+    File(Temporary),
+    /// Bytes for what is no regular file.
+    Stream(PathBuf, &'a [u8]),
+}
+
+impl<'a> StagedFiles<'a> {
+    /// Makes the files under temporary names, and removes temporary files of the same targets that a run left which was
+    /// killed.
+    ///
+    /// # Errors
+    /// Those of the file system, with the index of the file; nothing has been replaced.
+    pub fn new<P: AsRef<Path>, B: AsRef<[u8]>>(
+        files: &'a [(P, B)],
+        options: WriteOptions,
+    ) -> Result<Self, (usize, io::Error)> {
+        let targets = files.iter().enumerate().map(|(i, (path, _))| Target::of(path.as_ref()).map_err(|e| (i, e)));
+        let targets = targets.collect::<Result<Vec<_>, _>>()?;
+        remove_stale(&targets);
+        let staged = targets.into_iter().zip(files).enumerate().map(|(i, (target, (_, bytes)))| match target {
+            Target::Stream(path) => Ok(Staged::Stream(path, bytes.as_ref())),
+            Target::File { path, old } => {
+                Temporary::new(path, old.as_ref(), bytes.as_ref(), options).map(Staged::File).map_err(|e| (i, e))
+            }
+        });
+        Ok(Self { files: staged.collect::<Result<_, _>>()?, options })
+    }
+
+    /// Lets the files take their places, in their order.
+    ///
+    /// # Errors
+    /// Those of the file system, with the index of the file; those before it have been written, the others not.
+    pub fn commit(self) -> Result<(), (usize, io::Error)> {
+        let mut folders: Vec<PathBuf> = Vec::new();
+        for (i, staged) in self.files.into_iter().enumerate() {
+            match staged {
+                Staged::Stream(path, bytes) => write_into(&path, bytes).map_err(|e| (i, e))?,
+                Staged::File(temporary) => {
+                    let folder = temporary.folder().to_path_buf();
+                    temporary.replace().map_err(|e| (i, e))?;
+                    if self.options.durable && !folders.contains(&folder) {
+                        sync_folder(&folder).map_err(|e| (i, e))?;
+                        folders.push(folder);
+                    }
+                }
+            }
+        }
+        // Again, for the names that came after the first of each folder.
+        folders.iter().try_for_each(|folder| sync_folder(folder)).map_err(|e| (0, e))
+    }
+}
+
+/// Writes into a pipe or device. Where it leads to a file all the same (`/dev/stdout`), the bytes are added at its end.
+fn write_into(path: &Path, bytes: &[u8]) -> io::Result<()> {
+    let mut stream = OpenOptions::new().append(true).open(path)?;
+    stream.write_all(bytes)?;
+    stream.flush()
+}
+
+/// Brings the names in a folder to the disk, where folders can be opened.
+fn sync_folder(folder: &Path) -> io::Result<()> {
+    if cfg!(unix) { File::open(folder)?.sync_all() } else { Ok(()) }
+}
+
+#[cfg(test)]
+mod tests;

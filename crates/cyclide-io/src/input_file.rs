@@ -1,0 +1,92 @@
+//! Reading input: regular files of a size that can be worked with, and standard input.
+
+use std::fs::{self, File};
+use std::io::{self, Read};
+use std::path::Path;
+
+/// Largest input, in bytes: twelve million points.
+pub const MOST_INPUT_BYTES: u64 = 1 << 29;
+
+/// The bytes of a file.
+///
+/// # Errors
+/// Those of the file system; a folder, a pipe or a device; more than [`MOST_INPUT_BYTES`].
+pub fn read_input(path: &Path) -> io::Result<Vec<u8>> {
+    read(open(path)?)
+}
+
+/// The first bytes of a file, at most `count`.
+///
+/// # Errors
+/// As of [`read_input`].
+pub fn read_head(path: &Path, count: u64) -> io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    open(path)?.take(count).read_to_end(&mut bytes)?;
+    Ok(bytes)
+}
+
+/// The bytes of standard input, to its end.
+///
+/// # Errors
+/// Those of the system; more than [`MOST_INPUT_BYTES`].
+pub fn read_standard_input() -> io::Result<Vec<u8>> {
+    read(io::stdin().lock())
+}
+
+/// Opens a regular file: a pipe would wait for somebody to write, and some devices never end.
+fn open(path: &Path) -> io::Result<File> {
+    let found = fs::metadata(path)?;
+    if found.is_dir() {
+        return Err(io::Error::new(io::ErrorKind::IsADirectory, "it is a folder"));
+    }
+    if !found.is_file() {
+        let message = "it is not a regular file but a pipe or a device; as standard input its name is `-`";
+        return Err(io::Error::new(io::ErrorKind::InvalidInput, message));
+    }
+    if found.len() > MOST_INPUT_BYTES {
+        return Err(too_large(&format!("it has {} bytes", found.len())));
+    }
+    File::open(path)
+}
+
+fn read(input: impl Read) -> io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    input.take(MOST_INPUT_BYTES + 1).read_to_end(&mut bytes)?;
+    if bytes.len() as u64 > MOST_INPUT_BYTES {
+        return Err(too_large("it goes on"));
+    }
+    Ok(bytes)
+}
+
+fn too_large(what: &str) -> io::Error {
+    io::Error::new(io::ErrorKind::FileTooLarge, format!("{what}, more than {MOST_INPUT_BYTES}"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn regular_files_are_read_and_nothing_else() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a");
+        fs::write(&path, b"text").unwrap();
+        assert_eq!(read_input(&path).unwrap(), b"text");
+        assert_eq!(read_head(&path, 2).unwrap(), b"te");
+        assert!(read_input(folder.path()).unwrap_err().to_string().contains("a folder"));
+        assert!(read_input(&folder.path().join("none")).is_err());
+        // A hole of a file: its size is looked at before it is read.
+        File::options().write(true).open(&path).unwrap().set_len(MOST_INPUT_BYTES + 1).unwrap();
+        let error = read_input(&path).unwrap_err().to_string();
+        assert_eq!(error, "it has 536870913 bytes, more than 536870912");
+        if Path::new("/dev/zero").exists() {
+            assert!(read_input(Path::new("/dev/zero")).unwrap_err().to_string().contains("not a regular file"));
+        }
+    }
+
+    #[test]
+    fn what_has_no_end_is_given_up() {
+        let error = read(io::repeat(b'7')).unwrap_err().to_string();
+        assert_eq!(error, "it goes on, more than 536870912");
+    }
+}
