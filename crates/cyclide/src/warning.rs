@@ -3,6 +3,9 @@
 use crate::shape_change::{ShapeChange, degrees};
 use crate::short_number::ShortNumber;
 
+/// Points that scatter by more than this part of what counts as leaning are called noisy.
+const SCATTER: f64 = 0.15;
+
 /// A remark on a result that is valid but may not be what was meant.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
@@ -69,7 +72,8 @@ pub enum Warning {
         /// Largest sagitta an arc over two vertices can have.
         limit: f64,
     },
-    /// The tolerance is below the noise of the data: nearly every span has two edges or fewer.
+    /// The tolerance is below the noise of the data, or exact data are too coarse for it: nearly every span has two edges
+    /// or fewer.
     ToleranceBelowNoise {
         /// Fraction of such spans.
         fraction: f64,
@@ -110,12 +114,14 @@ pub enum Warning {
         /// What the data turn within the tolerance at most, radians.
         limit: f64,
     },
-    /// A smooth curve within the tolerance needs so many nodes that it follows the noise of the data.
-    NodesFollowNoise {
+    /// A smooth curve within the tolerance needs nearly as many nodes as there are points.
+    ManyNodes {
         /// Nodes of the curve.
         nodes: usize,
         /// Points it was fitted to; more than a third as many nodes are reported.
         points: usize,
+        /// How often the points change between left and right. More than a third of them do so as noise does.
+        changes: usize,
     },
     /// The fairest curve leans on the bounds of the tolerance: nearer to the data is nearer to what noisy data were
     /// measured from.
@@ -124,7 +130,35 @@ pub enum Warning {
         rms: f64,
         /// Values above this are reported.
         limit: f64,
+        /// How far the points scatter from one to the next about any smooth curve: the standard deviation of their noise.
+        scatter: f64,
     },
+    /// A tolerance that is wide against the figure binds little: a narrower one gave a better curve.
+    WideTolerance {
+        /// The tolerance asked for.
+        tolerance: f64,
+        /// What the curve keeps to.
+        used: f64,
+    },
+    /// A tolerance so large that bends or loops are gone: the curve is less than 0.8 times as long as its points say.
+    ShapeSmoothedAway {
+        /// Length of the curve.
+        curve: f64,
+        /// Length of the line through the points after their noise has been smoothed.
+        data: f64,
+    },
+    /// A fair fit has more nodes than were asked for, or fewer.
+    NodesNotReached {
+        /// Nodes of each smooth piece that were asked for.
+        asked: usize,
+        /// Nodes of the piece that is farthest from it.
+        reached: usize,
+        /// What decided: `tolerance`, `budget`, `max-fits`, `fewest` (no curve has fewer) or `first-fit` (the tolerance
+        /// was reached with fewer).
+        why: &'static str,
+    },
+    /// Ends were asked for, but a closed curve has none.
+    EndsWithoutEffect,
     /// A fair fit swung out between its points, far from their polyline, as it does where a corner is no corner to it.
     SwingsOut {
         /// How far the curve was from the polyline.
@@ -233,8 +267,13 @@ impl Warning {
             Self::DataWaver { .. } => "data-waver",
             Self::TightArc { .. } => "tight-arc",
             Self::TurnsMoreThanData { .. } => "turns-more-than-data",
-            Self::NodesFollowNoise { .. } => "tolerance-below-noise",
+            Self::ManyNodes { points, changes, .. } if as_noise(*changes, *points) => "tolerance-below-noise",
+            Self::ManyNodes { .. } => "many-nodes",
             Self::LeansOnWalls { .. } => "leans-on-walls",
+            Self::WideTolerance { .. } => "wide-tolerance",
+            Self::ShapeSmoothedAway { .. } => "shape-smoothed-away",
+            Self::NodesNotReached { .. } => "nodes-not-reached",
+            Self::EndsWithoutEffect => "ends-without-effect",
             Self::SwingsOut { .. } => "swings-out",
             Self::FeetNotMonotone { .. } => "feet-not-monotone",
             Self::PointsMerged { .. } => "points-merged",
@@ -273,8 +312,12 @@ impl Warning {
             | Self::AcrossCurvatureLines { .. }
             | Self::ShapeChanged { .. }
             | Self::OpenSeam { .. }
-            | Self::NodesFollowNoise { .. }
+            | Self::ManyNodes { .. }
             | Self::LeansOnWalls { .. }
+            | Self::WideTolerance { .. }
+            | Self::ShapeSmoothedAway { .. }
+            | Self::NodesNotReached { .. }
+            | Self::EndsWithoutEffect
             | Self::SwingsOut { .. }
             | Self::Zigzag { .. } => None,
         }
@@ -331,7 +374,7 @@ impl std::fmt::Display for Warning {
             Self::ToleranceBelowNoise { fraction } => {
                 write!(
                     f,
-                    "{:.0} % of the arcs span two edges or fewer: the tolerance is below the noise",
+                    "{:.0} % of the arcs span two edges or fewer: the tolerance is below the noise of the points, or they are too far apart for it",
                     fraction * 100.0
                 )
             }
@@ -358,18 +401,52 @@ impl std::fmt::Display for Warning {
                     "the fit turns by {turning:.2} radians in all, its data by at most {limit:.2}: smooth the points or raise the tolerance"
                 )
             }
-            Self::NodesFollowNoise { nodes, points } => {
+            Self::ManyNodes { nodes, points, changes } => {
+                write!(f, "{nodes} nodes for {points} points, ")?;
+                if as_noise(*changes, *points) {
+                    write!(
+                        f,
+                        "which change between left and right {changes} times, as noise does: the tolerance is below their noise"
+                    )
+                } else {
+                    f.write_str("which are too few, or the tolerance too small, to be described by fewer; corners are followed with few nodes only if they are given (a corner angle)")
+                }
+            }
+            Self::LeansOnWalls { rms, limit, scatter } => {
                 write!(
                     f,
-                    "{nodes} nodes for {points} points: the tolerance is below the noise, or the points have corners, which a smooth curve follows only if they are given (a corner angle)"
-                )
+                    "the curve leans on the bounds of the tolerance, as the fairest one does: the root mean square of the distances is {} (more than {} is much); ",
+                    ShortNumber(*rms),
+                    ShortNumber(*limit)
+                )?;
+                if *scatter > SCATTER * limit {
+                    write!(
+                        f,
+                        "the points scatter by {} from one to the next: for noise, 3 to 4 times that as tolerance with centre 1 comes nearer to what was measured",
+                        ShortNumber(*scatter)
+                    )
+                } else {
+                    write!(
+                        f,
+                        "the points scatter by no more than {} from one to the next: a smaller tolerance, or a centre of 1, comes nearer to them",
+                        ShortNumber(*scatter)
+                    )
+                }
             }
-            Self::LeansOnWalls { rms, limit } => write!(
+            Self::WideTolerance { tolerance, used } => write!(
                 f,
-                "the curve leans on the bounds of the tolerance: the root mean square of the distances is {} (more than {} is much); for noisy points a tolerance of 3 to 4 standard deviations with centre 1 comes nearer to what was measured",
-                ShortNumber(*rms),
-                ShortNumber(*limit)
+                "the tolerance {} is wide against the figure: the curve keeps within {}, where it is fairer or swings out less",
+                ShortNumber(*tolerance),
+                ShortNumber(*used)
             ),
+            Self::ShapeSmoothedAway { curve, data } => write!(
+                f,
+                "the curve is {} long, its points say {}: bends or loops smaller than the tolerance are gone",
+                ShortNumber(*curve),
+                ShortNumber(*data)
+            ),
+            Self::NodesNotReached { asked, reached, why } => write_nodes_not_reached(f, *asked, *reached, why),
+            Self::EndsWithoutEffect => f.write_str("a closed curve has no ends: what was asked for them has no effect"),
             Self::SwingsOut { distance, limit, held } => write!(
                 f,
                 "between the points the curve {} up to {} from their polyline (more than {} is far){}; if the points have corners, give a corner angle",
@@ -438,6 +515,27 @@ impl std::fmt::Display for Warning {
             }
         }
     }
+}
+
+/// Points that change between left and right more often than this many times in three do so as noise does.
+fn as_noise(changes: usize, points: usize) -> bool {
+    3 * changes > points
+}
+
+fn write_nodes_not_reached(
+    f: &mut std::fmt::Formatter<'_>,
+    asked: usize,
+    reached: usize,
+    why: &str,
+) -> std::fmt::Result {
+    let because = match why {
+        "tolerance" => "the points need them within the tolerance",
+        "budget" => "fewer would cost more fairness than the budget allows: raise it",
+        "max-fits" => "the fits for taking nodes out are spent: allow more",
+        "first-fit" => "the tolerance is reached with as few",
+        _ => "a curve cannot have fewer",
+    };
+    write!(f, "{asked} nodes were asked for, {reached} it has: {because}")
 }
 
 /// The relaxed segments with the range of their blends.

@@ -7,8 +7,10 @@ use crate::base::vector::{Point3, Vec3};
 use crate::error::{Error, Result};
 use crate::warning::Warning;
 
-/// Neighbours closer than this times the diameter are one point.
+/// Neighbours closer than this times the diameter are one point,
 const MERGE_LIMIT: f64 = 1e-9;
+/// unless the tolerance tells them apart: closer than this times the tolerance.
+const MERGE_TOLERANCE: f64 = 0.01;
 /// Off-plane distances up to this times the diameter are rounding.
 const PLANE_LIMIT: f64 = 1e-9;
 /// Off-plane distances up to this times the tolerance do not matter.
@@ -37,20 +39,24 @@ pub(in crate::construct) struct Distinct {
     /// Points of the user's list from this index on were merged with the one at this position.
     tail: (usize, usize),
     pub warning: Option<Warning>,
+    /// How far a point that was merged is from the one that stands for it.
+    pub moved: f64,
 }
 
 impl Distinct {
-    /// Merges equal neighbours; an open polyline keeps its first and its last point, a closed one its first.
+    /// Merges neighbours that are equal to within the tolerance; an open polyline keeps its first and its last point, a
+    /// closed one its first.
     ///
     /// # Errors
     /// `too-few-points`, `not-finite`, `coincident-points` (all equal).
-    pub fn new(points: &[Point3], closed: bool) -> Result<Self> {
+    pub fn new(points: &[Point3], closed: bool, tolerance: f64) -> Result<Self> {
         let needed = if closed { 3 } else { 2 };
         check(points.len(), needed, |i| points[i].is_finite())?;
-        let limit = MERGE_LIMIT * diameter(points);
-        if !limit.is_finite() {
+        let diameter = diameter(points);
+        if !diameter.is_finite() {
             return Err(Error::NotFinite { what: "distance from point", index: 0 });
         }
+        let limit = (MERGE_LIMIT * diameter).min(MERGE_TOLERANCE * tolerance);
         let mut source = vec![0];
         for (i, p) in points.iter().enumerate().skip(1) {
             if p.distance(points[source[source.len() - 1]]) > limit {
@@ -81,7 +87,13 @@ impl Distinct {
             first_dropped = (0..points.len()).find(|i| source.get(*i) != Some(i));
         }
         let warning = first_dropped.filter(|_| count > 0).map(|first| Warning::PointsMerged { first, count, limit });
-        Ok(Self { points: source.iter().map(|i| points[*i]).collect(), source, tail, warning })
+        let kept = source.iter().map(|i| points[*i]).collect();
+        let mut distinct = Self { points: kept, source, tail, warning, moved: 0.0 };
+        if count > 0 {
+            let moved = |(i, p): (usize, &Point3)| p.distance(distinct.points[distinct.position(i)]);
+            distinct.moved = points.iter().enumerate().map(moved).fold(0.0, f64::max);
+        }
+        Ok(distinct)
     }
 
     /// Position in the merged list of a point of the user's list.
@@ -130,10 +142,21 @@ mod tests {
     #[test]
     fn merged_points_are_found_where_they_went() {
         let at = |xs: &[f64]| -> Vec<Point3> { xs.iter().map(|x| Point3::new(*x, x * x, 0.0)).collect() };
-        let closed = Distinct::new(&at(&[0.0, 1.0, 1.0, 2.0, 0.0, 0.0]), true).unwrap();
+        let closed = Distinct::new(&at(&[0.0, 1.0, 1.0, 2.0, 0.0, 0.0]), true, 0.1).unwrap();
         assert_eq!([0, 1, 2, 3, 4, 5].map(|i| closed.position(i)), [0, 1, 1, 2, 0, 0]);
-        let open = Distinct::new(&at(&[0.0, 0.0, 1.0, 2.0, 2.0]), false).unwrap();
+        let open = Distinct::new(&at(&[0.0, 0.0, 1.0, 2.0, 2.0]), false, 0.1).unwrap();
         assert_eq!([0, 1, 2, 3, 4].map(|i| open.position(i)), [0, 0, 1, 2, 2]);
         assert_eq!(open.source, [0, 2, 4]);
+    }
+
+    #[test]
+    fn what_the_tolerance_tells_apart_stays() {
+        // 1e-10 apart in data of size 2.
+        let points = [0.0, 1.0, 1.0 + 1e-10, 2.0].map(|x| Point3::new(x, 0.0, 0.0));
+        let merged = Distinct::new(&points, false, 0.1).unwrap();
+        assert_eq!(merged.source, [0, 1, 3]);
+        // The rounding of 1 + 1e-10.
+        assert!((merged.moved - 1e-10).abs() < 1e-16);
+        assert_eq!(Distinct::new(&points, false, 1e-9).unwrap().source, [0, 1, 2, 3]);
     }
 }

@@ -104,7 +104,7 @@ impl ArcFit {
     }
 
     fn with_effort(points: &[Point3], options: &ArcFitOptions, effort: Effort) -> Result<Self> {
-        let distinct = Distinct::new(points, options.closed)?;
+        let distinct = Distinct::new(points, options.closed, options.tolerance)?;
         let data = &distinct.points;
         let tolerance = options.tolerance;
         let mut forced: Vec<usize> = options.corners.iter().map(|c| distinct.position(*c)).collect();
@@ -114,7 +114,8 @@ impl ArcFit {
         let died = |vertex: usize| Error::NoG1SplineInTube { vertex: distinct.source[vertex], tolerance };
 
         let largest = data.iter().map(|p| p.to_vec().max_abs()).fold(0.0, f64::max);
-        let room = tolerance - (ROUNDING_MARGIN * tolerance).max(8.0 * f64::EPSILON * largest).min(0.5 * tolerance);
+        let rounding = (ROUNDING_MARGIN * tolerance).max(8.0 * f64::EPSILON * largest).min(0.5 * tolerance);
+        let room = tolerance - distinct.moved - rounding;
         let plane = input::plane(data, tolerance);
         let (trace, pieces) = match &plane {
             Some(frame) => {

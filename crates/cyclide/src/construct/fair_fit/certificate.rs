@@ -15,7 +15,7 @@
 //! points.
 
 use crate::base::bernstein;
-use crate::base::vector::Point3;
+use crate::base::vector::{Point3, Vec3};
 use crate::rational::RationalBezier;
 
 /// Bounds are refined until they exceed a distance that occurs by less than this factor.
@@ -39,13 +39,18 @@ pub(super) struct PieceSheet {
     pub polyline: f64,
     /// The first point whose foot steps back, and their number.
     pub back: Option<(usize, usize)>,
+    /// Sum of the squared third differences of the distances, as vectors, and their number: what is left of them is no
+    /// smooth change.
+    pub roughness: (f64, usize),
 }
 
 /// Certifies one piece: its quartics, its points in order and the positions `segment + parameter` of their feet.
 pub(super) fn certify(curve: &[RationalBezier], closed: bool, points: &[Point3], feet: &[f64]) -> PieceSheet {
-    let mut sheet = PieceSheet { vertex: (0.0, 0), squares: 0.0, polyline: 0.0, back: None };
-    for (i, (p, foot)) in points.iter().zip(feet).enumerate() {
-        let distance = at(curve, *foot).distance(*p);
+    let errors: Vec<Vec3> = points.iter().zip(feet).map(|(p, foot)| *p - at(curve, *foot)).collect();
+    let roughness = roughness(&errors);
+    let mut sheet = PieceSheet { vertex: (0.0, 0), squares: 0.0, polyline: 0.0, back: None, roughness };
+    for (i, error) in errors.iter().enumerate() {
+        let distance = error.length();
         if distance > sheet.vertex.0 {
             sheet.vertex = (distance, i);
         }
@@ -73,6 +78,12 @@ pub(super) fn certify(curve: &[RationalBezier], closed: bool, points: &[Point3],
     }
     sheet.polyline = bound.proved;
     sheet
+}
+
+/// Sum of the squared third differences, and their number.
+fn roughness(errors: &[Vec3]) -> (f64, usize) {
+    let third = |w: &[Vec3]| (w[3] - w[0] + (w[1] - w[2]) * 3.0).length_squared();
+    (errors.windows(4).map(third).sum(), errors.len().saturating_sub(3))
 }
 
 /// The point at a position.

@@ -16,12 +16,13 @@ const NOTHING: f64 = 1e-12;
 /// Halvings of a step.
 const HALVINGS: usize = 6;
 
-/// What is fitted, in the working frame.
+/// The data of a smooth piece, in the working frame.
+#[derive(Clone, Copy)]
 pub(super) struct Data<'a> {
     pub points: &'a [Point3],
     pub closed: bool,
     pub planar: bool,
-    /// The first and the last node stay.
+    /// The curve starts and ends exactly at the first and the last datum.
     pub fixed: [bool; 2],
     pub tolerance: f64,
     /// Weight of the mean square of the distances (`66`, section 6).
@@ -64,6 +65,12 @@ impl Fit {
         self.farthest <= data.tolerance
     }
 
+    /// The data outside the tolerance.
+    pub fn outside(&self, data: &Data<'_>) -> impl Iterator<Item = (usize, &Foot)> {
+        let square = data.tolerance * data.tolerance;
+        self.feet.iter().enumerate().filter(move |(_, f)| f.error.length_squared() > square)
+    }
+
     /// What is minimised: `J`, and with a `centre` the mean square of the distances, in units of `scale`.
     pub fn objective(&self, data: &Data<'_>, scale: f64) -> f64 {
         let mean = squares(&self.feet) / (self.feet.len() as f64 * data.tolerance * data.tolerance);
@@ -96,7 +103,7 @@ impl Fit {
             let model = LinearModel::<R, N>::new(&at.curve, &at.feet, data.fixed, radius);
             // The model's distances are in units of its radius.
             let centre = data.centre * (radius / tolerance).powi(2);
-            let Some(solved) = model.solve(&model.objective(scale, centre), price) else { break };
+            let Some(solved) = model.solve(&model.objective(scale, centre, &at.feet), price) else { break };
             let moves = at.moves(data, &model.displacements(&solved.y));
             let Some(next) = at.moved(data, &moves, |fit| fit.merit(data, scale, radius, price)) else {
                 if at.feasible(data) {

@@ -8,7 +8,8 @@
 //! banded Cholesky factorisation. (The reduced system is derived in `66`; predictor and corrector are Mehrotra's.)
 
 use super::bordered_band::BorderedBand;
-use super::linear_model::{DistanceRow, LinearModel};
+use super::feet::Foot;
+use super::linear_model::{DistanceRow, LinearModel, by_segment};
 
 /// Complementarity at which the step is good enough, all data together.
 const GAP: f64 = 1e-4;
@@ -61,8 +62,8 @@ pub(super) struct Solved {
 
 impl<const R: usize, const N: usize> LinearModel<R, N> {
     /// The squares of the variation over `scale`, plus `centre` times the mean square of the distances (`66`,
-    /// section 6); rows and columns of fixed nodes are those of the identity.
-    pub fn objective(&self, scale: f64, centre: f64) -> Quadratic<N> {
+    /// section 6) at all `feet`; rows and columns of fixed nodes are those of the identity.
+    pub fn objective(&self, scale: f64, centre: f64, feet: &[Foot]) -> Quadratic<N> {
         let size = self.unknowns();
         let mut matrix = BorderedBand::zero(size, self.closed);
         let mut linear = vec![0.0; size];
@@ -75,10 +76,12 @@ impl<const R: usize, const N: usize> LinearModel<R, N> {
             local.scatter(&self.unknowns_of(j), R, &mut matrix, &mut linear);
         }
         if centre > 0.0 {
-            let weight = 2.0 * centre / self.rows.len() as f64;
-            for j in 0..self.first.len() - 1 {
+            let weight = 2.0 * centre / feet.len() as f64;
+            let (first, datum) = by_segment(feet, self.variation.len());
+            for j in 0..self.variation.len() {
                 let mut local = Local::<N>::zero();
-                for row in &self.rows[self.first[j]..self.first[j + 1]] {
+                for i in &datum[first[j]..first[j + 1]] {
+                    let row = self.distance_row(&feet[*i]);
                     for (c, rest) in row.columns.iter().zip(row.at_rest) {
                         local.add(c, weight, -weight * rest);
                     }
@@ -353,7 +356,7 @@ mod tests {
     use crate::base::vector::Point3;
 
     /// Data at heights over a straight curve with equally spaced nodes: a tube round a polyline, with one unknown a node.
-    fn toy(nodes: usize, heights: &[f64]) -> LinearModel<1, 4> {
+    fn toy(nodes: usize, heights: &[f64]) -> (LinearModel<1, 4>, Vec<Foot>) {
         let line = (0..nodes).map(|i| Point3::new(i as f64, 0.0, 0.0)).collect();
         let curve = TubeCurve::new(line, false, None).unwrap();
         let last = (nodes - 1) as f64;
@@ -361,7 +364,7 @@ mod tests {
         let data: Vec<Point3> = heights.iter().enumerate().map(|(i, h)| Point3::new(x(i), *h, 0.0)).collect();
         let places = Remap::new((1..nodes).map(|_| 1.0), false, &(0..nodes).map(|i| i as f64).collect::<Vec<_>>());
         let feet = curve.feet(&data, (0..data.len()).map(|i| places.place(x(i))), COLD);
-        LinearModel::new(&curve, &feet, [false; 2], 1.0)
+        (LinearModel::new(&curve, &feet, [false; 2], 1.0), feet)
     }
 
     /// Rows of all data over all unknowns.
@@ -455,9 +458,9 @@ mod tests {
         for heights in
             [[2.0, -2.0, 2.0, 1.5, -1.0, 0.0], [0.0, 3.0, 0.0, -3.0, 0.0, 3.0], [1.0, 1.0, 1.0, 1.0, 1.0, 4.0]]
         {
-            let model = toy(7, &heights);
+            let (model, feet) = toy(7, &heights);
             // A little least squares makes the optimum unique.
-            let q = model.objective(1.0, 1e-3);
+            let q = model.objective(1.0, 1e-3, &feet);
             let solved = model.solve(&q, 1e3).unwrap();
             let (found, best) = (value(&q, &solved.y), best_active_set(&model, &q));
             // The gap at which the method stops is 1e-4; the objectives are of size 1 to 1000.
@@ -469,11 +472,11 @@ mod tests {
     #[test]
     fn an_impossible_tube_shows_where() {
         // Two data over one place, five radii apart: at least 2 * ((2.5² - 1)/2) of violation, wherever the line is.
-        let mut model = toy(4, &[0.0, 0.0, 0.0, 0.0]);
+        let (mut model, feet) = toy(4, &[0.0, 0.0, 0.0, 0.0]);
         let row = model.rows[1];
         model.rows[1].at_rest[0] = 5.0;
         model.rows[2] = row;
-        let solved = model.solve(&model.objective(1.0, 0.0), 5.0).unwrap();
+        let solved = model.solve(&model.objective(1.0, 0.0, &feet), 5.0).unwrap();
         assert!((solved.violation - 5.25).abs() < 1e-2, "{}", solved.violation);
     }
 }

@@ -37,7 +37,7 @@ pub(super) struct LinearModel<const R: usize, const N: usize> {
     pub functions: Vec<[Cubic; 4]>,
     /// Normal directions at the nodes; zero where a node is fixed.
     pub normals: Vec<[Vec3; R]>,
-    /// The data ordered by the segment of their foot: those of segment `j` are `first[j]..first[j + 1]`.
+    /// The data that may bind, ordered by the segment of their foot: those of segment `j` are `first[j]..first[j + 1]`.
     pub first: Vec<usize>,
     pub rows: Vec<DistanceRow<R, N>>,
     /// Index of the datum of each row.
@@ -63,7 +63,7 @@ impl<const R: usize, const N: usize> LinearModel<R, N> {
                 directions[node] = [Vec3::ZERO; R];
             }
         }
-        let (first, datum) = by_segment(feet, chords.len());
+        let (first, datum) = binding(feet, by_segment(feet, chords.len()));
         let mut model = Self {
             closed: curve.closed,
             nodes,
@@ -104,7 +104,7 @@ impl<const R: usize, const N: usize> LinearModel<R, N> {
         self.node(segment, column / R).map_or(Vec3::ZERO, |k| self.normals[k][column % R])
     }
 
-    fn distance_row(&self, foot: &Foot) -> DistanceRow<R, N> {
+    pub fn distance_row(&self, foot: &Foot) -> DistanceRow<R, N> {
         let (j, u) = (foot.place.segment, foot.place.u);
         let across: [Vec3; R] = normals(foot.tangent);
         let values: [f64; 4] = self.functions[j].each_ref().map(|f| value(f, u));
@@ -165,8 +165,45 @@ impl<const R: usize, const N: usize> LinearModel<R, N> {
     }
 }
 
+/// More data than this over a segment: only those that stand out can bind.
+const CROWDED: usize = 128;
+/// Parts of a crowded segment; in each the data farthest out to six sides are kept.
+const BINS: usize = 32;
+
+/// Without the data of crowded segments that stand behind others: a displacement of the curve moves all data of a short
+/// part of a segment alike, so those in the middle reach no bound before those outside do.
+fn binding(feet: &[Foot], (first, datum): (Vec<usize>, Vec<usize>)) -> (Vec<usize>, Vec<usize>) {
+    if first.windows(2).all(|w| w[1] - w[0] <= CROWDED) {
+        return (first, datum);
+    }
+    let (mut starts, mut kept) = (vec![0], Vec::new());
+    for data in first.windows(2).map(|w| &datum[w[0]..w[1]]) {
+        if data.len() <= CROWDED {
+            kept.extend(data);
+        } else {
+            let mut farthest = [[(f64::NEG_INFINITY, 0); 6]; BINS];
+            for i in data {
+                let (e, u) = (feet[*i].error, feet[*i].place.u);
+                let bin = ((u * BINS as f64) as usize).min(BINS - 1);
+                for (out, far) in [e.x, -e.x, e.y, -e.y, e.z, -e.z].into_iter().zip(&mut farthest[bin]) {
+                    if out > far.0 {
+                        *far = (out, *i);
+                    }
+                }
+            }
+            let mut chosen: Vec<usize> =
+                farthest.iter().flatten().filter(|far| far.0.is_finite()).map(|far| far.1).collect();
+            chosen.sort_unstable();
+            chosen.dedup();
+            kept.extend(chosen);
+        }
+        starts.push(kept.len());
+    }
+    (starts, kept)
+}
+
 /// The data in the order of the segments of their feet.
-fn by_segment(feet: &[Foot], segments: usize) -> (Vec<usize>, Vec<usize>) {
+pub(super) fn by_segment(feet: &[Foot], segments: usize) -> (Vec<usize>, Vec<usize>) {
     let mut first = vec![0; segments + 1];
     for f in feet {
         first[f.place.segment + 1] += 1;

@@ -23,7 +23,7 @@ pub struct FairFitOptions {
     /// Indices of points that are corners in any case. The curve passes through corners exactly.
     pub corners: Vec<usize>,
     /// An open curve starts and ends exactly at the first and last point; else they are bound by the tolerance only,
-    /// as all others.
+    /// as all others. Without effect on a closed curve, which a warning says.
     pub fix_ends: bool,
     /// How much the curve keeps to the middle of the data, 0 to 1e6. 0: the fairest curve in the tolerance, which leans
     /// on its bounds; 1 halves the distance to what noisy points were measured from for a few per cent of fairness
@@ -31,7 +31,7 @@ pub struct FairFitOptions {
     pub centre: f64,
     /// Fits spent on taking nodes out; 0 keeps those of the first fit, in about a fifth of the time.
     pub max_fits: usize,
-    /// Nodes of a smooth piece at which removal stops, at least 2; fewer are found only by chance.
+    /// Nodes of a smooth piece at which removal stops, at least 2. A warning says where it ends elsewhere, and why.
     pub nodes: Option<usize>,
     /// How much of its fairness the curve may lose for fewer nodes, 0 to 1000: 0.1 is a tenth of the variation.
     pub budget: f64,

@@ -26,8 +26,21 @@ pub(super) struct RemovalLimits {
     pub budget: f64,
 }
 
+/// Why no more nodes are taken out.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Stop {
+    /// There are as few as asked for, or as a curve can have.
+    Fewest,
+    /// The data need them.
+    Data,
+    /// Fewer would cost more fairness than the budget allows.
+    Budget,
+    /// The fits are spent.
+    Fits,
+}
+
 /// Takes out nodes of a feasible fit.
-pub(super) fn remove(data: &Data<'_>, dense: Fit, limits: &RemovalLimits) -> Fit {
+pub(super) fn remove(data: &Data<'_>, dense: Fit, limits: &RemovalLimits) -> (Fit, Stop) {
     let scale = dense.fairness.max(data.floor);
     let mut smallest = dense.objective(data, scale);
     let mut locked = vec![false; dense.curve.nodes.len()];
@@ -35,10 +48,11 @@ pub(super) fn remove(data: &Data<'_>, dense: Fit, limits: &RemovalLimits) -> Fit
     let mut fit = dense;
     let least = limits.nodes.max(fewest_nodes(data.closed));
     let mut rest: Vec<usize> = Vec::new();
+    let mut needed = Stop::Data;
     for _ in 0..limits.fits {
         let removed = if rest.is_empty() { cheapest(&fit, &locked, batch, least) } else { std::mem::take(&mut rest) };
         if removed.is_empty() {
-            break;
+            return if fit.curve.nodes.len() <= least { (fit, Stop::Fewest) } else { (fit, needed) };
         }
         let kept: Vec<usize> = (0..fit.curve.nodes.len()).filter(|i| removed.binary_search(i).is_err()).collect();
         let trial = with_nodes(data, &fit, &kept);
@@ -57,6 +71,7 @@ pub(super) fn remove(data: &Data<'_>, dense: Fit, limits: &RemovalLimits) -> Fit
                     Some(t) if !t.feasible(data) => needed_by_data(data, &fit, t, &removed),
                     Some(t) => needed_by_fairness(&fit, t, &kept, &removed),
                 };
+                needed = if failed.is_some_and(|t| t.feasible(data)) { Stop::Budget } else { Stop::Data };
                 for i in culprits {
                     locked[i] = true;
                 }
@@ -64,7 +79,8 @@ pub(super) fn remove(data: &Data<'_>, dense: Fit, limits: &RemovalLimits) -> Fit
             }
         }
     }
-    fit
+    let stop = if fit.curve.nodes.len() <= least { Stop::Fewest } else { Stop::Fits };
+    (fit, stop)
 }
 
 /// The curve through some of the nodes of a fit.
@@ -121,8 +137,7 @@ fn apart(a: f64, b: f64, ring: Option<usize>) -> f64 {
 /// The removed nodes near data that are outside now; at least the one nearest to the farthest datum.
 fn needed_by_data(data: &Data<'_>, fit: &Fit, trial: &Fit, removed: &[usize]) -> Vec<usize> {
     let ring = data.closed.then_some(fit.curve.nodes.len());
-    let outside = |i: &usize| trial.feet[*i].error.length_squared() > data.tolerance * data.tolerance;
-    let places: Vec<f64> = (0..trial.feet.len()).filter(outside).map(|i| fit.feet[i].place.position()).collect();
+    let places: Vec<f64> = trial.outside(data).map(|(i, _)| fit.feet[i].place.position()).collect();
     let near = |k: &&usize| places.iter().any(|p| apart(**k as f64, *p, ring) <= REACH);
     let needed: Vec<usize> = removed.iter().filter(near).copied().collect();
     if !needed.is_empty() {

@@ -1,16 +1,21 @@
 //! One smooth piece from its data to its nodes: start, first fit, insertion, removal, polish (`66`, section 5).
 
+use super::canonical_start::canonical_start;
 use super::density;
 use super::feet::COLD;
-use super::fit::{Data, Fit, Patience};
+use super::fit::{Data, Fit, Patience, fewest_nodes};
 use super::places::Remap;
-use super::removal::{RemovalLimits, remove};
+use super::removal::{RemovalLimits, Stop, remove};
 use super::tube_curve::TubeCurve;
 use super::whittaker::{Smoothed, smooth};
-use crate::base::vector::Point3;
+use crate::base::vector::{Point3, Vec3};
+use crate::construct::arc_fit::input::diameter;
 
 /// Rounds of insertion where the first nodes do not reach the data.
 const INSERTIONS: usize = 12;
+/// The start keeps to the tolerance, and to this part of the size of the data: smoothed over more a closed figure shrinks
+/// to its centre.
+const START_SIZE: f64 = 0.1;
 /// Data nearer to each other than this part of the tolerance tell no directions: they are left out of the start.
 const THINNED: f64 = 0.25;
 /// Fewer points than this are not thinned further.
@@ -20,20 +25,9 @@ const SAMPLES: f64 = 0.5;
 /// `J L⁵/T²` below which a curve is as good as straight (`66`, section 3).
 const FLOOR: f64 = 3e4;
 
-/// The data of a smooth piece, in the working frame.
-pub(super) struct Piece<'a> {
-    pub points: &'a [Point3],
-    pub closed: bool,
-    pub planar: bool,
-    /// The curve ends exactly at the first, the last point.
-    pub fixed: [bool; 2],
-    pub tolerance: f64,
-    pub centre: f64,
-}
-
 /// How a run ends.
 pub(super) enum Outcome {
-    Reached(Fit),
+    Reached(Reached),
     /// Data outside the tolerance after all insertions, and how far the farthest is.
     Missed {
         outside: Vec<usize>,
@@ -41,52 +35,138 @@ pub(super) enum Outcome {
     },
 }
 
-/// Fits one piece.
-pub(super) fn run(piece: &Piece<'_>, limits: &RemovalLimits) -> Outcome {
-    let chosen = thinned(piece.points, piece.closed, piece.tolerance);
-    let length: f64 = chords(&points_of(piece.points, &chosen), piece.closed).iter().sum();
-    let data = Data {
-        points: piece.points,
-        closed: piece.closed,
-        planar: piece.planar,
-        fixed: piece.fixed,
-        tolerance: piece.tolerance,
-        centre: piece.centre,
-        floor: FLOOR * piece.tolerance * piece.tolerance / length.powi(5),
-    };
+/// A curve in the tolerance of its data.
+pub(super) struct Reached {
+    pub fit: Fit,
+    /// Why it has no fewer nodes.
+    pub stop: Stop,
+    /// Nodes before any was taken out.
+    pub first: usize,
+    /// Length of the data, smoothed as the start was.
+    pub length: f64,
+}
+
+/// `J` below which a curve counts as straight (`66`, section 3).
+pub(super) fn floor(points: &[Point3], closed: bool, tolerance: f64) -> f64 {
+    let chosen = thinned(points, closed, tolerance);
+    let length: f64 = chords(&points_of(points, &chosen), closed).iter().sum();
+    FLOOR * tolerance * tolerance / length.powi(5)
+}
+
+/// Fits one piece. Closed data are fitted from the datum they single out themselves, and the curve starts near the first
+/// one all the same.
+pub(super) fn run(data: &Data<'_>, limits: &RemovalLimits) -> Outcome {
+    let start = if data.closed { canonical_start(data.points) } else { 0 };
+    let turned = [&data.points[start..], &data.points[..start]].concat();
+    match run_in_order(&Data { points: &turned, ..*data }, limits) {
+        Outcome::Reached(mut reached) => {
+            reached.fit.turn_back(start);
+            Outcome::Reached(reached)
+        }
+        Outcome::Missed { outside, farthest } => {
+            let mut outside: Vec<usize> = outside.into_iter().map(|i| (i + start) % data.points.len()).collect();
+            outside.sort_unstable();
+            Outcome::Missed { outside, farthest }
+        }
+    }
+}
+
+impl Fit {
+    /// Gives a closed fit to data that were turned by `start` the order they had, with its first node beside the first
+    /// datum.
+    fn turn_back(&mut self, start: usize) {
+        let n = self.curve.nodes.len();
+        if !self.curve.closed {
+            return;
+        }
+        self.feet.rotate_right(start);
+        let first = self.feet.first().map_or(0, |f| f.place.position().round() as usize % n);
+        self.curve.nodes.rotate_left(first);
+        self.curve.tangents.rotate_left(first);
+        self.curve.segments.rotate_left(first);
+        for foot in &mut self.feet {
+            foot.place.segment = (foot.place.segment + n - first) % n;
+        }
+    }
+}
+
+fn run_in_order(data: &Data<'_>, limits: &RemovalLimits) -> Outcome {
+    let wide = START_SIZE * diameter(data.points);
+    let start = &Data { tolerance: data.tolerance.min(wide), ..*data };
     let first = Patience { steps: 12, change: 2e-3, grow: true };
-    let (smoothed, chosen) = smoothed(&data, chosen);
-    // Through a node for each of the smoothed data the curve is in the tube already, if there is such a curve.
-    let all = || start(&data, &smoothed.points, &chosen, (0..chosen.len()).map(|i| i as f64).collect());
-    let Some(mut fit) = sparse_start(&data, &smoothed, &chosen).or_else(all).map(|fit| fit.fairest(&data, first))
-    else {
-        return Outcome::Missed { outside: (0..piece.points.len()).collect(), farthest: f64::INFINITY };
+    let (smoothed, chosen) = smoothed(start, thinned(data.points, data.closed, start.tolerance));
+    let length = chords(&smoothed.points, data.closed).iter().sum();
+    let Some(mut fit) = first_curve(start, &smoothed, &chosen).map(|fit| fit.fairest(data, first)) else {
+        return Outcome::Missed { outside: (0..data.points.len()).collect(), farthest: diameter(data.points) };
     };
     for _ in 0..INSERTIONS {
-        if fit.feasible(&data) {
+        if fit.feasible(data) {
             break;
         }
-        let Some(more) = with_more_nodes(&data, &fit) else { break };
-        fit = more.fairest(&data, first);
+        let Some(more) = with_more_nodes(data, &fit) else { break };
+        fit = more.fairest(data, first);
     }
-    if !fit.feasible(&data)
-        && let Some(dense) = all().map(|fit| fit.fairest(&data, first)).filter(|fit| fit.feasible(&data))
+    if !fit.feasible(data)
+        && let Some(dense) = dense_start(start, &smoothed, &chosen).map(|fit| fit.fairest(data, first))
+        && dense.farthest < fit.farthest
     {
         fit = dense;
     }
-    if !fit.feasible(&data) {
-        let square = data.tolerance * data.tolerance;
-        let outside = fit.feet.iter().enumerate().filter(|(_, f)| f.error.length_squared() > square);
-        return Outcome::Missed { outside: outside.map(|(i, _)| i).collect(), farthest: fit.farthest };
+    if !fit.feasible(data) {
+        return Outcome::Missed { outside: fit.outside(data).map(|(i, _)| i).collect(), farthest: fit.farthest };
     }
+    let first = fit.curve.nodes.len();
     if limits.fits == 0 {
-        return Outcome::Reached(fit);
+        return Outcome::Reached(Reached { fit, stop: Stop::Fits, first, length });
     }
-    let fit = remove(&data, fit, limits);
-    let polished = fit.clone().fairest(&data, Patience { steps: 12, change: 3e-4, grow: true });
+    let (fit, stop) = remove(data, fit, limits);
+    let polished = fit.clone().fairest(data, Patience { steps: 12, change: 3e-4, grow: true });
     let scale = fit.fairness.max(data.floor);
-    let better = polished.feasible(&data) && polished.objective(&data, scale) < fit.objective(&data, scale);
-    Outcome::Reached(if better { polished } else { fit })
+    let better = polished.feasible(data) && polished.objective(data, scale) < fit.objective(data, scale);
+    Outcome::Reached(Reached { fit: if better { polished } else { fit }, stop, first, length })
+}
+
+/// The curve a fit starts from: through the nodes that the density asks for, else through all smoothed data, else through
+/// fewer and fewer of them, as where the data turn back on themselves, and at last a circle or a line among them.
+fn first_curve(data: &Data<'_>, smoothed: &Smoothed, chosen: &[usize]) -> Option<Fit> {
+    let fewer = || {
+        let strides = std::iter::successors(Some(2), |stride| Some(2 * stride));
+        strides
+            .map(|stride| every(chosen.len(), stride, data.closed))
+            .take_while(|kept| kept.len() > fewest_nodes(data.closed))
+            .find_map(|kept| start(data, &smoothed.points, chosen, kept.into_iter().map(|k| k as f64).collect()))
+    };
+    let plain = || {
+        let points = plain_figure(data, chosen.len());
+        let nodes = if data.closed { 8.min(chosen.len()) } else { 2 };
+        let last = if data.closed { chosen.len() } else { chosen.len() - 1 };
+        let steps = if data.closed { nodes } else { nodes - 1 };
+        start(data, &points, chosen, (0..nodes).map(|i| (i * last) as f64 / steps as f64).collect())
+    };
+    sparse_start(data, smoothed, chosen).or_else(|| dense_start(data, smoothed, chosen)).or_else(fewer).or_else(plain)
+}
+
+/// Points on a circle about the middle of closed data, on a line from the first of open data to the one farthest from it.
+fn plain_figure(data: &Data<'_>, count: usize) -> Vec<Point3> {
+    let first = data.points[0];
+    let offsets = || data.points.iter().map(|p| *p - first);
+    let centre = first + offsets().fold(Vec3::ZERO, |sum, v| sum + v) / data.points.len() as f64;
+    let radius = 0.25 * diameter(data.points);
+    let far = offsets().fold(Vec3::ZERO, |far, v| if v.length() > far.length() { v } else { far });
+    let at = |i: usize| {
+        if data.closed {
+            let (sin, cos) = (std::f64::consts::TAU * i as f64 / count as f64).sin_cos();
+            centre + Vec3::new(cos, sin, 0.0) * radius
+        } else {
+            first + far * (i as f64 / (count - 1) as f64)
+        }
+    };
+    (0..count).map(at).collect()
+}
+
+/// Through a node for each of the smoothed data the curve is in the tube already, if there is such a curve.
+fn dense_start(data: &Data<'_>, smoothed: &Smoothed, chosen: &[usize]) -> Option<Fit> {
+    start(data, &smoothed.points, chosen, (0..chosen.len()).map(|i| i as f64).collect())
 }
 
 /// The data of the start, smoothed.
@@ -177,20 +257,24 @@ fn chords(points: &[Point3], closed: bool) -> Vec<f64> {
     (0..if closed { n } else { n - 1 }).map(|j| (points[(j + 1) % n] - points[j]).length()).collect()
 }
 
-/// A node in the middle of every segment with a datum outside, and of its neighbours.
+/// A node in the middle of the segments with data outside, the farthest first, up to a node for each datum. `None` if there
+/// are that many.
 fn with_more_nodes(data: &Data<'_>, fit: &Fit) -> Option<Fit> {
     let (curve, m) = (&fit.curve, fit.curve.segments.len());
-    let mut split = vec![false; m];
-    for foot in fit.feet.iter().filter(|f| f.error.length_squared() > data.tolerance * data.tolerance) {
-        let j = foot.place.segment;
-        split[j] = true;
-        if j > 0 || data.closed {
-            split[(j + m - 1) % m] = true;
-        }
-        if j + 1 < m || data.closed {
-            split[(j + 1) % m] = true;
-        }
+    let room = data.points.len().saturating_sub(curve.nodes.len());
+    let mut missed = vec![0.0_f64; m];
+    for (_, foot) in fit.outside(data) {
+        let missed = &mut missed[foot.place.segment];
+        *missed = missed.max(foot.error.length_squared());
     }
+    let mut order: Vec<usize> = (0..m).filter(|j| missed[*j] > 0.0).collect();
+    order.sort_by(|a, b| missed[*b].total_cmp(&missed[*a]).then(a.cmp(b)));
+    order.truncate(room);
+    if order.is_empty() {
+        return None;
+    }
+    let mut split = vec![false; m];
+    order.into_iter().for_each(|j| split[j] = true);
     let (mut nodes, mut positions) = (Vec::new(), Vec::new());
     for (j, segment) in curve.segments.iter().enumerate() {
         nodes.push(curve.nodes[j]);

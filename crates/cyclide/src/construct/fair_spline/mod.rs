@@ -69,6 +69,9 @@ impl CircleSpline {
         let corners = corner_nodes(&options.corners, points.len(), closed)?;
         let ends = if closed { [FairEnd::Circle; 2] } else { unit_ends(options.ends)? };
         let mut warnings = Vec::new();
+        if closed && options.ends != [FairEnd::default(); 2] {
+            warnings.push(Warning::EndsWithoutEffect);
+        }
         let cuts = cuts(&chords, closed, corners, &mut warnings);
         let tight = options.tight.and_then(|rho| with_tight_corners(points, &chords, closed, &cuts, rho));
         let Some((more, source)) = tight else {

@@ -23,7 +23,7 @@ pub enum FairEnd {
 pub struct FairSplineOptions {
     /// Closed curve through all points; the first point is not repeated at the end.
     pub closed: bool,
-    /// First and last end of an open curve; without effect on a closed one.
+    /// First and last end of an open curve; without effect on a closed one, which a warning says.
     pub ends: [FairEnd; 2],
     /// From 0, the fairest curve, to 1, the circle spline of order 2, where every node follows its neighbours alone.
     pub tension: f64,

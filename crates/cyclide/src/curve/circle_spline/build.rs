@@ -43,6 +43,9 @@ impl CircleSpline {
         let [start_tangent, end_tangent] = end_tangents(options)?;
 
         let mut warnings = Vec::new();
+        if closed && options.ends != SplineEnds::default() {
+            warnings.push(Warning::EndsWithoutEffect);
+        }
         let node = |i: usize, warnings: &mut Vec<Warning>| {
             if !closed && i == 0 {
                 return start_tangent.map_or(Node::Free, Node::Through);

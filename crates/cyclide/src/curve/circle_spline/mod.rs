@@ -49,7 +49,7 @@ pub struct CircleSplineOptions {
     pub order: u32,
     /// The angle law. Default rational: an exact rational curve.
     pub variant: BlendVariant,
-    /// Ends of an open curve; without effect on a closed one.
+    /// Ends of an open curve; without effect on a closed one, which a warning says.
     pub ends: SplineEnds,
     /// Indices of points that stay corners: the curve is cut there and each run ends naturally. The ends of an open
     /// curve may be listed without effect.

@@ -1,0 +1,62 @@
+//! Where a fit of closed data starts: at a datum that the data themselves single out, so that the curve does not depend on
+//! the point that happens to be first in a list, nor on the direction.
+//!
+//! It is the datum farthest from the centre `c` of all; of several the one farthest along `sum |p - c|² (p - c)`, where the
+//! data are not alike on both sides of their centre; of several the one whose neighbours 1, 2, 4, … places away on both
+//! sides are farthest from each other. Data that none of this tells apart are, but for freaks, copies of each other by a
+//! symmetry, and so are the curves.
+
+use crate::base::vector::{Point3, Vec3};
+
+/// Measures that differ by less than this part of their scale are equal: rounding must not choose.
+const EQUAL: f64 = 1e-9;
+
+/// The number of the datum to start at.
+pub(super) fn canonical_start(points: &[Point3]) -> usize {
+    let n = points.len();
+    let Some(first) = points.first() else { return 0 };
+    let centre = points.iter().fold(Vec3::ZERO, |sum, p| sum + (*p - *first)) / n as f64;
+    let out = |i: usize| points[i] - *first - centre;
+    let size = (0..n).map(|i| out(i).length_squared()).fold(0.0, f64::max);
+    let mut candidates: Vec<usize> = (0..n).collect();
+    keep_largest(&mut candidates, size, |i| out(i).length_squared());
+    let lean = (0..n).map(|i| out(i) * out(i).length_squared()).fold(Vec3::ZERO, |sum, v| sum + v) / n as f64;
+    keep_largest(&mut candidates, size * size, |i| lean.dot(out(i)));
+    let mut away = 1;
+    while candidates.len() > 1 && 2 * away < n {
+        let apart = |i: usize| (points[(i + away) % n] - points[(i + n - away) % n]).length_squared();
+        keep_largest(&mut candidates, size, apart);
+        away *= 2;
+    }
+    candidates.first().copied().unwrap_or(0)
+}
+
+/// Keeps those with the largest measure.
+fn keep_largest(candidates: &mut Vec<usize>, scale: f64, measure: impl Fn(usize) -> f64) {
+    let largest = candidates.iter().map(|i| measure(*i)).fold(f64::NEG_INFINITY, f64::max);
+    candidates.retain(|i| measure(*i) >= largest - EQUAL * scale);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_same_datum_from_every_start_and_both_ways() {
+        // A triangle whose corners are equally far from its centre, sampled unevenly.
+        let at = |i: usize| {
+            let a = std::f64::consts::TAU * i as f64 / 60.0;
+            let r = 5.0 + (3.0 * a).cos();
+            Point3::new(r * a.cos() + if i == 7 { 0.01 } else { 0.0 }, r * a.sin(), 0.0)
+        };
+        let points: Vec<Point3> = (0..60).map(at).collect();
+        let chosen = points[canonical_start(&points)];
+        for start in 0..60 {
+            let mut turned = points.clone();
+            turned.rotate_left(start);
+            assert_eq!(turned[canonical_start(&turned)], chosen, "{start}");
+            turned.reverse();
+            assert_eq!(turned[canonical_start(&turned)], chosen, "{start} back");
+        }
+    }
+}
