@@ -32,11 +32,6 @@ impl Failure {
         Self::File(format!("cannot write {path}: {error}"))
     }
 
-    /// The file of this index could not be written.
-    pub fn write_of<P: AsRef<Path>, B>(files: &[(P, B)], index: usize, error: &std::io::Error) -> Self {
-        Self::write(files[index].0.as_ref().display(), error)
-    }
-
     /// Adds the files that were written all the same.
     pub fn but_wrote(self, files: &[String]) -> Self {
         match self {

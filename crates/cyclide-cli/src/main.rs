@@ -1,8 +1,8 @@
 //! The `cyclide` command: points, meshes and model documents in, curves and surfaces made of circles out.
 //!
 //! Arguments are read as typed ([`args`]), turned into a plan that is known to make sense ([`plan`]), and carried out
-//! ([`make`], [`inspect`], [`start`], [`gallery`], [`manuals`]); what belongs to another command is answered with it
-//! ([`mistaken`]). Results go to standard output, everything else to standard error.
+//! ([`make`], [`inspect`], [`start`], [`gallery`], [`manuals`]), whose files [`outputs`] writes; what belongs to another
+//! command is answered with it ([`mistaken`]). Results go to standard output, everything else to standard error.
 
 mod args;
 mod failure;
@@ -12,6 +12,7 @@ mod load;
 mod make;
 mod manuals;
 mod mistaken;
+mod outputs;
 mod plan;
 mod progress;
 mod start;

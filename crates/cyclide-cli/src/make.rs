@@ -1,12 +1,10 @@
-//! `build` and `curve`: all files are made and checked, then all are complete under temporary names, then the report is
-//! printed, then they take their places. So standard output that cannot be written leaves the old files as they were.
+//! `build` and `curve`: all files are made and checked before the first is written.
 
-use std::path::PathBuf;
-
-use cyclide_io::{ExportError, FileReport, Report, StagedFiles, export};
+use cyclide_io::{ExportError, FileReport, Report, export};
 
 use crate::failure::Failure;
 use crate::load::{self, Inputs};
+use crate::outputs;
 use crate::plan::{Input, MakePlan, is_standard, refuse_overwriting};
 use crate::progress::Progress;
 use crate::terminal;
@@ -51,13 +49,7 @@ pub fn run(plan: &MakePlan) -> Result<(), Failure> {
         terminal::print_aside(&report);
         return terminal::print_bytes(bytes);
     }
-    let staged = StagedFiles::new(&files, plan.write).map_err(|(i, error)| Failure::write_of(&files, i, &error))?;
-    terminal::print(&report)?;
-    staged.commit().map_err(|(i, error)| Failure::write_of(&files, i, &error).but_wrote(&names(&files[..i])))
-}
-
-fn names(files: &[(PathBuf, Vec<u8>)]) -> Vec<String> {
-    files.iter().map(|(path, _)| path.display().to_string()).collect()
+    outputs::write(&files, plan.write, &report)
 }
 
 /// A report as text or JSON.

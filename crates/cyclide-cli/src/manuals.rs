@@ -5,10 +5,11 @@ use std::path::{Path, PathBuf};
 use clap::{Command, CommandFactory as _};
 use clap_complete::Shell;
 use clap_mangen::Man;
-use cyclide_io::{WriteOptions, write_files};
+use cyclide_io::WriteOptions;
 
 use crate::args::Args;
 use crate::failure::Failure;
+use crate::outputs;
 use crate::terminal;
 
 /// Prints the completion script of a shell.
@@ -26,9 +27,9 @@ pub fn man(folder: &Path, options: WriteOptions) -> Result<(), Failure> {
     let pages = std::iter::once(program.clone()).chain(commands).map(|command| page(folder, command));
     let pages = pages.collect::<Result<Vec<_>, _>>()?;
     std::fs::create_dir_all(folder).map_err(|error| Failure::write(folder.display(), &error))?;
-    write_files(&pages, options).map_err(|(i, error)| Failure::write_of(&pages, i, &error))?;
     let first = folder.join("cyclide.1");
-    terminal::print(&format!("{} pages; read them with: man -l {}\n", pages.len(), first.display()))
+    let text = format!("{} pages; read them with: man -l {}\n", pages.len(), first.display());
+    outputs::write(&pages, options, &text)
 }
 
 fn page(folder: &Path, command: Command) -> Result<(PathBuf, Vec<u8>), Failure> {

@@ -190,15 +190,16 @@ fn format_of(path: &Path, told: Option<Format>) -> Result<Format, Failure> {
         (Ok(format), _) | (Err(_), Some(format)) => Ok(format),
         (Err(_), None) if is_standard(path) => {
             let names = Format::ALL.map(Format::name).join(", ");
-            Err(Failure::Usage(format!("-o - needs --format: one of {names}")))
+            Err(Failure::Usage(format!("-o {} needs --format: one of {names}", path.display())))
         }
         (Err(error), None) => Err(Failure::Usage(error.to_string())),
     }
 }
 
-/// True for the name of standard input and standard output.
+/// True for the names of standard input and standard output. As files the latter would be opened a second time, beside the
+/// report.
 pub fn is_standard(path: &Path) -> bool {
-    path.as_os_str() == "-"
+    ["-", "/dev/stdin", "/dev/stdout"].iter().any(|name| path.as_os_str() == *name)
 }
 
 impl CurveArgs {

@@ -3,9 +3,10 @@
 use std::path::{Path, PathBuf};
 
 use clap::builder::{PossibleValue, PossibleValuesParser};
-use cyclide_io::{ObjectSpec, WriteOptions, write_file};
+use cyclide_io::{ObjectSpec, WriteOptions};
 
 use crate::failure::Failure;
+use crate::outputs;
 use crate::terminal;
 
 /// What to print or write.
@@ -29,11 +30,10 @@ pub fn run(plan: &NewPlan) -> Result<(), Failure> {
     if path.exists() {
         return Err(Failure::Usage(format!("{} exists: it will not be written over", path.display())));
     }
-    write_file(path, text.as_bytes(), WriteOptions::default())
-        .map_err(|error| Failure::write(path.display(), &error))?;
     let stem = path.file_stem().map_or_else(|| kind.clone().into(), |stem| stem.to_string_lossy());
-    let (path, next) = (path.display(), Path::new(stem.as_ref()).display());
-    terminal::print(&format!("{path}: made. Build it with: cyclide build {path} -o {next}.step -o {next}.png\n"))
+    let (name, next) = (path.display(), Path::new(stem.as_ref()).display());
+    let said = format!("{name}: made. Build it with: cyclide build {name} -o {next}.step -o {next}.png\n");
+    outputs::write(&[(path, text)], WriteOptions::default(), &said)
 }
 
 /// Every type with the first sentence of its document.

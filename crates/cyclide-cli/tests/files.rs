@@ -78,6 +78,8 @@ fn standard_output_takes_one_file_and_the_report_goes_aside() {
         let error = folder.fails(2, command);
         assert!(error.contains(message), "{command}\n{error}");
     }
+    #[cfg(unix)]
+    assert_eq!(folder.run("build c.json -o /dev/stdout --format step").stdout.as_bytes(), folder.read("a.step"));
     // Names without a suffix have the format that was told.
     folder.ok("build c.json -o plain --format step");
     assert_eq!(folder.read("plain"), folder.read("a.step"));

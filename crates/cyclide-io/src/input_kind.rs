@@ -2,6 +2,8 @@
 
 use std::path::Path;
 
+use crate::lines::lines;
+
 /// What a file is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum InputKind {
@@ -88,7 +90,7 @@ impl InputKind {
             fields.filter(|field| !field.is_empty()).collect()
         };
         let number = |field: &String| field.parse::<f64>().is_ok();
-        for line in text.lines().take(LINES) {
+        for (_, line) in lines(text).take(LINES) {
             let names = fields(line.trim_start_matches('#'));
             let has = |name: &str| names.iter().any(|field| field == name);
             // Not `u`, `v`, which are velocities as often, nor `i`, `j`, `k`, the direction of a tool.
@@ -146,6 +148,7 @@ mod tests {
             (b"<?xml version=\"1.0\"?>\n<svg>", Some(InputKind::Written("SVG"))),
             (b"# roof\nv 0 0 0\nv 1 0 0\n", Some(InputKind::Mesh)),
             (b"mtllib a.mtl\no roof\n", Some(InputKind::Mesh)),
+            (b"# lone carriage returns\rv 0 0 0\r", Some(InputKind::Mesh)),
             (b"# x_m,y_m\n0,1\n", Some(InputKind::Points)),
             (b"x;y\n0;1\n", Some(InputKind::Points)),
             (b"0 1 2\n", Some(InputKind::Points)),

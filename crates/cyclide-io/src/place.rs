@@ -69,14 +69,9 @@ impl<'a> Source<'a> {
             line: 1 + line_ends(&self.text[..line_start]),
             column: 1 + before.chars().count(),
             path: path.to_owned(),
-            message: message.into(),
+            message: message.into().chars().map(printable).collect(),
             reason: None,
-            // Control characters would move the caret, or the reader's terminal.
-            snippet: Snippet {
-                text: text.map(|c| if c.is_control() { ' ' } else { c }).collect(),
-                skip: shown.len(),
-                width: width.max(1),
-            },
+            snippet: Snippet { text: text.map(printable).collect(), skip: shown.len(), width: width.max(1) },
         })
     }
 
@@ -134,6 +129,11 @@ impl fmt::Display for Diagnostic {
 }
 
 impl std::error::Error for Diagnostic {}
+
+/// Control characters, line ends too, would move the caret, or the reader's terminal.
+fn printable(c: char) -> char {
+    if c.is_control() { ' ' } else { c }
+}
 
 /// What messages quote of an input at most, in characters.
 const QUOTED: usize = 60;
@@ -236,6 +236,12 @@ mod tests {
         let d = Source { name: "f", text: "1\r2\r\n3\rBAD\r5" }.diagnostic(7..10, "", "m");
         assert_eq!((d.line, d.column), (4, 1));
         assert_eq!(d.to_string(), "f:4:1: m\n  4 | BAD\n    | ^^^");
+    }
+
+    #[test]
+    fn messages_are_one_line_whatever_they_quote() {
+        let d = Source { name: "f", text: "a" }.diagnostic(0..1, "", "`\u{1b}[2J\n` is no word");
+        assert_eq!(d.message, "` [2J ` is no word");
     }
 
     #[test]

@@ -6,13 +6,13 @@ mod page;
 use std::io;
 use std::path::Path;
 
-use cyclide_io::{Document, ExportOptions, FileReport, Format, ModelBuilder, Report, export, write_files};
+use cyclide_io::{Document, ExportOptions, FileReport, Format, ModelBuilder, Report, export};
 
 use crate::failure::Failure;
 use crate::load::Loaded;
+use crate::outputs;
 use crate::plan::GalleryPlan;
 use crate::progress::Progress;
-use crate::terminal;
 use entries::{ENTRIES, Entry};
 
 /// Width of the pictures, pixels: twice that of their place on the page.
@@ -41,9 +41,9 @@ pub fn run(plan: &GalleryPlan) -> Result<(), Failure> {
     files.push(("index.html".to_owned(), page::html(&shown).into_bytes()));
     std::fs::create_dir_all(&plan.folder).map_err(|error| Failure::write(plan.folder.display(), &error))?;
     let files: Vec<_> = files.into_iter().map(|(name, bytes)| (plan.folder.join(name), bytes)).collect();
-    write_files(&files, plan.write).map_err(|(i, error)| Failure::write_of(&files, i, &error))?;
     let page = plan.folder.join("index.html");
-    terminal::print(&format!("{} models, {} files: {}\n", ENTRIES.len(), files.len(), page.display()))
+    let text = format!("{} models, {} files: {}\n", ENTRIES.len(), files.len(), page.display());
+    outputs::write(&files, plan.write, &text)
 }
 
 /// Builds one entry and adds its files, those it is made from included.

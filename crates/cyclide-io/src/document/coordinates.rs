@@ -9,6 +9,8 @@ use serde::Deserialize;
 use serde::de::value::MapAccessDeserializer;
 use serde::de::{Deserializer, Error as _, MapAccess, SeqAccess, Visitor};
 
+use crate::points::MOST_POINTS;
+
 /// A point or vector with two or three coordinates; the third is 0 if left out.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Coordinates(pub [f64; 3]);
@@ -164,8 +166,12 @@ impl<'de> Deserialize<'de> for Row {
 impl Lists {
     fn from_rows<'de, A: SeqAccess<'de>>(mut seq: A) -> Result<Self, A::Error> {
         let mut lists: Vec<Vec<Coordinates>> = Vec::new();
-        let mut nested = None;
+        let (mut nested, mut count) = (None, 0);
         while let Some(row) = seq.next_element::<Row>()? {
+            count += if let Row::Contour(points) = &row { points.len() } else { 1 };
+            if count > MOST_POINTS {
+                return Err(A::Error::custom(format!("the list has more than {MOST_POINTS} points")));
+            }
             let contour = matches!(row, Row::Contour(_));
             if nested.is_some_and(|n| n != contour) {
                 return Err(A::Error::custom("points and contours are mixed: give one list, or one list per contour"));

@@ -9,6 +9,7 @@ use cyclide::Point3;
 
 use crate::lines::lines;
 use crate::place::{Diagnostic, Source, quoted};
+use crate::points::MOST_POINTS;
 
 /// A polygon: indices of its points, and its place in the text.
 #[derive(Debug, Clone, PartialEq)]
@@ -52,6 +53,9 @@ pub(super) fn parse(source: Source<'_>) -> Result<Polygons, Box<Diagnostic>> {
                 let [x, y, z, ..] = data else {
                     return Err(source.diagnostic(span, "", "a point needs three coordinates"));
                 };
+                if polygons.points.len() == MOST_POINTS {
+                    return Err(source.diagnostic(span, "", format!("the file has more than {MOST_POINTS} points")));
+                }
                 let [x, y, z] = [coordinate(source, *x)?, coordinate(source, *y)?, coordinate(source, *z)?];
                 polygons.points.push(Point3::new(x, y, z));
                 polygons.spans.push(span);

@@ -26,6 +26,9 @@ pub(crate) use merge::merge_repeated;
 use table::{Row, Table};
 pub use unit::{ColumnUnit, unit_of_columns};
 
+/// Most points of one input: a curve of so many takes some ten gigabytes.
+pub(crate) const MOST_POINTS: usize = 10_000_000;
+
 /// Which columns to read.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct PointColumns {
@@ -78,7 +81,12 @@ pub fn read_points(name: &str, bytes: &[u8], columns: &PointColumns) -> Result<P
     let chosen = Chosen::new(source, &table, columns)?;
     let mut pairs = columns.coordinates.is_none().then(|| Pairs::new(&table));
     let mut contours = Contours::default();
+    let mut count = 0;
     table.for_each_row(|row| {
+        count += 1;
+        if count > MOST_POINTS {
+            return Err(row.fields[0].refused(source, format!("the file has more than {MOST_POINTS} points")));
+        }
         pairs.iter_mut().for_each(|pairs| pairs.row(row.fields));
         contours.add(source, &chosen, row)
     })?;
