@@ -150,7 +150,7 @@ impl<'a> Table<'a> {
     /// from a remark.
     pub(super) fn parse(source: Source<'a>, wanted: &[String]) -> Result<Self, Box<Diagnostic>> {
         let empty = || source.diagnostic(0..0, "", "the file holds no points");
-        let data = |line: &str| !line.split('#').next().unwrap_or_default().trim().is_empty();
+        let data = |line: &str| !line.is_empty() && !line.split('#').next().unwrap_or_default().trim().is_empty();
         let (at, first) = lines(source.text).find(|(_, line)| data(line)).ok_or_else(empty)?;
         refuse_long(source, at, first)?;
         let delimiter = Delimiter::of(first.split('#').next().unwrap_or_default());
