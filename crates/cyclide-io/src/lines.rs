@@ -9,8 +9,10 @@ pub(crate) fn lines(text: &str) -> impl Iterator<Item = (usize, &str)> {
             return None;
         }
         let start = at;
-        let end = text[start..].find(['\n', '\r']).map_or(bytes.len(), |i| start + i);
-        at = end + if bytes[end..].starts_with(b"\r\n") { 2 } else { 1 };
+        let ends = |byte: &u8| matches!(byte, b'\n' | b'\r');
+        let end = bytes[start..].iter().position(ends).map_or(bytes.len(), |i| start + i);
+        let pair = bytes.get(end) == Some(&b'\r') && bytes.get(end + 1) == Some(&b'\n');
+        at = end + if pair { 2 } else { 1 };
         Some((start, &text[start..end]))
     })
 }
