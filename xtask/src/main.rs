@@ -1,6 +1,7 @@
 //! Developer tasks of cyclide: `cargo xtask <task>`.
 #![allow(clippy::print_stdout, clippy::print_stderr, reason = "a command-line program reports by printing")]
 
+mod attack;
 mod layers;
 mod reference;
 mod roof;
@@ -11,6 +12,8 @@ const HELP: &str = "\
 usage: cargo xtask <task> [arguments]
 
 tasks:
+  attack [--seed S] [--count N]
+             random documents of every type against the built program; `cargo xtask attack --help`
   layers     fail on a forbidden arrow between the rooms of the kernel or between the crates, and on I/O, clocks,
              unsafe code or f32 in the kernel
   reference [--only CONSTRUCT,… | --curves | --surfaces] FILE…
@@ -23,6 +26,7 @@ fn main() -> ExitCode {
     let task = arguments.next();
     let rest: Vec<String> = arguments.collect();
     match task.as_deref() {
+        Some("attack") => attack::main(&rest),
         Some("layers") => layers::main(),
         Some("reference") => reference::main(&rest),
         Some("roof") => roof::main(),

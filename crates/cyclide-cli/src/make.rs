@@ -1,6 +1,6 @@
 //! `build` and `curve`: all files are made and checked before the first is written.
 
-use cyclide_io::{ExportError, FileReport, Report, export};
+use cyclide_io::{ExportError, Exporter, Report};
 
 use crate::failure::Failure;
 use crate::load::{self, Inputs};
@@ -33,10 +33,15 @@ pub fn run(plan: &MakePlan) -> Result<(), Failure> {
     let mut report = Report::new(loaded.units, &loaded.objects, plan.options.tolerance);
     progress.done();
     let mut files = Vec::with_capacity(plan.outputs.len());
+    let mut exporter = None;
     for (path, format) in &plan.outputs {
         progress.doing(path.display().to_string());
-        let exported = export(&model, *format, &options).map_err(|error| refused(path, &error))?;
-        let checked = FileReport::new(path, *format, &model, &exported);
+        let exporter = match &mut exporter {
+            Some(exporter) => exporter,
+            none => none.insert(Exporter::new(&model).map_err(|error| refused(path, &error))?),
+        };
+        let exported = exporter.export(*format, &options).map_err(|error| refused(path, &error))?;
+        let checked = exporter.check(path, *format, &exported);
         report.files.push(checked.map_err(|error| Failure::Check(error.to_string()))?);
         files.push((path.clone(), exported.bytes));
         progress.done();

@@ -9,10 +9,10 @@ use crate::export_error::ExportError;
 use crate::exported::{Exported, Promise};
 
 use crate::file_content::ReadError;
-use crate::job::{Contour, Job};
+use crate::job::Job;
 use crate::mesh::chain;
 use crate::number::push_plain;
-use cyclide::{CurveChain, CurveJet, Exactness, Point3, flatten};
+use cyclide::{Correspondence, CurveChain, CurveJet, CurvePlace, Exactness, ParamCurve, Point3, flatten_places};
 
 const HEADER: &str = "object,contour,t,x,y,z,tangent_x,tangent_y,tangent_z,curvature";
 const COLUMNS: usize = 10;
@@ -21,21 +21,26 @@ const COLUMNS: usize = 10;
 pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
     let mut promise = Promise::EXACT;
     let mut out = format!("{HEADER}\n");
+    let mut curves = Vec::new();
     for contour in job.contours() {
-        let vertices = contour.lowered(flatten(contour.curve.as_curve(), job.tolerance))?;
+        let vertices = contour.lowered(flatten_places(contour.curve.as_curve(), job.tolerance))?;
         promise.add(Exactness::Proved(job.tolerance));
-        let name = field(contour.object);
-        for (t, point) in vertices {
-            push_row(&mut out, &name, &contour, t, point);
+        let head = format!("{},{},", field(contour.object), contour.index + 1);
+        for (place, point) in &vertices {
+            out.push_str(&head);
+            push_row(&mut out, contour.curve.as_curve(), *place, *point);
         }
+        curves.push(Correspondence::of_vertices(vertices.into_iter().map(|(place, _)| place)));
     }
-    Ok(promise.exported(out.into_bytes(), Vec::new()))
+    Ok(promise.exported(out.into_bytes(), Vec::new(), curves))
 }
 
-fn push_row(out: &mut String, name: &str, contour: &Contour<'_>, t: f64, point: Point3) {
-    out.push_str(name);
-    out.push_str(&format!(",{},", contour.index + 1));
-    push_sample(out, t, point, &contour.curve.as_curve().jet(t));
+/// The fields behind name and contour. At a joint the tangent is that of the piece that starts there.
+fn push_row(out: &mut String, curve: &dyn ParamCurve, place: CurvePlace, point: Point3) {
+    let n = curve.piece_count();
+    let place = if place.s >= 1.0 && place.piece + 1 < n { CurvePlace::after(place.piece) } else { place };
+    let t = (place.piece as f64 + place.s) / n as f64;
+    push_sample(out, t, point, &curve.piece_jet(place.piece, place.s));
 }
 
 /// The fields parameter, point, unit tangent, curvature, and the end of the line.

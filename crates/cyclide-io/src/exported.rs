@@ -1,7 +1,7 @@
 //! The content of a file with the promises that hold for it.
 
-use crate::deviation::MeshPlan;
-use cyclide::{Arc, Exactness};
+use crate::deviation::{DrawnArc, MeshPlan};
+use cyclide::{Arc, ChainPiece, Correspondence, CurveChain, Exactness, Lowered};
 
 /// A file's content with the promises that hold for it.
 #[derive(Debug, Clone, PartialEq)]
@@ -14,12 +14,17 @@ pub struct Exported {
     pub bound: f64,
     /// True if the bound of a part of the file is sampled, not proved.
     pub sampled: bool,
+    /// What the digits of the file's numbers may cost beside the bound, model units: above 0 where curves come near
+    /// infinity.
+    pub rounding: f64,
     /// Remarks for the user, one sentence each.
     pub notes: Vec<String>,
     /// What the polygons of a mesh stand for: what the file is checked against.
     pub(crate) mesh: MeshPlan,
+    /// Which parts of the connected curves the pieces of the file stand for, in file order.
+    pub(crate) curves: Vec<Correspondence>,
     /// What the lines of surfaces in a drawing stand for, in file order: what the file is checked against.
-    pub(crate) lines: Vec<Arc>,
+    pub(crate) lines: Vec<DrawnArc>,
 }
 
 /// Collects the bound over the contours of a file.
@@ -27,10 +32,11 @@ pub struct Exported {
 pub(crate) struct Promise {
     bound: Option<f64>,
     sampled: bool,
+    rounding: f64,
 }
 
 impl Promise {
-    pub(crate) const EXACT: Self = Self { bound: None, sampled: false };
+    pub(crate) const EXACT: Self = Self { bound: None, sampled: false, rounding: 0.0 };
 
     pub(crate) fn add(&mut self, exactness: Exactness) {
         self.sampled |= matches!(exactness, Exactness::Sampled(_));
@@ -39,24 +45,42 @@ impl Promise {
         }
     }
 
-    /// The finished file under this promise.
-    pub(crate) fn exported(self, bytes: Vec<u8>, notes: Vec<String>) -> Exported {
-        self.exported_mesh(bytes, notes, MeshPlan::default())
+    /// The promise of a chain. A spline that comes near infinity has weights of very different sizes, and its numbers
+    /// carry the smallest ones to so many digits less.
+    pub(crate) fn add_chain(&mut self, lowered: &Lowered<CurveChain>) {
+        self.add(lowered.exactness);
+        for piece in lowered.form.pieces() {
+            if let ChainPiece::Spline(curve) = piece {
+                let (least, most) =
+                    curve.weights().iter().fold((f64::INFINITY, 0.0_f64), |(lo, hi), w| (lo.min(*w), hi.max(*w)));
+                let size = curve.control_points().iter().map(|p| p.to_vec().max_abs()).fold(0.0, f64::max);
+                self.rounding = self.rounding.max(WEIGHT_ROUNDING * (most / least) * size);
+            }
+        }
     }
 
-    /// The finished file of a mesh format.
-    pub(crate) fn exported_mesh(self, bytes: Vec<u8>, notes: Vec<String>, mesh: MeshPlan) -> Exported {
+    /// The finished file under this promise.
+    pub(crate) fn exported(self, bytes: Vec<u8>, notes: Vec<String>, curves: Vec<Correspondence>) -> Exported {
         Exported {
             bytes,
             exact: self.bound.is_none(),
             bound: self.bound.unwrap_or(0.0),
             sampled: self.sampled,
+            rounding: self.rounding,
             notes,
-            mesh,
+            curves,
+            mesh: MeshPlan::default(),
             lines: Vec::new(),
         }
     }
 }
+
+/// Rounding of the points of a spline with even weights, relative to its coordinates.
+const WEIGHT_ROUNDING: f64 = 8.0 * f64::EPSILON;
+
+/// Smallest radius that is kept as an arc, relative to its coordinates: of a smaller one the centre and the points round
+/// to the same numbers.
+pub(crate) const SMALLEST_RADIUS: f64 = 8.0 * f64::EPSILON;
 
 /// Smallest swept angle that drawings and polylines keep as an arc. Readers find the circle from the chord and a
 /// radius or bulge: below, they would lose more digits than the arc's sagitta has.
@@ -67,10 +91,14 @@ pub(crate) fn straightened(arc: &Arc) -> Option<Exactness> {
     if arc.is_straight() {
         return Some(Exactness::Exact);
     }
+    let size = arc.start().to_vec().max_abs().max(arc.end().to_vec().max_abs());
+    if let Some(radius) = arc.radius().filter(|radius| *radius <= SMALLEST_RADIUS * size) {
+        return Some(Exactness::Proved(2.0 * radius));
+    }
     if arc.angle() >= SMALLEST_SWEEP {
         return None;
     }
     let sagitta = 0.5 * arc.chord().length() * arc.bulge_vector().length();
-    let rounding = f64::EPSILON * arc.start().to_vec().max_abs().max(arc.end().to_vec().max_abs());
+    let rounding = f64::EPSILON * size;
     Some(if sagitta > rounding { Exactness::Proved(sagitta) } else { Exactness::Exact })
 }

@@ -75,6 +75,22 @@ pub enum ReadError {
         /// Closed in the file.
         found: bool,
     },
+    /// A curve of the file has another number of pieces than were made of the model's.
+    #[error("curve {curve} has {found} pieces in the file, {expected} were made")]
+    PieceCount {
+        /// Which connected curve, from 0.
+        curve: usize,
+        /// In the file.
+        found: usize,
+        /// Made of the model.
+        expected: usize,
+    },
+    /// What the pieces of a curve stand for is not the whole curve, once and in order.
+    #[error("the pieces of curve {curve} do not stand for the whole curve")]
+    CurveParts {
+        /// Which connected curve, from 0.
+        curve: usize,
+    },
     /// The file holds another number of polygons than were made of the model.
     #[error("{found} polygons in the file, {expected} were made")]
     PolygonCount {

@@ -1,11 +1,12 @@
 //! A checked request to a writer: the model lowered to contours and bodies, the options with the defaults filled in.
 
 use crate::export_error::ExportError;
+use crate::exporter::Exporter;
 
 use crate::format::{Format, Kind};
 use crate::options::ExportOptions;
 use cyclide::{
-    Aabb, ArcPath, Body, ChainPiece, CurveChain, CurveObject, Exactness, Item, Lower, Model, ParamCurve as _, Units,
+    Aabb, Arc, ArcPath, Body, ChainPiece, CurveChain, CurveObject, Item, Lower, Lowered, Model, ParamCurve as _, Units,
     bounds,
 };
 
@@ -13,9 +14,6 @@ use cyclide::{
 const DEFAULT_RELATIVE_TOLERANCE: f64 = 1e-5;
 /// The same of meshes, whose size grows with its inverse (that of polylines with the root only).
 const DEFAULT_MESH_TOLERANCE: f64 = 1e-4;
-
-/// Largest coordinate that is written: products of two of them must not overflow.
-const LARGEST_COORDINATE: f64 = 1e120;
 
 /// A body of a surface with the object it belongs to.
 pub(crate) struct BodyOf<'a> {
@@ -55,7 +53,7 @@ pub(crate) struct Job<'a> {
     /// The smallest box around all curves and surfaces.
     pub(crate) bounds: Aabb,
     /// The bodies of all surfaces, in the model's order.
-    pub(crate) bodies: Vec<BodyOf<'a>>,
+    pub(crate) bodies: &'a [BodyOf<'a>],
 }
 
 /// One connected curve with the object it belongs to.
@@ -84,17 +82,8 @@ impl Contour<'_> {
 }
 
 impl<'a> Job<'a> {
-    pub(crate) fn new(model: &'a Model, options: &'a ExportOptions) -> Result<Self, ExportError> {
-        let bodies = bodies(model)?;
-        let mut total: Option<Aabb> = None;
-        for (object, own) in boxes(model, &bodies) {
-            if !(own.max_abs() <= LARGEST_COORDINATE) {
-                let object = object.to_owned();
-                return Err(ExportError::TooLarge { object, value: own.max_abs(), limit: LARGEST_COORDINATE });
-            }
-            total = Some(total.map_or(own, |b| b.union(own)));
-        }
-        let bounds = total.ok_or(ExportError::Empty)?;
+    pub(crate) fn new(exporter: &'a Exporter<'a>, options: &'a ExportOptions) -> Result<Self, ExportError> {
+        let Exporter { model, ref bodies, bounds } = *exporter;
         let tolerance = options.tolerance.unwrap_or_else(|| default_tolerance(bounds));
         let relative = DEFAULT_MESH_TOLERANCE / DEFAULT_RELATIVE_TOLERANCE;
         let mesh_tolerance = options.tolerance.unwrap_or_else(|| relative * default_tolerance(bounds));
@@ -152,27 +141,44 @@ impl<'a> Job<'a> {
     }
 
     /// The contour as arcs and rational splines, without pieces of no length, which no format wants.
-    pub(crate) fn chain(&self, contour: &Contour<'_>) -> Result<(CurveChain, Exactness), ExportError> {
-        let (chain, exactness) = contour.lowered(contour.curve.to_chain(self.tolerance))?;
+    pub(crate) fn chain(&self, contour: &Contour<'_>) -> Result<Lowered<CurveChain>, ExportError> {
+        let lowered = contour.lowered(contour.curve.lower_to_chain(self.tolerance))?;
         let is_point = |p: &ChainPiece| matches!(p, ChainPiece::Arc(arc) if arc.start() == arc.end());
-        if !chain.pieces().iter().any(is_point) {
-            return Ok((chain, exactness));
+        let Lowered { form, exactness, correspondence } = lowered;
+        if !form.pieces().iter().any(is_point) {
+            return Ok(Lowered { form, exactness, correspondence });
         }
-        let pieces = chain.pieces().iter().filter(|p| !is_point(p)).cloned().collect();
-        let chain = CurveChain::new(pieces, chain.is_closed(), 0.0);
-        Ok((contour.lowered(chain)?, exactness))
+        let correspondence = correspondence.recounted(piece_counts(&form, |arc| usize::from(arc.start() != arc.end())));
+        let pieces = form.pieces().iter().filter(|p| !is_point(p)).cloned().collect();
+        let form = contour.lowered(CurveChain::new(pieces, form.is_closed(), 0.0))?;
+        Ok(Lowered { form, exactness, correspondence })
     }
 
     /// The contour as arcs and segments, without those of no length.
-    pub(crate) fn arcs(&self, contour: &Contour<'_>) -> Result<(ArcPath, Exactness), ExportError> {
-        let (path, exactness) = contour.lowered(contour.curve.to_arcs(self.tolerance))?;
-        if path.arcs().iter().all(|a| a.start() != a.end()) {
-            return Ok((path, exactness));
+    pub(crate) fn arcs(&self, contour: &Contour<'_>) -> Result<Lowered<ArcPath>, ExportError> {
+        let lowered = contour.lowered(contour.curve.lower_to_arcs(self.tolerance))?;
+        let Lowered { form, exactness, correspondence } = lowered;
+        let is_kept = |arc: &Arc| arc.start() != arc.end();
+        if form.arcs().iter().all(is_kept) {
+            return Ok(Lowered { form, exactness, correspondence });
         }
-        let arcs = path.arcs().iter().filter(|a| a.start() != a.end()).copied().collect();
-        let path = ArcPath::new(arcs, path.is_closed());
-        Ok((contour.lowered(path)?, exactness))
+        let correspondence = correspondence.recounted(form.arcs().iter().map(|arc| usize::from(is_kept(arc))));
+        let arcs = form.arcs().iter().filter(|arc| is_kept(arc)).copied().collect();
+        let form = contour.lowered(ArcPath::new(arcs, form.is_closed()))?;
+        Ok(Lowered { form, exactness, correspondence })
     }
+}
+
+/// How many pieces each smooth piece of a chain becomes in a file: an arc as many as the function says, the span of a
+/// spline one.
+pub(crate) fn piece_counts<'a>(
+    chain: &'a CurveChain,
+    mut of_arc: impl FnMut(&Arc) -> usize + 'a,
+) -> impl Iterator<Item = usize> + 'a {
+    chain.pieces().iter().flat_map(move |piece| match piece {
+        ChainPiece::Arc(arc) => std::iter::repeat_n(of_arc(arc), 1),
+        ChainPiece::Spline(curve) => std::iter::repeat_n(1, curve.piece_count()),
+    })
 }
 
 /// The bodies of a model's surfaces in the order in which every format writes them.

@@ -15,6 +15,7 @@ mod error;
 mod export;
 mod export_error;
 mod exported;
+mod exporter;
 mod file;
 mod file_content;
 mod format;
@@ -43,7 +44,6 @@ mod svg;
 
 pub use bodies::{FileBody, FileEdge, FileFace, FileShell, FileSurface};
 pub use camera::Camera;
-pub use deviation::deviation;
 pub use document::{
     ArcFitSpec, ArcSpec, ArcSplineSpec, BiarcSpec, BorderCurves, BorderSpec, BorderWord, BuiltObject, CircleSpec,
     CircleSplineSpec, ClampedEnds, Comment, ContourFacts, Coordinates, CyclidePatchSpec, CyclideSpec, CyclidicNetSpec,
@@ -56,6 +56,7 @@ pub use error::{Error, Result};
 pub use export::export;
 pub use export_error::ExportError;
 pub use exported::Exported;
+pub use exporter::Exporter;
 pub use file::{StagedFiles, WriteOptions, same_file, write_file, write_files};
 pub use file_content::{FileContent, ReadError};
 pub use format::Format;

@@ -7,7 +7,8 @@ use crate::file_content::ReadError;
 use crate::job::BodyOf;
 use crate::job::{Contour, Job};
 use cyclide::{
-    Arc, ArcPath, CurveChain, Exactness, MeshCorner, MeshFace, Point3, SurfaceMesh, Vec3, flatten, tessellate,
+    Arc, ArcPath, Correspondence, CurveChain, CurvePlace, Exactness, MeshCorner, MeshFace, Point3, SurfaceMesh, Vec3,
+    flatten_places, tessellate,
 };
 
 /// Single precision is used between these sizes: products of two numbers must neither vanish nor overflow.
@@ -65,14 +66,14 @@ pub(crate) fn promised(promise: &mut Promise, bound: f64) {
     promise.add(if bound > 0.0 { Exactness::Proved(bound) } else { Exactness::Exact });
 }
 
-/// The vertices of a contour's polyline; a closed one does not repeat its first.
-pub(crate) fn polyline(job: &Job<'_>, contour: &Contour<'_>) -> Result<Vec<Point3>, ExportError> {
-    let curve = contour.curve.as_curve();
-    let mut vertices = contour.lowered(flatten(curve, job.tolerance))?;
-    if curve.is_closed() {
-        vertices.pop();
-    }
-    Ok(vertices.into_iter().map(|(_, p)| p).collect())
+/// The vertices of a contour's polyline with their places; a closed one ends with its first.
+pub(crate) fn polyline(job: &Job<'_>, contour: &Contour<'_>) -> Result<Vec<(CurvePlace, Point3)>, ExportError> {
+    contour.lowered(flatten_places(contour.curve.as_curve(), job.tolerance))
+}
+
+/// The parts of a curve between the vertices of its polyline.
+pub(crate) fn between(vertices: &[(CurvePlace, Point3)]) -> Correspondence {
+    Correspondence::of_vertices(vertices.iter().map(|(place, _)| *place))
 }
 
 /// The triangles of a face, corners as positions in its list.

@@ -1,13 +1,13 @@
 //! Reading our own files: the way from the bytes back to geometry, by which every export is checked.
 
-use crate::deviation::{View, bodies_deviation, deviation_within, lines_deviation, mesh_deviation};
+use crate::deviation::{View, bodies_deviation, curves_deviation, lines_deviation, mesh_deviation};
 use crate::export_error::ExportError;
 use crate::exported::Exported;
+use crate::exporter::Exporter;
 use crate::file_content::{FileContent, ReadError};
 use crate::format::Format;
-use crate::job::{bodies, boxes};
 use crate::{csv_samples, dxf, glb, nurbs_json, obj, step, stl, svg};
-use cyclide::{Aabb, Model};
+use cyclide::{Correspondence, Model};
 
 /// Reads a file that [`export`](crate::export()) wrote.
 ///
@@ -35,33 +35,38 @@ pub fn read_back(format: Format, bytes: &[u8]) -> Result<FileContent, ReadError>
 /// # Errors
 /// [`ReadError`] if the bytes cannot be read, or hold other things than the model.
 pub fn file_deviation(model: &Model, format: Format, file: &Exported) -> Result<f64, ReadError> {
+    deviation_of(&Exporter::new(model).map_err(not_ready)?, format, file)
+}
+
+/// As [`file_deviation`], of a model made ready.
+pub(crate) fn deviation_of(exporter: &Exporter<'_>, format: Format, file: &Exported) -> Result<f64, ReadError> {
+    let Exporter { model, bodies, bounds } = exporter;
     let view = match format {
         Format::Svg => View::Plan,
         // In DXF: curves of ARC and LINE entities.
         Format::Csv | Format::Dxf | Format::Glb | Format::Obj => View::Points,
         Format::Step | Format::Json | Format::Png | Format::Stl => View::Space,
     };
-    let content = read_back(format, &file.bytes)?;
+    let mut content = read_back(format, &file.bytes)?;
+    if format == Format::Dxf {
+        let counts: Vec<usize> = file.curves.iter().map(Correspondence::piece_count).collect();
+        content.curves = dxf::regrouped(content.curves, &counts);
+    }
     let curves = match format {
         Format::Stl => 0.0,
-        _ => deviation_within(model, &content.curves, view)?,
+        _ => curves_deviation(model, &content.curves, &file.curves, view)?,
     };
-    let bodies = || bodies(model).map_err(no_bodies);
     Ok(curves.max(match format {
-        Format::Step => {
-            let bodies = bodies()?;
-            let size = boxes(model, &bodies).map(|(_, own)| own).reduce(Aabb::union).map_or(0.0, Aabb::diagonal);
-            bodies_deviation(&bodies, &content.bodies, size)?
-        }
-        Format::Glb | Format::Obj | Format::Stl => mesh_deviation(format, &bodies()?, &content.meshes, &file.mesh)?,
-        Format::Json => nurbs_json::patch_deviation(&bodies()?, &content.patches)?,
+        Format::Step => bodies_deviation(bodies, &content.bodies, bounds.diagonal())?,
+        Format::Glb | Format::Obj | Format::Stl => mesh_deviation(format, bodies, &content.meshes, &file.mesh)?,
+        Format::Json => nurbs_json::patch_deviation(bodies, &content.patches)?,
         Format::Svg => lines_deviation(&file.lines, &content.lines)?,
         Format::Dxf | Format::Csv | Format::Png => 0.0,
     }))
 }
 
-/// A surface of the model that has no body cannot be compared.
-fn no_bodies(error: ExportError) -> ReadError {
+/// A model that cannot be written, as one whose surface has no body, cannot be compared.
+fn not_ready(error: ExportError) -> ReadError {
     match error {
         ExportError::Lowering { object, source, .. } | ExportError::Surface { object, source, .. } => {
             ReadError::Geometry { place: object, source }

@@ -1,6 +1,7 @@
-//! Test helpers of cyclide (unpublished): generators of random input and patches, files broken on purpose, a set of closed
-//! curves, the roof of the examples, the runner of reference files.
+//! Test helpers of cyclide (unpublished): generators of random input, patches and whole documents, files broken on
+//! purpose, a set of closed curves, the roof of the examples, the runner of reference files.
 
+pub mod attack;
 pub mod circuits;
 pub mod generators;
 pub mod mutate;

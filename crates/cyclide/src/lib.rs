@@ -93,11 +93,14 @@ pub use curve::{
     BlendLaw, BlendSegment, BlendVariant, CircleSpline, CircleSplineOptions, SplineEnds, corners_by_angle,
 };
 pub use curve::{CORNER_ANGLE, Fairness, Wavering, fairness, wavering};
+pub use curve::{Correspondence, CurvePlace, Span};
 pub use curve::{bounds, closest_point, curvature_comb, extreme_curvature, joints, length, resample};
 pub use error::{Error, Result};
 pub use mesh::{LineKind, ParameterLine, parameter_lines};
-pub use mesh::{MeshCorner, MeshFace, MeshSource, SurfaceMesh, flatten, flatten_into, tessellate, tessellate_all};
-pub use model::{ChainPiece, CurveChain, CurveObject, Exactness, Item, Lower, Model, SurfaceObject, Units};
+pub use mesh::{
+    MeshCorner, MeshFace, MeshSource, SurfaceMesh, flatten, flatten_into, flatten_places, tessellate, tessellate_all,
+};
+pub use model::{ChainPiece, CurveChain, CurveObject, Exactness, Item, Lower, Lowered, Model, SurfaceObject, Units};
 pub use rational::{ExactRational, NurbsCurve, RationalBezier, RationalBezierSurface};
 pub use shape_change::ShapeChange;
 pub use short_number::ShortNumber;

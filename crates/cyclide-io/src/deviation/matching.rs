@@ -1,161 +1,123 @@
-//! Matching the samples of one curve with places on another that advance.
+//! The distance of two curves whose parts are known to belong together: each part from its own, both ways.
 //!
-//! Each sample may be matched with its foot on any window nearby. Among all choices whose places advance from the
-//! start to the end (falling back by no more than the distance itself, which is what a rounded corner costs), the
-//! one with the smallest largest distance is found by dynamic programming: a discrete Fréchet distance. Going greedily
-//! from foot to foot would lose the way at cusps and where a curve runs back over itself.
+//! Of every part the distance is the largest of: every sample of one from the nearest point of the other, both ways, and
+//! start from start and end from end. As the parts follow each other along both curves, swapped, doubled or lost pieces
+//! are found out, and no search over the whole curve can lose its way. The work is linear in the number of parts.
 
-use super::track::{Foot, Track, Window};
-use cyclide::Point3;
+use super::track::Track;
+use cyclide::{Correspondence, CurvePlace, ParamCurve, Point3};
 
 /// Inner samples of a window, as parts of it.
 const SAMPLES: [f64; 4] = [0.0, 0.25, 0.5, 0.75];
-/// Places are looked for this part of the length around the expected one, plus twice the difference of the lengths,
-/// and no farther than the second number.
-const BAND: [f64; 2] = [0.01, 0.25];
-/// What measuring lengths may cost, relative.
-const LENGTH_ROUNDING: f64 = 1e-9;
+/// Steps of the golden section that finds the largest distance between two samples.
+const GOLDEN_STEPS: u32 = 24;
 
-/// A sample of a curve.
-#[derive(Clone, Copy)]
-struct Sample {
-    /// Window and part of it.
+/// The largest distance so far from the samples of one curve, and where it is.
+#[derive(Clone, Copy, Default)]
+struct Worst {
+    distance: f64,
+    /// Number of the span, and in it the window and the part of the window.
+    span: usize,
     window: usize,
     part: f64,
-    point: Point3,
-    /// The windows of the other curve that are looked at, and where it is expected among them.
-    band: (usize, usize),
-    expected: usize,
 }
 
-/// A place where a sample may be matched: the smallest largest distance on the way there, and where it was.
-#[derive(Clone, Copy)]
-struct State {
-    position: f64,
-    largest: f64,
-    worst: (usize, usize),
+/// The largest distance between a curve and another form of it, part by part, both ways.
+pub(super) fn apart(curve: &dyn ParamCurve, form: &dyn ParamCurve, parts: &Correspondence, plan: bool) -> f64 {
+    let (mut a, mut b) = (Track::new(curve, plan), Track::new(form, plan));
+    let mut worst = [Worst::default(); 2];
+    let mut largest = 0.0_f64;
+    each_span(parts, |span, ours, theirs| {
+        set(&mut a, ours);
+        set(&mut b, theirs);
+        largest = larger(largest, ends_apart(&a, &b));
+        one_way(&a, &b, span, &mut worst[0]);
+        one_way(&b, &a, span, &mut worst[1]);
+    });
+    // Between the samples the distance may be larger: it is looked for where it is largest at them.
+    let found = worst;
+    each_span(parts, |span, ours, theirs| {
+        if found.iter().any(|worst| worst.span == span) {
+            set(&mut a, ours);
+            set(&mut b, theirs);
+        }
+        if found[0].span == span {
+            largest = larger(largest, refined(&a, &b, &found[0]));
+        }
+        if found[1].span == span {
+            largest = larger(largest, refined(&b, &a, &found[1]));
+        }
+    });
+    largest
 }
 
-/// Largest distance from the points of `a` to the places on `b` that they are matched with.
-pub(super) fn one_way(a: &Track<'_>, b: &Track<'_>) -> f64 {
-    let samples = samples(a, b);
-    let nearest = samples.iter().map(|s| nearest(b, s)).fold(0.0, f64::max);
-    let scale = samples.iter().map(|s| s.point.to_vec().max_abs()).fold(0.0, f64::max);
-    let mut reach = 2.0 * nearest + 16.0 * f64::EPSILON * scale;
-    loop {
-        if let Some(end) = best_match(b, &samples, reach) {
-            let (sample, window) = end.worst;
-            return end.largest.max(refined(a, b, &samples[sample], window));
-        }
-        reach *= 4.0;
-        // Everything is within reach: the curves have no matching at all.
-        if !(reach < 1e3 * scale) {
-            return reach;
-        }
+/// Calls a function for each span with its number, its part of the curve and its part of the form.
+fn each_span(parts: &Correspondence, mut visit: impl FnMut(usize, [CurvePlace; 2], [CurvePlace; 2])) {
+    let (mut from, mut piece) = (parts.start, 0);
+    for (number, span) in parts.spans.iter().enumerate() {
+        let next = piece + span.pieces;
+        visit(number, [from, span.end], [piece, next].map(|piece| CurvePlace::new(piece, 0.0)));
+        (from, piece) = (span.end, next);
     }
 }
 
-fn samples(a: &Track<'_>, b: &Track<'_>) -> Vec<Sample> {
-    let drift = (BAND[0] * b.length + 2.0 * (a.length - b.length).abs()).min(BAND[1] * b.length);
-    let stretch = if a.length > 0.0 { b.length / a.length } else { 0.0 };
-    let at = |window: usize, part: f64, point: Point3| {
-        let w = &a.windows[window];
-        let position = (w.position + part * w.length) * stretch;
-        // The speed in a window varies: its samples may be anywhere in it.
-        let half = drift + w.length * stretch;
-        let index = |position: f64| b.windows.partition_point(|w| w.position + w.length < position);
-        let last = b.windows.len() - 1;
-        let band = (index(position - half).min(last), index(position + half).min(last));
-        Sample { window, part, point, band, expected: index(position).min(last) }
-    };
-    let mut samples: Vec<Sample> = Vec::with_capacity(SAMPLES.len() * a.windows.len() + 1);
-    for (i, w) in a.windows.iter().enumerate() {
+/// The larger of two distances; not a number is larger than all.
+pub(super) fn larger(a: f64, b: f64) -> f64 {
+    if b <= a { a } else { b }
+}
+
+fn set(track: &mut Track<'_>, [from, to]: [CurvePlace; 2]) {
+    track.set_part(from, to);
+}
+
+/// The larger distance of start from start and end from end.
+fn ends_apart(a: &Track<'_>, b: &Track<'_>) -> f64 {
+    let apart = |p: Option<Point3>, q: Option<Point3>| p.zip(q).map_or(0.0, |(p, q)| p.distance(q));
+    larger(apart(a.start(), b.start()), apart(a.end(), b.end()))
+}
+
+/// Notes the largest distance from the samples of the part of `a` to the part of `b`. Its last point is an end, whose
+/// distance is known.
+fn one_way(a: &Track<'_>, b: &Track<'_>, span: usize, worst: &mut Worst) {
+    let mut near = 0;
+    for (window, w) in a.windows.iter().enumerate() {
         for part in SAMPLES {
-            samples.push(at(i, part, if part > 0.0 { a.point(w, part) } else { w.start.point }));
+            let p = if part > 0.0 { a.point(w, part) } else { w.start.point };
+            let distance = nearest(b, p, &mut near);
+            // Not a number is worse than anything.
+            if !(distance <= worst.distance) {
+                *worst = Worst { distance, span, window, part };
+            }
         }
     }
-    let last = a.windows.len() - 1;
-    samples.push(at(last, 1.0, a.windows[last].end.point));
-    samples
 }
 
-/// True if the window may have a point within `reach` of `p`.
-fn in_reach(w: &Window, p: Point3, reach: f64) -> bool {
-    let far = reach + 1.01 * w.length;
-    (p - w.start.point).length_squared() <= far * far
-}
-
-/// Distance to the nearest point in the sample's band.
-fn nearest(b: &Track<'_>, sample: &Sample) -> f64 {
-    let mut best = b.foot(&b.windows[sample.expected], sample.point).distance;
-    for w in &b.windows[sample.band.0..=sample.band.1] {
-        if in_reach(w, sample.point, best) {
-            best = best.min(b.foot(w, sample.point).distance);
+/// Distance to the nearest point of the part; `near` is the window that had the last one, which is tried first.
+fn nearest(b: &Track<'_>, p: Point3, near: &mut usize) -> f64 {
+    let first = (*near).min(b.windows.len() - 1);
+    let mut best = b.distance(&b.windows[first], p);
+    for (index, w) in b.windows.iter().enumerate() {
+        if index != first && w.may_be_within(best, p) {
+            let distance = b.distance(w, p);
+            if distance < best {
+                (best, *near) = (distance, index);
+            }
         }
     }
     best
 }
 
-/// The best matching with all distances within `reach`, if there is one.
-fn best_match(b: &Track<'_>, samples: &[Sample], reach: f64) -> Option<State> {
-    let slack = reach + LENGTH_ROUNDING * b.length;
-    // Before the first sample there is only the start.
-    let mut before = vec![State { position: 0.0, largest: 0.0, worst: (0, 0) }];
-    let mut now: Vec<State> = Vec::new();
-    for (i, sample) in samples.iter().enumerate() {
-        now.clear();
-        let mut reachable = 0;
-        let mut best: Option<State> = None;
-        for window in sample.band.0..=sample.band.1 {
-            let w = &b.windows[window];
-            if !in_reach(w, sample.point, reach) {
-                continue;
-            }
-            let Foot { position, distance } = b.foot(w, sample.point);
-            if distance > reach || (i == 0 && position > slack) {
-                continue;
-            }
-            // States are in order of their positions: those that are not ahead are a growing front part.
-            while let Some(state) = before.get(reachable).filter(|s| s.position <= position + slack) {
-                best = best.filter(|b| b.largest <= state.largest).or(Some(*state));
-                reachable += 1;
-            }
-            if let Some(best) = best {
-                let (largest, worst) =
-                    if distance > best.largest { (distance, (i, window)) } else { (best.largest, best.worst) };
-                now.push(State { position, largest, worst });
-            }
-        }
-        std::mem::swap(&mut before, &mut now);
-        if before.is_empty() {
-            return None;
-        }
-    }
-    let at_end = before.into_iter().filter(|s| s.position >= b.length - slack);
-    at_end.min_by(|a, b| a.largest.total_cmp(&b.largest))
-}
-
 /// The distance near the sample that is worst, at its largest between the neighbouring samples (golden section).
-fn refined(a: &Track<'_>, b: &Track<'_>, sample: &Sample, window: usize) -> f64 {
+fn refined(a: &Track<'_>, b: &Track<'_>, worst: &Worst) -> f64 {
     const GOLDEN: f64 = 0.618_033_988_749_895;
+    let Some(w) = a.windows.get(worst.window) else { return worst.distance };
+    let mut near = 0;
+    let mut value = |part: f64| nearest(b, a.point(w, part), &mut near);
     let step = SAMPLES[1];
-    if sample.part < step || sample.part > 1.0 - step {
-        return 0.0;
-    }
-    // The places of the neighbouring samples are no farther along than the window of the samples is long.
-    let (matched, length) = (&b.windows[window], a.windows[sample.window].length);
-    let first = b.windows.partition_point(|w| w.position + w.length < matched.position - length);
-    let last = b.windows.partition_point(|w| w.position <= matched.position + matched.length + length);
-    let around = &b.windows[first..last];
-    let value = |part: f64| {
-        let p = a.point(&a.windows[sample.window], part);
-        let best = b.foot(matched, p).distance;
-        around.iter().fold(best, |best, w| if in_reach(w, p, best) { best.min(b.foot(w, p).distance) } else { best })
-    };
-    let (mut low, mut high) = (sample.part - step, sample.part + step);
+    let (mut low, mut high) = ((worst.part - step).max(0.0), (worst.part + step).min(1.0));
     let (mut c, mut d) = (high - GOLDEN * (high - low), low + GOLDEN * (high - low));
     let (mut at_c, mut at_d) = (value(c), value(d));
-    for _ in 0..24 {
+    for _ in 0..GOLDEN_STEPS {
         if at_c > at_d {
             (high, d, at_d) = (d, c, at_c);
             c = high - GOLDEN * (high - low);
@@ -166,5 +128,55 @@ fn refined(a: &Track<'_>, b: &Track<'_>, sample: &Sample, window: usize) -> f64 
             at_d = value(d);
         }
     }
-    at_c.max(at_d)
+    larger(worst.distance, larger(at_c, at_d))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use cyclide::{Arc, ArcPath, CircleSpline, CircleSplineOptions, CurveChain, Lower as _, Lowered, Vec3};
+
+    /// Two half circles and two sides, with the arcs in some order.
+    fn slot(order: [usize; 4]) -> CurveChain {
+        let at = [[0.0, 0.0, 0.0], [8.0, 0.0, 0.0], [8.0, 6.0, 0.0], [0.0, 6.0, 0.0]].map(Point3::from);
+        let piece =
+            |i: usize| Arc::from_bulge(at[i], at[(i + 1) % 4], Vec3::Z, if i.is_multiple_of(2) { 0.0 } else { 1.0 });
+        let pieces = order.map(|i| cyclide::ChainPiece::Arc(piece(i).unwrap())).to_vec();
+        CurveChain::new(pieces, true, f64::INFINITY).unwrap()
+    }
+
+    #[test]
+    fn swapped_and_doubled_pieces_are_as_far_off_as_the_curve_is_wide() {
+        let (slot, far) = (slot([0, 1, 2, 3]), |order| {
+            apart(&slot([0, 1, 2, 3]), &slot(order), &Correspondence::one_to_one(4), false)
+        });
+        assert!(apart(&slot, &slot, &Correspondence::one_to_one(4), false) < 1e-14);
+        for order in [[0, 3, 2, 1], [0, 1, 0, 3], [2, 3, 0, 1]] {
+            assert!(far(order) > 5.0, "{order:?}");
+        }
+    }
+
+    /// A part is not measured against its neighbours: parts given wrongly by a tenth of a piece are found out.
+    #[test]
+    fn a_wrong_correspondence_is_found_out() {
+        let points = [[0.0, 0.0, 0.0], [4.0, 1.0, 0.0], [5.0, 4.0, 1.0], [1.0, 3.0, 2.0]].map(Point3::from);
+        let spline = CircleSpline::from_points(&points, &CircleSplineOptions::default()).unwrap();
+        let Lowered { form, correspondence: mut parts, .. } = spline.lower_to_chain(1e-3).unwrap();
+        assert!(apart(&spline, &form, &parts, false) < 1e-13);
+        parts.spans[0].end = CurvePlace::new(0, 0.9);
+        assert!(apart(&spline, &form, &parts, false) > 0.1);
+    }
+
+    #[test]
+    fn a_part_without_pieces_is_measured_against_a_point() {
+        let segment = |x0: f64, x1: f64| Arc::segment(Point3::new(x0, 0.0, 0.0), Point3::new(x1, 0.0, 0.0)).unwrap();
+        let path = ArcPath::new(vec![segment(0.0, 1.0), segment(1.0, 1.25), segment(1.25, 2.0)], false).unwrap();
+        let form = ArcPath::new(vec![segment(0.0, 1.0), segment(1.25, 2.0)], false);
+        assert!(form.is_err(), "it does not hang together");
+        let form =
+            CurveChain::new([segment(0.0, 1.0), segment(1.25, 2.0)].map(cyclide::ChainPiece::Arc).to_vec(), false, 1.0);
+        let parts = Correspondence::one_to_one(3).recounted([1, 0, 1]);
+        let distance = apart(&path, &form.unwrap(), &parts, false);
+        assert!((distance - 0.25).abs() < 1e-15, "{distance}");
+    }
 }

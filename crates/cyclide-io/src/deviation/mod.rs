@@ -1,8 +1,18 @@
-//! The distance between the curves of a file and the curves of the model, matched along both.
+//! The distance between the curves of a file and the curves of the model, part by part.
 //!
-//! Nearest points alone would forgive a file whose pieces are swapped or doubled. Here each curve is sampled in
-//! order and the samples are matched with places on the other curve that advance along it: an upper bound of the
-//! distance of the point sets, close to the Fréchet distance.
+//! Who writes a file knows which part of the object each of its pieces stands for, and hands that on: a
+//! [`Correspondence`], places and counts, never geometry. Here it is held against object and file (it begins at the start,
+//! runs forward, ends at the end, and counts every piece once), and then each part of the original object, not of the
+//! form it was written in, is measured against its own pieces of the file as read from the bytes, both ways
+//! (`matching`). So a swapped, doubled or lost piece cannot hide behind another one, nothing has to be searched, and
+//! the work grows with the number of pieces. It is an upper bound of the distance of the point sets, close to the
+//! Fréchet distance.
+//!
+//! What the parts are: STEP and JSON, of an arc path its arcs, of a circle spline its segments, each with the spans of the
+//! B-spline that came of it, of a full circle its halves. DXF and SVG, the arcs, or pairs of arcs for the stretch of curve
+//! between two places at which a biarc meets it, whatever number of pieces each was cut into. Polylines (CSV, OBJ,
+//! GLB, curves in space in SVG), the curve between two vertices. Pieces that vanish on the way (in the plan, in single
+//! precision) leave a part with no piece, which is measured against the point that is left of it.
 
 mod facing;
 mod matching;
@@ -14,21 +24,11 @@ mod triangle;
 
 use crate::file_content::ReadError;
 use crate::job::contours;
-use cyclide::{Arc, CurveChain, Model, ParamCurve as _};
-use matching::one_way;
+use cyclide::{Arc, Correspondence, CurveChain, CurvePlace, Model, ParamCurve};
+use matching::{apart, larger};
 pub(crate) use mesh::{BodyPlan, Cell, MeshPlan, mesh_deviation};
 pub(crate) use side_use::side_use;
 pub(crate) use step_faces::bodies_deviation;
-use track::Track;
-
-/// The largest distance between the curves read from a file and the model's curves, both ways, in the model's
-/// order: 0 up to rounding for an exact file.
-///
-/// # Errors
-/// [`ReadError::CurveCount`], [`ReadError::Closedness`].
-pub fn deviation(model: &Model, read: &[CurveChain]) -> Result<f64, ReadError> {
-    deviation_within(model, read, View::Space)
-}
 
 /// How much of the curves a format holds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -37,50 +37,77 @@ pub(crate) enum View {
     Space,
     /// What is seen along the third axis.
     Plan,
-    /// All of it, but whether a curve is closed is told by its ends alone.
+    /// All of it, but whether a curve is closed is told by its ends alone: they are compared with the others.
     Points,
 }
 
-/// As [`deviation`], of what the format holds.
-pub(crate) fn deviation_within(model: &Model, read: &[CurveChain], view: View) -> Result<f64, ReadError> {
+/// The largest distance between the curves read from a file and the model's curves, both ways, in the model's
+/// order: 0 up to rounding for an exact file. `parts` tells which pieces of the file stand for which part of each curve.
+///
+/// # Errors
+/// [`ReadError::CurveCount`], [`ReadError::Closedness`], [`ReadError::PieceCount`], [`ReadError::CurveParts`].
+pub(crate) fn curves_deviation(
+    model: &Model,
+    read: &[CurveChain],
+    parts: &[Correspondence],
+    view: View,
+) -> Result<f64, ReadError> {
     let expected = contours(model).count();
-    if expected != read.len() {
+    if expected != read.len() || expected != parts.len() {
         return Err(ReadError::CurveCount { found: read.len(), expected });
     }
     let mut largest = 0.0_f64;
-    let plan = view == View::Plan;
-    for (curve, (contour, chain)) in contours(model).zip(read).enumerate() {
+    for (curve, ((contour, chain), parts)) in contours(model).zip(read).zip(parts).enumerate() {
         let object = contour.curve.as_curve();
-        let ends_meet = object.eval(0.0) == object.eval(1.0);
-        if object.is_closed() != chain.is_closed() && !(view == View::Points && ends_meet) {
+        if object.is_closed() != chain.is_closed() && view != View::Points {
             return Err(ReadError::Closedness { curve, found: chain.is_closed() });
         }
-        let (mut a, b) = (Track::new(object, plan), Track::new(chain, plan));
-        // A closed curve may start elsewhere in the file (at a corner).
-        let starts = if object.is_closed() { a.starts_near(b.windows[0].start.point) } else { vec![0] };
-        let mut best = f64::INFINITY;
-        let mut rotated = 0;
-        for start in starts {
-            a.rotate(start - rotated);
-            rotated = start;
-            best = best.min(one_way(&a, &b).max(one_way(&b, &a)));
-        }
-        largest = largest.max(best);
+        check_parts(object, chain, parts, curve)?;
+        largest = larger(largest, apart(object, chain, parts, view == View::Plan));
     }
     Ok(largest)
+}
+
+/// Refuses parts that are not all of the object, once and in order, or not all pieces of the file.
+fn check_parts(
+    object: &dyn ParamCurve,
+    chain: &CurveChain,
+    parts: &Correspondence,
+    curve: usize,
+) -> Result<(), ReadError> {
+    let (n, Correspondence { start, spans }) = (object.piece_count(), parts);
+    let on_piece = |place: CurvePlace| (0.0..=1.0).contains(&place.s);
+    let at_start = if object.is_closed() { start.piece < n } else { *start == CurvePlace::new(0, 0.0) };
+    let ends = || std::iter::once(*start).chain(spans.iter().map(|span| span.end));
+    let forward = ends().zip(ends().skip(1)).all(|(from, to)| on_piece(to) && to.is_from(from));
+    let all = CurvePlace::new(start.piece + n, start.s);
+    let whole = ends().last().is_some_and(|last| last.is_from(all) && all.is_from(last));
+    if !(on_piece(*start) && at_start && forward && whole) {
+        return Err(ReadError::CurveParts { curve });
+    }
+    let (found, expected) = (chain.piece_count(), parts.piece_count());
+    if found == expected { Ok(()) } else { Err(ReadError::PieceCount { curve, found, expected }) }
+}
+
+/// A line of a drawing that stands for an arc, with the parts of the arc that its pieces stand for.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct DrawnArc {
+    pub(crate) arc: Arc,
+    pub(crate) parts: Correspondence,
 }
 
 /// The largest distance in the plan, both ways, between the lines of a drawing and the arcs that they stand for.
 ///
 /// # Errors
-/// [`ReadError::LineCount`].
-pub(crate) fn lines_deviation(expected: &[Arc], read: &[CurveChain]) -> Result<f64, ReadError> {
+/// [`ReadError::LineCount`], [`ReadError::PieceCount`], [`ReadError::CurveParts`].
+pub(crate) fn lines_deviation(expected: &[DrawnArc], read: &[CurveChain]) -> Result<f64, ReadError> {
     if expected.len() != read.len() {
         return Err(ReadError::LineCount { found: read.len(), expected: expected.len() });
     }
-    let apart = expected.iter().zip(read).map(|(arc, line)| {
-        let (a, b) = (Track::new(arc, true), Track::new(line, true));
-        one_way(&a, &b).max(one_way(&b, &a))
-    });
-    Ok(apart.fold(0.0, f64::max))
+    let mut largest = 0.0_f64;
+    for (index, (DrawnArc { arc, parts }, line)) in expected.iter().zip(read).enumerate() {
+        check_parts(arc, line, parts, index)?;
+        largest = larger(largest, apart(arc, line, parts, true));
+    }
+    Ok(largest)
 }

@@ -21,6 +21,8 @@ const PLACES: u32 = 9;
 /// By so much of its length and of the model's size an edge may leave its face at equal parameters: far below readers' own
 /// tolerance, above the rounding of parameters with very uneven weights.
 const PARAMETER_LIMIT: (f64, f64) = (1e-9, 1e-12);
+/// Rounding of the length of an edge, relative to the coordinates of its ends.
+const RANGE_ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 /// The largest distance between surfaces, edges and vertices of the file and the model, whose diagonal is `size`.
 ///
@@ -203,10 +205,12 @@ fn check_parameters(
         return Ok(()); // in the parameter of its faces, and compared there
     };
     if let Some(curve) = &edge.parameter_curve {
-        let range = if arc.is_straight() { arc.length() } else { arc.angle() };
+        // Short edges carry the rounding of their place.
+        let (range, unit) = arc.radius().map_or((arc.length(), 1.0), |radius| (arc.angle(), radius));
+        let place = arc.start().to_vec().max_abs().max(arc.end().to_vec().max_abs());
         let (from, to) = curve.domain();
         require(
-            from == 0.0 && (to - range).abs() <= 1e-9 * range,
+            from == 0.0 && (to - range).abs() <= 1e-9 * range + RANGE_ROUNDING * place / unit,
             "a parameter curve has another range than its edge",
         )?;
     }

@@ -1,10 +1,12 @@
-//! A curve cut into tame windows, with the foot of a point on each.
+//! A part of a curve cut into tame windows, with the foot of a point on each.
 
-use cyclide::{Arc, ParamCurve, PieceForm, Point3, Vec3};
-use std::collections::BTreeMap;
+use cyclide::{Arc, CurvePlace, ParamCurve, PieceForm, Point3, Vec3};
 
-/// Windows of a piece before the turn is looked at: one alone would take a circle for a point, two an S for a line.
+/// Windows of a whole piece before the turn is looked at: of an arc one would be taken for a point where it is a
+/// circle, of anything else two for a line where it is an S.
 const FIRST_WINDOWS: [usize; 2] = [2, 3];
+/// A part of a piece that is shorter than this starts with one window.
+const SHORT_PART: f64 = 0.25;
 /// Largest turn of the tangent in a window, as a cosine: one Newton step from the chord is then nearly exact.
 const WINDOW_COSINE: f64 = 0.85;
 /// Largest angle between the chord and the tangents at its ends, as a cosine.
@@ -14,15 +16,18 @@ const WINDOW_SPEEDS: f64 = 4.0;
 const CHORD_SPEEDS: f64 = 1.5;
 /// Windows below this part of their coordinates are not cut any further.
 const UNSEEN: f64 = 1e-13;
-/// Halvings of a window at most.
-const WINDOW_DEPTH: u32 = 16;
+/// Halvings of a window at most, and windows of a part.
+const WINDOW_DEPTH: u32 = 24;
+const WINDOW_CAP: usize = 1 << 12;
 /// Largest quotient of the weights of an arc whose own parameter is taken. Its speeds at the ends differ by the square:
 /// an arc through a point near infinity is nearly all within a tiny range of its parameter.
 const WEIGHT_RATIO: f64 = 16.0;
 /// A foot is found when its parameter moves by less than this part of the window; what is left is quadratic in it.
 const FOOT: f64 = 1e-9;
-/// Windows that may be the start of a closed curve at most: passes of the curve through one point.
-const START_CAP: usize = 4;
+/// Newton steps to a foot; a window where they do not suffice is searched in equal steps, each narrowed by halves.
+const NEWTON_STEPS: u32 = 12;
+const SEARCH_STEPS: u32 = 8;
+const SEARCH_HALVINGS: u32 = 40;
 
 /// A point of a curve with its derivative.
 #[derive(Clone, Copy)]
@@ -35,72 +40,103 @@ pub(super) struct Node {
 /// A part of a smooth piece on which the tangent turns little.
 #[derive(Clone, Copy)]
 pub(super) struct Window {
-    pub(super) piece: usize,
+    piece: usize,
+    /// Index of the arc that has the points of the piece at even speed.
+    balanced: Option<usize>,
     pub(super) start: Node,
     pub(super) end: Node,
-    /// Length of the curve before it.
-    pub(super) position: f64,
-    /// Its own length, as of an arc with the same turn.
-    pub(super) length: f64,
+    /// No point of it is farther from its start.
+    reach: f64,
 }
 
-/// A curve cut into windows, in order.
+impl Window {
+    /// True if it may have a point within `distance` of `p`.
+    pub(super) fn may_be_within(&self, distance: f64, p: Point3) -> bool {
+        let far = distance + self.reach;
+        (p - self.start.point).length_squared() <= far * far
+    }
+}
+
+/// A curve of which one part at a time is cut into windows.
 pub(super) struct Track<'a> {
     curve: &'a dyn ParamCurve,
-    /// Arcs with weights of equal size in place of the pieces that have weights of very different sizes.
-    balanced: BTreeMap<usize, Arc>,
     plan: bool,
+    /// Arcs with weights of equal size in place of the pieces of the part that have weights of very different sizes.
+    balanced: Vec<Arc>,
+    /// The windows of the part, in order; never empty once there is a part.
     pub(super) windows: Vec<Window>,
-    pub(super) length: f64,
 }
 
 impl<'a> Track<'a> {
     /// The curve in space or in the plan view.
     pub(super) fn new(curve: &'a dyn ParamCurve, plan: bool) -> Self {
-        let windows = Vec::with_capacity(FIRST_WINDOWS[0] * curve.piece_count());
-        let balanced = (0..curve.piece_count()).filter_map(|piece| Some((piece, balanced(curve, piece)?))).collect();
-        let mut track = Self { curve, balanced, plan, windows, length: 0.0 };
-        for piece in 0..curve.piece_count() {
-            let bent = matches!(curve.piece_form(piece), PieceForm::Free);
-            let first = FIRST_WINDOWS[usize::from(bent)];
-            let mut start = track.node(piece, 0.0);
-            for k in 1..=first {
-                let end = track.node(piece, k as f64 / first as f64);
-                track.cut(piece, start, end, WINDOW_DEPTH);
-                start = end;
+        Self { curve, plan, balanced: Vec::new(), windows: Vec::new() }
+    }
+
+    /// Takes the part between two places, which may be one.
+    pub(super) fn set_part(&mut self, from: CurvePlace, to: CurvePlace) {
+        self.windows.clear();
+        self.balanced.clear();
+        let (mut piece, mut s) = (from.piece, from.s);
+        while piece < to.piece || (piece == to.piece && s < to.s) {
+            let end = if piece == to.piece { to.s } else { 1.0 };
+            if s < end {
+                self.add_piece(piece % self.curve.piece_count(), s, end);
             }
+            (piece, s) = (piece + 1, 0.0);
         }
-        track.measure();
-        track
+        if self.windows.is_empty() {
+            let (piece, s) = self.within(from);
+            let node = self.node(piece, None, s);
+            self.windows.push(Window { piece, balanced: None, start: node, end: node, reach: 0.0 });
+        }
     }
 
-    /// The windows that start nearest to a point, all that are equally near, in order.
-    pub(super) fn starts_near(&self, p: Point3) -> Vec<usize> {
-        let distance = |w: &Window| w.start.point.distance(p);
-        let nearest = self.windows.iter().map(distance).fold(f64::INFINITY, f64::min);
-        let limit = nearest + 1e-9 * p.to_vec().max_abs();
-        let near = self.windows.iter().enumerate().filter(|(_, w)| distance(w) <= limit);
-        near.map(|(i, _)| i).take(START_CAP).collect()
+    /// The place on a piece that exists: behind the last one of an open curve its end.
+    fn within(&self, place: CurvePlace) -> (usize, f64) {
+        let n = self.curve.piece_count();
+        if place.piece >= n && !self.curve.is_closed() { (n - 1, 1.0) } else { (place.piece % n, place.s) }
     }
 
-    /// Makes another window of a closed curve the first one.
-    pub(super) fn rotate(&mut self, first: usize) {
-        self.windows.rotate_left(first);
-        self.measure();
+    pub(super) fn start(&self) -> Option<Point3> {
+        self.windows.first().map(|w| w.start.point)
     }
 
-    fn measure(&mut self) {
-        self.length = 0.0;
-        for w in &mut self.windows {
-            w.position = self.length;
-            self.length += w.length;
+    pub(super) fn end(&self) -> Option<Point3> {
+        self.windows.last().map(|w| w.end.point)
+    }
+
+    fn add_piece(&mut self, piece: usize, from: f64, to: f64) {
+        let form = self.curve.piece_form(piece);
+        let (mut range, mut balanced) = ([from, to], None);
+        let mut first = FIRST_WINDOWS[1];
+        if let PieceForm::Arc(arc) = form {
+            first = if arc.is_straight() { 1 } else { FIRST_WINDOWS[0] };
+            if let Some((even, size)) = with_even_weights(&arc) {
+                // Equal points of both: the quotient of the parts of the parameter is `size` times as large.
+                range = range.map(|t| size * t / ((1.0 - t) + size * t));
+                balanced = Some(self.balanced.len());
+                self.balanced.push(even);
+            }
+        } else if let PieceForm::Circle(_) = form {
+            first = 2 * FIRST_WINDOWS[0];
+        }
+        if range[1] - range[0] < SHORT_PART {
+            first = 1;
+        }
+        let mut start = self.node(piece, balanced, range[0]);
+        for k in 1..=first {
+            let s = if k == first { range[1] } else { range[0] + (range[1] - range[0]) * (k as f64 / first as f64) };
+            let end = self.node(piece, balanced, s);
+            self.cut(piece, balanced, start, end, WINDOW_DEPTH);
+            start = end;
         }
     }
 
     /// The point at a part of a window.
     pub(super) fn point(&self, w: &Window, part: f64) -> Point3 {
         let s = w.start.s + (w.end.s - w.start.s) * part;
-        let mut point = match self.balanced.get(&w.piece) {
+        let mut point = match w.balanced.and_then(|i| self.balanced.get(i)) {
             Some(arc) => arc.point(s),
             None => self.curve.piece_point(w.piece, s),
         };
@@ -110,59 +146,75 @@ impl<'a> Track<'a> {
         point
     }
 
-    /// The point of a window nearest to `p`.
-    pub(super) fn foot(&self, w: &Window, p: Point3) -> Foot {
+    /// Distance of `p` from the nearest point of a window.
+    pub(super) fn distance(&self, w: &Window, p: Point3) -> f64 {
         let (a, b) = (&w.start, &w.end);
         let before = (p - a.point).dot(a.d1);
         let after = (p - b.point).dot(b.d1);
+        let ends = p.distance(a.point).min(p.distance(b.point));
         if before <= 0.0 || after >= 0.0 {
-            let (to_start, to_end) = (p.distance(a.point), p.distance(b.point));
-            let at_end = if before <= 0.0 && after >= 0.0 { to_end < to_start } else { after >= 0.0 };
-            return Foot {
-                position: w.position + if at_end { w.length } else { 0.0 },
-                distance: if at_end { to_end } else { to_start },
-            };
+            return ends;
         }
         let width = b.s - a.s;
         let mut s = a.s + width * (before / (before - after));
-        let mut distance = f64::INFINITY;
-        for _ in 0..12 {
-            let here = self.node(w.piece, s);
+        for _ in 0..NEWTON_STEPS {
+            let here = self.node(w.piece, w.balanced, s);
             let offset = p - here.point;
             let speed2 = here.d1.length_squared();
             if speed2 == 0.0 {
-                distance = offset.length();
-                break;
+                return ends.min(offset.length());
             }
             let next = (s + offset.dot(here.d1) / speed2).clamp(a.s, b.s);
             let step = next - s;
-            // The rest of a converged step moves the point along the tangent: the curve bends away only by its
-            // square.
-            distance = (offset - here.d1 * step).length();
-            s = next;
             if step.abs() <= FOOT * width {
-                break;
+                // The rest of a converged step moves the point along the tangent: the curve bends away only by its
+                // square.
+                return ends.min((offset - here.d1 * step).length());
+            }
+            s = next;
+        }
+        ends.min(self.searched(w, p))
+    }
+
+    /// The distance in a window where Newton's steps run in circles: at the lowest of some places, and from there by
+    /// halved steps.
+    fn searched(&self, w: &Window, p: Point3) -> f64 {
+        let distance = |part: f64| self.point(w, part).distance(p);
+        let at = |i: u32| f64::from(i) / f64::from(SEARCH_STEPS);
+        let places = (0..=SEARCH_STEPS).map(|i| (at(i), distance(at(i))));
+        let (mut part, mut best) = places.min_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or((0.0, f64::INFINITY));
+        let mut step = at(1);
+        for _ in 0..SEARCH_HALVINGS {
+            step *= 0.5;
+            for next in [part - step, part + step] {
+                if (0.0..=1.0).contains(&next) && distance(next) < best {
+                    (part, best) = (next, distance(next));
+                }
             }
         }
-        Foot { position: w.position + w.length * ((s - a.s) / width), distance }
+        best
     }
 
     /// Adds a window, halved until it is tame.
-    fn cut(&mut self, piece: usize, start: Node, end: Node, depth: u32) {
-        if depth == 0 || is_tame(&start, &end) {
+    fn cut(&mut self, piece: usize, balanced: Option<usize>, start: Node, end: Node, depth: u32) {
+        let tame = is_tame(&start, &end);
+        let middle = 0.5 * (start.s + end.s);
+        let last = depth == 0 || self.windows.len() >= WINDOW_CAP || !(start.s < middle && middle < end.s);
+        if tame || last {
             let chord = start.point.distance(end.point);
-            let half = 0.5 * start.d1.angle(end.d1).min(1.0);
-            let length = if half > 1e-4 { chord * half / half.sin() } else { chord };
-            self.windows.push(Window { piece, start, end, position: 0.0, length });
+            let way = start.d1.length().max(end.d1.length()) * (end.s - start.s);
+            // A tame one is no longer than an arc that turns by its limit; what is not tame runs anywhere it can.
+            let reach = if tame { 1.1 * chord } else { chord + 2.0 * way };
+            self.windows.push(Window { piece, balanced, start, end, reach });
             return;
         }
-        let middle = self.node(piece, 0.5 * (start.s + end.s));
-        self.cut(piece, start, middle, depth - 1);
-        self.cut(piece, middle, end, depth - 1);
+        let middle = self.node(piece, balanced, middle);
+        self.cut(piece, balanced, start, middle, depth - 1);
+        self.cut(piece, balanced, middle, end, depth - 1);
     }
 
-    fn node(&self, piece: usize, s: f64) -> Node {
-        let jet = match self.balanced.get(&piece) {
+    fn node(&self, piece: usize, balanced: Option<usize>, s: f64) -> Node {
+        let jet = match balanced.and_then(|i| self.balanced.get(i)) {
             Some(arc) => arc.piece_jet(0, s),
             None => self.curve.piece_jet(piece, s),
         };
@@ -175,14 +227,14 @@ impl<'a> Track<'a> {
     }
 }
 
-/// The points of an arc with weights of very different sizes, in the same order, at weights of equal size.
-fn balanced(curve: &dyn ParamCurve, piece: usize) -> Option<Arc> {
-    let PieceForm::Arc(arc) = curve.piece_form(piece) else { return None };
+/// The points of an arc with weights of very different sizes, in the same order, at weights of equal size, and the
+/// quotient of the sizes.
+fn with_even_weights(arc: &Arc) -> Option<(Arc, f64)> {
     let ratio = arc.weight_ratio();
     let size = ratio.norm();
     let tame = (1.0 / WEIGHT_RATIO..=WEIGHT_RATIO).contains(&size);
     // A positive factor of one weight moves the points along the arc.
-    if tame { None } else { Arc::from_weight_ratio(arc.start(), arc.end(), ratio * (1.0 / size)).ok() }
+    if tame { None } else { Some((Arc::from_weight_ratio(arc.start(), arc.end(), ratio * (1.0 / size)).ok()?, size)) }
 }
 
 /// True if the tangents at both ends and the chord agree in direction, and the speeds with each other and with the
@@ -201,11 +253,4 @@ fn is_tame(start: &Node, end: &Node) -> bool {
         && along(end.d1, v)
         && straight <= CHORD_SPEEDS * expected
         && expected <= CHORD_SPEEDS * straight
-}
-
-/// The point of a window nearest to a sample: how far along the curve, and how far away.
-#[derive(Clone, Copy)]
-pub(super) struct Foot {
-    pub(super) position: f64,
-    pub(super) distance: f64,
 }

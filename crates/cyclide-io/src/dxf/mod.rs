@@ -21,12 +21,14 @@ use crate::exported::{Exported, Promise, straightened};
 use crate::job::{Contour, Job};
 
 use crate::options::DxfVersion;
-use cyclide::{Arc, ArcPath, ChainPiece, CurveChain, NurbsCurve, ParamCurve as _, Point3, Vec3};
+use cyclide::{
+    Arc, ArcPath, ChainPiece, Correspondence, CurveChain, Lowered, NurbsCurve, ParamCurve as _, Point3, Vec3,
+};
 use plane::{Ocs, plane_of};
 use skeleton::{Content, FIRST_FREE, Group, MODEL_SPACE};
 use tags::Tags;
 
-pub(crate) use reader::read;
+pub(crate) use reader::{read, regrouped};
 
 /// Writes the model as DXF.
 pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
@@ -38,13 +40,14 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
         next_handle: FIRST_FREE + layers.len(),
         groups: Vec::new(),
         promise: Promise::EXACT,
+        curves: Vec::new(),
         in_space: false,
         splines: false,
     };
     for contour in job.contours() {
         file.contour(job, &contour, &layers[contour.item])?;
     }
-    let Entities { tags: entities, groups, promise, next_handle, in_space, splines, .. } = file;
+    let Entities { tags: entities, groups, promise, curves, next_handle, in_space, splines, .. } = file;
     let content = Content { layers: &layers, groups: &groups, next_handle };
     let mut tags = Tags::default();
     skeleton::opening(&mut tags, job, &content);
@@ -57,7 +60,7 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
     if splines {
         notes.push("rational SPLINE entities: many programs that cut or draw ignore their weights".to_owned());
     }
-    Ok(promise.exported(tags.into_bytes(), notes))
+    Ok(promise.exported(tags.into_bytes(), notes, curves))
 }
 
 /// The ENTITIES section as it grows.
@@ -67,6 +70,7 @@ struct Entities {
     next_handle: usize,
     groups: Vec<Group>,
     promise: Promise,
+    curves: Vec<Correspondence>,
     /// Some curve did not lie in a plane.
     in_space: bool,
     splines: bool,
@@ -75,25 +79,29 @@ struct Entities {
 impl Entities {
     fn contour(&mut self, job: &Job<'_>, contour: &Contour<'_>, layer: &str) -> Result<(), ExportError> {
         if job.options.dxf_splines {
-            let (chain, exactness) = job.chain(contour)?;
+            let lowered = job.chain(contour)?;
+            let chain = &lowered.form;
             if chain.pieces().iter().any(|p| matches!(p, ChainPiece::Spline(_))) {
                 if self.version == DxfVersion::R12 {
                     let object = contour.object.to_owned();
                     return Err(ExportError::NotInFormat { object, format: "DXF R12", detail: "it has no SPLINE" });
                 }
-                self.promise.add(exactness);
+                self.promise.add_chain(&lowered);
                 self.splines = true;
-                self.pieces(&chain, &contour.label(), layer);
+                self.pieces(chain, &contour.label(), layer);
+                self.curves.push(lowered.correspondence);
                 return Ok(());
             }
         }
-        let (path, exactness) = job.arcs(contour)?;
+        let Lowered { form: path, exactness, correspondence } = job.arcs(contour)?;
         self.promise.add(exactness);
         if let Some(ocs) = plane_of(path.arcs(), job.size()) {
-            self.polyline(&path, ocs, layer);
+            let counts = self.polyline(&path, ocs, layer);
+            self.curves.push(correspondence.recounted(counts));
         } else {
             self.in_space = true;
             self.pieces(&path.into(), &contour.label(), layer);
+            self.curves.push(correspondence);
         }
         Ok(())
     }
@@ -126,11 +134,14 @@ impl Entities {
         }
     }
 
-    /// A planar path as one polyline with bulges.
-    fn polyline(&mut self, path: &ArcPath, ocs: Ocs, layer: &str) {
+    /// A planar path as one polyline with bulges; gives the number of its pieces that each arc has become.
+    fn polyline(&mut self, path: &ArcPath, ocs: Ocs, layer: &str) -> Vec<usize> {
         let mut vertices: Vec<(Point3, f64)> = Vec::with_capacity(path.arcs().len() + 1);
+        let mut counts = Vec::with_capacity(path.arcs().len());
         for arc in path.arcs() {
-            for part in at_most_half_turns(arc) {
+            let parts = at_most_half_turns(arc);
+            counts.push(parts.len());
+            for part in parts {
                 let bulge = if self.straightened(&part) { 0.0 } else { part.bulge_vector().dot(ocs.z) };
                 vertices.push((ocs.to_local(part.start()), bulge));
             }
@@ -160,6 +171,7 @@ impl Entities {
                 self.entity("SEQEND", None, layer);
             }
         }
+        counts
     }
 
     /// A chain as separate entities, held together by a group where the version has them.

@@ -3,7 +3,7 @@
 use super::plane::Ocs;
 use super::tags::{Tag, parse};
 use crate::file_content::ReadError;
-use cyclide::{Arc, ArcPath, ChainPiece, CurveChain, NurbsCurve, Point3, Vec3};
+use cyclide::{Arc, ArcPath, ChainPiece, CurveChain, NurbsCurve, ParamCurve, Point3, Vec3};
 
 /// Gap allowed between entities of one curve, relative to its largest coordinate or radius: the rounding of centre
 /// plus radius.
@@ -28,6 +28,34 @@ pub(crate) fn read(bytes: &[u8]) -> Result<Vec<CurveChain>, ReadError> {
     }
     curves.finish()?;
     Ok(curves.chains)
+}
+
+/// Single entities as the curves that they were written as. DXF R12 has no groups, and lines and arcs alone none
+/// either: where one curve ends where another one begins, only the numbers of their pieces tell them apart.
+pub(crate) fn regrouped(chains: Vec<CurveChain>, counts: &[usize]) -> Vec<CurveChain> {
+    if chains.iter().map(ParamCurve::piece_count).eq(counts.iter().copied()) {
+        return chains;
+    }
+    let all: Vec<ChainPiece> = chains.iter().flat_map(|chain| chain.pieces().iter().cloned()).collect();
+    let (mut rest, mut grouped) = (all.as_slice(), Vec::with_capacity(counts.len()));
+    for &count in counts {
+        let mut found = 0;
+        let length = rest.iter().take_while(|piece| {
+            let more = found < count;
+            found += if more { piece.as_curve().piece_count() } else { 0 };
+            more
+        });
+        let (own, after) = rest.split_at(length.count());
+        let gap = GAP * own.iter().map(extent).fold(0.0, f64::max);
+        let ends = own.first().zip(own.last()).map(|(first, last)| last.end().distance(first.start()));
+        match CurveChain::new(own.to_vec(), ends.is_some_and(|apart| apart <= gap), gap) {
+            Ok(chain) => grouped.push(chain),
+            // What does not hang together is not what was written.
+            Err(_) => return chains,
+        }
+        rest = after;
+    }
+    if rest.is_empty() { grouped } else { chains }
 }
 
 /// The pairs of one entity, its type first.
@@ -90,6 +118,8 @@ struct Curves<'a> {
     chains: Vec<CurveChain>,
     /// LINE, ARC and SPLINE entities of one curve, with their group or layer.
     pieces: Vec<ChainPiece>,
+    /// Largest coordinate or radius of these.
+    extent: f64,
     key: (Option<&'a str>, Option<&'a str>),
     place: String,
     polyline: Option<Polyline>,
@@ -161,7 +191,7 @@ impl<'a> Curves<'a> {
         let key = (entity.group(), entity.text(8));
         let follows = self.pieces.last().is_some_and(|last| {
             // The digits of the piece that begins count as those of the pieces before.
-            let gap = self.gap().max(GAP * extent(&piece));
+            let gap = GAP * self.extent.max(extent(&piece));
             let meets = last.end().distance(piece.start()) <= gap;
             key == self.key && meets && (key.0.is_some() || !self.is_closed())
         });
@@ -170,12 +200,13 @@ impl<'a> Curves<'a> {
             self.key = key;
             self.place = entity.place();
         }
+        self.extent = self.extent.max(extent(&piece));
         self.pieces.push(piece);
         Ok(())
     }
 
     fn gap(&self) -> f64 {
-        GAP * self.pieces.iter().map(extent).fold(0.0, f64::max)
+        GAP * self.extent
     }
 
     fn is_closed(&self) -> bool {
@@ -190,6 +221,7 @@ impl<'a> Curves<'a> {
             return Ok(());
         }
         let (closed, gap) = (self.is_closed(), self.gap());
+        self.extent = 0.0;
         let chain = CurveChain::new(std::mem::take(&mut self.pieces), closed, gap);
         let place = std::mem::take(&mut self.place);
         self.chains.push(chain.map_err(|source| ReadError::Geometry { place, source })?);

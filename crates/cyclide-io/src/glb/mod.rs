@@ -16,10 +16,10 @@ use crate::deviation::MeshPlan;
 use crate::export_error::ExportError;
 use crate::exported::{Exported, Promise};
 use crate::job::{Contour, Job};
-use crate::mesh::{BodyMesh, Single, body_meshes, check_single, polyline, promised, single, triangles};
+use crate::mesh::{BodyMesh, Single, between, body_meshes, check_single, polyline, promised, single, triangles};
 use crate::palette;
 use buffer::Buffer;
-use cyclide::{Aabb, Item, MeshCorner, Point3, bounds};
+use cyclide::{Aabb, Correspondence, Item, MeshCorner, Point3, bounds};
 use serde_json::{Value, json};
 use std::collections::HashMap;
 
@@ -40,7 +40,7 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
         let own: Vec<&BodyMesh<'_>> = meshes.iter().filter(|mesh| mesh.body.item == index).collect();
         file.object(job, index, item, &own)?;
     }
-    let File { buffer, nodes, meshes, materials, promise, plan } = file;
+    let File { buffer, nodes, meshes, materials, promise, plan, curves } = file;
     // The scene's root is the last node.
     let children: Vec<usize> = (0..nodes.len()).collect();
     let scale = job.units().in_millimetres() / 1000.0;
@@ -62,7 +62,7 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
         let object = job.model.items.first().map(|item| item.name.clone()).unwrap_or_default();
         ExportError::NotInFormat { object, format: "GLB", detail: "it would be larger than 4 GiB" }
     })?;
-    Ok(promise.exported_mesh(bytes, Vec::new(), plan))
+    Ok(Exported { mesh: plan, ..promise.exported(bytes, Vec::new(), curves) })
 }
 
 /// The extension for lines.
@@ -76,12 +76,14 @@ struct File {
     materials: Vec<Value>,
     promise: Promise,
     plan: MeshPlan,
+    curves: Vec<Correspondence>,
 }
 
 impl Default for File {
     fn default() -> Self {
-        let (nodes, meshes, materials) = (Vec::new(), Vec::new(), Vec::new());
-        Self { buffer: Buffer::default(), nodes, meshes, materials, promise: Promise::EXACT, plan: MeshPlan::default() }
+        let (nodes, meshes, materials, curves) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
+        let (buffer, plan) = (Buffer::default(), MeshPlan::default());
+        Self { buffer, nodes, meshes, materials, promise: Promise::EXACT, plan, curves }
     }
 }
 
@@ -179,9 +181,16 @@ impl File {
         material: usize,
     ) -> Result<Value, ExportError> {
         let mut rounding = Single::new(center);
-        let mut points: Vec<[f32; 3]> = polyline(job, contour)?.into_iter().map(|p| rounding.point(p)).collect();
-        points.dedup();
+        let vertices = polyline(job, contour)?;
+        let mut points: Vec<[f32; 3]> = vertices.iter().map(|(_, p)| rounding.point(*p)).collect();
+        let is_same = |a: [f32; 3], b: [f32; 3]| a.iter().zip(&b).all(|(a, b)| a.to_bits() == b.to_bits());
+        let segments: Vec<usize> = points.windows(2).map(|w| usize::from(!is_same(w[0], w[1]))).collect();
+        points.dedup_by(|a, b| is_same(*a, *b));
         let closed = contour.curve.as_curve().is_closed();
+        if closed {
+            points.pop();
+        }
+        self.curves.push(between(&vertices).recounted(segments));
         if points.len() < if closed { 3 } else { 2 } {
             let (object, detail) = (contour.object.to_owned(), "the curve is below the rounding of single precision");
             return Err(ExportError::NotInFormat { object, format: "GLB", detail });

@@ -19,36 +19,37 @@
 //! The second parameter runs fastest in the lists of points and weights. `outward` is true if the outer side of the
 //! body is that of `f_s × f_t`. Patches whose weights are not all positive are cut into patches whose weights are.
 
+mod reader;
 mod surfaces;
 
 use crate::export_error::ExportError;
 
 use crate::exported::{Exported, Promise};
 
-use crate::file_content::{FileContent, ReadError};
 use crate::job::{Contour, Job};
 use crate::number::push_plain;
-use cyclide::{Arc, ChainPiece, CurveChain, DEFAULT_PIECE_ANGLE, Exactness, NurbsCurve, Point3};
+use cyclide::{
+    Arc, ChainPiece, Correspondence, CurveChain, DEFAULT_PIECE_ANGLE, Exactness, Lowered, NurbsCurve, ParamCurve as _,
+};
 use serde_json::Value;
 
+pub(crate) use reader::read;
 pub(crate) use surfaces::deviation as patch_deviation;
-
-/// Gap allowed between the curves of a contour, relative to its largest coordinate: they share their end points.
-const GAP: f64 = 1e-12;
 
 /// Writes the model as JSON.
 pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
     let mut promise = Promise::EXACT;
+    let mut parts = Vec::new();
     let mut out = format!("{{\n\"cyclide-nurbs\": 1,\n\"units\": \"{}\",\n\"objects\": {{", job.units().symbol());
     for (index, item) in job.model.items.iter().enumerate() {
         let (name, kind) = (quoted(&item.name), quoted(&item.kind));
         out.push_str(if index == 0 { "\n" } else { ",\n" });
         out.push_str(&format!("{name}: {{\"type\": {kind}, \"contours\": ["));
         for contour in job.contours().filter(|contour| contour.item == index) {
-            let (chain, exactness) = job.chain(&contour)?;
-            promise.add(exactness);
+            let lowered = job.chain(&contour)?;
+            promise.add_chain(&lowered);
             out.push_str(if contour.index == 0 { "\n" } else { ",\n" });
-            push_contour(&mut out, &contour, &chain, exactness)?;
+            parts.push(push_contour(&mut out, &contour, lowered)?);
         }
         out.push_str(if item.contours.is_empty() { "]" } else { "\n]" });
         for body in job.bodies.iter().filter(|body| body.item == index) {
@@ -58,16 +59,16 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
         out.push_str(if item.surfaces.is_empty() { "}" } else { "\n]}" });
     }
     out.push_str("\n}\n}\n");
-    Ok(promise.exported(out.into_bytes(), Vec::new()))
+    Ok(promise.exported(out.into_bytes(), Vec::new(), parts))
 }
 
+/// Writes a contour; gives the parts of it that the spans of its splines stand for.
 fn push_contour(
     out: &mut String,
     contour: &Contour<'_>,
-    chain: &CurveChain,
-    exactness: Exactness,
-) -> Result<(), ExportError> {
-    use cyclide::ParamCurve as _;
+    lowered: Lowered<CurveChain>,
+) -> Result<Correspondence, ExportError> {
+    let Lowered { form: chain, exactness, correspondence } = lowered;
     out.push_str(&format!(
         "{{\"closed\": {}, \"exact\": {}, \"bound\": ",
         chain.is_closed(),
@@ -75,13 +76,14 @@ fn push_contour(
     ));
     push_plain(out, exactness.bound());
     out.push_str(", \"curves\": [");
-    for (i, curve) in curves(chain).into_iter().enumerate() {
-        let curve = contour.lowered(curve)?;
+    let mut counts = Vec::with_capacity(chain.piece_count());
+    for (i, run) in runs(&chain).enumerate() {
+        let curve = contour.lowered(run_curve(run, &mut counts))?;
         out.push_str(if i == 0 { "\n" } else { ",\n" });
         push_curve(out, &curve);
     }
     out.push_str("]}");
-    Ok(())
+    Ok(correspondence.recounted(counts))
 }
 
 fn push_curve(out: &mut String, curve: &NurbsCurve) {
@@ -114,22 +116,27 @@ fn quoted(text: &str) -> String {
     Value::from(text).to_string()
 }
 
-/// The chain as B-splines: runs of arcs joined to one each.
-fn curves(chain: &CurveChain) -> Vec<cyclide::Result<NurbsCurve>> {
+/// The pieces that become one B-spline each: runs of arcs, and single splines.
+fn runs(chain: &CurveChain) -> impl Iterator<Item = &[ChainPiece]> {
     let arc = |p: &ChainPiece| matches!(p, ChainPiece::Arc(_));
-    let runs = chain.pieces().chunk_by(|a, b| arc(a) && arc(b));
-    runs.map(|run| match run {
-        [ChainPiece::Spline(curve)] => Ok(curve.with_c1_knots().unwrap_or_else(|| curve.clone())),
-        arcs => quadratic(arcs.iter().filter_map(|p| match p {
-            ChainPiece::Arc(arc) => Some(arc),
-            ChainPiece::Spline(_) => None,
-        })),
-    })
-    .collect()
+    chain.pieces().chunk_by(move |a, b| arc(a) && arc(b))
+}
+
+/// A run as a B-spline; notes how many spans each smooth piece has become.
+fn run_curve(run: &[ChainPiece], counts: &mut Vec<usize>) -> cyclide::Result<NurbsCurve> {
+    if let [ChainPiece::Spline(curve)] = run {
+        counts.extend(std::iter::repeat_n(1, curve.piece_count()));
+        return Ok(curve.with_c1_knots().unwrap_or_else(|| curve.clone()));
+    }
+    let arcs = run.iter().filter_map(|p| match p {
+        ChainPiece::Arc(arc) => Some(arc),
+        ChainPiece::Spline(_) => None,
+    });
+    quadratic(arcs, counts)
 }
 
 /// Arcs that meet as one rational quadratic: arc `i` over `[i, i+1]`, double knots at every joint.
-fn quadratic<'a>(arcs: impl Iterator<Item = &'a Arc>) -> cyclide::Result<NurbsCurve> {
+fn quadratic<'a>(arcs: impl Iterator<Item = &'a Arc>, counts: &mut Vec<usize>) -> cyclide::Result<NurbsCurve> {
     let (mut points, mut weights, mut knots) = (Vec::new(), Vec::new(), vec![0.0]);
     let mut end = 0.0;
     for arc in arcs {
@@ -141,60 +148,9 @@ fn quadratic<'a>(arcs: impl Iterator<Item = &'a Arc>) -> cyclide::Result<NurbsCu
         for u in &piece.breaks()[..piece.breaks().len() - 1] {
             knots.extend([end + u; 2]);
         }
+        counts.push(piece.piece_count());
         end += 1.0;
     }
     knots.extend([end; 3]);
     NurbsCurve::new(2, knots, points, weights)
-}
-
-/// Reads the curves of all contours and the patches of all surfaces.
-pub(crate) fn read(bytes: &[u8]) -> Result<FileContent, ReadError> {
-    let text = serde_json::from_slice::<Value>(bytes);
-    let file = text.map_err(|e| ReadError::syntax(format!("line {}", e.line()), e.to_string()))?;
-    let objects = file.get("objects").and_then(Value::as_object);
-    let objects = objects.ok_or_else(|| ReadError::syntax("/", "no object \"objects\""))?;
-    let mut content = FileContent::default();
-    for (name, object) in objects {
-        let place = format!("/objects/{name}/contours");
-        for (i, contour) in array(object, "contours", &place)?.iter().enumerate() {
-            content.curves.push(read_contour(contour, format!("{place}/{i}"))?);
-        }
-        surfaces::read(object, &format!("/objects/{name}/surfaces"), &mut content.patches)?;
-    }
-    Ok(content)
-}
-
-fn read_contour(contour: &Value, place: String) -> Result<CurveChain, ReadError> {
-    let closed = contour.get("closed").and_then(Value::as_bool);
-    let closed = closed.ok_or_else(|| ReadError::syntax(&place, "no boolean \"closed\""))?;
-    let mut pieces = Vec::new();
-    for curve in array(contour, "curves", &place)? {
-        let degree = curve.get("degree").and_then(Value::as_u64).and_then(|d| usize::try_from(d).ok());
-        let degree = degree.filter(|d| *d < 1000).ok_or_else(|| ReadError::syntax(&place, "no integer \"degree\""))?;
-        let points = array(curve, "control_points", &place)?.iter().map(|p| point(p, &place));
-        let points = points.collect::<Result<Vec<_>, _>>()?;
-        let knots = numbers(array(curve, "knots", &place)?, &place)?;
-        let weights = numbers(array(curve, "weights", &place)?, &place)?;
-        let curve = NurbsCurve::new(degree, knots, points, weights);
-        pieces.push(ChainPiece::Spline(curve.map_err(|source| ReadError::Geometry { place: place.clone(), source })?));
-    }
-    let ends = pieces.iter().flat_map(|p| [p.start(), p.end()]);
-    let size = ends.map(|p| p.to_vec().max_abs()).fold(0.0, f64::max);
-    CurveChain::new(pieces, closed, GAP * size).map_err(|source| ReadError::Geometry { place, source })
-}
-
-fn array<'a>(value: &'a Value, key: &str, place: &str) -> Result<&'a [Value], ReadError> {
-    let array = value.get(key).and_then(Value::as_array);
-    array.map(Vec::as_slice).ok_or_else(|| ReadError::syntax(place, format!("no array \"{key}\"")))
-}
-
-fn numbers(values: &[Value], place: &str) -> Result<Vec<f64>, ReadError> {
-    let number = |v: &Value| v.as_f64().ok_or_else(|| ReadError::syntax(place, "expected numbers"));
-    values.iter().map(number).collect()
-}
-
-fn point(value: &Value, place: &str) -> Result<Point3, ReadError> {
-    let numbers = numbers(value.as_array().map_or(&[], Vec::as_slice), place)?;
-    let point = <[f64; 3]>::try_from(numbers).map_err(|_| ReadError::syntax(place, "expected three coordinates"))?;
-    Ok(point.into())
 }

@@ -1,12 +1,11 @@
 //! Bodies as exact rational surfaces of degree (2, 2) with positive weights.
 
-use super::{array, numbers, point, push_numbers};
+use super::push_numbers;
 use crate::export_error::ExportError;
 use crate::file_content::ReadError;
 use crate::job::BodyOf;
 use crate::number::push_plain;
 use cyclide::{ExactRational as _, ParamSurface as _, RationalBezierSurface, Shell};
-use serde_json::Value;
 
 /// Places per parameter at which surfaces are compared.
 const PLACES: u32 = 9;
@@ -51,37 +50,6 @@ fn push_surface(out: &mut String, surface: &RationalBezierSurface) {
         push_plain(out, row[3]);
     }
     out.push_str("]}");
-}
-
-/// Reads the patches of an object's surfaces in file order.
-pub(super) fn read(object: &Value, place: &str, patches: &mut Vec<RationalBezierSurface>) -> Result<(), ReadError> {
-    if object.get("surfaces").is_none() {
-        return Ok(());
-    }
-    for surface in array(object, "surfaces", place)? {
-        for shell in array(surface, "shells", place)? {
-            for patch in array(shell, "patches", place)? {
-                patches.push(read_patch(patch, place)?);
-            }
-        }
-    }
-    Ok(())
-}
-
-fn read_patch(patch: &Value, place: &str) -> Result<RationalBezierSurface, ReadError> {
-    let points = array(patch, "control_points", place)?.iter().map(|p| point(p, place));
-    let points = points.collect::<Result<Vec<_>, _>>()?;
-    let weights = numbers(array(patch, "weights", place)?, place)?;
-    if weights.len() != points.len() || !weights.iter().all(|w| *w > 0.0) {
-        return Err(ReadError::syntax(place, "expected a positive weight for each control point"));
-    }
-    let rows = points.iter().zip(&weights).map(|(p, w)| [p.x * w, p.y * w, p.z * w, *w]).collect();
-    let degree = |d: &Value| d.as_u64().filter(|d| *d < 100).and_then(|d| usize::try_from(d).ok());
-    let degrees: Option<Vec<usize>> = array(patch, "degrees", place)?.iter().map(degree).collect();
-    let degrees = degrees.and_then(|d| <[usize; 2]>::try_from(d).ok());
-    let degrees = degrees.ok_or_else(|| ReadError::syntax(place, "expected two degrees"))?;
-    let surface = RationalBezierSurface::new(degrees, rows);
-    surface.map_err(|source| ReadError::Geometry { place: place.to_owned(), source })
 }
 
 /// The largest distance at equal parameters between patches read and those of the bodies.

@@ -8,15 +8,16 @@ use crate::deviation::MeshPlan;
 use crate::export_error::ExportError;
 use crate::exported::{Exported, Promise};
 use crate::job::Job;
-use crate::mesh::{BodyMesh, body_meshes, polyline, promised};
+use crate::mesh::{BodyMesh, between, body_meshes, polyline, promised};
 use crate::number::push_plain;
-use cyclide::{Exactness, SurfaceMesh};
+use cyclide::{CurvePlace, Exactness, Point3, SurfaceMesh};
 use std::fmt::Write as _;
 
 /// Writes the model as OBJ.
 pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
     let mut promise = Promise::EXACT;
     let mut plan = MeshPlan::default();
+    let mut curves = Vec::new();
     let mut file = File { text: format!("# cyclide, units {}\n", job.units().symbol()), positions: 0, normals: 0 };
     let meshes = body_meshes(job)?;
     for (index, item) in job.model.items.iter().enumerate() {
@@ -30,11 +31,13 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
         }
         for contour in job.contours().filter(|contour| contour.item == index) {
             file.name("g", &contour.label());
-            file.polyline(&polyline(job, &contour)?, contour.curve.as_curve().is_closed());
+            let vertices = polyline(job, &contour)?;
+            curves.push(between(&vertices));
+            file.polyline(&vertices, contour.curve.as_curve().is_closed());
             promise.add(Exactness::Proved(job.tolerance));
         }
     }
-    Ok(promise.exported_mesh(file.text.into_bytes(), Vec::new(), plan))
+    Ok(Exported { mesh: plan, ..promise.exported(file.text.into_bytes(), Vec::new(), curves) })
 }
 
 /// The text with the numbers of vertices and normals so far.
@@ -79,8 +82,10 @@ impl File {
         self.normals += mesh.normals.len();
     }
 
-    fn polyline(&mut self, points: &[cyclide::Point3], closed: bool) {
-        for p in points {
+    /// A polyline; the last vertex of a closed one is its first again.
+    fn polyline(&mut self, vertices: &[(CurvePlace, Point3)], closed: bool) {
+        let points = if closed { vertices.split_last().map_or(vertices, |(_, rest)| rest) } else { vertices };
+        for (_, p) in points {
             self.numbers("v", p.to_array());
         }
         self.text.push('l');

@@ -89,7 +89,7 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
     let bytes = canvas.encode().map_err(|e| picture(&e))?;
     let mut promise = Promise::EXACT;
     promise.add(Exactness::Proved(0.5 * view.unit()));
-    Ok(promise.exported(bytes, Vec::new()))
+    Ok(promise.exported(bytes, Vec::new(), Vec::new()))
 }
 
 fn picture(detail: &str) -> ExportError {

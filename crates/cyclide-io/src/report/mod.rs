@@ -15,11 +15,9 @@ use serde::Serialize;
 
 use crate::document::{BuiltObject, Remark};
 use crate::exported::Exported;
+use crate::exporter::Exporter;
 use crate::file_content::ReadError;
 use crate::format::Format;
-use crate::job::Job;
-use crate::options::ExportOptions;
-use crate::read_back::file_deviation;
 pub use curvature::CurvatureRangeReport;
 pub use curves::{CurvatureReport, CurvesReport, FitPieces, FitReport, JointReport};
 pub use fairness::FairnessReport;
@@ -31,6 +29,9 @@ pub use surface::{
 
 /// Part of the model's size that reading numbers back and comparing points may cost: what foreign readers are held to.
 const READ_BACK_ROUNDING: f64 = 1e-9;
+
+/// Part of a bound, and of that rounding, by which it may be exceeded without a word: the printed bound is raised.
+const LAST_DIGITS: f64 = 1e-5;
 
 /// The report on a model and the files made of it. As JSON, values that are not finite are `null`.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -191,39 +192,61 @@ impl FileReport {
     /// # Errors
     /// [`CheckError`]: the file must not be written.
     pub fn new(path: &Path, format: Format, model: &Model, exported: &Exported) -> Result<Self, CheckError> {
+        match Exporter::new(model) {
+            Ok(exporter) => Self::of(&exporter, path, format, exported),
+            Err(error) => {
+                let source = ReadError::syntax("the model", error.to_string());
+                Err(CheckError::Unreadable { path: path.display().to_string(), source })
+            }
+        }
+    }
+
+    /// As [`new`](Self::new), of a model made ready.
+    pub(crate) fn of(
+        exporter: &Exporter<'_>,
+        path: &Path,
+        format: Format,
+        exported: &Exported,
+    ) -> Result<Self, CheckError> {
         let path = path.display().to_string();
         let bound = exported.bound;
         let deviation = if format.has_geometry() {
-            match file_deviation(model, format, exported) {
+            match exporter.deviation(format, exported) {
                 Ok(deviation) => Some(deviation),
                 Err(source) => return Err(CheckError::Unreadable { path, source }),
             }
         } else {
             None
         };
-        let limit = bound + READ_BACK_ROUNDING * extent(model);
+        let rounding = READ_BACK_ROUNDING * exporter.extent();
+        let limit = bound + rounding.max(exported.rounding);
         if let Some(deviation) = deviation.filter(|d| !(*d <= limit)) {
             return Err(CheckError::BeyondBound { path, deviation, bound });
+        }
+        // What rounding has added belongs to the bound that is printed; of an exact file it is what "exact" leaves open,
+        // unless its digits do not suffice.
+        let beyond = deviation.filter(|d| *d > if exported.exact { rounding } else { bound });
+        let exact = exported.exact && beyond.is_none();
+        let last_digits = (1.0 + LAST_DIGITS) * bound + LAST_DIGITS * rounding;
+        let mut notes = exported.notes.clone();
+        let seen = beyond.filter(|beyond| *beyond > last_digits);
+        if let Some(beyond) = seen {
+            let beyond = ShortNumber(beyond);
+            notes.push(format!("the rounding of the numbers is part of the bound: {beyond} in all, as measured"));
         }
         Ok(Self {
             path,
             format: format.name(),
-            exact: exported.exact,
+            exact,
             deviation,
-            bound,
+            bound: beyond.unwrap_or(bound),
             proof: match exported {
-                Exported { exact: true, .. } => "exact",
-                Exported { sampled: true, .. } => "sampled",
-                _ => "proved",
+                _ if exact => "exact",
+                Exported { sampled: false, .. } if seen.is_none() => "proved",
+                _ => "sampled",
             },
             bytes: exported.bytes.len(),
-            notes: exported.notes.clone(),
+            notes,
         })
     }
-}
-
-/// Size of the model and its distance from the origin, whichever is larger: rounding is relative to coordinates.
-fn extent(model: &Model) -> f64 {
-    let options = ExportOptions::default();
-    Job::new(model, &options).map_or(0.0, |job| job.bounds.diagonal().max(job.bounds.max_abs()))
 }

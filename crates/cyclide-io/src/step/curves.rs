@@ -1,6 +1,7 @@
 //! Curves as STEP entities.
 
 use super::data::{Data, list, real, reals, references, string};
+use crate::exported::SMALLEST_RADIUS;
 use crate::number::push_step;
 use cyclide::{Arc, ChainPiece, Circle, CurveChain, NurbsCurve, ParamCurve};
 use std::fmt::Write as _;
@@ -12,9 +13,10 @@ const LARGEST_RADIUS: (f64, f64, f64) = (1e6, 1e5, 2e7);
 /// Below this radius, relative to the chord, an arc is visibly curved and always a circle.
 const CURVED_RADIUS: f64 = 1e3;
 
-/// A composite curve from the pieces of a chain; `size` is the model's diagonal.
-pub(super) fn composite(data: &mut Data, name: &str, chain: &CurveChain, size: f64) -> usize {
-    let pieces: Vec<usize> = chain.pieces().iter().map(|piece| bounded_curve(data, piece, size)).collect();
+/// A composite curve from the pieces of a chain; `size` is the model's diagonal. Notes how many pieces each smooth piece
+/// has become.
+pub(super) fn composite(data: &mut Data, name: &str, chain: &CurveChain, size: f64, counts: &mut Vec<usize>) -> usize {
+    let pieces: Vec<usize> = chain.pieces().iter().map(|piece| bounded_curve(data, piece, size, counts)).collect();
     composite_of(data, name, &pieces, chain.is_closed())
 }
 
@@ -40,20 +42,30 @@ fn composite_of(data: &mut Data, name: &str, pieces: &[usize], closed: bool) -> 
     data.add(&format!("COMPOSITE_CURVE({},{},.F.)", string(name), references(&segments)))
 }
 
-fn bounded_curve(data: &mut Data, piece: &ChainPiece, size: f64) -> usize {
+fn bounded_curve(data: &mut Data, piece: &ChainPiece, size: f64, counts: &mut Vec<usize>) -> usize {
     match piece {
-        ChainPiece::Arc(arc) => bounded_arc(data, arc, size),
-        ChainPiece::Spline(curve) => b_spline(data, curve),
+        ChainPiece::Arc(arc) => bounded_arc(data, arc, size, counts),
+        ChainPiece::Spline(curve) => {
+            counts.extend(std::iter::repeat_n(1, curve.piece_count()));
+            b_spline(data, curve)
+        }
     }
 }
 
-fn bounded_arc(data: &mut Data, arc: &Arc, size: f64) -> usize {
+fn bounded_arc(data: &mut Data, arc: &Arc, size: f64, counts: &mut Vec<usize>) -> usize {
     if let Some(curve) = trimmed_circle(data, arc, size) {
+        counts.push(1);
         return curve;
     }
     match arc.to_nurbs(cyclide::DEFAULT_PIECE_ANGLE) {
-        Ok(curve) if !arc.is_straight() => b_spline(data, &curve),
-        _ => trimmed_line(data, arc),
+        Ok(curve) if !arc.is_straight() => {
+            counts.push(curve.piece_count());
+            b_spline(data, &curve)
+        }
+        _ => {
+            counts.push(1);
+            trimmed_line(data, arc)
+        }
     }
 }
 
@@ -69,6 +81,10 @@ fn trimmed_circle(data: &mut Data, arc: &Arc, size: f64) -> Option<usize> {
 pub(super) fn circle(data: &mut Data, arc: &Arc, size: f64) -> Option<usize> {
     let (center, radius, normal) = (arc.center()?, arc.radius()?, arc.normal()?);
     let chord = arc.chord().length();
+    let place = arc.start().to_vec().max_abs().max(arc.end().to_vec().max_abs());
+    if radius <= SMALLEST_RADIUS * place {
+        return None;
+    }
     let (by_chord, by_size, absolute) = LARGEST_RADIUS;
     let flat = radius > CURVED_RADIUS * chord;
     if flat && (radius > by_chord * chord || radius > by_size * size || radius > absolute) {

@@ -26,7 +26,12 @@ pub(super) struct Data {
 
 impl Data {
     /// The instances as text, each on lines of its own.
-    pub(super) fn text(&self) -> &str {
+    pub(super) fn into_text(self) -> String {
+        self.text
+    }
+
+    #[cfg(test)]
+    fn text(&self) -> &str {
         &self.text
     }
 

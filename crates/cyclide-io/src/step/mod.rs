@@ -30,7 +30,7 @@ use crate::exported::{Exported, Promise};
 
 use crate::job::{Contour, Job};
 use crate::options::StepProducts;
-use cyclide::{ChainPiece, CurveChain, CurveObject, ShortNumber, Units};
+use cyclide::{ChainPiece, CurveChain, CurveObject, Lowered, ParamCurve as _, ShortNumber, Units};
 use data::Data;
 use structure::Part;
 use topology::Written;
@@ -50,20 +50,26 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
     let mut parts: Vec<Part> =
         job.model.items.iter().enumerate().map(|(index, item)| Part::new(&item.name, index)).collect();
     let mut curves = Vec::new();
+    let mut parts_of_curves = Vec::new();
     for contour in job.contours() {
         curves.push(if let CurveObject::Circle(circle) = contour.curve {
+            parts_of_curves.push(job.chain(&contour)?.correspondence);
             curves::full_circle(&mut data, &contour.label(), circle)
         } else {
-            let (chain, exactness) = job.chain(&contour)?;
-            promise.add(exactness);
+            let lowered = job.chain(&contour)?;
+            promise.add_chain(&lowered);
+            let Lowered { form: chain, correspondence, .. } = lowered;
             shortest = shortest.min(shortest_piece(&chain));
-            curves::composite(&mut data, &contour.label(), &chain, job.size())
+            let mut counts = Vec::with_capacity(chain.piece_count());
+            let composite = curves::composite(&mut data, &contour.label(), &chain, job.size(), &mut counts);
+            parts_of_curves.push(correspondence.recounted(counts));
+            composite
         });
         if contour.index + 1 == contour.count {
             parts[contour.item].curve_sets.push(curve_set(&mut data, &contour, &std::mem::take(&mut curves)));
         }
     }
-    for body in &job.bodies {
+    for body in job.bodies {
         let lowered = |source| body.unfit(source);
         let (written, remarks) =
             topology::body(&mut data, &body.label(), &body.body, job.size(), job.options.step_edges)
@@ -103,8 +109,8 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
         );
     }
     structure::products(&mut data, job.title(), &parts, one, job.units());
-    let text = structure::file(&data, job.title());
-    Ok(promise.exported(text.into_bytes(), notes))
+    let text = structure::file(data, job.title());
+    Ok(promise.exported(text.into_bytes(), notes, parts_of_curves))
 }
 
 fn curve_set(data: &mut Data, contour: &Contour<'_>, curves: &[usize]) -> usize {

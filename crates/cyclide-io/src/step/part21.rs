@@ -1,34 +1,53 @@
 //! Part 21 text to instances: enough of the syntax for any exchange file, without its meaning.
+//!
+//! The text is gone through once, every instance by the rules, and of each only its place is kept: the parameters of
+//! all at once would take several times the memory of the file. An instance is read again when it is asked for.
 
 use crate::file_content::ReadError;
-use std::collections::BTreeMap;
 
 /// Lists nest this deep at most.
 const DEEPEST: usize = 16;
 
 /// One parameter of an entity.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) enum Value {
+pub(super) enum Value<'a> {
     Reference(u64),
     Number(f64),
-    Text(String),
+    /// A quoted text: no name has a meaning for the geometry.
+    Text,
     /// `.NAME.` without the dots.
-    Enumeration(String),
+    Enumeration(&'a str),
     List(Vec<Self>),
     /// `NAME(value)`: a value with its type.
-    Typed(String, Vec<Self>),
+    Typed(&'a str, Vec<Self>),
     /// `$` or `*`.
     Absent,
 }
 
 /// One instance: its entities (several for a complex one) with their parameters.
-pub(super) type Instance = Vec<(String, Vec<Value>)>;
+pub(super) type Instance<'a> = Vec<(&'a str, Vec<Value<'a>>)>;
 
-/// The instances of the DATA section by number.
-pub(super) fn parse(bytes: &[u8]) -> Result<BTreeMap<u64, Instance>, ReadError> {
+/// The instances of a DATA section, by number.
+pub(super) struct Instances<'a> {
+    bytes: &'a [u8],
+    /// Numbers and where the instances begin in the text, by number.
+    places: Vec<(u64, usize)>,
+}
+
+impl<'a> Instances<'a> {
+    /// The instance with a number, if there is one.
+    pub(super) fn get(&self, number: u64) -> Option<Instance<'a>> {
+        let index = self.places.binary_search_by_key(&number, |place| place.0).ok()?;
+        // It was read before.
+        Cursor { bytes: self.bytes, at: self.places[index].1 }.instance().ok()
+    }
+}
+
+/// The instances of the DATA section; `visit` is given the number and the first name of each, in file order.
+pub(super) fn parse<'a>(bytes: &'a [u8], mut visit: impl FnMut(u64, &'a str)) -> Result<Instances<'a>, ReadError> {
     let mut text = Cursor { bytes, at: 0 };
     text.skip_to(b"DATA;")?;
-    let mut instances = BTreeMap::new();
+    let mut places: Vec<(u64, usize)> = Vec::new();
     loop {
         text.blank();
         if text.peek() != Some(b'#') {
@@ -37,14 +56,20 @@ pub(super) fn parse(bytes: &[u8]) -> Result<BTreeMap<u64, Instance>, ReadError> 
         text.at += 1;
         let number = text.integer()?;
         text.expect(b'=')?;
+        places.push((number, text.at));
         let instance = text.instance()?;
         text.expect(b';')?;
-        if instances.insert(number, instance).is_some() {
-            return Err(text.error(format!("instance #{number} is defined twice")));
+        if let Some((name, _)) = instance.first() {
+            visit(number, name);
         }
     }
     text.keyword("ENDSEC")?;
-    Ok(instances)
+    // Stable and linear where they are in order, as ours are.
+    places.sort_by_key(|place| place.0);
+    if let Some(twice) = places.windows(2).find(|pair| pair[0].0 == pair[1].0) {
+        return Err(text.error(format!("instance #{} is defined twice", twice[0].0)));
+    }
+    Ok(Instances { bytes, places })
 }
 
 struct Cursor<'a> {
@@ -52,7 +77,7 @@ struct Cursor<'a> {
     at: usize,
 }
 
-impl Cursor<'_> {
+impl<'a> Cursor<'a> {
     fn error(&self, detail: impl Into<String>) -> ReadError {
         ReadError::syntax(format!("byte {}", self.at), detail)
     }
@@ -83,15 +108,17 @@ impl Cursor<'_> {
         Ok(())
     }
 
-    fn name(&mut self) -> Result<String, ReadError> {
+    fn name(&mut self) -> Result<&'a str, ReadError> {
         self.blank();
-        let rest = &self.bytes[self.at..];
+        let bytes: &'a [u8] = self.bytes;
+        let rest = &bytes[self.at..];
         let length = rest.iter().take_while(|b| b.is_ascii_alphanumeric() || **b == b'_').count();
         if length == 0 {
             return Err(self.error("expected a name"));
         }
         self.at += length;
-        Ok(String::from_utf8_lossy(&rest[..length]).into_owned())
+        // Letters and digits: always text.
+        Ok(std::str::from_utf8(&rest[..length]).unwrap_or_default())
     }
 
     fn keyword(&mut self, keyword: &str) -> Result<(), ReadError> {
@@ -107,7 +134,7 @@ impl Cursor<'_> {
         Ok(number)
     }
 
-    fn instance(&mut self) -> Result<Instance, ReadError> {
+    fn instance(&mut self) -> Result<Instance<'a>, ReadError> {
         self.blank();
         if self.peek() != Some(b'(') {
             return Ok(vec![self.entity()?]);
@@ -124,12 +151,12 @@ impl Cursor<'_> {
         }
     }
 
-    fn entity(&mut self) -> Result<(String, Vec<Value>), ReadError> {
+    fn entity(&mut self) -> Result<(&'a str, Vec<Value<'a>>), ReadError> {
         let name = self.name()?;
         Ok((name, self.list(0)?))
     }
 
-    fn list(&mut self, depth: usize) -> Result<Vec<Value>, ReadError> {
+    fn list(&mut self, depth: usize) -> Result<Vec<Value<'a>>, ReadError> {
         if depth > DEEPEST {
             return Err(self.error(format!("lists nest deeper than {DEEPEST}")));
         }
@@ -154,7 +181,7 @@ impl Cursor<'_> {
         }
     }
 
-    fn value(&mut self, depth: usize) -> Result<Value, ReadError> {
+    fn value(&mut self, depth: usize) -> Result<Value<'a>, ReadError> {
         self.blank();
         match self.peek() {
             Some(b'#') => {
@@ -182,7 +209,7 @@ impl Cursor<'_> {
         }
     }
 
-    fn number(&mut self) -> Result<Value, ReadError> {
+    fn number(&mut self) -> Result<Value<'a>, ReadError> {
         let rest = &self.bytes[self.at..];
         let length = rest.iter().take_while(|b| b.is_ascii_digit() || b"+-.E".contains(b)).count();
         let digits = String::from_utf8_lossy(&rest[..length]);
@@ -194,10 +221,9 @@ impl Cursor<'_> {
         Ok(Value::Number(number))
     }
 
-    /// A quoted string; escapes stay as they are, since no name has a meaning for the geometry.
-    fn text(&mut self) -> Result<Value, ReadError> {
+    /// A quoted string, which is passed over.
+    fn text(&mut self) -> Result<Value<'a>, ReadError> {
         self.at += 1;
-        let start = self.at;
         loop {
             match self.peek() {
                 Some(b'\'') if self.bytes.get(self.at + 1) == Some(&b'\'') => self.at += 2,
@@ -206,8 +232,7 @@ impl Cursor<'_> {
                 None => return Err(self.error("a string has no end")),
             }
         }
-        let text = String::from_utf8_lossy(&self.bytes[start..self.at]).replace("''", "'");
         self.at += 1;
-        Ok(Value::Text(text))
+        Ok(Value::Text)
     }
 }

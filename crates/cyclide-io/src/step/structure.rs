@@ -9,8 +9,8 @@ use super::data::{Data, fold, real, references, string};
 use super::styles;
 use cyclide::{Point3, Units, Vec3};
 
-/// The whole file around the instances.
-pub(super) fn file(data: &Data, title: &str) -> String {
+/// The whole file around the instances, in whose text it is put.
+pub(super) fn file(data: Data, title: &str) -> String {
     let name = string(&format!("{title}.step"));
     let mut header = String::from("ISO-10303-21;\nHEADER;\n");
     for entry in [
@@ -23,8 +23,11 @@ pub(super) fn file(data: &Data, title: &str) -> String {
         header.push_str(";\n");
         fold(&mut header, start);
     }
-    let instances = data.text();
-    format!("{header}ENDSEC;\nDATA;\n{instances}ENDSEC;\nEND-ISO-10303-21;\n")
+    header.push_str("ENDSEC;\nDATA;\n");
+    let mut text = data.into_text();
+    text.insert_str(0, &header);
+    text.push_str("ENDSEC;\nEND-ISO-10303-21;\n");
+    text
 }
 
 /// An object of the model: what its shape consists of.

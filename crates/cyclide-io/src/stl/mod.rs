@@ -60,7 +60,7 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
             job.units().symbol()
         ));
     }
-    Ok(promise.exported_mesh(bytes, notes, plan))
+    Ok(Exported { mesh: plan, ..promise.exported(bytes, notes, Vec::new()) })
 }
 
 /// Refuses coordinates that single precision rounds by more than the tolerance.

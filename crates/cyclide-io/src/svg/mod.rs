@@ -19,7 +19,7 @@ use crate::export_error::ExportError;
 use crate::exported::{Exported, Promise};
 use crate::job::{Contour, Job};
 use crate::number::push_plain;
-use cyclide::{Aabb, Arc, Exactness, Point3, Units, Vec3, flatten};
+use cyclide::{Aabb, Arc, Correspondence, CurvePlace, Exactness, Lowered, Point3, Units, Vec3, flatten_places};
 use path::Path;
 use plan::Plan;
 use std::collections::HashSet;
@@ -40,8 +40,10 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
     let mut promise = Promise::EXACT;
     let mut notes = Vec::new();
     let mut paths: Vec<(Contour<'_>, Path)> = Vec::new();
+    let mut curves = Vec::new();
     for contour in job.contours() {
-        let path = draw(job, &contour, &mut promise)?;
+        let (path, parts) = draw(job, &contour, &mut promise)?;
+        curves.push(parts);
         if path.is_point() {
             let (object, detail) = (contour.object.to_owned(), "seen along the z axis it is a point");
             return Err(ExportError::NotInFormat { object, format: "SVG", detail });
@@ -76,29 +78,36 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
         push_joints(&mut out, &drawing::joints(job), size);
     }
     out.push_str("</svg>\n");
-    Ok(Exported { lines, ..promise.exported(out.into_bytes(), notes) })
+    Ok(Exported { lines, ..promise.exported(out.into_bytes(), notes, curves) })
 }
 
-/// A contour as a path: its arcs if they are level, else a polyline of its view.
-fn draw(job: &Job<'_>, contour: &Contour<'_>, promise: &mut Promise) -> Result<Path, ExportError> {
+/// A contour as a path: its arcs if they are level, else a polyline of its view; with the parts that its pieces stand
+/// for.
+fn draw(job: &Job<'_>, contour: &Contour<'_>, promise: &mut Promise) -> Result<(Path, Correspondence), ExportError> {
     let closed = contour.curve.as_curve().is_closed();
-    let (arcs, exactness) = job.arcs(contour)?;
+    let Lowered { form: arcs, exactness, correspondence } = job.arcs(contour)?;
     let level = |a: &Arc| a.normal().is_none_or(|n| n.x.abs() <= LEVEL && n.y.abs() <= LEVEL);
     if arcs.arcs().iter().all(level) {
         promise.add(exactness);
         let mut path = Path::new(arcs.arcs()[0].start(), closed);
+        let mut counts = Vec::with_capacity(arcs.arcs().len());
         for arc in arcs.arcs() {
-            promise.add(path.arc(arc));
+            let (lost, drawn) = path.arc(arc);
+            promise.add(lost);
+            counts.push(drawn);
         }
-        return Ok(path);
+        return Ok((path, correspondence.recounted(counts)));
     }
-    let vertices = contour.lowered(flatten(contour.curve.as_curve(), job.tolerance))?;
+    let vertices = contour.lowered(flatten_places(contour.curve.as_curve(), job.tolerance))?;
     promise.add(Exactness::Proved(job.tolerance));
+    Ok(polyline(&vertices, closed))
+}
+
+/// The vertices as a path, without the segments that are points on the page, and the parts between them.
+fn polyline(vertices: &[(CurvePlace, Point3)], closed: bool) -> (Path, Correspondence) {
     let mut path = Path::new(vertices[0].1, closed);
-    for (_, point) in &vertices[1..] {
-        path.segment(*point);
-    }
-    Ok(path)
+    let counts: Vec<usize> = vertices[1..].iter().map(|(_, point)| path.segment(*point)).collect();
+    (path, Correspondence::of_vertices(vertices.iter().map(|(place, _)| *place)).recounted(counts))
 }
 
 fn larger_side(bounds: Aabb) -> f64 {

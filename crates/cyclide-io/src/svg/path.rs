@@ -57,12 +57,12 @@ impl Path {
         }
     }
 
-    /// Adds a level arc or any segment; tells what was lost.
-    pub(super) fn arc(&mut self, arc: &Arc) -> Exactness {
+    /// Adds a level arc or any segment; tells what was lost, and in how many pieces it was drawn.
+    pub(super) fn arc(&mut self, arc: &Arc) -> (Exactness, usize) {
         let lost = straightened(arc);
         let (Some(radius), Some(normal), None) = (arc.radius(), arc.normal(), lost) else {
-            self.segment(arc.end());
-            return lost.unwrap_or(Exactness::Exact);
+            let drawn = self.segment(arc.end());
+            return (lost.unwrap_or(Exactness::Exact), drawn);
         };
         // 1e-9: exactly 150 degrees made in floats needs no second part.
         self.flush();
@@ -82,19 +82,20 @@ impl Path {
         }
         let own = arc.bounds();
         self.bounds = self.bounds.including(on_page(own.min)).including(on_page(own.max));
-        Exactness::Exact
+        (Exactness::Exact, parts as usize)
     }
 
-    /// Adds a segment, unless it has no length on the page.
-    pub(super) fn segment(&mut self, end: Point3) {
+    /// Adds a segment, unless it has no length on the page; gives how many were drawn.
+    pub(super) fn segment(&mut self, end: Point3) -> usize {
         let end = on_page(end);
         if end == self.at {
-            return;
+            return 0;
         }
         self.flush();
         self.pending = Some(end);
         self.at = end;
         self.bounds = self.bounds.including(end);
+        1
     }
 }
 

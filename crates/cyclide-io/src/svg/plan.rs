@@ -3,14 +3,15 @@
 //! Hidden lines are drawn too: a plan is read like a drawing, not like a picture (that is what PNG is for).
 
 use super::path::Path;
-use super::{LEVEL, reader, three_digits};
+use super::{LEVEL, polyline, reader, three_digits};
+use crate::deviation::DrawnArc;
 use crate::export_error::ExportError;
 use crate::exported::Promise;
 use crate::job::BodyOf;
 use crate::job::Job;
 use crate::number::push_plain;
 use crate::parameter_circles::halvings;
-use cyclide::{Aabb, Arc, Exactness, Shell, flatten};
+use cyclide::{Aabb, Arc, Correspondence, Exactness, Shell, flatten_places};
 
 /// Names of the groups in the order in which they are drawn: inner circles, edges.
 pub(super) const GROUPS: [&str; 2] = ["circles", "edges"];
@@ -22,14 +23,14 @@ const CIRCLE: f64 = 0.2;
 
 /// The lines of all surfaces, each with what it stands for.
 pub(super) struct Plan {
-    edges: Vec<(Arc, Path)>,
-    circles: Vec<(Arc, Path)>,
+    edges: Vec<(DrawnArc, Path)>,
+    circles: Vec<(DrawnArc, Path)>,
 }
 
 impl Plan {
     pub(super) fn new(job: &Job<'_>, promise: &mut Promise) -> Result<Self, ExportError> {
         let mut plan = Self { edges: Vec::new(), circles: Vec::new() };
-        for body in &job.bodies {
+        for body in job.bodies {
             for shell in body.body.shells() {
                 for edge in shell.edges() {
                     plan.edges.extend(draw(job, body, Ok(edge.arc), promise)?);
@@ -67,7 +68,7 @@ impl Plan {
     }
 
     /// Draws the lines and returns what they stand for, in the same order.
-    pub(super) fn push(self, out: &mut String, stroke: f64) -> Vec<Arc> {
+    pub(super) fn push(self, out: &mut String, stroke: f64) -> Vec<DrawnArc> {
         let looks = [("#8a97a8", CIRCLE, self.circles), ("#17202e", EDGE, self.edges)];
         let mut drawn = Vec::new();
         for (id, (colour, width, lines)) in GROUPS.into_iter().zip(looks) {
@@ -96,17 +97,17 @@ fn draw(
     body: &BodyOf<'_>,
     arc: cyclide::Result<Arc>,
     promise: &mut Promise,
-) -> Result<Option<(Arc, Path)>, ExportError> {
+) -> Result<Option<(DrawnArc, Path)>, ExportError> {
     let failed = |source| body.unfit(source);
     let arc = arc.map_err(failed)?;
-    let mut path = Path::new(arc.start(), false);
-    if arc.normal().is_none_or(|n| n.x.abs() <= LEVEL && n.y.abs() <= LEVEL) {
-        promise.add(path.arc(&arc));
+    let (path, parts) = if arc.normal().is_none_or(|n| n.x.abs() <= LEVEL && n.y.abs() <= LEVEL) {
+        let mut path = Path::new(arc.start(), false);
+        let (lost, drawn) = path.arc(&arc);
+        promise.add(lost);
+        (path, Correspondence::one_to_one(1).recounted([drawn]))
     } else {
-        for (_, point) in flatten(&arc, job.mesh_tolerance).map_err(failed)?.into_iter().skip(1) {
-            path.segment(point);
-        }
         promise.add(Exactness::Proved(job.mesh_tolerance));
-    }
-    Ok((!path.is_point()).then_some((arc, path)))
+        polyline(&flatten_places(&arc, job.mesh_tolerance).map_err(failed)?, false)
+    };
+    Ok((!path.is_point()).then_some((DrawnArc { arc, parts }, path)))
 }

@@ -11,6 +11,7 @@ mod mesh_damage;
 mod meshes;
 mod models;
 mod pictures;
+mod right_files;
 mod round_trip;
 mod sheets;
 mod step;

@@ -96,7 +96,7 @@ fn what_is_wrong_is_said_with_its_place() {
         (Format::Dxf, b"x\n", "line 1"),
         (Format::Svg, b"<path class=\"contour\" d=\"M0 0 C\"", "command C"),
         (Format::Csv, b"a,b\n", "line 1"),
-        (Format::Json, b"{\n\"objects\": 3}", "no object"),
+        (Format::Json, b"{\n\"objects\": 3}", "line 2"),
         (Format::Glb, b"glTF\x02\0\0\0\x0c\0\0\0", "JSON chunk"),
         (Format::Obj, b"v 1 2\n", "line 1"),
         (Format::Obj, b"v 1 2 3\nvn 0 0 1\nf 1//1 1//1 2//1\n", "line 3"),

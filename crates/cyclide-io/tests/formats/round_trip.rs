@@ -2,10 +2,9 @@
 
 use crate::models::{Map, bulges, flat, mixed, model, open_chain, slot, space_chain, splines, tilted};
 use cyclide::{
-    Arc, ArcPath, BlendVariant, CircleSpline, CircleSplineOptions, CurveChain, CurveObject, Model, ParamCurve, Point3,
-    bounds,
+    Arc, ArcPath, BlendVariant, CircleSpline, CircleSplineOptions, CurveObject, Model, ParamCurve, Point3, bounds,
 };
-use cyclide_io::{ExportOptions, Format, ReadError, deviation, export, file_deviation, read_back};
+use cyclide_io::{ExportOptions, Exported, Format, ReadError, export, file_deviation, read_back};
 
 const FORMATS: [Format; 5] = [Format::Step, Format::Dxf, Format::Svg, Format::Csv, Format::Json];
 
@@ -74,24 +73,31 @@ fn coordinates_are_the_same_doubles() {
 #[test]
 fn a_wrong_file_is_found_out() {
     let m = model(vec![("slot", vec![CurveObject::ArcPath(slot(flat))])]);
-    let bytes = export(&m, Format::Step, &ExportOptions::default()).unwrap().bytes;
-    let chain = read_back(Format::Step, &bytes).unwrap().curves.remove(0);
-    let pieces = chain.pieces().to_vec();
-    let wrong = |order: &[usize], closed| {
-        let pieces = order.iter().map(|i| pieces[*i].clone()).collect();
-        CurveChain::new(pieces, closed, f64::INFINITY).unwrap()
+    let whole = export(&m, Format::Step, &ExportOptions::default()).unwrap();
+    let text = String::from_utf8(whole.bytes.clone()).unwrap();
+    let measured = |text: String| {
+        let mut file: Exported = whole.clone();
+        file.bytes = text.into_bytes();
+        file_deviation(&m, Format::Step, &file)
     };
-    let far = |chain| deviation(&m, &[chain]).unwrap();
-    assert!(far(wrong(&[0, 1, 2, 3], true)) < 1e-13);
-    // A closed curve may start at another joint, run the other way it may not.
-    assert!(far(wrong(&[2, 3, 0, 1], true)) < 1e-13);
-    // Swapped, doubled and missing pieces are as far off as the curve is wide, though every point is near it.
-    assert!(far(wrong(&[0, 3, 2, 1], true)) > 5.0);
-    assert!(far(wrong(&[0, 1, 0, 1, 2, 3], true)) > 5.0);
-    assert!(far(wrong(&[0, 1, 2], true)) > 5.0);
-    assert_eq!(deviation(&m, &[]).unwrap_err(), ReadError::CurveCount { found: 0, expected: 1 });
-    let open = wrong(&[0, 1, 2, 3], false);
-    assert_eq!(deviation(&m, &[open]).unwrap_err(), ReadError::Closedness { curve: 0, found: false });
+    let list = text.split_once("COMPOSITE_CURVE('slot',(").unwrap().1.split_once(')').unwrap().0;
+    let segments: Vec<&str> = list.split(',').collect();
+    let wrong = |order: &[usize]| {
+        let order: Vec<&str> = order.iter().map(|i| segments[*i]).collect();
+        measured(text.replace(list, &order.join(",")))
+    };
+    assert!(wrong(&[0, 1, 2, 3]).unwrap() < 1e-13);
+    // Swapped, doubled and missing pieces, though every point is near the curve; a file that starts elsewhere was not
+    // written by us.
+    assert!(wrong(&[2, 3, 0, 1]).unwrap() > 5.0);
+    assert!(matches!(wrong(&[0, 3, 2, 1]), Err(ReadError::Geometry { .. })));
+    let doubled = wrong(&[0, 1, 2, 3, 0, 1, 2, 3]).unwrap_err();
+    assert_eq!(doubled, ReadError::PieceCount { curve: 0, found: 8, expected: 4 });
+    assert!(matches!(wrong(&[0, 1, 2]), Err(ReadError::Geometry { .. })));
+    let error = measured(text.replace(".CONTINUOUS.", ".DISCONTINUOUS.")).unwrap_err();
+    assert_eq!(error, ReadError::Closedness { curve: 0, found: false });
+    let error = measured(text.replace("GEOMETRIC_CURVE_SET", "GEOMETRIC_SET")).unwrap_err();
+    assert_eq!(error, ReadError::CurveCount { found: 0, expected: 1 });
 }
 
 #[test]

@@ -7,7 +7,7 @@
 
 use super::biarc::{Biarc, BiarcRule};
 use crate::base::vector::{Point3, Vec3};
-use crate::curve::{Arc, CircleSpline};
+use crate::curve::{Arc, BlendSegment, CircleSpline, Correspondence, CurvePlace, Span};
 use crate::error::{Error, Result};
 use std::ops::Range;
 
@@ -37,25 +37,34 @@ impl CircleSpline {
     /// # Errors
     /// `too-many-pieces` if a segment would need more than 4096 biarcs.
     pub fn to_g1_arcs(&self, tolerance: f64) -> Result<(Vec<Arc>, bool)> {
+        self.g1_arcs(tolerance).map(|(arcs, exact, _)| (arcs, exact))
+    }
+
+    /// As [`to_g1_arcs`](Self::to_g1_arcs), with the parts of the curve that the arcs stand for.
+    pub(crate) fn g1_arcs(&self, tolerance: f64) -> Result<(Vec<Arc>, bool, Correspondence)> {
         let n = self.segments().len();
         let mut arcs = Vec::new();
         let mut exact = true;
-        for run in self.smooth_runs() {
+        let runs = self.smooth_runs();
+        let start = CurvePlace::new(runs.first().map_or(0, |run| run.start), 0.0);
+        let mut parts = Correspondence { start, spans: Vec::new() };
+        for run in runs {
             let mut i = run.start;
             while i < run.end {
                 if let Some(arc) = self.segments()[i % n].to_arc() {
                     arcs.push(arc);
+                    parts.spans.push(Span { pieces: 1, end: CurvePlace::after(i) });
                     i += 1;
                 } else {
                     let is_arc = |j: &usize| self.segments()[j % n].to_arc().is_some();
                     let stretch = (i + 1..run.end).find(is_arc).unwrap_or(run.end);
-                    Stretch::new(self, i..stretch, tolerance).append_biarcs(&mut arcs)?;
+                    Stretch::new(self, i..stretch, tolerance).append_biarcs(&mut arcs, &mut parts.spans)?;
                     exact = false;
                     i = stretch;
                 }
             }
         }
-        Ok((arcs, exact))
+        Ok((arcs, exact, parts))
     }
 }
 
@@ -69,7 +78,7 @@ struct Stretch<'a> {
     cap: usize,
 }
 
-/// A part of a segment.
+/// A part of a segment, whose number runs on beyond the last one where a run passes the seam.
 #[derive(Clone, Copy)]
 struct Interval {
     segment: usize,
@@ -89,9 +98,9 @@ impl<'a> Stretch<'a> {
     fn new(spline: &'a CircleSpline, range: Range<usize>, tolerance: f64) -> Self {
         let cap = PIECE_CAP * range.len();
         let mut intervals = Vec::with_capacity(range.len());
-        for segment in range.map(|i| i % spline.segments().len()) {
+        for segment in range {
             let mut from = 0.0;
-            spline.segments()[segment].steps_of_turn(INTERVAL_TURN, &mut |to| {
+            spline.segments()[segment % spline.segments().len()].steps_of_turn(INTERVAL_TURN, &mut |to| {
                 intervals.push(Interval { segment, from, to });
                 from = to;
             });
@@ -108,15 +117,20 @@ impl<'a> Stretch<'a> {
         (segment, from * (1.0 - s) + to * s)
     }
 
+    fn segment(&self, segment: usize) -> &BlendSegment {
+        &self.spline.segments()[segment % self.spline.segments().len()]
+    }
+
     fn place(&self, v: f64, before: bool) -> Result<Place> {
         let (piece, s) = self.locate(v, before);
-        let jet = self.spline.segments()[piece].jet(s);
-        let tangent = jet.tangent().ok_or(Error::ZeroTangent { index: piece })?;
+        let jet = self.segment(piece).jet(s);
+        let index = piece % self.spline.segments().len();
+        let tangent = jet.tangent().ok_or(Error::ZeroTangent { index })?;
         Ok(Place { v, point: jet.point, tangent })
     }
 
     /// Covers the segments with biarcs, each as long as the tolerance allows; the last two share the rest.
-    fn append_biarcs(&self, arcs: &mut Vec<Arc>) -> Result<()> {
+    fn append_biarcs(&self, arcs: &mut Vec<Arc>, spans: &mut Vec<Span>) -> Result<()> {
         let end = self.place(self.intervals.len() as f64, true)?;
         let mut from = self.place(0.0, false)?;
         let mut step = 1.0;
@@ -136,6 +150,8 @@ impl<'a> Stretch<'a> {
                 return Err(self.too_many(from.v));
             }
             arcs.extend(biarc.arcs());
+            let (piece, s) = self.locate(to.v, true);
+            spans.push(Span { pieces: 2, end: CurvePlace { piece, s } });
             from = to;
         }
         Ok(())
@@ -171,7 +187,8 @@ impl<'a> Stretch<'a> {
     }
 
     fn too_many(&self, v: f64) -> Error {
-        Error::TooManyPieces { segment: self.locate(v, false).0, needed: self.cap + 1, cap: self.cap }
+        let segment = self.locate(v, false).0 % self.spline.segments().len();
+        Error::TooManyPieces { segment, needed: self.cap + 1, cap: self.cap }
     }
 
     /// The biarc between two places, if it and the curve stay within the tolerance of each other.
@@ -189,7 +206,7 @@ impl<'a> Stretch<'a> {
                 (to.point, to.point, 2.0)
             } else {
                 let (piece, s) = self.locate(from.v + (to.v - from.v) * (i as f64 / count as f64), false);
-                let point = self.spline.segments()[piece].point(s);
+                let point = self.segment(piece).point(s);
                 let (foot, place) = foot(&biarc, point);
                 (point, foot, place)
             };
@@ -200,6 +217,10 @@ impl<'a> Stretch<'a> {
             }
             // Feet advance like the samples: projection onto a curve this near cannot leap, except over a loop.
             if foot.distance(last_foot) > 2.0 * point.distance(last_point) + self.tolerance {
+                return None;
+            }
+            // Where they leave a part out, as at a hairpin of the curve, the biarc may still run far from it there.
+            if to_segment(place_on(&biarc, 0.5 * (last_place + place)), last_point, point) > limit {
                 return None;
             }
             (last_point, last_foot, last_place) = (point, foot, place);
@@ -213,6 +234,20 @@ impl<'a> Stretch<'a> {
 fn top_of_parabola(a: f64, b: f64, c: f64) -> f64 {
     let bend = 2.0 * b - a - c;
     if b >= a && b >= c && bend > 0.0 { b + (a - c) * (a - c) / (8.0 * bend) } else { a.max(b).max(c) }
+}
+
+/// The point of a biarc at a place.
+fn place_on(biarc: &Biarc, place: f64) -> Point3 {
+    let [first, second] = biarc.arcs();
+    if place < 1.0 { first.point(place.max(0.0)) } else { second.point((place - 1.0).min(1.0)) }
+}
+
+/// Distance of a point from a short chord of the curve.
+fn to_segment(p: Point3, a: Point3, b: Point3) -> f64 {
+    let chord = b - a;
+    let length2 = chord.length_squared();
+    let part = if length2 > 0.0 { ((p - a).dot(chord) / length2).clamp(0.0, 1.0) } else { 0.0 };
+    p.distance(a + chord * part)
 }
 
 /// The nearest point of a biarc and its place, arc number plus parameter.

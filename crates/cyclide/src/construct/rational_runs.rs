@@ -3,7 +3,7 @@
 //! One spline per smooth run. Its knots lie a chord length apart, in which parameter the curve is C1 (`50`,
 //! section 4, "free C1"); [`NurbsCurve::with_c1_knots`] writes that into the knots.
 
-use crate::curve::{Arc, BlendSegment, CircleSpline};
+use crate::curve::{Arc, BlendSegment, CircleSpline, Correspondence, CurvePlace, Span};
 use crate::error::Result;
 use crate::rational::{NurbsCurve, RationalBezier};
 use std::ops::Range;
@@ -26,28 +26,44 @@ impl CircleSpline {
     /// # Errors
     /// `too-many-pieces` if a segment of the trigonometric variant would need more than 4096.
     pub fn to_rational_runs(&self, tolerance: f64) -> Result<(Vec<RationalRun>, f64)> {
+        self.rational_runs(tolerance).map(|(runs, bound, _)| (runs, bound))
+    }
+
+    /// As [`to_rational_runs`](Self::to_rational_runs), with the segments that the pieces stand for.
+    pub(crate) fn rational_runs(&self, tolerance: f64) -> Result<(Vec<RationalRun>, f64, Correspondence)> {
         let mut worst: f64 = 0.0;
         let mut runs = Vec::new();
-        for range in self.smooth_runs() {
-            let (run, bound) = rational_run(self, range, tolerance)?;
+        let all = self.smooth_runs();
+        let start = CurvePlace::new(all.first().map_or(0, |range| range.start), 0.0);
+        let mut parts = Correspondence { start, spans: Vec::with_capacity(self.segments().len()) };
+        for range in all {
+            let (run, bound) = rational_run(self, range, tolerance, &mut parts.spans)?;
             worst = worst.max(bound);
             runs.push(run);
         }
-        Ok((runs, worst))
+        Ok((runs, worst, parts))
     }
 }
 
-fn rational_run(spline: &CircleSpline, range: Range<usize>, tolerance: f64) -> Result<(RationalRun, f64)> {
+/// One run; adds how many pieces each of its segments has become.
+fn rational_run(
+    spline: &CircleSpline,
+    range: Range<usize>,
+    tolerance: f64,
+    spans: &mut Vec<Span>,
+) -> Result<(RationalRun, f64)> {
     let n = spline.segments().len();
-    let segments = || range.clone().map(|i| (i % n, &spline.segments()[i % n]));
+    let segments = || range.clone().map(|i| (i, &spline.segments()[i % n]));
     let arcs: Option<Vec<Arc>> = segments().map(|(_, s)| BlendSegment::to_arc(s)).collect();
     if let Some(arcs) = arcs {
+        spans.extend(range.map(|i| Span { pieces: 1, end: CurvePlace::after(i) }));
         return Ok((RationalRun::Arcs(arcs), 0.0));
     }
     let (mut beziers, mut intervals, mut worst) = (Vec::new(), Vec::new(), 0.0_f64);
     for (i, segment) in segments() {
-        let (pieces, bound) = segment.rational_pieces(tolerance, i)?;
+        let (pieces, bound) = segment.rational_pieces(tolerance, i % n)?;
         worst = worst.max(bound);
+        spans.push(Span { pieces: pieces.len(), end: CurvePlace::after(i) });
         for piece in pieces {
             beziers.push(piece.bezier);
             intervals.push(piece.interval);

@@ -6,7 +6,7 @@
 //! depth limit is refused. Nothing is sampled, so nothing is missed.
 
 use crate::base::vector::Point3;
-use crate::curve::{ParamCurve, PieceForm, PieceHull};
+use crate::curve::{CurvePlace, ParamCurve, PieceForm, PieceHull};
 use crate::error::{Error, Result, check_tolerance};
 
 /// Largest number of vertices made.
@@ -43,42 +43,62 @@ pub fn flatten(curve: &dyn ParamCurve, tolerance: f64) -> Result<Vec<(f64, Point
 /// # Errors
 /// As [`flatten`].
 pub fn flatten_into(curve: &dyn ParamCurve, tolerance: f64, vertices: &mut Vec<(f64, Point3)>) -> Result<()> {
+    let n = curve.piece_count() as f64;
+    vertices.clear();
+    each_vertex(curve, tolerance, &mut |place, point| vertices.push(((place.piece as f64 + place.s) / n, point)))
+}
+
+/// As [`flatten`], with the places of the vertices as piece and parameter, to the last digit however many pieces there
+/// are.
+///
+/// # Errors
+/// As [`flatten`].
+pub fn flatten_places(curve: &dyn ParamCurve, tolerance: f64) -> Result<Vec<(CurvePlace, Point3)>> {
+    let mut vertices = Vec::new();
+    each_vertex(curve, tolerance, &mut |place, point| vertices.push((place, point)))?;
+    Ok(vertices)
+}
+
+/// Gives the vertices one after the other.
+fn each_vertex(curve: &dyn ParamCurve, tolerance: f64, vertex: &mut dyn FnMut(CurvePlace, Point3)) -> Result<()> {
     check_tolerance(tolerance)?;
     let n = curve.piece_count();
-    vertices.clear();
-    vertices.push((0.0, curve.piece_point(0, 0.0)));
+    let start = curve.piece_point(0, 0.0);
+    let mut made = 0;
+    let mut vertex = |place, point| {
+        made += 1;
+        vertex(place, point);
+        made
+    };
+    let mut have = vertex(CurvePlace::new(0, 0.0), start);
     for piece in 0..n {
-        let global = |s: f64| (piece as f64 + s) / n as f64;
         match curve.piece_form(piece) {
             PieceForm::Arc(arc) => {
                 let chords = chords_of_arc(arc.radius().unwrap_or(f64::INFINITY), arc.angle(), tolerance);
-                let m = count(chords, vertices.len(), piece)?;
+                let m = count(chords, have, piece)?;
                 for j in 1..m {
                     let l = j as f64 / m as f64;
-                    vertices.push((global(arc.parameter_at_length(l)), arc.point_at_length(l)));
+                    vertex(CurvePlace::new(piece, arc.parameter_at_length(l)), arc.point_at_length(l));
                 }
             }
             PieceForm::Circle(circle) => {
                 // Three chords at least: two would be one segment, there and back.
                 let chords = chords_of_arc(circle.radius(), std::f64::consts::TAU, tolerance).max(3.0);
-                let m = count(chords, vertices.len(), piece)?;
-                vertices.extend((1..m).map(|j| {
+                let m = count(chords, have, piece)?;
+                for j in 1..m {
                     let s = j as f64 / m as f64;
-                    (global(s), curve.piece_point(piece, s))
-                }));
+                    vertex(CurvePlace::new(piece, s), curve.piece_point(piece, s));
+                }
             }
             PieceForm::Free => {
                 let hull = curve.piece_hull(piece, APPROXIMATION * tolerance)?;
-                Free { curve, piece, tolerance, hull }.flatten(vertices)?;
+                Free { curve, piece, tolerance, hull, have }.flatten(&mut vertex)?;
             }
         }
-        vertices.push((global(1.0), curve.piece_point(piece, 1.0)));
-    }
-    if curve.is_closed() {
-        let (_, start) = vertices[0];
-        if let Some(last) = vertices.last_mut() {
-            last.1 = start;
-        }
+        // Closed curves end with the bits of their start.
+        let closing = curve.is_closed() && piece + 1 == n;
+        let end = if closing { start } else { curve.piece_point(piece, 1.0) };
+        have = vertex(CurvePlace::new(piece, 1.0), end);
     }
     Ok(())
 }
@@ -113,11 +133,13 @@ struct Free<'a> {
     piece: usize,
     tolerance: f64,
     hull: PieceHull,
+    /// Vertices made before.
+    have: usize,
 }
 
 impl Free<'_> {
     /// Appends the inner vertices of the piece.
-    fn flatten(&mut self, vertices: &mut Vec<(f64, Point3)>) -> Result<()> {
+    fn flatten(&mut self, vertex: &mut impl FnMut(CurvePlace, Point3) -> usize) -> Result<()> {
         // Chords by the integral of sqrt(k) by arc length, its density taken as linear between the places of the scan.
         let step = 1.0 / DENSITY_SCAN as f64;
         let mut density = [0.0; DENSITY_SCAN + 1];
@@ -127,7 +149,7 @@ impl Free<'_> {
         let total: f64 = density.windows(2).map(|d| 0.5 * (d[0] + d[1]) * step).sum();
         // A part of curvature k reaches the tolerance at the length sqrt(8 tolerance/k).
         let chords = MARGIN * total / (8.0 * self.tolerance).sqrt();
-        let m = count(chords.ceil().max(1.0), vertices.len(), self.piece)?;
+        let m = count(chords.ceil().max(1.0), self.have, self.piece)?;
         let (mut s, mut point) = (0.0, self.curve.piece_point(self.piece, 0.0));
         // The interval of the scan and the integral up to its start.
         let (mut interval, mut before) = (0, 0.0);
@@ -145,17 +167,13 @@ impl Free<'_> {
                 step * (interval as f64 + fraction(&density[interval..], (goal - before) / step))
             };
             let next_point = self.curve.piece_point(self.piece, next);
-            self.check(s, point, next, next_point, DEPTH, vertices)?;
+            self.check(s, point, next, next_point, DEPTH, vertex)?;
             if j < m {
-                vertices.push((self.global(next), next_point));
+                self.have = vertex(CurvePlace::new(self.piece, next), next_point);
             }
             (s, point) = (next, next_point);
         }
         Ok(())
-    }
-
-    fn global(&self, s: f64) -> f64 {
-        (self.piece as f64 + s) / self.curve.piece_count() as f64
     }
 
     /// Vertices per parameter up to a factor: `sqrt(k) |x'|`, 0 where there is no tangent.
@@ -185,7 +203,7 @@ impl Free<'_> {
         b: f64,
         to: Point3,
         depth: u32,
-        vertices: &mut Vec<(f64, Point3)>,
+        vertex: &mut impl FnMut(CurvePlace, Point3) -> usize,
     ) -> Result<()> {
         let bound = self.bound([a, b], [from, to], PROOF_DEPTH);
         if bound <= self.tolerance {
@@ -195,11 +213,11 @@ impl Free<'_> {
         if depth == 0 || m <= a || m >= b {
             return Err(Error::NotWithinTolerance { piece: self.piece, bound, tolerance: self.tolerance });
         }
-        count(1.0, vertices.len(), self.piece)?;
+        count(1.0, self.have, self.piece)?;
         let middle = self.curve.piece_point(self.piece, m);
-        self.check(a, from, m, middle, depth - 1, vertices)?;
-        vertices.push((self.global(m), middle));
-        self.check(m, middle, b, to, depth - 1, vertices)
+        self.check(a, from, m, middle, depth - 1, vertex)?;
+        self.have = vertex(CurvePlace::new(self.piece, m), middle);
+        self.check(m, middle, b, to, depth - 1, vertex)
     }
 }
 

@@ -1,7 +1,7 @@
 //! Lowering: from an object to the carriers that exchange formats know, with the exactness that was kept.
 
 use super::chain::CurveChain;
-use crate::curve::{Arc, ArcPath, Circle, ParamCurve};
+use crate::curve::{Arc, ArcPath, Circle, Correspondence, CurvePlace, ParamCurve, Span};
 use crate::error::Result;
 
 /// How a carrier relates to the object it stands for.
@@ -26,45 +26,87 @@ impl Exactness {
     }
 }
 
+/// A form of a curve, how far it is from it, and which part of the curve each of its smooth pieces stands for.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Lowered<C> {
+    /// The form.
+    pub form: C,
+    /// How it relates to the curve.
+    pub exactness: Exactness,
+    /// Which parts of the curve its pieces stand for.
+    pub correspondence: Correspondence,
+}
+
 /// A curve that can leave the kernel. Exporters know the two carriers only, so a new curve changes no exporter.
 pub trait Lower {
+    /// As [`to_chain`](Self::to_chain), with the parts of the curve that the pieces stand for.
+    ///
+    /// # Errors
+    /// As [`to_chain`](Self::to_chain).
+    fn lower_to_chain(&self, tolerance: f64) -> Result<Lowered<CurveChain>>;
+
+    /// As [`to_arcs`](Self::to_arcs), with the parts of the curve that the arcs stand for.
+    ///
+    /// # Errors
+    /// As [`to_arcs`](Self::to_arcs).
+    fn lower_to_arcs(&self, tolerance: f64) -> Result<Lowered<ArcPath>>;
+
     /// The curve as arcs and rational splines: exact where it has such a form, else within `tolerance`.
     ///
     /// # Errors
     /// `tolerance-not-positive`, `too-many-pieces`.
-    fn to_chain(&self, tolerance: f64) -> Result<(CurveChain, Exactness)>;
+    fn to_chain(&self, tolerance: f64) -> Result<(CurveChain, Exactness)> {
+        self.lower_to_chain(tolerance).map(|lowered| (lowered.form, lowered.exactness))
+    }
 
     /// The curve as G1 arcs and segments only, for formats without rational splines, exact where it consists of
     /// arcs, else within `tolerance`.
     ///
     /// # Errors
     /// `tolerance-not-positive`, `too-many-pieces`.
-    fn to_arcs(&self, tolerance: f64) -> Result<(ArcPath, Exactness)>;
+    fn to_arcs(&self, tolerance: f64) -> Result<(ArcPath, Exactness)> {
+        self.lower_to_arcs(tolerance).map(|lowered| (lowered.form, lowered.exactness))
+    }
+}
+
+impl<C> Lowered<C> {
+    /// A form that is the curve itself, piece for piece.
+    fn exact(form: C, pieces: usize) -> Self {
+        Self { form, exactness: Exactness::Exact, correspondence: Correspondence::one_to_one(pieces) }
+    }
 }
 
 impl Lower for ArcPath {
-    fn to_chain(&self, _tolerance: f64) -> Result<(CurveChain, Exactness)> {
-        Ok((self.clone().into(), Exactness::Exact))
+    fn lower_to_chain(&self, _tolerance: f64) -> Result<Lowered<CurveChain>> {
+        Ok(Lowered::exact(self.clone().into(), self.arcs().len()))
     }
-    fn to_arcs(&self, _tolerance: f64) -> Result<(ArcPath, Exactness)> {
-        Ok((self.clone(), Exactness::Exact))
+    fn lower_to_arcs(&self, _tolerance: f64) -> Result<Lowered<Self>> {
+        Ok(Lowered::exact(self.clone(), self.arcs().len()))
     }
 }
 
 impl Lower for Arc {
-    fn to_chain(&self, tolerance: f64) -> Result<(CurveChain, Exactness)> {
-        ArcPath::new(vec![*self], self.is_closed())?.to_chain(tolerance)
+    fn lower_to_chain(&self, tolerance: f64) -> Result<Lowered<CurveChain>> {
+        ArcPath::new(vec![*self], self.is_closed())?.lower_to_chain(tolerance)
     }
-    fn to_arcs(&self, tolerance: f64) -> Result<(ArcPath, Exactness)> {
-        ArcPath::new(vec![*self], self.is_closed())?.to_arcs(tolerance)
+    fn lower_to_arcs(&self, tolerance: f64) -> Result<Lowered<ArcPath>> {
+        ArcPath::new(vec![*self], self.is_closed())?.lower_to_arcs(tolerance)
     }
 }
 
 impl Lower for Circle {
-    fn to_chain(&self, tolerance: f64) -> Result<(CurveChain, Exactness)> {
-        ArcPath::new(self.to_arcs().to_vec(), true)?.to_chain(tolerance)
+    fn lower_to_chain(&self, _tolerance: f64) -> Result<Lowered<CurveChain>> {
+        let halves = ArcPath::new(self.to_arcs().to_vec(), true)?;
+        Ok(Lowered { form: halves.into(), exactness: Exactness::Exact, correspondence: of_halves() })
     }
-    fn to_arcs(&self, tolerance: f64) -> Result<(ArcPath, Exactness)> {
-        ArcPath::new(self.to_arcs().to_vec(), true)?.to_arcs(tolerance)
+    fn lower_to_arcs(&self, _tolerance: f64) -> Result<Lowered<ArcPath>> {
+        let halves = ArcPath::new(self.to_arcs().to_vec(), true)?;
+        Ok(Lowered { form: halves, exactness: Exactness::Exact, correspondence: of_halves() })
     }
+}
+
+/// A full circle, one piece, as two half turns.
+fn of_halves() -> Correspondence {
+    let half = |s| Span { pieces: 1, end: CurvePlace::new(0, s) };
+    Correspondence::from_start(vec![half(0.5), half(1.0)])
 }

@@ -8,6 +8,6 @@ mod object;
 mod surface_object;
 
 pub use chain::{ChainPiece, CurveChain};
-pub use lower::{Exactness, Lower};
+pub use lower::{Exactness, Lower, Lowered};
 pub use object::{CurveObject, Item, Model, Units};
 pub use surface_object::SurfaceObject;

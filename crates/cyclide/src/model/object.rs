@@ -1,7 +1,7 @@
 //! Named objects with units: what a document builds and what exporters read.
 
 use super::chain::CurveChain;
-use super::lower::{Exactness, Lower};
+use super::lower::{Lower, Lowered};
 use super::surface_object::SurfaceObject;
 use crate::curve::{Arc, ArcPath, Circle, CircleSpline, ParamCurve};
 use crate::error::Result;
@@ -94,11 +94,11 @@ impl CurveObject {
 }
 
 impl Lower for CurveObject {
-    fn to_chain(&self, tolerance: f64) -> Result<(CurveChain, Exactness)> {
-        self.as_lower().to_chain(tolerance)
+    fn lower_to_chain(&self, tolerance: f64) -> Result<Lowered<CurveChain>> {
+        self.as_lower().lower_to_chain(tolerance)
     }
-    fn to_arcs(&self, tolerance: f64) -> Result<(ArcPath, Exactness)> {
-        self.as_lower().to_arcs(tolerance)
+    fn lower_to_arcs(&self, tolerance: f64) -> Result<Lowered<ArcPath>> {
+        self.as_lower().lower_to_arcs(tolerance)
     }
 }
 

@@ -57,7 +57,7 @@ pub(super) fn write(job: &Job<'_>, sheet: Sheet) -> Result<Exported, ExportError
 
     let mut drawn = Vec::new();
     let mut facets = Facets::default();
-    for body in &job.bodies {
+    for body in job.bodies {
         let first = drawn.len();
         for shell in body.body.shells() {
             drawn.extend(surfaces(shell, body.item, camera.unit(), sheet.scale));
@@ -81,7 +81,7 @@ pub(super) fn write(job: &Job<'_>, sheet: Sheet) -> Result<Exported, ExportError
     let bytes = canvas.encode().map_err(|e| picture(&e))?;
     let mut promise = Promise::EXACT;
     promise.add(Exactness::Proved(0.5 * scene.camera.unit()));
-    Ok(promise.exported(bytes, Vec::new()))
+    Ok(promise.exported(bytes, Vec::new(), Vec::new()))
 }
 
 /// Height of the eye over its horizontal distance is this over 0.94.

@@ -2,10 +2,9 @@
 
 mod shapes;
 
-use super::part21::{Instance, Value, parse};
+use super::part21::{Instance, Instances, Value, parse};
 use crate::file_content::{FileContent, ReadError};
 use cyclide::{Arc, ChainPiece, Circle, CurveChain, NurbsCurve, Point3, Vec3};
-use std::collections::BTreeMap;
 
 /// Gap allowed between the pieces of a composite curve, relative to its largest coordinate or radius: the rounding
 /// of centre plus radius.
@@ -13,20 +12,29 @@ const GAP: f64 = 1e-9;
 
 /// Reads the composite curves of all curve sets and all bodies, in file order.
 pub(crate) fn read(bytes: &[u8]) -> Result<FileContent, ReadError> {
-    let file = File { instances: parse(bytes)? };
-    let sets = file.instances.iter().filter(|(_, i)| i[..].first().is_some_and(|e| e.0 == "GEOMETRIC_CURVE_SET"));
+    let (mut sets, mut bodies) = (Vec::new(), Vec::new());
+    let instances = parse(bytes, |number, name| {
+        if name == "GEOMETRIC_CURVE_SET" {
+            sets.push(number);
+        } else if shapes::is_body(name) {
+            bodies.push(number);
+        }
+    })?;
+    let file = File { instances };
     let mut curves = Vec::new();
-    for (number, instance) in sets {
+    for number in sets {
         let place = format!("#{number}");
-        for curve in references(argument(instance, 0, 1, &place)?, &place)? {
+        let values = file.simple(number, "GEOMETRIC_CURVE_SET")?;
+        for curve in references(value(&values, 1, &place)?, &place)? {
             curves.push(file.composite(curve)?);
         }
     }
-    Ok(FileContent { curves, bodies: file.bodies()?, ..FileContent::default() })
+    let bodies = bodies.into_iter().map(|number| file.body(number)).collect::<Result<_, _>>()?;
+    Ok(FileContent { curves, bodies, ..FileContent::default() })
 }
 
-struct File {
-    instances: BTreeMap<u64, Instance>,
+struct File<'a> {
+    instances: Instances<'a>,
 }
 
 /// A conic or line before trimming.
@@ -35,17 +43,18 @@ enum Basis {
     Circle { center: Point3, z: Vec3, x: Vec3, radius: f64 },
 }
 
-impl File {
-    fn instance(&self, number: u64) -> Result<&Instance, ReadError> {
-        self.instances.get(&number).ok_or_else(|| ReadError::syntax(format!("#{number}"), "no such instance"))
+impl<'a> File<'a> {
+    fn instance(&self, number: u64) -> Result<Instance<'a>, ReadError> {
+        self.instances.get(number).ok_or_else(|| ReadError::syntax(format!("#{number}"), "no such instance"))
     }
 
     /// The parameters of a simple instance of the given type.
-    fn simple(&self, number: u64, name: &str) -> Result<&[Value], ReadError> {
-        match self.instance(number)?.as_slice() {
-            [(found, values)] if found == name => Ok(values),
-            other => {
-                let found: Vec<&str> = other.iter().map(|e| e.0.as_str()).collect();
+    fn simple(&self, number: u64, name: &str) -> Result<Vec<Value<'a>>, ReadError> {
+        let mut instance = self.instance(number)?;
+        match instance.pop() {
+            Some((found, values)) if found == name && instance.is_empty() => Ok(values),
+            last => {
+                let found: Vec<&str> = instance.iter().chain(&last).map(|e| e.0).collect();
                 Err(ReadError::unsupported(found.join(" "), format!("#{number} (expected {name})")))
             }
         }
@@ -54,7 +63,7 @@ impl File {
     fn triple(&self, number: u64, name: &str) -> Result<[f64; 3], ReadError> {
         let place = format!("#{number}");
         let values = self.simple(number, name)?;
-        let numbers = numbers(value(values, 1, &place)?, &place)?;
+        let numbers = numbers(value(&values, 1, &place)?, &place)?;
         <[f64; 3]>::try_from(numbers).map_err(|_| ReadError::syntax(place, "expected three numbers"))
     }
 
@@ -69,14 +78,14 @@ impl File {
 
     fn composite(&self, number: u64) -> Result<CurveChain, ReadError> {
         let place = format!("#{number}");
-        let segments = references(value(self.simple(number, "COMPOSITE_CURVE")?, 1, &place)?, &place)?;
+        let segments = references(value(&self.simple(number, "COMPOSITE_CURVE")?, 1, &place)?, &place)?;
         let mut pieces = Vec::new();
         let mut closed = true;
         for segment in segments {
             let values = self.simple(segment, "COMPOSITE_CURVE_SEGMENT")?;
             let place = format!("#{segment}");
-            closed = enumeration(value(values, 0, &place)?, &place)? == "CONTINUOUS";
-            pieces.extend(self.bounded(reference(value(values, 2, &place)?, &place)?)?);
+            closed = enumeration(value(&values, 0, &place)?, &place)? == "CONTINUOUS";
+            pieces.extend(self.bounded(reference(value(&values, 2, &place)?, &place)?)?);
         }
         let size = pieces.iter().map(extent).fold(0.0, f64::max);
         CurveChain::new(pieces, closed, GAP * size).map_err(|source| ReadError::Geometry { place, source })
@@ -87,7 +96,7 @@ impl File {
         let fail = |source| ReadError::Geometry { place: place.clone(), source };
         let instance = self.instance(number)?;
         if instance.len() > 1 {
-            return Ok(vec![ChainPiece::Spline(self.b_spline(instance, number)?)]);
+            return Ok(vec![ChainPiece::Spline(self.b_spline(&instance, number)?)]);
         }
         if self.simple(number, "CIRCLE").is_ok() {
             let Basis::Circle { center, z, x, radius } = self.basis(number)? else {
@@ -97,8 +106,8 @@ impl File {
             return Ok(circle.to_arcs().map(ChainPiece::Arc).to_vec());
         }
         let values = self.simple(number, "TRIMMED_CURVE")?;
-        let basis = self.basis(reference(value(values, 1, &place)?, &place)?)?;
-        let (u0, u1) = (trim(value(values, 2, &place)?, &place)?, trim(value(values, 3, &place)?, &place)?);
+        let basis = self.basis(reference(value(&values, 1, &place)?, &place)?)?;
+        let (u0, u1) = (trim(value(&values, 2, &place)?, &place)?, trim(value(&values, 3, &place)?, &place)?);
         let arc = match basis {
             Basis::Line { origin, direction } => Arc::segment(origin + direction * u0, origin + direction * u1),
             Basis::Circle { center, z, x, radius } => {
@@ -113,15 +122,15 @@ impl File {
     fn basis(&self, number: u64) -> Result<Basis, ReadError> {
         let place = format!("#{number}");
         if let Ok(values) = self.simple(number, "LINE") {
-            let origin = self.point(reference(value(values, 1, &place)?, &place)?)?;
-            let vector = reference(value(values, 2, &place)?, &place)?;
+            let origin = self.point(reference(value(&values, 1, &place)?, &place)?)?;
+            let vector = reference(value(&values, 2, &place)?, &place)?;
             let vector = self.simple(vector, "VECTOR")?;
-            let direction = self.direction(reference(value(vector, 1, &place)?, &place)?)?;
+            let direction = self.direction(reference(value(&vector, 1, &place)?, &place)?)?;
             return Ok(Basis::Line { origin, direction });
         }
         let values = self.simple(number, "CIRCLE")?;
-        let radius = number_of(value(values, 2, &place)?, &place)?;
-        let (center, z, x) = self.placement(reference(value(values, 1, &place)?, &place)?)?;
+        let radius = number_of(value(&values, 2, &place)?, &place)?;
+        let (center, z, x) = self.placement(reference(value(&values, 1, &place)?, &place)?)?;
         Ok(Basis::Circle { center, z, x, radius })
     }
 
@@ -129,16 +138,16 @@ impl File {
     fn placement(&self, number: u64) -> Result<(Point3, Vec3, Vec3), ReadError> {
         let place = format!("#{number}");
         let placement = self.simple(number, "AXIS2_PLACEMENT_3D")?;
-        let part = |i: usize| reference(value(placement, i, &place)?, &place);
+        let part = |i: usize| reference(value(&placement, i, &place)?, &place);
         Ok((self.point(part(1)?)?, self.direction(part(2)?)?, self.direction(part(3)?)?))
     }
 
     /// A spline in space, or in the parameters of a surface (the third coordinate is 0); weights are 1 unless they stand
     /// beside.
-    fn b_spline(&self, instance: &Instance, number: u64) -> Result<NurbsCurve, ReadError> {
+    fn b_spline(&self, instance: &Instance<'_>, number: u64) -> Result<NurbsCurve, ReadError> {
         let place = format!("#{number}");
         let (curve, knots, weights) = match instance.as_slice() {
-            [(name, values)] if name == "B_SPLINE_CURVE_WITH_KNOTS" => {
+            [("B_SPLINE_CURVE_WITH_KNOTS", values)] => {
                 (values.get(1..6).unwrap_or(&[]), values.get(6..).unwrap_or(&[]), None)
             }
             _ => {
@@ -166,16 +175,17 @@ impl File {
     /// A point in space, or one of two parameters with 0 beside them.
     fn any_point(&self, number: u64) -> Result<Point3, ReadError> {
         let place = format!("#{number}");
-        let coordinates = numbers(value(self.simple(number, "CARTESIAN_POINT")?, 1, &place)?, &place)?;
+        let coordinates = numbers(value(&self.simple(number, "CARTESIAN_POINT")?, 1, &place)?, &place)?;
         match coordinates[..] {
             [u, v] => Ok(Point3::new(u, v, 0.0)),
-            _ => self.point(number),
+            [x, y, z] => Ok(Point3::new(x, y, z)),
+            _ => Err(ReadError::syntax(place, "expected two or three numbers")),
         }
     }
 }
 
 /// The parameters of one entity of a complex instance.
-fn entity<'a>(instance: &'a Instance, name: &str, place: &str) -> Result<&'a [Value], ReadError> {
+fn entity<'b, 'a>(instance: &'b Instance<'a>, name: &str, place: &str) -> Result<&'b [Value<'a>], ReadError> {
     let found = instance.iter().find(|e| e.0 == name).map(|e| e.1.as_slice());
     found.ok_or_else(|| ReadError::unsupported(format!("a complex instance without {name}"), place))
 }
@@ -190,54 +200,50 @@ fn extent(piece: &ChainPiece) -> f64 {
 }
 
 /// The parameter among the trimming values.
-fn trim(value: &Value, place: &str) -> Result<f64, ReadError> {
+fn trim(value: &Value<'_>, place: &str) -> Result<f64, ReadError> {
     let Value::List(values) = value else {
         return Err(ReadError::syntax(place, "expected a list"));
     };
     let parameter = values.iter().find_map(|v| match v {
-        Value::Typed(name, values) if name == "PARAMETER_VALUE" => values.first(),
+        Value::Typed("PARAMETER_VALUE", values) => values.first(),
         _ => None,
     });
     number_of(parameter.unwrap_or(&Value::Absent), place)
 }
 
-fn argument<'a>(instance: &'a Instance, entity: usize, i: usize, place: &str) -> Result<&'a Value, ReadError> {
-    value(instance.get(entity).map_or(&[], |e| e.1.as_slice()), i, place)
-}
-
-fn value<'a>(values: &'a [Value], i: usize, place: &str) -> Result<&'a Value, ReadError> {
+fn value<'b, 'a>(values: &'b [Value<'a>], i: usize, place: &str) -> Result<&'b Value<'a>, ReadError> {
     values.get(i).ok_or_else(|| ReadError::syntax(place, format!("no parameter {i}")))
 }
 
-fn reference(value: &Value, place: &str) -> Result<u64, ReadError> {
+fn reference(value: &Value<'_>, place: &str) -> Result<u64, ReadError> {
     match value {
         Value::Reference(number) => Ok(*number),
         _ => Err(ReadError::syntax(place, "expected a reference")),
     }
 }
 
-fn references(value: &Value, place: &str) -> Result<Vec<u64>, ReadError> {
+fn references(value: &Value<'_>, place: &str) -> Result<Vec<u64>, ReadError> {
     match value {
         Value::List(values) => values.iter().map(|v| reference(v, place)).collect(),
         _ => Err(ReadError::syntax(place, "expected a list of references")),
     }
 }
 
-fn number_of(value: &Value, place: &str) -> Result<f64, ReadError> {
+fn number_of(value: &Value<'_>, place: &str) -> Result<f64, ReadError> {
     match value {
         Value::Number(number) => Ok(*number),
         _ => Err(ReadError::syntax(place, "expected a number")),
     }
 }
 
-fn numbers(value: &Value, place: &str) -> Result<Vec<f64>, ReadError> {
+fn numbers(value: &Value<'_>, place: &str) -> Result<Vec<f64>, ReadError> {
     match value {
         Value::List(values) => values.iter().map(|v| number_of(v, place)).collect(),
         _ => Err(ReadError::syntax(place, "expected a list of numbers")),
     }
 }
 
-fn logical(value: &Value, place: &str) -> Result<bool, ReadError> {
+fn logical(value: &Value<'_>, place: &str) -> Result<bool, ReadError> {
     match enumeration(value, place)? {
         "T" => Ok(true),
         "F" => Ok(false),
@@ -245,14 +251,14 @@ fn logical(value: &Value, place: &str) -> Result<bool, ReadError> {
     }
 }
 
-fn list<'a>(value: &'a Value, place: &str) -> Result<&'a [Value], ReadError> {
+fn list<'b, 'a>(value: &'b Value<'a>, place: &str) -> Result<&'b [Value<'a>], ReadError> {
     match value {
         Value::List(values) => Ok(values),
         _ => Err(ReadError::syntax(place, "expected a list")),
     }
 }
 
-fn enumeration<'a>(value: &'a Value, place: &str) -> Result<&'a str, ReadError> {
+fn enumeration<'a>(value: &Value<'a>, place: &str) -> Result<&'a str, ReadError> {
     match value {
         Value::Enumeration(name) => Ok(name),
         _ => Err(ReadError::syntax(place, "expected an enumeration")),

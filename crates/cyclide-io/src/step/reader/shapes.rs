@@ -8,29 +8,28 @@ use cyclide::{Arc, ChainPiece, Frame, NurbsCurve, PatchKind, Point3, RationalBez
 /// Entities that are bodies.
 const BODIES: [&str; 3] = ["MANIFOLD_SOLID_BREP", "BREP_WITH_VOIDS", "SHELL_BASED_SURFACE_MODEL"];
 
-impl File {
-    /// All bodies in file order.
-    pub(super) fn bodies(&self) -> Result<Vec<FileBody>, ReadError> {
-        let is_body = |name: &str| BODIES.contains(&name);
-        let found = self.instances.iter().filter(|(_, i)| i.first().is_some_and(|e| is_body(&e.0)));
-        found.map(|(&number, instance)| self.body(number, &instance[0].0)).collect()
-    }
+/// True for the names of bodies.
+pub(super) fn is_body(name: &str) -> bool {
+    BODIES.contains(&name)
+}
 
-    fn body(&self, number: u64, name: &str) -> Result<FileBody, ReadError> {
+impl File<'_> {
+    pub(super) fn body(&self, number: u64) -> Result<FileBody, ReadError> {
+        let name = self.instance(number)?.first().map_or("", |entity| entity.0);
         let place = format!("#{number}");
         let values = self.simple(number, name)?;
         if name == "SHELL_BASED_SURFACE_MODEL" {
-            let shells = references(value(values, 1, &place)?, &place)?;
+            let shells = references(value(&values, 1, &place)?, &place)?;
             let shells = shells.into_iter().map(|s| self.shell(s, true)).collect::<Result<_, _>>()?;
             return Ok(FileBody { solid: false, shells });
         }
-        let mut shells = vec![self.shell(reference(value(values, 1, &place)?, &place)?, true)?];
+        let mut shells = vec![self.shell(reference(value(&values, 1, &place)?, &place)?, true)?];
         if name == "BREP_WITH_VOIDS" {
-            for oriented in references(value(values, 2, &place)?, &place)? {
+            for oriented in references(value(&values, 2, &place)?, &place)? {
                 let place = format!("#{oriented}");
                 let values = self.simple(oriented, "ORIENTED_CLOSED_SHELL")?;
-                let forward = logical(value(values, 3, &place)?, &place)?;
-                shells.push(self.shell(reference(value(values, 2, &place)?, &place)?, forward)?);
+                let forward = logical(value(&values, 3, &place)?, &place)?;
+                shells.push(self.shell(reference(value(&values, 2, &place)?, &place)?, forward)?);
             }
         }
         Ok(FileBody { solid: true, shells })
@@ -42,7 +41,7 @@ impl File {
             Ok(values) => (values, true),
             Err(_) => (self.simple(number, "OPEN_SHELL")?, false),
         };
-        let faces = references(value(values, 1, &place)?, &place)?;
+        let faces = references(value(&values, 1, &place)?, &place)?;
         let faces = faces.into_iter().map(|f| self.face(f)).collect::<Result<_, _>>()?;
         Ok(FileShell { closed, forward, faces })
     }
@@ -50,20 +49,20 @@ impl File {
     fn face(&self, number: u64) -> Result<FileFace, ReadError> {
         let place = format!("#{number}");
         let values = self.simple(number, "ADVANCED_FACE")?;
-        let bounds = references(value(values, 1, &place)?, &place)?;
+        let bounds = references(value(&values, 1, &place)?, &place)?;
         let [bound] = bounds[..] else {
             return Err(ReadError::unsupported("a face with several bounds", place));
         };
-        let surface_number = reference(value(values, 2, &place)?, &place)?;
+        let surface_number = reference(value(&values, 2, &place)?, &place)?;
         let surface = self.surface(surface_number)?;
-        let same_sense = logical(value(values, 3, &place)?, &place)?;
+        let same_sense = logical(value(&values, 3, &place)?, &place)?;
         let bound_place = format!("#{bound}");
         let bound = self.simple(bound, "FACE_OUTER_BOUND")?;
-        if !logical(value(bound, 2, &bound_place)?, &bound_place)? {
+        if !logical(value(&bound, 2, &bound_place)?, &bound_place)? {
             return Err(ReadError::unsupported("a reversed bound", bound_place));
         }
-        let edges = reference(value(bound, 1, &bound_place)?, &bound_place)?;
-        let edges = references(value(self.simple(edges, "EDGE_LOOP")?, 1, &bound_place)?, &bound_place)?;
+        let edges = reference(value(&bound, 1, &bound_place)?, &bound_place)?;
+        let edges = references(value(&self.simple(edges, "EDGE_LOOP")?, 1, &bound_place)?, &bound_place)?;
         let edges = edges.into_iter().map(|e| self.oriented_edge(e, surface_number)).collect::<Result<_, _>>()?;
         Ok(FileFace { surface, same_sense, edges })
     }
@@ -72,22 +71,22 @@ impl File {
     fn oriented_edge(&self, number: u64, surface: u64) -> Result<FileEdge, ReadError> {
         let place = format!("#{number}");
         let values = self.simple(number, "ORIENTED_EDGE")?;
-        let edge = reference(value(values, 3, &place)?, &place)?;
-        let forward = logical(value(values, 4, &place)?, &place)?;
+        let edge = reference(value(&values, 3, &place)?, &place)?;
+        let forward = logical(value(&values, 4, &place)?, &place)?;
         let place = format!("#{edge}");
         let values = self.simple(edge, "EDGE_CURVE")?;
-        if !logical(value(values, 4, &place)?, &place)? {
+        if !logical(value(&values, 4, &place)?, &place)? {
             return Err(ReadError::unsupported("an edge against its curve", place));
         }
-        let part = |i: usize| reference(value(values, i, &place)?, &place);
+        let part = |i: usize| reference(value(&values, i, &place)?, &place);
         let vertices = [part(1)?, part(2)?];
         let mut ends = [Point3::ORIGIN; 2];
         for (end, &vertex) in ends.iter_mut().zip(&vertices) {
-            let point = reference(value(self.simple(vertex, "VERTEX_POINT")?, 1, &place)?, &place)?;
+            let point = reference(value(&self.simple(vertex, "VERTEX_POINT")?, 1, &place)?, &place)?;
             *end = self.point(point)?;
         }
         let (curve, parameter_curve) = match self.simple(part(3)?, "SURFACE_CURVE") {
-            Ok(values) => (reference(value(values, 1, &place)?, &place)?, self.parameter_curve(part(3)?, surface)?),
+            Ok(values) => (reference(value(&values, 1, &place)?, &place)?, self.parameter_curve(part(3)?, surface)?),
             Err(_) => (part(3)?, None),
         };
         let curve = self.edge_curve(curve, ends)?;
@@ -98,20 +97,20 @@ impl File {
     fn parameter_curve(&self, number: u64, surface: u64) -> Result<Option<NurbsCurve>, ReadError> {
         let place = format!("#{number}");
         let values = self.simple(number, "SURFACE_CURVE")?;
-        if enumeration(value(values, 3, &place)?, &place)? != "CURVE_3D" {
+        if enumeration(value(&values, 3, &place)?, &place)? != "CURVE_3D" {
             return Err(ReadError::unsupported("an edge whose curve in space is not the leading one", place));
         }
-        for curve in references(value(values, 2, &place)?, &place)? {
+        for curve in references(value(&values, 2, &place)?, &place)? {
             let place = format!("#{curve}");
             let values = self.simple(curve, "PCURVE")?;
-            if reference(value(values, 1, &place)?, &place)? == surface {
-                let definition = reference(value(values, 2, &place)?, &place)?;
+            if reference(value(&values, 1, &place)?, &place)? == surface {
+                let definition = reference(value(&values, 2, &place)?, &place)?;
                 let items = self.simple(definition, "DEFINITIONAL_REPRESENTATION")?;
-                let items = references(value(items, 1, &place)?, &place)?;
+                let items = references(value(&items, 1, &place)?, &place)?;
                 let [item] = items[..] else {
                     return Err(ReadError::unsupported("several curves in the parameters of a surface", place));
                 };
-                return self.b_spline(self.instance(item)?, item).map(Some);
+                return self.b_spline(&self.instance(item)?, item).map(Some);
             }
         }
         Ok(None)
@@ -123,7 +122,7 @@ impl File {
         let fail = |source| ReadError::Geometry { place: place.clone(), source };
         let instance = self.instance(number)?;
         if instance.len() > 1 {
-            return Ok(ChainPiece::Spline(self.b_spline(instance, number)?));
+            return Ok(ChainPiece::Spline(self.b_spline(&instance, number)?));
         }
         let arc = match self.basis(number)? {
             Basis::Line { origin, direction } => {
@@ -152,7 +151,7 @@ impl File {
         let frame = Frame::from_normal(origin, z, x).map_err(fail)?;
         let measure = |i: usize| number_of(value(values, i, &place)?, &place);
         let outward = true;
-        Ok(FileSurface::Analytic(match name.as_str() {
+        Ok(FileSurface::Analytic(match *name {
             "PLANE" => PatchKind::Plane { frame },
             "SPHERICAL_SURFACE" => PatchKind::Sphere { frame, radius: measure(2)?, outward },
             "CYLINDRICAL_SURFACE" => PatchKind::Cylinder { frame, radius: measure(2)?, outward },
@@ -167,8 +166,8 @@ impl File {
     fn b_spline_surface(&self, number: u64) -> Result<RationalBezierSurface, ReadError> {
         let place = format!("#{number}");
         let instance = self.instance(number)?;
-        let surface = entity(instance, "B_SPLINE_SURFACE", &place)?;
-        let weights = list(value(entity(instance, "RATIONAL_B_SPLINE_SURFACE", &place)?, 0, &place)?, &place)?;
+        let surface = entity(&instance, "B_SPLINE_SURFACE", &place)?;
+        let weights = list(value(entity(&instance, "RATIONAL_B_SPLINE_SURFACE", &place)?, 0, &place)?, &place)?;
         let rows = list(value(surface, 2, &place)?, &place)?;
         let mut homogeneous = Vec::with_capacity(9);
         for (points, weights) in rows.iter().zip(weights) {

@@ -1,0 +1,90 @@
+//! A model made ready for its files: bodies sewn, size measured and held against the limits, once for all formats.
+
+use std::path::Path;
+
+use crate::export_error::ExportError;
+use crate::exported::Exported;
+use crate::file_content::ReadError;
+use crate::format::Format;
+use crate::job::{BodyOf, Job, bodies, boxes};
+use crate::options::ExportOptions;
+use crate::read_back::deviation_of;
+use crate::report::{CheckError, FileReport};
+use crate::{csv_samples, dxf, glb, nurbs_json, obj, png, step, stl, svg};
+use cyclide::{Aabb, Model};
+
+/// Largest coordinate that is written: products of two of them must not overflow.
+const LARGEST_COORDINATE: f64 = 1e120;
+
+/// Writes a model into several formats and checks the files.
+pub struct Exporter<'a> {
+    pub(crate) model: &'a Model,
+    /// The bodies of all surfaces, in the model's order.
+    pub(crate) bodies: Vec<BodyOf<'a>>,
+    /// The smallest box around all curves and surfaces.
+    pub(crate) bounds: Aabb,
+}
+
+impl<'a> Exporter<'a> {
+    /// Makes a model ready.
+    ///
+    /// # Errors
+    /// [`ExportError`] for a model without anything to write, beyond the largest coordinates, or with a surface that has
+    /// no body.
+    pub fn new(model: &'a Model) -> Result<Self, ExportError> {
+        let bodies = bodies(model)?;
+        let mut total: Option<Aabb> = None;
+        for (object, own) in boxes(model, &bodies) {
+            if !(own.max_abs() <= LARGEST_COORDINATE) {
+                let object = object.to_owned();
+                return Err(ExportError::TooLarge { object, value: own.max_abs(), limit: LARGEST_COORDINATE });
+            }
+            total = Some(total.map_or(own, |b| b.union(own)));
+        }
+        Ok(Self { model, bodies, bounds: total.ok_or(ExportError::Empty)? })
+    }
+
+    /// As [`export`](crate::export()).
+    ///
+    /// # Errors
+    /// As [`export`](crate::export()).
+    pub fn export(&self, format: Format, options: &ExportOptions) -> Result<Exported, ExportError> {
+        let job = Job::new(self, options)?;
+        let left_out = job.left_out(format)?;
+        let file = match format {
+            Format::Step => step::write(&job),
+            Format::Dxf => dxf::write(&job),
+            Format::Svg => svg::write(&job),
+            Format::Csv => csv_samples::write(&job),
+            Format::Json => nurbs_json::write(&job),
+            Format::Png => png::write(&job),
+            Format::Glb => glb::write(&job),
+            Format::Obj => obj::write(&job),
+            Format::Stl => stl::write(&job),
+        };
+        let mut file = file?;
+        file.notes.extend(left_out);
+        Ok(file)
+    }
+
+    /// As [`file_deviation`](crate::file_deviation).
+    ///
+    /// # Errors
+    /// As [`file_deviation`](crate::file_deviation).
+    pub fn deviation(&self, format: Format, file: &Exported) -> Result<f64, ReadError> {
+        deviation_of(self, format, file)
+    }
+
+    /// As [`FileReport::new`].
+    ///
+    /// # Errors
+    /// As [`FileReport::new`].
+    pub fn check(&self, path: &Path, format: Format, file: &Exported) -> Result<FileReport, CheckError> {
+        FileReport::of(self, path, format, file)
+    }
+
+    /// Size of the model and its distance from the origin, whichever is larger: rounding is relative to coordinates.
+    pub(crate) fn extent(&self) -> f64 {
+        self.bounds.diagonal().max(self.bounds.max_abs())
+    }
+}

@@ -1,0 +1,133 @@
+//! Documents whose files are right and were once refused, or whose bound was once exceeded without a word.
+
+use cyclide::Model;
+use cyclide_io::{Document, DxfVersion, ExportOptions, Exporter, FileReport, Format, ModelBuilder};
+use serde_json::{Value, json};
+use std::path::Path;
+
+const CURVES: [Format; 7] =
+    [Format::Step, Format::Dxf, Format::Svg, Format::Csv, Format::Json, Format::Glb, Format::Obj];
+const SURFACES: [Format; 6] = [Format::Step, Format::Svg, Format::Json, Format::Glb, Format::Obj, Format::Stl];
+
+/// The model of a document with these objects.
+fn model(objects: &Value) -> Model {
+    let text = json!({"cyclide": 1, "objects": objects}).to_string();
+    let document = Document::parse("m.json", text.as_bytes()).unwrap();
+    let read = |_: &Path| Err(std::io::ErrorKind::NotFound.into());
+    let mut builder = ModelBuilder::new(&document, Path::new(""), &read).unwrap();
+    let built = (0..document.objects.len()).map(|index| builder.build(index, &mut |_| {}).unwrap());
+    let items = built.filter(|built| !built.construction).map(|built| built.item).collect();
+    Model { units: document.units, items }
+}
+
+/// The reports on the files of a document: each passes its check, and what was measured is within what is printed.
+fn checked(objects: &Value, formats: &[Format], options: &ExportOptions) -> Vec<FileReport> {
+    let model = model(objects);
+    let exporter = Exporter::new(&model).unwrap();
+    let report = |format: &Format| {
+        let file = exporter.export(*format, options).unwrap();
+        let report = exporter.check(Path::new("o"), *format, &file).unwrap_or_else(|e| panic!("{format:?}: {e}"));
+        assert!(report.exact || report.deviation.unwrap() <= report.bound, "{format:?}: {report:?}");
+        report
+    };
+    formats.iter().map(report).collect()
+}
+
+fn right(objects: &Value, formats: &[Format]) -> Vec<FileReport> {
+    checked(objects, formats, &ExportOptions::default())
+}
+
+#[test]
+fn splines_in_space_drawn_in_the_plane() {
+    let closed = json!({"type": "circle-spline", "closed": true, "order": 4,
+        "points": [[6.2, -0.96, 0.1], [6.23, -1.5, -0.9], [6.2, 0.6, 1.2], [6.2, -0.9, -0.5]]});
+    let open = json!({"type": "circle-spline", "order": 3,
+        "points": [[20, 500, 0.02], [0.002, 10, 0.001], [-0.04, -0.6, 0.22], [-0.02, 0.0008, -0.0001]]});
+    right(&json!({"a": closed}), &CURVES);
+    right(&json!({"a": open}), &CURVES);
+}
+
+/// Biarcs pass every sample of this hairpin closely, but one ran past its end by a tenth of the tolerance.
+#[test]
+fn arcs_at_a_hairpin_stay_within_the_tolerance() {
+    let points = [
+        [0.031_928_321_046_537_31, -0.544_344_800_947_514_7],
+        [0.032_851_410_161_867_586, -0.553_755_647_704_478_5],
+        [0.035_019_249_366_570_214, -0.227_870_027_051_844_2],
+        [0.035_126_631_535_718_676, 1.605_546_364_739_391_7],
+        [0.046_021_946_081_293_29, -0.483_201_306_227_25],
+    ];
+    right(&json!({"a": {"type": "circle-spline", "order": 1, "points": points}}), &CURVES);
+}
+
+/// Weights down to 3e-9: of the curve near infinity seven digits remain, and the report says so.
+#[test]
+fn a_curve_that_comes_near_infinity_is_written_with_what_its_digits_hold() {
+    let hairpin = json!({"a": {"type": "circle-spline", "points": [[0, 0], [0, 9], [0.0002, 1], [1, 0]]}});
+    let reports = right(&hairpin, &CURVES);
+    assert!(!reports[0].exact && reports[0].bound > 1e-6, "{:?}", reports[0]);
+    assert!(reports[0].notes.iter().any(|note| note.contains("rounding")), "{:?}", reports[0]);
+    // As exact as a plain one ought to be.
+    let plain = json!({"a": {"type": "circle-spline", "points": [[0, 0], [0, 9], [2, 1], [1, 0]]}});
+    assert!(right(&plain, &CURVES)[0].exact);
+}
+
+#[test]
+fn a_bound_includes_the_rounding_of_the_numbers() {
+    let options = ExportOptions { tolerance: Some(1e-6), ..ExportOptions::default() };
+    let spline = json!({"type": "circle-spline", "order": 4, "variant": "trigonometric",
+        "points": [[0.01, 6], [0.32, 2.5], [0.32, -5], [0.3171, 10]]});
+    for report in checked(&json!({"a": spline}), &[Format::Json, Format::Step, Format::Dxf], &options) {
+        assert!(report.deviation.unwrap() <= report.bound, "{report:?}");
+    }
+}
+
+#[test]
+fn a_bulge_of_ten_million_is_nearly_a_full_circle() {
+    right(&json!({"a": {"type": "arc", "from": [0, 0], "to": [1, 0], "bulge": 1e7}}), &CURVES);
+}
+
+#[test]
+fn ends_that_nearly_touch_do_not_close_a_curve() {
+    let biarc = json!({"type": "biarc", "from": [0, 3, 1], "from_tangent": [0, 1],
+        "to": [0, 3, 1.000_000_001], "to_tangent": [1, 0]});
+    right(&json!({"a": biarc}), &CURVES);
+    for (a, c, mu) in [(0.8, 0.799_999_834_695_580_3, 0.8), (9.0, 8.999_999_999_925_162, 0.0)] {
+        let cyclide = json!({"type": "cyclide", "a": a, "c": c, "mu": mu, "construction": true});
+        let edges = json!({"type": "support-structure", "of": "a"});
+        right(&json!({"a": cyclide, "b": edges}), &CURVES);
+    }
+}
+
+#[test]
+fn arcs_after_inversions() {
+    let points = [[0, 0], [0, 1], [1, 0], [0, 0], [0, -4]];
+    let arcs = json!({"type": "arc-spline", "points": points, "construction": true});
+    let steps = [json!({"inversion": {"center": [0, 0, 1], "radius": 1}})];
+    let image = json!({"a": arcs, "b": {"type": "transform", "of": "a", "steps": steps}});
+    right(&image, &CURVES);
+    // The curve passes through its start on the way, and R12 has no groups.
+    let options = ExportOptions { dxf_version: DxfVersion::R12, ..ExportOptions::default() };
+    checked(&image, &[Format::Dxf], &options);
+}
+
+/// A circle that is smaller than the last digit of its place has no radius to be read.
+#[test]
+fn arcs_below_the_rounding_of_their_place() {
+    let points = json!([[0, 0], [-2, 0], [51.01, 0], [52, -8], [61, 0], [0, 0]]);
+    let fit = json!({"type": "arc-fit", "points": points, "tolerance": 1e-12, "construction": true});
+    let steps =
+        json!([{"inversion": {"center": [0, -8], "radius": 13}}, {"inversion": {"center": [1, 7.7], "radius": 1}}]);
+    right(&json!({"a": fit, "b": {"type": "transform", "of": "a", "steps": steps}}), &CURVES);
+}
+
+#[test]
+fn a_tiny_patch_and_a_folded_one() {
+    let d = 4e-14;
+    let tiny = json!({"type": "cyclide-patch", "corners": [[0, 0], [d, 0], [0, d], [d, d]], "frame": [[1, 0, 0.3], [0, 1, 0]]});
+    right(&json!({"a": tiny}), &SURFACES);
+    let folded = json!({"type": "cyclidic-net", "grid": [[[0, 0], [1, 0]], [[0, 1], [1e-9, 1]]], "frame":
+        [[-0.007_649_107_754_099_032, -0.181_176_961_603_385_8, 1.103_719_549_477_112],
+         [1.530_320_371_117_303_7, 0.369_986_935_882_288_1, 0.071_339_403_501_887_11]]});
+    right(&json!({"a": folded}), &SURFACES);
+}

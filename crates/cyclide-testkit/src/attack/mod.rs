@@ -1,0 +1,101 @@
+//! Random documents of every type of object, tame and wild, for attacks on the whole program: by the task
+//! `cargo xtask attack` and in the tests.
+//!
+//! One file per class of trouble. A class makes lists of points, or whole objects; [`document`] puts them together, and
+//! the same seed and number give the same document on every machine.
+
+mod ends;
+mod hairpins;
+mod inversions;
+mod maps;
+mod near_degenerate;
+mod nets;
+mod objects;
+mod patches;
+mod points;
+mod random;
+pub mod runner;
+mod scales;
+
+pub use random::Random;
+
+use serde_json::{Value, json};
+
+/// A document of an attack.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Attack {
+    /// The class that made it, and the type of its object: where to look when it fails.
+    pub class: &'static str,
+    /// The document.
+    pub document: Value,
+    /// True if it has surfaces.
+    pub has_surfaces: bool,
+    /// The tolerance to ask for, if any.
+    pub tolerance: Option<f64>,
+}
+
+/// One class: how often it is taken, and its objects by name, the last one to be written.
+type Class = (&'static str, u32, fn(&mut Random) -> Objects);
+
+/// Objects by name.
+pub(crate) struct Objects {
+    objects: Vec<(&'static str, Value)>,
+    has_surfaces: bool,
+}
+
+impl Objects {
+    fn curve(object: Value) -> Self {
+        Self { objects: vec![("a", object)], has_surfaces: false }
+    }
+
+    fn surface(object: Value) -> Self {
+        Self { objects: vec![("a", object)], has_surfaces: true }
+    }
+
+    /// The first object as construction geometry, and a second one made from it.
+    fn derived(mut base: Self, name: &'static str, object: Value, has_surfaces: bool) -> Self {
+        if let Some((_, first)) = base.objects.last_mut() {
+            first["construction"] = json!(true);
+        }
+        base.objects.push((name, object));
+        Self { objects: base.objects, has_surfaces }
+    }
+}
+
+const CLASSES: [Class; 13] = [
+    ("points", 6, points::object),
+    ("hairpins", 4, hairpins::object),
+    ("ends", 4, ends::object),
+    ("scales", 4, scales::object),
+    ("single curves", 3, objects::single),
+    ("inversions", 4, inversions::curve),
+    ("maps", 2, maps::curve),
+    ("near-degenerate cyclides", 3, near_degenerate::cyclide),
+    ("support structures", 2, near_degenerate::support),
+    ("patches", 3, patches::object),
+    ("offsets", 2, patches::offset),
+    ("nets", 3, nets::object),
+    ("inverted surfaces", 2, inversions::surface),
+];
+
+/// Document `number` of the attack with this seed.
+#[must_use]
+pub fn document(seed: u64, number: u64) -> Attack {
+    let mut random = Random::new(seed, number);
+    let total: u32 = CLASSES.iter().map(|class| class.1).sum();
+    let mut pick = random.below(total as usize) as u32;
+    let mut chosen = CLASSES[0];
+    for class in CLASSES {
+        if pick < class.1 {
+            chosen = class;
+            break;
+        }
+        pick -= class.1;
+    }
+    let made = chosen.2(&mut random);
+    let objects: serde_json::Map<String, Value> =
+        made.objects.into_iter().map(|(name, object)| (name.to_owned(), object)).collect();
+    let tolerance = random.chance(0.3).then(|| random.decades(-9.0, 1.0));
+    let document = json!({"cyclide": 1, "units": "mm", "objects": objects});
+    Attack { class: chosen.0, document, has_surfaces: made.has_surfaces, tolerance }
+}
