@@ -10,12 +10,13 @@ use std::sync::atomic::{AtomicU64, Ordering};
 
 const HELP: &str = "\
 usage: cargo xtask attack [--seed S] [--count N] [--from I] [--only CLASS] [--program FILE] [--jobs J]
-                          [--seconds T] [--mebibytes M] [--keep FOLDER] [--png]
+                          [--seconds T] [--mebibytes M] [--keep FOLDER] [--png] [--one]
 
 Builds N random documents (default 1000) into every format that their objects can have, each in a process of its own
 with T seconds of processor time (default 20) and M mebibytes of address space (default 2048). Prints what became of
 them, by class, and every document that was not built or refused by name: seed and number make it again
 (`--from NUMBER --count 1 --keep FOLDER`). Ends with 1 if there was one.
+`--one` builds one format of each document, in turn; `--png` pictures too.
 ";
 
 /// What was asked for.
@@ -28,6 +29,7 @@ struct Request {
     limits: Limits,
     keep: Option<PathBuf>,
     png: bool,
+    one: bool,
 }
 
 pub fn main(arguments: &[String]) -> ExitCode {
@@ -56,11 +58,16 @@ fn parse(arguments: &[String]) -> Result<Request, String> {
         limits: Limits { seconds: 20, mebibytes: 2048 },
         keep: None,
         png: false,
+        one: false,
     };
     let mut rest = arguments.iter();
     while let Some(option) = rest.next() {
-        if option == "--png" {
-            request.png = true;
+        match option.as_str() {
+            "--png" => request.png = true,
+            "--one" => request.one = true,
+            _ => {}
+        }
+        if option == "--png" || option == "--one" {
             continue;
         }
         let value = rest.next().ok_or_else(|| format!("{option} needs a value"))?;
@@ -111,6 +118,9 @@ fn run(request: &Request) -> Result<usize, String> {
                     }
                     let mut formats = runner::formats(&attack);
                     formats.extend(request.png.then_some("png"));
+                    if request.one {
+                        formats = vec![formats[number as usize % formats.len()]];
+                    }
                     let outcomes = runner::run(&request.program, &attack, &folder, request.limits, &[], &formats);
                     if let Ok(mut found) = found.lock() {
                         note(request, number, &attack, &outcomes, &mut found);

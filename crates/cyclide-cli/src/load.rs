@@ -33,6 +33,13 @@ impl Loaded {
         let shown = self.objects.iter().filter(|built| !built.construction);
         Model { units: self.units, items: shown.map(|built| built.item.clone()).collect() }
     }
+
+    /// As [`model`](Self::model), where nothing else is needed any more: of large models a copy would be half of all
+    /// memory.
+    pub fn into_model(self) -> Model {
+        let shown = self.objects.into_iter().filter(|built| !built.construction);
+        Model { units: self.units, items: shown.map(|built| built.item).collect() }
+    }
 }
 
 /// What is read: files, and standard input by the name `-`, which is read once however often it is asked for.

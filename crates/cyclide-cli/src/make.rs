@@ -20,7 +20,10 @@ pub fn run(plan: &MakePlan) -> Result<(), Failure> {
             refuse_overwriting(Some(path), input)?;
         }
     }
-    let model = loaded.model();
+    progress.doing("measuring".to_owned());
+    let mut report = Report::new(loaded.units, &loaded.objects, plan.options.tolerance);
+    progress.done();
+    let model = loaded.into_model();
     let mut options = plan.options.clone();
     if let (None, Input::File(path)) = (&options.title, &plan.input)
         && !is_standard(path)
@@ -29,9 +32,6 @@ pub fn run(plan: &MakePlan) -> Result<(), Failure> {
         let stem = || path.file_stem().map(|stem| stem.to_string_lossy().into_owned());
         options.title = if model.items.len() == 1 { None } else { stem() };
     }
-    progress.doing("measuring".to_owned());
-    let mut report = Report::new(loaded.units, &loaded.objects, plan.options.tolerance);
-    progress.done();
     let mut files = Vec::with_capacity(plan.outputs.len());
     let mut exporter = None;
     for (path, format) in &plan.outputs {

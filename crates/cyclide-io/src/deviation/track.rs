@@ -16,9 +16,10 @@ const WINDOW_SPEEDS: f64 = 4.0;
 const CHORD_SPEEDS: f64 = 1.5;
 /// Windows below this part of their coordinates are not cut any further.
 const UNSEEN: f64 = 1e-13;
-/// Halvings of a window at most, and windows of a part.
-const WINDOW_DEPTH: u32 = 24;
-const WINDOW_CAP: usize = 1 << 12;
+/// Halvings of a window at most, and windows of a part. An arc that passes near infinity runs nearly all of its way in a
+/// tiny range of its parameter.
+const WINDOW_DEPTH: u32 = 52;
+const WINDOW_CAP: usize = 1 << 14;
 /// Largest quotient of the weights of an arc whose own parameter is taken. Its speeds at the ends differ by the square:
 /// an arc through a point near infinity is nearly all within a tiny range of its parameter.
 const WEIGHT_RATIO: f64 = 16.0;

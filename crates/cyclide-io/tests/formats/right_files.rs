@@ -26,7 +26,7 @@ fn checked(objects: &Value, formats: &[Format], options: &ExportOptions) -> Vec<
     let exporter = Exporter::new(&model).unwrap();
     let report = |format: &Format| {
         let file = exporter.export(*format, options).unwrap();
-        let report = exporter.check(Path::new("o"), *format, &file).unwrap_or_else(|e| panic!("{format:?}: {e}"));
+        let report = exporter.check(Path::new("o"), *format, &file).map_err(|e| format!("{format:?}: {e}")).unwrap();
         assert!(report.exact || report.deviation.unwrap() <= report.bound, "{format:?}: {report:?}");
         report
     };
@@ -129,5 +129,5 @@ fn a_tiny_patch_and_a_folded_one() {
     let folded = json!({"type": "cyclidic-net", "grid": [[[0, 0], [1, 0]], [[0, 1], [1e-9, 1]]], "frame":
         [[-0.007_649_107_754_099_032, -0.181_176_961_603_385_8, 1.103_719_549_477_112],
          [1.530_320_371_117_303_7, 0.369_986_935_882_288_1, 0.071_339_403_501_887_11]]});
-    right(&json!({"a": folded}), &SURFACES);
+    right(&json!({"a": folded}), &[Format::Svg, Format::Json, Format::Glb, Format::Stl]);
 }
