@@ -209,15 +209,15 @@ pub struct OutputArgs {
     /// DXF: rational curves as exact SPLINE entities (many cutters and 2D programs ignore their weights).
     #[arg(long, help_heading = "Formats")]
     pub dxf_splines: bool,
-    /// DXF: the version written.
-    #[arg(long, value_name = "VERSION", value_enum, default_value_t, help_heading = "Formats")]
-    pub dxf_version: DxfArg,
-    /// STEP: the curves of the edges between faces, and with them the faces.
-    #[arg(long, value_name = "CURVE", value_enum, default_value_t, help_heading = "Formats")]
-    pub step_edges: EdgesArg,
-    /// STEP: the products of several objects.
-    #[arg(long, value_name = "PRODUCTS", value_enum, default_value_t, help_heading = "Formats")]
-    pub step_products: ProductsArg,
+    /// DXF: the version written [default: r2000].
+    #[arg(long, value_name = "VERSION", value_enum, help_heading = "Formats")]
+    pub dxf_version: Option<DxfArg>,
+    /// STEP: the curves of the edges between faces, and with them the faces [default: circle].
+    #[arg(long, value_name = "CURVE", value_enum, help_heading = "Formats")]
+    pub step_edges: Option<EdgesArg>,
+    /// STEP: the products of several objects [default: auto].
+    #[arg(long, value_name = "PRODUCTS", value_enum, help_heading = "Formats")]
+    pub step_products: Option<ProductsArg>,
     /// SVG: draw the curvature comb.
     #[arg(long, help_heading = "Formats")]
     pub svg_comb: bool,
@@ -231,15 +231,16 @@ pub struct OutputArgs {
     /// and axes.
     #[arg(long, help_heading = "Pictures")]
     pub png_plain: bool,
-    /// PNG: width in pixels.
-    #[arg(long, value_name = "PIXELS", default_value_t = 1600, value_parser = clap::value_parser!(u32).range(200..=10_000), help_heading = "Pictures")]
-    pub width: u32,
+    /// PNG: width in pixels [default: 1600].
+    #[arg(long, value_name = "PIXELS", value_parser = clap::value_parser!(u32).range(200..=10_000), help_heading = "Pictures")]
+    pub width: Option<u32>,
     /// PNG: where to look from: top, bottom, front, back, right, left, iso, or azimuth (0 is the front, 90 the right) and
     /// elevation (90 is from above) in degrees [default: top for plane curves, else a side and above].
     #[arg(long, value_name = "VIEW", allow_hyphen_values = true, help_heading = "Pictures")]
     pub camera: Option<Camera>,
-    /// PNG: draw the axes: rulers in views along an axis, else arrows.
-    #[arg(long, help_heading = "Pictures")]
+    /// PNG: draw rulers with coordinates, below and at the left in views along an axis, else along three edges of the
+    /// model's box.
+    #[arg(long, conflicts_with = "png_plain", help_heading = "Pictures")]
     pub axes: bool,
 }
 
@@ -292,7 +293,7 @@ pub struct CurveArgs {
     pub contour_column: Option<String>,
     /// Turns above this angle, in degrees, are corners [default: none for splines and a fair fit, 30 for an
     /// arc fit].
-    #[arg(long, value_name = "DEGREES", value_parser = positive, allow_negative_numbers = true)]
+    #[arg(long, value_name = "DEGREES", value_parser = up_to_half_a_turn, allow_negative_numbers = true)]
     pub corner_angle_deg: Option<f64>,
     /// Fair spline: 0 is the fairest curve, with 1 every point follows its neighbours alone [default: 0].
     #[arg(long, value_name = "E", value_parser = up_to_one, allow_negative_numbers = true)]
@@ -464,19 +465,17 @@ pub enum EffortArg {
     Best,
 }
 
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub enum DxfArg {
     /// AutoCAD 2000: the default.
-    #[default]
     R2000,
     /// AutoCAD R12: for old machines.
     R12,
 }
 
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub enum EdgesArg {
     /// Circles and lines, with radii and centres; planes, cylinders, cones, spheres and tori are such faces: the default.
-    #[default]
     Circle,
     /// Rational B-splines, with which all faces but planes are rational: half as large a file.
     Rational,
@@ -497,10 +496,9 @@ fn not_negative(text: &str) -> Result<f64, String> {
     }
 }
 
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub enum ProductsArg {
     /// An assembly, but one product where curves and surfaces stand together: the default.
-    #[default]
     Auto,
     /// One product per object in an assembly, with its name.
     Assembly,
@@ -523,6 +521,14 @@ fn up_to_one(text: &str) -> Result<f64, String> {
         Ok(value) if (0.0..=1.0).contains(&value) => Ok(value),
         Ok(_) => Err("it must be from 0 to 1".to_owned()),
         Err(_) => Err("it is not a number".to_owned()),
+    }
+}
+
+/// A positive number of degrees, at most 180.
+fn up_to_half_a_turn(text: &str) -> Result<f64, String> {
+    match positive(text) {
+        Ok(value) if value > 180.0 => Err("it must be at most 180 degrees".to_owned()),
+        other => other,
     }
 }
 

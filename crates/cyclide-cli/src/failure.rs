@@ -29,7 +29,9 @@ impl Failure {
 
     /// A file that could not be written; the old one is untouched.
     pub fn write(path: impl Display, error: &std::io::Error) -> Self {
-        Self::File(format!("cannot write {path}: {error}"))
+        let path = path.to_string();
+        let why = missing_folder(Path::new(&path)).unwrap_or_else(|| error.to_string());
+        Self::File(format!("cannot write {path}: {why}"))
     }
 
     /// Adds the files that were written all the same.
@@ -53,6 +55,14 @@ impl Failure {
         terminal::error(&message);
         ExitCode::from(code)
     }
+}
+
+/// The first folder on the way to a file that does not exist.
+fn missing_folder(path: &Path) -> Option<String> {
+    let folders: Vec<&Path> = path.ancestors().skip(1).filter(|folder| !folder.as_os_str().is_empty()).collect();
+    let missing = folders.into_iter().rev().find(|folder| !folder.is_dir())?;
+    let name = missing.display();
+    Some(if missing.exists() { format!("{name} is no folder") } else { format!("there is no folder {name}") })
 }
 
 impl From<cyclide_io::Error> for Failure {

@@ -2,9 +2,11 @@
 //!
 //! Arguments are read as typed ([`args`]), turned into a plan that is known to make sense ([`plan`]), and carried out
 //! ([`make`], [`inspect`], [`start`], [`gallery`], [`manuals`]), whose files [`outputs`] writes; what belongs to another
-//! command is answered with it ([`mistaken`]). Results go to standard output, everything else to standard error.
+//! command is answered with it ([`mistaken`]), and what has no effect is said ([`effect`]). Results go to standard output,
+//! everything else to standard error.
 
 mod args;
+mod effect;
 mod failure;
 mod gallery;
 mod inspect;

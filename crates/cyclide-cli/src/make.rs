@@ -2,6 +2,7 @@
 
 use cyclide_io::{ExportError, Exporter, Report};
 
+use crate::effect;
 use crate::failure::Failure;
 use crate::load::{self, Inputs};
 use crate::outputs;
@@ -47,6 +48,9 @@ pub fn run(plan: &MakePlan) -> Result<(), Failure> {
         progress.done();
     }
     drop(progress);
+    for message in effect::without_effect(plan, &model, &report) {
+        terminal::warning(&message);
+    }
     let report = report_text(&report, plan.json)?;
     if let [(path, bytes)] = files.as_slice()
         && is_standard(path)

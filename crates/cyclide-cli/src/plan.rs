@@ -6,10 +6,10 @@ use std::path::{Path, PathBuf};
 use clap_complete::Shell;
 use cyclide::Units;
 use cyclide_io::{
-    ArcFitSpec, ArcSplineSpec, CircleSplineSpec, Comment, Document, DxfVersion, EffortWord, EndsSpec, ExportOptions,
-    FairEndWord, FairEndsSpec, FairFitSpec, FairSplineSpec, Format, ObjectSpec, PointColumns, PointFile, PointSource,
-    RuleWord, Spacing, StepEdges, StepProducts, StraightWord, TargetWord, TypeWord, VariantWord, WriteOptions,
-    same_file,
+    Angle, ArcFitSpec, ArcSplineSpec, CircleSplineSpec, Comment, Document, DxfVersion, EffortWord, EndsSpec,
+    ExportOptions, FairEndWord, FairEndsSpec, FairFitSpec, FairSplineSpec, Format, ObjectSpec, PointColumns, PointFile,
+    PointSource, RuleWord, Spacing, StepEdges, StepProducts, StraightWord, TargetWord, TypeWord, VariantWord,
+    WriteOptions, same_file,
 };
 
 use crate::args::{
@@ -17,6 +17,7 @@ use crate::args::{
     ManArgs, NewArgs, OutputArgs, ProductsArg, ReportArgs, RuleArg, SampleArgs, StraightArg, TargetArg, UnitsArg,
     VariantArg,
 };
+use crate::effect;
 use crate::failure::Failure;
 use crate::mistaken::{Wanted, refuse_suffix};
 use crate::start::NewPlan;
@@ -41,6 +42,8 @@ pub struct MakePlan {
     pub outputs: Vec<(PathBuf, Format)>,
     pub options: ExportOptions,
     pub write: WriteOptions,
+    /// The tolerance is that of an arc fit, not of the files alone.
+    pub fit_tolerance: bool,
     pub json: bool,
 }
 
@@ -140,43 +143,45 @@ impl OutputArgs {
         if self.output.len() > 1 && self.output.iter().any(|path| is_standard(path)) {
             return Err(Failure::Usage("standard output takes one file: `-o -` stands alone".to_owned()));
         }
-        for path in self.output {
-            let format = format_of(&path, self.format)?;
-            if let Some((other, _)) = outputs.iter().find(|(other, _)| same_file(other, &path)) {
+        for path in &self.output {
+            let format = format_of(path, self.format)?;
+            if let Some((other, _)) = outputs.iter().find(|(other, _)| same_file(other, path)) {
                 let (path, other) = (path.display(), other.display());
                 return Err(Failure::Usage(format!("{path} is given twice as output: it is the same file as {other}")));
             }
             if let Input::File(model) = &input {
-                refuse_overwriting(Some(&path), model)?;
+                refuse_overwriting(Some(path), model)?;
             }
-            outputs.push((path, format));
+            outputs.push((path.clone(), format));
         }
+        effect::refuse_formats_not_written(&self, &outputs)?;
         let options = ExportOptions {
             tolerance,
             dxf_splines: self.dxf_splines,
             dxf_version: match self.dxf_version {
-                DxfArg::R2000 => DxfVersion::R2000,
-                DxfArg::R12 => DxfVersion::R12,
+                None | Some(DxfArg::R2000) => DxfVersion::R2000,
+                Some(DxfArg::R12) => DxfVersion::R12,
             },
             step_edges: match self.step_edges {
-                EdgesArg::Circle => StepEdges::Circles,
-                EdgesArg::Rational => StepEdges::Rational,
+                None | Some(EdgesArg::Circle) => StepEdges::Circles,
+                Some(EdgesArg::Rational) => StepEdges::Rational,
             },
             step_products: match self.step_products {
-                ProductsArg::Auto => StepProducts::Auto,
-                ProductsArg::Assembly => StepProducts::Assembly,
-                ProductsArg::One => StepProducts::One,
+                None | Some(ProductsArg::Auto) => StepProducts::Auto,
+                Some(ProductsArg::Assembly) => StepProducts::Assembly,
+                Some(ProductsArg::One) => StepProducts::One,
             },
             glb_edges: self.glb_edges,
             svg_comb: self.svg_comb,
             svg_points: self.svg_points,
             png_plain: self.png_plain,
-            png_width: Some(self.width),
+            png_width: self.width,
             png_axes: self.axes,
             camera: self.camera,
             title: None,
         };
-        Ok(MakePlan { input, outputs, options, write: self.write.options(), json: self.json })
+        let write = self.write.options();
+        Ok(MakePlan { input, outputs, options, write, fit_tolerance: false, json: self.json })
     }
 }
 
@@ -205,7 +210,7 @@ pub fn is_standard(path: &Path) -> bool {
 impl CurveArgs {
     fn plan(self) -> Result<MakePlan, Failure> {
         let kind = self.kind.unwrap_or(if self.smooth.is_some() { Kind::FairFit } else { Kind::default() });
-        self.check_options(kind)?;
+        effect::refuse_options_of_other_kinds(&self, kind)?;
         let stem = self.points.file_stem().and_then(OsStr::to_str);
         let name = stem.filter(|s| !s.trim().is_empty() && *s != "-").unwrap_or("curve");
         let Some(csv) = self.points.to_str().map(str::to_owned) else {
@@ -213,7 +218,7 @@ impl CurveArgs {
         };
         let file = PointFile { csv, columns: self.columns.clone(), contour: self.contour_column.clone() };
         let (points, closed, r#type) = (PointSource::File(file), self.closed, TypeWord);
-        let corner_angle = self.corner_angle_deg.map(f64::to_radians);
+        let corner_angle = self.corner_angle_deg.map(Angle::Degrees);
         let spec = match kind {
             Kind::FairSpline => ObjectSpec::FairSpline(FairSplineSpec {
                 r#type,
@@ -288,44 +293,8 @@ impl CurveArgs {
         let document = Document::from_objects(&self.points.display().to_string(), units, objects);
         let columns = PointColumns { coordinates: self.columns, contour: self.contour_column };
         let input = Input::Made { document: Box::new(document), columns, unit_of_columns: self.units.is_none() };
-        self.output.plan(input, self.tolerance)
-    }
-
-    /// Refuses options that the kind of curve does not have.
-    fn check_options(&self, kind: Kind) -> Result<(), Failure> {
-        let given = [
-            ("--tension", self.tension.is_some(), &[Kind::FairSpline][..]),
-            ("--tight", self.tight.is_some(), &[Kind::FairSpline]),
-            ("--ends", self.ends.is_some(), &[Kind::FairSpline]),
-            ("--straight", self.straight.is_some(), &[Kind::FairSpline]),
-            ("--order", self.order.is_some(), &[Kind::CircleSpline]),
-            ("--variant", self.variant.is_some(), &[Kind::CircleSpline]),
-            ("--rule", self.rule.is_some(), &[Kind::ArcSpline]),
-            ("--target", self.target.is_some(), &[Kind::ArcFit]),
-            ("--effort", self.effort.is_some(), &[Kind::ArcFit]),
-            (
-                "--corner-angle-deg",
-                self.corner_angle_deg.is_some(),
-                &[Kind::FairSpline, Kind::CircleSpline, Kind::ArcFit, Kind::FairFit],
-            ),
-            ("--smooth", self.smooth.is_some(), &[Kind::FairFit]),
-            ("--centre", self.centre.is_some(), &[Kind::FairFit]),
-            ("--fix-ends", self.fix_ends, &[Kind::FairFit]),
-            ("--max-fits", self.max_fits.is_some(), &[Kind::FairFit]),
-            ("--fast", self.fast, &[Kind::FairFit]),
-            ("--nodes", self.nodes.is_some(), &[Kind::FairFit]),
-            ("--budget", self.budget.is_some(), &[Kind::FairFit]),
-            ("--polyline", self.polyline.is_some(), &[Kind::FairFit]),
-        ];
-        let wrong = given.iter().find(|(_, given, kinds)| *given && !kinds.contains(&kind));
-        match wrong {
-            None => Ok(()),
-            Some((option, _, kinds)) => {
-                let words: Vec<&str> = kinds.iter().map(|kind| kind.word()).collect();
-                let message = format!("{option} goes with --kind {}, not with {}", words.join(" or "), kind.word());
-                Err(Failure::Usage(message))
-            }
-        }
+        let plan = self.output.plan(input, self.tolerance)?;
+        Ok(MakePlan { fit_tolerance: kind == Kind::ArcFit, ..plan })
     }
 }
 
@@ -357,7 +326,8 @@ pub fn refuse_overwriting(output: Option<&Path>, input: &Path) -> Result<(), Fai
 }
 
 impl Kind {
-    const fn word(self) -> &'static str {
+    /// The word as it is typed.
+    pub const fn word(self) -> &'static str {
         match self {
             Self::FairSpline => "fair-spline",
             Self::CircleSpline => "circle-spline",

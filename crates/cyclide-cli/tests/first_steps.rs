@@ -119,6 +119,8 @@ fn near_words_are_suggested() {
         ("step.json", &object("\"type\": \"transform\", \"of\": \"a\", \"steps\": [{\"rotate\": {\"angle\": 1}}]")),
         ("inner.json", &circle(", \"units\": \"mm\"")),
         ("other.json", &circle(", \"effort\": \"best\"")),
+        ("metres.json", "{\"cyclide\": 1, \"units\": \"meters\", \"objects\": {}}"),
+        ("inches.json", "{\"cyclide\": 1, \"units\": \"inches\", \"objects\": {}}"),
         ("good.json", &circle("")),
         ("p.csv", "east_m,north_m\n0,0\n1,0\n1,1\n"),
     ]);
@@ -128,6 +130,8 @@ fn near_words_are_suggested() {
         (1, "report field.json", "; did you mean `center`?\n"),
         (1, "report outer.json", "; did you mean `units`?\n"),
         (1, "report units.json", "; did you mean `in`?\n"),
+        (1, "report metres.json", "`ft`; did you mean `m`?\n"),
+        (1, "report inches.json", "; did you mean `in`?\n"),
         (1, "report word.json", "; did you mean `fast`?\n"),
         (1, "report step.json", "; did you mean `rotation`?\n"),
         // What other programs call it, and where it belongs.
@@ -248,6 +252,26 @@ fn the_commands_of_the_readme_work_word_for_word() {
     for command in commands.iter().filter(|command| !command.starts_with("gallery")) {
         folder.ok(command);
     }
+}
+
+#[test]
+fn the_report_of_the_readme_is_the_one_that_is_printed() {
+    let folder = Folder::with(&[]);
+    std::fs::create_dir(folder.path("out")).unwrap();
+    let track = project("examples/track.csv");
+    let outputs = ["step", "dxf", "svg", "png"].map(|suffix| format!("-o out/track.{suffix}")).join(" ");
+    let printed = folder.ok(&format!("curve {} --closed --units m {outputs}", track.display()));
+    let readme = std::fs::read_to_string(project("README.md")).unwrap();
+    let start = readme.find("track: fair-spline").unwrap();
+    let said = &readme[start..start + readme[start..].find("```").unwrap()];
+    // Figures that are rounding, and what has no promise, are not compared.
+    let words = |text: &str| -> Vec<String> {
+        let lines = text
+            .lines()
+            .map(|line| line.split("deviation").next().unwrap().to_owned() + line.rsplit("  ").next().unwrap());
+        lines.filter(|line| !line.contains("joints")).collect()
+    };
+    assert_eq!(words(said), words(&printed));
 }
 
 #[test]

@@ -36,7 +36,7 @@ fn refused_input_shows_file_line_and_column() {
     std::fs::write(folder.path("bytes.csv"), b"0,0\n1,\xff\n").unwrap();
     let before = folder.count();
     for (command, message) in [
-        ("build json.json", "error: json.json:3:1: EOF while parsing an object\n  3 | }\n    | ^"),
+        ("build json.json", "error: json.json:3:1: the file ends inside an object: a `}` is missing\n  3 | }\n    | ^"),
         ("build version.json", "error: version.json:1:13: cyclide: document version 3 is not known"),
         ("report field.json", "error: field.json:2:27: objects.c: unknown field `size`, expected one of"),
         (
@@ -149,8 +149,9 @@ fn files_that_cannot_be_read_or_written() {
         ("curve none.csv -o a.step", "error: cannot read none.csv: "),
         ("curve none.csv -o a.step", "error: cannot read none.csv: "),
         ("build . -o a.step", "error: cannot read .: "),
-        ("build c.json -o no/such/folder/a.step", "error: cannot write no/such/folder/a.step: "),
-        ("sample c.json --count 3 -o no/a.csv", "error: cannot write no/a.csv: "),
+        ("build c.json -o no/such/folder/a.step", "error: cannot write no/such/folder/a.step: there is no folder no\n"),
+        ("sample c.json --count 3 -o no/a.csv", "error: cannot write no/a.csv: there is no folder no\n"),
+        ("build c.json -o c.json/a.step", "error: cannot write c.json/a.step: c.json is no folder\n"),
     ] {
         let error = folder.fails(3, command);
         assert!(error.starts_with(message), "{command}\n{error}");
@@ -192,7 +193,7 @@ fn warnings_are_on_standard_error_with_their_place() {
     assert_eq!(run.code, 0);
     let expected = [
         "warning: track.csv: track: the columns x_m, y_m speak of m, the model says mm; coordinates are taken as they are [units-differ]",
-        "warning: track.csv:4: track: 1 point(s) within ",
+        "warning: track.csv:4: track: point 2 repeats the one before it (closer than ",
         "warning: track.csv:7: track: point 5 repeats the first point of the closed curve: merged with it [closing-point-merged]",
     ];
     let lines: Vec<&str> = run.stderr.lines().collect();

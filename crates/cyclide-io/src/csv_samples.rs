@@ -1,6 +1,6 @@
 //! CSV of points along the curves, with tangent and curvature, for plotting and for programs that take polylines.
 //!
-//! One row per vertex of the polyline within the tolerance: object, contour (from 1), global parameter, point, unit
+//! One row per vertex of the polyline within the tolerance: object, contour (from 0), global parameter, point, unit
 //! tangent, curvature. A closed curve's last row repeats its first point. Where the tangent or the curvature does
 //! not exist, its fields are empty.
 
@@ -25,7 +25,7 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
     for contour in job.contours() {
         let vertices = contour.lowered(flatten_places(contour.curve.as_curve(), job.tolerance))?;
         promise.add(Exactness::Proved(job.tolerance));
-        let head = format!("{},{},", field(contour.object), contour.index + 1);
+        let head = format!("{},{},", field(contour.object), contour.index);
         for (place, point) in &vertices {
             out.push_str(&head);
             push_row(&mut out, contour.curve.as_curve(), *place, *point);

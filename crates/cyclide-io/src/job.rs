@@ -36,9 +36,9 @@ impl BodyOf<'_> {
         ExportError::Surface { object: self.object.to_owned(), surface: self.surface, source }
     }
 
-    /// The object's name, with the body's number from 1 behind it where there are several.
+    /// The object's name, with the body's number from 0, as in reports, behind it where there are several.
     pub(crate) fn label(&self) -> String {
-        if self.count == 1 { self.object.to_owned() } else { format!("{} {}", self.object, self.index + 1) }
+        if self.count == 1 { self.object.to_owned() } else { format!("{} {}", self.object, self.index) }
     }
 }
 
@@ -70,9 +70,9 @@ pub(crate) struct Contour<'a> {
 }
 
 impl Contour<'_> {
-    /// The object's name, with the contour's number from 1 behind it where there are several.
+    /// The object's name, with the contour's number from 0, as in reports, behind it where there are several.
     pub(crate) fn label(&self) -> String {
-        if self.count == 1 { self.object.to_owned() } else { format!("{} {}", self.object, self.index + 1) }
+        if self.count == 1 { self.object.to_owned() } else { format!("{} {}", self.object, self.index) }
     }
 
     /// A result of the kernel with the place it belongs to.

@@ -45,12 +45,13 @@ mod svg;
 pub use bodies::{FileBody, FileEdge, FileFace, FileShell, FileSurface};
 pub use camera::Camera;
 pub use document::{
-    ArcFitSpec, ArcSpec, ArcSplineSpec, BiarcSpec, BorderCurves, BorderSpec, BorderWord, BuiltObject, CircleSpec,
-    CircleSplineSpec, ClampedEnds, Comment, ContourFacts, Coordinates, CyclidePatchSpec, CyclideSpec, CyclidicNetSpec,
-    DOCUMENT_VERSION, Document, EffortWord, EndsSpec, FairEndPair, FairEndSpec, FairEndWord, FairEndsSpec, FairFitSpec,
-    FairSplineSpec, Fitted, FrameSpec, GridSource, Lists, MakeCircularOptions, MakeCircularSpec, MeshFile,
-    ModelBuilder, ObjectSpec, OffsetSpec, PlaneSpec, PointFile, PointSource, Remark, RotationSpec, RuleWord, ScaleSpec,
-    SphereSpec, StepSpec, StraightWord, TargetWord, TransformSpec, TypeWord, UnitWord, VariantWord, document_schema,
+    Angle, ArcFitSpec, ArcSpec, ArcSplineSpec, BiarcSpec, BorderCurves, BorderSpec, BorderWord, BuiltObject,
+    CircleSpec, CircleSplineSpec, ClampedEnds, Comment, ContourFacts, Coordinates, CyclidePatchSpec, CyclideSpec,
+    CyclidicNetSpec, DOCUMENT_VERSION, Document, EffortWord, EndsSpec, FairEndPair, FairEndSpec, FairEndWord,
+    FairEndsSpec, FairFitSpec, FairSplineSpec, Fitted, FrameSpec, GridSource, Lists, MakeCircularOptions,
+    MakeCircularSpec, MeshFile, ModelBuilder, NO_EFFECT, ObjectSpec, OffsetSpec, PlaneSpec, PointFile, PointSource,
+    Remark, RotationSpec, RuleWord, ScaleSpec, SphereSpec, StepSpec, StraightWord, TargetWord, TransformSpec, TypeWord,
+    UnitWord, VariantWord, document_schema,
 };
 pub use error::{Error, Result};
 pub use export::export;

@@ -19,7 +19,7 @@ pub enum Spacing {
 
 /// Samples of an object, ends included: `count` per contour of a curve, `count` by `count` per patch of a surface.
 ///
-/// Curves: columns `t,x,y,z,tangent_x,tangent_y,tangent_z,curvature`, with a column `contour` (from 1) in front if
+/// Curves: columns `t,x,y,z,tangent_x,tangent_y,tangent_z,curvature`, with a column `contour` (from 0) in front if
 /// there are several; of a closed contour the last sample repeats the first.
 ///
 /// Surfaces: columns `patch,s,t,x,y,z,normal_x,normal_y,normal_z,curvature_s,curvature_t` with patches from 0, s
@@ -49,7 +49,7 @@ fn curves(item: &Item, count: usize, spacing: Spacing) -> String {
         };
         for t in ts {
             if several {
-                out += &format!("{},", contour + 1);
+                out += &format!("{contour},");
             }
             push_sample(&mut out, t, curve.eval(t), &curve.jet(t));
         }

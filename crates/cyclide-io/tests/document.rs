@@ -228,9 +228,19 @@ fn what_the_kernel_refuses_is_shown_at_its_place() {
             "objects.a.order: blend order 7 is outside 1 to 4",
         ),
         (
+            "\"type\": \"arc-fit\", \"points\": [[0,0],[1,0],[1,1]], \"tolerance\": 1, \"corner_angle\": 40",
+            "40",
+            "objects.a.corner_angle: a corner angle of 40 radians is more than half a turn (3.1416): if degrees are meant, write `{\"degrees\": 40}` or 0.69813",
+        ),
+        (
+            "\"type\": \"fair-spline\", \"points\": [[0,0],[1,0],[1,1]], \"corner_angle\": {\"degrees\": 200}",
+            "{\"degrees\": 200}",
+            "objects.a.corner_angle: a corner angle of 200 degrees is outside 0 to 180",
+        ),
+        (
             "\"type\": \"circle-spline\", \"points\": [[0,0],[1,0],[1,1]], \"corner_angle\": 0",
             "0",
-            "objects.a.corner_angle: corner_angle = 0",
+            "objects.a.corner_angle: a corner angle of 0 radians is outside 0 to 3.1416",
         ),
         (
             "\"type\": \"circle-spline\", \"points\": [[[0,0],[1,0]],[[5,5]]]",
@@ -295,6 +305,7 @@ fn the_words_of_a_fair_spline_reach_the_kernel() {
     assert!(height(&plain) < 1e-15 && height(&fair(", \"straight\": \"off\"")) > 1e-3);
     assert!(largest(&plain) < 1e-12);
     assert!((largest(&fair(", \"corner_angle\": 1.5")) - FRAC_PI_2).abs() < 1e-12);
+    assert!((largest(&fair(", \"corner_angle\": {\"degrees\": 85}")) - FRAC_PI_2).abs() < 1e-12);
     // Two more points round the corner.
     assert_eq!(curve(&fair(", \"tight\": 0.2")).piece_count(), 6);
     let start = |ends: &str| curve(&fair(&format!(", \"ends\": {ends}, \"straight\": \"off\""))).jet(0.0);

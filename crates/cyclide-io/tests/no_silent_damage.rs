@@ -7,11 +7,16 @@ use std::f64::consts::{PI, TAU};
 use std::path::Path;
 
 fn build(net: &Value) -> Result<BuiltObject, String> {
-    let text = json!({"cyclide": 1, "units": "m", "objects": {"n": net}}).to_string();
+    last_of(&format!("\"n\": {net}"))
+}
+
+/// Builds the last of these objects.
+fn last_of(objects: &str) -> Result<BuiltObject, String> {
+    let text = format!("{{\"cyclide\": 1, \"units\": \"m\", \"objects\": {{{objects}}}}}");
     let document = Document::parse("m.json", text.as_bytes()).map_err(|d| d.to_string())?;
     let read = |_: &Path| Err(std::io::ErrorKind::NotFound.into());
     let mut builder = ModelBuilder::new(&document, Path::new(""), &read).map_err(|e| e.to_string())?;
-    builder.build(0, &mut |_| {}).map_err(|e| e.to_string())
+    builder.build(document.objects.len() - 1, &mut |_| {}).map_err(|e| e.to_string())
 }
 
 fn surface(built: &BuiltObject) -> SurfaceReport {
@@ -121,4 +126,63 @@ fn curvatures_without_bounds_are_null_with_the_reason() {
             assert!(k >= min - room && k <= max + room, "{k} at {x}: {range}");
         }
     }
+}
+
+#[test]
+fn offsets_beyond_the_focal_set_say_how_far_they_can_go() {
+    let offset = |distance: f64| {
+        let objects =
+            r#""t": {"type": "cyclide", "a": 3, "mu": 1}, "o": {"type": "offset", "of": "t", "distance": DD}"#;
+        last_of(&objects.replace("DD", &format!("{distance:?}"))).unwrap()
+    };
+    let beyond = offset(-1.5);
+    let [remark] = &beyond.remarks[..] else { panic!("{:?}", beyond.remarks) };
+    assert_eq!((remark.reason, remark.place.as_deref()), ("beyond-focal-set", Some("objects.o.distance")));
+    // All patches have the tube's radius 1.
+    assert!(remark.message.contains("by -1.5 ") && remark.message.contains(" on 16 patch(es)"), "{}", remark.message);
+    let (_, warning) = &beyond.item.warnings[0];
+    let cyclide::Warning::BeyondFocalSet { radius, count, .. } = *warning else { panic!("{warning:?}") };
+    assert!((radius - 1.0).abs() < 1e-12 && count == 16, "{radius}"); // rounding
+    for near in [-0.999, 0.5, 1.99] {
+        assert!(offset(near).remarks.is_empty(), "{near}");
+    }
+    // Outwards the inner half of the ring has centres of curvature, 2 and farther away.
+    let outwards = offset(2.5);
+    let cyclide::Warning::BeyondFocalSet { radius, count, .. } = outwards.item.warnings[0].1 else {
+        panic!("a warning")
+    };
+    assert!((radius - 2.0).abs() < 1e-12 && count == 8, "{radius} {count}");
+    // And back: the ring as it was.
+    let back = last_of(
+        r#""t": {"type": "cyclide", "a": 3, "mu": 1}, "o": {"type": "offset", "of": "t", "distance": -1.5},
+        "b": {"type": "offset", "of": "o", "distance": 1.5}"#,
+    );
+    assert!(back.unwrap().remarks.is_empty());
+}
+
+#[test]
+fn messages_say_what_may_be_meant() {
+    let patch = |corners: &str, frame: &str| {
+        last_of(&format!(r#""p": {{"type": "cyclide-patch", "corners": {corners}, "frame": {frame}}}"#)).unwrap_err()
+    };
+    let square = "[[0,0],[1,0],[0,1],[1,1]]";
+    let skew = patch(square, "[[3,0,0],[1,1,0]]");
+    assert!(
+        skew.contains("p.frame: the directions of the frame must be perpendicular: they are 45 degrees off"),
+        "{skew}"
+    );
+    let crossed = patch("[[0,0],[1,0],[1,1],[0,1]]", "[[1,0,0],[0,1,0]]");
+    assert!(crossed.contains("corners are given row by row") && crossed.contains("[crossing-quad]"), "{crossed}");
+    let net =
+        last_of(r#""n": {"type": "cyclidic-net", "grid": [[[0,0],[1,0]],[[1,1],[0,1]]], "frame": [[1,0,0],[0,1,0]]}"#);
+    let message = net.unwrap_err();
+    assert!(message.contains("points are given row by row, all rows in the same direction"), "{message}");
+    let turned = last_of(
+        r#""a": {"type": "arc", "from": [0,0], "to": [1,0], "bulge": 0.5},
+        "t": {"type": "transform", "of": "a", "steps": [{"rotation": {"angle": 90}}]}"#,
+    );
+    let remarks = turned.unwrap().remarks;
+    assert_eq!((remarks.len(), remarks[0].reason), (1, "more-than-a-turn"));
+    assert_eq!(remarks[0].place.as_deref(), Some("objects.t.steps[0].rotation.angle"));
+    assert!(remarks[0].message.contains("write `{\"degrees\": 90}` or 1.5708"), "{}", remarks[0].message);
 }

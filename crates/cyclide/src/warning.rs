@@ -235,6 +235,17 @@ pub enum Warning {
         /// Largest angle between the normals there, radians.
         angle: f64,
     },
+    /// An offset beyond centres of curvature of its surface: lines run backwards there.
+    BeyondFocalSet {
+        /// The distance of the offset.
+        distance: f64,
+        /// The smallest radius of curvature towards that side.
+        radius: f64,
+        /// The first patch with a smaller radius than the distance.
+        first: usize,
+        /// How many there are.
+        count: usize,
+    },
     /// A net whose frame does not suit its grid: lines shrink to a point inside patches, or neighbours fold over.
     FoldedNet {
         /// Patches inside which a parameter line shrinks to a point.
@@ -284,6 +295,7 @@ impl Warning {
             Self::LeftSurface { .. } => "left-surface",
             Self::Zigzag { .. } => "zigzag",
             Self::OpenSeam { .. } => "open-seam",
+            Self::BeyondFocalSet { .. } => "beyond-focal-set",
             Self::FoldedNet { .. } => "folded-net",
         }
     }
@@ -303,6 +315,7 @@ impl Warning {
             Self::FeetNotMonotone { point, .. } => Some(point),
             Self::ClosingPointMerged { index } => Some(index),
             Self::MovedFar { vertex, .. } | Self::LeftSurface { vertex, .. } => Some(vertex),
+            Self::BeyondFocalSet { first, .. } => Some(first),
             Self::FoldedNet { first, .. } => first,
             Self::SamplesTooCoarse { .. }
             | Self::ToleranceBelowNoise { .. }
@@ -333,7 +346,7 @@ impl std::fmt::Display for Warning {
             Self::SharpTurn { node, angle, limit } => {
                 write!(
                     f,
-                    "point {node}: turn of {:.2} degrees, above {:.0}: very large circle",
+                    "point {node}: the points turn back by {:.2} degrees (more than {:.0} is sharp): the circle through it and its neighbours is very large, and the curve swings out; if a corner is meant, mark it",
                     angle.to_degrees(),
                     limit.to_degrees()
                 )
@@ -341,7 +354,7 @@ impl std::fmt::Display for Warning {
             Self::SharpTurnCut { node, angle, limit } => {
                 write!(
                     f,
-                    "point {node}: turn of {:.2} degrees, above {:.0}: cut into a corner, a smooth curve would swing out",
+                    "point {node}: the points turn back by {:.2} degrees (more than {:.0} is sharp): a smooth curve would swing out, so the point is made a corner",
                     angle.to_degrees(),
                     limit.to_degrees()
                 )
@@ -380,7 +393,9 @@ impl std::fmt::Display for Warning {
             }
             Self::Wavers { curve, data } => write!(
                 f,
-                "the curve changes {curve} times between left and right, its points {data} times: it wavers between them (the comb of a picture shows where)"
+                "the curve changes {} between left and right, its points {}: it wavers between them (the comb of a picture shows where)",
+                times(*curve),
+                times(*data)
             ),
             Self::DataWaver { changes, nodes } => write!(
                 f,
@@ -460,11 +475,14 @@ impl std::fmt::Display for Warning {
                 "point {point}: its place on the curve is before that of the point before it ({count} such): the points are denser than their noise, and the distance to their polyline is bounded one way only"
             ),
             Self::PointsMerged { first, count, limit } => {
-                write!(
-                    f,
-                    "{count} point(s) within {} of their neighbour merged, the first is point {first}",
-                    ShortNumber(*limit)
-                )
+                let limit = ShortNumber(*limit);
+                match count {
+                    1 => write!(f, "point {first} repeats the one before it (closer than {limit}): left out"),
+                    _ => write!(
+                        f,
+                        "{count} points repeat those before them (closer than {limit}): left out, the first is point {first}"
+                    ),
+                }
             }
             Self::ClosingPointMerged { index } => {
                 write!(f, "point {index} repeats the first point of the closed curve: merged with it")
@@ -503,6 +521,12 @@ impl std::fmt::Display for Warning {
                 ShortNumber(*gap),
                 degrees(*angle)
             ),
+            Self::BeyondFocalSet { distance, radius, first, count } => write!(
+                f,
+                "the offset by {} goes beyond the focal set on {count} patch(es), the first is patch {first}: the surface bends towards that side with radii down to {}, and beyond them its lines run backwards; offsets by less do not",
+                ShortNumber(*distance),
+                ShortNumber(*radius)
+            ),
             Self::FoldedNet { singular, first, creases, angle } => {
                 if let Some(first) = first {
                     write!(f, "{singular} singular patch(es), the first is quad {first}")?;
@@ -538,19 +562,27 @@ fn write_nodes_not_reached(
     write!(f, "{asked} nodes were asked for, {reached} it has: {because}")
 }
 
-/// The relaxed segments with the range of their blends.
+fn times(count: usize) -> String {
+    if count == 1 { "once".to_owned() } else { format!("{count} times") }
+}
+
+/// The relaxed segments by the points they join, with the range of their blends.
 fn write_relaxed(f: &mut std::fmt::Formatter<'_>, segments: &[(usize, f64)]) -> std::fmt::Result {
     let least = segments.iter().map(|(_, e)| *e).fold(1.0, f64::min);
     let largest = segments.iter().map(|(_, e)| *e).fold(0.0, f64::max);
     match segments {
-        [] => f.write_str("no segment is relaxed"),
-        [(one, _)] => write!(f, "segment {one}"),
-        [(first, _), .., (last, _)] => write!(f, "{} segments from {first} to {last}", segments.len()),
+        [] => return f.write_str("no segment is relaxed"),
+        [(one, _)] => write!(f, "behind point {one} the fairest curve would swing out, so it is less fair there"),
+        [(first, _), .., (last, _)] => write!(
+            f,
+            "on {} segments, behind the points {first} to {last}, the fairest curve would swing out, so it is less fair there",
+            segments.len()
+        ),
     }?;
     let (least, largest) = (ShortNumber(least), ShortNumber(largest));
-    write!(f, ": relaxed to the blend {least}")?;
+    write!(f, " (blend {least}")?;
     if least != largest {
         write!(f, " to {largest}")?;
     }
-    f.write_str(" (1 is fairest), the fairest curve would swing out there: sharp turns are better marked as corners")
+    f.write_str(" where 1 is the fairest); if the points turn sharply on purpose, mark them as corners")
 }

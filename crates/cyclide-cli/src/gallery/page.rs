@@ -115,8 +115,9 @@ fn figures(report: &Report) -> Vec<(&'static str, String)> {
         figures.push(("patches", format!("{patches}{}", if patches == 1 { "" } else { &within })));
         // The skins of a thick shell are its largest parts.
         let areas = names.iter().zip(&surfaces).flat_map(|(name, surface)| match surface.parts.as_slice() {
-            [one, two, _, ..] => vec![(format!("{name}, one side"), one.area), ("other side".to_owned(), two.area)],
-            _ => vec![((*name).to_owned(), surface.area)],
+            [one, two, ..] => vec![(format!("{name}, one side"), one.area), ("other side".to_owned(), two.area)],
+            [one] => vec![((*name).to_owned(), one.area)],
+            [] => Vec::new(),
         });
         figures.push(("area", each(&areas.collect::<Vec<_>>(), &format!("{units}²"))));
         let volumes = names.iter().zip(&surfaces).filter_map(|(name, s)| s.volume.map(|v| ((*name).to_owned(), v)));
@@ -131,11 +132,15 @@ fn figures(report: &Report) -> Vec<(&'static str, String)> {
             figures.push(("joints", format!("{smooth}, normals {normals}")));
         }
     }
-    let (count, pieces, length) =
-        curves().fold((0, 0, 0.0), |(n, p, l), c| (n + c.contours, p + c.pieces, l + c.length));
+    let (count, pieces) = curves().fold((0, 0), |(n, p), c| (n + c.contours, p + c.pieces));
     if count > 0 {
         figures.push(("curves", format!("{count}, in {pieces} pieces")));
-        figures.push(("length", format!("{} {units}", ShortNumber(length))));
+        let lengths = report.objects.iter().filter(|(_, object)| !object.construction);
+        let lengths = lengths.filter_map(|(name, object)| match &object.geometry {
+            GeometryReport::Curves(curves) => Some((name.clone(), curves.length)),
+            GeometryReport::Surface(_) => None,
+        });
+        figures.push(("length", each(&lengths.collect::<Vec<_>>(), units)));
         // How evenly the curves bend says something of each alone, and of those without jumps of the curvature.
         if let [only] = curves().collect::<Vec<_>>().as_slice() {
             let fairness = &only.fairness;

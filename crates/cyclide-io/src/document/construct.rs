@@ -6,6 +6,7 @@ use cyclide::{
     FitCertificate, FitTarget, Point3, SplineEnds, Vec3, Warning, corners_by_angle, fairness, wavering,
 };
 
+use super::angle::Angle;
 use super::coordinates::Coordinates;
 use super::spec::{
     ArcFitSpec, ArcSplineSpec, CircleSplineSpec, EffortWord, EndsSpec, FairEndPair, FairEndSpec, FairEndWord,
@@ -65,7 +66,7 @@ pub(super) fn arc_fit(spec: &ArcFitSpec, at: &Contour<'_>) -> Made {
     options.closed = spec.closed;
     options.target = spec.target.into();
     options.effort = spec.effort.into();
-    options.corner_angle = spec.corner_angle.unwrap_or(options.corner_angle);
+    options.corner_angle = spec.corner_angle.map_or(options.corner_angle, Angle::radians);
     options.corners.clone_from(&at.list.corners);
     let fit = ArcFit::new(&at.list.points, &options)?;
     Ok((
@@ -80,7 +81,7 @@ pub(super) fn fair_fit(spec: &FairFitSpec, at: &Contour<'_>) -> Made {
     options.closed = spec.closed;
     options.centre = spec.centre;
     options.fix_ends = spec.fix_ends;
-    options.corner_angle = spec.corner_angle;
+    options.corner_angle = spec.corner_angle.map(Angle::radians);
     options.corners.clone_from(&at.list.corners);
     options.max_fits = spec.max_fits.map_or(options.max_fits, |n| n as usize);
     options.nodes = spec.nodes.map(|n| n as usize);
@@ -92,9 +93,9 @@ pub(super) fn fair_fit(spec: &FairFitSpec, at: &Contour<'_>) -> Made {
 }
 
 /// The corners marked in the file, and those that turn by more than the angle given.
-fn corners(at: &Contour<'_>, closed: bool, angle: Option<f64>) -> cyclide::Result<Vec<usize>> {
+fn corners(at: &Contour<'_>, closed: bool, angle: Option<Angle>) -> cyclide::Result<Vec<usize>> {
     let mut corners = at.list.corners.clone();
-    if let Some(angle) = angle {
+    if let Some(angle) = angle.map(Angle::radians) {
         let max = std::f64::consts::PI;
         if !(angle > 0.0 && angle <= max) {
             return Err(cyclide::Error::ParameterOutOfRange { name: "corner_angle", value: angle, min: 0.0, max });

@@ -7,11 +7,13 @@
 //! then the fields of that type; unknown fields and repeated names are errors. [`ModelBuilder`] runs the
 //! constructions; what the kernel refuses is reported at the point or field at fault.
 
+mod angle;
 mod build;
 mod construct;
 mod coordinates;
 mod limits;
 mod locate;
+mod plain_words;
 mod schema;
 mod spec;
 
@@ -23,12 +25,13 @@ use serde_json::value::RawValue;
 
 use crate::place::{Diagnostic, Source, decode, quoted};
 use crate::suggest::did_you_mean;
-pub use build::{BuiltObject, ModelBuilder, Remark};
+pub use angle::Angle;
+pub use build::{BuiltObject, ModelBuilder, NO_EFFECT, Remark};
 pub use construct::{ContourFacts, Fitted};
 pub use coordinates::{Coordinates, Lists, PointFile, PointSource};
 use locate::{Entries, Step, offset_in, path_text, value_at};
+use plain_words::{in_plain_words, other_word_for, syntax_in_plain_words, wrong_count};
 pub use schema::document_schema;
-use schema::types_with_field;
 pub use spec::{
     ArcFitSpec, ArcSpec, ArcSplineSpec, BiarcSpec, BorderCurves, BorderSpec, BorderWord, CircleSpec, CircleSplineSpec,
     ClampedEnds, Comment, CyclidePatchSpec, CyclideSpec, CyclidicNetSpec, EffortWord, EndsSpec, FairEndPair,
@@ -78,12 +81,15 @@ impl Document {
     /// Parses a document from the bytes of a file; `name` is what messages call it.
     ///
     /// # Errors
-    /// A message with file, line, column, path and the text at that place: not UTF-8, not JSON, another version, an
+    /// A message with file, line, column, path and the text at that place: not UTF-8, empty, not JSON, another version, an
     /// unknown type or field, a missing field, a value of the wrong kind, a repeated name, a number or string that is too
     /// long.
     pub fn parse(name: &str, bytes: &[u8]) -> Result<Self, Box<Diagnostic>> {
         let text = decode(name, bytes)?;
         let source = Source { name, text };
+        if text.trim().is_empty() {
+            return Err(source.diagnostic(0..0, "", "the file is empty"));
+        }
         limits::check_limits(source)?;
         check_version(source)?;
         let root: Root<'_> = serde_json::from_str(text).map_err(|e| refused(source, &[], text, &e))?;
@@ -180,26 +186,6 @@ fn parse_object(source: Source<'_>, name: &str, raw: &RawValue) -> Result<Object
         .map_err(|e| refuse(&e))
 }
 
-/// The type that makes what other programs call by this word, as the end of a message.
-fn other_word_for(kind: &str) -> String {
-    let answer = match kind.to_lowercase().as_str() {
-        "line" | "segment" => "an `arc` with the bulge 0 is a straight segment",
-        "ellipse" | "bezier" | "nurbs" | "bspline" | "b-spline" | "curve" => {
-            "a smooth curve through points is a `fair-spline`"
-        }
-        "polyline" | "polygon" | "path" => "arcs along points are an `arc-fit` (target `polyline`) or an `arc-spline`",
-        "torus" | "ring" | "horn" | "spindle" => "a torus is a `cyclide` with the radii `a` and `mu`",
-        "surface" | "mesh" | "grid" | "net" | "nurbs-surface" | "quads" => "a surface over a grid is a `cyclidic-net`",
-        "thicken" | "thick" | "solid" | "shell" => "an `offset` with `thick` makes the solid",
-        "mirror" | "rotation" | "translation" | "scale" | "inversion" | "move" | "rotate" => {
-            "it is a step of a `transform`"
-        }
-        "beams" | "edges" | "support" => "the edges of a surface are its `support-structure`",
-        _ => return String::new(),
-    };
-    format!("; {answer}")
-}
-
 /// The message for what the JSON parser said about `part`, the text of the value at `path`.
 fn refused(source: Source<'_>, path: &[Step], part: &str, error: &serde_json::Error) -> Box<Diagnostic> {
     let line_start = match error.line() {
@@ -211,7 +197,8 @@ fn refused(source: Source<'_>, path: &[Step], part: &str, error: &serde_json::Er
     let message = error.to_string();
     let message = message.rfind(" at line ").map_or(message.as_str(), |at| &message[..at]);
     if !error.is_data() {
-        let syntax = || source.diagnostic(source.character_before(offset), "", message);
+        let at = source.character_before(offset);
+        let syntax = || source.diagnostic(at.clone(), "", syntax_in_plain_words(source.text, at.start, message));
         return one_value_too_many(source, path, offset, message).unwrap_or_else(syntax);
     }
     let message = in_plain_words(message);
@@ -226,53 +213,6 @@ fn refused(source: Source<'_>, path: &[Step], part: &str, error: &serde_json::Er
         span.start..span.start + 1
     };
     source.diagnostic(place, &path_text(&steps), message)
-}
-
-/// What the parser said without the names of its own types.
-fn in_plain_words(message: &str) -> String {
-    let lengths = message.strip_prefix("invalid length ").and_then(|rest| rest.split_once(", expected "));
-    if let Some((given, needed)) = lengths {
-        let number = |text: &str| text.rsplit(' ').find_map(|word| word.parse::<usize>().ok());
-        if let (Ok(given), Some(needed)) = (given.parse(), number(needed)) {
-            return wrong_count(given, needed);
-        }
-    }
-    let plain = cut_quote(message);
-    let plain = plain.replace("expected f64", "expected a number").replace("expected u32", "expected a whole number");
-    plain + &suggestion(message)
-}
-
-/// The message with what it quotes of the input cut: that is the first thing in quotes.
-fn cut_quote(message: &str) -> String {
-    let Some(open) = message.find(['`', '"']) else { return message.to_owned() };
-    let (before, rest) = message.split_at(open + 1);
-    let quote = &message[open..=open];
-    let close = rest.find(&format!("{quote}, expected ")).or_else(|| rest.rfind(quote)).unwrap_or(rest.len());
-    let (inner, after) = rest.split_at(close);
-    format!("{before}{}{after}", quoted(inner))
-}
-
-/// What may be meant by a field or word that the parser does not know: it names all it knows, in backquotes.
-fn suggestion(message: &str) -> String {
-    if !["unknown field `", "unknown variant `"].iter().any(|start| message.starts_with(start)) {
-        return String::new();
-    }
-    let mut quoted = message.split('`').skip(1).step_by(2);
-    let Some(word) = quoted.next() else { return String::new() };
-    let near = did_you_mean(word, quoted);
-    if !near.is_empty() || !message.starts_with("unknown field") {
-        return near;
-    }
-    match types_with_field(word).as_slice() {
-        _ if word == "units" => "; `units` stands in the document, before its objects".to_owned(),
-        types if (1..=3).contains(&types.len()) => format!("; `{word}` is a field of `{}`", types.join("` and `")),
-        _ => String::new(),
-    }
-}
-
-fn wrong_count(given: usize, needed: usize) -> String {
-    let verb = |count| if count == 1 { "value is" } else { "values are" };
-    format!("{given} {} given, {needed} {} needed", verb(given), if needed == 1 { "is" } else { "are" })
 }
 
 /// A list with more values than its type holds, or a choice with more than one name: the parser takes the next comma for

@@ -1,7 +1,7 @@
 //! Strokes, fills and text in pixels.
 
 use super::lettering;
-use tiny_skia::{Color, FillRule, LineCap, LineJoin, Paint, Path, PathBuilder, Pixmap, Stroke, Transform};
+use tiny_skia::{Color, FillRule, LineCap, LineJoin, Paint, Path, PathBuilder, Pixmap, Stroke, StrokeDash, Transform};
 
 /// A place in the picture, pixels to the right and down.
 pub(super) type Pixel = (f32, f32);
@@ -25,6 +25,8 @@ impl Ink {
     pub(super) const COMB_AREA: Self = Self::new(0xF2A46B, 0.13);
     pub(super) const FLOOR: Self = Self::new(0xF1F2F0, 1.0);
     pub(super) const FLOOR_LINE: Self = Self::new(0xDFE2E0, 1.0);
+    /// Data points of a fit, below its curve.
+    const DATA: Self = Self::new(0x9CC0E4, 1.0);
     pub(super) const SHADOW: Self = Self::new(0xB9C0C4, 0.8);
     /// Text, and what is said beside it.
     pub(super) const TEXT: Self = Self::new(0x1D242B, 1.0);
@@ -91,6 +93,16 @@ impl Canvas {
         self.line(path([points], closed), width, ink, LineCap::Round);
     }
 
+    /// A line in dashes and gaps of the same length.
+    pub(super) fn dashes(&mut self, points: &[Pixel], closed: bool, width: f64, length: f64, ink: Ink) {
+        let Some(path) = path([points], closed) else {
+            return;
+        };
+        let dash = StrokeDash::new(vec![length as f32, length as f32], 0.0);
+        let stroke = Stroke { width: width as f32, line_join: LineJoin::Round, dash, ..Stroke::default() };
+        self.pixels.stroke_path(&path, &ink.paint(), &stroke, Transform::identity(), None);
+    }
+
     /// Lines that are one shape: where they cross they are not darker.
     pub(super) fn strokes<'a>(&mut self, lines: impl IntoIterator<Item = &'a [Pixel]>, width: f64, ink: Ink) {
         self.line(path(lines, false), width, ink, LineCap::Butt);
@@ -116,13 +128,25 @@ impl Canvas {
     }
 
     /// A joint: a pale dot with a dark ring.
-    pub(super) fn dot(&mut self, (x, y): Pixel, radius: f64) {
+    pub(super) fn dot(&mut self, at: Pixel, radius: f64) {
+        self.disc(at, radius, 0.38 * radius, Ink::object(0));
+    }
+
+    /// A disc of paper with a ring.
+    pub(super) fn disc(&mut self, (x, y): Pixel, radius: f64, ring: f64, ink: Ink) {
         let Some(circle) = PathBuilder::from_circle(x, y, radius as f32) else {
             return;
         };
-        let stroke = Stroke { width: (0.38 * radius) as f32, ..Stroke::default() };
+        let stroke = Stroke { width: ring as f32, ..Stroke::default() };
         self.pixels.fill_path(&circle, &Ink::PAPER.paint(), FillRule::Winding, Transform::identity(), None);
-        self.pixels.stroke_path(&circle, &Ink::object(0).paint(), &stroke, Transform::identity(), None);
+        self.pixels.stroke_path(&circle, &ink.paint(), &stroke, Transform::identity(), None);
+    }
+
+    /// A data point: a small dot.
+    pub(super) fn spot(&mut self, (x, y): Pixel, radius: f64) {
+        if let Some(circle) = PathBuilder::from_circle(x, y, radius as f32) {
+            self.pixels.fill_path(&circle, &Ink::DATA.paint(), FillRule::Winding, Transform::identity(), None);
+        }
     }
 
     /// A line of text from the left end of its base line, capitals `size` high.

@@ -5,25 +5,29 @@
 //! the ground below. A model with surfaces is shown in perspective, shaded, with its parameter circles and with the
 //! curves among the surfaces ([`scene`]). The promised bound is half a pixel.
 //!
-//! Title, unit, scale bar and legend have bands of their own above and below ([`sheet`]); objects that are too many for
-//! a legend are named where they stand ([`labels`]).
+//! Title, unit, scale bar and legend have bands of their own above and below ([`sheet`], [`legend`]); objects that are too many
+//! for a legend of colours are named where they stand or, where names have no room, numbered ([`labels`]).
 
 mod axes;
 mod canvas;
 mod labels;
+mod legend;
 mod lettering;
 mod scene;
 mod sheet;
 mod view;
 
+use crate::camera::Camera;
 use crate::drawing::{self, CombStrip, Combs};
 use crate::export_error::ExportError;
 use crate::exported::{Exported, Promise};
 use crate::job::Job;
+use axes::{Plan, Rulers};
 use canvas::{Canvas, Ink, Pixel};
 use cyclide::{Exactness, Point3, Vec3, flatten};
-use labels::Labels;
-use sheet::{Caption, Sheet, is_labelled};
+use labels::{Labels, Name};
+use legend::Naming;
+use sheet::{Caption, Names, Sheet};
 use view::View;
 
 /// Flattening, pixels: well below what anti-aliasing shows.
@@ -35,6 +39,9 @@ const TOOTH: f64 = 1.0;
 const RIM: f64 = 9.0;
 /// Teeth are at most this part of their distance wide: a close comb is paler, not solid.
 const TOOTH_PART: f64 = 0.4;
+/// Length of the dashes of a curve that covers another, and radius of a data point.
+const DASH: f64 = 16.0;
+const DATA: f64 = 4.4;
 /// Joints closer together than this are not marked: they would hide the curve.
 const JOINT_GAP: f64 = 14.0;
 /// Length of the parts that a curve in space is cut into for hiding, pixels.
@@ -45,51 +52,166 @@ const LAYER: f64 = 0.03;
 /// Draws the model.
 pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
     let sheet = Sheet::new(job)?;
+    let names = Names::new(job);
     if !job.bodies.is_empty() {
-        return scene::write(job, sheet);
+        return scene::write(job, sheet, names);
     }
     let size = job.size();
     let heights = job.bounds.max.z - job.bounds.min.z > 1e-6 * size;
     let rough: Vec<Point3> = curves(job, 1e-3 * size)?.into_iter().flat_map(|c| c.points).collect();
     let axes = view::axes(&rough, heights, job.options.camera);
-    let from_above = axes[2] == UP;
     let combs = if job.options.png_plain { Combs::default() } else { drawing::combs(job, size, [axes[0], axes[1]]) };
-    let caption = Caption::new(job, &combs);
-    let visible: Vec<Point3> = rough.into_iter().chain(combs.tips()).collect();
-    let ruled = job.options.png_axes && caption.is_some() && job.options.camera.map_or(!heights, |c| c.is_along_axis());
-    let view = View::new(&visible, axes, heights, sheet, caption.as_ref(), ruled);
-    let mut canvas = Canvas::new(view.width(), view.height()).ok_or_else(|| picture("it has no size"))?;
-    let curves = curves(job, FLATNESS * view.unit())?;
-
-    ground(&mut canvas, &view, sheet, &curves);
-    for strip in combs.drawn.iter().flat_map(|comb| &comb.strips) {
-        teeth(&mut canvas, &view, sheet, strip);
+    let shown: Vec<Point3> = rough.into_iter().chain(combs.tips()).collect();
+    let request = Request { job, sheet, names: &names.drawn, combs: &combs, shown: &shown, axes, heights };
+    let mut drawing = request.drawing(if legend::is_crowded(job) { Naming::Names } else { Naming::Colours })?;
+    if drawing.naming == Naming::Names && !drawing.place_names() {
+        // The legend takes more room then.
+        drawing = request.drawing(Naming::Numbers)?;
     }
-    if heights && !from_above {
-        curves_in_space(&mut canvas, &view, sheet, &curves);
-    } else {
-        for curve in &curves {
-            let points: Vec<_> = curve.points.iter().map(|p| view.at(*p)).collect();
-            canvas.stroke(&points, curve.closed, CURVE * sheet.scale, Ink::object(curve.object));
-        }
-    }
-    joints(&mut canvas, &view, sheet, job);
-    if let Some(caption) = &caption {
-        let height = f64::from(view.height());
-        let left = if ruled { axes::rulers(&mut canvas, &view, sheet, is_labelled(job)) } else { 0.4 * sheet.margin() };
-        if is_labelled(job) {
-            let room = [left, caption.header(sheet), height - caption.footer(sheet)];
-            labels(&mut canvas, &view, Labels::new(sheet, room), job, &curves, &combs);
-        }
-        if job.options.png_axes && !ruled {
-            axes::arrows(&mut canvas, view.axes(), sheet, height - caption.footer(sheet));
-        }
-        caption.draw(&mut canvas, sheet, height, view.unit(), "");
-    }
-    let bytes = canvas.encode().map_err(|e| picture(&e))?;
+    let bytes = drawing.draw()?.encode().map_err(|e| picture(&e))?;
     let mut promise = Promise::EXACT;
-    promise.add(Exactness::Proved(0.5 * view.unit()));
-    Ok(promise.exported(bytes, Vec::new(), Vec::new()))
+    promise.add(Exactness::Proved(0.5 * drawing.view.unit()));
+    Ok(promise.exported(bytes, names.notes, Vec::new()))
+}
+
+/// What is to be drawn.
+#[derive(Clone, Copy)]
+struct Request<'a> {
+    job: &'a Job<'a>,
+    sheet: Sheet,
+    names: &'a [String],
+    combs: &'a Combs,
+    /// Points of all that the picture must show.
+    shown: &'a [Point3],
+    axes: [Vec3; 3],
+    heights: bool,
+}
+
+/// A drawing of curves with its layout.
+struct Drawing<'a> {
+    of: Request<'a>,
+    naming: Naming,
+    rulers: Rulers,
+    caption: Option<Caption>,
+    view: View,
+    curves: Vec<Polyline>,
+    labels: Labels,
+    placed: Vec<Name>,
+}
+
+impl<'a> Request<'a> {
+    fn drawing(self, naming: Naming) -> Result<Drawing<'a>, ExportError> {
+        let Self { job, sheet, .. } = self;
+        let caption = Caption::new(job, self.combs, self.names, naming);
+        let rulers = match job.options.camera.map_or(!self.heights, Camera::is_along_axis) {
+            _ if !job.options.png_axes || caption.is_none() => Rulers::None,
+            true => Rulers::Sides,
+            false => Rulers::Edges,
+        };
+        let view = View::new(self.shown, self.axes, self.heights, sheet, caption.as_ref(), rulers);
+        let curves = curves(job, FLATNESS * view.unit())?;
+        let mut labels =
+            Labels::new(sheet, room(sheet, &view, caption.as_ref(), (rulers, naming)), job.model.items.len());
+        for curve in &curves {
+            let points: Vec<Pixel> = curve.points.iter().map(|p| view.at(*p)).collect();
+            labels.add(curve.object, &points);
+        }
+        for (x, y) in drawing::joints(job).into_iter().map(|p| view.at(p)) {
+            let radius = 4.0 * sheet.scale as f32;
+            labels.add_joint(&[(x - radius, y - radius), (x + radius, y + radius)]);
+        }
+        for strip in self.combs.drawn.iter().flat_map(|comb| &comb.strips) {
+            labels.avoid(&strip.tips.iter().map(|t| view.at(t.tip)).collect::<Vec<_>>());
+            for tooth in &strip.tips {
+                labels.avoid(&[view.at(tooth.foot), view.at(tooth.tip)]);
+            }
+        }
+        let placed = Vec::new();
+        Ok(Drawing { of: self, naming, rulers, caption, view, curves, labels, placed })
+    }
+}
+
+/// The left, upper and lower end of the room for names and numbers.
+fn room(sheet: Sheet, view: &View, caption: Option<&Caption>, (rulers, naming): (Rulers, Naming)) -> [f64; 3] {
+    let height = f64::from(view.height());
+    let (header, footer) = caption.map_or((0.0, 0.0), |c| (c.header(sheet), c.footer(sheet)));
+    let left = match (rulers, naming) {
+        (Rulers::Sides, Naming::Numbers) => view.flat_at(view.area().min.x, 0.0).0,
+        (Rulers::Sides, _) => axes::far_ruler(sheet),
+        (Rulers::None | Rulers::Edges, _) => 0.4 * sheet.margin(),
+    };
+    [left, header, height - footer]
+}
+
+impl Drawing<'_> {
+    /// Finds places for all names; false if one has none.
+    fn place_names(&mut self) -> bool {
+        match self.labels.names(self.of.names) {
+            Some(placed) => self.placed = placed,
+            None => return false,
+        }
+        true
+    }
+
+    fn draw(&mut self) -> Result<Canvas, ExportError> {
+        let Request { job, sheet, combs, names, heights, .. } = self.of;
+        let mut canvas = Canvas::new(self.view.width(), self.view.height()).ok_or_else(|| picture("it has no size"))?;
+        let view = &self.view;
+        ground(&mut canvas, view, sheet, &self.curves);
+        for strip in combs.drawn.iter().flat_map(|comb| &comb.strips) {
+            teeth(&mut canvas, view, sheet, strip);
+        }
+        // Below the curves: they stay whole.
+        data(&mut canvas, view, sheet, job);
+        // A curve that covers another leaves every second dash of it to be seen.
+        let covering = self.labels.covering();
+        if let Some(caption) = &mut self.caption {
+            covering.iter().for_each(|&object| caption.legend.dash(&names[object]));
+        }
+        if heights && view.axes()[2] != UP {
+            curves_in_space(&mut canvas, view, sheet, &self.curves, &covering);
+        } else {
+            for curve in &self.curves {
+                let points: Vec<_> = curve.points.iter().map(|p| view.at(*p)).collect();
+                let (width, ink) = (CURVE * sheet.scale, Ink::object(curve.object));
+                if covering.contains(&curve.object) {
+                    canvas.dashes(&points, curve.closed, width, DASH * sheet.scale, ink);
+                } else {
+                    canvas.stroke(&points, curve.closed, width, ink);
+                }
+            }
+        }
+        joints(&mut canvas, view, sheet, job);
+        let Some(caption) = &self.caption else {
+            return Ok(canvas);
+        };
+        match self.rulers {
+            Rulers::None => {}
+            Rulers::Sides => {
+                let at = |x, y| view.flat_at(x, y);
+                let (axes, area, symbol) = (view.axes(), view.area(), job.units().symbol());
+                let plan = Plan { axes, area, unit: view.unit(), at: &at, symbol };
+                axes::rulers(&mut canvas, &plan, sheet, self.naming == Naming::Names);
+            }
+            Rulers::Edges => {
+                let at = |p| {
+                    let (x, y) = view.at(p);
+                    (f64::from(x), f64::from(y))
+                };
+                // Of a parallel projection the eye is far away.
+                let frame = view.frame();
+                let eye = frame.min.midpoint(frame.max) + view.axes()[2] * (1e6 * frame.diagonal());
+                axes::edge_rulers(&mut canvas, frame, eye, &at, sheet, job.units().symbol());
+            }
+        }
+        match self.naming {
+            Naming::Colours => {}
+            Naming::Names => self.labels.draw(&mut canvas, &self.placed),
+            Naming::Numbers => self.labels.draw_numbers(&mut canvas, caption.legend.numbers(sheet)),
+        }
+        caption.draw(&mut canvas, sheet, f64::from(view.height()), view.unit(), "");
+        Ok(canvas)
+    }
 }
 
 fn picture(detail: &str) -> ExportError {
@@ -145,10 +267,11 @@ fn ground(canvas: &mut Canvas, view: &View, sheet: Sheet, curves: &[Polyline]) {
 }
 
 /// Parts of the curves from far to near, each with a rim that covers what is behind it.
-fn curves_in_space(canvas: &mut Canvas, view: &View, sheet: Sheet, curves: &[Polyline]) {
+fn curves_in_space(canvas: &mut Canvas, view: &View, sheet: Sheet, curves: &[Polyline], covering: &[usize]) {
     let mut parts: Vec<(f64, usize, Vec<Point3>)> = Vec::new();
     for curve in curves {
-        for part in cut(&curve.points, PART * sheet.scale * view.unit()) {
+        let step = if covering.contains(&curve.object) { 2 } else { 1 };
+        for part in cut(&curve.points, PART * sheet.scale * view.unit()).into_iter().step_by(step) {
             let depth = part.iter().map(|p| view.depth(*p)).sum::<f64>() / part.len() as f64;
             parts.push((depth, curve.object, part));
         }
@@ -202,26 +325,17 @@ fn joints(canvas: &mut Canvas, view: &View, sheet: Sheet, job: &Job<'_>) {
     }
 }
 
-/// The names of the objects beside them.
-fn labels(canvas: &mut Canvas, view: &View, mut labels: Labels, job: &Job<'_>, curves: &[Polyline], combs: &Combs) {
-    let pixels = |points: &[Point3]| -> Vec<Pixel> { points.iter().map(|p| view.at(*p)).collect() };
-    let own: Vec<(usize, Vec<Pixel>)> = curves.iter().map(|curve| (curve.object, pixels(&curve.points))).collect();
-    own.iter().for_each(|(_, points)| labels.avoid(points));
-    for (x, y) in drawing::joints(job).into_iter().map(|p| view.at(p)) {
-        let radius = 4.0 * labels.scale() as f32;
-        labels.avoid(&[(x - radius, y - radius), (x + radius, y + radius)]);
+/// The data points of fits; of many in one place one is drawn.
+fn data(canvas: &mut Canvas, view: &View, sheet: Sheet, job: &Job<'_>) {
+    if job.options.png_plain {
+        return;
     }
-    for strip in combs.drawn.iter().flat_map(|comb| &comb.strips) {
-        labels.avoid(&strip.tips.iter().map(|t| view.at(t.tip)).collect::<Vec<_>>());
-        for tooth in &strip.tips {
-            labels.avoid(&[view.at(tooth.foot), view.at(tooth.tip)]);
-        }
-    }
-    for (index, item) in job.model.items.iter().enumerate() {
-        let points: Vec<Pixel> =
-            own.iter().filter(|(object, _)| *object == index).flat_map(|(_, p)| p.clone()).collect();
-        if !points.is_empty() {
-            labels.write(canvas, &item.name, &points, Ink::object(index));
+    let radius = DATA * sheet.scale;
+    let mut drawn = std::collections::HashSet::new();
+    for p in job.model.items.iter().flat_map(|item| &item.data) {
+        let (x, y) = view.at(*p);
+        if drawn.insert(((x / radius as f32).round() as i64, (y / radius as f32).round() as i64)) {
+            canvas.spot((x, y), radius);
         }
     }
 }

@@ -1,9 +1,10 @@
 //! The sheet of a picture: how large it is, and what is said on it beside the drawing.
 //!
-//! Above the drawing the title with the unit; below it the scale bar and the legend of the objects. Both have bands of
+//! Above the drawing the title with the unit; below it the scale bar and the [legend](super::legend). Both have bands of
 //! their own, so that no text lies on a curve.
 
 use super::canvas::{Canvas, Ink, Pixel};
+use super::legend::{Legend, Naming};
 use super::lettering;
 use crate::drawing::Combs;
 use crate::export_error::ExportError;
@@ -17,16 +18,16 @@ const WIDTHS: (u32, u32) = (200, 10_000);
 const TALLEST: f64 = 0.75;
 /// Heights of capitals and distances, pixels of a picture of the usual width.
 const TITLE: f64 = 21.0;
-const TEXT: f64 = 15.0;
+pub(super) const TEXT: f64 = 15.0;
 const MARGIN: f64 = 44.0;
 const HEADER: f64 = 86.0;
-const ROW: f64 = 34.0;
+pub(super) const ROW: f64 = 34.0;
 const FOOTER: f64 = 40.0;
 /// Part of the footer that belongs to the scale bar, and the bar's length at most.
-const BAR_ROOM: f64 = 400.0;
+pub(super) const BAR_ROOM: f64 = 400.0;
 const BAR: f64 = 240.0;
 const BAR_WITH_NOTE: f64 = 180.0;
-/// Objects of a legend. More are named where they stand.
+/// Objects of a legend of colours. More are named where they stand, or numbered.
 pub(super) const MOST_ENTRIES: usize = 6;
 
 /// Sizes on a picture.
@@ -71,28 +72,13 @@ pub(super) struct Caption {
     title: String,
     unit: &'static str,
     symbol: &'static str,
-    entries: Vec<Entry>,
-}
-
-/// A line of the legend.
-struct Entry {
-    mark: Mark,
-    text: String,
-}
-
-/// What stands before the text.
-#[derive(Debug, Clone, Copy)]
-enum Mark {
-    /// A curve.
-    Line(Ink),
-    /// A surface: its colour and that of its lines.
-    Field(Ink, Ink),
-    Comb,
+    /// What the colours and numbers stand for.
+    pub(super) legend: Legend,
 }
 
 impl Caption {
     /// The caption of a model with its combs; `None` for a plain picture.
-    pub(super) fn new(job: &Job<'_>, combs: &Combs) -> Option<Self> {
+    pub(super) fn new(job: &Job<'_>, combs: &Combs, names: &[String], naming: Naming) -> Option<Self> {
         if job.options.png_plain {
             return None;
         }
@@ -103,9 +89,10 @@ impl Caption {
             Units::Inch => "inches",
             Units::Foot => "feet",
         };
-        let symbol = job.units().symbol();
-        let entries = if is_labelled(job) { crowd(combs) } else { legend(job, combs, symbol) };
-        Some(Self { title: job.title().to_owned(), unit, symbol, entries })
+        let legend = Legend::new(job, combs, names, naming);
+        // A title that cannot be drawn is left out.
+        let title = lettering::drawable(job.title()).unwrap_or_default();
+        Some(Self { title, unit, symbol: job.units().symbol(), legend })
     }
 
     /// Height of the band above the drawing.
@@ -115,29 +102,7 @@ impl Caption {
 
     /// Height of the band below it.
     pub(super) fn footer(&self, sheet: Sheet) -> f64 {
-        let rows = self.places(sheet).last().map_or(0.0, |(_, _, row)| *row) + 1.0;
-        ((FOOTER + ROW * rows) * sheet.scale).round()
-    }
-
-    /// The texts of the legend, cut to the room they have, with their places: pixels from the left, and rows.
-    fn places(&self, sheet: Sheet) -> Vec<(String, f64, f64)> {
-        let s = sheet.scale;
-        // On a narrow picture the legend starts below the scale bar.
-        let beside = sheet.width - 2.0 * sheet.margin() > 2.2 * BAR_ROOM * s;
-        let (left, first) = if beside { (sheet.margin() + BAR_ROOM * s, 0.0) } else { (sheet.margin(), 1.0) };
-        let right = sheet.width - sheet.margin();
-        let mut at = (left, first);
-        let mut places = Vec::new();
-        for entry in &self.entries {
-            let text = lettering::fitted(&entry.text, sheet.text_size(), right - left - MARK * s);
-            let width = MARK * s + lettering::width(&text, sheet.text_size());
-            if at.0 > left && at.0 + width > right {
-                at = (left, at.1 + 1.0);
-            }
-            places.push((text, at.0, at.1));
-            at.0 += width + BETWEEN * s;
-        }
-        places
+        ((FOOTER + ROW * self.legend.rows(sheet)) * sheet.scale).round()
     }
 
     /// Draws the caption on a picture of this height; `unit` is the length of a pixel, `note` is said behind the scale.
@@ -146,99 +111,38 @@ impl Caption {
         let title = lettering::fitted(&self.title, TITLE * s, sheet.width - 2.0 * left - 260.0 * s);
         let base = (38.0 + TITLE) * s;
         canvas.text(&title, (left, base), TITLE * s, Ink::TEXT);
-        let behind = left + lettering::width(&title, TITLE * s) + 22.0 * s;
+        let gap = if title.is_empty() { 0.0 } else { 22.0 * s };
+        let behind = left + lettering::width(&title, TITLE * s) + gap;
         canvas.text(self.unit, (behind, base), TEXT * s, Ink::SOFT);
 
         let top = height - self.footer(sheet) + 0.2 * FOOTER * s;
         let bar = ScaleBar::new(unit, if note.is_empty() { BAR } else { BAR_WITH_NOTE } * s);
-        bar.draw(
-            canvas,
-            sheet,
-            (left, top + 0.5 * ROW * s),
-            &format!("{} {}{note}", ShortNumber(bar.length), self.symbol),
-        );
-        for (entry, (text, x, row)) in self.entries.iter().zip(self.places(sheet)) {
-            let middle = top + (row + 0.5) * ROW * s;
-            entry.mark.draw(canvas, (x, middle), s);
-            canvas.text(&text, (x + MARK * s, middle + 0.5 * TEXT * s), TEXT * s, Ink::TEXT);
-        }
+        let text = format!("{} {}{note}", ShortNumber(bar.length), self.symbol);
+        bar.draw(canvas, sheet, (left, top + 0.5 * ROW * s), &text);
+        self.legend.draw(canvas, sheet, top);
     }
 }
 
-/// Width of a mark with the space behind it, and the space between two entries.
-const MARK: f64 = 58.0;
-const BETWEEN: f64 = 44.0;
-
-/// True if the objects are named where they stand: there are more than a legend and the colours can tell apart.
-pub(super) fn is_labelled(job: &Job<'_>) -> bool {
-    job.bodies.is_empty() && job.model.items.len() > MOST_ENTRIES
+/// The names of the objects as pictures show them.
+pub(super) struct Names {
+    pub(super) drawn: Vec<String>,
+    /// Which objects are shown by other names, as notes of the file.
+    pub(super) notes: Vec<String>,
 }
 
-/// One entry for all the combs of many objects.
-fn crowd(combs: &Combs) -> Vec<Entry> {
-    let mut text = "curvature combs, each to a scale of its own".to_owned();
-    if !combs.left_out.is_empty() {
-        text += &format!("; {} left out where they would lie on others", combs.left_out.len());
-    }
-    if combs.drawn.is_empty() { Vec::new() } else { vec![Entry { mark: Mark::Comb, text }] }
-}
-
-fn legend(job: &Job<'_>, combs: &Combs, symbol: &str) -> Vec<Entry> {
-    let mut entries = Vec::new();
-    let items = &job.model.items;
-    // The title is name enough for one.
-    let named = items.len() > 1;
-    for (index, item) in items.iter().enumerate() {
-        let comb = combs.drawn.iter().find(|comb| comb.item == index);
-        let said = comb.map(|comb| {
-            let [k, radius] = [comb.largest, 1.0 / comb.largest].map(|v| ShortNumber(three_digits(v)));
-            let cut = if comb.is_cut { ", longest teeth cut" } else { "" };
-            match comb.largest.is_finite() {
-                true => format!("curvature up to {k} 1/{symbol}, radius {radius} {symbol}{cut}"),
-                false => "curvature without bound, longest teeth cut".to_owned(),
-            }
-        });
-        let mark = if item.contours.is_empty() {
-            Mark::Field(Ink::surface(index), Ink::object(index))
-        } else {
-            Mark::Line(Ink::object(index))
+impl Names {
+    /// Names in letters that can be drawn, else `object 3`, the third of the model.
+    pub(super) fn new(job: &Job<'_>) -> Self {
+        let mut notes = Vec::new();
+        let mut shown = |(index, item): (usize, &cyclide::Item)| {
+            lettering::drawable(&item.name).unwrap_or_else(|| {
+                let other = format!("object {}", index + 1);
+                notes.push(format!("the picture has no letters for '{}', which it calls {other}", item.name));
+                other
+            })
         };
-        let left_out = combs.left_out.contains(&index).then(|| "comb left out: it would lie on another".to_owned());
-        match (named, said.or(left_out)) {
-            (true, Some(said)) => entries.push(Entry { mark, text: format!("{}: {said}", item.name) }),
-            (true, None) => entries.push(Entry { mark, text: item.name.clone() }),
-            (false, Some(said)) => entries.push(Entry { mark: Mark::Comb, text: said }),
-            (false, None) => {}
-        }
-    }
-    entries
-}
-
-fn three_digits(v: f64) -> f64 {
-    format!("{v:.2e}").parse().unwrap_or(v)
-}
-
-impl Mark {
-    /// Draws it from its left end.
-    fn draw(self, canvas: &mut Canvas, (x, y): (f64, f64), s: f64) {
-        let at = |dx: f64, dy: f64| -> Pixel { ((x + dx * s) as f32, (y + dy * s) as f32) };
-        match self {
-            Self::Line(ink) => canvas.stroke(&[at(2.0, 0.0), at(42.0, 0.0)], false, 3.4 * s, ink),
-            Self::Field(field, line) => {
-                let corners = [at(4.0, 8.0), at(40.0, 8.0), at(40.0, -8.0), at(4.0, -8.0)];
-                canvas.fill(&corners, field);
-                canvas.stroke(&corners, true, 1.5 * s, line);
-            }
-            Self::Comb => {
-                let arch = |i: u32| -0.5 * (f64::from(i) - 4.0).powi(2);
-                let tips: Vec<Pixel> = (0..9).map(|i| at(2.0 + 5.0 * f64::from(i), -2.0 + arch(i) - 2.0)).collect();
-                let feet: Vec<Pixel> = (0..9).map(|i| at(2.0 + 5.0 * f64::from(i), 8.0)).collect();
-                let teeth: Vec<[Pixel; 2]> = feet.iter().zip(&tips).map(|(a, b)| [*a, *b]).collect();
-                canvas.strokes(teeth.iter().map(<[_; 2]>::as_slice), s, Ink::COMB);
-                canvas.stroke(&tips, false, 1.3 * s, Ink::COMB_EDGE);
-                canvas.stroke(&feet, false, 2.4 * s, Ink::object(0));
-            }
-        }
+        let drawn = job.model.items.iter().enumerate().map(&mut shown).collect();
+        Self { drawn, notes: if job.options.png_plain { Vec::new() } else { notes } }
     }
 }
 

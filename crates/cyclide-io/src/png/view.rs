@@ -1,14 +1,14 @@
 //! From model coordinates to pixels.
 
 use super::UP;
+use super::axes::Rulers;
 use super::canvas::Pixel;
 use super::sheet::{Caption, Sheet};
 use crate::camera::Camera;
 use cyclide::{Aabb, Point3, Vec3};
 
-/// Room round the drawing, pixels of a picture of the usual width, and the room that axes take at the left and below.
+/// Room round the drawing, pixels of a picture of the usual width.
 const MARGIN: f64 = 52.0;
-const AXES: (f64, f64) = (76.0, 40.0);
 /// The flattest drawing: height over width.
 const SLIMMEST: f64 = 0.22;
 /// Where a model with heights is looked at from, in order of preference: front right, front left, and turned further.
@@ -38,6 +38,8 @@ pub(super) struct View {
     floor: Option<Floor>,
     /// What is shown, in projected coordinates.
     area: Aabb,
+    /// The box round the model, down to the floor.
+    frame: Aabb,
 }
 
 /// A rectangle below the model.
@@ -75,30 +77,38 @@ impl View {
         heights: bool,
         sheet: Sheet,
         caption: Option<&Caption>,
-        axes: bool,
+        rulers: Rulers,
     ) -> Self {
         let bounds = Aabb::of_points(points.iter().copied()).unwrap_or(Aabb::of_point(Point3::ORIGIN));
         let floor = (heights && toward.z > FLOOR_SINE && toward != UP).then(|| Floor::below_model(bounds));
-        let shown = floor.map_or(Vec::new(), |floor| floor.outline().to_vec());
+        let frame = floor.map_or(bounds, |floor| {
+            let (min, max) = (floor.bounds.min, floor.bounds.max);
+            Aabb { min, max: Point3::new(max.x, max.y, bounds.max.z) }
+        });
+        let shown = match rulers {
+            Rulers::Edges => corners(frame).to_vec(),
+            Rulers::None | Rulers::Sides => floor.map_or(Vec::new(), |floor| floor.outline().to_vec()),
+        };
         let flat = |p: &Point3| Point3::new(p.to_vec().dot(right), p.to_vec().dot(up), p.to_vec().dot(toward));
         let area = Aabb::of_points(points.iter().chain(&shown).map(flat)).unwrap_or(bounds);
         let depths = Aabb::of_points(points.iter().map(flat)).map_or((0.0, 0.0), |b| (b.min.z, b.max.z));
 
         let margin = MARGIN * sheet.scale;
-        let room = if axes { (AXES.0 * sheet.scale, AXES.1 * sheet.scale) } else { (0.0, 0.0) };
+        let [before, behind, under] = rulers.room().map(|room| room * sheet.scale);
         let (header, footer) = caption.map_or((0.0, 0.0), |c| (c.header(sheet), c.footer(sheet)));
         // The bands of the caption have room of their own towards the drawing.
         let (above, below) = if caption.is_some() { (0.35 * margin, 0.35 * margin) } else { (margin, margin) };
-        let most = (sheet.width - 2.0 * margin - room.0, sheet.tallest() - header - footer - above - below - room.1);
+        let wide = sheet.width - 2.0 * margin - before - behind;
+        let most = (wide, sheet.tallest() - header - footer - above - below - under);
         let (width, height) = (area.max.x - area.min.x, area.max.y - area.min.y);
         let unit = (width / most.0).max(height / most.1);
         let unit = if unit > 0.0 { unit } else { 1.0 / most.0 };
         let tall = (height / unit).max(SLIMMEST * most.0).min(most.1);
-        let pixels = (sheet.width as u32, (header + above + tall + room.1 + below + footer).round() as u32);
+        let pixels = (sheet.width as u32, (header + above + tall + under + below + footer).round() as u32);
         let middle = area.min.midpoint(area.max);
-        let centre = (margin + room.0 + 0.5 * most.0, header + above + 0.5 * tall);
+        let centre = (margin + before + 0.5 * most.0, header + above + 0.5 * tall);
         let corner = (middle.x - centre.0 * unit, middle.y + centre.1 * unit);
-        Self { axes: [right, up, toward], unit, corner, pixels, depths, floor, area }
+        Self { axes: [right, up, toward], unit, corner, pixels, depths, floor, area, frame }
     }
 
     /// Width of the picture.
@@ -127,6 +137,11 @@ impl View {
     /// What is shown, in projected coordinates: right and up.
     pub(super) fn area(&self) -> Aabb {
         self.area
+    }
+
+    /// The box round the model, down to the floor.
+    pub(super) fn frame(&self) -> Aabb {
+        self.frame
     }
 
     /// The pixel of a point.
@@ -207,6 +222,15 @@ impl Floor {
         let along = multiples(a.y, b.y, step).map(|y| [Point3::new(a.x, y, a.z), Point3::new(b.x, y, a.z)]);
         across.chain(along).collect()
     }
+}
+
+/// The corners of a box.
+pub(super) fn corners(frame: Aabb) -> [Point3; 8] {
+    let (a, b) = (frame.min, frame.max);
+    let pick = |upper: bool, low: f64, high: f64| if upper { high } else { low };
+    std::array::from_fn(|k| {
+        Point3::new(pick(k & 1 == 1, a.x, b.x), pick(k & 2 == 2, a.y, b.y), pick(k & 4 == 4, a.z, b.z))
+    })
 }
 
 /// The smallest of 1, 2, 5, 10, 20, … and their tenths that is not below `least`.

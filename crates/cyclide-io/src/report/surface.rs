@@ -25,8 +25,9 @@ pub struct SurfaceReport {
     pub closed: bool,
     /// Edges with one patch only.
     pub free_edges: usize,
-    /// Area of all patches.
-    pub area: f64,
+    /// Area of a surface that is one part; `None` where there are several: the sum of the two skins of a shell and its rims
+    /// is nobody's area.
+    pub area: Option<f64>,
     /// What creases divide the bodies into, the largest first: one part for a smooth surface; the skins and the rims of a
     /// thick shell.
     pub parts: Vec<PartReport>,
@@ -229,7 +230,7 @@ impl SurfaceReport {
             bodies: bodies.len(),
             closed: shells().all(Shell::is_closed),
             free_edges: shells().flat_map(Shell::edge_uses).filter(|&uses| uses == 1).count(),
-            area: shells().map(Shell::area).sum(),
+            area: if let [only] = parts[..] { Some(only.area) } else { None },
             parts,
             volume: volumes.map(|v| v.iter().sum()),
             joints: SurfaceJointReport::new(shells()),

@@ -167,12 +167,11 @@ impl SurfaceReport {
     }
 
     fn lines(&self, units: &str, line: Line<'_>) -> fmt::Result {
-        let area = format!("{} {units}²", short(self.area));
-        if self.parts.len() > 1 {
+        if let Some(area) = self.area {
+            line("area", format!("{} {units}²", short(area)))?;
+        } else if !self.parts.is_empty() {
             let each = self.parts.iter().map(|part| format!("{} {units}²", short(part.area)));
-            line("areas", format!("{}; {area} in all", listed(self.parts.len(), each)))?;
-        } else {
-            line("area", area)?;
+            line("areas", listed(self.parts.len(), each))?;
         }
         if let Some(volume) = self.volume {
             line("volume", format!("{} {units}³", short(volume)))?;

@@ -11,9 +11,7 @@ pub fn model(items: Vec<(&str, Vec<CurveObject>)>) -> Model {
         name: name.to_owned(),
         kind: "arc-spline".to_owned(),
         contours,
-        surfaces: Vec::new(),
-        warnings: Vec::new(),
-        tolerance: None,
+        ..Item::default()
     };
     Model { units: Units::Millimetre, items: items.into_iter().map(item).collect() }
 }

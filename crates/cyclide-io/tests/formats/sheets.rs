@@ -207,13 +207,61 @@ fn axes_are_drawn_on_request() {
     let m = model(vec![("flower", vec![spline(&flower(12))])]);
     let soft = [0x5D, 0x69, 0x74];
     let count = |axes: bool, view: Option<Camera>| {
-        places(&picture(&m, &options(|o| (o.png_axes, o.camera) = (axes, view))), soft).len()
+        places_near(&picture(&m, &options(|o| (o.png_axes, o.camera) = (axes, view))), soft, 40).len()
     };
     let ruled = count(true, None);
     assert!(ruled > count(false, None) + 1000, "rulers along two sides");
     let iso = Some("iso".parse().unwrap());
-    let text = |axes| places(&picture(&m, &options(|o| (o.png_axes, o.camera) = (axes, iso))), TEXT).len();
-    assert!(text(true) > text(false) + 100, "three arrows");
+    assert!(count(true, iso) > count(false, iso) + 1000, "rulers along edges of the box");
+}
+
+#[test]
+fn a_curve_on_another_leaves_both_colours_to_be_seen() {
+    let twice = model(vec![("one", vec![spline(&flower(30))]), ("two", vec![spline(&flower(30))])]);
+    let picture = picture(&twice, &ExportOptions::default());
+    let upper = picture.height() as usize * 8 / 10;
+    let [one, two] = [FIRST, SECOND].map(|c| places(&picture, c).into_iter().filter(|(_, y)| *y < upper).count());
+    // Dashes and gaps are equally long; the dots on the joints have the first colour.
+    assert!(two > 1000 && one > two / 2 && one < 3 * two, "{one} {two}");
+}
+
+#[test]
+fn fits_show_their_data() {
+    let mut m = model(vec![("fit", vec![spline(&flower(12))])]);
+    let data = [0x9C, 0xC0, 0xE4];
+    let none = places(&picture(&m, &ExportOptions::default()), data).len();
+    // Points off the curve, well apart.
+    m.items[0].data = (0..20).map(|i| Point3::new(50.0 - 5.0 * f64::from(i), 20.0, 0.0)).collect();
+    let shown = places(&picture(&m, &ExportOptions::default()), data).len();
+    // The area of a dot of radius 4.4 is 61 pixels, its rim is mixed with the paper.
+    assert!(none == 0 && shown > 20 * 40 && shown < 26 * 61, "{shown}");
+    assert!(places(&picture(&m, &options(|o| o.png_plain = true)), data).is_empty());
+}
+
+#[test]
+fn what_has_no_name_to_be_drawn_is_named_in_a_note() {
+    let name = "\u{6771}\u{4eac}";
+    let m = model(vec![(name, vec![circle(1.0)]), ("\u{43c}\u{438}\u{440}", vec![circle(2.0)])]);
+    let notes = export(&m, Format::Png, &ExportOptions::default()).unwrap().notes;
+    assert_eq!(notes, [format!("the picture has no letters for '{name}', which it calls object 1")]);
+    assert!(export(&m, Format::Png, &options(|o| o.png_plain = true)).unwrap().notes.is_empty());
+}
+
+#[test]
+fn many_surfaces_leave_the_picture_its_room() {
+    let patch = |i: usize| {
+        let (x, y) = (3.0 * (i % 8) as f64, 3.0 * (i / 8) as f64);
+        let corners = [[x, y], [x + 2.0, y], [x, y + 2.0], [x + 2.0, y + 2.0]].map(|[x, y]| Point3::new(x, y, 0.0));
+        let patch = cyclide::CyclidePatch::from_corners_and_frame(corners, Vec3::X, Vec3::Y).unwrap();
+        let name = format!("a panel with a rather long name, number {i}");
+        cyclide::Item { name, surfaces: vec![cyclide::SurfaceObject::Patch(patch)], ..cyclide::Item::default() }
+    };
+    let m = Model { items: (0..40).map(patch).collect(), ..Model::default() };
+    let picture = picture(&m, &options(|o| o.png_width = Some(1000)));
+    // The drawing of 40 panels is at least half as high as the picture; the legend's text is below it.
+    let (_, rows) = (0, places(&picture, TEXT).into_iter().map(|(_, y)| y).filter(|y| *y > 100));
+    let first = rows.min().unwrap();
+    assert!(first > picture.height() as usize / 2, "{first} of {}", picture.height());
 }
 
 fn svg(m: &Model) -> (String, Vec<String>) {

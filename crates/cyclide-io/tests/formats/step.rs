@@ -64,7 +64,7 @@ fn text_is_ascii_with_capital_exponents_and_numbered_references() {
 fn names_and_product() {
     let text = text(&mixed(flat));
     assert!(text.contains("GEOMETRIC_CURVE_SET('slot'"));
-    assert!(text.contains("COMPOSITE_CURVE('slot 1'") && text.contains("COMPOSITE_CURVE('slot 2'"));
+    assert!(text.contains("COMPOSITE_CURVE('slot 0'") && text.contains("COMPOSITE_CURVE('slot 1'"));
     assert!(text.contains("'it\\X\\27s a \"1\\\\2\" <&> 5\\X2\\00B0\\X0\\ \\X2\\5186\\X0\\'"));
     assert!(text.contains("PRODUCT('cyclide','cyclide',''"));
     let options = ExportOptions { title: Some("track".to_owned()), ..ExportOptions::default() };

@@ -3,6 +3,7 @@
 use super::chain::CurveChain;
 use super::lower::{Lower, Lowered};
 use super::surface_object::SurfaceObject;
+use crate::base::vector::Point3;
 use crate::curve::{Arc, ArcPath, Circle, CircleSpline, ParamCurve};
 use crate::error::Result;
 use crate::warning::Warning;
@@ -117,6 +118,8 @@ pub struct Item {
     pub warnings: Vec<(usize, Warning)>,
     /// The bound the construction promised on the distance to its input (an arc fit's tolerance), if any.
     pub tolerance: Option<f64>,
+    /// The points that a fit was made near, for pictures; empty for curves through their points.
+    pub data: Vec<Point3>,
 }
 
 /// Named objects and the unit of their coordinates.

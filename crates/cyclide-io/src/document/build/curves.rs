@@ -3,6 +3,8 @@
 use cyclide::{Arc, Biarc, Circle, CurveObject, Quat, Vec3};
 
 use super::Builder;
+use super::idle::{Idle, NO_EFFECT, idle_fields};
+use crate::document::angle::Angle;
 use crate::document::construct::{
     Contour, ContourFacts, Made, arc_fit, arc_spline, circle_spline, fair_fit, fair_spline,
 };
@@ -39,6 +41,17 @@ impl ObjectSpec {
             Self::FairSpline(s) => Some(&s.points),
             Self::FairFit(s) => Some(&s.points),
             Self::CircleSpline(s) => Some(&s.points),
+            _ => None,
+        }
+    }
+
+    /// The angle above which turns of the points are corners, if one is given.
+    pub(super) fn corner_angle(&self) -> Option<Angle> {
+        match self {
+            Self::ArcFit(s) => s.corner_angle,
+            Self::FairSpline(s) => s.corner_angle,
+            Self::FairFit(s) => s.corner_angle,
+            Self::CircleSpline(s) => s.corner_angle,
             _ => None,
         }
     }
@@ -127,6 +140,7 @@ impl Builder<'_> {
             PointSource::File(file) => self.file_points(file)?,
         };
         let mut made = Vec::new();
+        let mut idle: Option<Vec<Idle>> = None;
         for contour in 0..points.lists.len() {
             let list = &mut points.lists[contour];
             if !closed && list.ends_meet() {
@@ -150,6 +164,10 @@ impl Builder<'_> {
             let at = Contour { index: contour, list: &points.lists[contour], kept: &points.kept[contour] };
             let made_of_points = construct(&at).map_err(|e| self.refused(&e, Some((&points, contour))))?;
             let (curve, mut facts, mut warnings) = made_of_points;
+            // A field that one contour needs has an effect.
+            let here = idle_fields(self.spec, &at, &curve);
+            idle =
+                Some(idle.map_or(here.clone(), |all| all.into_iter().filter(|field| here.contains(field)).collect()));
             warnings.extend(facts.compare(&curve));
             for warning in warnings {
                 let index = warning.index().and_then(|i| points.kept[contour].get(i).copied());
@@ -157,7 +175,14 @@ impl Builder<'_> {
                 self.remark(warning.reason(), Some(contour), index, place, warning.to_string());
                 self.warnings.push((contour, warning));
             }
+            if facts.fit.is_some() {
+                self.data.extend_from_slice(&points.lists[contour].points);
+            }
             made.push((curve, facts));
+        }
+        for (field, why) in idle.unwrap_or_default() {
+            let place = (!self.document.text.is_empty()).then(|| path_text(&self.path([Step::from(field)])));
+            self.remark(NO_EFFECT, None, None, place, format!("`{field}` has no effect: {why}"));
         }
         Ok(made)
     }

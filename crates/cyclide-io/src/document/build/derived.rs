@@ -1,11 +1,15 @@
 //! Objects made from other objects.
 
-use cyclide::{Conformal as _, CurveObject, Mobius, Quat, SurfaceObject, Vec3};
+use cyclide::{
+    Body, Conformal as _, CurveObject, CyclidePatch, Mobius, Quat, Shell, ShellFace, ShortNumber, SurfaceObject, Vec3,
+    Warning,
+};
 
 use super::{Builder, BuiltObject};
+use crate::document::angle::Angle;
 use crate::document::coordinates::Coordinates;
-use crate::document::locate::Step;
-use crate::document::spec::{OffsetSpec, StepSpec, TransformSpec};
+use crate::document::locate::{Step, path_text};
+use crate::document::spec::{OffsetSpec, RotationSpec, StepSpec, TransformSpec};
 use crate::error::{Error, Result};
 
 impl Builder<'_> {
@@ -60,6 +64,49 @@ impl Builder<'_> {
         Ok(objects)
     }
 
+    /// Warns of an offset that goes past centres of curvature: of patches with `k d >= 1` for a principal curvature `k`
+    /// and the distance `d`, both signed by the normal along which offsets are made, where the image shows it too (a
+    /// surface that was beyond its focal set may come back).
+    pub(super) fn warn_beyond_focal_set(&mut self, spec: &OffsetSpec, bodies: &[Body]) {
+        let source = self.sources.first().map_or(&[][..], |source| &source.bodies);
+        let is_whole = |face: &ShellFace| face.patch.is_regular() && !face.patch.is_flipped();
+        let whole = bodies.iter().flat_map(Body::shells).flat_map(Shell::faces).all(is_whole);
+        // Beyond nodes it falls apart into lobes.
+        if spec.thick || (whole && bodies.len() <= source.len()) {
+            return;
+        }
+        let patches = source.iter().flat_map(Body::shells).flat_map(Shell::faces).map(|face| &face.patch);
+        let sharpest = |patch: &CyclidePatch| {
+            let bends = [patch.k1_range(), patch.k2_range()].concat();
+            bends.into_iter().map(|k| k * spec.distance).fold(0.0, f64::max)
+        };
+        let beyond: Vec<(usize, f64)> = patches.map(sharpest).enumerate().filter(|(_, bend)| *bend >= 1.0).collect();
+        let Some(&(first, _)) = beyond.first() else { return };
+        let sharpest = beyond.iter().map(|(_, bend)| *bend).fold(1.0, f64::max);
+        let (distance, radius) = (spec.distance, spec.distance.abs() / sharpest);
+        let warning = Warning::BeyondFocalSet { distance, radius, first, count: beyond.len() };
+        let place = (!self.document.text.is_empty()).then(|| path_text(&self.path([Step::from("distance")])));
+        self.remark(warning.reason(), None, Some(first), place, warning.to_string());
+        self.warnings.push((0, warning));
+    }
+
+    /// Warns of rotations by more than a turn whose numbers may be meant as degrees.
+    pub(super) fn warn_of_many_turns(&mut self, spec: &TransformSpec) {
+        for (index, step) in spec.steps.iter().enumerate() {
+            let StepSpec::Rotation(RotationSpec { angle: Angle::Radians(angle), .. }) = *step else { continue };
+            if angle.abs() <= std::f64::consts::TAU {
+                continue;
+            }
+            let steps = ["steps".into(), index.into(), "rotation".into(), "angle".into()];
+            let place = (!self.document.text.is_empty()).then(|| path_text(&self.path(steps)));
+            let [turns, radians] = [angle / std::f64::consts::TAU, angle.to_radians()].map(ShortNumber);
+            let message = format!(
+                "the angle {angle} is taken as radians, {turns} turns: if degrees are meant, write `{{\"degrees\": {angle}}}` or {radians}"
+            );
+            self.remark("more-than-a-turn", None, None, place, message);
+        }
+    }
+
     /// The source, which must have surfaces.
     pub(super) fn surface_source(&self, needed: &str) -> Result<&BuiltObject> {
         match self.sources.first() {
@@ -84,7 +131,7 @@ fn map_of(step: &StepSpec) -> cyclide::Result<Mobius> {
         StepSpec::Translation(v) => Mobius::translation(v.vector()),
         StepSpec::Rotation(s) => {
             let axis = s.axis.map_or(Vec3::Z, Coordinates::vector).unit().ok_or(cyclide::Error::ZeroAxis)?;
-            let (turn, center) = (Quat::from_axis_angle(axis, s.angle), origin(s.center).to_vec());
+            let (turn, center) = (Quat::from_axis_angle(axis, s.angle.radians()), origin(s.center).to_vec());
             Mobius::similarity(turn, 1.0, center - turn.rotate(center))
         }
         StepSpec::Scale(s) => {

@@ -2,6 +2,7 @@
 
 mod curves;
 mod derived;
+mod idle;
 mod nets;
 mod references;
 mod refuse;
@@ -10,7 +11,7 @@ mod surfaces;
 use std::io;
 use std::path::{Path, PathBuf};
 
-use cyclide::{Body, CircularMeshReport, Item, Seam, SurfaceObject, Warning};
+use cyclide::{Body, CircularMeshReport, Item, Point3, Seam, SurfaceObject, Warning};
 
 use super::Document;
 use super::construct::ContourFacts;
@@ -19,6 +20,7 @@ use super::locate::{Step, path_text, span_of};
 use super::spec::{CyclidicNetSpec, GridSource, ObjectSpec};
 use crate::error::{Error, Result};
 use crate::place::Diagnostic;
+pub use idle::NO_EFFECT;
 use nets::MeshNames;
 use references::References;
 
@@ -111,6 +113,7 @@ impl<'a> ModelBuilder<'a> {
                     seams: Vec::new(),
                     remarks,
                     warnings,
+                    data: Vec::new(),
                 };
                 self.made[needed] = Some(builder.build()?);
             }
@@ -150,6 +153,8 @@ struct Builder<'a> {
     seams: Vec<Seam>,
     remarks: Vec<Remark>,
     warnings: Vec<(usize, Warning)>,
+    /// The points of a fit.
+    data: Vec<Point3>,
 }
 
 impl Builder<'_> {
@@ -158,9 +163,14 @@ impl Builder<'_> {
         let surfaces = self.surfaces()?;
         let bodies = surfaces.iter().map(SurfaceObject::to_bodies).collect::<cyclide::Result<Vec<_>>>();
         let bodies: Vec<Body> = bodies.map_err(|e| self.refused(&e, None))?.into_iter().flatten().collect();
-        if let ObjectSpec::CyclidicNet(net) = self.spec {
-            self.warn_of_folds(net, &surfaces, &bodies);
-            self.warn_of_seams(&surfaces);
+        match self.spec {
+            ObjectSpec::CyclidicNet(net) => {
+                self.warn_of_folds(net, &surfaces, &bodies);
+                self.warn_of_seams(&surfaces);
+            }
+            ObjectSpec::Offset(offset) => self.warn_beyond_focal_set(offset, &bodies),
+            ObjectSpec::Transform(transform) => self.warn_of_many_turns(transform),
+            _ => {}
         }
         let tolerance = match self.spec {
             ObjectSpec::ArcFit(s) => Some(s.tolerance),
@@ -168,7 +178,8 @@ impl Builder<'_> {
             _ => None,
         };
         let (name, kind) = (self.name.to_owned(), self.spec.type_word().to_owned());
-        let item = Item { name, kind, contours: curves, surfaces, warnings: self.warnings, tolerance };
+        let (warnings, data) = (self.warnings, self.data);
+        let item = Item { name, kind, contours: curves, surfaces, warnings, tolerance, data };
         let construction = self.spec.is_construction();
         let Self { circular, seams, remarks, .. } = self;
         Ok(BuiltObject { item, bodies, circular, seams, construction, contours: facts, remarks })

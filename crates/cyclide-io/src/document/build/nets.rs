@@ -6,6 +6,7 @@ use cyclide::{
 };
 
 use super::Builder;
+use super::refuse::frame_words;
 use super::surfaces::direction;
 use crate::document::coordinates::Coordinates;
 use crate::document::locate::Step;
@@ -20,6 +21,9 @@ use crate::report::{SurfaceJointReport, measured_seams};
 
 /// Patches of a whole cyclide round the hole and round the tube.
 const SEGMENTS: [u32; 2] = [4, 4];
+
+/// What crossing sides often come from.
+const ROW_BY_ROW: &str = "points are given row by row, all rows in the same direction";
 
 /// What a file calls the points of a grid.
 pub(super) struct MeshNames {
@@ -188,11 +192,18 @@ impl<'a> Builder<'a> {
 
     /// The message for what the kernel said about a quad, a vertex or the frame of a net.
     fn refused_in_grid(&self, grid: &QuadGrid, error: &KernelError) -> Error {
-        if matches!(
-            error,
-            KernelError::FrameNotOrthonormal { .. } | KernelError::NotFinite { what: "frame vector", .. }
-        ) {
-            return self.refused_at([Step::from("frame")], error);
+        match (error, self.spec) {
+            (KernelError::FrameNotOrthonormal { .. }, ObjectSpec::CyclidicNet(net)) => {
+                let words = match net.frame {
+                    FrameSpec::First(frame) => frame_words(frame),
+                    FrameSpec::Auto => error.to_string(),
+                };
+                return self.refused_in_words([Step::from("frame")], error.reason(), words);
+            }
+            (KernelError::NotFinite { what: "frame vector", .. }, _) => {
+                return self.refused_at([Step::from("frame")], error);
+            }
+            _ => {}
         }
         if let KernelError::NotConverged { .. } = error {
             let hint = "a border that may move leaves more room: `free`, or sides on curves";
@@ -218,6 +229,9 @@ impl<'a> Builder<'a> {
                 let hint = "`make_circular` moves the vertices until they are";
                 self.refused_at_quad(grid, *quad, error.reason(), format!("{error}; {hint}"))
             }
+            (KernelError::InQuad { quad, cause }, _) if matches!(**cause, KernelError::CrossingQuad { .. }) => {
+                self.refused_at_quad(grid, *quad, error.reason(), format!("{error}; {ROW_BY_ROW}"))
+            }
             (_, Some(quad)) => self.refused_at_quad(grid, quad, error.reason(), error.to_string()),
             (_, None) => self.refused_at([Step::from("grid")], error),
         }
@@ -229,7 +243,8 @@ impl<'a> Builder<'a> {
         if self.document.text.is_empty() {
             return Error::RejectedQuads { object: self.name.to_owned(), quads: quads.clone(), steps, moved };
         }
-        self.refused_at_quad(grid, first, CROSSING_QUAD, rejected_quads(quads, steps, moved))
+        let words = format!("{}; {ROW_BY_ROW}", rejected_quads(quads, steps, moved));
+        self.refused_at_quad(grid, first, CROSSING_QUAD, words)
     }
 
     /// The message at a quad: where its first corner stands.

@@ -1,9 +1,11 @@
 //! What the kernel refused, shown at the point or field it is about.
 
-use cyclide::Warning;
+use cyclide::{ShortNumber, Warning};
 
 use super::Builder;
 use super::curves::{Origin, Points, point_steps};
+use crate::document::angle::Angle;
+use crate::document::coordinates::Coordinates;
 use crate::document::locate::{Step, path_text, span_of};
 use crate::document::spec::{ArcSpec, ObjectSpec};
 use crate::error::Error;
@@ -31,6 +33,16 @@ impl Builder<'_> {
                 if spec.distance == 0.0 =>
             {
                 "a solid between a surface and its offset needs a distance other than 0".to_owned()
+            }
+            (cyclide::Error::ParameterOutOfRange { name: "corner_angle", value, .. }, spec) => {
+                let written = spec.corner_angle();
+                written.map_or_else(|| error.to_string(), |angle| corner_angle_words(angle, *value))
+            }
+            (cyclide::Error::FrameNotOrthonormal { .. }, ObjectSpec::CyclidePatch(spec)) => frame_words(spec.frame),
+            (cyclide::Error::CrossingQuad { .. }, ObjectSpec::CyclidePatch(_)) => {
+                format!(
+                    "{error}; corners are given row by row, (0,0), (1,0), (0,1), (1,1): are the last two exchanged?"
+                )
             }
             _ => error.to_string(),
         }
@@ -102,6 +114,32 @@ impl Builder<'_> {
         let words = self.words(error, from.map_or(0, |(_, contour)| contour));
         let message = self.document.source().diagnostic(span, &path_text(&path), words);
         Error::Input(message.with_reason(error.reason()))
+    }
+}
+
+/// Degrees are taken for radians now and then: what was written, and what may be meant.
+fn corner_angle_words(angle: Angle, radians: f64) -> String {
+    match angle {
+        Angle::Degrees(degrees) => format!("a corner angle of {degrees} degrees is outside 0 to 180"),
+        Angle::Radians(_) if radians > 180.0 || radians <= 0.0 => {
+            format!("a corner angle of {radians} radians is outside 0 to 3.1416")
+        }
+        Angle::Radians(_) => format!(
+            "a corner angle of {radians} radians is more than half a turn (3.1416): if degrees are meant, write `{{\"degrees\": {radians}}}` or {}",
+            ShortNumber(radians.to_radians())
+        ),
+    }
+}
+
+/// The directions of a frame may have any length; only the angle between them can be wrong.
+pub(super) fn frame_words(frame: [Coordinates; 2]) -> String {
+    let [a, b] = frame.map(|direction| direction.vector().unit());
+    match (a, b) {
+        (Some(a), Some(b)) => {
+            let off = (90.0 - a.dot(b).clamp(-1.0, 1.0).acos().to_degrees()).abs();
+            format!("the directions of the frame must be perpendicular: they are {} degrees off", ShortNumber(off))
+        }
+        _ => "the directions of the frame must not be zero".to_owned(),
     }
 }
 

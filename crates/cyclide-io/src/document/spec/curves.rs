@@ -5,6 +5,7 @@ use serde::Deserialize;
 
 use super::TypeWord;
 use super::comment::Comment;
+use crate::document::angle::Angle;
 use crate::document::coordinates::{Coordinates, Lists, PointSource};
 
 /// A circular arc or straight segment: through three points, or from one point to another with one more datum
@@ -160,9 +161,9 @@ pub struct ArcFitSpec {
     /// How hard to search for fewer arcs.
     #[serde(default)]
     pub effort: EffortWord,
-    /// Turns of the points above this angle, in radians, are kept as corners. Default: pi/6.
+    /// Turns of the points above this angle are kept as corners. Default: pi/6.
     #[schemars(extend("exclusiveMinimum" = 0, "maximum" = std::f64::consts::PI))]
-    pub corner_angle: Option<f64>,
+    pub corner_angle: Option<Angle>,
 }
 
 /// The fairest smooth curve within a tolerance of points, with few nodes and continuous curvature: for dense or noisy
@@ -196,10 +197,9 @@ pub struct FairFitSpec {
     /// An open curve starts and ends exactly at the first and last point.
     #[serde(default)]
     pub fix_ends: bool,
-    /// Turns of the points above this angle, in radians, that last over eight tolerances are kept as corners. Default:
-    /// none are (a column `corner` of a file of points marks corners too).
+    /// Turns of the points above this angle that last over eight tolerances are kept as corners. Default: none are (a column `corner` of a file of points marks corners too).
     #[schemars(extend("exclusiveMinimum" = 0, "maximum" = std::f64::consts::PI))]
-    pub corner_angle: Option<f64>,
+    pub corner_angle: Option<Angle>,
     /// Fits spent on taking nodes out; 0 keeps those of the first fit. Default: 16.
     pub max_fits: Option<u32>,
     /// Nodes of each smooth piece at which taking out stops. Default: as few as the budget allows.
@@ -243,10 +243,10 @@ pub struct CircleSplineSpec {
     /// What happens at the ends of an open curve.
     #[serde(default)]
     pub ends: EndsSpec,
-    /// Turns of the points above this angle, in radians, are kept as corners. Default: none are (a column `corner`
-    /// of a file of points marks corners too).
+    /// Turns of the points above this angle are kept as corners. Default: none are (a column `corner` of a file of
+    /// points marks corners too).
     #[schemars(extend("exclusiveMinimum" = 0, "maximum" = std::f64::consts::PI))]
-    pub corner_angle: Option<f64>,
+    pub corner_angle: Option<Angle>,
 }
 
 /// The default blend order.

@@ -5,6 +5,7 @@ use serde::Deserialize;
 
 use super::TypeWord;
 use super::comment::Comment;
+use crate::document::angle::Angle;
 use crate::document::coordinates::Coordinates;
 
 /// A parallel surface of another object, exact, or the solid between both.
@@ -87,8 +88,8 @@ pub struct SphereSpec {
 pub struct RotationSpec {
     /// Axis about which a positive angle turns counter-clockwise, of any length. Default `[0, 0, 1]`.
     pub axis: Option<Coordinates>,
-    /// Angle in radians.
-    pub angle: f64,
+    /// The angle.
+    pub angle: Angle,
     /// A point of the axis. Default: the origin.
     pub center: Option<Coordinates>,
 }

@@ -5,6 +5,7 @@ use serde::Deserialize;
 
 use super::TypeWord;
 use super::comment::Comment;
+use crate::document::angle::Angle;
 use crate::document::coordinates::{Coordinates, PointSource};
 
 /// The fairest smooth curve through points: continuous curvature that varies as little as that of an Euler spiral.
@@ -38,10 +39,10 @@ pub struct FairSplineSpec {
     /// Whether runs of points on a line beside a corner stay straight.
     #[serde(default)]
     pub straight: StraightWord,
-    /// Turns of the points above this angle, in radians, are kept as corners. Default: none are (a column `corner`
-    /// of a file of points marks corners too).
+    /// Turns of the points above this angle are kept as corners. Default: none are (a column `corner` of a file of
+    /// points marks corners too).
     #[schemars(extend("exclusiveMinimum" = 0, "maximum" = std::f64::consts::PI))]
-    pub corner_angle: Option<f64>,
+    pub corner_angle: Option<Angle>,
 }
 
 /// Whether runs of points on a line beside a corner stay straight.

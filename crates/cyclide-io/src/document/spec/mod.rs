@@ -28,7 +28,7 @@ pub use nets::{CyclideSpec, CyclidicNetSpec, FrameSpec, GridSource, MeshFile};
 pub use surfaces::CyclidePatchSpec;
 
 /// A cyclide model: named curves and surfaces made of circles. Lengths are in the document's units and are never rescaled,
-/// angles are in radians.
+/// angles are in radians or say `degrees`.
 #[derive(JsonSchema)]
 #[schemars(rename = "cyclide model document", deny_unknown_fields)]
 #[expect(dead_code, reason = "the shape of the whole document, for the schema; parsing goes object by object")]

@@ -122,6 +122,7 @@ pub(super) const GLYPHS: &[Glyph] = &[
     ('µ', 7.2, "M0 10 L0 -4 M0 3.6 V3.5 0 H7.2 3.8 M7.2 10 L7.2 0"),
     ('·', 0.0, "M0 6.2 L0 6"),
     ('×', 6.4, "M0 3.6 L6.4 10 M0 10 L6.4 3.6"),
+    ('Ø', 10.4, "M0 7 V5.2 14 H10.4 7 V5.2 0 H0 7 M1 -0.8 L9.4 14.8"),
     ('ß', 7.8, "M0 0 L0 10.4 V3.6 14 H7 11 V4 7.7 H7.8 3.9 V4 0 L2.8 0"),
     (
         'æ',
@@ -130,6 +131,8 @@ pub(super) const GLYPHS: &[Glyph] = &[
     ),
     ('ø', 7.8, "M0 5 V3.9 10 H7.8 5 V3.9 0 H0 5 M0.2 -1 L7.6 11"),
     ('ı', 0.0, "M0 10 L0 0"),
+    ('Ł', 7.6, "M1 14 L1 0 L7.6 0 M-0.4 5.4 L4.6 8.8"),
+    ('ł', 3.4, "M1.2 14 L1.2 2.2 V3 0 M-0.4 6 L3 8.6"),
     ('κ', 6.6, "M0 10 L0 0 M6.2 10 L0 4.2 M2.3 6.2 L6.6 0"),
     ('–', 8.0, "M0 6 L8 6"),
     ('—', 12.0, "M0 6 L12 6"),
@@ -140,9 +143,10 @@ pub(super) const GLYPHS: &[Glyph] = &[
 /// Letters with marks: the letter, what it stands on, its mark.
 pub(super) const MARKED: &str = "àa` áa´ âa^ ãa~ äa¨ åa° çc¸ èe` ée´ êe^ ëe¨ ìı` íı´ îı^ ïı¨ ñn~ òo` óo´ ôo^ õo~ öo¨ ùu` úu´ ûu^ üu¨ ýy´ ÿy¨ \
 čcˇ šsˇ žzˇ řrˇ ěeˇ ňnˇ ćc´ śs´ źz´ ńn´ ůu° őo¨ űu¨ ÀA` ÁA´ ÂA^ ÃA~ ÄA¨ ÅA° ÇC¸ ÈE` ÉE´ ÊE^ ËE¨ ÍI´ ÎI^ ÑN~ ÒO` ÓO´ ÔO^ ÕO~ ÖO¨ ÙU` ÚU´ \
-ÛU^ ÜU¨ ÝY´ ČCˇ ŠSˇ ŽZˇ ŘRˇ ŚS´";
+ÛU^ ÜU¨ ÝY´ ČCˇ ŠSˇ ŽZˇ ŘRˇ ŚS´ żz˙ ŻZ˙ ėe˙ ĖE˙ İI˙ āa¯ ēe¯ īı¯ ōo¯ ūu¯ ĀA¯ ĒE¯ ŌO¯ ŪU¯ ğg˘ ĞG˘ ăa˘ ĂA˘ ŭu˘ ąa˛ ęe˛ ĄA˛ ĘE˛ şs¸ ŞS¸ \
+ţt¸ ŢT¸ ŵw^ ŷy^ ĝg^ ĉc^ ŝs^ ũu~ ĩı~ ŕr´ ŹZ´ ŃN´ ĆC´ ÏI¨ ĚEˇ ŇNˇ ĎDˇ ŤTˇ ŐO¨ ŰU¨ ŮU° ẁw` ẃw´ ẅw¨ ỳy`";
 
-/// Marks over a letter, about the middle of the letter and from the height of its top; the cedilla from the base line.
+/// Marks over a letter, about the middle of the letter and from the height of its top; cedilla and ogonek from the base line.
 pub(super) const MARKS: &[(char, &str)] = &[
     ('`', "M-1.6 4.4 L1 2"),
     ('´', "M1.6 4.4 L-1 2"),
@@ -151,5 +155,9 @@ pub(super) const MARKS: &[(char, &str)] = &[
     ('~', "M-2.4 2.4 Q-1 4.4 0 3.2 Q1 2 2.4 4"),
     ('¨', "M-1.8 3.4 L-1.8 3.2 M1.8 3.4 L1.8 3.2"),
     ('°', "M-1.5 3.2 V0 4.7 H1.5 3.2 V0 1.7 H-1.5 3.2"),
+    ('˙', "M0 3.4 L0 3.2"),
+    ('¯', "M-2.2 3 L2.2 3"),
+    ('˘', "M-2.2 4.2 Q0 1.2 2.2 4.2"),
+    ('˛', "M0.6 0 Q-1.8 -1.6 -0.4 -3.4 L0.8 -3.4"),
     ('¸', "M0.4 0 L0.2 -1.4 H1.6 -2.8 V0 -4 L-1.4 -4"),
 ];

@@ -1,8 +1,10 @@
 //! Text in pictures, drawn as strokes: the same pixels on every machine, no font file.
 
 mod glyphs;
+mod latin;
 
 use glyphs::{GLYPHS, Glyph, MARKED, MARKS, MISSING};
+pub(super) use latin::drawable;
 use tiny_skia::{Path, PathBuilder};
 
 /// Height of a capital in the units of the drawings.
@@ -51,7 +53,7 @@ pub(super) fn path(text: &str, (x, y): (f64, f64), size: f64) -> Option<Path> {
         if let Some(mark) = letter.mark {
             let (before, height) = ((pen.x, pen.y), if letter.tall { CAPITAL } else { SMALL });
             pen.x += 0.5 * letter.glyph.1 * unit;
-            pen.y -= if mark.0 == '¸' { 0.0 } else { height * unit };
+            pen.y -= if matches!(mark.0, '¸' | '˛') { 0.0 } else { height * unit };
             pen.draw(mark.1);
             (pen.x, pen.y) = before;
         }
@@ -68,6 +70,11 @@ struct Letter {
 }
 
 impl Letter {
+    /// True if there is a drawing of the character.
+    fn can_draw(c: char) -> bool {
+        Self::of(c).glyph.0 != MISSING.0
+    }
+
     fn of(c: char) -> Self {
         let found = |c: char| GLYPHS.binary_search_by_key(&c, |glyph| glyph.0).ok().map(|i| &GLYPHS[i]);
         if let Some(glyph) = found(c) {
@@ -163,10 +170,11 @@ mod tests {
             assert!(left >= -0.6 && right <= glyph.1 + 0.7, "{:?}: {left} to {right}", glyph.0);
             assert!(bounds.top() >= -16.3 && bounds.bottom() <= 4.3, "{:?}", glyph.0);
         }
-        for c in (' '..='~').chain("éÄöñçšß²³°×·…".chars()) {
-            assert_ne!(Letter::of(c).glyph.0, MISSING.0, "{c}");
+        let marked = MARKED.split_whitespace().filter_map(|entry| entry.chars().next());
+        for c in (' '..='~').chain("éÄöñçšß²³°×·…ŁłØ".chars()).chain(marked) {
+            assert!(Letter::can_draw(c), "{c}");
         }
-        assert_eq!(Letter::of('円').glyph.0, MISSING.0);
+        assert!(!Letter::can_draw('円'));
     }
 
     #[test]

@@ -87,9 +87,9 @@ impl Camera {
         }
     }
 
-    /// The same view on a larger picture, whose upper left corner is so far above the old one.
-    pub(super) fn below(self, header: f64) -> Self {
-        Self { middle: (self.middle.0, self.middle.1 + header), ..self }
+    /// The same view on a larger picture, whose upper left corner is so far to the left of the old one and above it.
+    pub(super) fn moved(self, right: f64, down: f64) -> Self {
+        Self { middle: (self.middle.0 + right, self.middle.1 + down), ..self }
     }
 
     /// The part of its distance by which something drawn on a surface is lifted off it.

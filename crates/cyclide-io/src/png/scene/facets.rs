@@ -20,8 +20,8 @@ const DOT: usize = 12;
 pub(super) enum Paint {
     /// A part of a surface, with the parameters of its corners.
     Surface { surface: usize, at: [[f64; 2]; 3] },
-    /// One colour.
-    Ink(Rgb),
+    /// One colour, of a curve of the object.
+    Ink { object: usize, light: Rgb },
 }
 
 /// Triangles in the picture with what is on them.
@@ -83,7 +83,7 @@ impl Facets {
 
     /// A curve as a ribbon of constant width in the picture.
     pub(super) fn add_curve(&mut self, curve: &Polyline, camera: &Camera, scale: f64) {
-        let ink = palette::linear(curve.object);
+        let (object, light) = (curve.object, palette::linear(curve.object));
         let lifted = |p: &Point3| {
             let p = camera.project(*p);
             Projected { near: p.near * (1.0 + camera.lift(LIFT)), ..p }
@@ -92,7 +92,7 @@ impl Facets {
         let radius = 0.5 * CURVE * scale;
         let mut add = |corners: [Projected; 3]| {
             self.corners.push(corners);
-            self.paints.push(Paint::Ink(ink));
+            self.paints.push(Paint::Ink { object, light });
         };
         let last = if curve.closed { points.first() } else { None };
         let ends = points.iter().skip(1).chain(last);

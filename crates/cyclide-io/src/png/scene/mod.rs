@@ -13,6 +13,7 @@ mod raster;
 mod surface;
 #[cfg(test)]
 mod tests;
+mod visible;
 
 use super::{FLATNESS, UP, curves, picture};
 use crate::drawing::Combs;
@@ -20,9 +21,11 @@ use crate::export_error::ExportError;
 use crate::exported::{Exported, Promise};
 use crate::job::Job;
 use crate::palette::to_linear;
-use crate::png::canvas::{Canvas, PAPER};
-use crate::png::sheet::{Caption, Sheet};
-use crate::png::{axes, view};
+use crate::png::axes::{self, Plan, Rulers};
+use crate::png::canvas::{Canvas, Ink, PAPER};
+use crate::png::legend::{self, Naming, balloon};
+use crate::png::sheet::{Caption, Names, Sheet};
+use crate::png::view;
 use camera::Camera;
 use cyclide::{Aabb, Exactness, Point3};
 use facets::{Facets, Paint};
@@ -30,12 +33,13 @@ use ground::Ground;
 use light::{Lights, Rgb, screen};
 use raster::{Band, NOTHING, SAMPLE_COUNT, sample_place};
 use surface::{Surface, surfaces};
+use visible::Visible;
 
 /// The meshes are this close to the surfaces, pixels.
 const MESH: f64 = 0.25;
 
 /// Draws a model with surfaces.
-pub(super) fn write(job: &Job<'_>, sheet: Sheet) -> Result<Exported, ExportError> {
+pub(super) fn write(job: &Job<'_>, sheet: Sheet, names: Names) -> Result<Exported, ExportError> {
     let rough = facets::rough(job);
     let mut points: Vec<Point3> = rough.iter().flatten().copied().collect();
     points.extend(curves(job, 1e-3 * job.size())?.iter().flat_map(|c| c.points.iter().copied()));
@@ -46,42 +50,63 @@ pub(super) fn write(job: &Job<'_>, sheet: Sheet) -> Result<Exported, ExportError
         None if heights => view::from_side(&points, STEEPNESS),
         None => view::from_above(),
     };
-    let flat = job.options.camera.is_some_and(crate::Camera::is_along_axis);
-    let caption = Caption::new(job, &Combs::default());
+    let flat = job.options.camera.map_or(!heights, crate::Camera::is_along_axis);
+    let naming = if legend::is_crowded(job) { Naming::Numbers } else { Naming::Colours };
+    let caption = Caption::new(job, &Combs::default(), &names.drawn, naming);
+    let rulers = match flat {
+        _ if !job.options.png_axes || caption.is_none() => Rulers::None,
+        true => Rulers::Sides,
+        false => Rulers::Edges,
+    };
+    if rulers == Rulers::Edges {
+        points.extend(view::corners(bounds));
+    }
     let height = sheet.tallest();
     let (header, footer) = caption.as_ref().map_or((0.0, 0.0), |c| (c.header(sheet), c.footer(sheet)));
-    let room = (sheet.width, height - header - footer);
-    let camera = Camera::new(&points, axes, flat, room).below(header);
+    let [before, behind, under] = rulers.room().map(|room| room * sheet.scale);
+    let room = (sheet.width - before - behind, height - header - footer - under);
+    let camera = Camera::new(&points, axes, flat, room).moved(before, header);
     let lights = Lights::new(camera.axes());
     let ground = (heights && axes[2].z > 0.0).then(|| Ground::new(&rough, bounds, &lights));
 
     let mut drawn = Vec::new();
+    let mut items = Vec::new();
     let mut facets = Facets::default();
     for body in job.bodies {
         let first = drawn.len();
         for shell in body.body.shells() {
             drawn.extend(surfaces(shell, body.item, camera.unit(), sheet.scale));
         }
+        items.resize(drawn.len(), body.item);
         let added = facets.add_body(&body.body, first, &camera, MESH * camera.unit());
         added.map_err(|source| body.unfit(source))?;
     }
     for curve in curves(job, FLATNESS * camera.unit())? {
         facets.add_curve(&curve, &camera, sheet.scale);
     }
-    let scene = Scene { camera, lights, ground, drawn, facets, paper: to_linear(PAPER) };
-    let mut canvas = scene.draw((sheet.width as usize, height as usize))?;
+    let scene = Scene { camera, lights, ground, drawn, items, facets, paper: to_linear(PAPER) };
+    let size = (sheet.width as usize, height as usize);
+    let mut visible = (naming == Naming::Numbers).then(|| Visible::new(size, 6.0 * sheet.scale));
+    let mut canvas = scene.draw(size, visible.as_mut())?;
     if let Some(caption) = caption {
-        let unit = scene.camera.unit_at(bounds.min.midpoint(bounds.max));
+        let middle = bounds.min.midpoint(bounds.max);
+        let unit = scene.camera.unit_at(middle);
         let note = if flat || !heights { "" } else { " at mid-depth" };
-        caption.draw(&mut canvas, sheet, height, unit, note);
-        if job.options.png_axes {
-            axes::arrows(&mut canvas, axes, sheet, height - footer);
+        scene.rulers(&mut canvas, rulers, (bounds, &points), sheet, job.units().symbol());
+        if let Some(visible) = visible {
+            let places = visible.places(names.drawn.len());
+            for (index, place) in places.into_iter().enumerate().take(caption.legend.numbers(sheet)) {
+                if let Some(place) = place {
+                    balloon(&mut canvas, place, index + 1, sheet, Ink::object(index));
+                }
+            }
         }
+        caption.draw(&mut canvas, sheet, height, unit, note);
     }
     let bytes = canvas.encode().map_err(|e| picture(&e))?;
     let mut promise = Promise::EXACT;
     promise.add(Exactness::Proved(0.5 * scene.camera.unit()));
-    Ok(promise.exported(bytes, Vec::new(), Vec::new()))
+    Ok(promise.exported(bytes, names.notes, Vec::new()))
 }
 
 /// Height of the eye over its horizontal distance is this over 0.94.
@@ -95,12 +120,14 @@ struct Scene<'a> {
     lights: Lights,
     ground: Option<Ground>,
     drawn: Vec<Surface<'a>>,
+    /// The object of each surface.
+    items: Vec<usize>,
     facets: Facets,
     paper: Rgb,
 }
 
 impl Scene<'_> {
-    fn draw(&self, (width, height): (usize, usize)) -> Result<Canvas, ExportError> {
+    fn draw(&self, (width, height): (usize, usize), mut visible: Option<&mut Visible>) -> Result<Canvas, ExportError> {
         let mut canvas = Canvas::new(width as u32, height as u32).ok_or_else(|| picture("it has no size"))?;
         let table = Screen::new();
         raster::bands(&self.facets.corners, (width, height), |band| {
@@ -108,10 +135,49 @@ impl Scene<'_> {
                 for x in 0..width {
                     let colour = self.pixel(band, x, row);
                     canvas.set(x, band.top + row, colour.map(|c| table.byte(c)));
+                    if let Some(visible) = &mut visible {
+                        visible.add(x, band.top + row, self.object(band.seen(x, row)[0]));
+                    }
                 }
             }
         });
         Ok(canvas)
+    }
+
+    /// The object that a facet belongs to.
+    fn object(&self, facet: u32) -> Option<usize> {
+        match self.facets.paints.get(facet as usize)? {
+            Paint::Ink { object, .. } => Some(*object),
+            Paint::Surface { surface, .. } => self.items.get(*surface).copied(),
+        }
+    }
+
+    fn rulers(
+        &self,
+        canvas: &mut Canvas,
+        rulers: Rulers,
+        (bounds, points): (Aabb, &[Point3]),
+        sheet: Sheet,
+        symbol: &str,
+    ) {
+        let pixel = |p: Point3| {
+            let seen = self.camera.project(p);
+            (seen.x, seen.y)
+        };
+        let axes = self.camera.axes();
+        match rulers {
+            Rulers::None => {}
+            Rulers::Edges => axes::edge_rulers(canvas, bounds, self.camera.eye(), &pixel, sheet, symbol),
+            Rulers::Sides => {
+                // The plane of the drawing is at the middle of the model's depth.
+                let flat = |p: &Point3| Point3::from(axes.map(|axis| p.to_vec().dot(axis)));
+                let area = Aabb::of_points(points.iter().map(flat)).unwrap_or(bounds);
+                let depth = 0.5 * (area.min.z + area.max.z);
+                let at = |x: f64, y: f64| pixel(Point3::ORIGIN + axes[0] * x + axes[1] * y + axes[2] * depth);
+                let unit = self.camera.unit_at(bounds.min.midpoint(bounds.max));
+                axes::rulers(canvas, &Plan { axes, area, unit, at: &at, symbol }, sheet, false);
+            }
+        }
     }
 
     /// The mean light of a pixel.
@@ -148,7 +214,7 @@ impl Scene<'_> {
             return std::array::from_fn(|k| self.paper[k] * (1.0 - (1.0 - kept) * SHADOW[k]));
         }
         match &self.facets.paints[facet as usize] {
-            Paint::Ink(ink) => *ink,
+            Paint::Ink { light, .. } => *light,
             Paint::Surface { surface, at } => {
                 let (surface, ray) = (&self.drawn[*surface], self.camera.ray(x, y));
                 let rough = facets::parameters(&self.facets.corners[facet as usize], at, x, y);

@@ -1,0 +1,113 @@
+//! Fields of a curve through or near points that have no effect.
+//!
+//! Where it is cheap the curve is made again without the field and compared; so the answer needs no rule of its own for what
+//! a construction does with a field.
+
+use cyclide::{CurveObject, bounds, corners_by_angle};
+
+use crate::document::angle::Angle;
+use crate::document::construct::{Contour, arc_spline, fair_spline};
+use crate::document::coordinates::{PointFile, PointSource};
+use crate::document::spec::{
+    ArcSplineSpec, CircleSplineSpec, Comment, EndsSpec, FairEndsSpec, FairFitSpec, FairSplineSpec, ObjectSpec,
+    RuleWord, StraightWord, TypeWord,
+};
+
+/// The reason of warnings about fields and options without effect.
+pub const NO_EFFECT: &str = "no-effect";
+
+/// A field, and why it has no effect.
+pub(super) type Idle = (&'static str, &'static str);
+
+const NO_ENDS: &str = "a closed curve has no ends";
+const NO_CORNER: &str = "no point turns by more";
+
+/// The fields of an object that make no difference to one of its contours.
+pub(super) fn idle_fields(spec: &ObjectSpec, at: &Contour<'_>, made: &CurveObject) -> Vec<Idle> {
+    match spec {
+        ObjectSpec::FairSpline(spec) => in_fair_spline(spec, at, made),
+        ObjectSpec::CircleSpline(spec) => in_circle_spline(spec, at),
+        ObjectSpec::ArcSpline(spec) => in_arc_spline(spec, at, made),
+        ObjectSpec::FairFit(spec) => in_fair_fit(spec, at),
+        _ => Vec::new(),
+    }
+}
+
+fn in_fair_spline(spec: &FairSplineSpec, at: &Contour<'_>, made: &CurveObject) -> Vec<Idle> {
+    let same = |change: &dyn Fn(&mut FairSplineSpec)| {
+        // The points are in the contour.
+        let mut other = FairSplineSpec {
+            r#type: TypeWord,
+            comment: Comment,
+            construction: false,
+            points: PointSource::File(PointFile::default()),
+            ..*spec
+        };
+        change(&mut other);
+        fair_spline(&other, at).is_ok_and(|(curve, ..)| is_same(&curve, made))
+    };
+    let ends = spec.ends != FairEndsSpec::default();
+    let tests = [
+        ("tension", spec.tension != 0.0 && same(&|s| s.tension = 0.0), "with 0 the curve is the same"),
+        ("tight", spec.tight.is_some() && same(&|s| s.tight = None), "no corner stands beside a straight run"),
+        (
+            "straight",
+            spec.straight != StraightWord::Auto && same(&|s| s.straight = StraightWord::Auto),
+            "no run of points on a line stands beside a corner",
+        ),
+        ("ends", ends && spec.closed, NO_ENDS),
+        (
+            "ends",
+            ends && !spec.closed && same(&|s| s.ends = FairEndsSpec::default()),
+            "with `circle` the curve is the same",
+        ),
+        ("corner_angle", has_no_corner(spec.corner_angle, spec.closed, at), NO_CORNER),
+    ];
+    found(&tests)
+}
+
+fn in_circle_spline(spec: &CircleSplineSpec, at: &Contour<'_>) -> Vec<Idle> {
+    found(&[
+        ("ends", spec.closed && spec.ends != EndsSpec::Natural, NO_ENDS),
+        ("corner_angle", has_no_corner(spec.corner_angle, spec.closed, at), NO_CORNER),
+    ])
+}
+
+fn in_arc_spline(spec: &ArcSplineSpec, at: &Contour<'_>, made: &CurveObject) -> Vec<Idle> {
+    let same = || {
+        let other = ArcSplineSpec { rule: RuleWord::EqualD, ..spec.clone() };
+        arc_spline(&other, at).is_ok_and(|(curve, ..)| is_same(&curve, made))
+    };
+    found(&[("rule", spec.rule == RuleWord::EqualChord && same(), "with `equal-d` the arcs are the same")])
+}
+
+fn in_fair_fit(spec: &FairFitSpec, at: &Contour<'_>) -> Vec<Idle> {
+    let no_fits = spec.max_fits == Some(0);
+    let none_taken_out = "with `max_fits` 0 no nodes are taken out";
+    found(&[
+        ("fix_ends", spec.fix_ends && spec.closed, NO_ENDS),
+        ("nodes", spec.nodes.is_some() && no_fits, none_taken_out),
+        ("budget", spec.budget.is_some() && no_fits, none_taken_out),
+        ("corner_angle", has_no_corner(spec.corner_angle, spec.closed, at), NO_CORNER),
+    ])
+}
+
+/// Part of a curve's size that rounding may move it by.
+const ROUNDING: f64 = 1e-12;
+
+/// True if two curves of one construction are the same, piece by piece and parameter by parameter.
+fn is_same(a: &CurveObject, b: &CurveObject) -> bool {
+    let (a, b) = (a.as_curve(), b.as_curve());
+    let limit = ROUNDING * bounds(b).diagonal();
+    let near = |piece: usize, s: f64| a.piece_point(piece, s).distance(b.piece_point(piece, s)) <= limit;
+    a.piece_count() == b.piece_count()
+        && (0..a.piece_count()).all(|piece| [0.0, 0.2, 0.5, 0.8, 1.0].into_iter().all(|s| near(piece, s)))
+}
+
+fn found(tests: &[(&'static str, bool, &'static str)]) -> Vec<Idle> {
+    tests.iter().filter(|(_, idle, _)| *idle).map(|(field, _, why)| (*field, *why)).collect()
+}
+
+fn has_no_corner(angle: Option<Angle>, closed: bool, at: &Contour<'_>) -> bool {
+    angle.is_some_and(|angle| corners_by_angle(&at.list.points, closed, angle.radians()).is_empty())
+}
