@@ -161,6 +161,22 @@ fn fair_fits_take_their_options_and_keep_their_certificate() {
 }
 
 #[test]
+fn ends_of_closed_curves_are_said_to_have_no_effect() {
+    let points = "\"points\": [[0,0],[4,0],[5,3],[2,5],[-1,3]]";
+    for kind in [
+        "\"type\": \"fair-fit\", \"tolerance\": 0.1, \"fix_ends\": true",
+        "\"type\": \"fair-spline\", \"ends\": \"free\"",
+        "\"type\": \"circle-spline\", \"ends\": {\"start\": [0,1]}",
+    ] {
+        let said = |closed: bool| {
+            let built = build(&format!("{kind}, \"closed\": {closed}, {points}")).unwrap();
+            built.remarks.iter().any(|r| r.reason == "ends-without-effect")
+        };
+        assert!(said(true) && !said(false), "{kind}");
+    }
+}
+
+#[test]
 fn ends_and_corners_reach_the_spline() {
     let l = "[[0,0],[2,0],[4,0],[4,2],[4,4]]";
     let smooth = build(&format!("\"type\": \"circle-spline\", \"points\": {l}")).unwrap();

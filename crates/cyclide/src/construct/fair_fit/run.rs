@@ -16,6 +16,8 @@ const INSERTIONS: usize = 12;
 /// The start keeps to the tolerance, and to this part of the size of the data: smoothed over more a closed figure shrinks
 /// to its centre.
 const START_SIZE: f64 = 0.1;
+/// Smoothed over less than this part of their size the data keep their length but for noise.
+const SHAPE_SIZE: f64 = 1.0 / 32.0;
 /// Data nearer to each other than this part of the tolerance tell no directions: they are left out of the start.
 const THINNED: f64 = 0.25;
 /// Fewer points than this are not thinned further.
@@ -42,7 +44,7 @@ pub(super) struct Reached {
     pub stop: Stop,
     /// Nodes before any was taken out.
     pub first: usize,
-    /// Length of the data, smoothed as the start was.
+    /// Length of the data without their noise.
     pub length: f64,
 }
 
@@ -95,7 +97,7 @@ fn run_in_order(data: &Data<'_>, limits: &RemovalLimits) -> Outcome {
     let start = &Data { tolerance: data.tolerance.min(wide), ..*data };
     let first = Patience { steps: 12, change: 2e-3, grow: true };
     let (smoothed, chosen) = smoothed(start, thinned(data.points, data.closed, start.tolerance));
-    let length = chords(&smoothed.points, data.closed).iter().sum();
+    let length = shape_length(start, &smoothed);
     let Some(mut fit) = first_curve(start, &smoothed, &chosen).map(|fit| fit.fairest(data, first)) else {
         return Outcome::Missed { outside: (0..data.points.len()).collect(), farthest: diameter(data.points) };
     };
@@ -124,6 +126,17 @@ fn run_in_order(data: &Data<'_>, limits: &RemovalLimits) -> Outcome {
     let scale = fit.fairness.max(data.floor);
     let better = polished.feasible(data) && polished.objective(data, scale) < fit.objective(data, scale);
     Outcome::Reached(Reached { fit: if better { polished } else { fit }, stop, first, length })
+}
+
+/// Length of the data, smoothed as the start was, or less where that takes their shape.
+fn shape_length(start: &Data<'_>, as_start: &Smoothed) -> f64 {
+    let fine = SHAPE_SIZE * diameter(start.points);
+    let length = |points: &[Point3]| chords(points, start.closed).iter().sum();
+    if start.tolerance <= fine {
+        return length(&as_start.points);
+    }
+    let finer = Data { tolerance: fine, ..*start };
+    length(&smoothed(&finer, thinned(start.points, start.closed, fine)).0.points)
 }
 
 /// The curve a fit starts from: through the nodes that the density asks for, else through all smoothed data, else through
