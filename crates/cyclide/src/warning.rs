@@ -284,7 +284,7 @@ impl Warning {
             Self::WideTolerance { .. } => "wide-tolerance",
             Self::ShapeSmoothedAway { .. } => "shape-smoothed-away",
             Self::NodesNotReached { .. } => "nodes-not-reached",
-            Self::EndsWithoutEffect => "ends-without-effect",
+            Self::EndsWithoutEffect => "no-effect",
             Self::SwingsOut { .. } => "swings-out",
             Self::FeetNotMonotone { .. } => "feet-not-monotone",
             Self::PointsMerged { .. } => "points-merged",

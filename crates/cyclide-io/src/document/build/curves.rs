@@ -1,6 +1,6 @@
 //! Curves: from fields and lists of points to the kernel's constructions.
 
-use cyclide::{Arc, Biarc, Circle, CurveObject, Quat, Vec3};
+use cyclide::{Arc, Biarc, Circle, CurveObject, Quat, Vec3, Warning};
 
 use super::Builder;
 use super::idle::{Idle, NO_EFFECT, idle_fields};
@@ -169,6 +169,8 @@ impl Builder<'_> {
             idle =
                 Some(idle.map_or(here.clone(), |all| all.into_iter().filter(|field| here.contains(field)).collect()));
             warnings.extend(facts.compare(&curve));
+            // Said once, with the place of the field.
+            warnings.retain(|warning| *warning != Warning::EndsWithoutEffect);
             for warning in warnings {
                 let index = warning.index().and_then(|i| points.kept[contour].get(i).copied());
                 let place = index.map(|i| self.place(&points, contour, i));

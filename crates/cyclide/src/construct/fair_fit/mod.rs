@@ -11,8 +11,8 @@
 //! choice of nodes is greedy and the tube is not convex in the curve: nothing proves that `J` or the number of nodes is
 //! the least. The certificate is proved.
 //!
-//! One subject per file: start, density, linear model, interior point, one fit, removal, the run of a smooth piece, the
-//! frame it works in, certificate.
+//! One subject per file: where closed data start, start curve, density, linear model, interior point, one fit, removal, the
+//! run of a smooth piece, the frame it works in, the pieces put together, certificate, doubts.
 
 mod bordered_band;
 mod canonical_start;
