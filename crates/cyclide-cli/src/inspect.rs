@@ -10,8 +10,8 @@ use crate::plan::{ReportPlan, SamplePlan, refuse_overwriting};
 use crate::progress::Progress;
 use crate::terminal;
 
-/// Most rows that one run samples: about ten gigabytes of text.
-const MOST_ROWS: usize = 100_000_000;
+/// Most rows that one run samples: about a gigabyte of text, which is held in memory.
+const MOST_ROWS: usize = 10_000_000;
 
 /// Samples one object.
 pub fn sample(plan: &SamplePlan) -> Result<(), Failure> {
@@ -34,9 +34,13 @@ pub fn sample(plan: &SamplePlan) -> Result<(), Failure> {
     if patches > 0 && plan.spacing == Spacing::Length {
         return Err(Failure::Usage("--equal-length is for curves, the object is a surface".to_owned()));
     }
-    let rows = patches.saturating_mul(plan.count).saturating_mul(plan.count);
+    let (of_one, parts, what) = match patches {
+        0 => (plan.count, object.item.contours.len(), "contours"),
+        _ => (plan.count.saturating_mul(plan.count), patches, "patches"),
+    };
+    let rows = parts.saturating_mul(of_one);
     if rows > MOST_ROWS {
-        let message = format!("--count {} gives {rows} rows on {patches} patches, more than {MOST_ROWS}", plan.count);
+        let message = format!("--count {} gives {rows} rows on {parts} {what}, more than {MOST_ROWS}", plan.count);
         return Err(Failure::Usage(message));
     }
     let text = cyclide_io::sample(&object, plan.count, plan.spacing);

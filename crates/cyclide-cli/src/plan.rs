@@ -157,6 +157,7 @@ impl OutputArgs {
         effect::refuse_formats_not_written(&self, &outputs)?;
         let options = ExportOptions {
             tolerance,
+            max_pieces: self.max_pieces.map(|n| usize::try_from(n).unwrap_or(usize::MAX)),
             dxf_splines: self.dxf_splines,
             dxf_version: match self.dxf_version {
                 None | Some(DxfArg::R2000) => DxfVersion::R2000,

@@ -244,3 +244,59 @@ fn a_reader_that_stops_early_is_no_failure() {
     let run = Run::new(child.wait_with_output().unwrap());
     assert_eq!((run.code, run.stderr.as_str()), (0, ""));
 }
+
+/// A document with one object.
+fn document(object: &str) -> String {
+    format!(r#"{{"cyclide": 1, "units": "m", "objects": {{"o": {object}}}}}"#)
+}
+
+#[test]
+fn surfaces_below_the_rounding_of_their_place_are_named() {
+    let folder = Folder::with(&[]);
+    for object in [
+        r#"{"type": "cyclide", "a": 2, "mu": 1, "center": [1e17, 1e17, 1e17]}"#,
+        r#"{"type": "cyclide", "a": 2, "mu": 1, "center": [1e15, 1e15, 1e15]}"#,
+        r#"{"type": "cyclide", "a": 1e-50, "mu": 1e-50, "center": [1, 1, 1]}"#,
+        r#"{"type": "cyclide", "a": 1e-14, "mu": 1e-15, "center": [1, 1, 1]}"#,
+        r#"{"type": "cyclide", "a": 2.8e-14, "mu": 1.5e-14, "center": [1, -7e-07, -2], "axis": [1, -1, -1]}"#,
+    ] {
+        folder.write("m.json", &document(object));
+        for command in ["report m.json", "build m.json -o m.step", "sample m.json --count 3"] {
+            let error = folder.fails(1, command);
+            assert!(error.contains("objects.o: the surface is "), "{object}: {error}");
+            assert!(error.contains("move it to the origin [below-rounding-of-place]"), "{object}: {error}");
+        }
+    }
+}
+
+#[test]
+fn a_small_ring_in_a_national_grid_is_written() {
+    let folder = Folder::with(&[]);
+    let ring = r#"{"type": "cyclide", "a": 0.02, "c": 0.005, "mu": 0.01, "center": [4512345.678, 5412345.678, 312.5]}"#;
+    folder.write("m.json", &document(ring));
+    folder.ok("build m.json -o m.step -o m.json.json -o m.svg -o m.png");
+    folder.ok("build m.json --tolerance 1e-4 -o m.obj");
+}
+
+#[test]
+fn refinements_stop_at_their_cap() {
+    let folder = Folder::with(&[]);
+    folder.write("m.json", &document(r#"{"type": "cyclide", "a": 2, "c": 1, "mu": 1.5, "segments": [4096, 4096]}"#));
+    let error = folder.fails(1, "report m.json");
+    assert!(error.contains("at most 500000 are made: use fewer segments [too-many-pieces]"), "{error}");
+    let plane = "[[[0,0,0],[1,0,0],[2,0,0]],[[0,1,0],[1,1,0],[2,1,0]],[[0,2,0],[1,2,0],[2,2,0]]]";
+    let bent = format!(r#"{{"type": "cyclidic-net", "grid": {plane}, "frame": [[1, 0, 1], [0, 1, 0]]}}"#);
+    folder.write("m.json", &document(&bent));
+    for file in ["m.svg", "m.obj", "m.glb"] {
+        let error = folder.fails(1, &format!("build m.json --tolerance 1e-13 -o {file}"));
+        assert!(error.contains("or allow more with --max-pieces [too-many-pieces]"), "{error}");
+        let error = folder.fails(1, &format!("build m.json --tolerance 1e-5 --max-pieces 100 -o {file}"));
+        assert!(error.contains(", at most 100 are made: "), "{error}");
+        folder.ok(&format!("build m.json --tolerance 1e-5 --max-pieces 100000 -o {file}"));
+    }
+    folder.fails(2, "build m.json --max-pieces 0 -o m.obj");
+    let circle = document(r#"{"type": "circle", "center": [0, 0], "radius": 1}"#);
+    folder.write("c.json", &circle);
+    assert!(folder.fails(1, "build c.json --tolerance 1e-15 -o c.csv").contains("[too-many-pieces]"));
+    assert!(folder.fails(2, "sample c.json --count 10000001").contains("--count"));
+}

@@ -12,7 +12,7 @@ use crate::file_content::ReadError;
 use crate::job::Job;
 use crate::mesh::chain;
 use crate::number::push_plain;
-use cyclide::{Correspondence, CurveChain, CurveJet, CurvePlace, Exactness, ParamCurve, Point3, flatten_places};
+use cyclide::{Correspondence, CurveChain, CurveJet, CurvePlace, Exactness, ParamCurve, Point3};
 
 const HEADER: &str = "object,contour,t,x,y,z,tangent_x,tangent_y,tangent_z,curvature";
 const COLUMNS: usize = 10;
@@ -23,7 +23,7 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
     let mut out = format!("{HEADER}\n");
     let mut curves = Vec::new();
     for contour in job.contours() {
-        let vertices = contour.lowered(flatten_places(contour.curve.as_curve(), job.tolerance))?;
+        let vertices = contour.lowered(job.pieces.flatten(contour.curve.as_curve(), job.tolerance))?;
         promise.add(Exactness::Proved(job.tolerance));
         let head = format!("{},{},", field(contour.object), contour.index);
         for (place, point) in &vertices {

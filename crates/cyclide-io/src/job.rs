@@ -4,7 +4,8 @@ use crate::export_error::ExportError;
 use crate::exporter::Exporter;
 
 use crate::format::{Format, Kind};
-use crate::options::ExportOptions;
+use crate::options::{DEFAULT_MOST_PIECES, ExportOptions, PIECES_OF_EACH};
+use crate::pieces::Pieces;
 use cyclide::{
     Aabb, Arc, ArcPath, Body, ChainPiece, CurveChain, CurveObject, Item, Lower, Lowered, Model, ParamCurve as _, Units,
     bounds,
@@ -50,6 +51,8 @@ pub(crate) struct Job<'a> {
     pub(crate) tolerance: f64,
     /// Tolerance of meshes.
     pub(crate) mesh_tolerance: f64,
+    /// How many pieces the file may be made of.
+    pub(crate) pieces: Pieces,
     /// The smallest box around all curves and surfaces.
     pub(crate) bounds: Aabb,
     /// The bodies of all surfaces, in the model's order.
@@ -90,7 +93,8 @@ impl<'a> Job<'a> {
         if !(tolerance > 0.0 && tolerance.is_finite()) {
             return Err(ExportError::ToleranceNotPositive { tolerance });
         }
-        Ok(Self { model, options, tolerance, mesh_tolerance, bounds, bodies })
+        let pieces = Pieces::new(options.max_pieces.unwrap_or_else(|| most_pieces(model, &bodies)));
+        Ok(Self { model, options, tolerance, mesh_tolerance, pieces, bounds, bodies })
     }
 
     pub(crate) fn units(&self) -> Units {
@@ -179,6 +183,13 @@ pub(crate) fn piece_counts<'a>(
         ChainPiece::Arc(arc) => std::iter::repeat_n(of_arc(arc), 1),
         ChainPiece::Spline(curve) => std::iter::repeat_n(1, curve.piece_count()),
     })
+}
+
+/// The pieces that a file may have if nothing else is asked for.
+fn most_pieces(model: &Model, bodies: &[BodyOf<'_>]) -> usize {
+    let of_curves: usize = contours(model).map(|contour| contour.curve.as_curve().piece_count()).sum();
+    let faces: usize = bodies.iter().flat_map(|body| body.body.shells()).map(|shell| shell.faces().len()).sum();
+    DEFAULT_MOST_PIECES.saturating_add((of_curves + faces).saturating_mul(PIECES_OF_EACH))
 }
 
 /// The bodies of a model's surfaces in the order in which every format writes them.

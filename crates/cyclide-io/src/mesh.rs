@@ -8,8 +8,7 @@ use crate::job::BodyOf;
 use crate::job::{Contour, Job};
 use cyclide::{
     Arc, ArcPath, Correspondence, CurveChain, CurvePlace, Exactness, MeshCorner, MeshFace, Point3, SurfaceMesh, Vec3,
-    flatten_places, tessellate,
-};
+    };
 
 /// Single precision is used between these sizes: products of two numbers must neither vanish nor overflow.
 const SINGLE: std::ops::Range<f64> = 1e-15..1e15;
@@ -25,7 +24,7 @@ pub(crate) struct BodyMesh<'a> {
 /// The meshes of all bodies within the job's tolerance.
 pub(crate) fn body_meshes<'a>(job: &'a Job<'_>) -> Result<Vec<BodyMesh<'a>>, ExportError> {
     let one = |(index, body): (usize, &'a BodyOf<'_>)| {
-        let mesh = tessellate(&body.body, job.mesh_tolerance).map_err(|source| body.unfit(source))?;
+        let mesh = job.pieces.tessellate(&body.body, job.mesh_tolerance).map_err(|source| body.unfit(source))?;
         Ok(BodyMesh { index, body, mesh })
     };
     job.bodies.iter().enumerate().map(one).collect()
@@ -68,7 +67,7 @@ pub(crate) fn promised(promise: &mut Promise, bound: f64) {
 
 /// The vertices of a contour's polyline with their places; a closed one ends with its first.
 pub(crate) fn polyline(job: &Job<'_>, contour: &Contour<'_>) -> Result<Vec<(CurvePlace, Point3)>, ExportError> {
-    contour.lowered(flatten_places(contour.curve.as_curve(), job.tolerance))
+    contour.lowered(job.pieces.flatten(contour.curve.as_curve(), job.tolerance))
 }
 
 /// The parts of a curve between the vertices of its polyline.

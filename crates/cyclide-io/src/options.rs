@@ -38,12 +38,21 @@ pub enum StepProducts {
     One,
 }
 
+/// Most pieces of one file of a small model if nothing else is asked for: about half a gigabyte of memory and a minute.
+pub const DEFAULT_MOST_PIECES: usize = 1_000_000;
+
+/// So many more for each piece of a curve and each patch: a large model is not refused for its size.
+pub(crate) const PIECES_OF_EACH: usize = 16;
+
 /// What may be chosen about a file.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct ExportOptions {
     /// Largest distance between the file's curve or mesh and the object where the format needs an approximation, in
     /// model units; `None` is 1e-5 of the model's diagonal for curves and 1e-4 for meshes.
     pub tolerance: Option<f64>,
+    /// Most pieces of one file: cells of meshes and vertices of polylines together. They take some 500 bytes each until the file
+    /// is written and checked. `None` is [`DEFAULT_MOST_PIECES`] and 16 for each piece of a curve and each patch.
+    pub max_pieces: Option<usize>,
     /// Name of the model, for formats that have a place for it; `None` is the name of the only object, or
     /// `cyclide`.
     pub title: Option<String>,

@@ -165,17 +165,36 @@ pub enum Error {
         /// Which segment, from 0.
         segment: usize,
     },
-    /// An approximation to the tolerance would need more pieces than the cap.
-    #[error(
-        "segment {segment} needs {needed} pieces for this tolerance, the cap is {cap}; use the rational variant or a larger tolerance"
-    )]
+    /// A refinement would need more pieces than its cap on work and memory.
+    #[error("{what}{} needs {} {pieces}, at most {cap} are made: {remedy}", numbered(*.segment), at_least(*.needed))]
     TooManyPieces {
-        /// Which segment, from 0.
-        segment: usize,
-        /// Pieces needed.
-        needed: usize,
+        /// What would grow.
+        what: &'static str,
+        /// Which segment or piece of a curve, from 0; `None` where the whole is meant.
+        segment: Option<usize>,
+        /// What it is made of.
+        pieces: &'static str,
+        /// Pieces needed, as far as counted.
+        needed: f64,
         /// Largest number of pieces made.
         cap: usize,
+        /// What to ask for instead.
+        remedy: &'static str,
+    },
+    /// Something so small and so far from the origin that the rounding of its coordinates is its shape.
+    #[error(
+        "{what} is {} large at coordinates of up to {}, which are rounded: below {} it has no shape of its own; move it to the origin",
+        ShortNumber(*.size), ShortNumber(*.place), ShortNumber(*.limit)
+    )]
+    BelowRoundingOfPlace {
+        /// The kind of thing.
+        what: &'static str,
+        /// Its size: the diagonal of the box of its points, or a radius.
+        size: f64,
+        /// Its largest coordinate.
+        place: f64,
+        /// Smallest size accepted there.
+        limit: f64,
     },
     /// A part of a curve is not proved to be within the tolerance of its chord, however short.
     #[error(
@@ -189,14 +208,6 @@ pub enum Error {
         bound: f64,
         /// The tolerance asked for.
         tolerance: f64,
-    },
-    /// A mesh to the tolerance would need more cells than the cap.
-    #[error("the mesh needs {} cells for this tolerance, the cap is {cap}; use a larger tolerance", ShortNumber(*.needed))]
-    TooManyCells {
-        /// Cells needed, as far as counted.
-        needed: f64,
-        /// Largest number of cells made.
-        cap: usize,
     },
     /// A tolerance is zero, negative or not a number.
     #[error("the tolerance {} is not positive", ShortNumber(*.tolerance))]
@@ -467,6 +478,16 @@ fn outside(min: f64, max: f64) -> String {
     format!("outside {:#} to {:#}", ShortNumber(min), ShortNumber(max))
 }
 
+/// The number of a segment, where there is one.
+fn numbered(segment: Option<usize>) -> String {
+    segment.map_or(String::new(), |segment| format!(" {segment}"))
+}
+
+/// A count in words; one that was given up is infinite.
+fn at_least(needed: f64) -> String {
+    if needed.is_finite() { ShortNumber(needed).to_string() } else { "ever more".to_owned() }
+}
+
 /// The first of some points and how many more there are.
 fn points_in_words(points: &[usize]) -> String {
     let shown: Vec<String> = points.iter().take(8).map(usize::to_string).collect();
@@ -535,7 +556,7 @@ impl Error {
             Self::AmbiguousHalfTurn { .. } => "ambiguous-half-turn",
             Self::TooManyPieces { .. } => "too-many-pieces",
             Self::NotWithinTolerance { .. } => "not-within-tolerance",
-            Self::TooManyCells { .. } => "too-many-cells",
+            Self::BelowRoundingOfPlace { .. } => "below-rounding-of-place",
             Self::ToleranceNotPositive { .. } => "tolerance-not-positive",
             Self::SweepOutOfRange { .. } => "sweep-out-of-range",
             Self::ParameterOutOfRange { .. } => "parameter-out-of-range",
@@ -579,9 +600,8 @@ impl Error {
             | Self::WeightNotPositive { index, .. }
             | Self::NotPlanar { index, .. } => Some(index),
             Self::CoincidentPoints { second, .. } => Some(second),
-            Self::ArcThroughInfinity { segment }
-            | Self::AmbiguousHalfTurn { segment }
-            | Self::TooManyPieces { segment, .. } => Some(segment),
+            Self::ArcThroughInfinity { segment } | Self::AmbiguousHalfTurn { segment } => Some(segment),
+            Self::TooManyPieces { segment, .. } => segment,
             Self::NoG1SplineInTube { vertex, .. } => Some(vertex),
             Self::Disconnected { piece, .. } | Self::NotWithinTolerance { piece, .. } => Some(piece),
             Self::InSpan { span, .. } => Some(span),

@@ -98,7 +98,8 @@ pub use curve::{bounds, closest_point, curvature_comb, extreme_curvature, joints
 pub use error::{Error, Result};
 pub use mesh::{LineKind, ParameterLine, parameter_lines};
 pub use mesh::{
-    MeshCorner, MeshFace, MeshSource, SurfaceMesh, flatten, flatten_into, flatten_places, tessellate, tessellate_all,
+    MOST_PIECES, MeshCorner, MeshFace, MeshSource, SurfaceMesh, flatten, flatten_into, flatten_places, flatten_within,
+    tessellate, tessellate_all, tessellate_within,
 };
 pub use model::{ChainPiece, CurveChain, CurveObject, Exactness, Item, Lower, Lowered, Model, SurfaceObject, Units};
 pub use rational::{ExactRational, NurbsCurve, RationalBezier, RationalBezierSurface};

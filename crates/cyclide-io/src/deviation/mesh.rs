@@ -19,8 +19,9 @@ use cyclide::{CyclidePatch, MeshCorner, MeshFace, MeshSource, ParamSurface as _,
 const GRID: usize = 5;
 /// Steps to the foot of a point on a patch.
 const STEPS: usize = 3;
-/// The cells of a face cover its parameters up to the rounding of their sum.
-const COVER: f64 = 1e-9;
+/// The cells of a face cover its parameters up to the rounding of their sum, and to cells between two singular lines, or one and
+/// a side, that are no farther apart than the kernel tells them: these have no area.
+const COVER: f64 = 1e-8;
 
 /// What the polygons of a file stand for and how they hang together, known from the meshes that were written.
 #[derive(Debug, Clone, PartialEq, Default)]

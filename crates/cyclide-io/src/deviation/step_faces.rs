@@ -21,8 +21,8 @@ const PLACES: u32 = 9;
 /// By so much of its length and of the model's size an edge may leave its face at equal parameters: far below readers' own
 /// tolerance, above the rounding of parameters with very uneven weights.
 const PARAMETER_LIMIT: (f64, f64) = (1e-9, 1e-12);
-/// Rounding of the length of an edge, relative to the coordinates of its ends.
-const RANGE_ROUNDING: f64 = 16.0 * f64::EPSILON;
+/// Rounding of a point of an edge or a face, or of the length of an edge, relative to the coordinates.
+const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 /// The largest distance between surfaces, edges and vertices of the file and the model, whose diagonal is `size`.
 ///
@@ -204,13 +204,14 @@ fn check_parameters(
     let ChainPiece::Arc(arc) = &edge.curve else {
         return Ok(()); // in the parameter of its faces, and compared there
     };
+    // Far from the origin the file's points are as coarse as their numbers.
+    let rounding = ROUNDING * arc.start().to_vec().max_abs().max(arc.end().to_vec().max_abs());
     if let Some(curve) = &edge.parameter_curve {
         // Short edges carry the rounding of their place.
         let (range, unit) = arc.radius().map_or((arc.length(), 1.0), |radius| (arc.angle(), radius));
-        let place = arc.start().to_vec().max_abs().max(arc.end().to_vec().max_abs());
         let (from, to) = curve.domain();
         require(
-            from == 0.0 && (to - range).abs() <= 1e-9 * range + RANGE_ROUNDING * place / unit,
+            from == 0.0 && (to - range).abs() <= 1e-9 * range + rounding / unit,
             "a parameter curve has another range than its edge",
         )?;
     }
@@ -227,7 +228,7 @@ fn check_parameters(
     });
     let (of_length, of_size) = PARAMETER_LIMIT;
     let apart = places.fold(0.0, f64::max);
-    require(apart <= of_length * arc.length() + of_size * size, "an edge leaves its face at equal parameters")
+    require(apart <= of_length * arc.length() + of_size * size + rounding, "an edge leaves its face at equal parameters")
 }
 
 fn parameter(i: u32) -> f64 {

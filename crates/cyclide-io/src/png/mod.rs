@@ -24,7 +24,7 @@ use crate::exported::{Exported, Promise};
 use crate::job::Job;
 use axes::{Plan, Rulers};
 use canvas::{Canvas, Ink, Pixel};
-use cyclide::{Exactness, Point3, Vec3, flatten};
+use cyclide::{Exactness, Point3, Vec3};
 use labels::{Labels, Name};
 use legend::Naming;
 use sheet::{Caption, Names, Sheet};
@@ -228,7 +228,7 @@ struct Polyline {
 fn curves(job: &Job<'_>, tolerance: f64) -> Result<Vec<Polyline>, ExportError> {
     let one = |contour: crate::job::Contour<'_>| {
         let curve = contour.curve.as_curve();
-        let vertices = contour.lowered(flatten(curve, tolerance))?;
+        let vertices = contour.lowered(job.pieces.flatten(curve, tolerance))?;
         let points = vertices.into_iter().map(|(_, p)| p).collect();
         Ok(Polyline { object: contour.item, points, closed: curve.is_closed() })
     };

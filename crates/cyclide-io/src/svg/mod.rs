@@ -19,7 +19,7 @@ use crate::export_error::ExportError;
 use crate::exported::{Exported, Promise};
 use crate::job::{Contour, Job};
 use crate::number::push_plain;
-use cyclide::{Aabb, Arc, Correspondence, CurvePlace, Exactness, Lowered, Point3, Units, Vec3, flatten_places};
+use cyclide::{Aabb, Arc, Correspondence, CurvePlace, Exactness, Lowered, Point3, Units, Vec3};
 use path::Path;
 use plan::Plan;
 use std::collections::HashSet;
@@ -98,7 +98,7 @@ fn draw(job: &Job<'_>, contour: &Contour<'_>, promise: &mut Promise) -> Result<(
         }
         return Ok((path, correspondence.recounted(counts)));
     }
-    let vertices = contour.lowered(flatten_places(contour.curve.as_curve(), job.tolerance))?;
+    let vertices = contour.lowered(job.pieces.flatten(contour.curve.as_curve(), job.tolerance))?;
     promise.add(Exactness::Proved(job.tolerance));
     Ok(polyline(&vertices, closed))
 }

@@ -11,7 +11,7 @@ use crate::job::BodyOf;
 use crate::job::Job;
 use crate::number::push_plain;
 use crate::parameter_circles::halvings;
-use cyclide::{Aabb, Arc, Correspondence, Exactness, Shell, flatten_places};
+use cyclide::{Aabb, Arc, Correspondence, Exactness, Shell};
 
 /// Names of the groups in the order in which they are drawn: inner circles, edges.
 pub(super) const GROUPS: [&str; 2] = ["circles", "edges"];
@@ -107,7 +107,7 @@ fn draw(
         (path, Correspondence::one_to_one(1).recounted([drawn]))
     } else {
         promise.add(Exactness::Proved(job.mesh_tolerance));
-        polyline(&flatten_places(&arc, job.mesh_tolerance).map_err(failed)?, false)
+        polyline(&job.pieces.flatten(&arc, job.mesh_tolerance).map_err(failed)?, false)
     };
     Ok((!path.is_point()).then_some((DrawnArc { arc, parts }, path)))
 }

@@ -382,7 +382,7 @@ fn refusals_name_the_surface() {
     let model = Model { items: vec![item], ..Model::default() };
     let error = export(&model, Format::Obj, &with_tolerance(1e-12)).unwrap_err();
     assert!(error.to_string().starts_with("object parts, surface 0: "), "{error}");
-    assert_eq!(error.reason(), "too-many-cells");
+    assert_eq!(error.reason(), "too-many-pieces");
     // A ring offset to a horn of two lobes: the large one, which is the second, is at fault. Both are of the one surface.
     let net = DupinCyclide::new(4.0, 1.0, 2.0).unwrap().nets([4, 4]).unwrap().remove(0).offset(-1.01).unwrap();
     let lobes = SurfaceObject::Net(net.clone()).to_bodies().unwrap();

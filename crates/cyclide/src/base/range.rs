@@ -1,7 +1,8 @@
 //! The range of numbers the kernel computes in: far enough inside that of doubles that derivatives, which hold powers
 //! and quotients of the data, stay finite too.
 
-use super::vector::Vec3;
+use super::bounds::Aabb;
+use super::vector::{Point3, Vec3};
 use crate::error::{Error, Result};
 
 /// Largest absolute coordinate accepted.
@@ -32,6 +33,26 @@ pub(crate) fn check_distance(value: f64) -> Result<()> {
     } else {
         Err(Error::ParameterOutOfRange { name: "distance", value, min: MIN_DISTANCE, max: 4.0 * MAX_COORDINATE })
     }
+}
+
+/// Roundings (of the largest coordinate) that a surface is across at least: points are off by half of one in each coordinate,
+/// 1.3e-5 of such a size in space. That is what files are within by default, so that smaller surfaces have no file, and
+/// their normals are known to no more than four digits. Far beyond it no edge differs from another. It leaves a tenth of
+/// a millimetre at coordinates of 5000 km.
+pub(crate) const SMALLEST_IN_PLACE: f64 = 65536.0 * f64::EPSILON;
+
+/// Refuses points that are so close to each other and so far from the origin that their differences are rounding.
+pub(crate) fn check_place(what: &'static str, points: &[Point3]) -> Result<()> {
+    let Some(bounds) = Aabb::of_points(points.iter().copied()) else {
+        return Ok(());
+    };
+    check_size_in_place(what, bounds.diagonal(), bounds.max_abs(), SMALLEST_IN_PLACE)
+}
+
+/// Refuses a size that is not above the given part of the largest coordinate `place`.
+pub(crate) fn check_size_in_place(what: &'static str, size: f64, place: f64, part: f64) -> Result<()> {
+    let limit = part * place;
+    if size > limit { Ok(()) } else { Err(Error::BelowRoundingOfPlace { what, size, place, limit }) }
 }
 
 /// Refuses a length of a weight ratio out of range.

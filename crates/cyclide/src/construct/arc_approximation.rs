@@ -188,7 +188,14 @@ impl<'a> Stretch<'a> {
 
     fn too_many(&self, v: f64) -> Error {
         let segment = self.locate(v, false).0 % self.spline.segments().len();
-        Error::TooManyPieces { segment, needed: self.cap + 1, cap: self.cap }
+        Error::TooManyPieces {
+            what: "segment",
+            segment: Some(segment),
+            pieces: "biarcs",
+            needed: (self.cap + 1) as f64,
+            cap: self.cap,
+            remedy: "use a larger tolerance",
+        }
     }
 
     /// The biarc between two places, if it and the curve stay within the tolerance of each other.

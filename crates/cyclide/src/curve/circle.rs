@@ -34,7 +34,7 @@ impl Circle {
     ///
     /// # Errors
     /// `not-finite`, `parameter-out-of-range` (coordinates above 1e150, radius below 1e-150), `zero-axis`, `zero-radius`
-    /// (start on the axis: at most 1e-14 of its distance away; or below the rounding of the centre).
+    /// (start on the axis: at most 1e-14 of its distance away), `below-rounding-of-place` (as [`from_radius`](Self::from_radius)).
     pub fn from_center(center: Point3, normal: Vec3, start: Point3) -> Result<Self> {
         range::check_point(0, center.to_vec())?;
         range::check_point(1, start.to_vec())?;
@@ -56,7 +56,8 @@ impl Circle {
     ///
     /// # Errors
     /// `not-finite`, `parameter-out-of-range` (coordinates or radius above 1e150, radius below 1e-150), `zero-axis`,
-    /// `radius-not-positive`, `zero-radius` (below the rounding of the centre).
+    /// `radius-not-positive`, `below-rounding-of-place` (below the rounding of the centre: all points would be the same
+    /// doubles).
     pub fn from_radius(center: Point3, normal: Vec3, radius: f64) -> Result<Self> {
         range::check_point(0, center.to_vec())?;
         if !normal.is_finite() {
@@ -70,13 +71,12 @@ impl Circle {
         Self::new(center, normal, across(toward, normal).unit().ok_or(Error::ZeroAxis)? * radius)
     }
 
-    /// A radius below the rounding of the centre's coordinates is zero: all points would be the same doubles.
+    /// Centre and radius are kept as they are, whatever the rounding of points: so only a radius below the rounding of the
+    /// centre's coordinates is none, where surfaces, which are made from points, need more of theirs.
     fn new(center: Point3, normal: Vec3, spoke: Vec3) -> Result<Self> {
         let radius = spoke.length();
         range::check_distance(radius)?;
-        if radius <= f64::EPSILON * center.to_vec().max_abs() {
-            return Err(Error::ZeroRadius { radius });
-        }
+        range::check_size_in_place("the radius of the circle", radius, center.to_vec().max_abs(), f64::EPSILON)?;
         Ok(Self { center, normal, spoke })
     }
 
@@ -162,7 +162,8 @@ impl Circle {
     /// The image under a similarity or a reflection, with the same parameter.
     ///
     /// # Errors
-    /// `not-a-similarity`; `not-finite` or `zero-radius` if the image is too large or too small.
+    /// `not-a-similarity`; `not-finite`, `below-rounding-of-place` or `parameter-out-of-range` if the image is too large or too
+    /// small.
     pub fn similar(&self, map: &Mobius) -> Result<Self> {
         if !map.is_similarity() {
             return Err(Error::NotASimilarity);

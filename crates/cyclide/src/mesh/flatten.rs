@@ -5,12 +5,11 @@
 //! chord is then proved by the hull of the piece ([`PieceHull`]). Chords without proof are halved; what has none at the
 //! depth limit is refused. Nothing is sampled, so nothing is missed.
 
+use super::MOST_PIECES;
 use crate::base::vector::Point3;
 use crate::curve::{CurvePlace, ParamCurve, PieceForm, PieceHull};
 use crate::error::{Error, Result, check_tolerance};
 
-/// Largest number of vertices made.
-const VERTEX_CAP: usize = 10_000_000;
 /// Intervals on which the density of vertices of a piece is sampled.
 const DENSITY_SCAN: usize = 24;
 /// More chords than the scan asks for, so that its errors do not make every other chord fail its check by a hair.
@@ -28,7 +27,7 @@ const APPROXIMATION: f64 = 1.0 / 32.0;
 /// curve point from its chord): proved, not sampled. The ends of all pieces are vertices; a closed curve ends with the bits of its start.
 ///
 /// # Errors
-/// `tolerance-not-positive`, `not-finite` (infinite tolerance); `too-many-pieces` if more than 10^7 vertices would be
+/// `tolerance-not-positive`, `not-finite` (infinite tolerance); `too-many-pieces` if more than [`MOST_PIECES`] vertices would be
 /// needed; `not-within-tolerance` if the rounding of the curve's numbers leaves no proof.
 ///
 /// What is proved is about the curve in exact arithmetic; the vertices carry the rounding of evaluation besides.
@@ -45,7 +44,7 @@ pub fn flatten(curve: &dyn ParamCurve, tolerance: f64) -> Result<Vec<(f64, Point
 pub fn flatten_into(curve: &dyn ParamCurve, tolerance: f64, vertices: &mut Vec<(f64, Point3)>) -> Result<()> {
     let n = curve.piece_count() as f64;
     vertices.clear();
-    each_vertex(curve, tolerance, &mut |place, point| vertices.push(((place.piece as f64 + place.s) / n, point)))
+    each_vertex(curve, tolerance, MOST_PIECES, &mut |place, point| vertices.push(((place.piece as f64 + place.s) / n, point)))
 }
 
 /// As [`flatten`], with the places of the vertices as piece and parameter, to the last digit however many pieces there
@@ -54,13 +53,26 @@ pub fn flatten_into(curve: &dyn ParamCurve, tolerance: f64, vertices: &mut Vec<(
 /// # Errors
 /// As [`flatten`].
 pub fn flatten_places(curve: &dyn ParamCurve, tolerance: f64) -> Result<Vec<(CurvePlace, Point3)>> {
+    flatten_within(curve, tolerance, MOST_PIECES)
+}
+
+/// As [`flatten_places`], with `most` vertices at most.
+///
+/// # Errors
+/// As [`flatten`].
+pub fn flatten_within(curve: &dyn ParamCurve, tolerance: f64, most: usize) -> Result<Vec<(CurvePlace, Point3)>> {
     let mut vertices = Vec::new();
-    each_vertex(curve, tolerance, &mut |place, point| vertices.push((place, point)))?;
+    each_vertex(curve, tolerance, most, &mut |place, point| vertices.push((place, point)))?;
     Ok(vertices)
 }
 
 /// Gives the vertices one after the other.
-fn each_vertex(curve: &dyn ParamCurve, tolerance: f64, vertex: &mut dyn FnMut(CurvePlace, Point3)) -> Result<()> {
+fn each_vertex(
+    curve: &dyn ParamCurve,
+    tolerance: f64,
+    most: usize,
+    vertex: &mut dyn FnMut(CurvePlace, Point3),
+) -> Result<()> {
     check_tolerance(tolerance)?;
     let n = curve.piece_count();
     let start = curve.piece_point(0, 0.0);
@@ -75,7 +87,7 @@ fn each_vertex(curve: &dyn ParamCurve, tolerance: f64, vertex: &mut dyn FnMut(Cu
         match curve.piece_form(piece) {
             PieceForm::Arc(arc) => {
                 let chords = chords_of_arc(arc.radius().unwrap_or(f64::INFINITY), arc.angle(), tolerance);
-                let m = count(chords, have, piece)?;
+                let m = count(chords, have, most, piece)?;
                 for j in 1..m {
                     let l = j as f64 / m as f64;
                     vertex(CurvePlace::new(piece, arc.parameter_at_length(l)), arc.point_at_length(l));
@@ -84,7 +96,7 @@ fn each_vertex(curve: &dyn ParamCurve, tolerance: f64, vertex: &mut dyn FnMut(Cu
             PieceForm::Circle(circle) => {
                 // Three chords at least: two would be one segment, there and back.
                 let chords = chords_of_arc(circle.radius(), std::f64::consts::TAU, tolerance).max(3.0);
-                let m = count(chords, have, piece)?;
+                let m = count(chords, have, most, piece)?;
                 for j in 1..m {
                     let s = j as f64 / m as f64;
                     vertex(CurvePlace::new(piece, s), curve.piece_point(piece, s));
@@ -92,7 +104,7 @@ fn each_vertex(curve: &dyn ParamCurve, tolerance: f64, vertex: &mut dyn FnMut(Cu
             }
             PieceForm::Free => {
                 let hull = curve.piece_hull(piece, APPROXIMATION * tolerance)?;
-                Free { curve, piece, tolerance, hull, have }.flatten(&mut vertex)?;
+                Free { curve, piece, tolerance, most, hull, have }.flatten(&mut vertex)?;
             }
         }
         // Closed curves end with the bits of their start.
@@ -118,13 +130,19 @@ fn chords_of_arc(radius: f64, angle: f64, tolerance: f64) -> f64 {
 }
 
 /// The number of chords as an integer, refused if the vertices would exceed the cap.
-fn count(chords: f64, have: usize, piece: usize) -> Result<usize> {
-    // The cast saturates: infinity becomes the largest integer.
-    let chords = chords as usize;
-    if chords > VERTEX_CAP.saturating_sub(have) {
-        return Err(Error::TooManyPieces { segment: piece, needed: chords, cap: VERTEX_CAP });
+fn count(chords: f64, have: usize, most: usize, piece: usize) -> Result<usize> {
+    // Not `>`: what is no number is not allowed either.
+    if !(chords <= most.saturating_sub(have) as f64) {
+        return Err(Error::TooManyPieces {
+            what: "the polyline of piece",
+            segment: Some(piece),
+            pieces: "vertices",
+            needed: have as f64 + chords,
+            cap: most,
+            remedy: "use a larger tolerance or allow more",
+        });
     }
-    Ok(chords)
+    Ok(chords as usize)
 }
 
 /// One piece that is known by its jets only.
@@ -132,6 +150,7 @@ struct Free<'a> {
     curve: &'a dyn ParamCurve,
     piece: usize,
     tolerance: f64,
+    most: usize,
     hull: PieceHull,
     /// Vertices made before.
     have: usize,
@@ -149,7 +168,7 @@ impl Free<'_> {
         let total: f64 = density.windows(2).map(|d| 0.5 * (d[0] + d[1]) * step).sum();
         // A part of curvature k reaches the tolerance at the length sqrt(8 tolerance/k).
         let chords = MARGIN * total / (8.0 * self.tolerance).sqrt();
-        let m = count(chords.ceil().max(1.0), self.have, self.piece)?;
+        let m = count(chords.ceil().max(1.0), self.have, self.most, self.piece)?;
         let (mut s, mut point) = (0.0, self.curve.piece_point(self.piece, 0.0));
         // The interval of the scan and the integral up to its start.
         let (mut interval, mut before) = (0, 0.0);
@@ -213,7 +232,7 @@ impl Free<'_> {
         if depth == 0 || m <= a || m >= b {
             return Err(Error::NotWithinTolerance { piece: self.piece, bound, tolerance: self.tolerance });
         }
-        count(1.0, self.have, self.piece)?;
+        count(1.0, self.have, self.most, self.piece)?;
         let middle = self.curve.piece_point(self.piece, m);
         self.check(a, from, m, middle, depth - 1, vertex)?;
         self.have = vertex(CurvePlace::new(self.piece, m), middle);

@@ -5,7 +5,11 @@ mod parameter_lines;
 mod surface_mesh;
 mod tessellate;
 
-pub use flatten::{flatten, flatten_into, flatten_places};
+/// Pieces that a polyline (vertices) or a mesh (cells) has at most, unless more are allowed: some 100 bytes each here, and several
+/// times as many in what is made of them.
+pub const MOST_PIECES: usize = 4_000_000;
+
+pub use flatten::{flatten, flatten_into, flatten_places, flatten_within};
 pub use parameter_lines::{LineKind, ParameterLine, parameter_lines};
 pub use surface_mesh::{MeshCorner, MeshFace, MeshSource, SurfaceMesh};
-pub use tessellate::{tessellate, tessellate_all};
+pub use tessellate::{tessellate, tessellate_all, tessellate_within};

@@ -35,6 +35,14 @@ impl QuadGrid {
         Ok(Self { points, size, closed })
     }
 
+    /// Refuses a grid that is a point at its place.
+    ///
+    /// # Errors
+    /// `below-rounding-of-place`.
+    pub(in crate::surface) fn check_place(&self) -> Result<()> {
+        range::check_place("the surface", &self.points)
+    }
+
     /// The grid of one quad with its corners in binary order.
     pub(in crate::surface) fn of_corners(corners: [Point3; 4]) -> Self {
         Self { points: corners.to_vec(), size: [2, 2], closed: [false, false] }

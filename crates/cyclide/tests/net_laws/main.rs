@@ -5,6 +5,7 @@ mod data;
 mod derived;
 mod dupin;
 mod far;
+mod limits;
 mod models;
 mod nets;
 mod shells;

@@ -112,7 +112,7 @@ fn tolerances_out_of_range_have_named_errors() {
     assert_eq!(reason(f64::NAN), "tolerance-not-positive");
     assert_eq!(reason(f64::INFINITY), "not-finite");
     assert_eq!(reason(1e-16), "parameter-out-of-range");
-    assert_eq!(reason(1e-9), "too-many-cells");
+    assert_eq!(reason(1e-9), "too-many-pieces");
     // Beyond the size: the coarsest mesh whose arcs turn by 120 degrees at most.
     assert_eq!(tessellate(&torus, 1e300).unwrap().faces.len(), 1);
 }

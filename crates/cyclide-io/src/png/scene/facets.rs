@@ -6,7 +6,7 @@ use super::surface::growth;
 use crate::job::Job;
 use crate::palette;
 use crate::png::{CURVE, Polyline};
-use cyclide::{Body, CyclidePatch, MeshSource, ParamSurface as _, Point3, Shell, SurfaceMesh, tessellate};
+use cyclide::{Body, CyclidePatch, MeshSource, ParamSurface as _, Point3, Shell, SurfaceMesh};
 
 /// Cells of the rough grids of all patches together, about, and those of one patch along a side.
 const ROUGH: f64 = 3200.0;
@@ -51,15 +51,15 @@ impl Facets {
     /// The mesh of a body; `first` is the index of its first face's surface.
     ///
     /// # Errors
-    /// As [`tessellate`].
+    /// As [`tessellate`](cyclide::tessellate).
     pub(super) fn add_body(
         &mut self,
         body: &Body,
         first: usize,
         camera: &Camera,
-        tolerance: f64,
+        tessellate: impl Fn(&Body) -> cyclide::Result<SurfaceMesh>,
     ) -> cyclide::Result<()> {
-        let mesh = tessellate(body, tolerance)?;
+        let mesh = tessellate(body)?;
         let positions: Vec<Projected> = mesh.positions.iter().map(|p| camera.project(*p)).collect();
         // Index of the first surface of each shell.
         let mut starts = vec![first];

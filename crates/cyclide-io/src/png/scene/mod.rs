@@ -78,7 +78,8 @@ pub(super) fn write(job: &Job<'_>, sheet: Sheet, names: Names) -> Result<Exporte
             drawn.extend(surfaces(shell, body.item, camera.unit(), sheet.scale));
         }
         items.resize(drawn.len(), body.item);
-        let added = facets.add_body(&body.body, first, &camera, MESH * camera.unit());
+        let added =
+            facets.add_body(&body.body, first, &camera, |body| job.pieces.tessellate(body, MESH * camera.unit()));
         added.map_err(|source| body.unfit(source))?;
     }
     for curve in curves(job, FLATNESS * camera.unit())? {

@@ -83,7 +83,14 @@ impl BlendSegment {
         let size = self.length / (tolerance * self.distance_from_infinity_squared());
         let needed = (theta * (0.0046 * size).cbrt()).max(theta / 3.0).ceil().max(1.0);
         if needed > PIECE_CAP as f64 {
-            return Err(Error::TooManyPieces { segment, needed: needed as usize, cap: PIECE_CAP });
+            return Err(Error::TooManyPieces {
+                what: "segment",
+                segment: Some(segment),
+                pieces: "rational pieces",
+                needed,
+                cap: PIECE_CAP,
+                remedy: "use the rational variant or a larger tolerance",
+            });
         }
         let mut n = needed as usize;
         while n > 1 && theta <= 3.0 * (n - 1) as f64 && self.part_error(n - 1) <= tolerance {

@@ -6,14 +6,17 @@ use super::strips::{Member, Place, Strip, Strips};
 use crate::error::{Error, Result};
 use crate::surface::{CyclidePatch, Shell};
 
-/// Largest number of cells of one mesh.
-const CELL_CAP: usize = 10_000_000;
 /// Intervals on which densities are sampled.
 const SCAN: usize = 16;
 /// Times the densities of all strips are adapted to each other.
 const SWEEPS: usize = 2;
 /// Rounds of the certificate; few are needed, as cells that fail are divided by what they fail by.
 const ROUNDS: usize = 200;
+/// Cells that are looked at in all rounds together, in units of the cap: a mesh that grows by little from round to round is
+/// given up when it has cost as much as a few of the largest.
+const WORK: f64 = 4.0;
+/// Largest number of cuts of a part of a strip that is counted as such.
+const MOST_CUTS: f64 = 1e9;
 /// A little more cuts than a cell fails by, as its neighbours are wider or narrower.
 const MARGIN: f64 = 1.002;
 /// Largest number of parts of one cell in one round.
@@ -139,7 +142,36 @@ fn refined(old: &[f64], excess: &[f64], strip: &Strip) -> Vec<f64> {
 /// Whole number of cells of an integral of a density; it is below the cap where it is used.
 fn count(integral: f64) -> usize {
     // Rounding of the integral must not add a cell.
-    ((integral * (1.0 - 1e-12)).ceil() as usize).clamp(1, CELL_CAP)
+    ((integral * (1.0 - 1e-12)).ceil().clamp(1.0, MOST_CUTS) as usize).max(1)
+}
+
+/// The cap on cells of a mesh.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Cap {
+    /// Largest number of cells.
+    pub(super) most: usize,
+    /// How many the mesh has already.
+    pub(super) before: usize,
+}
+
+impl Cap {
+    fn refused(self, needed: f64) -> Error {
+        Error::TooManyPieces {
+            what: "the mesh",
+            segment: None,
+            pieces: "cells",
+            needed: needed + self.before as f64,
+            cap: self.most,
+            remedy: "use a larger tolerance or allow more",
+        }
+    }
+
+    /// Refuses more cells than are left, for the given number of cells along each strip.
+    fn check(self, strips: &Strips, count: impl Fn(usize) -> f64) -> Result<f64> {
+        let needed: f64 = strips.faces.iter().map(|[s, t]| count(s.strip) * count(t.strip)).sum();
+        // Not `>`: what is no number is not allowed either.
+        if needed <= self.most.saturating_sub(self.before) as f64 { Ok(needed) } else { Err(self.refused(needed)) }
+    }
 }
 
 /// The cuts of every strip of a shell, and the certified distance of the mesh.
@@ -161,13 +193,24 @@ impl Cuts {
     /// Cells cost the least when the deviation is the same everywhere. A cut in one direction costs as much as one in
     /// the other, so both get equal shares of the tolerance at first; then each strip takes what the other leaves at
     /// every place.
-    pub(super) fn new(shell: &Shell, strips: &Strips, speeds: &[PatchSpeeds], tolerance: f64) -> Result<Self> {
+    pub(super) fn new(
+        shell: &Shell,
+        strips: &Strips,
+        speeds: &[PatchSpeeds],
+        tolerance: f64,
+        cap: Cap,
+    ) -> Result<Self> {
         let densities = densities(shell, strips, speeds, tolerance);
-        check_count(strips, |strip| densities[strip].parts.iter().map(|&(.., n)| n).sum())?;
+        cap.check(strips, |strip| densities[strip].parts.iter().map(|&(_, integral, n)| integral.max(n as f64)).sum())?;
         let all = densities.iter().zip(&strips.strips);
         let mut cuts = Self { of_strips: all.map(|(d, strip)| d.cuts(strip)).collect(), distance: 0.0 };
+        let mut work = 0.0;
         for _ in 0..ROUNDS {
-            check_count(strips, |strip| cuts.of_strips[strip].len() - 1)?;
+            let cells = cap.check(strips, |strip| (cuts.of_strips[strip].len() - 1) as f64)?;
+            work += cells;
+            if work > WORK * cap.most as f64 {
+                break;
+            }
             let excess = cuts.certify(shell, strips, speeds, tolerance);
             let mut done = true;
             for ((cuts, excess), strip) in cuts.of_strips.iter_mut().zip(&excess).zip(&strips.strips) {
@@ -180,7 +223,7 @@ impl Cuts {
                 return Ok(cuts);
             }
         }
-        Err(Error::TooManyCells { needed: f64::INFINITY, cap: CELL_CAP })
+        Err(cap.refused(f64::INFINITY))
     }
 
     /// Certifies the mesh of these cuts: how many times as many cuts the cells of each strip need.
@@ -203,12 +246,6 @@ impl Cuts {
         }
         excess
     }
-}
-
-/// Refuses more cells than the cap, for the given number of cells along each strip.
-fn check_count(strips: &Strips, count: impl Fn(usize) -> usize) -> Result<()> {
-    let needed: f64 = strips.faces.iter().map(|[s, t]| count(s.strip) as f64 * count(t.strip) as f64).sum();
-    if needed <= CELL_CAP as f64 { Ok(()) } else { Err(Error::TooManyCells { needed, cap: CELL_CAP }) }
 }
 
 /// The densities of all strips.

@@ -11,12 +11,13 @@ mod density;
 mod strips;
 mod vertices;
 
+use super::MOST_PIECES;
 use super::surface_mesh::SurfaceMesh;
 use crate::error::{Error, Result, check_tolerance};
 use crate::surface::{Body, Shell};
 use assemble::assemble;
 use cell_bound::PatchSpeeds;
-use cuts::Cuts;
+use cuts::{Cap, Cuts};
 use strips::Strips;
 
 /// Rounding of positions, in units of the largest coordinate: some tens of operations, each rounded once.
@@ -44,7 +45,7 @@ const RESERVE: f64 = 1e-3;
 ///
 /// # Errors
 /// `tolerance-not-positive`, `not-finite` (infinite tolerance); `parameter-out-of-range` if the tolerance is below the
-/// rounding of the coordinates; `too-many-cells` if more than 10^7 cells would be needed in one shell.
+/// rounding of the coordinates; `too-many-pieces` if more than [`MOST_PIECES`] cells would be needed.
 pub fn tessellate(body: &Body, tolerance: f64) -> Result<SurfaceMesh> {
     tessellate_all([body], tolerance)
 }
@@ -54,16 +55,28 @@ pub fn tessellate(body: &Body, tolerance: f64) -> Result<SurfaceMesh> {
 /// # Errors
 /// As [`tessellate`].
 pub fn tessellate_all<'a>(bodies: impl IntoIterator<Item = &'a Body>, tolerance: f64) -> Result<SurfaceMesh> {
+    tessellate_within(bodies, tolerance, MOST_PIECES)
+}
+
+/// As [`tessellate_all`], with `most` cells at most.
+///
+/// # Errors
+/// As [`tessellate`].
+pub fn tessellate_within<'a>(
+    bodies: impl IntoIterator<Item = &'a Body>,
+    tolerance: f64,
+    most: usize,
+) -> Result<SurfaceMesh> {
     check_tolerance(tolerance)?;
     let mut mesh = SurfaceMesh::default();
     for (index, shell) in bodies.into_iter().flat_map(Body::shells).enumerate() {
-        append(shell, index, tolerance, &mut mesh)?;
+        append(shell, index, tolerance, most, &mut mesh)?;
     }
     Ok(mesh)
 }
 
 /// Appends the mesh of one shell.
-fn append(shell: &Shell, index: usize, tolerance: f64, mesh: &mut SurfaceMesh) -> Result<()> {
+fn append(shell: &Shell, index: usize, tolerance: f64, most: usize, mesh: &mut SurfaceMesh) -> Result<()> {
     let bounds = shell.bounds();
     let rounding = ROUNDING * bounds.max_abs();
     // Beyond its size a tolerance asks for nothing more.
@@ -74,7 +87,7 @@ fn append(shell: &Shell, index: usize, tolerance: f64, mesh: &mut SurfaceMesh) -
     }
     let speeds: Vec<PatchSpeeds> = shell.faces().iter().map(|face| PatchSpeeds::new(&face.patch)).collect();
     let strips = Strips::new(shell, &speeds);
-    let cuts = Cuts::new(shell, &strips, &speeds, allowed)?;
+    let cuts = Cuts::new(shell, &strips, &speeds, allowed, Cap { most, before: mesh.faces.len() })?;
     let gap = assemble(shell, index, &strips, &cuts, &speeds, mesh);
     mesh.bound = mesh.bound.max(cuts.distance + gap + rounding);
     Ok(())

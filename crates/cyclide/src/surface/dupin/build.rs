@@ -31,6 +31,8 @@ pub const DEFAULT_SEGMENTS: [usize; 2] = [4, 4];
 
 /// Most segments of a turn.
 const MAX_SEGMENTS: usize = 4096;
+/// Most patches of a cyclide: with their edges and vertices they take two kilobytes each, a gigabyte together.
+const MOST_PATCHES: usize = 500_000;
 
 /// Angles from one node to the next, or all round.
 struct Range {
@@ -38,6 +40,13 @@ struct Range {
     closed: bool,
     /// The part that contains the angle 0, of two.
     between_nodes: bool,
+}
+
+impl Range {
+    /// How many steps it has.
+    fn steps(&self) -> usize {
+        self.angles.len() - usize::from(!self.closed)
+    }
 }
 
 impl DupinCyclide {
@@ -50,7 +59,8 @@ impl DupinCyclide {
     /// weights of the rational forms are all positive.
     ///
     /// # Errors
-    /// `parameter-out-of-range` (segments outside 3 to 4096, coordinates above 1e150).
+    /// `parameter-out-of-range` (segments outside 3 to 4096, coordinates above 1e150); `too-many-pieces` (more than half a
+    /// million patches together); `below-rounding-of-place` (a net is below 1.5e-11 of its coordinates).
     pub fn nets(&self, segments: [usize; 2]) -> Result<Vec<CyclidicNet>> {
         for (name, value) in [("segments along s", segments[0]), ("segments along t", segments[1])] {
             if !(3..=MAX_SEGMENTS).contains(&value) {
@@ -64,6 +74,18 @@ impl DupinCyclide {
             CyclideKind::Spindle => (None, Some(self.node_angle(self.a, self.mu))),
         };
         let (along_s, along_t) = (ranges(segments[0], node_s), ranges(segments[1], node_t));
+        let steps = |ranges: &[Range]| ranges.iter().map(Range::steps).sum::<usize>();
+        let patches = steps(&along_s) * steps(&along_t);
+        if patches > MOST_PATCHES {
+            return Err(Error::TooManyPieces {
+                what: "the cyclide",
+                segment: None,
+                pieces: "patches",
+                needed: patches as f64,
+                cap: MOST_PATCHES,
+                remedy: "use fewer segments",
+            });
+        }
         along_s.iter().flat_map(|s| along_t.iter().map(move |t| (s, t))).map(|(s, t)| self.net(s, t)).collect()
     }
 
@@ -130,6 +152,7 @@ impl DupinCyclide {
             range::check_point(index, p.to_vec())?;
         }
         let grid = QuadGrid::new(points, size, [s.closed, t.closed])?;
+        grid.check_place()?;
         // After a full turn the half angles are half a turn further.
         Ok(CyclidicNet::from_weights_unchecked(grid, weights, [Vec3::Y, v2], [-1.0, -1.0]))
     }

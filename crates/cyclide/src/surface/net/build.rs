@@ -30,11 +30,12 @@ impl CyclidicNet {
     /// lengths, of which one row and one column are free, are those nearest to 1 (least squares of the logarithms).
     ///
     /// # Errors
-    /// `not-finite`, `frame-not-orthonormal`; `coincident-points`, `not-concircular`, `crossing-quad`, `not-in-space`,
+    /// `below-rounding-of-place` (the grid is below 1.5e-11 of its coordinates); `not-finite`, `frame-not-orthonormal`; `coincident-points`, `not-concircular`, `crossing-quad`, `not-in-space`,
     /// `patch-through-infinity` with the quad; `net-does-not-close` if a closed direction does not bring the frame
     /// back (for a generic circular net it does not: see `20`, section 6); `ambiguous-frame` if the edges give no
     /// frame for [`NetFrame::Auto`].
     pub fn new(grid: QuadGrid, frame: NetFrame) -> Result<Self> {
+        grid.check_place()?;
         let [m, n] = grid.quads();
         // ln(delta_12/delta_03) of every quad.
         let mut kappa = Vec::with_capacity(m * n);

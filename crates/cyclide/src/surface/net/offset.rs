@@ -19,7 +19,7 @@ impl CyclidicNet {
     ///
     /// # Errors
     /// `not-finite`, `parameter-out-of-range` (coordinates above 1e150), `offset-on-focal-set` with the quad (a patch
-    /// shrinks to a curve or a point).
+    /// shrinks to a curve or a point), `below-rounding-of-place`.
     pub fn offset(&self, h: f64) -> Result<Self> {
         if !h.is_finite() {
             return Err(Error::NotFinite { what: "offset distance", index: 0 });
@@ -47,6 +47,7 @@ impl CyclidicNet {
             points[k] = points[same.first(k)];
         }
         let grid = QuadGrid::new(points, self.grid.size(), self.grid.closed())?;
+        grid.check_place()?;
         Ok(Self::from_weights_unchecked(grid, self.weights.clone(), self.v, self.turn))
     }
 

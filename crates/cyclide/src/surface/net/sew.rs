@@ -1,6 +1,7 @@
 //! The net as a shell: every vertex and every edge once.
 
 use super::CyclidicNet;
+use crate::base::range;
 use crate::base::vector::Point3;
 use crate::curve::Arc;
 use crate::error::{Error, Result};
@@ -66,7 +67,12 @@ impl Sewing {
         let grid = net.grid();
         let [m, n] = net.size();
         for (i, j) in (0..n).flat_map(|j| (0..m).map(move |i| (i, j))) {
-            let [k0, k1, k2, _] = grid.corners(i, j);
+            let [k0, k1, k2, k3] = grid.corners(i, j);
+            // A part of a larger surface: it may be small, but not a point.
+            let corners = [k0, k1, k2, k3].map(|k| grid.points()[k]);
+            let size = corners.iter().map(|p| p.distance(corners[0])).fold(0.0, f64::max);
+            let place = corners[0].to_vec().max_abs();
+            range::check_size_in_place("a patch", size, place, f64::EPSILON).map_err(|e| e.in_quad(i + j * m))?;
             let edges = [skin.along_s[k0], skin.along_s[k2], skin.along_t[k0], skin.along_t[k1]];
             let sides = edges.map(|edge| edge.map(|edge| FaceEdge { edge, forward: true }));
             self.face(ShellFace { patch: net.patch(i, j), sides, same_sense });

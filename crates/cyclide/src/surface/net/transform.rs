@@ -13,14 +13,15 @@ impl Conformal for CyclidicNet {
     ///
     /// # Errors
     /// Those of patches, with the quad: `point-at-infinity`, `patch-through-infinity`, `parameter-out-of-range`,
-    /// `coincident-points`, `not-in-space`.
+    /// `coincident-points`, `not-in-space`; `below-rounding-of-place`.
     fn transformed(&self, map: &Mobius) -> Result<Self> {
         for (quad, patch) in self.patches().enumerate() {
-            patch.transformed(map).map_err(|e| e.in_quad(quad))?;
+            patch.image(map).map_err(|e| e.in_quad(quad))?;
         }
         let images = self.grid.points().iter().map(|a| map.map_weighted(*a).ok_or(Error::PointAtInfinity));
         let (points, factors): (Vec<_>, Vec<_>) = images.collect::<Result<Vec<_>>>()?.into_iter().unzip();
         let grid = QuadGrid::new(points, self.grid.size(), self.grid.closed())?;
+        grid.check_place()?;
         let weights: Vec<Quat> = factors.iter().zip(&self.weights).map(|(f, w)| *f * *w).collect();
         // A common factor changes nothing: lengths around 1.
         let mean = weights.iter().map(|w| w.norm().ln()).sum::<f64>() / weights.len() as f64;

@@ -25,8 +25,8 @@ impl CyclidePatch {
     /// [`singular_t`](Self::singular_t).
     ///
     /// # Errors
-    /// `not-finite`, `parameter-out-of-range`, `coincident-points`, `frame-not-orthonormal`, `not-concircular`,
-    /// `crossing-quad` (corners not in cyclic order), `patch-through-infinity`; checked in this order.
+    /// `not-finite`, `parameter-out-of-range`, `below-rounding-of-place` (the corners' box is below 1.5e-11 of their
+    /// coordinates), `coincident-points`, `frame-not-orthonormal`, `not-concircular`, `crossing-quad` (corners not in cyclic order), `patch-through-infinity`; checked in this order.
     pub fn from_corners_and_frame(corners: [Point3; 4], v1: Vec3, v2: Vec3) -> Result<Self> {
         for (index, p) in corners.into_iter().enumerate() {
             range::check_point(index, p.to_vec())?;
@@ -36,6 +36,7 @@ impl CyclidePatch {
                 return Err(Error::NotFinite { what: "frame vector", index });
             }
         }
+        range::check_place("the surface", &corners)?;
         let scale = distinct(&corners)?;
         let (v1, v2) = orthonormal(v1, v2)?;
         let CornerCircle { inverses, corner, .. } = corner_circle(&corners, scale)?;
@@ -58,9 +59,20 @@ impl CyclidePatch {
     ///
     /// # Errors
     /// `not-finite`, `coincident-points`, `zero-weight`, `frame-not-orthonormal`, `not-in-space` (the quotient leaves
-    /// three-space by more than 1e-9 of the size and 1e-14 of the coordinates), `patch-through-infinity`.
+    /// three-space by more than 1e-9 of the size and 1e-14 of the coordinates), `patch-through-infinity`,
+    /// `below-rounding-of-place`.
     pub fn from_weights(corners: [Point3; 4], weights: [Quat; 4], v1: Vec3, v2: Vec3) -> Result<Self> {
-        Self::from_rounded_weights(corners, weights, v1, v2, 0.0)
+        let patch = Self::from_rounded_weights(corners, weights, v1, v2, 0.0)?;
+        patch.check_place()?;
+        Ok(patch)
+    }
+
+    /// Refuses a patch that is a point at its place.
+    ///
+    /// # Errors
+    /// `below-rounding-of-place`.
+    pub(super) fn check_place(&self) -> Result<()> {
+        range::check_place("the surface", &self.corners)
     }
 
     /// As [`from_weights`](Self::from_weights), with weights that are wrong by a part `rounding`.

@@ -23,7 +23,7 @@ impl CyclidePatch {
     ///
     /// # Errors
     /// `not-finite`, `parameter-out-of-range` (coordinates above 1e150), `offset-on-focal-set` (all curvature centres
-    /// of one family are at that distance: of a sphere by its radius, of a torus by that of its tube).
+    /// of one family are at that distance: of a sphere by its radius, of a torus by that of its tube), `below-rounding-of-place`.
     pub fn offset(&self, h: f64) -> Result<Self> {
         if !h.is_finite() {
             return Err(Error::NotFinite { what: "offset distance", index: 0 });
@@ -43,6 +43,7 @@ impl CyclidePatch {
         for [from, to] in self.offset_points(h).into_iter().flatten() {
             corners[to] = corners[from];
         }
+        range::check_place("the surface", &corners)?;
         let mut patch = Self::from_weights_unchecked(corners, self.weights, self.v[0], self.v[1]);
         (patch.polar.q1, patch.polar.q2) = (q1, q2);
         Ok(patch)

@@ -18,9 +18,21 @@ impl Conformal for CyclidePatch {
     /// # Errors
     /// `point-at-infinity` if a corner goes to infinity, or is nearer than 6e-8 of the patch's size to the point that
     /// does (then nothing of the image's size is known, nor the sign of its weights), `patch-through-infinity` if an inner point does,
-    /// `parameter-out-of-range` (coordinates above 1e150), `coincident-points` (the image is smaller than
+    /// `parameter-out-of-range` (coordinates above 1e150), `below-rounding-of-place` (the image is smaller than
     /// rounding), `not-in-space` if rounding destroyed the result.
     fn transformed(&self, map: &Mobius) -> Result<Self> {
+        let image = self.image(map)?;
+        image.check_place()?;
+        Ok(image)
+    }
+}
+
+impl CyclidePatch {
+    /// The image, however small it is at its place: it may be a part of a larger one.
+    ///
+    /// # Errors
+    /// As [`transformed`](Self::transformed), but for `below-rounding-of-place`.
+    pub(in crate::surface) fn image(&self, map: &Mobius) -> Result<Self> {
         let mut corners = self.corners;
         let mut weights = self.weights;
         let mut size = 1.0;
@@ -43,7 +55,7 @@ impl Conformal for CyclidePatch {
         let sign = 1.0_f64.copysign(lambda);
         let mut image = Self::from_weights_unchecked(corners, weights, self.v[0] * sign, self.v[1] * sign);
         if image.scale == 0.0 {
-            return Err(Error::CoincidentPoints { first: 0, second: 3, distance: 0.0, limit: 0.0 });
+            image.check_place()?;
         }
         image.check_no_pole()?;
         image.check_in_space(self.corner_rounding() + image.corner_rounding())?;

@@ -2,6 +2,7 @@
 
 use super::{Shell, ShellFace};
 use crate::base::quadrature::gauss8;
+use crate::base::vector::Point3;
 use std::collections::BinaryHeap;
 
 /// The rule on all cells and on their quarters agree to this part of the sum of absolute values.
@@ -43,7 +44,8 @@ impl Shell {
     /// The volumes of the cones over the faces from the first vertex: `(f - v)·(f_s × f_t)/3`, signed by the side. Signed,
     /// they have no kinks. Points are taken from a corner of the face: far from the origin their rounding would be seen.
     fn cones(&self) -> Quadrature<impl Fn(usize, f64, f64) -> f64> {
-        let faces = self.faces.iter().map(|face| (face, face.patch.corners()[0] - self.vertices[0]));
+        let tip = self.vertices.first().copied().unwrap_or(Point3::ORIGIN);
+        let faces = self.faces.iter().map(|face| (face, face.patch.corners()[0] - tip));
         let faces: Vec<_> = faces.collect();
         let cells = (0..faces.len()).map(|face| (face, UNIT));
         Quadrature::new(cells, move |face, s, t| {

@@ -19,6 +19,9 @@ const SMALLEST_COSINE: f64 = 0.25;
 const SMALLEST_MIDDLE: f64 = 0.0625;
 /// A strip is halved this often at most: sixteen halvings leave 3e-5 of an edge.
 const MOST_PASSES: usize = 16;
+/// Faces of a cut shell at most, or so many times those given: they take two kilobytes each with what belongs to them.
+const MOST_FACES: usize = 500_000;
+const MOST_GROWTH: usize = 8;
 /// Shortest edge that other programs tell from a point, relative to the box of the vertices.
 const SHORTEST_EDGE: f64 = 1e-13;
 /// Speeds below this part of the largest one are zero: the parameter line is one point.
@@ -64,7 +67,7 @@ impl Shell {
     /// strips of faces are halved until all are. Edges and vertices stay shared bit for bit, sides of one point stay so.
     ///
     /// # Errors
-    /// `patch-through-infinity` where sixteen halvings do not suffice; `short-edge` if an edge is shorter than 1e-13 of
+    /// `patch-through-infinity` where sixteen halvings do not suffice; `too-many-pieces` (faces); `short-edge` if an edge is shorter than 1e-13 of
     /// the shell, as in cyclides that are nearly singular.
     pub fn with_positive_weights(&self) -> Result<Self> {
         let shell = self.halved(|_, face| too_wide(&face.patch), MOST_PASSES)?;
@@ -80,9 +83,11 @@ impl Shell {
     /// one point stay so.
     ///
     /// # Errors
-    /// `parameter-out-of-range` beyond the range of the kernel's numbers.
+    /// `parameter-out-of-range` beyond the range of the kernel's numbers; `too-many-pieces` beyond half a million faces and
+    /// eight times those given; `short-edge` where a part of a face would be a point.
     pub fn halved(&self, wide: impl Fn(&Self, &ShellFace) -> [bool; 2], most: usize) -> Result<Self> {
         let mut shell = self.clone();
+        let cap = self.most_faces();
         for _ in 0..most {
             let mut found: Vec<(usize, usize, WidestSide)> = Vec::new();
             for (index, face) in shell.faces.iter().enumerate() {
@@ -101,7 +106,7 @@ impl Shell {
             for (face, direction, side) in found {
                 shell.mark(&along, &mut cuts, face, direction, side.middle);
             }
-            shell = shell.cut(&cuts)?;
+            shell = shell.cut(&cuts, cap)?;
         }
         Ok(shell)
     }
@@ -123,9 +128,10 @@ impl Shell {
     /// with it.
     ///
     /// # Errors
-    /// `parameter-out-of-range` beyond the range of the kernel's numbers.
+    /// As [`halved`](Self::halved).
     pub fn with_regular_faces(&self) -> Result<Self> {
         let mut shell = self.clone();
+        let cap = self.most_faces();
         // Every pass cuts each strip once; a patch has two such lines at most in each direction.
         for _ in 0..MOST_PASSES {
             let (mut cuts, along) = (Cuts::none(&shell), shell.faces_along_edges());
@@ -139,7 +145,7 @@ impl Shell {
             if cuts.is_empty() {
                 break;
             }
-            shell = shell.cut(&cuts)?;
+            shell = shell.cut(&cuts, cap)?;
         }
         Ok(shell)
     }
@@ -212,8 +218,27 @@ impl Shell {
         corners
     }
 
-    /// The shell with the marked edges cut; every strip must be marked as a whole.
-    fn cut(&self, cuts: &Cuts) -> Result<Self> {
+    /// How many faces a shell may have that is cut from this one.
+    fn most_faces(&self) -> usize {
+        MOST_FACES.max(MOST_GROWTH.saturating_mul(self.faces.len()))
+    }
+
+    /// The shell with the marked edges cut, of `most` faces at most; every strip must be marked as a whole.
+    fn cut(&self, cuts: &Cuts, most: usize) -> Result<Self> {
+        let parts = |(index, face): (usize, &ShellFace)| -> usize {
+            [0, 1].map(|d| 1 + usize::from(cuts.of(index, face, d).is_some())).iter().product()
+        };
+        let faces: usize = self.faces.iter().enumerate().map(parts).sum();
+        if faces > most {
+            return Err(Error::TooManyPieces {
+                what: "the shell, cut for files,",
+                segment: None,
+                pieces: "faces",
+                needed: faces as f64,
+                cap: most,
+                remedy: "its patches are singular or nearly so in too many places",
+            });
+        }
         let mut new = Self { vertices: self.vertices.clone(), edges: Vec::new(), faces: Vec::new() };
         let middles = self.cut_vertices(&cuts.edges, &mut new.vertices);
         // The one or two parts of each edge, in its direction.
@@ -291,10 +316,16 @@ impl Shell {
         }
         let patch = |i: usize, j: usize| {
             let points = [(i, j), (i + 1, j), (i, j + 1), (i + 1, j + 1)].map(|(i, j)| new.vertices[vertex[i][j]]);
-            face.patch.part_between([breaks[0][i], breaks[0][i + 1]], [breaks[1][j], breaks[1][j + 1]], points)
+            if points.iter().all(|p| *p == points[0]) {
+                return Err(no_part(face, points[0]));
+            }
+            Ok(face.patch.part_between([breaks[0][i], breaks[0][i + 1]], [breaks[1][j], breaks[1][j + 1]], points))
         };
-        let patches: Vec<CyclidePatch> =
-            if ns * nt == 1 { vec![face.patch] } else { (0..ns * nt).map(|k| patch(k % ns, k / ns)).collect() };
+        let patches: Vec<CyclidePatch> = if ns * nt == 1 {
+            vec![face.patch]
+        } else {
+            (0..ns * nt).map(|k| patch(k % ns, k / ns)).collect::<Result<_>>()?
+        };
         // The part of a side between two breaks, or the side as a whole.
         let part = |k: usize, i: usize| {
             face.sides[k].map(|side| {
@@ -333,6 +364,12 @@ impl Shell {
         }
         Ok(())
     }
+}
+
+/// The error of a cut so near to a singular point that a part of the face is that point.
+fn no_part(face: &ShellFace, at: Point3) -> Error {
+    let edge = face.sides.iter().flatten().next().map_or(0, |side| side.edge);
+    Error::ShortEdge { edge, length: 0.0, limit: f64::EPSILON * at.to_vec().max_abs() }
 }
 
 /// A parameter as it is, or counted from the other end.

@@ -1,6 +1,7 @@
 //! Möbius maps of shells and bodies: patches, edges and vertices under the same map.
 
 use super::{Body, Shell, ShellEdge, ShellFace};
+use crate::base::range;
 use crate::conformal::mobius::{Conformal, Mobius};
 use crate::curve::Arc;
 use crate::error::{Error, Result};
@@ -10,11 +11,12 @@ impl Conformal for Shell {
     /// `f_s × f_t` against it.
     ///
     /// # Errors
-    /// `point-at-infinity`; as the `transformed` of patches and arcs; `not-a-shell` if rounding takes the parameters of
+    /// `point-at-infinity`; as the `transformed` of patches and arcs; `below-rounding-of-place`; `not-a-shell` if rounding takes the parameters of
     /// shared edges apart.
     fn transformed(&self, map: &Mobius) -> Result<Self> {
         let vertices = self.vertices.iter().map(|v| map.map_point(*v).ok_or(Error::PointAtInfinity));
         let vertices = vertices.collect::<Result<Vec<_>>>()?;
+        range::check_place("the surface", &vertices)?;
         let edge = |edge: &ShellEdge| {
             let image = edge.arc.transformed(map)?;
             // The ends are the vertices bit for bit.
@@ -24,7 +26,7 @@ impl Conformal for Shell {
         let reversed = map.determinant() < 0.0;
         let face = |face: &ShellFace| {
             let same_sense = face.same_sense != reversed;
-            Ok(ShellFace { patch: face.patch.transformed(map)?, same_sense, ..face.clone() })
+            Ok(ShellFace { patch: face.patch.image(map)?, same_sense, ..face.clone() })
         };
         let edges = self.edges.iter().map(edge).collect::<Result<_>>()?;
         let faces = self.faces.iter().map(face).collect::<Result<_>>()?;

@@ -1,0 +1,46 @@
+//! The pieces that one file may be made of: cells of meshes and vertices of polylines, over all objects together.
+
+use cyclide::{Body, CurvePlace, Error, ParamCurve, Point3, SurfaceMesh, flatten_within, tessellate_within};
+use std::cell::Cell;
+
+/// A cap on pieces, and how many are used.
+pub(crate) struct Pieces {
+    most: usize,
+    used: Cell<usize>,
+}
+
+impl Pieces {
+    pub(crate) fn new(most: usize) -> Self {
+        Self { most, used: Cell::new(0) }
+    }
+
+    /// As [`flatten_places`](cyclide::flatten_places), with the vertices that are left.
+    pub(crate) fn flatten(&self, curve: &dyn ParamCurve, tolerance: f64) -> cyclide::Result<Vec<(CurvePlace, Point3)>> {
+        let vertices = flatten_within(curve, tolerance, self.left()).map_err(|e| self.of_file(e))?;
+        self.used.set(self.used.get() + vertices.len());
+        Ok(vertices)
+    }
+
+    /// As [`tessellate`](cyclide::tessellate), with the cells that are left.
+    pub(crate) fn tessellate(&self, body: &Body, tolerance: f64) -> cyclide::Result<SurfaceMesh> {
+        let mesh = tessellate_within([body], tolerance, self.left()).map_err(|e| self.of_file(e))?;
+        self.used.set(self.used.get() + mesh.faces.len());
+        Ok(mesh)
+    }
+
+    fn left(&self) -> usize {
+        self.most.saturating_sub(self.used.get())
+    }
+
+    /// What was refused for what is left, in terms of the whole file.
+    fn of_file(&self, error: Error) -> Error {
+        match error {
+            Error::TooManyPieces { what, segment, pieces, needed, .. } => {
+                let (needed, cap) = (needed + self.used.get() as f64, self.most);
+                let remedy = "use a larger tolerance, or allow more with --max-pieces";
+                Error::TooManyPieces { what, segment, pieces, needed, cap, remedy }
+            }
+            other => other,
+        }
+    }
+}

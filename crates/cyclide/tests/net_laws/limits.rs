@@ -1,0 +1,139 @@
+//! Objects below the rounding of their place, and surfaces of too many pieces.
+
+use super::data::cyclide_grid;
+use cyclide::{
+    Circle, Conformal, CyclidePatch, CyclidicNet, DupinCyclide, Error, Frame, MOST_PIECES, Mobius, NetFrame, Point3,
+    QuadGrid, Quat, Shell, SurfaceObject, Vec3, flatten_within, tessellate, tessellate_within,
+};
+
+fn at(distance: f64) -> Point3 {
+    Point3::ORIGIN + Vec3::new(0.48, -0.6, 0.64) * distance
+}
+
+fn placed(size: [f64; 3], place: Point3, axis: Vec3) -> cyclide::Result<Vec<CyclidicNet>> {
+    DupinCyclide::new(size[0], size[1], size[2])?.placed(Frame::from_normal(place, axis, Vec3::X)?).nets([4, 4])
+}
+
+#[test]
+fn cyclides_below_the_rounding_of_their_place_have_one_error() {
+    let one = Point3::new(1.0, 1.0, 1.0);
+    for (size, place) in [
+        ([2.0, 0.0, 1.0], Point3::new(1e17, 1e17, 1e17)),
+        ([2.0, 0.0, 1.0], Point3::new(1e15, 1e15, 1e15)),
+        ([1e-50, 0.0, 1e-50], one),
+        ([1e-14, 0.0, 1e-15], one),
+        ([2.8e-14, 0.0, 1.5e-14], Point3::new(1.0, -7e-7, -2.0)),
+    ] {
+        let error = placed(size, place, Vec3::new(1.0, -1.0, -1.0)).unwrap_err();
+        assert_eq!(error.reason(), "below-rounding-of-place", "{error}");
+        let Error::BelowRoundingOfPlace { size: measured, limit, place, .. } = error else { panic!("{error}") };
+        assert!(measured <= limit && limit == 65536.0 * f64::EPSILON * place);
+    }
+    // However small, at the origin.
+    placed([1e-140, 0.0, 3e-141], Point3::ORIGIN, Vec3::Z).unwrap();
+    assert_eq!(DupinCyclide::new(1e-140, 0.0, 1e-140).unwrap().nets([4, 4]).unwrap().len(), 1);
+}
+
+#[test]
+fn millimetres_at_five_thousand_kilometres_are_right() {
+    // Metres in a national grid: rounding is 1e-9, so that a ring of a millimetre is known to 1e-6 of itself.
+    let place = Point3::new(4_512_345.678, 5_412_345.678, 312.5);
+    for size in [1.0, 1e-2, 1e-3] {
+        let here = placed([2.0 * size, 0.5 * size, size], Point3::ORIGIN, Vec3::Z).unwrap().remove(0);
+        let there = placed([2.0 * size, 0.5 * size, size], place, Vec3::Z).unwrap().remove(0);
+        let (here, there) = (here.to_shell().unwrap(), there.to_shell().unwrap());
+        // Volumes are integrals over vertices rounded by 1e-9.
+        let bound = 64.0 * 1e-9 / size;
+        assert!((there.volume() / here.volume() - 1.0).abs() <= bound, "{size}");
+        there.with_regular_faces().unwrap().with_positive_weights().unwrap();
+    }
+    let grid = |size: f64, v: Vec3| {
+        let grid = cyclide_grid([2.0, 0.7, 1.1], [9, 7], [false; 2]);
+        let points = grid.points().iter().map(|p| Point3::ORIGIN + p.to_vec() * size + v).collect();
+        QuadGrid::new(points, grid.size(), grid.closed()).unwrap()
+    };
+    CyclidicNet::new(grid(1e-2, place.to_vec()), NetFrame::Auto).unwrap();
+    Circle::from_radius(place, Vec3::Z, 1e-3).unwrap();
+}
+
+#[test]
+fn patches_nets_circles_and_images_have_the_same_error() {
+    let square = |size: f64, place: Point3| {
+        [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [1.0, 1.0]].map(|[x, y]| place + Vec3::new(x, y, 0.0) * size)
+    };
+    let reason = |size: f64, place: Point3| {
+        let corners = square(size, place);
+        let patch = CyclidePatch::from_corners_and_frame(corners, Vec3::X, Vec3::Y).map(|_| ());
+        let weighted = CyclidePatch::from_weights(corners, [Quat::ONE; 4], Vec3::X, Vec3::Y).map(|_| ());
+        let grid = QuadGrid::new(corners.to_vec(), [2, 2], [false; 2]).unwrap();
+        let net = CyclidicNet::new(grid, NetFrame::First(Vec3::X, Vec3::Y)).map(|_| ());
+        let circle = Circle::from_radius(place, Vec3::Z, 1e-5 * size).map(|_| ());
+        [patch, weighted, net, circle].map(|made| made.map_or_else(|e| e.reason(), |()| "made"))
+    };
+    for distance in [1e11, 1e13, 1e17] {
+        let surface = ["below-rounding-of-place"; 3];
+        assert_eq!(reason(1.0, at(distance))[..3], surface, "{distance:e}");
+    }
+    // The circle is kept by its centre and radius.
+    assert_eq!(reason(1.0, at(1e13))[3], "below-rounding-of-place");
+    assert_eq!(reason(1.0, at(1e9))[3], "made");
+    // Images: moved away, and near the point to which infinity goes.
+    let patch = CyclidePatch::from_corners_and_frame(square(1.0, Point3::ORIGIN), Vec3::X, Vec3::Y).unwrap();
+    let shell = Shell::from_patch(patch).unwrap();
+    let away = Mobius::similarity(Quat::ONE, 1.0, Vec3::new(1e13, 0.0, 0.0)).unwrap();
+    let small = Mobius::inversion(Point3::new(3e6, 0.0, 0.0), 1.0).unwrap();
+    for map in [away, small] {
+        assert_eq!(patch.transformed(&map).unwrap_err().reason(), "below-rounding-of-place");
+        assert_eq!(CyclidicNet::from(patch).transformed(&map).unwrap_err().reason(), "below-rounding-of-place");
+        assert_eq!(shell.transformed(&map).unwrap_err().reason(), "below-rounding-of-place");
+    }
+}
+
+#[test]
+fn small_parts_of_a_large_surface_are_right_where_they_are() {
+    // Quads of 1e-4 at coordinates of 1e7: below what a surface of its own would need, but the net is large.
+    let grid = |n: usize, step: f64, place: Vec3| {
+        let points = (0..n * n).map(|k| Point3::new((k % n) as f64 * step, (k / n) as f64 * step, 0.0) + place);
+        QuadGrid::new(points.collect(), [n, n], [false; 2]).unwrap()
+    };
+    let frame = NetFrame::First(Vec3::X, Vec3::Y);
+    let net = CyclidicNet::new(grid(40, 1.0 / 8192.0, Vec3::new(1e7, 0.0, 0.0)), frame).unwrap();
+    let shell = net.to_shell().unwrap();
+    let moved = Mobius::similarity(Quat::ONE, 1.0, Vec3::new(0.0, 1.0, 0.0)).unwrap();
+    assert_eq!(shell.transformed(&moved).unwrap().faces().len(), 39 * 39);
+    net.transformed(&moved).unwrap();
+}
+
+#[test]
+fn refinements_have_a_cap_that_is_told_before_memory_is_taken() {
+    let ring = DupinCyclide::new(2.0, 1.0, 1.5).unwrap();
+    let error = ring.nets([4096, 4096]).unwrap_err();
+    assert_eq!(error.to_string(), "the cyclide needs 1.68e7 patches, at most 500000 are made: use fewer segments");
+    assert_eq!(error.reason(), "too-many-pieces");
+    let body = ring.to_bodies([4, 4]).unwrap().remove(0);
+    let error = tessellate(&body, 1e-9).unwrap_err();
+    assert!(matches!(error, Error::TooManyPieces { needed, cap: MOST_PIECES, .. } if needed > 1e9), "{error}");
+    // The cap counts all bodies, and is the caller's.
+    let one = tessellate(&body, 1e-2).unwrap().faces.len();
+    assert_eq!(tessellate_within([&body, &body], 1e-2, 2 * one).unwrap().faces.len(), 2 * one);
+    assert_eq!(tessellate_within([&body, &body], 1e-2, 2 * one - 1).unwrap_err().reason(), "too-many-pieces");
+    let circle = Circle::from_radius(Point3::ORIGIN, Vec3::Z, 1.0).unwrap();
+    let n = flatten_within(&circle, 1e-3, 1000).unwrap().len();
+    assert!(flatten_within(&circle, 1e-3, n).is_ok());
+    assert_eq!(flatten_within(&circle, 1e-3, n - 2).unwrap_err().reason(), "too-many-pieces");
+    assert_eq!(flatten_within(&circle, 1e-16, n).unwrap_err().reason(), "too-many-pieces");
+}
+
+#[test]
+fn nearly_degenerate_rings_are_meshed_or_refused_by_the_cap() {
+    // The tube is 4e-12 thin where it is thinnest.
+    let ring = DupinCyclide::new(2.0, 1.999_999_999_996_280_5, 2.0).unwrap();
+    for net in ring.nets([4, 4]).unwrap() {
+        for body in SurfaceObject::Net(net).to_bodies().unwrap() {
+            match tessellate_within([&body], 1e-3, 100_000) {
+                Ok(mesh) => assert!(mesh.bound <= 1e-3),
+                Err(error) => assert_eq!(error.reason(), "too-many-pieces", "{error}"),
+            }
+        }
+    }
+}
