@@ -8,7 +8,7 @@ use crate::job::BodyOf;
 use crate::job::{Contour, Job};
 use cyclide::{
     Arc, ArcPath, Correspondence, CurveChain, CurvePlace, Exactness, MeshCorner, MeshFace, Point3, SurfaceMesh, Vec3,
-    };
+};
 
 /// Single precision is used between these sizes: products of two numbers must neither vanish nor overflow.
 const SINGLE: std::ops::Range<f64> = 1e-15..1e15;

@@ -228,7 +228,10 @@ fn check_parameters(
     });
     let (of_length, of_size) = PARAMETER_LIMIT;
     let apart = places.fold(0.0, f64::max);
-    require(apart <= of_length * arc.length() + of_size * size + rounding, "an edge leaves its face at equal parameters")
+    require(
+        apart <= of_length * arc.length() + of_size * size + rounding,
+        "an edge leaves its face at equal parameters",
+    )
 }
 
 fn parameter(i: u32) -> f64 {

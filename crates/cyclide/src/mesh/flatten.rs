@@ -44,7 +44,9 @@ pub fn flatten(curve: &dyn ParamCurve, tolerance: f64) -> Result<Vec<(f64, Point
 pub fn flatten_into(curve: &dyn ParamCurve, tolerance: f64, vertices: &mut Vec<(f64, Point3)>) -> Result<()> {
     let n = curve.piece_count() as f64;
     vertices.clear();
-    each_vertex(curve, tolerance, MOST_PIECES, &mut |place, point| vertices.push(((place.piece as f64 + place.s) / n, point)))
+    each_vertex(curve, tolerance, MOST_PIECES, &mut |place, point| {
+        vertices.push(((place.piece as f64 + place.s) / n, point))
+    })
 }
 
 /// As [`flatten`], with the places of the vertices as piece and parameter, to the last digit however many pieces there

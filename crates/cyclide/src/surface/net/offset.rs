@@ -64,7 +64,8 @@ impl CyclidicNet {
     /// where the side of the offset is one point too (a pole).
     ///
     /// # Errors
-    /// As [`offset`](Self::offset); `parameter-out-of-range` for `h = 0`; `collapsed-side` if the open side of a net
+    /// As [`offset`](Self::offset), `below-rounding-of-place` also for a thickness below 1.5e-11 of the coordinates;
+    /// `parameter-out-of-range` for `h = 0`; `collapsed-side` if the open side of a net
     /// that is closed in the other direction is one point (a node) in only one of both nets; `offset-not-regular` if a
     /// centre of curvature lies between, a patch is singular inside, or patches run against each other.
     pub fn thick(&self, h: f64) -> Result<Body> {
@@ -76,6 +77,9 @@ impl CyclidicNet {
             self.check_between(h)?;
         }
         let offset = self.offset(h)?;
+        let largest = |net: &Self| net.grid.points().iter().map(|p| p.to_vec().max_abs()).fold(0.0, f64::max);
+        let place = largest(self).max(largest(&offset));
+        range::check_size_in_place("the thickness", h.abs(), place, range::SMALLEST_IN_PLACE)?;
         // The upper one is ahead along the normals, and outside is its f_s × f_t unless the patches are flipped.
         let [lower, upper] = if h > 0.0 { [self, &offset] } else { [&offset, self] };
         let along = !self.patch(0, 0).is_flipped();
