@@ -13,8 +13,9 @@ const SWEEPS: usize = 2;
 /// Rounds of the certificate; few are needed, as cells that fail are divided by what they fail by.
 const ROUNDS: usize = 200;
 /// Cells that are looked at in all rounds together, in units of the cap: a mesh that grows by little from round to round is
-/// given up when it has cost as much as a few of the largest.
+/// given up when it has cost as much as a few of the largest, or of this many cells.
 const WORK: f64 = 4.0;
+const LEAST_WORK: usize = 1_000_000;
 /// Largest number of cuts of a part of a strip that is counted as such.
 const MOST_CUTS: f64 = 1e9;
 /// A little more cuts than a cell fails by, as its neighbours are wider or narrower.
@@ -208,7 +209,7 @@ impl Cuts {
         for _ in 0..ROUNDS {
             let cells = cap.check(strips, |strip| (cuts.of_strips[strip].len() - 1) as f64)?;
             work += cells;
-            if work > WORK * cap.most as f64 {
+            if work > WORK * cap.most.max(LEAST_WORK) as f64 {
                 break;
             }
             let excess = cuts.certify(shell, strips, speeds, tolerance);

@@ -62,9 +62,11 @@ impl CyclidePatch {
     /// three-space by more than 1e-9 of the size and 1e-14 of the coordinates), `patch-through-infinity`,
     /// `below-rounding-of-place`.
     pub fn from_weights(corners: [Point3; 4], weights: [Quat; 4], v1: Vec3, v2: Vec3) -> Result<Self> {
-        let patch = Self::from_rounded_weights(corners, weights, v1, v2, 0.0)?;
-        patch.check_place()?;
-        Ok(patch)
+        for (index, p) in corners.into_iter().enumerate() {
+            range::check_point(index, p.to_vec())?;
+        }
+        range::check_place("the surface", &corners)?;
+        Self::from_rounded_weights(corners, weights, v1, v2, 0.0)
     }
 
     /// Refuses a patch that is a point at its place.
