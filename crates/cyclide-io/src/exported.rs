@@ -1,7 +1,7 @@
 //! The content of a file with the promises that hold for it.
 
 use crate::deviation::{DrawnArc, MeshPlan};
-use cyclide::{Arc, ChainPiece, Correspondence, CurveChain, Exactness, Lowered};
+use cyclide::{Arc, ArcPath, ChainPiece, Correspondence, CurveChain, Exactness, Lowered, NurbsCurve};
 
 /// A file's content with the promises that hold for it.
 #[derive(Debug, Clone, PartialEq)]
@@ -50,13 +50,17 @@ impl Promise {
     pub(crate) fn add_chain(&mut self, lowered: &Lowered<CurveChain>) {
         self.add(lowered.exactness);
         for piece in lowered.form.pieces() {
-            if let ChainPiece::Spline(curve) = piece {
-                let (least, most) =
-                    curve.weights().iter().fold((f64::INFINITY, 0.0_f64), |(lo, hi), w| (lo.min(*w), hi.max(*w)));
-                let size = curve.control_points().iter().map(|p| p.to_vec().max_abs()).fold(0.0, f64::max);
-                self.rounding = self.rounding.max(WEIGHT_ROUNDING * (most / least) * size);
-            }
+            self.rounding = self.rounding.max(match piece {
+                ChainPiece::Arc(arc) => arc_rounding(arc),
+                ChainPiece::Spline(curve) => spline_rounding(curve),
+            });
         }
+    }
+
+    /// The promise of arcs.
+    pub(crate) fn add_arcs(&mut self, lowered: &Lowered<ArcPath>) {
+        self.add(lowered.exactness);
+        self.rounding = lowered.form.arcs().iter().map(arc_rounding).fold(self.rounding, f64::max);
     }
 
     /// The finished file under this promise.
@@ -85,6 +89,26 @@ pub(crate) const SMALLEST_RADIUS: f64 = 8.0 * f64::EPSILON;
 /// Smallest swept angle that drawings and polylines keep as an arc. Readers find the circle from the chord and a
 /// radius or bulge: below, they would lose more digits than the arc's sagitta has.
 const SMALLEST_SWEEP: f64 = 5e-8;
+
+/// Rounding of a spline by the quotient of its weights.
+fn spline_rounding(curve: &NurbsCurve) -> f64 {
+    let (least, most) = curve.weights().iter().fold((f64::INFINITY, 0.0_f64), |(lo, hi), w| (lo.min(*w), hi.max(*w)));
+    let size = curve.control_points().iter().map(|p| p.to_vec().max_abs()).fold(0.0, f64::max);
+    WEIGHT_ROUNDING * (most / least) * size
+}
+
+/// Rounding of an arc that goes round nearly all of its circle: by one over the sine of half its angle, as far as its
+/// circle is known from chord and weight.
+fn arc_rounding(arc: &Arc) -> f64 {
+    let half = 0.5 * arc.angle();
+    match arc.radius() {
+        Some(radius) if half > std::f64::consts::FRAC_PI_2 => {
+            let sine = 0.5 * arc.chord().length() / radius;
+            WEIGHT_ROUNDING * radius / sine.max(f64::EPSILON)
+        }
+        _ => 0.0,
+    }
+}
 
 /// What is lost if the arc is written as its chord, for arcs that have to be; `None` for arcs that stay arcs.
 pub(crate) fn straightened(arc: &Arc) -> Option<Exactness> {

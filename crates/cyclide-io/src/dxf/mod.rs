@@ -93,8 +93,9 @@ impl Entities {
                 return Ok(());
             }
         }
-        let Lowered { form: path, exactness, correspondence } = job.arcs(contour)?;
-        self.promise.add(exactness);
+        let lowered = job.arcs(contour)?;
+        self.promise.add_arcs(&lowered);
+        let Lowered { form: path, correspondence, .. } = lowered;
         if let Some(ocs) = plane_of(path.arcs(), job.size()) {
             let counts = self.polyline(&path, ocs, layer);
             self.curves.push(correspondence.recounted(counts));

@@ -85,10 +85,11 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
 /// for.
 fn draw(job: &Job<'_>, contour: &Contour<'_>, promise: &mut Promise) -> Result<(Path, Correspondence), ExportError> {
     let closed = contour.curve.as_curve().is_closed();
-    let Lowered { form: arcs, exactness, correspondence } = job.arcs(contour)?;
+    let lowered = job.arcs(contour)?;
     let level = |a: &Arc| a.normal().is_none_or(|n| n.x.abs() <= LEVEL && n.y.abs() <= LEVEL);
-    if arcs.arcs().iter().all(level) {
-        promise.add(exactness);
+    if lowered.form.arcs().iter().all(level) {
+        promise.add_arcs(&lowered);
+        let Lowered { form: arcs, correspondence, .. } = lowered;
         let mut path = Path::new(arcs.arcs()[0].start(), closed);
         let mut counts = Vec::with_capacity(arcs.arcs().len());
         for arc in arcs.arcs() {

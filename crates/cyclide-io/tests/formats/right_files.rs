@@ -111,6 +111,16 @@ fn arcs_after_inversions() {
     checked(&image, &[Format::Dxf], &options);
 }
 
+/// The image of an arc that passes within 1e-8 of the centre: nearly a full circle of radius 2e7 on a chord of 1.
+#[test]
+fn an_arc_that_comes_near_infinity_is_written_with_what_its_digits_hold() {
+    let arc = json!({"type": "arc", "through": [[1, 0], [0, 1], [-0.416_146_836_547_142_4, 0.909_297_426_825_681_7]],
+        "construction": true});
+    let center = [0.877_582_557_448_272_4, 0.479_425_542_620_239_2, -8.279_595_174_659_527e-9];
+    let steps = json!([{"inversion": {"center": center, "radius": 0.733}}]);
+    right(&json!({"a": arc, "b": {"type": "transform", "of": "a", "steps": steps}}), &CURVES);
+}
+
 /// A circle that is smaller than the last digit of its place has no radius to be read.
 #[test]
 fn arcs_below_the_rounding_of_their_place() {
