@@ -70,7 +70,7 @@ fn half_angle() -> impl Strategy<Value = (f64, f64)> {
         2 => decades(-17.0..-2.0).prop_map(of),
         1 => Just((1.0, 0.0)),
         1 => (-1e-12..1e-12).prop_map(move |d| of(FRAC_PI_2 + d)),
-        2 => decades(-13.0..-2.0).prop_map(|d| (-d.cos(), d.sin())),
+        2 => decades(-6.6..-2.0).prop_map(|d| (-d.cos(), d.sin())),
     ]
 }
 

@@ -57,6 +57,17 @@ pub enum Error {
         /// Length of its vector part.
         vector: f64,
     },
+    /// An arc that turns by so nearly a full circle that its points would lose their digits.
+    #[error(
+        "the arc turns by a full circle less {} radians, limit {}: its ends nearly coincide; take a circle, or two arcs",
+        ShortNumber(*.rest), ShortNumber(*.limit)
+    )]
+    NearlyFullCircle {
+        /// What it leaves of a full turn, radians.
+        rest: f64,
+        /// What it must leave at least, radians.
+        limit: f64,
+    },
     /// The weight's vector part is not perpendicular to the chord, so the arc would leave three-space.
     #[error("the weight takes the arc out of three-space: cosine {} between chord and weight, limit {}", ShortNumber(*.cosine), ShortNumber(*.limit))]
     NotInImH {
@@ -538,6 +549,7 @@ impl Error {
             Self::TooFewPoints { .. } => "too-few-points",
             Self::ZeroWeight { .. } => "zero-weight",
             Self::PoleOnSegment { .. } => "pole-on-segment",
+            Self::NearlyFullCircle { .. } => "nearly-full-circle",
             Self::NotInImH { .. } => "not-in-im-h",
             Self::ZeroTangent { .. } => "zero-tangent",
             Self::TangentOpposesChord { .. } => "tangent-opposes-chord",

@@ -228,3 +228,46 @@ fn by_start_derivative(arc: &Arc) -> Vec3 {
 fn by_end_derivative(arc: &Arc) -> Vec3 {
     arc.end_derivative()
 }
+
+#[test]
+fn nearly_full_circles_are_refused_with_their_limit() {
+    let (a, b) = (Point3::ORIGIN, Point3::new(1.0, 0.0, 0.0));
+    // What a bulge of eight millions leaves of a full turn.
+    let rest = 5e-7;
+    let by_bulge = |bulge: f64| Arc::from_bulge(a, b, Vec3::Z, bulge);
+    let by_sweep = |rest: f64| Arc::from_center(a, Vec3::Z, b, std::f64::consts::TAU - rest);
+    let by_tangent = |rest: f64| Arc::from_start_tangent(a, b, Vec3::new(-1.0, -0.5 * rest, 0.0));
+    for exponent in [7, 9, 12, 15] {
+        let bulge = 10.0_f64.powi(exponent);
+        for arc in [by_bulge(bulge), by_bulge(-bulge), by_sweep(4.0 / bulge), by_tangent(4.0 / bulge)] {
+            // At 1e15 the sweep is a full turn in doubles, or its weight the pole itself.
+            let reason = arc.unwrap_err().reason();
+            let pole = ["sweep-out-of-range", "tangent-opposes-chord", "coincident-points", "pole-on-segment"];
+            assert!(
+                reason == "nearly-full-circle" || (exponent == 15 && pole.contains(&reason)),
+                "{bulge:e}: {reason}"
+            );
+        }
+    }
+    for arc in [by_bulge(7.9e6), by_sweep(1.01 * rest), by_tangent(1.01 * rest)] {
+        let arc = arc.unwrap();
+        let (center, radius) = (arc.center().unwrap(), arc.radius().unwrap());
+        for i in 0..=100 {
+            // The circle itself keeps its digits.
+            let p = arc.point_at_length(f64::from(i) / 100.0);
+            assert!((p.distance(center) / radius - 1.0).abs() < 1e-9, "{i}");
+        }
+    }
+    let message = by_bulge(1e7).unwrap_err().to_string();
+    assert!(message.contains("less 4e-7 radians, limit 5e-7") && message.contains("take a circle"), "{message}");
+}
+
+#[test]
+fn images_below_rounding_are_segments() {
+    // Of radius 1e-12 at 1, brought to where coordinates are 8: the centre would be the same doubles as the points.
+    let small = Arc::from_center(Point3::new(1.0, 2.0, 0.0), Vec3::Z, Point3::new(1.0 + 1e-15, 2.0, 0.0), 3.0).unwrap();
+    let moved = small.transformed(&Mobius::translation(Vec3::new(7.0, 0.5, 0.0)).unwrap()).unwrap();
+    assert!(moved.is_straight() && moved.center().is_none());
+    let large = Arc::from_center(Point3::new(1.0, 2.0, 0.0), Vec3::Z, Point3::new(1.0 + 1e-13, 2.0, 0.0), 3.0).unwrap();
+    assert!(!large.transformed(&Mobius::translation(Vec3::new(7.0, 0.5, 0.0)).unwrap()).unwrap().is_straight());
+}

@@ -2,7 +2,8 @@
 //!
 //! Every constructor refuses as `parameter-out-of-range` coordinates above 1e150, distances above 4e150 or below 1e-150
 //! (and not 0), and a weight ratio longer than 1e30 or shorter than 1e-30: beyond, derivatives leave the range of
-//! doubles.
+//! doubles. An arc that turns by a full circle less 5e-7 radians or more (a bulge of eight millions) is refused as
+//! `nearly-full-circle`.
 
 use super::Arc;
 use crate::base::quat::Quat;
@@ -82,7 +83,7 @@ impl Arc {
                 return Err(Error::NotInImH { cosine, limit: PERPENDICULAR_LIMIT });
             }
         }
-        Self::from_ratio_across(start, end, ratio)
+        Self::from_ratio_across(start, end, ratio)?.short_of_full_circle()
     }
 
     /// As [`from_weight_ratio`](Self::from_weight_ratio), dropping any part of the ratio along the chord.
@@ -99,7 +100,7 @@ impl Arc {
         let (c, l) = chord(start, end, 0, 1)?;
         tangent(v0, 0)?;
         let (c, v) = (c / l, v0 / l);
-        Self::from_ratio(start, end, c.dot(v), v.cross(c)).map_err(|e| opposes(e, 0))
+        Self::from_ratio(start, end, c.dot(v), v.cross(c)).map_err(|e| opposes(e, 0))?.short_of_full_circle()
     }
 
     /// The arc that ends with derivative `v1 = xi'(1)` (`000`, (23)).
@@ -112,7 +113,8 @@ impl Arc {
         // w = v1^-1 c = (<v1,c>, c × v1)/|v1|², here with unit vectors and the length put back.
         let (c, v) = (c / l, v1 / vl);
         let scale = l / vl;
-        Self::from_ratio(start, end, v.dot(c) * scale, c.cross(v) * scale).map_err(|e| opposes(e, 1))
+        let arc = Self::from_ratio(start, end, v.dot(c) * scale, c.cross(v) * scale).map_err(|e| opposes(e, 1))?;
+        arc.short_of_full_circle()
     }
 
     /// The arc from `start` through `middle` (reached at `t = 1/2`) to `end` (`000`, Remark 3, corrected:
@@ -129,17 +131,19 @@ impl Arc {
         let p = u0.cross(u1) * scale;
         // e0 × e1 is perpendicular to the chord e0 + e1 up to rounding.
         let p = (end - start).unit().map_or(p, |cu| p - cu * p.dot(cu));
-        Self::from_ratio(start, end, u0.dot(u1) * scale, p).map_err(|e| match e {
+        let arc = Self::from_ratio(start, end, u0.dot(u1) * scale, p).map_err(|e| match e {
             Error::PoleOnSegment { .. } => Error::PointAtInfinity,
             other => other,
-        })
+        })?;
+        arc.short_of_full_circle()
     }
 
     /// The arc with DXF bulge `tan(sweep/4)`, counter-clockwise about `normal` for a positive bulge; `normal` need
     /// not be unit and only its part perpendicular to the chord counts. Bulge 0 is the segment.
     ///
     /// # Errors
-    /// `not-finite`, `zero-axis` (normal zero or along the chord), `pole-on-segment` (bulge beyond 1e15).
+    /// `not-finite`, `zero-axis` (normal zero or along the chord), `pole-on-segment` and
+    /// `nearly-full-circle` (a bulge beyond 8e6).
     pub fn from_bulge(start: Point3, end: Point3, normal: Vec3, bulge: f64) -> Result<Self> {
         if !bulge.is_finite() {
             return Err(Error::NotFinite { what: "bulge", index: 0 });
@@ -165,14 +169,14 @@ impl Arc {
             let d = 1.0 + q * q;
             ((q - 1.0) * (q + 1.0) / d, 2.0 * q / d)
         };
-        Self::from_ratio(start, end, r, n * s.copysign(bulge))
+        Self::from_ratio(start, end, r, n * s.copysign(bulge))?.short_of_full_circle()
     }
 
     /// The arc from `start` turning by `sweep` radians about the axis through `center` along `normal`,
     /// right-handed for positive `sweep`; `|sweep| < 2 pi`. The start is projected to the plane of the centre.
     ///
     /// # Errors
-    /// `not-finite`, `zero-axis`, `zero-radius`, `sweep-out-of-range`.
+    /// `not-finite`, `zero-axis`, `zero-radius`, `sweep-out-of-range`, `nearly-full-circle`.
     pub fn from_center(center: Point3, normal: Vec3, start: Point3, sweep: f64) -> Result<Self> {
         range::check_point(0, center.to_vec())?;
         range::check_point(1, start.to_vec())?;
@@ -193,7 +197,7 @@ impl Arc {
         // The end: d turned by the sweep. The chord is 2 sin(sweep/2) times a perpendicular of the normal.
         let chord = (n.cross(d) * c - d * s) * (2.0 * s);
         let p0 = center + d;
-        Self::from_ratio(p0, p0 + chord, c, n * s)
+        Self::from_ratio(p0, p0 + chord, c, n * s)?.short_of_full_circle()
     }
 
     /// The planar arc with complex ends and weights (`000`, Proposition 1), placed at height 0: a complex weight

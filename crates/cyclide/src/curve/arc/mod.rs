@@ -25,6 +25,10 @@ use crate::base::vector::{Point3, Vec3};
 use crate::error::{Error, Result};
 use crate::rational::{ExactRational, RationalBezier};
 
+/// What an arc must leave of a full turn at least, radians: a bulge of eight millions. Points at a parameter are off their
+/// circle by about as many roundings of its size as the bulge says: 1e-9 of it at the limit.
+const FULL_CIRCLE_LIMIT: f64 = 5e-7;
+
 /// A circular arc or straight segment in space, parametrised by a linear fraction over `t` in `[0, 1]`.
 ///
 /// Never a full circle (its ends would coincide): see [`Circle`](crate::Circle).
@@ -81,6 +85,19 @@ impl Arc {
             return Err(Error::PoleOnSegment { real: r, vector: pn });
         }
         Ok(Self::from_ratio_unchecked(p0, p1, r, p))
+    }
+
+    /// The arc, unless it is nearly a full circle: the more it turns, the shorter is the part of its parameter in which it
+    /// does, and its points lose as many digits as that is short.
+    ///
+    /// # Errors
+    /// `nearly-full-circle`.
+    pub(super) fn short_of_full_circle(self) -> Result<Self> {
+        let rest = 2.0 * self.pn.atan2(-self.r);
+        if self.r < 0.0 && rest < FULL_CIRCLE_LIMIT {
+            return Err(Error::NearlyFullCircle { rest, limit: FULL_CIRCLE_LIMIT });
+        }
+        Ok(self)
     }
 
     /// As [`from_ratio`](Self::from_ratio) for data that are valid by construction (no pole, finite, `p` across the
@@ -242,7 +259,15 @@ impl Arc {
     pub(crate) fn settled(&self) -> Self {
         let size = self.p0.to_vec().max_abs().max(self.p1.to_vec().max_abs());
         let sagitta = 0.5 * self.c.length() * self.bulge_vector().length();
-        if sagitta <= f64::EPSILON * size { self.straightened() } else { *self }
+        if sagitta <= f64::EPSILON * size { self.straightened() } else { self.without_lost_circle() }
+    }
+
+    /// The arc itself, or the segment if its radius is within the rounding of its coordinates: its centre would be the
+    /// same doubles as its points.
+    fn without_lost_circle(&self) -> Self {
+        let size = self.p0.to_vec().max_abs().max(self.p1.to_vec().max_abs());
+        let lost = self.radius().is_some_and(|radius| radius <= 2.0 * f64::EPSILON * size);
+        if lost { self.straightened() } else { *self }
     }
 
     /// The segment between the same ends, at the same start speed.
