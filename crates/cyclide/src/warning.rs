@@ -49,6 +49,17 @@ pub enum Warning {
         /// Segment, from 0.
         segment: usize,
     },
+    /// Chords are so short against their coordinates that these, rounded to doubles, do not tell their directions.
+    RoundedDirections {
+        /// The first of the segments, from 0.
+        segment: usize,
+        /// How many there are.
+        count: usize,
+        /// How well the worst of their directions is known, radians.
+        angle: f64,
+        /// Values above this are reported, radians.
+        limit: f64,
+    },
     /// Neighbouring chords differ much in length, which makes interpolating curves bulge.
     UnevenSpacing {
         /// Index of the point between the two chords.
@@ -270,6 +281,7 @@ impl Warning {
             Self::Relaxed { .. } => "relaxed",
             Self::LongWay { .. } => "long-way",
             Self::OppositeCircles { .. } => "opposite-circles",
+            Self::RoundedDirections { .. } => "rounded-directions",
             Self::UnevenSpacing { .. } => "uneven-spacing",
             Self::CornerKept { .. } => "corner-kept",
             Self::SamplesTooCoarse { .. } => "samples-too-coarse",
@@ -309,7 +321,9 @@ impl Warning {
             | Self::SharpTurnCut { node, .. }
             | Self::UnevenSpacing { node, .. } => Some(node),
             Self::Relaxed { ref segments } => segments.first().map(|(segment, _)| *segment),
-            Self::LongWay { segment } | Self::OppositeCircles { segment } => Some(segment),
+            Self::LongWay { segment } | Self::OppositeCircles { segment } | Self::RoundedDirections { segment, .. } => {
+                Some(segment)
+            }
             Self::CornerKept { vertex, .. } | Self::TightArc { vertex, .. } => Some(vertex),
             Self::PointsMerged { first, .. } => Some(first),
             Self::FeetNotMonotone { point, .. } => Some(point),
@@ -369,6 +383,12 @@ impl std::fmt::Display for Warning {
                     "segment {segment}: its circles run in opposite directions, small changes move the curve a lot"
                 )
             }
+            Self::RoundedDirections { segment, count, angle, limit } => write!(
+                f,
+                "{count} chord(s), the first is segment {segment}, are so short for coordinates this large that rounding turns them by up to {} degrees (above {}): move the points to the origin before they are written, or merge them",
+                degrees(*angle),
+                degrees(*limit)
+            ),
             Self::UnevenSpacing { node, ratio, limit } => {
                 write!(
                     f,
@@ -517,7 +537,7 @@ impl std::fmt::Display for Warning {
             ),
             Self::OpenSeam { border, gap, angle } => write!(
                 f,
-                "the first and the last {border} of the grid are at most an edge apart and the net is open there: the surface has a gap of up to {} and an angle of up to {} degrees",
+                "the first and the last {border} of the grid are at most an edge apart and the net is open there: the surface has a gap of up to {} and an angle of up to {} degrees there",
                 ShortNumber(*gap),
                 degrees(*angle)
             ),

@@ -6,6 +6,7 @@
 mod drawings;
 mod dxf;
 mod exact_surfaces;
+mod hard_curves;
 mod malformed;
 mod mesh_damage;
 mod meshes;

@@ -17,6 +17,8 @@ const INTERVAL_TURN: f64 = std::f64::consts::PI / 12.0;
 const SAMPLES: usize = 48;
 /// Samples on each interval of a stretch.
 const INTERVAL_SAMPLES: f64 = 24.0;
+/// Halvings of the way from one sample to the next where the parameter runs fast.
+const MOST_HALVINGS: u32 = 40;
 /// The part of the tolerance that distances may use. They are sampled, with a parabola through the three samples at
 /// each largest one: with four samples to a lobe it misses at most 0.8 % of the top. A biarc over a smooth
 /// piece has four lobes, over a joint of order 1 up to six, and where the speed of the parameter varies some of them have
@@ -35,7 +37,8 @@ impl CircleSpline {
     /// where the tolerance allows. The flag is true if every segment was an arc: then the chain is exact.
     ///
     /// # Errors
-    /// `too-many-pieces` if a segment would need more than 4096 biarcs.
+    /// `too-many-pieces` if a segment would need more than 4096 biarcs, `arc-through-infinity` for a segment whose tangents
+    /// come within 5e-7 of the reversed chord: its points have lost their digits.
     pub fn to_g1_arcs(&self, tolerance: f64) -> Result<(Vec<Arc>, bool)> {
         self.g1_arcs(tolerance).map(|(arcs, exact, _)| (arcs, exact))
     }
@@ -58,6 +61,7 @@ impl CircleSpline {
                 } else {
                     let is_arc = |j: &usize| self.segments()[j % n].to_arc().is_some();
                     let stretch = (i + 1..run.end).find(is_arc).unwrap_or(run.end);
+                    (i..stretch).try_for_each(|j| self.segments()[j % n].check_finite(j % n))?;
                     Stretch::new(self, i..stretch, tolerance).append_biarcs(&mut arcs, &mut parts.spans)?;
                     exact = false;
                     i = stretch;
@@ -201,39 +205,94 @@ impl<'a> Stretch<'a> {
     /// The biarc between two places, if it and the curve stay within the tolerance of each other.
     ///
     /// Every sample of the curve has its foot on the biarc within the tolerance, and the feet advance from end to
-    /// end without leaps: then every part of the biarc is near the curve too.
+    /// end without leaps: then every part of the biarc is near the curve too. Samples lie closer where the parameter is
+    /// slow to turn and fast to run, so that none is farther from the next than twice the mean.
     fn biarc_within(&self, from: &Place, to: &Place) -> Option<Biarc> {
         let biarc = Biarc::new(from.point, from.tangent, to.point, to.tangent, BiarcRule::EqualD).ok()?;
-        let limit = SAFETY * self.tolerance;
         let count = (((to.v - from.v) * INTERVAL_SAMPLES).ceil() as usize).max(SAMPLES);
-        let (mut last_point, mut last_foot, mut last_place) = (from.point, from.point, 0.0);
-        let mut last_distances = [0.0; 2];
+        let longest = 2.0 * biarc.length() / count as f64;
+        let mut walk = Walk::new(&biarc, from.point, self.tolerance);
+        let mut last_v = from.v;
+        let mut ahead: Vec<(f64, u32)> = Vec::new();
         for i in 1..=count {
-            let (point, foot, place) = if i == count {
-                (to.point, to.point, 2.0)
-            } else {
-                let (piece, s) = self.locate(from.v + (to.v - from.v) * (i as f64 / count as f64), false);
-                let point = self.segment(piece).point(s);
-                let (foot, place) = foot(&biarc, point);
-                (point, foot, place)
-            };
-            let distance = point.distance(foot);
-            let [before, middle] = last_distances;
-            if top_of_parabola(before, middle, distance) > limit || place < last_place - PLACE_ROUNDING {
-                return None;
+            ahead.push((if i == count { to.v } else { from.v + (to.v - from.v) * (i as f64 / count as f64) }, 0));
+            while let Some((v, halvings)) = ahead.pop() {
+                let sample = if v >= to.v { walk.end(to.point) } else { walk.sample(self.point(v)) };
+                // Far off the biarc: no need to look closer.
+                if !(sample.distance <= walk.limit) {
+                    return None;
+                }
+                if halvings < MOST_HALVINGS && sample.point.distance(walk.last.point) > longest {
+                    ahead.extend([(v, halvings + 1), (0.5 * (last_v + v), halvings + 1)]);
+                    continue;
+                }
+                if !walk.advances_to(sample) {
+                    return None;
+                }
+                last_v = v;
             }
-            // Feet advance like the samples: projection onto a curve this near cannot leap, except over a loop.
-            if foot.distance(last_foot) > 2.0 * point.distance(last_point) + self.tolerance {
-                return None;
-            }
-            // Where they leave a part out, as at a hairpin of the curve, the biarc may still run far from it there.
-            if to_segment(place_on(&biarc, 0.5 * (last_place + place)), last_point, point) > limit {
-                return None;
-            }
-            (last_point, last_foot, last_place) = (point, foot, place);
-            last_distances = [middle, distance];
         }
         Some(biarc)
+    }
+
+    fn point(&self, v: f64) -> Point3 {
+        let (piece, s) = self.locate(v, false);
+        self.segment(piece).point(s)
+    }
+}
+
+/// A sample of the curve with its foot on a biarc.
+#[derive(Clone, Copy)]
+struct Sample {
+    point: Point3,
+    distance: f64,
+    /// Arc number plus parameter of the foot.
+    place: f64,
+    /// Length of the biarc up to the foot.
+    length: f64,
+}
+
+/// The feet of the curve's samples along a biarc.
+struct Walk<'a> {
+    biarc: &'a Biarc,
+    tolerance: f64,
+    limit: f64,
+    last: Sample,
+    /// The distance before the last one.
+    before: f64,
+}
+
+impl<'a> Walk<'a> {
+    fn new(biarc: &'a Biarc, start: Point3, tolerance: f64) -> Self {
+        let last = Sample { point: start, distance: 0.0, place: 0.0, length: 0.0 };
+        Self { biarc, tolerance, limit: SAFETY * tolerance, last, before: 0.0 }
+    }
+
+    fn sample(&self, point: Point3) -> Sample {
+        let (foot, place) = foot(self.biarc, point);
+        let [first, second] = self.biarc.arcs();
+        let length = if place <= 1.0 { first.length_to(place) } else { first.length() + second.length_to(place - 1.0) };
+        Sample { point, distance: point.distance(foot), place, length }
+    }
+
+    fn end(&self, point: Point3) -> Sample {
+        Sample { point, distance: 0.0, place: 2.0, length: self.biarc.length() }
+    }
+
+    /// Goes on to a sample, if it is near the biarc and its foot ahead of the last one.
+    fn advances_to(&mut self, sample: Sample) -> bool {
+        let near = top_of_parabola(self.before, self.last.distance, sample.distance) <= self.limit;
+        let onward = sample.place >= self.last.place - PLACE_ROUNDING;
+        // Feet advance like the samples, along the biarc: projection onto a curve this near cannot leap, except over a loop,
+        // whose ends may be next to each other.
+        let step = sample.point.distance(self.last.point);
+        let leaps = sample.length - self.last.length > 2.0 * step + self.tolerance;
+        // Where they leave a part out, as at a hairpin of the curve, the biarc may still run far from it there.
+        let between = place_on(self.biarc, 0.5 * (self.last.place + sample.place));
+        let follows = to_segment(between, self.last.point, sample.point) <= self.limit;
+        self.before = self.last.distance;
+        self.last = sample;
+        near && onward && follows && !leaps
     }
 }
 

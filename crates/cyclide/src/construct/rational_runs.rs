@@ -24,7 +24,8 @@ impl CircleSpline {
     /// those of the curve, to the bit; all weights are positive.
     ///
     /// # Errors
-    /// `too-many-pieces` if a segment of the trigonometric variant would need more than 4096.
+    /// `too-many-pieces` if a segment of the trigonometric variant would need more than 4096, `arc-through-infinity` for
+    /// a segment whose tangents come within 5e-7 of the reversed chord: its points have lost their digits.
     pub fn to_rational_runs(&self, tolerance: f64) -> Result<(Vec<RationalRun>, f64)> {
         self.rational_runs(tolerance).map(|(runs, bound, _)| (runs, bound))
     }

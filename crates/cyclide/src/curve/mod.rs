@@ -23,7 +23,7 @@ pub use blend::{BlendLaw, BlendSegment, BlendVariant};
 pub(crate) use blend::{BlendTangents, unit_tangent};
 pub use circle::Circle;
 pub use circle_spline::{CircleSpline, CircleSplineOptions, SplineEnds, corners_by_angle};
-pub(crate) use circle_spline::{SHARP_TURN, chords_between, corner_nodes, inspect_node};
+pub(crate) use circle_spline::{SHARP_TURN, chords_between, corner_nodes, inspect_node, rounded_directions};
 pub use correspondence::{Correspondence, CurvePlace, Span};
 pub use measure::{ArcLength, CurveIndex, ExtremeCurvature, Joint};
 pub use measure::{CORNER_ANGLE, Fairness, Wavering, fairness, wavering};

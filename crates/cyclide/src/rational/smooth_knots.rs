@@ -14,23 +14,47 @@ use crate::base::vector::{Point3, Vec3};
 
 /// Relative jump of the affine derivative that still counts as C1: rounding of the construction.
 const C1_LIMIT: f64 = 1e-9;
+/// Weights below this part of the largest of their span are looked at.
+const UNEVEN: f64 = 1e-4;
+/// Points that differ by more than this part of their coordinates are lost: a tenth of what the check of a file forgives.
+const LOST_POINT: f64 = 1e-10;
+/// Rounds of giving up knots: the second one finds nothing in general.
+const ROUNDS: usize = 3;
+/// Places looked at toward each end of a span.
+const SAMPLED_HALVINGS: usize = 40;
 /// Roundings of a control point that its derivative may carry.
 const POINT_ROUNDINGS: f64 = 8.0;
 
 impl NurbsCurve {
     /// The same curve with the same parameter and C1 knots (multiplicity `degree - 1`) at every knot where the
-    /// derivative is continuous; the degree rises by 3. `None` if nothing can be gained (one span, no C1 knot, or
-    /// a factor that would not stay positive).
+    /// derivative is continuous; the degree rises by 3. Spans with very uneven weights keep their knots where the other
+    /// form would lose points by rounding. `None` if nothing can be gained (one span, no C1 knot, or a factor that would
+    /// not stay positive).
     #[must_use]
     pub fn with_c1_knots(&self) -> Option<Self> {
         let beziers = self.to_beziers();
-        let breaks = self.breaks();
-        let intervals: Vec<f64> = breaks.windows(2).map(|w| w[1] - w[0]).collect();
-        let smooth: Vec<bool> = (1..beziers.len()).map(|j| self.is_c1_at(j, &intervals)).collect();
+        let intervals: Vec<f64> = self.breaks().windows(2).map(|w| w[1] - w[0]).collect();
+        let mut smooth: Vec<bool> = (1..beziers.len()).map(|j| self.is_c1_at(j, &intervals)).collect();
+        let uneven: Vec<usize> = (0..beziers.len()).filter(|i| is_uneven(&beziers[*i])).collect();
+        for _ in 0..ROUNDS {
+            let raised = self.raised(&beziers, &intervals, &smooth)?;
+            let lost = uneven.iter().filter(|&&i| !self.keeps_points(&raised, i));
+            let mut knots = lost.flat_map(|&i| [i.checked_sub(1), Some(i)]).flatten().peekable();
+            if knots.peek().is_none() {
+                return Some(raised);
+            }
+            knots.filter(|j| *j < beziers.len() - 1).for_each(|j| smooth[j] = false);
+        }
+        None
+    }
+
+    /// With C1 knots at the smooth inner breaks; `None` if there are none.
+    fn raised(&self, beziers: &[RationalBezier], intervals: &[f64], smooth: &[bool]) -> Option<Self> {
         if !smooth.contains(&true) {
             return None;
         }
-        let slopes = common_slopes(&beziers, &intervals, &smooth);
+        let breaks = self.breaks();
+        let slopes = common_slopes(beziers, intervals, smooth);
         let mut rows: Vec<[f64; 4]> = Vec::new();
         let mut knots: Vec<f64> = Vec::new();
         let degree = self.degree() + 3;
@@ -61,6 +85,15 @@ impl NurbsCurve {
         Self::new(degree, knots, points, weights).ok()
     }
 
+    /// True if the points of a span are those of its other form, looked at the closer the nearer to its ends, where
+    /// weights of very different size meet.
+    fn keeps_points(&self, raised: &Self, span: usize) -> bool {
+        let halvings = std::iter::successors(Some(0.5), |s: &f64| Some(0.5 * s)).take(SAMPLED_HALVINGS);
+        let places = || halvings.clone().flat_map(|s| [s, 1.0 - s]);
+        let size = places().map(|s| self.span_point(span, s).to_vec().max_abs()).fold(0.0, f64::max);
+        places().all(|s| self.span_point(span, s).distance(raised.span_point(span, s)) <= LOST_POINT * size)
+    }
+
     /// True if the affine derivative is continuous at the inner break `j`, up to the rounding of the control points.
     fn is_c1_at(&self, j: usize, intervals: &[f64]) -> bool {
         let (before, after) = (self.span_jet(j - 1, 1.0), self.span_jet(j, 0.0));
@@ -72,6 +105,12 @@ impl NurbsCurve {
             unit * (left[n - 1][3] / left[n][3] / intervals[j - 1] + right[1][3] / right[0][3] / intervals[j]);
         (after_d1 - before_d1).length() <= C1_LIMIT * after_d1.length().max(before_d1.length()) + rounding
     }
+}
+
+/// Weights so uneven that a form of higher degree may lose points by rounding.
+fn is_uneven(bezier: &RationalBezier) -> bool {
+    let weights = || bezier.rows().iter().map(|row| row[3]);
+    weights().fold(f64::INFINITY, f64::min) < UNEVEN * weights().fold(0.0, f64::max)
 }
 
 /// Logarithmic slopes `W'/W` of the weight function at both ends, by the curve's own parameter.

@@ -126,3 +126,49 @@ fn arcs_follow_the_fast_parts_of_hairpins() {
     let (there, back) = (far(&s, &arcs), far(&arcs, &s));
     assert!(there <= tolerance && back <= tolerance, "{there:e} {back:e}");
 }
+
+/// A number in `[0, 1)` that depends on its index without a pattern.
+fn random(index: u64) -> f64 {
+    let x = (index + 1).wrapping_mul(0x9E37_79B9_7F4A_7C15);
+    let x = (x ^ (x >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+    let x = (x ^ (x >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
+    ((x ^ (x >> 31)) >> 11) as f64 / (1u64 << 53) as f64
+}
+
+#[test]
+fn arcs_never_go_round_the_long_way() {
+    // Chords of 1e-7 to 1 beside each other, and turns back: the ends of a biarc may be next to each other, and it must
+    // not go all the way round between two samples.
+    for case in 0..150 {
+        let number = |k: u64| random(100 * case + k);
+        let (mut at, mut direction) = (p(0.0, 0.0, 0.0), 0.0);
+        let mut points = vec![at];
+        for k in 0..4 {
+            let length = [1.0, 1e-3, 1e-5, 1e-7][(4.0 * number(3 * k)) as usize];
+            direction += if number(3 * k + 1) < 0.2 { 3.139 } else { 4.0 * (number(3 * k + 2) - 0.5) };
+            at = at + Vec3::new(direction.cos(), direction.sin(), 0.0) * length;
+            points.push(at);
+        }
+        let order = 1 + (4.0 * number(20)) as u32;
+        let options = CircleSplineOptions { closed: number(21) < 0.3, order, ..Default::default() };
+        let Ok(s) = CircleSpline::from_points(&points, &options) else { continue };
+        let tolerance = 10.0_f64.powf(-2.0 - 3.0 * number(22));
+        let Ok((arcs, _)) = s.to_arcs(tolerance) else { continue };
+        let far = |from: &dyn ParamCurve, to: &dyn ParamCurve| {
+            let index = CurveIndex::new(to);
+            let vertices = flatten(from, 0.01 * tolerance).unwrap();
+            vertices.into_iter().map(|(_, q)| index.closest_point(q).distance).fold(0.0, f64::max)
+        };
+        let (there, back) = (far(&s, &arcs), far(&arcs, &s));
+        assert!(
+            there <= tolerance && back <= tolerance,
+            "{case} {points:?} {options:?}: {there:e} {back:e} of {tolerance:e}"
+        );
+        // Nor is a loop added that is not in the curve, where one would be longer than the tolerance.
+        let size = cyclide::bounds(&s).diagonal();
+        if tolerance < 1e-3 * size {
+            let (own, theirs) = (cyclide::length(&s), cyclide::length(&arcs));
+            assert!((own / theirs - 1.0).abs() < 0.1, "{case} {points:?} {options:?} {tolerance:e}: {own} {theirs}");
+        }
+    }
+}

@@ -202,3 +202,29 @@ fn every_point_of_a_loop_is_found_on_it() {
         }
     }
 }
+
+#[test]
+fn points_far_out_do_not_oppose_each_other_by_chance() {
+    use cyclide::{FairSplineOptions, Warning};
+    // A gentle wave in steps of some thousands of roundings down to ten of them, at 1e6 to 1e9.
+    for (place, step) in [(1e6, 1e-6), (1e9, 1e-3), (1e9, 1e-5), (1e9, 3e-6)] {
+        let wave = |i: i32| p(place + step * f64::from(i), step * 3.0 * (0.3 * f64::from(i)).sin() - place, 0.0);
+        let points: Vec<Point3> = (0..30).map(wave).collect();
+        let fair = CircleSpline::fair(&points, &FairSplineOptions::default()).unwrap();
+        let mut made = vec![fair];
+        made.extend((1..=4).map(|order| {
+            CircleSpline::from_points(&points, &CircleSplineOptions { order, ..Default::default() }).unwrap()
+        }));
+        for s in made {
+            let opposed = s.warnings().iter().any(|w| matches!(w, Warning::OppositeCircles { .. }));
+            assert!(!opposed, "{place:e} {step:e}: {:?}", s.warnings());
+            // A rounding of 2.3e-10 and 2.4e-7 over the step.
+            let rounded = s.warnings().iter().any(|w| w.reason() == "rounded-directions");
+            assert_eq!(rounded, f64::EPSILON * place / step > 1e-3, "{place:e} {step:e}: {:?}", s.warnings());
+        }
+    }
+    // Circles that do oppose each other are still told, far out too.
+    let zigzag: Vec<Point3> =
+        [[0.0, 0.0], [1.0, 1.0], [2.0, 0.0], [3.0, 1.0]].map(|[x, y]| p(x + 1e5, y, 0.0)).to_vec();
+    assert!(CircleSpline::from_points(&zigzag, &CircleSplineOptions::default()).is_ok());
+}

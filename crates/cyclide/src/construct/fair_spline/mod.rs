@@ -35,7 +35,7 @@ pub use options::{FairEnd, FairSplineOptions};
 
 use crate::base::vector::Point3;
 use crate::curve::{BlendLaw, BlendSegment, BlendTangents, Chord, CircleSpline, SHARP_TURN};
-use crate::curve::{chords_between, corner_nodes, inspect_node, unit_tangent};
+use crate::curve::{chords_between, corner_nodes, inspect_node, rounded_directions, unit_tangent};
 use crate::error::Result;
 use crate::warning::Warning;
 use pieces::Pieces;
@@ -68,7 +68,7 @@ impl CircleSpline {
         let chords = chords_between(points, closed)?;
         let corners = corner_nodes(&options.corners, points.len(), closed)?;
         let ends = if closed { [FairEnd::Circle; 2] } else { unit_ends(options.ends)? };
-        let mut warnings = Vec::new();
+        let mut warnings = Vec::from_iter(rounded_directions(points, &chords));
         if closed && options.ends != [FairEnd::default(); 2] {
             warnings.push(Warning::EndsWithoutEffect);
         }

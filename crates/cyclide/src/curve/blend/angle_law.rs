@@ -126,9 +126,25 @@ impl AngleLaw {
         }
     }
 
-    /// `[C, S, q]` of `(A² t1 + 2AB h + B² t2)/(A² + 2AB cos(theta/2) + B²)` (`50`, section 5).
+    /// `1 - |cos(theta/2)|`, to the last digits.
+    pub(super) fn versine(&self) -> f64 {
+        let [c, s] = self.half;
+        s * s / (1.0 + c.abs())
+    }
+
+    /// `[C, S, q]` of `(A² t1 + 2AB h + B² t2)/(A² + 2AB cos(theta/2) + B²)` (`50`, section 5). Beyond half a turn by
+    /// the differences from a full one, where the sums would cancel: with `v = 1 + cos(theta/2)`
+    ///
+    /// ```text
+    /// q = (A-B)² + 2AB v,  C = q - 2 B² sin²(theta/2),  S = 2 B sin(theta/2) (A - B + B v)
+    /// ```
     fn blended(&self, a: f64, b: f64) -> [f64; 3] {
         let ([ch, sh], [cf, sf]) = (self.half, self.full());
+        if ch < 0.0 {
+            let (d, v) = (a - b, self.versine());
+            let q = d * d + 2.0 * a * b * v;
+            return [q - 2.0 * b * b * sh * sh, 2.0 * b * sh * (d + b * v), q];
+        }
         let (aa, ab, bb) = (a * a, 2.0 * a * b, b * b);
         [aa + ab * ch + bb * cf, ab * sh + bb * sf, aa + ab * ch + bb]
     }
@@ -201,6 +217,14 @@ impl AngleLaw {
     fn blended_series(&self, a: &Series, b: &Series) -> (Series, Series) {
         let ([ch, sh], [cf, sf]) = (self.half, self.full());
         let (aa, ab, bb) = (product(a, a), product(a, b), product(b, b));
+        if ch < 0.0 {
+            let (d, v): (Series, f64) = (std::array::from_fn(|j| a[j] - b[j]), self.versine());
+            let (dd, db) = (product(&d, &d), product(&d, b));
+            let q: Series = std::array::from_fn(|j| dd[j] + 2.0 * v * ab[j]);
+            let c = std::array::from_fn(|j| q[j] - 2.0 * sh * sh * bb[j]);
+            let s = std::array::from_fn(|j| 2.0 * sh * (db[j] + v * bb[j]));
+            return (quotient(&c, &q), quotient(&s, &q));
+        }
         let c = std::array::from_fn(|j| aa[j] + 2.0 * ch * ab[j] + cf * bb[j]);
         let s = std::array::from_fn(|j| 2.0 * sh * ab[j] + sf * bb[j]);
         let q = std::array::from_fn(|j| aa[j] + 2.0 * ch * ab[j] + bb[j]);

@@ -1,7 +1,7 @@
 //! Rational pieces of either variant: exact for the rational one, certified for the trigonometric one.
 
 use super::angle_law::smooth_step;
-use super::rational_form::RationalArcOfTangents;
+use super::rational_form::{LawFactors, RationalArcOfTangents};
 use super::segment::BlendSegment;
 use crate::base::bernstein;
 use crate::base::roots::bracketed;
@@ -28,22 +28,25 @@ impl BlendSegment {
     /// rational laws (degree `2k + 2`, fair 4 or 6), at most `tolerance` for the trigonometric one (degree `4k`).
     ///
     /// # Errors
-    /// `too-many-pieces` if the tolerance asks for more than 4096.
+    /// `too-many-pieces` if the tolerance asks for more than 4096, `arc-through-infinity`.
     pub(crate) fn rational_pieces(&self, tolerance: f64, segment: usize) -> Result<(Vec<RationalPiece>, f64)> {
+        self.check_finite(segment)?;
         let mut pieces = Vec::new();
-        let mut add = |(bezier, width): (RationalBezier, f64)| {
-            halve_until_positive(bezier, width * self.length, HALVING_CAP, &mut pieces);
+        let mut add = |factors, arc: &RationalArcOfTangents, range| {
+            if let Some((factors, range)) = self.cut_to_range(factors, range) {
+                self.halve_until_positive(&factors, arc, range, HALVING_CAP, &mut pieces);
+            }
         };
-        if let Some(bezier) = self.to_bezier() {
-            add((bezier, self.range[1] - self.range[0]));
+        if let Some((factors, arc)) = self.rational_law() {
+            add(factors, &arc, [0.0, 1.0]);
             return Ok((pieces, 0.0));
         }
         let n = self.parts_within(tolerance, segment)?;
         let mut from = 0.0;
         for i in 0..n {
             let to = if i + 1 == n { 1.0 } else { self.parameter_of_step((i + 1) as f64 / n as f64) };
-            let rows = self.part_rows(i, n, [from, to]);
-            self.cut_to_range(rows, [from, to]).into_iter().for_each(&mut add);
+            let (factors, arc) = self.part_of_law(i, n, [from, to]);
+            add(factors, &arc, [from, to]);
             from = to;
         }
         Ok((pieces, self.part_error(n)))
@@ -104,9 +107,9 @@ impl BlendSegment {
         bracketed(|l| smooth_step(self.law.law.order(), l) - value, 0.0, 1.0, 0.0)
     }
 
-    /// Rows of part `i` of `n` over `[l0, l1] = f^-1([i/n, (i+1)/n])`: the rational law with `B = n f(l) - i`,
+    /// The law of part `i` of `n` over `[l0, l1] = f^-1([i/n, (i+1)/n])`: the rational law with `B = n f(l) - i`,
     /// `A = 1 - B`. Equal slopes at both ends of every part make the inner joints C1.
-    fn part_rows(&self, i: usize, n: usize, range: [f64; 2]) -> Vec<[f64; 4]> {
+    fn part_of_law(&self, i: usize, n: usize, range: [f64; 2]) -> (LawFactors, RationalArcOfTangents) {
         let k = self.law.law.order() as usize;
         // f_k has the Bernstein coefficients 0 (k times), 1 (k times).
         let mut step: Vec<[f64; 1]> = (0..2 * k).map(|j| [if j < k { 0.0 } else { 1.0 }]).collect();
@@ -124,14 +127,30 @@ impl BlendSegment {
             let (s, c) = (parts * delta).sin_cos();
             self.t1 * c + self.b * s
         };
-        let (from, i) = (tangent(i as f64), i as f64);
-        let arc = RationalArcOfTangents {
-            from,
-            middle: tangent(i + 0.5),
-            to: tangent(i + 1.0),
-            cos_half: (0.5 * delta).cos(),
-        };
-        self.blend_rows(&a, &b, &arc, range)
+        let (s, c) = (0.5 * delta).sin_cos();
+        let tangents = [0.0, 0.5, 1.0].map(|part| tangent(i as f64 + part));
+        (LawFactors { a, b }, RationalArcOfTangents::new(self.u, tangents, [c, s]))
+    }
+
+    /// Appends the part of the segment, halved where weights are not positive. The rows are made anew for each half:
+    /// those of the whole have lost the digits of weights that are far below 1.
+    fn halve_until_positive(
+        &self,
+        factors: &LawFactors,
+        arc: &RationalArcOfTangents,
+        [from, to]: [f64; 2],
+        depth: u32,
+        pieces: &mut Vec<RationalPiece>,
+    ) {
+        let bezier = self.bezier_of(factors, arc, [from, to]);
+        let middle = 0.5 * (from + to);
+        if depth == 0 || bezier.has_positive_weights() || !(from < middle && middle < to) {
+            pieces.push(RationalPiece { bezier, interval: (to - from) * self.length });
+            return;
+        }
+        let (left, right) = factors.split(0.5);
+        self.halve_until_positive(&left, arc, [from, middle], depth - 1, pieces);
+        self.halve_until_positive(&right, arc, [middle, to], depth - 1, pieces);
     }
 }
 
@@ -144,19 +163,6 @@ fn angle_error(delta: f64) -> f64 {
     let t = (0.25 * delta).tan();
     let z = (4.0 * t / delta - 1.0).sqrt() / t;
     (2.0 * (z * t).atan() - 0.5 * z * delta).abs()
-}
-
-/// Appends the piece, halved where weights are not positive.
-fn halve_until_positive(bezier: RationalBezier, interval: f64, depth: u32, pieces: &mut Vec<RationalPiece>) {
-    if depth > 0
-        && !bezier.has_positive_weights()
-        && let Ok((left, right)) = bezier.split(0.5)
-    {
-        halve_until_positive(left, 0.5 * interval, depth - 1, pieces);
-        halve_until_positive(right, 0.5 * interval, depth - 1, pieces);
-    } else {
-        pieces.push(RationalPiece { bezier, interval });
-    }
 }
 
 #[cfg(test)]

@@ -13,8 +13,13 @@ use crate::error::{Error, Result};
 const COINCIDENT_LIMIT: f64 = 1e-12;
 /// A start tangent this close to the reversed chord has its circle through infinity.
 const INFINITY_LIMIT: f64 = 1e-9;
+/// A segment whose tangents come this close to the reversed chord has no form for files: its points are as many chords
+/// away, and known to as many roundings of that.
+const NEAR_INFINITY: f64 = 5e-7;
 /// Below this the sum of the two tangents is zero for tangents given by the user.
 const OPPOSITE_LIMIT: f64 = 1e-12;
+/// Rounding of the points widens that limit up to here: directions that are known worse oppose each other by chance.
+const OPPOSITE_BY_ROUNDING: f64 = 1e-6;
 
 /// A blend of two circular arcs over one chord, parameter `l` in `[0, 1]`.
 ///
@@ -107,7 +112,7 @@ impl BlendSegment {
         let (mut a, g) = (t1 + t2, t2 - t1);
         let gn = g.length_squared().sqrt();
         let mut an = a.length_squared().sqrt();
-        let rounding = OPPOSITE_LIMIT.max(16.0 * f64::EPSILON * tangents.magnification);
+        let rounding = OPPOSITE_LIMIT.max((16.0 * f64::EPSILON * tangents.magnification).min(OPPOSITE_BY_ROUNDING));
         let opposite = an <= rounding;
         let mut long_way = false;
         let (half, b) = if opposite {
@@ -294,6 +299,15 @@ impl BlendSegment {
         } else {
             ends
         }
+    }
+
+    /// Refuses a segment that is not written for how near it comes to infinity.
+    ///
+    /// # Errors
+    /// `arc-through-infinity`.
+    pub(crate) fn check_finite(&self, segment: usize) -> Result<()> {
+        let near = self.distance_from_infinity_squared() < NEAR_INFINITY * NEAR_INFINITY;
+        if near { Err(Error::ArcThroughInfinity { segment }) } else { Ok(()) }
     }
 
     /// A box around the segment, the smallest one if it is an arc: every point lies on an arc over the chord that leaves it at an angle `alpha` with

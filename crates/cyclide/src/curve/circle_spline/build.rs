@@ -14,6 +14,9 @@ pub(crate) const SHARP_TURN: f64 = 175.0 * std::f64::consts::PI / 180.0;
 /// Neighbouring chords that differ by more make the curve bulge (`50`, section 7.4).
 const UNEVEN_SPACING: f64 = 3.0;
 
+/// Directions of chords that are known worse than this, radians, are noted.
+const ROUNDED_DIRECTION: f64 = 1e-3;
+
 /// What the curve does at a node.
 #[derive(Clone, Copy)]
 enum Node {
@@ -42,7 +45,7 @@ impl CircleSpline {
         let corners = corner_nodes(&options.corners, n, closed)?;
         let [start_tangent, end_tangent] = end_tangents(options)?;
 
-        let mut warnings = Vec::new();
+        let mut warnings = Vec::from_iter(rounded_directions(points, &chords));
         if closed && options.ends != SplineEnds::default() {
             warnings.push(Warning::EndsWithoutEffect);
         }
@@ -200,6 +203,17 @@ fn magnification(points: &[Point3], chords: &[Chord], i: usize, ends: [Node; 2],
         shortest = shortest.min(chords[(i + 1) % n].length);
     }
     largest / shortest
+}
+
+/// Notes chords so short against their coordinates that the rounding of these turns them.
+pub(crate) fn rounded_directions(points: &[Point3], chords: &[Chord]) -> Option<Warning> {
+    let size = |i: usize| points[i % points.len()].to_vec().max_abs();
+    // Each end is off by half a rounding.
+    let turn = |(i, chord): (usize, &Chord)| (i, f64::EPSILON * size(i).max(size(i + 1)) / chord.length);
+    let turned = || chords.iter().enumerate().map(turn).filter(|(_, angle)| *angle > ROUNDED_DIRECTION);
+    let (segment, _) = turned().next()?;
+    let angle = turned().map(|(_, angle)| angle).fold(0.0, f64::max).min(std::f64::consts::PI);
+    Some(Warning::RoundedDirections { segment, count: turned().count(), angle, limit: ROUNDED_DIRECTION })
 }
 
 /// Notes what is unusual at a node between two chords.

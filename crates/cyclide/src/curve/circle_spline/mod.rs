@@ -12,7 +12,7 @@ mod build;
 mod modify;
 
 pub use build::corners_by_angle;
-pub(crate) use build::{SHARP_TURN, chords_between, corner_nodes, inspect_node};
+pub(crate) use build::{SHARP_TURN, chords_between, corner_nodes, inspect_node, rounded_directions};
 
 use super::blend::{BlendLaw, BlendSegment, BlendVariant};
 use super::param_curve::ParamCurve;
