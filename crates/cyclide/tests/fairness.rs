@@ -259,3 +259,19 @@ fn a_curve_that_wavers_is_told_from_data_that_waver() {
     let (_, data, w) = told(&noisy, false);
     assert!(data, "{w:?}");
 }
+
+#[test]
+fn stairs_are_no_noise() {
+    // Two chords to a tread: every other node is straight on, and the turns are right angles to both sides in turn.
+    let mut points = vec![Point3::ORIGIN];
+    let mut at = points[0];
+    for k in 0..48 {
+        at = at + if (k / 2) % 2 == 0 { Vec3::X * 0.15 } else { Vec3::Y * 0.09 };
+        points.push(at);
+    }
+    for tight in [None, Some(0.2), Some(0.45)] {
+        let curve = CircleSpline::fair(&points, &FairSplineOptions { tight, ..Default::default() }).unwrap();
+        let w = wavering(&curve, &fairness(&curve)).unwrap();
+        assert!(!w.data_waver && !w.curve_wavers && w.data == 22 && w.nodes >= 47, "{tight:?}: {w:?}");
+    }
+}

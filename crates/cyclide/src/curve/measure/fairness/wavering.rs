@@ -6,8 +6,8 @@
 //! between straight on and a turn: beside a corner of straight runs an interpolating curve must swing out a little.
 //!
 //! *The curve wavers* if it changes sides more than 1.25 times as often, and two times more. *The data waver* if there
-//! are 16 nodes or more that turn gently (below 30 degrees in the median) and change sides at more than every third:
-//! then they carry noise, and a curve through all of them has to show it.
+//! are 16 nodes or more, those that turn do so gently (by less than 30 degrees in the median; stairs do not), and they
+//! change sides at more than every third: then they carry noise, and a curve through all of them has to show it.
 
 use super::piece::ROUNDING;
 use super::plane::plane_of;
@@ -47,15 +47,16 @@ pub struct Wavering {
 pub fn wavering(curve: &dyn ParamCurve, fairness: &Fairness) -> Option<Wavering> {
     let changes = fairness.sign_changes?;
     let runs = turns(curve, plane_of(curve)?);
-    let (mut data, mut passages) = (0, 0);
+    let (mut data, mut passages, mut turning) = (0, 0, Vec::new());
     for run in &runs {
         let sides = run.sides();
+        turning.extend(run.turns.iter().zip(&sides).filter(|(_, side)| **side != 0).map(|(turn, _)| turn.angle.abs()));
         data += run.changes(sides.iter().copied().filter(|s| *s != 0));
         passages += run.changes(sides.iter().map(|s| i8::from(*s != 0)));
     }
-    let mut sizes: Vec<f64> = runs.iter().flat_map(|run| &run.turns).map(|t| t.angle.abs()).collect();
-    sizes.sort_by(f64::total_cmp);
-    let (nodes, median) = (sizes.len(), sizes.get(sizes.len() / 2).copied().unwrap_or(0.0));
+    turning.sort_by(f64::total_cmp);
+    let median = turning.get(turning.len() / 2).copied().unwrap_or(0.0);
+    let nodes = runs.iter().map(|run| run.turns.len()).sum();
     let explained = data + passages;
     Some(Wavering {
         curve: changes,
