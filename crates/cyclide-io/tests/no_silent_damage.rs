@@ -84,7 +84,7 @@ fn a_tube_cut_open_says_how_far_its_seam_gaps() {
     assert!(seam.angle > 0.0 && seam.angle < 0.5, "{seam:?}");
     let remark = built.remarks.iter().find(|remark| remark.reason == "open-seam").unwrap();
     assert!(remark.message.contains("the first and the last column of the grid are at most an edge apart"));
-    assert!(remark.message.contains("`closed`"), "{}", remark.message);
+    assert!(remark.message.contains("`closed`") && remark.message.contains(" m and an angle of"), "{}", remark.message);
     let text = Report::new(cyclide::Units::Metre, &[built], None).to_string();
     assert!(text.contains("\n  open seam  first and last column: gap "), "{text}");
 
@@ -92,6 +92,76 @@ fn a_tube_cut_open_says_how_far_its_seam_gaps() {
     let roof = build(&json!({"type": "cyclidic-net", "grid": rows(roof, [8, 8])})).unwrap();
     assert!(surface(&roof).seams.is_empty() && reasons(&roof).is_empty());
     assert!(!serde_json::to_value(surface(&roof)).unwrap().as_object().unwrap().contains_key("seams"));
+}
+
+/// A surface of revolution with its coordinates rounded as a text format rounds them.
+fn revolved(columns: usize, digits: i32) -> Vec<Vec<[f64; 3]>> {
+    let round = |x: f64| (x * 10.0_f64.powi(digits)).round() / 10.0_f64.powi(digits);
+    let row = |j: i32| {
+        let v = f64::from(j) / 12.0;
+        let r = 2.0 + 0.3 * (3.0 * v).sin();
+        let at = |a: f64| [r * a.cos(), r * a.sin(), 3.0 * v].map(round);
+        (0..columns).map(|i| at(TAU * i as f64 / 24.0)).collect()
+    };
+    (0..=12).map(row).collect()
+}
+
+#[test]
+fn few_digits_are_named_and_each_advice_leads_out() {
+    let net = |grid: &[Vec<[f64; 3]>], closed: bool, circular: bool| {
+        build(&json!({"type": "cyclidic-net", "grid": grid, "closed": [closed, false], "make_circular": circular}))
+    };
+    // Six decimals of a right surface: quads are off by 4e-7, the frame by 1.5e-5.
+    let message = net(&revolved(24, 6), true, false).unwrap_err();
+    assert!(message.contains("carry about 7 digits") && message.contains("give 12 or more"), "{message}");
+    assert!(message.contains("[not-concircular]") && !message.contains("make_circular"), "{message}");
+    let message = net(&revolved(24, 6), true, true).unwrap_err();
+    assert!(message.contains("carry about 7 digits") && message.contains("[net-does-not-close]"), "{message}");
+    assert!(message.contains("repeat the first column as the last one and leave out `closed`"), "{message}");
+    // The advices: more digits, with and without `make_circular`; or cut open, first as it is, then made circular.
+    for circular in [false, true] {
+        assert_eq!(reasons(&net(&revolved(24, 12), true, circular).unwrap()), [""; 0]);
+    }
+    let message = net(&revolved(25, 6), false, false).unwrap_err();
+    assert!(message.contains("7 digits") && message.contains("; or `make_circular` moves the vertices by as little"));
+    let built = net(&revolved(25, 6), false, true).unwrap();
+    let report = surface(&built);
+    assert!(report.circular.unwrap().move_max < 1e-5 && report.seams[0].gap < 1e-5);
+    // Data of few digits that are no rounding are not blamed on them: heights off by a tenth of an edge.
+    let mut bent = revolved(25, 6);
+    bent[3][5][2] += 0.05;
+    let message = net(&bent, false, false).unwrap_err();
+    assert!(!message.contains("digits") || message.contains("7 digits"), "{message}");
+    let square = [[[0, 0, 0], [1, 0, 0], [2, 0, 0]], [[0, 1, 0], [1, 1, 1], [2, 1, 0]]];
+    let message = build(&json!({"type": "cyclidic-net", "grid": square})).unwrap_err();
+    assert!(!message.contains("digits") && message.contains("`make_circular` moves the vertices until they are"));
+}
+
+#[test]
+fn seams_that_lie_on_each_other_are_no_warning_unless_they_bend() {
+    let ring = |m: usize, wave: f64| {
+        let at = move |u: f64, v: f64| {
+            let a = TAU * u;
+            let r = 2.0 + wave * (2.0 * a + 1.0).sin();
+            [r * a.cos(), r * a.sin(), 4.0 * v]
+        };
+        build(&json!({"type": "cyclidic-net", "grid": rows(at, [m, 8])})).unwrap()
+    };
+    let fine = ring(24, 0.1);
+    let [seam] = surface(&fine).seams[..] else { panic!() };
+    assert!(seam.gap < 1e-14 && seam.angle < 1e-3, "{seam:?}");
+    assert_eq!(reasons(&fine), [""; 0]);
+    // Eight coarse quads turn the frame by degrees. Seven do too, but closed they have a frame that comes back (`70`, A1).
+    for (count, closes) in [(8, false), (7, true)] {
+        let coarse = ring(count, 0.3);
+        let [seam] = surface(&coarse).seams[..] else { panic!() };
+        assert!(seam.gap < 1e-14 && seam.angle > 0.05, "{seam:?}");
+        let remark = coarse.remarks.iter().find(|remark| remark.reason == "open-seam").unwrap();
+        let words = "they lie on each other, and the surface has an angle of up to ";
+        assert!(remark.message.contains(words) && !remark.message.contains("e-1"), "{}", remark.message);
+        // Nobody is sent to where they are refused.
+        assert_eq!(remark.message.contains("let the grid close"), closes, "{}", remark.message);
+    }
 }
 
 #[test]

@@ -8,6 +8,8 @@ const LOST_TURN: f64 = 1.0 * DEGREE;
 const CHANGED_TURN: f64 = 0.05 * DEGREE;
 /// A turn that is worth a warning whatever the other numbers say.
 const LARGE_TURN: f64 = 3.0 * DEGREE;
+/// Grid lines farther off the curvature lines than this on average are across them.
+pub(crate) const ACROSS: f64 = 15.0 * DEGREE;
 const DEGREE: f64 = std::f64::consts::PI / 180.0;
 
 /// What may become of a surface whose vertices are moved: the numbers of `70`, part C, and one of relief. All are free
@@ -25,8 +27,13 @@ pub struct ShapeChange {
     /// The part of the surface, 0 to 1, in whose neighbourhood less than half of the input's relief is left.
     pub lost_relief: f64,
     /// Mean angle of the input's grid lines to its curvature lines, in `[0, pi/4]`, radians, weighted by how much the
-    /// principal curvatures differ.
+    /// principal curvatures differ; `None` for surfaces that are nearly flat, or flat but for noise.
     pub across: Option<f64>,
+    /// The principal curvatures differ enough on the whole for clear curvature lines: the input is not nearly spherical.
+    pub clear_lines: bool,
+    /// What bends in the input is noise, over the strides that [`bending`](Self::bending) is measured over too: a plane,
+    /// which has no curvature lines.
+    pub noise: bool,
 }
 
 /// The values that a number may have.
@@ -41,10 +48,17 @@ struct Limits {
 /// Outside these the shape is lost. Table and search of the constants: `70`, part C. Of the relief: grids along curvature
 /// lines and those with noise up to a fifth of an edge lose it on 0.08 of the surface at most, lost ones on 0.13 or more.
 const LOST: Limits = Limits { bending: [0.5, f64::INFINITY], thickness: 0.5, normal_turn: 0.35, lost_relief: 0.12 };
+/// What may help a grid that is along the curvature lines already.
+const ALONG: &str = "mesh the surface along its curvature lines as exactly as you can, or with fewer quads";
 /// Outside these a person should look.
 const CHANGED: Limits = Limits { bending: [0.9, 1.2], thickness: 0.8, normal_turn: 0.12, lost_relief: 0.02 };
 
 impl ShapeChange {
+    /// The angle of the grid lines to the curvature lines, if these are clear and the angle is more than 15 degrees.
+    pub(crate) fn runs_across(&self) -> Option<f64> {
+        self.across.filter(|angle| *angle > ACROSS && self.clear_lines)
+    }
+
     /// True if a viewer would call the result another surface.
     #[must_use]
     pub fn is_lost(&self) -> bool {
@@ -99,13 +113,21 @@ impl ShapeChange {
         if self.normal_turn.is_none_or(|t| t <= limits.normal_turn) {
             facts.push(format!("the normals turned by {} degrees (rms)", degrees(self.turn)));
         }
-        let cause = match self.across {
-            Some(angle) => {
-                format!("; the lines of the grid run {} degrees off the curvature lines", degrees(angle))
-            }
-            None => String::new(),
+        format!("{}; {}", facts.join(", "), self.cause_and_remedy())
+    }
+
+    fn cause_and_remedy(&self) -> String {
+        if self.noise {
+            return "what bends in the grid is noise, and without it the grid is flat: smooth it or make it plane first"
+                .to_owned();
+        }
+        let Some(angle) = self.across else {
+            return "mesh the surface along its curvature lines first".to_owned();
         };
-        format!("{}{cause}: mesh the surface along its curvature lines first", facts.join(", "))
+        let off = format!("the lines of the grid run {} degrees off the curvature lines", degrees(angle));
+        // Grids along the lines are lost where the border slides along a steep surface: fewer quads slide less.
+        let remedy = if angle > ACROSS { "mesh the surface along its curvature lines first" } else { ALONG };
+        format!("{off}: {remedy}")
     }
 }
 
@@ -118,9 +140,16 @@ pub(crate) fn degrees(angle: f64) -> ShortNumber {
     rounded(angle.to_degrees())
 }
 
-/// One decimal below ten, else none: figures to judge by.
+/// One decimal below ten, none above, and one digit of what is smaller than both: figures to judge by.
 fn rounded(value: f64) -> ShortNumber {
-    let steps = if value.abs() < 10.0 { 10.0 } else { 1.0 };
+    let size = value.abs();
+    let steps = if size >= 10.0 {
+        1.0
+    } else if !(f64::MIN_POSITIVE..0.05).contains(&size) {
+        10.0
+    } else {
+        10.0_f64.powi(-size.log10().floor() as i32)
+    };
     ShortNumber((value * steps).round() / steps)
 }
 
@@ -135,6 +164,8 @@ mod tests {
         turn: 0.03,
         lost_relief: 0.0,
         across: Some(0.5),
+        clear_lines: true,
+        noise: false,
     };
 
     #[test]
@@ -167,5 +198,16 @@ mod tests {
                      the lines of the grid run 29 degrees off the curvature lines: mesh the surface along its curvature \
                      lines first";
         assert_eq!(lost.lost(), words);
+        // The angle is said whatever it is, and noise has none.
+        let along = ShapeChange { across: Some(0.0005), ..lost };
+        assert!(along.lost().contains("run 0.03 degrees off the curvature lines: "), "{}", along.lost());
+        let flat = ShapeChange { noise: true, ..lost };
+        assert!(flat.lost().contains("is noise") && !flat.lost().contains("curvature lines"), "{}", flat.lost());
+    }
+
+    #[test]
+    fn small_figures_are_not_nothing() {
+        let texts = [0.0, 12.3, 3.12, 0.06, 0.0224, 4e-9, -0.0037].map(|value| rounded(value).to_string());
+        assert_eq!(texts, ["0", "12", "3.1", "0.1", "0.02", "4e-9", "-0.004"]);
     }
 }

@@ -281,3 +281,58 @@ fn the_message_has_the_measures_the_limits_the_cause_and_the_remedy() {
         assert!(message.contains(words), "{message}");
     }
 }
+
+#[test]
+fn a_sheared_paraboloid_steepens_and_has_no_ripples_to_lose() {
+    // 38 degrees off: 0.85 to 0.93 of the bending, 0.77 to 0.81 of the thickness, a fifth to a quarter of the spread. A
+    // viewer sees the same surface.
+    let height = |x: f64, y: f64| -0.05 * x * x - 0.045 * y * y + 0.02 * x * y;
+    for quads in 12..=16 {
+        for half in [7.0, 7.5, 8.0, 9.0] {
+            let mesh = guarded(&grid(&roof([half; 2], 0.0, height), [quads; 2], OPEN, 0.0));
+            let mesh = mesh.unwrap_or_else(|e| panic!("{half} {quads}: {e}"));
+            let shape = mesh.report.shape.unwrap();
+            assert_eq!(reasons(&mesh)[..1], ["shape-changed"]);
+            // Nearly spherical as it is, its lines are measured and named.
+            assert!((shape.across.unwrap().to_degrees() - 36.0).abs() < 3.0, "{half} {quads}: {shape:?}");
+            let words = mesh.warnings[0].to_string();
+            assert!(words.contains(" degrees off the curvature lines: mesh the surface along"), "{words}");
+        }
+    }
+}
+
+#[test]
+fn a_refusal_for_ripples_alone_names_the_angle() {
+    let error = guarded(&grid(&rippled(0.05, 2.0), [36, 24], TUBE, 0.0)).unwrap_err();
+    let Error::ShapeLost { change } = &error else { panic!("{error}") };
+    assert!(change.bending.unwrap() > 0.9 && change.normal_turn.unwrap() < 0.35, "{change:?}");
+    assert!(change.across.is_some() && error.to_string().contains("degrees off the curvature lines: "), "{error}");
+}
+
+#[test]
+fn noise_on_a_plane_is_called_noise() {
+    let plane = roof([5.0, 4.0], 0.0, |_, _| 0.0);
+    for noisy in [0.01, 0.1] {
+        let change = allowed(&grid(&plane, [20, 16], OPEN, noisy)).report.shape.unwrap();
+        assert!(change.noise && change.across.is_none(), "{noisy}: {change:?}");
+    }
+    let error = guarded(&grid(&plane, [20, 16], OPEN, 0.1)).unwrap_err();
+    let words = error.to_string();
+    assert!(words.contains("what bends in the grid is noise") && !words.contains("curvature lines"), "{words}");
+    // Shapes with as much noise are shapes: a hypar over its straight lines, a cylinder, a sphere, ripples of five quads.
+    let hypar = roof([6.0; 2], 0.0, |x, y| 0.05 * x * y);
+    let cylinder = |u: f64, v: f64| [2.0 * (TAU * u).cos(), 2.0 * (TAU * u).sin(), 8.0 * v];
+    let waves = roof([10.0; 2], 0.0, |x, _| 0.4 * (TAU * x / 4.0).sin());
+    let shapes: [Case<'_>; 6] = [
+        ("hypar", &hypar, [24, 24], OPEN, 0.0),
+        ("hypar", &hypar, [24, 24], OPEN, 0.02),
+        ("cylinder", &cylinder, [24, 16], TUBE, 0.02),
+        ("cylinder", &cylinder, [48, 32], TUBE, 0.02),
+        ("waves", &waves, [25, 25], OPEN, 0.0),
+        ("waves", &waves, [25, 25], OPEN, 0.02),
+    ];
+    for (name, surface, quads, closed, noisy) in shapes {
+        let change = allowed(&grid(surface, quads, closed, noisy)).report.shape.unwrap();
+        assert!(!change.noise, "{name} {quads:?} {noisy}: {change:?}");
+    }
+}

@@ -146,14 +146,16 @@ pub struct ShapeReport {
     /// Part of the surface (0 to 1) in whose neighbourhood less than half of the humps and ripples is left.
     pub lost_relief: f64,
     /// Mean angle of the lines given to the curvature lines, weighted by the difference of the curvatures, radians;
-    /// `None` for surfaces nearly flat or spherical.
+    /// `None` for surfaces nearly flat, or flat but for noise.
     pub across: Option<f64>,
+    /// What bends in the grid given is noise: a plane.
+    pub noise: bool,
 }
 
 impl From<&ShapeChange> for ShapeReport {
     fn from(change: &ShapeChange) -> Self {
-        let ShapeChange { bending, thickness, normal_turn, turn, lost_relief, across } = *change;
-        Self { bending, thickness, normal_turn, turn, lost_relief, across }
+        let ShapeChange { bending, thickness, normal_turn, turn, lost_relief, across, noise, .. } = *change;
+        Self { bending, thickness, normal_turn, turn, lost_relief, across, noise }
     }
 }
 

@@ -3,6 +3,7 @@
 mod curves;
 mod derived;
 mod idle;
+mod net_hints;
 mod nets;
 mod references;
 mod refuse;

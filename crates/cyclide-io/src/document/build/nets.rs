@@ -6,6 +6,7 @@ use cyclide::{
 };
 
 use super::Builder;
+use super::net_hints::{hint, seam_words};
 use super::refuse::frame_words;
 use super::surfaces::direction;
 use crate::document::coordinates::Coordinates;
@@ -52,11 +53,12 @@ impl<'a> Builder<'a> {
 
     /// The net over a grid.
     pub(super) fn net(&mut self, spec: &CyclidicNetSpec) -> Result<Vec<SurfaceObject>> {
-        let mut grid = self.grid(spec)?;
-        self.seams = grid.seams();
-        if let Some(options) = spec.make_circular.options() {
-            grid = self.circular(spec, &options, &grid)?;
-        }
+        let given = self.grid(spec)?;
+        self.seams = given.seams();
+        let grid = match spec.make_circular.options() {
+            Some(options) => self.circular(spec, &options, &given)?,
+            None => given.clone(),
+        };
         let frame = match spec.frame {
             FrameSpec::Auto => NetFrame::Auto,
             FrameSpec::First(given) => {
@@ -64,7 +66,7 @@ impl<'a> Builder<'a> {
                 NetFrame::First(v1, v2)
             }
         };
-        let net = CyclidicNet::new(grid.clone(), frame).map_err(|e| self.refused_in_grid(&grid, &e))?;
+        let net = CyclidicNet::new(grid, frame).map_err(|e| self.refused_in_grid(&given, &e))?;
         Ok(vec![SurfaceObject::Net(net)])
     }
 
@@ -166,9 +168,9 @@ impl<'a> Builder<'a> {
         for net in surfaces.iter().filter_map(SurfaceObject::as_net) {
             for (seam, measure) in measured_seams(net, &self.seams) {
                 let border = ["column", "row"][seam.direction];
+                let Some(words) = seam_words(seam, measure, net.grid(), self.document.units) else { continue };
                 let warning = Warning::OpenSeam { border, gap: measure.gap, angle: measure.angle };
-                let hint = "if it should close there, let the grid close: `closed`, or common points in a mesh file";
-                self.remark(warning.reason(), None, None, None, format!("{warning}; {hint}"));
+                self.remark(warning.reason(), None, None, None, words);
                 self.warnings.push((0, warning));
             }
         }
@@ -221,19 +223,16 @@ impl<'a> Builder<'a> {
         if let KernelError::ParameterOutOfRange { name: "max_steps", .. } = error {
             return self.refused_at(["make_circular".into(), "max_steps".into()], error);
         }
+        let words = hint(error, grid).map_or(error.to_string(), |hint| format!("{error}; {hint}"));
         match (error, error.index()) {
             (KernelError::CoincidentPoints { first, second, .. }, _) => {
                 self.refused_at_vertices(grid, &[*second, *first], error.reason(), error.to_string())
             }
-            (KernelError::InQuad { quad, cause }, _) if matches!(**cause, KernelError::NotConcircular { .. }) => {
-                let hint = "`make_circular` moves the vertices until they are";
-                self.refused_at_quad(grid, *quad, error.reason(), format!("{error}; {hint}"))
-            }
             (KernelError::InQuad { quad, cause }, _) if matches!(**cause, KernelError::CrossingQuad { .. }) => {
                 self.refused_at_quad(grid, *quad, error.reason(), format!("{error}; {ROW_BY_ROW}"))
             }
-            (_, Some(quad)) => self.refused_at_quad(grid, quad, error.reason(), error.to_string()),
-            (_, None) => self.refused_at([Step::from("grid")], error),
+            (_, Some(quad)) => self.refused_at_quad(grid, quad, error.reason(), words),
+            (_, None) => self.refused_in_words([Step::from("grid")], error.reason(), words),
         }
     }
 

@@ -3,7 +3,7 @@
 use super::input_surface;
 use super::residual::side_product;
 use crate::base::vector::{Point3, Vec3};
-use crate::shape_change::ShapeChange;
+use crate::shape_change::{ACROSS, ShapeChange};
 use crate::surface::QuadGrid;
 use crate::warning::Warning;
 
@@ -13,8 +13,6 @@ const FAR_MOVE: f64 = 2.0;
 const FAR_OFF: f64 = 1.0;
 /// Grid lines that turn by less than this at a typical vertex (radians) are smooth enough, whatever their turns do.
 const SMOOTH_TURN: f64 = 0.01;
-/// Grid lines farther off the curvature lines than this on average (radians) are across them: `70`, part C.
-const ACROSS: f64 = 15.0 * std::f64::consts::PI / 180.0;
 /// Neighbouring turns agree by less than this: independent errors of the vertices give -2/3, smooth curves 1.
 const ZIGZAG: f64 = 0.0;
 
@@ -119,7 +117,7 @@ impl Comparison<'_> {
     pub(super) fn warnings(&self, moves: &VertexMoves, edge: f64, shape: Option<&ShapeChange>) -> Vec<Warning> {
         let mut warnings = Vec::new();
         if let Some(shape) = shape {
-            if let Some(angle) = shape.across.filter(|angle| *angle > ACROSS) {
+            if let Some(angle) = shape.runs_across() {
                 warnings.push(Warning::AcrossCurvatureLines { angle, limit: ACROSS });
             }
             if shape.is_doubtful() {

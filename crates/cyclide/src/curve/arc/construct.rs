@@ -2,7 +2,7 @@
 //!
 //! Every constructor refuses as `parameter-out-of-range` coordinates above 1e150, distances above 4e150 or below 1e-150
 //! (and not 0), and a weight ratio longer than 1e30 or shorter than 1e-30: beyond, derivatives leave the range of
-//! doubles. An arc that turns by a full circle less 5e-7 radians or more (a bulge of eight millions) is refused as
+//! doubles. An arc that turns by a full circle less 3.9e-7 radians or more (a bulge of ten millions) is refused as
 //! `nearly-full-circle`.
 
 use super::Arc;
@@ -143,7 +143,7 @@ impl Arc {
     ///
     /// # Errors
     /// `not-finite`, `zero-axis` (normal zero or along the chord), `pole-on-segment` and
-    /// `nearly-full-circle` (a bulge beyond 8e6).
+    /// `nearly-full-circle` (a bulge beyond 1e7).
     pub fn from_bulge(start: Point3, end: Point3, normal: Vec3, bulge: f64) -> Result<Self> {
         if !bulge.is_finite() {
             return Err(Error::NotFinite { what: "bulge", index: 0 });

@@ -25,9 +25,9 @@ use crate::base::vector::{Point3, Vec3};
 use crate::error::{Error, Result};
 use crate::rational::{ExactRational, RationalBezier};
 
-/// What an arc must leave of a full turn at least, radians: a bulge of eight millions. Points at a parameter are off their
-/// circle by about as many roundings of its size as the bulge says: 1e-9 of it at the limit.
-const FULL_CIRCLE_LIMIT: f64 = 5e-7;
+/// What an arc must leave of a full turn at least, radians: a bulge of ten millions. Points at a parameter are off their
+/// circle by about as many roundings of its size as the bulge says: 3e-9 of it at the limit.
+const FULL_CIRCLE_LIMIT: f64 = 3.9e-7;
 
 /// A circular arc or straight segment in space, parametrised by a linear fraction over `t` in `[0, 1]`.
 ///

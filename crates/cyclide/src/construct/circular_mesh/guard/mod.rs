@@ -7,6 +7,7 @@
 //! Known limits: features narrower than four quads; a relief without mean curvature (`x y` on a dome) is left to
 //! the turn of the normals; below a turn of one degree nothing is refused, whatever part of a shallow relief is lost.
 
+mod noise;
 mod relief;
 mod stride;
 
@@ -17,6 +18,7 @@ use crate::base::svd3::singular_values;
 use crate::base::vector::{Point3, Vec3};
 use crate::shape_change::ShapeChange;
 use crate::surface::QuadGrid;
+use noise::is_noise;
 use relief::lost_relief;
 use stride::{bending, coarse, lowered, spread};
 
@@ -59,13 +61,17 @@ impl Guard<'_> {
         let feet = self.feet(&before);
         let turn = turn(&feet, &before, &after);
         let bent = bending(grid, &before, stride);
+        let noise = is_noise(grid, self.before, stride);
+        let lines = lines(grid, self.before).filter(|_| !noise);
         Some(ShapeChange {
             bending: (bent > 0.0).then(|| bending(grid, &after, stride) / bent),
             thickness: Some(thinner / thin),
             normal_turn: Some(turn / spread),
             turn,
             lost_relief: lost_relief(self, &feet),
-            across: across(grid, self.before),
+            across: lines.map(|lines| lines.across),
+            clear_lines: lines.is_some_and(|lines| lines.clear),
+            noise,
         })
     }
 
@@ -93,9 +99,17 @@ fn turn(feet: &Feet, before: &[Vec3], after: &[Vec3]) -> f64 {
     if count == 0 { 0.0 } else { (squares / count as f64).sqrt() }
 }
 
-/// The mean angle of the grid lines to the curvature lines, each vertex weighted by the difference of its principal
-/// curvatures; `None` for surfaces that are nearly flat or spherical on the whole.
-pub(super) fn across(grid: &QuadGrid, points: &[Point3]) -> Option<f64> {
+/// How a grid runs to the curvature lines of its surface.
+#[derive(Clone, Copy)]
+struct Lines {
+    /// The mean angle to them, each vertex weighted by the difference of its principal curvatures.
+    across: f64,
+    /// False for surfaces that are nearly spherical on the whole.
+    clear: bool,
+}
+
+/// `None` for surfaces that are nearly flat on the whole.
+fn lines(grid: &QuadGrid, points: &[Point3]) -> Option<Lines> {
     let stride = lowered(grid, LINES);
     let unit: Vec<Vec3> = normals(points, grid, stride).into_iter().map(Option::unwrap_or_default).collect();
     let (mut angles, mut weights, mut curvatures) = (0.0, 0.0, 0.0);
@@ -110,7 +124,8 @@ pub(super) fn across(grid: &QuadGrid, points: &[Point3]) -> Option<f64> {
         }
         weights += half;
     }
-    (spread(grid, &unit) > SPREAD && weights > UMBILIC * curvatures).then(|| angles / weights)
+    let bends = spread(grid, &unit) > SPREAD && weights > 0.0;
+    bends.then(|| Lines { across: angles / weights, clear: weights > UMBILIC * curvatures })
 }
 
 /// The least standard deviation of the points in any direction: the root of the smallest eigenvalue of their

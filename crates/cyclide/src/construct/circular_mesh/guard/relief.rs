@@ -13,7 +13,7 @@
 //! there, the mean curvature `H'` of the result, and the median edge `h`. `kept` is the slope of the regression of `H'` on
 //! `H` with `M` as its instrument: errors of single vertices are in `H` and `H'` alike but not in `M`, so that
 //! smoothing noise costs nothing. Where `cov(H, M)` is below half of `var(H)` noise prevails and nothing is said. `relief` is the
-//! height that the variation amounts to over the stride; below a fiftieth of an edge nothing is said either.
+//! height that the variation amounts to over the stride; below a thirtieth of an edge nothing is said either.
 //!
 //! The number is the part of the vertices whose window has relief and keeps less than half of it, the largest over the
 //! strides 2, 4, 8 up to a sixth of the shorter direction. Stencils are moved inside at open borders. Constants
@@ -27,8 +27,9 @@ use crate::construct::circular_mesh::input_surface::Foot;
 use crate::construct::circular_mesh::neighbours::{along, clamped, vertices};
 use crate::surface::QuadGrid;
 
-/// Relief below this part of the median edge does not count.
-const SHALLOW: f64 = 0.02;
+/// Relief below this part of the median edge does not count: at a fiftieth the steepening of a paraboloid counts, at a
+/// twenty-sixth ripples of four hundredths of the radius of a tube do not any more.
+const SHALLOW: f64 = 1.0 / 30.0;
 /// The part of the variance that neighbours must share.
 const SHARED: f64 = 0.5;
 /// The part of the relief that must be left.
