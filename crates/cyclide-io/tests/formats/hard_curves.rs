@@ -60,17 +60,3 @@ fn what_no_file_can_carry_is_refused_by_name() {
         }
     }
 }
-
-#[test]
-fn images_below_rounding_are_written() {
-    let fit = json!({
-        "type": "arc-fit", "points": [[0, 0], [-2, 0], [51.01, 0], [52, -8], [61, 0], [0, 0]], "tolerance": 1e-12,
-        "construction": true,
-    });
-    let steps =
-        json!([{"inversion": {"center": [0, -8], "radius": 13}}, {"inversion": {"center": [1, 7.7], "radius": 1}}]);
-    let model = model(&json!({"a": fit, "b": {"type": "transform", "of": "a", "steps": steps}})).unwrap();
-    for format in FORMATS {
-        assert_eq!(check(&model, format), Ok(()), "{format:?}");
-    }
-}
