@@ -120,7 +120,7 @@ pub const ENTRIES: [Entry; 11] = [
     Entry {
         name: "gallery",
         title: "Every kind of curve",
-        text: "Arcs, biarcs, arc splines, fits, fair and circle splines: an object of every type.",
+        text: "Arcs, biarcs, arc splines, fits, fair and circle splines: an object of every type; one wave as a circle spline, which wavers, and fair.",
         document: example!("gallery.json"),
         inputs: &[],
         formats: CURVES,
