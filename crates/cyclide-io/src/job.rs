@@ -93,7 +93,7 @@ impl<'a> Job<'a> {
         if !(tolerance > 0.0 && tolerance.is_finite()) {
             return Err(ExportError::ToleranceNotPositive { tolerance });
         }
-        let pieces = Pieces::new(options.max_pieces.unwrap_or_else(|| most_pieces(model, &bodies)));
+        let pieces = Pieces::new(options.max_pieces.unwrap_or_else(|| most_pieces(model, bodies)));
         Ok(Self { model, options, tolerance, mesh_tolerance, pieces, bounds, bodies })
     }
 

@@ -35,10 +35,10 @@ impl Pieces {
     /// What was refused for what is left, in terms of the whole file.
     fn of_file(&self, error: Error) -> Error {
         match error {
-            Error::TooManyPieces { what, segment, pieces, needed, .. } => {
+            Error::TooManyPieces { what, segment, needed, .. } => {
                 let (needed, cap) = (needed + self.used.get() as f64, self.most);
                 let remedy = "use a larger tolerance, or allow more with --max-pieces";
-                Error::TooManyPieces { what, segment, pieces, needed, cap, remedy }
+                Error::TooManyPieces { what, segment, needed, cap, remedy }
             }
             other => other,
         }

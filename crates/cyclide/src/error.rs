@@ -177,14 +177,12 @@ pub enum Error {
         segment: usize,
     },
     /// A refinement would need more pieces than its cap on work and memory.
-    #[error("{what}{} needs {} {pieces}, at most {cap} are made: {remedy}", numbered(*.segment), at_least(*.needed))]
+    #[error("{what}{} needs {} pieces, at most {cap} are made: {remedy}", numbered(*.segment), at_least(*.needed))]
     TooManyPieces {
         /// What would grow.
         what: &'static str,
         /// Which segment or piece of a curve, from 0; `None` where the whole is meant.
         segment: Option<usize>,
-        /// What it is made of.
-        pieces: &'static str,
         /// Pieces needed, as far as counted.
         needed: f64,
         /// Largest number of pieces made.

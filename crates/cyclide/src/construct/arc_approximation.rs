@@ -195,7 +195,6 @@ impl<'a> Stretch<'a> {
         Error::TooManyPieces {
             what: "segment",
             segment: Some(segment),
-            pieces: "biarcs",
             needed: (self.cap + 1) as f64,
             cap: self.cap,
             remedy: "use a larger tolerance",

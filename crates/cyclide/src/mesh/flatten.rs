@@ -138,7 +138,6 @@ fn count(chords: f64, have: usize, most: usize, piece: usize) -> Result<usize> {
         return Err(Error::TooManyPieces {
             what: "the polyline of piece",
             segment: Some(piece),
-            pieces: "vertices",
             needed: have as f64 + chords,
             cap: most,
             remedy: "use a larger tolerance or allow more",

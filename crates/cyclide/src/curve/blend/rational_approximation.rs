@@ -89,7 +89,6 @@ impl BlendSegment {
             return Err(Error::TooManyPieces {
                 what: "segment",
                 segment: Some(segment),
-                pieces: "rational pieces",
                 needed,
                 cap: PIECE_CAP,
                 remedy: "use the rational variant or a larger tolerance",

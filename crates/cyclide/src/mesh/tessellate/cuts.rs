@@ -160,7 +160,6 @@ impl Cap {
         Error::TooManyPieces {
             what: "the mesh",
             segment: None,
-            pieces: "cells",
             needed: needed + self.before as f64,
             cap: self.most,
             remedy: "use a larger tolerance or allow more",

@@ -80,7 +80,6 @@ impl DupinCyclide {
             return Err(Error::TooManyPieces {
                 what: "the cyclide",
                 segment: None,
-                pieces: "patches",
                 needed: patches as f64,
                 cap: MOST_PATCHES,
                 remedy: "use fewer segments",

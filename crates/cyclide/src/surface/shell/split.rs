@@ -233,7 +233,6 @@ impl Shell {
             return Err(Error::TooManyPieces {
                 what: "the shell, cut for files,",
                 segment: None,
-                pieces: "faces",
                 needed: faces as f64,
                 cap: most,
                 remedy: "its patches are singular or nearly so in too many places",
