@@ -127,7 +127,7 @@ pub enum CheckError {
         /// The file.
         path: String,
         /// What the reader said.
-        source: ReadError,
+        source: Box<ReadError>,
     },
     /// What was read back is farther from the objects than promised.
     #[error(
@@ -195,7 +195,7 @@ impl FileReport {
         match Exporter::new(model) {
             Ok(exporter) => Self::of(&exporter, path, format, exported),
             Err(error) => {
-                let source = ReadError::syntax("the model", error.to_string());
+                let source = Box::new(ReadError::syntax("the model", error.to_string()));
                 Err(CheckError::Unreadable { path: path.display().to_string(), source })
             }
         }
@@ -213,7 +213,7 @@ impl FileReport {
         let deviation = if format.has_geometry() {
             match exporter.deviation(format, exported) {
                 Ok(deviation) => Some(deviation),
-                Err(source) => return Err(CheckError::Unreadable { path, source }),
+                Err(source) => return Err(CheckError::Unreadable { path, source: Box::new(source) }),
             }
         } else {
             None
