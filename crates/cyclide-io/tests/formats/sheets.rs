@@ -213,6 +213,20 @@ fn axes_are_drawn_on_request() {
     assert!(ruled > count(false, None) + 1000, "rulers along two sides");
     let iso = Some("iso".parse().unwrap());
     assert!(count(true, iso) > count(false, iso) + 1000, "rulers along edges of the box");
+    // The same of surfaces, in drawings and in perspective.
+    let ring = cyclide::DupinCyclide::new(6.0, 2.0, 3.5).unwrap().nets([4, 4]).unwrap();
+    let surfaces: Vec<_> = ring.into_iter().map(cyclide::SurfaceObject::Net).collect();
+    let item = cyclide::Item { name: "ring".to_owned(), surfaces, ..cyclide::Item::default() };
+    let m = Model { items: vec![item], ..Model::default() };
+    for view in ["top", "front", "iso", "20,30", "-120,-40"] {
+        let view = Some(view.parse().unwrap());
+        // The names of the axes are the only text between the bands of the caption.
+        let text = |axes| {
+            let picture = picture(&m, &options(|o| (o.png_axes, o.camera) = (axes, view)));
+            places_near(&picture, TEXT, 12).into_iter().filter(|(_, y)| (100..1100).contains(y)).count()
+        };
+        assert!(text(false) == 0 && text(true) > 20, "{view:?}: {} {}", text(false), text(true));
+    }
 }
 
 #[test]
