@@ -15,7 +15,7 @@ impl Conformal for Arc {
     ///
     /// # Errors
     /// `pole-on-segment` if the arc passes through the point that goes to infinity, `point-at-infinity` if an end
-    /// does, `nearly-full-circle`, `not-in-im-h` if rounding destroyed the result.
+    /// does, `not-in-im-h` if rounding destroyed the result.
     fn transformed(&self, map: &Mobius) -> Result<Self> {
         let image = |p| map.map_weighted(p).ok_or(Error::PointAtInfinity);
         let ((a0, f0), (a1, f1)) = (image(self.p0)?, image(self.p1)?);
@@ -30,7 +30,7 @@ impl Conformal for Arc {
         if cosine.abs() > limit {
             return Err(Error::NotInImH { cosine, limit });
         }
-        let image = Self::from_ratio_across(a0, a1, ratio)?;
-        Ok(image.short_of_full_circle()?.without_lost_circle())
+        // However near to a full circle: a right arc is not refused for where its image lies.
+        Ok(Self::from_ratio_across(a0, a1, ratio)?.without_lost_circle())
     }
 }
