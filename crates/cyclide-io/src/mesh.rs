@@ -34,7 +34,7 @@ impl BodyMesh<'_> {
     /// Notes what the file is checked against, where faces are written whole with the vertices that they share.
     pub(crate) fn plan_whole(&self, plan: &mut MeshPlan) {
         let polygons = self.mesh.faces.iter().map(|face| face.corners().iter().map(|corner| corner.position));
-        plan.bodies.push(BodyPlan { sides: side_use(polygons), moved: 0.0 });
+        plan.bodies.push(BodyPlan { sides: side_use(polygons), moved: self.mesh.gap });
         plan.cells.extend(self.cells(|_| 1));
     }
 
@@ -49,6 +49,7 @@ impl BodyMesh<'_> {
     ) {
         let bits = |corner: &MeshCorner| rounded[corner.position].map(f32::to_bits);
         let of_face = |face| triangles(face).iter().map(move |t| t.map(|i| bits(&MeshFace::corners(face)[i])));
+        let moved = moved + self.mesh.gap;
         plan.bodies.push(BodyPlan { sides: side_use(self.mesh.faces.iter().flat_map(of_face)), moved });
         plan.cells.extend(self.cells(count));
     }

@@ -63,7 +63,7 @@ fn each_span(parts: &Correspondence, mut visit: impl FnMut(usize, [CurvePlace; 2
 
 /// The larger of two distances; not a number is larger than all.
 pub(super) fn larger(a: f64, b: f64) -> f64 {
-    if b <= a { a } else { b }
+    if a.is_nan() || b <= a { a } else { b }
 }
 
 fn set(track: &mut Track<'_>, [from, to]: [CurvePlace; 2]) {
@@ -84,8 +84,8 @@ fn one_way(a: &Track<'_>, b: &Track<'_>, span: usize, worst: &mut Worst) {
         for part in SAMPLES {
             let p = if part > 0.0 { a.point(w, part) } else { w.start.point };
             let distance = nearest(b, p, &mut near);
-            // Not a number is worse than anything.
-            if !(distance <= worst.distance) {
+            // Not a number is worse than anything, and stays so.
+            if !(distance <= worst.distance || worst.distance.is_nan()) {
                 *worst = Worst { distance, span, window, part };
             }
         }

@@ -8,6 +8,7 @@
 //! polygons share the sides that they share in the kernel's mesh.
 
 use super::facing::{Facing, NORMAL_LIMIT, facet_error};
+use super::matching::larger;
 use super::side_use::{SideUse, side_use};
 use super::triangle::to_triangle;
 use crate::file_content::ReadError;
@@ -132,7 +133,7 @@ fn body_deviation(
         if !triangles.iter().all(|triangle| facing.is_outward(triangle)) {
             return Err(ReadError::WrongSide { object: body.label(), face: index });
         }
-        let off = own.iter().map(|polygon| normal_error(format, polygon, &facing, plan.moved)).fold(0.0, f64::max);
+        let off = own.iter().map(|polygon| normal_error(format, polygon, &facing, plan.moved)).fold(0.0, larger);
         if !(off <= NORMAL_LIMIT) {
             return Err(ReadError::Normal { object: body.label(), face: index, off, limit: NORMAL_LIMIT });
         }
@@ -149,7 +150,7 @@ fn with_lost_cells(body: &BodyOf<'_>, lost: &[&Cell], polygons: &[Polygon<'_>], 
     for cell in lost {
         let Some((_, face)) = face(body, &cell.source) else { continue };
         let samples = samples(&face.patch, &cell.source);
-        let reach = |corner: Point3| samples.iter().map(|(_, _, p)| p.distance(corner)).fold(0.0, f64::max);
+        let reach = |corner: Point3| samples.iter().map(|(_, _, p)| p.distance(corner)).fold(0.0, larger);
         if near.is_none_or(|corner| reach(corner) > largest) {
             let (corner, distance) = to_mesh(&samples, polygons);
             largest = largest.max(distance);
@@ -165,10 +166,10 @@ fn normal_error(format: Format, polygon: &Polygon<'_>, facing: &Facing<'_>, move
     let normal = |corner: &MeshCorner| polygon.mesh.normals[corner.normal];
     if format == Format::Stl {
         let facet = corners.first().map(normal).unwrap_or_default();
-        return polygon.triangles().map(|triangle| facet_error(&triangle, facet)).fold(0.0, f64::max);
+        return polygon.triangles().map(|triangle| facet_error(&triangle, facet)).fold(0.0, larger);
     }
     let errors = corners.iter().map(|corner| facing.normal_error(polygon.point(corner), normal(corner), moved));
-    errors.fold(0.0, f64::max)
+    errors.fold(0.0, larger)
 }
 
 /// Polygons share the sides that they share in the kernel's mesh. In OBJ vertices are shared by number; GLB has one per
@@ -226,19 +227,19 @@ fn samples(patch: &CyclidePatch, source: &MeshSource) -> [Sample; GRID * GRID] {
 
 fn cell_deviation(patch: &CyclidePatch, source: &MeshSource, samples: &[Sample], triangles: &[[Point3; 3]]) -> f64 {
     let to_polygon = |p: Point3| triangles.iter().map(|t| to_triangle(p, t)).fold(f64::INFINITY, f64::min);
-    let outward = samples.iter().map(|(_, _, p)| to_polygon(*p)).fold(0.0, f64::max);
+    let outward = samples.iter().map(|(_, _, p)| to_polygon(*p)).fold(0.0, larger);
     let back = triangles.iter().flat_map(|&[a, b, c]| {
         let center = Point3::ORIGIN + (a.to_vec() + b.to_vec() + c.to_vec()) / 3.0;
         [a, b, c, a.midpoint(b), b.midpoint(c), c.midpoint(a), center]
     });
-    back.map(|p| to_cell(patch, source, samples, p)).fold(outward, f64::max)
+    back.map(|p| to_cell(patch, source, samples, p)).fold(outward, larger)
 }
 
 /// A corner near a cell that rounding has left no polygon of, and the distance of the cell from the other polygons of
 /// its body.
 fn to_mesh(samples: &[Sample], polygons: &[Polygon<'_>]) -> (Option<Point3>, f64) {
     let middle = samples[samples.len() / 2].2;
-    let radius = samples.iter().map(|(_, _, p)| p.distance(middle)).fold(0.0, f64::max);
+    let radius = samples.iter().map(|(_, _, p)| p.distance(middle)).fold(0.0, larger);
     let all = || polygons.iter().flat_map(Polygon::triangles);
     // Only triangles that may be nearer to a sample than the nearest corner is to the farthest one count.
     let corners = all().map(|[a, ..]| (a, a.distance(middle)));
@@ -249,7 +250,7 @@ fn to_mesh(samples: &[Sample], polygons: &[Polygon<'_>]) -> (Option<Point3>, f64
     };
     let near: Vec<[Point3; 3]> = all().filter(counts).collect();
     let distance = |p: Point3| near.iter().map(|t| to_triangle(p, t)).fold(f64::INFINITY, f64::min);
-    (corner, samples.iter().map(|(_, _, p)| distance(*p)).fold(0.0, f64::max))
+    (corner, samples.iter().map(|(_, _, p)| distance(*p)).fold(0.0, larger))
 }
 
 /// Distance of a point from the cell: from the nearest sample a few steps along the parameter circles, which are

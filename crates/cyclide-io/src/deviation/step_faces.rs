@@ -5,6 +5,7 @@
 //! silently, so that both are checked here: each face looks to the model's outer side, loops run head to tail and
 //! counter-clockwise against it, faces use one edge where the model's faces share one, and solids have positive volume.
 
+use super::matching::larger;
 use crate::bodies::{FileBody, FileEdge, FileFace, FileShell, FileSurface};
 use crate::file_content::ReadError;
 use crate::job::BodyOf;
@@ -134,13 +135,13 @@ fn surface_deviation(patch: &CyclidePatch, file: &FileFace, outer_side: bool) ->
     let (distance, outward) = match &file.surface {
         FileSurface::Rational(surface) => {
             let apart = places.map(|(s, t)| surface.point(s, t).distance(patch.point(s, t)));
-            (apart.fold(0.0, f64::max), true)
+            (apart.fold(0.0, larger), true)
         }
         FileSurface::Analytic(kind) => {
             let apart = places.map(|(s, t)| kind.distance(patch.point(s, t)).unwrap_or(f64::INFINITY));
             let (middle, normal) = (patch.point(0.5, 0.5), patch.normal(0.5, 0.5));
             let outward = normal.zip(outward(kind, middle)).is_some_and(|(n, out)| n.dot(out) > 0.0);
-            (apart.fold(0.0, f64::max), outward)
+            (apart.fold(0.0, larger), outward)
         }
     };
     require(file.same_sense == (outward == outer_side), "a face looks to the wrong side")?;
@@ -227,7 +228,7 @@ fn check_parameters(
         surface.point(u, v).distance(arc.point_at_length(x))
     });
     let (of_length, of_size) = PARAMETER_LIMIT;
-    let apart = places.fold(0.0, f64::max);
+    let apart = places.fold(0.0, larger);
     require(
         apart <= of_length * arc.length() + of_size * size + rounding,
         "an edge leaves its face at equal parameters",

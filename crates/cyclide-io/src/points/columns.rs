@@ -101,16 +101,24 @@ fn named(table: &Table<'_>, name: &str) -> Result<Option<usize>, Box<Diagnostic>
 
 /// Coordinates by their names, else the only numbers.
 fn found(table: &Table<'_>, taken: &[Option<usize>]) -> Result<Found, Box<Diagnostic>> {
-    if let (Some(x), Some(y)) = (axis(table, "x")?, axis(table, "y")?) {
-        return Ok(([x, y].into_iter().chain(axis(table, "z")?).collect(), None));
-    }
     let is_one_of = |words: &[&str], field: &Field<'_>| {
         let (name, unit) = words_of(field.text);
         let name = if unit { &name[..name.len() - 1] } else { &name[..] };
         matches!(name, [only] if words.contains(&only.as_str()))
     };
     let by_words = |words: &[&str]| table.header.iter().position(|f| is_one_of(words, f));
-    if let [Some(x), Some(y)] = COMPASS.map(by_words) {
+    let compass = COMPASS.map(by_words);
+    if let (Some(x), Some(y)) = (axis(table, "x")?, axis(table, "y")?) {
+        let all: Vec<usize> = [x, y].into_iter().chain(axis(table, "z")?).collect();
+        // `x_acc` may be anything, and is no coordinate beside an easting.
+        let guessed = |i: &usize| ["x", "y", "z"].iter().any(|letter| axis_kind(letter, &table.header[*i]) == Some(2));
+        let guess = all.iter().any(guessed);
+        if !(guess && compass.iter().all(Option::is_some)) {
+            let remark = guess.then(|| taken_columns(table, &all));
+            return Ok((all, remark));
+        }
+    }
+    if let [Some(x), Some(y)] = compass {
         let all: Vec<usize> = [x, y].into_iter().chain(axis(table, "z")?).collect();
         let letters = all.iter().any(|&i| words_of(table.header[i].text).0[0].len() == 1);
         let remark = letters.then(|| taken_columns(table, &all));
@@ -160,25 +168,27 @@ fn taken_columns(table: &Table<'_>, columns: &[usize]) -> String {
     format!("the columns {names}{all} are taken as coordinates; `columns` chooses others")
 }
 
+/// How a column's name speaks of an axis: `x` (0), `x_m` or `x coordinate` (1), `x_left` (2), `point_x` (3).
+fn axis_kind(letter: &str, field: &Field<'_>) -> Option<usize> {
+    let (words, unit) = words_of(field.text);
+    let beside = |word: &String| BESIDE.contains(&word.as_str());
+    let joined = |word: &str| BESIDE.iter().any(|b| word == format!("{letter}{b}") || word == format!("{b}{letter}"));
+    match words.as_slice() {
+        [only] if only == letter => Some(0),
+        [first, _] if first == letter && unit => Some(1),
+        [first, second, ..] if first == letter && beside(second) => Some(1),
+        [first, ..] if first == letter => Some(2),
+        [before, last] if beside(before) && last == letter => Some(3),
+        [before, last, _] if beside(before) && last == letter && unit => Some(3),
+        [first, ..] if joined(first) => Some(3),
+        _ => None,
+    }
+}
+
 /// The column of an axis: `x` before `x_m` before `x_left` before `point_x`; two of the same kind are refused.
 fn axis(table: &Table<'_>, letter: &str) -> Result<Option<usize>, Box<Diagnostic>> {
-    let kind = |field: &Field<'_>| {
-        let (words, unit) = words_of(field.text);
-        let beside = |word: &String| BESIDE.contains(&word.as_str());
-        let joined =
-            |word: &str| BESIDE.iter().any(|b| word == format!("{letter}{b}") || word == format!("{b}{letter}"));
-        match words.as_slice() {
-            [only] if only == letter => Some(0),
-            [first, _] if first == letter && unit => Some(1),
-            [first, ..] if first == letter => Some(2),
-            [before, last] if beside(before) && last == letter => Some(3),
-            [before, last, _] if beside(before) && last == letter && unit => Some(3),
-            [first, ..] if joined(first) => Some(3),
-            _ => None,
-        }
-    };
     let kinds: Vec<(usize, usize)> =
-        table.header.iter().enumerate().filter_map(|(i, f)| kind(f).map(|kind| (kind, i))).collect();
+        table.header.iter().enumerate().filter_map(|(i, f)| axis_kind(letter, f).map(|kind| (kind, i))).collect();
     let Some(best) = kinds.iter().map(|(kind, _)| *kind).min() else { return Ok(None) };
     let of_it: Vec<usize> = kinds.iter().filter(|(kind, _)| *kind == best).map(|(_, i)| *i).collect();
     match of_it.as_slice() {

@@ -178,6 +178,11 @@ fn names_of_coordinates_are_known_in_many_forms() {
         );
     }
     assert_eq!(remarks("1,2,3.5,4\n"), ["columns-taken"]);
+    // A quality is taken for a height, which is said; an accuracy is nothing beside a coordinate.
+    let quality = "x,y,z_quality\n1,2,5\n";
+    assert_eq!((xyz(&read(quality).unwrap()), remarks(quality)), (vec![vec![[1.0, 2.0, 5.0]]], vec!["columns-taken"]));
+    let accuracy = "time,x_acc,y_acc,easting,northing\n0,0.01,0.02,1,2\n";
+    assert_eq!(xyz(&read(accuracy).unwrap()), expected);
 }
 
 #[test]

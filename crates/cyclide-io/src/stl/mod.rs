@@ -38,6 +38,10 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
             triangles(face).iter().copied().filter(whole).map(|t| t.map(|i| points[corners[i].position])).collect()
         };
         let per_face: Vec<Vec<[[f32; 3]; 3]>> = mesh.faces.iter().map(kept).collect();
+        if !per_face.is_empty() && per_face.iter().all(Vec::is_empty) {
+            let detail = "single precision leaves nothing of one of its bodies: write OBJ or GLB, which counts from the middle of each object";
+            return Err(ExportError::NotInFormat { object: body.body.object.to_owned(), format: "STL", detail });
+        }
         let mut counts = per_face.iter().map(Vec::len);
         body.plan_triangles(&points, rounding.moved, |_| counts.next().unwrap_or(0), &mut plan);
         for triangle in per_face.iter().flatten() {

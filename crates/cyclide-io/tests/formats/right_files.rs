@@ -136,3 +136,30 @@ fn a_tiny_patch_and_a_folded_one() {
          [1.530_320_371_117_303_7, 0.369_986_935_882_288_1, 0.071_339_403_501_887_11]]});
     right(&json!({"a": folded}), &[Format::Svg, Format::Json, Format::Glb, Format::Stl]);
 }
+
+/// Two corners 1e-4 apart lie beside a singular line: its points are one vertex of the mesh, with the normal of their middle.
+#[test]
+fn a_side_that_is_nearly_a_point_is_one_in_meshes() {
+    let corners = [
+        [-0.737_393_715_541_245, 0.675_463_180_551_151],
+        [-0.737_461_258_172_22, 0.675_389_437_802_404],
+        [0.775_565_878_510_25, -0.631_266_637_872_322],
+        [-0.725_932_304_200_14, -0.687_766_159_183_974],
+    ];
+    let frame = [
+        [0.758_858_712_109_825_9, -0.404_520_160_974_248_4, 0.372_396_724_640_389_25],
+        [-0.642_011_353_452_640_8, -1.408_580_435_196_164_6, -0.221_815_257_987_403_87],
+    ];
+    let patch = json!({"type": "cyclide-patch", "corners": corners, "frame": frame});
+    right(&json!({"a": patch}), &[Format::Obj, Format::Stl, Format::Glb]);
+}
+
+/// The inner lobe of this spindle is 2e-9 thick: STL, in single precision, cannot hold it, and says so.
+#[test]
+fn a_body_that_single_precision_swallows_is_refused_by_name() {
+    let spindle = json!({"type": "cyclide", "a": 3, "c": 0, "mu": 3.000_000_001, "center": [11, 3, 2]});
+    let model = model(&json!({"a": spindle}));
+    let refused = Exporter::new(&model).unwrap().export(Format::Stl, &ExportOptions::default());
+    let message = refused.err().unwrap().to_string();
+    assert!(message.contains("single precision leaves nothing of one of its bodies"), "{message}");
+}

@@ -65,6 +65,9 @@ pub struct SurfaceMesh {
     pub sources: Vec<MeshSource>,
     /// No point of the surface is farther from the mesh than this, nor the other way.
     pub bound: f64,
+    /// How far a vertex that faces share is from the place of it on any of them, at most: rounding, but for the points of
+    /// nearly singular lines, which are one vertex.
+    pub gap: f64,
 }
 
 impl SurfaceMesh {

@@ -1,5 +1,6 @@
-//! Where a fit of closed data starts: at a datum that the data themselves single out, so that the curve does not depend on
-//! the point that happens to be first in a list, nor on the direction.
+//! Where a fit of closed data starts, and which way round fits go: at a datum and in a direction that the data themselves
+//! single out, so that the curve does not depend on the point that happens to be first in a list, nor on the direction.
+//! Taking nodes out is a chain of choices: a last digit may lead to another curve, as good, with a tenth more nodes.
 //!
 //! It is the datum farthest from the centre `c` of all; of several the one farthest along `sum |p - c|² (p - c)`, where the
 //! data are not alike on both sides of their centre; of several the one whose neighbours 1, 2, 4, … places away on both
@@ -31,6 +32,24 @@ pub(super) fn canonical_start(points: &[Point3]) -> usize {
     candidates.first().copied().unwrap_or(0)
 }
 
+/// True if the data are fitted from their last point to their first, closed ones the other way round: away from the start
+/// the first neighbours that differ in distance are farther that way.
+pub(super) fn runs_backwards(points: &[Point3], closed: bool) -> bool {
+    let n = points.len();
+    let pairs = |ends: [usize; 2], k: usize| {
+        let [ahead, back] = [points[(ends[0] + k) % n], points[(ends[1] + n - k) % n]];
+        [ahead.distance(points[ends[0]]), back.distance(points[ends[1]])]
+    };
+    let ends = if closed { [canonical_start(points); 2] } else { [0, n.saturating_sub(1)] };
+    for k in 1..=n / 2 {
+        let [ahead, back] = pairs(ends, k);
+        if (back - ahead).abs() > EQUAL * ahead.max(back) {
+            return back > ahead;
+        }
+    }
+    false
+}
+
 /// Keeps those with the largest measure.
 fn keep_largest(candidates: &mut Vec<usize>, scale: f64, measure: impl Fn(usize) -> f64) {
     let largest = candidates.iter().map(|i| measure(*i)).fold(f64::NEG_INFINITY, f64::max);
@@ -51,12 +70,15 @@ mod tests {
         };
         let points: Vec<Point3> = (0..60).map(at).collect();
         let chosen = points[canonical_start(&points)];
+        let backwards = runs_backwards(&points, true);
         for start in 0..60 {
             let mut turned = points.clone();
             turned.rotate_left(start);
             assert_eq!(turned[canonical_start(&turned)], chosen, "{start}");
+            assert_eq!(runs_backwards(&turned, true), backwards, "{start}");
             turned.reverse();
             assert_eq!(turned[canonical_start(&turned)], chosen, "{start} back");
+            assert_ne!(runs_backwards(&turned, true), backwards, "{start} back");
         }
     }
 }

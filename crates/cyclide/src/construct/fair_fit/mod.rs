@@ -42,6 +42,7 @@ use crate::construct::arc_fit::input::{Distinct, diameter};
 use crate::curve::CircleSpline;
 use crate::error::{Error, Result};
 use crate::warning::Warning;
+use canonical_start::runs_backwards;
 use parts::Parts;
 use working_frame::WorkingFrame;
 
@@ -189,15 +190,24 @@ impl FairFit {
         let cuts: Vec<usize> = corners.iter().map(|c| c.0).collect();
 
         let frame = WorkingFrame::new(data, tolerance);
+        let backwards = cuts.is_empty() && runs_backwards(data, options.closed);
         let mut parts = Parts::new(data, tolerance, &frame, options);
         for (from, to) in runs(data.len(), options.closed, &cuts) {
-            let numbers: Vec<usize> = (from..=to).map(|i| i % data.len()).collect();
+            let mut numbers: Vec<usize> = (from..=to).map(|i| i % data.len()).collect();
             let whole = options.closed && cuts.is_empty();
-            let numbers = if whole { &numbers[..data.len()] } else { &numbers[..] };
+            let numbers = if whole { &mut numbers[..data.len()] } else { &mut numbers[..] };
+            if backwards {
+                // Closed data keep their first point.
+                numbers[usize::from(whole)..].reverse();
+            }
             let ends = [from, to].map(|i| options.fix_ends || cuts.binary_search(&(i % data.len())).is_ok());
             parts.add(numbers, whole, ends).map_err(|e| in_users_numbers(e, &distinct.source))?;
         }
-        parts.finished(distinct, &corners)
+        let mut fit = parts.finished(distinct, &corners)?;
+        if backwards {
+            fit.spline = fit.spline.reversed();
+        }
+        Ok(fit)
     }
 
     /// The curve.

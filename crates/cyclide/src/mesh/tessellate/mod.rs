@@ -90,5 +90,6 @@ fn append(shell: &Shell, index: usize, tolerance: f64, most: usize, mesh: &mut S
     let cuts = Cuts::new(shell, &strips, &speeds, allowed, Cap { most, before: mesh.faces.len() })?;
     let gap = assemble(shell, index, &strips, &cuts, &speeds, mesh);
     mesh.bound = mesh.bound.max(cuts.distance + gap + rounding);
+    mesh.gap = mesh.gap.max(gap);
     Ok(())
 }
