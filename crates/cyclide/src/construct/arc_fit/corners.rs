@@ -24,15 +24,20 @@ pub(super) fn turns(points: &[Point3], closed: bool) -> Vec<f64> {
 /// Sagitta of the edges at the vertex that stands at `fraction` of all vertices by that measure, were the points
 /// samples of something smooth: `h² kappa/8` with `h kappa` the turn; 0 if there is no turn at all.
 pub(in crate::construct) fn sagitta_quantile(points: &[Point3], closed: bool, fraction: f64) -> f64 {
-    let n = points.len();
-    let turns = turns(points, closed);
-    let sagitta = |i: usize| {
-        let (before, after) = (points[(i + n - 1) % n], points[(i + 1) % n]);
-        turns[i] * (points[i].distance(before) + points[i].distance(after)) / 16.0
-    };
-    let mut sagittas: Vec<f64> = if closed { 0..n } else { 1..n - 1 }.map(sagitta).collect();
+    let mut sagittas: Vec<f64> = sagittas(points, closed).map(|(_, sagitta)| sagitta).collect();
     sagittas.sort_by(f64::total_cmp);
     sagittas.get((sagittas.len() as f64 * fraction) as usize).copied().unwrap_or(0.0)
+}
+
+/// The vertices that have a sagitta, with it.
+pub(super) fn sagittas(points: &[Point3], closed: bool) -> impl Iterator<Item = (usize, f64)> {
+    let n = points.len();
+    let turns = turns(points, closed);
+    let sagitta = move |i: usize| {
+        let (before, after) = (points[(i + n - 1) % n], points[(i + 1) % n]);
+        (i, turns[i] * (points[i].distance(before) + points[i].distance(after)) / 16.0)
+    };
+    if closed { 0..n } else { 1..n - 1 }.map(sagitta)
 }
 
 /// How far from a vertex of the given turn an arc that stays within the tolerance of both legs can begin: the arc

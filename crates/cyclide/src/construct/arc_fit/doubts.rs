@@ -1,6 +1,6 @@
 //! Warnings about data that do not suit the tolerance or the target (`60`, sections 3 and 4).
 
-use super::corners::sagitta_quantile;
+use super::corners::{sagitta_quantile, sagittas};
 use super::options::{ArcFitOptions, FitTarget};
 use super::piece::Piece;
 use super::trace::Trace;
@@ -9,6 +9,9 @@ use crate::warning::Warning;
 
 /// An arc over two vertices may leave their edge by this many tolerances, one to each side.
 const SAGITTA_LIMIT: f64 = 2.0;
+/// A curve through samples leaves their edges by the sagittas; by this many times the largest one and the tolerance it
+/// turns where the points do not.
+const SWING: f64 = 2.0;
 /// Spans of at most this many edges follow single points.
 const SHORT_SPAN: usize = 2;
 /// The fraction of short, alternating spans above which the fit follows the noise.
@@ -24,6 +27,22 @@ pub(super) fn coarse_samples(points: &[Point3], options: &ArcFitOptions) -> Opti
     let sagitta = sagitta_quantile(points, options.closed, 0.5);
     let limit = SAGITTA_LIMIT * options.tolerance;
     (sagitta > limit).then_some(Warning::SamplesTooCoarse { sagitta, limit })
+}
+
+/// Points are meant, and between them the curve is farther from their polyline than their turns explain.
+pub(super) fn swing(
+    points: &[Point3],
+    corners: &[(usize, f64)],
+    options: &ArcFitOptions,
+    distance: f64,
+) -> Option<Warning> {
+    if options.target != FitTarget::Points {
+        return None;
+    }
+    let is_corner = |i: usize| corners.binary_search_by_key(&i, |corner| corner.0).is_ok();
+    let smooth = sagittas(points, options.closed).filter(|(i, _)| !is_corner(*i));
+    let limit = SWING * (options.tolerance + smooth.map(|(_, sagitta)| sagitta).fold(0.0, f64::max));
+    (distance > limit).then_some(Warning::SwingsOut { distance, limit, held: false })
 }
 
 /// Most arcs stand for one or two edges and turn the other way than their neighbour: they follow noise.

@@ -150,6 +150,7 @@ impl ArcFit {
             corners.iter().map(|(i, angle)| Warning::CornerKept { vertex: distinct.source[*i], angle: *angle }),
         );
         warnings.extend(doubts::coarse_samples(data, options));
+        warnings.extend(doubts::swing(data, &corners, options, certificate.polyline_deviation));
         warnings.extend(doubts::noise(&pieces, &trace, options.target));
         warnings.extend(judged.tight_arcs(&pieces, &trace, &distinct.source));
         Ok(Self { path, certificate, warnings })
