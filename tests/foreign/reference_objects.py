@@ -120,3 +120,8 @@ def _fair_spline(spec, points, corners):
     given = spec.get("ends", "circle")
     ends = [given, given] if isinstance(given, str) else [given.get(k, "circle") for k in ("start", "end")]
     return form.fair_spline(points, closed, tension, straight, [e if isinstance(e, str) else _space(e) for e in ends])
+
+
+def reported_area(objects):
+    """Area of objects of a report. A thick shell has one for each of its skins and rims, and none for all."""
+    return sum(part["area"] for entry in objects for part in entry["parts"])

@@ -62,7 +62,7 @@ def test_csv_rows_are_points_of_the_curves(built):
     for name, index, curve, _ in built.contours():
         if curve is None:
             continue
-        own = [row for row in rows if row["object"] == name and int(row["contour"]) == index + 1]
+        own = [row for row in rows if row["object"] == name and int(row["contour"]) == index]
         assert len(own) >= 2
         points = np.array([[float(row[k]) for k in "xyz"] for row in own])
         size = curve.extent() + 1e3 * np.finfo(float).eps * np.abs(points).max()
