@@ -55,6 +55,7 @@ const CHANGED: Limits = Limits { bending: [0.9, 1.2], thickness: 0.8, normal_tur
 
 impl ShapeChange {
     /// The angle of the grid lines to the curvature lines, if these are clear and the angle is more than 15 degrees.
+    #[cfg(feature = "circular-mesh")]
     pub(crate) fn runs_across(&self) -> Option<f64> {
         self.across.filter(|angle| *angle > ACROSS && self.clear_lines)
     }
