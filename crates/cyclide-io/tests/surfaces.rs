@@ -380,7 +380,11 @@ fn offsets_beyond_the_focal_set_and_on_it() {
     assert!(large.parts[0].area > small.parts[0].area);
     for (distance, thick, words) in [
         (-1.0, false, "quad 0: the offset at distance -1 lies on the focal set"),
-        (-1.5, true, "quad 0: a centre of curvature lies between the surface and its offset at distance -1.5"),
+        (
+            -1.5,
+            true,
+            "quad 0: a solid between the surface and its offset at distance -1.5 would run through itself: a centre",
+        ),
         (0.0, true, "a solid between a surface and its offset needs a distance other than 0"),
     ] {
         let message = build(&format!("{torus}{}", offset("r", "k", distance, thick))).unwrap_err();

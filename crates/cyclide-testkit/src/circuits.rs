@@ -16,7 +16,7 @@ pub struct Circuit {
     pub points: Vec<Point3>,
 }
 
-/// The whole set: 36 closed curves.
+/// The whole set: 42 closed curves.
 #[must_use]
 pub fn circuits() -> Vec<Circuit> {
     let mut set = Vec::new();
@@ -37,6 +37,9 @@ pub fn circuits() -> Vec<Circuit> {
         add(format!("wave {seed}, every 3rd"), thinned(&wave(seed), 3));
         add(format!("road {seed}, every 2nd"), thinned(&road(seed, 0), 2));
         add(format!("road {seed} with corners"), noisy(&road(seed, 3), 0.01, seed));
+    }
+    for seed in 0..6 {
+        add(format!("polygon {seed}"), polygon(seed));
     }
     add("gear".to_owned(), gear());
     add("star".to_owned(), outline(&star(), 1.5));
@@ -169,6 +172,23 @@ fn outline(corners: &[[f64; 2]], spacing: f64) -> Vec<Point3> {
         (0..steps as usize).map(move |j| at(i).lerp(at(i + 1), j as f64 / steps))
     };
     (0..n).flat_map(edge).collect()
+}
+
+/// Straight sides of forty points each between corners of a few to some thirty degrees.
+fn polygon(seed: u64) -> Vec<Point3> {
+    let mut random = Random::new(4, seed);
+    let count = 9 + 4 * seed as usize;
+    let corner = |i: usize| {
+        let (s, c) = (TAU * (i as f64 + 0.3 * random.signed()) / count as f64).sin_cos();
+        let r = 400.0 * (1.0 + 0.04 * random.signed());
+        Point3::new(1.3 * r * c, r * s, 0.0)
+    };
+    let corners: Vec<Point3> = (0..count).map(corner).collect();
+    let side = |i: usize| {
+        let (from, to) = (corners[i], corners[(i + 1) % count]);
+        (0..40).map(move |k| from.lerp(to, f64::from(k) / 40.0))
+    };
+    (0..count).flat_map(side).collect()
 }
 
 fn star() -> Vec<[f64; 2]> {

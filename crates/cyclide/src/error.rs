@@ -397,7 +397,7 @@ pub enum Error {
     },
     /// A solid between a surface and its offset would run through itself.
     #[error(
-        "a centre of curvature lies between the surface and its offset at distance {}, or on one of them",
+        "a solid between the surface and its offset at distance {} would run through itself: a centre of curvature lies between them, or on one of them (`report` gives the radii)",
         ShortNumber(*.distance)
     )]
     OffsetNotRegular {

@@ -40,18 +40,19 @@ pub struct ShapeChange {
 #[derive(Clone, Copy)]
 struct Limits {
     bending: [f64; 2],
-    thickness: f64,
+    thickness: [f64; 2],
     normal_turn: f64,
     lost_relief: f64,
 }
 
 /// Outside these the shape is lost. Table and search of the constants: `70`, part C. Of the relief: grids along curvature
 /// lines and those with noise up to a fifth of an edge lose it on 0.08 of the surface at most, lost ones on 0.13 or more.
-const LOST: Limits = Limits { bending: [0.5, f64::INFINITY], thickness: 0.5, normal_turn: 0.35, lost_relief: 0.12 };
+/// Upper limits (own): ripples of three quads swell to 1.9 of the thickness, honest grids stay below 1.05.
+const LOST: Limits = Limits { bending: [0.5, 1.5], thickness: [0.5, 1.5], normal_turn: 0.35, lost_relief: 0.12 };
 /// What may help a grid that is along the curvature lines already.
 const ALONG: &str = "mesh the surface along its curvature lines as exactly as you can, or with fewer quads";
 /// Outside these a person should look.
-const CHANGED: Limits = Limits { bending: [0.9, 1.2], thickness: 0.8, normal_turn: 0.12, lost_relief: 0.02 };
+const CHANGED: Limits = Limits { bending: [0.9, 1.2], thickness: [0.8, 1.2], normal_turn: 0.12, lost_relief: 0.02 };
 
 impl ShapeChange {
     /// The angle of the grid lines to the curvature lines, if these are clear and the angle is more than 15 degrees.
@@ -82,9 +83,12 @@ impl ShapeChange {
         if let Some(b) = self.bending.filter(|b| *b > most) {
             found.push(format!("the bending is {} % of that given (at most {} %)", percent(b), percent(most)));
         }
-        if let Some(t) = self.thickness.filter(|t| !(*t >= limits.thickness)) {
-            let least = percent(limits.thickness);
-            found.push(format!("{} % of the thickness is left (at least {least} %)", percent(t)));
+        let [least, most] = limits.thickness;
+        if let Some(t) = self.thickness.filter(|t| !(*t >= least)) {
+            found.push(format!("{} % of the thickness is left (at least {} %)", percent(t), percent(least)));
+        }
+        if let Some(t) = self.thickness.filter(|t| *t > most) {
+            found.push(format!("the thickness is {} % of that given (at most {} %)", percent(t), percent(most)));
         }
         if let Some(t) = self.normal_turn.filter(|t| !(*t <= limits.normal_turn)) {
             let (by, most) = (degrees(self.turn), percent(limits.normal_turn));
@@ -183,7 +187,9 @@ mod tests {
         let thin = ShapeChange { thickness: Some(0.4), ..KEPT };
         let turned = ShapeChange { normal_turn: Some(0.4), ..KEPT };
         let smoothed = ShapeChange { lost_relief: 0.13, ..KEPT };
-        for lost in [thin, turned, smoothed] {
+        let swollen = ShapeChange { thickness: Some(1.89), ..KEPT };
+        let bent = ShapeChange { bending: Some(1.6), ..KEPT };
+        for lost in [thin, turned, smoothed, swollen, bent] {
             assert!(lost.is_lost() && lost.is_doubtful());
             // Nearly flat: whatever the ratios, nothing that could be seen has changed.
             let flat = ShapeChange { turn: 0.0005, ..lost };

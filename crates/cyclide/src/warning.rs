@@ -95,6 +95,8 @@ pub enum Warning {
         curve: usize,
         /// Changes of the polygon through its nodes.
         data: usize,
+        /// Those and one for each end of a straight run: what the data account for.
+        explained: usize,
     },
     /// The data themselves change between left and right as noise does, and a curve through all of them must.
     DataWaver {
@@ -142,7 +144,8 @@ pub enum Warning {
         /// Values above this are reported.
         limit: f64,
         /// How far the points scatter from one to the next about any smooth curve: the standard deviation of their noise.
-        scatter: f64,
+        /// `None` where there are too few points to a node to tell noise from shape.
+        scatter: Option<f64>,
     },
     /// A tolerance that is wide against the figure binds little: a narrower one gave a better curve.
     WideTolerance {
@@ -412,12 +415,13 @@ impl std::fmt::Display for Warning {
                     fraction * 100.0
                 )
             }
-            Self::Wavers { curve, data } => write!(
-                f,
-                "the curve changes {} between left and right, its points {}: it wavers between them (the comb of a picture shows where)",
-                times(*curve),
-                times(*data)
-            ),
+            Self::Wavers { curve, data, explained } => {
+                write!(f, "the curve changes {} between left and right, its points {}", times(*curve), times(*data))?;
+                if explained > data {
+                    write!(f, " ({explained} with the ends of their straight runs)")?;
+                }
+                f.write_str(": it wavers between them (the comb of a picture shows where)")
+            }
             Self::DataWaver { changes, nodes } => write!(
                 f,
                 "the points change {changes} times between left and right at {nodes} nodes, as noise does, and the curve passes through all of them: a fit within a tolerance is smoother"
@@ -455,18 +459,18 @@ impl std::fmt::Display for Warning {
                     ShortNumber(*rms),
                     ShortNumber(*limit)
                 )?;
-                if *scatter > SCATTER * limit {
-                    write!(
+                match *scatter {
+                    Some(scatter) if scatter > SCATTER * limit => write!(
                         f,
                         "the points scatter by {} from one to the next: for noise, 3 to 4 times that as tolerance with centre 1 comes nearer to what was measured",
-                        ShortNumber(*scatter)
-                    )
-                } else {
-                    write!(
+                        ShortNumber(scatter)
+                    ),
+                    Some(scatter) => write!(
                         f,
                         "the points scatter by no more than {} from one to the next: a smaller tolerance, or a centre of 1, comes nearer to them",
-                        ShortNumber(*scatter)
-                    )
+                        ShortNumber(scatter)
+                    ),
+                    None => f.write_str("a smaller tolerance, or a centre of 1, comes nearer to the points"),
                 }
             }
             Self::WideTolerance { tolerance, used } => write!(
@@ -546,7 +550,7 @@ impl std::fmt::Display for Warning {
                 f,
                 "the offset by {} goes beyond the focal set on {count} patch(es), the first is patch {first}: the surface bends towards that side with radii down to {}, and beyond them its lines run backwards; offsets by less do not",
                 ShortNumber(*distance),
-                ShortNumber(*radius)
+                ShortNumber(rounded_down(*radius))
             ),
             Self::FoldedNet { singular, first, creases, angle } => {
                 if let Some(first) = first {
@@ -606,4 +610,11 @@ fn write_relaxed(f: &mut std::fmt::Formatter<'_>, segments: &[(usize, f64)]) -> 
         write!(f, " to {largest}")?;
     }
     f.write_str(" where 1 is the fairest); if the points turn sharply on purpose, mark them as corners")
+}
+
+/// Four digits of a positive value, not more than it is: a limit that is kept by what is said.
+fn rounded_down(value: f64) -> f64 {
+    let unit = 10.0_f64.powf(value.log10().floor() - 3.0);
+    let down = (value / unit).floor() * unit;
+    if down.is_finite() && down > 0.0 { down } else { value }
 }

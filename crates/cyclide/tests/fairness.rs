@@ -214,7 +214,7 @@ fn the_fair_spline_has_its_figures_and_does_not_waver() {
     assert_eq!((f.sign_changes, f.extrema, f.jumps), (Some(8), 16, 0));
     close(f.variation.unwrap(), 5.39e5, 0.005);
     close(f.total_variation, 0.352, 0.005);
-    let w = wavering(&curve, &f).unwrap();
+    let w = wavering(&curve, &f);
     assert!(!w.curve_wavers && !w.data_waver && (w.curve, w.data) == (8, 8), "{w:?}");
 }
 
@@ -231,7 +231,7 @@ fn curves_in_space_have_no_sides() {
 fn a_curve_that_wavers_is_told_from_data_that_waver() {
     let told = |points: &[Point3], closed: bool| {
         let curve = spline(points, closed);
-        let w = wavering(&curve, &fairness(&curve)).unwrap();
+        let w = wavering(&curve, &fairness(&curve));
         (w.curve_wavers, w.data_waver, w)
     };
     let (curve, data, w) = told(&track(), true);
@@ -261,6 +261,44 @@ fn a_curve_that_wavers_is_told_from_data_that_waver() {
 }
 
 #[test]
+fn a_node_on_an_inflection_is_no_straight_run() {
+    // Every seventh node of a wave is on the line between its halves: it explains no swing of the curve.
+    let wave: Vec<Point3> = (0..27).map(|i| f64::from(i) * TAU / 12.0).map(|x| Point3::new(x, x.sin(), 0.0)).collect();
+    let curve = spline(&wave, false);
+    let w = wavering(&curve, &fairness(&curve));
+    assert!(w.curve_wavers && w.explained == w.data && w.data == 4 && w.curve > 12, "{w:?}");
+    let curve = CircleSpline::fair(&wave, &FairSplineOptions::default()).unwrap();
+    let w = wavering(&curve, &fairness(&curve));
+    assert!(!w.curve_wavers, "{w:?}");
+}
+
+#[test]
+fn curves_in_space_waver_too() {
+    // The track over hills, and a knot that turns over nowhere.
+    let hills = |p: &Point3| Point3::new(p.x, p.y, 0.05 * p.x + 20.0 * (p.y / 150.0).sin());
+    let track: Vec<Point3> = track().iter().map(hills).collect();
+    let knot: Vec<Point3> = (0..30)
+        .map(|i| f64::from(i) * TAU / 30.0)
+        .map(|t| Point3::new(t.sin() + 2.0 * (2.0 * t).sin(), t.cos() - 2.0 * (2.0 * t).cos(), -(3.0 * t).sin()))
+        .collect();
+    for (points, plain_wavers) in [(&track, true), (&knot, false)] {
+        let plain = spline(points, true);
+        let w = wavering(&plain, &fairness(&plain));
+        assert_eq!(w.curve_wavers, plain_wavers, "{w:?}");
+        let fair = CircleSpline::fair(points, &FairSplineOptions { closed: true, ..Default::default() }).unwrap();
+        let measured = fairness(&fair);
+        let w = wavering(&fair, &measured);
+        assert!(measured.sign_changes.is_none() && !w.curve_wavers && w.curve <= w.data + 1, "{w:?}");
+    }
+    // A helix winds its axis slowly; straight on and back to the right, a line in space has none.
+    let helix: Vec<Point3> =
+        (0..40).map(|i| f64::from(i) * 0.3).map(|a| Point3::new(a.cos(), a.sin(), 0.2 * a)).collect();
+    let curve = spline(&helix, false);
+    let w = wavering(&curve, &fairness(&curve));
+    assert_eq!((w.curve, w.data, w.data_waver), (0, 0, false));
+}
+
+#[test]
 fn stairs_are_no_noise() {
     // Two chords to a tread: every other node is straight on, and the turns are right angles to both sides in turn.
     let mut points = vec![Point3::ORIGIN];
@@ -271,7 +309,7 @@ fn stairs_are_no_noise() {
     }
     for tight in [None, Some(0.2), Some(0.45)] {
         let curve = CircleSpline::fair(&points, &FairSplineOptions { tight, ..Default::default() }).unwrap();
-        let w = wavering(&curve, &fairness(&curve)).unwrap();
+        let w = wavering(&curve, &fairness(&curve));
         assert!(!w.data_waver && !w.curve_wavers && w.data == 22 && w.nodes >= 47, "{tight:?}: {w:?}");
     }
 }

@@ -26,6 +26,15 @@ impl Angle {
             Self::Degrees(angle) => angle.to_radians(),
         }
     }
+
+    /// In radians, for a turn: whole turns in degrees are left out before they are converted, which is exact.
+    #[must_use]
+    pub fn turn(self) -> f64 {
+        match self {
+            Self::Radians(angle) => angle,
+            Self::Degrees(angle) => (angle % 360.0).to_radians(),
+        }
+    }
 }
 
 #[derive(Deserialize)]
@@ -89,6 +98,8 @@ mod tests {
         assert_eq!(parse("1.5"), Ok(Angle::Radians(1.5)));
         assert_eq!(parse("-2"), Ok(Angle::Radians(-2.0)));
         assert_eq!(parse("{\"degrees\": 90}").map(Angle::radians), Ok(std::f64::consts::FRAC_PI_2));
+        let turns = [360e9 + 90.0, -450.0].map(|degrees| Angle::Degrees(degrees).turn().to_bits());
+        assert_eq!(turns, [90.0_f64, -90.0].map(|degrees| degrees.to_radians().to_bits()));
         for (text, message) in [
             ("\"90deg\"", "expected a number of radians, or `{\"degrees\": 90}`"),
             ("[90]", "expected a number of radians"),

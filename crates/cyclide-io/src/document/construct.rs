@@ -154,9 +154,9 @@ impl ContourFacts {
             return None;
         }
         let measured = *self.fairness.insert(fairness(spline));
-        let found = wavering(spline, &measured)?;
+        let found = wavering(spline, &measured);
         if found.curve_wavers {
-            return Some(Warning::Wavers { curve: found.curve, data: found.data });
+            return Some(Warning::Wavers { curve: found.curve, data: found.data, explained: found.explained });
         }
         found.data_waver.then_some(Warning::DataWaver { changes: found.data, nodes: found.nodes })
     }

@@ -5,10 +5,12 @@
 //! so many pieces that this would be a solid area (more than [`MOST`] samples) is thinned: of the samples within a
 //! cell as large as a pixel, those of the largest and the least curvature stay.
 //!
-//! Each object has its own scale, so that bends of small and large objects both show, and a comb is made shorter until
-//! it leaves the other curves and combs alone ([`Room`]); one that cannot is left out, and the drawing says so.
+//! Objects that bend alike (within a factor of [`ALIKE`]) share one scale: equal curvatures have equal teeth. Otherwise
+//! each object has its own, so that bends of small and large ones both show, and the drawing says so. Combs are made
+//! shorter, all of a scale together, until they leave the other curves and combs alone ([`Room`]); one that cannot is
+//! left out, and the drawing names it.
 
-use super::room::Room;
+use super::room::{Room, Taken};
 use super::{Comb, CombStrip, Combs, Tip, even_parameters};
 use crate::job::{Contour, Job};
 use cyclide::{ParamCurve, Point3, Vec3, extreme_curvature, length};
@@ -34,11 +36,11 @@ const LONGEST: f64 = 2.5;
 /// What the line over the tips may miss, relative to the drawing, and how often an interval is halved for it.
 const FLATNESS: f64 = 0.3 / 1600.0;
 const DEPTH: u32 = 6;
-/// How much a comb may be made shorter to leave room, and the parts of its teeth that may still be in the way: for all
-/// of these, and at last.
+/// Objects whose own scales differ by at most this factor share one.
+const ALIKE: f64 = 3.0;
+/// How much combs may be made shorter to leave room, and the part of their teeth that may still be in the way.
 const SHORTER: [f64; 5] = [1.0, 0.7, 0.5, 0.35, 0.25];
 const IN_THE_WAY: f64 = 0.03;
-const AT_LAST: f64 = 0.2;
 /// Pieces of a curve above which the largest curvature is that of the samples.
 const MANY: usize = 20_000;
 
@@ -57,25 +59,51 @@ pub(crate) fn combs(job: &Job<'_>, size: f64, [right, up]: [Vec3; 2]) -> Combs {
     }
     let count: usize = sampled.iter().flatten().map(Vec::len).sum();
     let thin = (count > MOST).then(|| (CELL * size).max(total / MOST as f64));
-    let mut found = Combs::default();
+    let factor = if heights { IN_SPACE } else { 1.0 };
+    let mut bent: Vec<Bent<'_>> = Vec::new();
     let mut first = 0;
     while first < contours.len() {
         let item = contours[first].item;
         let last = first + contours[first..].iter().take_while(|c| c.item == item).count();
         let own = &sampled[first..last];
         if let Some(common) = common_curvature(own) {
-            let extent = extent(own);
-            let heights = if heights { IN_SPACE } else { 1.0 };
-            let tooth = (TOOTH * size).min(OWN_TOOTH * extent) * heights;
+            let tooth = (TOOTH * size).min(OWN_TOOTH * extent(own)) * factor;
             let scale = Scale { per_curvature: tooth / common, longest: LONGEST * tooth, flatness: FLATNESS * size };
-            match fitted(own, first, scale, &mut room) {
-                Some(scale) => found.drawn.push(drawn(item, &contours[first..last], own, scale, thin)),
-                None => found.left_out.push(item),
-            }
+            bent.push(Bent { item, first, own, scale });
         }
         first = last;
     }
+    let scales = share_scale(&mut bent).then(|| fitted_together(&bent, &room)).flatten();
+    let scales = scales.unwrap_or_else(|| bent.iter().map(|object| fitted(object, &mut room)).collect());
+    let mut found = Combs::default();
+    for (object, scale) in bent.iter().zip(scales) {
+        let own = &contours[object.first..object.first + object.own.len()];
+        match scale {
+            Some(scale) => found.drawn.push(drawn(object.item, own, object.own, scale, thin)),
+            None => found.left_out.push(object.item),
+        }
+    }
     found
+}
+
+/// An object that is bent: its contours from `first` on, and the scale its comb would have.
+struct Bent<'a> {
+    item: usize,
+    first: usize,
+    own: &'a [Vec<Strip>],
+    scale: Scale,
+}
+
+/// Gives objects that bend alike the same scale; false if they do not.
+fn share_scale(bent: &mut [Bent<'_>]) -> bool {
+    let per_curvature = || bent.iter().map(|object| object.scale.per_curvature);
+    let (least, most) = (per_curvature().fold(f64::INFINITY, f64::min), per_curvature().fold(0.0, f64::max));
+    let longest = bent.iter().map(|object| object.scale.longest).fold(0.0, f64::max);
+    let alike = most <= ALIKE * least;
+    if alike {
+        bent.iter_mut().for_each(|object| (object.scale.per_curvature, object.scale.longest) = (least, longest));
+    }
+    alike
 }
 
 /// A tooth before it has a length.
@@ -161,32 +189,55 @@ fn extent(own: &[Vec<Strip>]) -> f64 {
     cyclide::Aabb::of_points(feet).map_or(0.0, |b| b.diagonal())
 }
 
-/// The largest scale at which the combs of an object leave the others alone; its combs are then taken into account for
-/// the objects that follow.
-fn fitted(own: &[Vec<Strip>], first: usize, scale: Scale, room: &mut Room) -> Option<Scale> {
-    let shorter =
-        |factor: f64| Scale { per_curvature: scale.per_curvature * factor, longest: scale.longest * factor, ..scale };
-    let tried = |scale: Scale, curves_too: bool, room: &Room| {
-        let mut trial = room.trial(curves_too);
-        for (k, strips) in own.iter().enumerate() {
-            for tooth in strips.iter().flatten() {
-                trial.add(first + k, tooth.foot, scale.tip(tooth));
-            }
-        }
-        trial.finish()
-    };
-    // First clear of all curves; where those are too near, at least clear of the other combs.
-    for curves_too in [true, false] {
-        for (i, factor) in SHORTER.into_iter().enumerate() {
-            let (share, taken) = tried(shorter(factor), curves_too, room);
-            let limit = if i + 1 == SHORTER.len() && !curves_too { AT_LAST } else { IN_THE_WAY };
-            if share <= limit {
-                room.keep(taken);
-                return Some(shorter(factor));
-            }
-        }
+impl Scale {
+    fn shorter(self, factor: f64) -> Self {
+        Self { per_curvature: self.per_curvature * factor, longest: self.longest * factor, ..self }
     }
-    None
+}
+
+impl Bent<'_> {
+    /// The cells that the comb takes at a scale, if it leaves the others alone.
+    fn taken(&self, scale: Scale, curves_too: bool, room: &Room) -> Option<Taken> {
+        let mut trial = room.trial(curves_too);
+        for (k, strips) in self.own.iter().enumerate() {
+            for tooth in strips.iter().flatten() {
+                trial.add(self.first + k, tooth.foot, scale.tip(tooth));
+            }
+        }
+        let (share, taken) = trial.finish();
+        (share <= IN_THE_WAY).then_some(taken)
+    }
+}
+
+/// The ways to make room: first clear of all curves; where those are too near, at least clear of the other combs.
+fn ways() -> impl Iterator<Item = (bool, f64)> {
+    [true, false].into_iter().flat_map(|curves_too| SHORTER.into_iter().map(move |factor| (curves_too, factor)))
+}
+
+/// The largest scale at which all the combs leave each other alone.
+fn fitted_together(bent: &[Bent<'_>], room: &Room) -> Option<Vec<Option<Scale>>> {
+    ways().find_map(|(curves_too, factor)| {
+        let mut room = room.clone();
+        let fits = |object: &Bent<'_>| {
+            let scale = object.scale.shorter(factor);
+            object.taken(scale, curves_too, &room).map(|taken| {
+                room.keep(taken);
+                Some(scale)
+            })
+        };
+        bent.iter().map(fits).collect()
+    })
+}
+
+/// The largest scale at which the comb of an object leaves the others alone; it is then taken into account for the objects
+/// that follow.
+fn fitted(object: &Bent<'_>, room: &mut Room) -> Option<Scale> {
+    ways().find_map(|(curves_too, factor)| {
+        let scale = object.scale.shorter(factor);
+        let taken = object.taken(scale, curves_too, room)?;
+        room.keep(taken);
+        Some(scale)
+    })
 }
 
 fn drawn(item: usize, contours: &[Contour<'_>], own: &[Vec<Strip>], scale: Scale, thin: Option<f64>) -> Comb {
@@ -205,7 +256,7 @@ fn drawn(item: usize, contours: &[Contour<'_>], own: &[Vec<Strip>], scale: Scale
     } else {
         contours.iter().map(|c| extreme_curvature(c.curve.as_curve()).max).fold(0.0, f64::max)
     };
-    Comb { item, largest, is_cut: largest * scale.per_curvature > scale.longest, strips }
+    Comb { item, largest, scale: scale.per_curvature, is_cut: largest * scale.per_curvature > scale.longest, strips }
 }
 
 /// The teeth of a piece, and tips between them wherever the line over them would miss some.

@@ -24,6 +24,8 @@ pub(crate) struct Comb {
     pub(crate) item: usize,
     /// The largest curvature among its teeth.
     pub(crate) largest: f64,
+    /// Length of a tooth times radius of curvature.
+    pub(crate) scale: f64,
     /// The longest teeth are cut: some bends are much sharper than most.
     pub(crate) is_cut: bool,
     /// One for each smooth piece that is bent, or one for all.
@@ -52,6 +54,11 @@ impl Combs {
     pub(crate) fn left_out_note<'a>(&self, name: impl Fn(usize) -> &'a str) -> Option<String> {
         let names: Vec<&str> = self.left_out.iter().map(|&index| name(index)).collect();
         (!names.is_empty()).then(|| format!("combs that would lie on others are left out: {}", names.join(", ")))
+    }
+
+    /// True if equal curvatures have equal teeth throughout.
+    pub(crate) fn have_one_scale(&self) -> bool {
+        self.drawn.windows(2).all(|pair| pair[0].scale.total_cmp(&pair[1].scale).is_eq())
     }
 
     /// All tips.

@@ -11,13 +11,17 @@ const TOUCHING: f64 = 1.0;
 /// Teeth may be this much longer before they meet another curve: it has teeth of its own.
 const HALF_WAY: f64 = 1.8;
 
+/// The cells that a comb takes, with the curve it belongs to.
+pub(super) type Taken = HashMap<(i64, i64), usize>;
+
 /// A coarse map of a drawing.
+#[derive(Clone)]
 pub(super) struct Room {
     axes: [Vec3; 2],
     cell: f64,
     /// The curves that pass through a cell.
     curves: HashMap<(i64, i64), Vec<usize>>,
-    combs: HashMap<(i64, i64), usize>,
+    combs: Taken,
 }
 
 impl Room {
@@ -71,7 +75,7 @@ impl Room {
     }
 
     /// The cells that tried teeth take.
-    pub(super) fn keep(&mut self, taken: HashMap<(i64, i64), usize>) {
+    pub(super) fn keep(&mut self, taken: Taken) {
         for (cell, curve) in taken {
             self.combs.entry(cell).or_insert(curve);
         }
@@ -82,7 +86,7 @@ impl Room {
 pub(super) struct Trial<'a> {
     room: &'a Room,
     curves_too: bool,
-    taken: HashMap<(i64, i64), usize>,
+    taken: Taken,
     teeth: usize,
     hits: usize,
 }
@@ -109,7 +113,7 @@ impl Trial<'_> {
     }
 
     /// The part of the teeth that are in the way of something, and the cells that all of them take.
-    pub(super) fn finish(self) -> (f64, HashMap<(i64, i64), usize>) {
+    pub(super) fn finish(self) -> (f64, Taken) {
         (self.hits as f64 / self.teeth.max(1) as f64, self.taken)
     }
 }

@@ -88,7 +88,10 @@ pub(super) fn rulers(canvas: &mut Canvas, plan: &Plan<'_>, sheet: Sheet, far: bo
     }
     let name = |v: Vec3| NAMES.iter().find(|(_, axis)| axis.dot(v).abs() > 0.9).map_or("", |(name, _)| *name);
     let named = |v: Vec3| format!("{} {}", name(v), plan.symbol);
-    canvas.text(&named(along), (right + 12.0 * s, y0 + 0.4 * size), size, Ink::TEXT);
+    let along = named(along);
+    // The name of the axis stays on the picture where the drawing reaches its border.
+    let behind = (right + 12.0 * s).min(sheet.width - lettering::width(&along, size) - 4.0 * s);
+    canvas.text(&along, (behind, y0 + 0.4 * size), size, Ink::TEXT);
     canvas.text(&named(up), (x0 - 0.3 * size, top - 12.0 * s), size, Ink::TEXT);
 }
 

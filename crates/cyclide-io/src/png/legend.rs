@@ -203,7 +203,8 @@ fn mark(job: &Job<'_>, index: usize) -> Mark {
 
 /// One entry for all the combs of many objects.
 fn crowd(combs: &Combs) -> Vec<Entry> {
-    let mut text = "curvature combs, each to a scale of its own".to_owned();
+    let scale = if combs.have_one_scale() { "to one scale" } else { "each to a scale of its own" };
+    let mut text = format!("curvature combs, {scale}");
     if !combs.left_out.is_empty() {
         text += &format!("; {} left out where they would lie on others", combs.left_out.len());
     }
@@ -233,6 +234,9 @@ fn coloured(job: &Job<'_>, combs: &Combs, names: &[String]) -> Vec<Entry> {
             (false, Some(said)) => entries.push(Entry { mark: Mark::Comb, text: said }),
             (false, None) => {}
         }
+    }
+    if !combs.have_one_scale() {
+        entries.push(Entry { mark: Mark::Comb, text: "each comb to a scale of its own".to_owned() });
     }
     entries
 }

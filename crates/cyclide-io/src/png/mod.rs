@@ -52,7 +52,7 @@ const LAYER: f64 = 0.03;
 /// Draws the model.
 pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
     let sheet = Sheet::new(job)?;
-    let names = Names::new(job);
+    let mut names = Names::new(job);
     if !job.bodies.is_empty() {
         return scene::write(job, sheet, names);
     }
@@ -71,6 +71,7 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
     let bytes = drawing.draw()?.encode().map_err(|e| picture(&e))?;
     let mut promise = Promise::EXACT;
     promise.add(Exactness::Proved(0.5 * drawing.view.unit()));
+    names.notes.extend(combs.left_out_note(|index| &names.drawn[index]));
     Ok(promise.exported(bytes, names.notes, Vec::new()))
 }
 

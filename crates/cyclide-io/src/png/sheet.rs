@@ -5,7 +5,7 @@
 
 use super::canvas::{Canvas, Ink, Pixel};
 use super::legend::{Legend, Naming};
-use super::lettering;
+use super::lettering::{self, Drawable};
 use crate::drawing::Combs;
 use crate::export_error::ExportError;
 use crate::job::Job;
@@ -91,7 +91,7 @@ impl Caption {
         };
         let legend = Legend::new(job, combs, names, naming);
         // A title that cannot be drawn is left out.
-        let title = lettering::drawable(job.title()).unwrap_or_default();
+        let title = lettering::drawable(job.title()).map(|title| title.text).unwrap_or_default();
         Some(Self { title, unit, symbol: job.units().symbol(), legend })
     }
 
@@ -135,11 +135,15 @@ impl Names {
     pub(super) fn new(job: &Job<'_>) -> Self {
         let mut notes = Vec::new();
         let mut shown = |(index, item): (usize, &cyclide::Item)| {
-            lettering::drawable(&item.name).unwrap_or_else(|| {
+            let Some(Drawable { text, lost }) = lettering::drawable(&item.name) else {
                 let other = format!("object {}", index + 1);
                 notes.push(format!("the picture has no letters for '{}', which it calls {other}", item.name));
-                other
-            })
+                return other;
+            };
+            if !lost.is_empty() {
+                notes.push(format!("the picture has no letter for '{lost}' in '{}', which it calls {text}", item.name));
+            }
+            text
         };
         let drawn = job.model.items.iter().enumerate().map(&mut shown).collect();
         Self { drawn, notes: if job.options.png_plain { Vec::new() } else { notes } }

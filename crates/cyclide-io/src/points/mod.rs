@@ -104,6 +104,12 @@ pub fn read_points(name: &str, bytes: &[u8], columns: &PointColumns) -> Result<P
     } else if let Some(message) = chosen.remark.clone() {
         remark("columns-taken", message);
     }
+    // Without a header nothing says that a first column that counts on is no coordinate.
+    if table.header.is_empty() && columns.coordinates.is_none() && chosen.coordinates.len() == 3 && counts_on(&lists) {
+        let message = "the file has no header line, and its first column counts on (1, 2, 3, …): it is taken as x; if it \
+                       numbers the points, choose the others (`--columns 2,3`, in a document `columns`)";
+        remark("numbers-as-x", message.to_owned());
+    }
     if decimals.comma {
         remark("decimal-commas", "the numbers are read with decimal commas".to_owned());
     }
@@ -153,6 +159,13 @@ impl<'a> Contours<'a> {
         list.offsets.push(row.fields[chosen.coordinates[0]].start);
         Ok(())
     }
+}
+
+/// True if the first coordinates of at least three points are whole numbers that rise by one throughout.
+fn counts_on(lists: &[PointList]) -> bool {
+    let all = || lists.iter().flat_map(|list| &list.points).map(|p| p.x);
+    let counts = all().zip(all().skip(1)).all(|(a, b)| a.fract() == 0.0 && (b - a).total_cmp(&1.0).is_eq());
+    counts && all().take(3).count() == 3
 }
 
 /// One list of several.

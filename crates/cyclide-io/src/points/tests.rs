@@ -125,6 +125,20 @@ fn decimal_commas_are_read_where_commas_separate_nothing_and_it_is_said() {
 }
 
 #[test]
+fn a_first_column_that_counts_on_is_named() {
+    for (text, found) in [
+        ("1 10 20\n2 11 21\n3 13 20\n", true),
+        ("0,10,20\n1,11,21\n2,13,20\n", true),
+        ("1 10 20\n2 11 21\n4 13 20\n", false),
+        ("1 10\n2 11\n3 13\n", false),
+        ("x y z\n1 10 20\n2 11 21\n3 13 20\n", false),
+    ] {
+        assert_eq!(remarks(text).contains(&"numbers-as-x"), found, "{text:?}");
+        assert_eq!(xyz(&read(text).unwrap())[0].len(), 3);
+    }
+}
+
+#[test]
 fn whole_numbers_that_may_be_pairs_are_named_and_read_as_they_stand() {
     for (text, found) in [
         ("1,5,2,5\n2,5,3,25\n", true),

@@ -34,14 +34,15 @@ impl FairnessReport {
         let measured = |(i, c): (usize, &CurveObject)| known(i).unwrap_or_else(|| fairness(c.as_curve()));
         let each: Vec<Fairness> = built.item.contours.iter().enumerate().map(measured).collect();
         let sign_changes = each.iter().map(|f| f.sign_changes).sum::<Option<usize>>();
-        let variation = each.iter().map(|f| f.variation).sum::<Option<f64>>();
+        // The sum of nothing is -0.
+        let variation = each.iter().map(|f| f.variation).sum::<Option<f64>>().map(|sum| sum + 0.0);
         let cusps = each.iter().any(|f| f.cusps > 0);
         let why_not = if cusps { "cusp" } else { "curvature-jumps" };
         Self {
             sign_changes,
             extrema: each.iter().map(|f| f.extrema).sum(),
             variation,
-            total_variation: Some(each.iter().map(|f| f.total_variation).sum()).filter(|v: &f64| v.is_finite()),
+            total_variation: Some(0.0 + each.iter().map(|f| f.total_variation).sum::<f64>()).filter(|v| v.is_finite()),
             jumps: each.iter().map(|f| f.jumps).sum(),
             no_sign_changes: sign_changes.is_none().then_some("space"),
             no_variation: variation.is_none().then_some(why_not),

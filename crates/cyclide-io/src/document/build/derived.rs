@@ -131,7 +131,7 @@ fn map_of(step: &StepSpec) -> cyclide::Result<Mobius> {
         StepSpec::Translation(v) => Mobius::translation(v.vector()),
         StepSpec::Rotation(s) => {
             let axis = s.axis.map_or(Vec3::Z, Coordinates::vector).unit().ok_or(cyclide::Error::ZeroAxis)?;
-            let (turn, center) = (Quat::from_axis_angle(axis, s.angle.radians()), origin(s.center).to_vec());
+            let (turn, center) = (Quat::from_axis_angle(axis, s.angle.turn()), origin(s.center).to_vec());
             Mobius::similarity(turn, 1.0, center - turn.rotate(center))
         }
         StepSpec::Scale(s) => {

@@ -121,9 +121,9 @@ impl Builder<'_> {
 fn corner_angle_words(angle: Angle, radians: f64) -> String {
     match angle {
         Angle::Degrees(degrees) => format!("a corner angle of {degrees} degrees is outside 0 to 180"),
-        Angle::Radians(_) if radians > 180.0 || radians <= 0.0 => {
-            format!("a corner angle of {radians} radians is outside 0 to 3.1416")
-        }
+        Angle::Radians(_) if radians > 180.0 || radians <= 0.0 => format!(
+            "a corner angle of {radians} radians is outside 0 to 3.1416 (half a turn; degrees are written `{{\"degrees\": 30}}`)"
+        ),
         Angle::Radians(_) => format!(
             "a corner angle of {radians} radians is more than half a turn (3.1416): if degrees are meant, write `{{\"degrees\": {radians}}}` or {}",
             ShortNumber(radians.to_radians())

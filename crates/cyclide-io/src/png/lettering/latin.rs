@@ -138,11 +138,19 @@ const OTHERS: &[(char, &str)] = &[
     ('\t', " "),
 ];
 
+/// A text in letters that can be drawn.
+#[derive(Debug, PartialEq)]
+pub(in crate::png) struct Drawable {
+    pub(in crate::png) text: String,
+    /// The letters that were left out.
+    pub(in crate::png) lost: String,
+}
+
 /// The text in letters that can be drawn; `None` if less than half of it can.
-pub(in crate::png) fn drawable(text: &str) -> Option<String> {
+pub(in crate::png) fn drawable(text: &str) -> Option<Drawable> {
     let chars: Vec<char> = text.chars().collect();
     let is_greek = |c: Option<&char>| c.is_some_and(|c| greek(*c).is_some());
-    let (mut drawn, mut lost) = (0, 0);
+    let (mut drawn, mut lost) = (0, String::new());
     let mut out = String::new();
     for (i, &c) in chars.iter().enumerate() {
         // A letter between others of its script is part of a word, one alone is a symbol.
@@ -155,13 +163,13 @@ pub(in crate::png) fn drawable(text: &str) -> Option<String> {
             // Marks that join the letter before them, and signs without a width.
             None if matches!(c, '\u{300}'..='\u{36f}' | '\u{200b}'..='\u{200f}' | '\u{fe00}'..='\u{fe0f}') => {}
             None => {
-                lost += 1;
+                lost.push(c);
                 out.push(' ');
             }
         }
     }
     let words: Vec<&str> = out.split_whitespace().collect();
-    (drawn > lost).then(|| words.join(" "))
+    (drawn > lost.chars().count()).then(|| Drawable { text: words.join(" "), lost })
 }
 
 fn replaced(c: char, alone: bool) -> Option<String> {
@@ -201,14 +209,19 @@ mod tests {
             ("ελληνικά", Some("ellinika")),
             ("angle φ2, Δ", Some("angle phi2, Delta")),
             ("emoji \u{1f680} rail", Some("emoji rail")),
+            ("gold 金 ring", Some("gold ring")),
             ("cafe\u{301}", Some("cafe")),
             ("“a”→b", Some("\"a\"->b")),
             ("東京タワー", None),
             ("العربية", None),
             ("", None),
         ] {
-            assert_eq!(drawable(name).as_deref(), drawn, "{name}");
-            assert!(drawable(name).is_none_or(|text| text.chars().all(Letter::can_draw)), "{name}");
+            let found = drawable(name);
+            assert_eq!(found.as_ref().map(|found| found.text.as_str()), drawn, "{name}");
+            assert!(found.is_none_or(|found| found.text.chars().all(Letter::can_draw)), "{name}");
         }
+        let lost = |name: &str| drawable(name).map(|found| found.lost);
+        assert_eq!(lost("gold 金 ring"), Some("金".to_owned()));
+        assert_eq!(lost("Łódź φ cafe\u{301}"), Some(String::new()));
     }
 }

@@ -4,7 +4,7 @@ mod glyphs;
 mod latin;
 
 use glyphs::{GLYPHS, Glyph, MARKED, MARKS, MISSING};
-pub(super) use latin::drawable;
+pub(super) use latin::{Drawable, drawable};
 use tiny_skia::{Path, PathBuilder};
 
 /// Height of a capital in the units of the drawings.

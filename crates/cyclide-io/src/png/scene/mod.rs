@@ -87,15 +87,17 @@ pub(super) fn write(job: &Job<'_>, sheet: Sheet, names: Names) -> Result<Exporte
     }
     let scene = Scene { camera, lights, ground, drawn, items, facets, paper: to_linear(PAPER) };
     let size = (sheet.width as usize, height as usize);
-    let mut visible = (naming == Naming::Numbers).then(|| Visible::new(size, 6.0 * sheet.scale));
-    let mut canvas = scene.draw(size, visible.as_mut())?;
+    let mut visible = Visible::new(size, 6.0 * sheet.scale);
+    let mut canvas = scene.draw(size, &mut visible)?;
+    let Names { drawn: names, mut notes } = names;
     if let Some(caption) = caption {
         let middle = bounds.min.midpoint(bounds.max);
         let unit = scene.camera.unit_at(middle);
         let note = if flat || !heights { "" } else { " at mid-depth" };
         scene.rulers(&mut canvas, rulers, (bounds, &points), sheet, job.units().symbol());
-        if let Some(visible) = visible {
-            let places = visible.places(names.drawn.len());
+        notes.extend(visible.hidden_note(&names));
+        if naming == Naming::Numbers {
+            let places = visible.places(names.len());
             for (index, place) in places.into_iter().enumerate().take(caption.legend.numbers(sheet)) {
                 if let Some(place) = place {
                     balloon(&mut canvas, place, index + 1, sheet, Ink::object(index));
@@ -107,7 +109,7 @@ pub(super) fn write(job: &Job<'_>, sheet: Sheet, names: Names) -> Result<Exporte
     let bytes = canvas.encode().map_err(|e| picture(&e))?;
     let mut promise = Promise::EXACT;
     promise.add(Exactness::Proved(0.5 * scene.camera.unit()));
-    Ok(promise.exported(bytes, names.notes, Vec::new()))
+    Ok(promise.exported(bytes, notes, Vec::new()))
 }
 
 /// Height of the eye over its horizontal distance is this over 0.94.
@@ -128,7 +130,7 @@ struct Scene<'a> {
 }
 
 impl Scene<'_> {
-    fn draw(&self, (width, height): (usize, usize), mut visible: Option<&mut Visible>) -> Result<Canvas, ExportError> {
+    fn draw(&self, (width, height): (usize, usize), visible: &mut Visible) -> Result<Canvas, ExportError> {
         let mut canvas = Canvas::new(width as u32, height as u32).ok_or_else(|| picture("it has no size"))?;
         let table = Screen::new();
         raster::bands(&self.facets.corners, (width, height), |band| {
@@ -136,9 +138,7 @@ impl Scene<'_> {
                 for x in 0..width {
                     let colour = self.pixel(band, x, row);
                     canvas.set(x, band.top + row, colour.map(|c| table.byte(c)));
-                    if let Some(visible) = &mut visible {
-                        visible.add(x, band.top + row, self.object(band.seen(x, row)[0]));
-                    }
+                    visible.add(x, band.top + row, self.object(band.seen(x, row)[0]));
                 }
             }
         });

@@ -1,5 +1,10 @@
 //! Where the objects of a picture are seen: places for their numbers.
 
+use std::collections::BTreeMap;
+
+/// The part of a picture below which an object is not seen.
+const LEAST: f64 = 1e-4;
+
 /// Cells of the picture with the objects seen in them.
 pub(super) struct Visible {
     cell: f64,
@@ -7,23 +12,43 @@ pub(super) struct Visible {
     rows: usize,
     /// The object in the middle of each cell.
     objects: Vec<Option<usize>>,
+    /// How many pixels of each object are seen.
+    seen: BTreeMap<usize, usize>,
+    /// Fewer pixels than these are no sight of an object.
+    least: usize,
 }
 
 impl Visible {
     /// Of a picture of so many pixels.
     pub(super) fn new((width, height): (usize, usize), cell: f64) -> Self {
         let [columns, rows] = [width, height].map(|size| (size as f64 / cell) as usize + 1);
-        Self { cell, columns, rows, objects: vec![None; columns * rows] }
+        Self {
+            cell,
+            columns,
+            rows,
+            objects: vec![None; columns * rows],
+            seen: BTreeMap::new(),
+            least: (LEAST * (width * height) as f64) as usize,
+        }
     }
 
     /// The object that is seen in a pixel; the last pixel of a cell counts.
     pub(super) fn add(&mut self, x: usize, y: usize, object: Option<usize>) {
         let [column, row] = [x, y].map(|v| (v as f64 / self.cell) as usize);
         let index = row * self.columns + column;
+        object.into_iter().for_each(|object| *self.seen.entry(object).or_default() += 1);
         // A thin curve is found in any of its pixels.
         if object.is_some() || self.objects[index].is_none() {
             self.objects[index] = object;
         }
+    }
+
+    /// A note on the objects of a model that are not seen, or not more than as a few pixels.
+    pub(super) fn hidden_note(&self, names: &[String]) -> Option<String> {
+        let hidden =
+            names.iter().enumerate().filter(|(index, _)| self.seen.get(index).is_none_or(|count| *count < self.least));
+        let hidden: Vec<&str> = hidden.map(|(_, name)| name.as_str()).collect();
+        (!hidden.is_empty()).then(|| format!("not seen from here: {}", hidden.join(", ")))
     }
 
     /// For each object the pixel that is farthest from what is not this object, `None` for those that are not seen.
@@ -93,6 +118,8 @@ mod tests {
         // As far from the sides as the narrower way allows, to a cell.
         assert!((x - 25.0).abs() <= 3.0 && (20.0..40.0).contains(&y), "{x} {y}");
         assert_eq!(places[1], None);
+        let note = visible.hidden_note(&["front", "back", "edge"].map(str::to_owned));
+        assert_eq!(note.as_deref(), Some("not seen from here: back"));
         assert!((places[2].unwrap().0 - 60.0).abs() <= 3.0);
     }
 }

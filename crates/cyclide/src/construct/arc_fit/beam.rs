@@ -25,6 +25,7 @@ pub(super) struct Run {
     points: Vec<Point2>,
     slack: Vec<f64>,
     bulge: Vec<f64>,
+    straight_ahead: Vec<bool>,
 }
 
 impl Run {
@@ -36,11 +37,12 @@ impl Run {
             points: range.clone().map(|i| flat[i % n]).collect(),
             slack: pick(&trace.slack),
             bulge: pick(&trace.bulge),
+            straight_ahead: range.clone().map(|i| trace.straight_ahead[i % n]).collect(),
         }
     }
 
     pub fn tube(&self, tolerance: f64) -> Tube<'_> {
-        Tube::new(&self.points, &self.slack, &self.bulge, tolerance)
+        Tube::new(self, tolerance)
     }
 }
 
@@ -54,16 +56,26 @@ pub(super) struct Tube<'a> {
     bulge: &'a [f64],
     /// Unit direction of the edge that ends in each vertex; the first repeats the second.
     directions: Vec<Vec2>,
+    /// Whether a straight run goes on from each vertex.
+    straight_ahead: &'a [bool],
 }
 
 impl<'a> Tube<'a> {
     /// Neighbouring points must differ, and there must be at least two, with the slacks of each.
-    fn new(points: &'a [Point2], slack: &'a [f64], bulge: &'a [f64], tolerance: f64) -> Self {
+    fn new(run: &'a Run, tolerance: f64) -> Self {
+        let points = &run.points;
         let unit = |w: &[Point2]| (w[1] - w[0]).unit().unwrap_or(Vec2::new(1.0, 0.0));
         let mut directions = Vec::with_capacity(points.len());
         directions.push(unit(&points[..2]));
         directions.extend(points.windows(2).map(unit));
-        Self { points, tolerance, slack, bulge, directions }
+        Self {
+            points: &run.points,
+            tolerance,
+            slack: &run.slack,
+            bulge: &run.bulge,
+            directions,
+            straight_ahead: &run.straight_ahead,
+        }
     }
 
     /// Adds a vertex to a sweep from the frame; its frame coordinates, if any curvature is left.
@@ -292,7 +304,8 @@ fn next_level(tube: &Tube<'_>, arena: &[Node], level: &Level, far: usize, size: 
     (0..front).chain(stride).map(|i| make(&children[i])).collect()
 }
 
-/// Curvatures across one interval, and the straight line if it is inside.
+/// Curvatures across one interval, the straight line if it is inside, and the arc that ends along a straight run: a line
+/// over a long run needs its direction far more exactly than a few curvatures give it.
 fn fan_out(
     tube: &Tube<'_>,
     node: &Node,
@@ -329,5 +342,14 @@ fn fan_out(
     }
     if end.lo < 0.0 && end.hi > 0.0 {
         push(0.0, 0.5 - end.margin(0.0));
+    }
+    if tube.straight_ahead[vertex]
+        && let Some(&ahead) = tube.directions.get(vertex + 1)
+    {
+        let (cosine, sine) = (frame.tangent.dot(ahead), frame.tangent.cross(ahead));
+        let kappa = sine / (x * cosine + y * sine);
+        if end.margin(kappa) > 0.0 {
+            push(kappa, 0.0);
+        }
     }
 }

@@ -60,3 +60,25 @@ pub(super) fn noise(pieces: &[Piece], trace: &Trace, target: FitTarget) -> Optio
     let fraction = (0..pieces.len()).filter(follows).count() as f64 / pieces.len() as f64;
     (fraction > NOISE_FRACTION).then_some(Warning::ToleranceBelowNoise { fraction })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_curve_far_from_edges_that_hardly_turn_swings_out() {
+        // Edges of 1 that turn by 0.1, sagitta 1/80, and a corner that does not count.
+        let mut points = vec![Point3::ORIGIN];
+        for i in 0..20 {
+            let (s, c) = (0.1 * f64::from(i) + if i < 10 { 0.0 } else { 1.5 }).sin_cos();
+            points.push(Point3::new(points[i as usize].x + c, points[i as usize].y + s, 0.0));
+        }
+        let options = ArcFitOptions::new(0.001);
+        let said = |distance: f64| swing(&points, &[(10, 1.6)], &options, distance);
+        assert_eq!(said(0.026), None);
+        let Some(Warning::SwingsOut { distance, limit, held: false }) = said(0.03) else { panic!("nothing said") };
+        assert!((distance - 0.03).abs() < 1e-15 && (limit - 2.0 * (0.001 + 0.0125)).abs() < 1e-9, "{limit}");
+        // Without the corner its turn explains much.
+        assert_eq!(swing(&points, &[], &options, 0.3), None);
+    }
+}

@@ -26,6 +26,12 @@ const MAX_GRADES: usize = 24;
 /// Between samples the curve may leave the edge by this part of edge length times turn: twice the sagitta of a
 /// circle.
 const EDGE_SLACK: f64 = 0.25;
+/// A turn stands alone if those at this many vertices to either side are at most this part of it.
+const STRAIGHT_EDGES: usize = 2;
+const STRAIGHT: f64 = 0.05;
+const MEANT_PLACES: usize = 3;
+/// and the curve might leave its edges by more than this part of the tolerance.
+const MATTERS: f64 = 0.1;
 
 /// The chains between corners over a trace of the polyline; the error is the position among `points` where the
 /// search died.
@@ -45,7 +51,7 @@ pub(super) fn fit(
     };
     let mut died = 0;
     for extra in fewest..=MAX_EXTRA_POINTS {
-        let trace = densified(points, options, extra);
+        let trace = densified(points, corners, options, extra);
         let at: Vec<usize> = trace.positions_of(corners);
         match fit_trace(&trace, &at, frame, tolerance, options, effort) {
             Ok(chains) => return Ok((trace, chains)),
@@ -96,26 +102,31 @@ fn fit_trace(
     trace.runs(corners).into_iter().map(piece).collect()
 }
 
-/// The polyline with extra points on its edges for joints to sit over: `extra` uniform ones and, if the edges are
-/// meant, those where the rounding of the turns at the two ends can begin.
-fn densified(points: &[Point3], options: &ArcFitOptions, extra: usize) -> Trace {
+/// The polyline with extra points on its edges for joints to sit over: `extra` uniform ones and, on edges that are meant
+/// themselves, those where the rounding of the turns at the two ends can begin.
+fn densified(points: &[Point3], corners: &[usize], options: &ArcFitOptions, extra: usize) -> Trace {
     let n = points.len();
-    let edges = options.target == FitTarget::Polyline;
-    let turns = turns(points, options.closed);
+    let turns = smooth_turns(points, corners, options.closed);
+    let lone = lone_turns(points, &turns, options);
+    let meant = |from: usize| options.target == FitTarget::Polyline || lone[from] || lone[(from + 1) % n];
     let slack = |from: usize| {
         let end = (from + 1) % n;
         let length = points[from].distance(points[end]);
-        if edges { 0.0 } else { EDGE_SLACK * length * turns[from].max(turns[end]) }
+        if meant(from) { 0.0 } else { EDGE_SLACK * length * turns[from].max(turns[end]) }
     };
+    // A line over a long straight run needs its direction exactly from the start.
+    let ahead = |from: usize| (1..=STRAIGHT_EDGES).any(|k| lone[(from + n + 1 - k) % n]);
     let mut trace = Trace::empty(options.closed);
     for (i, p) in points.iter().enumerate() {
         trace.push(*p, i, slack((i + n - 1) % n));
-        if extra == 0 || (i + 1 == n && !options.closed) {
+        let edges = meant(i);
+        if (extra == 0 && !edges) || (i + 1 == n && !options.closed) {
             continue;
         }
         let (next, end) = (points[(i + 1) % n], (i + 1) % n);
         let length = p.distance(next);
-        let mut at: Vec<f64> = (1..=extra).map(|j| j as f64 / (extra + 1) as f64).collect();
+        let places = if edges { extra.max(MEANT_PLACES) } else { extra };
+        let mut at: Vec<f64> = (1..=places).map(|j| j as f64 / (places + 1) as f64).collect();
         if edges {
             let reach = |turn: f64| ROUNDING_PLACE * rounding_reach(turn, options.tolerance) / length;
             let apart = options.tolerance / length;
@@ -128,7 +139,43 @@ fn densified(points: &[Point3], options: &ArcFitOptions, extra: usize) -> Trace 
             trace.push_loose(p.lerp(next, t), slack(i));
         }
     }
+    // On the edges behind the turn: points on them, and the vertices at which they end.
+    let mut from = 0;
+    for (place, vertex) in trace.vertex.iter().enumerate() {
+        trace.straight_ahead[place] = match vertex {
+            Some(vertex) => {
+                from = *vertex;
+                !lone[from] && ahead((from + n - 1) % n)
+            }
+            None => ahead(from),
+        };
+    }
     trace
+}
+
+/// Turns of what runs smoothly through the vertices: at a corner nothing does.
+fn smooth_turns(points: &[Point3], corners: &[usize], closed: bool) -> Vec<f64> {
+    let mut turns = turns(points, closed);
+    corners.iter().for_each(|corner| turns[*corner] = 0.0);
+    turns
+}
+
+/// The vertices that turn between straight runs, below the angle of a corner: a curve through samples would swing out
+/// over both edges to get round, and nothing else in the data asks for that. Their two edges
+/// are meant as they are.
+fn lone_turns(points: &[Point3], turns: &[f64], options: &ArcFitOptions) -> Vec<bool> {
+    let n = points.len();
+    let inside = |i: usize| options.closed || (STRAIGHT_EDGES <= i && i + STRAIGHT_EDGES < n);
+    let lone = |i: usize| {
+        let (before, after) = (points[(i + n - 1) % n], points[(i + 1) % n]);
+        let shorter = points[i].distance(before).min(points[i].distance(after));
+        let straight = |j: usize| turns[j % n] <= STRAIGHT * turns[i];
+        n > 2 * STRAIGHT_EDGES
+            && inside(i)
+            && EDGE_SLACK * shorter * turns[i] > MATTERS * options.tolerance
+            && (1..=STRAIGHT_EDGES).all(|k| straight(i + k) && straight(i + n - k))
+    };
+    (0..n).map(lone).collect()
 }
 
 /// Places ever farther from an end, up to the middle of the edge: each arc can then be a few times longer than the

@@ -12,18 +12,35 @@ pub(super) struct Trace {
     pub slack: Vec<f64>,
     /// How much farther than the tolerance the curve may bulge out over the edge that ends in each point.
     pub bulge: Vec<f64>,
+    /// Whether a straight run goes on from each point, after a turn between straight runs.
+    pub straight_ahead: Vec<bool>,
     pub closed: bool,
 }
 
 impl Trace {
     pub fn empty(closed: bool) -> Self {
-        Self { points: Vec::new(), vertex: Vec::new(), slack: Vec::new(), bulge: Vec::new(), closed }
+        Self {
+            points: Vec::new(),
+            vertex: Vec::new(),
+            slack: Vec::new(),
+            bulge: Vec::new(),
+            straight_ahead: Vec::new(),
+            closed,
+        }
     }
 
     pub fn of_points(points: &[Point3], closed: bool) -> Self {
         let n = points.len();
         let vertex = (0..n).map(Some).collect();
-        Self { points: points.to_vec(), vertex, slack: vec![0.0; n], bulge: vec![0.0; n], closed }
+        let none = vec![0.0; n];
+        Self {
+            points: points.to_vec(),
+            vertex,
+            slack: none.clone(),
+            bulge: none,
+            straight_ahead: vec![false; n],
+            closed,
+        }
     }
 
     /// A vertex, and the slack of the edge that ends there.
@@ -32,6 +49,7 @@ impl Trace {
         self.vertex.push(Some(vertex));
         self.slack.push(0.0);
         self.bulge.push(bulge);
+        self.straight_ahead.push(false);
     }
 
     /// A point on an edge with this slack.
@@ -40,6 +58,7 @@ impl Trace {
         self.vertex.push(None);
         self.slack.push(slack);
         self.bulge.push(slack);
+        self.straight_ahead.push(false);
     }
 
     /// Point at an index that may have wrapped around.

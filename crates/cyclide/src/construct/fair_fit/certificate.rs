@@ -39,7 +39,7 @@ pub(super) struct PieceSheet {
     pub polyline: f64,
     /// The first point whose foot steps back, and their number.
     pub back: Option<(usize, usize)>,
-    /// Sum of the squared third differences of the distances, as vectors, and their number: what is left of them is no
+    /// Sum of the squared fourth differences of the distances, as vectors, and their number: what is left of them is no
     /// smooth change.
     pub roughness: (f64, usize),
 }
@@ -80,10 +80,10 @@ pub(super) fn certify(curve: &[RationalBezier], closed: bool, points: &[Point3],
     sheet
 }
 
-/// Sum of the squared third differences, and their number.
+/// Sum of the squared fourth differences, and their number.
 fn roughness(errors: &[Vec3]) -> (f64, usize) {
-    let third = |w: &[Vec3]| (w[3] - w[0] + (w[1] - w[2]) * 3.0).length_squared();
-    (errors.windows(4).map(third).sum(), errors.len().saturating_sub(3))
+    let fourth = |w: &[Vec3]| (w[0] + w[4] - (w[1] + w[3]) * 4.0 + w[2] * 6.0).length_squared();
+    (errors.windows(5).map(fourth).sum(), errors.len().saturating_sub(4))
 }
 
 /// The point at a position.

@@ -13,6 +13,8 @@ use crate::warning::Warning;
 const LEANING: f64 = 0.55;
 /// More nodes than this part of the points follow each of them.
 const MANY: f64 = 1.0 / 3.0;
+/// Fewer points to a node than this do not tell noise from the way the curve swings between its bounds.
+const POINTS_TO_A_NODE: usize = 6;
 /// Fewer points than this say nothing about noise.
 const FEW_POINTS: usize = 24;
 /// A curve shorter than this part of the length of the smoothed points has lost shape.
@@ -103,8 +105,10 @@ impl Doubts<'_> {
             let (more, terms) = piece.sheet.roughness;
             (sum + more, count + terms)
         });
-        // Third differences of independent errors have 1 + 9 + 9 + 1 times their variance.
-        let scatter = (sum / (20 * count.max(1)) as f64).sqrt();
+        // Fourth differences of independent errors have 1 + 16 + 36 + 16 + 1 times their variance. With few points to a
+        // node, what is left is as rough without any noise.
+        let told = count >= POINTS_TO_A_NODE * self.sheet.nodes;
+        let scatter = told.then(|| (sum / (70 * count.max(1)) as f64).sqrt());
         Some(Warning::LeansOnWalls { rms, limit, scatter })
     }
 }

@@ -3,21 +3,28 @@
 //! The data are the nodes at which the pieces of the curve meet, cut at its corners; the polygon through them turns left
 //! or right at each, or not at all. A turn counts as none if rounding can make it, or if it is below a fiftieth of one
 //! beside it. What the data account for are the polygon's own changes of side, and one more for every passage
-//! between straight on and a turn: beside a corner of straight runs an interpolating curve must swing out a little.
+//! between a straight run and a turn: beside a corner of straight runs an interpolating curve must swing out a little. A
+//! run is two nodes or more: a single node without a turn is where the curve changes sides, or where it bends least.
+//!
+//! In space a turn has no side but an axis: the product of the two edges at a node, of tangent and curvature vector on
+//! the curve. What counts there is an axis that turns over (by more than a right angle to the last one), where the
+//! polygon turns or the curve bends by more than a fiftieth of what it does beside it; a curve that winds turns its axis
+//! slowly and changes nothing. Ten places of each piece are looked at.
 //!
 //! *The curve wavers* if it changes sides more than 1.25 times as often, and two times more. *The data waver* if there
 //! are 16 nodes or more, those that turn do so gently (by less than 30 degrees in the median; stairs do not), and they
 //! change sides at more than every third: then they carry noise, and a curve through all of them has to show it.
 
 use super::piece::ROUNDING;
-use super::plane::plane_of;
-use super::{CORNER_ANGLE, Fairness};
+use super::{CORNER_ANGLE, Fairness, NOISE};
 use crate::base::vector::Vec3;
 use crate::curve::ParamCurve;
 use crate::curve::measure::continuity::joints;
 
 /// Turns below this part of a neighbour's are straight on.
 const STRAIGHT: f64 = 0.02;
+/// Places of each piece of a curve in space that are looked at.
+const PLACES: usize = 10;
 /// The curve wavers beyond this many times what the data account for, and this many more.
 const TIMES: f64 = 1.25;
 const MORE: f64 = 2.0;
@@ -42,35 +49,67 @@ pub struct Wavering {
     pub data_waver: bool,
 }
 
-/// Compares a planar curve with the polygon of the nodes between its pieces; `None` in space.
+/// Compares a curve with the polygon of the nodes between its pieces.
 #[must_use]
-pub fn wavering(curve: &dyn ParamCurve, fairness: &Fairness) -> Option<Wavering> {
-    let changes = fairness.sign_changes?;
-    let runs = turns(curve, plane_of(curve)?);
+pub fn wavering(curve: &dyn ParamCurve, fairness: &Fairness) -> Wavering {
+    let changes = fairness.sign_changes.unwrap_or_else(|| changes_in_space(curve));
+    let runs = turns(curve);
     let (mut data, mut passages, mut turning) = (0, 0, Vec::new());
     for run in &runs {
-        let sides = run.sides();
-        turning.extend(run.turns.iter().zip(&sides).filter(|(_, side)| **side != 0).map(|(turn, _)| turn.angle.abs()));
-        data += run.changes(sides.iter().copied().filter(|s| *s != 0));
-        passages += run.changes(sides.iter().map(|s| i8::from(*s != 0)));
+        let axes = run.axes();
+        turning.extend(axes.iter().flatten().map(|axis| axis.length()));
+        data += turnovers(axes.iter().copied().flatten(), run.closed);
+        passages += run.passages(&axes);
     }
     turning.sort_by(f64::total_cmp);
     let median = turning.get(turning.len() / 2).copied().unwrap_or(0.0);
     let nodes = runs.iter().map(|run| run.turns.len()).sum();
     let explained = data + passages;
-    Some(Wavering {
+    Wavering {
         curve: changes,
         data,
         explained,
         nodes,
         curve_wavers: changes as f64 > TIMES * explained as f64 + MORE,
         data_waver: nodes >= MANY && median < GENTLE && 3 * data > nodes,
-    })
+    }
 }
 
-/// The turn of the polygon at a node, and what rounding can make of it.
+/// How often the axis of turning of a curve in space turns over, at places where it bends.
+fn changes_in_space(curve: &dyn ParamCurve) -> usize {
+    let n = curve.piece_count();
+    let (mut axes, mut rounding) = (Vec::with_capacity(n * PLACES), Vec::with_capacity(n));
+    for piece in 0..n {
+        axes.extend((0..PLACES).map(|i| {
+            let jet = curve.piece_jet(piece, (i as f64 + 0.5) / PLACES as f64);
+            let axis = jet.d1.unit().zip(jet.curvature_vector()).map(|(tangent, k)| tangent.cross(k));
+            axis.filter(|a| a.is_finite()).unwrap_or(Vec3::ZERO)
+        }));
+        let from = curve.piece_point(piece, 0.0);
+        let chord = from.distance(curve.piece_point(piece, 1.0));
+        rounding.push(ROUNDING * (1.0 + from.to_vec().max_abs() / chord) / chord);
+    }
+    let size = |i: usize| axes[i].length();
+    let largest = (0..axes.len()).map(size).fold(0.0, f64::max);
+    // Bending is compared with that of a piece to either side.
+    let beside = |i: usize| (i.saturating_sub(PLACES)..(i + PLACES + 1).min(axes.len())).map(size).fold(0.0, f64::max);
+    let straight = |i: usize| (STRAIGHT * beside(i)).max(NOISE * largest).max(rounding[i / PLACES]);
+    let bent = (0..axes.len()).filter(|i| size(*i) > straight(*i)).map(|i| axes[i]);
+    turnovers(bent, curve.is_closed())
+}
+
+/// How often an axis is over against the one before it, round a closed run.
+fn turnovers(axes: impl Iterator<Item = Vec3>, closed: bool) -> usize {
+    let mut axes: Vec<Vec3> = axes.collect();
+    if closed {
+        axes.extend(axes.first().copied());
+    }
+    axes.windows(2).filter(|pair| pair[0].dot(pair[1]) < 0.0).count()
+}
+
+/// The turn of the polygon at a node as its axis times its angle, and what rounding can make of it.
 struct Turn {
-    angle: f64,
+    axis: Vec3,
     rounding: f64,
 }
 
@@ -81,36 +120,39 @@ struct Turns {
 }
 
 impl Turns {
-    /// 1 for left, -1 for right, 0 for straight on.
-    fn sides(&self) -> Vec<i8> {
-        let n = self.turns.len();
-        let size = |i: Option<usize>| i.and_then(|i| self.turns.get(i)).map_or(0.0, |t| t.angle.abs());
-        let side = |i: usize| {
-            let before = if i > 0 { Some(i - 1) } else { self.closed.then_some(n - 1) };
-            let after = if i + 1 < n { Some(i + 1) } else { self.closed.then_some(0) };
-            let turn = &self.turns[i];
+    /// The axes of the turns, `None` where the polygon goes straight on.
+    fn axes(&self) -> Vec<Option<Vec3>> {
+        let size = |i: Option<usize>| i.and_then(|i| self.turns.get(i)).map_or(0.0, |t| t.axis.length());
+        let axis = |(i, turn): (usize, &Turn)| {
+            let [before, after] = self.beside(i);
             let straight = turn.rounding.max(STRAIGHT * size(before).max(size(after)));
-            match turn.angle {
-                a if a > straight => 1,
-                a if a < -straight => -1,
-                _ => 0,
-            }
+            (turn.axis.length() > straight).then_some(turn.axis)
         };
-        (0..n).map(side).collect()
+        self.turns.iter().enumerate().map(axis).collect()
     }
 
-    /// How often neighbouring values differ, round a closed run.
-    fn changes(&self, values: impl Iterator<Item = i8>) -> usize {
-        let mut values: Vec<i8> = values.collect();
+    /// The nodes before and after one.
+    fn beside(&self, i: usize) -> [Option<usize>; 2] {
+        let n = self.turns.len();
+        let before = if i > 0 { Some(i - 1) } else { self.closed.then_some(n - 1) };
+        let after = if i + 1 < n { Some(i + 1) } else { self.closed.then_some(0) };
+        [before, after]
+    }
+
+    /// How often a straight run begins or ends.
+    fn passages(&self, axes: &[Option<Vec3>]) -> usize {
+        let straight = |i: Option<usize>| i.is_none_or(|i| axes[i].is_none());
+        let in_run = |i: usize| axes[i].is_none() && self.beside(i).into_iter().any(straight);
+        let mut runs: Vec<bool> = (0..axes.len()).map(in_run).collect();
         if self.closed {
-            values.extend(values.first().copied());
+            runs.extend(runs.first().copied());
         }
-        values.windows(2).filter(|pair| pair[0] != pair[1]).count()
+        runs.windows(2).filter(|pair| pair[0] != pair[1]).count()
     }
 }
 
 /// The turns at the nodes inside of every smooth run.
-fn turns(curve: &dyn ParamCurve, normal: Vec3) -> Vec<Turns> {
+fn turns(curve: &dyn ParamCurve) -> Vec<Turns> {
     let mut runs = vec![Turns { turns: Vec::new(), closed: curve.is_closed() }];
     for joint in joints(curve) {
         let (from, at) = (curve.piece_point(joint.piece, 0.0), curve.piece_point(joint.next, 0.0));
@@ -120,7 +162,8 @@ fn turns(curve: &dyn ParamCurve, normal: Vec3) -> Vec<Turns> {
         }
         let (a, b) = (at - from, curve.piece_point(joint.next, 1.0) - at);
         let rounding = ROUNDING * (1.0 + at.to_vec().max_abs() / a.length().min(b.length()));
-        let turn = Turn { angle: a.cross(b).dot(normal).atan2(a.dot(b)), rounding };
+        let axis = a.cross(b).unit().map_or(Vec3::ZERO, |axis| axis * a.angle(b));
+        let turn = Turn { axis, rounding };
         if let Some(run) = runs.last_mut() {
             run.turns.push(turn);
         }
