@@ -95,6 +95,10 @@ pub enum FitPieces {
         lines: usize,
         /// Largest angle at a joint, corners excepted, radians.
         max_kink: f64,
+        /// Angle by which the arcs and corners turn in all, radians.
+        turning: f64,
+        /// The most that the data turn within the tolerance, radians.
+        turning_limit: f64,
     },
     /// Of a fair fit.
     Fair {
@@ -177,7 +181,13 @@ impl FitReport {
                 deviation: c.deviation,
                 polyline_deviation: c.polyline_deviation,
                 monotone: c.monotone,
-                made: FitPieces::Arcs { arcs: c.arcs, lines: c.lines, max_kink: c.max_kink },
+                made: FitPieces::Arcs {
+                    arcs: c.arcs,
+                    lines: c.lines,
+                    max_kink: c.max_kink,
+                    turning: c.turning,
+                    turning_limit: c.turning_limit,
+                },
             },
             Fitted::Fair(c) => Self {
                 tolerance,
@@ -192,9 +202,16 @@ impl FitReport {
     /// Together with another contour of the object, which was fitted the same way.
     fn with(self, other: Self) -> Self {
         let made = match (self.made, other.made) {
-            (FitPieces::Arcs { arcs, lines, max_kink }, FitPieces::Arcs { arcs: a, lines: l, max_kink: k }) => {
-                FitPieces::Arcs { arcs: arcs + a, lines: lines + l, max_kink: max_kink.max(k) }
-            }
+            (
+                FitPieces::Arcs { arcs, lines, max_kink, turning, turning_limit },
+                FitPieces::Arcs { arcs: a, lines: l, max_kink: k, turning: t, turning_limit: limit },
+            ) => FitPieces::Arcs {
+                arcs: arcs + a,
+                lines: lines + l,
+                max_kink: max_kink.max(k),
+                turning: turning + t,
+                turning_limit: turning_limit + limit,
+            },
             (FitPieces::Fair { nodes, rms }, FitPieces::Fair { nodes: n, rms: r }) => {
                 FitPieces::Fair { nodes: nodes + n, rms: rms.max(r) }
             }
