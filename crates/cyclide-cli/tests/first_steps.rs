@@ -4,6 +4,20 @@
 
 mod common;
 
+#[test]
+fn every_warning_is_explained() {
+    // The words as the kernel has them.
+    let source = include_str!("../../cyclide/src/warning.rs");
+    let page = include_str!("../../../docs/report.md");
+    let (_, body) = source.split_once("pub fn reason(&self)").expect("the function of the words");
+    let (body, _) = body.split_once("\n    }\n").expect("its end");
+    let words: Vec<&str> = body.split('"').skip(1).step_by(2).collect();
+    assert!(words.len() > 30, "{words:?}");
+    for word in words {
+        assert!(page.contains(&format!("`{word}`")), "{word}");
+    }
+}
+
 use std::collections::BTreeSet;
 
 use common::{Folder, project};

@@ -78,12 +78,11 @@ fn surfaces(bodies: &[Body], count: usize) -> String {
 /// The fields of a place on a patch behind its number, and the end of the line.
 fn push_surface_sample(out: &mut String, face: &ShellFace, s: f64, t: f64) {
     let patch = &face.patch;
-    let normal = patch.normal(s, t).map(|n| if face.same_sense { n } else { -n });
-    // Curvatures are against D V3 D^-1.
-    let side = normal.map(|n| n.dot(patch.unit_normal(s, t)).signum());
+    // Curvatures are against D V3 D^-1, which turns to the other side nowhere, as the report has it.
+    let side = if patch.is_flipped() == face.same_sense { -1.0 } else { 1.0 };
     let point = patch.point(s, t).to_array().map(Some);
-    let normal = [0, 1, 2].map(|i| normal.map(|n| n.to_array()[i]));
-    let curvatures = [patch.k1(t), patch.k2(s)].map(|k| side.map(|side| side * k).filter(|k| k.is_finite()));
+    let normal = (patch.unit_normal(s, t) * side).to_array().map(Some);
+    let curvatures = [patch.k1(t), patch.k2(s)].map(|k| Some(side * k).filter(|k| k.is_finite()));
     for value in [s, t].map(Some).into_iter().chain(point).chain(normal).chain(curvatures) {
         out.push(',');
         if let Some(value) = value {

@@ -92,7 +92,7 @@ pub use curve::{ArcLength, CurveIndex, ExtremeCurvature, Joint};
 pub use curve::{
     BlendLaw, BlendSegment, BlendVariant, CircleSpline, CircleSplineOptions, SplineEnds, corners_by_angle,
 };
-pub use curve::{CORNER_ANGLE, Fairness, Wavering, fairness, wavering};
+pub use curve::{CORNER_ANGLE, Fairness, RoundedTurns, Wavering, fairness, wavering};
 pub use curve::{Correspondence, CurvePlace, Span};
 pub use curve::{bounds, closest_point, curvature_comb, extreme_curvature, joints, length, resample};
 pub use error::{Error, Result};

@@ -98,6 +98,17 @@ pub enum Warning {
         /// Those and one for each end of a straight run: what the data account for.
         explained: usize,
     },
+    /// The points turn sharply between straight runs, and the curve goes round: a corner that was not marked.
+    CornerNotMarked {
+        /// Index of the first of these points.
+        node: usize,
+        /// How many there are.
+        count: usize,
+        /// The largest turn, radians.
+        angle: f64,
+        /// How far the curve leaves the edges beside them.
+        distance: f64,
+    },
     /// The data themselves change between left and right as noise does, and a curve through all of them must.
     DataWaver {
         /// Changes of the polygon through the nodes.
@@ -151,7 +162,7 @@ pub enum Warning {
     WideTolerance {
         /// The tolerance asked for.
         tolerance: f64,
-        /// What the curve keeps to.
+        /// What the curve keeps to: the tolerance itself for an arc fit.
         used: f64,
     },
     /// A tolerance so large that bends or loops are gone: the curve is less than 0.8 times as long as its points say.
@@ -291,6 +302,7 @@ impl Warning {
             Self::SamplesTooCoarse { .. } => "samples-too-coarse",
             Self::ToleranceBelowNoise { .. } => "tolerance-below-noise",
             Self::Wavers { .. } => "wavers",
+            Self::CornerNotMarked { .. } => "corner-not-marked",
             Self::DataWaver { .. } => "data-waver",
             Self::TightArc { .. } => "tight-arc",
             Self::TurnsMoreThanData { .. } => "turns-more-than-data",
@@ -323,6 +335,7 @@ impl Warning {
             Self::Cusp { node }
             | Self::SharpTurn { node, .. }
             | Self::SharpTurnCut { node, .. }
+            | Self::CornerNotMarked { node, .. }
             | Self::UnevenSpacing { node, .. } => Some(node),
             Self::Relaxed { ref segments } => segments.first().map(|(segment, _)| *segment),
             Self::LongWay { segment } | Self::OppositeCircles { segment } | Self::RoundedDirections { segment, .. } => {
@@ -420,8 +433,14 @@ impl std::fmt::Display for Warning {
                 if explained > data {
                     write!(f, " ({explained} with the ends of their straight runs)")?;
                 }
-                f.write_str(": it wavers between them (the comb of a picture shows where)")
+                f.write_str(": it wavers between them (the comb of a picture shows where); a fair spline, or a fit within a tolerance, bends less to and fro")
             }
+            Self::CornerNotMarked { node, count, angle, distance } => write!(
+                f,
+                "{count} point(s) turn between straight runs, by up to {:.1} degrees, the first is point {node}: the curve goes round and leaves the runs by up to {}; if corners are meant, mark them (a corner angle)",
+                angle.to_degrees(),
+                ShortNumber(*distance)
+            ),
             Self::DataWaver { changes, nodes } => write!(
                 f,
                 "the points change {changes} times between left and right at {nodes} nodes, as noise does, and the curve passes through all of them: a fit within a tolerance is smoother"
@@ -473,6 +492,11 @@ impl std::fmt::Display for Warning {
                     None => f.write_str("a smaller tolerance, or a centre of 1, comes nearer to the points"),
                 }
             }
+            Self::WideTolerance { tolerance, used } if used >= tolerance => write!(
+                f,
+                "the tolerance {} is wide against the figure: bends and corners smaller than it may be gone",
+                ShortNumber(*tolerance)
+            ),
             Self::WideTolerance { tolerance, used } => write!(
                 f,
                 "the tolerance {} is wide against the figure: the curve keeps within {}, where it is fairer or swings out less",

@@ -299,6 +299,34 @@ fn curves_in_space_waver_too() {
 }
 
 #[test]
+fn corners_that_were_not_marked_are_named() {
+    let side = |from: [f64; 2], to: [f64; 2], n: usize| {
+        (0..n).map(move |k| {
+            let t = k as f64 / n as f64;
+            Point3::new(from[0] + (to[0] - from[0]) * t, from[1] + (to[1] - from[1]) * t, 0.0)
+        })
+    };
+    let points: Vec<Point3> = side([0.0, 0.0], [100.0, 0.0], 50)
+        .chain(side([100.0, 0.0], [100.0, 60.0], 30))
+        .chain(side([100.0, 60.0], [0.0, 60.0], 50))
+        .chain(side([0.0, 60.0], [0.0, 0.0], 30))
+        .collect();
+    let rounded = |options: &FairSplineOptions| {
+        let curve = CircleSpline::fair(&points, options).unwrap();
+        wavering(&curve, &fairness(&curve)).rounded
+    };
+    let closed = FairSplineOptions { closed: true, ..Default::default() };
+    let found = rounded(&closed).unwrap();
+    assert_eq!((found.count, found.first), (4, 0));
+    assert!((found.angle - TAU / 4.0).abs() < 1e-12 && found.distance > 0.2 && found.distance < 0.4, "{found:?}");
+    assert_eq!(rounded(&FairSplineOptions { corners: vec![0, 50, 80, 130], ..closed }), None);
+    // A wave has none.
+    let wave: Vec<Point3> = (0..60).map(|i| f64::from(i) * 0.25).map(|x| Point3::new(x, x.sin(), 0.0)).collect();
+    let curve = spline(&wave, false);
+    assert_eq!(wavering(&curve, &fairness(&curve)).rounded, None);
+}
+
+#[test]
 fn stairs_are_no_noise() {
     // Two chords to a tread: every other node is straight on, and the turns are right angles to both sides in turn.
     let mut points = vec![Point3::ORIGIN];

@@ -336,3 +336,35 @@ fn noise_on_a_plane_is_called_noise() {
         assert!(!change.noise, "{name} {quads:?} {noisy}: {change:?}");
     }
 }
+
+#[test]
+fn egg_crates_of_six_quads_are_seen() {
+    // Half a dome with humps and hollows of three quads each; at a tenth of an edge too shallow to be refused.
+    let dome = |amplitude: f64| {
+        grid(
+            &move |u, v| {
+                let (x, y) = (24.0 * u - 12.0, 24.0 * v - 12.0);
+                let crate_ = if x > 0.0 { amplitude * (PI / 3.0 * x).sin() * (PI / 3.0 * y).sin() } else { 0.0 };
+                [x, y, crate_ - 0.02 * x * x - 0.03 * y * y]
+            },
+            [24, 24],
+            OPEN,
+            0.0,
+        )
+    };
+    for amplitude in [0.3, 0.5] {
+        let change = refused("egg crate", &dome(amplitude));
+        assert!(change.lost_relief > 0.5, "{change:?}");
+    }
+    let shallow = guarded(&dome(0.1)).unwrap();
+    assert!(reasons(&shallow).contains(&"shape-changed"), "{:?}", shallow.warnings);
+}
+
+#[test]
+fn a_shape_that_swells_is_refused_and_noise_on_it_is_not_all_that_bends() {
+    // Errors of up to an eighth of an edge in all coordinates of a part of a cylinder: made circular, it is twice as thick.
+    let bent = grid(&|u, v| [12.0 * u, 16.0 * (0.75 * v).sin(), 16.0 * (0.75 * v).cos()], [12, 12], OPEN, 0.12);
+    let shape = allowed(&bent).report.shape.unwrap();
+    assert!(!shape.noise && shape.thickness.unwrap() > 1.5, "{shape:?}");
+    assert!(guarded(&bent).unwrap_err().to_string().contains("% of that given (at most 150 %)"));
+}

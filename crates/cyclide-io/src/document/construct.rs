@@ -3,7 +3,7 @@
 use cyclide::{
     ArcFit, ArcFitOptions, ArcPath, ArcSplineOptions, BiarcRule, BlendVariant, CircleSpline, CircleSplineOptions,
     CurveObject, Effort, FairEnd, FairFit, FairFitCertificate, FairFitOptions, FairSplineOptions, Fairness,
-    FitCertificate, FitTarget, Point3, SplineEnds, Vec3, Warning, corners_by_angle, fairness, wavering,
+    FitCertificate, FitTarget, Point3, RoundedTurns, SplineEnds, Vec3, Warning, corners_by_angle, fairness, wavering,
 };
 
 use super::angle::Angle;
@@ -145,20 +145,29 @@ impl Contour<'_> {
 
 impl ContourFacts {
     /// Measures how evenly a curve through all its points bends, and tells if it wavers between them, or they do.
-    pub(super) fn compare(&mut self, curve: &CurveObject) -> Option<Warning> {
+    pub(super) fn compare(&mut self, curve: &CurveObject) -> Vec<Warning> {
         let CurveObject::CircleSpline(spline) = curve else {
-            return None;
+            return Vec::new();
         };
         // A fit does not pass through its points: their changes are not the curve's.
         if self.fit.is_some() {
-            return None;
+            return Vec::new();
         }
         let measured = *self.fairness.insert(fairness(spline));
         let found = wavering(spline, &measured);
-        if found.curve_wavers {
-            return Some(Warning::Wavers { curve: found.curve, data: found.data, explained: found.explained });
-        }
-        found.data_waver.then_some(Warning::DataWaver { changes: found.data, nodes: found.nodes })
+        let wavers = found.curve_wavers.then_some(Warning::Wavers {
+            curve: found.curve,
+            data: found.data,
+            explained: found.explained,
+        });
+        let data_waver = || found.data_waver.then_some(Warning::DataWaver { changes: found.data, nodes: found.nodes });
+        let corner = |RoundedTurns { first, count, angle, distance }| Warning::CornerNotMarked {
+            node: first,
+            count,
+            angle,
+            distance,
+        };
+        wavers.or_else(data_waver).into_iter().chain(found.rounded.map(corner)).collect()
     }
 }
 

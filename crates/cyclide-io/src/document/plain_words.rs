@@ -13,6 +13,9 @@ pub(super) fn in_plain_words(message: &str) -> String {
             return wrong_count(given, needed);
         }
     }
+    if message == "expected ident" {
+        return "expected `true`, `false` or `null`; a text stands in quotes".to_owned();
+    }
     let plain = cut_quote(message);
     let plain = plain.replace("expected f64", "expected a number").replace("expected u32", "expected a whole number");
     plain + &suggestion(message)

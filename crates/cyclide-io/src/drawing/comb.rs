@@ -5,10 +5,10 @@
 //! so many pieces that this would be a solid area (more than [`MOST`] samples) is thinned: of the samples within a
 //! cell as large as a pixel, those of the largest and the least curvature stay.
 //!
-//! Objects that bend alike (within a factor of [`ALIKE`]) share one scale: equal curvatures have equal teeth. Otherwise
-//! each object has its own, so that bends of small and large ones both show, and the drawing says so. Combs are made
-//! shorter, all of a scale together, until they leave the other curves and combs alone ([`Room`]); one that cannot is
-//! left out, and the drawing names it.
+//! Objects that bend alike (within a factor of [`ALIKE`]) share one scale: equal curvatures have equal teeth. Small and
+//! large ones have scales of their own, so that the bends of both show, and the drawing says so. Combs are made shorter,
+//! all of a scale together, until they leave the other curves and combs alone ([`Room`]); one that cannot is left out, and
+//! the drawing names it.
 
 use super::room::{Room, Taken};
 use super::{Comb, CombStrip, Combs, Tip, even_parameters};
@@ -73,8 +73,13 @@ pub(crate) fn combs(job: &Job<'_>, size: f64, [right, up]: [Vec3; 2]) -> Combs {
         }
         first = last;
     }
-    let scales = share_scale(&mut bent).then(|| fitted_together(&bent, &room)).flatten();
-    let scales = scales.unwrap_or_else(|| bent.iter().map(|object| fitted(object, &mut room)).collect());
+    let mut scales = vec![None; bent.len()];
+    for group in alike(&mut bent) {
+        for (index, scale) in group.iter().zip(fitted(&group.iter().map(|i| &bent[*i]).collect::<Vec<_>>(), &mut room))
+        {
+            scales[*index] = scale;
+        }
+    }
     let mut found = Combs::default();
     for (object, scale) in bent.iter().zip(scales) {
         let own = &contours[object.first..object.first + object.own.len()];
@@ -94,16 +99,26 @@ struct Bent<'a> {
     scale: Scale,
 }
 
-/// Gives objects that bend alike the same scale; false if they do not.
-fn share_scale(bent: &mut [Bent<'_>]) -> bool {
-    let per_curvature = || bent.iter().map(|object| object.scale.per_curvature);
-    let (least, most) = (per_curvature().fold(f64::INFINITY, f64::min), per_curvature().fold(0.0, f64::max));
-    let longest = bent.iter().map(|object| object.scale.longest).fold(0.0, f64::max);
-    let alike = most <= ALIKE * least;
-    if alike {
-        bent.iter_mut().for_each(|object| (object.scale.per_curvature, object.scale.longest) = (least, longest));
+/// The objects in groups that bend alike, each in the order of the model, with one scale: the least of theirs.
+fn alike(bent: &mut [Bent<'_>]) -> Vec<Vec<usize>> {
+    let mut order: Vec<usize> = (0..bent.len()).collect();
+    order.sort_by(|a, b| bent[*a].scale.per_curvature.total_cmp(&bent[*b].scale.per_curvature));
+    let mut groups: Vec<Vec<usize>> = Vec::new();
+    for index in order {
+        let per_curvature = bent[index].scale.per_curvature;
+        match groups.last_mut() {
+            Some(group) if per_curvature <= ALIKE * bent[group[0]].scale.per_curvature => group.push(index),
+            _ => groups.push(vec![index]),
+        }
     }
-    alike
+    for group in &mut groups {
+        let least = bent[group[0]].scale.per_curvature;
+        let longest = group.iter().map(|i| bent[*i].scale.longest).fold(0.0, f64::max);
+        group.iter().for_each(|i| (bent[*i].scale.per_curvature, bent[*i].scale.longest) = (least, longest));
+        group.sort_unstable();
+    }
+    groups.sort_by_key(|group| group[0]);
+    groups
 }
 
 /// A tooth before it has a length.
@@ -214,30 +229,29 @@ fn ways() -> impl Iterator<Item = (bool, f64)> {
     [true, false].into_iter().flat_map(|curves_too| SHORTER.into_iter().map(move |factor| (curves_too, factor)))
 }
 
-/// The largest scale at which all the combs leave each other alone.
-fn fitted_together(bent: &[Bent<'_>], room: &Room) -> Option<Vec<Option<Scale>>> {
-    ways().find_map(|(curves_too, factor)| {
-        let mut room = room.clone();
-        let fits = |object: &Bent<'_>| {
+/// The largest scale at which the most combs of a group leave the others and each other alone, `None` for those that do
+/// not; the combs are then taken into account for what follows.
+fn fitted(group: &[&Bent<'_>], room: &mut Room) -> Vec<Option<Scale>> {
+    let mut best: (usize, Vec<Option<Scale>>, Room) = (0, vec![None; group.len()], room.clone());
+    for (curves_too, factor) in ways() {
+        let mut trial = room.clone();
+        let fits = |object: &&Bent<'_>| {
             let scale = object.scale.shorter(factor);
-            object.taken(scale, curves_too, &room).map(|taken| {
-                room.keep(taken);
-                Some(scale)
-            })
+            let taken = object.taken(scale, curves_too, &trial)?;
+            trial.keep(taken);
+            Some(scale)
         };
-        bent.iter().map(fits).collect()
-    })
-}
-
-/// The largest scale at which the comb of an object leaves the others alone; it is then taken into account for the objects
-/// that follow.
-fn fitted(object: &Bent<'_>, room: &mut Room) -> Option<Scale> {
-    ways().find_map(|(curves_too, factor)| {
-        let scale = object.scale.shorter(factor);
-        let taken = object.taken(scale, curves_too, room)?;
-        room.keep(taken);
-        Some(scale)
-    })
+        let scales: Vec<Option<Scale>> = group.iter().map(fits).collect();
+        let count = scales.iter().flatten().count();
+        if count > best.0 {
+            best = (count, scales, trial);
+        }
+        if count == group.len() {
+            break;
+        }
+    }
+    *room = best.2;
+    best.1
 }
 
 fn drawn(item: usize, contours: &[Contour<'_>], own: &[Vec<Strip>], scale: Scale, thin: Option<f64>) -> Comb {

@@ -53,7 +53,12 @@ impl Combs {
     /// A note on the objects whose combs are left out, by their names.
     pub(crate) fn left_out_note<'a>(&self, name: impl Fn(usize) -> &'a str) -> Option<String> {
         let names: Vec<&str> = self.left_out.iter().map(|&index| name(index)).collect();
-        (!names.is_empty()).then(|| format!("combs that would lie on others are left out: {}", names.join(", ")))
+        (!names.is_empty()).then(|| {
+            format!(
+                "combs that would lie on others are left out: {} (a picture of it alone shows one)",
+                names.join(", ")
+            )
+        })
     }
 
     /// True if equal curvatures have equal teeth throughout.

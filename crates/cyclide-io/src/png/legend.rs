@@ -203,12 +203,19 @@ fn mark(job: &Job<'_>, index: usize) -> Mark {
 
 /// One entry for all the combs of many objects.
 fn crowd(combs: &Combs) -> Vec<Entry> {
-    let scale = if combs.have_one_scale() { "to one scale" } else { "each to a scale of its own" };
-    let mut text = format!("curvature combs, {scale}");
+    let mut text = scale_words(combs).to_owned();
     if !combs.left_out.is_empty() {
         text += &format!("; {} left out where they would lie on others", combs.left_out.len());
     }
     if combs.drawn.is_empty() { Vec::new() } else { vec![Entry { mark: Mark::Comb, text }] }
+}
+
+fn scale_words(combs: &Combs) -> &'static str {
+    match combs.drawn.len() {
+        1 => "curvature comb",
+        _ if combs.have_one_scale() => "curvature combs, to one scale",
+        _ => "curvature combs, not to one scale",
+    }
 }
 
 fn coloured(job: &Job<'_>, combs: &Combs, names: &[String]) -> Vec<Entry> {
@@ -235,8 +242,8 @@ fn coloured(job: &Job<'_>, combs: &Combs, names: &[String]) -> Vec<Entry> {
             (false, None) => {}
         }
     }
-    if !combs.have_one_scale() {
-        entries.push(Entry { mark: Mark::Comb, text: "each comb to a scale of its own".to_owned() });
+    if named && !combs.drawn.is_empty() {
+        entries.push(Entry { mark: Mark::Comb, text: scale_words(combs).to_owned() });
     }
     entries
 }

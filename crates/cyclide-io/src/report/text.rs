@@ -120,13 +120,7 @@ impl CurvesReport {
         }
         if let Some(fit) = &self.fit {
             let made = match fit.made {
-                FitPieces::Arcs { arcs, lines, turning, turning_limit, .. } => format!(
-                    "{} and {}, which turn by {} rad (the data by {} at most)",
-                    plural(arcs, "arc"),
-                    plural(lines, "line"),
-                    short(turning),
-                    short(turning_limit)
-                ),
+                FitPieces::Arcs { arcs, lines, .. } => format!("{} and {}", plural(arcs, "arc"), plural(lines, "line")),
                 FitPieces::Fair { nodes, .. } => plural(nodes, "node"),
             };
             let (deviation, tolerance) = (short(fit.deviation), short(fit.tolerance));

@@ -63,7 +63,7 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
         if job.options.svg_comb { drawing::combs(job, size, [Vec3::X, Vec3::Y]) } else { drawing::Combs::default() };
     bounds = combs.tips().fold(bounds, |b, tip| b.including(Point3::new(tip.x, -tip.y, 0.0)));
     if !combs.have_one_scale() {
-        notes.push("each comb is drawn to a scale of its own".to_owned());
+        notes.push("the combs are not drawn to one scale".to_owned());
     }
     notes.extend(combs.left_out_note(|index| job.model.items.get(index).map_or("", |item| &item.name)));
 

@@ -26,7 +26,7 @@ pub use circle_spline::{CircleSpline, CircleSplineOptions, SplineEnds, corners_b
 pub(crate) use circle_spline::{SHARP_TURN, chords_between, corner_nodes, inspect_node, rounded_directions};
 pub use correspondence::{Correspondence, CurvePlace, Span};
 pub use measure::{ArcLength, CurveIndex, ExtremeCurvature, Joint};
-pub use measure::{CORNER_ANGLE, Fairness, Wavering, fairness, wavering};
+pub use measure::{CORNER_ANGLE, Fairness, RoundedTurns, Wavering, fairness, wavering};
 pub use measure::{bounds, closest_point, curvature_comb, extreme_curvature, joints, length, resample};
 pub(crate) use node_tangent::Chord;
 pub use param_curve::ParamCurve;

@@ -356,6 +356,38 @@ proptest! {
 }
 
 #[test]
+fn noisy_straight_sides_are_lines_not_bows() {
+    // A rectangle with errors of 0.02; a tolerance of several times that leaves room for bows of 0.13.
+    let mut random = Random(3);
+    let corners = [[0.0, 0.0], [100.0, 0.0], [100.0, 60.0], [0.0, 60.0]];
+    let mut points = Vec::new();
+    for i in 0..4 {
+        let (a, b) = (corners[i], corners[(i + 1) % 4]);
+        for k in 0..40 {
+            let t = f64::from(k) / 40.0;
+            let mut at = |d: usize| a[d] + (b[d] - a[d]) * t + 0.04 * (random.next() - 0.5);
+            points.push(Point3::new(at(0), at(1), 0.0));
+        }
+    }
+    for tolerance in [0.1, 0.15, 0.3] {
+        let fit = fitted(&points, &closed(tolerance));
+        // One arc may be nearer to its data than the line between two noisy corners.
+        assert!(fit.certificate().lines >= 3 && pieces(&fit) == 4, "{tolerance}: {:?}", fit.certificate());
+        assert!(fit.certificate().deviation < 0.09, "{tolerance}: {}", fit.certificate().deviation);
+    }
+}
+
+#[test]
+fn a_tolerance_of_the_size_of_the_figure_is_named() {
+    let ring = circle(60, TAU, 1.0, Point3::ORIGIN);
+    let wide = |tolerance: f64| {
+        let fit = ArcFit::new(&ring, &closed(tolerance)).unwrap();
+        fit.warnings().iter().any(|w| w.reason() == "wide-tolerance")
+    };
+    assert!(wide(0.5) && !wide(0.1));
+}
+
+#[test]
 fn a_turn_between_straight_sides_is_rounded_within_the_tolerance() {
     // Forty points on each side; corners below 30 degrees are no corners to the fit. Nothing but the turn itself asks the
     // curve to leave the sides: a spline through the points does, by a metre and a half.

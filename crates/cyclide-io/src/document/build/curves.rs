@@ -57,6 +57,10 @@ impl ObjectSpec {
     }
 }
 
+/// What an arc of a document must leave of a full turn at least, radians: a bulge of a million. The kernel makes arcs up to
+/// ten times that, whose places are rounded by a hundredth of their chord.
+const FULL_CIRCLE_LIMIT: f64 = 3.9e-6;
+
 impl Builder<'_> {
     /// The curves of an object that has some.
     pub(super) fn curves(&mut self) -> Result<Vec<(CurveObject, ContourFacts)>> {
@@ -107,7 +111,13 @@ impl Builder<'_> {
                 ));
             }
         };
-        arc.map_err(|e| self.refused(&e, None))
+        // Nearer to a full circle no file can be promised to a ten thousandth of the chord.
+        let kept = |arc: Arc| {
+            let rest = std::f64::consts::TAU - arc.angle();
+            let limit = FULL_CIRCLE_LIMIT;
+            if rest < limit { Err(cyclide::Error::NearlyFullCircle { rest, limit }) } else { Ok(arc) }
+        };
+        arc.and_then(kept).map_err(|e| self.refused(&e, None))
     }
 
     fn circle(&self, spec: &CircleSpec) -> Result<Circle> {

@@ -4,6 +4,7 @@ use super::corners::{sagitta_quantile, sagittas};
 use super::options::{ArcFitOptions, FitTarget};
 use super::piece::Piece;
 use super::trace::Trace;
+use crate::base::bounds::Aabb;
 use crate::base::vector::Point3;
 use crate::warning::Warning;
 
@@ -12,6 +13,8 @@ const SAGITTA_LIMIT: f64 = 2.0;
 /// A curve through samples leaves their edges by the sagittas; by this many times the largest one and the tolerance it
 /// turns where the points do not.
 const SWING: f64 = 2.0;
+/// Tolerances above this part of the diagonal of the figure's box are wide: a sixth of a square's side.
+const WIDE: f64 = 0.12;
 /// Spans of at most this many edges follow single points.
 const SHORT_SPAN: usize = 2;
 /// The fraction of short, alternating spans above which the fit follows the noise.
@@ -43,6 +46,12 @@ pub(super) fn swing(
     let smooth = sagittas(points, options.closed).filter(|(i, _)| !is_corner(*i));
     let limit = SWING * (options.tolerance + smooth.map(|(_, sagitta)| sagitta).fold(0.0, f64::max));
     (distance > limit).then_some(Warning::SwingsOut { distance, limit, held: false })
+}
+
+/// A tolerance of the size of the figure's own bends keeps no shape.
+pub(super) fn wide(points: &[Point3], tolerance: f64) -> Option<Warning> {
+    let size = Aabb::of_points(points.iter().copied()).map_or(0.0, Aabb::diagonal);
+    (tolerance > WIDE * size).then_some(Warning::WideTolerance { tolerance, used: tolerance })
 }
 
 /// Most arcs stand for one or two edges and turn the other way than their neighbour: they follow noise.

@@ -152,6 +152,7 @@ impl ArcFit {
         warnings.extend(doubts::coarse_samples(data, options));
         warnings.extend(doubts::swing(data, &corners, options, certificate.polyline_deviation));
         warnings.extend(doubts::noise(&pieces, &trace, options.target));
+        warnings.extend(doubts::wide(data, tolerance));
         warnings.extend(judged.tight_arcs(&pieces, &trace, &distinct.source));
         Ok(Self { path, certificate, warnings })
     }

@@ -49,6 +49,29 @@ pub(super) fn fit(
         FitTarget::Points if dense => 0,
         FitTarget::Points => effort.extra_points(),
     };
+    let at = |tolerance: f64| fit_within(points, corners, frame, tolerance, options, effort, fewest);
+    let fit = at(tolerance);
+    // Between straight sides half the tolerance gives about as many arcs, and sometimes fewer.
+    let has_lone = || lone_turns(points, &smooth_turns(points, corners, options.closed), options).contains(&true);
+    match fit {
+        Ok(fit) if options.target == FitTarget::Points && has_lone() => {
+            let count = |(_, chains): &(Trace, Vec<Chain>)| chains.iter().map(|c| c.joints.len()).sum::<usize>();
+            Ok(at(0.5 * tolerance).ok().filter(|narrower| count(narrower) < count(&fit)).unwrap_or(fit))
+        }
+        fit => fit,
+    }
+}
+
+#[allow(clippy::too_many_arguments, reason = "what is fitted, and how")]
+fn fit_within(
+    points: &[Point3],
+    corners: &[usize],
+    frame: &Frame,
+    tolerance: f64,
+    options: &ArcFitOptions,
+    effort: Effort,
+    fewest: usize,
+) -> Result<(Trace, Vec<Chain>), usize> {
     let mut died = 0;
     for extra in fewest..=MAX_EXTRA_POINTS {
         let trace = densified(points, corners, options, extra);

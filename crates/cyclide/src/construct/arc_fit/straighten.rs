@@ -13,7 +13,9 @@ use super::trace::Trace;
 use crate::base::vector::{Point3, Vec3};
 use crate::curve::Arc;
 
-/// Arcs are tried whose sagitta, or whose data's distance from their chord, is at most this part of the tolerance.
+/// Arcs are tried whose sagitta, or whose data's distance from their chord, is at most this part of the tolerance, and
+/// those that are farther from their data than the chord of the data is: a search within the tolerance bows a straight
+/// run as far as it may.
 const STRAIGHTNESS: f64 = 0.2;
 /// The sweeps of the neighbours change by less than this, radians.
 const MAX_SWEEP_CHANGE: f64 = 0.5;
@@ -29,7 +31,7 @@ pub(super) fn straighten(pieces: &mut [Piece], trace: &Trace, normal: Vec3, tole
         let arc = &pieces[i].arc;
         let sagitta = 0.5 * arc.chord().length() * arc.bulge_vector().length();
         let limit = STRAIGHTNESS * tolerance;
-        if arc.is_straight() || (sagitta > limit && data_height(pieces[i].span, trace) > limit) {
+        if arc.is_straight() || (sagitta > limit && !is_line(&pieces[i], trace, target, limit)) {
             continue;
         }
         // Neighbours that share a smooth joint; a fixed end or corner has none.
@@ -61,6 +63,12 @@ pub(super) fn straighten(pieces: &mut [Piece], trace: &Trace, normal: Vec3, tole
             }
         }
     }
+}
+
+/// Do the data say line: within a little, or no farther from one than from the arc?
+fn is_line(piece: &Piece, trace: &Trace, target: FitTarget, limit: f64) -> bool {
+    let height = data_height(piece.span, trace);
+    height <= limit || deviation_of(piece, trace, target).is_some_and(|deviation| height <= deviation)
 }
 
 /// Largest distance of the trace under a span from the span's chord.

@@ -22,7 +22,7 @@ pub(super) fn normals(points: &[Point3], grid: &QuadGrid, stride: [usize; 2]) ->
 /// Directions of the curvature lines at a vertex; `None` at the border and where the surface is nearly flat or
 /// spherical.
 pub(super) fn curvature_lines(points: &[Point3], grid: &QuadGrid) -> Vec<Option<[Vec3; 2]>> {
-    vertices(grid).map(|at| Curvature::at(points, grid, at, [1; 2])?.directions()).collect()
+    vertices(grid).map(|at| Curvature::at(points, grid, at, [1; 2], 1.0)?.directions()).collect()
 }
 
 /// Angles (in `[0, pi/4]`, radians) between the grid lines at each vertex and the nearer of two directions; both grid

@@ -17,5 +17,5 @@ pub use closest::{CurveIndex, closest_point};
 pub use comb::curvature_comb;
 pub use continuity::{Joint, joints};
 pub use curvature::{ExtremeCurvature, extreme_curvature};
-pub use fairness::{CORNER_ANGLE, Fairness, Wavering, fairness, wavering};
+pub use fairness::{CORNER_ANGLE, Fairness, RoundedTurns, Wavering, fairness, wavering};
 pub use length::{ArcLength, length, resample};

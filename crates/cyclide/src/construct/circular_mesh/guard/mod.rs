@@ -4,7 +4,7 @@
 //! tells is how the normals stand, over strides of a fifth of the grid so that noise of a few hundredths of an edge
 //! does not count ([`stride`]), and how much of the relief is left around each vertex ([`relief`]).
 //!
-//! Known limits: features narrower than four quads; a relief without mean curvature (`x y` on a dome) is left to
+//! Known limits: ripples of two and of about four quads; a relief without mean curvature (`x y` on a dome) is left to
 //! the turn of the normals; below a turn of one degree nothing is refused, whatever part of a shallow relief is lost.
 
 mod noise;
@@ -61,7 +61,7 @@ impl Guard<'_> {
         let feet = self.feet(&before);
         let turn = turn(&feet, &before, &after);
         let bent = bending(grid, &before, stride);
-        let noise = is_noise(grid, self.before, stride);
+        let noise = is_noise(grid, self.before, &before, stride);
         let lines = lines(grid, self.before).filter(|_| !noise);
         Some(ShapeChange {
             bending: (bent > 0.0).then(|| bending(grid, &after, stride) / bent),
@@ -114,7 +114,7 @@ fn lines(grid: &QuadGrid, points: &[Point3]) -> Option<Lines> {
     let unit: Vec<Vec3> = normals(points, grid, stride).into_iter().map(Option::unwrap_or_default).collect();
     let (mut angles, mut weights, mut curvatures) = (0.0, 0.0, 0.0);
     for at in vertices(grid) {
-        let Some(curvature) = Curvature::at(points, grid, at, stride) else { continue };
+        let Some(curvature) = Curvature::at(points, grid, at, stride, 1.0) else { continue };
         let half = curvature.half_difference();
         curvatures += curvature.mean().abs() + half;
         let Some(lines) = curvature.directions() else { continue };

@@ -2,9 +2,9 @@
 //!
 //! Neighbouring second differences (along both directions and mixed) of a smooth surface agree, those of independent
 //! errors of the vertices oppose each other: they share a vertex or two with opposite signs, which makes the cosine -2/3
-//! along a line and -1/2 across. A grid is noise if its second differences oppose each other over single edges
-//! and over the stride of the global numbers: smooth shapes fail the first (ripples as short as that stride too), noise on a
-//! curved base the second. (Own derivation.)
+//! along a line and -1/2 across. A grid is noise if its second differences along the normals, of each kind by itself,
+//! oppose each other over single edges and over the stride of the global numbers: smooth shapes fail the first (ripples as
+//! short as that stride too), noise on a base that is curved in any direction the second. (Own derivation.)
 
 use crate::base::vector::{Point3, Vec3};
 use crate::construct::circular_mesh::neighbours::{along, around, clamped, vertices};
@@ -13,27 +13,33 @@ use crate::surface::QuadGrid;
 /// Second differences that agree by less than this are noise: smooth shapes of four quads to a wave have 0.
 const OPPOSED: f64 = -0.25;
 
-pub(super) fn is_noise(grid: &QuadGrid, points: &[Point3], coarse: [usize; 2]) -> bool {
-    [[1; 2], coarse].into_iter().all(|stride| agreement(grid, points, stride).is_some_and(|a| a < OPPOSED))
+/// The normals are those over the coarse stride.
+pub(super) fn is_noise(grid: &QuadGrid, points: &[Point3], normals: &[Vec3], coarse: [usize; 2]) -> bool {
+    [[1; 2], coarse].into_iter().all(|stride| {
+        let mut found = agreements(grid, points, normals, stride).into_iter().flatten().peekable();
+        found.peek().is_some() && found.all(|agreement| agreement < OPPOSED)
+    })
 }
 
-/// The cosine between neighbouring second differences, weighted by their sizes; `None` if there are none.
-fn agreement(grid: &QuadGrid, points: &[Point3], stride: [usize; 2]) -> Option<f64> {
-    let (mut agreement, mut size) = (0.0, 0.0);
-    let mut compare = |[a, b]: [Option<Vec3>; 2]| {
-        if let (Some(a), Some(b)) = (a, b) {
-            agreement += a.dot(b);
-            size += a.length() * b.length();
-        }
-    };
+/// The cosines between neighbouring second differences along the normals, weighted by their sizes: along each direction,
+/// and mixed; `None` where there are none.
+fn agreements(grid: &QuadGrid, points: &[Point3], normals: &[Vec3], stride: [usize; 2]) -> [Option<f64>; 3] {
+    let mut sums = [[0.0; 2]; 3];
     for at in vertices(grid) {
+        let normal = normals[grid.index(at[0], at[1])];
+        let mut compare = |kind: usize, [a, b]: [Option<Vec3>; 2]| {
+            if let (Some(a), Some(b)) = (a, b) {
+                let product = a.dot(normal) * b.dot(normal);
+                sums[kind] = [sums[kind][0] + product, sums[kind][1] + product.abs()];
+            }
+        };
         for d in 0..2 {
             let Some(next) = next(grid, at, d, stride) else { continue };
-            compare([at, next].map(|at| bend(grid, points, at, d, stride)));
-            compare([at, next].map(|at| twist(grid, points, at, stride)));
+            compare(d, [at, next].map(|at| bend(grid, points, at, d, stride)));
+            compare(2, [at, next].map(|at| twist(grid, points, at, stride)));
         }
     }
-    (size > 0.0).then(|| agreement / size)
+    sums.map(|[agreement, size]| (size > 0.0).then(|| agreement / size))
 }
 
 /// The vertex a stride on.

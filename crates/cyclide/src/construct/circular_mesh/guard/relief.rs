@@ -12,7 +12,9 @@
 //! with the mean curvature `H` of the input at the feet of the moved vertices, the mean `M` of its values at the four next vertices
 //! there, the mean curvature `H'` of the result, and the median edge `h`. `kept` is the slope of the regression of `H'` on
 //! `H` with `M` as its instrument: errors of single vertices are in `H` and `H'` alike but not in `M`, so that
-//! smoothing noise costs nothing. Where `cov(H, M)` is below half of `var(H)` noise prevails and nothing is said. `relief` is the
+//! smoothing noise costs nothing. Where `cov(H, M)` is below a quarter of `var(H)` noise prevails and nothing is said: of noise
+//! alone it is 0 on average, a twentieth either way in the smallest window. Ripples of less than four quads change sides from
+//! vertex to vertex and have it below zero, which serves as well; at four it vanishes, and they are not seen. `relief` is the
 //! height that the variation amounts to over the stride; below a thirtieth of an edge nothing is said either.
 //!
 //! The number is the part of the vertices whose window has relief and keeps less than half of it, the largest over the
@@ -30,10 +32,12 @@ use crate::surface::QuadGrid;
 /// Relief below this part of the median edge does not count: at a fiftieth the steepening of a paraboloid counts, at a
 /// twenty-sixth ripples of four hundredths of the radius of a tube do not any more.
 const SHALLOW: f64 = 1.0 / 30.0;
-/// The part of the variance that neighbours must share.
-const SHARED: f64 = 0.5;
+/// The part of the variance that neighbours must share, with one sign or the other.
+const SHARED: f64 = 0.25;
 /// The part of the relief that must be left.
 const KEPT: f64 = 0.5;
+/// How much the corners of the stencils count: what it takes to tell the direction of the bending.
+const CORNERS: f64 = 0.1;
 /// The shortest stride, and how many of the longest the shorter direction has at least.
 const SHORTEST: usize = 2;
 const LONGEST_PARTS: usize = 6;
@@ -78,7 +82,7 @@ fn mean_curvatures(grid: &QuadGrid, points: &[Point3], stride: [usize; 2]) -> Ve
     let inside = |at: [usize; 2]| {
         [0, 1].map(|d| if grid.closed()[d] { at[d] } else { at[d].clamp(stride[d], grid.size()[d] - 1 - stride[d]) })
     };
-    vertices(grid).map(|at| Some(Curvature::at(points, grid, inside(at), stride)?.mean())).collect()
+    vertices(grid).map(|at| Some(Curvature::at(points, grid, inside(at), stride, CORNERS)?.mean())).collect()
 }
 
 /// The mean of the values at the four next vertices (fewer at the border).
@@ -106,7 +110,8 @@ struct Window {
 impl Window {
     /// True if there is relief, with a root of at least `least`, and less than half of it is left.
     fn is_lost(&self, least: f64) -> bool {
-        self.shared > least * least && self.shared > SHARED * self.variance && self.kept < KEPT * self.shared
+        let shared = self.shared.abs();
+        shared > least * least && shared > SHARED * self.variance && self.kept * self.shared.signum() < KEPT * shared
     }
 }
 

@@ -30,7 +30,7 @@ use piece::{Measure, Piece};
 use plane::plane_of;
 use swings::{Run, Swing};
 
-pub use wavering::{Wavering, wavering};
+pub use wavering::{RoundedTurns, Wavering, wavering};
 
 /// Tangents that differ by more than this, in radians, make a joint a corner.
 pub const CORNER_ANGLE: f64 = 1e-3;

@@ -11,6 +11,9 @@
 //! polygon turns or the curve bends by more than a fiftieth of what it does beside it; a curve that winds turns its axis
 //! slowly and changes nothing. Ten places of each piece are looked at.
 //!
+//! A node that turns by 30 degrees or more between two that go straight on looks like a corner. Where the curve leaves the
+//! edges beside it by more than a twentieth of them, it goes round a corner that was not marked.
+//!
 //! *The curve wavers* if it changes sides more than 1.25 times as often, and two times more. *The data waver* if there
 //! are 16 nodes or more, those that turn do so gently (by less than 30 degrees in the median; stairs do not), and they
 //! change sides at more than every third: then they carry noise, and a curve through all of them has to show it.
@@ -23,6 +26,9 @@ use crate::curve::measure::continuity::joints;
 
 /// Turns below this part of a neighbour's are straight on.
 const STRAIGHT: f64 = 0.02;
+/// A turn between straight runs from here on looks like a corner, if the curve leaves its edges by this part of them.
+const SHARP: f64 = std::f64::consts::FRAC_PI_6;
+const SWING: f64 = 0.05;
 /// Places of each piece of a curve in space that are looked at.
 const PLACES: usize = 10;
 /// The curve wavers beyond this many times what the data account for, and this many more.
@@ -33,7 +39,7 @@ const MANY: usize = 16;
 const GENTLE: f64 = std::f64::consts::FRAC_PI_6;
 
 /// An interpolating curve against its data.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Wavering {
     /// Changes of the curve between turning left and turning right.
     pub curve: usize,
@@ -47,6 +53,21 @@ pub struct Wavering {
     pub curve_wavers: bool,
     /// The data themselves change sides as noise does.
     pub data_waver: bool,
+    /// Turns that look like corners, which the curve goes round.
+    pub rounded: Option<RoundedTurns>,
+}
+
+/// Nodes at which the polygon turns sharply between straight runs, and which the curve passes smoothly.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RoundedTurns {
+    /// The first of them, from 0.
+    pub first: usize,
+    /// How many there are.
+    pub count: usize,
+    /// Their largest turn, radians.
+    pub angle: f64,
+    /// How far the curve leaves the edges beside them.
+    pub distance: f64,
 }
 
 /// Compares a curve with the polygon of the nodes between its pieces.
@@ -54,12 +75,13 @@ pub struct Wavering {
 pub fn wavering(curve: &dyn ParamCurve, fairness: &Fairness) -> Wavering {
     let changes = fairness.sign_changes.unwrap_or_else(|| changes_in_space(curve));
     let runs = turns(curve);
-    let (mut data, mut passages, mut turning) = (0, 0, Vec::new());
+    let (mut data, mut passages, mut turning, mut rounded) = (0, 0, Vec::new(), None);
     for run in &runs {
         let axes = run.axes();
         turning.extend(axes.iter().flatten().map(|axis| axis.length()));
         data += turnovers(axes.iter().copied().flatten(), run.closed);
         passages += run.passages(&axes);
+        run.add_rounded(curve, &axes, &mut rounded);
     }
     turning.sort_by(f64::total_cmp);
     let median = turning.get(turning.len() / 2).copied().unwrap_or(0.0);
@@ -72,6 +94,7 @@ pub fn wavering(curve: &dyn ParamCurve, fairness: &Fairness) -> Wavering {
         nodes,
         curve_wavers: changes as f64 > TIMES * explained as f64 + MORE,
         data_waver: nodes >= MANY && median < GENTLE && 3 * data > nodes,
+        rounded,
     }
 }
 
@@ -98,6 +121,14 @@ fn changes_in_space(curve: &dyn ParamCurve) -> usize {
     turnovers(bent, curve.is_closed())
 }
 
+/// The chord of a piece, and how far the piece leaves it, looked at in three places.
+fn swing(curve: &dyn ParamCurve, piece: usize) -> [f64; 2] {
+    let [from, to] = [0.0, 1.0].map(|s| curve.piece_point(piece, s));
+    let along = (to - from).unit().unwrap_or(Vec3::ZERO);
+    let off = |s: f64| (curve.piece_point(piece, s) - from).cross(along).length();
+    [from.distance(to), [0.25, 0.5, 0.75].map(off).into_iter().fold(0.0, f64::max)]
+}
+
 /// How often an axis is over against the one before it, round a closed run.
 fn turnovers(axes: impl Iterator<Item = Vec3>, closed: bool) -> usize {
     let mut axes: Vec<Vec3> = axes.collect();
@@ -111,6 +142,8 @@ fn turnovers(axes: impl Iterator<Item = Vec3>, closed: bool) -> usize {
 struct Turn {
     axis: Vec3,
     rounding: f64,
+    /// The pieces of the curve that end and begin there.
+    pieces: [usize; 2],
 }
 
 /// The nodes of a smooth run.
@@ -139,6 +172,32 @@ impl Turns {
         [before, after]
     }
 
+    /// Adds the turns between straight edges that the curve swings round.
+    fn add_rounded(&self, curve: &dyn ParamCurve, axes: &[Option<Vec3>], found: &mut Option<RoundedTurns>) {
+        let is_straight = |i: Option<usize>| i.is_some_and(|i| axes[i].is_none());
+        for (i, turn) in self.turns.iter().enumerate() {
+            let angle = turn.axis.length();
+            if angle < SHARP || axes[i].is_none() || !self.beside(i).into_iter().all(is_straight) {
+                continue;
+            }
+            let [chord, distance] = turn
+                .pieces
+                .map(|piece| swing(curve, piece))
+                .into_iter()
+                .fold([f64::INFINITY, 0.0], |[chord, distance], [c, d]| [chord.min(c), f64::max(distance, d)]);
+            if distance > SWING * chord {
+                let first = found.map_or(turn.pieces[1], |f| f.first.min(turn.pieces[1]));
+                let before = found.unwrap_or(RoundedTurns { first, count: 0, angle: 0.0, distance: 0.0 });
+                *found = Some(RoundedTurns {
+                    first,
+                    count: before.count + 1,
+                    angle: angle.max(before.angle),
+                    distance: distance.max(before.distance),
+                });
+            }
+        }
+    }
+
     /// How often a straight run begins or ends.
     fn passages(&self, axes: &[Option<Vec3>]) -> usize {
         let straight = |i: Option<usize>| i.is_none_or(|i| axes[i].is_none());
@@ -163,7 +222,7 @@ fn turns(curve: &dyn ParamCurve) -> Vec<Turns> {
         let (a, b) = (at - from, curve.piece_point(joint.next, 1.0) - at);
         let rounding = ROUNDING * (1.0 + at.to_vec().max_abs() / a.length().min(b.length()));
         let axis = a.cross(b).unit().map_or(Vec3::ZERO, |axis| axis * a.angle(b));
-        let turn = Turn { axis, rounding };
+        let turn = Turn { axis, rounding, pieces: [joint.piece, joint.next] };
         if let Some(run) = runs.last_mut() {
             run.turns.push(turn);
         }
