@@ -28,7 +28,7 @@ use super::length::length;
 use crate::curve::ParamCurve;
 use piece::{Measure, Piece};
 use plane::plane_of;
-use swings::{Run, Swing};
+use swings::{Course, Swing, course};
 
 pub use wavering::{RoundedTurns, Wavering, wavering};
 
@@ -83,9 +83,10 @@ pub fn fairness(curve: &dyn ParamCurve) -> Fairness {
     let (runs, counts) = runs(&pieces, largest, curve.is_closed());
     let mut found = Fairness { sign_changes: plane.map(|_| 0), variation: None, ..counts };
     for run in &runs {
-        found.extrema += run.extrema();
-        found.total_variation += run.total_variation() / total;
-        found.sign_changes = found.sign_changes.map(|n| n + run.sign_changes());
+        let Course { sign_changes, extrema, total_variation } = run.course(&pieces, NOISE * largest);
+        found.extrema += extrema;
+        found.total_variation += total_variation / total;
+        found.sign_changes = found.sign_changes.map(|n| n + sign_changes);
     }
     if found.jumps == 0 && found.cusps == 0 {
         found.variation = Some(measure.variation(&pieces, largest));
@@ -101,6 +102,25 @@ enum Meeting {
     Smooth,
     Jump,
     Corner,
+}
+
+/// Pieces between two corners or cusps.
+struct Run {
+    first: usize,
+    count: usize,
+    /// True if the end of the last piece is the start of the first.
+    closed: bool,
+}
+
+impl Run {
+    /// How its curvature swings, where swings below `least` do not count.
+    fn course(&self, pieces: &[Piece], least: f64) -> Course {
+        let walk = |push: &mut dyn FnMut(Swing)| {
+            let own = (self.first..self.first + self.count).map(|i| &pieces[i % pieces.len()]);
+            own.for_each(|piece| piece.each_swing(least, push));
+        };
+        course(walk, self.closed)
+    }
 }
 
 /// The smooth runs of a curve, and the joints between and in them.
@@ -126,14 +146,14 @@ fn runs(pieces: &[Piece], largest: f64, closed: bool) -> (Vec<Run>, Fairness) {
             continue;
         }
         if runs.is_empty() || cut {
-            runs.push(Run::new());
+            runs.push(Run { first: i, count: 0, closed: false });
         }
         if let Some(run) = runs.last_mut() {
-            piece.push_swings(NOISE * largest, run);
+            run.count += 1;
         }
     }
     if let (true, None, [only]) = (closed, first, runs.as_mut_slice()) {
-        only.close();
+        only.closed = true;
     }
     (runs, counts)
 }

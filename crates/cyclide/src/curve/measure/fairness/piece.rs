@@ -1,6 +1,6 @@
 //! The curvature along one smooth piece, in units of the curve's length.
 
-use super::{NOISE, Run, Swing};
+use super::{NOISE, Swing};
 use crate::base::jet::CurveJet;
 use crate::base::vector::{Point3, Vec3};
 use crate::curve::{ParamCurve, PieceForm};
@@ -98,19 +98,19 @@ impl Piece {
         }
     }
 
-    /// Appends the values at the ends of the piece and where its curvature turns.
-    pub(super) fn push_swings(&self, least: f64, run: &mut Run) {
+    /// Hands over the values at the ends of the piece and where its curvature turns.
+    pub(super) fn each_swing(&self, least: f64, push: &mut dyn FnMut(Swing)) {
         let floor = self.rounding.max(least);
         match &self.form {
-            Form::Constant(value) => run.push(Swing { value: *value, floor }),
+            Form::Constant(value) => push(Swing { value: *value, floor }),
             Form::Free(cells) => {
                 for cell in cells {
-                    run.push(Swing { value: cell.samples[0].k, floor });
+                    push(Swing { value: cell.samples[0].k, floor });
                     for pair in cell.samples.windows(2) {
                         for value in turning_values(pair[0], pair[1], cell.step()) {
-                            run.push(Swing { value, floor });
+                            push(Swing { value, floor });
                         }
-                        run.push(Swing { value: pair[1].k, floor });
+                        push(Swing { value: pair[1].k, floor });
                     }
                 }
             }
@@ -161,6 +161,8 @@ impl Measure<'_> {
             let [left, right] = self.halves(index, &cell);
             open.extend([(right, depth - 1), (left, depth - 1)]);
         }
+        // Long curves keep them all for a while.
+        cells.shrink_to_fit();
         Some(cells)
     }
 
