@@ -33,6 +33,9 @@ pub struct SurfaceReport {
     pub parts: Vec<PartReport>,
     /// Enclosed volume, hollows taken out; `None` if a body is open.
     pub volume: Option<f64>,
+    /// Why an area or the volume is not known: it is not a number then, in JSON null.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub not_known: Vec<String>,
     /// How the patches meet.
     pub joints: SurfaceJointReport,
     /// Principal curvatures along the s-lines, in 1/length: negative where the surface bends away from its outer
@@ -72,7 +75,7 @@ pub struct PartReport {
 
 impl PartReport {
     /// The parts of a shell.
-    fn of_shell(body: usize, shell: &Shell) -> Vec<Self> {
+    fn of_shell(body: usize, shell: &Shell, not_known: &mut Vec<String>) -> Vec<Self> {
         let faces = shell.faces();
         // A face of the same part before each, or itself.
         let mut before: Vec<usize> = (0..faces.len()).collect();
@@ -85,12 +88,24 @@ impl PartReport {
             parts.entry(first_of_part(&mut before, index)).or_default().push(face);
         }
         if parts.len() == 1 {
-            return vec![Self { body, patches: faces.len(), area: shell.area() }];
+            return vec![Self { body, patches: faces.len(), area: number(shell.known_area(), not_known) }];
         }
-        // A face of a shell has edges in range.
-        let area = |face: &&ShellFace| Shell::from_patch(face.patch).map_or(f64::NAN, |alone| alone.area());
-        parts.into_values().map(|part| Self { body, patches: part.len(), area: part.iter().map(area).sum() }).collect()
+        let mut area =
+            |face: &&ShellFace| number(Shell::from_patch(face.patch).and_then(|alone| alone.known_area()), not_known);
+        let parts = parts.into_values();
+        parts.map(|part| Self { body, patches: part.len(), area: part.iter().map(&mut area).sum() }).collect()
     }
+}
+
+/// What was measured; not a number if it is not known, with the reason noted once.
+fn number(measured: cyclide::Result<f64>, not_known: &mut Vec<String>) -> f64 {
+    measured.unwrap_or_else(|error| {
+        let reason = error.to_string();
+        if !not_known.contains(&reason) {
+            not_known.push(reason);
+        }
+        f64::NAN
+    })
 }
 
 /// The first face of a part; the way to it gets shorter each time.
@@ -220,11 +235,12 @@ impl SurfaceReport {
     pub(super) fn new(built: &BuiltObject) -> Self {
         let bodies = &built.bodies;
         let shells = || bodies.iter().flat_map(Body::shells);
-        let volumes: Option<Vec<f64>> = bodies.iter().map(volume).collect();
-        let of_body = |(body, it): (usize, &Body)| -> Vec<PartReport> {
-            it.shells().flat_map(|shell| PartReport::of_shell(body, shell)).collect()
-        };
-        let mut parts: Vec<PartReport> = bodies.iter().enumerate().flat_map(of_body).collect();
+        let mut not_known = Vec::new();
+        let volumes: Option<Vec<f64>> = bodies.iter().map(|body| volume(body, &mut not_known)).collect();
+        let mut parts = Vec::new();
+        for (body, it) in bodies.iter().enumerate() {
+            it.shells().for_each(|shell| parts.extend(PartReport::of_shell(body, shell, &mut not_known)));
+        }
         parts.sort_by(|a, b| b.area.total_cmp(&a.area));
         let nets = built.item.surfaces.iter().filter_map(SurfaceObject::as_net);
         let mut report = Self {
@@ -235,6 +251,7 @@ impl SurfaceReport {
             area: if let [only] = parts[..] { Some(only.area) } else { None },
             parts,
             volume: volumes.map(|v| v.iter().sum()),
+            not_known,
             joints: SurfaceJointReport::new(shells()),
             curvature_s: CurvatureRangeReport::EMPTY,
             curvature_t: CurvatureRangeReport::EMPTY,
@@ -316,7 +333,7 @@ impl SingularPatchReport {
     }
 }
 
-fn volume(body: &Body) -> Option<f64> {
+fn volume(body: &Body, not_known: &mut Vec<String>) -> Option<f64> {
     // The shells of hollows are oriented into them: their volumes are negative.
-    body.is_solid().then(|| body.shells().map(Shell::volume).sum())
+    body.is_solid().then(|| body.shells().map(|shell| number(shell.known_volume(), not_known)).sum())
 }

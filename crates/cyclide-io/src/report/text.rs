@@ -152,6 +152,11 @@ impl FairnessReport {
     }
 }
 
+/// An area or a volume.
+fn measure(value: f64, units: &str, power: &str) -> String {
+    if value.is_nan() { "not known".to_owned() } else { format!("{} {units}{power}", short(value)) }
+}
+
 impl SurfaceReport {
     fn facts(&self, facts: &mut Vec<String>) {
         let state = match (self.volume, self.closed) {
@@ -168,13 +173,16 @@ impl SurfaceReport {
 
     fn lines(&self, units: &str, line: Line<'_>) -> fmt::Result {
         if let Some(area) = self.area {
-            line("area", format!("{} {units}²", short(area)))?;
+            line("area", measure(area, units, "²"))?;
         } else if !self.parts.is_empty() {
-            let each = self.parts.iter().map(|part| format!("{} {units}²", short(part.area)));
+            let each = self.parts.iter().map(|part| measure(part.area, units, "²"));
             line("areas", listed(self.parts.len(), each))?;
         }
         if let Some(volume) = self.volume {
-            line("volume", format!("{} {units}³", short(volume)))?;
+            line("volume", measure(volume, units, "³"))?;
+        }
+        for reason in &self.not_known {
+            line("not known", reason.clone())?;
         }
         let j = &self.joints;
         let (smooth, gap) = (j.count - j.creases, short(j.gap));
