@@ -4,7 +4,7 @@ use cyclide_io::{ExportError, Exporter, Report};
 
 use crate::effect;
 use crate::failure::Failure;
-use crate::load::{self, Inputs};
+use crate::load::{self, Inputs, Loaded};
 use crate::outputs;
 use crate::plan::{Input, MakePlan, is_standard, refuse_overwriting};
 use crate::progress::Progress;
@@ -12,10 +12,7 @@ use crate::terminal;
 
 /// Carries the plan out.
 pub fn run(plan: &MakePlan) -> Result<(), Failure> {
-    let inputs = Inputs::default();
-    let (document, folder) = load::document(&plan.input, &inputs)?;
-    let progress = Progress::new(document.objects.len() + plan.outputs.len() + 1);
-    let loaded = load::build(&document, &folder, &inputs, &progress)?;
+    let (loaded, progress) = load(plan)?;
     for (path, _) in &plan.outputs {
         for input in &loaded.input_files {
             refuse_overwriting(Some(path), input)?;
@@ -59,6 +56,15 @@ pub fn run(plan: &MakePlan) -> Result<(), Failure> {
         return terminal::print_bytes(bytes);
     }
     outputs::write(&files, plan.write, &report)
+}
+
+/// Builds the objects; the document and what was read for it are not needed any more then.
+fn load(plan: &MakePlan) -> Result<(Loaded, Progress), Failure> {
+    let inputs = Inputs::default();
+    let (document, folder) = load::document(&plan.input, &inputs)?;
+    let progress = Progress::new(document.objects.len() + plan.outputs.len() + 1);
+    let loaded = load::build(&document, &folder, &inputs, &progress)?;
+    Ok((loaded, progress))
 }
 
 /// A report as text or JSON.

@@ -7,7 +7,7 @@ use crate::file_content::ReadError;
 use crate::job::BodyOf;
 use crate::job::{Contour, Job};
 use cyclide::{
-    Arc, ArcPath, Correspondence, CurveChain, CurvePlace, Exactness, MeshCorner, MeshFace, Point3, SurfaceMesh, Vec3,
+    Arc, ChainPiece, Correspondence, CurveChain, CurvePlace, Exactness, MeshCorner, MeshFace, Point3, SurfaceMesh, Vec3,
 };
 
 /// Single precision is used between these sizes: products of two numbers must neither vanish nor overflow.
@@ -123,7 +123,10 @@ pub(crate) fn check_single(job: &Job<'_>, largest: f64, format: &'static str) ->
 /// A polyline that was read, closed if it ends with its first vertex.
 pub(crate) fn chain(points: &[Point3], place: impl Fn() -> String) -> Result<CurveChain, ReadError> {
     let closed = points.len() > 1 && points.first() == points.last();
-    let segments = points.windows(2).map(|w| Arc::segment(w[0], w[1])).collect::<cyclide::Result<Vec<_>>>();
-    let path = segments.and_then(|s| ArcPath::new(s, closed));
-    Ok(path.map_err(|source| ReadError::Geometry { place: place(), source })?.into())
+    let unfit = |source| ReadError::Geometry { place: place(), source };
+    let mut segments = Vec::with_capacity(points.len().saturating_sub(1));
+    for ends in points.windows(2) {
+        segments.push(ChainPiece::Arc(Arc::segment(ends[0], ends[1]).map_err(unfit)?));
+    }
+    CurveChain::new(segments, closed, 0.0).map_err(unfit)
 }

@@ -32,6 +32,7 @@ use cyclide::{
     Arc, ChainPiece, Correspondence, CurveChain, DEFAULT_PIECE_ANGLE, Exactness, Lowered, NurbsCurve, ParamCurve as _,
 };
 use serde_json::Value;
+use std::iter::Peekable;
 
 pub(crate) use reader::read;
 pub(crate) use surfaces::deviation as patch_deviation;
@@ -77,13 +78,33 @@ fn push_contour(
     push_plain(out, exactness.bound());
     out.push_str(", \"curves\": [");
     let mut counts = Vec::with_capacity(chain.piece_count());
-    for (i, run) in runs(&chain).enumerate() {
-        let curve = contour.lowered(run_curve(run, &mut counts))?;
-        out.push_str(if i == 0 { "\n" } else { ",\n" });
+    let mut separator = "\n";
+    let mut pieces = chain.into_pieces().into_iter().peekable();
+    while let Some(piece) = pieces.next() {
+        let curve = match piece {
+            ChainPiece::Arc(arc) => {
+                // All that follow each other are one curve.
+                let others = std::iter::from_fn(|| next_arc(&mut pieces));
+                contour.lowered(quadratic(std::iter::once(arc).chain(others), &mut counts))?
+            }
+            ChainPiece::Spline(curve) => {
+                counts.extend(std::iter::repeat_n(1, curve.piece_count()));
+                curve.with_c1_knots().unwrap_or(curve)
+            }
+        };
+        out.push_str(std::mem::replace(&mut separator, ",\n"));
         push_curve(out, &curve);
     }
     out.push_str("]}");
     Ok(correspondence.recounted(counts))
+}
+
+/// The next piece, if it is an arc.
+fn next_arc(pieces: &mut Peekable<std::vec::IntoIter<ChainPiece>>) -> Option<Arc> {
+    let Some(ChainPiece::Arc(arc)) = pieces.peek() else { return None };
+    let arc = *arc;
+    pieces.next();
+    Some(arc)
 }
 
 fn push_curve(out: &mut String, curve: &NurbsCurve) {
@@ -116,27 +137,9 @@ fn quoted(text: &str) -> String {
     Value::from(text).to_string()
 }
 
-/// The pieces that become one B-spline each: runs of arcs, and single splines.
-fn runs(chain: &CurveChain) -> impl Iterator<Item = &[ChainPiece]> {
-    let arc = |p: &ChainPiece| matches!(p, ChainPiece::Arc(_));
-    chain.pieces().chunk_by(move |a, b| arc(a) && arc(b))
-}
-
-/// A run as a B-spline; notes how many spans each smooth piece has become.
-fn run_curve(run: &[ChainPiece], counts: &mut Vec<usize>) -> cyclide::Result<NurbsCurve> {
-    if let [ChainPiece::Spline(curve)] = run {
-        counts.extend(std::iter::repeat_n(1, curve.piece_count()));
-        return Ok(curve.with_c1_knots().unwrap_or_else(|| curve.clone()));
-    }
-    let arcs = run.iter().filter_map(|p| match p {
-        ChainPiece::Arc(arc) => Some(arc),
-        ChainPiece::Spline(_) => None,
-    });
-    quadratic(arcs, counts)
-}
-
-/// Arcs that meet as one rational quadratic: arc `i` over `[i, i+1]`, double knots at every joint.
-fn quadratic<'a>(arcs: impl Iterator<Item = &'a Arc>, counts: &mut Vec<usize>) -> cyclide::Result<NurbsCurve> {
+/// Arcs that meet as one rational quadratic: arc `i` over `[i, i+1]`, double knots at every joint. Notes how many spans
+/// each has become.
+fn quadratic(arcs: impl Iterator<Item = Arc>, counts: &mut Vec<usize>) -> cyclide::Result<NurbsCurve> {
     let (mut points, mut weights, mut knots) = (Vec::new(), Vec::new(), vec![0.0]);
     let mut end = 0.0;
     for arc in arcs {

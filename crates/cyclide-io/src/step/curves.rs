@@ -1,6 +1,6 @@
 //! Curves as STEP entities.
 
-use super::data::{Data, list, real, reals, references, string};
+use super::data::{Data, push_list, push_reference, real, string};
 use crate::exported::SMALLEST_RADIUS;
 use crate::number::push_step;
 use cyclide::{Arc, ChainPiece, Circle, CurveChain, NurbsCurve, ParamCurve};
@@ -15,9 +15,11 @@ const CURVED_RADIUS: f64 = 1e3;
 
 /// A composite curve from the pieces of a chain; `size` is the model's diagonal. Notes how many pieces each smooth piece
 /// has become.
-pub(super) fn composite(data: &mut Data, name: &str, chain: &CurveChain, size: f64, counts: &mut Vec<usize>) -> usize {
-    let pieces: Vec<usize> = chain.pieces().iter().map(|piece| bounded_curve(data, piece, size, counts)).collect();
-    composite_of(data, name, &pieces, chain.is_closed())
+pub(super) fn composite(data: &mut Data, name: &str, chain: CurveChain, size: f64, counts: &mut Vec<usize>) -> usize {
+    let closed = chain.is_closed();
+    let pieces = chain.into_pieces().into_iter().map(|piece| bounded_curve(data, piece, size, counts));
+    let pieces: Vec<usize> = pieces.collect();
+    composite_of(data, name, &pieces, closed)
 }
 
 /// A full circle, which needs no trimming.
@@ -39,12 +41,16 @@ fn composite_of(data: &mut Data, name: &str, pieces: &[usize], closed: bool) -> 
             data.add(&format!("COMPOSITE_CURVE_SEGMENT({transition},.T.,#{curve})"))
         })
         .collect();
-    data.add(&format!("COMPOSITE_CURVE({},{},.F.)", string(name), references(&segments)))
+    data.write(|out| {
+        let _ = write!(out, "COMPOSITE_CURVE({},", string(name));
+        push_list(out, segments, push_reference);
+        out.push_str(",.F.)");
+    })
 }
 
-fn bounded_curve(data: &mut Data, piece: &ChainPiece, size: f64, counts: &mut Vec<usize>) -> usize {
+fn bounded_curve(data: &mut Data, piece: ChainPiece, size: f64, counts: &mut Vec<usize>) -> usize {
     match piece {
-        ChainPiece::Arc(arc) => bounded_arc(data, arc, size, counts),
+        ChainPiece::Arc(arc) => bounded_arc(data, &arc, size, counts),
         ChainPiece::Spline(curve) => {
             counts.extend(std::iter::repeat_n(1, curve.piece_count()));
             b_spline(data, curve)
@@ -60,7 +66,7 @@ fn bounded_arc(data: &mut Data, arc: &Arc, size: f64, counts: &mut Vec<usize>) -
     match arc.to_nurbs(cyclide::DEFAULT_PIECE_ANGLE) {
         Ok(curve) if !arc.is_straight() => {
             counts.push(curve.piece_count());
-            b_spline(data, &curve)
+            b_spline(data, curve)
         }
         _ => {
             counts.push(1);
@@ -121,22 +127,25 @@ fn trimmed(data: &mut Data, basis: usize, arc: &Arc, end: f64) -> usize {
     ))
 }
 
-/// One rational B-spline, with C1 knots where the curve is C1: readers take the multiplicity for the continuity.
-pub(super) fn b_spline(data: &mut Data, curve: &NurbsCurve) -> usize {
-    let smooth = curve.with_c1_knots();
-    let curve = smooth.as_ref().unwrap_or(curve);
+/// One rational B-spline, with C1 knots where the curve is C1: readers take the multiplicity for the continuity. It is
+/// given away, since of two forms of a long one and its text one is too much.
+pub(super) fn b_spline(data: &mut Data, curve: NurbsCurve) -> usize {
+    let curve = curve.with_c1_knots().unwrap_or(curve);
     let points: Vec<usize> = curve.control_points().iter().map(|&p| data.point(p)).collect();
     let knots = curve.knot_multiplicities();
-    let multiplicities = list(knots.iter().map(|(_, m)| m.to_string()));
-    let values: Vec<f64> = knots.iter().map(|(k, _)| *k).collect();
     let closed = if curve.is_closed() { ".T." } else { ".F." };
-    data.add(&format!(
-        "(BOUNDED_CURVE() B_SPLINE_CURVE({},{},.UNSPECIFIED.,{closed},.F.) \
-         B_SPLINE_CURVE_WITH_KNOTS({multiplicities},{},.UNSPECIFIED.) CURVE() GEOMETRIC_REPRESENTATION_ITEM() \
-         RATIONAL_B_SPLINE_CURVE({}) REPRESENTATION_ITEM(''))",
-        curve.degree(),
-        references(&points),
-        reals(&values),
-        reals(curve.weights()),
-    ))
+    // One instance may be most of the file: written where it stays.
+    data.write(|out| {
+        let _ = write!(out, "(BOUNDED_CURVE() B_SPLINE_CURVE({},", curve.degree());
+        push_list(out, points, push_reference);
+        let _ = write!(out, ",.UNSPECIFIED.,{closed},.F.) B_SPLINE_CURVE_WITH_KNOTS(");
+        push_list(out, &knots, |out, (_, multiplicity)| {
+            let _ = write!(out, "{multiplicity}");
+        });
+        out.push(',');
+        push_list(out, &knots, |out, (knot, _)| push_step(out, *knot));
+        out.push_str(",.UNSPECIFIED.) CURVE() GEOMETRIC_REPRESENTATION_ITEM() RATIONAL_B_SPLINE_CURVE(");
+        push_list(out, curve.weights(), |out, &weight| push_step(out, weight));
+        out.push_str(") REPRESENTATION_ITEM(''))");
+    })
 }

@@ -167,24 +167,10 @@ pub(super) fn real(v: f64) -> String {
     out
 }
 
-/// A list of REALs.
-pub(super) fn reals(values: &[f64]) -> String {
-    let mut out = String::new();
-    push_list(&mut out, values, |out, &v| push_step(out, v));
-    out
-}
-
 /// A list of references.
 pub(super) fn references(numbers: &[usize]) -> String {
     let mut out = String::new();
     push_list(&mut out, numbers, |out, &n| push_reference(out, n));
-    out
-}
-
-/// A list of texts.
-pub(super) fn list<I: IntoIterator<Item = String>>(items: I) -> String {
-    let mut out = String::new();
-    push_list(&mut out, items, |out, item| out.push_str(&item));
     out
 }
 

@@ -61,7 +61,7 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
             let Lowered { form: chain, correspondence, .. } = lowered;
             shortest = shortest.min(shortest_piece(&chain));
             let mut counts = Vec::with_capacity(chain.piece_count());
-            let composite = curves::composite(&mut data, &contour.label(), &chain, job.size(), &mut counts);
+            let composite = curves::composite(&mut data, &contour.label(), chain, job.size(), &mut counts);
             parts_of_curves.push(correspondence.recounted(counts));
             composite
         });

@@ -268,6 +268,6 @@ impl<'a> Writer<'a> {
         let weights = arc.bezier_rows().map(|row| row[3]).to_vec();
         let points = vec![arc.start(), surfaces::middle_point(arc), arc.end()];
         let curve = NurbsCurve::new(2, vec![0.0, 0.0, 0.0, 1.0, 1.0, 1.0], points, weights)?;
-        Ok(SpaceCurve::Rational(curves::b_spline(self.data, &curve)))
+        Ok(SpaceCurve::Rational(curves::b_spline(self.data, curve)))
     }
 }

@@ -70,7 +70,10 @@ impl Correspondence {
     pub fn of_vertices(places: impl IntoIterator<Item = CurvePlace>) -> Self {
         let mut places = places.into_iter();
         let start = places.next().unwrap_or(CurvePlace::new(0, 0.0));
-        Self { start, spans: places.map(|end| Span { pieces: 1, end }).collect() }
+        let mut spans: Vec<Span> = places.map(|end| Span { pieces: 1, end }).collect();
+        // It may be in the place of what it was made from, which was larger.
+        spans.shrink_to_fit();
+        Self { start, spans }
     }
 
     /// The correspondence after every piece of the form was replaced by others: `pieces` gives how many each has become,

@@ -149,6 +149,12 @@ impl CurveChain {
         Ok((Self::from_joined(left, false), Self::from_joined(right, false)))
     }
 
+    /// The pieces by themselves.
+    #[must_use]
+    pub fn into_pieces(self) -> Vec<ChainPiece> {
+        self.pieces
+    }
+
     /// The pieces.
     #[must_use]
     pub fn pieces(&self) -> &[ChainPiece] {
@@ -168,6 +174,12 @@ impl CurveChain {
 
 impl From<ArcPath> for CurveChain {
     fn from(path: ArcPath) -> Self {
+        Self::from(&path)
+    }
+}
+
+impl From<&ArcPath> for CurveChain {
+    fn from(path: &ArcPath) -> Self {
         let index = (0..path.arcs().len()).map(|i| (i, 0)).collect();
         Self { pieces: path.arcs().iter().copied().map(ChainPiece::Arc).collect(), closed: path.is_closed(), index }
     }

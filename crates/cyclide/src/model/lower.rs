@@ -78,7 +78,7 @@ impl<C> Lowered<C> {
 
 impl Lower for ArcPath {
     fn lower_to_chain(&self, _tolerance: f64) -> Result<Lowered<CurveChain>> {
-        Ok(Lowered::exact(self.clone().into(), self.arcs().len()))
+        Ok(Lowered::exact(self.into(), self.arcs().len()))
     }
     fn lower_to_arcs(&self, _tolerance: f64) -> Result<Lowered<Self>> {
         Ok(Lowered::exact(self.clone(), self.arcs().len()))

@@ -15,8 +15,9 @@ pub struct NurbsCurve {
     knots: Vec<f64>,
     points: Vec<Point3>,
     weights: Vec<f64>,
-    /// The Bézier form of each knot span (homogeneous rows), made once.
-    spans: Vec<Vec<[f64; 4]>>,
+    /// The Bézier form of the knot spans (homogeneous rows), made once: `degree` rows of each, and the last one. Neighbours
+    /// share the row of their joint.
+    span_rows: Vec<[f64; 4]>,
     /// The distinct knots, one more than spans.
     breaks: Vec<f64>,
 }
@@ -61,8 +62,8 @@ impl NurbsCurve {
             return fail("an inner knot has multiplicity above the degree");
         }
         let rows = homogeneous_rows(&points, &weights);
-        let spans = spans(degree, &knots, &rows, &breaks);
-        Ok(Self { degree, knots, points, weights, spans, breaks })
+        let span_rows = span_rows(degree, &knots, &rows, &breaks);
+        Ok(Self { degree, knots, points, weights, span_rows, breaks })
     }
 
     /// Curve from homogeneous control rows `[wx, wy, wz, w]`; errors as [`new`](Self::new).
@@ -90,7 +91,7 @@ impl NurbsCurve {
             knots: self.knots.iter().rev().map(mirrored).collect(),
             points: self.points.iter().rev().copied().collect(),
             weights: self.weights.iter().rev().copied().collect(),
-            spans: self.spans.iter().rev().map(|rows| rows.iter().rev().copied().collect()).collect(),
+            span_rows: self.span_rows.iter().rev().copied().collect(),
             breaks: self.breaks.iter().rev().map(mirrored).collect(),
         }
     }
@@ -190,7 +191,12 @@ impl NurbsCurve {
     /// The knot spans as Bézier curves.
     #[must_use]
     pub fn to_beziers(&self) -> Vec<RationalBezier> {
-        self.spans.iter().map(|rows| RationalBezier::from_rows_unchecked(rows.clone())).collect()
+        (0..self.span_count()).map(|span| self.span_bezier(span)).collect()
+    }
+
+    /// A knot span as a Bézier curve.
+    pub(super) fn span_bezier(&self, span: usize) -> RationalBezier {
+        RationalBezier::from_rows_unchecked(self.span_rows(span).to_vec())
     }
 
     /// Point at the knot-domain parameter `u` (clamped to the domain).
@@ -202,13 +208,13 @@ impl NurbsCurve {
 
     /// Homogeneous Bézier rows of a knot span. They lie in the hull of the control rows, so weights are positive.
     pub(crate) fn span_rows(&self, span: usize) -> &[[f64; 4]] {
-        &self.spans[span]
+        &self.span_rows[span * self.degree..=(span + 1) * self.degree]
     }
 
     /// Number of knot spans.
     #[must_use]
     pub fn span_count(&self) -> usize {
-        self.spans.len()
+        self.breaks.len() - 1
     }
 
     /// The point of a knot span at its own parameter in `[0, 1]`.
@@ -217,7 +223,7 @@ impl NurbsCurve {
     /// If there is no such span.
     #[must_use]
     pub fn span_point(&self, span: usize, s: f64) -> Point3 {
-        let [x, y, z, w] = bernstein::eval(&self.spans[span], s);
+        let [x, y, z, w] = bernstein::eval(self.span_rows(span), s);
         Point3::new(x / w, y / w, z / w)
     }
 
@@ -227,18 +233,18 @@ impl NurbsCurve {
     /// If there is no such span.
     #[must_use]
     pub fn span_jet(&self, span: usize, s: f64) -> CurveJet {
-        jet_of_homogeneous(bernstein::derivatives(&self.spans[span], s))
+        jet_of_homogeneous(bernstein::derivatives(self.span_rows(span), s))
     }
 
     /// First derivative of a knot span by its own parameter in `[0, 1]`.
     pub(crate) fn span_velocity(&self, span: usize, s: f64) -> Vec3 {
-        let rows = &self.spans[span];
+        let rows = self.span_rows(span);
         let ([x, y, z, w], [dx, dy, dz, dw]) = (bernstein::eval(rows, s), bernstein::first_derivative(rows, s));
         (Vec3::new(dx, dy, dz) - Vec3::new(x, y, z) * (dw / w)) / w
     }
 
     fn span_of(&self, u: f64) -> (usize, f64) {
-        let n = self.spans.len();
+        let n = self.span_count();
         let u = u.clamp(self.breaks[0], self.breaks[n]);
         let span = self.breaks.partition_point(|b| *b <= u).saturating_sub(1).min(n - 1);
         let (a, b) = (self.breaks[span], self.breaks[span + 1]);
@@ -258,8 +264,8 @@ pub(super) fn multiplicity(knots: &[f64], k: f64) -> usize {
 
 /// Bézier rows of every span: its two end knots are inserted up to full multiplicity, in the window of the knots and
 /// rows that act on the span. Neighbours share the row of their joint.
-fn spans(degree: usize, knots: &[f64], rows: &[[f64; 4]], breaks: &[f64]) -> Vec<Vec<[f64; 4]>> {
-    let mut spans: Vec<Vec<[f64; 4]>> = Vec::with_capacity(breaks.len() - 1);
+fn span_rows(degree: usize, knots: &[f64], rows: &[[f64; 4]], breaks: &[f64]) -> Vec<[f64; 4]> {
+    let mut all: Vec<[f64; 4]> = Vec::with_capacity(degree * (breaks.len() - 1) + 1);
     for ends in breaks.windows(2) {
         let k = knots.partition_point(|x| *x <= ends[0]) - 1;
         let mut local_knots = knots[k - degree..=k + degree + 1].to_vec();
@@ -270,13 +276,10 @@ fn spans(degree: usize, knots: &[f64], rows: &[[f64; 4]], breaks: &[f64]) -> Vec
             }
         }
         let k = local_knots.partition_point(|x| *x <= ends[0]) - 1;
-        let mut span = local[k - degree..=k].to_vec();
-        if let Some(before) = spans.last() {
-            span[0] = before[degree];
-        }
-        spans.push(span);
+        let span = &local[k - degree..=k];
+        all.extend_from_slice(if all.is_empty() { span } else { &span[1..] });
     }
-    spans
+    all
 }
 
 /// Inserts the knot `u`, inside the domain and of multiplicity below the degree, once (W. Boehm, 1980).

@@ -32,56 +32,56 @@ impl NurbsCurve {
     /// not stay positive).
     #[must_use]
     pub fn with_c1_knots(&self) -> Option<Self> {
-        let beziers = self.to_beziers();
+        let count = self.span_count();
         let intervals: Vec<f64> = self.breaks().windows(2).map(|w| w[1] - w[0]).collect();
-        let mut smooth: Vec<bool> = (1..beziers.len()).map(|j| self.is_c1_at(j, &intervals)).collect();
-        let uneven: Vec<usize> = (0..beziers.len()).filter(|i| is_uneven(&beziers[*i])).collect();
+        let mut smooth: Vec<bool> = (1..count).map(|j| self.is_c1_at(j, &intervals)).collect();
+        let uneven: Vec<usize> = (0..count).filter(|i| is_uneven(self.span_rows(*i))).collect();
         for _ in 0..ROUNDS {
-            let raised = self.raised(&beziers, &intervals, &smooth)?;
+            let raised = self.raised(&intervals, &smooth)?;
             let lost = uneven.iter().filter(|&&i| !self.keeps_points(&raised, i));
             let mut knots = lost.flat_map(|&i| [i.checked_sub(1), Some(i)]).flatten().peekable();
             if knots.peek().is_none() {
                 return Some(raised);
             }
-            knots.filter(|j| *j < beziers.len() - 1).for_each(|j| smooth[j] = false);
+            knots.filter(|j| *j < count - 1).for_each(|j| smooth[j] = false);
         }
         None
     }
 
     /// With C1 knots at the smooth inner breaks; `None` if there are none.
-    fn raised(&self, beziers: &[RationalBezier], intervals: &[f64], smooth: &[bool]) -> Option<Self> {
+    fn raised(&self, intervals: &[f64], smooth: &[bool]) -> Option<Self> {
         if !smooth.contains(&true) {
             return None;
         }
-        let breaks = self.breaks();
-        let slopes = common_slopes(beziers, intervals, smooth);
-        let mut rows: Vec<[f64; 4]> = Vec::new();
-        let mut knots: Vec<f64> = Vec::new();
+        let (count, breaks) = (self.span_count(), self.breaks());
+        let slopes = self.common_slopes(intervals, smooth);
         let degree = self.degree() + 3;
-        let mut scale = 1.0;
-        for (j, bezier) in beziers.iter().enumerate() {
-            let raised = with_slopes(bezier, [slopes[j], slopes[j + 1]].map(|s| s.map(|s| s * intervals[j])))?;
+        // The joint rows of smooth knots are combinations of their neighbours: left out.
+        let kept = count * degree + 1 - smooth.iter().filter(|smooth| **smooth).count();
+        let (mut points, mut weights) = (Vec::with_capacity(kept), Vec::with_capacity(kept));
+        let mut knots = Vec::with_capacity(kept + degree + 1);
+        let (mut scale, mut last) = (1.0, None);
+        for j in 0..count {
+            let raised =
+                with_slopes(&self.span_bezier(j), [slopes[j], slopes[j + 1]].map(|s| s.map(|s| s * intervals[j])))?;
             let first = raised.rows()[0];
-            if let Some(last) = rows.last() {
-                scale = last[3] / first[3];
+            if let Some(last) = last {
+                scale = last / first[3];
             }
             knots.extend(std::iter::repeat_n(
                 breaks[j],
                 if j == 0 { degree + 1 } else { degree - usize::from(smooth[j - 1]) },
             ));
-            let skip = usize::from(j > 0);
-            rows.extend(raised.rows()[skip..].iter().map(|r| r.map(|v| v * scale)));
+            let own = raised.rows().iter().map(|r| r.map(|v| v * scale)).enumerate();
+            for (i, r) in own.skip(usize::from(j > 0)) {
+                last = Some(r[3]);
+                if !(i == degree && smooth.get(j) == Some(&true)) {
+                    points.push(Point3::new(r[0] / r[3], r[1] / r[3], r[2] / r[3]));
+                    weights.push(r[3]);
+                }
+            }
         }
-        knots.extend(std::iter::repeat_n(breaks[beziers.len()], degree + 1));
-        // The joint rows of smooth knots are combinations of their neighbours: left out.
-        let kept: Vec<[f64; 4]> = rows
-            .into_iter()
-            .enumerate()
-            .filter(|(i, _)| !(i % degree == 0 && *i > 0 && *i < beziers.len() * degree && smooth[i / degree - 1]))
-            .map(|(_, r)| r)
-            .collect();
-        let weights: Vec<f64> = kept.iter().map(|r| r[3]).collect();
-        let points = kept.iter().map(|r| Point3::new(r[0] / r[3], r[1] / r[3], r[2] / r[3])).collect();
+        knots.extend(std::iter::repeat_n(breaks[count], degree + 1));
         Self::new(degree, knots, points, weights).ok()
     }
 
@@ -105,39 +105,43 @@ impl NurbsCurve {
             unit * (left[n - 1][3] / left[n][3] / intervals[j - 1] + right[1][3] / right[0][3] / intervals[j]);
         (after_d1 - before_d1).length() <= C1_LIMIT * after_d1.length().max(before_d1.length()) + rounding
     }
+
+    /// For every break the logarithmic slope by the knot parameter that both sides are given, chosen so that the factors
+    /// stay positive: 0 or the nearest to it between the slopes of the two sides where the weights have a crest there,
+    /// and what changes both sides alike where they have a dent. `None` at ends and kinks: nothing to join there.
+    fn common_slopes(&self, intervals: &[f64], smooth: &[bool]) -> Vec<Option<f64>> {
+        let count = self.span_count();
+        let mut slopes = vec![None; count + 1];
+        for j in (1..count).filter(|j| smooth[j - 1]) {
+            let (h0, h1) = (intervals[j - 1], intervals[j]);
+            let (before, after) = (end_slopes(self.span_rows(j - 1))[1] / h0, end_slopes(self.span_rows(j))[0] / h1);
+            slopes[j] = Some(if after <= before {
+                0.0_f64.clamp(after, before)
+            } else {
+                (after * h1 + before * h0) / (h0 + h1)
+            });
+        }
+        slopes
+    }
 }
 
 /// Weights so uneven that a form of higher degree may lose points by rounding.
-fn is_uneven(bezier: &RationalBezier) -> bool {
-    let weights = || bezier.rows().iter().map(|row| row[3]);
+fn is_uneven(rows: &[[f64; 4]]) -> bool {
+    let weights = || rows.iter().map(|row| row[3]);
     weights().fold(f64::INFINITY, f64::min) < UNEVEN * weights().fold(0.0, f64::max)
 }
 
 /// Logarithmic slopes `W'/W` of the weight function at both ends, by the curve's own parameter.
-fn end_slopes(bezier: &RationalBezier) -> [f64; 2] {
-    let (rows, n) = (bezier.rows(), bezier.degree());
+fn end_slopes(rows: &[[f64; 4]]) -> [f64; 2] {
+    let n = rows.len() - 1;
     let (w0, w1) = (rows[0][3], rows[n][3]);
     [(rows[1][3] - w0) / w0 * n as f64, (w1 - rows[n - 1][3]) / w1 * n as f64]
-}
-
-/// For every break the logarithmic slope by the knot parameter that both sides are given, chosen so that the factors
-/// stay positive: 0 or the nearest to it between the slopes of the two sides where the weights have a crest there,
-/// and what changes both sides alike where they have a dent. `None` at ends and kinks: nothing to join there.
-fn common_slopes(beziers: &[RationalBezier], intervals: &[f64], smooth: &[bool]) -> Vec<Option<f64>> {
-    let mut slopes = vec![None; beziers.len() + 1];
-    for j in (1..beziers.len()).filter(|j| smooth[j - 1]) {
-        let (h0, h1) = (intervals[j - 1], intervals[j]);
-        let (before, after) = (end_slopes(&beziers[j - 1])[1] / h0, end_slopes(&beziers[j])[0] / h1);
-        slopes[j] =
-            Some(if after <= before { 0.0_f64.clamp(after, before) } else { (after * h1 + before * h0) / (h0 + h1) });
-    }
-    slopes
 }
 
 /// The piece multiplied by the cubic that gives its weight function these logarithmic slopes at its ends, if that
 /// cubic is positive.
 fn with_slopes(bezier: &RationalBezier, slopes: [Option<f64>; 2]) -> Option<RationalBezier> {
-    let have = end_slopes(bezier);
+    let have = end_slopes(bezier.rows());
     let change = |end: usize| slopes[end].map_or(0.0, |slope| slope - have[end]);
     let factor = [1.0, 1.0 + change(0) / 3.0, 1.0 - change(1) / 3.0, 1.0];
     let raised = bezier.multiplied(&factor);

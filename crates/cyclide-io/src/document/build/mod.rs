@@ -59,7 +59,8 @@ pub struct Remark {
     pub message: String,
 }
 
-/// Builds the objects of a document, each once, however many others are made from it.
+/// Builds the objects of a document, each once, however many others are made from it. What no other object needs is handed
+/// out and not kept.
 pub struct ModelBuilder<'a> {
     document: &'a Document,
     folder: &'a Path,
@@ -119,7 +120,9 @@ impl<'a> ModelBuilder<'a> {
                 self.made[needed] = Some(builder.build()?);
             }
         }
-        Ok(self.made[index].clone().unwrap_or_default())
+        // Of large objects a copy would be a good part of all memory.
+        let made = &mut self.made[index];
+        Ok(if self.references.is_source(index) { made.clone() } else { made.take() }.unwrap_or_default())
     }
 }
 

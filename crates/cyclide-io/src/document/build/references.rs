@@ -11,6 +11,8 @@ use crate::suggest::did_you_mean;
 /// The objects that each object is made from.
 pub(super) struct References {
     of: Vec<Vec<usize>>,
+    /// Whether another object is made from each.
+    sources: Vec<bool>,
 }
 
 /// How far the walk over an object's references has come.
@@ -42,7 +44,9 @@ impl References {
             };
             of.push(spec.references().into_iter().enumerate().map(find).collect::<Result<Vec<_>>>()?);
         }
-        let references = Self { of };
+        let mut sources = vec![false; of.len()];
+        of.iter().flatten().for_each(|&index: &usize| sources[index] = true);
+        let references = Self { of, sources };
         let mut state = vec![State::New; references.of.len()];
         for index in 0..references.of.len() {
             references.walk(index, &mut state, &mut |_| {}).map_err(|(index, place)| {
@@ -56,6 +60,11 @@ impl References {
     /// The objects that an object is made from, in the order of [`ObjectSpec::references`].
     pub(super) fn of(&self, index: usize) -> &[usize] {
         &self.of[index]
+    }
+
+    /// True if another object is made from this one.
+    pub(super) fn is_source(&self, index: usize) -> bool {
+        self.sources[index]
     }
 
     /// The object and all it needs, each after what it is made from.
