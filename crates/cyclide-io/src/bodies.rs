@@ -2,6 +2,19 @@
 
 use cyclide::{ChainPiece, NurbsCurve, PatchKind, Point3, RationalBezierSurface};
 
+/// A rational patch of a file of surfaces.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FilePatch {
+    /// The body that it belongs to, from 0, those of all objects counted through.
+    pub body: usize,
+    /// The shell of the body.
+    pub shell: usize,
+    /// True if the outer side is that of `f_s × f_t`.
+    pub outward: bool,
+    /// The patch, over [0, 1] in both parameters.
+    pub surface: RationalBezierSurface,
+}
+
 /// A body of a file: a solid, or one or more shells.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FileBody {

@@ -8,11 +8,12 @@ use crate::export_error::ExportError;
 
 use crate::exported::{Exported, Promise};
 
-use crate::file_content::ReadError;
-use crate::job::Job;
+use crate::file_content::{FileContent, ReadError};
+use crate::job::{Contour, Job, contours};
+use crate::labels::{FileLabels, FileName};
 use crate::mesh::chain;
 use crate::number::push_plain;
-use cyclide::{Correspondence, CurveChain, CurveJet, CurvePlace, Exactness, ParamCurve, Point3};
+use cyclide::{Correspondence, CurveChain, CurveJet, CurvePlace, Exactness, Model, ParamCurve, Point3};
 
 const HEADER: &str = "object,contour,t,x,y,z,tangent_x,tangent_y,tangent_z,curvature";
 const COLUMNS: usize = 10;
@@ -75,13 +76,14 @@ fn field(name: &str) -> String {
 }
 
 /// Reads the polylines: rows of one object and contour that follow each other.
-pub(crate) fn read(bytes: &[u8]) -> Result<Vec<CurveChain>, ReadError> {
+pub(crate) fn read(bytes: &[u8]) -> Result<FileContent, ReadError> {
     let text = std::str::from_utf8(bytes).map_err(|e| ReadError::syntax("the text", e.to_string()))?;
     let mut lines = text.lines().enumerate().map(|(i, l)| (i + 1, l));
     if lines.next().is_none_or(|(_, l)| l != HEADER) {
         return Err(ReadError::syntax("line 1", format!("expected {HEADER}")));
     }
     let mut chains = Vec::new();
+    let mut names = Vec::new();
     let mut key = None;
     let mut points: Vec<Point3> = Vec::new();
     for (number, line) in lines {
@@ -99,25 +101,37 @@ pub(crate) fn read(bytes: &[u8]) -> Result<Vec<CurveChain>, ReadError> {
         if key != here {
             finish(&mut points, &mut chains, place)?;
             key = here;
+            names.extend(names_of(name, fields[0]));
         }
         points.push(Point3::new(number(2)?, number(3)?, number(4)?));
     }
     finish(&mut points, &mut chains, || "the end".to_owned())?;
-    Ok(chains)
+    Ok(FileContent { curves: chains, labels: FileLabels { unit: None, names }, ..FileContent::default() })
+}
+
+/// The labels of a file of the model.
+pub(crate) fn labels(model: &Model) -> FileLabels {
+    let of_contour = |contour: Contour<'_>| names_of(&field(contour.object), &contour.index.to_string());
+    FileLabels { unit: None, names: contours(model).flat_map(of_contour).collect() }
+}
+
+/// What one polyline is called.
+fn names_of(object: &str, contour: &str) -> [FileName; 2] {
+    [FileName::new("object", object, 1), FileName::new("contour", contour, 1)]
 }
 
 /// The first field as it stands, and the text behind its comma.
 fn split_name(line: &str) -> Option<(&str, &str)> {
-    let Some(inner) = line.strip_prefix('"') else {
+    if !line.starts_with('"') {
         return line.split_once(',');
-    };
+    }
     // An even number of quotes before the comma ends the field.
-    let mut open = true;
-    let end = inner.char_indices().find(|&(_, c)| {
+    let mut open = false;
+    let end = line.char_indices().find(|&(_, c)| {
         open ^= c == '"';
         !open && c == ','
     })?;
-    Some((&inner[..end.0], &inner[end.0 + 1..]))
+    Some((&line[..end.0], &line[end.0 + 1..]))
 }
 
 fn finish(points: &mut Vec<Point3>, chains: &mut Vec<CurveChain>, place: impl Fn() -> String) -> Result<(), ReadError> {

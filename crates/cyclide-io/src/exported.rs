@@ -19,6 +19,8 @@ pub struct Exported {
     pub rounding: f64,
     /// Remarks for the user, one sentence each.
     pub notes: Vec<String>,
+    /// The name of the whole.
+    pub(crate) title: String,
     /// What the polygons of a mesh stand for: what the file is checked against.
     pub(crate) mesh: MeshPlan,
     /// Which parts of the connected curves the pieces of the file stand for, in file order.
@@ -72,6 +74,7 @@ impl Promise {
             sampled: self.sampled,
             rounding: self.rounding,
             notes,
+            title: String::new(),
             curves,
             mesh: MeshPlan::default(),
             lines: Vec::new(),

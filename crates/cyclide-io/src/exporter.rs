@@ -64,6 +64,7 @@ impl<'a> Exporter<'a> {
         };
         let mut file = file?;
         file.notes.extend(left_out);
+        job.title().clone_into(&mut file.title);
         Ok(file)
     }
 

@@ -1,7 +1,9 @@
 //! What a file of ours holds when it is read back, and why it may not be readable.
 
-use crate::bodies::FileBody;
-use cyclide::{CurveChain, RationalBezierSurface, ShortNumber, SurfaceMesh};
+use crate::bodies::{FileBody, FilePatch};
+use crate::labels::FileLabels;
+use crate::place::quoted;
+use cyclide::{CurveChain, ShortNumber, SurfaceMesh};
 
 /// What a file of ours holds.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -14,9 +16,11 @@ pub struct FileContent {
     /// The meshes of formats that have them: one per body, in file order; in STL one for all.
     pub meshes: Vec<SurfaceMesh>,
     /// The rational patches of JSON, in file order.
-    pub patches: Vec<RationalBezierSurface>,
+    pub patches: Vec<FilePatch>,
     /// The lines that stand for surfaces in a drawing, in file order.
     pub lines: Vec<CurveChain>,
+    /// The unit and the names.
+    pub labels: FileLabels,
 }
 
 impl From<Vec<CurveChain>> for FileContent {
@@ -58,6 +62,38 @@ pub enum ReadError {
         place: String,
         /// What the kernel said.
         source: cyclide::Error,
+    },
+    /// The file's coordinates are in another unit than the model's.
+    #[error("{}", unit_message(*.found, *.expected))]
+    Unit {
+        /// Length of a unit of the file, millimetres; `None` if it does not say.
+        found: Option<f64>,
+        /// Length of a unit of the model, millimetres.
+        expected: f64,
+    },
+    /// A part of the file is called otherwise than in the model.
+    #[error("{of} {number}{}", name_message(.found.as_deref(), .expected.as_deref()))]
+    Name {
+        /// What bears the name.
+        of: &'static str,
+        /// Which of these, from 0.
+        number: usize,
+        /// The name in the file, if it is there.
+        found: Option<String>,
+        /// The name in the model, if it is there.
+        expected: Option<String>,
+    },
+    /// A name has another number of parts than in the model.
+    #[error("{of} `{}` has {found} parts in the file, {expected} in the model", quoted(.name))]
+    NameCount {
+        /// What bears the name.
+        of: &'static str,
+        /// The name.
+        name: String,
+        /// Parts in the file.
+        found: usize,
+        /// Parts in the model.
+        expected: usize,
     },
     /// The file holds another number of connected curves than the model.
     #[error("{found} connected curves in the file, {expected} in the model")]
@@ -106,6 +142,14 @@ pub enum ReadError {
         found: usize,
         /// In the model.
         expected: usize,
+    },
+    /// A rational patch of the file is not that of the model.
+    #[error("patch {patch}: {detail}")]
+    Patch {
+        /// Which patch, from 0.
+        patch: usize,
+        /// What differs.
+        detail: &'static str,
     },
     /// Polygons are missing, or a part of a face has several.
     #[error("face {face} of {object} is not covered once by polygons")]
@@ -178,6 +222,25 @@ pub enum ReadError {
         /// What differs.
         detail: &'static str,
     },
+}
+
+fn unit_message(found: Option<f64>, expected: f64) -> String {
+    let expected = ShortNumber(expected);
+    match found {
+        Some(found) => format!("a unit of the file is {} mm long, one of the model {expected} mm", ShortNumber(found)),
+        None => format!("the file does not say its unit, one of the model is {expected} mm long"),
+    }
+}
+
+/// The message behind what bears the name.
+fn name_message(found: Option<&str>, expected: Option<&str>) -> String {
+    match (found, expected) {
+        (Some(found), Some(expected)) => {
+            format!(" is `{}` in the file, `{}` in the model", quoted(found), quoted(expected))
+        }
+        (None, expected) => format!(", `{}`, is not in the file", quoted(expected.unwrap_or_default())),
+        (Some(found), None) => format!(", `{}`, is in the file only", quoted(found)),
+    }
 }
 
 fn openness(closed: bool) -> &'static str {

@@ -216,11 +216,14 @@ pub(crate) fn boxes<'a>(model: &'a Model, bodies: &'a [BodyOf<'a>]) -> impl Iter
 
 /// The connected curves of a model in the order in which every format writes them.
 pub(crate) fn contours(model: &Model) -> impl Iterator<Item = Contour<'_>> {
-    model.items.iter().enumerate().flat_map(|(item, it)| {
-        let count = it.contours.len();
-        let own = it.contours.iter().enumerate();
-        own.map(move |(index, curve)| Contour { object: &it.name, item, index, count, curve })
-    })
+    model.items.iter().enumerate().flat_map(|(index, item)| contours_of(index, item))
+}
+
+/// The connected curves of one object, by its number in the model.
+pub(crate) fn contours_of(item: usize, it: &Item) -> impl Iterator<Item = Contour<'_>> {
+    let count = it.contours.len();
+    let own = it.contours.iter().enumerate();
+    own.map(move |(index, curve)| Contour { object: &it.name, item, index, count, curve })
 }
 
 /// The tolerance that applies when none is asked for; for a model without extent that of a model of size 1.

@@ -23,6 +23,7 @@ mod glb;
 mod input_file;
 mod input_kind;
 mod job;
+mod labels;
 mod lines;
 mod mesh;
 mod number;
@@ -43,7 +44,7 @@ mod stl;
 mod suggest;
 mod svg;
 
-pub use bodies::{FileBody, FileEdge, FileFace, FileShell, FileSurface};
+pub use bodies::{FileBody, FileEdge, FileFace, FilePatch, FileShell, FileSurface};
 pub use camera::Camera;
 pub use document::{
     Angle, ArcFitSpec, ArcSpec, ArcSplineSpec, BiarcSpec, BorderCurves, BorderSpec, BorderWord, BuiltObject,
@@ -64,6 +65,7 @@ pub use file_content::{FileContent, ReadError};
 pub use format::Format;
 pub use input_file::{MOST_INPUT_BYTES, read_head, read_input, read_standard_input};
 pub use input_kind::InputKind;
+pub use labels::{FileLabels, FileName};
 pub use obj::{ObjGrid, read_quad_grid};
 pub use options::{DEFAULT_MOST_PIECES, DxfVersion, ExportOptions, StepEdges, StepProducts};
 pub use place::{Diagnostic, Source, decode};

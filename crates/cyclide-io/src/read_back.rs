@@ -1,11 +1,12 @@
 //! Reading our own files: the way from the bytes back to geometry, by which every export is checked.
 
-use crate::deviation::{View, bodies_deviation, curves_deviation, lines_deviation, mesh_deviation};
+use crate::deviation::{View, bodies_deviation, curves_deviation, larger, lines_deviation, mesh_deviation};
 use crate::export_error::ExportError;
 use crate::exported::Exported;
 use crate::exporter::Exporter;
 use crate::file_content::{FileContent, ReadError};
 use crate::format::Format;
+use crate::labels::{FileLabels, Named};
 use crate::{csv_samples, dxf, glb, nurbs_json, obj, step, stl, svg};
 use cyclide::{Correspondence, Model};
 
@@ -16,9 +17,9 @@ use cyclide::{Correspondence, Model};
 pub fn read_back(format: Format, bytes: &[u8]) -> Result<FileContent, ReadError> {
     match format {
         Format::Step => step::read(bytes),
-        Format::Dxf => dxf::read(bytes).map(FileContent::from),
+        Format::Dxf => dxf::read(bytes).map(dxf::Drawing::into_content),
         Format::Svg => svg::read(bytes),
-        Format::Csv => csv_samples::read(bytes).map(FileContent::from),
+        Format::Csv => csv_samples::read(bytes),
         Format::Json => nurbs_json::read(bytes),
         Format::Glb => glb::read(bytes),
         Format::Obj => obj::read_back(bytes),
@@ -47,22 +48,51 @@ pub(crate) fn deviation_of(exporter: &Exporter<'_>, format: Format, file: &Expor
         Format::Csv | Format::Dxf | Format::Glb | Format::Obj => View::Points,
         Format::Step | Format::Json | Format::Png | Format::Stl => View::Space,
     };
-    let mut content = read_back(format, &file.bytes)?;
-    if format == Format::Dxf {
-        let counts: Vec<usize> = file.curves.iter().map(Correspondence::piece_count).collect();
-        content.curves = dxf::regrouped(content.curves, &counts);
-    }
+    let (content, labels) = read_with_labels(exporter, format, file)?;
     let curves = match format {
         Format::Stl => 0.0,
         _ => curves_deviation(model, &content.curves, &file.curves, view)?,
     };
-    Ok(curves.max(match format {
-        Format::Step => bodies_deviation(bodies, &content.bodies, bounds.diagonal())?,
-        Format::Glb | Format::Obj | Format::Stl => mesh_deviation(format, bodies, &content.meshes, &file.mesh)?,
-        Format::Json => nurbs_json::patch_deviation(bodies, &content.patches)?,
-        Format::Svg => lines_deviation(&file.lines, &content.lines)?,
-        Format::Dxf | Format::Csv | Format::Png => 0.0,
-    }))
+    let deviation = larger(
+        curves,
+        match format {
+            Format::Step => bodies_deviation(bodies, &content.bodies, bounds.diagonal())?,
+            Format::Glb | Format::Obj | Format::Stl => mesh_deviation(format, bodies, &content.meshes, &file.mesh)?,
+            Format::Json => nurbs_json::patch_deviation(bodies, &content.patches)?,
+            Format::Svg => lines_deviation(&file.lines, &content.lines)?,
+            Format::Dxf | Format::Csv | Format::Png => 0.0,
+        },
+    );
+    labels.map_or(Ok(()), |labels| content.labels.check(&labels))?;
+    Ok(deviation)
+}
+
+/// What a file holds, and the labels that the model's file has.
+fn read_with_labels(
+    exporter: &Exporter<'_>,
+    format: Format,
+    file: &Exported,
+) -> Result<(FileContent, Option<FileLabels>), ReadError> {
+    let Exporter { model, bodies, .. } = exporter;
+    let named = Named { model, title: &file.title };
+    if format == Format::Dxf {
+        let counts: Vec<usize> = file.curves.iter().map(Correspondence::piece_count).collect();
+        let drawing = dxf::read(&file.bytes)?.regrouped(&counts);
+        let version = drawing.version().ok_or_else(|| ReadError::unsupported("this version", "$ACADVER"))?;
+        return Ok((drawing.into_content(), Some(dxf::labels(model, version))));
+    }
+    let content = read_back(format, &file.bytes)?;
+    let labels = match format {
+        Format::Step => Some(step::labels(named, bodies, &content.labels)),
+        Format::Svg => Some(svg::labels(named)),
+        Format::Csv => Some(csv_samples::labels(model)),
+        Format::Json => Some(nurbs_json::labels(model, bodies)),
+        Format::Glb => Some(glb::labels(named, bodies)),
+        Format::Obj => Some(obj::labels(model, bodies)),
+        Format::Stl => Some(stl::labels(named)),
+        Format::Dxf | Format::Png => None,
+    };
+    Ok((content, labels))
 }
 
 /// A model that cannot be written, as one whose surface has no body, cannot be compared.

@@ -62,7 +62,7 @@ fn each_span(parts: &Correspondence, mut visit: impl FnMut(usize, [CurvePlace; 2
 }
 
 /// The larger of two distances; not a number is larger than all.
-pub(super) fn larger(a: f64, b: f64) -> f64 {
+pub(crate) fn larger(a: f64, b: f64) -> f64 {
     if a.is_nan() || b <= a { a } else { b }
 }
 

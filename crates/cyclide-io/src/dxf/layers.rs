@@ -27,10 +27,11 @@ fn allowed(name: &str, version: DxfVersion) -> String {
     };
     let letter = |c: char| if allowed(c) { c } else { '_' };
     let name: String = name.trim().chars().map(letter).take(longest).collect();
-    match (name.is_empty(), version) {
-        (true, _) => "_".to_owned(),
-        (false, DxfVersion::R12) => name.to_uppercase(),
-        (false, DxfVersion::R2000) => name,
+    // Readers take no blank at the end of a line for a part of it.
+    match (name.trim_end(), version) {
+        ("", _) => "_".to_owned(),
+        (name, DxfVersion::R12) => name.to_uppercase(),
+        (name, DxfVersion::R2000) => name.to_owned(),
     }
 }
 

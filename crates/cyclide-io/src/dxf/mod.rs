@@ -19,16 +19,17 @@ use crate::export_error::ExportError;
 use crate::exported::{Exported, Promise, straightened};
 
 use crate::job::{Contour, Job};
+use crate::labels::{FileLabels, FileName};
 
 use crate::options::DxfVersion;
 use cyclide::{
-    Arc, ArcPath, ChainPiece, Correspondence, CurveChain, Lowered, NurbsCurve, ParamCurve as _, Point3, Vec3,
+    Arc, ArcPath, ChainPiece, Correspondence, CurveChain, Lowered, Model, NurbsCurve, ParamCurve as _, Point3, Vec3,
 };
 use plane::{Ocs, plane_of};
 use skeleton::{Content, FIRST_FREE, Group, MODEL_SPACE};
 use tags::Tags;
 
-pub(crate) use reader::{read, regrouped};
+pub(crate) use reader::{Drawing, read};
 
 /// Writes the model as DXF.
 pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
@@ -61,6 +62,20 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
         notes.push("rational SPLINE entities: many programs that cut or draw ignore their weights".to_owned());
     }
     Ok(promise.exported(tags.into_bytes(), notes, curves))
+}
+
+/// What the names are those of.
+const LAYER: &str = "layer";
+const LAYER_OF: &str = "layer with curves";
+
+/// The labels of a file of the model in a version.
+pub(crate) fn labels(model: &Model, version: DxfVersion) -> FileLabels {
+    let layers = layers::layer_names(model.items.iter().map(|i| i.name.as_str()), version);
+    let table = std::iter::once("0").chain(layers.iter().map(String::as_str));
+    let mut names: Vec<FileName> = table.map(|name| FileName::new(LAYER, name, 1)).collect();
+    let used = layers.iter().zip(&model.items).filter(|(_, item)| !item.contours.is_empty());
+    names.extend(used.map(|(layer, item)| FileName::new(LAYER_OF, layer, item.contours.len())));
+    FileLabels::new(model.units, names)
 }
 
 /// The ENTITIES section as it grows.

@@ -1,18 +1,36 @@
 //! Our own DXF back from the bytes.
 
 use super::plane::Ocs;
+use super::skeleton::{unit_codes, version_code};
 use super::tags::{Tag, parse};
-use crate::file_content::ReadError;
-use cyclide::{Arc, ArcPath, ChainPiece, CurveChain, NurbsCurve, ParamCurve, Point3, Vec3};
+use super::{LAYER, LAYER_OF};
+use crate::file_content::{FileContent, ReadError};
+use crate::labels::{FileLabels, FileName, push_counted};
+use crate::options::DxfVersion;
+use cyclide::{Arc, ArcPath, ChainPiece, CurveChain, NurbsCurve, ParamCurve as _, Point3, Units, Vec3};
 
 /// Gap allowed between entities of one curve, relative to its largest coordinate or radius: the rounding of centre
 /// plus radius.
 const GAP: f64 = 1e-9;
 
-/// Reads the curves of the ENTITIES section in file order.
-pub(crate) fn read(bytes: &[u8]) -> Result<Vec<CurveChain>, ReadError> {
+/// A file as it is read.
+#[derive(Default)]
+pub(crate) struct Drawing {
+    /// The curves with their layers, in file order.
+    curves: Vec<(CurveChain, String)>,
+    /// The table of layers.
+    layers: Vec<String>,
+    /// Length of a unit, millimetres.
+    unit: Option<f64>,
+    /// The version, if it is one of ours.
+    version: Option<DxfVersion>,
+}
+
+/// Reads unit, layers and the curves of the ENTITIES section.
+pub(crate) fn read(bytes: &[u8]) -> Result<Drawing, ReadError> {
     let tags = parse(bytes)?;
-    let mut section = false;
+    let mut section = None;
+    let mut drawing = Drawing::default();
     let mut curves = Curves::default();
     let mut at = 0;
     while at < tags.len() {
@@ -20,42 +38,97 @@ pub(crate) fn read(bytes: &[u8]) -> Result<Vec<CurveChain>, ReadError> {
         let entity = Entity { tags: &tags[at..at + length] };
         at += length;
         match (tags[at - length].code, entity.name()) {
-            (0, "SECTION") => section = entity.text(2) == Some("ENTITIES"),
-            (0, "ENDSEC") => section = false,
-            (0, _) if section => curves.entity(&entity)?,
+            (0, "SECTION") => {
+                section = entity.text(2);
+                if section == Some("HEADER") {
+                    drawing.header(&entity)?;
+                }
+            }
+            (0, "ENDSEC") => section = None,
+            (0, "LAYER") if section == Some("TABLES") => {
+                drawing.layers.push(entity.text(2).unwrap_or_default().to_owned());
+            }
+            (0, _) if section == Some("ENTITIES") => curves.entity(&entity)?,
             _ => {}
         }
     }
     curves.finish()?;
-    Ok(curves.chains)
+    drawing.curves = curves.chains;
+    Ok(drawing)
 }
 
-/// Single entities as the curves that they were written as. DXF R12 has no groups, and lines and arcs alone none
-/// either: where one curve ends where another one begins, only the numbers of their pieces tell them apart.
-pub(crate) fn regrouped(chains: Vec<CurveChain>, counts: &[usize]) -> Vec<CurveChain> {
-    if chains.iter().map(ParamCurve::piece_count).eq(counts.iter().copied()) {
-        return chains;
-    }
-    let all: Vec<ChainPiece> = chains.iter().flat_map(|chain| chain.pieces().iter().cloned()).collect();
-    let (mut rest, mut grouped) = (all.as_slice(), Vec::with_capacity(counts.len()));
-    for &count in counts {
-        let mut found = 0;
-        let length = rest.iter().take_while(|piece| {
-            let more = found < count;
-            found += if more { piece.as_curve().piece_count() } else { 0 };
-            more
-        });
-        let (own, after) = rest.split_at(length.count());
-        let gap = GAP * own.iter().map(extent).fold(0.0, f64::max);
-        let ends = own.first().zip(own.last()).map(|(first, last)| last.end().distance(first.start()));
-        match CurveChain::new(own.to_vec(), ends.is_some_and(|apart| apart <= gap), gap) {
-            Ok(chain) => grouped.push(chain),
-            // What does not hang together is not what was written.
-            Err(_) => return chains,
+impl Drawing {
+    /// Version and unit of the header, whose variables stand in one block.
+    fn header(&mut self, header: &Entity<'_>) -> Result<(), ReadError> {
+        let variable = |name: &str| {
+            let at = header.tags.iter().position(|t| t.code == 9 && t.value == name)?;
+            header.tags.get(at + 1)
+        };
+        let code = variable("$ACADVER").map(|t| t.value);
+        self.version = [DxfVersion::R2000, DxfVersion::R12].into_iter().find(|v| Some(version_code(*v)) == code);
+        if let Some(tag) = variable("$INSUNITS") {
+            let codes = [tag.int()?, variable("$MEASUREMENT").map_or(Ok(0), Tag::int)?];
+            let unit = Units::ALL.into_iter().find(|unit| unit_codes(*unit) == codes);
+            let unit = unit.ok_or_else(|| {
+                ReadError::unsupported(format!("$INSUNITS {} with $MEASUREMENT {}", codes[0], codes[1]), tag.place())
+            })?;
+            self.unit = Some(unit.in_millimetres());
         }
-        rest = after;
+        Ok(())
     }
-    if rest.is_empty() { grouped } else { chains }
+
+    /// The version, if it is one of ours.
+    pub(crate) fn version(&self) -> Option<DxfVersion> {
+        self.version
+    }
+
+    /// Single entities as the curves that they were written as. DXF R12 has no groups, and lines and arcs alone none
+    /// either: where one curve ends where another one begins, only the numbers of their pieces tell them apart.
+    pub(crate) fn regrouped(self, counts: &[usize]) -> Self {
+        if self.curves.iter().map(|(chain, _)| chain.piece_count()).eq(counts.iter().copied()) {
+            return self;
+        }
+        let pieces_of = |(chain, layer): &'_ (CurveChain, String)| {
+            let layer = layer.clone();
+            chain.pieces().to_vec().into_iter().map(move |piece| (piece, layer.clone()))
+        };
+        let all: Vec<(ChainPiece, String)> = self.curves.iter().flat_map(pieces_of).collect();
+        let (mut rest, mut grouped) = (all.as_slice(), Vec::with_capacity(counts.len()));
+        for &count in counts {
+            let mut found = 0;
+            let length = rest.iter().take_while(|(piece, _)| {
+                let more = found < count;
+                found += if more { piece.as_curve().piece_count() } else { 0 };
+                more
+            });
+            let (own, after) = rest.split_at(length.count());
+            let gap = GAP * own.iter().map(|(piece, _)| extent(piece)).fold(0.0, f64::max);
+            let ends = own.first().zip(own.last()).map(|((first, _), (last, _))| last.end().distance(first.start()));
+            let pieces = own.iter().map(|(piece, _)| piece.clone()).collect();
+            // All pieces of a curve are on its layer; one that is not is what the curve is said to be on.
+            let layer = own.first().map_or("", |(_, first)| {
+                own.iter().map(|(_, layer)| layer.as_str()).find(|layer| layer != first).unwrap_or(first)
+            });
+            match CurveChain::new(pieces, ends.is_some_and(|apart| apart <= gap), gap) {
+                Ok(chain) => grouped.push((chain, layer.to_owned())),
+                // What does not hang together is not what was written.
+                Err(_) => return self,
+            }
+            rest = after;
+        }
+        if rest.is_empty() { Self { curves: grouped, ..self } } else { self }
+    }
+
+    /// The curves, and the layers' names: those of the table, then those that the curves are on.
+    pub(crate) fn into_content(self) -> FileContent {
+        let mut names: Vec<FileName> = self.layers.into_iter().map(|name| FileName::new(LAYER, name, 1)).collect();
+        let mut curves = Vec::with_capacity(self.curves.len());
+        for (chain, layer) in self.curves {
+            push_counted(&mut names, LAYER_OF, &layer);
+            curves.push(chain);
+        }
+        FileContent { curves, labels: FileLabels { unit: self.unit, names }, ..FileContent::default() }
+    }
 }
 
 /// The pairs of one entity, its type first.
@@ -74,6 +147,10 @@ impl<'a> Entity<'a> {
 
     fn text(&self, code: u16) -> Option<&'a str> {
         self.tags.iter().find(|t| t.code == code).map(|t| t.value)
+    }
+
+    fn layer(&self) -> String {
+        self.text(8).unwrap_or_default().to_owned()
     }
 
     fn real(&self, code: u16) -> Result<f64, ReadError> {
@@ -115,7 +192,7 @@ impl<'a> Entity<'a> {
 /// The curves found so far, and those that are still growing.
 #[derive(Default)]
 struct Curves<'a> {
-    chains: Vec<CurveChain>,
+    chains: Vec<(CurveChain, String)>,
     /// LINE, ARC and SPLINE entities of one curve, with their group or layer.
     pieces: Vec<ChainPiece>,
     /// Largest coordinate or radius of these.
@@ -131,6 +208,7 @@ struct Polyline {
     closed: bool,
     /// First and second coordinate and bulge.
     vertices: Vec<[f64; 3]>,
+    layer: String,
 }
 
 impl<'a> Curves<'a> {
@@ -144,18 +222,25 @@ impl<'a> Curves<'a> {
                 let vertices = (0..x.len()).map(|i| [x[i], y[i], bulge[i]]).collect();
                 let (ocs, closed) = (entity.ocs()?, entity.int(70)? % 2 == 1);
                 self.finish()?;
-                self.push(&Polyline { ocs, elevation: entity.real(38)?, closed, vertices }, entity)
+                self.push(
+                    &Polyline { ocs, elevation: entity.real(38)?, closed, vertices, layer: entity.layer() },
+                    entity,
+                )
             }
             "POLYLINE" => {
                 self.finish()?;
                 let (ocs, closed) = (entity.ocs()?, entity.int(70)? % 2 == 1);
-                self.polyline = Some(Polyline { ocs, elevation: entity.real(30)?, closed, vertices: Vec::new() });
+                let (elevation, layer) = (entity.real(30)?, entity.layer());
+                self.polyline = Some(Polyline { ocs, elevation, closed, vertices: Vec::new(), layer });
                 Ok(())
             }
             "VERTEX" => {
                 let vertex = [entity.real(10)?, entity.real(20)?, entity.real(42)?];
                 let polyline = self.polyline.as_mut();
                 let polyline = polyline.ok_or_else(|| ReadError::syntax(entity.place(), "a VERTEX of no POLYLINE"))?;
+                if entity.layer() != polyline.layer {
+                    return Err(ReadError::syntax(entity.place(), "a VERTEX is on another layer than its POLYLINE"));
+                }
                 polyline.vertices.push(vertex);
                 Ok(())
             }
@@ -175,13 +260,14 @@ impl<'a> Curves<'a> {
     }
 
     fn push(&mut self, polyline: &Polyline, entity: &Entity<'_>) -> Result<(), ReadError> {
-        let Polyline { ocs, elevation, closed, vertices } = polyline;
+        let Polyline { ocs, elevation, closed, vertices, layer } = polyline;
         let n = vertices.len();
         let point = |i: usize| ocs.to_world(Point3::new(vertices[i % n][0], vertices[i % n][1], *elevation));
         let edges = if *closed { n } else { n.saturating_sub(1) };
         let arcs = (0..edges).map(|i| Arc::from_bulge(point(i), point(i + 1), ocs.z, vertices[i][2]));
         let path = arcs.collect::<cyclide::Result<Vec<_>>>().and_then(|arcs| ArcPath::new(arcs, *closed));
-        self.chains.push(path.map_err(|e| entity.geometry(e))?.into());
+        let path = path.map_err(|e| entity.geometry(e))?;
+        self.chains.push((path.into(), layer.clone()));
         Ok(())
     }
 
@@ -224,7 +310,8 @@ impl<'a> Curves<'a> {
         self.extent = 0.0;
         let chain = CurveChain::new(std::mem::take(&mut self.pieces), closed, gap);
         let place = std::mem::take(&mut self.place);
-        self.chains.push(chain.map_err(|source| ReadError::Geometry { place, source })?);
+        let layer = self.key.1.unwrap_or_default().to_owned();
+        self.chains.push((chain.map_err(|source| ReadError::Geometry { place, source })?, layer));
         Ok(())
     }
 }

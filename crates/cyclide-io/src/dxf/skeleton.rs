@@ -80,19 +80,32 @@ pub(super) fn closing(tags: &mut Tags, job: &Job<'_>, content: &Content<'_>) {
     tags.begin("EOF");
 }
 
+/// `$INSUNITS` and `$MEASUREMENT`.
+pub(super) fn unit_codes(units: Units) -> [usize; 2] {
+    match units {
+        Units::Inch => [1, 0],
+        Units::Foot => [2, 0],
+        Units::Millimetre => [4, 1],
+        Units::Centimetre => [5, 1],
+        Units::Metre => [6, 1],
+    }
+}
+
+/// `$ACADVER`.
+pub(super) fn version_code(version: DxfVersion) -> &'static str {
+    match version {
+        DxfVersion::R2000 => "AC1015",
+        DxfVersion::R12 => "AC1009",
+    }
+}
+
 fn header(tags: &mut Tags, job: &Job<'_>, content: &Content<'_>) {
-    let (unit, metric) = match job.units() {
-        Units::Inch => (1, 0),
-        Units::Foot => (2, 0),
-        Units::Millimetre => (4, 1),
-        Units::Centimetre => (5, 1),
-        Units::Metre => (6, 1),
-    };
+    let [unit, metric] = unit_codes(job.units());
     tags.begin("SECTION").text(2, "HEADER");
-    match job.options.dxf_version {
-        DxfVersion::R2000 => tags.raw("9 $ACADVER 1 AC1015 9 $DWGCODEPAGE 3 ANSI_1252"),
-        DxfVersion::R12 => tags.raw("9 $ACADVER 1 AC1009"),
-    };
+    tags.text(9, "$ACADVER").text(1, version_code(job.options.dxf_version));
+    if job.options.dxf_version == DxfVersion::R2000 {
+        tags.raw("9 $DWGCODEPAGE 3 ANSI_1252");
+    }
     tags.text(9, "$EXTMIN").point(10, job.bounds.min);
     tags.text(9, "$EXTMAX").point(10, job.bounds.max);
     tags.text(9, "$INSUNITS").int(70, unit);

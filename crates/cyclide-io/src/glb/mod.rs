@@ -15,7 +15,8 @@ mod reader;
 use crate::deviation::MeshPlan;
 use crate::export_error::ExportError;
 use crate::exported::{Exported, Promise};
-use crate::job::{Contour, Job};
+use crate::job::{BodyOf, Contour, Job};
+use crate::labels::{FileLabels, FileName, Named};
 use crate::mesh::{BodyMesh, Single, between, body_meshes, check_single, polyline, promised, single, triangles};
 use crate::palette;
 use buffer::Buffer;
@@ -30,6 +31,23 @@ const LINES: u64 = 1;
 const TRIANGLES: u64 = 4;
 /// The turn that takes the third axis to the second.
 const Z_UP: [f64; 4] = [-std::f64::consts::FRAC_1_SQRT_2, 0.0, 0.0, std::f64::consts::FRAC_1_SQRT_2];
+
+/// What the names are those of.
+const TITLE: &str = "root node";
+const NODE: &str = "node";
+const MESH: &str = "mesh";
+
+/// The labels of a file of the model.
+pub(crate) fn labels(named: Named<'_>, bodies: &[BodyOf<'_>]) -> FileLabels {
+    let mut names = vec![FileName::new(TITLE, named.title, 1)];
+    for (index, item) in named.model.items.iter().enumerate() {
+        let parts = item.contours.len() + bodies.iter().filter(|body| body.item == index).count();
+        if parts > 0 {
+            names.extend([FileName::new(NODE, &item.name, parts), FileName::new(MESH, &item.name, 1)]);
+        }
+    }
+    FileLabels::new(named.model.units, names)
+}
 
 /// Writes the model as GLB.
 pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {

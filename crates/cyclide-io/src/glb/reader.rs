@@ -1,7 +1,8 @@
 //! Reads GLB files of our own: triangles and lines of the nodes below the root, in model coordinates.
 
-use super::{LINES, TRIANGLES};
+use super::{LINES, MESH, NODE, TITLE, TRIANGLES, Z_UP};
 use crate::file_content::{FileContent, ReadError};
+use crate::labels::FileName;
 use crate::mesh::chain;
 use cyclide::{MeshCorner, MeshFace, Point3, SurfaceMesh, Vec3};
 use serde_json::Value;
@@ -14,14 +15,38 @@ pub(crate) fn read(bytes: &[u8]) -> Result<FileContent, ReadError> {
     let document = document.map_err(|e| ReadError::syntax("the JSON chunk", e.to_string()))?;
     let file = File { document: &document, binary, left: Cell::new(2 * binary.len()) };
     let mut content = FileContent::default();
-    for node in file.list("nodes")? {
-        // The root has no mesh; its turn and scale are no part of the model's coordinates.
-        let Some(mesh) = node.get("mesh") else { continue };
+    // The root has no mesh; its turn and scale are no part of the model's coordinates.
+    let root = file.root()?;
+    if let Some(root) = root {
+        content.labels.unit = Some(1000.0 * file.scale(root)?);
+    }
+    let nodes = file.list("nodes")?;
+    let meshes: Vec<usize> = (0..nodes.len()).filter(|i| nodes[*i].get("mesh").is_some()).collect();
+    if let Some(root) = root {
+        let children = root.get("children").and_then(Value::as_array).map_or(&[][..], Vec::as_slice);
+        if !children.iter().map(|c| c.as_u64().map(|i| i as usize)).eq(meshes.iter().map(|i| Some(*i))) {
+            return Err(ReadError::syntax("nodes", "the root's children are not the nodes with meshes"));
+        }
+        content.labels.names.push(FileName::new(TITLE, name(root), 1));
+    }
+    for node in meshes.iter().filter_map(|i| nodes.get(*i)) {
+        if ["rotation", "scale", "matrix", "children"].iter().any(|key| node.get(key).is_some()) {
+            return Err(ReadError::unsupported("a turned or scaled mesh, or one with children", "nodes"));
+        }
         let offset = node.get("translation").map_or(Some([0.0; 3]), triple);
         let offset = offset.ok_or_else(|| ReadError::syntax("nodes", "expected a translation of three numbers"))?;
+        let mesh = file.entry("meshes", node.get("mesh"))?;
+        let before = content.curves.len() + content.meshes.len();
         file.mesh(mesh, Vec3::from(offset), &mut content)?;
+        let parts = content.curves.len() + content.meshes.len() - before;
+        content.labels.names.extend([FileName::new(NODE, name(node), parts), FileName::new(MESH, name(mesh), 1)]);
     }
     Ok(content)
+}
+
+/// The name of a node or mesh.
+fn name(entry: &Value) -> &str {
+    entry.get("name").and_then(Value::as_str).unwrap_or_default()
 }
 
 /// The JSON chunk and the binary chunk.
@@ -63,8 +88,29 @@ impl<'a> File<'a> {
         entry.ok_or_else(|| ReadError::syntax(key, format!("there is no entry {index:?}")))
     }
 
-    fn mesh(&self, index: &Value, offset: Vec3, content: &mut FileContent) -> Result<(), ReadError> {
-        let mesh = self.entry("meshes", Some(index))?;
+    /// The only node of the scene, if there is a scene.
+    fn root(&self) -> Result<Option<&'a Value>, ReadError> {
+        let Some(scene) = self.document.get("scene") else { return Ok(None) };
+        let nodes = self.entry("scenes", Some(scene))?.get("nodes").and_then(Value::as_array);
+        match nodes.map(Vec::as_slice) {
+            Some([root]) => self.entry("nodes", Some(root)).map(Some),
+            _ => Err(ReadError::syntax("scenes", "expected one node")),
+        }
+    }
+
+    /// How many metres a unit of the model is under a root, which turns the third axis up.
+    fn scale(&self, root: &Value) -> Result<f64, ReadError> {
+        let numbers = |key: &str| root.get(key)?.as_array()?.iter().map(Value::as_f64).collect::<Option<Vec<f64>>>();
+        let same = |a: f64, b: f64| a.to_bits() == b.to_bits();
+        let turned = numbers("rotation").is_some_and(|r| r.len() == 4 && r.iter().zip(Z_UP).all(|(a, b)| same(*a, b)));
+        let still = root.get("translation").is_none() && root.get("matrix").is_none();
+        match numbers("scale").as_deref() {
+            Some(&[x, y, z]) if turned && still && x > 0.0 && same(x, y) && same(y, z) => Ok(x),
+            _ => Err(ReadError::unsupported("a root that does not just turn the third axis up and scale", "nodes")),
+        }
+    }
+
+    fn mesh(&self, mesh: &Value, offset: Vec3, content: &mut FileContent) -> Result<(), ReadError> {
         let primitives = mesh.get("primitives").and_then(Value::as_array);
         let primitives = primitives.ok_or_else(|| ReadError::syntax("meshes", "no array \"primitives\""))?;
         // Edges of patches are drawn on the vertices of their mesh.

@@ -26,10 +26,12 @@ use crate::export_error::ExportError;
 
 use crate::exported::{Exported, Promise};
 
-use crate::job::{Contour, Job};
+use crate::job::{BodyOf, Contour, Job};
+use crate::labels::{FileLabels, FileName};
 use crate::number::push_plain;
 use cyclide::{
-    Arc, ChainPiece, Correspondence, CurveChain, DEFAULT_PIECE_ANGLE, Exactness, Lowered, NurbsCurve, ParamCurve as _,
+    Arc, ChainPiece, Correspondence, CurveChain, DEFAULT_PIECE_ANGLE, Exactness, Lowered, Model, NurbsCurve,
+    ParamCurve as _,
 };
 use serde_json::Value;
 use std::iter::Peekable;
@@ -61,6 +63,19 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
     }
     out.push_str("\n}\n}\n");
     Ok(promise.exported(out.into_bytes(), Vec::new(), parts))
+}
+
+/// The labels of a file of the model.
+pub(crate) fn labels(model: &Model, bodies: &[BodyOf<'_>]) -> FileLabels {
+    let of_item = |(index, item): (usize, &cyclide::Item)| {
+        let surfaces = bodies.iter().filter(|body| body.item == index).count();
+        [
+            FileName::new("type", &item.kind, 1),
+            FileName::new(reader::CURVES_OF, &item.name, item.contours.len()),
+            FileName::new(reader::SURFACES_OF, &item.name, surfaces),
+        ]
+    };
+    FileLabels::new(model.units, model.items.iter().enumerate().flat_map(of_item).collect())
 }
 
 /// Writes a contour; gives the parts of it that the spans of its splines stand for.

@@ -2,23 +2,32 @@
 //!
 //! Numbers go straight into lists of doubles: a tree of JSON values would take several times the memory of the file.
 
+use crate::bodies::FilePatch;
 use crate::file_content::{FileContent, ReadError};
-use cyclide::{ChainPiece, CurveChain, NurbsCurve, Point3, RationalBezierSurface};
+use crate::labels::{FileLabels, FileName};
+use cyclide::{ChainPiece, CurveChain, NurbsCurve, Point3, RationalBezierSurface, Units};
 use indexmap::IndexMap;
 use serde::Deserialize;
 
 /// Gap allowed between the curves of a contour, relative to its largest coordinate: they share their end points.
 const GAP: f64 = 1e-12;
+/// What the names of the objects are those of.
+pub(super) const CURVES_OF: &str = "object with curves";
+pub(super) const SURFACES_OF: &str = "object with surfaces";
 /// Degrees at most: far above ours, far below what overflows.
 const DEGREES: usize = 1000;
 
 #[derive(Deserialize)]
 struct File {
+    #[serde(default)]
+    units: Option<String>,
     objects: IndexMap<String, Object>,
 }
 
 #[derive(Deserialize)]
 struct Object {
+    #[serde(default)]
+    r#type: String,
     contours: Vec<Contour>,
     #[serde(default)]
     surfaces: Vec<Body>,
@@ -50,7 +59,9 @@ struct Shell {
 
 #[derive(Deserialize)]
 struct Patch {
+    outward: bool,
     degrees: [usize; 2],
+    knots: [Vec<f64>; 2],
     control_points: Vec<[f64; 3]>,
     weights: Vec<f64>,
 }
@@ -59,15 +70,31 @@ struct Patch {
 pub(crate) fn read(bytes: &[u8]) -> Result<FileContent, ReadError> {
     let file: File =
         serde_json::from_slice(bytes).map_err(|e| ReadError::syntax(format!("line {}", e.line()), e.to_string()))?;
-    let mut content = FileContent::default();
+    let unit = match file.units {
+        Some(symbol) => {
+            let unit = Units::from_symbol(&symbol);
+            Some(unit.ok_or_else(|| ReadError::unsupported(format!("the unit {symbol}"), "/units"))?.in_millimetres())
+        }
+        None => None,
+    };
+    let mut content = FileContent { labels: FileLabels { unit, names: Vec::new() }, ..FileContent::default() };
+    let mut bodies = 0;
     for (name, object) in file.objects {
+        let place = format!("/objects/{name}/surfaces");
+        let names = [("type", &object.r#type, 1), (CURVES_OF, &name, object.contours.len())];
+        content.labels.names.extend(names.map(|(of, name, count)| FileName::new(of, name, count)));
+        content.labels.names.push(FileName::new(SURFACES_OF, &name, object.surfaces.len()));
         for (i, contour) in object.contours.into_iter().enumerate() {
             content.curves.push(contour.chain(&format!("/objects/{name}/contours/{i}"))?);
         }
-        let place = format!("/objects/{name}/surfaces");
-        let shells = object.surfaces.into_iter().flat_map(|body| body.shells);
-        for patch in shells.flat_map(|shell| shell.patches) {
-            content.patches.push(patch.surface(&place)?);
+        for body in object.surfaces {
+            for (shell, Shell { patches }) in body.shells.into_iter().enumerate() {
+                for patch in patches {
+                    let outward = patch.outward;
+                    content.patches.push(FilePatch { body: bodies, shell, outward, surface: patch.surface(&place)? });
+                }
+            }
+            bodies += 1;
         }
     }
     Ok(content)
@@ -92,12 +119,19 @@ impl Contour {
 
 impl Patch {
     fn surface(self, place: &str) -> Result<RationalBezierSurface, ReadError> {
-        let Self { degrees, control_points, weights } = self;
+        let Self { degrees, knots, control_points, weights, .. } = self;
         if weights.len() != control_points.len() || !weights.iter().all(|w| *w > 0.0) {
             return Err(ReadError::syntax(place, "expected a positive weight for each control point"));
         }
         if degrees.iter().any(|degree| *degree >= DEGREES) {
             return Err(ReadError::syntax(place, "the degrees are too large"));
+        }
+        for (knots, degree) in knots.iter().zip(degrees) {
+            let ends = [0.0, 1.0].into_iter().flat_map(|end| std::iter::repeat_n(end, degree + 1));
+            if !ends.eq(knots.iter().copied()) {
+                let detail = format!("the knots of a patch of degree {degree} are {knots:?}: expected as many 0 and 1");
+                return Err(ReadError::syntax(place, detail));
+            }
         }
         let rows = control_points.iter().zip(&weights).map(|([x, y, z], w)| [x * w, y * w, z * w, *w]).collect();
         RationalBezierSurface::new(degrees, rows)

@@ -1,6 +1,8 @@
 //! Bodies as exact rational surfaces of degree (2, 2) with positive weights.
 
 use super::push_numbers;
+use crate::bodies::FilePatch;
+use crate::deviation::larger;
 use crate::export_error::ExportError;
 use crate::file_content::ReadError;
 use crate::job::BodyOf;
@@ -55,22 +57,32 @@ fn push_surface(out: &mut String, surface: &RationalBezierSurface) {
 /// The largest distance at equal parameters between patches read and those of the bodies.
 ///
 /// # Errors
-/// [`ReadError::PatchCount`], `Geometry` where a body has no form of positive weights.
-pub(crate) fn deviation(bodies: &[BodyOf<'_>], read: &[RationalBezierSurface]) -> Result<f64, ReadError> {
+/// [`ReadError::PatchCount`], [`ReadError::Patch`], `Geometry` where a body has no form of positive weights.
+pub(crate) fn deviation(bodies: &[BodyOf<'_>], read: &[FilePatch]) -> Result<f64, ReadError> {
     let mut expected = Vec::new();
-    for body in bodies {
+    for (index, body) in bodies.iter().enumerate() {
         let shells = shells(body).map_err(|source| ReadError::Geometry { place: body.label(), source })?;
-        expected.extend(shells.iter().flat_map(|shell| shell.faces().iter().map(|face| face.patch)));
+        for (shell, faces) in shells.iter().map(Shell::faces).enumerate() {
+            expected.extend(faces.iter().map(|face| (index, shell, face.same_sense, face.patch)));
+        }
     }
     if expected.len() != read.len() {
         return Err(ReadError::PatchCount { found: read.len(), expected: expected.len() });
     }
     let mut largest = 0.0_f64;
-    for (patch, surface) in expected.iter().zip(read) {
+    for (number, ((body, shell, outward, patch), found)) in expected.into_iter().zip(read).enumerate() {
+        let wrong = if (found.body, found.shell) != (body, shell) {
+            Some("it belongs to another body or shell")
+        } else {
+            (found.outward != outward).then_some("its outer side is the other one")
+        };
+        if let Some(detail) = wrong {
+            return Err(ReadError::Patch { patch: number, detail });
+        }
         for k in 0..PLACES * PLACES {
             let at = |i: u32| f64::from(i) / f64::from(PLACES - 1);
             let (s, t) = (at(k % PLACES), at(k / PLACES));
-            largest = largest.max(surface.point(s, t).distance(patch.point(s, t)));
+            largest = larger(largest, found.surface.point(s, t).distance(patch.point(s, t)));
         }
     }
     Ok(largest)

@@ -7,7 +7,7 @@ mod writer;
 
 pub use quad_grid::{ObjGrid, read_quad_grid};
 pub(crate) use read_back::read_back;
-pub(crate) use writer::write;
+pub(crate) use writer::{labels, write};
 
 #[cfg(test)]
 mod tests;

@@ -1,8 +1,10 @@
 //! Reads OBJ files of our own: the meshes and polylines of their groups.
 
+use super::writer::{GROUP, OBJECT, UNITS};
 use crate::file_content::{FileContent, ReadError};
+use crate::labels::FileName;
 use crate::mesh::chain;
-use cyclide::{MeshCorner, MeshFace, Point3, SurfaceMesh, Vec3};
+use cyclide::{MeshCorner, MeshFace, Point3, SurfaceMesh, Units, Vec3};
 
 /// Reads every group as one mesh or one polyline.
 pub(crate) fn read_back(bytes: &[u8]) -> Result<FileContent, ReadError> {
@@ -13,8 +15,17 @@ pub(crate) fn read_back(bytes: &[u8]) -> Result<FileContent, ReadError> {
         let place = || format!("line {}", index + 1);
         let mut words = line.split_ascii_whitespace();
         match words.next().unwrap_or("#") {
-            "#" => {}
-            "o" | "g" => group.close(&mut content),
+            "#" => {
+                if let Some(unit) = line.strip_prefix(UNITS).and_then(Units::from_symbol) {
+                    content.labels.unit = Some(unit.in_millimetres());
+                }
+            }
+            keyword @ ("o" | "g") => {
+                group.close(&mut content);
+                let of = if keyword == "o" { OBJECT } else { GROUP };
+                let name = line.trim_start()[1..].trim();
+                content.labels.names.push(FileName::new(of, name, 0));
+            }
             "v" => group.mesh.positions.push(Point3::from(triple(words, place)?)),
             "vn" => group.mesh.normals.push(Vec3::from(triple(words, place)?)),
             "f" => {
@@ -31,6 +42,7 @@ pub(crate) fn read_back(bytes: &[u8]) -> Result<FileContent, ReadError> {
                     words.map(|word| index(word).map(|i| group.mesh.positions[i])).collect();
                 let line = line.ok_or_else(|| ReadError::syntax(place(), "expected vertices of this group"))?;
                 content.curves.push(chain(&line, place)?);
+                count(&mut content);
             }
             word => return Err(ReadError::unsupported(word, place())),
         }
@@ -54,6 +66,7 @@ impl Group {
         self.first[1] += mesh.normals.len();
         if !mesh.faces.is_empty() {
             content.meshes.push(mesh);
+            count(content);
         }
     }
 
@@ -69,6 +82,13 @@ impl Group {
             position: self.index(position, self.first[0], self.mesh.positions.len())?,
             normal: self.index(normal, self.first[1], self.mesh.normals.len())?,
         })
+    }
+}
+
+/// Counts a curve or a mesh with the name of its group.
+fn count(content: &mut FileContent) {
+    if let Some(name) = content.labels.names.last_mut() {
+        name.count += 1;
     }
 }
 

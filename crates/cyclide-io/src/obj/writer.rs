@@ -7,18 +7,25 @@
 use crate::deviation::MeshPlan;
 use crate::export_error::ExportError;
 use crate::exported::{Exported, Promise};
-use crate::job::Job;
+use crate::job::{BodyOf, Job, contours_of};
+use crate::labels::{FileLabels, FileName};
 use crate::mesh::{BodyMesh, between, body_meshes, polyline, promised};
 use crate::number::push_plain;
-use cyclide::{CurvePlace, Exactness, Point3, SurfaceMesh};
+use cyclide::{CurvePlace, Exactness, Model, Point3, SurfaceMesh};
 use std::fmt::Write as _;
+
+/// How the comment with the unit starts.
+pub(super) const UNITS: &str = "# cyclide, units ";
+/// What the names are those of.
+pub(super) const OBJECT: &str = "object";
+pub(super) const GROUP: &str = "group";
 
 /// Writes the model as OBJ.
 pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
     let mut promise = Promise::EXACT;
     let mut plan = MeshPlan::default();
     let mut curves = Vec::new();
-    let mut file = File { text: format!("# cyclide, units {}\n", job.units().symbol()), positions: 0, normals: 0 };
+    let mut file = File { text: format!("{UNITS}{}\n", job.units().symbol()), positions: 0, normals: 0 };
     let meshes = body_meshes(job)?;
     for (index, item) in job.model.items.iter().enumerate() {
         file.name("o", &item.name);
@@ -40,6 +47,24 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
     Ok(Exported { mesh: plan, ..promise.exported(file.text.into_bytes(), Vec::new(), curves) })
 }
 
+/// The name as it stands on its line.
+fn on_a_line(name: &str) -> String {
+    let name: String = name.chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
+    name.trim().to_owned()
+}
+
+/// The labels of a file of the model.
+pub(crate) fn labels(model: &Model, bodies: &[BodyOf<'_>]) -> FileLabels {
+    let mut names = Vec::new();
+    for (index, item) in model.items.iter().enumerate() {
+        names.push(FileName::new(OBJECT, on_a_line(&item.name), 0));
+        let of_bodies = bodies.iter().filter(|body| body.item == index).map(BodyOf::label);
+        let of_contours = contours_of(index, item).map(|contour| contour.label());
+        names.extend(of_bodies.chain(of_contours).map(|label| FileName::new(GROUP, on_a_line(&label), 1)));
+    }
+    FileLabels::new(model.units, names)
+}
+
 /// The text with the numbers of vertices and normals so far.
 struct File {
     text: String,
@@ -50,8 +75,7 @@ struct File {
 impl File {
     /// A line with a name; it ends at the end of the line.
     fn name(&mut self, keyword: &str, name: &str) {
-        let name: String = name.chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
-        let _ = writeln!(self.text, "{keyword} {}", name.trim());
+        let _ = writeln!(self.text, "{keyword} {}", on_a_line(name));
     }
 
     fn numbers(&mut self, keyword: &str, numbers: [f64; 3]) {

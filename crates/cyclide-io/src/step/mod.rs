@@ -16,6 +16,7 @@
 mod curves;
 mod data;
 mod integration;
+mod labels;
 mod parameter_curves;
 mod part21;
 mod reader;
@@ -35,6 +36,7 @@ use data::Data;
 use structure::Part;
 use topology::Written;
 
+pub(crate) use labels::labels;
 pub(crate) use reader::read;
 pub(crate) use topology::{LOOP, exported};
 

@@ -13,8 +13,8 @@ const DEEPEST: usize = 16;
 pub(super) enum Value<'a> {
     Reference(u64),
     Number(f64),
-    /// A quoted text: no name has a meaning for the geometry.
-    Text,
+    /// A text without its quotes, escaped as it stands in the file; empty if it is not UTF-8.
+    Text(&'a str),
     /// `.NAME.` without the dots.
     Enumeration(&'a str),
     List(Vec<Self>),
@@ -221,9 +221,9 @@ impl<'a> Cursor<'a> {
         Ok(Value::Number(number))
     }
 
-    /// A quoted string, which is passed over.
     fn text(&mut self) -> Result<Value<'a>, ReadError> {
         self.at += 1;
+        let start = self.at;
         loop {
             match self.peek() {
                 Some(b'\'') if self.bytes.get(self.at + 1) == Some(&b'\'') => self.at += 2,
@@ -233,6 +233,7 @@ impl<'a> Cursor<'a> {
             }
         }
         self.at += 1;
-        Ok(Value::Text)
+        let bytes: &'a [u8] = self.bytes;
+        Ok(Value::Text(std::str::from_utf8(&bytes[start..self.at - 1]).unwrap_or_default()))
     }
 }

@@ -11,6 +11,7 @@ use crate::export_error::ExportError;
 use crate::exported::{Exported, Promise};
 use crate::job::BodyOf;
 use crate::job::Job;
+use crate::labels::{FileLabels, FileName, Named};
 use crate::mesh::{Single, body_meshes, check_single, promised, single, triangles};
 use cyclide::{Point3, Units};
 
@@ -19,6 +20,11 @@ pub(crate) use reader::read;
 /// Length of the head, and of the record of a triangle.
 const HEAD: usize = 80;
 const RECORD: usize = 50;
+/// How the head starts, before the unit, and what stands between the unit and the title.
+const UNITS: &str = "cyclide, units ";
+const SEPARATOR: &str = ", ";
+/// What the name is that of.
+const TITLE: &str = "title";
 
 /// Writes the model's surfaces.
 pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
@@ -86,11 +92,22 @@ fn check_rounding(job: &Job<'_>, body: &BodyOf<'_>, rounding: f64) -> Result<(),
 
 /// The head: program, unit and title as far as they fit, padded with spaces.
 fn head(job: &Job<'_>) -> Vec<u8> {
-    let text = format!("cyclide, units {}, {}", job.units().symbol(), job.title());
-    let printable = text.bytes().map(|b| if (0x20..0x7F).contains(&b) { b } else { b'?' });
-    let mut head: Vec<u8> = printable.take(HEAD).collect();
+    let mut head = format!("{UNITS}{}{SEPARATOR}{}", job.units().symbol(), printable(job.title())).into_bytes();
     head.resize(HEAD, b' ');
     head
+}
+
+/// Printable ASCII, a `?` for every other byte.
+fn printable(text: &str) -> String {
+    text.bytes().map(|b| if (0x20..0x7F).contains(&b) { char::from(b) } else { '?' }).collect()
+}
+
+/// The labels of a file of the model.
+pub(crate) fn labels(named: Named<'_>) -> FileLabels {
+    let room = HEAD - UNITS.len() - named.model.units.symbol().len() - SEPARATOR.len();
+    let mut title = printable(named.title);
+    title.truncate(room);
+    FileLabels::new(named.model.units, vec![FileName::new(TITLE, title.trim_end(), 1)])
 }
 
 /// Rounded points have no negative zeros: equal ones have equal bits.

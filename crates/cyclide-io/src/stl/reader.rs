@@ -1,8 +1,9 @@
 //! Reads a binary STL file as one mesh of triangles that share no vertices.
 
-use super::{HEAD, RECORD};
+use super::{HEAD, RECORD, SEPARATOR, TITLE, UNITS};
 use crate::file_content::{FileContent, ReadError};
-use cyclide::{MeshCorner, MeshFace, Point3, SurfaceMesh, Vec3};
+use crate::labels::{FileLabels, FileName};
+use cyclide::{MeshCorner, MeshFace, Point3, SurfaceMesh, Units, Vec3};
 
 /// Reads the triangles.
 pub(crate) fn read(bytes: &[u8]) -> Result<FileContent, ReadError> {
@@ -25,7 +26,15 @@ pub(crate) fn read(bytes: &[u8]) -> Result<FileContent, ReadError> {
         mesh.positions.extend(corners);
         mesh.faces.push(MeshFace::Triangle([0, 1, 2].map(|i| MeshCorner { position: first + i, normal: index })));
     }
-    Ok(FileContent { meshes: vec![mesh], ..FileContent::default() })
+    Ok(FileContent { meshes: vec![mesh], labels: labels(&head[..HEAD]), ..FileContent::default() })
+}
+
+/// Unit and title of the head, as far as it is ours.
+fn labels(head: &[u8]) -> FileLabels {
+    let said = || std::str::from_utf8(head).ok()?.strip_prefix(UNITS)?.split_once(SEPARATOR);
+    let Some((symbol, title)) = said() else { return FileLabels::default() };
+    let unit = Units::from_symbol(symbol).map(Units::in_millimetres);
+    FileLabels { unit, names: vec![FileName::new(TITLE, title.trim_end(), 1)] }
 }
 
 fn number(bytes: [u8; 4]) -> f64 {

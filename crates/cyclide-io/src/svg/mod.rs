@@ -18,10 +18,12 @@ use crate::drawing;
 use crate::export_error::ExportError;
 use crate::exported::{Exported, Promise};
 use crate::job::{Contour, Job};
+use crate::labels::{FileLabels, FileName, Named};
 use crate::number::push_plain;
 use cyclide::{Aabb, Arc, Correspondence, CurvePlace, Exactness, Lowered, Point3, Units, Vec3};
 use path::Path;
 use plan::Plan;
+use reader::{DESCRIPTION, TITLE};
 use std::collections::HashSet;
 
 pub(crate) use reader::read;
@@ -82,6 +84,18 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
     }
     out.push_str("</svg>\n");
     Ok(Exported { lines, ..promise.exported(out.into_bytes(), notes, curves) })
+}
+
+/// The labels of a file of the model.
+pub(crate) fn labels(named: Named<'_>) -> FileLabels {
+    let mut names = vec![FileName::new(reader::TITLE_OF_ALL, escaped(named.title), 1)];
+    let mut ids = HashSet::new();
+    for item in named.model.items.iter().filter(|item| !item.contours.is_empty()) {
+        let (title, id) = (escaped(&item.name), unique_id(&item.name, &mut ids));
+        let count = item.contours.len();
+        names.extend([FileName::new(reader::TITLE_OF, title, 1), FileName::new(reader::ID_OF, id, count)]);
+    }
+    FileLabels::new(named.model.units, names)
 }
 
 /// A contour as a path: its arcs if they are level, else a polyline of its view; with the parts that its pieces stand
@@ -153,7 +167,7 @@ impl Page {
 
     fn scale_note(&self) -> Option<String> {
         let scale = self.scale;
-        (scale > 1.0).then(|| format!("the drawing's size on paper is to the scale 1:{scale}"))
+        (scale > 1.0).then(|| format!("the drawing's size on paper is {}{scale}", reader::SCALE))
     }
 
     fn opening(&self, job: &Job<'_>) -> String {
@@ -174,8 +188,12 @@ impl Page {
         format!(
             "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n\
              <svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}mm\" height=\"{height}mm\" viewBox=\"{area}\">\n\
-             <title>{}</title>\n<desc>1 user unit = 1 {symbol}{scale}</desc>\n",
-            escaped(job.title())
+             {}{}{}\n{}{symbol}{scale}{}\n",
+            TITLE.0,
+            escaped(job.title()),
+            TITLE.1,
+            DESCRIPTION.0,
+            DESCRIPTION.1
         )
     }
 }
@@ -199,7 +217,7 @@ fn push_curves(out: &mut String, paths: Vec<(Contour<'_>, Path)>, stroke: f64) {
     for (contour, path) in paths {
         if contour.index == 0 {
             let (id, title) = (unique_id(contour.object, &mut ids), escaped(contour.object));
-            out.push_str(&format!("<g id=\"{id}\"><title>{title}</title>\n"));
+            out.push_str(&format!("{}{id}\">{}{title}{}\n", reader::GROUP, TITLE.0, TITLE.1));
         }
         out.push_str(&format!("{}{}\"/>\n", reader::CONTOUR, path.into_data()));
         if contour.index + 1 == contour.count {

@@ -7,6 +7,7 @@ mod drawings;
 mod dxf;
 mod exact_surfaces;
 mod hard_curves;
+mod label_damage;
 mod malformed;
 mod mesh_damage;
 mod meshes;

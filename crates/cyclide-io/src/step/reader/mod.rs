@@ -1,5 +1,6 @@
 //! Our own STEP files back from the bytes, evaluated as a reader would: from circle, placement and parameters.
 
+mod labels;
 mod shapes;
 
 use super::part21::{Instance, Instances, Value, parse};
@@ -12,25 +13,28 @@ const GAP: f64 = 1e-9;
 
 /// Reads the composite curves of all curve sets and all bodies, in file order.
 pub(crate) fn read(bytes: &[u8]) -> Result<FileContent, ReadError> {
-    let (mut sets, mut bodies) = (Vec::new(), Vec::new());
+    let (mut sets, mut bodies, mut labelled) = (Vec::new(), Vec::new(), labels::Labelled::default());
     let instances = parse(bytes, |number, name| {
         if name == "GEOMETRIC_CURVE_SET" {
             sets.push(number);
         } else if shapes::is_body(name) {
             bodies.push(number);
+        } else {
+            labelled.visit(number, name);
         }
     })?;
     let file = File { instances };
     let mut curves = Vec::new();
-    for number in sets {
+    for &number in &sets {
         let place = format!("#{number}");
         let values = file.simple(number, "GEOMETRIC_CURVE_SET")?;
         for curve in references(value(&values, 1, &place)?, &place)? {
             curves.push(file.composite(curve)?);
         }
     }
+    let labels = file.labels(&labelled, &sets, &bodies)?;
     let bodies = bodies.into_iter().map(|number| file.body(number)).collect::<Result<_, _>>()?;
-    Ok(FileContent { curves, bodies, ..FileContent::default() })
+    Ok(FileContent { curves, bodies, labels, ..FileContent::default() })
 }
 
 struct File<'a> {
@@ -255,6 +259,13 @@ fn list<'b, 'a>(value: &'b Value<'a>, place: &str) -> Result<&'b [Value<'a>], Re
     match value {
         Value::List(values) => Ok(values),
         _ => Err(ReadError::syntax(place, "expected a list")),
+    }
+}
+
+fn text<'a>(value: &Value<'a>, place: &str) -> Result<&'a str, ReadError> {
+    match value {
+        Value::Text(text) => Ok(text),
+        _ => Err(ReadError::syntax(place, "expected a text")),
     }
 }
 
