@@ -9,6 +9,8 @@ const ROUNDING: f64 = 64.0 * f64::EPSILON;
 /// A triangle may be turned over if its height is at most this many times what its corners were moved by: two of
 /// them to one side, the third to the other, and as much for the direction of its base.
 const HEIGHTS: f64 = 4.0;
+/// A corner of a triangle is that of the cell which is so many times nearer than the others.
+const NEARER: f64 = 4.0;
 
 /// A cell of a face, seen from the outer side.
 pub(super) struct Facing<'a> {
@@ -18,6 +20,8 @@ pub(super) struct Facing<'a> {
     corners: [Point3; 4],
     /// Vector area of the corners on the outer side, of any length; that of `f_s × f_t`, in the mean over the cell.
     area: Vec3,
+    /// True if the outer side is that of `f_s × f_t`.
+    same_sense: bool,
     /// Sign of the patch's own normal on the outer side. It does not change within a cell.
     sign: f64,
     /// Rounding of the points.
@@ -37,17 +41,39 @@ impl<'a> Facing<'a> {
             patch.normal(middle.0, middle.1).is_some_and(|n| n.dot(patch.unit_normal(middle.0, middle.1)) < 0.0);
         let rounding = ROUNDING * patch.corners().iter().map(|p| p.to_vec().max_abs()).fold(0.0, f64::max);
         let sign = if against { -outer } else { outer };
-        Self { patch, parameters, corners, area: u.cross(v) * outer, sign, rounding }
+        Self { patch, parameters, corners, area: u.cross(v) * outer, same_sense: face.same_sense, sign, rounding }
     }
 
     /// True if a triangle looks to the outer side, or is too flat for the places of its corners to tell.
     pub(super) fn is_outward(&self, triangle: &[Point3; 3]) -> bool {
+        if let Some(outward) = self.by_corners(triangle) {
+            return outward;
+        }
         let (normal, longest) = area_vector(triangle);
         if normal.dot(self.area) > 0.0 {
             return true;
         }
         let moved = triangle.iter().map(|p| self.to_corner(*p)).fold(0.0, f64::max) + self.rounding;
         normal.length() * longest <= HEIGHTS * moved
+    }
+
+    /// Whether the corners of a triangle follow each other round the cell as its outer side asks for; `None` if one of
+    /// them is not much nearer to one corner of the cell than to the others. Where a patch folds within a cell, near a
+    /// side that is nearly a point, the directions of its triangles say nothing.
+    fn by_corners(&self, triangle: &[Point3; 3]) -> Option<bool> {
+        let mut at = [0; 3];
+        for (at, p) in at.iter_mut().zip(triangle) {
+            let distances = self.corners.map(|q| q.distance(*p));
+            let (nearest, distance) = distances.iter().enumerate().min_by(|a, b| a.1.total_cmp(b.1))?;
+            let clear = NEARER * distance + self.rounding;
+            if !(0..4).all(|k| k == nearest || distances[k] > clear) {
+                return None;
+            }
+            *at = nearest;
+        }
+        let [second, third] = [at[1], at[2]].map(|k| (k + 4 - at[0]) % 4);
+        let distinct = second != 0 && third != 0 && second != third;
+        distinct.then_some((second < third) == self.same_sense)
     }
 
     /// Distance of a point from the nearest corner.

@@ -134,7 +134,23 @@ fn a_tiny_patch_and_a_folded_one() {
     let folded = json!({"type": "cyclidic-net", "grid": [[[0, 0], [1, 0]], [[0, 1], [1e-9, 1]]], "frame":
         [[-0.007_649_107_754_099_032, -0.181_176_961_603_385_8, 1.103_719_549_477_112],
          [1.530_320_371_117_303_7, 0.369_986_935_882_288_1, 0.071_339_403_501_887_11]]});
-    right(&json!({"a": folded}), &[Format::Svg, Format::Json, Format::Glb, Format::Stl]);
+    right(&json!({"a": folded}), &[Format::Svg, Format::Json, Format::Glb, Format::Obj, Format::Stl]);
+}
+
+/// The last corner lies 5e-11 beside the one before: the singular line is beside that side, and its cells are folded there.
+#[test]
+fn a_net_that_folds_within_its_last_cells() {
+    let x = 1.000_000_000_046_588_3;
+    let grid = [
+        [[0.0, 0.0], [1.0, 0.0], [2.0, 0.0]],
+        [[0.0, 1.0], [1.0, 1.0], [2.0, 1.0]],
+        [[0.0, 2.0], [1.0, 2.0], [x, 2.0]],
+    ];
+    let frame = [
+        [0.307_495_885_218_439_96, 1.003_530_332_833_152_8, 0.147_871_516_662_398_42],
+        [0.665_573_963_020_318_2, -0.443_951_956_211_628_5, 1.628_832_954_974_037],
+    ];
+    right(&json!({"a": {"type": "cyclidic-net", "grid": grid, "frame": frame}}), &SURFACES);
 }
 
 /// Two corners 1e-4 apart lie beside a singular line: its points are one vertex of the mesh, with the normal of their middle.
