@@ -6,34 +6,32 @@
 
 use crate::export_error::ExportError;
 
-use crate::exported::{Exported, Promise};
+use crate::exported::{Exported, Promise, Written};
 
 use crate::file_content::{FileContent, ReadError};
 use crate::job::{Contour, Job, contours};
 use crate::labels::{FileLabels, FileName};
-use crate::mesh::chain;
+use crate::mesh::{between, chain};
 use crate::number::push_plain;
-use cyclide::{Correspondence, CurveChain, CurveJet, CurvePlace, Exactness, Model, ParamCurve, Point3};
+use cyclide::{CurveChain, CurveJet, CurvePlace, Model, ParamCurve, Point3};
 
 const HEADER: &str = "object,contour,t,x,y,z,tangent_x,tangent_y,tangent_z,curvature";
 const COLUMNS: usize = 10;
 
 /// Writes the model as CSV.
 pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
-    let mut promise = Promise::EXACT;
     let mut out = format!("{HEADER}\n");
-    let mut curves = Vec::new();
+    let mut written = Written::default();
     for contour in job.contours() {
         let vertices = contour.lowered(job.pieces.flatten(contour.curve.as_curve(), job.tolerance))?;
-        promise.add(Exactness::Proved(job.tolerance));
         let head = format!("{},{},", field(contour.object), contour.index);
         for (place, point) in &vertices {
             out.push_str(&head);
             push_row(&mut out, contour.curve.as_curve(), *place, *point);
         }
-        curves.push(Correspondence::of_vertices(vertices.into_iter().map(|(place, _)| place)));
+        written.curves.push(Promise::proved(job.tolerance).of(between(&vertices)));
     }
-    Ok(promise.exported(out.into_bytes(), Vec::new(), curves))
+    Ok(written.exported(out.into_bytes(), Vec::new()))
 }
 
 /// The fields behind name and contour. At a joint the tangent is that of the piece that starts there.

@@ -21,24 +21,65 @@ pub struct Exported {
     pub notes: Vec<String>,
     /// The name of the whole.
     pub(crate) title: String,
-    /// What the polygons of a mesh stand for: what the file is checked against.
-    pub(crate) mesh: MeshPlan,
-    /// Which parts of the connected curves the pieces of the file stand for, in file order.
-    pub(crate) curves: Vec<Correspondence>,
-    /// What the lines of surfaces in a drawing stand for, in file order: what the file is checked against.
-    pub(crate) lines: Vec<DrawnArc>,
+    /// What the file is checked against.
+    pub(crate) written: Written,
 }
 
-/// Collects the bound over the contours of a file.
-#[derive(Debug, Clone, Copy)]
+/// What a file was written from, part by part: what it is checked against.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub(crate) struct Written {
+    /// The connected curves, in file order.
+    pub(crate) curves: Vec<WrittenCurve>,
+    /// What is promised for each body, in the model's order.
+    pub(crate) bodies: Vec<Promise>,
+    /// What the polygons of a mesh stand for.
+    pub(crate) mesh: MeshPlan,
+    /// What the lines of surfaces in a drawing stand for, in file order.
+    pub(crate) lines: Vec<DrawnArc>,
+    /// The tolerance of curves that the file was asked for with.
+    pub(crate) tolerance: f64,
+}
+
+/// A connected curve of a file.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct WrittenCurve {
+    /// Which parts of the object's curve its pieces stand for.
+    pub(crate) parts: Correspondence,
+    pub(crate) promise: Promise,
+}
+
+impl Written {
+    /// The finished file.
+    pub(crate) fn exported(self, bytes: Vec<u8>, notes: Vec<String>) -> Exported {
+        let mut whole = Promise::EXACT;
+        self.curves.iter().for_each(|curve| whole.merge(curve.promise));
+        self.bodies.iter().for_each(|body| whole.merge(*body));
+        self.lines.iter().for_each(|line| whole.merge(line.promise));
+        let Promise { bound, sampled, rounding } = whole;
+        let (exact, bound, title) = (bound.is_none(), bound.unwrap_or(0.0), String::new());
+        Exported { bytes, exact, bound, sampled, rounding, notes, title, written: self }
+    }
+}
+
+/// What is promised for one connected curve, line or body of a file.
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Promise {
+    /// Largest distance from the model; `None` if exact.
     bound: Option<f64>,
     sampled: bool,
+    /// What the digits of its numbers may cost beside it.
     rounding: f64,
 }
 
 impl Promise {
     pub(crate) const EXACT: Self = Self { bound: None, sampled: false, rounding: 0.0 };
+
+    /// A proved bound; none if it is zero.
+    pub(crate) fn proved(bound: f64) -> Self {
+        let mut promise = Self::EXACT;
+        promise.add(if bound > 0.0 { Exactness::Proved(bound) } else { Exactness::Exact });
+        promise
+    }
 
     pub(crate) fn add(&mut self, exactness: Exactness) {
         self.sampled |= matches!(exactness, Exactness::Sampled(_));
@@ -47,38 +88,45 @@ impl Promise {
         }
     }
 
+    fn merge(&mut self, other: Self) {
+        self.bound = match (self.bound, other.bound) {
+            (Some(a), Some(b)) => Some(a.max(b)),
+            (a, b) => a.or(b),
+        };
+        self.sampled |= other.sampled;
+        self.rounding = self.rounding.max(other.rounding);
+    }
+
+    /// Largest distance that was promised, and what the digits may cost beside it.
+    pub(crate) fn distances(&self) -> [f64; 2] {
+        [self.bound.unwrap_or(0.0), self.rounding]
+    }
+
     /// The promise of a chain. A spline that comes near infinity has weights of very different sizes, and its numbers
     /// carry the smallest ones to so many digits less.
-    pub(crate) fn add_chain(&mut self, lowered: &Lowered<CurveChain>) {
-        self.add(lowered.exactness);
+    pub(crate) fn of_chain(lowered: &Lowered<CurveChain>) -> Self {
+        let mut promise = Self::EXACT;
+        promise.add(lowered.exactness);
         for piece in lowered.form.pieces() {
-            self.rounding = self.rounding.max(match piece {
+            promise.rounding = promise.rounding.max(match piece {
                 ChainPiece::Arc(arc) => arc_rounding(arc),
                 ChainPiece::Spline(curve) => spline_rounding(curve),
             });
         }
+        promise
     }
 
     /// The promise of arcs.
-    pub(crate) fn add_arcs(&mut self, lowered: &Lowered<ArcPath>) {
-        self.add(lowered.exactness);
-        self.rounding = lowered.form.arcs().iter().map(arc_rounding).fold(self.rounding, f64::max);
+    pub(crate) fn of_arcs(lowered: &Lowered<ArcPath>) -> Self {
+        let mut promise = Self::EXACT;
+        promise.add(lowered.exactness);
+        promise.rounding = lowered.form.arcs().iter().map(arc_rounding).fold(0.0, f64::max);
+        promise
     }
 
-    /// The finished file under this promise.
-    pub(crate) fn exported(self, bytes: Vec<u8>, notes: Vec<String>, curves: Vec<Correspondence>) -> Exported {
-        Exported {
-            bytes,
-            exact: self.bound.is_none(),
-            bound: self.bound.unwrap_or(0.0),
-            sampled: self.sampled,
-            rounding: self.rounding,
-            notes,
-            title: String::new(),
-            curves,
-            mesh: MeshPlan::default(),
-            lines: Vec::new(),
-        }
+    /// The promise of one curve with the parts that its pieces stand for.
+    pub(crate) fn of(self, parts: Correspondence) -> WrittenCurve {
+        WrittenCurve { parts, promise: self }
     }
 }
 

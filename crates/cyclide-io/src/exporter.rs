@@ -8,7 +8,7 @@ use crate::file_content::ReadError;
 use crate::format::Format;
 use crate::job::{BodyOf, Job, bodies, boxes};
 use crate::options::ExportOptions;
-use crate::read_back::deviation_of;
+use crate::read_back::deviations_of;
 use crate::report::{CheckError, FileReport};
 use crate::{csv_samples, dxf, glb, nurbs_json, obj, png, step, stl, svg};
 use cyclide::{Aabb, Model};
@@ -23,6 +23,15 @@ pub struct Exporter<'a> {
     pub(crate) bodies: Vec<BodyOf<'a>>,
     /// The smallest box around all curves and surfaces.
     pub(crate) bounds: Aabb,
+    pub(crate) extents: Extents,
+}
+
+/// Size of each part of a model and its distance from the origin, whichever is larger: rounding is relative to
+/// coordinates.
+#[derive(Default)]
+pub(crate) struct Extents {
+    pub(crate) curves: Vec<f64>,
+    pub(crate) bodies: Vec<f64>,
 }
 
 impl<'a> Exporter<'a> {
@@ -34,14 +43,19 @@ impl<'a> Exporter<'a> {
     pub fn new(model: &'a Model) -> Result<Self, ExportError> {
         let bodies = bodies(model)?;
         let mut total: Option<Aabb> = None;
+        let mut curves = Vec::new();
         for (object, own) in boxes(model, &bodies) {
+            curves.push(extent(own));
             if !(own.max_abs() <= LARGEST_COORDINATE) {
                 let object = object.to_owned();
                 return Err(ExportError::TooLarge { object, value: own.max_abs(), limit: LARGEST_COORDINATE });
             }
             total = Some(total.map_or(own, |b| b.union(own)));
         }
-        Ok(Self { model, bodies, bounds: total.ok_or(ExportError::Empty)? })
+        // Those of the bodies stand behind those of the curves.
+        let of_bodies = curves.split_off(curves.len() - bodies.len());
+        let extents = Extents { curves, bodies: of_bodies };
+        Ok(Self { model, bodies, bounds: total.ok_or(ExportError::Empty)?, extents })
     }
 
     /// As [`export`](crate::export()).
@@ -65,6 +79,7 @@ impl<'a> Exporter<'a> {
         let mut file = file?;
         file.notes.extend(left_out);
         job.title().clone_into(&mut file.title);
+        file.written.tolerance = job.tolerance;
         Ok(file)
     }
 
@@ -73,7 +88,7 @@ impl<'a> Exporter<'a> {
     /// # Errors
     /// As [`file_deviation`](crate::file_deviation).
     pub fn deviation(&self, format: Format, file: &Exported) -> Result<f64, ReadError> {
-        deviation_of(self, format, file)
+        Ok(deviations_of(self, format, file)?.largest())
     }
 
     /// As [`FileReport::new`].
@@ -86,6 +101,10 @@ impl<'a> Exporter<'a> {
 
     /// Size of the model and its distance from the origin, whichever is larger: rounding is relative to coordinates.
     pub(crate) fn extent(&self) -> f64 {
-        self.bounds.diagonal().max(self.bounds.max_abs())
+        extent(self.bounds)
     }
+}
+
+fn extent(bounds: Aabb) -> f64 {
+    bounds.diagonal().max(bounds.max_abs())
 }

@@ -86,7 +86,7 @@ impl Contour<'_> {
 
 impl<'a> Job<'a> {
     pub(crate) fn new(exporter: &'a Exporter<'a>, options: &'a ExportOptions) -> Result<Self, ExportError> {
-        let Exporter { model, ref bodies, bounds } = *exporter;
+        let Exporter { model, ref bodies, bounds, .. } = *exporter;
         let tolerance = options.tolerance.unwrap_or_else(|| default_tolerance(bounds));
         let relative = DEFAULT_MESH_TOLERANCE / DEFAULT_RELATIVE_TOLERANCE;
         let mesh_tolerance = options.tolerance.unwrap_or_else(|| relative * default_tolerance(bounds));

@@ -2,12 +2,11 @@
 
 use crate::deviation::{BodyPlan, Cell, MeshPlan, side_use};
 use crate::export_error::ExportError;
-use crate::exported::Promise;
 use crate::file_content::ReadError;
 use crate::job::BodyOf;
 use crate::job::{Contour, Job};
 use cyclide::{
-    Arc, ChainPiece, Correspondence, CurveChain, CurvePlace, Exactness, MeshCorner, MeshFace, Point3, SurfaceMesh, Vec3,
+    Arc, ArcPath, ChainPiece, Correspondence, CurveChain, CurvePlace, MeshCorner, MeshFace, Point3, SurfaceMesh, Vec3,
 };
 
 /// Single precision is used between these sizes: products of two numbers must neither vanish nor overflow.
@@ -59,11 +58,6 @@ impl BodyMesh<'_> {
         let faces = self.mesh.faces.iter().zip(&self.mesh.sources);
         faces.map(move |(face, source)| Cell { body: self.index, source: *source, polygons: polygons(face) })
     }
-}
-
-/// The distance that is promised, exact if it is zero.
-pub(crate) fn promised(promise: &mut Promise, bound: f64) {
-    promise.add(if bound > 0.0 { Exactness::Proved(bound) } else { Exactness::Exact });
 }
 
 /// The vertices of a contour's polyline with their places; a closed one ends with its first.

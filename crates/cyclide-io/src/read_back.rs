@@ -1,14 +1,14 @@
 //! Reading our own files: the way from the bytes back to geometry, by which every export is checked.
 
-use crate::deviation::{View, bodies_deviation, curves_deviation, larger, lines_deviation, mesh_deviation};
+use crate::deviation::{Deviations, View, bodies_deviation, curves_deviation, lines_deviation, mesh_deviation};
 use crate::export_error::ExportError;
-use crate::exported::Exported;
+use crate::exported::{Exported, Written};
 use crate::exporter::Exporter;
 use crate::file_content::{FileContent, ReadError};
 use crate::format::Format;
 use crate::labels::{FileLabels, Named};
 use crate::{csv_samples, dxf, glb, nurbs_json, obj, step, stl, svg};
-use cyclide::{Correspondence, Model};
+use cyclide::Model;
 
 /// Reads a file that [`export`](crate::export()) wrote.
 ///
@@ -36,12 +36,13 @@ pub fn read_back(format: Format, bytes: &[u8]) -> Result<FileContent, ReadError>
 /// # Errors
 /// [`ReadError`] if the bytes cannot be read, or hold other things than the model.
 pub fn file_deviation(model: &Model, format: Format, file: &Exported) -> Result<f64, ReadError> {
-    deviation_of(&Exporter::new(model).map_err(not_ready)?, format, file)
+    Exporter::new(model).map_err(not_ready)?.deviation(format, file)
 }
 
-/// As [`file_deviation`], of a model made ready.
-pub(crate) fn deviation_of(exporter: &Exporter<'_>, format: Format, file: &Exported) -> Result<f64, ReadError> {
-    let Exporter { model, bodies, bounds } = exporter;
+/// As [`file_deviation`], of a model made ready, part by part.
+pub(crate) fn deviations_of(exporter: &Exporter<'_>, format: Format, file: &Exported) -> Result<Deviations, ReadError> {
+    let Exporter { model, bodies, bounds, .. } = exporter;
+    let Written { curves, mesh, lines, .. } = &file.written;
     let view = match format {
         Format::Svg => View::Plan,
         // In DXF: curves of ARC and LINE entities.
@@ -50,21 +51,18 @@ pub(crate) fn deviation_of(exporter: &Exporter<'_>, format: Format, file: &Expor
     };
     let (content, labels) = read_with_labels(exporter, format, file)?;
     let curves = match format {
-        Format::Stl => 0.0,
-        _ => curves_deviation(model, &content.curves, &file.curves, view)?,
+        Format::Stl => Vec::new(),
+        _ => curves_deviation(model, &content.curves, curves, view)?,
     };
-    let deviation = larger(
-        curves,
-        match format {
-            Format::Step => bodies_deviation(bodies, &content.bodies, bounds.diagonal())?,
-            Format::Glb | Format::Obj | Format::Stl => mesh_deviation(format, bodies, &content.meshes, &file.mesh)?,
-            Format::Json => nurbs_json::patch_deviation(bodies, &content.patches)?,
-            Format::Svg => lines_deviation(&file.lines, &content.lines)?,
-            Format::Dxf | Format::Csv | Format::Png => 0.0,
-        },
-    );
+    let bodies = match format {
+        Format::Step => bodies_deviation(bodies, &content.bodies, bounds.diagonal())?,
+        Format::Glb | Format::Obj | Format::Stl => mesh_deviation(format, bodies, &content.meshes, mesh)?,
+        Format::Json => nurbs_json::patch_deviation(bodies, &content.patches)?,
+        Format::Svg | Format::Dxf | Format::Csv | Format::Png => Vec::new(),
+    };
+    let lines = if format == Format::Svg { lines_deviation(lines, &content.lines)? } else { Vec::new() };
     labels.map_or(Ok(()), |labels| content.labels.check(&labels))?;
-    Ok(deviation)
+    Ok(Deviations { curves, bodies, lines })
 }
 
 /// What a file holds, and the labels that the model's file has.
@@ -76,7 +74,7 @@ fn read_with_labels(
     let Exporter { model, bodies, .. } = exporter;
     let named = Named { model, title: &file.title };
     if format == Format::Dxf {
-        let counts: Vec<usize> = file.curves.iter().map(Correspondence::piece_count).collect();
+        let counts: Vec<usize> = file.written.curves.iter().map(|curve| curve.parts.piece_count()).collect();
         let drawing = dxf::read(&file.bytes)?.regrouped(&counts);
         let version = drawing.version().ok_or_else(|| ReadError::unsupported("this version", "$ACADVER"))?;
         return Ok((drawing.into_content(), Some(dxf::labels(model, version))));

@@ -70,7 +70,7 @@ impl Polygon<'_> {
     }
 }
 
-/// The largest distance between meshes read and the bodies, both ways.
+/// The largest distance between the polygons of each body and the body, both ways.
 ///
 /// # Errors
 /// [`ReadError::PolygonCount`], [`ReadError::NotCovered`], [`ReadError::NoPolygons`], [`ReadError::WrongSide`],
@@ -80,7 +80,7 @@ pub(crate) fn mesh_deviation(
     bodies: &[BodyOf<'_>],
     meshes: &[SurfaceMesh],
     plan: &MeshPlan,
-) -> Result<f64, ReadError> {
+) -> Result<Vec<f64>, ReadError> {
     check_cover(bodies, &plan.cells)?;
     let expected = plan.cells.iter().map(|cell| cell.polygons).sum();
     let found = meshes.iter().map(|mesh| mesh.faces.len()).sum();
@@ -91,18 +91,20 @@ pub(crate) fn mesh_deviation(
         .iter()
         .enumerate()
         .flat_map(|(number, mesh)| mesh.faces.iter().map(move |face| Polygon { mesh, number, face }));
-    let mut largest = 0.0_f64;
+    let mut deviations = vec![0.0; bodies.len()];
     for (cells, plan) in plan.cells.chunk_by(|a, b| a.body == b.body).zip(&plan.bodies) {
-        let Some(body) = cells.first().and_then(|cell| bodies.get(cell.body)) else { continue };
+        let Some((index, body)) = cells.first().and_then(|cell| Some((cell.body, bodies.get(cell.body)?))) else {
+            continue;
+        };
         let count = cells.iter().map(|cell| cell.polygons).sum();
         let own: Vec<Polygon<'_>> = polygons.by_ref().take(count).collect();
         if own.is_empty() {
             return Err(ReadError::NoPolygons { object: body.label() });
         }
-        largest = largest.max(body_deviation(format, body, cells, &own, plan)?);
+        deviations[index] = larger(deviations[index], body_deviation(format, body, cells, &own, plan)?);
         check_sides(format, body, &own, plan)?;
     }
-    Ok(largest)
+    Ok(deviations)
 }
 
 /// The largest distance between the polygons of one body and its cells.
@@ -128,7 +130,7 @@ fn body_deviation(
             continue;
         }
         let samples = samples(&face.patch, &cell.source);
-        largest = largest.max(cell_deviation(&face.patch, &cell.source, &samples, &triangles));
+        largest = larger(largest, cell_deviation(&face.patch, &cell.source, &samples, &triangles));
         let facing = Facing::new(face, &cell.source);
         if !triangles.iter().all(|triangle| facing.is_outward(triangle)) {
             return Err(ReadError::WrongSide { object: body.label(), face: index });
@@ -287,7 +289,7 @@ mod tests {
     }
 
     fn measured(body: BodyOf<'_>, mesh: SurfaceMesh, plan: &MeshPlan) -> Result<f64, ReadError> {
-        mesh_deviation(Format::Obj, &[body], &[mesh], plan)
+        Ok(mesh_deviation(Format::Obj, &[body], &[mesh], plan)?[0])
     }
 
     #[test]

@@ -15,6 +15,7 @@
 //! precision) leave a part with no piece, which is measured against the point that is left of it.
 
 mod facing;
+mod limits;
 mod matching;
 mod mesh;
 mod side_use;
@@ -22,9 +23,11 @@ mod step_faces;
 mod track;
 mod triangle;
 
+use crate::exported::{Promise, WrittenCurve};
 use crate::file_content::ReadError;
 use crate::job::contours;
 use cyclide::{Arc, Correspondence, CurveChain, CurvePlace, Model, ParamCurve};
+pub(crate) use limits::{Beyond, Deviations, READ_BACK_ROUNDING};
 use matching::apart;
 pub(crate) use matching::larger;
 pub(crate) use mesh::{BodyPlan, Cell, MeshPlan, mesh_deviation};
@@ -42,31 +45,31 @@ pub(crate) enum View {
     Points,
 }
 
-/// The largest distance between the curves read from a file and the model's curves, both ways, in the model's
-/// order: 0 up to rounding for an exact file. `parts` tells which pieces of the file stand for which part of each curve.
+/// The distance between each curve read from a file and the model's curve, both ways, in the model's order: 0 up to
+/// rounding for an exact file. What was written tells which pieces of the file stand for which part of each curve.
 ///
 /// # Errors
 /// [`ReadError::CurveCount`], [`ReadError::Closedness`], [`ReadError::PieceCount`], [`ReadError::CurveParts`].
 pub(crate) fn curves_deviation(
     model: &Model,
     read: &[CurveChain],
-    parts: &[Correspondence],
+    written: &[WrittenCurve],
     view: View,
-) -> Result<f64, ReadError> {
+) -> Result<Vec<f64>, ReadError> {
     let expected = contours(model).count();
-    if expected != read.len() || expected != parts.len() {
+    if expected != read.len() || expected != written.len() {
         return Err(ReadError::CurveCount { found: read.len(), expected });
     }
-    let mut largest = 0.0_f64;
-    for (curve, ((contour, chain), parts)) in contours(model).zip(read).zip(parts).enumerate() {
+    let mut deviations = Vec::with_capacity(expected);
+    for (curve, ((contour, chain), WrittenCurve { parts, .. })) in contours(model).zip(read).zip(written).enumerate() {
         let object = contour.curve.as_curve();
         if object.is_closed() != chain.is_closed() && view != View::Points {
             return Err(ReadError::Closedness { curve, found: chain.is_closed() });
         }
         check_parts(object, chain, parts, curve)?;
-        largest = larger(largest, apart(object, chain, parts, view == View::Plan));
+        deviations.push(apart(object, chain, parts, view == View::Plan));
     }
-    Ok(largest)
+    Ok(deviations)
 }
 
 /// Refuses parts that are not all of the object, once and in order, or not all pieces of the file.
@@ -95,20 +98,21 @@ fn check_parts(
 pub(crate) struct DrawnArc {
     pub(crate) arc: Arc,
     pub(crate) parts: Correspondence,
+    pub(crate) promise: Promise,
 }
 
-/// The largest distance in the plan, both ways, between the lines of a drawing and the arcs that they stand for.
+/// The distance in the plan, both ways, between each line of a drawing and the arc that it stands for.
 ///
 /// # Errors
 /// [`ReadError::LineCount`], [`ReadError::PieceCount`], [`ReadError::CurveParts`].
-pub(crate) fn lines_deviation(expected: &[DrawnArc], read: &[CurveChain]) -> Result<f64, ReadError> {
+pub(crate) fn lines_deviation(expected: &[DrawnArc], read: &[CurveChain]) -> Result<Vec<f64>, ReadError> {
     if expected.len() != read.len() {
         return Err(ReadError::LineCount { found: read.len(), expected: expected.len() });
     }
-    let mut largest = 0.0_f64;
-    for (index, (DrawnArc { arc, parts }, line)) in expected.iter().zip(read).enumerate() {
+    let mut deviations = Vec::with_capacity(read.len());
+    for (index, (DrawnArc { arc, parts, .. }, line)) in expected.iter().zip(read).enumerate() {
         check_parts(arc, line, parts, index)?;
-        largest = larger(largest, apart(arc, line, parts, true));
+        deviations.push(apart(arc, line, parts, true));
     }
-    Ok(largest)
+    Ok(deviations)
 }

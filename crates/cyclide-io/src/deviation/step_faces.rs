@@ -25,23 +25,22 @@ const PARAMETER_LIMIT: (f64, f64) = (1e-9, 1e-12);
 /// Rounding of a point of an edge or a face, or of the length of an edge, relative to the coordinates.
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
-/// The largest distance between surfaces, edges and vertices of the file and the model, whose diagonal is `size`.
+/// The largest distance between surfaces, edges and vertices of each body of the file and of the model, whose diagonal is
+/// `size`.
 ///
 /// # Errors
 /// [`ReadError::BodyCount`], [`ReadError::Body`], `Geometry` where the model's faces cannot be cut.
-pub(crate) fn bodies_deviation(expected: &[BodyOf<'_>], read: &[FileBody], size: f64) -> Result<f64, ReadError> {
+pub(crate) fn bodies_deviation(expected: &[BodyOf<'_>], read: &[FileBody], size: f64) -> Result<Vec<f64>, ReadError> {
     if expected.len() != read.len() {
         return Err(ReadError::BodyCount { found: read.len(), expected: expected.len() });
     }
-    let mut largest = 0.0_f64;
-    for (index, (body, file)) in expected.iter().zip(read).enumerate() {
-        let deviation = body_deviation(&body.body, file, size).map_err(|e| match e {
+    let one = |(index, (body, file)): (usize, (&BodyOf<'_>, &FileBody))| {
+        body_deviation(&body.body, file, size).map_err(|e| match e {
             Mismatch::Structure(detail) => ReadError::Body { body: index, detail },
             Mismatch::Kernel(source) => ReadError::Geometry { place: format!("body {index}"), source },
-        })?;
-        largest = largest.max(deviation);
-    }
-    Ok(largest)
+        })
+    };
+    expected.iter().zip(read).enumerate().map(one).collect()
 }
 
 /// Why a body is not the model's.
@@ -75,7 +74,7 @@ fn body_deviation(body: &Body, file: &FileBody, size: f64) -> Result<f64, Mismat
             let Some(file) = read.next() else { break };
             require(file.forward != void, "a shell is used from the wrong side")?;
             require(file.closed == shell.is_closed(), "a shell is closed in one of file and model only")?;
-            largest = largest.max(shell_deviation(shell, part, void, file, size)?);
+            largest = larger(largest, shell_deviation(shell, part, void, file, size)?);
         }
         // A hollow's faces look into it: away from the solid.
         require(!solid || (shell.volume() > 0.0) != void, "a solid is inside out")?;
@@ -100,7 +99,7 @@ fn shell_deviation(shell: &Shell, part: &[usize], flip: bool, file: &FileShell, 
     for (&index, file) in part.iter().zip(&file.faces) {
         let face = &shell.faces()[index];
         let outer_side = face.same_sense != flip;
-        largest = largest.max(surface_deviation(&face.patch, file, outer_side)?);
+        largest = larger(largest, surface_deviation(&face.patch, file, outer_side)?);
         let mut sides: Vec<(usize, bool)> = LOOP.into_iter().filter(|&(k, _)| face.sides[k].is_some()).collect();
         if !outer_side {
             sides.reverse();
@@ -115,7 +114,7 @@ fn shell_deviation(shell: &Shell, part: &[usize], flip: bool, file: &FileShell, 
             let used = edges.entry(edge.edge).or_insert((side.edge, Vec::new()));
             require(used.0 == side.edge, "faces share an edge in the file only")?;
             used.1.push(edge.forward);
-            largest = largest.max(edge_deviation(&face.patch, k, side.forward, edge));
+            largest = larger(largest, edge_deviation(&face.patch, k, side.forward, edge));
             if let FileSurface::Rational(surface) = &file.surface {
                 check_parameters(surface, k, side.forward, edge, size)?;
             }

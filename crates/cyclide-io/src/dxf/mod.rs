@@ -16,15 +16,13 @@ mod tags;
 
 use crate::export_error::ExportError;
 
-use crate::exported::{Exported, Promise, straightened};
+use crate::exported::{Exported, Promise, Written, straightened};
 
 use crate::job::{Contour, Job};
 use crate::labels::{FileLabels, FileName};
 
 use crate::options::DxfVersion;
-use cyclide::{
-    Arc, ArcPath, ChainPiece, Correspondence, CurveChain, Lowered, Model, NurbsCurve, ParamCurve as _, Point3, Vec3,
-};
+use cyclide::{Arc, ArcPath, ChainPiece, CurveChain, Lowered, Model, NurbsCurve, ParamCurve as _, Point3, Vec3};
 use plane::{Ocs, plane_of};
 use skeleton::{Content, FIRST_FREE, Group, MODEL_SPACE};
 use tags::Tags;
@@ -41,14 +39,14 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
         next_handle: FIRST_FREE + layers.len(),
         groups: Vec::new(),
         promise: Promise::EXACT,
-        curves: Vec::new(),
+        written: Written::default(),
         in_space: false,
         splines: false,
     };
     for contour in job.contours() {
         file.contour(job, &contour, &layers[contour.item])?;
     }
-    let Entities { tags: entities, groups, promise, curves, next_handle, in_space, splines, .. } = file;
+    let Entities { tags: entities, groups, written, next_handle, in_space, splines, .. } = file;
     let content = Content { layers: &layers, groups: &groups, next_handle };
     let mut tags = Tags::default();
     skeleton::opening(&mut tags, job, &content);
@@ -61,7 +59,7 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
     if splines {
         notes.push("rational SPLINE entities: many programs that cut or draw ignore their weights".to_owned());
     }
-    Ok(promise.exported(tags.into_bytes(), notes, curves))
+    Ok(written.exported(tags.into_bytes(), notes))
 }
 
 /// What the names are those of.
@@ -84,8 +82,9 @@ struct Entities {
     version: DxfVersion,
     next_handle: usize,
     groups: Vec<Group>,
+    /// What is promised for the curve that is written.
     promise: Promise,
-    curves: Vec<Correspondence>,
+    written: Written,
     /// Some curve did not lie in a plane.
     in_space: bool,
     splines: bool,
@@ -101,23 +100,23 @@ impl Entities {
                     let object = contour.object.to_owned();
                     return Err(ExportError::NotInFormat { object, format: "DXF R12", detail: "it has no SPLINE" });
                 }
-                self.promise.add_chain(&lowered);
+                self.promise = Promise::of_chain(&lowered);
                 self.splines = true;
                 self.pieces(chain, &contour.label(), layer);
-                self.curves.push(lowered.correspondence);
+                self.written.curves.push(self.promise.of(lowered.correspondence));
                 return Ok(());
             }
         }
         let lowered = job.arcs(contour)?;
-        self.promise.add_arcs(&lowered);
+        self.promise = Promise::of_arcs(&lowered);
         let Lowered { form: path, correspondence, .. } = lowered;
         if let Some(ocs) = plane_of(path.arcs(), job.size()) {
             let counts = self.polyline(&path, ocs, layer);
-            self.curves.push(correspondence.recounted(counts));
+            self.written.curves.push(self.promise.of(correspondence.recounted(counts)));
         } else {
             self.in_space = true;
             self.pieces(&path.into(), &contour.label(), layer);
-            self.curves.push(correspondence);
+            self.written.curves.push(self.promise.of(correspondence));
         }
         Ok(())
     }

@@ -12,15 +12,14 @@ mod buffer;
 mod edges;
 mod reader;
 
-use crate::deviation::MeshPlan;
 use crate::export_error::ExportError;
-use crate::exported::{Exported, Promise};
+use crate::exported::{Exported, Promise, Written};
 use crate::job::{BodyOf, Contour, Job};
 use crate::labels::{FileLabels, FileName, Named};
-use crate::mesh::{BodyMesh, Single, between, body_meshes, check_single, polyline, promised, single, triangles};
+use crate::mesh::{BodyMesh, Single, between, body_meshes, check_single, polyline, single, triangles};
 use crate::palette;
 use buffer::Buffer;
-use cyclide::{Aabb, Correspondence, Item, MeshCorner, Point3, bounds};
+use cyclide::{Aabb, Item, MeshCorner, Point3, bounds};
 use serde_json::{Value, json};
 use std::collections::HashMap;
 
@@ -58,7 +57,7 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
         let own: Vec<&BodyMesh<'_>> = meshes.iter().filter(|mesh| mesh.body.item == index).collect();
         file.object(job, index, item, &own)?;
     }
-    let File { buffer, nodes, meshes, materials, promise, plan, curves } = file;
+    let File { buffer, nodes, meshes, materials, written } = file;
     // The scene's root is the last node.
     let children: Vec<usize> = (0..nodes.len()).collect();
     let scale = job.units().in_millimetres() / 1000.0;
@@ -80,29 +79,20 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
         let object = job.model.items.first().map(|item| item.name.clone()).unwrap_or_default();
         ExportError::NotInFormat { object, format: "GLB", detail: "it would be larger than 4 GiB" }
     })?;
-    Ok(Exported { mesh: plan, ..promise.exported(bytes, Vec::new(), curves) })
+    Ok(written.exported(bytes, Vec::new()))
 }
 
 /// The extension for lines.
 const UNLIT: &str = "KHR_materials_unlit";
 
 /// The parts of the document as they grow.
+#[derive(Default)]
 struct File {
     buffer: Buffer,
     nodes: Vec<Value>,
     meshes: Vec<Value>,
     materials: Vec<Value>,
-    promise: Promise,
-    plan: MeshPlan,
-    curves: Vec<Correspondence>,
-}
-
-impl Default for File {
-    fn default() -> Self {
-        let (nodes, meshes, materials, curves) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
-        let (buffer, plan) = (Buffer::default(), MeshPlan::default());
-        Self { buffer, nodes, meshes, materials, promise: Promise::EXACT, plan, curves }
-    }
+    written: Written,
 }
 
 impl File {
@@ -186,8 +176,8 @@ impl File {
             let attributes = json!({"POSITION": position});
             primitives.push(json!({"attributes": attributes, "indices": indices, "material": ink, "mode": LINES}));
         }
-        body.plan_triangles(&rounded, rounding.moved, |face| triangles(face).len(), &mut self.plan);
-        promised(&mut self.promise, mesh.bound + rounding.moved);
+        body.plan_triangles(&rounded, rounding.moved, |face| triangles(face).len(), &mut self.written.mesh);
+        self.written.bodies.push(Promise::proved(mesh.bound + rounding.moved));
     }
 
     /// The primitive of a curve.
@@ -208,7 +198,8 @@ impl File {
         if closed {
             points.pop();
         }
-        self.curves.push(between(&vertices).recounted(segments));
+        let promise = Promise::proved(job.tolerance + rounding.moved);
+        self.written.curves.push(promise.of(between(&vertices).recounted(segments)));
         if points.len() < if closed { 3 } else { 2 } {
             let (object, detail) = (contour.object.to_owned(), "the curve is below the rounding of single precision");
             return Err(ExportError::NotInFormat { object, format: "GLB", detail });
@@ -218,7 +209,6 @@ impl File {
         let indices: Vec<u32> = segments.flatten().collect();
         let attributes = json!({"POSITION": self.buffer.positions(&points)});
         let indices = self.buffer.indices(&indices);
-        promised(&mut self.promise, job.tolerance + rounding.moved);
         Ok(json!({"attributes": attributes, "indices": indices, "material": material, "mode": LINES}))
     }
 }

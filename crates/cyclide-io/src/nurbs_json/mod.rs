@@ -24,7 +24,7 @@ mod surfaces;
 
 use crate::export_error::ExportError;
 
-use crate::exported::{Exported, Promise};
+use crate::exported::{Exported, Promise, Written};
 
 use crate::job::{BodyOf, Contour, Job};
 use crate::labels::{FileLabels, FileName};
@@ -41,8 +41,7 @@ pub(crate) use surfaces::deviation as patch_deviation;
 
 /// Writes the model as JSON.
 pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
-    let mut promise = Promise::EXACT;
-    let mut parts = Vec::new();
+    let mut written = Written::default();
     let mut out = format!("{{\n\"cyclide-nurbs\": 1,\n\"units\": \"{}\",\n\"objects\": {{", job.units().symbol());
     for (index, item) in job.model.items.iter().enumerate() {
         let (name, kind) = (quoted(&item.name), quoted(&item.kind));
@@ -50,19 +49,20 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
         out.push_str(&format!("{name}: {{\"type\": {kind}, \"contours\": ["));
         for contour in job.contours().filter(|contour| contour.item == index) {
             let lowered = job.chain(&contour)?;
-            promise.add_chain(&lowered);
+            let promise = Promise::of_chain(&lowered);
             out.push_str(if contour.index == 0 { "\n" } else { ",\n" });
-            parts.push(push_contour(&mut out, &contour, lowered)?);
+            written.curves.push(promise.of(push_contour(&mut out, &contour, lowered)?));
         }
         out.push_str(if item.contours.is_empty() { "]" } else { "\n]" });
         for body in job.bodies.iter().filter(|body| body.item == index) {
             out.push_str(if body.index == 0 { ", \"surfaces\": [\n" } else { ",\n" });
             surfaces::push_body(&mut out, body)?;
+            written.bodies.push(Promise::EXACT);
         }
         out.push_str(if item.surfaces.is_empty() { "}" } else { "\n]}" });
     }
     out.push_str("\n}\n}\n");
-    Ok(promise.exported(out.into_bytes(), Vec::new(), parts))
+    Ok(written.exported(out.into_bytes(), Vec::new()))
 }
 
 /// The labels of a file of the model.

@@ -54,11 +54,11 @@ fn push_surface(out: &mut String, surface: &RationalBezierSurface) {
     out.push_str("]}");
 }
 
-/// The largest distance at equal parameters between patches read and those of the bodies.
+/// The largest distance at equal parameters between the patches read and those of each body.
 ///
 /// # Errors
 /// [`ReadError::PatchCount`], [`ReadError::Patch`], `Geometry` where a body has no form of positive weights.
-pub(crate) fn deviation(bodies: &[BodyOf<'_>], read: &[FilePatch]) -> Result<f64, ReadError> {
+pub(crate) fn deviation(bodies: &[BodyOf<'_>], read: &[FilePatch]) -> Result<Vec<f64>, ReadError> {
     let mut expected = Vec::new();
     for (index, body) in bodies.iter().enumerate() {
         let shells = shells(body).map_err(|source| ReadError::Geometry { place: body.label(), source })?;
@@ -69,7 +69,7 @@ pub(crate) fn deviation(bodies: &[BodyOf<'_>], read: &[FilePatch]) -> Result<f64
     if expected.len() != read.len() {
         return Err(ReadError::PatchCount { found: read.len(), expected: expected.len() });
     }
-    let mut largest = 0.0_f64;
+    let mut deviations = vec![0.0; bodies.len()];
     for (number, ((body, shell, outward, patch), found)) in expected.into_iter().zip(read).enumerate() {
         let wrong = if (found.body, found.shell) != (body, shell) {
             Some("it belongs to another body or shell")
@@ -82,8 +82,8 @@ pub(crate) fn deviation(bodies: &[BodyOf<'_>], read: &[FilePatch]) -> Result<f64
         for k in 0..PLACES * PLACES {
             let at = |i: u32| f64::from(i) / f64::from(PLACES - 1);
             let (s, t) = (at(k % PLACES), at(k / PLACES));
-            largest = larger(largest, found.surface.point(s, t).distance(patch.point(s, t)));
+            deviations[body] = larger(deviations[body], found.surface.point(s, t).distance(patch.point(s, t)));
         }
     }
-    Ok(largest)
+    Ok(deviations)
 }

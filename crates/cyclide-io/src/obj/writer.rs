@@ -4,14 +4,13 @@
 //! polyline `l` within the tolerance; a closed one ends with its first vertex. The unit stands in a comment: the
 //! format has none.
 
-use crate::deviation::MeshPlan;
 use crate::export_error::ExportError;
-use crate::exported::{Exported, Promise};
+use crate::exported::{Exported, Promise, Written};
 use crate::job::{BodyOf, Job, contours_of};
 use crate::labels::{FileLabels, FileName};
-use crate::mesh::{BodyMesh, between, body_meshes, polyline, promised};
+use crate::mesh::{BodyMesh, between, body_meshes, polyline};
 use crate::number::push_plain;
-use cyclide::{CurvePlace, Exactness, Model, Point3, SurfaceMesh};
+use cyclide::{CurvePlace, Model, Point3, SurfaceMesh};
 use std::fmt::Write as _;
 
 /// How the comment with the unit starts.
@@ -22,9 +21,7 @@ pub(super) const GROUP: &str = "group";
 
 /// Writes the model as OBJ.
 pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
-    let mut promise = Promise::EXACT;
-    let mut plan = MeshPlan::default();
-    let mut curves = Vec::new();
+    let mut written = Written::default();
     let mut file = File { text: format!("{UNITS}{}\n", job.units().symbol()), positions: 0, normals: 0 };
     let meshes = body_meshes(job)?;
     for (index, item) in job.model.items.iter().enumerate() {
@@ -33,18 +30,17 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
             let BodyMesh { mesh, .. } = body;
             file.name("g", &body.body.label());
             file.mesh(mesh);
-            body.plan_whole(&mut plan);
-            promised(&mut promise, mesh.bound);
+            body.plan_whole(&mut written.mesh);
+            written.bodies.push(Promise::proved(mesh.bound));
         }
         for contour in job.contours().filter(|contour| contour.item == index) {
             file.name("g", &contour.label());
             let vertices = polyline(job, &contour)?;
-            curves.push(between(&vertices));
+            written.curves.push(Promise::proved(job.tolerance).of(between(&vertices)));
             file.polyline(&vertices, contour.curve.as_curve().is_closed());
-            promise.add(Exactness::Proved(job.tolerance));
         }
     }
-    Ok(Exported { mesh: plan, ..promise.exported(file.text.into_bytes(), Vec::new(), curves) })
+    Ok(written.exported(file.text.into_bytes(), Vec::new()))
 }
 
 /// The name as it stands on its line.

@@ -20,11 +20,11 @@ mod view;
 use crate::camera::Camera;
 use crate::drawing::{self, CombStrip, Combs};
 use crate::export_error::ExportError;
-use crate::exported::{Exported, Promise};
+use crate::exported::{Exported, Promise, Written};
 use crate::job::Job;
 use axes::{Plan, Rulers};
 use canvas::{Canvas, Ink, Pixel};
-use cyclide::{Exactness, Point3, Vec3};
+use cyclide::{Point3, Vec3};
 use labels::{Labels, Name};
 use legend::Naming;
 use sheet::{Caption, Names, Sheet};
@@ -69,10 +69,10 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
         drawing = request.drawing(Naming::Numbers)?;
     }
     let bytes = drawing.draw()?.encode().map_err(|e| picture(&e))?;
-    let mut promise = Promise::EXACT;
-    promise.add(Exactness::Proved(0.5 * drawing.view.unit()));
+    // A picture has no parts that could be told apart.
+    let written = Written { bodies: vec![Promise::proved(0.5 * drawing.view.unit())], ..Written::default() };
     names.notes.extend(combs.left_out_note(|index| &names.drawn[index]));
-    Ok(promise.exported(bytes, names.notes, Vec::new()))
+    Ok(written.exported(bytes, names.notes))
 }
 
 /// What is to be drawn.

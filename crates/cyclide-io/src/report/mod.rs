@@ -13,11 +13,13 @@ use cyclide::{Model, ShortNumber, Units};
 use indexmap::IndexMap;
 use serde::Serialize;
 
+use crate::deviation::{Beyond, READ_BACK_ROUNDING};
 use crate::document::{BuiltObject, Remark};
 use crate::exported::Exported;
 use crate::exporter::Exporter;
 use crate::file_content::ReadError;
 use crate::format::Format;
+use crate::read_back::deviations_of;
 pub use curvature::CurvatureRangeReport;
 pub use curves::{CurvatureReport, CurvesReport, FitPieces, FitReport, JointReport};
 pub use fairness::FairnessReport;
@@ -26,9 +28,6 @@ pub(crate) use seam::measured_seams;
 pub use surface::{
     CircularReport, PartReport, PatchPlace, ShapeReport, SingularPatchReport, SurfaceJointReport, SurfaceReport,
 };
-
-/// Part of the model's size that reading numbers back and comparing points may cost: what foreign readers are held to.
-const READ_BACK_ROUNDING: f64 = 1e-9;
 
 /// Part of a bound, and of that rounding, by which it may be exceeded without a word: the printed bound is raised.
 const LAST_DIGITS: f64 = 1e-5;
@@ -131,16 +130,20 @@ pub enum CheckError {
     },
     /// What was read back is farther from the objects than promised.
     #[error(
-        "{path}: what was read back deviates by {}, promised was {}",
-        ShortNumber(*.deviation), ShortNumber(*.bound)
+        "{path}: {part}: what was read back deviates by {}, promised was {}, limit {}",
+        ShortNumber(*.deviation), ShortNumber(*.bound), ShortNumber(*.limit)
     )]
     BeyondBound {
         /// The file.
         path: String,
+        /// The curve or the body that it is about.
+        part: String,
         /// The distance measured.
         deviation: f64,
         /// The distance promised.
         bound: f64,
+        /// The largest distance accepted: with the rounding of the numbers.
+        limit: f64,
     },
 }
 
@@ -211,18 +214,20 @@ impl FileReport {
         let path = path.display().to_string();
         let bound = exported.bound;
         let deviation = if format.has_geometry() {
-            match exporter.deviation(format, exported) {
-                Ok(deviation) => Some(deviation),
+            let deviations = match deviations_of(exporter, format, exported) {
+                Ok(deviations) => deviations,
                 Err(source) => return Err(CheckError::Unreadable { path, source: Box::new(source) }),
+            };
+            if let Some(Beyond { part, deviation, bound, limit }) =
+                deviations.beyond(exporter, format, &exported.written)
+            {
+                return Err(CheckError::BeyondBound { path, part, deviation, bound, limit });
             }
+            Some(deviations.largest())
         } else {
             None
         };
         let rounding = READ_BACK_ROUNDING * exporter.extent();
-        let limit = bound + rounding.max(exported.rounding);
-        if let Some(deviation) = deviation.filter(|d| !(*d <= limit)) {
-            return Err(CheckError::BeyondBound { path, deviation, bound });
-        }
         // What rounding has added belongs to the bound that is printed; of an exact file it is what "exact" leaves open,
         // unless its digits do not suffice.
         let beyond = deviation.filter(|d| *d > if exported.exact { rounding } else { bound });

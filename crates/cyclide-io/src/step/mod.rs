@@ -27,14 +27,14 @@ mod topology;
 
 use crate::export_error::ExportError;
 
-use crate::exported::{Exported, Promise};
+use crate::exported::{Exported, Promise, Written};
 
 use crate::job::{Contour, Job};
 use crate::options::StepProducts;
 use cyclide::{ChainPiece, CurveChain, CurveObject, Lowered, ParamCurve as _, ShortNumber, Units};
 use data::Data;
 use structure::Part;
-use topology::Written;
+use topology::Written as WrittenBody;
 
 pub(crate) use labels::labels;
 pub(crate) use reader::read;
@@ -46,25 +46,24 @@ const SHORTEST_EDGE: f64 = 1e-6;
 /// Writes the model as STEP.
 pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
     let mut data = Data::default();
-    let mut promise = Promise::EXACT;
+    let mut written = Written::default();
     let mut notes = Vec::new();
     let mut shortest = f64::INFINITY;
     let mut parts: Vec<Part> =
         job.model.items.iter().enumerate().map(|(index, item)| Part::new(&item.name, index)).collect();
     let mut curves = Vec::new();
-    let mut parts_of_curves = Vec::new();
     for contour in job.contours() {
         curves.push(if let CurveObject::Circle(circle) = contour.curve {
-            parts_of_curves.push(job.chain(&contour)?.correspondence);
+            written.curves.push(Promise::EXACT.of(job.chain(&contour)?.correspondence));
             curves::full_circle(&mut data, &contour.label(), circle)
         } else {
             let lowered = job.chain(&contour)?;
-            promise.add_chain(&lowered);
+            let promise = Promise::of_chain(&lowered);
             let Lowered { form: chain, correspondence, .. } = lowered;
             shortest = shortest.min(shortest_piece(&chain));
             let mut counts = Vec::with_capacity(chain.piece_count());
             let composite = curves::composite(&mut data, &contour.label(), chain, job.size(), &mut counts);
-            parts_of_curves.push(correspondence.recounted(counts));
+            written.curves.push(promise.of(correspondence.recounted(counts)));
             composite
         });
         if contour.index + 1 == contour.count {
@@ -73,7 +72,8 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
     }
     for body in job.bodies {
         let lowered = |source| body.unfit(source);
-        let (written, remarks) =
+        written.bodies.push(Promise::EXACT);
+        let (body_written, remarks) =
             topology::body(&mut data, &body.label(), &body.body, job.size(), job.options.step_edges)
                 .map_err(lowered)?;
         shortest = shortest.min(remarks.shortest);
@@ -83,9 +83,9 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
                 body.label()
             ));
         }
-        match written {
-            Written::Solid(number) => parts[body.item].solids.push(number),
-            Written::Surface(number) => parts[body.item].surfaces.push(number),
+        match body_written {
+            WrittenBody::Solid(number) => parts[body.item].solids.push(number),
+            WrittenBody::Surface(number) => parts[body.item].surfaces.push(number),
         }
     }
     if shortest < SHORTEST_EDGE {
@@ -112,7 +112,7 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
     }
     structure::products(&mut data, job.title(), &parts, one, job.units());
     let text = structure::file(data, job.title());
-    Ok(promise.exported(text.into_bytes(), notes, parts_of_curves))
+    Ok(written.exported(text.into_bytes(), notes))
 }
 
 fn curve_set(data: &mut Data, contour: &Contour<'_>, curves: &[usize]) -> usize {

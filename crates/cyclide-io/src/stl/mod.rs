@@ -6,13 +6,12 @@
 
 mod reader;
 
-use crate::deviation::MeshPlan;
 use crate::export_error::ExportError;
-use crate::exported::{Exported, Promise};
+use crate::exported::{Exported, Promise, Written};
 use crate::job::BodyOf;
 use crate::job::Job;
 use crate::labels::{FileLabels, FileName, Named};
-use crate::mesh::{Single, body_meshes, check_single, promised, single, triangles};
+use crate::mesh::{Single, body_meshes, check_single, single, triangles};
 use cyclide::{Point3, Units};
 
 pub(crate) use reader::read;
@@ -29,8 +28,7 @@ const TITLE: &str = "title";
 /// Writes the model's surfaces.
 pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
     check_single(job, job.bounds.max_abs(), "STL")?;
-    let mut promise = Promise::EXACT;
-    let (mut records, mut plan) = (Vec::new(), MeshPlan::default());
+    let (mut records, mut written) = (Vec::new(), Written::default());
     let mut count = 0_usize;
     for body in body_meshes(job)? {
         let mesh = &body.mesh;
@@ -49,12 +47,12 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
             return Err(ExportError::NotInFormat { object: body.body.object.to_owned(), format: "STL", detail });
         }
         let mut counts = per_face.iter().map(Vec::len);
-        body.plan_triangles(&points, rounding.moved, |_| counts.next().unwrap_or(0), &mut plan);
+        body.plan_triangles(&points, rounding.moved, |_| counts.next().unwrap_or(0), &mut written.mesh);
         for triangle in per_face.iter().flatten() {
             push_triangle(&mut records, triangle);
             count += 1;
         }
-        promised(&mut promise, mesh.bound + rounding.moved);
+        written.bodies.push(Promise::proved(mesh.bound + rounding.moved));
     }
     let Ok(count) = u32::try_from(count) else {
         let object = job.bodies.first().map(|b| b.object.to_owned()).unwrap_or_default();
@@ -70,7 +68,7 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
             job.units().symbol()
         ));
     }
-    Ok(Exported { mesh: plan, ..promise.exported(bytes, notes, Vec::new()) })
+    Ok(written.exported(bytes, notes))
 }
 
 /// Refuses coordinates that single precision rounds by more than the tolerance.

@@ -16,11 +16,11 @@ mod reader;
 
 use crate::drawing;
 use crate::export_error::ExportError;
-use crate::exported::{Exported, Promise};
+use crate::exported::{Exported, Promise, Written, WrittenCurve};
 use crate::job::{Contour, Job};
 use crate::labels::{FileLabels, FileName, Named};
 use crate::number::push_plain;
-use cyclide::{Aabb, Arc, Correspondence, CurvePlace, Exactness, Lowered, Point3, Units, Vec3};
+use cyclide::{Aabb, Arc, Correspondence, CurvePlace, Lowered, Point3, Units, Vec3};
 use path::Path;
 use plan::Plan;
 use reader::{DESCRIPTION, TITLE};
@@ -39,20 +39,19 @@ const LEVEL: f64 = 1e-12;
 
 /// Writes the model as SVG.
 pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
-    let mut promise = Promise::EXACT;
     let mut notes = Vec::new();
     let mut paths: Vec<(Contour<'_>, Path)> = Vec::new();
-    let mut curves = Vec::new();
+    let mut written = Written::default();
     for contour in job.contours() {
-        let (path, parts) = draw(job, &contour, &mut promise)?;
-        curves.push(parts);
+        let (path, curve) = draw(job, &contour)?;
+        written.curves.push(curve);
         if path.is_point() {
             let (object, detail) = (contour.object.to_owned(), "seen along the z axis it is a point");
             return Err(ExportError::NotInFormat { object, format: "SVG", detail });
         }
         paths.push((contour, path));
     }
-    let plan = Plan::new(job, &mut promise)?;
+    let plan = Plan::new(job)?;
     let drawn = paths.iter().map(|(_, p)| p.bounds()).chain(plan.bounds());
     let Some(mut bounds) = drawn.reduce(Aabb::union) else {
         return Err(ExportError::Empty);
@@ -74,7 +73,7 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
         notes.push(scale);
     }
     let mut out = page.opening(job);
-    let lines = plan.push(&mut out, STROKE * size);
+    written.lines = plan.push(&mut out, STROKE * size);
     push_combs(&mut out, &combs, STROKE * size);
     if !paths.is_empty() {
         push_curves(&mut out, paths, STROKE * size);
@@ -83,7 +82,7 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
         push_joints(&mut out, &drawing::joints(job), size);
     }
     out.push_str("</svg>\n");
-    Ok(Exported { lines, ..promise.exported(out.into_bytes(), notes, curves) })
+    Ok(written.exported(out.into_bytes(), notes))
 }
 
 /// The labels of a file of the model.
@@ -100,12 +99,12 @@ pub(crate) fn labels(named: Named<'_>) -> FileLabels {
 
 /// A contour as a path: its arcs if they are level, else a polyline of its view; with the parts that its pieces stand
 /// for.
-fn draw(job: &Job<'_>, contour: &Contour<'_>, promise: &mut Promise) -> Result<(Path, Correspondence), ExportError> {
+fn draw(job: &Job<'_>, contour: &Contour<'_>) -> Result<(Path, WrittenCurve), ExportError> {
     let closed = contour.curve.as_curve().is_closed();
     let lowered = job.arcs(contour)?;
     let level = |a: &Arc| a.normal().is_none_or(|n| n.x.abs() <= LEVEL && n.y.abs() <= LEVEL);
     if lowered.form.arcs().iter().all(level) {
-        promise.add_arcs(&lowered);
+        let mut promise = Promise::of_arcs(&lowered);
         let Lowered { form: arcs, correspondence, .. } = lowered;
         let mut path = Path::new(arcs.arcs()[0].start(), closed);
         let mut counts = Vec::with_capacity(arcs.arcs().len());
@@ -114,11 +113,11 @@ fn draw(job: &Job<'_>, contour: &Contour<'_>, promise: &mut Promise) -> Result<(
             promise.add(lost);
             counts.push(drawn);
         }
-        return Ok((path, correspondence.recounted(counts)));
+        return Ok((path, promise.of(correspondence.recounted(counts))));
     }
     let vertices = contour.lowered(job.pieces.flatten(contour.curve.as_curve(), job.tolerance))?;
-    promise.add(Exactness::Proved(job.tolerance));
-    Ok(polyline(&vertices, closed))
+    let (path, parts) = polyline(&vertices, closed);
+    Ok((path, Promise::proved(job.tolerance).of(parts)))
 }
 
 /// The vertices as a path, without the segments that are points on the page, and the parts between them.

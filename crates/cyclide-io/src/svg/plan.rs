@@ -6,12 +6,12 @@ use super::path::Path;
 use super::{LEVEL, polyline, reader, three_digits};
 use crate::deviation::DrawnArc;
 use crate::export_error::ExportError;
-use crate::exported::Promise;
+use crate::exported::{Promise, WrittenCurve};
 use crate::job::BodyOf;
 use crate::job::Job;
 use crate::number::push_plain;
 use crate::parameter_circles::halvings;
-use cyclide::{Aabb, Arc, Correspondence, Exactness, Shell};
+use cyclide::{Aabb, Arc, Correspondence, Shell};
 
 /// Names of the groups in the order in which they are drawn: inner circles, edges.
 pub(super) const GROUPS: [&str; 2] = ["circles", "edges"];
@@ -28,36 +28,30 @@ pub(super) struct Plan {
 }
 
 impl Plan {
-    pub(super) fn new(job: &Job<'_>, promise: &mut Promise) -> Result<Self, ExportError> {
+    pub(super) fn new(job: &Job<'_>) -> Result<Self, ExportError> {
         let mut plan = Self { edges: Vec::new(), circles: Vec::new() };
         for body in job.bodies {
             for shell in body.body.shells() {
                 for edge in shell.edges() {
-                    plan.edges.extend(draw(job, body, Ok(edge.arc), promise)?);
+                    plan.edges.extend(draw(job, body, Ok(edge.arc))?);
                 }
-                plan.add_circles(job, body, shell, promise)?;
+                plan.add_circles(job, body, shell)?;
             }
         }
         Ok(plan)
     }
 
-    fn add_circles(
-        &mut self,
-        job: &Job<'_>,
-        body: &BodyOf<'_>,
-        shell: &Shell,
-        promise: &mut Promise,
-    ) -> Result<(), ExportError> {
+    fn add_circles(&mut self, job: &Job<'_>, body: &BodyOf<'_>, shell: &Shell) -> Result<(), ExportError> {
         let inner = |level: u32| {
             let count = 1u32 << level;
             (1..count).map(move |i| f64::from(i) / f64::from(count))
         };
         for (face, [along_s, along_t]) in shell.faces().iter().zip(halvings(shell, SPACING * job.size())) {
             for s in inner(along_s) {
-                self.circles.extend(draw(job, body, face.patch.t_line(s), promise)?);
+                self.circles.extend(draw(job, body, face.patch.t_line(s))?);
             }
             for t in inner(along_t) {
-                self.circles.extend(draw(job, body, face.patch.s_line(t), promise)?);
+                self.circles.extend(draw(job, body, face.patch.s_line(t))?);
             }
         }
         Ok(())
@@ -92,22 +86,19 @@ impl Plan {
 }
 
 /// An arc in the plan: an arc if it is level, else a polyline; `None` if it is a point there.
-fn draw(
-    job: &Job<'_>,
-    body: &BodyOf<'_>,
-    arc: cyclide::Result<Arc>,
-    promise: &mut Promise,
-) -> Result<Option<(DrawnArc, Path)>, ExportError> {
+fn draw(job: &Job<'_>, body: &BodyOf<'_>, arc: cyclide::Result<Arc>) -> Result<Option<(DrawnArc, Path)>, ExportError> {
     let failed = |source| body.unfit(source);
     let arc = arc.map_err(failed)?;
-    let (path, parts) = if arc.normal().is_none_or(|n| n.x.abs() <= LEVEL && n.y.abs() <= LEVEL) {
-        let mut path = Path::new(arc.start(), false);
-        let (lost, drawn) = path.arc(&arc);
-        promise.add(lost);
-        (path, Correspondence::one_to_one(1).recounted([drawn]))
-    } else {
-        promise.add(Exactness::Proved(job.mesh_tolerance));
-        polyline(&job.pieces.flatten(&arc, job.mesh_tolerance).map_err(failed)?, false)
-    };
-    Ok((!path.is_point()).then_some((DrawnArc { arc, parts }, path)))
+    let (path, WrittenCurve { parts, promise }) =
+        if arc.normal().is_none_or(|n| n.x.abs() <= LEVEL && n.y.abs() <= LEVEL) {
+            let mut path = Path::new(arc.start(), false);
+            let (lost, drawn) = path.arc(&arc);
+            let mut promise = Promise::EXACT;
+            promise.add(lost);
+            (path, promise.of(Correspondence::one_to_one(1).recounted([drawn])))
+        } else {
+            let (path, parts) = polyline(&job.pieces.flatten(&arc, job.mesh_tolerance).map_err(failed)?, false);
+            (path, Promise::proved(job.mesh_tolerance).of(parts))
+        };
+    Ok((!path.is_point()).then_some((DrawnArc { arc, parts, promise }, path)))
 }

@@ -12,6 +12,7 @@ mod malformed;
 mod mesh_damage;
 mod meshes;
 mod models;
+mod part_limits;
 mod pictures;
 mod right_files;
 mod round_trip;

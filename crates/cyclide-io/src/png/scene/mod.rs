@@ -18,7 +18,7 @@ mod visible;
 use super::{FLATNESS, UP, curves, picture};
 use crate::drawing::Combs;
 use crate::export_error::ExportError;
-use crate::exported::{Exported, Promise};
+use crate::exported::{Exported, Promise, Written};
 use crate::job::Job;
 use crate::palette::to_linear;
 use crate::png::axes::{self, Plan, Rulers};
@@ -27,7 +27,7 @@ use crate::png::legend::{self, Naming, balloon};
 use crate::png::sheet::{Caption, Names, Sheet};
 use crate::png::view;
 use camera::Camera;
-use cyclide::{Aabb, Exactness, Point3};
+use cyclide::{Aabb, Point3};
 use facets::{Facets, Paint};
 use ground::Ground;
 use light::{Lights, Rgb, screen};
@@ -107,9 +107,9 @@ pub(super) fn write(job: &Job<'_>, sheet: Sheet, names: Names) -> Result<Exporte
         caption.draw(&mut canvas, sheet, height, unit, note);
     }
     let bytes = canvas.encode().map_err(|e| picture(&e))?;
-    let mut promise = Promise::EXACT;
-    promise.add(Exactness::Proved(0.5 * scene.camera.unit()));
-    Ok(promise.exported(bytes, notes, Vec::new()))
+    // A picture has no parts that could be told apart.
+    let written = Written { bodies: vec![Promise::proved(0.5 * scene.camera.unit())], ..Written::default() };
+    Ok(written.exported(bytes, notes))
 }
 
 /// Height of the eye over its horizontal distance is this over 0.94.

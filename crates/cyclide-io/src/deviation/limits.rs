@@ -1,0 +1,77 @@
+//! What each part of a file may be off: its own promise and the rounding of its own coordinates, no other part's.
+
+use super::matching::larger;
+use crate::exported::{Promise, Written};
+use crate::exporter::Exporter;
+use crate::format::Format;
+use crate::job::contours;
+
+/// Part of the size and place of a part that reading numbers back and comparing points may cost: what foreign readers are
+/// held to.
+pub(crate) const READ_BACK_ROUNDING: f64 = 1e-9;
+/// The same of the whole model, where parts are written by it: DXF takes what is flat by 1e-12 of its size for plane,
+/// and the radii of analytic surfaces in STEP are up to 1e4 times as large as it.
+const MODEL_ROUNDING: f64 = 1e-11;
+
+/// How far the parts of a file are off, in file order.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub(crate) struct Deviations {
+    pub(crate) curves: Vec<f64>,
+    /// One for each body of the model.
+    pub(crate) bodies: Vec<f64>,
+    /// Of the lines of surfaces in a drawing.
+    pub(crate) lines: Vec<f64>,
+}
+
+/// A part of a file that is farther from the model than promised.
+pub(crate) struct Beyond {
+    /// The name of the part.
+    pub(crate) part: String,
+    pub(crate) deviation: f64,
+    /// Distance that was promised for it.
+    pub(crate) bound: f64,
+    /// The largest distance accepted.
+    pub(crate) limit: f64,
+}
+
+impl Deviations {
+    /// The largest of all.
+    pub(crate) fn largest(&self) -> f64 {
+        self.curves.iter().chain(&self.bodies).chain(&self.lines).copied().fold(0.0, larger)
+    }
+
+    /// The first part that is farther from the model than was promised for it.
+    pub(crate) fn beyond(&self, exporter: &Exporter<'_>, format: Format, written: &Written) -> Option<Beyond> {
+        let by_model = matches!(format, Format::Dxf | Format::Step);
+        let whole = if by_model { MODEL_ROUNDING * exporter.extent() } else { 0.0 };
+        let check = |promise: &Promise, extent: f64, deviation: f64| {
+            let [bound, digits] = promise.distances();
+            // Digits that cost more than the tolerance leave too little of the curve.
+            let limit = bound + (READ_BACK_ROUNDING * extent + whole).max(digits.min(written.tolerance));
+            if deviation <= limit { None } else { Some((deviation, bound, limit)) }
+        };
+        let named = |part: String| move |(deviation, bound, limit)| Beyond { part, deviation, bound, limit };
+        let extents = &exporter.extents;
+        let parts = || written.curves.iter().zip(&extents.curves).zip(&self.curves).zip(contours(exporter.model));
+        let curve = || {
+            parts().find_map(|(((curve, extent), deviation), contour)| {
+                check(&curve.promise, *extent, *deviation).map(named(contour.label()))
+            })
+        };
+        let parts = || exporter.bodies.iter().zip(&extents.bodies).zip(&self.bodies).enumerate();
+        let body = || {
+            parts().find_map(|(index, ((body, extent), deviation))| {
+                // What nothing was promised for is exact.
+                let promise = written.bodies.get(index).unwrap_or(&Promise::EXACT);
+                check(promise, *extent, *deviation).map(named(body.label()))
+            })
+        };
+        let line = || {
+            let mut parts = written.lines.iter().zip(&self.lines).enumerate();
+            parts.find_map(|(index, (line, deviation))| {
+                check(&line.promise, exporter.extent(), *deviation).map(named(format!("line {index} of surfaces")))
+            })
+        };
+        curve().or_else(body).or_else(line)
+    }
+}
