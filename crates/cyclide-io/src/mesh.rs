@@ -6,8 +6,10 @@ use crate::file_content::ReadError;
 use crate::job::BodyOf;
 use crate::job::{Contour, Job};
 use cyclide::{
-    Arc, ArcPath, ChainPiece, Correspondence, CurveChain, CurvePlace, MeshCorner, MeshFace, Point3, SurfaceMesh, Vec3,
+    Arc, ArcPath, ChainPiece, Correspondence, CurveChain, CurvePlace, MeshCorner, MeshFace, MeshSource, Point3, SurfaceMesh, Vec3,
 };
+use std::collections::HashSet;
+use std::hash::Hash;
 
 /// Single precision is used between these sizes: products of two numbers must neither vanish nor overflow.
 const SINGLE: std::ops::Range<f64> = 1e-15..1e15;
@@ -33,7 +35,8 @@ impl BodyMesh<'_> {
     /// Notes what the file is checked against, where faces are written whole with the vertices that they share.
     pub(crate) fn plan_whole(&self, plan: &mut MeshPlan) {
         let polygons = self.mesh.faces.iter().map(|face| face.corners().iter().map(|corner| corner.position));
-        plan.bodies.push(BodyPlan { sides: side_use(polygons), moved: self.mesh.gap });
+        let merged = self.merged(|position| position);
+        plan.bodies.push(BodyPlan { sides: side_use(polygons), merged, moved: self.mesh.gap });
         plan.cells.extend(self.cells(|_| 1));
     }
 
@@ -49,14 +52,25 @@ impl BodyMesh<'_> {
         let bits = |corner: &MeshCorner| rounded[corner.position].map(f32::to_bits);
         let of_face = |face| triangles(face).iter().map(move |t| t.map(|i| bits(&MeshFace::corners(face)[i])));
         let moved = moved + self.mesh.gap;
-        plan.bodies.push(BodyPlan { sides: side_use(self.mesh.faces.iter().flat_map(of_face)), moved });
+        let merged = self.merged(|position| rounded[position].map(f32::to_bits));
+        let sides = side_use(self.mesh.faces.iter().flat_map(of_face));
+        plan.bodies.push(BodyPlan { sides, merged, moved });
         plan.cells.extend(self.cells(count));
     }
 
-    /// What the faces of the mesh stand for, where each is written as `polygons(face)` polygons.
+    /// True if several corners of a cell, or several places of the mesh, are one vertex, known by a key.
+    fn merged<K: Eq + Hash>(&self, key: impl Fn(usize) -> K) -> bool {
+        let distinct: HashSet<K> = (0..self.mesh.positions.len()).map(key).collect();
+        distinct.len() < self.mesh.positions.len() || !self.mesh.lost.is_empty()
+    }
+
+    /// What the faces of the mesh stand for, where each is written as `polygons(face)` polygons, and the cells that have
+    /// none.
     fn cells(&self, mut polygons: impl FnMut(&MeshFace) -> usize) -> impl Iterator<Item = Cell> {
         let faces = self.mesh.faces.iter().zip(&self.mesh.sources);
-        faces.map(move |(face, source)| Cell { body: self.index, source: *source, polygons: polygons(face) })
+        let cell = |source: &MeshSource, polygons| Cell { body: self.index, source: *source, polygons };
+        let whole = faces.map(move |(face, source)| cell(source, polygons(face)));
+        whole.chain(self.mesh.lost.iter().map(move |source| cell(source, 0)))
     }
 }
 

@@ -7,6 +7,7 @@
 //! them. Polygons look to the outer side of their face, normals are those of the surface (in STL of the triangle), and
 //! polygons share the sides that they share in the kernel's mesh.
 
+use super::cover::Cover;
 use super::facing::{Facing, NORMAL_LIMIT, facet_error};
 use super::matching::larger;
 use super::side_use::{SideUse, side_use};
@@ -20,10 +21,6 @@ use cyclide::{CyclidePatch, MeshCorner, MeshFace, MeshSource, ParamSurface as _,
 const GRID: usize = 5;
 /// Steps to the foot of a point on a patch.
 const STEPS: usize = 3;
-/// The cells of a face cover its parameters up to the rounding of their sum, and to cells between two singular lines, or one and
-/// a side, that are no farther apart than the kernel tells them: these have no area.
-const COVER: f64 = 1e-8;
-
 /// What the polygons of a file stand for and how they hang together, known from the meshes that were written.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) struct MeshPlan {
@@ -46,6 +43,8 @@ pub(crate) struct Cell {
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) struct BodyPlan {
     pub(crate) sides: SideUse,
+    /// True if several places of the mesh are one vertex.
+    pub(crate) merged: bool,
     /// How far rounding has moved a vertex at most.
     pub(crate) moved: f64,
 }
@@ -102,7 +101,7 @@ pub(crate) fn mesh_deviation(
             return Err(ReadError::NoPolygons { object: body.label() });
         }
         deviations[index] = larger(deviations[index], body_deviation(format, body, cells, &own, plan)?);
-        check_sides(format, body, &own, plan)?;
+        check_sides(format, body, cells, &own, plan)?;
     }
     Ok(deviations)
 }
@@ -174,20 +173,49 @@ fn normal_error(format: Format, polygon: &Polygon<'_>, facing: &Facing<'_>, move
     errors.fold(0.0, larger)
 }
 
-/// Polygons share the sides that they share in the kernel's mesh. In OBJ vertices are shared by number; GLB has one per
-/// normal and STL none, so that readers know them by equal bits.
-fn check_sides(format: Format, body: &BodyOf<'_>, polygons: &[Polygon<'_>], plan: &BodyPlan) -> Result<(), ReadError> {
+/// Polygons share the sides that cells share in the shell: all but those on edges of one face alone. In OBJ vertices are
+/// shared by number; GLB has one per normal and STL none, so that readers know them by equal bits.
+///
+/// Where rounding has made one of several vertices, sides vanish or lie on each other, and what is left of them is known
+/// from the mesh that was written only.
+fn check_sides(
+    format: Format,
+    body: &BodyOf<'_>,
+    cells: &[Cell],
+    polygons: &[Polygon<'_>],
+    plan: &BodyPlan,
+) -> Result<(), ReadError> {
     let found = if format == Format::Obj {
         side_use(polygons.iter().map(|p| p.face.corners().iter().map(|c| (p.number, c.position))))
     } else {
         let bits = |p: Point3| p.to_array().map(f64::to_bits);
         side_use(polygons.iter().map(|p| p.face.corners().iter().map(move |c| bits(p.point(c)))))
     };
-    if found == plan.sides {
+    let expected = if plan.merged { plan.sides } else { shell_sides(body, cells) };
+    if found == expected {
         return Ok(());
     }
-    let (free, repeated) = ([found.free, plan.sides.free], [found.repeated, plan.sides.repeated]);
+    let (free, repeated) = ([found.free, expected.free], [found.repeated, expected.repeated]);
     Err(ReadError::SideUse { object: body.label(), free, repeated })
+}
+
+/// The sides of cells on edges that one face has alone.
+fn shell_sides(body: &BodyOf<'_>, cells: &[Cell]) -> SideUse {
+    let users = body.body.shells().map(|shell| {
+        let mut users = vec![0_u32; shell.edges().len()];
+        shell.faces().iter().flat_map(|face| &face.sides).flatten().for_each(|side| users[side.edge] += 1);
+        users
+    });
+    let users: Vec<Vec<u32>> = users.collect();
+    let mut free = 0;
+    for Cell { source, .. } in cells {
+        let Some((_, face)) = face(body, source) else { continue };
+        // Cuts at the sides are these doubles.
+        let ends = [source.t[0] <= 0.0, source.t[1] >= 1.0, source.s[0] <= 0.0, source.s[1] >= 1.0];
+        let sides = ends.into_iter().zip(&face.sides).filter(|(at_side, _)| *at_side).filter_map(|(_, side)| *side);
+        free += sides.filter(|side| users[source.shell][side.edge] == 1).count();
+    }
+    SideUse { free, repeated: 0 }
 }
 
 /// The face of a cell with its number, those of all shells counted through.
@@ -199,17 +227,25 @@ fn face<'a>(body: &'a BodyOf<'_>, source: &MeshSource) -> Option<(usize, &'a She
 
 /// Every face of every body is covered by its cells once.
 fn check_cover(bodies: &[BodyOf<'_>], cells: &[Cell]) -> Result<(), ReadError> {
-    for (index, body) in bodies.iter().enumerate() {
-        let mut covered: Vec<Vec<f64>> = body.body.shells().map(|shell| vec![0.0; shell.faces().len()]).collect();
-        for Cell { source, .. } in cells.iter().filter(|cell| cell.body == index) {
-            let [s, t] = [source.s, source.t].map(|[from, to]| to - from);
-            if let Some(sum) = covered.get_mut(source.shell).and_then(|shell| shell.get_mut(source.face)) {
-                *sum += s * t;
-            }
+    let mut of_bodies: Vec<Vec<&MeshSource>> = bodies.iter().map(|_| Vec::new()).collect();
+    for Cell { body, source, .. } in cells {
+        if let Some(own) = of_bodies.get_mut(*body) {
+            own.push(source);
         }
-        let wrong = covered.iter().flatten().position(|sum| !((sum - 1.0).abs() <= COVER));
-        if let Some(face) = wrong {
-            return Err(ReadError::NotCovered { object: body.label(), face });
+    }
+    let mut cover = Cover::default();
+    for (body, mut cells) in bodies.iter().zip(of_bodies) {
+        cells.sort_by_key(|source| (source.shell, source.face));
+        let mut rest = cells.as_slice();
+        let places =
+            body.body.shells().enumerate().flat_map(|(k, shell)| (0..shell.faces().len()).map(move |f| (k, f)));
+        for (number, place) in places.enumerate() {
+            let count = rest.iter().take_while(|source| (source.shell, source.face) == place).count();
+            let (own, after) = rest.split_at(count);
+            rest = after;
+            if !cover.is_whole(own.iter().copied()) {
+                return Err(ReadError::NotCovered { object: body.label(), face: number });
+            }
         }
     }
     Ok(())
@@ -284,7 +320,7 @@ mod tests {
         let mesh = tessellate(&body, 1e-2).unwrap();
         let cells = mesh.sources.iter().map(|source| Cell { body: 0, source: *source, polygons: 1 }).collect();
         let sides = side_use(mesh.faces.iter().map(|face| face.corners().iter().map(|corner| corner.position)));
-        let plan = MeshPlan { cells, bodies: vec![BodyPlan { sides, moved: 0.0 }] };
+        let plan = MeshPlan { cells, bodies: vec![BodyPlan { sides, merged: true, moved: 0.0 }] };
         (BodyOf { object: "octant", item: 0, surface: 0, index: 0, count: 1, body }, mesh, plan)
     }
 
@@ -324,5 +360,35 @@ mod tests {
         };
         let half = 0.5 * side(0, 2).min(side(1, 3));
         assert!(half > 5e-2 && hole > 0.95 * half && hole < 1.05 * half, "{hole:e} {half:e}");
+    }
+
+    /// A mesh that was written torn is found out although the file is what was written.
+    #[test]
+    fn sides_are_those_of_the_shell() {
+        let (body, mut mesh, mut plan) = octant();
+        plan.bodies[0].merged = false;
+        let Ok(_) = measured(body, mesh.clone(), &plan) else { panic!("the mesh is whole") };
+        let inner = |cell: &Cell| cell.source.s[0] > 0.0 && cell.source.t[0] > 0.0;
+        let k = plan.cells.iter().position(inner).unwrap();
+        let MeshFace::Quad(corners) = &mut mesh.faces[k] else { panic!("a quad") };
+        mesh.positions.push(mesh.positions[corners[0].position]);
+        corners[0].position = mesh.positions.len() - 1;
+        let (body, ..) = octant();
+        plan.bodies[0].sides.free += 4;
+        assert!(matches!(measured(body, mesh, &plan), Err(ReadError::SideUse { .. })));
+    }
+
+    /// A cell that stands twice, one that is not there, and one as large elsewhere in its place.
+    #[test]
+    fn cells_cover_their_faces_once() {
+        let refused = |change: fn(&mut Vec<Cell>)| {
+            let (body, mesh, mut plan) = octant();
+            change(&mut plan.cells);
+            measured(body, mesh, &plan) == Err(ReadError::NotCovered { object: "octant".to_owned(), face: 0 })
+        };
+        assert!(refused(|cells| cells.push(cells[0])));
+        assert!(refused(|cells| cells.truncate(cells.len() - 1)));
+        assert!(refused(|cells| cells[0].source = cells[1].source));
+        assert!(refused(|cells| cells[0].source.s[1] += 1e-15));
     }
 }

@@ -14,6 +14,7 @@
 //! GLB, curves in space in SVG), the curve between two vertices. Pieces that vanish on the way (in the plan, in single
 //! precision) leave a part with no piece, which is measured against the point that is left of it.
 
+mod cover;
 mod facing;
 mod limits;
 mod matching;

@@ -63,6 +63,8 @@ pub struct SurfaceMesh {
     pub faces: Vec<MeshFace>,
     /// What each of [`faces`](Self::faces) stands for.
     pub sources: Vec<MeshSource>,
+    /// The cells that no polygon stands for: between points that are one but for rounding.
+    pub lost: Vec<MeshSource>,
     /// No point of the surface is farther from the mesh than this, nor the other way.
     pub bound: f64,
     /// How far a vertex that faces share is from the place of it on any of them, at most: rounding, but for the points of

@@ -157,11 +157,13 @@ impl<'a> FaceGrid<'a> {
                 if !self.face.same_sense {
                     cell.reverse();
                 }
+                let (s, t) = ([self.s[i], self.s[i + 1]], [self.t[j], self.t[j + 1]]);
+                let source = MeshSource { shell, face, s, t };
                 if let Some(polygon) = polygon(cell) {
                     mesh.faces.push(polygon);
-                    let (s, t) = ([self.s[i], self.s[i + 1]], [self.t[j], self.t[j + 1]]);
-                    mesh.sources.push(MeshSource { shell, face, s, t });
+                    mesh.sources.push(source);
                 } else {
+                    mesh.lost.push(source);
                     // Two points that are one but for rounding: of what is between, the second is the farthest.
                     let [a, b, c, d] = cell.map(|corner| mesh.positions[corner.position]);
                     gap = gap.max(a.distance(c)).max(b.distance(d));
