@@ -1,6 +1,6 @@
 //! The content of a file with the promises that hold for it.
 
-use crate::deviation::{DrawnArc, MeshPlan};
+use crate::deviation::{DrawnLine, MeshPlan};
 use cyclide::{Arc, ArcPath, ChainPiece, Correspondence, CurveChain, Exactness, Lowered, NurbsCurve};
 
 /// A file's content with the promises that hold for it.
@@ -34,8 +34,8 @@ pub(crate) struct Written {
     pub(crate) bodies: Vec<Promise>,
     /// What the polygons of a mesh stand for.
     pub(crate) mesh: MeshPlan,
-    /// What the lines of surfaces in a drawing stand for, in file order.
-    pub(crate) lines: Vec<DrawnArc>,
+    /// What the lines of surfaces in a drawing stand for, in file order, with those that are points there.
+    pub(crate) lines: Vec<DrawnLine>,
     /// The tolerance of curves that the file was asked for with.
     pub(crate) tolerance: f64,
 }

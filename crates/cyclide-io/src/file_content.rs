@@ -206,6 +206,12 @@ pub enum ReadError {
         /// Drawn.
         expected: usize,
     },
+    /// The lines of surfaces are not those that the model's drawing has.
+    #[error("the lines of surfaces: {detail}")]
+    Lines {
+        /// What is wrong.
+        detail: &'static str,
+    },
     /// The file holds another number of bodies than the model.
     #[error("{found} bodies in the file, {expected} in the model")]
     BodyCount {

@@ -60,7 +60,8 @@ pub(crate) fn deviations_of(exporter: &Exporter<'_>, format: Format, file: &Expo
         Format::Json => nurbs_json::patch_deviation(bodies, &content.patches)?,
         Format::Svg | Format::Dxf | Format::Csv | Format::Png => Vec::new(),
     };
-    let lines = if format == Format::Svg { lines_deviation(lines, &content.lines)? } else { Vec::new() };
+    let lines =
+        if format == Format::Svg { lines_deviation(&exporter.bodies, lines, &content.lines)? } else { Vec::new() };
     labels.map_or(Ok(()), |labels| content.labels.check(&labels))?;
     Ok(Deviations { curves, bodies, lines })
 }

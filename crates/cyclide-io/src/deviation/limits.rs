@@ -67,9 +67,10 @@ impl Deviations {
             })
         };
         let line = || {
-            let mut parts = written.lines.iter().zip(&self.lines).enumerate();
-            parts.find_map(|(index, (line, deviation))| {
-                check(&line.promise, exporter.extent(), *deviation).map(named(format!("line {index} of surfaces")))
+            written.lines.iter().zip(&self.lines).find_map(|(line, deviation)| {
+                let body = exporter.bodies.get(line.place.body)?;
+                let extent = extents.bodies.get(line.place.body)?;
+                check(&line.promise, *extent, *deviation).map(named(format!("a line of {}", body.label())))
             })
         };
         curve().or_else(body).or_else(line)

@@ -15,6 +15,7 @@
 //! precision) leave a part with no piece, which is measured against the point that is left of it.
 
 mod cover;
+mod drawn;
 mod facing;
 mod limits;
 mod matching;
@@ -24,10 +25,11 @@ mod step_faces;
 mod track;
 mod triangle;
 
-use crate::exported::{Promise, WrittenCurve};
+use crate::exported::WrittenCurve;
 use crate::file_content::ReadError;
 use crate::job::contours;
-use cyclide::{Arc, Correspondence, CurveChain, CurvePlace, Model, ParamCurve};
+use cyclide::{Correspondence, CurveChain, CurvePlace, Model, ParamCurve};
+pub(crate) use drawn::{DrawnLine, LinePlace, ShellLine, lines_deviation};
 pub(crate) use limits::{Beyond, Deviations, READ_BACK_ROUNDING};
 use matching::apart;
 pub(crate) use matching::larger;
@@ -92,28 +94,4 @@ fn check_parts(
     }
     let (found, expected) = (chain.piece_count(), parts.piece_count());
     if found == expected { Ok(()) } else { Err(ReadError::PieceCount { curve, found, expected }) }
-}
-
-/// A line of a drawing that stands for an arc, with the parts of the arc that its pieces stand for.
-#[derive(Debug, Clone, PartialEq)]
-pub(crate) struct DrawnArc {
-    pub(crate) arc: Arc,
-    pub(crate) parts: Correspondence,
-    pub(crate) promise: Promise,
-}
-
-/// The distance in the plan, both ways, between each line of a drawing and the arc that it stands for.
-///
-/// # Errors
-/// [`ReadError::LineCount`], [`ReadError::PieceCount`], [`ReadError::CurveParts`].
-pub(crate) fn lines_deviation(expected: &[DrawnArc], read: &[CurveChain]) -> Result<Vec<f64>, ReadError> {
-    if expected.len() != read.len() {
-        return Err(ReadError::LineCount { found: read.len(), expected: expected.len() });
-    }
-    let mut deviations = Vec::with_capacity(read.len());
-    for (index, (DrawnArc { arc, parts, .. }, line)) in expected.iter().zip(read).enumerate() {
-        check_parts(arc, line, parts, index)?;
-        deviations.push(apart(arc, line, parts, true));
-    }
-    Ok(deviations)
 }

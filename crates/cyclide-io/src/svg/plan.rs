@@ -4,7 +4,7 @@
 
 use super::path::Path;
 use super::{LEVEL, polyline, reader, three_digits};
-use crate::deviation::DrawnArc;
+use crate::deviation::{DrawnLine, LinePlace, ShellLine};
 use crate::export_error::ExportError;
 use crate::exported::{Promise, WrittenCurve};
 use crate::job::BodyOf;
@@ -21,52 +21,44 @@ const SPACING: f64 = 0.02;
 const EDGE: f64 = 0.45;
 const CIRCLE: f64 = 0.2;
 
-/// The lines of all surfaces, each with what it stands for.
+/// The lines of all surfaces, each with what it stands for; those that are points in the plan have no path.
 pub(super) struct Plan {
-    edges: Vec<(DrawnArc, Path)>,
-    circles: Vec<(DrawnArc, Path)>,
+    edges: Vec<(DrawnLine, Option<Path>)>,
+    circles: Vec<(DrawnLine, Option<Path>)>,
 }
 
 impl Plan {
     pub(super) fn new(job: &Job<'_>) -> Result<Self, ExportError> {
         let mut plan = Self { edges: Vec::new(), circles: Vec::new() };
-        for body in job.bodies {
-            for shell in body.body.shells() {
-                for edge in shell.edges() {
-                    plan.edges.extend(draw(job, body, Ok(edge.arc))?);
+        for (index, body) in job.bodies.iter().enumerate() {
+            for (number, shell) in body.body.shells().enumerate() {
+                let place = |line: ShellLine| LinePlace { body: index, shell: number, line };
+                for (k, edge) in shell.edges().iter().enumerate() {
+                    plan.edges.push(draw(job, body, place(ShellLine::Edge(k)), Ok(edge.arc))?);
                 }
-                plan.add_circles(job, body, shell)?;
+                for (line, arc) in circles(job, shell) {
+                    plan.circles.push(draw(job, body, place(line), arc)?);
+                }
             }
         }
         Ok(plan)
     }
 
-    fn add_circles(&mut self, job: &Job<'_>, body: &BodyOf<'_>, shell: &Shell) -> Result<(), ExportError> {
-        let inner = |level: u32| {
-            let count = 1u32 << level;
-            (1..count).map(move |i| f64::from(i) / f64::from(count))
-        };
-        for (face, [along_s, along_t]) in shell.faces().iter().zip(halvings(shell, SPACING * job.size())) {
-            for s in inner(along_s) {
-                self.circles.extend(draw(job, body, face.patch.t_line(s))?);
-            }
-            for t in inner(along_t) {
-                self.circles.extend(draw(job, body, face.patch.s_line(t))?);
-            }
-        }
-        Ok(())
-    }
-
     pub(super) fn bounds(&self) -> Option<Aabb> {
-        self.edges.iter().chain(&self.circles).map(|(_, path)| path.bounds()).reduce(Aabb::union)
+        self.edges
+            .iter()
+            .chain(&self.circles)
+            .filter_map(|(_, path)| path.as_ref().map(Path::bounds))
+            .reduce(Aabb::union)
     }
 
     /// Draws the lines and returns what they stand for, in the same order.
-    pub(super) fn push(self, out: &mut String, stroke: f64) -> Vec<DrawnArc> {
+    pub(super) fn push(self, out: &mut String, stroke: f64) -> Vec<DrawnLine> {
         let looks = [("#8a97a8", CIRCLE, self.circles), ("#17202e", EDGE, self.edges)];
         let mut drawn = Vec::new();
         for (id, (colour, width, lines)) in GROUPS.into_iter().zip(looks) {
-            if lines.is_empty() {
+            if lines.iter().all(|(_, path)| path.is_none()) {
+                drawn.extend(lines.into_iter().map(|(line, _)| line));
                 continue;
             }
             out.push_str(&format!(
@@ -75,9 +67,11 @@ impl Plan {
             ));
             push_plain(out, three_digits(width * stroke));
             out.push_str("\">\n");
-            for (arc, path) in lines {
-                drawn.push(arc);
-                out.push_str(&format!("{}{}\"/>\n", reader::LINE, path.into_data()));
+            for (line, path) in lines {
+                drawn.push(line);
+                if let Some(path) = path {
+                    out.push_str(&format!("{}{}\"/>\n", reader::LINE, path.into_data()));
+                }
             }
             out.push_str("</g>\n");
         }
@@ -85,8 +79,26 @@ impl Plan {
     }
 }
 
-/// An arc in the plan: an arc if it is level, else a polyline; `None` if it is a point there.
-fn draw(job: &Job<'_>, body: &BodyOf<'_>, arc: cyclide::Result<Arc>) -> Result<Option<(DrawnArc, Path)>, ExportError> {
+/// The inner parameter circles of a shell that are drawn.
+fn circles<'a>(job: &Job<'_>, shell: &'a Shell) -> impl Iterator<Item = (ShellLine, cyclide::Result<Arc>)> + use<'a> {
+    let inner = |level: u32| {
+        let count = 1u32 << level;
+        (1..count).map(move |i| f64::from(i) / f64::from(count))
+    };
+    let faces = shell.faces().iter().enumerate().zip(halvings(shell, SPACING * job.size()));
+    faces.flat_map(move |((face, it), [along_s, along_t])| {
+        let across = inner(along_s).map(move |s| (ShellLine::AlongT { face, s }, it.patch.t_line(s)));
+        across.chain(inner(along_t).map(move |t| (ShellLine::AlongS { face, t }, it.patch.s_line(t))))
+    })
+}
+
+/// A line in the plan: an arc if it is level, else a polyline; without a path if it is a point there.
+fn draw(
+    job: &Job<'_>,
+    body: &BodyOf<'_>,
+    place: LinePlace,
+    arc: cyclide::Result<Arc>,
+) -> Result<(DrawnLine, Option<Path>), ExportError> {
     let failed = |source| body.unfit(source);
     let arc = arc.map_err(failed)?;
     let (path, WrittenCurve { parts, promise }) =
@@ -100,5 +112,6 @@ fn draw(job: &Job<'_>, body: &BodyOf<'_>, arc: cyclide::Result<Arc>) -> Result<O
             let (path, parts) = polyline(&job.pieces.flatten(&arc, job.mesh_tolerance).map_err(failed)?, false);
             (path, Promise::proved(job.mesh_tolerance).of(parts))
         };
-    Ok((!path.is_point()).then_some((DrawnArc { arc, parts, promise }, path)))
+    let path = (!path.is_point()).then_some(path);
+    Ok((DrawnLine { place, parts, promise }, path))
 }
