@@ -6,7 +6,8 @@ use crate::file_content::ReadError;
 use crate::job::BodyOf;
 use crate::job::{Contour, Job};
 use cyclide::{
-    Arc, ArcPath, ChainPiece, Correspondence, CurveChain, CurvePlace, MeshCorner, MeshFace, MeshSource, Point3, SurfaceMesh, Vec3,
+    Arc, ChainPiece, Correspondence, CurveChain, CurvePlace, MeshCorner, MeshFace, MeshSource, Point3, SurfaceMesh,
+    Vec3,
 };
 use std::collections::HashSet;
 use std::hash::Hash;

@@ -117,7 +117,13 @@ impl Builder<'_> {
             let limit = FULL_CIRCLE_LIMIT;
             if rest < limit { Err(cyclide::Error::NearlyFullCircle { rest, limit }) } else { Ok(arc) }
         };
-        arc.and_then(kept).map_err(|e| self.refused(&e, None))
+        let arc = arc.and_then(kept).map_err(|error| match error {
+            cyclide::Error::NearlyFullCircle { rest, .. } => {
+                cyclide::Error::NearlyFullCircle { rest, limit: FULL_CIRCLE_LIMIT }
+            }
+            other => other,
+        });
+        arc.map_err(|e| self.refused(&e, None))
     }
 
     fn circle(&self, spec: &CircleSpec) -> Result<Circle> {
