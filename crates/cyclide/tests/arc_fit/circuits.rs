@@ -40,7 +40,7 @@ fn counts(circuit: &Circuit, effort: Effort) -> Vec<usize> {
     };
     let counts: Vec<usize> = TOLERANCES.iter().map(at).collect();
     // A turn between straight sides costs a round more or less as the search meets the seam or a corner.
-    let more = if circuit.name.starts_with("polygon") { 2 } else { 0 };
+    let more = usize::from(circuit.name.starts_with("polygon"));
     let falls = counts.windows(2).all(|pair| pair[0] <= pair[1] + more);
     assert!(falls, "{}, {effort:?}: {counts:?} at {TOLERANCES:?}", circuit.name);
     counts

@@ -49,14 +49,17 @@ pub(super) fn fit(
         FitTarget::Points if dense => 0,
         FitTarget::Points => effort.extra_points(),
     };
-    let at = |tolerance: f64| fit_within(points, corners, frame, tolerance, options, effort, fewest);
-    let fit = at(tolerance);
+    let at = |part: f64| {
+        let options = ArcFitOptions { tolerance: part * options.tolerance, ..options.clone() };
+        fit_within(points, corners, frame, part * tolerance, &options, effort, fewest)
+    };
+    let fit = at(1.0);
     // Between straight sides half the tolerance gives about as many arcs, and sometimes fewer.
     let has_lone = || lone_turns(points, &smooth_turns(points, corners, options.closed), options).contains(&true);
     match fit {
         Ok(fit) if options.target == FitTarget::Points && has_lone() => {
             let count = |(_, chains): &(Trace, Vec<Chain>)| chains.iter().map(|c| c.joints.len()).sum::<usize>();
-            Ok(at(0.5 * tolerance).ok().filter(|narrower| count(narrower) < count(&fit)).unwrap_or(fit))
+            Ok(at(0.5).ok().filter(|narrower| count(narrower) < count(&fit)).unwrap_or(fit))
         }
         fit => fit,
     }
