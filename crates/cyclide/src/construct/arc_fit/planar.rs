@@ -29,9 +29,10 @@ const EDGE_SLACK: f64 = 0.25;
 /// A turn stands alone if those at this many vertices to either side are at most this part of it.
 const STRAIGHT_EDGES: usize = 2;
 const STRAIGHT: f64 = 0.05;
-const MEANT_PLACES: usize = 3;
 /// and the curve might leave its edges by more than this part of the tolerance.
 const MATTERS: f64 = 0.1;
+/// Places for joints at least on edges that are meant: where a rounding may begin farther off than the edge is long.
+const MEANT_PLACES: usize = 3;
 
 /// The chains between corners over a trace of the polyline; the error is the position among `points` where the
 /// search died.
@@ -49,9 +50,19 @@ pub(super) fn fit(
         FitTarget::Points if dense => 0,
         FitTarget::Points => effort.extra_points(),
     };
+    // Within a part of the tolerance, with the places that suit it.
     let at = |part: f64| {
-        let options = ArcFitOptions { tolerance: part * options.tolerance, ..options.clone() };
-        fit_within(points, corners, frame, part * tolerance, &options, effort, fewest)
+        let options = &ArcFitOptions { tolerance: part * options.tolerance, ..options.clone() };
+        let mut died = 0;
+        for extra in fewest..=MAX_EXTRA_POINTS {
+            let trace = densified(points, corners, options, extra);
+            let at: Vec<usize> = trace.positions_of(corners);
+            match fit_trace(&trace, &at, frame, part * tolerance, options, effort) {
+                Ok(chains) => return Ok((trace, chains)),
+                Err(vertex) => died = vertex,
+            }
+        }
+        Err(died)
     };
     let fit = at(1.0);
     // Between straight sides half the tolerance gives about as many arcs, and sometimes fewer.
@@ -63,28 +74,6 @@ pub(super) fn fit(
         }
         fit => fit,
     }
-}
-
-#[allow(clippy::too_many_arguments, reason = "what is fitted, and how")]
-fn fit_within(
-    points: &[Point3],
-    corners: &[usize],
-    frame: &Frame,
-    tolerance: f64,
-    options: &ArcFitOptions,
-    effort: Effort,
-    fewest: usize,
-) -> Result<(Trace, Vec<Chain>), usize> {
-    let mut died = 0;
-    for extra in fewest..=MAX_EXTRA_POINTS {
-        let trace = densified(points, corners, options, extra);
-        let at: Vec<usize> = trace.positions_of(corners);
-        match fit_trace(&trace, &at, frame, tolerance, options, effort) {
-            Ok(chains) => return Ok((trace, chains)),
-            Err(vertex) => died = vertex,
-        }
-    }
-    Err(died)
 }
 
 fn fit_trace(
