@@ -4,6 +4,7 @@
 //! single precision, little-endian. Coordinates are the model's own (readers take them for millimetres), rounded; equal
 //! vertices are equal bits. The promised bound is that of the mesh and the rounding, which must not exceed the tolerance.
 
+mod collapsed;
 mod reader;
 
 use crate::export_error::ExportError;
@@ -14,6 +15,8 @@ use crate::labels::{FileLabels, FileName, Named};
 use crate::mesh::{Single, body_meshes, check_single, single, triangles};
 use cyclide::{Point3, Units};
 
+use collapsed::{Triangle, is_whole, reach};
+
 pub(crate) use reader::read;
 
 /// Length of the head, and of the record of a triangle.
@@ -22,6 +25,9 @@ const RECORD: usize = 50;
 /// How the head starts, before the unit, and what stands between the unit and the title.
 const UNITS: &str = "cyclide, units ";
 const SEPARATOR: &str = ", ";
+/// Why a body is refused that is thinner than the steps of single precision at its place.
+const NOTHING_LEFT: &str = "single precision leaves nothing of one of its bodies: write OBJ or GLB, which counts from the middle of each object";
+const PART_LEFT_OUT: &str = "single precision leaves nothing of a part of one of its bodies: write OBJ or GLB, which counts from the middle of each object";
 /// What the name is that of.
 const TITLE: &str = "title";
 
@@ -35,24 +41,28 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
         let mut rounding = Single::new(Point3::ORIGIN);
         let points: Vec<[f32; 3]> = mesh.positions.iter().map(|p| rounding.point(*p)).collect();
         check_rounding(job, body.body, rounding.moved)?;
-        // Rounding may leave nothing of a triangle: then its neighbours close the gap.
-        let kept = |face: &cyclide::MeshFace| {
+        let of_face = |face: &cyclide::MeshFace| -> Vec<Triangle> {
             let corners = face.corners();
-            let whole = |t: &[usize; 3]| distinct(t.map(|i| points[corners[i].position]));
-            triangles(face).iter().copied().filter(whole).map(|t| t.map(|i| points[corners[i].position])).collect()
+            triangles(face).iter().map(|t| t.map(|i| points[corners[i].position])).collect()
         };
-        let per_face: Vec<Vec<[[f32; 3]; 3]>> = mesh.faces.iter().map(kept).collect();
-        if !per_face.is_empty() && per_face.iter().all(Vec::is_empty) {
-            let detail = "single precision leaves nothing of one of its bodies: write OBJ or GLB, which counts from the middle of each object";
+        let (mut own, mut collapsed, mut counts) = (Vec::new(), Vec::new(), Vec::with_capacity(mesh.faces.len()));
+        for face in &mesh.faces {
+            let before = own.len();
+            for triangle in of_face(face) {
+                if is_whole(&triangle) { own.push(triangle) } else { collapsed.push(triangle) }
+            }
+            counts.push(own.len() - before);
+        }
+        let moved = rounding.moved + reach(&own, &collapsed);
+        if !(moved <= job.mesh_tolerance) {
+            let detail = if own.is_empty() { NOTHING_LEFT } else { PART_LEFT_OUT };
             return Err(ExportError::NotInFormat { object: body.body.object.to_owned(), format: "STL", detail });
         }
-        let mut counts = per_face.iter().map(Vec::len);
+        let mut counts = counts.into_iter();
         body.plan_triangles(&points, rounding.moved, |_| counts.next().unwrap_or(0), &mut written.mesh);
-        for triangle in per_face.iter().flatten() {
-            push_triangle(&mut records, triangle);
-            count += 1;
-        }
-        written.bodies.push(Promise::proved(mesh.bound + rounding.moved));
+        own.iter().for_each(|triangle| push_triangle(&mut records, triangle));
+        count += own.len();
+        written.bodies.push(Promise::proved(mesh.bound + moved));
     }
     let Ok(count) = u32::try_from(count) else {
         let object = job.bodies.first().map(|b| b.object.to_owned()).unwrap_or_default();
@@ -108,13 +118,7 @@ pub(crate) fn labels(named: Named<'_>) -> FileLabels {
     FileLabels::new(named.model.units, vec![FileName::new(TITLE, title.trim_end(), 1)])
 }
 
-/// Rounded points have no negative zeros: equal ones have equal bits.
-fn distinct(corners: [[f32; 3]; 3]) -> bool {
-    let [a, b, c] = corners.map(|p| p.map(f32::to_bits));
-    a != b && b != c && c != a
-}
-
-fn push_triangle(out: &mut Vec<u8>, corners: &[[f32; 3]; 3]) {
+fn push_triangle(out: &mut Vec<u8>, corners: &Triangle) {
     let [a, b, c] = corners.map(|p| Point3::from(p.map(f64::from)));
     // A sliver on a line has no normal; readers then find their own.
     let normal = (b - a).unit().zip((c - a).unit()).and_then(|(u, v)| u.cross(v).unit()).unwrap_or_default();

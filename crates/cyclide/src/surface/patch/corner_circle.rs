@@ -59,10 +59,17 @@ pub(super) fn corner_circle(corners: &[Point3; 4], scale: f64) -> Result<CornerC
     if coincide(2) {
         return Ok(at_2(1.0));
     }
-    // The foot of b3 on the line b1 b2.
+    // The foot of b3 on the line b1 b2, counted from the shorter of the two: the other one, of a corner close to the
+    // first, would leave no more digits than the distance between these has.
     let side = b2 - b1;
-    let x = (inverse(3) - b1).dot(side) / side.length_squared();
-    let b3 = b1 + side * x;
+    let part_from = |b: Vec3| (inverse(3) - b).dot(side) / side.length_squared();
+    let (x, b3) = if b1.length_squared() <= b2.length_squared() {
+        let x = part_from(b1);
+        (x, b1 + side * x)
+    } else {
+        let y = part_from(b2);
+        (1.0 + y, b2 + side * y)
+    };
     let corner = corners[0] + b3 * (-scale / b3.length_squared());
     // Rounding of the ends turns the circle about the first corner by itself over the distance to them.
     let rounding = CORNER_ROUNDING * corners.iter().map(|a| a.to_vec().max_abs()).fold(0.0, f64::max);
