@@ -88,6 +88,11 @@ impl Promise {
         }
     }
 
+    /// Beside the bound, digits may cost this.
+    pub(crate) fn add_rounding(&mut self, rounding: f64) {
+        self.rounding = self.rounding.max(rounding);
+    }
+
     fn merge(&mut self, other: Self) {
         self.bound = match (self.bound, other.bound) {
             (Some(a), Some(b)) => Some(a.max(b)),

@@ -9,6 +9,8 @@ use cyclide::{Correspondence, CurvePlace, ParamCurve, Point3};
 
 /// Inner samples of a window, as parts of it.
 const SAMPLES: [f64; 4] = [0.0, 0.25, 0.5, 0.75];
+/// Rounding of the parameter of a place, relative to it: a few operations.
+const PLACE_ROUNDING: f64 = 4.0 * f64::EPSILON;
 /// Steps of the golden section that finds the largest distance between two samples.
 const GOLDEN_STEPS: u32 = 24;
 
@@ -30,9 +32,10 @@ pub(super) fn apart(curve: &dyn ParamCurve, form: &dyn ParamCurve, parts: &Corre
     each_span(parts, |span, ours, theirs| {
         set(&mut a, ours);
         set(&mut b, theirs);
-        largest = larger(largest, ends_apart(&a, &b));
-        one_way(&a, &b, span, &mut worst[0]);
-        one_way(&b, &a, span, &mut worst[1]);
+        let slack = coarseness(curve, ours);
+        largest = larger(largest, beyond(ends_apart(&a, &b), slack));
+        one_way(&a, &b, span, slack, &mut worst[0]);
+        one_way(&b, &a, span, slack, &mut worst[1]);
     });
     // Between the samples the distance may be larger: it is looked for where it is largest at them.
     let found = worst;
@@ -41,11 +44,12 @@ pub(super) fn apart(curve: &dyn ParamCurve, form: &dyn ParamCurve, parts: &Corre
             set(&mut a, ours);
             set(&mut b, theirs);
         }
+        let slack = coarseness(curve, ours);
         if found[0].span == span {
-            largest = larger(largest, refined(&a, &b, &found[0]));
+            largest = larger(largest, refined(&a, &b, slack, &found[0]));
         }
         if found[1].span == span {
-            largest = larger(largest, refined(&b, &a, &found[1]));
+            largest = larger(largest, refined(&b, &a, slack, &found[1]));
         }
     });
     largest
@@ -59,6 +63,22 @@ fn each_span(parts: &Correspondence, mut visit: impl FnMut(usize, [CurvePlace; 2
         visit(number, [from, span.end], [piece, next].map(|piece| CurvePlace::new(piece, 0.0)));
         (from, piece) = (span.end, next);
     }
+}
+
+/// How far along the curve rounding may move the ends of a part whose places are given by their parameters. A curve that
+/// passes near infinity runs nearly all of its way in a tiny range of its parameter, whose numbers cannot tell more.
+fn coarseness(curve: &dyn ParamCurve, ends: [CurvePlace; 2]) -> f64 {
+    let of_end = |place: CurvePlace| {
+        let speed = curve.piece_jet(place.piece % curve.piece_count(), place.s).d1.length();
+        let moved = PLACE_ROUNDING * place.s * speed;
+        if moved.is_finite() { moved } else { 0.0 }
+    };
+    ends.map(of_end).into_iter().fold(0.0, f64::max)
+}
+
+/// What of a distance is more than the slack; not a number stays so.
+fn beyond(distance: f64, slack: f64) -> f64 {
+    if distance <= slack { 0.0 } else { distance - slack }
 }
 
 /// The larger of two distances; not a number is larger than all.
@@ -76,14 +96,14 @@ fn ends_apart(a: &Track<'_>, b: &Track<'_>) -> f64 {
     larger(apart(a.start(), b.start()), apart(a.end(), b.end()))
 }
 
-/// Notes the largest distance from the samples of the part of `a` to the part of `b`. Its last point is an end, whose
-/// distance is known.
-fn one_way(a: &Track<'_>, b: &Track<'_>, span: usize, worst: &mut Worst) {
+/// Notes the largest distance, beyond the slack, from the samples of the part of `a` to the part of `b`. Its last point is
+/// an end, whose distance is known.
+fn one_way(a: &Track<'_>, b: &Track<'_>, span: usize, slack: f64, worst: &mut Worst) {
     let mut near = 0;
     for (window, w) in a.windows.iter().enumerate() {
         for part in SAMPLES {
             let p = if part > 0.0 { a.point(w, part) } else { w.start.point };
-            let distance = nearest(b, p, &mut near);
+            let distance = beyond(nearest(b, p, &mut near), slack);
             // Not a number is worse than anything, and stays so.
             if !(distance <= worst.distance || worst.distance.is_nan()) {
                 *worst = Worst { distance, span, window, part };
@@ -108,11 +128,11 @@ fn nearest(b: &Track<'_>, p: Point3, near: &mut usize) -> f64 {
 }
 
 /// The distance near the sample that is worst, at its largest between the neighbouring samples (golden section).
-fn refined(a: &Track<'_>, b: &Track<'_>, worst: &Worst) -> f64 {
+fn refined(a: &Track<'_>, b: &Track<'_>, slack: f64, worst: &Worst) -> f64 {
     const GOLDEN: f64 = 0.618_033_988_749_895;
     let Some(w) = a.windows.get(worst.window) else { return worst.distance };
     let mut near = 0;
-    let mut value = |part: f64| nearest(b, a.point(w, part), &mut near);
+    let mut value = |part: f64| beyond(nearest(b, a.point(w, part), &mut near), slack);
     let step = SAMPLES[1];
     let (mut low, mut high) = ((worst.part - step).max(0.0), (worst.part + step).min(1.0));
     let (mut c, mut d) = (high - GOLDEN * (high - low), low + GOLDEN * (high - low));

@@ -62,6 +62,9 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
     Ok(written.exported(tags.into_bytes(), notes))
 }
 
+/// Rounding of the points of an arc that is given by its centre, relative to this and to the radius.
+const CENTER_ROUNDING: f64 = 8.0 * f64::EPSILON;
+
 /// What the names are those of.
 const LAYER: &str = "layer";
 const LAYER_OF: &str = "layer with curves";
@@ -226,6 +229,8 @@ impl Entities {
         let end = start + arc.angle().to_degrees();
         let handle = self.entity("ARC", group, layer);
         self.class("AcDbCircle");
+        // Readers find the points from a centre that may be far away.
+        self.promise.add_rounding(CENTER_ROUNDING * (radius + center.to_vec().max_abs()));
         self.tags.point(10, ocs.to_local(center)).real(40, radius);
         self.extrusion(normal);
         self.class("AcDbArc");

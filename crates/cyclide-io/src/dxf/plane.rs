@@ -51,12 +51,15 @@ pub(super) fn plane_of(arcs: &[Arc], size: f64) -> Option<Ocs> {
     };
     let across = farthest(&|p| p.distance(first)) - first;
     let third = farthest(&|p| (p - first).cross(across).length()) - first;
-    let normal = across.unit()?.cross(third);
+    let along = across.unit()?;
+    let normal = along.cross(third);
     // A sliver of points: every plane through the line would do as well.
     if normal.length() <= limit {
         return None;
     }
+    // Of a narrow figure the product has its rounding along the figure too, where it would lift the far end off the plane.
     let n = normal.unit()?;
+    let n = (n - along * n.dot(along)).unit()?;
     let up = if n.z.abs() > 1e-9 {
         n.z
     } else if n.y.abs() > 1e-9 {

@@ -186,3 +186,24 @@ fn a_body_that_single_precision_swallows_is_refused_by_name() {
         assert!(message.contains(words), "{message}");
     }
 }
+
+/// Half of the way of these images is within some 1e-8 of the parameter: its numbers tell places to 1e-9 of the length only.
+#[test]
+fn arcs_that_pass_near_infinity_are_compared_as_finely_as_their_parameters_are() {
+    let spline = json!({"type": "arc-spline", "points": [[0, 0, 0], [1.295_465_187_612_693_5, 1, 0], [2.590_930_375_225_387, 0, 0.3]],
+        "construction": true});
+    let center = [2.590_930_472_637_581_7, 4.564_671_214_536_575_5e-8, 0.300_000_035_471_163_2];
+    let inverted = json!({"type": "transform", "of": "a", "steps": [{"inversion": {"center": center, "radius": 8.360_933_091_955_22}}]});
+    let options = ExportOptions { tolerance: Some(3.907_819_152_065_528e-3), ..ExportOptions::default() };
+    checked(&json!({"a": spline, "b": inverted}), &CURVES, &options);
+}
+
+/// The plane of an arc with a sagitta of 2.5e-7, which is tilted: DXF keeps it, with its bulge.
+#[test]
+fn a_nearly_straight_arc_lies_in_its_plane() {
+    let arc = json!({"type": "arc", "from": [-6, 8, 3.79], "to": [0.004_213_094_461_798_297, -1.410_936_743_575_756_7, -7],
+        "bulge": 3.271_642_715_259_416e-8,
+        "normal": [2.039_963_112_795_606_4, -1.266_247_231_718_024_7, -0.496_932_854_862_242_15]});
+    let reports = right(&json!({"a": arc}), &[Format::Dxf, Format::Step, Format::Json]);
+    assert!(reports.iter().all(|report| report.exact), "{reports:?}");
+}
