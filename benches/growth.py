@@ -9,9 +9,10 @@ are, and of a shallow roof, whose vertices `make_circular` moves; edges stay a u
 file is made in a run of its own of the built program, with a limit of processor time and of address space; what goes beyond
 is "over", and no larger one is tried.
 
-Prints Markdown, a row for each object and format: seconds of processor time (user) for each number of points or quads, the
-power of the number by which the last step grew (1: linear), and of the largest file the bytes for each point or quad, those
-of the largest memory, and the ratio of both. Wall clock goes to standard error.
+Prints the tables of docs/files.md, "How it grows": a row for each object and format with the seconds of processor time
+(user) for each number of points or quads, the power of the number by which the last step grew (1: linear), and of the
+largest file the bytes for each point or quad, those of the largest memory, and the ratio of both. Where a limit was exceeded
+nothing stands. Wall clock and what was refused go to standard error.
 """
 
 import argparse
@@ -37,8 +38,10 @@ CURVES = {
     "fair-fit": {"type": "fair-fit", "closed": True, "tolerance": 0.01},
 }
 NETS = {"net": {}, "net-made-circular": {"make_circular": True}}
-CURVE_FORMATS = ["step", "dxf", "csv", "svg", "json", "png"]
-NET_FORMATS = ["step", "glb", "obj", "stl"]
+CURVE_FORMATS = ["step", "dxf", "csv", "svg", "json", "glb", "obj", "png"]
+NET_FORMATS = ["step", "glb", "obj", "stl", "svg", "json", "png"]
+# What the table calls an object, where that is not its type.
+LABELS = {"trigonometric": "`circle-spline`, trigonometric", "net": "`cyclidic-net`", "net-made-circular": "`make_circular`"}
 PERIOD, HEIGHT = 40, 3.0
 ROOF_SAG, TORUS_PART = 0.15, 1.2
 
@@ -76,7 +79,10 @@ def document(folder, kind, size):
         shape, count = {"type": "cyclidic-net", "grid": rows, **NETS[kind]}, size * size
     else:
         points = folder / f"wave-{size}.csv"
-        points.write_text("x_mm,y_mm\n" + "".join(f"{x:.9f},{y:.9f}\n" for x, y in wave(size)))
+        with points.open("w") as file:
+            file.write("x_mm,y_mm\n")
+            # Line by line: what this process holds when it starts the program would count as the program's memory.
+            file.writelines(f"{x:.9f},{y:.9f}\n" for x, y in wave(size))
         shape, count = {"points": {"csv": points.name}, **CURVES[kind]}, size
     path.write_text(json.dumps({"cyclide": 1, "units": "mm", "objects": {kind: shape}}))
     return path, count
@@ -118,12 +124,17 @@ def measure(folder, kind, form, size, options):
     return ended, count, user, wall, peak, length
 
 
-def row(folder, kind, form, sizes, options):
+def two_digits(value):
+    """A figure as the table has it."""
+    return f"{value:.2f}" if value < 1 else f"{value:.1f}" if value < 10 else f"{value:,.0f}"
+
+
+def row(folder, kind, form, label, sizes, options):
     """The seconds at every size and what the last two say about the law; the last file and its memory."""
     seconds, last = [], []
     for size in sizes:
         ended, count, user, wall, peak, length = measure(folder, kind, form, size, options)
-        seconds.append(ended or f"{user:.2f}")
+        seconds.append({None: two_digits(user), "over": ""}.get(ended, ended))
         print(f"{kind} {form} {count}: {ended or 'done'}, user {user:.2f} s, wall {wall:.2f} s, "
               f"file {length} B, peak {peak} B", file=sys.stderr, flush=True)
         if ended is None:
@@ -134,12 +145,13 @@ def row(folder, kind, form, sizes, options):
     memory = ["", "", ""]
     if last:
         count, _, peak, length = last[-1]
-        memory = [f"{length / count:,.0f}", f"{peak / count:,.0f}", f"{peak / max(length, 1):.1f}"]
+        memory = [f"{length / count:,.0f}", f"{peak / count:,.0f}", two_digits(peak / max(length, 1))]
     law = ""
     if len(last) > 1:
         (few, quick, *_), (many, slow, *_) = last[-2:]
-        law = f"{math.log(slow / max(quick, 1e-3)) / math.log(many / few):.2f}"
-    print("|", " | ".join([kind, form, *seconds, law, *memory]), "|", flush=True)
+        law = f"{math.log(max(slow, 1e-3) / max(quick, 1e-3)) / math.log(many / few):.1f}"
+    cells = [label, form.upper(), *seconds, law, *memory]
+    print("|" + "|".join(f" {cell} " if cell else " " for cell in cells) + "|", flush=True)
 
 
 def main():
@@ -147,7 +159,7 @@ def main():
     numbers = lambda text: [int(float(part)) for part in text.split(",")]
     parser = argparse.ArgumentParser(description=__doc__.split("\n\n")[0])
     parser.add_argument("--kinds", type=listed, default=[*CURVES, *NETS])
-    parser.add_argument("--formats", type=listed, default=[*CURVE_FORMATS, *NET_FORMATS])
+    parser.add_argument("--formats", type=listed, default=list(dict.fromkeys([*CURVE_FORMATS, *NET_FORMATS])))
     parser.add_argument("--sizes", type=numbers, default=[10**3, 10**4, 10**5, 10**6])
     parser.add_argument("--net-sizes", type=numbers, default=[50, 100, 200, 400])
     parser.add_argument("--seconds", type=int, default=120)
@@ -158,17 +170,19 @@ def main():
     with tempfile.TemporaryDirectory() as scratch:
         folder = options.keep or Path(scratch)
         folder.mkdir(exist_ok=True)
-        for kinds, formats, sizes in [
-            ([k for k in options.kinds if k in CURVES], CURVE_FORMATS, options.sizes),
-            ([k for k in options.kinds if k in NETS], NET_FORMATS, options.net_sizes),
-        ]:
-            counts = [n * n for n in sizes] if formats is NET_FORMATS else sizes
-            if kinds:
-                print("| object | file |", " | ".join(f"{n:,}" for n in counts), "| law | file, B | peak, B | peak / file |")
-                print("|" + "---|" * (len(sizes) + 6))
+        tables = [(CURVES, CURVE_FORMATS, options.sizes, 1), (NETS, NET_FORMATS, options.net_sizes, 2)]
+        for own, formats, sizes, dimension in tables:
+            kinds = [kind for kind in options.kinds if kind in own]
+            if not kinds:
+                continue
+            counts = " | ".join(f"{size**dimension:,}" for size in sizes)
+            print(f"\n| object | file | {counts} | law | file, B | peak, B | peak / file |")
+            print("|" + "---|" * (len(sizes) + 6))
             for kind in kinds:
+                label = LABELS.get(kind, f"`{kind}`")
                 for form in (form for form in formats if form in options.formats):
-                    row(folder, kind, form, sizes, options)
+                    row(folder, kind, form, label, sizes, options)
+                    label = ""
 
 
 if __name__ == "__main__":

@@ -11,7 +11,7 @@ use crate::exported::{Exported, Promise, Written};
 use crate::file_content::{FileContent, ReadError};
 use crate::job::{Contour, Job, contours};
 use crate::labels::{FileLabels, FileName};
-use crate::mesh::{between, chain};
+use crate::mesh::{Polyline, between};
 use crate::number::push_plain;
 use cyclide::{CurveChain, CurveJet, CurvePlace, Model, ParamCurve, Point3};
 
@@ -83,7 +83,8 @@ pub(crate) fn read(bytes: &[u8]) -> Result<FileContent, ReadError> {
     let mut chains = Vec::new();
     let mut names = Vec::new();
     let mut key = None;
-    let mut points: Vec<Point3> = Vec::new();
+    // Segments as they come: a list of the points beside them would be a third of the file.
+    let mut polyline = Polyline::default();
     for (number, line) in lines {
         let place = || format!("line {number}");
         let (name, rest) = split_name(line).ok_or_else(|| ReadError::syntax(place(), "a quote has no end"))?;
@@ -97,13 +98,13 @@ pub(crate) fn read(bytes: &[u8]) -> Result<FileContent, ReadError> {
         };
         let here = Some((name, fields[0]));
         if key != here {
-            finish(&mut points, &mut chains, place)?;
+            finish(&mut polyline, &mut chains, place)?;
             key = here;
             names.extend(names_of(name, fields[0]));
         }
-        points.push(Point3::new(number(2)?, number(3)?, number(4)?));
+        polyline.push(Point3::new(number(2)?, number(3)?, number(4)?), place)?;
     }
-    finish(&mut points, &mut chains, || "the end".to_owned())?;
+    finish(&mut polyline, &mut chains, || "the end".to_owned())?;
     Ok(FileContent { curves: chains, labels: FileLabels { unit: None, names }, ..FileContent::default() })
 }
 
@@ -132,11 +133,9 @@ fn split_name(line: &str) -> Option<(&str, &str)> {
     Some((&line[..end.0], &line[end.0 + 1..]))
 }
 
-fn finish(points: &mut Vec<Point3>, chains: &mut Vec<CurveChain>, place: impl Fn() -> String) -> Result<(), ReadError> {
-    if points.is_empty() {
-        return Ok(());
+fn finish(polyline: &mut Polyline, chains: &mut Vec<CurveChain>, place: impl Fn() -> String) -> Result<(), ReadError> {
+    if !polyline.is_empty() {
+        chains.push(std::mem::take(polyline).finish(place)?);
     }
-    chains.push(chain(points, place)?);
-    points.clear();
     Ok(())
 }

@@ -131,11 +131,36 @@ pub(crate) fn check_single(job: &Job<'_>, largest: f64, format: &'static str) ->
 
 /// A polyline that was read, closed if it ends with its first vertex.
 pub(crate) fn chain(points: &[Point3], place: impl Fn() -> String) -> Result<CurveChain, ReadError> {
-    let closed = points.len() > 1 && points.first() == points.last();
-    let unfit = |source| ReadError::Geometry { place: place(), source };
-    let mut segments = Vec::with_capacity(points.len().saturating_sub(1));
-    for ends in points.windows(2) {
-        segments.push(ChainPiece::Arc(Arc::segment(ends[0], ends[1]).map_err(unfit)?));
+    let mut polyline = Polyline { segments: Vec::with_capacity(points.len().saturating_sub(1)), ..Polyline::default() };
+    points.iter().try_for_each(|p| polyline.push(*p, &place))?;
+    polyline.finish(place)
+}
+
+/// A polyline that is being read, vertex by vertex.
+#[derive(Default)]
+pub(crate) struct Polyline {
+    /// Its first vertex and its last so far.
+    ends: Option<[Point3; 2]>,
+    segments: Vec<ChainPiece>,
+}
+
+impl Polyline {
+    pub(crate) fn is_empty(&self) -> bool {
+        self.ends.is_none()
     }
-    CurveChain::new(segments, closed, 0.0).map_err(unfit)
+
+    pub(crate) fn push(&mut self, p: Point3, place: impl Fn() -> String) -> Result<(), ReadError> {
+        if let Some([_, last]) = self.ends {
+            let segment = Arc::segment(last, p).map_err(|source| ReadError::Geometry { place: place(), source })?;
+            self.segments.push(ChainPiece::Arc(segment));
+        }
+        self.ends = Some([self.ends.map_or(p, |[first, _]| first), p]);
+        Ok(())
+    }
+
+    /// The chain; closed if it ends with its first vertex.
+    pub(crate) fn finish(self, place: impl Fn() -> String) -> Result<CurveChain, ReadError> {
+        let closed = !self.segments.is_empty() && self.ends.is_some_and(|[first, last]| first == last);
+        CurveChain::new(self.segments, closed, 0.0).map_err(|source| ReadError::Geometry { place: place(), source })
+    }
 }

@@ -10,8 +10,9 @@
 use super::cover::Cover;
 use super::facing::{Facing, NORMAL_LIMIT, facet_error};
 use super::matching::larger;
+use super::nearest::NearestTriangle;
 use super::side_use::{SideUse, side_use};
-use super::triangle::to_triangle;
+use super::triangle::Triangle;
 use crate::file_content::ReadError;
 use crate::format::Format;
 use crate::job::BodyOf;
@@ -63,9 +64,9 @@ impl Polygon<'_> {
         self.mesh.positions[corner.position]
     }
 
-    fn triangles(&self) -> impl Iterator<Item = [Point3; 3]> {
+    fn triangles(&self) -> impl Iterator<Item = Triangle> {
         let corners = self.face.corners();
-        crate::mesh::triangles(self.face).iter().map(move |t| t.map(|i| self.point(&corners[i])))
+        crate::mesh::triangles(self.face).iter().map(move |t| Triangle::new(t.map(|i| self.point(&corners[i]))))
     }
 }
 
@@ -115,7 +116,7 @@ fn body_deviation(
     plan: &BodyPlan,
 ) -> Result<f64, ReadError> {
     let mut rest = polygons;
-    let mut triangles: Vec<[Point3; 3]> = Vec::new();
+    let mut triangles: Vec<Triangle> = Vec::new();
     let mut largest = 0.0_f64;
     let mut lost: Vec<&Cell> = Vec::new();
     for cell in cells {
@@ -129,9 +130,9 @@ fn body_deviation(
             continue;
         }
         let samples = samples(&face.patch, &cell.source);
-        largest = larger(largest, cell_deviation(&face.patch, &cell.source, &samples, &triangles));
+        largest = cell_deviation(&face.patch, &cell.source, &samples, &triangles, largest);
         let facing = Facing::new(face, &cell.source);
-        if !triangles.iter().all(|triangle| facing.is_outward(triangle)) {
+        if !triangles.iter().all(|triangle| facing.is_outward(&triangle.corners)) {
             return Err(ReadError::WrongSide { object: body.label(), face: index });
         }
         let off = own.iter().map(|polygon| normal_error(format, polygon, &facing, plan.moved)).fold(0.0, larger);
@@ -142,20 +143,17 @@ fn body_deviation(
     Ok(with_lost_cells(body, &lost, polygons, largest))
 }
 
-/// The largest distance with that of the cells of which rounding has left no polygon, for what it is without them.
-///
-/// They lie in heaps, so that a corner of a polygon near one is near the next ones too. Only what is farther from it than
-/// anything else is off is compared with all polygons.
+/// The largest distance with that of the cells of which rounding has left no polygon, for what it is without them: from
+/// the nearest of all polygons.
 fn with_lost_cells(body: &BodyOf<'_>, lost: &[&Cell], polygons: &[Polygon<'_>], mut largest: f64) -> f64 {
-    let mut near: Option<Point3> = None;
+    if lost.is_empty() {
+        return largest;
+    }
+    let mut nearest = NearestTriangle::new(polygons.iter().flat_map(Polygon::triangles).collect());
     for cell in lost {
         let Some((_, face)) = face(body, &cell.source) else { continue };
-        let samples = samples(&face.patch, &cell.source);
-        let reach = |corner: Point3| samples.iter().map(|(_, _, p)| p.distance(corner)).fold(0.0, larger);
-        if near.is_none_or(|corner| reach(corner) > largest) {
-            let (corner, distance) = to_mesh(&samples, polygons);
-            largest = largest.max(distance);
-            near = corner;
+        for (_, _, p) in samples(&face.patch, &cell.source) {
+            largest = larger(largest, nearest.distance(p, largest));
         }
     }
     largest
@@ -167,7 +165,7 @@ fn normal_error(format: Format, polygon: &Polygon<'_>, facing: &Facing<'_>, move
     let normal = |corner: &MeshCorner| polygon.mesh.normals[corner.normal];
     if format == Format::Stl {
         let facet = corners.first().map(normal).unwrap_or_default();
-        return polygon.triangles().map(|triangle| facet_error(&triangle, facet)).fold(0.0, larger);
+        return polygon.triangles().map(|triangle| facet_error(&triangle.corners, facet)).fold(0.0, larger);
     }
     let errors = corners.iter().map(|corner| facing.normal_error(polygon.point(corner), normal(corner), moved));
     errors.fold(0.0, larger)
@@ -263,40 +261,48 @@ fn samples(patch: &CyclidePatch, source: &MeshSource) -> [Sample; GRID * GRID] {
     })
 }
 
-fn cell_deviation(patch: &CyclidePatch, source: &MeshSource, samples: &[Sample], triangles: &[[Point3; 3]]) -> f64 {
-    let to_polygon = |p: Point3| triangles.iter().map(|t| to_triangle(p, t)).fold(f64::INFINITY, f64::min);
-    let outward = samples.iter().map(|(_, _, p)| to_polygon(*p)).fold(0.0, larger);
-    let back = triangles.iter().flat_map(|&[a, b, c]| {
+/// The largest of a distance that is known and those between a cell and its triangles, both ways. A point that is known to
+/// be as near as that is not looked at any closer.
+fn cell_deviation(
+    patch: &CyclidePatch,
+    source: &MeshSource,
+    samples: &[Sample],
+    triangles: &[Triangle],
+    mut largest: f64,
+) -> f64 {
+    for (_, _, p) in samples {
+        let mut best = f64::INFINITY;
+        for triangle in triangles {
+            best = best.min(triangle.distance(*p));
+            if best <= largest {
+                break;
+            }
+        }
+        largest = larger(largest, best);
+    }
+    for Triangle { corners: [a, b, c], .. } in triangles {
         let center = Point3::ORIGIN + (a.to_vec() + b.to_vec() + c.to_vec()) / 3.0;
-        [a, b, c, a.midpoint(b), b.midpoint(c), c.midpoint(a), center]
-    });
-    back.map(|p| to_cell(patch, source, samples, p)).fold(outward, larger)
-}
-
-/// A corner near a cell that rounding has left no polygon of, and the distance of the cell from the other polygons of
-/// its body.
-fn to_mesh(samples: &[Sample], polygons: &[Polygon<'_>]) -> (Option<Point3>, f64) {
-    let middle = samples[samples.len() / 2].2;
-    let radius = samples.iter().map(|(_, _, p)| p.distance(middle)).fold(0.0, larger);
-    let all = || polygons.iter().flat_map(Polygon::triangles);
-    // Only triangles that may be nearer to a sample than the nearest corner is to the farthest one count.
-    let corners = all().map(|[a, ..]| (a, a.distance(middle)));
-    let (corner, nearest) = corners.min_by(|a, b| a.1.total_cmp(&b.1)).unzip();
-    let nearest = nearest.unwrap_or(f64::INFINITY);
-    let counts = |&[a, b, c]: &[Point3; 3]| {
-        a.distance(middle) - a.distance(b).max(a.distance(c)) <= (nearest + 2.0 * radius) * (1.0 + 1e-9)
-    };
-    let near: Vec<[Point3; 3]> = all().filter(counts).collect();
-    let distance = |p: Point3| near.iter().map(|t| to_triangle(p, t)).fold(f64::INFINITY, f64::min);
-    (corner, samples.iter().map(|(_, _, p)| distance(*p)).fold(0.0, larger))
+        for p in [*a, *b, *c, a.midpoint(*b), b.midpoint(*c), c.midpoint(*a), center] {
+            largest = larger(largest, to_cell(patch, source, samples, p, largest));
+        }
+    }
+    largest
 }
 
 /// Distance of a point from the cell: from the nearest sample a few steps along the parameter circles, which are
-/// orthogonal, so that each step is two projections.
-fn to_cell(patch: &CyclidePatch, source: &MeshSource, samples: &[Sample], p: Point3) -> f64 {
-    let nearest = samples.iter().map(|&(s, t, q)| (s, t, q.distance(p))).min_by(|a, b| a.2.total_cmp(&b.2));
-    let (mut s, mut t, mut best) = nearest.unwrap_or((source.s[0], source.t[0], f64::INFINITY));
+/// orthogonal, so that each step is two projections. What is `enough` is not made smaller.
+fn to_cell(patch: &CyclidePatch, source: &MeshSource, samples: &[Sample], p: Point3, enough: f64) -> f64 {
+    let (mut s, mut t, mut best) = (source.s[0], source.t[0], f64::INFINITY);
+    for &(at_s, at_t, q) in samples {
+        let distance = q.distance(p);
+        if distance < best {
+            (s, t, best) = (at_s, at_t, distance);
+        }
+    }
     for _ in 0..STEPS {
+        if best <= enough {
+            return best;
+        }
         let jet = patch.jet(s, t);
         let offset = p - jet.point;
         best = best.min(offset.length());

@@ -20,6 +20,7 @@ mod facing;
 mod limits;
 mod matching;
 mod mesh;
+mod nearest;
 mod side_use;
 mod step_faces;
 mod track;

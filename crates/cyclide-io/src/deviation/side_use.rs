@@ -12,6 +12,14 @@ pub(crate) struct SideUse {
     pub(crate) repeated: usize,
 }
 
+/// The lower and the higher vertex of a side, and in the last bit whether the polygon runs up: one number, as there are
+/// millions to be sorted. Vertices are counted far below 2^31, which would not fit into memory.
+type Side = u64;
+
+fn side(a: usize, b: usize) -> Side {
+    ((a.min(b) as Side) << 32) | ((a.max(b) as Side) << 1) | Side::from(a < b)
+}
+
 /// Counts the sides of polygons; corners with equal keys are one vertex. Sides of no length are none, and a polygon of
 /// fewer than three vertices has no sides.
 pub(crate) fn side_use<P, K>(polygons: impl Iterator<Item = P>) -> SideUse
@@ -21,8 +29,7 @@ where
 {
     let mut vertices: HashMap<K, usize> = HashMap::new();
     let mut corners: Vec<usize> = Vec::with_capacity(4);
-    // The lower and the higher vertex, and whether the polygon runs up.
-    let mut sides: Vec<(usize, usize, bool)> = Vec::new();
+    let mut sides: Vec<Side> = Vec::new();
     for polygon in polygons {
         corners.clear();
         for key in polygon {
@@ -36,13 +43,13 @@ where
         if let ([first, .., last], 3..) = (corners.as_slice(), corners.len()) {
             let closing = std::iter::once((*last, *first));
             let pairs = corners.windows(2).map(|w| (w[0], w[1])).chain(closing);
-            sides.extend(pairs.map(|(a, b)| (a.min(b), a.max(b), a < b)));
+            sides.extend(pairs.map(|(a, b)| side(a, b)));
         }
     }
     sides.sort_unstable();
     let mut found = SideUse::default();
-    for uses in sides.chunk_by(|a, b| (a.0, a.1) == (b.0, b.1)) {
-        let up = uses.iter().filter(|side| side.2).count();
+    for uses in sides.chunk_by(|a, b| a >> 1 == b >> 1) {
+        let up = uses.iter().filter(|side| **side & 1 == 1).count();
         let down = uses.len() - up;
         found.free += up.abs_diff(down);
         found.repeated += up.saturating_sub(1) + down.saturating_sub(1);

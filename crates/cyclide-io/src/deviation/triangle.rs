@@ -1,22 +1,43 @@
 //! The distance of a point from a triangle, for coordinates of any size.
 
-use cyclide::Point3;
+use cyclide::{Point3, Vec3};
 
-/// Distance of a point from a triangle, which may be flat.
+/// A triangle, which may be flat, with what the distances of many points from it share.
 ///
 /// Cross products of its sides are of the fourth power where they are squared: they are taken of the sides in units of the
 /// longest one, which neither vanish nor overflow.
-pub(super) fn to_triangle(p: Point3, &[a, b, c]: &[Point3; 3]) -> f64 {
-    let longest = a.distance(b).max(b.distance(c)).max(c.distance(a));
-    if longest > 0.0 {
-        let side = |from: Point3, to: Point3| (to - from) / longest;
-        let normal = side(a, b).cross(side(a, c));
-        let inside = |from: Point3, to: Point3| side(from, to).cross(side(from, p)).dot(normal) >= 0.0;
-        if normal.length_squared() > 0.0 && inside(a, b) && inside(b, c) && inside(c, a) {
-            return (p - a).dot(normal).abs() / normal.length();
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Triangle {
+    pub(super) corners: [Point3; 3],
+    longest: f64,
+    /// From each corner to the next, in units of the longest.
+    sides: [Vec3; 3],
+    /// Of the sides in these units, with its length; no length for a flat triangle.
+    normal: Vec3,
+    height: f64,
+}
+
+impl Triangle {
+    pub(super) fn new(corners: [Point3; 3]) -> Self {
+        let [a, b, c] = corners;
+        let longest = a.distance(b).max(b.distance(c)).max(c.distance(a));
+        let (mut sides, mut normal) = ([Vec3::default(); 3], Vec3::default());
+        if longest > 0.0 {
+            sides = [b - a, c - b, a - c].map(|side| side / longest);
+            normal = sides[0].cross((c - a) / longest);
         }
+        Self { corners, longest, sides, normal, height: normal.length() }
     }
-    [(a, b), (b, c), (c, a)].into_iter().map(|(from, to)| to_segment(p, from, to)).fold(f64::INFINITY, f64::min)
+
+    /// Distance of a point.
+    pub(super) fn distance(&self, p: Point3) -> f64 {
+        let [a, b, c] = self.corners;
+        let inside = |k: usize| self.sides[k].cross((p - self.corners[k]) / self.longest).dot(self.normal) >= 0.0;
+        if self.normal.length_squared() > 0.0 && (0..3).all(inside) {
+            return (p - a).dot(self.normal).abs() / self.height;
+        }
+        [(a, b), (b, c), (c, a)].into_iter().map(|(from, to)| to_segment(p, from, to)).fold(f64::INFINITY, f64::min)
+    }
 }
 
 fn to_segment(p: Point3, from: Point3, to: Point3) -> f64 {
@@ -41,11 +62,11 @@ mod tests {
                 ([7.0, 0.0, 4.0], 5.0),
                 ([4.0, 3.0, 0.0], 2.4), // 12/5 from the long side
             ] {
-                assert!((to_triangle(at(p), &triangle) / scale - distance).abs() < 2e-15, "{p:?} {scale:e}");
+                assert!((Triangle::new(triangle).distance(at(p)) / scale - distance).abs() < 2e-15, "{p:?} {scale:e}");
             }
             let flat = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [2.0, 0.0, 0.0]].map(at);
-            assert!((to_triangle(at([2.0, 3.0, 0.0]), &flat) / scale - 3.0).abs() < 2e-15);
-            assert!((to_triangle(at([3.0, 4.0, 0.0]), &[at([0.0; 3]); 3]) / scale - 5.0).abs() < 2e-15);
+            assert!((Triangle::new(flat).distance(at([2.0, 3.0, 0.0])) / scale - 3.0).abs() < 2e-15);
+            assert!((Triangle::new([at([0.0; 3]); 3]).distance(at([3.0, 4.0, 0.0])) / scale - 5.0).abs() < 2e-15);
         }
     }
 }

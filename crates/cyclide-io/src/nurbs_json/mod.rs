@@ -30,11 +30,10 @@ use crate::job::{BodyOf, Contour, Job};
 use crate::labels::{FileLabels, FileName};
 use crate::number::push_plain;
 use cyclide::{
-    Arc, ChainPiece, Correspondence, CurveChain, DEFAULT_PIECE_ANGLE, Exactness, Lowered, Model, NurbsCurve,
-    ParamCurve as _,
+    ChainPiece, Correspondence, CurveChain, DEFAULT_PIECE_ANGLE, Exactness, Lowered, Model, NurbsCurve,
+    ParamCurve as _, Point3,
 };
 use serde_json::Value;
-use std::iter::Peekable;
 
 pub(crate) use reader::read;
 pub(crate) use surfaces::deviation as patch_deviation;
@@ -94,81 +93,94 @@ fn push_contour(
     out.push_str(", \"curves\": [");
     let mut counts = Vec::with_capacity(chain.piece_count());
     let mut separator = "\n";
-    let mut pieces = chain.into_pieces().into_iter().peekable();
-    while let Some(piece) = pieces.next() {
-        let curve = match piece {
-            ChainPiece::Arc(arc) => {
-                // All that follow each other are one curve.
-                let others = std::iter::from_fn(|| next_arc(&mut pieces));
-                contour.lowered(quadratic(std::iter::once(arc).chain(others), &mut counts))?
-            }
-            ChainPiece::Spline(curve) => {
-                counts.extend(std::iter::repeat_n(1, curve.piece_count()));
-                curve.with_c1_knots().unwrap_or(curve)
-            }
-        };
+    // Splines are given up as they are written.
+    let mut pieces = chain.into_pieces().into_iter();
+    loop {
+        // All arcs that follow each other are one curve.
+        let arcs = pieces.as_slice().iter().take_while(|piece| matches!(piece, ChainPiece::Arc(_))).count();
+        if arcs > 0 {
+            out.push_str(std::mem::replace(&mut separator, ",\n"));
+            contour.lowered(push_arcs(out, &pieces.as_slice()[..arcs], &mut counts))?;
+            pieces.nth(arcs - 1);
+        }
+        let Some(ChainPiece::Spline(curve)) = pieces.next() else { break };
+        counts.extend(std::iter::repeat_n(1, curve.piece_count()));
         out.push_str(std::mem::replace(&mut separator, ",\n"));
-        push_curve(out, &curve);
+        push_curve(out, &curve.with_c1_knots().unwrap_or(curve));
     }
     out.push_str("]}");
     Ok(correspondence.recounted(counts))
-}
-
-/// The next piece, if it is an arc.
-fn next_arc(pieces: &mut Peekable<std::vec::IntoIter<ChainPiece>>) -> Option<Arc> {
-    let Some(ChainPiece::Arc(arc)) = pieces.peek() else { return None };
-    let arc = *arc;
-    pieces.next();
-    Some(arc)
 }
 
 fn push_curve(out: &mut String, curve: &NurbsCurve) {
     out.push_str(&format!("{{\"degree\": {}, \"knots\": ", curve.degree()));
     push_numbers(out, curve.knots());
     out.push_str(", \"control_points\": [");
-    for (i, p) in curve.control_points().iter().enumerate() {
-        if i > 0 {
-            out.push_str(", ");
-        }
-        push_numbers(out, &p.to_array());
-    }
+    push_points(out, curve.control_points().iter());
     out.push_str("], \"weights\": ");
     push_numbers(out, curve.weights());
     out.push('}');
 }
 
+fn push_points<'a>(out: &mut String, points: impl Iterator<Item = &'a Point3>) {
+    for (i, p) in points.enumerate() {
+        if i > 0 {
+            out.push_str(", ");
+        }
+        push_numbers(out, &p.to_array());
+    }
+}
+
 fn push_numbers(out: &mut String, numbers: &[f64]) {
     out.push('[');
+    push_listed(out, numbers);
+    out.push(']');
+}
+
+fn push_listed(out: &mut String, numbers: &[f64]) {
     for (i, &v) in numbers.iter().enumerate() {
         if i > 0 {
             out.push_str(", ");
         }
         push_plain(out, v);
     }
-    out.push(']');
 }
 
 fn quoted(text: &str) -> String {
     Value::from(text).to_string()
 }
 
-/// Arcs that meet as one rational quadratic: arc `i` over `[i, i+1]`, double knots at every joint. Notes how many spans
-/// each has become.
-fn quadratic(arcs: impl Iterator<Item = Arc>, counts: &mut Vec<usize>) -> cyclide::Result<NurbsCurve> {
-    let (mut points, mut weights, mut knots) = (Vec::new(), Vec::new(), vec![0.0]);
-    let mut end = 0.0;
-    for arc in arcs {
-        let piece = arc.to_nurbs(DEFAULT_PIECE_ANGLE)?;
-        // Ends of arcs that meet are the same doubles, with weight 1 on both sides.
-        let skip = usize::from(!points.is_empty());
-        points.extend_from_slice(&piece.control_points()[skip..]);
-        weights.extend_from_slice(&piece.weights()[skip..]);
-        for u in &piece.breaks()[..piece.breaks().len() - 1] {
-            knots.extend([end + u; 2]);
+/// Writes arcs that meet as one rational quadratic: arc `i` over `[i, i+1]`, double knots at every joint. Notes how many
+/// spans each has become. Its lists are written one after the other, arc by arc: as a curve it would be larger than the
+/// file.
+fn push_arcs(out: &mut String, arcs: &[ChainPiece], counts: &mut Vec<usize>) -> cyclide::Result<()> {
+    let curves = || {
+        let arcs = arcs.iter().filter_map(|piece| if let ChainPiece::Arc(arc) = piece { Some(arc) } else { None });
+        arcs.map(|arc| arc.to_nurbs(DEFAULT_PIECE_ANGLE)).enumerate()
+    };
+    // Ends of arcs that meet are the same doubles, with weight 1 on both sides.
+    let skipped = |i: usize| usize::from(i > 0);
+    out.push_str("{\"degree\": 2, \"knots\": [0");
+    for (i, curve) in curves() {
+        let curve = curve?;
+        for u in &curve.breaks()[..curve.piece_count()] {
+            out.push_str(", ");
+            push_listed(out, &[i as f64 + u; 2]);
         }
-        counts.push(piece.piece_count());
-        end += 1.0;
+        counts.push(curve.piece_count());
     }
-    knots.extend([end; 3]);
-    NurbsCurve::new(2, knots, points, weights)
+    out.push_str(", ");
+    push_listed(out, &[arcs.len() as f64; 3]);
+    out.push_str("], \"control_points\": [");
+    for (i, curve) in curves() {
+        out.push_str(if i > 0 { ", " } else { "" });
+        push_points(out, curve?.control_points()[skipped(i)..].iter());
+    }
+    out.push_str("], \"weights\": [");
+    for (i, curve) in curves() {
+        out.push_str(if i > 0 { ", " } else { "" });
+        push_listed(out, &curve?.weights()[skipped(i)..]);
+    }
+    out.push_str("]}");
+    Ok(())
 }

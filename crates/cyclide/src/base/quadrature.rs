@@ -2,8 +2,11 @@
 
 use std::collections::BinaryHeap;
 
-/// Nodes and weights of the 8-point rule on [-1, 1] (positive half).
-const NODES: [(f64, f64); 4] = [
+/// Nodes and weights of the rules of 2, 4 and 8 points on [-1, 1] (positive half).
+const NODES_2: [(f64, f64); 1] = [(0.577_350_269_189_625_8, 1.0)];
+const NODES_4: [(f64, f64); 2] =
+    [(0.339_981_043_584_856_26, 0.652_145_154_862_546_1), (0.861_136_311_594_052_6, 0.347_854_845_137_453_85)];
+const NODES_8: [(f64, f64); 4] = [
     (0.183_434_642_495_649_8, 0.362_683_783_378_362),
     (0.525_532_409_916_329, 0.313_706_645_877_887_27),
     (0.796_666_477_413_626_7, 0.222_381_034_453_374_48),
@@ -13,8 +16,24 @@ const NODES: [(f64, f64); 4] = [
 /// The 8-point rule on one interval, exact for degree 15.
 #[must_use]
 pub(crate) fn gauss8(f: &mut impl FnMut(f64) -> f64, a: f64, b: f64) -> f64 {
+    gauss(&NODES_8, f, a, b)
+}
+
+/// The 2-point rule, exact for degree 3.
+#[must_use]
+pub(crate) fn gauss2(f: &mut impl FnMut(f64) -> f64, a: f64, b: f64) -> f64 {
+    gauss(&NODES_2, f, a, b)
+}
+
+/// The 4-point rule, exact for degree 7.
+#[must_use]
+pub(crate) fn gauss4(f: &mut impl FnMut(f64) -> f64, a: f64, b: f64) -> f64 {
+    gauss(&NODES_4, f, a, b)
+}
+
+fn gauss<const N: usize>(nodes: &[(f64, f64); N], f: &mut impl FnMut(f64) -> f64, a: f64, b: f64) -> f64 {
     let (m, h) = (0.5 * (a + b), 0.5 * (b - a));
-    h * NODES.iter().map(|&(x, w)| w * (f(m - h * x) + f(m + h * x))).sum::<f64>()
+    h * nodes.iter().map(|&(x, w)| w * (f(m - h * x) + f(m + h * x))).sum::<f64>()
 }
 
 /// One quadrature and its two halves agree to this part of the integral: the rule is exact for degree 15, so the

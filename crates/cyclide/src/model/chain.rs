@@ -85,8 +85,11 @@ impl ChainPiece {
 pub struct CurveChain {
     pieces: Vec<ChainPiece>,
     closed: bool,
-    /// For each smooth piece of the curve: which chain piece, and which of its own pieces.
-    index: Vec<(usize, usize)>,
+    /// Number of smooth pieces.
+    count: usize,
+    /// How many of them come before each chain piece; nothing where each chain piece is one, as in polylines, whose
+    /// memory counts.
+    starts: Vec<usize>,
 }
 
 impl CurveChain {
@@ -112,9 +115,23 @@ impl CurveChain {
 
     /// Chain of pieces that are known to meet.
     fn from_joined(pieces: Vec<ChainPiece>, closed: bool) -> Self {
-        let own = |(i, p): (usize, &ChainPiece)| (0..p.as_curve().piece_count()).map(move |j| (i, j));
-        let index = pieces.iter().enumerate().flat_map(own).collect();
-        Self { pieces, closed, index }
+        let counts = || pieces.iter().map(|piece| piece.as_curve().piece_count());
+        let count = counts().sum();
+        let starts = counts().scan(0, |next, own| {
+            *next += own;
+            Some(*next - own)
+        });
+        let starts = if count == pieces.len() { Vec::new() } else { starts.collect() };
+        Self { pieces, closed, count, starts }
+    }
+
+    /// The chain piece that a smooth piece belongs to, and which of its own pieces it is.
+    fn place(&self, piece: usize) -> (usize, usize) {
+        if self.starts.is_empty() {
+            return (piece, 0);
+        }
+        let i = self.starts.partition_point(|start| *start <= piece) - 1;
+        (i, piece - self.starts[i])
     }
 
     /// The same points run backwards.
@@ -137,8 +154,8 @@ impl CurveChain {
     /// # Errors
     /// `parameter-out-of-range`.
     pub fn split(&self, t: f64) -> Result<(Self, Self)> {
-        let (smooth, s) = place_of_cut(t, self.index.len())?;
-        let (piece, own) = self.index[smooth];
+        let (smooth, s) = place_of_cut(t, self.count)?;
+        let (piece, own) = self.place(smooth);
         let (mut left, mut right) = (self.pieces[..piece].to_vec(), self.pieces[piece..].to_vec());
         if own > 0 || s > 0.0 {
             let cut = &self.pieces[piece];
@@ -180,44 +197,43 @@ impl From<ArcPath> for CurveChain {
 
 impl From<&ArcPath> for CurveChain {
     fn from(path: &ArcPath) -> Self {
-        let index = (0..path.arcs().len()).map(|i| (i, 0)).collect();
-        Self { pieces: path.arcs().iter().copied().map(ChainPiece::Arc).collect(), closed: path.is_closed(), index }
+        Self::from_joined(path.arcs().iter().copied().map(ChainPiece::Arc).collect(), path.is_closed())
     }
 }
 
 impl ParamCurve for CurveChain {
     fn piece_count(&self) -> usize {
-        self.index.len()
+        self.count
     }
     fn piece_jet(&self, piece: usize, s: f64) -> CurveJet {
-        let (i, j) = self.index[piece];
+        let (i, j) = self.place(piece);
         self.pieces[i].as_curve().piece_jet(j, s)
     }
     fn is_closed(&self) -> bool {
         self.closed
     }
     fn piece_point(&self, piece: usize, s: f64) -> Point3 {
-        let (i, j) = self.index[piece];
+        let (i, j) = self.place(piece);
         self.pieces[i].as_curve().piece_point(j, s)
     }
     fn piece_speed(&self, piece: usize, s: f64) -> f64 {
-        let (i, j) = self.index[piece];
+        let (i, j) = self.place(piece);
         self.pieces[i].as_curve().piece_speed(j, s)
     }
     fn piece_hull(&self, piece: usize, tolerance: f64) -> Result<PieceHull> {
-        let (i, j) = self.index[piece];
+        let (i, j) = self.place(piece);
         self.pieces[i].as_curve().piece_hull(j, tolerance)
     }
     fn piece_form(&self, piece: usize) -> PieceForm {
-        let (i, j) = self.index[piece];
+        let (i, j) = self.place(piece);
         self.pieces[i].as_curve().piece_form(j)
     }
     fn piece_length(&self, piece: usize, s0: f64, s1: f64) -> f64 {
-        let (i, j) = self.index[piece];
+        let (i, j) = self.place(piece);
         self.pieces[i].as_curve().piece_length(j, s0, s1)
     }
     fn piece_bounds(&self, piece: usize) -> Aabb {
-        let (i, j) = self.index[piece];
+        let (i, j) = self.place(piece);
         self.pieces[i].as_curve().piece_bounds(j)
     }
 }

@@ -62,7 +62,9 @@ impl NurbsCurve {
             return fail("an inner knot has multiplicity above the degree");
         }
         let rows = homogeneous_rows(&points, &weights);
-        let span_rows = span_rows(degree, &knots, &rows, &breaks);
+        // Where every inner knot is there as often as the degree the curve is in Bézier form: no second list is made.
+        let is_bezier = rows.len() == degree * (breaks.len() - 1) + 1;
+        let span_rows = if is_bezier { rows } else { span_rows(degree, &knots, &rows, &breaks) };
         Ok(Self { degree, knots, points, weights, span_rows, breaks })
     }
 
@@ -301,6 +303,22 @@ pub(super) fn insert_knot(degree: usize, knots: &mut Vec<f64>, rows: &mut Vec<[f
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// The rows that are taken as they are, are those that knot insertion finds.
+    #[test]
+    fn rows_of_full_knots_are_those_of_the_spans() {
+        let points: Vec<Point3> = (0..7).map(|i| Point3::new(f64::from(i), f64::from(i * i % 5), 0.5)).collect();
+        let weights = vec![1.0, 0.5, 1.0, 2.0, 1.0, 0.7, 1.0];
+        for (degree, knots) in [
+            (2, vec![0.0, 0.0, 0.0, 1.0, 1.0, 3.0, 3.0, 4.0, 4.0, 4.0]),
+            (3, vec![0.0, 0.0, 0.0, 0.0, 2.0, 2.0, 2.0, 5.0, 5.0, 5.0, 5.0]),
+            (3, vec![0.0, 0.0, 0.0, 0.0, 1.0, 2.0, 2.0, 5.0, 5.0, 5.0, 5.0]),
+        ] {
+            let curve = NurbsCurve::new(degree, knots, points.clone(), weights.clone()).unwrap();
+            let rows = homogeneous_rows(&points, &weights);
+            assert_eq!(curve.span_rows, span_rows(degree, &curve.knots, &rows, &curve.breaks));
+        }
+    }
 
     /// de Boor's recursion straight from the definition, as an independent judge.
     fn de_boor(c: &NurbsCurve, u: f64) -> Point3 {

@@ -14,6 +14,7 @@
 //! One subject per file: where closed data start, start curve, density, linear model, interior point, one fit, removal, the
 //! run of a smooth piece, the frame it works in, the pieces put together, certificate, doubts.
 
+mod along;
 mod bordered_band;
 mod canonical_start;
 mod certificate;

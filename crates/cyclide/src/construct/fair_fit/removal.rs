@@ -1,6 +1,7 @@
 //! Fewer nodes: those that the curve misses least are taken out in batches and the rest is fitted again, as long as all
 //! data stay in the tube and `J` within a budget of the fairest seen (`66`, section 5).
 
+use super::along::{Along, apart};
 use super::fit::{Data, Fit, Patience, fewest_nodes};
 use super::places::Remap;
 use super::tube_curve::TubeCurve;
@@ -128,17 +129,11 @@ fn cheapest(fit: &Fit, locked: &[bool], batch: f64, least: usize) -> Vec<usize> 
     removed
 }
 
-/// Distance of two positions in segments, round the ring if closed.
-fn apart(a: f64, b: f64, ring: Option<usize>) -> f64 {
-    let d = (a - b).abs();
-    ring.map_or(d, |n| d.min(n as f64 - d))
-}
-
 /// The removed nodes near data that are outside now; at least the one nearest to the farthest datum.
 fn needed_by_data(data: &Data<'_>, fit: &Fit, trial: &Fit, removed: &[usize]) -> Vec<usize> {
     let ring = data.closed.then_some(fit.curve.nodes.len());
-    let places: Vec<f64> = trial.outside(data).map(|(i, _)| fit.feet[i].place.position()).collect();
-    let near = |k: &&usize| places.iter().any(|p| apart(**k as f64, *p, ring) <= REACH);
+    let outside = Along::new(trial.outside(data).map(|(i, _)| (fit.feet[i].place.position(), ())), ring);
+    let near = |k: &&usize| outside.near(**k as f64, REACH).next().is_some();
     let needed: Vec<usize> = removed.iter().filter(near).copied().collect();
     if !needed.is_empty() {
         return needed;
@@ -159,11 +154,13 @@ fn needed_by_fairness(fit: &Fit, trial: &Fit, kept: &[usize], removed: &[usize])
         let (a, b) = (kept[j], kept.get(j + 1).copied().unwrap_or(kept[0] + n));
         (0.5 * (a + b) as f64) % n as f64
     };
-    let near = |curve: &TubeCurve, at: &dyn Fn(usize) -> f64, k: usize| {
-        let local = curve.segments.iter().enumerate().filter(|(j, _)| apart(at(*j), k as f64, ring) <= NEAR);
-        local.map(|(_, s)| s.chord * s.variation[0].length_squared()).sum::<f64>()
+    let along = |curve: &TubeCurve, at: &dyn Fn(usize) -> f64| {
+        let variation = curve.segments.iter().map(|s| s.chord * s.variation[0].length_squared());
+        Along::new(variation.enumerate().map(|(j, variation)| (at(j), variation)), ring)
     };
-    let growth = |k: usize| near(&trial.curve, &middle, k) - near(&fit.curve, &|j| j as f64 + 0.5, k);
+    let (new, old) = (along(&trial.curve, &middle), along(&fit.curve, &|j| j as f64 + 0.5));
+    let near = |along: &Along<f64>, k: usize| along.near(k as f64, NEAR).sum::<f64>();
+    let growth = |k: usize| near(&new, k) - near(&old, k);
     let mut grown: Vec<(f64, usize)> = removed.iter().map(|k| (growth(*k), *k)).collect();
     grown.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
     grown.truncate(removed.len().div_ceil(3));

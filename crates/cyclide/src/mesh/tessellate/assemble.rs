@@ -10,38 +10,29 @@ use crate::mesh::surface_mesh::{MeshCorner, MeshFace, MeshSource, SurfaceMesh};
 use crate::surface::{ParamSurface as _, Shell, ShellFace};
 
 /// Appends the cells of a shell to the mesh. Returns how far vertices shared with other faces are off the patches.
-pub(super) fn assemble(
-    shell: &Shell,
-    index: usize,
-    strips: &Strips,
-    cuts: &Cuts,
-    speeds: &[PatchSpeeds],
-    mesh: &mut SurfaceMesh,
-) -> f64 {
+pub(super) fn assemble(shell: &Shell, index: usize, strips: &Strips, cuts: &Cuts, mesh: &mut SurfaceMesh) -> f64 {
     let base = mesh.positions.len();
     let mut border = BorderVertices::new(shell, strips, cuts, mesh);
-    let grids: Vec<FaceGrid> = shell
-        .faces()
-        .iter()
-        .zip(speeds)
-        .enumerate()
-        .map(|(f, (face, speeds))| {
-            let [s, t] = strips.faces[f].map(|place| cuts.at(place));
-            FaceGrid::new(face, speeds, s, t)
+    // Made when they are needed: kept, they would be larger than the mesh of a net of many small patches.
+    let grids = || {
+        shell.faces().iter().zip(&strips.faces).map(|(face, places)| {
+            let [s, t] = places.map(|place| cuts.at(place));
+            FaceGrid::new(face, s, t)
         })
-        .collect();
+    };
     let mut joined = false;
-    for grid in &grids {
+    for grid in grids() {
         joined |= grid.join_points(&mut border);
     }
-    let cells: usize = grids.iter().map(|g| (g.s.len() - 1) * (g.t.len() - 1)).sum();
+    let cells: usize =
+        strips.faces.iter().map(|places| places.map(|place| cuts.count(place)).iter().product::<usize>()).sum();
     // About one vertex and one normal per cell.
     mesh.positions.reserve(cells);
     mesh.normals.reserve(cells);
     mesh.faces.reserve(cells);
     mesh.sources.reserve(cells);
     let mut gap = 0.0_f64;
-    for (f, grid) in grids.iter().enumerate() {
+    for (f, grid) in grids().enumerate() {
         gap = gap.max(grid.emit(&mut border, [index, f], mesh));
     }
     if joined {
@@ -53,7 +44,7 @@ pub(super) fn assemble(
 /// A face with its cuts.
 struct FaceGrid<'a> {
     face: &'a ShellFace,
-    speeds: &'a PatchSpeeds,
+    speeds: PatchSpeeds,
     s: Vec<f64>,
     t: Vec<f64>,
     /// Whether the t-line at each s, the s-line at each t, is one point.
@@ -61,9 +52,9 @@ struct FaceGrid<'a> {
 }
 
 impl<'a> FaceGrid<'a> {
-    fn new(face: &'a ShellFace, speeds: &'a PatchSpeeds, s: Vec<f64>, t: Vec<f64>) -> Self {
+    fn new(face: &'a ShellFace, s: Vec<f64>, t: Vec<f64>) -> Self {
         let is_point = |direction: usize, cuts: &[f64], sides: [usize; 2]| -> Vec<bool> {
-            let lines = point_lines(face, speeds, direction);
+            let lines = point_lines(face, direction);
             let near = |u: f64| lines.iter().any(|&r| (r - u).abs() <= SAME_CUT);
             let mut points: Vec<bool> = cuts.iter().map(|&u| near(u)).collect();
             // A side is one point if it is to the shell.
@@ -73,7 +64,7 @@ impl<'a> FaceGrid<'a> {
             points
         };
         let points = [is_point(0, &s, [2, 3]), is_point(1, &t, [0, 1])];
-        Self { face, speeds, s, t, points }
+        Self { face, speeds: PatchSpeeds::new(&face.patch), s, t, points }
     }
 
     /// The vertex at a grid point of the border, or of an inner line that is one point.

@@ -39,6 +39,15 @@ fn at(k: usize) -> f64 {
 }
 
 impl Samples {
+    /// The samples of a patch that one cell does not do for. Others ask for no cuts, and in a net of many small patches
+    /// these are all: what is sampled here is larger than what belongs to a face otherwise.
+    fn of_bent(patch: &CyclidePatch, tolerance: f64) -> Option<Box<Self>> {
+        let (speeds, ends) = (PatchSpeeds::new(patch), [0.0, 1.0]);
+        let bound = grid_bound(&speeds, &ends, &ends, &denominators(patch, &ends, &ends), tolerance);
+        let one_does = bound.distance <= tolerance && bound.excess.iter().flatten().all(|&excess| excess <= 1.0);
+        (!one_does).then(|| Box::new(Self::new(patch, &speeds)))
+    }
+
     fn new(patch: &CyclidePatch, speeds: &PatchSpeeds) -> Self {
         let places: [f64; SCAN + 1] = std::array::from_fn(at);
         let square = |v: f64| v * v;
@@ -182,6 +191,11 @@ pub(super) struct Cuts {
 }
 
 impl Cuts {
+    /// The number of cells along a place.
+    pub(super) fn count(&self, place: Place) -> usize {
+        self.of_strips[place.strip].len() - 1
+    }
+
     /// The cuts at a place, as its own parameter runs.
     pub(super) fn at(&self, place: Place) -> Vec<f64> {
         let cuts = &self.of_strips[place.strip];
@@ -193,14 +207,8 @@ impl Cuts {
     /// Cells cost the least when the deviation is the same everywhere. A cut in one direction costs as much as one in
     /// the other, so both get equal shares of the tolerance at first; then each strip takes what the other leaves at
     /// every place.
-    pub(super) fn new(
-        shell: &Shell,
-        strips: &Strips,
-        speeds: &[PatchSpeeds],
-        tolerance: f64,
-        cap: Cap,
-    ) -> Result<Self> {
-        let densities = densities(shell, strips, speeds, tolerance);
+    pub(super) fn new(shell: &Shell, strips: &Strips, tolerance: f64, cap: Cap) -> Result<Self> {
+        let densities = densities(shell, strips, tolerance);
         cap.check(strips, |strip| densities[strip].parts.iter().map(|&(_, integral, n)| integral.max(n as f64)).sum())?;
         let all = densities.iter().zip(&strips.strips);
         let mut cuts = Self { of_strips: all.map(|(d, strip)| d.cuts(strip)).collect(), distance: 0.0 };
@@ -211,7 +219,7 @@ impl Cuts {
             if work > WORK * cap.most.max(LEAST_WORK) as f64 {
                 break;
             }
-            let excess = cuts.certify(shell, strips, speeds, tolerance);
+            let excess = cuts.certify(shell, strips, tolerance);
             let mut done = true;
             for ((cuts, excess), strip) in cuts.of_strips.iter_mut().zip(&excess).zip(&strips.strips) {
                 if excess.iter().any(|&e| e > 1.0) {
@@ -227,13 +235,13 @@ impl Cuts {
     }
 
     /// Certifies the mesh of these cuts: how many times as many cuts the cells of each strip need.
-    fn certify(&mut self, shell: &Shell, strips: &Strips, speeds: &[PatchSpeeds], tolerance: f64) -> Vec<Vec<f64>> {
+    fn certify(&mut self, shell: &Shell, strips: &Strips, tolerance: f64) -> Vec<Vec<f64>> {
         let mut excess: Vec<Vec<f64>> = self.of_strips.iter().map(|cuts| vec![0.0; cuts.len() - 1]).collect();
         self.distance = 0.0;
         for (f, face) in shell.faces().iter().enumerate() {
             let [s, t] = strips.faces[f].map(|place| self.at(place));
             let d = denominators(&face.patch, &s, &t);
-            let bound = grid_bound(&speeds[f], &s, &t, &d, tolerance);
+            let bound = grid_bound(&PatchSpeeds::new(&face.patch), &s, &t, &d, tolerance);
             self.distance = self.distance.max(bound.distance);
             for (place, own) in strips.faces[f].iter().zip(bound.excess) {
                 let of_strip = &mut excess[place.strip];
@@ -249,19 +257,18 @@ impl Cuts {
 }
 
 /// The densities of all strips.
-fn densities(shell: &Shell, strips: &Strips, speeds: &[PatchSpeeds], tolerance: f64) -> Vec<StripDensity> {
-    let faces = shell.faces().iter().zip(speeds);
-    let samples: Vec<Samples> = faces.map(|(face, speeds)| Samples::new(&face.patch, speeds)).collect();
+fn densities(shell: &Shell, strips: &Strips, tolerance: f64) -> Vec<StripDensity> {
+    let samples: Vec<Option<Box<Samples>>> =
+        shell.faces().iter().map(|face| Samples::of_bent(&face.patch, tolerance)).collect();
     // Equal shares: a = b with a² + b² + 2abc = tolerance².
-    let equal = |_: Member, _: usize, _: usize, c: f64| tolerance / (2.0 + 2.0 * c).sqrt().max(1.0);
+    let equal = |_: Member, _: usize, _: f64, c: f64| tolerance / (2.0 + 2.0 * c).sqrt().max(1.0);
     let mut densities: Vec<StripDensity> =
         (0..strips.strips.len()).map(|k| density(strips, k, &samples, equal)).collect();
     for _ in 0..SWEEPS {
         for k in 0..densities.len() {
             // What the cells of the crossing strips leave, and a tenth at least: they give way in their turn.
-            let left = |member: Member, along: usize, across: usize, c: f64| {
+            let left = |member: Member, across: usize, other: f64, c: f64| {
                 let crossing = strips.faces[member.face][1 - member.direction];
-                let (_, other, _) = samples[member.face].bends(member.direction, along, across);
                 let width = densities[crossing.strip].widths[if crossing.flipped { SCAN - across } else { across }];
                 let b = other * width * width;
                 let root = (tolerance * tolerance - b * b * (1.0 - c * c)).max(0.0).sqrt();
@@ -274,21 +281,22 @@ fn densities(shell: &Shell, strips: &Strips, speeds: &[PatchSpeeds], tolerance: 
 }
 
 /// The density of one strip: at each place the largest of its members, whose share of the tolerance is `share(member,
-/// along, across, cosine)`.
+/// across, bend across, cosine)`.
 fn density(
     strips: &Strips,
     strip: usize,
-    samples: &[Samples],
-    share: impl Fn(Member, usize, usize, f64) -> f64,
+    samples: &[Option<Box<Samples>>],
+    share: impl Fn(Member, usize, f64, f64) -> f64,
 ) -> StripDensity {
     let mut values = [0.0_f64; SCAN + 1];
     let strip = &strips.strips[strip];
     for &member in &strip.members {
+        let Some(samples) = &samples[member.face] else { continue };
         for (along, value) in values.iter_mut().enumerate() {
             let own = if member.flipped { SCAN - along } else { along };
             for across in 0..=SCAN {
-                let (bend, _, c) = samples[member.face].bends(member.direction, own, across);
-                *value = value.max((bend / share(member, own, across, c)).sqrt());
+                let (bend, other, c) = samples.bends(member.direction, own, across);
+                *value = value.max((bend / share(member, across, other, c)).sqrt());
             }
         }
     }
@@ -302,6 +310,24 @@ fn density(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::surface::DupinCyclide;
+
+    /// Patches that one cell does for each ask for nothing; of a larger one all that is needed is known.
+    #[test]
+    fn only_patches_that_bend_are_sampled() {
+        let ring = DupinCyclide::new(2.0, 0.5, 1.0).unwrap();
+        for (segments, tolerance, sampled) in [(60, 2e-2, false), (60, 1e-6, true)] {
+            let shell = ring.to_bodies([segments; 2]).unwrap().remove(0).outer;
+            let samples = shell.faces().iter().map(|face| Samples::of_bent(&face.patch, tolerance));
+            assert!(samples.into_iter().all(|samples| samples.is_some() == sampled));
+            let cap = Cap { most: usize::MAX, before: 0 };
+            let strips = Strips::new(&shell);
+            let cuts = Cuts::new(&shell, &strips, tolerance, cap).unwrap();
+            let counts = strips.faces.iter().flatten().map(|&place| cuts.count(place));
+            assert!(counts.into_iter().all(|count| (count == 1) != sampled));
+            assert!(cuts.distance <= tolerance);
+        }
+    }
 
     #[test]
     fn cuts_stay_apart_from_either_end() {

@@ -16,7 +16,6 @@ use super::surface_mesh::SurfaceMesh;
 use crate::error::{Error, Result, check_tolerance};
 use crate::surface::{Body, Shell};
 use assemble::assemble;
-use cell_bound::PatchSpeeds;
 use cuts::{Cap, Cuts};
 use strips::Strips;
 
@@ -85,10 +84,9 @@ fn append(shell: &Shell, index: usize, tolerance: f64, most: usize, mesh: &mut S
         let min = rounding / (1.0 - RESERVE);
         return Err(Error::ParameterOutOfRange { name: "tolerance", value: tolerance, min, max: f64::MAX });
     }
-    let speeds: Vec<PatchSpeeds> = shell.faces().iter().map(|face| PatchSpeeds::new(&face.patch)).collect();
-    let strips = Strips::new(shell, &speeds);
-    let cuts = Cuts::new(shell, &strips, &speeds, allowed, Cap { most, before: mesh.faces.len() })?;
-    let gap = assemble(shell, index, &strips, &cuts, &speeds, mesh);
+    let strips = Strips::new(shell);
+    let cuts = Cuts::new(shell, &strips, allowed, Cap { most, before: mesh.faces.len() })?;
+    let gap = assemble(shell, index, &strips, &cuts, mesh);
     mesh.bound = mesh.bound.max(cuts.distance + gap + rounding);
     mesh.gap = mesh.gap.max(gap);
     Ok(())

@@ -54,7 +54,7 @@ pub(super) struct Strips {
 pub(super) const SAME_CUT: f64 = 1e-9;
 
 impl Strips {
-    pub(super) fn new(shell: &Shell, speeds: &[PatchSpeeds]) -> Self {
+    pub(super) fn new(shell: &Shell) -> Self {
         let (faces, edges) = (shell.faces(), shell.edges().len());
         // Nodes: s and t of the faces, then the edges.
         let mut links = Links::new(2 * faces.len() + edges);
@@ -79,7 +79,7 @@ impl Strips {
             }
         }
         for strip in &mut strips {
-            strip.fix(faces, speeds);
+            strip.fix(faces);
         }
         let edges = places.split_off(2 * faces.len());
         Self { strips, faces: places.chunks(2).map(|p| [p[0], p[1]]).collect(), edges }
@@ -93,9 +93,9 @@ impl Strip {
     }
 
     /// Collects the places that must be cuts.
-    fn fix(&mut self, faces: &[ShellFace], speeds: &[PatchSpeeds]) {
+    fn fix(&mut self, faces: &[ShellFace]) {
         for member in &self.members {
-            let points = point_lines(&faces[member.face], &speeds[member.face], member.direction);
+            let points = point_lines(&faces[member.face], member.direction);
             // A cell from one point to another has no area: between them go two at least. Points nearer to each other
             // share a cut.
             let apart = points.windows(2).filter(|w| w[1] - w[0] > 4.0 * SAME_CUT);
@@ -118,9 +118,9 @@ impl Strip {
 }
 
 /// The lines across a direction of a face that are one point, sides included, ascending.
-pub(super) fn point_lines(face: &ShellFace, speeds: &PatchSpeeds, direction: usize) -> Vec<f64> {
+pub(super) fn point_lines(face: &ShellFace, direction: usize) -> Vec<f64> {
     let [first, last] = [2 - 2 * direction, 3 - 2 * direction].map(|side| face.sides[side].is_none());
-    let inside = match (speeds.is_regular(direction), direction) {
+    let inside = match (PatchSpeeds::new(&face.patch).is_regular(direction), direction) {
         (true, _) => Vec::new(),
         (_, 0) => face.patch.singular_s(),
         _ => face.patch.singular_t(),

@@ -66,6 +66,7 @@ impl Sewing {
         let skin = self.frame_of(net)?;
         let grid = net.grid();
         let [m, n] = net.size();
+        self.faces.reserve_exact(m * n);
         for (i, j) in (0..n).flat_map(|j| (0..m).map(move |i| (i, j))) {
             let [k0, k1, k2, k3] = grid.corners(i, j);
             // A part of a larger surface: it may be small, but not a point.
@@ -109,6 +110,7 @@ impl Sewing {
                 }
             };
         }
+        self.edges.reserve_exact(places().map(|(i, j)| next(i, j).into_iter().flatten().count()).sum());
         let mut skin = Skin { vertices, along_s: vec![None; m * n], along_t: vec![None; m * n] };
         for (i, j) in places() {
             let here = grid.index(i, j);
@@ -177,7 +179,7 @@ impl CyclidicNet {
         sewing.skin(self, true)?;
         let mut shells = Vec::new();
         for shell in sewing.finish_apart()? {
-            shells.extend(outside_out(shell).lobes()?);
+            shells.extend(outside_out(shell).into_lobes()?);
         }
         Ok(shells)
     }

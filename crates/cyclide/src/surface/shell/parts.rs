@@ -60,13 +60,18 @@ impl Shell {
     /// # Errors
     /// As [`with_regular_faces`](Self::with_regular_faces).
     pub fn lobes(&self) -> Result<Vec<Self>> {
+        self.clone().into_lobes()
+    }
+
+    /// As [`lobes`](Self::lobes), without a copy of a shell that is one.
+    pub(in crate::surface) fn into_lobes(self) -> Result<Vec<Self>> {
         if !self.is_closed() || self.faces.iter().all(|face| face.patch.is_regular()) {
-            return Ok(vec![self.clone()]);
+            return Ok(vec![self]);
         }
         let cut = self.with_regular_faces()?;
         let parts = cut.parts();
         if parts.len() == 1 {
-            return Ok(vec![self.clone()]);
+            return Ok(vec![self]);
         }
         Ok(parts.iter().map(|part| cut.part(part).outside_out()).collect())
     }
