@@ -24,14 +24,13 @@ mod surfaces;
 
 use crate::export_error::ExportError;
 
-use crate::exported::{Exported, Promise, Written};
+use crate::exported::{Exported, PieceNotes, Promise, Written, WrittenCurve};
 
 use crate::job::{BodyOf, Contour, Job};
 use crate::labels::{FileLabels, FileName};
 use crate::number::push_plain;
 use cyclide::{
-    Arc, ChainPiece, Correspondence, CurveChain, DEFAULT_PIECE_ANGLE, Exactness, Lowered, Model, NurbsCurve,
-    ParamCurve as _,
+    Arc, ChainPiece, CurveChain, DEFAULT_PIECE_ANGLE, Exactness, Lowered, Model, NurbsCurve, ParamCurve as _,
 };
 use serde_json::Value;
 use std::iter::Peekable;
@@ -49,9 +48,8 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
         out.push_str(&format!("{name}: {{\"type\": {kind}, \"contours\": ["));
         for contour in job.contours().filter(|contour| contour.item == index) {
             let lowered = job.chain(&contour)?;
-            let promise = Promise::of_chain(&lowered);
             out.push_str(if contour.index == 0 { "\n" } else { ",\n" });
-            written.curves.push(promise.of(push_contour(&mut out, &contour, lowered)?));
+            written.curves.push(push_contour(&mut out, &contour, lowered)?);
         }
         out.push_str(if item.contours.is_empty() { "]" } else { "\n]" });
         for body in job.bodies.iter().filter(|body| body.item == index) {
@@ -65,34 +63,48 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
     Ok(written.exported(out.into_bytes(), Vec::new()))
 }
 
-/// The labels of a file of the model.
-pub(crate) fn labels(model: &Model, bodies: &[BodyOf<'_>]) -> FileLabels {
-    let of_item = |(index, item): (usize, &cyclide::Item)| {
-        let surfaces = bodies.iter().filter(|body| body.item == index).count();
-        [
-            FileName::new("type", &item.kind, 1),
-            FileName::new(reader::CURVES_OF, &item.name, item.contours.len()),
-            FileName::new(reader::SURFACES_OF, &item.name, surfaces),
-        ]
-    };
-    FileLabels::new(model.units, model.items.iter().enumerate().flat_map(of_item).collect())
+/// The labels of a file of the model with what was promised for its curves.
+pub(crate) fn labels(model: &Model, bodies: &[BodyOf<'_>], written: &Written) -> FileLabels {
+    let mut names = Vec::new();
+    let mut curves = written.curves.iter();
+    for (index, item) in model.items.iter().enumerate() {
+        let own = || bodies.iter().filter(|body| body.item == index);
+        names.push(FileName::new("type", &item.kind, 1));
+        names.push(FileName::new(reader::CURVES_OF, &item.name, item.contours.len()));
+        names.push(FileName::new(reader::SURFACES_OF, &item.name, own().count()));
+        let promises = curves.by_ref().take(item.contours.len()).map(|curve| &curve.promise);
+        names.extend(promises.map(|promise| promised(promise.is_exact(), promise.distances()[0])));
+        names.extend(own().map(|body| body_kind(body.body.is_solid(), true)));
+    }
+    FileLabels::new(model.units, names)
 }
 
-/// Writes a contour; gives the parts of it that the spans of its splines stand for.
+/// What a file says of how far a curve is from the object.
+fn promised(exact: bool, bound: f64) -> FileName {
+    let mut text = if exact { "exact, " } else { "" }.to_owned();
+    push_plain(&mut text, bound);
+    FileName::new("bound of curve", text, 1)
+}
+
+/// What a file says of a body.
+fn body_kind(closed: bool, exact: bool) -> FileName {
+    let text = [if closed { "closed" } else { "open" }, if exact { "" } else { ", not exact" }].concat();
+    FileName::new("body", text, 1)
+}
+
+/// Writes a contour; gives what its splines are checked against.
 fn push_contour(
     out: &mut String,
     contour: &Contour<'_>,
     lowered: Lowered<CurveChain>,
-) -> Result<Correspondence, ExportError> {
+) -> Result<WrittenCurve, ExportError> {
+    let promise = Promise::of_chain(&lowered);
     let Lowered { form: chain, exactness, correspondence } = lowered;
-    out.push_str(&format!(
-        "{{\"closed\": {}, \"exact\": {}, \"bound\": ",
-        chain.is_closed(),
-        exactness == Exactness::Exact
-    ));
+    let is_exact = exactness == Exactness::Exact;
+    out.push_str(&format!("{{\"closed\": {}, \"exact\": {is_exact}, \"bound\": ", chain.is_closed()));
     push_plain(out, exactness.bound());
     out.push_str(", \"curves\": [");
-    let mut counts = Vec::with_capacity(chain.piece_count());
+    let mut notes = PieceNotes::default();
     let mut separator = "\n";
     let mut pieces = chain.into_pieces().into_iter().peekable();
     while let Some(piece) = pieces.next() {
@@ -100,10 +112,10 @@ fn push_contour(
             ChainPiece::Arc(arc) => {
                 // All that follow each other are one curve.
                 let others = std::iter::from_fn(|| next_arc(&mut pieces));
-                contour.lowered(quadratic(std::iter::once(arc).chain(others), &mut counts))?
+                contour.lowered(quadratic(std::iter::once(arc).chain(others), &mut notes))?
             }
             ChainPiece::Spline(curve) => {
-                counts.extend(std::iter::repeat_n(1, curve.piece_count()));
+                notes.spline(&curve);
                 curve.with_c1_knots().unwrap_or(curve)
             }
         };
@@ -111,7 +123,7 @@ fn push_contour(
         push_curve(out, &curve);
     }
     out.push_str("]}");
-    Ok(correspondence.recounted(counts))
+    Ok(notes.of(promise, correspondence))
 }
 
 /// The next piece, if it is an arc.
@@ -152,9 +164,9 @@ fn quoted(text: &str) -> String {
     Value::from(text).to_string()
 }
 
-/// Arcs that meet as one rational quadratic: arc `i` over `[i, i+1]`, double knots at every joint. Notes how many spans
-/// each has become.
-fn quadratic(arcs: impl Iterator<Item = Arc>, counts: &mut Vec<usize>) -> cyclide::Result<NurbsCurve> {
+/// Arcs that meet as one rational quadratic: arc `i` over `[i, i+1]`, double knots at every joint. Notes what they have
+/// become.
+fn quadratic(arcs: impl Iterator<Item = Arc>, pieces: &mut PieceNotes) -> cyclide::Result<NurbsCurve> {
     let (mut points, mut weights, mut knots) = (Vec::new(), Vec::new(), vec![0.0]);
     let mut end = 0.0;
     for arc in arcs {
@@ -166,9 +178,11 @@ fn quadratic(arcs: impl Iterator<Item = Arc>, counts: &mut Vec<usize>) -> cyclid
         for u in &piece.breaks()[..piece.breaks().len() - 1] {
             knots.extend([end + u; 2]);
         }
-        counts.push(piece.piece_count());
+        pieces.counts.push(piece.piece_count());
         end += 1.0;
     }
     knots.extend([end; 3]);
-    NurbsCurve::new(2, knots, points, weights)
+    let curve = NurbsCurve::new(2, knots, points, weights)?;
+    pieces.knots.extend(curve.breaks());
+    Ok(curve)
 }
