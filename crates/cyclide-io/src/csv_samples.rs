@@ -8,7 +8,7 @@ use crate::export_error::ExportError;
 
 use crate::exported::{Exported, Promise, Written};
 
-use crate::file_content::{FileContent, ReadError};
+use crate::file_content::{FileContent, FileSample, ReadError};
 use crate::job::{Contour, Job, contours};
 use crate::labels::{FileLabels, FileName};
 use crate::mesh::{Polyline, between};
@@ -27,24 +27,38 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
         let head = format!("{},{},", field(contour.object), contour.index);
         for (place, point) in &vertices {
             out.push_str(&head);
-            push_row(&mut out, contour.curve.as_curve(), *place, *point);
+            push_sample(&mut out, *point, &FileSample::at(contour.curve.as_curve(), *place));
         }
         written.curves.push(Promise::proved(job.tolerance).of(between(&vertices)));
     }
     Ok(written.exported(out.into_bytes(), Vec::new()))
 }
 
-/// The fields behind name and contour. At a joint the tangent is that of the piece that starts there.
-fn push_row(out: &mut String, curve: &dyn ParamCurve, place: CurvePlace, point: Point3) {
-    let n = curve.piece_count();
-    let place = if place.s >= 1.0 && place.piece + 1 < n { CurvePlace::after(place.piece) } else { place };
-    let t = (place.piece as f64 + place.s) / n as f64;
-    push_sample(out, t, point, &curve.piece_jet(place.piece, place.s));
+impl FileSample {
+    /// What there is to say of a place with this parameter.
+    pub(crate) fn new(t: f64, jet: &CurveJet) -> Self {
+        let curvature = jet.curvature().filter(|k| k.is_finite());
+        Self { t, tangent: jet.tangent().map(cyclide::Vec3::to_array), curvature }
+    }
+
+    /// At a joint the tangent is that of the piece that starts there.
+    pub(crate) fn at(curve: &dyn ParamCurve, place: CurvePlace) -> Self {
+        let n = curve.piece_count();
+        let place = if place.s >= 1.0 && place.piece + 1 < n { CurvePlace::after(place.piece) } else { place };
+        Self::new((place.piece as f64 + place.s) / n as f64, &curve.piece_jet(place.piece, place.s))
+    }
+
+    /// The numbers with their columns.
+    pub(crate) fn columns(&self) -> [(&'static str, Option<f64>); 5] {
+        let tangent = |i: usize| self.tangent.map(|tangent| tangent[i]);
+        let parts =
+            [("x of the tangent", tangent(0)), ("y of the tangent", tangent(1)), ("z of the tangent", tangent(2))];
+        [("parameter", Some(self.t)), parts[0], parts[1], parts[2], ("curvature", self.curvature)]
+    }
 }
 
 /// The fields parameter, point, unit tangent, curvature, and the end of the line.
-pub(crate) fn push_sample(out: &mut String, t: f64, point: Point3, jet: &CurveJet) {
-    let tangent = jet.tangent().map(cyclide::Vec3::to_array);
+pub(crate) fn push_sample(out: &mut String, point: Point3, &FileSample { t, tangent, curvature }: &FileSample) {
     push_plain(out, t);
     for v in point.to_array() {
         out.push(',');
@@ -57,7 +71,7 @@ pub(crate) fn push_sample(out: &mut String, t: f64, point: Point3, jet: &CurveJe
         }
     }
     out.push(',');
-    if let Some(curvature) = jet.curvature().filter(|k| k.is_finite()) {
+    if let Some(curvature) = curvature {
         push_plain(out, curvature);
     }
     out.push('\n');
@@ -82,6 +96,7 @@ pub(crate) fn read(bytes: &[u8]) -> Result<FileContent, ReadError> {
     }
     let mut chains = Vec::new();
     let mut names = Vec::new();
+    let mut samples = Vec::new();
     let mut key = None;
     // Segments as they come: a list of the points beside them would be a third of the file.
     let mut polyline = Polyline::default();
@@ -96,16 +111,26 @@ pub(crate) fn read(bytes: &[u8]) -> Result<FileContent, ReadError> {
             let v: Result<f64, _> = fields[i].parse();
             v.map_err(|_| ReadError::syntax(place(), format!("'{}' is not a number", fields[i])))
         };
+        let optional = |i: usize| if fields[i].is_empty() { Ok(None) } else { number(i).map(Some) };
+        let tangent = match [optional(5)?, optional(6)?, optional(7)?] {
+            [None, None, None] => None,
+            [Some(x), Some(y), Some(z)] => Some([x, y, z]),
+            _ => return Err(ReadError::syntax(place(), "a part of the tangent is missing")),
+        };
+        let sample = FileSample { t: number(1)?, tangent, curvature: optional(8)? };
         let here = Some((name, fields[0]));
         if key != here {
             finish(&mut polyline, &mut chains, place)?;
             key = here;
             names.extend(names_of(name, fields[0]));
+            samples.push(Vec::new());
         }
+        samples.last_mut().into_iter().for_each(|own: &mut Vec<FileSample>| own.push(sample));
         polyline.push(Point3::new(number(2)?, number(3)?, number(4)?), place)?;
     }
     finish(&mut polyline, &mut chains, || "the end".to_owned())?;
-    Ok(FileContent { curves: chains, labels: FileLabels { unit: None, names }, ..FileContent::default() })
+    let labels = FileLabels { unit: None, names };
+    Ok(FileContent { curves: chains, samples, labels, ..FileContent::default() })
 }
 
 /// The labels of a file of the model.

@@ -1,7 +1,7 @@
 //! The content of a file with the promises that hold for it.
 
 use crate::deviation::{DrawnLine, MeshPlan};
-use cyclide::{Arc, ArcPath, ChainPiece, Correspondence, CurveChain, Exactness, Lowered, NurbsCurve};
+use cyclide::{Arc, ArcPath, ChainPiece, Correspondence, CurveChain, Exactness, Lowered, NurbsCurve, ParamCurve as _};
 
 /// A file's content with the promises that hold for it.
 #[derive(Debug, Clone, PartialEq)]
@@ -34,6 +34,8 @@ pub(crate) struct Written {
     pub(crate) bodies: Vec<Promise>,
     /// What the polygons of a mesh stand for.
     pub(crate) mesh: MeshPlan,
+    /// True if the edges of the patches are drawn on the meshes.
+    pub(crate) mesh_edges: bool,
     /// What the lines of surfaces in a drawing stand for, in file order, with those that are points there.
     pub(crate) lines: Vec<DrawnLine>,
     /// The tolerance of curves that the file was asked for with.
@@ -46,6 +48,44 @@ pub(crate) struct WrittenCurve {
     /// Which parts of the object's curve its pieces stand for.
     pub(crate) parts: Correspondence,
     pub(crate) promise: Promise,
+    /// The distinct knots of its splines, one spline after the other.
+    pub(crate) knots: Vec<f64>,
+}
+
+/// The distinct knots of a piece, none of an arc.
+pub(crate) fn knots_of(piece: &ChainPiece) -> &[f64] {
+    match piece {
+        ChainPiece::Arc(_) => &[],
+        ChainPiece::Spline(curve) => curve.breaks(),
+    }
+}
+
+/// What the smooth pieces of a curve become in a format that has splines.
+#[derive(Debug, Default)]
+pub(crate) struct PieceNotes {
+    /// How many pieces of the file each has become.
+    pub(crate) counts: Vec<usize>,
+    /// The distinct knots of the splines among these, one spline after the other.
+    pub(crate) knots: Vec<f64>,
+}
+
+impl PieceNotes {
+    /// Notes a spline that stays one.
+    pub(crate) fn spline(&mut self, curve: &NurbsCurve) {
+        self.counts.extend(std::iter::repeat_n(1, curve.piece_count()));
+        self.knots.extend(curve.breaks());
+    }
+
+    /// Notes one arc as a spline.
+    pub(crate) fn arc_as_spline(&mut self, curve: &NurbsCurve) {
+        self.counts.push(curve.piece_count());
+        self.knots.extend(curve.breaks());
+    }
+
+    /// The curve that the pieces are of.
+    pub(crate) fn of(self, promise: Promise, parts: Correspondence) -> WrittenCurve {
+        WrittenCurve { parts: parts.recounted(self.counts), promise, knots: self.knots }
+    }
 }
 
 impl Written {
@@ -102,6 +142,10 @@ impl Promise {
         self.rounding = self.rounding.max(other.rounding);
     }
 
+    pub(crate) fn is_exact(&self) -> bool {
+        self.bound.is_none()
+    }
+
     /// Largest distance that was promised, and what the digits may cost beside it.
     pub(crate) fn distances(&self) -> [f64; 2] {
         [self.bound.unwrap_or(0.0), self.rounding]
@@ -131,7 +175,7 @@ impl Promise {
 
     /// The promise of one curve with the parts that its pieces stand for.
     pub(crate) fn of(self, parts: Correspondence) -> WrittenCurve {
-        WrittenCurve { parts, promise: self }
+        WrittenCurve { parts, promise: self, knots: Vec::new() }
     }
 }
 

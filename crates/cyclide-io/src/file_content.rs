@@ -19,8 +19,23 @@ pub struct FileContent {
     pub patches: Vec<FilePatch>,
     /// The lines that stand for surfaces in a drawing, in file order.
     pub lines: Vec<CurveChain>,
+    /// What tables say beside the points of each curve, in file order.
+    pub samples: Vec<Vec<FileSample>>,
+    /// The lines on the vertices of each mesh, as pairs of positions.
+    pub mesh_lines: Vec<Vec<[usize; 2]>>,
     /// The unit and the names.
     pub labels: FileLabels,
+}
+
+/// What a table says beside a point of a curve.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FileSample {
+    /// The global parameter.
+    pub t: f64,
+    /// The unit tangent, where there is one.
+    pub tangent: Option<[f64; 3]>,
+    /// The curvature, where there is one.
+    pub curvature: Option<f64>,
 }
 
 impl From<Vec<CurveChain>> for FileContent {
@@ -120,6 +135,42 @@ pub enum ReadError {
         found: usize,
         /// Made of the model.
         expected: usize,
+    },
+    /// A knot of a curve is not the one that was made.
+    #[error("a knot of curve {curve} is {} in the file, {} was made", number(*.found), number(*.expected))]
+    Knot {
+        /// Which connected curve, from 0.
+        curve: usize,
+        /// The knot in the file, if it is there.
+        found: Option<f64>,
+        /// The knot that was made, if there is one.
+        expected: Option<f64>,
+    },
+    /// What a table says beside a point of a curve is not so on the model's curve.
+    #[error("curve {curve}, point {point}: the {what} is {} in the file, {} in the model", number(*.found), number(*.expected))]
+    Sample {
+        /// Which connected curve, from 0.
+        curve: usize,
+        /// Which of its points, from 0.
+        point: usize,
+        /// The column.
+        what: &'static str,
+        /// The number in the file, if it is there.
+        found: Option<f64>,
+        /// The number in the model, if there is one.
+        expected: Option<f64>,
+    },
+    /// The lines on a mesh are not the edges of its patches.
+    #[error(
+        "{} of the lines on the mesh of {object} are no edges of its patches, and {} edges have none", .strange, .missing
+    )]
+    MeshEdges {
+        /// The object.
+        object: String,
+        /// Lines that are no edges, or lie on others.
+        strange: usize,
+        /// Edges without a line.
+        missing: usize,
     },
     /// What the pieces of a curve stand for is not the whole curve, once and in order.
     #[error("the pieces of curve {curve} do not stand for the whole curve")]
@@ -247,6 +298,11 @@ fn name_message(found: Option<&str>, expected: Option<&str>) -> String {
         (None, expected) => format!(", `{}`, is not in the file", quoted(expected.unwrap_or_default())),
         (Some(found), None) => format!(", `{}`, is in the file only", quoted(found)),
     }
+}
+
+/// A number, if there is one.
+fn number(value: Option<f64>) -> String {
+    value.map_or_else(|| "none".to_owned(), |value| ShortNumber(value).to_string())
 }
 
 fn openness(closed: bool) -> &'static str {

@@ -10,14 +10,14 @@ pub(crate) const fn object(index: usize) -> u32 {
     OBJECTS[index % OBJECTS.len()]
 }
 
-/// The colour of an object's curves in linear light.
-pub(crate) fn linear(index: usize) -> [f64; 3] {
-    to_linear(object(index))
-}
-
 /// The colour of an object's surfaces.
 pub(crate) const fn surface_on_screen(index: usize) -> u32 {
     SURFACES[index % SURFACES.len()]
+}
+
+/// The colour of an object's curves in linear light.
+pub(crate) fn linear(index: usize) -> [f64; 3] {
+    to_linear(object(index))
 }
 
 /// The colour of an object's surfaces in linear light.
@@ -32,4 +32,27 @@ pub(crate) fn to_linear(rgb: u32) -> [f64; 3] {
         // IEC 61966-2-1.
         if v <= 0.04045 { v / 12.92 } else { ((v + 0.055) / 1.055).powf(2.4) }
     })
+}
+
+/// The colour of the screen that is nearest to linear light.
+pub(crate) fn on_screen(linear: [f64; 3]) -> u32 {
+    linear.into_iter().fold(0, |rgb, v| {
+        let v = if v <= 0.04045 / 12.92 { v * 12.92 } else { 1.055 * v.powf(1.0 / 2.4) - 0.055 };
+        // A float becomes the nearest integer that there is.
+        (rgb << 8) | (v * 255.0).round().clamp(0.0, 255.0) as u32
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn colours_come_back_from_linear_light() {
+        for grey in 0..256 {
+            let rgb = (grey << 16) | ((255 - grey) << 8) | (grey / 2);
+            assert_eq!(on_screen(to_linear(rgb)), rgb);
+        }
+        assert_eq!(on_screen([f64::NAN, 2.0, -1.0]), 0x00FF00);
+    }
 }

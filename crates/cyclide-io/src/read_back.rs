@@ -1,6 +1,9 @@
 //! Reading our own files: the way from the bytes back to geometry, by which every export is checked.
 
-use crate::deviation::{Deviations, View, bodies_deviation, curves_deviation, lines_deviation, mesh_deviation};
+use crate::deviation::{
+    Deviations, View, bodies_deviation, check_mesh_edges, check_samples, curves_deviation, lines_deviation,
+    mesh_deviation,
+};
 use crate::export_error::ExportError;
 use crate::exported::{Exported, Written};
 use crate::exporter::Exporter;
@@ -42,7 +45,7 @@ pub fn file_deviation(model: &Model, format: Format, file: &Exported) -> Result<
 /// As [`file_deviation`], of a model made ready, part by part.
 pub(crate) fn deviations_of(exporter: &Exporter<'_>, format: Format, file: &Exported) -> Result<Deviations, ReadError> {
     let Exporter { model, bodies, bounds, .. } = exporter;
-    let Written { curves, mesh, lines, .. } = &file.written;
+    let Written { curves: written, mesh, lines, mesh_edges, .. } = &file.written;
     let view = match format {
         Format::Svg => View::Plan,
         // In DXF: curves of ARC and LINE entities.
@@ -52,7 +55,7 @@ pub(crate) fn deviations_of(exporter: &Exporter<'_>, format: Format, file: &Expo
     let (content, labels) = read_with_labels(exporter, format, file)?;
     let curves = match format {
         Format::Stl => Vec::new(),
-        _ => curves_deviation(model, &content.curves, curves, view)?,
+        _ => curves_deviation(model, &content.curves, written, view)?,
     };
     let bodies = match format {
         Format::Step => bodies_deviation(bodies, &content.bodies, bounds.diagonal())?,
@@ -60,6 +63,11 @@ pub(crate) fn deviations_of(exporter: &Exporter<'_>, format: Format, file: &Expo
         Format::Json => nurbs_json::patch_deviation(bodies, &content.patches)?,
         Format::Svg | Format::Dxf | Format::Csv | Format::Png => Vec::new(),
     };
+    match format {
+        Format::Csv => check_samples(model, &content.samples, written)?,
+        Format::Glb => check_mesh_edges(&exporter.bodies, &content.meshes, &content.mesh_lines, mesh, *mesh_edges)?,
+        _ => {}
+    }
     let lines =
         if format == Format::Svg { lines_deviation(&exporter.bodies, lines, &content.lines)? } else { Vec::new() };
     labels.map_or(Ok(()), |labels| content.labels.check(&labels))?;
@@ -77,16 +85,16 @@ fn read_with_labels(
     if format == Format::Dxf {
         let counts: Vec<usize> = file.written.curves.iter().map(|curve| curve.parts.piece_count()).collect();
         let drawing = dxf::read(&file.bytes)?.regrouped(&counts);
-        let version = drawing.version().ok_or_else(|| ReadError::unsupported("this version", "$ACADVER"))?;
-        return Ok((drawing.into_content(), Some(dxf::labels(model, version))));
+        let labels = drawing.labels(model).ok_or_else(|| ReadError::unsupported("this version", "$ACADVER"))?;
+        return Ok((drawing.into_content(), Some(labels)));
     }
     let content = read_back(format, &file.bytes)?;
     let labels = match format {
         Format::Step => Some(step::labels(named, bodies, &content.labels)),
         Format::Svg => Some(svg::labels(named)),
         Format::Csv => Some(csv_samples::labels(model)),
-        Format::Json => Some(nurbs_json::labels(model, bodies)),
-        Format::Glb => Some(glb::labels(named, bodies)),
+        Format::Json => Some(nurbs_json::labels(model, bodies, &file.written)),
+        Format::Glb => Some(glb::labels(named, bodies, &content.mesh_lines)),
         Format::Obj => Some(obj::labels(model, bodies)),
         Format::Stl => Some(stl::labels(named)),
         Format::Dxf | Format::Png => None,

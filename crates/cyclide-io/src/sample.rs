@@ -5,6 +5,7 @@ use cyclide::{ArcLength, Body, Item, ParamSurface as _, ShellFace};
 
 use crate::csv_samples::push_sample;
 use crate::document::BuiltObject;
+use crate::file_content::FileSample;
 use crate::number::push_plain;
 
 /// Where the samples of a curve lie.
@@ -51,7 +52,7 @@ fn curves(item: &Item, count: usize, spacing: Spacing) -> String {
             if several {
                 out += &format!("{contour},");
             }
-            push_sample(&mut out, t, curve.eval(t), &curve.jet(t));
+            push_sample(&mut out, curve.eval(t), &FileSample::new(t, &curve.jet(t)));
         }
     }
     out

@@ -1,8 +1,14 @@
 //! Files broken on purpose: small changes to the bytes of a right file, the same for the same seed.
 //!
 //! The changes are those that parsers stumble over: bits and bytes, pieces left out, doubled or exchanged, the end cut
-//! off, numbers replaced by awkward ones, and words of the format in the wrong place.
+//! off, numbers replaced by awkward ones, and words of the format in the wrong place. Of formats whose structure is known
+//! most copies have their tokens and items exchanged for others of their kind: nearly all of the first sort are refused by
+//! the tokenizer, and what is behind it would not be tried.
 
+mod container;
+mod exchange;
+
+use exchange::Layout;
 use std::ops::Range;
 
 /// Numbers that parsers and geometry stumble over.
@@ -38,6 +44,19 @@ const PIECE: usize = 64;
 /// Changes made to one copy at most.
 const CHANGES: usize = 4;
 
+/// What is known of the structure of a format.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Form {
+    /// Nothing.
+    Bytes,
+    /// Lists in brackets, statements with semicolons: STEP, JSON.
+    Lists,
+    /// Lines in pairs: DXF.
+    Pairs,
+    /// A chunk of JSON and one of numbers: GLB.
+    Container,
+}
+
 /// A source of broken copies.
 #[derive(Debug, Clone)]
 pub struct Mutator {
@@ -59,6 +78,18 @@ impl Mutator {
         z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
         z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
         usize::try_from((z ^ (z >> 31)) % (count.max(1) as u64)).unwrap_or(0)
+    }
+
+    /// A copy of a file of this form: of most the structure stays, of one in eight not even that.
+    #[must_use]
+    pub fn copy(&mut self, bytes: &[u8], form: Form) -> Vec<u8> {
+        match form {
+            Form::Bytes => self.broken(bytes),
+            _ if self.below(8) == 0 => self.broken(bytes),
+            Form::Pairs => self.exchanged(bytes, Layout::Pairs),
+            Form::Container => self.container(bytes).unwrap_or_else(|| self.broken(bytes)),
+            Form::Lists => self.exchanged(bytes, Layout::Lists),
+        }
     }
 
     /// A copy with one to four changes.
@@ -93,8 +124,7 @@ impl Mutator {
     }
 
     /// A copy of the same length: for formats whose lengths are written down.
-    #[must_use]
-    pub fn broken_in_place(&mut self, bytes: &[u8]) -> Vec<u8> {
+    fn broken_in_place(&mut self, bytes: &[u8]) -> Vec<u8> {
         let mut copy = bytes.to_vec();
         for _ in 0..=self.below(CHANGES) {
             if self.below(2) == 0 { self.flip(&mut copy) } else { self.byte(&mut copy) }

@@ -20,13 +20,15 @@ mod facing;
 mod limits;
 mod matching;
 mod mesh;
+mod mesh_edges;
 mod nearest;
+mod samples;
 mod side_use;
 mod step_faces;
 mod track;
 mod triangle;
 
-use crate::exported::WrittenCurve;
+use crate::exported::{WrittenCurve, knots_of};
 use crate::file_content::ReadError;
 use crate::job::contours;
 use cyclide::{Correspondence, CurveChain, CurvePlace, Model, ParamCurve};
@@ -35,6 +37,8 @@ pub(crate) use limits::{Beyond, Deviations, READ_BACK_ROUNDING};
 use matching::apart;
 pub(crate) use matching::larger;
 pub(crate) use mesh::{BodyPlan, Cell, MeshPlan, mesh_deviation};
+pub(crate) use mesh_edges::check_mesh_edges;
+pub(crate) use samples::check_samples;
 pub(crate) use side_use::side_use;
 pub(crate) use step_faces::bodies_deviation;
 
@@ -53,7 +57,8 @@ pub(crate) enum View {
 /// rounding for an exact file. What was written tells which pieces of the file stand for which part of each curve.
 ///
 /// # Errors
-/// [`ReadError::CurveCount`], [`ReadError::Closedness`], [`ReadError::PieceCount`], [`ReadError::CurveParts`].
+/// [`ReadError::CurveCount`], [`ReadError::Closedness`], [`ReadError::PieceCount`], [`ReadError::CurveParts`],
+/// [`ReadError::Knot`].
 pub(crate) fn curves_deviation(
     model: &Model,
     read: &[CurveChain],
@@ -65,15 +70,34 @@ pub(crate) fn curves_deviation(
         return Err(ReadError::CurveCount { found: read.len(), expected });
     }
     let mut deviations = Vec::with_capacity(expected);
-    for (curve, ((contour, chain), WrittenCurve { parts, .. })) in contours(model).zip(read).zip(written).enumerate() {
+    for (curve, ((contour, chain), WrittenCurve { parts, knots, .. })) in
+        contours(model).zip(read).zip(written).enumerate()
+    {
         let object = contour.curve.as_curve();
         if object.is_closed() != chain.is_closed() && view != View::Points {
             return Err(ReadError::Closedness { curve, found: chain.is_closed() });
         }
         check_parts(object, chain, parts, curve)?;
+        check_knots(chain, knots, curve)?;
         deviations.push(apart(object, chain, parts, view == View::Plan));
     }
     Ok(deviations)
+}
+
+/// Refuses splines whose knots are not those that were made: where pieces meet without being smooth, they say nothing of
+/// the points.
+fn check_knots(chain: &CurveChain, made: &[f64], curve: usize) -> Result<(), ReadError> {
+    let mut read = chain.pieces().iter().flat_map(knots_of);
+    let mut made = made.iter();
+    loop {
+        let (found, expected) = (read.next().copied(), made.next().copied());
+        if !samples::same(found, expected) {
+            return Err(ReadError::Knot { curve, found, expected });
+        }
+        if found.is_none() {
+            return Ok(());
+        }
+    }
 }
 
 /// Refuses parts that are not all of the object, once and in order, or not all pieces of the file.

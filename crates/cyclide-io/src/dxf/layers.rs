@@ -19,6 +19,11 @@ pub(super) fn layer_names<'a>(objects: impl Iterator<Item = &'a str>, version: D
     objects.map(|o| allowed(o, version)).map(unique).map(|n| escaped(&n)).collect()
 }
 
+/// The name of the group of a curve, which is the `number`-th group of the file, from 0.
+pub(super) fn group_name(curve: &str, number: usize) -> String {
+    format!("{}_{}", escaped(&allowed(curve, DxfVersion::R2000)), number + 1)
+}
+
 /// The name with every letter that is not allowed replaced, and cut to the length that is.
 fn allowed(name: &str, version: DxfVersion) -> String {
     let (longest, allowed): (usize, fn(char) -> bool) = match version {

@@ -16,9 +16,9 @@ mod tags;
 
 use crate::export_error::ExportError;
 
-use crate::exported::{Exported, Promise, Written, straightened};
+use crate::exported::{Exported, Promise, Written, knots_of, straightened};
 
-use crate::job::{Contour, Job};
+use crate::job::{Contour, Job, contours};
 use crate::labels::{FileLabels, FileName};
 
 use crate::options::DxfVersion;
@@ -68,14 +68,20 @@ const CENTER_ROUNDING: f64 = 8.0 * f64::EPSILON;
 /// What the names are those of.
 const LAYER: &str = "layer";
 const LAYER_OF: &str = "layer with curves";
+const GROUP: &str = "group";
 
-/// The labels of a file of the model in a version.
-pub(crate) fn labels(model: &Model, version: DxfVersion) -> FileLabels {
+/// The labels of a file of the model in a version that has so many entities for each of its curves.
+fn labels(model: &Model, version: DxfVersion, entities: impl Iterator<Item = usize>) -> FileLabels {
     let layers = layers::layer_names(model.items.iter().map(|i| i.name.as_str()), version);
     let table = std::iter::once("0").chain(layers.iter().map(String::as_str));
     let mut names: Vec<FileName> = table.map(|name| FileName::new(LAYER, name, 1)).collect();
     let used = layers.iter().zip(&model.items).filter(|(_, item)| !item.contours.is_empty());
     names.extend(used.map(|(layer, item)| FileName::new(LAYER_OF, layer, item.contours.len())));
+    let grouped = contours(model).zip(entities).filter(|(_, count)| version == DxfVersion::R2000 && *count > 1);
+    let group = |(number, (contour, count)): (usize, (Contour<'_>, usize))| {
+        FileName::new(GROUP, layers::group_name(&contour.label(), number), count)
+    };
+    names.extend(grouped.enumerate().map(group));
     FileLabels::new(model.units, names)
 }
 
@@ -106,7 +112,9 @@ impl Entities {
                 self.promise = Promise::of_chain(&lowered);
                 self.splines = true;
                 self.pieces(chain, &contour.label(), layer);
-                self.written.curves.push(self.promise.of(lowered.correspondence));
+                let mut curve = self.promise.of(lowered.correspondence);
+                curve.knots = chain.pieces().iter().flat_map(knots_of).copied().collect();
+                self.written.curves.push(curve);
                 return Ok(());
             }
         }
@@ -207,8 +215,7 @@ impl Entities {
             }
         }
         if let Some(handle) = group {
-            let name = layers::layer_names(std::iter::once(label), DxfVersion::R2000).swap_remove(0);
-            let name = format!("{name}_{}", self.groups.len() + 1);
+            let name = layers::group_name(label, self.groups.len());
             self.groups.push(Group { handle, name, members });
         }
     }

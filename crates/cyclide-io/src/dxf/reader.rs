@@ -1,13 +1,14 @@
 //! Our own DXF back from the bytes.
 
 use super::plane::Ocs;
-use super::skeleton::{unit_codes, version_code};
+use super::skeleton::{GROUPS, unit_codes, version_code};
 use super::tags::{Tag, parse};
-use super::{LAYER, LAYER_OF};
+use super::{GROUP, LAYER, LAYER_OF, labels};
 use crate::file_content::{FileContent, ReadError};
 use crate::labels::{FileLabels, FileName, push_counted};
 use crate::options::DxfVersion;
-use cyclide::{Arc, ArcPath, ChainPiece, CurveChain, NurbsCurve, ParamCurve as _, Point3, Units, Vec3};
+use cyclide::{Arc, ArcPath, ChainPiece, CurveChain, Model, NurbsCurve, ParamCurve as _, Point3, Units, Vec3};
+use std::collections::HashMap;
 
 /// Gap allowed between entities of one curve, relative to its largest coordinate or radius: the rounding of centre
 /// plus radius.
@@ -16,22 +17,65 @@ const GAP: f64 = 1e-9;
 /// A file as it is read.
 #[derive(Default)]
 pub(crate) struct Drawing {
-    /// The curves with their layers, in file order.
-    curves: Vec<(CurveChain, String)>,
+    /// The curves in file order.
+    curves: Vec<Drawn>,
     /// The table of layers.
     layers: Vec<String>,
+    /// The groups with the numbers of their entities.
+    groups: Vec<FileName>,
     /// Length of a unit, millimetres.
     unit: Option<f64>,
     /// The version, if it is one of ours.
     version: Option<DxfVersion>,
 }
 
-/// Reads unit, layers and the curves of the ENTITIES section.
+/// A curve as it is read.
+#[derive(Clone)]
+struct Drawn {
+    chain: CurveChain,
+    layer: String,
+    /// True if it is a polyline, not a number of single entities.
+    polyline: bool,
+}
+
+/// The OBJECTS section as far as it is about groups.
+#[derive(Default)]
+struct Groups<'a> {
+    /// Names with handles.
+    names: Vec<(&'a str, &'a str)>,
+    /// Members by handle.
+    members: HashMap<&'a str, Vec<&'a str>>,
+}
+
+impl<'a> Groups<'a> {
+    fn object(&mut self, object: &Entity<'a>) {
+        let handle = object.text(5).unwrap_or_default();
+        let all = |code: u16| object.tags.iter().filter(move |tag| tag.code == code).map(|tag| tag.value);
+        match object.name() {
+            "DICTIONARY" if usize::from_str_radix(handle, 16) == Ok(GROUPS) => self.names.extend(all(3).zip(all(350))),
+            "GROUP" => drop(self.members.insert(handle, all(340).collect())),
+            _ => {}
+        }
+    }
+
+    /// The names with the numbers of members, which are the entities that say so.
+    fn names(&self, said: &HashMap<&str, Vec<&str>>) -> Result<Vec<FileName>, ReadError> {
+        if *said != self.members {
+            let detail = "the members of groups are not the entities that say they are";
+            return Err(ReadError::syntax("the section OBJECTS", detail));
+        }
+        let members = |handle: &str| self.members.get(handle).map_or(0, Vec::len);
+        Ok(self.names.iter().map(|(name, handle)| FileName::new(GROUP, *name, members(handle))).collect())
+    }
+}
+
+/// Reads unit, layers, groups and the curves of the ENTITIES section.
 pub(crate) fn read(bytes: &[u8]) -> Result<Drawing, ReadError> {
     let tags = parse(bytes)?;
     let mut section = None;
     let mut drawing = Drawing::default();
     let mut curves = Curves::default();
+    let mut groups = Groups::default();
     let mut at = 0;
     while at < tags.len() {
         let length = 1 + tags[at + 1..].iter().take_while(|t| t.code != 0).count();
@@ -49,11 +93,13 @@ pub(crate) fn read(bytes: &[u8]) -> Result<Drawing, ReadError> {
                 drawing.layers.push(entity.text(2).unwrap_or_default().to_owned());
             }
             (0, _) if section == Some("ENTITIES") => curves.entity(&entity)?,
+            (0, _) if section == Some("OBJECTS") => groups.object(&entity),
             _ => {}
         }
     }
     curves.finish()?;
-    drawing.curves = curves.chains;
+    drawing.groups = groups.names(&curves.members)?;
+    drawing.curves = curves.drawn;
     Ok(drawing)
 }
 
@@ -77,40 +123,36 @@ impl Drawing {
         Ok(())
     }
 
-    /// The version, if it is one of ours.
-    pub(crate) fn version(&self) -> Option<DxfVersion> {
-        self.version
-    }
-
     /// Single entities as the curves that they were written as. DXF R12 has no groups, and lines and arcs alone none
     /// either: where one curve ends where another one begins, only the numbers of their pieces tell them apart.
     pub(crate) fn regrouped(self, counts: &[usize]) -> Self {
-        if self.curves.iter().map(|(chain, _)| chain.piece_count()).eq(counts.iter().copied()) {
+        if self.curves.iter().map(|curve| curve.chain.piece_count()).eq(counts.iter().copied()) {
             return self;
         }
-        let pieces_of = |(chain, layer): &'_ (CurveChain, String)| {
-            let layer = layer.clone();
-            chain.pieces().to_vec().into_iter().map(move |piece| (piece, layer.clone()))
+        let pieces_of = |drawn: &'_ Drawn| {
+            let Drawn { chain, layer, polyline } = drawn.clone();
+            chain.into_pieces().into_iter().map(move |piece| (piece, layer.clone(), polyline))
         };
-        let all: Vec<(ChainPiece, String)> = self.curves.iter().flat_map(pieces_of).collect();
+        let all: Vec<(ChainPiece, String, bool)> = self.curves.iter().flat_map(pieces_of).collect();
         let (mut rest, mut grouped) = (all.as_slice(), Vec::with_capacity(counts.len()));
         for &count in counts {
             let mut found = 0;
-            let length = rest.iter().take_while(|(piece, _)| {
+            let length = rest.iter().take_while(|(piece, ..)| {
                 let more = found < count;
                 found += if more { piece.as_curve().piece_count() } else { 0 };
                 more
             });
             let (own, after) = rest.split_at(length.count());
-            let gap = GAP * own.iter().map(|(piece, _)| extent(piece)).fold(0.0, f64::max);
-            let ends = own.first().zip(own.last()).map(|((first, _), (last, _))| last.end().distance(first.start()));
-            let pieces = own.iter().map(|(piece, _)| piece.clone()).collect();
+            let gap = GAP * own.iter().map(|(piece, ..)| extent(piece)).fold(0.0, f64::max);
+            let ends = own.first().zip(own.last()).map(|((first, ..), (last, ..))| last.end().distance(first.start()));
+            let pieces = own.iter().map(|(piece, ..)| piece.clone()).collect();
+            let polyline = own.iter().any(|(_, _, polyline)| *polyline);
             // All pieces of a curve are on its layer; one that is not is what the curve is said to be on.
-            let layer = own.first().map_or("", |(_, first)| {
-                own.iter().map(|(_, layer)| layer.as_str()).find(|layer| layer != first).unwrap_or(first)
+            let layer = own.first().map_or("", |(_, first, _)| {
+                own.iter().map(|(_, layer, _)| layer.as_str()).find(|layer| layer != first).unwrap_or(first)
             });
             match CurveChain::new(pieces, ends.is_some_and(|apart| apart <= gap), gap) {
-                Ok(chain) => grouped.push((chain, layer.to_owned())),
+                Ok(chain) => grouped.push(Drawn { chain, layer: layer.to_owned(), polyline }),
                 // What does not hang together is not what was written.
                 Err(_) => return self,
             }
@@ -119,14 +161,21 @@ impl Drawing {
         if rest.is_empty() { Self { curves: grouped, ..self } } else { self }
     }
 
-    /// The curves, and the layers' names: those of the table, then those that the curves are on.
+    /// The labels that the file of a model has whose curves are drawn as these; `None` in a version that is not one of ours.
+    pub(crate) fn labels(&self, model: &Model) -> Option<FileLabels> {
+        let single = |curve: &Drawn| if curve.polyline { 1 } else { curve.chain.pieces().len() };
+        Some(labels(model, self.version?, self.curves.iter().map(single)))
+    }
+
+    /// The curves, and the names: the layers of the table, those that the curves are on, the groups.
     pub(crate) fn into_content(self) -> FileContent {
         let mut names: Vec<FileName> = self.layers.into_iter().map(|name| FileName::new(LAYER, name, 1)).collect();
         let mut curves = Vec::with_capacity(self.curves.len());
-        for (chain, layer) in self.curves {
+        for Drawn { chain, layer, .. } in self.curves {
             push_counted(&mut names, LAYER_OF, &layer);
             curves.push(chain);
         }
+        names.extend(self.groups);
         FileContent { curves, labels: FileLabels { unit: self.unit, names }, ..FileContent::default() }
     }
 }
@@ -192,7 +241,9 @@ impl<'a> Entity<'a> {
 /// The curves found so far, and those that are still growing.
 #[derive(Default)]
 struct Curves<'a> {
-    chains: Vec<(CurveChain, String)>,
+    drawn: Vec<Drawn>,
+    /// The handles of entities by the group that they say they are in.
+    members: HashMap<&'a str, Vec<&'a str>>,
     /// LINE, ARC and SPLINE entities of one curve, with their group or layer.
     pieces: Vec<ChainPiece>,
     /// Largest coordinate or radius of these.
@@ -213,6 +264,9 @@ struct Polyline {
 
 impl<'a> Curves<'a> {
     fn entity(&mut self, entity: &Entity<'a>) -> Result<(), ReadError> {
+        if let Some(group) = entity.group() {
+            self.members.entry(group).or_default().push(entity.text(5).unwrap_or_default());
+        }
         match entity.name() {
             "LWPOLYLINE" => {
                 let (x, y, bulge) = (entity.all(10)?, entity.all(20)?, entity.all(42)?);
@@ -267,7 +321,7 @@ impl<'a> Curves<'a> {
         let arcs = (0..edges).map(|i| Arc::from_bulge(point(i), point(i + 1), ocs.z, vertices[i][2]));
         let path = arcs.collect::<cyclide::Result<Vec<_>>>().and_then(|arcs| ArcPath::new(arcs, *closed));
         let path = path.map_err(|e| entity.geometry(e))?;
-        self.chains.push((path.into(), layer.clone()));
+        self.drawn.push(Drawn { chain: path.into(), layer: layer.clone(), polyline: true });
         Ok(())
     }
 
@@ -311,7 +365,8 @@ impl<'a> Curves<'a> {
         let chain = CurveChain::new(std::mem::take(&mut self.pieces), closed, gap);
         let place = std::mem::take(&mut self.place);
         let layer = self.key.1.unwrap_or_default().to_owned();
-        self.chains.push((chain.map_err(|source| ReadError::Geometry { place, source })?, layer));
+        let chain = chain.map_err(|source| ReadError::Geometry { place, source })?;
+        self.drawn.push(Drawn { chain, layer, polyline: false });
         Ok(())
     }
 }

@@ -17,7 +17,6 @@ mod handles {
     pub(super) const VIEWPORT_TABLE: usize = 0x8;
     pub(super) const BLOCK_TABLE: usize = 0x9;
     pub(super) const ROOT: usize = 0xA;
-    pub(super) const GROUPS: usize = 0xB;
     pub(super) const LAYOUTS: usize = 0xC;
     pub(super) const PLOT_STYLES: usize = 0xD;
     pub(super) const PLOT_STYLE: usize = 0xE;
@@ -34,6 +33,8 @@ mod handles {
     pub(super) const PAPER_SPACE: usize = 0x20;
 }
 
+/// The dictionary of groups.
+pub(super) const GROUPS: usize = 0xB;
 /// Owner of all entities.
 pub(super) const MODEL_SPACE: usize = 0x1F;
 /// First handle for layers, entities and groups.
@@ -217,7 +218,7 @@ fn dictionary(tags: &mut Tags, handle: usize, owner: usize, entries: &[(&str, us
 }
 
 fn objects(tags: &mut Tags, groups: &[Group]) {
-    use handles::{GROUPS, LAYOUTS, MODEL_LAYOUT, PAPER_LAYOUT, PAPER_SPACE, PLOT_STYLE, PLOT_STYLES, ROOT};
+    use handles::{LAYOUTS, MODEL_LAYOUT, PAPER_LAYOUT, PAPER_SPACE, PLOT_STYLE, PLOT_STYLES, ROOT};
     tags.begin("SECTION").text(2, "OBJECTS");
     let root = [("ACAD_GROUP", GROUPS), ("ACAD_LAYOUT", LAYOUTS), ("ACAD_PLOTSTYLENAME", PLOT_STYLES)];
     dictionary(tags, ROOT, 0, &root);

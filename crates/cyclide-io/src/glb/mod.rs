@@ -9,17 +9,18 @@
 //! The edges of the patches can be drawn as lines on the vertices of the mesh.
 
 mod buffer;
-mod edges;
+mod material;
 mod reader;
 
 use crate::export_error::ExportError;
 use crate::exported::{Exported, Promise, Written};
 use crate::job::{BodyOf, Contour, Job};
-use crate::labels::{FileLabels, FileName, Named};
+use crate::labels::{FileLabels, FileName, Named, push_counted};
 use crate::mesh::{BodyMesh, Single, between, body_meshes, check_single, polyline, single, triangles};
-use crate::palette;
+use crate::patch_edges::patch_edges;
 use buffer::Buffer;
-use cyclide::{Aabb, Item, MeshCorner, Point3, bounds};
+use cyclide::{Aabb, Item, MeshCorner, Point3, SurfaceMesh, bounds};
+use material::{Look, UNLIT};
 use serde_json::{Value, json};
 use std::collections::HashMap;
 
@@ -35,15 +36,26 @@ const Z_UP: [f64; 4] = [-std::f64::consts::FRAC_1_SQRT_2, 0.0, 0.0, std::f64::co
 const TITLE: &str = "root node";
 const NODE: &str = "node";
 const MESH: &str = "mesh";
+const MATERIAL: &str = "material";
 
-/// The labels of a file of the model.
-pub(crate) fn labels(named: Named<'_>, bodies: &[BodyOf<'_>]) -> FileLabels {
+/// The labels of a file of the model, whose meshes have these lines on them.
+pub(crate) fn labels(named: Named<'_>, bodies: &[BodyOf<'_>], mesh_lines: &[Vec<[usize; 2]>]) -> FileLabels {
     let mut names = vec![FileName::new(TITLE, named.title, 1)];
     for (index, item) in named.model.items.iter().enumerate() {
-        let parts = item.contours.len() + bodies.iter().filter(|body| body.item == index).count();
-        if parts > 0 {
-            names.extend([FileName::new(NODE, &item.name, parts), FileName::new(MESH, &item.name, 1)]);
+        let own = || bodies.iter().zip(mesh_lines).filter(|(body, _)| body.item == index);
+        let parts = item.contours.len() + own().count();
+        if parts == 0 {
+            continue;
         }
+        names.extend([FileName::new(NODE, &item.name, parts), FileName::new(MESH, &item.name, 1)]);
+        let [surface, line] = [Look::surface(item, index), Look::line(item, index)].map(|look| look.to_string());
+        for (_, lines) in own() {
+            push_counted(&mut names, MATERIAL, &surface);
+            if !lines.is_empty() {
+                push_counted(&mut names, MATERIAL, &line);
+            }
+        }
+        item.contours.iter().for_each(|_| push_counted(&mut names, MATERIAL, &line));
     }
     FileLabels::new(named.model.units, names)
 }
@@ -82,9 +94,6 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
     Ok(written.exported(bytes, Vec::new()))
 }
 
-/// The extension for lines.
-const UNLIT: &str = "KHR_materials_unlit";
-
 /// The parts of the document as they grow.
 #[derive(Default)]
 struct File {
@@ -110,14 +119,14 @@ impl File {
         let center = extent.min.midpoint(extent.max);
         let mut primitives = Vec::new();
         if !bodies.is_empty() {
-            let material = self.material(&item.name, palette::surface(index), false);
-            let ink = job.options.glb_edges.then(|| self.material(&item.name, palette::linear(index), true));
+            let material = self.material(&Look::surface(item, index));
+            let ink = job.options.glb_edges.then(|| self.material(&Look::line(item, index)));
             for body in bodies {
                 self.body(body, center, [Some(material), ink], &mut primitives);
             }
         }
         if !item.contours.is_empty() {
-            let material = self.material(&item.name, palette::linear(index), true);
+            let material = self.material(&Look::line(item, index));
             for contour in job.contours().filter(|contour| contour.item == index) {
                 primitives.push(self.curve(job, &contour, center, material)?);
             }
@@ -128,18 +137,8 @@ impl File {
     }
 
     /// Adds a material; gives its index.
-    fn material(&mut self, name: &str, [red, green, blue]: [f64; 3], unlit: bool) -> usize {
-        let colour = json!([red, green, blue, 1.0]);
-        let mut material = json!({
-            "name": if unlit { format!("{name} lines") } else { name.to_owned() },
-            "pbrMetallicRoughness": {"baseColorFactor": colour, "metallicFactor": 0.0, "roughnessFactor": 0.45},
-        });
-        if unlit {
-            material["extensions"] = json!({UNLIT: {}});
-        } else {
-            material["doubleSided"] = json!(true);
-        }
-        self.materials.push(material);
+    fn material(&mut self, look: &Look) -> usize {
+        self.materials.push(look.to_json());
         self.materials.len() - 1
     }
 
@@ -170,11 +169,13 @@ impl File {
         let indices = self.buffer.indices(&indices);
         primitives.push(json!({"attributes": attributes, "indices": indices, "material": material, "mode": TRIANGLES}));
         if let Some(ink) = ink {
-            let lines: Vec<u32> =
-                edges::of_patches(mesh).into_iter().flatten().map(|corner| vertices.index(corner)).collect();
-            let indices = self.buffer.indices(&lines);
-            let attributes = json!({"POSITION": position});
-            primitives.push(json!({"attributes": attributes, "indices": indices, "material": ink, "mode": LINES}));
+            let lines = edges(mesh, &rounded, &mut vertices);
+            self.written.mesh_edges = true;
+            if !lines.is_empty() {
+                let indices = self.buffer.indices(&lines);
+                let attributes = json!({"POSITION": position});
+                primitives.push(json!({"attributes": attributes, "indices": indices, "material": ink, "mode": LINES}));
+            }
         }
         body.plan_triangles(&rounded, rounding.moved, |face| triangles(face).len(), &mut self.written.mesh);
         self.written.bodies.push(Promise::proved(mesh.bound + rounding.moved));
@@ -211,6 +212,20 @@ impl File {
         let indices = self.buffer.indices(&indices);
         Ok(json!({"attributes": attributes, "indices": indices, "material": material, "mode": LINES}))
     }
+}
+
+/// The edges of the patches of a mesh as pairs of vertices, where those with the same rounded position are one.
+fn edges(mesh: &SurfaceMesh, rounded: &[[f32; 3]], vertices: &mut Vertices) -> Vec<u32> {
+    let faces = mesh.faces.iter().zip(&mesh.sources);
+    let of_patch = faces.flat_map(|(face, source)| {
+        let patch = (source.shell, source.face);
+        triangles(face).iter().map(move |t| (patch, t.map(|i| face.corners()[i])))
+    });
+    let triangles: Vec<((usize, usize), [MeshCorner; 3])> = of_patch.collect();
+    let bits = |corner: MeshCorner| rounded[corner.position].map(f32::to_bits);
+    let sides = patch_edges(triangles.iter().map(|(patch, corners)| (*patch, corners.map(bits))));
+    let ends = |(triangle, from): (usize, usize)| [from, (from + 1) % 3].map(|i| triangles[triangle].1[i]);
+    sides.into_iter().flat_map(ends).map(|corner| vertices.index(corner)).collect()
 }
 
 /// The corners of a mesh that have a vertex of their own, in the order in which they are met.

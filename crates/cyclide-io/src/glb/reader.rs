@@ -1,8 +1,9 @@
 //! Reads GLB files of our own: triangles and lines of the nodes below the root, in model coordinates.
 
-use super::{LINES, MESH, NODE, TITLE, TRIANGLES, Z_UP};
+use super::material::{Look, UNLIT};
+use super::{LINES, MATERIAL, MESH, NODE, TITLE, TRIANGLES, Z_UP};
 use crate::file_content::{FileContent, ReadError};
-use crate::labels::FileName;
+use crate::labels::{FileName, push_counted};
 use crate::mesh::chain;
 use cyclide::{MeshCorner, MeshFace, Point3, SurfaceMesh, Vec3};
 use serde_json::Value;
@@ -37,9 +38,10 @@ pub(crate) fn read(bytes: &[u8]) -> Result<FileContent, ReadError> {
         let offset = offset.ok_or_else(|| ReadError::syntax("nodes", "expected a translation of three numbers"))?;
         let mesh = file.entry("meshes", node.get("mesh"))?;
         let before = content.curves.len() + content.meshes.len();
-        file.mesh(mesh, Vec3::from(offset), &mut content)?;
+        let looks = file.mesh(mesh, Vec3::from(offset), &mut content)?;
         let parts = content.curves.len() + content.meshes.len() - before;
         content.labels.names.extend([FileName::new(NODE, name(node), parts), FileName::new(MESH, name(mesh), 1)]);
+        looks.iter().for_each(|look| push_counted(&mut content.labels.names, MATERIAL, look));
     }
     Ok(content)
 }
@@ -110,28 +112,52 @@ impl<'a> File<'a> {
         }
     }
 
-    fn mesh(&self, mesh: &Value, offset: Vec3, content: &mut FileContent) -> Result<(), ReadError> {
+    /// What a material looks like.
+    fn look(&self, index: Option<&Value>) -> Result<String, ReadError> {
+        let look = Look::read(self.entry("materials", index)?)?;
+        let used = self.document.get("extensionsUsed").and_then(Value::as_array);
+        if look.is_unlit() && !used.is_some_and(|used| used.iter().any(|name| name == UNLIT)) {
+            return Err(ReadError::syntax("extensionsUsed", format!("{UNLIT} is used and not there")));
+        }
+        Ok(look.to_string())
+    }
+
+    /// Adds the surfaces and curves of a mesh; gives what their materials look like.
+    fn mesh(&self, mesh: &Value, offset: Vec3, content: &mut FileContent) -> Result<Vec<String>, ReadError> {
         let primitives = mesh.get("primitives").and_then(Value::as_array);
         let primitives = primitives.ok_or_else(|| ReadError::syntax("meshes", "no array \"primitives\""))?;
         // Edges of patches are drawn on the vertices of their mesh.
         let mut of_meshes: Vec<&Value> = Vec::new();
+        let mut looks = Vec::with_capacity(primitives.len());
+        let first = content.meshes.len();
         for primitive in primitives {
             let attributes = primitive.get("attributes").unwrap_or(&Value::Null);
             let position = attributes.get("POSITION").unwrap_or(&Value::Null);
+            looks.push(self.look(primitive.get("material"))?);
+            let of_mesh = of_meshes.iter().position(|of_mesh| *of_mesh == position).map(|index| first + index);
             match primitive.get("mode").and_then(Value::as_u64) {
                 Some(TRIANGLES) => {
                     of_meshes.push(position);
                     content.meshes.push(self.triangles(primitive, position, attributes.get("NORMAL"), offset)?);
+                    content.mesh_lines.push(Vec::new());
                 }
-                Some(LINES) if of_meshes.contains(&position) => {}
                 Some(LINES) => {
+                    if let Some(index) = of_mesh {
+                        let indices = self.indices(primitive, content.meshes[index].positions.len())?;
+                        let (pairs, rest) = indices.as_chunks();
+                        if !rest.is_empty() {
+                            return Err(ReadError::syntax("accessors", "lines need two indices each"));
+                        }
+                        content.mesh_lines[index].extend(pairs);
+                        continue;
+                    }
                     let line = self.line(primitive, position, offset)?;
                     content.curves.push(chain(&line, || "a curve".to_owned())?);
                 }
                 _ => return Err(ReadError::unsupported("a primitive of another mode", "meshes")),
             }
         }
-        Ok(())
+        Ok(looks)
     }
 
     fn triangles(

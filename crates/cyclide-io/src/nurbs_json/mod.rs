@@ -24,14 +24,13 @@ mod surfaces;
 
 use crate::export_error::ExportError;
 
-use crate::exported::{Exported, Promise, Written};
+use crate::exported::{Exported, PieceNotes, Promise, Written, WrittenCurve};
 
 use crate::job::{BodyOf, Contour, Job};
 use crate::labels::{FileLabels, FileName};
 use crate::number::push_plain;
 use cyclide::{
-    ChainPiece, Correspondence, CurveChain, DEFAULT_PIECE_ANGLE, Exactness, Lowered, Model, NurbsCurve,
-    ParamCurve as _, Point3,
+    ChainPiece, CurveChain, DEFAULT_PIECE_ANGLE, Exactness, Lowered, Model, NurbsCurve, ParamCurve as _, Point3,
 };
 use serde_json::Value;
 
@@ -48,9 +47,8 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
         out.push_str(&format!("{name}: {{\"type\": {kind}, \"contours\": ["));
         for contour in job.contours().filter(|contour| contour.item == index) {
             let lowered = job.chain(&contour)?;
-            let promise = Promise::of_chain(&lowered);
             out.push_str(if contour.index == 0 { "\n" } else { ",\n" });
-            written.curves.push(promise.of(push_contour(&mut out, &contour, lowered)?));
+            written.curves.push(push_contour(&mut out, &contour, lowered)?);
         }
         out.push_str(if item.contours.is_empty() { "]" } else { "\n]" });
         for body in job.bodies.iter().filter(|body| body.item == index) {
@@ -64,34 +62,48 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
     Ok(written.exported(out.into_bytes(), Vec::new()))
 }
 
-/// The labels of a file of the model.
-pub(crate) fn labels(model: &Model, bodies: &[BodyOf<'_>]) -> FileLabels {
-    let of_item = |(index, item): (usize, &cyclide::Item)| {
-        let surfaces = bodies.iter().filter(|body| body.item == index).count();
-        [
-            FileName::new("type", &item.kind, 1),
-            FileName::new(reader::CURVES_OF, &item.name, item.contours.len()),
-            FileName::new(reader::SURFACES_OF, &item.name, surfaces),
-        ]
-    };
-    FileLabels::new(model.units, model.items.iter().enumerate().flat_map(of_item).collect())
+/// The labels of a file of the model with what was promised for its curves.
+pub(crate) fn labels(model: &Model, bodies: &[BodyOf<'_>], written: &Written) -> FileLabels {
+    let mut names = Vec::new();
+    let mut curves = written.curves.iter();
+    for (index, item) in model.items.iter().enumerate() {
+        let own = || bodies.iter().filter(|body| body.item == index);
+        names.push(FileName::new("type", &item.kind, 1));
+        names.push(FileName::new(reader::CURVES_OF, &item.name, item.contours.len()));
+        names.push(FileName::new(reader::SURFACES_OF, &item.name, own().count()));
+        let promises = curves.by_ref().take(item.contours.len()).map(|curve| &curve.promise);
+        names.extend(promises.map(|promise| promised(promise.is_exact(), promise.distances()[0])));
+        names.extend(own().map(|body| body_kind(body.body.is_solid(), true)));
+    }
+    FileLabels::new(model.units, names)
 }
 
-/// Writes a contour; gives the parts of it that the spans of its splines stand for.
+/// What a file says of how far a curve is from the object.
+fn promised(exact: bool, bound: f64) -> FileName {
+    let mut text = if exact { "exact, " } else { "" }.to_owned();
+    push_plain(&mut text, bound);
+    FileName::new("bound of curve", text, 1)
+}
+
+/// What a file says of a body.
+fn body_kind(closed: bool, exact: bool) -> FileName {
+    let text = [if closed { "closed" } else { "open" }, if exact { "" } else { ", not exact" }].concat();
+    FileName::new("body", text, 1)
+}
+
+/// Writes a contour; gives what its splines are checked against.
 fn push_contour(
     out: &mut String,
     contour: &Contour<'_>,
     lowered: Lowered<CurveChain>,
-) -> Result<Correspondence, ExportError> {
+) -> Result<WrittenCurve, ExportError> {
+    let promise = Promise::of_chain(&lowered);
     let Lowered { form: chain, exactness, correspondence } = lowered;
-    out.push_str(&format!(
-        "{{\"closed\": {}, \"exact\": {}, \"bound\": ",
-        chain.is_closed(),
-        exactness == Exactness::Exact
-    ));
+    let is_exact = exactness == Exactness::Exact;
+    out.push_str(&format!("{{\"closed\": {}, \"exact\": {is_exact}, \"bound\": ", chain.is_closed()));
     push_plain(out, exactness.bound());
     out.push_str(", \"curves\": [");
-    let mut counts = Vec::with_capacity(chain.piece_count());
+    let mut notes = PieceNotes::default();
     let mut separator = "\n";
     // Splines are given up as they are written.
     let mut pieces = chain.into_pieces().into_iter();
@@ -100,16 +112,16 @@ fn push_contour(
         let arcs = pieces.as_slice().iter().take_while(|piece| matches!(piece, ChainPiece::Arc(_))).count();
         if arcs > 0 {
             out.push_str(std::mem::replace(&mut separator, ",\n"));
-            contour.lowered(push_arcs(out, &pieces.as_slice()[..arcs], &mut counts))?;
+            contour.lowered(push_arcs(out, &pieces.as_slice()[..arcs], &mut notes))?;
             pieces.nth(arcs - 1);
         }
         let Some(ChainPiece::Spline(curve)) = pieces.next() else { break };
-        counts.extend(std::iter::repeat_n(1, curve.piece_count()));
+        notes.spline(&curve);
         out.push_str(std::mem::replace(&mut separator, ",\n"));
         push_curve(out, &curve.with_c1_knots().unwrap_or(curve));
     }
     out.push_str("]}");
-    Ok(correspondence.recounted(counts))
+    Ok(notes.of(promise, correspondence))
 }
 
 fn push_curve(out: &mut String, curve: &NurbsCurve) {
@@ -150,10 +162,10 @@ fn quoted(text: &str) -> String {
     Value::from(text).to_string()
 }
 
-/// Writes arcs that meet as one rational quadratic: arc `i` over `[i, i+1]`, double knots at every joint. Notes how many
-/// spans each has become. Its lists are written one after the other, arc by arc: as a curve it would be larger than the
+/// Writes arcs that meet as one rational quadratic: arc `i` over `[i, i+1]`, double knots at every joint. Notes what they
+/// have become. Its lists are written one after the other, arc by arc: as a curve it would be larger than the
 /// file.
-fn push_arcs(out: &mut String, arcs: &[ChainPiece], counts: &mut Vec<usize>) -> cyclide::Result<()> {
+fn push_arcs(out: &mut String, arcs: &[ChainPiece], notes: &mut PieceNotes) -> cyclide::Result<()> {
     let curves = || {
         let arcs = arcs.iter().filter_map(|piece| if let ChainPiece::Arc(arc) = piece { Some(arc) } else { None });
         arcs.map(|arc| arc.to_nurbs(DEFAULT_PIECE_ANGLE)).enumerate()
@@ -165,12 +177,16 @@ fn push_arcs(out: &mut String, arcs: &[ChainPiece], counts: &mut Vec<usize>) -> 
         let curve = curve?;
         for u in &curve.breaks()[..curve.piece_count()] {
             out.push_str(", ");
-            push_listed(out, &[i as f64 + u; 2]);
+            let knot = i as f64 + u;
+            push_listed(out, &[knot; 2]);
+            notes.knots.push(knot);
         }
-        counts.push(curve.piece_count());
+        notes.counts.push(curve.piece_count());
     }
     out.push_str(", ");
-    push_listed(out, &[arcs.len() as f64; 3]);
+    let end = arcs.len() as f64;
+    notes.knots.push(end);
+    push_listed(out, &[end; 3]);
     out.push_str("], \"control_points\": [");
     for (i, curve) in curves() {
         out.push_str(if i > 0 { ", " } else { "" });

@@ -2,6 +2,7 @@
 //!
 //! Numbers go straight into lists of doubles: a tree of JSON values would take several times the memory of the file.
 
+use super::{body_kind, promised};
 use crate::bodies::FilePatch;
 use crate::file_content::{FileContent, ReadError};
 use crate::labels::{FileLabels, FileName};
@@ -36,6 +37,10 @@ struct Object {
 #[derive(Deserialize)]
 struct Contour {
     closed: bool,
+    #[serde(default)]
+    exact: bool,
+    #[serde(default)]
+    bound: f64,
     curves: Vec<Curve>,
 }
 
@@ -49,6 +54,10 @@ struct Curve {
 
 #[derive(Deserialize)]
 struct Body {
+    #[serde(default)]
+    closed: bool,
+    #[serde(default)]
+    exact: bool,
     shells: Vec<Shell>,
 }
 
@@ -84,6 +93,8 @@ pub(crate) fn read(bytes: &[u8]) -> Result<FileContent, ReadError> {
         let names = [("type", &object.r#type, 1), (CURVES_OF, &name, object.contours.len())];
         content.labels.names.extend(names.map(|(of, name, count)| FileName::new(of, name, count)));
         content.labels.names.push(FileName::new(SURFACES_OF, &name, object.surfaces.len()));
+        content.labels.names.extend(object.contours.iter().map(|contour| promised(contour.exact, contour.bound)));
+        content.labels.names.extend(object.surfaces.iter().map(|body| body_kind(body.closed, body.exact)));
         for (i, contour) in object.contours.into_iter().enumerate() {
             content.curves.push(contour.chain(&format!("/objects/{name}/contours/{i}"))?);
         }

@@ -1,7 +1,7 @@
 //! Curves as STEP entities.
 
 use super::data::{Data, push_list, push_reference, real, string};
-use crate::exported::SMALLEST_RADIUS;
+use crate::exported::{PieceNotes, SMALLEST_RADIUS};
 use crate::number::push_step;
 use cyclide::{Arc, ChainPiece, Circle, CurveChain, NurbsCurve, ParamCurve};
 use std::fmt::Write as _;
@@ -13,13 +13,13 @@ const LARGEST_RADIUS: (f64, f64, f64) = (1e6, 1e5, 2e7);
 /// Below this radius, relative to the chord, an arc is visibly curved and always a circle.
 const CURVED_RADIUS: f64 = 1e3;
 
-/// A composite curve from the pieces of a chain; `size` is the model's diagonal. Notes how many pieces each smooth piece
-/// has become.
-pub(super) fn composite(data: &mut Data, name: &str, chain: CurveChain, size: f64, counts: &mut Vec<usize>) -> usize {
+/// A composite curve from the pieces of a chain; `size` is the model's diagonal. Notes what each smooth piece has
+/// become.
+pub(super) fn composite(data: &mut Data, name: &str, chain: CurveChain, size: f64, pieces: &mut PieceNotes) -> usize {
     let closed = chain.is_closed();
-    let pieces = chain.into_pieces().into_iter().map(|piece| bounded_curve(data, piece, size, counts));
-    let pieces: Vec<usize> = pieces.collect();
-    composite_of(data, name, &pieces, closed)
+    let curves = chain.into_pieces().into_iter().map(|piece| bounded_curve(data, piece, size, pieces));
+    let curves: Vec<usize> = curves.collect();
+    composite_of(data, name, &curves, closed)
 }
 
 /// A full circle, which needs no trimming.
@@ -48,28 +48,28 @@ fn composite_of(data: &mut Data, name: &str, pieces: &[usize], closed: bool) -> 
     })
 }
 
-fn bounded_curve(data: &mut Data, piece: ChainPiece, size: f64, counts: &mut Vec<usize>) -> usize {
+fn bounded_curve(data: &mut Data, piece: ChainPiece, size: f64, pieces: &mut PieceNotes) -> usize {
     match piece {
-        ChainPiece::Arc(arc) => bounded_arc(data, &arc, size, counts),
+        ChainPiece::Arc(arc) => bounded_arc(data, &arc, size, pieces),
         ChainPiece::Spline(curve) => {
-            counts.extend(std::iter::repeat_n(1, curve.piece_count()));
+            pieces.spline(&curve);
             b_spline(data, curve)
         }
     }
 }
 
-fn bounded_arc(data: &mut Data, arc: &Arc, size: f64, counts: &mut Vec<usize>) -> usize {
+fn bounded_arc(data: &mut Data, arc: &Arc, size: f64, pieces: &mut PieceNotes) -> usize {
     if let Some(curve) = trimmed_circle(data, arc, size) {
-        counts.push(1);
+        pieces.counts.push(1);
         return curve;
     }
     match arc.to_nurbs(cyclide::DEFAULT_PIECE_ANGLE) {
         Ok(curve) if !arc.is_straight() => {
-            counts.push(curve.piece_count());
+            pieces.arc_as_spline(&curve);
             b_spline(data, curve)
         }
         _ => {
-            counts.push(1);
+            pieces.counts.push(1);
             trimmed_line(data, arc)
         }
     }

@@ -27,11 +27,11 @@ mod topology;
 
 use crate::export_error::ExportError;
 
-use crate::exported::{Exported, Promise, Written};
+use crate::exported::{Exported, PieceNotes, Promise, Written};
 
 use crate::job::{Contour, Job};
 use crate::options::StepProducts;
-use cyclide::{ChainPiece, CurveChain, CurveObject, Lowered, ParamCurve as _, ShortNumber, Units};
+use cyclide::{ChainPiece, CurveChain, CurveObject, Lowered, ShortNumber, Units};
 use data::Data;
 use structure::Part;
 use topology::Written as WrittenBody;
@@ -61,9 +61,9 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
             let promise = Promise::of_chain(&lowered);
             let Lowered { form: chain, correspondence, .. } = lowered;
             shortest = shortest.min(shortest_piece(&chain));
-            let mut counts = Vec::with_capacity(chain.piece_count());
-            let composite = curves::composite(&mut data, &contour.label(), chain, job.size(), &mut counts);
-            written.curves.push(promise.of(correspondence.recounted(counts)));
+            let mut pieces = PieceNotes::default();
+            let composite = curves::composite(&mut data, &contour.label(), chain, job.size(), &mut pieces);
+            written.curves.push(pieces.of(promise, correspondence));
             composite
         });
         if contour.index + 1 == contour.count {

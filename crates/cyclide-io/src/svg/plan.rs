@@ -101,7 +101,7 @@ fn draw(
 ) -> Result<(DrawnLine, Option<Path>), ExportError> {
     let failed = |source| body.unfit(source);
     let arc = arc.map_err(failed)?;
-    let (path, WrittenCurve { parts, promise }) =
+    let (path, WrittenCurve { parts, promise, .. }) =
         if arc.normal().is_none_or(|n| n.x.abs() <= LEVEL && n.y.abs() <= LEVEL) {
             let mut path = Path::new(arc.start(), false);
             let (lost, drawn) = path.arc(&arc);

@@ -1,71 +1,12 @@
 //! Units, names, layers and knots damaged in the bytes: coordinates are all right, and the check says what is not.
 
+use crate::damage::Damage;
 use crate::models::{bent_quad, curve_and_surfaces, flat, mixed, slot, surfaces, torus_part};
 use cyclide::{CurveObject, Model, Point3, Units};
-use cyclide_io::{DxfVersion, ExportOptions, Exported, Format, ReadError, StepProducts, export, file_deviation};
-
-struct Damage {
-    model: Model,
-    format: Format,
-    file: Exported,
-}
-
-impl Damage {
-    fn new(model: Model, format: Format) -> Self {
-        Self::with(model, format, &ExportOptions { tolerance: Some(0.1), ..ExportOptions::default() })
-    }
-
-    fn with(model: Model, format: Format, options: &ExportOptions) -> Self {
-        let file = export(&model, format, options).unwrap();
-        let deviation = file_deviation(&model, format, &file).unwrap();
-        assert!(deviation <= file.bound + 1e-12, "{format:?}: {deviation:e}"); // rounding
-        Self { model, format, file }
-    }
-
-    fn bytes(&self, change: impl FnOnce(&mut Vec<u8>)) -> Result<f64, ReadError> {
-        let mut wrong = self.file.clone();
-        change(&mut wrong.bytes);
-        assert!(wrong.bytes != self.file.bytes, "{:?}: nothing was changed", self.format);
-        file_deviation(&self.model, self.format, &wrong)
-    }
-
-    /// The message about a text in which some words are exchanged for others, all at once.
-    #[track_caller]
-    fn refused(&self, changes: &[(&str, &str)]) -> String {
-        let changed = self.bytes(|bytes| {
-            let mut text = String::from_utf8(std::mem::take(bytes)).unwrap();
-            for (k, (from, _)) in changes.iter().enumerate() {
-                assert!(text.contains(from), "{:?}: there is no {from}", self.format);
-                text = text.replace(from, &format!("\u{1}{k}\u{1}"));
-            }
-            for (k, (_, to)) in changes.iter().enumerate() {
-                text = text.replace(&format!("\u{1}{k}\u{1}"), to);
-            }
-            *bytes = text.into_bytes();
-        });
-        changed.unwrap_err().to_string()
-    }
-
-    /// As [`refused`](Self::refused), in the JSON chunk of GLB.
-    #[track_caller]
-    fn refused_glb(&self, change: impl FnOnce(&mut serde_json::Value)) -> String {
-        let changed = self.bytes(|bytes| {
-            let length = u32::from_le_bytes(bytes[12..16].try_into().unwrap()) as usize;
-            let mut json: serde_json::Value = serde_json::from_slice(&bytes[20..20 + length]).unwrap();
-            change(&mut json);
-            let mut text = json.to_string().into_bytes();
-            text.resize(text.len().next_multiple_of(4), b' ');
-            let size = |n: usize| u32::try_from(n).unwrap().to_le_bytes();
-            let total = bytes.len() - length + text.len();
-            let head = [&b"glTF"[..], &2_u32.to_le_bytes(), &size(total), &size(text.len()), b"JSON"].concat();
-            *bytes = [&head[..], &text, &bytes[20 + length..]].concat();
-        });
-        changed.unwrap_err().to_string()
-    }
-}
+use cyclide_io::{DxfVersion, ExportOptions, Format, StepProducts};
 
 /// Two objects with the same curve in other places, in inches.
-fn twins() -> Model {
+pub fn twins() -> Model {
     let mut model = mixed(flat);
     model.units = Units::Inch;
     model.items.truncate(1);
@@ -76,7 +17,7 @@ fn twins() -> Model {
 }
 
 /// Two surfaces in inches.
-fn bodies() -> Model {
+pub fn bodies() -> Model {
     Model { units: Units::Inch, ..surfaces(&[bent_quad(), torus_part(Point3::ORIGIN)]) }
 }
 

@@ -3,6 +3,8 @@
 #![allow(clippy::unwrap_used, reason = "what cannot be made or read fails the test")]
 #![allow(clippy::float_cmp, reason = "numbers of a file are the same doubles")]
 
+mod content_damage;
+mod damage;
 mod drawings;
 mod dxf;
 mod exact_surfaces;
