@@ -4,7 +4,8 @@ use super::flatten::flatten;
 use crate::base::vector::{Point3, Vec3};
 use crate::curve::Arc;
 use crate::error::Result;
-use crate::surface::{Body, ParamSurface as _, Shell, ShellFace};
+use crate::surface::ParamSurface as _;
+use crate::topology::{Body, Shell, ShellFace};
 
 /// Which parameter lines a polyline follows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

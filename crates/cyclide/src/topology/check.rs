@@ -2,7 +2,7 @@
 
 use super::{FaceEdge, Shell, ShellFace};
 use crate::error::{Error, Result};
-use crate::surface::patch::CyclidePatch;
+use crate::surface::CyclidePatch;
 
 /// Corners at the start and the end of the sides t=0, t=1, s=0, s=1, in the direction of the growing parameter.
 pub(super) const SIDE_CORNERS: [(usize, usize); 4] = [(0, 1), (2, 3), (0, 2), (1, 3)];

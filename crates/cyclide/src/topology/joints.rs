@@ -1,7 +1,8 @@
 //! How the faces of a shell meet at their common edges.
 
+use super::{Shell, ShellFace};
 use crate::base::vector::{Point3, Vec3};
-use crate::surface::{ParamSurface as _, Shell, ShellFace};
+use crate::surface::ParamSurface as _;
 
 /// Samples along an edge, both ends included.
 const SAMPLES: usize = 9;

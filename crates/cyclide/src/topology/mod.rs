@@ -1,15 +1,21 @@
-//! Patches that share edges and vertices: what files, meshes and pictures are made of.
+//! Bodies, their shells, and the faces and edges of these: what files, meshes and pictures are made of.
 
+mod bounds;
 mod check;
+mod joints;
 mod measure;
 mod parts;
+mod sew;
 mod split;
+mod thick;
 mod transform;
 
-use super::patch::CyclidePatch;
+pub use joints::{SurfaceJoint, surface_joints};
+
 use crate::base::vector::Point3;
 use crate::curve::Arc;
 use crate::error::Result;
+use crate::surface::CyclidePatch;
 
 /// An edge of a shell: an arc between two vertices, with the parameter that every face along it has.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -10,8 +10,8 @@ use crate::base::bounds::Aabb;
 use crate::base::vector::Point3;
 use crate::curve::Arc;
 use crate::error::{Error, Result};
+use crate::surface::CyclidePatch;
 use crate::surface::ParamSurface as _;
-use crate::surface::patch::CyclidePatch;
 
 /// Smallest cosine of half an edge's angle: edges stay below 150 degrees.
 const SMALLEST_COSINE: f64 = 0.25;
