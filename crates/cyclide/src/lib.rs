@@ -63,6 +63,7 @@ mod rational;
 mod shape_change;
 mod short_number;
 mod surface;
+mod topology;
 mod warning;
 
 pub use base::bounds::Aabb;
@@ -105,9 +106,11 @@ pub use model::{ChainPiece, CurveChain, CurveObject, Exactness, Item, Lower, Low
 pub use rational::{ExactRational, NurbsCurve, RationalBezier, RationalBezierSurface};
 pub use shape_change::ShapeChange;
 pub use short_number::ShortNumber;
-pub use surface::{Body, FaceEdge, ParamSurface, QuadGrid, Shell, ShellEdge, ShellFace};
 pub use surface::{CyclideKind, CyclidicNet, DupinCyclide, NetFrame, SingularPatch};
 pub use surface::{CyclidePatch, PatchKind};
 pub use surface::{ImplicitForm, PatchLocation, PatchRow};
-pub use surface::{Seam, SeamMeasure, SurfaceJoint, surface_joints};
+pub use surface::{ParamSurface, QuadGrid};
+pub use surface::{Seam, SeamMeasure};
+pub use topology::{Body, FaceEdge, Shell, ShellEdge, ShellFace, Side};
+pub use topology::{SurfaceJoint, surface_joints};
 pub use warning::Warning;

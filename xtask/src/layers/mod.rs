@@ -14,7 +14,7 @@ use std::process::ExitCode;
 
 /// The rooms of the kernel and what each may use, besides itself. `error`, `warning`, the numbers
 /// in their texts and `shape_change` stand beside `base`.
-const ROOMS: [(&str, &[&str]); 13] = [
+const ROOMS: [(&str, &[&str]); 14] = [
     ("short_number", &[]),
     ("shape_change", &["short_number"]),
     ("error", &["short_number", "shape_change"]),
@@ -26,8 +26,24 @@ const ROOMS: [(&str, &[&str]); 13] = [
     ("curve", &["base", "conformal", "rational", "batch", "error", "warning"]),
     ("surface", &["base", "conformal", "rational", "batch", "curve", "error", "warning"]),
     ("construct", &["base", "conformal", "rational", "batch", "curve", "surface", "error", "warning", "shape_change"]),
-    ("mesh", &["base", "conformal", "rational", "batch", "curve", "surface", "error", "warning"]),
-    ("model", &["base", "conformal", "rational", "batch", "curve", "surface", "construct", "mesh", "error", "warning"]),
+    ("topology", &["base", "conformal", "rational", "batch", "curve", "surface", "error", "warning"]),
+    ("mesh", &["base", "conformal", "rational", "batch", "curve", "surface", "topology", "error", "warning"]),
+    (
+        "model",
+        &[
+            "base",
+            "conformal",
+            "rational",
+            "batch",
+            "curve",
+            "surface",
+            "topology",
+            "construct",
+            "mesh",
+            "error",
+            "warning",
+        ],
+    ),
 ];
 
 /// Modules of `std` that the kernel does without: it has no input, output, clock, threads or environment.

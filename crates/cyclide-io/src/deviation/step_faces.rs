@@ -10,10 +10,10 @@ use crate::bodies::{FileBody, FileEdge, FileFace, FileShell, FileSurface};
 use crate::file_content::ReadError;
 use crate::job::BodyOf;
 use crate::options::StepEdges;
-use crate::step::{LOOP, exported};
+use crate::step::exported;
 use cyclide::{
-    Body, ChainPiece, CyclidePatch, ParamCurve as _, ParamSurface as _, PatchKind, Point3, RationalBezierSurface,
-    Shell, Vec3,
+    Body, ChainPiece, CyclidePatch, FaceEdge, ParamCurve as _, ParamSurface as _, PatchKind, Point3,
+    RationalBezierSurface, Shell, Side, Vec3,
 };
 use std::collections::{HashMap, HashSet};
 
@@ -100,23 +100,18 @@ fn shell_deviation(shell: &Shell, part: &[usize], flip: bool, file: &FileShell, 
         let face = &shell.faces()[index];
         let outer_side = face.same_sense != flip;
         largest = larger(largest, surface_deviation(&face.patch, file, outer_side)?);
-        let mut sides: Vec<(usize, bool)> = LOOP.into_iter().filter(|&(k, _)| face.sides[k].is_some()).collect();
-        if !outer_side {
-            sides.reverse();
-            sides.iter_mut().for_each(|side| side.1 = !side.1);
-        }
+        let sides = face.edge_loop(outer_side);
         require(sides.len() == file.edges.len(), "another number of edges round a face")?;
-        for (i, ((k, along), edge)) in sides.into_iter().zip(&file.edges).enumerate() {
+        for (i, ((side, place, forward), edge)) in sides.into_iter().zip(&file.edges).enumerate() {
             let next = &file.edges[(i + 1) % file.edges.len()];
             require(edge.oriented()[1] == next.oriented()[0], "a loop does not run head to tail")?;
-            let Some(side) = face.sides[k] else { continue };
-            require(edge.forward == (along == side.forward), "an edge runs the wrong way round a face")?;
-            let used = edges.entry(edge.edge).or_insert((side.edge, Vec::new()));
-            require(used.0 == side.edge, "faces share an edge in the file only")?;
+            require(edge.forward == forward, "an edge runs the wrong way round a face")?;
+            let used = edges.entry(edge.edge).or_insert((place.edge, Vec::new()));
+            require(used.0 == place.edge, "faces share an edge in the file only")?;
             used.1.push(edge.forward);
-            largest = larger(largest, edge_deviation(&face.patch, k, side.forward, edge));
+            largest = larger(largest, edge_deviation(&face.patch, side, place, edge));
             if let FileSurface::Rational(surface) = &file.surface {
-                check_parameters(&face.patch, surface, k, side.forward, edge, size)?;
+                check_parameters(&face.patch, surface, (side, place), edge, size)?;
             }
         }
     }
@@ -164,19 +159,14 @@ fn outward(kind: &PatchKind, p: Point3) -> Option<Vec3> {
     }
 }
 
-/// Side `k` of a patch against the file's edge; `forward` if the parameters of both grow together.
-fn edge_deviation(patch: &CyclidePatch, k: usize, forward: bool, edge: &FileEdge) -> f64 {
-    let side = |x: f64| match k {
-        0 => patch.point(x, 0.0),
-        1 => patch.point(x, 1.0),
-        2 => patch.point(0.0, x),
-        _ => patch.point(1.0, x),
-    };
+/// A side of a patch against the file's edge.
+fn edge_deviation(patch: &CyclidePatch, side: Side, place: FaceEdge, edge: &FileEdge) -> f64 {
     let mut largest = 0.0_f64;
     for i in 0..PLACES {
         let x = parameter(i);
-        let along = if forward { x } else { 1.0 - x };
-        let p = side(x);
+        let along = place.turned(x);
+        let (s, t) = side.place(x);
+        let p = patch.point(s, t);
         largest = largest.max(match &edge.curve {
             ChainPiece::Arc(arc) => arc.closest_point(p).distance,
             ChainPiece::Spline(curve) => curve.eval(along).distance(p),
@@ -197,8 +187,7 @@ fn edge_deviation(patch: &CyclidePatch, k: usize, forward: bool, edge: &FileEdge
 fn check_parameters(
     patch: &CyclidePatch,
     surface: &RationalBezierSurface,
-    k: usize,
-    forward: bool,
+    (side, place): (Side, FaceEdge),
     edge: &FileEdge,
     size: f64,
 ) -> Result<(), Mismatch> {
@@ -216,15 +205,10 @@ fn check_parameters(
             "a parameter curve has another range than its edge",
         )?;
     }
-    let fixed = f64::from(u32::from(k % 2 == 1));
-    let along_side = |x: f64| {
-        let x = if forward { x } else { 1.0 - x };
-        if k < 2 { [x, fixed] } else { [fixed, x] }
-    };
     let places = (0..PLACES).map(|i| {
         let x = parameter(i);
         let on_curve = edge.parameter_curve.as_ref().map(|curve| curve.eval(x));
-        let [u, v] = on_curve.map_or_else(|| along_side(x), |at| [at.x, at.y]);
+        let (u, v) = on_curve.map_or_else(|| side.place(place.turned(x)), |at| (at.x, at.y));
         surface.point(u, v).distance(arc.point_at_length(x))
     });
     let (of_length, of_size) = PARAMETER_LIMIT;

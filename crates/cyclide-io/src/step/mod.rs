@@ -38,7 +38,7 @@ use topology::Written as WrittenBody;
 
 pub(crate) use labels::labels;
 pub(crate) use reader::read;
-pub(crate) use topology::{LOOP, exported};
+pub(crate) use topology::exported;
 
 /// Readers merge what is closer than this (OpenCASCADE's vertex tolerance is 1e-7), in file units.
 const SHORTEST_EDGE: f64 = 1e-6;

@@ -19,7 +19,7 @@
 
 use super::data::{Data, push_list, push_reference};
 use crate::number::push_step;
-use cyclide::Arc;
+use cyclide::{Arc, FaceEdge, Side};
 use std::fmt::Write as _;
 
 /// Part of an edge's length by which its point in space and that in the parameters may be apart; readers' tolerance is
@@ -66,15 +66,10 @@ impl ParameterCurve {
         Some(Self { values, weights: Some(weights) })
     }
 
-    /// The curve along side `side` of a face (t=0, t=1, s=0, s=1), over `[0, range]`; `forward` if the parameters of edge
-    /// and side grow together.
-    pub(super) fn write(&self, data: &mut Data, side: usize, forward: bool, range: f64) -> usize {
-        let fixed = (side % 2) as f64;
-        let point = |&x: &f64| {
-            let x = if forward { x } else { 1.0 - x };
-            if side < 2 { [x, fixed] } else { [fixed, x] }
-        };
-        let points: Vec<usize> = self.values.iter().map(|x| data.parameter_point(point(x))).collect();
+    /// The curve along an edge on a side of a face, over `[0, range]`.
+    pub(super) fn write(&self, data: &mut Data, side: Side, edge: FaceEdge, range: f64) -> usize {
+        let place = |x: &f64| side.place(edge.turned(*x)).into();
+        let points: Vec<usize> = self.values.iter().map(|x| data.parameter_point(place(x))).collect();
         let (degree, ends) = (points.len() - 1, points.len());
         data.write(|out| {
             // Writing to a string cannot fail.

@@ -6,12 +6,8 @@ use super::integration::is_integrable;
 use super::parameter_curves::ParameterCurve;
 use super::surfaces;
 use crate::options::StepEdges;
-use cyclide::{Body, FaceEdge, NurbsCurve, PatchKind, Point3, Result, Shell, ShellFace};
+use cyclide::{Body, NurbsCurve, PatchKind, Point3, Result, Shell, ShellFace, Side};
 use std::fmt::Write as _;
-
-/// The loop of a face, counter-clockwise against `f_s × f_t`: sides t=0, s=1, t=1, s=0, and whether each runs with
-/// the growing parameter.
-pub(crate) const LOOP: [(usize, bool); 4] = [(0, true), (3, true), (1, false), (2, false)];
 
 /// An edge that departs from its chord by no more than this part of the model's size is a line: its curvature is
 /// rounding.
@@ -109,7 +105,7 @@ struct Writer<'a> {
     /// The surface of each face.
     kinds: Vec<PatchKind>,
     /// Of each edge the faces along it, with the side of each.
-    users: Vec<Vec<(usize, usize)>>,
+    users: Vec<Vec<(usize, Side)>>,
     /// Surfaces, `VERTEX_POINT`s and `EDGE_CURVE`s already written; of a surface also whether its normal is the patch's.
     surface: Vec<Option<(usize, bool)>>,
     vertex: Vec<Option<usize>>,
@@ -119,12 +115,7 @@ struct Writer<'a> {
 impl<'a> Writer<'a> {
     fn new(data: &'a mut Data, shell: &'a Shell, size: f64, edges: StepEdges) -> Self {
         let kinds = shell.faces().iter().map(|face| surfaces::kind(shell, face, size, edges)).collect();
-        let mut users = vec![Vec::new(); shell.edges().len()];
-        for (index, face) in shell.faces().iter().enumerate() {
-            for (k, side) in face.sides.iter().enumerate() {
-                side.iter().for_each(|side| users[side.edge].push((index, k)));
-            }
-        }
+        let users = shell.faces_along_edges();
         let (vertex, edge) = (vec![None; shell.vertices().len()], vec![None; shell.edges().len()]);
         let surface = vec![None; shell.faces().len()];
         Self { data, shell, size, edges, kinds, users, surface, vertex, edge }
@@ -157,25 +148,18 @@ impl<'a> Writer<'a> {
     /// The rational surface of a face; neighbours get the same control points along their common edge.
     fn rational(&mut self, face: &ShellFace) -> Result<usize> {
         let corners = face.patch.corners();
-        let middle = |k: usize| match face.sides[k] {
-            Some(side) => surfaces::middle_point(&self.shell.edges()[side.edge].arc),
-            None => corners[[0, 2, 0, 1][k]],
-        };
-        let middles: [Point3; 4] = std::array::from_fn(middle);
+        let middles: [Point3; 4] = Side::ALL.map(|side| match face.side(side) {
+            Some(edge) => surfaces::middle_point(&self.shell.edges()[edge.edge].arc),
+            None => corners[side.corners()[0]],
+        });
         surfaces::rational(self.data, &face.patch, middles)
     }
 
     /// The loop of a face, counter-clockwise against its outer side; a side of one point is no edge.
     fn bound(&mut self, face: &ShellFace, outer_side: bool) -> Result<usize> {
-        let mut sides: Vec<(FaceEdge, bool)> =
-            LOOP.iter().filter_map(|&(k, along)| face.sides[k].map(|side| (side, along == side.forward))).collect();
-        if !outer_side {
-            sides.reverse();
-            sides.iter_mut().for_each(|side| side.1 = !side.1);
-        }
         let mut oriented = Vec::with_capacity(4);
-        for (side, forward) in sides {
-            let edge = self.edge(side.edge)?;
+        for (_, edge, forward) in face.edge_loop(outer_side) {
+            let edge = self.edge(edge.edge)?;
             oriented.push(self.data.write(|out| {
                 let _ = write!(out, "ORIENTED_EDGE('',*,*,#{edge},{})", logical(forward));
             }));
@@ -234,11 +218,11 @@ impl<'a> Writer<'a> {
     ) -> Result<usize> {
         let Some(along) = along else { return Ok(curve) };
         let mut found = Vec::with_capacity(2);
-        for (face, k) in self.users[index].clone() {
-            let Some(side) = self.shell.faces()[face].sides[k] else { continue };
+        for (face, side) in self.users[index].clone() {
+            let Some(edge) = self.shell.faces()[face].side(side) else { continue };
             if self.kinds[face] == PatchKind::Cyclide {
                 let (surface, _) = self.surface(face)?;
-                let curve = along.write(self.data, k, side.forward, range);
+                let curve = along.write(self.data, side, edge, range);
                 found.push(self.data.parameter_curve(surface, curve));
             }
         }

@@ -4,7 +4,8 @@ use super::flatten::flatten;
 use crate::base::vector::{Point3, Vec3};
 use crate::curve::Arc;
 use crate::error::Result;
-use crate::surface::{Body, ParamSurface as _, Shell, ShellFace};
+use crate::surface::ParamSurface as _;
+use crate::topology::{Body, Shell, ShellFace, Side};
 
 /// Which parameter lines a polyline follows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -56,19 +57,11 @@ pub fn parameter_lines(body: &Body, inner: usize, tolerance: f64) -> Result<Vec<
 
 /// Appends the edges of a shell.
 fn edge_lines(shell: &Shell, index: usize, tolerance: f64, lines: &mut Vec<ParameterLine>) -> Result<()> {
-    let mut faces: Vec<Vec<(&ShellFace, usize, bool)>> = vec![Vec::new(); shell.edges().len()];
-    for face in shell.faces() {
-        for (side, edge) in face.sides.iter().enumerate() {
-            if let Some(edge) = edge {
-                faces[edge.edge].push((face, side, edge.forward));
-            }
-        }
-    }
-    for (edge, faces) in shell.edges().iter().zip(&faces) {
+    for (edge, faces) in shell.edges().iter().zip(shell.faces_along_edges()) {
         let normal = |u: f64| {
-            let of_face = |&(face, side, forward): &(&ShellFace, usize, bool)| {
-                let v = if forward { u } else { 1.0 - u };
-                outer_normal(face, [(v, 0.0), (v, 1.0), (0.0, v), (1.0, v)][side])
+            let of_face = |&(face, side): &(usize, Side)| {
+                let face = &shell.faces()[face];
+                outer_normal(face, side.place(face.side(side).map_or(u, |edge| edge.turned(u))))
             };
             let first = faces.first().map_or(Vec3::ZERO, of_face);
             // Faces folded back on each other have no mean.

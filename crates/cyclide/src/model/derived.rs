@@ -5,7 +5,8 @@ use super::surface_object::SurfaceObject;
 use crate::conformal::mobius::{Conformal, Mobius};
 use crate::curve::Arc;
 use crate::error::{Error, Result};
-use crate::surface::{Body, CyclidicNet, Shell};
+use crate::surface::CyclidicNet;
+use crate::topology::{Body, Shell};
 
 impl Conformal for CurveObject {
     /// The image: of arcs and chains of arcs under any map, of circles and circle splines under similarities and

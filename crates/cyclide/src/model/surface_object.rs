@@ -1,7 +1,8 @@
 //! Any surface of the kernel, on its way to files.
 
 use crate::error::Result;
-use crate::surface::{Body, CyclidePatch, CyclidicNet, Shell};
+use crate::surface::{CyclidePatch, CyclidicNet};
+use crate::topology::{Body, Shell};
 
 /// Any surface of the kernel.
 #[derive(Debug, Clone, PartialEq)]

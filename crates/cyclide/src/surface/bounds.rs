@@ -1,4 +1,4 @@
-//! Boxes around patches, shells and bodies in closed form.
+//! Boxes around patches in closed form.
 //!
 //! A coordinate `x = e·f` (`e` a unit vector of an axis) is extreme on a patch at a corner, inside a side, or inside:
 //!
@@ -13,12 +13,11 @@
 //! rounded root costs the box its square only. Where a quadratic vanishes identically (the coordinate is constant
 //! along a line) the line ends at corners or sides, which have been looked at.
 
-use super::shell::{Body, Shell};
 use super::{CyclidePatch, ParamSurface as _};
 use crate::base::bounds::Aabb;
 use crate::base::quat::Quat;
 use crate::base::roots::projective_quadratic;
-use crate::base::vector::{Point3, Vec3};
+use crate::base::vector::Vec3;
 
 impl CyclidePatch {
     /// The smallest box around the patch, to rounding (some 1e-15 of the size and of the distance from the origin).
@@ -73,22 +72,4 @@ impl CyclidePatch {
 /// the complex numbers is taken at its real part.
 fn quadratic(a: f64, b: f64, c: f64) -> [Option<f64>; 2] {
     projective_quadratic(a, b, c, (b * b - a * c).max(0.0).sqrt())
-}
-
-impl Shell {
-    /// The smallest box around the shell, to rounding.
-    #[must_use]
-    pub fn bounds(&self) -> Aabb {
-        let faces = self.faces().iter().map(|face| face.patch.bounds()).reduce(Aabb::union);
-        // A shell has a face; the origin stands for the box of nothing.
-        faces.unwrap_or(Aabb::of_point(Point3::ORIGIN))
-    }
-}
-
-impl Body {
-    /// The smallest box around the body, to rounding; that of its outer shell.
-    #[must_use]
-    pub fn bounds(&self) -> Aabb {
-        self.outer.bounds()
-    }
 }

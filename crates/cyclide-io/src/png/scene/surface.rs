@@ -4,7 +4,7 @@ use super::camera::Camera;
 use super::light::{Lights, Rgb, mix};
 use crate::palette;
 use crate::parameter_circles::halvings;
-use cyclide::{CyclidePatch, ParamSurface as _, Shell, Vec3};
+use cyclide::{CyclidePatch, ParamSurface as _, Shell, Side, Vec3};
 
 /// Distance that the inner parameter circles have, about, pixels.
 const SPACING: f64 = 30.0;
@@ -115,8 +115,8 @@ impl Surface<'_> {
         if !(slope > 0.0) {
             return 0.0;
         }
-        // The sides of constant s are the last two.
-        let side = self.sides[if at < 0.5 { 2 - 2 * k } else { 3 - 2 * k }];
+        let [first, last] = if k == 0 { [Side::Left, Side::Right] } else { [Side::Bottom, Side::Top] };
+        let side = self.sides[if at < 0.5 { first } else { last } as usize];
         let mut strength = EDGE_INK * cover(at.min(1.0 - at).max(0.0) / slope, side) * fade(1.0 / slope);
         let mut count = 1.0;
         for _ in 0..self.levels[k] {

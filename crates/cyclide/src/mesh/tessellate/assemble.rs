@@ -7,7 +7,8 @@ use super::vertices::{BorderVertices, compact};
 use crate::base::quat::Quat;
 use crate::base::vector::Vec3;
 use crate::mesh::surface_mesh::{MeshCorner, MeshFace, MeshSource, SurfaceMesh};
-use crate::surface::{ParamSurface as _, Shell, ShellFace};
+use crate::surface::ParamSurface as _;
+use crate::topology::{Shell, ShellFace};
 
 /// Appends the cells of a shell to the mesh. Returns how far vertices shared with other faces are off the patches.
 pub(super) fn assemble(shell: &Shell, index: usize, strips: &Strips, cuts: &Cuts, mesh: &mut SurfaceMesh) -> f64 {

@@ -4,7 +4,8 @@ use super::cell_bound::{PatchSpeeds, denominators, grid_bound};
 use super::density::Density;
 use super::strips::{Member, Place, Strip, Strips};
 use crate::error::{Error, Result};
-use crate::surface::{CyclidePatch, Shell};
+use crate::surface::CyclidePatch;
+use crate::topology::Shell;
 
 /// Intervals on which densities are sampled.
 const SCAN: usize = 16;

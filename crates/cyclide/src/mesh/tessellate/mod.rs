@@ -14,7 +14,7 @@ mod vertices;
 use super::MOST_PIECES;
 use super::surface_mesh::SurfaceMesh;
 use crate::error::{Error, Result, check_tolerance};
-use crate::surface::{Body, Shell};
+use crate::topology::{Body, Shell};
 use assemble::assemble;
 use cuts::{Cap, Cuts};
 use strips::Strips;

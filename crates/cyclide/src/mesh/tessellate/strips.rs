@@ -4,7 +4,7 @@
 //! strip runs across opposite sides through the whole shell, as on a quad mesh. Within it parameters may run either way.
 
 use super::cell_bound::PatchSpeeds;
-use crate::surface::{FaceEdge, Shell, ShellFace};
+use crate::topology::{FaceEdge, Shell, ShellFace};
 
 /// A direction of a face in its strip.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -4,7 +4,7 @@ use super::cuts::Cuts;
 use super::strips::Strips;
 use crate::base::vector::{Point3, Vec3};
 use crate::mesh::surface_mesh::SurfaceMesh;
-use crate::surface::{Shell, ShellFace};
+use crate::topology::{Shell, ShellFace};
 
 /// Normals that differ by less than this (radians) are one.
 const SAME_NORMAL: f64 = 1e-6;

@@ -23,11 +23,7 @@ use crate::base::vector::Vec3;
 use crate::error::{Error, Result};
 use crate::surface::net::CyclidicNet;
 use crate::surface::quad_grid::QuadGrid;
-use crate::surface::shell::{Body, Shell};
 use std::f64::consts::{PI, TAU};
-
-/// Segments of a whole turn by default, in both directions.
-pub const DEFAULT_SEGMENTS: [usize; 2] = [4, 4];
 
 /// Most segments of a turn.
 const MAX_SEGMENTS: usize = 4096;
@@ -86,28 +82,6 @@ impl DupinCyclide {
             });
         }
         along_s.iter().flat_map(|s| along_t.iter().map(move |t| (s, t))).map(|(s, t)| self.net(s, t)).collect()
-    }
-
-    /// The solids that the cyclide bounds: one for a ring, for a horn two that touch in the nodes, for a spindle the
-    /// inner and the outer one. Each is one closed shell, outside outwards; the nodes of different solids are
-    /// different vertices at the same place.
-    ///
-    /// # Errors
-    /// As [`nets`](Self::nets).
-    pub fn to_bodies(&self, segments: [usize; 2]) -> Result<Vec<Body>> {
-        let body = |net: CyclidicNet| Ok(Body { outer: net.to_shell()?, voids: Vec::new() });
-        self.nets(segments)?.into_iter().map(body).collect()
-    }
-
-    /// The ring cyclide as one closed shell of 4 x 4 patches.
-    ///
-    /// # Errors
-    /// `not-a-shell` for a horn or a spindle, which is more than one: see [`to_bodies`](Self::to_bodies).
-    pub fn to_shell(&self) -> Result<Shell> {
-        match (self.kind(), self.nets(DEFAULT_SEGMENTS)?.as_slice()) {
-            (CyclideKind::Ring, [net]) => net.to_shell(),
-            _ => Err(Error::NotAShell { item: "vertex", index: 0, detail: "the cyclide touches itself in its nodes" }),
-        }
     }
 
     /// The angle in [0, pi/2] with cosine `x/y`, 0 if these are equal to rounding.

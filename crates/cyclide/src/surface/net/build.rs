@@ -72,12 +72,7 @@ impl CyclidicNet {
 
 impl CyclidicNet {
     /// The net of given vertices and weights: valid by construction, patches without poles.
-    pub(in crate::surface) fn from_weights_unchecked(
-        grid: QuadGrid,
-        weights: Vec<Quat>,
-        v: [Vec3; 2],
-        turn: [f64; 2],
-    ) -> Self {
+    pub(crate) fn from_weights_unchecked(grid: QuadGrid, weights: Vec<Quat>, v: [Vec3; 2], turn: [f64; 2]) -> Self {
         debug_assert_eq!(weights.len(), grid.points().len());
         Self { grid, weights, v, turn }
     }

@@ -8,11 +8,12 @@
 mod build;
 mod frame;
 mod offset;
-mod sew;
+mod same_vertices;
 mod singular;
 mod transform;
 
 pub use frame::NetFrame;
+pub(crate) use same_vertices::SameVertices;
 pub use singular::SingularPatch;
 
 use super::patch::CyclidePatch;

@@ -81,7 +81,7 @@ impl CyclidePatch {
     ///
     /// # Errors
     /// As [`from_weights`](Self::from_weights).
-    pub(in crate::surface) fn from_rounded_weights(
+    pub(crate) fn from_rounded_weights(
         corners: [Point3; 4],
         weights: [Quat; 4],
         v1: Vec3,

@@ -114,13 +114,13 @@ impl CyclidePatch {
     }
 
     /// Element of area `q1(t) q2(s)/|D|⁴`, with the sign of `f_s × f_t` along the unit normal.
-    pub(in crate::surface) fn element(&self, s: f64, t: f64) -> f64 {
+    pub(crate) fn element(&self, s: f64, t: f64) -> f64 {
         let squared = self.denominator(s, t).norm_squared();
         self.polar.q1_at(t) / squared * (self.polar.q2_at(s) / squared)
     }
 
     /// The way from the first corner to a point.
-    pub(in crate::surface) fn way_from_first_corner(&self, s: f64, t: f64) -> Vec3 {
+    pub(crate) fn way_from_first_corner(&self, s: f64, t: f64) -> Vec3 {
         self.numerator_over(s, t, self.denominator(s, t))
     }
 

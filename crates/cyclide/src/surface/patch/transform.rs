@@ -32,7 +32,7 @@ impl CyclidePatch {
     ///
     /// # Errors
     /// As [`transformed`](Self::transformed), but for `below-rounding-of-place`.
-    pub(in crate::surface) fn image(&self, map: &Mobius) -> Result<Self> {
+    pub(crate) fn image(&self, map: &Mobius) -> Result<Self> {
         let mut corners = self.corners;
         let mut weights = self.weights;
         let mut size = 1.0;

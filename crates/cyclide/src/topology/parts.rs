@@ -31,7 +31,7 @@ impl Shell {
     }
 
     /// Some of the faces with their edges and vertices, all in the same order.
-    pub(in crate::surface) fn part(&self, faces: &[usize]) -> Self {
+    pub(crate) fn part(&self, faces: &[usize]) -> Self {
         let mut faces: Vec<ShellFace> = faces.iter().map(|&face| self.faces[face].clone()).collect();
         let mut is_used = vec![false; self.edges.len()];
         for side in faces.iter().flat_map(|face| &face.sides).flatten() {
@@ -77,7 +77,7 @@ impl Shell {
     }
 
     /// The closed shell with its outer side outside.
-    pub(in crate::surface) fn outside_out(self) -> Self {
+    pub(crate) fn outside_out(self) -> Self {
         if self.is_inside_out() { self.flipped() } else { self }
     }
 }

@@ -1,7 +1,8 @@
 //! How the faces of a shell meet at their common edges.
 
+use super::{Shell, ShellFace, Side};
 use crate::base::vector::{Point3, Vec3};
-use crate::surface::{ParamSurface as _, Shell, ShellFace};
+use crate::surface::ParamSurface as _;
 
 /// Samples along an edge, both ends included.
 const SAMPLES: usize = 9;
@@ -22,34 +23,25 @@ pub struct SurfaceJoint {
 /// Every edge that two faces share, measured at nine places of each: faces that share an edge have its parameter.
 #[must_use]
 pub fn surface_joints(shell: &Shell) -> Vec<SurfaceJoint> {
-    let mut users: Vec<Vec<(usize, usize, bool)>> = vec![Vec::new(); shell.edges().len()];
-    for (index, face) in shell.faces().iter().enumerate() {
-        for (side, edge) in face.sides.iter().enumerate() {
-            if let Some(edge) = edge {
-                users[edge.edge].push((index, side, edge.forward));
-            }
-        }
-    }
-    let joint = |(edge, users): (usize, &Vec<(usize, usize, bool)>)| {
+    let joint = |(edge, users): (usize, &Vec<(usize, Side)>)| {
         let &[a, b] = users.as_slice() else { return None };
         let mut joint = SurfaceJoint { edge, faces: [a.0, b.0], gap: 0.0, angle: 0.0 };
         for i in 0..SAMPLES {
             let x = i as f64 / (SAMPLES - 1) as f64;
             let on_edge = shell.edges()[edge].arc.point(x);
-            let (p, n) = at(&shell.faces()[a.0], a, x);
-            let (q, m) = at(&shell.faces()[b.0], b, x);
+            let (p, n) = at(&shell.faces()[a.0], a.1, x);
+            let (q, m) = at(&shell.faces()[b.0], b.1, x);
             joint.gap = joint.gap.max(p.distance(q)).max(p.distance(on_edge)).max(q.distance(on_edge));
             joint.angle = joint.angle.max(n.cross(m).length().atan2(n.dot(m)));
         }
         Some(joint)
     };
-    users.iter().enumerate().filter_map(joint).collect()
+    shell.faces_along_edges().iter().enumerate().filter_map(joint).collect()
 }
 
 /// Point and outer normal of a face on one of its sides, by the parameter of the edge.
-fn at(face: &ShellFace, (_, side, forward): (usize, usize, bool), x: f64) -> (Point3, Vec3) {
-    let x = if forward { x } else { 1.0 - x };
-    let (s, t) = [(x, 0.0), (x, 1.0), (0.0, x), (1.0, x)][side];
+fn at(face: &ShellFace, side: Side, x: f64) -> (Point3, Vec3) {
+    let (s, t) = side.place(face.side(side).map_or(x, |edge| edge.turned(x)));
     let normal = face.patch.normal(s, t).unwrap_or_default();
     (face.patch.point(s, t), if face.same_sense { normal } else { -normal })
 }

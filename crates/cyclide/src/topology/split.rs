@@ -4,14 +4,13 @@
 //! through opposite sides are a strip, and a strip is cut as a whole. Faces that share an edge agree on its parameter,
 //! so the cut has one parameter per edge and its vertex is computed once.
 
-use super::check::SIDE_CORNERS;
-use super::{FaceEdge, Shell, ShellEdge, ShellFace};
+use super::{FaceEdge, Shell, ShellEdge, ShellFace, Side};
 use crate::base::bounds::Aabb;
 use crate::base::vector::Point3;
 use crate::curve::Arc;
 use crate::error::{Error, Result};
+use crate::surface::CyclidePatch;
 use crate::surface::ParamSurface as _;
-use crate::surface::patch::CyclidePatch;
 
 /// Smallest cosine of half an edge's angle: edges stay below 150 degrees.
 const SMALLEST_COSINE: f64 = 0.25;
@@ -26,9 +25,6 @@ const MOST_GROWTH: usize = 8;
 const SHORTEST_EDGE: f64 = 1e-13;
 /// Speeds below this part of the largest one are zero: the parameter line is one point.
 const ZERO_SPEED: f64 = 1e-9;
-
-/// The two sides that run along s, and along t.
-const SIDES_ALONG: [[usize; 2]; 2] = [[0, 1], [2, 3]];
 
 /// Where edges are cut, in their own parameter, and where faces are cut across a direction in which both sides are one
 /// point, in the parameter of the face.
@@ -49,7 +45,7 @@ impl Cuts {
     /// Where a face is cut in a direction.
     fn of(&self, index: usize, face: &ShellFace, direction: usize) -> Option<f64> {
         match face.side_along(direction) {
-            Some(side) => self.edges[side.edge].map(|at| turned(at, side.forward)),
+            Some(side) => self.edges[side.edge].map(|at| side.turned(at)),
             None => self.lunes[index][direction],
         }
     }
@@ -58,7 +54,7 @@ impl Cuts {
 impl ShellFace {
     /// An edge of the face that runs in this direction.
     fn side_along(&self, direction: usize) -> Option<FaceEdge> {
-        SIDES_ALONG[direction].iter().find_map(|&k| self.sides[k])
+        Side::along(direction).into_iter().find_map(|side| self.side(side))
     }
 }
 
@@ -151,29 +147,16 @@ impl Shell {
     }
 
     /// Marks a face, and the strip through it, for a cut at the face's parameter `at` of a direction.
-    fn mark(&self, along: &[Vec<(usize, usize)>], cuts: &mut Cuts, face: usize, direction: usize, at: f64) {
+    fn mark(&self, along: &[Vec<(usize, Side)>], cuts: &mut Cuts, face: usize, direction: usize, at: f64) {
         match self.faces[face].side_along(direction) {
-            Some(side) => self.mark_strip(along, &mut cuts.edges, side.edge, turned(at, side.forward)),
+            Some(side) => self.mark_strip(along, &mut cuts.edges, side.edge, side.turned(at)),
             None => cuts.lunes[face][direction] = Some(at),
         }
     }
 
-    /// For each edge the faces along it, with the side.
-    pub(super) fn faces_along_edges(&self) -> Vec<Vec<(usize, usize)>> {
-        let mut along = vec![Vec::new(); self.edges.len()];
-        for (f, face) in self.faces.iter().enumerate() {
-            for (k, side) in face.sides.iter().enumerate() {
-                if let Some(side) = side {
-                    along[side.edge].push((f, k));
-                }
-            }
-        }
-        along
-    }
-
     /// Marks the strip through an edge for a cut at the edge's parameter `at`, unless it is marked already. A strip
     /// that comes back to itself the other way round is cut in the middle.
-    fn mark_strip(&self, along: &[Vec<(usize, usize)>], cuts: &mut [Option<f64>], edge: usize, at: f64) {
+    fn mark_strip(&self, along: &[Vec<(usize, Side)>], cuts: &mut [Option<f64>], edge: usize, at: f64) {
         if cuts[edge].is_some() {
             return;
         }
@@ -183,12 +166,12 @@ impl Shell {
         let mut next = 0;
         while let Some(&e) = strip.get(next) {
             next += 1;
-            for &(f, k) in &along[e] {
-                let sides = &self.faces[f].sides;
-                let (Some(side), Some(other)) = (sides[k], sides[k ^ 1]) else { continue };
+            for &(f, side) in &along[e] {
+                let face = &self.faces[f];
+                let (Some(side), Some(other)) = (face.side(side), face.side(side.opposite())) else { continue };
                 // The same parameter if both edges run the same way along the face.
                 let here = cuts[e].unwrap_or(at);
-                let there = turned(here, side.forward == other.forward);
+                let there = if side.forward == other.forward { here } else { 1.0 - here };
                 match cuts[other.edge] {
                     None => {
                         cuts[other.edge] = Some(there);
@@ -208,12 +191,10 @@ impl Shell {
     /// Vertices of the corners of a face.
     fn corner_vertices(&self, face: &ShellFace) -> [usize; 4] {
         let mut corners = [usize::MAX; 4];
-        for (side, (from, to)) in face.sides.iter().zip(SIDE_CORNERS) {
-            if let Some(side) = side {
-                let ShellEdge { start, end, .. } = self.edges[side.edge];
-                let (start, end) = if side.forward { (start, end) } else { (end, start) };
-                (corners[from], corners[to]) = (start, end);
-            }
+        for (side, edge) in face.edges() {
+            let ShellEdge { start, end, .. } = self.edges[edge.edge];
+            let [from, to] = side.corners();
+            (corners[from], corners[to]) = if edge.forward { (start, end) } else { (end, start) };
         }
         corners
     }
@@ -264,10 +245,10 @@ impl Shell {
     fn cut_vertices(&self, cuts: &[Option<f64>], vertices: &mut Vec<Point3>) -> Vec<usize> {
         let mut same: Vec<usize> = (0..self.edges.len()).collect();
         for face in &self.faces {
-            for (direction, [k, l]) in SIDES_ALONG.into_iter().enumerate() {
-                if let (Some(a), Some(b)) = (face.sides[k], face.sides[l])
+            for direction in [0, 1] {
+                if let [Some(a), Some(b)] = Side::along(direction).map(|side| face.side(side))
                     && let Some(at) = cuts[a.edge]
-                    && is_one_point(&face.patch, direction, turned(at, a.forward))
+                    && is_one_point(&face.patch, direction, a.turned(at))
                 {
                     let (ra, rb) = (root(&same, a.edge), root(&same, b.edge));
                     same[ra.max(rb)] = ra.min(rb);
@@ -297,7 +278,7 @@ impl Shell {
         let [ns, nt] = [breaks[0].len() - 1, breaks[1].len() - 1];
         let corners = self.corner_vertices(face);
         // The middle of side k: of its edge, or the corner that it is.
-        let middle = |k: usize| face.sides[k].map_or(corners[SIDE_CORNERS[k].0], |side| middles[side.edge]);
+        let middle = |k: usize| face.sides[k].map_or(corners[Side::ALL[k].corners()[0]], |side| middles[side.edge]);
         let end = |i: usize, n: usize| if i == 0 { Some(0) } else { (i == n).then_some(1) };
         let mut vertex = [[0; 3]; 3];
         for (i, &s) in breaks[0].iter().enumerate() {
@@ -371,11 +352,6 @@ fn no_part(face: &ShellFace, at: Point3) -> Error {
     Error::ShortEdge { edge, length: 0.0, limit: f64::EPSILON * at.to_vec().max_abs() }
 }
 
-/// A parameter as it is, or counted from the other end.
-fn turned(at: f64, forward: bool) -> f64 {
-    if forward { at } else { 1.0 - at }
-}
-
 /// The representative of a set of edges.
 fn root(same: &[usize], mut e: usize) -> usize {
     while same[e] != e {
@@ -405,15 +381,20 @@ struct WidestSide {
 /// The widest sides of a patch along s and along t.
 fn widest_sides(patch: &CyclidePatch) -> [WidestSide; 2] {
     let w = patch.real_weights();
-    let ends = [[w[0][0], w[2][0]], [w[0][2], w[2][2]], [w[0][0], w[0][2]], [w[2][0], w[2][2]]];
-    let middles = [w[1][0], w[1][2], w[0][1], w[2][1]];
-    let side = |k: usize| {
-        let [a, b] = ends[k].map(f64::sqrt);
+    let corner = |k: usize| w[2 * (k & 1)][k & 2].sqrt();
+    let side = |side: Side| {
+        let [a, b] = side.corners().map(corner);
+        let middle = match side {
+            Side::Bottom => w[1][0],
+            Side::Top => w[1][2],
+            Side::Left => w[0][1],
+            Side::Right => w[2][1],
+        };
         // Where both ends weigh the same is the middle of the arc.
-        WidestSide { cosine: middles[k] / (a * b), middle: a / (a + b) }
+        WidestSide { cosine: middle / (a * b), middle: a / (a + b) }
     };
-    SIDES_ALONG.map(|sides| {
-        let [k, l] = sides.map(side);
+    [0, 1].map(|direction| {
+        let [k, l] = Side::along(direction).map(side);
         if k.cosine <= l.cosine { k } else { l }
     })
 }

@@ -75,7 +75,7 @@ impl Shell {
     }
 
     /// True if the volume is negative, which is known long before the volume is.
-    pub(in crate::surface) fn is_inside_out(&self) -> bool {
+    pub(crate) fn is_inside_out(&self) -> bool {
         let mut volume = self.cones();
         volume.refine(self.most_quarterings(), |volume| volume.sum.abs() > volume.error);
         volume.sum() < 0.0

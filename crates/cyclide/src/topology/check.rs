@@ -1,15 +1,8 @@
 //! What makes vertices, edges and faces a shell.
 
-use super::{FaceEdge, Shell, ShellFace};
+use super::{FaceEdge, Shell, ShellFace, Side};
 use crate::error::{Error, Result};
-use crate::surface::patch::CyclidePatch;
-
-/// Corners at the start and the end of the sides t=0, t=1, s=0, s=1, in the direction of the growing parameter.
-pub(super) const SIDE_CORNERS: [(usize, usize); 4] = [(0, 1), (2, 3), (0, 2), (1, 3)];
-
-/// Whether the boundary of a face, counter-clockwise in (s, t), runs along the sides t=0, t=1, s=0, s=1 with the
-/// growing parameter.
-const ALONG: [bool; 4] = [true, false, false, true];
+use crate::surface::CyclidePatch;
 
 /// Largest relative difference of the weight ratios of a side and of its edge.
 const RATIO_LIMIT: f64 = 1e-9;
@@ -44,8 +37,9 @@ impl Shell {
         let corners = face.patch.corners();
         // The vertex at each corner, as the sides say; sides of one point hand it on.
         let mut vertex: [Option<usize>; 4] = [None; 4];
-        for (side, &(from, to)) in face.sides.iter().zip(&SIDE_CORNERS) {
-            let Some(side) = side else {
+        for side in Side::ALL {
+            let [from, to] = side.corners();
+            let Some(side) = face.side(side) else {
                 if corners[from] != corners[to] {
                     return Err("a side without edge is not one point");
                 }
@@ -62,31 +56,22 @@ impl Shell {
                 }
             }
         }
-        for (side, &(from, to)) in face.sides.iter().zip(&SIDE_CORNERS) {
-            if side.is_none() && vertex[from] != vertex[to] {
+        for side in Side::ALL {
+            let [from, to] = side.corners();
+            if face.side(side).is_none() && vertex[from] != vertex[to] {
                 return Err("a side of one point has two vertices");
             }
         }
-        for (k, side) in face.sides.iter().enumerate() {
-            if let Some(side) = side
-                && !self.same_parameter(&face.patch, k, *side)
-            {
-                return Err("a side has another parameter than its edge");
-            }
+        if face.edges().any(|(side, edge)| !self.same_parameter(&face.patch, side, edge)) {
+            return Err("a side has another parameter than its edge");
         }
         Ok(())
     }
 
-    fn same_parameter(&self, patch: &CyclidePatch, side: usize, place: FaceEdge) -> bool {
-        let line = match side {
-            0 => patch.s_line(0.0),
-            1 => patch.s_line(1.0),
-            2 => patch.t_line(0.0),
-            _ => patch.t_line(1.0),
-        };
+    fn same_parameter(&self, patch: &CyclidePatch, side: Side, place: FaceEdge) -> bool {
         let arc = self.edges[place.edge].arc;
         let want = if place.forward { arc } else { arc.reversed() }.weight_ratio();
-        line.is_ok_and(|line| (line.weight_ratio() - want).norm() <= RATIO_LIMIT * want.norm())
+        side.arc_of(patch).is_ok_and(|line| (line.weight_ratio() - want).norm() <= RATIO_LIMIT * want.norm())
     }
 
     /// Every edge has at most two faces, which run along it in opposite directions.
@@ -94,10 +79,8 @@ impl Shell {
         // Faces that run along the edge, and against it.
         let mut runs = vec![[0_u32; 2]; self.edges.len()];
         for face in &self.faces {
-            for (side, along) in face.sides.iter().zip(ALONG) {
-                if let Some(side) = side {
-                    runs[side.edge][usize::from((along == side.forward) == face.same_sense)] += 1;
-                }
+            for (_, edge, forward) in face.edge_loop(face.same_sense) {
+                runs[edge.edge][usize::from(forward)] += 1;
             }
         }
         let fail = |index, detail| Err(Error::NotAShell { item: "edge", index, detail });

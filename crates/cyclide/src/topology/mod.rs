@@ -1,15 +1,23 @@
-//! Patches that share edges and vertices: what files, meshes and pictures are made of.
+//! Bodies, their shells, and the faces and edges of these: what files, meshes and pictures are made of.
 
+mod bounds;
 mod check;
+mod joints;
 mod measure;
 mod parts;
+mod sew;
+mod side;
 mod split;
+mod thick;
 mod transform;
 
-use super::patch::CyclidePatch;
+pub use joints::{SurfaceJoint, surface_joints};
+pub use side::Side;
+
 use crate::base::vector::Point3;
 use crate::curve::Arc;
 use crate::error::Result;
+use crate::surface::CyclidePatch;
 
 /// An edge of a shell: an arc between two vertices, with the parameter that every face along it has.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -79,16 +87,15 @@ impl Shell {
                 vertices.len() - 1
             })
         });
-        let lines = [patch.s_line(0.0)?, patch.s_line(1.0)?, patch.t_line(0.0)?, patch.t_line(1.0)?];
-        let ends = [(0, 1), (2, 3), (0, 2), (1, 3)];
-        let mut edges = Vec::with_capacity(4);
-        let sides = std::array::from_fn(|k| {
-            let (start, end) = (index[ends[k].0], index[ends[k].1]);
-            (start != end).then(|| {
-                edges.push(ShellEdge { start, end, arc: lines[k] });
-                FaceEdge { edge: edges.len() - 1, forward: true }
-            })
-        });
+        let (mut edges, mut sides) = (Vec::with_capacity(4), [None; 4]);
+        for side in Side::ALL {
+            let [start, end] = side.corners().map(|corner| index[corner]);
+            let arc = side.arc_of(&patch)?;
+            if start != end {
+                edges.push(ShellEdge { start, end, arc });
+                sides[side as usize] = Some(FaceEdge { edge: edges.len() - 1, forward: true });
+            }
+        }
         Ok(Self { vertices, edges, faces: vec![ShellFace { patch, sides, same_sense: true }] })
     }
 
@@ -118,6 +125,18 @@ impl Shell {
             uses[side.edge] += 1;
         }
         uses
+    }
+
+    /// For each edge the faces along it, with the side.
+    #[must_use]
+    pub fn faces_along_edges(&self) -> Vec<Vec<(usize, Side)>> {
+        let mut along = vec![Vec::new(); self.edges.len()];
+        for (index, face) in self.faces.iter().enumerate() {
+            for (side, edge) in face.edges() {
+                along[edge.edge].push((index, side));
+            }
+        }
+        along
     }
 
     /// The same faces with the other side outside.

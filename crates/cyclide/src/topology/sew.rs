@@ -1,11 +1,14 @@
-//! The net as a shell: every vertex and every edge once.
+//! Nets and whole cyclides as shells: every vertex and every edge once.
 
-use super::CyclidicNet;
+use super::{Body, FaceEdge, Shell, ShellEdge, ShellFace};
 use crate::base::range;
 use crate::base::vector::Point3;
 use crate::curve::Arc;
 use crate::error::{Error, Result};
-use crate::surface::shell::{FaceEdge, Shell, ShellEdge, ShellFace};
+use crate::surface::{CyclideKind, CyclidicNet, DupinCyclide, SameVertices};
+
+/// Segments of a whole turn by default, in both directions.
+const DEFAULT_SEGMENTS: [usize; 2] = [4, 4];
 
 /// Vertices, edges and faces on their way to a shell.
 #[derive(Debug, Default)]
@@ -13,29 +16,6 @@ pub(super) struct Sewing {
     vertices: Vec<Point3>,
     edges: Vec<ShellEdge>,
     faces: Vec<ShellFace>,
-}
-
-/// Which vertices of a grid are the same point: chains of vertices lead to their first.
-#[derive(Debug)]
-pub(super) struct SameVertices(Vec<usize>);
-
-impl SameVertices {
-    pub(super) fn new(count: usize) -> Self {
-        Self((0..count).collect())
-    }
-
-    pub(super) fn join(&mut self, a: usize, b: usize) {
-        let (a, b) = (self.first(a), self.first(b));
-        self.0[a.max(b)] = a.min(b);
-    }
-
-    /// The first vertex that is the same.
-    pub(super) fn first(&self, mut k: usize) -> usize {
-        while self.0[k] != k {
-            k = self.0[k];
-        }
-        k
-    }
 }
 
 /// Where the parts of a net are in a [`Sewing`].
@@ -153,7 +133,7 @@ impl CyclidicNet {
     fn edge(&self, from: (usize, usize), to: (usize, usize)) -> Result<Arc> {
         let inverse = self.weight(from.0, from.1).inverse().ok_or(Error::ZeroWeight { index: 0 })?;
         let ratio = self.weight(to.0, to.1) * inverse;
-        Arc::from_ratio_across(self.grid.point(from.0, from.1), self.grid.point(to.0, to.1), ratio)
+        Arc::from_ratio_across(self.grid().point(from.0, from.1), self.grid().point(to.0, to.1), ratio)
     }
 
     /// The net as one shell: every inner edge has two faces, and a direction that is closed is sewn together. The
@@ -194,6 +174,30 @@ impl CyclidicNet {
         let skin = sewing.frame_of(self)?;
         let edges = skin.along_s.iter().chain(&skin.along_t).flatten();
         Ok(edges.map(|&edge| sewing.edges[edge].arc).collect())
+    }
+}
+
+impl DupinCyclide {
+    /// The solids that the cyclide bounds: one for a ring, for a horn two that touch in the nodes, for a spindle the
+    /// inner and the outer one. Each is one closed shell, outside outwards; the nodes of different solids are
+    /// different vertices at the same place.
+    ///
+    /// # Errors
+    /// As [`nets`](Self::nets).
+    pub fn to_bodies(&self, segments: [usize; 2]) -> Result<Vec<Body>> {
+        let body = |net: CyclidicNet| Ok(Body { outer: net.to_shell()?, voids: Vec::new() });
+        self.nets(segments)?.into_iter().map(body).collect()
+    }
+
+    /// The ring cyclide as one closed shell of 4 x 4 patches.
+    ///
+    /// # Errors
+    /// `not-a-shell` for a horn or a spindle, which is more than one: see [`to_bodies`](Self::to_bodies).
+    pub fn to_shell(&self) -> Result<Shell> {
+        match (self.kind(), self.nets(DEFAULT_SEGMENTS)?.as_slice()) {
+            (CyclideKind::Ring, [net]) => net.to_shell(),
+            _ => Err(Error::NotAShell { item: "vertex", index: 0, detail: "the cyclide touches itself in its nodes" }),
+        }
     }
 }
 
