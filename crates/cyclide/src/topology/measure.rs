@@ -4,7 +4,7 @@ use super::{Shell, ShellFace};
 use crate::base::quadrature::{gauss2, gauss4, gauss8};
 use crate::base::vector::Point3;
 use crate::error::{Error, Result};
-use crate::surface::patch::CyclidePatch;
+use crate::surface::CyclidePatch;
 use std::collections::BinaryHeap;
 
 /// The rule on all cells and on their quarters agree to this part of the sum of absolute values.

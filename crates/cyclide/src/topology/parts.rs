@@ -64,7 +64,7 @@ impl Shell {
     }
 
     /// As [`lobes`](Self::lobes), without a copy of a shell that is one.
-    pub(in crate::surface) fn into_lobes(self) -> Result<Vec<Self>> {
+    pub(crate) fn into_lobes(self) -> Result<Vec<Self>> {
         if !self.is_closed() || self.faces.iter().all(|face| face.patch.is_regular()) {
             return Ok(vec![self]);
         }
