@@ -11,6 +11,8 @@ use cyclide::{Correspondence, CurvePlace, ParamCurve, Point3};
 const SAMPLES: [f64; 4] = [0.0, 0.25, 0.5, 0.75];
 /// Rounding of the parameter of a place, relative to it: a few operations.
 const PLACE_ROUNDING: f64 = 4.0 * f64::EPSILON;
+/// What it may move a place by without being looked at, relative to the coordinates.
+const SEEN: f64 = 1e-11;
 /// Steps of the golden section that finds the largest distance between two samples.
 const GOLDEN_STEPS: u32 = 24;
 
@@ -30,26 +32,33 @@ pub(super) fn apart(curve: &dyn ParamCurve, form: &dyn ParamCurve, parts: &Corre
     let mut worst = [Worst::default(); 2];
     let mut largest = 0.0_f64;
     each_span(parts, |span, ours, theirs| {
-        set(&mut a, ours);
+        let leeway = leeway(curve, ours);
         set(&mut b, theirs);
-        let slack = coarseness(curve, ours);
-        largest = larger(largest, beyond(ends_apart(&a, &b), slack));
-        one_way(&a, &b, span, slack, &mut worst[0]);
-        one_way(&b, &a, span, slack, &mut worst[1]);
+        if let Some(sure) = leeway.sure {
+            set(&mut a, sure);
+            one_way(&a, &b, span, &mut worst[0]);
+        }
+        if leeway.is_coarse {
+            set(&mut a, leeway.possible);
+        }
+        one_way(&b, &a, span, &mut worst[1]);
+        largest = larger(largest, if leeway.is_coarse { ends_off(&a, &b) } else { ends_apart(&a, &b) });
     });
     // Between the samples the distance may be larger: it is looked for where it is largest at them.
     let found = worst;
     each_span(parts, |span, ours, theirs| {
-        if found.iter().any(|worst| worst.span == span) {
-            set(&mut a, ours);
-            set(&mut b, theirs);
+        if !found.iter().any(|worst| worst.span == span) {
+            return;
         }
-        let slack = coarseness(curve, ours);
-        if found[0].span == span {
-            largest = larger(largest, refined(&a, &b, slack, &found[0]));
+        let leeway = leeway(curve, ours);
+        set(&mut b, theirs);
+        if let Some(sure) = leeway.sure.filter(|_| found[0].span == span) {
+            set(&mut a, sure);
+            largest = larger(largest, refined(&a, &b, &found[0]));
         }
         if found[1].span == span {
-            largest = larger(largest, refined(&b, &a, slack, &found[1]));
+            set(&mut a, leeway.possible);
+            largest = larger(largest, refined(&b, &a, &found[1]));
         }
     });
     largest
@@ -65,20 +74,34 @@ fn each_span(parts: &Correspondence, mut visit: impl FnMut(usize, [CurvePlace; 2
     }
 }
 
-/// How far along the curve rounding may move the ends of a part whose places are given by their parameters. A curve that
-/// passes near infinity runs nearly all of its way in a tiny range of its parameter, whose numbers cannot tell more.
-fn coarseness(curve: &dyn ParamCurve, ends: [CurvePlace; 2]) -> f64 {
-    let of_end = |place: CurvePlace| {
-        let speed = curve.piece_jet(place.piece % curve.piece_count(), place.s).d1.length();
-        let moved = PLACE_ROUNDING * place.s * speed;
-        if moved.is_finite() { moved } else { 0.0 }
-    };
-    ends.map(of_end).into_iter().fold(0.0, f64::max)
+/// What a part of a curve may be, given by parameters that are rounded.
+struct Leeway {
+    /// What belongs to it in any case; `None` where that is nothing.
+    sure: Option<[CurvePlace; 2]>,
+    /// What may belong to it.
+    possible: [CurvePlace; 2],
+    /// True if rounding of the parameters can be seen; else both are the part as given.
+    is_coarse: bool,
 }
 
-/// What of a distance is more than the slack; not a number stays so.
-fn beyond(distance: f64, slack: f64) -> f64 {
-    if distance <= slack { 0.0 } else { distance - slack }
+/// A curve that passes near infinity runs nearly all of its way in a tiny range of its parameter, whose numbers cannot tell
+/// places apart that are: the part may begin and end by so much earlier or later along the curve, but not beside it.
+fn leeway(curve: &dyn ParamCurve, ends: [CurvePlace; 2]) -> Leeway {
+    let is_coarse = |place: &CurvePlace| {
+        let jet = curve.piece_jet(place.piece % curve.piece_count(), place.s);
+        let moved = PLACE_ROUNDING * place.s * jet.d1.length();
+        place.s < 1.0 && moved > SEEN * jet.point.to_vec().max_abs()
+    };
+    if !ends.iter().any(is_coarse) {
+        return Leeway { sure: Some(ends), possible: ends, is_coarse: false };
+    }
+    let moved = |place: CurvePlace, by: f64| {
+        let s = if place.s < 1.0 { (place.s * (1.0 + by * PLACE_ROUNDING)).min(1.0) } else { place.s };
+        CurvePlace::new(place.piece, s)
+    };
+    let [from, to] = ends;
+    let (sure, possible) = ([moved(from, 1.0), moved(to, -1.0)], [moved(from, -1.0), moved(to, 1.0)]);
+    Leeway { sure: sure[1].is_from(sure[0]).then_some(sure), possible, is_coarse: true }
 }
 
 /// The larger of two distances; not a number is larger than all.
@@ -96,14 +119,20 @@ fn ends_apart(a: &Track<'_>, b: &Track<'_>) -> f64 {
     larger(apart(a.start(), b.start()), apart(a.end(), b.end()))
 }
 
-/// Notes the largest distance, beyond the slack, from the samples of the part of `a` to the part of `b`. Its last point is
-/// an end, whose distance is known.
-fn one_way(a: &Track<'_>, b: &Track<'_>, span: usize, slack: f64, worst: &mut Worst) {
+/// The larger distance of the ends of `b` from the part of `a`, which may be longer than `b`.
+fn ends_off(a: &Track<'_>, b: &Track<'_>) -> f64 {
+    let off = |p: Option<Point3>| p.map_or(0.0, |p| nearest(a, p, &mut 0));
+    larger(off(b.start()), off(b.end()))
+}
+
+/// Notes the largest distance from the samples of the part of `a` to the part of `b`. Its last point is an end, whose
+/// distance is known.
+fn one_way(a: &Track<'_>, b: &Track<'_>, span: usize, worst: &mut Worst) {
     let mut near = 0;
     for (window, w) in a.windows.iter().enumerate() {
         for part in SAMPLES {
             let p = if part > 0.0 { a.point(w, part) } else { w.start.point };
-            let distance = beyond(nearest(b, p, &mut near), slack);
+            let distance = nearest(b, p, &mut near);
             // Not a number is worse than anything, and stays so.
             if !(distance <= worst.distance || worst.distance.is_nan()) {
                 *worst = Worst { distance, span, window, part };
@@ -128,11 +157,11 @@ fn nearest(b: &Track<'_>, p: Point3, near: &mut usize) -> f64 {
 }
 
 /// The distance near the sample that is worst, at its largest between the neighbouring samples (golden section).
-fn refined(a: &Track<'_>, b: &Track<'_>, slack: f64, worst: &Worst) -> f64 {
+fn refined(a: &Track<'_>, b: &Track<'_>, worst: &Worst) -> f64 {
     const GOLDEN: f64 = 0.618_033_988_749_895;
     let Some(w) = a.windows.get(worst.window) else { return worst.distance };
     let mut near = 0;
-    let mut value = |part: f64| beyond(nearest(b, a.point(w, part), &mut near), slack);
+    let mut value = |part: f64| nearest(b, a.point(w, part), &mut near);
     let step = SAMPLES[1];
     let (mut low, mut high) = ((worst.part - step).max(0.0), (worst.part + step).min(1.0));
     let (mut c, mut d) = (high - GOLDEN * (high - low), low + GOLDEN * (high - low));

@@ -21,7 +21,7 @@ use cyclide::{CyclidePatch, MeshCorner, MeshFace, MeshSource, ParamSurface as _,
 /// Points of a cell in each direction.
 const GRID: usize = 5;
 /// Steps to the foot of a point on a patch.
-const STEPS: usize = 3;
+const STEPS: usize = 16;
 /// What the polygons of a file stand for and how they hang together, known from the meshes that were written.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) struct MeshPlan {

@@ -37,9 +37,7 @@ struct Object {
 #[derive(Deserialize)]
 struct Contour {
     closed: bool,
-    #[serde(default)]
     exact: bool,
-    #[serde(default)]
     bound: f64,
     curves: Vec<Curve>,
 }
@@ -54,9 +52,7 @@ struct Curve {
 
 #[derive(Deserialize)]
 struct Body {
-    #[serde(default)]
     closed: bool,
-    #[serde(default)]
     exact: bool,
     shells: Vec<Shell>,
 }

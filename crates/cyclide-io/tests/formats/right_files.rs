@@ -135,6 +135,12 @@ fn a_tiny_patch_and_a_folded_one() {
         [[-0.007_649_107_754_099_032, -0.181_176_961_603_385_8, 1.103_719_549_477_112],
          [1.530_320_371_117_303_7, 0.369_986_935_882_288_1, 0.071_339_403_501_887_11]]});
     right(&json!({"a": folded}), &[Format::Svg, Format::Json, Format::Glb, Format::Obj, Format::Stl, Format::Step]);
+    // The last vertex is as near to the one before as corners may be off their circle.
+    let row = |y: f64, last: f64| json!([[0, y], [1, y], [2, y], [3, y], [last, y]]);
+    let folded = json!({"type": "cyclidic-net", "grid": [row(0.0, 4.0), row(1.0, 4.0), row(2.0, 3.000_000_000_772_683)], "frame":
+        [[-0.584_936_588_996_192_3, 0.189_620_990_391_610_32, -0.885_197_112_749_438_8],
+         [0.116_017_408_592_496_21, -0.415_561_544_955_695_96, -0.165_682_893_512_727_03]]});
+    right(&json!({"a": folded}), &[Format::Step]);
 }
 
 /// The last corner lies 5e-11 beside the one before: the singular line is beside that side, and its cells are folded there.
@@ -206,4 +212,14 @@ fn a_nearly_straight_arc_lies_in_its_plane() {
         "normal": [2.039_963_112_795_606_4, -1.266_247_231_718_024_7, -0.496_932_854_862_242_15]});
     let reports = right(&json!({"a": arc}), &[Format::Dxf, Format::Step, Format::Json]);
     assert!(reports.iter().all(|report| report.exact), "{reports:?}");
+}
+
+/// Mesh of a ring that is nearly two spheres: the foot of a point of a cell in which the weights differ by 1e6 takes more
+/// than three steps.
+#[test]
+fn a_ring_within_rounding_of_a_horn_is_as_near_as_proved() {
+    let ring = json!({"type": "cyclide", "a": 0.004_418_332_686_136_951, "c": 0.004_418_332_686_131_583,
+        "mu": 0.000_180_764_138_514_548_52});
+    let options = ExportOptions { tolerance: Some(4.830_849_465_396_18e-2), ..ExportOptions::default() };
+    checked(&json!({"a": ring}), &[Format::Obj], &options);
 }

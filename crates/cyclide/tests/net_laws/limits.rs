@@ -34,6 +34,23 @@ fn cyclides_below_the_rounding_of_their_place_have_one_error() {
     assert_eq!(DupinCyclide::new(1e-140, 0.0, 1e-140).unwrap().nets([4, 4]).unwrap().len(), 1);
 }
 
+/// Far away rounding closes a hole of 3.5e-10, and what was a ring falls apart: refused, but not at the origin, nor a hole of 1e-8.
+#[test]
+fn holes_and_lobes_narrower_than_the_rounding_of_their_place_are_refused() {
+    let (a, c) = (7.360_129_934_716_213, 5.263_444_248_822_929);
+    let far = Point3::new(-66_410.093_424_637_79, -29_037.556_475_635_174, 18_271.316_419_779_552);
+    let axis = Vec3::new(0.368_996_471_988_903_84, -0.345_939_158_726_164_8, -0.545_503_489_584_237_4);
+    for narrow in [-1.76e-10, 1.76e-10] {
+        for [a, c, mu] in [[a, c, a + narrow], [a, c, c + narrow]] {
+            let error = placed([a, c, mu], far, axis).unwrap_err();
+            assert_eq!(error.reason(), "below-rounding-of-place", "{error}");
+            assert!(error.to_string().contains("narrowest part"), "{error}");
+            placed([a, c, mu], Point3::ORIGIN, axis).unwrap();
+            placed([a, c, mu + 50.0 * narrow], far, axis).unwrap();
+        }
+    }
+}
+
 #[test]
 fn millimetres_at_five_thousand_kilometres_are_right() {
     // Metres in a national grid: rounding is 1e-9, so that a ring of a millimetre is known to 1e-6 of itself.

@@ -30,6 +30,9 @@ const MAX_SEGMENTS: usize = 4096;
 /// Most patches of a cyclide: with their edges and vertices they take two kilobytes each, a gigabyte together.
 const MOST_PATCHES: usize = 500_000;
 
+/// Narrowest part relative to the coordinates: some tens of their roundings.
+const NARROWEST_IN_PLACE: f64 = 64.0 * f64::EPSILON;
+
 /// Angles from one node to the next, or all round.
 struct Range {
     angles: Vec<f64>,
@@ -56,7 +59,8 @@ impl DupinCyclide {
     ///
     /// # Errors
     /// `parameter-out-of-range` (segments outside 3 to 4096, coordinates above 1e150); `too-many-pieces` (more than half a
-    /// million patches together); `below-rounding-of-place` (a net is below 1.5e-11 of its coordinates).
+    /// million patches together); `below-rounding-of-place` (a net is below 1.5e-11 of its coordinates, or its hole, tube
+    /// or part between the nodes narrower than 1.4e-14 of them).
     pub fn nets(&self, segments: [usize; 2]) -> Result<Vec<CyclidicNet>> {
         for (name, value) in [("segments along s", segments[0]), ("segments along t", segments[1])] {
             if !(3..=MAX_SEGMENTS).contains(&value) {
@@ -81,7 +85,23 @@ impl DupinCyclide {
                 remedy: "use fewer segments",
             });
         }
-        along_s.iter().flat_map(|s| along_t.iter().map(move |t| (s, t))).map(|(s, t)| self.net(s, t)).collect()
+        let parts = along_s.iter().flat_map(|s| along_t.iter().map(move |t| (s, t)));
+        let nets = parts.map(|(s, t)| self.net(s, t)).collect::<Result<_>>()?;
+        self.check_narrowest()?;
+        Ok(nets)
+    }
+
+    /// Refuses a cyclide of which the rounding of its place decides whether it is a ring, a horn or a spindle: a hole, a tube
+    /// or a part between nodes that is narrower than that.
+    fn check_narrowest(&self) -> Result<()> {
+        let place = self.frame.origin().to_vec().max_abs() + self.a + self.mu + self.c;
+        for half in [(self.a - self.mu).abs(), (self.mu - self.c).abs()] {
+            // Nothing is narrow where both nodes are one.
+            if half > NODE_LIMIT * self.a {
+                range::check_size_in_place("the narrowest part", 2.0 * half, place, NARROWEST_IN_PLACE)?;
+            }
+        }
+        Ok(())
     }
 
     /// The angle in [0, pi/2] with cosine `x/y`, 0 if these are equal to rounding.
