@@ -1,6 +1,6 @@
 //! `build` and `curve`: all files are made and checked before the first is written.
 
-use cyclide_io::{ExportError, Exporter, Report};
+use cyclide_io::{CheckError, ExportError, Exporter, Report};
 
 use crate::effect;
 use crate::failure::Failure;
@@ -40,7 +40,10 @@ pub fn run(plan: &MakePlan) -> Result<(), Failure> {
         };
         let exported = exporter.export(*format, &options).map_err(|error| refused(path, &error))?;
         let checked = exporter.check(path, *format, &exported);
-        report.files.push(checked.map_err(|error| Failure::Check(error.to_string()))?);
+        report.files.push(checked.map_err(|error| match error {
+            CheckError::TooFewDigits { .. } => Failure::Refused(error.to_string()),
+            fault => Failure::Check(fault.to_string()),
+        })?);
         files.push((path.clone(), exported.bytes));
         progress.done();
     }

@@ -32,6 +32,8 @@ pub(crate) struct Beyond {
     pub(crate) bound: f64,
     /// The largest distance accepted.
     pub(crate) limit: f64,
+    /// True if the digits of the format's numbers account for it: they cost more than the tolerance.
+    pub(crate) by_digits: bool,
 }
 
 impl Deviations {
@@ -48,9 +50,11 @@ impl Deviations {
             let [bound, digits] = promise.distances();
             // Digits that cost more than the tolerance leave too little of the curve.
             let limit = bound + (READ_BACK_ROUNDING * extent + whole).max(digits.min(written.tolerance));
-            if deviation <= limit { None } else { Some((deviation, bound, limit)) }
+            if deviation <= limit { None } else { Some((deviation, bound, limit, deviation <= limit + digits)) }
         };
-        let named = |part: String| move |(deviation, bound, limit)| Beyond { part, deviation, bound, limit };
+        let named = |part: String| {
+            move |(deviation, bound, limit, by_digits)| Beyond { part, deviation, bound, limit, by_digits }
+        };
         let extents = &exporter.extents;
         let parts = || written.curves.iter().zip(&extents.curves).zip(&self.curves).zip(contours(exporter.model));
         let curve = || {

@@ -145,6 +145,23 @@ pub enum CheckError {
         /// The largest distance accepted: with the rounding of the numbers.
         limit: f64,
     },
+    /// The format's numbers have too few digits for the part: its centre is far away, or its weights are very different.
+    /// No fault of the writer.
+    #[error(
+        "{path}: {part}: the digits of the format's numbers leave it {} off, more than {}: allow a larger tolerance, \
+         write another format, or keep the object away from infinity",
+        ShortNumber(*.deviation), ShortNumber(*.limit)
+    )]
+    TooFewDigits {
+        /// The file.
+        path: String,
+        /// The curve or the body that it is about.
+        part: String,
+        /// The distance measured.
+        deviation: f64,
+        /// The largest distance accepted.
+        limit: f64,
+    },
 }
 
 impl Report {
@@ -218,10 +235,14 @@ impl FileReport {
                 Ok(deviations) => deviations,
                 Err(source) => return Err(CheckError::Unreadable { path, source: Box::new(source) }),
             };
-            if let Some(Beyond { part, deviation, bound, limit }) =
+            if let Some(Beyond { part, deviation, bound, limit, by_digits }) =
                 deviations.beyond(exporter, format, &exported.written)
             {
-                return Err(CheckError::BeyondBound { path, part, deviation, bound, limit });
+                return Err(if by_digits {
+                    CheckError::TooFewDigits { path, part, deviation, limit }
+                } else {
+                    CheckError::BeyondBound { path, part, deviation, bound, limit }
+                });
             }
             Some(deviations.largest())
         } else {

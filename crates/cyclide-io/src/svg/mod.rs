@@ -28,6 +28,8 @@ use std::collections::HashSet;
 
 pub(crate) use reader::read;
 
+/// Smallest drawing relative to its coordinates: its margins, and thousandths of it, are still told apart.
+const SMALLEST_IN_PLACE: f64 = 8192.0 * f64::EPSILON;
 /// Margin round the drawing, relative to its larger side.
 const MARGIN: f64 = 0.04;
 /// Width of the curve, relative to the larger side.
@@ -68,6 +70,11 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
     }
     notes.extend(combs.left_out_note(|index| job.model.items.get(index).map_or("", |item| &item.name)));
 
+    if !(size > SMALLEST_IN_PLACE * bounds.max_abs()) {
+        let object = paths.first().map(|(contour, _)| contour.object.to_owned()).unwrap_or_default();
+        let detail = "the drawing is smaller than the rounding of its place: move it to the origin";
+        return Err(ExportError::NotInFormat { object, format: "SVG", detail });
+    }
     let page = Page::new(job.units(), bounds);
     if let Some(scale) = page.scale_note() {
         notes.push(scale);

@@ -1,7 +1,7 @@
 //! Documents whose files are right and were once refused, or whose bound was once exceeded without a word.
 
 use cyclide::Model;
-use cyclide_io::{Document, DxfVersion, ExportOptions, Exporter, FileReport, Format, ModelBuilder};
+use cyclide_io::{CheckError, Document, DxfVersion, ExportOptions, Exporter, FileReport, Format, ModelBuilder};
 use serde_json::{Value, json};
 use std::path::Path;
 
@@ -222,4 +222,44 @@ fn a_ring_within_rounding_of_a_horn_is_as_near_as_proved() {
         "mu": 0.000_180_764_138_514_548_52});
     let options = ExportOptions { tolerance: Some(4.830_849_465_396_18e-2), ..ExportOptions::default() };
     checked(&json!({"a": ring}), &[Format::Obj], &options);
+}
+
+/// What no digits can hold is refused by name, and is no fault of the writer: arcs of two kilometres that are nearly straight,
+/// within 2e-9.
+#[test]
+fn too_few_digits_are_told_from_wrong_files() {
+    let points = json!([
+        [0.0, 0.026_718_772_647_817_947, -0.008_652_213_773_029_05],
+        [215_948.849_953_774_2, 0.016_083_714_406_460_625, -0.013_486_253_292_092_61],
+        [431_897.699_907_548_4, -0.000_440_909_378_394_250_4, 0.007_477_563_850_029_479_5],
+        [647_846.549_861_322_6, 0.032_426_407_188_778_046, -0.020_359_480_465_027_176],
+        [863_795.399_815_096_8, 0.012_646_241_968_762_41, 0.004_882_512_356_829_666],
+        [1_079_744.249_768_870_9, 0.006_201_229_332_773_655, 0.017_794_867_972_772_813],
+        [1_295_693.099_722_645_2, 0.008_193_834_514_613_59, 0.014_611_751_882_835_498],
+        [1_511_641.949_676_419_4, 0.008_312_598_413_680_155, -0.008_342_036_263_279_791],
+        [1_727_590.799_630_193_5, -0.015_771_946_631_936_165, -0.000_604_657_662_318_534_1],
+        [1_943_539.649_583_967_6, 0.010_776_431_559_548_653, 0.023_777_679_548_106_962]
+    ]);
+    let spline = json!({"type": "circle-spline", "points": points, "order": 2, "variant": "trigonometric"});
+    let model = model(&json!({"a": spline}));
+    let exporter = Exporter::new(&model).unwrap();
+    let options = ExportOptions { tolerance: Some(1.991_998_469_815_534e-9), ..ExportOptions::default() };
+    let file = exporter.export(Format::Dxf, &options).unwrap();
+    let error = exporter.check(Path::new("o"), Format::Dxf, &file).err().unwrap();
+    assert!(matches!(error, CheckError::TooFewDigits { .. }), "{error}");
+}
+
+/// A drawing below the rounding of its place has no margins and no unit.
+#[test]
+fn drawings_below_the_rounding_of_their_place_are_refused() {
+    for points in [json!([[0, 1e5], [1e-10, 1e5]]), json!([[0, 1e9], [1e-6, 1e9]])] {
+        let model = model(&json!({"a": {"type": "arc-spline", "points": points}}));
+        let refused = Exporter::new(&model).unwrap().export(Format::Svg, &ExportOptions::default());
+        let message = refused.err().unwrap().to_string();
+        assert!(message.contains("rounding of its place"), "{message}");
+    }
+    right(
+        &json!({"a": {"type": "arc-spline", "points": [[0, 1e5], [1e-5, 1e5], [1e-5, 100_000.000_02]]}}),
+        &[Format::Svg],
+    );
 }
