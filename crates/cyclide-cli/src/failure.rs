@@ -4,6 +4,8 @@ use std::fmt::Display;
 use std::path::Path;
 use std::process::ExitCode;
 
+use cyclide_io::NotDurable;
+
 use crate::plan::is_standard;
 use crate::terminal;
 
@@ -27,8 +29,12 @@ impl Failure {
         Self::File(format!("cannot read {name}: {error}"))
     }
 
-    /// A file that could not be written; the old one is untouched.
+    /// A file that could not be written; the old one is untouched, unless all were written and only their safety on the
+    /// disk is open.
     pub fn write(path: impl Display, error: &std::io::Error) -> Self {
+        if error.get_ref().is_some_and(|inner| inner.is::<NotDurable>()) {
+            return Self::File(error.to_string());
+        }
         let path = path.to_string();
         let why = missing_folder(Path::new(&path)).unwrap_or_else(|| error.to_string());
         Self::File(format!("cannot write {path}: {why}"))

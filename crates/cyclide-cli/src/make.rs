@@ -6,7 +6,7 @@ use crate::effect;
 use crate::failure::Failure;
 use crate::load::{self, Inputs, Loaded};
 use crate::outputs;
-use crate::plan::{Input, MakePlan, is_standard, refuse_overwriting};
+use crate::plan::{Input, MakePlan, is_standard, is_standard_output, refuse_overwriting};
 use crate::progress::Progress;
 use crate::terminal;
 
@@ -53,7 +53,7 @@ pub fn run(plan: &MakePlan) -> Result<(), Failure> {
     }
     let report = report_text(&report, plan.json)?;
     if let [(path, bytes)] = files.as_slice()
-        && is_standard(path)
+        && is_standard_output(path)
     {
         terminal::print_aside(&report);
         return terminal::print_bytes(bytes);

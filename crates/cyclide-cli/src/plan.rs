@@ -9,7 +9,7 @@ use cyclide_io::{
     Angle, ArcFitSpec, ArcSplineSpec, CircleSplineSpec, Comment, Document, DxfVersion, EffortWord, EndsSpec,
     ExportOptions, FairEndWord, FairEndsSpec, FairFitSpec, FairSplineSpec, Format, ObjectSpec, PointColumns, PointFile,
     PointSource, RuleWord, Spacing, StepEdges, StepProducts, StraightWord, TargetWord, TypeWord, VariantWord,
-    WriteOptions, same_file,
+    WriteOptions, leads_to_standard_input, leads_to_standard_output, same_file,
 };
 
 use crate::args::{
@@ -102,9 +102,9 @@ impl Args {
             }
             Command::Curve(args) => args.plan().map(Plan::Make),
             Command::Sample(SampleArgs { model, object, count, equal_length, output, write }) => {
-                let output = output.filter(|path| !is_standard(path));
-                let spacing = if equal_length { Spacing::Length } else { Spacing::Parameter };
                 refuse_overwriting(output.as_deref(), &model)?;
+                let output = output.filter(|path| !is_standard_output(path));
+                let spacing = if equal_length { Spacing::Length } else { Spacing::Parameter };
                 output.as_deref().map_or(Ok(()), |path| refuse_other_suffix(path, "csv", "samples are CSV"))?;
                 Ok(Plan::Sample(SamplePlan {
                     input: Input::File(model),
@@ -119,7 +119,7 @@ impl Args {
                 Ok(Plan::Report(ReportPlan { input: Input::File(model), json }))
             }
             Command::New(NewArgs { kind, output }) => {
-                let output = output.filter(|path| !is_standard(path));
+                let output = output.filter(|path| !is_standard_output(path));
                 output.as_deref().map_or(Ok(()), |path| refuse_other_suffix(path, "json", "a document is JSON"))?;
                 Ok(Plan::New(NewPlan { kind, output }))
             }
@@ -140,7 +140,7 @@ impl Args {
 impl OutputArgs {
     fn plan(self, input: Input, tolerance: Option<f64>) -> Result<MakePlan, Failure> {
         let mut outputs: Vec<(PathBuf, Format)> = Vec::new();
-        if self.output.len() > 1 && self.output.iter().any(|path| is_standard(path)) {
+        if self.output.len() > 1 && self.output.iter().any(|path| is_standard_output(path)) {
             return Err(Failure::Usage("standard output takes one file: `-o -` stands alone".to_owned()));
         }
         for path in &self.output {
@@ -194,7 +194,7 @@ fn format_of(path: &Path, told: Option<Format>) -> Result<Format, Failure> {
             Err(Failure::Usage(format!("{}: the suffix says {name}, --format says {told}", path.display())))
         }
         (Ok(format), _) | (Err(_), Some(format)) => Ok(format),
-        (Err(_), None) if is_standard(path) => {
+        (Err(_), None) if is_standard_output(path) => {
             let names = Format::ALL.map(Format::name).join(", ");
             Err(Failure::Usage(format!("-o {} needs --format: one of {names}", path.display())))
         }
@@ -202,10 +202,15 @@ fn format_of(path: &Path, told: Option<Format>) -> Result<Format, Failure> {
     }
 }
 
-/// True for the names of standard input and standard output. As files the latter would be opened a second time, beside the
-/// report.
+/// True for the names of standard input and standard output.
 pub fn is_standard(path: &Path) -> bool {
     ["-", "/dev/stdin", "/dev/stdout"].iter().any(|name| path.as_os_str() == *name)
+}
+
+/// True for an output that is standard output, by its name or by what it leads to. As a file it would be opened a second
+/// time, beside the report.
+pub fn is_standard_output(path: &Path) -> bool {
+    is_standard(path) || leads_to_standard_output(path)
 }
 
 impl CurveArgs {
@@ -320,7 +325,10 @@ fn refuse_file_name(path: &Path) -> Result<(), Failure> {
 
 /// Refuses to write over a file that is read.
 pub fn refuse_overwriting(output: Option<&Path>, input: &Path) -> Result<(), Failure> {
-    match output.filter(|output| !is_standard(output) && !is_standard(input) && same_file(output, input)) {
+    let is_input = |output: &&Path| {
+        if is_standard(input) { leads_to_standard_input(output) } else { same_file(output, input) }
+    };
+    match output.filter(|output| !is_standard(output)).filter(is_input) {
         None => Ok(()),
         Some(path) => Err(Failure::Usage(format!("{} is an input: it will not be written over", path.display()))),
     }

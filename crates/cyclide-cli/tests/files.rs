@@ -156,6 +156,63 @@ mod unix {
     }
 
     #[test]
+    fn the_file_behind_standard_input_is_not_written_over() {
+        let folder = Folder::with(&[("p.csv", POINTS), ("c.json", CIRCLE)]);
+        symlink("c.json", folder.path("link.csv")).unwrap();
+        let document = r#"{"cyclide": 1, "objects": {"c": {"type": "arc-spline", "points": {"csv": "-"}}}}"#;
+        folder.write("m.json", document);
+        for (input, output, command) in [
+            ("p.csv", "p.csv", "curve - -o p.csv"),
+            ("p.csv", "./p.csv", "curve /dev/stdin -o new.step -o ./p.csv"),
+            ("p.csv", "p.csv", "curve /dev/fd/0 -o p.csv"),
+            ("c.json", "c.json", "build - -o c.json"),
+            ("c.json", "link.csv", "sample - --count 3 -o link.csv"),
+            ("p.csv", "p.csv", "build m.json -o p.csv"),
+            ("p.csv", "p.csv", "sample m.json --count 3 -o p.csv"),
+        ] {
+            let before = folder.read(input);
+            let stdin = fs::File::open(folder.path(input)).unwrap();
+            let run = Run::new(folder.command().args(command.split_whitespace()).stdin(stdin).output().unwrap());
+            let message = format!("{output} is an input: it will not be written over");
+            assert!(run.code == 2 && run.stderr.contains(&message), "{command}: {}", run.stderr);
+            assert_eq!(folder.read(input), before, "{command}");
+        }
+        // Other files are written, and so is the null device when it is the input too.
+        let stdin = fs::File::open(folder.path("c.json")).unwrap();
+        let run = folder.command().args(["build", "-", "-o", "a.step"]).stdin(stdin).output().unwrap();
+        assert!(run.status.success() && folder.has("a.step"));
+        folder.ok("build c.json -o /dev/null --format step");
+    }
+
+    #[test]
+    fn every_name_of_standard_output_takes_the_file_alone() {
+        let folder = Folder::with(&[("c.json", CIRCLE)]);
+        folder.ok("build c.json -o a.step");
+        let step = folder.read("a.step");
+        symlink("/dev/fd/1", folder.path("link.step")).unwrap();
+        for name in ["/dev/fd/1", "/proc/self/fd/1", "link.step"] {
+            if !folder.path(name).exists() && name != "link.step" {
+                continue;
+            }
+            let run = folder.run(&format!("build c.json -o {name} --format step"));
+            assert_eq!((run.code, run.stdout.as_bytes()), (0, &step[..]), "{name}: {}", run.stderr);
+            assert!(run.stderr.contains("length"), "{name}: {}", run.stderr);
+            let error = folder.fails(2, &format!("build c.json -o b.step -o {name} --format step"));
+            assert!(error.contains("standard output takes one file"), "{name}: {error}");
+        }
+        assert_eq!(folder.ok("sample c.json --count 3 -o /dev/fd/1"), folder.ok("sample c.json --count 3"));
+        // The file behind `>` has the content, not the report.
+        let behind = fs::File::create(folder.path("b.step")).unwrap();
+        let run = folder.command().args(["build", "c.json", "-o", "b.step"]).stdout(behind).output().unwrap();
+        assert_eq!((run.status.code(), folder.read("b.step")), (Some(0), step));
+        assert!(String::from_utf8_lossy(&run.stderr).contains("length"));
+        // In the null device nothing gets mixed: files beside it are written.
+        let arguments = ["build", "c.json", "-o", "c.step", "-o", "/dev/null", "--format", "step"];
+        let run = folder.command().args(arguments).stdout(Stdio::null()).output().unwrap();
+        assert!(run.status.success() && run.stderr.is_empty() && folder.has("c.step"));
+    }
+
+    #[test]
     fn links_stay_and_rights_are_kept() {
         let folder = Folder::with(&[("c.json", CIRCLE), ("target", "old")]);
         symlink("target", folder.path("link.step")).unwrap();

@@ -61,7 +61,10 @@ pub use export::export;
 pub use export_error::ExportError;
 pub use exported::Exported;
 pub use exporter::Exporter;
-pub use file::{StagedFiles, WriteOptions, same_file, write_file, write_files};
+pub use file::{
+    NotDurable, StagedFiles, WriteOptions, leads_to_standard_input, leads_to_standard_output, same_file, write_file,
+    write_files,
+};
 pub use file_content::{FileContent, FileSample, ReadError};
 pub use format::Format;
 pub use input_file::{MOST_INPUT_BYTES, read_head, read_input, read_standard_input};

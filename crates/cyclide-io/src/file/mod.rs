@@ -10,14 +10,18 @@
 //! the files before it. Of a link the file it leads to is replaced and the link stays.
 
 mod stale;
+mod standard;
 mod target;
 mod temporary;
 
+use std::error::Error;
+use std::fmt;
 use std::fs::{File, OpenOptions};
 use std::io::{self, Write as _};
 use std::path::{Path, PathBuf};
 
 use stale::remove_stale;
+pub use standard::{leads_to_standard_input, leads_to_standard_output};
 use target::Target;
 pub use target::same_file;
 use temporary::Temporary;
@@ -89,24 +93,50 @@ impl<'a> StagedFiles<'a> {
     /// Lets the files take their places, in their order.
     ///
     /// # Errors
-    /// Those of the file system, with the index of the file; those before it have been written, the others not.
+    /// Those of the file system, with the index of the file; those before it have been written, the others not. With
+    /// [`NotDurable`] inside, all have been written.
     pub fn commit(self) -> Result<(), (usize, io::Error)> {
         let mut folders: Vec<PathBuf> = Vec::new();
-        for (i, staged) in self.files.into_iter().enumerate() {
-            match staged {
-                Staged::Stream(path, bytes) => write_into(&path, bytes).map_err(|e| (i, e))?,
-                Staged::File(temporary) => {
-                    let folder = temporary.folder().to_path_buf();
-                    temporary.replace().map_err(|e| (i, e))?;
-                    if self.options.durable && !folders.contains(&folder) {
-                        sync_folder(&folder).map_err(|e| (i, e))?;
-                        folders.push(folder);
-                    }
+        let mut place = |staged: Staged<'_>| match staged {
+            Staged::Stream(path, bytes) => write_into(&path, bytes),
+            Staged::File(temporary) => {
+                let folder = temporary.folder().to_path_buf();
+                temporary.replace()?;
+                if self.options.durable && !folders.contains(&folder) {
+                    folders.push(folder);
                 }
+                Ok(())
             }
-        }
-        // Again, for the names that came after the first of each folder.
-        folders.iter().try_for_each(|folder| sync_folder(folder)).map_err(|e| (0, e))
+        };
+        let placed = self.files.into_iter().enumerate().try_for_each(|(i, staged)| place(staged).map_err(|e| (i, e)));
+        // The names that were given before another one failed are kept too.
+        let synced = sync_folders(&folders).map_err(|e| (0, e));
+        placed.and(synced)
+    }
+}
+
+/// All files have taken their places, but the names in a folder could not be brought to the disk: inside an
+/// [`io::Error`].
+#[derive(Debug)]
+pub struct NotDurable {
+    folder: PathBuf,
+    error: io::Error,
+}
+
+impl fmt::Display for NotDurable {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { folder, error } = self;
+        let folder = folder.display();
+        write!(
+            f,
+            "all files are written, but it is not sure that they survive a loss of power: folder {folder}: {error}"
+        )
+    }
+}
+
+impl Error for NotDurable {
+    fn source(&self) -> Option<&(dyn Error + 'static)> {
+        Some(&self.error)
     }
 }
 
@@ -117,9 +147,15 @@ fn write_into(path: &Path, bytes: &[u8]) -> io::Result<()> {
     stream.flush()
 }
 
-/// Brings the names in a folder to the disk, where folders can be opened.
-fn sync_folder(folder: &Path) -> io::Result<()> {
-    if cfg!(unix) { File::open(folder)?.sync_all() } else { Ok(()) }
+/// Brings the names in folders to the disk, where folders can be opened.
+fn sync_folders(folders: &[PathBuf]) -> io::Result<()> {
+    let sync = |folder: &PathBuf| if cfg!(unix) { File::open(folder)?.sync_all() } else { Ok(()) };
+    folders.iter().try_for_each(|folder| {
+        sync(folder).map_err(|error| {
+            let kind = error.kind();
+            io::Error::new(kind, NotDurable { folder: folder.clone(), error })
+        })
+    })
 }
 
 #[cfg(test)]

@@ -74,7 +74,7 @@ pub fn same_file(a: &Path, b: &Path) -> bool {
 }
 
 #[cfg(unix)]
-fn is_one_file(a: &Metadata, b: &Metadata) -> bool {
+pub(super) fn is_one_file(a: &Metadata, b: &Metadata) -> bool {
     use std::os::unix::fs::MetadataExt as _;
     (a.dev(), a.ino()) == (b.dev(), b.ino())
 }

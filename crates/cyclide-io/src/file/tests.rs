@@ -47,6 +47,20 @@ fn all_are_complete_before_the_first_takes_its_place() {
     assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 2, "no temporary file is left");
 }
 
+#[cfg(unix)]
+#[test]
+fn a_folder_that_cannot_be_synced_leaves_the_files_written_and_says_so() {
+    let folder = tempfile::tempdir().unwrap();
+    let gone = folder.path().join("gone");
+    let error = sync_folders(&[folder.path().to_path_buf(), gone.clone()]).unwrap_err();
+    assert!(error.get_ref().is_some_and(|inner| inner.is::<NotDurable>()));
+    let start = format!(
+        "all files are written, but it is not sure that they survive a loss of power: folder {}: ",
+        gone.display()
+    );
+    assert!(error.to_string().starts_with(&start), "{error}");
+}
+
 #[test]
 fn one_file_by_any_name_is_the_same() {
     let folder = tempfile::tempdir().unwrap();

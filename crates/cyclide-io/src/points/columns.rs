@@ -5,6 +5,7 @@ use cyclide::Units;
 use super::PointColumns;
 use super::decimals::is_number;
 use super::table::{Field, Table};
+use super::unit::UnitWord;
 use crate::place::{Diagnostic, Source, quoted};
 
 /// The columns that are read, as indices.
@@ -76,13 +77,50 @@ impl Chosen {
             let name = table.names([coordinates[k]]);
             return Err(table.refused(format!("the column {name} is asked for twice: each coordinate has its own")));
         }
-        Ok(Self { coordinates, contour, corner, remark })
+        let chosen = Self { coordinates, contour, corner, remark };
+        chosen.refuse_several_units(table)?;
+        Ok(chosen)
     }
 
     /// Units that the names of the coordinates speak of.
     pub(super) fn unit_hints(&self, table: &Table<'_>) -> Vec<(String, Units)> {
-        let names = self.coordinates.iter().filter_map(|&i| table.header.get(i));
-        names.filter_map(|f| unit_in_name(f.text).map(|u| (f.text.to_owned(), u))).collect()
+        let known = |(i, word): (usize, UnitWord)| match word {
+            UnitWord::Known(unit) => Some((table.header.get(i)?.text.to_owned(), unit)),
+            UnitWord::Other => None,
+        };
+        self.unit_words(table).into_iter().filter_map(known).collect()
+    }
+
+    /// The sentence about names that speak of a unit which no model has.
+    pub(super) fn unit_not_applied(&self, table: &Table<'_>) -> Option<String> {
+        let other: Vec<usize> =
+            self.unit_words(table).into_iter().filter(|(_, word)| *word == UnitWord::Other).map(|(i, _)| i).collect();
+        let units = Units::ALL.map(Units::symbol).join(", ");
+        (!other.is_empty()).then(|| {
+            format!(
+                "the names of the columns {} speak of a unit that models do not have ({units}): it is not applied, \
+                 coordinates are taken as they are",
+                table.names(other)
+            )
+        })
+    }
+
+    /// The coordinates whose names speak of a unit.
+    fn unit_words(&self, table: &Table<'_>) -> Vec<(usize, UnitWord)> {
+        let word = |i: usize| unit_in_name(table.header.get(i)?.text).map(|word| (i, word));
+        self.coordinates.iter().filter_map(|&i| word(i)).collect()
+    }
+
+    /// Refuses coordinates in several units: no model has them.
+    fn refuse_several_units(&self, table: &Table<'_>) -> Result<(), Box<Diagnostic>> {
+        let words = self.unit_words(table);
+        if words.windows(2).all(|pair| pair[0].1 == pair[1].1) {
+            return Ok(());
+        }
+        let names = table.names(words.into_iter().map(|(i, _)| i));
+        let message =
+            format!("the columns {names} speak of different units: write all coordinates in one, and name it once");
+        Err(table.header_refused(message))
     }
 }
 
@@ -210,11 +248,11 @@ fn words_of(name: &str) -> (Vec<String>, bool) {
     (words, unit)
 }
 
-/// The unit a column's name speaks of: `x_m`, `x [mm]`, `x (in)`, `x/ft`.
-fn unit_in_name(name: &str) -> Option<Units> {
+/// The unit a column's name speaks of: `x_m`, `x [mm]`, `x (inch)`, `x/ft`.
+fn unit_in_name(name: &str) -> Option<UnitWord> {
     let mut words = name.split(['_', ' ', '[', ']', '(', ')', '/']).filter(|w| !w.is_empty());
     words.next()?;
-    Units::from_symbol(&words.next_back()?.to_ascii_lowercase())
+    UnitWord::of(&words.next_back()?.to_lowercase())
 }
 
 #[cfg(test)]
@@ -224,6 +262,12 @@ mod tests {
     #[test]
     fn units_are_read_from_names() {
         for (name, unit) in [
+            ("x_inch", Some(Units::Inch)),
+            ("x (inches)", Some(Units::Inch)),
+            ("x_feet", Some(Units::Foot)),
+            ("X_Foot", Some(Units::Foot)),
+            ("x_metres", Some(Units::Metre)),
+            ("x [millimeter]", Some(Units::Millimetre)),
             ("x_m", Some(Units::Metre)),
             ("x [mm]", Some(Units::Millimetre)),
             ("x_in", Some(Units::Inch)),
@@ -233,7 +277,10 @@ mod tests {
             ("m", None),
             ("x_left", None),
         ] {
-            assert_eq!(unit_in_name(name), unit, "{name}");
+            assert_eq!(unit_in_name(name), unit.map(UnitWord::Known), "{name}");
+        }
+        for name in ["x_um", "x [km]", "x (\u{b5}m)", "x (\u{3bc}m)", "X_YD"] {
+            assert_eq!(unit_in_name(name), Some(UnitWord::Other), "{name}");
         }
     }
 }

@@ -1,5 +1,7 @@
 //! Numbers as tables write them: with decimal points, or with decimal commas where commas separate nothing.
 
+use std::num::FpCategory;
+
 use super::table::{Delimiter, Field, Table};
 use crate::place::{Diagnostic, Source, quoted};
 
@@ -14,6 +16,11 @@ pub(super) fn has_decimal_comma(text: &str) -> bool {
 /// True for the texts that stand for a number, NaN and infinity included: those belong to data, not to a header.
 pub(super) fn is_number(field: &Field<'_>) -> bool {
     field.text.parse::<f64>().is_ok() || has_decimal_comma(field.text)
+}
+
+/// True if a figure other than 0 stands before the exponent.
+fn has_figure(text: &str) -> bool {
+    text.split(['e', 'E']).next().is_some_and(|figures| figures.contains(|c| matches!(c, '1'..='9')))
 }
 
 /// How the numbers of a file write their fractions: one way in one file.
@@ -43,6 +50,9 @@ impl Decimals {
         match parsed {
             Some(_) if self.point && self.comma => {
                 refused("does not go with the numbers before: the file has decimal commas and decimal points")
+            }
+            Some(value) if value.classify() == FpCategory::Zero && has_figure(text) => {
+                refused("is nearer to 0 than any number that can be read: write 0 if that is meant")
             }
             Some(value) if value.is_finite() => Ok(value),
             Some(_) => refused("is not a finite number"),

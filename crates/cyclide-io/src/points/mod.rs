@@ -53,7 +53,8 @@ pub struct PointTable {
 /// What was read in one of several possible ways.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct PointRemark {
-    /// Stable kebab-case name: `columns-taken`, `decimal-commas`, `decimal-pairs`, `blank-lines`.
+    /// Stable kebab-case name: `columns-taken`, `unit-not-applied`, `numbers-as-x`, `decimal-commas`, `decimal-pairs`,
+    /// `blank-lines`.
     pub reason: &'static str,
     /// The sentence.
     pub message: String,
@@ -73,8 +74,8 @@ pub struct PointList {
 /// Reads a point list from the bytes of a file; `name` is what messages call it.
 ///
 /// # Errors
-/// A message with file, line and column: not UTF-8, no points, a field that is not a finite number, a missing
-/// column, columns that can only be guessed, a line or quote without end.
+/// A message with file, line and column: not UTF-8, no points, a field that is not a finite number or is lost below
+/// the smallest, a missing column, columns that can only be guessed or speak of several units, a line or quote without end.
 pub fn read_points(name: &str, bytes: &[u8], columns: &PointColumns) -> Result<PointTable, Box<Diagnostic>> {
     let source = Source { name, text: decode(name, bytes)? };
     let table = Table::parse(source, columns.coordinates.as_deref().unwrap_or_default())?;
@@ -103,6 +104,9 @@ pub fn read_points(name: &str, bytes: &[u8], columns: &PointColumns) -> Result<P
         remark("decimal-pairs", message);
     } else if let Some(message) = chosen.remark.clone() {
         remark("columns-taken", message);
+    }
+    if let Some(message) = chosen.unit_not_applied(&table) {
+        remark("unit-not-applied", message);
     }
     // Without a header nothing says that a first column that counts on is no coordinate.
     if table.header.is_empty() && columns.coordinates.is_none() && chosen.coordinates.len() == 3 && counts_on(&lists) {

@@ -83,6 +83,10 @@ fn every_refusal_has_its_place() {
         ("nan,nan\n", "p.csv:1:1: `nan` is not a finite number"),
         ("1,2\n-inf,0\n", "p.csv:2:1: `-inf` is not a finite number"),
         ("1,2\n1e999,0\n", "p.csv:2:1: `1e999` is not a finite number"),
+        ("1,2\n3,1e-400\n", "p.csv:2:3: `1e-400` is nearer to 0 than any number that can be read"),
+        ("x;y\n1;2\n-0,5E-400;1\n", "p.csv:3:1: `-0,5E-400` is nearer to 0"),
+        ("x_m,y_mm\n1,2\n", "p.csv:1:1: the columns x_m, y_mm speak of different units: write all coordinates in one"),
+        ("x_m,y_um\n1,2\n", "p.csv:1:1: the columns x_m, y_um speak of different units"),
         ("1,2\n3,\n", "p.csv:2:3: a number is missing"),
         ("1,2\n3\n", "p.csv:2:2: the coordinate of column 2 is missing: the line has 1 fields"),
         ("1,2\n\n3\n", "p.csv:3:2: the coordinate of column 2 is missing"),
@@ -248,6 +252,9 @@ fn the_unit_is_found_at_the_beginning_of_a_file() {
     let unit = |text: &str| unit_of_columns(text.as_bytes(), &PointColumns::default()).map(|found| found.unit);
     assert_eq!(unit("# x_m,y_m\n1,2\n3,é"), Some(Units::Metre));
     assert_eq!(unit("name,x [ft],y [ft],z_m_note\nA,1,2,3\n"), Some(Units::Foot));
+    assert_eq!(unit("x_inch,y (in)\n1,2\n"), Some(Units::Inch));
+    assert_eq!(unit("x_feet,y_ft\n1,2\n"), Some(Units::Foot));
+    assert_eq!(unit("x_um,y_um\n1,2\n"), None);
     assert_eq!(unit("x_m,y_mm\n1,2\n"), None);
     assert_eq!(unit("x,y\n1,2\n"), None);
     assert_eq!(unit(""), None);
@@ -255,6 +262,24 @@ fn the_unit_is_found_at_the_beginning_of_a_file() {
     assert!(unit_of_columns(&cut, &PointColumns::default()).is_some(), "a character cut in two");
     cut.clear();
     assert!(unit_of_columns(&cut, &PointColumns::default()).is_none());
+}
+
+#[test]
+fn a_unit_that_models_do_not_have_is_said_and_not_applied() {
+    for header in ["x_um,y_um", "x [km],y [km]", "easting (mi),northing (mi)"] {
+        let text = format!("{header}\n1,2\n");
+        let table = read(&text).unwrap();
+        assert_eq!((xyz(&table), remarks(&text)), (vec![vec![[1.0, 2.0, 0.0]]], vec!["unit-not-applied"]), "{header}");
+        let message = &table.remarks[0].message;
+        assert!(
+            message.starts_with(&format!("the names of the columns {} speak of", header.replace(',', ", "))),
+            "{message}"
+        );
+        assert!(table.unit_hints.is_empty());
+    }
+    assert_eq!(remarks("x,y,speed_km\n1,2,3\n"), [""; 0], "a column that is not read");
+    // Zero in any form is one.
+    assert_eq!(xyz(&read("0e-400,-0.00\n0,1e-300\n").unwrap()), [[[0.0, -0.0, 0.0], [0.0, 1e-300, 0.0]]]);
 }
 
 #[test]

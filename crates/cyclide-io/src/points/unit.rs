@@ -1,4 +1,4 @@
-//! The unit that the names of coordinate columns speak of, from the beginning of a file.
+//! The unit that the names of coordinate columns speak of: its words, and what a whole file says.
 
 use cyclide::Units;
 
@@ -16,8 +16,37 @@ pub struct ColumnUnit {
     pub columns: Vec<String>,
 }
 
+/// What a word in a column's name says about its unit.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum UnitWord {
+    /// One that models can have.
+    Known(Units),
+    /// A length that no model is measured in.
+    Other,
+}
+
+impl UnitWord {
+    /// The unit of a word in small letters: its symbol, or its name in one spelling or the other.
+    pub(super) fn of(word: &str) -> Option<Self> {
+        let unit = match word {
+            "millimetre" | "millimetres" | "millimeter" | "millimeters" => Units::Millimetre,
+            "centimetre" | "centimetres" | "centimeter" | "centimeters" => Units::Centimetre,
+            "metre" | "metres" | "meter" | "meters" => Units::Metre,
+            "inch" | "inches" => Units::Inch,
+            "foot" | "feet" => Units::Foot,
+            "nm" | "nanometre" | "nanometres" | "nanometer" | "nanometers" | "um" | "\u{b5}m" | "\u{3bc}m"
+            | "micron" | "microns" | "micrometre" | "micrometres" | "micrometer" | "micrometers" | "dm"
+            | "decimetre" | "decimetres" | "decimeter" | "decimeters" | "km" | "kilometre" | "kilometres"
+            | "kilometer" | "kilometers" | "mil" | "mils" | "thou" | "usft" | "ftus" | "yd" | "yard" | "yards"
+            | "mi" | "mile" | "miles" => return Some(Self::Other),
+            symbol => Units::from_symbol(symbol)?,
+        };
+        Some(Self::Known(unit))
+    }
+}
+
 /// The unit that the names of the coordinate columns agree on (`x_m`, `y [mm]`), from the first bytes of a file that is
-/// read as [`read_points`](super::read_points) does; `None` if they speak of none or of several, or cannot be read.
+/// read as [`read_points`](super::read_points) does; `None` if they speak of none, or are refused.
 #[must_use]
 pub fn unit_of_columns(head: &[u8], columns: &PointColumns) -> Option<ColumnUnit> {
     // The last line may be cut in two.
@@ -26,6 +55,5 @@ pub fn unit_of_columns(head: &[u8], columns: &PointColumns) -> Option<ColumnUnit
     let table = Table::parse(source, columns.coordinates.as_deref().unwrap_or_default()).ok()?;
     let hints = Chosen::new(source, &table, columns).ok()?.unit_hints(&table);
     let &(_, unit) = hints.first()?;
-    let agreed = hints.iter().all(|(_, other)| *other == unit);
-    agreed.then(|| ColumnUnit { unit, columns: hints.into_iter().map(|(name, _)| name).collect() })
+    Some(ColumnUnit { unit, columns: hints.into_iter().map(|(name, _)| name).collect() })
 }
