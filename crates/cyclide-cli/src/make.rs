@@ -41,7 +41,7 @@ pub fn run(plan: &MakePlan) -> Result<(), Failure> {
         let exported = exporter.export(*format, &options).map_err(|error| refused(path, &error))?;
         let checked = exporter.check(path, *format, &exported);
         report.files.push(checked.map_err(|error| match error {
-            CheckError::TooFewDigits { .. } => Failure::Refused(error.to_string()),
+            CheckError::TooFewDigits { .. } => Failure::Refused(format!("{error} [too-few-digits]")),
             fault => Failure::Check(fault.to_string()),
         })?);
         files.push((path.clone(), exported.bytes));

@@ -65,6 +65,9 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
 /// Rounding of the points of an arc that is given by its centre, relative to this and to the radius.
 const CENTER_ROUNDING: f64 = 8.0 * f64::EPSILON;
 
+/// Arcs that turn by more are written as two.
+const NEARLY_FULL: f64 = std::f64::consts::TAU - 1e-6;
+
 /// What the names are those of.
 const LAYER: &str = "layer";
 const LAYER_OF: &str = "layer with curves";
@@ -126,8 +129,14 @@ impl Entities {
             self.written.curves.push(self.promise.of(correspondence.recounted(counts)));
         } else {
             self.in_space = true;
-            self.pieces(&path.into(), &contour.label(), layer);
-            self.written.curves.push(self.promise.of(correspondence));
+            // By its angles an arc that is nearly a circle cannot be told from nothing.
+            let parts = |arc| if Arc::angle(arc) > NEARLY_FULL { at_most_half_turns(arc) } else { vec![*arc] };
+            let parts: Vec<Vec<Arc>> = path.arcs().iter().map(parts).collect();
+            let counts: Vec<usize> = parts.iter().map(Vec::len).collect();
+            let pieces = parts.into_iter().flatten().map(ChainPiece::Arc).collect();
+            let chain = contour.lowered(CurveChain::new(pieces, path.is_closed(), f64::INFINITY))?;
+            self.pieces(&chain, &contour.label(), layer);
+            self.written.curves.push(self.promise.of(correspondence.recounted(counts)));
         }
         Ok(())
     }

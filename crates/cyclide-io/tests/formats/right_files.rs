@@ -263,3 +263,19 @@ fn drawings_below_the_rounding_of_their_place_are_refused() {
         &[Format::Svg],
     );
 }
+
+/// Inverted at a distance of 6e-10, some of these arcs are nearly circles of 1e13: DXF has two arcs for each, which can be read.
+#[test]
+fn nearly_full_arcs_in_space_are_written_as_two() {
+    let points: Vec<[f64; 2]> = (0..8).map(|i| [1.870_327_303_536_819 * f64::from(i), f64::from(i % 2)]).collect();
+    let fit =
+        json!({"type": "arc-fit", "points": points, "tolerance": 3.144_050_211_219_083_4e-6, "construction": true});
+    let center = [3.740_654_609_193_804, 9.439_335_688_577_371e-11, 5.523_396_815_118_282e-10];
+    let steps = json!([{"inversion": {"center": center, "radius": 66.019_655_871_918_64}}]);
+    let model = model(&json!({"a": fit, "b": {"type": "transform", "of": "a", "steps": steps}}));
+    let exporter = Exporter::new(&model).unwrap();
+    let options = ExportOptions { tolerance: Some(0.567), ..ExportOptions::default() };
+    let file = exporter.export(Format::Dxf, &options).unwrap();
+    let error = exporter.check(Path::new("o"), Format::Dxf, &file).err();
+    assert!(error.as_ref().is_none_or(|e| matches!(e, CheckError::TooFewDigits { .. })), "{error:?}");
+}
