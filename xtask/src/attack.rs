@@ -3,8 +3,8 @@
 use cyclide_testkit::attack::runner::{self, Limits, Outcome};
 use cyclide_testkit::attack::{self, Attack};
 use std::collections::BTreeMap;
-use std::path::PathBuf;
-use std::process::ExitCode;
+use std::path::{Path, PathBuf};
+use std::process::{Command, ExitCode};
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering};
 
@@ -92,21 +92,29 @@ fn parse(arguments: &[String]) -> Result<Request, String> {
 /// Counts by class of document and outcome.
 type Counts = BTreeMap<(&'static str, &'static str), usize>;
 
+/// Refuses a program that does not run: every document would count as a crash.
+fn check_program(program: &Path) -> Result<(), String> {
+    let runs = Command::new(program).arg("--version").output().is_ok_and(|output| output.status.success());
+    if runs { Ok(()) } else { Err(format!("{} does not run: build it, or name it by --program", program.display())) }
+}
+
 /// Runs the attack; gives the number of faults.
 fn run(request: &Request) -> Result<usize, String> {
+    check_program(&request.program)?;
     let next = AtomicU64::new(request.numbers.start);
     let found = Mutex::new((Counts::new(), 0));
     let scratch = request
         .keep
         .clone()
         .unwrap_or_else(|| std::env::temp_dir().join(format!("cyclide-attack-{}", std::process::id())));
+    let folders: Vec<PathBuf> = (0..request.jobs).map(|job| scratch.join(job.to_string())).collect();
+    for folder in &folders {
+        std::fs::create_dir_all(folder).map_err(|error| format!("{}: {error}", folder.display()))?;
+    }
     std::thread::scope(|scope| {
-        for job in 0..request.jobs {
-            let (next, found, folder) = (&next, &found, scratch.join(job.to_string()));
+        for folder in &folders {
+            let (next, found) = (&next, &found);
             scope.spawn(move || {
-                if std::fs::create_dir_all(&folder).is_err() {
-                    return;
-                }
                 loop {
                     let number = next.fetch_add(1, Ordering::Relaxed);
                     if number >= request.numbers.end {
@@ -121,7 +129,7 @@ fn run(request: &Request) -> Result<usize, String> {
                     if request.one {
                         formats = vec![formats[number as usize % formats.len()]];
                     }
-                    let outcomes = runner::run(&request.program, &attack, &folder, request.limits, &[], &formats);
+                    let outcomes = runner::run(&request.program, &attack, folder, request.limits, &[], &formats);
                     if let Ok(mut found) = found.lock() {
                         note(request, number, &attack, &outcomes, &mut found);
                     }

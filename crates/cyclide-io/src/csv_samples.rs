@@ -87,8 +87,23 @@ fn field(name: &str) -> String {
     }
 }
 
-/// Reads the polylines: rows of one object and contour that follow each other.
-pub(crate) fn read(bytes: &[u8]) -> Result<FileContent, ReadError> {
+/// Reads the polylines and what is said of each of their points.
+pub(crate) fn read_whole(bytes: &[u8]) -> Result<FileContent, ReadError> {
+    let mut samples: Vec<Vec<FileSample>> = Vec::new();
+    let content = read(bytes, |curve, sample| {
+        samples.resize_with(samples.len().max(curve + 1), Vec::new);
+        samples[curve].push(sample);
+        Ok(())
+    })?;
+    Ok(FileContent { samples, ..content })
+}
+
+/// Reads the polylines: rows of one object and contour that follow each other. What is said of their points is handed on,
+/// with the number of the curve.
+pub(crate) fn read(
+    bytes: &[u8],
+    mut found: impl FnMut(usize, FileSample) -> Result<(), ReadError>,
+) -> Result<FileContent, ReadError> {
     let text = std::str::from_utf8(bytes).map_err(|e| ReadError::syntax("the text", e.to_string()))?;
     let mut lines = text.lines().enumerate().map(|(i, l)| (i + 1, l));
     if lines.next().is_none_or(|(_, l)| l != HEADER) {
@@ -96,7 +111,6 @@ pub(crate) fn read(bytes: &[u8]) -> Result<FileContent, ReadError> {
     }
     let mut chains = Vec::new();
     let mut names = Vec::new();
-    let mut samples = Vec::new();
     let mut key = None;
     // Segments as they come: a list of the points beside them would be a third of the file.
     let mut polyline = Polyline::default();
@@ -123,14 +137,14 @@ pub(crate) fn read(bytes: &[u8]) -> Result<FileContent, ReadError> {
             finish(&mut polyline, &mut chains, place)?;
             key = here;
             names.extend(names_of(name, fields[0]));
-            samples.push(Vec::new());
         }
-        samples.last_mut().into_iter().for_each(|own: &mut Vec<FileSample>| own.push(sample));
+        // The chain of this curve is still to come.
+        found(chains.len(), sample)?;
         polyline.push(Point3::new(number(2)?, number(3)?, number(4)?), place)?;
     }
     finish(&mut polyline, &mut chains, || "the end".to_owned())?;
     let labels = FileLabels { unit: None, names };
-    Ok(FileContent { curves: chains, samples, labels, ..FileContent::default() })
+    Ok(FileContent { curves: chains, labels, ..FileContent::default() })
 }
 
 /// The labels of a file of the model.

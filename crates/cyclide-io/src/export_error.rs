@@ -36,6 +36,16 @@ pub enum ExportError {
         /// Largest one accepted.
         limit: f64,
     },
+    /// An object is too small for the formats' arithmetic.
+    #[error("object {object} is {} large, below {}: use smaller units", ShortNumber(*.size), ShortNumber(*.limit))]
+    TooSmall {
+        /// Name of the object.
+        object: String,
+        /// Diagonal of its box.
+        size: f64,
+        /// Smallest one accepted.
+        limit: f64,
+    },
     /// The curve has no form of the kind that the format needs.
     #[error("object {object}, contour {contour}: {source}")]
     Lowering {
@@ -109,6 +119,7 @@ impl ExportError {
             Self::Empty => "empty-model",
             Self::ToleranceNotPositive { .. } => "tolerance-not-positive",
             Self::TooLarge { .. } => "coordinate-too-large",
+            Self::TooSmall { .. } => "object-too-small",
             Self::Lowering { source, .. } | Self::Surface { source, .. } => source.reason(),
             Self::NotInFormat { .. } => "not-in-format",
             Self::Rounding { .. } => "rounding-above-tolerance",

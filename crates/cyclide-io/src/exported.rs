@@ -52,6 +52,13 @@ pub(crate) struct WrittenCurve {
     pub(crate) knots: Vec<f64>,
 }
 
+impl WrittenCurve {
+    /// True if nothing of it is in the file: a drawing has no place for a curve that is a point in it.
+    pub(crate) fn is_left_out(&self) -> bool {
+        self.parts.piece_count() == 0
+    }
+}
+
 /// The distinct knots of a piece, none of an arc.
 pub(crate) fn knots_of(piece: &ChainPiece) -> &[f64] {
     match piece {

@@ -15,6 +15,8 @@ use cyclide::{Aabb, Model};
 
 /// Largest coordinate that is written: products of two of them must not overflow.
 const LARGEST_COORDINATE: f64 = 1e120;
+/// Smallest size that is written: nor may products vanish, also of its shortest pieces.
+const SMALLEST_SIZE: f64 = 1e-120;
 
 /// Writes a model into several formats and checks the files.
 pub struct Exporter<'a> {
@@ -49,6 +51,10 @@ impl<'a> Exporter<'a> {
             if !(own.max_abs() <= LARGEST_COORDINATE) {
                 let object = object.to_owned();
                 return Err(ExportError::TooLarge { object, value: own.max_abs(), limit: LARGEST_COORDINATE });
+            }
+            let size = own.diagonal();
+            if size > 0.0 && size < SMALLEST_SIZE {
+                return Err(ExportError::TooSmall { object: object.to_owned(), size, limit: SMALLEST_SIZE });
             }
             total = Some(total.map_or(own, |b| b.union(own)));
         }

@@ -1,6 +1,7 @@
 //! Numbers as text: the shortest digits that read back to the same double, negative zero as zero.
 
 use std::fmt::Write as _;
+use std::num::FpCategory;
 
 /// Magnitudes in this range are written without an exponent.
 const PLAIN: std::ops::Range<f64> = 1e-5..1e16;
@@ -16,6 +17,15 @@ pub(crate) fn push_plain(out: &mut String, v: f64) {
     } else {
         write!(out, "{v:e}")
     };
+}
+
+/// What is said of a number that [`vanishes`].
+pub(crate) const NEARER_TO_ZERO: &str = "is nearer to 0 than any number that can be read: write 0 if that is meant";
+
+/// True for a number that was read as 0 and is written with a figure other than 0.
+pub(crate) fn vanishes(text: &str, read: f64) -> bool {
+    let figures = text.split(['e', 'E']).next().unwrap_or_default();
+    read.classify() == FpCategory::Zero && figures.contains(|c| matches!(c, '1'..='9'))
 }
 
 /// Part 21 REAL: a decimal point always, a capital E: `0.`, `0.1`, `-3.`, `1.E-7`.

@@ -1,7 +1,7 @@
 //! Reading our own files: the way from the bytes back to geometry, by which every export is checked.
 
 use crate::deviation::{
-    Deviations, View, bodies_deviation, check_mesh_edges, check_samples, curves_deviation, lines_deviation,
+    Deviations, SampleCheck, View, bodies_deviation, check_mesh_edges, curves_deviation, lines_deviation,
     mesh_deviation,
 };
 use crate::export_error::ExportError;
@@ -22,7 +22,7 @@ pub fn read_back(format: Format, bytes: &[u8]) -> Result<FileContent, ReadError>
         Format::Step => step::read(bytes),
         Format::Dxf => dxf::read(bytes).map(dxf::Drawing::into_content),
         Format::Svg => svg::read(bytes),
-        Format::Csv => csv_samples::read(bytes),
+        Format::Csv => csv_samples::read_whole(bytes),
         Format::Json => nurbs_json::read(bytes),
         Format::Glb => glb::read(bytes),
         Format::Obj => obj::read_back(bytes),
@@ -63,10 +63,8 @@ pub(crate) fn deviations_of(exporter: &Exporter<'_>, format: Format, file: &Expo
         Format::Json => nurbs_json::patch_deviation(bodies, &content.patches)?,
         Format::Svg | Format::Dxf | Format::Csv | Format::Png => Vec::new(),
     };
-    match format {
-        Format::Csv => check_samples(model, &content.samples, written)?,
-        Format::Glb => check_mesh_edges(&exporter.bodies, &content.meshes, &content.mesh_lines, mesh, *mesh_edges)?,
-        _ => {}
+    if format == Format::Glb {
+        check_mesh_edges(&exporter.bodies, &content.meshes, &content.mesh_lines, mesh, *mesh_edges)?;
     }
     let lines =
         if format == Format::Svg { lines_deviation(&exporter.bodies, lines, &content.lines)? } else { Vec::new() };
@@ -88,16 +86,21 @@ fn read_with_labels(
         let labels = drawing.labels(model).ok_or_else(|| ReadError::unsupported("this version", "$ACADVER"))?;
         return Ok((drawing.into_content(), Some(labels)));
     }
+    if format == Format::Csv {
+        let mut check = SampleCheck::new(model, &file.written.curves);
+        let content = csv_samples::read(&file.bytes, |curve, sample| check.row(curve, &sample))?;
+        check.finish()?;
+        return Ok((content, Some(csv_samples::labels(model))));
+    }
     let content = read_back(format, &file.bytes)?;
     let labels = match format {
         Format::Step => Some(step::labels(named, bodies, &content.labels)),
-        Format::Svg => Some(svg::labels(named)),
-        Format::Csv => Some(csv_samples::labels(model)),
+        Format::Svg => Some(svg::labels(named, &file.written)),
         Format::Json => Some(nurbs_json::labels(model, bodies, &file.written)),
         Format::Glb => Some(glb::labels(named, bodies, &content.mesh_lines)),
         Format::Obj => Some(obj::labels(model, bodies)),
         Format::Stl => Some(stl::labels(named)),
-        Format::Dxf | Format::Png => None,
+        Format::Csv | Format::Dxf | Format::Png => None,
     };
     Ok((content, labels))
 }

@@ -170,6 +170,19 @@ pub enum Error {
         /// Which segment, from 0.
         segment: usize,
     },
+    /// A blend comes so near infinity that its points have lost their digits: no file can hold it.
+    #[error(
+        "segment {segment}: the curve runs out to {} times the distance of its two points and loses its digits there (at most {} times is written); make the turn there less sharp, or add a point",
+        ShortNumber(*.reach), ShortNumber(*.limit)
+    )]
+    ArcNearInfinity {
+        /// Which segment, from 0.
+        segment: usize,
+        /// How far the largest circle of the blend runs, in lengths of the chord.
+        reach: f64,
+        /// How far it may run.
+        limit: f64,
+    },
     /// Opposite circles whose common tangent is the chord: no half-turn is preferred.
     #[error("segment {segment}: opposite circles along the chord, the half-turn between them is ambiguous")]
     AmbiguousHalfTurn {
@@ -416,7 +429,7 @@ pub enum Error {
     },
     /// An edge that other programs would take for a point.
     #[error(
-        "edge {edge} of the faces for a file is {} long, shorter than {}: the surface is too close to a singular one",
+        "edge {edge} of the faces for a file is {} long, shorter than {}: the surface is too close to a singular one; move its points or its radii apart, or leave out the part that is so thin",
         ShortNumber(*.length), ShortNumber(*.limit)
     )]
     ShortEdge {
@@ -562,7 +575,7 @@ impl Error {
             Self::DegenerateCircle { .. } => "degenerate-circle",
             Self::DegenerateSphere { .. } => "degenerate-sphere",
             Self::OrderOutOfRange { .. } => "order-out-of-range",
-            Self::ArcThroughInfinity { .. } => "arc-through-infinity",
+            Self::ArcThroughInfinity { .. } | Self::ArcNearInfinity { .. } => "arc-through-infinity",
             Self::AmbiguousHalfTurn { .. } => "ambiguous-half-turn",
             Self::TooManyPieces { .. } => "too-many-pieces",
             Self::NotWithinTolerance { .. } => "not-within-tolerance",
@@ -610,7 +623,9 @@ impl Error {
             | Self::WeightNotPositive { index, .. }
             | Self::NotPlanar { index, .. } => Some(index),
             Self::CoincidentPoints { second, .. } => Some(second),
-            Self::ArcThroughInfinity { segment } | Self::AmbiguousHalfTurn { segment } => Some(segment),
+            Self::ArcThroughInfinity { segment }
+            | Self::ArcNearInfinity { segment, .. }
+            | Self::AmbiguousHalfTurn { segment } => Some(segment),
             Self::TooManyPieces { segment, .. } => segment,
             Self::NoG1SplineInTube { vertex, .. } => Some(vertex),
             Self::Disconnected { piece, .. } | Self::NotWithinTolerance { piece, .. } => Some(piece),

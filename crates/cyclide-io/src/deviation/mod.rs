@@ -31,14 +31,14 @@ mod triangle;
 use crate::exported::{WrittenCurve, knots_of};
 use crate::file_content::ReadError;
 use crate::job::contours;
-use cyclide::{Correspondence, CurveChain, CurvePlace, Model, ParamCurve};
+use cyclide::{Correspondence, CurveChain, CurvePlace, Model, ParamCurve, Vec3, bounds};
 pub(crate) use drawn::{DrawnLine, LinePlace, ShellLine, lines_deviation};
 pub(crate) use limits::{Beyond, Deviations, READ_BACK_ROUNDING};
 use matching::apart;
 pub(crate) use matching::larger;
 pub(crate) use mesh::{BodyPlan, Cell, MeshPlan, mesh_deviation};
 pub(crate) use mesh_edges::check_mesh_edges;
-pub(crate) use samples::check_samples;
+pub(crate) use samples::SampleCheck;
 pub(crate) use side_use::side_use;
 pub(crate) use step_faces::bodies_deviation;
 
@@ -65,15 +65,23 @@ pub(crate) fn curves_deviation(
     written: &[WrittenCurve],
     view: View,
 ) -> Result<Vec<f64>, ReadError> {
-    let expected = contours(model).count();
-    if expected != read.len() || expected != written.len() {
+    let left_out = |curve: &WrittenCurve| view == View::Plan && curve.is_left_out();
+    let expected = written.iter().filter(|curve| !left_out(curve)).count();
+    if expected != read.len() || contours(model).count() != written.len() {
         return Err(ReadError::CurveCount { found: read.len(), expected });
     }
-    let mut deviations = Vec::with_capacity(expected);
-    for (curve, ((contour, chain), WrittenCurve { parts, knots, .. })) in
-        contours(model).zip(read).zip(written).enumerate()
-    {
+    let mut deviations = Vec::with_capacity(written.len());
+    let mut read = read.iter().enumerate();
+    for (contour, made) in contours(model).zip(written) {
         let object = contour.curve.as_curve();
+        if left_out(made) {
+            // It is a point there, which is all that a drawing may leave out.
+            let Vec3 { x, y, .. } = bounds(object).max - bounds(object).min;
+            deviations.push(x.hypot(y));
+            continue;
+        }
+        let Some((curve, chain)) = read.next() else { break };
+        let WrittenCurve { parts, knots, .. } = made;
         if object.is_closed() != chain.is_closed() && view != View::Points {
             return Err(ReadError::Closedness { curve, found: chain.is_closed() });
         }

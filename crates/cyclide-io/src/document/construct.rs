@@ -118,6 +118,7 @@ pub(super) fn fair_spline(spec: &FairSplineSpec, at: &Contour<'_>) -> Made {
         ..FairSplineOptions::default()
     };
     let spline = CircleSpline::fair(&at.list.points, &options)?;
+    spline.check_finite()?;
     let warnings = spline.warnings().to_vec();
     Ok((CurveObject::CircleSpline(spline), at.facts(None), warnings))
 }
@@ -133,6 +134,7 @@ pub(super) fn circle_spline(spec: &CircleSplineSpec, at: &Contour<'_>) -> Made {
     };
     let (closed, order, variant) = (spec.closed, spec.order, spec.variant.into());
     let spline = CircleSpline::from_points(points, &CircleSplineOptions { closed, order, variant, ends, corners })?;
+    spline.check_finite()?;
     let warnings = spline.warnings().to_vec();
     Ok((CurveObject::CircleSpline(spline), at.facts(None), warnings))
 }

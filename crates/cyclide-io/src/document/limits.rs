@@ -1,6 +1,7 @@
 //! What no document holds: refused before it is parsed, in one pass over its bytes.
 
-use crate::place::{Diagnostic, Source};
+use crate::number::{NEARER_TO_ZERO, vanishes};
+use crate::place::{Diagnostic, Source, quoted};
 
 /// Longest number that is read, in bytes; 1,100 digits hold any double exactly.
 const LONGEST_NUMBER: usize = 2048;
@@ -41,6 +42,14 @@ pub(super) fn check_limits(source: Source<'_>) -> Result<(), Box<Diagnostic>> {
                 at = start + word_length(&bytes[start..]);
                 if at - start > LONGEST_NUMBER {
                     return refused(start, format!("the number or word is longer than {LONGEST_NUMBER} bytes"));
+                }
+                let word = &source.text[start..at];
+                // Only these can: the others need not be parsed twice.
+                let small = at - start > f64::DIGITS as usize && word.starts_with(['0', '-'])
+                    || word.contains("e-")
+                    || word.contains("E-");
+                if small && word.parse().is_ok_and(|value| vanishes(word, value)) {
+                    return Err(source.diagnostic(start..at, "", format!("`{}` {NEARER_TO_ZERO}", quoted(word))));
                 }
             }
         }
@@ -85,6 +94,7 @@ mod tests {
             format!("[0.{}]", "1".repeat(LONGEST_NUMBER - 2)),
             format!("{}{}", "[".repeat(DEEPEST), "]".repeat(DEEPEST)),
             "[[0,1],[2,3]]".repeat(10_000),
+            "[0e-400, -0.0, 5e-324, \"1e-400\", 0.00000000000000000000000001]".to_owned(),
             // No JSON, which the parser says.
             "\"".to_owned(),
             "]]]\"\\".to_owned(),
@@ -98,6 +108,8 @@ mod tests {
         for (text, message) in [
             ("7".repeat(30_000_000), "m.json:1:1: the number or word is longer than 2048 bytes"),
             (format!("[\n \"{}\"]", "x y".repeat(10_000_000)), "m.json:2:2: the string is longer than 65536 bytes"),
+            ("[0, 1e-400]".to_owned(), "m.json:1:5: `1e-400` is nearer to 0 than any number that can be read"),
+            (format!("[-0.{}1]", "0".repeat(400)), "m.json:1:2: `-0.0000"),
             (format!("[\"{}", "\\".repeat(10_000_000)), "m.json:1:2: the string is longer"),
             ("[".repeat(10_000_000), "m.json:1:65: lists and objects stand in each other deeper than 64"),
             ("{\"a\":".repeat(1_000_000), "m.json:1:321: lists and objects"),

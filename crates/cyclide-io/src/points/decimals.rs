@@ -1,8 +1,7 @@
 //! Numbers as tables write them: with decimal points, or with decimal commas where commas separate nothing.
 
-use std::num::FpCategory;
-
 use super::table::{Delimiter, Field, Table};
+use crate::number::{NEARER_TO_ZERO, vanishes};
 use crate::place::{Diagnostic, Source, quoted};
 
 /// True for a number with a decimal comma between digits: `-1,5`, `0,25e3`.
@@ -16,11 +15,6 @@ pub(super) fn has_decimal_comma(text: &str) -> bool {
 /// True for the texts that stand for a number, NaN and infinity included: those belong to data, not to a header.
 pub(super) fn is_number(field: &Field<'_>) -> bool {
     field.text.parse::<f64>().is_ok() || has_decimal_comma(field.text)
-}
-
-/// True if a figure other than 0 stands before the exponent.
-fn has_figure(text: &str) -> bool {
-    text.split(['e', 'E']).next().is_some_and(|figures| figures.contains(|c| matches!(c, '1'..='9')))
 }
 
 /// How the numbers of a file write their fractions: one way in one file.
@@ -51,9 +45,7 @@ impl Decimals {
             Some(_) if self.point && self.comma => {
                 refused("does not go with the numbers before: the file has decimal commas and decimal points")
             }
-            Some(value) if value.classify() == FpCategory::Zero && has_figure(text) => {
-                refused("is nearer to 0 than any number that can be read: write 0 if that is meant")
-            }
+            Some(value) if vanishes(text, value) => refused(NEARER_TO_ZERO),
             Some(value) if value.is_finite() => Ok(value),
             Some(_) => refused("is not a finite number"),
             None if text.is_empty() => Err(field.refused(source, "a number is missing")),
@@ -65,29 +57,41 @@ impl Decimals {
     }
 }
 
-/// Looks for rows of whole numbers in which commas may be decimal ones: `1,5,2,5`.
+/// Looks for rows of whole numbers in which commas may be decimal ones: `1,5,2,5`, or `1,5,2`.
 ///
-/// It takes a table without header, with four or six columns separated by commas, in which every field is a whole number
-/// and every second one has no sign.
+/// It takes a table without header, with three, four or six columns separated by commas, in which every field is a whole
+/// number, and those that would be fractions have no sign: every second one, or of three the second or the third.
 #[derive(Debug)]
-pub(super) struct Pairs(bool);
+pub(super) struct Pairs {
+    /// The columns that may be fractions, one list for each way to read the rows.
+    ways: Vec<&'static [usize]>,
+}
 
 impl Pairs {
     pub(super) fn new(table: &Table<'_>) -> Self {
-        let shape = table.header.is_empty() && matches!(table.width, 4 | 6);
-        Self(shape && table.delimiter == Delimiter::Char(','))
+        let plain = table.header.is_empty() && table.delimiter == Delimiter::Char(',');
+        let ways: &[&[usize]] = match table.width {
+            3 if plain => &[&[1], &[2]],
+            4 if plain => &[&[1, 3]],
+            6 if plain => &[&[1, 3, 5]],
+            _ => &[],
+        };
+        Self { ways: ways.to_vec() }
     }
 
     pub(super) fn row(&mut self, fields: &[Field<'_>]) {
         let digits = |text: &str| !text.is_empty() && text.bytes().all(|b| b.is_ascii_digit());
-        let fits = |(column, field): (usize, &Field<'_>)| match column % 2 {
-            0 => digits(field.text.strip_prefix('-').unwrap_or(field.text)),
-            _ => digits(field.text),
+        let whole = |text: &str| digits(text.strip_prefix('-').unwrap_or(text));
+        let fits = |fractions: &[usize]| {
+            let field = |(column, field): (usize, &Field<'_>)| {
+                if fractions.contains(&column) { digits(field.text) } else { whole(field.text) }
+            };
+            fields.iter().enumerate().all(field)
         };
-        self.0 = self.0 && fields.iter().enumerate().all(fits);
+        self.ways.retain(|fractions| fits(fractions));
     }
 
-    pub(super) const fn found(&self) -> bool {
-        self.0
+    pub(super) fn found(&self) -> bool {
+        !self.ways.is_empty()
     }
 }

@@ -98,8 +98,9 @@ pub fn read_points(name: &str, bytes: &[u8], columns: &PointColumns) -> Result<P
         let taken = if chosen.coordinates.len() == 2 { "the first two" } else { "the first three" };
         let message = format!(
             "all {} columns are whole numbers, {taken} are taken as coordinates; if the commas are decimal ones, as in \
-             `1,5,2,5`, separate the columns by semicolons",
-            table.width
+             `{}`, separate the columns by semicolons (`--columns` says which ones are meant as they are)",
+            table.width,
+            if table.width == 3 { "1,5,2" } else { "1,5,2,5" }
         );
         remark("decimal-pairs", message);
     } else if let Some(message) = chosen.remark.clone() {

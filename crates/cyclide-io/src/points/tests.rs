@@ -147,6 +147,10 @@ fn whole_numbers_that_may_be_pairs_are_named_and_read_as_they_stand() {
     for (text, found) in [
         ("1,5,2,5\n2,5,3,25\n", true),
         ("-1,5,2,5,3,5\n2,5,3,25,0,0\n", true),
+        ("1,5,2\n2,25,3\n", true),
+        ("1,-5,2\n2,25,3\n", true),
+        ("1,-5,2\n2,25,-3\n", false),
+        ("1,5\n2,25\n", false),
         ("1,5,2,-5\n", false),
         ("1,5,2,5.0\n", false),
         ("1,5,2,5\n1.5,2,3,4\n", false),
@@ -156,7 +160,10 @@ fn whole_numbers_that_may_be_pairs_are_named_and_read_as_they_stand() {
         let table = read(text).unwrap();
         assert_eq!(remarks(text).contains(&"decimal-pairs"), found, "{text:?}");
         if found {
-            assert_eq!((table.contours[0].points[0].y, table.contours[0].points[0].z), (5.0, 0.0));
+            let first = table.contours[0].points[0];
+            let written: Vec<f64> = text.lines().next().unwrap().split(',').map(|v| v.parse().unwrap()).collect();
+            assert_eq!([first.x, first.y], written[..2]);
+            assert_eq!(first.z, if written.len() == 3 { written[2] } else { 0.0 });
         }
     }
     // Columns that were asked for are meant.

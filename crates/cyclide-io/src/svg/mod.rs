@@ -36,6 +36,8 @@ const MARGIN: f64 = 0.04;
 const STROKE: f64 = 0.0025;
 /// Largest side of a drawing that is scaled, millimetres.
 const PAPER: f64 = 420.0;
+/// Most curves left out that a note names.
+const NAMED_POINTS: usize = 8;
 /// An arc is level, and stays an arc in the drawing, if its normal is this close to the third axis.
 const LEVEL: f64 = 1e-12;
 
@@ -43,21 +45,25 @@ const LEVEL: f64 = 1e-12;
 pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
     let mut notes = Vec::new();
     let mut paths: Vec<(Contour<'_>, Path)> = Vec::new();
+    let mut points: Vec<Contour<'_>> = Vec::new();
     let mut written = Written::default();
     for contour in job.contours() {
         let (path, curve) = draw(job, &contour)?;
         written.curves.push(curve);
         if path.is_point() {
-            let (object, detail) = (contour.object.to_owned(), "seen along the z axis it is a point");
-            return Err(ExportError::NotInFormat { object, format: "SVG", detail });
+            points.push(contour);
+        } else {
+            paths.push((contour, path));
         }
-        paths.push((contour, path));
     }
     let plan = Plan::new(job)?;
     let drawn = paths.iter().map(|(_, p)| p.bounds()).chain(plan.bounds());
     let Some(mut bounds) = drawn.reduce(Aabb::union) else {
-        return Err(ExportError::Empty);
+        let Some(first) = points.first() else { return Err(ExportError::Empty) };
+        let (object, detail) = (first.object.to_owned(), "seen along the z axis it is a point");
+        return Err(ExportError::NotInFormat { object, format: "SVG", detail });
     };
+    notes.extend(points_note(&points));
     if job.bounds.max.z - job.bounds.min.z > LEVEL * job.size() {
         notes.push("heights are left out: the drawing is the view along the z axis".to_owned());
     }
@@ -92,13 +98,28 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
     Ok(written.exported(out.into_bytes(), notes))
 }
 
-/// The labels of a file of the model.
-pub(crate) fn labels(named: Named<'_>) -> FileLabels {
+/// What is said of curves that are left out since they are points in the drawing.
+fn points_note(points: &[Contour<'_>]) -> Option<String> {
+    let mut labels: Vec<String> = points.iter().take(NAMED_POINTS).map(Contour::label).collect();
+    if points.len() > NAMED_POINTS {
+        labels.push(format!("and {} more", points.len() - NAMED_POINTS));
+    }
+    let labels = labels.join(", ");
+    (!points.is_empty()).then(|| format!("curves that are points in the view along the z axis are left out: {labels}"))
+}
+
+/// The labels of a file of the model of which these curves were written.
+pub(crate) fn labels(named: Named<'_>, written: &Written) -> FileLabels {
     let mut names = vec![FileName::new(reader::TITLE_OF_ALL, escaped(named.title), 1)];
     let mut ids = HashSet::new();
-    for item in named.model.items.iter().filter(|item| !item.contours.is_empty()) {
+    let mut curves = written.curves.iter();
+    for item in &named.model.items {
+        let own = curves.by_ref().take(item.contours.len());
+        let count = own.filter(|curve| !curve.is_left_out()).count();
+        if count == 0 {
+            continue;
+        }
         let (title, id) = (escaped(&item.name), unique_id(&item.name, &mut ids));
-        let count = item.contours.len();
         names.extend([FileName::new(reader::TITLE_OF, title, 1), FileName::new(reader::ID_OF, id, count)]);
     }
     FileLabels::new(named.model.units, names)
@@ -220,17 +241,17 @@ fn push_curves(out: &mut String, paths: Vec<(Contour<'_>, Path)>, stroke: f64) {
     push_plain(out, three_digits(stroke));
     out.push_str("\">\n");
     let mut ids = HashSet::new();
+    let mut group = None;
     for (contour, path) in paths {
-        if contour.index == 0 {
+        if group != Some(contour.item) {
             let (id, title) = (unique_id(contour.object, &mut ids), escaped(contour.object));
+            out.push_str(if group.is_some() { "</g>\n" } else { "" });
             out.push_str(&format!("{}{id}\">{}{title}{}\n", reader::GROUP, TITLE.0, TITLE.1));
+            group = Some(contour.item);
         }
         out.push_str(&format!("{}{}\"/>\n", reader::CONTOUR, path.into_data()));
-        if contour.index + 1 == contour.count {
-            out.push_str("</g>\n");
-        }
     }
-    out.push_str("</g>\n");
+    out.push_str("</g>\n</g>\n");
 }
 
 fn push_combs(out: &mut String, combs: &drawing::Combs, stroke: f64) {

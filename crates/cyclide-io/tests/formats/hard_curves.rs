@@ -49,7 +49,7 @@ fn hairpins_keep_their_promise_in_every_format() {
 
 #[test]
 fn what_no_file_can_carry_is_refused_by_name() {
-    for bulge in [1.1e6, -1e9, 1e12] {
+    for bulge in [1.1e6, -1e9, 1e12, 1e16, -1e300] {
         let refused = model(&json!({"a": {"type": "arc", "from": [0, 0], "to": [1, 0], "bulge": bulge}})).unwrap_err();
         assert!(refused.contains("[nearly-full-circle]") && refused.contains("limit 3.9e-6"), "{bulge:e}: {refused}");
     }
@@ -57,6 +57,45 @@ fn what_no_file_can_carry_is_refused_by_name() {
         let model = model(&json!({"a": {"type": "arc", "from": [0, 0], "to": [1, 0], "bulge": bulge}})).unwrap();
         for format in FORMATS {
             assert_eq!(check(&model, format), Ok(()), "{bulge:e} {format:?}");
+        }
+    }
+}
+
+/// Each with the place in the document, what was measured, and a limit or a remedy.
+#[test]
+fn what_has_lost_its_digits_is_refused_where_it_stands() {
+    for (object, says) in [
+        (
+            json!({"type": "circle-spline", "points": [[0, 0], [0, 9], [1e-7, 1], [1, 0]]}),
+            ["objects.a.points[1]", "times the distance of its two points", "less sharp", "[arc-through-infinity]"],
+        ),
+        (
+            json!({"type": "arc", "from": [1e11, 0], "to": [1e11, 1e-6], "bulge": 1}),
+            ["objects.a", "is 1e-6 large at coordinates of up to 1e11", "move it", "[below-rounding-of-place]"],
+        ),
+        (
+            json!({"type": "circle-spline", "points": [[1e9, 0], [1e9, 1e-7], [1.000_000_000_000_000_1e9, 1e-7]]}),
+            ["objects.a", "large at coordinates of up to 1e9", "move it", "[below-rounding-of-place]"],
+        ),
+        (
+            json!({"type": "arc", "from": [0, 0], "to": [1, 0], "weights": [[1, 0, 0, 0], [1e-25, 0, 0, 1e-25]]}),
+            ["objects.a.weights", "1.41e-25", "1e-12 to 1e12", "[parameter-out-of-range]"],
+        ),
+    ] {
+        let refused = model(&json!({"a": object})).unwrap_err();
+        for part in says {
+            assert!(refused.contains(part), "{part}: {refused}");
+        }
+    }
+    // A polyline is its vertices, a circle its centre and radius.
+    for object in [
+        json!({"type": "arc-spline", "points": [[1e11, 0], [1e11, 1e-6]]}),
+        json!({"type": "circle", "center": [1e11, 0], "radius": 1e-3}),
+        json!({"type": "arc", "from": [1e9, 0], "to": [1e9, 1], "bulge": 1}),
+    ] {
+        let model = model(&json!({"a": object})).unwrap();
+        for format in [Format::Step, Format::Dxf, Format::Csv, Format::Json] {
+            assert_eq!(check(&model, format), Ok(()), "{object} {format:?}");
         }
     }
 }

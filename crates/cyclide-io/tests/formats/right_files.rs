@@ -279,3 +279,42 @@ fn nearly_full_arcs_in_space_are_written_as_two() {
     let error = exporter.check(Path::new("o"), Format::Dxf, &file).err();
     assert!(error.as_ref().is_none_or(|e| matches!(e, CheckError::TooFewDigits { .. })), "{error:?}");
 }
+
+/// Supports of a net stand on its normals: one of them may be upright.
+#[test]
+fn curves_that_are_points_in_a_drawing_are_left_out_of_it() {
+    let (post, beam) = (json!([[1, 1, 0], [1, 1, 3], [1, 1, 5]]), json!([[1, 1, 0], [4, 1, 0]]));
+    let objects = json!({
+        "posts": {"type": "arc-spline", "points": [post, [[2, 1, 0], [2, 1, 3]]]},
+        "both": {"type": "arc-spline", "points": [beam, post, beam]},
+    });
+    let model = model(&objects);
+    let exporter = Exporter::new(&model).unwrap();
+    let mut file = exporter.export(Format::Svg, &ExportOptions::default()).unwrap();
+    let note = "curves that are points in the view along the z axis are left out: posts 0, posts 1, both 1";
+    assert!(file.notes.iter().any(|n| n == note), "{:?}", file.notes);
+    let text = String::from_utf8(file.bytes.clone()).unwrap();
+    assert_eq!((text.matches("class=\"contour\"").count(), text.contains("posts")), (2, false));
+    assert!(exporter.check(Path::new("o"), Format::Svg, &file).unwrap().exact);
+    // A curve that is no point may not be missing.
+    file.bytes = text.replacen("<path class=\"contour\"", "<path class=\"other\"", 1).into_bytes();
+    assert!(exporter.check(Path::new("o"), Format::Svg, &file).is_err());
+    right(&objects, &CURVES);
+}
+
+/// Whose tolerance is far above the distance of its ends: a biarc between these is a millionth of the curve.
+#[test]
+fn a_loop_whose_ends_nearly_touch_becomes_arcs_within_any_tolerance() {
+    let points = [
+        [0.169_356_014_012_998_57, -0.748_542_415_612_107_4, 0.0],
+        [-0.522_704_117_222_895_2, 0.095_846_720_922_338_23, 0.0],
+        [-2.374_604_980_661_597_4, -0.815_364_723_445_25, 0.0],
+        [-1.165_707_243_474_837_5, -0.844_667_323_609_046, 0.0],
+        [0.169_356_056_212_050_58, -0.748_542_385_520_032, 4.092_467_029_875_905_4e-8],
+    ];
+    for tolerance in [2.4, 0.5, 0.01] {
+        let options = ExportOptions { tolerance: Some(tolerance), ..ExportOptions::default() };
+        let reports = checked(&json!({"a": {"type": "fair-spline", "points": points}}), &CURVES, &options);
+        assert!(reports.iter().all(|report| report.bytes < 100_000), "no more arcs than it takes");
+    }
+}

@@ -114,6 +114,9 @@ fn bad_requests_are_named() {
     let huge: Map = |x, y| Point3::new(1e130 * x, 1e130 * y, 0.0);
     let m = model(vec![("slot", vec![CurveObject::ArcPath(slot(huge))])]);
     assert_eq!(reason(&m, None), "coordinate-too-large");
+    let tiny: Map = |x, y| Point3::new(1e-130 * x, 1e-130 * y, 0.0);
+    let m = model(vec![("slot", vec![CurveObject::ArcPath(slot(tiny))])]);
+    assert_eq!(reason(&m, None), "object-too-small");
 }
 
 /// Random points, half of them on a grid: hairpins, cusps, loops, curves that run back over themselves. A check that

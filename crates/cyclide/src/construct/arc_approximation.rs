@@ -28,6 +28,8 @@ const SAFETY: f64 = 0.98;
 const LENGTH_RESOLUTION: f64 = 1.05;
 /// Feet go back by no more than this part of an arc: rounding of their parameters.
 const PLACE_ROUNDING: f64 = 1e-9;
+/// Samples for each step of the parameter, at most: they are about as many as the curve is longer than the biarc.
+const SAMPLES_PER_STEP: usize = 64;
 /// Most biarcs per segment, and the shortest one as part of an interval.
 const PIECE_CAP: usize = 4096;
 
@@ -213,9 +215,12 @@ impl<'a> Stretch<'a> {
         let mut walk = Walk::new(&biarc, from.point, self.tolerance);
         let mut last_v = from.v;
         let mut ahead: Vec<(f64, u32)> = Vec::new();
+        let mut left = SAMPLES_PER_STEP * count;
         for i in 1..=count {
             ahead.push((if i == count { to.v } else { from.v + (to.v - from.v) * (i as f64 / count as f64) }, 0));
             while let Some((v, halvings)) = ahead.pop() {
+                // The curve is this many times as long as the biarc, as over a loop whose ends nearly touch.
+                left = left.checked_sub(1)?;
                 let sample = if v >= to.v { walk.end(to.point) } else { walk.sample(self.point(v)) };
                 // Far off the biarc: no need to look closer.
                 if !(sample.distance <= walk.limit) {

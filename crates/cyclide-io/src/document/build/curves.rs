@@ -1,6 +1,6 @@
 //! Curves: from fields and lists of points to the kernel's constructions.
 
-use cyclide::{Arc, Biarc, Circle, CurveObject, Quat, Vec3, Warning};
+use cyclide::{Arc, Biarc, Circle, CurveObject, Quat, Vec3, Warning, bounds};
 
 use super::Builder;
 use super::idle::{Idle, NO_EFFECT, idle_fields};
@@ -61,9 +61,64 @@ impl ObjectSpec {
 /// ten times that, whose places are rounded by a hundredth of their chord.
 const FULL_CIRCLE_LIMIT: f64 = 3.9e-6;
 
+/// Smallest and largest length of a document's weight ratio. The kernel takes 1e-30 to 1e30, but of a shorter one
+/// parameters, which files and their checks go by, cannot tell the points near the end of the arc apart.
+const WEIGHT_RATIO: [f64; 2] = [1e-12, 1e12];
+
+/// Refuses weights of a ratio out of range.
+///
+/// # Errors
+/// `parameter-out-of-range`.
+fn check_weights(start: Quat, end: Quat) -> cyclide::Result<()> {
+    let ([min, max], value) = (WEIGHT_RATIO, end.norm() / start.norm());
+    let error = cyclide::Error::ParameterOutOfRange { name: "length of the weight ratio", value, min, max };
+    if (min..=max).contains(&value) { Ok(()) } else { Err(error) }
+}
+
+/// Roundings (of the largest coordinate) that a bent curve is across at least, as surfaces are: each point is off by one,
+/// a ten thousandth of what files promise of such a curve by default.
+const SMALLEST_IN_PLACE: f64 = 65536.0 * f64::EPSILON;
+
+/// Refuses bent curves so small and so far from the origin that their bends are rounding. Polylines, which are their
+/// vertices, and circles, which are centre and radius, say what they are at any place.
+///
+/// # Errors
+/// `below-rounding-of-place`.
+fn check_in_place(curve: &CurveObject) -> cyclide::Result<()> {
+    let straight = |arcs: &[Arc]| arcs.iter().all(Arc::is_straight);
+    match curve {
+        CurveObject::Circle(_) => return Ok(()),
+        CurveObject::Arc(arc) if arc.is_straight() => return Ok(()),
+        CurveObject::ArcPath(path) if straight(path.arcs()) => return Ok(()),
+        _ => {}
+    }
+    let curve = curve.as_curve();
+    let first = curve.piece_point(0, 0.0);
+    let place = first.to_vec().max_abs();
+    let limit = SMALLEST_IN_PLACE * place;
+    // Most curves are known by their first piece, so that this costs nothing.
+    let far = |piece: usize| [0.5, 1.0].into_iter().any(|s| curve.piece_point(piece, s).distance(first) > 2.0 * limit);
+    if place == 0.0 || (0..curve.piece_count()).any(far) {
+        return Ok(());
+    }
+    let size = bounds(curve).diagonal();
+    if size > limit {
+        return Ok(());
+    }
+    Err(cyclide::Error::BelowRoundingOfPlace { what: "the curve", size, place, limit })
+}
+
 impl Builder<'_> {
     /// The curves of an object that has some.
     pub(super) fn curves(&mut self) -> Result<Vec<(CurveObject, ContourFacts)>> {
+        let made = self.made_curves()?;
+        for (curve, _) in &made {
+            check_in_place(curve).map_err(|e| self.refused(&e, None))?;
+        }
+        Ok(made)
+    }
+
+    fn made_curves(&mut self) -> Result<Vec<(CurveObject, ContourFacts)>> {
         let single = |curve: CurveObject| Ok(vec![(curve, ContourFacts::default())]);
         match self.spec {
             ObjectSpec::Arc(s) => single(CurveObject::Arc(self.arc(s)?)),
@@ -99,7 +154,8 @@ impl Builder<'_> {
                 } else if let Some(t) = spec.end_tangent {
                     Arc::from_end_tangent(a, b, t.vector())
                 } else if let Some([[w0, x0, y0, z0], [w1, x1, y1, z1]]) = spec.weights {
-                    Arc::from_weights(a, b, Quat::new(w0, x0, y0, z0), Quat::new(w1, x1, y1, z1))
+                    let (start, end) = (Quat::new(w0, x0, y0, z0), Quat::new(w1, x1, y1, z1));
+                    Arc::from_weights(a, b, start, end).and_then(|arc| check_weights(start, end).map(|()| arc))
                 } else {
                     let normal = spec.normal.map_or(Vec3::Z, Coordinates::vector);
                     Arc::from_bulge(a, b, normal, spec.bulge.unwrap_or_default())

@@ -5,7 +5,7 @@
 //! doubles. An arc that turns by a full circle less 3.9e-7 radians or more (a bulge of ten millions) is refused as
 //! `nearly-full-circle`.
 
-use super::Arc;
+use super::{Arc, FULL_CIRCLE_LIMIT};
 use crate::base::quat::Quat;
 use crate::base::range;
 use crate::base::vector::{Point3, Vec3};
@@ -142,8 +142,7 @@ impl Arc {
     /// not be unit and only its part perpendicular to the chord counts. Bulge 0 is the segment.
     ///
     /// # Errors
-    /// `not-finite`, `zero-axis` (normal zero or along the chord), `pole-on-segment` and
-    /// `nearly-full-circle` (a bulge beyond 1e7).
+    /// `not-finite`, `zero-axis` (normal zero or along the chord), `nearly-full-circle` (a bulge beyond 1e7).
     pub fn from_bulge(start: Point3, end: Point3, normal: Vec3, bulge: f64) -> Result<Self> {
         if !bulge.is_finite() {
             return Err(Error::NotFinite { what: "bulge", index: 0 });
@@ -169,7 +168,14 @@ impl Arc {
             let d = 1.0 + q * q;
             ((q - 1.0) * (q + 1.0) / d, 2.0 * q / d)
         };
-        Self::from_ratio(start, end, r, n * s.copysign(bulge))?.short_of_full_circle()
+        // So large that the half circle less the sweep is rounded away: the pole is then on the chord.
+        let full = |e| match e {
+            Error::PoleOnSegment { .. } => {
+                Error::NearlyFullCircle { rest: 4.0 * b.recip().atan(), limit: FULL_CIRCLE_LIMIT }
+            }
+            other => other,
+        };
+        Self::from_ratio(start, end, r, n * s.copysign(bulge)).map_err(full)?.short_of_full_circle()
     }
 
     /// The arc from `start` turning by `sweep` radians about the axis through `center` along `normal`,

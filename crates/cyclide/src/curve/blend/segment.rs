@@ -306,8 +306,12 @@ impl BlendSegment {
     /// # Errors
     /// `arc-through-infinity`.
     pub(crate) fn check_finite(&self, segment: usize) -> Result<()> {
-        let near = self.distance_from_infinity_squared() < NEAR_INFINITY * NEAR_INFINITY;
-        if near { Err(Error::ArcThroughInfinity { segment }) } else { Ok(()) }
+        // A circle over the chord that leaves it within `w` of the reversed direction has about the diameter 2/w.
+        let nearness = self.distance_from_infinity_squared().sqrt();
+        if nearness < NEAR_INFINITY {
+            return Err(Error::ArcNearInfinity { segment, reach: 2.0 / nearness, limit: 2.0 / NEAR_INFINITY });
+        }
+        Ok(())
     }
 
     /// A box around the segment, the smallest one if it is an arc: every point lies on an arc over the chord that leaves it at an angle `alpha` with
