@@ -17,6 +17,9 @@ use cyclide::{CurveChain, CurveJet, CurvePlace, Model, ParamCurve, Point3};
 
 const HEADER: &str = "object,contour,t,x,y,z,tangent_x,tangent_y,tangent_z,curvature";
 const COLUMNS: usize = 10;
+/// Length of the numbers of a row, about. What is reserved and not used costs nothing; a text that grows is twice there
+/// while it moves.
+const NUMBERS: usize = 180;
 
 /// Writes the model as CSV.
 pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
@@ -25,6 +28,7 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
     for contour in job.contours() {
         let vertices = contour.lowered(job.pieces.flatten(contour.curve.as_curve(), job.tolerance))?;
         let head = format!("{},{},", field(contour.object), contour.index);
+        out.reserve(vertices.len() * (head.len() + NUMBERS));
         for (place, point) in &vertices {
             out.push_str(&head);
             push_sample(&mut out, *point, &FileSample::at(contour.curve.as_curve(), *place));
@@ -106,6 +110,8 @@ pub(crate) fn read(
 ) -> Result<FileContent, ReadError> {
     let text = std::str::from_utf8(bytes).map_err(|e| ReadError::syntax("the text", e.to_string()))?;
     let mut lines = text.lines().enumerate().map(|(i, l)| (i + 1, l));
+    // No row is shorter than two letters for each of its fields.
+    let mut left = text.lines().count().min(text.len() / (2 * COLUMNS));
     if lines.next().is_none_or(|(_, l)| l != HEADER) {
         return Err(ReadError::syntax("line 1", format!("expected {HEADER}")));
     }
@@ -113,7 +119,7 @@ pub(crate) fn read(
     let mut names = Vec::new();
     let mut key = None;
     // Segments as they come: a list of the points beside them would be a third of the file.
-    let mut polyline = Polyline::default();
+    let mut polyline = Polyline::with_capacity(0);
     for (number, line) in lines {
         let place = || format!("line {number}");
         let (name, rest) = split_name(line).ok_or_else(|| ReadError::syntax(place(), "a quote has no end"))?;
@@ -137,7 +143,10 @@ pub(crate) fn read(
             finish(&mut polyline, &mut chains, place)?;
             key = here;
             names.extend(names_of(name, fields[0]));
+            // The first curve is mostly the only one.
+            polyline = Polyline::with_capacity(if chains.is_empty() { left } else { 0 });
         }
+        left = left.saturating_sub(1);
         // The chain of this curve is still to come.
         found(chains.len(), sample)?;
         polyline.push(Point3::new(number(2)?, number(3)?, number(4)?), place)?;
@@ -174,7 +183,7 @@ fn split_name(line: &str) -> Option<(&str, &str)> {
 
 fn finish(polyline: &mut Polyline, chains: &mut Vec<CurveChain>, place: impl Fn() -> String) -> Result<(), ReadError> {
     if !polyline.is_empty() {
-        chains.push(std::mem::take(polyline).finish(place)?);
+        chains.push(std::mem::replace(polyline, Polyline::with_capacity(0)).finish(place)?);
     }
     Ok(())
 }

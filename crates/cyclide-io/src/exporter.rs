@@ -6,7 +6,7 @@ use crate::export_error::ExportError;
 use crate::exported::Exported;
 use crate::file_content::ReadError;
 use crate::format::Format;
-use crate::job::{BodyOf, Job, bodies, boxes};
+use crate::job::{BodyOf, Job, bodies, boxes, contours};
 use crate::options::ExportOptions;
 use crate::read_back::deviations_of;
 use crate::report::{CheckError, FileReport};
@@ -15,8 +15,10 @@ use cyclide::{Aabb, Model};
 
 /// Largest coordinate that is written: products of two of them must not overflow.
 const LARGEST_COORDINATE: f64 = 1e120;
-/// Smallest size that is written: nor may products vanish, also of its shortest pieces.
-const SMALLEST_SIZE: f64 = 1e-120;
+/// Smallest size of a curve that is written: its shortest pieces are points that differ by no less than 1e-150.
+const SMALLEST_CURVE: f64 = 1e-130;
+/// The same of a body, whose faces are of one size.
+const SMALLEST_BODY: f64 = 1e-140;
 
 /// Writes a model into several formats and checks the files.
 pub struct Exporter<'a> {
@@ -46,20 +48,21 @@ impl<'a> Exporter<'a> {
         let bodies = bodies(model)?;
         let mut total: Option<Aabb> = None;
         let mut curves = Vec::new();
-        for (object, own) in boxes(model, &bodies) {
+        let count = contours(model).count();
+        for (index, (object, own)) in boxes(model, &bodies).enumerate() {
             curves.push(extent(own));
             if !(own.max_abs() <= LARGEST_COORDINATE) {
                 let object = object.to_owned();
                 return Err(ExportError::TooLarge { object, value: own.max_abs(), limit: LARGEST_COORDINATE });
             }
-            let size = own.diagonal();
-            if size > 0.0 && size < SMALLEST_SIZE {
-                return Err(ExportError::TooSmall { object: object.to_owned(), size, limit: SMALLEST_SIZE });
+            let (size, limit) = (own.diagonal(), if index < count { SMALLEST_CURVE } else { SMALLEST_BODY });
+            if size > 0.0 && size < limit {
+                return Err(ExportError::TooSmall { object: object.to_owned(), size, limit });
             }
             total = Some(total.map_or(own, |b| b.union(own)));
         }
         // Those of the bodies stand behind those of the curves.
-        let of_bodies = curves.split_off(curves.len() - bodies.len());
+        let of_bodies = curves.split_off(count);
         let extents = Extents { curves, bodies: of_bodies };
         Ok(Self { model, bodies, bounds: total.ok_or(ExportError::Empty)?, extents })
     }

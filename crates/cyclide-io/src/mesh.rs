@@ -131,13 +131,12 @@ pub(crate) fn check_single(job: &Job<'_>, largest: f64, format: &'static str) ->
 
 /// A polyline that was read, closed if it ends with its first vertex.
 pub(crate) fn chain(points: &[Point3], place: impl Fn() -> String) -> Result<CurveChain, ReadError> {
-    let mut polyline = Polyline { segments: Vec::with_capacity(points.len().saturating_sub(1)), ..Polyline::default() };
+    let mut polyline = Polyline::with_capacity(points.len());
     points.iter().try_for_each(|p| polyline.push(*p, &place))?;
     polyline.finish(place)
 }
 
 /// A polyline that is being read, vertex by vertex.
-#[derive(Default)]
 pub(crate) struct Polyline {
     /// Its first vertex and its last so far.
     ends: Option<[Point3; 2]>,
@@ -145,6 +144,11 @@ pub(crate) struct Polyline {
 }
 
 impl Polyline {
+    /// One of so many vertices, about.
+    pub(crate) fn with_capacity(vertices: usize) -> Self {
+        Self { ends: None, segments: Vec::with_capacity(vertices.saturating_sub(1)) }
+    }
+
     pub(crate) fn is_empty(&self) -> bool {
         self.ends.is_none()
     }

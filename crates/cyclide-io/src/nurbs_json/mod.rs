@@ -37,6 +37,10 @@ use serde_json::Value;
 pub(crate) use reader::read;
 pub(crate) use surfaces::deviation as patch_deviation;
 
+/// Length of an arc and of a control point with weight and knot, about: a text that grows is twice there while it moves.
+const ARC: usize = 260;
+const CONTROL_POINT: usize = 110;
+
 /// Writes the model as JSON.
 pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
     let mut written = Written::default();
@@ -125,6 +129,7 @@ fn push_contour(
 }
 
 fn push_curve(out: &mut String, curve: &NurbsCurve) {
+    out.reserve(curve.control_points().len() * CONTROL_POINT);
     out.push_str(&format!("{{\"degree\": {}, \"knots\": ", curve.degree()));
     push_numbers(out, curve.knots());
     out.push_str(", \"control_points\": [");
@@ -170,6 +175,7 @@ fn push_arcs(out: &mut String, arcs: &[ChainPiece], notes: &mut PieceNotes) -> c
         let arcs = arcs.iter().filter_map(|piece| if let ChainPiece::Arc(arc) = piece { Some(arc) } else { None });
         arcs.map(|arc| arc.to_nurbs(DEFAULT_PIECE_ANGLE)).enumerate()
     };
+    out.reserve(arcs.len() * ARC);
     // Ends of arcs that meet are the same doubles, with weight 1 on both sides.
     let skipped = |i: usize| usize::from(i > 0);
     out.push_str("{\"degree\": 2, \"knots\": [0");

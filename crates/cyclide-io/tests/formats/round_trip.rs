@@ -2,7 +2,8 @@
 
 use crate::models::{Map, bulges, flat, mixed, model, open_chain, slot, space_chain, splines, tilted};
 use cyclide::{
-    Arc, ArcPath, BlendVariant, CircleSpline, CircleSplineOptions, CurveObject, Model, ParamCurve, Point3, bounds,
+    Arc, ArcPath, BlendVariant, Circle, CircleSpline, CircleSplineOptions, CurveObject, Model, ParamCurve, Point3,
+    Vec3, bounds,
 };
 use cyclide_io::{ExportOptions, Exported, Format, ReadError, export, file_deviation, read_back};
 
@@ -114,7 +115,7 @@ fn bad_requests_are_named() {
     let huge: Map = |x, y| Point3::new(1e130 * x, 1e130 * y, 0.0);
     let m = model(vec![("slot", vec![CurveObject::ArcPath(slot(huge))])]);
     assert_eq!(reason(&m, None), "coordinate-too-large");
-    let tiny: Map = |x, y| Point3::new(1e-130 * x, 1e-130 * y, 0.0);
+    let tiny: Map = |x, y| Point3::new(1e-135 * x, 1e-135 * y, 0.0);
     let m = model(vec![("slot", vec![CurveObject::ArcPath(slot(tiny))])]);
     assert_eq!(reason(&m, None), "object-too-small");
 }
@@ -167,4 +168,37 @@ fn an_open_curve_may_end_where_it_starts() {
             assert!(d <= file.bound + 1e-13, "{format:?}: {d:e} of {:e}", file.bound);
         }
     }
+}
+
+/// The check of a table evaluates curves as its writer does: here what a circle and a chain of arcs are in closed form.
+#[test]
+fn tables_say_what_circles_are() {
+    let (centre, normal, radius) = (Point3::new(3.0, -4.0, 5.0), Vec3::new(1.0, 2.0, 2.0) / 3.0, 7.0);
+    let circle = CurveObject::Circle(Circle::from_radius(centre, normal, radius).unwrap());
+    let half = |from: f64, to: f64, side: f64| {
+        let at = |x| Point3::new(x, 0.0, 1.0);
+        Arc::from_bulge(at(from), at(to), Vec3::Z, side).unwrap()
+    };
+    // Half circles of radius 1 and 2, the first one to the right, the second one to the left.
+    let path = CurveObject::ArcPath(ArcPath::new(vec![half(0.0, 2.0, -1.0), half(2.0, 6.0, 1.0)], false).unwrap());
+    let m = model(vec![("circle", vec![circle]), ("wave", vec![path])]);
+    let file = export(&m, Format::Csv, &ExportOptions::default()).unwrap();
+    let text = String::from_utf8(file.bytes).unwrap();
+    let mut rows = [0; 2];
+    for line in text.lines().skip(1) {
+        let (name, numbers) = line.split_once(',').unwrap();
+        let v: Vec<f64> = numbers.split(',').map(|field| field.parse().unwrap()).collect();
+        let (t, p, tangent, curvature) = (v[1], Point3::new(v[2], v[3], v[4]), Vec3::new(v[5], v[6], v[7]), v[8]);
+        let (index, centre, normal, radius) = match (name, t < 0.5) {
+            ("circle", _) => (0, centre, normal, radius),
+            (_, true) => (1, Point3::new(1.0, 0.0, 1.0), -Vec3::Z, 1.0),
+            (_, false) => (1, Point3::new(4.0, 0.0, 1.0), Vec3::Z, 2.0),
+        };
+        rows[index] += 1;
+        let spoke = p - centre;
+        assert!((spoke.length() - radius).abs() < 1e-14 * radius, "{line}");
+        assert!((tangent - normal.cross(spoke) / radius).length() < 1e-14, "{line}");
+        assert!((curvature * radius - 1.0).abs() < 1e-13, "{line}");
+    }
+    assert!(rows.iter().all(|count| *count > 100), "{rows:?}");
 }
