@@ -79,7 +79,7 @@ fn what_has_lost_its_digits_is_refused_where_it_stands() {
         ),
         (
             json!({"type": "arc", "from": [0, 0], "to": [1, 0], "weights": [[1, 0, 0, 0], [1e-25, 0, 0, 1e-25]]}),
-            ["objects.a.weights", "1.41e-25", "1e-12 to 1e12", "[parameter-out-of-range]"],
+            ["objects.a.weights", "1.4142135623730952e-25 is outside", "1e-12 to", "[parameter-out-of-range]"],
         ),
     ] {
         let refused = model(&json!({"a": object})).unwrap_err();
