@@ -163,7 +163,7 @@ fn whole_numbers_that_may_be_pairs_are_named_and_read_as_they_stand() {
             let first = table.contours[0].points[0];
             let written: Vec<f64> = text.lines().next().unwrap().split(',').map(|v| v.parse().unwrap()).collect();
             let third = if written.len() == 3 { written[2] } else { 0.0 };
-            assert_eq!(first, cyclide::Point3::new(written[0], written[1], third));
+            assert_eq!(first, Point3::new(written[0], written[1], third));
         }
     }
     // Columns that were asked for are meant.
