@@ -16,7 +16,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let tolerance: f64 = std::env::args().nth(1).ok_or("usage: tessellation_time TOLERANCE")?.parse()?;
     let corners = [[2.5, 0.0, 0.0], [0.0, 2.5, 0.0], [2.0, 0.0, 0.5], [0.0, 2.0, 0.5]].map(Point3::from);
     let patch = CyclidePatch::from_corners_and_frame(corners, Vec3::Y, Vec3::Z)?;
-    let shells = [("patch", Shell::from_patch(patch)?), ("torus", DupinCyclide::new(2.0, 0.0, 0.5)?.to_shell()?)];
+    let shells = [("patch", Shell::from_surface(patch)?), ("torus", DupinCyclide::new(2.0, 0.0, 0.5)?.to_shell()?)];
     for (name, outer) in shells {
         let body = Body { outer, voids: Vec::new() };
         let mut best = f64::INFINITY;

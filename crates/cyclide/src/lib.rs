@@ -111,6 +111,6 @@ pub use surface::{CyclidePatch, PatchKind};
 pub use surface::{ImplicitForm, PatchLocation, PatchRow};
 pub use surface::{ParamSurface, QuadGrid};
 pub use surface::{Seam, SeamMeasure};
-pub use topology::{Body, FaceEdge, Shell, ShellEdge, ShellFace, Side};
+pub use topology::{Body, EdgeCurve, FaceEdge, FaceSurface, Shell, ShellEdge, ShellFace, Side};
 pub use topology::{SurfaceJoint, surface_joints};
 pub use warning::Warning;

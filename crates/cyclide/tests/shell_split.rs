@@ -58,7 +58,7 @@ fn area<'a>(faces: impl Iterator<Item = &'a CyclidePatch>, n: u32) -> f64 {
 }
 
 fn exported(patch: CyclidePatch) -> Shell {
-    let shell = Shell::from_patch(patch).unwrap().with_regular_faces().unwrap().with_positive_weights().unwrap();
+    let shell = Shell::from_surface(patch).unwrap().with_regular_faces().unwrap().with_positive_weights().unwrap();
     check(&shell, &patch);
     shell
 }

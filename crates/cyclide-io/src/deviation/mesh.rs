@@ -322,7 +322,7 @@ mod tests {
     fn octant() -> (BodyOf<'static>, SurfaceMesh, MeshPlan) {
         let corners = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [0.0, 0.0, 1.0]].map(Point3::from);
         let patch = CyclidePatch::from_corners_and_frame(corners, Vec3::Y, Vec3::Z).unwrap();
-        let body = Body { outer: Shell::from_patch(patch).unwrap(), voids: Vec::new() };
+        let body = Body { outer: Shell::from_surface(patch).unwrap(), voids: Vec::new() };
         let mesh = tessellate(&body, 1e-2).unwrap();
         let cells = mesh.sources.iter().map(|source| Cell { body: 0, source: *source, polygons: 1 }).collect();
         let sides = side_use(mesh.faces.iter().map(|face| face.corners().iter().map(|corner| corner.position)));

@@ -91,7 +91,7 @@ impl PartReport {
             return vec![Self { body, patches: faces.len(), area: number(shell.known_area(), not_known) }];
         }
         let mut area =
-            |face: &&ShellFace| number(Shell::from_patch(face.patch).and_then(|alone| alone.known_area()), not_known);
+            |face: &&ShellFace| number(Shell::from_surface(face.patch).and_then(|alone| alone.known_area()), not_known);
         let parts = parts.into_values();
         parts.map(|part| Self { body, patches: part.len(), area: part.iter().map(&mut area).sum() }).collect()
     }

@@ -45,6 +45,26 @@ pub(crate) fn split<const D: usize>(row: &[[f64; D]], t: f64) -> (Vec<[f64; D]>,
     (left, right)
 }
 
+/// Replaces the row by that of the part `[a, b]` of its interval, `0 <= a < b <= 1`.
+pub(crate) fn restrict<const D: usize>(row: &mut [[f64; D]], [a, b]: [f64; 2]) {
+    let n = row.len();
+    if b < 1.0 {
+        for r in 1..n {
+            for i in (r..n).rev() {
+                row[i] = mix(&row[i - 1], &row[i], b);
+            }
+        }
+    }
+    if a > 0.0 {
+        let t = a / b;
+        for r in 1..n {
+            for i in 0..n - r {
+                row[i] = mix(&row[i], &row[i + 1], t);
+            }
+        }
+    }
+}
+
 /// Value at `t` by nested multiplication (Farin's form of Horner's scheme): exact at both ends, no allocation.
 #[must_use]
 pub(crate) fn eval<const D: usize>(row: &[[f64; D]], t: f64) -> [f64; D] {

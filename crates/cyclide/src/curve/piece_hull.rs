@@ -12,6 +12,7 @@
 //! which bounds the distance from the line again and tells how far it reaches beyond the ends of the chord. (Own
 //! derivation from the convex hull property.)
 
+use crate::base::bernstein;
 use crate::base::vector::{Point3, Vec3};
 use crate::rational::RationalBezier;
 
@@ -68,7 +69,7 @@ impl PieceHull {
     #[must_use]
     pub fn point(&self, s: f64) -> Option<Point3> {
         let part = self.parts.iter().find(|p| s <= p.to).or(self.parts.last())?;
-        let [x, y, z, w] = crate::base::bernstein::eval(&part.rows, (s - part.from) / (part.to - part.from));
+        let [x, y, z, w] = bernstein::eval(&part.rows, (s - part.from) / (part.to - part.from));
         Some(Point3::new(x / w, y / w, z / w))
     }
 
@@ -80,33 +81,12 @@ impl PieceHull {
         for part in self.parts.iter().filter(|p| p.from < b && a < p.to) {
             let width = part.to - part.from;
             let place = |s: f64| ((s - part.from) / width).clamp(0.0, 1.0);
-            restrict(&part.rows, place(a), place(b), &mut self.scratch);
+            self.scratch.clear();
+            self.scratch.extend_from_slice(&part.rows);
+            bernstein::restrict(&mut self.scratch, [place(a), place(b)]);
             largest = f64::max(largest, line.deviation(&self.scratch));
         }
         largest + self.bound
-    }
-}
-
-/// Rows of the part `[a, b]` of a Bézier curve.
-fn restrict(rows: &[[f64; 4]], a: f64, b: f64, out: &mut Vec<[f64; 4]>) {
-    out.clear();
-    out.extend_from_slice(rows);
-    let n = out.len();
-    let mix = |p: [f64; 4], q: [f64; 4], t: f64| -> [f64; 4] { std::array::from_fn(|d| (1.0 - t) * p[d] + t * q[d]) };
-    if b < 1.0 {
-        for r in 1..n {
-            for i in (r..n).rev() {
-                out[i] = mix(out[i - 1], out[i], b);
-            }
-        }
-    }
-    if a > 0.0 {
-        let t = a / b;
-        for r in 1..n {
-            for i in 0..n - r {
-                out[i] = mix(out[i], out[i + 1], t);
-            }
-        }
     }
 }
 

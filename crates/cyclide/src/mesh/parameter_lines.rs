@@ -1,36 +1,35 @@
-//! Parameter circles as polylines: what pictures of a body draw on its faces.
+//! Parameter lines as polylines: what pictures of a body draw on its faces.
 
 use super::flatten::flatten;
 use crate::base::vector::{Point3, Vec3};
-use crate::curve::Arc;
 use crate::error::Result;
 use crate::surface::ParamSurface as _;
-use crate::topology::{Body, Shell, ShellFace, Side};
+use crate::topology::{Body, EdgeCurve, Shell, ShellFace, Side};
 
 /// Which parameter lines a polyline follows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum LineKind {
     /// The common edge of patches, or a side without neighbour.
     Edge,
-    /// A parameter circle inside a patch.
+    /// A parameter line inside a face.
     Inner,
 }
 
-/// A parameter circle of a body as a polyline.
+/// A parameter line of a body as a polyline.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ParameterLine {
     /// Edge or inner line.
     pub kind: LineKind,
     /// Index of the shell, the outer one first.
     pub shell: usize,
-    /// Points on the circle, ends included.
+    /// Points on the line, ends included.
     pub points: Vec<Point3>,
     /// The outer unit normal of the surface at each point; on an edge the mean of its faces'.
     pub normals: Vec<Vec3>,
 }
 
-/// Every edge of the body once, then `inner` parameter circles of each face in each direction, at equal steps of the
-/// parameter, so that they continue from face to face. No point of a circle is farther than `tolerance` from its polyline.
+/// Every edge of the body once, then `inner` parameter lines (circles on cyclides) of each face in each direction, at equal steps of the
+/// parameter, so that they continue from face to face. No point of a line is farther than `tolerance` from its polyline.
 ///
 /// # Errors
 /// As [`flatten`]; as [`CyclidePatch::s_line`](crate::CyclidePatch::s_line).
@@ -41,12 +40,12 @@ pub fn parameter_lines(body: &Body, inner: usize, tolerance: f64) -> Result<Vec<
         for face in shell.faces() {
             for k in 1..=inner {
                 let u = k as f64 / (inner + 1) as f64;
-                let along_s = (face.patch.s_line(u)?, &(|v| (v, u)) as &dyn Fn(f64) -> (f64, f64));
-                for (arc, place) in [along_s, (face.patch.t_line(u)?, &|v| (u, v))] {
+                let along_s = (face.surface.s_line(u)?, &(|v| (v, u)) as &dyn Fn(f64) -> (f64, f64));
+                for (curve, place) in [along_s, (face.surface.t_line(u)?, &|v| (u, v))] {
                     // A line that is one point is no line.
-                    if arc.chord().max_abs() > 0.0 {
+                    if !is_point(&curve) {
                         let normal = |v: f64| outer_normal(face, place(v));
-                        lines.push(line(&arc, LineKind::Inner, index, tolerance, normal)?);
+                        lines.push(line(&curve, LineKind::Inner, index, tolerance, normal)?);
                     }
                 }
             }
@@ -67,24 +66,29 @@ fn edge_lines(shell: &Shell, index: usize, tolerance: f64, lines: &mut Vec<Param
             // Faces folded back on each other have no mean.
             faces.iter().skip(1).map(of_face).fold(first, |a, b| a + b).unit().unwrap_or(first)
         };
-        lines.push(line(&edge.arc, LineKind::Edge, index, tolerance, normal)?);
+        lines.push(line(&edge.curve, LineKind::Edge, index, tolerance, normal)?);
     }
     Ok(())
 }
 
 fn line(
-    arc: &Arc,
+    curve: &EdgeCurve,
     kind: LineKind,
     shell: usize,
     tolerance: f64,
     normal: impl Fn(f64) -> Vec3,
 ) -> Result<ParameterLine> {
-    let (normals, points) = flatten(arc, tolerance)?.into_iter().map(|(u, p)| (normal(u), p)).unzip();
+    let (normals, points) = flatten(curve, tolerance)?.into_iter().map(|(u, p)| (normal(u), p)).unzip();
     Ok(ParameterLine { kind, shell, points, normals })
+}
+
+/// True for a parameter line that is one point. Of rational surfaces only sides are.
+fn is_point(curve: &EdgeCurve) -> bool {
+    curve.arc().is_some_and(|arc| arc.chord().max_abs() == 0.0)
 }
 
 /// Unit normal on the shell's outer side.
 fn outer_normal(face: &ShellFace, (s, t): (f64, f64)) -> Vec3 {
-    let normal = face.patch.normal(s, t).unwrap_or(Vec3::ZERO);
+    let normal = face.surface.normal(s, t).unwrap_or(Vec3::ZERO);
     if face.same_sense { normal } else { -normal }
 }

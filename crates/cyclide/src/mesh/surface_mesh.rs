@@ -12,7 +12,7 @@ pub struct MeshCorner {
     pub normal: usize,
 }
 
-/// A planar quad or a triangle (at the pole of a patch), counter-clockwise seen from the outer side.
+/// A planar quad or a triangle (at the pole of a patch, and on rational faces), counter-clockwise seen from the outer side.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum MeshFace {
     /// Three corners.
@@ -61,7 +61,7 @@ pub struct SurfaceMesh {
     pub normals: Vec<Vec3>,
     /// Quads and triangles.
     pub faces: Vec<MeshFace>,
-    /// What each of [`faces`](Self::faces) stands for.
+    /// What each of [`faces`](Self::faces) stands for: two that follow each other, if a cell is two triangles.
     pub sources: Vec<MeshSource>,
     /// The cells that no polygon stands for: between points that are one but for rounding.
     pub lost: Vec<MeshSource>,

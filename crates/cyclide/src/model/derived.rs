@@ -75,7 +75,12 @@ impl SurfaceObject {
             return net.support_arcs();
         }
         let bodies = self.to_bodies()?;
-        Ok(bodies.iter().flat_map(Body::shells).flat_map(Shell::edges).map(|edge| edge.arc).collect())
+        Ok(bodies
+            .iter()
+            .flat_map(Body::shells)
+            .flat_map(Shell::edges)
+            .filter_map(|edge| edge.curve.arc().copied())
+            .collect())
     }
 }
 

@@ -32,7 +32,7 @@ impl SurfaceObject {
     pub fn to_bodies(&self) -> Result<Vec<Body>> {
         let alone = |outer| Body { outer, voids: Vec::new() };
         match self {
-            Self::Patch(patch) => Ok(vec![alone(Shell::from_patch(*patch)?)]),
+            Self::Patch(patch) => Ok(vec![alone(Shell::from_surface(*patch)?)]),
             Self::Net(net) => Ok(net.to_shells()?.into_iter().map(alone).collect()),
             Self::Thick(body) => Ok(vec![body.clone()]),
         }

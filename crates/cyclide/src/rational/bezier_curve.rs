@@ -3,6 +3,7 @@
 use crate::base::bernstein;
 use crate::base::jet::CurveJet;
 use crate::base::vector::{Point3, Vec3};
+use crate::conformal::mobius::Mobius;
 use crate::error::{Error, Result};
 
 /// A rational Bézier curve of degree `rows - 1`. The rows are homogeneous, so a middle row may be a direction
@@ -75,6 +76,36 @@ impl RationalBezier {
         Ok((Self { rows: l }, Self { rows: r }))
     }
 
+    /// The same points run backwards.
+    #[must_use]
+    pub fn reversed(&self) -> Self {
+        Self { rows: self.rows.iter().rev().copied().collect() }
+    }
+
+    /// The curve with ends that are known better than its rows.
+    pub(crate) fn with_ends(mut self, start: Option<Point3>, end: Option<Point3>) -> Self {
+        let last = self.rows.len() - 1;
+        for (k, point) in [(0, start), (last, end)] {
+            if let Some(p) = point {
+                let w = self.rows[k][3];
+                self.rows[k] = [p.x * w, p.y * w, p.z * w, w];
+            }
+        }
+        self
+    }
+
+    /// The image under a similarity or a reflection: control points move, weights stay.
+    ///
+    /// # Errors
+    /// `not-a-similarity`; `not-finite` if a control point overflows.
+    pub fn similar(&self, map: &Mobius) -> Result<Self> {
+        if !map.is_similarity() {
+            return Err(Error::NotASimilarity);
+        }
+        let rows = self.rows.iter().enumerate().map(|(index, row)| moved_row(map, row, index));
+        Ok(Self { rows: rows.collect::<Result<_>>()? })
+    }
+
     /// The curve times a common factor: same points, rows multiplied by the scalar Bernstein polynomial `factor`
     /// (degree raised by its degree).
     #[must_use]
@@ -83,6 +114,21 @@ impl RationalBezier {
         let columns: [Vec<f64>; 4] = std::array::from_fn(column);
         Self { rows: (0..columns[0].len()).map(|i| std::array::from_fn(|d| columns[d][i])).collect() }
     }
+}
+
+/// A homogeneous row moved by a similarity; one of weight 0 is a direction.
+///
+/// # Errors
+/// `not-finite` if it overflows.
+pub(super) fn moved_row(map: &Mobius, &[x, y, z, w]: &[f64; 4], index: usize) -> Result<[f64; 4]> {
+    let overflow = Error::NotFinite { what: "control point", index };
+    let image = |p: Point3| map.map_point(p).filter(|p| p.is_finite()).ok_or(overflow.clone());
+    if w == 0.0 {
+        let way = image(Point3::new(x, y, z))? - image(Point3::ORIGIN)?;
+        return Ok([way.x, way.y, way.z, 0.0]);
+    }
+    let p = image(Point3::new(x / w, y / w, z / w))?;
+    Ok([p.x * w, p.y * w, p.z * w, w])
 }
 
 /// The affine jet of homogeneous derivatives `[wx, wy, wz, w]` of orders 0 to 3 (quotient rule).

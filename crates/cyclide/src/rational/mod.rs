@@ -6,8 +6,10 @@ mod exact;
 mod nurbs_curve;
 mod nurbs_edit;
 mod smooth_knots;
+mod surface_bounds;
 
 pub use bezier_curve::RationalBezier;
 pub use bezier_surface::RationalBezierSurface;
 pub use exact::ExactRational;
 pub use nurbs_curve::NurbsCurve;
+pub(crate) use surface_bounds::SecondDerivatives;

@@ -8,7 +8,7 @@ impl Shell {
     /// The smallest box around the shell, to rounding.
     #[must_use]
     pub fn bounds(&self) -> Aabb {
-        let faces = self.faces().iter().map(|face| face.patch.bounds()).reduce(Aabb::union);
+        let faces = self.faces().iter().map(|face| face.surface.bounds()).reduce(Aabb::union);
         // A shell has a face; the origin stands for the box of nothing.
         faces.unwrap_or(Aabb::of_point(Point3::ORIGIN))
     }

@@ -1,11 +1,18 @@
 //! What makes vertices, edges and faces a shell.
 
-use super::{FaceEdge, Shell, ShellFace, Side};
+use super::{EdgeCurve, FaceEdge, FaceSurface, Shell, ShellFace, Side};
+use crate::base::vector::Point3;
 use crate::error::{Error, Result};
-use crate::surface::CyclidePatch;
 
 /// Largest relative difference of the weight ratios of a side and of its edge.
 const RATIO_LIMIT: f64 = 1e-9;
+/// Roundings of the coordinates that points of a side and of its edge may differ by beside that.
+const ROUNDINGS: f64 = 32.0;
+
+/// True if two points are one: bit for bit (`exact`), or as near as the quotients of a rational form are.
+pub(super) fn same_point(exact: bool, a: Point3, b: Point3) -> bool {
+    a == b || !exact && a.distance(b) <= ROUNDINGS * f64::EPSILON * a.to_vec().max_abs().max(b.to_vec().max_abs())
+}
 
 impl Shell {
     pub(super) fn check(&self) -> Result<()> {
@@ -26,21 +33,28 @@ impl Shell {
             if edge.start == edge.end {
                 return fail("both ends are the same vertex");
             }
-            if edge.arc.start() != *start || edge.arc.end() != *end {
-                return fail("the arc does not end at the vertices");
+            if matches!(&edge.curve, EdgeCurve::Rational(curve) if !curve.has_positive_weights()) {
+                return fail("a weight of its curve is not positive");
+            }
+            let exact = edge.curve.arc().is_some();
+            if !same_point(exact, edge.curve.start(), *start) || !same_point(exact, edge.curve.end(), *end) {
+                return fail("the curve does not end at the vertices");
             }
         }
         Ok(())
     }
 
     fn check_face(&self, face: &ShellFace) -> std::result::Result<(), &'static str> {
-        let corners = face.patch.corners();
+        if matches!(&face.surface, FaceSurface::Rational(surface) if !surface.has_positive_weights()) {
+            return Err("a weight of its surface is not positive");
+        }
+        let (exact, corners) = (face.surface.patch().is_some(), face.surface.corners());
         // The vertex at each corner, as the sides say; sides of one point hand it on.
         let mut vertex: [Option<usize>; 4] = [None; 4];
         for side in Side::ALL {
             let [from, to] = side.corners();
             let Some(side) = face.side(side) else {
-                if corners[from] != corners[to] {
+                if !same_point(exact, corners[from], corners[to]) {
                     return Err("a side without edge is not one point");
                 }
                 continue;
@@ -48,7 +62,7 @@ impl Shell {
             let edge = self.edges.get(side.edge).ok_or("an edge of it does not exist")?;
             let ends = if side.forward { (edge.start, edge.end) } else { (edge.end, edge.start) };
             for (corner, end) in [(from, ends.0), (to, ends.1)] {
-                if corners[corner] != self.vertices[end] {
+                if !same_point(exact, corners[corner], self.vertices[end]) {
                     return Err("a corner is not the vertex of its edge");
                 }
                 if *vertex[corner].get_or_insert(end) != end {
@@ -62,16 +76,33 @@ impl Shell {
                 return Err("a side of one point has two vertices");
             }
         }
-        if face.edges().any(|(side, edge)| !self.same_parameter(&face.patch, side, edge)) {
+        if face.edges().any(|(side, edge)| !self.same_parameter(&face.surface, side, edge)) {
             return Err("a side has another parameter than its edge");
         }
         Ok(())
     }
 
-    fn same_parameter(&self, patch: &CyclidePatch, side: Side, place: FaceEdge) -> bool {
-        let arc = self.edges[place.edge].arc;
-        let want = if place.forward { arc } else { arc.reversed() }.weight_ratio();
-        side.arc_of(patch).is_ok_and(|line| (line.weight_ratio() - want).norm() <= RATIO_LIMIT * want.norm())
+    fn same_parameter(&self, surface: &FaceSurface, side: Side, place: FaceEdge) -> bool {
+        let edge = &self.edges[place.edge].curve;
+        let Ok(line) = side.curve_of(surface) else { return false };
+        if let (EdgeCurve::Arc(line), EdgeCurve::Arc(arc)) = (&line, edge) {
+            let want = if place.forward { *arc } else { arc.reversed() }.weight_ratio();
+            return (line.weight_ratio() - want).norm() <= RATIO_LIMIT * want.norm();
+        }
+        // Two rational curves are one, with one parameter, if they agree at more places than their degrees together.
+        let degree = |curve: &EdgeCurve| match curve {
+            EdgeCurve::Arc(_) => 2,
+            EdgeCurve::Rational(curve) => curve.degree(),
+        };
+        let places = degree(&line) + degree(edge) + 1;
+        let apart = |k: usize| {
+            let x = k as f64 / places as f64;
+            line.point(x).distance(edge.point(place.turned(x)))
+        };
+        let size =
+            (1..=places).map(|k| line.point(k as f64 / places as f64).distance(line.start())).fold(0.0, f64::max);
+        let rounding = f64::EPSILON * edge.start().to_vec().max_abs();
+        (0..=places).all(|k| apart(k) <= RATIO_LIMIT * size + ROUNDINGS * rounding)
     }
 
     /// Every edge has at most two faces, which run along it in opposite directions.

@@ -28,7 +28,7 @@ pub fn surface_joints(shell: &Shell) -> Vec<SurfaceJoint> {
         let mut joint = SurfaceJoint { edge, faces: [a.0, b.0], gap: 0.0, angle: 0.0 };
         for i in 0..SAMPLES {
             let x = i as f64 / (SAMPLES - 1) as f64;
-            let on_edge = shell.edges()[edge].arc.point(x);
+            let on_edge = shell.edges()[edge].curve.point(x);
             let (p, n) = at(&shell.faces()[a.0], a.1, x);
             let (q, m) = at(&shell.faces()[b.0], b.1, x);
             joint.gap = joint.gap.max(p.distance(q)).max(p.distance(on_edge)).max(q.distance(on_edge));
@@ -42,6 +42,6 @@ pub fn surface_joints(shell: &Shell) -> Vec<SurfaceJoint> {
 /// Point and outer normal of a face on one of its sides, by the parameter of the edge.
 fn at(face: &ShellFace, side: Side, x: f64) -> (Point3, Vec3) {
     let (s, t) = side.place(face.side(side).map_or(x, |edge| edge.turned(x)));
-    let normal = face.patch.normal(s, t).unwrap_or_default();
-    (face.patch.point(s, t), if face.same_sense { normal } else { -normal })
+    let normal = face.surface.normal(s, t).unwrap_or_default();
+    (face.surface.point(s, t), if face.same_sense { normal } else { -normal })
 }

@@ -1,6 +1,6 @@
 //! Area and enclosed volume by quadrature over the faces.
 
-use super::{Shell, ShellFace};
+use super::{FaceSurface, Shell, ShellFace};
 use crate::base::quadrature::{gauss2, gauss4, gauss8};
 use crate::base::vector::Point3;
 use crate::error::{Error, Result};
@@ -63,7 +63,7 @@ impl Shell {
 
     fn area_by(&self, most: usize) -> Quadrature<impl Fn(usize, f64, f64) -> f64> {
         let cells = self.faces.iter().enumerate().flat_map(|(f, face)| regular_cells(face).map(move |cell| (f, cell)));
-        let element = |face: usize, s, t| self.faces[face].patch.element(s, t).abs();
+        let element = |face: usize, s, t| self.faces[face].surface.element(s, t).abs();
         let mut area = Quadrature::new(&self.faces, cells, most, element);
         area.refine(Quadrature::agrees);
         area
@@ -86,13 +86,13 @@ impl Shell {
     /// they have no kinks. Points are taken from a corner of the face: far from the origin their rounding would be seen.
     fn cones(&self, most: usize) -> Quadrature<impl Fn(usize, f64, f64) -> f64> {
         let tip = self.vertices.first().copied().unwrap_or(Point3::ORIGIN);
-        let faces = self.faces.iter().map(|face| (face, face.patch.corners()[0] - tip));
+        let faces = self.faces.iter().map(|face| (face, face.surface.corners()[0] - tip));
         let faces: Vec<_> = faces.collect();
         let cells = (0..faces.len()).map(|face| (face, UNIT));
         Quadrature::new(&self.faces, cells, most, move |face, s, t| {
-            let (ShellFace { patch, same_sense, .. }, corner) = &faces[face];
-            let height = (patch.way_from_first_corner(s, t) + *corner).dot(patch.unit_normal(s, t));
-            let cone = height * patch.element(s, t) / 3.0;
+            let (ShellFace { surface, same_sense, .. }, corner) = &faces[face];
+            let height = (surface.way_from_first_corner(s, t) + *corner).dot(surface.unit_normal(s, t));
+            let cone = height * surface.element(s, t) / 3.0;
             if *same_sense { cone } else { -cone }
         })
     }
@@ -104,8 +104,8 @@ type Cell = [[f64; 2]; 2];
 /// The whole face.
 const UNIT: Cell = [[0.0, 1.0]; 2];
 
-/// How much `|D|²` varies over a cell: it is a mean of the products of the denominators at its corners. What is integrated
-/// are polynomials over powers of it.
+/// How much the weight, of patches `|D|²`, varies over a cell: it is a mean of the products of the denominators at its corners,
+/// or of the weights of the control points. What is integrated are polynomials over powers of it.
 #[derive(Clone, Copy, PartialEq)]
 enum Temper {
     /// No peak: a coarse rule that agrees with a finer one does not do so by chance.
@@ -115,7 +115,16 @@ enum Temper {
     Wild,
 }
 
-fn temper(patch: &CyclidePatch, [s, t]: Cell) -> Temper {
+fn temper(surface: &FaceSurface, cell: Cell) -> Temper {
+    match surface {
+        FaceSurface::Cyclide(patch) => temper_of_patch(patch, cell),
+        // Of higher degrees coarse rules may agree by chance: they begin with the fine one.
+        FaceSurface::Rational(surface) if surface.evenness(cell[0], cell[1]) >= WILD => Temper::Fair,
+        FaceSurface::Rational(_) => Temper::Wild,
+    }
+}
+
+fn temper_of_patch(patch: &CyclidePatch, [s, t]: Cell) -> Temper {
     let d = [(s[0], t[0]), (s[1], t[0]), (s[0], t[1]), (s[1], t[1])].map(|(s, t)| patch.denominator(s, t));
     let largest = d.iter().map(|d| d.norm_squared()).fold(0.0, f64::max);
     let all_above = |part: f64| (0..4).all(|i| (i..4).all(|j| d[i].dot(d[j]) >= part * largest));
@@ -131,7 +140,7 @@ fn temper(patch: &CyclidePatch, [s, t]: Cell) -> Temper {
 /// The parts of a face between its singular lines.
 fn regular_cells(face: &ShellFace) -> impl Iterator<Item = Cell> + use<> {
     let ends = |inside: Vec<f64>| [vec![0.0], inside, vec![1.0]].concat();
-    let (s, t) = (ends(face.patch.singular_s()), ends(face.patch.singular_t()));
+    let (s, t) = (ends(face.surface.singular_s()), ends(face.surface.singular_t()));
     let parts = |ends: &[f64]| ends.windows(2).map(|w| [w[0], w[1]]).collect::<Vec<_>>();
     let (s, t) = (parts(&s), parts(&t));
     t.into_iter().flat_map(move |t| s.clone().into_iter().map(move |s| [s, t]))
@@ -161,7 +170,7 @@ impl<E: Fn(usize, f64, f64) -> f64> Quadrature<E> {
         for (face, cell) in cells {
             waiting.push(cell);
             while let Some(cell) = waiting.pop() {
-                match temper(&faces[face].patch, cell) {
+                match temper(&faces[face].surface, cell) {
                     Temper::Tame => new.push_whole(face, cell, Points::Two),
                     Temper::Wild if new.left > 0 => {
                         new.left -= 1;
@@ -367,7 +376,7 @@ mod tests {
         let cells = (0..small.faces().len()).map(|face| (face, UNIT));
         let mut area = Quadrature::new(small.faces(), cells, usize::MAX, |face, s, t| {
             count.set(count.get() + 1);
-            small.faces()[face].patch.element(s, t)
+            small.faces()[face].surface.element(s, t)
         });
         assert_eq!(count.get(), 20 * small.faces().len());
         area.refine(|area| area.error <= 1e-6 * area.size);

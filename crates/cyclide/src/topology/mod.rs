@@ -2,6 +2,8 @@
 
 mod bounds;
 mod check;
+mod edge_curve;
+mod face_surface;
 mod joints;
 mod measure;
 mod parts;
@@ -11,23 +13,23 @@ mod split;
 mod thick;
 mod transform;
 
+pub use edge_curve::EdgeCurve;
+pub use face_surface::FaceSurface;
 pub use joints::{SurfaceJoint, surface_joints};
 pub use side::Side;
 
 use crate::base::vector::Point3;
-use crate::curve::Arc;
 use crate::error::Result;
-use crate::surface::CyclidePatch;
 
-/// An edge of a shell: an arc between two vertices, with the parameter that every face along it has.
-#[derive(Debug, Clone, Copy, PartialEq)]
+/// An edge of a shell: a curve between two vertices, with the parameter that every face along it has.
+#[derive(Debug, Clone, PartialEq)]
 pub struct ShellEdge {
     /// Vertex at parameter 0.
     pub start: usize,
     /// Vertex at parameter 1.
     pub end: usize,
     /// The curve; its ends are the vertices, bit for bit.
-    pub arc: Arc,
+    pub curve: EdgeCurve,
 }
 
 /// A side of a face on an edge of the shell.
@@ -39,11 +41,11 @@ pub struct FaceEdge {
     pub forward: bool,
 }
 
-/// A patch in its shell.
+/// A face: a four-sided surface in its shell. A side may be one point.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ShellFace {
     /// The surface.
-    pub patch: CyclidePatch,
+    pub surface: FaceSurface,
     /// The sides t=0, t=1 (along s), s=0, s=1 (along t); `None` for a side that is one point.
     pub sides: [Option<FaceEdge>; 4],
     /// True if the shell's outer side is that of `f_s × f_t`.
@@ -64,7 +66,8 @@ impl Shell {
     /// # Errors
     /// `not-a-shell`, with the kind and the index of the item and what is wrong: an index out of range; an edge whose
     /// ends are not its vertices bit for bit; a side whose edge joins other vertices or has another parameter (weight
-    /// ratios that differ by more than 1e-9); a side without edge that is not one point; an edge with more than two
+    /// ratios that differ by more than 1e-9, points by more than 1e-9 of the side where one of both is not an arc); a
+    /// rational surface or curve whose weights are not all positive; a side without edge that is not one point; an edge with more than two
     /// faces, or with two faces that run along it in the same direction; faces that do not hang together through
     /// edges; no face at all.
     pub fn new(vertices: Vec<Point3>, edges: Vec<ShellEdge>, faces: Vec<ShellFace>) -> Result<Self> {
@@ -73,16 +76,17 @@ impl Shell {
         Ok(shell)
     }
 
-    /// The shell of one patch with its (up to four) edges.
+    /// The shell of one surface with its (up to four) edges. Corners that are equal are one vertex.
     ///
     /// # Errors
     /// As [`CyclidePatch::s_line`].
-    pub fn from_patch(patch: CyclidePatch) -> Result<Self> {
-        let [a0, a1, a2, a3] = patch.corners();
+    pub fn from_surface(surface: impl Into<FaceSurface>) -> Result<Self> {
+        let surface = surface.into();
+        let (exact, corners) = (surface.patch().is_some(), surface.corners());
         // A pole repeats a corner: the vertex is the same one.
         let mut vertices: Vec<Point3> = Vec::with_capacity(4);
-        let index = [a0, a1, a2, a3].map(|p| {
-            vertices.iter().position(|v| *v == p).unwrap_or_else(|| {
+        let index = corners.map(|p| {
+            vertices.iter().position(|v| check::same_point(exact, *v, p)).unwrap_or_else(|| {
                 vertices.push(p);
                 vertices.len() - 1
             })
@@ -90,13 +94,13 @@ impl Shell {
         let (mut edges, mut sides) = (Vec::with_capacity(4), [None; 4]);
         for side in Side::ALL {
             let [start, end] = side.corners().map(|corner| index[corner]);
-            let arc = side.arc_of(&patch)?;
+            let curve = side.curve_of(&surface)?;
             if start != end {
-                edges.push(ShellEdge { start, end, arc });
+                edges.push(ShellEdge { start, end, curve });
                 sides[side as usize] = Some(FaceEdge { edge: edges.len() - 1, forward: true });
             }
         }
-        Ok(Self { vertices, edges, faces: vec![ShellFace { patch, sides, same_sense: true }] })
+        Ok(Self { vertices, edges, faces: vec![ShellFace { surface, sides, same_sense: true }] })
     }
 
     /// The vertices.

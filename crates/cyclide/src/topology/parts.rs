@@ -65,7 +65,7 @@ impl Shell {
 
     /// As [`lobes`](Self::lobes), without a copy of a shell that is one.
     pub(crate) fn into_lobes(self) -> Result<Vec<Self>> {
-        if !self.is_closed() || self.faces.iter().all(|face| face.patch.is_regular()) {
+        if !self.is_closed() || self.faces.iter().all(|face| face.surface.is_regular()) {
             return Ok(vec![self]);
         }
         let cut = self.with_regular_faces()?;

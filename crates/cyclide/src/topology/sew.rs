@@ -1,6 +1,6 @@
 //! Nets and whole cyclides as shells: every vertex and every edge once.
 
-use super::{Body, FaceEdge, Shell, ShellEdge, ShellFace};
+use super::{Body, EdgeCurve, FaceEdge, Shell, ShellEdge, ShellFace};
 use crate::base::range;
 use crate::base::vector::Point3;
 use crate::curve::Arc;
@@ -31,8 +31,8 @@ pub(super) struct Skin {
 
 impl Sewing {
     /// Adds an edge.
-    pub(super) fn edge(&mut self, start: usize, end: usize, arc: Arc) -> usize {
-        self.edges.push(ShellEdge { start, end, arc });
+    pub(super) fn edge(&mut self, start: usize, end: usize, curve: impl Into<EdgeCurve>) -> usize {
+        self.edges.push(ShellEdge { start, end, curve: curve.into() });
         self.edges.len() - 1
     }
 
@@ -56,7 +56,7 @@ impl Sewing {
             range::check_size_in_place("a patch", size, place, f64::EPSILON).map_err(|e| e.in_quad(i + j * m))?;
             let edges = [skin.along_s[k0], skin.along_s[k2], skin.along_t[k0], skin.along_t[k1]];
             let sides = edges.map(|edge| edge.map(|edge| FaceEdge { edge, forward: true }));
-            self.face(ShellFace { patch: net.patch(i, j), sides, same_sense });
+            self.face(ShellFace { surface: net.patch(i, j).into(), sides, same_sense });
         }
         Ok(skin)
     }
@@ -173,7 +173,7 @@ impl CyclidicNet {
         let mut sewing = Sewing::default();
         let skin = sewing.frame_of(self)?;
         let edges = skin.along_s.iter().chain(&skin.along_t).flatten();
-        Ok(edges.map(|&edge| sewing.edges[edge].arc).collect())
+        Ok(edges.filter_map(|&edge| sewing.edges[edge].curve.arc().copied()).collect())
     }
 }
 

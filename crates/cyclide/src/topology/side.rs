@@ -1,9 +1,7 @@
 //! The four sides of a face, and what is known of each by its name: its corners, its direction, its place in the loop.
 
-use super::{FaceEdge, ShellFace};
-use crate::curve::Arc;
+use super::{EdgeCurve, FaceEdge, FaceSurface, ShellFace};
 use crate::error::Result;
-use crate::surface::CyclidePatch;
 
 /// A side of the parameter square `[0, 1]²` of a face; as a number, its index among [`ShellFace::sides`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -78,13 +76,13 @@ impl Side {
         }
     }
 
-    /// The side of a patch as an arc with the patch's parameter.
-    pub(super) fn arc_of(self, patch: &CyclidePatch) -> Result<Arc> {
+    /// The side of a surface as a curve with the surface's parameter.
+    pub(super) fn curve_of(self, surface: &FaceSurface) -> Result<EdgeCurve> {
         match self {
-            Self::Bottom => patch.s_line(0.0),
-            Self::Top => patch.s_line(1.0),
-            Self::Left => patch.t_line(0.0),
-            Self::Right => patch.t_line(1.0),
+            Self::Bottom => surface.s_line(0.0),
+            Self::Top => surface.s_line(1.0),
+            Self::Left => surface.t_line(0.0),
+            Self::Right => surface.t_line(1.0),
         }
     }
 }

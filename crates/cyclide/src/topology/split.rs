@@ -4,12 +4,10 @@
 //! through opposite sides are a strip, and a strip is cut as a whole. Faces that share an edge agree on its parameter,
 //! so the cut has one parameter per edge and its vertex is computed once.
 
-use super::{FaceEdge, Shell, ShellEdge, ShellFace, Side};
+use super::{EdgeCurve, FaceEdge, FaceSurface, Shell, ShellEdge, ShellFace, Side};
 use crate::base::bounds::Aabb;
 use crate::base::vector::Point3;
-use crate::curve::Arc;
 use crate::error::{Error, Result};
-use crate::surface::CyclidePatch;
 use crate::surface::ParamSurface as _;
 
 /// Smallest cosine of half an edge's angle: edges stay below 150 degrees.
@@ -66,8 +64,8 @@ impl Shell {
     /// `patch-through-infinity` where sixteen halvings do not suffice; `too-many-pieces` (faces); `short-edge` if an edge is shorter than 1e-13 of
     /// the shell, as in cyclides that are nearly singular.
     pub fn with_positive_weights(&self) -> Result<Self> {
-        let shell = self.halved(|_, face| too_wide(&face.patch), MOST_PASSES)?;
-        if !shell.faces.iter().all(|face| too_wide(&face.patch) == [false, false]) {
+        let shell = self.halved(|_, face| too_wide(&face.surface), MOST_PASSES)?;
+        if !shell.faces.iter().all(|face| too_wide(&face.surface) == [false, false]) {
             return Err(Error::PatchThroughInfinity { s: 0.5, t: 0.5 });
         }
         shell.check_long_edges()?;
@@ -89,7 +87,7 @@ impl Shell {
             for (index, face) in shell.faces.iter().enumerate() {
                 let wide = wide(&shell, face);
                 if wide != [false, false] {
-                    let sides = widest_sides(&face.patch);
+                    let sides = widest_sides(&face.surface);
                     found.extend([0, 1].into_iter().filter(|&d| wide[d]).map(|d| (index, d, sides[d])));
                 }
             }
@@ -110,8 +108,8 @@ impl Shell {
     /// Refuses edges that are points for other programs.
     fn check_long_edges(&self) -> Result<()> {
         let limit = SHORTEST_EDGE * Aabb::of_points(self.vertices.iter().copied()).map_or(0.0, Aabb::diagonal);
-        for (edge, ShellEdge { arc, .. }) in self.edges.iter().enumerate() {
-            let length = arc.start().distance(arc.end());
+        for (edge, ShellEdge { curve, .. }) in self.edges.iter().enumerate() {
+            let length = curve.start().distance(curve.end());
             if length < limit {
                 return Err(Error::ShortEdge { edge, length, limit });
             }
@@ -132,7 +130,7 @@ impl Shell {
         for _ in 0..MOST_PASSES {
             let (mut cuts, along) = (Cuts::none(&shell), shell.faces_along_edges());
             for (index, face) in shell.faces.iter().enumerate() {
-                for (direction, places) in [face.patch.singular_s(), face.patch.singular_t()].iter().enumerate() {
+                for (direction, places) in [face.surface.singular_s(), face.surface.singular_t()].iter().enumerate() {
                     if let Some(&at) = places.first() {
                         shell.mark(&along, &mut cuts, index, direction, at);
                     }
@@ -227,12 +225,12 @@ impl Shell {
             let first = new.edges.len();
             parts.push(first);
             if let Some(at) = cuts.edges[e] {
-                let (left, right) = edge.arc.split(at)?;
+                let (left, right) = edge.curve.split(at)?;
                 let (middle, point) = (middles[e], new.vertices[middles[e]]);
-                new.edges.push(ShellEdge { start: edge.start, end: middle, arc: left.with_end(point) });
-                new.edges.push(ShellEdge { start: middle, end: edge.end, arc: right.with_start(point) });
+                new.edges.push(ShellEdge { start: edge.start, end: middle, curve: left.with_ends(None, Some(point)) });
+                new.edges.push(ShellEdge { start: middle, end: edge.end, curve: right.with_ends(Some(point), None) });
             } else {
-                new.edges.push(*edge);
+                new.edges.push(edge.clone());
             }
         }
         for index in 0..self.faces.len() {
@@ -248,7 +246,7 @@ impl Shell {
             for direction in [0, 1] {
                 if let [Some(a), Some(b)] = Side::along(direction).map(|side| face.side(side))
                     && let Some(at) = cuts[a.edge]
-                    && is_one_point(&face.patch, direction, a.turned(at))
+                    && is_one_point(&face.surface, direction, a.turned(at))
                 {
                     let (ra, rb) = (root(&same, a.edge), root(&same, b.edge));
                     same[ra.max(rb)] = ra.min(rb);
@@ -262,7 +260,7 @@ impl Shell {
                 middles[e] = match root(&same, e) {
                     r if r < e => middles[r],
                     _ => {
-                        vertices.push(edge.arc.point(at));
+                        vertices.push(edge.curve.point(at));
                         vertices.len() - 1
                     }
                 };
@@ -288,35 +286,35 @@ impl Shell {
                     (None, Some(b)) => middle(b),
                     (Some(a), None) => middle(2 + a),
                     (None, None) => {
-                        new.vertices.push(face.patch.point(s, t));
+                        new.vertices.push(face.surface.point(s, t));
                         new.vertices.len() - 1
                     }
                 };
             }
         }
-        let patch = |i: usize, j: usize| {
+        let part = |i: usize, j: usize| {
             let points = [(i, j), (i + 1, j), (i, j + 1), (i + 1, j + 1)].map(|(i, j)| new.vertices[vertex[i][j]]);
             if points.iter().all(|p| *p == points[0]) {
                 return Err(no_part(face, points[0]));
             }
-            Ok(face.patch.part_between([breaks[0][i], breaks[0][i + 1]], [breaks[1][j], breaks[1][j + 1]], points))
+            Ok(face.surface.part_between([breaks[0][i], breaks[0][i + 1]], [breaks[1][j], breaks[1][j + 1]], points))
         };
-        let patches: Vec<CyclidePatch> = if ns * nt == 1 {
-            vec![face.patch]
+        let surfaces: Vec<FaceSurface> = if ns * nt == 1 {
+            vec![face.surface.clone()]
         } else {
-            (0..ns * nt).map(|k| patch(k % ns, k / ns)).collect::<Result<_>>()?
+            (0..ns * nt).map(|k| part(k % ns, k / ns)).collect::<Result<_>>()?
         };
         // The part of a side between two breaks, or the side as a whole.
-        let part = |k: usize, i: usize| {
+        let part_of_side = |k: usize, i: usize| {
             face.sides[k].map(|side| {
                 let i = if side.forward { i } else { 1 - i };
                 let i = if cuts.edges[side.edge].is_some() { i } else { 0 };
                 FaceEdge { edge: parts[side.edge] + i, forward: side.forward }
             })
         };
-        let mut inner = |start: usize, end: usize, arc: Arc| {
+        let mut inner = |start: usize, end: usize, curve: EdgeCurve| {
             (start != end).then(|| {
-                new.edges.push(ShellEdge { start, end, arc });
+                new.edges.push(ShellEdge { start, end, curve });
                 FaceEdge { edge: new.edges.len() - 1, forward: true }
             })
         };
@@ -324,23 +322,23 @@ impl Shell {
         for i in 0..ns {
             for j in 0..=nt {
                 along_s[i][j] = match end(j, nt) {
-                    Some(k) => part(k, i),
-                    None => inner(vertex[i][j], vertex[i + 1][j], patches[i + ns * j].s_line(0.0)?),
+                    Some(k) => part_of_side(k, i),
+                    None => inner(vertex[i][j], vertex[i + 1][j], surfaces[i + ns * j].s_line(0.0)?),
                 };
             }
         }
         for i in 0..=ns {
             for j in 0..nt {
                 along_t[i][j] = match end(i, ns) {
-                    Some(k) => part(2 + k, j),
-                    None => inner(vertex[i][j], vertex[i][j + 1], patches[i + ns * j].t_line(0.0)?),
+                    Some(k) => part_of_side(2 + k, j),
+                    None => inner(vertex[i][j], vertex[i][j + 1], surfaces[i + ns * j].t_line(0.0)?),
                 };
             }
         }
-        for (k, patch) in patches.into_iter().enumerate() {
+        for (k, surface) in surfaces.into_iter().enumerate() {
             let (i, j) = (k % ns, k / ns);
             let sides = [along_s[i][j], along_s[i][j + 1], along_t[i][j], along_t[i + 1][j]];
-            new.faces.push(ShellFace { patch, sides, same_sense: face.same_sense });
+            new.faces.push(ShellFace { surface, sides, same_sense: face.same_sense });
         }
         Ok(())
     }
@@ -360,8 +358,9 @@ fn root(same: &[usize], mut e: usize) -> usize {
     e
 }
 
-/// True if the parameter line at `at`, across the sides of this direction, is one point.
-fn is_one_point(patch: &CyclidePatch, direction: usize, at: f64) -> bool {
+/// True if the parameter line at `at`, across the sides of this direction, is one point; of rational surfaces only sides are.
+fn is_one_point(surface: &FaceSurface, direction: usize, at: f64) -> bool {
+    let Some(patch) = surface.patch() else { return false };
     let speeds = if direction == 0 { patch.q2() } else { patch.q1() };
     let largest = speeds.iter().fold(0.0, |m: f64, q| m.max(q.abs()));
     let [a, b, c] = speeds;
@@ -378,8 +377,9 @@ struct WidestSide {
     middle: f64,
 }
 
-/// The widest sides of a patch along s and along t.
-fn widest_sides(patch: &CyclidePatch) -> [WidestSide; 2] {
+/// The widest sides of a surface along s and along t; rational ones are halved where others ask for it only, in the middle.
+fn widest_sides(surface: &FaceSurface) -> [WidestSide; 2] {
+    let Some(patch) = surface.patch() else { return [WidestSide { cosine: 1.0, middle: 0.5 }; 2] };
     let w = patch.real_weights();
     let corner = |k: usize| w[2 * (k & 1)][k & 2].sqrt();
     let side = |side: Side| {
@@ -399,9 +399,10 @@ fn widest_sides(patch: &CyclidePatch) -> [WidestSide; 2] {
     })
 }
 
-/// The directions in which a patch has to be halved for positive weights.
-fn too_wide(patch: &CyclidePatch) -> [bool; 2] {
-    let widest = widest_sides(patch);
+/// The directions in which a surface has to be halved for positive weights, which rational ones have.
+fn too_wide(surface: &FaceSurface) -> [bool; 2] {
+    let Some(patch) = surface.patch() else { return [false; 2] };
+    let widest = widest_sides(surface);
     let wide = widest.map(|side| !(side.cosine >= SMALLEST_COSINE));
     let w = patch.real_weights();
     let middle = w[1][1] / (w[0][0] * w[2][0] * w[0][2] * w[2][2]).powf(0.25);

@@ -139,7 +139,7 @@ impl Rims<'_> {
         let rulings = [self.ruling(sewing, vertices[0])?, self.ruling(sewing, vertices[1])?].map(Some);
         let side = |edge: Option<usize>| edge.map(|edge| FaceEdge { edge, forward: true });
         let sides = [skins[0], skins[1], rulings[0], rulings[1]].map(side);
-        sewing.face(ShellFace { patch, sides, same_sense });
+        sewing.face(ShellFace { surface: patch.into(), sides, same_sense });
         Ok(1)
     }
 

@@ -3,7 +3,6 @@
 use super::{Body, Shell, ShellEdge, ShellFace};
 use crate::base::range;
 use crate::conformal::mobius::{Conformal, Mobius};
-use crate::curve::Arc;
 use crate::error::{Error, Result};
 
 impl Conformal for Shell {
@@ -11,22 +10,21 @@ impl Conformal for Shell {
     /// `f_s × f_t` against it.
     ///
     /// # Errors
-    /// `point-at-infinity`; as the `transformed` of patches and arcs; `below-rounding-of-place`; `not-a-shell` if rounding takes the parameters of
+    /// `not-a-similarity` for rational faces; `point-at-infinity`; as the `transformed` of patches and arcs; `below-rounding-of-place`; `not-a-shell` if rounding takes the parameters of
     /// shared edges apart.
     fn transformed(&self, map: &Mobius) -> Result<Self> {
         let vertices = self.vertices.iter().map(|v| map.map_point(*v).ok_or(Error::PointAtInfinity));
         let vertices = vertices.collect::<Result<Vec<_>>>()?;
         range::check_place("the surface", &vertices)?;
         let edge = |edge: &ShellEdge| {
-            let image = edge.arc.transformed(map)?;
             // The ends are the vertices bit for bit.
-            let arc = Arc::from_ratio_across(vertices[edge.start], vertices[edge.end], image.weight_ratio())?;
-            Ok(ShellEdge { arc, ..*edge })
+            let curve = edge.curve.image(map, vertices[edge.start], vertices[edge.end])?;
+            Ok(ShellEdge { curve, ..*edge })
         };
         let reversed = map.determinant() < 0.0;
         let face = |face: &ShellFace| {
             let same_sense = face.same_sense != reversed;
-            Ok(ShellFace { patch: face.patch.image(map)?, same_sense, ..face.clone() })
+            Ok(ShellFace { surface: face.surface.image(map)?, same_sense, sides: face.sides })
         };
         let edges = self.edges.iter().map(edge).collect::<Result<_>>()?;
         let faces = self.faces.iter().map(face).collect::<Result<_>>()?;
@@ -78,8 +76,8 @@ mod tests {
         assert!((back.outer.volume() / volume - 1.0).abs() < 1e-10);
         // A centre inside the solid would turn it inside out.
         let face = &body.outer.faces()[0];
-        let inward = face.patch.normal(0.5, 0.5).unwrap() * if face.same_sense { -0.1 } else { 0.1 };
-        let inside = Mobius::inversion(face.patch.point(0.5, 0.5) + inward, 1.0).unwrap();
+        let inward = face.surface.normal(0.5, 0.5).unwrap() * if face.same_sense { -0.1 } else { 0.1 };
+        let inside = Mobius::inversion(face.surface.point(0.5, 0.5) + inward, 1.0).unwrap();
         assert!(body.transformed(&inside).is_err());
     }
 }

@@ -96,7 +96,7 @@ fn patches_nets_circles_and_images_have_the_same_error() {
     assert_eq!(reason(1.0, at(1e9))[3], "made");
     // Images: moved away, and near the point to which infinity goes.
     let patch = CyclidePatch::from_corners_and_frame(square(1.0, Point3::ORIGIN), Vec3::X, Vec3::Y).unwrap();
-    let shell = Shell::from_patch(patch).unwrap();
+    let shell = Shell::from_surface(patch).unwrap();
     let away = Mobius::similarity(Quat::ONE, 1.0, Vec3::new(1e13, 0.0, 0.0)).unwrap();
     let small = Mobius::inversion(Point3::new(3e6, 0.0, 0.0), 1.0).unwrap();
     for map in [away, small] {

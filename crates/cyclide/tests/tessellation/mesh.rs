@@ -7,7 +7,7 @@ use proptest::prelude::*;
 use std::f64::consts::FRAC_PI_2;
 
 fn body(patch: CyclidePatch) -> Body {
-    Body { outer: Shell::from_patch(patch).unwrap(), voids: Vec::new() }
+    Body { outer: Shell::from_surface(patch).unwrap(), voids: Vec::new() }
 }
 
 #[test]

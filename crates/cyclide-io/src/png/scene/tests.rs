@@ -15,7 +15,7 @@ fn camera(shells: &[Shell], toward: Vec3) -> Camera {
 }
 
 fn shell(patch: cyclide::Result<CyclidePatch>) -> Shell {
-    Shell::from_patch(patch.unwrap()).unwrap()
+    Shell::from_surface(patch.unwrap()).unwrap()
 }
 
 /// A sphere of eight triangular patches.

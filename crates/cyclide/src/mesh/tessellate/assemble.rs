@@ -5,10 +5,11 @@ use super::cuts::Cuts;
 use super::strips::{SAME_CUT, Strips, point_lines};
 use super::vertices::{BorderVertices, compact};
 use crate::base::quat::Quat;
-use crate::base::vector::Vec3;
+use crate::base::vector::{Point3, Vec3};
 use crate::mesh::surface_mesh::{MeshCorner, MeshFace, MeshSource, SurfaceMesh};
-use crate::surface::ParamSurface as _;
-use crate::topology::{Shell, ShellFace};
+use crate::rational::RationalBezierSurface;
+use crate::surface::{CyclidePatch, ParamSurface as _};
+use crate::topology::{FaceSurface, Shell, ShellFace};
 
 /// Appends the cells of a shell to the mesh. Returns how far vertices shared with other faces are off the patches.
 pub(super) fn assemble(shell: &Shell, index: usize, strips: &Strips, cuts: &Cuts, mesh: &mut SurfaceMesh) -> f64 {
@@ -45,7 +46,6 @@ pub(super) fn assemble(shell: &Shell, index: usize, strips: &Strips, cuts: &Cuts
 /// A face with its cuts.
 struct FaceGrid<'a> {
     face: &'a ShellFace,
-    speeds: PatchSpeeds,
     s: Vec<f64>,
     t: Vec<f64>,
     /// Whether the t-line at each s, the s-line at each t, is one point.
@@ -65,7 +65,7 @@ impl<'a> FaceGrid<'a> {
             points
         };
         let points = [is_point(0, &s, [2, 3]), is_point(1, &t, [0, 1])];
-        Self { face, speeds: PatchSpeeds::new(&face.patch), s, t, points }
+        Self { face, s, t, points }
     }
 
     /// The vertex at a grid point of the border, or of an inner line that is one point.
@@ -99,22 +99,15 @@ impl<'a> FaceGrid<'a> {
 
     /// Appends vertices, normals and polygons; returns how far shared vertices are off the patch.
     fn emit(&self, border: &mut BorderVertices, [shell, face]: [usize; 2], mesh: &mut SurfaceMesh) -> f64 {
-        let (patch, n, m) = (&self.face.patch, self.s.len() - 1, self.t.len() - 1);
-        let d = denominators(patch, &self.s, &self.t);
-        let v3 = patch.frame()[2];
-        // Against `f_s × f_t` the patch's own normal turns where a speed changes its sign.
+        let (surface, n, m) = (&self.face.surface, self.s.len() - 1, self.t.len() - 1);
         let outer = if self.face.same_sense { 1.0 } else { -1.0 };
-        let signs = |direction: usize, cuts: &[f64]| -> Vec<f64> {
-            cuts.windows(2).map(|w| self.speeds.sign(direction, w[0], w[1])).collect()
-        };
-        let (across_t, across_s) = (signs(0, &self.t), signs(1, &self.s));
-        let normal = |d: Quat, i: usize, j: usize| unit_rotation(d, v3) * (outer * across_s[i] * across_t[j]);
+        let normals = Normals::new(surface, &self.s, &self.t);
         let mut gap = 0.0_f64;
-        let mut corners = Vec::with_capacity(d.len());
+        let mut corners = Vec::with_capacity((n + 1) * (m + 1));
         for (j, &t) in self.t.iter().enumerate() {
             for (i, &s) in self.s.iter().enumerate() {
-                let point = patch.point(s, t);
-                let upward = normal(d[i + j * (n + 1)], i.min(n - 1), j.min(m - 1));
+                let point = surface.point(s, t);
+                let upward = normals.at_cut(i, j) * outer;
                 let inside = i > 0 && i < n && j > 0 && j < m && !self.points[0][i] && !self.points[1][j];
                 let vertex = if inside { None } else { self.border_vertex(border, i, j) };
                 corners.push(if let Some(position) = vertex {
@@ -142,7 +135,7 @@ impl<'a> FaceGrid<'a> {
                         };
                         let s = middle(&self.s, self.points[0][gi], gi, i);
                         let t = middle(&self.t, self.points[1][gj], gj, j);
-                        let n = normal(patch.denominator(s, t), i, j);
+                        let n = normals.in_cell(s, t, i, j) * outer;
                         corner.normal = border.normal(corner.position, n, &mut mesh.normals);
                     }
                 }
@@ -152,8 +145,17 @@ impl<'a> FaceGrid<'a> {
                 let (s, t) = ([self.s[i], self.s[i + 1]], [self.t[j], self.t[j + 1]]);
                 let source = MeshSource { shell, face, s, t };
                 if let Some(polygon) = polygon(cell) {
-                    mesh.faces.push(polygon);
-                    mesh.sources.push(source);
+                    match (surface, polygon) {
+                        // Four corners of a cell of a rational face are in no plane.
+                        (FaceSurface::Rational(_), MeshFace::Quad(cell)) => {
+                            mesh.faces.extend(in_two(cell, &mesh.positions));
+                            mesh.sources.extend([source; 2]);
+                        }
+                        _ => {
+                            mesh.faces.push(polygon);
+                            mesh.sources.push(source);
+                        }
+                    }
                 } else {
                     mesh.lost.push(source);
                     // Two points that are one but for rounding: of what is between, the second is the farthest.
@@ -163,6 +165,68 @@ impl<'a> FaceGrid<'a> {
             }
         }
         gap
+    }
+}
+
+/// A quad cut along its shorter diagonal.
+fn in_two([a, b, c, d]: [MeshCorner; 4], positions: &[Point3]) -> [MeshFace; 2] {
+    let length = |a: MeshCorner, b: MeshCorner| positions[a.position].distance(positions[b.position]);
+    let halves = if length(a, c) <= length(b, d) { [[a, b, c], [a, c, d]] } else { [[a, b, d], [b, c, d]] };
+    halves.map(MeshFace::Triangle)
+}
+
+/// The unit normals of a face in the direction of `f_s × f_t`, at its cuts and in its cells.
+enum Normals<'a> {
+    Patch {
+        patch: &'a CyclidePatch,
+        /// The denominators at the cuts, s fastest.
+        d: Vec<Quat>,
+        /// Against `f_s × f_t` the patch's own normal turns where a speed changes its sign: the signs of the cells along s
+        /// and along t.
+        signs: [Vec<f64>; 2],
+        last: [usize; 2],
+    },
+    Rational {
+        surface: &'a RationalBezierSurface,
+        s: &'a [f64],
+        t: &'a [f64],
+    },
+}
+
+impl<'a> Normals<'a> {
+    fn new(surface: &'a FaceSurface, s: &'a [f64], t: &'a [f64]) -> Self {
+        match surface {
+            FaceSurface::Cyclide(patch) => {
+                let speeds = PatchSpeeds::new(patch);
+                let signs = |direction: usize, cuts: &[f64]| -> Vec<f64> {
+                    cuts.windows(2).map(|w| speeds.sign(direction, w[0], w[1])).collect()
+                };
+                let (signs, last) = ([signs(1, s), signs(0, t)], [s.len() - 2, t.len() - 2]);
+                Self::Patch { patch, d: denominators(patch, s, t), signs, last }
+            }
+            FaceSurface::Rational(surface) => Self::Rational { surface, s, t },
+        }
+    }
+
+    /// At cuts, as the cell after them has it.
+    fn at_cut(&self, i: usize, j: usize) -> Vec3 {
+        match self {
+            Self::Patch { patch, d, signs, last } => {
+                let sign = signs[0][i.min(last[0])] * signs[1][j.min(last[1])];
+                unit_rotation(d[i + j * (last[0] + 2)], patch.frame()[2]) * sign
+            }
+            Self::Rational { surface, s, t } => surface.unit_normal(s[i], t[j]),
+        }
+    }
+
+    /// At a place of a cell, its border included.
+    fn in_cell(&self, s: f64, t: f64, i: usize, j: usize) -> Vec3 {
+        match self {
+            Self::Patch { patch, signs, .. } => {
+                unit_rotation(patch.denominator(s, t), patch.frame()[2]) * (signs[0][i] * signs[1][j])
+            }
+            Self::Rational { surface, .. } => surface.unit_normal(s, t),
+        }
     }
 }
 

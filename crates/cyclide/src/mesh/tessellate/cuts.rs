@@ -1,11 +1,15 @@
 //! Where to cut: densities from the sagitta in closed form, then as many cuts as the certificate asks for.
 
-use super::cell_bound::{PatchSpeeds, denominators, grid_bound};
+use super::cell_bound::{GridBound, PatchSpeeds, denominators, grid_bound};
 use super::density::Density;
+use super::rational_cells;
 use super::strips::{Member, Place, Strip, Strips};
+use crate::base::surface_jet::SurfaceJet;
+use crate::base::vector::Vec3;
 use crate::error::{Error, Result};
+use crate::rational::RationalBezierSurface;
 use crate::surface::CyclidePatch;
-use crate::topology::Shell;
+use crate::topology::{FaceSurface, Shell};
 
 /// Intervals on which densities are sampled.
 const SCAN: usize = 16;
@@ -24,8 +28,18 @@ const MARGIN: f64 = 1.002;
 /// Largest number of parts of one cell in one round.
 const SPLIT: f64 = 8.0;
 
-/// A patch on the grid of samples.
-struct Samples {
+/// How a face bends, on the grid of samples.
+enum Samples {
+    Patch(Box<PatchSamples>),
+    Rational(Box<RationalSamples>),
+}
+
+/// A rational face: an eighth of the second derivatives along s and along t, s fastest. Times the square of a width, a
+/// distance from a chord.
+struct RationalSamples([Vec<f64>; 2]);
+
+/// A patch.
+struct PatchSamples {
     /// `1/|D|⁴`, s fastest.
     inverse: Vec<f64>,
     /// `|q| |m|/4` of the s-lines, then of the t-lines: times `1/|D|⁴` and the square of a width, a sagitta.
@@ -40,15 +54,53 @@ fn at(k: usize) -> f64 {
 }
 
 impl Samples {
-    /// The samples of a patch that one cell does not do for. Others ask for no cuts, and in a net of many small patches
+    /// The samples of a face that one cell does not do for. Others ask for no cuts, and in a net of many small patches
     /// these are all: what is sampled here is larger than what belongs to a face otherwise.
-    fn of_bent(patch: &CyclidePatch, tolerance: f64) -> Option<Box<Self>> {
-        let (speeds, ends) = (PatchSpeeds::new(patch), [0.0, 1.0]);
-        let bound = grid_bound(&speeds, &ends, &ends, &denominators(patch, &ends, &ends), tolerance);
+    fn of_bent(surface: &FaceSurface, tolerance: f64) -> Option<Self> {
+        let bound = bound_of(surface, &[0.0, 1.0], &[0.0, 1.0], tolerance);
         let one_does = bound.distance <= tolerance && bound.excess.iter().flatten().all(|&excess| excess <= 1.0);
-        (!one_does).then(|| Box::new(Self::new(patch, &speeds)))
+        (!one_does).then(|| match surface {
+            FaceSurface::Cyclide(patch) => Self::Patch(Box::new(PatchSamples::new(patch, &PatchSpeeds::new(patch)))),
+            FaceSurface::Rational(surface) => Self::Rational(Box::new(RationalSamples::new(surface))),
+        })
     }
 
+    /// Curvature of the sagitta along the direction, that across it, and the cosine of their bulges at a sample: `along`
+    /// counts along the direction.
+    fn bends(&self, direction: usize, along: usize, across: usize) -> (f64, f64, f64) {
+        match self {
+            Self::Patch(samples) => samples.bends(direction, along, across),
+            Self::Rational(samples) => samples.bends(direction, along, across),
+        }
+    }
+}
+
+/// The certified distances of the cells of a face.
+fn bound_of(surface: &FaceSurface, s: &[f64], t: &[f64], tolerance: f64) -> GridBound {
+    match surface {
+        FaceSurface::Cyclide(patch) => {
+            grid_bound(&PatchSpeeds::new(patch), s, t, &denominators(patch, s, t), tolerance)
+        }
+        FaceSurface::Rational(surface) => rational_cells::grid_bound(surface, s, t, tolerance),
+    }
+}
+
+impl RationalSamples {
+    fn new(surface: &RationalBezierSurface) -> Self {
+        let jets: Vec<_> = (0..=SCAN).flat_map(|j| (0..=SCAN).map(move |i| surface.jet(at(i), at(j)))).collect();
+        let of = |second: fn(&SurfaceJet) -> Vec3| jets.iter().map(|jet| 0.125 * second(jet).length()).collect();
+        Self([of(|jet| jet.dss), of(|jet| jet.dtt)])
+    }
+
+    /// As [`Samples::bends`]; the cosine is the worst one, since the twist adds to both.
+    fn bends(&self, direction: usize, along: usize, across: usize) -> (f64, f64, f64) {
+        let (i, j) = if direction == 0 { (along, across) } else { (across, along) };
+        let k = i + j * (SCAN + 1);
+        (self.0[direction][k], self.0[1 - direction][k], 1.0)
+    }
+}
+
+impl PatchSamples {
     fn new(patch: &CyclidePatch, speeds: &PatchSpeeds) -> Self {
         let places: [f64; SCAN + 1] = std::array::from_fn(at);
         let square = |v: f64| v * v;
@@ -61,8 +113,7 @@ impl Samples {
         }
     }
 
-    /// Curvature of the sagitta along the direction, that across it, and the cosine of their bulges at a sample: `along`
-    /// counts along the direction.
+    /// As [`Samples::bends`].
     fn bends(&self, direction: usize, along: usize, across: usize) -> (f64, f64, f64) {
         let (i, j) = if direction == 0 { (along, across) } else { (across, along) };
         let inverse = self.inverse[i + j * (SCAN + 1)];
@@ -241,8 +292,7 @@ impl Cuts {
         self.distance = 0.0;
         for (f, face) in shell.faces().iter().enumerate() {
             let [s, t] = strips.faces[f].map(|place| self.at(place));
-            let d = denominators(&face.patch, &s, &t);
-            let bound = grid_bound(&PatchSpeeds::new(&face.patch), &s, &t, &d, tolerance);
+            let bound = bound_of(&face.surface, &s, &t, tolerance);
             self.distance = self.distance.max(bound.distance);
             for (place, own) in strips.faces[f].iter().zip(bound.excess) {
                 let of_strip = &mut excess[place.strip];
@@ -259,8 +309,8 @@ impl Cuts {
 
 /// The densities of all strips.
 fn densities(shell: &Shell, strips: &Strips, tolerance: f64) -> Vec<StripDensity> {
-    let samples: Vec<Option<Box<Samples>>> =
-        shell.faces().iter().map(|face| Samples::of_bent(&face.patch, tolerance)).collect();
+    let samples: Vec<Option<Samples>> =
+        shell.faces().iter().map(|face| Samples::of_bent(&face.surface, tolerance)).collect();
     // Equal shares: a = b with a² + b² + 2abc = tolerance².
     let equal = |_: Member, _: usize, _: f64, c: f64| tolerance / (2.0 + 2.0 * c).sqrt().max(1.0);
     let mut densities: Vec<StripDensity> =
@@ -286,7 +336,7 @@ fn densities(shell: &Shell, strips: &Strips, tolerance: f64) -> Vec<StripDensity
 fn density(
     strips: &Strips,
     strip: usize,
-    samples: &[Option<Box<Samples>>],
+    samples: &[Option<Samples>],
     share: impl Fn(Member, usize, f64, f64) -> f64,
 ) -> StripDensity {
     let mut values = [0.0_f64; SCAN + 1];
@@ -319,7 +369,7 @@ mod tests {
         let ring = DupinCyclide::new(2.0, 0.5, 1.0).unwrap();
         for (segments, tolerance, sampled) in [(60, 2e-2, false), (60, 1e-6, true)] {
             let shell = ring.to_bodies([segments; 2]).unwrap().remove(0).outer;
-            let samples = shell.faces().iter().map(|face| Samples::of_bent(&face.patch, tolerance));
+            let samples = shell.faces().iter().map(|face| Samples::of_bent(&face.surface, tolerance));
             assert!(samples.into_iter().all(|samples| samples.is_some() == sampled));
             let cap = Cap { most: usize::MAX, before: 0 };
             let strips = Strips::new(&shell);

@@ -1,13 +1,14 @@
 //! Tessellation: the polygon mesh of few cells within a chordal tolerance of patches that share edges.
 //!
-//! Faces are cut along parameter lines, so every cell has concircular corners and is a *planar* quad, or a triangle at a
-//! point to which a parameter line shrinks. A cut runs through the whole strip of faces across whose common edges it
+//! Faces are cut along parameter lines, so every cell of a patch has concircular corners and is a *planar* quad, or a
+//! triangle at a point to which a parameter line shrinks; a cell of a rational face is two triangles. A cut runs through the whole strip of faces across whose common edges it
 //! goes ([`strips`]), and each edge is sampled once: neighbours share vertices, without cracks or T-joints.
 
 mod assemble;
 mod cell_bound;
 mod cuts;
 mod density;
+mod rational_cells;
 mod strips;
 mod vertices;
 
@@ -24,12 +25,12 @@ const ROUNDING: f64 = 16.0 * f64::EPSILON;
 /// Part of the tolerance that is left to the rounding of cuts and edges.
 const RESERVE: f64 = 1e-3;
 
-/// A watertight mesh of planar quads (triangles at poles) within `tolerance` of the body, in both directions: no point of
+/// A watertight mesh of planar quads (triangles at poles, and on rational faces) within `tolerance` of the body, in both directions: no point of
 /// the surface is farther than [`SurfaceMesh::bound`] from the mesh, and none of the mesh from the surface.
 ///
 /// Vertices lie on the surface, those on edges on the edge's arc, those of the shells are taken over to the bit. Every cell is
-/// certified by the sagittas of its arcs in closed form (`20`, section 6, sharpened where the two families bulge to
-/// different sides); the bound holds the largest of the cells, the rounding of positions, and what the shell's edges are
+/// certified: by the sagittas of its arcs in closed form (`20`, section 6, sharpened where the two families bulge to
+/// different sides), on rational faces by the hulls of second derivatives; the bound holds the largest of the cells, the rounding of positions, and what the shell's edges are
 /// off their faces. Quads are counter-clockwise seen from the outer side of the shell, and so point the unit normals;
 /// faces that meet without a kink (to 1e-6 radians) share them, others have their own.
 ///
@@ -37,7 +38,7 @@ const RESERVE: f64 = 1e-3;
 /// use cyclide::{Body, CyclidePatch, Point3, Shell, Vec3, tessellate};
 /// let corners = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [0.0, 0.0, 1.0]].map(Point3::from);
 /// let octant = CyclidePatch::from_corners_and_frame(corners, Vec3::Y, Vec3::Z)?;
-/// let mesh = tessellate(&Body { outer: Shell::from_patch(octant)?, voids: Vec::new() }, 1e-3)?;
+/// let mesh = tessellate(&Body { outer: Shell::from_surface(octant)?, voids: Vec::new() }, 1e-3)?;
 /// assert!(mesh.bound <= 1e-3 && mesh.positions.iter().all(|p| (p.to_vec().length() - 1.0).abs() < 1e-15));
 /// # Ok::<(), cyclide::Error>(())
 /// ```

@@ -4,7 +4,7 @@
 //! strip runs across opposite sides through the whole shell, as on a quad mesh. Within it parameters may run either way.
 
 use super::cell_bound::PatchSpeeds;
-use crate::topology::{FaceEdge, Shell, ShellFace};
+use crate::topology::{FaceEdge, FaceSurface, Shell, ShellFace};
 
 /// A direction of a face in its strip.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -120,10 +120,11 @@ impl Strip {
 /// The lines across a direction of a face that are one point, sides included, ascending.
 pub(super) fn point_lines(face: &ShellFace, direction: usize) -> Vec<f64> {
     let [first, last] = [2 - 2 * direction, 3 - 2 * direction].map(|side| face.sides[side].is_none());
-    let inside = match (PatchSpeeds::new(&face.patch).is_regular(direction), direction) {
-        (true, _) => Vec::new(),
-        (_, 0) => face.patch.singular_s(),
-        _ => face.patch.singular_t(),
+    let inside = match (&face.surface, direction) {
+        (FaceSurface::Rational(_), _) => Vec::new(),
+        (FaceSurface::Cyclide(patch), _) if PatchSpeeds::new(patch).is_regular(direction) => Vec::new(),
+        (FaceSurface::Cyclide(patch), 0) => patch.singular_s(),
+        (FaceSurface::Cyclide(patch), _) => patch.singular_t(),
     };
     first.then_some(0.0).into_iter().chain(inside).chain(last.then_some(1.0)).collect()
 }

@@ -38,7 +38,7 @@ impl BorderVertices {
         for (edge, &place) in shell.edges().iter().zip(&strips.edges) {
             edges.push(mesh.positions.len());
             let cuts = cuts.at(place);
-            mesh.positions.extend(cuts[1..cuts.len() - 1].iter().map(|&u| edge.arc.point(u)));
+            mesh.positions.extend(cuts[1..cuts.len() - 1].iter().map(|&u| edge.curve.point(u)));
         }
         let count = mesh.positions.len() - base;
         let ends = shell.edges().iter().map(|e| [base + e.start, base + e.end]).collect();
