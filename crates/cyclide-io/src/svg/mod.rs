@@ -105,7 +105,9 @@ fn points_note(points: &[Contour<'_>]) -> Option<String> {
         labels.push(format!("and {} more", points.len() - NAMED_POINTS));
     }
     let labels = labels.join(", ");
-    (!points.is_empty()).then(|| format!("curves that are points in the view along the z axis are left out: {labels}"))
+    (!points.is_empty()).then(|| {
+        format!("curves that are points in the view along the z axis, to their tolerance, are left out: {labels}")
+    })
 }
 
 /// The labels of a file of the model of which these curves were written.

@@ -291,11 +291,16 @@ fn curves_that_are_points_in_a_drawing_are_left_out_of_it() {
     let model = model(&objects);
     let exporter = Exporter::new(&model).unwrap();
     let mut file = exporter.export(Format::Svg, &ExportOptions::default()).unwrap();
-    let note = "curves that are points in the view along the z axis are left out: posts 0, posts 1, both 1";
+    let note = "curves that are points in the view along the z axis, to their tolerance, are left out: posts 0, posts 1, both 1";
     assert!(file.notes.iter().any(|n| n == note), "{:?}", file.notes);
     let text = String::from_utf8(file.bytes.clone()).unwrap();
     assert_eq!((text.matches("class=\"contour\"").count(), text.contains("posts")), (2, false));
     assert!(exporter.check(Path::new("o"), Format::Svg, &file).unwrap().exact);
+    // An S round a post, within the tolerance of its start, though its box is not.
+    let leaning = json!({"type": "circle-spline", "order": 1, "points": [[0, 0, 0], [0, 0, 10], [0, 0, 20]],
+        "ends": {"start": [0.1, 0, 1], "end": [0.1, 0, 1]}});
+    let options = ExportOptions { tolerance: Some(0.27), ..ExportOptions::default() };
+    checked(&json!({"a": leaning, "b": {"type": "arc-spline", "points": [[0, 0], [20, 0]]}}), &CURVES, &options);
     // A curve that is no point may not be missing.
     file.bytes = text.replacen("<path class=\"contour\"", "<path class=\"other\"", 1).into_bytes();
     assert!(exporter.check(Path::new("o"), Format::Svg, &file).is_err());
@@ -316,5 +321,16 @@ fn a_loop_whose_ends_nearly_touch_becomes_arcs_within_any_tolerance() {
         let options = ExportOptions { tolerance: Some(tolerance), ..ExportOptions::default() };
         let reports = checked(&json!({"a": {"type": "fair-spline", "points": points}}), &CURVES, &options);
         assert!(reports.iter().all(|report| report.bytes < 100_000), "no more arcs than it takes");
+    }
+}
+
+#[test]
+fn a_tolerance_that_ruins_the_shape_is_named() {
+    let circle = json!({"a": {"type": "circle", "center": [0, 0], "radius": 10}});
+    for (tolerance, named) in [(4.0, true), (1e300, true), (0.1, false)] {
+        let options = ExportOptions { tolerance: Some(tolerance), ..ExportOptions::default() };
+        let notes = &checked(&circle, &[Format::Csv], &options)[0].notes;
+        let says = |note: &String| note.starts_with("the file is off by") && note.ends_with("use a smaller tolerance");
+        assert_eq!(notes.iter().any(says), named, "{tolerance:e}: {notes:?}");
     }
 }

@@ -184,7 +184,6 @@ fn blame(spec: &ObjectSpec, error: &cyclide::Error) -> Blame {
         E::ParameterOutOfRange { name: "segments along t", .. } => Blame::Entry("segments", 1),
         E::OrderOutOfRange { .. } => Blame::Field("order"),
         E::TangentCount { .. } => Blame::Field("tangents"),
-        E::ParameterOutOfRange { name: "length of the weight ratio", .. } => Blame::Field("weights"),
         E::ParameterOutOfRange { name: "edge_points", .. } => Blame::Field("polyline"),
         E::ParameterOutOfRange { name, .. } => Blame::Field(name),
         _ => error.index().map_or(Blame::Object, Blame::Point),
