@@ -39,7 +39,10 @@ impl Pieces {
         match error {
             Error::TooManyPieces { what, segment, needed, cap, .. } if cap == left => {
                 let (needed, cap) = (needed + self.used.get() as f64, self.most);
-                let remedy = "use a larger tolerance, or allow more with --max-pieces";
+                let remedy = match needed.is_finite() {
+                    true => "use a larger tolerance, or allow more with --max-pieces",
+                    false => "use a larger tolerance",
+                };
                 Error::TooManyPieces { what, segment, needed, cap, remedy }
             }
             other => other,

@@ -147,7 +147,7 @@ fn draw(job: &Job<'_>, contour: &Contour<'_>) -> Result<(Path, WrittenCurve), Ex
     }
     let vertices = contour.lowered(job.pieces.flatten(contour.curve.as_curve(), job.tolerance))?;
     let (path, parts) = polyline(&vertices, closed);
-    Ok((path, Promise::proved(job.tolerance).of(parts)))
+    Ok((path, Promise::of_polyline(contour.curve.as_curve(), job.tolerance).of(parts)))
 }
 
 /// The vertices as a path, without the segments that are points on the page, and the parts between them.

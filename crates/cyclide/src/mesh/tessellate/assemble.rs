@@ -1,6 +1,6 @@
 //! Cells become polygons.
 
-use super::cell_bound::{PatchSpeeds, denominators};
+use super::cell_bound::denominators;
 use super::cuts::Cuts;
 use super::strips::{SAME_CUT, Strips, point_lines};
 use super::vertices::{BorderVertices, compact};
@@ -45,7 +45,6 @@ pub(super) fn assemble(shell: &Shell, index: usize, strips: &Strips, cuts: &Cuts
 /// A face with its cuts.
 struct FaceGrid<'a> {
     face: &'a ShellFace,
-    speeds: PatchSpeeds,
     s: Vec<f64>,
     t: Vec<f64>,
     /// Whether the t-line at each s, the s-line at each t, is one point.
@@ -65,7 +64,7 @@ impl<'a> FaceGrid<'a> {
             points
         };
         let points = [is_point(0, &s, [2, 3]), is_point(1, &t, [0, 1])];
-        Self { face, speeds: PatchSpeeds::new(&face.patch), s, t, points }
+        Self { face, s, t, points }
     }
 
     /// The vertex at a grid point of the border, or of an inner line that is one point.
@@ -105,7 +104,8 @@ impl<'a> FaceGrid<'a> {
         // Against `f_s × f_t` the patch's own normal turns where a speed changes its sign.
         let outer = if self.face.same_sense { 1.0 } else { -1.0 };
         let signs = |direction: usize, cuts: &[f64]| -> Vec<f64> {
-            cuts.windows(2).map(|w| self.speeds.sign(direction, w[0], w[1])).collect()
+            let sign = patch.speed_sign(direction);
+            cuts.windows(2).map(|w| sign(0.5 * (w[0] + w[1]))).collect()
         };
         let (across_t, across_s) = (signs(0, &self.t), signs(1, &self.s));
         let normal = |d: Quat, i: usize, j: usize| unit_rotation(d, v3) * (outer * across_s[i] * across_t[j]);
