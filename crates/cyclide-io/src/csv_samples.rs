@@ -33,7 +33,8 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
             out.push_str(&head);
             push_sample(&mut out, *point, &FileSample::at(contour.curve.as_curve(), *place));
         }
-        written.curves.push(Promise::proved(job.tolerance).of(between(&vertices)));
+        let promise = Promise::of_polyline(contour.curve.as_curve(), job.tolerance);
+        written.curves.push(promise.of(between(&vertices)));
     }
     Ok(written.exported(out.into_bytes(), Vec::new()))
 }

@@ -1,7 +1,9 @@
 //! The content of a file with the promises that hold for it.
 
 use crate::deviation::{DrawnLine, MeshPlan};
-use cyclide::{Arc, ArcPath, ChainPiece, Correspondence, CurveChain, Exactness, Lowered, NurbsCurve, ParamCurve as _};
+use cyclide::{
+    Arc, ArcPath, ChainPiece, Correspondence, CurveChain, Exactness, Lowered, NurbsCurve, ParamCurve, PieceForm,
+};
 
 /// A file's content with the promises that hold for it.
 #[derive(Debug, Clone, PartialEq)]
@@ -38,8 +40,10 @@ pub(crate) struct Written {
     pub(crate) mesh_edges: bool,
     /// What the lines of surfaces in a drawing stand for, in file order, with those that are points there.
     pub(crate) lines: Vec<DrawnLine>,
-    /// The tolerance of curves that the file was asked for with.
+    /// The tolerance of curves that the file is made with.
     pub(crate) tolerance: f64,
+    /// The tolerance that was asked for, if one was.
+    pub(crate) asked: Option<f64>,
 }
 
 /// A connected curve of a file.
@@ -126,6 +130,16 @@ impl Promise {
         let mut promise = Self::EXACT;
         promise.add(if bound > 0.0 { Exactness::Proved(bound) } else { Exactness::Exact });
         promise
+    }
+
+    /// The promise of a polyline within a tolerance: its vertices are points of the curve, to the digits of that.
+    pub(crate) fn of_polyline(curve: &dyn ParamCurve, tolerance: f64) -> Self {
+        let rounding = |piece: usize| match curve.piece_form(piece) {
+            PieceForm::Arc(arc) => arc_rounding(&arc),
+            PieceForm::Circle(_) | PieceForm::Free => 0.0,
+        };
+        let rounding = (0..curve.piece_count()).map(rounding).fold(0.0, f64::max);
+        Self { rounding, ..Self::proved(tolerance) }
     }
 
     pub(crate) fn add(&mut self, exactness: Exactness) {

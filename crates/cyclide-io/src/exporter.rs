@@ -89,6 +89,7 @@ impl<'a> Exporter<'a> {
         file.notes.extend(left_out);
         job.title().clone_into(&mut file.title);
         file.written.tolerance = job.tolerance;
+        file.written.asked = options.tolerance;
         Ok(file)
     }
 

@@ -16,14 +16,16 @@ impl Pieces {
 
     /// As [`flatten_places`](cyclide::flatten_places), with the vertices that are left.
     pub(crate) fn flatten(&self, curve: &dyn ParamCurve, tolerance: f64) -> cyclide::Result<Vec<(CurvePlace, Point3)>> {
-        let vertices = flatten_within(curve, tolerance, self.left()).map_err(|e| self.of_file(e))?;
+        let left = self.left();
+        let vertices = flatten_within(curve, tolerance, left).map_err(|e| self.of_file(e, left))?;
         self.used.set(self.used.get() + vertices.len());
         Ok(vertices)
     }
 
     /// As [`tessellate`](cyclide::tessellate), with the cells that are left.
     pub(crate) fn tessellate(&self, body: &Body, tolerance: f64) -> cyclide::Result<SurfaceMesh> {
-        let mesh = tessellate_within([body], tolerance, self.left()).map_err(|e| self.of_file(e))?;
+        let left = self.left();
+        let mesh = tessellate_within([body], tolerance, left).map_err(|e| self.of_file(e, left))?;
         self.used.set(self.used.get() + mesh.faces.len());
         Ok(mesh)
     }
@@ -32,12 +34,15 @@ impl Pieces {
         self.most.saturating_sub(self.used.get())
     }
 
-    /// What was refused for what is left, in terms of the whole file.
-    fn of_file(&self, error: Error) -> Error {
+    /// What was refused for what is `left`, in terms of the whole file; the kernel's own caps are others.
+    fn of_file(&self, error: Error, left: usize) -> Error {
         match error {
-            Error::TooManyPieces { what, segment, needed, .. } => {
+            Error::TooManyPieces { what, segment, needed, cap, .. } if cap == left => {
                 let (needed, cap) = (needed + self.used.get() as f64, self.most);
-                let remedy = "use a larger tolerance, or allow more with --max-pieces";
+                let remedy = match needed.is_finite() {
+                    true => "use a larger tolerance, or allow more with --max-pieces",
+                    false => "use a larger tolerance",
+                };
                 Error::TooManyPieces { what, segment, needed, cap, remedy }
             }
             other => other,

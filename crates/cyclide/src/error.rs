@@ -91,6 +91,17 @@ pub enum Error {
     /// The third point lies on the line of the other two, outside the segment; or a point maps to infinity.
     #[error("a point is at infinity: it lies on the line through the ends outside the segment, or maps there")]
     PointAtInfinity,
+    /// A curve comes so near the point that goes to infinity that its image would have lost its digits.
+    #[error(
+        "the curve comes within {} of the point that goes to infinity, where its image loses its digits (at least {} is needed there); move that point, the centre of an inversion, away from the curve",
+        ShortNumber(*.distance), ShortNumber(*.limit)
+    )]
+    NearPole {
+        /// Distance of the curve from that point.
+        distance: f64,
+        /// Smallest distance accepted.
+        limit: f64,
+    },
     /// No biarc with finite arcs joins the data.
     #[error("no finite biarc: {measured} is {}, limit {}", ShortNumber(*.value), ShortNumber(*.limit))]
     NoFiniteBiarc {
@@ -205,8 +216,8 @@ pub enum Error {
     },
     /// Something so small and so far from the origin that the rounding of its coordinates is its shape.
     #[error(
-        "{what} is {} large at coordinates of up to {}, which are rounded: below {} it has no shape of its own; move it to the origin",
-        ShortNumber(*.size), ShortNumber(*.place), ShortNumber(*.limit)
+        "{what} is {} at coordinates of up to {}, which are rounded: below {} it has no shape of its own; move it to the origin",
+        size_in_place(*.size), ShortNumber(*.place), ShortNumber(*.limit)
     )]
     BelowRoundingOfPlace {
         /// The kind of thing.
@@ -500,6 +511,11 @@ fn outside(min: f64, max: f64) -> String {
     format!("outside {:#} to {:#}", ShortNumber(min), ShortNumber(max))
 }
 
+/// A size next to its place; where all its points round to the same numbers nothing is left of it.
+fn size_in_place(size: f64) -> String {
+    if size > 0.0 { format!("{} large", ShortNumber(size)) } else { "one single point".to_owned() }
+}
+
 /// The number of a segment, where there is one.
 fn numbered(segment: Option<usize>) -> String {
     segment.map_or(String::new(), |segment| format!(" {segment}"))
@@ -564,7 +580,7 @@ impl Error {
             Self::NotInImH { .. } => "not-in-im-h",
             Self::ZeroTangent { .. } => "zero-tangent",
             Self::TangentOpposesChord { .. } => "tangent-opposes-chord",
-            Self::PointAtInfinity => "point-at-infinity",
+            Self::PointAtInfinity | Self::NearPole { .. } => "point-at-infinity",
             Self::NoFiniteBiarc { .. } => "no-finite-biarc",
             Self::Cusp { .. } => "cusp",
             Self::TangentCount { .. } => "tangent-count",

@@ -5,6 +5,8 @@ use crate::short_number::ShortNumber;
 
 /// Points that scatter by more than this part of what counts as leaning are called noisy.
 const SCATTER: f64 = 0.15;
+/// Neighbouring chords that differ by this factor are no uneven spacing: the shorter one joins a point to itself.
+const NEARLY_REPEATED: f64 = 1000.0;
 
 /// A remark on a result that is valid but may not be what was meant.
 #[derive(Debug, Clone, PartialEq)]
@@ -406,6 +408,12 @@ impl std::fmt::Display for Warning {
                 degrees(*angle),
                 degrees(*limit)
             ),
+            Self::UnevenSpacing { node, ratio, .. } if *ratio >= NEARLY_REPEATED => {
+                write!(
+                    f,
+                    "point {node}: neighbouring chords differ by a factor {ratio:.0}: two points nearly repeat each other there, and the curve may loop; remove one of them"
+                )
+            }
             Self::UnevenSpacing { node, ratio, limit } => {
                 write!(
                     f,

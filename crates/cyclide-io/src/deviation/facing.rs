@@ -37,10 +37,8 @@ impl<'a> Facing<'a> {
         let diagonals = [corners[2] - corners[0], corners[3] - corners[1]];
         let [u, v] = diagonals.map(|d| d.unit().unwrap_or_default());
         let middle = (0.5 * (s0 + s1), 0.5 * (t0 + t1));
-        let against =
-            patch.normal(middle.0, middle.1).is_some_and(|n| n.dot(patch.unit_normal(middle.0, middle.1)) < 0.0);
         let rounding = ROUNDING * patch.corners().iter().map(|p| p.to_vec().max_abs()).fold(0.0, f64::max);
-        let sign = if against { -outer } else { outer };
+        let sign = outer * patch.side_of_normal(middle.0, middle.1);
         Self { patch, parameters, corners, area: u.cross(v) * outer, same_sense: face.same_sense, sign, rounding }
     }
 

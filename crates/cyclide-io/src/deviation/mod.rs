@@ -31,7 +31,7 @@ mod triangle;
 use crate::exported::{WrittenCurve, knots_of};
 use crate::file_content::ReadError;
 use crate::job::contours;
-use cyclide::{Correspondence, CurveChain, CurvePlace, Model, ParamCurve, Vec3, bounds};
+use cyclide::{Correspondence, CurveChain, CurvePlace, Model, ParamCurve, Vec3};
 pub(crate) use drawn::{DrawnLine, LinePlace, ShellLine, lines_deviation};
 pub(crate) use limits::{Beyond, Deviations, READ_BACK_ROUNDING};
 use matching::apart;
@@ -41,6 +41,9 @@ pub(crate) use mesh_edges::check_mesh_edges;
 pub(crate) use samples::SampleCheck;
 pub(crate) use side_use::side_use;
 pub(crate) use step_faces::bodies_deviation;
+
+/// Samples on each piece of a curve that is a point in the plan.
+const PLAN_SAMPLES: usize = 64;
 
 /// How much of the curves a format holds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -75,9 +78,8 @@ pub(crate) fn curves_deviation(
     for (contour, made) in contours(model).zip(written) {
         let object = contour.curve.as_curve();
         if left_out(made) {
-            // It is a point there, which is all that a drawing may leave out.
-            let Vec3 { x, y, .. } = bounds(object).max - bounds(object).min;
-            deviations.push(x.hypot(y));
+            // It is a point there, to its tolerance, which is all that a drawing may leave out.
+            deviations.push(from_start_in_plan(object));
             continue;
         }
         let Some((curve, chain)) = read.next() else { break };
@@ -90,6 +92,17 @@ pub(crate) fn curves_deviation(
         deviations.push(apart(object, chain, parts, view == View::Plan));
     }
     Ok(deviations)
+}
+
+/// How far a curve is from its start as seen along the third axis, by samples.
+fn from_start_in_plan(curve: &dyn ParamCurve) -> f64 {
+    let start = curve.piece_point(0, 0.0);
+    let away = |piece: usize, k: usize| {
+        let Vec3 { x, y, .. } = curve.piece_point(piece, k as f64 / PLAN_SAMPLES as f64) - start;
+        x.hypot(y)
+    };
+    let places = (0..curve.piece_count()).flat_map(|piece| (1..=PLAN_SAMPLES).map(move |k| (piece, k)));
+    places.map(|(piece, k)| away(piece, k)).fold(0.0, larger)
 }
 
 /// Refuses splines whose knots are not those that were made: where pieces meet without being smooth, they say nothing of

@@ -88,6 +88,7 @@ pub(super) fn fair_fit(spec: &FairFitSpec, at: &Contour<'_>) -> Made {
     options.budget = spec.budget.unwrap_or(options.budget);
     options.edge_points = spec.polyline as usize;
     let fit = FairFit::new(&at.list.points, &options)?;
+    fit.spline().check_finite()?;
     let (facts, warnings) = (at.facts(Some(Fitted::Fair(*fit.certificate()))), fit.warnings().to_vec());
     Ok((CurveObject::CircleSpline(fit.into_spline()), facts, warnings))
 }

@@ -199,7 +199,7 @@ impl File {
         if closed {
             points.pop();
         }
-        let promise = Promise::proved(job.tolerance + rounding.moved);
+        let promise = Promise::of_polyline(contour.curve.as_curve(), job.tolerance + rounding.moved);
         self.written.curves.push(promise.of(between(&vertices).recounted(segments)));
         if points.len() < if closed { 3 } else { 2 } {
             let (object, detail) = (contour.object.to_owned(), "the curve is below the rounding of single precision");

@@ -8,6 +8,7 @@ use std::ops::Range;
 use cyclide::Point3;
 
 use crate::lines::lines;
+use crate::number::{NEARER_TO_ZERO, vanishes};
 use crate::place::{Diagnostic, Source, quoted};
 use crate::points::MOST_POINTS;
 
@@ -119,6 +120,7 @@ fn for_each_statement<'a>(
 
 fn coordinate(source: Source<'_>, word: Word<'_>) -> Result<f64, Box<Diagnostic>> {
     match word.0.parse::<f64>() {
+        Ok(x) if vanishes(word.0, x) => Err(refused(source, word, format!("`{}` {NEARER_TO_ZERO}", quoted(word.0)))),
         Ok(x) if x.is_finite() => Ok(x),
         Ok(_) => Err(refused(source, word, format!("`{}` is not a finite number", quoted(word.0)))),
         Err(_) => Err(refused(source, word, format!("`{}` is not a number", quoted(word.0)))),

@@ -36,7 +36,7 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
         for contour in job.contours().filter(|contour| contour.item == index) {
             file.name("g", &contour.label());
             let vertices = polyline(job, &contour)?;
-            written.curves.push(Promise::proved(job.tolerance).of(between(&vertices)));
+            written.curves.push(Promise::of_polyline(contour.curve.as_curve(), job.tolerance).of(between(&vertices)));
             file.polyline(&vertices, contour.curve.as_curve().is_closed());
         }
     }

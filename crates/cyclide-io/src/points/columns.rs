@@ -45,6 +45,24 @@ const COMPASS: [&[&str]; 2] =
 /// Words that stand for the angles of places on the globe.
 const GLOBE: [&[&str]; 2] = [&["lon", "lng", "long", "longitude"], &["lat", "latitude"]];
 
+/// Words in names of columns that a curve has a use for beside its x and y: heights, and what tells contours apart.
+const OF_USE: [&str; 14] = [
+    "h",
+    "height",
+    "elevation",
+    "elev",
+    "altitude",
+    "alt",
+    "höhe",
+    "hoehe",
+    "höhen",
+    "level",
+    "layer",
+    "ebene",
+    "polyline",
+    "part",
+];
+
 /// Words beside the letter of an axis: `point_x`, `x coordinate`.
 const BESIDE: [&str; 9] = ["coord", "coords", "coordinate", "point", "pt", "pos", "position", "p", "loc"];
 
@@ -80,6 +98,24 @@ impl Chosen {
         let chosen = Self { coordinates, contour, corner, remark };
         chosen.refuse_several_units(table)?;
         Ok(chosen)
+    }
+
+    /// The sentence about columns that are not read and may be meant to be: heights beside two coordinates, layers.
+    pub(super) fn not_read(&self, table: &Table<'_>) -> Option<String> {
+        let read = |i: &usize| self.coordinates.contains(i) || [self.contour, self.corner].contains(&Some(*i));
+        let of_use = |i: &usize| {
+            let (words, unit) = words_of(table.header[*i].text);
+            let words = &words[..words.len() - usize::from(unit)];
+            matches!(words, [only] if OF_USE.contains(&only.as_str()))
+        };
+        let all: Vec<usize> = (0..table.header.len()).filter(|i| !read(i)).filter(of_use).collect();
+        (!all.is_empty()).then(|| {
+            format!(
+                "not read: {}; a third coordinate is chosen by `columns`, a column that tells contours apart by `contour` \
+                 (`--columns`, `--contour-column`)",
+                table.names(all)
+            )
+        })
     }
 
     /// Units that the names of the coordinates speak of.
@@ -146,6 +182,14 @@ fn found(table: &Table<'_>, taken: &[Option<usize>]) -> Result<Found, Box<Diagno
     };
     let by_words = |words: &[&str]| table.header.iter().position(|f| is_one_of(words, f));
     let compass = COMPASS.map(by_words);
+    if let [Some(lon), Some(lat)] = GLOBE.map(|words| table.header.iter().position(|f| speaks_of(words, f))) {
+        let message = format!(
+            "{} are angles on the globe: project them to a plane grid first (UTM or the national one; GIS programs and \
+             `cs2cs` do it), and name the columns x_m, y_m",
+            table.names([lon, lat])
+        );
+        return Err(table.header_refused(message));
+    }
     if let (Some(x), Some(y)) = (axis(table, "x")?, axis(table, "y")?) {
         let all: Vec<usize> = [x, y].into_iter().chain(axis(table, "z")?).collect();
         // `x_acc` may be anything, and is no coordinate beside an easting.
@@ -161,14 +205,6 @@ fn found(table: &Table<'_>, taken: &[Option<usize>]) -> Result<Found, Box<Diagno
         let letters = all.iter().any(|&i| words_of(table.header[i].text).0[0].len() == 1);
         let remark = letters.then(|| taken_columns(table, &all));
         return Ok((all, remark));
-    }
-    if let [Some(lon), Some(lat)] = GLOBE.map(by_words) {
-        let message = format!(
-            "{} are angles on the globe: project them to a plane grid first (UTM or the national one; GIS programs and \
-             `cs2cs` do it), and name the columns x_m, y_m",
-            table.names([lon, lat])
-        );
-        return Err(table.header_refused(message));
     }
     let free = (0..table.width).filter(|&i| !taken.contains(&Some(i)));
     let numeric = |i: &usize| table.first.get(*i).is_some_and(is_number);
@@ -194,6 +230,12 @@ fn found(table: &Table<'_>, taken: &[Option<usize>]) -> Result<Found, Box<Diagno
         "no column is named x or y; there are {names}: name two or three of them (`--columns A,B`, in a document \
          `columns`)"
     )))
+}
+
+/// True if a word of a column's name is one of these, or ends in a long one: `lat_deg`, `X (Longitude)`, `GPSLatitude`.
+fn speaks_of(words: &[&str], field: &Field<'_>) -> bool {
+    let known = |word: &String| words.iter().any(|w| word == w || w.len() > 4 && word.ends_with(w));
+    words_of(field.text).0.iter().any(known)
 }
 
 fn taken_columns(table: &Table<'_>, columns: &[usize]) -> String {

@@ -53,7 +53,7 @@ pub struct PointTable {
 /// What was read in one of several possible ways.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct PointRemark {
-    /// Stable kebab-case name: `columns-taken`, `unit-not-applied`, `numbers-as-x`, `decimal-commas`, `decimal-pairs`,
+    /// Stable kebab-case name: `columns-taken`, `columns-not-read`, `unit-not-applied`, `numbers-as-x`, `decimal-commas`, `decimal-pairs`,
     /// `blank-lines`.
     pub reason: &'static str,
     /// The sentence.
@@ -105,6 +105,9 @@ pub fn read_points(name: &str, bytes: &[u8], columns: &PointColumns) -> Result<P
         remark("decimal-pairs", message);
     } else if let Some(message) = chosen.remark.clone() {
         remark("columns-taken", message);
+    }
+    if let Some(message) = chosen.not_read(&table).filter(|_| columns.coordinates.is_none()) {
+        remark("columns-not-read", message);
     }
     if let Some(message) = chosen.unit_not_applied(&table) {
         remark("unit-not-applied", message);

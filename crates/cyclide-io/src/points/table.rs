@@ -175,6 +175,12 @@ impl<'a> Table<'a> {
             }
             if table.header.is_empty() && !fields.iter().any(is_number) {
                 table.header = std::mem::take(&mut fields);
+                // Numbers with units or separators of thousands would be lost as names.
+                if table.header.len() > 1 && table.header.iter().all(begins_as_number) {
+                    return Err(table.header_refused(
+                        "no names of columns and no numbers: write numbers without units and separators of thousands",
+                    ));
+                }
                 continue;
             }
             table.start = start;
@@ -269,6 +275,11 @@ impl<'a> Table<'a> {
         let names = self.names(0..self.header.len());
         self.header_refused(format!("no column is named `{name}`; there are {names}{hint}"))
     }
+}
+
+/// True for what begins like a number.
+fn begins_as_number(field: &Field<'_>) -> bool {
+    field.text.trim_start_matches(['-', '+', '(', '[']).starts_with(|c: char| c.is_ascii_digit())
 }
 
 fn refuse_long(source: Source<'_>, start: usize, line: &str) -> Result<(), Box<Diagnostic>> {

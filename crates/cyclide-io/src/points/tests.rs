@@ -172,6 +172,24 @@ fn whole_numbers_that_may_be_pairs_are_named_and_read_as_they_stand() {
 }
 
 #[test]
+fn heights_and_layers_that_are_not_read_are_named() {
+    for (text, named) in [
+        ("x,y,height\n0,0,5\n1,2,6\n", Some("height")),
+        ("X_m,Y_m,Elevation_m,id\n0,0,5,1\n", Some("Elevation_m")),
+        ("easting;northing;Höhe;layer\n0;0;5;a\n", Some("Höhe, layer")),
+        ("x,y,z,height\n0,0,5,1\n", Some("height")),
+        ("x,y,width\n0,0,5\n", None),
+        ("x,y,contour\n0,0,5\n", None),
+    ] {
+        let table = read(text).unwrap();
+        let remark = table.remarks.iter().find(|remark| remark.reason == "columns-not-read");
+        assert_eq!(remark.is_some(), named.is_some(), "{text:?}");
+        let starts = |named: &str| remark.is_some_and(|r| r.message.starts_with(&format!("not read: {named};")));
+        assert!(named.is_none_or(starts), "{text:?}: {remark:?}");
+    }
+}
+
+#[test]
 fn names_of_coordinates_are_known_in_many_forms() {
     let expected = [[[1.0, 2.0, 0.0]]];
     for (header, row) in [
@@ -215,6 +233,11 @@ fn columns_that_could_only_be_guessed_are_refused() {
     for (text, message) in [
         ("a,b,c,d\n1,2,3,4\n", "p.csv:1:1: no column is named x or y; there are a, b, c, d: name two or three"),
         ("lon,lat\n7.1,50.2\n", "p.csv:1:1: lon, lat are angles on the globe: project them"),
+        ("id,GPSLatitude,GPSLongitude\n1,50.2,7.1\n", "p.csv:1:1: GPSLongitude, GPSLatitude are angles on the globe"),
+        ("X (Longitude),Y (Latitude)\n7.1,50.2\n", "p.csv:1:1: X (Longitude), Y (Latitude) are angles on the globe"),
+        ("lat_deg,lon_deg\n50.2,7.1\n", "p.csv:1:1: lon_deg, lat_deg are angles on the globe"),
+        ("1.000,0;2.000,0\n1010,5;1\n", "p.csv:1:1: no names of columns and no numbers"),
+        ("0 mm,0 mm\n10,5\n", "p.csv:1:1: no names of columns and no numbers"),
         ("name,Latitude,Longitude\nA,50.2,7.1\n", "p.csv:1:1: Longitude, Latitude are angles on the globe"),
         ("x,x,y\n1,2,3\n", "p.csv:1:1: several columns may be x: x, x; choose"),
         ("x_left,y_left,x_right,y_right\n1,2,3,4\n", "p.csv:1:1: several columns may be x: x_left, x_right"),

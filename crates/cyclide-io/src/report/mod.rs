@@ -31,6 +31,10 @@ pub use surface::{
 
 /// Part of a bound, and of that rounding, by which it may be exceeded without a word: the printed bound is raised.
 const LAST_DIGITS: f64 = 1e-5;
+/// A file that is off by more than this part of the model's size has lost its shape, whatever tolerance was asked for.
+const FAR_OFF: f64 = 0.02;
+/// Part of the tolerance by which rounding may be above it without a word.
+const ABOVE_ASKED: f64 = 0.05;
 
 /// The report on a model and the files made of it. As JSON, values that are not finite are `null`.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -255,6 +259,16 @@ impl FileReport {
         let exact = exported.exact && beyond.is_none();
         let last_digits = (1.0 + LAST_DIGITS) * bound + LAST_DIGITS * rounding;
         let mut notes = exported.notes.clone();
+        let size = exporter.bounds.diagonal();
+        if let Some(deviation) = deviation.filter(|deviation| *deviation > FAR_OFF * size) {
+            let (deviation, size) = (ShortNumber(deviation), ShortNumber(size));
+            notes.push(format!("the file is off by {deviation}, the model is {size} large: use a smaller tolerance"));
+        }
+        let asked = exported.written.asked;
+        if let Some(asked) = asked.filter(|asked| !exact && bound > (1.0 + ABOVE_ASKED) * asked) {
+            let (bound, asked) = (ShortNumber(bound), ShortNumber(asked));
+            notes.push(format!("the tolerance {asked} is not reached: with the rounding of the numbers it is {bound}"));
+        }
         let seen = beyond.filter(|beyond| *beyond > last_digits);
         if let Some(beyond) = seen {
             let beyond = ShortNumber(beyond);

@@ -105,7 +105,9 @@ fn points_note(points: &[Contour<'_>]) -> Option<String> {
         labels.push(format!("and {} more", points.len() - NAMED_POINTS));
     }
     let labels = labels.join(", ");
-    (!points.is_empty()).then(|| format!("curves that are points in the view along the z axis are left out: {labels}"))
+    (!points.is_empty()).then(|| {
+        format!("curves that are points in the view along the z axis, to their tolerance, are left out: {labels}")
+    })
 }
 
 /// The labels of a file of the model of which these curves were written.
@@ -145,7 +147,7 @@ fn draw(job: &Job<'_>, contour: &Contour<'_>) -> Result<(Path, WrittenCurve), Ex
     }
     let vertices = contour.lowered(job.pieces.flatten(contour.curve.as_curve(), job.tolerance))?;
     let (path, parts) = polyline(&vertices, closed);
-    Ok((path, Promise::proved(job.tolerance).of(parts)))
+    Ok((path, Promise::of_polyline(contour.curve.as_curve(), job.tolerance).of(parts)))
 }
 
 /// The vertices as a path, without the segments that are points on the page, and the parts between them.

@@ -291,11 +291,16 @@ fn curves_that_are_points_in_a_drawing_are_left_out_of_it() {
     let model = model(&objects);
     let exporter = Exporter::new(&model).unwrap();
     let mut file = exporter.export(Format::Svg, &ExportOptions::default()).unwrap();
-    let note = "curves that are points in the view along the z axis are left out: posts 0, posts 1, both 1";
+    let note = "curves that are points in the view along the z axis, to their tolerance, are left out: posts 0, posts 1, both 1";
     assert!(file.notes.iter().any(|n| n == note), "{:?}", file.notes);
     let text = String::from_utf8(file.bytes.clone()).unwrap();
     assert_eq!((text.matches("class=\"contour\"").count(), text.contains("posts")), (2, false));
     assert!(exporter.check(Path::new("o"), Format::Svg, &file).unwrap().exact);
+    // An S round a post, within the tolerance of its start, though its box is not.
+    let leaning = json!({"type": "circle-spline", "order": 1, "points": [[0, 0, 0], [0, 0, 10], [0, 0, 20]],
+        "ends": {"start": [0.1, 0, 1], "end": [0.1, 0, 1]}});
+    let options = ExportOptions { tolerance: Some(0.27), ..ExportOptions::default() };
+    checked(&json!({"a": leaning, "b": {"type": "arc-spline", "points": [[0, 0], [20, 0]]}}), &CURVES, &options);
     // A curve that is no point may not be missing.
     file.bytes = text.replacen("<path class=\"contour\"", "<path class=\"other\"", 1).into_bytes();
     assert!(exporter.check(Path::new("o"), Format::Svg, &file).is_err());
@@ -316,5 +321,70 @@ fn a_loop_whose_ends_nearly_touch_becomes_arcs_within_any_tolerance() {
         let options = ExportOptions { tolerance: Some(tolerance), ..ExportOptions::default() };
         let reports = checked(&json!({"a": {"type": "fair-spline", "points": points}}), &CURVES, &options);
         assert!(reports.iter().all(|report| report.bytes < 100_000), "no more arcs than it takes");
+    }
+}
+
+#[test]
+fn a_tolerance_that_ruins_the_shape_is_named() {
+    let circle = json!({"a": {"type": "circle", "center": [0, 0], "radius": 10}});
+    for (tolerance, named) in [(4.0, true), (1e300, true), (0.1, false)] {
+        let options = ExportOptions { tolerance: Some(tolerance), ..ExportOptions::default() };
+        let notes = &checked(&circle, &[Format::Csv], &options)[0].notes;
+        let says = |note: &String| note.starts_with("the file is off by") && note.ends_with("use a smaller tolerance");
+        assert_eq!(notes.iter().any(says), named, "{tolerance:e}: {notes:?}");
+    }
+}
+
+/// A curve that comes next to the centre of an inversion has an image that no numbers hold; a little farther away it has.
+#[test]
+fn images_of_curves_next_to_the_centre_are_refused_where_the_map_stands() {
+    let arc = json!({"type": "arc", "through": [[-1, 0], [0, 1], [1, 0]], "construction": true});
+    let toward = json!({"type": "arc", "from": [0, 0.03, 5.27], "to": [0, 0, 0], "end_tangent": [1, 0, 0],
+        "construction": true});
+    let biarc = json!({"type": "biarc", "from": [0, 0.03, 5.27], "from_tangent": [2, 0, 4.4], "to": [0, 0, 0],
+        "to_tangent": [1, 0, 0], "construction": true});
+    for (curve, center, radius, refused) in [
+        (&arc, [0.0, 1.000_000_000_01, 0.0], 1.0, true),
+        (&arc, [0.0, 1.000_000_01, 0.0], 1.0, false),
+        (&arc, [0.0, 1.0 + 3e-9, 0.0], 1.0, false),
+        (&toward, [-2.4e-7, 0.0, 0.0], 20.0, true),
+        (&biarc, [-2.4e-6, 0.0, 0.0], 20.0, true),
+    ] {
+        let steps = json!([{"inversion": {"center": center, "radius": radius}}]);
+        let objects = json!({"b": curve, "a": {"type": "transform", "of": "b", "steps": steps}});
+        if refused {
+            let text = json!({"cyclide": 1, "objects": objects}).to_string();
+            let document = Document::parse("m.json", text.as_bytes()).unwrap();
+            let read = |_: &Path| Err(std::io::ErrorKind::NotFound.into());
+            let mut builder = ModelBuilder::new(&document, Path::new(""), &read).unwrap();
+            let error = builder.build(1, &mut |_| {}).unwrap_err().to_string();
+            assert!(error.contains("objects.a.steps[0]") && error.contains("[point-at-infinity]"), "{error}");
+            assert!(error.contains("at least") && error.contains("away from the curve"), "{error}");
+        } else {
+            right(&objects, &CURVES);
+        }
+    }
+}
+
+/// Next to a node the speeds are rounding, and the check reads them as the mesh does.
+#[test]
+fn a_ring_next_to_a_node_far_from_the_origin_has_its_normals() {
+    let (a, c, mu) = (1e-14, 9.999_999_998_206_383e-15, 9.999_999_998_403_767e-15);
+    let center = [1.258_791_479_428_369_8e-13, 1.737_154_487_345_205_8e-15, 3.385_172_538_686_34e-13];
+    let ring = json!({"a": {"type": "cyclide", "a": a, "c": c, "mu": mu, "center": center}});
+    let options = ExportOptions { tolerance: Some(9.462_01e-16), ..ExportOptions::default() };
+    checked(&ring, &[Format::Glb, Format::Obj], &options);
+}
+
+/// What rounding adds to a tolerance is said.
+#[test]
+fn a_tolerance_that_rounding_exceeds_is_named() {
+    let net = json!({"type": "cyclidic-net", "grid": [[[0, 0, 0], [10, 0, 0]], [[0, 10, 0], [10, 10, 0]]],
+        "frame": [[1, 0, 0.4], [0, 1, 0]]});
+    for (tolerance, named) in [(1e-9, true), (1e-3, false)] {
+        let options = ExportOptions { tolerance: Some(tolerance), ..ExportOptions::default() };
+        let notes = &checked(&json!({"a": net}), &[Format::Glb], &options)[0].notes;
+        let says = |note: &String| note.starts_with("the tolerance") && note.contains("is not reached");
+        assert_eq!(notes.iter().any(says), named, "{tolerance:e}: {notes:?}");
     }
 }

@@ -105,6 +105,13 @@ impl FaceSurface {
         }
     }
 
+    /// The side of the [unit normal](Self::unit_normal) on which `f_s × f_t` is: 1, or -1 where it is against it, as on patches
+    /// that are [flipped](CyclidePatch::is_flipped).
+    #[must_use]
+    pub fn side_of_normal(&self, s: f64, t: f64) -> f64 {
+        self.patch().map_or(1.0, |patch| patch.side_of_normal(s, t))
+    }
+
     /// Element of area, with the sign of `f_s × f_t` along the [unit normal](Self::unit_normal).
     pub(super) fn element(&self, s: f64, t: f64) -> f64 {
         match self {

@@ -1,6 +1,6 @@
 //! Curves: from fields and lists of points to the kernel's constructions.
 
-use cyclide::{Arc, Biarc, Circle, CurveObject, Quat, Vec3, Warning, bounds};
+use cyclide::{Arc, Biarc, BlendSegment, Circle, CurveObject, Quat, Vec3, Warning, bounds};
 
 use super::Builder;
 use super::idle::{Idle, NO_EFFECT, idle_fields};
@@ -61,19 +61,9 @@ impl ObjectSpec {
 /// ten times that, whose places are rounded by a hundredth of their chord.
 const FULL_CIRCLE_LIMIT: f64 = 3.9e-6;
 
-/// Smallest and largest length of a document's weight ratio. The kernel takes 1e-30 to 1e30, but of a shorter one
-/// parameters, which files and their checks go by, cannot tell the points near the end of the arc apart.
-const WEIGHT_RATIO: [f64; 2] = [1e-12, 1e12];
-
-/// Refuses weights of a ratio out of range.
-///
-/// # Errors
-/// `parameter-out-of-range`.
-fn check_weights(start: Quat, end: Quat) -> cyclide::Result<()> {
-    let ([min, max], value) = (WEIGHT_RATIO, end.norm() / start.norm());
-    let error = cyclide::Error::ParameterOutOfRange { name: "length of the weight ratio", value, min, max };
-    if (min..=max).contains(&value) { Ok(()) } else { Err(error) }
-}
+/// Weights of an arc whose lengths differ by more than this factor are evened: files and their checks go by the parameter,
+/// whose numbers cannot tell the points near the end of such an arc apart.
+const EVEN_RATIO: f64 = 1e3;
 
 /// Roundings (of the largest coordinate) that a bent curve is across at least, as surfaces are: each point is off by one,
 /// a ten thousandth of what files promise of such a curve by default.
@@ -86,10 +76,16 @@ const SMALLEST_IN_PLACE: f64 = 65536.0 * f64::EPSILON;
 /// `below-rounding-of-place`.
 fn check_in_place(curve: &CurveObject) -> cyclide::Result<()> {
     let straight = |arcs: &[Arc]| arcs.iter().all(Arc::is_straight);
+    let runs_straight = |segment: &BlendSegment| {
+        let along =
+            |tangent: Vec3| (segment.end() - segment.start()).unit().is_some_and(|u| (tangent - u).length() <= 1e-9);
+        along(segment.start_tangent()) && along(segment.end_tangent())
+    };
     match curve {
         CurveObject::Circle(_) => return Ok(()),
         CurveObject::Arc(arc) if arc.is_straight() => return Ok(()),
         CurveObject::ArcPath(path) if straight(path.arcs()) => return Ok(()),
+        CurveObject::CircleSpline(spline) if spline.segments().iter().all(runs_straight) => return Ok(()),
         _ => {}
     }
     let curve = curve.as_curve();
@@ -155,7 +151,7 @@ impl Builder<'_> {
                     Arc::from_end_tangent(a, b, t.vector())
                 } else if let Some([[w0, x0, y0, z0], [w1, x1, y1, z1]]) = spec.weights {
                     let (start, end) = (Quat::new(w0, x0, y0, z0), Quat::new(w1, x1, y1, z1));
-                    Arc::from_weights(a, b, start, end).and_then(|arc| check_weights(start, end).map(|()| arc))
+                    Arc::from_weights(a, b, start, end)
                 } else {
                     let normal = spec.normal.map_or(Vec3::Z, Coordinates::vector);
                     Arc::from_bulge(a, b, normal, spec.bulge.unwrap_or_default())
@@ -173,7 +169,11 @@ impl Builder<'_> {
             let limit = FULL_CIRCLE_LIMIT;
             if rest < limit { Err(cyclide::Error::NearlyFullCircle { rest, limit }) } else { Ok(arc) }
         };
-        let arc = arc.and_then(kept).map_err(|error| match error {
+        let even = |arc: Arc| {
+            let ratio = arc.weight_ratio().norm();
+            if (EVEN_RATIO.recip()..=EVEN_RATIO).contains(&ratio) { arc } else { arc.evened() }
+        };
+        let arc = arc.map(even).and_then(kept).map_err(|error| match error {
             cyclide::Error::NearlyFullCircle { rest, .. } => {
                 cyclide::Error::NearlyFullCircle { rest, limit: FULL_CIRCLE_LIMIT }
             }

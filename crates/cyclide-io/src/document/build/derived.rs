@@ -1,8 +1,8 @@
 //! Objects made from other objects.
 
 use cyclide::{
-    Body, Conformal as _, CurveObject, CyclidePatch, Mobius, Quat, Shell, ShellFace, ShortNumber, SurfaceObject, Vec3,
-    Warning,
+    Body, Conformal as _, CurveObject, CyclidePatch, HPoint, Mobius, Point3, Quat, Shell, ShellFace, ShortNumber,
+    SurfaceObject, Vec3, Warning, bounds, closest_point,
 };
 
 use super::{Builder, BuiltObject};
@@ -37,7 +37,10 @@ impl Builder<'_> {
     /// The images of curves.
     pub(super) fn mapped_curves(&self, spec: &TransformSpec) -> Result<Vec<CurveObject>> {
         let curves = self.sources.first().map_or(&[][..], |source| &source.item.contours);
-        self.mapped(spec, curves, |curve, map| curve.transformed(map))
+        self.mapped(spec, curves, |curve, map| {
+            check_far_from_pole(curve, map)?;
+            curve.transformed(map)
+        })
     }
 
     /// The images of surfaces.
@@ -121,6 +124,28 @@ impl Builder<'_> {
         let message = format!("{}: {needed}", source.unwrap_or_default());
         Error::Input(self.diagnostic([Step::from("of")], &message))
     }
+}
+
+/// Smallest distance of a curve from the point that goes to infinity, relative to the coordinates of both: they are rounded by
+/// 1e-16 of them, and the image of a point next to it by that part of a distance that is so small.
+const SMALLEST_DISTANCE: f64 = 5e-11;
+
+/// Refuses a curve so near the point that goes to infinity that its image has lost its digits.
+///
+/// # Errors
+/// `point-at-infinity`.
+fn check_far_from_pole(curve: &CurveObject, map: &Mobius) -> cyclide::Result<()> {
+    if map.is_similarity() {
+        return Ok(());
+    }
+    let infinity = HPoint { n: Quat::ONE, d: Quat::ZERO };
+    let Some(pole) = map.inverse().map_pair(infinity).quotient().map(|q| Point3::ORIGIN + q.vector()) else {
+        return Ok(());
+    };
+    let curve = curve.as_curve();
+    let limit = SMALLEST_DISTANCE * bounds(curve).including(pole).max_abs();
+    let distance = closest_point(curve, pole).distance;
+    if distance < limit { Err(cyclide::Error::NearPole { distance, limit }) } else { Ok(()) }
 }
 
 /// The map of one step.

@@ -23,7 +23,7 @@ use crate::error::{Error, Result};
 use crate::place::Diagnostic;
 pub use idle::NO_EFFECT;
 use nets::MeshNames;
-use references::References;
+use references::{References, State};
 
 /// An object made by its construction, with what is known about it besides its geometry.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -67,6 +67,8 @@ pub struct ModelBuilder<'a> {
     read: Read<'a>,
     references: References,
     made: Vec<Option<BuiltObject>>,
+    /// Which of these have been made.
+    walked: Vec<State>,
 }
 
 /// Reads a file.
@@ -80,7 +82,8 @@ impl<'a> ModelBuilder<'a> {
     /// [`Error::Input`] at a name that no object has, or that leads back to the object itself.
     pub fn new(document: &'a Document, folder: &'a Path, read: Read<'a>) -> Result<Self> {
         let references = References::new(document)?;
-        Ok(Self { document, folder, read, references, made: vec![None; document.objects.len()] })
+        let (made, walked) = (vec![None; document.objects.len()], references.nothing_made());
+        Ok(Self { document, folder, read, references, made, walked })
     }
 
     /// Runs the construction of the object with this index, and before it those of the objects it is made from.
@@ -93,7 +96,7 @@ impl<'a> ModelBuilder<'a> {
     /// # Panics
     /// If there is no object with this index.
     pub fn build(&mut self, index: usize, progress: &mut dyn FnMut(String)) -> Result<BuiltObject> {
-        for needed in self.references.needed_for(index) {
+        for needed in self.references.needed_for(index, &mut self.walked) {
             if self.made[needed].is_none() {
                 let (name, spec) = &self.document.objects[needed];
                 if needed != index {

@@ -17,7 +17,7 @@ pub(super) struct References {
 
 /// How far the walk over an object's references has come.
 #[derive(Clone, Copy, PartialEq)]
-enum State {
+pub(super) enum State {
     New,
     Begun,
     Done,
@@ -67,11 +67,18 @@ impl References {
         self.sources[index]
     }
 
-    /// The object and all it needs, each after what it is made from.
-    pub(super) fn needed_for(&self, index: usize) -> Vec<usize> {
+    /// No object is made.
+    pub(super) fn nothing_made(&self) -> Vec<State> {
+        vec![State::New; self.of.len()]
+    }
+
+    /// The object and all it needs that is not made yet, each after what it is made from: these count as made then. The
+    /// state is that of all objects from call to call, so that a long chain is walked once.
+    pub(super) fn needed_for(&self, index: usize, made: &mut [State]) -> Vec<usize> {
         let mut order = Vec::new();
+        made[index] = State::New;
         // Circles were refused by `new`.
-        let _no_circle = self.walk(index, &mut vec![State::New; self.of.len()], &mut |i| order.push(i));
+        let _no_circle = self.walk(index, made, &mut |i| order.push(i));
         order
     }
 

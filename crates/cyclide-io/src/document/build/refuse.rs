@@ -1,6 +1,6 @@
 //! What the kernel refused, shown at the point or field it is about.
 
-use cyclide::{ShortNumber, Warning};
+use cyclide::{Point3, ShortNumber, Warning};
 
 use super::Builder;
 use super::curves::{Origin, Points, point_steps};
@@ -68,7 +68,10 @@ impl Builder<'_> {
 
     /// The message for what the kernel said, at the point or field it is about.
     pub(super) fn refused(&self, error: &cyclide::Error, from: Option<(&Points, usize)>) -> Error {
-        let blame = blame(self.spec, error);
+        let blame = match from.and_then(|(points, contour)| too_far_out(error, &points.lists[contour].points)) {
+            Some(point) => Blame::Point(point),
+            None => blame(self.spec, error),
+        };
         let original = |k: usize| from.and_then(|(p, c)| p.kept[c].get(k).copied()).unwrap_or(k);
         let path = self.path([]);
         if let Some((points, contour)) = from
@@ -143,6 +146,12 @@ pub(super) fn frame_words(frame: [Coordinates; 2]) -> String {
     }
 }
 
+/// The point that a refused coordinate belongs to: the one that is farthest out.
+fn too_far_out(error: &cyclide::Error, points: &[Point3]) -> Option<usize> {
+    let cyclide::Error::ParameterOutOfRange { name: "coordinate", value, .. } = *error else { return None };
+    points.iter().position(|p| p.to_vec().max_abs() >= value.abs())
+}
+
 /// Which value of an object an error of the kernel is about.
 fn blame(spec: &ObjectSpec, error: &cyclide::Error) -> Blame {
     use cyclide::Error as E;
@@ -184,7 +193,6 @@ fn blame(spec: &ObjectSpec, error: &cyclide::Error) -> Blame {
         E::ParameterOutOfRange { name: "segments along t", .. } => Blame::Entry("segments", 1),
         E::OrderOutOfRange { .. } => Blame::Field("order"),
         E::TangentCount { .. } => Blame::Field("tangents"),
-        E::ParameterOutOfRange { name: "length of the weight ratio", .. } => Blame::Field("weights"),
         E::ParameterOutOfRange { name: "edge_points", .. } => Blame::Field("polyline"),
         E::ParameterOutOfRange { name, .. } => Blame::Field(name),
         _ => error.index().map_or(Blame::Object, Blame::Point),

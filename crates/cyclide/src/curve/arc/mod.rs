@@ -87,6 +87,14 @@ impl Arc {
         Ok(Self::from_ratio_unchecked(p0, p1, r, p))
     }
 
+    /// The same arc with another parameter: with weights of equal length, so that it runs at the same speed at both ends.
+    /// Where their lengths are very different, numbers near an end of `[0, 1]` cannot tell the places apart that most of
+    /// the arc is made of.
+    #[must_use]
+    pub fn evened(&self) -> Self {
+        Self::from_ratio_unchecked(self.p0, self.p1, self.r / self.n, self.p / self.n)
+    }
+
     /// The arc, unless it is nearly a full circle: the more it turns, the shorter is the part of its parameter in which it
     /// does, and its points lose as many digits as that is short.
     ///

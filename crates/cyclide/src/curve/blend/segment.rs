@@ -295,7 +295,10 @@ impl BlendSegment {
         let opposed = (y.atan2(x) + std::f64::consts::PI).rem_euclid(std::f64::consts::TAU);
         if opposed > 0.0 && opposed < self.law.theta {
             let height = self.u.dot(self.t1.cross(self.b));
-            ends.min(2.0 * height * height / (1.0 + x.hypot(y)))
+            // No tangent is farther from both ends than half the angle between them, which tells more where that is
+            // so small that its plane is rounding.
+            let from_ends = (ends.sqrt() - 0.5 * self.law.theta).max(0.0);
+            ends.min((2.0 * height * height / (1.0 + x.hypot(y))).max(from_ends * from_ends))
         } else {
             ends
         }
@@ -306,10 +309,10 @@ impl BlendSegment {
     /// # Errors
     /// `arc-through-infinity`.
     pub(crate) fn check_finite(&self, segment: usize) -> Result<()> {
-        // A circle over the chord that leaves it within `w` of the reversed direction has about the diameter 2/w.
+        // A circle over the chord that leaves it within `w` of the reversed direction has the diameter 1/w, in chords.
         let nearness = self.distance_from_infinity_squared().sqrt();
         if nearness < NEAR_INFINITY {
-            return Err(Error::ArcNearInfinity { segment, reach: 2.0 / nearness, limit: 2.0 / NEAR_INFINITY });
+            return Err(Error::ArcNearInfinity { segment, reach: 1.0 / nearness, limit: 1.0 / NEAR_INFINITY });
         }
         Ok(())
     }

@@ -1,6 +1,6 @@
 //! Cells become polygons.
 
-use super::cell_bound::{PatchSpeeds, denominators};
+use super::cell_bound::denominators;
 use super::cuts::Cuts;
 use super::strips::{SAME_CUT, Strips, point_lines};
 use super::vertices::{BorderVertices, compact};
@@ -197,9 +197,9 @@ impl<'a> Normals<'a> {
     fn new(surface: &'a FaceSurface, s: &'a [f64], t: &'a [f64]) -> Self {
         match surface {
             FaceSurface::Cyclide(patch) => {
-                let speeds = PatchSpeeds::new(patch);
                 let signs = |direction: usize, cuts: &[f64]| -> Vec<f64> {
-                    cuts.windows(2).map(|w| speeds.sign(direction, w[0], w[1])).collect()
+                    let sign = patch.speed_sign(direction);
+                    cuts.windows(2).map(|w| sign(0.5 * (w[0] + w[1]))).collect()
                 };
                 let (signs, last) = ([signs(1, s), signs(0, t)], [s.len() - 2, t.len() - 2]);
                 Self::Patch { patch, d: denominators(patch, s, t), signs, last }

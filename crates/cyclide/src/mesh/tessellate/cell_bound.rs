@@ -88,8 +88,8 @@ impl PatchSpeeds {
         (a > 0.0 && b > 0.0 && c > 0.0) || (a < 0.0 && b < 0.0 && c < 0.0)
     }
 
-    /// Sign of the speed of the lines of the family between two places without a zero between them.
-    pub(super) fn sign(&self, direction: usize, x: f64, y: f64) -> f64 {
+    /// Sign of the speed of the lines of the family in the middle between two places.
+    fn sign(&self, direction: usize, x: f64, y: f64) -> f64 {
         let middle = 0.5 * (x + y);
         if self.q_blossom(direction, middle, middle) < 0.0 { -1.0 } else { 1.0 }
     }

@@ -33,7 +33,7 @@ use super::param_surface::ParamSurface;
 use crate::base::quat::Quat;
 use crate::base::surface_jet::SurfaceJet;
 use crate::base::vector::{Point3, Vec3};
-use polar::{Polar, at_half};
+use polar::{Polar, runs_backwards};
 
 pub use implicit::ImplicitForm;
 pub use locate::PatchLocation;
@@ -159,9 +159,6 @@ impl CyclidePatch {
     }
 }
 
-/// Speeds below this part of the largest one have no sign.
-const VANISHING: f64 = 1e-13;
-
 impl ParamSurface for CyclidePatch {
     fn jet(&self, s: f64, t: f64) -> SurfaceJet {
         let d = self.denominator(s, t);
@@ -190,13 +187,8 @@ impl ParamSurface for CyclidePatch {
     /// [`unit_normal`](CyclidePatch::unit_normal) with the sign of `f_s × f_t`, which is the limit where a parameter
     /// line shrinks to a point.
     fn normal(&self, s: f64, t: f64) -> Option<Vec3> {
-        let backwards = |c: [f64; 3], q: f64| {
-            let largest = c.iter().fold(0.0, |m: f64, c| m.max(c.abs()));
-            // At a double zero rounding has any sign, and the speeds on both sides that of the middle.
-            if q.abs() <= VANISHING * largest { at_half(&c) < 0.0 } else { q < 0.0 }
-        };
         let n = self.unit_normal(s, t);
-        let turned = backwards(self.polar.q1, self.polar.q1_at(t)) != backwards(self.polar.q2, self.polar.q2_at(s));
+        let turned = runs_backwards(&self.polar.q1, t) != runs_backwards(&self.polar.q2, s);
         Some(if turned { -n } else { n })
     }
 }

@@ -76,6 +76,16 @@ pub(super) fn at_half(c: &[f64; 3]) -> f64 {
     0.25 * (c[0] + 2.0 * c[1] + c[2])
 }
 
+/// Speeds below this part of the largest one have no sign.
+const VANISHING: f64 = 1e-13;
+
+/// True where a speed with these Bernstein coefficients is negative. At a double zero rounding has any sign, and the speeds on
+/// both sides that of the middle.
+pub(super) fn runs_backwards(c: &[f64; 3], at: f64) -> bool {
+    let (q, largest) = (quadratic(c, at), c.iter().fold(0.0, |m: f64, c| m.max(c.abs())));
+    if q.abs() <= VANISHING * largest { at_half(c) < 0.0 } else { q < 0.0 }
+}
+
 /// The number `k` with `a = k b` by least squares, and the largest `|a - k b|` over the largest `|b|`. NaN for `b = 0`.
 pub(super) fn proportion(a: [f64; 3], b: [f64; 3]) -> (f64, f64) {
     let largest = b.iter().fold(0.0, |m: f64, b| m.max(b.abs()));

@@ -1,7 +1,7 @@
 //! Where a parameter line shrinks to a point.
 
 use super::CyclidePatch;
-use super::polar::{at_half, quadratic};
+use super::polar::{at_half, quadratic, runs_backwards};
 
 impl CyclidePatch {
     /// The parameters t in (0, 1) whose s-line is one point: the zeros of `q1`. Sorted.
@@ -34,6 +34,26 @@ impl CyclidePatch {
     #[must_use]
     pub fn node_s(&self) -> Vec<f64> {
         nodes(self.polar.q2, self.polar.m_star.map(|m| [m.dot(self.v[0]), m.length()]))
+    }
+
+    /// The side of the [unit normal](Self::unit_normal) on which `f_s × f_t` is: 1, or -1 where it is against it. It changes
+    /// at singular lines and nowhere else, also where a speed is so small that rounding gives it any sign.
+    #[must_use]
+    pub fn side_of_normal(&self, s: f64, t: f64) -> f64 {
+        self.speed_sign(0)(t) * self.speed_sign(1)(s)
+    }
+
+    /// The sign of the speed of the s-lines by t (`direction` 0), or of the t-lines by s.
+    pub(crate) fn speed_sign(&self, direction: usize) -> impl Fn(f64) -> f64 + use<> {
+        let (speed, singular) = match direction {
+            0 => (self.polar.q1, self.singular_t()),
+            _ => (self.polar.q2, self.singular_s()),
+        };
+        move |x| {
+            let from = singular.iter().copied().filter(|r| *r <= x).fold(0.0, f64::max);
+            let to = singular.iter().copied().filter(|r| *r > x).fold(1.0, f64::min);
+            if runs_backwards(&speed, 0.5 * (from + to)) { -1.0 } else { 1.0 }
+        }
     }
 
     /// True if `f_s × f_t` is against the normal `D V3 D^-1`, judged in the middle: so it is beyond a focal set, after
