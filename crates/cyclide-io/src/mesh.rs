@@ -68,9 +68,13 @@ impl BodyMesh<'_> {
     /// What the faces of the mesh stand for, where each is written as `polygons(face)` polygons, and the cells that have
     /// none.
     fn cells(&self, mut polygons: impl FnMut(&MeshFace) -> usize) -> impl Iterator<Item = Cell> {
-        let faces = self.mesh.faces.iter().zip(&self.mesh.sources);
         let cell = |source: &MeshSource, polygons| Cell { body: self.index, source: *source, polygons };
-        let whole = faces.map(move |(face, source)| cell(source, polygons(face)));
+        // Faces of one cell follow each other.
+        let mut faces = self.mesh.faces.iter();
+        let whole = self.mesh.sources.chunk_by(|a, b| a == b).map(move |own| {
+            let count = faces.by_ref().take(own.len()).map(&mut polygons).sum();
+            cell(&own[0], count)
+        });
         whole.chain(self.mesh.lost.iter().map(move |source| cell(source, 0)))
     }
 }

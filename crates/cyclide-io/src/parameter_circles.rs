@@ -27,9 +27,9 @@ pub(crate) fn halvings(shell: &Shell, spacing: f64) -> Vec<[u32; 2]> {
     }
     let mut longest = vec![0.0f64; parent.len()];
     for (f, face) in faces.iter().enumerate() {
-        for (k, line) in [face.patch.s_line(0.5), face.patch.t_line(0.5)].into_iter().enumerate() {
+        for (k, line) in [face.surface.s_line(0.5), face.surface.t_line(0.5)].into_iter().enumerate() {
             let node = root(&mut parent, 2 * f + k);
-            longest[node] = longest[node].max(line.map_or(0.0, |arc| arc.length()));
+            longest[node] = longest[node].max(line.map_or(0.0, |curve| curve.length()));
         }
     }
     let level = |length: f64| (length / spacing).log2().round().clamp(0.0, f64::from(MOST_LEVELS)) as u32;

@@ -1,7 +1,7 @@
 //! Samples of one object as CSV: points with tangent and curvature along curves, with normal and principal curvatures
 //! on surfaces.
 
-use cyclide::{ArcLength, Body, Item, ParamSurface as _, ShellFace};
+use cyclide::{ArcLength, Body, CyclidePatch, FaceSurface, Item, ParamSurface as _, ShellFace};
 
 use crate::csv_samples::push_sample;
 use crate::document::BuiltObject;
@@ -78,12 +78,17 @@ fn surfaces(bodies: &[Body], count: usize) -> String {
 
 /// The fields of a place on a patch behind its number, and the end of the line.
 fn push_surface_sample(out: &mut String, face: &ShellFace, s: f64, t: f64) {
-    let patch = &face.patch;
-    // Curvatures are against D V3 D^-1, which turns to the other side nowhere, as the report has it.
-    let side = if patch.is_flipped() == face.same_sense { -1.0 } else { 1.0 };
-    let point = patch.point(s, t).to_array().map(Some);
-    let normal = (patch.unit_normal(s, t) * side).to_array().map(Some);
-    let curvatures = [patch.k1(t), patch.k2(s)].map(|k| Some(side * k).filter(|k| k.is_finite()));
+    let surface = &face.surface;
+    // Curvatures of patches are against D V3 D^-1, which turns to the other side nowhere, as the report has it.
+    let flipped = surface.patch().is_some_and(CyclidePatch::is_flipped);
+    let side = if flipped == face.same_sense { -1.0 } else { 1.0 };
+    let point = surface.point(s, t).to_array().map(Some);
+    let normal = (surface.unit_normal(s, t) * side).to_array().map(Some);
+    let curvatures = match surface {
+        FaceSurface::Cyclide(patch) => [patch.k1(t), patch.k2(s)],
+        FaceSurface::Rational(surface) => surface.jet(s, t).normal_curvatures().unwrap_or([f64::NAN; 2]),
+    };
+    let curvatures = curvatures.map(|k| Some(side * k).filter(|k| k.is_finite()));
     for value in [s, t].map(Some).into_iter().chain(point).chain(normal).chain(curvatures) {
         out.push(',');
         if let Some(value) = value {

@@ -184,12 +184,12 @@ fn curvatures_without_bounds_are_null_with_the_reason() {
         assert_eq!(range["unbounded"].is_string(), unbounded, "{range}");
         let (min, max) =
             (range["min"].as_f64().unwrap_or(f64::NEG_INFINITY), range["max"].as_f64().unwrap_or(f64::INFINITY));
-        let against = face.patch.is_flipped() == face.same_sense;
+        let against = face.surface.patch().unwrap().is_flipped() == face.same_sense;
         for i in 0..2000 {
             // Nearer and nearer to both ends.
             let near = 10.0_f64.powf(-8.0 * f64::from(i % 1000) / 1000.0);
             let x = if i < 1000 { 0.5 * near } else { 1.0 - 0.5 * near };
-            let k = if of == 0 { face.patch.k1(x) } else { face.patch.k2(x) };
+            let k = if of == 0 { face.surface.patch().unwrap().k1(x) } else { face.surface.patch().unwrap().k2(x) };
             let k = if against { -k } else { k };
             // Rounding of the quotient.
             let room = 1e-6 * k.abs();

@@ -17,7 +17,7 @@ fn build(objects: &str) -> Result<BuiltObject, String> {
 }
 
 fn point(built: &BuiltObject, s: f64, t: f64) -> Point3 {
-    built.bodies[0].outer.faces()[0].patch.point(s, t)
+    built.bodies[0].outer.faces()[0].surface.patch().unwrap().point(s, t)
 }
 
 /// An eighth of the sphere of radius 2 about (1, 0, 0), with a pole at its last two corners.
@@ -57,7 +57,7 @@ fn a_frame_at_any_corner_and_of_any_length() {
     };
     let first = patch(r#""frame": [[8,-1,4],[-1,4,3]]"#);
     let longer = patch(r#""frame": [[0.8,-0.1,0.4],[-5,20,15]], "frame_corner": 0"#);
-    let frame = first.bodies[0].outer.faces()[0].patch.moving_frame(1.0, 0.0);
+    let frame = first.bodies[0].outer.faces()[0].surface.patch().unwrap().moving_frame(1.0, 0.0);
     let numbers = |v: Vec3| format!("[{},{},{}]", v.x, v.y, v.z);
     let second = patch(&format!(r#""frame": [{}, {}], "frame_corner": 1"#, numbers(frame[0]), numbers(frame[1])));
     for other in [longer, second] {
@@ -285,7 +285,7 @@ fn whole_cyclides_in_any_place() {
     assert!((torus.area.unwrap() / (12.0 * pi2) - 1.0).abs() < 1e-11);
     assert!(torus.joints.gap < 1e-14 && torus.joints.angle < 1e-13, "{:?}", torus.joints);
     for face in built.bodies[0].outer.faces() {
-        let p = face.patch.point(0.3, 0.7) - Point3::new(1.0, 2.0, 3.0);
+        let p = face.surface.patch().unwrap().point(0.3, 0.7) - Point3::new(1.0, 2.0, 3.0);
         assert!((((p.x * p.x + p.z * p.z).sqrt() - 3.0).hypot(p.y) - 1.0).abs() < 1e-13);
     }
     // A spindle is more than one closed surface.

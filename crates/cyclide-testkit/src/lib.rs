@@ -6,5 +6,6 @@ pub mod circuits;
 pub mod generators;
 pub mod mutate;
 pub mod patches;
+pub mod rational_faces;
 pub mod reference;
 pub mod roof;

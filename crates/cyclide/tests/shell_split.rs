@@ -18,23 +18,31 @@ fn revolved(from: [f64; 2], to: [f64; 2], [dr, dz]: [f64; 2], [u0, u1]: [f64; 2]
 fn check(shell: &Shell, patch: &CyclidePatch) {
     for edge in shell.edges() {
         assert_ne!(edge.start, edge.end);
-        assert_eq!((edge.arc.start(), edge.arc.end()), (shell.vertices()[edge.start], shell.vertices()[edge.end]));
-        assert!(edge.arc.angle() < 152.0_f64.to_radians(), "an edge of {} degrees", edge.arc.angle().to_degrees());
+        assert_eq!(
+            (edge.curve.arc().unwrap().start(), edge.curve.arc().unwrap().end()),
+            (shell.vertices()[edge.start], shell.vertices()[edge.end])
+        );
+        assert!(
+            edge.curve.arc().unwrap().angle() < 152.0_f64.to_radians(),
+            "an edge of {} degrees",
+            edge.curve.arc().unwrap().angle().to_degrees()
+        );
     }
     assert!(shell.edge_uses().iter().all(|&n| n == 1 || n == 2));
     let ends = [(0, 1), (2, 3), (0, 2), (1, 3)];
     for face in shell.faces() {
-        assert!(face.patch.is_regular());
-        assert!(face.patch.real_weights().iter().flatten().all(|&w| w > 0.0));
-        let corners = face.patch.corners();
-        let lines = [face.patch.s_line(0.0), face.patch.s_line(1.0), face.patch.t_line(0.0), face.patch.t_line(1.0)];
+        assert!(face.surface.patch().unwrap().is_regular());
+        assert!(face.surface.patch().unwrap().real_weights().iter().flatten().all(|&w| w > 0.0));
+        let corners = face.surface.patch().unwrap().corners();
+        let on = &face.surface;
+        let lines = [on.s_line(0.0), on.s_line(1.0), on.t_line(0.0), on.t_line(1.0)];
         for ((side, (from, to)), line) in face.sides.iter().zip(ends).zip(lines) {
             let Some(side) = side else {
                 assert_eq!(corners[from], corners[to], "a side without edge is one point");
                 continue;
             };
             let edge = &shell.edges()[side.edge];
-            let (arc, line) = (if side.forward { edge.arc } else { edge.arc.reversed() }, line.unwrap());
+            let (arc, line) = (if side.forward { edge.curve.clone() } else { edge.curve.reversed() }, line.unwrap());
             assert_eq!((corners[from], corners[to]), (arc.start(), arc.end()));
             // Equal parameters: a few roundings of the coordinates, magnified by the weights (below 1e4 here).
             for t in [0.25, 0.5, 0.75] {
@@ -43,7 +51,7 @@ fn check(shell: &Shell, patch: &CyclidePatch) {
         }
         // Points of the parts are points of the patch: rounding, magnified where the patch comes near infinity.
         for (s, t) in [(0.5, 0.5), (0.1, 0.7)] {
-            let p = face.patch.point(s, t);
+            let p = face.surface.patch().unwrap().point(s, t);
             let far = patch.size().max(p.to_vec().length());
             assert!(patch.locate(p).distance <= 1e-9 * far, "a part is {:e} off", patch.locate(p).distance);
         }
@@ -73,10 +81,10 @@ fn a_patch_that_is_good_stays_one_face() {
 fn wide_arcs_are_halved_at_their_middle() {
     // 300 degrees: two halves of 150 would be on the limit, so four of 75.
     let shell = exported(revolved([1.0, 0.0], [2.0, 0.0], [1.0, 0.0], [0.0, 2.0 * PI - 0.9]));
-    let angles: Vec<f64> = shell.edges().iter().map(|e| e.arc.angle()).filter(|a| *a > 1e-9).collect();
+    let angles: Vec<f64> = shell.edges().iter().map(|e| e.curve.arc().unwrap().angle()).filter(|a| *a > 1e-9).collect();
     assert!(angles.iter().all(|a| (a - angles[0]).abs() < 1e-12), "{angles:?}");
     let expected = 1.5 * (2.0 * PI - 0.9);
-    assert!((area(shell.faces().iter().map(|f| &f.patch), 200) / expected - 1.0).abs() < 1e-5);
+    assert!((area(shell.faces().iter().map(|f| f.surface.patch().unwrap()), 200) / expected - 1.0).abs() < 1e-5);
 }
 
 #[test]
@@ -109,7 +117,7 @@ fn a_singular_patch_is_cut_at_its_singular_points() {
     let step = (b - a) / f64::from(n);
     let length: f64 = (0..n).map(|k| meridian(a + step * (f64::from(k) + 0.5))[0].abs() * 2.0 * step).sum();
     let expected = length * (u[1] - u[0]);
-    assert!((area(shell.faces().iter().map(|f| &f.patch), 400) / expected - 1.0).abs() < 1e-5);
+    assert!((area(shell.faces().iter().map(|f| f.surface.patch().unwrap()), 400) / expected - 1.0).abs() < 1e-5);
 }
 
 #[test]
@@ -135,8 +143,8 @@ fn neighbours_are_cut_together() {
 #[test]
 fn strips_of_named_faces_are_halved_as_often_as_asked() {
     let ring = DupinCyclide::new(6.0, 2.0, 3.5).unwrap().to_shell().unwrap();
-    let first = ring.faces()[0].patch.corners()[0];
-    let at_first = |face: &cyclide::ShellFace| face.patch.corners()[0] == first;
+    let first = ring.faces()[0].surface.patch().unwrap().corners()[0];
+    let at_first = |face: &cyclide::ShellFace| face.surface.patch().unwrap().corners()[0] == first;
     // The strips round the ring along t through the first face, and then through the part of it that keeps its corner.
     for (most, faces) in [(0, 16), (1, 20), (2, 24)] {
         let shell = ring.halved(|_, face| [at_first(face), false], most).unwrap();

@@ -9,7 +9,7 @@ use super::matching::{apart, larger};
 use crate::exported::Promise;
 use crate::file_content::ReadError;
 use crate::job::BodyOf;
-use cyclide::{Arc, Correspondence, CurveChain};
+use cyclide::{Correspondence, CurveChain, EdgeCurve};
 
 /// Points of a line that is not drawn.
 const PLACES: u32 = 9;
@@ -41,13 +41,13 @@ pub(crate) struct LinePlace {
 
 impl LinePlace {
     /// The line; `None` if there is none at this place.
-    pub(crate) fn arc(&self, bodies: &[BodyOf<'_>]) -> Option<cyclide::Result<Arc>> {
+    pub(crate) fn curve(&self, bodies: &[BodyOf<'_>]) -> Option<cyclide::Result<EdgeCurve>> {
         let shell = bodies.get(self.body)?.body.shells().nth(self.shell)?;
-        let patch = |face: usize| shell.faces().get(face).map(|face| &face.patch);
+        let surface = |face: usize| shell.faces().get(face).map(|face| &face.surface);
         match self.line {
-            ShellLine::Edge(edge) => shell.edges().get(edge).map(|edge| Ok(edge.arc)),
-            ShellLine::AlongS { face, t } => patch(face).map(|patch| patch.s_line(t)),
-            ShellLine::AlongT { face, s } => patch(face).map(|patch| patch.t_line(s)),
+            ShellLine::Edge(edge) => shell.edges().get(edge).map(|edge| Ok(edge.curve.clone())),
+            ShellLine::AlongS { face, t } => surface(face).map(|surface| surface.s_line(t)),
+            ShellLine::AlongT { face, s } => surface(face).map(|surface| surface.t_line(s)),
         }
     }
 
@@ -95,14 +95,16 @@ pub(crate) fn lines_deviation(
     let mut read = read.iter();
     let mut deviations = Vec::with_capacity(written.len());
     for (index, line) in written.iter().enumerate() {
-        let arc = line.place.arc(bodies).ok_or(ReadError::Lines { detail: "one stands for no line of the model" })?;
-        let arc = arc.map_err(|source| ReadError::Geometry { place: format!("line {index} of surfaces"), source })?;
+        let curve =
+            line.place.curve(bodies).ok_or(ReadError::Lines { detail: "one stands for no line of the model" })?;
+        let curve =
+            curve.map_err(|source| ReadError::Geometry { place: format!("line {index} of surfaces"), source })?;
         deviations.push(match if line.is_drawn() { read.next() } else { None } {
             Some(found) => {
-                check_parts(&arc, found, &line.parts, index)?;
-                apart(&arc, found, &line.parts, true)
+                check_parts(&curve, found, &line.parts, index)?;
+                apart(&curve, found, &line.parts, true)
             }
-            None => extent_in_plan(&arc),
+            None => extent_in_plan(&curve),
         });
     }
     Ok(deviations)
@@ -128,9 +130,10 @@ fn check_places(bodies: &[BodyOf<'_>], written: &[DrawnLine]) -> Result<(), Read
 }
 
 /// The largest distance of a line from its start, as seen along the third axis.
-fn extent_in_plan(arc: &Arc) -> f64 {
-    let start = arc.start();
-    let points = (1..=PLACES).map(|i| arc.point_at_length(f64::from(i) / f64::from(PLACES)));
+fn extent_in_plan(curve: &EdgeCurve) -> f64 {
+    let start = curve.start();
+    let at = |x: f64| curve.arc().map_or_else(|| curve.point(x), |arc| arc.point_at_length(x));
+    let points = (1..=PLACES).map(|i| at(f64::from(i) / f64::from(PLACES)));
     points.map(|p| (p.x - start.x).hypot(p.y - start.y)).fold(0.0, larger)
 }
 
@@ -153,7 +156,7 @@ mod tests {
         let circles = [0.25, 0.5].map(|s| line(ShellLine::AlongT { face: 0, s }));
         let edges = (0..bodies[0].body.outer.edges().len()).map(|edge| line(ShellLine::Edge(edge)));
         let right: Vec<DrawnLine> = circles.into_iter().chain(edges).collect();
-        let arcs = right.iter().map(|line| line.place.arc(&bodies).unwrap().unwrap());
+        let arcs = right.iter().map(|line| *line.place.curve(&bodies).unwrap().unwrap().arc().unwrap());
         let read: Vec<CurveChain> = arcs.map(|arc| ArcPath::new(vec![arc], false).unwrap().into()).collect();
         let measured = |written: &[DrawnLine]| lines_deviation(&bodies, written, &read);
         let whole = measured(&right).unwrap();

@@ -1,6 +1,6 @@
 //! Which way the polygons of a cell and their normals look, against `f_s × f_t` of the patch and the sense of its face.
 
-use cyclide::{CyclidePatch, MeshSource, ParamSurface as _, Point3, ShellFace, Vec3};
+use cyclide::{FaceSurface, MeshSource, ParamSurface as _, Point3, ShellFace, Vec3};
 
 /// Normals of faces that meet within 1e-6 radians are one in the mesh; the rest is their rounding to single precision.
 pub(super) const NORMAL_LIMIT: f64 = 1.2e-6;
@@ -14,7 +14,7 @@ const NEARER: f64 = 4.0;
 
 /// A cell of a face, seen from the outer side.
 pub(super) struct Facing<'a> {
-    patch: &'a CyclidePatch,
+    surface: &'a FaceSurface,
     /// Parameters of the corners, counter-clockwise in (s, t), and their points.
     parameters: [(f64, f64); 4],
     corners: [Point3; 4],
@@ -30,16 +30,16 @@ pub(super) struct Facing<'a> {
 
 impl<'a> Facing<'a> {
     pub(super) fn new(face: &'a ShellFace, source: &MeshSource) -> Self {
-        let ([s0, s1], [t0, t1], patch) = (source.s, source.t, &face.patch);
+        let ([s0, s1], [t0, t1], surface) = (source.s, source.t, &face.surface);
         let parameters = [(s0, t0), (s1, t0), (s1, t1), (s0, t1)];
-        let corners = parameters.map(|(s, t)| patch.point(s, t));
+        let corners = parameters.map(|(s, t)| surface.point(s, t));
         let outer = if face.same_sense { 1.0 } else { -1.0 };
         let diagonals = [corners[2] - corners[0], corners[3] - corners[1]];
         let [u, v] = diagonals.map(|d| d.unit().unwrap_or_default());
         let middle = (0.5 * (s0 + s1), 0.5 * (t0 + t1));
-        let rounding = ROUNDING * patch.corners().iter().map(|p| p.to_vec().max_abs()).fold(0.0, f64::max);
-        let sign = outer * patch.side_of_normal(middle.0, middle.1);
-        Self { patch, parameters, corners, area: u.cross(v) * outer, same_sense: face.same_sense, sign, rounding }
+        let rounding = ROUNDING * surface.corners().iter().map(|p| p.to_vec().max_abs()).fold(0.0, f64::max);
+        let sign = outer * surface.side_of_normal(middle.0, middle.1);
+        Self { surface, parameters, corners, area: u.cross(v) * outer, same_sense: face.same_sense, sign, rounding }
     }
 
     /// True if a triangle looks to the outer side, or is too flat for the places of its corners to tell.
@@ -86,7 +86,7 @@ impl<'a> Facing<'a> {
         let near = |k: &usize| self.corners[*k].distance(p) <= reach;
         let error = |k: usize, l: usize| {
             let ((s0, t0), (s1, t1)) = (self.parameters[k], self.parameters[l]);
-            let own = self.patch.unit_normal(0.5 * (s0 + s1), 0.5 * (t0 + t1)) * self.sign;
+            let own = self.surface.unit_normal(0.5 * (s0 + s1), 0.5 * (t0 + t1)) * self.sign;
             (normal - own).length()
         };
         let pairs = (0..4).filter(near).flat_map(|k| (k..4).filter(near).map(move |l| (k, l)));

@@ -16,12 +16,17 @@ use super::triangle::Triangle;
 use crate::file_content::ReadError;
 use crate::format::Format;
 use crate::job::BodyOf;
-use cyclide::{CyclidePatch, MeshCorner, MeshFace, MeshSource, ParamSurface as _, Point3, ShellFace, SurfaceMesh};
+use cyclide::{
+    FaceSurface, MeshCorner, MeshFace, MeshSource, ParamSurface as _, Point3, ShellFace, SurfaceJet, SurfaceMesh, Vec3,
+};
 
 /// Points of a cell in each direction.
 const GRID: usize = 5;
 /// Steps to the foot of a point on a patch.
 const STEPS: usize = 16;
+/// Parameter lines are orthogonal above the first square of a sine, and nearly one line below the second.
+const ORTHOGONAL: f64 = 1.0 - 1e-6;
+const ONE_LINE: f64 = 1e-8;
 /// What the polygons of a file stand for and how they hang together, known from the meshes that were written.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) struct MeshPlan {
@@ -129,8 +134,8 @@ fn body_deviation(
             lost.push(cell);
             continue;
         }
-        let samples = samples(&face.patch, &cell.source);
-        largest = cell_deviation(&face.patch, &cell.source, &samples, &triangles, largest);
+        let samples = samples(&face.surface, &cell.source);
+        largest = cell_deviation(&face.surface, &cell.source, &samples, &triangles, largest);
         let facing = Facing::new(face, &cell.source);
         if !triangles.iter().all(|triangle| facing.is_outward(&triangle.corners)) {
             return Err(ReadError::WrongSide { object: body.label(), face: index });
@@ -152,7 +157,7 @@ fn with_lost_cells(body: &BodyOf<'_>, lost: &[&Cell], polygons: &[Polygon<'_>], 
     let mut nearest = NearestTriangle::new(polygons.iter().flat_map(Polygon::triangles).collect());
     for cell in lost {
         let Some((_, face)) = face(body, &cell.source) else { continue };
-        for (_, _, p) in samples(&face.patch, &cell.source) {
+        for (_, _, p) in samples(&face.surface, &cell.source) {
             largest = larger(largest, nearest.distance(p, largest));
         }
     }
@@ -253,18 +258,18 @@ fn check_cover(bodies: &[BodyOf<'_>], cells: &[Cell]) -> Result<(), ReadError> {
 type Sample = (f64, f64, Point3);
 
 /// Points of a cell, evenly in both parameters.
-fn samples(patch: &CyclidePatch, source: &MeshSource) -> [Sample; GRID * GRID] {
+fn samples(surface: &FaceSurface, source: &MeshSource) -> [Sample; GRID * GRID] {
     let within = |[from, to]: [f64; 2], i: usize| from + (to - from) * (i as f64 / (GRID - 1) as f64);
     std::array::from_fn(|k| {
         let (s, t) = (within(source.s, k % GRID), within(source.t, k / GRID));
-        (s, t, patch.point(s, t))
+        (s, t, surface.point(s, t))
     })
 }
 
 /// The largest of a distance that is known and those between a cell and its triangles, both ways. A point that is known to
 /// be as near as that is not looked at any closer.
 fn cell_deviation(
-    patch: &CyclidePatch,
+    surface: &FaceSurface,
     source: &MeshSource,
     samples: &[Sample],
     triangles: &[Triangle],
@@ -283,15 +288,15 @@ fn cell_deviation(
     for Triangle { corners: [a, b, c], .. } in triangles {
         let center = Point3::ORIGIN + (a.to_vec() + b.to_vec() + c.to_vec()) / 3.0;
         for p in [*a, *b, *c, a.midpoint(*b), b.midpoint(*c), c.midpoint(*a), center] {
-            largest = larger(largest, to_cell(patch, source, samples, p, largest));
+            largest = larger(largest, to_cell(surface, source, samples, p, largest));
         }
     }
     largest
 }
 
-/// Distance of a point from the cell: from the nearest sample a few steps along the parameter circles, which are
-/// orthogonal, so that each step is two projections. What is `enough` is not made smaller.
-fn to_cell(patch: &CyclidePatch, source: &MeshSource, samples: &[Sample], p: Point3, enough: f64) -> f64 {
+/// Distance of a point from the cell: from the nearest sample a few steps along the parameter lines. What is `enough` is not made
+/// smaller.
+fn to_cell(surface: &FaceSurface, source: &MeshSource, samples: &[Sample], p: Point3, enough: f64) -> f64 {
     let (mut s, mut t, mut best) = (source.s[0], source.t[0], f64::INFINITY);
     for &(at_s, at_t, q) in samples {
         let distance = q.distance(p);
@@ -303,14 +308,27 @@ fn to_cell(patch: &CyclidePatch, source: &MeshSource, samples: &[Sample], p: Poi
         if best <= enough {
             return best;
         }
-        let jet = patch.jet(s, t);
+        let jet = surface.jet(s, t);
         let offset = p - jet.point;
         best = best.min(offset.length());
-        let along = |d: cyclide::Vec3| if d.length_squared() > 0.0 { offset.dot(d) / d.length_squared() } else { 0.0 };
-        s = (s + along(jet.ds)).clamp(source.s[0], source.s[1]);
-        t = (t + along(jet.dt)).clamp(source.t[0], source.t[1]);
+        let [ds, dt] = step(&jet, offset);
+        s = (s + ds).clamp(source.s[0], source.s[1]);
+        t = (t + dt).clamp(source.t[0], source.t[1]);
     }
-    best.min(patch.point(s, t).distance(p))
+    best.min(surface.point(s, t).distance(p))
+}
+
+/// The step in both parameters that takes the tangent plane nearest to a point. Where parameter lines are orthogonal, as
+/// on patches, it is two projections; so it is where they are nearly one line.
+fn step(jet: &SurfaceJet, offset: Vec3) -> [f64; 2] {
+    let [e, f, g] = jet.first_form();
+    let (a, b) = (offset.dot(jet.ds), offset.dot(jet.dt));
+    let part = |v: f64, square: f64| if square > 0.0 { v / square } else { 0.0 };
+    let area = e * g - f * f;
+    if area > ORTHOGONAL * e * g || !(area > ONE_LINE * e * g) {
+        return [part(a, e), part(b, g)];
+    }
+    [(a * g - b * f) / area, (b * e - a * f) / area]
 }
 
 #[cfg(test)]

@@ -12,7 +12,7 @@ use crate::job::BodyOf;
 use crate::options::StepEdges;
 use crate::step::exported;
 use cyclide::{
-    Body, ChainPiece, CyclidePatch, FaceEdge, ParamCurve as _, ParamSurface as _, PatchKind, Point3,
+    Body, ChainPiece, FaceEdge, FaceSurface, ParamCurve as _, ParamSurface as _, PatchKind, Point3,
     RationalBezierSurface, Shell, Side, Vec3,
 };
 use std::collections::{HashMap, HashSet};
@@ -101,7 +101,7 @@ fn shell_deviation(shell: &Shell, part: &[usize], flip: bool, file: &FileShell, 
     for (&index, file) in part.iter().zip(&file.faces) {
         let face = &shell.faces()[index];
         let outer_side = face.same_sense != flip;
-        largest = larger(largest, surface_deviation(&face.patch, file, outer_side)?);
+        largest = larger(largest, surface_deviation(&face.surface, file, outer_side)?);
         let sides = face.edge_loop(outer_side);
         require(sides.len() == file.edges.len(), "another number of edges round a face")?;
         for (i, ((side, place, forward), edge)) in sides.into_iter().zip(&file.edges).enumerate() {
@@ -111,7 +111,7 @@ fn shell_deviation(shell: &Shell, part: &[usize], flip: bool, file: &FileShell, 
             let used = edges.entry(edge.edge).or_insert((place.edge, Vec::new()));
             require(used.0 == place.edge, "faces share an edge in the file only")?;
             used.1.push(edge.forward);
-            largest = larger(largest, edge_deviation(&face.patch, side, place, edge));
+            largest = larger(largest, edge_deviation(&face.surface, side, place, edge));
             if let FileSurface::Rational(surface) = &file.surface {
                 check_parameters(surface, (side, place), edge, size)?;
             }
@@ -126,16 +126,16 @@ fn shell_deviation(shell: &Shell, part: &[usize], flip: bool, file: &FileShell, 
     Ok(largest)
 }
 
-fn surface_deviation(patch: &CyclidePatch, file: &FileFace, outer_side: bool) -> Result<f64, Mismatch> {
+fn surface_deviation(of_model: &FaceSurface, file: &FileFace, outer_side: bool) -> Result<f64, Mismatch> {
     let places = (0..PLACES * PLACES).map(|k| (parameter(k % PLACES), parameter(k / PLACES)));
     let (distance, outward) = match &file.surface {
         FileSurface::Rational(surface) => {
-            let apart = places.map(|(s, t)| surface.point(s, t).distance(patch.point(s, t)));
+            let apart = places.map(|(s, t)| surface.point(s, t).distance(of_model.point(s, t)));
             (apart.fold(0.0, larger), true)
         }
         FileSurface::Analytic(kind) => {
-            let apart = places.map(|(s, t)| kind.distance(patch.point(s, t)).unwrap_or(f64::INFINITY));
-            let (middle, normal) = (patch.point(0.5, 0.5), patch.normal(0.5, 0.5));
+            let apart = places.map(|(s, t)| kind.distance(of_model.point(s, t)).unwrap_or(f64::INFINITY));
+            let (middle, normal) = (of_model.point(0.5, 0.5), of_model.normal(0.5, 0.5));
             let outward = normal.zip(outward(kind, middle)).is_some_and(|(n, out)| n.dot(out) > 0.0);
             (apart.fold(0.0, larger), outward)
         }
@@ -161,14 +161,14 @@ fn outward(kind: &PatchKind, p: Point3) -> Option<Vec3> {
     }
 }
 
-/// A side of a patch against the file's edge.
-fn edge_deviation(patch: &CyclidePatch, side: Side, place: FaceEdge, edge: &FileEdge) -> f64 {
+/// A side of a face against the file's edge.
+fn edge_deviation(surface: &FaceSurface, side: Side, place: FaceEdge, edge: &FileEdge) -> f64 {
     let mut largest = 0.0_f64;
     for i in 0..PLACES {
         let x = parameter(i);
         let along = place.turned(x);
         let (s, t) = side.place(x);
-        let p = patch.point(s, t);
+        let p = surface.point(s, t);
         largest = largest.max(match &edge.curve {
             ChainPiece::Arc(arc) => arc.closest_point(p).distance,
             ChainPiece::Spline(curve) => curve.eval(along).distance(p),

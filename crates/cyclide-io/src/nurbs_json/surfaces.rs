@@ -1,4 +1,4 @@
-//! Bodies as exact rational surfaces of degree (2, 2) with positive weights.
+//! Bodies as exact rational surfaces with positive weights: patches of degree (2, 2), rational faces of theirs.
 
 use super::push_numbers;
 use crate::bodies::FilePatch;
@@ -7,7 +7,7 @@ use crate::export_error::ExportError;
 use crate::file_content::ReadError;
 use crate::job::BodyOf;
 use crate::number::push_plain;
-use cyclide::{ExactRational as _, ParamSurface as _, RationalBezierSurface, Shell};
+use cyclide::{ParamSurface as _, RationalBezierSurface, Shell};
 
 /// Places per parameter at which surfaces are compared.
 const PLACES: u32 = 9;
@@ -26,7 +26,7 @@ pub(super) fn push_body(out: &mut String, body: &BodyOf<'_>) -> Result<(), Expor
         for (j, face) in shell.faces().iter().enumerate() {
             out.push_str(if j == 0 { "\n" } else { ",\n" });
             out.push_str(&format!("{{\"outward\": {}, ", face.same_sense));
-            push_surface(out, &face.patch.to_rational());
+            push_surface(out, &face.surface.to_rational());
         }
         out.push_str("]}");
     }
@@ -63,14 +63,14 @@ pub(crate) fn deviation(bodies: &[BodyOf<'_>], read: &[FilePatch]) -> Result<Vec
     for (index, body) in bodies.iter().enumerate() {
         let shells = shells(body).map_err(|source| ReadError::Geometry { place: body.label(), source })?;
         for (shell, faces) in shells.iter().map(Shell::faces).enumerate() {
-            expected.extend(faces.iter().map(|face| (index, shell, face.same_sense, face.patch)));
+            expected.extend(faces.iter().map(|face| (index, shell, face.same_sense, face.surface.clone())));
         }
     }
     if expected.len() != read.len() {
         return Err(ReadError::PatchCount { found: read.len(), expected: expected.len() });
     }
     let mut deviations = vec![0.0; bodies.len()];
-    for (number, ((body, shell, outward, patch), found)) in expected.into_iter().zip(read).enumerate() {
+    for (number, ((body, shell, outward, surface), found)) in expected.into_iter().zip(read).enumerate() {
         let wrong = if (found.body, found.shell) != (body, shell) {
             Some("it belongs to another body or shell")
         } else {
@@ -82,7 +82,7 @@ pub(crate) fn deviation(bodies: &[BodyOf<'_>], read: &[FilePatch]) -> Result<Vec
         for k in 0..PLACES * PLACES {
             let at = |i: u32| f64::from(i) / f64::from(PLACES - 1);
             let (s, t) = (at(k % PLACES), at(k / PLACES));
-            deviations[body] = larger(deviations[body], found.surface.point(s, t).distance(patch.point(s, t)));
+            deviations[body] = larger(deviations[body], found.surface.point(s, t).distance(surface.point(s, t)));
         }
     }
     Ok(deviations)

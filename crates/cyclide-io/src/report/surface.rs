@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 
 use cyclide::{
-    Body, CORNER_ANGLE, CircularMeshReport, CyclidePatch, ParamSurface as _, ShapeChange, Shell, ShellFace,
-    SurfaceObject, surface_joints,
+    Body, CORNER_ANGLE, CircularMeshReport, CyclidePatch, FaceSurface, ParamSurface as _, RationalBezierSurface,
+    ShapeChange, Shell, ShellFace, SurfaceObject, surface_joints,
 };
 use serde::Serialize;
 
@@ -90,8 +90,9 @@ impl PartReport {
         if parts.len() == 1 {
             return vec![Self { body, patches: faces.len(), area: number(shell.known_area(), not_known) }];
         }
-        let mut area =
-            |face: &&ShellFace| number(Shell::from_surface(face.patch).and_then(|alone| alone.known_area()), not_known);
+        let mut area = |face: &&ShellFace| {
+            number(Shell::from_surface(face.surface.clone()).and_then(|alone| alone.known_area()), not_known)
+        };
         let parts = parts.into_values();
         parts.map(|part| Self { body, patches: part.len(), area: part.iter().map(&mut area).sum() }).collect()
     }
@@ -264,11 +265,12 @@ impl SurfaceReport {
             circular: built.circular.as_ref().map(|report| Box::new(CircularReport::from(report))),
         };
         // An object has solids only, or none: a solid's rims have no normal of their own to be against.
-        let thick = built.item.surfaces.iter().any(|surface| matches!(surface, SurfaceObject::Thick(_)));
+        let thick = built.item.surfaces.iter().any(|surface| matches!(surface, SurfaceObject::Body(_)));
         for (body, it) in bodies.iter().enumerate() {
             for (patch, face) in it.shells().flat_map(Shell::faces).enumerate() {
                 let place = PatchPlace { body, patch };
-                if !thick && face.patch.is_flipped() && face.patch.is_regular() {
+                let flipped = face.surface.patch().is_some_and(|patch| patch.is_flipped() && patch.is_regular());
+                if !thick && flipped {
                     report.flipped.push(place);
                 }
                 report.add(place, face);
@@ -278,7 +280,10 @@ impl SurfaceReport {
     }
 
     fn add(&mut self, place: PatchPlace, face: &ShellFace) {
-        let patch = &face.patch;
+        let patch = match &face.surface {
+            FaceSurface::Cyclide(patch) => patch,
+            FaceSurface::Rational(surface) => return self.add_rational(surface, face.same_sense),
+        };
         self.singular.extend(SingularPatchReport::new(place, patch));
         // The curvatures are against D V3 D^-1; the outer side may be the other one.
         let against = patch.is_flipped() == face.same_sense;
@@ -292,6 +297,27 @@ impl SurfaceReport {
             let [s, t] = [i % SAMPLES, i / SAMPLES].map(|k| k as f64 / (SAMPLES - 1) as f64);
             self.residual = self.residual.max(patch.real_residual(s, t));
             let jet = patch.jet(s, t);
+            if let (Some(a), Some(b)) = (jet.ds.unit(), jet.dt.unit()) {
+                self.orthogonality = self.orthogonality.max(a.dot(b).abs());
+            }
+        }
+    }
+}
+
+impl SurfaceReport {
+    /// A rational face, whose parameter lines need not be lines of curvature: normal curvatures of these, by samples.
+    fn add_rational(&mut self, surface: &RationalBezierSurface, same_sense: bool) {
+        let side = if same_sense { 1.0 } else { -1.0 };
+        for row in surface.rows() {
+            self.weights = self.weights.with(row[3], row[3]);
+        }
+        for i in 0..SAMPLES * SAMPLES {
+            let [s, t] = [i % SAMPLES, i / SAMPLES].map(|k| k as f64 / (SAMPLES - 1) as f64);
+            let jet = surface.jet(s, t);
+            if let Some([a, b]) = jet.normal_curvatures().filter(|k| k.iter().all(|k| k.is_finite())) {
+                self.curvature_s = self.curvature_s.with([side * a; 2]);
+                self.curvature_t = self.curvature_t.with([side * b; 2]);
+            }
             if let (Some(a), Some(b)) = (jet.ds.unit(), jet.dt.unit()) {
                 self.orthogonality = self.orthogonality.max(a.dot(b).abs());
             }

@@ -12,8 +12,8 @@ use super::data::{Data, push_list, push_reference};
 use crate::number::push_step;
 use crate::options::StepEdges;
 use cyclide::{
-    Arc, CyclidePatch, Error, ExactRational as _, Frame, ParamSurface as _, PatchKind, Point3, Result, Shell,
-    ShellFace, Vec3,
+    Arc, CyclidePatch, Error, ExactRational as _, Frame, ParamSurface as _, PatchKind, Point3, RationalBezierSurface,
+    Result, Shell, ShellFace, Vec3,
 };
 use std::fmt::Write as _;
 
@@ -30,7 +30,8 @@ const AXIS_LIMIT: f64 = 1e-10;
 /// The surface of a face as it is written: the kind with its placement, the general one for a rational face. Where
 /// rational edges are asked for, all but planes is rational: only there do rational edges have exact parameter curves.
 pub(super) fn kind(shell: &Shell, face: &ShellFace, size: f64, edges: StepEdges) -> PatchKind {
-    let kind = face.patch.recognise();
+    let Some(patch) = face.surface.patch() else { return PatchKind::Cyclide };
+    let kind = patch.recognise();
     let keep = match kind {
         PatchKind::Plane { .. } => true,
         _ if edges == StepEdges::Rational => false,
@@ -47,7 +48,7 @@ pub(super) fn kind(shell: &Shell, face: &ShellFace, size: f64, edges: StepEdges)
         PatchKind::Sphere { frame, radius, outward } => {
             let center = frame.origin();
             let axis = (radius <= LARGEST_RADIUS * size).then(|| axis(shell, face, center, radius)).flatten();
-            let away = center - face.patch.point(0.5, 0.5);
+            let away = center - patch.point(0.5, 0.5);
             let frame = axis.and_then(|axis| Frame::from_normal(center, axis, away).ok());
             return frame.map_or(PatchKind::Cyclide, |frame| PatchKind::Sphere { frame, radius, outward });
         }
@@ -58,7 +59,7 @@ pub(super) fn kind(shell: &Shell, face: &ShellFace, size: f64, edges: StepEdges)
 
 /// The axis about which the edges of a spherical face are meridians and parallels, if there is one.
 fn axis(shell: &Shell, face: &ShellFace, center: Point3, radius: f64) -> Option<Vec3> {
-    let arc = |k: usize| face.sides[k].map(|side| &shell.edges()[side.edge].arc);
+    let arc = |k: usize| face.sides[k].and_then(|side| shell.edges()[side.edge].curve.arc());
     let through_center = |arc: &Arc, normal: Vec3| (arc.start() - center).dot(normal).abs() <= AXIS_LIMIT * radius;
     [[0, 1, 2, 3], [2, 3, 0, 1]].into_iter().find_map(|[k, l, m, n]| {
         let (a, b) = (arc(k)?, arc(l)?);
@@ -102,33 +103,53 @@ pub(super) fn analytic(data: &mut Data, kind: &PatchKind) -> Option<(usize, bool
     Some((surface, outward))
 }
 
-/// The patch as a rational B-spline surface, a complex instance. `middles` are the control points of the sides t=0,
-/// t=1, s=0, s=1, so that neighbours share them; for a side of one point that point.
+/// The patch as a rational B-spline surface. `middles` are the control points of the sides t=0, t=1, s=0, s=1, so that
+/// neighbours share them; for a side of one point that point.
 ///
 /// # Errors
 /// `weight-not-positive`: no other weight is ever written.
-pub(super) fn rational(data: &mut Data, patch: &CyclidePatch, middles: [Point3; 4]) -> Result<usize> {
-    let weights = scaled(patch.real_weights());
-    for (index, &weight) in weights.as_flattened().iter().enumerate() {
-        if !(weight > 0.0) {
-            return Err(Error::WeightNotPositive { index, weight });
-        }
-    }
+pub(super) fn biquadratic(data: &mut Data, patch: &CyclidePatch, middles: [Point3; 4]) -> Result<usize> {
     let [a0, a1, a2, a3] = patch.corners();
     let [x, y, z, w] = patch.to_rational().rows()[4];
     let middle = Point3::new(x / w, y / w, z / w);
     let [bottom, top, left, right] = middles;
     // Outer lists along s, inner ones along t.
-    let points = [[a0, left, a2], [bottom, middle, top], [a1, right, a3]].map(|row| row.map(|p| data.point(p)));
+    let points = [a0, left, a2, bottom, middle, top, a1, right, a3];
+    b_spline(data, [2, 2], &points, patch.real_weights().as_flattened())
+}
+
+/// A rational surface as it is.
+///
+/// # Errors
+/// `weight-not-positive`: no other weight is ever written.
+pub(super) fn rational(data: &mut Data, surface: &RationalBezierSurface) -> Result<usize> {
+    let points: Vec<Point3> = surface.rows().iter().map(|[x, y, z, w]| Point3::new(x / w, y / w, z / w)).collect();
+    let weights: Vec<f64> = surface.rows().iter().map(|row| row[3]).collect();
+    b_spline(data, surface.degrees(), &points, &weights)
+}
+
+/// A rational B-spline surface of one Bézier span, a complex instance; control points and weights with t fastest.
+fn b_spline(data: &mut Data, [p, q]: [usize; 2], points: &[Point3], weights: &[f64]) -> Result<usize> {
+    let weights = scaled(weights);
+    for (index, &weight) in weights.iter().enumerate() {
+        if !(weight > 0.0) {
+            return Err(Error::WeightNotPositive { index, weight });
+        }
+    }
+    let points: Vec<usize> = points.iter().map(|point| data.point(*point)).collect();
     Ok(data.write(|out| {
-        out.push_str("(BOUNDED_SURFACE() B_SPLINE_SURFACE(2,2,");
-        push_list(out, points, |out, row| push_list(out, row, push_reference));
-        out.push_str(
+        // Writing to a string cannot fail.
+        let _ = write!(out, "(BOUNDED_SURFACE() B_SPLINE_SURFACE({p},{q},");
+        push_list(out, points.chunks(q + 1), |out, row| push_list(out, row.iter().copied(), push_reference));
+        let _ = write!(
+            out,
             ",.UNSPECIFIED.,.F.,.F.,.F.) \
-             B_SPLINE_SURFACE_WITH_KNOTS((3,3),(3,3),(0.,1.),(0.,1.),.UNSPECIFIED.) \
+             B_SPLINE_SURFACE_WITH_KNOTS(({m},{m}),({n},{n}),(0.,1.),(0.,1.),.UNSPECIFIED.) \
              GEOMETRIC_REPRESENTATION_ITEM() RATIONAL_B_SPLINE_SURFACE(",
+            m = p + 1,
+            n = q + 1
         );
-        push_list(out, weights, |out, row| push_list(out, row, push_step));
+        push_list(out, weights.chunks(q + 1), |out, row| push_list(out, row, |out, w| push_step(out, *w)));
         out.push_str(") REPRESENTATION_ITEM('') SURFACE())");
     }))
 }
@@ -140,13 +161,13 @@ pub(super) fn middle_point(arc: &Arc) -> Point3 {
 }
 
 /// The weights times a power of two, which is exact, so that the largest is in [1, 2).
-fn scaled(weights: [[f64; 3]; 3]) -> [[f64; 3]; 3] {
-    let largest = weights.iter().flatten().fold(0.0, |m: f64, w| m.max(w.abs()));
+fn scaled(weights: &[f64]) -> Vec<f64> {
+    let largest = weights.iter().fold(0.0, |m: f64, w| m.max(w.abs()));
     if !(largest.is_normal()) {
-        return weights;
+        return weights.to_vec();
     }
     let exponent = ((largest.to_bits() >> 52) & 0x7ff) as i32 - 1023;
-    weights.map(|row| row.map(|w| w * 2.0_f64.powi(-exponent)))
+    weights.iter().map(|w| w * 2.0_f64.powi(-exponent)).collect()
 }
 
 #[cfg(test)]
@@ -155,9 +176,9 @@ mod tests {
 
     #[test]
     fn weights_are_scaled_exactly() {
-        let weights = [[3e-40, 1e-40, 2e-40]; 3];
-        let out = scaled(weights);
-        assert!(out[0][0] >= 1.0 && out[0][0] < 2.0);
-        assert_eq!((out[0][1] / out[0][0]).to_bits(), (weights[0][1] / weights[0][0]).to_bits());
+        let weights = [3e-40, 1e-40, 2e-40];
+        let out = scaled(&weights);
+        assert!(out[0] >= 1.0 && out[0] < 2.0);
+        assert_eq!((out[1] / out[0]).to_bits(), (weights[1] / weights[0]).to_bits());
     }
 }

@@ -6,7 +6,7 @@ use super::integration::is_integrable;
 use super::parameter_curves::ParameterCurve;
 use super::surfaces;
 use crate::options::StepEdges;
-use cyclide::{Body, NurbsCurve, PatchKind, Point3, Result, Shell, ShellFace, Side};
+use cyclide::{Arc, Body, EdgeCurve, FaceSurface, NurbsCurve, PatchKind, Point3, Result, Shell, ShellFace, Side};
 use std::fmt::Write as _;
 
 /// An edge that departs from its chord by no more than this part of the model's size is a line: its curvature is
@@ -43,8 +43,8 @@ pub(super) fn body(
     let mut shells = Vec::new();
     for shell in body.shells() {
         let shell = exported(shell, size, edges)?;
-        for arc in shell.edges().iter().map(|e| &e.arc) {
-            remarks.shortest = remarks.shortest.min(arc.length());
+        for edge in shell.edges() {
+            remarks.shortest = remarks.shortest.min(edge.curve.length());
         }
         shells.push(shell);
     }
@@ -85,13 +85,16 @@ const MOST_HALVINGS: usize = 8;
 pub(crate) fn exported(shell: &Shell, size: f64, edges: StepEdges) -> Result<Shell> {
     let good = shell.with_regular_faces()?.with_positive_weights()?;
     let is_rational = |shell: &Shell, face: &ShellFace| surfaces::kind(shell, face, size, edges) == PatchKind::Cyclide;
-    good.halved(|shell, face| [!is_integrable(&face.patch) && is_rational(shell, face), false], MOST_HALVINGS)
+    let is_bad = |shell: &Shell, face: &ShellFace| {
+        face.surface.patch().is_some_and(|patch| !is_integrable(patch)) && is_rational(shell, face)
+    };
+    good.halved(|shell, face| [is_bad(shell, face), false], MOST_HALVINGS)
 }
 
 /// The curve of an edge in space, with its number.
 enum SpaceCurve {
-    Line(usize),
-    Circle(usize),
+    Line(usize, Arc),
+    Circle(usize, Arc),
     /// In the parameter of its faces, so that readers find the curves in their parameters.
     Rational(usize),
 }
@@ -147,12 +150,15 @@ impl<'a> Writer<'a> {
 
     /// The rational surface of a face; neighbours get the same control points along their common edge.
     fn rational(&mut self, face: &ShellFace) -> Result<usize> {
-        let corners = face.patch.corners();
-        let middles: [Point3; 4] = Side::ALL.map(|side| match face.side(side) {
-            Some(edge) => surfaces::middle_point(&self.shell.edges()[edge.edge].arc),
-            None => corners[side.corners()[0]],
-        });
-        surfaces::rational(self.data, &face.patch, middles)
+        let patch = match &face.surface {
+            FaceSurface::Cyclide(patch) => patch,
+            FaceSurface::Rational(surface) => return surfaces::rational(self.data, surface),
+        };
+        let corners = patch.corners();
+        let arc = |side: Side| self.shell.edges()[face.side(side)?.edge].curve.arc();
+        let middles: [Point3; 4] =
+            Side::ALL.map(|side| arc(side).map_or(corners[side.corners()[0]], surfaces::middle_point));
+        surfaces::biquadratic(self.data, patch, middles)
     }
 
     /// The loop of a face, counter-clockwise against its outer side; a side of one point is no edge.
@@ -182,13 +188,13 @@ impl<'a> Writer<'a> {
         let (start, end) = (self.vertex(edge.start), self.vertex(edge.end));
         let curve = match self.space_curve(index)? {
             SpaceCurve::Rational(curve) => curve,
-            SpaceCurve::Line(curve) => {
-                let along = ParameterCurve::along_line(&edge.arc);
-                self.on_rational_faces(index, curve, along.as_ref(), edge.arc.chord().length())?
+            SpaceCurve::Line(curve, arc) => {
+                let along = ParameterCurve::along_line(&arc);
+                self.on_rational_faces(index, curve, along.as_ref(), arc.chord().length())?
             }
-            SpaceCurve::Circle(curve) => {
-                let along = ParameterCurve::along_circle(&edge.arc);
-                self.on_rational_faces(index, curve, along.as_ref(), edge.arc.angle())?
+            SpaceCurve::Circle(curve, arc) => {
+                let along = ParameterCurve::along_circle(&arc);
+                self.on_rational_faces(index, curve, along.as_ref(), arc.angle())?
             }
         };
         let number = self.data.write(|out| {
@@ -239,15 +245,20 @@ impl<'a> Writer<'a> {
     /// A circle or a line; the rational quadratic in the parameter of the faces where the circle would lose digits, and
     /// where that is asked for, but for lines at constant speed.
     fn space_curve(&mut self, index: usize) -> Result<SpaceCurve> {
-        let arc = &self.shell.edges()[index].arc;
+        let arc = match &self.shell.edges()[index].curve {
+            EdgeCurve::Arc(arc) => arc,
+            EdgeCurve::Rational(curve) => {
+                return Ok(SpaceCurve::Rational(curves::b_spline(self.data, curve.to_nurbs()?)));
+            }
+        };
         let sagitta = 0.5 * arc.chord().length() * arc.bulge_vector().length();
         let straight = sagitta <= STRAIGHT * self.size;
         let circles = self.edges == StepEdges::Circles;
         if straight && (circles || ParameterCurve::along_line(arc).is_none()) {
-            return Ok(SpaceCurve::Line(curves::line(self.data, arc)));
+            return Ok(SpaceCurve::Line(curves::line(self.data, arc), *arc));
         }
         if circles && let Some(circle) = curves::circle(self.data, arc, self.size) {
-            return Ok(SpaceCurve::Circle(circle));
+            return Ok(SpaceCurve::Circle(circle, *arc));
         }
         let weights = arc.bezier_rows().map(|row| row[3]).to_vec();
         let points = vec![arc.start(), surfaces::middle_point(arc), arc.end()];

@@ -11,7 +11,7 @@ use crate::job::BodyOf;
 use crate::job::Job;
 use crate::number::push_plain;
 use crate::parameter_circles::halvings;
-use cyclide::{Aabb, Arc, Correspondence, Shell};
+use cyclide::{Aabb, Arc, Correspondence, EdgeCurve, Shell};
 
 /// Names of the groups in the order in which they are drawn: inner circles, edges.
 pub(super) const GROUPS: [&str; 2] = ["circles", "edges"];
@@ -34,10 +34,10 @@ impl Plan {
             for (number, shell) in body.body.shells().enumerate() {
                 let place = |line: ShellLine| LinePlace { body: index, shell: number, line };
                 for (k, edge) in shell.edges().iter().enumerate() {
-                    plan.edges.push(draw(job, body, place(ShellLine::Edge(k)), Ok(edge.arc))?);
+                    plan.edges.push(draw(job, body, place(ShellLine::Edge(k)), Ok(edge.curve.clone()))?);
                 }
-                for (line, arc) in circles(job, shell) {
-                    plan.circles.push(draw(job, body, place(line), arc)?);
+                for (line, curve) in circles(job, shell) {
+                    plan.circles.push(draw(job, body, place(line), curve)?);
                 }
             }
         }
@@ -80,15 +80,18 @@ impl Plan {
 }
 
 /// The inner parameter circles of a shell that are drawn.
-fn circles<'a>(job: &Job<'_>, shell: &'a Shell) -> impl Iterator<Item = (ShellLine, cyclide::Result<Arc>)> + use<'a> {
+fn circles<'a>(
+    job: &Job<'_>,
+    shell: &'a Shell,
+) -> impl Iterator<Item = (ShellLine, cyclide::Result<EdgeCurve>)> + use<'a> {
     let inner = |level: u32| {
         let count = 1u32 << level;
         (1..count).map(move |i| f64::from(i) / f64::from(count))
     };
     let faces = shell.faces().iter().enumerate().zip(halvings(shell, SPACING * job.size()));
     faces.flat_map(move |((face, it), [along_s, along_t])| {
-        let across = inner(along_s).map(move |s| (ShellLine::AlongT { face, s }, it.patch.t_line(s)));
-        across.chain(inner(along_t).map(move |t| (ShellLine::AlongS { face, t }, it.patch.s_line(t))))
+        let across = inner(along_s).map(move |s| (ShellLine::AlongT { face, s }, it.surface.t_line(s)));
+        across.chain(inner(along_t).map(move |t| (ShellLine::AlongS { face, t }, it.surface.s_line(t))))
     })
 }
 
@@ -97,21 +100,21 @@ fn draw(
     job: &Job<'_>,
     body: &BodyOf<'_>,
     place: LinePlace,
-    arc: cyclide::Result<Arc>,
+    curve: cyclide::Result<EdgeCurve>,
 ) -> Result<(DrawnLine, Option<Path>), ExportError> {
     let failed = |source| body.unfit(source);
-    let arc = arc.map_err(failed)?;
-    let (path, WrittenCurve { parts, promise, .. }) =
-        if arc.normal().is_none_or(|n| n.x.abs() <= LEVEL && n.y.abs() <= LEVEL) {
-            let mut path = Path::new(arc.start(), false);
-            let (lost, drawn) = path.arc(&arc);
-            let mut promise = Promise::EXACT;
-            promise.add(lost);
-            (path, promise.of(Correspondence::one_to_one(1).recounted([drawn])))
-        } else {
-            let (path, parts) = polyline(&job.pieces.flatten(&arc, job.mesh_tolerance).map_err(failed)?, false);
-            (path, Promise::proved(job.mesh_tolerance).of(parts))
-        };
+    let curve = curve.map_err(failed)?;
+    let is_level = |arc: &&Arc| arc.normal().is_none_or(|n| n.x.abs() <= LEVEL && n.y.abs() <= LEVEL);
+    let (path, WrittenCurve { parts, promise, .. }) = if let Some(arc) = curve.arc().filter(is_level) {
+        let mut path = Path::new(arc.start(), false);
+        let (lost, drawn) = path.arc(arc);
+        let mut promise = Promise::EXACT;
+        promise.add(lost);
+        (path, promise.of(Correspondence::one_to_one(1).recounted([drawn])))
+    } else {
+        let (path, parts) = polyline(&job.pieces.flatten(&curve, job.mesh_tolerance).map_err(failed)?, false);
+        (path, Promise::proved(job.mesh_tolerance).of(parts))
+    };
     let path = (!path.is_point()).then_some(path);
     Ok((DrawnLine { place, parts, promise }, path))
 }

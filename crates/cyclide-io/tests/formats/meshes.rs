@@ -134,7 +134,7 @@ fn closed_bodies_are_watertight_from_the_bytes() {
         let area = 4.0 * PI * PI * 5.0 * 2.0;
         // A layer as thick as the bound; the area of its outer side is 2.01/2 of the torus.
         assert!((ring - PI * PI * 40.0).abs() < 1.01 * bound * area, "{format:?}: {ring}");
-        let (thick, bound) = volume(&solid(SurfaceObject::Thick(net.thick(0.25).unwrap())), format);
+        let (thick, bound) = volume(&solid(SurfaceObject::Body(net.thick(0.25).unwrap())), format);
         let exact = 2.0 * PI * PI * 5.0 * (2.25 * 2.25 - 4.0);
         assert!((thick - exact).abs() < 1.01 * bound * area * (1.0 + 2.25 / 2.0), "{format:?}: {thick}");
     }

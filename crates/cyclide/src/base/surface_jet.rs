@@ -41,6 +41,14 @@ impl SurfaceJet {
         Some([self.dss.dot(n), self.dst.dot(n), self.dtt.dot(n)])
     }
 
+    /// Normal curvatures of the s-line and of the t-line against [`normal`](Self::normal), the principal ones where the lines
+    /// are lines of curvature; `None` where there is no normal.
+    #[must_use]
+    pub fn normal_curvatures(&self) -> Option<[f64; 2]> {
+        let ([e, _, g], [l, _, n]) = (self.first_form(), self.second_form()?);
+        Some([l / e, n / g])
+    }
+
     /// Element of area `|ds × dt|`.
     #[must_use]
     pub fn area_element(&self) -> f64 {

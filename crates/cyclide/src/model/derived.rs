@@ -33,7 +33,7 @@ impl Conformal for SurfaceObject {
         match self {
             Self::Patch(patch) => patch.transformed(map).map(Self::Patch),
             Self::Net(net) => net.transformed(map).map(Self::Net),
-            Self::Thick(body) => body.transformed(map).map(Self::Thick),
+            Self::Body(body) => body.transformed(map).map(Self::Body),
         }
     }
 }
@@ -49,7 +49,7 @@ impl SurfaceObject {
         match self {
             Self::Patch(patch) => Some(patch.offset(distance).map(Self::Patch)),
             Self::Net(net) => Some(net.offset(distance).map(Self::Net)),
-            Self::Thick(_) => None,
+            Self::Body(_) => None,
         }
     }
 
@@ -60,9 +60,9 @@ impl SurfaceObject {
     #[must_use]
     pub fn thick(&self, distance: f64) -> Option<Result<Self>> {
         match self {
-            Self::Patch(patch) => Some(CyclidicNet::from(*patch).thick(distance).map(Self::Thick).map_err(of_one_quad)),
-            Self::Net(net) => Some(net.thick(distance).map(Self::Thick)),
-            Self::Thick(_) => None,
+            Self::Patch(patch) => Some(CyclidicNet::from(*patch).thick(distance).map(Self::Body).map_err(of_one_quad)),
+            Self::Net(net) => Some(net.thick(distance).map(Self::Body)),
+            Self::Body(_) => None,
         }
     }
 

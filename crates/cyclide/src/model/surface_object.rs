@@ -13,8 +13,9 @@ pub enum SurfaceObject {
     /// Patches in a regular net. A whole cyclide is one of its nets, or two: see
     /// [`DupinCyclide::nets`](crate::DupinCyclide::nets).
     Net(CyclidicNet),
-    /// A solid between a net and its offset, made by [`CyclidicNet::thick`].
-    Thick(Body),
+    /// Faces of any kind as they are sewn: a solid between a net and its offset, made by [`CyclidicNet::thick`], or what has no
+    /// shorter name.
+    Body(Body),
 }
 
 impl SurfaceObject {
@@ -34,7 +35,7 @@ impl SurfaceObject {
         match self {
             Self::Patch(patch) => Ok(vec![alone(Shell::from_surface(*patch)?)]),
             Self::Net(net) => Ok(net.to_shells()?.into_iter().map(alone).collect()),
-            Self::Thick(body) => Ok(vec![body.clone()]),
+            Self::Body(body) => Ok(vec![body.clone()]),
         }
     }
 }

@@ -1,5 +1,6 @@
 //! One rational Bézier curve in homogeneous rows `[wx, wy, wz, w]`.
 
+use super::nurbs_curve::NurbsCurve;
 use crate::base::bernstein;
 use crate::base::jet::CurveJet;
 use crate::base::vector::{Point3, Vec3};
@@ -74,6 +75,14 @@ impl RationalBezier {
         }
         let (l, r) = bernstein::split(&self.rows, t);
         Ok((Self { rows: l }, Self { rows: r }))
+    }
+
+    /// The same curve as a B-spline of one span over `[0, 1]`.
+    ///
+    /// # Errors
+    /// `weight-not-positive`.
+    pub fn to_nurbs(&self) -> Result<NurbsCurve> {
+        NurbsCurve::from_beziers(std::slice::from_ref(self), &[1.0])
     }
 
     /// The same points run backwards.

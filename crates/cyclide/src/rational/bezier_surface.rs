@@ -193,6 +193,7 @@ const VANISHED: f64 = 1e-13;
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::rational::ExactRational as _;
     use crate::surface::{CyclidePatch, ParamSurface as _};
 
     /// An octant of the unit sphere: the side t = 1 is one point.

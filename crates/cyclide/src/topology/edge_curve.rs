@@ -45,6 +45,15 @@ impl EdgeCurve {
         }
     }
 
+    /// Arc length.
+    #[must_use]
+    pub fn length(&self) -> f64 {
+        match self {
+            Self::Arc(arc) => arc.length(),
+            Self::Rational(curve) => curve.piece_length(0, 0.0, 1.0),
+        }
+    }
+
     /// The arc, if it is one.
     #[must_use]
     pub fn arc(&self) -> Option<&Arc> {

@@ -169,7 +169,7 @@ fn rims_are_ruled_by_the_normals() {
     // After both skins come the rims of the sides t=0 and t=1, quad by quad.
     for i in 0..m {
         for (k, t) in [(0, 0.0), (1, 1.0)] {
-            let rim = &faces[2 * m * n + 2 * i + k].patch;
+            let rim = &faces[2 * m * n + 2 * i + k].surface.patch().unwrap();
             let patch = net.patch(i, if k == 0 { 0 } else { n - 1 });
             for (s, x) in places() {
                 let want = patch.point(s, t) + patch.unit_normal(s, t) * (h * x);
@@ -341,7 +341,11 @@ fn offsets_with_nodes_fall_apart_into_lobes() {
         };
         let whole = by_volume(whole.into_iter().map(|body| body.outer).collect());
         for (lobe, whole) in by_volume(lobes).iter().zip(&whole) {
-            assert!(lobe.is_closed() && lobe.parts().len() == 1 && lobe.faces().iter().all(|f| f.patch.is_regular()));
+            assert!(
+                lobe.is_closed()
+                    && lobe.parts().len() == 1
+                    && lobe.faces().iter().all(|f| f.surface.patch().unwrap().is_regular())
+            );
             assert!((lobe.volume() / whole.volume() - 1.0).abs() < 1e-12, "{distance}: {}", lobe.volume());
             assert!((lobe.area() / whole.area() - 1.0).abs() < 1e-12, "{distance}: {}", lobe.area());
             let (v, e, f) = (lobe.vertices().to_vec(), lobe.edges().to_vec(), lobe.faces().to_vec());

@@ -41,9 +41,10 @@ fn what_is_no_shell_is_refused() {
     refused((v, e, f), "edge", 3);
     let (v, mut e, f) = parts();
     // Twice the speed ratio: the same points with another parameter.
-    let ShellEdge { start, end, arc } = e[0];
+    let ShellEdge { start, end, ref curve } = e[0];
+    let arc = *curve.arc().unwrap();
     let arc = cyclide::Arc::from_weight_ratio(arc.start(), arc.end(), arc.weight_ratio() * 2.0).unwrap();
-    e[0] = ShellEdge { start, end, arc };
+    e[0] = ShellEdge { start, end, curve: arc.into() };
     refused((v, e, f), "face", 0);
     let (v, e, mut f) = parts();
     f[1].same_sense = false;

@@ -31,7 +31,7 @@ fn sphere(top: f64) -> CyclidePatch {
 
 fn thick(patch: CyclidePatch, h: f64) -> Body {
     match SurfaceObject::Patch(patch).thick(h).unwrap().unwrap() {
-        SurfaceObject::Thick(body) => body,
+        SurfaceObject::Body(body) => body,
         other => panic!("{other:?}"),
     }
 }
@@ -62,7 +62,12 @@ fn solids_behind_the_axis_of_a_cylinder() {
         // It is the offset of this patch, not of another one with these corners.
         for (s, t) in [(0.2, 0.3), (0.5, 0.5), (0.9, 0.1)] {
             let p = beyond.point(s, t) + beyond.unit_normal(s, t) * h;
-            let off = body.outer.faces().iter().map(|f| f.patch.locate(p).distance).fold(f64::INFINITY, f64::min);
+            let off = body
+                .outer
+                .faces()
+                .iter()
+                .map(|f| f.surface.patch().unwrap().locate(p).distance)
+                .fold(f64::INFINITY, f64::min);
             assert!(off < 1e-14, "{off:e}");
         }
         check(&cylinder(2).offset(-1.5).unwrap().thick(h).unwrap(), want);
@@ -179,9 +184,9 @@ fn a_hollow_solid_turned_inside_out_has_its_hollow_outside() {
         assert!(back.outer.bounds().contains(back.voids[0].bounds()));
     }
     // The hollow's wall is the outer shell of one image, the void's of the other.
-    let faces = |body: &Body| body.outer.faces()[0].patch.corners()[0];
+    let faces = |body: &Body| body.outer.faces()[0].surface.patch().unwrap().corners()[0];
     let (swapped, kept) = (body.transformed(&hollow).unwrap(), body.transformed(&hole).unwrap());
-    assert_eq!(Some(faces(&swapped)), hollow.map_point(body.voids[0].faces()[0].patch.corners()[0]));
+    assert_eq!(Some(faces(&swapped)), hollow.map_point(body.voids[0].faces()[0].surface.patch().unwrap().corners()[0]));
     assert_eq!(Some(faces(&kept)), hole.map_point(faces(&body)));
     assert_eq!(body.transformed(&material).unwrap_err().reason(), "point-at-infinity");
 }
@@ -191,9 +196,9 @@ fn area_and_volume_where_singular_lines_run_through_patches() {
     // The ring moved inwards until it is a horn, in one net whose patches the nodes are inside of.
     let ring = DupinCyclide::new(4.0, 1.0, 2.0).unwrap().nets([4, 4]).unwrap().remove(0);
     let shell = ring.offset(-1.3).unwrap().to_shell().unwrap();
-    assert!(shell.faces().iter().any(|face| !face.patch.is_regular()));
+    assert!(shell.faces().iter().any(|face| !face.surface.patch().unwrap().is_regular()));
     let cut = shell.with_regular_faces().unwrap();
-    assert!(cut.faces().iter().all(|face| face.patch.is_regular()));
+    assert!(cut.faces().iter().all(|face| face.surface.patch().unwrap().is_regular()));
     assert!((shell.area() / cut.area() - 1.0).abs() < 1e-12, "{} {}", shell.area(), cut.area());
     assert!((shell.volume() / cut.volume() - 1.0).abs() < 1e-11, "{} {}", shell.volume(), cut.volume());
     // The same horn as two closed parts: f_s × f_t is outward on both in the net, too.

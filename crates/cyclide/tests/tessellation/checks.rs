@@ -39,7 +39,7 @@ pub fn deviation(body: &Body, mesh: &SurfaceMesh, n: u32) -> [f64; 2] {
     let shells = shells(body);
     let mut worst = [0.0_f64; 2];
     for (face, source) in mesh.faces.iter().zip(&mesh.sources) {
-        let patch = &shells[source.shell].faces()[source.face].patch;
+        let patch = shells[source.shell].faces()[source.face].surface.patch().unwrap();
         let corners = polygon(mesh, face);
         let [[s0, s1], [t0, t1]] = [source.s, source.t];
         // Corners of the cell as bilinear ones of the polygon; a triangle repeats one.

@@ -14,7 +14,10 @@ fn watertight(name: &str, body: &Body, mesh: &SurfaceMesh) {
     for ((a, b), uses) in edges(mesh) {
         if uses.len() == 1 {
             let middle = mesh.positions[a].midpoint(mesh.positions[b]);
-            let near = border.iter().map(|(e, _)| e.arc.closest_point(middle).distance).fold(f64::INFINITY, f64::min);
+            let near = border
+                .iter()
+                .map(|(e, _)| e.curve.arc().unwrap().closest_point(middle).distance)
+                .fold(f64::INFINITY, f64::min);
             assert!(near <= mesh.bound, "{name}: an open edge {near:e} from the border");
         }
     }

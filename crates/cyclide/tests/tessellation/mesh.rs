@@ -69,8 +69,12 @@ fn the_border_of_a_mesh_is_that_of_the_patch() {
         for ((a, b), _) in border {
             for vertex in [a, b] {
                 let p = mesh.positions[vertex];
-                let on =
-                    body.outer.edges().iter().map(|e| e.arc.closest_point(p).distance).fold(f64::INFINITY, f64::min);
+                let on = body
+                    .outer
+                    .edges()
+                    .iter()
+                    .map(|e| e.curve.arc().unwrap().closest_point(p).distance)
+                    .fold(f64::INFINITY, f64::min);
                 assert!(on <= 1e-14, "{name}: {on:e} off the border");
             }
         }

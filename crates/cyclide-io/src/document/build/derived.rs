@@ -72,13 +72,15 @@ impl Builder<'_> {
     /// surface that was beyond its focal set may come back).
     pub(super) fn warn_beyond_focal_set(&mut self, spec: &OffsetSpec, bodies: &[Body]) {
         let source = self.sources.first().map_or(&[][..], |source| &source.bodies);
-        let is_whole = |face: &ShellFace| face.patch.is_regular() && !face.patch.is_flipped();
+        let is_whole =
+            |face: &ShellFace| face.surface.patch().is_none_or(|patch| patch.is_regular() && !patch.is_flipped());
         let whole = bodies.iter().flat_map(Body::shells).flat_map(Shell::faces).all(is_whole);
         // Beyond nodes it falls apart into lobes.
         if spec.thick || (whole && bodies.len() <= source.len()) {
             return;
         }
-        let patches = source.iter().flat_map(Body::shells).flat_map(Shell::faces).map(|face| &face.patch);
+        let patches = source.iter().flat_map(Body::shells).flat_map(Shell::faces);
+        let patches = patches.filter_map(|face| face.surface.patch());
         let sharpest = |patch: &CyclidePatch| {
             let bends = [patch.k1_range(), patch.k2_range()].concat();
             bends.into_iter().map(|k| k * spec.distance).fold(0.0, f64::max)

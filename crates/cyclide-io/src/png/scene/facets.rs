@@ -6,7 +6,7 @@ use super::surface::growth;
 use crate::job::Job;
 use crate::palette;
 use crate::png::{CURVE, Polyline};
-use cyclide::{Body, CyclidePatch, MeshSource, ParamSurface as _, Point3, Shell, SurfaceMesh};
+use cyclide::{Body, FaceSurface, MeshSource, ParamSurface as _, Point3, Shell, SurfaceMesh};
 
 /// Cells of the rough grids of all patches together, about, and those of one patch along a side.
 const ROUGH: f64 = 3200.0;
@@ -38,7 +38,7 @@ pub(super) fn rough(job: &Job<'_>) -> Vec<[Point3; 3]> {
     let cells = (ROUGH / count.max(1) as f64).sqrt().clamp(ROUGH_SIDES.0, ROUGH_SIDES.1) as usize;
     let mut triangles = Vec::new();
     for face in shells().flat_map(Shell::faces) {
-        let at = |i: usize, j: usize| face.patch.point(i as f64 / cells as f64, j as f64 / cells as f64);
+        let at = |i: usize, j: usize| face.surface.point(i as f64 / cells as f64, j as f64 / cells as f64);
         for (i, j) in (0..cells * cells).map(|k| (k % cells, k / cells)) {
             let [a, b, c, d] = [at(i, j), at(i + 1, j), at(i, j + 1), at(i + 1, j + 1)];
             triangles.extend([[a, b, c], [b, d, c]]);
@@ -68,9 +68,9 @@ impl Facets {
         }
         let shells: Vec<&Shell> = body.shells().collect();
         for (face, source) in mesh.faces.iter().zip(&mesh.sources) {
-            let patch = &shells[source.shell].faces()[source.face].patch;
+            let on = &shells[source.shell].faces()[source.face].surface;
             let corners: Vec<usize> = face.corners().iter().map(|c| c.position).collect();
-            let at = corner_parameters(patch, source, &corners, &mesh);
+            let at = corner_parameters(on, source, &corners, &mesh);
             let surface = starts[source.shell] + source.face;
             for k in 1..corners.len() - 1 {
                 let pick = [0, k, k + 1];
@@ -120,11 +120,11 @@ impl Facets {
 }
 
 /// The parameters of a cell at its polygon's corners; where two of them share a corner (a pole), their middle.
-fn corner_parameters(patch: &CyclidePatch, cell: &MeshSource, corners: &[usize], mesh: &SurfaceMesh) -> [[f64; 2]; 4] {
+fn corner_parameters(on: &FaceSurface, cell: &MeshSource, corners: &[usize], mesh: &SurfaceMesh) -> [[f64; 2]; 4] {
     let mut sums = [[0.0; 3]; 4];
     for (i, j) in [(0, 0), (1, 0), (1, 1), (0, 1)] {
         let [s, t] = [cell.s[i], cell.t[j]];
-        let point = patch.point(s, t);
+        let point = on.point(s, t);
         let distance = |k: &usize| mesh.positions[corners[*k]].distance(point);
         let nearest = (0..corners.len()).min_by(|a, b| distance(a).total_cmp(&distance(b)));
         if let Some(k) = nearest {

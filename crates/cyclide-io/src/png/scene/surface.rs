@@ -1,10 +1,10 @@
-//! A patch as the picture sees it: its colour, and its parameter circles as lines of constant width.
+//! A face as the picture sees it: its colour, and its parameter circles as lines of constant width.
 
 use super::camera::Camera;
 use super::light::{Lights, Rgb, mix};
 use crate::palette;
 use crate::parameter_circles::halvings;
-use cyclide::{CyclidePatch, ParamSurface as _, Shell, Side, Vec3};
+use cyclide::{FaceSurface, ParamSurface as _, Shell, Side, Vec3};
 
 /// Distance that the inner parameter circles have, about, pixels.
 const SPACING: f64 = 30.0;
@@ -22,9 +22,9 @@ const SMALL_STEP: f64 = 0.03;
 /// How much darker the inner side of an open shell is.
 const INNER: f64 = 0.78;
 
-/// A patch with what is drawn on it.
+/// A face with what is drawn on it.
 pub(super) struct Surface<'a> {
-    patch: &'a CyclidePatch,
+    surface: &'a FaceSurface,
     /// Twofold divisions along s and along t.
     levels: [u32; 2],
     /// Half widths of the sides t=0, t=1, s=0, s=1; 0 for a side of one point.
@@ -46,7 +46,7 @@ pub(super) fn surfaces(shell: &Shell, object: usize, unit: f64, scale: f64) -> i
     shell.faces().iter().zip(levels).map(move |(face, levels)| {
         let width = |edge: usize| scale * if uses[edge] == 1 { BORDER } else { EDGE };
         Surface {
-            patch: &face.patch,
+            surface: &face.surface,
             levels,
             sides: face.sides.map(|side| side.map_or(0.0, |s| width(s.edge))),
             outer: if face.same_sense { 1.0 } else { -1.0 },
@@ -79,7 +79,7 @@ impl Surface<'_> {
         let extent = [extent(0), extent(1)];
         let (mut at, mut best) = (rough, (rough, slope));
         for _ in 0..2 {
-            let jet = self.patch.jet(at[0], at[1]);
+            let jet = self.surface.jet(at[0], at[1]);
             let (across_s, across_t) = (jet.dt.cross(ray), jet.ds.cross(ray));
             let area = jet.ds.dot(across_s);
             let step = |d: Vec3| [-d.dot(across_s) / area, d.dot(across_t) / area];
@@ -102,7 +102,7 @@ impl Surface<'_> {
 
     /// What is seen at parameters `at`, which change by `slope` from pixel to pixel (each along both axes).
     pub(super) fn colour(&self, at: [f64; 2], slope: [f64; 2], to_eye: Vec3, lights: &Lights) -> Rgb {
-        let outward = self.patch.normal(at[0], at[1]).unwrap_or(to_eye) * self.outer;
+        let outward = self.surface.normal(at[0], at[1]).unwrap_or(to_eye) * self.outer;
         let front = outward.dot(to_eye) >= 0.0;
         let (normal, tint) = if front { (outward, self.tint) } else { (-outward, self.inner_tint) };
         let lit = lights.shade(tint, normal, to_eye);

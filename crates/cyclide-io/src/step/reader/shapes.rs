@@ -181,9 +181,11 @@ impl File<'_> {
             }
         }
         let degree = |i: usize| number_of(value(surface, i, &place)?, &place);
-        if (degree(0)?, degree(1)?) != (2.0, 2.0) {
-            return Err(ReadError::unsupported("a surface that is not biquadratic", place));
+        // One Bézier span: the degrees are one less than the rows and columns.
+        let degrees = [rows.len().saturating_sub(1), (homogeneous.len() / rows.len().max(1)).saturating_sub(1)];
+        if [degree(0)?, degree(1)?] != degrees.map(|degree| degree as f64) {
+            return Err(ReadError::unsupported("a surface of several spans", place));
         }
-        RationalBezierSurface::new([2, 2], homogeneous).map_err(|source| ReadError::Geometry { place, source })
+        RationalBezierSurface::new(degrees, homogeneous).map_err(|source| ReadError::Geometry { place, source })
     }
 }
