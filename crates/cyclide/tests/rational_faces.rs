@@ -2,8 +2,8 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
 use cyclide::{
-    Body, Conformal as _, EdgeCurve, FaceSurface, MeshFace, Mobius, ParamSurface as _, Point3, RationalBezierSurface,
-    Shell, ShellEdge, SurfaceMesh, Vec3, surface_joints, tessellate,
+    Body, Conformal as _, CyclidePatch, EdgeCurve, Error, ExactRational as _, FaceSurface, MeshFace, Mobius,
+    ParamSurface as _, Point3, RationalBezierSurface, Shell, ShellEdge, SurfaceMesh, Vec3, surface_joints, tessellate,
 };
 use cyclide_testkit::rational_faces::{egg, egg_profile, smooth_pair};
 use std::collections::HashMap;
@@ -146,4 +146,53 @@ fn what_is_no_shell_is_refused() {
     rows[5] = rows[5].map(|x| -x);
     f[0].surface = RationalBezierSurface::new([3, 3], rows).unwrap().into();
     refused((v, e, f), "not positive");
+}
+
+/// An octant of the unit sphere: the side t = 1 is one point.
+fn octant() -> (CyclidePatch, RationalBezierSurface) {
+    let corners = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [0.0, 0.0, 1.0]].map(Point3::from);
+    let patch = CyclidePatch::from_corners_and_frame(corners, Vec3::Y, Vec3::Z).unwrap();
+    (patch, patch.to_rational())
+}
+
+#[test]
+fn jets_normals_lines_and_parts_are_those_of_the_patch() {
+    let (patch, surface) = octant();
+    for (s, t) in [(0.0, 0.0), (0.3, 0.2), (0.7, 0.9), (1.0, 0.5)] {
+        let (a, b) = (patch.jet(s, t), surface.jet(s, t));
+        let off = |v: Vec3, w: Vec3| (v - w).length();
+        let largest = [
+            a.point.distance(b.point),
+            off(a.ds, b.ds),
+            off(a.dt, b.dt),
+            off(a.dss, b.dss),
+            off(a.dst, b.dst),
+            off(a.dtt, b.dtt),
+        ];
+        // Second derivatives are some units large.
+        assert!(largest.into_iter().all(|off| off < 2e-14), "{s} {t}: {largest:?}");
+        assert!(off(patch.normal(s, t).unwrap(), surface.unit_normal(s, t)) < 1e-14);
+        assert!(surface.s_line(t).point(s).distance(a.point) < 1e-15);
+        assert!(surface.t_line(s).point(t).distance(a.point) < 1e-15);
+    }
+    let part = surface.part([0.2, 0.7], [0.4, 1.0]);
+    for (s, t) in [(0.0, 0.0), (0.5, 0.25), (1.0, 1.0)] {
+        let there = surface.point(0.2 + 0.5 * s, 0.4 + 0.6 * t);
+        assert!(part.point(s, t).distance(there) < 1e-15);
+    }
+    // At the pole the normal is the limit.
+    let near = surface.unit_normal(0.5, 1.0 - 1e-6);
+    assert!((surface.unit_normal(0.5, 1.0) - near).length() < 3e-6);
+    assert!((surface.unit_normal(0.5, 1.0).dot(Vec3::Z).abs() - 1.0).abs() < 1e-13);
+}
+
+#[test]
+fn a_similar_surface_is_similar_everywhere() {
+    let (_, surface) = octant();
+    let map = Mobius::reflection(Point3::new(3.0, 0.0, 1.0), Vec3::new(1.0, 2.0, -2.0)).unwrap();
+    let image = surface.similar(&map).unwrap();
+    let want = map.map_point(surface.point(0.3, 0.6)).unwrap();
+    assert!(image.point(0.3, 0.6).distance(want) < 1e-14);
+    let far = Mobius::inversion(Point3::new(5.0, 1.0, 4.0), 3.0).unwrap();
+    assert_eq!(surface.similar(&far), Err(Error::NotASimilarity));
 }

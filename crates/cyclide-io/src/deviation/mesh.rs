@@ -24,9 +24,9 @@ use cyclide::{
 const GRID: usize = 5;
 /// Steps to the foot of a point on a patch.
 const STEPS: usize = 16;
-/// Parameter lines are orthogonal above the first square of a sine, and nearly one line below the second.
-const ORTHOGONAL: f64 = 1.0 - 1e-6;
-const ONE_LINE: f64 = 1e-8;
+/// Parameter lines are orthogonal below the first square of a cosine, and nearly one line above the second.
+const ORTHOGONAL: f64 = 1e-6;
+const ONE_LINE: f64 = 1.0 - 1e-8;
 /// What the polygons of a file stand for and how they hang together, known from the meshes that were written.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) struct MeshPlan {
@@ -319,16 +319,18 @@ fn to_cell(surface: &FaceSurface, source: &MeshSource, samples: &[Sample], p: Po
 }
 
 /// The step in both parameters that takes the tangent plane nearest to a point. Where parameter lines are orthogonal, as
-/// on patches, it is two projections; so it is where they are nearly one line.
+/// on patches, it is two projections; so it is where they are nearly one line. Quotients of derivatives neither vanish nor
+/// overflow, their products would.
 fn step(jet: &SurfaceJet, offset: Vec3) -> [f64; 2] {
     let [e, f, g] = jet.first_form();
-    let (a, b) = (offset.dot(jet.ds), offset.dot(jet.dt));
     let part = |v: f64, square: f64| if square > 0.0 { v / square } else { 0.0 };
-    let area = e * g - f * f;
-    if area > ORTHOGONAL * e * g || !(area > ONE_LINE * e * g) {
-        return [part(a, e), part(b, g)];
+    let (a, b) = (part(offset.dot(jet.ds), e), part(offset.dot(jet.dt), g));
+    let (fe, fg) = (part(f, e), part(f, g));
+    let cosine_squared = fe * fg;
+    if cosine_squared < ORTHOGONAL || !(cosine_squared < ONE_LINE) {
+        return [a, b];
     }
-    [(a * g - b * f) / area, (b * e - a * f) / area]
+    [(a - fe * b) / (1.0 - cosine_squared), (b - fg * a) / (1.0 - cosine_squared)]
 }
 
 #[cfg(test)]

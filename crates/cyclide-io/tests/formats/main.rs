@@ -16,6 +16,7 @@ mod meshes;
 mod models;
 mod part_limits;
 mod pictures;
+mod rational_faces;
 mod right_files;
 mod round_trip;
 mod sheets;

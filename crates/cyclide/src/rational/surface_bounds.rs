@@ -9,8 +9,9 @@
 //! ```text
 //! g_s = (P_s - w_s g)/w,   g_ss = (P_ss - 2 w_s g_s - w_ss g)/w,   g_st = (P_st - w_s g_t - w_t g_s - w_st g)/w
 //! ```
-//! where the derivatives of `P` and `w` lie in the hulls of differences of the rows. As the part shrinks, `g`, `w_s` and
-//! `w_t` go to zero with it, and the bounds tend to the derivatives themselves.
+//! where the derivatives of `P` and `w` lie in the hulls of differences of the rows. A product of a linear function of s and
+//! one of t makes the weights of the part even first: the surface is the same, and `w_s`, `w_t`, which go to zero with the
+//! part, then do so as its square, like the second derivatives. So the bounds tend to the derivatives themselves.
 
 use super::bezier_surface::RationalBezierSurface;
 use crate::base::bounds::Aabb;
@@ -42,7 +43,7 @@ impl RationalBezierSurface {
     /// Bounds of the second derivatives; infinite unless all weights are positive.
     pub(crate) fn second_derivatives(&self) -> SecondDerivatives {
         let unknown = SecondDerivatives { ss: f64::INFINITY, st: f64::INFINITY, tt: f64::INFINITY };
-        let local = self.seen_from(self.corners()[0]);
+        let local = self.seen_from(self.point(0.5, 0.5)).with_even_weights();
         let least = local.rows().iter().map(|row| row[3]).fold(f64::INFINITY, f64::min);
         // Not `<=`: what is no number is not positive either.
         if !(least > 0.0) {
@@ -59,6 +60,32 @@ impl RationalBezierSurface {
             st: (st.vector + first_s.weight * gt + first_t.weight * gs + st.weight * size) / least,
             tt: (tt.vector + 2.0 * first_t.weight * gt + tt.weight * size) / least,
         }
+    }
+
+    /// The same surface of degrees one higher, with weights whose means over opposite sides are equal.
+    fn with_even_weights(&self) -> Self {
+        let [p, q] = self.degrees();
+        let at = |i: usize, j: usize| i * (q + 1) + j;
+        let mean = |rows: &mut dyn Iterator<Item = usize>| {
+            let (sum, count) = rows.fold((0.0, 0.0), |(sum, count), k| (sum + self.rows()[k][3], count + 1.0));
+            count / sum
+        };
+        let along_s = [mean(&mut (0..=q).map(|j| at(0, j))), mean(&mut (0..=q).map(|j| at(p, j)))];
+        let along_t = [mean(&mut (0..=p).map(|i| at(i, 0))), mean(&mut (0..=p).map(|i| at(i, q)))];
+        let scaled = |row: [f64; 4], by: f64| row.map(|v| v * by);
+        // A Bézier form of degree n times a linear one: out[i] = ((n + 1 - i) l0 c[i] + i l1 c[i-1]) / (n + 1).
+        let product = |n: usize, i: usize, [l0, l1]: [f64; 2], row: &dyn Fn(usize) -> [f64; 4]| {
+            let (low, high) = ((n + 1 - i) as f64 * l0, i as f64 * l1);
+            let a = if i <= n { scaled(row(i), low) } else { [0.0; 4] };
+            let b = if i > 0 { scaled(row(i - 1), high) } else { [0.0; 4] };
+            std::array::from_fn(|d| (a[d] + b[d]) / (n + 1) as f64)
+        };
+        let mut rows = Vec::with_capacity((p + 2) * (q + 2));
+        for i in 0..=p + 1 {
+            let row = |j: usize| product(p, i, along_s, &|i| self.rows()[at(i, j)]);
+            rows.extend((0..=q + 1).map(|j| product(q, j, along_t, &row)));
+        }
+        Self::from_rows_unchecked([p + 1, q + 1], rows)
     }
 
     /// The largest derivatives of these orders of rows and weights, by the hulls of their differences.
@@ -173,7 +200,7 @@ mod tests {
     #[test]
     fn the_bounds_hold_and_tend_to_the_derivatives() {
         let surface = bumpy();
-        for (size, excess) in [(1.0, 60.0), (0.1, 3.0), (0.01, 1.2)] {
+        for (size, excess) in [(1.0, 60.0), (0.1, 2.0), (0.01, 1.1)] {
             let (s, t) = ([0.3, 0.3 + 0.7 * size], [0.2, 0.2 + 0.8 * size]);
             let part = surface.part(s, t);
             let bounds = part.second_derivatives();
@@ -193,13 +220,13 @@ mod tests {
         let flat: Vec<[f64; 4]> =
             [[0.0, 0.0], [0.0, 1.0], [2.0, 0.0], [2.0, 1.0]].map(|[x, y]| [x, y, 5.0, 1.0]).to_vec();
         let none = RationalBezierSurface::new([1, 1], flat).unwrap().second_derivatives();
-        assert_eq!(none.distance_from_triangles(), 0.0);
+        assert!(none.distance_from_triangles() < 1e-15);
     }
 
     #[test]
     fn no_point_is_farther_from_the_triangles_than_proved() {
         let surface = bumpy();
-        for size in [0.5, 0.1] {
+        for (size, excess) in [(0.5, 40.0), (0.1, 4.0)] {
             let part = surface.part([0.1, 0.1 + size], [0.4, 0.4 + size]);
             let bound = part.second_derivatives().distance_from_triangles();
             let [a, b, c, d] = part.corners();
@@ -213,7 +240,7 @@ mod tests {
                 };
                 found = found.max(linear.distance(part.point(s, t)));
             }
-            assert!(found <= bound && bound <= 8.0 * found, "{size}: {found} {bound}");
+            assert!(found <= bound && bound <= excess * found, "{size}: {found} {bound}");
         }
     }
 
@@ -225,7 +252,9 @@ mod tests {
         for (i, j) in (0..=200).flat_map(|i| (0..=200).map(move |j| (i, j))) {
             seen = seen.including(surface.point(f64::from(i) / 200.0, f64::from(j) / 200.0));
         }
-        assert!(bounds.contains(seen));
+        // Points are rounded by 1e-14 at these coordinates.
+        let slack = Vec3::new(1e-13, 1e-13, 1e-13);
+        assert!(Aabb { min: bounds.min - slack, max: bounds.max + slack }.contains(seen));
         // A grid misses a summit by the square of its step.
         assert!(bounds.diagonal() - seen.diagonal() < 1e-4, "{bounds:?} {seen:?}");
     }

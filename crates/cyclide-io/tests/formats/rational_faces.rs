@@ -1,0 +1,76 @@
+//! Rational faces that are no cyclides, through every format that holds surfaces.
+
+use cyclide::{Body, Item, Model, Shell, SurfaceObject, Units};
+use cyclide_io::{ExportOptions, Exporter, FileReport, Format, StepEdges, read_back};
+use cyclide_testkit::rational_faces::{egg, smooth_pair};
+use std::path::Path;
+
+const FORMATS: [Format; 7] =
+    [Format::Step, Format::Json, Format::Glb, Format::Obj, Format::Stl, Format::Svg, Format::Png];
+
+fn model(name: &str, body: Body) -> Model {
+    let surfaces = vec![SurfaceObject::Body(body)];
+    let item = Item { name: name.to_owned(), kind: "faces".to_owned(), surfaces, ..Item::default() };
+    Model { units: Units::Millimetre, items: vec![item] }
+}
+
+fn models() -> [Model; 2] {
+    [model("egg", egg()), model("pair", Body { outer: smooth_pair(), voids: Vec::new() })]
+}
+
+fn report(model: &Model, format: Format, options: &ExportOptions) -> (FileReport, Vec<u8>) {
+    let exporter = Exporter::new(model).unwrap();
+    let file = exporter.export(format, options).unwrap();
+    let report = exporter.check(Path::new("o"), format, &file).map_err(|e| format!("{format:?}: {e}")).unwrap();
+    (report, file.bytes)
+}
+
+#[test]
+fn every_format_holds_them_within_its_promise() {
+    for model in models() {
+        for format in FORMATS {
+            for tolerance in [None, Some(1e-2)] {
+                let (report, _) = report(&model, format, &ExportOptions { tolerance, ..ExportOptions::default() });
+                let exact = matches!(format, Format::Step | Format::Json);
+                assert_eq!(report.exact, exact, "{format:?}: {report:?}");
+                if let Some(deviation) = report.deviation {
+                    assert!(deviation <= if exact { 1e-14 } else { report.bound }, "{format:?}: {report:?}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn step_has_the_rational_surfaces_and_edges_themselves() {
+    for model in models() {
+        for edges in [StepEdges::Circles, StepEdges::Rational] {
+            let options = ExportOptions { step_edges: edges, ..ExportOptions::default() };
+            let (_, bytes) = report(&model, Format::Step, &options);
+            let text = String::from_utf8(bytes.clone()).unwrap();
+            let SurfaceObject::Body(body) = &model.items[0].surfaces[0] else { unreachable!() };
+            let faces: usize = body.shells().map(|shell| shell.faces().len()).sum();
+            assert_eq!(text.matches("B_SPLINE_SURFACE_WITH_KNOTS").count(), faces);
+            let edges: usize = body.shells().map(|shell| shell.edges().len()).sum();
+            assert_eq!(text.matches("B_SPLINE_CURVE_WITH_KNOTS").count(), edges, "shared edges are written once");
+            let content = read_back(Format::Step, &bytes).unwrap();
+            assert_eq!(content.bodies[0].solid, body.shells().all(Shell::is_closed));
+        }
+    }
+}
+
+/// A file of another surface is found out: a control point that was moved by a millionth of the size.
+#[test]
+fn a_moved_control_point_is_found() {
+    let [egg, _] = models();
+    let exporter = Exporter::new(&egg).unwrap();
+    for format in [Format::Step, Format::Json] {
+        let mut file = exporter.export(format, &ExportOptions::default()).unwrap();
+        assert!(exporter.deviation(format, &file).unwrap() < 1e-14);
+        let text = String::from_utf8(file.bytes.clone()).unwrap();
+        assert!(text.contains("1.3"), "the height of a control point");
+        file.bytes = text.replacen("1.3", "1.300003", 1).into_bytes();
+        let deviation = exporter.deviation(format, &file);
+        assert!(deviation.as_ref().map_or(true, |d| *d > 1e-7), "{format:?}: {deviation:?}");
+    }
+}
