@@ -206,7 +206,7 @@ pub struct OutputArgs {
     /// Print the report as JSON (docs/report.md explains its words).
     #[arg(long)]
     pub json: bool,
-    /// Most pieces of one file, cells of meshes and vertices of polylines together; some 500 bytes of memory each [default:
+    /// Most pieces of one file, cells of meshes and vertices of polylines together; one to two kilobytes of memory each [default:
     /// 1000000, and 16 for each piece of a curve and each patch].
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..=1_000_000_000))]
     pub max_pieces: Option<u64>,

@@ -50,7 +50,7 @@ pub struct ExportOptions {
     /// Largest distance between the file's curve or mesh and the object where the format needs an approximation, in
     /// model units; `None` is 1e-5 of the model's diagonal for curves and 1e-4 for meshes.
     pub tolerance: Option<f64>,
-    /// Most pieces of one file: cells of meshes and vertices of polylines together. They take some 500 bytes each until the file
+    /// Most pieces of one file: cells of meshes and vertices of polylines together. They take one to two kilobytes each until the file
     /// is written and checked. `None` is [`DEFAULT_MOST_PIECES`] and 16 for each piece of a curve and each patch.
     pub max_pieces: Option<usize>,
     /// Name of the model, for formats that have a place for it; `None` is the name of the only object, or

@@ -2,6 +2,9 @@
 
 use super::vector::{Point3, Vec3};
 
+/// A speed whose square is below this part of that of the other line is rounding of zero.
+const ONE_POINT: f64 = 1e-24;
+
 /// A point of a surface with its first and second partial derivatives.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct SurfaceJet {
@@ -42,11 +45,11 @@ impl SurfaceJet {
     }
 
     /// Normal curvatures of the s-line and of the t-line against [`normal`](Self::normal), the principal ones where the lines
-    /// are lines of curvature; `None` where there is no normal.
+    /// are lines of curvature; `None` where there is no normal, or one of the lines is a point.
     #[must_use]
     pub fn normal_curvatures(&self) -> Option<[f64; 2]> {
         let ([e, _, g], [l, _, n]) = (self.first_form(), self.second_form()?);
-        Some([l / e, n / g])
+        (e.min(g) > ONE_POINT * e.max(g)).then_some([l / e, n / g])
     }
 
     /// Element of area `|ds × dt|`.

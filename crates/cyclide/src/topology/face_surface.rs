@@ -10,6 +10,7 @@ use crate::rational::{ExactRational as _, RationalBezierSurface};
 use crate::surface::{CyclidePatch, ParamSurface};
 
 /// The surface of a face, over `[0, 1]²`.
+#[allow(clippy::large_enum_variant, reason = "shells hold their faces in one list, most of them patches")]
 #[derive(Debug, Clone, PartialEq)]
 pub enum FaceSurface {
     /// A principal patch of a Dupin cyclide: every parameter line is a circle.

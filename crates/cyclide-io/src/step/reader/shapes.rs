@@ -183,7 +183,7 @@ impl File<'_> {
         let degree = |i: usize| number_of(value(surface, i, &place)?, &place);
         // One Bézier span: the degrees are one less than the rows and columns.
         let degrees = [rows.len().saturating_sub(1), (homogeneous.len() / rows.len().max(1)).saturating_sub(1)];
-        if [degree(0)?, degree(1)?] != degrees.map(|degree| degree as f64) {
+        if [degree(0)?, degree(1)?].map(f64::to_bits) != degrees.map(|degree| (degree as f64).to_bits()) {
             return Err(ReadError::unsupported("a surface of several spans", place));
         }
         RationalBezierSurface::new(degrees, homogeneous).map_err(|source| ReadError::Geometry { place, source })

@@ -114,8 +114,8 @@ impl CircleSpline {
     /// `arc-through-infinity`: a segment's tangents come within 5e-7 of the reversed chord.
     pub fn check_finite(&self) -> Result<()> {
         // Arcs are written as arcs, whatever their blend says.
-        let blends = self.segments.iter().enumerate().filter(|(_, segment)| segment.to_arc().is_none());
-        blends.map(|(i, segment)| segment.check_finite(i)).collect()
+        let mut blends = self.segments.iter().enumerate().filter(|(_, segment)| segment.to_arc().is_none());
+        blends.try_for_each(|(i, segment)| segment.check_finite(i))
     }
 
     /// What the user should know: cusps, sharp turns, uneven spacing (by node), long ways and opposite circles (by
