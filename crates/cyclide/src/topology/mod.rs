@@ -79,7 +79,7 @@ impl Shell {
     /// The shell of one surface with its (up to four) edges. Corners that are equal are one vertex.
     ///
     /// # Errors
-    /// As [`CyclidePatch::s_line`].
+    /// As [`FaceSurface::s_line`].
     pub fn from_surface(surface: impl Into<FaceSurface>) -> Result<Self> {
         let surface = surface.into();
         let (exact, corners) = (surface.patch().is_some(), surface.corners());
