@@ -73,7 +73,8 @@ fn every_expected_value_is_compared() {
         let file: Value = serde_json::from_str(file).expect("the copies are JSON");
         for case in file["cases"].as_array().expect("a list of cases") {
             let size = size(&case["input"]);
-            let surface = case["construct"].as_str().is_some_and(|name| name.starts_with("cyclide-"));
+            let surface =
+                case["construct"].as_str().is_some_and(|name| name.starts_with("cyclide-") || name == "revolution");
             let mut places = Vec::new();
             leaves(&case["expect"], "", &mut places);
             // Long lists of samples are alike: up to twelve places, spread over all.

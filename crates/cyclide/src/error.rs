@@ -261,6 +261,41 @@ pub enum Error {
         /// Largest angle accepted.
         max: f64,
     },
+    /// A turn beyond what is asked for: more than a whole one, a whole one in one piece, or none where a body is to be made.
+    #[error(
+        "the angle {:#} is outside {:#} to {:#} radians, or none at all",
+        ShortNumber(*.angle), ShortNumber(*.min), ShortNumber(*.max)
+    )]
+    AngleOutOfRange {
+        /// The angle given, radians.
+        angle: f64,
+        /// Smallest angle accepted.
+        min: f64,
+        /// Largest angle accepted.
+        max: f64,
+    },
+    /// A profile meets the axis that it is to turn about, other than with its ends.
+    #[error(
+        "piece {piece} of the profile meets the axis, or lies on another side of it than the pieces before (distance {}): cut it there and turn one half",
+        ShortNumber(*.distance)
+    )]
+    CrossesAxis {
+        /// Which piece, from 0.
+        piece: usize,
+        /// Its distance from the axis where that was found.
+        distance: f64,
+    },
+    /// A profile in a plane across its axis that sweeps a part of the plane twice.
+    #[error(
+        "piece {piece} of the profile turns back at the distance {} from the axis, in a plane across it: what it sweeps is folded; take a profile that goes on, or one with heights",
+        ShortNumber(*.distance)
+    )]
+    FoldedProfile {
+        /// Which piece, from 0.
+        piece: usize,
+        /// Where it turns back.
+        distance: f64,
+    },
     /// A parameter is outside its interval.
     #[error(
         "{name} = {:#} is {}",
@@ -598,6 +633,9 @@ impl Error {
             Self::BelowRoundingOfPlace { .. } => "below-rounding-of-place",
             Self::ToleranceNotPositive { .. } => "tolerance-not-positive",
             Self::SweepOutOfRange { .. } => "sweep-out-of-range",
+            Self::CrossesAxis { .. } => "crosses-axis",
+            Self::AngleOutOfRange { .. } => "angle-out-of-range",
+            Self::FoldedProfile { .. } => "folded-profile",
             Self::ParameterOutOfRange { .. } => "parameter-out-of-range",
             Self::NoG1SplineInTube { .. } => "no-g1-spline-in-tube",
             Self::ToleranceNotReached { .. } => "tolerance-not-reached",
@@ -644,7 +682,10 @@ impl Error {
             | Self::AmbiguousHalfTurn { segment } => Some(segment),
             Self::TooManyPieces { segment, .. } => segment,
             Self::NoG1SplineInTube { vertex, .. } => Some(vertex),
-            Self::Disconnected { piece, .. } | Self::NotWithinTolerance { piece, .. } => Some(piece),
+            Self::Disconnected { piece, .. }
+            | Self::NotWithinTolerance { piece, .. }
+            | Self::CrossesAxis { piece, .. }
+            | Self::FoldedProfile { piece, .. } => Some(piece),
             Self::InSpan { span, .. } => Some(span),
             Self::NotAShell { index, .. } => Some(index),
             Self::InQuad { quad, .. } => Some(quad),

@@ -76,7 +76,6 @@ pub use base::vector::{Point3, Vec3};
 pub use conformal::hpoint::HPoint;
 pub use conformal::mobius::{Conformal, Mobius};
 pub use conformal::sphere::Sphere;
-pub use construct::RationalRun;
 pub use construct::{
     ArcCertificate, ArcFit, ArcFitOptions, ArcSplineOptions, Biarc, BiarcRule, BulgeIntervals, Effort, FairEnd,
     FairSplineOptions, FitCertificate, FitTarget, blends_by_turn, certify_arc, curvature_intervals, estimate_tangents,
@@ -88,6 +87,7 @@ pub use construct::{
     make_circular,
 };
 pub use construct::{FairFit, FairFitCertificate, FairFitOptions};
+pub use construct::{RationalRun, Revolution};
 pub use curve::{Arc, Arc4, ArcPath, Circle, ClosestPoint, DEFAULT_PIECE_ANGLE, ParamCurve, PieceForm, PieceHull};
 pub use curve::{ArcLength, CurveIndex, ExtremeCurvature, Joint};
 pub use curve::{

@@ -36,6 +36,8 @@ fn arcs() {
             ("biarc", 29),
             ("arc-spline", 11),
             ("fit-arc-spline", 2),
+            ("revolution", 12),
+            ("revolution-angle", 2),
         ],
     );
 }

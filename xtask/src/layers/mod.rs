@@ -25,7 +25,10 @@ const ROOMS: [(&str, &[&str]); 14] = [
     ("batch", &["base", "conformal", "rational", "error", "warning"]),
     ("curve", &["base", "conformal", "rational", "batch", "error", "warning"]),
     ("surface", &["base", "conformal", "rational", "batch", "curve", "error", "warning"]),
-    ("construct", &["base", "conformal", "rational", "batch", "curve", "surface", "error", "warning", "shape_change"]),
+    (
+        "construct",
+        &["base", "conformal", "rational", "batch", "curve", "surface", "topology", "error", "warning", "shape_change"],
+    ),
     ("topology", &["base", "conformal", "rational", "batch", "curve", "surface", "error", "warning"]),
     ("mesh", &["base", "conformal", "rational", "batch", "curve", "surface", "topology", "error", "warning"]),
     (

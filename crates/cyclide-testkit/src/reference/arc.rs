@@ -75,7 +75,7 @@ impl Rules {
     }
 
     /// Homogeneous rows, whose last number is the weight.
-    fn homogeneous(self) -> impl Fn(&[f64]) -> f64 {
+    pub(super) fn homogeneous(self) -> impl Fn(&[f64]) -> f64 {
         move |want| 10.0 * self.rtol * self.scale.max(1.0) * want.last().map_or(1.0, |w| w.abs().max(1.0))
     }
 

@@ -15,6 +15,7 @@ mod deviation;
 mod fair;
 mod patch;
 mod report;
+mod revolution;
 
 pub use case::{Case, Fault};
 pub use check::Check;
@@ -63,8 +64,10 @@ pub const CURVE_CONSTRUCTS: [&str; 34] = [
     "g1-arc-spline",
 ];
 
-/// The constructs about patches and nets of Dupin cyclides: `--surfaces` of the command.
-pub const SURFACE_CONSTRUCTS: [&str; 8] = [
+/// The constructs about surfaces of revolution, patches and nets of Dupin cyclides: `--surfaces` of the command.
+pub const SURFACE_CONSTRUCTS: [&str; 10] = [
+    "revolution",
+    "revolution-angle",
     "qb-arc",
     "qb-arc-three-points",
     "cyclide-patch",
@@ -77,9 +80,17 @@ pub const SURFACE_CONSTRUCTS: [&str; 8] = [
 
 /// The handler of a construct; `None` if the product does not have it (yet).
 fn handler(construct: &str) -> Option<Handler> {
-    [arc::handler, arc_spline::handler, blend::handler, fair::handler, arc_fit::handler, patch::handler]
-        .iter()
-        .find_map(|topic| topic(construct))
+    [
+        arc::handler,
+        arc_spline::handler,
+        blend::handler,
+        fair::handler,
+        arc_fit::handler,
+        patch::handler,
+        revolution::handler,
+    ]
+    .iter()
+    .find_map(|topic| topic(construct))
 }
 
 /// Fields of `expect` that are information, not to be compared (`10`, section 4; `60`, section 9).

@@ -9,6 +9,7 @@ mod circular_mesh;
 mod fair_fit;
 mod fair_spline;
 mod rational_runs;
+mod revolution;
 
 pub use arc_fit::{
     ArcCertificate, ArcFit, ArcFitOptions, BulgeIntervals, Effort, FitCertificate, FitTarget, certify_arc,
@@ -24,3 +25,4 @@ pub use circular_mesh::{
 pub use fair_fit::{FairFit, FairFitCertificate, FairFitOptions};
 pub use fair_spline::{FairEnd, FairSplineOptions, blends_by_turn};
 pub use rational_runs::RationalRun;
+pub use revolution::Revolution;

@@ -1,12 +1,15 @@
 //! Objects from objects, whatever their kind: images under maps, parallel surfaces, solids between them.
 
+use super::chain::ChainPiece;
+use super::lower::{Exactness, Lower as _, Lowered};
 use super::object::CurveObject;
 use super::surface_object::SurfaceObject;
 use crate::conformal::mobius::{Conformal, Mobius};
-use crate::curve::Arc;
+use crate::construct::Revolution;
+use crate::curve::{Arc, ParamCurve as _};
 use crate::error::{Error, Result};
 use crate::surface::CyclidicNet;
-use crate::topology::{Body, Shell};
+use crate::topology::{Body, EdgeCurve, Shell};
 
 impl Conformal for CurveObject {
     /// The image: of arcs and chains of arcs under any map, of circles and circle splines under similarities and
@@ -35,6 +38,30 @@ impl Conformal for SurfaceObject {
             Self::Net(net) => net.transformed(map).map(Self::Net),
             Self::Body(body) => body.transformed(map).map(Self::Body),
         }
+    }
+}
+
+impl CurveObject {
+    /// The body that the curve sweeps when it turns about an axis, exact: see [`Revolution::body`].
+    ///
+    /// # Errors
+    /// `not-a-spline` for a trigonometric circle spline, which has no rational form; as [`Revolution::body`].
+    pub fn revolved(&self, turn: &Revolution) -> Result<SurfaceObject> {
+        // What is exact does not ask for the tolerance.
+        let Lowered { form, exactness, .. } = self.lower_to_chain(1.0)?;
+        if exactness != Exactness::Exact {
+            let detail = "a trigonometric circle spline has no rational form: take the rational one";
+            return Err(Error::NotASpline { detail });
+        }
+        let closed = form.is_closed();
+        let mut profile: Vec<EdgeCurve> = Vec::new();
+        for piece in form.into_pieces() {
+            match piece {
+                ChainPiece::Arc(arc) => profile.push(arc.into()),
+                ChainPiece::Spline(spline) => profile.extend(spline.to_beziers().into_iter().map(EdgeCurve::from)),
+            }
+        }
+        turn.body(&profile, closed).map(SurfaceObject::Body)
     }
 }
 

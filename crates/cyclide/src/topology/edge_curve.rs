@@ -96,7 +96,7 @@ impl EdgeCurve {
     }
 
     /// The curve with ends moved by rounding.
-    pub(super) fn with_ends(self, start: Option<Point3>, end: Option<Point3>) -> Self {
+    pub(crate) fn with_ends(self, start: Option<Point3>, end: Option<Point3>) -> Self {
         match self {
             Self::Arc(mut arc) => {
                 arc = start.map_or(arc, |p| arc.with_start(p));

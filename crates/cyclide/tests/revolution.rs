@@ -1,0 +1,140 @@
+//! Surfaces of revolution: exact points, closed solids with the measures of Pappus, analytic faces of arcs.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
+
+use cyclide::{
+    Arc, Circle, CurveObject, EdgeCurve, FaceSurface, ParamSurface as _, PatchKind, Point3, RationalBezier, Revolution,
+    SurfaceObject, Vec3, surface_joints, tessellate,
+};
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
+
+fn p(x: f64, z: f64) -> Point3 {
+    Point3::new(x, 0.0, z)
+}
+
+fn segment(from: Point3, to: Point3) -> EdgeCurve {
+    Arc::segment(from, to).unwrap().into()
+}
+
+fn whole() -> Revolution {
+    Revolution::new(Point3::ORIGIN, Vec3::Z, TAU).unwrap()
+}
+
+#[test]
+fn the_exact_form_is_the_turned_profile() {
+    let profile = RationalBezier::new(vec![[1.0, 0.2, -1.0, 1.0], [4.0, 0.0, 1.0, 2.0], [0.6, 0.3, 1.2, 0.6]]).unwrap();
+    let (o, h) = (Point3::new(0.3, -0.2, 5.0), Vec3::new(1.0, 2.0, -0.5));
+    for angle in [0.3, -1.2, FRAC_PI_2, PI, 5.0, -6.0] {
+        let turn = Revolution::new(o, h, angle).unwrap();
+        let surface = turn.surface(&profile).unwrap();
+        for (s, t) in [(0.0, 0.0), (0.2, 0.4), (0.9, 0.5), (1.0, 1.0)] {
+            // The angle at t is twice that of (1-t) + w t.
+            let (sin, cos) = (0.5 * angle).sin_cos();
+            let at = 2.0 * (t * sin).atan2(1.0 - t + t * cos);
+            let want = turn.turned(profile.point(s), at);
+            // Far from the pole of nearly whole turns: weights of both signs cancel to a tenth.
+            assert!(surface.point(s, t).distance(want) < 1e-13, "{angle} {s} {t}");
+        }
+    }
+    assert_eq!(Revolution::new(o, Vec3::ZERO, 1.0).unwrap_err().reason(), "zero-axis");
+    assert_eq!(Revolution::new(o, h, 7.0).unwrap_err().reason(), "angle-out-of-range");
+    assert_eq!(Revolution::new(o, h, TAU).unwrap().surface(&profile).unwrap_err().reason(), "angle-out-of-range");
+    let none = Revolution::new(o, h, 0.0).unwrap();
+    assert_eq!(none.body(&[EdgeCurve::Rational(profile)], false).unwrap_err().reason(), "angle-out-of-range");
+}
+
+/// Kinds of all faces of a body, each once.
+fn kinds(body: &cyclide::Body) -> Vec<&'static str> {
+    let kind = |surface: &FaceSurface| match surface.patch().map(cyclide::CyclidePatch::recognise) {
+        None => "rational",
+        Some(PatchKind::Plane { .. }) => "plane",
+        Some(PatchKind::Cylinder { .. }) => "cylinder",
+        Some(PatchKind::Cone { .. }) => "cone",
+        Some(PatchKind::Sphere { .. }) => "sphere",
+        Some(PatchKind::Torus { .. }) => "torus",
+        Some(PatchKind::Cyclide) => "cyclide",
+    };
+    let mut kinds: Vec<_> = body.outer.faces().iter().map(|face| kind(&face.surface)).collect();
+    kinds.sort_unstable();
+    kinds.dedup();
+    kinds
+}
+
+#[test]
+fn profiles_of_arcs_give_analytic_faces_and_solids() {
+    // A turned part: disk, cylinder, fillet, cone, ball end.
+    let fillet = Arc::from_bulge(p(3.0, 2.0), p(2.0, 3.0), Vec3::Y, -(PI / 8.0).tan()).unwrap();
+    let ball = Arc::from_center(p(0.0, 5.0), Vec3::Y, p(1.0, 5.0), -FRAC_PI_2).unwrap();
+    let profile = [
+        segment(p(0.0, 0.0), p(3.0, 0.0)),
+        segment(p(3.0, 0.0), p(3.0, 2.0)),
+        fillet.into(),
+        segment(p(2.0, 3.0), p(1.0, 5.0)),
+        EdgeCurve::Arc(ball),
+    ];
+    let body = whole().body(&profile, false).unwrap();
+    assert!(body.is_solid());
+    assert_eq!(kinds(&body), ["cone", "cylinder", "plane", "sphere", "torus"]);
+    // By disks; the fillet is a quarter of a disk of radius 1 about (2, 2), whose centre of area is 4/(3 pi) from there.
+    let cylinder = PI * 9.0 * 2.0;
+    let quarter = PI / 4.0 * TAU * (2.0 + 4.0 / (3.0 * PI)) + PI * 4.0;
+    let cone = PI * 2.0 / 3.0 * (4.0 + 2.0 + 1.0);
+    let half_ball = 2.0 / 3.0 * PI;
+    let volume = body.outer.known_volume().unwrap();
+    assert!((volume / (cylinder + quarter + cone + half_ball) - 1.0).abs() < 1e-12, "{volume}");
+    let area = PI * 9.0 + TAU * 3.0 * 2.0 + PI / 2.0 * TAU * (2.0 + 2.0 / PI) + PI * 3.0 * 5.0_f64.sqrt() + TAU;
+    assert!((body.outer.known_area().unwrap() / area - 1.0).abs() < 1e-12);
+    for joint in surface_joints(&body.outer) {
+        assert!(joint.gap < 1e-14, "{joint:?}");
+    }
+}
+
+#[test]
+fn a_circle_gives_a_torus_and_a_spline_rational_faces() {
+    let circle = Circle::from_radius(p(5.0, 1.0), Vec3::Y, 2.0).unwrap();
+    let SurfaceObject::Body(torus) = CurveObject::Circle(circle).revolved(&whole()).unwrap() else { panic!("a body") };
+    assert!(torus.is_solid() && kinds(&torus) == ["torus"]);
+    // Pappus.
+    assert!((torus.outer.known_volume().unwrap() / (TAU * 5.0 * PI * 4.0) - 1.0).abs() < 1e-12);
+    assert!((torus.outer.known_area().unwrap() / (TAU * 5.0 * TAU * 2.0) - 1.0).abs() < 1e-12);
+    // A tilted circle is in no plane with the axis.
+    let tilted = Circle::from_radius(p(5.0, 1.0), Vec3::new(0.3, 1.0, 0.2), 2.0).unwrap();
+    let SurfaceObject::Body(body) = CurveObject::Circle(tilted).revolved(&whole()).unwrap() else { panic!("a body") };
+    assert!(body.is_solid() && kinds(&body) == ["rational"]);
+    let mesh = tessellate(&body, 1e-2).unwrap();
+    assert!(mesh.bound <= 1e-2 && mesh.volume() > 0.0);
+    // A part of a turn is open, whatever the profile is.
+    let turn = Revolution::new(Point3::ORIGIN, Vec3::Z, -2.0).unwrap();
+    let SurfaceObject::Body(part) = CurveObject::Circle(tilted).revolved(&turn).unwrap() else { panic!("a body") };
+    assert!(!part.is_solid() && part.outer.faces().len() < body.outer.faces().len());
+    // It begins at the same profile and ends where that has turned to.
+    let first = |body: &cyclide::Body, s: f64| body.outer.faces()[0].surface.point(s, 0.0);
+    // Two sectors.
+    let last = part.outer.faces().len() / 2;
+    for s in [0.0, 0.3, 0.8, 1.0] {
+        let start = first(&part, s);
+        assert!(start.distance(first(&body, s)) < 1e-14);
+        let end = part.outer.faces()[last].surface.point(s, 1.0);
+        assert!(end.distance(turn.turned(start, -2.0)) < 1e-14);
+    }
+}
+
+#[test]
+fn profiles_that_meet_the_axis_otherwise_are_refused() {
+    let refused = |profile: &[EdgeCurve], closed| whole().body(profile, closed).unwrap_err().reason();
+    assert_eq!(refused(&[segment(p(-1.0, 0.0), p(2.0, 1.0))], false), "crosses-axis");
+    assert_eq!(
+        refused(&[segment(p(1.0, 0.0), p(0.0, 1.0)), segment(p(0.0, 1.0), p(-1.0, 2.0))], false),
+        "crosses-axis"
+    );
+    assert_eq!(refused(&[segment(p(0.0, 0.0), p(0.0, 2.0))], false), "too-few-points");
+    assert_eq!(refused(&[segment(p(1.0, 0.0), p(2.0, 2.0)), segment(p(2.0, 3.0), p(1.0, 4.0))], false), "disconnected");
+    // Across the axis and back.
+    let there_and_back = [segment(p(1.0, 2.0), p(3.0, 2.0)), segment(p(3.0, 2.0), p(2.0, 2.0))];
+    assert_eq!(refused(&there_and_back, false), "folded-profile");
+    assert!(whole().body(&there_and_back[..1], false).is_ok(), "a ring of a plane");
+    // Along the axis a profile sweeps nothing: a triangle with a side there is a double cone.
+    let cone =
+        [segment(p(0.0, 0.0), p(1.0, 1.0)), segment(p(1.0, 1.0), p(0.0, 2.0)), segment(p(0.0, 2.0), p(0.0, 0.0))];
+    let body = whole().body(&cone, true).unwrap();
+    assert!(body.is_solid() && (body.outer.volume() / (PI * 2.0 / 3.0) - 1.0).abs() < 1e-12);
+}
