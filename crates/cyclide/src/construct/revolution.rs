@@ -15,7 +15,7 @@ use crate::base::bounds::Aabb;
 use crate::base::quat::Quat;
 use crate::base::range;
 use crate::base::vector::{Point3, Vec3};
-use crate::conformal::mobius::{Conformal as _, Mobius};
+use crate::conformal::mobius::Mobius;
 use crate::curve::Arc;
 use crate::error::{Error, Result};
 use crate::rational::{RationalBezier, RationalBezierSurface};
@@ -232,8 +232,10 @@ impl Profile {
             let map = rotation(turn, step * k as f64)?;
             for (j, piece) in self.pieces.iter().enumerate() {
                 let (start, end) = (vertex(j, k), vertex(next(j), k));
-                let curve = if k == 0 { piece.curve.clone() } else { piece.curve.moved(&map)? };
-                let curve = curve.with_ends(Some(vertices[start]), Some(vertices[end]));
+                let curve = match k {
+                    0 => piece.curve.clone(),
+                    _ => piece.curve.image(&map, vertices[start], vertices[end])?,
+                };
                 of_boundary.push(edges.len());
                 edges.push(ShellEdge { start, end, curve });
             }
@@ -296,7 +298,7 @@ fn face(
     Ok(RationalBezierSurface::new([degree, 2], rows)?.with_corners(corners).into())
 }
 
-/// The pieces of a curve that become one face each: arcs of a third of a turn at most, in space of a quarter.
+/// The pieces of a curve that become one face each: arcs of a third of a turn at most.
 fn parts(curve: &EdgeCurve) -> Result<Vec<EdgeCurve>> {
     let EdgeCurve::Arc(arc) = curve else { return Ok(vec![curve.clone()]) };
     let count = (arc.angle() / LARGEST_ARC).ceil().max(1.0) as usize;
@@ -367,14 +369,4 @@ fn rotation(turn: &Revolution, angle: f64) -> Result<Mobius> {
 
 fn rotated(turn: &Revolution, v: Vec3, angle: f64) -> Vec3 {
     Quat::from_axis_angle(turn.axis, angle).rotate(v)
-}
-
-impl EdgeCurve {
-    /// The image under a similarity.
-    fn moved(&self, map: &Mobius) -> Result<Self> {
-        Ok(match self {
-            Self::Arc(arc) => arc.transformed(map)?.into(),
-            Self::Rational(curve) => curve.similar(map)?.into(),
-        })
-    }
 }

@@ -88,7 +88,7 @@ impl EdgeCurve {
     ///
     /// # Errors
     /// As `transformed` of arcs; `not-a-similarity`, `not-finite`.
-    pub(super) fn image(&self, map: &Mobius, start: Point3, end: Point3) -> Result<Self> {
+    pub(crate) fn image(&self, map: &Mobius, start: Point3, end: Point3) -> Result<Self> {
         Ok(match self {
             Self::Arc(arc) => Self::Arc(Arc::from_ratio_across(start, end, arc.transformed(map)?.weight_ratio())?),
             Self::Rational(curve) => Self::Rational(curve.similar(map)?).with_ends(Some(start), Some(end)),

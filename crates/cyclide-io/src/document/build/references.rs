@@ -136,3 +136,23 @@ impl ObjectSpec {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Each is walked to once, however long the way to it is.
+    #[test]
+    fn a_chain_is_walked_once() {
+        let count = 500;
+        let references =
+            References { of: (0..count).map(|k| (0..k).last().into_iter().collect()).collect(), sources: Vec::new() };
+        let mut made = references.nothing_made();
+        let walked: Vec<usize> = (0..count).flat_map(|k| references.needed_for(k, &mut made)).collect();
+        assert_eq!(walked, (0..count).collect::<Vec<_>>());
+        // From its end: all of it, in order; then nothing but the object itself.
+        let mut made = references.nothing_made();
+        assert_eq!(references.needed_for(count - 1, &mut made), (0..count).collect::<Vec<_>>());
+        assert_eq!(references.needed_for(7, &mut made), [7]);
+    }
+}
