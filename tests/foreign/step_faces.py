@@ -83,8 +83,11 @@ class Bezier:
         places = [(a + 0.3 * (b - a)) for a, b in self.ranges]
         p, du, dv = gp_Pnt(), gp_Vec(), gp_Vec()
         surface.D1(*places, p, du, dv)
+        # Derivatives of small faces are differences of coordinates, with their rounding.
+        rounding = 1e-14 * abs(vector(p)).max()
         for own, read in zip(self.jet(*places), (p, du, dv)):
-            assert np.allclose(own, vector(read), rtol=1e-12, atol=1e-12 * abs(own).max()), "not the reader's surface"
+            limit = 1e-12 * abs(own).max() + rounding
+            assert np.allclose(own, vector(read), rtol=1e-12, atol=limit), "not the reader's surface"
 
     def patch(self, given=None):
         """A given patch in the parameters of this surface, else that in the quaternion form through the corners as read, with
@@ -150,11 +153,18 @@ class Face:
 
     def points(self, count, generator):
         """Random places inside: points and unit normals. The range of the parameters is the face, except in a plane,
-        where the places are on chords between opposite edges, arcs first."""
+        where the places are on chords between opposite edges, arcs first, or between an edge and the opposite corner."""
         places = generator.uniform(0.02, 0.98, (count, 2))
         if self.kind == "plane":
-            k = 1 if BRepAdaptor_Curve(self.edges[0]).GetType() == Curve.GeomAbs_Line else 0
-            from_, to = (self._along(self.edges[k + j]) for j in (0, 2))
+            lines = [BRepAdaptor_Curve(edge).GetType() == Curve.GeomAbs_Line for edge in self.edges]
+            k = 1 if lines[0] else 0
+            if len(self.edges) == 3:
+                # A sector: from its arc to where the others meet.
+                k = lines.index(False) if False in lines else 0
+                tip = self._along(self.edges[(k + 1) % 3])(1.0)
+                from_, to = self._along(self.edges[k]), lambda x: np.broadcast_to(tip, (*np.shape(x), 3))
+            else:
+                from_, to = (self._along(self.edges[k + j]) for j in (0, 2))
             normal = self.at(self.box[0], self.box[2])[1]
             points = np.array([from_(a) * (1 - b) + to(1 - a) * b for a, b in places])
             return points, np.broadcast_to(normal / np.linalg.norm(normal), points.shape)

@@ -14,6 +14,7 @@ VALIDATOR = jsonschema.Draft202012Validator(SCHEMA)
 DOCUMENTS = {**MODELS, **{p.stem: p for p in sorted((ROOT / "examples").rglob("*.json"))}}
 
 ARC = {"type": "arc", "from": [0, 0], "to": [1, 0], "bulge": 0.5}
+SECOND = {"type": "arc", "from": [0, 2], "to": [1, 2], "bulge": 0.2}
 SPLINE = {"type": "circle-spline", "points": [[0, 0], [1, 0], [1, 1]]}
 FIT = {"type": "arc-fit", "points": [[0, 0], [1, 0], [1, 1]], "tolerance": 0.1}
 CIRCLE = {"type": "circle", "center": [0, 0], "radius": 1}
@@ -22,6 +23,8 @@ BIARC = {"type": "biarc", "from": [0, 0], "from_tangent": [1, 0], "to": [1, 1], 
 PATCH = {"type": "cyclide-patch", "corners": [[0, 0], [1, 0], [0, 1], [1, 1]], "frame": [[1, 0, 1], [0, 1]]}
 CYCLIDE = {"type": "cyclide", "a": 3, "mu": 2}
 NET = {"type": "cyclidic-net", "grid": [[[0, 0], [1, 0], [3, 0]], [[0, 1], [1, 1], [3, 1]]]}
+NECK = {"type": "plate-with-neck", "pipe_radius": 9, "ball_radius": 4, "height": 40, "plate": [60, 50]}
+BRIDGE = {"type": "ellipse-bridge", "ellipses": [[10, 20], [20, 25]]}
 STEPS = [
     {"translation": [1, 0]},
     {"rotation": {"angle": 1, "axis": [0, 1, 0], "center": [1, 1]}},
@@ -59,6 +62,11 @@ GOOD = {
     "net made circular with its border": {**NET, "make_circular": {"border": "free", "max_steps": 5}},
     "net with a frame that is chosen": {**NET, "frame": "auto"},
     "patch with its frame elsewhere": {**PATCH, "frame": [[1, 0], [0, 1]], "frame_corner": 3},
+    "neck": NECK,
+    "neck on a disk": {**NECK, "plate": {"radius": 30}, "slope": {"degrees": 10}, "variant": "vertical", "thickness": 3, "wall": 2},
+    "neck inside": {**without(NECK, "plate"), "side": "inside", "thickness": 3},
+    "bridge": BRIDGE,
+    "bridge with walls": {**BRIDGE, "depth": 3},
     "tangents": {"type": "arc-spline", "points": [[0, 0], [1, 1]], "tangents": [[1, 0], [0, 1, 0]], "rule": "auto"},
 }
 
@@ -115,6 +123,16 @@ BAD = {
     "net from another file": {**NET, "grid": {"stl": "a.stl"}},
     "net closed in words": {**NET, "closed": "s"},
     "another rule": {**BIARC, "rule": "best"},
+    "neck without a plate": without(NECK, "plate"),
+    "neck inside with a plate": {**NECK, "side": "inside"},
+    "neck with a wall of a surface": {**NECK, "wall": 2},
+    "neck of radius zero": {**NECK, "ball_radius": 0},
+    "neck on a plate of one side": {**NECK, "plate": [60]},
+    "neck on a plate without size": {**NECK, "plate": [60, 0]},
+    "neck with another variant": {**NECK, "variant": "smooth"},
+    "bridge of one ellipse": {**BRIDGE, "ellipses": [[10, 20]]},
+    "bridge of a point": {**BRIDGE, "ellipses": [[10, 20], [0, 25]]},
+    "bridge without depth": {**BRIDGE, "depth": 0},
 }
 
 GOOD_DOCUMENTS = {
@@ -122,9 +140,23 @@ GOOD_DOCUMENTS = {
     "thick": {"cyclide": 1, "objects": {"p": PATCH, "o": {"type": "offset", "of": "p", "distance": 0.1, "thick": True}}},
     "support": {"cyclide": 1, "objects": {"p": PATCH, "o": {"type": "support-structure", "of": "p"}}},
     "transform": {"cyclide": 1, "objects": {"p": PATCH, "t": {"type": "transform", "of": "p", "steps": STEPS}}},
+    "ruled": {"cyclide": 1, "objects": {"a": ARC, "b": {**ARC, "bulge": 0.2}, "r": {"type": "ruled", "rails": ["a", "b"]}}},
+    "circular surface": {
+        "cyclide": 1,
+        "objects": {"a": ARC, "b": SECOND, "c": {"type": "circular-surface", "rails": ["a", "b"], "tangent": [0, 0, 1]}},
+    },
+    "circular surface with two tangents": {
+        "cyclide": 1,
+        "objects": {"a": ARC, "b": SECOND, "c": {"type": "circular-surface", "rails": ["a", "b"], "tangent": [[0, 0, 1], [1, 0, 1]]}},
+    },
 }
 
 BAD_DOCUMENTS = {
+    "ruled between three": {"cyclide": 1, "objects": {"a": ARC, "r": {"type": "ruled", "rails": ["a", "a", "a"]}}},
+    "circular surface without a tangent": {
+        "cyclide": 1,
+        "objects": {"a": ARC, "b": SECOND, "c": {"type": "circular-surface", "rails": ["a", "b"]}},
+    },
     "offset of nothing": {"cyclide": 1, "objects": {"o": {"type": "offset", "distance": 1}}},
     "offset in words": {"cyclide": 1, "objects": {"p": PATCH, "o": {"type": "offset", "of": "p", "distance": "1"}}},
     "another step": {"cyclide": 1, "objects": {"p": PATCH, "t": {"type": "transform", "of": "p", "steps": [{"shift": [1, 0]}]}}},

@@ -30,6 +30,12 @@ pub struct Exporter<'a> {
     pub(crate) extents: Extents,
 }
 
+impl std::fmt::Debug for Exporter<'_> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Exporter").field("model", &self.model).field("bounds", &self.bounds).finish_non_exhaustive()
+    }
+}
+
 /// Size of each part of a model and its distance from the origin, whichever is larger: rounding is relative to
 /// coordinates.
 #[derive(Default)]

@@ -35,6 +35,7 @@ mod parameter_circles;
 mod patch_edges;
 mod pieces;
 mod place;
+mod plane_regions;
 mod png;
 mod points;
 mod read_back;
@@ -50,10 +51,11 @@ pub use camera::Camera;
 pub use document::{
     Angle, ArcFitSpec, ArcSpec, ArcSplineSpec, BiarcSpec, BorderCurves, BorderSpec, BorderWord, BuiltObject,
     CircleSpec, CircleSplineSpec, ClampedEnds, Comment, ContourFacts, Coordinates, CyclidePatchSpec, CyclideSpec,
-    CyclidicNetSpec, DOCUMENT_VERSION, Document, EffortWord, EndsSpec, FairEndPair, FairEndSpec, FairEndWord,
+    CyclidicNetSpec, DOCUMENT_VERSION, Document, EffortWord, EndWord, EndsSpec, FairEndPair, FairEndSpec, FairEndWord,
     FairEndsSpec, FairFitSpec, FairSplineSpec, Fitted, FrameSpec, GridSource, Lists, MakeCircularOptions,
-    MakeCircularSpec, MeshFile, ModelBuilder, NO_EFFECT, ObjectSpec, OffsetSpec, PlaneSpec, PointFile, PointSource,
-    Remark, RotationSpec, RuleWord, ScaleSpec, SphereSpec, StepSpec, StraightWord, TargetWord, TransformSpec, TypeWord,
+    MakeCircularSpec, MeshFile, ModelBuilder, NO_EFFECT, ObjectSpec, OffsetSpec, PipeSpec, PlaneSpec, PointFile,
+    PointSource, PolyhedronFile, PolylineSpec, RadiiSpec, Remark, RevolutionSpec, RotationSpec, RoundedPolyhedron,
+    RuleWord, ScaleSpec, SmoothPolyhedronSpec, SphereSpec, StepSpec, StraightWord, TargetWord, TransformSpec, TypeWord,
     UnitWord, VariantWord, document_schema,
 };
 pub use error::{Error, Result};
@@ -77,8 +79,9 @@ pub use points::{ColumnUnit, PointColumns, PointList, PointRemark, PointTable, r
 pub use read_back::{file_deviation, read_back};
 pub use report::{
     CheckError, CircularReport, CurvatureRangeReport, CurvatureReport, CurvesReport, FairnessReport, FileReport,
-    FitPieces, FitReport, GeometryReport, JointReport, ObjectReport, PartReport, PatchPlace, RangeReport, Report,
-    SeamReport, ShapeReport, SingularPatchReport, SurfaceJointReport, SurfaceReport, WarningReport,
+    FitPieces, FitReport, GeometryReport, JointReport, ObjectReport, PartReport, PatchPlace, PolyhedronReport,
+    RangeReport, Report, SeamReport, ShapeReport, SingularPatchReport, SurfaceJointReport, SurfaceReport,
+    WarningReport,
 };
 pub use sample::{Spacing, sample};
 pub use suggest::{did_you_mean, similar};

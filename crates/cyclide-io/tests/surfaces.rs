@@ -546,3 +546,261 @@ fn seams_that_do_not_close_name_the_ratio_only_where_there_is_one() {
     let slower = message(-1.91e-6);
     assert!(slower.ends_with("of the lines across by the factor 1 - 1.91e-6, limit 1e-9"), "{slower}");
 }
+
+#[test]
+fn revolutions_are_solids_where_the_profile_closes() {
+    let profile =
+        r#""p": {"type": "arc-spline", "points": [[0, 0, 0], [3, 0, 1], [2, 0, 4], [0, 0, 5]], "construction": true}"#;
+    let with = |rest: &str| format!(r#"{profile}, "v": {{"type": "revolution", "of": "p"{rest}}}"#);
+    let solid = surface(&build(&with("")).unwrap());
+    assert!(solid.closed && solid.bodies == 1 && solid.free_edges == 0, "{solid:?}");
+    assert!(solid.volume.unwrap() > 0.0 && solid.joints.gap < 1e-14);
+    // Half a turn has half of the area, and no volume.
+    let half = surface(&build(&with(r#", "angle": {"degrees": 180}"#)).unwrap());
+    assert!(!half.closed && half.volume.is_none());
+    assert!((half.area.unwrap() / solid.area.unwrap() - 0.5).abs() < 1e-12);
+    // About another axis, moved along with it.
+    let turned = r#""m": {"type": "transform", "of": "p", "construction": true,
+        "steps": [{"rotation": {"angle": {"degrees": -90}, "axis": [0, 1, 0]}}, {"translation": [5, 6, 7]}]}"#;
+    let other = format!(
+        r#"{profile}, {turned}, "v": {{"type": "revolution", "of": "m", "axis": [-2, 0, 0], "center": [1, 6, 7]}}"#
+    );
+    let other = surface(&build(&other).unwrap());
+    assert!((other.volume.unwrap() / solid.volume.unwrap() - 1.0).abs() < 1e-12);
+}
+
+#[test]
+fn pipes_follow_arcs_and_segments() {
+    let run = r#""run": {"type": "polyline", "points": [[0, 0, 0], [30, 0, 0], [30, 20, 0], [30, 20, 25]],
+        "radius": [0, 6, 8, 0], "construction": true}"#;
+    let with = |rest: &str| format!(r#"{run}, "pipe": {{"type": "pipe", "of": "run"{rest}}}"#);
+    let length = 75.0 - (6.0 + 8.0) * (2.0 - std::f64::consts::FRAC_PI_2);
+    let pipe = surface(&build(&with(r#", "radius": 3, "wall": 1"#)).unwrap());
+    assert!(pipe.closed && pipe.bodies == 1 && pipe.free_edges == 0);
+    assert!((pipe.volume.unwrap() / (std::f64::consts::PI * 5.0 * length) - 1.0).abs() < 1e-12);
+    let open = surface(&build(&with(r#", "radius": 3, "ends": "open""#)).unwrap());
+    assert!(!open.closed && open.free_edges == 8);
+    assert!((open.area.unwrap() / (std::f64::consts::TAU * 3.0 * length) - 1.0).abs() < 1e-12);
+    let spline = r#""s": {"type": "circle-spline", "points": [[0, 0, 0], [30, 0, 0], [30, 20, 10], [30, 20, 25]], "construction": true}"#;
+    let about = |rest: &str| format!(r#"{spline}, "pipe": {{"type": "pipe", "of": "s", "radius": 1{rest}}}"#);
+    assert!(surface(&build(&about(r#", "tolerance": 0.01"#)).unwrap()).closed);
+    for (objects, place, reason) in [
+        (about(""), "objects.pipe.of", "[not-of-arcs]"),
+        (about(r#", "tolerance": -1"#), "objects.pipe.tolerance", "[tolerance-not-positive]"),
+        (with(r#", "radius": 0"#), "objects.pipe.radius", "[radius-not-positive]"),
+        (with(r#", "radius": 6"#), "objects.pipe.radius", "[pipe-too-wide]"),
+        (with(r#", "radius": 3, "wall": 3"#), "objects.pipe.wall", "[parameter-out-of-range]"),
+        (
+            r#""p": {"type": "polyline", "points": [[0, 0], [9, 0], [9, 9]], "radius": 10}"#.to_owned(),
+            "objects.p.points[1]",
+            "[bend-does-not-fit]",
+        ),
+        (
+            r#""p": {"type": "polyline", "points": [[0, 0], [9, 0], [9, 9]], "radius": [0, 1]}"#.to_owned(),
+            "objects.p.radius",
+            "[radius-count]",
+        ),
+    ] {
+        let error = build(&objects).unwrap_err().to_string();
+        assert!(error.contains(place) && error.contains(reason), "{place} {reason}: {error}");
+    }
+    let error = build(r#""t": {"type": "cyclide", "a": 3, "mu": 1}, "v": {"type": "pipe", "of": "t", "radius": 1}"#);
+    assert!(error.unwrap_err().to_string().contains("only curves have a pipe about them"));
+}
+
+#[test]
+fn revolutions_that_are_none_are_refused_in_their_place() {
+    let curve =
+        |points: &str, kind: &str| format!(r#""p": {{"type": {kind}, "points": {points}, "construction": true}}"#);
+    let of = |curve: &str, rest: &str| format!(r#"{curve}, "v": {{"type": "revolution", "of": "p"{rest}}}"#);
+    let straight = curve("[[1, 0, 0], [2, 0, 1], [1, 0, 3]]", r#""arc-spline""#);
+    for (objects, place, reason) in [
+        (of(&curve("[[-1, 0, 0], [2, 0, 1], [1, 0, 3]]", r#""arc-spline""#), ""), "objects.v.of", "[crosses-axis]"),
+        (of(&straight, r#", "axis": [0, 0, 0]"#), "objects.v.axis", "[zero-axis]"),
+        (of(&straight, r#", "angle": 7"#), "objects.v.angle", "[angle-out-of-range]"),
+        (of(&straight, r#", "angle": 0"#), "objects.v.angle", "[angle-out-of-range]"),
+        (
+            of(
+                &curve(
+                    "[[1, 0, 0], [2, 0, 1], [1, 0, 3], [2, 1, 4]]",
+                    r#""circle-spline", "variant": "trigonometric""#,
+                ),
+                "",
+            ),
+            "objects.v.of",
+            "[not-a-spline]",
+        ),
+    ] {
+        let error = build(&objects).unwrap_err().to_string();
+        assert!(error.contains(place) && error.contains(reason), "{place} {reason}: {error}");
+    }
+    let error =
+        build(r#""t": {"type": "cyclide", "a": 3, "mu": 1}, "v": {"type": "revolution", "of": "t"}"#).unwrap_err();
+    assert!(error.to_string().contains("only curves sweep a surface of revolution"), "{error}");
+}
+
+#[test]
+fn necks_are_surfaces_or_solids() {
+    let neck = |rest: &str| {
+        build(&format!(
+            r#""n": {{"type": "plate-with-neck", "pipe_radius": 10, "ball_radius": 4, "height": 40{rest}}}"#
+        ))
+    };
+    let open = surface(&neck(r#", "plate": [60, 50]"#).unwrap());
+    assert!(!open.closed && open.volume.is_none() && open.free_edges == 16, "{open:?}");
+    let filled = surface(&neck(r#", "plate": [60, 50], "thickness": 2"#).unwrap());
+    assert!(filled.closed && filled.bodies == 1);
+    let bored = surface(&neck(r#", "plate": [60, 50], "thickness": 2, "wall": 3"#).unwrap());
+    let bore = filled.volume.unwrap() - bored.volume.unwrap();
+    assert!((bore / (std::f64::consts::PI * 49.0 * 42.0) - 1.0).abs() < 1e-10, "{bore}");
+    // As many degrees as radians, and the same the other way round.
+    let lean = |slope: &str| surface(&neck(&format!(r#", "plate": {{"radius": 40}}, "slope": {slope}"#)).unwrap());
+    let (degrees, back) = (lean(r#"{"degrees": 30}"#), lean("-0.5235987755982988"));
+    assert!((degrees.area.unwrap() / back.area.unwrap() - 1.0).abs() < 1e-10);
+    assert!(surface(&neck(r#", "side": "inside", "thickness": 1.5"#).unwrap()).closed);
+    // A large ball of a pipe that leans far.
+    let folded = build(
+        r#""n": {"type": "plate-with-neck", "pipe_radius": 5, "ball_radius": 9, "height": 70, "slope": {"degrees": 60}, "plate": [99, 150]}"#,
+    );
+    let folded = folded.unwrap();
+    let [remark] = &folded.remarks[..] else { panic!("one remark: {:?}", folded.remarks) };
+    assert_eq!((remark.reason, remark.place.as_deref()), ("neck-folds", Some("objects.n.ball_radius")));
+    let solid = build(
+        r#""n": {"type": "plate-with-neck", "pipe_radius": 5, "ball_radius": 9, "height": 70, "slope": {"degrees": 60}, "plate": [99, 150], "thickness": 3}"#,
+    );
+    let error = solid.unwrap_err();
+    assert!(error.contains("objects.n.ball_radius") && error.contains("[neck-folds]"), "{error}");
+}
+
+#[test]
+fn necks_that_are_none_are_refused_in_their_place() {
+    let plate = r#""plate": [60, 50]"#;
+    for (fields, place, reason) in [
+        (
+            format!(r#""pipe_radius": 0, "ball_radius": 4, "height": 40, {plate}"#),
+            "pipe_radius",
+            "[radius-not-positive]",
+        ),
+        (
+            format!(r#""pipe_radius": 9, "ball_radius": -4, "height": 40, {plate}"#),
+            "ball_radius",
+            "[radius-not-positive]",
+        ),
+        (
+            r#""pipe_radius": 9, "ball_radius": 9, "height": 40, "side": "inside""#.to_owned(),
+            "ball_radius",
+            "[ball-does-not-fit]",
+        ),
+        (
+            format!(r#""pipe_radius": 9, "ball_radius": 4, "height": 40, {plate}, "slope": {{"degrees": 90}}"#),
+            "slope",
+            "[angle-out-of-range]",
+        ),
+        (format!(r#""pipe_radius": 9, "ball_radius": 4, "height": 4, {plate}"#), "height", "[parameter-out-of-range]"),
+        (
+            r#""pipe_radius": 9, "ball_radius": 4, "height": 40, "plate": {"radius": 13}"#.to_owned(),
+            "plate",
+            "[plate-too-small]",
+        ),
+        (
+            format!(r#""pipe_radius": 9, "ball_radius": 4, "height": 40, {plate}, "thickness": 0"#),
+            "thickness",
+            "[parameter-out-of-range]",
+        ),
+        (
+            format!(r#""pipe_radius": 9, "ball_radius": 4, "height": 40, {plate}, "thickness": 1, "wall": 9"#),
+            "wall",
+            "[parameter-out-of-range]",
+        ),
+        (r#""pipe_radius": 9, "ball_radius": 4, "height": 40"#.to_owned(), "n", "needs a `plate`"),
+        (format!(r#""pipe_radius": 9, "ball_radius": 4, "height": 40, {plate}, "wall": 1"#), "n", "`wall` goes with"),
+        (
+            format!(r#""pipe_radius": 9, "ball_radius": 4, "height": 40, {plate}, "side": "inside""#),
+            "n",
+            "leave out `plate`",
+        ),
+        (r#""pipe_radius": 9, "ball_radius": 4, "height": 40, "plate": 7"#.to_owned(), "n.plate", "expected two sides"),
+    ] {
+        let error = build(&format!(r#""n": {{"type": "plate-with-neck", {fields}}}"#)).unwrap_err();
+        assert!(error.contains(place) && error.contains(reason), "{place} {reason}: {error}");
+    }
+}
+
+#[test]
+fn bridges_are_surfaces_or_solids_and_refused_in_their_place() {
+    let bridge = |rest: &str| build(&format!(r#""b": {{"type": "ellipse-bridge", {rest}}}"#));
+    let solid = surface(&bridge(r#""ellipses": [[10, 20], [20, 25]], "depth": 3"#).unwrap());
+    assert!(solid.closed && solid.patches == 20);
+    assert!(!surface(&bridge(r#""ellipses": [[10, 20], [20, 15]]"#).unwrap()).closed);
+    for (fields, place, reason) in [
+        (r#""ellipses": [[10, 20], [10, 25]]"#, "objects.b.ellipses", "[coincident-points]"),
+        (r#""ellipses": [[10, 20], [10, 25]]"#, "objects.b.ellipses", "the ellipses touch"),
+        (r#""ellipses": [[10, -20], [20, 25]]"#, "objects.b.ellipses", "[radius-not-positive]"),
+        (r#""ellipses": [[10, 20], [20, 15]], "depth": 3"#, "objects.b.ellipses", "[ellipses-cross]"),
+        (r#""ellipses": [[10, 20], [20, 25]], "depth": -3"#, "objects.b.depth", "[parameter-out-of-range]"),
+    ] {
+        let error = bridge(fields).unwrap_err();
+        assert!(error.contains(place) && error.contains(reason), "{place} {reason}: {error}");
+    }
+}
+
+#[test]
+fn surfaces_between_two_curves_and_what_refuses_them() {
+    let rails = r#""a": {"type": "arc", "through": [[0,0,0],[5,1,0],[10,0,0]], "construction": true},
+        "b": {"type": "arc", "through": [[0,6,0],[5,8,1],[10,6,0]], "construction": true},
+        "p": {"type": "arc-spline", "points": [[0,0,4],[5,1,5],[10,0,4]], "construction": true},
+        "k": {"type": "circle", "center": [0, 0, 0], "radius": 5, "construction": true},
+        "m": {"type": "transform", "of": "k", "steps": [{"translation": [0, 0, 7]}], "construction": true},
+        "two": {"type": "arc-spline", "points": [[[0,0],[1,1]],[[5,5],[6,6]]], "construction": true},
+        "solid": {"type": "cyclide", "a": 3, "mu": 1, "construction": true}"#;
+    let made = |object: &str| build(&format!(r#"{rails}, "s": {object}"#));
+    let vault = made(r#"{"type": "circular-surface", "rails": ["a", "b"], "tangent": [0, 0, 1]}"#).unwrap();
+    let corner = vault.bodies[0].outer.vertices()[0];
+    assert!(corner.distance(Point3::ORIGIN) < 1e-15 && surface(&vault).free_edges > 0);
+    let each = r#"{"type": "circular-surface", "rails": ["a", "b"], "tangent": [[0, 0, 1], [1, 0, 1]]}"#;
+    assert!(surface(&made(each).unwrap()).area.unwrap() > surface(&vault).area.unwrap() * 0.5);
+    // Round: a cylinder.
+    let cylinder = surface(&made(r#"{"type": "ruled", "rails": ["k", "m"]}"#).unwrap());
+    assert!((cylinder.area.unwrap() / (std::f64::consts::TAU * 5.0 * 7.0) - 1.0).abs() < 1e-12);
+    assert_eq!(cylinder.joints.count, cylinder.patches);
+    for (object, place, message) in [
+        (r#"{"type": "ruled", "rails": ["a", "p"]}"#, "objects.s.rails", "[piece-counts-differ]"),
+        (
+            r#"{"type": "ruled", "rails": ["a", "p"]}"#,
+            "objects.s.rails",
+            "the first curve has 1 piece(s), the second 4",
+        ),
+        (r#"{"type": "ruled", "rails": ["a", "two"]}"#, "objects.s.rails[1]", "has 2 contours"),
+        (r#"{"type": "ruled", "rails": ["solid", "a"]}"#, "objects.s.rails[0]", "is no curve"),
+        (r#"{"type": "ruled", "rails": ["a", "q"]}"#, "objects.s.rails[1]", "there is no object `q`"),
+        (r#"{"type": "ruled", "rails": ["a", "a"]}"#, "objects.s.rails", "[coincident-points]"),
+        (
+            r#"{"type": "circular-surface", "rails": ["a", "b"], "tangent": [0, 0, 0]}"#,
+            "objects.s.tangent",
+            "[zero-tangent]",
+        ),
+        (
+            r#"{"type": "circular-surface", "rails": ["a", "b"], "tangent": [[0, 0, 1], [0, 0, 0]]}"#,
+            "objects.s.tangent[1]",
+            "[zero-tangent]",
+        ),
+        (
+            r#"{"type": "circular-surface", "rails": ["a", "b"], "tangent": [[0, 0, 1], [0, 0, 1], [0, 0, 1]]}"#,
+            "objects.s.tangent",
+            "[tangent-count]",
+        ),
+        (
+            r#"{"type": "circular-surface", "rails": ["a", "b"], "tangent": [0, -1, 0]}"#,
+            "objects.s.tangent",
+            "[tangent-opposes-chord]",
+        ),
+        (
+            r#"{"type": "circular-surface", "rails": ["a", "a"], "tangent": [0, 0, 1]}"#,
+            "objects.s.rails",
+            "[coincident-points]",
+        ),
+    ] {
+        let error = made(object).unwrap_err();
+        assert!(error.contains(place) && error.contains(message), "{place} {message}: {error}");
+    }
+}

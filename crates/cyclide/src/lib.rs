@@ -86,8 +86,10 @@ pub use construct::{
     Border, CircularMesh, CircularMeshOptions, CircularMeshReport, CircularMeshStep, LineAngles, VertexMoves,
     make_circular,
 };
+pub use construct::{ConvexPolyhedron, PolyhedronEdge, SphericalPolygon};
+pub use construct::{EllipseBridge, NeckBlend, NeckBody, NeckSide, NeckVariant, PlateShape};
 pub use construct::{FairFit, FairFitCertificate, FairFitOptions};
-pub use construct::{RationalRun, Revolution};
+pub use construct::{Pipe, PipeEnds, RationalRun, Revolution};
 pub use curve::{Arc, Arc4, ArcPath, Circle, ClosestPoint, DEFAULT_PIECE_ANGLE, ParamCurve, PieceForm, PieceHull};
 pub use curve::{ArcLength, CurveIndex, ExtremeCurvature, Joint};
 pub use curve::{
@@ -99,8 +101,8 @@ pub use curve::{bounds, closest_point, curvature_comb, extreme_curvature, joints
 pub use error::{Error, Result};
 pub use mesh::{LineKind, ParameterLine, parameter_lines};
 pub use mesh::{
-    MOST_PIECES, MeshCorner, MeshFace, MeshSource, SurfaceMesh, flatten, flatten_into, flatten_places, flatten_within,
-    tessellate, tessellate_all, tessellate_within,
+    MOST_PIECES, MeshCorner, MeshFace, MeshSource, SmoothTessellation, SurfaceMesh, flatten, flatten_into,
+    flatten_places, flatten_within, tessellate, tessellate_all, tessellate_within,
 };
 pub use model::{ChainPiece, CurveChain, CurveObject, Exactness, Item, Lower, Lowered, Model, SurfaceObject, Units};
 pub use rational::{ExactRational, NurbsCurve, RationalBezier, RationalBezierSurface};
@@ -111,6 +113,7 @@ pub use surface::{CyclidePatch, PatchKind};
 pub use surface::{ImplicitForm, PatchLocation, PatchRow};
 pub use surface::{ParamSurface, QuadGrid};
 pub use surface::{Seam, SeamMeasure};
+pub use surface::{SmoothEdge, SmoothMeasure, SmoothMesh, SmoothTriangle, SphereBlend, VertexNormals};
 pub use topology::{Body, EdgeCurve, FaceEdge, FaceSurface, Shell, ShellEdge, ShellFace, Side};
 pub use topology::{SurfaceJoint, surface_joints};
 pub use warning::Warning;

@@ -285,6 +285,22 @@ pub enum Warning {
         /// Largest angle there, radians.
         angle: f64,
     },
+    /// The neck of a ball that is larger than the bends of its way: it runs through itself.
+    NeckFolds {
+        /// Radius of the ball.
+        radius: f64,
+        /// Smallest radius of curvature of the way of its centre.
+        limit: f64,
+    },
+    /// Normals of a mesh that point to the back of a face at their vertex: the smooth surface folds over there.
+    NormalFacesBackward {
+        /// The first triangle with such a corner, from 0.
+        triangle: usize,
+        /// The vertex of it.
+        vertex: usize,
+        /// How many corners there are.
+        count: usize,
+    },
 }
 
 impl Warning {
@@ -327,6 +343,8 @@ impl Warning {
             Self::OpenSeam { .. } => "open-seam",
             Self::BeyondFocalSet { .. } => "beyond-focal-set",
             Self::FoldedNet { .. } => "folded-net",
+            Self::NeckFolds { .. } => "neck-folds",
+            Self::NormalFacesBackward { .. } => "normal-faces-backward",
         }
     }
 
@@ -350,6 +368,7 @@ impl Warning {
             Self::MovedFar { vertex, .. } | Self::LeftSurface { vertex, .. } => Some(vertex),
             Self::BeyondFocalSet { first, .. } => Some(first),
             Self::FoldedNet { first, .. } => first,
+            Self::NormalFacesBackward { triangle, .. } => Some(triangle),
             Self::SamplesTooCoarse { .. }
             | Self::ToleranceBelowNoise { .. }
             | Self::Wavers { .. }
@@ -365,7 +384,8 @@ impl Warning {
             | Self::NodesNotReached { .. }
             | Self::EndsWithoutEffect
             | Self::SwingsOut { .. }
-            | Self::Zigzag { .. } => None,
+            | Self::Zigzag { .. }
+            | Self::NeckFolds { .. } => None,
         }
     }
 }
@@ -572,6 +592,12 @@ impl std::fmt::Display for Warning {
                 "grid lines zigzag: neighbouring turns of {:.1} degrees on average agree by {agreement:.2}; smooth or refine the grid first",
                 turn.to_degrees()
             ),
+            Self::NeckFolds { radius, limit } => write!(
+                f,
+                "the neck runs through itself on the side to which the pipe leans: a ball of radius {} rolls through bends of radius {}; take a smaller ball",
+                ShortNumber(*radius),
+                ShortNumber(*limit)
+            ),
             Self::OpenSeam { border, gap, angle } => write!(
                 f,
                 "the first and the last {border} of the grid are at most an edge apart and the net is open there: the surface has a gap of up to {} and an angle of up to {} degrees there",
@@ -594,6 +620,10 @@ impl std::fmt::Display for Warning {
                 }
                 f.write_str(": the frame does not suit the grid")
             }
+            Self::NormalFacesBackward { triangle, vertex, count } => write!(
+                f,
+                "{count} normal(s) point to the back of a triangle beside them, first that of vertex {vertex} in triangle {triangle}: the surface folds over there; turn the normals or the triangles, or refine the mesh"
+            ),
         }
     }
 }

@@ -9,6 +9,7 @@ use cyclide::{
 use std::f64::consts::TAU;
 
 /// An ellipse in a tilted plane: its curvature is `ab/(a² sin² + b² cos²)^(3/2)`.
+#[derive(Debug)]
 struct Ellipse {
     a: f64,
     b: f64,
@@ -42,6 +43,7 @@ impl ParamCurve for Ellipse {
 }
 
 /// A sine wave over some periods.
+#[derive(Debug)]
 struct Wave {
     height: f64,
     periods: f64,

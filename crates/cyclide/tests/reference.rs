@@ -38,6 +38,10 @@ fn arcs() {
             ("fit-arc-spline", 2),
             ("revolution", 12),
             ("revolution-angle", 2),
+            ("neck-blend", 12),
+            ("ellipse-bridge", 5),
+            ("sphere-polygon", 5),
+            ("polyhedron-offset", 9),
         ],
     );
 }
@@ -55,6 +59,8 @@ fn circle_blends() {
             ("circle-blend-derivatives", 6),
             ("rational-circle-blend-bezier", 6),
             ("circle-blend-hermite", 6),
+            ("blend-patch", 6),
+            ("sphere-blend", 15),
         ],
     );
 }

@@ -138,3 +138,74 @@ fn profiles_that_meet_the_axis_otherwise_are_refused() {
     let body = whole().body(&cone, true).unwrap();
     assert!(body.is_solid() && (body.outer.volume() / (PI * 2.0 / 3.0) - 1.0).abs() < 1e-12);
 }
+
+/// A rational curve that is a straight segment, whatever its parameters do, sweeps what the segment does.
+#[test]
+fn straight_rational_pieces_give_analytic_faces() {
+    let straight = |a: [f64; 2], b: [f64; 2]| {
+        let at = |x: f64, w: f64| [w * (a[0] + x * (b[0] - a[0])), 0.0, w * (a[1] + x * (b[1] - a[1])), w];
+        EdgeCurve::Rational(RationalBezier::new(vec![at(0.0, 1.0), at(0.2, 3.0), at(0.9, 0.5), at(1.0, 1.0)]).unwrap())
+    };
+    let knob = [straight([0.0, 0.0], [3.0, 0.0]), straight([3.0, 0.0], [3.0, 2.0]), straight([3.0, 2.0], [0.0, 5.0])];
+    let body = whole().body(&knob, false).unwrap();
+    assert_eq!(kinds(&body), ["cone", "cylinder", "plane"]);
+    assert!((body.outer.volume() / (PI * 9.0 * 3.0) - 1.0).abs() < 1e-12);
+    // One that runs forth and back on its line is no segment.
+    let back = [[1.0, 0.0, 0.0, 1.0], [5.0, 0.0, 4.0, 1.0], [2.0, 0.0, 1.0, 1.0]];
+    let body = whole().body(&[EdgeCurve::Rational(RationalBezier::new(back.to_vec()).unwrap())], false).unwrap();
+    assert_eq!(kinds(&body), ["rational"]);
+}
+
+fn chain(points: &[[f64; 2]], closed: bool) -> Vec<EdgeCurve> {
+    let count = if closed { points.len() } else { points.len() - 1 };
+    let at = |k: usize| p(points[k % points.len()][0], points[k % points.len()][1]);
+    (0..count).map(|k| segment(at(k), at(k + 1))).collect()
+}
+
+#[test]
+fn profiles_that_meet_themselves_are_no_solids() {
+    let reason =
+        |points: &[[f64; 2]], closed| whole().body(&chain(points, closed), closed).map_err(|e| e.reason()).err();
+    let eight = [[10.0, 0.0], [30.0, 30.0], [30.0, 0.0], [10.0, 30.0]];
+    assert_eq!(reason(&eight, true), Some("profile-meets-itself"));
+    assert_eq!(reason(&[[0.0, 0.0], [20.0, 10.0], [20.0, 0.0], [0.0, 10.0]], false), Some("profile-meets-itself"));
+    let spike = [[10.0, 0.0], [30.0, 0.0], [30.0, 30.0], [30.0, 0.0], [30.0, -20.0], [10.0, -20.0]];
+    assert_eq!(reason(&spike, true), Some("profile-meets-itself"));
+    let along =
+        [[10.0, 0.0], [20.0, 0.0], [20.0, 20.0], [30.0, 20.0], [30.0, 10.0], [20.0, 10.0], [20.0, 30.0], [10.0, 30.0]];
+    assert_eq!(reason(&along, true), Some("profile-meets-itself"));
+    // A circle across a plane through the axis covers its meridian twice.
+    let circle = Circle::from_radius(Point3::new(30.0, 0.0, 0.0), Vec3::X, 10.0).unwrap();
+    let error = CurveObject::Circle(circle).revolved(&whole()).unwrap_err();
+    assert_eq!(error.reason(), "profile-meets-itself");
+    // Walls that are thinner than the sagittas of chords do not meet.
+    let [inner, outer] =
+        [10.0, 10.0 + 1e-5].map(|r| Arc::from_three_points(p(20.0 + r, 0.0), p(20.0, r), p(20.0 - r, 0.0)).unwrap());
+    let ends = [segment(inner.end(), outer.end()), segment(outer.start(), inner.start())];
+    let [back, forth] = ends;
+    let shell = [inner.into(), back, outer.reversed().into(), forth];
+    assert!(whole().body(&shell, true).unwrap().is_solid());
+}
+
+#[test]
+fn crossings_of_the_axis_between_places_are_found() {
+    for x in [0.9998, 0.999_999_99] {
+        for start in [0.0_f64, 0.03, 0.05, 0.07] {
+            let at = |u: f64| p(x + (start + u).cos(), (start + u).sin());
+            let circle = Circle::through_points([at(0.0), at(2.0), at(4.0)]).unwrap();
+            let error = CurveObject::Circle(circle).revolved(&whole()).unwrap_err();
+            assert_eq!(error.reason(), "crosses-axis", "{x} {start}");
+        }
+    }
+}
+
+/// The profile is 4 m high, its place five thousand kilometres away.
+#[test]
+fn places_on_maps_are_no_heights() {
+    let turn = Revolution::new(Point3::new(5e5, 5.4e6, 300.0), Vec3::Z, 2.0 * PI).unwrap();
+    let at = |r: f64, z: f64| Point3::new(5e5 + r, 5.4e6, 300.0 + z);
+    let corners = [at(2.0, 0.0), at(3.0, 0.0), at(3.0, 4.0), at(2.0, 4.0)];
+    let profile: Vec<EdgeCurve> = (0..4).map(|k| segment(corners[k], corners[(k + 1) % 4])).collect();
+    let body = turn.body(&profile, true).unwrap();
+    assert!((body.outer.volume() / (PI * 5.0 * 4.0) - 1.0).abs() < 1e-8);
+}

@@ -36,7 +36,7 @@ const CURVES: &[Format] = &[Format::Step, Format::Svg, Format::Png];
 const SURFACES: &[Format] = &[Format::Step, Format::Glb, Format::Png];
 
 /// All models, in the order of the page.
-pub const ENTRIES: [Entry; 11] = [
+pub const ENTRIES: [Entry; 16] = [
     Entry {
         name: "roof",
         title: "Free-form roof with two skins",
@@ -74,6 +74,46 @@ pub const ENTRIES: [Entry; 11] = [
         title: "Triply curved handle",
         text: "A grip that swells and tapers, bent in three planes: 12 patches of three Dupin cyclides, made thick to a closed solid.",
         document: example!("handle.json"),
+        inputs: &[],
+        formats: SURFACES,
+    },
+    Entry {
+        name: "vase",
+        title: "Vase",
+        text: "A fair profile through twelve points turned about its axis: a closed solid of exact rational faces, its foot and lip plane.",
+        document: example!("vase.json"),
+        inputs: &[],
+        formats: SURFACES,
+    },
+    Entry {
+        name: "dodecahedron",
+        title: "Rounded dodecahedron",
+        text: "The convex hull of twenty points with a radius of 4 mm on all edges and corners: planes, cylinders and parts of spheres.",
+        document: example!("dodecahedron.json"),
+        inputs: &[],
+        formats: SURFACES,
+    },
+    Entry {
+        name: "pipe",
+        title: "Pipe with eight bends",
+        text: "A run of segments and arcs with a wall, of cylinders and tori alone, and a closed frame of rods with mitred corners.",
+        document: example!("pipe.json"),
+        inputs: &[],
+        formats: SURFACES,
+    },
+    Entry {
+        name: "roof_pipe",
+        title: "A pipe through a roof",
+        text: "A rolling ball rounds the corner between a pipe and a plate at 35 degrees: an exact rational neck, sewn with pipe and plate to one solid.",
+        document: example!("roof_pipe.json"),
+        inputs: &[],
+        formats: SURFACES,
+    },
+    Entry {
+        name: "ellipse_bridge",
+        title: "Bridge of two ellipses",
+        text: "Half circles upright on the chords between two ellipses, and walls tangent to them: a solid ring.",
+        document: example!("ellipse_bridge.json"),
         inputs: &[],
         formats: SURFACES,
     },

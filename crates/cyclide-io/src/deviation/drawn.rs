@@ -1,7 +1,7 @@
 //! The lines of surfaces in a drawing against the lines of the model that they stand for.
 //!
 //! Who draws hands over places: which body, which edge or parameter line of a face. The line is taken from the model
-//! again, so that a wrong one is not compared with itself. Every edge has its place, once and in order; one that is a
+//! again, so that a wrong one is not compared with itself. Every edge that is not inside a plane has its place, once and in order; one that is a
 //! point in the plan has no line in the file, and what is lost of it is measured.
 
 use super::check_parts;
@@ -9,6 +9,7 @@ use super::matching::{apart, larger};
 use crate::exported::Promise;
 use crate::file_content::ReadError;
 use crate::job::BodyOf;
+use crate::plane_regions::drawn_edges;
 use cyclide::{Correspondence, CurveChain, EdgeCurve};
 
 /// Points of a line that is not drawn.
@@ -110,14 +111,17 @@ pub(crate) fn lines_deviation(
     Ok(deviations)
 }
 
-/// Every edge of every body is there once and in order, and parameter lines are inner ones, no two of them the same.
+/// Every edge of every body that is drawn is there once and in order, and parameter lines are inner ones, no two of them the same.
 fn check_places(bodies: &[BodyOf<'_>], written: &[DrawnLine]) -> Result<(), ReadError> {
     let (edges, circles): (Vec<LinePlace>, Vec<LinePlace>) =
         written.iter().map(|line| line.place).partition(|place| matches!(place.line, ShellLine::Edge(_)));
     let of_model = bodies.iter().enumerate().flat_map(|(body, of)| {
         let shells = of.body.shells().enumerate();
         let edge = move |shell| move |edge| LinePlace { body, shell, line: ShellLine::Edge(edge) };
-        shells.flat_map(move |(shell, it)| (0..it.edges().len()).map(edge(shell)))
+        shells.flat_map(move |(shell, it)| {
+            let drawn = drawn_edges(it).into_iter().enumerate().filter(|(_, drawn)| *drawn);
+            drawn.map(|(edge, _)| edge).map(edge(shell))
+        })
     });
     if !of_model.eq(edges) {
         return Err(ReadError::Lines { detail: "they are not all edges of the model, once and in order" });

@@ -16,6 +16,7 @@ use super::triangle::Triangle;
 use crate::file_content::ReadError;
 use crate::format::Format;
 use crate::job::BodyOf;
+use crate::plane_regions::is_plane_quad;
 use cyclide::{
     FaceSurface, MeshCorner, MeshFace, MeshSource, ParamSurface as _, Point3, ShellFace, SurfaceJet, SurfaceMesh, Vec3,
 };
@@ -285,37 +286,68 @@ fn cell_deviation(
         }
         largest = larger(largest, best);
     }
+    let is_plane = is_plane_quad(surface);
     for Triangle { corners: [a, b, c], .. } in triangles {
         let center = Point3::ORIGIN + (a.to_vec() + b.to_vec() + c.to_vec()) / 3.0;
         for p in [*a, *b, *c, a.midpoint(*b), b.midpoint(*c), c.midpoint(*a), center] {
-            largest = larger(largest, to_cell(surface, source, samples, p, largest));
+            // Parts of planes are the triangles between their samples.
+            let apart =
+                if is_plane { between_samples(samples, p).1 } else { to_cell(surface, source, samples, p, largest) };
+            largest = larger(largest, apart);
         }
     }
     largest
 }
 
-/// Distance of a point from the cell: from the nearest sample a few steps along the parameter lines. What is `enough` is not made
-/// smaller.
+/// Distance of a point from the cell. What is `enough` is not made smaller.
+///
+/// From the nearest sample the foot is a few steps away, unless parameter lines are nearly one line: then the nearest sample
+/// may lie far from it in the parameters, and the triangles between the samples show the way.
 fn to_cell(surface: &FaceSurface, source: &MeshSource, samples: &[Sample], p: Point3, enough: f64) -> f64 {
-    let (mut s, mut t, mut best) = (source.s[0], source.t[0], f64::INFINITY);
-    for &(at_s, at_t, q) in samples {
-        let distance = q.distance(p);
-        if distance < best {
-            (s, t, best) = (at_s, at_t, distance);
-        }
+    let nearest = samples.iter().map(|&(s, t, q)| (s, t, q.distance(p))).min_by(|a, b| a.2.total_cmp(&b.2));
+    let (s, t, distance) = nearest.unwrap_or((source.s[0], source.t[0], f64::INFINITY));
+    if distance <= enough {
+        return distance;
     }
+    let found = down_to_foot(surface, source, [s, t], p, enough).min(distance);
+    if found <= enough {
+        return found;
+    }
+    down_to_foot(surface, source, between_samples(samples, p).0, p, enough).min(found)
+}
+
+/// The distance from the foot of a point that steps from a place lead to.
+fn down_to_foot(surface: &FaceSurface, source: &MeshSource, from: [f64; 2], p: Point3, enough: f64) -> f64 {
+    let ([mut s, mut t], mut best) = (from, f64::INFINITY);
     for _ in 0..STEPS {
-        if best <= enough {
-            return best;
-        }
         let jet = surface.jet(s, t);
         let offset = p - jet.point;
         best = best.min(offset.length());
+        if best <= enough {
+            return best;
+        }
         let [ds, dt] = step(&jet, offset);
         s = (s + ds).clamp(source.s[0], source.s[1]);
         t = (t + dt).clamp(source.t[0], source.t[1]);
     }
     best.min(surface.point(s, t).distance(p))
+}
+
+/// The parameters of the place nearest to a point on the triangles between the samples, and its distance.
+fn between_samples(samples: &[Sample], p: Point3) -> ([f64; 2], f64) {
+    let mut best = ([0.0; 2], f64::INFINITY);
+    let first_corners = (0..(GRID - 1) * GRID).filter(|k| k % GRID + 1 < GRID);
+    for three in first_corners.flat_map(|k| [[k, k + 1, k + GRID], [k + GRID + 1, k + GRID, k + 1]]) {
+        let corners = three.map(|k| samples[k]);
+        let triangle = Triangle::new(corners.map(|(_, _, q)| q));
+        let distance = triangle.distance(p);
+        if distance < best.1 {
+            let weights = triangle.nearest(p);
+            let mean = |of: fn(&Sample) -> f64| corners.iter().zip(weights).map(|(c, w)| of(c) * w).sum();
+            best = ([mean(|c| c.0), mean(|c| c.1)], distance);
+        }
+    }
+    best
 }
 
 /// The step in both parameters that takes the tangent plane nearest to a point. Where parameter lines are orthogonal, as

@@ -4,6 +4,7 @@ use super::{Cell, MeshPlan};
 use crate::file_content::ReadError;
 use crate::job::BodyOf;
 use crate::patch_edges::patch_edges;
+use crate::plane_regions::plane_regions;
 use cyclide::{MeshFace, SurfaceMesh};
 use std::collections::HashSet;
 
@@ -23,7 +24,14 @@ pub(crate) fn check_mesh_edges(
     plan: &MeshPlan,
     drawn: bool,
 ) -> Result<(), ReadError> {
-    let patch_of = |cell: &Cell| std::iter::repeat_n((cell.source.shell, cell.source.face), cell.polygons);
+    let regions: Vec<Vec<Vec<usize>>> =
+        bodies.iter().map(|body| body.body.shells().map(plane_regions).collect()).collect();
+    // Parts of one plane are one.
+    let patch_of = |cell: &Cell| {
+        let (shell, face) = (cell.source.shell, cell.source.face);
+        let region = regions.get(cell.body).and_then(|shells| shells.get(shell)?.get(face));
+        std::iter::repeat_n((shell, region.copied().unwrap_or(face)), cell.polygons)
+    };
     let mut patches = plan.cells.iter().flat_map(patch_of);
     for ((body, mesh), lines) in bodies.iter().zip(meshes).zip(lines) {
         let bits = |position: usize| mesh.positions[position].to_array().map(f64::to_bits);

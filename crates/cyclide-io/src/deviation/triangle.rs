@@ -36,15 +36,40 @@ impl Triangle {
         if self.normal.length_squared() > 0.0 && (0..3).all(inside) {
             return (p - a).dot(self.normal).abs() / self.height;
         }
-        [(a, b), (b, c), (c, a)].into_iter().map(|(from, to)| to_segment(p, from, to)).fold(f64::INFINITY, f64::min)
+        [(a, b), (b, c), (c, a)].into_iter().map(|(from, to)| to_segment(p, from, to).1).fold(f64::INFINITY, f64::min)
+    }
+
+    /// The place nearest to a point, as weights of the corners.
+    pub(super) fn nearest(&self, p: Point3) -> [f64; 3] {
+        // The weight of a corner is the area beside the side across.
+        let areas: [f64; 3] = std::array::from_fn(|k| {
+            let across = (k + 1) % 3;
+            self.sides[across].cross((p - self.corners[across]) / self.longest).dot(self.normal)
+        });
+        let sum = areas[0] + areas[1] + areas[2];
+        if sum > 0.0 && areas.iter().all(|area| *area >= 0.0) {
+            return areas.map(|area| area / sum);
+        }
+        let mut best = ([1.0, 0.0, 0.0], f64::INFINITY);
+        for k in 0..3 {
+            let next = (k + 1) % 3;
+            let (part, distance) = to_segment(p, self.corners[k], self.corners[next]);
+            if distance < best.1 {
+                best = ([0.0; 3], distance);
+                best.0[k] = 1.0 - part;
+                best.0[next] = part;
+            }
+        }
+        best.0
     }
 }
 
-fn to_segment(p: Point3, from: Point3, to: Point3) -> f64 {
+/// The part of a segment up to the place nearest to a point, and its distance.
+fn to_segment(p: Point3, from: Point3, to: Point3) -> (f64, f64) {
     let along = to - from;
     let squared = along.length_squared();
     let part = if squared > 0.0 { ((p - from).dot(along) / squared).clamp(0.0, 1.0) } else { 0.0 };
-    p.distance(from + along * part)
+    (part, p.distance(from + along * part))
 }
 
 #[cfg(test)]
@@ -62,7 +87,11 @@ mod tests {
                 ([7.0, 0.0, 4.0], 5.0),
                 ([4.0, 3.0, 0.0], 2.4), // 12/5 from the long side
             ] {
-                assert!((Triangle::new(triangle).distance(at(p)) / scale - distance).abs() < 2e-15, "{p:?} {scale:e}");
+                let triangle = Triangle::new(triangle);
+                assert!((triangle.distance(at(p)) / scale - distance).abs() < 2e-15, "{p:?} {scale:e}");
+                let [x, y, z] = triangle.nearest(at(p));
+                let foot = Point3::from([4.0 * y * scale, 3.0 * z * scale, 0.0]);
+                assert!((x + y + z - 1.0).abs() < 1e-15 && (foot.distance(at(p)) / scale - distance).abs() < 2e-15);
             }
             let flat = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [2.0, 0.0, 0.0]].map(at);
             assert!((Triangle::new(flat).distance(at([2.0, 3.0, 0.0])) / scale - 3.0).abs() < 2e-15);

@@ -10,7 +10,8 @@ use super::angle::Angle;
 use super::coordinates::Coordinates;
 use super::spec::{
     ArcFitSpec, ArcSplineSpec, CircleSplineSpec, EffortWord, EndsSpec, FairEndPair, FairEndSpec, FairEndWord,
-    FairEndsSpec, FairFitSpec, FairSplineSpec, RuleWord, StraightWord, TargetWord, VariantWord,
+    FairEndsSpec, FairFitSpec, FairSplineSpec, PolylineSpec, RadiiSpec, RuleWord, StraightWord, TargetWord,
+    VariantWord,
 };
 use crate::points::PointList;
 
@@ -44,6 +45,22 @@ pub(super) struct Contour<'a> {
 
 /// A curve, what is known about it, and what its construction remarked.
 pub(super) type Made = cyclide::Result<(CurveObject, ContourFacts, Vec<Warning>)>;
+
+pub(super) fn polyline(spec: &PolylineSpec, at: &Contour<'_>) -> Made {
+    let radii = match &spec.radius {
+        RadiiSpec::All(radius) => vec![*radius; at.kept.len()],
+        RadiiSpec::Each(given) => {
+            // Of the points as given, those that were merged away included; a point that repeats the first one may have its own.
+            let needed = at.kept.last().map_or(0, |last| last + 1);
+            if given.len() != needed && !(spec.closed && given.len() == needed + 1) {
+                return Err(cyclide::Error::RadiusCount { given: given.len(), needed });
+            }
+            at.kept.iter().filter_map(|&i| given.get(i).copied()).collect()
+        }
+    };
+    let path = ArcPath::rounded_polyline(&at.list.points, spec.closed, &radii)?;
+    Ok((CurveObject::ArcPath(path), at.facts(None), Vec::new()))
+}
 
 pub(super) fn arc_spline(spec: &ArcSplineSpec, at: &Contour<'_>) -> Made {
     let tangents = match &spec.tangents {

@@ -38,6 +38,10 @@ pub struct Lists {
     pub nested: bool,
 }
 
+/// One direction, or a list of them.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Directions(pub Vec<Coordinates>);
+
 /// Where the points of a construction come from.
 #[derive(Debug, Clone, PartialEq)]
 pub enum PointSource {
@@ -163,6 +167,15 @@ impl<'de> Deserialize<'de> for Row {
     }
 }
 
+impl<'de> Deserialize<'de> for Directions {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        Row::deserialize(deserializer).map(|row| match row {
+            Row::Point(one) => Self(vec![one]),
+            Row::Contour(list) => Self(list),
+        })
+    }
+}
+
 impl Lists {
     fn from_rows<'de, A: SeqAccess<'de>>(mut seq: A) -> Result<Self, A::Error> {
         let mut lists: Vec<Vec<Coordinates>> = Vec::new();
@@ -237,6 +250,19 @@ impl JsonSchema for Coordinates {
             "items": { "type": "number" },
             "minItems": 2,
             "maxItems": 3
+        })
+    }
+}
+
+impl JsonSchema for Directions {
+    fn schema_name() -> Cow<'static, str> {
+        "Directions".into()
+    }
+    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
+        let one = generator.subschema_for::<Coordinates>();
+        json_schema!({
+            "description": "One direction of any length, or a list of them.",
+            "anyOf": [one, { "type": "array", "items": one, "minItems": 1 }]
         })
     }
 }

@@ -26,7 +26,7 @@ use serde_json::value::RawValue;
 use crate::place::{Diagnostic, Source, decode, quoted};
 use crate::suggest::did_you_mean;
 pub use angle::Angle;
-pub use build::{BuiltObject, ModelBuilder, NO_EFFECT, Remark};
+pub use build::{BuiltObject, ModelBuilder, NO_EFFECT, Remark, RoundedPolyhedron};
 pub use construct::{ContourFacts, Fitted};
 pub use coordinates::{Coordinates, Lists, PointFile, PointSource};
 use locate::{Entries, Step, offset_in, path_text, value_at};
@@ -34,10 +34,11 @@ use plain_words::{in_plain_words, other_word_for, syntax_in_plain_words, wrong_c
 pub use schema::document_schema;
 pub use spec::{
     ArcFitSpec, ArcSpec, ArcSplineSpec, BiarcSpec, BorderCurves, BorderSpec, BorderWord, CircleSpec, CircleSplineSpec,
-    ClampedEnds, Comment, CyclidePatchSpec, CyclideSpec, CyclidicNetSpec, EffortWord, EndsSpec, FairEndPair,
+    ClampedEnds, Comment, CyclidePatchSpec, CyclideSpec, CyclidicNetSpec, EffortWord, EndWord, EndsSpec, FairEndPair,
     FairEndSpec, FairEndWord, FairEndsSpec, FairFitSpec, FairSplineSpec, FrameSpec, GridSource, MakeCircularOptions,
-    MakeCircularSpec, MeshFile, ObjectSpec, OffsetSpec, PlaneSpec, RotationSpec, RuleWord, ScaleSpec, SphereSpec,
-    StepSpec, StraightWord, TargetWord, TransformSpec, TypeWord, UnitWord, VariantWord,
+    MakeCircularSpec, MeshFile, ObjectSpec, OffsetSpec, PipeSpec, PlaneSpec, PolyhedronFile, PolylineSpec, RadiiSpec,
+    RevolutionSpec, RotationSpec, RuleWord, ScaleSpec, SmoothPolyhedronSpec, SphereSpec, StepSpec, StraightWord,
+    TargetWord, TransformSpec, TypeWord, UnitWord, VariantWord,
 };
 
 /// The document version this crate reads.

@@ -100,10 +100,17 @@ pub(super) fn other_word_for(kind: &str) -> String {
         "ellipse" | "bezier" | "nurbs" | "bspline" | "b-spline" | "curve" => {
             "a smooth curve through points is a `fair-spline`"
         }
-        "polyline" | "polygon" | "path" => "arcs along points are an `arc-fit` (target `polyline`) or an `arc-spline`",
+        "polygon" | "path" => {
+            "segments through points are a `polyline`, arcs along points an `arc-fit` or an `arc-spline`"
+        }
         "torus" | "ring" | "horn" | "spindle" => "a torus is a `cyclide` with the radii `a` and `mu`",
         "surface" | "mesh" | "grid" | "net" | "nurbs-surface" | "quads" => "a surface over a grid is a `cyclidic-net`",
+        "tube" | "hose" | "rod" | "wire" => "the tube about a curve is a `pipe`",
+        "revolve" | "lathe" | "rotate-extrude" => "what a curve sweeps about an axis is a `revolution`",
         "thicken" | "thick" | "solid" | "shell" => "an `offset` with `thick` makes the solid",
+        "polyhedron" | "hull" | "convex-hull" | "polytope" | "box" | "cube" => {
+            "a convex polyhedron with rounded edges is a `smooth-polyhedron`"
+        }
         "mirror" | "rotation" | "translation" | "scale" | "inversion" | "move" | "rotate" => {
             "it is a step of a `transform`"
         }

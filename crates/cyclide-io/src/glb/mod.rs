@@ -18,8 +18,9 @@ use crate::job::{BodyOf, Contour, Job};
 use crate::labels::{FileLabels, FileName, Named, push_counted};
 use crate::mesh::{BodyMesh, Single, between, body_meshes, check_single, polyline, single, triangles};
 use crate::patch_edges::patch_edges;
+use crate::plane_regions::plane_regions;
 use buffer::Buffer;
-use cyclide::{Aabb, Item, MeshCorner, Point3, SurfaceMesh, bounds};
+use cyclide::{Aabb, Body, Item, MeshCorner, Point3, SurfaceMesh, bounds};
 use material::{Look, UNLIT};
 use serde_json::{Value, json};
 use std::collections::HashMap;
@@ -169,7 +170,7 @@ impl File {
         let indices = self.buffer.indices(&indices);
         primitives.push(json!({"attributes": attributes, "indices": indices, "material": material, "mode": TRIANGLES}));
         if let Some(ink) = ink {
-            let lines = edges(mesh, &rounded, &mut vertices);
+            let lines = edges(&body.body.body, mesh, &rounded, &mut vertices);
             self.written.mesh_edges = true;
             if !lines.is_empty() {
                 let indices = self.buffer.indices(&lines);
@@ -214,11 +215,12 @@ impl File {
     }
 }
 
-/// The edges of the patches of a mesh as pairs of vertices, where those with the same rounded position are one.
-fn edges(mesh: &SurfaceMesh, rounded: &[[f32; 3]], vertices: &mut Vertices) -> Vec<u32> {
+/// The edges of the patches of a mesh, parts of one plane as one, as pairs of vertices, where those with the same rounded position are one.
+fn edges(body: &Body, mesh: &SurfaceMesh, rounded: &[[f32; 3]], vertices: &mut Vertices) -> Vec<u32> {
+    let regions: Vec<Vec<usize>> = body.shells().map(plane_regions).collect();
     let faces = mesh.faces.iter().zip(&mesh.sources);
     let of_patch = faces.flat_map(|(face, source)| {
-        let patch = (source.shell, source.face);
+        let patch = (source.shell, regions[source.shell][source.face]);
         triangles(face).iter().map(move |t| (patch, t.map(|i| face.corners()[i])))
     });
     let triangles: Vec<((usize, usize), [MeshCorner; 3])> = of_patch.collect();

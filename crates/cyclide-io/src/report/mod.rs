@@ -3,6 +3,7 @@
 mod curvature;
 mod curves;
 mod fairness;
+mod polyhedron;
 mod seam;
 mod surface;
 mod text;
@@ -23,6 +24,7 @@ use crate::read_back::deviations_of;
 pub use curvature::CurvatureRangeReport;
 pub use curves::{CurvatureReport, CurvesReport, FitPieces, FitReport, JointReport};
 pub use fairness::FairnessReport;
+pub use polyhedron::PolyhedronReport;
 pub use seam::SeamReport;
 pub(crate) use seam::measured_seams;
 pub use surface::{

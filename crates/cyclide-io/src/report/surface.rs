@@ -8,7 +8,7 @@ use cyclide::{
 };
 use serde::Serialize;
 
-use super::{CurvatureRangeReport, RangeReport, SeamReport};
+use super::{CurvatureRangeReport, PolyhedronReport, RangeReport, SeamReport};
 use crate::document::BuiltObject;
 
 /// Places per direction at which a patch is measured where there is no closed form.
@@ -47,7 +47,7 @@ pub struct SurfaceReport {
     pub weights: RangeReport,
     /// Largest real part of the quaternion quotient, a length: how far rounding takes the surface out of three-space.
     pub residual: f64,
-    /// Largest cosine between the two directions of the parameter lines.
+    /// Largest cosine between the two directions of the parameter lines of patches of cyclides.
     pub orthogonality: f64,
     /// Patches with a singular point: a parameter line that shrinks to a point inside, or a side that is a node.
     pub singular: Vec<SingularPatchReport>,
@@ -57,6 +57,9 @@ pub struct SurfaceReport {
     /// Opposite borders of open nets that nearly coincide.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub seams: Vec<SeamReport>,
+    /// The polyhedron whose edges and corners were rounded.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub polyhedron: Option<Box<PolyhedronReport>>,
     /// What it took to make a net circular.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub circular: Option<Box<CircularReport>>,
@@ -262,6 +265,7 @@ impl SurfaceReport {
             singular: Vec::new(),
             flipped: Vec::new(),
             seams: nets.flat_map(|net| SeamReport::all(net, &built.seams)).collect(),
+            polyhedron: built.polyhedron.as_deref().map(|rounded| Box::new(PolyhedronReport::from(rounded))),
             circular: built.circular.as_ref().map(|report| Box::new(CircularReport::from(report))),
         };
         // An object has solids only, or none: a solid's rims have no normal of their own to be against.
@@ -282,7 +286,7 @@ impl SurfaceReport {
     fn add(&mut self, place: PatchPlace, face: &ShellFace) {
         let patch = match &face.surface {
             FaceSurface::Cyclide(patch) => patch,
-            FaceSurface::Rational(surface) => return self.add_rational(surface, face.same_sense),
+            FaceSurface::Rational(surface) => return self.add_rational(surface, face),
         };
         self.singular.extend(SingularPatchReport::new(place, patch));
         // The curvatures are against D V3 D^-1; the outer side may be the other one.
@@ -306,20 +310,22 @@ impl SurfaceReport {
 
 impl SurfaceReport {
     /// A rational face, whose parameter lines need not be lines of curvature: normal curvatures of these, by samples.
-    fn add_rational(&mut self, surface: &RationalBezierSurface, same_sense: bool) {
-        let side = if same_sense { 1.0 } else { -1.0 };
+    fn add_rational(&mut self, surface: &RationalBezierSurface, face: &ShellFace) {
+        let side = if face.same_sense { 1.0 } else { -1.0 };
         for row in surface.rows() {
             self.weights = self.weights.with(row[3], row[3]);
         }
         for i in 0..SAMPLES * SAMPLES {
             let [s, t] = [i % SAMPLES, i / SAMPLES].map(|k| k as f64 / (SAMPLES - 1) as f64);
+            // On a side of one point there are no lines.
+            let [bottom, top, left, right] = face.sides.map(|side| side.is_none());
+            if s <= 0.0 && left || s >= 1.0 && right || t <= 0.0 && bottom || t >= 1.0 && top {
+                continue;
+            }
             let jet = surface.jet(s, t);
             if let Some([a, b]) = jet.normal_curvatures().filter(|k| k.iter().all(|k| k.is_finite())) {
                 self.curvature_s = self.curvature_s.with([side * a; 2]);
                 self.curvature_t = self.curvature_t.with([side * b; 2]);
-            }
-            if let (Some(a), Some(b)) = (jet.ds.unit(), jet.dt.unit()) {
-                self.orthogonality = self.orthogonality.max(a.dot(b).abs());
             }
         }
     }

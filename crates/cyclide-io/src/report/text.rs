@@ -202,6 +202,9 @@ impl SurfaceReport {
         line("weights", range(&self.weights))?;
         let (residual, cosine) = (short(self.residual), short(self.orthogonality));
         line("accuracy", format!("in space to {residual} {units}, lines orthogonal to {cosine} rad"))?;
+        if let Some(polyhedron) = &self.polyhedron {
+            line("polyhedron", polyhedron.text(units))?;
+        }
         if let Some(c) = &self.circular {
             let [most, mean, off] = [c.move_max, c.move_mean, c.off_surface_max].map(short);
             let moved = format!("vertices moved up to {most} {units}, {mean} {units} on average");

@@ -12,8 +12,8 @@ use super::data::{Data, push_list, push_reference};
 use crate::number::push_step;
 use crate::options::StepEdges;
 use cyclide::{
-    Arc, CyclidePatch, Error, ExactRational as _, Frame, ParamSurface as _, PatchKind, Point3, RationalBezierSurface,
-    Result, Shell, ShellFace, Vec3,
+    Arc, CyclidePatch, Error, ExactRational as _, FaceSurface, Frame, ParamSurface as _, PatchKind, Point3,
+    RationalBezierSurface, Result, Shell, ShellFace, Vec3,
 };
 use std::fmt::Write as _;
 
@@ -27,10 +27,13 @@ const SMALLEST_HOLE: f64 = 1e-6;
 /// Angle up to which circles of a sphere are parallel to, or contain, an axis.
 const AXIS_LIMIT: f64 = 1e-10;
 
-/// The surface of a face as it is written: the kind with its placement, the general one for a rational face. Where
+/// The surface of a face as it is written: the kind with its placement, of a rational face a plane or the general one. Where
 /// rational edges are asked for, all but planes is rational: only there do rational edges have exact parameter curves.
 pub(super) fn kind(shell: &Shell, face: &ShellFace, size: f64, edges: StepEdges) -> PatchKind {
-    let Some(patch) = face.surface.patch() else { return PatchKind::Cyclide };
+    let patch = match &face.surface {
+        FaceSurface::Cyclide(patch) => patch,
+        FaceSurface::Rational(surface) => return plane(shell, face, surface).unwrap_or(PatchKind::Cyclide),
+    };
     let kind = patch.recognise();
     let keep = match kind {
         PatchKind::Plane { .. } => true,
@@ -55,6 +58,15 @@ pub(super) fn kind(shell: &Shell, face: &ShellFace, size: f64, edges: StepEdges)
         PatchKind::Cyclide => false,
     };
     if keep { kind } else { PatchKind::Cyclide }
+}
+
+/// The plane of a rational face between straight edges, if its control points are in one.
+fn plane(shell: &Shell, face: &ShellFace, surface: &RationalBezierSurface) -> Option<PatchKind> {
+    let is_straight = |arc: &Arc| arc.is_straight();
+    if !face.edges().all(|(_, side)| shell.edges()[side.edge].curve.arc().is_some_and(is_straight)) {
+        return None;
+    }
+    surface.plane().map(|frame| PatchKind::Plane { frame })
 }
 
 /// The axis about which the edges of a spherical face are meridians and parallels, if there is one.

@@ -6,6 +6,7 @@
 
 mod collapsed;
 mod reader;
+mod triangles;
 
 use crate::export_error::ExportError;
 use crate::exported::{Exported, Promise, Written};
@@ -18,6 +19,7 @@ use cyclide::{Point3, Units};
 use collapsed::{Triangle, is_whole, reach};
 
 pub(crate) use reader::read;
+pub(crate) use triangles::read_triangles;
 
 /// Length of the head, and of the record of a triangle.
 const HEAD: usize = 80;

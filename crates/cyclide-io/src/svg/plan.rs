@@ -11,6 +11,7 @@ use crate::job::BodyOf;
 use crate::job::Job;
 use crate::number::push_plain;
 use crate::parameter_circles::halvings;
+use crate::plane_regions::drawn_edges;
 use cyclide::{Aabb, Arc, Correspondence, EdgeCurve, Shell};
 
 /// Names of the groups in the order in which they are drawn: inner circles, edges.
@@ -33,7 +34,8 @@ impl Plan {
         for (index, body) in job.bodies.iter().enumerate() {
             for (number, shell) in body.body.shells().enumerate() {
                 let place = |line: ShellLine| LinePlace { body: index, shell: number, line };
-                for (k, edge) in shell.edges().iter().enumerate() {
+                let drawn = drawn_edges(shell);
+                for (k, edge) in shell.edges().iter().enumerate().filter(|(k, _)| drawn[*k]) {
                     plan.edges.push(draw(job, body, place(ShellLine::Edge(k)), Ok(edge.curve.clone()))?);
                 }
                 for (line, curve) in circles(job, shell) {

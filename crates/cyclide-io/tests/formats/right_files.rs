@@ -388,3 +388,17 @@ fn a_tolerance_that_rounding_exceeds_is_named() {
         assert_eq!(notes.iter().any(says), named, "{tolerance:e}: {notes:?}");
     }
 }
+
+/// A profile that runs round its axis sweeps cells whose two parameter lines are nearly one: the sample nearest to a point of
+/// a triangle lies far from its foot.
+#[test]
+fn parameter_lines_that_are_nearly_one() {
+    // A figure of Lissajous.
+    let points: Vec<[f64; 2]> =
+        (0..8).map(|k| f64::from(k) * std::f64::consts::FRAC_PI_4).map(|u| [u.sin(), (2.0 * u).sin()]).collect();
+    let profile = json!({"type": "fair-fit", "points": points, "tolerance": 8e-4, "centre": 1.0, "construction": true});
+    let turned = json!({"type": "revolution", "of": "a", "center": [-0.612_084_499_575_929_1, -0.578_642_273_719_951_3, -0.079_740_605_788_095_8],
+        "axis": [-0.951_027_705_402_560_7, -0.747_310_664_179_462_8, -0.621_809_440_428_399_3]});
+    let options = ExportOptions { tolerance: Some(2e-3), ..ExportOptions::default() };
+    checked(&json!({"a": profile, "b": turned}), &[Format::Obj, Format::Stl], &options);
+}

@@ -12,10 +12,14 @@ mod near_degenerate;
 mod nets;
 mod objects;
 mod patches;
+mod pipes;
 mod points;
+mod polyhedra;
 mod random;
+mod revolutions;
 pub mod runner;
 mod scales;
+mod swept;
 
 pub use random::Random;
 
@@ -62,7 +66,7 @@ impl Objects {
     }
 }
 
-const CLASSES: [Class; 13] = [
+const CLASSES: [Class; 19] = [
     ("points", 6, points::object),
     ("hairpins", 4, hairpins::object),
     ("ends", 4, ends::object),
@@ -76,6 +80,12 @@ const CLASSES: [Class; 13] = [
     ("offsets", 2, patches::offset),
     ("nets", 3, nets::object),
     ("inverted surfaces", 2, inversions::surface),
+    ("revolutions", 1, revolutions::surface),
+    ("polyhedra", 1, polyhedra::surface),
+    ("pipes", 1, pipes::surface),
+    ("necks", 1, swept::neck),
+    ("bridges", 1, swept::bridge),
+    ("rails", 1, swept::between_rails),
 ];
 
 /// Document `number` of the attack with this seed.

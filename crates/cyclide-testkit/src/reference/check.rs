@@ -169,6 +169,30 @@ impl<'a> Check<'a> {
         }
     }
 
+    /// Rows of so many places, then the numbers there; `None` where there is nothing at a place.
+    pub(super) fn rows(
+        &mut self,
+        field: &str,
+        places: usize,
+        at: impl Fn(&[f64]) -> Option<Vec<f64>>,
+        allowed: Allowed,
+    ) {
+        let Some(value) = self.want(field) else { return };
+        let Some(rows) = value.as_array().filter(|rows| !rows.is_empty()) else {
+            return self.fail(field, "the expected value is not a list of rows".into());
+        };
+        for (i, row) in rows.iter().enumerate() {
+            let place = format!("row {i}: ");
+            match numbers(row).as_deref().and_then(|row| row.split_at_checked(places)) {
+                Some((place_of_row, want)) => match at(place_of_row) {
+                    Some(got) => self.row(field, &place, &got, want, allowed),
+                    None => self.fail(field, format!("{place}there is no such place")),
+                },
+                None => self.fail(field, format!("{place}the expected value is not a row")),
+            }
+        }
+    }
+
     /// Rows of numbers in lists of lists, which are compared in their order.
     pub(super) fn table(&mut self, field: &str, got: &[Vec<f64>], allowed: Allowed) {
         let Some(value) = self.want(field) else { return };

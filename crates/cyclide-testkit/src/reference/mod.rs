@@ -11,11 +11,14 @@ mod arc_spline;
 mod blend;
 mod case;
 mod check;
+mod circular;
 mod deviation;
 mod fair;
 mod patch;
+mod polyhedron;
 mod report;
 mod revolution;
+mod triangle;
 
 pub use case::{Case, Fault};
 pub use check::Check;
@@ -64,10 +67,15 @@ pub const CURVE_CONSTRUCTS: [&str; 34] = [
     "g1-arc-spline",
 ];
 
-/// The constructs about surfaces of revolution, patches and nets of Dupin cyclides: `--surfaces` of the command.
-pub const SURFACE_CONSTRUCTS: [&str; 10] = [
+/// The constructs about surfaces of revolution, circular surfaces, offsets of polyhedra, patches over triangles, patches and nets
+/// of Dupin cyclides: `--surfaces` of the command.
+pub const SURFACE_CONSTRUCTS: [&str; 16] = [
     "revolution",
     "revolution-angle",
+    "neck-blend",
+    "ellipse-bridge",
+    "sphere-polygon",
+    "polyhedron-offset",
     "qb-arc",
     "qb-arc-three-points",
     "cyclide-patch",
@@ -76,6 +84,8 @@ pub const SURFACE_CONSTRUCTS: [&str; 10] = [
     "cyclide-implicit",
     "cyclide-moebius",
     "circular-net-frames",
+    "sphere-blend",
+    "blend-patch",
 ];
 
 /// The handler of a construct; `None` if the product does not have it (yet).
@@ -88,6 +98,9 @@ fn handler(construct: &str) -> Option<Handler> {
         arc_fit::handler,
         patch::handler,
         revolution::handler,
+        circular::handler,
+        polyhedron::handler,
+        triangle::handler,
     ]
     .iter()
     .find_map(|topic| topic(construct))

@@ -78,20 +78,25 @@ pub(crate) fn first_derivative<const D: usize>(row: &[[f64; D]], t: f64) -> [f64
     if n == 0 { [0.0; D] } else { nested(n - 1, t, |i| minus(&row[i + 1], &row[i])).map(|v| v * n as f64) }
 }
 
-/// Value and derivatives of orders 1 to 3 at `t`, from the differences of the coefficients; zero above the degree.
+/// Value and the derivatives of the next orders, `K` of 1 to 4 in all, at `t`, from the differences of the coefficients; zero
+/// above the degree.
 #[must_use]
-pub(crate) fn derivatives<const D: usize>(row: &[[f64; D]], t: f64) -> [[f64; D]; 4] {
+pub(crate) fn derivatives<const D: usize, const K: usize>(row: &[[f64; D]], t: f64) -> [[f64; D]; K] {
     let n = row.len() - 1;
     let first = |i: usize| minus(&row[i + 1], &row[i]);
     let second = |i: usize| minus(&first(i + 1), &first(i));
     let third = |i: usize| minus(&second(i + 1), &second(i));
-    let mut out = [eval(row, t), first_derivative(row, t), [0.0; D], [0.0; D]];
+    let mut out = [[0.0; D]; K];
+    out[0] = eval(row, t);
+    if K > 1 {
+        out[1] = first_derivative(row, t);
+    }
     let mut factor = n as f64;
-    if n >= 2 {
+    if K > 2 && n >= 2 {
         factor *= (n - 1) as f64;
         out[2] = nested(n - 2, t, second).map(|v| v * factor);
     }
-    if n >= 3 {
+    if K > 3 && n >= 3 {
         factor *= (n - 2) as f64;
         out[3] = nested(n - 3, t, third).map(|v| v * factor);
     }
@@ -166,14 +171,14 @@ mod tests {
             let choose = |i: usize| if i < 3 { 0.0 } else { (i * (i - 1) * (i - 2) / 6) as f64 };
             let row: Vec<[f64; 1]> = (0..=n).map(|i| [choose(i) / choose(n)]).collect();
             for t in [0.0_f64, 0.3, 0.5, 1.0] {
-                let got = derivatives(&row, t);
+                let got: [[f64; 1]; 4] = derivatives(&row, t);
                 for (k, want) in [t * t * t, 3.0 * t * t, 6.0 * t, 6.0].into_iter().enumerate() {
                     // Third differences of rounded coefficients, times n(n-1)(n-2).
                     assert!((got[k][0] - want).abs() < 1e-15 * (n as f64).powi(k as i32), "{n} {t} {k}");
                 }
             }
         }
-        assert_eq!(derivatives(&[[1.0], [3.0]], 0.25), [[1.5], [2.0], [0.0], [0.0]]);
+        assert_eq!(derivatives::<1, 4>(&[[1.0], [3.0]], 0.25), [[1.5], [2.0], [0.0], [0.0]]);
     }
 
     #[test]

@@ -13,6 +13,20 @@ const NODES_8: [(f64, f64); 4] = [
     (0.960_289_856_497_536_3, 0.101_228_536_290_376_26),
 ];
 
+/// Nodes and weights of the 4-point rule on `[0, 1]`.
+#[must_use]
+pub(crate) fn unit_rule4() -> [(f64, f64); 4] {
+    let [(x0, w0), (x1, w1)] = NODES_4;
+    [(-x1, w1), (-x0, w0), (x0, w0), (x1, w1)].map(|(x, w)| (0.5 * (1.0 + x), 0.5 * w))
+}
+
+/// Nodes and weights of the 2-point rule on `[0, 1]`.
+#[must_use]
+pub(crate) fn unit_rule2() -> [(f64, f64); 2] {
+    let [(x, w)] = NODES_2;
+    [(-x, w), (x, w)].map(|(x, w)| (0.5 * (1.0 + x), 0.5 * w))
+}
+
 /// The 8-point rule on one interval, exact for degree 15.
 #[must_use]
 pub(crate) fn gauss8(f: &mut impl FnMut(f64) -> f64, a: f64, b: f64) -> f64 {

@@ -20,7 +20,7 @@ pub use arc::subdivide::DEFAULT_PIECE_ANGLE;
 pub use arc_path::ArcPath;
 pub use arc4::Arc4;
 pub use blend::{BlendLaw, BlendSegment, BlendVariant};
-pub(crate) use blend::{BlendTangents, unit_tangent};
+pub(crate) use blend::{BlendTangents, BlendVariation, unit_tangent};
 pub use circle::Circle;
 pub use circle_spline::{CircleSpline, CircleSplineOptions, SplineEnds, corners_by_angle};
 pub(crate) use circle_spline::{SHARP_TURN, chords_between, corner_nodes, inspect_node, rounded_directions};

@@ -15,7 +15,7 @@ use crate::error::Result;
 /// A parametric curve made of one or more smooth pieces; parameters run over `[0, 1]`.
 ///
 /// Object-safe; the jet, the hull, the number of pieces and the closed flag are required.
-pub trait ParamCurve: Send + Sync {
+pub trait ParamCurve: std::fmt::Debug + Send + Sync {
     /// Number of smooth pieces, at least 1.
     fn piece_count(&self) -> usize;
 

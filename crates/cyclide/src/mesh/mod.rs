@@ -2,6 +2,7 @@
 
 mod flatten;
 mod parameter_lines;
+mod smooth;
 mod surface_mesh;
 mod tessellate;
 
@@ -11,5 +12,6 @@ pub const MOST_PIECES: usize = 4_000_000;
 
 pub use flatten::{flatten, flatten_into, flatten_places, flatten_within};
 pub use parameter_lines::{LineKind, ParameterLine, parameter_lines};
+pub use smooth::SmoothTessellation;
 pub use surface_mesh::{MeshCorner, MeshFace, MeshSource, SurfaceMesh};
 pub use tessellate::{tessellate, tessellate_all, tessellate_within};

@@ -65,7 +65,8 @@ pub struct SurfaceMesh {
     pub sources: Vec<MeshSource>,
     /// The cells that no polygon stands for: between points that are one but for rounding.
     pub lost: Vec<MeshSource>,
-    /// No point of the surface is farther from the mesh than this, nor the other way.
+    /// No point of the surface is farther from the mesh than this, nor the other way. Proved for bodies; of a
+    /// [`SmoothMesh`](crate::SmoothMesh) only sampled, or infinite if it was not measured.
     pub bound: f64,
     /// How far a vertex that faces share is from the place of it on any of them, at most: rounding, but for the points of
     /// nearly singular lines, which are one vertex.

@@ -4,8 +4,9 @@ use super::chain::ChainPiece;
 use super::lower::{Exactness, Lower as _, Lowered};
 use super::object::CurveObject;
 use super::surface_object::SurfaceObject;
+use crate::base::vector::Vec3;
 use crate::conformal::mobius::{Conformal, Mobius};
-use crate::construct::Revolution;
+use crate::construct::{Pipe, Revolution};
 use crate::curve::{Arc, ParamCurve as _};
 use crate::error::{Error, Result};
 use crate::surface::CyclidicNet;
@@ -47,6 +48,12 @@ impl CurveObject {
     /// # Errors
     /// `not-a-spline` for a trigonometric circle spline, which has no rational form; as [`Revolution::body`].
     pub fn revolved(&self, turn: &Revolution) -> Result<SurfaceObject> {
+        let (profile, closed) = self.exact_pieces()?;
+        turn.body(&profile, closed).map(SurfaceObject::Body)
+    }
+
+    /// The pieces of the exact form, and whether the last one ends where the first begins.
+    fn exact_pieces(&self) -> Result<(Vec<EdgeCurve>, bool)> {
         // What is exact does not ask for the tolerance.
         let Lowered { form, exactness, .. } = self.lower_to_chain(1.0)?;
         if exactness != Exactness::Exact {
@@ -54,18 +61,52 @@ impl CurveObject {
             return Err(Error::NotASpline { detail });
         }
         let closed = form.is_closed();
-        let mut profile: Vec<EdgeCurve> = Vec::new();
+        let mut pieces: Vec<EdgeCurve> = Vec::new();
         for piece in form.into_pieces() {
             match piece {
-                ChainPiece::Arc(arc) => profile.push(arc.into()),
-                ChainPiece::Spline(spline) => profile.extend(spline.to_beziers().into_iter().map(EdgeCurve::from)),
+                ChainPiece::Arc(arc) => pieces.push(arc.into()),
+                ChainPiece::Spline(spline) => pieces.extend(spline.to_beziers().into_iter().map(EdgeCurve::from)),
             }
         }
-        turn.body(&profile, closed).map(SurfaceObject::Body)
+        Ok((pieces, closed))
+    }
+}
+
+impl CurveObject {
+    /// The pipe about the curve: see [`Pipe::body`]. About what is not made of arcs and segments it follows arcs within the
+    /// tolerance, if one is given.
+    ///
+    /// # Errors
+    /// `not-of-arcs`, errors of the arcs that stand for the curve, and as [`Pipe::body`].
+    pub fn piped(&self, pipe: &Pipe, tolerance: Option<f64>) -> Result<SurfaceObject> {
+        let wanted = "polyline, arc-spline, arc-fit, circle";
+        let of_arcs = !matches!(self, Self::CircleSpline(_));
+        // What is exact does not ask for the tolerance.
+        let tolerance = tolerance.or_else(|| of_arcs.then_some(1.0)).ok_or(Error::NotOfArcs { wanted })?;
+        pipe.body(&self.lower_to_arcs(tolerance)?.form).map(SurfaceObject::Body)
     }
 }
 
 impl SurfaceObject {
+    /// The straight lines between two curves, exact, piece by piece: see [`Body::ruled`]. It is closed round if both curves are.
+    ///
+    /// # Errors
+    /// `not-a-spline` for a trigonometric circle spline, which has no rational form; as [`Body::ruled`].
+    pub fn ruled([first, second]: [&CurveObject; 2]) -> Result<Self> {
+        let ((first, a), (second, b)) = (first.exact_pieces()?, second.exact_pieces()?);
+        Body::ruled([&first, &second], a && b).map(Self::Body)
+    }
+
+    /// The arcs between two curves, exact, piece by piece, with tangents at the first: see [`Body::circular`]. It is closed round if
+    /// both curves are.
+    ///
+    /// # Errors
+    /// `not-a-spline` for a trigonometric circle spline, which has no rational form; as [`Body::circular`].
+    pub fn circular([first, second]: [&CurveObject; 2], tangents: &[Vec3]) -> Result<Self> {
+        let ((first, a), (second, b)) = (first.exact_pieces()?, second.exact_pieces()?);
+        Body::circular([&first, &second], tangents, a && b).map(Self::Body)
+    }
+
     /// The parallel surface at a signed distance along the unit normal, exact; `None` for a solid, whose normal is not
     /// one along its creases.
     ///

@@ -4,6 +4,7 @@ mod chain;
 mod circle_spline;
 mod derived;
 mod lower;
+mod named;
 mod object;
 mod surface_object;
 

@@ -2,6 +2,8 @@
 
 use super::bezier_curve::{RationalBezier, moved_row};
 use crate::base::bernstein;
+use crate::base::bounds::Aabb;
+use crate::base::frame::Frame;
 use crate::base::surface_jet::SurfaceJet;
 use crate::base::vector::{Point3, Vec3};
 use crate::conformal::mobius::Mobius;
@@ -56,41 +58,63 @@ impl RationalBezierSurface {
     /// The point at `(s, t)`.
     #[must_use]
     pub fn point(&self, s: f64, t: f64) -> Point3 {
-        let [x, y, z, w] = bernstein::eval(&self.along_s(t), s);
+        let [x, y, z, w] = self.row(s, t);
         Point3::new(x / w, y / w, z / w)
+    }
+
+    /// The homogeneous row at `(s, t)`.
+    fn row(&self, s: f64, t: f64) -> [f64; 4] {
+        self.across(|row| bernstein::eval(row, t), [0.0; 4], |rows| bernstein::eval(rows, s))
     }
 
     /// The point and its derivatives at `(s, t)`.
     #[must_use]
     pub fn jet(&self, s: f64, t: f64) -> SurfaceJet {
-        // Derivatives by t of the rows along s, then by s of these.
-        let by_t: Vec<[[f64; 4]; 4]> =
-            self.rows.chunks(self.degrees[1] + 1).map(|row| bernstein::derivatives(row, t)).collect();
-        let along = |k: usize| -> [[f64; 4]; 4] {
-            let rows: Vec<[f64; 4]> = by_t.iter().map(|d| d[k]).collect();
-            bernstein::derivatives(&rows, s)
+        // Value and derivatives by t of a row of the surface side by side, then the derivatives of these by s.
+        let by_t = |row: &[[f64; 4]]| -> [f64; 12] {
+            let derivatives: [[f64; 4]; 3] = bernstein::derivatives(row, t);
+            std::array::from_fn(|k| derivatives[k / 4][k % 4])
         };
-        let [h, ht, htt] = [along(0), along(1), along(2)];
-        let vector = |row: [f64; 4]| Vec3::new(row[0], row[1], row[2]);
-        let w = h[0][3];
-        let x = vector(h[0]) / w;
-        let ds = (vector(h[1]) - x * h[1][3]) / w;
-        let dt = (vector(ht[0]) - x * ht[0][3]) / w;
-        let dss = (vector(h[2]) - ds * (2.0 * h[1][3]) - x * h[2][3]) / w;
-        let dst = (vector(ht[1]) - ds * ht[0][3] - dt * h[1][3] - x * ht[1][3]) / w;
-        let dtt = (vector(htt[0]) - dt * (2.0 * ht[0][3]) - x * htt[0][3]) / w;
+        let h: [[f64; 12]; 3] = self.across(by_t, [0.0; 12], |rows| bernstein::derivatives(rows, s));
+        let vector =
+            |by_s: usize, by_t: usize| Vec3::new(h[by_s][4 * by_t], h[by_s][4 * by_t + 1], h[by_s][4 * by_t + 2]);
+        let weight = |by_s: usize, by_t: usize| h[by_s][4 * by_t + 3];
+        let (w, ws, wt) = (weight(0, 0), weight(1, 0), weight(0, 1));
+        let x = vector(0, 0) / w;
+        let ds = (vector(1, 0) - x * ws) / w;
+        let dt = (vector(0, 1) - x * wt) / w;
+        let dss = (vector(2, 0) - ds * (2.0 * ws) - x * weight(2, 0)) / w;
+        let dst = (vector(1, 1) - ds * wt - dt * ws - x * weight(1, 1)) / w;
+        let dtt = (vector(0, 2) - dt * (2.0 * wt) - x * weight(0, 2)) / w;
         SurfaceJet { point: Point3::ORIGIN + x, ds, dt, dss, dst, dtt }
+    }
+
+    /// What is made of the rows `f` of the lines along t, without allocation up to degree 15 along s.
+    fn across<T: Copy, R>(&self, f: impl Fn(&[[f64; 4]]) -> T, zero: T, then: impl Fn(&[T]) -> R) -> R {
+        let [p, q] = self.degrees;
+        let (mut few, mut many) = ([zero; 16], Vec::new());
+        let lines = match few.get_mut(..=p) {
+            Some(lines) => lines,
+            None => {
+                many.resize(p + 1, zero);
+                &mut many
+            }
+        };
+        for (line, row) in lines.iter_mut().zip(self.rows.chunks(q + 1)) {
+            *line = f(row);
+        }
+        then(lines)
     }
 
     /// Unit normal in the direction of `f_s × f_t`; on a side that is one point the limit from inside. Zero where there is
     /// none.
     #[must_use]
     pub fn unit_normal(&self, s: f64, t: f64) -> Vec3 {
-        let SurfaceJet { ds, dt, dst, .. } = self.jet(s, t);
+        let SurfaceJet { point, ds, dt, dst, .. } = self.jet(s, t);
         // Of a derivative that vanishes on a side, what it is next to it: it grows with the way from the side.
         let inward = |x: f64| if x < 0.5 { 1.0 } else { -1.0 };
-        let size = ds.max_abs().max(dt.max_abs());
-        let (a, b) = match (ds.max_abs() <= VANISHED * size, dt.max_abs() <= VANISHED * size) {
+        let zero = VANISHED * ds.max_abs().max(dt.max_abs()) + ROUNDING * point.to_vec().max_abs();
+        let (a, b) = match (ds.max_abs() <= zero, dt.max_abs() <= zero) {
             (true, false) => (dst * inward(t), dt),
             (false, true) => (ds, dst * inward(s)),
             _ => (ds, dt),
@@ -98,10 +122,30 @@ impl RationalBezierSurface {
         a.unit().zip(b.unit()).and_then(|(a, b)| a.cross(b).unit()).unwrap_or_default()
     }
 
+    /// The plane in which all control points lie, to 1e-13 of their size and the rounding of their coordinates: its third axis is
+    /// the normal `f_s × f_t` in the middle. Weights are positive.
+    #[must_use]
+    pub fn plane(&self) -> Option<Frame> {
+        let points = || self.rows.iter().map(|[x, y, z, w]| Point3::new(x / w, y / w, z / w));
+        let bounds = Aabb::of_points(points())?;
+        let origin = self.corners()[0];
+        // A side may be a point.
+        let along = points().map(|p| p - origin).max_by(|a, b| a.length().total_cmp(&b.length()))?;
+        let frame = Frame::from_normal(origin, self.unit_normal(0.5, 0.5), along).ok()?;
+        let limit = PLANAR * bounds.diagonal() + PLANE_ROUNDING * bounds.max_abs();
+        points().all(|p| frame.to_local(p).1.abs() <= limit).then_some(frame)
+    }
+
+    /// True for a part of a plane whose parameter lines are straight.
+    #[must_use]
+    pub fn is_plane_quad(&self) -> bool {
+        self.degrees == [1, 1] && self.has_positive_weights() && self.plane().is_some()
+    }
+
     /// The way to a point from one near it, which loses no digits far from the origin.
     pub(crate) fn way_from(&self, origin: Point3, s: f64, t: f64) -> Vec3 {
         let local = self.seen_from(origin);
-        let [x, y, z, w] = bernstein::eval(&local.along_s(t), s);
+        let [x, y, z, w] = local.row(s, t);
         Vec3::new(x / w, y / w, z / w)
     }
 
@@ -187,5 +231,10 @@ impl RationalBezierSurface {
     }
 }
 
+/// Part of its size, and of the coordinates, by which control points may be off a plane.
+const PLANAR: f64 = 1e-13;
+const PLANE_ROUNDING: f64 = 16.0 * f64::EPSILON;
 /// A derivative below this part of the other one is rounding of zero: the side is one point there.
 const VANISHED: f64 = 1e-13;
+/// So is one below this part of the coordinates, of whose differences it is made: faces are small, or far from the origin.
+const ROUNDING: f64 = 64.0 * f64::EPSILON;

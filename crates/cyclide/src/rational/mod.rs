@@ -5,6 +5,7 @@ mod bezier_surface;
 mod exact;
 mod nurbs_curve;
 mod nurbs_edit;
+mod polynomial;
 mod smooth_knots;
 mod surface_bounds;
 
@@ -12,4 +13,5 @@ pub use bezier_curve::RationalBezier;
 pub use bezier_surface::RationalBezierSurface;
 pub use exact::ExactRational;
 pub use nurbs_curve::NurbsCurve;
+pub(crate) use polynomial::{Polynomial, PolynomialRow};
 pub(crate) use surface_bounds::SecondDerivatives;

@@ -1,5 +1,6 @@
-//! Surfaces: the trait, principal patches of Dupin cyclides, nets of them.
+//! Surfaces: the trait, principal patches of Dupin cyclides, nets of them; smooth surfaces over triangles.
 
+mod barycentric;
 mod bounds;
 mod dupin;
 mod net;
@@ -7,6 +8,8 @@ mod param_surface;
 mod patch;
 mod quad_grid;
 mod seam;
+mod smooth;
+mod sphere_blend;
 
 pub use dupin::{CyclideKind, DupinCyclide};
 pub(crate) use net::SameVertices;
@@ -15,3 +18,5 @@ pub use param_surface::ParamSurface;
 pub use patch::{CyclidePatch, ImplicitForm, PatchKind, PatchLocation, PatchRow};
 pub use quad_grid::QuadGrid;
 pub use seam::{Seam, SeamMeasure};
+pub use smooth::{SmoothEdge, SmoothMeasure, SmoothMesh, SmoothTriangle, VertexNormals};
+pub use sphere_blend::SphereBlend;

@@ -106,6 +106,14 @@ impl EdgeCurve {
         }
     }
 
+    /// The homogeneous rows of its exact rational form, with the same parameter.
+    pub(crate) fn bezier_rows(&self) -> Vec<[f64; 4]> {
+        match self {
+            Self::Arc(arc) => arc.bezier_rows().to_vec(),
+            Self::Rational(curve) => curve.rows().to_vec(),
+        }
+    }
+
     /// The curve behind the name.
     #[must_use]
     pub fn as_curve(&self) -> &dyn ParamCurve {

@@ -22,6 +22,8 @@ const RENEWED: usize = 8;
 /// miss what they are to find.
 const TAME: f64 = 0.5;
 const WILD: f64 = 0.0625;
+/// Weights are equal above this.
+const EVEN: f64 = 1.0 - 1e-15;
 
 impl Shell {
     /// Area of all faces, to about 1e-12 of itself. The area element `|q1 q2|/|D|⁴` has a kink where a parameter line
@@ -118,6 +120,10 @@ enum Temper {
 fn temper(surface: &FaceSurface, cell: Cell) -> Temper {
     match surface {
         FaceSurface::Cyclide(patch) => temper_of_patch(patch, cell),
+        // A polynomial of low degree: two points are exact.
+        FaceSurface::Rational(surface) if surface.degrees() == [1, 1] && surface.evenness(cell[0], cell[1]) >= EVEN => {
+            Temper::Tame
+        }
         // Of higher degrees coarse rules may agree by chance: they begin with the fine one.
         FaceSurface::Rational(surface) if surface.evenness(cell[0], cell[1]) >= WILD => Temper::Fair,
         FaceSurface::Rational(_) => Temper::Wild,

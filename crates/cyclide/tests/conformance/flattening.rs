@@ -33,6 +33,7 @@ fn hulls_are_those_of_their_pieces() {
 }
 
 /// A curve that claims the hull of another one.
+#[derive(Debug)]
 struct Liar(NurbsCurve, NurbsCurve);
 
 impl ParamCurve for Liar {
@@ -64,6 +65,7 @@ fn the_law_of_hulls_can_fail() {
     assert!(beyond_its_hull(&true_one, 0.01) < 1e-15);
     assert!(beyond_its_hull(&Liar(true_one.clone(), flat), 0.01) > 0.4);
     // A free piece without parts proves nothing, and nothing is taken on trust.
+    #[derive(Debug)]
     struct Silent(NurbsCurve);
     impl ParamCurve for Silent {
         fn piece_count(&self) -> usize {

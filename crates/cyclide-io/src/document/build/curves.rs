@@ -6,7 +6,7 @@ use super::Builder;
 use super::idle::{Idle, NO_EFFECT, idle_fields};
 use crate::document::angle::Angle;
 use crate::document::construct::{
-    Contour, ContourFacts, Made, arc_fit, arc_spline, circle_spline, fair_fit, fair_spline,
+    Contour, ContourFacts, Made, arc_fit, arc_spline, circle_spline, fair_fit, fair_spline, polyline,
 };
 use crate::document::coordinates::{Coordinates, Lists, PointFile, PointSource};
 use crate::document::locate::{Step, path_text};
@@ -36,11 +36,13 @@ impl ObjectSpec {
     /// Where the points of the object come from, if it is made from points.
     pub(super) fn points(&self) -> Option<&PointSource> {
         match self {
+            Self::Polyline(s) => Some(&s.points),
             Self::ArcSpline(s) => Some(&s.points),
             Self::ArcFit(s) => Some(&s.points),
             Self::FairSpline(s) => Some(&s.points),
             Self::FairFit(s) => Some(&s.points),
             Self::CircleSpline(s) => Some(&s.points),
+            Self::SmoothPolyhedron(s) => s.points.as_ref(),
             _ => None,
         }
     }
@@ -124,6 +126,7 @@ impl Builder<'_> {
                 let biarc = Biarc::new(s.from.point(), t0, s.to.point(), t1, s.rule.into());
                 single(CurveObject::ArcPath(biarc.map_err(|e| self.refused(&e, None))?.to_path()))
             }
+            ObjectSpec::Polyline(s) => self.each_contour(&s.points, s.closed, |at| polyline(s, at)),
             ObjectSpec::ArcSpline(s) => self.each_contour(&s.points, s.closed, |at| arc_spline(s, at)),
             ObjectSpec::ArcFit(s) => self.each_contour(&s.points, s.closed, |at| arc_fit(s, at)),
             ObjectSpec::FairSpline(s) => self.each_contour(&s.points, s.closed, |at| fair_spline(s, at)),
@@ -261,7 +264,7 @@ impl Builder<'_> {
         Ok(made)
     }
 
-    fn file_points(&mut self, file: &PointFile) -> Result<Points> {
+    pub(super) fn file_points(&mut self, file: &PointFile) -> Result<Points> {
         let (name, bytes) = self.file(&file.csv, ["points", "csv"])?;
         if file.columns.is_none()
             && let Some(found) = InputKind::of_bytes(&bytes).filter(|found| *found != InputKind::Points)
@@ -318,7 +321,7 @@ pub(super) fn point_steps(nested: bool, contour: usize, index: Option<usize>) ->
     [Step::from("points")].into_iter().chain(contour).chain(index.map(Step::Index)).collect()
 }
 
-fn inline_points(source: &Lists) -> Points {
+pub(super) fn inline_points(source: &Lists) -> Points {
     let list = |points: &Vec<Coordinates>| PointList {
         points: points.iter().map(|p| p.point()).collect(),
         ..PointList::default()

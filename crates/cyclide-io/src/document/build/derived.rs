@@ -1,15 +1,15 @@
 //! Objects made from other objects.
 
 use cyclide::{
-    Body, Conformal as _, CurveObject, CyclidePatch, HPoint, Mobius, Point3, Quat, Shell, ShellFace, ShortNumber,
-    SurfaceObject, Vec3, Warning, bounds, closest_point,
+    Body, Conformal as _, CurveObject, CyclidePatch, HPoint, Mobius, Pipe, Point3, Quat, Revolution, Shell, ShellFace,
+    ShortNumber, SurfaceObject, Vec3, Warning, bounds, closest_point,
 };
 
 use super::{Builder, BuiltObject};
 use crate::document::angle::Angle;
 use crate::document::coordinates::Coordinates;
 use crate::document::locate::{Step, path_text};
-use crate::document::spec::{OffsetSpec, RotationSpec, StepSpec, TransformSpec};
+use crate::document::spec::{OffsetSpec, PipeSpec, RevolutionSpec, RotationSpec, StepSpec, TransformSpec};
 use crate::error::{Error, Result};
 
 impl Builder<'_> {
@@ -22,6 +22,33 @@ impl Builder<'_> {
             made.ok_or_else(|| self.wrong_source(needed))?.map_err(|e| self.refused(&e, None))
         });
         made.collect()
+    }
+
+    /// What the curves of another object sweep.
+    pub(super) fn revolution(&self, spec: &RevolutionSpec) -> Result<Vec<SurfaceObject>> {
+        let curves = self.sources.first().map_or(&[][..], |source| &source.item.contours);
+        if curves.is_empty() {
+            return Err(self.wrong_source("only curves sweep a surface of revolution"));
+        }
+        let axis = spec.axis.map_or(Vec3::Z, Coordinates::vector);
+        let center = spec.center.unwrap_or_default().point();
+        let angle = spec.angle.map_or(std::f64::consts::TAU, Angle::radians);
+        let turn = Revolution::new(center, axis, angle).map_err(|e| self.refused(&e, None))?;
+        curves.iter().map(|curve| curve.revolved(&turn).map_err(|e| self.refused(&e, None))).collect()
+    }
+
+    /// The tubes about the curves of another object.
+    pub(super) fn pipe(&self, spec: &PipeSpec) -> Result<Vec<SurfaceObject>> {
+        let curves = self.sources.first().map_or(&[][..], |source| &source.item.contours);
+        if curves.is_empty() {
+            return Err(self.wrong_source("only curves have a pipe about them"));
+        }
+        let refused = |e: cyclide::Error| self.refused(&e, None);
+        let mut pipe = Pipe::new(spec.radius).map_err(refused)?.with_ends(spec.ends.into());
+        if let Some(wall) = spec.wall {
+            pipe = pipe.with_wall(wall).map_err(refused)?;
+        }
+        curves.iter().map(|curve| curve.piped(&pipe, spec.tolerance).map_err(refused)).collect()
     }
 
     /// The edges of a surface, each once.

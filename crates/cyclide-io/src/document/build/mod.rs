@@ -5,9 +5,11 @@ mod derived;
 mod idle;
 mod net_hints;
 mod nets;
+mod polyhedra;
 mod references;
 mod refuse;
 mod surfaces;
+mod swept;
 
 use std::io;
 use std::path::{Path, PathBuf};
@@ -18,11 +20,12 @@ use super::Document;
 use super::construct::ContourFacts;
 use super::coordinates::PointSource;
 use super::locate::{Step, path_text, span_of};
-use super::spec::{CyclidicNetSpec, GridSource, ObjectSpec};
+use super::spec::{CyclidicNetSpec, GridSource, ObjectSpec, PolyhedronFile};
 use crate::error::{Error, Result};
 use crate::place::Diagnostic;
 pub use idle::NO_EFFECT;
 use nets::MeshNames;
+pub use polyhedra::RoundedPolyhedron;
 use references::{References, State};
 
 /// An object made by its construction, with what is known about it besides its geometry.
@@ -36,6 +39,8 @@ pub struct BuiltObject {
     pub circular: Option<CircularMeshReport>,
     /// Where opposite borders of the grid of a net nearly coincide, as given.
     pub seams: Vec<Seam>,
+    /// The polyhedron whose edges and corners were rounded.
+    pub polyhedron: Option<Box<RoundedPolyhedron>>,
     /// Construction geometry: not for files.
     pub construction: bool,
     /// One entry per contour.
@@ -69,6 +74,12 @@ pub struct ModelBuilder<'a> {
     made: Vec<Option<BuiltObject>>,
     /// Which of these have been made.
     walked: Vec<State>,
+}
+
+impl std::fmt::Debug for ModelBuilder<'_> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("ModelBuilder").field("folder", &self.folder).field("made", &self.made).finish_non_exhaustive()
+    }
 }
 
 /// Reads a file.
@@ -116,6 +127,7 @@ impl<'a> ModelBuilder<'a> {
                     mesh: None,
                     circular: None,
                     seams: Vec::new(),
+                    polyhedron: None,
                     remarks,
                     warnings,
                     data: Vec::new(),
@@ -137,6 +149,7 @@ impl Document {
             (ObjectSpec::CyclidicNet(CyclidicNetSpec { grid: GridSource::File(file), .. }), _) => {
                 Some(file.obj.as_str())
             }
+            (ObjectSpec::SmoothPolyhedron(spec), _) => spec.mesh.as_ref().map(PolyhedronFile::path),
             _ => None,
         })
     }
@@ -158,6 +171,8 @@ struct Builder<'a> {
     circular: Option<CircularMeshReport>,
     /// The seams of its grid as given.
     seams: Vec<Seam>,
+    /// The polyhedron whose offset the object is.
+    polyhedron: Option<Box<RoundedPolyhedron>>,
     remarks: Vec<Remark>,
     warnings: Vec<(usize, Warning)>,
     /// The points of a fit.
@@ -188,8 +203,8 @@ impl Builder<'_> {
         let (warnings, data) = (self.warnings, self.data);
         let item = Item { name, kind, contours: curves, surfaces, warnings, tolerance, data };
         let construction = self.spec.is_construction();
-        let Self { circular, seams, remarks, .. } = self;
-        Ok(BuiltObject { item, bodies, circular, seams, construction, contours: facts, remarks })
+        let Self { circular, seams, polyhedron, remarks, .. } = self;
+        Ok(BuiltObject { item, bodies, circular, seams, polyhedron, construction, contours: facts, remarks })
     }
 
     fn remark(

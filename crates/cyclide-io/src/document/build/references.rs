@@ -119,6 +119,11 @@ fn refused(document: &Document, index: usize, place: usize, message: &str) -> Er
     Error::Input(document.source().diagnostic(span, &path_text(&path), message))
 }
 
+/// The names of two curves, with their paths.
+fn rails(names: &[String; 2]) -> Vec<(Vec<Step>, &str)> {
+    names.iter().enumerate().map(|(k, name)| (vec![Step::from("rails"), Step::from(k)], name.as_str())).collect()
+}
+
 impl ObjectSpec {
     /// The names of the objects it is made from, with their paths below the object.
     pub(super) fn references(&self) -> Vec<(Vec<Step>, &str)> {
@@ -126,7 +131,11 @@ impl ObjectSpec {
         match self {
             Self::Offset(s) => of(s.of.as_str()),
             Self::Transform(s) => of(s.of.as_str()),
+            Self::Revolution(s) => of(s.of.as_str()),
+            Self::Pipe(s) => of(s.of.as_str()),
             Self::SupportStructure(s) => of(s.of.as_str()),
+            Self::CircularSurface(s) => rails(&s.rails),
+            Self::Ruled(s) => rails(&s.rails),
             Self::CyclidicNet(s) => {
                 let sides = s.make_circular.border_curves().map(BorderCurves::sides).into_iter().flatten();
                 let path = |field| vec![Step::from("make_circular"), Step::from("border"), Step::from(field)];

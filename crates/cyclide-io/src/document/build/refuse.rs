@@ -39,6 +39,17 @@ impl Builder<'_> {
                 written.map_or_else(|| error.to_string(), |angle| corner_angle_words(angle, *value))
             }
             (cyclide::Error::FrameNotOrthonormal { .. }, ObjectSpec::CyclidePatch(spec)) => frame_words(spec.frame),
+            (cyclide::Error::CoincidentPoints { distance, limit, .. }, ObjectSpec::EllipseBridge(_)) => format!(
+                "the ellipses touch: their semi-axes of one direction differ by {}, more than {} is needed",
+                ShortNumber(*distance),
+                ShortNumber(*limit)
+            ),
+            (cyclide::Error::CoincidentPoints { .. }, ObjectSpec::Ruled(_)) => {
+                "a piece of one curve is that of the other: there is no surface between".to_owned()
+            }
+            (cyclide::Error::CoincidentPoints { .. }, ObjectSpec::CircularSurface(_)) => {
+                "the curves meet: an arc joins different points".to_owned()
+            }
             (cyclide::Error::CrossingQuad { .. }, ObjectSpec::CyclidePatch(_)) => {
                 format!(
                     "{error}; corners are given row by row, (0,0), (1,0), (0,1), (1,1): are the last two exchanged?"
@@ -166,6 +177,16 @@ fn blame(spec: &ObjectSpec, error: &cyclide::Error) -> Blame {
     let of_distance = ["offset-on-focal-set", "offset-not-regular", "not-a-shell"];
     match *error {
         _ if matches!(spec, ObjectSpec::Offset(_)) && of_distance.contains(&error.reason()) => Blame::Field("distance"),
+        _ if matches!(
+            spec,
+            ObjectSpec::PlateWithNeck(_)
+                | ObjectSpec::EllipseBridge(_)
+                | ObjectSpec::CircularSurface(_)
+                | ObjectSpec::Ruled(_)
+        ) =>
+        {
+            blame_swept(spec, error)
+        }
         E::NotFinite { what: "tangent", index } | E::ZeroTangent { index } | E::TangentOpposesChord { index } => {
             tangent(index)
         }
@@ -187,7 +208,13 @@ fn blame(spec: &ObjectSpec, error: &cyclide::Error) -> Blame {
         }
         E::RadiusNotPositive { .. } => Blame::Field("radius"),
         E::DegenerateCircle { .. } if matches!(spec, ObjectSpec::Circle(_)) => Blame::Field("through"),
-        E::ZeroAxis if matches!(spec, ObjectSpec::Cyclide(_)) => Blame::Field("axis"),
+        E::ZeroAxis if matches!(spec, ObjectSpec::Cyclide(_) | ObjectSpec::Revolution(_)) => Blame::Field("axis"),
+        E::AngleOutOfRange { .. } if matches!(spec, ObjectSpec::Revolution(_)) => Blame::Field("angle"),
+        E::PipeTooWide { .. } | E::MitreDoesNotFit { .. } | E::PipeMeetsItself { .. } => Blame::Field("radius"),
+        E::ParameterOutOfRange { name: name @ "wall", .. } => Blame::Field(name),
+        E::NotOfArcs { .. } => Blame::Field("of"),
+        E::RadiusCount { .. } => Blame::Field("radius"),
+        _ if matches!(spec, ObjectSpec::Revolution(_) | ObjectSpec::Pipe(_)) => Blame::Field("of"),
         E::ZeroAxis => Blame::Field("normal"),
         E::ParameterOutOfRange { name: "segments along s", .. } => Blame::Entry("segments", 0),
         E::ParameterOutOfRange { name: "segments along t", .. } => Blame::Entry("segments", 1),
@@ -196,5 +223,34 @@ fn blame(spec: &ObjectSpec, error: &cyclide::Error) -> Blame {
         E::ParameterOutOfRange { name: "edge_points", .. } => Blame::Field("polyline"),
         E::ParameterOutOfRange { name, .. } => Blame::Field(name),
         _ => error.index().map_or(Blame::Object, Blame::Point),
+    }
+}
+
+/// As [`blame`], of necks, bridges and surfaces between two curves.
+fn blame_swept(spec: &ObjectSpec, error: &cyclide::Error) -> Blame {
+    use cyclide::Error as E;
+    match (spec, error) {
+        (_, E::ParameterOutOfRange { name: name @ ("height" | "thickness" | "wall" | "depth"), .. }) => {
+            Blame::Field(name)
+        }
+        (ObjectSpec::PlateWithNeck(s), E::RadiusNotPositive { .. }) if s.pipe_radius <= 0.0 => {
+            Blame::Field("pipe_radius")
+        }
+        (
+            ObjectSpec::PlateWithNeck(_),
+            E::RadiusNotPositive { .. } | E::BallDoesNotFit { .. } | E::NeckFolds { .. },
+        ) => Blame::Field("ball_radius"),
+        (ObjectSpec::PlateWithNeck(_), E::AngleOutOfRange { .. }) => Blame::Field("slope"),
+        (ObjectSpec::PlateWithNeck(_), E::PlateTooSmall { .. }) => Blame::Field("plate"),
+        (ObjectSpec::EllipseBridge(_), _) => Blame::Field("ellipses"),
+        (ObjectSpec::CircularSurface(s), E::ZeroTangent { index }) if s.tangent.0.len() > 1 => {
+            Blame::Entry("tangent", *index)
+        }
+        (
+            ObjectSpec::CircularSurface(_),
+            E::ZeroTangent { .. } | E::TangentNearlyOpposesChord { .. } | E::TangentCount { .. },
+        ) => Blame::Field("tangent"),
+        (ObjectSpec::CircularSurface(_) | ObjectSpec::Ruled(_), _) => Blame::Field("rails"),
+        _ => Blame::Object,
     }
 }

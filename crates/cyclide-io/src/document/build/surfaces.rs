@@ -14,8 +14,15 @@ impl Builder<'_> {
             ObjectSpec::CyclidePatch(spec) => self.patch(spec),
             ObjectSpec::Cyclide(spec) => self.cyclide(spec),
             ObjectSpec::CyclidicNet(spec) => self.net(spec),
+            ObjectSpec::SmoothPolyhedron(spec) => self.smooth_polyhedron(spec),
             ObjectSpec::Offset(spec) => self.offset(spec),
             ObjectSpec::Transform(spec) => self.mapped_surfaces(spec),
+            ObjectSpec::Revolution(spec) => self.revolution(spec),
+            ObjectSpec::Pipe(spec) => self.pipe(spec),
+            ObjectSpec::PlateWithNeck(spec) => self.plate_with_neck(spec),
+            ObjectSpec::EllipseBridge(spec) => self.ellipse_bridge(spec),
+            ObjectSpec::CircularSurface(spec) => self.circular_surface(spec),
+            ObjectSpec::Ruled(_) => self.ruled(),
             _ => Ok(Vec::new()),
         }
     }

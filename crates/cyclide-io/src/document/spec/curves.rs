@@ -5,6 +5,7 @@ use serde::Deserialize;
 
 use super::TypeWord;
 use super::comment::Comment;
+use super::radii::RadiiSpec;
 use crate::document::angle::Angle;
 use crate::document::coordinates::{Coordinates, Lists, PointSource};
 
@@ -132,6 +133,29 @@ pub struct ArcSplineSpec {
     /// How the joint between two points is chosen.
     #[serde(default)]
     pub rule: RuleWord,
+}
+
+/// Segments through points, with corners that arcs round.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct PolylineSpec {
+    /// The word `polyline`.
+    #[schemars(with = "String", extend("const" = "polyline"))]
+    pub r#type: TypeWord,
+    /// What the author remarks; read and left aside.
+    #[serde(default)]
+    pub comment: Comment,
+    /// Construction geometry: built and reported, not written to files.
+    #[serde(default)]
+    pub construction: bool,
+    /// The points.
+    pub points: PointSource,
+    /// The last point joins the first.
+    #[serde(default)]
+    pub closed: bool,
+    /// Radius of the arcs that round the corners, or a list of one per point. Default 0: the corners are sharp.
+    #[serde(default)]
+    pub radius: RadiiSpec,
 }
 
 /// The fewest arcs and segments within a tolerance, tangent-continuous except at corners.

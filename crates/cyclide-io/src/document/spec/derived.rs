@@ -1,5 +1,6 @@
 //! Objects made from other objects, field by field.
 
+use cyclide::PipeEnds;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -69,6 +70,83 @@ pub enum StepSpec {
     Mirror(PlaneSpec),
     /// The map `x -> (A x + B)(C x + E)^-1` with quaternions `[w, x, y, z]`, rows `[A, B]`, `[C, E]`.
     Matrix([[[f64; 4]; 2]; 2]),
+}
+
+/// What a curve sweeps when it turns about an axis.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct RevolutionSpec {
+    /// The word `revolution`.
+    #[schemars(with = "String", extend("const" = "revolution"))]
+    pub r#type: TypeWord,
+    /// What the author remarks; read and left aside.
+    #[serde(default)]
+    pub comment: Comment,
+    /// Construction geometry: built and reported, not written to files.
+    #[serde(default)]
+    pub construction: bool,
+    /// Name of the curve, which may be construction geometry. It may meet the axis with its ends only; closed, or with both
+    /// ends on the axis, it gives a solid.
+    pub of: String,
+    /// Axis about which a positive angle turns counter-clockwise, of any length. Default `[0, 0, 1]`.
+    pub axis: Option<Coordinates>,
+    /// A point of the axis. Default: the origin.
+    pub center: Option<Coordinates>,
+    /// The angle. Default: a whole turn.
+    pub angle: Option<Angle>,
+}
+
+/// The tube of a radius about a curve of arcs and segments.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct PipeSpec {
+    /// The word `pipe`.
+    #[schemars(with = "String", extend("const" = "pipe"))]
+    pub r#type: TypeWord,
+    /// What the author remarks; read and left aside.
+    #[serde(default)]
+    pub comment: Comment,
+    /// Construction geometry: built and reported, not written to files.
+    #[serde(default)]
+    pub construction: bool,
+    /// Name of the curve, which may be construction geometry.
+    pub of: String,
+    /// Radius of the outer side.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub radius: f64,
+    /// Thickness of the wall about a bore. Default: no bore.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub wall: Option<f64>,
+    /// How it ends, if the curve is open.
+    #[serde(default)]
+    pub ends: EndWord,
+    /// Distance within which arcs replace a curve that is not made of arcs and segments. Default: such a curve is refused.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub tolerance: Option<f64>,
+}
+
+/// The ends of a pipe.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+#[schemars(inline)]
+pub enum EndWord {
+    /// Plane.
+    #[default]
+    Flat,
+    /// Hemispheres.
+    Round,
+    /// None: the surface only.
+    Open,
+}
+
+impl From<EndWord> for PipeEnds {
+    fn from(word: EndWord) -> Self {
+        match word {
+            EndWord::Flat => Self::Flat,
+            EndWord::Round => Self::Round,
+            EndWord::Open => Self::Open,
+        }
+    }
 }
 
 /// A sphere to invert in.

@@ -6,7 +6,10 @@ mod curves;
 mod derived;
 mod fair;
 mod nets;
+mod polyhedra;
+mod radii;
 mod surfaces;
+mod swept;
 
 use std::collections::BTreeMap;
 
@@ -18,14 +21,20 @@ pub use circular::{BorderCurves, BorderSpec, BorderWord, MakeCircularOptions, Ma
 pub use comment::Comment;
 pub use curves::{
     ArcFitSpec, ArcSpec, ArcSplineSpec, BiarcSpec, CircleSpec, CircleSplineSpec, ClampedEnds, EffortWord, EndsSpec,
-    FairFitSpec, RuleWord, TargetWord, VariantWord,
+    FairFitSpec, PolylineSpec, RuleWord, TargetWord, VariantWord,
 };
 pub use derived::{
-    OffsetSpec, PlaneSpec, RotationSpec, ScaleSpec, SphereSpec, StepSpec, SupportStructureSpec, TransformSpec,
+    EndWord, OffsetSpec, PipeSpec, PlaneSpec, RevolutionSpec, RotationSpec, ScaleSpec, SphereSpec, StepSpec,
+    SupportStructureSpec, TransformSpec,
 };
 pub use fair::{FairEndPair, FairEndSpec, FairEndWord, FairEndsSpec, FairSplineSpec, StraightWord};
 pub use nets::{CyclideSpec, CyclidicNetSpec, FrameSpec, GridSource, MeshFile};
+pub use polyhedra::{PolyhedronFile, SmoothPolyhedronSpec};
+pub use radii::RadiiSpec;
 pub use surfaces::CyclidePatchSpec;
+pub use swept::{
+    CircularSurfaceSpec, EllipseBridgeSpec, NeckSideWord, NeckVariantWord, PlateSpec, PlateWithNeckSpec, RuledSpec,
+};
 
 /// A cyclide model: named curves and surfaces made of circles. Lengths are in the document's units and are never rescaled,
 /// angles are in radians or say `degrees`.
@@ -93,6 +102,8 @@ pub enum ObjectSpec {
     Circle(CircleSpec),
     /// Two arcs between two points with given directions.
     Biarc(BiarcSpec),
+    /// Segments through points, corners rounded by arcs.
+    Polyline(PolylineSpec),
     /// Arcs through points, tangent-continuous.
     ArcSpline(ArcSplineSpec),
     /// The fewest arcs near points, tangent-continuous.
@@ -109,8 +120,22 @@ pub enum ObjectSpec {
     Cyclide(CyclideSpec),
     /// A smooth surface of patches over a grid of points.
     CyclidicNet(CyclidicNetSpec),
+    /// A convex polyhedron with its edges and corners rounded.
+    SmoothPolyhedron(SmoothPolyhedronSpec),
     /// A parallel surface, or the solid between.
     Offset(OffsetSpec),
+    /// What a curve sweeps when it turns about an axis.
+    Revolution(RevolutionSpec),
+    /// The tube about a curve of arcs and segments.
+    Pipe(PipeSpec),
+    /// A pipe on a plate with a rounded neck.
+    PlateWithNeck(PlateWithNeckSpec),
+    /// Half circles between two ellipses.
+    EllipseBridge(EllipseBridgeSpec),
+    /// Arcs between two curves.
+    CircularSurface(CircularSurfaceSpec),
+    /// Straight lines between two curves.
+    Ruled(RuledSpec),
     /// An object mapped.
     Transform(TransformSpec),
     /// The edges of a surface as arcs.
@@ -174,6 +199,7 @@ object_types! {
     "arc" => Arc,
     "circle" => Circle,
     "biarc" => Biarc,
+    "polyline" => Polyline,
     "arc-spline" => ArcSpline,
     "arc-fit" => ArcFit,
     "fair-spline" => FairSpline,
@@ -182,7 +208,14 @@ object_types! {
     "cyclide-patch" => CyclidePatch,
     "cyclide" => Cyclide,
     "cyclidic-net" => CyclidicNet,
+    "smooth-polyhedron" => SmoothPolyhedron,
     "offset" => Offset,
+    "revolution" => Revolution,
+    "pipe" => Pipe,
+    "plate-with-neck" => PlateWithNeck,
+    "ellipse-bridge" => EllipseBridge,
+    "circular-surface" => CircularSurface,
+    "ruled" => Ruled,
     "transform" => Transform,
     "support-structure" => SupportStructure,
 }

@@ -4,6 +4,7 @@ use super::camera::Camera;
 use super::light::{Lights, Rgb, mix};
 use crate::palette;
 use crate::parameter_circles::halvings;
+use crate::plane_regions::drawn_edges;
 use cyclide::{FaceSurface, ParamSurface as _, Shell, Side, Vec3};
 
 /// Distance that the inner parameter circles have, about, pixels.
@@ -27,7 +28,7 @@ pub(super) struct Surface<'a> {
     surface: &'a FaceSurface,
     /// Twofold divisions along s and along t.
     levels: [u32; 2],
-    /// Half widths of the sides t=0, t=1, s=0, s=1; 0 for a side of one point.
+    /// Half widths of the sides t=0, t=1, s=0, s=1; 0 for a side of one point, and between parts of one plane.
     sides: [f64; 4],
     outer: f64,
     tint: Rgb,
@@ -42,9 +43,14 @@ pub(super) fn surfaces(shell: &Shell, object: usize, unit: f64, scale: f64) -> i
     let uses = shell.edge_uses();
     let levels = halvings(shell, SPACING * scale * unit);
     let closed = uses.iter().all(|n| *n == 2);
+    let drawn = drawn_edges(shell);
     let (ink, tint) = (palette::linear(object), palette::surface(object));
     shell.faces().iter().zip(levels).map(move |(face, levels)| {
-        let width = |edge: usize| scale * if uses[edge] == 1 { BORDER } else { EDGE };
+        let width = |edge: usize| match uses[edge] {
+            1 => scale * BORDER,
+            _ if !drawn[edge] => 0.0,
+            _ => scale * EDGE,
+        };
         Surface {
             surface: &face.surface,
             levels,

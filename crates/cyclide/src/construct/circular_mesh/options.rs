@@ -5,7 +5,7 @@ use crate::error::{Error, Result};
 use crate::surface::QuadGrid;
 
 /// What the border vertices of an open direction may do.
-#[derive(Clone, Copy, Default)]
+#[derive(Debug, Clone, Copy, Default)]
 pub enum Border<'a> {
     /// They move like the others.
     #[default]
@@ -23,7 +23,7 @@ pub enum Border<'a> {
 }
 
 /// Options of [`make_circular`](super::make_circular).
-#[derive(Clone, Copy)]
+#[derive(Debug, Clone, Copy)]
 pub struct CircularMeshOptions<'a> {
     /// What the border may do.
     pub border: Border<'a>,

@@ -38,6 +38,20 @@ impl Arc {
         if t0 > 0.0 { Ok(left.split(t0 / t1)?.1) } else { Ok(left) }
     }
 
+    /// Equal parts, none of which turns by more than `max_angle`.
+    pub(crate) fn in_parts(&self, max_angle: f64) -> Result<Vec<Self>> {
+        let count = self.piece_count_for(max_angle);
+        let mut rest = *self;
+        let mut parts = Vec::with_capacity(count);
+        for left in (2..=count).rev() {
+            let (first, after) = rest.split(rest.parameter_at_length(1.0 / left as f64))?;
+            parts.push(first);
+            rest = after;
+        }
+        parts.push(rest);
+        Ok(parts)
+    }
+
     /// The bulge vector `tan(alpha/2) u`: its length is the DXF bulge `tan(sweep/4)`, its direction the normal.
     #[must_use]
     pub fn bulge_vector(&self) -> Vec3 {

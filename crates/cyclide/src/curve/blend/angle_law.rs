@@ -175,6 +175,23 @@ impl AngleLaw {
         }
     }
 
+    /// Derivative of [`angle`](Self::angle) by the blend angle, from 0 to 1 where that is less than half a turn.
+    pub(super) fn share(&self, l: f64) -> f64 {
+        let (sin, cos) = (0.25 * self.theta).sin_cos();
+        let rational = |a: f64, b: f64| {
+            let h = (b - a) / (a + b);
+            0.5 + 0.5 * h / (cos * cos + (h * sin) * (h * sin))
+        };
+        match self.law {
+            BlendLaw::Trigonometric { order } => smooth_step(order, l),
+            BlendLaw::Rational { order } => rational(power(1.0 - l, order), power(l, order)),
+            BlendLaw::Fair { blend } => {
+                let [a, b] = fair_factors(blend, l);
+                rational(a, b)
+            }
+        }
+    }
+
     /// `p` and `q` of the angle `p l + q l² + ...` near the start; near the end it is the same, seen from there.
     pub(super) fn end_rates(&self) -> [f64; 2] {
         let chord = 2.0 * self.half[1];

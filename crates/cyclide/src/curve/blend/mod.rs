@@ -14,8 +14,10 @@ mod evaluate;
 mod rational_approximation;
 mod rational_form;
 mod segment;
+mod variation;
 
 pub use angle_law::{BlendLaw, BlendVariant};
 pub use segment::BlendSegment;
 pub(super) use segment::check_order;
 pub(crate) use segment::{BlendTangents, check_points, unit_tangent};
+pub(crate) use variation::BlendVariation;

@@ -42,6 +42,7 @@ pub fn closest_point(curve: &dyn ParamCurve, p: Point3) -> ClosestPoint {
 }
 
 /// A curve prepared for many closest-point queries.
+#[derive(Debug)]
 pub struct CurveIndex<'a> {
     curve: &'a dyn ParamCurve,
     parts: Vec<Part>,
@@ -50,6 +51,7 @@ pub struct CurveIndex<'a> {
     boxes: Vec<Aabb>,
 }
 
+#[derive(Debug)]
 enum Part {
     /// A whole piece with a closed form.
     Exact(usize),
@@ -58,6 +60,7 @@ enum Part {
 }
 
 /// The part `[s0, s1]` of a piece.
+#[derive(Debug)]
 struct FreePart {
     piece: usize,
     s: [f64; 2],

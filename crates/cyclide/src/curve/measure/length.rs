@@ -21,6 +21,7 @@ pub fn resample(curve: &dyn ParamCurve, count: usize) -> Vec<(f64, Point3)> {
 ///
 /// Pieces that are arcs or circles are inverted in closed form, others by Newton steps inside cells on which one
 /// 8-point quadrature gives the length to rounding. Pieces of length zero are passed over.
+#[derive(Debug)]
 pub struct ArcLength<'a> {
     curve: &'a dyn ParamCurve,
     cells: Vec<Cell>,
@@ -28,6 +29,7 @@ pub struct ArcLength<'a> {
 }
 
 /// The part `[s0, s1]` of a piece.
+#[derive(Debug)]
 struct Cell {
     piece: usize,
     s0: f64,

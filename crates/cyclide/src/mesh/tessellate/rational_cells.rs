@@ -9,6 +9,10 @@ const SMALL_BEND: f64 = 0.125;
 
 /// The certified distances between a surface cut at the given parameters and the triangles over the corners of its cells.
 pub(super) fn grid_bound(surface: &RationalBezierSurface, s: &[f64], t: &[f64], tolerance: f64) -> GridBound {
+    if surface.is_plane_quad() {
+        // Cells are quads in the plane, whose triangles cover them.
+        return GridBound { distance: 0.0, excess: [vec![0.0; s.len() - 1], vec![0.0; t.len() - 1]] };
+    }
     let [mut columns, mut rows] = [vec![0.0_f64; s.len() - 1], vec![0.0_f64; t.len() - 1]];
     let mut worst = 0.0_f64;
     for (i, s) in s.windows(2).enumerate() {

@@ -3,8 +3,12 @@
 //! Every variant says which item is at fault, what was measured and the limit it broke. [`Error::reason`] gives
 //! the stable kebab-case name that the reference data, the reports and the documentation use.
 
+mod reason;
+mod words;
+
 use crate::shape_change::ShapeChange;
 use crate::short_number::ShortNumber;
+use words::{at_least, clockwise, numbered, outside, points_in_words, size_in_place, speed_ratio};
 
 /// Result of a fallible kernel call.
 pub type Result<T, E = Error> = std::result::Result<T, E>;
@@ -88,6 +92,19 @@ pub enum Error {
         /// Which tangent (or arc of a chain), from 0.
         index: usize,
     },
+    /// The tangent points so nearly away from the other end that the arc runs out far beyond its chord.
+    #[error(
+        "tangent {index} points away from the chord but for {} radians, where {} are needed: the arcs there would run out nearly to infinity",
+        ShortNumber(*.angle), ShortNumber(*.limit)
+    )]
+    TangentNearlyOpposesChord {
+        /// Which tangent (or piece of a curve), from 0.
+        index: usize,
+        /// Its angle with the way back along the chord, radians.
+        angle: f64,
+        /// Smallest angle accepted.
+        limit: f64,
+    },
     /// The third point lies on the line of the other two, outside the segment; or a point maps to infinity.
     #[error("a point is at infinity: it lies on the line through the ends outside the segment, or maps there")]
     PointAtInfinity,
@@ -130,6 +147,22 @@ pub enum Error {
         /// Number of points.
         needed: usize,
     },
+    /// There is not one radius per point.
+    #[error("{given} radii given for {needed} points")]
+    RadiusCount {
+        /// Number of radii given.
+        given: usize,
+        /// Number of points.
+        needed: usize,
+    },
+    /// What follows arcs and segments was given a curve of another kind.
+    #[error(
+        "the curve is not made of arcs and segments: give the tolerance within which arcs may replace it, or take a curve of arcs ({wanted})"
+    )]
+    NotOfArcs {
+        /// Kinds of curves that are.
+        wanted: &'static str,
+    },
     /// A rotation axis or plane normal is zero (or not usable in the plane asked for).
     #[error("the axis is zero")]
     ZeroAxis,
@@ -150,6 +183,79 @@ pub enum Error {
     RadiusNotPositive {
         /// The value given.
         radius: f64,
+    },
+    /// A ball that is to roll inside a pipe is as large as the pipe.
+    #[error("a ball of radius {} does not fit into the pipe: its radius must be below {}", ShortNumber(*.radius), ShortNumber(*.limit))]
+    BallDoesNotFit {
+        /// Radius of the ball.
+        radius: f64,
+        /// Radius of the pipe.
+        limit: f64,
+    },
+    /// A solid with the neck of a ball larger than the bends of its way: its surface would run through itself.
+    #[error(
+        "the neck runs through itself on the side to which the pipe leans and bounds no solid: a ball of radius {} rolls through bends of radius {}; take a smaller ball",
+        ShortNumber(*.radius), ShortNumber(*.limit)
+    )]
+    NeckFolds {
+        /// Radius of the ball.
+        radius: f64,
+        /// Smallest radius of curvature of the way of its centre.
+        limit: f64,
+    },
+    /// A plate that ends within what is to stand on it.
+    #[error("the plate is too small: it reaches {} from the axis of the pipe, the {what} {}", ShortNumber(*.reach), ShortNumber(*.needed))]
+    PlateTooSmall {
+        /// What it must reach beyond: `neck` or `bore`.
+        what: &'static str,
+        /// How far it reaches.
+        reach: f64,
+        /// How far it must.
+        needed: f64,
+    },
+    /// Two ellipses cross, between which there is no solid.
+    #[error(
+        "the ellipses cross: the second is wider by {} along x and by {} along y; a solid needs one inside the other",
+        ShortNumber(*.along_x), ShortNumber(*.along_y)
+    )]
+    EllipsesCross {
+        /// Difference of the semi-axes along x.
+        along_x: f64,
+        /// The same along y.
+        along_y: f64,
+    },
+    /// Two curves between which pieces are to be matched one by one do not have as many.
+    #[error("the first curve has {first} piece(s), the second {second}: pieces are joined one by one, in their order")]
+    PieceCountsDiffer {
+        /// Pieces of the first curve.
+        first: usize,
+        /// Pieces of the second.
+        second: usize,
+    },
+    /// Straight lines between two curves that cross each other, or run along both: the surface has no normal there.
+    #[error(
+        "the straight lines between piece {piece} of both curves cross, or lie in one line: at {} of the piece and {} of the way between them the surface has no normal (of its length {} is left, limit {}); does the second curve run the other way?",
+        ShortNumber(.at[0]), ShortNumber(.at[1]), ShortNumber(*.normal), ShortNumber(*.limit)
+    )]
+    RulingsCross {
+        /// Which piece, from 0.
+        piece: usize,
+        /// The parameter of the piece, and the part of the way from the first curve to the second.
+        at: [f64; 2],
+        /// Length of the normal there, relative to what it could have.
+        normal: f64,
+        /// Values up to this are refused.
+        limit: f64,
+    },
+    /// A surface of so high a degree that no program would read it.
+    #[error(
+        "the surface would have the degree {degree}, limit {limit}: take curves of lower degrees (segments have 1, arcs 2, fair splines 4)"
+    )]
+    DegreeTooHigh {
+        /// The degree needed.
+        degree: usize,
+        /// Largest degree made.
+        limit: usize,
     },
     /// Three points on a line have no finite circle.
     #[error("the points lie on a line: sine of their angle {}, limit {}", ShortNumber(*.sine), ShortNumber(*.limit))]
@@ -263,7 +369,7 @@ pub enum Error {
     },
     /// A turn beyond what is asked for: more than a whole one, a whole one in one piece, or none where a body is to be made.
     #[error(
-        "the angle {:#} is outside {:#} to {:#} radians, or none at all",
+        "the angle {:#} is 0 or outside {:#} to {:#} radians; degrees are written {{\"degrees\": 90}}",
         ShortNumber(*.angle), ShortNumber(*.min), ShortNumber(*.max)
     )]
     AngleOutOfRange {
@@ -285,9 +391,24 @@ pub enum Error {
         /// Its distance from the axis where that was found.
         distance: f64,
     },
+    /// The meridian of a profile meets itself, and with it what it sweeps.
+    #[error(
+        "the profile meets itself: pieces {first} and {second} at the distance {} from the axis, height {}; a solid needs a profile that goes round once",
+        ShortNumber(*.radius), ShortNumber(*.height)
+    )]
+    ProfileMeetsItself {
+        /// Which piece, from 0.
+        first: usize,
+        /// The other one; the same if it comes back to itself.
+        second: usize,
+        /// Distance from the axis near the place.
+        radius: f64,
+        /// Height along the axis, from its given point.
+        height: f64,
+    },
     /// A profile in a plane across its axis that sweeps a part of the plane twice.
     #[error(
-        "piece {piece} of the profile turns back at the distance {} from the axis, in a plane across it: what it sweeps is folded; take a profile that goes on, or one with heights",
+        "piece {piece} of the profile turns back at the distance {} from the axis, in a plane across it: what it sweeps is folded; take an axis in the plane of the profile, or a profile with heights along the axis",
         ShortNumber(*.distance)
     )]
     FoldedProfile {
@@ -295,6 +416,151 @@ pub enum Error {
         piece: usize,
         /// Where it turns back.
         distance: f64,
+    },
+    /// A loop of vertices is no face.
+    #[error("face {face}: {detail}")]
+    NotAFace {
+        /// Which face, from 0.
+        face: usize,
+        /// What is wrong with it.
+        detail: &'static str,
+    },
+    /// An edge of a polyhedron without one face on each side.
+    #[error(
+        "the faces do not close: {forward} of them run from point {first} to point {second} and {back} the other way, where one and one should"
+    )]
+    NotClosed {
+        /// Start of the edge.
+        first: usize,
+        /// Its end.
+        second: usize,
+        /// Faces along it in this direction.
+        forward: usize,
+        /// Faces along it in the other direction.
+        back: usize,
+    },
+    /// A corner of a face of a polyhedron is off its plane.
+    #[error(
+        "face {face} is not planar: point {vertex} is {} off, limit {}", ShortNumber(*.distance), ShortNumber(*.limit)
+    )]
+    NonPlanarFace {
+        /// Which face, from 0.
+        face: usize,
+        /// The point that is farthest off.
+        vertex: usize,
+        /// Its distance.
+        distance: f64,
+        /// Largest distance accepted.
+        limit: f64,
+    },
+    /// A polyhedron with an edge at which its faces turn towards each other.
+    #[error(
+        "not convex: {reflex} of {edges} edges are reflex, most of all that between the points {first} and {second}, by {} radians, limit 0{}",
+        ShortNumber(-*.angle), clockwise(*.reflex, *.edges)
+    )]
+    NotConvex {
+        /// Start of the edge that is reflex most of all.
+        first: usize,
+        /// Its end.
+        second: usize,
+        /// The angle between its normals, radians: not positive.
+        angle: f64,
+        /// How many edges are reflex.
+        reflex: usize,
+        /// How many there are.
+        edges: usize,
+    },
+    /// Directions that are not the corners of a convex polygon in an open half of the sphere.
+    #[error(
+        "the corners are not in an open half of the sphere, counter-clockwise: {} round the middle by {} radians, {}",
+        .side.map_or("all sides run".to_owned(), |side| format!("side {side} runs")),
+        ShortNumber(*.measured),
+        .side.map_or("not by 2 pi", |_| "not between 0 and pi")
+    )]
+    NotInOpenHemisphere {
+        /// Which side, from 0; `None` for all together.
+        side: Option<usize>,
+        /// Its angle about the middle, radians, or that of all together; 0 where there is no middle.
+        measured: f64,
+    },
+    /// Points that bound no body.
+    #[error("the points are in one plane, within {}, limit {}", ShortNumber(*.thickness), ShortNumber(*.limit))]
+    FlatPolyhedron {
+        /// How far they are from it.
+        thickness: f64,
+        /// Largest distance that counts as being in it.
+        limit: f64,
+    },
+    /// The legs of a corner are too short for its arc beside those of the neighbours, or turn back on each other.
+    #[error(
+        "the bend at point {corner} does not fit: with the radius {} and that of its neighbour the arcs take {} of a leg of length {}; take smaller radii or move the points apart",
+        ShortNumber(*.radius), at_least(*.needed), ShortNumber(*.length)
+    )]
+    BendDoesNotFit {
+        /// Index of the point.
+        corner: usize,
+        /// Radius asked for.
+        radius: f64,
+        /// How much of the leg the arcs at both ends take.
+        needed: f64,
+        /// Length of the leg.
+        length: f64,
+    },
+    /// A pipe is as wide as an arc that it follows.
+    #[error(
+        "the pipe's radius {} is not below that of piece {piece} of its curve, {}: the inner side would fold; take a thinner pipe or wider bends",
+        ShortNumber(*.radius), ShortNumber(*.limit)
+    )]
+    PipeTooWide {
+        /// Which arc of the path, from 0.
+        piece: usize,
+        /// Radius of the pipe.
+        radius: f64,
+        /// Radius of the arc.
+        limit: f64,
+    },
+    /// A corner of a pipe that no mitre joins: it is next to an arc, or turns back.
+    #[error(
+        "the pipe's curve has a corner of {} rad before piece {joint}: only corners between segments are mitred, up to {} rad, and joints are smooth up to {} rad; round it (polyline with radius), or take a smooth curve",
+        ShortNumber(*.turn), ShortNumber(*.limit), ShortNumber(*.smooth)
+    )]
+    CornerNotMitred {
+        /// Which piece begins there, from 0.
+        joint: usize,
+        /// Its turn, radians.
+        turn: f64,
+        /// Joints up to here are smooth.
+        smooth: f64,
+        /// Corners of segments up to here are mitred.
+        limit: f64,
+    },
+    /// A segment of a pipe is shorter than its mitres need.
+    #[error(
+        "segment {piece} of the pipe's curve has the length {}, its mitres need more than {}; take a thinner pipe or round the corners",
+        ShortNumber(*.length), ShortNumber(*.needed)
+    )]
+    MitreDoesNotFit {
+        /// Which segment, from 0.
+        piece: usize,
+        /// Length that the mitres at both ends take.
+        needed: f64,
+        /// Length of the segment.
+        length: f64,
+    },
+    /// Parts of a pipe that are no neighbours run into each other.
+    #[error(
+        "the pipe meets itself: pieces {first} and {second} of its curve come as near as {}, twice the radius is {}; take a thinner pipe or move the curve apart",
+        ShortNumber(*.distance), ShortNumber(*.limit)
+    )]
+    PipeMeetsItself {
+        /// Which piece, from 0.
+        first: usize,
+        /// The other one; the same if it is an arc that comes round.
+        second: usize,
+        /// Distance of both.
+        distance: f64,
+        /// Twice the radius.
+        limit: f64,
     },
     /// A parameter is outside its interval.
     #[error(
@@ -528,6 +794,111 @@ pub enum Error {
         /// Curves at most this far apart meet.
         limit: f64,
     },
+    /// The corners of a triangle lie on one line, or nearly.
+    #[error("the corners of the triangle lie on one line: twice its area is {} of its longest edge squared, limit {}", ShortNumber(*.area), ShortNumber(*.limit))]
+    DegenerateTriangle {
+        /// Twice the area, relative to the square of the longest edge.
+        area: f64,
+        /// Values up to this are refused.
+        limit: f64,
+    },
+    /// No sphere is told by a control point on the circle through the corners of its triangle.
+    #[error("control point {corner} lies on the circle through the corners: it is {} off it, relative to its distance, limit {}", ShortNumber(*.distance), ShortNumber(*.limit))]
+    ControlPointOnCircumcircle {
+        /// The corner whose sphere it is, from 0.
+        corner: usize,
+        /// How far it is off, relative to the circle and its distance.
+        distance: f64,
+        /// Values up to this are refused.
+        limit: f64,
+    },
+    /// Spheres that cancel each other where they are blended.
+    #[error("the spheres of the corners oppose each other near lambda = {}, {}: their blend has the length {}, limit {}", ShortNumber(.at[0]), ShortNumber(.at[1]), ShortNumber(*.length), ShortNumber(*.limit))]
+    OppositeSpheres {
+        /// The first two barycentric coordinates of the place.
+        at: [f64; 2],
+        /// Length of the blended sphere, 1 where all agree.
+        length: f64,
+        /// Values up to this are refused.
+        limit: f64,
+    },
+    /// A normal along the edge that shall be perpendicular to it.
+    #[error("the normal at corner {corner} runs along an edge or a line across its triangle: {} of that line is across the normal, limit {}", ShortNumber(*.across), ShortNumber(*.limit))]
+    NormalAlongEdge {
+        /// The corner of the triangle, from 0.
+        corner: usize,
+        /// The part of the line across the normal, relative to it.
+        across: f64,
+        /// Values up to this are refused.
+        limit: f64,
+    },
+    /// The normals at the ends of an edge cancel each other between them.
+    #[error("the normals at the ends of the side opposite to corner {corner} oppose each other: between them {} is left, limit {}", ShortNumber(*.length), ShortNumber(*.limit))]
+    OppositeNormals {
+        /// The corner of the triangle, from 0.
+        corner: usize,
+        /// Length of the blended normal across the edge.
+        length: f64,
+        /// Values up to this are refused.
+        limit: f64,
+    },
+    /// The faces around a vertex lie back to back.
+    #[error("vertex {vertex} has no normal: those of its faces cancel to the length {}, limit {}", ShortNumber(*.length), ShortNumber(*.limit))]
+    UndefinedNormal {
+        /// Which vertex, from 0.
+        vertex: usize,
+        /// Length of the weighted mean of the normals of its faces, or of the normal given.
+        length: f64,
+        /// Values up to this are refused.
+        limit: f64,
+    },
+    /// Not as many normals as vertices.
+    #[error("{given} normals given, one for each of {needed} vertices needed")]
+    NormalCount {
+        /// Number of normals given.
+        given: usize,
+        /// Number of vertices.
+        needed: usize,
+    },
+    /// A mesh without a triangle.
+    #[error("the mesh has no triangles")]
+    NoTriangles,
+    /// A triangle names a vertex that does not exist.
+    #[error("triangle {triangle} names vertex {vertex}, but there are {count} vertices, counted from 0")]
+    NoSuchVertex {
+        /// Which triangle, from 0.
+        triangle: usize,
+        /// The index it names.
+        vertex: usize,
+        /// Number of vertices.
+        count: usize,
+    },
+    /// More than two triangles share an edge.
+    #[error("{count} triangles, among them triangle {triangle}, share the edge from vertex {} to vertex {}, at most 2 can", .vertices[0], .vertices[1])]
+    NonManifoldEdge {
+        /// Ends of the edge, the lower index first.
+        vertices: [usize; 2],
+        /// The first of the triangles, from 0.
+        triangle: usize,
+        /// How many there are.
+        count: usize,
+    },
+    /// Two neighbouring triangles are seen from different sides.
+    #[error("triangles {} and {} both run from vertex {} to vertex {}: one of them must be turned over", .triangles[0], .triangles[1], .vertices[0], .vertices[1])]
+    InconsistentOrientation {
+        /// Start and end of the edge.
+        vertices: [usize; 2],
+        /// The triangles, from 0.
+        triangles: [usize; 2],
+    },
+    /// One triangle of a mesh failed; the cause says why.
+    #[error("triangle {triangle}: {cause}")]
+    InTriangle {
+        /// Which triangle, from 0.
+        triangle: usize,
+        /// What went wrong in it.
+        cause: Box<Error>,
+    },
     /// One span of a chain failed; the cause says why.
     #[error("span {span}: {cause}")]
     InSpan {
@@ -536,46 +907,6 @@ pub enum Error {
         /// What went wrong in it.
         cause: Box<Error>,
     },
-}
-
-/// In words, that a value is outside its interval.
-fn outside(min: f64, max: f64) -> String {
-    if max >= f64::MAX {
-        return format!("out of range: at least {:#}", ShortNumber(min));
-    }
-    format!("outside {:#} to {:#}", ShortNumber(min), ShortNumber(max))
-}
-
-/// A size next to its place; where all its points round to the same numbers nothing is left of it.
-fn size_in_place(size: f64) -> String {
-    if size > 0.0 { format!("{} large", ShortNumber(size)) } else { "one single point".to_owned() }
-}
-
-/// The number of a segment, where there is one.
-fn numbered(segment: Option<usize>) -> String {
-    segment.map_or(String::new(), |segment| format!(" {segment}"))
-}
-
-/// A count in words; one that was given up is infinite.
-fn at_least(needed: f64) -> String {
-    if needed.is_finite() { ShortNumber(needed).to_string() } else { "ever more".to_owned() }
-}
-
-/// The first of some points and how many more there are.
-fn points_in_words(points: &[usize]) -> String {
-    let shown: Vec<String> = points.iter().take(8).map(usize::to_string).collect();
-    let more = points.len().saturating_sub(shown.len());
-    let and = if more > 0 { format!(" and {more} more") } else { String::new() };
-    format!("point(s) {}{and}", shown.join(", "))
-}
-
-/// The ratio of speeds `1 + stretch` in words, where it is worth any.
-fn speed_ratio(stretch: f64, limit: f64) -> String {
-    if stretch.abs() <= limit {
-        return String::new();
-    }
-    let sign = if stretch < 0.0 { '-' } else { '+' };
-    format!(" and the speed of the lines across by the factor 1 {sign} {}", ShortNumber(stretch.abs()))
 }
 
 /// Refuses a tolerance that is not a positive number.
@@ -593,116 +924,5 @@ pub(crate) fn check_tolerance(tolerance: f64) -> Result<()> {
 impl std::fmt::Debug for Error {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         write!(f, "{self} [{}]", self.reason())
-    }
-}
-
-impl Error {
-    /// The stable name of the reason, as used in reference data and reports.
-    ///
-    /// ```
-    /// let error = cyclide::Error::ZeroWeight { index: 1 };
-    /// assert_eq!(error.reason(), "zero-weight");
-    /// ```
-    #[must_use]
-    pub fn reason(&self) -> &'static str {
-        match self {
-            Self::NotFinite { .. } => "not-finite",
-            Self::CoincidentPoints { .. } => "coincident-points",
-            Self::TooFewPoints { .. } => "too-few-points",
-            Self::ZeroWeight { .. } => "zero-weight",
-            Self::PoleOnSegment { .. } => "pole-on-segment",
-            Self::NearlyFullCircle { .. } => "nearly-full-circle",
-            Self::NotInImH { .. } => "not-in-im-h",
-            Self::ZeroTangent { .. } => "zero-tangent",
-            Self::TangentOpposesChord { .. } => "tangent-opposes-chord",
-            Self::PointAtInfinity | Self::NearPole { .. } => "point-at-infinity",
-            Self::NoFiniteBiarc { .. } => "no-finite-biarc",
-            Self::Cusp { .. } => "cusp",
-            Self::TangentCount { .. } => "tangent-count",
-            Self::ZeroAxis => "zero-axis",
-            Self::ZeroRadius { .. } => "zero-radius",
-            Self::ScaleNotPositive { .. } => "scale-not-positive",
-            Self::RadiusNotPositive { .. } => "radius-not-positive",
-            Self::DegenerateCircle { .. } => "degenerate-circle",
-            Self::DegenerateSphere { .. } => "degenerate-sphere",
-            Self::OrderOutOfRange { .. } => "order-out-of-range",
-            Self::ArcThroughInfinity { .. } | Self::ArcNearInfinity { .. } => "arc-through-infinity",
-            Self::AmbiguousHalfTurn { .. } => "ambiguous-half-turn",
-            Self::TooManyPieces { .. } => "too-many-pieces",
-            Self::NotWithinTolerance { .. } => "not-within-tolerance",
-            Self::BelowRoundingOfPlace { .. } => "below-rounding-of-place",
-            Self::ToleranceNotPositive { .. } => "tolerance-not-positive",
-            Self::SweepOutOfRange { .. } => "sweep-out-of-range",
-            Self::CrossesAxis { .. } => "crosses-axis",
-            Self::AngleOutOfRange { .. } => "angle-out-of-range",
-            Self::FoldedProfile { .. } => "folded-profile",
-            Self::ParameterOutOfRange { .. } => "parameter-out-of-range",
-            Self::NoG1SplineInTube { .. } => "no-g1-spline-in-tube",
-            Self::ToleranceNotReached { .. } => "tolerance-not-reached",
-            Self::NotPlanar { .. } => "not-planar",
-            Self::Disconnected { .. } => "disconnected",
-            Self::NotMobius { .. } => "not-mobius",
-            Self::NotASimilarity => "not-a-similarity",
-            Self::NotASpline { .. } => "not-a-spline",
-            Self::WeightNotPositive { .. } => "weight-not-positive",
-            Self::FrameNotOrthonormal { .. } => "frame-not-orthonormal",
-            Self::NotConcircular { .. } => "not-concircular",
-            Self::CrossingQuad { .. } => "crossing-quad",
-            Self::NotInSpace { .. } => "not-in-space",
-            Self::PatchThroughInfinity { .. } => "patch-through-infinity",
-            Self::NetDoesNotClose { .. } => "net-does-not-close",
-            Self::AmbiguousFrame => "ambiguous-frame",
-            Self::CollapsedSide { .. } => "collapsed-side",
-            Self::OffsetOnFocalSet { .. } => "offset-on-focal-set",
-            Self::OffsetNotRegular { .. } => "offset-not-regular",
-            Self::NotAShell { .. } => "not-a-shell",
-            Self::ShortEdge { .. } => "short-edge",
-            Self::InQuad { cause, .. } | Self::InSpan { cause, .. } => cause.reason(),
-            Self::CollapsedOnCurve { .. } => "collapsed-on-curve",
-            Self::NotConverged { .. } => "not-converged",
-            Self::ShapeLost { .. } => "shape-lost",
-            Self::BorderCurvesApart { .. } => "border-curves-apart",
-        }
-    }
-
-    /// The index of the input item at fault (a point, tangent, span or segment), where there is one.
-    #[must_use]
-    pub fn index(&self) -> Option<usize> {
-        match *self {
-            Self::NotFinite { index, .. }
-            | Self::ZeroWeight { index }
-            | Self::ZeroTangent { index }
-            | Self::TangentOpposesChord { index }
-            | Self::Cusp { index, .. }
-            | Self::WeightNotPositive { index, .. }
-            | Self::NotPlanar { index, .. } => Some(index),
-            Self::CoincidentPoints { second, .. } => Some(second),
-            Self::ArcThroughInfinity { segment }
-            | Self::ArcNearInfinity { segment, .. }
-            | Self::AmbiguousHalfTurn { segment } => Some(segment),
-            Self::TooManyPieces { segment, .. } => segment,
-            Self::NoG1SplineInTube { vertex, .. } => Some(vertex),
-            Self::Disconnected { piece, .. }
-            | Self::NotWithinTolerance { piece, .. }
-            | Self::CrossesAxis { piece, .. }
-            | Self::FoldedProfile { piece, .. } => Some(piece),
-            Self::InSpan { span, .. } => Some(span),
-            Self::NotAShell { index, .. } => Some(index),
-            Self::InQuad { quad, .. } => Some(quad),
-            Self::ToleranceNotReached { ref points, .. } => points.first().copied(),
-            _ => None,
-        }
-    }
-
-    /// Wraps the error as the failure of one quad of a net.
-    #[must_use]
-    pub fn in_quad(self, quad: usize) -> Self {
-        Self::InQuad { quad, cause: Box::new(self) }
-    }
-
-    /// Wraps the error as the failure of one span of a chain.
-    #[must_use]
-    pub fn in_span(self, span: usize) -> Self {
-        Self::InSpan { span, cause: Box::new(self) }
     }
 }

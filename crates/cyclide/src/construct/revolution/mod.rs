@@ -11,6 +11,8 @@
 //! gives more: multiplying a quaternion form `N D^-1` by `x` from the left keeps it one, `(x N)(x D)^-1`, whose corners have
 //! the weights `1, u, w, w u`: a principal patch of a torus, sphere, cone, cylinder or plane.
 
+mod meridian;
+
 use crate::base::bounds::Aabb;
 use crate::base::quat::Quat;
 use crate::base::range;
@@ -29,10 +31,15 @@ const ON_AXIS: f64 = 1e-12;
 const COPLANAR: f64 = 1e-12;
 /// A profile is in a plane across the axis if its heights differ by less than this part of its size.
 const FLAT: f64 = 1e-6;
+/// Rational pieces are straight if their control points leave the chord by less than this part of it.
+const STRAIGHT: f64 = 1e-14;
 /// Largest angle of an arc of a profile in one face.
 const LARGEST_ARC: f64 = TAU / 3.0;
 /// Places of a piece at which its side of the axis is looked at.
 const PLACES: u32 = 64;
+
+/// Sections for the place nearest to the axis: half of the digits, as a least value has them.
+const SECTIONS: usize = 40;
 
 /// A turn about an axis.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -100,7 +107,8 @@ impl Revolution {
     ///
     /// # Errors
     /// `angle-out-of-range` (0), `too-few-points` (no piece off the axis), `disconnected`, `crosses-axis` (a piece meets the axis inside, or two lie on
-    /// different sides of it), `folded-profile` (in a plane across the axis, away from it and back), `weight-not-positive`; `not-a-shell` for a profile that meets the axis more than at its ends;
+    /// different sides of it), `folded-profile` (in a plane across the axis, away from it and back), `profile-meets-itself` (of what
+    /// would be a solid), `weight-not-positive`; `not-a-shell` for a profile that meets the axis more than at its ends;
     /// as [`CyclidePatch::from_weights`].
     pub fn body(&self, profile: &[EdgeCurve], closed: bool) -> Result<Body> {
         if self.angle == 0.0 {
@@ -108,6 +116,9 @@ impl Revolution {
         }
         let profile = Profile::new(self, profile, closed)?;
         let shell = profile.swept(self)?;
+        if shell.is_closed() {
+            meridian::check(self, &profile.pieces, profile.size)?;
+        }
         Ok(Body { outer: if shell.is_closed() { shell.outside_out() } else { shell }, voids: Vec::new() })
     }
 
@@ -128,6 +139,8 @@ struct Profile {
     /// Joints: the start of each piece, and the end of the last one if it is open.
     joints: Vec<Joint>,
     closed: bool,
+    /// Diagonal of its box.
+    size: f64,
 }
 
 /// A piece that sweeps something.
@@ -161,7 +174,7 @@ impl Profile {
         }
         let mut joints: Vec<Joint> = given.iter().map(|piece| joint(piece.start())).collect();
         joints.extend(given.last().filter(|_| !closed).map(|piece| joint(piece.end())));
-        let mut new = Self { pieces: Vec::new(), joints: Vec::new(), closed };
+        let mut new = Self { pieces: Vec::new(), joints: Vec::new(), closed, size: 0.0 };
         let mut side: Option<Vec3> = None;
         for (index, piece) in given.iter().enumerate() {
             if let EdgeCurve::Rational(curve) = piece
@@ -170,14 +183,14 @@ impl Profile {
                 return Err(Error::WeightNotPositive { index, weight: row[3] });
             }
             let (start, end) = (joints[index], joints[(index + 1) % joints.len()]);
-            let curve = piece.clone().with_ends(Some(start.point), Some(end.point));
+            let curve = segment(piece).unwrap_or_else(|| piece.clone()).with_ends(Some(start.point), Some(end.point));
             let along_axis =
                 start.on_axis && end.on_axis && turn.way_off_axis(curve.point(0.5)).length() <= ON_AXIS * size;
             if along_axis {
                 // Both neighbours end on the axis: the profile goes on there without it.
                 continue;
             }
-            check_side(turn, &curve, index, size, &mut side)?;
+            check_side(turn, (&curve, [start.on_axis, end.on_axis]), index, size, &mut side)?;
             for part in parts(&curve)? {
                 let first = new.joints.last().is_none_or(|last: &Joint| last.point != part.start());
                 if first {
@@ -193,7 +206,9 @@ impl Profile {
         if new.pieces.is_empty() {
             return Err(Error::TooFewPoints { given: 0, needed: 1 });
         }
-        check_not_folded(turn, &new.pieces, size)?;
+        let places = new.pieces.iter().flat_map(|piece| [0.0, 0.25, 0.5, 0.75, 1.0].map(|x| piece.curve.point(x)));
+        new.size = Aabb::of_points(places).map_or(0.0, |b| b.diagonal());
+        check_not_folded(turn, &new.pieces, new.size)?;
         // With a piece left out on the axis it is open, from pole to pole.
         new.closed = closed && new.joints.len() == new.pieces.len() + 1 && {
             let [first, last] = [new.joints[0], new.joints[new.joints.len() - 1]];
@@ -282,12 +297,8 @@ fn face(
         let patch = CyclidePatch::from_weights(corners, weights, along, across)?;
         return Ok(patch.into());
     }
-    let rows = |curve: &EdgeCurve| match curve {
-        EdgeCurve::Arc(arc) => arc.bezier_rows().to_vec(),
-        EdgeCurve::Rational(curve) => curve.rows().to_vec(),
-    };
     let (r, p, o) = (rotor.w, rotor.vector(), turn.origin.to_vec());
-    let rows = rows(low).into_iter().zip(rows(high)).flat_map(|(a, b)| {
+    let rows = low.bezier_rows().into_iter().zip(high.bezier_rows()).flat_map(|(a, b)| {
         let [x, y, z, g] = a;
         let from_axis = Vec3::new(x, y, z) - o * g;
         let middle = o * (r * g) + from_axis * r + p.cross(from_axis);
@@ -298,19 +309,29 @@ fn face(
     Ok(RationalBezierSurface::new([degree, 2], rows)?.with_corners(corners).into())
 }
 
+/// The straight segment that a rational curve runs along to rounding, once and forwards: it sweeps a part of a plane, cylinder or
+/// cone.
+fn segment(piece: &EdgeCurve) -> Option<EdgeCurve> {
+    let EdgeCurve::Rational(curve) = piece else { return None };
+    let (start, end) = (piece.start(), piece.end());
+    let along = (end - start).unit()?;
+    let length = start.distance(end);
+    let mut before = 0.0;
+    for [x, y, z, w] in curve.rows() {
+        let way = Point3::new(x / w, y / w, z / w) - start;
+        let at = way.dot(along);
+        if way.cross(along).length() > STRAIGHT * length || at < before || at > length * (1.0 + STRAIGHT) {
+            return None;
+        }
+        before = at;
+    }
+    Arc::segment(start, end).ok().map(EdgeCurve::Arc)
+}
+
 /// The pieces of a curve that become one face each: arcs of a third of a turn at most.
 fn parts(curve: &EdgeCurve) -> Result<Vec<EdgeCurve>> {
     let EdgeCurve::Arc(arc) = curve else { return Ok(vec![curve.clone()]) };
-    let count = (arc.angle() / LARGEST_ARC).ceil().max(1.0) as usize;
-    let mut rest = *arc;
-    let mut parts = Vec::with_capacity(count);
-    for k in (1..count).rev() {
-        let (first, after) = rest.split(rest.parameter_at_length(1.0 / (k + 1) as f64))?;
-        parts.push(first.into());
-        rest = after;
-    }
-    parts.push(rest.into());
-    Ok(parts)
+    Ok(arc.in_parts(LARGEST_ARC)?.into_iter().map(EdgeCurve::from).collect())
 }
 
 /// The direction in which the start of an arc turns, if it lies in a plane with the axis.
@@ -327,18 +348,44 @@ fn across(turn: &Revolution, piece: &EdgeCurve) -> Option<Vec3> {
 
 /// Refuses a piece that meets the axis inside, or lies on another side of it than those before, as far as they are in one plane
 /// with it.
-fn check_side(turn: &Revolution, curve: &EdgeCurve, piece: usize, size: f64, side: &mut Option<Vec3>) -> Result<()> {
-    for k in 1..PLACES {
-        let v = turn.way_off_axis(curve.point(f64::from(k) / f64::from(PLACES)));
+fn check_side(
+    turn: &Revolution,
+    (curve, on_axis): (&EdgeCurve, [bool; 2]),
+    piece: usize,
+    size: f64,
+    side: &mut Option<Vec3>,
+) -> Result<()> {
+    let way = |k: u32| turn.way_off_axis(curve.point(f64::from(k) / f64::from(PLACES)));
+    let [first, last] = [u32::from(on_axis[0]), PLACES - u32::from(on_axis[1])];
+    for k in first..=last {
+        let v = way(k);
         let radius = v.length();
         let before = side.get_or_insert(v);
         // Within its plane it changes its side where the direction turns round.
         let turned = v.dot(*before) < 0.0 && v.cross(*before).length() <= 1e-9 * radius * before.length();
-        if radius <= ON_AXIS * size || turned {
-            return Err(Error::CrossesAxis { piece, distance: radius });
+        let inside = k > 0 && k < PLACES;
+        let nearest = inside && way(k - 1).length() >= radius && way(k + 1).length() >= radius;
+        let least = if nearest { least_along(turn, curve, k, v, size) } else { radius };
+        if radius.min(least) <= ON_AXIS * size || turned {
+            return Err(Error::CrossesAxis { piece, distance: radius.min(least.abs()) });
         }
     }
     Ok(())
+}
+
+/// The least part of the way off the axis along the one at place `k`, between its neighbours, where the curve stays in a plane with
+/// the axis there: it is negative where the curve crosses the axis between two places. By sections in the golden ratio.
+fn least_along(turn: &Revolution, curve: &EdgeCurve, k: u32, way: Vec3, size: f64) -> f64 {
+    let Some(along) = way.unit() else { return 0.0 };
+    let off = |x: f64| turn.way_off_axis(curve.point(x));
+    let ratio = 0.5 * (5.0_f64.sqrt() - 1.0);
+    let [mut low, mut high] = [k - 1, k + 1].map(|k| f64::from(k) / f64::from(PLACES));
+    for _ in 0..SECTIONS {
+        let (x, y) = (high - ratio * (high - low), low + ratio * (high - low));
+        if off(x).dot(along) < off(y).dot(along) { high = y } else { low = x }
+    }
+    let least = off(0.5 * (low + high));
+    if least.cross(along).length() <= 1e-9 * size { least.dot(along) } else { least.length() }
 }
 
 /// Refuses a profile in a plane across the axis that goes away from it and comes back: what it sweeps is a part of the

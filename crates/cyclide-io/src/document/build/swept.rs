@@ -1,0 +1,88 @@
+//! Necks, bridges, and surfaces between two curves.
+
+use cyclide::{
+    CurveObject, EllipseBridge, NeckBlend, NeckBody, NeckSide, NeckVariant, PlateShape, SurfaceObject, Vec3,
+};
+
+use super::Builder;
+use crate::document::angle::Angle;
+use crate::document::coordinates::Coordinates;
+use crate::document::locate::{Step, path_text};
+use crate::document::spec::{
+    CircularSurfaceSpec, EllipseBridgeSpec, NeckSideWord, NeckVariantWord, PlateSpec, PlateWithNeckSpec,
+};
+use crate::error::{Error, Result};
+
+impl Builder<'_> {
+    /// A pipe on a plate, or with a floor.
+    pub(super) fn plate_with_neck(&mut self, spec: &PlateWithNeckSpec) -> Result<Vec<SurfaceObject>> {
+        let side = match spec.side {
+            NeckSideWord::Outside => NeckSide::Outside,
+            NeckSideWord::Inside => NeckSide::Inside,
+        };
+        if side == NeckSide::Inside && spec.plate.is_some() {
+            return Err(self.unfit("a neck inside a pipe has the floor of the pipe for its plate: leave out `plate`"));
+        }
+        if side == NeckSide::Outside && spec.plate.is_none() {
+            return Err(self.unfit("a neck outside a pipe needs a `plate`: `[80, 60]` or `{\"radius\": 40}`"));
+        }
+        if spec.wall.is_some() && spec.thickness.is_none() {
+            return Err(self.unfit("`wall` goes with `thickness`, which makes a solid"));
+        }
+        let variant = match spec.variant {
+            NeckVariantWord::Pipe => NeckVariant::Pipe,
+            NeckVariantWord::Vertical => NeckVariant::Vertical,
+        };
+        let slope = spec.slope.map_or(0.0, Angle::radians);
+        let neck = NeckBlend::new(spec.pipe_radius, spec.ball_radius, slope, side, variant);
+        let neck = neck.map_err(|e| self.refused(&e, None))?;
+        let plate = spec.plate.map(|plate| match plate {
+            PlateSpec::Rectangle(sides) => PlateShape::Rectangle(sides),
+            PlateSpec::Disk(disk) => PlateShape::Disk(disk.radius),
+        });
+        let made = NeckBody { height: spec.height, plate, thickness: spec.thickness, wall: spec.wall };
+        let body = neck.body(&made).map_err(|e| self.refused(&e, None))?;
+        if let Some(warning) = neck.warning() {
+            let place = (!self.document.text.is_empty()).then(|| path_text(&self.path([Step::from("ball_radius")])));
+            self.remark(warning.reason(), None, None, place, warning.to_string());
+            self.warnings.push((0, warning));
+        }
+        Ok(vec![SurfaceObject::Body(body)])
+    }
+
+    /// The bridge between two ellipses.
+    pub(super) fn ellipse_bridge(&self, spec: &EllipseBridgeSpec) -> Result<Vec<SurfaceObject>> {
+        let [first, second] = spec.ellipses;
+        let body = EllipseBridge::new(first, second).and_then(|bridge| bridge.body(spec.depth));
+        body.map(|body| vec![SurfaceObject::Body(body)]).map_err(|e| self.refused(&e, None))
+    }
+
+    /// Arcs between two curves.
+    pub(super) fn circular_surface(&self, spec: &CircularSurfaceSpec) -> Result<Vec<SurfaceObject>> {
+        let rails = self.rails()?;
+        let tangents: Vec<Vec3> = spec.tangent.0.iter().copied().map(Coordinates::vector).collect();
+        let made = SurfaceObject::circular(rails, &tangents);
+        made.map(|surface| vec![surface]).map_err(|e| self.refused(&e, None))
+    }
+
+    /// Straight lines between two curves.
+    pub(super) fn ruled(&self) -> Result<Vec<SurfaceObject>> {
+        let made = SurfaceObject::ruled(self.rails()?);
+        made.map(|surface| vec![surface]).map_err(|e| self.refused(&e, None))
+    }
+
+    /// The two curves that an object is spanned between.
+    fn rails(&self) -> Result<[&CurveObject; 2]> {
+        let rail = |k: usize| match self.sources[k].item.contours.as_slice() {
+            [curve] => Ok(curve),
+            contours => {
+                let item = &self.sources[k].item;
+                let (name, kind, count) = (&item.name, &item.kind, contours.len());
+                let what = if count == 0 { "is no curve".to_owned() } else { format!("has {count} contours") };
+                let message = format!("`{name}` is of type `{kind}` and {what}: a rail is one curve");
+                Err(Error::Input(self.diagnostic(["rails".into(), k.into()], &message)))
+            }
+        };
+        Ok([rail(0)?, rail(1)?])
+    }
+}

@@ -1,0 +1,149 @@
+//! The meridian of a profile, its points as distance from the axis and height, and whether it meets itself: then what it sweeps
+//! in a whole turn does, and is no solid.
+//!
+//! Chords find the candidates; a crossing of two chords is one of the curves if Newton's method leads to it, so that walls as
+//! thin as a sagitta are not taken for crossings. Chords are sorted by height: time grows with their number times those beside
+//! each other.
+
+use super::{Piece, Revolution};
+use crate::base::vector::Point3;
+use crate::curve::ParamCurve as _;
+use crate::error::{Error, Result};
+use crate::topology::EdgeCurve;
+
+/// Chords of a piece that bends.
+const CHORDS: usize = 32;
+/// Places nearer than this part of the size are one.
+const ONE_PLACE: f64 = 1e-12;
+/// Chords turn back if the sine between them is below this.
+const BACK: f64 = 1e-9;
+/// Steps of Newton's method.
+const STEPS: usize = 12;
+
+/// Distance from the axis and height.
+type Plane = [f64; 2];
+
+struct Chord {
+    /// Which piece, and the part of it.
+    piece: usize,
+    part: [f64; 2],
+    ends: [Plane; 2],
+    /// Place in the order of the profile.
+    order: usize,
+}
+
+/// Refuses a meridian that meets itself other than in its joints; `size` is that of the profile.
+///
+/// # Errors
+/// `profile-meets-itself`.
+pub(super) fn check(turn: &Revolution, pieces: &[Piece], size: f64) -> Result<()> {
+    let mut chords = chords(turn, pieces);
+    let count = chords.len();
+    let ring =
+        chords.first().zip(chords.last()).is_some_and(|(a, b)| distance(a.ends[0], b.ends[1]) <= ONE_PLACE * size);
+    let low = |chord: &Chord| chord.ends[0][1].min(chord.ends[1][1]);
+    let high = |chord: &Chord| chord.ends[0][1].max(chord.ends[1][1]);
+    chords.sort_by(|a, b| low(a).total_cmp(&low(b)));
+    for (i, a) in chords.iter().enumerate() {
+        for b in chords[i + 1..].iter().take_while(|b| low(b) <= high(a) + ONE_PLACE * size) {
+            let (first, second) = if a.order < b.order { (a, b) } else { (b, a) };
+            let follows = second.order - first.order == 1;
+            let closes = ring && first.order == 0 && second.order == count - 1;
+            let meets = match (follows, closes) {
+                (true, _) => turns_back(first, second),
+                (_, true) => turns_back(second, first),
+                _ => cross(turn, pieces, first, second, size),
+            };
+            if meets {
+                let [radius, height] = first.ends[1];
+                return Err(Error::ProfileMeetsItself { first: first.piece, second: second.piece, radius, height });
+            }
+        }
+    }
+    Ok(())
+}
+
+fn chords(turn: &Revolution, pieces: &[Piece]) -> Vec<Chord> {
+    let mut chords = Vec::new();
+    for (piece, Piece { curve, across }) in pieces.iter().enumerate() {
+        // A segment in a plane with the axis is its chord.
+        let straight = across.is_some() && matches!(curve, EdgeCurve::Arc(arc) if arc.is_straight());
+        let count = if straight { 1 } else { CHORDS };
+        for k in 0..count {
+            let part = [k, k + 1].map(|k| k as f64 / count as f64);
+            let ends = part.map(|x| meridian(turn, curve.point(x)));
+            chords.push(Chord { piece, part, ends, order: chords.len() });
+        }
+    }
+    chords
+}
+
+fn meridian(turn: &Revolution, p: Point3) -> Plane {
+    [turn.way_off_axis(p).length(), (p - turn.origin).dot(turn.axis)]
+}
+
+fn distance(a: Plane, b: Plane) -> f64 {
+    (a[0] - b[0]).hypot(a[1] - b[1])
+}
+
+fn minus(a: Plane, b: Plane) -> Plane {
+    [a[0] - b[0], a[1] - b[1]]
+}
+
+fn cross_product(a: Plane, b: Plane) -> f64 {
+    a[0] * b[1] - a[1] * b[0]
+}
+
+/// True if a chord runs back along the one before it.
+fn turns_back(first: &Chord, second: &Chord) -> bool {
+    let [u, v] = [first, second].map(|chord| minus(chord.ends[1], chord.ends[0]));
+    let lengths = u[0].hypot(u[1]) * v[0].hypot(v[1]);
+    u[0] * v[0] + u[1] * v[1] < 0.0 && cross_product(u, v).abs() <= BACK * lengths
+}
+
+/// True if the curves over two chords that do not follow each other meet.
+fn cross(turn: &Revolution, pieces: &[Piece], a: &Chord, b: &Chord, size: f64) -> bool {
+    let beside = |chord: &Chord, p: Plane| cross_product(minus(chord.ends[1], chord.ends[0]), minus(p, chord.ends[0]));
+    let split = |chord: &Chord, other: &Chord| beside(chord, other.ends[0]) * beside(chord, other.ends[1]) < 0.0;
+    let touches = |chord: &Chord, p: Plane| to_segment(p, chord.ends) <= ONE_PLACE * size;
+    if a.ends.iter().any(|p| touches(b, *p)) || b.ends.iter().any(|p| touches(a, *p)) {
+        return true;
+    }
+    split(a, b) && split(b, a) && meet_near(turn, [&pieces[a.piece].curve, &pieces[b.piece].curve], a, b, size)
+}
+
+fn to_segment(p: Plane, [from, to]: [Plane; 2]) -> f64 {
+    let (along, way) = (minus(to, from), minus(p, from));
+    let squared = along[0] * along[0] + along[1] * along[1];
+    let part = if squared > 0.0 { ((way[0] * along[0] + way[1] * along[1]) / squared).clamp(0.0, 1.0) } else { 0.0 };
+    (way[0] - part * along[0]).hypot(way[1] - part * along[1])
+}
+
+/// True if Newton's method from the middles of two chords leads to a place on both curves.
+fn meet_near(turn: &Revolution, curves: [&EdgeCurve; 2], a: &Chord, b: &Chord, size: f64) -> bool {
+    let mut at = [a, b].map(|chord| 0.5 * (chord.part[0] + chord.part[1]));
+    for _ in 0..STEPS {
+        let jets = [0, 1].map(|k| curves[k].piece_jet(0, at[k]));
+        let [p, q] = jets.map(|jet| meridian(turn, jet.point));
+        let slopes = jets.map(|jet| {
+            let way = turn.way_off_axis(jet.point);
+            [way.dot(jet.d1) / way.length(), jet.d1.dot(turn.axis)]
+        });
+        let off = minus(q, p);
+        if off[0].hypot(off[1]) <= 1e3 * ONE_PLACE * size {
+            // Within the pieces, and not one place of one piece.
+            let inside = at.iter().all(|x| (0.0..=1.0).contains(x));
+            return inside && (a.piece != b.piece || (at[0] - at[1]).abs() > 0.5 / CHORDS as f64);
+        }
+        let determinant = cross_product(slopes[0], slopes[1]);
+        // Not `==`: nothing is known where it is no number either.
+        if !(determinant.abs() > 0.0) {
+            return false;
+        }
+        at = [at[0] + cross_product(off, slopes[1]) / determinant, at[1] + cross_product(off, slopes[0]) / determinant];
+        if at.iter().any(|x| !(-0.5..=1.5).contains(x)) {
+            return false;
+        }
+    }
+    false
+}

@@ -1,0 +1,166 @@
+//! The stable names of the reasons, and the item at fault.
+
+use super::Error;
+
+impl Error {
+    /// The stable name of the reason, as used in reference data and reports.
+    ///
+    /// ```
+    /// let error = cyclide::Error::ZeroWeight { index: 1 };
+    /// assert_eq!(error.reason(), "zero-weight");
+    /// ```
+    #[must_use]
+    pub fn reason(&self) -> &'static str {
+        match self {
+            Self::NotFinite { .. } => "not-finite",
+            Self::CoincidentPoints { .. } => "coincident-points",
+            Self::TooFewPoints { .. } => "too-few-points",
+            Self::ZeroWeight { .. } => "zero-weight",
+            Self::PoleOnSegment { .. } => "pole-on-segment",
+            Self::NearlyFullCircle { .. } => "nearly-full-circle",
+            Self::NotInImH { .. } => "not-in-im-h",
+            Self::ZeroTangent { .. } => "zero-tangent",
+            Self::TangentOpposesChord { .. } | Self::TangentNearlyOpposesChord { .. } => "tangent-opposes-chord",
+            Self::PointAtInfinity | Self::NearPole { .. } => "point-at-infinity",
+            Self::NoFiniteBiarc { .. } => "no-finite-biarc",
+            Self::Cusp { .. } => "cusp",
+            Self::TangentCount { .. } => "tangent-count",
+            Self::RadiusCount { .. } => "radius-count",
+            Self::NotOfArcs { .. } => "not-of-arcs",
+            Self::ZeroAxis => "zero-axis",
+            Self::ZeroRadius { .. } => "zero-radius",
+            Self::ScaleNotPositive { .. } => "scale-not-positive",
+            Self::RadiusNotPositive { .. } => "radius-not-positive",
+            Self::BallDoesNotFit { .. } => "ball-does-not-fit",
+            Self::NeckFolds { .. } => "neck-folds",
+            Self::PlateTooSmall { .. } => "plate-too-small",
+            Self::EllipsesCross { .. } => "ellipses-cross",
+            Self::PieceCountsDiffer { .. } => "piece-counts-differ",
+            Self::RulingsCross { .. } => "rulings-cross",
+            Self::DegreeTooHigh { .. } => "degree-too-high",
+            Self::DegenerateCircle { .. } => "degenerate-circle",
+            Self::DegenerateSphere { .. } => "degenerate-sphere",
+            Self::OrderOutOfRange { .. } => "order-out-of-range",
+            Self::ArcThroughInfinity { .. } | Self::ArcNearInfinity { .. } => "arc-through-infinity",
+            Self::AmbiguousHalfTurn { .. } => "ambiguous-half-turn",
+            Self::TooManyPieces { .. } => "too-many-pieces",
+            Self::NotWithinTolerance { .. } => "not-within-tolerance",
+            Self::BelowRoundingOfPlace { .. } => "below-rounding-of-place",
+            Self::ToleranceNotPositive { .. } => "tolerance-not-positive",
+            Self::SweepOutOfRange { .. } => "sweep-out-of-range",
+            Self::CrossesAxis { .. } => "crosses-axis",
+            Self::ProfileMeetsItself { .. } => "profile-meets-itself",
+            Self::AngleOutOfRange { .. } => "angle-out-of-range",
+            Self::FoldedProfile { .. } => "folded-profile",
+            Self::NotAFace { .. } => "not-a-face",
+            Self::NotClosed { .. } => "not-closed",
+            Self::NonPlanarFace { .. } => "non-planar-face",
+            Self::NotConvex { .. } => "not-convex",
+            Self::NotInOpenHemisphere { .. } => "not-in-open-hemisphere",
+            Self::FlatPolyhedron { .. } => "flat-polyhedron",
+            Self::BendDoesNotFit { .. } => "bend-does-not-fit",
+            Self::PipeTooWide { .. } => "pipe-too-wide",
+            Self::CornerNotMitred { .. } => "corner-not-mitred",
+            Self::MitreDoesNotFit { .. } => "mitre-does-not-fit",
+            Self::PipeMeetsItself { .. } => "pipe-meets-itself",
+            Self::ParameterOutOfRange { .. } => "parameter-out-of-range",
+            Self::NoG1SplineInTube { .. } => "no-g1-spline-in-tube",
+            Self::ToleranceNotReached { .. } => "tolerance-not-reached",
+            Self::NotPlanar { .. } => "not-planar",
+            Self::Disconnected { .. } => "disconnected",
+            Self::NotMobius { .. } => "not-mobius",
+            Self::NotASimilarity => "not-a-similarity",
+            Self::NotASpline { .. } => "not-a-spline",
+            Self::WeightNotPositive { .. } => "weight-not-positive",
+            Self::FrameNotOrthonormal { .. } => "frame-not-orthonormal",
+            Self::NotConcircular { .. } => "not-concircular",
+            Self::CrossingQuad { .. } => "crossing-quad",
+            Self::NotInSpace { .. } => "not-in-space",
+            Self::PatchThroughInfinity { .. } => "patch-through-infinity",
+            Self::NetDoesNotClose { .. } => "net-does-not-close",
+            Self::AmbiguousFrame => "ambiguous-frame",
+            Self::CollapsedSide { .. } => "collapsed-side",
+            Self::OffsetOnFocalSet { .. } => "offset-on-focal-set",
+            Self::OffsetNotRegular { .. } => "offset-not-regular",
+            Self::NotAShell { .. } => "not-a-shell",
+            Self::ShortEdge { .. } => "short-edge",
+            Self::DegenerateTriangle { .. } => "degenerate-triangle",
+            Self::ControlPointOnCircumcircle { .. } => "control-point-on-circumcircle",
+            Self::OppositeSpheres { .. } => "opposite-spheres",
+            Self::NormalAlongEdge { .. } => "normal-along-edge",
+            Self::OppositeNormals { .. } => "opposite-normals",
+            Self::UndefinedNormal { .. } => "undefined-normal",
+            Self::NormalCount { .. } => "normal-count",
+            Self::NoTriangles => "no-triangles",
+            Self::NoSuchVertex { .. } => "no-such-vertex",
+            Self::NonManifoldEdge { .. } => "non-manifold-edge",
+            Self::InconsistentOrientation { .. } => "inconsistent-orientation",
+            Self::InQuad { cause, .. } | Self::InTriangle { cause, .. } | Self::InSpan { cause, .. } => cause.reason(),
+            Self::CollapsedOnCurve { .. } => "collapsed-on-curve",
+            Self::NotConverged { .. } => "not-converged",
+            Self::ShapeLost { .. } => "shape-lost",
+            Self::BorderCurvesApart { .. } => "border-curves-apart",
+        }
+    }
+
+    /// The index of the input item at fault (a point, tangent, span or segment), where there is one.
+    #[must_use]
+    pub fn index(&self) -> Option<usize> {
+        match *self {
+            Self::NotFinite { index, .. }
+            | Self::ZeroWeight { index }
+            | Self::ZeroTangent { index }
+            | Self::TangentOpposesChord { index }
+            | Self::TangentNearlyOpposesChord { index, .. }
+            | Self::Cusp { index, .. }
+            | Self::WeightNotPositive { index, .. }
+            | Self::NotPlanar { index, .. } => Some(index),
+            Self::CoincidentPoints { second, .. } => Some(second),
+            Self::ArcThroughInfinity { segment }
+            | Self::ArcNearInfinity { segment, .. }
+            | Self::AmbiguousHalfTurn { segment } => Some(segment),
+            Self::TooManyPieces { segment, .. } => segment,
+            Self::NoG1SplineInTube { vertex, .. } => Some(vertex),
+            Self::Disconnected { piece, .. }
+            | Self::NotWithinTolerance { piece, .. }
+            | Self::CrossesAxis { piece, .. }
+            | Self::RulingsCross { piece, .. }
+            | Self::PipeTooWide { piece, .. }
+            | Self::MitreDoesNotFit { piece, .. }
+            | Self::FoldedProfile { piece, .. } => Some(piece),
+            Self::NotAFace { face, .. } | Self::NonPlanarFace { face, .. } => Some(face),
+            Self::ProfileMeetsItself { second, .. } => Some(second),
+            Self::BendDoesNotFit { corner, .. } => Some(corner),
+            Self::CornerNotMitred { joint, .. } => Some(joint),
+            Self::PipeMeetsItself { second, .. } => Some(second),
+            Self::InSpan { span, .. } => Some(span),
+            Self::NotAShell { index, .. } => Some(index),
+            Self::InQuad { quad, .. } => Some(quad),
+            Self::InTriangle { triangle, .. }
+            | Self::NoSuchVertex { triangle, .. }
+            | Self::NonManifoldEdge { triangle, .. } => Some(triangle),
+            Self::InconsistentOrientation { triangles: [_, second], .. } => Some(second),
+            Self::UndefinedNormal { vertex, .. } => Some(vertex),
+            Self::ToleranceNotReached { ref points, .. } => points.first().copied(),
+            _ => None,
+        }
+    }
+
+    /// Wraps the error as the failure of one quad of a net.
+    #[must_use]
+    pub fn in_quad(self, quad: usize) -> Self {
+        Self::InQuad { quad, cause: Box::new(self) }
+    }
+
+    /// Wraps the error as the failure of one triangle of a mesh.
+    #[must_use]
+    pub fn in_triangle(self, triangle: usize) -> Self {
+        Self::InTriangle { triangle, cause: Box::new(self) }
+    }
+
+    /// Wraps the error as the failure of one span of a chain.
+    #[must_use]
+    pub fn in_span(self, span: usize) -> Self {
+        Self::InSpan { span, cause: Box::new(self) }
+    }
+}

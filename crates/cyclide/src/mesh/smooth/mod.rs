@@ -1,0 +1,132 @@
+//! Meshes of smooth surfaces: each triangle cut into N² by integer barycentric coordinates, the same N everywhere.
+//!
+//! Points of an edge are computed once, from its lower vertex, so neighbours share them to the bit. How far the mesh is from the
+//! surface is measured at the middles of all edges and triangles: sampled, not proved.
+
+mod deviation;
+mod numbering;
+
+use super::MOST_PIECES;
+use super::surface_mesh::{MeshFace, MeshSource, SurfaceMesh};
+use crate::error::{Error, Result, check_tolerance};
+use crate::surface::SmoothMesh;
+use numbering::Numbering;
+
+/// Numbers of divisions grow by this more than the last deviation asks for, which saves most second tries.
+const MORE: f64 = 1.03;
+/// Fewer divisions tell little of the deviation of many.
+const FEW: usize = 8;
+
+/// A mesh of a smooth surface with what was measured of it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SmoothTessellation {
+    /// The mesh: faces in the order of the triangles of the surface, N² each, whose sources have the number of their triangle as face
+    /// and the ranges of its first two barycentric coordinates. Its `bound` is the deviation.
+    pub mesh: SurfaceMesh,
+    /// Parts N of every edge.
+    pub divisions: usize,
+    /// Largest distance of the surface from the mesh at the middles of its edges and triangles: sampled, not proved.
+    pub deviation: f64,
+}
+
+impl SmoothMesh {
+    /// A mesh whose edges are those of the surface in `divisions` parts each. Not measured: its `bound` is infinite.
+    ///
+    /// # Errors
+    /// `parameter-out-of-range` (no division), `too-many-pieces` (above [`MOST_PIECES`]), as
+    /// [`SmoothTriangle::point`](crate::SmoothTriangle::point) with the number of the triangle.
+    pub fn tessellate(&self, divisions: usize) -> Result<SurfaceMesh> {
+        if divisions == 0 {
+            return Err(Error::ParameterOutOfRange { name: "divisions", value: 0.0, min: 1.0, max: f64::MAX });
+        }
+        check_count(self, divisions as f64)?;
+        let numbering = Numbering::new(self, divisions);
+        let (positions, normals) = numbering.places()?;
+        let count = self.triangles().len() * divisions * divisions;
+        let (mut faces, mut sources) = (Vec::with_capacity(count), Vec::with_capacity(count));
+        for triangle in 0..self.triangles().len() {
+            for cell in cells(divisions) {
+                faces.push(MeshFace::Triangle(cell.map(|at| numbering.corner(triangle, at))));
+                sources.push(source(triangle, cell, divisions));
+            }
+        }
+        Ok(SurfaceMesh { positions, normals, faces, sources, lost: Vec::new(), bound: f64::INFINITY, gap: 0.0 })
+    }
+
+    /// A mesh that is within a tolerance of the surface where it is measured, at the middles of its edges and triangles.
+    ///
+    /// # Errors
+    /// `tolerance-not-positive`, `not-finite`, and as [`tessellate`](Self::tessellate).
+    pub fn tessellate_within(&self, tolerance: f64) -> Result<SmoothTessellation> {
+        check_tolerance(tolerance)?;
+        let mut divisions = 1;
+        loop {
+            let deviation = self.sampled_deviation(divisions)?;
+            if deviation <= tolerance {
+                let mesh = SurfaceMesh { bound: deviation, ..self.tessellate(divisions)? };
+                return Ok(SmoothTessellation { mesh, divisions, deviation });
+            }
+            // Deviations fall with the square of the divisions, once there are a few.
+            let wanted = (divisions as f64 * (deviation / tolerance).sqrt() * MORE).ceil();
+            let wanted = if divisions < FEW { wanted.min(FEW as f64) } else { wanted };
+            check_count(self, wanted)?;
+            divisions = (divisions + 1).max(wanted as usize);
+        }
+    }
+
+    /// The largest distance of the surface from its mesh with these divisions, at the middles of the edges and triangles of the mesh.
+    ///
+    /// # Errors
+    /// As [`tessellate`](Self::tessellate).
+    pub fn sampled_deviation(&self, divisions: usize) -> Result<f64> {
+        if divisions == 0 {
+            return Err(Error::ParameterOutOfRange { name: "divisions", value: 0.0, min: 1.0, max: f64::MAX });
+        }
+        check_count(self, divisions as f64)?;
+        deviation::largest(self, divisions)
+    }
+}
+
+/// Refuses more triangles than are made.
+fn check_count(mesh: &SmoothMesh, divisions: f64) -> Result<()> {
+    let needed = mesh.triangles().len() as f64 * divisions * divisions;
+    if needed <= MOST_PIECES as f64 {
+        return Ok(());
+    }
+    Err(Error::TooManyPieces {
+        what: "the mesh",
+        segment: None,
+        needed,
+        cap: MOST_PIECES,
+        remedy: "use a larger tolerance or fewer triangles",
+    })
+}
+
+/// Integer barycentric coordinates of a vertex of the mesh.
+type Place = [usize; 3];
+
+/// The parts of a triangle, corners counter-clockwise: row by row, those that point like it and those between them.
+fn cells(divisions: usize) -> impl Iterator<Item = [Place; 3]> {
+    (0..divisions).flat_map(move |i| {
+        (0..divisions - i).flat_map(move |j| {
+            let k = divisions - 1 - i - j;
+            let upright = [[i + 1, j, k], [i, j + 1, k], [i, j, k + 1]];
+            let between = (k > 0).then(|| [[i, j + 1, k], [i + 1, j, k], [i + 1, j + 1, k - 1]]);
+            std::iter::once(upright).chain(between)
+        })
+    })
+}
+
+fn source(triangle: usize, cell: [Place; 3], divisions: usize) -> MeshSource {
+    let range = |c: usize| {
+        let values = cell.map(|at| at[c]);
+        let [low, high] = [values.into_iter().min(), values.into_iter().max()];
+        [low, high].map(|v| v.unwrap_or(0) as f64 / divisions as f64)
+    };
+    MeshSource { shell: 0, face: triangle, s: range(0), t: range(1) }
+}
+
+/// Coordinates as a triangle takes them.
+fn lambda(at: Place) -> [f64; 3] {
+    at.map(|v| v as f64)
+}

@@ -1,0 +1,95 @@
+//! Models made step by step, and what curves and surfaces become in them.
+
+use super::object::{CurveObject, Item, Model, Units};
+use super::surface_object::SurfaceObject;
+use crate::construct::Biarc;
+use crate::curve::{Arc, ArcPath, BlendLaw, Circle, CircleSpline};
+use crate::surface::{CyclidePatch, CyclidicNet};
+use crate::topology::{Body, Shell};
+
+impl Model {
+    /// A model without objects.
+    ///
+    /// ```
+    /// use cyclide::{Circle, Model, Point3, Units, Vec3};
+    /// let circle = Circle::from_radius(Point3::ORIGIN, Vec3::Z, 30.0)?;
+    /// let model = Model::new(Units::Millimetre).with_curve("rim", circle);
+    /// assert_eq!(model.items[0].name, "rim");
+    /// # Ok::<(), cyclide::Error>(())
+    /// ```
+    #[must_use]
+    pub fn new(units: Units) -> Self {
+        Self { units, items: Vec::new() }
+    }
+
+    /// The model with one more object, a curve. Names tell objects apart in files: give each its own.
+    #[must_use]
+    pub fn with_curve(self, name: impl Into<String>, curve: impl Into<CurveObject>) -> Self {
+        let curve = curve.into();
+        let kind = curve.kind().to_owned();
+        self.with(Item { name: name.into(), kind, contours: vec![curve], ..Item::default() })
+    }
+
+    /// The model with one more object, a surface or a solid.
+    #[must_use]
+    pub fn with_surface(self, name: impl Into<String>, surface: impl Into<SurfaceObject>) -> Self {
+        let surface = surface.into();
+        let kind = surface.kind().to_owned();
+        self.with(Item { name: name.into(), kind, surfaces: vec![surface], ..Item::default() })
+    }
+
+    fn with(mut self, item: Item) -> Self {
+        self.items.push(item);
+        self
+    }
+}
+
+impl CurveObject {
+    /// What files and reports call it.
+    fn kind(&self) -> &'static str {
+        match self {
+            Self::Arc(_) => "arc",
+            Self::Circle(_) => "circle",
+            Self::ArcPath(_) => "arc-spline",
+            Self::CircleSpline(spline) if matches!(spline.segments()[0].law(), BlendLaw::Fair { .. }) => "fair-spline",
+            Self::CircleSpline(_) => "circle-spline",
+        }
+    }
+}
+
+impl SurfaceObject {
+    /// What files and reports call it.
+    fn kind(&self) -> &'static str {
+        match self {
+            Self::Patch(_) => "cyclide-patch",
+            Self::Net(_) => "cyclidic-net",
+            Self::Body(_) => "body",
+        }
+    }
+}
+
+/// Each as the variant of its name.
+macro_rules! becomes {
+    ($object:ident: $($source:ident => $variant:ident),*) => {
+        $(impl From<$source> for $object {
+            fn from(value: $source) -> Self {
+                Self::$variant(value)
+            }
+        })*
+    };
+}
+
+becomes!(CurveObject: Arc => Arc, Circle => Circle, ArcPath => ArcPath, CircleSpline => CircleSpline);
+becomes!(SurfaceObject: CyclidePatch => Patch, CyclidicNet => Net, Body => Body);
+
+impl From<Biarc> for CurveObject {
+    fn from(biarc: Biarc) -> Self {
+        Self::ArcPath(biarc.to_path())
+    }
+}
+
+impl From<Shell> for SurfaceObject {
+    fn from(outer: Shell) -> Self {
+        Self::Body(Body { outer, voids: Vec::new() })
+    }
+}

@@ -1,0 +1,189 @@
+//! Sphere blends over one triangle: laws of `50`, section 6.
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
+
+use cyclide::{Circle, Mobius, Point3, Quat, Sphere, SphereBlend, Vec3};
+use proptest::prelude::*;
+
+const CORNERS: [[f64; 3]; 3] = [[0.2, -0.1, 0.3], [2.1, 0.4, -0.2], [0.7, 1.9, 0.6]];
+const CONTROL: [[f64; 3]; 3] = [[0.9, 0.6, 0.9], [1.1, 0.8, 1.9], [0.2, 1.1, -0.4]];
+
+fn corners() -> [Point3; 3] {
+    CORNERS.map(Point3::from)
+}
+
+fn patch() -> SphereBlend {
+    SphereBlend::from_control_points(corners(), CONTROL.map(Point3::from)).unwrap()
+}
+
+/// Places inside, on sides and next to corners.
+fn places() -> impl Iterator<Item = [f64; 3]> {
+    let grid = (0..=8_i32).flat_map(|i| (0..=8 - i).map(move |j| [i, j, 8 - i - j].map(f64::from)));
+    grid.chain([[1e-7, 1e-9, 1.0], [1.0, 1e-12, 0.0]])
+}
+
+#[test]
+fn corners_come_out_to_the_bit_with_the_normals_of_their_spheres() {
+    let patch = patch();
+    for i in 0..3 {
+        let mut at = [0.0; 3];
+        at[i] = 7.0;
+        assert_eq!(patch.point(at).unwrap(), corners()[i]);
+        let [a, b, c] = corners();
+        let sphere = Sphere::through_points([a, b, c, CONTROL[i].into()]).unwrap();
+        let radial = (corners()[i] - sphere.center()).unit().unwrap();
+        let normal = patch.normal(at).unwrap();
+        // Rounding of the sphere: a few eps times its radius over the size.
+        assert!(normal.cross(radial).length() < 1e-13, "{i}: {normal:?} {radial:?}");
+        let tangent = Circle::through_points(corners()).unwrap().tangent_at(corners()[i]).unwrap();
+        assert!(normal.dot(tangent).abs() < 1e-14);
+    }
+}
+
+#[test]
+fn data_on_one_sphere_give_that_sphere() {
+    let centre = Point3::new(0.3, -0.4, 1e3);
+    for (lift, radius) in [(0.2, 2.0), (-0.9, 3.0), (0.999, 1e-6)] {
+        let on = |a: f64, z: f64| {
+            centre + Vec3::new((1.0 - z * z).sqrt() * a.cos(), (1.0 - z * z).sqrt() * a.sin(), z) * radius
+        };
+        let corners = [0.1, 1.9, 4.0].map(|a| on(a, lift));
+        let above = if lift < 0.0 { -0.99 } else { lift + 0.5 * (1.0 - lift) };
+        let patch =
+            SphereBlend::from_control_points(corners, [on(1.0, above), on(2.0, 0.5 * (above + lift)), on(5.0, above)])
+                .unwrap();
+        for at in places() {
+            let (p, normal) = (patch.point(at).unwrap(), patch.normal(at).unwrap());
+            // The rounding of the coordinates, 1e3, and of a cap that is 0.04 across for the last.
+            assert!((p.distance(centre) - radius).abs() < 1e-12, "{lift} {radius} {at:?}");
+            if radius > 1.0 {
+                assert!(normal.cross((p - centre).unit().unwrap()).length() < 1e-11, "{lift} {at:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn control_points_in_the_plane_inside_the_circle_leave_it_flat() {
+    let [a, b, c] = corners();
+    let middle = a + ((b - a) + (c - a)) / 3.0;
+    let patch = SphereBlend::from_control_points(corners(), [middle; 3]).unwrap();
+    let up = (b - a).cross(c - a).unit().unwrap();
+    for at in places() {
+        let sum: f64 = at.iter().sum();
+        let flat = a + ((b - a) * at[1] + (c - a) * at[2]) / sum;
+        assert!(patch.point(at).unwrap().distance(flat) < 1e-15);
+        assert!((patch.normal(at).unwrap() - up).length() < 1e-14);
+    }
+}
+
+#[test]
+fn normals_are_those_of_finite_differences() {
+    let patch = patch();
+    for at in [[0.2, 0.3, 0.5], [0.05, 0.9, 0.05], [0.6, 0.01, 0.39]] {
+        let h = 1e-6;
+        let moved = |k: usize| {
+            let (mut plus, mut minus) = (at, at);
+            plus[k] += h;
+            plus[2] -= h;
+            minus[k] -= h;
+            minus[2] += h;
+            (patch.point(plus).unwrap() - patch.point(minus).unwrap()) / (2.0 * h)
+        };
+        let want = moved(0).cross(moved(1)).unit().unwrap();
+        // Truncation h² and rounding 1e-16/h.
+        assert!((patch.normal(at).unwrap() - want).length() < 1e-9);
+    }
+}
+
+#[test]
+fn normals_as_data_are_met_as_nearly_as_spheres_can() {
+    // Those of a sphere are met exactly, at any scale and place.
+    for (scale, shift) in [(1.0, 0.0), (1e-6, 0.0), (1e6, 0.0), (1.0, 1e6)] {
+        let centre = Point3::new(shift, -shift, 2.0 * shift);
+        let spokes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.6, 0.0, 0.8]].map(Vec3::from);
+        let corners = spokes.map(|v| centre + v * scale);
+        let patch = SphereBlend::from_normals(corners, spokes.map(|v| v * 3.0)).unwrap();
+        for at in places() {
+            // The rounding of coordinates far out, 2e-10.
+            let limit = scale * 1e-14 + shift * 1e-15;
+            assert!((patch.point(at).unwrap().distance(centre) - scale).abs() < limit, "{scale} {shift} {at:?}");
+        }
+    }
+    // Others are turned about the tangent of the circle.
+    let given = [Vec3::new(0.3, 0.2, 1.0), Vec3::new(-0.4, 0.1, 1.0), Vec3::new(0.5, 0.5, 1.0)];
+    let patch = SphereBlend::from_normals(corners(), given).unwrap();
+    let circle = Circle::through_points(corners()).unwrap();
+    for i in 0..3 {
+        let mut at = [0.0; 3];
+        at[i] = 1.0;
+        let tangent = circle.tangent_at(corners()[i]).unwrap();
+        let want = (given[i] - tangent * given[i].dot(tangent)).unit().unwrap();
+        assert!((patch.normal(at).unwrap() - want).length() < 1e-13, "{i}");
+    }
+}
+
+#[test]
+fn similarities_map_the_patch_with_its_data() {
+    let turn = Quat::new(0.4, -0.2, 0.7, 0.5);
+    for scale in [1e-6, 1.0, 1e6] {
+        let map = Mobius::similarity(turn, scale, Vec3::new(3.0, -2.0, 1.0) * scale).unwrap();
+        let image = |p: Point3| map.map_point(p).unwrap();
+        let (control, patch) = (CONTROL.map(Point3::from), patch());
+        let moved = SphereBlend::from_control_points(corners().map(image), control.map(image)).unwrap();
+        for at in places() {
+            assert!(moved.point(at).unwrap().distance(image(patch.point(at).unwrap())) < 1e-14 * scale * 10.0);
+        }
+    }
+}
+
+#[test]
+fn refusals_have_names() {
+    let c = corners();
+    let inside = [Point3::new(0.9, 0.6, 0.9); 3];
+    let refused = |corners, control| SphereBlend::from_control_points(corners, control).unwrap_err().reason();
+    assert_eq!(refused([c[0], c[1], c[0].lerp(c[1], 0.3)], inside), "degenerate-triangle");
+    assert_eq!(refused([c[0], c[1], c[0]], inside), "degenerate-triangle");
+    assert_eq!(refused(c, [inside[0], c[1], inside[2]]), "control-point-on-circumcircle");
+    assert_eq!(refused(c, [inside[0], Point3::new(f64::NAN, 0.0, 0.0), inside[2]]), "not-finite");
+    assert_eq!(refused([Point3::new(0.0, f64::INFINITY, 0.0), c[1], c[2]], inside), "not-finite");
+    assert_eq!(refused([Point3::new(0.0, 1e200, 0.0), c[1], c[2]], inside), "parameter-out-of-range");
+    let [x, y, z] = [Vec3::X, Vec3::Y, Vec3::ZERO];
+    assert_eq!(SphereBlend::from_normals(c, [x, y, z]).unwrap_err().reason(), "undefined-normal");
+    assert_eq!(SphereBlend::from_normals(c, [x, y, x * f64::NAN]).unwrap_err().reason(), "not-finite");
+    // In the plane outside the circle: the plane turned over.
+    let flat = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0]].map(Point3::from);
+    let over = SphereBlend::from_control_points(flat, [Point3::new(3.0, 0.0, 0.0); 3]).unwrap();
+    assert_eq!(over.point([1.0, 1.0, 1.0]).unwrap_err().reason(), "patch-through-infinity");
+    // One sphere above and one below cancel half way.
+    let poles = [Point3::new(0.0, 0.0, 1.0), Point3::new(0.0, 0.0, -1.0), Point3::new(0.0, 0.0, 1.0)];
+    let apart = SphereBlend::from_control_points(flat, poles).unwrap();
+    assert_eq!(apart.point([1.0, 1.0, 0.0]).unwrap_err().reason(), "opposite-spheres");
+    assert!(apart.point([1.0, 0.0, 1.0]).is_ok());
+    for wrong in [[0.0; 3], [-0.1, 0.5, 0.6], [f64::NAN, 1.0, 0.0], [f64::INFINITY, 1.0, 0.0]] {
+        assert_eq!(patch().point(wrong).unwrap_err().reason(), "parameter-out-of-range");
+    }
+}
+
+fn any_point() -> impl Strategy<Value = [f64; 3]> {
+    let number = prop_oneof![-1.0..1.0, Just(0.0), Just(1.0), -1e-12..1e-12, -1e150..1e150, Just(1e-150), Just(1e200)];
+    [number.clone(), number.clone(), number]
+}
+
+proptest! {
+    /// Whatever the data, points are finite or refused by name.
+    #[test]
+    fn no_input_gives_points_that_are_no_points(
+        corners in [any_point(), any_point(), any_point()],
+        control in [any_point(), any_point(), any_point()],
+        at in [0.0..1.0, 0.0..1.0, 0.0..1.0],
+    ) {
+        if let Ok(patch) = SphereBlend::from_control_points(corners.map(Point3::from), control.map(Point3::from)) {
+            if let Ok(p) = patch.point(at) {
+                prop_assert!(p.is_finite(), "{patch:?}");
+            }
+            if let Ok(n) = patch.normal(at) {
+                prop_assert!((n.length() - 1.0).abs() < 1e-12, "{patch:?}");
+            }
+        }
+    }
+}

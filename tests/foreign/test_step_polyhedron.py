@@ -1,0 +1,85 @@
+"""Rounded polyhedra as OpenCASCADE reads them, against SciPy's hull, Steiner's formulas and the distance from the polyhedron."""
+
+import json
+import math
+
+import numpy as np
+import pytest
+from scipy.spatial import ConvexHull
+
+import step_modelling as modelling
+from conftest import ROOT
+from step_checks import NORMAL_LIMIT, assert_area, assert_volume, normals_across_joints, structure
+from step_faces import StepFaces
+
+# Volume of a cut, of the solid's: what OpenCASCADE's intersections keep.
+CUT_LIMIT = 1e-6
+
+
+def sphere(count, seed):
+    points = np.random.default_rng(seed).normal(size=(count, 3))
+    return 50 * points / np.linalg.norm(points, axis=1, keepdims=True)
+
+
+DODECAHEDRON = json.loads((ROOT / "examples/dodecahedron.json").read_text())["objects"]["dodecahedron"]
+SOLIDS = {
+    "dodecahedron": (np.array(DODECAHEDRON["points"]), DODECAHEDRON["radius"]),
+    "hull": (sphere(200, 5), 2.0),
+}
+
+
+def steiner(points, radius):
+    """Volume and area of the points within the radius of the hull, from its triangles."""
+    hull = ConvexHull(points)
+    normals = hull.equations[:, :3]
+    mean = 0.0
+    for k, (triangle, beside) in enumerate(zip(hull.simplices, hull.neighbors)):
+        for corner, other in enumerate(beside):
+            if k < other:
+                a, b = (points[triangle[i]] for i in range(3) if i != corner)
+                turn = math.atan2(np.linalg.norm(np.cross(normals[k], normals[other])), normals[k] @ normals[other])
+                mean += 0.5 * np.linalg.norm(b - a) * turn
+    volume = hull.volume + radius * hull.area + radius**2 * mean + 4 / 3 * math.pi * radius**3
+    return volume, hull.area + 2 * radius * mean + 4 * math.pi * radius**2
+
+
+@pytest.fixture
+def rounded(program, tmp_path):
+    def make(name):
+        points, radius = SOLIDS[name]
+        fields = {"type": "smooth-polyhedron", "points": points.tolist(), "radius": radius}
+        (tmp_path / "p.json").write_text(json.dumps({"cyclide": 1, "units": "mm", "objects": {"p": fields}}))
+        report = json.loads(program("build", tmp_path / "p.json", "-o", tmp_path / "p.step", "--json"))
+        return StepFaces(tmp_path / "p.step"), report["objects"]["p"]
+
+    return make
+
+
+@pytest.mark.parametrize("name", SOLIDS)
+def test_solids_have_the_measures_of_steiner(name, rounded):
+    step, report = rounded(name)
+    _, users = structure(step, closed=True)
+    assert (len(step.solids), len(step.shells)) == (1, 1) and step.exactly_valid
+    volume, area = steiner(*SOLIDS[name])
+    for found in (report, report["polyhedron"]):
+        assert found["volume"] == pytest.approx(volume, rel=1e-9)
+        assert found["area"] == pytest.approx(area, rel=1e-9)
+    assert_area(step, area)
+    assert_volume(step, volume)
+    assert normals_across_joints(users, 0) <= NORMAL_LIMIT
+    assert {face.kind for face in step.faces} == {"plane", "cylinder", "b-spline"}
+
+
+@pytest.mark.parametrize("name", SOLIDS)
+def test_solids_are_cut(name, rounded):
+    step, report = rounded(name)
+    assert modelling.faults(step.shape) == []
+    low, high = modelling.box(step)
+    for tool, volume, _ in (modelling.slab(low, high), modelling.drill(low, high)):
+        found = {kind: make(step.shape, tool).Shape() for kind, make in modelling.OPERATIONS.items()}
+        assert all(modelling.valid(shape) for shape in found.values())
+        cut, fused, common = (modelling.volume(found[kind]) for kind in ("cut", "fuse", "common"))
+        own = report["volume"]
+        assert 0 < common < own
+        assert cut + common == pytest.approx(own, rel=CUT_LIMIT)
+        assert fused - cut == pytest.approx(volume, rel=CUT_LIMIT)

@@ -1,0 +1,121 @@
+"""Surfaces of revolution as OpenCASCADE reads them, against the profile turned with NumPy, and as solids that people model with."""
+
+import json
+import math
+
+import numpy as np
+import pytest
+from scipy.interpolate import BSpline
+from scipy.spatial import cKDTree
+
+import step_modelling as modelling
+from conftest import ROOT
+from reference_objects import reported_area
+from step_checks import NORMAL_LIMIT, assert_area, assert_points, assert_volume, normals_across_joints, structure
+from step_faces import StepFaces
+
+# Volume of a cut, of the solid's: what OpenCASCADE's intersections keep.
+CUT_LIMIT = 1e-6
+VASE = json.loads((ROOT / "examples/vase.json").read_text())
+SPINDLE = {"type": "arc-spline", "points": [[0, 0, 0], [9, 0, 2], [14, 0, 11], [6, 0, 19], [0, 0, 21]], "construction": True}
+
+
+class Profile:
+    """The curves of a profile in the plane of x and z as a foreign library evaluates them, for distances from their points."""
+
+    def __init__(self, curves):
+        self.curves = []
+        for curve in curves:
+            weights = np.array(curve["weights"])[:, None]
+            rows = np.hstack([np.array(curve["control_points"])[:, [0, 2]] * weights, weights])
+            spline = BSpline(np.array(curve["knots"], float), rows, curve["degree"])
+            self.curves.append(spline)
+        self.places = [np.linspace(spline.t[0], spline.t[-1], 4001) for spline in self.curves]
+        self.trees = [cKDTree(self._jet(k, places)[0]) for k, places in enumerate(self.places)]
+
+    def _jet(self, k, x):
+        h, h1, h2 = (self.curves[k](x, order) for order in range(3))
+        p = h[:, :2] / h[:, 2:]
+        d = (h1[:, :2] - p * h1[:, 2:]) / h[:, 2:]
+        return p, d, (h2[:, :2] - 2 * d * h1[:, 2:] - p * h2[:, 2:]) / h[:, 2:]
+
+    def locate(self, points):
+        """Distances from the surface about the third axis, and its normals."""
+        radius = np.hypot(points[:, 0], points[:, 1])
+        plane = np.stack([radius, points[:, 2]], -1)
+        k = min(range(len(self.curves)), key=lambda k: self.trees[k].query(plane[:1])[0][0])
+        x = self.places[k][self.trees[k].query(plane)[1]]
+        for _ in range(4):  # from the nearest of 4,001 places
+            p, d, dd = self._jet(k, x)
+            off = plane - p
+            x = np.clip(x + np.sum(off * d, -1) / (np.sum(d * d, -1) - np.sum(off * dd, -1)), *self.places[k][[0, -1]])
+        p, d, _ = self._jet(k, x)
+        d = d / np.linalg.norm(d, axis=-1, keepdims=True)
+        around = points[:, :2] / radius[:, None]
+        return np.linalg.norm(plane - p, axis=-1), np.column_stack([around * d[:, 1:], -d[:, 0]])
+
+
+@pytest.fixture
+def revolved(program, tmp_path):
+    """The solid of a profile by name, as read, its report, and the profile alone."""
+
+    def make(profile, rest):
+        alone = {key: value for key, value in profile.items() if key != "construction"}
+        documents = {"profile": {"p": alone}, "solid": {"p": profile, "solid": {"type": "revolution", "of": "p", **rest}}}
+        for name, objects in documents.items():
+            (tmp_path / f"{name}.json").write_text(json.dumps({"cyclide": 1, "units": "mm", "objects": objects}))
+        program("build", tmp_path / "profile.json", "-o", tmp_path / "curves.json")
+        contours = json.loads((tmp_path / "curves.json").read_text())["objects"]["p"]["contours"]
+        report = json.loads(program("build", tmp_path / "solid.json", "-o", tmp_path / "solid.step", "--json"))
+        entry = report["objects"]["solid"]
+        return StepFaces(tmp_path / "solid.step"), entry, Profile(contours[0]["curves"])
+
+    return make
+
+
+@pytest.mark.parametrize("name", ["vase", "spindle"])
+def test_solids_are_their_profiles_turned(name, revolved):
+    profile = {"vase": VASE["objects"]["profile"], "spindle": SPINDLE}[name]
+    step, report, curve = revolved(profile, {})
+    size, users = structure(step, closed=True)
+    assert (len(step.solids), len(step.shells)) == (1, 1) and step.exactly_valid
+    assert_area(step, reported_area([report]))
+    assert_volume(step, report["volume"])
+    assert_points(step, size, curve.locate)
+    assert normals_across_joints(users, report["joints"]["creases"]) <= NORMAL_LIMIT
+    # The foot and the lip of the vase are plane. Arcs whose circle meets the axis give tori that cross themselves, without an entity.
+    assert {face.kind for face in step.faces} == {"b-spline", {"vase": "plane", "spindle": "torus"}[name]}
+
+
+def test_arcs_and_segments_give_analytic_faces(revolved):
+    """A knob of a plane, a cylinder, a fillet, a cone and a plane: the kinds, and the volume by Pappus' theorem."""
+    corners = [[0, 0, 0], [12, 0, 0], [12, 0, 8], [5, 0, 20], [0, 0, 20]]
+    profile = {"type": "fair-spline", "points": corners, "corner_angle": 0.1, "construction": True}
+    step, report, _ = revolved(profile, {})
+    structure(step, closed=True)
+    cone = math.pi * 12 / 3 * (12**2 + 12 * 5 + 5**2)
+    assert_volume(step, math.pi * 12**2 * 8 + cone)
+    assert {face.kind for face in step.faces} == {"plane", "cylinder", "cone"}
+
+
+def test_a_part_of_a_turn_is_open(revolved):
+    step, report, curve = revolved(VASE["objects"]["profile"], {"angle": {"degrees": 100}})
+    size, _ = structure(step, closed=False)
+    assert not step.solids and report["volume"] is None
+    assert_points(step, size, curve.locate)
+
+
+@pytest.mark.parametrize("name", ["vase", "spindle"])
+def test_solids_are_cut(name, revolved):
+    profile = {"vase": VASE["objects"]["profile"], "spindle": SPINDLE}[name]
+    step, report, _ = revolved(profile, {})
+    assert modelling.faults(step.shape) == []
+    low, high = modelling.box(step)
+    for tool, volume, _ in (modelling.slab(low, high), modelling.drill(low, high)):
+        found = {kind: make(step.shape, tool).Shape() for kind, make in modelling.OPERATIONS.items()}
+        assert all(modelling.valid(shape) for shape in found.values())
+        cut, fused, common = (modelling.volume(found[kind]) for kind in ("cut", "fuse", "common"))
+        own = report["volume"]
+        assert 0 < common < own
+        assert cut + common == pytest.approx(own, rel=CUT_LIMIT)
+        assert fused - cut == pytest.approx(volume, rel=CUT_LIMIT)
