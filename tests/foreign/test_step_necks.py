@@ -23,7 +23,7 @@ NECKS = {
     "disk": {**DUCT, "plate": {"radius": 170}},
     "cup": {**{k: v for k, v in DUCT.items() if k != "plate"}, "side": "inside"},
 }
-BRIDGES = {"ring": RING, "even": {**RING, "ellipses": [[20, 30], [32, 42]]}}
+BRIDGES = {"ring": RING, "even": {**RING, "ellipses": [[20, 30], [32, 42]]}, "uneven": {**RING, "ellipses": [[20, 20], [20.2, 40]]}}
 
 
 def plane(point, normal):

@@ -36,7 +36,7 @@ const CURVES: &[Format] = &[Format::Step, Format::Svg, Format::Png];
 const SURFACES: &[Format] = &[Format::Step, Format::Glb, Format::Png];
 
 /// All models, in the order of the page.
-pub const ENTRIES: [Entry; 16] = [
+pub const ENTRIES: [Entry; 20] = [
     Entry {
         name: "roof",
         title: "Free-form roof with two skins",
@@ -118,6 +118,22 @@ pub const ENTRIES: [Entry; 16] = [
         formats: SURFACES,
     },
     Entry {
+        name: "ruled",
+        title: "Surfaces of lines and of circles",
+        text: "A hyperboloid, turned from a segment and ruled between two circles; a vault of arcs over two rails; the neck of a leaning pipe with arcs in planes along it. All exact.",
+        document: example!("ruled.json"),
+        inputs: &[],
+        formats: SURFACES,
+    },
+    Entry {
+        name: "circles_in_space",
+        title: "Circles, spheres and planes",
+        text: "The null cone with its points of one scale; circles on a sphere that turn into each other about two points; a circle spline through points of a sphere, which stays on it; a circle that meets a plane.",
+        document: example!("circles_in_space.json"),
+        inputs: &[],
+        formats: SURFACES,
+    },
+    Entry {
         name: "volume_faces",
         title: "Faces of a cyclidic cube",
         text: "Six patches that meet at right angles along their common circles.",
@@ -162,6 +178,22 @@ pub const ENTRIES: [Entry; 16] = [
         title: "Every kind of curve",
         text: "Arcs, biarcs, arc splines, fits, fair and circle splines: an object of every type; one wave as a circle spline, which wavers, and fair.",
         document: example!("gallery.json"),
+        inputs: &[],
+        formats: CURVES,
+    },
+    Entry {
+        name: "arcs",
+        title: "Arcs from weights",
+        text: "Two points and two quaternion weights are an arc; its centre; two arcs with one tangent; and the subdivision of an arc, one square root a point, into 3, 5, 9 and 33 points at equal distances.",
+        document: example!("arcs.json"),
+        inputs: &[],
+        formats: CURVES,
+    },
+    Entry {
+        name: "circle_blends",
+        title: "Curves of blended circles",
+        text: "A circle spline and its points, the same of order 1 and 2, inversions that are not wanted beside the fair spline that has none, and four points of one circle in crossing order.",
+        document: example!("circle_blends.json"),
         inputs: &[],
         formats: CURVES,
     },

@@ -20,10 +20,15 @@ use crate::curve::Arc;
 use crate::error::{Error, Result};
 use crate::rational::{Polynomial, PolynomialRow, RationalBezierSurface};
 use crate::topology::{Body, EdgeCurve};
-use std::f64::consts::PI;
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 /// Ellipses whose semi-axes differ by less than this part of them meet.
 const SEPARATION: f64 = 1e-12;
+
+/// Over a face the square of the chord, which is a weight, grows by no more than this: readers integrate faces of uneven weights badly.
+const LARGEST_GROWTH: f64 = 4.0;
+/// A quarter turn is halved this often at most, which chords of 1e-12 of the size need.
+const MOST_HALVINGS: usize = 48;
 
 /// The bridge between two ellipses about the origin with axes along x and y.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -94,7 +99,7 @@ impl EllipseBridge {
         let place = self.first.into_iter().chain(self.second).fold(0.0, f64::max);
         let width = self.widths().map(f64::abs).into_iter().fold(f64::INFINITY, f64::min);
         range::check_size_in_place("the bridge", width, place, range::SMALLEST_IN_PLACE)?;
-        let sectors = Sector::turn(4);
+        let sectors = self.sectors();
         let mut bands = Bands::default();
         let surfaces = sectors.iter().map(|sector| self.over(sector)).collect::<Result<Vec<_>>>()?;
         let rail = |bands: &mut Bands, k: usize, z: f64| -> Result<Ring> {
@@ -136,6 +141,38 @@ impl EllipseBridge {
             return Err(Error::EllipsesCross { along_x, along_y });
         }
         Ok(())
+    }
+
+    /// Parts of the turn, four or more, over which the chords are of about one length.
+    fn sectors(&self) -> Vec<Sector> {
+        let [x, y] = self.widths();
+        let square = |angle: f64| {
+            let [cos, sin] = direction(angle);
+            (x * cos).powi(2) + (y * sin).powi(2)
+        };
+        let mut places: Vec<f64> = (0..4).flat_map(|quarter| {
+            // Along a quarter the square rises or falls throughout: its ends tell by how much.
+            let turn = |part: f64| FRAC_PI_2 * (f64::from(quarter) + part);
+            let grows = |a: f64, b: f64| {
+                let (a, b) = (square(turn(a)), square(turn(b)));
+                a.max(b) > LARGEST_GROWTH * a.min(b)
+            };
+            let mut parts = vec![0.0];
+            let mut ahead = vec![1.0];
+            while let Some(&to) = ahead.last() {
+                let from = parts[parts.len() - 1];
+                if ahead.len() <= MOST_HALVINGS && grows(from, to) {
+                    ahead.push(0.5 * (from + to));
+                } else {
+                    parts.push(to);
+                    ahead.pop();
+                }
+            }
+            parts.pop();
+            parts.into_iter().map(turn).collect::<Vec<_>>()
+        }).collect();
+        places.push(TAU);
+        places.windows(2).map(|pair| Sector::new(pair[0], pair[1])).collect()
     }
 
     /// The ellipse along the middle of the arcs, where the bridge is as wide along both axes.
