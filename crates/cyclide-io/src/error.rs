@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use cyclide::ShortNumber;
 
-use crate::place::Diagnostic;
+use crate::text::place::Diagnostic;
 
 /// Result of a fallible call of this crate.
 pub type Result<T, E = Error> = std::result::Result<T, E>;
