@@ -12,6 +12,7 @@ mod export;
 mod file;
 mod formats;
 mod input;
+mod measure;
 mod report;
 mod text;
 
@@ -41,11 +42,11 @@ pub use file::{
 pub use formats::{Exporter, Format, InputKind, ObjGrid, export, file_deviation, read_back, read_quad_grid};
 pub use input::file::{MOST_INPUT_BYTES, read_head, read_input, read_standard_input};
 pub use input::points::{ColumnUnit, PointColumns, PointList, PointRemark, PointTable, read_points, unit_of_columns};
+pub use measure::joints::SurfaceJointReport;
 pub use report::{
     CheckError, CircularReport, CurvatureRangeReport, CurvatureReport, CurvesReport, FairnessReport, FileReport,
     FitPieces, FitReport, GeometryReport, JointReport, ObjectReport, PartReport, PatchPlace, PolyhedronReport,
-    RangeReport, Report, SeamReport, ShapeReport, SingularPatchReport, Spacing, SurfaceJointReport, SurfaceReport,
-    WarningReport, sample,
+    RangeReport, Report, SeamReport, ShapeReport, SingularPatchReport, Spacing, SurfaceReport, WarningReport, sample,
 };
 pub use text::place::{Diagnostic, Source, decode};
 pub use text::suggest::{did_you_mean, similar};

@@ -66,6 +66,12 @@ mod tests {
     use super::*;
 
     #[test]
+    fn an_unknown_suffix_that_main_returns_can_be_read() {
+        let error = Box::<dyn std::error::Error>::from(Format::from_path(Path::new("a.iges")).unwrap_err());
+        assert!(format!("{error:?}").ends_with("[unknown-suffix]"));
+    }
+
+    #[test]
     fn an_unknown_suffix_is_answered_with_one_that_serves() {
         for (path, hint) in [
             ("a.iges", "; .step carries curves and surfaces to CAD"),

@@ -22,10 +22,7 @@ pub use file::{CheckError, FileReport};
 pub use polyhedron::PolyhedronReport;
 pub use sample::{Spacing, sample};
 pub use seam::SeamReport;
-pub(crate) use seam::measured_seams;
-pub use surface::{
-    CircularReport, PartReport, PatchPlace, ShapeReport, SingularPatchReport, SurfaceJointReport, SurfaceReport,
-};
+pub use surface::{CircularReport, PartReport, PatchPlace, ShapeReport, SingularPatchReport, SurfaceReport};
 
 /// The report on a model and the files made of it. As JSON, values that are not finite are `null`.
 #[derive(Debug, Clone, PartialEq, Serialize)]

@@ -17,7 +17,8 @@ use crate::document::spec::{
 };
 use crate::error::{CROSSING_QUAD, Error, Result, rejected_quads};
 use crate::formats::{InputKind, read_quad_grid};
-use crate::report::{SurfaceJointReport, measured_seams};
+use crate::measure::joints::SurfaceJointReport;
+use crate::measure::seams::measured_seams;
 
 /// Patches of a whole cyclide round the hole and round the tube.
 const SEGMENTS: [u32; 2] = [4, 4];

@@ -50,7 +50,7 @@ pub(super) fn write(job: &Job<'_>, sheet: Sheet, names: Names) -> Result<Exporte
         None if heights => view::from_side(&points, STEEPNESS),
         None => view::from_above(),
     };
-    let flat = job.options.camera.map_or(!heights, crate::Camera::is_along_axis);
+    let flat = job.options.camera.map_or(!heights, crate::export::camera::Camera::is_along_axis);
     let naming = if legend::is_crowded(job) { Naming::Numbers } else { Naming::Colours };
     let caption = Caption::new(job, &Combs::default(), &names.drawn, naming);
     let rulers = match flat {

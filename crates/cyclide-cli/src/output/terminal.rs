@@ -2,7 +2,7 @@
 
 use std::io::{self, Write as _};
 
-use crate::failure::Failure;
+use crate::output::failure::Failure;
 
 const RED: &str = "\x1b[1;31m";
 const YELLOW: &str = "\x1b[1;33m";

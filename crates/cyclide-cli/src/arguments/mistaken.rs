@@ -6,9 +6,9 @@ use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{Command, CommandFactory as _};
 use cyclide_io::InputKind;
 
-use crate::args::Args;
-use crate::failure::Failure;
-use crate::plan::is_standard;
+use crate::arguments::args::Args;
+use crate::output::failure::Failure;
+use crate::output::standard::is_standard;
 
 /// What a command reads.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -8,11 +8,11 @@ use std::path::Path;
 
 use cyclide_io::{Document, ExportOptions, FileReport, Format, ModelBuilder, Report, export};
 
-use crate::failure::Failure;
-use crate::load::Loaded;
-use crate::outputs;
-use crate::plan::GalleryPlan;
-use crate::progress::Progress;
+use crate::arguments::plan::GalleryPlan;
+use crate::commands::load::Loaded;
+use crate::output::failure::Failure;
+use crate::output::files;
+use crate::output::progress::Progress;
 use entries::{ENTRIES, Entry};
 
 /// Width of the pictures, pixels: twice that of their place on the page.
@@ -43,7 +43,7 @@ pub fn run(plan: &GalleryPlan) -> Result<(), Failure> {
     let files: Vec<_> = files.into_iter().map(|(name, bytes)| (plan.folder.join(name), bytes)).collect();
     let page = plan.folder.join("index.html");
     let text = format!("{} models, {} files: {}\n", ENTRIES.len(), files.len(), page.display());
-    outputs::write(&files, plan.write, &text)
+    files::write(&files, plan.write, &text)
 }
 
 /// Builds one entry and adds its files, those it is made from included.

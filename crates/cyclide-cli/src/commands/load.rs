@@ -10,11 +10,12 @@ use cyclide_io::{
     BuiltObject, Document, ModelBuilder, PointColumns, read_head, read_input, read_standard_input, unit_of_columns,
 };
 
-use crate::failure::Failure;
-use crate::mistaken::{Wanted, refuse_content};
-use crate::plan::{Input, is_standard};
-use crate::progress::Progress;
-use crate::terminal;
+use crate::arguments::mistaken::{Wanted, refuse_content};
+use crate::arguments::plan::Input;
+use crate::output::failure::Failure;
+use crate::output::progress::Progress;
+use crate::output::standard::is_standard;
+use crate::output::terminal;
 
 /// Warnings of one kind shown per object; the JSON report holds them all.
 const SHOWN_WARNINGS: usize = 3;

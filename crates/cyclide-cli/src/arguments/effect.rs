@@ -9,9 +9,9 @@ use std::path::PathBuf;
 use cyclide::{CurveObject, Model};
 use cyclide_io::{Format, GeometryReport, NO_EFFECT, Report, StepEdges, StepProducts};
 
-use crate::args::{CurveArgs, Kind, OutputArgs};
-use crate::failure::Failure;
-use crate::plan::MakePlan;
+use crate::arguments::args::{CurveArgs, Kind, OutputArgs};
+use crate::arguments::plan::MakePlan;
+use crate::output::failure::Failure;
 
 /// Refuses options about formats that are not written.
 pub fn refuse_formats_not_written(args: &OutputArgs, outputs: &[(PathBuf, Format)]) -> Result<(), Failure> {

@@ -9,18 +9,18 @@ use cyclide_io::{
     Angle, ArcFitSpec, ArcSplineSpec, CircleSplineSpec, Comment, Document, DxfVersion, EffortWord, EndsSpec,
     ExportOptions, FairEndWord, FairEndsSpec, FairFitSpec, FairSplineSpec, Format, ObjectSpec, PointColumns, PointFile,
     PointSource, RuleWord, Spacing, StepEdges, StepProducts, StraightWord, TargetWord, TypeWord, VariantWord,
-    WriteOptions, leads_to_standard_input, leads_to_standard_output, same_file,
+    WriteOptions, leads_to_standard_input, same_file,
 };
 
-use crate::args::{
+use crate::arguments::args::{
     Args, BuildArgs, Command, CompletionsArgs, CurveArgs, DxfArg, EdgesArg, EffortArg, EndsArg, GalleryArgs, Kind,
     ManArgs, NewArgs, OutputArgs, ProductsArg, ReportArgs, RuleArg, SampleArgs, StraightArg, TargetArg, UnitsArg,
     VariantArg,
 };
-use crate::effect;
-use crate::failure::Failure;
-use crate::mistaken::{Wanted, refuse_suffix};
-use crate::start::NewPlan;
+use crate::arguments::effect;
+use crate::arguments::mistaken::{Wanted, refuse_suffix};
+use crate::output::failure::Failure;
+use crate::output::standard::{is_standard, is_standard_output};
 
 /// What to do.
 pub enum Plan {
@@ -33,6 +33,13 @@ pub enum Plan {
     Completions(Shell),
     /// The manual pages, into a folder.
     Man(PathBuf, WriteOptions),
+}
+
+/// A document to start from.
+pub struct NewPlan {
+    /// The type of object; `None` for a list of the types.
+    pub kind: Option<String>,
+    pub output: Option<PathBuf>,
 }
 
 /// Build a model and write files.
@@ -200,17 +207,6 @@ fn format_of(path: &Path, told: Option<Format>) -> Result<Format, Failure> {
         }
         (Err(error), None) => Err(Failure::Usage(error.to_string())),
     }
-}
-
-/// True for the names of standard input and standard output.
-pub fn is_standard(path: &Path) -> bool {
-    ["-", "/dev/stdin", "/dev/stdout"].iter().any(|name| path.as_os_str() == *name)
-}
-
-/// True for an output that is standard output, by its name or by what it leads to. As a file it would be opened a second
-/// time, beside the report.
-pub fn is_standard_output(path: &Path) -> bool {
-    is_standard(path) || leads_to_standard_output(path)
 }
 
 impl CurveArgs {

@@ -6,8 +6,8 @@ use std::process::ExitCode;
 
 use cyclide_io::NotDurable;
 
-use crate::plan::is_standard;
-use crate::terminal;
+use crate::output::standard::is_standard;
+use crate::output::terminal;
 
 /// The kinds of failure, each with its exit code (documented in the help).
 #[derive(Debug)]

@@ -7,10 +7,10 @@ use clap_complete::Shell;
 use clap_mangen::Man;
 use cyclide_io::WriteOptions;
 
-use crate::args::Args;
-use crate::failure::Failure;
-use crate::outputs;
-use crate::terminal;
+use crate::arguments::args::Args;
+use crate::output::failure::Failure;
+use crate::output::files;
+use crate::output::terminal;
 
 /// Prints the completion script of a shell.
 pub fn completions(shell: Shell) -> Result<(), Failure> {
@@ -29,7 +29,7 @@ pub fn man(folder: &Path, options: WriteOptions) -> Result<(), Failure> {
     std::fs::create_dir_all(folder).map_err(|error| Failure::write(folder.display(), &error))?;
     let first = folder.join("cyclide.1");
     let text = format!("{} pages; read them with: man -l {}\n", pages.len(), first.display());
-    outputs::write(&pages, options, &text)
+    files::write(&pages, options, &text)
 }
 
 fn page(folder: &Path, command: Command) -> Result<(PathBuf, Vec<u8>), Failure> {

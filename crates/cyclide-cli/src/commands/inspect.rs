@@ -3,12 +3,12 @@
 use cyclide::Body;
 use cyclide_io::{Report, Spacing, did_you_mean, document_schema, write_file};
 
-use crate::failure::Failure;
-use crate::load::{self, Inputs};
-use crate::make::report_text;
-use crate::plan::{ReportPlan, SamplePlan, refuse_overwriting};
-use crate::progress::Progress;
-use crate::terminal;
+use crate::arguments::plan::{ReportPlan, SamplePlan, refuse_overwriting};
+use crate::commands::load::{self, Inputs};
+use crate::commands::make::report_text;
+use crate::output::failure::Failure;
+use crate::output::progress::Progress;
+use crate::output::terminal;
 
 /// Most rows that one run samples: about a gigabyte of text, which is held in memory.
 const MOST_ROWS: usize = 10_000_000;

@@ -2,13 +2,14 @@
 
 use cyclide_io::{CheckError, ExportError, Exporter, Report};
 
-use crate::effect;
-use crate::failure::Failure;
-use crate::load::{self, Inputs, Loaded};
-use crate::outputs;
-use crate::plan::{Input, MakePlan, is_standard, is_standard_output, refuse_overwriting};
-use crate::progress::Progress;
-use crate::terminal;
+use crate::arguments::effect;
+use crate::arguments::plan::{Input, MakePlan, refuse_overwriting};
+use crate::commands::load::{self, Inputs, Loaded};
+use crate::output::failure::Failure;
+use crate::output::files;
+use crate::output::progress::Progress;
+use crate::output::standard::{is_standard, is_standard_output};
+use crate::output::terminal;
 
 /// Carries the plan out.
 pub fn run(plan: &MakePlan) -> Result<(), Failure> {
@@ -58,7 +59,7 @@ pub fn run(plan: &MakePlan) -> Result<(), Failure> {
         terminal::print_aside(&report);
         return terminal::print_bytes(bytes);
     }
-    outputs::write(&files, plan.write, &report)
+    files::write(&files, plan.write, &report)
 }
 
 /// Builds the objects; the document and what was read for it are not needed any more then.

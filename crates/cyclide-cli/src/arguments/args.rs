@@ -156,7 +156,7 @@ pub enum Command {
 #[derive(Debug, ClapArgs)]
 pub struct NewArgs {
     /// The type of object; without it the types are listed.
-    #[arg(value_parser = crate::start::kinds())]
+    #[arg(value_parser = crate::arguments::starters::kinds())]
     pub kind: Option<String>,
     /// Write to a new file instead of standard output; an old one is never written over.
     #[arg(short, long, value_name = "FILE", requires = "kind")]

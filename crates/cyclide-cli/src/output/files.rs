@@ -5,8 +5,8 @@ use std::path::Path;
 
 use cyclide_io::{StagedFiles, WriteOptions};
 
-use crate::failure::Failure;
-use crate::terminal;
+use crate::output::failure::Failure;
+use crate::output::terminal;
 
 /// Writes files and prints a text.
 pub fn write<P: AsRef<Path>, B: AsRef<[u8]>>(
