@@ -194,9 +194,8 @@ pub struct BuildArgs {
 /// Options about the files that are written.
 #[derive(Debug, ClapArgs)]
 pub struct OutputArgs {
-    /// File to write; the suffix says the format: .step .stp .dxf .svg .csv .json .png
-    /// .glb .obj .stl. Give it once per file; - with --format is standard output, and the report goes to standard error.
-    #[arg(short, long = "output", value_name = "FILE", required = true, action = ArgAction::Append)]
+    // Its help names the suffixes.
+    #[arg(short, long = "output", value_name = "FILE", required = true, action = ArgAction::Append, help = output_help())]
     pub output: Vec<PathBuf>,
     /// The format of files whose names do not say it.
     #[arg(long, value_name = "FORMAT", value_parser = format_word())]
@@ -483,6 +482,16 @@ pub enum EdgesArg {
     Circle,
     /// Rational B-splines, with which all faces but planes are rational: half as large a file.
     Rational,
+}
+
+/// What is said of `--output`: the suffixes are those of the formats.
+fn output_help() -> String {
+    let suffixes: Vec<String> = Format::suffixes().map(|suffix| format!(".{suffix}")).collect();
+    format!(
+        "File to write; the suffix says the format: {}. Give it once per file; - with --format is standard output, and the \
+         report goes to standard error",
+        suffixes.join(" ")
+    )
 }
 
 /// The name of a format.

@@ -18,7 +18,7 @@ pub(crate) enum Kind {
 pub(crate) struct Entry {
     /// Lower-case name, as in reports.
     pub(crate) name: &'static str,
-    /// The name that people use, for messages.
+    /// What people call it, or a file of it, for messages.
     pub(crate) title: &'static str,
     /// The suffixes of its files in lower case, the usual one first.
     pub(crate) suffixes: &'static [&'static str],

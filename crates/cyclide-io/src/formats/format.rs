@@ -23,6 +23,11 @@ impl Format {
         self.entry().reading.is_some()
     }
 
+    /// The format that a suffix in lower case stands for.
+    pub(crate) fn of_suffix(suffix: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|format| format.entry().suffixes.contains(&suffix))
+    }
+
     /// The format that a file's suffix stands for, upper or lower case.
     ///
     /// # Errors
@@ -35,8 +40,7 @@ impl Format {
     /// ```
     pub fn from_path(path: &Path) -> Result<Self, ExportError> {
         let suffix = path.extension().map(|s| s.to_string_lossy().to_lowercase()).unwrap_or_default();
-        let found = Self::ALL.into_iter().find(|format| format.entry().suffixes.contains(&suffix.as_str()));
-        found.ok_or_else(|| {
+        Self::of_suffix(&suffix).ok_or_else(|| {
             let known: Vec<String> = Self::suffixes().map(|suffix| format!(".{suffix}")).collect();
             ExportError::UnknownSuffix { path: path.to_path_buf(), known: known.join(" "), hint: in_place_of(&suffix) }
         })

@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use crate::formats::Format;
 use crate::text::lines::lines;
 
 /// What a file is.
@@ -38,12 +39,6 @@ impl InputKind {
             "json" => Self::Document,
             "csv" | "tsv" | "xyz" => Self::Points,
             "obj" => Self::Mesh,
-            "step" | "stp" => Self::Written("STEP"),
-            "dxf" => Self::Written("DXF"),
-            "svg" => Self::Written("SVG"),
-            "glb" => Self::Written("GLB"),
-            "stl" => Self::Written("STL"),
-            "png" => Self::Written("a picture"),
             "iges" | "igs" | "brep" | "3dm" | "sat" | "fcstd" => {
                 Self::Foreign("a CAD file", "export points of its curves as CSV, or a mesh of quads as OBJ")
             }
@@ -53,8 +48,13 @@ impl InputKind {
             "dwg" | "pdf" | "ai" | "eps" => Self::Foreign("a drawing", "export points of its curves as CSV"),
             "xlsx" | "xls" | "ods" => Self::Foreign("a spreadsheet", "save it as CSV"),
             "gpx" | "kml" | "geojson" => Self::Foreign("a geographic file", "save its points as CSV, in a plane grid"),
-            _ => return None,
+            other => Self::written(Format::of_suffix(other)?),
         })
+    }
+
+    /// A file of a format that is written.
+    fn written(format: Format) -> Self {
+        Self::Written(format.entry().title)
     }
 
     /// By the first bytes; `None` if they do not tell.
@@ -62,8 +62,8 @@ impl InputKind {
     pub fn of_bytes(bytes: &[u8]) -> Option<Self> {
         let head = &bytes[..bytes.len().min(HEAD)];
         let magic: [(&[u8], Self); 4] = [
-            (b"glTF", Self::Written("GLB")),
-            (b"\x89PNG", Self::Written("a picture")),
+            (b"glTF", Self::written(Format::Glb)),
+            (b"\x89PNG", Self::written(Format::Png)),
             (b"%PDF", Self::Foreign("a drawing", "export points of its curves as CSV")),
             (b"PK\x03\x04", Self::Foreign("an archive or a spreadsheet", "unpack it, or save it as CSV")),
         ];
@@ -74,11 +74,11 @@ impl InputKind {
         let text = text.trim_start_matches('\u{feff}').trim_start();
         match text.as_bytes().first()? {
             b'{' if text.contains("\"cyclide\"") => Some(Self::Document),
-            b'{' => text.contains("\"cyclide-nurbs\"").then_some(Self::Written("a file of exact B-splines")),
+            b'{' => text.contains("\"cyclide-nurbs\"").then(|| Self::written(Format::Json)),
             b'[' => text[1..].trim_start().starts_with('[').then_some(Self::PointsJson),
-            b'<' => text.contains("<svg").then_some(Self::Written("SVG")),
-            _ if text.starts_with("ISO-10303-21") => Some(Self::Written("STEP")),
-            _ if text.starts_with("0\nSECTION") || text.starts_with("0\r\nSECTION") => Some(Self::Written("DXF")),
+            b'<' => text.contains("<svg").then(|| Self::written(Format::Svg)),
+            _ if text.starts_with("ISO-10303-21") => Some(Self::written(Format::Step)),
+            _ if text.starts_with("0\nSECTION") || text.starts_with("0\r\nSECTION") => Some(Self::written(Format::Dxf)),
             _ => Self::of_lines(text),
         }
     }

@@ -46,7 +46,7 @@ const CONTROL_POINT: usize = 110;
 /// What there is to know of the format.
 pub(super) static ENTRY: Entry = Entry {
     name: "json",
-    title: "JSON",
+    title: "a file of exact B-splines",
     suffixes: &["json"],
     lacks: None,
     write,

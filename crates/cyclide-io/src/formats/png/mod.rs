@@ -52,7 +52,7 @@ const LAYER: f64 = 0.03;
 
 /// What there is to know of the format.
 pub(super) static ENTRY: Entry =
-    Entry { name: "png", title: "PNG", suffixes: &["png"], lacks: None, write, reading: None };
+    Entry { name: "png", title: "a picture", suffixes: &["png"], lacks: None, write, reading: None };
 
 /// Draws the model.
 pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
