@@ -101,7 +101,7 @@ impl EllipseBridge {
         range::check_size_in_place("the bridge", width, place, range::SMALLEST_IN_PLACE)?;
         let sectors = self.sectors();
         let mut bands = Bands::default();
-        let surfaces = sectors.iter().map(|sector| self.over(sector)).collect::<Result<Vec<_>>>()?;
+        let surfaces = sectors.iter().map(|sector| self.even_over(sector)).collect::<Result<Vec<_>>>()?;
         let rail = |bands: &mut Bands, k: usize, z: f64| -> Result<Ring> {
             Ok(bands.ring(self.ellipse(k, z).curves(&sectors)?, true))
         };
@@ -114,7 +114,8 @@ impl EllipseBridge {
         let second = rail(&mut bands, 1, 0.0)?;
         for (rings, t) in [([&first, &crown], [0.0, 0.5]), ([&crown, &second], [0.5, 1.0])] {
             let arc = |i: usize, _| {
-                let arc = self.arc(sectors[i].from())?;
+                let [from, to] = [0, 1].map(|k| self.ellipse(k, 0.0).point(sectors[i].start));
+                let arc = Arc::from_start_tangent(from, to, Vec3::Z * from.distance(to))?;
                 Ok(EdgeCurve::Arc(arc.restricted(t[0], t[1])?))
             };
             bands.band(rings, arc, |_, i| Ok(surfaces[i].part([0.0, 1.0], t)))?;
@@ -204,19 +205,36 @@ impl EllipseBridge {
 
     /// The exact form over a sector: the rows at the module.
     fn over(&self, sector: &Sector) -> Result<RationalBezierSurface> {
+        RationalBezierSurface::from_polynomial_rows(&self.rows(sector))
+    }
+
+    /// The same surface with even arcs at both ends of the sector, so that half of an arc is half of its parameter: its rows
+    /// times 1, ρ and ρ², a change of the parameter t, where ρ is linear between the lengths of the chords over λ. Its degree
+    /// is (8, 2); where the bridge is as wide along both axes its arcs are even as they are.
+    fn even_over(&self, sector: &Sector) -> Result<RationalBezierSurface> {
+        if self.is_even() {
+            return self.over(sector);
+        }
+        let [x, y] = self.widths();
+        let ends = [sector.start, sector.end].map(|[cos, sin]| (x * cos).hypot(y * sin) / self.speed);
+        let (ratio, one) = (Polynomial::new(ends.to_vec()), Polynomial::new(vec![1.0; 2]));
+        let [first, middle, last] = self.rows(sector);
+        let rows = [&first * &(&one * &one), &middle * &(&one * &ratio), &last * &(&ratio * &ratio)];
+        RationalBezierSurface::from_polynomial_rows(&rows)
+    }
+
+    fn rows(&self, sector: &Sector) -> [PolynomialRow; 3] {
         let [first, second] = [0, 1].map(|k| self.ellipse(k, 0.0).row(sector));
         let one = &sector.one;
         let upright = |length: Polynomial| {
             PolynomialRow::direction([Polynomial::constant(0.0), Polynomial::constant(0.0), length])
         };
-        let rows = if self.is_even() {
-            [first, upright(one * (0.5 * self.speed)), second]
-        } else {
-            let [x, y] = self.widths();
-            let (dx, dy) = (&sector.cos * (x / self.speed), &sector.sin * (y / self.speed));
-            let squared = &(&dx * &dx) + &(&dy * &dy);
-            [&first * &squared, upright(&(&squared * one) * (0.5 * self.speed)), &second * &(one * one)]
-        };
-        RationalBezierSurface::from_polynomial_rows(&rows)
+        if self.is_even() {
+            return [first, upright(one * (0.5 * self.speed)), second];
+        }
+        let [x, y] = self.widths();
+        let (dx, dy) = (&sector.cos * (x / self.speed), &sector.sin * (y / self.speed));
+        let squared = &(&dx * &dx) + &(&dy * &dy);
+        [&first * &squared, upright(&(&squared * one) * (0.5 * self.speed)), &second * &(one * one)]
     }
 }
