@@ -11,7 +11,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 
-SOURCES = {".rs", ".py", ".toml", ".sh", ".md"}
+SOURCES = {".rs", ".py", ".toml", ".sh", ".md", ".json"}
 # Comments and documents cite pages from the root; documents link relative to themselves.
 CITATION = re.compile(r"\bdocs/[\w/-]+\.md(?:#[^\s`)\]>'\",;]*)?")
 LINK = re.compile(r"\]\(([^)\s]*)\)")
