@@ -1,4 +1,5 @@
-//! The proof sheet of a fit: measured on the finished arcs, sharing no code with the search (`60`, section 11).
+//! The proof sheet of a fit: measured on the finished arcs, sharing no code with the search
+//! (`docs/math/arc-fitting.md#proof-sheet`).
 //!
 //! Distances are nearest points on each arc, tangents come from the arcs as they are stored, and the closing joint
 //! is a joint like the others. Each arc is compared with the run of the polyline it stands for, in order: the feet
