@@ -130,7 +130,7 @@ def check_itself(places):
         "`no/such/file.rs`",
         "`Arc::no" + "_such_function`",
     ]
-    faults, _ = faults_of(Path("docs/math/sample.md"), "\n".join([*wrong, "[arcs](arcs.md#evaluation)"]), places)
+    faults, _ = faults_of(Path("docs/math/sample.md"), "\n".join([*wrong, "[arcs](arcs.md)"]), places)
     lines = {int(fault.split(":")[1]) for fault in faults}
     if lines != set(range(1, len(wrong) + 1)):
         raise AssertionError(f"faults found in lines {sorted(lines)} of {len(wrong)} wrong ones: {faults}")
