@@ -26,9 +26,9 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 const SEPARATION: f64 = 1e-12;
 
 /// Over a face the square of the chord, which is a weight, grows by no more than this: readers integrate faces of uneven weights badly.
-const LARGEST_GROWTH: f64 = 4.0;
-/// A quarter turn is halved this often at most, which chords of 1e-12 of the size need.
-const MOST_HALVINGS: usize = 48;
+const LARGEST_GROWTH: f64 = 16.0;
+/// A quarter turn is halved this often at most: enough for widths that stand as 1 to 250; beyond, the faces beside the narrow places are uneven.
+const MOST_HALVINGS: usize = 6;
 
 /// The bridge between two ellipses about the origin with axes along x and y.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -151,27 +151,29 @@ impl EllipseBridge {
             let [cos, sin] = direction(angle);
             (x * cos).powi(2) + (y * sin).powi(2)
         };
-        let mut places: Vec<f64> = (0..4).flat_map(|quarter| {
-            // Along a quarter the square rises or falls throughout: its ends tell by how much.
-            let turn = |part: f64| FRAC_PI_2 * (f64::from(quarter) + part);
-            let grows = |a: f64, b: f64| {
-                let (a, b) = (square(turn(a)), square(turn(b)));
-                a.max(b) > LARGEST_GROWTH * a.min(b)
-            };
-            let mut parts = vec![0.0];
-            let mut ahead = vec![1.0];
-            while let Some(&to) = ahead.last() {
-                let from = parts[parts.len() - 1];
-                if ahead.len() <= MOST_HALVINGS && grows(from, to) {
-                    ahead.push(0.5 * (from + to));
-                } else {
-                    parts.push(to);
-                    ahead.pop();
+        let mut places: Vec<f64> = (0..4)
+            .flat_map(|quarter| {
+                // Along a quarter the square rises or falls throughout: its ends tell by how much.
+                let turn = |part: f64| FRAC_PI_2 * (f64::from(quarter) + part);
+                let grows = |a: f64, b: f64| {
+                    let (a, b) = (square(turn(a)), square(turn(b)));
+                    a.max(b) > LARGEST_GROWTH * a.min(b)
+                };
+                let mut parts = vec![0.0];
+                let mut ahead = vec![1.0];
+                while let Some(&to) = ahead.last() {
+                    let from = parts[parts.len() - 1];
+                    if ahead.len() <= MOST_HALVINGS && grows(from, to) {
+                        ahead.push(0.5 * (from + to));
+                    } else {
+                        parts.push(to);
+                        ahead.pop();
+                    }
                 }
-            }
-            parts.pop();
-            parts.into_iter().map(turn).collect::<Vec<_>>()
-        }).collect();
+                parts.pop();
+                parts.into_iter().map(turn).collect::<Vec<_>>()
+            })
+            .collect();
         places.push(TAU);
         places.windows(2).map(|pair| Sector::new(pair[0], pair[1])).collect()
     }

@@ -32,7 +32,9 @@ const AXIS_LIMIT: f64 = 1e-10;
 pub(super) fn kind(shell: &Shell, face: &ShellFace, size: f64, edges: StepEdges) -> PatchKind {
     let patch = match &face.surface {
         FaceSurface::Cyclide(patch) => patch,
-        FaceSurface::Rational(surface) => return plane(shell, face, surface).unwrap_or(PatchKind::Cyclide),
+        FaceSurface::Rational(surface) => {
+            return surface.plane().map_or(PatchKind::Cyclide, |frame| PatchKind::Plane { frame });
+        }
     };
     let kind = patch.recognise();
     let keep = match kind {
@@ -58,15 +60,6 @@ pub(super) fn kind(shell: &Shell, face: &ShellFace, size: f64, edges: StepEdges)
         PatchKind::Cyclide => false,
     };
     if keep { kind } else { PatchKind::Cyclide }
-}
-
-/// The plane of a rational face between straight edges, if its control points are in one.
-fn plane(shell: &Shell, face: &ShellFace, surface: &RationalBezierSurface) -> Option<PatchKind> {
-    let is_straight = |arc: &Arc| arc.is_straight();
-    if !face.edges().all(|(_, side)| shell.edges()[side.edge].curve.arc().is_some_and(is_straight)) {
-        return None;
-    }
-    surface.plane().map(|frame| PatchKind::Plane { frame })
 }
 
 /// The axis about which the edges of a spherical face are meridians and parallels, if there is one.
