@@ -98,7 +98,7 @@ pub use curve::{
 pub use curve::{CORNER_ANGLE, Fairness, RoundedTurns, Wavering, fairness, wavering};
 pub use curve::{Correspondence, CurvePlace, Span};
 pub use curve::{bounds, closest_point, curvature_comb, extreme_curvature, joints, length, resample};
-pub use error::{Error, Result};
+pub use error::{Error, ErrorItem, Result, reasons};
 pub use mesh::{LineKind, ParameterLine, parameter_lines};
 pub use mesh::{
     MOST_PIECES, MeshCorner, MeshFace, MeshSource, SmoothTessellation, SurfaceMesh, flatten, flatten_into,

@@ -15,6 +15,7 @@ const DEGREE: f64 = std::f64::consts::PI / 180.0;
 /// What may become of a surface whose vertices are moved: the numbers of `70`, part C, and one of relief. All are free
 /// of scale. A number is `None` where the surface as given has nothing to compare with: it is flat.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[non_exhaustive]
 pub struct ShapeChange {
     /// Bending, after over before: squared differences of the normals over a fifth of the grid.
     pub bending: Option<f64>,

@@ -194,5 +194,5 @@ fn a_similar_surface_is_similar_everywhere() {
     let want = map.map_point(surface.point(0.3, 0.6)).unwrap();
     assert!(image.point(0.3, 0.6).distance(want) < 1e-14);
     let far = Mobius::inversion(Point3::new(5.0, 1.0, 4.0), 3.0).unwrap();
-    assert_eq!(surface.similar(&far), Err(Error::NotASimilarity));
+    assert_eq!(surface.similar(&far).unwrap_err().reason(), "not-a-similarity");
 }

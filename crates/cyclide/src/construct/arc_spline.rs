@@ -12,7 +12,7 @@
 use super::biarc::{Biarc, BiarcRule, starting};
 use crate::base::vector::{Point3, Vec3};
 use crate::curve::ArcPath;
-use crate::error::{Error, Result};
+use crate::error::{Error, ErrorItem, Result};
 
 /// Two unit chords that sum to less than this turn back on themselves: their circle is a line through infinity and
 /// its tangent is noise (`50`, section 2, has the same limit).
@@ -36,12 +36,12 @@ impl ArcPath {
     /// # Errors
     /// `too-few-points` (fewer than 2, or 3 if closed), `not-finite`, `coincident-points` (neighbours, equal
     /// doubles; closed: last and first too), `cusp` (only for estimated tangents: the points turn back on
-    /// themselves), `tangent-count`; a span without a biarc gives the biarc's reason with the index of the span.
+    /// themselves), `count-differs`; a span without a biarc gives the biarc's reason with the index of the span.
     pub fn spline(points: &[Point3], options: &ArcSplineOptions) -> Result<Self> {
         check_points(points, options.closed)?;
         let tangents = match &options.tangents {
             Some(given) if given.len() != points.len() => {
-                return Err(Error::TangentCount { given: given.len(), needed: points.len() });
+                return Err(Error::CountDiffers { what: ErrorItem::Tangent, given: given.len(), needed: points.len() });
             }
             Some(given) => given.clone(),
             None => estimate_tangents(points, options.closed)?,
@@ -72,7 +72,7 @@ impl ArcPath {
     pub fn chain_from_tangent(points: &[Point3], closed: bool, start_tangent: Vec3) -> Result<Self> {
         check_points(points, closed)?;
         if !start_tangent.is_finite() {
-            return Err(Error::NotFinite { what: "tangent", index: 0 });
+            return Err(Error::NotFinite { what: ErrorItem::Tangent, index: 0 });
         }
         let mut t = start_tangent.unit().ok_or(Error::ZeroTangent { index: 0 })?;
         let spans = span_count(points.len(), closed);
@@ -132,7 +132,7 @@ fn span_count(points: usize, closed: bool) -> usize {
 
 /// Unit chord of span `k` (cyclic).
 fn chord(points: &[Point3], k: usize) -> Result<Vec3> {
-    (points[(k + 1) % points.len()] - points[k]).unit().ok_or(Error::NotFinite { what: "chord", index: k })
+    (points[(k + 1) % points.len()] - points[k]).unit().ok_or(Error::NotFinite { what: ErrorItem::Chord, index: k })
 }
 
 fn check_points(points: &[Point3], closed: bool) -> Result<()> {
@@ -141,7 +141,7 @@ fn check_points(points: &[Point3], closed: bool) -> Result<()> {
         return Err(Error::TooFewPoints { given: points.len(), needed });
     }
     if let Some(index) = points.iter().position(|p| !p.is_finite()) {
-        return Err(Error::NotFinite { what: "point", index });
+        return Err(Error::NotFinite { what: ErrorItem::Point, index });
     }
     for first in 0..span_count(points.len(), closed) {
         let second = (first + 1) % points.len();
@@ -243,7 +243,7 @@ mod tests {
         }
         let options = |tangents| ArcSplineOptions { tangents: Some(tangents), ..Default::default() };
         let e = ArcPath::spline(&[a, b, c], &options(vec![Vec3::X])).unwrap_err();
-        assert_eq!(e.reason(), "tangent-count");
+        assert_eq!(e.reason(), "count-differs");
         let e = ArcPath::spline(&[a, b, c], &options(vec![Vec3::X, Vec3::X, Vec3::ZERO])).unwrap_err();
         assert_eq!((e.reason(), e.index()), ("zero-tangent", Some(2)));
         let e = ArcPath::spline(&[a, b, c], &options(vec![Vec3::Y, -Vec3::Y, -Vec3::Y])).unwrap_err();
@@ -255,6 +255,6 @@ mod tests {
         let points = [[1.0, 2.0, 3.0], [4.0, 4.0, 4.0]].map(Point3::from);
         let path = ArcPath::spline(&points, &ArcSplineOptions::default()).unwrap();
         assert!(path.arcs().iter().all(Arc::is_straight));
-        assert_eq!(path.eval(1.0), points[1]);
+        assert_eq!(path.point(1.0), points[1]);
     }
 }

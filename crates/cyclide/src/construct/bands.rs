@@ -3,7 +3,7 @@
 use super::turned_patch::turned_patch;
 use crate::base::vector::Point3;
 use crate::curve::Arc;
-use crate::error::{Error, Result};
+use crate::error::{Error, ErrorItem, Result};
 use crate::rational::{PolynomialRow, RationalBezierSurface};
 use crate::topology::{Body, EdgeCurve, FaceEdge, FaceSurface, Shell, ShellEdge, ShellFace};
 
@@ -116,7 +116,7 @@ impl Bands {
                 (Err(pole), Ok(to)) => [gathered(&to, pole), to],
                 (Err(_), Err(_)) => {
                     let detail = "a ruled face joins two points";
-                    return Err(Error::NotAShell { item: "face", index: i, detail });
+                    return Err(Error::NotAShell { item: ErrorItem::Face, index: i, detail });
                 }
             };
             RationalBezierSurface::from_polynomial_rows(&[PolynomialRow::of_rows(&from), PolynomialRow::of_rows(&to)])

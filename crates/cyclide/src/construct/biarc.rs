@@ -16,7 +16,7 @@
 
 use crate::base::vector::{Point3, Vec3};
 use crate::curve::{Arc, ArcPath};
-use crate::error::{Error, Result};
+use crate::error::{Error, ErrorItem, Result};
 
 /// The longest leg of the control triangles accepted, in chords: beyond it the joint runs away to infinity.
 const LEG_LIMIT: f64 = 1e8;
@@ -37,16 +37,24 @@ const AUTO_LENGTH_FACTOR: f64 = 2.0;
 const LENGTH_TIE: f64 = 1e-12;
 
 /// How the joint of a biarc is chosen.
+///
+/// Equal legs are the choice of Bolton 1975 and of most practice: both arcs turn by less than a half turn, data on one circle (less
+/// than half of it per arc) give that circle. Of the two candidates with equal chords the shorter one is taken. Equal chords are
+/// clearly better where equal legs fail, are more than twice as long, or have a leg shorter than a hundredth of the chord.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "kebab-case"))]
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "Rule", description = "How the joint of a biarc is chosen.")
+)]
 pub enum BiarcRule {
-    /// Equal legs of the two control triangles (the choice of Bolton 1975 and of most practice): both arcs turn by
-    /// less than a half turn, data on one circle (less than half of it per arc) give that circle.
+    /// Equal legs of the two control triangles.
     #[default]
     EqualD,
-    /// Equal chords; of the two candidates the shorter one.
+    /// Equal chords.
     EqualChord,
-    /// Equal legs, unless that fails, is more than twice as long as equal chords, or has a leg shorter than a
-    /// hundredth of the chord.
+    /// Equal legs, unless equal chords give a clearly better curve.
     Auto,
 }
 
@@ -127,14 +135,14 @@ impl Data {
     fn new(p0: Point3, t0: Vec3, p1: Point3, t1: Vec3) -> Result<Self> {
         for (index, p) in [p0, p1].into_iter().enumerate() {
             if !p.is_finite() {
-                return Err(Error::NotFinite { what: "point", index });
+                return Err(Error::NotFinite { what: ErrorItem::Point, index });
             }
         }
         let unit = |t: Vec3, index| {
             if t.is_finite() {
                 t.unit().ok_or(Error::ZeroTangent { index })
             } else {
-                Err(Error::NotFinite { what: "tangent", index })
+                Err(Error::NotFinite { what: ErrorItem::Tangent, index })
             }
         };
         let (t0, t1) = (unit(t0, 0)?, unit(t1, 1)?);
@@ -142,7 +150,7 @@ impl Data {
         if l == 0.0 {
             return Err(Error::CoincidentPoints { first: 0, second: 1, distance: l, limit: 0.0 });
         }
-        let v = (p1 - p0).unit().ok_or(Error::NotFinite { what: "chord", index: 0 })?;
+        let v = (p1 - p0).unit().ok_or(Error::NotFinite { what: ErrorItem::Chord, index: 0 })?;
         Ok(Self { p0, p1, l, v, t0, t1 })
     }
 
@@ -188,7 +196,7 @@ impl Data {
         let candidates = [k, -k].map(|k| {
             let w = Arc::from_start_tangent(self.p0, self.p1, k * self.l)?;
             let j = w.midpoint();
-            let u = (j - self.p0).unit().ok_or(Error::PointAtInfinity)?;
+            let u = (j - self.p0).unit().ok_or(Error::at_infinity(ErrorItem::Point, 0))?;
             self.biarc(j, self.t0.reflect(u), BiarcRule::EqualChord)
         });
         match candidates {

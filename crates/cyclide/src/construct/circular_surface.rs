@@ -27,7 +27,7 @@ use super::bands::{Bands, rows_of};
 use super::rails::{RailPiece, rail_pieces};
 use crate::base::vector::Vec3;
 use crate::curve::Arc;
-use crate::error::{Error, Result};
+use crate::error::{Error, ErrorItem, Result};
 use crate::rational::{Polynomial, PolynomialRow, RationalBezier, RationalBezierSurface};
 use crate::topology::{Body, EdgeCurve};
 
@@ -82,7 +82,7 @@ impl Body {
     ///
     /// # Errors
     /// `piece-counts-differ`, `too-few-points`, `disconnected`, `weight-not-positive` (of the rails, or where no parts of the surface have
-    /// positive weights: arcs that turn nearly round); `tangent-count`, `not-finite`, `zero-tangent`, `coincident-points` (the rails meet),
+    /// positive weights: arcs that turn nearly round); `count-differs`, `not-finite`, `zero-tangent`, `coincident-points` (the rails meet),
     /// `tangent-opposes-chord`, `degree-too-high`.
     pub fn circular(rails: [&[EdgeCurve]; 2], tangents: &[Vec3], closed: bool) -> Result<Self> {
         let tangents = tangents_of_joints(tangents, rails[0].len(), closed)?;
@@ -148,11 +148,11 @@ impl ArcPiece {
 fn tangents_of_joints(given: &[Vec3], pieces: usize, closed: bool) -> Result<Vec<Vec3>> {
     let needed = pieces + usize::from(!closed);
     if given.len() != 1 && given.len() != needed {
-        return Err(Error::TangentCount { given: given.len(), needed });
+        return Err(Error::CountDiffers { what: ErrorItem::Tangent, given: given.len(), needed });
     }
     for (index, v) in given.iter().enumerate() {
         if !v.is_finite() {
-            return Err(Error::NotFinite { what: "tangent", index });
+            return Err(Error::NotFinite { what: ErrorItem::Tangent, index });
         }
         if v.max_abs() == 0.0 {
             return Err(Error::ZeroTangent { index });
@@ -180,7 +180,7 @@ fn speed(pieces: &[ArcPiece]) -> Result<f64> {
             }
             let angle = c.cross(v).length().atan2(-c.dot(v));
             if angle < OPPOSED {
-                return Err(Error::TangentNearlyOpposesChord { index: piece.rails.piece, angle, limit: OPPOSED });
+                return Err(Error::TangentOpposesChord { index: piece.rails.piece, angle, limit: OPPOSED });
             }
             sum += (distance / length).ln();
         }

@@ -17,7 +17,7 @@ use super::ellipse_ring::{Ellipse, Sector, direction};
 use crate::base::range;
 use crate::base::vector::{Point3, Vec3};
 use crate::curve::Arc;
-use crate::error::{Error, Result};
+use crate::error::{Error, ErrorItem, Result};
 use crate::rational::{Polynomial, PolynomialRow, RationalBezierSurface};
 use crate::topology::{Body, EdgeCurve};
 use std::f64::consts::PI;
@@ -43,7 +43,7 @@ impl EllipseBridge {
     pub fn new(first: [f64; 2], second: [f64; 2]) -> Result<Self> {
         for (index, radius) in [first, second].into_iter().flatten().enumerate() {
             if !radius.is_finite() {
-                return Err(Error::NotFinite { what: "radius", index });
+                return Err(Error::NotFinite { what: ErrorItem::Radius, index });
             }
             if radius <= 0.0 {
                 return Err(Error::RadiusNotPositive { radius });
@@ -93,7 +93,7 @@ impl EllipseBridge {
         }
         let place = self.first.into_iter().chain(self.second).fold(0.0, f64::max);
         let width = self.widths().map(f64::abs).into_iter().fold(f64::INFINITY, f64::min);
-        range::check_size_in_place("the bridge", width, place, range::SMALLEST_IN_PLACE)?;
+        range::check_size_in_place(ErrorItem::Bridge, width, place, range::SMALLEST_IN_PLACE)?;
         let sectors = Sector::turn(4);
         let mut bands = Bands::default();
         let surfaces = sectors.iter().map(|sector| self.over(sector)).collect::<Result<Vec<_>>>()?;
@@ -125,11 +125,11 @@ impl EllipseBridge {
 
     fn check_solid(&self, depth: f64) -> Result<()> {
         if !depth.is_finite() {
-            return Err(Error::NotFinite { what: "depth", index: 0 });
+            return Err(Error::NotFinite { what: ErrorItem::Depth, index: 0 });
         }
         if !(depth >= range::MIN_DISTANCE) {
             let (min, max) = (range::MIN_DISTANCE, f64::MAX);
-            return Err(Error::ParameterOutOfRange { name: "depth", value: depth, min, max });
+            return Err(Error::ParameterOutOfRange { name: ErrorItem::Depth, value: depth, min, max });
         }
         let [along_x, along_y] = self.widths();
         if along_x * along_y < 0.0 {

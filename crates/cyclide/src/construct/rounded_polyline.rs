@@ -6,7 +6,7 @@ use crate::base::quat::Quat;
 use crate::base::range;
 use crate::base::vector::{Point3, Vec3};
 use crate::curve::{Arc, ArcPath};
-use crate::error::{Error, Result};
+use crate::error::{Error, ErrorItem, Result};
 
 /// Corners that turn by less have no arc.
 const STRAIGHT: f64 = 1e-9;
@@ -18,7 +18,7 @@ impl ArcPath {
     /// (0: a sharp corner; at the ends of an open polyline it means nothing). The path is G1 where the radii are positive.
     ///
     /// # Errors
-    /// `too-few-points` (2, closed 3), `radius-count`, `not-finite`, `parameter-out-of-range`,
+    /// `too-few-points` (2, closed 3), `count-differs`, `not-finite`, `parameter-out-of-range`,
     /// `radius-not-positive` (negative), `coincident-points`; `bend-does-not-fit` if the legs of a corner are too short for
     /// its arc beside those of the neighbours, or turn back on each other.
     pub fn rounded_polyline(points: &[Point3], closed: bool, radii: &[f64]) -> Result<Self> {
@@ -27,14 +27,14 @@ impl ArcPath {
             return Err(Error::TooFewPoints { given: n, needed });
         }
         if radii.len() != n {
-            return Err(Error::RadiusCount { given: radii.len(), needed: n });
+            return Err(Error::CountDiffers { what: ErrorItem::Radius, given: radii.len(), needed: n });
         }
         for (index, p) in points.iter().enumerate() {
             range::check_point(index, p.to_vec())?;
         }
         for (index, &radius) in radii.iter().enumerate() {
             if !radius.is_finite() {
-                return Err(Error::NotFinite { what: "radius", index });
+                return Err(Error::NotFinite { what: ErrorItem::Radius, index });
             }
             if radius < 0.0 {
                 return Err(Error::RadiusNotPositive { radius });

@@ -9,7 +9,7 @@
 use crate::base::quat::Quat;
 use crate::base::range;
 use crate::base::vector::Vec3;
-use crate::error::{Error, Result};
+use crate::error::{Error, ErrorItem, Result};
 
 /// A circular arc or straight segment in four-space, parametrised by a linear fraction over `t` in `[0, 1]`.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -41,7 +41,7 @@ impl Arc4 {
         }
         for (index, w) in [start_weight, end_weight].into_iter().enumerate() {
             if !w.is_finite() {
-                return Err(Error::NotFinite { what: "weight", index });
+                return Err(Error::NotFinite { what: ErrorItem::Weight, index });
             }
             if w.norm() == 0.0 {
                 return Err(Error::ZeroWeight { index });

@@ -83,7 +83,7 @@ pub trait ParamCurve: std::fmt::Debug + Send + Sync {
     }
 
     /// Point at a global parameter in `[0, 1]`.
-    fn eval(&self, t: f64) -> Point3 {
+    fn point(&self, t: f64) -> Point3 {
         let (piece, s) = self.locate(t);
         self.piece_point(piece, s)
     }
@@ -92,10 +92,10 @@ pub trait ParamCurve: std::fmt::Debug + Send + Sync {
     ///
     /// # Panics
     /// If the slices differ in length.
-    fn eval_into(&self, ts: &[f64], out: &mut [Point3]) {
+    fn points_into(&self, ts: &[f64], out: &mut [Point3]) {
         assert_eq!(ts.len(), out.len(), "one output point per parameter");
         for (t, p) in ts.iter().zip(out) {
-            *p = self.eval(*t);
+            *p = self.point(*t);
         }
     }
 

@@ -52,8 +52,10 @@ impl ChainPiece {
     /// `not-a-similarity`, or as [`Arc::transformed`](crate::Conformal::transformed) and [`NurbsCurve::similar`].
     pub fn similar(&self, map: &Mobius) -> Result<Self> {
         match self {
-            Self::Arc(_) if !map.is_similarity() => Err(Error::NotASimilarity),
-            Self::Arc(a) => Ok(Self::Arc(a.transformed(map)?)),
+            Self::Arc(a) => {
+                map.check_similarity()?;
+                Ok(Self::Arc(a.transformed(map)?))
+            }
             Self::Spline(c) => Ok(Self::Spline(c.similar(map)?)),
         }
     }

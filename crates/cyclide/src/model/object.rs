@@ -10,17 +10,28 @@ use crate::warning::Warning;
 
 /// What one unit of the coordinates means. Coordinates are never rescaled; units label them.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(inline, description = "The units of a document.")
+)]
 pub enum Units {
-    /// Millimetres (the default).
+    /// Millimetres.
     #[default]
+    #[cfg_attr(feature = "serde", serde(rename = "mm"))]
     Millimetre,
     /// Centimetres.
+    #[cfg_attr(feature = "serde", serde(rename = "cm"))]
     Centimetre,
     /// Metres.
+    #[cfg_attr(feature = "serde", serde(rename = "m"))]
     Metre,
     /// Inches.
+    #[cfg_attr(feature = "serde", serde(rename = "in"))]
     Inch,
     /// Feet.
+    #[cfg_attr(feature = "serde", serde(rename = "ft"))]
     Foot,
 }
 

@@ -4,7 +4,7 @@ use super::bezier_curve::{RationalBezier, jet_of_homogeneous};
 use crate::base::bernstein;
 use crate::base::jet::CurveJet;
 use crate::base::vector::{Point3, Vec3};
-use crate::error::{Error, Result};
+use crate::error::{Error, ErrorItem, Result};
 
 /// A rational B-spline curve: clamped knots, positive weights, affine control points.
 ///
@@ -40,13 +40,13 @@ impl NurbsCurve {
             return fail("number of knots is not points + degree + 1");
         }
         if let Some(index) = points.iter().position(|p| !p.is_finite()) {
-            return Err(Error::NotFinite { what: "control point", index });
+            return Err(Error::NotFinite { what: ErrorItem::ControlPoint, index });
         }
         if let Some(index) = weights.iter().position(|w| !w.is_finite() || *w <= 0.0) {
             return Err(Error::WeightNotPositive { index, weight: weights[index] });
         }
         if let Some(index) = knots.iter().position(|k| !k.is_finite()) {
-            return Err(Error::NotFinite { what: "knot", index });
+            return Err(Error::NotFinite { what: ErrorItem::Knot, index });
         }
         if knots.windows(2).any(|w| w[1] < w[0]) {
             return fail("knots decrease");

@@ -2,7 +2,7 @@
 
 use crate::base::range;
 use crate::base::vector::Point3;
-use crate::error::{Error, Result};
+use crate::error::{Error, ErrorItem, Result};
 
 /// Vertices of a regular net of quads: `size[0]` along s, `size[1]` along t, s fastest. A closed direction joins its
 /// last vertices to its first, which are not repeated.
@@ -40,7 +40,7 @@ impl QuadGrid {
     /// # Errors
     /// `below-rounding-of-place`.
     pub(in crate::surface) fn check_place(&self) -> Result<()> {
-        range::check_place("the surface", &self.points)
+        range::check_place(ErrorItem::Surface, &self.points)
     }
 
     /// The grid of one quad with its corners in binary order.

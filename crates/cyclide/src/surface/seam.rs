@@ -26,6 +26,7 @@ pub struct Seam {
 
 /// What was measured along a seam.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct SeamMeasure {
     /// Largest distance of a point of one border from the other one.
     pub gap: f64,

@@ -14,7 +14,7 @@
 use super::barycentric::Barycentric;
 use crate::base::range;
 use crate::base::vector::{Point3, Vec3};
-use crate::error::{Error, Result};
+use crate::error::{Error, ErrorItem, Result};
 
 /// Triangles with less than this, twice the area over the longest edge squared, have no circle.
 pub(super) const DEGENERATE_TRIANGLE: f64 = 1e-12;
@@ -109,7 +109,7 @@ impl SphereBlend {
         let mut blend = Self::over(corners)?;
         for (i, normal) in normals.into_iter().enumerate() {
             if !normal.is_finite() {
-                return Err(Error::NotFinite { what: "normal", index: i });
+                return Err(Error::NotFinite { what: ErrorItem::Normal, index: i });
             }
             let undefined = |length| Error::UndefinedNormal { vertex: i, length, limit: ON_CIRCLE };
             let unit = normal.unit().ok_or_else(|| undefined(0.0))?;

@@ -9,6 +9,7 @@ const SAMPLES: usize = 9;
 
 /// What was measured along an edge between two faces.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct SurfaceJoint {
     /// Index of the edge.
     pub edge: usize,

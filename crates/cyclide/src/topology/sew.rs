@@ -4,7 +4,7 @@ use super::{Body, EdgeCurve, FaceEdge, Shell, ShellEdge, ShellFace};
 use crate::base::range;
 use crate::base::vector::Point3;
 use crate::curve::Arc;
-use crate::error::{Error, Result};
+use crate::error::{Error, ErrorItem, Result};
 use crate::surface::{CyclideKind, CyclidicNet, DupinCyclide, SameVertices};
 
 /// Segments of a whole turn by default, in both directions.
@@ -53,7 +53,8 @@ impl Sewing {
             let corners = [k0, k1, k2, k3].map(|k| grid.points()[k]);
             let size = corners.iter().map(|p| p.distance(corners[0])).fold(0.0, f64::max);
             let place = corners[0].to_vec().max_abs();
-            range::check_size_in_place("a patch", size, place, f64::EPSILON).map_err(|e| e.in_quad(i + j * m))?;
+            range::check_size_in_place(ErrorItem::Patch, size, place, f64::EPSILON)
+                .map_err(|e| e.in_quad(i + j * m))?;
             let edges = [skin.along_s[k0], skin.along_s[k2], skin.along_t[k0], skin.along_t[k1]];
             let sides = edges.map(|edge| edge.map(|edge| FaceEdge { edge, forward: true }));
             self.face(ShellFace { surface: net.patch(i, j).into(), sides, same_sense });
@@ -196,7 +197,11 @@ impl DupinCyclide {
     pub fn to_shell(&self) -> Result<Shell> {
         match (self.kind(), self.nets(DEFAULT_SEGMENTS)?.as_slice()) {
             (CyclideKind::Ring, [net]) => net.to_shell(),
-            _ => Err(Error::NotAShell { item: "vertex", index: 0, detail: "the cyclide touches itself in its nodes" }),
+            _ => Err(Error::NotAShell {
+                item: ErrorItem::Vertex,
+                index: 0,
+                detail: "the cyclide touches itself in its nodes",
+            }),
         }
     }
 }

@@ -14,7 +14,7 @@
 
 use super::chord::{ChordFrame, mirrored};
 use crate::base::planar::{Point2, Vec2};
-use crate::error::{Error, Result};
+use crate::error::{Error, ErrorItem, Result};
 use std::f64::consts::TAU;
 
 /// Bulges below this are lines: their squares would underflow, their sagitta is far below any coordinate's rounding.
@@ -22,6 +22,7 @@ const LINE_BULGE: f64 = 1e-150;
 
 /// What [`certify_arc`] proves about one arc over one polyline.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct ArcCertificate {
     /// Largest distance of a vertex from the circle (V).
     pub vertex_deviation: f64,
@@ -58,14 +59,14 @@ impl ArcCertificate {
 pub fn certify_arc(points: &[Point2], bulge: f64, heights: Option<&[f64]>) -> Result<ArcCertificate> {
     let frame = ChordFrame::new(points)?;
     if !bulge.is_finite() {
-        return Err(Error::NotFinite { what: "bulge", index: 0 });
+        return Err(Error::NotFinite { what: ErrorItem::Bulge, index: 0 });
     }
     if let Some(z) = heights {
         if z.len() != points.len() {
             return Err(Error::TooFewPoints { given: z.len(), needed: points.len() });
         }
         if let Some(index) = z.iter().position(|z| !z.is_finite()) {
-            return Err(Error::NotFinite { what: "height", index });
+            return Err(Error::NotFinite { what: ErrorItem::Height, index });
         }
     }
     let b = if bulge.abs() < LINE_BULGE { 0.0 } else { bulge.abs() };

@@ -6,7 +6,7 @@
 use super::bulge_interval::one_minus_and_plus;
 use super::input;
 use crate::base::planar::{Point2, Vec2};
-use crate::error::{Error, Result, check_tolerance};
+use crate::error::{Error, ErrorItem, Result, check_tolerance};
 
 /// Largest `|curvature| * tolerance` of an arc: below 1 the circle cannot hide inside the tube.
 const MAX_CURVATURE_TOLERANCE: f64 = 0.98;
@@ -145,10 +145,10 @@ pub fn curvature_intervals(
     check_tolerance(tolerance)?;
     input::check_points(points, 2)?;
     if !start.is_finite() {
-        return Err(Error::NotFinite { what: "start", index: 0 });
+        return Err(Error::NotFinite { what: ErrorItem::Start, index: 0 });
     }
     if !tangent_angle.is_finite() {
-        return Err(Error::NotFinite { what: "tangent", index: 0 });
+        return Err(Error::NotFinite { what: ErrorItem::Tangent, index: 0 });
     }
     let (sine, cosine) = tangent_angle.sin_cos();
     let frame = JointFrame { joint: start, tangent: Vec2::new(cosine, sine) };

@@ -4,7 +4,7 @@ use crate::base::bounds::Aabb;
 use crate::base::frame::Frame;
 use crate::base::planar::Point2;
 use crate::base::vector::{Point3, Vec3};
-use crate::error::{Error, Result};
+use crate::error::{Error, ErrorItem, Result};
 use crate::warning::Warning;
 
 /// Neighbours closer than this times the diameter are one point,
@@ -27,7 +27,7 @@ fn check(given: usize, needed: usize, finite: impl Fn(usize) -> bool) -> Result<
         return Err(Error::TooFewPoints { given, needed });
     }
     match (0..given).find(|i| !finite(*i)) {
-        Some(index) => Err(Error::NotFinite { what: "point", index }),
+        Some(index) => Err(Error::NotFinite { what: ErrorItem::Point, index }),
         None => Ok(()),
     }
 }
@@ -54,7 +54,7 @@ impl Distinct {
         check(points.len(), needed, |i| points[i].is_finite())?;
         let diameter = diameter(points);
         if !diameter.is_finite() {
-            return Err(Error::NotFinite { what: "distance from point", index: 0 });
+            return Err(Error::NotFinite { what: ErrorItem::DistanceFromPoint, index: 0 });
         }
         let limit = (MERGE_LIMIT * diameter).min(MERGE_TOLERANCE * tolerance);
         let mut source = vec![0];

@@ -38,6 +38,7 @@ const COINCIDENT_LIMIT: f64 = 1e-12;
 
 /// A grid with circular quads and what it took.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct CircularMesh {
     /// The grid; every quad's corners lie on one circle or line.
     pub grid: QuadGrid,

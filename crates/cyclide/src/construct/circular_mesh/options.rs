@@ -1,7 +1,7 @@
 //! What the user can ask of [`make_circular`](super::make_circular).
 
 use crate::curve::ParamCurve;
-use crate::error::{Error, Result};
+use crate::error::{Error, ErrorItem, Result};
 use crate::surface::QuadGrid;
 
 /// What the border vertices of an open direction may do.
@@ -44,13 +44,13 @@ impl CircularMeshOptions<'_> {
     /// `parameter-out-of-range`.
     pub(super) fn check(&self, grid: &QuadGrid) -> Result<()> {
         if self.max_steps == 0 {
-            return Err(Error::ParameterOutOfRange { name: "max_steps", value: 0.0, min: 1.0, max: f64::MAX });
+            return Err(Error::ParameterOutOfRange { name: ErrorItem::MaxSteps, value: 0.0, min: 1.0, max: f64::MAX });
         }
         if let Border::OnCurves(sides) = self.border {
             for (side, curve) in sides.iter().enumerate() {
                 // Sides 0 and 1 bound t, sides 2 and 3 bound s.
                 if curve.is_some() && grid.closed()[1 - side / 2] {
-                    let name = "side of a border curve (the direction is closed)";
+                    let name = ErrorItem::BorderCurveSide;
                     return Err(Error::ParameterOutOfRange { name, value: side as f64, min: 0.0, max: 3.0 });
                 }
             }

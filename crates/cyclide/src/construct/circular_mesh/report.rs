@@ -18,6 +18,7 @@ const ZIGZAG: f64 = 0.0;
 
 /// Lengths and angles of what was done; lengths in the unit of the points.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct CircularMeshReport {
     /// Steps of the search, rejected ones included; 0 if the grid was circular as given.
     pub steps: usize,
@@ -42,6 +43,7 @@ pub struct CircularMeshReport {
 
 /// How far the vertices moved.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[non_exhaustive]
 pub struct VertexMoves {
     /// The longest move.
     pub max: f64,
@@ -63,6 +65,7 @@ pub struct VertexMoves {
 /// Angles of grid lines to the nearer curvature line, in `[0, pi/4]`, radians. Estimated from the vertices by local
 /// quadrics; border vertices and those where the surface is nearly flat or spherical do not count.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct LineAngles {
     /// The median.
     pub median: f64,

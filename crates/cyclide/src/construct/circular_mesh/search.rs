@@ -24,6 +24,7 @@ const STALLED_AT: f64 = 0.99;
 
 /// One step of the search, for a progress display.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct CircularMeshStep {
     /// Steps tried, from 1.
     pub step: usize,

@@ -1,6 +1,6 @@
 //! What the user can ask of a fair fit.
 
-use crate::error::{Error, Result, check_tolerance};
+use crate::error::{Error, ErrorItem, Result, check_tolerance};
 use std::f64::consts::PI;
 
 /// Largest weight of the data's middle: beyond it the fit is one of least squares.
@@ -71,16 +71,16 @@ impl FairFitOptions {
         };
         // An angle of 0 would make every point a corner.
         if let Some(angle) = self.corner_angle {
-            within("corner_angle", angle, [f64::MIN_POSITIVE, PI])?;
+            within(ErrorItem::CornerAngle, angle, [f64::MIN_POSITIVE, PI])?;
         }
-        within("centre", self.centre, [0.0, MAX_CENTRE])?;
-        within("budget", self.budget, [0.0, MAX_BUDGET])?;
-        within("edge_points", self.edge_points as f64, [0.0, MAX_EDGE_POINTS as f64])?;
+        within(ErrorItem::CentreWeight, self.centre, [0.0, MAX_CENTRE])?;
+        within(ErrorItem::Budget, self.budget, [0.0, MAX_BUDGET])?;
+        within(ErrorItem::EdgePoints, self.edge_points as f64, [0.0, MAX_EDGE_POINTS as f64])?;
         if let Some(nodes) = self.nodes {
-            within("nodes", nodes as f64, [2.0, f64::MAX])?;
+            within(ErrorItem::Nodes, nodes as f64, [2.0, f64::MAX])?;
         }
         match self.corners.iter().find(|c| **c >= points) {
-            Some(corner) => within("corner", *corner as f64, [0.0, points.saturating_sub(1) as f64]),
+            Some(corner) => within(ErrorItem::Corner, *corner as f64, [0.0, points.saturating_sub(1) as f64]),
             None => Ok(()),
         }
     }

@@ -1,7 +1,7 @@
 //! What the user can ask of [`CircleSpline::fair`](crate::CircleSpline::fair).
 
 use crate::base::vector::Vec3;
-use crate::error::{Error, Result};
+use crate::error::{Error, ErrorItem, Result};
 
 /// How a fair circle spline ends.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -61,8 +61,8 @@ impl FairSplineOptions {
         let in_range = |name, value: f64, max: f64, inside: bool| {
             if inside { Ok(()) } else { Err(Error::ParameterOutOfRange { name, value, min: 0.0, max }) }
         };
-        in_range("tension", self.tension, 1.0, (0.0..=1.0).contains(&self.tension))?;
+        in_range(ErrorItem::Tension, self.tension, 1.0, (0.0..=1.0).contains(&self.tension))?;
         let tight = self.tight.unwrap_or(0.25);
-        in_range("tight", tight, 0.5, tight > 0.0 && tight < 0.5)
+        in_range(ErrorItem::Tight, tight, 0.5, tight > 0.0 && tight < 0.5)
     }
 }

@@ -11,7 +11,7 @@ use crate::base::vector::{Point3, Vec3};
 use crate::construct::bands::{Bands, Ring};
 use crate::construct::ellipse_ring::{Ellipse, Sector};
 use crate::curve::Arc;
-use crate::error::{Error, Result};
+use crate::error::{Error, ErrorItem, Result};
 use crate::topology::{Body, EdgeCurve};
 
 /// The border of a plate about the place where the axis of the pipe meets it.
@@ -44,7 +44,7 @@ impl NeckBlend {
     /// `parameter-out-of-range` (a height below the contact with the pipe, a thickness that is not positive, a wall as thick as the pipe);
     /// `plate-too-small` (it does not reach beyond the neck, or the bore); `neck-folds` (of a solid: see [`warning`](Self::warning)); `not-finite`; `not-a-shell` beyond the range of numbers.
     pub fn body(&self, made: &NeckBody) -> Result<Body> {
-        for (name, length) in [("thickness", made.thickness), ("wall", made.wall)] {
+        for (name, length) in [(ErrorItem::Thickness, made.thickness), (ErrorItem::Wall, made.wall)] {
             check_positive(name, length)?;
         }
         if let (Some(_), Some(limit)) = (made.thickness, self.folds_beyond()) {
@@ -53,7 +53,9 @@ impl NeckBlend {
         match (self.side(), made.plate) {
             (NeckSide::Inside, _) => self.cup(made),
             (NeckSide::Outside, Some(plate)) => self.stand(made, plate),
-            (NeckSide::Outside, None) => Err(Error::PlateTooSmall { what: "neck", reach: 0.0, needed: self.reach() }),
+            (NeckSide::Outside, None) => {
+                Err(Error::PlateTooSmall { what: ErrorItem::Neck, reach: 0.0, needed: self.reach() })
+            }
         }
     }
 
@@ -64,7 +66,7 @@ impl NeckBlend {
     /// A pipe on a plate.
     fn stand(&self, made: &NeckBody, plate: PlateShape) -> Result<Body> {
         self.check_height(made.height, self.top())?;
-        plate.check_around("neck", &self.on_plate())?;
+        plate.check_around(ErrorItem::Neck, &self.on_plate())?;
         let sectors = Sector::turn(plate.sectors());
         let mut bands = Bands::default();
         let end = ring(&mut bands, &self.round_axis(made.height, self.pipe_radius), &sectors)?;
@@ -76,7 +78,7 @@ impl NeckBlend {
             Some(wall) => {
                 let radius = self.bore_radius(wall)?;
                 let below = self.at_height(-thickness, radius);
-                plate.check_around("bore", &below)?;
+                plate.check_around(ErrorItem::Bore, &below)?;
                 Some((radius, below))
             }
             None => None,
@@ -137,15 +139,15 @@ impl NeckBlend {
             return Ok(());
         }
         if !height.is_finite() {
-            return Err(Error::NotFinite { what: "height", index: 0 });
+            return Err(Error::NotFinite { what: ErrorItem::Height, index: 0 });
         }
-        Err(Error::ParameterOutOfRange { name: "height", value: height, min: least, max: f64::MAX })
+        Err(Error::ParameterOutOfRange { name: ErrorItem::Height, value: height, min: least, max: f64::MAX })
     }
 
     fn bore_radius(&self, wall: f64) -> Result<f64> {
         let max = self.pipe_radius;
         if wall >= max {
-            return Err(Error::ParameterOutOfRange { name: "wall", value: wall, min: 0.0, max });
+            return Err(Error::ParameterOutOfRange { name: ErrorItem::Wall, value: wall, min: 0.0, max });
         }
         Ok(max - wall)
     }
@@ -156,7 +158,7 @@ fn ring(bands: &mut Bands, ellipse: &Ellipse, sectors: &[Sector]) -> Result<Ring
     Ok(bands.ring(ellipse.curves(sectors)?, true))
 }
 
-fn check_positive(name: &'static str, length: Option<f64>) -> Result<()> {
+fn check_positive(name: ErrorItem, length: Option<f64>) -> Result<()> {
     match length {
         Some(value) if !value.is_finite() => Err(Error::NotFinite { what: name, index: 0 }),
         Some(value) if !(value >= range::MIN_DISTANCE) => {
@@ -176,7 +178,7 @@ impl PlateShape {
     }
 
     /// Refuses a plate that does not reach beyond an ellipse in its plane, whose axes are along x and y.
-    fn check_around(self, what: &'static str, hole: &Ellipse) -> Result<()> {
+    fn check_around(self, what: ErrorItem, hole: &Ellipse) -> Result<()> {
         let (x, y) = (hole.u.length(), hole.center.y.abs() + hole.v.length());
         // Ellipses here are longer along y: of all their points the end of that axis is farthest out.
         let pairs = match self {

@@ -31,7 +31,7 @@ use super::ellipse_ring::{Ellipse, Sector, direction};
 use crate::base::range;
 use crate::base::vector::{Point3, Vec3};
 use crate::curve::Arc;
-use crate::error::{Error, Result};
+use crate::error::{Error, ErrorItem, Result};
 use crate::rational::{PolynomialRow, RationalBezierSurface};
 use crate::warning::Warning;
 use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2, SQRT_2};
@@ -42,21 +42,31 @@ const LARGEST_SLOPE: f64 = FRAC_PI_2 - 2e-3;
 
 /// The side of the pipe on which the ball rolls.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "kebab-case"))]
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(description = "The side of a pipe on which a ball rolls.")
+)]
 pub enum NeckSide {
-    /// Outside: the corner between a pipe and the plate it stands on.
+    /// The corner between a pipe and the plate it stands on.
     #[default]
     Outside,
-    /// Inside: the corner between the inner wall of a pipe and its floor.
+    /// The corner between the inner wall of a pipe and its floor.
     Inside,
 }
 
 /// The arcs of a neck.
+///
+/// Each arc of the envelope is a part of a circle of the radius ρ of the ball.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "kebab-case"))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(description = "The arcs of a neck."))]
 pub enum NeckVariant {
-    /// The envelope of the rolling ball, a pipe surface: each arc is a part of a circle of radius ρ.
+    /// The envelope of the ball: a pipe surface of its radius.
     #[default]
     Pipe,
-    /// Arcs that leave the pipe along its rulings; upright in planes along its axis.
+    /// Arcs in planes along the axis of the pipe, which leave it along its lines.
     Vertical,
 }
 
@@ -81,7 +91,7 @@ impl NeckBlend {
     pub fn new(pipe_radius: f64, ball_radius: f64, slope: f64, side: NeckSide, variant: NeckVariant) -> Result<Self> {
         for (index, radius) in [pipe_radius, ball_radius].into_iter().enumerate() {
             if !radius.is_finite() {
-                return Err(Error::NotFinite { what: "radius", index });
+                return Err(Error::NotFinite { what: ErrorItem::Radius, index });
             }
             if radius <= 0.0 {
                 return Err(Error::RadiusNotPositive { radius });

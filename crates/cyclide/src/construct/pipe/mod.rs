@@ -16,20 +16,24 @@ mod ring;
 mod tube;
 
 use crate::curve::ArcPath;
-use crate::error::{Error, Result};
+use crate::error::{Error, ErrorItem, Result};
 use crate::topology::Body;
 use frame::Spine;
 use tube::Tube;
 
 /// How an open pipe ends.
+///
+/// Plane ends are disks, rings round a bore; a bore ends in a hemisphere where its pipe does.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "kebab-case"))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(inline, description = "The ends of a pipe."))]
 pub enum PipeEnds {
-    /// With planes: disks, rings round a bore.
+    /// Plane.
     #[default]
     Flat,
-    /// With hemispheres; a bore ends so too.
+    /// Hemispheres.
     Round,
-    /// Not at all: the surface only.
+    /// None: the surface only.
     Open,
 }
 
@@ -48,7 +52,7 @@ impl Pipe {
     /// `not-finite`, `radius-not-positive`.
     pub fn new(radius: f64) -> Result<Self> {
         if !radius.is_finite() {
-            return Err(Error::NotFinite { what: "radius", index: 0 });
+            return Err(Error::NotFinite { what: ErrorItem::Radius, index: 0 });
         }
         if radius <= 0.0 {
             return Err(Error::RadiusNotPositive { radius });
@@ -62,7 +66,7 @@ impl Pipe {
     /// `parameter-out-of-range` unless the wall is thinner than the radius.
     pub fn with_wall(self, wall: f64) -> Result<Self> {
         if !(wall > 0.0 && wall < self.radius) {
-            return Err(Error::ParameterOutOfRange { name: "wall", value: wall, min: 0.0, max: self.radius });
+            return Err(Error::ParameterOutOfRange { name: ErrorItem::Wall, value: wall, min: 0.0, max: self.radius });
         }
         Ok(Self { bore: Some(self.radius - wall), ..self })
     }

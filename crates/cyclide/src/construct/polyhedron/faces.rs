@@ -1,6 +1,6 @@
 //! How the faces of a polyhedron hang together: across their sides, and round their vertices.
 
-use crate::error::{Error, Result};
+use crate::error::{Error, ErrorItem, Result};
 use std::collections::HashMap;
 
 /// A side of a face, from its corner of the same number to the next one.
@@ -88,9 +88,11 @@ impl Faces {
             }
         }
         match (0..vertices).find(|&v| fans[v].len() != uses[v]) {
-            Some(index) => {
-                Err(Error::NotAShell { item: "vertex", index, detail: "parts of the surface touch in it alone" })
-            }
+            Some(index) => Err(Error::NotAShell {
+                item: ErrorItem::Vertex,
+                index,
+                detail: "parts of the surface touch in it alone",
+            }),
             None => Ok(fans),
         }
     }
@@ -101,7 +103,7 @@ impl Faces {
         if let Some(first) = reached.first_mut() {
             *first = true;
         } else {
-            return Err(Error::NotAShell { item: "face", index: 0, detail: "there is none" });
+            return Err(Error::NotAShell { item: ErrorItem::Face, index: 0, detail: "there is none" });
         }
         while let Some(face) = open.pop() {
             for next in &self.across[face] {
@@ -112,7 +114,7 @@ impl Faces {
         }
         match reached.iter().position(|reached| !reached) {
             Some(index) => {
-                Err(Error::NotAShell { item: "face", index, detail: "no chain of edges joins it to face 0" })
+                Err(Error::NotAShell { item: ErrorItem::Face, index, detail: "no chain of edges joins it to face 0" })
             }
             None => Ok(()),
         }

@@ -3,7 +3,7 @@
 use super::faces::{FaceSide, Faces};
 use super::plane::{Plane, area_vector};
 use crate::base::vector::{Point3, Vec3};
-use crate::error::{Error, Result};
+use crate::error::{Error, ErrorItem, Result};
 
 /// The loops of faces that are in one plane each within a distance, and without vertices at which only two faces meet. What
 /// needs no change stays as it is, in its order.
@@ -139,7 +139,7 @@ fn outlines(points: &[Point3], faces: &Faces, group: &[usize], count: usize) -> 
         if pinched || outline.len() != sides.len() {
             let detail = "the faces in its plane have a hole, or touch in a point: the surface is not convex";
             return Err(super::convex::reflex_edge(points, faces, group).unwrap_or(Error::NotAShell {
-                item: "face",
+                item: ErrorItem::Face,
                 index: first.face,
                 detail,
             }));

@@ -13,7 +13,7 @@ pub use spherical_polygon::SphericalPolygon;
 use crate::base::bounds::Aabb;
 use crate::base::range;
 use crate::base::vector::{Point3, Vec3};
-use crate::error::{Error, Result};
+use crate::error::{Error, ErrorItem, Result};
 use faces::{FaceSide, Faces};
 use plane::area_vector;
 
@@ -67,7 +67,12 @@ impl ConvexPolyhedron {
     pub fn with_flatness(vertices: &[Point3], faces: &[Vec<usize>], flatness: f64) -> Result<Self> {
         check_points(vertices)?;
         if !(flatness >= 0.0 && flatness.is_finite()) {
-            return Err(Error::ParameterOutOfRange { name: "flatness", value: flatness, min: 0.0, max: f64::MAX });
+            return Err(Error::ParameterOutOfRange {
+                name: ErrorItem::Flatness,
+                value: flatness,
+                min: 0.0,
+                max: f64::MAX,
+            });
         }
         let given = Faces::new(faces.to_vec(), vertices.len())?;
         given.fans(vertices.len())?;
@@ -205,5 +210,5 @@ fn check_points(points: &[Point3]) -> Result<()> {
     for (index, p) in points.iter().enumerate() {
         range::check_point(index, p.to_vec())?;
     }
-    range::check_place("the polyhedron", points)
+    range::check_place(ErrorItem::Polyhedron, points)
 }

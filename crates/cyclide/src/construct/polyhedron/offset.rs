@@ -16,7 +16,7 @@ use crate::base::quat::Quat;
 use crate::base::range;
 use crate::base::vector::{Point3, Vec3};
 use crate::curve::Arc;
-use crate::error::{Error, Result};
+use crate::error::{Error, ErrorItem, Result};
 use crate::rational::RationalBezierSurface;
 use crate::surface::CyclidePatch;
 use crate::topology::{Body, EdgeCurve, FaceEdge, FaceSurface, Shell, ShellEdge, ShellFace};
@@ -55,12 +55,12 @@ impl ConvexPolyhedron {
         }
         if !(radius <= range::MAX_COORDINATE) {
             let (min, max) = (0.0, range::MAX_COORDINATE);
-            return Err(Error::ParameterOutOfRange { name: "radius", value: radius, min, max });
+            return Err(Error::ParameterOutOfRange { name: ErrorItem::Radius, value: radius, min, max });
         }
         let corners = self.faces().iter().flatten().map(|&v| self.vertices()[v]);
         let (size, place) = Aabb::of_points(corners).map_or((0.0, 0.0), |b| (b.diagonal(), b.max_abs()));
-        range::check_size_in_place("the radius", radius, place, range::SMALLEST_IN_PLACE)?;
-        range::check_size_in_place("the polyhedron", size, place + radius, range::SMALLEST_IN_PLACE)
+        range::check_size_in_place(ErrorItem::Radius, radius, place, range::SMALLEST_IN_PLACE)?;
+        range::check_size_in_place(ErrorItem::Polyhedron, size, place + radius, range::SMALLEST_IN_PLACE)
     }
 }
 

@@ -12,7 +12,7 @@
 //! of degree 4 in t. `s = 0` is the apex, `s = 1` the side with the parameter of its own arc: the common factor `g` cancels.
 
 use crate::base::vector::{Point3, Vec3};
-use crate::error::{Error, Result};
+use crate::error::{Error, ErrorItem, Result};
 use crate::rational::RationalBezierSurface;
 use std::f64::consts::TAU;
 
@@ -37,9 +37,12 @@ impl SphericalPolygon {
             return Err(Error::TooFewPoints { given: corners.len(), needed: 3 });
         }
         if let Some(index) = corners.iter().position(|n| !n.is_finite()) {
-            return Err(Error::NotFinite { what: "corner", index });
+            return Err(Error::NotFinite { what: ErrorItem::Corner, index });
         }
-        let corners: Vec<Vec3> = corners.iter().map(|n| n.unit().ok_or(Error::ZeroAxis)).collect::<Result<_>>()?;
+        let direction = |(index, n): (usize, &Vec3)| {
+            n.unit().ok_or(Error::ZeroAxis { what: ErrorItem::Direction, index, length: 0.0, limit: 0.0 })
+        };
+        let corners: Vec<Vec3> = corners.iter().enumerate().map(direction).collect::<Result<_>>()?;
         let sum = corners.iter().fold(Vec3::ZERO, |sum, n| sum + *n);
         let apex = sum.unit().ok_or(Error::NotInOpenHemisphere { side: None, measured: 0.0 })?;
         Self::about(corners, apex)
@@ -112,7 +115,7 @@ impl SphericalPolygon {
             return Err(Error::RadiusNotPositive { radius });
         }
         let max = self.corners.len() as f64 - 1.0;
-        let missing = Error::ParameterOutOfRange { name: "side", value: side as f64, min: 0.0, max };
+        let missing = Error::ParameterOutOfRange { name: ErrorItem::Side, value: side as f64, min: 0.0, max };
         let ends = self.sides().nth(side).ok_or(missing)?;
         RationalBezierSurface::new([2, 4], placed(&sector(self.apex, ends), center, radius))
     }

@@ -19,7 +19,7 @@ use crate::base::range;
 use crate::base::vector::{Point3, Vec3};
 use crate::conformal::mobius::Mobius;
 use crate::curve::Arc;
-use crate::error::{Error, Result};
+use crate::error::{Error, ErrorItem, Result};
 use crate::rational::{RationalBezier, RationalBezierSurface};
 use crate::surface::CyclidePatch;
 use crate::topology::{Body, EdgeCurve, FaceEdge, FaceSurface, Shell, ShellEdge, ShellFace};
@@ -58,9 +58,9 @@ impl Revolution {
     pub fn new(origin: Point3, axis: Vec3, angle: f64) -> Result<Self> {
         range::check_point(0, origin.to_vec())?;
         if !axis.is_finite() {
-            return Err(Error::NotFinite { what: "axis", index: 0 });
+            return Err(Error::NotFinite { what: ErrorItem::Axis, index: 0 });
         }
-        let axis = axis.unit().ok_or(Error::ZeroAxis)?;
+        let axis = axis.unit().ok_or(Error::zero_axis(ErrorItem::Axis))?;
         if !(angle.abs() <= TAU * (1.0 + f64::EPSILON)) {
             return Err(Error::AngleOutOfRange { angle, min: -TAU, max: TAU });
         }
@@ -366,8 +366,9 @@ fn check_side(
         let inside = k > 0 && k < PLACES;
         let nearest = inside && way(k - 1).length() >= radius && way(k + 1).length() >= radius;
         let least = if nearest { least_along(turn, curve, k, v, size) } else { radius };
-        if radius.min(least) <= ON_AXIS * size || turned {
-            return Err(Error::CrossesAxis { piece, distance: radius.min(least.abs()) });
+        let limit = ON_AXIS * size;
+        if radius.min(least) <= limit || turned {
+            return Err(Error::CrossesAxis { piece, distance: radius.min(least.abs()), limit });
         }
     }
     Ok(())
@@ -409,9 +410,7 @@ fn check_not_folded(turn: &Revolution, pieces: &[Piece], size: f64) -> Result<()
 }
 
 fn rotation(turn: &Revolution, angle: f64) -> Result<Mobius> {
-    let rotor = Quat::from_axis_angle(turn.axis, angle);
-    let o = turn.origin.to_vec();
-    Mobius::similarity(rotor, 1.0, o - rotor.rotate(o))
+    Mobius::rotation_about_unit(turn.origin, turn.axis, angle)
 }
 
 fn rotated(turn: &Revolution, v: Vec3, angle: f64) -> Vec3 {

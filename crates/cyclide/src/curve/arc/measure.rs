@@ -7,6 +7,7 @@ use crate::base::vector::{Point3, Vec3};
 
 /// The point of a curve nearest to a given point.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct ClosestPoint {
     /// Parameter in `[0, 1]`.
     pub t: f64,

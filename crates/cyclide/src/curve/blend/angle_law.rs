@@ -6,13 +6,22 @@
 pub(crate) const MAX_ORDER: u32 = 4;
 
 /// The angle law of a blend.
+///
+/// The rational one has rational functions of `l` of degree `2k`: an exact rational curve of degree `2k + 2`, no trigonometry. The
+/// trigonometric one has the angle `f_k(l) theta` with the smooth step `f_k`: the lowest extreme curvature, but no exact rational form.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "kebab-case"))]
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "Variant", description = "How the circles of a circle spline are blended.")
+)]
 pub enum BlendVariant {
-    /// Angle `f_k(l) theta` with the smooth step `f_k`: the lowest extreme curvature, but no exact rational form.
-    Trigonometric,
-    /// Rational functions of `l` of degree `2k`: an exact rational curve of degree `2k + 2`, no trigonometry.
+    /// An exact rational curve.
     #[default]
     Rational,
+    /// Sines of a blended angle; files carry it within a tolerance.
+    Trigonometric,
 }
 
 /// The angle law of a segment with its parameter.

@@ -77,7 +77,7 @@ impl Default for CircleSplineOptions {
 /// use cyclide::{CircleSpline, CircleSplineOptions, ParamCurve, Point3};
 /// let points = [[0.0, 0.0, 0.0], [4.0, 1.0, 0.0], [5.0, 4.0, 1.0], [1.0, 3.0, 2.0]].map(Point3::from);
 /// let spline = CircleSpline::from_points(&points, &CircleSplineOptions { closed: true, ..Default::default() })?;
-/// assert_eq!(spline.eval(0.25), points[1]);
+/// assert_eq!(spline.point(0.25), points[1]);
 /// # Ok::<(), cyclide::Error>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]

@@ -6,6 +6,7 @@ use crate::curve::ParamCurve;
 
 /// How two consecutive pieces meet.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct Joint {
     /// The piece that ends here.
     pub piece: usize,

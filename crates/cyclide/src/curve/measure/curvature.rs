@@ -7,6 +7,7 @@ use crate::curve::{ParamCurve, PieceForm};
 
 /// The largest curvature and where it is.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct ExtremeCurvature {
     /// Largest curvature, in 1/length; 0 on straight curves, infinite if a scanned place is a cusp.
     pub max: f64,

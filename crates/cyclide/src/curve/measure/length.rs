@@ -14,7 +14,7 @@ pub fn length(curve: &dyn ParamCurve) -> f64 {
 /// is the first again).
 #[must_use]
 pub fn resample(curve: &dyn ParamCurve, count: usize) -> Vec<(f64, Point3)> {
-    ArcLength::new(curve).uniform(count).into_iter().map(|t| (t, curve.eval(t))).collect()
+    ArcLength::new(curve).uniform(count).into_iter().map(|t| (t, curve.point(t))).collect()
 }
 
 /// A table of the arc length of a curve, made once and inverted as often as wanted.

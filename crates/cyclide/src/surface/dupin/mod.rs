@@ -11,7 +11,7 @@ mod build;
 mod transform;
 
 use crate::base::frame::Frame;
-use crate::error::{Error, Result};
+use crate::error::{Error, ErrorItem, Result};
 
 /// Parameters closer than this part of `a` make the two nodes one.
 const NODE_LIMIT: f64 = 1e-12;
@@ -48,13 +48,13 @@ impl DupinCyclide {
     pub fn new(a: f64, c: f64, mu: f64) -> Result<Self> {
         for (index, value) in [a, c, mu].into_iter().enumerate() {
             if !value.is_finite() {
-                return Err(Error::NotFinite { what: "parameter", index });
+                return Err(Error::NotFinite { what: ErrorItem::Parameter, index });
             }
         }
         let limits = [
-            ("a", a, 1e-150, 1e150),
-            ("c", c, 0.0, a * (1.0 - NODE_LIMIT)),
-            ("mu", mu, if c <= 1e-6 * a { 1e-6 * a } else { 0.0 }, 1e6 * a),
+            (ErrorItem::HalfAxisA, a, 1e-150, 1e150),
+            (ErrorItem::HalfAxisC, c, 0.0, a * (1.0 - NODE_LIMIT)),
+            (ErrorItem::Mu, mu, if c <= 1e-6 * a { 1e-6 * a } else { 0.0 }, 1e6 * a),
         ];
         for (name, value, min, max) in limits {
             if !(min..=max).contains(&value) {

@@ -5,6 +5,7 @@ use crate::surface::patch::CyclidePatch;
 
 /// A patch in which a parameter line shrinks to a point.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct SingularPatch {
     /// The quad, along s and along t.
     pub quad: [usize; 2],

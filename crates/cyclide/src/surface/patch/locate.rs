@@ -19,6 +19,7 @@ const GRID: u32 = 8;
 
 /// Where a point is on a patch.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct PatchLocation {
     /// First parameter; outside `[0, 1]` where the foot is on the surface produced beyond the patch.
     pub s: f64,

@@ -9,6 +9,7 @@ use crate::surface::barycentric::Barycentric;
 
 /// Measures of a smooth mesh with the estimate of their errors: how much a rule with half as many nodes in each direction differs.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct SmoothMeasure {
     /// Area.
     pub area: f64,

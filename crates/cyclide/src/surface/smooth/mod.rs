@@ -120,7 +120,7 @@ impl SmoothMesh {
     ///
     /// # Errors
     /// `no-triangles`, `no-such-vertex`, `non-manifold-edge` (more than two triangles at an edge), `inconsistent-orientation`
-    /// (two that run along it in one direction), `undefined-normal` (faces back to back, a normal of length 0), `normal-count`,
+    /// (two that run along it in one direction), `undefined-normal` (faces back to back, a normal of length 0), `count-differs`,
     /// `angle-out-of-range` (of creases: 0 to π), and with the number of the triangle `not-finite`, `parameter-out-of-range` (coordinates
     /// above 1e150), `degenerate-triangle`, `normal-along-edge`, `opposite-normals`, `arc-through-infinity`, `ambiguous-half-turn`.
     pub fn new(positions: &[Point3], triangles: &[[usize; 3]], normals: VertexNormals) -> Result<Self> {

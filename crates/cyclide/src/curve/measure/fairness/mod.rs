@@ -39,6 +39,7 @@ const NOISE: f64 = 1e-9;
 
 /// How evenly a curve bends.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct Fairness {
     /// Changes between turning left and turning right; `None` for a curve that leaves every plane.
     pub sign_changes: Option<usize>,

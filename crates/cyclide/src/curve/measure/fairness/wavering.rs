@@ -40,6 +40,7 @@ const GENTLE: f64 = std::f64::consts::FRAC_PI_6;
 
 /// An interpolating curve against its data.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct Wavering {
     /// Changes of the curve between turning left and turning right.
     pub curve: usize,
@@ -59,6 +60,7 @@ pub struct Wavering {
 
 /// Nodes at which the polygon turns sharply between straight runs, and which the curve passes smoothly.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct RoundedTurns {
     /// The first of them, from 0.
     pub first: usize,
