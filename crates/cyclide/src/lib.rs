@@ -105,7 +105,7 @@ pub use mesh::{
     flatten_places, flatten_within, tessellate, tessellate_all, tessellate_within,
 };
 pub use model::{ChainPiece, CurveChain, CurveObject, Exactness, Item, Lower, Lowered, Model, SurfaceObject, Units};
-pub use rational::{ExactRational, NurbsCurve, RationalBezier, RationalBezierSurface};
+pub use rational::{NurbsCurve, RationalBezier, RationalBezierSurface};
 pub use shape_change::ShapeChange;
 pub use short_number::ShortNumber;
 pub use surface::{CyclideKind, CyclidicNet, DupinCyclide, NetFrame, SingularPatch};

@@ -14,6 +14,18 @@ const DEGREE: f64 = std::f64::consts::PI / 180.0;
 
 /// What may become of a surface whose vertices are moved: the numbers of `70`, part C, and one of relief. All are free
 /// of scale. A number is `None` where the surface as given has nothing to compare with: it is flat.
+///
+/// ```
+/// # #[cfg(feature = "circular-mesh")] {
+/// use cyclide::{CircularMeshOptions, Point3, QuadGrid, make_circular};
+/// let saddle = (0..81).map(|k| (0.1 * f64::from(k % 9), 0.1 * f64::from(k / 9)));
+/// let saddle = saddle.map(|(u, v)| Point3::new(u, v, u * u - v * v)).collect();
+/// let grid = QuadGrid::new(saddle, [9, 9], [false; 2])?;
+/// let made = make_circular(&grid, &CircularMeshOptions::default(), &mut |_| ())?;
+/// assert!(made.report.shape.is_some_and(|change| !change.is_lost()));
+/// # }
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[non_exhaustive]
 pub struct ShapeChange {

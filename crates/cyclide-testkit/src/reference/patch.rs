@@ -5,8 +5,8 @@ use super::arc::{triple, xyz};
 use super::case::{Case, Fault};
 use super::check::Check;
 use cyclide::{
-    Arc, Conformal, CyclidePatch, CyclidicNet, Error, ExactRational, ImplicitForm, Mobius, NetFrame, ParamSurface,
-    Point3, QuadGrid, Quat, Vec3,
+    Arc, Conformal, CyclidePatch, CyclidicNet, Error, ImplicitForm, Mobius, NetFrame, ParamSurface, Point3, QuadGrid,
+    Quat, Vec3,
 };
 use serde_json::Value;
 

@@ -6,6 +6,13 @@ use super::vector::{Point3, Vec3};
 use crate::error::{Error, ErrorItem, Result};
 
 /// An origin and three orthonormal axes, right-handed.
+///
+/// ```
+/// use cyclide::{Frame, Point2, Point3, Vec3};
+/// let frame = Frame::from_normal(Point3::new(0.0, 0.0, 5.0), Vec3::Z * 2.0, Vec3::Y)?;
+/// assert_eq!(frame.to_local(Point3::new(0.0, 3.0, 6.0)), (Point2::new(3.0, 0.0), 1.0));
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Frame {
     origin: Point3,

@@ -23,6 +23,14 @@ const DEFECT_LIMIT: f64 = 1e-9;
 const SINGULAR_LIMIT: f64 = 8.0 * f64::EPSILON;
 
 /// A Möbius transformation of three-space and the point at infinity.
+///
+/// ```
+/// use cyclide::{Mobius, Point3};
+/// let inversion = Mobius::inversion(Point3::ORIGIN, 2.0)?;
+/// assert_eq!(inversion.map_point(Point3::new(1.0, 0.0, 0.0)), Some(Point3::new(4.0, 0.0, 0.0)));
+/// assert_eq!(inversion.map_point(Point3::ORIGIN), None); // it goes to infinity
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Mobius {
     source: Point3,
@@ -257,6 +265,14 @@ impl Mobius {
 }
 
 /// Objects that Möbius maps take to objects of the same kind.
+///
+/// ```
+/// use cyclide::{Arc, Conformal, Mobius, Point3};
+/// let segment = Arc::segment(Point3::new(1.0, -1.0, 0.0), Point3::new(1.0, 1.0, 0.0))?;
+/// let image = segment.transformed(&Mobius::inversion(Point3::ORIGIN, 1.0)?)?;
+/// assert!((image.radius().expect("a circle") - 0.5).abs() < 1e-15); // lines become circles
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 pub trait Conformal: Sized {
     /// The image under the map.
     ///

@@ -19,6 +19,14 @@ use crate::error::{Error, ErrorItem, Result};
 const CUSP_LIMIT: f64 = 1e-9;
 
 /// Options of [`ArcPath::spline`].
+///
+/// ```
+/// use cyclide::{ArcPath, ArcSplineOptions, Point3, joints};
+/// let square = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]].map(Point3::from);
+/// let path = ArcPath::spline(&square, &ArcSplineOptions { closed: true, ..Default::default() })?;
+/// assert!(joints(&path).iter().all(|joint| joint.angle < 1e-12)); // arcs, and no kinks
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct ArcSplineOptions {
     /// Join the last point to the first; do not repeat the first point.

@@ -41,6 +41,14 @@ const LENGTH_TIE: f64 = 1e-12;
 /// Equal legs are the choice of Bolton 1975 and of most practice: both arcs turn by less than a half turn, data on one circle (less
 /// than half of it per arc) give that circle. Of the two candidates with equal chords the shorter one is taken. Equal chords are
 /// clearly better where equal legs fail, are more than twice as long, or have a leg shorter than a hundredth of the chord.
+///
+/// ```
+/// use cyclide::{Biarc, BiarcRule, Point3, Vec3};
+/// let (a, b) = (Point3::ORIGIN, Point3::new(2.0, 0.0, 0.0));
+/// let length = |rule| Biarc::new(a, Vec3::Y, b, Vec3::Y, rule).map(|biarc| biarc.length());
+/// assert!((length(BiarcRule::EqualD)? - std::f64::consts::PI).abs() < 1e-12); // two half circles
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "kebab-case"))]
 #[cfg_attr(
@@ -59,6 +67,13 @@ pub enum BiarcRule {
 }
 
 /// Two arcs from one point and direction to another, tangent-continuous at the joint.
+///
+/// ```
+/// use cyclide::{Biarc, BiarcRule, Point3, Vec3};
+/// let biarc = Biarc::new(Point3::ORIGIN, Vec3::X, Point3::new(2.0, 1.0, 0.0), Vec3::X, BiarcRule::EqualD)?;
+/// assert!(biarc.joint().distance(Point3::new(1.0, 0.5, 0.0)) < 1e-15);
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Biarc {
     arcs: [Arc; 2],

@@ -26,6 +26,14 @@ use std::f64::consts::PI;
 const SEPARATION: f64 = 1e-12;
 
 /// The bridge between two ellipses about the origin with axes along x and y.
+///
+/// ```
+/// use cyclide::EllipseBridge;
+/// let bridge = EllipseBridge::new([3.0, 2.0], [4.0, 2.5])?;
+/// assert!((bridge.arc(0.0)?.length() - 0.5 * std::f64::consts::PI).abs() < 1e-12); // a half circle over a gap of 1
+/// assert!(bridge.body(Some(1.0))?.is_solid());
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct EllipseBridge {
     first: [f64; 2],

@@ -9,6 +9,14 @@ use crate::rational::{NurbsCurve, RationalBezier};
 use std::ops::Range;
 
 /// A smooth run of a circle spline in its rational form.
+///
+/// ```
+/// use cyclide::{CircleSpline, CircleSplineOptions, Point3, RationalRun};
+/// let points = [[0.0, 0.0, 0.0], [2.0, 1.0, 0.0], [3.0, 3.0, 1.0], [1.0, 4.0, 1.0]].map(Point3::from);
+/// let (runs, bound) = CircleSpline::from_points(&points, &CircleSplineOptions::default())?.to_rational_runs(1e-6)?;
+/// assert!(bound == 0.0 && runs.iter().any(|run| matches!(run, RationalRun::Spline(_))));
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub enum RationalRun {
     /// Every segment of the run is one arc or straight segment: these.

@@ -12,6 +12,13 @@ use crate::base::vector::Vec3;
 use crate::error::{Error, ErrorItem, Result};
 
 /// A circular arc or straight segment in four-space, parametrised by a linear fraction over `t` in `[0, 1]`.
+///
+/// ```
+/// use cyclide::{Arc4, Quat};
+/// let arc = Arc4::from_weights(Quat::new(0.0, 1.0, 0.0, 0.0), Quat::new(1.0, 0.0, 0.0, 0.0), Quat::ONE, Quat::new(1.0, 0.5, 0.0, 0.0))?;
+/// assert_eq!(arc.point(0.0), arc.start());
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Arc4 {
     a0: Quat,

@@ -20,6 +20,13 @@ const COLLINEAR_LIMIT: f64 = 1e-12;
 /// A full circle in space with a start point, run right-handed about its normal.
 ///
 /// As a [`ParamCurve`] it is one smooth piece at constant speed, closed.
+///
+/// ```
+/// use cyclide::{Circle, Point3, length};
+/// let circle = Circle::through_points([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0]].map(Point3::from))?;
+/// assert!((length(&circle) - std::f64::consts::TAU).abs() < 1e-14);
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Circle {
     center: Point3,

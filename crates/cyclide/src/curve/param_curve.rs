@@ -15,6 +15,15 @@ use crate::error::Result;
 /// A parametric curve made of one or more smooth pieces; parameters run over `[0, 1]`.
 ///
 /// Object-safe; the jet, the hull, the number of pieces and the closed flag are required.
+///
+/// ```
+/// use cyclide::{Arc, Circle, ParamCurve, Point3, Vec3, length};
+/// let circle = Circle::from_radius(Point3::ORIGIN, Vec3::Z, 1.0)?;
+/// let segment = Arc::segment(Point3::ORIGIN, Point3::new(3.0, 0.0, 0.0))?;
+/// let curves: [&dyn ParamCurve; 2] = [&circle, &segment];
+/// assert!(curves.iter().all(|curve| curve.point(0.0).distance(curve.jet(0.0).point) == 0.0 && length(*curve) > 2.9));
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 pub trait ParamCurve: std::fmt::Debug + Send + Sync {
     /// Number of smooth pieces, at least 1.
     fn piece_count(&self) -> usize;

@@ -17,6 +17,13 @@ use crate::shape_change::ShapeChange;
 pub type Result<T, E = Error> = std::result::Result<T, E>;
 
 /// Why a piece of input was refused.
+///
+/// ```
+/// use cyclide::{Arc, Error, Point3, Vec3};
+/// let error = Arc::from_start_tangent(Point3::ORIGIN, Point3::new(1.0, 0.0, 0.0), Vec3::ZERO).unwrap_err();
+/// assert_eq!((error.reason(), error.index()), ("zero-tangent", Some(0)));
+/// assert_eq!(error, Error::ZeroTangent { index: 0 });
+/// ```
 #[derive(Clone, PartialEq)]
 #[non_exhaustive]
 pub enum Error {

@@ -9,6 +9,13 @@ use crate::error::{Error, ErrorItem, Result};
 
 /// A rational Bézier curve of degree `rows - 1`. The rows are homogeneous, so a middle row may be a direction
 /// (weight 0); only the quotient at evaluated parameters must be finite.
+///
+/// ```
+/// use cyclide::RationalBezier;
+/// let parabola = RationalBezier::new(vec![[0.0, 0.0, 0.0, 1.0], [1.0, 2.0, 0.0, 1.0], [2.0, 0.0, 0.0, 1.0]])?;
+/// assert_eq!(parabola.point(0.5).to_array(), [1.0, 1.0, 0.0]);
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct RationalBezier {
     rows: Vec<[f64; 4]>,

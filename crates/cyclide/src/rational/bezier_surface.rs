@@ -11,6 +11,14 @@ use crate::error::{Error, ErrorItem, Result};
 
 /// A rational Bézier surface of degrees `(p, q)`. Row `i (q+1) + j` belongs to `B_i(s) B_j(t)`; rows are homogeneous, so
 /// one may be a direction (weight 0).
+///
+/// ```
+/// use cyclide::RationalBezierSurface;
+/// let rows = vec![[0.0, 0.0, 0.0, 1.0], [0.0, 1.0, 0.0, 1.0], [1.0, 0.0, 0.0, 1.0], [1.0, 1.0, 1.0, 1.0]];
+/// let saddle = RationalBezierSurface::new([1, 1], rows)?; // t runs fastest
+/// assert_eq!(saddle.point(0.5, 0.5).to_array(), [0.5, 0.5, 0.25]);
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct RationalBezierSurface {
     degrees: [usize; 2],

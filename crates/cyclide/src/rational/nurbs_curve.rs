@@ -9,6 +9,14 @@ use crate::error::{Error, ErrorItem, Result};
 /// A rational B-spline curve: clamped knots, positive weights, affine control points.
 ///
 /// As a [`ParamCurve`](crate::ParamCurve) its pieces are its knot spans; the knot vector itself may have any domain.
+///
+/// ```
+/// use cyclide::{NurbsCurve, ParamCurve, Point3};
+/// let points = [[0.0, 0.0, 0.0], [1.0, 2.0, 0.0], [2.0, 0.0, 0.0]].map(Point3::from).to_vec();
+/// let parabola = NurbsCurve::new(2, vec![0.0, 0.0, 0.0, 1.0, 1.0, 1.0], points, vec![1.0; 3])?;
+/// assert_eq!(parabola.point(0.5), Point3::new(1.0, 1.0, 0.0));
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct NurbsCurve {
     degree: usize,

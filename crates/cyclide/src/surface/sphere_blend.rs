@@ -51,6 +51,14 @@ pub(super) fn check_triangle(corners: [Point3; 3]) -> Result<f64> {
 }
 
 /// A patch over a triangle whose corners have spheres through the circle of the triangle.
+///
+/// ```
+/// use cyclide::{Point3, SphereBlend};
+/// let corners = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(Point3::from);
+/// let ball = SphereBlend::from_normals(corners, corners.map(Point3::to_vec))?;
+/// assert!((ball.point([1.0, 1.0, 1.0])?.to_vec().length() - 1.0).abs() < 1e-14);
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SphereBlend {
     corners: [Point3; 3],

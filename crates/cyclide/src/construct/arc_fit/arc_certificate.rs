@@ -21,6 +21,14 @@ use std::f64::consts::TAU;
 const LINE_BULGE: f64 = 1e-150;
 
 /// What [`certify_arc`] proves about one arc over one polyline.
+///
+/// ```
+/// use cyclide::{Point2, certify_arc};
+/// let points = [[-1.0, 0.0], [0.0, -1.01], [1.0, 0.0]].map(|[x, y]| Point2::new(x, y));
+/// let certificate = certify_arc(&points, 1.0, None)?;
+/// assert!((certificate.vertex_deviation - 0.01).abs() < 1e-12 && certificate.monotone);
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct ArcCertificate {

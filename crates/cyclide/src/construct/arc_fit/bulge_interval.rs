@@ -11,6 +11,14 @@ use crate::error::{Error, Result, check_tolerance};
 use std::f64::consts::TAU;
 
 /// The feasible bulges of a span: intervals of `|bulge| = tan(sweep/4)`, or `None` where no arc will do.
+///
+/// ```
+/// use cyclide::{Point2, feasible_bulges};
+/// let points = [[-1.0, 0.0], [0.0, -0.5], [1.0, 0.0]].map(|[x, y]| Point2::new(x, y));
+/// let [least, most] = feasible_bulges(&points, 0.01, false, 3.0)?.ccw.expect("arcs to the left");
+/// assert!(least < 0.5 && 0.5 < most); // the arc through the middle point has the bulge 1/2
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BulgeIntervals {
     /// Counter-clockwise arcs; `[0, x]` includes the line.

@@ -16,6 +16,15 @@ use std::f64::consts::PI;
 const FOOT_SLACK: f64 = 1e-9;
 
 /// What is proved about a fitted path.
+///
+/// ```
+/// use cyclide::{ArcFit, ArcFitOptions, Point3};
+/// let points: Vec<Point3> = (0..20).map(|k| Point3::new(f64::from(k), 0.1 * f64::from(k * k), 0.0)).collect();
+/// let fit = ArcFit::new(&points, &ArcFitOptions::new(0.05))?;
+/// let certificate = fit.certificate();
+/// assert!(certificate.vertex_deviation <= 0.05 && certificate.arcs + certificate.lines == fit.path().arcs().len());
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct FitCertificate {

@@ -47,6 +47,14 @@ const ROUNDING_MARGIN: f64 = 1e-9;
 const WIDE_TUBE: f64 = 0.05;
 
 /// A fitted chain of arcs and lines with its certificate.
+///
+/// ```
+/// use cyclide::{ArcFit, ArcFitOptions, Point3};
+/// let points: Vec<Point3> = (0..20).map(|k| Point3::new(f64::from(k), 0.1 * f64::from(k * k), 0.0)).collect();
+/// let path = ArcFit::new(&points, &ArcFitOptions::new(0.05))?.into_path();
+/// assert!(path.arcs().len() < 10);
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct ArcFit {
     path: ArcPath,

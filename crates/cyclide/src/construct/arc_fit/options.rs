@@ -8,6 +8,14 @@ use std::f64::consts::PI;
 ///
 /// The straight edges between samples differ from the curve by their sagitta besides. That every point of every edge is within the
 /// tolerance, and every point of the arcs, is the Fréchet distance of both.
+///
+/// ```
+/// use cyclide::{ArcFit, ArcFitOptions, FitTarget, Point3};
+/// let corner = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [2.0, 0.2, 0.0]].map(Point3::from);
+/// let options = ArcFitOptions { target: FitTarget::Polyline, ..ArcFitOptions::new(0.1) };
+/// assert!(ArcFit::new(&corner, &options)?.certificate().polyline_deviation <= 0.1);
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "kebab-case"))]
 #[cfg_attr(
@@ -27,6 +35,14 @@ pub enum FitTarget {
 ///
 /// The quick search takes about a quarter of the time of the usual one on closed curves, two thirds on open ones, for at most 15 % more
 /// arcs on every curve of our set, 2 % on average. The slow one takes two to seven times the time for up to 6 % fewer arcs.
+///
+/// ```
+/// use cyclide::{ArcFit, ArcFitOptions, Effort, Point3};
+/// let wave: Vec<Point3> = (0..60).map(|k| 0.1 * f64::from(k)).map(|x| Point3::new(x, x.sin(), 0.0)).collect();
+/// let arcs = |effort| ArcFit::new(&wave, &ArcFitOptions { effort, ..ArcFitOptions::new(0.01) }).map(|fit| fit.path().arcs().len());
+/// assert!(arcs(Effort::Best)? <= arcs(Effort::Fast)?);
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "kebab-case"))]
 #[cfg_attr(
@@ -91,6 +107,12 @@ impl Effort {
 }
 
 /// Options of [`ArcFit::new`](super::ArcFit::new).
+///
+/// ```
+/// use cyclide::ArcFitOptions;
+/// let options = ArcFitOptions { closed: true, ..ArcFitOptions::new(0.01) };
+/// assert!(options.tolerance == 0.01 && options.corners.is_empty());
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct ArcFitOptions {
     /// The last point joins the first.

@@ -5,6 +5,17 @@ use crate::error::{Error, ErrorItem, Result};
 use crate::surface::QuadGrid;
 
 /// What the border vertices of an open direction may do.
+///
+/// ```
+/// # #[cfg(feature = "circular-mesh")] {
+/// use cyclide::{Arc, Border, Point3};
+/// let line = Arc::segment(Point3::ORIGIN, Point3::new(4.0, 0.0, 0.0))?;
+/// // The first row slides on a line, the other sides are free.
+/// let border = Border::OnCurves([Some(&line), None, None, None]);
+/// assert!(matches!(border, Border::OnCurves([Some(_), ..])));
+/// # }
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, Default)]
 pub enum Border<'a> {
     /// They move like the others.
@@ -23,6 +34,14 @@ pub enum Border<'a> {
 }
 
 /// Options of [`make_circular`](super::make_circular).
+///
+/// ```
+/// # #[cfg(feature = "circular-mesh")] {
+/// use cyclide::{Border, CircularMeshOptions};
+/// let options = CircularMeshOptions { border: Border::Pinned, ..Default::default() };
+/// assert!(options.max_steps > 10 && !options.allow_shape_change);
+/// # }
+/// ```
 #[derive(Debug, Clone, Copy)]
 pub struct CircularMeshOptions<'a> {
     /// What the border may do.

@@ -60,6 +60,14 @@ const FAIRER: f64 = 0.9;
 const NOTHING: f64 = 1e-9;
 
 /// A fair spline within a tolerance of points, with its certificate.
+///
+/// ```
+/// use cyclide::{FairFit, FairFitOptions, Point3};
+/// let noisy = |k: i32| Point3::new(0.1 * f64::from(k), (0.1 * f64::from(k)).sin() + 0.01 * f64::from(k % 3), 0.0);
+/// let fit = FairFit::new(&(0..60).map(noisy).collect::<Vec<_>>(), &FairFitOptions::new(0.05))?;
+/// assert!(fit.certificate().deviation <= 0.05 && fit.certificate().nodes < 60);
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct FairFit {
     spline: CircleSpline,
@@ -70,6 +78,14 @@ pub struct FairFit {
 }
 
 /// What is proved about a fair fit, and how fair it is.
+///
+/// ```
+/// use cyclide::{FairFit, FairFitOptions, Point3};
+/// let points: Vec<Point3> = (0..40).map(|k| Point3::new(f64::from(k), (0.2 * f64::from(k)).sin(), 0.0)).collect();
+/// let certificate = *FairFit::new(&points, &FairFitOptions::new(0.05))?.certificate();
+/// assert!(certificate.rms <= certificate.deviation && certificate.deviation <= 0.05);
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct FairFitCertificate {

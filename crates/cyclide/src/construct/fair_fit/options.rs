@@ -11,6 +11,12 @@ const MAX_BUDGET: f64 = 1e3;
 const MAX_EDGE_POINTS: usize = 100;
 
 /// Options of [`FairFit::new`](super::FairFit::new).
+///
+/// ```
+/// use cyclide::FairFitOptions;
+/// let options = FairFitOptions { fix_ends: true, ..FairFitOptions::new(0.05) };
+/// assert!(options.tolerance == 0.05 && !options.closed);
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct FairFitOptions {
     /// The last point joins the first.

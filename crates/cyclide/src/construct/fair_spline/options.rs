@@ -4,6 +4,15 @@ use crate::base::vector::Vec3;
 use crate::error::{Error, ErrorItem, Result};
 
 /// How a fair circle spline ends.
+///
+/// ```
+/// use cyclide::{CircleSpline, FairEnd, FairSplineOptions, Point3, Vec3};
+/// let points = [[0.0, 0.0, 0.0], [1.0, 0.5, 0.0], [2.0, 0.0, 0.0]].map(Point3::from);
+/// let options = FairSplineOptions { ends: [FairEnd::Clamped(Vec3::X * 3.0), FairEnd::Circle], ..Default::default() };
+/// let spline = CircleSpline::fair(&points, &options)?;
+/// assert!((spline.segments()[0].start_tangent() - Vec3::X).length() < 1e-12);
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum FairEnd {
     /// It leaves along the circle through the first (last) three points. The default: no bulges, circles and spheres are
@@ -19,6 +28,14 @@ pub enum FairEnd {
 }
 
 /// How [`CircleSpline::fair`](crate::CircleSpline::fair) makes its curve.
+///
+/// ```
+/// use cyclide::{CircleSpline, FairSplineOptions, ParamCurve, Point3};
+/// let points = [[0.0, 0.0, 0.0], [4.0, 1.0, 0.0], [6.0, 5.0, 2.0]].map(Point3::from);
+/// let closed = CircleSpline::fair(&points, &FairSplineOptions { closed: true, ..Default::default() })?;
+/// assert!(closed.is_closed());
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct FairSplineOptions {
     /// Closed curve through all points; the first point is not repeated at the end.

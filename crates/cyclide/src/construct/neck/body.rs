@@ -15,6 +15,14 @@ use crate::error::{Error, ErrorItem, Result};
 use crate::topology::{Body, EdgeCurve};
 
 /// The border of a plate about the place where the axis of the pipe meets it.
+///
+/// ```
+/// use cyclide::{NeckBlend, NeckBody, NeckSide, NeckVariant, PlateShape};
+/// let neck = NeckBlend::new(3.0, 0.8, 0.5, NeckSide::Outside, NeckVariant::Pipe)?;
+/// let body = |plate| neck.body(&NeckBody { height: 8.0, plate: Some(plate), thickness: Some(1.0), wall: None });
+/// assert!(body(PlateShape::Disk(9.0))?.is_solid() && body(PlateShape::Rectangle([20.0, 20.0]))?.is_solid());
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum PlateShape {
     /// A rectangle with these sides along x and y.
@@ -24,6 +32,14 @@ pub enum PlateShape {
 }
 
 /// What is made of a neck.
+///
+/// ```
+/// use cyclide::{NeckBlend, NeckBody, NeckSide, NeckVariant, PlateShape};
+/// let neck = NeckBlend::new(3.0, 0.8, 0.5, NeckSide::Outside, NeckVariant::Pipe)?;
+/// let open = NeckBody { height: 8.0, plate: Some(PlateShape::Disk(9.0)), thickness: None, wall: None };
+/// assert!(!neck.body(&open)?.is_solid());
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct NeckBody {
     /// Height of the end of the pipe over the plate, along its axis.

@@ -41,6 +41,13 @@ use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2, SQRT_2};
 const LARGEST_SLOPE: f64 = FRAC_PI_2 - 2e-3;
 
 /// The side of the pipe on which the ball rolls.
+///
+/// ```
+/// use cyclide::{NeckBlend, NeckSide, NeckVariant, Vec3};
+/// let reach = |side| NeckBlend::new(3.0, 0.8, 0.0, side, NeckVariant::Pipe).map(|neck| neck.contact_on_plate(0.0).to_vec().length());
+/// assert!((reach(NeckSide::Outside)? - 3.8).abs() < 1e-12 && (reach(NeckSide::Inside)? - 2.2).abs() < 1e-12);
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "kebab-case"))]
 #[cfg_attr(
@@ -59,6 +66,14 @@ pub enum NeckSide {
 /// The arcs of a neck.
 ///
 /// Each arc of the envelope is a part of a circle of the radius ρ of the ball.
+///
+/// ```
+/// use cyclide::{NeckBlend, NeckSide, NeckVariant};
+/// let arc = |variant| NeckBlend::new(3.0, 0.8, 0.5, NeckSide::Outside, variant).and_then(|neck| neck.arc(0.3));
+/// // Both touch pipe and plate in the same points, along other arcs.
+/// assert!(arc(NeckVariant::Pipe)?.start().distance(arc(NeckVariant::Vertical)?.start()) < 1e-12);
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "kebab-case"))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(description = "The arcs of a neck."))]
@@ -71,6 +86,14 @@ pub enum NeckVariant {
 }
 
 /// The blend of a pipe with a plate.
+///
+/// ```
+/// use cyclide::{NeckBlend, NeckSide, NeckVariant};
+/// let neck = NeckBlend::new(3.0, 0.8, 0.0, NeckSide::Outside, NeckVariant::Pipe)?;
+/// let arc = neck.arc(0.0)?;
+/// assert!((arc.radius().expect("it turns") - 0.8).abs() < 1e-12);
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct NeckBlend {
     pipe_radius: f64,

@@ -24,6 +24,15 @@ use tube::Tube;
 /// How an open pipe ends.
 ///
 /// Plane ends are disks, rings round a bore; a bore ends in a hemisphere where its pipe does.
+///
+/// ```
+/// use cyclide::{ArcPath, Pipe, PipeEnds, Point3};
+/// let spine = ArcPath::rounded_polyline(&[[0.0, 0.0, 0.0], [9.0, 0.0, 0.0]].map(Point3::from), false, &[0.0; 2])?;
+/// let volume = |ends| Pipe::new(1.0).and_then(|pipe| pipe.with_ends(ends).body(&spine)).map(|body| body.outer.volume());
+/// let caps = volume(PipeEnds::Round)? - volume(PipeEnds::Flat)?;
+/// assert!((caps - 4.0 / 3.0 * std::f64::consts::PI).abs() < 1e-10); // two hemispheres
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "kebab-case"))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(inline, description = "The ends of a pipe."))]
@@ -38,6 +47,15 @@ pub enum PipeEnds {
 }
 
 /// A tube about a spine, solid or with a bore.
+///
+/// ```
+/// use cyclide::{ArcPath, Pipe, Point3};
+/// let bend = [[0.0, 0.0, 0.0], [20.0, 0.0, 0.0], [20.0, 20.0, 0.0]].map(Point3::from);
+/// let spine = ArcPath::rounded_polyline(&bend, false, &[0.0, 5.0, 0.0])?;
+/// let body = Pipe::new(2.0)?.body(&spine)?;
+/// assert!((body.outer.volume() - 4.0 * std::f64::consts::PI * spine.length()).abs() < 1e-9); // Pappus
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Pipe {
     radius: f64,

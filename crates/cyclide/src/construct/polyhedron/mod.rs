@@ -21,6 +21,15 @@ use plane::area_vector;
 const PLANAR: f64 = 1e-9;
 
 /// A convex polyhedron: planar faces, each a loop of vertices that is counter-clockwise from outside.
+///
+/// ```
+/// use cyclide::{ConvexPolyhedron, Point3};
+/// let cube: Vec<Point3> = (0..8).map(|k| Point3::new((k & 1) as f64, (k >> 1 & 1) as f64, (k >> 2) as f64)).collect();
+/// let cube = ConvexPolyhedron::hull(&cube)?;
+/// assert!((cube.volume() - 1.0).abs() < 1e-15);
+/// assert!((cube.offset(0.2)?.outer.volume() - cube.offset_volume(0.2)).abs() < 1e-12); // Steiner
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct ConvexPolyhedron {
     vertices: Vec<Point3>,
@@ -33,6 +42,14 @@ pub struct ConvexPolyhedron {
 }
 
 /// An edge of a polyhedron.
+///
+/// ```
+/// use cyclide::{ConvexPolyhedron, Point3};
+/// let corners = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(Point3::from);
+/// let tetrahedron = ConvexPolyhedron::hull(&corners)?;
+/// assert_eq!(tetrahedron.edges().filter(|edge| edge.length > 1.2).count(), 3);
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PolyhedronEdge {
     /// Its ends, in the direction in which the first face runs along it.

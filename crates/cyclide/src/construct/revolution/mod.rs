@@ -42,6 +42,15 @@ const PLACES: u32 = 64;
 const SECTIONS: usize = 40;
 
 /// A turn about an axis.
+///
+/// ```
+/// use cyclide::{Arc, Point3, Revolution, Vec3};
+/// let turn = Revolution::new(Point3::ORIGIN, Vec3::Z, std::f64::consts::TAU)?;
+/// let half = Arc::from_three_points(Point3::new(0.0, 0.0, -1.0), Point3::new(1.0, 0.0, 0.0), Point3::new(0.0, 0.0, 1.0))?;
+/// let ball = turn.body(&[half.into()], false)?;
+/// assert!((ball.outer.volume() - 4.0 / 3.0 * std::f64::consts::PI).abs() < 1e-12);
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Revolution {
     origin: Point3,

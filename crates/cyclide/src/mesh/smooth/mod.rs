@@ -18,6 +18,15 @@ const MORE: f64 = 1.03;
 const FEW: usize = 8;
 
 /// A mesh of a smooth surface with what was measured of it.
+///
+/// ```
+/// use cyclide::{Point3, SmoothMesh, VertexNormals};
+/// let points = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.1], [0.0, 1.0, 0.2], [1.0, 1.0, -0.1]].map(Point3::from);
+/// let smooth = SmoothMesh::new(&points, &[[0, 1, 2], [1, 3, 2]], VertexNormals::AngleWeighted)?;
+/// let made = smooth.tessellate_within(0.01)?;
+/// assert!(made.deviation <= 0.01 && made.mesh.faces.len() == 2 * made.divisions * made.divisions);
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct SmoothTessellation {

@@ -17,6 +17,13 @@ use crate::error::{Error, ErrorItem, Result};
 const NODE_LIMIT: f64 = 1e-12;
 
 /// The three forms of a Dupin cyclide without points at infinity.
+///
+/// ```
+/// use cyclide::{CyclideKind, DupinCyclide};
+/// let kind = |c, mu| DupinCyclide::new(4.0, c, mu).map(|cyclide| cyclide.kind());
+/// assert_eq!((kind(1.0, 2.0)?, kind(2.0, 1.5)?, kind(2.0, 5.0)?), (CyclideKind::Ring, CyclideKind::Horn, CyclideKind::Spindle));
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum CyclideKind {
     /// `c < mu < a`: no singular point, one closed surface.
@@ -30,6 +37,13 @@ pub enum CyclideKind {
 }
 
 /// A whole Dupin cyclide in space.
+///
+/// ```
+/// use cyclide::DupinCyclide;
+/// let ring = DupinCyclide::new(4.0, 1.0, 2.0)?;
+/// assert!(ring.to_bodies([6, 6])?[0].is_solid());
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct DupinCyclide {
     a: f64,

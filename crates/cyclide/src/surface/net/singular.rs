@@ -4,6 +4,13 @@ use super::CyclidicNet;
 use crate::surface::patch::CyclidePatch;
 
 /// A patch in which a parameter line shrinks to a point.
+///
+/// ```
+/// use cyclide::DupinCyclide;
+/// let horn = DupinCyclide::new(1.0, 0.5, 0.2)?.nets([4, 4])?;
+/// assert!(!horn[0].singular_patches().is_empty()); // at its nodes
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct SingularPatch {

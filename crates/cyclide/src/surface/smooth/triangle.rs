@@ -13,6 +13,15 @@ const AT_CORNER: f64 = 1e-8;
 /// A smooth patch over a triangle with a unit normal at each corner: on every side a circle blend that belongs to its ends
 /// alone (and the normal with it), inside the mean of three blends from the corners to the opposite sides
 /// (`50`, section 8; G. Nielson's side-vertex scheme with circle blends for its arcs).
+///
+/// ```
+/// use cyclide::{Point3, SmoothTriangle, Vec3};
+/// let corners = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(Point3::from);
+/// let octant = SmoothTriangle::new(corners, [Vec3::X, Vec3::Y, Vec3::Z])?;
+/// let middle = octant.point([1.0, 1.0, 0.0])?; // the middle of a side
+/// assert!((middle.to_vec().length() - 1.0).abs() < 1e-12);
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SmoothTriangle {
     corners: [Point3; 3],
