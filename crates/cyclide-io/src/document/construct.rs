@@ -12,7 +12,7 @@ use super::spec::{
     ArcFitSpec, ArcSplineSpec, CircleSplineSpec, EndsSpec, FairEndPair, FairEndSpec, FairEndWord, FairEndsSpec,
     FairFitSpec, FairSplineSpec, PolylineSpec, RadiiSpec, StraightWord,
 };
-use crate::points::PointList;
+use crate::input::points::PointList;
 
 /// What is known about a contour besides its curve.
 #[derive(Debug, Clone, PartialEq, Default)]
