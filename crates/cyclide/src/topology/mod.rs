@@ -8,6 +8,7 @@ mod joints;
 mod measure;
 mod parts;
 mod sew;
+mod sewing;
 mod side;
 mod split;
 mod thick;
@@ -16,6 +17,7 @@ mod transform;
 pub use edge_curve::EdgeCurve;
 pub use face_surface::FaceSurface;
 pub use joints::{SurfaceJoint, surface_joints};
+pub(crate) use sewing::Sewing;
 pub use side::Side;
 
 use crate::base::vector::Point3;

@@ -1,7 +1,8 @@
 //! The solids between a net and its offset.
 
-use super::sew::{Sewing, Skin};
-use super::{Body, FaceEdge, ShellFace};
+use super::Body;
+use super::Sewing;
+use super::sew::Skin;
 use crate::base::range;
 use crate::curve::Arc;
 use crate::error::{Error, ErrorItem, Result};
@@ -137,9 +138,7 @@ impl Rims<'_> {
             return Ok(0);
         }
         let rulings = [self.ruling(sewing, vertices[0])?, self.ruling(sewing, vertices[1])?].map(Some);
-        let side = |edge: Option<usize>| edge.map(|edge| FaceEdge { edge, forward: true });
-        let sides = [skins[0], skins[1], rulings[0], rulings[1]].map(side);
-        sewing.face(ShellFace { surface: patch.into(), sides, same_sense });
+        sewing.face(patch, [skins[0], skins[1], rulings[0], rulings[1]], same_sense);
         Ok(1)
     }
 

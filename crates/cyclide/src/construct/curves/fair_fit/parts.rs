@@ -9,7 +9,7 @@ use super::run::{Outcome, Reached, floor, run};
 use super::working_frame::WorkingFrame;
 use super::{FairFit, FairFitCertificate, FairFitOptions};
 use crate::base::vector::Point3;
-use crate::construct::arc_fit::input::Distinct;
+use crate::construct::curves::arc_fit::input::Distinct;
 use crate::curve::{BlendSegment, CircleSpline};
 use crate::error::{Error, Result};
 use crate::rational::RationalBezier;

@@ -147,7 +147,7 @@ pub(super) fn of_pieces(pieces: &[Piece], closed: bool) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::construct::arc_fit::piece::Place;
+    use crate::construct::curves::arc_fit::piece::Place;
     use crate::curve::Arc;
 
     fn piece(arc: Arc, from: usize, to: usize) -> Piece {

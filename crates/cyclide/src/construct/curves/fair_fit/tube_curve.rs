@@ -2,7 +2,7 @@
 //! (`docs/math/fair-splines.md#law-and-end-curvature`, blend 1).
 
 use crate::base::vector::{Point3, Vec3};
-use crate::construct::fair_spline::{TangentLimits, fair_tangents};
+use crate::construct::curves::fair_spline::{TangentLimits, fair_tangents};
 
 /// No trial needs more Newton steps, nor a tangent so far from its chord (`docs/math/fair-fits.md#one-fit`).
 const LIMITS: TangentLimits = TangentLimits { steps: 12, least_cosine: -0.8 };

@@ -5,20 +5,18 @@ use super::frame::{Piece, Spine, Station};
 use super::ring::{Ring, quarter};
 use crate::base::quat::Quat;
 use crate::base::vector::{Point3, Vec3};
-use crate::curve::Arc;
+use crate::construct::bodies::rotated::rotated;
 use crate::error::Result;
 use crate::rational::RationalBezierSurface;
 use crate::surface::CyclidePatch;
-use crate::topology::{EdgeCurve, FaceEdge, FaceSurface, Shell, ShellEdge, ShellFace};
+use crate::topology::{EdgeCurve, FaceSurface, Sewing, Shell};
 use std::f64::consts::FRAC_1_SQRT_2;
 
 /// A tube on its way to a shell, outside away from the spine.
 pub(super) struct Tube<'a> {
     spine: &'a Spine,
     radius: f64,
-    vertices: Vec<Point3>,
-    edges: Vec<ShellEdge>,
-    faces: Vec<ShellFace>,
+    sewing: Sewing,
     /// Of each station: the first of its four vertices, and the first of its quarters, which follow each other.
     rings: Vec<[usize; 2]>,
 }
@@ -34,16 +32,15 @@ struct End {
 impl<'a> Tube<'a> {
     /// The faces along the spine.
     pub(super) fn new(spine: &'a Spine, radius: f64) -> Result<Self> {
-        let (vertices, edges, faces) = (Vec::new(), Vec::new(), Vec::new());
-        let mut tube = Self { spine, radius, vertices, edges, faces, rings: Vec::new() };
+        let mut tube = Self { spine, radius, sewing: Sewing::default(), rings: Vec::new() };
         let rings: Vec<Ring> =
             spine.stations.iter().map(|station| Ring::new(station, radius)).collect::<Result<_>>()?;
         for ring in &rings {
-            let first = tube.vertices.len();
-            tube.vertices.extend(ring.corners);
-            tube.rings.push([first, tube.edges.len()]);
+            let first = tube.sewing.vertices.len();
+            tube.sewing.vertices.extend(ring.corners);
+            tube.rings.push([first, tube.sewing.edges.len()]);
             for (k, curve) in ring.quarters.iter().enumerate() {
-                tube.edges.push(ShellEdge { start: first + k, end: first + (k + 1) % 4, curve: curve.clone() });
+                tube.sewing.edge(first + k, first + (k + 1) % 4, curve.clone());
             }
         }
         for piece in 0..spine.pieces.len() {
@@ -76,27 +73,24 @@ impl<'a> Tube<'a> {
                 }
             })
             .collect::<Result<_>>()?;
-        let first_line = self.edges.len();
+        let first_line = self.sewing.edges.len();
         for (k, surface) in surfaces.iter().enumerate() {
             let (start, end) = (self.rings[index][0] + k, self.rings[next][0] + at(k));
-            let (p, q) = (self.vertices[start], self.vertices[end]);
-            let curve = match surface {
-                FaceSurface::Cyclide(_) => Arc::from_ratio_across(p, q, piece.rotor)?.into(),
-                FaceSurface::Rational(surface) => EdgeCurve::Rational(surface.t_line(0.0).with_ends(Some(p), Some(q))),
+            match surface {
+                FaceSurface::Cyclide(_) => self.sewing.arc(start, end, piece.rotor)?,
+                FaceSurface::Rational(surface) => {
+                    let [p, q] = [start, end].map(|vertex| self.sewing.vertices[vertex]);
+                    self.sewing.edge(start, end, surface.t_line(0.0).with_ends(Some(p), Some(q)))
+                }
             };
-            self.edges.push(ShellEdge { start, end, curve });
         }
         for (k, surface) in surfaces.into_iter().enumerate() {
             let quarters = [self.rings[index][1] + k, self.rings[next][1] + at(k)];
             let lines = [first_line + k, first_line + (k + 1) % 4];
-            self.add_face(surface, [Some(quarters[0]), Some(quarters[1]), Some(lines[0]), Some(lines[1])], true);
+            let edges = [quarters[0], quarters[1], lines[0], lines[1]];
+            self.sewing.face(surface, edges.map(Some), true);
         }
         Ok(())
-    }
-
-    fn add_face(&mut self, surface: FaceSurface, edges: [Option<usize>; 4], same_sense: bool) {
-        let sides = edges.map(|edge| edge.map(|edge| FaceEdge { edge, forward: true }));
-        self.faces.push(ShellFace { surface, sides, same_sense });
     }
 
     fn ends(&self) -> Vec<End> {
@@ -120,35 +114,31 @@ impl<'a> Tube<'a> {
                 PipeEnds::Round => self.add_cap(&end)?,
             }
         }
-        Shell::new(self.vertices, self.edges, self.faces)
+        self.sewing.finish()
     }
 
     /// A disk of four sectors.
     fn add_disk(&mut self, end: &End) -> Result<()> {
-        let center = self.vertices.len();
-        self.vertices.push(self.spine.stations[end.station].point);
+        let center = self.sewing.vertex(self.spine.stations[end.station].point);
         self.add_plane_end(end, [center; 4], None)
     }
 
     /// Both shells as one, rings between their ends.
     pub(super) fn with_bore(mut self, bore: Self) -> Result<Shell> {
-        let (vertices, edges) = (self.vertices.len(), self.edges.len());
-        self.vertices.extend(bore.vertices);
-        self.edges.extend(bore.edges.into_iter().map(|e| ShellEdge {
-            start: e.start + vertices,
-            end: e.end + vertices,
-            ..e
-        }));
-        for mut face in bore.faces {
+        let (vertices, edges) = (self.sewing.vertices.len(), self.sewing.edges.len());
+        self.sewing.vertices.extend(bore.sewing.vertices);
+        for edge in bore.sewing.edges {
+            self.sewing.edge(edge.start + vertices, edge.end + vertices, edge.curve);
+        }
+        for mut face in bore.sewing.faces {
             face.sides.iter_mut().flatten().for_each(|side| side.edge += edges);
-            face.same_sense = false;
-            self.faces.push(face);
+            self.sewing.face_along(face.surface, face.sides, false);
         }
         for end in self.ends() {
             let [vertex, quarter] = bore.rings[end.station];
             self.add_plane_end(&end, [0, 1, 2, 3].map(|k| vertices + vertex + k), Some(edges + quarter))?;
         }
-        Shell::new(self.vertices, self.edges, self.faces)
+        self.sewing.finish()
     }
 
     /// Four plane faces between vertices inside, with their first quarter, and the ring of an end.
@@ -156,18 +146,17 @@ impl<'a> Tube<'a> {
         let station = &self.spine.stations[end.station];
         let [vertex, quarters] = self.rings[end.station];
         let (ways, u) = (station.directions(), quarter(station));
-        let radial = self.edges.len();
+        let radial = self.sewing.edges.len();
         for (k, &start) in inside.iter().enumerate() {
-            let curve = Arc::segment(self.vertices[start], self.vertices[vertex + k])?.into();
-            self.edges.push(ShellEdge { start, end: vertex + k, curve });
+            self.sewing.segment(start, vertex + k)?;
         }
         for k in 0..4 {
             let next = (k + 1) % 4;
-            let corners = [inside[k], vertex + k, inside[next], vertex + next].map(|v| self.vertices[v]);
+            let corners = [inside[k], vertex + k, inside[next], vertex + next].map(|v| self.sewing.vertices[v]);
             let weights = [Quat::ONE, Quat::ONE, u, u];
             let patch = CyclidePatch::from_weights(corners, weights, ways[k], ways[next])?;
             let edges = [Some(radial + k), Some(radial + next), inner.map(|first| first + k), Some(quarters + k)];
-            self.add_face(patch.into(), edges, end.is_last);
+            self.sewing.face(patch, edges, end.is_last);
         }
         Ok(())
     }
@@ -177,21 +166,19 @@ impl<'a> Tube<'a> {
         let station = &self.spine.stations[end.station];
         let [vertex, quarters] = self.rings[end.station];
         let (ways, u) = (station.directions(), quarter(station));
-        let pole = self.vertices.len();
-        self.vertices.push(station.point + end.out * self.radius);
+        let pole = self.sewing.vertex(station.point + end.out * self.radius);
         let ratio = |k: usize| Quat::from_parts(FRAC_1_SQRT_2, ways[k].cross(end.out) * FRAC_1_SQRT_2);
-        let meridian = self.edges.len();
+        let meridian = self.sewing.edges.len();
         for k in 0..4 {
-            let arc = Arc::from_ratio_across(self.vertices[vertex + k], self.vertices[pole], ratio(k))?;
-            self.edges.push(ShellEdge { start: vertex + k, end: pole, curve: arc.into() });
+            self.sewing.arc(vertex + k, pole, ratio(k))?;
         }
         for k in 0..4 {
             let next = (k + 1) % 4;
-            let corners = [vertex + k, pole, vertex + next, pole].map(|v| self.vertices[v]);
+            let corners = [vertex + k, pole, vertex + next, pole].map(|v| self.sewing.vertices[v]);
             let weights = [Quat::ONE, ratio(k), u, u * ratio(k)];
             let patch = CyclidePatch::from_weights(corners, weights, end.out, ways[next])?;
             let edges = [Some(meridian + k), Some(meridian + next), Some(quarters + k), None];
-            self.add_face(patch.into(), edges, !end.is_last);
+            self.sewing.face(patch, edges, !end.is_last);
         }
         Ok(())
     }
@@ -201,13 +188,6 @@ impl<'a> Tube<'a> {
 fn ruled(sections: [&EdgeCurve; 2], corners: [Point3; 4]) -> Result<FaceSurface> {
     let rows = sections[0].bezier_rows().into_iter().zip(sections[1].bezier_rows()).flat_map(|(a, b)| [a, b]).collect();
     Ok(RationalBezierSurface::new([2, 1], rows)?.with_corners(corners).into())
-}
-
-/// A rotation by a rotor of length 1 in homogeneous rows, of weights `1, w, 1`: what it makes of a vector along the way.
-fn rotated(rotor: Quat, y: Vec3) -> [Vec3; 3] {
-    let p = rotor.vector();
-    let half = y * rotor.w + p.cross(y);
-    [y, half, y + p.cross(half) * 2.0]
 }
 
 /// The part of the tube over a piece whose section turns about the spine on the way.

@@ -40,7 +40,7 @@ pub use options::FairFitOptions;
 
 use crate::base::range;
 use crate::base::vector::Point3;
-use crate::construct::arc_fit::input::{Distinct, diameter};
+use crate::construct::curves::arc_fit::input::{Distinct, diameter};
 use crate::curve::CircleSpline;
 use crate::error::{Error, Result};
 use crate::warning::Warning;

@@ -5,17 +5,15 @@ use crate::base::vector::Point3;
 use crate::curve::Arc;
 use crate::error::{Error, ErrorItem, Result};
 use crate::rational::{PolynomialRow, RationalBezierSurface};
-use crate::topology::{Body, EdgeCurve, FaceEdge, FaceSurface, Shell, ShellEdge, ShellFace};
+use crate::topology::{Body, EdgeCurve, FaceSurface, Sewing};
 
 /// Vertices of neighbouring rings nearer to each other than this part of the coordinates are one.
 const SAME_POINT: f64 = 1e-12;
 
-/// Vertices, edges and faces on their way to a shell.
+/// Rings and bands on their way to a shell.
 #[derive(Debug, Default)]
 pub(super) struct Bands {
-    vertices: Vec<Point3>,
-    edges: Vec<ShellEdge>,
-    faces: Vec<ShellFace>,
+    sewing: Sewing,
 }
 
 /// Edges one behind the other, or one point in place of them all.
@@ -31,7 +29,7 @@ impl Bands {
     /// become the start of the next one bit for bit.
     pub(super) fn ring(&mut self, curves: Vec<EdgeCurve>, closed: bool) -> Ring {
         let end = curves.last().filter(|_| !closed).map(EdgeCurve::end);
-        let vertices = curves.iter().map(EdgeCurve::start).chain(end).map(|p| self.vertex(p)).collect();
+        let vertices = curves.iter().map(EdgeCurve::start).chain(end).map(|p| self.sewing.vertex(p)).collect();
         self.ring_through(vertices, curves)
     }
 
@@ -41,23 +39,17 @@ impl Bands {
         let points: Vec<Point3> = curves.iter().map(EdgeCurve::start).chain(end).collect();
         let size = points.iter().map(|p| p.to_vec().max_abs()).fold(0.0, f64::max);
         let vertices = points.into_iter().zip(&other.vertices).map(|(p, &beside)| {
-            if p.distance(self.vertices[beside]) <= SAME_POINT * size { beside } else { self.vertex(p) }
+            if p.distance(self.sewing.vertices[beside]) <= SAME_POINT * size { beside } else { self.sewing.vertex(p) }
         });
         let vertices = vertices.collect();
         self.ring_through(vertices, curves)
     }
 
-    fn vertex(&mut self, p: Point3) -> usize {
-        self.vertices.push(p);
-        self.vertices.len() - 1
-    }
-
     fn ring_through(&mut self, vertices: Vec<usize>, curves: Vec<EdgeCurve>) -> Ring {
         let edges = curves.into_iter().enumerate().map(|(i, curve)| {
             let [start, end] = [vertices[i], vertices[(i + 1) % vertices.len()]];
-            let curve = curve.with_ends(Some(self.vertices[start]), Some(self.vertices[end]));
-            self.edges.push(ShellEdge { start, end, curve });
-            Some(self.edges.len() - 1)
+            let points = [start, end].map(|vertex| self.sewing.vertices[vertex]);
+            Some(self.sewing.edge(start, end, curve.with_ends(Some(points[0]), Some(points[1]))))
         });
         let edges = edges.collect();
         Ring { vertices, edges }
@@ -65,7 +57,7 @@ impl Bands {
 
     /// Adds one point that stands for a ring beside another.
     pub(super) fn pole(&mut self, point: Point3, beside: &Ring) -> Ring {
-        let vertex = self.vertex(point);
+        let vertex = self.sewing.vertex(point);
         Ring { vertices: vec![vertex; beside.vertices.len()], edges: vec![None; beside.edges.len()] }
     }
 
@@ -79,28 +71,24 @@ impl Bands {
     ) -> Result<()> {
         let mut between = Vec::with_capacity(from.vertices.len());
         for (i, (&start, &end)) in from.vertices.iter().zip(&to.vertices).enumerate() {
-            let ends = [self.vertices[start], self.vertices[end]];
+            let ends = [start, end].map(|vertex| self.sewing.vertices[vertex]);
             between.push(if start == end {
                 None
             } else {
-                let curve = across(i, ends)?.with_ends(Some(ends[0]), Some(ends[1]));
-                self.edges.push(ShellEdge { start, end, curve });
-                Some(self.edges.len() - 1)
+                Some(self.sewing.edge(start, end, across(i, ends)?.with_ends(Some(ends[0]), Some(ends[1]))))
             });
         }
         for i in 0..from.edges.len() {
             let next = (i + 1) % from.vertices.len();
             let corners = [from.vertices[i], from.vertices[next], to.vertices[i], to.vertices[next]];
-            let corners = corners.map(|vertex| self.vertices[vertex]);
+            let corners = corners.map(|vertex| self.sewing.vertices[vertex]);
             let surface = surface(self, i)?.with_corners(corners);
-            let arc = |edge: Option<usize>| edge.and_then(|edge| self.edges[edge].curve.arc());
+            let arc = |edge: Option<usize>| edge.and_then(|edge| self.sewing.edges[edge].curve.arc());
             let [along_s, along_t] = [[from.edges[i], to.edges[i]], [between[i], between[next]]];
             let all_arcs = along_s.iter().chain(&along_t).all(|edge| edge.is_none() || arc(*edge).is_some());
             let patch = all_arcs.then(|| turned_patch(&surface, corners, along_s.map(arc), along_t.map(arc))).flatten();
             let surface = patch.map_or_else(|| surface.into(), FaceSurface::from);
-            let sides = [from.edges[i], to.edges[i], between[i], between[next]];
-            let sides = sides.map(|edge| edge.map(|edge| FaceEdge { edge, forward: true }));
-            self.faces.push(ShellFace { surface, sides, same_sense: true });
+            self.sewing.face(surface, [from.edges[i], to.edges[i], between[i], between[next]], true);
         }
         Ok(())
     }
@@ -125,13 +113,12 @@ impl Bands {
 
     /// The rows of an edge of a ring, or the point that stands for it.
     fn rows(&self, ring: &Ring, i: usize) -> std::result::Result<Vec<[f64; 4]>, Point3> {
-        ring.edges[i].map(|edge| rows_of(&self.edges[edge].curve)).ok_or(self.vertices[ring.vertices[i]])
+        ring.edges[i].map(|edge| rows_of(&self.sewing.edges[edge].curve)).ok_or(self.sewing.vertices[ring.vertices[i]])
     }
 
     /// The body: closed outside outwards.
     pub(super) fn finish(self) -> Result<Body> {
-        let shell = Shell::new(self.vertices, self.edges, self.faces)?;
-        Ok(Body { outer: if shell.is_closed() { shell.outside_out() } else { shell }, voids: Vec::new() })
+        self.sewing.finish_body()
     }
 }
 

@@ -14,6 +14,9 @@
 
 mod meridian;
 
+use super::LARGEST_ARC;
+use super::input_chain::{check_connected, check_weights};
+use super::rotated::rotated;
 use crate::base::bounds::Aabb;
 use crate::base::quat::Quat;
 use crate::base::range;
@@ -23,7 +26,7 @@ use crate::curve::Arc;
 use crate::error::{Error, ErrorItem, Result};
 use crate::rational::{RationalBezier, RationalBezierSurface};
 use crate::surface::CyclidePatch;
-use crate::topology::{Body, EdgeCurve, FaceEdge, FaceSurface, Shell, ShellEdge, ShellFace};
+use crate::topology::{Body, EdgeCurve, FaceSurface, Sewing, Shell};
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 /// Points of a profile nearer to the axis than this part of its size are on it.
@@ -34,8 +37,6 @@ const COPLANAR: f64 = 1e-12;
 const FLAT: f64 = 1e-6;
 /// Rational pieces are straight if their control points leave the chord by less than this part of it.
 const STRAIGHT: f64 = 1e-14;
-/// Largest angle of an arc of a profile in one face.
-const LARGEST_ARC: f64 = TAU / 3.0;
 /// Places of a piece at which its side of the axis is looked at.
 const PLACES: u32 = 64;
 
@@ -100,11 +101,10 @@ impl Revolution {
             return Err(Error::AngleOutOfRange { angle: self.angle, min: -TAU, max: TAU });
         }
         let (sin, r) = (0.5 * self.angle).sin_cos();
-        let (o, p) = (self.origin.to_vec(), self.axis * sin);
+        let (o, rotor) = (self.origin.to_vec(), Quat::from_parts(r, self.axis * sin));
         let rows = profile.rows().iter().flat_map(|&[x, y, z, g]| {
-            let from_axis = Vec3::new(x, y, z) - o * g;
-            let half = from_axis * r + p.cross(from_axis);
-            let (middle, last) = (o * (r * g) + half, o * g + from_axis + p.cross(half) * 2.0);
+            let [_, half, last] = rotated(rotor, Vec3::new(x, y, z) - o * g);
+            let (middle, last) = (o * (r * g) + half, o * g + last);
             [[x, y, z, g], [middle.x, middle.y, middle.z, r * g], [last.x, last.y, last.z, g]]
         });
         RationalBezierSurface::new([profile.degree(), 2], rows.collect())
@@ -174,24 +174,13 @@ impl Profile {
             let on_axis = turn.way_off_axis(p).length() <= ON_AXIS * size;
             Joint { point: if on_axis { turn.foot(p) } else { p }, on_axis }
         };
-        let n = given.len();
-        for next in usize::from(!closed)..n {
-            let piece = (next + n - 1) % n;
-            let (gap, limit) = (given[piece].end().distance(given[next].start()), ON_AXIS * size);
-            if gap > limit {
-                return Err(Error::Disconnected { piece, next, gap, limit });
-            }
-        }
+        check_connected(given, closed, ON_AXIS * size)?;
         let mut joints: Vec<Joint> = given.iter().map(|piece| joint(piece.start())).collect();
         joints.extend(given.last().filter(|_| !closed).map(|piece| joint(piece.end())));
         let mut new = Self { pieces: Vec::new(), joints: Vec::new(), closed, size: 0.0 };
         let mut side: Option<Vec3> = None;
         for (index, piece) in given.iter().enumerate() {
-            if let EdgeCurve::Rational(curve) = piece
-                && let Some(row) = curve.rows().iter().find(|row| !(row[3] > 0.0))
-            {
-                return Err(Error::WeightNotPositive { index, weight: row[3] });
-            }
+            check_weights(piece, index)?;
             let (start, end) = (joints[index], joints[(index + 1) % joints.len()]);
             let curve = segment(piece).unwrap_or_else(|| piece.clone()).with_ends(Some(start.point), Some(end.point));
             let along_axis =
@@ -241,17 +230,15 @@ impl Profile {
         let (sin, cos) = (0.5 * step).sin_cos();
         let rotor = Quat::new(cos, turn.axis.x * sin, turn.axis.y * sin, turn.axis.z * sin);
         // Joints on the axis are one vertex each, before those that turn.
-        let mut vertices: Vec<Point3> = Vec::new();
+        let mut sewing = Sewing::default();
         let mut of_joint = vec![Vec::new(); joints];
         for (j, joint) in self.joints.iter().enumerate() {
             for k in 0..if joint.on_axis { 1 } else { boundaries } {
-                of_joint[j].push(vertices.len());
                 let point = if k == 0 { joint.point } else { turn.turned(joint.point, step * k as f64) };
-                vertices.push(point);
+                of_joint[j].push(sewing.vertex(point));
             }
         }
         let vertex = |j: usize, k: usize| of_joint[j][if self.joints[j].on_axis { 0 } else { k % boundaries }];
-        let mut edges = Vec::new();
         let mut meridians = vec![Vec::with_capacity(pieces); boundaries];
         for (k, of_boundary) in meridians.iter_mut().enumerate() {
             let map = rotation(turn, step * k as f64)?;
@@ -259,43 +246,37 @@ impl Profile {
                 let (start, end) = (vertex(j, k), vertex(next(j), k));
                 let curve = match k {
                     0 => piece.curve.clone(),
-                    _ => piece.curve.image(&map, vertices[start], vertices[end])?,
+                    _ => piece.curve.image(&map, sewing.vertices[start], sewing.vertices[end])?,
                 };
-                of_boundary.push(edges.len());
-                edges.push(ShellEdge { start, end, curve });
+                of_boundary.push(sewing.edge(start, end, curve));
             }
         }
         let mut parallels = vec![vec![None; joints]; sectors];
         for (k, of_sector) in parallels.iter_mut().enumerate() {
             for (j, _) in self.joints.iter().enumerate().filter(|(_, joint)| !joint.on_axis) {
-                let (start, end) = (vertex(j, k), vertex(j, k + 1));
-                let arc = Arc::from_ratio_across(vertices[start], vertices[end], rotor)?;
-                of_sector[j] = Some(edges.len());
-                edges.push(ShellEdge { start, end, curve: arc.into() });
+                of_sector[j] = Some(sewing.arc(vertex(j, k), vertex(j, k + 1), rotor)?);
             }
         }
-        let mut faces = Vec::with_capacity(sectors * pieces);
         for k in 0..sectors {
             for (j, piece) in self.pieces.iter().enumerate() {
                 let [low, high] = [meridians[k][j], meridians[(k + 1) % boundaries][j]];
                 let sides = [Some(low), Some(high), parallels[k][j], parallels[k][next(j)]];
-                let sides = sides.map(|edge| edge.map(|edge| FaceEdge { edge, forward: true }));
                 let corners = [vertex(j, k), vertex(next(j), k), vertex(j, k + 1), vertex(next(j), k + 1)];
-                let corners = corners.map(|v| vertices[v]);
+                let corners = corners.map(|v| sewing.vertices[v]);
                 let across = piece.across.map(|across| rotated(turn, across, step * k as f64));
-                let surface = face(turn, &edges[low].curve, &edges[high].curve, across, corners, rotor)?;
-                faces.push(ShellFace { surface, sides, same_sense: true });
+                let [low, high] = [low, high].map(|edge| &sewing.edges[edge].curve);
+                let surface = face(turn, [low, high], across, corners, rotor)?;
+                sewing.face(surface, sides, true);
             }
         }
-        Shell::new(vertices, edges, faces)
+        sewing.finish()
     }
 }
 
 /// The face between a meridian and the next one.
 fn face(
     turn: &Revolution,
-    low: &EdgeCurve,
-    high: &EdgeCurve,
+    [low, high]: [&EdgeCurve; 2],
     across: Option<Vec3>,
     corners: [Point3; 4],
     rotor: Quat,

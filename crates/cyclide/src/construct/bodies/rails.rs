@@ -1,13 +1,11 @@
 //! Two curves as rails, piece by piece: what ruled and circular surfaces are made between.
 
+use super::LARGEST_ARC;
+use super::input_chain::{check_connected, check_weights};
 use crate::curve::Arc;
 use crate::error::{Error, Result};
 use crate::rational::RationalBezier;
 use crate::topology::EdgeCurve;
-use std::f64::consts::TAU;
-
-/// Largest angle of an arc in one piece: beyond, its weights are far from each other, and from half a turn on not positive.
-const LARGEST_ARC: f64 = TAU / 3.0;
 
 /// A piece of both rails, with the part of the piece as given that it is.
 #[derive(Debug, Clone)]
@@ -70,19 +68,8 @@ impl RailPiece {
 
 fn check_rail(rail: &[EdgeCurve], closed: bool) -> Result<()> {
     let size = rail.iter().map(|piece| piece.start().to_vec().max_abs()).fold(0.0, f64::max);
-    let n = rail.len();
-    for next in usize::from(!closed)..n {
-        let piece = (next + n - 1) % n;
-        let (gap, limit) = (rail[piece].end().distance(rail[next].start()), 1e-12 * size);
-        if gap > limit {
-            return Err(Error::Disconnected { piece, next, gap, limit });
-        }
-    }
-    let weights = rail.iter().enumerate().filter_map(|(index, piece)| match piece {
-        EdgeCurve::Rational(curve) => curve.rows().iter().map(|row| row[3]).find(|w| !(*w > 0.0)).map(|w| (index, w)),
-        EdgeCurve::Arc(_) => None,
-    });
-    weights.into_iter().next().map_or(Ok(()), |(index, weight)| Err(Error::WeightNotPositive { index, weight }))
+    check_connected(rail, closed, 1e-12 * size)?;
+    rail.iter().enumerate().try_for_each(|(index, piece)| check_weights(piece, index))
 }
 
 /// The curve with weights of 1 at both ends: arcs with another parameter, rational curves with a linear factor.

@@ -4,8 +4,8 @@
 
 use super::options::FairFitOptions;
 use crate::base::vector::Point3;
-use crate::construct::arc_fit::corners::corners as standing_out;
-use crate::construct::arc_fit::{ArcFitOptions, FitTarget};
+use crate::construct::curves::arc_fit::corners::corners as standing_out;
+use crate::construct::curves::arc_fit::{ArcFitOptions, FitTarget};
 
 /// Legs of a corner, in tolerances: points in the tolerance of a smooth curve turn its direction by less than a quarter
 /// of a radian over them.

@@ -10,7 +10,7 @@ use super::removal::{RemovalLimits, Stop, remove};
 use super::tube_curve::TubeCurve;
 use super::whittaker::{Smoothed, smooth};
 use crate::base::vector::{Point3, Vec3};
-use crate::construct::arc_fit::input::diameter;
+use crate::construct::curves::arc_fit::input::diameter;
 
 /// Rounds of insertion where the first nodes do not reach the data.
 const INSERTIONS: usize = 12;

@@ -3,16 +3,15 @@
 
 use crate::base::quat::Quat;
 use crate::base::vector::{Point3, Vec3};
+use crate::construct::bodies::LARGEST_ARC;
 use crate::curve::{Arc, ArcPath, ParamCurve as _};
 use crate::error::{Error, Result};
-use std::f64::consts::{FRAC_PI_2, TAU};
+use std::f64::consts::FRAC_PI_2;
 
 /// Joints that turn by less are smooth.
 pub(super) const SMOOTH: f64 = 1e-10;
 /// Largest turn of a corner that is mitred: the mitre is ten times as long as the radius.
 const LARGEST_TURN: f64 = 2.942;
-/// Largest angle of a piece.
-const LARGEST_PIECE: f64 = TAU / 3.0;
 /// The radius of a pipe is below that of its arcs by at least this part.
 const NARROWER: f64 = 1e-9;
 
@@ -80,7 +79,7 @@ impl Spine {
             if let Some(limit) = arc.radius().filter(|own| radius > own * (1.0 - NARROWER)) {
                 return Err(Error::PipeTooWide { piece: source, radius, limit });
             }
-            for part in arc.in_parts(LARGEST_PIECE)? {
+            for part in arc.in_parts(LARGEST_ARC)? {
                 let arc = part.evened();
                 let along = arc.start_tangent().ok_or(Error::ZeroTangent { index: source })?;
                 pieces.push(Piece { arc, source, along, rotor: arc.weight_ratio() });

@@ -15,15 +15,12 @@ use crate::base::bounds::Aabb;
 use crate::base::quat::Quat;
 use crate::base::range;
 use crate::base::vector::{Point3, Vec3};
-use crate::curve::Arc;
+use crate::construct::bodies::LARGEST_ARC;
 use crate::error::{Error, ErrorItem, Result};
 use crate::rational::RationalBezierSurface;
 use crate::surface::CyclidePatch;
-use crate::topology::{Body, EdgeCurve, FaceEdge, FaceSurface, Shell, ShellEdge, ShellFace};
-use std::f64::consts::TAU;
+use crate::topology::{Body, FaceEdge, FaceSurface, Sewing, ShellFace};
 
-/// Largest angle of a cylinder in one face.
-const LARGEST_ARC: f64 = TAU / 3.0;
 /// The inner weights along a side of a face of a sphere are at least this part of the smaller end weight.
 const SMALLEST_WEIGHT: f64 = 0.25;
 /// An edge is cut lengthwise into so many faces at most: halving makes the weights positive long before.
@@ -36,17 +33,16 @@ impl ConvexPolyhedron {
     /// # Errors
     /// `radius-not-positive`, `parameter-out-of-range` (the radius), `below-rounding-of-place` (the radius at these coordinates, or
     /// the polyhedron on that radius), `too-many-pieces` (an edge whose faces nearly coincide); as [`CyclidePatch::from_weights`]
-    /// and [`Shell::new`] where edges are so short that their directions are rounding.
+    /// and [`Shell::new`](crate::Shell::new) where edges are so short that their directions are rounding.
     pub fn offset(&self, radius: f64) -> Result<Body> {
         self.check_radius(radius)?;
-        let mut sewing = Sewing::new(self, radius);
-        let strips = sewing.strips()?;
-        let cylinders = sewing.faces.len();
-        sewing.sides(&strips)?;
-        sewing.planes_first(cylinders);
-        sewing.vertices(&strips)?;
-        let shell = Shell::new(sewing.vertices, sewing.edges, sewing.faces)?;
-        Ok(Body { outer: shell, voids: Vec::new() })
+        let mut rounding = Rounding::new(self, radius);
+        let strips = rounding.strips()?;
+        let cylinders = rounding.sewing.faces.len();
+        rounding.sides(&strips)?;
+        rounding.planes_first(cylinders);
+        rounding.vertices(&strips)?;
+        Ok(Body { outer: rounding.sewing.finish()?, voids: Vec::new() })
     }
 
     fn check_radius(&self, radius: f64) -> Result<()> {
@@ -76,18 +72,16 @@ struct Strip {
     arcs: Vec<[usize; 2]>,
 }
 
-/// The shell in the making.
-struct Sewing<'a> {
+/// The rounded polyhedron in the making.
+struct Rounding<'a> {
     polyhedron: &'a ConvexPolyhedron,
     radius: f64,
     /// The strip along each side of each face, and whether the side runs as the strip does, which is so in the first face.
     strip_of: Vec<Vec<(usize, bool)>>,
-    vertices: Vec<Point3>,
-    edges: Vec<ShellEdge>,
-    faces: Vec<ShellFace>,
+    sewing: Sewing,
 }
 
-impl<'a> Sewing<'a> {
+impl<'a> Rounding<'a> {
     /// With the corners of the moved faces as the first vertices, face by face.
     fn new(polyhedron: &'a ConvexPolyhedron, radius: f64) -> Self {
         let loops = polyhedron.faces();
@@ -97,23 +91,7 @@ impl<'a> Sewing<'a> {
         };
         let vertices = loops.iter().zip(&polyhedron.normals).flat_map(moved).collect();
         let strip_of = loops.iter().map(|corners| vec![(0, true); corners.len()]).collect();
-        Self { polyhedron, radius, strip_of, vertices, edges: Vec::new(), faces: Vec::new() }
-    }
-
-    fn edge(&mut self, start: usize, end: usize, curve: EdgeCurve) -> usize {
-        self.edges.push(ShellEdge { start, end, curve });
-        self.edges.len() - 1
-    }
-
-    fn segment(&mut self, start: usize, end: usize) -> Result<usize> {
-        let segment = Arc::segment(self.vertices[start], self.vertices[end])?;
-        Ok(self.edge(start, end, segment.into()))
-    }
-
-    /// An arc between two vertices with the rotor of half its angle.
-    fn arc(&mut self, start: usize, end: usize, ratio: Quat) -> Result<usize> {
-        let arc = Arc::from_ratio_across(self.vertices[start], self.vertices[end], ratio)?;
-        Ok(self.edge(start, end, arc.into()))
+        Self { polyhedron, radius, strip_of, sewing: Sewing { vertices, ..Sewing::default() } }
     }
 
     /// The cylinders along all edges.
@@ -149,25 +127,23 @@ impl<'a> Sewing<'a> {
         let normals = cut(pair, axis, apexes)?;
         let mut corners = vec![first];
         for normal in &normals[1..normals.len() - 1] {
-            let k = self.vertices.len();
-            self.vertices.extend(points.map(|p| p + *normal * self.radius));
+            let k = self.sewing.vertices.len();
+            self.sewing.vertices.extend(points.map(|p| p + *normal * self.radius));
             corners.push([k, k + 1]);
         }
         corners.push(last);
-        let rails = corners.iter().map(|&[from, to]| self.segment(from, to)).collect::<Result<Vec<_>>>()?;
+        let rails = corners.iter().map(|&[from, to]| self.sewing.segment(from, to)).collect::<Result<Vec<_>>>()?;
         let mut arcs = Vec::with_capacity(normals.len() - 1);
         for k in 1..normals.len() {
             let [n, m] = [normals[k - 1], normals[k]];
             let cosine = 0.5 * (n + m).length();
             let ratio = Quat::from_parts(cosine, axis * (0.5 * n.cross(m).length() / cosine));
             let [low, high] = [corners[k - 1], corners[k]];
-            let ends = [self.arc(low[0], high[0], ratio)?, self.arc(low[1], high[1], ratio)?];
-            let points = [low[0], high[0], low[1], high[1]].map(|v| self.vertices[v]);
+            let ends = [self.sewing.arc(low[0], high[0], ratio)?, self.sewing.arc(low[1], high[1], ratio)?];
+            let points = [low[0], high[0], low[1], high[1]].map(|v| self.sewing.vertices[v]);
             let weights = [Quat::ONE, ratio, Quat::ONE, ratio];
             let patch = CyclidePatch::from_weights(points, weights, axis.cross(n), axis)?;
-            let sides = [ends[0], ends[1], rails[k - 1], rails[k]];
-            let sides = sides.map(|edge| Some(FaceEdge { edge, forward: true }));
-            self.faces.push(ShellFace { surface: patch.into(), sides, same_sense: true });
+            self.sewing.face(patch, [ends[0], ends[1], rails[k - 1], rails[k]].map(Some), true);
             arcs.push(ends);
         }
         Ok(Strip { normals, corners, rails, arcs })
@@ -190,14 +166,14 @@ impl<'a> Sewing<'a> {
             loop {
                 let j = n - 1 - i;
                 let [a, b, c, d] = [i, i + 1, j, j - 1].map(|k| first + k);
-                let points = [a, b, c, d].map(|v| self.vertices[v]);
+                let points = [a, b, c, d].map(|v| self.sewing.vertices[v]);
                 let right = match j - 1 - (i + 1) {
                     0 => None,
                     1 => Some(rails[i + 1]),
-                    _ => Some(FaceEdge { edge: self.segment(b, d)?, forward: true }),
+                    _ => Some(FaceEdge { edge: self.sewing.segment(b, d)?, forward: true }),
                 };
                 let sides = [Some(rails[i]), Some(turned(rails[j - 1])), Some(left), right];
-                self.faces.push(ShellFace { surface: bilinear(points)?, sides, same_sense: true });
+                self.sewing.face_along(bilinear(points)?, sides, true);
                 match right {
                     Some(right) if j - 1 > i + 2 => left = right,
                     _ => break,
@@ -212,16 +188,17 @@ impl<'a> Sewing<'a> {
     /// Puts the planes before the cylinders, the largest first: readers tell inside from outside on the first face, and on a thin
     /// one they are wrong.
     fn planes_first(&mut self, cylinders: usize) {
-        self.faces.rotate_left(cylinders);
-        let planes = self.faces.len() - cylinders;
+        let faces = &mut self.sewing.faces;
+        faces.rotate_left(cylinders);
+        let planes = faces.len() - cylinders;
         let area = |face: &ShellFace| {
             let surface = face.surface.to_rational();
             let [a, b, c, d] = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [1.0, 1.0]].map(|[s, t]| surface.point(s, t));
             (d - a).cross(c - b).length()
         };
-        let areas: Vec<f64> = self.faces[..planes].iter().map(area).collect();
+        let areas: Vec<f64> = faces[..planes].iter().map(area).collect();
         if let Some(largest) = (0..planes).max_by(|&i, &j| areas[i].total_cmp(&areas[j])) {
-            self.faces.swap(0, largest);
+            faces.swap(0, largest);
         }
     }
 
@@ -231,22 +208,21 @@ impl<'a> Sewing<'a> {
         for (vertex, fan) in polyhedron.fans.iter().enumerate() {
             let Some(cone) = &polyhedron.cones[vertex] else { continue };
             let (center, apex) = (polyhedron.vertices[vertex], cone.apex());
-            let top = self.vertices.len();
-            self.vertices.push(center + apex * self.radius);
+            let top = self.sewing.vertex(center + apex * self.radius);
             let around: Vec<Part> = fan.iter().flat_map(|&at| self.parts(strips, at)).collect();
             let mut spokes = Vec::with_capacity(around.len());
             for part in &around {
                 let n = part.normals[0];
                 let ratio = Quat::from_parts(1.0 + n.dot(apex), apex.cross(n));
-                spokes.push(self.arc(top, part.corners[0], ratio)?);
+                spokes.push(self.sewing.arc(top, part.corners[0], ratio)?);
             }
             for (k, part) in around.iter().enumerate() {
                 let rows = placed(&sector(apex, part.normals), center, self.radius);
-                let corners = [top, part.corners[0], top, part.corners[1]].map(|v| self.vertices[v]);
+                let corners = [top, part.corners[0], top, part.corners[1]].map(|v| self.sewing.vertices[v]);
                 let surface = RationalBezierSurface::new([2, 4], rows)?.with_corners(corners);
                 let spoke = |k: usize| Some(FaceEdge { edge: spokes[k % spokes.len()], forward: true });
                 let sides = [spoke(k), spoke(k + 1), None, Some(part.arc)];
-                self.faces.push(ShellFace { surface: surface.into(), sides, same_sense: true });
+                self.sewing.face_along(surface, sides, true);
             }
         }
         Ok(())

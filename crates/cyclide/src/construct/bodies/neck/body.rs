@@ -8,8 +8,8 @@
 use super::{NeckBlend, NeckSide};
 use crate::base::range;
 use crate::base::vector::{Point3, Vec3};
-use crate::construct::bands::{Bands, Ring};
-use crate::construct::ellipse_ring::{Ellipse, Sector};
+use crate::construct::bodies::bands::{Bands, Ring};
+use crate::construct::bodies::ellipse_ring::{Ellipse, Sector};
 use crate::curve::Arc;
 use crate::error::{Error, ErrorItem, Result};
 use crate::topology::{Body, EdgeCurve};

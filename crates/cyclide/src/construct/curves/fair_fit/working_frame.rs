@@ -5,7 +5,7 @@ use super::canonical_start::canonical_start;
 use crate::base::frame::Frame;
 use crate::base::planar::{Point2, Vec2};
 use crate::base::vector::{Point3, Vec3};
-use crate::construct::arc_fit::input::{diameter, plane};
+use crate::construct::curves::arc_fit::input::{diameter, plane};
 
 /// A similarity from the user's coordinates.
 pub(super) struct WorkingFrame {

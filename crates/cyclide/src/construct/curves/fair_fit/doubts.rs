@@ -5,7 +5,7 @@ use super::options::FairFitOptions;
 use super::parts::PieceFit;
 use super::removal::Stop;
 use crate::base::vector::{Point3, Vec3};
-use crate::construct::arc_fit::corners::sagitta_quantile;
+use crate::construct::curves::arc_fit::corners::sagitta_quantile;
 use crate::curve::{CircleSpline, length};
 use crate::warning::Warning;
 
