@@ -23,7 +23,7 @@ const POINT: f64 = 1e-9;
 /// let points = (0..9 * 8).map(|k| ring.grid().point(k % 9, k / 9)).collect();
 /// let [v1, v2, _] = ring.frame();
 /// let open = CyclidicNet::new(QuadGrid::new(points, [9, 8], [false, true])?, NetFrame::First(v1, v2))?;
-/// assert_eq!(open.seams()[0].direction, 0);
+/// assert_eq!(open.grid().seams()[0].direction, 0);
 /// # Ok::<(), cyclide::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -43,7 +43,7 @@ pub struct Seam {
 /// let points = (0..9 * 8).map(|k| ring.grid().point(k % 9, k / 9)).collect();
 /// let [v1, v2, _] = ring.frame();
 /// let open = CyclidicNet::new(QuadGrid::new(points, [9, 8], [false, true])?, NetFrame::First(v1, v2))?;
-/// let measure = open.measure_seam(open.seams()[0]).expect("its borders are beside each other");
+/// let measure = open.measure_seam(open.grid().seams()[0]).expect("its borders are beside each other");
 /// assert!(measure.gap < 1e-12 && measure.angle < 1e-6); // it could be closed
 /// # Ok::<(), cyclide::Error>(())
 /// ```

@@ -46,8 +46,8 @@ const LENGTH_TIE: f64 = 1e-12;
 /// ```
 /// use cyclide::{Biarc, BiarcRule, Point3, Vec3};
 /// let (a, b) = (Point3::ORIGIN, Point3::new(2.0, 0.0, 0.0));
-/// let length = |rule| Biarc::new(a, Vec3::Y, b, Vec3::Y, rule).map(|biarc| biarc.length());
-/// assert!((length(BiarcRule::EqualD)? - std::f64::consts::PI).abs() < 1e-12); // two half circles
+/// let length = |rule| Biarc::new(a, Vec3::Y, b, -Vec3::Y, rule).map(|biarc| biarc.length());
+/// assert!((length(BiarcRule::EqualD)? - std::f64::consts::PI).abs() < 1e-12); // two quarters of a circle
 /// # Ok::<(), cyclide::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]

@@ -7,8 +7,9 @@ use crate::surface::patch::CyclidePatch;
 ///
 /// ```
 /// use cyclide::DupinCyclide;
-/// let horn = DupinCyclide::new(1.0, 0.5, 0.2)?.nets([4, 4])?;
-/// assert!(!horn[0].singular_patches().is_empty()); // at its nodes
+/// // Inwards beyond the smallest radius of its tube the ring turns inside out in part.
+/// let ring = DupinCyclide::new(2.0, 0.7, 1.1)?.nets([4, 4])?.remove(0);
+/// assert!(ring.singular_patches().is_empty() && !ring.offset(-1.0)?.singular_patches().is_empty());
 /// # Ok::<(), cyclide::Error>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
