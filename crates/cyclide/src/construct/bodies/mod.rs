@@ -10,7 +10,7 @@ mod pipe;
 mod polyhedron;
 mod rails;
 mod revolution;
-mod rotated;
+mod rotated_rows;
 mod ruled;
 mod rulings;
 mod turned_patch;

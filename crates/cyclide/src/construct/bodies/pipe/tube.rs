@@ -5,7 +5,7 @@ use super::frame::{Piece, Spine, Station};
 use super::ring::{Ring, quarter};
 use crate::base::quat::Quat;
 use crate::base::vector::{Point3, Vec3};
-use crate::construct::bodies::rotated::rotated;
+use crate::construct::bodies::rotated_rows::rotated_rows;
 use crate::error::Result;
 use crate::rational::RationalBezierSurface;
 use crate::surface::CyclidePatch;
@@ -209,7 +209,7 @@ fn twisted(
             // Across the spine it turns, along it the way is linear in the control points: of degree (2, 2).
             let (height, weight) = (0.5 * (off(a) + off(b)).dot(piece.along), spin.w * a[3]);
             let across = off(a) - piece.along * off(a).dot(piece.along);
-            let [_, half, _] = rotated(spin, across);
+            let [_, half, _] = rotated_rows(spin, across);
             rows.extend([*a, row(from * weight + half + piece.along * (height * spin.w), weight), *b]);
         }
         return Ok(RationalBezierSurface::new([2, 2], rows)?.with_corners(corners).into());
@@ -218,8 +218,8 @@ fn twisted(
     let spine = piece.arc.bezier_rows();
     for a in &first {
         let mut product = [[0.0; 4]; 5];
-        for (i, (y, weight)) in rotated(spin, off(a)).into_iter().zip([1.0, spin.w, 1.0]).enumerate() {
-            for (j, (v, center)) in rotated(piece.rotor, y).into_iter().zip(spine).enumerate() {
+        for (i, (y, weight)) in rotated_rows(spin, off(a)).into_iter().zip([1.0, spin.w, 1.0]).enumerate() {
+            for (j, (v, center)) in rotated_rows(piece.rotor, y).into_iter().zip(spine).enumerate() {
                 let share = [1.0, 2.0, 1.0][i] * [1.0, 2.0, 1.0][j] / [1.0, 4.0, 6.0, 4.0, 1.0][i + j];
                 let g = weight * a[3];
                 let at = Vec3::new(center[0], center[1], center[2]) * g + v;

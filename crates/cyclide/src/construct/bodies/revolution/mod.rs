@@ -16,7 +16,7 @@ mod meridian;
 
 use super::LARGEST_ARC;
 use super::input_chain::{check_connected, check_weights};
-use super::rotated::rotated;
+use super::rotated_rows::rotated_rows;
 use crate::base::bounds::Aabb;
 use crate::base::quat::Quat;
 use crate::base::range;
@@ -103,7 +103,7 @@ impl Revolution {
         let (sin, r) = (0.5 * self.angle).sin_cos();
         let (o, rotor) = (self.origin.to_vec(), Quat::from_parts(r, self.axis * sin));
         let rows = profile.rows().iter().flat_map(|&[x, y, z, g]| {
-            let [_, half, last] = rotated(rotor, Vec3::new(x, y, z) - o * g);
+            let [_, half, last] = rotated_rows(rotor, Vec3::new(x, y, z) - o * g);
             let (middle, last) = (o * (r * g) + half, o * g + last);
             [[x, y, z, g], [middle.x, middle.y, middle.z, r * g], [last.x, last.y, last.z, g]]
         });
