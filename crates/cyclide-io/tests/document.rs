@@ -46,8 +46,8 @@ fn arcs_in_every_form_are_the_same_quarter_circle() {
     ] {
         let built = build(&format!("\"type\": \"arc\", {form}")).unwrap();
         assert!((length(curve(&built)) - FRAC_PI_2).abs() < 1e-14, "{form}");
-        assert!(near(curve(&built).eval(0.0), [1.0, 0.0, 0.0]) && near(curve(&built).eval(1.0), [0.0, 1.0, 0.0]));
-        let middle = curve(&built).eval(0.5);
+        assert!(near(curve(&built).point(0.0), [1.0, 0.0, 0.0]) && near(curve(&built).point(1.0), [0.0, 1.0, 0.0]));
+        let middle = curve(&built).point(0.5);
         assert!((middle.distance(Point3::new(0.0, 0.0, 0.0)) - 1.0).abs() < 1e-14, "{form}");
     }
 }
@@ -78,7 +78,7 @@ fn circle_and_biarc() {
     )
     .unwrap();
     assert_eq!(curve(&built).piece_count(), 2);
-    assert!(near(curve(&built).eval(1.0), [2.0, 1.0, 0.0]));
+    assert!(near(curve(&built).point(1.0), [2.0, 1.0, 0.0]));
 }
 
 #[test]
@@ -87,9 +87,9 @@ fn a_circle_through_three_points() {
     let CurveObject::Circle(circle) = &built.item.contours[0] else { panic!("a circle") };
     // The circle about (1, 0, 1) with the radius 3, from the first point counter-clockwise: a few roundings of coordinates of 4.
     assert!(circle.center().distance(Point3::new(1.0, 0.0, 1.0)) < 4e-15 && (circle.radius() - 3.0).abs() < 4e-15);
-    assert!(near(curve(&built).eval(0.0), [4.0, 0.0, 1.0]) && near(curve(&built).eval(0.25), [1.0, 3.0, 1.0]));
+    assert!(near(curve(&built).point(0.0), [4.0, 0.0, 1.0]) && near(curve(&built).point(0.25), [1.0, 3.0, 1.0]));
     let back = build("\"type\": \"circle\", \"through\": [[-2,0],[1,3],[4,0]]").unwrap();
-    assert!(near(curve(&back).eval(0.25), [1.0, 3.0, 0.0]), "the order of the points is the sense of running");
+    assert!(near(curve(&back).point(0.25), [1.0, 3.0, 0.0]), "the order of the points is the sense of running");
     for (fields, start) in [
         ("\"through\": [[0,0],[1,1],[2,2]]", "objects.a.through: the points lie on a line: sine of their angle 0, "),
         ("\"through\": [[0,0],[1,1],[1,1]]", "objects.a.through[2]: points 1 and 2 coincide"),
@@ -149,7 +149,7 @@ fn fair_fits_take_their_options_and_keep_their_certificate() {
         let built = build(&fields).unwrap();
         let Some(Fitted::Fair(certificate)) = built.contours[0].fit else { panic!("a fair fit") };
         assert!(certificate.deviation <= 0.05 && built.item.tolerance == Some(0.05));
-        (certificate, curve(&built).eval(0.0))
+        (certificate, curve(&built).point(0.0))
     };
     let (free, start) = fit("");
     assert!(free.nodes <= 4 && start.distance(Point3::new(10.02, 0.0, 0.0)) > 1e-6, "free ends");
@@ -202,7 +202,7 @@ fn files_of_points_are_found_next_to_the_document() {
     let fields = "\"type\": \"arc-spline\", \"points\": {\"csv\": \"p.csv\", \"columns\": [\"y_m\", \"x_m\"]}";
     let built = build_with(fields, file).unwrap();
     assert_eq!(built.item.contours.len(), 2);
-    assert!(near(curve(&built).eval(1.0), [1.0, 1.0, 0.0]) && near(curve(&built).eval(0.5), [0.0, 1.0, 0.0]));
+    assert!(near(curve(&built).point(1.0), [1.0, 1.0, 0.0]) && near(curve(&built).point(0.5), [0.0, 1.0, 0.0]));
     let reasons: Vec<_> = built.remarks.iter().map(|r| (r.reason, r.place.as_deref())).collect();
     assert_eq!(reasons, [("units-differ", Some("dir/p.csv")), ("ends-meet", Some("dir/p.csv:9"))]);
     let missing = build("\"type\": \"arc-spline\", \"points\": {\"csv\": \"q.csv\"}").unwrap_err();
@@ -216,7 +216,7 @@ fn what_the_kernel_refuses_is_shown_at_its_place() {
         (
             "\"type\": \"circle\", \"center\": [0,0], \"normal\": [0,0,0], \"radius\": 1",
             "[0,0,0]",
-            "objects.a.normal: the axis is zero",
+            "objects.a.normal: the normal is zero",
         ),
         ("\"type\": \"arc\", \"through\": [[0,0],[0,0],[1,1]]", "[0,0]", "objects.a.through[1]: points 0 and 1"),
         (
@@ -317,7 +317,7 @@ fn the_words_of_a_fair_spline_reach_the_kernel() {
     let l = "[[0,0],[2,0],[4,0],[4,2],[4,4]]";
     let fair = |more: &str| build(&format!("\"type\": \"fair-spline\", \"points\": {l}{more}")).unwrap();
     let largest = |b: &BuiltObject| joints(curve(b)).iter().fold(0.0, |m: f64, j| m.max(j.angle));
-    let height = |b: &BuiltObject| curve(b).eval(0.125).y.abs();
+    let height = |b: &BuiltObject| curve(b).point(0.125).y.abs();
     let plain = fair("");
     // Straight beside the corner, to the bit; with the word off it swings.
     assert!(height(&plain) < 1e-15 && height(&fair(", \"straight\": \"off\"")) > 1e-3);

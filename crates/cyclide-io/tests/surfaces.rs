@@ -90,7 +90,7 @@ fn offsets_and_images() {
     let document = Document::parse("m.json", text.as_bytes()).unwrap();
     let read = |_: &Path| Ok(Vec::new());
     let built = ModelBuilder::new(&document, Path::new(""), &read).unwrap().build(0, &mut |_| {}).unwrap();
-    assert!(built.item.contours[0].as_curve().eval(0.25).distance(Point3::new(5.0, 8.0, 0.0)) < 1e-14);
+    assert!(built.item.contours[0].as_curve().point(0.25).distance(Point3::new(5.0, 8.0, 0.0)) < 1e-14);
 }
 
 #[test]
@@ -541,7 +541,7 @@ fn refusals_name_the_factor_the_steps_and_the_curve() {
 #[test]
 fn seams_that_do_not_close_name_the_ratio_only_where_there_is_one() {
     let message =
-        |stretch| cyclide::Error::NetDoesNotClose { direction: "s", angle: 0.25, stretch, limit: 1e-9 }.to_string();
+        |stretch| cyclide::Error::NetDoesNotClose { direction: 0, angle: 0.25, stretch, limit: 1e-9 }.to_string();
     assert!(message(0.0).ends_with("the frame is off by 0.25 radians, limit 1e-9"), "{}", message(0.0));
     let slower = message(-1.91e-6);
     assert!(slower.ends_with("of the lines across by the factor 1 - 1.91e-6, limit 1e-9"), "{slower}");

@@ -31,7 +31,7 @@ fn closest_point(c: &mut Criterion) {
                 .map(|i| {
                     let t = (i as f64 * 0.618_033_988_7).fract();
                     let angle = i as f64 * 2.4;
-                    curve.eval(t) + Vec3::new(angle.cos(), angle.sin(), 0.3) * offset
+                    curve.point(t) + Vec3::new(angle.cos(), angle.sin(), 0.3) * offset
                 })
                 .collect();
             group.bench_function(BenchmarkId::new(place, name), |b| {

@@ -29,7 +29,7 @@ fn evaluation(c: &mut Criterion) {
     group.throughput(Throughput::Elements(COUNT as u64));
     for (name, curve) in curves {
         group.bench_function(BenchmarkId::new("points", name), |b| {
-            b.iter(|| curve.eval_into(black_box(&ts), &mut points));
+            b.iter(|| curve.points_into(black_box(&ts), &mut points));
         });
         group.bench_function(BenchmarkId::new("jets", name), |b| {
             b.iter(|| curve.jets_into(black_box(&ts), &mut jets));

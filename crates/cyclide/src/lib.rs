@@ -34,8 +34,7 @@
 //! ```
 //! use cyclide::{CyclidePatch, ParamSurface, Point3, Vec3};
 //! let corners = [[-4.0, -3.0, 0.0], [4.0, -3.0, 0.0], [-3.0, 4.0, 0.0], [3.0, 4.0, 0.0]].map(Point3::from);
-//! let [s, t] = [Vec3::new(8.0, -1.0, 4.0), Vec3::new(-1.0, 4.0, 3.0)].map(|v| v.unit().unwrap_or(v));
-//! let patch = CyclidePatch::from_corners_and_frame(corners, s, t)?;
+//! let patch = CyclidePatch::from_corners_and_frame(corners, Vec3::new(8.0, -1.0, 4.0), Vec3::new(-1.0, 4.0, 3.0))?;
 //! let offset = patch.offset(0.2)?;
 //! let (p, normal) = (patch.point(0.3, 0.6), patch.unit_normal(0.3, 0.6));
 //! assert!(offset.point(0.3, 0.6).distance(p + normal * 0.2) < 1e-14);
@@ -50,6 +49,29 @@
 //! assert!(fit.certificate().deviation <= 0.01 && fit.path().arcs().len() < 10);
 //! # Ok::<(), cyclide::Error>(())
 //! ```
+//!
+//! # By topic
+//!
+//! | topic | where it is |
+//! |---|---|
+//! | points, directions, frames, boxes | [`Point3`], [`Vec3`], [`Point2`], [`Vec2`], [`Quat`], [`Frame`], [`Aabb`] |
+//! | maps | [`Mobius`] (inversions, similarities), [`Conformal`] (what they keep), [`HPoint`], [`Sphere`] |
+//! | circles and arcs | [`Circle`], [`Arc`], [`Arc4`], [`Biarc`], [`ArcPath`] |
+//! | curves through points | [`CircleSpline::fair`], [`CircleSpline::from_points`], [`ArcPath::spline`], [`ArcPath::rounded_polyline`], [`BlendSegment`] |
+//! | curves near points | [`ArcFit`] (fewest arcs), [`FairFit`] (fairest curve), [`certify_arc`], [`feasible_bulges`], [`curvature_intervals`] |
+//! | evaluation | [`ParamCurve::point`], [`ParamCurve::jet`], [`ParamSurface::point`], [`ParamSurface::jet`], [`CurveJet`], [`SurfaceJet`] |
+//! | measures of curves | [`length()`], [`resample`], [`ArcLength`], [`closest_point`], [`CurveIndex`], [`bounds()`] |
+//! | continuity and fairness | [`joints`], [`extreme_curvature`], [`curvature_comb`], [`fairness()`], [`wavering()`] |
+//! | exact rational forms | [`NurbsCurve`], [`RationalBezier`], [`RationalBezierSurface`], [`RationalRun`] |
+//! | patches, nets, whole cyclides | [`CyclidePatch`], [`CyclidicNet`], [`DupinCyclide`], [`QuadGrid`], [`Seam`] |
+//! | quads made circular | `make_circular`, with the feature `circular-mesh` |
+//! | surfaces over triangles | [`SmoothMesh`], [`SmoothTriangle`], [`SphereBlend`] |
+//! | bodies made from curves | [`Revolution`], [`Pipe`], [`NeckBlend`], [`EllipseBridge`], [`Body::ruled`], [`Body::circular`] |
+//! | bodies made from solids | [`ConvexPolyhedron`], [`SphericalPolygon`] |
+//! | topology | [`Body`], [`Shell`], [`ShellFace`], [`ShellEdge`], [`FaceSurface`], [`EdgeCurve`], [`surface_joints`] |
+//! | polylines and meshes | [`flatten`], [`tessellate`], [`SurfaceMesh`], [`parameter_lines`] |
+//! | models for files | [`Model`], [`Item`], [`CurveObject`], [`SurfaceObject`], [`Lower`], [`CurveChain`], [`Units`] |
+//! | what is refused, what is remarked | [`Error`], [`ErrorItem`], [`reasons`], [`Warning`], [`ShapeChange`] |
 
 mod base;
 mod batch;
@@ -98,14 +120,14 @@ pub use curve::{
 pub use curve::{CORNER_ANGLE, Fairness, RoundedTurns, Wavering, fairness, wavering};
 pub use curve::{Correspondence, CurvePlace, Span};
 pub use curve::{bounds, closest_point, curvature_comb, extreme_curvature, joints, length, resample};
-pub use error::{Error, Result};
+pub use error::{Error, ErrorItem, Result, reasons};
 pub use mesh::{LineKind, ParameterLine, parameter_lines};
 pub use mesh::{
     MOST_PIECES, MeshCorner, MeshFace, MeshSource, SmoothTessellation, SurfaceMesh, flatten, flatten_into,
     flatten_places, flatten_within, tessellate, tessellate_all, tessellate_within,
 };
 pub use model::{ChainPiece, CurveChain, CurveObject, Exactness, Item, Lower, Lowered, Model, SurfaceObject, Units};
-pub use rational::{ExactRational, NurbsCurve, RationalBezier, RationalBezierSurface};
+pub use rational::{NurbsCurve, RationalBezier, RationalBezierSurface};
 pub use shape_change::ShapeChange;
 pub use short_number::ShortNumber;
 pub use surface::{CyclideKind, CyclidicNet, DupinCyclide, NetFrame, SingularPatch};

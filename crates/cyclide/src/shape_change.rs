@@ -15,7 +15,20 @@ const DEGREE: f64 = std::f64::consts::PI / 180.0;
 /// What may become of a surface whose vertices are moved: the numbers of `docs/math/circular-meshes.md#guard`, and one
 /// of relief. All are free of scale. A number is `None` where the surface as given has nothing to compare with: it is
 /// flat.
+///
+/// ```
+/// # #[cfg(feature = "circular-mesh")] {
+/// use cyclide::{CircularMeshOptions, Point3, QuadGrid, make_circular};
+/// let tube = (0..17 * 9).map(|k| (0.1 * f64::from(k % 17), 0.1 * f64::from(k / 17)));
+/// let tube = tube.map(|(angle, z)| Point3::new(angle.cos(), angle.sin(), z)).collect();
+/// let grid = QuadGrid::new(tube, [17, 9], [false; 2])?; // its quads have circles as they are
+/// let made = make_circular(&grid, &CircularMeshOptions::default(), &mut |_| ())?;
+/// assert!(made.report.shape.is_some_and(|change| !change.is_lost() && change.turn < 1e-12));
+/// # }
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[non_exhaustive]
 pub struct ShapeChange {
     /// Bending, after over before: squared differences of the normals over a fifth of the grid.
     pub bending: Option<f64>,

@@ -9,6 +9,15 @@ const SCATTER: f64 = 0.15;
 const NEARLY_REPEATED: f64 = 1000.0;
 
 /// A remark on a result that is valid but may not be what was meant.
+///
+/// ```
+/// use cyclide::{CircleSpline, CircleSplineOptions, Point3, Warning};
+/// let back = [[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0]].map(Point3::from);
+/// let spline = CircleSpline::from_points(&back, &CircleSplineOptions::default())?;
+/// assert_eq!(spline.warnings()[0], Warning::Cusp { node: 1 });
+/// assert_eq!(spline.warnings()[0].reason(), "cusp");
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum Warning {

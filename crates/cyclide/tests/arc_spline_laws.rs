@@ -93,7 +93,7 @@ proptest! {
                 let named = match error {
                     Error::CoincidentPoints { .. } => a == b || b == c || a == c,
                     // On the line of the ends up to rounding of the points, and outside.
-                    Error::PointAtInfinity => (b - a).dot(c - b) < 0.0,
+                    Error::PointAtInfinity { .. } => (b - a).dot(c - b) < 0.0,
                     // Next to it.
                     Error::NearlyFullCircle { rest, limit } => rest < limit && (b - a).dot(c - b) < 0.0,
                     // Chords a long way apart in length put nearly all the speed at one end.

@@ -2,8 +2,8 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
 use cyclide::{
-    Body, Conformal as _, CyclidePatch, EdgeCurve, Error, ExactRational as _, FaceSurface, MeshFace, Mobius,
-    ParamSurface as _, Point3, RationalBezierSurface, Shell, ShellEdge, SurfaceMesh, Vec3, surface_joints, tessellate,
+    Body, Conformal as _, CyclidePatch, EdgeCurve, FaceSurface, MeshFace, Mobius, ParamSurface, Point3,
+    RationalBezierSurface, Shell, ShellEdge, SurfaceMesh, Vec3, surface_joints, tessellate,
 };
 use cyclide_testkit::rational_faces::{egg, egg_profile, smooth_pair};
 use std::collections::HashMap;
@@ -123,6 +123,34 @@ fn cuts_and_similar_images_keep_the_surface() {
     assert!((far.outer.volume() / egg.outer.volume() - 1.0).abs() < 1e-8);
 }
 
+/// The derivatives of a surface are the limits of differences, and its normal is across them.
+fn derivatives_are_those_of_the_points(surface: &dyn ParamSurface) {
+    let step = 1e-5;
+    for [s, t] in [[0.2, 0.3], [0.5, 0.7], [0.9, 0.4]] {
+        let (jet, at) = (surface.jet(s, t), |s, t| surface.point(s, t));
+        let size = jet.ds.length() + jet.dt.length();
+        assert!(jet.point.distance(at(s, t)) < 1e-14 * (1.0 + size));
+        let ds = (at(s + step, t) - at(s - step, t)) / (2.0 * step);
+        let dt = (at(s, t + step) - at(s, t - step)) / (2.0 * step);
+        // The square of the step times third derivatives, and rounding over the step.
+        assert!((jet.ds - ds).length() + (jet.dt - dt).length() < 1e-8 * size, "{jet:?} {ds:?} {dt:?}");
+        let normal = surface.normal(s, t).unwrap();
+        assert!((normal.dot(ds).abs() + normal.dot(dt).abs()) < 1e-8 * size && (normal.length() - 1.0).abs() < 1e-14);
+    }
+}
+
+#[test]
+fn every_kind_of_surface_has_the_derivatives_of_its_points() {
+    let corners = [[-4.0, -3.0, 0.0], [4.0, -3.0, 0.0], [-3.0, 4.0, 0.0], [3.0, 4.0, 0.0]].map(Point3::from);
+    let frame = [Vec3::new(8.0, -1.0, 4.0), Vec3::new(-1.0, 4.0, 3.0)];
+    let patch = CyclidePatch::from_corners_and_frame(corners, frame[0], frame[1]).unwrap();
+    derivatives_are_those_of_the_points(&patch);
+    derivatives_are_those_of_the_points(&patch.to_rational());
+    for face in egg().outer.faces() {
+        derivatives_are_those_of_the_points(&face.surface);
+    }
+}
+
 #[test]
 fn what_is_no_shell_is_refused() {
     let pair = smooth_pair();
@@ -194,5 +222,5 @@ fn a_similar_surface_is_similar_everywhere() {
     let want = map.map_point(surface.point(0.3, 0.6)).unwrap();
     assert!(image.point(0.3, 0.6).distance(want) < 1e-14);
     let far = Mobius::inversion(Point3::new(5.0, 1.0, 4.0), 3.0).unwrap();
-    assert_eq!(surface.similar(&far), Err(Error::NotASimilarity));
+    assert_eq!(surface.similar(&far).unwrap_err().reason(), "not-a-similarity");
 }

@@ -245,7 +245,7 @@ mod tests {
             ("curve/circle.rs", "use crate::{base::vector::Vec3, model::Model};"),
             ("curve/arc/measure.rs", "use super::super::super::mesh::flatten;"),
             ("mesh/flatten.rs", "pub use crate :: construct :: *;"),
-            ("construct/biarc.rs", "use crate::mesh::flatten;"),
+            ("construct/curves/biarc.rs", "use crate::mesh::flatten;"),
             ("curve/arc.rs", "use crate::Model;"),
             ("curve/arc.rs", "impl crate::{\n    base::x::Y,\n    Model,\n} {}"),
             ("newroom/x.rs", ""),

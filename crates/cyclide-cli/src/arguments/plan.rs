@@ -4,12 +4,11 @@ use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
 use clap_complete::Shell;
-use cyclide::Units;
+use cyclide::{BiarcRule, BlendVariant, Effort, FitTarget, Units};
 use cyclide_io::{
-    Angle, ArcFitSpec, ArcSplineSpec, CircleSplineSpec, Comment, Document, DxfVersion, EffortWord, EndsSpec,
-    ExportOptions, FairEndWord, FairEndsSpec, FairFitSpec, FairSplineSpec, Format, ObjectSpec, PointColumns, PointFile,
-    PointSource, RuleWord, Spacing, StepEdges, StepProducts, StraightWord, TargetWord, TypeWord, VariantWord,
-    WriteOptions, leads_to_standard_input, same_file,
+    Angle, ArcFitSpec, ArcSplineSpec, CircleSplineSpec, Comment, Document, DxfVersion, EndsSpec, ExportOptions,
+    FairEndWord, FairEndsSpec, FairFitSpec, FairSplineSpec, Format, ObjectSpec, PointColumns, PointFile, PointSource,
+    Spacing, StepEdges, StepProducts, StraightWord, TypeWord, WriteOptions, leads_to_standard_input, same_file,
 };
 
 use crate::arguments::args::{
@@ -241,7 +240,7 @@ impl CurveArgs {
                 points,
                 closed,
                 order: self.order.unwrap_or(2),
-                variant: self.variant.map_or_else(VariantWord::default, VariantArg::word),
+                variant: self.variant.map_or_else(BlendVariant::default, VariantArg::word),
                 ends: EndsSpec::Natural,
                 corner_angle,
             }),
@@ -252,7 +251,7 @@ impl CurveArgs {
                 points,
                 tangents: None,
                 closed,
-                rule: self.rule.map_or_else(RuleWord::default, RuleArg::word),
+                rule: self.rule.map_or_else(BiarcRule::default, RuleArg::word),
             }),
             Kind::ArcFit => {
                 let needed = || Failure::Usage("--kind arc-fit needs --tolerance".to_owned());
@@ -263,8 +262,8 @@ impl CurveArgs {
                     points,
                     closed,
                     tolerance: self.tolerance.ok_or_else(needed)?,
-                    target: self.target.map_or_else(TargetWord::default, TargetArg::word),
-                    effort: self.effort.map_or_else(EffortWord::default, EffortArg::word),
+                    target: self.target.map_or_else(FitTarget::default, TargetArg::word),
+                    effort: self.effort.map_or_else(Effort::default, EffortArg::word),
                     corner_angle,
                 })
             }
@@ -356,10 +355,10 @@ impl UnitsArg {
 }
 
 impl VariantArg {
-    const fn word(self) -> VariantWord {
+    const fn word(self) -> BlendVariant {
         match self {
-            Self::Rational => VariantWord::Rational,
-            Self::Trigonometric => VariantWord::Trigonometric,
+            Self::Rational => BlendVariant::Rational,
+            Self::Trigonometric => BlendVariant::Trigonometric,
         }
     }
 }
@@ -384,30 +383,30 @@ impl StraightArg {
 }
 
 impl RuleArg {
-    const fn word(self) -> RuleWord {
+    const fn word(self) -> BiarcRule {
         match self {
-            Self::EqualD => RuleWord::EqualD,
-            Self::EqualChord => RuleWord::EqualChord,
-            Self::Auto => RuleWord::Auto,
+            Self::EqualD => BiarcRule::EqualD,
+            Self::EqualChord => BiarcRule::EqualChord,
+            Self::Auto => BiarcRule::Auto,
         }
     }
 }
 
 impl TargetArg {
-    const fn word(self) -> TargetWord {
+    const fn word(self) -> FitTarget {
         match self {
-            Self::Points => TargetWord::Points,
-            Self::Polyline => TargetWord::Polyline,
+            Self::Points => FitTarget::Points,
+            Self::Polyline => FitTarget::Polyline,
         }
     }
 }
 
 impl EffortArg {
-    const fn word(self) -> EffortWord {
+    const fn word(self) -> Effort {
         match self {
-            Self::Fast => EffortWord::Fast,
-            Self::Default => EffortWord::Default,
-            Self::Best => EffortWord::Best,
+            Self::Fast => Effort::Fast,
+            Self::Default => Effort::Default,
+            Self::Best => Effort::Best,
         }
     }
 }

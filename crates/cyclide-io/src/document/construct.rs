@@ -1,17 +1,16 @@
 //! Constructions that run on lists of points, from the fields of a document to the kernel's options.
 
 use cyclide::{
-    ArcFit, ArcFitOptions, ArcPath, ArcSplineOptions, BiarcRule, BlendVariant, CircleSpline, CircleSplineOptions,
-    CurveObject, Effort, FairEnd, FairFit, FairFitCertificate, FairFitOptions, FairSplineOptions, Fairness,
-    FitCertificate, FitTarget, Point3, RoundedTurns, SplineEnds, Vec3, Warning, corners_by_angle, fairness, wavering,
+    ArcFit, ArcFitOptions, ArcPath, ArcSplineOptions, CircleSpline, CircleSplineOptions, CurveObject, ErrorItem,
+    FairEnd, FairFit, FairFitCertificate, FairFitOptions, FairSplineOptions, Fairness, FitCertificate, Point3,
+    RoundedTurns, SplineEnds, Vec3, Warning, corners_by_angle, fairness, wavering,
 };
 
 use super::angle::Angle;
 use super::coordinates::Coordinates;
 use super::spec::{
-    ArcFitSpec, ArcSplineSpec, CircleSplineSpec, EffortWord, EndsSpec, FairEndPair, FairEndSpec, FairEndWord,
-    FairEndsSpec, FairFitSpec, FairSplineSpec, PolylineSpec, RadiiSpec, RuleWord, StraightWord, TargetWord,
-    VariantWord,
+    ArcFitSpec, ArcSplineSpec, CircleSplineSpec, EndsSpec, FairEndPair, FairEndSpec, FairEndWord, FairEndsSpec,
+    FairFitSpec, FairSplineSpec, PolylineSpec, RadiiSpec, StraightWord,
 };
 use crate::input::points::PointList;
 
@@ -53,7 +52,7 @@ pub(super) fn polyline(spec: &PolylineSpec, at: &Contour<'_>) -> Made {
             // Of the points as given, those that were merged away included; a point that repeats the first one may have its own.
             let needed = at.kept.last().map_or(0, |last| last + 1);
             if given.len() != needed && !(spec.closed && given.len() == needed + 1) {
-                return Err(cyclide::Error::RadiusCount { given: given.len(), needed });
+                return Err(cyclide::Error::CountDiffers { what: ErrorItem::Radius, given: given.len(), needed });
             }
             at.kept.iter().filter_map(|&i| given.get(i).copied()).collect()
         }
@@ -70,10 +69,14 @@ pub(super) fn arc_spline(spec: &ArcSplineSpec, at: &Contour<'_>) -> Made {
             let given = given.lists.get(at.index).map_or(&[][..], Vec::as_slice);
             // Tangents belong to the points as given; those of points that were merged away go with them.
             let tangents: Option<Vec<Vec3>> = at.kept.iter().map(|&i| given.get(i).map(|t| t.vector())).collect();
-            Some(tangents.ok_or(cyclide::Error::TangentCount { given: given.len(), needed })?)
+            Some(tangents.ok_or(cyclide::Error::CountDiffers {
+                what: ErrorItem::Tangent,
+                given: given.len(),
+                needed,
+            })?)
         }
     };
-    let options = ArcSplineOptions { closed: spec.closed, rule: spec.rule.into(), tangents };
+    let options = ArcSplineOptions { closed: spec.closed, rule: spec.rule, tangents };
     let path = ArcPath::spline(&at.list.points, &options)?;
     Ok((CurveObject::ArcPath(path), at.facts(None), Vec::new()))
 }
@@ -81,8 +84,8 @@ pub(super) fn arc_spline(spec: &ArcSplineSpec, at: &Contour<'_>) -> Made {
 pub(super) fn arc_fit(spec: &ArcFitSpec, at: &Contour<'_>) -> Made {
     let mut options = ArcFitOptions::new(spec.tolerance);
     options.closed = spec.closed;
-    options.target = spec.target.into();
-    options.effort = spec.effort.into();
+    options.target = spec.target;
+    options.effort = spec.effort;
     options.corner_angle = spec.corner_angle.map_or(options.corner_angle, Angle::radians);
     options.corners.clone_from(&at.list.corners);
     let fit = ArcFit::new(&at.list.points, &options)?;
@@ -116,7 +119,12 @@ fn corners(at: &Contour<'_>, closed: bool, angle: Option<Angle>) -> cyclide::Res
     if let Some(angle) = angle.map(Angle::radians) {
         let max = std::f64::consts::PI;
         if !(angle > 0.0 && angle <= max) {
-            return Err(cyclide::Error::ParameterOutOfRange { name: "corner_angle", value: angle, min: 0.0, max });
+            return Err(cyclide::Error::ParameterOutOfRange {
+                name: ErrorItem::CornerAngle,
+                value: angle,
+                min: 0.0,
+                max,
+            });
         }
         corners.extend(corners_by_angle(&at.list.points, closed, angle));
         corners.sort_unstable();
@@ -150,7 +158,7 @@ pub(super) fn circle_spline(spec: &CircleSplineSpec, at: &Contour<'_>) -> Made {
             SplineEnds::Clamped { start: given.start.map(Coordinates::vector), end: given.end.map(Coordinates::vector) }
         }
     };
-    let (closed, order, variant) = (spec.closed, spec.order, spec.variant.into());
+    let (closed, order, variant) = (spec.closed, spec.order, spec.variant);
     let spline = CircleSpline::from_points(points, &CircleSplineOptions { closed, order, variant, ends, corners })?;
     spline.check_finite()?;
     let warnings = spline.warnings().to_vec();
@@ -181,42 +189,13 @@ impl ContourFacts {
             explained: found.explained,
         });
         let data_waver = || found.data_waver.then_some(Warning::DataWaver { changes: found.data, nodes: found.nodes });
-        let corner = |RoundedTurns { first, count, angle, distance }| Warning::CornerNotMarked {
+        let corner = |RoundedTurns { first, count, angle, distance, .. }| Warning::CornerNotMarked {
             node: first,
             count,
             angle,
             distance,
         };
         wavers.or_else(data_waver).into_iter().chain(found.rounded.map(corner)).collect()
-    }
-}
-
-impl From<RuleWord> for BiarcRule {
-    fn from(word: RuleWord) -> Self {
-        match word {
-            RuleWord::EqualD => Self::EqualD,
-            RuleWord::EqualChord => Self::EqualChord,
-            RuleWord::Auto => Self::Auto,
-        }
-    }
-}
-
-impl From<TargetWord> for FitTarget {
-    fn from(word: TargetWord) -> Self {
-        match word {
-            TargetWord::Points => Self::Points,
-            TargetWord::Polyline => Self::Polyline,
-        }
-    }
-}
-
-impl From<EffortWord> for Effort {
-    fn from(word: EffortWord) -> Self {
-        match word {
-            EffortWord::Fast => Self::Fast,
-            EffortWord::Default => Self::Default,
-            EffortWord::Best => Self::Best,
-        }
     }
 }
 
@@ -246,15 +225,6 @@ impl From<FairEndWord> for FairEnd {
             FairEndWord::Circle => Self::Circle,
             FairEndWord::Arc => Self::Arc,
             FairEndWord::Free => Self::Free,
-        }
-    }
-}
-
-impl From<VariantWord> for BlendVariant {
-    fn from(word: VariantWord) -> Self {
-        match word {
-            VariantWord::Rational => Self::Rational,
-            VariantWord::Trigonometric => Self::Trigonometric,
         }
     }
 }

@@ -34,11 +34,11 @@ use plain_words::{in_plain_words, other_word_for, syntax_in_plain_words, wrong_c
 pub use schema::document_schema;
 pub use spec::{
     ArcFitSpec, ArcSpec, ArcSplineSpec, BiarcSpec, BorderCurves, BorderSpec, BorderWord, CircleSpec, CircleSplineSpec,
-    ClampedEnds, Comment, CyclidePatchSpec, CyclideSpec, CyclidicNetSpec, EffortWord, EndWord, EndsSpec, FairEndPair,
-    FairEndSpec, FairEndWord, FairEndsSpec, FairFitSpec, FairSplineSpec, FrameSpec, GridSource, MakeCircularOptions,
+    ClampedEnds, Comment, CyclidePatchSpec, CyclideSpec, CyclidicNetSpec, EndsSpec, FairEndPair, FairEndSpec,
+    FairEndWord, FairEndsSpec, FairFitSpec, FairSplineSpec, FrameSpec, GridSource, MakeCircularOptions,
     MakeCircularSpec, MeshFile, ObjectSpec, OffsetSpec, PipeSpec, PlaneSpec, PolyhedronFile, PolylineSpec, RadiiSpec,
-    RevolutionSpec, RotationSpec, RuleWord, ScaleSpec, SmoothPolyhedronSpec, SphereSpec, StepSpec, StraightWord,
-    TargetWord, TransformSpec, TypeWord, UnitWord, VariantWord,
+    RevolutionSpec, RotationSpec, ScaleSpec, SmoothPolyhedronSpec, SphereSpec, StepSpec, StraightWord, TransformSpec,
+    TypeWord,
 };
 
 /// The document version this crate reads.
@@ -67,7 +67,7 @@ struct Root<'a> {
     #[serde(rename = "cyclide")]
     _version: serde::de::IgnoredAny,
     #[serde(default)]
-    units: UnitWord,
+    units: Units,
     #[serde(borrow)]
     objects: Entries<'a>,
 }
@@ -99,7 +99,7 @@ impl Document {
             .map(|entry| entry.and_then(|(name, raw)| parse_object(source, &name, raw).map(|spec| (name, spec))))
             .collect::<Result<Vec<_>, _>>()?;
         check_no_null(source)?;
-        Ok(Self { units: root.units.into(), objects, name: name.to_owned(), text: text.to_owned() })
+        Ok(Self { units: root.units, objects, name: name.to_owned(), text: text.to_owned() })
     }
 
     fn source(&self) -> Source<'_> {

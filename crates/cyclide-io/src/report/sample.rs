@@ -52,7 +52,7 @@ fn curves(item: &Item, count: usize, spacing: Spacing) -> String {
             if several {
                 out += &format!("{contour},");
             }
-            push_sample(&mut out, curve.eval(t), &FileSample::new(t, &curve.jet(t)));
+            push_sample(&mut out, curve.point(t), &FileSample::new(t, &curve.jet(t)));
         }
     }
     out

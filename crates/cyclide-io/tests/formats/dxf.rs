@@ -65,7 +65,7 @@ fn polylines_have_no_arc_above_half_a_turn_and_no_repeated_vertex() {
 fn curves_in_space_are_grouped_arcs_and_lines() {
     let space = CurveObject::ArcPath(space_chain());
     // The second contour starts where the first one ends: only the groups tell them apart.
-    let next = cyclide::Arc::segment(space.as_curve().eval(1.0), cyclide::Point3::new(0.0, 0.0, 50.0)).unwrap();
+    let next = cyclide::Arc::segment(space.as_curve().point(1.0), cyclide::Point3::new(0.0, 0.0, 50.0)).unwrap();
     let m = model(vec![("s", vec![space, CurveObject::Arc(next)])]);
     let tags = tags(&m);
     assert_eq!((count(&tags, "ARC"), count(&tags, "LINE"), count(&tags, "GROUP")), (3, 2, 1));

@@ -66,8 +66,8 @@ fn coordinates_are_the_same_doubles() {
         let bytes = export(&m, format, &ExportOptions::default()).unwrap().bytes;
         let chains = read_back(format, &bytes).unwrap().curves;
         let curve = m.items[0].contours[0].as_curve();
-        let (start, end) = (curve.eval(0.0), curve.eval(1.0));
-        assert_eq!((chains[0].eval(0.0), chains[0].eval(1.0)), (start, end), "{format:?}");
+        let (start, end) = (curve.point(0.0), curve.point(1.0));
+        assert_eq!((chains[0].point(0.0), chains[0].point(1.0)), (start, end), "{format:?}");
     }
 }
 

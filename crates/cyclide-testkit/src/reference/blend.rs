@@ -102,7 +102,7 @@ fn spline(case: &Case, closed: bool, variant: BlendVariant) -> Result<(CircleSpl
 
 fn curve(case: &Case, check: &mut Check, variant: BlendVariant) -> Result<(), Fault> {
     let (spline, rules) = spline(case, case.flag("closed")?, variant)?;
-    check.samples("samples", |t| xyz(spline.eval(t)), &rules.point());
+    check.samples("samples", |t| xyz(spline.point(t)), &rules.point());
     check.points("theta", spline.segments().iter().map(|s| [s.theta()]), &rules.absolute());
     Ok(())
 }

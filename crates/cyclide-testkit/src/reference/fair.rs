@@ -79,7 +79,7 @@ fn curve(case: &Case, check: &mut Check) -> Result<(), Fault> {
     let allowed = in_list(case, check, "curvature", shortest_chord(segments));
     check.points("curvature", curvatures.map(triple), &allowed);
     check.exact("relaxed", spline.warnings().iter().any(|w| matches!(w, Warning::Relaxed { .. })));
-    check.samples("samples", |t| xyz(spline.eval(t)), &rules.point());
+    check.samples("samples", |t| xyz(spline.point(t)), &rules.point());
     Ok(())
 }
 

@@ -6,8 +6,8 @@ use super::arc::{triple, xyz};
 use super::case::{Case, Fault};
 use super::check::Check;
 use cyclide::{
-    Arc, Conformal, CyclidePatch, CyclidicNet, Error, ExactRational, ImplicitForm, Mobius, NetFrame, ParamSurface,
-    Point3, QuadGrid, Quat, Vec3,
+    Arc, Conformal, CyclidePatch, CyclidicNet, Error, ImplicitForm, Mobius, NetFrame, ParamSurface, Point3, QuadGrid,
+    Quat, Vec3,
 };
 use serde_json::Value;
 
@@ -89,10 +89,19 @@ fn arc_three_points(case: &Case, check: &mut Check) -> Result<(), Fault> {
     Ok(())
 }
 
+/// Lengths of a frame's vectors that differ from 1 by more are refused.
+const UNIT_LIMIT: f64 = 1e-9;
+
 /// The patch of the fields a0, a1, a2, a3, v1, v2.
 fn input_patch(case: &Case) -> Result<CyclidePatch, Fault> {
     let corners = [case.point("a0")?, case.point("a1")?, case.point("a2")?, case.point("a3")?];
-    Ok(CyclidePatch::from_corners_and_frame(corners, case.vector("v1")?, case.vector("v2")?)?)
+    let frame = [case.vector("v1")?, case.vector("v2")?];
+    // The construct asks for unit vectors; the kernel takes any length.
+    let measured = frame.map(|v| (v.length() - 1.0).abs()).into_iter().fold(0.0, f64::max);
+    if measured > UNIT_LIMIT {
+        return Err(Error::FrameNotOrthonormal { measured, limit: UNIT_LIMIT }.into());
+    }
+    Ok(CyclidePatch::from_corners_and_frame(corners, frame[0], frame[1])?)
 }
 
 fn samples(patch: &CyclidePatch, case: &Case, check: &mut Check) {

@@ -3,6 +3,13 @@
 use super::vector::{Point3, Vec3};
 
 /// An axis-aligned box, both corners included.
+///
+/// ```
+/// use cyclide::{Aabb, Point3};
+/// let corners = [[0.0, 0.0, 0.0], [1.0, 2.0, 2.0]].map(Point3::from);
+/// let bounds = Aabb::of_points(corners).expect("there are points");
+/// assert!(bounds.diagonal() == 3.0 && bounds.distance(Point3::new(4.0, 1.0, 1.0)) == 3.0);
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Aabb {
     /// Smallest coordinates.

@@ -1,6 +1,6 @@
 //! Where to cut a curve: global parameters to pieces, with joints recognised.
 
-use crate::error::{Error, Result};
+use crate::error::{Error, ErrorItem, Result};
 
 /// The piece and its own parameter in `[0, 1)` at which a global parameter in `(0, 1)` cuts a curve of `n` pieces.
 /// Parameters within rounding of a joint cut there: a sliver of a piece is never meant.
@@ -14,7 +14,11 @@ pub(crate) fn place_of_cut(t: f64, n: usize) -> Result<(usize, f64)> {
     let (piece, s) =
         if (x - joint).abs() <= 2.0 * f64::EPSILON * x { (joint as usize, 0.0) } else { (x as usize, x.fract()) };
     let inside = t > 0.0 && t < 1.0 && piece < n && (piece > 0 || s > 0.0);
-    if inside { Ok((piece, s)) } else { Err(Error::ParameterOutOfRange { name: "t", value: t, min: 0.0, max: 1.0 }) }
+    if inside {
+        Ok((piece, s))
+    } else {
+        Err(Error::ParameterOutOfRange { name: ErrorItem::T, value: t, min: 0.0, max: 1.0 })
+    }
 }
 
 /// Checks an interval of parameters, `0 <= t0 < t1 <= 1`.
@@ -25,7 +29,7 @@ pub(crate) fn check_interval(t0: f64, t1: f64) -> Result<()> {
     if t0 < t1 && t0 >= 0.0 && t1 <= 1.0 {
         Ok(())
     } else {
-        Err(Error::ParameterOutOfRange { name: "t1", value: t1, min: t0.max(0.0), max: 1.0 })
+        Err(Error::ParameterOutOfRange { name: ErrorItem::T1, value: t1, min: t0.max(0.0), max: 1.0 })
     }
 }
 

@@ -3,9 +3,16 @@
 use super::planar::{Point2, Vec2};
 use super::quat::Quat;
 use super::vector::{Point3, Vec3};
-use crate::error::{Error, Result};
+use crate::error::{Error, ErrorItem, Result};
 
 /// An origin and three orthonormal axes, right-handed.
+///
+/// ```
+/// use cyclide::{Frame, Point2, Point3, Vec3};
+/// let frame = Frame::from_normal(Point3::new(0.0, 0.0, 5.0), Vec3::Z * 2.0, Vec3::Y)?;
+/// assert_eq!(frame.to_local(Point3::new(0.0, 3.0, 6.0)), (Point2::new(3.0, 0.0), 1.0));
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Frame {
     origin: Point3,
@@ -25,9 +32,9 @@ impl Frame {
     /// `not-finite`, `zero-axis`.
     pub fn from_normal(origin: Point3, normal: Vec3, toward: Vec3) -> Result<Self> {
         if !(origin.is_finite() && normal.is_finite() && toward.is_finite()) {
-            return Err(Error::NotFinite { what: "frame", index: 0 });
+            return Err(Error::NotFinite { what: ErrorItem::Frame, index: 0 });
         }
-        let z = normal.unit().ok_or(Error::ZeroAxis)?;
+        let z = normal.unit().ok_or(Error::zero_axis(ErrorItem::Normal))?;
         let t = toward.unit().unwrap_or(Vec3::ZERO);
         let across = t - z * t.dot(z);
         // Below 1e-9 the direction left over is rounding of `toward`.

@@ -3,6 +3,13 @@
 use super::vector::{Point3, Vec3};
 
 /// A point of a curve with its first three derivatives.
+///
+/// ```
+/// use cyclide::{Circle, ParamCurve, Point3, Vec3};
+/// let jet = Circle::from_radius(Point3::ORIGIN, Vec3::Z, 2.0)?.jet(0.25);
+/// assert!((jet.signed_curvature(Vec3::Z).expect("it moves") - 0.5).abs() < 1e-15);
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct CurveJet {
     /// The point.

@@ -4,6 +4,11 @@ use super::euclidean::length;
 use std::ops::{Add, Mul, Neg, Sub};
 
 /// A vector of the plane.
+///
+/// ```
+/// use cyclide::Vec2;
+/// assert_eq!(Vec2::new(3.0, 4.0).left().dot(Vec2::new(3.0, 4.0)), 0.0);
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Vec2 {
     /// First component.
@@ -13,6 +18,11 @@ pub struct Vec2 {
 }
 
 /// A point of the plane.
+///
+/// ```
+/// use cyclide::Point2;
+/// assert_eq!(Point2::new(0.0, 0.0).distance(Point2::new(3.0, 4.0)), 5.0);
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Point2 {
     /// First coordinate.

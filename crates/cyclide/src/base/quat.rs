@@ -5,6 +5,12 @@ use super::vector::{Point3, Vec3};
 use std::ops::{Add, Mul, Neg, Sub};
 
 /// A quaternion `w + x i + y j + z k`. The product is right-handed (`i j = k`); Im(H) is three-space.
+///
+/// ```
+/// use cyclide::{Quat, Vec3};
+/// let quarter = Quat::from_axis_angle(Vec3::Z, std::f64::consts::FRAC_PI_2);
+/// assert!((quarter.rotate(Vec3::X) - Vec3::Y).length() < 1e-15);
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Quat {
     /// Real part.

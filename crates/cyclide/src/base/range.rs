@@ -3,7 +3,7 @@
 
 use super::bounds::Aabb;
 use super::vector::{Point3, Vec3};
-use crate::error::{Error, Result};
+use crate::error::{Error, ErrorItem, Result};
 
 /// Largest absolute coordinate accepted.
 pub(crate) const MAX_COORDINATE: f64 = 1e150;
@@ -18,9 +18,14 @@ pub(crate) const WEIGHT_RATIO: [f64; 2] = [1e-30, 1e30];
 pub(crate) fn check_point(index: usize, p: Vec3) -> Result<()> {
     let value = p.max_abs();
     if !p.is_finite() {
-        Err(Error::NotFinite { what: "point", index })
+        Err(Error::NotFinite { what: ErrorItem::Point, index })
     } else if value > MAX_COORDINATE {
-        Err(Error::ParameterOutOfRange { name: "coordinate", value, min: -MAX_COORDINATE, max: MAX_COORDINATE })
+        Err(Error::ParameterOutOfRange {
+            name: ErrorItem::Coordinate,
+            value,
+            min: -MAX_COORDINATE,
+            max: MAX_COORDINATE,
+        })
     } else {
         Ok(())
     }
@@ -31,7 +36,12 @@ pub(crate) fn check_distance(value: f64) -> Result<()> {
     if value == 0.0 || (MIN_DISTANCE..=4.0 * MAX_COORDINATE).contains(&value) {
         Ok(())
     } else {
-        Err(Error::ParameterOutOfRange { name: "distance", value, min: MIN_DISTANCE, max: 4.0 * MAX_COORDINATE })
+        Err(Error::ParameterOutOfRange {
+            name: ErrorItem::Distance,
+            value,
+            min: MIN_DISTANCE,
+            max: 4.0 * MAX_COORDINATE,
+        })
     }
 }
 
@@ -42,7 +52,7 @@ pub(crate) fn check_distance(value: f64) -> Result<()> {
 pub(crate) const SMALLEST_IN_PLACE: f64 = 65536.0 * f64::EPSILON;
 
 /// Refuses points that are so close to each other and so far from the origin that their differences are rounding.
-pub(crate) fn check_place(what: &'static str, points: &[Point3]) -> Result<()> {
+pub(crate) fn check_place(what: ErrorItem, points: &[Point3]) -> Result<()> {
     let Some(bounds) = Aabb::of_points(points.iter().copied()) else {
         return Ok(());
     };
@@ -50,7 +60,7 @@ pub(crate) fn check_place(what: &'static str, points: &[Point3]) -> Result<()> {
 }
 
 /// Refuses a size that is not above the given part of the largest coordinate `place`.
-pub(crate) fn check_size_in_place(what: &'static str, size: f64, place: f64, part: f64) -> Result<()> {
+pub(crate) fn check_size_in_place(what: ErrorItem, size: f64, place: f64, part: f64) -> Result<()> {
     let limit = part * place;
     if size > limit { Ok(()) } else { Err(Error::BelowRoundingOfPlace { what, size, place, limit }) }
 }
@@ -61,6 +71,6 @@ pub(crate) fn check_weight_ratio(value: f64) -> Result<()> {
     if (min..=max).contains(&value) {
         Ok(())
     } else {
-        Err(Error::ParameterOutOfRange { name: "length of the weight ratio", value, min, max })
+        Err(Error::ParameterOutOfRange { name: ErrorItem::WeightRatio, value, min, max })
     }
 }

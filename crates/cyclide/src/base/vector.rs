@@ -6,6 +6,12 @@ use super::euclidean::length;
 use std::ops::{Add, AddAssign, Div, Index, Mul, Neg, Sub, SubAssign};
 
 /// A vector (displacement, tangent, normal) of three-space.
+///
+/// ```
+/// use cyclide::Vec3;
+/// assert_eq!(Vec3::X.cross(Vec3::Y), Vec3::Z);
+/// assert_eq!(Vec3::new(0.0, 0.0, 7.0).unit(), Some(Vec3::Z));
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Vec3 {
     /// First component.
@@ -17,6 +23,13 @@ pub struct Vec3 {
 }
 
 /// A point of three-space.
+///
+/// ```
+/// use cyclide::{Point3, Vec3};
+/// let p = Point3::new(1.0, 2.0, 3.0);
+/// assert_eq!((p + Vec3::X) - p, Vec3::X);
+/// assert_eq!(p.midpoint(Point3::ORIGIN), Point3::new(0.5, 1.0, 1.5));
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Point3 {
     /// First coordinate.

@@ -5,6 +5,13 @@ use crate::base::vector::Point3;
 
 /// The homogeneous pair `(n, d)` of the point `n d^-1`; `d = 0` is the point at infinity. Multiplying both on the
 /// right by one quaternion changes nothing.
+///
+/// ```
+/// use cyclide::{HPoint, Point3, Quat};
+/// let p = Point3::new(1.0, 2.0, 3.0);
+/// let weighted = HPoint::weighted(p, Quat::new(2.0, 0.0, 0.0, 1.0));
+/// assert!((weighted.quotient().expect("it is finite").vector() - p.to_vec()).length() < 1e-15);
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct HPoint {
     /// Numerator.

@@ -14,7 +14,7 @@
 use super::hpoint::HPoint;
 use crate::base::quat::Quat;
 use crate::base::vector::{Point3, Vec3};
-use crate::error::{Error, Result};
+use crate::error::{Error, ErrorItem, Result};
 
 /// Largest relative distance from three-space that counts as rounding of the matrix.
 const DEFECT_LIMIT: f64 = 1e-9;
@@ -23,6 +23,14 @@ const DEFECT_LIMIT: f64 = 1e-9;
 const SINGULAR_LIMIT: f64 = 8.0 * f64::EPSILON;
 
 /// A Möbius transformation of three-space and the point at infinity.
+///
+/// ```
+/// use cyclide::{Mobius, Point3};
+/// let inversion = Mobius::inversion(Point3::ORIGIN, 2.0)?;
+/// assert_eq!(inversion.map_point(Point3::new(1.0, 0.0, 0.0)), Some(Point3::new(4.0, 0.0, 0.0)));
+/// assert_eq!(inversion.map_point(Point3::ORIGIN), None); // it goes to infinity
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Mobius {
     source: Point3,
@@ -60,7 +68,7 @@ impl Mobius {
     /// `not-finite`; `not-mobius` if it is singular or does not keep three-space (relative defect above 1e-9).
     pub fn from_matrix(a: Quat, b: Quat, c: Quat, d: Quat) -> Result<Self> {
         if let Some(index) = [a, b, c, d].iter().position(|q| !q.is_finite()) {
-            return Err(Error::NotFinite { what: "matrix entry", index });
+            return Err(Error::NotFinite { what: ErrorItem::MatrixEntry, index });
         }
         let (real, mixed) = (a.dot(d) + c.dot(b), (d.conj() * a - c.conj() * b).vector().length());
         let size = |p: Quat, q: Quat| p.norm() * q.norm();
@@ -91,7 +99,7 @@ impl Mobius {
     /// `not-finite`, `radius-not-positive`.
     pub fn inversion(center: Point3, radius: f64) -> Result<Self> {
         if !center.is_finite() {
-            return Err(Error::NotFinite { what: "center", index: 0 });
+            return Err(Error::NotFinite { what: ErrorItem::Center, index: 0 });
         }
         if !(radius > 0.0 && radius.is_finite()) {
             return Err(Error::RadiusNotPositive { radius });
@@ -107,17 +115,37 @@ impl Mobius {
     /// `not-finite`, `zero-axis` (rotation zero), `scale-not-positive`.
     pub fn similarity(rotation: Quat, scale: f64, shift: Vec3) -> Result<Self> {
         if !(rotation.is_finite() && shift.is_finite()) {
-            return Err(Error::NotFinite { what: "similarity", index: 0 });
+            return Err(Error::NotFinite { what: ErrorItem::Similarity, index: 0 });
         }
         if !(scale > 0.0 && scale.is_finite()) {
             return Err(Error::ScaleNotPositive { factor: scale });
         }
         let norm = rotation.norm();
         if norm == 0.0 {
-            return Err(Error::ZeroAxis);
+            return Err(Error::zero_axis(ErrorItem::Rotation));
         }
         let q = rotation * (1.0 / norm);
         Ok(Self { target: Point3::ORIGIN + shift, a: q * scale, d: q, determinant: scale, ..Self::IDENTITY })
+    }
+
+    /// The rotation about the axis through `origin` along `axis`, which may have any length, right-handed.
+    ///
+    /// # Errors
+    /// `not-finite`, `zero-axis`.
+    pub fn rotation(origin: Point3, axis: Vec3, angle: f64) -> Result<Self> {
+        if !(origin.is_finite() && axis.is_finite() && angle.is_finite()) {
+            return Err(Error::NotFinite { what: ErrorItem::Rotation, index: 0 });
+        }
+        Self::rotation_about_unit(origin, axis.unit().ok_or(Error::zero_axis(ErrorItem::Axis))?, angle)
+    }
+
+    /// As [`rotation`](Self::rotation), about a unit vector, of which no bit changes.
+    ///
+    /// # Errors
+    /// `not-finite`.
+    pub(crate) fn rotation_about_unit(origin: Point3, axis: Vec3, angle: f64) -> Result<Self> {
+        let (turn, center) = (Quat::from_axis_angle(axis, angle), origin.to_vec());
+        Self::similarity(turn, 1.0, center - turn.rotate(center))
     }
 
     /// The translation by a vector.
@@ -134,9 +162,9 @@ impl Mobius {
     /// `not-finite`, `zero-axis`.
     pub fn reflection(origin: Point3, normal: Vec3) -> Result<Self> {
         if !(origin.is_finite() && normal.is_finite()) {
-            return Err(Error::NotFinite { what: "plane", index: 0 });
+            return Err(Error::NotFinite { what: ErrorItem::Plane, index: 0 });
         }
-        let n = Quat::from(normal.unit().ok_or(Error::ZeroAxis)?);
+        let n = Quat::from(normal.unit().ok_or(Error::zero_axis(ErrorItem::Normal))?);
         // (n x)(-n)^-1 = n x n
         Ok(Self { source: origin, target: origin, a: n, d: -n, determinant: -1.0, ..Self::IDENTITY })
     }
@@ -191,6 +219,17 @@ impl Mobius {
         self.c == Quat::ZERO
     }
 
+    /// Refuses a map that is no similarity.
+    ///
+    /// # Errors
+    /// `not-a-similarity`.
+    pub(crate) fn check_similarity(&self) -> Result<()> {
+        if self.is_similarity() {
+            return Ok(());
+        }
+        Err(Error::NotASimilarity { measured: self.c.norm(), limit: 0.0 })
+    }
+
     /// The image of a homogeneous point (linear), infinity included.
     #[must_use]
     pub fn map_pair(&self, p: HPoint) -> HPoint {
@@ -228,6 +267,14 @@ impl Mobius {
 }
 
 /// Objects that Möbius maps take to objects of the same kind.
+///
+/// ```
+/// use cyclide::{Arc, Conformal, Mobius, Point3};
+/// let segment = Arc::segment(Point3::new(1.0, -1.0, 0.0), Point3::new(1.0, 1.0, 0.0))?;
+/// let image = segment.transformed(&Mobius::inversion(Point3::ORIGIN, 1.0)?)?;
+/// assert!((image.radius().expect("a circle") - 0.5).abs() < 1e-15); // lines become circles
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 pub trait Conformal: Sized {
     /// The image under the map.
     ///

@@ -8,6 +8,13 @@ use crate::error::{Error, Result};
 const COPLANAR_LIMIT: f64 = 1e-12;
 
 /// A sphere.
+///
+/// ```
+/// use cyclide::{Point3, Sphere};
+/// let points = [[1.0, 0.0, 0.0], [-1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(Point3::from);
+/// assert!((Sphere::through_points(points)?.radius() - 1.0).abs() < 1e-15);
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Sphere {
     center: Point3,

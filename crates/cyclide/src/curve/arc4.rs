@@ -9,9 +9,16 @@
 use crate::base::quat::Quat;
 use crate::base::range;
 use crate::base::vector::Vec3;
-use crate::error::{Error, Result};
+use crate::error::{Error, ErrorItem, Result};
 
 /// A circular arc or straight segment in four-space, parametrised by a linear fraction over `t` in `[0, 1]`.
+///
+/// ```
+/// use cyclide::{Arc4, Quat};
+/// let arc = Arc4::from_weights(Quat::new(0.0, 1.0, 0.0, 0.0), Quat::new(1.0, 0.0, 0.0, 0.0), Quat::ONE, Quat::new(1.0, 0.5, 0.0, 0.0))?;
+/// assert_eq!(arc.point(0.0), arc.start());
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Arc4 {
     a0: Quat,
@@ -41,7 +48,7 @@ impl Arc4 {
         }
         for (index, w) in [start_weight, end_weight].into_iter().enumerate() {
             if !w.is_finite() {
-                return Err(Error::NotFinite { what: "weight", index });
+                return Err(Error::NotFinite { what: ErrorItem::Weight, index });
             }
             if w.norm() == 0.0 {
                 return Err(Error::ZeroWeight { index });

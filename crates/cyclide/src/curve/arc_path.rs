@@ -17,6 +17,14 @@ use crate::error::{Error, Result};
 ///
 /// Consecutive ends are the *same* doubles, and the last end is the first start when the path is closed: readers
 /// treat any gap as open.
+///
+/// ```
+/// use cyclide::{ArcPath, Point3};
+/// let corner = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [4.0, 4.0, 0.0]].map(Point3::from);
+/// let path = ArcPath::rounded_polyline(&corner, false, &[0.0, 1.0, 0.0])?;
+/// assert!((path.length() - (6.0 + std::f64::consts::FRAC_PI_2)).abs() < 1e-12);
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct ArcPath {
     arcs: Vec<Arc>,

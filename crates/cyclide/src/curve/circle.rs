@@ -11,7 +11,7 @@ use crate::base::jet::CurveJet;
 use crate::base::range;
 use crate::base::vector::{Point3, Vec3};
 use crate::conformal::mobius::Mobius;
-use crate::error::{Error, Result};
+use crate::error::{Error, ErrorItem, Result};
 use crate::rational::NurbsCurve;
 
 /// Smallest sine of the angle at the middle point of three points that have a circle.
@@ -20,6 +20,13 @@ const COLLINEAR_LIMIT: f64 = 1e-12;
 /// A full circle in space with a start point, run right-handed about its normal.
 ///
 /// As a [`ParamCurve`] it is one smooth piece at constant speed, closed.
+///
+/// ```
+/// use cyclide::{Circle, Point3, length};
+/// let circle = Circle::through_points([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0]].map(Point3::from))?;
+/// assert!((length(&circle) - std::f64::consts::TAU).abs() < 1e-14);
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Circle {
     center: Point3,
@@ -39,14 +46,15 @@ impl Circle {
         range::check_point(0, center.to_vec())?;
         range::check_point(1, start.to_vec())?;
         if !normal.is_finite() {
-            return Err(Error::NotFinite { what: "normal", index: 0 });
+            return Err(Error::NotFinite { what: ErrorItem::Normal, index: 0 });
         }
-        let normal = normal.unit().ok_or(Error::ZeroAxis)?;
+        let normal = normal.unit().ok_or(Error::zero_axis(ErrorItem::Normal))?;
         let v = start - center;
         let spoke = across(v, normal);
         let radius = spoke.length();
-        if radius <= 1e-14 * v.length() || radius == 0.0 {
-            return Err(Error::ZeroRadius { radius });
+        let limit = 1e-14 * v.length();
+        if radius <= limit || radius == 0.0 {
+            return Err(Error::ZeroRadius { radius, limit });
         }
         Self::new(center, normal, spoke)
     }
@@ -61,14 +69,14 @@ impl Circle {
     pub fn from_radius(center: Point3, normal: Vec3, radius: f64) -> Result<Self> {
         range::check_point(0, center.to_vec())?;
         if !normal.is_finite() {
-            return Err(Error::NotFinite { what: "normal", index: 0 });
+            return Err(Error::NotFinite { what: ErrorItem::Normal, index: 0 });
         }
         if !(radius > 0.0) {
             return Err(Error::RadiusNotPositive { radius });
         }
-        let normal = normal.unit().ok_or(Error::ZeroAxis)?;
+        let normal = normal.unit().ok_or(Error::zero_axis(ErrorItem::Normal))?;
         let toward = if normal.x.abs() < 1.0 - 1e-9 { Vec3::X } else { Vec3::Y };
-        Self::new(center, normal, across(toward, normal).unit().ok_or(Error::ZeroAxis)? * radius)
+        Self::new(center, normal, across(toward, normal).unit().ok_or(Error::zero_axis(ErrorItem::Normal))? * radius)
     }
 
     /// Centre and radius are kept as they are, whatever the rounding of points: so only a radius below the rounding of the
@@ -76,7 +84,7 @@ impl Circle {
     fn new(center: Point3, normal: Vec3, spoke: Vec3) -> Result<Self> {
         let radius = spoke.length();
         range::check_distance(radius)?;
-        range::check_size_in_place("the radius of the circle", radius, center.to_vec().max_abs(), f64::EPSILON)?;
+        range::check_size_in_place(ErrorItem::RadiusOfCircle, radius, center.to_vec().max_abs(), f64::EPSILON)?;
         Ok(Self { center, normal, spoke })
     }
 
@@ -166,10 +174,8 @@ impl Circle {
     /// `not-a-similarity`; `not-finite`, `below-rounding-of-place` or `parameter-out-of-range` if the image is too large or too
     /// small.
     pub fn similar(&self, map: &Mobius) -> Result<Self> {
-        if !map.is_similarity() {
-            return Err(Error::NotASimilarity);
-        }
-        let lost = Error::NotFinite { what: "point", index: 0 };
+        map.check_similarity()?;
+        let lost = Error::NotFinite { what: ErrorItem::Point, index: 0 };
         let center = map.map_point(self.center).ok_or(lost.clone())?;
         let start = map.map_point(self.start()).ok_or(lost.clone())?;
         // A reflection turns the sense of running: the normal of the pushed vectors, not the pushed normal.

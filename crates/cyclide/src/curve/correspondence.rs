@@ -5,6 +5,14 @@
 
 /// A place on a curve: a smooth piece and its own parameter in `[0, 1]`. On a closed curve the number of the piece may
 /// run on beyond the last one: then it is taken modulo the number of pieces.
+///
+/// ```
+/// use cyclide::{CurvePlace, ParamCurve, Point3, Vec3};
+/// let circle = cyclide::Circle::from_radius(Point3::ORIGIN, Vec3::Z, 1.0)?;
+/// let place = CurvePlace::new(0, 0.25);
+/// assert!(circle.piece_point(place.piece, place.s).distance(circle.point(0.25)) < 1e-15);
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct CurvePlace {
     /// The smooth piece.
@@ -35,6 +43,14 @@ impl CurvePlace {
 }
 
 /// The next smooth pieces of the form, and where the part of the curve ends that they stand for.
+///
+/// ```
+/// use cyclide::{Correspondence, CurvePlace, Span};
+/// // Two pieces of a file stand for the first piece of a curve.
+/// let span = Span { pieces: 2, end: CurvePlace::after(0) };
+/// let parts = Correspondence { start: CurvePlace::new(0, 0.0), spans: vec![span] };
+/// assert_eq!(parts.piece_count(), 2);
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Span {
     /// How many smooth pieces of the form; none where a part of the curve was too small to be kept.
@@ -44,6 +60,11 @@ pub struct Span {
 }
 
 /// The parts of a curve in the order of the form's pieces.
+///
+/// ```
+/// use cyclide::Correspondence;
+/// assert_eq!(Correspondence::one_to_one(3).piece_count(), 3);
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Correspondence {
     /// Where the first part begins: the start of the curve, or of a closed one any place.

@@ -15,6 +15,15 @@ use crate::error::Result;
 /// A parametric curve made of one or more smooth pieces; parameters run over `[0, 1]`.
 ///
 /// Object-safe; the jet, the hull, the number of pieces and the closed flag are required.
+///
+/// ```
+/// use cyclide::{Arc, Circle, ParamCurve, Point3, Vec3, length};
+/// let circle = Circle::from_radius(Point3::ORIGIN, Vec3::Z, 1.0)?;
+/// let segment = Arc::segment(Point3::ORIGIN, Point3::new(3.0, 0.0, 0.0))?;
+/// let curves: [&dyn ParamCurve; 2] = [&circle, &segment];
+/// assert!(curves.iter().all(|curve| curve.point(0.0).distance(curve.jet(0.0).point) == 0.0 && length(*curve) > 2.9));
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 pub trait ParamCurve: std::fmt::Debug + Send + Sync {
     /// Number of smooth pieces, at least 1.
     fn piece_count(&self) -> usize;
@@ -83,7 +92,7 @@ pub trait ParamCurve: std::fmt::Debug + Send + Sync {
     }
 
     /// Point at a global parameter in `[0, 1]`.
-    fn eval(&self, t: f64) -> Point3 {
+    fn point(&self, t: f64) -> Point3 {
         let (piece, s) = self.locate(t);
         self.piece_point(piece, s)
     }
@@ -92,10 +101,10 @@ pub trait ParamCurve: std::fmt::Debug + Send + Sync {
     ///
     /// # Panics
     /// If the slices differ in length.
-    fn eval_into(&self, ts: &[f64], out: &mut [Point3]) {
+    fn points_into(&self, ts: &[f64], out: &mut [Point3]) {
         assert_eq!(ts.len(), out.len(), "one output point per parameter");
         for (t, p) in ts.iter().zip(out) {
-            *p = self.eval(*t);
+            *p = self.point(*t);
         }
     }
 

@@ -5,6 +5,13 @@ use super::circle::Circle;
 
 /// The shape of one smooth piece, with the piece's own parameter: measures are exact for arcs and circles and
 /// numerical for the rest.
+///
+/// ```
+/// use cyclide::{Arc, ParamCurve, PieceForm, Point3};
+/// let segment = Arc::segment(Point3::ORIGIN, Point3::new(3.0, 0.0, 0.0))?;
+/// assert!(matches!(segment.piece_form(0), PieceForm::Arc(_)));
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum PieceForm {
     /// The piece is this arc or straight segment, point for point at equal parameters.

@@ -25,6 +25,15 @@ struct HullPart {
 }
 
 /// Rational parts of one smooth piece, in order, and a proved bound on their distance from it at equal parameters.
+///
+/// ```
+/// use cyclide::{ParamCurve, RationalBezier};
+/// let parabola = RationalBezier::new(vec![[0.0, 0.0, 0.0, 1.0], [1.0, 2.0, 0.0, 1.0], [2.0, 0.0, 0.0, 1.0]])?;
+/// let mut hull = parabola.piece_hull(0, 1e-6)?;
+/// let chord = [parabola.point(0.0), parabola.point(1.0)];
+/// assert!((1.0..1.1).contains(&hull.deviation([0.0, 1.0], chord))); // its height is 1
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct PieceHull {
     parts: Vec<HullPart>,

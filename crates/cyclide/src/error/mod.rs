@@ -3,32 +3,38 @@
 //! Every variant says which item is at fault, what was measured and the limit it broke. [`Error::reason`] gives
 //! the stable kebab-case name that the reference data, the reports and the documentation use.
 
+mod item;
+mod message;
 mod reason;
+pub mod reasons;
 mod words;
 
+pub use item::ErrorItem;
+
 use crate::shape_change::ShapeChange;
-use crate::short_number::ShortNumber;
-use words::{at_least, clockwise, numbered, outside, points_in_words, size_in_place, speed_ratio};
 
 /// Result of a fallible kernel call.
 pub type Result<T, E = Error> = std::result::Result<T, E>;
 
 /// Why a piece of input was refused.
-#[derive(Clone, PartialEq, thiserror::Error)]
+///
+/// ```
+/// use cyclide::{Arc, Error, Point3, Vec3};
+/// let error = Arc::from_start_tangent(Point3::ORIGIN, Point3::new(1.0, 0.0, 0.0), Vec3::ZERO).unwrap_err();
+/// assert_eq!((error.reason(), error.index()), ("zero-tangent", Some(0)));
+/// assert_eq!(error, Error::ZeroTangent { index: 0 });
+/// ```
+#[derive(Clone, PartialEq)]
 #[non_exhaustive]
 pub enum Error {
     /// A number of the input is NaN or infinite.
-    #[error("{what} {index} is not a finite number")]
     NotFinite {
-        /// The kind of item: `point`, `tangent`, `weight`, …
-        what: &'static str,
+        /// The kind of item.
+        what: ErrorItem,
         /// Which one, from 0.
         index: usize,
     },
     /// Two points that must differ are equal (or closer than the stated limit).
-    #[error(
-        "points {first} and {second} coincide (distance {}, at most {} is allowed to be called equal)", ShortNumber(*.distance), ShortNumber(*.limit)
-    )]
     CoincidentPoints {
         /// Index of the first point.
         first: usize,
@@ -40,7 +46,6 @@ pub enum Error {
         limit: f64,
     },
     /// Fewer points than the construction needs.
-    #[error("too few points: {given} given, at least {needed} needed")]
     TooFewPoints {
         /// Number of points given.
         given: usize,
@@ -48,13 +53,11 @@ pub enum Error {
         needed: usize,
     },
     /// A weight quaternion is zero.
-    #[error("weight {index} is zero")]
     ZeroWeight {
         /// Which weight, from 0.
         index: usize,
     },
     /// The weight ratio is a negative real number: the arc would be the outer part of the chord's line.
-    #[error("the arc passes through infinity: its weight ratio has real part {} and vector part {}", ShortNumber(*.real), ShortNumber(*.vector))]
     PoleOnSegment {
         /// Real part of the weight ratio.
         real: f64,
@@ -62,10 +65,6 @@ pub enum Error {
         vector: f64,
     },
     /// An arc that turns by so nearly a full circle that its points would lose their digits.
-    #[error(
-        "the arc turns by a full circle less {} radians, limit {}: its ends nearly coincide; take a circle, or two arcs",
-        ShortNumber(*.rest), ShortNumber(*.limit)
-    )]
     NearlyFullCircle {
         /// What it leaves of a full turn, radians.
         rest: f64,
@@ -73,7 +72,6 @@ pub enum Error {
         limit: f64,
     },
     /// The weight's vector part is not perpendicular to the chord, so the arc would leave three-space.
-    #[error("the weight takes the arc out of three-space: cosine {} between chord and weight, limit {}", ShortNumber(*.cosine), ShortNumber(*.limit))]
     NotInImH {
         /// Cosine of the angle between the chord and the weight's vector part.
         cosine: f64,
@@ -81,23 +79,13 @@ pub enum Error {
         limit: f64,
     },
     /// A tangent or direction vector is zero.
-    #[error("tangent {index} is zero")]
     ZeroTangent {
         /// Which tangent, from 0.
         index: usize,
     },
-    /// The tangent points straight away from the other end: only an infinite line would do.
-    #[error("tangent {index} points away from the chord: the arc would pass through infinity")]
+    /// The tangent points straight away from the other end, where only an infinite line would do, or so nearly that the arc
+    /// runs out far beyond its chord.
     TangentOpposesChord {
-        /// Which tangent (or arc of a chain), from 0.
-        index: usize,
-    },
-    /// The tangent points so nearly away from the other end that the arc runs out far beyond its chord.
-    #[error(
-        "tangent {index} points away from the chord but for {} radians, where {} are needed: the arcs there would run out nearly to infinity",
-        ShortNumber(*.angle), ShortNumber(*.limit)
-    )]
-    TangentNearlyOpposesChord {
         /// Which tangent (or piece of a curve), from 0.
         index: usize,
         /// Its angle with the way back along the chord, radians.
@@ -105,22 +93,19 @@ pub enum Error {
         /// Smallest angle accepted.
         limit: f64,
     },
-    /// The third point lies on the line of the other two, outside the segment; or a point maps to infinity.
-    #[error("a point is at infinity: it lies on the line through the ends outside the segment, or maps there")]
-    PointAtInfinity,
-    /// A curve comes so near the point that goes to infinity that its image would have lost its digits.
-    #[error(
-        "the curve comes within {} of the point that goes to infinity, where its image loses its digits (at least {} is needed there); move that point, the centre of an inversion, away from the curve",
-        ShortNumber(*.distance), ShortNumber(*.limit)
-    )]
-    NearPole {
-        /// Distance of the curve from that point.
+    /// Something goes to infinity, or so near it that its digits are lost: a third point on the line of the other two, outside the
+    /// segment; a point that a map takes there.
+    PointAtInfinity {
+        /// What goes there.
+        what: ErrorItem,
+        /// Which one, from 0.
+        index: usize,
+        /// Its distance from the place that goes to infinity.
         distance: f64,
-        /// Smallest distance accepted.
+        /// Smallest distance accepted (0: only that place itself).
         limit: f64,
     },
     /// No biarc with finite arcs joins the data.
-    #[error("no finite biarc: {measured} is {}, limit {}", ShortNumber(*.value), ShortNumber(*.limit))]
     NoFiniteBiarc {
         /// What was measured.
         measured: &'static str,
@@ -130,7 +115,6 @@ pub enum Error {
         limit: f64,
     },
     /// The points turn back on themselves: there is no tangent to estimate.
-    #[error("cusp at point {index}: the unit chords sum to {}, limit {}; split the points there", ShortNumber(*.measured), ShortNumber(*.limit))]
     Cusp {
         /// The point, from 0.
         index: usize,
@@ -139,53 +123,49 @@ pub enum Error {
         /// Sums up to this are a cusp.
         limit: f64,
     },
-    /// There is not one tangent per point.
-    #[error("{given} tangents given for {needed} points")]
-    TangentCount {
-        /// Number of tangents given.
+    /// There is not one of a list for each point or vertex.
+    CountDiffers {
+        /// What the list holds.
+        what: ErrorItem,
+        /// How many are given.
         given: usize,
-        /// Number of points.
-        needed: usize,
-    },
-    /// There is not one radius per point.
-    #[error("{given} radii given for {needed} points")]
-    RadiusCount {
-        /// Number of radii given.
-        given: usize,
-        /// Number of points.
+        /// Number of points or vertices.
         needed: usize,
     },
     /// What follows arcs and segments was given a curve of another kind.
-    #[error(
-        "the curve is not made of arcs and segments: give the tolerance within which arcs may replace it, or take a curve of arcs ({wanted})"
-    )]
     NotOfArcs {
         /// Kinds of curves that are.
         wanted: &'static str,
     },
-    /// A rotation axis or plane normal is zero (or not usable in the plane asked for).
-    #[error("the axis is zero")]
-    ZeroAxis,
+    /// A rotation axis, plane normal or direction is zero (or not usable in the plane asked for).
+    ZeroAxis {
+        /// What it is.
+        what: ErrorItem,
+        /// Which one, from 0.
+        index: usize,
+        /// Length of what is usable of it.
+        length: f64,
+        /// Lengths up to this are refused.
+        limit: f64,
+    },
     /// A radius is zero relative to the position of its centre.
-    #[error("the radius {} is zero", ShortNumber(*.radius))]
     ZeroRadius {
         /// The radius found.
         radius: f64,
+        /// Radii up to this are refused.
+        limit: f64,
     },
     /// The factor of a similarity is zero, negative or not a number.
-    #[error("the scale factor {} is not positive", ShortNumber(*.factor))]
     ScaleNotPositive {
         /// The factor given.
         factor: f64,
     },
     /// A radius, length or tolerance that must be positive is not.
-    #[error("the radius {} is not positive", ShortNumber(*.radius))]
     RadiusNotPositive {
         /// The value given.
         radius: f64,
     },
     /// A ball that is to roll inside a pipe is as large as the pipe.
-    #[error("a ball of radius {} does not fit into the pipe: its radius must be below {}", ShortNumber(*.radius), ShortNumber(*.limit))]
     BallDoesNotFit {
         /// Radius of the ball.
         radius: f64,
@@ -193,10 +173,6 @@ pub enum Error {
         limit: f64,
     },
     /// A solid with the neck of a ball larger than the bends of its way: its surface would run through itself.
-    #[error(
-        "the neck runs through itself on the side to which the pipe leans and bounds no solid: a ball of radius {} rolls through bends of radius {}; take a smaller ball",
-        ShortNumber(*.radius), ShortNumber(*.limit)
-    )]
     NeckFolds {
         /// Radius of the ball.
         radius: f64,
@@ -204,20 +180,15 @@ pub enum Error {
         limit: f64,
     },
     /// A plate that ends within what is to stand on it.
-    #[error("the plate is too small: it reaches {} from the axis of the pipe, the {what} {}", ShortNumber(*.reach), ShortNumber(*.needed))]
     PlateTooSmall {
-        /// What it must reach beyond: `neck` or `bore`.
-        what: &'static str,
+        /// What it must reach beyond: neck or bore.
+        what: ErrorItem,
         /// How far it reaches.
         reach: f64,
         /// How far it must.
         needed: f64,
     },
     /// Two ellipses cross, between which there is no solid.
-    #[error(
-        "the ellipses cross: the second is wider by {} along x and by {} along y; a solid needs one inside the other",
-        ShortNumber(*.along_x), ShortNumber(*.along_y)
-    )]
     EllipsesCross {
         /// Difference of the semi-axes along x.
         along_x: f64,
@@ -225,7 +196,6 @@ pub enum Error {
         along_y: f64,
     },
     /// Two curves between which pieces are to be matched one by one do not have as many.
-    #[error("the first curve has {first} piece(s), the second {second}: pieces are joined one by one, in their order")]
     PieceCountsDiffer {
         /// Pieces of the first curve.
         first: usize,
@@ -233,10 +203,6 @@ pub enum Error {
         second: usize,
     },
     /// Straight lines between two curves that cross each other, or run along both: the surface has no normal there.
-    #[error(
-        "the straight lines between piece {piece} of both curves cross, or lie in one line: at {} of the piece and {} of the way between them the surface has no normal (of its length {} is left, limit {}); does the second curve run the other way?",
-        ShortNumber(.at[0]), ShortNumber(.at[1]), ShortNumber(*.normal), ShortNumber(*.limit)
-    )]
     RulingsCross {
         /// Which piece, from 0.
         piece: usize,
@@ -248,9 +214,6 @@ pub enum Error {
         limit: f64,
     },
     /// A surface of so high a degree that no program would read it.
-    #[error(
-        "the surface would have the degree {degree}, limit {limit}: take curves of lower degrees (segments have 1, arcs 2, fair splines 4)"
-    )]
     DegreeTooHigh {
         /// The degree needed.
         degree: usize,
@@ -258,7 +221,6 @@ pub enum Error {
         limit: usize,
     },
     /// Three points on a line have no finite circle.
-    #[error("the points lie on a line: sine of their angle {}, limit {}", ShortNumber(*.sine), ShortNumber(*.limit))]
     DegenerateCircle {
         /// Sine of the angle at the middle point.
         sine: f64,
@@ -266,7 +228,6 @@ pub enum Error {
         limit: f64,
     },
     /// Four points in a plane have no finite sphere.
-    #[error("the points lie in a plane: relative volume {}, limit {}", ShortNumber(*.volume), ShortNumber(*.limit))]
     DegenerateSphere {
         /// Volume relative to the product of the three edges.
         volume: f64,
@@ -274,40 +235,32 @@ pub enum Error {
         limit: f64,
     },
     /// The blend order is outside what is supported.
-    #[error("blend order {order} is outside 1 to {max}")]
     OrderOutOfRange {
         /// The order asked for.
         order: u32,
         /// The largest order supported.
         max: u32,
     },
-    /// A circle of a blend is the chord's own line taken through infinity.
-    #[error("segment {segment}: a start tangent opposes the chord, the blend would pass through infinity")]
+    /// A circle of a blend is the chord's own line taken through infinity, or comes so near infinity that its points have lost
+    /// their digits.
     ArcThroughInfinity {
         /// Which segment, from 0.
         segment: usize,
-    },
-    /// A blend comes so near infinity that its points have lost their digits: no file can hold it.
-    #[error(
-        "segment {segment}: the curve runs out to {} times the distance of its two points and loses its digits there (at most {} times is written); make the turn there less sharp, or add a point",
-        ShortNumber(*.reach), ShortNumber(*.limit)
-    )]
-    ArcNearInfinity {
-        /// Which segment, from 0.
-        segment: usize,
-        /// How far the largest circle of the blend runs, in lengths of the chord.
+        /// How far the largest circle of the blend runs, in lengths of the chord; infinite where it is a line.
         reach: f64,
         /// How far it may run.
         limit: f64,
     },
     /// Opposite circles whose common tangent is the chord: no half-turn is preferred.
-    #[error("segment {segment}: opposite circles along the chord, the half-turn between them is ambiguous")]
     AmbiguousHalfTurn {
         /// Which segment, from 0.
         segment: usize,
+        /// Sine of the angle between the tangent and the chord.
+        sine: f64,
+        /// Smallest sine accepted.
+        limit: f64,
     },
     /// A refinement would need more pieces than its cap on work and memory.
-    #[error("{what}{} needs {} pieces, at most {cap} are made: {remedy}", numbered(*.segment), at_least(*.needed))]
     TooManyPieces {
         /// What would grow.
         what: &'static str,
@@ -321,13 +274,9 @@ pub enum Error {
         remedy: &'static str,
     },
     /// Something so small and so far from the origin that the rounding of its coordinates is its shape.
-    #[error(
-        "{what} is {} at coordinates of up to {}, which are rounded: below {} it has no shape of its own; move it to the origin",
-        size_in_place(*.size), ShortNumber(*.place), ShortNumber(*.limit)
-    )]
     BelowRoundingOfPlace {
         /// The kind of thing.
-        what: &'static str,
+        what: ErrorItem,
         /// Its size: the diagonal of the box of its points, or a radius.
         size: f64,
         /// Its largest coordinate.
@@ -336,10 +285,6 @@ pub enum Error {
         limit: f64,
     },
     /// A part of a curve is not proved to be within the tolerance of its chord, however short.
-    #[error(
-        "piece {piece}: the curve is not proved to be within {} of a polyline, only within {}; use a larger tolerance",
-        ShortNumber(*.tolerance), ShortNumber(*.bound)
-    )]
     NotWithinTolerance {
         /// Which smooth piece, from 0.
         piece: usize,
@@ -349,16 +294,11 @@ pub enum Error {
         tolerance: f64,
     },
     /// A tolerance is zero, negative or not a number.
-    #[error("the tolerance {} is not positive", ShortNumber(*.tolerance))]
     ToleranceNotPositive {
         /// The tolerance given.
         tolerance: f64,
     },
     /// A swept angle is outside its range.
-    #[error(
-        "the swept angle {:#} is outside {:#} to {:#} radians",
-        ShortNumber(*.sweep), ShortNumber(*.min), ShortNumber(*.max)
-    )]
     SweepOutOfRange {
         /// The angle given, radians.
         sweep: f64,
@@ -368,10 +308,6 @@ pub enum Error {
         max: f64,
     },
     /// A turn beyond what is asked for: more than a whole one, a whole one in one piece, or none where a body is to be made.
-    #[error(
-        "the angle {:#} is 0 or outside {:#} to {:#} radians; degrees are written {{\"degrees\": 90}}",
-        ShortNumber(*.angle), ShortNumber(*.min), ShortNumber(*.max)
-    )]
     AngleOutOfRange {
         /// The angle given, radians.
         angle: f64,
@@ -381,21 +317,15 @@ pub enum Error {
         max: f64,
     },
     /// A profile meets the axis that it is to turn about, other than with its ends.
-    #[error(
-        "piece {piece} of the profile meets the axis, or lies on another side of it than the pieces before (distance {}): cut it there and turn one half",
-        ShortNumber(*.distance)
-    )]
     CrossesAxis {
         /// Which piece, from 0.
         piece: usize,
         /// Its distance from the axis where that was found.
         distance: f64,
+        /// Distances up to this are refused; a larger one is on another side of the axis.
+        limit: f64,
     },
     /// The meridian of a profile meets itself, and with it what it sweeps.
-    #[error(
-        "the profile meets itself: pieces {first} and {second} at the distance {} from the axis, height {}; a solid needs a profile that goes round once",
-        ShortNumber(*.radius), ShortNumber(*.height)
-    )]
     ProfileMeetsItself {
         /// Which piece, from 0.
         first: usize,
@@ -407,10 +337,6 @@ pub enum Error {
         height: f64,
     },
     /// A profile in a plane across its axis that sweeps a part of the plane twice.
-    #[error(
-        "piece {piece} of the profile turns back at the distance {} from the axis, in a plane across it: what it sweeps is folded; take an axis in the plane of the profile, or a profile with heights along the axis",
-        ShortNumber(*.distance)
-    )]
     FoldedProfile {
         /// Which piece, from 0.
         piece: usize,
@@ -418,7 +344,6 @@ pub enum Error {
         distance: f64,
     },
     /// A loop of vertices is no face.
-    #[error("face {face}: {detail}")]
     NotAFace {
         /// Which face, from 0.
         face: usize,
@@ -426,9 +351,6 @@ pub enum Error {
         detail: &'static str,
     },
     /// An edge of a polyhedron without one face on each side.
-    #[error(
-        "the faces do not close: {forward} of them run from point {first} to point {second} and {back} the other way, where one and one should"
-    )]
     NotClosed {
         /// Start of the edge.
         first: usize,
@@ -440,9 +362,6 @@ pub enum Error {
         back: usize,
     },
     /// A corner of a face of a polyhedron is off its plane.
-    #[error(
-        "face {face} is not planar: point {vertex} is {} off, limit {}", ShortNumber(*.distance), ShortNumber(*.limit)
-    )]
     NonPlanarFace {
         /// Which face, from 0.
         face: usize,
@@ -454,10 +373,6 @@ pub enum Error {
         limit: f64,
     },
     /// A polyhedron with an edge at which its faces turn towards each other.
-    #[error(
-        "not convex: {reflex} of {edges} edges are reflex, most of all that between the points {first} and {second}, by {} radians, limit 0{}",
-        ShortNumber(-*.angle), clockwise(*.reflex, *.edges)
-    )]
     NotConvex {
         /// Start of the edge that is reflex most of all.
         first: usize,
@@ -471,12 +386,6 @@ pub enum Error {
         edges: usize,
     },
     /// Directions that are not the corners of a convex polygon in an open half of the sphere.
-    #[error(
-        "the corners are not in an open half of the sphere, counter-clockwise: {} round the middle by {} radians, {}",
-        .side.map_or("all sides run".to_owned(), |side| format!("side {side} runs")),
-        ShortNumber(*.measured),
-        .side.map_or("not by 2 pi", |_| "not between 0 and pi")
-    )]
     NotInOpenHemisphere {
         /// Which side, from 0; `None` for all together.
         side: Option<usize>,
@@ -484,7 +393,6 @@ pub enum Error {
         measured: f64,
     },
     /// Points that bound no body.
-    #[error("the points are in one plane, within {}, limit {}", ShortNumber(*.thickness), ShortNumber(*.limit))]
     FlatPolyhedron {
         /// How far they are from it.
         thickness: f64,
@@ -492,10 +400,6 @@ pub enum Error {
         limit: f64,
     },
     /// The legs of a corner are too short for its arc beside those of the neighbours, or turn back on each other.
-    #[error(
-        "the bend at point {corner} does not fit: with the radius {} and that of its neighbour the arcs take {} of a leg of length {}; take smaller radii or move the points apart",
-        ShortNumber(*.radius), at_least(*.needed), ShortNumber(*.length)
-    )]
     BendDoesNotFit {
         /// Index of the point.
         corner: usize,
@@ -507,10 +411,6 @@ pub enum Error {
         length: f64,
     },
     /// A pipe is as wide as an arc that it follows.
-    #[error(
-        "the pipe's radius {} is not below that of piece {piece} of its curve, {}: the inner side would fold; take a thinner pipe or wider bends",
-        ShortNumber(*.radius), ShortNumber(*.limit)
-    )]
     PipeTooWide {
         /// Which arc of the path, from 0.
         piece: usize,
@@ -520,10 +420,6 @@ pub enum Error {
         limit: f64,
     },
     /// A corner of a pipe that no mitre joins: it is next to an arc, or turns back.
-    #[error(
-        "the pipe's curve has a corner of {} rad before piece {joint}: only corners between segments are mitred, up to {} rad, and joints are smooth up to {} rad; round it (polyline with radius), or take a smooth curve",
-        ShortNumber(*.turn), ShortNumber(*.limit), ShortNumber(*.smooth)
-    )]
     CornerNotMitred {
         /// Which piece begins there, from 0.
         joint: usize,
@@ -535,10 +431,6 @@ pub enum Error {
         limit: f64,
     },
     /// A segment of a pipe is shorter than its mitres need.
-    #[error(
-        "segment {piece} of the pipe's curve has the length {}, its mitres need more than {}; take a thinner pipe or round the corners",
-        ShortNumber(*.length), ShortNumber(*.needed)
-    )]
     MitreDoesNotFit {
         /// Which segment, from 0.
         piece: usize,
@@ -548,10 +440,6 @@ pub enum Error {
         length: f64,
     },
     /// Parts of a pipe that are no neighbours run into each other.
-    #[error(
-        "the pipe meets itself: pieces {first} and {second} of its curve come as near as {}, twice the radius is {}; take a thinner pipe or move the curve apart",
-        ShortNumber(*.distance), ShortNumber(*.limit)
-    )]
     PipeMeetsItself {
         /// Which piece, from 0.
         first: usize,
@@ -563,13 +451,9 @@ pub enum Error {
         limit: f64,
     },
     /// A parameter is outside its interval.
-    #[error(
-        "{name} = {:#} is {}",
-        ShortNumber(*.value), outside(*.min, *.max)
-    )]
     ParameterOutOfRange {
-        /// Name of the parameter.
-        name: &'static str,
+        /// Which parameter.
+        name: ErrorItem,
         /// Its value.
         value: f64,
         /// Smallest value accepted.
@@ -578,7 +462,6 @@ pub enum Error {
         max: f64,
     },
     /// No tangent-continuous arc spline stays within the tolerance of the polyline near this vertex.
-    #[error("no G1 arc spline within {} of the polyline near vertex {vertex}", ShortNumber(*.tolerance))]
     NoG1SplineInTube {
         /// Vertex of the input where the search died.
         vertex: usize,
@@ -586,10 +469,6 @@ pub enum Error {
         tolerance: f64,
     },
     /// No curve of the kind was found within the tolerance of these points.
-    #[error(
-        "tolerance {} not reached: {} stay outside, up to {} away; a larger tolerance, or corners where the data turn sharply",
-        ShortNumber(*.tolerance), points_in_words(.points), ShortNumber(*.deviation)
-    )]
     ToleranceNotReached {
         /// The points outside, in the user's numbering.
         points: Vec<usize>,
@@ -598,18 +477,7 @@ pub enum Error {
         /// The tolerance.
         tolerance: f64,
     },
-    /// Data that must lie in one plane do not.
-    #[error("the points are not in one plane: point {index} is {} off, limit {}", ShortNumber(*.distance), ShortNumber(*.limit))]
-    NotPlanar {
-        /// The point farthest from the plane.
-        index: usize,
-        /// Its distance from the plane.
-        distance: f64,
-        /// Largest distance accepted.
-        limit: f64,
-    },
     /// Consecutive pieces of a path do not meet.
-    #[error("pieces {piece} and {next} do not meet: gap {}, limit {}", ShortNumber(*.gap), ShortNumber(*.limit))]
     Disconnected {
         /// The piece that ends.
         piece: usize,
@@ -621,7 +489,6 @@ pub enum Error {
         limit: f64,
     },
     /// A matrix of quaternions does not map three-space to itself.
-    #[error("the Möbius matrix does not preserve three-space: defect {}, limit {}", ShortNumber(*.defect), ShortNumber(*.limit))]
     NotMobius {
         /// Relative defect measured.
         defect: f64,
@@ -629,32 +496,32 @@ pub enum Error {
         limit: f64,
     },
     /// A Möbius map that is not a similarity was given where only similarities keep the kind of curve.
-    #[error("the map is not a similarity")]
-    NotASimilarity,
+    NotASimilarity {
+        /// Length of the entry `c` of its matrix.
+        measured: f64,
+        /// Largest one accepted.
+        limit: f64,
+    },
     /// The knots, weights and points of a spline do not fit together.
-    #[error("not a spline: {detail}")]
     NotASpline {
         /// What does not fit.
         detail: &'static str,
     },
     /// A rational weight that must be positive is not.
-    #[error("weight {index} is {}: rational weights must be positive here", ShortNumber(*.weight))]
     WeightNotPositive {
         /// Which weight, from 0.
         index: usize,
         /// Its value.
         weight: f64,
     },
-    /// A frame that must be orthonormal is not.
-    #[error("the frame is not orthonormal: lengths or cosine off by {}, limit {}", ShortNumber(*.measured), ShortNumber(*.limit))]
+    /// The directions of a frame, which may have any length but zero, are not perpendicular.
     FrameNotOrthonormal {
-        /// Largest deviation of a length from 1 or of the cosine from 0.
+        /// Cosine of the angle between them; 1 where one of them is zero.
         measured: f64,
-        /// Largest deviation accepted.
+        /// Largest cosine accepted.
         limit: f64,
     },
     /// The four corners of a quad are not on one circle (or line).
-    #[error("the corners are not on one circle: off by {} of the size, limit {}", ShortNumber(*.measured), ShortNumber(*.limit))]
     NotConcircular {
         /// Distance of the last corner from the circle of the others, relative to the quad's size.
         measured: f64,
@@ -662,16 +529,11 @@ pub enum Error {
         limit: f64,
     },
     /// The corners of a quad are on a circle but not in the order a0, a1, a3, a2.
-    #[error(
-        "the sides cross: the corner opposite to the first is outside the arc between its neighbours (position {}, should be 0 to 1)",
-        ShortNumber(*.position)
-    )]
     CrossingQuad {
         /// Position of the opposite corner on the inverted arc between its neighbours.
         position: f64,
     },
     /// The weights do not put the surface into three-space.
-    #[error("the weights leave three-space: defect {} of the size, limit {}", ShortNumber(*.defect), ShortNumber(*.limit))]
     NotInSpace {
         /// Largest real part of the quotient, relative to the size.
         defect: f64,
@@ -679,7 +541,6 @@ pub enum Error {
         limit: f64,
     },
     /// The patch contains the point at infinity.
-    #[error("the patch passes through infinity near s = {}, t = {}", ShortNumber(*.s), ShortNumber(*.t))]
     PatchThroughInfinity {
         /// First parameter.
         s: f64,
@@ -687,12 +548,9 @@ pub enum Error {
         t: f64,
     },
     /// The frame does not come back when it is carried once round a closed net.
-    #[error(
-        "the net does not close along {direction}: after one turn the frame is off by {} radians{}, limit {}", ShortNumber(*.angle), speed_ratio(*.stretch, *.limit), ShortNumber(*.limit)
-    )]
     NetDoesNotClose {
-        /// The closed direction: `s` or `t`.
-        direction: &'static str,
+        /// The closed direction: 0 for s, 1 for t.
+        direction: usize,
         /// Angle of the rotation from the frame that left to the frame that came back, radians.
         angle: f64,
         /// Ratio of the parameter speeds on both sides of the seam, minus 1.
@@ -701,10 +559,8 @@ pub enum Error {
         limit: f64,
     },
     /// No frame fits the directions of the edges of a net better than all others.
-    #[error("the edges of the net determine no frame: give one at the first vertex")]
     AmbiguousFrame,
     /// A construction needs four real sides and met one that is a single point.
-    #[error("the side {side} of the net is one point: {cannot}")]
     CollapsedSide {
         /// The side: `s = 0`, `s = 1`, `t = 0` or `t = 1`.
         side: &'static str,
@@ -712,38 +568,25 @@ pub enum Error {
         cannot: &'static str,
     },
     /// An offset that is no surface.
-    #[error(
-        "the offset at distance {} lies on the focal set: all centres of curvature of one family of lines are at that distance, and the surface shrinks to a curve or a point",
-        ShortNumber(*.distance)
-    )]
     OffsetOnFocalSet {
         /// Signed distance of the offset.
         distance: f64,
     },
     /// A solid between a surface and its offset would run through itself.
-    #[error(
-        "a solid between the surface and its offset at distance {} would run through itself: a centre of curvature lies between them, or on one of them (`report` gives the radii)",
-        ShortNumber(*.distance)
-    )]
     OffsetNotRegular {
         /// Signed distance of the offset.
         distance: f64,
     },
     /// Vertices, edges and faces do not make a shell.
-    #[error("not a shell: {item} {index}: {detail}")]
     NotAShell {
-        /// The kind of item: `vertex`, `edge`, `face`.
-        item: &'static str,
+        /// The kind of item: vertex, edge or face.
+        item: ErrorItem,
         /// Which one, from 0.
         index: usize,
         /// What is wrong with it.
         detail: &'static str,
     },
     /// An edge that other programs would take for a point.
-    #[error(
-        "edge {edge} of the faces for a file is {} long, shorter than {}: the surface is too close to a singular one; move its points or its radii apart, or leave out the part that is so thin",
-        ShortNumber(*.length), ShortNumber(*.limit)
-    )]
     ShortEdge {
         /// Which edge, from 0, after faces were cut.
         edge: usize,
@@ -753,7 +596,6 @@ pub enum Error {
         limit: f64,
     },
     /// One quad of a net failed; the cause says why.
-    #[error("quad {quad}: {cause}")]
     InQuad {
         /// Which quad, from 0, s fastest.
         quad: usize,
@@ -761,7 +603,6 @@ pub enum Error {
         cause: Box<Error>,
     },
     /// Two neighbouring vertices of a side came to the same point of the curve it shall slide on.
-    #[error("vertices {first} and {second} fall together on the curve of their side: let it run along the whole side")]
     CollapsedOnCurve {
         /// The first vertex, s fastest.
         first: usize,
@@ -769,7 +610,6 @@ pub enum Error {
         second: usize,
     },
     /// The quads of a grid cannot be made circular.
-    #[error("not circular after {step} steps: the largest residual is {}, limit {}", ShortNumber(*.residual), ShortNumber(*.limit))]
     NotConverged {
         /// Steps made.
         step: usize,
@@ -779,13 +619,11 @@ pub enum Error {
         limit: f64,
     },
     /// A grid made circular is no longer the surface that was given.
-    #[error("the shape is lost: {}", .change.lost())]
     ShapeLost {
         /// What was measured.
         change: Box<ShapeChange>,
     },
     /// Two curves on which the sides of a grid slide do not meet at the corner between them.
-    #[error("the curves of the two sides at vertex {vertex} do not meet near it: {} apart, limit {}", ShortNumber(*.distance), ShortNumber(*.limit))]
     BorderCurvesApart {
         /// The corner of the grid, s fastest.
         vertex: usize,
@@ -795,7 +633,6 @@ pub enum Error {
         limit: f64,
     },
     /// The corners of a triangle lie on one line, or nearly.
-    #[error("the corners of the triangle lie on one line: twice its area is {} of its longest edge squared, limit {}", ShortNumber(*.area), ShortNumber(*.limit))]
     DegenerateTriangle {
         /// Twice the area, relative to the square of the longest edge.
         area: f64,
@@ -803,7 +640,6 @@ pub enum Error {
         limit: f64,
     },
     /// No sphere is told by a control point on the circle through the corners of its triangle.
-    #[error("control point {corner} lies on the circle through the corners: it is {} off it, relative to its distance, limit {}", ShortNumber(*.distance), ShortNumber(*.limit))]
     ControlPointOnCircumcircle {
         /// The corner whose sphere it is, from 0.
         corner: usize,
@@ -813,7 +649,6 @@ pub enum Error {
         limit: f64,
     },
     /// Spheres that cancel each other where they are blended.
-    #[error("the spheres of the corners oppose each other near lambda = {}, {}: their blend has the length {}, limit {}", ShortNumber(.at[0]), ShortNumber(.at[1]), ShortNumber(*.length), ShortNumber(*.limit))]
     OppositeSpheres {
         /// The first two barycentric coordinates of the place.
         at: [f64; 2],
@@ -823,7 +658,6 @@ pub enum Error {
         limit: f64,
     },
     /// A normal along the edge that shall be perpendicular to it.
-    #[error("the normal at corner {corner} runs along an edge or a line across its triangle: {} of that line is across the normal, limit {}", ShortNumber(*.across), ShortNumber(*.limit))]
     NormalAlongEdge {
         /// The corner of the triangle, from 0.
         corner: usize,
@@ -833,7 +667,6 @@ pub enum Error {
         limit: f64,
     },
     /// The normals at the ends of an edge cancel each other between them.
-    #[error("the normals at the ends of the side opposite to corner {corner} oppose each other: between them {} is left, limit {}", ShortNumber(*.length), ShortNumber(*.limit))]
     OppositeNormals {
         /// The corner of the triangle, from 0.
         corner: usize,
@@ -843,7 +676,6 @@ pub enum Error {
         limit: f64,
     },
     /// The faces around a vertex lie back to back.
-    #[error("vertex {vertex} has no normal: those of its faces cancel to the length {}, limit {}", ShortNumber(*.length), ShortNumber(*.limit))]
     UndefinedNormal {
         /// Which vertex, from 0.
         vertex: usize,
@@ -852,19 +684,9 @@ pub enum Error {
         /// Values up to this are refused.
         limit: f64,
     },
-    /// Not as many normals as vertices.
-    #[error("{given} normals given, one for each of {needed} vertices needed")]
-    NormalCount {
-        /// Number of normals given.
-        given: usize,
-        /// Number of vertices.
-        needed: usize,
-    },
     /// A mesh without a triangle.
-    #[error("the mesh has no triangles")]
     NoTriangles,
     /// A triangle names a vertex that does not exist.
-    #[error("triangle {triangle} names vertex {vertex}, but there are {count} vertices, counted from 0")]
     NoSuchVertex {
         /// Which triangle, from 0.
         triangle: usize,
@@ -874,7 +696,6 @@ pub enum Error {
         count: usize,
     },
     /// More than two triangles share an edge.
-    #[error("{count} triangles, among them triangle {triangle}, share the edge from vertex {} to vertex {}, at most 2 can", .vertices[0], .vertices[1])]
     NonManifoldEdge {
         /// Ends of the edge, the lower index first.
         vertices: [usize; 2],
@@ -884,7 +705,6 @@ pub enum Error {
         count: usize,
     },
     /// Two neighbouring triangles are seen from different sides.
-    #[error("triangles {} and {} both run from vertex {} to vertex {}: one of them must be turned over", .triangles[0], .triangles[1], .vertices[0], .vertices[1])]
     InconsistentOrientation {
         /// Start and end of the edge.
         vertices: [usize; 2],
@@ -892,7 +712,6 @@ pub enum Error {
         triangles: [usize; 2],
     },
     /// One triangle of a mesh failed; the cause says why.
-    #[error("triangle {triangle}: {cause}")]
     InTriangle {
         /// Which triangle, from 0.
         triangle: usize,
@@ -900,13 +719,35 @@ pub enum Error {
         cause: Box<Error>,
     },
     /// One span of a chain failed; the cause says why.
-    #[error("span {span}: {cause}")]
     InSpan {
         /// Which span, from 0.
         span: usize,
         /// What went wrong in it.
         cause: Box<Error>,
     },
+}
+
+impl std::error::Error for Error {
+    fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
+        match self {
+            Self::InQuad { cause, .. } | Self::InTriangle { cause, .. } | Self::InSpan { cause, .. } => {
+                Some(cause.as_ref())
+            }
+            _ => None,
+        }
+    }
+}
+
+impl Error {
+    /// The fault of the only axis or normal there is, which has no length at all.
+    pub(crate) const fn zero_axis(what: ErrorItem) -> Self {
+        Self::ZeroAxis { what, index: 0, length: 0.0, limit: 0.0 }
+    }
+
+    /// The fault of something that goes to infinity itself.
+    pub(crate) const fn at_infinity(what: ErrorItem, index: usize) -> Self {
+        Self::PointAtInfinity { what, index, distance: 0.0, limit: 0.0 }
+    }
 }
 
 /// Refuses a tolerance that is not a positive number.
@@ -917,12 +758,5 @@ pub(crate) fn check_tolerance(tolerance: f64) -> Result<()> {
     if tolerance.is_nan() || tolerance <= 0.0 {
         return Err(Error::ToleranceNotPositive { tolerance });
     }
-    if tolerance.is_finite() { Ok(()) } else { Err(Error::NotFinite { what: "tolerance", index: 0 }) }
-}
-
-/// The sentence and the reason: what a program prints whose `main` returns the error.
-impl std::fmt::Debug for Error {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(f, "{self} [{}]", self.reason())
-    }
+    if tolerance.is_finite() { Ok(()) } else { Err(Error::NotFinite { what: ErrorItem::Tolerance, index: 0 }) }
 }

@@ -20,14 +20,13 @@ impl Error {
             Self::NearlyFullCircle { .. } => "nearly-full-circle",
             Self::NotInImH { .. } => "not-in-im-h",
             Self::ZeroTangent { .. } => "zero-tangent",
-            Self::TangentOpposesChord { .. } | Self::TangentNearlyOpposesChord { .. } => "tangent-opposes-chord",
-            Self::PointAtInfinity | Self::NearPole { .. } => "point-at-infinity",
+            Self::TangentOpposesChord { .. } => "tangent-opposes-chord",
+            Self::PointAtInfinity { .. } => "point-at-infinity",
             Self::NoFiniteBiarc { .. } => "no-finite-biarc",
             Self::Cusp { .. } => "cusp",
-            Self::TangentCount { .. } => "tangent-count",
-            Self::RadiusCount { .. } => "radius-count",
+            Self::CountDiffers { .. } => "count-differs",
             Self::NotOfArcs { .. } => "not-of-arcs",
-            Self::ZeroAxis => "zero-axis",
+            Self::ZeroAxis { .. } => "zero-axis",
             Self::ZeroRadius { .. } => "zero-radius",
             Self::ScaleNotPositive { .. } => "scale-not-positive",
             Self::RadiusNotPositive { .. } => "radius-not-positive",
@@ -41,7 +40,7 @@ impl Error {
             Self::DegenerateCircle { .. } => "degenerate-circle",
             Self::DegenerateSphere { .. } => "degenerate-sphere",
             Self::OrderOutOfRange { .. } => "order-out-of-range",
-            Self::ArcThroughInfinity { .. } | Self::ArcNearInfinity { .. } => "arc-through-infinity",
+            Self::ArcThroughInfinity { .. } => "arc-through-infinity",
             Self::AmbiguousHalfTurn { .. } => "ambiguous-half-turn",
             Self::TooManyPieces { .. } => "too-many-pieces",
             Self::NotWithinTolerance { .. } => "not-within-tolerance",
@@ -66,10 +65,9 @@ impl Error {
             Self::ParameterOutOfRange { .. } => "parameter-out-of-range",
             Self::NoG1SplineInTube { .. } => "no-g1-spline-in-tube",
             Self::ToleranceNotReached { .. } => "tolerance-not-reached",
-            Self::NotPlanar { .. } => "not-planar",
             Self::Disconnected { .. } => "disconnected",
             Self::NotMobius { .. } => "not-mobius",
-            Self::NotASimilarity => "not-a-similarity",
+            Self::NotASimilarity { .. } => "not-a-similarity",
             Self::NotASpline { .. } => "not-a-spline",
             Self::WeightNotPositive { .. } => "weight-not-positive",
             Self::FrameNotOrthonormal { .. } => "frame-not-orthonormal",
@@ -90,7 +88,6 @@ impl Error {
             Self::NormalAlongEdge { .. } => "normal-along-edge",
             Self::OppositeNormals { .. } => "opposite-normals",
             Self::UndefinedNormal { .. } => "undefined-normal",
-            Self::NormalCount { .. } => "normal-count",
             Self::NoTriangles => "no-triangles",
             Self::NoSuchVertex { .. } => "no-such-vertex",
             Self::NonManifoldEdge { .. } => "non-manifold-edge",
@@ -110,15 +107,13 @@ impl Error {
             Self::NotFinite { index, .. }
             | Self::ZeroWeight { index }
             | Self::ZeroTangent { index }
-            | Self::TangentOpposesChord { index }
-            | Self::TangentNearlyOpposesChord { index, .. }
+            | Self::TangentOpposesChord { index, .. }
+            | Self::PointAtInfinity { index, .. }
+            | Self::ZeroAxis { index, .. }
             | Self::Cusp { index, .. }
-            | Self::WeightNotPositive { index, .. }
-            | Self::NotPlanar { index, .. } => Some(index),
+            | Self::WeightNotPositive { index, .. } => Some(index),
             Self::CoincidentPoints { second, .. } => Some(second),
-            Self::ArcThroughInfinity { segment }
-            | Self::ArcNearInfinity { segment, .. }
-            | Self::AmbiguousHalfTurn { segment } => Some(segment),
+            Self::ArcThroughInfinity { segment, .. } | Self::AmbiguousHalfTurn { segment, .. } => Some(segment),
             Self::TooManyPieces { segment, .. } => segment,
             Self::NoG1SplineInTube { vertex, .. } => Some(vertex),
             Self::Disconnected { piece, .. }

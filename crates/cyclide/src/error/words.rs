@@ -1,5 +1,6 @@
 //! Phrases of messages that depend on what was measured.
 
+use super::ErrorItem;
 use crate::short_number::ShortNumber;
 
 /// In words, that a value is outside its interval.
@@ -45,4 +46,60 @@ pub(super) fn speed_ratio(stretch: f64, limit: f64) -> String {
     }
     let sign = if stretch < 0.0 { '-' } else { '+' };
     format!(" and the speed of the lines across by the factor 1 {sign} {}", ShortNumber(stretch.abs()))
+}
+
+/// What it means that a tangent points away from the chord: straight away, where the angle is rounding, or nearly so.
+pub(super) fn opposed(index: usize, angle: f64, limit: f64) -> String {
+    let away = format!("tangent {index} points away from the chord");
+    if limit <= ROUNDING_OF_ANGLES {
+        return format!("{away}: the arc would pass through infinity");
+    }
+    let (angle, limit) = (ShortNumber(angle), ShortNumber(limit));
+    format!("{away} but for {angle} radians, where {limit} are needed: the arcs there would run out nearly to infinity")
+}
+
+/// Limits up to here are the rounding of an angle, about which nothing else can be said.
+const ROUNDING_OF_ANGLES: f64 = 64.0 * f64::EPSILON;
+
+/// What goes to infinity, or near it.
+pub(super) fn at_infinity(what: ErrorItem, distance: f64, limit: f64) -> String {
+    if limit <= 0.0 {
+        return "a point is at infinity: it lies on the line through the ends outside the segment, or maps there"
+            .to_owned();
+    }
+    let (distance, limit) = (ShortNumber(distance), ShortNumber(limit));
+    format!(
+        "the {what} comes within {distance} of the point that goes to infinity, where its image loses its digits (at least {limit} \
+         is needed there); move that point, the centre of an inversion, away from the {what}"
+    )
+}
+
+/// How a blend runs out to infinity, or nearly so.
+pub(super) fn through_infinity(segment: usize, reach: f64, limit: f64) -> String {
+    if !reach.is_finite() {
+        return format!("segment {segment}: a start tangent opposes the chord, the blend would pass through infinity");
+    }
+    let (reach, limit) = (ShortNumber(reach), ShortNumber(limit));
+    format!(
+        "segment {segment}: the curve runs out to {reach} times the distance of its two points and loses its digits there (at most \
+         {limit} times is written); make the turn there less sharp, or add a point"
+    )
+}
+
+/// Two counts that should be one.
+pub(super) fn count_differs(what: ErrorItem, given: usize, needed: usize) -> String {
+    match what {
+        ErrorItem::Radius => format!("{given} radii given for {needed} points"),
+        ErrorItem::Normal => format!("{given} normals given, one for each of {needed} vertices needed"),
+        _ => format!("{given} {what}s given for {needed} points"),
+    }
+}
+
+/// An axis or normal of which nothing is left.
+pub(super) fn zero_axis(what: ErrorItem, length: f64, limit: f64) -> String {
+    if limit <= 0.0 {
+        return format!("the {what} is zero");
+    }
+    let (length, limit) = (ShortNumber(length), ShortNumber(limit));
+    format!("the {what} runs along the chord: {length} of it is across, limit {limit}")
 }

@@ -7,6 +7,14 @@ use crate::surface::ParamSurface as _;
 use crate::topology::{Body, EdgeCurve, Shell, ShellFace, Side};
 
 /// Which parameter lines a polyline follows.
+///
+/// ```
+/// use cyclide::{DupinCyclide, LineKind, parameter_lines};
+/// let torus = DupinCyclide::new(3.0, 0.0, 1.0)?.to_bodies([4, 4])?;
+/// let lines = parameter_lines(&torus[0], 2, 0.01)?;
+/// assert!(lines.iter().any(|line| line.kind == LineKind::Edge) && lines.iter().any(|line| line.kind == LineKind::Inner));
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum LineKind {
     /// The common edge of patches, or a side without neighbour.
@@ -16,6 +24,14 @@ pub enum LineKind {
 }
 
 /// A parameter line of a body as a polyline.
+///
+/// ```
+/// use cyclide::{DupinCyclide, parameter_lines};
+/// let torus = DupinCyclide::new(3.0, 0.0, 1.0)?.to_bodies([4, 4])?;
+/// let lines = parameter_lines(&torus[0], 0, 0.01)?;
+/// assert!(lines.iter().all(|line| line.points.len() == line.normals.len() && line.shell == 0));
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct ParameterLine {
     /// Edge or inner line.

@@ -4,6 +4,15 @@ use crate::base::vector::{Point3, Vec3};
 
 /// A corner of a polygon: indices of its position and of its normal. Positions are shared by all polygons around a
 /// vertex (watertight); normals differ where the surface has an edge.
+///
+/// ```
+/// use cyclide::{DupinCyclide, tessellate};
+/// let torus = DupinCyclide::new(3.0, 0.0, 1.0)?.to_bodies([4, 4])?;
+/// let mesh = tessellate(&torus[0], 0.05)?;
+/// let corner = mesh.faces[0].corners()[0];
+/// assert!((mesh.normals[corner.normal].length() - 1.0).abs() < 1e-12 && mesh.positions[corner.position].is_finite());
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct MeshCorner {
     /// Index into the positions.
@@ -13,6 +22,14 @@ pub struct MeshCorner {
 }
 
 /// A planar quad or a triangle (at the pole of a patch, and on rational faces), counter-clockwise seen from the outer side.
+///
+/// ```
+/// use cyclide::{DupinCyclide, MeshFace, tessellate};
+/// let torus = DupinCyclide::new(3.0, 0.0, 1.0)?.to_bodies([4, 4])?;
+/// let mesh = tessellate(&torus[0], 0.05)?;
+/// assert!(mesh.faces.iter().any(|face| matches!(face, MeshFace::Quad(_))));
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum MeshFace {
     /// Three corners.
@@ -40,6 +57,16 @@ impl MeshFace {
 }
 
 /// The part of a body that a polygon of its mesh stands for.
+///
+/// ```
+/// use cyclide::{DupinCyclide, ParamSurface, tessellate};
+/// let torus = DupinCyclide::new(3.0, 0.0, 1.0)?.to_bodies([4, 4])?;
+/// let mesh = tessellate(&torus[0], 0.05)?;
+/// let (source, corner) = (mesh.sources[0], mesh.faces[0].corners()[0]);
+/// let surface = &torus[0].outer.faces()[source.face].surface;
+/// assert!(surface.point(source.s[0], source.t[0]).distance(mesh.positions[corner.position]) < 1e-12);
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MeshSource {
     /// Index of the shell, the outer one first.
@@ -53,6 +80,14 @@ pub struct MeshSource {
 }
 
 /// A mesh of one body with the certified distance to it.
+///
+/// ```
+/// use cyclide::{DupinCyclide, tessellate};
+/// let torus = DupinCyclide::new(3.0, 0.0, 1.0)?.to_bodies([4, 4])?;
+/// let mesh = tessellate(&torus[0], 0.01)?;
+/// assert!(mesh.bound <= 0.01 && (mesh.volume() - torus[0].outer.volume()).abs() < 0.01 * mesh.area());
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct SurfaceMesh {
     /// Positions of the vertices.

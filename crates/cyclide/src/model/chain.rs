@@ -10,6 +10,13 @@ use crate::error::{Error, Result};
 use crate::rational::NurbsCurve;
 
 /// One piece of a chain.
+///
+/// ```
+/// use cyclide::{Arc, ChainPiece, Point3};
+/// let piece = ChainPiece::Arc(Arc::segment(Point3::ORIGIN, Point3::new(1.0, 0.0, 0.0))?);
+/// assert_eq!(piece.reversed().start(), piece.end());
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub enum ChainPiece {
     /// A circular arc or straight segment.
@@ -52,8 +59,10 @@ impl ChainPiece {
     /// `not-a-similarity`, or as [`Arc::transformed`](crate::Conformal::transformed) and [`NurbsCurve::similar`].
     pub fn similar(&self, map: &Mobius) -> Result<Self> {
         match self {
-            Self::Arc(_) if !map.is_similarity() => Err(Error::NotASimilarity),
-            Self::Arc(a) => Ok(Self::Arc(a.transformed(map)?)),
+            Self::Arc(a) => {
+                map.check_similarity()?;
+                Ok(Self::Arc(a.transformed(map)?))
+            }
             Self::Spline(c) => Ok(Self::Spline(c.similar(map)?)),
         }
     }
@@ -81,6 +90,14 @@ impl ChainPiece {
 
 /// A connected curve of arcs and rational splines, the form that exchange files carry. As a [`ParamCurve`] it has
 /// one piece per arc and per knot span.
+///
+/// ```
+/// use cyclide::{CircleSpline, FairSplineOptions, Lower, Point3};
+/// let points = [[0.0, 0.0, 0.0], [2.0, 1.0, 0.0], [3.0, 3.0, 1.0], [1.0, 4.0, 1.0]].map(Point3::from);
+/// let (chain, _) = CircleSpline::fair(&points, &FairSplineOptions::default())?.to_chain(1e-6)?;
+/// assert!(chain.weight_range().0 > 0.0 && !chain.pieces().is_empty());
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct CurveChain {
     pieces: Vec<ChainPiece>,

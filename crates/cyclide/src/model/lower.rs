@@ -5,6 +5,14 @@ use crate::curve::{Arc, ArcPath, Circle, Correspondence, CurvePlace, ParamCurve,
 use crate::error::Result;
 
 /// How a carrier relates to the object it stands for.
+///
+/// ```
+/// use cyclide::{Circle, Exactness, Lower, Point3, Vec3};
+/// let circle = Circle::from_radius(Point3::ORIGIN, Vec3::Z, 1.0)?;
+/// assert_eq!(circle.to_chain(1e-6)?.1, Exactness::Exact);
+/// assert_eq!(Exactness::Proved(1e-3).bound(), 1e-3);
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Exactness {
     /// The same point set, up to the rounding of the numbers.
@@ -27,6 +35,13 @@ impl Exactness {
 }
 
 /// A form of a curve, how far it is from it, and which part of the curve each of its smooth pieces stands for.
+///
+/// ```
+/// use cyclide::{Circle, Lower, Point3, Vec3};
+/// let lowered = Circle::from_radius(Point3::ORIGIN, Vec3::Z, 1.0)?.lower_to_arcs(1e-6)?;
+/// assert_eq!(lowered.correspondence.piece_count(), lowered.form.arcs().len());
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Lowered<C> {
     /// The form.
@@ -38,6 +53,15 @@ pub struct Lowered<C> {
 }
 
 /// A curve that can leave the kernel. Exporters know the two carriers only, so a new curve changes no exporter.
+///
+/// ```
+/// use cyclide::{CircleSpline, FairSplineOptions, Lower, Point3};
+/// let points = [[0.0, 0.0, 0.0], [2.0, 1.0, 0.0], [3.0, 3.0, 1.0], [1.0, 4.0, 1.0]].map(Point3::from);
+/// let spline = CircleSpline::fair(&points, &FairSplineOptions::default())?;
+/// let (arcs, exactness) = spline.to_arcs(1e-3)?; // for machines that know arcs only
+/// assert!(exactness.bound() <= 1e-3 && arcs.arcs().len() > 3);
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 pub trait Lower {
     /// As [`to_chain`](Self::to_chain), with the parts of the curve that the pieces stand for.
     ///

@@ -9,18 +9,35 @@ use crate::error::Result;
 use crate::warning::Warning;
 
 /// What one unit of the coordinates means. Coordinates are never rescaled; units label them.
+///
+/// ```
+/// use cyclide::Units;
+/// assert_eq!((Units::Inch.symbol(), Units::Inch.in_millimetres()), ("in", 25.4));
+/// assert_eq!(Units::from_symbol("m"), Some(Units::Metre));
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(inline, description = "The units of a document.")
+)]
 pub enum Units {
-    /// Millimetres (the default).
+    /// Millimetres.
     #[default]
+    #[cfg_attr(feature = "serde", serde(rename = "mm"))]
     Millimetre,
     /// Centimetres.
+    #[cfg_attr(feature = "serde", serde(rename = "cm"))]
     Centimetre,
     /// Metres.
+    #[cfg_attr(feature = "serde", serde(rename = "m"))]
     Metre,
     /// Inches.
+    #[cfg_attr(feature = "serde", serde(rename = "in"))]
     Inch,
     /// Feet.
+    #[cfg_attr(feature = "serde", serde(rename = "ft"))]
     Foot,
 }
 
@@ -60,6 +77,13 @@ impl Units {
 }
 
 /// Any curve of the kernel.
+///
+/// ```
+/// use cyclide::{Circle, CurveObject, Point3, Vec3, length};
+/// let object = CurveObject::from(Circle::from_radius(Point3::ORIGIN, Vec3::Z, 1.0)?);
+/// assert!((length(object.as_curve()) - std::f64::consts::TAU).abs() < 1e-14);
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub enum CurveObject {
     /// One arc or segment.
@@ -104,6 +128,14 @@ impl Lower for CurveObject {
 }
 
 /// A named object made by one construction: connected curves (contours), surfaces, or both.
+///
+/// ```
+/// use cyclide::{Circle, Model, Point3, Units, Vec3};
+/// let circle = Circle::from_radius(Point3::ORIGIN, Vec3::Z, 1.0)?;
+/// let model = Model::new(Units::Metre).with_curve("rim", circle);
+/// assert_eq!((model.items[0].name.as_str(), model.items[0].contours.len()), ("rim", 1));
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Item {
     /// Name, unique in the model.
@@ -123,6 +155,15 @@ pub struct Item {
 }
 
 /// Named objects and the unit of their coordinates.
+///
+/// ```
+/// use cyclide::{Circle, DupinCyclide, Model, Point3, Units, Vec3};
+/// let circle = Circle::from_radius(Point3::ORIGIN, Vec3::Z, 1.0)?;
+/// let torus = DupinCyclide::new(3.0, 0.0, 1.0)?.nets([4, 4])?.remove(0);
+/// let model = Model::new(Units::Millimetre).with_curve("rim", circle).with_surface("ring", torus);
+/// assert_eq!(model.items.len(), 2);
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Model {
     /// Unit of all coordinates.

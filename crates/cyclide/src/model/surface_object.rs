@@ -5,6 +5,13 @@ use crate::surface::{CyclidePatch, CyclidicNet};
 use crate::topology::{Body, Shell};
 
 /// Any surface of the kernel.
+///
+/// ```
+/// use cyclide::{DupinCyclide, SurfaceObject};
+/// let torus = DupinCyclide::new(3.0, 0.0, 1.0)?.nets([4, 4])?.remove(0);
+/// assert!(SurfaceObject::from(torus).to_bodies()?[0].is_solid());
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 #[expect(clippy::large_enum_variant, reason = "a model has few objects, and a patch is a plain value")]
 pub enum SurfaceObject {

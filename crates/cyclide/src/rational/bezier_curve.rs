@@ -5,10 +5,17 @@ use crate::base::bernstein;
 use crate::base::jet::CurveJet;
 use crate::base::vector::{Point3, Vec3};
 use crate::conformal::mobius::Mobius;
-use crate::error::{Error, Result};
+use crate::error::{Error, ErrorItem, Result};
 
 /// A rational Bézier curve of degree `rows - 1`. The rows are homogeneous, so a middle row may be a direction
 /// (weight 0); only the quotient at evaluated parameters must be finite.
+///
+/// ```
+/// use cyclide::RationalBezier;
+/// let parabola = RationalBezier::new(vec![[0.0, 0.0, 0.0, 1.0], [1.0, 2.0, 0.0, 1.0], [2.0, 0.0, 0.0, 1.0]])?;
+/// assert_eq!(parabola.point(0.5).to_array(), [1.0, 1.0, 0.0]);
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct RationalBezier {
     rows: Vec<[f64; 4]>,
@@ -24,7 +31,7 @@ impl RationalBezier {
             return Err(Error::TooFewPoints { given: rows.len(), needed: 2 });
         }
         match rows.iter().position(|row| row.iter().any(|v| !v.is_finite())) {
-            Some(index) => Err(Error::NotFinite { what: "row", index }),
+            Some(index) => Err(Error::NotFinite { what: ErrorItem::Row, index }),
             None => Ok(Self { rows }),
         }
     }
@@ -71,7 +78,7 @@ impl RationalBezier {
     /// `parameter-out-of-range` unless `0 < t < 1`.
     pub fn split(&self, t: f64) -> Result<(Self, Self)> {
         if !(t > 0.0 && t < 1.0) {
-            return Err(Error::ParameterOutOfRange { name: "t", value: t, min: 0.0, max: 1.0 });
+            return Err(Error::ParameterOutOfRange { name: ErrorItem::T, value: t, min: 0.0, max: 1.0 });
         }
         let (l, r) = bernstein::split(&self.rows, t);
         Ok((Self { rows: l }, Self { rows: r }))
@@ -108,9 +115,7 @@ impl RationalBezier {
     /// # Errors
     /// `not-a-similarity`; `not-finite` if a control point overflows.
     pub fn similar(&self, map: &Mobius) -> Result<Self> {
-        if !map.is_similarity() {
-            return Err(Error::NotASimilarity);
-        }
+        map.check_similarity()?;
         let rows = self.rows.iter().enumerate().map(|(index, row)| moved_row(map, row, index));
         Ok(Self { rows: rows.collect::<Result<_>>()? })
     }
@@ -130,7 +135,7 @@ impl RationalBezier {
 /// # Errors
 /// `not-finite` if it overflows.
 pub(super) fn moved_row(map: &Mobius, &[x, y, z, w]: &[f64; 4], index: usize) -> Result<[f64; 4]> {
-    let overflow = Error::NotFinite { what: "control point", index };
+    let overflow = Error::NotFinite { what: ErrorItem::ControlPoint, index };
     let image = |p: Point3| map.map_point(p).filter(|p| p.is_finite()).ok_or(overflow.clone());
     if w == 0.0 {
         let way = image(Point3::new(x, y, z))? - image(Point3::ORIGIN)?;

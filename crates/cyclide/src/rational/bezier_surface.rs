@@ -7,10 +7,18 @@ use crate::base::frame::Frame;
 use crate::base::surface_jet::SurfaceJet;
 use crate::base::vector::{Point3, Vec3};
 use crate::conformal::mobius::Mobius;
-use crate::error::{Error, Result};
+use crate::error::{Error, ErrorItem, Result};
 
 /// A rational Bézier surface of degrees `(p, q)`. Row `i (q+1) + j` belongs to `B_i(s) B_j(t)`; rows are homogeneous, so
 /// one may be a direction (weight 0).
+///
+/// ```
+/// use cyclide::RationalBezierSurface;
+/// let rows = vec![[0.0, 0.0, 0.0, 1.0], [0.0, 1.0, 0.0, 1.0], [1.0, 0.0, 0.0, 1.0], [1.0, 1.0, 1.0, 1.0]];
+/// let saddle = RationalBezierSurface::new([1, 1], rows)?; // t runs fastest
+/// assert_eq!(saddle.point(0.5, 0.5).to_array(), [0.5, 0.5, 0.25]);
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct RationalBezierSurface {
     degrees: [usize; 2],
@@ -27,7 +35,7 @@ impl RationalBezierSurface {
             return Err(Error::NotASpline { detail: "a Bézier surface of degrees (p, q) has (p+1)(q+1) rows" });
         }
         match rows.iter().position(|row| row.iter().any(|v| !v.is_finite())) {
-            Some(index) => Err(Error::NotFinite { what: "row", index }),
+            Some(index) => Err(Error::NotFinite { what: ErrorItem::Row, index }),
             None => Ok(Self { degrees, rows }),
         }
     }
@@ -223,9 +231,7 @@ impl RationalBezierSurface {
     /// # Errors
     /// `not-a-similarity`; `not-finite` if a control point overflows.
     pub fn similar(&self, map: &Mobius) -> Result<Self> {
-        if !map.is_similarity() {
-            return Err(Error::NotASimilarity);
-        }
+        map.check_similarity()?;
         let rows = self.rows.iter().enumerate().map(|(index, row)| moved_row(map, row, index));
         Ok(Self { degrees: self.degrees, rows: rows.collect::<Result<_>>()? })
     }

@@ -2,7 +2,6 @@
 
 mod bezier_curve;
 mod bezier_surface;
-mod exact;
 mod nurbs_curve;
 mod nurbs_edit;
 mod polynomial;
@@ -11,7 +10,6 @@ mod surface_bounds;
 
 pub use bezier_curve::RationalBezier;
 pub use bezier_surface::RationalBezierSurface;
-pub use exact::ExactRational;
 pub use nurbs_curve::NurbsCurve;
 pub(crate) use polynomial::{Polynomial, PolynomialRow};
 pub(crate) use surface_bounds::SecondDerivatives;

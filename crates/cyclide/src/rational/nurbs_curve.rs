@@ -4,11 +4,19 @@ use super::bezier_curve::{RationalBezier, jet_of_homogeneous};
 use crate::base::bernstein;
 use crate::base::jet::CurveJet;
 use crate::base::vector::{Point3, Vec3};
-use crate::error::{Error, Result};
+use crate::error::{Error, ErrorItem, Result};
 
 /// A rational B-spline curve: clamped knots, positive weights, affine control points.
 ///
 /// As a [`ParamCurve`](crate::ParamCurve) its pieces are its knot spans; the knot vector itself may have any domain.
+///
+/// ```
+/// use cyclide::{NurbsCurve, ParamCurve, Point3};
+/// let points = [[0.0, 0.0, 0.0], [1.0, 2.0, 0.0], [2.0, 0.0, 0.0]].map(Point3::from).to_vec();
+/// let parabola = NurbsCurve::new(2, vec![0.0, 0.0, 0.0, 1.0, 1.0, 1.0], points, vec![1.0; 3])?;
+/// assert_eq!(parabola.point(0.5), Point3::new(1.0, 1.0, 0.0));
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct NurbsCurve {
     degree: usize,
@@ -40,13 +48,13 @@ impl NurbsCurve {
             return fail("number of knots is not points + degree + 1");
         }
         if let Some(index) = points.iter().position(|p| !p.is_finite()) {
-            return Err(Error::NotFinite { what: "control point", index });
+            return Err(Error::NotFinite { what: ErrorItem::ControlPoint, index });
         }
         if let Some(index) = weights.iter().position(|w| !w.is_finite() || *w <= 0.0) {
             return Err(Error::WeightNotPositive { index, weight: weights[index] });
         }
         if let Some(index) = knots.iter().position(|k| !k.is_finite()) {
-            return Err(Error::NotFinite { what: "knot", index });
+            return Err(Error::NotFinite { what: ErrorItem::Knot, index });
         }
         if knots.windows(2).any(|w| w[1] < w[0]) {
             return fail("knots decrease");

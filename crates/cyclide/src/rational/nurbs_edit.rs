@@ -4,7 +4,7 @@ use super::nurbs_curve::{NurbsCurve, homogeneous_rows, insert_knot, multiplicity
 use crate::base::cut::{check_interval, place_of_cut};
 use crate::base::vector::Point3;
 use crate::conformal::mobius::Mobius;
-use crate::error::{Error, Result};
+use crate::error::{Error, ErrorItem, Result};
 
 impl NurbsCurve {
     /// The image under a similarity or a reflection: control points move, knots and weights stay.
@@ -12,11 +12,9 @@ impl NurbsCurve {
     /// # Errors
     /// `not-a-similarity`; `not-finite` if a control point overflows.
     pub fn similar(&self, map: &Mobius) -> Result<Self> {
-        if !map.is_similarity() {
-            return Err(Error::NotASimilarity);
-        }
+        map.check_similarity()?;
         let moved = |(index, p): (usize, &Point3)| {
-            map.map_point(*p).filter(|p| p.is_finite()).ok_or(Error::NotFinite { what: "control point", index })
+            map.map_point(*p).filter(|p| p.is_finite()).ok_or(Error::NotFinite { what: ErrorItem::ControlPoint, index })
         };
         let points = self.control_points().iter().enumerate().map(moved).collect::<Result<_>>()?;
         Self::new(self.degree(), self.knots().to_vec(), points, self.weights().to_vec())
@@ -30,7 +28,7 @@ impl NurbsCurve {
     pub fn split_at_knot(&self, u: f64) -> Result<(Self, Self)> {
         let (first, last) = self.domain();
         if !(u > first && u < last) {
-            return Err(Error::ParameterOutOfRange { name: "u", value: u, min: first, max: last });
+            return Err(Error::ParameterOutOfRange { name: ErrorItem::U, value: u, min: first, max: last });
         }
         let degree = self.degree();
         let mut knots = self.knots().to_vec();

@@ -1,6 +1,6 @@
 //! Places of a triangle.
 
-use crate::error::{Error, Result};
+use crate::error::{Error, ErrorItem, Result};
 
 /// Barycentric coordinates in any scale: integers `(i, j, N-i-j)` are the same bits on both sides of a shared edge, fractions
 /// that were made to sum to 1 are not.
@@ -14,15 +14,19 @@ impl Barycentric {
     /// # Errors
     /// `parameter-out-of-range`: not finite, negative, or all zero.
     pub(super) fn new(raw: [f64; 3]) -> Result<Self> {
-        let refused =
-            |value| Error::ParameterOutOfRange { name: "barycentric coordinate", value, min: 0.0, max: f64::MAX };
+        let refused = |value| Error::ParameterOutOfRange {
+            name: ErrorItem::BarycentricCoordinate,
+            value,
+            min: 0.0,
+            max: f64::MAX,
+        };
         if let Some(&wrong) = raw.iter().find(|v| !(**v >= 0.0 && v.is_finite())) {
             return Err(refused(wrong));
         }
         let largest = raw.iter().fold(0.0, |m: f64, v| m.max(*v));
         if largest == 0.0 {
             return Err(Error::ParameterOutOfRange {
-                name: "largest barycentric coordinate",
+                name: ErrorItem::LargestBarycentricCoordinate,
                 value: 0.0,
                 min: f64::MIN_POSITIVE,
                 max: f64::MAX,

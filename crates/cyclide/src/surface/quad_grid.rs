@@ -2,10 +2,18 @@
 
 use crate::base::range;
 use crate::base::vector::Point3;
-use crate::error::{Error, Result};
+use crate::error::{Error, ErrorItem, Result};
 
 /// Vertices of a regular net of quads: `size[0]` along s, `size[1]` along t, s fastest. A closed direction joins its
 /// last vertices to its first, which are not repeated.
+///
+/// ```
+/// use cyclide::{Point3, QuadGrid};
+/// let points = (0..6).map(|k| Point3::new(f64::from(k % 3), f64::from(k / 3), 0.0)).collect();
+/// let grid = QuadGrid::new(points, [3, 2], [false; 2])?;
+/// assert_eq!((grid.quads(), grid.corners(1, 0)), ([2, 1], [1, 2, 4, 5]));
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct QuadGrid {
     points: Vec<Point3>,
@@ -40,7 +48,7 @@ impl QuadGrid {
     /// # Errors
     /// `below-rounding-of-place`.
     pub(in crate::surface) fn check_place(&self) -> Result<()> {
-        range::check_place("the surface", &self.points)
+        range::check_place(ErrorItem::Surface, &self.points)
     }
 
     /// The grid of one quad with its corners in binary order.

@@ -15,6 +15,17 @@ const FEWEST_QUADS: usize = 3;
 const POINT: f64 = 1e-9;
 
 /// Two opposite borders of an open grid that nearly coincide: the first and the last vertices of an open direction.
+///
+/// ```
+/// use cyclide::{CyclidicNet, DupinCyclide, NetFrame, QuadGrid};
+/// let ring = DupinCyclide::new(4.0, 1.0, 2.0)?.nets([8, 8])?.remove(0);
+/// // Cut open along s: the first column once more at the end.
+/// let points = (0..9 * 8).map(|k| ring.grid().point(k % 9, k / 9)).collect();
+/// let [v1, v2, _] = ring.frame();
+/// let open = CyclidicNet::new(QuadGrid::new(points, [9, 8], [false, true])?, NetFrame::First(v1, v2))?;
+/// assert_eq!(open.grid().seams()[0].direction, 0);
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Seam {
     /// The open direction across the seam: 0 if it joins the first column (s = 0) and the last, 1 if the first row (t = 0)
@@ -25,7 +36,19 @@ pub struct Seam {
 }
 
 /// What was measured along a seam.
+///
+/// ```
+/// use cyclide::{CyclidicNet, DupinCyclide, NetFrame, QuadGrid};
+/// let ring = DupinCyclide::new(4.0, 1.0, 2.0)?.nets([8, 8])?.remove(0);
+/// let points = (0..9 * 8).map(|k| ring.grid().point(k % 9, k / 9)).collect();
+/// let [v1, v2, _] = ring.frame();
+/// let open = CyclidicNet::new(QuadGrid::new(points, [9, 8], [false, true])?, NetFrame::First(v1, v2))?;
+/// let measure = open.measure_seam(open.grid().seams()[0]).expect("its borders are beside each other");
+/// assert!(measure.gap < 1e-12 && measure.angle < 1e-6); // it could be closed
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct SeamMeasure {
     /// Largest distance of a point of one border from the other one.
     pub gap: f64,

@@ -15,7 +15,7 @@
 use super::barycentric::Barycentric;
 use crate::base::range;
 use crate::base::vector::{Point3, Vec3};
-use crate::error::{Error, Result};
+use crate::error::{Error, ErrorItem, Result};
 
 /// Triangles with less than this, twice the area over the longest edge squared, have no circle.
 pub(super) const DEGENERATE_TRIANGLE: f64 = 1e-12;
@@ -52,6 +52,14 @@ pub(super) fn check_triangle(corners: [Point3; 3]) -> Result<f64> {
 }
 
 /// A patch over a triangle whose corners have spheres through the circle of the triangle.
+///
+/// ```
+/// use cyclide::{Point3, SphereBlend};
+/// let corners = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(Point3::from);
+/// let ball = SphereBlend::from_normals(corners, corners.map(Point3::to_vec))?;
+/// assert!((ball.point([1.0, 1.0, 1.0])?.to_vec().length() - 1.0).abs() < 1e-14);
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SphereBlend {
     corners: [Point3; 3],
@@ -110,7 +118,7 @@ impl SphereBlend {
         let mut blend = Self::over(corners)?;
         for (i, normal) in normals.into_iter().enumerate() {
             if !normal.is_finite() {
-                return Err(Error::NotFinite { what: "normal", index: i });
+                return Err(Error::NotFinite { what: ErrorItem::Normal, index: i });
             }
             let undefined = |length| Error::UndefinedNormal { vertex: i, length, limit: ON_CIRCLE };
             let unit = normal.unit().ok_or_else(|| undefined(0.0))?;

@@ -2,7 +2,7 @@
 
 use super::{EdgeCurve, FaceEdge, FaceSurface, Shell, ShellFace, Side};
 use crate::base::vector::Point3;
-use crate::error::{Error, Result};
+use crate::error::{Error, ErrorItem, Result};
 
 /// Largest relative difference of the weight ratios of a side and of its edge.
 const RATIO_LIMIT: f64 = 1e-9;
@@ -18,7 +18,7 @@ impl Shell {
     pub(super) fn check(&self) -> Result<()> {
         self.check_edges()?;
         for (index, face) in self.faces.iter().enumerate() {
-            self.check_face(face).map_err(|detail| Error::NotAShell { item: "face", index, detail })?;
+            self.check_face(face).map_err(|detail| Error::NotAShell { item: ErrorItem::Face, index, detail })?;
         }
         self.check_orientation()?;
         self.check_connected()
@@ -26,7 +26,7 @@ impl Shell {
 
     fn check_edges(&self) -> Result<()> {
         for (index, edge) in self.edges.iter().enumerate() {
-            let fail = |detail| Err(Error::NotAShell { item: "edge", index, detail });
+            let fail = |detail| Err(Error::NotAShell { item: ErrorItem::Edge, index, detail });
             let (Some(start), Some(end)) = (self.vertices.get(edge.start), self.vertices.get(edge.end)) else {
                 return fail("a vertex of it does not exist");
             };
@@ -114,7 +114,7 @@ impl Shell {
                 runs[edge.edge][usize::from(forward)] += 1;
             }
         }
-        let fail = |index, detail| Err(Error::NotAShell { item: "edge", index, detail });
+        let fail = |index, detail| Err(Error::NotAShell { item: ErrorItem::Edge, index, detail });
         for (index, &[with, against]) in runs.iter().enumerate() {
             match (with, against) {
                 (0, 0) => return fail(index, "no face has it"),
@@ -128,11 +128,11 @@ impl Shell {
 
     fn check_connected(&self) -> Result<()> {
         if self.faces.is_empty() {
-            return Err(Error::NotAShell { item: "face", index: 0, detail: "there is none" });
+            return Err(Error::NotAShell { item: ErrorItem::Face, index: 0, detail: "there is none" });
         }
         match self.parts().get(1).and_then(|part| part.first().copied()) {
             Some(index) => {
-                Err(Error::NotAShell { item: "face", index, detail: "no chain of edges joins it to face 0" })
+                Err(Error::NotAShell { item: ErrorItem::Face, index, detail: "no chain of edges joins it to face 0" })
             }
             None => Ok(()),
         }

@@ -9,6 +9,13 @@ use crate::error::Result;
 use crate::rational::RationalBezier;
 
 /// The curve of an edge or of a parameter line of a face, over `[0, 1]`. As a [`ParamCurve`] it is one piece.
+///
+/// ```
+/// use cyclide::{Arc, EdgeCurve, Point3};
+/// let edge = EdgeCurve::from(Arc::segment(Point3::ORIGIN, Point3::new(2.0, 0.0, 0.0))?);
+/// assert_eq!((edge.length(), edge.reversed().start()), (2.0, edge.end()));
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub enum EdgeCurve {
     /// A circular arc or straight segment.

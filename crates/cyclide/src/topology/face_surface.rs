@@ -6,10 +6,18 @@ use crate::base::surface_jet::SurfaceJet;
 use crate::base::vector::{Point3, Vec3};
 use crate::conformal::mobius::Mobius;
 use crate::error::Result;
-use crate::rational::{ExactRational as _, RationalBezierSurface};
+use crate::rational::RationalBezierSurface;
 use crate::surface::{CyclidePatch, ParamSurface};
 
 /// The surface of a face, over `[0, 1]²`.
+///
+/// ```
+/// use cyclide::{CyclidePatch, FaceSurface, Point3, Vec3};
+/// let corners = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 1.0, 0.0]].map(Point3::from);
+/// let face = FaceSurface::from(CyclidePatch::from_corners_and_frame(corners, Vec3::X, Vec3::Y)?);
+/// assert!(face.is_regular() && face.to_rational().degrees() == [2, 2]);
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[allow(clippy::large_enum_variant, reason = "shells hold their faces in one list, most of them patches")]
 #[derive(Debug, Clone, PartialEq)]
 pub enum FaceSurface {
@@ -177,7 +185,7 @@ impl ParamSurface for FaceSurface {
     fn normal(&self, s: f64, t: f64) -> Option<Vec3> {
         match self {
             Self::Cyclide(patch) => patch.normal(s, t),
-            Self::Rational(surface) => Some(surface.unit_normal(s, t)).filter(|n| n.max_abs() > 0.0),
+            Self::Rational(surface) => surface.normal(s, t),
         }
     }
 }

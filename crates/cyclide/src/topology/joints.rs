@@ -8,7 +8,16 @@ use crate::surface::ParamSurface as _;
 const SAMPLES: usize = 9;
 
 /// What was measured along an edge between two faces.
+///
+/// ```
+/// use cyclide::{ConvexPolyhedron, Point3, surface_joints};
+/// let corners = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(Point3::from);
+/// let rounded = ConvexPolyhedron::hull(&corners)?.offset(0.1)?;
+/// assert!(surface_joints(&rounded.outer).iter().all(|joint| joint.angle < 1e-7 && joint.gap < 1e-12));
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct SurfaceJoint {
     /// Index of the edge.
     pub edge: usize,

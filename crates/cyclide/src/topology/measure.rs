@@ -1,8 +1,9 @@
 //! Area and enclosed volume by quadrature over the faces.
 
 use super::{FaceSurface, Shell, ShellFace};
+use crate::base::bounds::Aabb;
 use crate::base::quadrature::{gauss2, gauss4, gauss8};
-use crate::base::vector::Point3;
+use crate::base::vector::{Point3, Vec3};
 use crate::error::{Error, Result};
 use crate::surface::CyclidePatch;
 use std::collections::BinaryHeap;
@@ -22,6 +23,8 @@ const RENEWED: usize = 8;
 /// miss what they are to find.
 const TAME: f64 = 0.5;
 const WILD: f64 = 0.0625;
+/// Vertices are on a line if the second moment across it is below this part of that along it.
+const LINE: f64 = 1e-9;
 /// Weights are equal above this.
 const EVEN: f64 = 1.0 - 1e-15;
 
@@ -84,21 +87,51 @@ impl Shell {
         volume.sum() < 0.0
     }
 
-    /// The volumes of the cones over the faces from the first vertex: `(f - v)·(f_s × f_t)/3`, signed by the side. Signed,
-    /// they have no kinks. Points are taken from a corner of the face: far from the origin their rounding would be seen.
+    /// The rows of a matrix of trace 1, whose product with the way from the first vertex has the divergence 1. The volume of a closed
+    /// shell is its flux, whatever the matrix: of a third of the unit matrix the cones from the first vertex, which cancel each other
+    /// where the shell is thin and wide. So the matrix is the inverse of the moments of the vertices about their mean, as its
+    /// adjugate: nearly the projection to the direction in which the shell is thin, and the flux of it has hardly more than the volume
+    /// to add up. Of an open shell the cones are what its volume means.
+    fn field(&self) -> [Vec3; 3] {
+        let count = self.vertices.len();
+        let Some(bounds) = Aabb::of_points(self.vertices.iter().copied()).filter(|_| self.is_closed()) else {
+            return CONES;
+        };
+        let ways = || self.vertices.iter().map(|v| (*v - bounds.min) / bounds.diagonal());
+        let mean = ways().fold(Vec3::ZERO, |sum, way| sum + way) / count as f64;
+        let moments = ways()
+            .map(|way| way - mean)
+            .fold([Vec3::ZERO; 3], |[x, y, z], way| [x + way * way.x, y + way * way.y, z + way * way.z]);
+        let [x, y, z] = moments;
+        let adjugate = [y.cross(z), z.cross(x), x.cross(y)];
+        let trace = adjugate[0].x + adjugate[1].y + adjugate[2].z;
+        // Of vertices on a line nothing is left of it but rounding.
+        let of_moments = (x.x + y.y + z.z) * (x.x + y.y + z.z);
+        if trace > LINE * of_moments { adjugate.map(|row| row / trace) } else { CONES }
+    }
+
+    /// The flux of a [field](Self::field) of divergence 1 from the first vertex through the faces, signed by the side: of an open shell
+    /// the volumes `(f - v)·(f_s × f_t)/3` of the cones over them. Signed, they have no kinks. Points are taken from a corner of the face:
+    /// far from the origin their rounding would be seen.
     fn cones(&self, most: usize) -> Quadrature<impl Fn(usize, f64, f64) -> f64> {
         let tip = self.vertices.first().copied().unwrap_or(Point3::ORIGIN);
+        let field = self.field();
         let faces = self.faces.iter().map(|face| (face, face.surface.corners()[0] - tip));
         let faces: Vec<_> = faces.collect();
         let cells = (0..faces.len()).map(|face| (face, UNIT));
         Quadrature::new(&self.faces, cells, most, move |face, s, t| {
             let (ShellFace { surface, same_sense, .. }, corner) = &faces[face];
-            let height = (surface.way_from_first_corner(s, t) + *corner).dot(surface.unit_normal(s, t));
-            let cone = height * surface.element(s, t) / 3.0;
+            let (way, normal) = (surface.way_from_first_corner(s, t) + *corner, surface.unit_normal(s, t));
+            let [x, y, z] = field.map(|row| row.dot(way));
+            let cone = Vec3::new(x, y, z).dot(normal) * surface.element(s, t);
             if *same_sense { cone } else { -cone }
         })
     }
 }
+
+/// A third of the way: the field of cones.
+const CONES: [Vec3; 3] =
+    [Vec3::new(1.0 / 3.0, 0.0, 0.0), Vec3::new(0.0, 1.0 / 3.0, 0.0), Vec3::new(0.0, 0.0, 1.0 / 3.0)];
 
 /// A cell: its ends in s, then in t.
 type Cell = [[f64; 2]; 2];

@@ -8,6 +8,7 @@ mod joints;
 mod measure;
 mod parts;
 mod sew;
+mod sewing;
 mod side;
 mod split;
 mod thick;
@@ -16,12 +17,20 @@ mod transform;
 pub use edge_curve::EdgeCurve;
 pub use face_surface::FaceSurface;
 pub use joints::{SurfaceJoint, surface_joints};
+pub(crate) use sewing::Sewing;
 pub use side::Side;
 
 use crate::base::vector::Point3;
 use crate::error::Result;
 
 /// An edge of a shell: a curve between two vertices, with the parameter that every face along it has.
+///
+/// ```
+/// use cyclide::DupinCyclide;
+/// let shell = DupinCyclide::new(3.0, 0.0, 1.0)?.to_shell()?;
+/// assert!(shell.edges().iter().all(|edge| edge.curve.start() == shell.vertices()[edge.start]));
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct ShellEdge {
     /// Vertex at parameter 0.
@@ -33,6 +42,14 @@ pub struct ShellEdge {
 }
 
 /// A side of a face on an edge of the shell.
+///
+/// ```
+/// use cyclide::DupinCyclide;
+/// let shell = DupinCyclide::new(3.0, 0.0, 1.0)?.to_shell()?;
+/// let sides = shell.faces()[0].sides;
+/// assert!(sides.into_iter().flatten().all(|side| side.edge < shell.edges().len()));
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct FaceEdge {
     /// Index of the edge.
@@ -42,6 +59,13 @@ pub struct FaceEdge {
 }
 
 /// A face: a four-sided surface in its shell. A side may be one point.
+///
+/// ```
+/// use cyclide::{DupinCyclide, Side};
+/// let shell = DupinCyclide::new(3.0, 0.0, 1.0)?.to_shell()?;
+/// assert!(shell.faces()[0].same_sense && shell.faces()[0].side(Side::Bottom).is_some());
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct ShellFace {
     /// The surface.
@@ -53,6 +77,14 @@ pub struct ShellFace {
 }
 
 /// Faces that share edges, edges that share vertices; connected, and closed if every edge has two faces.
+///
+/// ```
+/// use cyclide::{CyclidePatch, Point3, Shell, Vec3};
+/// let corners = [[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [0.0, 1.0, 0.0], [2.0, 1.0, 0.0]].map(Point3::from);
+/// let shell = Shell::from_surface(CyclidePatch::from_corners_and_frame(corners, Vec3::X, Vec3::Y)?)?;
+/// assert!(!shell.is_closed() && (shell.area() - 2.0).abs() < 1e-12);
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Shell {
     pub(crate) vertices: Vec<Point3>,
@@ -160,6 +192,14 @@ impl Shell {
 }
 
 /// One body: an open shell, or a solid bounded by a closed outer shell and any number of closed voids inside it.
+///
+/// ```
+/// use cyclide::DupinCyclide;
+/// let torus = DupinCyclide::new(3.0, 0.0, 1.0)?.to_bodies([4, 4])?.remove(0);
+/// assert!(torus.is_solid() && torus.voids.is_empty());
+/// assert!((torus.outer.volume() - 6.0 * std::f64::consts::PI.powi(2)).abs() < 1e-9);
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Body {
     /// The shell, or the outer shell of a solid.

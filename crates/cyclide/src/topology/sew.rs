@@ -1,22 +1,13 @@
 //! Nets and whole cyclides as shells: every vertex and every edge once.
 
-use super::{Body, EdgeCurve, FaceEdge, Shell, ShellEdge, ShellFace};
+use super::{Body, Sewing, Shell};
 use crate::base::range;
-use crate::base::vector::Point3;
 use crate::curve::Arc;
-use crate::error::{Error, Result};
+use crate::error::{Error, ErrorItem, Result};
 use crate::surface::{CyclideKind, CyclidicNet, DupinCyclide, SameVertices};
 
 /// Segments of a whole turn by default, in both directions.
 const DEFAULT_SEGMENTS: [usize; 2] = [4, 4];
-
-/// Vertices, edges and faces on their way to a shell.
-#[derive(Debug, Default)]
-pub(super) struct Sewing {
-    vertices: Vec<Point3>,
-    edges: Vec<ShellEdge>,
-    faces: Vec<ShellFace>,
-}
 
 /// Where the parts of a net are in a [`Sewing`].
 #[derive(Debug)]
@@ -30,17 +21,6 @@ pub(super) struct Skin {
 }
 
 impl Sewing {
-    /// Adds an edge.
-    pub(super) fn edge(&mut self, start: usize, end: usize, curve: impl Into<EdgeCurve>) -> usize {
-        self.edges.push(ShellEdge { start, end, curve: curve.into() });
-        self.edges.len() - 1
-    }
-
-    /// Adds a face.
-    pub(super) fn face(&mut self, face: ShellFace) {
-        self.faces.push(face);
-    }
-
     /// Adds all of a net.
     pub(super) fn skin(&mut self, net: &CyclidicNet, same_sense: bool) -> Result<Skin> {
         let skin = self.frame_of(net)?;
@@ -53,10 +33,10 @@ impl Sewing {
             let corners = [k0, k1, k2, k3].map(|k| grid.points()[k]);
             let size = corners.iter().map(|p| p.distance(corners[0])).fold(0.0, f64::max);
             let place = corners[0].to_vec().max_abs();
-            range::check_size_in_place("a patch", size, place, f64::EPSILON).map_err(|e| e.in_quad(i + j * m))?;
+            range::check_size_in_place(ErrorItem::Patch, size, place, f64::EPSILON)
+                .map_err(|e| e.in_quad(i + j * m))?;
             let edges = [skin.along_s[k0], skin.along_s[k2], skin.along_t[k0], skin.along_t[k1]];
-            let sides = edges.map(|edge| edge.map(|edge| FaceEdge { edge, forward: true }));
-            self.face(ShellFace { surface: net.patch(i, j).into(), sides, same_sense });
+            self.face(net.patch(i, j), edges, same_sense);
         }
         Ok(skin)
     }
@@ -84,10 +64,7 @@ impl Sewing {
         for k in 0..m * n {
             vertices[k] = match same.first(k) {
                 first if first < k => vertices[first],
-                _ => {
-                    self.vertices.push(grid.points()[k]);
-                    self.vertices.len() - 1
-                }
+                _ => self.vertex(grid.points()[k]),
             };
         }
         self.edges.reserve_exact(places().map(|(i, j)| next(i, j).into_iter().flatten().count()).sum());
@@ -109,22 +86,6 @@ impl Sewing {
             }
         }
         Ok(skin)
-    }
-
-    /// The shell, checked.
-    pub(super) fn finish(self) -> Result<Shell> {
-        Shell::new(self.vertices, self.edges, self.faces)
-    }
-
-    /// The shells of what hangs together through edges, checked.
-    fn finish_apart(self) -> Result<Vec<Shell>> {
-        let checked = |Shell { vertices, edges, faces }| Shell::new(vertices, edges, faces);
-        let Self { vertices, edges, faces } = self;
-        let all = Shell { vertices, edges, faces };
-        match all.parts().as_slice() {
-            [] | [_] => Ok(vec![checked(all)?]),
-            parts => parts.iter().map(|part| checked(all.part(part))).collect(),
-        }
     }
 }
 
@@ -196,7 +157,11 @@ impl DupinCyclide {
     pub fn to_shell(&self) -> Result<Shell> {
         match (self.kind(), self.nets(DEFAULT_SEGMENTS)?.as_slice()) {
             (CyclideKind::Ring, [net]) => net.to_shell(),
-            _ => Err(Error::NotAShell { item: "vertex", index: 0, detail: "the cyclide touches itself in its nodes" }),
+            _ => Err(Error::NotAShell {
+                item: ErrorItem::Vertex,
+                index: 0,
+                detail: "the cyclide touches itself in its nodes",
+            }),
         }
     }
 }

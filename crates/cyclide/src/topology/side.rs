@@ -4,6 +4,11 @@ use super::{EdgeCurve, FaceEdge, FaceSurface, ShellFace};
 use crate::error::Result;
 
 /// A side of the parameter square `[0, 1]²` of a face; as a number, its index among [`ShellFace::sides`].
+///
+/// ```
+/// use cyclide::Side;
+/// assert_eq!((Side::Bottom.opposite(), Side::Left.place(0.25)), (Side::Top, (0.0, 0.25)));
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Side {
     /// `t = 0`, along s.

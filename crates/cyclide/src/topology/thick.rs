@@ -1,10 +1,11 @@
 //! The solids between a net and its offset.
 
-use super::sew::{Sewing, Skin};
-use super::{Body, FaceEdge, ShellFace};
+use super::Body;
+use super::Sewing;
+use super::sew::Skin;
 use crate::base::range;
 use crate::curve::Arc;
-use crate::error::{Error, Result};
+use crate::error::{Error, ErrorItem, Result};
 use crate::surface::{CyclidePatch, CyclidicNet};
 use std::collections::BTreeMap;
 
@@ -29,7 +30,7 @@ impl CyclidicNet {
     pub fn thick(&self, h: f64) -> Result<Body> {
         if h == 0.0 {
             let (min, max) = (range::MIN_DISTANCE, range::MAX_COORDINATE);
-            return Err(Error::ParameterOutOfRange { name: "distance", value: h, min, max });
+            return Err(Error::ParameterOutOfRange { name: ErrorItem::Distance, value: h, min, max });
         }
         if h.is_finite() {
             self.check_between(h)?;
@@ -37,7 +38,7 @@ impl CyclidicNet {
         let offset = self.offset(h)?;
         let largest = |net: &Self| net.grid().points().iter().map(|p| p.to_vec().max_abs()).fold(0.0, f64::max);
         let place = largest(self).max(largest(&offset));
-        range::check_size_in_place("the thickness", h.abs(), place, range::SMALLEST_IN_PLACE)?;
+        range::check_size_in_place(ErrorItem::Thickness, h.abs(), place, range::SMALLEST_IN_PLACE)?;
         // The upper one is ahead along the normals, and outside is its f_s × f_t unless the patches are flipped.
         let [lower, upper] = if h > 0.0 { [self, &offset] } else { [&offset, self] };
         let along = !self.patch(0, 0).is_flipped();
@@ -137,9 +138,7 @@ impl Rims<'_> {
             return Ok(0);
         }
         let rulings = [self.ruling(sewing, vertices[0])?, self.ruling(sewing, vertices[1])?].map(Some);
-        let side = |edge: Option<usize>| edge.map(|edge| FaceEdge { edge, forward: true });
-        let sides = [skins[0], skins[1], rulings[0], rulings[1]].map(side);
-        sewing.face(ShellFace { surface: patch.into(), sides, same_sense });
+        sewing.face(patch, [skins[0], skins[1], rulings[0], rulings[1]], same_sense);
         Ok(1)
     }
 

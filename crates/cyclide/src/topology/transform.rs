@@ -3,7 +3,7 @@
 use super::{Body, Shell, ShellEdge, ShellFace};
 use crate::base::range;
 use crate::conformal::mobius::{Conformal, Mobius};
-use crate::error::{Error, Result};
+use crate::error::{Error, ErrorItem, Result};
 
 impl Conformal for Shell {
     /// The image. Its outer side is the image of the outer side: a map that reverses orientation reverses
@@ -13,9 +13,10 @@ impl Conformal for Shell {
     /// `not-a-similarity` for rational faces; `point-at-infinity`; as the `transformed` of patches and arcs; `below-rounding-of-place`; `not-a-shell` if rounding takes the parameters of
     /// shared edges apart.
     fn transformed(&self, map: &Mobius) -> Result<Self> {
-        let vertices = self.vertices.iter().map(|v| map.map_point(*v).ok_or(Error::PointAtInfinity));
+        let lost = |index| Error::at_infinity(ErrorItem::Vertex, index);
+        let vertices = self.vertices.iter().enumerate().map(|(k, v)| map.map_point(*v).ok_or_else(|| lost(k)));
         let vertices = vertices.collect::<Result<Vec<_>>>()?;
-        range::check_place("the surface", &vertices)?;
+        range::check_place(ErrorItem::Surface, &vertices)?;
         let edge = |edge: &ShellEdge| {
             // The ends are the vertices bit for bit.
             let curve = edge.curve.image(map, vertices[edge.start], vertices[edge.end])?;
@@ -43,7 +44,7 @@ impl Conformal for Body {
         if self.is_solid() {
             // The outer sides still point away from the material: one shell has it inside, unless it reaches infinity.
             let around: Vec<usize> = (0..shells.len()).filter(|&k| shells[k].volume() > 0.0).collect();
-            let [outer] = around[..] else { return Err(Error::PointAtInfinity) };
+            let [outer] = around[..] else { return Err(Error::at_infinity(ErrorItem::Surface, 0)) };
             shells.swap(0, outer);
         }
         let outer = shells.remove(0);

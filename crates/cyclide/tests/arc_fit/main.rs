@@ -95,10 +95,10 @@ fn check(points: &[Point3], options: &ArcFitOptions, fit: &ArcFit) {
         certificate.polyline_deviation
     );
     if options.closed {
-        assert_eq!(path.eval(0.0), path.eval(1.0));
+        assert_eq!(path.point(0.0), path.point(1.0));
     } else {
-        assert_eq!(path.eval(0.0), points[0]);
-        assert_eq!(path.eval(1.0), points[n - 1]);
+        assert_eq!(path.point(0.0), points[0]);
+        assert_eq!(path.point(1.0), points[n - 1]);
     }
 }
 

@@ -11,7 +11,7 @@ use proptest::prelude::*;
 fn two_sided(s: &CircleSpline, arcs: &ArcPath) -> (f64, f64) {
     let samples = |curve: &dyn ParamCurve, n: usize| -> Vec<Point3> {
         let n = n * curve.piece_count();
-        (0..=n).map(|i| curve.eval(i as f64 / n as f64)).collect()
+        (0..=n).map(|i| curve.point(i as f64 / n as f64)).collect()
     };
     let there = samples(s, 24).into_iter().map(|q| arcs.closest_point(q).distance).fold(0.0, f64::max);
     let back = samples(arcs, 6).into_iter().map(|q| closest_point(s, q).distance).fold(0.0, f64::max);
@@ -34,8 +34,8 @@ proptest! {
         let kink = joints(&arcs).iter().map(|j| j.angle).fold(0.0, f64::max);
         // Tangents are shared: rounding over the length of the shortest arc.
         prop_assert!(!s.kinks().is_empty() || kink < 1e-9, "{kink:e}");
-        prop_assert_eq!(arcs.eval(0.0), s.eval(0.0));
-        prop_assert_eq!(arcs.eval(1.0), s.eval(1.0));
+        prop_assert_eq!(arcs.point(0.0), s.point(0.0));
+        prop_assert_eq!(arcs.point(1.0), s.point(1.0));
         prop_assert_eq!(arcs.is_closed(), s.is_closed());
     }
 }

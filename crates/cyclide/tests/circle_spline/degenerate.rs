@@ -2,8 +2,8 @@
 
 use crate::data::p;
 use cyclide::{
-    BlendSegment, BlendVariant, CircleSpline, CircleSplineOptions, CurveIndex, Error, Mobius, ParamCurve, Point3, Quat,
-    SplineEnds, Vec3, Warning, bounds, flatten,
+    BlendSegment, BlendVariant, CircleSpline, CircleSplineOptions, CurveIndex, Error, ErrorItem, Mobius, ParamCurve,
+    Point3, Quat, SplineEnds, Vec3, Warning, bounds, flatten,
 };
 use proptest::prelude::*;
 
@@ -47,7 +47,7 @@ proptest! {
         for variant in [BlendVariant::Trigonometric, BlendVariant::Rational] {
             let s = CircleSpline::from_points(&points, &CircleSplineOptions { variant, ..closed() }).unwrap();
             for i in 0..=64 {
-                let off = (s.eval(f64::from(i) / 64.0) - points[0]).dot(normal).abs();
+                let off = (s.point(f64::from(i) / 64.0) - points[0]).dot(normal).abs();
                 // The coordinates are rounded by 1e-16 of the distance; chords are 1 and the circles small.
                 prop_assert!(off < 64.0 * f64::EPSILON * (1.0 + distance), "{off:e}");
             }
@@ -60,7 +60,7 @@ proptest! {
         let s = CircleSpline::from_points(&points, &closed()).unwrap();
         let circle = cyclide::Circle::through_points(points).unwrap();
         for i in 0..=48 {
-            let off = (s.eval(f64::from(i) / 48.0).distance(circle.center()) - circle.radius()).abs();
+            let off = (s.point(f64::from(i) / 48.0).distance(circle.center()) - circle.radius()).abs();
             // The circle's own rounding grows with its radius, that of its centre with the square of it.
             prop_assert!(off < 1e-14 * (1.0 + circle.radius()).powi(2), "{off:e} of {}", circle.radius());
         }
@@ -109,7 +109,10 @@ fn bad_input_is_refused_by_name() {
     }
     let mut bad = good;
     bad[2].y = f64::NAN;
-    assert_eq!(CircleSpline::from_points(&bad, &open).unwrap_err(), Error::NotFinite { what: "point", index: 2 });
+    assert_eq!(
+        CircleSpline::from_points(&bad, &open).unwrap_err(),
+        Error::NotFinite { what: ErrorItem::Point, index: 2 }
+    );
     let huge = [p(-1e308, 0.0, 0.0), p(1e308, 0.0, 0.0), p(0.0, 1.0, 0.0)];
     assert_eq!(reason(&huge, &open), "parameter-out-of-range");
     // A repeated first point closes nothing, and a billionth of the size is not nothing.

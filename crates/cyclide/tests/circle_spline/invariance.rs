@@ -87,8 +87,8 @@ proptest! {
         let (t0, t1) = if a < b { (a, b) } else { (b, a) };
         prop_assume!(t1 - t0 > 1e-6);
         let part = s.restricted(t0, t1).unwrap();
-        prop_assert_eq!(part.eval(0.0), s.eval(t0));
-        prop_assert_eq!(part.eval(1.0), s.eval(t1));
+        prop_assert_eq!(part.point(0.0), s.point(t0));
+        prop_assert_eq!(part.point(1.0), s.point(t1));
         prop_assert!(!part.is_closed());
         // Every point of the part at the parameter of the whole that its piece says.
         let first = s.locate(t0).0;
@@ -103,8 +103,8 @@ proptest! {
         }
         if t0 > 0.0 {
             let (left, right) = s.split(t0).unwrap();
-            prop_assert_eq!(left.eval(1.0), right.eval(0.0));
-            prop_assert_eq!(left.eval(0.0), s.eval(0.0));
+            prop_assert_eq!(left.point(1.0), right.point(0.0));
+            prop_assert_eq!(left.point(0.0), s.point(0.0));
         }
     }
 }

@@ -189,7 +189,7 @@ fn parts_of_a_spline_are_exact_too() {
         let part = CircleSpline::from_points(&points, &options).unwrap().restricted(0.13, 0.77).unwrap();
         let (nurbs, bound) = only_spline(&part, 1e-9).unwrap();
         assert!(worst_ratio(&part, &nurbs, |_| bound + 1e-14) <= 1.0);
-        assert!(nurbs.control_points()[0].distance(part.eval(0.0)) <= 4e-16);
+        assert!(nurbs.control_points()[0].distance(part.point(0.0)) <= 4e-16);
     }
 }
 
@@ -251,7 +251,7 @@ fn curves_next_to_infinity_keep_their_points_in_rational_form() {
                 let near_ends = (1..40).flat_map(|k| [0.5_f64.powi(k), 1.0 - 0.5_f64.powi(k)]);
                 let at = |(span, x): (usize, f64)| {
                     let l = breaks[span] + x * (breaks[span + 1] - breaks[span]);
-                    (form.span_point(span, x), s.eval(l / breaks[breaks.len() - 1]))
+                    (form.span_point(span, x), s.point(l / breaks[breaks.len() - 1]))
                 };
                 (0..form.span_count()).flat_map(|span| near_ends.clone().map(move |x| (span, x))).map(at).collect()
             };

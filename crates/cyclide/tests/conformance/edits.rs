@@ -21,30 +21,30 @@ fn check_reversal(name: &str, curve: &dyn ParamCurve, reversed: &dyn ParamCurve,
     assert_eq!(curve.is_closed(), reversed.is_closed(), "{name}");
     for i in 0..=100 {
         let t = f64::from(i) / 100.0;
-        let d = reversed.eval(1.0 - t).distance(curve.eval(t));
+        let d = reversed.point(1.0 - t).distance(curve.point(t));
         assert!(d <= ROUNDING, "{name} at {t}: {d:e}");
         let (forth, back) = (curve.jet(t), twice.jet(t));
         assert!(forth.point.distance(back.point) <= ROUNDING, "{name} at {t}");
         assert!((forth.d1 - back.d1).length() <= 16.0 * ROUNDING * (1.0 + forth.d1.length()), "{name} at {t}");
     }
-    assert_eq!(reversed.eval(0.0), curve.eval(1.0), "{name}");
-    assert_eq!(reversed.eval(1.0), curve.eval(0.0), "{name}");
+    assert_eq!(reversed.point(0.0), curve.point(1.0), "{name}");
+    assert_eq!(reversed.point(1.0), curve.point(0.0), "{name}");
 }
 
 fn check_similar(name: &str, curve: &dyn ParamCurve, image: &dyn ParamCurve, map: &Mobius) {
     for i in 0..=100 {
         let t = f64::from(i) / 100.0;
-        let want = map.map_point(curve.eval(t)).unwrap();
-        let d = image.eval(t).distance(want);
+        let want = map.map_point(curve.point(t)).unwrap();
+        let d = image.point(t).distance(want);
         assert!(d <= 4.0 * ROUNDING, "{name} at {t}: {d:e}");
     }
 }
 
 fn check_split(name: &str, curve: &dyn ParamCurve, t: f64, left: &dyn ParamCurve, right: &dyn ParamCurve) {
-    assert_eq!(left.eval(1.0), right.eval(0.0), "{name} cut at {t}");
-    assert!(left.eval(1.0).distance(curve.eval(t)) <= ROUNDING, "{name} cut at {t}");
-    assert!(left.eval(0.0).distance(curve.eval(0.0)) <= ROUNDING, "{name} cut at {t}");
-    assert!(right.eval(1.0).distance(curve.eval(1.0)) <= ROUNDING, "{name} cut at {t}");
+    assert_eq!(left.point(1.0), right.point(0.0), "{name} cut at {t}");
+    assert!(left.point(1.0).distance(curve.point(t)) <= ROUNDING, "{name} cut at {t}");
+    assert!(left.point(0.0).distance(curve.point(0.0)) <= ROUNDING, "{name} cut at {t}");
+    assert!(right.point(1.0).distance(curve.point(1.0)) <= ROUNDING, "{name} cut at {t}");
     assert!(!left.is_closed() && !right.is_closed(), "{name}");
     let (sum, whole) = (length(left) + length(right), length(curve));
     // Two quadratures to 1e-12 each.
@@ -52,7 +52,7 @@ fn check_split(name: &str, curve: &dyn ParamCurve, t: f64, left: &dyn ParamCurve
     let index = CurveIndex::new(curve);
     for part in [left, right] {
         for i in 0..=40 {
-            let d = index.closest_point(part.eval(f64::from(i) / 40.0)).distance;
+            let d = index.closest_point(part.point(f64::from(i) / 40.0)).distance;
             assert!(d <= ROUNDING, "{name} cut at {t}: {d:e}");
         }
     }
@@ -131,12 +131,12 @@ fn a_part_of_a_part_is_a_part() {
     let path = stadium(1.0);
     for (t0, t1) in [(0.1, 0.9), (0.26, 0.3), (0.25, 0.75), (0.0, 0.6), (0.3, 1.0), (0.2, 0.25)] {
         let part = path.restricted(t0, t1).unwrap();
-        assert!(part.eval(0.0).distance(path.eval(t0)) <= ROUNDING, "{t0} {t1}");
-        assert!(part.eval(1.0).distance(path.eval(t1)) <= ROUNDING, "{t0} {t1}");
+        assert!(part.point(0.0).distance(path.point(t0)) <= ROUNDING, "{t0} {t1}");
+        assert!(part.point(1.0).distance(path.point(t1)) <= ROUNDING, "{t0} {t1}");
         let spline = rational_cubic(1.0);
         let part = spline.restricted(t0, t1).unwrap();
-        assert!(part.eval(0.0).distance(spline.eval(t0)) <= ROUNDING, "{t0} {t1}");
-        assert!(part.eval(1.0).distance(spline.eval(t1)) <= ROUNDING, "{t0} {t1}");
+        assert!(part.point(0.0).distance(spline.point(t0)) <= ROUNDING, "{t0} {t1}");
+        assert!(part.point(1.0).distance(spline.point(t1)) <= ROUNDING, "{t0} {t1}");
     }
     assert_eq!(path.restricted(0.5, 0.5).unwrap_err().reason(), "parameter-out-of-range");
     assert_eq!(path.restricted(0.5, f64::NAN).unwrap_err().reason(), "parameter-out-of-range");
@@ -150,5 +150,5 @@ fn a_cut_at_a_joint_makes_no_sliver() {
     let (left, right) = spline.split(1.0 / 3.0).unwrap();
     assert_eq!((left.span_count(), right.span_count()), (1, 2));
     // Where the knot was smooth, the parts are the old spans to the bit of the joint.
-    assert_eq!(left.eval(1.0), spline.span_point(0, 1.0));
+    assert_eq!(left.point(1.0), spline.span_point(0, 1.0));
 }

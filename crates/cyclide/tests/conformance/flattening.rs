@@ -158,7 +158,7 @@ proptest! {
         match flatten(&spline, tolerance) {
             Ok(vertices) => {
                 let size = cyclide::bounds(&spline).max_abs();
-                let got = largest_distance(&vertices, |t| spline.eval(t));
+                let got = largest_distance(&vertices, |t| spline.point(t));
                 prop_assert!(got <= tolerance + 1e-12 * size, "{got:e} > {tolerance:e}");
             }
             Err(error) => prop_assert!(

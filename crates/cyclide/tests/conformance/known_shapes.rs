@@ -150,7 +150,7 @@ fn a_cusp_is_measured_like_any_other_place() {
     for w in polyline.windows(2) {
         let (a, b) = (w[0].1, w[1].1);
         for i in 0..=8 {
-            let p = c.eval(w[0].0 + (w[1].0 - w[0].0) * f64::from(i) / 8.0);
+            let p = c.point(w[0].0 + (w[1].0 - w[0].0) * f64::from(i) / 8.0);
             let f = ((p - a).dot(b - a) / (b - a).length_squared()).clamp(0.0, 1.0);
             assert!(p.distance(a.lerp(b, f)) <= 1e-4, "{w:?}");
         }

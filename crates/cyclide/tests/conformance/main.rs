@@ -50,13 +50,13 @@ fn flattening_stays_within_the_tolerance() {
         for relative in [1e-1, 1e-3, 1e-5] {
             let tolerance = relative * case.size;
             let polyline = flatten(curve, tolerance).unwrap();
-            assert_eq!(polyline[0], (0.0, curve.eval(0.0)));
+            assert_eq!(polyline[0], (0.0, curve.point(0.0)));
             assert_eq!(polyline[polyline.len() - 1].0, 1.0);
             for w in polyline.windows(2) {
                 let ((t0, a), (t1, b)) = (w[0], w[1]);
                 assert!(t1 > t0, "{}: {t0} {t1}", case.name);
                 for j in 1..16 {
-                    let p = curve.eval(t0 + (t1 - t0) * f64::from(j) / 16.0);
+                    let p = curve.point(t0 + (t1 - t0) * f64::from(j) / 16.0);
                     let d = segment_distance(p, a, b);
                     assert!(
                         d <= tolerance * (1.0 + 1e-9) + 8.0 * f64::EPSILON * case.reach,
@@ -148,7 +148,7 @@ fn bounds_contain_the_curve_and_touch_it() {
     each(|case, curve| {
         let b = bounds(curve);
         let n = 1000 * curve.piece_count();
-        let points: Vec<Point3> = (0..=n).map(|i| curve.eval(i as f64 / n as f64)).collect();
+        let points: Vec<Point3> = (0..=n).map(|i| curve.point(i as f64 / n as f64)).collect();
         let sampled = cyclide::Aabb::of_points(points.iter().copied()).unwrap();
         let rounding = 1e-12 * case.size + 4.0 * f64::EPSILON * case.reach;
         for axis in 0..3 {
@@ -197,10 +197,10 @@ fn points_of_jets_and_slices_are_the_points() {
         let ts: Vec<f64> = (0..=97).map(|i| f64::from(i) / 97.0).collect();
         let mut points = vec![Point3::ORIGIN; ts.len()];
         let mut jets = vec![CurveJet::default(); ts.len()];
-        curve.eval_into(&ts, &mut points);
+        curve.points_into(&ts, &mut points);
         curve.jets_into(&ts, &mut jets);
         for ((t, p), j) in ts.iter().zip(&points).zip(&jets) {
-            assert_eq!(*p, curve.eval(*t), "{} at {t}", case.name);
+            assert_eq!(*p, curve.point(*t), "{} at {t}", case.name);
             assert_eq!(*j, curve.jet(*t), "{} at {t}", case.name);
             // Both are quotients of sums of at most ten products of the size of the coordinates.
             assert!(p.distance(j.point) <= 16.0 * f64::EPSILON * case.reach, "{} at {t}", case.name);
@@ -263,13 +263,13 @@ fn probes(case: &Case, curve: &dyn ParamCurve) -> Vec<Point3> {
     for i in 1..30 {
         let t = (f64::from(i) * 0.618_034).fract();
         for size in [0.0, 1e-9, 1e-3, 0.1, 1.0, 10.0] {
-            probes.push(curve.eval(t) + direction(i) * (size * case.size));
+            probes.push(curve.point(t) + direction(i) * (size * case.size));
         }
         // The centre of curvature: the hardest place, where the distance is flat.
         if let Some(k) = curve.jet(t).curvature_vector() {
             let k2 = k.length_squared();
             if k2 * case.size * case.size > 1e-6 {
-                probes.push(curve.eval(t) + k / k2);
+                probes.push(curve.point(t) + k / k2);
             }
         }
     }
@@ -285,12 +285,12 @@ fn closest_point_is_never_beaten_by_a_dense_search() {
             let c = index.closest_point(p);
             let rounding = case.rounding + 4.0 * f64::EPSILON * p.to_vec().max_abs();
             // It is a point of the curve, at that distance.
-            assert!(c.point.distance(curve.eval(c.t)) <= 1e-9 * case.size, "{} {p:?} {c:?}", case.name);
+            assert!(c.point.distance(curve.point(c.t)) <= 1e-9 * case.size, "{} {p:?} {c:?}", case.name);
             assert!((c.distance - c.point.distance(p)).abs() <= rounding, "{} {p:?} {c:?}", case.name);
             let best = dense.iter().map(|q| q.distance(p)).fold(f64::INFINITY, f64::min);
             assert!(c.distance <= best + rounding, "{} {p:?}: {c:?}, dense search finds {best}", case.name);
         }
-        let p = Point3::new(0.3, 0.2, 0.1) + curve.eval(0.7).to_vec();
+        let p = Point3::new(0.3, 0.2, 0.1) + curve.point(0.7).to_vec();
         assert_eq!(index.closest_point(p), closest_point(curve, p), "{}", case.name);
     });
 }
@@ -300,7 +300,7 @@ fn points_of_the_curve_are_their_own_closest_points() {
     each(|case, curve| {
         let index = CurveIndex::new(curve);
         for i in 0..=200 {
-            let p = curve.eval(f64::from(i) / 200.0);
+            let p = curve.point(f64::from(i) / 200.0);
             let c = index.closest_point(p);
             assert!(c.distance <= case.rounding, "{}: {c:?}", case.name);
         }
@@ -326,7 +326,7 @@ fn constant_speed_parameter_inverts_the_length() {
             assert!((got - want).abs() <= 1e-12 * total + f64::EPSILON * speed, "{} {t}: {got} {want}", case.name);
         }
         for (t, p) in resample(curve, 7) {
-            assert_eq!(p, curve.eval(t));
+            assert_eq!(p, curve.point(t));
         }
     });
 }

@@ -51,7 +51,7 @@ fn legs_meet_in_their_corner() {
     let [corner] = *spline.kinks() else { panic!("one corner") };
     // Pieces of at most 8 and 6 nodes that share one.
     assert!(corner < 8 && spline.segments().len() - corner < 6, "{corner} of {}", spline.segments().len());
-    let ends = [spline.segments()[0].start(), spline.segments()[corner].start(), spline.eval(1.0)];
+    let ends = [spline.segments()[0].start(), spline.segments()[corner].start(), spline.point(1.0)];
     assert_eq!(ends, [points[0], points[100], points[200]], "to the bit");
 }
 

@@ -50,7 +50,7 @@ fn another_start_of_a_closed_curve_changes_nothing() {
         // The curve starts beside the first point: no farther along it than half a segment and the tolerance.
         let (spline, shortest) = (plain.spline(), plain.spline().segments()[0].chord_length());
         let before = spline.segments()[spline.segments().len() - 1].chord_length();
-        assert!(spline.eval(0.0).distance(points[0]) <= 0.75 * shortest.max(before) + tolerance);
+        assert!(spline.point(0.0).distance(points[0]) <= 0.75 * shortest.max(before) + tolerance);
         let plain = (plain.certificate().nodes, variation(spline).0);
         for start in [1, n / 5, n / 2, 2 * n / 3, n - 1] {
             let mut moved = points.clone();
@@ -89,7 +89,7 @@ fn options_do_what_they_say() {
     let generous = fitted(&points, &FairFitOptions { budget: 1.0, ..closed(0.4) });
     assert!(generous.certificate().nodes <= plain.certificate().nodes);
     let open = fitted(&points, &FairFitOptions { fix_ends: true, ..FairFitOptions::new(0.4) });
-    assert_eq!((open.spline().eval(0.0), open.spline().eval(1.0)), (points[0], points[399]));
+    assert_eq!((open.spline().point(0.0), open.spline().point(1.0)), (points[0], points[399]));
     // The whole range.
     for options in [
         FairFitOptions { centre: 1e6, ..closed(0.4) },

@@ -102,7 +102,7 @@ fn tight_closed_figures_keep_their_seam() {
     .concat();
     let s = CircleSpline::fair(&points, &FairSplineOptions { tight: Some(0.25), ..closed() }).unwrap();
     assert_eq!(s.piece_count(), 16 + 8);
-    assert_eq!(s.eval(0.0), points[0]);
+    assert_eq!(s.point(0.0), points[0]);
     assert!(joints(&s).iter().all(|j| j.gap == 0.0 && j.curvature_jump < 1e-13));
 }
 

@@ -1,7 +1,7 @@
 //! Points, derivatives, curvatures and the forms of one patch agree with each other.
 
 use super::{PLACES, cross_ratio_defect};
-use cyclide::{CyclidePatch, ExactRational, ParamSurface, Point3, Quat, Vec3};
+use cyclide::{CyclidePatch, ParamSurface, Point3, Quat, Vec3};
 use cyclide_testkit::patches::{patch, tame_patch, triangular_patch};
 use proptest::prelude::*;
 

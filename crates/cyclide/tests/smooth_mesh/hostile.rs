@@ -50,7 +50,7 @@ fn normals_that_do_not_fit_are_refused() {
         change(&mut normals);
         SmoothMesh::new(&points, &triangles, VertexNormals::Given(&normals)).map(|_| ()).unwrap_err().reason()
     };
-    assert_eq!(with(&|n| n.truncate(5)), "normal-count");
+    assert_eq!(with(&|n| n.truncate(5)), "count-differs");
     assert_eq!(with(&|n| n[2] = Vec3::ZERO), "undefined-normal");
     assert_eq!(with(&|n| n[2] = Vec3::new(0.0, f64::NAN, 1.0)), "not-finite");
     assert_eq!(with(&|n| n[0] = Vec3::new(1.0, -1.0, 0.0)), "normal-along-edge");

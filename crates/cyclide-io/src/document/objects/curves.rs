@@ -1,6 +1,6 @@
 //! Curves: from fields and lists of points to the kernel's constructions.
 
-use cyclide::{Arc, Biarc, BlendSegment, Circle, CurveObject, Quat, Vec3, Warning, bounds};
+use cyclide::{Arc, Biarc, BlendSegment, Circle, CurveObject, ErrorItem, Quat, Vec3, Warning, bounds};
 
 use super::Builder;
 use super::idle::{Idle, NO_EFFECT, idle_fields};
@@ -103,7 +103,7 @@ fn check_in_place(curve: &CurveObject) -> cyclide::Result<()> {
     if size > limit {
         return Ok(());
     }
-    Err(cyclide::Error::BelowRoundingOfPlace { what: "the curve", size, place, limit })
+    Err(cyclide::Error::BelowRoundingOfPlace { what: ErrorItem::Curve, size, place, limit })
 }
 
 impl Builder<'_> {
@@ -123,7 +123,7 @@ impl Builder<'_> {
             ObjectSpec::Circle(s) => single(CurveObject::Circle(self.circle(s)?)),
             ObjectSpec::Biarc(s) => {
                 let (t0, t1) = (s.from_tangent.vector(), s.to_tangent.vector());
-                let biarc = Biarc::new(s.from.point(), t0, s.to.point(), t1, s.rule.into());
+                let biarc = Biarc::new(s.from.point(), t0, s.to.point(), t1, s.rule);
                 single(CurveObject::ArcPath(biarc.map_err(|e| self.refused(&e, None))?.to_path()))
             }
             ObjectSpec::Polyline(s) => self.each_contour(&s.points, s.closed, |at| polyline(s, at)),

@@ -1,8 +1,8 @@
 //! Objects made from other objects.
 
 use cyclide::{
-    Body, Conformal as _, CurveObject, CyclidePatch, HPoint, Mobius, Pipe, Point3, Quat, Revolution, Shell, ShellFace,
-    ShortNumber, SurfaceObject, Vec3, Warning, bounds, closest_point,
+    Body, Conformal as _, CurveObject, CyclidePatch, ErrorItem, HPoint, Mobius, Pipe, Point3, Quat, Revolution, Shell,
+    ShellFace, ShortNumber, SurfaceObject, Vec3, Warning, bounds, closest_point,
 };
 
 use super::{Builder, BuiltObject};
@@ -44,7 +44,7 @@ impl Builder<'_> {
             return Err(self.wrong_source("only curves have a pipe about them"));
         }
         let refused = |e: cyclide::Error| self.refused(&e, None);
-        let mut pipe = Pipe::new(spec.radius).map_err(refused)?.with_ends(spec.ends.into());
+        let mut pipe = Pipe::new(spec.radius).map_err(refused)?.with_ends(spec.ends);
         if let Some(wall) = spec.wall {
             pipe = pipe.with_wall(wall).map_err(refused)?;
         }
@@ -174,7 +174,11 @@ fn check_far_from_pole(curve: &CurveObject, map: &Mobius) -> cyclide::Result<()>
     let curve = curve.as_curve();
     let limit = SMALLEST_DISTANCE * bounds(curve).including(pole).max_abs();
     let distance = closest_point(curve, pole).distance;
-    if distance < limit { Err(cyclide::Error::NearPole { distance, limit }) } else { Ok(()) }
+    if distance < limit {
+        Err(cyclide::Error::PointAtInfinity { what: ErrorItem::Curve, index: 0, distance, limit })
+    } else {
+        Ok(())
+    }
 }
 
 /// The map of one step.
@@ -184,9 +188,7 @@ fn map_of(step: &StepSpec) -> cyclide::Result<Mobius> {
         StepSpec::Inversion(s) => Mobius::inversion(s.center.point(), s.radius),
         StepSpec::Translation(v) => Mobius::translation(v.vector()),
         StepSpec::Rotation(s) => {
-            let axis = s.axis.map_or(Vec3::Z, Coordinates::vector).unit().ok_or(cyclide::Error::ZeroAxis)?;
-            let (turn, center) = (Quat::from_axis_angle(axis, s.angle.turn()), origin(s.center).to_vec());
-            Mobius::similarity(turn, 1.0, center - turn.rotate(center))
+            Mobius::rotation(origin(s.center), s.axis.map_or(Vec3::Z, Coordinates::vector), s.angle.turn())
         }
         StepSpec::Scale(s) => {
             let center = origin(s.center).to_vec();

@@ -3,14 +3,14 @@
 //! Where it is cheap the curve is made again without the field and compared; so the answer needs no rule of its own for what
 //! a construction does with a field.
 
-use cyclide::{CurveObject, bounds, corners_by_angle};
+use cyclide::{BiarcRule, CurveObject, bounds, corners_by_angle};
 
 use crate::document::angle::Angle;
 use crate::document::construct::{Contour, arc_spline, fair_spline};
 use crate::document::coordinates::{PointFile, PointSource};
 use crate::document::spec::{
     ArcSplineSpec, CircleSplineSpec, Comment, EndsSpec, FairEndsSpec, FairFitSpec, FairSplineSpec, ObjectSpec,
-    RuleWord, StraightWord, TypeWord,
+    StraightWord, TypeWord,
 };
 
 /// The reason of warnings about fields and options without effect.
@@ -75,10 +75,10 @@ fn in_circle_spline(spec: &CircleSplineSpec, at: &Contour<'_>) -> Vec<Idle> {
 
 fn in_arc_spline(spec: &ArcSplineSpec, at: &Contour<'_>, made: &CurveObject) -> Vec<Idle> {
     let same = || {
-        let other = ArcSplineSpec { rule: RuleWord::EqualD, ..spec.clone() };
+        let other = ArcSplineSpec { rule: BiarcRule::EqualD, ..spec.clone() };
         arc_spline(&other, at).is_ok_and(|(curve, ..)| is_same(&curve, made))
     };
-    found(&[("rule", spec.rule == RuleWord::EqualChord && same(), "with `equal-d` the arcs are the same")])
+    found(&[("rule", spec.rule == BiarcRule::EqualChord && same(), "with `equal-d` the arcs are the same")])
 }
 
 fn in_fair_fit(spec: &FairFitSpec, at: &Contour<'_>) -> Vec<Idle> {

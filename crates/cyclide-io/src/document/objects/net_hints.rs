@@ -56,9 +56,9 @@ pub(super) fn hint(error: &KernelError, given: &QuadGrid) -> Option<String> {
         KernelError::NetDoesNotClose { direction, angle, .. } => {
             let [m, n] = given.quads();
             let strip: Vec<[usize; 2]> =
-                if *direction == "s" { (0..m).map(|i| [i, 0]).collect() } else { (0..n).map(|j| [0, j]).collect() };
+                if *direction == 0 { (0..m).map(|i| [i, 0]).collect() } else { (0..n).map(|j| [0, j]).collect() };
             let digits = Digits::of(given).filter(|d| *angle <= d.reach(given, &strip) * strip.len() as f64);
-            let border = if *direction == "s" { "column" } else { "row" };
+            let border = if *direction == 0 { "column" } else { "row" };
             let open = format!(
                 "cut it open: repeat the first {border} as the last one and leave out `closed` (in a mesh file, points of \
                  its own on both sides of the cut); a seam stays there"

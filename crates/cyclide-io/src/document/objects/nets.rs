@@ -2,7 +2,8 @@
 
 use cyclide::{
     Body, Border, CircularMeshOptions, CircularMeshReport, CurveObject, CyclidicNet, DupinCyclide,
-    Error as KernelError, Frame, NetFrame, ParamCurve, QuadGrid, SurfaceObject, Vec3, Warning, make_circular,
+    Error as KernelError, ErrorItem, Frame, NetFrame, ParamCurve, QuadGrid, SurfaceObject, Vec3, Warning,
+    make_circular,
 };
 
 use super::Builder;
@@ -202,7 +203,7 @@ impl<'a> Builder<'a> {
                 };
                 return self.refused_in_words([Step::from("frame")], error.reason(), words);
             }
-            (KernelError::NotFinite { what: "frame vector", .. }, _) => {
+            (KernelError::NotFinite { what: ErrorItem::FrameVector, .. }, _) => {
                 return self.refused_at([Step::from("frame")], error);
             }
             _ => {}
@@ -220,7 +221,7 @@ impl<'a> Builder<'a> {
         if let KernelError::CollapsedOnCurve { .. } = error {
             return self.refused_at(["make_circular".into(), "border".into()], error);
         }
-        if let KernelError::ParameterOutOfRange { name: "max_steps", .. } = error {
+        if let KernelError::ParameterOutOfRange { name: ErrorItem::MaxSteps, .. } = error {
             return self.refused_at(["make_circular".into(), "max_steps".into()], error);
         }
         let words = hint(error, grid).map_or(error.to_string(), |hint| format!("{error}; {hint}"));

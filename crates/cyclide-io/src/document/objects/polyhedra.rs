@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use cyclide::{ConvexPolyhedron, Error as KernelError, Point3, ShortNumber, SurfaceObject};
+use cyclide::{ConvexPolyhedron, Error as KernelError, ErrorItem, Point3, ShortNumber, SurfaceObject};
 
 use super::Builder;
 use super::curves::inline_points;
@@ -139,9 +139,9 @@ impl Builder<'_> {
         }
         let steps: Vec<Step> = match *error {
             KernelError::RadiusNotPositive { .. }
-            | KernelError::ParameterOutOfRange { name: "radius", .. }
-            | KernelError::BelowRoundingOfPlace { what: "the radius", .. } => vec!["radius".into()],
-            KernelError::ParameterOutOfRange { name: "flatness", .. } => vec!["flatness".into()],
+            | KernelError::ParameterOutOfRange { name: ErrorItem::Radius, .. }
+            | KernelError::BelowRoundingOfPlace { what: ErrorItem::Radius, .. } => vec!["radius".into()],
+            KernelError::ParameterOutOfRange { name: ErrorItem::Flatness, .. } => vec!["flatness".into()],
             KernelError::NotAFace { face, .. } if mesh.field == "faces" => vec!["faces".into(), face.into()],
             _ => vec![mesh.field.into()],
         };

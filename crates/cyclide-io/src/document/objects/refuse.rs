@@ -1,6 +1,6 @@
 //! What the kernel refused, shown at the point or field it is about.
 
-use cyclide::{Point3, ShortNumber, Warning};
+use cyclide::{ErrorItem, Point3, ShortNumber, Warning};
 
 use super::Builder;
 use super::curves::{Origin, Points, point_steps};
@@ -29,12 +29,12 @@ impl Builder<'_> {
             (cyclide::Error::TooFewPoints { .. }, _) if self.warnings.iter().any(merged) => {
                 format!("{error} (repeated points count once)")
             }
-            (cyclide::Error::ParameterOutOfRange { name: "distance", .. }, ObjectSpec::Offset(spec))
+            (cyclide::Error::ParameterOutOfRange { name: ErrorItem::Distance, .. }, ObjectSpec::Offset(spec))
                 if spec.distance == 0.0 =>
             {
                 "a solid between a surface and its offset needs a distance other than 0".to_owned()
             }
-            (cyclide::Error::ParameterOutOfRange { name: "corner_angle", value, .. }, spec) => {
+            (cyclide::Error::ParameterOutOfRange { name: ErrorItem::CornerAngle, value, .. }, spec) => {
                 let written = spec.corner_angle();
                 written.map_or_else(|| error.to_string(), |angle| corner_angle_words(angle, *value))
             }
@@ -159,13 +159,13 @@ pub(super) fn frame_words(frame: [Coordinates; 2]) -> String {
 
 /// The point that a refused coordinate belongs to: the one that is farthest out.
 fn too_far_out(error: &cyclide::Error, points: &[Point3]) -> Option<usize> {
-    let cyclide::Error::ParameterOutOfRange { name: "coordinate", value, .. } = *error else { return None };
+    let cyclide::Error::ParameterOutOfRange { name: ErrorItem::Coordinate, value, .. } = *error else { return None };
     points.iter().position(|p| p.to_vec().max_abs() >= value.abs())
 }
 
 /// Which value of an object an error of the kernel is about.
 fn blame(spec: &ObjectSpec, error: &cyclide::Error) -> Blame {
-    use cyclide::Error as E;
+    use cyclide::{Error as E, ErrorItem as I};
     let tangent = |index: usize| match (spec, index) {
         (ObjectSpec::Arc(s), _) => Blame::Field(if s.tangent.is_some() { "tangent" } else { "end_tangent" }),
         (ObjectSpec::Biarc(_), 0) => Blame::Field("from_tangent"),
@@ -187,18 +187,18 @@ fn blame(spec: &ObjectSpec, error: &cyclide::Error) -> Blame {
         {
             blame_swept(spec, error)
         }
-        E::NotFinite { what: "tangent", index } | E::ZeroTangent { index } | E::TangentOpposesChord { index } => {
+        E::NotFinite { what: I::Tangent, index } | E::ZeroTangent { index } | E::TangentOpposesChord { index, .. } => {
             tangent(index)
         }
-        E::NotFinite { what: "weight", index } | E::ZeroWeight { index } => Blame::Entry("weights", index),
-        E::NotFinite { what: "frame vector", index } => Blame::Entry("frame", index),
+        E::NotFinite { what: I::Weight, index } | E::ZeroWeight { index } => Blame::Entry("weights", index),
+        E::NotFinite { what: I::FrameVector, index } => Blame::Entry("frame", index),
         E::FrameNotOrthonormal { .. } => Blame::Field("frame"),
         E::NotConcircular { .. } | E::CrossingQuad { .. } if is_patch => Blame::Entry("corners", 3),
-        E::NotFinite { what: "point", index } | E::CoincidentPoints { second: index, .. } if is_patch => {
+        E::NotFinite { what: I::Point, index } | E::CoincidentPoints { second: index, .. } if is_patch => {
             Blame::Entry("corners", index)
         }
-        E::NotFinite { what: "tolerance", .. } | E::ToleranceNotPositive { .. } => Blame::Field("tolerance"),
-        E::NotFinite { what: "bulge", .. } => Blame::Field("bulge"),
+        E::NotFinite { what: I::Tolerance, .. } | E::ToleranceNotPositive { .. } => Blame::Field("tolerance"),
+        E::NotFinite { what: I::Bulge, .. } => Blame::Field("bulge"),
         E::NotInImH { .. } | E::PoleOnSegment { .. } => {
             Blame::Field(if matches!(spec, ObjectSpec::Arc(ArcSpec { bulge: Some(_), .. })) {
                 "bulge"
@@ -208,30 +208,32 @@ fn blame(spec: &ObjectSpec, error: &cyclide::Error) -> Blame {
         }
         E::RadiusNotPositive { .. } => Blame::Field("radius"),
         E::DegenerateCircle { .. } if matches!(spec, ObjectSpec::Circle(_)) => Blame::Field("through"),
-        E::ZeroAxis if matches!(spec, ObjectSpec::Cyclide(_) | ObjectSpec::Revolution(_)) => Blame::Field("axis"),
+        E::ZeroAxis { .. } if matches!(spec, ObjectSpec::Cyclide(_) | ObjectSpec::Revolution(_)) => {
+            Blame::Field("axis")
+        }
         E::AngleOutOfRange { .. } if matches!(spec, ObjectSpec::Revolution(_)) => Blame::Field("angle"),
         E::PipeTooWide { .. } | E::MitreDoesNotFit { .. } | E::PipeMeetsItself { .. } => Blame::Field("radius"),
-        E::ParameterOutOfRange { name: name @ "wall", .. } => Blame::Field(name),
+        E::ParameterOutOfRange { name: name @ I::Wall, .. } => Blame::Field(name.word()),
         E::NotOfArcs { .. } => Blame::Field("of"),
-        E::RadiusCount { .. } => Blame::Field("radius"),
+        E::CountDiffers { what: I::Radius, .. } => Blame::Field("radius"),
         _ if matches!(spec, ObjectSpec::Revolution(_) | ObjectSpec::Pipe(_)) => Blame::Field("of"),
-        E::ZeroAxis => Blame::Field("normal"),
-        E::ParameterOutOfRange { name: "segments along s", .. } => Blame::Entry("segments", 0),
-        E::ParameterOutOfRange { name: "segments along t", .. } => Blame::Entry("segments", 1),
+        E::ZeroAxis { .. } => Blame::Field("normal"),
+        E::ParameterOutOfRange { name: I::SegmentsAlongS, .. } => Blame::Entry("segments", 0),
+        E::ParameterOutOfRange { name: I::SegmentsAlongT, .. } => Blame::Entry("segments", 1),
         E::OrderOutOfRange { .. } => Blame::Field("order"),
-        E::TangentCount { .. } => Blame::Field("tangents"),
-        E::ParameterOutOfRange { name: "edge_points", .. } => Blame::Field("polyline"),
-        E::ParameterOutOfRange { name, .. } => Blame::Field(name),
+        E::CountDiffers { .. } => Blame::Field("tangents"),
+        E::ParameterOutOfRange { name: I::EdgePoints, .. } => Blame::Field("polyline"),
+        E::ParameterOutOfRange { name, .. } => Blame::Field(name.word()),
         _ => error.index().map_or(Blame::Object, Blame::Point),
     }
 }
 
 /// As [`blame`], of necks, bridges and surfaces between two curves.
 fn blame_swept(spec: &ObjectSpec, error: &cyclide::Error) -> Blame {
-    use cyclide::Error as E;
+    use cyclide::{Error as E, ErrorItem as I};
     match (spec, error) {
-        (_, E::ParameterOutOfRange { name: name @ ("height" | "thickness" | "wall" | "depth"), .. }) => {
-            Blame::Field(name)
+        (_, E::ParameterOutOfRange { name: name @ (I::Height | I::Thickness | I::Wall | I::Depth), .. }) => {
+            Blame::Field(name.word())
         }
         (ObjectSpec::PlateWithNeck(s), E::RadiusNotPositive { .. }) if s.pipe_radius <= 0.0 => {
             Blame::Field("pipe_radius")
@@ -248,7 +250,7 @@ fn blame_swept(spec: &ObjectSpec, error: &cyclide::Error) -> Blame {
         }
         (
             ObjectSpec::CircularSurface(_),
-            E::ZeroTangent { .. } | E::TangentNearlyOpposesChord { .. } | E::TangentCount { .. },
+            E::ZeroTangent { .. } | E::TangentOpposesChord { .. } | E::CountDiffers { .. },
         ) => Blame::Field("tangent"),
         (ObjectSpec::CircularSurface(_) | ObjectSpec::Ruled(_), _) => Blame::Field("rails"),
         _ => Blame::Object,

@@ -1,25 +1,18 @@
 //! Necks, bridges, and surfaces between two curves.
 
-use cyclide::{
-    CurveObject, EllipseBridge, NeckBlend, NeckBody, NeckSide, NeckVariant, PlateShape, SurfaceObject, Vec3,
-};
+use cyclide::{CurveObject, EllipseBridge, NeckBlend, NeckBody, NeckSide, PlateShape, SurfaceObject, Vec3};
 
 use super::Builder;
 use crate::document::angle::Angle;
 use crate::document::coordinates::Coordinates;
 use crate::document::locate::{Step, path_text};
-use crate::document::spec::{
-    CircularSurfaceSpec, EllipseBridgeSpec, NeckSideWord, NeckVariantWord, PlateSpec, PlateWithNeckSpec,
-};
+use crate::document::spec::{CircularSurfaceSpec, EllipseBridgeSpec, PlateSpec, PlateWithNeckSpec};
 use crate::error::{Error, Result};
 
 impl Builder<'_> {
     /// A pipe on a plate, or with a floor.
     pub(super) fn plate_with_neck(&mut self, spec: &PlateWithNeckSpec) -> Result<Vec<SurfaceObject>> {
-        let side = match spec.side {
-            NeckSideWord::Outside => NeckSide::Outside,
-            NeckSideWord::Inside => NeckSide::Inside,
-        };
+        let side = spec.side;
         if side == NeckSide::Inside && spec.plate.is_some() {
             return Err(self.unfit("a neck inside a pipe has the floor of the pipe for its plate: leave out `plate`"));
         }
@@ -29,12 +22,8 @@ impl Builder<'_> {
         if spec.wall.is_some() && spec.thickness.is_none() {
             return Err(self.unfit("`wall` goes with `thickness`, which makes a solid"));
         }
-        let variant = match spec.variant {
-            NeckVariantWord::Pipe => NeckVariant::Pipe,
-            NeckVariantWord::Vertical => NeckVariant::Vertical,
-        };
         let slope = spec.slope.map_or(0.0, Angle::radians);
-        let neck = NeckBlend::new(spec.pipe_radius, spec.ball_radius, slope, side, variant);
+        let neck = NeckBlend::new(spec.pipe_radius, spec.ball_radius, slope, side, spec.variant);
         let neck = neck.map_err(|e| self.refused(&e, None))?;
         let plate = spec.plate.map(|plate| match plate {
             PlateSpec::Rectangle(sides) => PlateShape::Rectangle(sides),

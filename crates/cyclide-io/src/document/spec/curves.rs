@@ -1,5 +1,6 @@
 //! Curves, field by field.
 
+use cyclide::{BiarcRule, BlendVariant, Effort, FitTarget};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -106,7 +107,7 @@ pub struct BiarcSpec {
     pub to_tangent: Coordinates,
     /// How the joint is chosen.
     #[serde(default)]
-    pub rule: RuleWord,
+    pub rule: BiarcRule,
 }
 
 /// Arcs through points: a biarc from each point to the next, tangent-continuous everywhere.
@@ -132,7 +133,7 @@ pub struct ArcSplineSpec {
     pub closed: bool,
     /// How the joint between two points is chosen.
     #[serde(default)]
-    pub rule: RuleWord,
+    pub rule: BiarcRule,
 }
 
 /// Segments through points, with corners that arcs round.
@@ -181,10 +182,10 @@ pub struct ArcFitSpec {
     pub tolerance: f64,
     /// What the points are.
     #[serde(default)]
-    pub target: TargetWord,
+    pub target: FitTarget,
     /// How hard to search for fewer arcs.
     #[serde(default)]
-    pub effort: EffortWord,
+    pub effort: Effort,
     /// Turns of the points above this angle are kept as corners. Default: pi/6.
     #[schemars(extend("exclusiveMinimum" = 0, "maximum" = std::f64::consts::PI))]
     pub corner_angle: Option<Angle>,
@@ -263,7 +264,7 @@ pub struct CircleSplineSpec {
     pub order: u32,
     /// How the circles are blended.
     #[serde(default)]
-    pub variant: VariantWord,
+    pub variant: BlendVariant,
     /// What happens at the ends of an open curve.
     #[serde(default)]
     pub ends: EndsSpec,
@@ -276,58 +277,6 @@ pub struct CircleSplineSpec {
 /// The default blend order.
 pub(super) const fn default_order() -> u32 {
     2
-}
-
-/// How the joint of a biarc is chosen.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-#[schemars(rename = "Rule")]
-pub enum RuleWord {
-    /// Equal legs of the two control triangles.
-    #[default]
-    EqualD,
-    /// Equal chords.
-    EqualChord,
-    /// Equal legs, unless equal chords give a clearly better curve.
-    Auto,
-}
-
-/// What the points of an arc fit are.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-#[schemars(rename = "Target")]
-pub enum TargetWord {
-    /// Samples of a smooth curve: the points are within the tolerance of the arcs.
-    #[default]
-    Points,
-    /// The edges themselves: every point of every edge is within the tolerance, and every point of the arcs.
-    Polyline,
-}
-
-/// How hard an arc fit searches.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-#[schemars(rename = "Effort")]
-pub enum EffortWord {
-    /// Quick, a few per cent more arcs.
-    Fast,
-    /// The usual search.
-    #[default]
-    Default,
-    /// Slow, sometimes fewer arcs.
-    Best,
-}
-
-/// How the circles of a circle spline are blended.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-#[schemars(rename = "Variant")]
-pub enum VariantWord {
-    /// An exact rational curve.
-    #[default]
-    Rational,
-    /// Sines of a blended angle; files carry it within a tolerance.
-    Trigonometric,
 }
 
 /// The ends of an open circle spline: `natural`, or given directions.

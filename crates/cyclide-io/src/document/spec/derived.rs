@@ -119,34 +119,10 @@ pub struct PipeSpec {
     pub wall: Option<f64>,
     /// How it ends, if the curve is open.
     #[serde(default)]
-    pub ends: EndWord,
+    pub ends: PipeEnds,
     /// Distance within which arcs replace a curve that is not made of arcs and segments. Default: such a curve is refused.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub tolerance: Option<f64>,
-}
-
-/// The ends of a pipe.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-#[schemars(inline)]
-pub enum EndWord {
-    /// Plane.
-    #[default]
-    Flat,
-    /// Hemispheres.
-    Round,
-    /// None: the surface only.
-    Open,
-}
-
-impl From<EndWord> for PipeEnds {
-    fn from(word: EndWord) -> Self {
-        match word {
-            EndWord::Flat => Self::Flat,
-            EndWord::Round => Self::Round,
-            EndWord::Open => Self::Open,
-        }
-    }
 }
 
 /// A sphere to invert in.

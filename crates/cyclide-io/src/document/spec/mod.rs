@@ -20,11 +20,11 @@ use serde::Deserialize;
 pub use circular::{BorderCurves, BorderSpec, BorderWord, MakeCircularOptions, MakeCircularSpec};
 pub use comment::Comment;
 pub use curves::{
-    ArcFitSpec, ArcSpec, ArcSplineSpec, BiarcSpec, CircleSpec, CircleSplineSpec, ClampedEnds, EffortWord, EndsSpec,
-    FairFitSpec, PolylineSpec, RuleWord, TargetWord, VariantWord,
+    ArcFitSpec, ArcSpec, ArcSplineSpec, BiarcSpec, CircleSpec, CircleSplineSpec, ClampedEnds, EndsSpec, FairFitSpec,
+    PolylineSpec,
 };
 pub use derived::{
-    EndWord, OffsetSpec, PipeSpec, PlaneSpec, RevolutionSpec, RotationSpec, ScaleSpec, SphereSpec, StepSpec,
+    OffsetSpec, PipeSpec, PlaneSpec, RevolutionSpec, RotationSpec, ScaleSpec, SphereSpec, StepSpec,
     SupportStructureSpec, TransformSpec,
 };
 pub use fair::{FairEndPair, FairEndSpec, FairEndWord, FairEndsSpec, FairSplineSpec, StraightWord};
@@ -32,9 +32,7 @@ pub use nets::{CyclideSpec, CyclidicNetSpec, FrameSpec, GridSource, MeshFile};
 pub use polyhedra::{PolyhedronFile, SmoothPolyhedronSpec};
 pub use radii::RadiiSpec;
 pub use surfaces::CyclidePatchSpec;
-pub use swept::{
-    CircularSurfaceSpec, EllipseBridgeSpec, NeckSideWord, NeckVariantWord, PlateSpec, PlateWithNeckSpec, RuledSpec,
-};
+pub use swept::{CircularSurfaceSpec, EllipseBridgeSpec, PlateSpec, PlateWithNeckSpec, RuledSpec};
 
 /// A cyclide model: named curves and surfaces made of circles. Lengths are in the document's units and are never rescaled,
 /// angles are in radians or say `degrees`.
@@ -52,44 +50,10 @@ pub(super) struct DocumentShape {
     cyclide: u64,
     /// What one unit of the coordinates is.
     #[schemars(default)]
-    units: UnitWord,
+    units: Units,
     /// The objects by name.
     #[schemars(extend("propertyNames" = { "minLength": 1 }))]
     objects: BTreeMap<String, ObjectSpec>,
-}
-
-/// The units of a document.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Deserialize, JsonSchema)]
-#[schemars(inline)]
-pub enum UnitWord {
-    /// Millimetres.
-    #[default]
-    #[serde(rename = "mm")]
-    Millimetre,
-    /// Centimetres.
-    #[serde(rename = "cm")]
-    Centimetre,
-    /// Metres.
-    #[serde(rename = "m")]
-    Metre,
-    /// Inches.
-    #[serde(rename = "in")]
-    Inch,
-    /// Feet.
-    #[serde(rename = "ft")]
-    Foot,
-}
-
-impl From<UnitWord> for Units {
-    fn from(word: UnitWord) -> Self {
-        match word {
-            UnitWord::Millimetre => Self::Millimetre,
-            UnitWord::Centimetre => Self::Centimetre,
-            UnitWord::Metre => Self::Metre,
-            UnitWord::Inch => Self::Inch,
-            UnitWord::Foot => Self::Foot,
-        }
-    }
 }
 
 /// One object of a document.

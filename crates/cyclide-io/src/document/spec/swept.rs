@@ -1,5 +1,6 @@
 //! Surfaces of arcs and straight lines, field by field: necks, bridges, and what is spanned between two curves.
 
+use cyclide::{NeckSide, NeckVariant};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
@@ -43,10 +44,10 @@ pub struct PlateWithNeckSpec {
     pub plate: Option<PlateSpec>,
     /// Whether the ball rolls outside or inside the pipe.
     #[serde(default)]
-    pub side: NeckSideWord,
+    pub side: NeckSide,
     /// The arcs of the neck.
     #[serde(default)]
-    pub variant: NeckVariantWord,
+    pub variant: NeckVariant,
     /// Thickness of the plate, or of the floor inside a pipe, downwards: makes a solid.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub thickness: Option<f64>,
@@ -75,30 +76,6 @@ pub struct DiskSpec {
     /// Its radius.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub radius: f64,
-}
-
-/// The side of a pipe on which a ball rolls.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-#[schemars(rename = "NeckSide")]
-pub enum NeckSideWord {
-    /// The corner between a pipe and the plate it stands on.
-    #[default]
-    Outside,
-    /// The corner between the inner wall of a pipe and its floor.
-    Inside,
-}
-
-/// The arcs of a neck.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-#[schemars(rename = "NeckVariant")]
-pub enum NeckVariantWord {
-    /// The envelope of the ball: a pipe surface of its radius.
-    #[default]
-    Pipe,
-    /// Arcs in planes along the axis of the pipe, which leave it along its lines.
-    Vertical,
 }
 
 /// Half circles, upright on the chords between two ellipses about the origin; tangent to the elliptic cylinders below both.

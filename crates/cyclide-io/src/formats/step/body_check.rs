@@ -171,7 +171,7 @@ fn edge_deviation(surface: &FaceSurface, side: Side, place: FaceEdge, edge: &Fil
         let p = surface.point(s, t);
         largest = largest.max(match &edge.curve {
             ChainPiece::Arc(arc) => arc.closest_point(p).distance,
-            ChainPiece::Spline(curve) => curve.eval(along).distance(p),
+            ChainPiece::Spline(curve) => curve.point(along).distance(p),
         });
         if i == 0 || i + 1 == PLACES {
             largest = largest.max(edge.ends[usize::from(along > 0.5)].distance(p));
@@ -179,7 +179,7 @@ fn edge_deviation(surface: &FaceSurface, side: Side, place: FaceEdge, edge: &Fil
     }
     let (start, end) = match &edge.curve {
         ChainPiece::Arc(arc) => (arc.start(), arc.end()),
-        ChainPiece::Spline(curve) => (curve.eval(0.0), curve.eval(1.0)),
+        ChainPiece::Spline(curve) => (curve.point(0.0), curve.point(1.0)),
     };
     largest.max(start.distance(edge.ends[0])).max(end.distance(edge.ends[1]))
 }
@@ -208,7 +208,7 @@ fn check_parameters(
     }
     let places = (0..PLACES).map(|i| {
         let x = parameter(i);
-        let on_curve = edge.parameter_curve.as_ref().map(|curve| curve.eval(x));
+        let on_curve = edge.parameter_curve.as_ref().map(|curve| curve.point(x));
         let (u, v) = on_curve.map_or_else(|| side.place(place.turned(x)), |at| (at.x, at.y));
         surface.point(u, v).distance(arc.point_at_length(x))
     });

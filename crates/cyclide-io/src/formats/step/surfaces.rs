@@ -12,8 +12,8 @@ use super::data::{Data, push_list, push_reference};
 use crate::export::options::StepEdges;
 use crate::text::number::push_step;
 use cyclide::{
-    Arc, CyclidePatch, Error, ExactRational as _, FaceSurface, Frame, ParamSurface as _, PatchKind, Point3,
-    RationalBezierSurface, Result, Shell, ShellFace, Vec3,
+    Arc, CyclidePatch, Error, FaceSurface, Frame, ParamSurface as _, PatchKind, Point3, RationalBezierSurface, Result,
+    Shell, ShellFace, Vec3,
 };
 use std::fmt::Write as _;
 

@@ -37,7 +37,19 @@ use search::Problem;
 const COINCIDENT_LIMIT: f64 = 1e-12;
 
 /// A grid with circular quads and what it took.
+///
+/// ```
+/// # #[cfg(feature = "circular-mesh")] {
+/// use cyclide::{CircularMeshOptions, Point3, QuadGrid, make_circular};
+/// let saddle = (0..25).map(|k| (0.1 * f64::from(k % 5), 0.1 * f64::from(k / 5)));
+/// let saddle = saddle.map(|(u, v)| Point3::new(u, v + 0.01 * u * u, u * u - v * v)).collect();
+/// let made = make_circular(&QuadGrid::new(saddle, [5, 5], [false; 2])?, &CircularMeshOptions::default(), &mut |_| ())?;
+/// assert!(made.report.residual_after < 1e-10 && made.grid.size() == [5, 5]);
+/// # }
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct CircularMesh {
     /// The grid; every quad's corners lie on one circle or line.
     pub grid: QuadGrid,

@@ -1,10 +1,21 @@
 //! What the user can ask of [`make_circular`](super::make_circular).
 
 use crate::curve::ParamCurve;
-use crate::error::{Error, Result};
+use crate::error::{Error, ErrorItem, Result};
 use crate::surface::QuadGrid;
 
 /// What the border vertices of an open direction may do.
+///
+/// ```
+/// # #[cfg(feature = "circular-mesh")] {
+/// use cyclide::{Arc, Border, Point3};
+/// let line = Arc::segment(Point3::ORIGIN, Point3::new(4.0, 0.0, 0.0))?;
+/// // The first row slides on a line, the other sides are free.
+/// let border = Border::OnCurves([Some(&line), None, None, None]);
+/// assert!(matches!(border, Border::OnCurves([Some(_), ..])));
+/// # }
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, Default)]
 pub enum Border<'a> {
     /// They move like the others.
@@ -23,6 +34,14 @@ pub enum Border<'a> {
 }
 
 /// Options of [`make_circular`](super::make_circular).
+///
+/// ```
+/// # #[cfg(feature = "circular-mesh")] {
+/// use cyclide::{Border, CircularMeshOptions};
+/// let options = CircularMeshOptions { border: Border::Pinned, ..Default::default() };
+/// assert!(options.max_steps > 10 && !options.allow_shape_change);
+/// # }
+/// ```
 #[derive(Debug, Clone, Copy)]
 pub struct CircularMeshOptions<'a> {
     /// What the border may do.
@@ -44,13 +63,13 @@ impl CircularMeshOptions<'_> {
     /// `parameter-out-of-range`.
     pub(super) fn check(&self, grid: &QuadGrid) -> Result<()> {
         if self.max_steps == 0 {
-            return Err(Error::ParameterOutOfRange { name: "max_steps", value: 0.0, min: 1.0, max: f64::MAX });
+            return Err(Error::ParameterOutOfRange { name: ErrorItem::MaxSteps, value: 0.0, min: 1.0, max: f64::MAX });
         }
         if let Border::OnCurves(sides) = self.border {
             for (side, curve) in sides.iter().enumerate() {
                 // Sides 0 and 1 bound t, sides 2 and 3 bound s.
                 if curve.is_some() && grid.closed()[1 - side / 2] {
-                    let name = "side of a border curve (the direction is closed)";
+                    let name = ErrorItem::BorderCurveSide;
                     return Err(Error::ParameterOutOfRange { name, value: side as f64, min: 0.0, max: 3.0 });
                 }
             }

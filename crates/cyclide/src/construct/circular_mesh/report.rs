@@ -17,7 +17,20 @@ const SMOOTH_TURN: f64 = 0.01;
 const ZIGZAG: f64 = 0.0;
 
 /// Lengths and angles of what was done; lengths in the unit of the points.
+///
+/// ```
+/// # #[cfg(feature = "circular-mesh")] {
+/// use cyclide::{CircularMeshOptions, Point3, QuadGrid, make_circular};
+/// let saddle = (0..25).map(|k| (0.1 * f64::from(k % 5), 0.1 * f64::from(k / 5)));
+/// let saddle = saddle.map(|(u, v)| Point3::new(u, v + 0.01 * u * u, u * u - v * v)).collect();
+/// let grid = QuadGrid::new(saddle, [5, 5], [false; 2])?;
+/// let report = make_circular(&grid, &CircularMeshOptions::default(), &mut |_| ())?.report;
+/// assert!(report.residual_after < report.residual_before && report.rejected_quads.is_empty());
+/// # }
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct CircularMeshReport {
     /// Steps of the search, rejected ones included; 0 if the grid was circular as given.
     pub steps: usize,
@@ -41,7 +54,19 @@ pub struct CircularMeshReport {
 }
 
 /// How far the vertices moved.
+///
+/// ```
+/// # #[cfg(feature = "circular-mesh")] {
+/// use cyclide::{CircularMeshOptions, Point3, QuadGrid, make_circular};
+/// let plane = (0..9).map(|k| Point3::new(f64::from(k % 3), f64::from(k / 3), 0.0)).collect();
+/// let grid = QuadGrid::new(plane, [3, 3], [false; 2])?;
+/// let moves = make_circular(&grid, &CircularMeshOptions::default(), &mut |_| ())?.report.moves;
+/// assert_eq!(moves.max, 0.0); // its quads have circles as they are
+/// # }
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[non_exhaustive]
 pub struct VertexMoves {
     /// The longest move.
     pub max: f64,
@@ -62,7 +87,21 @@ pub struct VertexMoves {
 
 /// Angles of grid lines to the nearer curvature line, in `[0, pi/4]`, radians. Estimated from the vertices by local
 /// quadrics; border vertices and those where the surface is nearly flat or spherical do not count.
+///
+/// ```
+/// # #[cfg(feature = "circular-mesh")] {
+/// use cyclide::{CircularMeshOptions, Point3, QuadGrid, make_circular};
+/// let saddle = (0..81).map(|k| (0.1 * f64::from(k % 9), 0.1 * f64::from(k / 9)));
+/// let saddle = saddle.map(|(u, v)| Point3::new(u, v, u * u - v * v)).collect();
+/// let grid = QuadGrid::new(saddle, [9, 9], [false; 2])?;
+/// let options = CircularMeshOptions { allow_shape_change: true, ..Default::default() };
+/// let report = make_circular(&grid, &options, &mut |_| ())?.report;
+/// assert!(report.angle_after.is_some_and(|angles| angles.median <= angles.max && angles.max < 0.8));
+/// # }
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct LineAngles {
     /// The median.
     pub median: f64,

@@ -23,7 +23,21 @@ const STALL_STEPS: usize = 20;
 const STALLED_AT: f64 = 0.99;
 
 /// One step of the search, for a progress display.
+///
+/// ```
+/// # #[cfg(feature = "circular-mesh")] {
+/// use cyclide::{CircularMeshOptions, Point3, QuadGrid, make_circular};
+/// let saddle = (0..25).map(|k| (0.1 * f64::from(k % 5), 0.1 * f64::from(k / 5)));
+/// let saddle = saddle.map(|(u, v)| Point3::new(u, v + 0.01 * u * u, u * u - v * v)).collect();
+/// let mut residuals = Vec::new();
+/// let grid = QuadGrid::new(saddle, [5, 5], [false; 2])?;
+/// make_circular(&grid, &CircularMeshOptions::default(), &mut |step| residuals.push(step.residual))?;
+/// assert!(residuals.last() < residuals.first());
+/// # }
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct CircularMeshStep {
     /// Steps tried, from 1.
     pub step: usize,

@@ -5,11 +5,11 @@
 //! doubles. An arc that turns by a full circle less 3.9e-7 radians or more (a bulge of ten millions) is refused as
 //! `nearly-full-circle`.
 
-use super::{Arc, FULL_CIRCLE_LIMIT};
+use super::{Arc, FULL_CIRCLE_LIMIT, POLE_LIMIT};
 use crate::base::quat::Quat;
 use crate::base::range;
 use crate::base::vector::{Point3, Vec3};
-use crate::error::{Error, Result};
+use crate::error::{Error, ErrorItem, Result};
 
 /// Largest cosine between chord and weight that counts as rounding of the input (`000`, Proposition 4).
 const PERPENDICULAR_LIMIT: f64 = 1e-9;
@@ -34,7 +34,7 @@ fn chord(a: Point3, b: Point3, first: usize, second: usize) -> Result<(Vec3, f64
 /// A tangent with its length, refusing zero and non-finite ones.
 fn tangent(v: Vec3, index: usize) -> Result<f64> {
     if !v.is_finite() {
-        return Err(Error::NotFinite { what: "tangent", index });
+        return Err(Error::NotFinite { what: ErrorItem::Tangent, index });
     }
     match v.length() {
         0.0 => Err(Error::ZeroTangent { index }),
@@ -60,7 +60,7 @@ impl Arc {
     pub fn from_weights(start: Point3, end: Point3, start_weight: Quat, end_weight: Quat) -> Result<Self> {
         for (index, w) in [start_weight, end_weight].into_iter().enumerate() {
             if !w.is_finite() {
-                return Err(Error::NotFinite { what: "weight", index });
+                return Err(Error::NotFinite { what: ErrorItem::Weight, index });
             }
             if w.norm() == 0.0 {
                 return Err(Error::ZeroWeight { index });
@@ -132,7 +132,7 @@ impl Arc {
         // e0 × e1 is perpendicular to the chord e0 + e1 up to rounding.
         let p = (end - start).unit().map_or(p, |cu| p - cu * p.dot(cu));
         let arc = Self::from_ratio(start, end, u0.dot(u1) * scale, p).map_err(|e| match e {
-            Error::PoleOnSegment { .. } => Error::PointAtInfinity,
+            Error::PoleOnSegment { .. } => Error::at_infinity(ErrorItem::Point, 1),
             other => other,
         })?;
         arc.short_of_full_circle()
@@ -145,18 +145,20 @@ impl Arc {
     /// `not-finite`, `zero-axis` (normal zero or along the chord), `nearly-full-circle` (a bulge beyond 1e7).
     pub fn from_bulge(start: Point3, end: Point3, normal: Vec3, bulge: f64) -> Result<Self> {
         if !bulge.is_finite() {
-            return Err(Error::NotFinite { what: "bulge", index: 0 });
+            return Err(Error::NotFinite { what: ErrorItem::Bulge, index: 0 });
         }
         if bulge == 0.0 {
             return Self::segment(start, end);
         }
-        let mut n = normal.unit().ok_or(Error::ZeroAxis)?;
+        let zero = Error::zero_axis(ErrorItem::Normal);
+        let mut n = normal.unit().ok_or_else(|| zero.clone())?;
         if let Some(cu) = (end - start).unit() {
             let across = n - cu * n.dot(cu);
             if across.length() <= PERPENDICULAR_LIMIT {
-                return Err(Error::ZeroAxis);
+                let (length, limit) = (across.length(), PERPENDICULAR_LIMIT);
+                return Err(Error::ZeroAxis { what: ErrorItem::Normal, index: 0, length, limit });
             }
-            n = across.unit().ok_or(Error::ZeroAxis)?;
+            n = across.unit().ok_or(zero)?;
         }
         // alpha = 2 atan B: cos = (1-B²)/(1+B²), sin = 2B/(1+B²), without trigonometry; 1/B² may overflow, B² too.
         let b = bulge.abs();
@@ -187,17 +189,18 @@ impl Arc {
         range::check_point(0, center.to_vec())?;
         range::check_point(1, start.to_vec())?;
         if !normal.is_finite() {
-            return Err(Error::NotFinite { what: "normal", index: 0 });
+            return Err(Error::NotFinite { what: ErrorItem::Normal, index: 0 });
         }
         let limit = std::f64::consts::TAU;
         if !(sweep.abs() < limit) {
             return Err(Error::SweepOutOfRange { sweep, min: -limit, max: limit });
         }
-        let n = normal.unit().ok_or(Error::ZeroAxis)?;
+        let n = normal.unit().ok_or(Error::zero_axis(ErrorItem::Normal))?;
         let v = start - center;
         let d = v - n * v.dot(n);
-        if d.length() <= 1e-14 * v.length() || d.max_abs() == 0.0 {
-            return Err(Error::ZeroRadius { radius: d.length() });
+        let limit = 1e-14 * v.length();
+        if d.length() <= limit || d.max_abs() == 0.0 {
+            return Err(Error::ZeroRadius { radius: d.length(), limit });
         }
         let (s, c) = (0.5 * sweep).sin_cos();
         // The end: d turned by the sweep. The chord is 2 sin(sweep/2) times a perpendicular of the normal.
@@ -229,7 +232,9 @@ impl Arc {
 
 fn opposes(error: Error, index: usize) -> Error {
     match error {
-        Error::PoleOnSegment { .. } => Error::TangentOpposesChord { index },
+        Error::PoleOnSegment { real, vector } => {
+            Error::TangentOpposesChord { index, angle: vector.atan2(-real), limit: POLE_LIMIT }
+        }
         other => other,
     }
 }

@@ -6,7 +6,15 @@ use crate::base::roots::projective_quadratic;
 use crate::base::vector::{Point3, Vec3};
 
 /// The point of a curve nearest to a given point.
+///
+/// ```
+/// use cyclide::{Circle, Point3, Vec3};
+/// let found = Circle::from_radius(Point3::ORIGIN, Vec3::Z, 2.0)?.closest_point(Point3::new(5.0, 0.0, 0.0));
+/// assert_eq!((found.point, found.distance), (Point3::new(2.0, 0.0, 0.0), 3.0));
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct ClosestPoint {
     /// Parameter in `[0, 1]`.
     pub t: f64,

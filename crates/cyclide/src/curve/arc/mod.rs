@@ -22,16 +22,27 @@ use crate::base::jet::CurveJet;
 use crate::base::quat::Quat;
 use crate::base::range;
 use crate::base::vector::{Point3, Vec3};
-use crate::error::{Error, Result};
-use crate::rational::{ExactRational, RationalBezier};
+use crate::error::{Error, ErrorItem, Result};
+use crate::rational::RationalBezier;
 
 /// What an arc must leave of a full turn at least, radians: a bulge of ten millions. Points at a parameter are off their
 /// circle by about as many roundings of its size as the bulge says: 3e-9 of it at the limit.
 const FULL_CIRCLE_LIMIT: f64 = 3.9e-7;
 
+/// Up to this part of a negative real ratio its vector part is rounding: the arc runs through infinity.
+const POLE_LIMIT: f64 = 8.0 * f64::EPSILON;
+
 /// A circular arc or straight segment in space, parametrised by a linear fraction over `t` in `[0, 1]`.
 ///
 /// Never a full circle (its ends would coincide): see [`Circle`](crate::Circle).
+///
+/// ```
+/// use cyclide::{Arc, Point3};
+/// let [a, b, c] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0]].map(Point3::from);
+/// let arc = Arc::from_three_points(a, b, c)?;
+/// assert!((arc.angle() - std::f64::consts::PI).abs() < 1e-15 && arc.midpoint().distance(b) < 1e-15);
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Arc {
     p0: Point3,
@@ -73,7 +84,7 @@ impl Arc {
         range::check_point(1, p1.to_vec())?;
         range::check_distance(p0.distance(p1))?;
         if !(r.is_finite() && p.is_finite()) {
-            return Err(Error::NotFinite { what: "weight", index: 1 });
+            return Err(Error::NotFinite { what: ErrorItem::Weight, index: 1 });
         }
         let pn = p.length();
         let n = r.hypot(pn);
@@ -81,7 +92,7 @@ impl Arc {
             return Err(Error::ZeroWeight { index: 1 });
         }
         range::check_weight_ratio(n)?;
-        if r < 0.0 && pn <= 8.0 * f64::EPSILON * -r {
+        if r < 0.0 && pn <= POLE_LIMIT * -r {
             return Err(Error::PoleOnSegment { real: r, vector: pn });
         }
         Ok(Self::from_ratio_unchecked(p0, p1, r, p))
@@ -309,11 +320,10 @@ impl Arc {
     }
 }
 
-impl ExactRational for Arc {
-    type Form = RationalBezier;
-
+impl Arc {
     /// The rational quadratic of [`bezier_rows`](Arc::bezier_rows), with the same parameter.
-    fn to_rational(&self) -> RationalBezier {
+    #[must_use]
+    pub fn to_rational(&self) -> RationalBezier {
         RationalBezier::from_rows_unchecked(self.bezier_rows().to_vec())
     }
 }

@@ -2,7 +2,7 @@
 
 use super::Arc;
 use crate::base::vector::{Point3, Vec3};
-use crate::error::{Error, Result};
+use crate::error::{Error, ErrorItem, Result};
 use crate::rational::NurbsCurve;
 
 /// Largest angle of one rational piece that is always safe: weights stay at least `cos(pi/4)`.
@@ -16,7 +16,7 @@ impl Arc {
     /// `parameter-out-of-range`.
     pub fn split(&self, t: f64) -> Result<(Self, Self)> {
         if !(t > 0.0 && t < 1.0) {
-            return Err(Error::ParameterOutOfRange { name: "t", value: t, min: 0.0, max: 1.0 });
+            return Err(Error::ParameterOutOfRange { name: ErrorItem::T, value: t, min: 0.0, max: 1.0 });
         }
         let m = self.point(t);
         let (x, d) = self.denominator(t);
@@ -32,7 +32,7 @@ impl Arc {
     /// `parameter-out-of-range`.
     pub fn restricted(&self, t0: f64, t1: f64) -> Result<Self> {
         if !(t0 < t1 && t0 >= 0.0 && t1 <= 1.0) {
-            return Err(Error::ParameterOutOfRange { name: "t1", value: t1, min: t0, max: 1.0 });
+            return Err(Error::ParameterOutOfRange { name: ErrorItem::T1, value: t1, min: t0, max: 1.0 });
         }
         let left = if t1 < 1.0 { self.split(t1)?.0 } else { *self };
         if t0 > 0.0 { Ok(left.split(t0 / t1)?.1) } else { Ok(left) }
@@ -71,7 +71,12 @@ impl Arc {
     /// `parameter-out-of-range` if `levels > 24`.
     pub fn uniform_points(&self, levels: u32) -> Result<Vec<Point3>> {
         if levels > 24 {
-            return Err(Error::ParameterOutOfRange { name: "levels", value: f64::from(levels), min: 0.0, max: 24.0 });
+            return Err(Error::ParameterOutOfRange {
+                name: ErrorItem::Levels,
+                value: f64::from(levels),
+                min: 0.0,
+                max: 24.0,
+            });
         }
         let n = 1_usize << levels;
         let mut points = vec![self.p0; n + 1];
@@ -103,7 +108,7 @@ impl Arc {
     pub fn to_nurbs(&self, max_angle: f64) -> Result<NurbsCurve> {
         if !(max_angle > 1e-3 && max_angle < std::f64::consts::PI) {
             return Err(Error::ParameterOutOfRange {
-                name: "max_angle",
+                name: ErrorItem::MaxAngle,
                 value: max_angle,
                 min: 1e-3,
                 max: std::f64::consts::PI,

@@ -2,7 +2,7 @@
 
 use super::Arc;
 use crate::conformal::mobius::{Conformal, Mobius};
-use crate::error::{Error, Result};
+use crate::error::{Error, ErrorItem, Result};
 
 /// Largest part of the image's weight along its chord, relative to the weight, that counts as rounding.
 const DEFECT_LIMIT: f64 = 1e-9;
@@ -17,9 +17,10 @@ impl Conformal for Arc {
     /// `pole-on-segment` if the arc passes through the point that goes to infinity, `point-at-infinity` if an end
     /// does, `not-in-im-h` if rounding destroyed the result.
     fn transformed(&self, map: &Mobius) -> Result<Self> {
-        let image = |p| map.map_weighted(p).ok_or(Error::PointAtInfinity);
-        let ((a0, f0), (a1, f1)) = (image(self.p0)?, image(self.p1)?);
-        let inverse = f0.inverse().ok_or(Error::PointAtInfinity)?;
+        let lost = |index| Error::at_infinity(ErrorItem::Point, index);
+        let image = |p, index| map.map_weighted(p).ok_or_else(|| lost(index));
+        let ((a0, f0), (a1, f1)) = (image(self.p0, 0)?, image(self.p1, 1)?);
+        let inverse = f0.inverse().ok_or_else(|| lost(0))?;
         let ratio = f1 * self.weight_ratio() * inverse;
         // The image of an arc is an arc: what is left along the chord is rounding, of the map and of the ends, which
         // turn a chord that is short against its distance from the origin. Beyond this the image means nothing.

@@ -6,16 +6,43 @@
 pub(crate) const MAX_ORDER: u32 = 4;
 
 /// The angle law of a blend.
+///
+/// The rational one has rational functions of `l` of degree `2k`: an exact rational curve of degree `2k + 2`, no trigonometry. The
+/// trigonometric one has the angle `f_k(l) theta` with the smooth step `f_k`: the lowest extreme curvature, but no exact rational form.
+///
+/// ```
+/// use cyclide::{BlendVariant, CircleSpline, CircleSplineOptions, Exactness, Lower, Point3};
+/// let points = [[0.0, 0.0, 0.0], [2.0, 1.0, 0.0], [3.0, 3.0, 1.0], [1.0, 4.0, 1.0]].map(Point3::from);
+/// let options = |variant| CircleSplineOptions { variant, ..Default::default() };
+/// let exactness = |variant| CircleSpline::from_points(&points, &options(variant)).and_then(|spline| spline.to_chain(1e-4));
+/// assert_eq!(exactness(BlendVariant::Rational)?.1, Exactness::Exact);
+/// assert_ne!(exactness(BlendVariant::Trigonometric)?.1, Exactness::Exact);
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "kebab-case"))]
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(rename = "Variant", description = "How the circles of a circle spline are blended.")
+)]
 pub enum BlendVariant {
-    /// Angle `f_k(l) theta` with the smooth step `f_k`: the lowest extreme curvature, but no exact rational form.
-    Trigonometric,
-    /// Rational functions of `l` of degree `2k`: an exact rational curve of degree `2k + 2`, no trigonometry.
+    /// An exact rational curve.
     #[default]
     Rational,
+    /// Sines of a blended angle; files carry it within a tolerance.
+    Trigonometric,
 }
 
 /// The angle law of a segment with its parameter.
+///
+/// ```
+/// use cyclide::{BlendSegment, Point3, Vec3};
+/// let (a, b) = (Point3::ORIGIN, Point3::new(1.0, 0.0, 0.0));
+/// let fair = BlendSegment::fair(a, Vec3::Y, b, Vec3::new(1.0, 1.0, 1.0), 1.0)?;
+/// assert!(fair.law().order() >= 1);
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum BlendLaw {
     /// The angle follows the smooth step of the blend order.

@@ -7,7 +7,7 @@ use crate::base::vector::{Point3, Vec3};
 use crate::conformal::mobius::Mobius;
 use crate::curve::arc::Arc;
 use crate::curve::node_tangent::Chord;
-use crate::error::{Error, Result};
+use crate::error::{Error, ErrorItem, Result};
 
 /// Neighbours closer than this part of the bounding box's diagonal coincide: the tangent has no limit there.
 const COINCIDENT_LIMIT: f64 = 1e-12;
@@ -25,6 +25,14 @@ const OPPOSITE_BY_ROUNDING: f64 = 1e-6;
 ///
 /// It starts like the first arc and ends like the second, touching each to the blend order. Made by
 /// [`CircleSpline`](crate::CircleSpline) from points, or on its own from four points or from ends and tangents.
+///
+/// ```
+/// use cyclide::{BlendSegment, BlendVariant, Point3, Vec3};
+/// let (a, b) = (Point3::ORIGIN, Point3::new(1.0, 0.0, 0.0));
+/// let segment = BlendSegment::hermite(a, Vec3::Y, b, Vec3::Z, 2, BlendVariant::Rational)?;
+/// assert!((segment.start_tangent() - Vec3::Y).length() < 1e-15 && (segment.end_tangent() - Vec3::Z).length() < 1e-15);
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BlendSegment {
     pub(super) x1: Point3,
@@ -80,7 +88,7 @@ impl BlendSegment {
     /// As [`hermite`](Self::hermite), and `parameter-out-of-range` (blend).
     pub fn fair(start: Point3, start_tangent: Vec3, end: Point3, end_tangent: Vec3, blend: f64) -> Result<Self> {
         if !(0.0..=1.0).contains(&blend) {
-            return Err(Error::ParameterOutOfRange { name: "blend", value: blend, min: 0.0, max: 1.0 });
+            return Err(Error::ParameterOutOfRange { name: ErrorItem::Blend, value: blend, min: 0.0, max: 1.0 });
         }
         Self::between([start, end], [start_tangent, end_tangent], BlendLaw::Fair { blend })
     }
@@ -109,7 +117,7 @@ impl BlendSegment {
         let (from_pole1, from_pole2) = (u + t1, u + t2);
         let smallest = from_pole1.length_squared().min(from_pole2.length_squared());
         if smallest <= INFINITY_LIMIT * INFINITY_LIMIT {
-            return Err(Error::ArcThroughInfinity { segment });
+            return Err(Error::ArcThroughInfinity { segment, reach: f64::INFINITY, limit: 1.0 / INFINITY_LIMIT });
         }
         let (mut a, g) = (t1 + t2, t2 - t1);
         let gn = g.length_squared().sqrt();
@@ -120,10 +128,12 @@ impl BlendSegment {
         let (half, b) = if opposite {
             // The half turn goes through the plane of t1 and the chord (`004`, (50)).
             let across = u - t1 * u.dot(t1);
+            let sine = across.length();
+            let ambiguous = Error::AmbiguousHalfTurn { segment, sine, limit: INFINITY_LIMIT };
             if across.length_squared() <= INFINITY_LIMIT * INFINITY_LIMIT {
-                return Err(Error::AmbiguousHalfTurn { segment });
+                return Err(ambiguous);
             }
-            ([0.0, 1.0], across.unit().ok_or(Error::AmbiguousHalfTurn { segment })?)
+            ([0.0, 1.0], across.unit().ok_or(ambiguous)?)
         } else {
             if an < gn {
                 // Rounding of a along g would be divided by |a|.
@@ -235,13 +245,13 @@ impl BlendSegment {
     /// `parameter-out-of-range` (also when the two ends fall on one double).
     pub fn restricted(&self, l0: f64, l1: f64) -> Result<Self> {
         if !(l0 < l1 && l0 >= 0.0 && l1 <= 1.0) {
-            return Err(Error::ParameterOutOfRange { name: "l1", value: l1, min: l0, max: 1.0 });
+            return Err(Error::ParameterOutOfRange { name: ErrorItem::L1, value: l1, min: l0, max: 1.0 });
         }
         let range = [self.whole_parameter(l0), self.whole_parameter(l1)];
         if range[0] < range[1] {
             Ok(Self { range, ..*self })
         } else {
-            Err(Error::ParameterOutOfRange { name: "l1", value: range[1], min: range[0], max: 1.0 })
+            Err(Error::ParameterOutOfRange { name: ErrorItem::L1, value: range[1], min: range[0], max: 1.0 })
         }
     }
 
@@ -269,11 +279,9 @@ impl BlendSegment {
     /// # Errors
     /// `not-a-similarity`, `not-finite`, `coincident-points` if the image is too small for its coordinates.
     pub fn similar(&self, map: &Mobius) -> Result<Self> {
-        if !map.is_similarity() {
-            return Err(Error::NotASimilarity);
-        }
+        map.check_similarity()?;
         let point = |p: Point3, index: usize| {
-            map.map_point(p).filter(|p| p.is_finite()).ok_or(Error::NotFinite { what: "point", index })
+            map.map_point(p).filter(|p| p.is_finite()).ok_or(Error::NotFinite { what: ErrorItem::Point, index })
         };
         let (x1, x2) = (point(self.x1, 0)?, point(self.x2, 1)?);
         let chord = Chord::new(x1, x2);
@@ -314,7 +322,7 @@ impl BlendSegment {
         // A circle over the chord that leaves it within `w` of the reversed direction has the diameter 1/w, in chords.
         let nearness = self.distance_from_infinity_squared().sqrt();
         if nearness < NEAR_INFINITY {
-            return Err(Error::ArcNearInfinity { segment, reach: 1.0 / nearness, limit: 1.0 / NEAR_INFINITY });
+            return Err(Error::ArcThroughInfinity { segment, reach: 1.0 / nearness, limit: 1.0 / NEAR_INFINITY });
         }
         Ok(())
     }
@@ -360,7 +368,7 @@ pub(crate) fn check_points(points: &[Point3]) -> Result<f64> {
 /// A tangent given by the user, normalised.
 pub(crate) fn unit_tangent(v: Vec3, index: usize) -> Result<Vec3> {
     if !v.is_finite() {
-        return Err(Error::NotFinite { what: "tangent", index });
+        return Err(Error::NotFinite { what: ErrorItem::Tangent, index });
     }
     v.unit().ok_or(Error::ZeroTangent { index })
 }

@@ -6,7 +6,7 @@ use crate::curve::blend::{
     BlendLaw, BlendSegment, BlendTangents, BlendVariant, check_order, check_points, unit_tangent,
 };
 use crate::curve::node_tangent::Chord;
-use crate::error::{Error, Result};
+use crate::error::{Error, ErrorItem, Result};
 use crate::warning::Warning;
 
 /// Turns above this make very large circles (`docs/math/circle-blends.md#node-tangent`).
@@ -148,7 +148,12 @@ pub(crate) fn chords_between(points: &[Point3], closed: bool) -> Result<Vec<Chor
 /// `parameter-out-of-range`.
 pub(crate) fn corner_nodes(given: &[usize], n: usize, closed: bool) -> Result<Vec<usize>> {
     if let Some(&corner) = given.iter().find(|c| **c >= n) {
-        return Err(Error::ParameterOutOfRange { name: "corner", value: corner as f64, min: 0.0, max: (n - 1) as f64 });
+        return Err(Error::ParameterOutOfRange {
+            name: ErrorItem::Corner,
+            value: corner as f64,
+            min: 0.0,
+            max: (n - 1) as f64,
+        });
     }
     let mut corners: Vec<usize> = given.iter().copied().filter(|&c| closed || (c > 0 && c + 1 < n)).collect();
     corners.sort_unstable();

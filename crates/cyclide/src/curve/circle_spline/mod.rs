@@ -26,6 +26,15 @@ use crate::warning::Warning;
 use std::ops::Range;
 
 /// How an open circle spline (and each run between two corners) ends.
+///
+/// ```
+/// use cyclide::{CircleSpline, CircleSplineOptions, Point3, SplineEnds, Vec3};
+/// let points = [[0.0, 0.0, 0.0], [1.0, 0.5, 0.0], [2.0, 0.0, 0.5]].map(Point3::from);
+/// let ends = SplineEnds::Clamped { start: Some(Vec3::Y), end: None };
+/// let spline = CircleSpline::from_points(&points, &CircleSplineOptions { ends, ..Default::default() })?;
+/// assert!((spline.segments()[0].start_tangent() - Vec3::Y).length() < 1e-15);
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum SplineEnds {
     /// The end circle is the circle of the first (last) three points: the end segment is an exact arc.
@@ -41,6 +50,14 @@ pub enum SplineEnds {
 }
 
 /// How [`CircleSpline::from_points`] makes its curve.
+///
+/// ```
+/// use cyclide::{CircleSpline, CircleSplineOptions, ParamCurve, Point3};
+/// let points = [[0.0, 0.0, 0.0], [2.0, 1.0, 0.0], [3.0, 3.0, 1.0], [1.0, 4.0, 1.0]].map(Point3::from);
+/// let spline = CircleSpline::from_points(&points, &CircleSplineOptions { closed: true, order: 3, ..Default::default() })?;
+/// assert!(spline.is_closed() && spline.piece_count() == 4);
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct CircleSplineOptions {
     /// Closed curve through all points; the first point is not repeated at the end.
@@ -77,7 +94,7 @@ impl Default for CircleSplineOptions {
 /// use cyclide::{CircleSpline, CircleSplineOptions, ParamCurve, Point3};
 /// let points = [[0.0, 0.0, 0.0], [4.0, 1.0, 0.0], [5.0, 4.0, 1.0], [1.0, 3.0, 2.0]].map(Point3::from);
 /// let spline = CircleSpline::from_points(&points, &CircleSplineOptions { closed: true, ..Default::default() })?;
-/// assert_eq!(spline.eval(0.25), points[1]);
+/// assert_eq!(spline.point(0.25), points[1]);
 /// # Ok::<(), cyclide::Error>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]

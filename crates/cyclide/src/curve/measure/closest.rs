@@ -42,6 +42,15 @@ pub fn closest_point(curve: &dyn ParamCurve, p: Point3) -> ClosestPoint {
 }
 
 /// A curve prepared for many closest-point queries.
+///
+/// ```
+/// use cyclide::{CircleSpline, CircleSplineOptions, CurveIndex, Point3};
+/// let points = [[0.0, 0.0, 0.0], [2.0, 1.0, 0.0], [3.0, 3.0, 1.0], [1.0, 4.0, 1.0]].map(Point3::from);
+/// let spline = CircleSpline::from_points(&points, &CircleSplineOptions::default())?;
+/// let index = CurveIndex::new(&spline); // for many points of one curve
+/// assert!(points.iter().all(|p| index.closest_point(*p).distance < 1e-12));
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug)]
 pub struct CurveIndex<'a> {
     curve: &'a dyn ParamCurve,

@@ -5,7 +5,16 @@ use crate::base::vector::Vec3;
 use crate::curve::ParamCurve;
 
 /// How two consecutive pieces meet.
+///
+/// ```
+/// use cyclide::{ArcPath, Point3, joints};
+/// let corner = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [4.0, 4.0, 0.0]].map(Point3::from);
+/// let sharp = ArcPath::rounded_polyline(&corner, false, &[0.0; 3])?;
+/// assert!((joints(&sharp)[0].angle - std::f64::consts::FRAC_PI_2).abs() < 1e-15);
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct Joint {
     /// The piece that ends here.
     pub piece: usize,

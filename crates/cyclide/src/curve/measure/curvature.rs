@@ -6,7 +6,16 @@ use crate::base::vector::Point3;
 use crate::curve::{ParamCurve, PieceForm};
 
 /// The largest curvature and where it is.
+///
+/// ```
+/// use cyclide::{ArcPath, Point3, extreme_curvature};
+/// let corner = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [4.0, 4.0, 0.0]].map(Point3::from);
+/// let path = ArcPath::rounded_polyline(&corner, false, &[0.0, 0.5, 0.0])?;
+/// assert!((extreme_curvature(&path).max - 2.0).abs() < 1e-12);
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct ExtremeCurvature {
     /// Largest curvature, in 1/length; 0 on straight curves, infinite if a scanned place is a cusp.
     pub max: f64,

@@ -14,13 +14,23 @@ pub fn length(curve: &dyn ParamCurve) -> f64 {
 /// is the first again).
 #[must_use]
 pub fn resample(curve: &dyn ParamCurve, count: usize) -> Vec<(f64, Point3)> {
-    ArcLength::new(curve).uniform(count).into_iter().map(|t| (t, curve.eval(t))).collect()
+    ArcLength::new(curve).uniform(count).into_iter().map(|t| (t, curve.point(t))).collect()
 }
 
 /// A table of the arc length of a curve, made once and inverted as often as wanted.
 ///
 /// Pieces that are arcs or circles are inverted in closed form, others by Newton steps inside cells on which one
 /// 8-point quadrature gives the length to rounding. Pieces of length zero are passed over.
+///
+/// ```
+/// use cyclide::{ArcLength, CircleSpline, CircleSplineOptions, ParamCurve, Point3};
+/// let points = [[0.0, 0.0, 0.0], [2.0, 1.0, 0.0], [3.0, 3.0, 1.0], [1.0, 4.0, 1.0]].map(Point3::from);
+/// let spline = CircleSpline::from_points(&points, &CircleSplineOptions::default())?;
+/// let index = ArcLength::new(&spline);
+/// let middle = index.parameter_at(0.5);
+/// assert!((cyclide::length(&spline.restricted(0.0, middle)?) - 0.5 * index.total()).abs() < 1e-9);
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug)]
 pub struct ArcLength<'a> {
     curve: &'a dyn ParamCurve,

@@ -8,7 +8,7 @@ mod numbering;
 
 use super::MOST_PIECES;
 use super::surface_mesh::{MeshFace, MeshSource, SurfaceMesh};
-use crate::error::{Error, Result, check_tolerance};
+use crate::error::{Error, ErrorItem, Result, check_tolerance};
 use crate::surface::SmoothMesh;
 use numbering::Numbering;
 
@@ -18,7 +18,17 @@ const MORE: f64 = 1.03;
 const FEW: usize = 8;
 
 /// A mesh of a smooth surface with what was measured of it.
+///
+/// ```
+/// use cyclide::{Point3, SmoothMesh, VertexNormals};
+/// let points = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.1], [0.0, 1.0, 0.2], [1.0, 1.0, -0.1]].map(Point3::from);
+/// let smooth = SmoothMesh::new(&points, &[[0, 1, 2], [1, 3, 2]], VertexNormals::AngleWeighted)?;
+/// let made = smooth.tessellate_within(0.01)?;
+/// assert!(made.deviation <= 0.01 && made.mesh.faces.len() == 2 * made.divisions * made.divisions);
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct SmoothTessellation {
     /// The mesh: faces in the order of the triangles of the surface, N² each, whose sources have the number of their triangle as face
     /// and the ranges of its first two barycentric coordinates. Its `bound` is the deviation.
@@ -37,7 +47,7 @@ impl SmoothMesh {
     /// [`SmoothTriangle::point`](crate::SmoothTriangle::point) with the number of the triangle.
     pub fn tessellate(&self, divisions: usize) -> Result<SurfaceMesh> {
         if divisions == 0 {
-            return Err(Error::ParameterOutOfRange { name: "divisions", value: 0.0, min: 1.0, max: f64::MAX });
+            return Err(Error::ParameterOutOfRange { name: ErrorItem::Divisions, value: 0.0, min: 1.0, max: f64::MAX });
         }
         check_count(self, divisions as f64)?;
         let numbering = Numbering::new(self, divisions);
@@ -80,7 +90,7 @@ impl SmoothMesh {
     /// As [`tessellate`](Self::tessellate).
     pub fn sampled_deviation(&self, divisions: usize) -> Result<f64> {
         if divisions == 0 {
-            return Err(Error::ParameterOutOfRange { name: "divisions", value: 0.0, min: 1.0, max: f64::MAX });
+            return Err(Error::ParameterOutOfRange { name: ErrorItem::Divisions, value: 0.0, min: 1.0, max: f64::MAX });
         }
         check_count(self, divisions as f64)?;
         deviation::largest(self, divisions)

@@ -20,7 +20,7 @@ use super::{CyclideKind, DupinCyclide, NODE_LIMIT};
 use crate::base::quat::Quat;
 use crate::base::range;
 use crate::base::vector::Vec3;
-use crate::error::{Error, Result};
+use crate::error::{Error, ErrorItem, Result};
 use crate::surface::net::CyclidicNet;
 use crate::surface::quad_grid::QuadGrid;
 use std::f64::consts::{PI, TAU};
@@ -62,7 +62,7 @@ impl DupinCyclide {
     /// million patches together); `below-rounding-of-place` (a net is below 1.5e-11 of its coordinates, or its hole, tube
     /// or part between the nodes narrower than 1.4e-14 of them).
     pub fn nets(&self, segments: [usize; 2]) -> Result<Vec<CyclidicNet>> {
-        for (name, value) in [("segments along s", segments[0]), ("segments along t", segments[1])] {
+        for (name, value) in [(ErrorItem::SegmentsAlongS, segments[0]), (ErrorItem::SegmentsAlongT, segments[1])] {
             if !(3..=MAX_SEGMENTS).contains(&value) {
                 let (value, max) = (value as f64, MAX_SEGMENTS as f64);
                 return Err(Error::ParameterOutOfRange { name, value, min: 3.0, max });
@@ -98,7 +98,7 @@ impl DupinCyclide {
         for half in [(self.a - self.mu).abs(), (self.mu - self.c).abs()] {
             // Nothing is narrow where both nodes are one.
             if half > NODE_LIMIT * self.a {
-                range::check_size_in_place("the narrowest part", 2.0 * half, place, NARROWEST_IN_PLACE)?;
+                range::check_size_in_place(ErrorItem::NarrowestPart, 2.0 * half, place, NARROWEST_IN_PLACE)?;
             }
         }
         Ok(())

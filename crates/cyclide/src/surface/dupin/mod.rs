@@ -11,12 +11,19 @@ mod build;
 mod transform;
 
 use crate::base::frame::Frame;
-use crate::error::{Error, Result};
+use crate::error::{Error, ErrorItem, Result};
 
 /// Parameters closer than this part of `a` make the two nodes one.
 const NODE_LIMIT: f64 = 1e-12;
 
 /// The three forms of a Dupin cyclide without points at infinity.
+///
+/// ```
+/// use cyclide::{CyclideKind, DupinCyclide};
+/// let kind = |c, mu| DupinCyclide::new(4.0, c, mu).map(|cyclide| cyclide.kind());
+/// assert_eq!((kind(1.0, 2.0)?, kind(2.0, 1.5)?, kind(2.0, 5.0)?), (CyclideKind::Ring, CyclideKind::Horn, CyclideKind::Spindle));
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum CyclideKind {
     /// `c < mu < a`: no singular point, one closed surface.
@@ -30,6 +37,13 @@ pub enum CyclideKind {
 }
 
 /// A whole Dupin cyclide in space.
+///
+/// ```
+/// use cyclide::DupinCyclide;
+/// let ring = DupinCyclide::new(4.0, 1.0, 2.0)?;
+/// assert!(ring.to_bodies([6, 6])?[0].is_solid());
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct DupinCyclide {
     a: f64,
@@ -48,13 +62,13 @@ impl DupinCyclide {
     pub fn new(a: f64, c: f64, mu: f64) -> Result<Self> {
         for (index, value) in [a, c, mu].into_iter().enumerate() {
             if !value.is_finite() {
-                return Err(Error::NotFinite { what: "parameter", index });
+                return Err(Error::NotFinite { what: ErrorItem::Parameter, index });
             }
         }
         let limits = [
-            ("a", a, 1e-150, 1e150),
-            ("c", c, 0.0, a * (1.0 - NODE_LIMIT)),
-            ("mu", mu, if c <= 1e-6 * a { 1e-6 * a } else { 0.0 }, 1e6 * a),
+            (ErrorItem::HalfAxisA, a, 1e-150, 1e150),
+            (ErrorItem::HalfAxisC, c, 0.0, a * (1.0 - NODE_LIMIT)),
+            (ErrorItem::Mu, mu, if c <= 1e-6 * a { 1e-6 * a } else { 0.0 }, 1e6 * a),
         ];
         for (name, value, min, max) in limits {
             if !(min..=max).contains(&value) {

@@ -16,7 +16,7 @@ use crate::base::frame::Frame;
 use crate::base::vector::Vec3;
 use crate::conformal::lie_sphere::LieSphere;
 use crate::conformal::mobius::{Conformal, Mobius};
-use crate::error::{Error, Result};
+use crate::error::{Error, ErrorItem, Result};
 
 /// Rounding of the image's size against that of the largest sphere.
 const SIZE_ROUNDING: f64 = 16.0 * f64::EPSILON;
@@ -37,7 +37,7 @@ impl Conformal for DupinCyclide {
         let [e0, e1, e2] = if first >= second { families[0] } else { families[1] };
         let square = first.max(second);
         if !(square > SIZE_ROUNDING * e0.w * e0.w) {
-            return Err(Error::PointAtInfinity);
+            return Err(Error::at_infinity(ErrorItem::Surface, 0));
         }
         // The Lorentz rotation to w = (omega, 0, 0), over omega: spheres with w = 1.
         let (omega, rho) = (square.sqrt(), e1.w.hypot(e2.w));

@@ -10,7 +10,7 @@ use super::{CyclidicNet, NetFrame, frame};
 use crate::base::quat::Quat;
 use crate::base::range;
 use crate::base::vector::{Point3, Vec3};
-use crate::error::{Error, Result};
+use crate::error::{Error, ErrorItem, Result};
 use crate::surface::patch::{CyclidePatch, check_quad, orthonormal};
 use crate::surface::quad_grid::QuadGrid;
 
@@ -50,7 +50,7 @@ impl CyclidicNet {
             NetFrame::First(v1, v2) => {
                 for (index, v) in [v1, v2].into_iter().enumerate() {
                     if !v.is_finite() {
-                        return Err(Error::NotFinite { what: "frame vector", index });
+                        return Err(Error::NotFinite { what: ErrorItem::FrameVector, index });
                     }
                 }
                 orthonormal(v1, v2)?
@@ -185,5 +185,5 @@ fn lengths(grid: &QuadGrid, kappa: &[f64], limit: f64) -> Result<Vec<f64>> {
 }
 
 fn does_not_close(d: usize, angle: f64, stretch: f64, limit: f64) -> Error {
-    Error::NetDoesNotClose { direction: ["s", "t"][d], angle, stretch, limit }
+    Error::NetDoesNotClose { direction: d, angle, stretch, limit }
 }

@@ -6,6 +6,16 @@ use crate::error::{Error, Result};
 use crate::surface::quad_grid::QuadGrid;
 
 /// The frame of a net at its vertex (0, 0), from which all others follow.
+///
+/// ```
+/// use cyclide::{CyclidicNet, NetFrame, Point3, QuadGrid, Vec3};
+/// let square = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 1.0, 0.0]].map(Point3::from).to_vec();
+/// let grid = QuadGrid::new(square, [2, 2], [false; 2])?;
+/// let fitted = CyclidicNet::new(grid.clone(), NetFrame::Auto)?; // a plane
+/// let given = CyclidicNet::new(grid, NetFrame::First(Vec3::X, Vec3::Y))?;
+/// assert!((fitted.frame()[2] - given.frame()[2]).length() < 1e-12);
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum NetFrame {
     /// The frame whose copies at all vertices are nearest to the directions of the edges.

@@ -4,7 +4,7 @@ use super::CyclidicNet;
 use super::same_vertices::SameVertices;
 use crate::base::range;
 use crate::base::vector::Point3;
-use crate::error::{Error, Result};
+use crate::error::{Error, ErrorItem, Result};
 use crate::surface::quad_grid::QuadGrid;
 
 impl CyclidicNet {
@@ -19,7 +19,7 @@ impl CyclidicNet {
     /// shrinks to a curve or a point), `below-rounding-of-place`.
     pub fn offset(&self, h: f64) -> Result<Self> {
         if !h.is_finite() {
-            return Err(Error::NotFinite { what: "offset distance", index: 0 });
+            return Err(Error::NotFinite { what: ErrorItem::OffsetDistance, index: 0 });
         }
         let [m, n] = self.grid.size();
         let places = (0..n).flat_map(|j| (0..m).map(move |i| (i, j)));

@@ -3,7 +3,7 @@
 use super::CyclidicNet;
 use crate::base::quat::Quat;
 use crate::conformal::mobius::{Conformal, Mobius};
-use crate::error::{Error, Result};
+use crate::error::{Error, ErrorItem, Result};
 use crate::surface::quad_grid::QuadGrid;
 
 impl Conformal for CyclidicNet {
@@ -18,7 +18,9 @@ impl Conformal for CyclidicNet {
         for (quad, patch) in self.patches().enumerate() {
             patch.image(map).map_err(|e| e.in_quad(quad))?;
         }
-        let images = self.grid.points().iter().map(|a| map.map_weighted(*a).ok_or(Error::PointAtInfinity));
+        let lost = |index| Error::at_infinity(ErrorItem::Vertex, index);
+        let places = self.grid.points().iter().enumerate();
+        let images = places.map(|(k, a)| map.map_weighted(*a).ok_or_else(|| lost(k)));
         let (points, factors): (Vec<_>, Vec<_>) = images.collect::<Result<Vec<_>>>()?.into_iter().unzip();
         let grid = QuadGrid::new(points, self.grid.size(), self.grid.closed())?;
         grid.check_place()?;

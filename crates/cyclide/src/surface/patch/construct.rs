@@ -5,18 +5,18 @@ use super::{CyclidePatch, largest_distance};
 use crate::base::quat::Quat;
 use crate::base::range;
 use crate::base::vector::{Point3, Vec3};
-use crate::error::{Error, Result};
+use crate::error::{Error, ErrorItem, Result};
 
 /// Largest distance from three-space that counts as rounding of weights, relative to the size.
 const SPACE_LIMIT: f64 = 1e-9;
 /// Rounding of a corner by itself and by the map it comes from, relative to its coordinates.
 const CORNER_ROUNDING: f64 = 64.0 * f64::EPSILON;
-/// Largest deviation of the frame from unit length and right angle.
+/// Largest cosine between the directions of a frame.
 const FRAME_LIMIT: f64 = 1e-9;
 
 impl CyclidePatch {
-    /// The patch with the given corners and unit directions `v1` (of growing s) and `v2` (of growing t) at the first
-    /// corner. Corners in binary order `a0` (0,0), `a1` (1,0), `a2` (0,1), `a3` (1,1); they must be concircular (or
+    /// The patch with the given corners and the directions `v1` (of growing s) and `v2` (of growing t) at the first
+    /// corner, perpendicular to each other and of any length. Corners in binary order `a0` (0,0), `a1` (1,0), `a2` (0,1), `a3` (1,1); they must be concircular (or
     /// collinear) in the cyclic order a0, a1, a3, a2, both to 1e-9 of the largest distance and the rounding of their
     /// coordinates; a3 is moved onto the circle of the others, and to a1 or a2 if it is beyond that by no more.
     /// `a3 = a1` or `a3 = a2` is legal (a triangular patch with a pole). Weights are those of `001`, (9), by form C
@@ -33,10 +33,10 @@ impl CyclidePatch {
         }
         for (index, v) in [v1, v2].into_iter().enumerate() {
             if !v.is_finite() {
-                return Err(Error::NotFinite { what: "frame vector", index });
+                return Err(Error::NotFinite { what: ErrorItem::FrameVector, index });
             }
         }
-        range::check_place("the surface", &corners)?;
+        range::check_place(ErrorItem::Surface, &corners)?;
         let scale = distinct(&corners)?;
         let (v1, v2) = orthonormal(v1, v2)?;
         let CornerCircle { inverses, corner, .. } = corner_circle(&corners, scale)?;
@@ -65,7 +65,7 @@ impl CyclidePatch {
         for (index, p) in corners.into_iter().enumerate() {
             range::check_point(index, p.to_vec())?;
         }
-        range::check_place("the surface", &corners)?;
+        range::check_place(ErrorItem::Surface, &corners)?;
         Self::from_rounded_weights(corners, weights, v1, v2, 0.0)
     }
 
@@ -74,7 +74,7 @@ impl CyclidePatch {
     /// # Errors
     /// `below-rounding-of-place`.
     pub(super) fn check_place(&self) -> Result<()> {
-        range::check_place("the surface", &self.corners)
+        range::check_place(ErrorItem::Surface, &self.corners)
     }
 
     /// As [`from_weights`](Self::from_weights), with weights that are wrong by a part `rounding`.
@@ -93,7 +93,7 @@ impl CyclidePatch {
         }
         for (index, w) in weights.into_iter().enumerate() {
             if !w.is_finite() {
-                return Err(Error::NotFinite { what: "weight", index });
+                return Err(Error::NotFinite { what: ErrorItem::Weight, index });
             }
             if w.norm() == 0.0 {
                 return Err(Error::ZeroWeight { index });
@@ -131,15 +131,15 @@ impl CyclidePatch {
     }
 }
 
-/// The frame made orthonormal to rounding, if it is orthonormal to the limit.
+/// The frame of two directions of any length made orthonormal to rounding, if they are perpendicular to the limit.
 pub(crate) fn orthonormal(v1: Vec3, v2: Vec3) -> Result<(Vec3, Vec3)> {
-    let (l1, l2, cosine) = (v1.length(), v2.length(), v1.dot(v2));
-    let measured = (l1 - 1.0).abs().max((l2 - 1.0).abs()).max(cosine.abs());
-    let refused = Error::FrameNotOrthonormal { measured, limit: FRAME_LIMIT };
-    if !(measured <= FRAME_LIMIT) {
-        return Err(refused);
+    let refused = |cosine: f64| Error::FrameNotOrthonormal { measured: cosine.abs(), limit: FRAME_LIMIT };
+    // A direction without a length is perpendicular to nothing.
+    let (u1, along) = v1.unit().zip(v2.unit()).ok_or_else(|| refused(1.0))?;
+    let cosine = u1.dot(along);
+    if !(cosine.abs() <= FRAME_LIMIT) {
+        return Err(refused(cosine));
     }
-    let u1 = v1.unit().ok_or(refused.clone())?;
-    let u2 = (v2 - u1 * v2.dot(u1)).unit().ok_or(refused)?;
+    let u2 = (v2 - u1 * v2.dot(u1)).unit().ok_or_else(|| refused(cosine))?;
     Ok((u1, u2))
 }

@@ -2,7 +2,7 @@
 
 use super::{CyclidePatch, largest_distance};
 use crate::base::vector::{Point3, Vec3};
-use crate::error::{Error, Result};
+use crate::error::{Error, ErrorItem, Result};
 
 /// The opposite corner may coincide with a neighbour up to this part of the largest distance: then the frame goes the
 /// other way round.
@@ -33,7 +33,12 @@ impl CyclidePatch {
                 (back(v1)?, back(v2)?)
             }
             _ => {
-                return Err(Error::ParameterOutOfRange { name: "frame_corner", value: at as f64, min: 0.0, max: 3.0 });
+                return Err(Error::ParameterOutOfRange {
+                    name: ErrorItem::FrameCorner,
+                    value: at as f64,
+                    min: 0.0,
+                    max: 3.0,
+                });
             }
         };
         Self::from_corners_and_frame(corners, v1, v2)

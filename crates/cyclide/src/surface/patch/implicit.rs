@@ -9,6 +9,14 @@ use crate::base::vector::{Point3, Vec3};
 const DEGREE_LIMIT: f64 = 1e-10;
 
 /// The polynomial whose zeros are the surface of a patch.
+///
+/// ```
+/// use cyclide::{DupinCyclide, ParamSurface};
+/// let torus = DupinCyclide::new(3.0, 0.0, 1.0)?.nets([4, 4])?.remove(0);
+/// let patch = torus.patch(0, 0);
+/// assert!(patch.implicit_form().value(patch.point(0.3, 0.6)).abs() < 1e-9);
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum ImplicitForm {
     /// A plane or sphere, `c0 |p|² + c1 x + c2 y + c3 z + c4 = 0`, with `c0 = 0` for a plane; the largest coefficient

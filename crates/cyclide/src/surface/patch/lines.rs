@@ -4,7 +4,7 @@ use super::{CyclidePatch, bilinear};
 use crate::base::quat::Quat;
 use crate::base::vector::Point3;
 use crate::curve::Arc;
-use crate::error::{Error, Result};
+use crate::error::{Error, ErrorItem, Result};
 use crate::surface::ParamSurface as _;
 
 impl CyclidePatch {
@@ -48,7 +48,7 @@ impl CyclidePatch {
     /// # Errors
     /// `parameter-out-of-range` unless `0 <= s0 < s1 <= 1` and the same for t.
     pub fn sub_patch(&self, [s0, s1]: [f64; 2], [t0, t1]: [f64; 2]) -> Result<Self> {
-        for (name, a, b) in [("s", s0, s1), ("t", t0, t1)] {
+        for (name, a, b) in [(ErrorItem::S, s0, s1), (ErrorItem::T, t0, t1)] {
             if !(a >= 0.0 && a < b && b <= 1.0) {
                 return Err(Error::ParameterOutOfRange {
                     name,

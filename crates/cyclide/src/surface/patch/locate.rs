@@ -18,7 +18,16 @@ const HALVINGS: usize = 12;
 const GRID: u32 = 8;
 
 /// Where a point is on a patch.
+///
+/// ```
+/// use cyclide::{DupinCyclide, ParamSurface};
+/// let patch = DupinCyclide::new(3.0, 0.0, 1.0)?.nets([4, 4])?[0].patch(0, 0);
+/// let found = patch.locate(patch.point(0.3, 0.6));
+/// assert!((found.s - 0.3).abs() < 1e-9 && (found.t - 0.6).abs() < 1e-9 && found.distance < 1e-12);
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct PatchLocation {
     /// First parameter; outside `[0, 1]` where the foot is on the surface produced beyond the patch.
     pub s: f64,

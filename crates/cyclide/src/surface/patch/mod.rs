@@ -42,6 +42,14 @@ pub use recognise::PatchKind;
 pub use rows::PatchRow;
 
 /// A principal patch of a Dupin cyclide (plane, sphere, cylinder, cone and torus included), over `[0, 1]²`.
+///
+/// ```
+/// use cyclide::{CyclidePatch, Point3, Vec3};
+/// let corners = [[-4.0, -3.0, 0.0], [4.0, -3.0, 0.0], [-3.0, 4.0, 0.0], [3.0, 4.0, 0.0]].map(Point3::from);
+/// let patch = CyclidePatch::from_corners_and_frame(corners, Vec3::new(8.0, -1.0, 4.0), Vec3::new(-1.0, 4.0, 3.0))?;
+/// assert!(patch.s_circle(0.5).is_some()); // every parameter line is a circle
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct CyclidePatch {
     corners: [Point3; 4],

@@ -5,7 +5,7 @@ use super::polar::at_half;
 use super::singular::roots;
 use crate::base::range;
 use crate::base::vector::Vec3;
-use crate::error::{Error, Result};
+use crate::error::{Error, ErrorItem, Result};
 
 /// An offset side is one point if its radius cancels to this part of the distance and of the radius before.
 const COLLAPSED: f64 = 64.0 * f64::EPSILON;
@@ -26,7 +26,7 @@ impl CyclidePatch {
     /// of one family are at that distance: of a sphere by its radius, of a torus by that of its tube), `below-rounding-of-place`.
     pub fn offset(&self, h: f64) -> Result<Self> {
         if !h.is_finite() {
-            return Err(Error::NotFinite { what: "offset distance", index: 0 });
+            return Err(Error::NotFinite { what: ErrorItem::OffsetDistance, index: 0 });
         }
         if self.offset_is_focal(h) {
             return Err(Error::OffsetOnFocalSet { distance: h });
@@ -43,7 +43,7 @@ impl CyclidePatch {
         for [from, to] in self.offset_points(h).into_iter().flatten() {
             corners[to] = corners[from];
         }
-        range::check_place("the surface", &corners)?;
+        range::check_place(ErrorItem::Surface, &corners)?;
         let mut patch = Self::from_weights_unchecked(corners, self.weights, self.v[0], self.v[1]);
         (patch.polar.q1, patch.polar.q2) = (q1, q2);
         Ok(patch)

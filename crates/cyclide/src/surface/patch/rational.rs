@@ -2,7 +2,7 @@
 
 use super::CyclidePatch;
 use crate::base::quat::Quat;
-use crate::rational::{ExactRational, RationalBezierSurface};
+use crate::rational::RationalBezierSurface;
 
 /// Corners as bits of s and t.
 const BITS: [(usize, usize); 4] = [(0, 0), (1, 0), (0, 1), (1, 1)];
@@ -45,11 +45,10 @@ impl CyclidePatch {
     }
 }
 
-impl ExactRational for CyclidePatch {
-    type Form = RationalBezierSurface;
-
+impl CyclidePatch {
     /// The rational biquadratic with the same parameters, homogeneous rows `[wx, wy, wz, w]`.
-    fn to_rational(&self) -> RationalBezierSurface {
+    #[must_use]
+    pub fn to_rational(&self) -> RationalBezierSurface {
         let w = self.real_weights();
         let origin = self.corners[0];
         // Numerators are relative to the first corner, whose multiple of the weight is added at the end.

@@ -16,6 +16,13 @@ const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
 /// What surface a patch lies on, with its placement. Frames are right-handed; angles about the third axis count from
 /// the first, which points away from the middle of the patch, so that no seam at angle 0 runs through it.
+///
+/// ```
+/// use cyclide::{DupinCyclide, PatchKind};
+/// let patch = DupinCyclide::new(3.0, 0.0, 1.0)?.nets([4, 4])?[0].patch(0, 0);
+/// assert!(matches!(patch.recognise(), PatchKind::Torus { .. }));
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum PatchKind {
     /// A plane through the origin of the frame; the third axis is the normal of the patch.

@@ -3,7 +3,7 @@
 use super::CyclidePatch;
 use crate::base::range;
 use crate::conformal::mobius::{Conformal, Mobius};
-use crate::error::{Error, Result};
+use crate::error::{Error, ErrorItem, Result};
 
 /// Rounding of the real weights of a rational form, relative to the largest: they are products of two weights, which are
 /// in the image as the distances of the corners from the point that goes to infinity.
@@ -36,12 +36,13 @@ impl CyclidePatch {
         let mut corners = self.corners;
         let mut weights = self.weights;
         let mut size = 1.0;
+        let lost = |corner| Error::at_infinity(ErrorItem::Corner, corner);
         for k in 0..4 {
-            let (image, factor) = map.map_weighted(self.corners[k]).ok_or(Error::PointAtInfinity)?;
+            let (image, factor) = map.map_weighted(self.corners[k]).ok_or_else(|| lost(k))?;
             // The factor is c times the distance from the point that goes to infinity.
             let nearest = map.matrix()[2].norm() * self.scale;
             if factor.norm_squared() <= WEIGHT_ROUNDING * nearest * nearest {
-                return Err(Error::PointAtInfinity);
+                return Err(lost(k));
             }
             range::check_point(k, image.to_vec())?;
             if k == 0 {

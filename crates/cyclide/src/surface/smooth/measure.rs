@@ -8,7 +8,17 @@ use crate::error::Result;
 use crate::surface::barycentric::Barycentric;
 
 /// Measures of a smooth mesh with the estimate of their errors: how much a rule with half as many nodes in each direction differs.
+///
+/// ```
+/// use cyclide::{Point3, SmoothMesh, VertexNormals};
+/// let corners = [[1.0, 1.0, 1.0], [1.0, -1.0, -1.0], [-1.0, 1.0, -1.0], [-1.0, -1.0, 1.0]].map(Point3::from);
+/// let faces = [[0, 1, 2], [0, 3, 1], [0, 2, 3], [1, 3, 2]];
+/// let measure = SmoothMesh::new(&corners, &faces, VertexNormals::AngleWeighted)?.measure()?;
+/// assert!(measure.volume.is_some_and(|volume| volume > 8.0 / 3.0)); // rounder than the tetrahedron
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct SmoothMeasure {
     /// Area.
     pub area: f64,

@@ -34,6 +34,15 @@ use side::{Side, blend};
 const SMOOTH_LAW: BlendLaw = BlendLaw::Trigonometric { order: 2 };
 
 /// Where the normals at the vertices of a mesh come from.
+///
+/// ```
+/// use cyclide::{Point3, SmoothMesh, Vec3, VertexNormals};
+/// let corners = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(Point3::from);
+/// let radial = corners.map(Point3::to_vec);
+/// let octant = SmoothMesh::new(&corners, &[[0, 1, 2]], VertexNormals::Given(&radial))?;
+/// assert_eq!(octant.normals(), [Vec3::X, Vec3::Y, Vec3::Z]);
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum VertexNormals<'a> {
     /// The mean of those of the triangles around a vertex, weighted by their angles there: the same however flat faces are cut into
@@ -67,6 +76,14 @@ impl SharpEdges {
 }
 
 /// An edge of a smooth mesh.
+///
+/// ```
+/// use cyclide::{Point3, SmoothMesh, VertexNormals};
+/// let points = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.1], [0.0, 1.0, 0.2], [1.0, 1.0, -0.1]].map(Point3::from);
+/// let smooth = SmoothMesh::new(&points, &[[0, 1, 2], [1, 3, 2]], VertexNormals::AngleWeighted)?;
+/// assert_eq!(smooth.edges().iter().filter(|edge| edge.triangles().1.is_some()).count(), 1);
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SmoothEdge {
     vertices: [usize; 2],
@@ -103,6 +120,15 @@ impl SmoothEdge {
 }
 
 /// A smooth surface through the vertices of a triangle mesh.
+///
+/// ```
+/// use cyclide::{Point3, SmoothMesh, VertexNormals};
+/// let corners = [[1.0, 1.0, 1.0], [1.0, -1.0, -1.0], [-1.0, 1.0, -1.0], [-1.0, -1.0, 1.0]].map(Point3::from);
+/// let faces = [[0, 1, 2], [0, 3, 1], [0, 2, 3], [1, 3, 2]];
+/// let smooth = SmoothMesh::new(&corners, &faces, VertexNormals::AngleWeighted)?;
+/// assert!(smooth.is_closed() && smooth.tessellate(4)?.faces.len() == 4 * 16);
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct SmoothMesh {
     positions: Vec<Point3>,
@@ -121,7 +147,7 @@ impl SmoothMesh {
     ///
     /// # Errors
     /// `no-triangles`, `no-such-vertex`, `non-manifold-edge` (more than two triangles at an edge), `inconsistent-orientation`
-    /// (two that run along it in one direction), `undefined-normal` (faces back to back, a normal of length 0), `normal-count`,
+    /// (two that run along it in one direction), `undefined-normal` (faces back to back, a normal of length 0), `count-differs`,
     /// `angle-out-of-range` (of creases: 0 to π), and with the number of the triangle `not-finite`, `parameter-out-of-range` (coordinates
     /// above 1e150), `degenerate-triangle`, `normal-along-edge`, `opposite-normals`, `arc-through-infinity`, `ambiguous-half-turn`.
     pub fn new(positions: &[Point3], triangles: &[[usize; 3]], normals: VertexNormals) -> Result<Self> {

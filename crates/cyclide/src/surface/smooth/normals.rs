@@ -4,7 +4,7 @@ use super::VertexNormals;
 use super::connect::Connections;
 use super::triangle::unit_normal;
 use crate::base::vector::{Point3, Vec3};
-use crate::error::{Error, Result};
+use crate::error::{Error, ErrorItem, Result};
 use crate::warning::Warning;
 
 /// Face normals around a vertex whose mean is shorter lie back to back.
@@ -13,7 +13,7 @@ const BACK_TO_BACK: f64 = 1e-9;
 /// One unit normal for each fan.
 ///
 /// # Errors
-/// `normal-count`, `not-finite`, `undefined-normal`.
+/// `count-differs`, `not-finite`, `undefined-normal`.
 pub(super) fn of_fans(
     positions: &[Point3],
     triangles: &[[usize; 3]],
@@ -23,7 +23,11 @@ pub(super) fn of_fans(
     match normals {
         VertexNormals::Given(given) => {
             if given.len() != positions.len() {
-                return Err(Error::NormalCount { given: given.len(), needed: positions.len() });
+                return Err(Error::CountDiffers {
+                    what: ErrorItem::Normal,
+                    given: given.len(),
+                    needed: positions.len(),
+                });
             }
             connections.fan_vertices.iter().map(|&vertex| unit_normal(given[vertex], vertex)).collect()
         }

@@ -3,7 +3,7 @@
 use super::side::{Side, SpokeArc, blend, tangent_across};
 use crate::base::vector::{Point3, Vec3};
 use crate::curve::{BlendSegment, Chord};
-use crate::error::{Error, Result};
+use crate::error::{Error, ErrorItem, Result};
 use crate::surface::barycentric::Barycentric;
 use crate::surface::sphere_blend::check_triangle;
 
@@ -13,6 +13,15 @@ const AT_CORNER: f64 = 1e-8;
 /// A smooth patch over a triangle with a unit normal at each corner: on every side a circle blend that belongs to its ends
 /// alone (and the normal with it), inside the mean of three blends from the corners to the opposite sides
 /// (`docs/math/triangle-surfaces.md#smooth-meshes`; G. Nielson's side-vertex scheme with circle blends for its arcs).
+///
+/// ```
+/// use cyclide::{Point3, SmoothTriangle, Vec3};
+/// let corners = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(Point3::from);
+/// let octant = SmoothTriangle::new(corners, [Vec3::X, Vec3::Y, Vec3::Z])?;
+/// let middle = octant.point([1.0, 1.0, 0.0])?; // the middle of a side
+/// assert!((middle.to_vec().length() - 1.0).abs() < 1e-12);
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SmoothTriangle {
     corners: [Point3; 3],
@@ -211,7 +220,7 @@ impl SmoothTriangle {
 /// `not-finite`, `undefined-normal`.
 pub(super) fn unit_normal(normal: Vec3, vertex: usize) -> Result<Vec3> {
     if !normal.is_finite() {
-        return Err(Error::NotFinite { what: "normal", index: vertex });
+        return Err(Error::NotFinite { what: ErrorItem::Normal, index: vertex });
     }
     normal.unit().ok_or(Error::UndefinedNormal { vertex, length: 0.0, limit: 0.0 })
 }

@@ -38,7 +38,15 @@ pub const CORNER_ANGLE: f64 = 1e-3;
 const NOISE: f64 = 1e-9;
 
 /// How evenly a curve bends.
+///
+/// ```
+/// use cyclide::{Circle, Point3, Vec3, fairness};
+/// let measured = fairness(&Circle::from_radius(Point3::ORIGIN, Vec3::Z, 1.0)?);
+/// assert_eq!((measured.extrema, measured.corners, measured.jumps), (0, 0, 0));
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct Fairness {
     /// Changes between turning left and turning right; `None` for a curve that leaves every plane.
     pub sign_changes: Option<usize>,

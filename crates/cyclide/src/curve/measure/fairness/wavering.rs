@@ -39,7 +39,16 @@ const MANY: usize = 16;
 const GENTLE: f64 = std::f64::consts::FRAC_PI_6;
 
 /// An interpolating curve against its data.
+///
+/// ```
+/// use cyclide::{CircleSpline, FairSplineOptions, Point3, fairness, wavering};
+/// let points = [[0.0, 0.0, 0.0], [2.0, 1.0, 0.0], [4.0, 1.5, 0.0], [6.0, 1.0, 0.0]].map(Point3::from);
+/// let spline = CircleSpline::fair(&points, &FairSplineOptions::default())?;
+/// assert!(!wavering(&spline, &fairness(&spline)).curve_wavers);
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct Wavering {
     /// Changes of the curve between turning left and turning right.
     pub curve: usize,
@@ -58,7 +67,17 @@ pub struct Wavering {
 }
 
 /// Nodes at which the polygon turns sharply between straight runs, and which the curve passes smoothly.
+///
+/// ```
+/// use cyclide::{CircleSpline, FairSplineOptions, Point3, RoundedTurns, fairness, wavering};
+/// let points = [[0.0, 0.0, 0.0], [2.0, 1.0, 0.0], [4.0, 1.5, 0.0], [6.0, 1.0, 0.0]].map(Point3::from);
+/// let spline = CircleSpline::fair(&points, &FairSplineOptions::default())?;
+/// let rounded: Option<RoundedTurns> = wavering(&spline, &fairness(&spline)).rounded;
+/// assert!(rounded.is_none()); // no sharp turn between straight runs
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct RoundedTurns {
     /// The first of them, from 0.
     pub first: usize,

@@ -1,0 +1,26 @@
+//! Bodies and sheets: revolutions, pipes, necks, bridges, surfaces between two curves, rounded polyhedra.
+
+mod bands;
+mod circular_surface;
+mod ellipse_bridge;
+mod ellipse_ring;
+mod input_chain;
+mod neck;
+mod pipe;
+mod polyhedron;
+mod rails;
+mod revolution;
+mod rotated_rows;
+mod ruled;
+mod rulings;
+mod turned_patch;
+
+pub use ellipse_bridge::EllipseBridge;
+pub use neck::{NeckBlend, NeckBody, NeckSide, NeckVariant, PlateShape};
+pub use pipe::{Pipe, PipeEnds};
+pub use polyhedron::{ConvexPolyhedron, PolyhedronEdge, SphericalPolygon};
+pub use revolution::Revolution;
+
+/// Largest angle of an arc in one face, or in one piece of it: beyond, its weights are far from each other, and from half a turn on not
+/// positive.
+const LARGEST_ARC: f64 = std::f64::consts::TAU / 3.0;

@@ -1,0 +1,162 @@
+//! Checks of what comes in, merging of equal neighbours, and the plane of the data (`docs/math/arc-fitting.md#limits`).
+
+use crate::base::bounds::Aabb;
+use crate::base::frame::Frame;
+use crate::base::planar::Point2;
+use crate::base::vector::{Point3, Vec3};
+use crate::error::{Error, ErrorItem, Result};
+use crate::warning::Warning;
+
+/// Neighbours closer than this times the diameter are one point,
+const MERGE_LIMIT: f64 = 1e-9;
+/// unless the tolerance tells them apart: closer than this times the tolerance.
+const MERGE_TOLERANCE: f64 = 0.01;
+/// Off-plane distances up to this times the diameter are rounding.
+const PLANE_LIMIT: f64 = 1e-9;
+/// Off-plane distances up to this times the tolerance do not matter.
+const PLANE_TOLERANCE: f64 = 1e-3;
+
+/// # Errors
+/// `too-few-points`, `not-finite`.
+pub(super) fn check_points(points: &[Point2], needed: usize) -> Result<()> {
+    check(points.len(), needed, |i| points[i].is_finite())
+}
+
+fn check(given: usize, needed: usize, finite: impl Fn(usize) -> bool) -> Result<()> {
+    if given < needed {
+        return Err(Error::TooFewPoints { given, needed });
+    }
+    match (0..given).find(|i| !finite(*i)) {
+        Some(index) => Err(Error::NotFinite { what: ErrorItem::Point, index }),
+        None => Ok(()),
+    }
+}
+
+/// Points that all differ from their neighbours, with the index each had in the user's list.
+pub(in crate::construct) struct Distinct {
+    pub points: Vec<Point3>,
+    pub source: Vec<usize>,
+    /// Points of the user's list from this index on were merged with the one at this position.
+    tail: (usize, usize),
+    pub warning: Option<Warning>,
+    /// How far a point that was merged is from the one that stands for it.
+    pub moved: f64,
+}
+
+impl Distinct {
+    /// Merges neighbours that are equal to within the tolerance; an open polyline keeps its first and its last point, a
+    /// closed one its first.
+    ///
+    /// # Errors
+    /// `too-few-points`, `not-finite`, `coincident-points` (all equal).
+    pub fn new(points: &[Point3], closed: bool, tolerance: f64) -> Result<Self> {
+        let needed = if closed { 3 } else { 2 };
+        check(points.len(), needed, |i| points[i].is_finite())?;
+        let diameter = diameter(points);
+        if !diameter.is_finite() {
+            return Err(Error::NotFinite { what: ErrorItem::DistanceFromPoint, index: 0 });
+        }
+        let limit = (MERGE_LIMIT * diameter).min(MERGE_TOLERANCE * tolerance);
+        let mut source = vec![0];
+        for (i, p) in points.iter().enumerate().skip(1) {
+            if p.distance(points[source[source.len() - 1]]) > limit {
+                source.push(i);
+            }
+        }
+        let last = points.len() - 1;
+        let mut first_dropped = (1..=last).zip(&source[1..]).find(|(i, s)| i != *s).map(|(i, _)| i);
+        let kept = source.len();
+        let mut tail = (points.len(), 0);
+        if closed {
+            while source.len() > 1 && points[source[source.len() - 1]].distance(points[0]) <= limit {
+                tail.0 = source.pop().unwrap_or(0);
+            }
+        } else if source.len() > 1 && source[kept - 1] != last {
+            tail = (source[kept - 1], kept - 1);
+            source[kept - 1] = last;
+        }
+        if source.len() == 1 {
+            let distance = points[0].distance(points[1]);
+            return Err(Error::CoincidentPoints { first: 0, second: 1, distance, limit });
+        }
+        if source.len() < needed {
+            return Err(Error::TooFewPoints { given: source.len(), needed });
+        }
+        let count = points.len() - source.len();
+        if count > 0 && first_dropped.is_none() {
+            first_dropped = (0..points.len()).find(|i| source.get(*i) != Some(i));
+        }
+        let warning = first_dropped.filter(|_| count > 0).map(|first| Warning::PointsMerged { first, count, limit });
+        let kept = source.iter().map(|i| points[*i]).collect();
+        let mut distinct = Self { points: kept, source, tail, warning, moved: 0.0 };
+        if count > 0 {
+            let moved = |(i, p): (usize, &Point3)| p.distance(distinct.points[distinct.position(i)]);
+            distinct.moved = points.iter().enumerate().map(moved).fold(0.0, f64::max);
+        }
+        Ok(distinct)
+    }
+
+    /// Position in the merged list of a point of the user's list.
+    pub fn position(&self, index: usize) -> usize {
+        let (first, position) = self.tail;
+        if index >= first { position } else { self.source.partition_point(|s| *s <= index).saturating_sub(1) }
+    }
+}
+
+/// Diagonal of the box around the points.
+pub(in crate::construct) fn diameter(points: &[Point3]) -> f64 {
+    let mut bounds = Aabb::of_point(points[0]);
+    for p in &points[1..] {
+        bounds = bounds.including(*p);
+    }
+    (bounds.max - bounds.min).length()
+}
+
+/// The frame of the plane the points lie in, with its origin in the first of them so that big offsets of the
+/// coordinates cost no digits; `None` if they are not planar. Data in a coordinate plane get its axes.
+pub(in crate::construct) fn plane(points: &[Point3], tolerance: f64) -> Option<Frame> {
+    let origin = points[0];
+    let farthest = |measure: &dyn Fn(Vec3) -> f64| {
+        let values = points.iter().map(|p| *p - origin);
+        values.max_by(|a, b| measure(*a).total_cmp(&measure(*b))).unwrap_or(Vec3::X)
+    };
+    let size = diameter(points);
+    let along = farthest(&|v| v.length()).unit()?;
+    let across = farthest(&|v| v.cross(along).length());
+    let normal = if across.cross(along).length() > PLANE_LIMIT * size {
+        along.cross(across).unit()?
+    } else {
+        // On a line: the plane that contains the first axes as far as possible.
+        [Vec3::Z, Vec3::Y].into_iter().find(|n| n.dot(along).abs() < 1e-3).unwrap_or(along.any_perpendicular())
+    };
+    let leading = [normal.z, normal.y, normal.x].into_iter().find(|c| c.abs() > 0.5).unwrap_or(1.0);
+    let frame = Frame::from_normal(origin, normal * leading.signum(), Vec3::X).ok()?;
+    let limit = (PLANE_LIMIT * size).min(PLANE_TOLERANCE * tolerance);
+    points.iter().all(|p| frame.to_local(*p).1.abs() <= limit).then_some(frame)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn merged_points_are_found_where_they_went() {
+        let at = |xs: &[f64]| -> Vec<Point3> { xs.iter().map(|x| Point3::new(*x, x * x, 0.0)).collect() };
+        let closed = Distinct::new(&at(&[0.0, 1.0, 1.0, 2.0, 0.0, 0.0]), true, 0.1).unwrap();
+        assert_eq!([0, 1, 2, 3, 4, 5].map(|i| closed.position(i)), [0, 1, 1, 2, 0, 0]);
+        let open = Distinct::new(&at(&[0.0, 0.0, 1.0, 2.0, 2.0]), false, 0.1).unwrap();
+        assert_eq!([0, 1, 2, 3, 4].map(|i| open.position(i)), [0, 0, 1, 2, 2]);
+        assert_eq!(open.source, [0, 2, 4]);
+    }
+
+    #[test]
+    fn what_the_tolerance_tells_apart_stays() {
+        // 1e-10 apart in data of size 2.
+        let points = [0.0, 1.0, 1.0 + 1e-10, 2.0].map(|x| Point3::new(x, 0.0, 0.0));
+        let merged = Distinct::new(&points, false, 0.1).unwrap();
+        assert_eq!(merged.source, [0, 1, 3]);
+        // The rounding of 1 + 1e-10.
+        assert!((merged.moved - 1e-10).abs() < 1e-16);
+        assert_eq!(Distinct::new(&points, false, 1e-9).unwrap().source, [0, 1, 2, 3]);
+    }
+}

@@ -1,0 +1,231 @@
+//! Certified arc fitting: few tangent-continuous arcs and lines within a tolerance of given points, with a proof
+//! sheet (`docs/math/arc-fitting.md`; points in space by `docs/math/arc-fitting.md#space`).
+
+mod arc_certificate;
+mod beam;
+mod bulge_interval;
+mod certificate;
+mod chord;
+mod closing;
+pub(super) mod corners;
+mod curvature_interval;
+mod doubts;
+pub(super) mod input;
+mod options;
+mod piece;
+mod planar;
+mod single;
+mod space;
+mod space_tangents;
+mod straighten;
+mod trace;
+mod turning;
+
+pub use arc_certificate::{ArcCertificate, certify_arc};
+pub use bulge_interval::{BulgeIntervals, feasible_bulges};
+pub use certificate::FitCertificate;
+pub use curvature_interval::curvature_intervals;
+pub use options::{ArcFitOptions, Effort, FitTarget};
+
+use crate::base::bounds::Aabb;
+use crate::base::frame::Frame;
+use crate::base::planar::Point2;
+use crate::base::vector::Point3;
+use crate::curve::{Arc, ArcPath};
+use crate::error::{Error, Result};
+use crate::warning::Warning;
+use beam::ChainJoint;
+use certificate::certify;
+use input::Distinct;
+use piece::{Piece, Place, Span};
+use trace::{Chain, Trace};
+
+/// Part of the tolerance kept for rounding between the search and the certificate.
+const ROUNDING_MARGIN: f64 = 1e-9;
+
+/// A tolerance above this part of the figure's size is tried again with it where the search dies.
+const WIDE_TUBE: f64 = 0.05;
+
+/// A fitted chain of arcs and lines with its certificate.
+///
+/// ```
+/// use cyclide::{ArcFit, ArcFitOptions, Point3};
+/// let points: Vec<Point3> = (0..20).map(|k| Point3::new(f64::from(k), 0.1 * f64::from(k * k), 0.0)).collect();
+/// let path = ArcFit::new(&points, &ArcFitOptions::new(0.05))?.into_path();
+/// assert!(path.arcs().len() < 10);
+/// # Ok::<(), cyclide::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct ArcFit {
+    path: ArcPath,
+    certificate: FitCertificate,
+    warnings: Vec<Warning>,
+}
+
+impl ArcFit {
+    /// Fits tangent-continuous arcs and lines to points within `options.tolerance`; see [`ArcFitOptions`].
+    ///
+    /// Joints are free inside the tolerance tube. The first and last point of open data and the corners are kept
+    /// exactly; a closed curve without corners is tangent-continuous at its seam too. The number of arcs is near the
+    /// minimum, which is an observation and no theorem; everything in the certificate is measured on the result.
+    ///
+    /// # Errors
+    /// `tolerance-not-positive`, `parameter-out-of-range` (corner angle or index), `too-few-points`, `not-finite`,
+    /// `coincident-points` (all points equal), `no-g1-spline-in-tube` with the point where the search died.
+    pub fn new(points: &[Point3], options: &ArcFitOptions) -> Result<Self> {
+        options.check(points.len())?;
+        let fit = Self::within_tube(points, options);
+        // A tube as wide as the figure gives the search no hold; a fit within less is within the tolerance too.
+        let size = Aabb::of_points(points.iter().copied()).map_or(0.0, Aabb::diagonal);
+        let tolerance = WIDE_TUBE * size;
+        match fit {
+            Err(died @ Error::NoG1SplineInTube { .. }) if tolerance > 0.0 && options.tolerance > tolerance => {
+                Self::within_tube(points, &ArcFitOptions { tolerance, ..options.clone() }).map_err(|_| died)
+            }
+            fit => fit,
+        }
+    }
+
+    /// The fit with the effort asked for; with more where the search dies or turns more than its data.
+    fn within_tube(points: &[Point3], options: &ArcFitOptions) -> Result<Self> {
+        let mut best: Option<Self> = None;
+        let mut died = None;
+        for effort in options.effort.and_above() {
+            match Self::with_effort(points, options, *effort) {
+                Ok(fit) if fit.certificate.turning <= fit.certificate.turning_limit => return Ok(fit),
+                Ok(fit) => {
+                    if best.as_ref().is_none_or(|b| fit.certificate.excess_turning() < b.certificate.excess_turning()) {
+                        best = Some(fit);
+                    }
+                }
+                // More effort finds more ways between samples; edges that are meant leave none.
+                Err(error @ Error::NoG1SplineInTube { .. }) if options.target == FitTarget::Points => {
+                    died = Some(error);
+                }
+                Err(error) => return best.ok_or(error),
+            }
+        }
+        let Some(mut fit) = best else { return Err(died.unwrap_or(Error::TooFewPoints { given: 0, needed: 2 })) };
+        let FitCertificate { turning, turning_limit: limit, .. } = fit.certificate;
+        fit.warnings.push(Warning::TurnsMoreThanData { turning, limit });
+        Ok(fit)
+    }
+
+    fn with_effort(points: &[Point3], options: &ArcFitOptions, effort: Effort) -> Result<Self> {
+        let distinct = Distinct::new(points, options.closed, options.tolerance)?;
+        let data = &distinct.points;
+        let tolerance = options.tolerance;
+        let mut forced: Vec<usize> = options.corners.iter().map(|c| distinct.position(*c)).collect();
+        forced.sort_unstable();
+        let corners = corners::corners(data, &forced, options);
+        let indices: Vec<usize> = corners.iter().map(|c| c.0).collect();
+        let died = |vertex: usize| Error::NoG1SplineInTube { vertex: distinct.source[vertex], tolerance };
+
+        let largest = data.iter().map(|p| p.to_vec().max_abs()).fold(0.0, f64::max);
+        let rounding = (ROUNDING_MARGIN * tolerance).max(8.0 * f64::EPSILON * largest).min(0.5 * tolerance);
+        let room = tolerance - distinct.moved - rounding;
+        let plane = input::plane(data, tolerance);
+        let (trace, pieces) = match &plane {
+            Some(frame) => {
+                match planar::fit(data, &indices, frame, room, options, effort) {
+                    Ok((trace, chains)) => {
+                        let mut pieces = planar_pieces(&trace, &chains, frame)?;
+                        straighten::straighten(&mut pieces, &trace, frame.z(), room, options.target);
+                        (trace, pieces)
+                    }
+                    // Wild samples: biarcs through the points take more arcs but nearly always exist.
+                    Err(vertex) if options.target == FitTarget::Points && effort == Effort::Best => {
+                        space::fit(data, &indices, room, options).map_err(|_| died(vertex))?
+                    }
+                    Err(vertex) => return Err(died(vertex)),
+                }
+            }
+            None => space::fit(data, &indices, room, options).map_err(died)?,
+        };
+
+        let path = ArcPath::new(pieces.iter().map(|p| p.arc).collect(), options.closed)?;
+        let mut certificate = certify(&pieces, &trace, options.target, plane.is_some());
+        let proved = certificate.monotone || options.target == FitTarget::Points;
+        if certificate.deviation > tolerance || !proved {
+            return Err(died(certificate.worst));
+        }
+        certificate.worst = distinct.source[certificate.worst];
+        let judged = turning::Data::new(data, &corners, options);
+        certificate.turning = turning::of_pieces(&pieces, options.closed);
+        certificate.turning_limit = judged.limit(&pieces, &trace);
+        let mut warnings: Vec<Warning> = distinct.warning.into_iter().collect();
+        warnings.extend(
+            corners.iter().map(|(i, angle)| Warning::CornerKept { vertex: distinct.source[*i], angle: *angle }),
+        );
+        warnings.extend(doubts::coarse_samples(data, options));
+        warnings.extend(doubts::swing(data, &corners, options, certificate.polyline_deviation));
+        warnings.extend(doubts::noise(&pieces, &trace, options.target));
+        warnings.extend(doubts::wide(data, tolerance));
+        warnings.extend(judged.tight_arcs(&pieces, &trace, &distinct.source));
+        Ok(Self { path, certificate, warnings })
+    }
+
+    /// The arcs and lines.
+    #[must_use]
+    pub fn path(&self) -> &ArcPath {
+        &self.path
+    }
+
+    /// The path alone.
+    #[must_use]
+    pub fn into_path(self) -> ArcPath {
+        self.path
+    }
+
+    /// What is proved about the path.
+    #[must_use]
+    pub fn certificate(&self) -> &FitCertificate {
+        &self.certificate
+    }
+
+    /// Corners kept, points merged, and doubts about the data.
+    #[must_use]
+    pub fn warnings(&self) -> &[Warning] {
+        &self.warnings
+    }
+}
+
+fn planar_pieces(trace: &Trace, chains: &[Chain], frame: &Frame) -> Result<Vec<Piece>> {
+    let mut pieces = Vec::new();
+    for chain in chains {
+        let joints = &chain.joints;
+        let loops = trace.closed && chains.len() == 1 && joints[0].frame == joints[joints.len() - 1].frame;
+        let place = |i: usize| {
+            let at_end = i == 0 || i == joints.len() - 1;
+            if loops {
+                frame.to_world(joints[if at_end { 0 } else { i }].frame.joint)
+            } else if at_end {
+                trace.point(chain.first + joints[i].vertex)
+            } else {
+                frame.to_world(joints[i].frame.joint)
+            }
+        };
+        for i in 1..joints.len() {
+            let (from, to) = (&joints[i - 1], &joints[i]);
+            let arc = Arc::from_bulge(place(i - 1), place(i), frame.z(), bulge(from, to))?;
+            let over = |joint: &ChainJoint| Place::over(chain.first + joint.vertex);
+            pieces.push(Piece { arc, span: Span { from: over(from), to: over(to) }, smooth: i > 1 || loops });
+        }
+    }
+    Ok(pieces)
+}
+
+/// Bulge of the arc between two joints, by the angle from its start tangent to the chord: `tan(sweep/4)`.
+fn bulge(from: &ChainJoint, to: &ChainJoint) -> f64 {
+    if to.straight {
+        return 0.0;
+    }
+    let chord = chord_direction(from.frame.joint, to.frame.joint);
+    let (sine, cosine) = (from.frame.tangent.cross(chord), from.frame.tangent.dot(chord));
+    if cosine >= 0.0 { sine / (1.0 + cosine) } else { (1.0 - cosine) / sine }
+}
+
+fn chord_direction(from: Point2, to: Point2) -> crate::base::planar::Vec2 {
+    let chord = to - from;
+    chord * (1.0 / chord.length())
+}

@@ -1,0 +1,141 @@
+//! What a user should know about a fair fit: each doubt with what was measured (`docs/math/fair-fits.md#limits`).
+
+use super::FairFitCertificate;
+use super::options::FairFitOptions;
+use super::parts::PieceFit;
+use super::removal::Stop;
+use crate::base::vector::{Point3, Vec3};
+use crate::construct::curves::arc_fit::corners::sagitta_quantile;
+use crate::curve::{CircleSpline, length};
+use crate::warning::Warning;
+
+/// Above this part of the tolerance the root mean square of the distances says that the curve leans on its bounds.
+const LEANING: f64 = 0.55;
+/// More nodes than this part of the points follow each of them.
+const MANY: f64 = 1.0 / 3.0;
+/// Fewer points to a node than this do not tell noise from the way the curve swings between its bounds.
+const POINTS_TO_A_NODE: usize = 6;
+/// Fewer points than this say nothing about noise.
+const FEW_POINTS: usize = 24;
+/// A curve shorter than this part of the length of the smoothed points has lost shape.
+const LENGTH_KEPT: f64 = 0.8;
+
+/// What is asked about.
+pub(super) struct Doubts<'a> {
+    /// The distinct points, and the number of each in the user's list.
+    pub data: &'a [Point3],
+    pub source: &'a [usize],
+    pub pieces: &'a [PieceFit],
+    pub spline: &'a CircleSpline,
+    pub sheet: &'a FairFitCertificate,
+    pub options: &'a FairFitOptions,
+    /// What the curve keeps to.
+    pub kept_to: f64,
+}
+
+impl Doubts<'_> {
+    pub fn all(&self) -> Vec<Warning> {
+        let found = [
+            self.ends_without_effect(),
+            self.shape_smoothed_away(),
+            self.feet_not_monotone(),
+            self.samples_too_coarse(),
+            self.nodes_not_reached(),
+            self.many_nodes(),
+            self.leans_on_walls(),
+        ];
+        found.into_iter().flatten().collect()
+    }
+
+    fn ends_without_effect(&self) -> Option<Warning> {
+        (self.options.closed && self.options.fix_ends).then_some(Warning::EndsWithoutEffect)
+    }
+
+    fn shape_smoothed_away(&self) -> Option<Warning> {
+        let data = self.pieces.iter().map(|piece| piece.length).sum::<f64>();
+        let curve = length(self.spline);
+        (curve < LENGTH_KEPT * data).then_some(Warning::ShapeSmoothedAway { curve, data })
+    }
+
+    fn feet_not_monotone(&self) -> Option<Warning> {
+        let back = |piece: &PieceFit| piece.sheet.back.map(|(point, count)| (self.source[piece.numbers[point]], count));
+        let mut backs = self.pieces.iter().filter_map(back);
+        let (point, first) = backs.next()?;
+        Some(Warning::FeetNotMonotone { point, count: first + backs.map(|(_, count)| count).sum::<usize>() })
+    }
+
+    fn samples_too_coarse(&self) -> Option<Warning> {
+        if self.options.edge_points == 0 {
+            return None;
+        }
+        let (sagitta, limit) = (sagitta_quantile(self.data, self.options.closed, 0.5), self.options.tolerance);
+        (sagitta > limit).then_some(Warning::SamplesTooCoarse { sagitta, limit })
+    }
+
+    /// The piece that is farthest from the number of nodes asked for, and why.
+    fn nodes_not_reached(&self) -> Option<Warning> {
+        let asked = self.options.nodes?;
+        let off = |piece: &&PieceFit| piece.nodes.abs_diff(asked);
+        let piece = self.pieces.iter().filter(|piece| piece.nodes != asked).max_by_key(off)?;
+        let reached = piece.nodes;
+        let why = match piece.stop {
+            _ if reached < asked && piece.first_nodes < asked => "first-fit",
+            _ if reached < asked => return None,
+            Stop::Fewest => "fewest",
+            Stop::Data => "tolerance",
+            Stop::Budget => "budget",
+            Stop::Fits => "max-fits",
+        };
+        Some(Warning::NodesNotReached { asked, reached, why })
+    }
+
+    fn many_nodes(&self) -> Option<Warning> {
+        let (nodes, points) = (self.sheet.nodes, self.data.len());
+        let many = points >= FEW_POINTS && nodes as f64 > MANY * points as f64;
+        let changes = || changes(self.data, self.options.closed, self.kept_to);
+        many.then(|| Warning::ManyNodes { nodes, points, changes: changes() })
+    }
+
+    fn leans_on_walls(&self) -> Option<Warning> {
+        let (rms, limit) = (self.sheet.rms, LEANING * self.kept_to);
+        if self.options.centre > 0.0 || rms <= limit {
+            return None;
+        }
+        let (sum, count) = self.pieces.iter().fold((0.0, 0), |(sum, count), piece| {
+            let (more, terms) = piece.sheet.roughness;
+            (sum + more, count + terms)
+        });
+        // Fourth differences of independent errors have 1 + 16 + 36 + 16 + 1 times their variance. With few points to a
+        // node, what is left is as rough without any noise.
+        let told = count >= POINTS_TO_A_NODE * self.sheet.nodes;
+        let scatter = told.then(|| (sum / (70 * count.max(1)) as f64).sqrt());
+        Some(Warning::LeansOnWalls { rms, limit, scatter })
+    }
+}
+
+/// How far the curve is from the polyline, and the limit, where that is far.
+pub(super) fn swing(sheet: &FairFitCertificate, points: &[Point3], kept_to: f64, closed: bool) -> Option<(f64, f64)> {
+    let limit = kept_to + 0.5 * longest_edge(points, closed);
+    (sheet.polyline_deviation > limit).then_some((sheet.polyline_deviation, limit))
+}
+
+/// The longest edge of the polyline: a curve that is farther from it than half of this turns by more than half a circle
+/// over an edge, and so holds to nothing that was given.
+fn longest_edge(points: &[Point3], closed: bool) -> f64 {
+    let last = points.last().zip(points.first()).filter(|_| closed).map(|(a, b)| a.distance(*b));
+    points.windows(2).map(|w| w[0].distance(w[1])).chain(last).fold(0.0, f64::max)
+}
+
+/// How often the polyline changes the side it turns to, in space by more than a right angle: at points that stand out from
+/// their neighbours by more than the tolerance.
+fn changes(points: &[Point3], closed: bool, tolerance: f64) -> usize {
+    let n = points.len();
+    let turn = |i: usize| {
+        let (a, b, c) = (points[i], points[(i + 1) % n], points[(i + 2) % n]);
+        let turn = (b - a).cross(c - b);
+        (turn.length() > tolerance * (c - a).length()).then_some(turn)
+    };
+    let turns = (0..if closed { n } else { n.saturating_sub(2) }).filter_map(turn);
+    let mut last = Vec3::ZERO;
+    turns.filter(|t| std::mem::replace(&mut last, *t).dot(*t) < 0.0).count()
+}

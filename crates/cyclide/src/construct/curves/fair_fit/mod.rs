@@ -1,0 +1,277 @@
+//! Fair fits: the fairest fair spline within a tolerance of given points, with few nodes and a proof sheet
+//! (`docs/math/fair-fits.md`).
+//!
+//! The nodes are unknown, few, and no data points. For a fixed number of them
+//!
+//! ```text
+//! J = sum d |V|² ~ int k'² ds,    V the derivative of curvature of a segment, d its chord
+//! ```
+//! is minimised while every point stays within the tolerance of the curve: a sequence of convex problems in the
+//! displacements of the nodes, each solved by an interior point method with banded matrices; after each the exact spline
+//! and the exact feet are found again. Then nodes are taken out in batches while `J` stays near the fairest seen. The
+//! choice of nodes is greedy and the tube is not convex in the curve: nothing proves that `J` or the number of nodes is
+//! the least. The certificate is proved.
+//!
+//! One subject per file: where closed data start, start curve, density, linear model, interior point, one fit, removal, the
+//! run of a smooth piece, the frame it works in, the pieces put together, certificate, doubts.
+
+mod along;
+mod bordered_band;
+mod canonical_start;
+mod certificate;
+mod corners;
+mod density;
+mod doubts;
+mod feet;
+mod fit;
+mod interior_point;
+mod linear_model;
+mod options;
+mod parts;
+mod places;
+mod removal;
+mod run;
+mod spline_basis;
+mod tube_curve;
+mod whittaker;
+mod working_frame;
+
+pub use options::FairFitOptions;
+
+use crate::base::range;
+use crate::base::vector::Point3;
+use crate::construct::curves::arc_fit::input::{Distinct, diameter};
+use crate::curve::CircleSpline;
+use crate::error::{Error, Result};
+use crate::warning::Warning;
+use canonical_start::runs_backwards;
+use parts::Parts;
+use working_frame::WorkingFrame;
+
+/// Places on each edge that hold a curve which swings out between its points.
+const HELD_EDGE_POINTS: usize = 3;
+/// Tolerances above these parts of the size of the data bind little: a closed curve shrinks, a long one swings out, and
+/// turns of a spiral fall together. There narrower ones are tried too.
+const WIDE: [f64; 4] = [1.0 / 4.0, 1.0 / 8.0, 1.0 / 16.0, 1.0 / 32.0];
+/// A narrower tolerance is tried if it is below this part of the one asked for.
+const NARROWER: f64 = 0.75;
+
+/// A narrower one is taken for a variation below this part, if that is any: `J` times the cubed size of the data.
+const FAIRER: f64 = 0.9;
+const NOTHING: f64 = 1e-9;
+
+/// A fair spline within a tolerance of points, with its certificate.
+///
+/// ```
+/// use cyclide::{FairFit, FairFitOptions, Point3};
+/// let noisy = |k: i32| Point3::new(0.1 * f64::from(k), (0.1 * f64::from(k)).sin() + 0.01 * f64::from(k % 3), 0.0);
+/// let fit = FairFit::new(&(0..60).map(noisy).collect::<Vec<_>>(), &FairFitOptions::new(0.05))?;
+/// assert!(fit.certificate().deviation <= 0.05 && fit.certificate().nodes < 60);
+/// # Ok::<(), cyclide::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct FairFit {
+    spline: CircleSpline,
+    certificate: FairFitCertificate,
+    warnings: Vec<Warning>,
+    /// How far the curve is from the polyline, and the limit, where it swings out between points.
+    swing: Option<(f64, f64)>,
+}
+
+/// What is proved about a fair fit, and how fair it is.
+///
+/// ```
+/// use cyclide::{FairFit, FairFitOptions, Point3};
+/// let points: Vec<Point3> = (0..40).map(|k| Point3::new(f64::from(k), (0.2 * f64::from(k)).sin(), 0.0)).collect();
+/// let certificate = *FairFit::new(&points, &FairFitOptions::new(0.05))?.certificate();
+/// assert!(certificate.rms <= certificate.deviation && certificate.deviation <= 0.05);
+/// # Ok::<(), cyclide::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct FairFitCertificate {
+    /// Largest distance of a point from the curve, at most the tolerance.
+    pub deviation: f64,
+    /// Root mean square of the distances of the points from the curve.
+    pub rms: f64,
+    /// Where [`monotone`](Self::monotone): bound on the Fréchet distance of curve and polyline, hence on their distance
+    /// both ways. Else: bound on the distance of the curve from the polyline.
+    pub polyline_deviation: f64,
+    /// The feet of the points advance with them along the curve.
+    pub monotone: bool,
+    /// The point (in the user's numbering) with the largest distance.
+    pub worst: usize,
+    /// Nodes of the spline.
+    pub nodes: usize,
+    /// `J`: the integral of the squared derivative of curvature by length, by one value per segment, over all smooth
+    /// pieces; 1/length³.
+    pub fairness: f64,
+}
+
+impl FairFit {
+    /// Fits the fairest spline found within `options.tolerance` of all points; see [`FairFitOptions`].
+    ///
+    /// The curve is G2 with an exact rational form of degree 4, a [`CircleSpline`] of fair segments. Corners are kept
+    /// exactly; each smooth piece between them is fitted on its own and ends in an arc. Linear in the number of points,
+    /// in memory and about so in time.
+    ///
+    /// A closed curve does not depend on the point its list starts with. A tolerance wide against the figure, above 1/32 of
+    /// the diagonal of its box, lets a curve swing out or get lost between turns: narrower ones are tried too, down to that
+    /// part, and if one gives a better curve a warning (`wide-tolerance`) says so. Bends and loops that the tolerance
+    /// takes are another (`shape-smoothed-away`).
+    ///
+    /// A curve that leaves its polyline by more than half the longest edge and the tolerance swings out: where a corner is
+    /// thinner than its points are dense, nothing holds it. It is fitted again with places on the edges, and a warning
+    /// (`swings-out`) says so.
+    ///
+    /// ```
+    /// use cyclide::{FairFit, FairFitOptions, Point3};
+    /// // A wave, measured to 0.01.
+    /// let noise = |i: u32| 0.01 * (f64::from(i * i) * 0.7).sin();
+    /// let points: Vec<Point3> = (0..200)
+    ///     .map(|i| Point3::new(f64::from(i) * 0.05, (f64::from(i) * 0.05).sin() + noise(i), 0.0))
+    ///     .collect();
+    /// let fit = FairFit::new(&points, &FairFitOptions { centre: 1.0, ..FairFitOptions::new(0.04) })?;
+    /// assert!(fit.certificate().deviation <= 0.04 && fit.certificate().nodes < 20);
+    /// # Ok::<(), cyclide::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// `tolerance-not-positive`, `parameter-out-of-range` (an option, a corner index, a coordinate), `too-few-points`,
+    /// `not-finite`, `coincident-points` (all points equal), `tolerance-not-reached` with the points that stay outside.
+    pub fn new(points: &[Point3], options: &FairFitOptions) -> Result<Self> {
+        options.check(points.len())?;
+        for (index, p) in points.iter().enumerate() {
+            range::check_point(index, p.to_vec())?;
+        }
+        let distinct = Distinct::new(points, options.closed, options.tolerance)?;
+        // What a merged point is away from the one that stands for it counts.
+        let full = options.tolerance - distinct.moved;
+        let (mut fit, kept_to) = Self::best_within(&distinct, options, full)?;
+        if kept_to < full {
+            fit.warnings.push(Warning::WideTolerance { tolerance: options.tolerance, used: kept_to });
+        }
+        let Some((distance, limit)) = fit.swing else {
+            return Ok(fit);
+        };
+        // The points alone do not hold the curve where a corner is thinner than they are dense.
+        let held = FairFitOptions { edge_points: HELD_EDGE_POINTS, ..options.clone() };
+        let held = if options.edge_points == 0 { Self::within(&distinct, &held, kept_to).ok() } else { None };
+        let (mut fit, held) = match held {
+            Some(held) if held.swing.is_none() => (held, true),
+            _ => (fit, false),
+        };
+        fit.warnings.push(Warning::SwingsOut { distance, limit, held });
+        Ok(fit)
+    }
+
+    /// The fit within a tolerance, or within less where it is wide: the fairest that keeps the shape. With what it keeps to.
+    fn best_within(distinct: &Distinct, options: &FairFitOptions, full: f64) -> Result<(Self, f64)> {
+        let size = diameter(&distinct.points);
+        let narrower = WIDE.map(|part| part * size).into_iter().filter(|t| *t < NARROWER * full);
+        // Wider than the widest of these nothing is held at all; that is tried only if nothing else succeeds.
+        let widest = (full <= WIDE[0] * size / NARROWER).then_some(full);
+        let mut best: Option<(Self, f64)> = None;
+        for tolerance in widest.into_iter().chain(narrower) {
+            let found = match Self::within(distinct, options, tolerance) {
+                Ok(found) => found,
+                // Nothing smaller than what does not suffice will do.
+                Err(error) if best.is_none() && widest == Some(tolerance) => return Err(error),
+                Err(_) => continue,
+            };
+            // Of those that lose the shape, the narrowest keeps most of it.
+            let better = |other: &Self| {
+                let gain = FAIRER * other.certificate.fairness - found.certificate.fairness;
+                other.loses_shape() || (!found.loses_shape() && gain > NOTHING / size.powi(3))
+            };
+            if best.as_ref().is_none_or(|(other, _)| better(other)) {
+                best = Some((found, tolerance));
+            }
+        }
+        match best {
+            Some(best) => Ok(best),
+            None => Ok((Self::within(distinct, options, full)?, full)),
+        }
+    }
+
+    /// It swings out between the points, or bends of theirs are gone.
+    fn loses_shape(&self) -> bool {
+        self.swing.is_some() || self.warnings.iter().any(|w| matches!(w, Warning::ShapeSmoothedAway { .. }))
+    }
+
+    /// The fit with these very options, within a tolerance.
+    fn within(distinct: &Distinct, options: &FairFitOptions, tolerance: f64) -> Result<Self> {
+        let data = &distinct.points;
+        let mut forced: Vec<usize> = options.corners.iter().map(|c| distinct.position(*c)).collect();
+        forced.sort_unstable();
+        let corners = corners::corners(data, &forced, options);
+        let cuts: Vec<usize> = corners.iter().map(|c| c.0).collect();
+
+        let frame = WorkingFrame::new(data, tolerance);
+        let backwards = cuts.is_empty() && runs_backwards(data, options.closed);
+        let mut parts = Parts::new(data, tolerance, &frame, options);
+        for (from, to) in runs(data.len(), options.closed, &cuts) {
+            let mut numbers: Vec<usize> = (from..=to).map(|i| i % data.len()).collect();
+            let whole = options.closed && cuts.is_empty();
+            let numbers = if whole { &mut numbers[..data.len()] } else { &mut numbers[..] };
+            if backwards {
+                // Closed data keep their first point.
+                numbers[usize::from(whole)..].reverse();
+            }
+            let ends = [from, to].map(|i| options.fix_ends || cuts.binary_search(&(i % data.len())).is_ok());
+            parts.add(numbers, whole, ends).map_err(|e| in_users_numbers(e, &distinct.source))?;
+        }
+        let mut fit = parts.finished(distinct, &corners)?;
+        if backwards {
+            fit.spline = fit.spline.reversed();
+        }
+        Ok(fit)
+    }
+
+    /// The curve.
+    #[must_use]
+    pub fn spline(&self) -> &CircleSpline {
+        &self.spline
+    }
+
+    /// The curve alone.
+    #[must_use]
+    pub fn into_spline(self) -> CircleSpline {
+        self.spline
+    }
+
+    /// What is proved about the curve.
+    #[must_use]
+    pub fn certificate(&self) -> &FairFitCertificate {
+        &self.certificate
+    }
+
+    /// Corners kept, points merged, and doubts about the data.
+    #[must_use]
+    pub fn warnings(&self) -> &[Warning] {
+        &self.warnings
+    }
+}
+
+/// Index ranges between corners, ends included; those that pass the seam of a closed curve exceed its length.
+fn runs(n: usize, closed: bool, corners: &[usize]) -> Vec<(usize, usize)> {
+    let mut ends = corners.to_vec();
+    match (closed, corners.first()) {
+        (true, Some(first)) => ends.push(first + n),
+        (true, None) => ends = vec![0, n],
+        (false, _) => {
+            ends.insert(0, 0);
+            ends.push(n - 1);
+        }
+    }
+    ends.windows(2).map(|w| (w[0], w[1])).collect()
+}
+
+fn in_users_numbers(error: Error, source: &[usize]) -> Error {
+    match error {
+        Error::ToleranceNotReached { points, deviation, tolerance } => {
+            Error::ToleranceNotReached { points: points.iter().map(|i| source[*i]).collect(), deviation, tolerance }
+        }
+        other => other,
+    }
+}

@@ -1,0 +1,172 @@
+//! The smooth pieces of a fair fit put together: each fitted in the working frame, back in the user's coordinates with its
+//! proof sheet, then the whole curve with its certificate and warnings.
+
+use super::certificate::{PieceSheet, certify};
+use super::doubts::{Doubts, swing};
+use super::fit::Data;
+use super::removal::{RemovalLimits, Stop};
+use super::run::{Outcome, Reached, floor, run};
+use super::working_frame::WorkingFrame;
+use super::{FairFit, FairFitCertificate, FairFitOptions};
+use crate::base::vector::Point3;
+use crate::construct::curves::arc_fit::input::Distinct;
+use crate::curve::{BlendSegment, CircleSpline};
+use crate::error::{Error, Result};
+use crate::rational::RationalBezier;
+use crate::warning::Warning;
+
+/// The smooth pieces of a fit so far.
+pub(super) struct Parts<'a> {
+    data: &'a [Point3],
+    /// What the curve keeps to: the tolerance asked for, or less.
+    tolerance: f64,
+    frame: &'a WorkingFrame,
+    options: &'a FairFitOptions,
+    spline: Vec<BlendSegment>,
+    kinks: Vec<usize>,
+    pieces: Vec<PieceFit>,
+}
+
+/// What is known about one piece.
+pub(super) struct PieceFit {
+    pub sheet: PieceSheet,
+    /// The number of each of its points among the distinct ones.
+    pub numbers: Vec<usize>,
+    /// `J`, and the length of its points, smoothed as the start of the fit was.
+    pub fairness: f64,
+    pub length: f64,
+    /// Nodes of the curve, and of the first fit.
+    pub nodes: usize,
+    pub first_nodes: usize,
+    /// Why there are no fewer.
+    pub stop: Stop,
+}
+
+impl<'a> Parts<'a> {
+    pub fn new(data: &'a [Point3], tolerance: f64, frame: &'a WorkingFrame, options: &'a FairFitOptions) -> Self {
+        Self { data, tolerance, frame, options, spline: Vec::new(), kinks: Vec::new(), pieces: Vec::new() }
+    }
+
+    /// Fits one smooth piece: the points with these numbers, closed or with ends that may be fixed.
+    pub fn add(&mut self, numbers: &[usize], closed: bool, fixed: [bool; 2]) -> Result<()> {
+        let (frame, options) = (self.frame, self.options);
+        let points: Vec<Point3> = numbers.iter().map(|i| self.data[*i]).collect();
+        let (bound, stride) = with_edge_points(&points, closed, options.edge_points);
+        let local: Vec<Point3> = bound.iter().map(|p| frame.to_local(*p)).collect();
+        let fixed = if closed { [false; 2] } else { fixed };
+        let tolerance = frame.length(self.tolerance);
+        let FairFitOptions { centre, max_fits, nodes, budget, .. } = *options;
+        let (planar, floor) = (frame.planar(), floor(&local, closed, tolerance));
+        let data = Data { points: &local, closed, planar, fixed, tolerance, centre, floor };
+        let limits = RemovalLimits { fits: max_fits, nodes: nodes.unwrap_or(0), budget };
+        let Reached { fit, stop, first: first_nodes, length } = match run(&data, &limits) {
+            Outcome::Reached(reached) => reached,
+            Outcome::Missed { outside, farthest } => {
+                let mut points: Vec<usize> = outside.iter().map(|i| numbers[i / stride]).collect();
+                points.dedup();
+                let deviation = farthest / frame.length(1.0);
+                return Err(Error::ToleranceNotReached { points, deviation, tolerance: options.tolerance });
+            }
+        };
+        let nodes = &fit.curve.nodes;
+        let ends = [(0, 0), (nodes.len() - 1, points.len() - 1)];
+        let mut world: Vec<Point3> = nodes.iter().map(|x| frame.to_world(*x)).collect();
+        for (fixed, (node, point)) in fixed.into_iter().zip(ends) {
+            if fixed {
+                world[node] = points[point];
+            }
+        }
+        let tangents: Vec<_> = fit.curve.tangents.iter().map(|t| frame.direction_to_world(*t)).collect();
+        if !self.spline.is_empty() || (options.closed && !closed) {
+            self.kinks.push(self.spline.len());
+        }
+        let first = self.spline.len();
+        for i in 0..fit.curve.segments.len() {
+            let j = (i + 1) % nodes.len();
+            self.spline.push(BlendSegment::fair(world[i], tangents[i], world[j], tangents[j], 1.0)?);
+        }
+        let feet: Vec<f64> = fit.feet.iter().step_by(stride).map(|f| f.place.position()).collect();
+        let quartics: Vec<RationalBezier> = self.spline[first..].iter().filter_map(BlendSegment::to_bezier).collect();
+        self.pieces.push(PieceFit {
+            sheet: certify(&quartics, closed, &points, &feet),
+            numbers: numbers.to_vec(),
+            fairness: fit.fairness * frame.length(1.0).powi(3),
+            length: length / frame.length(1.0),
+            nodes: nodes.len(),
+            first_nodes,
+            stop,
+        });
+        Ok(())
+    }
+
+    /// The whole curve with its certificate and warnings.
+    pub fn finished(self, distinct: &Distinct, corners: &[(usize, f64)]) -> Result<FairFit> {
+        let (options, source) = (self.options, &distinct.source);
+        let sheet = self.certificate(distinct);
+        if sheet.deviation > options.tolerance {
+            // Only the rounding of coordinates far larger than the tolerance can do that.
+            let points = vec![sheet.worst];
+            return Err(Error::ToleranceNotReached {
+                points,
+                deviation: sheet.deviation,
+                tolerance: options.tolerance,
+            });
+        }
+        let kept = |(i, angle): &(usize, f64)| Warning::CornerKept { vertex: source[*i], angle: *angle };
+        let mut warnings: Vec<Warning> = distinct.warning.clone().into_iter().collect();
+        warnings.extend(corners.iter().map(kept));
+        let spline = CircleSpline::from_segments(self.spline, options.closed, self.kinks, Vec::new());
+        let doubts = Doubts {
+            data: &distinct.points,
+            source,
+            pieces: &self.pieces,
+            spline: &spline,
+            sheet: &sheet,
+            options,
+            kept_to: self.tolerance,
+        };
+        warnings.extend(doubts.all());
+        let swing = swing(&sheet, &distinct.points, self.tolerance, options.closed);
+        Ok(FairFit { spline, certificate: sheet, warnings, swing })
+    }
+
+    fn certificate(&self, distinct: &Distinct) -> FairFitCertificate {
+        let mut sheet = FairFitCertificate {
+            deviation: 0.0,
+            rms: 0.0,
+            polyline_deviation: 0.0,
+            monotone: true,
+            worst: 0,
+            nodes: self.spline.len() + usize::from(!self.options.closed),
+            fairness: 0.0,
+        };
+        let mut squares = 0.0;
+        for PieceFit { sheet: piece, numbers, fairness, .. } in &self.pieces {
+            if piece.vertex.0 > sheet.deviation {
+                sheet.deviation = piece.vertex.0;
+                sheet.worst = distinct.source[numbers[piece.vertex.1]];
+            }
+            squares += piece.squares;
+            sheet.polyline_deviation = sheet.polyline_deviation.max(piece.polyline);
+            sheet.monotone &= piece.back.is_none();
+            sheet.fairness += fairness;
+        }
+        sheet.deviation += distinct.moved;
+        sheet.rms = (squares / distinct.points.len() as f64).sqrt();
+        sheet
+    }
+}
+
+/// The points with places on the edges between them, and how many of these there are to a point.
+fn with_edge_points(points: &[Point3], closed: bool, on_edge: usize) -> (Vec<Point3>, usize) {
+    let (n, stride) = (points.len(), on_edge + 1);
+    let mut all = Vec::with_capacity(n * stride);
+    for (i, p) in points.iter().enumerate() {
+        all.push(*p);
+        if closed || i + 1 < n {
+            let next = points[(i + 1) % n];
+            all.extend((1..stride).map(|k| p.lerp(next, k as f64 / stride as f64)));
+        }
+    }
+    (all, stride)
+}

@@ -1,0 +1,20 @@
+//! Curves through and near points: biarcs and arc splines, fair splines, fits, rounded polylines, and arcs in place of curves.
+
+mod arc_approximation;
+mod arc_fit;
+mod arc_spline;
+mod biarc;
+mod fair_fit;
+mod fair_spline;
+mod rational_runs;
+mod rounded_polyline;
+
+pub use arc_fit::{
+    ArcCertificate, ArcFit, ArcFitOptions, BulgeIntervals, Effort, FitCertificate, FitTarget, certify_arc,
+    curvature_intervals, feasible_bulges,
+};
+pub use arc_spline::{ArcSplineOptions, estimate_tangents};
+pub use biarc::{Biarc, BiarcRule};
+pub use fair_fit::{FairFit, FairFitCertificate, FairFitOptions};
+pub use fair_spline::{FairEnd, FairSplineOptions, blends_by_turn};
+pub use rational_runs::RationalRun;

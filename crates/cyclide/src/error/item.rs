@@ -1,0 +1,114 @@
+//! What an error is about: a kind of number, of point, or of thing.
+
+/// Kinds of things with the word for each.
+macro_rules! items {
+    ($($item:ident => $word:literal,)*) => {
+        /// What an error is about: which number, point or thing of the input.
+        ///
+        /// ```
+        /// use cyclide::{Arc, Error, ErrorItem, Point3, Vec3};
+        /// let [a, b] = [Point3::ORIGIN, Point3::new(1.0, 0.0, 0.0)];
+        /// let error = Arc::from_bulge(a, b, Vec3::Z, f64::NAN).unwrap_err();
+        /// assert_eq!(error, Error::NotFinite { what: ErrorItem::Bulge, index: 0 });
+        /// assert_eq!(ErrorItem::Bulge.word(), "bulge");
+        /// ```
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+        #[non_exhaustive]
+        pub enum ErrorItem {
+            $(#[doc = concat!("\"", $word, "\"")] $item,)*
+        }
+
+        impl ErrorItem {
+            /// The word for it in messages; of an option its name.
+            #[must_use]
+            pub const fn word(self) -> &'static str {
+                match self {
+                    $(Self::$item => $word,)*
+                }
+            }
+        }
+    };
+}
+
+items! {
+    Axis => "axis",
+    BarycentricCoordinate => "barycentric coordinate",
+    Blend => "blend",
+    BorderCurveSide => "side of a border curve (the direction is closed)",
+    Bore => "bore",
+    Bridge => "bridge",
+    Budget => "budget",
+    Bulge => "bulge",
+    Center => "center",
+    CentreWeight => "centre",
+    Chord => "chord",
+    Circle => "circle",
+    ControlPoint => "control point",
+    Coordinate => "coordinate",
+    Corner => "corner",
+    CornerAngle => "corner_angle",
+    Curve => "curve",
+    Cyclide => "cyclide",
+    Depth => "depth",
+    Direction => "direction",
+    Distance => "distance",
+    DistanceFromPoint => "distance from point",
+    Divisions => "divisions",
+    Edge => "edge",
+    EdgePoints => "edge_points",
+    Face => "face",
+    Flatness => "flatness",
+    Frame => "frame",
+    FrameCorner => "frame_corner",
+    FrameVector => "frame vector",
+    HalfAxisA => "a",
+    HalfAxisC => "c",
+    Height => "height",
+    Knot => "knot",
+    L1 => "l1",
+    LargestBarycentricCoordinate => "largest barycentric coordinate",
+    Levels => "levels",
+    MatrixEntry => "matrix entry",
+    MaxAngle => "max_angle",
+    MaxSteps => "max_steps",
+    Mu => "mu",
+    NarrowestPart => "narrowest part",
+    Neck => "neck",
+    Nodes => "nodes",
+    Normal => "normal",
+    OffsetDistance => "offset distance",
+    Parameter => "parameter",
+    Patch => "patch",
+    Plane => "plane",
+    Point => "point",
+    Polyhedron => "polyhedron",
+    Radius => "radius",
+    RadiusOfCircle => "radius of the circle",
+    Rotation => "rotation",
+    Row => "row",
+    S => "s",
+    SegmentsAlongS => "segments along s",
+    SegmentsAlongT => "segments along t",
+    Side => "side",
+    Similarity => "similarity",
+    Start => "start",
+    Surface => "surface",
+    T => "t",
+    T1 => "t1",
+    Tangent => "tangent",
+    Tension => "tension",
+    Thickness => "thickness",
+    Tight => "tight",
+    Tolerance => "tolerance",
+    U => "u",
+    Vertex => "vertex",
+    Wall => "wall",
+    Weight => "weight",
+    WeightRatio => "length of the weight ratio",
+}
+
+impl std::fmt::Display for ErrorItem {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(self.word())
+    }
+}

@@ -1,0 +1,403 @@
+//! What an error says: plain sentences with the item, the measure and the limit.
+
+use super::Error;
+use super::words::{
+    at_infinity, at_least, clockwise, count_differs, numbered, opposed, outside, points_in_words, size_in_place,
+    speed_ratio, through_infinity, zero_axis,
+};
+use crate::short_number::ShortNumber;
+
+impl std::fmt::Display for Error {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::NotFinite { what, index } => write!(f, "{what} {index} is not a finite number"),
+            Self::CoincidentPoints { first, second, distance, limit } => write!(
+                f,
+                "points {first} and {second} coincide (distance {}, at most {} is allowed to be called equal)",
+                ShortNumber(*distance),
+                ShortNumber(*limit)
+            ),
+            Self::TooFewPoints { given, needed } => {
+                write!(f, "too few points: {given} given, at least {needed} needed")
+            }
+            Self::ZeroWeight { index } => write!(f, "weight {index} is zero"),
+            Self::PoleOnSegment { real, vector } => write!(
+                f,
+                "the arc passes through infinity: its weight ratio has real part {} and vector part {}",
+                ShortNumber(*real),
+                ShortNumber(*vector)
+            ),
+            Self::NearlyFullCircle { rest, limit } => write!(
+                f,
+                "the arc turns by a full circle less {} radians, limit {}: its ends nearly coincide; take a circle, or two arcs",
+                ShortNumber(*rest),
+                ShortNumber(*limit)
+            ),
+            Self::NotInImH { cosine, limit } => write!(
+                f,
+                "the weight takes the arc out of three-space: cosine {} between chord and weight, limit {}",
+                ShortNumber(*cosine),
+                ShortNumber(*limit)
+            ),
+            Self::ZeroTangent { index } => write!(f, "tangent {index} is zero"),
+            Self::TangentOpposesChord { index, angle, limit } => f.write_str(&opposed(*index, *angle, *limit)),
+            Self::PointAtInfinity { what, distance, limit, .. } => f.write_str(&at_infinity(*what, *distance, *limit)),
+            Self::NoFiniteBiarc { measured, value, limit } => {
+                write!(f, "no finite biarc: {measured} is {}, limit {}", ShortNumber(*value), ShortNumber(*limit))
+            }
+            Self::Cusp { index, measured, limit } => write!(
+                f,
+                "cusp at point {index}: the unit chords sum to {}, limit {}; split the points there",
+                ShortNumber(*measured),
+                ShortNumber(*limit)
+            ),
+            Self::CountDiffers { what, given, needed } => f.write_str(&count_differs(*what, *given, *needed)),
+            Self::NotOfArcs { wanted } => write!(
+                f,
+                "the curve is not made of arcs and segments: give the tolerance within which arcs may replace it, or take a curve of arcs ({wanted})"
+            ),
+            Self::ZeroAxis { what, length, limit, .. } => f.write_str(&zero_axis(*what, *length, *limit)),
+            Self::ZeroRadius { radius, .. } => write!(f, "the radius {} is zero", ShortNumber(*radius)),
+            Self::ScaleNotPositive { factor } => write!(f, "the scale factor {} is not positive", ShortNumber(*factor)),
+            Self::RadiusNotPositive { radius } => write!(f, "the radius {} is not positive", ShortNumber(*radius)),
+            Self::BallDoesNotFit { radius, limit } => write!(
+                f,
+                "a ball of radius {} does not fit into the pipe: its radius must be below {}",
+                ShortNumber(*radius),
+                ShortNumber(*limit)
+            ),
+            Self::NeckFolds { radius, limit } => write!(
+                f,
+                "the neck runs through itself on the side to which the pipe leans and bounds no solid: a ball of radius {} rolls through bends of radius {}; take a smaller ball",
+                ShortNumber(*radius),
+                ShortNumber(*limit)
+            ),
+            Self::PlateTooSmall { what, reach, needed } => write!(
+                f,
+                "the plate is too small: it reaches {} from the axis of the pipe, the {what} {}",
+                ShortNumber(*reach),
+                ShortNumber(*needed)
+            ),
+            Self::EllipsesCross { along_x, along_y } => write!(
+                f,
+                "the ellipses cross: the second is wider by {} along x and by {} along y; a solid needs one inside the other",
+                ShortNumber(*along_x),
+                ShortNumber(*along_y)
+            ),
+            Self::PieceCountsDiffer { first, second } => write!(
+                f,
+                "the first curve has {first} piece(s), the second {second}: pieces are joined one by one, in their order"
+            ),
+            Self::RulingsCross { piece, at, normal, limit } => write!(
+                f,
+                "the straight lines between piece {piece} of both curves cross, or lie in one line: at {} of the piece and {} of the way between them the surface has no normal (of its length {} is left, limit {}); does the second curve run the other way?",
+                ShortNumber(at[0]),
+                ShortNumber(at[1]),
+                ShortNumber(*normal),
+                ShortNumber(*limit)
+            ),
+            Self::DegreeTooHigh { degree, limit } => write!(
+                f,
+                "the surface would have the degree {degree}, limit {limit}: take curves of lower degrees (segments have 1, arcs 2, fair splines 4)"
+            ),
+            Self::DegenerateCircle { sine, limit } => write!(
+                f,
+                "the points lie on a line: sine of their angle {}, limit {}",
+                ShortNumber(*sine),
+                ShortNumber(*limit)
+            ),
+            Self::DegenerateSphere { volume, limit } => write!(
+                f,
+                "the points lie in a plane: relative volume {}, limit {}",
+                ShortNumber(*volume),
+                ShortNumber(*limit)
+            ),
+            Self::OrderOutOfRange { order, max } => write!(f, "blend order {order} is outside 1 to {max}"),
+            Self::ArcThroughInfinity { segment, reach, limit } => {
+                f.write_str(&through_infinity(*segment, *reach, *limit))
+            }
+            Self::AmbiguousHalfTurn { segment, .. } => write!(
+                f,
+                "segment {segment}: opposite circles along the chord, the half-turn between them is ambiguous"
+            ),
+            Self::TooManyPieces { what, segment, needed, cap, remedy } => write!(
+                f,
+                "{what}{} needs {} pieces, at most {cap} are made: {remedy}",
+                numbered(*segment),
+                at_least(*needed)
+            ),
+            Self::BelowRoundingOfPlace { what, size, place, limit } => write!(
+                f,
+                "the {what} is {} at coordinates of up to {}, which are rounded: below {} it has no shape of its own; move it to the origin",
+                size_in_place(*size),
+                ShortNumber(*place),
+                ShortNumber(*limit)
+            ),
+            Self::NotWithinTolerance { piece, bound, tolerance } => write!(
+                f,
+                "piece {piece}: the curve is not proved to be within {} of a polyline, only within {}; use a larger tolerance",
+                ShortNumber(*tolerance),
+                ShortNumber(*bound)
+            ),
+            Self::ToleranceNotPositive { tolerance } => {
+                write!(f, "the tolerance {} is not positive", ShortNumber(*tolerance))
+            }
+            Self::SweepOutOfRange { sweep, min, max } => write!(
+                f,
+                "the swept angle {:#} is outside {:#} to {:#} radians",
+                ShortNumber(*sweep),
+                ShortNumber(*min),
+                ShortNumber(*max)
+            ),
+            Self::AngleOutOfRange { angle, min, max } => write!(
+                f,
+                "the angle {:#} is 0 or outside {:#} to {:#} radians; degrees are written {{\"degrees\": 90}}",
+                ShortNumber(*angle),
+                ShortNumber(*min),
+                ShortNumber(*max)
+            ),
+            Self::CrossesAxis { piece, distance, .. } => write!(
+                f,
+                "piece {piece} of the profile meets the axis, or lies on another side of it than the pieces before (distance {}): cut it there and turn one half",
+                ShortNumber(*distance)
+            ),
+            Self::ProfileMeetsItself { first, second, radius, height } => write!(
+                f,
+                "the profile meets itself: pieces {first} and {second} at the distance {} from the axis, height {}; a solid needs a profile that goes round once",
+                ShortNumber(*radius),
+                ShortNumber(*height)
+            ),
+            Self::FoldedProfile { piece, distance } => write!(
+                f,
+                "piece {piece} of the profile turns back at the distance {} from the axis, in a plane across it: what it sweeps is folded; take an axis in the plane of the profile, or a profile with heights along the axis",
+                ShortNumber(*distance)
+            ),
+            Self::NotAFace { face, detail } => write!(f, "face {face}: {detail}"),
+            Self::NotClosed { first, second, forward, back } => write!(
+                f,
+                "the faces do not close: {forward} of them run from point {first} to point {second} and {back} the other way, where one and one should"
+            ),
+            Self::NonPlanarFace { face, vertex, distance, limit } => write!(
+                f,
+                "face {face} is not planar: point {vertex} is {} off, limit {}",
+                ShortNumber(*distance),
+                ShortNumber(*limit)
+            ),
+            Self::NotConvex { first, second, angle, reflex, edges } => write!(
+                f,
+                "not convex: {reflex} of {edges} edges are reflex, most of all that between the points {first} and {second}, by {} radians, limit 0{}",
+                ShortNumber(-*angle),
+                clockwise(*reflex, *edges)
+            ),
+            Self::NotInOpenHemisphere { side, measured } => write!(
+                f,
+                "the corners are not in an open half of the sphere, counter-clockwise: {} round the middle by {} radians, {}",
+                side.map_or("all sides run".to_owned(), |side| format!("side {side} runs")),
+                ShortNumber(*measured),
+                side.map_or("not by 2 pi", |_| "not between 0 and pi")
+            ),
+            Self::FlatPolyhedron { thickness, limit } => write!(
+                f,
+                "the points are in one plane, within {}, limit {}",
+                ShortNumber(*thickness),
+                ShortNumber(*limit)
+            ),
+            Self::BendDoesNotFit { corner, radius, needed, length } => write!(
+                f,
+                "the bend at point {corner} does not fit: with the radius {} and that of its neighbour the arcs take {} of a leg of length {}; take smaller radii or move the points apart",
+                ShortNumber(*radius),
+                at_least(*needed),
+                ShortNumber(*length)
+            ),
+            Self::PipeTooWide { piece, radius, limit } => write!(
+                f,
+                "the pipe's radius {} is not below that of piece {piece} of its curve, {}: the inner side would fold; take a thinner pipe or wider bends",
+                ShortNumber(*radius),
+                ShortNumber(*limit)
+            ),
+            Self::CornerNotMitred { joint, turn, smooth, limit } => write!(
+                f,
+                "the pipe's curve has a corner of {} rad before piece {joint}: only corners between segments are mitred, up to {} rad, and joints are smooth up to {} rad; round it (polyline with radius), or take a smooth curve",
+                ShortNumber(*turn),
+                ShortNumber(*limit),
+                ShortNumber(*smooth)
+            ),
+            Self::MitreDoesNotFit { piece, needed, length } => write!(
+                f,
+                "segment {piece} of the pipe's curve has the length {}, its mitres need more than {}; take a thinner pipe or round the corners",
+                ShortNumber(*length),
+                ShortNumber(*needed)
+            ),
+            Self::PipeMeetsItself { first, second, distance, limit } => write!(
+                f,
+                "the pipe meets itself: pieces {first} and {second} of its curve come as near as {}, twice the radius is {}; take a thinner pipe or move the curve apart",
+                ShortNumber(*distance),
+                ShortNumber(*limit)
+            ),
+            Self::ParameterOutOfRange { name, value, min, max } => {
+                write!(f, "{name} = {:#} is {}", ShortNumber(*value), outside(*min, *max))
+            }
+            Self::NoG1SplineInTube { vertex, tolerance } => {
+                write!(f, "no G1 arc spline within {} of the polyline near vertex {vertex}", ShortNumber(*tolerance))
+            }
+            Self::ToleranceNotReached { points, deviation, tolerance } => write!(
+                f,
+                "tolerance {} not reached: {} stay outside, up to {} away; a larger tolerance, or corners where the data turn sharply",
+                ShortNumber(*tolerance),
+                points_in_words(points),
+                ShortNumber(*deviation)
+            ),
+            Self::Disconnected { piece, next, gap, limit } => write!(
+                f,
+                "pieces {piece} and {next} do not meet: gap {}, limit {}",
+                ShortNumber(*gap),
+                ShortNumber(*limit)
+            ),
+            Self::NotMobius { defect, limit } => write!(
+                f,
+                "the Möbius matrix does not preserve three-space: defect {}, limit {}",
+                ShortNumber(*defect),
+                ShortNumber(*limit)
+            ),
+            Self::NotASimilarity { .. } => f.write_str("the map is not a similarity"),
+            Self::NotASpline { detail } => write!(f, "not a spline: {detail}"),
+            Self::WeightNotPositive { index, weight } => {
+                write!(f, "weight {index} is {}: rational weights must be positive here", ShortNumber(*weight))
+            }
+            Self::FrameNotOrthonormal { measured, limit } => write!(
+                f,
+                "the directions of the frame are not perpendicular: the cosine between them is {}, limit {}",
+                ShortNumber(*measured),
+                ShortNumber(*limit)
+            ),
+            Self::NotConcircular { measured, limit } => write!(
+                f,
+                "the corners are not on one circle: off by {} of the size, limit {}",
+                ShortNumber(*measured),
+                ShortNumber(*limit)
+            ),
+            Self::CrossingQuad { position } => write!(
+                f,
+                "the sides cross: the corner opposite to the first is outside the arc between its neighbours (position {}, should be 0 to 1)",
+                ShortNumber(*position)
+            ),
+            Self::NotInSpace { defect, limit } => write!(
+                f,
+                "the weights leave three-space: defect {} of the size, limit {}",
+                ShortNumber(*defect),
+                ShortNumber(*limit)
+            ),
+            Self::PatchThroughInfinity { s, t } => {
+                write!(f, "the patch passes through infinity near s = {}, t = {}", ShortNumber(*s), ShortNumber(*t))
+            }
+            Self::NetDoesNotClose { direction, angle, stretch, limit } => write!(
+                f,
+                "the net does not close along {}: after one turn the frame is off by {} radians{}, limit {}",
+                if *direction == 0 { 's' } else { 't' },
+                ShortNumber(*angle),
+                speed_ratio(*stretch, *limit),
+                ShortNumber(*limit)
+            ),
+            Self::AmbiguousFrame => {
+                f.write_str("the edges of the net determine no frame: give one at the first vertex")
+            }
+            Self::CollapsedSide { side, cannot } => write!(f, "the side {side} of the net is one point: {cannot}"),
+            Self::OffsetOnFocalSet { distance } => write!(
+                f,
+                "the offset at distance {} lies on the focal set: all centres of curvature of one family of lines are at that distance, and the surface shrinks to a curve or a point",
+                ShortNumber(*distance)
+            ),
+            Self::OffsetNotRegular { distance } => write!(
+                f,
+                "a solid between the surface and its offset at distance {} would run through itself: a centre of curvature lies between them, or on one of them (`report` gives the radii)",
+                ShortNumber(*distance)
+            ),
+            Self::NotAShell { item, index, detail } => write!(f, "not a shell: {item} {index}: {detail}"),
+            Self::ShortEdge { edge, length, limit } => write!(
+                f,
+                "edge {edge} of the faces for a file is {} long, shorter than {}: the surface is too close to a singular one; move its points or its radii apart, or leave out the part that is so thin",
+                ShortNumber(*length),
+                ShortNumber(*limit)
+            ),
+            Self::InQuad { quad, cause } => write!(f, "quad {quad}: {cause}"),
+            Self::CollapsedOnCurve { first, second } => write!(
+                f,
+                "vertices {first} and {second} fall together on the curve of their side: let it run along the whole side"
+            ),
+            Self::NotConverged { step, residual, limit } => write!(
+                f,
+                "not circular after {step} steps: the largest residual is {}, limit {}",
+                ShortNumber(*residual),
+                ShortNumber(*limit)
+            ),
+            Self::ShapeLost { change } => write!(f, "the shape is lost: {}", change.lost()),
+            Self::BorderCurvesApart { vertex, distance, limit } => write!(
+                f,
+                "the curves of the two sides at vertex {vertex} do not meet near it: {} apart, limit {}",
+                ShortNumber(*distance),
+                ShortNumber(*limit)
+            ),
+            Self::DegenerateTriangle { area, limit } => write!(
+                f,
+                "the corners of the triangle lie on one line: twice its area is {} of its longest edge squared, limit {}",
+                ShortNumber(*area),
+                ShortNumber(*limit)
+            ),
+            Self::ControlPointOnCircumcircle { corner, distance, limit } => write!(
+                f,
+                "control point {corner} lies on the circle through the corners: it is {} off it, relative to its distance, limit {}",
+                ShortNumber(*distance),
+                ShortNumber(*limit)
+            ),
+            Self::OppositeSpheres { at, length, limit } => write!(
+                f,
+                "the spheres of the corners oppose each other near lambda = {}, {}: their blend has the length {}, limit {}",
+                ShortNumber(at[0]),
+                ShortNumber(at[1]),
+                ShortNumber(*length),
+                ShortNumber(*limit)
+            ),
+            Self::NormalAlongEdge { corner, across, limit } => write!(
+                f,
+                "the normal at corner {corner} runs along an edge or a line across its triangle: {} of that line is across the normal, limit {}",
+                ShortNumber(*across),
+                ShortNumber(*limit)
+            ),
+            Self::OppositeNormals { corner, length, limit } => write!(
+                f,
+                "the normals at the ends of the side opposite to corner {corner} oppose each other: between them {} is left, limit {}",
+                ShortNumber(*length),
+                ShortNumber(*limit)
+            ),
+            Self::UndefinedNormal { vertex, length, limit } => write!(
+                f,
+                "vertex {vertex} has no normal: those of its faces cancel to the length {}, limit {}",
+                ShortNumber(*length),
+                ShortNumber(*limit)
+            ),
+            Self::NoTriangles => f.write_str("the mesh has no triangles"),
+            Self::NoSuchVertex { triangle, vertex, count } => {
+                write!(f, "triangle {triangle} names vertex {vertex}, but there are {count} vertices, counted from 0")
+            }
+            Self::NonManifoldEdge { vertices, triangle, count } => write!(
+                f,
+                "{count} triangles, among them triangle {triangle}, share the edge from vertex {} to vertex {}, at most 2 can",
+                vertices[0], vertices[1]
+            ),
+            Self::InconsistentOrientation { vertices, triangles } => write!(
+                f,
+                "triangles {} and {} both run from vertex {} to vertex {}: one of them must be turned over",
+                triangles[0], triangles[1], vertices[0], vertices[1]
+            ),
+            Self::InTriangle { triangle, cause } => write!(f, "triangle {triangle}: {cause}"),
+            Self::InSpan { span, cause } => write!(f, "span {span}: {cause}"),
+        }
+    }
+}
+
+/// The sentence and the reason: what a program prints whose `main` returns the error.
+impl std::fmt::Debug for Error {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{self} [{}]", self.reason())
+    }
+}

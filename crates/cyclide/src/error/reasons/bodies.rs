@@ -1,0 +1,215 @@
+//! What is refused of revolutions, pipes, necks, bridges, surfaces between two curves, and polyhedra.
+//!
+//! # `crosses-axis`
+//! A profile crosses the axis that it is to turn about.
+//! ```
+//! use cyclide::{Arc, Point3, Revolution, Vec3};
+//! let turn = Revolution::new(Point3::ORIGIN, Vec3::Z, std::f64::consts::TAU)?;
+//! let profile = Arc::segment(Point3::new(-1.0, 0.0, 0.0), Point3::new(2.0, 0.0, 1.0))?;
+//! assert_eq!(turn.body(&[profile.into()], false).unwrap_err().reason(), "crosses-axis");
+//! # Ok::<(), cyclide::Error>(())
+//! ```
+//!
+//! # `profile-meets-itself`
+//! A closed profile runs through itself, and the solid with it.
+//! ```
+//! use cyclide::{Arc, EdgeCurve, Point3, Revolution, Vec3};
+//! let eight = [[10.0, 0.0, 0.0], [30.0, 0.0, 30.0], [30.0, 0.0, 0.0], [10.0, 0.0, 30.0]].map(Point3::from);
+//! let side = |k: usize| Arc::segment(eight[k], eight[(k + 1) % 4]).map(EdgeCurve::from);
+//! let profile = [side(0)?, side(1)?, side(2)?, side(3)?];
+//! let turn = Revolution::new(Point3::ORIGIN, Vec3::Z, std::f64::consts::TAU)?;
+//! assert_eq!(turn.body(&profile, true).unwrap_err().reason(), "profile-meets-itself");
+//! # Ok::<(), cyclide::Error>(())
+//! ```
+//!
+//! # `folded-profile`
+//! A profile in a plane across the axis goes out and comes back.
+//! ```
+//! use cyclide::{Arc, Point3, Revolution, Vec3};
+//! let turn = Revolution::new(Point3::ORIGIN, Vec3::Z, std::f64::consts::TAU)?;
+//! let at = |x: f64| Point3::new(x, 0.0, 2.0);
+//! let profile = [Arc::segment(at(1.0), at(3.0))?.into(), Arc::segment(at(3.0), at(2.0))?.into()];
+//! assert_eq!(turn.body(&profile, false).unwrap_err().reason(), "folded-profile");
+//! # Ok::<(), cyclide::Error>(())
+//! ```
+//!
+//! # `bend-does-not-fit`
+//! The arc of a corner takes more of its legs than they have.
+//! ```
+//! use cyclide::{ArcPath, Point3};
+//! let corner = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [4.0, 4.0, 0.0]].map(Point3::from);
+//! let error = ArcPath::rounded_polyline(&corner, false, &[0.0, 5.0, 0.0]).unwrap_err();
+//! assert_eq!(error.reason(), "bend-does-not-fit");
+//! ```
+//!
+//! # `pipe-too-wide`
+//! A pipe is as wide as an arc that it follows.
+//! ```
+//! use cyclide::{Arc, ArcPath, Pipe, Point3};
+//! let half = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0]].map(Point3::from);
+//! let spine = ArcPath::new(vec![Arc::from_three_points(half[0], half[1], half[2])?], false)?;
+//! assert_eq!(Pipe::new(1.5)?.body(&spine).unwrap_err().reason(), "pipe-too-wide");
+//! # Ok::<(), cyclide::Error>(())
+//! ```
+//!
+//! # `corner-not-mitred`
+//! A corner of a pipe turns back so far that no mitre joins its sides.
+//! ```
+//! use cyclide::{ArcPath, Pipe, Point3};
+//! let back = [[0.0, 0.0, 0.0], [50.0, 0.0, 0.0], [0.0, 1.0, 0.0]].map(Point3::from);
+//! let spine = ArcPath::rounded_polyline(&back, false, &[0.0; 3])?;
+//! assert_eq!(Pipe::new(5.0)?.body(&spine).unwrap_err().reason(), "corner-not-mitred");
+//! # Ok::<(), cyclide::Error>(())
+//! ```
+//!
+//! # `mitre-does-not-fit`
+//! A segment of a pipe is shorter than the mitres at its ends.
+//! ```
+//! use cyclide::{ArcPath, Pipe, Point3};
+//! let step = [[0.0, 0.0, 0.0], [50.0, 0.0, 0.0], [50.0, 9.0, 0.0], [0.0, 9.0, 0.0]].map(Point3::from);
+//! let spine = ArcPath::rounded_polyline(&step, false, &[0.0; 4])?;
+//! assert_eq!(Pipe::new(5.0)?.body(&spine).unwrap_err().reason(), "mitre-does-not-fit");
+//! # Ok::<(), cyclide::Error>(())
+//! ```
+//!
+//! # `pipe-meets-itself`
+//! Parts of a pipe that are no neighbours run into each other.
+//! ```
+//! use cyclide::{ArcPath, Pipe, Point3};
+//! let hairpin = [[0.0, 0.0, 0.0], [50.0, 0.0, 0.0], [50.0, 30.0, 0.0], [40.0, 30.0, 0.0], [40.0, -20.0, 0.0]];
+//! let spine = ArcPath::rounded_polyline(&hairpin.map(Point3::from), false, &[0.0; 5])?;
+//! assert_eq!(Pipe::new(3.0)?.body(&spine).unwrap_err().reason(), "pipe-meets-itself");
+//! # Ok::<(), cyclide::Error>(())
+//! ```
+//!
+//! # `not-of-arcs`
+//! What follows arcs was given a curve of another kind, and no tolerance for arcs in its place.
+//! ```
+//! use cyclide::{CircleSpline, CircleSplineOptions, CurveObject, Pipe, Point3};
+//! let points = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [4.0, 4.0, 1.0], [0.0, 5.0, 1.0]].map(Point3::from);
+//! let spline = CurveObject::CircleSpline(CircleSpline::from_points(&points, &CircleSplineOptions::default())?);
+//! assert_eq!(spline.piped(&Pipe::new(0.1)?, None).unwrap_err().reason(), "not-of-arcs");
+//! # Ok::<(), cyclide::Error>(())
+//! ```
+//!
+//! # `ball-does-not-fit`
+//! A ball that is to roll inside a pipe is as large as the pipe.
+//! ```
+//! use cyclide::{NeckBlend, NeckSide, NeckVariant};
+//! let error = NeckBlend::new(1.0, 1.0, 0.0, NeckSide::Inside, NeckVariant::Pipe).unwrap_err();
+//! assert_eq!(error.reason(), "ball-does-not-fit");
+//! ```
+//!
+//! # `neck-folds`
+//! A solid with a neck that runs through itself: its ball is larger than the bends that it rolls through.
+//! ```
+//! use cyclide::{NeckBlend, NeckBody, NeckSide, NeckVariant, PlateShape};
+//! let neck = NeckBlend::new(1.0, 5.0, 1.0, NeckSide::Outside, NeckVariant::Pipe)?;
+//! let plate = Some(PlateShape::Rectangle([100.0, 100.0]));
+//! let solid = NeckBody { height: 30.0, plate, thickness: Some(1.0), wall: None };
+//! assert_eq!(neck.body(&solid).unwrap_err().reason(), "neck-folds");
+//! # Ok::<(), cyclide::Error>(())
+//! ```
+//!
+//! # `plate-too-small`
+//! A plate ends within the neck that stands on it.
+//! ```
+//! use cyclide::{NeckBlend, NeckBody, NeckSide, NeckVariant, PlateShape};
+//! let neck = NeckBlend::new(3.0, 0.8, 0.5, NeckSide::Outside, NeckVariant::Pipe)?;
+//! let body = NeckBody { height: 8.0, plate: Some(PlateShape::Disk(2.0)), thickness: None, wall: None };
+//! assert_eq!(neck.body(&body).unwrap_err().reason(), "plate-too-small");
+//! # Ok::<(), cyclide::Error>(())
+//! ```
+//!
+//! # `ellipses-cross`
+//! There is no solid between two ellipses that cross.
+//! ```
+//! use cyclide::EllipseBridge;
+//! let bridge = EllipseBridge::new([1.0, 3.0], [2.0, 2.0])?;
+//! assert_eq!(bridge.body(Some(1.0)).unwrap_err().reason(), "ellipses-cross");
+//! # Ok::<(), cyclide::Error>(())
+//! ```
+//!
+//! # `piece-counts-differ`
+//! Two curves whose pieces are to be joined one by one do not have as many.
+//! ```
+//! use cyclide::{Arc, Body, EdgeCurve, Point3};
+//! let segment = |x: f64, y: f64| Arc::segment(Point3::new(x, y, 0.0), Point3::new(x + 1.0, y, 0.0)).map(EdgeCurve::from);
+//! let error = Body::ruled([&[segment(0.0, 0.0)?, segment(1.0, 0.0)?], &[segment(0.0, 1.0)?]], false).unwrap_err();
+//! assert_eq!(error.reason(), "piece-counts-differ");
+//! # Ok::<(), cyclide::Error>(())
+//! ```
+//!
+//! # `rulings-cross`
+//! The straight lines between two curves cross, most often because one of the curves runs the other way.
+//! ```
+//! use cyclide::{Arc, Body, Point3};
+//! let there = Arc::segment(Point3::ORIGIN, Point3::new(1.0, 0.0, 0.0))?;
+//! let back = Arc::segment(Point3::new(1.0, 1.0, 0.0), Point3::new(0.0, 1.0, 0.0))?;
+//! assert_eq!(Body::ruled([&[there.into()], &[back.into()]], false).unwrap_err().reason(), "rulings-cross");
+//! # Ok::<(), cyclide::Error>(())
+//! ```
+//!
+//! # `degree-too-high`
+//! A surface between curves would have a degree that no program reads.
+//! ```
+//! use cyclide::{Arc, Body, Point3, RationalBezier, Vec3};
+//! let low = Arc::segment(Point3::ORIGIN, Point3::new(1.0, 0.0, 0.0))?;
+//! let high = RationalBezier::new((0..=12).map(|k| [f64::from(k), 1.0, 0.0, 1.0 + 0.1 * f64::from(k % 3)]).collect())?;
+//! let error = Body::circular([&[low.into()], &[high.into()]], &[Vec3::Z], false).unwrap_err();
+//! assert_eq!(error.reason(), "degree-too-high");
+//! # Ok::<(), cyclide::Error>(())
+//! ```
+//!
+//! # `not-a-face`
+//! A loop of vertices is no face: here one of its points does not exist.
+//! ```
+//! use cyclide::{ConvexPolyhedron, Point3};
+//! let corners = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(Point3::from);
+//! let faces = [vec![0, 2, 1], vec![0, 1, 3], vec![1, 2, 3], vec![0, 3, 4]];
+//! assert_eq!(ConvexPolyhedron::new(&corners, &faces).unwrap_err().reason(), "not-a-face");
+//! ```
+//!
+//! # `not-closed`
+//! An edge of a polyhedron does not have one face on each side.
+//! ```
+//! use cyclide::{ConvexPolyhedron, Point3};
+//! let corners = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(Point3::from);
+//! let three_of_four = [vec![0, 2, 1], vec![0, 1, 3], vec![1, 2, 3]];
+//! assert_eq!(ConvexPolyhedron::new(&corners, &three_of_four).unwrap_err().reason(), "not-closed");
+//! ```
+//!
+//! # `non-planar-face`
+//! A corner of a face is off its plane.
+//! ```
+//! use cyclide::{ConvexPolyhedron, Point3};
+//! let mut cube: Vec<Point3> = (0..8).map(|k| Point3::new((k & 1) as f64, (k >> 1 & 1) as f64, (k >> 2) as f64)).collect();
+//! cube[7].z = 1.1;
+//! let faces = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]].map(|f| f.to_vec());
+//! assert_eq!(ConvexPolyhedron::new(&cube, &faces).unwrap_err().reason(), "non-planar-face");
+//! ```
+//!
+//! # `not-convex`
+//! Faces turn towards each other at an edge: here all of them, being clockwise.
+//! ```
+//! use cyclide::{ConvexPolyhedron, Point3};
+//! let corners = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(Point3::from);
+//! let clockwise = [vec![0, 1, 2], vec![0, 3, 1], vec![1, 3, 2], vec![0, 2, 3]];
+//! assert_eq!(ConvexPolyhedron::new(&corners, &clockwise).unwrap_err().reason(), "not-convex");
+//! ```
+//!
+//! # `flat-polyhedron`
+//! Points in one plane bound no body.
+//! ```
+//! use cyclide::{ConvexPolyhedron, Point3};
+//! let flat = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 1.0, 0.0]].map(Point3::from);
+//! assert_eq!(ConvexPolyhedron::hull(&flat).unwrap_err().reason(), "flat-polyhedron");
+//! ```
+//!
+//! # `not-in-open-hemisphere`
+//! Directions are not the corners of a convex polygon on one half of the sphere.
+//! ```
+//! use cyclide::{SphericalPolygon, Vec3};
+//! let clockwise = [Vec3::X, Vec3::Z, Vec3::Y];
+//! assert_eq!(SphericalPolygon::new(&clockwise).unwrap_err().reason(), "not-in-open-hemisphere");
+//! ```

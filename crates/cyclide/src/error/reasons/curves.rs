@@ -1,0 +1,145 @@
+//! What is refused of arcs, circles, splines and fits.
+//!
+//! # `pole-on-segment`
+//! The weights make an arc that runs through infinity.
+//! ```
+//! use cyclide::{Arc, Point3, Quat};
+//! let error = Arc::from_weights(Point3::ORIGIN, Point3::new(1.0, 0.0, 0.0), Quat::ONE, -Quat::ONE).unwrap_err();
+//! assert_eq!(error.reason(), "pole-on-segment");
+//! ```
+//!
+//! # `nearly-full-circle`
+//! An arc turns so nearly round that its points lose their digits.
+//! ```
+//! use cyclide::{Arc, Point3, Vec3};
+//! let error = Arc::from_bulge(Point3::ORIGIN, Point3::new(1.0, 0.0, 0.0), Vec3::Z, 1e9).unwrap_err();
+//! assert_eq!(error.reason(), "nearly-full-circle");
+//! ```
+//!
+//! # `not-in-im-h`
+//! A weight is not perpendicular to the chord: the arc would leave space for the quaternions.
+//! ```
+//! use cyclide::{Arc, Point3, Quat};
+//! let along = Quat::new(1.0, 1.0, 0.0, 0.0);
+//! let error = Arc::from_weights(Point3::ORIGIN, Point3::new(1.0, 0.0, 0.0), Quat::ONE, along).unwrap_err();
+//! assert_eq!(error.reason(), "not-in-im-h");
+//! ```
+//!
+//! # `tangent-opposes-chord`
+//! A tangent points straight away from the other end.
+//! ```
+//! use cyclide::{Arc, Point3, Vec3};
+//! let error = Arc::from_start_tangent(Point3::ORIGIN, Point3::new(1.0, 0.0, 0.0), -Vec3::X).unwrap_err();
+//! assert_eq!(error.reason(), "tangent-opposes-chord");
+//! ```
+//!
+//! # `degenerate-circle`
+//! Three points on a line have no circle.
+//! ```
+//! use cyclide::{Circle, Point3};
+//! let line = [0.0, 1.0, 3.0].map(|x| Point3::new(x, 0.0, 0.0));
+//! assert_eq!(Circle::through_points(line).unwrap_err().reason(), "degenerate-circle");
+//! ```
+//!
+//! # `degenerate-sphere`
+//! Four points in a plane have no sphere.
+//! ```
+//! use cyclide::{Point3, Sphere};
+//! let plane = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [2.0, 2.0, 0.0]].map(Point3::from);
+//! assert_eq!(Sphere::through_points(plane).unwrap_err().reason(), "degenerate-sphere");
+//! ```
+//!
+//! # `no-finite-biarc`
+//! No two arcs with a common tangent join the data.
+//! ```
+//! use cyclide::{Biarc, BiarcRule, Point3, Vec3};
+//! let (a, b) = (Point3::ORIGIN, Point3::new(1.0, 0.0, 0.0));
+//! let error = Biarc::new(a, -Vec3::X, b, -Vec3::X, BiarcRule::Auto).unwrap_err();
+//! assert_eq!(error.reason(), "no-finite-biarc");
+//! ```
+//!
+//! # `cusp`
+//! Points turn back on themselves, where no tangent can be estimated.
+//! ```
+//! use cyclide::{ArcPath, ArcSplineOptions, Point3};
+//! let points = [[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [1.0, 0.0, 0.0]].map(Point3::from);
+//! let error = ArcPath::spline(&points, &ArcSplineOptions::default()).unwrap_err();
+//! assert_eq!(error.reason(), "cusp");
+//! ```
+//!
+//! # `arc-through-infinity`
+//! A circle of a blend leaves its chord backwards.
+//! ```
+//! use cyclide::{BlendSegment, BlendVariant, Point3, Vec3};
+//! let (a, b) = (Point3::ORIGIN, Point3::new(1.0, 0.0, 0.0));
+//! let error = BlendSegment::hermite(a, -Vec3::X, b, Vec3::X, 2, BlendVariant::Rational).unwrap_err();
+//! assert_eq!(error.reason(), "arc-through-infinity");
+//! ```
+//!
+//! # `ambiguous-half-turn`
+//! Two circles with opposite tangents along the chord, but for rounding: the half turn between them may go through any plane.
+//! ```
+//! use cyclide::{BlendSegment, BlendVariant, Point3, Vec3};
+//! let (a, b) = (Point3::ORIGIN, Point3::new(1.0, 0.0, 0.0));
+//! let (start, end) = (Vec3::new(1.0, 0.9999e-9, 0.0), Vec3::new(-1.0, 1.0001e-9, 0.0));
+//! let error = BlendSegment::hermite(a, start, b, end, 2, BlendVariant::Rational).unwrap_err();
+//! assert_eq!(error.reason(), "ambiguous-half-turn");
+//! ```
+//!
+//! # `disconnected`
+//! A piece of a path does not begin where the one before ends.
+//! ```
+//! use cyclide::{Arc, ArcPath, Point3};
+//! let segment = |from: f64, to: f64| Arc::segment(Point3::new(from, 0.0, 0.0), Point3::new(to, 0.0, 0.0));
+//! let error = ArcPath::new(vec![segment(0.0, 1.0)?, segment(2.0, 3.0)?], false).unwrap_err();
+//! assert_eq!(error.reason(), "disconnected");
+//! # Ok::<(), cyclide::Error>(())
+//! ```
+//!
+//! # `not-a-spline`
+//! Knots, weights and points of a spline do not fit together.
+//! ```
+//! use cyclide::{NurbsCurve, Point3};
+//! let points = [[0.0, 0.0, 0.0], [1.0, 1.0, 0.0], [2.0, 0.0, 0.0]].map(Point3::from).to_vec();
+//! let error = NurbsCurve::new(2, vec![0.0, 1.0], points, vec![1.0; 3]).unwrap_err();
+//! assert_eq!(error.reason(), "not-a-spline");
+//! ```
+//!
+//! # `not-within-tolerance`
+//! No chord, however short, is proved to be within the tolerance: it is below the rounding of the points.
+//! ```
+//! use cyclide::{NurbsCurve, Point3, flatten};
+//! let points = [[1e9, 0.0, 0.0], [1e9 + 1.0, 1.0, 0.0], [1e9 + 2.0, 0.0, 0.0]].map(Point3::from).to_vec();
+//! let far = NurbsCurve::new(2, vec![0.0, 0.0, 0.0, 1.0, 1.0, 1.0], points, vec![1.0, 2.0, 1.0])?;
+//! assert_eq!(flatten(&far, 1e-9).unwrap_err().reason(), "not-within-tolerance");
+//! # Ok::<(), cyclide::Error>(())
+//! ```
+//!
+//! # `no-g1-spline-in-tube`
+//! The search for tangent arcs within the tolerance of a polyline finds no way past a vertex.
+//! ```
+//! use cyclide::{ArcFit, ArcFitOptions, FitTarget, Point3};
+//! let points = [
+//!     [0.0, 0.0],
+//!     [0.001396136825860192, 0.0002658291767813673],
+//!     [0.028466842482326168, 0.015432042093839051],
+//!     [0.028596732204657815, 0.015492004942723802],
+//!     [0.05035439623533945, 0.02734672223265036],
+//!     [0.05059622764638955, 0.027542716273130024],
+//!     [0.766314997501115, 0.6359705768777246],
+//!     [1.3390979039628366, 1.1004304063586954],
+//!     [1.5141648363581874, 1.2656619716334785],
+//! ];
+//! let points = points.map(|[x, y]| Point3::new(x, y, 0.0));
+//! let error = ArcFit::new(&points, &ArcFitOptions { target: FitTarget::Polyline, ..ArcFitOptions::new(1e-4) }).unwrap_err();
+//! assert_eq!(error.reason(), "no-g1-spline-in-tube");
+//! ```
+//!
+//! # `tolerance-not-reached`
+//! No fair curve within the tolerance was found: here of a zigzag, every tooth of which is a sharp turn.
+//! ```
+//! use cyclide::{FairFit, FairFitOptions, Point3};
+//! let zigzag: Vec<Point3> = (0..100).map(|k| Point3::new(0.1 * f64::from(k), f64::from(k % 2), 0.0)).collect();
+//! let error = FairFit::new(&zigzag, &FairFitOptions::new(0.02)).unwrap_err();
+//! assert_eq!(error.reason(), "tolerance-not-reached");
+//! ```

@@ -1,0 +1,47 @@
+//! Every reason for which the kernel refuses input, with the shortest input that is refused for it.
+//!
+//! A reason is the stable word of an [`Error`](crate::Error), which [`Error::reason`](crate::Error::reason) gives: messages may be
+//! worded anew, reasons stay. What was measured and what was allowed stands in the fields of the variant.
+//!
+//! | page | what is refused there |
+//! |---|---|
+//! | [`numbers`] | numbers, points, directions and lists as such; maps |
+//! | [`curves`] | arcs, circles, splines and fits |
+//! | [`patches`] | patches, nets, their offsets and shells; quads made circular |
+//! | [`bodies`] | revolutions, pipes, necks, bridges, surfaces between two curves, polyhedra |
+//! | [`meshes`] | triangles and meshes of them |
+
+pub mod bodies;
+pub mod curves;
+pub mod meshes;
+pub mod numbers;
+pub mod patches;
+
+#[cfg(test)]
+mod tests {
+    /// The words between quotes in a text.
+    fn quoted(text: &str) -> impl Iterator<Item = &str> {
+        text.split('"').skip(1).step_by(2)
+    }
+
+    #[test]
+    fn every_reason_has_an_example_and_every_example_a_reason() {
+        let pages = [
+            include_str!("numbers.rs"),
+            include_str!("curves.rs"),
+            include_str!("patches.rs"),
+            include_str!("bodies.rs"),
+            include_str!("meshes.rs"),
+        ];
+        let table = include_str!("../reason.rs").split("pub fn reason").nth(1).and_then(|t| t.split("pub fn").next());
+        let reasons: Vec<&str> = quoted(table.unwrap()).collect();
+        assert!(reasons.len() > 80, "the table was not found: {reasons:?}");
+        for reason in &reasons {
+            let (heading, example) = (format!("//! # `{reason}`\n"), format!(".reason(), \"{reason}\");"));
+            let found = |what: &str| pages.iter().map(|page| page.matches(what).count()).sum::<usize>();
+            assert_eq!((found(&heading), found(&example)), (1, 1), "{reason}");
+        }
+        let headings = pages.iter().flat_map(|page| page.lines()).filter(|line| line.starts_with("//! # `"));
+        assert_eq!(headings.count(), reasons.len());
+    }
+}

@@ -1,0 +1,178 @@
+//! What is refused of numbers, points, directions and lists, and of maps.
+//!
+//! # `not-finite`
+//! A number is NaN or infinite.
+//! ```
+//! use cyclide::{Arc, Point3};
+//! let error = Arc::segment(Point3::ORIGIN, Point3::new(f64::NAN, 0.0, 0.0)).unwrap_err();
+//! assert_eq!(error.reason(), "not-finite");
+//! ```
+//!
+//! # `parameter-out-of-range`
+//! A number is outside its interval, which the error has.
+//! ```
+//! use cyclide::{Arc, Point3};
+//! let arc = Arc::segment(Point3::ORIGIN, Point3::new(1.0, 0.0, 0.0))?;
+//! assert_eq!(arc.split(1.5).unwrap_err().reason(), "parameter-out-of-range");
+//! # Ok::<(), cyclide::Error>(())
+//! ```
+//!
+//! # `below-rounding-of-place`
+//! Something is so small where it is that the rounding of its coordinates is its shape.
+//! ```
+//! use cyclide::{Circle, Point3, Vec3};
+//! let error = Circle::from_radius(Point3::new(1e9, 0.0, 0.0), Vec3::Z, 1e-9).unwrap_err();
+//! assert_eq!(error.reason(), "below-rounding-of-place");
+//! ```
+//!
+//! # `tolerance-not-positive`
+//! A tolerance is zero, negative or NaN.
+//! ```
+//! use cyclide::{Arc, Point3, flatten};
+//! let arc = Arc::segment(Point3::ORIGIN, Point3::new(1.0, 0.0, 0.0))?;
+//! assert_eq!(flatten(&arc, 0.0).unwrap_err().reason(), "tolerance-not-positive");
+//! # Ok::<(), cyclide::Error>(())
+//! ```
+//!
+//! # `too-few-points`
+//! A list has too few points for what is to be made of it.
+//! ```
+//! use cyclide::{CircleSpline, CircleSplineOptions, Point3};
+//! let error = CircleSpline::from_points(&[Point3::ORIGIN], &CircleSplineOptions::default()).unwrap_err();
+//! assert_eq!(error.reason(), "too-few-points");
+//! ```
+//!
+//! # `coincident-points`
+//! Two points that must differ do not.
+//! ```
+//! use cyclide::{Arc, Point3, Vec3};
+//! let error = Arc::from_start_tangent(Point3::ORIGIN, Point3::ORIGIN, Vec3::X).unwrap_err();
+//! assert_eq!(error.reason(), "coincident-points");
+//! ```
+//!
+//! # `count-differs`
+//! A list that has one entry for each point or vertex does not have as many.
+//! ```
+//! use cyclide::{ArcPath, Point3};
+//! let corner = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [4.0, 4.0, 0.0]].map(Point3::from);
+//! let error = ArcPath::rounded_polyline(&corner, false, &[0.0, 1.0]).unwrap_err();
+//! assert_eq!(error.reason(), "count-differs");
+//! ```
+//!
+//! # `zero-tangent`
+//! A tangent or direction has no length.
+//! ```
+//! use cyclide::{Arc, Point3, Vec3};
+//! let error = Arc::from_start_tangent(Point3::ORIGIN, Point3::new(1.0, 0.0, 0.0), Vec3::ZERO).unwrap_err();
+//! assert_eq!(error.reason(), "zero-tangent");
+//! ```
+//!
+//! # `zero-axis`
+//! An axis or a normal has no length, or none across the chord.
+//! ```
+//! use cyclide::{Circle, Point3, Vec3};
+//! let error = Circle::from_radius(Point3::ORIGIN, Vec3::ZERO, 1.0).unwrap_err();
+//! assert_eq!(error.reason(), "zero-axis");
+//! ```
+//!
+//! # `zero-weight`
+//! A weight is the zero quaternion.
+//! ```
+//! use cyclide::{Arc, Point3, Quat};
+//! let error = Arc::from_weights(Point3::ORIGIN, Point3::new(1.0, 0.0, 0.0), Quat::ONE, Quat::ZERO).unwrap_err();
+//! assert_eq!(error.reason(), "zero-weight");
+//! ```
+//!
+//! # `weight-not-positive`
+//! A weight of a rational curve or surface that must be positive is not.
+//! ```
+//! use cyclide::{NurbsCurve, Point3};
+//! let points = [[0.0, 0.0, 0.0], [1.0, 1.0, 0.0], [2.0, 0.0, 0.0]].map(Point3::from).to_vec();
+//! let knots = vec![0.0, 0.0, 0.0, 1.0, 1.0, 1.0];
+//! let error = NurbsCurve::new(2, knots, points, vec![1.0, -1.0, 1.0]).unwrap_err();
+//! assert_eq!(error.reason(), "weight-not-positive");
+//! ```
+//!
+//! # `zero-radius`
+//! The first point of a circle lies on its axis.
+//! ```
+//! use cyclide::{Circle, Point3, Vec3};
+//! let error = Circle::from_center(Point3::ORIGIN, Vec3::Z, Point3::new(0.0, 0.0, 3.0)).unwrap_err();
+//! assert_eq!(error.reason(), "zero-radius");
+//! ```
+//!
+//! # `radius-not-positive`
+//! A radius is zero, negative or NaN.
+//! ```
+//! use cyclide::{Circle, Point3, Vec3};
+//! let error = Circle::from_radius(Point3::ORIGIN, Vec3::Z, -1.0).unwrap_err();
+//! assert_eq!(error.reason(), "radius-not-positive");
+//! ```
+//!
+//! # `scale-not-positive`
+//! A similarity scales by zero or less.
+//! ```
+//! use cyclide::{Mobius, Quat, Vec3};
+//! assert_eq!(Mobius::similarity(Quat::ONE, 0.0, Vec3::ZERO).unwrap_err().reason(), "scale-not-positive");
+//! ```
+//!
+//! # `order-out-of-range`
+//! A blend has an order that is not supported.
+//! ```
+//! use cyclide::{CircleSpline, CircleSplineOptions, Point3};
+//! let points = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0]].map(Point3::from);
+//! let error = CircleSpline::from_points(&points, &CircleSplineOptions { order: 9, ..Default::default() }).unwrap_err();
+//! assert_eq!(error.reason(), "order-out-of-range");
+//! ```
+//!
+//! # `sweep-out-of-range`
+//! An arc is to turn by a full circle or more.
+//! ```
+//! use cyclide::{Arc, Point3, Vec3};
+//! let error = Arc::from_center(Point3::ORIGIN, Vec3::Z, Point3::new(1.0, 0.0, 0.0), 7.0).unwrap_err();
+//! assert_eq!(error.reason(), "sweep-out-of-range");
+//! ```
+//!
+//! # `angle-out-of-range`
+//! A turn or a slope is beyond what the construction has.
+//! ```
+//! use cyclide::{Point3, Revolution, Vec3};
+//! assert_eq!(Revolution::new(Point3::ORIGIN, Vec3::Z, 7.0).unwrap_err().reason(), "angle-out-of-range");
+//! ```
+//!
+//! # `too-many-pieces`
+//! A refinement would take more pieces than its cap on work and memory.
+//! ```
+//! use cyclide::{Circle, Point3, Vec3, flatten_within};
+//! let circle = Circle::from_radius(Point3::ORIGIN, Vec3::Z, 1.0)?;
+//! assert_eq!(flatten_within(&circle, 1e-3, 10).unwrap_err().reason(), "too-many-pieces");
+//! # Ok::<(), cyclide::Error>(())
+//! ```
+//!
+//! # `point-at-infinity`
+//! A point lies where it would go to infinity, or a map takes it there.
+//! ```
+//! use cyclide::{Arc, Conformal, Mobius, Point3};
+//! let arc = Arc::segment(Point3::ORIGIN, Point3::new(1.0, 0.0, 0.0))?;
+//! let inversion = Mobius::inversion(Point3::ORIGIN, 1.0)?;
+//! assert_eq!(arc.transformed(&inversion).unwrap_err().reason(), "point-at-infinity");
+//! # Ok::<(), cyclide::Error>(())
+//! ```
+//!
+//! # `not-mobius`
+//! A matrix of quaternions is singular or takes points out of space.
+//! ```
+//! use cyclide::{Mobius, Quat};
+//! let error = Mobius::from_matrix(Quat::ONE, Quat::ONE, Quat::ONE, Quat::ONE).unwrap_err();
+//! assert_eq!(error.reason(), "not-mobius");
+//! ```
+//!
+//! # `not-a-similarity`
+//! A map that is no similarity would take the curve or surface out of its kind.
+//! ```
+//! use cyclide::{Circle, Mobius, Point3, Vec3};
+//! let circle = Circle::from_radius(Point3::ORIGIN, Vec3::Z, 1.0)?;
+//! let inversion = Mobius::inversion(Point3::new(5.0, 0.0, 0.0), 1.0)?;
+//! assert_eq!(circle.similar(&inversion).unwrap_err().reason(), "not-a-similarity");
+//! # Ok::<(), cyclide::Error>(())
+//! ```

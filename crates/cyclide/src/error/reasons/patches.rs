@@ -1,0 +1,178 @@
+//! What is refused of patches, nets, their offsets and shells, and of quads that are to be made circular.
+//!
+//! # `not-concircular`
+//! The corners of a quad are on no circle.
+//! ```
+//! use cyclide::{CyclidePatch, Point3, Vec3};
+//! let corners = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 1.0, 0.2]].map(Point3::from);
+//! let error = CyclidePatch::from_corners_and_frame(corners, Vec3::X, Vec3::Y).unwrap_err();
+//! assert_eq!(error.reason(), "not-concircular");
+//! ```
+//!
+//! # `crossing-quad`
+//! The corners of a quad are on a circle in another order.
+//! ```
+//! use cyclide::{CyclidePatch, Point3, Vec3};
+//! let corners = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]].map(Point3::from);
+//! let error = CyclidePatch::from_corners_and_frame(corners, Vec3::X, Vec3::Y).unwrap_err();
+//! assert_eq!(error.reason(), "crossing-quad");
+//! ```
+//!
+//! # `frame-not-orthonormal`
+//! The two directions of a frame are not perpendicular.
+//! ```
+//! use cyclide::{CyclidePatch, Point3, Vec3};
+//! let corners = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 1.0, 0.0]].map(Point3::from);
+//! let error = CyclidePatch::from_corners_and_frame(corners, Vec3::X, Vec3::new(0.1, 1.0, 0.0)).unwrap_err();
+//! assert_eq!(error.reason(), "frame-not-orthonormal");
+//! ```
+//!
+//! # `not-in-space`
+//! The weights of a patch take it out of space.
+//! ```
+//! use cyclide::{CyclidePatch, Point3, Quat, Vec3};
+//! let corners = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 1.0, 0.0]].map(Point3::from);
+//! let mut weights = CyclidePatch::from_corners_and_frame(corners, Vec3::X, Vec3::Y)?.weights();
+//! weights[3] = weights[3] * Quat::from_axis_angle(Vec3::X, 0.1);
+//! let error = CyclidePatch::from_weights(corners, weights, Vec3::X, Vec3::Y).unwrap_err();
+//! assert_eq!(error.reason(), "not-in-space");
+//! # Ok::<(), cyclide::Error>(())
+//! ```
+//!
+//! # `patch-through-infinity`
+//! A patch contains the point at infinity.
+//! ```
+//! use cyclide::{CyclidePatch, Point3, Vec3};
+//! let corners = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 1.0, 0.0]].map(Point3::from);
+//! let error = CyclidePatch::from_corners_and_frame(corners, -Vec3::X, -Vec3::Y).unwrap_err();
+//! assert_eq!(error.reason(), "patch-through-infinity");
+//! ```
+//!
+//! # `net-does-not-close`
+//! The frame does not come back when it is carried round a closed net: here round a ring of points and its inverse.
+//! ```
+//! use cyclide::{CyclidicNet, NetFrame, Point3, QuadGrid, Vec3};
+//! let ring = (0..8).map(|k| {
+//!     let phi = std::f64::consts::TAU * f64::from(k) / 8.0;
+//!     Vec3::new(phi.cos(), phi.sin(), 0.3 * (2.0 * phi).sin() + 0.2 * phi.cos())
+//! });
+//! let inverse = ring.clone().map(|v| v * (4.0 / v.length_squared()));
+//! let points = ring.chain(inverse).map(|v| Point3::ORIGIN + v).collect();
+//! let grid = QuadGrid::new(points, [8, 2], [true, false])?;
+//! assert_eq!(CyclidicNet::new(grid, NetFrame::Auto).unwrap_err().reason(), "net-does-not-close");
+//! # Ok::<(), cyclide::Error>(())
+//! ```
+//!
+//! # `ambiguous-frame`
+//! The edges of a net fit no frame better than others: here they are all on one line.
+//! ```
+//! use cyclide::{CyclidicNet, NetFrame, Point3, QuadGrid};
+//! let line = [0.0, 1.0, 3.0, 2.0].map(|x| Point3::new(x, 0.0, 0.0)).to_vec();
+//! let grid = QuadGrid::new(line, [2, 2], [false, false])?;
+//! assert_eq!(CyclidicNet::new(grid, NetFrame::Auto).unwrap_err().reason(), "ambiguous-frame");
+//! # Ok::<(), cyclide::Error>(())
+//! ```
+//!
+//! # `collapsed-side`
+//! A side that a rim should stand on is one point.
+//! ```
+//! use cyclide::DupinCyclide;
+//! let horn = DupinCyclide::new(1.0, 0.5, 0.2)?.nets([4, 4])?;
+//! assert_eq!(horn[0].thick(0.01).unwrap_err().reason(), "collapsed-side");
+//! # Ok::<(), cyclide::Error>(())
+//! ```
+//!
+//! # `offset-on-focal-set`
+//! An offset shrinks the surface to a curve or a point: here a torus by the radius of its tube.
+//! ```
+//! use cyclide::DupinCyclide;
+//! let torus = DupinCyclide::new(3.0, 0.0, 1.0)?.nets([4, 4])?;
+//! assert_eq!(torus[0].offset(-1.0).unwrap_err().reason(), "offset-on-focal-set");
+//! # Ok::<(), cyclide::Error>(())
+//! ```
+//!
+//! # `offset-not-regular`
+//! A solid between a surface and its offset would run through itself.
+//! ```
+//! use cyclide::DupinCyclide;
+//! let net = DupinCyclide::new(2.0, 0.7, 1.1)?.nets([4, 4])?;
+//! assert_eq!(net[0].thick(-1.0).unwrap_err().reason(), "offset-not-regular");
+//! # Ok::<(), cyclide::Error>(())
+//! ```
+//!
+//! # `not-a-shell`
+//! Vertices, edges and faces do not make a shell: here there are none.
+//! ```
+//! use cyclide::Shell;
+//! let error = Shell::new(Vec::new(), Vec::new(), Vec::new()).unwrap_err();
+//! assert_eq!(error.reason(), "not-a-shell");
+//! ```
+//!
+//! # `short-edge`
+//! An edge of a face is so short that other programs take it for a point.
+//! ```
+//! use cyclide::DupinCyclide;
+//! let nearly_singular = DupinCyclide::new(5.0, 4.999_999_9, 4.999_999_95)?.to_shell()?;
+//! assert_eq!(nearly_singular.with_positive_weights().unwrap_err().reason(), "short-edge");
+//! # Ok::<(), cyclide::Error>(())
+//! ```
+//!
+//! # `not-converged`
+//! Quads cannot be made circular: here the border leaves one vertex free for four of them.
+//! ```
+//! # #[cfg(feature = "circular-mesh")] {
+//! use cyclide::{Border, CircularMeshOptions, Point3, QuadGrid, make_circular};
+//! let points = (0..9).map(|k| (f64::from(k % 3) - 1.0, f64::from(k / 3) - 1.0));
+//! let points = points.map(|(u, v)| Point3::new(u, v + 0.2 * u * u, u * v * v)).collect();
+//! let grid = QuadGrid::new(points, [3, 3], [false, false])?;
+//! let options = CircularMeshOptions { border: Border::Pinned, ..Default::default() };
+//! assert_eq!(make_circular(&grid, &options, &mut |_| ()).unwrap_err().reason(), "not-converged");
+//! # }
+//! # Ok::<(), cyclide::Error>(())
+//! ```
+//!
+//! # `shape-lost`
+//! A grid made circular is another surface: here most of the bending of a wave is gone, whose curvature lines run across its lines.
+//! ```
+//! # #[cfg(feature = "circular-mesh")] {
+//! use cyclide::{CircularMeshOptions, Point3, QuadGrid, make_circular};
+//! let places = (0..25 * 17).map(|k| (0.5 * f64::from(k % 25), 0.5 * f64::from(k / 25)));
+//! let wave = places.map(|(x, y)| Point3::new(x, y, 0.5 * (0.4 * x).sin() * (0.5 * y).cos())).collect();
+//! let grid = QuadGrid::new(wave, [25, 17], [false, false])?;
+//! let error = make_circular(&grid, &CircularMeshOptions::default(), &mut |_| ()).unwrap_err();
+//! assert_eq!(error.reason(), "shape-lost");
+//! # }
+//! # Ok::<(), cyclide::Error>(())
+//! ```
+//!
+//! # `collapsed-on-curve`
+//! Vertices of a side fall together on the curve that they shall slide on: here all are nearest to its end.
+//! ```
+//! # #[cfg(feature = "circular-mesh")] {
+//! use cyclide::{Arc, Border, CircularMeshOptions, Point3, QuadGrid, make_circular};
+//! let points = (0..9).map(|k| (f64::from(k % 3), f64::from(k / 3)));
+//! let points = points.map(|(u, v)| Point3::new(u, v, 0.1 * u * v)).collect();
+//! let grid = QuadGrid::new(points, [3, 3], [false, false])?;
+//! let behind = Arc::segment(Point3::new(-9.0, 0.0, 0.0), Point3::new(-8.0, 0.0, 0.0))?;
+//! let options = CircularMeshOptions { border: Border::OnCurves([Some(&behind), None, None, None]), ..Default::default() };
+//! assert_eq!(make_circular(&grid, &options, &mut |_| ()).unwrap_err().reason(), "collapsed-on-curve");
+//! # }
+//! # Ok::<(), cyclide::Error>(())
+//! ```
+//!
+//! # `border-curves-apart`
+//! Two curves do not meet near the corner of the grid that shall be on both.
+//! ```
+//! # #[cfg(feature = "circular-mesh")] {
+//! use cyclide::{Arc, Border, CircularMeshOptions, Point3, QuadGrid, make_circular};
+//! let points = (0..9).map(|k| (f64::from(k % 3), f64::from(k / 3)));
+//! let points = points.map(|(u, v)| Point3::new(u, v, 0.1 * u * v)).collect();
+//! let grid = QuadGrid::new(points, [3, 3], [false, false])?;
+//! let row = Arc::segment(Point3::new(-1.0, 0.0, 0.0), Point3::new(3.0, 0.0, 0.0))?;
+//! let column = Arc::segment(Point3::new(0.0, -1.0, 9.0), Point3::new(0.0, 3.0, 9.0))?;
+//! let border = Border::OnCurves([Some(&row), None, Some(&column), None]);
+//! let error = make_circular(&grid, &CircularMeshOptions { border, ..Default::default() }, &mut |_| ()).unwrap_err();
+//! assert_eq!(error.reason(), "border-curves-apart");
+//! # }
+//! # Ok::<(), cyclide::Error>(())
+//! ```
