@@ -2,8 +2,8 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
 use cyclide::{
-    Arc, Circle, CurveObject, EdgeCurve, FaceSurface, ParamSurface as _, PatchKind, Point3, RationalBezier, Revolution,
-    SurfaceObject, Vec3, surface_joints, tessellate,
+    Arc, Body, Circle, CurveObject, EdgeCurve, FaceSurface, ParamSurface as _, PatchKind, Point3, RationalBezier,
+    Revolution, Shell, SurfaceObject, Vec3, surface_joints, tessellate,
 };
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -43,7 +43,7 @@ fn the_exact_form_is_the_turned_profile() {
 }
 
 /// Kinds of all faces of a body, each once.
-fn kinds(body: &cyclide::Body) -> Vec<&'static str> {
+fn kinds(body: &Body) -> Vec<&'static str> {
     let kind = |surface: &FaceSurface| match surface.patch().map(cyclide::CyclidePatch::recognise) {
         None => "rational",
         Some(PatchKind::Plane { .. }) => "plane",
@@ -107,7 +107,7 @@ fn a_circle_gives_a_torus_and_a_spline_rational_faces() {
     let SurfaceObject::Body(part) = CurveObject::Circle(tilted).revolved(&turn).unwrap() else { panic!("a body") };
     assert!(!part.is_solid() && part.outer.faces().len() < body.outer.faces().len());
     // It begins at the same profile and ends where that has turned to.
-    let first = |body: &cyclide::Body, s: f64| body.outer.faces()[0].surface.point(s, 0.0);
+    let first = |body: &Body, s: f64| body.outer.faces()[0].surface.point(s, 0.0);
     // Two sectors.
     let last = part.outer.faces().len() / 2;
     for s in [0.0, 0.3, 0.8, 1.0] {
@@ -208,4 +208,36 @@ fn places_on_maps_are_no_heights() {
     let profile: Vec<EdgeCurve> = (0..4).map(|k| segment(corners[k], corners[(k + 1) % 4])).collect();
     let body = turn.body(&profile, true).unwrap();
     assert!((body.outer.volume() / (PI * 5.0 * 4.0) - 1.0).abs() < 1e-8);
+}
+
+#[test]
+fn a_contour_inside_another_is_a_hollow() {
+    let circle = |x: f64, radius: f64| CurveObject::Circle(Circle::from_radius(p(x, 0.0), Vec3::Y, radius).unwrap());
+    let bodies = |curves: &[CurveObject]| -> Vec<Body> {
+        let made = SurfaceObject::revolved(curves, &whole()).unwrap();
+        made.into_iter()
+            .map(|surface| if let SurfaceObject::Body(body) = surface { body } else { panic!("a body") })
+            .collect()
+    };
+    let torus = |a: f64, r: f64| 2.0 * PI * PI * a * r * r;
+    // A ring in the hollow of a ring, and one beside them; in any order.
+    let rings = [circle(10.0, 1.0), circle(10.5, 3.0), circle(10.0, 4.0), circle(20.0, 2.0), circle(10.4, 0.5)];
+    let found = bodies(&rings);
+    assert_eq!(found.iter().map(|body| body.voids.len()).collect::<Vec<_>>(), [1, 1, 0]);
+    let volume = |body: &Body| body.shells().map(Shell::volume).sum::<f64>();
+    let volumes: Vec<f64> = found.iter().map(volume).collect();
+    let wanted = [torus(10.0, 1.0) - torus(10.4, 0.5), torus(10.0, 4.0) - torus(10.5, 3.0), torus(20.0, 2.0)];
+    for (found, wanted) in volumes.iter().zip(wanted) {
+        // Rounding of the sum of two volumes.
+        assert!((found / wanted - 1.0).abs() < 1e-11, "{found} {wanted}");
+    }
+    let refused = SurfaceObject::revolved(&[circle(10.0, 1.0), circle(11.0, 1.0)], &whole()).unwrap_err();
+    assert_eq!(refused.reason(), "profile-meets-itself");
+    // A profile from the axis to the axis goes round one that the axis closes too.
+    let half = |radius: f64| {
+        let at = |z: f64| Point3::new(0.0, 0.0, z);
+        CurveObject::Arc(Arc::from_three_points(at(-radius), Point3::new(radius, 0.0, 0.0), at(radius)).unwrap())
+    };
+    let [ball] = &bodies(&[half(2.0), half(1.0)])[..] else { panic!("one body") };
+    assert!((volume(ball) / (28.0 / 3.0 * PI) - 1.0).abs() < 1e-12);
 }

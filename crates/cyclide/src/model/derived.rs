@@ -88,6 +88,16 @@ impl CurveObject {
 }
 
 impl SurfaceObject {
+    /// The bodies that curves sweep when they turn about an axis, exact; solids inside others are hollows of these: see
+    /// [`Revolution::bodies`].
+    ///
+    /// # Errors
+    /// As [`CurveObject::revolved`] and [`Revolution::bodies`].
+    pub fn revolved(curves: &[CurveObject], turn: &Revolution) -> Result<Vec<Self>> {
+        let profiles = curves.iter().map(CurveObject::exact_pieces).collect::<Result<Vec<_>>>()?;
+        Ok(turn.bodies(&profiles)?.into_iter().map(Self::Body).collect())
+    }
+
     /// The straight lines between two curves, exact, piece by piece: see [`Body::ruled`]. It is closed round if both curves are.
     ///
     /// # Errors

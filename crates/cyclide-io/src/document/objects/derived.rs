@@ -34,7 +34,7 @@ impl Builder<'_> {
         let center = spec.center.unwrap_or_default().point();
         let angle = spec.angle.map_or(std::f64::consts::TAU, Angle::radians);
         let turn = Revolution::new(center, axis, angle).map_err(|e| self.refused(&e, None))?;
-        curves.iter().map(|curve| curve.revolved(&turn).map_err(|e| self.refused(&e, None))).collect()
+        SurfaceObject::revolved(curves, &turn).map_err(|e| self.refused(&e, None))
     }
 
     /// The tubes about the curves of another object.

@@ -23,8 +23,10 @@ const STEPS: usize = 12;
 /// Distance from the axis and height.
 type Plane = [f64; 2];
 
-struct Chord {
-    /// Which piece, and the part of it.
+struct Chord<'a> {
+    curve: &'a EdgeCurve,
+    /// The number of the profile, and that of the piece through all profiles; the part of it.
+    profile: usize,
     piece: usize,
     part: [f64; 2],
     ends: [Plane; 2],
@@ -37,24 +39,63 @@ struct Chord {
 /// # Errors
 /// `profile-meets-itself`.
 pub(super) fn check(turn: &Revolution, pieces: &[Piece], size: f64) -> Result<()> {
-    let mut chords = chords(turn, pieces);
+    let chords = chords(turn, 0, 0, pieces);
     let count = chords.len();
     let ring =
         chords.first().zip(chords.last()).is_some_and(|(a, b)| distance(a.ends[0], b.ends[1]) <= ONE_PLACE * size);
-    let low = |chord: &Chord| chord.ends[0][1].min(chord.ends[1][1]);
-    let high = |chord: &Chord| chord.ends[0][1].max(chord.ends[1][1]);
+    find_meeting(chords, size, |a, b| {
+        let (first, second) = if a.order < b.order { (a, b) } else { (b, a) };
+        let follows = second.order - first.order == 1;
+        let closes = ring && first.order == 0 && second.order == count - 1;
+        match (follows, closes) {
+            (true, _) => turns_back(first, second),
+            (_, true) => turns_back(second, first),
+            _ => cross(turn, first, second, size),
+        }
+    })
+}
+
+/// Refuses profiles that meet each other; pieces are counted through all of them.
+///
+/// # Errors
+/// `profile-meets-itself`.
+pub(super) fn check_apart(turn: &Revolution, profiles: &[&[Piece]], size: f64) -> Result<()> {
+    if profiles.len() < 2 {
+        return Ok(());
+    }
+    let mut all = Vec::new();
+    let mut count = 0;
+    for (profile, pieces) in profiles.iter().enumerate() {
+        all.extend(chords(turn, profile, count, pieces));
+        count += pieces.len();
+    }
+    find_meeting(all, size, |a, b| a.profile != b.profile && cross(turn, a, b, size))
+}
+
+/// True if the meridian of a solid goes round that of another, from which it is apart: a ray along the axis from a place of the other
+/// meets it an odd number of times. Along the axis it is closed by the axis.
+pub(super) fn is_around(turn: &Revolution, outer: &[Piece], inner: &[Piece]) -> bool {
+    let Some(place) = inner.first().map(|piece| meridian(turn, piece.curve.point(0.5))) else { return false };
+    let crosses = |chord: &Chord<'_>| {
+        let [from, to] = chord.ends.map(|p| minus(p, place));
+        // One end belongs to the chord, the other to the next one.
+        (from[0] > 0.0) != (to[0] > 0.0) && {
+            let height = from[1] - from[0] * (to[1] - from[1]) / (to[0] - from[0]);
+            height > 0.0
+        }
+    };
+    chords(turn, 0, 0, outer).iter().filter(|chord| crosses(chord)).count() % 2 == 1
+}
+
+/// Refuses chords of which two meet; those beside each other in height are looked at.
+fn find_meeting(mut chords: Vec<Chord<'_>>, size: f64, meet: impl Fn(&Chord<'_>, &Chord<'_>) -> bool) -> Result<()> {
+    let low = |chord: &Chord<'_>| chord.ends[0][1].min(chord.ends[1][1]);
+    let high = |chord: &Chord<'_>| chord.ends[0][1].max(chord.ends[1][1]);
     chords.sort_by(|a, b| low(a).total_cmp(&low(b)));
     for (i, a) in chords.iter().enumerate() {
         for b in chords[i + 1..].iter().take_while(|b| low(b) <= high(a) + ONE_PLACE * size) {
-            let (first, second) = if a.order < b.order { (a, b) } else { (b, a) };
-            let follows = second.order - first.order == 1;
-            let closes = ring && first.order == 0 && second.order == count - 1;
-            let meets = match (follows, closes) {
-                (true, _) => turns_back(first, second),
-                (_, true) => turns_back(second, first),
-                _ => cross(turn, pieces, first, second, size),
-            };
-            if meets {
+            if meet(a, b) {
+                let (first, second) = if (a.piece, a.order) < (b.piece, b.order) { (a, b) } else { (b, a) };
                 let [radius, height] = first.ends[1];
                 return Err(Error::ProfileMeetsItself { first: first.piece, second: second.piece, radius, height });
             }
@@ -63,7 +104,8 @@ pub(super) fn check(turn: &Revolution, pieces: &[Piece], size: f64) -> Result<()
     Ok(())
 }
 
-fn chords(turn: &Revolution, pieces: &[Piece]) -> Vec<Chord> {
+/// The chords of a profile, whose pieces are counted from a number on.
+fn chords<'a>(turn: &Revolution, profile: usize, from: usize, pieces: &'a [Piece]) -> Vec<Chord<'a>> {
     let mut chords = Vec::new();
     for (piece, Piece { curve, across }) in pieces.iter().enumerate() {
         // A segment in a plane with the axis is its chord.
@@ -72,7 +114,7 @@ fn chords(turn: &Revolution, pieces: &[Piece]) -> Vec<Chord> {
         for k in 0..count {
             let part = [k, k + 1].map(|k| k as f64 / count as f64);
             let ends = part.map(|x| meridian(turn, curve.point(x)));
-            chords.push(Chord { piece, part, ends, order: chords.len() });
+            chords.push(Chord { curve, profile, piece: from + piece, part, ends, order: chords.len() });
         }
     }
     chords
@@ -95,21 +137,23 @@ fn cross_product(a: Plane, b: Plane) -> f64 {
 }
 
 /// True if a chord runs back along the one before it.
-fn turns_back(first: &Chord, second: &Chord) -> bool {
+fn turns_back(first: &Chord<'_>, second: &Chord<'_>) -> bool {
     let [u, v] = [first, second].map(|chord| minus(chord.ends[1], chord.ends[0]));
     let lengths = u[0].hypot(u[1]) * v[0].hypot(v[1]);
     u[0] * v[0] + u[1] * v[1] < 0.0 && cross_product(u, v).abs() <= BACK * lengths
 }
 
 /// True if the curves over two chords that do not follow each other meet.
-fn cross(turn: &Revolution, pieces: &[Piece], a: &Chord, b: &Chord, size: f64) -> bool {
-    let beside = |chord: &Chord, p: Plane| cross_product(minus(chord.ends[1], chord.ends[0]), minus(p, chord.ends[0]));
-    let split = |chord: &Chord, other: &Chord| beside(chord, other.ends[0]) * beside(chord, other.ends[1]) < 0.0;
-    let touches = |chord: &Chord, p: Plane| to_segment(p, chord.ends) <= ONE_PLACE * size;
+fn cross(turn: &Revolution, a: &Chord<'_>, b: &Chord<'_>, size: f64) -> bool {
+    let beside =
+        |chord: &Chord<'_>, p: Plane| cross_product(minus(chord.ends[1], chord.ends[0]), minus(p, chord.ends[0]));
+    let split =
+        |chord: &Chord<'_>, other: &Chord<'_>| beside(chord, other.ends[0]) * beside(chord, other.ends[1]) < 0.0;
+    let touches = |chord: &Chord<'_>, p: Plane| to_segment(p, chord.ends) <= ONE_PLACE * size;
     if a.ends.iter().any(|p| touches(b, *p)) || b.ends.iter().any(|p| touches(a, *p)) {
         return true;
     }
-    split(a, b) && split(b, a) && meet_near(turn, [&pieces[a.piece].curve, &pieces[b.piece].curve], a, b, size)
+    split(a, b) && split(b, a) && meet_near(turn, a, b, size)
 }
 
 fn to_segment(p: Plane, [from, to]: [Plane; 2]) -> f64 {
@@ -120,7 +164,8 @@ fn to_segment(p: Plane, [from, to]: [Plane; 2]) -> f64 {
 }
 
 /// True if Newton's method from the middles of two chords leads to a place on both curves.
-fn meet_near(turn: &Revolution, curves: [&EdgeCurve; 2], a: &Chord, b: &Chord, size: f64) -> bool {
+fn meet_near(turn: &Revolution, a: &Chord<'_>, b: &Chord<'_>, size: f64) -> bool {
+    let curves = [a.curve, b.curve];
     let mut at = [a, b].map(|chord| 0.5 * (chord.part[0] + chord.part[1]));
     for _ in 0..STEPS {
         let jets = [0, 1].map(|k| curves[k].piece_jet(0, at[k]));

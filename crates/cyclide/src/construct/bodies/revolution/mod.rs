@@ -121,15 +121,53 @@ impl Revolution {
     /// would be a solid), `weight-not-positive`; `not-a-shell` for a profile that meets the axis more than at its ends;
     /// as [`CyclidePatch::from_weights`].
     pub fn body(&self, profile: &[EdgeCurve], closed: bool) -> Result<Body> {
+        let (shell, _) = self.shell(profile, closed)?;
+        Ok(Body { outer: shell, voids: Vec::new() })
+    }
+
+    /// The bodies that several profiles sweep, each with whether it is closed: as [`body`](Self::body), but a solid inside another one is a hollow
+    /// of it, one inside the hollow a solid again. Bodies stand in the order of the profiles of their outer shells.
+    ///
+    /// # Errors
+    /// As [`body`](Self::body); `profile-meets-itself` also where the profiles of two solids meet, whose pieces are counted through.
+    pub fn bodies(&self, profiles: &[(Vec<EdgeCurve>, bool)]) -> Result<Vec<Body>> {
+        let swept = profiles.iter().map(|(pieces, closed)| self.shell(pieces, *closed)).collect::<Result<Vec<_>>>()?;
+        let solids: Vec<&[Piece]> =
+            swept.iter().map(|(shell, profile)| if shell.is_closed() { &profile.pieces[..] } else { &[] }).collect();
+        let size = swept.iter().map(|(_, profile)| profile.size).fold(0.0, f64::max);
+        meridian::check_apart(self, &solids, size)?;
+        let around = |k: usize| -> Vec<usize> {
+            (0..solids.len()).filter(|&j| j != k && meridian::is_around(self, solids[j], solids[k])).collect()
+        };
+        let around: Vec<Vec<usize>> = (0..solids.len()).map(around).collect();
+        let mut place = vec![None; swept.len()];
+        let mut bodies = Vec::new();
+        for (k, (shell, _)) in swept.iter().enumerate().filter(|(k, _)| around[*k].len().is_multiple_of(2)) {
+            place[k] = Some(bodies.len());
+            bodies.push(Body { outer: shell.clone(), voids: Vec::new() });
+        }
+        for (k, (shell, _)) in swept.into_iter().enumerate().filter(|(k, _)| !around[*k].len().is_multiple_of(2)) {
+            // The one next to it is inside as many as there are but itself.
+            let next = around[k].iter().find(|&&j| around[j].len() + 1 == around[k].len());
+            if let Some(body) = next.and_then(|&j| place[j]) {
+                bodies[body].voids.push(shell.flipped());
+            }
+        }
+        Ok(bodies)
+    }
+
+    /// What a profile sweeps, outside outwards where it is closed.
+    fn shell(&self, profile: &[EdgeCurve], closed: bool) -> Result<(Shell, Profile)> {
         if self.angle == 0.0 {
             return Err(Error::AngleOutOfRange { angle: 0.0, min: -TAU, max: TAU });
         }
         let profile = Profile::new(self, profile, closed)?;
         let shell = profile.swept(self)?;
-        if shell.is_closed() {
-            meridian::check(self, &profile.pieces, profile.size)?;
+        if !shell.is_closed() {
+            return Ok((shell, profile));
         }
-        Ok(Body { outer: if shell.is_closed() { shell.outside_out() } else { shell }, voids: Vec::new() })
+        meridian::check(self, &profile.pieces, profile.size)?;
+        Ok((shell.outside_out(), profile))
     }
 
     /// The way of a point from the axis.
