@@ -22,12 +22,14 @@ pub use check::file_sample::FileSample;
 pub use check::labels::{FileLabels, FileName};
 pub use document::{
     Angle, ArcFitSpec, ArcSpec, ArcSplineSpec, BiarcSpec, BorderCurves, BorderSpec, BorderWord, BuiltObject,
-    CircleSpec, CircleSplineSpec, ClampedEnds, Comment, ContourFacts, Coordinates, CyclidePatchSpec, CyclideSpec,
-    CyclidicNetSpec, DOCUMENT_VERSION, Document, EndsSpec, FairEndPair, FairEndSpec, FairEndWord, FairEndsSpec,
-    FairFitSpec, FairSplineSpec, Fitted, FrameSpec, GridSource, Lists, MakeCircularOptions, MakeCircularSpec, MeshFile,
-    ModelBuilder, NO_EFFECT, ObjectSpec, OffsetSpec, PipeSpec, PlaneSpec, PointFile, PointSource, PolyhedronFile,
-    PolylineSpec, RadiiSpec, Remark, RevolutionSpec, RotationSpec, RoundedPolyhedron, ScaleSpec, SmoothPolyhedronSpec,
-    SphereSpec, StepSpec, StraightWord, TransformSpec, TypeWord, document_schema,
+    CircleSpec, CircleSplineSpec, CircularSurfaceSpec, ClampedEnds, Comment, ContourFacts, Coordinates,
+    CyclidePatchSpec, CyclideSpec, CyclidicNetSpec, DOCUMENT_VERSION, Directions, DiskSpec, Document,
+    EllipseBridgeSpec, EndsSpec, FairEndPair, FairEndSpec, FairEndWord, FairEndsSpec, FairFitSpec, FairSplineSpec,
+    Fitted, FrameSpec, GridSource, Lists, MakeCircularOptions, MakeCircularSpec, MeshFile, ModelBuilder, NO_EFFECT,
+    ObjectSpec, OffsetSpec, PipeSpec, PlaneSpec, PlateSpec, PlateWithNeckSpec, PointFile, PointSource, PolyhedronFile,
+    PolylineSpec, RadiiSpec, Remark, RevolutionSpec, RotationSpec, RoundedPolyhedron, RuledSpec, ScaleSpec,
+    SmoothPolyhedronSpec, SphereSpec, StepSpec, StraightWord, SupportStructureSpec, TransformSpec, TypeWord,
+    document_schema,
 };
 pub use error::{Error, Result};
 pub use export::camera::Camera;

@@ -598,7 +598,7 @@ fn pipes_follow_arcs_and_segments() {
         (
             r#""p": {"type": "polyline", "points": [[0, 0], [9, 0], [9, 9]], "radius": [0, 1]}"#.to_owned(),
             "objects.p.radius",
-            "[radius-count]",
+            "[count-differs]",
         ),
     ] {
         let error = build(&objects).unwrap_err().to_string();
@@ -787,7 +787,7 @@ fn surfaces_between_two_curves_and_what_refuses_them() {
         (
             r#"{"type": "circular-surface", "rails": ["a", "b"], "tangent": [[0, 0, 1], [0, 0, 1], [0, 0, 1]]}"#,
             "objects.s.tangent",
-            "[tangent-count]",
+            "[count-differs]",
         ),
         (
             r#"{"type": "circular-surface", "rails": ["a", "b"], "tangent": [0, -1, 0]}"#,

@@ -16,7 +16,7 @@ use crate::warning::Warning;
 /// assert_eq!(Units::from_symbol("m"), Some(Units::Metre));
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", derive(serde::Deserialize))]
 #[cfg_attr(
     feature = "schema",
     derive(schemars::JsonSchema),

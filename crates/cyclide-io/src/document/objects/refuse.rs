@@ -39,6 +39,8 @@ impl Builder<'_> {
                 written.map_or_else(|| error.to_string(), |angle| corner_angle_words(angle, *value))
             }
             (cyclide::Error::FrameNotOrthonormal { .. }, ObjectSpec::CyclidePatch(spec)) => frame_words(spec.frame),
+            // What is the normal of a frame to the kernel.
+            (cyclide::Error::ZeroAxis { .. }, ObjectSpec::Cyclide(_)) => "the axis is zero".to_owned(),
             (cyclide::Error::CoincidentPoints { distance, limit, .. }, ObjectSpec::EllipseBridge(_)) => format!(
                 "the ellipses touch: their semi-axes of one direction differ by {}, more than {} is needed",
                 ShortNumber(*distance),

@@ -32,7 +32,7 @@ pub use nets::{CyclideSpec, CyclidicNetSpec, FrameSpec, GridSource, MeshFile};
 pub use polyhedra::{PolyhedronFile, SmoothPolyhedronSpec};
 pub use radii::RadiiSpec;
 pub use surfaces::CyclidePatchSpec;
-pub use swept::{CircularSurfaceSpec, EllipseBridgeSpec, PlateSpec, PlateWithNeckSpec, RuledSpec};
+pub use swept::{CircularSurfaceSpec, DiskSpec, EllipseBridgeSpec, PlateSpec, PlateWithNeckSpec, RuledSpec};
 
 /// A cyclide model: named curves and surfaces made of circles. Lengths are in the document's units and are never rescaled,
 /// angles are in radians or say `degrees`.

@@ -49,7 +49,7 @@ const LARGEST_SLOPE: f64 = FRAC_PI_2 - 2e-3;
 /// # Ok::<(), cyclide::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "kebab-case"))]
+#[cfg_attr(feature = "serde", derive(serde::Deserialize), serde(rename_all = "kebab-case"))]
 #[cfg_attr(
     feature = "schema",
     derive(schemars::JsonSchema),
@@ -75,7 +75,7 @@ pub enum NeckSide {
 /// # Ok::<(), cyclide::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "kebab-case"))]
+#[cfg_attr(feature = "serde", derive(serde::Deserialize), serde(rename_all = "kebab-case"))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(description = "The arcs of a neck."))]
 pub enum NeckVariant {
     /// The envelope of the ball: a pipe surface of its radius.

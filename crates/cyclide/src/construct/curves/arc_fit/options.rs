@@ -17,7 +17,7 @@ use std::f64::consts::PI;
 /// # Ok::<(), cyclide::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "kebab-case"))]
+#[cfg_attr(feature = "serde", derive(serde::Deserialize), serde(rename_all = "kebab-case"))]
 #[cfg_attr(
     feature = "schema",
     derive(schemars::JsonSchema),
@@ -44,7 +44,7 @@ pub enum FitTarget {
 /// # Ok::<(), cyclide::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "kebab-case"))]
+#[cfg_attr(feature = "serde", derive(serde::Deserialize), serde(rename_all = "kebab-case"))]
 #[cfg_attr(
     feature = "schema",
     derive(schemars::JsonSchema),
