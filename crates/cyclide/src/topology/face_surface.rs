@@ -121,22 +121,6 @@ impl FaceSurface {
         self.patch().map_or(1.0, |patch| patch.side_of_normal(s, t))
     }
 
-    /// Element of area, with the sign of `f_s × f_t` along the [unit normal](Self::unit_normal).
-    pub(super) fn element(&self, s: f64, t: f64) -> f64 {
-        match self {
-            Self::Cyclide(patch) => patch.element(s, t),
-            Self::Rational(surface) => surface.jet(s, t).area_element(),
-        }
-    }
-
-    /// The way from the first corner to a point.
-    pub(super) fn way_from_first_corner(&self, s: f64, t: f64) -> Vec3 {
-        match self {
-            Self::Cyclide(patch) => patch.way_from_first_corner(s, t),
-            Self::Rational(surface) => surface.way_from(surface.corners()[0], s, t),
-        }
-    }
-
     /// The part over `[s0, s1] × [t0, t1]` with corners that are known better than by evaluation.
     pub(super) fn part_between(&self, s: [f64; 2], t: [f64; 2], corners: [Point3; 4]) -> Self {
         match self {

@@ -5,6 +5,7 @@ use crate::base::bounds::Aabb;
 use crate::base::quadrature::{gauss2, gauss4, gauss8};
 use crate::base::vector::{Point3, Vec3};
 use crate::error::{Error, Result};
+use crate::rational::RationalBezierSurface;
 use crate::surface::CyclidePatch;
 use std::collections::BinaryHeap;
 
@@ -68,8 +69,8 @@ impl Shell {
 
     fn area_by(&self, most: usize) -> Quadrature<impl Fn(usize, f64, f64) -> f64> {
         let cells = self.faces.iter().enumerate().flat_map(|(f, face)| regular_cells(face).map(move |cell| (f, cell)));
-        let element = |face: usize, s, t| self.faces[face].surface.element(s, t).abs();
-        let mut area = Quadrature::new(&self.faces, cells, most, element);
+        let local: Vec<Local<'_>> = self.faces.iter().map(|face| Local::of(&face.surface)).collect();
+        let mut area = Quadrature::new(&self.faces, cells, most, move |face, s, t| local[face].area(s, t));
         area.refine(Quadrature::agrees);
         area
     }
@@ -116,16 +117,53 @@ impl Shell {
     fn cones(&self, most: usize) -> Quadrature<impl Fn(usize, f64, f64) -> f64> {
         let tip = self.vertices.first().copied().unwrap_or(Point3::ORIGIN);
         let field = self.field();
-        let faces = self.faces.iter().map(|face| (face, face.surface.corners()[0] - tip));
+        let faces = self.faces.iter().map(|face| {
+            (Local::of(&face.surface), face.surface.corners()[0] - tip, if face.same_sense { 1.0 } else { -1.0 })
+        });
         let faces: Vec<_> = faces.collect();
         let cells = (0..faces.len()).map(|face| (face, UNIT));
         Quadrature::new(&self.faces, cells, most, move |face, s, t| {
-            let (ShellFace { surface, same_sense, .. }, corner) = &faces[face];
-            let (way, normal) = (surface.way_from_first_corner(s, t) + *corner, surface.unit_normal(s, t));
+            let (local, corner, sign) = &faces[face];
+            let (way, across) = local.way_and_cross(s, t);
+            let way = way + *corner;
             let [x, y, z] = field.map(|row| row.dot(way));
-            let cone = Vec3::new(x, y, z).dot(normal) * surface.element(s, t);
-            if *same_sense { cone } else { -cone }
+            sign * Vec3::new(x, y, z).dot(across)
         })
+    }
+}
+
+/// The surface of a face made ready for many evaluations: a rational one with coordinates from its first corner, where they keep
+/// their digits.
+enum Local<'a> {
+    Cyclide(&'a CyclidePatch),
+    Rational(RationalBezierSurface),
+}
+
+impl<'a> Local<'a> {
+    fn of(surface: &'a FaceSurface) -> Self {
+        match surface {
+            FaceSurface::Cyclide(patch) => Self::Cyclide(patch),
+            FaceSurface::Rational(surface) => Self::Rational(surface.seen_from(surface.corners()[0])),
+        }
+    }
+
+    /// The element of area.
+    fn area(&self, s: f64, t: f64) -> f64 {
+        match self {
+            Self::Cyclide(patch) => patch.element(s, t).abs(),
+            Self::Rational(_) => self.way_and_cross(s, t).1.length(),
+        }
+    }
+
+    /// The way from the first corner, and `f_s × f_t` along the side of the unit normal.
+    fn way_and_cross(&self, s: f64, t: f64) -> (Vec3, Vec3) {
+        match self {
+            Self::Cyclide(patch) => (patch.way_from_first_corner(s, t), patch.unit_normal(s, t) * patch.element(s, t)),
+            Self::Rational(surface) => {
+                let [way, ds, dt] = surface.first_jet(s, t);
+                (way, ds.cross(dt))
+            }
+        }
     }
 }
 
@@ -415,7 +453,7 @@ mod tests {
         let cells = (0..small.faces().len()).map(|face| (face, UNIT));
         let mut area = Quadrature::new(small.faces(), cells, usize::MAX, |face, s, t| {
             count.set(count.get() + 1);
-            small.faces()[face].surface.element(s, t)
+            Local::of(&small.faces()[face].surface).area(s, t)
         });
         assert_eq!(count.get(), 20 * small.faces().len());
         area.refine(|area| area.error <= 1e-6 * area.size);
