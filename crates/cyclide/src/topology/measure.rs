@@ -435,7 +435,7 @@ impl Eq for Part {}
 
 #[cfg(test)]
 mod tests {
-    use super::{Quadrature, UNIT};
+    use super::{Local, Quadrature, UNIT};
     use crate::base::vector::Point3;
     use crate::conformal::mobius::{Conformal as _, Mobius};
     use crate::surface::DupinCyclide;
