@@ -1,11 +1,11 @@
 //! Edges that are kept sharp.
 
 use crate::shapes::{self, Mesh};
-use cyclide::{MeshFace, Point3, SmoothMesh, VertexNormals};
+use cyclide::{MeshFace, NormalWeights, Point3, SmoothMesh, VertexNormals};
 use std::f64::consts::{FRAC_PI_4, PI};
 
 fn creased(mesh: &Mesh, angle: f64) -> SmoothMesh {
-    SmoothMesh::new(&mesh.0, &mesh.1, VertexNormals::Creased { angle }).unwrap()
+    SmoothMesh::new(&mesh.0, &mesh.1, VertexNormals::Creased { angle, weights: NormalWeights::Angle }).unwrap()
 }
 
 #[test]
@@ -96,7 +96,8 @@ fn creases_may_end_anywhere() {
     assert!(surface.tessellate_within(1e-3).is_ok());
     assert!(creased(&mesh, PI).edges().iter().all(|edge| !edge.is_sharp()));
     for wrong in [-0.1, 4.0, f64::NAN] {
-        let refused = SmoothMesh::new(&mesh.0, &mesh.1, VertexNormals::Creased { angle: wrong });
+        let refused =
+            SmoothMesh::new(&mesh.0, &mesh.1, VertexNormals::Creased { angle: wrong, weights: NormalWeights::Angle });
         assert_eq!(refused.unwrap_err().reason(), "angle-out-of-range");
     }
 }
