@@ -79,6 +79,7 @@ impl<'a> Exporter<'a> {
     /// As [`export`](crate::export()).
     pub fn export(&self, format: Format, options: &ExportOptions) -> Result<Exported, ExportError> {
         let job = Job::new(self, options)?;
+        job.check_exact_form(format)?;
         let left_out = job.left_out(format)?;
         let file = match format {
             Format::Step => step::write(&job),

@@ -82,6 +82,11 @@ impl Format {
         }
     }
 
+    /// True if surfaces stand in it by their exact form, or by exact lines of it.
+    pub(crate) const fn holds_exact_only(self) -> bool {
+        matches!(self, Self::Step | Self::Json | Self::Svg)
+    }
+
     /// True if the file holds geometry that can be read back (everything but the picture).
     #[must_use]
     pub const fn has_geometry(self) -> bool {

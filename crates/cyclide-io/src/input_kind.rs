@@ -117,6 +117,11 @@ impl InputKind {
         None
     }
 
+    /// True for what may be a mesh.
+    pub(crate) fn is_mesh(self) -> bool {
+        matches!(self, Self::Mesh | Self::Written("GLB" | "STL"))
+    }
+
     /// What people call it.
     #[must_use]
     pub const fn name(self) -> &'static str {

@@ -6,8 +6,9 @@ use crate::exporter::Exporter;
 use crate::format::{Format, Kind};
 use crate::options::{DEFAULT_MOST_PIECES, ExportOptions, PIECES_OF_EACH};
 use crate::pieces::Pieces;
+use crate::shape::Shape;
 use cyclide::{
-    Aabb, Arc, ArcPath, Body, ChainPiece, CurveChain, CurveObject, Item, Lower, Lowered, Model, ParamCurve as _, Units,
+    Aabb, Arc, ArcPath, ChainPiece, CurveChain, CurveObject, Item, Lower, Lowered, Model, ParamCurve as _, Units,
     bounds,
 };
 
@@ -28,7 +29,7 @@ pub(crate) struct BodyOf<'a> {
     pub(crate) index: usize,
     /// How many bodies the object has: one per surface, or more where one falls apart into lobes.
     pub(crate) count: usize,
-    pub(crate) body: Body,
+    pub(crate) body: Shape<'a>,
 }
 
 impl BodyOf<'_> {
@@ -119,6 +120,19 @@ impl<'a> Job<'a> {
         contours(self.model)
     }
 
+    /// Refuses surfaces without an exact form where the format holds exact ones only.
+    ///
+    /// # Errors
+    /// [`ExportError::NoExactForm`].
+    pub(crate) fn check_exact_form(&self, format: Format) -> Result<(), ExportError> {
+        match self.bodies.iter().find(|body| body.body.triangles().is_some()) {
+            Some(body) if format.holds_exact_only() => {
+                Err(ExportError::NoExactForm { object: body.object.to_owned(), format: format.title() })
+            }
+            _ => Ok(()),
+        }
+    }
+
     /// A note on the objects that the format has no place for; refused where nothing remains.
     pub(crate) fn left_out(&self, format: Format) -> Result<Option<String>, ExportError> {
         let Some(kind) = format.lacks() else {
@@ -188,7 +202,7 @@ pub(crate) fn piece_counts<'a>(
 /// The pieces that a file may have if nothing else is asked for.
 fn most_pieces(model: &Model, bodies: &[BodyOf<'_>]) -> usize {
     let of_curves: usize = contours(model).map(|contour| contour.curve.as_curve().piece_count()).sum();
-    let faces: usize = bodies.iter().flat_map(|body| body.body.shells()).map(|shell| shell.faces().len()).sum();
+    let faces: usize = bodies.iter().map(|body| body.body.part_count()).sum();
     DEFAULT_MOST_PIECES.saturating_add((of_curves + faces).saturating_mul(PIECES_OF_EACH))
 }
 
@@ -196,10 +210,13 @@ fn most_pieces(model: &Model, bodies: &[BodyOf<'_>]) -> usize {
 pub(crate) fn bodies(model: &Model) -> Result<Vec<BodyOf<'_>>, ExportError> {
     let mut bodies = Vec::new();
     for (item, it) in model.items.iter().enumerate() {
-        let mut own = Vec::new();
+        let mut own: Vec<(usize, Shape<'_>)> = Vec::new();
         for (index, surface) in it.surfaces.iter().enumerate() {
             let lowered = |source| ExportError::Surface { object: it.name.clone(), surface: index, source };
-            own.extend(surface.to_bodies().map_err(lowered)?.into_iter().map(|body| (index, body)));
+            if let Some(triangles) = surface.as_triangles() {
+                own.push((index, Shape::of_triangles(triangles).map_err(lowered)?));
+            }
+            own.extend(surface.to_bodies().map_err(lowered)?.into_iter().map(|body| (index, body.into())));
         }
         let count = own.len();
         let named = |(index, (surface, body))| BodyOf { object: &it.name, item, surface, index, count, body };

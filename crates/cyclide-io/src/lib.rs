@@ -36,15 +36,19 @@ mod patch_edges;
 mod pieces;
 mod place;
 mod plane_regions;
+mod ply;
 mod png;
 mod points;
 mod read_back;
 mod report;
 mod sample;
+mod shape;
 mod step;
 mod stl;
 mod suggest;
 mod svg;
+mod triangle_cells;
+mod triangle_mesh;
 
 pub use bodies::{FileBody, FileEdge, FileFace, FilePatch, FileShell, FileSurface};
 pub use camera::Camera;
@@ -53,10 +57,11 @@ pub use document::{
     CircleSpec, CircleSplineSpec, ClampedEnds, Comment, ContourFacts, Coordinates, CyclidePatchSpec, CyclideSpec,
     CyclidicNetSpec, DOCUMENT_VERSION, Document, EffortWord, EndWord, EndsSpec, FairEndPair, FairEndSpec, FairEndWord,
     FairEndsSpec, FairFitSpec, FairSplineSpec, Fitted, FrameSpec, GridSource, Lists, MakeCircularOptions,
-    MakeCircularSpec, MeshFile, ModelBuilder, NO_EFFECT, ObjectSpec, OffsetSpec, PipeSpec, PlaneSpec, PointFile,
-    PointSource, PolyhedronFile, PolylineSpec, RadiiSpec, Remark, RevolutionSpec, RotationSpec, RoundedPolyhedron,
-    RuleWord, ScaleSpec, SmoothPolyhedronSpec, SphereSpec, StepSpec, StraightWord, TargetWord, TransformSpec, TypeWord,
-    UnitWord, VariantWord, document_schema,
+    MakeCircularSpec, MeshFile, ModelBuilder, NO_EFFECT, NormalsSpec, ObjectSpec, OffsetSpec, PipeSpec, PlaneSpec,
+    PointFile, PointSource, PolyhedronFile, PolylineSpec, RadiiSpec, Remark, RevolutionSpec, RotationSpec,
+    RoundedPolyhedron, RuleWord, ScaleSpec, SmoothChoice, SmoothMeshSpec, SmoothPolyhedronSpec, SphereBlendSpec,
+    SphereSpec, StepSpec, StraightWord, TargetWord, TransformSpec, TriangleMeshFile, TypeWord, UnitWord, VariantWord,
+    document_schema,
 };
 pub use error::{Error, Result};
 pub use export::export;
@@ -78,10 +83,10 @@ pub use place::{Diagnostic, Source, decode};
 pub use points::{ColumnUnit, PointColumns, PointList, PointRemark, PointTable, read_points, unit_of_columns};
 pub use read_back::{file_deviation, read_back};
 pub use report::{
-    CheckError, CircularReport, CurvatureRangeReport, CurvatureReport, CurvesReport, FairnessReport, FileReport,
-    FitPieces, FitReport, GeometryReport, JointReport, ObjectReport, PartReport, PatchPlace, PolyhedronReport,
-    RangeReport, Report, SeamReport, ShapeReport, SingularPatchReport, SurfaceJointReport, SurfaceReport,
-    WarningReport,
+    CheckError, CircularReport, ComparisonReport, CurvatureRangeReport, CurvatureReport, CurvesReport, FairnessReport,
+    FileReport, FitPieces, FitReport, GeometryReport, JointReport, ObjectReport, PartReport, PatchPlace,
+    PolyhedronReport, RangeReport, Report, SeamReport, ShapeReport, SingularPatchReport, SmoothReport,
+    SurfaceJointReport, SurfaceReport, WarningReport,
 };
 pub use sample::{Spacing, sample};
 pub use suggest::{did_you_mean, similar};

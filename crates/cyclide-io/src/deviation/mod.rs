@@ -27,6 +27,7 @@ mod side_use;
 mod step_faces;
 mod track;
 mod triangle;
+mod triangle_surface;
 
 use crate::exported::{WrittenCurve, knots_of};
 use crate::file_content::ReadError;

@@ -26,7 +26,7 @@ use serde_json::value::RawValue;
 use crate::place::{Diagnostic, Source, decode, quoted};
 use crate::suggest::did_you_mean;
 pub use angle::Angle;
-pub use build::{BuiltObject, ModelBuilder, NO_EFFECT, Remark, RoundedPolyhedron};
+pub use build::{BuiltObject, ModelBuilder, NO_EFFECT, Remark, RoundedPolyhedron, SmoothChoice};
 pub use construct::{ContourFacts, Fitted};
 pub use coordinates::{Coordinates, Lists, PointFile, PointSource};
 use locate::{Entries, Step, offset_in, path_text, value_at};
@@ -36,9 +36,10 @@ pub use spec::{
     ArcFitSpec, ArcSpec, ArcSplineSpec, BiarcSpec, BorderCurves, BorderSpec, BorderWord, CircleSpec, CircleSplineSpec,
     ClampedEnds, Comment, CyclidePatchSpec, CyclideSpec, CyclidicNetSpec, EffortWord, EndWord, EndsSpec, FairEndPair,
     FairEndSpec, FairEndWord, FairEndsSpec, FairFitSpec, FairSplineSpec, FrameSpec, GridSource, MakeCircularOptions,
-    MakeCircularSpec, MeshFile, ObjectSpec, OffsetSpec, PipeSpec, PlaneSpec, PolyhedronFile, PolylineSpec, RadiiSpec,
-    RevolutionSpec, RotationSpec, RuleWord, ScaleSpec, SmoothPolyhedronSpec, SphereSpec, StepSpec, StraightWord,
-    TargetWord, TransformSpec, TypeWord, UnitWord, VariantWord,
+    MakeCircularSpec, MeshFile, NormalsSpec, ObjectSpec, OffsetSpec, PipeSpec, PlaneSpec, PolyhedronFile, PolylineSpec,
+    RadiiSpec, RevolutionSpec, RotationSpec, RuleWord, ScaleSpec, SmoothMeshSpec, SmoothPolyhedronSpec,
+    SphereBlendSpec, SphereSpec, StepSpec, StraightWord, TargetWord, TransformSpec, TriangleMeshFile, TypeWord,
+    UnitWord, VariantWord,
 };
 
 /// The document version this crate reads.

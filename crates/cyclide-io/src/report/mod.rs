@@ -5,12 +5,13 @@ mod curves;
 mod fairness;
 mod polyhedron;
 mod seam;
+mod smooth;
 mod surface;
 mod text;
 
 use std::path::Path;
 
-use cyclide::{Model, ShortNumber, Units};
+use cyclide::{Model, ShortNumber, SurfaceObject, Units};
 use indexmap::IndexMap;
 use serde::Serialize;
 
@@ -27,6 +28,7 @@ pub use fairness::FairnessReport;
 pub use polyhedron::PolyhedronReport;
 pub use seam::SeamReport;
 pub(crate) use seam::measured_seams;
+pub use smooth::{ComparisonReport, SmoothReport};
 pub use surface::{
     CircularReport, PartReport, PatchPlace, ShapeReport, SingularPatchReport, SurfaceJointReport, SurfaceReport,
 };
@@ -72,6 +74,8 @@ pub enum GeometryReport {
     Curves(CurvesReport),
     /// Surfaces.
     Surface(SurfaceReport),
+    /// A smooth surface over triangles.
+    Smooth(SmoothReport),
 }
 
 /// Smallest and largest value.
@@ -186,6 +190,8 @@ impl ObjectReport {
     pub fn new(built: &BuiltObject, tolerance: Option<f64>) -> Self {
         let geometry = if built.item.surfaces.is_empty() {
             GeometryReport::Curves(CurvesReport::new(built, tolerance))
+        } else if let Some(triangles) = built.item.surfaces.iter().find_map(SurfaceObject::as_triangles) {
+            GeometryReport::Smooth(SmoothReport::new(built, triangles))
         } else {
             GeometryReport::Surface(SurfaceReport::new(built))
         };

@@ -9,7 +9,7 @@ mod reader;
 mod triangles;
 
 use crate::export_error::ExportError;
-use crate::exported::{Exported, Promise, Written};
+use crate::exported::{Exported, Written};
 use crate::job::BodyOf;
 use crate::job::Job;
 use crate::labels::{FileLabels, FileName, Named};
@@ -64,7 +64,7 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
         body.plan_triangles(&points, rounding.moved, |_| counts.next().unwrap_or(0), &mut written.mesh);
         own.iter().for_each(|triangle| push_triangle(&mut records, triangle));
         count += own.len();
-        written.bodies.push(Promise::proved(mesh.bound + moved));
+        written.bodies.push(body.promise(moved));
     }
     let Ok(count) = u32::try_from(count) else {
         let object = job.bodies.first().map(|b| b.object.to_owned()).unwrap_or_default();

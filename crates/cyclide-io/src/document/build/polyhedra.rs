@@ -1,7 +1,5 @@
 //! Smooth offsets of convex polyhedra: from files, points and lists of faces to the kernel's body.
 
-use std::collections::HashMap;
-
 use cyclide::{ConvexPolyhedron, Error as KernelError, Point3, ShortNumber, SurfaceObject};
 
 use super::Builder;
@@ -13,6 +11,7 @@ use crate::error::{Error, Result};
 use crate::input_kind::InputKind;
 use crate::obj::{PolygonMesh, read_polygons};
 use crate::stl::read_triangles;
+use crate::triangle_mesh::distinct;
 
 /// Part of the largest coordinate of an STL file by which a corner may be off its plane: sixteen roundings to single precision, for
 /// the planes of small triangles.
@@ -96,7 +95,7 @@ impl Builder<'_> {
             PolyhedronFile::Obj(_) => read_polygons(&name, &bytes),
             PolyhedronFile::Stl(_) => read_triangles(&name, &bytes).map(|points| {
                 let faces = (0..points.len() / 3).map(|k| vec![3 * k, 3 * k + 1, 3 * k + 2]).collect();
-                PolygonMesh { points, faces }
+                PolygonMesh { points, faces, ..PolygonMesh::default() }
             }),
         };
         let given = read.map_err(|message| match InputKind::of_bytes(&bytes) {
@@ -156,16 +155,7 @@ impl Builder<'_> {
 
 /// The mesh with one point for all that are equal, and without corners that repeat the one before.
 fn welded(points: &[Point3], faces: &[Vec<usize>]) -> (Vec<Point3>, Vec<Vec<usize>>) {
-    let mut number: HashMap<[u64; 3], usize> = HashMap::with_capacity(points.len());
-    let mut kept: Vec<Point3> = Vec::new();
-    // 0 and -0 are the same.
-    let same = points.iter().map(|p| {
-        *number.entry(p.to_array().map(|x| (x + 0.0).to_bits())).or_insert_with(|| {
-            kept.push(*p);
-            kept.len() - 1
-        })
-    });
-    let same: Vec<usize> = same.collect();
+    let (kept, same) = distinct(points);
     let face = |corners: &Vec<usize>| {
         let mut corners: Vec<usize> = corners.iter().map(|&v| same[v]).collect();
         corners.dedup();
