@@ -27,16 +27,18 @@ type Sums = [f64; 2];
 
 impl SmoothMesh {
     /// Area and volume. The patches are smooth in polar coordinates about their corners, so each is cut into six triangles with one corner of
-    /// the patch each, and a Gauss-Legendre rule of 4 x 4 nodes is taken there in such coordinates.
+    /// the patch each, and a Gauss-Legendre rule of 4 x 4 nodes is taken there in such coordinates;
+    /// of few triangles each of these parts is cut into up to 64.
     ///
     /// # Errors
     /// As [`SmoothTriangle::point`], with the number of the triangle.
     pub fn measure(&self) -> Result<SmoothMeasure> {
         let apex = self.middle();
+        let panels = panels(self.triangles().len());
         let mut sums = [[0.0; 2]; 2];
         for index in 0..self.triangles().len() {
             let patch = self.patch(index);
-            add_patch(&mut sums, apex, |at| patch.jet(at)).map_err(|e| e.in_triangle(index))?;
+            add_patch(&mut sums, apex, panels, |at| patch.jet(at)).map_err(|e| e.in_triangle(index))?;
         }
         Ok(SmoothMeasure::of_sums(sums, self.is_closed()))
     }
@@ -55,7 +57,7 @@ impl SphereBlend {
     /// As [`SphereBlend::point`].
     pub fn measure(&self) -> Result<SmoothMeasure> {
         let mut sums = [[0.0; 2]; 2];
-        add_patch(&mut sums, self.corners()[0], |at| self.jet(at))?;
+        add_patch(&mut sums, self.corners()[0], panels(1), |at| self.jet(at))?;
         Ok(SmoothMeasure::of_sums(sums, false))
     }
 }
@@ -72,10 +74,24 @@ impl SmoothMeasure {
     }
 }
 
+/// Into how many parts of each coordinate the cells of a triangle are cut: some thousand places are looked at in any mesh.
+fn panels(triangles: usize) -> usize {
+    ((ENOUGH / triangles.max(1)) as f64).sqrt().clamp(1.0, MOST_PANELS) as usize
+}
+
+/// Triangles from which on their cells are not cut, and the most parts of each coordinate of a cell.
+const ENOUGH: usize = 512;
+const MOST_PANELS: f64 = 8.0;
+
 /// Adds the sums of a patch by the fine rule and by the coarse one.
-fn add_patch(sums: &mut [Sums; 2], apex: Point3, jet: impl Fn(&Barycentric) -> Result<Jet>) -> Result<()> {
+fn add_patch(
+    sums: &mut [Sums; 2],
+    apex: Point3,
+    panels: usize,
+    jet: impl Fn(&Barycentric) -> Result<Jet>,
+) -> Result<()> {
     for (sums, rule) in sums.iter_mut().zip([&unit_rule4()[..], &unit_rule2()[..]]) {
-        let part = sums_over(&jet, apex, rule)?;
+        let part = sums_over(&jet, apex, panels, rule)?;
         sums[0] += part[0];
         sums[1] += part[1];
     }
@@ -88,12 +104,19 @@ const CELLS: [[[f64; 3]; 2]; 2] = {
     [[[0.5, 0.5, 0.0], [third; 3]], [[third; 3], [0.5, 0.0, 0.5]]]
 };
 
-fn sums_over(jet: impl Fn(&Barycentric) -> Result<Jet>, apex: Point3, rule: &[(f64, f64)]) -> Result<Sums> {
+fn sums_over(
+    jet: impl Fn(&Barycentric) -> Result<Jet>,
+    apex: Point3,
+    panels: usize,
+    rule: &[(f64, f64)],
+) -> Result<Sums> {
     let mut sums = [0.0; 2];
+    // The rule on each of the equal parts of [0, 1].
+    let part = |k: usize| rule.iter().map(move |(x, w)| ((k as f64 + x) / panels as f64, w / panels as f64));
     for corner in 0..3 {
         for [a, b] in CELLS {
-            for &(radius, radius_weight) in rule {
-                for &(turn, turn_weight) in rule {
+            for (radius, radius_weight) in (0..panels).flat_map(part) {
+                for (turn, turn_weight) in (0..panels).flat_map(part) {
                     let mut lambda = [0.0; 3];
                     for k in 0..3 {
                         let own = if k == 0 { 1.0 - radius } else { 0.0 };
