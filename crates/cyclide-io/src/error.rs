@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use cyclide::ShortNumber;
 
-use crate::place::Diagnostic;
+use crate::text::place::Diagnostic;
 
 /// Result of a fallible call of this crate.
 pub type Result<T, E = Error> = std::result::Result<T, E>;
@@ -82,8 +82,6 @@ fn unread(path: &Path, source: &std::io::Error, place: Option<&Diagnostic>) -> S
 
 #[cfg(test)]
 mod tests {
-    use crate::Format;
-
     /// What `fn main() -> Result<(), Box<dyn std::error::Error>>` prints.
     fn shown_by_main(error: impl std::error::Error + 'static) -> String {
         format!("{:?}", Box::<dyn std::error::Error>::from(error))
@@ -97,7 +95,5 @@ mod tests {
         assert!(!shown.contains('{') && shown.contains('8'), "{shown}");
         let wrapped = super::Error::Geometry { object: "roof".to_owned(), source: frame.clone() };
         assert_eq!(shown_by_main(wrapped), format!("roof: {frame} [frame-not-orthonormal]"));
-        let suffix = Format::from_path("a.iges".as_ref()).unwrap_err();
-        assert!(shown_by_main(suffix).ends_with("[unknown-suffix]"));
     }
 }

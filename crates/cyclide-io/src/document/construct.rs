@@ -13,7 +13,7 @@ use super::spec::{
     FairEndsSpec, FairFitSpec, FairSplineSpec, PolylineSpec, RadiiSpec, RuleWord, StraightWord, TargetWord,
     VariantWord,
 };
-use crate::points::PointList;
+use crate::input::points::PointList;
 
 /// What is known about a contour besides its curve.
 #[derive(Debug, Clone, PartialEq, Default)]

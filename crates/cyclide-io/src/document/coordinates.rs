@@ -9,7 +9,7 @@ use serde::Deserialize;
 use serde::de::value::MapAccessDeserializer;
 use serde::de::{Deserializer, Error as _, MapAccess, SeqAccess, Visitor};
 
-use crate::points::MOST_POINTS;
+use crate::input::points::MOST_POINTS;
 
 /// A point or vector with two or three coordinates; the third is 0 if left out.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]

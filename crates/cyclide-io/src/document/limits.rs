@@ -1,7 +1,7 @@
 //! What no document holds: refused before it is parsed, in one pass over its bytes.
 
-use crate::number::{NEARER_TO_ZERO, vanishes};
-use crate::place::{Diagnostic, Source, quoted};
+use crate::text::number::{NEARER_TO_ZERO, vanishes};
+use crate::text::place::{Diagnostic, Source, quoted};
 
 /// Longest number that is read, in bytes; 1,100 digits hold any double exactly.
 const LONGEST_NUMBER: usize = 2048;

@@ -11,7 +11,7 @@ use serde::Deserialize;
 use serde::de::{Deserializer, Error as _, MapAccess, Visitor};
 use serde_json::value::RawValue;
 
-use crate::place::quoted;
+use crate::text::place::quoted;
 
 /// One step of a path.
 #[derive(Debug, Clone, PartialEq, Eq)]

@@ -8,11 +8,11 @@
 //! constructions; what the kernel refuses is reported at the point or field at fault.
 
 mod angle;
-mod build;
 mod construct;
 mod coordinates;
 mod limits;
 mod locate;
+mod objects;
 mod plain_words;
 mod schema;
 mod spec;
@@ -23,13 +23,13 @@ use cyclide::Units;
 use serde::Deserialize;
 use serde_json::value::RawValue;
 
-use crate::place::{Diagnostic, Source, decode, quoted};
-use crate::suggest::did_you_mean;
+use crate::text::place::{Diagnostic, Source, decode, quoted};
+use crate::text::suggest::did_you_mean;
 pub use angle::Angle;
-pub use build::{BuiltObject, ModelBuilder, NO_EFFECT, Remark, RoundedPolyhedron, SmoothChoice};
 pub use construct::{ContourFacts, Fitted};
 pub use coordinates::{Coordinates, Lists, PointFile, PointSource};
 use locate::{Entries, Step, offset_in, path_text, value_at};
+pub use objects::{BuiltObject, ModelBuilder, NO_EFFECT, Remark, RoundedPolyhedron, SmoothChoice};
 use plain_words::{in_plain_words, other_word_for, syntax_in_plain_words, wrong_count};
 pub use schema::document_schema;
 pub use spec::{

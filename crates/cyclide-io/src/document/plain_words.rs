@@ -1,8 +1,8 @@
 //! What the JSON parser says, in the words of people who write documents, and what they may have meant.
 
 use super::schema::types_with_field;
-use crate::place::quoted;
-use crate::suggest::did_you_mean;
+use crate::text::place::quoted;
+use crate::text::suggest::did_you_mean;
 
 /// What the parser said without the names of its own types.
 pub(super) fn in_plain_words(message: &str) -> String {

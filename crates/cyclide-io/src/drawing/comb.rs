@@ -12,7 +12,8 @@
 
 use super::room::{Room, Taken};
 use super::{Comb, CombStrip, Combs, Tip, even_parameters};
-use crate::job::{Contour, Job};
+use crate::export::job::Job;
+use crate::export::parts::Contour;
 use cyclide::{ParamCurve, Point3, Vec3, extreme_curvature, length};
 
 /// Distance of the teeth relative to the drawing, and the largest turn between two of them in radians.

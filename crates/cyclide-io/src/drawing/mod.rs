@@ -1,9 +1,14 @@
-//! What drawings show beside the curves: curvature combs and joints.
+//! What drawings and pictures show: which lines of a surface, in which colours, and beside the curves their curvature combs
+//! and joints.
 
 mod comb;
+pub(crate) mod palette;
+pub(crate) mod parameter_circles;
+pub(crate) mod patch_edges;
+pub(crate) mod plane_regions;
 mod room;
 
-use crate::job::Job;
+use crate::export::job::Job;
 use cyclide::{ParamCurve, Point3};
 
 pub(crate) use comb::combs;

@@ -5,7 +5,7 @@ use serde::Serialize;
 
 use super::{FairnessReport, RangeReport};
 use crate::document::{BuiltObject, Fitted};
-use crate::job::default_tolerance;
+use crate::export::job::default_tolerance;
 
 /// The report on the curves of an object; largest values are over all its contours.
 #[derive(Debug, Clone, PartialEq, Serialize)]

@@ -1,5 +1,6 @@
 //! Borders of open nets that nearly coincide.
 
+use crate::measure::seams::measured_seams;
 use cyclide::{CyclidicNet, Seam, SeamMeasure};
 use serde::Serialize;
 
@@ -29,11 +30,4 @@ impl SeamReport {
         };
         measured_seams(net, given).into_iter().map(report).collect()
     }
-}
-
-/// The seams of a net, those of the grid it was made from among them, measured on the net.
-pub(crate) fn measured_seams(net: &CyclidicNet, given: &[Seam]) -> Vec<(Seam, SeamMeasure)> {
-    let own = net.grid().seams().into_iter().filter(|seam| given.iter().all(|g| g.direction != seam.direction));
-    let all = given.iter().copied().chain(own);
-    all.filter_map(|seam| Some((seam, net.measure_seam(seam)?))).collect()
 }

@@ -10,6 +10,7 @@ use serde::Serialize;
 
 use super::{CurvatureRangeReport, PolyhedronReport, RangeReport, SeamReport};
 use crate::document::BuiltObject;
+use crate::measure::joints::SurfaceJointReport;
 
 /// Places per direction at which a patch is measured where there is no closed form.
 const SAMPLES: usize = 5;
@@ -175,39 +176,6 @@ impl From<&ShapeChange> for ShapeReport {
     fn from(change: &ShapeChange) -> Self {
         let ShapeChange { bending, thickness, normal_turn, turn, lost_relief, across, noise, .. } = *change;
         Self { bending, thickness, normal_turn, turn, lost_relief, across, noise }
-    }
-}
-
-/// How patches meet, measured along every edge that two share.
-#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
-pub struct SurfaceJointReport {
-    /// Number of such edges.
-    pub count: usize,
-    /// Largest distance between the two patches, at equal parameters.
-    pub gap: f64,
-    /// Edges at which the normals differ by more than a thousandth of a radian.
-    pub creases: usize,
-    /// Largest angle between the normals at the creases, radians.
-    pub crease_angle: f64,
-    /// Largest angle between the normals at the other edges, radians.
-    pub angle: f64,
-}
-
-impl SurfaceJointReport {
-    /// Measures the edges of shells that two patches share.
-    pub(crate) fn new<'a>(shells: impl Iterator<Item = &'a Shell>) -> Self {
-        let mut report = Self::default();
-        for joint in shells.flat_map(surface_joints) {
-            report.count += 1;
-            report.gap = report.gap.max(joint.gap);
-            if joint.angle > CORNER_ANGLE {
-                report.creases += 1;
-                report.crease_angle = report.crease_angle.max(joint.angle);
-            } else {
-                report.angle = report.angle.max(joint.angle);
-            }
-        }
-        report
     }
 }
 

@@ -1,0 +1,554 @@
+//! The command line as it is typed.
+
+use std::path::PathBuf;
+
+use cyclide_io::{Camera, Format, WriteOptions};
+
+use clap::builder::{PossibleValuesParser, TypedValueParser};
+use clap::{ArgAction, Args as ClapArgs, Parser, Subcommand, ValueEnum};
+use clap_complete::Shell;
+
+const EXIT_CODES: &str = "\
+Exit codes:
+  0  success (also when nobody reads standard output to its end)
+  1  the input was refused: the message shows the file, line and column
+  2  the command line makes no sense
+  3  a file or standard output could not be read or written
+  4  a file failed its check when read back and was not written (a fault of cyclide)
+
+All files of a run are made and checked before the first is written, and each is written whole or not at all: where the exit
+code is not 0 old files are left as they were, but for a disk that fails at the last step (the message then names what was
+written). Warnings and progress go to standard error, reports to standard output; the name - is standard input or, after -o,
+standard output (docs/files.md).";
+
+const EXAMPLES: &str = "\
+First steps:
+  cyclide gallery -o gallery            every example, with a page of pictures
+  cyclide new fair-spline -o my.json    a commented document to change ('cyclide new' lists all kinds)
+  cyclide build my.json -o my.step -o my.png
+
+Examples:
+  cyclide curve track.csv --closed --units m -o track.step -o track.dxf -o track.png
+  cyclide build logo.json -o logo.dxf --tolerance 0.01
+  cyclide build roof.json -o roof.step -o roof.glb -o roof.png
+  cyclide report roof.json --json
+
+The documentation of the project explains the words: docs/document.md (what a document may hold), docs/report.md (every word
+of the report), docs/formats.md (what each format carries).";
+
+const NEW_EXAMPLES: &str = "\
+Examples:
+  cyclide new arc-fit -o part.json
+  cyclide build part.json -o part.dxf -o part.png
+
+Each document builds as printed. Its comments say what the fields mean; docs/document.md and 'cyclide schema' have them all.";
+
+const COMPLETIONS_EXAMPLES: &str = "\
+Examples:
+  bash:        cyclide completions bash > ~/.local/share/bash-completion/completions/cyclide
+  zsh:         cyclide completions zsh > ~/.zfunc/_cyclide        (a folder of $fpath)
+  fish:        cyclide completions fish > ~/.config/fish/completions/cyclide.fish
+  PowerShell:  cyclide completions powershell | Out-String | Invoke-Expression
+Then start a new shell.";
+
+const MAN_EXAMPLES: &str = "\
+Examples:
+  cyclide man -o man && man -l man/cyclide.1
+  cyclide man -o ~/.local/share/man/man1        (then: man cyclide, man cyclide-build)";
+
+const BUILD_EXAMPLES: &str = "\
+Examples:
+  Curves, exact for CAD, within 0.01 for a cutter:
+      cyclide build logo.json -o logo.step
+      cyclide build logo.json -o logo.dxf --tolerance 0.01 --json > report.json
+  Surfaces, one sewn shell or solid each for CAD, meshes within 0.5 of them, a picture:
+      cyclide build roof.json -o roof.step -o roof.png
+      cyclide build roof.json -o roof.glb -o roof.obj -o roof.stl --tolerance 0.5
+  A document with the two skins of a roof over a mesh of quads:
+      {\"cyclide\": 1, \"units\": \"m\", \"objects\": {
+        \"outer\": {\"type\": \"cyclidic-net\", \"grid\": {\"obj\": \"roof.obj\"}, \"make_circular\": true},
+        \"inner\": {\"type\": \"offset\", \"of\": \"outer\", \"distance\": -0.3}}}";
+
+const CURVE_EXAMPLES: &str = "\
+Examples:
+  A race track, closed, in metres, as an exact curve for CAD and a picture:
+      cyclide curve track.csv --closed --units m -o track.step -o track.png
+  The fewest arcs within 0.05 of the points, for a machine that knows arcs only:
+      cyclide curve track.csv --closed --units m --kind arc-fit --tolerance 0.05 -o track.dxf
+  Noisy or dense data, a fair curve with continuous curvature within 0.2 of the points:
+      cyclide curve survey.csv --closed --units m --smooth 0.2 --centre 1 -o survey.step -o survey.png
+  A logo with contours, its corners marked in a column, columns chosen by name:
+      cyclide curve logo.csv --closed --columns x_mm,y_mm -o logo.svg
+
+The file: one point per line, separated by commas, semicolons, tabs or blanks; a header line is optional. A blank line
+starts a new contour, as does a new value in a column named 'contour'; a column 'corner' (0 or 1) marks corners.";
+
+const SAMPLE_EXAMPLES: &str = "\
+Examples:
+  cyclide sample logo.json --count 500 > logo.csv
+  cyclide sample cable.json --object cable --count 200 --equal-length -o cable.csv
+  cyclide sample roof.json --object 'outer skin' --count 8 -o roof.csv
+
+Curves: columns t,x,y,z,tangent_x,tangent_y,tangent_z,curvature, with a column 'contour' in front if the object has
+several. Each contour gets its own samples, both ends included.
+Surfaces: columns patch,s,t,x,y,z,normal_x,normal_y,normal_z,curvature_s,curvature_t on a grid of N by N places of every
+patch, edges included, with a column 'body' in front if the object has several.";
+
+const REPORT_EXAMPLES: &str = "\
+Examples:
+  cyclide report logo.json
+  cyclide report logo.json --json | jq '.objects[].length'
+  cyclide report roof.json --json | jq '.objects[].circular.move_max'
+
+docs/report.md explains every word of the report, with what is good and what to do about the rest; the fields of --json are in
+docs/formats.md.";
+
+const GALLERY_EXAMPLES: &str = "\
+Example:
+  cyclide gallery -o gallery
+
+Each model comes with its document, so that it can be changed and built again: cyclide build gallery/patch.json -o new.step";
+
+const SCHEMA_EXAMPLES: &str = "\
+Example:
+  cyclide schema > cyclide-1.schema.json";
+
+/// Curves and surfaces made of circles: points or meshes in, exact and smooth geometry out, for CAD, cutting, drawing and
+/// rendering.
+#[derive(Debug, Parser)]
+#[command(name = "cyclide", version, arg_required_else_help = true, after_help = format!("{EXAMPLES}\n\n{EXIT_CODES}"))]
+pub struct Args {
+    #[command(subcommand)]
+    pub command: Command,
+}
+
+#[derive(Debug, Subcommand)]
+pub enum Command {
+    /// Build a model document and write its curves and surfaces to files.
+    #[command(after_help = BUILD_EXAMPLES)]
+    Build(BuildArgs),
+    /// Turn a list of points into a curve and write it to files.
+    #[command(after_help = CURVE_EXAMPLES)]
+    Curve(CurveArgs),
+    /// Sample an object of a model: points, tangents or normals, curvatures as CSV.
+    #[command(after_help = SAMPLE_EXAMPLES)]
+    Sample(SampleArgs),
+    /// Build a model document and report on its objects without writing files.
+    #[command(after_help = REPORT_EXAMPLES)]
+    Report(ReportArgs),
+    /// Print a commented model document to start from, for any type of object.
+    #[command(after_help = NEW_EXAMPLES)]
+    New(NewArgs),
+    /// Build every example model to files, with a page that shows them.
+    #[command(after_help = GALLERY_EXAMPLES)]
+    Gallery(GalleryArgs),
+    /// Print the JSON Schema of the model document.
+    #[command(after_help = SCHEMA_EXAMPLES)]
+    Schema,
+    /// Print a script that completes commands and options in a shell.
+    #[command(after_help = COMPLETIONS_EXAMPLES)]
+    Completions(CompletionsArgs),
+    /// Write manual pages to a folder, one per command.
+    #[command(after_help = MAN_EXAMPLES)]
+    Man(ManArgs),
+}
+
+#[derive(Debug, ClapArgs)]
+pub struct NewArgs {
+    /// The type of object; without it the types are listed.
+    #[arg(value_parser = crate::arguments::starters::kinds())]
+    pub kind: Option<String>,
+    /// Write to a new file instead of standard output; an old one is never written over.
+    #[arg(short, long, value_name = "FILE", requires = "kind")]
+    pub output: Option<PathBuf>,
+}
+
+#[derive(Debug, ClapArgs)]
+pub struct CompletionsArgs {
+    /// The shell.
+    #[arg(value_enum)]
+    pub shell: Shell,
+}
+
+#[derive(Debug, ClapArgs)]
+pub struct ManArgs {
+    /// The folder for the pages, made if it does not exist.
+    #[arg(short, long = "output", value_name = "DIR")]
+    pub output: PathBuf,
+    #[command(flatten)]
+    pub write: WriteArgs,
+}
+
+#[derive(Debug, ClapArgs)]
+pub struct BuildArgs {
+    /// The model document (JSON), - for standard input; 'cyclide new' prints one to start from.
+    pub model: PathBuf,
+    #[command(flatten)]
+    pub output: OutputArgs,
+    /// Largest distance between a file's curve or mesh and the object, where the format needs an approximation [default:
+    /// 1e-5 of the model's size for curves, 1e-4 for meshes].
+    #[arg(long, value_name = "T", value_parser = positive, allow_negative_numbers = true)]
+    pub tolerance: Option<f64>,
+}
+
+/// Options about the files that are written.
+#[derive(Debug, ClapArgs)]
+pub struct OutputArgs {
+    // Its help names the suffixes.
+    #[arg(short, long = "output", value_name = "FILE", required = true, action = ArgAction::Append, help = output_help())]
+    pub output: Vec<PathBuf>,
+    /// The format of files whose names do not say it.
+    #[arg(long, value_name = "FORMAT", value_parser = format_word())]
+    pub format: Option<Format>,
+    #[command(flatten)]
+    pub write: WriteArgs,
+    /// Print the report as JSON (docs/report.md explains its words).
+    #[arg(long)]
+    pub json: bool,
+    /// Most pieces of one file, cells of meshes and vertices of polylines together; one to two kilobytes of memory each [default:
+    /// 1000000, and 16 for each piece of a curve and each patch].
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..=1_000_000_000))]
+    pub max_pieces: Option<u64>,
+    /// DXF: rational curves as exact SPLINE entities (many cutters and 2D programs ignore their weights).
+    #[arg(long, help_heading = "Formats")]
+    pub dxf_splines: bool,
+    /// DXF: the version written [default: r2000].
+    #[arg(long, value_name = "VERSION", value_enum, help_heading = "Formats")]
+    pub dxf_version: Option<DxfArg>,
+    /// STEP: the curves of the edges between faces, and with them the faces [default: circle].
+    #[arg(long, value_name = "CURVE", value_enum, help_heading = "Formats")]
+    pub step_edges: Option<EdgesArg>,
+    /// STEP: the products of several objects [default: auto].
+    #[arg(long, value_name = "PRODUCTS", value_enum, help_heading = "Formats")]
+    pub step_products: Option<ProductsArg>,
+    /// SVG: draw the curvature comb.
+    #[arg(long, help_heading = "Formats")]
+    pub svg_comb: bool,
+    /// SVG: draw the joints of the curves as dots.
+    #[arg(long, help_heading = "Formats")]
+    pub svg_points: bool,
+    /// GLB: draw the edges of the patches as lines on the surfaces.
+    #[arg(long, help_heading = "Formats")]
+    pub glb_edges: bool,
+    /// PNG: the model alone, without curvature comb (pictures of surfaces have none), title, unit, scale bar, legend, names
+    /// and axes.
+    #[arg(long, help_heading = "Pictures")]
+    pub png_plain: bool,
+    /// PNG: width in pixels [default: 1600].
+    #[arg(long, value_name = "PIXELS", value_parser = clap::value_parser!(u32).range(200..=10_000), help_heading = "Pictures")]
+    pub width: Option<u32>,
+    /// PNG: where to look from: top, bottom, front, back, right, left, iso, or azimuth (0 is the front, 90 the right) and
+    /// elevation (90 is from above) in degrees [default: top for plane curves, else a side and above].
+    #[arg(long, value_name = "VIEW", allow_hyphen_values = true, help_heading = "Pictures")]
+    pub camera: Option<Camera>,
+    /// PNG: draw rulers with coordinates, below and at the left in views along an axis, else along three edges of the
+    /// model's box.
+    #[arg(long, conflicts_with = "png_plain", help_heading = "Pictures")]
+    pub axes: bool,
+}
+
+/// How files are written.
+#[derive(Debug, Clone, Copy, ClapArgs)]
+pub struct WriteArgs {
+    /// Replace files that are read-only too.
+    #[arg(long)]
+    pub force: bool,
+    /// Wait until the files are on the disk, so that they survive a loss of power.
+    #[arg(long)]
+    pub durable: bool,
+}
+
+impl WriteArgs {
+    pub const fn options(self) -> WriteOptions {
+        WriteOptions { force: self.force, durable: self.durable }
+    }
+}
+
+#[derive(Debug, ClapArgs)]
+pub struct CurveArgs {
+    /// The points (CSV, one per line: see below), - for standard input.
+    pub points: PathBuf,
+    #[command(flatten)]
+    pub output: OutputArgs,
+    /// The last point joins the first.
+    #[arg(long)]
+    pub closed: bool,
+    /// The construction [default: fair-spline; fair-fit with --smooth].
+    #[arg(long, value_enum)]
+    pub kind: Option<Kind>,
+    /// Noisy or dense data: the fairest curve with continuous curvature within T of every point, with few nodes
+    /// (--kind fair-fit). It leans on the bounds of T; for noisy points take 3 to 4 standard deviations and --centre 1.
+    #[arg(long, value_name = "T", value_parser = positive, allow_negative_numbers = true)]
+    pub smooth: Option<f64>,
+    /// Arc fit: largest distance from the points (or the polyline). Else: largest distance between a file's curve and
+    /// the curve, where the format needs an approximation [default: 1e-5 of the curve's size].
+    #[arg(long, value_name = "T", value_parser = positive, allow_negative_numbers = true)]
+    pub tolerance: Option<f64>,
+    /// What the coordinates are measured in; they are labelled, never rescaled [default: what the names of the columns
+    /// say, as x_m, else mm].
+    #[arg(long, value_enum)]
+    pub units: Option<UnitsArg>,
+    /// The two or three coordinate columns, by name or by number from 1 [default: x, y and z by their names].
+    #[arg(long, value_name = "A,B", value_delimiter = ',', num_args = 1)]
+    pub columns: Option<Vec<String>>,
+    /// The column that tells contours apart [default: 'contour', else blank lines].
+    #[arg(long, value_name = "NAME")]
+    pub contour_column: Option<String>,
+    /// Turns above this angle, in degrees, are corners [default: none for splines and a fair fit, 30 for an
+    /// arc fit].
+    #[arg(long, value_name = "DEGREES", value_parser = up_to_half_a_turn, allow_negative_numbers = true)]
+    pub corner_angle_deg: Option<f64>,
+    /// Fair spline: 0 is the fairest curve, with 1 every point follows its neighbours alone [default: 0].
+    #[arg(long, value_name = "E", value_parser = up_to_one, allow_negative_numbers = true)]
+    pub tension: Option<f64>,
+    /// Fair spline: corners beside straight runs are rounded within this part of their shorter leg, below 0.5.
+    #[arg(long, value_name = "PART", value_parser = below_half, allow_negative_numbers = true)]
+    pub tight: Option<f64>,
+    /// Fair spline: the ends of an open curve [default: circle].
+    #[arg(long, value_enum)]
+    pub ends: Option<EndsArg>,
+    /// Fair spline: whether runs of points on a line beside a corner stay straight [default: auto].
+    #[arg(long, value_enum)]
+    pub straight: Option<StraightArg>,
+    /// Circle spline: blend order, 1 to 4 [default: 2].
+    #[arg(long, value_name = "K", value_parser = clap::value_parser!(u32).range(1..=4))]
+    pub order: Option<u32>,
+    /// Circle spline: how circles are blended [default: rational].
+    #[arg(long, value_enum)]
+    pub variant: Option<VariantArg>,
+    /// Arc spline: how the joint between two points is chosen [default: equal-d].
+    #[arg(long, value_enum)]
+    pub rule: Option<RuleArg>,
+    /// Arc fit: what the points are [default: points].
+    #[arg(long, value_enum)]
+    pub target: Option<TargetArg>,
+    /// Arc fit: how hard to search [default: default].
+    #[arg(long, value_enum)]
+    pub effort: Option<EffortArg>,
+    /// Fair fit: how much the curve keeps to the middle of the points: 0 is the fairest curve, 1 halves the distance to
+    /// what noisy points were measured from for about 3 % more variation of curvature, 10 and more approach least
+    /// squares [default: 0].
+    #[arg(long, value_name = "B", value_parser = not_negative, allow_negative_numbers = true)]
+    pub centre: Option<f64>,
+    /// Fair fit: an open curve starts and ends exactly at the first and last point.
+    #[arg(long)]
+    pub fix_ends: bool,
+    /// Fair fit: fits spent on taking nodes out [default: 16].
+    #[arg(long, value_name = "N")]
+    pub max_fits: Option<u32>,
+    /// Fair fit: take no nodes out; about five times as fast. The same as --max-fits 0.
+    #[arg(long, conflicts_with_all = ["max_fits", "nodes", "budget"])]
+    pub fast: bool,
+    /// Fair fit: nodes of each smooth piece at which taking out stops.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(2..))]
+    pub nodes: Option<u32>,
+    /// Fair fit: the part of its fairness that the curve may lose for fewer nodes [default: 0.1].
+    #[arg(long, value_name = "Q", value_parser = not_negative, allow_negative_numbers = true)]
+    pub budget: Option<f64>,
+    /// Fair fit: places on each edge between two points that T binds too; for polylines that are meant themselves
+    /// [default: 0, the points are samples of a smooth curve].
+    #[arg(long, value_name = "K", value_parser = clap::value_parser!(u32).range(0..=100))]
+    pub polyline: Option<u32>,
+}
+
+#[derive(Debug, ClapArgs)]
+pub struct SampleArgs {
+    /// The model document (JSON), - for standard input; 'cyclide new' prints one to start from.
+    pub model: PathBuf,
+    /// Name of the object; may be left out if there is only one.
+    #[arg(long, value_name = "NAME")]
+    pub object: Option<String>,
+    /// Samples per contour of a curve, or N by N per patch of a surface; at least 2.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(2..=10_000_000))]
+    pub count: u32,
+    /// Curves: equal steps of arc length instead of the parameter.
+    #[arg(long)]
+    pub equal_length: bool,
+    /// Write to a file instead of standard output.
+    #[arg(short, long, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+    #[command(flatten)]
+    pub write: WriteArgs,
+}
+
+#[derive(Debug, ClapArgs)]
+pub struct ReportArgs {
+    /// The model document (JSON), - for standard input; 'cyclide new' prints one to start from.
+    pub model: PathBuf,
+    /// Print the report as JSON.
+    #[arg(long)]
+    pub json: bool,
+}
+
+#[derive(Debug, ClapArgs)]
+pub struct GalleryArgs {
+    /// The folder for the files, made if it does not exist. The page is index.html.
+    #[arg(short, long = "output", value_name = "DIR")]
+    pub output: PathBuf,
+    #[command(flatten)]
+    pub write: WriteArgs,
+}
+
+/// Constructions that start from a list of points.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
+pub enum Kind {
+    /// The fairest smooth curve through the points.
+    #[default]
+    FairSpline,
+    /// A smooth curve through the points, blended from circles.
+    CircleSpline,
+    /// Arcs through the points.
+    ArcSpline,
+    /// The fewest arcs within a tolerance.
+    ArcFit,
+    /// The fairest curve within a tolerance (--smooth).
+    FairFit,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum UnitsArg {
+    Mm,
+    Cm,
+    M,
+    In,
+    Ft,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum VariantArg {
+    /// An exact rational curve.
+    Rational,
+    /// Sines of a blended angle; files carry it within a tolerance.
+    Trigonometric,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum EndsArg {
+    /// Along the circle through the three points at the end.
+    Circle,
+    /// The end segment is an arc.
+    Arc,
+    /// The curvature vanishes.
+    Free,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum StraightArg {
+    /// They stay straight, the curve bends at the corner only.
+    Auto,
+    /// The curve is as fair as it can be and swings a little along them.
+    Off,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum RuleArg {
+    /// Equal legs of the control triangles.
+    EqualD,
+    /// Equal chords.
+    EqualChord,
+    /// Equal legs, unless equal chords are clearly better.
+    Auto,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum TargetArg {
+    /// Samples of a smooth curve.
+    Points,
+    /// The edges themselves.
+    Polyline,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum EffortArg {
+    /// Quick, a few per cent more arcs.
+    Fast,
+    /// The usual search.
+    Default,
+    /// Slow, sometimes fewer arcs.
+    Best,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum DxfArg {
+    /// AutoCAD 2000: the default.
+    R2000,
+    /// AutoCAD R12: for old machines.
+    R12,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum EdgesArg {
+    /// Circles and lines, with radii and centres; planes, cylinders, cones, spheres and tori are such faces: the default.
+    Circle,
+    /// Rational B-splines, with which all faces but planes are rational: half as large a file.
+    Rational,
+}
+
+/// What is said of `--output`: the suffixes are those of the formats.
+fn output_help() -> String {
+    let suffixes: Vec<String> = Format::suffixes().map(|suffix| format!(".{suffix}")).collect();
+    format!(
+        "File to write; the suffix says the format: {}. Give it once per file; - with --format is standard output, and the \
+         report goes to standard error",
+        suffixes.join(" ")
+    )
+}
+
+/// The name of a format.
+fn format_word() -> impl TypedValueParser<Value = Format> {
+    let named = |word: String| Format::ALL.into_iter().find(|format| format.name() == word);
+    PossibleValuesParser::new(Format::ALL.map(Format::name)).try_map(move |word| named(word).ok_or("no such format"))
+}
+
+/// A finite number that is not negative.
+fn not_negative(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(value) if value >= 0.0 && value.is_finite() => Ok(value),
+        Ok(_) => Err("it must not be negative, and finite".to_owned()),
+        Err(_) => Err("it is not a number".to_owned()),
+    }
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum ProductsArg {
+    /// An assembly, but one product where curves and surfaces stand together: the default.
+    Auto,
+    /// One product per object in an assembly, with its name.
+    Assembly,
+    /// One product of all objects.
+    One,
+}
+
+/// A positive, finite number.
+fn positive(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(value) if value > 0.0 && value.is_finite() => Ok(value),
+        Ok(_) => Err("it must be positive and finite".to_owned()),
+        Err(_) => Err("it is not a number".to_owned()),
+    }
+}
+
+/// A number from 0 to 1.
+fn up_to_one(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(value) if (0.0..=1.0).contains(&value) => Ok(value),
+        Ok(_) => Err("it must be from 0 to 1".to_owned()),
+        Err(_) => Err("it is not a number".to_owned()),
+    }
+}
+
+/// A positive number of degrees, at most 180.
+fn up_to_half_a_turn(text: &str) -> Result<f64, String> {
+    match positive(text) {
+        Ok(value) if value > 180.0 => Err("it must be at most 180 degrees".to_owned()),
+        other => other,
+    }
+}
+
+/// A positive number below one half.
+fn below_half(text: &str) -> Result<f64, String> {
+    match positive(text) {
+        Ok(value) if value >= 0.5 => Err("it must be below 0.5".to_owned()),
+        other => other,
+    }
+}

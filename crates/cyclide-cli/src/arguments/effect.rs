@@ -1,0 +1,119 @@
+//! Options that have no effect say so.
+//!
+//! What the command line alone tells is an error: an option of another kind of curve, of a format that is not written,
+//! or one that contradicts another. What only the model tells is a warning, and the files are written: the reason is
+//! [`NO_EFFECT`], as where a field of a document has none.
+
+use std::path::PathBuf;
+
+use cyclide::{CurveObject, Model};
+use cyclide_io::{Format, GeometryReport, NO_EFFECT, Report, StepEdges, StepProducts};
+
+use crate::arguments::args::{CurveArgs, Kind, OutputArgs};
+use crate::arguments::plan::MakePlan;
+use crate::output::failure::Failure;
+
+/// Refuses options about formats that are not written.
+pub fn refuse_formats_not_written(args: &OutputArgs, outputs: &[(PathBuf, Format)]) -> Result<(), Failure> {
+    let given = [
+        ("--dxf-splines", args.dxf_splines, Format::Dxf),
+        ("--dxf-version", args.dxf_version.is_some(), Format::Dxf),
+        ("--step-edges", args.step_edges.is_some(), Format::Step),
+        ("--step-products", args.step_products.is_some(), Format::Step),
+        ("--svg-comb", args.svg_comb, Format::Svg),
+        ("--svg-points", args.svg_points, Format::Svg),
+        ("--glb-edges", args.glb_edges, Format::Glb),
+        ("--png-plain", args.png_plain, Format::Png),
+        ("--width", args.width.is_some(), Format::Png),
+        ("--camera", args.camera.is_some(), Format::Png),
+        ("--axes", args.axes, Format::Png),
+    ];
+    let written = |format: Format| outputs.iter().any(|(_, other)| *other == format);
+    match given.iter().find(|(_, given, format)| *given && !written(*format)) {
+        None => Ok(()),
+        Some((option, _, format)) => {
+            let (title, suffix) = (format.name().to_uppercase(), format.name());
+            let message = format!("{option} is for {title}, and no such file is asked for: add -o FILE.{suffix}");
+            Err(Failure::Usage(message))
+        }
+    }
+}
+
+/// Refuses options that the kind of curve does not have, and those that another one leaves nothing to do.
+pub fn refuse_options_of_other_kinds(args: &CurveArgs, kind: Kind) -> Result<(), Failure> {
+    let given = [
+        ("--tension", args.tension.is_some(), &[Kind::FairSpline][..]),
+        ("--tight", args.tight.is_some(), &[Kind::FairSpline]),
+        ("--ends", args.ends.is_some(), &[Kind::FairSpline]),
+        ("--straight", args.straight.is_some(), &[Kind::FairSpline]),
+        ("--order", args.order.is_some(), &[Kind::CircleSpline]),
+        ("--variant", args.variant.is_some(), &[Kind::CircleSpline]),
+        ("--rule", args.rule.is_some(), &[Kind::ArcSpline]),
+        ("--target", args.target.is_some(), &[Kind::ArcFit]),
+        ("--effort", args.effort.is_some(), &[Kind::ArcFit]),
+        (
+            "--corner-angle-deg",
+            args.corner_angle_deg.is_some(),
+            &[Kind::FairSpline, Kind::CircleSpline, Kind::ArcFit, Kind::FairFit],
+        ),
+        ("--smooth", args.smooth.is_some(), &[Kind::FairFit]),
+        ("--centre", args.centre.is_some(), &[Kind::FairFit]),
+        ("--fix-ends", args.fix_ends, &[Kind::FairFit]),
+        ("--max-fits", args.max_fits.is_some(), &[Kind::FairFit]),
+        ("--fast", args.fast, &[Kind::FairFit]),
+        ("--nodes", args.nodes.is_some(), &[Kind::FairFit]),
+        ("--budget", args.budget.is_some(), &[Kind::FairFit]),
+        ("--polyline", args.polyline.is_some(), &[Kind::FairFit]),
+    ];
+    if let Some((option, _, kinds)) = given.iter().find(|(_, given, kinds)| *given && !kinds.contains(&kind)) {
+        let words: Vec<&str> = kinds.iter().map(|kind| kind.word()).collect();
+        let message = format!("{option} goes with --kind {}, not with {}", words.join(" or "), kind.word());
+        return Err(Failure::Usage(message));
+    }
+    let no_fits = args.max_fits == Some(0);
+    let idle = [
+        ("--ends", args.ends.is_some() && args.closed, "a curve that is --closed has no ends"),
+        ("--fix-ends", args.fix_ends && args.closed, "a curve that is --closed has no ends"),
+        ("--nodes", args.nodes.is_some() && no_fits, "--max-fits 0 takes no nodes out"),
+        ("--budget", args.budget.is_some() && no_fits, "--max-fits 0 takes no nodes out"),
+    ];
+    match idle.iter().find(|(_, idle, _)| *idle) {
+        None => Ok(()),
+        Some((option, _, why)) => Err(Failure::Usage(format!("{option} would have no effect: {why}"))),
+    }
+}
+
+/// The warnings about options that this model leaves without effect, after the files were made.
+pub fn without_effect(plan: &MakePlan, model: &Model, report: &Report) -> Vec<String> {
+    let options = &plan.options;
+    let curves = || model.items.iter().flat_map(|item| &item.contours);
+    let no_surface = model.items.iter().all(|item| item.surfaces.is_empty());
+    let bent = |geometry: &GeometryReport| matches!(geometry, GeometryReport::Curves(c) if c.curvature.max > 0.0);
+    // The trigonometric curve is no spline either: it becomes one within the tolerance.
+    let no_spline = !curves().any(|curve| matches!(curve, CurveObject::CircleSpline(_)));
+    let has_joints = |curve: &CurveObject| !matches!(curve, CurveObject::Circle(_));
+    let all_exact = report.files.iter().all(|file| file.exact || file.deviation.is_none());
+    let idle = [
+        (
+            "--tolerance",
+            options.tolerance.is_some() && !plan.fit_tolerance && all_exact,
+            "no file needs an approximation",
+        ),
+        ("--dxf-splines", options.dxf_splines && no_spline, "all curves are arcs and lines, which DXF holds exactly"),
+        ("--step-edges", options.step_edges == StepEdges::Rational && no_surface, "there are no surfaces"),
+        (
+            "--step-products",
+            options.step_products != StepProducts::Auto && model.items.len() == 1,
+            "one object is one product",
+        ),
+        (
+            "--svg-comb",
+            options.svg_comb && !report.objects.values().any(|object| !object.construction && bent(&object.geometry)),
+            "no curve is bent",
+        ),
+        ("--svg-points", options.svg_points && !curves().any(has_joints), "no curve has joints or ends"),
+        ("--glb-edges", options.glb_edges && no_surface, "there are no surfaces"),
+    ];
+    let told = idle.iter().filter(|(_, idle, _)| *idle);
+    told.map(|(option, _, why)| format!("{option} has no effect: {why} [{NO_EFFECT}]")).collect()
+}

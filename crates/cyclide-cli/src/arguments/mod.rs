@@ -1,0 +1,8 @@
+//! Arguments in two stages: what was typed ([`args`]), and the plan that it means ([`plan`]). What belongs to another command is
+//! answered with it ([`mistaken`]), and what has no effect is said ([`effect`]).
+
+pub mod args;
+pub mod effect;
+pub mod mistaken;
+pub mod plan;
+pub mod starters;

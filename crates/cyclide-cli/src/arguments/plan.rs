@@ -1,0 +1,413 @@
+//! From arguments as typed to a plan that makes sense: formats known, options that fit together, defaults filled in.
+
+use std::ffi::OsStr;
+use std::path::{Path, PathBuf};
+
+use clap_complete::Shell;
+use cyclide::Units;
+use cyclide_io::{
+    Angle, ArcFitSpec, ArcSplineSpec, CircleSplineSpec, Comment, Document, DxfVersion, EffortWord, EndsSpec,
+    ExportOptions, FairEndWord, FairEndsSpec, FairFitSpec, FairSplineSpec, Format, ObjectSpec, PointColumns, PointFile,
+    PointSource, RuleWord, Spacing, StepEdges, StepProducts, StraightWord, TargetWord, TypeWord, VariantWord,
+    WriteOptions, leads_to_standard_input, same_file,
+};
+
+use crate::arguments::args::{
+    Args, BuildArgs, Command, CompletionsArgs, CurveArgs, DxfArg, EdgesArg, EffortArg, EndsArg, GalleryArgs, Kind,
+    ManArgs, NewArgs, OutputArgs, ProductsArg, ReportArgs, RuleArg, SampleArgs, StraightArg, TargetArg, UnitsArg,
+    VariantArg,
+};
+use crate::arguments::effect;
+use crate::arguments::mistaken::{Wanted, refuse_suffix};
+use crate::output::failure::Failure;
+use crate::output::standard::{is_standard, is_standard_output};
+
+/// What to do.
+pub enum Plan {
+    Make(MakePlan),
+    Sample(SamplePlan),
+    Report(ReportPlan),
+    New(NewPlan),
+    Gallery(GalleryPlan),
+    Schema,
+    Completions(Shell),
+    /// The manual pages, into a folder.
+    Man(PathBuf, WriteOptions),
+}
+
+/// A document to start from.
+pub struct NewPlan {
+    /// The type of object; `None` for a list of the types.
+    pub kind: Option<String>,
+    pub output: Option<PathBuf>,
+}
+
+/// Build a model and write files.
+pub struct MakePlan {
+    pub input: Input,
+    /// Files and their formats; the name `-`, alone, is standard output.
+    pub outputs: Vec<(PathBuf, Format)>,
+    pub options: ExportOptions,
+    pub write: WriteOptions,
+    /// The tolerance is that of an arc fit, not of the files alone.
+    pub fit_tolerance: bool,
+    pub json: bool,
+}
+
+/// Where the model comes from.
+pub enum Input {
+    /// A model document; the name `-` is standard input.
+    File(PathBuf),
+    /// A document made from the command line; it refers to files by their paths as given.
+    Made {
+        document: Box<Document>,
+        /// The columns of its file: unless they were named, the file is looked at for what it is.
+        columns: PointColumns,
+        /// Whether the columns' names may say the unit: not if it was told.
+        unit_of_columns: bool,
+    },
+}
+
+/// Sample one object of a model.
+pub struct SamplePlan {
+    pub input: Input,
+    pub object: Option<String>,
+    pub count: usize,
+    pub spacing: Spacing,
+    /// `None` is standard output.
+    pub output: Option<PathBuf>,
+    pub write: WriteOptions,
+}
+
+/// Report on a model.
+pub struct ReportPlan {
+    pub input: Input,
+    pub json: bool,
+}
+
+/// Build the gallery.
+pub struct GalleryPlan {
+    pub folder: PathBuf,
+    pub write: WriteOptions,
+}
+
+impl Args {
+    /// The plan for what was typed.
+    pub fn plan(self) -> Result<Plan, Failure> {
+        match &self.command {
+            Command::Build(BuildArgs { model: path, .. })
+            | Command::Sample(SampleArgs { model: path, .. })
+            | Command::Report(ReportArgs { model: path, .. }) => {
+                refuse_suffix(path, Wanted::Document)?;
+            }
+            Command::Curve(CurveArgs { points: path, .. }) => refuse_suffix(path, Wanted::Points)?,
+            Command::New(_) | Command::Gallery(_) | Command::Schema | Command::Completions(_) | Command::Man(_) => {}
+        }
+        match self.command {
+            Command::Build(BuildArgs { model, output, tolerance }) => {
+                output.plan(Input::File(model), tolerance).map(Plan::Make)
+            }
+            Command::Curve(args) => args.plan().map(Plan::Make),
+            Command::Sample(SampleArgs { model, object, count, equal_length, output, write }) => {
+                refuse_overwriting(output.as_deref(), &model)?;
+                let output = output.filter(|path| !is_standard_output(path));
+                let spacing = if equal_length { Spacing::Length } else { Spacing::Parameter };
+                output.as_deref().map_or(Ok(()), |path| refuse_other_suffix(path, "csv", "samples are CSV"))?;
+                Ok(Plan::Sample(SamplePlan {
+                    input: Input::File(model),
+                    object,
+                    count: count as usize,
+                    spacing,
+                    output,
+                    write: write.options(),
+                }))
+            }
+            Command::Report(ReportArgs { model, json }) => {
+                Ok(Plan::Report(ReportPlan { input: Input::File(model), json }))
+            }
+            Command::New(NewArgs { kind, output }) => {
+                let output = output.filter(|path| !is_standard_output(path));
+                output.as_deref().map_or(Ok(()), |path| refuse_other_suffix(path, "json", "a document is JSON"))?;
+                Ok(Plan::New(NewPlan { kind, output }))
+            }
+            Command::Gallery(GalleryArgs { output, write }) => {
+                refuse_file_name(&output)?;
+                Ok(Plan::Gallery(GalleryPlan { folder: output, write: write.options() }))
+            }
+            Command::Schema => Ok(Plan::Schema),
+            Command::Completions(CompletionsArgs { shell }) => Ok(Plan::Completions(shell)),
+            Command::Man(ManArgs { output, write }) => {
+                refuse_file_name(&output)?;
+                Ok(Plan::Man(output, write.options()))
+            }
+        }
+    }
+}
+
+impl OutputArgs {
+    fn plan(self, input: Input, tolerance: Option<f64>) -> Result<MakePlan, Failure> {
+        let mut outputs: Vec<(PathBuf, Format)> = Vec::new();
+        if self.output.len() > 1 && self.output.iter().any(|path| is_standard_output(path)) {
+            return Err(Failure::Usage("standard output takes one file: `-o -` stands alone".to_owned()));
+        }
+        for path in &self.output {
+            let format = format_of(path, self.format)?;
+            if let Some((other, _)) = outputs.iter().find(|(other, _)| same_file(other, path)) {
+                let (path, other) = (path.display(), other.display());
+                return Err(Failure::Usage(format!("{path} is given twice as output: it is the same file as {other}")));
+            }
+            if let Input::File(model) = &input {
+                refuse_overwriting(Some(path), model)?;
+            }
+            outputs.push((path.clone(), format));
+        }
+        effect::refuse_formats_not_written(&self, &outputs)?;
+        let options = ExportOptions {
+            tolerance,
+            max_pieces: self.max_pieces.map(|n| usize::try_from(n).unwrap_or(usize::MAX)),
+            dxf_splines: self.dxf_splines,
+            dxf_version: match self.dxf_version {
+                None | Some(DxfArg::R2000) => DxfVersion::R2000,
+                Some(DxfArg::R12) => DxfVersion::R12,
+            },
+            step_edges: match self.step_edges {
+                None | Some(EdgesArg::Circle) => StepEdges::Circles,
+                Some(EdgesArg::Rational) => StepEdges::Rational,
+            },
+            step_products: match self.step_products {
+                None | Some(ProductsArg::Auto) => StepProducts::Auto,
+                Some(ProductsArg::Assembly) => StepProducts::Assembly,
+                Some(ProductsArg::One) => StepProducts::One,
+            },
+            glb_edges: self.glb_edges,
+            svg_comb: self.svg_comb,
+            svg_points: self.svg_points,
+            png_plain: self.png_plain,
+            png_width: self.width,
+            png_axes: self.axes,
+            camera: self.camera,
+            title: None,
+        };
+        let write = self.write.options();
+        Ok(MakePlan { input, outputs, options, write, fit_tolerance: false, json: self.json })
+    }
+}
+
+/// The format of an output: that of its suffix, else the one that was told.
+fn format_of(path: &Path, told: Option<Format>) -> Result<Format, Failure> {
+    match (Format::from_path(path), told) {
+        (Ok(format), Some(told)) if format != told => {
+            let (name, told) = (format.name(), told.name());
+            Err(Failure::Usage(format!("{}: the suffix says {name}, --format says {told}", path.display())))
+        }
+        (Ok(format), _) | (Err(_), Some(format)) => Ok(format),
+        (Err(_), None) if is_standard_output(path) => {
+            let names = Format::ALL.map(Format::name).join(", ");
+            Err(Failure::Usage(format!("-o {} needs --format: one of {names}", path.display())))
+        }
+        (Err(error), None) => Err(Failure::Usage(error.to_string())),
+    }
+}
+
+impl CurveArgs {
+    fn plan(self) -> Result<MakePlan, Failure> {
+        let kind = self.kind.unwrap_or(if self.smooth.is_some() { Kind::FairFit } else { Kind::default() });
+        effect::refuse_options_of_other_kinds(&self, kind)?;
+        let stem = self.points.file_stem().and_then(OsStr::to_str);
+        let name = stem.filter(|s| !s.trim().is_empty() && *s != "-").unwrap_or("curve");
+        let Some(csv) = self.points.to_str().map(str::to_owned) else {
+            return Err(Failure::Usage(format!("{}: the path is not Unicode", self.points.display())));
+        };
+        let file = PointFile { csv, columns: self.columns.clone(), contour: self.contour_column.clone() };
+        let (points, closed, r#type) = (PointSource::File(file), self.closed, TypeWord);
+        let corner_angle = self.corner_angle_deg.map(Angle::Degrees);
+        let spec = match kind {
+            Kind::FairSpline => ObjectSpec::FairSpline(FairSplineSpec {
+                r#type,
+                comment: Comment,
+                construction: false,
+                points,
+                closed,
+                tension: self.tension.unwrap_or_default(),
+                tight: self.tight,
+                ends: self.ends.map_or_else(FairEndsSpec::default, |ends| FairEndsSpec::Both(ends.word())),
+                straight: self.straight.map_or_else(StraightWord::default, StraightArg::word),
+                corner_angle,
+            }),
+            Kind::CircleSpline => ObjectSpec::CircleSpline(CircleSplineSpec {
+                r#type,
+                comment: Comment,
+                construction: false,
+                points,
+                closed,
+                order: self.order.unwrap_or(2),
+                variant: self.variant.map_or_else(VariantWord::default, VariantArg::word),
+                ends: EndsSpec::Natural,
+                corner_angle,
+            }),
+            Kind::ArcSpline => ObjectSpec::ArcSpline(ArcSplineSpec {
+                r#type,
+                comment: Comment,
+                construction: false,
+                points,
+                tangents: None,
+                closed,
+                rule: self.rule.map_or_else(RuleWord::default, RuleArg::word),
+            }),
+            Kind::ArcFit => {
+                let needed = || Failure::Usage("--kind arc-fit needs --tolerance".to_owned());
+                ObjectSpec::ArcFit(ArcFitSpec {
+                    r#type,
+                    comment: Comment,
+                    construction: false,
+                    points,
+                    closed,
+                    tolerance: self.tolerance.ok_or_else(needed)?,
+                    target: self.target.map_or_else(TargetWord::default, TargetArg::word),
+                    effort: self.effort.map_or_else(EffortWord::default, EffortArg::word),
+                    corner_angle,
+                })
+            }
+            Kind::FairFit => {
+                let needed = || Failure::Usage("--kind fair-fit needs --smooth".to_owned());
+                ObjectSpec::FairFit(FairFitSpec {
+                    r#type,
+                    comment: Comment,
+                    construction: false,
+                    points,
+                    closed,
+                    tolerance: self.smooth.ok_or_else(needed)?,
+                    centre: self.centre.unwrap_or_default(),
+                    fix_ends: self.fix_ends,
+                    corner_angle,
+                    max_fits: if self.fast { Some(0) } else { self.max_fits },
+                    nodes: self.nodes,
+                    budget: self.budget,
+                    polyline: self.polyline.unwrap_or_default(),
+                })
+            }
+        };
+        let objects = vec![(name.to_owned(), spec)];
+        for path in &self.output.output {
+            refuse_overwriting(Some(path), &self.points)?;
+        }
+        let units = self.units.map_or(Units::default(), UnitsArg::units);
+        let document = Document::from_objects(&self.points.display().to_string(), units, objects);
+        let columns = PointColumns { coordinates: self.columns, contour: self.contour_column };
+        let input = Input::Made { document: Box::new(document), columns, unit_of_columns: self.units.is_none() };
+        let plan = self.output.plan(input, self.tolerance)?;
+        Ok(MakePlan { fit_tolerance: kind == Kind::ArcFit, ..plan })
+    }
+}
+
+/// Refuses the suffix of a format that another command writes; names without one, and unknown ones, may be meant.
+fn refuse_other_suffix(path: &Path, suffix: &str, what: &str) -> Result<(), Failure> {
+    match Format::from_path(path) {
+        Ok(format) if format.name() != suffix => {
+            Err(Failure::Usage(format!("{}: {what}; for this format see 'cyclide build'", path.display())))
+        }
+        _ => Ok(()),
+    }
+}
+
+/// Refuses the name of a file where a folder is meant.
+fn refuse_file_name(path: &Path) -> Result<(), Failure> {
+    let page = path.extension().is_some_and(|suffix| suffix.eq_ignore_ascii_case("html"));
+    if !path.is_dir() && (page || Format::from_path(path).is_ok()) {
+        return Err(Failure::Usage(format!("{}: the name of a folder is needed, for several files", path.display())));
+    }
+    Ok(())
+}
+
+/// Refuses to write over a file that is read.
+pub fn refuse_overwriting(output: Option<&Path>, input: &Path) -> Result<(), Failure> {
+    let is_input = |output: &&Path| {
+        if is_standard(input) { leads_to_standard_input(output) } else { same_file(output, input) }
+    };
+    match output.filter(|output| !is_standard(output)).filter(is_input) {
+        None => Ok(()),
+        Some(path) => Err(Failure::Usage(format!("{} is an input: it will not be written over", path.display()))),
+    }
+}
+
+impl Kind {
+    /// The word as it is typed.
+    pub const fn word(self) -> &'static str {
+        match self {
+            Self::FairSpline => "fair-spline",
+            Self::CircleSpline => "circle-spline",
+            Self::ArcSpline => "arc-spline",
+            Self::ArcFit => "arc-fit",
+            Self::FairFit => "fair-fit",
+        }
+    }
+}
+
+impl UnitsArg {
+    const fn units(self) -> Units {
+        match self {
+            Self::Mm => Units::Millimetre,
+            Self::Cm => Units::Centimetre,
+            Self::M => Units::Metre,
+            Self::In => Units::Inch,
+            Self::Ft => Units::Foot,
+        }
+    }
+}
+
+impl VariantArg {
+    const fn word(self) -> VariantWord {
+        match self {
+            Self::Rational => VariantWord::Rational,
+            Self::Trigonometric => VariantWord::Trigonometric,
+        }
+    }
+}
+
+impl EndsArg {
+    const fn word(self) -> FairEndWord {
+        match self {
+            Self::Circle => FairEndWord::Circle,
+            Self::Arc => FairEndWord::Arc,
+            Self::Free => FairEndWord::Free,
+        }
+    }
+}
+
+impl StraightArg {
+    const fn word(self) -> StraightWord {
+        match self {
+            Self::Auto => StraightWord::Auto,
+            Self::Off => StraightWord::Off,
+        }
+    }
+}
+
+impl RuleArg {
+    const fn word(self) -> RuleWord {
+        match self {
+            Self::EqualD => RuleWord::EqualD,
+            Self::EqualChord => RuleWord::EqualChord,
+            Self::Auto => RuleWord::Auto,
+        }
+    }
+}
+
+impl TargetArg {
+    const fn word(self) -> TargetWord {
+        match self {
+            Self::Points => TargetWord::Points,
+            Self::Polyline => TargetWord::Polyline,
+        }
+    }
+}
+
+impl EffortArg {
+    const fn word(self) -> EffortWord {
+        match self {
+            Self::Fast => EffortWord::Fast,
+            Self::Default => EffortWord::Default,
+            Self::Best => EffortWord::Best,
+        }
+    }
+}

@@ -1,0 +1,168 @@
+//! The models of the gallery: the documents of the folder `examples`, with what they show.
+
+use cyclide_io::Format;
+
+/// One model.
+pub struct Entry {
+    /// Name of its files.
+    pub name: &'static str,
+    /// Heading on the page.
+    pub title: &'static str,
+    /// What there is to see, in one or two sentences.
+    pub text: &'static str,
+    /// The model document.
+    pub document: &'static str,
+    /// The files it refers to.
+    pub inputs: &'static [(&'static str, &'static [u8])],
+    /// What is made of it.
+    pub formats: &'static [Format],
+}
+
+/// A document of the folder of examples.
+macro_rules! example {
+    ($file:literal) => {
+        include_str!(concat!("../../../../../examples/", $file))
+    };
+}
+
+/// A file that a document refers to, with its name.
+macro_rules! input {
+    ($file:literal) => {
+        ($file, include_bytes!(concat!("../../../../../examples/", $file)))
+    };
+}
+
+const CURVES: &[Format] = &[Format::Step, Format::Svg, Format::Png];
+const SURFACES: &[Format] = &[Format::Step, Format::Glb, Format::Png];
+
+/// All models, in the order of the page.
+pub const ENTRIES: [Entry; 16] = [
+    Entry {
+        name: "roof",
+        title: "Free-form roof with two skins",
+        text: "A mesh of 20 by 20 quads on a roof 66 m long, whose vertices move by half a metre on average so that every quad has a circle, and a second skin at an exact distance.",
+        document: example!("roof.json"),
+        inputs: &[input!("roof-20.obj")],
+        formats: SURFACES,
+    },
+    Entry {
+        name: "patch",
+        title: "A patch with its parameter circles",
+        text: "Four corners on one circle and one frame: every parameter line is a circular arc and a line of curvature.",
+        document: example!("patch.json"),
+        inputs: &[],
+        formats: SURFACES,
+    },
+    Entry {
+        name: "ring",
+        title: "Ring cyclide",
+        text: "A whole Dupin cyclide from three numbers, as a closed solid of patches that share their circles.",
+        document: example!("ring.json"),
+        inputs: &[],
+        formats: SURFACES,
+    },
+    Entry {
+        name: "inverted_torus",
+        title: "Inverted torus",
+        text: "Inversion in a sphere takes circles to circles and a torus to a Dupin cyclide, patch by patch, exactly.",
+        document: example!("inverted_torus.json"),
+        inputs: &[],
+        formats: SURFACES,
+    },
+    Entry {
+        name: "handle",
+        title: "Triply curved handle",
+        text: "A grip that swells and tapers, bent in three planes: 12 patches of three Dupin cyclides, made thick to a closed solid.",
+        document: example!("handle.json"),
+        inputs: &[],
+        formats: SURFACES,
+    },
+    Entry {
+        name: "vase",
+        title: "Vase",
+        text: "A fair profile through twelve points turned about its axis: a closed solid of exact rational faces, its foot and lip plane.",
+        document: example!("vase.json"),
+        inputs: &[],
+        formats: SURFACES,
+    },
+    Entry {
+        name: "dodecahedron",
+        title: "Rounded dodecahedron",
+        text: "The convex hull of twenty points with a radius of 4 mm on all edges and corners: planes, cylinders and parts of spheres.",
+        document: example!("dodecahedron.json"),
+        inputs: &[],
+        formats: SURFACES,
+    },
+    Entry {
+        name: "pipe",
+        title: "Pipe with eight bends",
+        text: "A run of segments and arcs with a wall, of cylinders and tori alone, and a closed frame of rods with mitred corners.",
+        document: example!("pipe.json"),
+        inputs: &[],
+        formats: SURFACES,
+    },
+    Entry {
+        name: "roof_pipe",
+        title: "A pipe through a roof",
+        text: "A rolling ball rounds the corner between a pipe and a plate at 35 degrees: an exact rational neck, sewn with pipe and plate to one solid.",
+        document: example!("roof_pipe.json"),
+        inputs: &[],
+        formats: SURFACES,
+    },
+    Entry {
+        name: "ellipse_bridge",
+        title: "Bridge of two ellipses",
+        text: "Half circles upright on the chords between two ellipses, and walls tangent to them: a solid ring.",
+        document: example!("ellipse_bridge.json"),
+        inputs: &[],
+        formats: SURFACES,
+    },
+    Entry {
+        name: "volume_faces",
+        title: "Faces of a cyclidic cube",
+        text: "Six patches that meet at right angles along their common circles.",
+        document: example!("volume_faces.json"),
+        inputs: &[],
+        formats: SURFACES,
+    },
+    Entry {
+        name: "track",
+        title: "Race track",
+        text: "A closed fair spline through 44 points, curvature without jumps or needless swings; beside it the fewest arcs near 301 surveyed ones.",
+        document: example!("track.json"),
+        inputs: &[input!("track.csv"), input!("survey.csv")],
+        formats: CURVES,
+    },
+    Entry {
+        name: "survey",
+        title: "Surveyed line, fair",
+        text: "The fairest smooth curve within 20 cm of 301 surveyed points, with continuous curvature and a node for every eight of them.",
+        document: example!("survey.json"),
+        inputs: &[input!("survey.csv")],
+        formats: CURVES,
+    },
+    Entry {
+        name: "logo",
+        title: "Logo",
+        text: "Three contours with corners, ready for a laser cutter.",
+        document: example!("logo.json"),
+        inputs: &[input!("logo.csv")],
+        formats: CURVES,
+    },
+    Entry {
+        name: "cable",
+        title: "Cable in space",
+        text: "A route through points with heights, with the directions at its ends given.",
+        document: example!("cable.json"),
+        inputs: &[input!("cable.csv")],
+        formats: CURVES,
+    },
+    Entry {
+        name: "gallery",
+        title: "Every kind of curve",
+        text: "Arcs, biarcs, arc splines, fits, fair and circle splines: an object of every type; one wave as a circle spline, which wavers, and fair.",
+        document: example!("gallery.json"),
+        inputs: &[],
+        formats: CURVES,
+    },
+];

@@ -1,0 +1,81 @@
+//! `gallery`: every example model as files, with a page that shows them.
+
+mod entries;
+mod page;
+
+use std::io;
+use std::path::Path;
+
+use cyclide_io::{Document, ExportOptions, FileReport, Format, ModelBuilder, Report, export};
+
+use crate::arguments::plan::GalleryPlan;
+use crate::commands::load::Loaded;
+use crate::output::failure::Failure;
+use crate::output::files;
+use crate::output::progress::Progress;
+use entries::{ENTRIES, Entry};
+
+/// Width of the pictures, pixels: twice that of their place on the page.
+const PICTURE: u32 = 1280;
+
+/// An entry with what was made of it.
+struct Shown {
+    entry: &'static Entry,
+    report: Report,
+}
+
+/// Builds all entries, checks their files, and writes them and the page: all, or none.
+pub fn run(plan: &GalleryPlan) -> Result<(), Failure> {
+    // Said before the work is done.
+    if plan.folder.exists() && !plan.folder.is_dir() {
+        return Err(Failure::write(plan.folder.display(), &io::ErrorKind::NotADirectory.into()));
+    }
+    let progress = Progress::new(ENTRIES.iter().map(|entry| entry.formats.len() + 1).sum());
+    let mut files: Vec<(String, Vec<u8>)> = Vec::new();
+    let mut shown = Vec::new();
+    for entry in &ENTRIES {
+        progress.doing(entry.title.to_owned());
+        shown.push(Shown { entry, report: make(entry, &mut files, &progress)? });
+    }
+    drop(progress);
+    files.push(("index.html".to_owned(), page::html(&shown).into_bytes()));
+    std::fs::create_dir_all(&plan.folder).map_err(|error| Failure::write(plan.folder.display(), &error))?;
+    let files: Vec<_> = files.into_iter().map(|(name, bytes)| (plan.folder.join(name), bytes)).collect();
+    let page = plan.folder.join("index.html");
+    let text = format!("{} models, {} files: {}\n", ENTRIES.len(), files.len(), page.display());
+    files::write(&files, plan.write, &text)
+}
+
+/// Builds one entry and adds its files, those it is made from included.
+fn make(entry: &'static Entry, files: &mut Vec<(String, Vec<u8>)>, progress: &Progress) -> Result<Report, Failure> {
+    let fault = |message: String| Failure::Check(format!("{}: {message}", entry.name));
+    let read = |path: &Path| {
+        let found = entry.inputs.iter().find(|(name, _)| Path::new(name) == path);
+        found.map(|(_, bytes)| bytes.to_vec()).ok_or_else(|| io::ErrorKind::NotFound.into())
+    };
+    let name = format!("{}.json", entry.name);
+    let document = Document::parse(&name, entry.document.as_bytes()).map_err(|message| fault(message.to_string()))?;
+    let mut builder = ModelBuilder::new(&document, Path::new(""), &read).map_err(|error| fault(error.to_string()))?;
+    let mut hear = |step| progress.doing(format!("{}, {step}", entry.title));
+    let objects = (0..document.objects.len()).map(|index| builder.build(index, &mut hear));
+    let objects = objects.collect::<cyclide_io::Result<_>>().map_err(|error| fault(error.to_string()))?;
+    let loaded = Loaded { units: document.units, objects, input_files: Vec::new() };
+    let model = loaded.model();
+    let mut report = Report::new(loaded.units, &loaded.objects, None);
+    files.push((name, entry.document.as_bytes().to_vec()));
+    files.extend(entry.inputs.iter().map(|(name, bytes)| ((*name).to_owned(), bytes.to_vec())));
+    progress.done();
+    for format in entry.formats {
+        let name = format!("{}.{}", entry.name, format.name());
+        progress.doing(name.clone());
+        let title = if *format == Format::Png { entry.title } else { entry.name };
+        let options =
+            ExportOptions { title: Some(title.to_owned()), png_width: Some(PICTURE), ..ExportOptions::default() };
+        let exported = export(&model, *format, &options).map_err(|error| fault(error.to_string()))?;
+        let checked = FileReport::new(Path::new(&name), *format, &model, &exported);
+        report.files.push(checked.map_err(|error| fault(error.to_string()))?);
+        files.push((name, exported.bytes));
+        progress.done();
+    }
+    Ok(report)
+}

@@ -1,0 +1,85 @@
+//! `build` and `curve`: all files are made and checked before the first is written.
+
+use cyclide_io::{CheckError, ExportError, Exporter, Report};
+
+use crate::arguments::effect;
+use crate::arguments::plan::{Input, MakePlan, refuse_overwriting};
+use crate::commands::load::{self, Inputs, Loaded};
+use crate::output::failure::Failure;
+use crate::output::files;
+use crate::output::progress::Progress;
+use crate::output::standard::{is_standard, is_standard_output};
+use crate::output::terminal;
+
+/// Carries the plan out.
+pub fn run(plan: &MakePlan) -> Result<(), Failure> {
+    let (loaded, progress) = load(plan)?;
+    for (path, _) in &plan.outputs {
+        for input in &loaded.input_files {
+            refuse_overwriting(Some(path), input)?;
+        }
+    }
+    progress.doing("measuring".to_owned());
+    let mut report = Report::new(loaded.units, &loaded.objects, plan.options.tolerance);
+    progress.done();
+    let model = loaded.into_model();
+    let mut options = plan.options.clone();
+    if let (None, Input::File(path)) = (&options.title, &plan.input)
+        && !is_standard(path)
+    {
+        // One object gives its name to the file, several have that of their document.
+        let stem = || path.file_stem().map(|stem| stem.to_string_lossy().into_owned());
+        options.title = if model.items.len() == 1 { None } else { stem() };
+    }
+    let mut files = Vec::with_capacity(plan.outputs.len());
+    let mut exporter = None;
+    for (path, format) in &plan.outputs {
+        progress.doing(path.display().to_string());
+        let exporter = match &mut exporter {
+            Some(exporter) => exporter,
+            none => none.insert(Exporter::new(&model).map_err(|error| refused(path, &error))?),
+        };
+        let exported = exporter.export(*format, &options).map_err(|error| refused(path, &error))?;
+        let checked = exporter.check(path, *format, &exported);
+        report.files.push(checked.map_err(|error| match error {
+            CheckError::TooFewDigits { .. } => Failure::Refused(format!("{error} [too-few-digits]")),
+            fault => Failure::Check(fault.to_string()),
+        })?);
+        files.push((path.clone(), exported.bytes));
+        progress.done();
+    }
+    drop(progress);
+    for message in effect::without_effect(plan, &model, &report) {
+        terminal::warning(&message);
+    }
+    let report = report_text(&report, plan.json)?;
+    if let [(path, bytes)] = files.as_slice()
+        && is_standard_output(path)
+    {
+        terminal::print_aside(&report);
+        return terminal::print_bytes(bytes);
+    }
+    files::write(&files, plan.write, &report)
+}
+
+/// Builds the objects; the document and what was read for it are not needed any more then.
+fn load(plan: &MakePlan) -> Result<(Loaded, Progress), Failure> {
+    let inputs = Inputs::default();
+    let (document, folder) = load::document(&plan.input, &inputs)?;
+    let progress = Progress::new(document.objects.len() + plan.outputs.len() + 1);
+    let loaded = load::build(&document, &folder, &inputs, &progress)?;
+    Ok((loaded, progress))
+}
+
+/// A report as text or JSON.
+pub fn report_text(report: &Report, json: bool) -> Result<String, Failure> {
+    if !json {
+        return Ok(report.to_string());
+    }
+    let text = serde_json::to_string_pretty(report);
+    Ok(text.map_err(|error| Failure::Check(error.to_string()))? + "\n")
+}
+
+fn refused(path: &std::path::Path, error: &ExportError) -> Failure {
+    Failure::Refused(format!("{}: {error} [{}]", path.display(), error.reason()))
+}

@@ -1,0 +1,8 @@
+//! The commands: what is done once the plan is known to make sense.
+
+pub mod gallery;
+pub mod inspect;
+mod load;
+pub mod make;
+pub mod manuals;
+pub mod start;

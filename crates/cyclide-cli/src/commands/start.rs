@@ -1,0 +1,32 @@
+//! `new`: a commented document to start from.
+
+use std::path::Path;
+
+use cyclide_io::{ObjectSpec, WriteOptions};
+
+use crate::arguments::plan::NewPlan;
+use crate::arguments::starters::{text, title};
+use crate::output::failure::Failure;
+use crate::output::files;
+use crate::output::terminal;
+
+/// Prints the document, or writes it to a file that does not exist yet; or lists the types.
+pub fn run(plan: &NewPlan) -> Result<(), Failure> {
+    let Some(kind) = &plan.kind else { return terminal::print(&list()) };
+    let text = text(kind);
+    let Some(path) = &plan.output else { return terminal::print(text) };
+    if path.exists() {
+        return Err(Failure::Usage(format!("{} exists: it will not be written over", path.display())));
+    }
+    let stem = path.file_stem().map_or_else(|| kind.clone().into(), |stem| stem.to_string_lossy());
+    let (name, next) = (path.display(), Path::new(stem.as_ref()).display());
+    let said = format!("{name}: made. Build it with: cyclide build {name} -o {next}.step -o {next}.png\n");
+    files::write(&[(path, text)], WriteOptions::default(), &said)
+}
+
+/// Every type with the first sentence of its document.
+fn list() -> String {
+    let width = ObjectSpec::TYPES.iter().map(|kind| kind.len()).max().unwrap_or(0);
+    let lines = ObjectSpec::TYPES.iter().map(|kind| format!("  {kind:width$}  {}\n", title(text(kind))));
+    format!("Types of object, each with a document to start from ('cyclide new TYPE'):\n{}", lines.collect::<String>())
+}

@@ -1,0 +1,81 @@
+//! Why a run ended without its result, and the exit code that says so.
+
+use std::fmt::Display;
+use std::path::Path;
+use std::process::ExitCode;
+
+use cyclide_io::NotDurable;
+
+use crate::output::standard::is_standard;
+use crate::output::terminal;
+
+/// The kinds of failure, each with its exit code (documented in the help).
+#[derive(Debug)]
+pub enum Failure {
+    /// The input was read and refused: exit code 1.
+    Refused(String),
+    /// The command line makes no sense: exit code 2, as for what the argument parser refuses itself.
+    Usage(String),
+    /// A file could not be read or written: exit code 3.
+    File(String),
+    /// A file that was made did not pass its check and was not written, a fault of the program: exit code 4.
+    Check(String),
+}
+
+impl Failure {
+    /// A file that could not be read.
+    pub fn read(path: &Path, error: &std::io::Error) -> Self {
+        let name = if is_standard(path) { "standard input".to_owned() } else { path.display().to_string() };
+        Self::File(format!("cannot read {name}: {error}"))
+    }
+
+    /// A file that could not be written; the old one is untouched, unless all were written and only their safety on the
+    /// disk is open.
+    pub fn write(path: impl Display, error: &std::io::Error) -> Self {
+        if error.get_ref().is_some_and(|inner| inner.is::<NotDurable>()) {
+            return Self::File(error.to_string());
+        }
+        let path = path.to_string();
+        let why = missing_folder(Path::new(&path)).unwrap_or_else(|| error.to_string());
+        Self::File(format!("cannot write {path}: {why}"))
+    }
+
+    /// Adds the files that were written all the same.
+    pub fn but_wrote(self, files: &[String]) -> Self {
+        match self {
+            Self::File(message) if !files.is_empty() => {
+                Self::File(format!("{message}; before it was written: {}", files.join(", ")))
+            }
+            other => other,
+        }
+    }
+
+    /// Prints the message and gives the exit code.
+    pub fn show(self) -> ExitCode {
+        let (code, message) = match self {
+            Self::Refused(message) => (1, message),
+            Self::Usage(message) => (2, message + "\n\nFor more information, try '--help'."),
+            Self::File(message) => (3, message),
+            Self::Check(message) => (4, message + "\nThis is a fault of cyclide; nothing was written."),
+        };
+        terminal::error(&message);
+        ExitCode::from(code)
+    }
+}
+
+/// The first folder on the way to a file that does not exist.
+fn missing_folder(path: &Path) -> Option<String> {
+    let folders: Vec<&Path> = path.ancestors().skip(1).filter(|folder| !folder.as_os_str().is_empty()).collect();
+    let missing = folders.into_iter().rev().find(|folder| !folder.is_dir())?;
+    let name = missing.display();
+    Some(if missing.exists() { format!("{name} is no folder") } else { format!("there is no folder {name}") })
+}
+
+impl From<cyclide_io::Error> for Failure {
+    fn from(error: cyclide_io::Error) -> Self {
+        match error {
+            unread @ cyclide_io::Error::Read { .. } => Self::File(unread.to_string()),
+            other => Self::Refused(other.to_string()),
+        }
+    }
+}

@@ -1,0 +1,7 @@
+//! What a run leaves: results and messages, files, and the exit code.
+
+pub mod failure;
+pub mod files;
+pub mod progress;
+pub mod standard;
+pub mod terminal;

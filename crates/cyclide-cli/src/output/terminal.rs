@@ -1,0 +1,50 @@
+//! Standard output and standard error: colour only on a terminal, a closed pipe is no error.
+
+use std::io::{self, Write as _};
+
+use crate::output::failure::Failure;
+
+const RED: &str = "\x1b[1;31m";
+const YELLOW: &str = "\x1b[1;33m";
+const PLAIN: &str = "\x1b[0m";
+
+/// Writes a result to standard output. Nobody reading on (`cyclide … | head`) is no failure.
+pub fn print(text: &str) -> Result<(), Failure> {
+    print_bytes(text.as_bytes())
+}
+
+/// The same for the content of a file.
+pub fn print_bytes(bytes: &[u8]) -> Result<(), Failure> {
+    let mut out = io::stdout().lock();
+    match out.write_all(bytes).and_then(|()| out.flush()) {
+        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => Err(Failure::write("standard output", &error)),
+        _ => Ok(()),
+    }
+}
+
+/// Writes a report to standard error, where standard output is taken.
+pub fn print_aside(text: &str) {
+    // There is no one left to tell that standard error is closed.
+    let _ = io::stderr().lock().write_all(text.as_bytes());
+}
+
+/// Says what was chosen.
+pub fn note(message: &str) {
+    show(PLAIN, "note", message);
+}
+
+/// Shows an error.
+pub fn error(message: &str) {
+    show(RED, "error", message);
+}
+
+/// Shows a warning.
+pub fn warning(message: &str) {
+    show(YELLOW, "warning", message);
+}
+
+/// The stream takes the colours out where they are not wanted: no terminal, `NO_COLOR`, `TERM=dumb`.
+fn show(colour: &str, label: &str, message: &str) {
+    // There is no one left to tell that standard error is closed.
+    let _ = writeln!(anstream::stderr().lock(), "{colour}{label}:{PLAIN} {message}");
+}

@@ -1,0 +1,9 @@
+//! What a file of ours holds when it is read back, held against the model: distances, structure, units and names.
+
+pub(crate) mod bodies;
+pub(crate) mod deviation;
+pub(crate) mod file_content;
+pub(crate) mod file_sample;
+pub(crate) mod labels;
+pub(crate) mod made;
+pub(crate) mod polyline;

@@ -1,0 +1,338 @@
+//! Curves: from fields and lists of points to the kernel's constructions.
+
+use cyclide::{Arc, Biarc, BlendSegment, Circle, CurveObject, Quat, Vec3, Warning, bounds};
+
+use super::Builder;
+use super::idle::{Idle, NO_EFFECT, idle_fields};
+use crate::document::angle::Angle;
+use crate::document::construct::{
+    Contour, ContourFacts, Made, arc_fit, arc_spline, circle_spline, fair_fit, fair_spline, polyline,
+};
+use crate::document::coordinates::{Coordinates, Lists, PointFile, PointSource};
+use crate::document::locate::{Step, path_text};
+use crate::document::spec::{ArcSpec, CircleSpec, ObjectSpec};
+use crate::error::{Error, Result};
+use crate::formats::InputKind;
+use crate::input::points::{PointColumns, PointList, merge_repeated, read_points};
+use crate::text::lines::LineStarts;
+use crate::text::place::decode;
+
+/// The points of an object and the text they stand in.
+pub(super) struct Points {
+    pub(super) lists: Vec<PointList>,
+    /// The original index of each point, per contour.
+    pub(super) kept: Vec<Vec<usize>>,
+    pub(super) origin: Origin,
+}
+
+pub(super) enum Origin {
+    /// In the document, as a list or (nested) a list of lists.
+    Document { nested: bool },
+    /// In a file of its own: its name, its text, and where the lines of it start.
+    File { name: String, text: String, lines: LineStarts },
+}
+
+impl ObjectSpec {
+    /// Where the points of the object come from, if it is made from points.
+    pub(super) fn points(&self) -> Option<&PointSource> {
+        match self {
+            Self::Polyline(s) => Some(&s.points),
+            Self::ArcSpline(s) => Some(&s.points),
+            Self::ArcFit(s) => Some(&s.points),
+            Self::FairSpline(s) => Some(&s.points),
+            Self::FairFit(s) => Some(&s.points),
+            Self::CircleSpline(s) => Some(&s.points),
+            Self::SmoothPolyhedron(s) => s.points.as_ref(),
+            _ => None,
+        }
+    }
+
+    /// The angle above which turns of the points are corners, if one is given.
+    pub(super) fn corner_angle(&self) -> Option<Angle> {
+        match self {
+            Self::ArcFit(s) => s.corner_angle,
+            Self::FairSpline(s) => s.corner_angle,
+            Self::FairFit(s) => s.corner_angle,
+            Self::CircleSpline(s) => s.corner_angle,
+            _ => None,
+        }
+    }
+}
+
+/// What an arc of a document must leave of a full turn at least, radians: a bulge of a million. The kernel makes arcs up to
+/// ten times that, whose places are rounded by a hundredth of their chord.
+const FULL_CIRCLE_LIMIT: f64 = 3.9e-6;
+
+/// Weights of an arc whose lengths differ by more than this factor are evened: files and their checks go by the parameter,
+/// whose numbers cannot tell the points near the end of such an arc apart.
+const EVEN_RATIO: f64 = 1e3;
+
+/// Roundings (of the largest coordinate) that a bent curve is across at least, as surfaces are: each point is off by one,
+/// a ten thousandth of what files promise of such a curve by default.
+const SMALLEST_IN_PLACE: f64 = 65536.0 * f64::EPSILON;
+
+/// Refuses bent curves so small and so far from the origin that their bends are rounding. Polylines, which are their
+/// vertices, and circles, which are centre and radius, say what they are at any place.
+///
+/// # Errors
+/// `below-rounding-of-place`.
+fn check_in_place(curve: &CurveObject) -> cyclide::Result<()> {
+    let straight = |arcs: &[Arc]| arcs.iter().all(Arc::is_straight);
+    let runs_straight = |segment: &BlendSegment| {
+        let along =
+            |tangent: Vec3| (segment.end() - segment.start()).unit().is_some_and(|u| (tangent - u).length() <= 1e-9);
+        along(segment.start_tangent()) && along(segment.end_tangent())
+    };
+    match curve {
+        CurveObject::Circle(_) => return Ok(()),
+        CurveObject::Arc(arc) if arc.is_straight() => return Ok(()),
+        CurveObject::ArcPath(path) if straight(path.arcs()) => return Ok(()),
+        CurveObject::CircleSpline(spline) if spline.segments().iter().all(runs_straight) => return Ok(()),
+        _ => {}
+    }
+    let curve = curve.as_curve();
+    let first = curve.piece_point(0, 0.0);
+    let place = first.to_vec().max_abs();
+    let limit = SMALLEST_IN_PLACE * place;
+    // Most curves are known by their first piece, so that this costs nothing.
+    let far = |piece: usize| [0.5, 1.0].into_iter().any(|s| curve.piece_point(piece, s).distance(first) > 2.0 * limit);
+    if place == 0.0 || (0..curve.piece_count()).any(far) {
+        return Ok(());
+    }
+    let size = bounds(curve).diagonal();
+    if size > limit {
+        return Ok(());
+    }
+    Err(cyclide::Error::BelowRoundingOfPlace { what: "the curve", size, place, limit })
+}
+
+impl Builder<'_> {
+    /// The curves of an object that has some.
+    pub(super) fn curves(&mut self) -> Result<Vec<(CurveObject, ContourFacts)>> {
+        let made = self.made_curves()?;
+        for (curve, _) in &made {
+            check_in_place(curve).map_err(|e| self.refused(&e, None))?;
+        }
+        Ok(made)
+    }
+
+    fn made_curves(&mut self) -> Result<Vec<(CurveObject, ContourFacts)>> {
+        let single = |curve: CurveObject| Ok(vec![(curve, ContourFacts::default())]);
+        match self.spec {
+            ObjectSpec::Arc(s) => single(CurveObject::Arc(self.arc(s)?)),
+            ObjectSpec::Circle(s) => single(CurveObject::Circle(self.circle(s)?)),
+            ObjectSpec::Biarc(s) => {
+                let (t0, t1) = (s.from_tangent.vector(), s.to_tangent.vector());
+                let biarc = Biarc::new(s.from.point(), t0, s.to.point(), t1, s.rule.into());
+                single(CurveObject::ArcPath(biarc.map_err(|e| self.refused(&e, None))?.to_path()))
+            }
+            ObjectSpec::Polyline(s) => self.each_contour(&s.points, s.closed, |at| polyline(s, at)),
+            ObjectSpec::ArcSpline(s) => self.each_contour(&s.points, s.closed, |at| arc_spline(s, at)),
+            ObjectSpec::ArcFit(s) => self.each_contour(&s.points, s.closed, |at| arc_fit(s, at)),
+            ObjectSpec::FairSpline(s) => self.each_contour(&s.points, s.closed, |at| fair_spline(s, at)),
+            ObjectSpec::FairFit(s) => self.each_contour(&s.points, s.closed, |at| fair_fit(s, at)),
+            ObjectSpec::CircleSpline(s) => self.each_contour(&s.points, s.closed, |at| circle_spline(s, at)),
+            ObjectSpec::Transform(s) => Ok(without_facts(self.mapped_curves(s)?)),
+            ObjectSpec::SupportStructure(_) => Ok(without_facts(self.support_structure()?)),
+            _ => Ok(Vec::new()),
+        }
+    }
+
+    fn arc(&self, spec: &ArcSpec) -> Result<Arc> {
+        let data = [spec.tangent.is_some(), spec.end_tangent.is_some(), spec.weights.is_some(), spec.bulge.is_some()];
+        let given = data.into_iter().filter(|d| *d).count();
+        if spec.normal.is_some() && spec.bulge.is_none() {
+            return Err(self.unfit("`normal` goes with `bulge` only"));
+        }
+        let arc = match (spec.through, spec.from, spec.to) {
+            (Some([a, b, c]), None, None) if given == 0 => Arc::from_three_points(a.point(), b.point(), c.point()),
+            (None, Some(a), Some(b)) if given == 1 => {
+                let (a, b) = (a.point(), b.point());
+                if let Some(t) = spec.tangent {
+                    Arc::from_start_tangent(a, b, t.vector())
+                } else if let Some(t) = spec.end_tangent {
+                    Arc::from_end_tangent(a, b, t.vector())
+                } else if let Some([[w0, x0, y0, z0], [w1, x1, y1, z1]]) = spec.weights {
+                    let (start, end) = (Quat::new(w0, x0, y0, z0), Quat::new(w1, x1, y1, z1));
+                    Arc::from_weights(a, b, start, end)
+                } else {
+                    let normal = spec.normal.map_or(Vec3::Z, Coordinates::vector);
+                    Arc::from_bulge(a, b, normal, spec.bulge.unwrap_or_default())
+                }
+            }
+            _ => {
+                return Err(self.unfit(
+                    "an arc is given by `through` (three points), or by `from` and `to` with exactly one of `tangent`, `end_tangent`, `weights`, `bulge`",
+                ));
+            }
+        };
+        // Nearer to a full circle no file can be promised to a ten thousandth of the chord.
+        let kept = |arc: Arc| {
+            let rest = std::f64::consts::TAU - arc.angle();
+            let limit = FULL_CIRCLE_LIMIT;
+            if rest < limit { Err(cyclide::Error::NearlyFullCircle { rest, limit }) } else { Ok(arc) }
+        };
+        let even = |arc: Arc| {
+            let ratio = arc.weight_ratio().norm();
+            if (EVEN_RATIO.recip()..=EVEN_RATIO).contains(&ratio) { arc } else { arc.evened() }
+        };
+        let arc = arc.map(even).and_then(kept).map_err(|error| match error {
+            cyclide::Error::NearlyFullCircle { rest, .. } => {
+                cyclide::Error::NearlyFullCircle { rest, limit: FULL_CIRCLE_LIMIT }
+            }
+            other => other,
+        });
+        arc.map_err(|e| self.refused(&e, None))
+    }
+
+    fn circle(&self, spec: &CircleSpec) -> Result<Circle> {
+        let circle = match (spec.through, spec.center, spec.radius) {
+            (Some(points), None, None) if spec.normal.is_none() => {
+                Circle::through_points(points.map(Coordinates::point))
+            }
+            (None, Some(center), Some(radius)) => {
+                let normal = spec.normal.map_or(Vec3::Z, Coordinates::vector);
+                Circle::from_radius(center.point(), normal, radius)
+            }
+            _ => {
+                return Err(self.unfit(
+                    "a circle is given by `center` and `radius` (and `normal`), or by `through` (three points) alone",
+                ));
+            }
+        };
+        circle.map_err(|e| self.refused(&e, None))
+    }
+
+    /// Reads the points, merges repeated ones and runs a construction on every contour.
+    fn each_contour(
+        &mut self,
+        source: &PointSource,
+        closed: bool,
+        construct: impl Fn(&Contour<'_>) -> Made,
+    ) -> Result<Vec<(CurveObject, ContourFacts)>> {
+        let mut points = match source {
+            PointSource::Inline(lists) => inline_points(lists),
+            PointSource::File(file) => self.file_points(file)?,
+        };
+        let mut made = Vec::new();
+        let mut idle: Option<Vec<Idle>> = None;
+        for contour in 0..points.lists.len() {
+            let list = &mut points.lists[contour];
+            if !closed && list.ends_meet() {
+                let message =
+                    "the last point repeats the first, but the curve is not closed: set `closed` if it is meant to be";
+                let last = list.points.len() - 1;
+                let place = self.place(&points, contour, last);
+                self.remark("ends-meet", Some(contour), Some(last), Some(place), message.to_owned());
+            }
+            // Places are looked up in the list as given, so before the merge drops entries.
+            let given_offsets = points.lists[contour].offsets.clone();
+            let merged = merge_repeated(&mut points.lists[contour], closed);
+            points.lists[contour].offsets = given_offsets;
+            points.kept[contour] = merged.kept;
+            for warning in merged.warnings {
+                let index = warning.index();
+                let place = index.map(|i| self.place(&points, contour, i));
+                self.remark(warning.reason(), Some(contour), index, place, warning.to_string());
+                self.warnings.push((contour, warning));
+            }
+            let at = Contour { index: contour, list: &points.lists[contour], kept: &points.kept[contour] };
+            let made_of_points = construct(&at).map_err(|e| self.refused(&e, Some((&points, contour))))?;
+            let (curve, mut facts, mut warnings) = made_of_points;
+            // A field that one contour needs has an effect.
+            let here = idle_fields(self.spec, &at, &curve);
+            idle =
+                Some(idle.map_or(here.clone(), |all| all.into_iter().filter(|field| here.contains(field)).collect()));
+            warnings.extend(facts.compare(&curve));
+            // Said once, with the place of the field.
+            warnings.retain(|warning| *warning != Warning::EndsWithoutEffect);
+            for warning in warnings {
+                let index = warning.index().and_then(|i| points.kept[contour].get(i).copied());
+                let place = index.map(|i| self.place(&points, contour, i));
+                self.remark(warning.reason(), Some(contour), index, place, warning.to_string());
+                self.warnings.push((contour, warning));
+            }
+            if facts.fit.is_some() {
+                self.data.extend_from_slice(&points.lists[contour].points);
+            }
+            made.push((curve, facts));
+        }
+        for (field, why) in idle.unwrap_or_default() {
+            let place = (!self.document.text.is_empty()).then(|| path_text(&self.path([Step::from(field)])));
+            self.remark(NO_EFFECT, None, None, place, format!("`{field}` has no effect: {why}"));
+        }
+        Ok(made)
+    }
+
+    pub(super) fn file_points(&mut self, file: &PointFile) -> Result<Points> {
+        let (name, bytes) = self.file(&file.csv, ["points", "csv"])?;
+        if file.columns.is_none()
+            && let Some(found) = InputKind::of_bytes(&bytes).filter(|found| *found != InputKind::Points)
+        {
+            let place = match found {
+                InputKind::Mesh => ": the field `grid` of a `cyclidic-net` reads it",
+                InputKind::PointGrid => {
+                    ": a `cyclidic-net` reads it as a mesh (OBJ); choose `columns` if it is a curve"
+                }
+                InputKind::PointsJson => ": write it into the document, as `points`",
+                _ => "",
+            };
+            let message = format!("{name} is {}, not a list of points{place}", found.name());
+            return Err(Error::Input(self.diagnostic(["points".into(), "csv".into()], &message)));
+        }
+        let columns = PointColumns { coordinates: file.columns.clone(), contour: file.contour.clone() };
+        let table = read_points(&name, &bytes, &columns)?;
+        let units = self.document.units;
+        let mut other = table.unit_hints.iter().filter(|(_, hint)| *hint != units);
+        let names: Vec<&str> = other.clone().map(|(name, _)| name.as_str()).collect();
+        if let Some((_, hint)) = other.next() {
+            let message = format!(
+                "the columns {} speak of {}, the model says {}; coordinates are taken as they are",
+                names.join(", "),
+                hint.symbol(),
+                units.symbol()
+            );
+            self.remark("units-differ", None, None, Some(name.clone()), message);
+        }
+        for remark in table.remarks {
+            self.remark(remark.reason, None, None, Some(name.clone()), remark.message);
+        }
+        let text = decode(&name, &bytes)?.to_owned();
+        let lines = LineStarts::new(&text);
+        let kept = vec![Vec::new(); table.contours.len()];
+        Ok(Points { lists: table.contours, kept, origin: Origin::File { name, text, lines } })
+    }
+
+    /// Where a point stands, by its index in the list as given.
+    fn place(&self, points: &Points, contour: usize, index: usize) -> String {
+        match &points.origin {
+            Origin::Document { nested } => path_text(&self.path(point_steps(*nested, contour, Some(index)))),
+            Origin::File { name, lines, .. } => {
+                let offset = points.lists[contour].offsets.get(index).copied().unwrap_or_default();
+                format!("{name}:{}", lines.line_of(offset))
+            }
+        }
+    }
+}
+
+/// The path of a point below its object.
+pub(super) fn point_steps(nested: bool, contour: usize, index: Option<usize>) -> Vec<Step> {
+    let contour = nested.then_some(Step::Index(contour));
+    [Step::from("points")].into_iter().chain(contour).chain(index.map(Step::Index)).collect()
+}
+
+pub(super) fn inline_points(source: &Lists) -> Points {
+    let list = |points: &Vec<Coordinates>| PointList {
+        points: points.iter().map(|p| p.point()).collect(),
+        ..PointList::default()
+    };
+    // An empty list is one contour without points, for the kernel to refuse.
+    let lists =
+        if source.lists.is_empty() { vec![PointList::default()] } else { source.lists.iter().map(list).collect() };
+    Points { kept: vec![Vec::new(); lists.len()], lists, origin: Origin::Document { nested: source.nested } }
+}
+
+/// Curves that were not made from points.
+fn without_facts(curves: Vec<CurveObject>) -> Vec<(CurveObject, ContourFacts)> {
+    curves.into_iter().map(|curve| (curve, ContourFacts::default())).collect()
+}

@@ -1,0 +1,261 @@
+//! From objects of a document to the kernel's curves and surfaces; what the kernel refuses is shown at its place.
+
+mod curves;
+mod derived;
+mod idle;
+mod net_hints;
+mod nets;
+mod polyhedra;
+mod references;
+mod refuse;
+mod smooth;
+mod surfaces;
+mod swept;
+
+use std::io;
+use std::path::{Path, PathBuf};
+
+use cyclide::{Body, CircularMeshReport, Item, Point3, Seam, SurfaceObject, Warning};
+
+use super::Document;
+use super::construct::ContourFacts;
+use super::coordinates::PointSource;
+use super::locate::{Step, path_text, span_of};
+use super::spec::{CyclidicNetSpec, GridSource, ObjectSpec, PolyhedronFile, TriangleMeshFile};
+use crate::error::{Error, Result};
+use crate::text::place::Diagnostic;
+pub use idle::NO_EFFECT;
+use nets::MeshNames;
+pub use polyhedra::RoundedPolyhedron;
+use references::{References, State};
+pub use smooth::SmoothChoice;
+
+/// An object made by its construction, with what is known about it besides its geometry.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct BuiltObject {
+    /// The object for the model.
+    pub item: Item,
+    /// The surfaces as patches that share edges, in their order.
+    pub bodies: Vec<Body>,
+    /// What it took to make a net circular.
+    pub circular: Option<CircularMeshReport>,
+    /// Where opposite borders of the grid of a net nearly coincide, as given.
+    pub seams: Vec<Seam>,
+    /// The polyhedron whose edges and corners were rounded.
+    pub polyhedron: Option<Box<RoundedPolyhedron>>,
+    /// What was chosen for a smooth mesh.
+    pub smooth: Option<SmoothChoice>,
+    /// Construction geometry: not for files.
+    pub construction: bool,
+    /// One entry per contour.
+    pub contours: Vec<ContourFacts>,
+    /// What the user should know.
+    pub remarks: Vec<Remark>,
+}
+
+/// A warning with its place in the input.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Remark {
+    /// Stable kebab-case name.
+    pub reason: &'static str,
+    /// Which contour, from 0, where it is about one.
+    pub contour: Option<usize>,
+    /// Which point (or the segment that starts there), from 0, as the input counts them.
+    pub index: Option<usize>,
+    /// `file:line` or the path in the document, where known.
+    pub place: Option<String>,
+    /// The sentence.
+    pub message: String,
+}
+
+/// Builds the objects of a document, each once, however many others are made from it. What no other object needs is handed
+/// out and not kept.
+pub struct ModelBuilder<'a> {
+    document: &'a Document,
+    folder: &'a Path,
+    read: Read<'a>,
+    references: References,
+    made: Vec<Option<BuiltObject>>,
+    /// Which of these have been made.
+    walked: Vec<State>,
+}
+
+impl std::fmt::Debug for ModelBuilder<'_> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("ModelBuilder").field("folder", &self.folder).field("made", &self.made).finish_non_exhaustive()
+    }
+}
+
+/// Reads a file.
+type Read<'a> = &'a dyn Fn(&Path) -> io::Result<Vec<u8>>;
+
+impl<'a> ModelBuilder<'a> {
+    /// Builder of a document's objects. Files are looked up relative to `folder` and read by `read`; the name `-`, for
+    /// standard input, is handed on as it is.
+    ///
+    /// # Errors
+    /// [`Error::Input`] at a name that no object has, or that leads back to the object itself.
+    pub fn new(document: &'a Document, folder: &'a Path, read: Read<'a>) -> Result<Self> {
+        let references = References::new(document)?;
+        let (made, walked) = (vec![None; document.objects.len()], references.nothing_made());
+        Ok(Self { document, folder, read, references, made, walked })
+    }
+
+    /// Runs the construction of the object with this index, and before it those of the objects it is made from.
+    /// `progress` hears what long constructions are doing.
+    ///
+    /// # Errors
+    /// [`Error::Read`]; [`Error::Input`] at the point or field at fault; [`Error::Geometry`] if the document was not
+    /// made from a text.
+    ///
+    /// # Panics
+    /// If there is no object with this index.
+    pub fn build(&mut self, index: usize, progress: &mut dyn FnMut(String)) -> Result<BuiltObject> {
+        for needed in self.references.needed_for(index, &mut self.walked) {
+            if self.made[needed].is_none() {
+                let (name, spec) = &self.document.objects[needed];
+                if needed != index {
+                    progress(format!("first {name}: {}", spec.type_word()));
+                }
+                let Self { document, folder, read, .. } = *self;
+                let sources = self.references.of(needed).iter().filter_map(|&k| self.made[k].as_ref()).collect();
+                let (remarks, warnings) = (Vec::new(), Vec::new());
+                let builder = Builder {
+                    document,
+                    name,
+                    spec,
+                    sources,
+                    folder,
+                    read,
+                    progress,
+                    mesh: None,
+                    circular: None,
+                    seams: Vec::new(),
+                    polyhedron: None,
+                    smooth: None,
+                    remarks,
+                    warnings,
+                    data: Vec::new(),
+                };
+                self.made[needed] = Some(builder.build()?);
+            }
+        }
+        // Of large objects a copy would be a good part of all memory.
+        let made = &mut self.made[index];
+        Ok(if self.references.is_source(index) { made.clone() } else { made.take() }.unwrap_or_default())
+    }
+}
+
+impl Document {
+    /// The files the document refers to, as it writes them.
+    pub fn input_files(&self) -> impl Iterator<Item = &str> {
+        self.objects.iter().filter_map(|(_, spec)| match (spec, spec.points()) {
+            (_, Some(PointSource::File(file))) => Some(file.csv.as_str()),
+            (ObjectSpec::CyclidicNet(CyclidicNetSpec { grid: GridSource::File(file), .. }), _) => {
+                Some(file.obj.as_str())
+            }
+            (ObjectSpec::SmoothPolyhedron(spec), _) => spec.mesh.as_ref().map(PolyhedronFile::path),
+            (ObjectSpec::SmoothMesh(spec), _) => spec.mesh.as_ref().map(TriangleMeshFile::path),
+            _ => None,
+        })
+    }
+}
+
+/// One construction.
+struct Builder<'a> {
+    document: &'a Document,
+    name: &'a str,
+    spec: &'a ObjectSpec,
+    /// The objects it is made from, in the order of [`ObjectSpec::references`].
+    sources: Vec<&'a BuiltObject>,
+    folder: &'a Path,
+    read: Read<'a>,
+    progress: &'a mut dyn FnMut(String),
+    /// The file that the grid of a net was read from.
+    mesh: Option<MeshNames>,
+    /// What it took to make the net of the object circular.
+    circular: Option<CircularMeshReport>,
+    /// The seams of its grid as given.
+    seams: Vec<Seam>,
+    /// The polyhedron whose offset the object is.
+    polyhedron: Option<Box<RoundedPolyhedron>>,
+    /// What was chosen for the smooth mesh that it is.
+    smooth: Option<SmoothChoice>,
+    remarks: Vec<Remark>,
+    warnings: Vec<(usize, Warning)>,
+    /// The points of a fit.
+    data: Vec<Point3>,
+}
+
+impl Builder<'_> {
+    fn build(mut self) -> Result<BuiltObject> {
+        let (curves, facts) = self.curves()?.into_iter().unzip();
+        let surfaces = self.surfaces()?;
+        let bodies = surfaces.iter().map(SurfaceObject::to_bodies).collect::<cyclide::Result<Vec<_>>>();
+        let bodies: Vec<Body> = bodies.map_err(|e| self.refused(&e, None))?.into_iter().flatten().collect();
+        match self.spec {
+            ObjectSpec::CyclidicNet(net) => {
+                self.warn_of_folds(net, &surfaces, &bodies);
+                self.warn_of_seams(&surfaces);
+            }
+            ObjectSpec::Offset(offset) => self.warn_beyond_focal_set(offset, &bodies),
+            ObjectSpec::Transform(transform) => self.warn_of_many_turns(transform),
+            _ => {}
+        }
+        let tolerance = match self.spec {
+            ObjectSpec::ArcFit(s) => Some(s.tolerance),
+            ObjectSpec::FairFit(s) => Some(s.tolerance),
+            _ => None,
+        };
+        let (name, kind) = (self.name.to_owned(), self.spec.type_word().to_owned());
+        let (warnings, data) = (self.warnings, self.data);
+        let item = Item { name, kind, contours: curves, surfaces, warnings, tolerance, data };
+        let construction = self.spec.is_construction();
+        let Self { circular, seams, polyhedron, smooth, remarks, .. } = self;
+        Ok(BuiltObject { item, bodies, circular, seams, polyhedron, smooth, construction, contours: facts, remarks })
+    }
+
+    fn remark(
+        &mut self,
+        reason: &'static str,
+        contour: Option<usize>,
+        index: Option<usize>,
+        place: Option<String>,
+        message: String,
+    ) {
+        self.remarks.push(Remark { reason, contour, index, place, message });
+    }
+
+    /// Path of this object, or of a value in it.
+    fn path(&self, steps: impl IntoIterator<Item = Step>) -> Vec<Step> {
+        [Step::from("objects"), Step::from(self.name)].into_iter().chain(steps).collect()
+    }
+
+    /// The bytes of a file that a field names.
+    fn file<const N: usize>(&self, file: &str, steps: [&str; N]) -> Result<(String, Vec<u8>)> {
+        let standard = file == "-";
+        let path = if standard { PathBuf::from(file) } else { self.folder.join(file) };
+        let name = if standard { "standard input".to_owned() } else { path.display().to_string() };
+        let unread = |source: io::Error| {
+            let message = format!("cannot read {name}: {source}");
+            let place = (!self.document.text.is_empty()).then(|| self.diagnostic(steps.map(Step::from), &message));
+            Error::Read { path: path.clone(), source, place }
+        };
+        let bytes = (self.read)(&path).map_err(unread)?;
+        Ok((name, bytes))
+    }
+
+    /// A message about the value at a path below the object.
+    fn diagnostic(&self, steps: impl IntoIterator<Item = Step>, message: &str) -> Box<Diagnostic> {
+        let path = self.path(steps);
+        let span = span_of(&self.document.text, &path).unwrap_or(0..1);
+        self.document.source().diagnostic(span, &path_text(&path), message)
+    }
+
+    /// The message that the object's fields do not fit together.
+    fn unfit(&self, message: &str) -> Error {
+        let path = self.path([]);
+        let span = span_of(&self.document.text, &path).map_or(0..0, |s| s.start..s.start + 1);
+        Error::Input(self.document.source().diagnostic(span, &path_text(&path), message))
+    }
+}

@@ -1,0 +1,266 @@
+//! Nets and whole cyclides: from grids and parameters to the kernel's surfaces.
+
+use cyclide::{
+    Body, Border, CircularMeshOptions, CircularMeshReport, CurveObject, CyclidicNet, DupinCyclide,
+    Error as KernelError, Frame, NetFrame, ParamCurve, QuadGrid, SurfaceObject, Vec3, Warning, make_circular,
+};
+
+use super::Builder;
+use super::net_hints::{hint, seam_words};
+use super::refuse::frame_words;
+use super::surfaces::direction;
+use crate::document::coordinates::Coordinates;
+use crate::document::locate::Step;
+use crate::document::spec::{
+    BorderSpec, BorderWord, CyclideSpec, CyclidicNetSpec, FrameSpec, GridSource, MakeCircularOptions, MeshFile,
+    ObjectSpec,
+};
+use crate::error::{CROSSING_QUAD, Error, Result, rejected_quads};
+use crate::formats::{InputKind, read_quad_grid};
+use crate::measure::joints::SurfaceJointReport;
+use crate::measure::seams::measured_seams;
+
+/// Patches of a whole cyclide round the hole and round the tube.
+const SEGMENTS: [u32; 2] = [4, 4];
+
+/// What crossing sides often come from.
+const ROW_BY_ROW: &str = "points are given row by row, all rows in the same direction";
+
+/// What a file calls the points of a grid.
+pub(super) struct MeshNames {
+    /// The file.
+    name: String,
+    /// The number of each point of the grid.
+    numbers: Vec<usize>,
+}
+
+impl<'a> Builder<'a> {
+    /// A whole cyclide as one closed net, or as several that touch in the nodes.
+    pub(super) fn cyclide(&self, spec: &CyclideSpec) -> Result<Vec<SurfaceObject>> {
+        let made = || {
+            let center = spec.center.unwrap_or_default().point();
+            let axis = spec.axis.map_or(Vec3::Z, Coordinates::vector);
+            let x = spec.x_direction.map(Coordinates::vector);
+            // Where the axis itself is that of x, the ring's long axis is that of y.
+            let frame = Frame::from_normal(center, axis, x.unwrap_or(Vec3::X))
+                .or_else(|e| if x.is_none() { Frame::from_normal(center, axis, Vec3::Y) } else { Err(e) })?;
+            let segments = spec.segments.unwrap_or(SEGMENTS).map(|n| n as usize);
+            DupinCyclide::new(spec.a, spec.c, spec.mu)?.placed(frame).nets(segments)
+        };
+        let nets = made().map_err(|e| self.refused(&e, None))?;
+        Ok(nets.into_iter().map(SurfaceObject::Net).collect())
+    }
+
+    /// The net over a grid.
+    pub(super) fn net(&mut self, spec: &CyclidicNetSpec) -> Result<Vec<SurfaceObject>> {
+        let given = self.grid(spec)?;
+        self.seams = given.seams();
+        let grid = match spec.make_circular.options() {
+            Some(options) => self.circular(spec, &options, &given)?,
+            None => given.clone(),
+        };
+        let frame = match spec.frame {
+            FrameSpec::Auto => NetFrame::Auto,
+            FrameSpec::First(given) => {
+                let [v1, v2] = given.map(direction);
+                NetFrame::First(v1, v2)
+            }
+        };
+        let net = CyclidicNet::new(grid, frame).map_err(|e| self.refused_in_grid(&given, &e))?;
+        Ok(vec![SurfaceObject::Net(net)])
+    }
+
+    fn grid(&mut self, spec: &CyclidicNetSpec) -> Result<QuadGrid> {
+        let rows = match &spec.grid {
+            GridSource::Rows(rows) => rows,
+            GridSource::File(file) => {
+                if spec.closed.is_some() {
+                    return Err(
+                        self.unfit("`closed` goes with a grid inline: a mesh in a file says itself what is closed")
+                    );
+                }
+                return self.mesh_file(file);
+            }
+        };
+        let columns = rows.first().map_or(0, Vec::len);
+        if let Some(row) = rows.iter().position(|row| row.len() != columns) {
+            let message = format!("row {row} has {} points, the first has {columns}", rows[row].len());
+            return Err(Error::Input(self.diagnostic(["grid".into(), row.into()], &message)));
+        }
+        let points = rows.iter().flatten().map(|p| p.point()).collect();
+        let size = [columns, rows.len()];
+        QuadGrid::new(points, size, spec.closed.unwrap_or_default())
+            .map_err(|e| self.refused_at([Step::from("grid")], &e))
+    }
+
+    /// The grid of a mesh in a file of its own.
+    fn mesh_file(&mut self, file: &MeshFile) -> Result<QuadGrid> {
+        let (name, bytes) = self.file(&file.obj, ["grid", "obj"])?;
+        let mesh = read_quad_grid(&name, &bytes).map_err(|message| match InputKind::of_bytes(&bytes) {
+            None | Some(InputKind::Mesh) => Error::Input(message),
+            Some(found) => {
+                let text = format!("{name} is {}, not a mesh (OBJ)", found.name());
+                Error::Input(self.diagnostic(["grid".into(), "obj".into()], &text))
+            }
+        })?;
+        if let Some(first) = mesh.unused.first() {
+            let message =
+                format!("{} point(s) that no face uses are left out, the first is number {first}", mesh.unused.len());
+            self.remark("points-unused", None, None, Some(name.clone()), message);
+        }
+        self.mesh = Some(MeshNames { name, numbers: mesh.numbers });
+        Ok(mesh.grid)
+    }
+
+    /// Moves the vertices so that every quad has a circle.
+    fn circular(&mut self, spec: &CyclidicNetSpec, given: &MakeCircularOptions, grid: &QuadGrid) -> Result<QuadGrid> {
+        let curves = self.border_curves(spec)?;
+        let border = match &given.border {
+            BorderSpec::Word(BorderWord::Free) => Border::Free,
+            BorderSpec::Word(BorderWord::Pinned) => Border::Pinned,
+            BorderSpec::Curves(_) => Border::OnCurves(curves),
+        };
+        let usual = CircularMeshOptions::default();
+        let max_steps = given.max_steps.map_or(usual.max_steps, |n| n as usize);
+        let progress = &mut *self.progress;
+        let options = CircularMeshOptions { border, max_steps, allow_shape_change: given.allow_shape_change };
+        let mesh = make_circular(grid, &options, &mut |step| {
+            progress(format!("circular quads: step {}, residual {}", step.step, cyclide::ShortNumber(step.residual)));
+        });
+        let mesh = mesh.map_err(|e| self.refused_in_grid(grid, &e))?;
+        for warning in mesh.warnings {
+            let (index, message) = (warning.index(), warning.to_string());
+            self.remark(warning.reason(), None, index, None, message);
+            self.warnings.push((0, warning));
+        }
+        if let [first, ..] = mesh.report.rejected_quads[..] {
+            return Err(self.rejected_quads(grid, first, &mesh.report));
+        }
+        self.circular = Some(mesh.report);
+        Ok(mesh.grid)
+    }
+
+    /// Warns of a net that its frame folded.
+    pub(super) fn warn_of_folds(&mut self, spec: &CyclidicNetSpec, surfaces: &[SurfaceObject], bodies: &[Body]) {
+        let nets = surfaces.iter().filter_map(SurfaceObject::as_net);
+        let singular: Vec<[usize; 2]> = nets.flat_map(|net| net.singular_patches()).map(|patch| patch.quad).collect();
+        let joints = SurfaceJointReport::new(bodies.iter().flat_map(Body::shells));
+        if singular.is_empty() && joints.creases == 0 {
+            return;
+        }
+        let columns = match surfaces {
+            [SurfaceObject::Net(net), ..] => net.size()[0],
+            _ => 0,
+        };
+        let first = singular.first().map(|[i, j]| j * columns + i);
+        let warning =
+            Warning::FoldedNet { singular: singular.len(), first, creases: joints.creases, angle: joints.crease_angle };
+        let hint = match spec.frame {
+            FrameSpec::Auto => "smooth the grid, or give a frame",
+            FrameSpec::First(_) => "use the frame \"auto\" or another one",
+        };
+        self.remark(warning.reason(), None, first, None, format!("{warning}; {hint}"));
+        self.warnings.push((0, warning));
+    }
+
+    /// Warns of borders of the grid, as given or as made, that nearly coincide: the net is open there.
+    pub(super) fn warn_of_seams(&mut self, surfaces: &[SurfaceObject]) {
+        for net in surfaces.iter().filter_map(SurfaceObject::as_net) {
+            for (seam, measure) in measured_seams(net, &self.seams) {
+                let border = ["column", "row"][seam.direction];
+                let Some(words) = seam_words(seam, measure, net.grid(), self.document.units) else { continue };
+                let warning = Warning::OpenSeam { border, gap: measure.gap, angle: measure.angle };
+                self.remark(warning.reason(), None, None, None, words);
+                self.warnings.push((0, warning));
+            }
+        }
+    }
+
+    /// The curves of the sides, in the kernel's order.
+    fn border_curves(&self, spec: &CyclidicNetSpec) -> Result<[Option<&'a dyn ParamCurve>; 4]> {
+        let mut curves = [None; 4];
+        let Some(given) = spec.make_circular.border_curves() else { return Ok(curves) };
+        let named = given.sides().into_iter().enumerate().filter(|(_, (_, name))| name.is_some());
+        for ((side, (field, _)), source) in named.zip(&self.sources) {
+            let [curve] = source.item.contours.as_slice() else {
+                let message = format!("`{}` is not one connected curve", source.item.name);
+                let steps = ["make_circular".into(), "border".into(), field.into()];
+                return Err(Error::Input(self.diagnostic(steps, &message)));
+            };
+            curves[side] = Some(CurveObject::as_curve(curve));
+        }
+        Ok(curves)
+    }
+
+    /// The message for what the kernel said about a quad, a vertex or the frame of a net.
+    fn refused_in_grid(&self, grid: &QuadGrid, error: &KernelError) -> Error {
+        match (error, self.spec) {
+            (KernelError::FrameNotOrthonormal { .. }, ObjectSpec::CyclidicNet(net)) => {
+                let words = match net.frame {
+                    FrameSpec::First(frame) => frame_words(frame),
+                    FrameSpec::Auto => error.to_string(),
+                };
+                return self.refused_in_words([Step::from("frame")], error.reason(), words);
+            }
+            (KernelError::NotFinite { what: "frame vector", .. }, _) => {
+                return self.refused_at([Step::from("frame")], error);
+            }
+            _ => {}
+        }
+        if let KernelError::NotConverged { .. } = error {
+            let hint = "a border that may move leaves more room: `free`, or sides on curves";
+            let bound = matches!(self.spec, ObjectSpec::CyclidicNet(net) if !net.make_circular.border_is_free());
+            let words = if bound { format!("{error}; {hint}") } else { error.to_string() };
+            return self.refused_in_words([Step::from("make_circular")], error.reason(), words);
+        }
+        if let KernelError::ShapeLost { .. } = error {
+            let words = format!("{error}; or `\"allow_shape_change\": true` in `make_circular` takes the net as it is");
+            return self.refused_in_words([Step::from("make_circular")], error.reason(), words);
+        }
+        if let KernelError::CollapsedOnCurve { .. } = error {
+            return self.refused_at(["make_circular".into(), "border".into()], error);
+        }
+        if let KernelError::ParameterOutOfRange { name: "max_steps", .. } = error {
+            return self.refused_at(["make_circular".into(), "max_steps".into()], error);
+        }
+        let words = hint(error, grid).map_or(error.to_string(), |hint| format!("{error}; {hint}"));
+        match (error, error.index()) {
+            (KernelError::CoincidentPoints { first, second, .. }, _) => {
+                self.refused_at_vertices(grid, &[*second, *first], error.reason(), error.to_string())
+            }
+            (KernelError::InQuad { quad, cause }, _) if matches!(**cause, KernelError::CrossingQuad { .. }) => {
+                self.refused_at_quad(grid, *quad, error.reason(), format!("{error}; {ROW_BY_ROW}"))
+            }
+            (_, Some(quad)) => self.refused_at_quad(grid, quad, error.reason(), words),
+            (_, None) => self.refused_in_words([Step::from("grid")], error.reason(), words),
+        }
+    }
+
+    /// The message about quads of the circular grid that no patch fits into, at the first of them.
+    fn rejected_quads(&self, grid: &QuadGrid, first: usize, report: &CircularMeshReport) -> Error {
+        let (quads, steps, moved) = (&report.rejected_quads, report.steps, report.moves.max);
+        if self.document.text.is_empty() {
+            return Error::RejectedQuads { object: self.name.to_owned(), quads: quads.clone(), steps, moved };
+        }
+        let words = format!("{}; {ROW_BY_ROW}", rejected_quads(quads, steps, moved));
+        self.refused_at_quad(grid, first, CROSSING_QUAD, words)
+    }
+
+    /// The message at a quad: where its first corner stands.
+    fn refused_at_quad(&self, grid: &QuadGrid, quad: usize, reason: &'static str, words: String) -> Error {
+        let columns = grid.quads()[0];
+        self.refused_at_vertices(grid, &grid.corners(quad % columns, quad / columns), reason, words)
+    }
+
+    /// The message at the first of some vertices; of a mesh in a file with the numbers of all of them.
+    fn refused_at_vertices(&self, grid: &QuadGrid, vertices: &[usize], reason: &'static str, words: String) -> Error {
+        if let Some(mesh) = &self.mesh {
+            let numbers: Vec<String> = vertices.iter().map(|&v| mesh.numbers[v].to_string()).collect();
+            let words = format!("{words} (points {} of {})", numbers.join(", "), mesh.name);
+            return self.refused_in_words([Step::from("grid")], reason, words);
+        }
+        let columns = grid.size()[0];
+        let [row, column] = [vertices[0] / columns, vertices[0] % columns];
+        self.refused_in_words(["grid".into(), row.into(), column.into()], reason, words)
+    }
+}

@@ -1,0 +1,168 @@
+//! Smooth offsets of convex polyhedra: from files, points and lists of faces to the kernel's body.
+
+use cyclide::{ConvexPolyhedron, Error as KernelError, Point3, ShortNumber, SurfaceObject};
+
+use super::Builder;
+use super::curves::inline_points;
+use crate::document::coordinates::PointSource;
+use crate::document::locate::Step;
+use crate::document::spec::{PolyhedronFile, SmoothPolyhedronSpec};
+use crate::error::{Error, Result};
+use crate::formats::{InputKind, read_polygons, read_triangles};
+use crate::input::polygon_mesh::PolygonMesh;
+use crate::input::triangle_mesh::distinct;
+
+/// Part of the largest coordinate of an STL file by which a corner may be off its plane: sixteen roundings to single precision, for
+/// the planes of small triangles.
+const SINGLE: f64 = 9.5e-7;
+/// Edges reflex by less than this, radians, and corners off their plane by less than this part of the size, speak of few digits.
+const FEW_DIGITS: f64 = 1e-3;
+
+/// A polyhedron and the radius of its rounding.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RoundedPolyhedron {
+    /// The polyhedron.
+    pub polyhedron: ConvexPolyhedron,
+    /// The radius.
+    pub radius: f64,
+    /// How far its vertices moved to be in the planes of their faces.
+    pub moved: f64,
+}
+
+/// Points and faces as they are given.
+struct Mesh {
+    points: Vec<Point3>,
+    /// None for the hull.
+    faces: Option<Vec<Vec<usize>>>,
+    flatness: Option<f64>,
+    /// The field that messages are about, and the file.
+    field: &'static str,
+    file: Option<String>,
+}
+
+impl Builder<'_> {
+    /// The polyhedron with its edges and corners rounded.
+    pub(super) fn smooth_polyhedron(&mut self, spec: &SmoothPolyhedronSpec) -> Result<Vec<SurfaceObject>> {
+        let mut mesh = self.polyhedron_mesh(spec)?;
+        if spec.hull {
+            mesh.faces = None;
+        }
+        let (points, flatness) = (&mesh.points, spec.flatness.or(mesh.flatness));
+        let polyhedron = match (&mesh.faces, flatness) {
+            (Some(faces), None) => ConvexPolyhedron::new(points, faces),
+            (Some(faces), Some(flatness)) => ConvexPolyhedron::with_flatness(points, faces, flatness),
+            (None, None) => ConvexPolyhedron::hull(points),
+            (None, Some(flatness)) => ConvexPolyhedron::hull_with_flatness(points, flatness),
+        };
+        let polyhedron = polyhedron.map_err(|e| self.refused_mesh(&mesh, &e))?;
+        let body = polyhedron.offset(spec.radius).map_err(|e| self.refused_mesh(&mesh, &e))?;
+        let moved = polyhedron.vertices().iter().zip(points).map(|(p, q)| p.distance(*q)).fold(0.0, f64::max);
+        self.polyhedron = Some(Box::new(RoundedPolyhedron { polyhedron, radius: spec.radius, moved }));
+        Ok(vec![SurfaceObject::Body(body)])
+    }
+
+    fn polyhedron_mesh(&mut self, spec: &SmoothPolyhedronSpec) -> Result<Mesh> {
+        match (&spec.mesh, &spec.points, &spec.vertices, &spec.faces) {
+            (Some(file), None, None, None) => self.polyhedron_file(file),
+            (None, Some(source), None, None) => {
+                if spec.hull {
+                    return Err(self.unfit("`hull` goes with `mesh`, or with `vertices` and `faces`: of `points` the hull is taken"));
+                }
+                let points = match source {
+                    PointSource::Inline(lists) => inline_points(lists),
+                    PointSource::File(file) => self.file_points(file)?,
+                };
+                let points = points.lists.into_iter().flat_map(|list| list.points).collect();
+                Ok(Mesh { points, faces: None, flatness: None, field: "points", file: None })
+            }
+            (None, None, Some(vertices), Some(faces)) => {
+                let face = |corners: &Vec<u32>| corners.iter().map(|&v| v as usize).collect();
+                let points = vertices.iter().map(|p| p.point()).collect();
+                let faces = Some(faces.iter().map(face).collect());
+                Ok(Mesh { points, faces, flatness: None, field: "faces", file: None })
+            }
+            _ => Err(self.unfit(
+                "a polyhedron is given by exactly one of `mesh` (a file), `points` (their convex hull), or `vertices` with `faces`",
+            )),
+        }
+    }
+
+    /// The mesh of a file; corners at the same place are one, and triangles without area left out.
+    fn polyhedron_file(&mut self, file: &PolyhedronFile) -> Result<Mesh> {
+        let (name, bytes) = self.file(file.path(), ["mesh", file.word()])?;
+        let read = match file {
+            PolyhedronFile::Obj(_) => read_polygons(&name, &bytes),
+            PolyhedronFile::Stl(_) => read_triangles(&name, &bytes).map(|points| {
+                let faces = (0..points.len() / 3).map(|k| vec![3 * k, 3 * k + 1, 3 * k + 2]).collect();
+                PolygonMesh { points, faces, ..PolygonMesh::default() }
+            }),
+        };
+        let given = read.map_err(|message| match InputKind::of_bytes(&bytes) {
+            Some(found) if found != InputKind::Mesh => {
+                let text = format!("{name} is {}, not a mesh ({})", found.name(), file.word().to_uppercase());
+                Error::Input(self.diagnostic(["mesh".into(), file.word().into()], &text))
+            }
+            _ => Error::Input(message),
+        })?;
+        let (points, faces) = welded(&given.points, &given.faces);
+        let largest = points.iter().map(|p| p.to_vec().max_abs()).fold(0.0, f64::max);
+        let flatness = matches!(file, PolyhedronFile::Stl(_)).then_some(SINGLE * largest);
+        Ok(Mesh { points, faces: Some(faces), flatness, field: "mesh", file: Some(name) })
+    }
+
+    /// The message for what the kernel said about the polyhedron.
+    fn refused_mesh(&self, mesh: &Mesh, error: &KernelError) -> Error {
+        let few_digits = match *error {
+            KernelError::NotConvex { angle, .. } => angle > -FEW_DIGITS,
+            KernelError::NonPlanarFace { distance, .. } => {
+                let size = cyclide::Aabb::of_points(mesh.points.iter().copied()).map_or(0.0, |b| b.diagonal());
+                distance < FEW_DIGITS * size
+            }
+            _ => false,
+        };
+        let mut words = error.to_string();
+        if let (
+            Some(file),
+            &(KernelError::NotConvex { first, second, .. } | KernelError::NotClosed { first, second, .. }),
+        ) = (&mesh.file, error)
+        {
+            let at = |k: usize| {
+                let p = mesh.points.get(k).map(|p| p.to_array().map(|x| ShortNumber(x).to_string()).join(", "));
+                format!("({})", p.unwrap_or_default())
+            };
+            words += &format!(" (of {file}: {} and {})", at(first), at(second));
+        }
+        if few_digits {
+            words += "; where coordinates have few digits, give their rounding as `flatness`";
+        } else if matches!(error, KernelError::NotConvex { .. }) {
+            words += "; `\"hull\": true` takes the convex hull";
+        }
+        let steps: Vec<Step> = match *error {
+            KernelError::RadiusNotPositive { .. }
+            | KernelError::ParameterOutOfRange { name: "radius", .. }
+            | KernelError::BelowRoundingOfPlace { what: "the radius", .. } => vec!["radius".into()],
+            KernelError::ParameterOutOfRange { name: "flatness", .. } => vec!["flatness".into()],
+            KernelError::NotAFace { face, .. } if mesh.field == "faces" => vec!["faces".into(), face.into()],
+            _ => vec![mesh.field.into()],
+        };
+        if self.document.text.is_empty() {
+            return self.refused_at(steps, error);
+        }
+        self.refused_in_words(steps, error.reason(), words)
+    }
+}
+
+/// The mesh with one point for all that are equal, and without corners that repeat the one before.
+fn welded(points: &[Point3], faces: &[Vec<usize>]) -> (Vec<Point3>, Vec<Vec<usize>>) {
+    let (kept, same) = distinct(points);
+    let face = |corners: &Vec<usize>| {
+        let mut corners: Vec<usize> = corners.iter().map(|&v| same[v]).collect();
+        corners.dedup();
+        while corners.len() > 1 && corners.first() == corners.last() {
+            corners.pop();
+        }
+        corners
+    };
+    let faces = faces.iter().map(face).filter(|corners| corners.len() > 2).collect();
+    (kept, faces)
+}

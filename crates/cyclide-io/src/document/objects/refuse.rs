@@ -1,0 +1,256 @@
+//! What the kernel refused, shown at the point or field it is about.
+
+use cyclide::{Point3, ShortNumber, Warning};
+
+use super::Builder;
+use super::curves::{Origin, Points, point_steps};
+use crate::document::angle::Angle;
+use crate::document::coordinates::Coordinates;
+use crate::document::locate::{Step, path_text, span_of};
+use crate::document::spec::{ArcSpec, ObjectSpec};
+use crate::error::Error;
+use crate::text::place::Source;
+
+/// The value of an object that an error is about.
+enum Blame {
+    Field(&'static str),
+    Entry(&'static str, usize),
+    Point(usize),
+    Object,
+}
+
+impl Builder<'_> {
+    /// What the kernel said; it counts points after repeated ones were merged, which is said where the number matters.
+    fn words(&self, error: &cyclide::Error, contour: usize) -> String {
+        let merged = |(c, w): &(usize, Warning)| {
+            *c == contour && matches!(w, Warning::PointsMerged { .. } | Warning::ClosingPointMerged { .. })
+        };
+        match (error, self.spec) {
+            (cyclide::Error::TooFewPoints { .. }, _) if self.warnings.iter().any(merged) => {
+                format!("{error} (repeated points count once)")
+            }
+            (cyclide::Error::ParameterOutOfRange { name: "distance", .. }, ObjectSpec::Offset(spec))
+                if spec.distance == 0.0 =>
+            {
+                "a solid between a surface and its offset needs a distance other than 0".to_owned()
+            }
+            (cyclide::Error::ParameterOutOfRange { name: "corner_angle", value, .. }, spec) => {
+                let written = spec.corner_angle();
+                written.map_or_else(|| error.to_string(), |angle| corner_angle_words(angle, *value))
+            }
+            (cyclide::Error::FrameNotOrthonormal { .. }, ObjectSpec::CyclidePatch(spec)) => frame_words(spec.frame),
+            (cyclide::Error::CoincidentPoints { distance, limit, .. }, ObjectSpec::EllipseBridge(_)) => format!(
+                "the ellipses touch: their semi-axes of one direction differ by {}, more than {} is needed",
+                ShortNumber(*distance),
+                ShortNumber(*limit)
+            ),
+            (cyclide::Error::CoincidentPoints { .. }, ObjectSpec::Ruled(_)) => {
+                "a piece of one curve is that of the other: there is no surface between".to_owned()
+            }
+            (cyclide::Error::CoincidentPoints { .. }, ObjectSpec::CircularSurface(_)) => {
+                "the curves meet: an arc joins different points".to_owned()
+            }
+            (cyclide::Error::CrossingQuad { .. }, ObjectSpec::CyclidePatch(_)) => {
+                format!(
+                    "{error}; corners are given row by row, (0,0), (1,0), (0,1), (1,1): are the last two exchanged?"
+                )
+            }
+            _ => error.to_string(),
+        }
+    }
+
+    /// The message for what the kernel said about the value at a path below the object.
+    pub(super) fn refused_at(&self, steps: impl IntoIterator<Item = Step>, error: &cyclide::Error) -> Error {
+        if self.document.text.is_empty() {
+            return Error::Geometry { object: self.name.to_owned(), source: error.clone() };
+        }
+        self.refused_in_words(steps, error.reason(), error.to_string())
+    }
+
+    /// As [`refused_at`](Self::refused_at), in other words.
+    pub(super) fn refused_in_words(
+        &self,
+        steps: impl IntoIterator<Item = Step>,
+        reason: &'static str,
+        words: String,
+    ) -> Error {
+        Error::Input(self.diagnostic(steps, &words).with_reason(reason))
+    }
+
+    /// The message for what the kernel said, at the point or field it is about.
+    pub(super) fn refused(&self, error: &cyclide::Error, from: Option<(&Points, usize)>) -> Error {
+        let blame = match from.and_then(|(points, contour)| too_far_out(error, &points.lists[contour].points)) {
+            Some(point) => Blame::Point(point),
+            None => blame(self.spec, error),
+        };
+        let original = |k: usize| from.and_then(|(p, c)| p.kept[c].get(k).copied()).unwrap_or(k);
+        let path = self.path([]);
+        if let Some((points, contour)) = from
+            && let Origin::File { name, text, .. } = &points.origin
+            && matches!(blame, Blame::Point(_) | Blame::Object)
+        {
+            let index = if let Blame::Point(k) = blame { original(k) } else { 0 };
+            let start = points.lists[contour].offsets.get(index).copied().unwrap_or_default();
+            let width = text[start..].find(['\n', '\r', '#']).unwrap_or(text.len() - start);
+            let width = text[start..start + width].trim_end().len();
+            let source = Source { name, text };
+            let message = source.diagnostic(start..start + width, &path_text(&path), self.words(error, contour));
+            return Error::Input(message.with_reason(error.reason()));
+        }
+        let document = &self.document.text;
+        if document.is_empty() {
+            return Error::Geometry { object: self.name.to_owned(), source: error.clone() };
+        }
+        let nested = |points: &Points| matches!(points.origin, Origin::Document { nested: true });
+        let in_points = |k: Option<usize>| from.map(|(p, c)| self.path(point_steps(nested(p), c, k)));
+        let candidates = match blame {
+            Blame::Field(field) => vec![self.path([field.into()])],
+            Blame::Entry(field, k) => {
+                let contour = from.map_or(0, |(_, c)| c);
+                let one = self.path([field.into(), original(k).into()]);
+                let several = self.path([field.into(), contour.into(), original(k).into()]);
+                // A list of lists also has an entry at the first path: the deeper one is meant.
+                let nested = from.is_some_and(|(p, _)| p.lists.len() > 1 || nested(p));
+                if nested { vec![several, one] } else { vec![one, self.path([field.into()])] }
+            }
+            Blame::Point(k) => {
+                let end = if k == 0 { "from" } else { "to" };
+                let fixed = [self.path(["through".into(), k.into()]), self.path([end.into()])];
+                in_points(Some(original(k))).into_iter().chain(fixed).collect()
+            }
+            Blame::Object => in_points(None).into_iter().collect(),
+        };
+        let place = |p: &Vec<Step>| span_of(document, p).map(|span| (p.clone(), span));
+        let (path, span) = candidates.iter().find_map(place).unwrap_or_else(|| {
+            let start = span_of(document, &path).map_or(0, |s| s.start);
+            (path, start..start + 1)
+        });
+        let words = self.words(error, from.map_or(0, |(_, contour)| contour));
+        let message = self.document.source().diagnostic(span, &path_text(&path), words);
+        Error::Input(message.with_reason(error.reason()))
+    }
+}
+
+/// Degrees are taken for radians now and then: what was written, and what may be meant.
+fn corner_angle_words(angle: Angle, radians: f64) -> String {
+    match angle {
+        Angle::Degrees(degrees) => format!("a corner angle of {degrees} degrees is outside 0 to 180"),
+        Angle::Radians(_) if radians > 180.0 || radians <= 0.0 => format!(
+            "a corner angle of {radians} radians is outside 0 to 3.1416 (half a turn; degrees are written `{{\"degrees\": 30}}`)"
+        ),
+        Angle::Radians(_) => format!(
+            "a corner angle of {radians} radians is more than half a turn (3.1416): if degrees are meant, write `{{\"degrees\": {radians}}}` or {}",
+            ShortNumber(radians.to_radians())
+        ),
+    }
+}
+
+/// The directions of a frame may have any length; only the angle between them can be wrong.
+pub(super) fn frame_words(frame: [Coordinates; 2]) -> String {
+    let [a, b] = frame.map(|direction| direction.vector().unit());
+    match (a, b) {
+        (Some(a), Some(b)) => {
+            let off = (90.0 - a.dot(b).clamp(-1.0, 1.0).acos().to_degrees()).abs();
+            format!("the directions of the frame must be perpendicular: they are {} degrees off", ShortNumber(off))
+        }
+        _ => "the directions of the frame must not be zero".to_owned(),
+    }
+}
+
+/// The point that a refused coordinate belongs to: the one that is farthest out.
+fn too_far_out(error: &cyclide::Error, points: &[Point3]) -> Option<usize> {
+    let cyclide::Error::ParameterOutOfRange { name: "coordinate", value, .. } = *error else { return None };
+    points.iter().position(|p| p.to_vec().max_abs() >= value.abs())
+}
+
+/// Which value of an object an error of the kernel is about.
+fn blame(spec: &ObjectSpec, error: &cyclide::Error) -> Blame {
+    use cyclide::Error as E;
+    let tangent = |index: usize| match (spec, index) {
+        (ObjectSpec::Arc(s), _) => Blame::Field(if s.tangent.is_some() { "tangent" } else { "end_tangent" }),
+        (ObjectSpec::Biarc(_), 0) => Blame::Field("from_tangent"),
+        (ObjectSpec::Biarc(_), _) => Blame::Field("to_tangent"),
+        (ObjectSpec::CircleSpline(_) | ObjectSpec::FairSpline(_), _) => Blame::Field("ends"),
+        _ => Blame::Entry("tangents", index),
+    };
+    let is_patch = matches!(spec, ObjectSpec::CyclidePatch(_));
+    let of_distance = ["offset-on-focal-set", "offset-not-regular", "not-a-shell"];
+    match *error {
+        _ if matches!(spec, ObjectSpec::Offset(_)) && of_distance.contains(&error.reason()) => Blame::Field("distance"),
+        _ if matches!(
+            spec,
+            ObjectSpec::PlateWithNeck(_)
+                | ObjectSpec::EllipseBridge(_)
+                | ObjectSpec::CircularSurface(_)
+                | ObjectSpec::Ruled(_)
+        ) =>
+        {
+            blame_swept(spec, error)
+        }
+        E::NotFinite { what: "tangent", index } | E::ZeroTangent { index } | E::TangentOpposesChord { index } => {
+            tangent(index)
+        }
+        E::NotFinite { what: "weight", index } | E::ZeroWeight { index } => Blame::Entry("weights", index),
+        E::NotFinite { what: "frame vector", index } => Blame::Entry("frame", index),
+        E::FrameNotOrthonormal { .. } => Blame::Field("frame"),
+        E::NotConcircular { .. } | E::CrossingQuad { .. } if is_patch => Blame::Entry("corners", 3),
+        E::NotFinite { what: "point", index } | E::CoincidentPoints { second: index, .. } if is_patch => {
+            Blame::Entry("corners", index)
+        }
+        E::NotFinite { what: "tolerance", .. } | E::ToleranceNotPositive { .. } => Blame::Field("tolerance"),
+        E::NotFinite { what: "bulge", .. } => Blame::Field("bulge"),
+        E::NotInImH { .. } | E::PoleOnSegment { .. } => {
+            Blame::Field(if matches!(spec, ObjectSpec::Arc(ArcSpec { bulge: Some(_), .. })) {
+                "bulge"
+            } else {
+                "weights"
+            })
+        }
+        E::RadiusNotPositive { .. } => Blame::Field("radius"),
+        E::DegenerateCircle { .. } if matches!(spec, ObjectSpec::Circle(_)) => Blame::Field("through"),
+        E::ZeroAxis if matches!(spec, ObjectSpec::Cyclide(_) | ObjectSpec::Revolution(_)) => Blame::Field("axis"),
+        E::AngleOutOfRange { .. } if matches!(spec, ObjectSpec::Revolution(_)) => Blame::Field("angle"),
+        E::PipeTooWide { .. } | E::MitreDoesNotFit { .. } | E::PipeMeetsItself { .. } => Blame::Field("radius"),
+        E::ParameterOutOfRange { name: name @ "wall", .. } => Blame::Field(name),
+        E::NotOfArcs { .. } => Blame::Field("of"),
+        E::RadiusCount { .. } => Blame::Field("radius"),
+        _ if matches!(spec, ObjectSpec::Revolution(_) | ObjectSpec::Pipe(_)) => Blame::Field("of"),
+        E::ZeroAxis => Blame::Field("normal"),
+        E::ParameterOutOfRange { name: "segments along s", .. } => Blame::Entry("segments", 0),
+        E::ParameterOutOfRange { name: "segments along t", .. } => Blame::Entry("segments", 1),
+        E::OrderOutOfRange { .. } => Blame::Field("order"),
+        E::TangentCount { .. } => Blame::Field("tangents"),
+        E::ParameterOutOfRange { name: "edge_points", .. } => Blame::Field("polyline"),
+        E::ParameterOutOfRange { name, .. } => Blame::Field(name),
+        _ => error.index().map_or(Blame::Object, Blame::Point),
+    }
+}
+
+/// As [`blame`], of necks, bridges and surfaces between two curves.
+fn blame_swept(spec: &ObjectSpec, error: &cyclide::Error) -> Blame {
+    use cyclide::Error as E;
+    match (spec, error) {
+        (_, E::ParameterOutOfRange { name: name @ ("height" | "thickness" | "wall" | "depth"), .. }) => {
+            Blame::Field(name)
+        }
+        (ObjectSpec::PlateWithNeck(s), E::RadiusNotPositive { .. }) if s.pipe_radius <= 0.0 => {
+            Blame::Field("pipe_radius")
+        }
+        (
+            ObjectSpec::PlateWithNeck(_),
+            E::RadiusNotPositive { .. } | E::BallDoesNotFit { .. } | E::NeckFolds { .. },
+        ) => Blame::Field("ball_radius"),
+        (ObjectSpec::PlateWithNeck(_), E::AngleOutOfRange { .. }) => Blame::Field("slope"),
+        (ObjectSpec::PlateWithNeck(_), E::PlateTooSmall { .. }) => Blame::Field("plate"),
+        (ObjectSpec::EllipseBridge(_), _) => Blame::Field("ellipses"),
+        (ObjectSpec::CircularSurface(s), E::ZeroTangent { index }) if s.tangent.0.len() > 1 => {
+            Blame::Entry("tangent", *index)
+        }
+        (
+            ObjectSpec::CircularSurface(_),
+            E::ZeroTangent { .. } | E::TangentNearlyOpposesChord { .. } | E::TangentCount { .. },
+        ) => Blame::Field("tangent"),
+        (ObjectSpec::CircularSurface(_) | ObjectSpec::Ruled(_), _) => Blame::Field("rails"),
+        _ => Blame::Object,
+    }
+}

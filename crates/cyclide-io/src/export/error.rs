@@ -1,0 +1,142 @@
+//! Why a file could not be made.
+
+use cyclide::ShortNumber;
+use std::path::PathBuf;
+
+/// Why a file could not be made.
+#[derive(thiserror::Error)]
+#[non_exhaustive]
+pub enum ExportError {
+    /// The suffix stands for no known format.
+    #[error("{}: no format for this suffix; known are {known}{hint}", path.display())]
+    UnknownSuffix {
+        /// The file's path.
+        path: PathBuf,
+        /// The suffixes that are known.
+        known: String,
+        /// What to write in its place, as the end of the sentence; empty if there is no telling.
+        hint: String,
+    },
+    /// The model has no curve and no surface.
+    #[error("there is nothing to write")]
+    Empty,
+    /// The tolerance is not a positive number.
+    #[error("the tolerance {} is not positive", ShortNumber(*.tolerance))]
+    ToleranceNotPositive {
+        /// The tolerance given.
+        tolerance: f64,
+    },
+    /// Coordinates are too large for the formats' arithmetic.
+    #[error("object {object}: coordinate {} is beyond {}", ShortNumber(*.value), ShortNumber(*.limit))]
+    TooLarge {
+        /// Name of the object.
+        object: String,
+        /// Largest coordinate found.
+        value: f64,
+        /// Largest one accepted.
+        limit: f64,
+    },
+    /// An object is too small for the formats' arithmetic.
+    #[error("object {object} is {} large, below {}: use smaller units", ShortNumber(*.size), ShortNumber(*.limit))]
+    TooSmall {
+        /// Name of the object.
+        object: String,
+        /// Diagonal of its box.
+        size: f64,
+        /// Smallest one accepted.
+        limit: f64,
+    },
+    /// The curve has no form of the kind that the format needs.
+    #[error("object {object}, contour {contour}: {source}")]
+    Lowering {
+        /// Name of the object.
+        object: String,
+        /// Which of its contours, from 0.
+        contour: usize,
+        /// What the kernel said.
+        source: cyclide::Error,
+    },
+    /// A surface has no form of the kind that the format needs.
+    #[error("object {object}, surface {surface}: {source}")]
+    Surface {
+        /// Name of the object.
+        object: String,
+        /// Which of its surfaces, from 0.
+        surface: usize,
+        /// What the kernel said.
+        source: cyclide::Error,
+    },
+    /// The format cannot express this.
+    #[error("object {object}: {format} cannot hold this: {detail}")]
+    NotInFormat {
+        /// Name of the object.
+        object: String,
+        /// Name of the format.
+        format: &'static str,
+        /// What cannot be expressed.
+        detail: &'static str,
+    },
+    /// A surface has no exact form, and the format holds exact forms only. What an approximation by patches would be off could be
+    /// sampled, not proved.
+    #[error(
+        "object {object}: {format} holds exact surfaces, and this one has no exact form: write GLB, OBJ or STL, which hold a mesh \
+         within the tolerance, or leave it out with `\"construction\": true`"
+    )]
+    NoExactForm {
+        /// Name of the object.
+        object: String,
+        /// Name of the format.
+        format: &'static str,
+    },
+    /// The format's numbers are rounded by more than the tolerance.
+    #[error(
+        "object {object}: {format} rounds coordinates of up to {} by {}, more than the tolerance {}: {hint}",
+        ShortNumber(*.largest), ShortNumber(*.rounding), ShortNumber(*.tolerance)
+    )]
+    Rounding {
+        /// Name of the object.
+        object: String,
+        /// Name of the format.
+        format: &'static str,
+        /// Largest coordinate.
+        largest: f64,
+        /// How far a vertex moves.
+        rounding: f64,
+        /// The tolerance.
+        tolerance: f64,
+        /// What to do instead.
+        hint: &'static str,
+    },
+    /// The picture could not be encoded.
+    #[error("the picture could not be encoded: {detail}")]
+    Picture {
+        /// What the encoder said.
+        detail: String,
+    },
+}
+
+/// The sentence and the reason: what a program prints whose `main` returns the error.
+impl std::fmt::Debug for ExportError {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{self} [{}]", self.reason())
+    }
+}
+
+impl ExportError {
+    /// Stable kebab-case name of the reason; the kernel's own where a curve could not be lowered.
+    #[must_use]
+    pub fn reason(&self) -> &'static str {
+        match self {
+            Self::UnknownSuffix { .. } => "unknown-suffix",
+            Self::Empty => "empty-model",
+            Self::ToleranceNotPositive { .. } => "tolerance-not-positive",
+            Self::TooLarge { .. } => "coordinate-too-large",
+            Self::TooSmall { .. } => "object-too-small",
+            Self::Lowering { source, .. } | Self::Surface { source, .. } => source.reason(),
+            Self::NotInFormat { .. } => "not-in-format",
+            Self::NoExactForm { .. } => "no-exact-form",
+            Self::Rounding { .. } => "rounding-above-tolerance",
+            Self::Picture { .. } => "picture",
+        }
+    }
+}

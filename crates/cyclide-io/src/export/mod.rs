@@ -1,0 +1,17 @@
+//! What every writer works with: the model made ready, the request, meshes, and what is promised of the file that is
+//! made.
+
+pub(crate) mod camera;
+pub(crate) mod drawn_line;
+pub(crate) mod error;
+pub(crate) mod exported;
+pub(crate) mod job;
+pub(crate) mod mesh;
+pub(crate) mod mesh_plan;
+pub(crate) mod options;
+pub(crate) mod parts;
+pub(crate) mod pieces;
+pub(crate) mod ready;
+pub(crate) mod shape;
+pub(crate) mod side_use;
+pub(crate) mod triangle_cells;

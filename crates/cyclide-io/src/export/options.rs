@@ -1,0 +1,82 @@
+//! What may be chosen about a file.
+
+use crate::export::camera::Camera;
+
+/// Which DXF.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum DxfVersion {
+    /// AC1015: LWPOLYLINE, SPLINE, groups. The default.
+    #[default]
+    R2000,
+    /// AC1009: POLYLINE, for old machines; no splines.
+    R12,
+}
+
+/// The curves of the edges between faces in STEP, and with them the faces: both are such that readers find edge and face
+/// together at equal parameters, which booleans and fillets need.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum StepEdges {
+    /// `CIRCLE` and `LINE`, on rational faces with their curves in the faces' parameters: CAD systems show radii and
+    /// centres, and cylinders, cones, spheres and tori are what they are. The default.
+    #[default]
+    Circles,
+    /// Rational B-splines in the parameter of the faces, lines where they are even, and rational faces everywhere but in
+    /// planes: half as large a file.
+    Rational,
+}
+
+/// The products of several objects in STEP.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum StepProducts {
+    /// One product per object in an assembly, but one product for curves and surfaces together: FreeCAD 0.20 without its
+    /// window crashes on such a file otherwise. The default.
+    #[default]
+    Auto,
+    /// One product per object in an assembly: readers show the objects by their names.
+    Assembly,
+    /// One product that holds all objects.
+    One,
+}
+
+/// Most pieces of one file of a small model if nothing else is asked for: about half a gigabyte of memory and a minute.
+pub const DEFAULT_MOST_PIECES: usize = 1_000_000;
+
+/// So many more for each piece of a curve and each patch: a large model is not refused for its size.
+pub(crate) const PIECES_OF_EACH: usize = 16;
+
+/// What may be chosen about a file.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct ExportOptions {
+    /// Largest distance between the file's curve or mesh and the object where the format needs an approximation, in
+    /// model units; `None` is 1e-5 of the model's diagonal for curves and 1e-4 for meshes.
+    pub tolerance: Option<f64>,
+    /// Most pieces of one file: cells of meshes and vertices of polylines together. They take one to two kilobytes each until the file
+    /// is written and checked. `None` is [`DEFAULT_MOST_PIECES`] and 16 for each piece of a curve and each patch.
+    pub max_pieces: Option<usize>,
+    /// Name of the model, for formats that have a place for it; `None` is the name of the only object, or
+    /// `cyclide`.
+    pub title: Option<String>,
+    /// DXF: rational curves as exact SPLINE entities instead of arcs within the tolerance. Many readers that cut
+    /// or draw ignore the weights of a SPLINE; CAD systems do not.
+    pub dxf_splines: bool,
+    /// DXF: the version.
+    pub dxf_version: DxfVersion,
+    /// GLB: draw the edges of the patches as lines on their mesh.
+    pub glb_edges: bool,
+    /// STEP: the curves of the edges between faces.
+    pub step_edges: StepEdges,
+    /// STEP: the products of several objects.
+    pub step_products: StepProducts,
+    /// SVG: draw the curvature comb.
+    pub svg_comb: bool,
+    /// SVG: draw the joints of the curves as dots.
+    pub svg_points: bool,
+    /// PNG: leave out what is not the model: comb, title, unit, scale bar, legend, names and axes.
+    pub png_plain: bool,
+    /// PNG: width in pixels, 200 to 10000; `None` is 1600.
+    pub png_width: Option<u32>,
+    /// PNG: draw the axes.
+    pub png_axes: bool,
+    /// PNG: where the model is looked at from; `None` is from above for curves of the plane, else from a side and above.
+    pub camera: Option<Camera>,
+}

@@ -1,0 +1,103 @@
+//! The front door of the writers: a model in, the bytes of files out, with what was kept and what was promised.
+
+use crate::check::file_content::ReadError;
+use crate::export::error::ExportError;
+use crate::export::exported::Exported;
+use crate::export::job::Job;
+use crate::export::options::ExportOptions;
+use crate::export::parts::BodyOf;
+use crate::export::ready::ReadyModel;
+use crate::formats::Format;
+use crate::formats::entry::{Entry, Kind};
+use crate::formats::read_back::deviations_of;
+use cyclide::{Item, Model};
+
+/// Makes the content of a file. The same model and options give the same bytes. For several files of one model
+/// [`Exporter`] does once what they share.
+///
+/// # Errors
+/// [`ExportError`], naming the object and contour at fault.
+pub fn export(model: &Model, format: Format, options: &ExportOptions) -> Result<Exported, ExportError> {
+    Exporter::new(model)?.export(format, options)
+}
+
+/// Writes a model into several formats and checks the files.
+pub struct Exporter<'a> {
+    pub(crate) ready: ReadyModel<'a>,
+}
+
+impl std::fmt::Debug for Exporter<'_> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let ReadyModel { model, bounds, .. } = &self.ready;
+        f.debug_struct("Exporter").field("model", model).field("bounds", bounds).finish_non_exhaustive()
+    }
+}
+
+impl<'a> Exporter<'a> {
+    /// Makes a model ready: sews its bodies and measures its size, once for all files.
+    ///
+    /// # Errors
+    /// [`ExportError`] for a model without anything to write, beyond the largest coordinates, or with a surface that has
+    /// no body.
+    pub fn new(model: &'a Model) -> Result<Self, ExportError> {
+        Ok(Self { ready: ReadyModel::new(model)? })
+    }
+
+    /// As [`export`](crate::export()).
+    ///
+    /// # Errors
+    /// As [`export`](crate::export()).
+    pub fn export(&self, format: Format, options: &ExportOptions) -> Result<Exported, ExportError> {
+        let job = Job::new(&self.ready, options)?;
+        let entry = format.entry();
+        check_exact_form(&self.ready.bodies, entry)?;
+        let left_out = left_out(self.ready.model, entry)?;
+        let mut file = (entry.write)(&job)?;
+        file.notes.extend(left_out);
+        job.title().clone_into(&mut file.title);
+        file.written.tolerance = job.tolerance;
+        file.written.asked = options.tolerance;
+        Ok(file)
+    }
+
+    /// As [`file_deviation`](crate::file_deviation).
+    ///
+    /// # Errors
+    /// As [`file_deviation`](crate::file_deviation).
+    pub fn deviation(&self, format: Format, file: &Exported) -> Result<f64, ReadError> {
+        Ok(deviations_of(&self.ready, format, file)?.largest())
+    }
+}
+
+/// Refuses surfaces without an exact form where the format holds exact ones only.
+fn check_exact_form(bodies: &[BodyOf<'_>], format: &Entry) -> Result<(), ExportError> {
+    match bodies.iter().find(|body| body.body.triangles().is_some()) {
+        Some(body) if format.holds_exact_only => {
+            Err(ExportError::NoExactForm { object: body.object.to_owned(), format: format.title })
+        }
+        _ => Ok(()),
+    }
+}
+
+/// A note on the objects that a format has no place for; refused where nothing remains.
+fn left_out(model: &Model, format: &Entry) -> Result<Option<String>, ExportError> {
+    let Some(kind) = format.lacks else {
+        return Ok(None);
+    };
+    let has = |item: &&Item, kind: Kind| match kind {
+        Kind::Curves => !item.contours.is_empty(),
+        Kind::Surfaces => !item.surfaces.is_empty(),
+    };
+    let (other, what) = match kind {
+        Kind::Curves => (Kind::Surfaces, "curves"),
+        Kind::Surfaces => (Kind::Curves, "surfaces"),
+    };
+    let lost: Vec<&str> = model.items.iter().filter(|item| has(item, kind)).map(|item| item.name.as_str()).collect();
+    let Some(first) = lost.first() else {
+        return Ok(None);
+    };
+    if !model.items.iter().any(|item| has(&item, other)) {
+        return Err(ExportError::NotInFormat { object: (*first).to_owned(), format: format.title, detail: what });
+    }
+    Ok(Some(format!("{what} are left out ({} cannot hold them): {}", format.title, lost.join(", "))))
+}

@@ -1,0 +1,93 @@
+//! What is asked of a format: its names, its suffixes, and which one a suffix stands for.
+
+use crate::export::error::ExportError;
+use crate::formats::Format;
+use crate::text::suggest::did_you_mean;
+use std::path::Path;
+
+impl Format {
+    /// The suffixes that are understood, lower case, without their dots.
+    pub fn suffixes() -> impl Iterator<Item = &'static str> {
+        Self::ALL.into_iter().flat_map(|format| format.entry().suffixes).copied()
+    }
+
+    /// Lower-case name, as in reports.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        self.entry().name
+    }
+
+    /// True if the file holds geometry that can be read back (everything but the picture).
+    #[must_use]
+    pub const fn has_geometry(self) -> bool {
+        self.entry().reading.is_some()
+    }
+
+    /// The format that a suffix in lower case stands for.
+    pub(crate) fn of_suffix(suffix: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|format| format.entry().suffixes.contains(&suffix))
+    }
+
+    /// The format that a file's suffix stands for, upper or lower case.
+    ///
+    /// # Errors
+    /// [`ExportError::UnknownSuffix`].
+    ///
+    /// ```
+    /// use cyclide_io::Format;
+    /// assert_eq!(Format::from_path("logo.STP".as_ref()).unwrap(), Format::Step);
+    /// assert!(Format::from_path("logo.iges".as_ref()).unwrap_err().to_string().contains(".step"));
+    /// ```
+    pub fn from_path(path: &Path) -> Result<Self, ExportError> {
+        let suffix = path.extension().map(|s| s.to_string_lossy().to_lowercase()).unwrap_or_default();
+        Self::of_suffix(&suffix).ok_or_else(|| {
+            let known: Vec<String> = Self::suffixes().map(|suffix| format!(".{suffix}")).collect();
+            ExportError::UnknownSuffix { path: path.to_path_buf(), known: known.join(" "), hint: in_place_of(&suffix) }
+        })
+    }
+}
+
+/// What to write in the place of a format that is not written, or the suffix that was meant.
+fn in_place_of(suffix: &str) -> String {
+    let place = match suffix {
+        "iges" | "igs" | "x_t" | "x_b" | "sat" | "brep" | "brp" | "fcstd" | "sldprt" | "ipt" | "3dm" | "f3d" => {
+            ".step carries curves and surfaces to CAD"
+        }
+        "dwg" => ".dxf is what programs that read DWG read too",
+        "pdf" | "eps" | "ps" | "ai" => ".svg is a drawing at true size, to print or convert",
+        "jpg" | "jpeg" | "webp" | "gif" | "bmp" | "tif" | "tiff" => ".png is a picture",
+        "gltf" => ".glb is the same in one file",
+        "3mf" | "ply" | "off" | "fbx" | "dae" | "usd" | "usdz" => ".glb, .obj and .stl are meshes",
+        "nc" | "ngc" | "tap" | "gcode" | "cnc" => ".dxf holds arcs, from which CAM makes the machine's code",
+        "txt" | "tsv" | "xyz" | "dat" | "asc" => ".csv is a list of points",
+        _ => return did_you_mean(suffix, Format::suffixes()),
+    };
+    format!("; {place}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_unknown_suffix_that_main_returns_can_be_read() {
+        let error = Box::<dyn std::error::Error>::from(Format::from_path(Path::new("a.iges")).unwrap_err());
+        assert!(format!("{error:?}").ends_with("[unknown-suffix]"));
+    }
+
+    #[test]
+    fn an_unknown_suffix_is_answered_with_one_that_serves() {
+        for (path, hint) in [
+            ("a.iges", "; .step carries curves and surfaces to CAD"),
+            ("a.PDF", "; .svg is a drawing at true size, to print or convert"),
+            ("a.setp", "; did you mean `step` or `stp`?"),
+            ("a.dfx", "; did you mean `dxf`?"),
+            ("a.nc", "; .dxf holds arcs, from which CAM makes the machine's code"),
+            ("a", ""),
+            ("a.qqqq", ""),
+        ] {
+            let message = Format::from_path(Path::new(path)).unwrap_err().to_string();
+            assert!(message.ends_with(&format!(".glb .obj .stl{hint}")), "{message}");
+        }
+    }
+}

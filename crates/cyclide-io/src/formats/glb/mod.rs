@@ -1,0 +1,281 @@
+//! Binary glTF 2.0: meshes of surfaces and lines of curves, for rendering and browsers.
+//!
+//! The model keeps its coordinates: one root node turns the third axis up and scales its unit to metres. Below it is
+//! one node per object, with a mesh of one primitive per surface (triangles) and per curve (`LINES`, an index pair per
+//! segment, which every reader knows). Vertices are in single precision, relative to the centre of the object, which is
+//! the translation of its node; the promised bound includes the rounding. Materials have the colours of the pictures,
+//! surfaces are seen from both sides, lines are unlit.
+//!
+//! The edges of the patches can be drawn as lines on the vertices of the mesh.
+
+mod buffer;
+mod foreign;
+mod material;
+mod reader;
+
+use crate::check::deviation::{Deviations, MeshForm, View, check_mesh_edges};
+use crate::check::file_content::ReadError;
+use crate::check::labels::{FileLabels, FileName, Named, push_counted};
+use crate::check::made::Made;
+use crate::drawing::patch_edges::patch_edges;
+use crate::drawing::plane_regions::plane_regions;
+use crate::export::error::ExportError;
+use crate::export::exported::{Exported, Promise, Written};
+use crate::export::job::Job;
+use crate::export::mesh::{BodyMesh, Single, between, body_meshes, check_single, polyline, single, triangles};
+use crate::export::parts::{BodyOf, Contour};
+use crate::export::shape::Shape;
+use crate::formats::entry::{Entry, Reading};
+use buffer::Buffer;
+use cyclide::{Aabb, Item, MeshCorner, Point3, SurfaceMesh, bounds};
+use material::{Look, UNLIT};
+use serde_json::{Value, json};
+use std::collections::HashMap;
+
+pub(crate) use foreign::read_scene;
+pub(crate) use reader::read;
+
+/// Modes of primitives.
+const LINES: u64 = 1;
+const TRIANGLES: u64 = 4;
+/// The turn that takes the third axis to the second.
+const Z_UP: [f64; 4] = [-std::f64::consts::FRAC_1_SQRT_2, 0.0, 0.0, std::f64::consts::FRAC_1_SQRT_2];
+
+/// What the names are those of.
+const TITLE: &str = "root node";
+const NODE: &str = "node";
+const MESH: &str = "mesh";
+const MATERIAL: &str = "material";
+
+/// Reads a file of a model and holds it against this.
+fn compare(made: &Made<'_>) -> Result<Deviations, ReadError> {
+    let content = read(&made.file.bytes)?;
+    let (bodies, written) = (&made.ready.bodies, &made.file.written);
+    let curves = made.curves(&content, View::Points)?;
+    let form = MeshForm { has_facet_normals: false, numbers_vertices: false };
+    let off = made.meshes(&content, form)?;
+    check_mesh_edges(bodies, &content.meshes, &content.mesh_lines, &written.mesh, written.mesh_edges)?;
+    content.labels.check(&labels(made.named(), bodies, &content.mesh_lines))?;
+    Ok(Deviations { curves, bodies: off, ..Deviations::default() })
+}
+
+/// The labels of a file of the model, whose meshes have these lines on them.
+fn labels(named: Named<'_>, bodies: &[BodyOf<'_>], mesh_lines: &[Vec<[usize; 2]>]) -> FileLabels {
+    let mut names = vec![FileName::new(TITLE, named.title, 1)];
+    for (index, item) in named.model.items.iter().enumerate() {
+        let own = || bodies.iter().zip(mesh_lines).filter(|(body, _)| body.item == index);
+        let parts = item.contours.len() + own().count();
+        if parts == 0 {
+            continue;
+        }
+        names.extend([FileName::new(NODE, &item.name, parts), FileName::new(MESH, &item.name, 1)]);
+        let [surface, line] = [Look::surface(item, index), Look::line(item, index)].map(|look| look.to_string());
+        for (_, lines) in own() {
+            push_counted(&mut names, MATERIAL, &surface);
+            if !lines.is_empty() {
+                push_counted(&mut names, MATERIAL, &line);
+            }
+        }
+        item.contours.iter().for_each(|_| push_counted(&mut names, MATERIAL, &line));
+    }
+    FileLabels::new(named.model.units, names)
+}
+
+/// What there is to know of the format.
+pub(super) static ENTRY: Entry = Entry {
+    name: "glb",
+    title: "GLB",
+    suffixes: &["glb"],
+    lacks: None,
+    holds_exact_only: false,
+    write,
+    reading: Some(Reading { read, compare, rounds_by_model: false }),
+};
+
+/// Writes the model as GLB.
+pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
+    check_single(job, job.size(), "GLB")?;
+    let mut file = File::default();
+    let meshes = body_meshes(job)?;
+    for (index, item) in job.model.items.iter().enumerate() {
+        let own: Vec<&BodyMesh<'_>> = meshes.iter().filter(|mesh| mesh.body.item == index).collect();
+        file.object(job, index, item, &own)?;
+    }
+    let File { buffer, nodes, meshes, materials, written } = file;
+    // The scene's root is the last node.
+    let children: Vec<usize> = (0..nodes.len()).collect();
+    let scale = job.units().in_millimetres() / 1000.0;
+    let mut nodes = nodes;
+    nodes.push(json!({"name": job.title(), "rotation": Z_UP, "scale": [scale, scale, scale], "children": children}));
+    let unlit = materials.iter().any(|material| material.get("extensions").is_some());
+    let mut document = json!({
+        "asset": {"version": "2.0", "generator": "cyclide"},
+        "scene": 0,
+        "scenes": [{"nodes": [nodes.len() - 1]}],
+        "nodes": nodes,
+        "meshes": meshes,
+        "materials": materials,
+    });
+    if unlit {
+        document["extensionsUsed"] = json!([UNLIT]);
+    }
+    let bytes = buffer.container(document).ok_or_else(|| {
+        let object = job.model.items.first().map(|item| item.name.clone()).unwrap_or_default();
+        ExportError::NotInFormat { object, format: "GLB", detail: "it would be larger than 4 GiB" }
+    })?;
+    Ok(written.exported(bytes, Vec::new()))
+}
+
+/// The parts of the document as they grow.
+#[derive(Default)]
+struct File {
+    buffer: Buffer,
+    nodes: Vec<Value>,
+    meshes: Vec<Value>,
+    materials: Vec<Value>,
+    written: Written,
+}
+
+impl File {
+    fn object(
+        &mut self,
+        job: &Job<'_>,
+        index: usize,
+        item: &Item,
+        bodies: &[&BodyMesh<'_>],
+    ) -> Result<(), ExportError> {
+        let curves = item.contours.iter().map(|curve| bounds(curve.as_curve()));
+        let Some(extent) = curves.chain(bodies.iter().map(|mesh| mesh.body.body.bounds())).reduce(Aabb::union) else {
+            return Ok(());
+        };
+        let center = extent.min.midpoint(extent.max);
+        let mut primitives = Vec::new();
+        if !bodies.is_empty() {
+            let material = self.material(&Look::surface(item, index));
+            let ink = job.options.glb_edges.then(|| self.material(&Look::line(item, index)));
+            for body in bodies {
+                self.body(body, center, [Some(material), ink], &mut primitives);
+            }
+        }
+        if !item.contours.is_empty() {
+            let material = self.material(&Look::line(item, index));
+            for contour in job.contours().filter(|contour| contour.item == index) {
+                primitives.push(self.curve(job, &contour, center, material)?);
+            }
+        }
+        self.nodes.push(json!({"name": item.name, "mesh": self.meshes.len(), "translation": center.to_array()}));
+        self.meshes.push(json!({"name": item.name, "primitives": primitives}));
+        Ok(())
+    }
+
+    /// Adds a material; gives its index.
+    fn material(&mut self, look: &Look) -> usize {
+        self.materials.push(look.to_json());
+        self.materials.len() - 1
+    }
+
+    /// Adds the triangles of a body and, with a second material, its edges.
+    fn body(
+        &mut self,
+        body: &BodyMesh<'_>,
+        center: Point3,
+        [material, ink]: [Option<usize>; 2],
+        primitives: &mut Vec<Value>,
+    ) {
+        let mesh = &body.mesh;
+        let mut rounding = Single::new(center);
+        let mut vertices = Vertices::default();
+        let mut indices = Vec::new();
+        for face in &mesh.faces {
+            let corners: Vec<u32> = face.corners().iter().map(|corner| vertices.index(*corner)).collect();
+            for triangle in triangles(face) {
+                indices.extend(triangle.map(|i| corners[i]));
+            }
+        }
+        let rounded: Vec<[f32; 3]> = mesh.positions.iter().map(|p| rounding.point(*p)).collect();
+        let positions: Vec<[f32; 3]> = vertices.corners.iter().map(|corner| rounded[corner.position]).collect();
+        let normals = vertices.corners.iter().map(|corner| mesh.normals[corner.normal].to_array().map(single));
+        let position = self.buffer.positions(&positions);
+        let normal = self.buffer.vectors(normals);
+        let attributes = json!({"POSITION": position, "NORMAL": normal});
+        let indices = self.buffer.indices(&indices);
+        primitives.push(json!({"attributes": attributes, "indices": indices, "material": material, "mode": TRIANGLES}));
+        if let Some(ink) = ink {
+            let lines = edges(&body.body.body, mesh, &rounded, &mut vertices);
+            self.written.mesh_edges = true;
+            if !lines.is_empty() {
+                let indices = self.buffer.indices(&lines);
+                let attributes = json!({"POSITION": position});
+                primitives.push(json!({"attributes": attributes, "indices": indices, "material": ink, "mode": LINES}));
+            }
+        }
+        body.plan_triangles(&rounded, rounding.moved, |face| triangles(face).len(), &mut self.written.mesh);
+        self.written.bodies.push(body.promise(rounding.moved));
+    }
+
+    /// The primitive of a curve.
+    fn curve(
+        &mut self,
+        job: &Job<'_>,
+        contour: &Contour<'_>,
+        center: Point3,
+        material: usize,
+    ) -> Result<Value, ExportError> {
+        let mut rounding = Single::new(center);
+        let vertices = polyline(job, contour)?;
+        let mut points: Vec<[f32; 3]> = vertices.iter().map(|(_, p)| rounding.point(*p)).collect();
+        let is_same = |a: [f32; 3], b: [f32; 3]| a.iter().zip(&b).all(|(a, b)| a.to_bits() == b.to_bits());
+        let segments: Vec<usize> = points.windows(2).map(|w| usize::from(!is_same(w[0], w[1]))).collect();
+        points.dedup_by(|a, b| is_same(*a, *b));
+        let closed = contour.curve.as_curve().is_closed();
+        if closed {
+            points.pop();
+        }
+        let promise = Promise::of_polyline(contour.curve.as_curve(), job.tolerance + rounding.moved);
+        self.written.curves.push(promise.of(between(&vertices).recounted(segments)));
+        if points.len() < if closed { 3 } else { 2 } {
+            let (object, detail) = (contour.object.to_owned(), "the curve is below the rounding of single precision");
+            return Err(ExportError::NotInFormat { object, format: "GLB", detail });
+        }
+        let count = points.len() as u32;
+        let segments = (1..count).map(|i| [i - 1, i]).chain(closed.then_some([count - 1, 0]));
+        let indices: Vec<u32> = segments.flatten().collect();
+        let attributes = json!({"POSITION": self.buffer.positions(&points)});
+        let indices = self.buffer.indices(&indices);
+        Ok(json!({"attributes": attributes, "indices": indices, "material": material, "mode": LINES}))
+    }
+}
+
+/// The edges of the patches of a mesh, parts of one plane as one, as pairs of vertices, where those with the same rounded position are one.
+fn edges(body: &Shape<'_>, mesh: &SurfaceMesh, rounded: &[[f32; 3]], vertices: &mut Vertices) -> Vec<u32> {
+    let regions: Vec<Vec<usize>> = body.shells().map(plane_regions).collect();
+    let faces = mesh.faces.iter().zip(&mesh.sources);
+    let of_patch = faces.flat_map(|(face, source)| {
+        // The triangles of a surface without faces are its patches.
+        let region = regions.get(source.shell).and_then(|faces| faces.get(source.face));
+        let patch = (source.shell, region.copied().unwrap_or(source.face));
+        triangles(face).iter().map(move |t| (patch, t.map(|i| face.corners()[i])))
+    });
+    let triangles: Vec<((usize, usize), [MeshCorner; 3])> = of_patch.collect();
+    let bits = |corner: MeshCorner| rounded[corner.position].map(f32::to_bits);
+    let sides = patch_edges(triangles.iter().map(|(patch, corners)| (*patch, corners.map(bits))));
+    let ends = |(triangle, from): (usize, usize)| [from, (from + 1) % 3].map(|i| triangles[triangle].1[i]);
+    sides.into_iter().flat_map(ends).map(|corner| vertices.index(corner)).collect()
+}
+
+/// The corners of a mesh that have a vertex of their own, in the order in which they are met.
+#[derive(Default)]
+struct Vertices {
+    corners: Vec<MeshCorner>,
+    index: HashMap<MeshCorner, u32>,
+}
+
+impl Vertices {
+    fn index(&mut self, corner: MeshCorner) -> u32 {
+        *self.index.entry(corner).or_insert_with(|| {
+            self.corners.push(corner);
+            // Beyond 4 GiB of indices the container is refused.
+            (self.corners.len() - 1) as u32
+        })
+    }
+}

@@ -1,0 +1,173 @@
+//! What a file is, told by its suffix or its first bytes, so that one given in the wrong place is called by its name.
+
+use std::path::Path;
+
+use crate::formats::Format;
+use crate::text::lines::lines;
+
+/// What a file is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum InputKind {
+    /// A model document.
+    Document,
+    /// A list of points.
+    Points,
+    /// Points as JSON, which a document holds.
+    PointsJson,
+    /// Points in rows and columns, or the samples of a surface.
+    PointGrid,
+    /// A mesh in the format that is read.
+    Mesh,
+    /// A format that is written and not read, by its name.
+    Written(&'static str),
+    /// What is neither written nor read, and what to save in its place.
+    Foreign(&'static str, &'static str),
+}
+
+/// Bytes of a file that tell what it is.
+const HEAD: usize = 4096;
+
+/// Lines that are looked at.
+const LINES: usize = 20;
+
+impl InputKind {
+    /// By the suffix; `None` for an unknown one.
+    #[must_use]
+    pub fn of_path(path: &Path) -> Option<Self> {
+        let suffix = path.extension()?.to_string_lossy().to_lowercase();
+        Some(match suffix.as_str() {
+            "json" => Self::Document,
+            "csv" | "tsv" | "xyz" => Self::Points,
+            "obj" => Self::Mesh,
+            "iges" | "igs" | "brep" | "3dm" | "sat" | "fcstd" => {
+                Self::Foreign("a CAD file", "export points of its curves as CSV, or a mesh of quads as OBJ")
+            }
+            "gltf" | "ply" | "off" | "3mf" | "fbx" | "dae" | "blend" => {
+                Self::Foreign("a mesh of another format", "save it as OBJ, with its quads")
+            }
+            "dwg" | "pdf" | "ai" | "eps" => Self::Foreign("a drawing", "export points of its curves as CSV"),
+            "xlsx" | "xls" | "ods" => Self::Foreign("a spreadsheet", "save it as CSV"),
+            "gpx" | "kml" | "geojson" => Self::Foreign("a geographic file", "save its points as CSV, in a plane grid"),
+            other => Self::written(Format::of_suffix(other)?),
+        })
+    }
+
+    /// A file of a format that is written.
+    fn written(format: Format) -> Self {
+        Self::Written(format.entry().title)
+    }
+
+    /// By the first bytes; `None` if they do not tell.
+    #[must_use]
+    pub fn of_bytes(bytes: &[u8]) -> Option<Self> {
+        let head = &bytes[..bytes.len().min(HEAD)];
+        let magic: [(&[u8], Self); 4] = [
+            (b"glTF", Self::written(Format::Glb)),
+            (b"\x89PNG", Self::written(Format::Png)),
+            (b"%PDF", Self::Foreign("a drawing", "export points of its curves as CSV")),
+            (b"PK\x03\x04", Self::Foreign("an archive or a spreadsheet", "unpack it, or save it as CSV")),
+        ];
+        if let Some((_, found)) = magic.iter().find(|(start, _)| head.starts_with(start)) {
+            return Some(*found);
+        }
+        let text = String::from_utf8_lossy(head);
+        let text = text.trim_start_matches('\u{feff}').trim_start();
+        match text.as_bytes().first()? {
+            b'{' if text.contains("\"cyclide\"") => Some(Self::Document),
+            b'{' => text.contains("\"cyclide-nurbs\"").then(|| Self::written(Format::Json)),
+            b'[' => text[1..].trim_start().starts_with('[').then_some(Self::PointsJson),
+            b'<' => text.contains("<svg").then(|| Self::written(Format::Svg)),
+            _ if text.starts_with("ISO-10303-21") => Some(Self::written(Format::Step)),
+            _ if text.starts_with("0\nSECTION") || text.starts_with("0\r\nSECTION") => Some(Self::written(Format::Dxf)),
+            _ => Self::of_lines(text),
+        }
+    }
+
+    /// Meshes and lists of points, by their first lines that are no remark.
+    fn of_lines(text: &str) -> Option<Self> {
+        let fields = |line: &str| -> Vec<String> {
+            let fields = line.split([',', ';', '\t', ' ']).map(|f| f.trim_matches('"').to_lowercase());
+            fields.filter(|field| !field.is_empty()).collect()
+        };
+        let number = |field: &String| field.parse::<f64>().is_ok();
+        for (_, line) in lines(text).take(LINES) {
+            let names = fields(line.trim_start_matches('#'));
+            let has = |name: &str| names.iter().any(|field| field == name);
+            // Not `u`, `v`, which are velocities as often, nor `i`, `j`, `k`, the direction of a tool.
+            let grid = [["patch", "s"], ["i", "j"], ["row", "column"], ["row", "col"]];
+            let in_space = ["x", "y", "z"].into_iter().all(has) && !has("k");
+            if in_space && grid.iter().any(|pair| pair.iter().all(|name| has(name))) {
+                return Some(Self::PointGrid);
+            }
+            if line.trim_start().starts_with('#') {
+                continue;
+            }
+            match names.as_slice() {
+                [] => {}
+                [word, ..] if word == "mtllib" => return Some(Self::Mesh),
+                [word, rest @ ..]
+                    if ["v", "vn", "vt", "f"].contains(&word.as_str()) && rest.len() >= 2 && number(&rest[0]) =>
+                {
+                    return Some(Self::Mesh);
+                }
+                [first, second, ..] if number(first) && number(second) => return Some(Self::Points),
+                _ => {}
+            }
+        }
+        None
+    }
+
+    /// True for what may be a mesh.
+    pub(crate) fn is_mesh(self) -> bool {
+        matches!(self, Self::Mesh | Self::Written("GLB" | "STL"))
+    }
+
+    /// What people call it.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Document => "a model document",
+            Self::Points => "a list of points",
+            Self::PointsJson => "a list of points as JSON",
+            Self::PointGrid => "points of a surface (its columns speak of rows or patches)",
+            Self::Mesh => "a mesh",
+            Self::Written(name) | Self::Foreign(name, _) => name,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_first_bytes_tell_what_a_file_is() {
+        for (head, found) in [
+            (&b"{\"cyclide\": 1}"[..], Some(InputKind::Document)),
+            (b"\xef\xbb\xbf {\n\"cyclide\": 1}", Some(InputKind::Document)),
+            (b"{\"cyclide-nurbs\": 1}", Some(InputKind::Written("a file of exact B-splines"))),
+            (b"{\"other\": 1}", None),
+            (b"[[0, 1], [2, 3]]", Some(InputKind::PointsJson)),
+            (b"ISO-10303-21;\nHEADER;", Some(InputKind::Written("STEP"))),
+            (b"  0\nSECTION\n  2\nHEADER", Some(InputKind::Written("DXF"))),
+            (b"<?xml version=\"1.0\"?>\n<svg>", Some(InputKind::Written("SVG"))),
+            (b"# roof\nv 0 0 0\nv 1 0 0\n", Some(InputKind::Mesh)),
+            (b"mtllib a.mtl\no roof\n", Some(InputKind::Mesh)),
+            (b"# lone carriage returns\rv 0 0 0\r", Some(InputKind::Mesh)),
+            (b"# x_m,y_m\n0,1\n", Some(InputKind::Points)),
+            (b"x;y\n0;1\n", Some(InputKind::Points)),
+            (b"0 1 2\n", Some(InputKind::Points)),
+            (b"i,j,x,y,z\n0,0,1,2,3\n", Some(InputKind::PointGrid)),
+            (b"patch,s,t,x,y,z\n", Some(InputKind::PointGrid)),
+            (b"t,x,y,z,tangent_x\n0,1,2,3,4\n", Some(InputKind::Points)),
+            (b"x,y,speed,u,v\n0,1,2,3,4\n", Some(InputKind::Points)),
+            (b"x,y,i,j\n0,1,2,3\n", Some(InputKind::Points)),
+            (b"x,y,z,i,j,k\n0,1,2,0,0,1\n", Some(InputKind::Points)),
+            (b"vertex v\n", None),
+            (b"", None),
+            (b"\xff\xfe\x00", None),
+        ] {
+            assert_eq!(InputKind::of_bytes(head), found, "{}", String::from_utf8_lossy(head));
+        }
+    }
+}

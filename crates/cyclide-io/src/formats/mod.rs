@@ -1,0 +1,72 @@
+//! The formats: one entry in one list for each, and the doors that know all of them.
+
+mod csv;
+mod dxf;
+mod entry;
+mod exporter;
+mod format;
+mod glb;
+mod input_kind;
+mod json;
+mod obj;
+mod png;
+mod read_back;
+mod step;
+mod stl;
+mod svg;
+
+use entry::Entry;
+
+pub(crate) use csv::push_sample;
+pub use exporter::{Exporter, export};
+pub(crate) use glb::read_scene;
+pub use input_kind::InputKind;
+pub(crate) use obj::read_polygons;
+pub use obj::{ObjGrid, read_quad_grid};
+pub(crate) use read_back::deviations_of;
+pub use read_back::{file_deviation, read_back};
+pub(crate) use stl::read_triangles;
+
+/// The list: each format with its module, which holds its entry.
+macro_rules! formats {
+    ($($(#[$doc:meta])* $format:ident: $module:ident,)*) => {
+        /// A file format.
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+        pub enum Format {
+            $($(#[$doc])* $format,)*
+        }
+
+        impl Format {
+            /// Every format.
+            pub const ALL: [Self; [$(stringify!($format)),*].len()] = [$(Self::$format),*];
+
+            /// What there is to know of it.
+            pub(crate) const fn entry(self) -> &'static Entry {
+                match self {
+                    $(Self::$format => &$module::ENTRY,)*
+                }
+            }
+        }
+    };
+}
+
+formats! {
+    /// STEP AP214 (ISO 10303-21): CAD systems.
+    Step: step,
+    /// AutoCAD DXF: laser cutters, 2D CAD.
+    Dxf: dxf,
+    /// Scalable Vector Graphics: browsers, laser cutters.
+    Svg: svg,
+    /// Comma-separated samples.
+    Csv: csv,
+    /// Exact rational B-splines as JSON.
+    Json: json,
+    /// A picture.
+    Png: png,
+    /// Binary glTF 2.0: rendering, browsers.
+    Glb: glb,
+    /// Wavefront OBJ: meshes with quads.
+    Obj: obj,
+    /// Binary STL: 3D printing.
+    Stl: stl,
+}

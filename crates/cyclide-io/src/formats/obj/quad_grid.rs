@@ -1,0 +1,293 @@
+//! A structured grid from a mesh of quads: the rows and columns are found from the connections alone.
+
+use std::collections::HashMap;
+
+use cyclide::{Error, QuadGrid};
+
+use super::polygons::{Normals, Polygon, Polygons, parse};
+use crate::text::place::{Diagnostic, Source, decode};
+
+/// A quad grid read from a file.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ObjGrid {
+    /// The grid: a rectangle, a tube (one direction closed) or a torus (both closed).
+    pub grid: QuadGrid,
+    /// Number in the file, from 1, of each point of the grid.
+    pub numbers: Vec<usize>,
+    /// Numbers of the points that no face uses: left out.
+    pub unused: Vec<usize>,
+}
+
+/// Reads a grid of quads from the bytes of an OBJ file; `name` is what messages call it.
+///
+/// s runs along the first side of the first face (from its first to its second corner) and t along its last side (from
+/// the first to the fourth corner), so that `s × t` is the side from which that face is counter-clockwise. Vertex (0, 0)
+/// is reached from the first corner by walking back along s and then along t; in a closed direction it stays there.
+///
+/// # Errors
+/// A message with file, line and column, and a reason: `not-a-quad`, `non-manifold-edge`, `non-manifold-vertex`,
+/// `several-components`, `extraordinary-vertex` (an inner vertex without four quads, or an inward corner of the border),
+/// `not-a-grid` (one-sided, or closed with a shift), and the kernel's for points out of range and closed directions of
+/// fewer than three quads.
+pub fn read_quad_grid(name: &str, bytes: &[u8]) -> Result<ObjGrid, Box<Diagnostic>> {
+    let source = Source { name, text: decode(name, bytes)? };
+    let polygons = parse(source, Normals::PassOver)?;
+    let mesh = Mesh::new(source, &polygons)?;
+    mesh.check_connected()?;
+    mesh.check_vertices()?;
+    let Layout { vertices, size, closed } = mesh.layout()?;
+
+    let points = vertices.iter().map(|&v| polygons.points[v]).collect();
+    let grid = QuadGrid::new(points, size, closed).map_err(|error| mesh.refused_by_kernel(&error, &vertices))?;
+    let mut used = vec![false; polygons.points.len()];
+    vertices.iter().for_each(|&v| used[v] = true);
+    let unused = used.iter().enumerate().filter(|(_, used)| !**used).map(|(v, _)| v + 1).collect();
+    Ok(ObjGrid { grid, numbers: vertices.iter().map(|v| v + 1).collect(), unused })
+}
+
+/// The vertices of a grid, s fastest.
+struct Layout {
+    vertices: Vec<usize>,
+    size: [usize; 2],
+    closed: [bool; 2],
+}
+
+/// A face with its corners named as the grid names them: a0 (0,0), a1 (1,0), a2 (0,1), a3 (1,1).
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+struct Cell {
+    face: usize,
+    corners: [usize; 4],
+}
+
+/// A way across a side of a cell.
+#[derive(Debug, Clone, Copy)]
+enum Way {
+    ForwardS,
+    BackS,
+    ForwardT,
+    BackT,
+}
+
+/// Quads that meet two by two along their sides.
+struct Mesh<'a> {
+    source: Source<'a>,
+    polygons: &'a Polygons,
+    quads: Vec<[usize; 4]>,
+    /// The one or two faces at each side.
+    sides: HashMap<[usize; 2], (usize, Option<usize>)>,
+}
+
+fn side(a: usize, b: usize) -> [usize; 2] {
+    [a.min(b), a.max(b)]
+}
+
+fn sides_of(quad: [usize; 4]) -> [[usize; 2]; 4] {
+    [0, 1, 2, 3].map(|k| side(quad[k], quad[(k + 1) % 4]))
+}
+
+impl<'a> Mesh<'a> {
+    fn new(source: Source<'a>, polygons: &'a Polygons) -> Result<Self, Box<Diagnostic>> {
+        let refused = |face: &Polygon, reason, message: String| {
+            Err(source.diagnostic(face.span.clone(), "", message).with_reason(reason))
+        };
+        if polygons.faces.is_empty() {
+            return Err(source.diagnostic(0..0, "", "the file holds no faces"));
+        }
+        let mut quads = Vec::with_capacity(polygons.faces.len());
+        let mut sides: HashMap<[usize; 2], (usize, Option<usize>)> = HashMap::new();
+        for (index, face) in polygons.faces.iter().enumerate() {
+            let Ok(quad) = <[usize; 4]>::try_from(face.corners.as_slice()) else {
+                return refused(face, "not-a-quad", format!("a face of {} corners, not a quad", face.corners.len()));
+            };
+            if (0..4).any(|i| (0..i).any(|j| quad[i] == quad[j])) {
+                return refused(face, "not-a-quad", "the face has the same point twice".to_owned());
+            }
+            for [a, b] in sides_of(quad) {
+                let faces = sides.entry([a, b]).or_insert((index, None));
+                match faces {
+                    (first, None) if *first == index => {}
+                    (_, second @ None) => *second = Some(index),
+                    _ => {
+                        let message = format!("a third face at the edge between the points {} and {}", a + 1, b + 1);
+                        return refused(face, "non-manifold-edge", message);
+                    }
+                }
+            }
+            quads.push(quad);
+        }
+        Ok(Self { source, polygons, quads, sides })
+    }
+
+    fn refused(&self, face: usize, reason: &'static str, message: impl Into<String>) -> Box<Diagnostic> {
+        self.source.diagnostic(self.polygons.faces[face].span.clone(), "", message).with_reason(reason)
+    }
+
+    fn refused_at_vertex(&self, vertex: usize, reason: &'static str, message: String) -> Box<Diagnostic> {
+        self.source.diagnostic(self.polygons.spans[vertex].clone(), "", message).with_reason(reason)
+    }
+
+    /// The kernel's refusal, at the point it speaks of.
+    fn refused_by_kernel(&self, error: &Error, corners: &[usize]) -> Box<Diagnostic> {
+        let span = error.index().and_then(|k| corners.get(k)).map(|&v| self.polygons.spans[v].clone());
+        self.source.diagnostic(span.unwrap_or(0..0), "", error.to_string()).with_reason(error.reason())
+    }
+
+    /// The face on the other side.
+    fn across(&self, face: usize, side: [usize; 2]) -> Option<usize> {
+        match *self.sides.get(&side)? {
+            (first, Some(second)) => Some(if first == face { second } else { first }),
+            (_, None) => None,
+        }
+    }
+
+    fn check_connected(&self) -> Result<(), Box<Diagnostic>> {
+        let mut reached = vec![false; self.quads.len()];
+        let mut open = vec![0];
+        reached[0] = true;
+        while let Some(face) = open.pop() {
+            for next in sides_of(self.quads[face]).into_iter().filter_map(|side| self.across(face, side)) {
+                if !std::mem::replace(&mut reached[next], true) {
+                    open.push(next);
+                }
+            }
+        }
+        match reached.iter().position(|reached| !reached) {
+            Some(face) => {
+                Err(self.refused(face, "several-components", "no chain of neighbours joins this face to the first one"))
+            }
+            None => Ok(()),
+        }
+    }
+
+    /// Inner vertices have four quads, those of the border one or two, in one fan.
+    fn check_vertices(&self) -> Result<(), Box<Diagnostic>> {
+        let mut quads = vec![0usize; self.polygons.points.len()];
+        let mut border_edges = vec![0usize; quads.len()];
+        for (face, quad) in self.quads.iter().enumerate() {
+            quad.iter().for_each(|&v| quads[v] += 1);
+            for [a, b] in sides_of(*quad) {
+                if self.across(face, [a, b]).is_none() {
+                    border_edges[a] += 1;
+                    border_edges[b] += 1;
+                }
+            }
+        }
+        for (v, (&quads, &border)) in quads.iter().zip(&border_edges).enumerate() {
+            let number = v + 1;
+            if border > 2 {
+                let message = format!("parts of the mesh touch in point {number} alone");
+                return Err(self.refused_at_vertex(v, "non-manifold-vertex", message));
+            }
+            let message = match (border, quads) {
+                (0, 0 | 4) | (2, 1 | 2) => continue,
+                (0, _) => format!("point {number} is an inner vertex of {quads} quads: only 4 make a grid"),
+                _ => format!("point {number} is a border vertex of {quads} quads: only 1 or 2 make a grid"),
+            };
+            return Err(self.refused_at_vertex(v, "extraordinary-vertex", message));
+        }
+        Ok(())
+    }
+
+    /// The cell next to one.
+    fn step(&self, cell: Cell, way: Way) -> Option<Cell> {
+        let [a0, a1, a2, a3] = cell.corners;
+        let (p, q) = match way {
+            Way::ForwardS => (a1, a3),
+            Way::BackS => (a0, a2),
+            Way::ForwardT => (a2, a3),
+            Way::BackT => (a0, a1),
+        };
+        let face = self.across(cell.face, side(p, q))?;
+        let quad = self.quads[face];
+        let at = quad.iter().position(|v| *v == p)?;
+        // The corner next to p that is not q, and the one next to q.
+        let (next, before) = ((at + 1) % 4, (at + 3) % 4);
+        let beside = if quad[next] == q { before } else { next };
+        let (r, t) = (quad[beside], quad[(at + 2) % 4]);
+        let corners = match way {
+            Way::ForwardS => [p, r, q, t],
+            Way::BackS => [r, p, t, q],
+            Way::ForwardT => [p, q, r, t],
+            Way::BackT => [r, t, p, q],
+        };
+        Some(Cell { face, corners })
+    }
+
+    /// The last cell on a way, or `None` if the way comes back to the start.
+    fn end(&self, start: Cell, way: Way) -> Result<Option<Cell>, Box<Diagnostic>> {
+        let mut cell = start;
+        // A way through a grid visits a face once; one-sided or shifted ones come back in another place.
+        for _ in 0..self.quads.len() {
+            match self.step(cell, way) {
+                None => return Ok(Some(cell)),
+                Some(next) if next == start => return Ok(None),
+                Some(next) => cell = next,
+            }
+        }
+        Err(self.not_a_grid(start.face))
+    }
+
+    fn not_a_grid(&self, face: usize) -> Box<Diagnostic> {
+        let message = "the rows through this face do not close up: the mesh is one-sided, or closed with a shift";
+        self.refused(face, "not-a-grid", message)
+    }
+
+    /// Finds the rows and columns.
+    fn layout(&self) -> Result<Layout, Box<Diagnostic>> {
+        let [a0, a1, a3, a2] = self.quads[0];
+        let first = Cell { face: 0, corners: [a0, a1, a2, a3] };
+        let back_s = self.end(first, Way::BackS)?;
+        let corner = back_s.unwrap_or(first);
+        let back_t = self.end(corner, Way::BackT)?;
+        let closed = [back_s.is_none(), back_t.is_none()];
+        let origin = back_t.unwrap_or(corner);
+
+        let mut vertices = Vec::new();
+        let mut used = vec![false; self.polygons.points.len()];
+        let mut last_row = Vec::new();
+        let (mut size, mut rows, mut faces) = (None, 0, 0);
+        let mut row = origin;
+        loop {
+            let mut line = Vec::new();
+            let mut upper = Vec::new();
+            let mut cell = row;
+            loop {
+                line.push(cell.corners[0]);
+                upper.push(cell.corners[2]);
+                faces += 1;
+                match self.step(cell, Way::ForwardS) {
+                    Some(next) if next == row && closed[0] => break,
+                    // A row that goes on for ever is caught by the count of faces.
+                    Some(next) if faces <= self.quads.len() => cell = next,
+                    Some(_) => return Err(self.not_a_grid(row.face)),
+                    None => {
+                        line.push(cell.corners[1]);
+                        upper.push(cell.corners[3]);
+                        break;
+                    }
+                }
+            }
+            if *size.get_or_insert(line.len()) != line.len() {
+                return Err(self.not_a_grid(row.face));
+            }
+            vertices.extend(line);
+            rows += 1;
+            match self.step(row, Way::ForwardT) {
+                Some(next) if next == origin && closed[1] => break,
+                Some(next) if faces <= self.quads.len() => row = next,
+                Some(_) => return Err(self.not_a_grid(row.face)),
+                None => {
+                    last_row = upper;
+                    break;
+                }
+            }
+        }
+        rows += usize::from(!last_row.is_empty());
+        vertices.extend(last_row);
+        let repeated = vertices.iter().any(|&v| std::mem::replace(&mut used[v], true));
+        if repeated || faces != self.quads.len() {
+            return Err(self.not_a_grid(origin.face));
+        }
+        Ok(Layout { vertices, size: [size.unwrap_or_default(), rows], closed })
+    }
+}

@@ -1,0 +1,328 @@
+//! The legend of a picture: what its colours, numbers and signs stand for.
+//!
+//! A few objects are named in a row with their colours. More are numbered: each has its number in the drawing, and the
+//! names stand in columns below, as many as a third of the picture holds; the last entry says how many are left out.
+
+use super::canvas::{Canvas, Ink, Pixel};
+use super::sheet::{BAR_ROOM, MOST_ENTRIES, ROW, Sheet, TEXT};
+use super::{DATA, lettering};
+use crate::drawing::Combs;
+use crate::export::job::Job;
+use cyclide::ShortNumber;
+
+/// Width of a mark with the space behind it, and the space between two entries.
+const MARK: f64 = 58.0;
+const BETWEEN: f64 = 44.0;
+/// Part of the tallest picture that the numbered names may take, and the distance of their rows.
+const NUMBERED_PART: f64 = 0.34;
+const NUMBERED_ROW: f64 = 0.8;
+/// Width of the number before a mark.
+const NUMBER: f64 = 40.0;
+
+/// An entry of the legend.
+pub(super) struct Entry {
+    mark: Mark,
+    text: String,
+}
+
+/// What stands before the text.
+#[derive(Debug, Clone, Copy)]
+enum Mark {
+    /// A curve, and whether it is drawn in dashes.
+    Line(Ink, bool),
+    /// A surface: its colour and that of its lines.
+    Field(Ink, Ink),
+    Comb,
+    /// Data points of a fit.
+    Data,
+    /// None: more than there is room for.
+    More,
+}
+
+/// A legend with the places of its entries.
+pub(super) struct Legend {
+    row: Vec<Entry>,
+    numbered: Vec<Entry>,
+}
+
+/// An entry with its place: the text as far as there is room, pixels from the left, the row, and the number.
+struct Placed<'a> {
+    entry: &'a Entry,
+    text: String,
+    x: f64,
+    row: f64,
+    number: Option<usize>,
+}
+
+/// How the objects of a picture are told apart.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Naming {
+    /// By the colours of the legend.
+    Colours,
+    /// By names beside them.
+    Names,
+    /// By numbers, with the names in the legend.
+    Numbers,
+}
+
+impl Legend {
+    pub(super) fn new(job: &Job<'_>, combs: &Combs, names: &[String], naming: Naming) -> Self {
+        let mut row = match naming {
+            Naming::Colours => coloured(job, combs, names),
+            Naming::Names | Naming::Numbers => crowd(combs),
+        };
+        if job.model.items.iter().any(|item| !item.data.is_empty()) {
+            row.push(Entry { mark: Mark::Data, text: "data points of a fit, its nodes as rings".to_owned() });
+        }
+        let numbered = match naming {
+            Naming::Numbers => {
+                let named = names.iter().enumerate();
+                named.map(|(index, name)| Entry { mark: mark(job, index), text: name.clone() }).collect()
+            }
+            Naming::Colours | Naming::Names => Vec::new(),
+        };
+        Self { row, numbered }
+    }
+
+    /// Draws a curve's mark in dashes, as the curve itself is where it covers another.
+    pub(super) fn dash(&mut self, name: &str) {
+        for entry in self.row.iter_mut().chain(&mut self.numbered) {
+            if let Mark::Line(_, dashed) = &mut entry.mark
+                && (entry.text == name || entry.text.strip_prefix(name).is_some_and(|rest| rest.starts_with(": ")))
+            {
+                *dashed = true;
+            }
+        }
+    }
+
+    /// Rows of the legend, from the scale bar's.
+    pub(super) fn rows(&self, sheet: Sheet) -> f64 {
+        self.places(sheet).iter().map(|placed| placed.row).fold(0.0, f64::max) + 1.0
+    }
+
+    /// How many objects are numbered; the others have no room in the legend.
+    pub(super) fn numbers(&self, sheet: Sheet) -> usize {
+        self.places(sheet).iter().filter(|placed| placed.number.is_some()).count()
+    }
+
+    fn places(&self, sheet: Sheet) -> Vec<Placed<'_>> {
+        let s = sheet.scale;
+        // On a narrow picture the legend starts below the scale bar.
+        let beside = sheet.width - 2.0 * sheet.margin() > 2.2 * BAR_ROOM * s;
+        let (left, first) = if beside { (sheet.margin() + BAR_ROOM * s, 0.0) } else { (sheet.margin(), 1.0) };
+        let right = sheet.width - sheet.margin();
+        let mut at = (left, first);
+        let mut places = Vec::new();
+        for entry in &self.row {
+            let text = lettering::fitted(&entry.text, sheet.text_size(), right - left - MARK * s);
+            let width = MARK * s + lettering::width(&text, sheet.text_size());
+            if at.0 > left && at.0 + width > right {
+                at = (left, at.1 + 1.0);
+            }
+            places.push(Placed { entry, text, x: at.0, row: at.1, number: None });
+            at.0 += width + BETWEEN * s;
+        }
+        let used = if self.row.is_empty() && !beside { 0.0 } else { at.1 };
+        self.columns(sheet, used + 1.0, &mut places);
+        places
+    }
+
+    /// The numbered names in columns of equal width, read downwards.
+    fn columns<'a>(&'a self, sheet: Sheet, first: f64, places: &mut Vec<Placed<'a>>) {
+        let (s, size, left) = (sheet.scale, sheet.text_size(), sheet.margin());
+        let room = sheet.width - 2.0 * left;
+        let before = (NUMBER + MARK) * s;
+        let widest = self.numbered.iter().map(|entry| lettering::width(&entry.text, size)).fold(0.0, f64::max);
+        let column = (before + widest + BETWEEN * s).min(room + BETWEEN * s);
+        let columns = ((room + BETWEEN * s) / column).floor().max(1.0) as usize;
+        let most = NUMBERED_PART * sheet.tallest() / (NUMBERED_ROW * ROW * s) - first;
+        let rows = self.numbered.len().div_ceil(columns).min(most.max(2.0) as usize).max(1);
+        let all = self.numbered.len() <= rows * columns;
+        let shown = if all { self.numbered.len() } else { rows * columns - 1 };
+        for (index, entry) in self.numbered.iter().take(shown).enumerate() {
+            let x = left + (index / rows) as f64 * column;
+            // A pixel for the rounding of sums.
+            let text = lettering::fitted(&entry.text, size, column - before - BETWEEN * s + 1.0);
+            let row = first + NUMBERED_ROW * (index % rows) as f64;
+            places.push(Placed { entry, text, x, row, number: Some(index + 1) });
+        }
+        if !all {
+            let x = left + (shown / rows) as f64 * column;
+            let text = format!("+{} more", self.numbered.len() - shown);
+            let row = first + NUMBERED_ROW * (shown % rows) as f64;
+            places.push(Placed { entry: &MORE, text, x, row, number: None });
+        }
+    }
+
+    /// Draws the legend below the pixel `top`.
+    pub(super) fn draw(&self, canvas: &mut Canvas, sheet: Sheet, top: f64) {
+        let s = sheet.scale;
+        for Placed { entry, text, x, row, number } in self.places(sheet) {
+            let middle = top + (row + 0.5) * ROW * s;
+            let mut x = x;
+            if let Some(number) = number {
+                balloon(canvas, (x + 0.4 * NUMBER * s, middle), number, sheet, entry.mark.ink());
+                x += NUMBER * s;
+            }
+            entry.mark.draw(canvas, (x, middle), s);
+            let start = if matches!(entry.mark, Mark::More) { x } else { x + MARK * s };
+            canvas.text(&text, (start, middle + 0.5 * TEXT * s), TEXT * s, Ink::TEXT);
+        }
+    }
+}
+
+static MORE: Entry = Entry { mark: Mark::More, text: String::new() };
+
+/// A number in a circle: the key of an object.
+pub(super) fn balloon(canvas: &mut Canvas, (x, y): (f64, f64), number: usize, sheet: Sheet, ink: Ink) {
+    let (text, size) = (number.to_string(), BALLOON_TEXT * sheet.text_size());
+    let radius = balloon_radius(number, sheet);
+    canvas.disc((x as f32, y as f32), radius, 1.5 * sheet.scale, ink);
+    canvas.text(&text, (x - 0.5 * lettering::width(&text, size), y + 0.5 * size), size, ink);
+}
+
+const BALLOON_TEXT: f64 = 0.72;
+
+pub(super) fn balloon_radius(number: usize, sheet: Sheet) -> f64 {
+    let size = BALLOON_TEXT * sheet.text_size();
+    (0.5 * lettering::width(&number.to_string(), size) + 0.45 * size).max(size)
+}
+
+/// True if there are more objects than a legend of colours can tell apart.
+pub(super) fn is_crowded(job: &Job<'_>) -> bool {
+    job.model.items.len() > MOST_ENTRIES
+}
+
+fn mark(job: &Job<'_>, index: usize) -> Mark {
+    if job.model.items[index].contours.is_empty() {
+        Mark::Field(Ink::surface(index), Ink::object(index))
+    } else {
+        Mark::Line(Ink::object(index), false)
+    }
+}
+
+/// One entry for all the combs of many objects.
+fn crowd(combs: &Combs) -> Vec<Entry> {
+    let mut text = scale_words(combs).to_owned();
+    if !combs.left_out.is_empty() {
+        text += &format!("; {} left out where they would lie on others", combs.left_out.len());
+    }
+    if combs.drawn.is_empty() { Vec::new() } else { vec![Entry { mark: Mark::Comb, text }] }
+}
+
+fn scale_words(combs: &Combs) -> &'static str {
+    match combs.drawn.len() {
+        1 => "curvature comb",
+        _ if combs.have_one_scale() => "curvature combs, to one scale",
+        _ => "curvature combs, not to one scale",
+    }
+}
+
+fn coloured(job: &Job<'_>, combs: &Combs, names: &[String]) -> Vec<Entry> {
+    let symbol = job.units().symbol();
+    let mut entries = Vec::new();
+    // The title is name enough for one.
+    let named = names.len() > 1;
+    for (index, name) in names.iter().enumerate() {
+        let comb = combs.drawn.iter().find(|comb| comb.item == index);
+        let said = comb.map(|comb| {
+            let [k, radius] = [comb.largest, 1.0 / comb.largest].map(|v| ShortNumber(three_digits(v)));
+            let cut = if comb.is_cut { ", longest teeth cut" } else { "" };
+            match comb.largest.is_finite() {
+                true => format!("curvature up to {k} 1/{symbol}, radius {radius} {symbol}{cut}"),
+                false => "curvature without bound, longest teeth cut".to_owned(),
+            }
+        });
+        let left_out = combs.left_out.contains(&index).then(|| "comb left out: it would lie on another".to_owned());
+        let mark = mark(job, index);
+        match (named, said.or(left_out)) {
+            (true, Some(said)) => entries.push(Entry { mark, text: format!("{name}: {said}") }),
+            (true, None) => entries.push(Entry { mark, text: name.clone() }),
+            (false, Some(said)) => entries.push(Entry { mark: Mark::Comb, text: said }),
+            (false, None) => {}
+        }
+    }
+    if named && !combs.drawn.is_empty() {
+        entries.push(Entry { mark: Mark::Comb, text: scale_words(combs).to_owned() });
+    }
+    entries
+}
+
+fn three_digits(v: f64) -> f64 {
+    format!("{v:.2e}").parse().unwrap_or(v)
+}
+
+impl Mark {
+    /// The colour of a number beside it.
+    fn ink(self) -> Ink {
+        match self {
+            Self::Line(ink, _) | Self::Field(_, ink) => ink,
+            Self::Comb | Self::Data | Self::More => Ink::TEXT,
+        }
+    }
+
+    /// Draws it from its left end.
+    fn draw(self, canvas: &mut Canvas, (x, y): (f64, f64), s: f64) {
+        let at = |dx: f64, dy: f64| -> Pixel { ((x + dx * s) as f32, (y + dy * s) as f32) };
+        match self {
+            Self::Line(ink, false) => canvas.stroke(&[at(2.0, 0.0), at(42.0, 0.0)], false, 3.4 * s, ink),
+            Self::Line(ink, true) => canvas.dashes(&[at(2.0, 0.0), at(46.0, 0.0)], false, 3.4 * s, 9.0 * s, ink),
+            Self::Field(field, line) => {
+                let corners = [at(4.0, 8.0), at(40.0, 8.0), at(40.0, -8.0), at(4.0, -8.0)];
+                canvas.fill(&corners, field);
+                canvas.stroke(&corners, true, 1.5 * s, line);
+            }
+            Self::Comb => {
+                let arch = |i: u32| -0.5 * (f64::from(i) - 4.0).powi(2);
+                let tips: Vec<Pixel> = (0..9).map(|i| at(2.0 + 5.0 * f64::from(i), -2.0 + arch(i) - 2.0)).collect();
+                let feet: Vec<Pixel> = (0..9).map(|i| at(2.0 + 5.0 * f64::from(i), 8.0)).collect();
+                let teeth: Vec<[Pixel; 2]> = feet.iter().zip(&tips).map(|(a, b)| [*a, *b]).collect();
+                canvas.strokes(teeth.iter().map(<[_; 2]>::as_slice), s, Ink::COMB);
+                canvas.stroke(&tips, false, 1.3 * s, Ink::COMB_EDGE);
+                canvas.stroke(&feet, false, 2.4 * s, Ink::object(0));
+            }
+            Self::Data => {
+                for (dx, dy) in [(5.0, -1.5), (13.0, 1.5), (31.0, -1.0), (39.0, 1.5)] {
+                    canvas.spot(at(dx, dy), DATA * s);
+                }
+                canvas.stroke(&[at(2.0, 0.0), at(42.0, 0.0)], false, 2.4 * s, Ink::object(0));
+                canvas.dot(at(22.0, 0.0), 4.0 * s);
+            }
+            Self::More => {}
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn legend(count: usize) -> Legend {
+        let entry =
+            |i: usize| Entry { mark: Mark::Line(Ink::object(i), false), text: format!("a rail with number {i}") };
+        Legend { row: Vec::new(), numbered: (0..count).map(entry).collect() }
+    }
+
+    #[test]
+    fn numbered_names_take_a_third_of_the_picture_at_most() {
+        for (width, scale) in [(1600.0, 1.0), (500.0, (500.0_f64 / 1600.0).sqrt())] {
+            let sheet = Sheet { width, scale };
+            for count in [7, 20, 61, 400] {
+                let legend = legend(count);
+                let shown = legend.numbers(sheet);
+                let places = legend.places(sheet);
+                let last = places.last().map_or("", |placed| &placed.text);
+                match count - shown {
+                    0 => assert_eq!(last, format!("a rail with number {}", count - 1)),
+                    left => assert_eq!(last, format!("+{left} more")),
+                }
+                assert!(legend.rows(sheet) * ROW * scale < 0.4 * sheet.tallest(), "{count}");
+                let wide = |placed: &Placed<'_>| {
+                    placed.x + (NUMBER + MARK) * scale + lettering::width(&placed.text, sheet.text_size())
+                };
+                assert!(places.iter().all(|placed| wide(placed) < width), "{count} at {width}");
+                assert!(count > 20 || width < 1600.0 || shown == count, "{shown} of {count}");
+            }
+        }
+    }
+}

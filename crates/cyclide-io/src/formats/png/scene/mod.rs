@@ -1,0 +1,263 @@
+//! Pictures of surfaces: shaded, with their parameter circles, curves among them, and a shadow on the ground.
+//!
+//! Eight samples in a pixel say which facet of a fine mesh is seen; each facet seen is shaded once in a pixel, at the
+//! middle of its samples, with the patch's own normal at the parameters of that place. Parameter circles are found
+//! there too, as places where a parameter is near a multiple of its step, so they lie on the surface by construction.
+//! Light is averaged before it is made a colour of the screen.
+
+mod camera;
+mod facets;
+mod ground;
+mod light;
+mod patch;
+mod raster;
+mod surface;
+#[cfg(test)]
+mod tests;
+mod visible;
+
+use super::{FLATNESS, UP, curves, picture};
+use crate::drawing::Combs;
+use crate::drawing::palette::to_linear;
+use crate::export::error::ExportError;
+use crate::export::exported::{Exported, Promise, Written};
+use crate::export::job::Job;
+use crate::formats::png::axes::{self, Plan, Rulers};
+use crate::formats::png::canvas::{Canvas, Ink, PAPER};
+use crate::formats::png::legend::{self, Naming, balloon};
+use crate::formats::png::sheet::{Caption, Names, Sheet};
+use crate::formats::png::view;
+use camera::Camera;
+use cyclide::{Aabb, Point3};
+use facets::{Facets, Paint};
+use ground::Ground;
+use light::{Lights, Rgb, screen};
+use patch::{Patch, patches};
+use raster::{Band, NOTHING, SAMPLE_COUNT, sample_place};
+use surface::{Surface, surfaces};
+use visible::Visible;
+
+/// The meshes are this close to the surfaces, pixels.
+const MESH: f64 = 0.25;
+
+/// Draws a model with surfaces.
+pub(super) fn write(job: &Job<'_>, sheet: Sheet, names: Names) -> Result<Exported, ExportError> {
+    let rough = facets::rough(job);
+    let mut points: Vec<Point3> = rough.iter().flatten().copied().collect();
+    points.extend(curves(job, 1e-3 * job.size())?.iter().flat_map(|c| c.points.iter().copied()));
+    let bounds = Aabb::of_points(points.iter().copied()).ok_or(ExportError::Empty)?;
+    let heights = bounds.max.z - bounds.min.z > 1e-6 * bounds.diagonal();
+    let axes = match job.options.camera {
+        Some(camera) => camera.axes(),
+        None if heights => view::from_side(&points, STEEPNESS),
+        None => view::from_above(),
+    };
+    let flat = job.options.camera.map_or(!heights, crate::export::camera::Camera::is_along_axis);
+    let naming = if legend::is_crowded(job) { Naming::Numbers } else { Naming::Colours };
+    let caption = Caption::new(job, &Combs::default(), &names.drawn, naming);
+    let rulers = match flat {
+        _ if !job.options.png_axes || caption.is_none() => Rulers::None,
+        true => Rulers::Sides,
+        false => Rulers::Edges,
+    };
+    if rulers == Rulers::Edges {
+        points.extend(view::corners(bounds));
+    }
+    let height = sheet.tallest();
+    let (header, footer) = caption.as_ref().map_or((0.0, 0.0), |c| (c.header(sheet), c.footer(sheet)));
+    let [before, behind, under] = rulers.room().map(|room| room * sheet.scale);
+    let room = (sheet.width - before - behind, height - header - footer - under);
+    let camera = Camera::new(&points, axes, flat, room).moved(before, header);
+    let lights = Lights::new(camera.axes());
+    let ground = (heights && axes[2].z > 0.0).then(|| Ground::new(&rough, bounds, &lights));
+
+    let (mut drawn, mut patches_drawn) = (Vec::new(), Vec::new());
+    let (mut items, mut patch_items) = (Vec::new(), Vec::new());
+    let mut facets = Facets::default();
+    for body in job.bodies {
+        if let Some(surface) = body.body.triangles() {
+            let mesh = job.pieces.tessellate(&body.body, MESH * camera.unit()).map_err(|source| body.unfit(source))?;
+            facets.add_triangles(&mesh, patches_drawn.len(), &camera);
+            patches_drawn.extend(patches(surface, body.item, sheet.scale));
+            patch_items.resize(patches_drawn.len(), body.item);
+        }
+        let Some(faces) = body.body.faces() else { continue };
+        let first = drawn.len();
+        for shell in faces.shells() {
+            drawn.extend(surfaces(shell, body.item, camera.unit(), sheet.scale));
+        }
+        items.resize(drawn.len(), body.item);
+        let mesh = job.pieces.tessellate(&body.body, MESH * camera.unit()).map_err(|source| body.unfit(source))?;
+        facets.add_body(faces, &mesh, first, &camera);
+    }
+    for curve in curves(job, FLATNESS * camera.unit())? {
+        facets.add_curve(&curve, &camera, sheet.scale);
+    }
+    let paper = to_linear(PAPER);
+    let scene = Scene { camera, lights, ground, drawn, items, patches: patches_drawn, patch_items, facets, paper };
+    let size = (sheet.width as usize, height as usize);
+    let mut visible = Visible::new(size, 6.0 * sheet.scale);
+    let mut canvas = scene.draw(size, &mut visible)?;
+    let Names { drawn: names, mut notes } = names;
+    if let Some(caption) = caption {
+        let middle = bounds.min.midpoint(bounds.max);
+        let unit = scene.camera.unit_at(middle);
+        let note = if flat || !heights { "" } else { " at mid-depth" };
+        scene.rulers(&mut canvas, rulers, (bounds, &points), sheet, job.units().symbol());
+        notes.extend(visible.hidden_note(&names));
+        if naming == Naming::Numbers {
+            let places = visible.places(names.len());
+            for (index, place) in places.into_iter().enumerate().take(caption.legend.numbers(sheet)) {
+                if let Some(place) = place {
+                    balloon(&mut canvas, place, index + 1, sheet, Ink::object(index));
+                }
+            }
+        }
+        caption.draw(&mut canvas, sheet, height, unit, note);
+    }
+    let bytes = canvas.encode().map_err(|e| picture(&e))?;
+    // A picture has no parts that could be told apart.
+    let written = Written { bodies: vec![Promise::proved(0.5 * scene.camera.unit())], ..Written::default() };
+    Ok(written.exported(bytes, notes))
+}
+
+/// Height of the eye over its horizontal distance is this over 0.94.
+const STEEPNESS: f64 = 0.5;
+
+/// How much of each primary a shadow takes.
+const SHADOW: Rgb = [1.03, 1.0, 0.95];
+
+struct Scene<'a> {
+    camera: Camera,
+    lights: Lights,
+    ground: Option<Ground>,
+    drawn: Vec<Surface<'a>>,
+    /// The object of each surface.
+    items: Vec<usize>,
+    patches: Vec<Patch>,
+    /// The object of each patch.
+    patch_items: Vec<usize>,
+    facets: Facets,
+    paper: Rgb,
+}
+
+impl Scene<'_> {
+    fn draw(&self, (width, height): (usize, usize), visible: &mut Visible) -> Result<Canvas, ExportError> {
+        let mut canvas = Canvas::new(width as u32, height as u32).ok_or_else(|| picture("it has no size"))?;
+        let table = Screen::new();
+        raster::bands(&self.facets.corners, (width, height), |band| {
+            for row in 0..band.rows {
+                for x in 0..width {
+                    let colour = self.pixel(band, x, row);
+                    canvas.set(x, band.top + row, colour.map(|c| table.byte(c)));
+                    visible.add(x, band.top + row, self.object(band.seen(x, row)[0]));
+                }
+            }
+        });
+        Ok(canvas)
+    }
+
+    /// The object that a facet belongs to.
+    fn object(&self, facet: u32) -> Option<usize> {
+        match self.facets.paints.get(facet as usize)? {
+            Paint::Ink { object, .. } => Some(*object),
+            Paint::Surface { surface, .. } => self.items.get(*surface).copied(),
+            Paint::Patch { patch, .. } => self.patch_items.get(*patch).copied(),
+        }
+    }
+
+    fn rulers(
+        &self,
+        canvas: &mut Canvas,
+        rulers: Rulers,
+        (bounds, points): (Aabb, &[Point3]),
+        sheet: Sheet,
+        symbol: &str,
+    ) {
+        let pixel = |p: Point3| {
+            let seen = self.camera.project(p);
+            (seen.x, seen.y)
+        };
+        let axes = self.camera.axes();
+        match rulers {
+            Rulers::None => {}
+            Rulers::Edges => axes::edge_rulers(canvas, bounds, self.camera.eye(), &pixel, sheet, symbol),
+            Rulers::Sides => {
+                // The plane of the drawing is at the middle of the model's depth.
+                let flat = |p: &Point3| Point3::from(axes.map(|axis| p.to_vec().dot(axis)));
+                let area = Aabb::of_points(points.iter().map(flat)).unwrap_or(bounds);
+                let depth = 0.5 * (area.min.z + area.max.z);
+                let at = |x: f64, y: f64| pixel(Point3::ORIGIN + axes[0] * x + axes[1] * y + axes[2] * depth);
+                let unit = self.camera.unit_at(bounds.min.midpoint(bounds.max));
+                axes::rulers(canvas, &Plan { axes, area, unit, at: &at, symbol }, sheet, false);
+            }
+        }
+    }
+
+    /// The mean light of a pixel.
+    fn pixel(&self, band: &Band, x: usize, row: usize) -> Rgb {
+        let seen = band.seen(x, row);
+        let y = band.top + row;
+        let mut sum = [0.0; 3];
+        let mut done = [false; SAMPLE_COUNT];
+        for first in 0..SAMPLE_COUNT {
+            if done[first] {
+                continue;
+            }
+            let (mut count, mut px, mut py) = (0.0, 0.0, 0.0);
+            for k in first..SAMPLE_COUNT {
+                if seen[k] == seen[first] {
+                    done[k] = true;
+                    let (sx, sy) = sample_place(k, x, y);
+                    (count, px, py) = (count + 1.0, px + sx, py + sy);
+                }
+            }
+            let light = self.light(seen[first], px / count, py / count);
+            for (s, l) in sum.iter_mut().zip(light) {
+                *s += l * count / SAMPLE_COUNT as f64;
+            }
+        }
+        sum
+    }
+
+    /// What is seen at a place of the picture where the facet is in front.
+    fn light(&self, facet: u32, x: f64, y: f64) -> Rgb {
+        if facet == NOTHING {
+            let kept = self.ground.as_ref().map_or(1.0, |g| g.light(self.camera.eye(), self.camera.ray(x, y)));
+            // The shadow is a little cool, like the sky that still lights it.
+            return std::array::from_fn(|k| self.paper[k] * (1.0 - (1.0 - kept) * SHADOW[k]));
+        }
+        match &self.facets.paints[facet as usize] {
+            Paint::Ink { light, .. } => *light,
+            Paint::Surface { surface, at } => {
+                let (surface, ray) = (&self.drawn[*surface], self.camera.ray(x, y));
+                let rough = facets::parameters(&self.facets.corners[facet as usize], at, x, y);
+                let (at, slope) = surface.settle(rough, at, ray, &self.camera);
+                surface.colour(at, slope, -ray, &self.lights)
+            }
+            Paint::Patch { patch, at } => {
+                let ray = self.camera.ray(x, y);
+                let (at, slope) = facets::parameters(&self.facets.corners[facet as usize], at, x, y);
+                self.patches[*patch].colour(at, slope, -ray, &self.lights)
+            }
+        }
+    }
+}
+
+/// A table from linear light to bytes, finer than a step of the screen.
+struct Screen {
+    bytes: Vec<u8>,
+}
+
+impl Screen {
+    const STEPS: f64 = 16383.0;
+
+    fn new() -> Self {
+        let byte = |i: u32| (255.0 * screen(f64::from(i) / Self::STEPS)).round() as u8;
+        Self { bytes: (0..=Self::STEPS as u32).map(byte).collect() }
+    }
+
+    fn byte(&self, light: f64) -> u8 {
+        self.bytes[(light.clamp(0.0, 1.0) * Self::STEPS).round() as usize]
+    }
+}

@@ -1,0 +1,50 @@
+//! Reading our own files: the way from the bytes back to geometry, by which every export is checked.
+
+use crate::check::deviation::Deviations;
+use crate::check::file_content::{FileContent, ReadError};
+use crate::check::made::Made;
+use crate::export::error::ExportError;
+use crate::export::exported::Exported;
+use crate::export::ready::ReadyModel;
+use crate::formats::Format;
+use crate::formats::entry::Reading;
+use cyclide::Model;
+
+/// Reads a file that [`export`](crate::export()) wrote.
+///
+/// # Errors
+/// [`ReadError`]; never panics, whatever the bytes are.
+pub fn read_back(format: Format, bytes: &[u8]) -> Result<FileContent, ReadError> {
+    (reading(format)?.read)(bytes)
+}
+
+/// The largest distance between what a file holds and the model, recomputed from the file's bytes.
+///
+/// SVG is a drawing of the plane: there both are compared as seen along the third axis, surfaces by the edges and
+/// parameter circles that are drawn.
+///
+/// # Errors
+/// [`ReadError`] if the bytes cannot be read, or hold other things than the model.
+pub fn file_deviation(model: &Model, format: Format, file: &Exported) -> Result<f64, ReadError> {
+    Ok(deviations_of(&ReadyModel::new(model).map_err(not_ready)?, format, file)?.largest())
+}
+
+/// As [`file_deviation`], of a model made ready, part by part.
+pub(crate) fn deviations_of(ready: &ReadyModel<'_>, format: Format, file: &Exported) -> Result<Deviations, ReadError> {
+    (reading(format)?.compare)(&Made { ready, file })
+}
+
+/// The way back from a file of a format that holds geometry.
+fn reading(format: Format) -> Result<&'static Reading, ReadError> {
+    format.entry().reading.as_ref().ok_or(ReadError::NoGeometry { format: format.name() })
+}
+
+/// A model that cannot be written, as one whose surface has no body, cannot be compared.
+fn not_ready(error: ExportError) -> ReadError {
+    match error {
+        ExportError::Lowering { object, source, .. } | ExportError::Surface { object, source, .. } => {
+            ReadError::Geometry { place: object, source }
+        }
+        other => ReadError::syntax("the model", other.to_string()),
+    }
+}

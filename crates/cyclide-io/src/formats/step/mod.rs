@@ -1,0 +1,164 @@
+//! STEP AP214 (ISO 10303-21): curves without faces, and bodies.
+//!
+//! One `GEOMETRIC_CURVE_SET` per object, in it one `COMPOSITE_CURVE` per connected curve, so that a reader gets one
+//! wire per connected curve, closed where it is closed. Full circles are `CIRCLE`s, arcs trimmed ones, segments
+//! trimmed `LINE`s, rational splines B-splines; nothing is approximated that is exact in the kernel. Coordinates are written as they
+//! are and the file says their unit. The time stamp is fixed: the same model gives the same bytes.
+//!
+//! Bodies are `SHELL_BASED_SURFACE_MODEL`s of open shells, or `MANIFOLD_SOLID_BREP`s. Every shared edge is one
+//! `EDGE_CURVE`, every shared corner one `VERTEX_POINT`; a side that is one point is left out of its loop. Circles and
+//! lines on rational faces carry their curves in the faces' parameters, which readers cannot find exactly; with rational
+//! edges there are none, and all faces but planes are rational. All weights are positive: faces are halved until they
+//! are.
+//!
+//! Every object has its colours and its layer, and is a product of its own if not asked otherwise.
+
+mod body_check;
+mod curves;
+mod data;
+mod integration;
+mod labels;
+mod parameter_curves;
+mod part21;
+mod reader;
+mod structure;
+mod styles;
+mod surfaces;
+mod topology;
+
+use crate::check::deviation::{Deviations, View};
+use crate::check::file_content::ReadError;
+use crate::check::made::Made;
+use crate::export::error::ExportError;
+use crate::export::exported::{Exported, PieceNotes, Promise, Written};
+use crate::export::job::Job;
+use crate::export::options::StepProducts;
+use crate::export::parts::Contour;
+use crate::formats::entry::{Entry, Reading};
+use cyclide::{ChainPiece, CurveChain, CurveObject, Lowered, ShortNumber, Units};
+use data::Data;
+use structure::Part;
+use topology::Written as WrittenBody;
+
+use body_check::bodies_deviation;
+use labels::labels;
+use reader::read;
+
+/// Readers merge what is closer than this (OpenCASCADE's vertex tolerance is 1e-7), in file units.
+const SHORTEST_EDGE: f64 = 1e-6;
+
+/// What there is to know of the format.
+pub(super) static ENTRY: Entry = Entry {
+    name: "step",
+    title: "STEP",
+    suffixes: &["step", "stp"],
+    lacks: None,
+    holds_exact_only: true,
+    write,
+    reading: Some(Reading { read, compare, rounds_by_model: true }),
+};
+
+/// Writes the model as STEP.
+pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
+    let mut data = Data::default();
+    let mut written = Written::default();
+    let mut notes = Vec::new();
+    let mut shortest = f64::INFINITY;
+    let mut parts: Vec<Part> =
+        job.model.items.iter().enumerate().map(|(index, item)| Part::new(&item.name, index)).collect();
+    let mut curves = Vec::new();
+    for contour in job.contours() {
+        curves.push(if let CurveObject::Circle(circle) = contour.curve {
+            written.curves.push(Promise::EXACT.of(job.chain(&contour)?.correspondence));
+            curves::full_circle(&mut data, &contour.label(), circle)
+        } else {
+            let lowered = job.chain(&contour)?;
+            let promise = Promise::of_chain(&lowered);
+            let Lowered { form: chain, correspondence, .. } = lowered;
+            shortest = shortest.min(shortest_piece(&chain));
+            let mut pieces = PieceNotes::default();
+            let composite = curves::composite(&mut data, &contour.label(), chain, job.size(), &mut pieces);
+            written.curves.push(pieces.of(promise, correspondence));
+            composite
+        });
+        if contour.index + 1 == contour.count {
+            parts[contour.item].curve_sets.push(curve_set(&mut data, &contour, &std::mem::take(&mut curves)));
+        }
+    }
+    for body in job.bodies {
+        let lowered = |source| body.unfit(source);
+        // What has none was refused.
+        let Some(faces) = body.body.faces() else { continue };
+        written.bodies.push(Promise::EXACT);
+        let (body_written, remarks) =
+            topology::body(&mut data, &body.label(), faces, job.size(), job.options.step_edges).map_err(lowered)?;
+        shortest = shortest.min(remarks.shortest);
+        if remarks.touches_itself {
+            notes.push(format!(
+                "{} touches itself in single points: written as closed shells, not as a solid",
+                body.label()
+            ));
+        }
+        match body_written {
+            WrittenBody::Solid(number) => parts[body.item].solids.push(number),
+            WrittenBody::Surface(number) => parts[body.item].surfaces.push(number),
+        }
+    }
+    if shortest < SHORTEST_EDGE {
+        let unit = job.units().symbol();
+        notes.push(format!(
+            "an edge is only {} {unit} long: STEP readers merge points closer than 1e-7",
+            ShortNumber(shortest)
+        ));
+    }
+    parts.retain(|part| !part.items().is_empty());
+    let mixed = parts.iter().any(|p| !p.curve_sets.is_empty()) && parts.iter().any(Part::has_faces);
+    let one = parts.len() == 1
+        || match job.options.step_products {
+            StepProducts::Auto => mixed,
+            StepProducts::Assembly => false,
+            StepProducts::One => true,
+        };
+    if one && parts.len() > 1 && job.options.step_products == StepProducts::Auto {
+        notes.push(
+            "curves and surfaces together are one product, which more readers open; objects as products of their own: \
+             --step-products assembly"
+                .to_owned(),
+        );
+    }
+    structure::products(&mut data, job.title(), &parts, one, job.units());
+    let text = structure::file(data, job.title());
+    Ok(written.exported(text.into_bytes(), notes))
+}
+
+/// Reads a file of a model and holds it against this.
+fn compare(made: &Made<'_>) -> Result<Deviations, ReadError> {
+    let content = read(&made.file.bytes)?;
+    let curves = made.curves(&content, View::Space)?;
+    let bodies = bodies_deviation(&made.ready.bodies, &content.bodies, made.ready.bounds.diagonal())?;
+    content.labels.check(&labels(made.named(), &made.ready.bodies, &content.labels))?;
+    Ok(Deviations { curves, bodies, ..Deviations::default() })
+}
+
+fn curve_set(data: &mut Data, contour: &Contour<'_>, curves: &[usize]) -> usize {
+    let (name, list) = (data::string(contour.object), data::references(curves));
+    data.add(&format!("GEOMETRIC_CURVE_SET({name},{list})"))
+}
+
+/// Shortest chord of an arc, or extent of a spline.
+fn shortest_piece(chain: &CurveChain) -> f64 {
+    let extent = |piece: &ChainPiece| match piece {
+        ChainPiece::Arc(arc) => arc.length(),
+        ChainPiece::Spline(curve) => cyclide::bounds(curve).diagonal(),
+    };
+    chain.pieces().iter().map(extent).fold(f64::INFINITY, f64::min)
+}
+
+/// Name of a unit that is no metric one, with its length in millimetres; `None` for metric units.
+fn conversion(units: Units) -> Option<&'static str> {
+    match units {
+        Units::Inch => Some("INCH"),
+        Units::Foot => Some("FOOT"),
+        Units::Millimetre | Units::Centimetre | Units::Metre => None,
+    }
+}

@@ -1,0 +1,268 @@
+//! Bodies: vertices, edges, loops and faces, all shared, in open and closed shells.
+
+use super::curves;
+use super::data::{Data, logical, push_list, push_reference, references, string};
+use super::integration::is_integrable;
+use super::parameter_curves::ParameterCurve;
+use super::surfaces;
+use crate::export::options::StepEdges;
+use cyclide::{Arc, Body, EdgeCurve, FaceSurface, NurbsCurve, PatchKind, Point3, Result, Shell, ShellFace, Side};
+use std::fmt::Write as _;
+
+/// An edge that departs from its chord by no more than this part of the model's size is a line: its curvature is
+/// rounding.
+const STRAIGHT: f64 = 1e-15;
+
+/// How a body was written.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Written {
+    /// `MANIFOLD_SOLID_BREP` or `BREP_WITH_VOIDS`.
+    Solid(usize),
+    /// `SHELL_BASED_SURFACE_MODEL`.
+    Surface(usize),
+}
+
+/// What the user should know about a body.
+#[derive(Default)]
+pub(super) struct Remarks {
+    /// Length of the shortest edge; infinite without edges.
+    pub(super) shortest: f64,
+    /// True if a closed body touches itself in single points, so that it is no solid.
+    pub(super) touches_itself: bool,
+}
+
+/// Writes a body; `size` is the model's diagonal.
+pub(super) fn body(
+    data: &mut Data,
+    name: &str,
+    body: &Body,
+    size: f64,
+    edges: StepEdges,
+) -> Result<(Written, Remarks)> {
+    let mut remarks = Remarks { shortest: f64::INFINITY, touches_itself: false };
+    let mut shells = Vec::new();
+    for shell in body.shells() {
+        let shell = exported(shell, size, edges)?;
+        for edge in shell.edges() {
+            remarks.shortest = remarks.shortest.min(edge.curve.length());
+        }
+        shells.push(shell);
+    }
+    let parts: Vec<Vec<Vec<usize>>> = shells.iter().map(Shell::parts).collect();
+    let closed: Vec<bool> = shells.iter().map(Shell::is_closed).collect();
+    let solid = closed.iter().all(|&c| c) && parts.iter().all(|p| p.len() == 1);
+    remarks.touches_itself = closed[0] && parts[0].len() > 1;
+    let mut written = Vec::new();
+    for (index, (shell, parts)) in shells.iter().zip(&parts).enumerate() {
+        // A void is written as the boundary of the hollow, whose outer side is the other one.
+        let flip = solid && index > 0;
+        let mut writer = Writer::new(data, shell, size, edges);
+        for part in parts {
+            let faces = part.iter().map(|&f| writer.face(f, flip)).collect::<Result<Vec<_>>>()?;
+            let kind = if closed[index] { "CLOSED_SHELL" } else { "OPEN_SHELL" };
+            written.push(writer.data.add(&format!("{kind}('',{})", references(&faces))));
+        }
+    }
+    let name = string(name);
+    let written = if !solid {
+        Written::Surface(data.add(&format!("SHELL_BASED_SURFACE_MODEL({name},{})", references(&written))))
+    } else if let [outer] = written[..] {
+        Written::Solid(data.add(&format!("MANIFOLD_SOLID_BREP({name},#{outer})")))
+    } else {
+        let voids: Vec<usize> =
+            written[1..].iter().map(|v| data.add(&format!("ORIENTED_CLOSED_SHELL('',*,#{v},.F.)"))).collect();
+        let (outer, voids) = (written[0], references(&voids));
+        Written::Solid(data.add(&format!("BREP_WITH_VOIDS({name},#{outer},{voids})")))
+    };
+    Ok((written, remarks))
+}
+
+/// Strips are halved this often at most for the sake of integration, which sharpens the rule more than enough.
+const MOST_HALVINGS: usize = 8;
+
+/// The faces as they are written: regular inside, with positive weights; rational ones such that readers integrate them.
+/// `size` is the model's diagonal.
+pub(crate) fn exported(shell: &Shell, size: f64, edges: StepEdges) -> Result<Shell> {
+    let good = shell.with_regular_faces()?.with_positive_weights()?;
+    let is_rational = |shell: &Shell, face: &ShellFace| surfaces::kind(shell, face, size, edges) == PatchKind::Cyclide;
+    let is_bad = |shell: &Shell, face: &ShellFace| {
+        face.surface.patch().is_some_and(|patch| !is_integrable(patch)) && is_rational(shell, face)
+    };
+    good.halved(|shell, face| [is_bad(shell, face), false], MOST_HALVINGS)
+}
+
+/// The curve of an edge in space, with its number.
+enum SpaceCurve {
+    Line(usize, Arc),
+    Circle(usize, Arc),
+    /// In the parameter of its faces, so that readers find the curves in their parameters.
+    Rational(usize),
+}
+
+/// One shell as it is written: the numbers of what is shared already.
+struct Writer<'a> {
+    data: &'a mut Data,
+    shell: &'a Shell,
+    size: f64,
+    edges: StepEdges,
+    /// The surface of each face.
+    kinds: Vec<PatchKind>,
+    /// Of each edge the faces along it, with the side of each.
+    users: Vec<Vec<(usize, Side)>>,
+    /// Surfaces, `VERTEX_POINT`s and `EDGE_CURVE`s already written; of a surface also whether its normal is the patch's.
+    surface: Vec<Option<(usize, bool)>>,
+    vertex: Vec<Option<usize>>,
+    edge: Vec<Option<usize>>,
+}
+
+impl<'a> Writer<'a> {
+    fn new(data: &'a mut Data, shell: &'a Shell, size: f64, edges: StepEdges) -> Self {
+        let kinds = shell.faces().iter().map(|face| surfaces::kind(shell, face, size, edges)).collect();
+        let users = shell.faces_along_edges();
+        let (vertex, edge) = (vec![None; shell.vertices().len()], vec![None; shell.edges().len()]);
+        let surface = vec![None; shell.faces().len()];
+        Self { data, shell, size, edges, kinds, users, surface, vertex, edge }
+    }
+
+    fn face(&mut self, index: usize, flip: bool) -> Result<usize> {
+        let face = &self.shell.faces()[index];
+        let (surface, outward) = self.surface(index)?;
+        let outer_side = face.same_sense != flip;
+        let bound = self.bound(face, outer_side)?;
+        let same_sense = logical(outer_side == outward);
+        Ok(self.data.write(|out| {
+            let _ = write!(out, "ADVANCED_FACE('',(#{bound}),#{surface},{same_sense})");
+        }))
+    }
+
+    /// The surface of a face, and whether its own normal is that of the patch.
+    fn surface(&mut self, index: usize) -> Result<(usize, bool)> {
+        if let Some(found) = self.surface[index] {
+            return Ok(found);
+        }
+        let found = match surfaces::analytic(self.data, &self.kinds[index]) {
+            Some(found) => found,
+            None => (self.rational(&self.shell.faces()[index])?, true),
+        };
+        self.surface[index] = Some(found);
+        Ok(found)
+    }
+
+    /// The rational surface of a face; neighbours get the same control points along their common edge.
+    fn rational(&mut self, face: &ShellFace) -> Result<usize> {
+        let patch = match &face.surface {
+            FaceSurface::Cyclide(patch) => patch,
+            FaceSurface::Rational(surface) => return surfaces::rational(self.data, surface),
+        };
+        let corners = patch.corners();
+        let arc = |side: Side| self.shell.edges()[face.side(side)?.edge].curve.arc();
+        let middles: [Point3; 4] =
+            Side::ALL.map(|side| arc(side).map_or(corners[side.corners()[0]], surfaces::middle_point));
+        surfaces::biquadratic(self.data, patch, middles)
+    }
+
+    /// The loop of a face, counter-clockwise against its outer side; a side of one point is no edge.
+    fn bound(&mut self, face: &ShellFace, outer_side: bool) -> Result<usize> {
+        let mut oriented = Vec::with_capacity(4);
+        for (_, edge, forward) in face.edge_loop(outer_side) {
+            let edge = self.edge(edge.edge)?;
+            oriented.push(self.data.write(|out| {
+                let _ = write!(out, "ORIENTED_EDGE('',*,*,#{edge},{})", logical(forward));
+            }));
+        }
+        let edges = self.data.write(|out| {
+            out.push_str("EDGE_LOOP('',");
+            push_list(out, oriented, push_reference);
+            out.push(')');
+        });
+        Ok(self.data.write(|out| {
+            let _ = write!(out, "FACE_OUTER_BOUND('',#{edges},.T.)");
+        }))
+    }
+
+    fn edge(&mut self, index: usize) -> Result<usize> {
+        if let Some(number) = self.edge[index] {
+            return Ok(number);
+        }
+        let edge = &self.shell.edges()[index];
+        let (start, end) = (self.vertex(edge.start), self.vertex(edge.end));
+        let curve = match self.space_curve(index)? {
+            SpaceCurve::Rational(curve) => curve,
+            SpaceCurve::Line(curve, arc) => {
+                let along = ParameterCurve::along_line(&arc);
+                self.on_rational_faces(index, curve, along.as_ref(), arc.chord().length())?
+            }
+            SpaceCurve::Circle(curve, arc) => {
+                let along = ParameterCurve::along_circle(&arc);
+                self.on_rational_faces(index, curve, along.as_ref(), arc.angle())?
+            }
+        };
+        let number = self.data.write(|out| {
+            let _ = write!(out, "EDGE_CURVE('',#{start},#{end},#{curve},.T.)");
+        });
+        self.edge[index] = Some(number);
+        Ok(number)
+    }
+
+    fn vertex(&mut self, index: usize) -> usize {
+        *self.vertex[index].get_or_insert_with(|| {
+            let point = self.data.point(self.shell.vertices()[index]);
+            self.data.write(|out| {
+                let _ = write!(out, "VERTEX_POINT('',#{point})");
+            })
+        })
+    }
+
+    /// A curve over `[0, range]` with the curves in the parameters of its rational faces, which readers cannot find
+    /// exactly; those of analytic surfaces, whose parameter lines circles and lines are, they can.
+    fn on_rational_faces(
+        &mut self,
+        index: usize,
+        curve: usize,
+        along: Option<&ParameterCurve>,
+        range: f64,
+    ) -> Result<usize> {
+        let Some(along) = along else { return Ok(curve) };
+        let mut found = Vec::with_capacity(2);
+        for (face, side) in self.users[index].clone() {
+            let Some(edge) = self.shell.faces()[face].side(side) else { continue };
+            if self.kinds[face] == PatchKind::Cyclide {
+                let (surface, _) = self.surface(face)?;
+                let curve = along.write(self.data, side, edge, range);
+                found.push(self.data.parameter_curve(surface, curve));
+            }
+        }
+        if found.is_empty() {
+            return Ok(curve);
+        }
+        Ok(self.data.write(|out| {
+            let _ = write!(out, "SURFACE_CURVE('',#{curve},");
+            push_list(out, found, push_reference);
+            out.push_str(",.CURVE_3D.)");
+        }))
+    }
+
+    /// A circle or a line; the rational quadratic in the parameter of the faces where the circle would lose digits, and
+    /// where that is asked for, but for lines at constant speed.
+    fn space_curve(&mut self, index: usize) -> Result<SpaceCurve> {
+        let arc = match &self.shell.edges()[index].curve {
+            EdgeCurve::Arc(arc) => arc,
+            EdgeCurve::Rational(curve) => {
+                return Ok(SpaceCurve::Rational(curves::b_spline(self.data, curve.to_nurbs()?)));
+            }
+        };
+        let sagitta = 0.5 * arc.chord().length() * arc.bulge_vector().length();
+        let straight = sagitta <= STRAIGHT * self.size;
+        let circles = self.edges == StepEdges::Circles;
+        if straight && (circles || ParameterCurve::along_line(arc).is_none()) {
+            return Ok(SpaceCurve::Line(curves::line(self.data, arc), *arc));
+        }
+        if circles && let Some(circle) = curves::circle(self.data, arc, self.size) {
+            return Ok(SpaceCurve::Circle(circle, *arc));
+        }
+        let weights = arc.bezier_rows().map(|row| row[3]).to_vec();
+        let points = vec![arc.start(), surfaces::middle_point(arc), arc.end()];
+        let curve = NurbsCurve::new(2, vec![0.0, 0.0, 0.0, 1.0, 1.0, 1.0], points, weights)?;
+        Ok(SpaceCurve::Rational(curves::b_spline(self.data, curve)))
+    }
+}

@@ -1,0 +1,97 @@
+//! Numbers as tables write them: with decimal points, or with decimal commas where commas separate nothing.
+
+use super::table::{Delimiter, Field, Table};
+use crate::text::number::{NEARER_TO_ZERO, vanishes};
+use crate::text::place::{Diagnostic, Source, quoted};
+
+/// True for a number with a decimal comma between digits: `-1,5`, `0,25e3`.
+pub(super) fn has_decimal_comma(text: &str) -> bool {
+    let Some((whole, fraction)) = text.split_once(',') else { return false };
+    whole.ends_with(|c: char| c.is_ascii_digit())
+        && fraction.starts_with(|c: char| c.is_ascii_digit())
+        && text.replacen(',', ".", 1).parse::<f64>().is_ok()
+}
+
+/// True for the texts that stand for a number, NaN and infinity included: those belong to data, not to a header.
+pub(super) fn is_number(field: &Field<'_>) -> bool {
+    field.text.parse::<f64>().is_ok() || has_decimal_comma(field.text)
+}
+
+/// How the numbers of a file write their fractions: one way in one file.
+#[derive(Debug, Default)]
+pub(super) struct Decimals {
+    point: bool,
+    /// True if numbers were read with decimal commas.
+    pub(super) comma: bool,
+}
+
+impl Decimals {
+    /// A coordinate: any decimal number, but neither NaN nor infinite.
+    pub(super) fn read(&mut self, source: Source<'_>, field: &Field<'_>) -> Result<f64, Box<Diagnostic>> {
+        let text = field.text;
+        let parsed = match text.parse::<f64>() {
+            Ok(value) => {
+                self.point |= text.contains('.');
+                Some(value)
+            }
+            Err(_) if has_decimal_comma(text) => {
+                self.comma = true;
+                text.replacen(',', ".", 1).parse().ok()
+            }
+            Err(_) => None,
+        };
+        let refused = |what: &str| Err(field.refused(source, format!("`{}` {what}", quoted(text))));
+        match parsed {
+            Some(_) if self.point && self.comma => {
+                refused("does not go with the numbers before: the file has decimal commas and decimal points")
+            }
+            Some(value) if vanishes(text, value) => refused(NEARER_TO_ZERO),
+            Some(value) if value.is_finite() => Ok(value),
+            Some(_) => refused("is not a finite number"),
+            None if text.is_empty() => Err(field.refused(source, "a number is missing")),
+            None if text.contains(',') && text.replace([',', '.', '\''], "").parse::<f64>().is_ok() => {
+                refused("is not a number: write it without separators of thousands")
+            }
+            None => refused("is not a number"),
+        }
+    }
+}
+
+/// Looks for rows of whole numbers in which commas may be decimal ones: `1,5,2,5`, or `1,5,2`.
+///
+/// It takes a table without header, with three, four or six columns separated by commas, in which every field is a whole
+/// number, and those that would be fractions have no sign: every second one, or of three the second or the third.
+#[derive(Debug)]
+pub(super) struct Pairs {
+    /// The columns that may be fractions, one list for each way to read the rows.
+    ways: Vec<&'static [usize]>,
+}
+
+impl Pairs {
+    pub(super) fn new(table: &Table<'_>) -> Self {
+        let plain = table.header.is_empty() && table.delimiter == Delimiter::Char(',');
+        let ways: &[&[usize]] = match table.width {
+            3 if plain => &[&[1], &[2]],
+            4 if plain => &[&[1, 3]],
+            6 if plain => &[&[1, 3, 5]],
+            _ => &[],
+        };
+        Self { ways: ways.to_vec() }
+    }
+
+    pub(super) fn row(&mut self, fields: &[Field<'_>]) {
+        let digits = |text: &str| !text.is_empty() && text.bytes().all(|b| b.is_ascii_digit());
+        let whole = |text: &str| digits(text.strip_prefix('-').unwrap_or(text));
+        let fits = |fractions: &[usize]| {
+            let field = |(column, field): (usize, &Field<'_>)| {
+                if fractions.contains(&column) { digits(field.text) } else { whole(field.text) }
+            };
+            fields.iter().enumerate().all(field)
+        };
+        self.ways.retain(|fractions| fits(fractions));
+    }
+
+    pub(super) fn found(&self) -> bool {
+        !self.ways.is_empty()
+    }
+}

@@ -1,0 +1,192 @@
+//! Point lists: comma-separated (or semicolon, tab, blank) text into contours.
+//!
+//! ```text
+//! # x_m,y_m,w_tr_right_m,w_tr_left_m      a header line is optional and may stand behind a '#'
+//! 0.96,4.02,7.57,7.36
+//! ```
+//! A blank line starts a new contour (unless one stands after every point), or a column named `contour` says which one a
+//! point belongs to; a column named `corner` (0 or 1) marks corners. Coordinates are two or three columns: those asked
+//! for, else those named x, y (and z) or after the compass, else the only two or three numbers of a line; without a header
+//! the first two of more. Where that is a choice it is said, and where it would be a guess it is refused.
+
+mod columns;
+mod decimals;
+mod merge;
+mod table;
+mod unit;
+
+use std::collections::HashMap;
+
+use cyclide::{Point3, Units};
+
+use crate::text::place::{Diagnostic, Source, decode, quoted};
+use columns::Chosen;
+use decimals::{Decimals, Pairs};
+pub(crate) use merge::merge_repeated;
+use table::{Row, Table};
+pub use unit::{ColumnUnit, unit_of_columns};
+
+/// Most points of one input: a curve of so many takes some ten gigabytes.
+pub(crate) const MOST_POINTS: usize = 10_000_000;
+
+/// Which columns to read.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct PointColumns {
+    /// Names (or numbers from 1) of the two or three coordinate columns; `None` finds them.
+    pub coordinates: Option<Vec<String>>,
+    /// Name (or number) of the column that says which contour a point belongs to; `None` takes `contour` if there
+    /// is such a column, else blank lines separate contours.
+    pub contour: Option<String>,
+}
+
+/// The points of a file.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PointTable {
+    /// The contours, in the file's order; none is empty, and there is at least one.
+    pub contours: Vec<PointList>,
+    /// Units that the names of the coordinate columns speak of (`x_m`, `y [mm]`), with the name.
+    pub unit_hints: Vec<(String, Units)>,
+    /// What could have been read another way.
+    pub remarks: Vec<PointRemark>,
+}
+
+/// What was read in one of several possible ways.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct PointRemark {
+    /// Stable kebab-case name: `columns-taken`, `columns-not-read`, `unit-not-applied`, `numbers-as-x`, `decimal-commas`, `decimal-pairs`,
+    /// `blank-lines`.
+    pub reason: &'static str,
+    /// The sentence.
+    pub message: String,
+}
+
+/// One contour's points.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct PointList {
+    /// The points; height 0 where the file has two coordinates.
+    pub points: Vec<Point3>,
+    /// Indices of the points marked as corners.
+    pub corners: Vec<usize>,
+    /// Byte offset in the file's text of the first coordinate of each point; empty if they come from elsewhere.
+    pub offsets: Vec<usize>,
+}
+
+/// Reads a point list from the bytes of a file; `name` is what messages call it.
+///
+/// # Errors
+/// A message with file, line and column: not UTF-8, no points, a field that is not a finite number or is lost below
+/// the smallest, a missing column, columns that can only be guessed or speak of several units, a line or quote without end.
+pub fn read_points(name: &str, bytes: &[u8], columns: &PointColumns) -> Result<PointTable, Box<Diagnostic>> {
+    let source = Source { name, text: decode(name, bytes)? };
+    let table = Table::parse(source, columns.coordinates.as_deref().unwrap_or_default())?;
+    let chosen = Chosen::new(source, &table, columns)?;
+    let mut pairs = columns.coordinates.is_none().then(|| Pairs::new(&table));
+    let mut contours = Contours::default();
+    let mut count = 0;
+    table.for_each_row(|row| {
+        count += 1;
+        if count > MOST_POINTS {
+            return Err(row.fields[0].refused(source, format!("the file has more than {MOST_POINTS} points")));
+        }
+        pairs.iter_mut().for_each(|pairs| pairs.row(row.fields));
+        contours.add(source, &chosen, row)
+    })?;
+    let Contours { mut lists, decimals, .. } = contours;
+    let mut remarks = Vec::new();
+    let mut remark = |reason, message: String| remarks.push(PointRemark { reason, message });
+    if pairs.is_some_and(|pairs| pairs.found()) {
+        let taken = if chosen.coordinates.len() == 2 { "the first two" } else { "the first three" };
+        let message = format!(
+            "all {} columns are whole numbers, {taken} are taken as coordinates; if the commas are decimal ones, as in \
+             `{}`, separate the columns by semicolons (`--columns` says which ones are meant as they are)",
+            table.width,
+            if table.width == 3 { "1,5,2" } else { "1,5,2,5" }
+        );
+        remark("decimal-pairs", message);
+    } else if let Some(message) = chosen.remark.clone() {
+        remark("columns-taken", message);
+    }
+    if let Some(message) = chosen.not_read(&table).filter(|_| columns.coordinates.is_none()) {
+        remark("columns-not-read", message);
+    }
+    if let Some(message) = chosen.unit_not_applied(&table) {
+        remark("unit-not-applied", message);
+    }
+    // Without a header nothing says that a first column that counts on is no coordinate.
+    if table.header.is_empty() && columns.coordinates.is_none() && chosen.coordinates.len() == 3 && counts_on(&lists) {
+        let message = "the file has no header line, and its first column counts on (1, 2, 3, …): it is taken as x; if it \
+                       numbers the points, choose the others (`--columns 2,3`, in a document `columns`)";
+        remark("numbers-as-x", message.to_owned());
+    }
+    if decimals.comma {
+        remark("decimal-commas", "the numbers are read with decimal commas".to_owned());
+    }
+    if chosen.contour.is_none() && lists.len() > 1 && lists.iter().all(|list| list.points.len() == 1) {
+        lists = vec![joined(lists)];
+        remark("blank-lines", "a blank line stands after every point: they separate no contours".to_owned());
+    }
+    Ok(PointTable { contours: lists, unit_hints: chosen.unit_hints(&table), remarks })
+}
+
+/// The contours as far as they are read.
+#[derive(Default)]
+struct Contours<'a> {
+    lists: Vec<PointList>,
+    labels: HashMap<&'a str, usize>,
+    decimals: Decimals,
+}
+
+impl<'a> Contours<'a> {
+    /// Adds the point of a line.
+    fn add(&mut self, source: Source<'_>, chosen: &Chosen, row: &Row<'_, 'a>) -> Result<(), Box<Diagnostic>> {
+        let target = match chosen.contour {
+            Some(column) => {
+                let label = row.field(source, column, "contour")?.text;
+                *self.labels.entry(label).or_insert(self.lists.len())
+            }
+            None => row.block,
+        };
+        if target == self.lists.len() {
+            self.lists.push(PointList::default());
+        }
+        let list = &mut self.lists[target];
+        let mut coordinates = [0.0; 3];
+        for (value, &column) in coordinates.iter_mut().zip(&chosen.coordinates) {
+            *value = self.decimals.read(source, &row.field(source, column, "coordinate")?)?;
+        }
+        if let Some(column) = chosen.corner {
+            let field = row.field(source, column, "corner")?;
+            match field.text {
+                "0" => {}
+                "1" => list.corners.push(list.points.len()),
+                other => return Err(field.refused(source, format!("corner must be 0 or 1, not `{}`", quoted(other)))),
+            }
+        }
+        let [x, y, z] = coordinates;
+        list.points.push(Point3::new(x, y, z));
+        list.offsets.push(row.fields[chosen.coordinates[0]].start);
+        Ok(())
+    }
+}
+
+/// True if the first coordinates of at least three points are whole numbers that rise by one throughout.
+fn counts_on(lists: &[PointList]) -> bool {
+    let all = || lists.iter().flat_map(|list| &list.points).map(|p| p.x);
+    let counts = all().zip(all().skip(1)).all(|(a, b)| a.fract() == 0.0 && (b - a).total_cmp(&1.0).is_eq());
+    counts && all().take(3).count() == 3
+}
+
+/// One list of several.
+fn joined(lists: Vec<PointList>) -> PointList {
+    let mut all = PointList::default();
+    for list in lists {
+        let before = all.points.len();
+        all.corners.extend(list.corners.iter().map(|corner| before + corner));
+        all.points.extend(list.points);
+        all.offsets.extend(list.offsets);
+    }
+    all
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,306 @@
+//! Lines and fields of a delimited text, with the place of each field; read line by line, nothing is kept of the rows.
+
+use super::decimals::{has_decimal_comma, is_number};
+use crate::text::lines::lines;
+use crate::text::place::{Diagnostic, Source, quoted};
+use crate::text::suggest::did_you_mean;
+
+/// Longest line that is read, in bytes; a row of a thousand columns is a third of it.
+const LONGEST_LINE: usize = 65_536;
+
+/// Names of columns in a message at most.
+const NAMED: usize = 12;
+
+/// A field: its text without blanks and quotes around it, and where it starts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Field<'a> {
+    pub(super) text: &'a str,
+    pub(super) start: usize,
+}
+
+impl Field<'_> {
+    pub(super) fn refused(&self, source: Source<'_>, message: impl Into<String>) -> Box<Diagnostic> {
+        source.diagnostic(self.start..self.start + self.text.len(), "", message)
+    }
+}
+
+/// A line of data, and which block between blank lines it stands in.
+#[derive(Debug, Clone)]
+pub(super) struct Row<'r, 'a> {
+    pub(super) fields: &'r [Field<'a>],
+    pub(super) block: usize,
+    end: usize,
+}
+
+impl<'a> Row<'_, 'a> {
+    /// A field, or the message that the line is too short.
+    pub(super) fn field(&self, source: Source<'_>, column: usize, what: &str) -> Result<Field<'a>, Box<Diagnostic>> {
+        self.fields.get(column).copied().ok_or_else(|| {
+            let count = self.fields.len();
+            let message = format!("the {what} of column {} is missing: the line has {count} fields", column + 1);
+            source.diagnostic(self.end..self.end, "", message)
+        })
+    }
+
+    /// Refuses more fields than there are columns, as decimal commas make them; empty fields do not count.
+    fn refuse_longer(&self, source: Source<'_>, width: usize) -> Result<(), Box<Diagnostic>> {
+        let Some(beyond) = self.fields.iter().skip(width).find(|f| !f.text.is_empty()) else { return Ok(()) };
+        let (count, whole) = (self.fields.len(), |f: &Field<'_>| f.text.parse::<i64>().is_ok());
+        let pairs = width >= 2 && count <= 2 * width && self.fields.iter().all(whole);
+        let hint = if pairs { "; if its commas are decimal, separate the columns by semicolons" } else { "" };
+        Err(beyond.refused(source, format!("the line has {count} fields for {width} columns{hint}")))
+    }
+}
+
+/// What separates the fields.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Delimiter {
+    Char(char),
+    Blanks,
+}
+
+impl Delimiter {
+    /// The first of tab, semicolon, comma that occurs outside quotes, else blanks. Commas between digits of numbers that
+    /// blanks separate (`1,5 2,5`) are decimal.
+    fn of(line: &str) -> Self {
+        let outside: String = line.split('"').step_by(2).collect();
+        let delimiter = ['\t', ';', ','].into_iter().find(|&c| outside.contains(c));
+        let decimal = || {
+            let mut words = line.split_whitespace();
+            words.clone().nth(1).is_some() && words.all(|w| has_decimal_comma(w) || w.parse::<f64>().is_ok())
+        };
+        match delimiter {
+            Some(',') if decimal() => Self::Blanks,
+            found => found.map_or(Self::Blanks, Self::Char),
+        }
+    }
+
+    fn separates(self, c: char) -> bool {
+        match self {
+            Self::Char(delimiter) => c == delimiter,
+            Self::Blanks => c.is_whitespace(),
+        }
+    }
+
+    /// Appends the fields of a line that starts at byte `start` of the text, up to a remark. Quotes count at the start of
+    /// a field; the error is the place of one that has no end.
+    fn split<'a>(self, line: &'a str, start: usize, out: &mut Vec<Field<'a>>) -> Result<(), usize> {
+        let mut push = |from: usize, to: usize| {
+            let piece = &line[from..to];
+            let trimmed = piece.trim();
+            let lead = piece.len() - piece.trim_start().len();
+            let inner = trimmed.strip_prefix('"').and_then(|t| t.strip_suffix('"'));
+            let text = inner.unwrap_or(trimmed);
+            out.push(Field { text, start: start + from + lead + usize::from(inner.is_some()) });
+        };
+        let keeps_empty = matches!(self, Self::Char(_));
+        let mut from = keeps_empty.then_some(0);
+        let mut fresh = true;
+        let mut end = line.len();
+        let mut chars = line.char_indices().peekable();
+        while let Some((at, c)) = chars.next() {
+            if c == '#' {
+                end = at;
+                break;
+            }
+            if self.separates(c) {
+                if let Some(from) = from {
+                    push(from, at);
+                }
+                from = keeps_empty.then_some(at + c.len_utf8());
+                fresh = true;
+                continue;
+            }
+            from = from.or(Some(at));
+            if fresh && c == '"' {
+                loop {
+                    match chars.next() {
+                        None => return Err(start + at),
+                        Some((_, '"')) if chars.next_if(|(_, c)| *c == '"').is_none() => break,
+                        Some(_) => {}
+                    }
+                }
+            }
+            fresh &= c.is_whitespace();
+        }
+        if let Some(from) = from {
+            push(from, end);
+        }
+        Ok(())
+    }
+}
+
+/// A text whose header and first line of data have been read.
+#[derive(Debug)]
+pub(super) struct Table<'a> {
+    source: Source<'a>,
+    pub(super) delimiter: Delimiter,
+    /// Names of the columns; empty if the text has none.
+    pub(super) header: Vec<Field<'a>>,
+    /// Number of columns of the header, else of the first line of data.
+    pub(super) width: usize,
+    /// The first line of data.
+    pub(super) first: Vec<Field<'a>>,
+    /// Where the line of it starts.
+    start: usize,
+}
+
+impl<'a> Table<'a> {
+    /// Reads up to the first line of data. `wanted` are column names asked for: they help to tell a header behind a `#`
+    /// from a remark.
+    pub(super) fn parse(source: Source<'a>, wanted: &[String]) -> Result<Self, Box<Diagnostic>> {
+        let empty = || source.diagnostic(0..0, "", "the file holds no points");
+        let data = |line: &str| !line.is_empty() && !line.split('#').next().unwrap_or_default().trim().is_empty();
+        let (at, first) = lines(source.text).find(|(_, line)| data(line)).ok_or_else(empty)?;
+        refuse_long(source, at, first)?;
+        let delimiter = Delimiter::of(first.split('#').next().unwrap_or_default());
+        let mut table = Self { source, delimiter, header: Vec::new(), width: 0, first: Vec::new(), start: 0 };
+        // The last remark before the data that could be a header.
+        let mut remark: Vec<Field<'a>> = Vec::new();
+        let mut fields = Vec::new();
+        for (start, line) in lines(source.text) {
+            if let Some(text) = line.trim_start().strip_prefix('#') {
+                let mut names = Vec::new();
+                if text.len() <= LONGEST_LINE
+                    && delimiter.split(text, start + line.len() - text.len(), &mut names).is_ok()
+                    && is_header(&names, wanted)
+                {
+                    remark = names;
+                }
+                continue;
+            }
+            table.split(start, line, &mut fields)?;
+            if fields.iter().all(|f| f.text.is_empty()) {
+                continue;
+            }
+            if table.header.is_empty() && !fields.iter().any(is_number) {
+                table.header = std::mem::take(&mut fields);
+                // Numbers with units or separators of thousands would be lost as names.
+                if table.header.len() > 1 && table.header.iter().all(begins_as_number) {
+                    return Err(table.header_refused(
+                        "no names of columns and no numbers: write numbers without units and separators of thousands",
+                    ));
+                }
+                continue;
+            }
+            table.start = start;
+            table.first = fields;
+            if table.header.is_empty() && remark.len() == table.first.len() {
+                table.header = remark;
+            }
+            table.width = if table.header.is_empty() { table.first.len() } else { table.header.len() };
+            return Ok(table);
+        }
+        Err(empty())
+    }
+
+    /// Replaces `fields` by those of a line.
+    fn split(&self, start: usize, line: &'a str, fields: &mut Vec<Field<'a>>) -> Result<(), Box<Diagnostic>> {
+        fields.clear();
+        refuse_long(self.source, start, line)?;
+        self.delimiter.split(line, start, fields).map_err(|quote| {
+            let message = "the quote has no end on this line: fields with line ends in them are not read";
+            self.source.diagnostic(quote..quote + 1, "", message)
+        })
+    }
+
+    /// Visits the lines of data.
+    pub(super) fn for_each_row(
+        &self,
+        mut visit: impl FnMut(&Row<'_, 'a>) -> Result<(), Box<Diagnostic>>,
+    ) -> Result<(), Box<Diagnostic>> {
+        let (mut block, mut gap, mut any) = (0, false, false);
+        let mut fields = Vec::new();
+        for (start, line) in lines(&self.source.text[self.start..]) {
+            let start = self.start + start;
+            self.split(start, line, &mut fields)?;
+            if fields.iter().all(|f| f.text.is_empty()) {
+                // A remark alone on its line separates nothing.
+                gap |= any && !line.contains('#');
+                continue;
+            }
+            block += usize::from(gap);
+            (any, gap) = (true, false);
+            let row = Row { fields: &fields, block, end: start + content(line).trim_end().len() };
+            row.refuse_longer(self.source, self.width)?;
+            visit(&row)?;
+        }
+        Ok(())
+    }
+
+    /// A message about the first line of data.
+    pub(super) fn refused(&self, message: impl Into<String>) -> Box<Diagnostic> {
+        self.about(&self.first, message)
+    }
+
+    /// A message about the header.
+    pub(super) fn header_refused(&self, message: impl Into<String>) -> Box<Diagnostic> {
+        self.about(&self.header, message)
+    }
+
+    fn about(&self, fields: &[Field<'_>], message: impl Into<String>) -> Box<Diagnostic> {
+        let span = match fields {
+            [first, .., last] => first.start..last.start + last.text.len(),
+            [only] => only.start..only.start + only.text.len(),
+            [] => 0..0,
+        };
+        self.source.diagnostic(span, "", message)
+    }
+
+    /// The names of columns for a message; their numbers where they have no names.
+    pub(super) fn names(&self, columns: impl IntoIterator<Item = usize>) -> String {
+        let name = |i: usize| match self.header.get(i) {
+            Some(field) => quoted(field.text).into_owned(),
+            None => (i + 1).to_string(),
+        };
+        let mut columns = columns.into_iter();
+        let mut named: Vec<String> = columns.by_ref().take(NAMED).map(name).collect();
+        match columns.count() {
+            0 => {}
+            more => named.push(format!("and {more} more")),
+        }
+        named.join(", ")
+    }
+
+    /// The message that a column asked for does not exist.
+    pub(super) fn no_column(&self, name: &str) -> Box<Diagnostic> {
+        let name = quoted(name);
+        if self.header.is_empty() {
+            return self.refused(format!(
+                "no column `{name}`: the file has no header line, so columns have numbers from 1 to {}",
+                self.width
+            ));
+        }
+        let hint = did_you_mean(&name, self.header.iter().map(|f| f.text));
+        let names = self.names(0..self.header.len());
+        self.header_refused(format!("no column is named `{name}`; there are {names}{hint}"))
+    }
+}
+
+/// True for what begins like a number.
+fn begins_as_number(field: &Field<'_>) -> bool {
+    field.text.trim_start_matches(['-', '+', '(', '[']).starts_with(|c: char| c.is_ascii_digit())
+}
+
+fn refuse_long(source: Source<'_>, start: usize, line: &str) -> Result<(), Box<Diagnostic>> {
+    if line.len() <= LONGEST_LINE {
+        return Ok(());
+    }
+    let message = format!("the line has {} bytes, more than {LONGEST_LINE}", line.len());
+    Err(source.diagnostic(start..start + 1, "", message))
+}
+
+/// A remark is a header if it names a column we would look for and holds no numbers.
+fn is_header(names: &[Field<'_>], wanted: &[String]) -> bool {
+    let known = |f: &Field<'_>| {
+        let base = f.text.split(['_', ' ', '[', '(']).next().unwrap_or_default();
+        ["x", "y", "z"].iter().any(|axis| base.eq_ignore_ascii_case(axis))
+            || wanted.iter().any(|w| w.eq_ignore_ascii_case(f.text))
+    };
+    names.len() > 1 && names.iter().any(known) && !names.iter().any(is_number)
+}
+
+/// A line up to a remark.
+fn content(line: &str) -> &str {
+    line.split('#').next().unwrap_or_default()
+}

@@ -1,0 +1,175 @@
+//! What was written: measured on the bytes of the file, held against what was promised.
+
+use std::path::Path;
+
+use cyclide::{Model, ShortNumber};
+use serde::Serialize;
+
+use crate::check::deviation::{Beyond, READ_BACK_ROUNDING};
+use crate::check::file_content::ReadError;
+use crate::export::exported::Exported;
+use crate::export::ready::ReadyModel;
+use crate::formats::{Exporter, Format, deviations_of};
+
+/// Part of a bound, and of that rounding, by which it may be exceeded without a word: the printed bound is raised.
+const LAST_DIGITS: f64 = 1e-5;
+/// A file that is off by more than this part of the model's size has lost its shape, whatever tolerance was asked for.
+const FAR_OFF: f64 = 0.02;
+/// Part of the tolerance by which rounding may be above it without a word.
+const ABOVE_ASKED: f64 = 0.05;
+
+/// The report on one file.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct FileReport {
+    /// Path as given.
+    pub path: String,
+    /// Name of the format.
+    pub format: &'static str,
+    /// True if the file's curves are the objects' curves up to rounding.
+    pub exact: bool,
+    /// Distance between the file's curves or meshes and the objects, recomputed from the bytes; `None` for a picture.
+    pub deviation: Option<f64>,
+    /// The distance that was promised; 0 if exact.
+    pub bound: f64,
+    /// What the promise rests on: `exact`, `proved` or `sampled`.
+    pub proof: &'static str,
+    /// Size of the file.
+    pub bytes: usize,
+    /// What the user should know about the file.
+    pub notes: Vec<String>,
+}
+
+/// A file that does not keep its promise: a fault of this program, not of the input.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum CheckError {
+    /// The bytes could not be read back.
+    #[error("{path}: the bytes made cannot be read back: {source}")]
+    Unreadable {
+        /// The file.
+        path: String,
+        /// What the reader said.
+        source: Box<ReadError>,
+    },
+    /// What was read back is farther from the objects than promised.
+    #[error(
+        "{path}: {part}: what was read back deviates by {}, promised was {}, limit {}",
+        ShortNumber(*.deviation), ShortNumber(*.bound), ShortNumber(*.limit)
+    )]
+    BeyondBound {
+        /// The file.
+        path: String,
+        /// The curve or the body that it is about.
+        part: String,
+        /// The distance measured.
+        deviation: f64,
+        /// The distance promised.
+        bound: f64,
+        /// The largest distance accepted: with the rounding of the numbers.
+        limit: f64,
+    },
+    /// The format's numbers have too few digits for the part: its centre is far away, or its weights are very different.
+    /// No fault of the writer.
+    #[error(
+        "{path}: {part}: the digits of the format's numbers leave it {} off, more than {}: allow a larger tolerance, \
+         write another format, or keep the object away from infinity",
+        ShortNumber(*.deviation), ShortNumber(*.limit)
+    )]
+    TooFewDigits {
+        /// The file.
+        path: String,
+        /// The curve or the body that it is about.
+        part: String,
+        /// The distance measured.
+        deviation: f64,
+        /// The largest distance accepted.
+        limit: f64,
+    },
+}
+
+impl Exporter<'_> {
+    /// As [`FileReport::new`].
+    ///
+    /// # Errors
+    /// As [`FileReport::new`].
+    pub fn check(&self, path: &Path, format: Format, file: &Exported) -> Result<FileReport, CheckError> {
+        FileReport::of(&self.ready, path, format, file)
+    }
+}
+
+impl FileReport {
+    /// Reads the bytes of a file back, measures how far its curves are from the model's, and holds that against the
+    /// promise.
+    ///
+    /// # Errors
+    /// [`CheckError`]: the file must not be written.
+    pub fn new(path: &Path, format: Format, model: &Model, exported: &Exported) -> Result<Self, CheckError> {
+        match ReadyModel::new(model) {
+            Ok(ready) => Self::of(&ready, path, format, exported),
+            Err(error) => {
+                let source = Box::new(ReadError::syntax("the model", error.to_string()));
+                Err(CheckError::Unreadable { path: path.display().to_string(), source })
+            }
+        }
+    }
+
+    /// As [`new`](Self::new), of a model made ready.
+    fn of(ready: &ReadyModel<'_>, path: &Path, format: Format, exported: &Exported) -> Result<Self, CheckError> {
+        let path = path.display().to_string();
+        let bound = exported.bound;
+        let deviation = if let Some(reading) = &format.entry().reading {
+            let deviations = match deviations_of(ready, format, exported) {
+                Ok(deviations) => deviations,
+                Err(source) => return Err(CheckError::Unreadable { path, source: Box::new(source) }),
+            };
+            if let Some(Beyond { part, deviation, bound, limit, by_digits }) =
+                deviations.beyond(ready, reading.rounds_by_model, &exported.written)
+            {
+                return Err(if by_digits {
+                    CheckError::TooFewDigits { path, part, deviation, limit }
+                } else {
+                    CheckError::BeyondBound { path, part, deviation, bound, limit }
+                });
+            }
+            Some(deviations.largest())
+        } else {
+            None
+        };
+        let rounding = READ_BACK_ROUNDING * ready.extent();
+        // What rounding has added belongs to the bound that is printed; of an exact file it is what "exact" leaves open,
+        // unless its digits do not suffice.
+        let beyond = deviation.filter(|d| *d > if exported.exact { rounding } else { bound });
+        let exact = exported.exact && beyond.is_none();
+        let last_digits = (1.0 + LAST_DIGITS) * bound + LAST_DIGITS * rounding;
+        let mut notes = exported.notes.clone();
+        let size = ready.bounds.diagonal();
+        if let Some(deviation) = deviation.filter(|deviation| *deviation > FAR_OFF * size) {
+            let (deviation, size) = (ShortNumber(deviation), ShortNumber(size));
+            notes.push(format!("the file is off by {deviation}, the model is {size} large: use a smaller tolerance"));
+        }
+        let asked = exported.written.asked;
+        if let Some(asked) = asked.filter(|asked| !exact && bound > (1.0 + ABOVE_ASKED) * asked) {
+            let (bound, asked) = (ShortNumber(bound), ShortNumber(asked));
+            notes.push(format!("the tolerance {asked} is not reached: with the rounding of the numbers it is {bound}"));
+        }
+        let seen = beyond.filter(|beyond| *beyond > last_digits);
+        if let Some(beyond) = seen {
+            let beyond = ShortNumber(beyond);
+            notes.push(format!("the rounding of the numbers is part of the bound: {beyond} in all, as measured"));
+        }
+        Ok(Self {
+            path,
+            format: format.name(),
+            exact,
+            deviation,
+            bound: beyond.unwrap_or(bound),
+            proof: match exported {
+                _ if exact => "exact",
+                Exported { sampled: false, .. } if seen.is_none() => "proved",
+                _ => "sampled",
+            },
+            bytes: exported.bytes.len(),
+            notes,
+        })
+    }
+}

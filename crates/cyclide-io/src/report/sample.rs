@@ -1,0 +1,99 @@
+//! Samples of one object as CSV: points with tangent and curvature along curves, with normal and principal curvatures
+//! on surfaces.
+
+use cyclide::{ArcLength, Body, CyclidePatch, FaceSurface, Item, ParamSurface as _, ShellFace};
+
+use crate::check::file_sample::FileSample;
+use crate::document::BuiltObject;
+use crate::formats::push_sample;
+use crate::text::number::push_plain;
+
+/// Where the samples of a curve lie.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Spacing {
+    /// Equal steps of the parameter.
+    #[default]
+    Parameter,
+    /// Equal steps of arc length.
+    Length,
+}
+
+/// Samples of an object, ends included: `count` per contour of a curve, `count` by `count` per patch of a surface.
+///
+/// Curves: columns `t,x,y,z,tangent_x,tangent_y,tangent_z,curvature`, with a column `contour` (from 0) in front if
+/// there are several; of a closed contour the last sample repeats the first.
+///
+/// Surfaces: columns `patch,s,t,x,y,z,normal_x,normal_y,normal_z,curvature_s,curvature_t` with patches from 0, s
+/// fastest, the outer unit normal, and principal curvatures that are negative where the surface bends away from it; a
+/// column `body` (from 0) in front if there are several. `spacing` is for curves.
+///
+/// Fields are empty where a tangent, normal or curvature does not exist.
+#[must_use]
+pub fn sample(built: &BuiltObject, count: usize, spacing: Spacing) -> String {
+    if built.bodies.is_empty() { curves(&built.item, count, spacing) } else { surfaces(&built.bodies, count) }
+}
+
+/// Fractions 0, 1/(count-1), … 1.
+fn fractions(count: usize) -> impl Iterator<Item = f64> + Clone {
+    (0..count).map(move |i| i as f64 / count.saturating_sub(1).max(1) as f64)
+}
+
+fn curves(item: &Item, count: usize, spacing: Spacing) -> String {
+    let several = item.contours.len() > 1;
+    let columns = "t,x,y,z,tangent_x,tangent_y,tangent_z,curvature";
+    let mut out = format!("{}{columns}\n", if several { "contour," } else { "" });
+    for (contour, curve) in item.contours.iter().enumerate() {
+        let curve = curve.as_curve();
+        let ts = match spacing {
+            Spacing::Parameter => fractions(count).collect(),
+            Spacing::Length => ArcLength::new(curve).uniform(count),
+        };
+        for t in ts {
+            if several {
+                out += &format!("{contour},");
+            }
+            push_sample(&mut out, curve.eval(t), &FileSample::new(t, &curve.jet(t)));
+        }
+    }
+    out
+}
+
+fn surfaces(bodies: &[Body], count: usize) -> String {
+    let several = bodies.len() > 1;
+    let columns = "patch,s,t,x,y,z,normal_x,normal_y,normal_z,curvature_s,curvature_t";
+    let mut out = format!("{}{columns}\n", if several { "body," } else { "" });
+    for (index, body) in bodies.iter().enumerate() {
+        for (patch, face) in body.shells().flat_map(cyclide::Shell::faces).enumerate() {
+            let name = if several { format!("{index},{patch}") } else { patch.to_string() };
+            for t in fractions(count) {
+                for s in fractions(count) {
+                    out += &name;
+                    push_surface_sample(&mut out, face, s, t);
+                }
+            }
+        }
+    }
+    out
+}
+
+/// The fields of a place on a patch behind its number, and the end of the line.
+fn push_surface_sample(out: &mut String, face: &ShellFace, s: f64, t: f64) {
+    let surface = &face.surface;
+    // Curvatures of patches are against D V3 D^-1, which turns to the other side nowhere, as the report has it.
+    let flipped = surface.patch().is_some_and(CyclidePatch::is_flipped);
+    let side = if flipped == face.same_sense { -1.0 } else { 1.0 };
+    let point = surface.point(s, t).to_array().map(Some);
+    let normal = (surface.unit_normal(s, t) * side).to_array().map(Some);
+    let curvatures = match surface {
+        FaceSurface::Cyclide(patch) => [patch.k1(t), patch.k2(s)],
+        FaceSurface::Rational(surface) => surface.jet(s, t).normal_curvatures().unwrap_or([f64::NAN; 2]),
+    };
+    let curvatures = curvatures.map(|k| Some(side * k).filter(|k| k.is_finite()));
+    for value in [s, t].map(Some).into_iter().chain(point).chain(normal).chain(curvatures) {
+        out.push(',');
+        if let Some(value) = value {
+            push_plain(out, value);
+        }
+    }
+    out.push('\n');
+}
