@@ -50,18 +50,21 @@ pub(super) fn deviation(
     polygons: &[Polygon<'_>],
     plan: &BodyPlan,
 ) -> Result<f64, ReadError> {
-    let mut rest = polygons;
-    let mut largest = 0.0_f64;
+    let (mut rest, mut largest, mut check) = (polygons, 0.0_f64, None::<Check<'_>>);
     // Places of parts that have no polygon: rounding has made lines of them.
     let mut lost: Vec<Point3> = Vec::new();
     for cell in cells {
         let (own, after) = rest.split_at(cell.polygons);
         rest = after;
-        let Some(patch) = surface.patch(cell.source.face) else { continue };
-        let check = Check { form, body, face: cell.source.face, patch, moved: plan.moved };
-        let mut parts: Vec<Part> = TriangleCell::of(&cell.source).parts().collect();
+        let at = TriangleCell::of(&cell.source);
+        if check.as_ref().is_none_or(|check| check.face != cell.source.face) {
+            let Some(patch) = surface.patch(cell.source.face) else { continue };
+            check = Some(Check::new(form, body, (cell.source.face, patch), at.divisions, plan.moved)?);
+        }
+        let Some(check) = &check else { continue };
+        let mut parts: Vec<Part> = at.parts().collect();
         if let ([only], [_, _]) = (own, parts.as_slice()) {
-            let k = check.nearer(only, &parts)?;
+            let k = check.nearer(only, &parts);
             largest = check.deviation(only, &parts.remove(k), largest)?;
         } else if own.len() == parts.len() {
             for (polygon, part) in own.iter().zip(parts.drain(..)) {
@@ -91,29 +94,52 @@ struct Check<'a> {
     body: &'a BodyOf<'a>,
     face: usize,
     patch: TrianglePatch,
+    /// Points and normals at the corners of all parts, row by row.
+    corners: Vec<(Point3, Vec3)>,
+    divisions: usize,
     /// How far rounding has moved a vertex at most.
     moved: f64,
 }
 
-impl Check<'_> {
+impl<'a> Check<'a> {
+    fn new(
+        form: MeshForm,
+        body: &'a BodyOf<'a>,
+        (face, patch): (usize, TrianglePatch),
+        divisions: usize,
+        moved: f64,
+    ) -> Result<Self, ReadError> {
+        let n = divisions;
+        let places = (0..=n).flat_map(|i| (0..=n - i).map(move |j| [i, j, n - i - j].map(|v| v as f64)));
+        let failed = |source| ReadError::Geometry { place: format!("triangle {face}"), source };
+        let corners = places.map(|at| patch.point_and_normal(at).map_err(failed)).collect::<Result<_, _>>()?;
+        Ok(Self { form, body, face, patch, corners, divisions, moved })
+    }
+
+    /// Point and normal at a corner of a part.
+    fn corner(&self, at: [f64; 3]) -> (Point3, Vec3) {
+        let [i, j, _] = at.map(|v| v as usize);
+        self.corners[i * (self.divisions + 1) - (i * i - i) / 2 + j]
+    }
+
     fn point(&self, at: [f64; 3]) -> Result<Point3, ReadError> {
         let failed = |source| ReadError::Geometry { place: format!("triangle {}", self.face), source };
         self.patch.point(at).map_err(failed)
     }
 
     /// The part whose corners are nearer to those of a polygon.
-    fn nearer(&self, polygon: &Polygon<'_>, parts: &[Part]) -> Result<usize, ReadError> {
+    fn nearer(&self, polygon: &Polygon<'_>, parts: &[Part]) -> usize {
         let mut best = (0, f64::INFINITY);
         for (k, part) in parts.iter().enumerate() {
             let mut sum = 0.0;
             for (at, p) in part.iter().zip(polygon.corners()) {
-                sum += self.point(*at)?.distance(p);
+                sum += self.corner(*at).0.distance(p);
             }
             if sum < best.1 {
                 best = (k, sum);
             }
         }
-        Ok(best.0)
+        best.0
     }
 
     /// The largest of a distance that is known and those between a polygon and its part.
@@ -123,7 +149,7 @@ impl Check<'_> {
         let Some(corners) = corners.first_chunk::<3>().filter(|_| corners.len() == 3) else {
             return Err(ReadError::NotCovered { object, face });
         };
-        let places = [self.point(part[0])?, self.point(part[1])?, self.point(part[2])?];
+        let places = part.map(|at| self.corner(at).0);
         let own_place = MOVED * self.moved + ROUNDING * self.body.body.bounds().max_abs();
         for (k, p) in corners.iter().enumerate() {
             let off = places[k].distance(*p);
@@ -143,7 +169,7 @@ impl Check<'_> {
             let to_surface = self.to_surface(corners[0] + sum, (at, on_surface), (part, corners), largest)?;
             largest = larger(largest, to_surface);
         }
-        let off = self.normal_error(polygon, part, corners)?;
+        let off = self.normal_error(polygon, part, corners);
         if !(off <= NORMAL_LIMIT) {
             return Err(ReadError::Normal { object, face, off, limit: NORMAL_LIMIT });
         }
@@ -182,18 +208,12 @@ impl Check<'_> {
     }
 
     /// How far the normals of a polygon are off: in STL that of the triangle, elsewhere those of the surface at the corners.
-    fn normal_error(&self, polygon: &Polygon<'_>, part: &Part, corners: &[Point3; 3]) -> Result<f64, ReadError> {
+    fn normal_error(&self, polygon: &Polygon<'_>, part: &Part, corners: &[Point3; 3]) -> f64 {
         let mut normals = polygon.normals();
         if self.form.has_facet_normals {
-            return Ok(normals.next().map_or(f64::NAN, |facet| facet_error(corners, facet)));
+            return normals.next().map_or(f64::NAN, |facet| facet_error(corners, facet));
         }
-        let mut largest = 0.0;
-        for (at, normal) in part.iter().zip(normals) {
-            let failed = |source| ReadError::Geometry { place: format!("triangle {}", self.face), source };
-            let (_, expected) = self.patch.point_and_normal(*at).map_err(failed)?;
-            largest = larger(largest, (normal - expected).length());
-        }
-        Ok(largest)
+        part.iter().zip(normals).map(|(at, normal)| (normal - self.corner(*at).1).length()).fold(0.0, larger)
     }
 }
 

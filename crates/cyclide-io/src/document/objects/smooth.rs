@@ -1,8 +1,8 @@
 //! Smooth surfaces over triangles: from files and lists to the kernel's surfaces.
 
 use cyclide::{
-    Error as KernelError, NormalWeights, Point3, ShortNumber, SmoothMesh, SphereBlend, SurfaceObject, Units,
-    VertexNormals, Warning,
+    Error as KernelError, NormalWeights, Point3, ShortNumber, SmoothMesh, SphereBlend, SurfaceObject, TriangleSurface,
+    Units, VertexNormals, Warning,
 };
 
 use super::Builder;
@@ -242,12 +242,14 @@ impl Builder<'_> {
         };
         let blend = blend.map_err(|e| self.refused_blend(spec, &e))?;
         // Where the spheres cancel is known when the patch is walked over.
-        blend.measure().map_err(|e| self.refused_blend(spec, &e))?;
-        Ok(vec![blend.into()])
+        let surface = TriangleSurface::from(blend);
+        surface.sampled_bounds().and_then(|_| blend.measure()).map_err(|e| self.refused_blend(spec, &e))?;
+        Ok(vec![surface.into()])
     }
 
     fn refused_blend(&self, spec: &SphereBlendSpec, error: &KernelError) -> Error {
         let shape = if spec.control.is_some() { "control" } else { "normals" };
+        let error = if let KernelError::InTriangle { cause, .. } = error { cause } else { error };
         let steps: Vec<Step> = match *error {
             KernelError::ControlPointOnCircumcircle { corner, .. } => vec!["control".into(), corner.into()],
             KernelError::UndefinedNormal { vertex, .. } if spec.normals.is_some() => {
