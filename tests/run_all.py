@@ -77,6 +77,7 @@ STEPS = [
     ("program", ["cargo", "build", "--release", "--locked", "--package", "cyclide-cli", "--package", "xtask"], one),
     ("layers", [XTASK, "layers"], one),
     ("dependencies", [PYTHON, "tests/dependencies.py"], one),
+    ("citations", [PYTHON, "tests/citations.py"], one),
     ("Rust tests", ["cargo", "test", "--workspace", "--locked", "--no-fail-fast"], from_cargo_test),
     ("reference cases", [XTASK, "reference", *sorted(glob.glob("crates/cyclide/tests/reference/*.json", root_dir=ROOT))], from_last_line),
     ("foreign readers", [PYTHON, "-m", "pytest", "tests/foreign", "-q", "-rsxX", "-p", "no:cacheprovider", "-n", "auto", "--dist", "worksteal"], from_pytest),

@@ -151,7 +151,8 @@ fn seams_that_lie_on_each_other_are_no_warning_unless_they_bend() {
     let [seam] = surface(&fine).seams[..] else { panic!() };
     assert!(seam.gap < 1e-14 && seam.angle < 1e-3, "{seam:?}");
     assert_eq!(reasons(&fine), [""; 0]);
-    // Eight coarse quads turn the frame by degrees. Seven do too, but closed they have a frame that comes back (`70`, A1).
+    // Eight coarse quads turn the frame by degrees. Seven do too, but closed they have a frame that comes back
+    // (`docs/math/cyclides-and-nets.md#frames-and-weights-of-a-net`).
     for (count, closes) in [(8, false), (7, true)] {
         let coarse = ring(count, 0.3);
         let [seam] = surface(&coarse).seams[..] else { panic!() };

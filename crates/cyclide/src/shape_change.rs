@@ -12,8 +12,9 @@ const LARGE_TURN: f64 = 3.0 * DEGREE;
 pub(crate) const ACROSS: f64 = 15.0 * DEGREE;
 const DEGREE: f64 = std::f64::consts::PI / 180.0;
 
-/// What may become of a surface whose vertices are moved: the numbers of `70`, part C, and one of relief. All are free
-/// of scale. A number is `None` where the surface as given has nothing to compare with: it is flat.
+/// What may become of a surface whose vertices are moved: the numbers of `docs/math/circular-meshes.md#guard`, and one
+/// of relief. All are free of scale. A number is `None` where the surface as given has nothing to compare with: it is
+/// flat.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct ShapeChange {
     /// Bending, after over before: squared differences of the normals over a fifth of the grid.
@@ -45,9 +46,10 @@ struct Limits {
     lost_relief: f64,
 }
 
-/// Outside these the shape is lost. Table and search of the constants: `70`, part C. Of the relief: grids along curvature
-/// lines and those with noise up to a fifth of an edge lose it on 0.08 of the surface at most, lost ones on 0.13 or more.
-/// Upper limits (own): ripples of three quads swell to 1.9 of the thickness, honest grids stay below 1.05.
+/// Outside these the shape is lost. Table and search of the constants: `docs/math/circular-meshes.md#guard`. Of the
+/// relief: grids along curvature lines and those with noise up to a fifth of an edge lose it on 0.08 of the surface at
+/// most, lost ones on 0.13 or more. Upper limits (own): ripples of three quads swell to 1.9 of the thickness, honest
+/// grids stay below 1.05.
 const LOST: Limits = Limits { bending: [0.5, 1.5], thickness: [0.5, 1.5], normal_turn: 0.35, lost_relief: 0.12 };
 /// What may help a grid that is along the curvature lines already.
 const ALONG: &str = "mesh the surface along its curvature lines as exactly as you can, or with fewer quads";

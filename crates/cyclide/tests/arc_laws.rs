@@ -1,4 +1,4 @@
-//! Laws of single arcs (`10`, section 1.6) on random, near-degenerate and badly scaled arcs.
+//! Laws of single arcs (`docs/math/arcs.md#images-under-maps`) on random, near-degenerate and badly scaled arcs.
 //!
 //! Bounds are in units of the last place of the arc's size, times the amplification near a full circle (see
 //! `ArcCase::rounding`); the factors are some tens of operations, each rounded once.

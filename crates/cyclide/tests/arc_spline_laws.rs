@@ -1,4 +1,4 @@
-//! Laws of arcs through three points, biarcs and arc splines (`10`, sections 1.1 and 2) on random, nearly collinear,
+//! Laws of arcs through three points, biarcs and arc splines (`docs/math/arc-splines.md`) on random, nearly collinear,
 //! nearly coincident and badly scaled points.
 #![allow(clippy::unwrap_used, reason = "a helper of tests fails by panicking")]
 

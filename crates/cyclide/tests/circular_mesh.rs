@@ -89,7 +89,7 @@ fn off_circle(grid: &QuadGrid) -> f64 {
     worst
 }
 
-/// The promises of the theory for a converged mesh (`20`, section 6).
+/// The promises of the theory for a converged mesh (`docs/math/circular-meshes.md#search`).
 fn check(name: &str, before: &QuadGrid, mesh: &CircularMesh) {
     let report = &mesh.report;
     assert!(report.residual_after < 1e-12, "{name}: {report:?}");

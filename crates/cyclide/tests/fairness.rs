@@ -1,4 +1,5 @@
-//! How evenly curves bend: counts and variation against closed forms and against the figures of `65`, section 7.
+//! How evenly curves bend: counts and variation against closed forms and against the figures of
+//! `docs/math/fair-splines.md#figures`.
 
 #![allow(clippy::unwrap_used, reason = "what cannot be made fails the test")]
 
@@ -193,7 +194,7 @@ fn jumps_of_arcs_have_no_variation_and_corners_cut() {
     assert_eq!((f.sign_changes, f.extrema, f.variation, f.corners), (Some(0), 0, Some(0.0), 4));
 }
 
-/// `65`, section 7, the row "Doran rational k=2" of the track.
+/// `docs/math/fair-splines.md#figures`, the row "order 2, rational" of the track.
 #[test]
 fn the_track_has_the_figures_of_the_paper() {
     let curve = spline(&track(), true);

@@ -221,7 +221,8 @@ fn nearly_flat_grids_are_not_refused() {
 
 #[test]
 fn the_numbers_are_those_of_the_theory_and_free_of_scale() {
-    // The tower of 200 m that becomes a hyperboloid: 0.966, 1.06, 0.167 and 9.6 degrees, by a program of its own (`70`, C).
+    // The tower of 200 m that becomes a hyperboloid: 0.966, 1.06, 0.167 and 9.6 degrees, by a program of its own
+    // (`docs/math/circular-meshes.md#figures-of-the-guard`).
     let tower = |u: f64, v: f64| {
         let r = 1.0 - v / 4.0;
         let (x, y) = (30.0 * r * (TAU * u).cos(), 20.0 * r * (TAU * u).sin());

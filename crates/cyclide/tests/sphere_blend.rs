@@ -1,4 +1,4 @@
-//! Sphere blends over one triangle: laws of `50`, section 6.
+//! Sphere blends over one triangle: laws of `docs/math/triangle-surfaces.md#sphere-blend`.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
 use cyclide::{Circle, Mobius, Point3, Quat, Sphere, SphereBlend, Vec3};

@@ -1,4 +1,5 @@
-//! Single arcs and circles: the constructs of `10`, section 4, up to `circle-nurbs`.
+//! Single arcs and circles: the constructs of `docs/math/reference-cases.md#arcs-and-arc-splines`, up to
+//! `circle-nurbs`.
 
 use super::Handler;
 use super::case::{Case, Fault};
@@ -26,7 +27,8 @@ pub(super) fn handler(construct: &str) -> Option<Handler> {
     })
 }
 
-/// The comparison rules of `10`, section 4: the error allowed, from the expected numbers.
+/// The comparison rules of `docs/math/reference-cases.md#arcs-and-arc-splines`: the error allowed, from the expected
+/// numbers.
 #[derive(Clone, Copy)]
 pub(super) struct Rules {
     rtol: f64,

@@ -1,5 +1,6 @@
-//! Arc fitting: the constructs of `60`, section 9, and `fit-arc-spline` of `10`, section 4. Splines are judged by
-//! a property, measured without the fit's own certificate.
+//! Arc fitting: the constructs of `docs/math/reference-cases.md#arc-fits`, and `fit-arc-spline` of
+//! `docs/math/reference-cases.md#arcs-and-arc-splines`. Splines are judged by a property, measured without the fit's
+//! own certificate.
 
 use super::Handler;
 use super::case::{Case, Fault};
@@ -21,7 +22,7 @@ pub(super) fn handler(construct: &str) -> Option<Handler> {
     })
 }
 
-/// The comparison rule of `60`, section 9: `rtol (1 + |value|)` per number.
+/// The comparison rule of `docs/math/reference-cases.md#arc-fits`: `rtol (1 + |value|)` per number.
 fn allowed(case: &Case) -> impl Fn(&[f64]) -> f64 + use<> {
     let rtol = case.rtol();
     move |want| rtol * (1.0 + want.iter().fold(0.0, |m: f64, w| m.max(w.abs())))
@@ -88,7 +89,7 @@ fn g1_interval(case: &Case, check: &mut Check) -> Result<(), Fault> {
     Ok(())
 }
 
-/// Kinks of `fit-arc-spline` up to this are rounding, radians: the file asks for G1 without a number, `60` allows 1e-9.
+/// Kinks of `fit-arc-spline` up to this are rounding, radians: the file asks for G1 without a number.
 const G1_LIMIT: f64 = 1e-9;
 
 /// What both spline properties share: the fit ends in the data's ends, to the bit, and every vertex is near it.

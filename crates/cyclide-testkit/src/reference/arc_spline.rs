@@ -1,4 +1,5 @@
-//! Biarcs and arc splines: the constructs `biarc` and `arc-spline` of `10`, section 4.
+//! Biarcs and arc splines: the constructs `biarc` and `arc-spline` of
+//! `docs/math/reference-cases.md#arcs-and-arc-splines`.
 
 use super::Handler;
 use super::arc::{Rules, triple, xyz};

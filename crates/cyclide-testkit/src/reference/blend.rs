@@ -1,4 +1,5 @@
-//! Circles and spheres through points, and blends of circles: the constructs of `50`, section 10, about curves.
+//! Circles and spheres through points, and blends of circles: the constructs of
+//! `docs/math/reference-cases.md#circle-blends`, about curves.
 
 use super::Handler;
 use super::arc::{triple, xyz};
@@ -21,7 +22,7 @@ pub(super) fn handler(construct: &str) -> Option<Handler> {
     })
 }
 
-/// The comparison rules of `50`, section 10.
+/// The comparison rules of `docs/math/reference-cases.md#circle-blends`.
 #[derive(Clone, Copy)]
 pub(super) struct Rules {
     rtol: f64,

@@ -1,4 +1,4 @@
-//! Necks of pipes and bridges of ellipses: the circular surfaces of `10`, sections 3.2 and 3.3.
+//! Necks of pipes and bridges of ellipses: the circular surfaces of `docs/math/reference-cases.md#surfaces-of-arcs`.
 
 use super::Handler;
 use super::arc::{Rules, xyz};

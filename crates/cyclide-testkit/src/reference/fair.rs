@@ -1,4 +1,4 @@
-//! Fair circle splines: the constructs of `65`, section 9.
+//! Fair circle splines: the constructs of `docs/math/reference-cases.md#fair-splines`.
 
 use super::Handler;
 use super::arc::{triple, xyz};

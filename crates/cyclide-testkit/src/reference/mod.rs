@@ -106,7 +106,7 @@ fn handler(construct: &str) -> Option<Handler> {
     .find_map(|topic| topic(construct))
 }
 
-/// Fields of `expect` that are information, not to be compared (`10`, section 4; `60`, section 9).
+/// Fields of `expect` that are information, not to be compared (`docs/math/reference-cases.md#format`).
 const INFORMATION: [&str; 3] = ["straight", "true_segments", "true_arcs"];
 
 /// Runs the cases of one file and adds the outcome to `report`. With `only`, cases of other constructs are counted as

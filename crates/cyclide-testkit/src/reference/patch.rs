@@ -1,4 +1,5 @@
-//! Arcs, patches and nets of Dupin cyclides: the constructs of `20`, section 9, up to volumes.
+//! Arcs, patches and nets of Dupin cyclides: the constructs of `docs/math/reference-cases.md#patches-and-nets`, up to
+//! volumes.
 
 use super::Handler;
 use super::arc::{triple, xyz};
@@ -24,8 +25,8 @@ pub(super) fn handler(construct: &str) -> Option<Handler> {
     })
 }
 
-/// What `20`, section 1, calls the refusals of arcs: the constructor of an arc from a tangent has the names of `10`,
-/// which say what is wrong with the tangent.
+/// What the cases call the refusals of arcs (`docs/math/reference-cases.md#patches-and-nets`): the constructor of an
+/// arc from a tangent has names which say what is wrong with the tangent.
 pub(super) fn reason(construct: &str, error: &Error) -> &'static str {
     match error.reason() {
         "tangent-opposes-chord" | "pole-on-segment" if construct == "qb-arc" => "arc-through-infinity",
@@ -34,7 +35,8 @@ pub(super) fn reason(construct: &str, error: &Error) -> &'static str {
     }
 }
 
-/// The comparison rule of `20`, section 9: `rtol` times the largest entry of the expected field.
+/// The comparison rule of `docs/math/reference-cases.md#patches-and-nets`: `rtol` times the largest entry of the
+/// expected field.
 fn relative(case: &Case, check: &Check, field: &str, parameters: usize) -> f64 {
     case.rtol() * check.largest_expected(field, parameters)
 }

@@ -1,4 +1,5 @@
-//! Smooth offsets of convex polyhedra, and the polygons of spheres of which they are made: `10`, section 3.4.
+//! Smooth offsets of convex polyhedra, and the polygons of spheres of which they are made:
+//! `docs/math/reference-cases.md#surfaces-of-arcs`.
 
 use super::Handler;
 use super::arc::{Rules, xyz};

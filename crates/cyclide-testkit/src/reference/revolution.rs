@@ -1,4 +1,4 @@
-//! Surfaces of revolution: the first constructs of `10`, section 3.
+//! Surfaces of revolution: the first constructs of `docs/math/reference-cases.md#surfaces-of-arcs`.
 
 use super::Handler;
 use super::arc::{Rules, xyz};

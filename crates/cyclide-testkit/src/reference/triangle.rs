@@ -1,4 +1,4 @@
-//! Patches over triangles: the constructs of `50`, sections 6 and 8.
+//! Patches over triangles: the constructs of `docs/math/reference-cases.md#circle-blends`.
 
 use super::Handler;
 use super::arc::{triple, xyz};

@@ -49,11 +49,12 @@ impl Mobius {
 
     /// The map `y -> (a y + b)(c y + d)^-1`.
     ///
-    /// It keeps three-space if `Re(a ~c) = 0`, `Re(b ~d) = 0` and `~a d + ~c b` is real and not zero (`20`, section 3).
-    /// The defect is the largest of the first two relative to `|a||c|`, `|b||d|` and of the imaginary part of the third
-    /// relative to its real part: neither a unit of length nor a translation changes what it says of the map. Entries
-    /// that are rounded determine the map to `ε |a||d|` relative to that determinant only, which far from the
-    /// origin is `ε |o|²/R²`: compose such maps with [`after`](Self::after) instead.
+    /// It keeps three-space if `Re(a ~c) = 0`, `Re(b ~d) = 0` and `~a d + ~c b` is real and not zero
+    /// (`docs/math/conformal.md#pairs-and-maps`). The defect is the largest of the first two relative to `|a||c|`,
+    /// `|b||d|` and of the imaginary part of the third relative to its real part: neither a unit of length nor a
+    /// translation changes what it says of the map. Entries that are rounded determine the map to `ε |a||d|` relative
+    /// to that determinant only, which far from the origin is `ε |o|²/R²`: compose such maps with
+    /// [`after`](Self::after) instead.
     ///
     /// # Errors
     /// `not-finite`; `not-mobius` if it is singular or does not keep three-space (relative defect above 1e-9).
@@ -165,7 +166,8 @@ impl Mobius {
     }
 
     /// The determinant `Re(~a d + ~c b)`, a real number that is not zero; the map keeps orientation where it is positive
-    /// and reverses it where it is negative (`20`, section 3). A real factor of the matrix enters squared.
+    /// and reverses it where it is negative (`docs/math/conformal.md#pairs-and-maps`). A real factor of the matrix
+    /// enters squared.
     #[must_use]
     pub fn determinant(&self) -> f64 {
         self.determinant

@@ -15,7 +15,7 @@ pub struct Sphere {
 }
 
 impl Sphere {
-    /// The sphere through four points (`50`, section 1).
+    /// The sphere through four points (`docs/math/conformal.md#sphere-through-four-points`).
     ///
     /// # Errors
     /// `not-finite`, `parameter-out-of-range` (coordinates above 1e150), `coincident-points`,

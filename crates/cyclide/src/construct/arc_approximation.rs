@@ -2,8 +2,8 @@
 //!
 //! A biarc takes its ends and end tangents from the curve, so the result is G1 and interpolates at every second
 //! joint, and its distance from the curve is of third order in its length: the number of arcs doubles per decade of
-//! the tolerance (`50`, section 5, "G1 biarcs", in the joint formula of [`Biarc`]; the greedy length and the halving
-//! of the rest are ours). The distance is sampled in both directions, not certified.
+//! the tolerance (`docs/math/arc-splines.md#arcs-for-a-smooth-curve`, in the joint formula of [`Biarc`]; the greedy
+//! length and the halving of the rest are ours). The distance is sampled in both directions, not certified.
 
 use super::biarc::{Biarc, BiarcRule};
 use crate::base::vector::{Point3, Vec3};

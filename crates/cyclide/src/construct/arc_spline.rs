@@ -1,7 +1,8 @@
 //! Tangent-continuous chains of arcs through points: one biarc per span, or one arc per span from a start tangent.
 //!
 //! Tangents at the points are given or estimated: at an inner point the tangent of the circle through it and its two
-//! neighbours, at the ends of an open chain that circle's tangent at the end point (`10`, section 2.3):
+//! neighbours, at the ends of an open chain that circle's tangent at the end point
+//! (`docs/math/arc-splines.md#three-point-tangents`):
 //!
 //! ```text
 //! T_k ∝ e0 |e1|/|e0|² + e1/|e1|,   e0 = P_k - P_{k-1},  e1 = P_{k+1} - P_k
@@ -15,7 +16,7 @@ use crate::curve::ArcPath;
 use crate::error::{Error, Result};
 
 /// Two unit chords that sum to less than this turn back on themselves: their circle is a line through infinity and
-/// its tangent is noise (`50`, section 2, has the same limit).
+/// its tangent is noise (`docs/math/circle-blends.md#node-tangent`, has the same limit).
 const CUSP_LIMIT: f64 = 1e-9;
 
 /// Options of [`ArcPath::spline`].
@@ -87,8 +88,9 @@ impl ArcPath {
     }
 }
 
-/// Unit tangents at the points, estimated from the circle through each point and its neighbours (`10`,
-/// section 2.3); exact where the points lie on a circle or line. Two points give their chord.
+/// Unit tangents at the points, estimated from the circle through each point and its neighbours
+/// (`docs/math/arc-splines.md#three-point-tangents`); exact where the points lie on a circle or line. Two points give
+/// their chord.
 ///
 /// # Errors
 /// `too-few-points` (fewer than 2, or 3 if closed), `not-finite`, `coincident-points` (neighbours); `cusp` where the

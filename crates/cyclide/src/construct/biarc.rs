@@ -4,8 +4,9 @@
 //! W = p1 - p0,  v = W/|W|,  s1 = 2<t1,v>v - t1  (the start tangent whose single arc would end in t1),  K = t0 + s1
 //! ```
 //! The joint `J` may lie anywhere on the circle through `p0` and `p1` with start tangent `K`; the arcs are then
-//! `(p0, J, t0)` and `(J, p1, reflect(t0, J - p0))`, and the second ends in `t1` exactly (`10`, section 2.2). The
-//! rules differ in the choice of `J`. The result is G1; curvature jumps at the joint.
+//! `(p0, J, t0)` and `(J, p1, reflect(t0, J - p0))`, and the second ends in `t1` exactly
+//! (`docs/math/arc-splines.md#biarc-the-joint-circle`). The rules differ in the choice of `J`. The result is G1;
+//! curvature jumps at the joint.
 //!
 //! Degenerate cases: `p0 = p1` has no biarc (`coincident-points`), nor has `t0 = t1 = -v` (a caller needs three arcs).
 //! Straight data (`t0 = t1 = v`) give two collinear segments.

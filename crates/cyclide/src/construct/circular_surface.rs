@@ -1,4 +1,5 @@
-//! Circular surfaces: arcs between two rails, with a tangent at the first one, exact (`000`, section 7; `10`, sections 1.1 and 1.4).
+//! Circular surfaces: arcs between two rails, with a tangent at the first one, exact (`000`, section 7;
+//! `docs/math/circular-surfaces.md#arcs-between-rails`).
 //!
 //! The arc from `q0` to `q1` with the derivative `v` at its start has, with the chord `c = q1 - q0`, the homogeneous rows
 //!

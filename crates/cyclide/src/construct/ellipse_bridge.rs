@@ -1,5 +1,5 @@
-//! The bridge between two concentric ellipses: half circles over their chords, exact (`10`, section 3.3; source: `000`,
-//! section 7, (32), Fig. 8).
+//! The bridge between two concentric ellipses: half circles over their chords, exact
+//! (`docs/math/circular-surfaces.md#bridge-of-two-ellipses`; source: `000`, section 7, (32), Fig. 8).
 //!
 //! The ellipses `q0 = (a cos θ, b sin θ, 0)` and `q1 = (c cos θ, d sin θ, 0)` are joined at each θ by the half circle over the chord,
 //! upright. It is tangent to the elliptic cylinders below both. With the chord `q1 - q0 = C/D`, D the denominator of cosine and sine,

@@ -1,7 +1,7 @@
 //! Circle splines as rational B-splines: exact for the rational laws, certified for the trigonometric one.
 //!
-//! One spline per smooth run. Its knots lie a chord length apart, in which parameter the curve is C1 (`50`,
-//! section 4, "free C1"); [`NurbsCurve::with_c1_knots`] writes that into the knots.
+//! One spline per smooth run. Its knots lie a chord length apart, in which parameter the curve is C1
+//! (`docs/math/circle-blends.md#angle-laws`); [`NurbsCurve::with_c1_knots`] writes that into the knots.
 
 use crate::curve::{Arc, BlendSegment, CircleSpline, Correspondence, CurvePlace, Span};
 use crate::error::Result;

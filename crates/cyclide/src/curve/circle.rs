@@ -80,7 +80,8 @@ impl Circle {
         Ok(Self { center, normal, spoke })
     }
 
-    /// The circle through three points in their order, starting at the first (`50`, section 1).
+    /// The circle through three points in their order, starting at the first
+    /// (`docs/math/conformal.md#circle-through-three-points`).
     ///
     /// # Errors
     /// `not-finite`, `parameter-out-of-range`, `coincident-points`, `degenerate-circle` (sine of the angle at
@@ -209,7 +210,7 @@ impl Circle {
     }
 
     /// The exact nine-point rational quadratic: corners of the square around the circle, weights
-    /// `1, sqrt(1/2), 1, ...` (`10`, section 1.4).
+    /// `1, sqrt(1/2), 1, ...` (`docs/math/arcs.md#rational-form`).
     ///
     /// # Errors
     /// `not-finite` if a corner of the square overflows.

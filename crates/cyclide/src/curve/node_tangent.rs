@@ -2,7 +2,8 @@
 
 use crate::base::vector::{Point3, Vec3};
 
-/// Two unit chords whose sum is at most this long turn back on themselves: no circle, a cusp (`50`, section 2).
+/// Two unit chords whose sum is at most this long turn back on themselves: no circle, a cusp
+/// (`docs/math/circle-blends.md#node-tangent`).
 const CUSP_LIMIT: f64 = 1e-9;
 
 /// Direction and length of the way from one point to the next.
@@ -38,7 +39,8 @@ impl Chord {
     /// ```text
     /// tau = unit(inv(e) + inv(d)) = unit(|e| u_d + |d| u_e)
     /// ```
-    /// (`50`, section 2, (B)), divided by the longer length: no overflow, no cancellation away from cusps.
+    /// (`docs/math/circle-blends.md#node-tangent`), divided by the longer length: no overflow, no cancellation away
+    /// from cusps.
     pub(crate) fn tangent_to(&self, next: &Self) -> Option<Vec3> {
         if (self.unit + next.unit).length_squared() <= CUSP_LIMIT * CUSP_LIMIT {
             return None;

@@ -1,4 +1,5 @@
-//! A smooth patch over one triangle, shaped at each corner by a sphere (`50`, section 6; source: `004`, (69)-(74)).
+//! A smooth patch over one triangle, shaped at each corner by a sphere (`docs/math/triangle-surfaces.md#sphere-blend`;
+//! source: `004`, (69)-(74)).
 //!
 //! Every corner has a sphere through the circle of the three corners. Between them the spheres are blended, and each point of
 //! the triangle goes to the sphere of its place by the rotation that bends the triangle's plane into that sphere. In closed
@@ -183,7 +184,8 @@ impl SphereBlend {
         nearest + (flat + place.lift * self.size)
     }
 
-    /// The derivatives by the first two coordinates, the third being what is left to 1 (`50`, section 6).
+    /// The derivatives by the first two coordinates, the third being what is left to 1
+    /// (`docs/math/triangle-surfaces.md#sphere-blend`).
     fn place(&self, at: &Barycentric) -> Result<Place> {
         let [l1, l2, l3] = at.coordinates();
         let [e1, e2, e3] = self.spokes;

@@ -1,5 +1,5 @@
-//! Laws of arc fitting (`60`, section 8): certificates against sampling, intervals from inside and outside, symmetry,
-//! counts on true arcs, and the data that tempt a fit into rogue arcs.
+//! Laws of arc fitting (`docs/math/arc-fitting.md`): certificates against sampling, intervals from inside and outside,
+//! symmetry, counts on true arcs, and the data that tempt a fit into rogue arcs.
 
 mod circuits;
 mod fits;

@@ -105,7 +105,7 @@ pub fn infinity_distance_squared(segment: &BlendSegment) -> f64 {
 
 /// How far rounding of the coordinates (size `reach`) moves a segment: the tangents by eps times size over shortest
 /// chord (and over the sum of the unit chords at a sharp turn), the curve by that over `|t1 + t2|`, times
-/// `|d|/|u+t|²` (`50`, sections 3 and 5). A multiple of it is the tolerance of the laws.
+/// `|d|/|u+t|²` (`docs/math/circle-blends.md#rational-form`). A multiple of it is the tolerance of the laws.
 pub fn rounding_of(points: &[Point3], spline: &CircleSpline) -> Vec<f64> {
     let (n, size) = (points.len(), reach(points));
     let chord = |i: usize| points[(i + 1) % n] - points[i % n];

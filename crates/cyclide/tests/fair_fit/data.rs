@@ -1,4 +1,4 @@
-//! The data of `66`, section 9: one generator, so that figures can be compared.
+//! The data of `docs/math/fair-fits.md#data-and-figures`: one generator, so that figures can be compared.
 
 use cyclide::{CircleSpline, FairFit, FairFitOptions, ParamCurve, Point3};
 use std::f64::consts::TAU;
@@ -121,7 +121,8 @@ pub fn fitted(points: &[Point3], options: &FairFitOptions) -> FairFit {
     let nodes = curve.segments().len() + usize::from(!options.closed);
     assert_eq!(certificate.nodes, nodes);
     assert_eq!(curve.is_closed(), options.closed);
-    // The bound of 66, section 12; rounding of the nodes themselves adds eps |x|/d per chord d.
+    // The bound of `docs/math/fair-fits.md#data-and-figures`; rounding of the nodes themselves adds eps |x|/d per chord
+    // d.
     let largest = points.iter().map(|p| p.to_vec().max_abs()).fold(0.0, f64::max);
     for (i, joint) in cyclide::joints(curve).iter().enumerate() {
         if joint.angle > 1e-6 {

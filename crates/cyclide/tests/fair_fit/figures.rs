@@ -1,4 +1,4 @@
-//! The acceptance figures of `66`, section 12, on the data of its section 9.
+//! The acceptance figures of `docs/math/fair-fits.md#data-and-figures`, on the data given there.
 
 use crate::data::*;
 use cyclide::{FairFitOptions, ParamCurve, Point3, closest_point};
@@ -77,7 +77,7 @@ fn centre_comes_nearer_to_what_was_measured() {
         ((squares / truth.len() as f64).sqrt(), fit.certificate().rms, variation(fit.spline()).0, fit)
     };
     let (tube, middle) = (measure(0.0), measure(1.0));
-    // 0.70 of the distance here (0.5 on the race tracks of 66, section 6).
+    // 0.70 of the distance here (0.5 on race tracks: `docs/math/fair-fits.md#centre`).
     assert!(middle.0 < 0.75 * tube.0, "{} {}", middle.0, tube.0);
     assert!(middle.1 < tube.1 && middle.2 < 1.15 * tube.2);
     // Four standard deviations wide: the curve in the middle leans on nothing.

@@ -1,4 +1,4 @@
-//! What holds of every fit (`66`, section 12, properties).
+//! What holds of every fit (`docs/math/fair-fits.md#data-and-figures`, properties).
 
 use crate::data::*;
 use cyclide::{FairFit, FairFitOptions, ParamCurve, Point3, Warning};
@@ -39,7 +39,7 @@ fn similarities_and_reversal_change_nothing() {
 
 #[test]
 fn another_start_of_a_closed_curve_changes_nothing() {
-    // 66, section 12, asks for nodes within 10 % and variation within 5 %: on tracks the counts of a search that starts at
+    // Nodes within 10 % and variation within 5 % would do: on tracks the counts of a search that starts at
     // the first point of the list spread by 10 to 30 %. Closed data choose their start themselves.
     let circuits = cyclide_testkit::circuits::circuits();
     let mut data = vec![(noisy_outline(), 0.4), (trefoil(), 0.01)];

@@ -76,7 +76,8 @@ fn sharp_turns_are_cut_where_the_curve_would_swing_out() {
 
 #[test]
 fn relaxed_curves_are_short() {
-    // Zigzags of many turns and spacings (`65`, D1: at most 1.46 times the polygon at 120 degrees, 3.9 for clouds).
+    // Zigzags of many turns and spacings (`docs/math/fair-splines.md#figures`: at most 1.46 times the polygon at 120
+    // degrees, 3.9 for clouds).
     for degrees in [90.0, 120.0, 135.0, 150.0, 165.0, 174.0_f64] {
         let half = 0.5 * (180.0 - degrees).to_radians();
         for legs in 0..8_u32 {

@@ -1,4 +1,4 @@
-//! How fair the curves are: the figures of `65`, section 7.
+//! How fair the curves are: the figures of `docs/math/fair-splines.md#figures`.
 
 use crate::data::{closed, p};
 use cyclide::{CircleSpline, CircleSplineOptions, ParamCurve, Point3};

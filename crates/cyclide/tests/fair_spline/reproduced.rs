@@ -142,7 +142,7 @@ fn a_helix_is_met_closely_in_space() {
     let inner = &s.segments()[3..9];
     let worst =
         inner.iter().flat_map(|s| [0.0, 0.3, 0.5, 0.9].map(|l| (s.jet(l).curvature().unwrap() / want - 1.0).abs()));
-    // `65`, section 7: 7.5e-3 for 13 points on two turns.
+    // `docs/math/fair-splines.md#figures`: 7.5e-3 for 13 points on two turns.
     assert!(worst.fold(0.0, f64::max) < 1e-2);
 }
 

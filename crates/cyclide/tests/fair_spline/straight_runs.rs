@@ -23,7 +23,7 @@ fn legs_beside_a_right_angle_stay_straight() {
     assert_eq!(swing(&kept, 4), 0.0, "to the bit");
     assert!(joints(&kept).iter().all(|j| j.curvature_jump < 1e-14));
     let off = FairSplineOptions { straight_runs: false, ..Default::default() };
-    // `65`, section 7: ripple 2.7e-3, 9.6e-3, 3.6e-2 of a chord on the legs.
+    // `docs/math/fair-splines.md#figures`: ripple 2.7e-3, 9.6e-3, 3.6e-2 of a chord on the legs.
     let ripple = swing(&CircleSpline::fair(&points, &off).unwrap(), 4);
     assert!((ripple - 3.6e-2).abs() < 1e-3, "{ripple}");
 }
@@ -54,7 +54,7 @@ fn tight_corners_round_in_proportion() {
         assert!(points.iter().all(|q| samples(&s).iter().any(|x| x == q) || *q == points[points.len() - 1]));
         (swing(&s, s.piece_count() / 2), s.piece_count())
     };
-    // `65`, section 10, D3: .143 of a chord, .143 rho of it.
+    // `docs/math/fair-splines.md#figures`: .143 of a chord, .143 rho of it.
     let (plain, _) = reach(None);
     for rho in [0.05, 0.2, 0.45] {
         let (tight, pieces) = reach(Some(rho));

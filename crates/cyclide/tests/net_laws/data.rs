@@ -9,7 +9,8 @@ pub(crate) const RINGS: [[f64; 3]; 5] =
 pub(crate) const HORNS: [[f64; 3]; 4] = [[1.0, 0.5, 0.2], [2.0, 1.5, 0.0], [1.0, 0.5, 0.5], [5.0, 4.0, 3.99]];
 pub(crate) const SPINDLES: [[f64; 3]; 4] = [[1.0, 0.3, 1.2], [1.0, 0.0, 1.5], [1.0, 0.5, 1.0], [2.0, 1.8, 20.0]];
 
-/// The point of a cyclide in its own frame at the angles `(th, ps)`, by `20`, section 4.
+/// The point of a cyclide in its own frame at the angles `(th, ps)`, by
+/// `docs/math/cyclides-and-nets.md#cyclides-by-parameters`.
 pub(crate) fn closed_form([a, c, mu]: [f64; 3], th: f64, ps: f64) -> Point3 {
     let b2 = (a - c) * (a + c);
     let b = b2.sqrt();

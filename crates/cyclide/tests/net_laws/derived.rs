@@ -302,7 +302,8 @@ fn the_frame_of_a_cyclide_gives_the_cyclide_back() {
     let parameters = [2.0, 0.7, 1.1];
     let net = CyclidicNet::new(cyclide_grid(parameters, [8, 7], [true, true]), NetFrame::Auto).unwrap();
     let [a, c, mu] = parameters;
-    // e_th and e_ps at the first vertex, by `20`, section 4; both angles there are 0.2 (+ the uneven spacing, 0 at 0).
+    // e_th and e_ps at the first vertex, by `docs/math/cyclides-and-nets.md#cyclides-by-parameters`; both angles there
+    // are 0.2 (+ the uneven spacing, 0 at 0).
     let ((st, ct), (sp, cp)) = (0.2_f64.sin_cos(), 0.2_f64.sin_cos());
     let (b, den) = (((a - c) * (a + c)).sqrt(), a - c * ct * cp);
     let v1 = Vec3::new(-b * st, a * ct - c * cp, -c * st * sp) / den;

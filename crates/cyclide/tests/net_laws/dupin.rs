@@ -83,7 +83,8 @@ fn rings_are_closed_and_have_positive_weights() {
             for patch in net.patches() {
                 assert!(patch.is_regular());
                 let smallest = patch.real_weights().into_iter().flatten().fold(f64::INFINITY, f64::min);
-                // W >= (a - c) ka ka', and ka >= cos(pi/4) for steps up to pi/2 (`20`, section 4).
+                // W >= (a - c) ka ka', and ka >= cos(pi/4) for steps up to pi/2
+                // (`docs/math/cyclides-and-nets.md#weights-of-a-whole-cyclide`).
                 assert!(smallest >= floor * (1.0 - 1e-12), "{smallest:e} {floor:e}");
             }
             let shell = net.to_shell().unwrap();

@@ -1,4 +1,4 @@
-//! Laws of whole cyclides, cyclidic nets and their shells (`20`, sections 4, 6, 7).
+//! Laws of whole cyclides, cyclidic nets and their shells (`docs/math/cyclides-and-nets.md`).
 #![allow(clippy::unwrap_used, clippy::panic, reason = "helpers of tests")]
 
 mod data;

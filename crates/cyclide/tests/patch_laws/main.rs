@@ -1,5 +1,5 @@
-//! Laws of principal patches of Dupin cyclides (`20`, section 7) on random patches, near-degenerate and badly scaled
-//! ones among them.
+//! Laws of principal patches of Dupin cyclides (`docs/math/patches.md`) on random patches, near-degenerate and badly
+//! scaled ones among them.
 //!
 //! Bounds are in units of the last place, times what magnifies rounding (see `PatchCase::rounding`); the factors are some
 //! tens of operations, each rounded once.

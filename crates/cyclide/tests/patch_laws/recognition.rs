@@ -3,7 +3,7 @@
 use cyclide::{Conformal, CyclidePatch, Mobius, ParamSurface, PatchKind, Point3, Quat, Vec3};
 
 /// Part of a surface of revolution about z: a meridian from `(r0, z0)` to `(r1, z1)` that starts in direction
-/// `(dr, dz)`, turned from angle `u0` to `u1` (`20`, section 4).
+/// `(dr, dz)`, turned from angle `u0` to `u1` (`docs/math/revolution-and-pipes.md#patches-of-revolution`).
 fn revolved([r0, z0]: [f64; 2], [r1, z1]: [f64; 2], [dr, dz]: [f64; 2], [u0, u1]: [f64; 2]) -> CyclidePatch {
     let at = |r: f64, z: f64, u: f64| Point3::new(r * u.cos(), r * u.sin(), z);
     let corners = [at(r0, z0, u0), at(r0, z0, u1), at(r1, z1, u0), at(r1, z1, u1)];

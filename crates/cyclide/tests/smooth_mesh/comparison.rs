@@ -63,7 +63,7 @@ fn jump(surface: &SmoothMesh, normal: impl Fn(usize, [f64; 3]) -> Vec3) -> f64 {
     largest
 }
 
-/// The table of `50`, section 8.
+/// The table of `docs/math/triangle-surfaces.md#comparison-with-pn-triangles`.
 #[test]
 fn jumps_are_those_of_the_table() {
     for (name, mesh, flat, pn) in [

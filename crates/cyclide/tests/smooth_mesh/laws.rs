@@ -26,8 +26,8 @@ fn deviation(mesh: &SmoothMesh, off: impl Fn(Point3) -> f64) -> f64 {
 fn deviations_from_spheres_and_the_torus_are_as_derived() {
     let sphere = |p: Point3| (p.distance(Point3::ORIGIN) - 1.0).abs();
     let torus = |p: Point3| ((p.x.hypot(p.y) - 1.0).hypot(p.z) - 0.4).abs();
-    // `50`, section 8, the table. Its 6.5e-6 of the second is that of four divisions, which miss the middles of triangles; its
-    // 5.4e-3 belongs to a torus of another size, of which the jumps of the normals tell nothing.
+    // `docs/math/triangle-surfaces.md#comparison-with-pn-triangles`, the table, at places that do not miss the middles
+    // of triangles.
     for (mesh, off, want) in [
         (shapes::icosahedron(), &sphere as &dyn Fn(Point3) -> f64, 4.24e-4),
         (shapes::icosphere(), &sphere, 1.11e-5),
@@ -133,7 +133,8 @@ fn the_tangent_plane_is_continuous_across_edges_and_at_corners() {
                     at[corner] = 1.0 - distance;
                     (at[(corner + 1) % 3], at[(corner + 2) % 3]) = (distance * part, distance * (1.0 - part));
                     let angle = patch.normal(at).unwrap().angle(patch.normals()[corner]);
-                    // `50`, section 8: at most 106 degrees, 1.85 radians, times the distance; 2.2 on the cylinder of 9.
+                    // `docs/math/triangle-surfaces.md#smooth-meshes`: at most 106 degrees, 1.85 radians, times the
+                    // distance; 2.2 on the cylinder of 9.
                     assert!(angle < 2.5 * distance, "{name} {index} {corner}: {angle} at {distance}");
                 }
             }

@@ -1,4 +1,4 @@
-//! Smooth surfaces over triangle meshes: laws of `50`, sections 8 and 9.
+//! Smooth surfaces over triangle meshes: laws of `docs/math/triangle-surfaces.md`.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
 mod comparison;

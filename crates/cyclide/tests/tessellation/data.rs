@@ -5,7 +5,8 @@ use proptest::prelude::*;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 /// A patch of the surface of revolution about z: the meridian arc starts at radius and height `(r0, z0)` in the direction
-/// `(dr, dz)` and ends at `(r1, z1)`; turned from the angle `u[0]` to `u[1]` (`20`, section 4).
+/// `(dr, dz)` and ends at `(r1, z1)`; turned from the angle `u[0]` to `u[1]`
+/// (`docs/math/revolution-and-pipes.md#patches-of-revolution`).
 pub fn revolved([r0, z0]: [f64; 2], [r1, z1]: [f64; 2], [dr, dz]: [f64; 2], u: [f64; 2]) -> CyclidePatch {
     let at = |r: f64, z: f64, u: f64| Point3::new(r * u.cos(), r * u.sin(), z);
     let (a0, a1, a2) = (at(r0, z0, u[0]), at(r0, z0, u[1]), at(r1, z1, u[0]));

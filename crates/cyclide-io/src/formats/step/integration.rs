@@ -2,10 +2,11 @@
 //!
 //! OpenCASCADE's adaptive integration (`BRepGProp::SurfaceProperties` with an accuracy) divides a rational face in its
 //! second parameter only: along the first one it always takes one Gauss-Legendre rule, of 7 nodes for degree 2 at the
-//! accuracy 1e-11. The area element `|q1(t) q2(s)|/|D|⁴` (`20`, section 2) has poles beside the face, the nearer
-//! the wider its arcs: for an arc of angle `a` whose ends weigh the same the rule converges as `cot(a/8)` to the power
-//! -14 (the ellipse through the poles `±i cot(a/4)` about [-1, 1]). At 150 degrees with uneven weights, 1e-4 of
-//! the area is lost, although the face is exact. Faces whose own area element the rule does not integrate are halved.
+//! accuracy 1e-11. The area element `|q1(t) q2(s)|/|D|⁴` (`docs/math/patches.md#speeds-and-moving-frame`) has poles
+//! beside the face, the nearer the wider its arcs: for an arc of angle `a` whose ends weigh the same the rule converges
+//! as `cot(a/8)` to the power -14 (the ellipse through the poles `±i cot(a/4)` about [-1, 1]). At 150 degrees with
+//! uneven weights, 1e-4 of the area is lost, although the face is exact. Faces whose own area element the rule does not
+//! integrate are halved.
 
 use cyclide::CyclidePatch;
 

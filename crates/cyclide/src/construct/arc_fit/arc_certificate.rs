@@ -1,4 +1,4 @@
-//! The exact certificate of one planar arc against a polyline (`60`, section 1.1).
+//! The exact certificate of one planar arc against a polyline (`docs/math/arc-fitting.md#certificate-of-one-arc`).
 //!
 //! Piece `P_0..P_m`, arc from `P_0` to `P_m` with centre `C` and radius `R`, `u_k = P_k - C`, direction `s = ±1`:
 //!
@@ -49,8 +49,8 @@ impl ArcCertificate {
 }
 
 /// Certifies the arc with DXF bulge `tan(sweep/4)` from the first to the last point against the polyline, exactly
-/// and in one pass (`60`, section 1.1). Positive bulge: counter-clockwise. `heights`, one per point, are compared
-/// with a helix.
+/// and in one pass (`docs/math/arc-fitting.md#certificate-of-one-arc`). Positive bulge: counter-clockwise. `heights`,
+/// one per point, are compared with a helix.
 ///
 /// # Errors
 /// `too-few-points` (fewer than 2, or another number of heights), `not-finite`, `coincident-points` (first and last

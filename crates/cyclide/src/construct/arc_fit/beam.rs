@@ -1,4 +1,5 @@
-//! The tube beam: the fewest tangent-continuous arcs inside a tube about a polyline (`60`, section 3).
+//! The tube beam: the fewest tangent-continuous arcs inside a tube about a polyline
+//! (`docs/math/arc-fitting.md#tube-beam`).
 //!
 //! A state is a vertex, a joint on the normal through it at most one tolerance away, and a tangent. From a state all
 //! arcs are one curvature interval per end vertex ([`CurvatureSweep`]). Each level of the search adds one arc, so the

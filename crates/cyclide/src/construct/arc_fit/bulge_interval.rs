@@ -1,5 +1,5 @@
 //! All arcs with given ends that stay within a tolerance of a polyline: one interval of bulges per orientation,
-//! in constant time per vertex and edge (`60`, section 1.2).
+//! in constant time per vertex and edge (`docs/math/arc-fitting.md#feasible-bulges`).
 //!
 //! The arcs over a chord foliate the plane minus the outer rays of the chord line, so the arcs that meet a disc
 //! about a vertex are an interval of bulges; an edge is the intersection of such intervals over its points; running

@@ -1,9 +1,11 @@
-//! The proof sheet of a fit: measured on the finished arcs, sharing no code with the search (`60`, section 11).
+//! The proof sheet of a fit: measured on the finished arcs, sharing no code with the search
+//! (`docs/math/arc-fitting.md#proof-sheet`).
 //!
 //! Distances are nearest points on each arc, tangents come from the arcs as they are stored, and the closing joint
 //! is a joint like the others. Each arc is compared with the run of the polyline it stands for, in order: the feet
 //! of consecutive vertices must advance along the path, and every edge must run with the arc under it (conditions M
-//! and W of section 1.1), so the distances are Fréchet distances and not merely those of two point sets.
+//! and W of `docs/math/arc-fitting.md#certificate-of-one-arc`), so the distances are Fréchet distances and not merely
+//! those of two point sets.
 
 use super::options::FitTarget;
 use super::piece::{Piece, Place, Span};

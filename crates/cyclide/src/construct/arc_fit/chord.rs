@@ -1,5 +1,6 @@
 //! The chord frame of a span: origin at the middle of the chord, first axis along it, unit half the chord, so that
-//! the ends are (-1, 0) and (1, 0) and every formula is free of offsets and of scale (`60`, section 1.2).
+//! the ends are (-1, 0) and (1, 0) and every formula is free of offsets and of scale
+//! (`docs/math/arc-fitting.md#feasible-bulges`).
 
 use super::input;
 use crate::base::planar::{Point2, Vec2};

@@ -1,4 +1,5 @@
-//! Ending a chain in a given joint with a given tangent, and closing closed curves that way (`60`, section 3).
+//! Ending a chain in a given joint with a given tangent, and closing closed curves that way
+//! (`docs/math/arc-fitting.md#tube-beam`).
 //!
 //! The last two arcs meet the goal: over each end vertex the curvature of the first of them is the root of the angle
 //! between the goal's tangent and the end tangent of the exact arc to it.

@@ -1,4 +1,4 @@
-//! Which vertices stay corners (`60`, sections 3 and 4).
+//! Which vertices stay corners (`docs/math/arc-fitting.md#corners`).
 
 use super::options::{ArcFitOptions, FitTarget};
 use crate::base::vector::Point3;

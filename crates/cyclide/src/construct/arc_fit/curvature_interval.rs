@@ -1,5 +1,6 @@
 //! All arcs from a given joint and tangent that stay within a tolerance of a polyline: one interval of signed
-//! curvature per end vertex, nested, in constant time per vertex and edge (`60`, section 1.3).
+//! curvature per end vertex, nested, in constant time per vertex and edge
+//! (`docs/math/arc-fitting.md#curvature-intervals`).
 //!
 //! Frame: origin at the joint, first axis along the tangent. Nothing cancels as the curvature goes to 0.
 

@@ -1,4 +1,4 @@
-//! Warnings about data that do not suit the tolerance or the target (`60`, sections 3 and 4).
+//! Warnings about data that do not suit the tolerance or the target (`docs/math/arc-fitting.md#limits`).
 
 use super::corners::{sagitta_quantile, sagittas};
 use super::options::{ArcFitOptions, FitTarget};

@@ -1,4 +1,4 @@
-//! Checks of what comes in, merging of equal neighbours, and the plane of the data (`60`, section 4).
+//! Checks of what comes in, merging of equal neighbours, and the plane of the data (`docs/math/arc-fitting.md#limits`).
 
 use crate::base::bounds::Aabb;
 use crate::base::frame::Frame;

@@ -1,5 +1,5 @@
 //! Certified arc fitting: few tangent-continuous arcs and lines within a tolerance of given points, with a proof
-//! sheet (`60`, sections 1, 3, 4; points in space by `10`, section 2.4).
+//! sheet (`docs/math/arc-fitting.md`; points in space by `docs/math/arc-fitting.md#space`).
 
 mod arc_certificate;
 mod beam;

@@ -38,8 +38,8 @@ impl Effort {
         }
     }
 
-    /// Samples and cells of the planar beam (`60`, section 3). Fast saves seams rather than cells: with 60 cells the
-    /// count was up to twice that of the default.
+    /// Samples and cells of the planar beam (`docs/math/arc-fitting.md#tube-beam`). Fast saves seams rather than cells:
+    /// with 60 cells the count was up to twice that of the default.
     pub(super) fn beam(self) -> BeamSize {
         match self {
             Self::Fast => BeamSize { samples: 4, cells: 200 },
@@ -64,7 +64,7 @@ impl Effort {
         }
     }
 
-    /// States kept by the beam of biarcs in space (`10`, section 2.4).
+    /// States kept by the beam of biarcs in space (`docs/math/arc-fitting.md#space`).
     pub(super) fn space_states(self) -> usize {
         match self {
             Self::Fast => 2,

@@ -1,4 +1,4 @@
-//! One arc, one line or one circle for everything: tried before any search (`60`, sections 1.2 and 3).
+//! One arc, one line or one circle for everything: tried before any search (`docs/math/arc-fitting.md#tube-beam`).
 
 use super::beam::ChainJoint;
 use super::chord::{ChordFrame, mirrored};

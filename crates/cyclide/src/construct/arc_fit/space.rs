@@ -1,4 +1,4 @@
-//! The fit in space: a beam of biarcs between vertices with freed tangents (`10`, section 2.4).
+//! The fit in space: a beam of biarcs between vertices with freed tangents (`docs/math/arc-fitting.md#space`).
 //!
 //! A state is a vertex with one of its candidate tangents. From each state, and for each candidate tangent at the end,
 //! the longest biarc that stays within the tolerance is found by doubling and bisection, and the ends just before it
@@ -214,7 +214,8 @@ impl<'a> Fitter<'a> {
     }
 
     /// The edge that ends in `vertex`, between the feet of its ends: the sagitta of the part under it and the larger
-    /// distance at its ends (`10`, section 2.4, step 3). Over the joint it is cut at its point nearest to the joint.
+    /// distance at its ends (`docs/math/arc-fitting.md#space`). Over the joint it is cut at its point nearest to the
+    /// joint.
     fn edge_fits(&self, arcs: &[Arc; 2], vertex: usize, from: Foot, to: Foot) -> bool {
         let part = |arc: &Arc, t0: f64, t1: f64| {
             let (l, turn) = (arc.length_to(t1) - arc.length_to(t0), arc.angle_to(t1) - arc.angle_to(t0));

@@ -1,4 +1,4 @@
-//! Candidate tangents at the points of a curve in space (`10`, section 2.4, step 4).
+//! Candidate tangents at the points of a curve in space (`docs/math/arc-fitting.md#space`).
 //!
 //! The tangents of the curve itself are not the best joints of arcs: a spline of arcs of length `l` on a spiral errs
 //! less if its tangents are off by `kappa' l²/12`. So besides the three-point tangent each point offers the tangent

@@ -1,4 +1,4 @@
-//! Nearly straight arcs become true lines (`60`, section 4, collinear runs).
+//! Nearly straight arcs become true lines (`docs/math/arc-fitting.md#tube-beam`, collinear runs).
 //!
 //! The search offers lines wherever a curvature interval holds 0, but the arcs that close a chain come out of an
 //! equation and are straight only up to rounding or tolerance. Such an arc is replaced by a line near its chord, and its

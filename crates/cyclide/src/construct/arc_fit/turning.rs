@@ -103,7 +103,8 @@ impl<'a> Data<'a> {
     }
 
     /// Radius of the tightest circle of the data at a point: the circle through it and its neighbours; where the edges
-    /// themselves are meant, at most the largest that rounds the turn within the tolerance (`60`, section 3).
+    /// themselves are meant, at most the largest that rounds the turn within the tolerance
+    /// (`docs/math/arc-fitting.md#corners`).
     fn circle_at(&self, vertex: usize) -> f64 {
         let n = self.points.len();
         let turn = self.turns[vertex % n].length();

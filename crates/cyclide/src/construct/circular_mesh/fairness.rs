@@ -4,7 +4,8 @@
 //! M = (L^T L (x) I3 + blockdiag(wt (I - n n^T) + wn n n^T)) / h²     wt = 1e-3, wn = 0.1
 //! ```
 //! with the second differences L along both grid directions, the vertex normals n of the input and its median edge h
-//! (`20`, section 6). Without the first term the steps crumple steep or fine grids and the search diverges.
+//! (`docs/math/circular-meshes.md#metric`). Without the first term the steps crumple steep or fine grids and the search
+//! diverges.
 
 use super::block::Block;
 use super::normal_equations::{BlockMatrix, Pattern};

@@ -5,8 +5,9 @@ use super::residual::{largest, residuals};
 use crate::base::vector::{Point3, Vec3};
 use crate::surface::QuadGrid;
 
-/// Replaces the last corner of each quad by its projection onto the circle of the others (`20`, section 2: the foot of
-/// `b3` on the line `b1 b2`, with `b_k = (a_k - a0)^-1`), in the order of rows, so that the first three are final.
+/// Replaces the last corner of each quad by its projection onto the circle of the others
+/// (`docs/math/patches.md#admissible-input`: the foot of `b3` on the line `b1 b2`, with `b_k = (a_k - a0)^-1`), in the
+/// order of rows, so that the first three are final.
 ///
 /// Each move is by the residual that the search has left, but moves add up along the rows, and the last quads of
 /// closed directions and those at held borders have no corner left to move: the points are kept as they were unless

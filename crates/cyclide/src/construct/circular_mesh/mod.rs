@@ -1,5 +1,5 @@
 //! Quad grids made circular: vertices moved a little so that the corners of every quad lie on one circle, which is what
-//! a net of cyclide patches needs (`20`, section 6, "make a mesh circular").
+//! a net of cyclide patches needs (`docs/math/circular-meshes.md#search`).
 
 mod block;
 mod border;
@@ -51,13 +51,13 @@ pub struct CircularMesh {
 /// Moves the vertices of a grid until the corners of every quad lie on one circle (or line).
 ///
 /// The residual of a quad is the vector part of `d_01 d_13 d_32 d_20` (unit sides, quaternion product); it is brought
-/// below 1e-12 (1e-10 where the search gets no further) by Levenberg-Marquardt steps damped by a fairness metric, with the constants of `20`, section 6: grid
-/// lines stay smooth, vertices slide along the surface more easily than they leave it. The result is a circular net,
-/// the discrete form of a net of curvature lines: a grid roughly along the curvature lines of its surface moves little
-/// (hundredths of the surface's width), one 45 degrees off ends nearly planar: a result that has lost the shape of its
-/// input is refused ([`ShapeChange`], [`CircularMeshOptions::allow_shape_change`]). The last corners are then
-/// projected onto the circle of the others where that lowers the residual further. A grid that is circular as given is
-/// returned bit for bit.
+/// below 1e-12 (1e-10 where the search gets no further) by Levenberg-Marquardt steps damped by a fairness metric, with
+/// the constants of `docs/math/circular-meshes.md#search`: grid lines stay smooth, vertices slide along the surface
+/// more easily than they leave it. The result is a circular net, the discrete form of a net of curvature lines: a grid
+/// roughly along the curvature lines of its surface moves little (hundredths of the surface's width), one 45 degrees
+/// off ends nearly planar: a result that has lost the shape of its input is refused ([`ShapeChange`],
+/// [`CircularMeshOptions::allow_shape_change`]). The last corners are then projected onto the circle of the others
+/// where that lowers the residual further. A grid that is circular as given is returned bit for bit.
 ///
 /// Free of scale; the same input gives the same bits on the same kind of processor. A step on 40 × 40 quads takes some
 /// hundredths of a second. `progress` is called after each step.

@@ -113,7 +113,7 @@ impl Comparison<'_> {
         [of(self.before.points()), of(self.after)]
     }
 
-    /// Doubts about the result (`20`, section 6), those about its shape first (`70`, part C).
+    /// Doubts about the result, those about its shape first (`docs/math/circular-meshes.md#guard`).
     pub(super) fn warnings(&self, moves: &VertexMoves, edge: f64, shape: Option<&ShapeChange>) -> Vec<Warning> {
         let mut warnings = Vec::new();
         if let Some(shape) = shape {

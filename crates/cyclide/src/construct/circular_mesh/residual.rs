@@ -3,7 +3,7 @@
 //! With the unit edges `d_ij` from corner i to corner j, the corners lie on a circle or line exactly if
 //! `d_01 d_13 d_32 d_20` is real: it is their cross-ratio divided by its length. The residual of a quad is the vector
 //! part (three numbers of rank two), the real part is then -1 for an embedded quad and 1 for one whose sides cross
-//! (`20`, section 6 and section 2).
+//! (`docs/math/circular-meshes.md#residual`).
 
 use super::block::Block;
 use crate::base::quat::Quat;
@@ -46,7 +46,7 @@ pub(super) fn largest(residuals: &[Vec3]) -> f64 {
 }
 
 /// Derivative of the residual by each corner: `d(d_ij) = (I - d_ij d_ij^T)/delta_ij (dx_j - dx_i)` inside the product
-/// (`20`, section 6).
+/// (`docs/math/circular-meshes.md#residual`).
 pub(super) fn derivatives(points: &[Point3], quad: [usize; 4]) -> Option<[Block; 4]> {
     let sides = unit_sides(points, quad)?;
     let d = sides.map(|side| Quat::from(side.0));

@@ -1,4 +1,4 @@
-//! The Levenberg-Marquardt search (`20`, section 6, "make a mesh circular").
+//! The Levenberg-Marquardt search (`docs/math/circular-meshes.md#search`).
 
 use super::border::Holds;
 use super::normal_equations::{BlockMatrix, Pattern};

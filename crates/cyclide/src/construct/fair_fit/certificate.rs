@@ -1,4 +1,5 @@
-//! The proof sheet of a fair fit: bounds on the finished curve that share no code with the fit (`66`, section 7).
+//! The proof sheet of a fair fit: bounds on the finished curve that share no code with the fit
+//! (`docs/math/fair-fits.md#certificate`).
 //!
 //! *Points to curve.* The distance at a foot is a bound whether the foot is the nearest point or not, so the largest of
 //! them at most the tolerance is the proof.

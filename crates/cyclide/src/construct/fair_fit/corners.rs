@@ -1,6 +1,6 @@
-//! Which points a fair fit keeps as corners (`66`, section 8): those asked for, and with a corner angle those of the rule
-//! of arc fits (`60`, section 3) that are corners at the scale of the tolerance too, and no bends. Without the second
-//! condition every dense noisy line would have corners.
+//! Which points a fair fit keeps as corners (`docs/math/fair-fits.md#nodes`): those asked for, and with a corner angle
+//! those of the rule of arc fits (`docs/math/arc-fitting.md#corners`) that are corners at the scale of the tolerance
+//! too, and no bends. Without the second condition every dense noisy line would have corners.
 
 use super::options::FairFitOptions;
 use crate::base::vector::Point3;

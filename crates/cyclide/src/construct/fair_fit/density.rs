@@ -1,4 +1,4 @@
-//! Where the nodes of the first fit go: denser where the curvature bends more (`66`, section 5).
+//! Where the nodes of the first fit go: denser where the curvature bends more (`docs/math/fair-fits.md#nodes`).
 //!
 //! ```text
 //! w_j = jump of the derivative of curvature at a smoothed point / mean chord, smoothed 1-2-1

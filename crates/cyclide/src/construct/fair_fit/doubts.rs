@@ -1,4 +1,4 @@
-//! What a user should know about a fair fit: each doubt with what was measured (`66`, section 11).
+//! What a user should know about a fair fit: each doubt with what was measured (`docs/math/fair-fits.md#limits`).
 
 use super::FairFitCertificate;
 use super::options::FairFitOptions;

@@ -1,8 +1,8 @@
 //! Feet of the data on the curve: the nearest points of the branch each datum belongs to.
 //!
 //! Newton's iteration on `(x(u) - p).x'(u) = 0`, stepping over nodes. It starts from the last foot and thus stays on its branch,
-//! which a search for the nearest point of all would not in a hairpin (`66`, limit 2). A foot need not be the nearest
-//! point: the distance at it is a bound whether it is or not (`66`, section 7).
+//! which a search for the nearest point of all would not in a hairpin (`docs/math/fair-fits.md#limits`). A foot need
+//! not be the nearest point: the distance at it is a bound whether it is or not (`docs/math/fair-fits.md#certificate`).
 
 use super::tube_curve::TubeCurve;
 use crate::base::vector::{Point3, Vec3};

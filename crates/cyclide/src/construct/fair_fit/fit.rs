@@ -1,5 +1,5 @@
 //! One fit: the fairest curve in the tube for a fixed number of nodes, by steps of the linear model that are taken
-//! back as far as the exact spline asks (`66`, section 4).
+//! back as far as the exact spline asks (`docs/math/fair-fits.md#one-fit`).
 
 use super::feet::{Foot, Place, WARM, farthest, squares};
 use super::linear_model::LinearModel;
@@ -25,9 +25,9 @@ pub(super) struct Data<'a> {
     /// The curve starts and ends exactly at the first and the last datum.
     pub fixed: [bool; 2],
     pub tolerance: f64,
-    /// Weight of the mean square of the distances (`66`, section 6).
+    /// Weight of the mean square of the distances (`docs/math/fair-fits.md#centre`).
     pub centre: f64,
-    /// `J` below which a curve counts as straight: the floor of the scale (`66`, section 3).
+    /// `J` below which a curve counts as straight: the floor of the scale (`docs/math/fair-fits.md#interior-point`).
     pub floor: f64,
 }
 

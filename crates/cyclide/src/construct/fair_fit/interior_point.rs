@@ -1,11 +1,13 @@
-//! One step of a fair fit: the smoothest displacement with all data in the tube (`66`, section 3).
+//! One step of a fair fit: the smoothest displacement with all data in the tube
+//! (`docs/math/fair-fits.md#interior-point`).
 //!
 //! ```text
 //! min  y'Qy/2 + q'y + rho sum xi_i     subject to  f_i = (|r_i|² + along_i - 1)/2 <= xi_i,  xi_i >= 0
 //! ```
 //! by a primal-dual interior point method with slacks `s_i = xi_i - f_i`, duals `lam_i` in `(0, rho)` and
 //! `t_i = rho - lam_i`. Elastic: always solvable, and `xi` shows which data stay outside. Each Newton step costs one
-//! banded Cholesky factorisation. (The reduced system is derived in `66`; predictor and corrector are Mehrotra's.)
+//! banded Cholesky factorisation. (The reduced system is derived in `docs/math/fair-fits.md#interior-point`; predictor
+//! and corrector are Mehrotra's.)
 
 use super::bordered_band::BorderedBand;
 use super::feet::Foot;
@@ -61,8 +63,8 @@ pub(super) struct Solved {
 }
 
 impl<const R: usize, const N: usize> LinearModel<R, N> {
-    /// The squares of the variation over `scale`, plus `centre` times the mean square of the distances (`66`,
-    /// section 6) at all `feet`; rows and columns of fixed nodes are those of the identity.
+    /// The squares of the variation over `scale`, plus `centre` times the mean square of the distances
+    /// (`docs/math/fair-fits.md#centre`) at all `feet`; rows and columns of fixed nodes are those of the identity.
     pub fn objective(&self, scale: f64, centre: f64, feet: &[Foot]) -> Quadratic<N> {
         let size = self.unknowns();
         let mut matrix = BorderedBand::zero(size, self.closed);

@@ -1,5 +1,5 @@
 //! The curve to first order in the displacements of its nodes: distances of the data and variation of curvature
-//! (`66`, section 2).
+//! (`docs/math/fair-fits.md#linear-model`).
 //!
 //! ```text
 //! distance   r_i(y) = Q_i^T (p_i - x_i) - Q_i^T D(s_i)                                   (2)
@@ -291,7 +291,7 @@ mod tests {
 
     #[test]
     fn a_circle_that_grows_keeps_no_variation() {
-        // D = y n gives y''' + k² y' + 3 k k' y = 0 for constant y on a circle (66, section 2).
+        // D = y n gives y''' + k² y' + 3 k k' y = 0 for constant y on a circle.
         let at = |i: usize| {
             let a = std::f64::consts::TAU * i as f64 / 40.0;
             Point3::new(5.0 * a.cos(), 5.0 * a.sin(), 0.0)

@@ -1,9 +1,10 @@
-//! Fair fits: the fairest fair spline within a tolerance of given points, with few nodes and a proof sheet (`66`).
+//! Fair fits: the fairest fair spline within a tolerance of given points, with few nodes and a proof sheet
+//! (`docs/math/fair-fits.md`).
 //!
 //! The nodes are unknown, few, and no data points. For a fixed number of them
 //!
 //! ```text
-//! J = sum d |V|² ~ int k'² ds,    V the derivative of curvature of a segment (65, (4)), d its chord         (66, (1))
+//! J = sum d |V|² ~ int k'² ds,    V the derivative of curvature of a segment, d its chord
 //! ```
 //! is minimised while every point stays within the tolerance of the curve: a sequence of convex problems in the
 //! displacements of the nodes, each solved by an interior point method with banded matrices; after each the exact spline

@@ -1,5 +1,5 @@
 //! Fewer nodes: those that the curve misses least are taken out in batches and the rest is fitted again, as long as all
-//! data stay in the tube and `J` within a budget of the fairest seen (`66`, section 5).
+//! data stay in the tube and `J` within a budget of the fairest seen (`docs/math/fair-fits.md#nodes`).
 
 use super::along::{Along, apart};
 use super::fit::{Data, Fit, Patience, fewest_nodes};

@@ -1,4 +1,5 @@
-//! One smooth piece from its data to its nodes: start, first fit, insertion, removal, polish (`66`, section 5).
+//! One smooth piece from its data to its nodes: start, first fit, insertion, removal, polish
+//! (`docs/math/fair-fits.md#nodes`).
 
 use super::canonical_start::canonical_start;
 use super::density;
@@ -24,7 +25,7 @@ const THINNED: f64 = 0.25;
 const FEWEST: usize = 64;
 /// Samples of the smoothed data for the density of nodes, in lengths of the smoother.
 const SAMPLES: f64 = 0.5;
-/// `J L⁵/T²` below which a curve is as good as straight (`66`, section 3).
+/// `J L⁵/T²` below which a curve is as good as straight (`docs/math/fair-fits.md#interior-point`).
 const FLOOR: f64 = 3e4;
 
 /// How a run ends.
@@ -48,7 +49,7 @@ pub(super) struct Reached {
     pub length: f64,
 }
 
-/// `J` below which a curve counts as straight (`66`, section 3).
+/// `J` below which a curve counts as straight (`docs/math/fair-fits.md#interior-point`).
 pub(super) fn floor(points: &[Point3], closed: bool, tolerance: f64) -> f64 {
     let chosen = thinned(points, closed, tolerance);
     let length: f64 = chords(&points_of(points, &chosen), closed).iter().sum();

@@ -1,5 +1,6 @@
 //! Twice continuously differentiable cubics over the chords, in B-splines: to first order the displacements of a
-//! fair spline whose nodes move (`66`, section 2; `65`, section 1: for small angles the fair spline is that cubic).
+//! fair spline whose nodes move (`docs/math/fair-fits.md#linear-model`; `docs/math/fair-splines.md#why-free-tangents`:
+//! for small angles the fair spline is that cubic).
 //!
 //! One function belongs to each node, and on a segment at most four are not zero: those of the nodes from the one
 //! before the segment to the one after it. Open ends have no third derivative, as the arcs that end a fair spline

@@ -1,10 +1,10 @@
-//! The curve a fair fit works on: the fair spline through its nodes, in a form made for many feet (`65`, sections 2
-//! and 6, blend 1).
+//! The curve a fair fit works on: the fair spline through its nodes, in a form made for many feet
+//! (`docs/math/fair-splines.md#law-and-end-curvature`, blend 1).
 
 use crate::base::vector::{Point3, Vec3};
 use crate::construct::fair_spline::{TangentLimits, fair_tangents};
 
-/// No trial needs more Newton steps, nor a tangent so far from its chord (`66`, section 4).
+/// No trial needs more Newton steps, nor a tangent so far from its chord (`docs/math/fair-fits.md#one-fit`).
 const LIMITS: TangentLimits = TangentLimits { steps: 12, least_cosine: -0.8 };
 
 /// A fair spline in the working frame.
@@ -16,7 +16,8 @@ pub(super) struct TubeCurve {
     pub segments: Vec<Segment>,
 }
 
-/// One segment: the quartic of `65`, section 6, in rising powers of its parameter, and what is needed of its ends.
+/// One segment: the quartic of `docs/math/circle-blends.md#rational-form`, in rising powers of its parameter, and what
+/// is needed of its ends.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Segment {
     pub chord: f64,
@@ -24,9 +25,9 @@ pub(super) struct Segment {
     /// Numerator relative to the start, and weight.
     numerator: [Vec3; 5],
     weight: [f64; 5],
-    /// Curvature vectors at the ends (`65`, (3)).
+    /// Curvature vectors at the ends (`docs/math/fair-splines.md#law-and-end-curvature`).
     pub curvature: [Vec3; 2],
-    /// Normal parts of their derivatives by length (`65`, (4)).
+    /// Normal parts of their derivatives by length (`docs/math/fair-splines.md#law-and-end-curvature`).
     pub variation: [Vec3; 2],
 }
 
@@ -39,8 +40,8 @@ pub(super) struct SegmentPoint {
 }
 
 impl TubeCurve {
-    /// The fair spline through the nodes; `None` if there is none that the fit may use (`66`, section 4: no fallback
-    /// inside a fit). `start` are tangents near the solution.
+    /// The fair spline through the nodes; `None` if there is none that the fit may use
+    /// (`docs/math/fair-fits.md#one-fit`: no fallback inside a fit). `start` are tangents near the solution.
     pub fn new(nodes: Vec<Point3>, closed: bool, start: Option<&[Vec3]>) -> Option<Self> {
         let tangents = fair_tangents(&nodes, closed, start, LIMITS)?;
         let n = nodes.len();
@@ -51,7 +52,7 @@ impl TubeCurve {
         Some(Self { closed, nodes, tangents, segments })
     }
 
-    /// `J = sum d |V|²` (`66`, (1)).
+    /// `J = sum d |V|²` (`docs/math/fair-fits.md#variation`).
     pub fn fairness(&self) -> f64 {
         self.segments.iter().map(|s| s.chord * s.variation[0].length_squared()).sum()
     }

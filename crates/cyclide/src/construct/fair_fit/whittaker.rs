@@ -1,4 +1,5 @@
-//! The start of a fair fit: the data themselves, smoothed as far as part of the tolerance allows (`66`, section 5).
+//! The start of a fair fit: the data themselves, smoothed as far as part of the tolerance allows
+//! (`docs/math/fair-fits.md#nodes`).
 //!
 //! `z` minimises `sum |z - p|² + lambda sum h (z''')²` (Whittaker's smoother, third divided differences over the chord
 //! lengths). What is solved for is `w = p - z`, so that parabolas lose nothing to rounding:

@@ -1,4 +1,4 @@
-//! The ends of an open run: what the words of the options mean for its equations (`65`, sections 3, 5 and 10, D1).
+//! The ends of an open run: what the words of the options mean for its equations (`docs/math/fair-splines.md#ends`).
 
 use super::newton::RunEnd;
 use super::options::FairEnd;

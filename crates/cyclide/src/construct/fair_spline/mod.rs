@@ -1,17 +1,18 @@
 //! Fair circle splines: smooth curves through points whose curvature is continuous and varies as little as that of an
-//! Euler spiral (`65`; a blend as in `50` with its angle law of order 1, and tangents that are free).
+//! Euler spiral (`docs/math/fair-splines.md`: circle blends with the angle law of order 1, and tangents that are free).
 //!
 //! Between two nodes the curve is a [`BlendSegment`] of degree 4 (fair law with `e = 1`). Its curvature at an end depends
 //! on both of its tangents, and the tangents at all nodes are found together so that the curvature vectors agree there:
 //!
 //! ```text
-//! K1(segment before) = K0(segment after),   K0 = (2/d) (P1 u + (2e/S) P1 t2),   S = ±|t1 + t2|         (65, (2), (3))
+//! K1(segment before) = K0(segment after),   K0 = (2/d) (P1 u + (2e/S) P1 t2),   S = ±|t1 + t2|
 //! ```
-//! These are the critical points of an energy (`65`, (6)), found in three to five Newton steps with a tridiagonal matrix,
-//! so the whole is linear in the number of points. Circles, lines, planes and spheres are reproduced; the spline
-//! commutes with similarities and reversal; a node moves the whole curve, but by a factor of about 0.27 less from node to
-//! node. Smaller blends `e` lead continuously to the circle spline of order 2 (`e = 0`): they are the tension, they keep
-//! legs beside a corner straight, and they are what is tried where the fairest curve does not exist or swings out.
+//! These are the critical points of an energy (`docs/math/fair-splines.md#energy`), found in three to five Newton steps
+//! with a tridiagonal matrix, so the whole is linear in the number of points. Circles, lines, planes and spheres are
+//! reproduced; the spline commutes with similarities and reversal; a node moves the whole curve, but by a factor of
+//! about 0.27 less from node to node. Smaller blends `e` lead continuously to the circle spline of order 2 (`e = 0`):
+//! they are the tension, they keep legs beside a corner straight, and they are what is tried where the fairest curve
+//! does not exist or swings out.
 //!
 //! One subject per file: ends, straight runs, cuts and relaxation; equations in the plane and in space; Newton's method;
 //! the linear systems.
@@ -87,8 +88,8 @@ impl CircleSpline {
 }
 
 /// The blends that segments take for the turns at their nodes where the fairest curve does not exist or swings out
-/// (`65`, section 5, step 2, without what data in space need beside): `1 - tension` up to turns of 120 degrees, 0 from
-/// 161.8 degrees on.
+/// (`docs/math/fair-splines.md#relaxation`, without what data in space need beside): `1 - tension` up to turns of 120
+/// degrees, 0 from 161.8 degrees on.
 ///
 /// # Errors
 /// `too-few-points`, `not-finite`, `coincident-points`, `parameter-out-of-range` (tension).

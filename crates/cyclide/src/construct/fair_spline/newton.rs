@@ -1,5 +1,5 @@
-//! Newton's method on the equations of a fair spline (`65`, section 4): tangents with which the curvature vectors agree
-//! at every node.
+//! Newton's method on the equations of a fair spline (`docs/math/fair-splines.md#newtons-method`): tangents with which
+//! the curvature vectors agree at every node.
 //!
 //! The unknowns are small turns of the tangents; the matrix is that of the second derivatives of the energy, but a root
 //! is sought and not a minimum: in space the right curve is often a saddle. Where a step fails, a damped one is tried,
@@ -37,7 +37,7 @@ pub(super) trait Geometry<const R: usize> {
     fn lengths(&self) -> &[f64];
     /// The direction of a chord.
     fn chord(&self, i: usize) -> Self::Node;
-    /// Tangent of the circle through the ends of two chords that meet (`50`, section 2, (B)).
+    /// Tangent of the circle through the ends of two chords that meet (`docs/math/circle-blends.md#node-tangent`).
     fn between(&self, before: usize, after: usize) -> Self::Node;
     /// The tangent at the other end of the arc over a chord.
     fn mirrored(&self, i: usize, t: &Self::Node) -> Self::Node;
@@ -101,7 +101,8 @@ impl<G: Geometry<R>, const R: usize> Equations<'_, G, R> {
         self.geometry.lengths().len() + usize::from(!self.closed)
     }
 
-    /// The tangents of `50` at inner nodes, with the ends that belong to them (`65`, section 4).
+    /// Three-point tangents at inner nodes, with the ends that belong to them
+    /// (`docs/math/fair-splines.md#newtons-method`).
     pub(super) fn start(&self) -> Vec<G::Node> {
         let (n, m) = (self.node_count(), self.geometry.lengths().len());
         let mut nodes = Vec::with_capacity(n);

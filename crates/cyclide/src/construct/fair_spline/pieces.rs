@@ -1,4 +1,5 @@
-//! A fair spline piece by piece: between its cuts every piece is a spline of its own (`65`, section 5 and section 10, D4).
+//! A fair spline piece by piece: between its cuts every piece is a spline of its own
+//! (`docs/math/fair-splines.md#relaxation`).
 
 use super::options::{FairEnd, FairSplineOptions};
 use super::relaxation::{fair, relaxed};

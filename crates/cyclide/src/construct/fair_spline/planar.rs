@@ -1,4 +1,5 @@
-//! The equations of planar data: one unknown per node, the angle of its tangent (`65`, section 4, (7)).
+//! The equations of planar data: one unknown per node, the angle of its tangent
+//! (`docs/math/fair-splines.md#newtons-method`).
 //!
 //! ```text
 //! g_i += w (sin al + 2e s1),  g_j += w (-sin be + 2e s1),  w = 2/d,  s1 = sin((al-be)/2), co = cos((al-be)/2)

@@ -1,4 +1,5 @@
-//! Whether the data of a run lie in one plane: then there is one unknown per node, always (`65`, section 4).
+//! Whether the data of a run lie in one plane: then there is one unknown per node, always
+//! (`docs/math/fair-splines.md#newtons-method`).
 
 use crate::base::bounds::Aabb;
 use crate::base::frame::Frame;

@@ -1,5 +1,5 @@
-//! What is done where the fairest spline does not exist or swings out: smaller blends, down to those of order 2 (`65`,
-//! section 5 with D4 of section 10). Continuous curvature holds for every choice of blends.
+//! What is done where the fairest spline does not exist or swings out: smaller blends, down to those of order 2
+//! (`docs/math/fair-splines.md#relaxation`). Continuous curvature holds for every choice of blends.
 
 use super::newton::Search;
 use super::run::Run;

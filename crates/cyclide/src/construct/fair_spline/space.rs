@@ -1,4 +1,5 @@
-//! The equations of data in space: two unknowns per node, a small turn of its tangent (`65`, section 3).
+//! The equations of data in space: two unknowns per node, a small turn of its tangent
+//! (`docs/math/fair-splines.md#energy`).
 //!
 //! ```text
 //! w = 2/d, c = t1·t2, gp = -2e/S, gpp = 2e/S³, S = s |t1 + t2|, t2 = R te;  v1 = Bᵢᵀ t2,  v2 = (R Bⱼ)ᵀ t1

@@ -1,5 +1,5 @@
-//! Straight runs beside a corner: where the blend must vanish so that a leg stays straight (`65`, section 10, D2), and
-//! the further points of tight corners (D3).
+//! Straight runs beside a corner: where the blend must vanish so that a leg stays straight
+//! (`docs/math/fair-splines.md#straight-runs`), and the further points of tight corners (D3).
 //!
 //! A curve with continuous curvature and an exactly straight leg needs `e = 0` there. With `t_i` the turn at a node (0 at
 //! open ends), `M_i` the larger and `m_i` the smaller one of its neighbours' turns (not below `t_i`):

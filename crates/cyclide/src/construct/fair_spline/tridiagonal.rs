@@ -1,5 +1,5 @@
-//! Symmetric block-tridiagonal systems, open or cyclic, by block elimination with fill of the last column (`65`,
-//! section 4). Linear in the number of blocks; nothing is allocated by a solution.
+//! Symmetric block-tridiagonal systems, open or cyclic, by block elimination with fill of the last column
+//! (`docs/math/fair-splines.md#newtons-method`). Linear in the number of blocks; nothing is allocated by a solution.
 //!
 //! There is no pivoting: the matrices are positive definite for tame data, the damped ones have a positive definite
 //! imaginary part, and a solution that rounding spoiled is refused by the residual it leaves.

@@ -1,9 +1,9 @@
-//! The blend of a pipe with a plate by a neck: a rolling ball touches both, exact (`10`, section 3.2; source: `000`, section 7,
-//! (31), Fig. 7, corrected).
+//! The blend of a pipe with a plate by a neck: a rolling ball touches both, exact
+//! (`docs/math/circular-surfaces.md#neck`; source: `000`, section 7, (31), Fig. 7, corrected).
 //!
 //! The plate is the plane z = 0, with its outside above; the pipe of radius R leans by the angle φ from the normal of the plate towards
-//! +y, its axis meets the plate in the origin. (`10` has the pipe upright and the plane `z = a y` instead: `a = tan φ`, and the
-//! neck is turned about x by -φ.) With σ = 1 outside the pipe and -1 inside it, q = R + σ ρ and (c, s) on the unit circle, the centre of
+//! +y, its axis meets the plate in the origin. (With the pipe upright and the plane `z = a y` instead: `a = tan φ`, and
+//! the neck is turned about x by -φ.) With σ = 1 outside the pipe and -1 inside it, q = R + σ ρ and (c, s) on the unit circle, the centre of
 //! a ball of radius ρ and its contacts with pipe and plate are
 //!
 //! ```text

@@ -1,5 +1,5 @@
-//! Smooth offsets of convex polyhedra: planes, cylinders along the edges, parts of spheres round the vertices, exact (`10`,
-//! section 3.4; source: `000`, section 7, Fig. 9).
+//! Smooth offsets of convex polyhedra: planes, cylinders along the edges, parts of spheres round the vertices, exact
+//! (`docs/math/polyhedron-offsets.md#pieces`; source: `000`, section 7, Fig. 9).
 //!
 //! Every face moves along its normal; the rows of its side and of the neighbour's side span a part of a cylinder, a patch with the
 //! weights `1, w, 1, w`, `w` the rotor of half the angle between the normals; the circles at its ends bound the polygon on the

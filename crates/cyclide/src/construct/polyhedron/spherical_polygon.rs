@@ -1,5 +1,5 @@
-//! Convex polygons on a sphere whose sides are parts of great circles, as exact rational faces: the centroid fan (`10`,
-//! section 3.4; source: `000`, section 7).
+//! Convex polygons on a sphere whose sides are parts of great circles, as exact rational faces: the centroid fan
+//! (`docs/math/polyhedron-offsets.md#polygons-of-spheres`; source: `000`, section 7).
 //!
 //! From the apex `m`, the unit vector along the sum of the corners, the circle to the point `E` of a side has the weights 1 and
 //! `1 - E m = (1 + <E,m>, m × E)`. With the side `E = Ẽ/D`, `Ẽ = B[n0, (n0 + n1)/(2k), n1]`, `D = B[1, k, 1]`, `k` the cosine of

@@ -1,4 +1,5 @@
-//! Surfaces of revolution, exact (`10`, section 3.1; source: `000`, section 7, where the weights are those of a half turn).
+//! Surfaces of revolution, exact (`docs/math/revolution-and-pipes.md#revolution`; source: `000`, section 7, where the
+//! weights are those of a half turn).
 //!
 //! With the rotor `w = (cos Φ/2, sin Φ/2 h)` of the whole angle and the axis through `o`, the point that a profile point `P`
 //! of weight `g` has turned to is `x (P - o) x^-1 + o`, `x(t) = (1-t) + w t`: in the parameter t quadratic, with the rows

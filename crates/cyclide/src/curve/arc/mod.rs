@@ -332,7 +332,7 @@ impl ParamCurve for Arc {
     fn piece_point(&self, _piece: usize, s: f64) -> Point3 {
         self.point(s)
     }
-    /// `|c| |w|/D` (`10`, section 1.2).
+    /// `|c| |w|/D` (`docs/math/arcs.md#evaluation`).
     fn piece_speed(&self, _piece: usize, s: f64) -> f64 {
         self.c.length() * self.n / self.denominator(s).1
     }

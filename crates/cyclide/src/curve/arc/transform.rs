@@ -11,7 +11,7 @@ const DEFECT_LIMIT: f64 = 1e-9;
 const END_ROUNDING: f64 = 32.0 * f64::EPSILON;
 
 impl Conformal for Arc {
-    /// The image under a Möbius map, with the same parameter (`10`, section 1.6).
+    /// The image under a Möbius map, with the same parameter (`docs/math/arcs.md#images-under-maps`).
     ///
     /// # Errors
     /// `pole-on-segment` if the arc passes through the point that goes to infinity, `point-at-infinity` if an end

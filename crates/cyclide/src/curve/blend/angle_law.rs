@@ -29,7 +29,7 @@ pub enum BlendLaw {
         order: u32,
     },
     /// Rational functions `A = m (m + e l)`, `B = l (l + e m)`: fair with `e = 1`, which is the rational law of order 1
-    /// (degree 4), and with `e = 0` the rational law of order 2 (`65`, section 2, (1)).
+    /// (degree 4), and with `e = 0` the rational law of order 2 (`docs/math/fair-splines.md#law-and-end-curvature`).
     Fair {
         /// The blend `e`, 0 to 1.
         blend: f64,
@@ -58,7 +58,8 @@ impl BlendLaw {
 /// A number with its Taylor coefficients to third order.
 pub(super) type Series = [f64; 4];
 
-/// Coefficients of `f_k(l)/l^k` in rising powers of `l`, for `k = 1..=4` (`50`, section 4; `004`, (68) for `k = 2`).
+/// Coefficients of `f_k(l)/l^k` in rising powers of `l`, for `k = 1..=4` (`docs/math/circle-blends.md#angle-laws`;
+/// `004`, (68) for `k = 2`).
 const SMOOTH_STEP: [[f64; 4]; 4] =
     [[1.0, 0.0, 0.0, 0.0], [3.0, -2.0, 0.0, 0.0], [10.0, -15.0, 6.0, 0.0], [35.0, -84.0, 70.0, -20.0]];
 
@@ -132,8 +133,8 @@ impl AngleLaw {
         s * s / (1.0 + c.abs())
     }
 
-    /// `[C, S, q]` of `(A² t1 + 2AB h + B² t2)/(A² + 2AB cos(theta/2) + B²)` (`50`, section 5). Beyond half a turn by
-    /// the differences from a full one, where the sums would cancel: with `v = 1 + cos(theta/2)`
+    /// `[C, S, q]` of `(A² t1 + 2AB h + B² t2)/(A² + 2AB cos(theta/2) + B²)` (`docs/math/circle-blends.md#angle-laws`).
+    /// Beyond half a turn by the differences from a full one, where the sums would cancel: with `v = 1 + cos(theta/2)`
     ///
     /// ```text
     /// q = (A-B)² + 2AB v,  C = q - 2 B² sin²(theta/2),  S = 2 B sin(theta/2) (A - B + B v)
@@ -162,7 +163,8 @@ impl AngleLaw {
         }
     }
 
-    /// The angle between `t1` and the tangent at `l`, rising from 0 to the blend angle (`50`, section 5).
+    /// The angle between `t1` and the tangent at `l`, rising from 0 to the blend angle
+    /// (`docs/math/circle-blends.md#angle-laws`).
     pub(super) fn angle(&self, l: f64) -> f64 {
         let rational = |a: f64, b: f64| 0.5 * self.theta + 2.0 * ((b - a) / (a + b) * (0.25 * self.theta).tan()).atan();
         match self.law {
@@ -210,7 +212,7 @@ impl AngleLaw {
     pub(super) fn series(&self, l: f64) -> (Series, Series) {
         match self.law {
             BlendLaw::Trigonometric { order } => {
-                // `50`, section 4: recursion for the cosine and sine of a power series.
+                // `docs/math/circle-blends.md#derivatives`: recursion for the cosine and sine of a power series.
                 let p = smooth_step_series(order, l).map(|f| f * self.theta);
                 let (sin, cos) = p[0].sin_cos();
                 let (mut c, mut s) = ([cos, 0.0, 0.0, 0.0], [sin, 0.0, 0.0, 0.0]);
@@ -249,7 +251,7 @@ impl AngleLaw {
     }
 }
 
-/// `A = m (m + e l)` and `B = l (l + e m)` (`65`, section 2, (1)).
+/// `A = m (m + e l)` and `B = l (l + e m)` (`docs/math/fair-splines.md#law-and-end-curvature`).
 fn fair_factors(blend: f64, l: f64) -> [f64; 2] {
     let m = 1.0 - l;
     [m * (m + blend * l), l * (l + blend * m)]

@@ -1,4 +1,5 @@
-//! Curvature and its variation at both ends of a blend, in closed form (`65`, section 2, (2) to (4) and (6)).
+//! Curvature and its variation at both ends of a blend, in closed form
+//! (`docs/math/fair-splines.md#law-and-end-curvature`).
 //!
 //! With the angle `p l + q l² + ...` near the start, `b` the unit vector across `t1` and `b'` the direction at the end
 //! back to the first arc:
@@ -30,8 +31,8 @@ impl BlendSegment {
         [self.b * size, back * size]
     }
 
-    /// The segment's term of the energy whose critical points are the fair splines (`65`, section 3, (6)): half the
-    /// bending energy for small angles.
+    /// The segment's term of the energy whose critical points are the fair splines
+    /// (`docs/math/fair-splines.md#energy`): half the bending energy for small angles.
     #[must_use]
     pub fn fair_energy(&self) -> f64 {
         let blend = match self.law.law {

@@ -42,7 +42,7 @@ impl BlendSegment {
         (b - a) * self.length * (1.0 + turn * turn).sqrt() * (q * q / n.length_squared())
     }
 
-    /// Point and derivatives by `l` in `[0, 1]`, all in closed form (`50`, section 4).
+    /// Point and derivatives by `l` in `[0, 1]`, all in closed form (`docs/math/circle-blends.md#derivatives`).
     #[must_use]
     pub fn jet(&self, l: f64) -> CurveJet {
         let [a, b] = self.range;

@@ -5,8 +5,9 @@
 //! ```
 //! For a fixed unit vector `t` this is the circular arc from `x1` to `x2` with start tangent `t`. A blend lets `t`
 //! run along a great circle from the start tangent of one arc to that of the other; at both ends it touches them to
-//! the blend order (`50`, sections 3 and 4; source: `004`, (40) to (58)). Fair segments, whose angle moves at the ends,
-//! bend there by what the other arc asks for too (`65`, section 2). No geometric algebra is needed at run time.
+//! the blend order (`docs/math/circle-blends.md#segment`; source: `004`, (40) to (58)). Fair segments, whose angle
+//! moves at the ends, bend there by what the other arc asks for too
+//! (`docs/math/fair-splines.md#law-and-end-curvature`). No geometric algebra is needed at run time.
 
 mod angle_law;
 mod ends;

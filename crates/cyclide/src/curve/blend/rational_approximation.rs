@@ -13,7 +13,7 @@ use crate::rational::RationalBezier;
 /// Most rational pieces made of one segment.
 const PIECE_CAP: usize = 4096;
 /// Deepest halving of a piece until its weights are positive. One halving suffices for all but circles that pass
-/// next to infinity (`50`, section 5), and those come within 1e-9 of it at most: 2^-30.
+/// next to infinity (`docs/math/circle-blends.md#rational-form`), and those come within 1e-9 of it at most: 2^-30.
 const HALVING_CAP: u32 = 40;
 
 /// One rational piece and the length of its parameter interval, in chord lengths: with knots that far apart the
@@ -73,8 +73,9 @@ impl BlendSegment {
         Ok(hull)
     }
 
-    /// Bound on the distance between the trigonometric segment and its `n` rational parts (`50`, section 5):
-    /// the angle is off by at most `E(theta/n)`, and `|dx/dphi| <= |d|/|u+t|²`.
+    /// Bound on the distance between the trigonometric segment and its `n` rational parts
+    /// (`docs/math/circle-blends.md#rational-form`): the angle is off by at most `E(theta/n)`, and
+    /// `|dx/dphi| <= |d|/|u+t|²`.
     fn part_error(&self, n: usize) -> f64 {
         self.length * angle_error(self.law.theta / n as f64) / self.distance_from_infinity_squared()
     }
@@ -153,8 +154,8 @@ impl BlendSegment {
     }
 }
 
-/// `E(Delta)`: the largest difference between the rational and the uniform angle over an arc of `Delta` (`50`,
-/// section 5).
+/// `E(Delta)`: the largest difference between the rational and the uniform angle over an arc of `Delta`
+/// (`docs/math/circle-blends.md#rational-form`).
 fn angle_error(delta: f64) -> f64 {
     if delta < 1e-2 {
         return 0.00401 * delta * delta * delta;

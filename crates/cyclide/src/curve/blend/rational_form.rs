@@ -7,11 +7,11 @@ use crate::base::vector::{Point3, Vec3};
 use crate::rational::RationalBezier;
 
 impl BlendSegment {
-    /// The segment as a rational Bézier curve in the same parameter, of degree `2k + 2` (`50`, section 5), of a fair
-    /// segment 4 where its blend is 1 and else 6 (`65`, section 6); `None` for the trigonometric variant, which has no
-    /// rational form. Ends as given, to the bit; a whole segment has
-    /// weight 1 at both ends. Weights between may be zero or negative (always somewhere for order 4), although
-    /// the weight function is positive: split at the middle until they are.
+    /// The segment as a rational Bézier curve in the same parameter (`docs/math/circle-blends.md#rational-form`), of
+    /// degree `2k + 2`, of a fair segment 4 where its blend is 1 and else 6; `None` for the trigonometric variant,
+    /// which has no rational form. Ends as given, to the bit; a whole segment has weight 1 at both ends. Weights
+    /// between may be zero or negative (always somewhere for order 4), although the weight function is positive: split
+    /// at the middle until they are.
     #[must_use]
     pub fn to_bezier(&self) -> Option<RationalBezier> {
         let (factors, arc) = self.rational_law()?;

@@ -55,7 +55,8 @@ pub(crate) struct BlendTangents {
 }
 
 impl BlendSegment {
-    /// The segment between two points with given tangents at both of them (any length but zero); `50`, section 5.
+    /// The segment between two points with given tangents at both of them (any length but zero;
+    /// `docs/math/circle-blends.md#segment`).
     ///
     /// # Errors
     /// `not-finite`, `coincident-points` (equal), `zero-tangent`, `order-out-of-range`, `arc-through-infinity` (a
@@ -73,7 +74,7 @@ impl BlendSegment {
     }
 
     /// The segment of a fair circle spline between two points with given tangents (any length but zero) and blend `e`
-    /// in `[0, 1]` (`65`, section 2).
+    /// in `[0, 1]` (`docs/math/fair-splines.md#law-and-end-curvature`).
     ///
     /// # Errors
     /// As [`hermite`](Self::hermite), and `parameter-out-of-range` (blend).
@@ -95,7 +96,8 @@ impl BlendSegment {
         Self::from_tangents([start, end], &chord, &tangents, law, 0)
     }
 
-    /// Blend angle, direction of turning and orientation test (`50`, section 3), for checked data.
+    /// Blend angle, direction of turning and orientation test (`docs/math/circle-blends.md#long-way`), for checked
+    /// data.
     pub(crate) fn from_tangents(
         [x1, x2]: [Point3; 2],
         chord: &Chord,
@@ -286,7 +288,7 @@ impl BlendSegment {
     }
 
     /// Smallest `|u + t|²` over the tangents of the whole segment: how near its circles come to infinity
-    /// (`50`, section 5).
+    /// (`docs/math/circle-blends.md#rational-form`).
     pub(crate) fn distance_from_infinity_squared(&self) -> f64 {
         let [c, s] = self.law.full();
         let t2 = self.t1 * c + self.b * s;

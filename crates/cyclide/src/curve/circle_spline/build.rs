@@ -9,9 +9,9 @@ use crate::curve::node_tangent::Chord;
 use crate::error::{Error, Result};
 use crate::warning::Warning;
 
-/// Turns above this make very large circles (`50`, section 2).
+/// Turns above this make very large circles (`docs/math/circle-blends.md#node-tangent`).
 pub(crate) const SHARP_TURN: f64 = 175.0 * std::f64::consts::PI / 180.0;
-/// Neighbouring chords that differ by more make the curve bulge (`50`, section 7.4).
+/// Neighbouring chords that differ by more make the curve bulge (`docs/math/circle-blends.md#splines`).
 const UNEVEN_SPACING: f64 = 3.0;
 
 /// Directions of chords that are known worse than this, radians, are noted.
@@ -167,7 +167,7 @@ fn end_tangents(options: &CircleSplineOptions) -> Result<[Option<Vec3>; 2]> {
     }
 }
 
-/// The start tangents at the segment's first point that its two ends ask for (`50`, sections 2 and 5).
+/// The start tangents at the segment's first point that its two ends ask for (`docs/math/circle-blends.md#splines`).
 fn tangents(chord: &Chord, from: Node, to: Node) -> BlendTangents {
     let start = match from {
         Node::Through(tangent) => Some(tangent),

@@ -1,12 +1,12 @@
 //! Circle splines: smooth curves through points whose joints are circles.
 //!
 //! At every node the curve touches the circle through the node and its two neighbours to the blend order `k`, so
-//! joints are G^k; between two nodes it is a [`BlendSegment`] (`50`, sections 2 to 5; source: `004`). Points on a
-//! circle, a line, a sphere or a plane give a curve on it. A segment depends on four points only.
+//! joints are G^k; between two nodes it is a [`BlendSegment`] (`docs/math/circle-blends.md`; source: `004`). Points on
+//! a circle, a line, a sphere or a plane give a curve on it. A segment depends on four points only.
 //!
-//! Circle splines commute with similarities and reversal, but not with Möbius maps (`50`, section 7.2). They are not
-//! continuous in the data where neighbouring circles run in opposite directions or the blend changes to the long way
-//! round: those segments carry a warning.
+//! Circle splines commute with similarities and reversal, but not with Möbius maps
+//! (`docs/math/circle-blends.md#splines`). They are not continuous in the data where neighbouring circles run in
+//! opposite directions or the blend changes to the long way round: those segments carry a warning.
 
 mod build;
 mod modify;

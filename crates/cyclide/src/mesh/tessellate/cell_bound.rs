@@ -3,7 +3,8 @@
 //! **Bound.** Take the cell `[s0, s1] × [t0, t1]` with `M(t) = ~D(s0,t) D(s1,t)`, `h = s1 - s0`. Its corners are concircular,
 //! so they span a planar convex quad `Q` (a triangle where a side is one point). The s-arc at `t` turns by twice the
 //! angle of `M`, has the diameter `|q1|/|m|`, and `Im M = h m(t)` exactly, so its sagitta is
-//! `h² |q1| |m| / (2 |M| (|M| + Re M))` (`20`, section 6). A point of the cell is `f = g + u + v`:
+//! `h² |q1| |m| / (2 |M| (|M| + Re M))` (`docs/math/tessellation.md#sagitta-of-a-line`). A point of the cell is
+//! `f = g + u + v`:
 //!
 //! - `u`, at most the sagitta `a` of the s-arc through `f`, takes it from the foot on the chord of that arc;
 //! - the chord's ends lie on the t-arcs of the sides `s0` and `s1`; `v`, a mean of two vectors of lengths at most the
@@ -17,10 +18,11 @@
 //! distance² <= max over k of max(a², b_k², a² + b_k² + 2 a b_k c_k)
 //! ```
 //!
-//! This is `a + b` of `20`, section 6 where both circles bulge to one side of the surface, and only the larger of the two
-//! on a saddle. The direction of a bulge has the component `∓m·V/|m|` along the normal and the rest along the other
-//! tangent of the moving frame at the middle of its arc (`20`, section 2); the product of the normal components is the
-//! cosine, up to the turn of the frame between the two middles, which is at most `angle M + angle M*`.
+//! This is `a + b` of `docs/math/tessellation.md#sagitta-of-a-line` where both circles bulge to one side of the
+//! surface, and only the larger of the two on a saddle. The direction of a bulge has the component `∓m·V/|m|` along the
+//! normal and the rest along the other tangent of the moving frame at the middle of its arc
+//! (`docs/math/patches.md#speeds-and-moving-frame`); the product of the normal components is the cosine, up to the turn
+//! of the frame between the two middles, which is at most `angle M + angle M*`.
 //!
 //! **Both ways.** `g` depends continuously on the place in the cell and runs along the sides of `Q` as the place runs along
 //! the sides of the cell, each once round. A continuous map of a disk to a disk that has degree one on the boundary

@@ -29,10 +29,11 @@ const RESERVE: f64 = 1e-3;
 /// the surface is farther than [`SurfaceMesh::bound`] from the mesh, and none of the mesh from the surface.
 ///
 /// Vertices lie on the surface, those on edges on the edge's arc, those of the shells are taken over to the bit. Every cell is
-/// certified: by the sagittas of its arcs in closed form (`20`, section 6, sharpened where the two families bulge to
-/// different sides), on rational faces by the hulls of second derivatives; the bound holds the largest of the cells, the rounding of positions, and what the shell's edges are
-/// off their faces. Quads are counter-clockwise seen from the outer side of the shell, and so point the unit normals;
-/// faces that meet without a kink (to 1e-6 radians) share them, others have their own.
+/// certified: by the sagittas of its arcs in closed form (`docs/math/tessellation.md#distance-of-a-cell`, sharpened
+/// where the two families bulge to different sides), on rational faces by the hulls of second derivatives; the bound
+/// holds the largest of the cells, the rounding of positions, and what the shell's edges are off their faces. Quads are
+/// counter-clockwise seen from the outer side of the shell, and so point the unit normals; faces that meet without a
+/// kink (to 1e-6 radians) share them, others have their own.
 ///
 /// ```
 /// use cyclide::{Body, CyclidePatch, Point3, Shell, Vec3, tessellate};

@@ -1,4 +1,4 @@
-//! Nets of patches in closed form (`20`, section 4).
+//! Nets of patches in closed form (`docs/math/cyclides-and-nets.md#weights-of-a-whole-cyclide`).
 //!
 //! With half angles `cc = cos(th/2) cos(ps/2)`, `sc = sin(th/2) cos(ps/2)`, `cs`, `ss` and `al = sqrt(a-c)`,
 //! `be = sqrt(a+c)`:

@@ -5,7 +5,7 @@
 //! ```text
 //! (|p|² + b² - mu²)² = 4 (a x - c mu)² + 4 b² y²
 //! ```
-//! (`20`, section 4). For `c = 0` it is the torus of radii `a` and `mu`.
+//! (`docs/math/cyclides-and-nets.md#cyclides-by-parameters`). For `c = 0` it is the torus of radii `a` and `mu`.
 
 mod build;
 mod transform;
@@ -95,8 +95,9 @@ impl DupinCyclide {
         }
     }
 
-    /// The surface at signed distance `h`, which has another `mu` only (`20`, section 4). For `h > 0` it is outside a
-    /// ring, both parts of a spindle and the larger part of a horn, and inside the smaller part of a horn.
+    /// The surface at signed distance `h`, which has another `mu` only
+    /// (`docs/math/cyclides-and-nets.md#cyclides-by-parameters`). For `h > 0` it is outside a ring, both parts of a
+    /// spindle and the larger part of a horn, and inside the smaller part of a horn.
     ///
     /// # Errors
     /// As [`new`](Self::new), if `mu + h` is out of range.

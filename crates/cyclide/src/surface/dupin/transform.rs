@@ -4,11 +4,12 @@
 //! ```text
 //! centre (a cos θ, b sin θ, 0), radius mu - c cos θ      centre (c, 0, b sin ψ)/cos ψ, radius mu - a/cos ψ
 //! ```
-//! (`20`, section 4: `p - N/|k|`). In the linear coordinates `(w, v, k, h)` of oriented spheres, with the product
-//! `|v|² - w k - h²`, both are `E0 + E1 cos + E2 sin` with `E0, E1, E2` perpendicular and of squares `-b², b², b²`. Maps
-//! are linear there and keep this, up to a factor, so what is left of a map is to turn the image's `E0, E1, E2` to the
-//! position in which only `E0` has a `w`: centre, `mu` and `c`, `a`, `b` with their axes are read from it. It exists
-//! for the family in which no image is a plane, which is always one of the two: inside and outside may change places.
+//! (`docs/math/cyclides-and-nets.md#spheres-of-a-cyclide`: `p - N/|k|`). In the linear coordinates `(w, v, k, h)` of
+//! oriented spheres, with the product `|v|² - w k - h²`, both are `E0 + E1 cos + E2 sin` with `E0, E1, E2`
+//! perpendicular and of squares `-b², b², b²`. Maps are linear there and keep this, up to a factor, so what is left of
+//! a map is to turn the image's `E0, E1, E2` to the position in which only `E0` has a `w`: centre, `mu` and `c`, `a`,
+//! `b` with their axes are read from it. It exists for the family in which no image is a plane, which is always one of
+//! the two: inside and outside may change places.
 
 use super::DupinCyclide;
 use crate::base::frame::Frame;

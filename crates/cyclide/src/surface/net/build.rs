@@ -1,4 +1,5 @@
-//! The net of a circular grid and one frame (`20`, section 6; A. Bobenko and E. Huhnen-Venedey).
+//! The net of a circular grid and one frame (`docs/math/cyclides-and-nets.md#frames-and-weights-of-a-net`; A. Bobenko
+//! and E. Huhnen-Venedey).
 //!
 //! Along an edge with unit chord `d`, in direction `k`, the weight goes on by `w -> d^-1 w V_k` and with it the frame
 //! by reflection in the plane half way, the forward direction kept forward. Round an embedded
@@ -32,8 +33,8 @@ impl CyclidicNet {
     /// # Errors
     /// `below-rounding-of-place` (the grid is below 1.5e-11 of its coordinates); `not-finite`, `frame-not-orthonormal`; `coincident-points`, `not-concircular`, `crossing-quad`, `not-in-space`,
     /// `patch-through-infinity` with the quad; `net-does-not-close` if a closed direction does not bring the frame
-    /// back (for a generic circular net it does not: see `20`, section 6); `ambiguous-frame` if the edges give no
-    /// frame for [`NetFrame::Auto`].
+    /// back (for a generic circular net it does not: see `docs/math/cyclides-and-nets.md#frames-and-weights-of-a-net`);
+    /// `ambiguous-frame` if the edges give no frame for [`NetFrame::Auto`].
     pub fn new(grid: QuadGrid, frame: NetFrame) -> Result<Self> {
         grid.check_place()?;
         let [m, n] = grid.quads();

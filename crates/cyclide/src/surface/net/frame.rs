@@ -1,4 +1,4 @@
-//! The frame at the first vertex that fits all edges of a net best (`20`, section 6).
+//! The frame at the first vertex that fits all edges of a net best (`docs/math/cyclides-and-nets.md#automatic-frame`).
 
 use crate::base::svd3;
 use crate::base::vector::Vec3;

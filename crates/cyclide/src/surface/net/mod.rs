@@ -3,7 +3,8 @@
 //! A vertex with point `a` and weight `w` stands for the pair `(a w, w)`; with the constant frame `V1, V2, V3` of the
 //! net its orthonormal frame is `w V w^-1`. The patch of a quad is that of its four pairs, so patches that share an
 //! edge read the same two pairs: they have the same boundary arc with the same parameter, and the same tangent plane
-//! all along it. The surface is G1, its parameter lines are C1 up to their speed (`20`, section 6).
+//! all along it. The surface is G1, its parameter lines are C1 up to their speed
+//! (`docs/math/cyclides-and-nets.md#frames-and-weights-of-a-net`).
 
 mod build;
 mod frame;

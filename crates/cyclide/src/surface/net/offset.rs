@@ -9,9 +9,10 @@ use crate::surface::quad_grid::QuadGrid;
 
 impl CyclidicNet {
     /// The net at the signed distance `h` along the normals `D V3 D^-1`: the same weights over the vertices
-    /// `a + h w V3 w^-1`, so every patch is the exact offset of its patch (`20`, section 3). An offset beyond a curvature
-    /// centre is made all the same and keeps the normals, so that distances add up:
-    /// [`singular_patches`](Self::singular_patches) and [`flipped_patches`](Self::flipped_patches) tell.
+    /// `a + h w V3 w^-1`, so every patch is the exact offset of its patch
+    /// (`docs/math/cyclides-and-nets.md#offsets-and-thickness`). An offset beyond a curvature centre is made all the
+    /// same and keeps the normals, so that distances add up: [`singular_patches`](Self::singular_patches) and
+    /// [`flipped_patches`](Self::flipped_patches) tell.
     ///
     /// # Errors
     /// `not-finite`, `parameter-out-of-range` (coordinates above 1e150), `offset-on-focal-set` with the quad (a patch

@@ -17,8 +17,8 @@ pub(super) struct LineCircle {
 
 impl CyclidePatch {
     /// The full circle that carries the s-line at `t`, starting at `(0, t)` in the direction of growing s: radius
-    /// `|q1|/(2|m|)`, centre `f + k/|k|²` with the curvature vector `k = (2/q1) D (m × V1) D^-1` (`20`, section 2).
-    /// `None` where the line is straight or one point.
+    /// `|q1|/(2|m|)`, centre `f + k/|k|²` with the curvature vector `k = (2/q1) D (m × V1) D^-1`
+    /// (`docs/math/patches.md#curvatures`). `None` where the line is straight or one point.
     #[must_use]
     pub fn s_circle(&self, t: f64) -> Option<Circle> {
         let circle = self.s_line_circle(t)?;

@@ -1,4 +1,4 @@
-//! The patch from four concircular corners and a frame (`20`, section 2, formula (C)).
+//! The patch from four concircular corners and a frame (`docs/math/patches.md#weights`).
 
 use super::corner_circle::{CornerCircle, corner_circle, distinct};
 use super::{CyclidePatch, largest_distance};
@@ -19,9 +19,9 @@ impl CyclidePatch {
     /// corner. Corners in binary order `a0` (0,0), `a1` (1,0), `a2` (0,1), `a3` (1,1); they must be concircular (or
     /// collinear) in the cyclic order a0, a1, a3, a2, both to 1e-9 of the largest distance and the rounding of their
     /// coordinates; a3 is moved onto the circle of the others, and to a1 or a2 if it is beyond that by no more.
-    /// `a3 = a1` or `a3 = a2` is legal (a triangular patch with a pole). Weights are those of `001`, (9), by the form
-    /// (C) of `20`, which has the right sign in every order. Every frame direction is admissible; whether a parameter
-    /// line shrinks to a point inside is told by [`singular_s`](Self::singular_s) and
+    /// `a3 = a1` or `a3 = a2` is legal (a triangular patch with a pole). Weights are those of `001`, (9), by form C
+    /// (`docs/math/patches.md#weights`), which has the right sign in every order. Every frame direction is admissible;
+    /// whether a parameter line shrinks to a point inside is told by [`singular_s`](Self::singular_s) and
     /// [`singular_t`](Self::singular_t).
     ///
     /// # Errors

@@ -39,7 +39,8 @@ pub(super) fn distinct(corners: &[Point3; 4]) -> Result<f64> {
     Ok(scale)
 }
 
-/// The corners on their circle, if they are in the order a0, a1, a3, a2 on one (`20`, section 2, admissible input).
+/// The corners on their circle, if they are in the order a0, a1, a3, a2 on one
+/// (`docs/math/patches.md#admissible-input`).
 ///
 /// # Errors
 /// `not-concircular`, `crossing-quad`.

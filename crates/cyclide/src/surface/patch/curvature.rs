@@ -4,7 +4,8 @@ use super::CyclidePatch;
 
 impl CyclidePatch {
     /// Principal curvature along the s-lines, against [`unit_normal`](Self::unit_normal) (`N_s = -k1 f_s`):
-    /// `k1 = -2 m·V2/q1`, constant along each s-line (`20`, section 2). Infinite or NaN where the line is one point.
+    /// `k1 = -2 m·V2/q1`, constant along each s-line (`docs/math/patches.md#curvatures`). Infinite or NaN where the
+    /// line is one point.
     #[must_use]
     pub fn k1(&self, t: f64) -> f64 {
         -2.0 * self.polar.m_at(t).dot(self.v[1]) / self.polar.q1_at(t)

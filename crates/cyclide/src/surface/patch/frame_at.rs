@@ -11,7 +11,8 @@ const COINCIDENT_LIMIT: f64 = 1e-12;
 impl CyclidePatch {
     /// As [`from_corners_and_frame`](Self::from_corners_and_frame), with the unit directions `v1` of growing s and `v2`
     /// of growing t at corner `at` (0 to 3). Frames move along an edge by reflection in its perpendicular bisector
-    /// plane, the direction along the edge changing its sign (`20`, section 2); the way does not matter.
+    /// plane, the direction along the edge changing its sign (`docs/math/patches.md#admissible-input`); the way does
+    /// not matter.
     ///
     /// # Errors
     /// As [`from_corners_and_frame`](Self::from_corners_and_frame); `parameter-out-of-range` for `at` above 3.

@@ -1,4 +1,5 @@
-//! The implicit equation: a quartic, the discriminant of the tangent spheres (`20`, section 3).
+//! The implicit equation: a quartic, the discriminant of the tangent spheres
+//! (`docs/math/patches.md#implicit-equation`).
 
 use super::{CyclidePatch, PatchKind};
 use crate::base::quat::Quat;
@@ -101,7 +102,7 @@ fn largest(c: &[f64]) -> f64 {
 impl CyclidePatch {
     /// The implicit equation of the whole surface on which the patch lies, in the coordinates of the model. The spheres
     /// tangent along the s-lines are `A (1-t)² + 2B t(1-t) + C t²` with sphere functions A, B, C of the point; the
-    /// surface is where two of them meet, `B² - AC = 0` (`20`, section 3).
+    /// surface is where two of them meet, `B² - AC = 0` (`docs/math/patches.md#implicit-equation`).
     ///
     /// Rounding: some units of the last place of the largest coefficient for coordinates of the size of the patch,
     /// times (coordinate/size)⁴ far from the origin.

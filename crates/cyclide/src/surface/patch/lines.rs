@@ -43,7 +43,7 @@ impl CyclidePatch {
         }
     }
 
-    /// The part over `[s0, s1] × [t0, t1]` as a patch of its own (`20`, section 3): exact.
+    /// The part over `[s0, s1] × [t0, t1]` as a patch of its own (`docs/math/patches.md#weights`): exact.
     ///
     /// # Errors
     /// `parameter-out-of-range` unless `0 <= s0 < s1 <= 1` and the same for t.

@@ -33,13 +33,13 @@ pub struct PatchLocation {
 impl CyclidePatch {
     /// The parameters of a point on the surface, or of the foot of a perpendicular from a point near it.
     ///
-    /// On the surface the point's parameters are roots of a quadratic (`20`, section 3, robust form: also on planes
-    /// and spheres, where every other closed form degenerates); of two pairs that both give the point the one nearer
-    /// to `[0, 1]²` is taken. Off the surface Newton steps follow, from these roots and from the nearest of a few places of
-    /// the patch: the parameter lines are orthogonal and lines of curvature, so a step is two divisions; it is halved while
-    /// it leads away. The result is then *a* foot, the nearest that was reached: up to 1e-3 of the patch's size away
-    /// practically always the nearest there is, at 0.1 not always. Where a whole parameter line is the point, any
-    /// parameter on it is right.
+    /// On the surface the point's parameters are roots of a quadratic (`docs/math/patches.md#point-location`: also on
+    /// planes and spheres, where every other closed form degenerates); of two pairs that both give the point the one
+    /// nearer to `[0, 1]²` is taken. Off the surface Newton steps follow, from these roots and from the nearest of a
+    /// few places of the patch: the parameter lines are orthogonal and lines of curvature, so a step is two divisions;
+    /// it is halved while it leads away. The result is then *a* foot, the nearest that was reached: up to 1e-3 of the
+    /// patch's size away practically always the nearest there is, at 0.1 not always. Where a whole parameter line is
+    /// the point, any parameter on it is right.
     ///
     /// A point that is not finite has no place: all fields are NaN.
     #[must_use]
@@ -150,7 +150,8 @@ impl CyclidePatch {
         })
     }
 
-    /// The parameters of the two tangent spheres through a point of the surface (`20`, section 3): a start near it.
+    /// The parameters of the two tangent spheres through a point of the surface
+    /// (`docs/math/patches.md#point-location`): a start near it.
     fn sphere_parameters(&self, e: &[Quat; 4]) -> Option<(f64, f64)> {
         let parameter = |[a, b, c]: [f64; 3]| {
             let t = if a.abs() > c.abs() { a / (a - b) } else { b / (b - c) };

@@ -4,9 +4,10 @@
 //! f(s,t) = n D^-1,   D = sum w_k B_k,   n = sum a_k w_k B_k,   B = (1-s)(1-t), s(1-t), (1-s)t, st
 //! f_s = q1(t) D V1 ~D / |D|^4,   f_t = q2(s) D V2 ~D / |D|^4,   N = D V3 D^-1
 //! ```
-//! (source: `001`, (10); the moving frame and the real quadratics `q1`, `q2` from `20`, section 2, not in the paper).
-//! All parameter lines are circles and lines of curvature. The corners are in binary order, first parameter fastest:
-//! `a0` at (0,0), `a1` at (1,0), `a2` at (0,1), `a3` at (1,1), so round the corner circle they come as a0, a1, a3, a2.
+//! (source: `001`, (10); the moving frame and the real quadratics `q1`, `q2` from
+//! `docs/math/patches.md#speeds-and-moving-frame`, not in the paper). All parameter lines are circles and lines of
+//! curvature. The corners are in binary order, first parameter fastest: `a0` at (0,0), `a1` at (1,0), `a2` at (0,1),
+//! `a3` at (1,1), so round the corner circle they come as a0, a1, a3, a2.
 
 mod circles;
 mod construct;

@@ -1,4 +1,4 @@
-//! The offset surface, which keeps the weights (`20`, section 3).
+//! The offset surface, which keeps the weights (`docs/math/patches.md#offsets-and-images`).
 
 use super::CyclidePatch;
 use super::polar::at_half;
@@ -17,9 +17,9 @@ const FOCAL: f64 = 1e-12;
 impl CyclidePatch {
     /// The surface at the signed distance `h` along [`unit_normal`](Self::unit_normal), with the same parameters:
     /// `f_h = f + h N` exactly. Weights and frame are the same, corners `a_k + h w_k V3 w_k^-1`, speeds
-    /// `q1 + 2h m·V2` and `q2 - 2h m*·V1` (`20`, section 3). An offset beyond a curvature centre is made all the
-    /// same; [`offset_is_regular`](Self::offset_is_regular) tells. It keeps the normal, which is then against its
-    /// `f_s × f_t` if one of the two centres was passed: distances add up.
+    /// `q1 + 2h m·V2` and `q2 - 2h m*·V1` (`docs/math/patches.md#offsets-and-images`). An offset beyond a curvature
+    /// centre is made all the same; [`offset_is_regular`](Self::offset_is_regular) tells. It keeps the normal, which is
+    /// then against its `f_s × f_t` if one of the two centres was passed: distances add up.
     ///
     /// # Errors
     /// `not-finite`, `parameter-out-of-range` (coordinates above 1e150), `offset-on-focal-set` (all curvature centres

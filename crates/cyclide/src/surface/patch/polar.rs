@@ -3,7 +3,7 @@
 //! ```text
 //! K_s(t) = ~D0 n1 + ~n0 D1 = q1(t) V1,   K_t(s) = q2(s) V2,   m(t) = Im(~D(0,t) D(1,t)),   m*(s) = Im(~D(s,0) D(s,1))
 //! ```
-//! Bernstein coefficients from `K_ij = ~w_i (a_j - a_i) w_j` (`20`, section 2).
+//! Bernstein coefficients from `K_ij = ~w_i (a_j - a_i) w_j` (`docs/math/patches.md#speeds-and-moving-frame`).
 //! They are multiples of `V1` and `V2` all together: the proof is at [`PatchRow`](super::PatchRow).
 
 use crate::base::quat::Quat;

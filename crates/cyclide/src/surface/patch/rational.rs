@@ -1,4 +1,4 @@
-//! The exact rational biquadratic form (`20`, section 2).
+//! The exact rational biquadratic form (`docs/math/patches.md#exact-rational-form`).
 
 use super::CyclidePatch;
 use crate::base::quat::Quat;

@@ -108,9 +108,9 @@ impl CyclidePatch {
     /// The plane, sphere, cylinder, cone or torus on which the patch lies, within about 1e-10 of its size, with its
     /// placement; general cyclides otherwise.
     ///
-    /// By the principal curvatures (`20`, section 4): all constant and equal, plane or sphere; one family zero, cylinder
-    /// (the other constant) or cone; exactly one a nonzero constant, torus. The converse is not a theorem of `20`, so
-    /// the result is kept only if a 5×5 grid of the patch's points is on the surface found.
+    /// By the principal curvatures (`docs/math/patches.md#recognition`): all constant and equal, plane or sphere; one
+    /// family zero, cylinder (the other constant) or cone; exactly one a nonzero constant, torus. The converse is not
+    /// proved, so the result is kept only if a 5×5 grid of the patch's points is on the surface found.
     #[must_use]
     pub fn recognise(&self) -> PatchKind {
         let found = self.by_curvatures().unwrap_or(PatchKind::Cyclide);

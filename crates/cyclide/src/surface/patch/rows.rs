@@ -25,8 +25,8 @@ const BLOCK: usize = 256;
 /// K(t) = K_01 (1-t)² + (K_03 + ~K_12) t(1-t) + K_23 t²,   K_ij = ~w_i n_j + ~n_i w_j = ~w_i (a_j - a_i) w_j = ~K_ji
 /// ```
 /// A translation changes no `K_ij`; a common factor `w -> w c` makes `~c K_ij c` of it, and `c^-1 V c` of `V`; factors
-/// `1, lam, mu, lam mu` of the weights multiply `K_03` and `K_12` by the same number. So let `a_0 = 0` and, by form (C) of
-/// `20`, section 2, with the orthonormal frame `V1, V2, V3 = V1 V2`, `b_i = a_i^-1` and `e = b_1 - b_2`,
+/// `1, lam, mu, lam mu` of the weights multiply `K_03` and `K_12` by the same number. So let `a_0 = 0` and, by form C of
+/// `docs/math/patches.md#weights`, with the orthonormal frame `V1, V2, V3 = V1 V2`, `b_i = a_i^-1` and `e = b_1 - b_2`,
 /// ```text
 /// w_0 = 1,   w_1 = b_1 V1,   w_2 = b_2 V2,   w_3 = b_3 e V3,   e = e1 V1 + e2 V2 + e3 V3
 /// ```

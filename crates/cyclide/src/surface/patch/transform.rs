@@ -11,9 +11,9 @@ const WEIGHT_ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 impl Conformal for CyclidePatch {
     /// The image under a Möbius map `y -> (a y + b)(c y + d)^-1`, with the same parameters: corners by the map, weights
-    /// `(c a_k + d) w_k` up to a common factor (`20`, section 3). The speeds keep their signs: a map that reverses
-    /// orientation turns `V1` and `V2` round and keeps `V3`. Its [`unit_normal`](CyclidePatch::unit_normal) is
-    /// then the opposite of the pushed forward one.
+    /// `(c a_k + d) w_k` up to a common factor (`docs/math/patches.md#offsets-and-images`). The speeds keep their
+    /// signs: a map that reverses orientation turns `V1` and `V2` round and keeps `V3`. Its
+    /// [`unit_normal`](CyclidePatch::unit_normal) is then the opposite of the pushed forward one.
     ///
     /// # Errors
     /// `point-at-infinity` if a corner goes to infinity, or is nearer than 6e-8 of the patch's size to the point that

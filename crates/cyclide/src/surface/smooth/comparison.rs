@@ -7,7 +7,7 @@ use crate::base::vector::Vec3;
 use crate::error::Result;
 use crate::surface::barycentric::Barycentric;
 
-/// Places of an edge at which the normals of its two triangles are compared: those of the table of `50`, section 8.
+/// Places of an edge at which the normals of its two triangles are compared: those of the table of `docs/math/triangle-surfaces.md#comparison-with-pn-triangles`.
 const ALONG: [f64; 5] = [0.02, 0.1, 0.3, 0.5, 0.8];
 /// Steps from corner to corner at which distances are measured.
 const STEPS: usize = 8;

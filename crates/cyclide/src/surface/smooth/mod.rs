@@ -2,8 +2,9 @@
 //!
 //! Every edge is a circle blend of order 2 ([`BlendSegment`]) that is made from its two vertices and their normals alone, and carries the normal
 //! of the surface with it. Inside a triangle each point is the mean of three blends, from the corners to the opposite sides
-//! (`50`, section 8; side-vertex scheme of G. Nielson, 1979). Neighbours share edges and their normals to the bit: G1. The sphere blends of
-//! `004` ([`SphereBlend`](super::SphereBlend)) cannot be that on general meshes.
+//! (`docs/math/triangle-surfaces.md#smooth-meshes`; side-vertex scheme of G. Nielson, 1979). Neighbours share edges and
+//! their normals to the bit: G1. The sphere blends of `004` ([`SphereBlend`](super::SphereBlend)) cannot be that on
+//! general meshes.
 //!
 //! - Points and normals of a sphere give the sphere but for 4.3e-4 of its radius over an icosahedron, 1.2e-5 over 80 triangles
 //!   and 2.1e-7 over 320.

@@ -12,7 +12,7 @@ const AT_CORNER: f64 = 1e-8;
 
 /// A smooth patch over a triangle with a unit normal at each corner: on every side a circle blend that belongs to its ends
 /// alone (and the normal with it), inside the mean of three blends from the corners to the opposite sides
-/// (`50`, section 8; G. Nielson's side-vertex scheme with circle blends for its arcs).
+/// (`docs/math/triangle-surfaces.md#smooth-meshes`; G. Nielson's side-vertex scheme with circle blends for its arcs).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SmoothTriangle {
     corners: [Point3; 3],

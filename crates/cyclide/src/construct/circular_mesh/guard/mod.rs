@@ -1,4 +1,4 @@
-//! Whether a grid made circular is still the surface that was given (`70`, part C).
+//! Whether a grid made circular is still the surface that was given (`docs/math/circular-meshes.md#guard`).
 //!
 //! Distances do not tell: they are as large for a hypar pressed flat as for a good steep saddle whose border slid. What
 //! tells is how the normals stand, over strides of a fifth of the grid so that noise of a few hundredths of an edge

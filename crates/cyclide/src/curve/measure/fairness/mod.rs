@@ -1,7 +1,7 @@
 //! How evenly a curve bends: changes of side, extrema and variation of its curvature.
 //!
 //! Planar curves are measured by their signed curvature in their plane, curves in space by its size, which has no sign
-//! to change. With `k` the curvature and `s` the arc length (`65`, section 7):
+//! to change. With `k` the curvature and `s` the arc length (`docs/math/curve-measures.md#fairness`):
 //!
 //! - *sign changes*: places where the curve goes from turning left to turning right or back;
 //! - *extrema*: places where `k` stops growing or falling, the ends of an open curve not counted;
