@@ -1,7 +1,7 @@
 //! Edges that are kept sharp.
 
 use crate::shapes::{self, Mesh};
-use cyclide::{MeshFace, NormalWeights, Point3, SmoothMesh, Vec3, VertexNormals};
+use cyclide::{MeshFace, Mobius, NormalWeights, Point3, SmoothMesh, TriangleSurface, Vec3, VertexNormals};
 use std::f64::consts::{FRAC_PI_4, PI};
 
 fn creased(mesh: &Mesh, angle: f64) -> SmoothMesh {
@@ -139,4 +139,27 @@ fn normals_given_at_corners_say_where_creases_are() {
     assert_eq!(wrong(&corners[1..]), "normal-count");
     assert_eq!(wrong(&vec![[Vec3::ZERO; 3]; 12]), "undefined-normal");
     assert_eq!(wrong(&vec![[Vec3::X * f64::NAN; 3]; 12]), "not-finite");
+}
+
+/// Creases stay creases however faint, and a mirror keeps the outer side outside.
+#[test]
+fn similar_images_keep_creases() {
+    let mesh = shapes::cylinder(12);
+    let surface = creased(&mesh, 0.6);
+    let sharp = |mesh: &SmoothMesh| mesh.edges().iter().filter(|edge| edge.is_sharp()).count();
+    assert!(sharp(&surface) > 0 && sharp(&surface) < surface.edges().len());
+    let mirror = Mobius::reflection(Point3::new(0.3, 0.0, 1.0), Vec3::new(1.0, 2.0, -2.0)).unwrap();
+    let TriangleSurface::Mesh(image) = TriangleSurface::from(surface.clone()).similar(&mirror).unwrap() else {
+        panic!("a mesh")
+    };
+    assert_eq!(sharp(&image), sharp(&surface));
+    let [own, other] = [&surface, &image].map(|mesh| mesh.measure().unwrap());
+    // As many roundings as places of the quadrature.
+    assert!((own.area / other.area - 1.0).abs() < 1e-12 && own.volume.is_some() == other.volume.is_some());
+    for t in 0..mesh.1.len() {
+        let (p, n) = surface.triangle(t).unwrap().point_and_normal([1.0, 2.0, 3.0]).unwrap();
+        let (q, m) = image.triangle(t).unwrap().point_and_normal([1.0, 3.0, 2.0]).unwrap();
+        assert!(mirror.map_point(p).unwrap().distance(q) < 1e-13);
+        assert!((mirror.push_forward(p, n).unwrap() - m).length() < 1e-12);
+    }
 }

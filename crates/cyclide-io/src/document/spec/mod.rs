@@ -158,6 +158,14 @@ impl<'de> Deserialize<'de> for TypeWord {
     }
 }
 
+impl ObjectSpec {
+    /// False for types of surfaces that STEP and JSON do not hold: there are meshes of them only.
+    #[must_use]
+    pub fn has_exact_form(word: &str) -> bool {
+        !["smooth-mesh", "sphere-blend"].contains(&word)
+    }
+}
+
 /// The functions that go through all types of object. A new type needs its line below and its starter.
 macro_rules! object_types {
     ($($word:literal => $variant:ident),* $(,)?) => {
