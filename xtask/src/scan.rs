@@ -1,4 +1,4 @@
-//! `cargo xtask scan`: writes the scanned grip among the examples.
+//! `cargo xtask scan`: writes the scanned stone among the examples.
 
 use cyclide_testkit::scan::scan_ply;
 use std::process::ExitCode;
@@ -7,11 +7,11 @@ use std::process::ExitCode;
 const VERTICES: usize = 252;
 
 pub fn main() -> ExitCode {
-    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../examples/grip.ply");
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../examples/stone.ply");
     if let Err(error) = std::fs::write(path, scan_ply(VERTICES)) {
         eprintln!("{path}: {error}");
         return ExitCode::FAILURE;
     }
-    println!("examples/grip.ply: {} triangles", 2 * VERTICES - 4);
+    println!("examples/stone.ply: {} triangles", 2 * VERTICES - 4);
     ExitCode::SUCCESS
 }

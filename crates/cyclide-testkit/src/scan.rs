@@ -1,4 +1,4 @@
-//! The scan of the examples: a grip as a scanner sees it, triangles without order and a little noise.
+//! The scan of the examples: a stone with a hollow for the thumb as a scanner sees it, triangles without order and a little noise.
 
 use cyclide::{ConvexPolyhedron, Point3, Vec3};
 use std::f64::consts::PI;
@@ -12,15 +12,15 @@ const NOISE: f64 = 0.04;
 /// Points and triangles of a mesh.
 pub type Mesh = (Vec<Point3>, Vec<[usize; 3]>);
 
-/// A place of the grip in millimetres, by a direction: an egg along the third axis that bends, with four hollows for fingers.
+/// A place of the stone in millimetres, by a direction: an egg with a hollow on its upper side.
 fn place(v: Vec3) -> Vec3 {
-    let front = v.x.max(0.0);
-    let fingers = front * front * (4.4 * PI * (v.z - 0.1)).cos() * (1.0 - v.z * v.z);
-    let across = 16.0 + 3.0 * v.z - 2.6 * fingers;
-    Vec3::new(across * v.x + 9.0 * v.z * v.z, (12.5 + 2.0 * v.z) * v.y, 62.0 * v.z)
+    let off = v - Vec3::new(-0.35, 0.1, 0.93);
+    let hollow = 11.0 * (-4.0 * off.length_squared()).exp();
+    let height = 21.0 + 4.0 * v.x + 1.5 * (3.0 * v.y).sin() - hollow;
+    Vec3::new(40.0 * v.x + 3.0 * v.y * v.y, (28.0 + 5.0 * v.x) * v.y, height * v.z)
 }
 
-/// A closed mesh of `2 count - 4` triangles. The vertices lie a little irregularly, and off the grip by noise.
+/// A closed mesh of `2 count - 4` triangles. The vertices lie a little irregularly, and off the stone by noise.
 ///
 /// # Panics
 /// If there are fewer than 4 vertices.
@@ -57,7 +57,7 @@ fn random_vector(random: &mut Random) -> Vec3 {
 pub fn scan_ply(count: usize) -> String {
     let (points, triangles) = scan(count);
     let mut text = format!(
-        "ply\nformat ascii 1.0\ncomment a grip, millimetres; written by `cargo xtask scan`\n\
+        "ply\nformat ascii 1.0\ncomment a stone with a hollow for the thumb, millimetres; written by `cargo xtask scan`\n\
          element vertex {}\nproperty float x\nproperty float y\nproperty float z\n\
          element face {}\nproperty list uchar int vertex_indices\nend_header\n",
         points.len(),

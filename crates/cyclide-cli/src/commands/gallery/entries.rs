@@ -128,11 +128,11 @@ pub const ENTRIES: [Entry; 18] = [
         formats: SURFACES,
     },
     Entry {
-        name: "grip",
+        name: "stone",
         title: "A scan made smooth",
         text: "A smooth surface through the vertices of a scan of 500 triangles: the tangent plane is continuous, and its meshes are closed to the bit.",
-        document: example!("grip.json"),
-        inputs: &[input!("grip.ply")],
+        document: example!("stone.json"),
+        inputs: &[input!("stone.ply")],
         formats: MESHES,
     },
     Entry {

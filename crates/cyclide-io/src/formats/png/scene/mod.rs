@@ -22,13 +22,14 @@ use crate::drawing::palette::to_linear;
 use crate::export::error::ExportError;
 use crate::export::exported::{Exported, Promise, Written};
 use crate::export::job::Job;
+use crate::export::shape::Shape;
 use crate::formats::png::axes::{self, Plan, Rulers};
 use crate::formats::png::canvas::{Canvas, Ink, PAPER};
 use crate::formats::png::legend::{self, Naming, balloon};
 use crate::formats::png::sheet::{Caption, Names, Sheet};
 use crate::formats::png::view;
 use camera::Camera;
-use cyclide::{Aabb, Point3};
+use cyclide::{Aabb, Point3, SurfaceMesh};
 use facets::{Facets, Paint};
 use ground::Ground;
 use light::{Lights, Rgb, screen};
@@ -76,7 +77,7 @@ pub(super) fn write(job: &Job<'_>, sheet: Sheet, names: Names) -> Result<Exporte
     let mut facets = Facets::default();
     for body in job.bodies {
         if let Some(surface) = body.body.triangles() {
-            let mesh = job.pieces.tessellate(&body.body, MESH * camera.unit()).map_err(|source| body.unfit(source))?;
+            let mesh = triangles(job, &body.body, camera.unit()).map_err(|source| body.unfit(source))?;
             facets.add_triangles(&mesh, patches_drawn.len(), &camera);
             patches_drawn.extend(patches(surface, body.item, sheet.scale));
             patch_items.resize(patches_drawn.len(), body.item);
@@ -119,6 +120,19 @@ pub(super) fn write(job: &Job<'_>, sheet: Sheet, names: Names) -> Result<Exporte
     // A picture has no parts that could be told apart.
     let written = Written { bodies: vec![Promise::proved(0.5 * scene.camera.unit())], ..Written::default() };
     Ok(written.exported(bytes, notes))
+}
+
+/// A mesh of a surface over triangles. Where one that is near enough has too many triangles, because a few of the patches bend
+/// sharply, coarser ones serve: the light is that of the surface all the same.
+fn triangles(job: &Job<'_>, shape: &Shape<'_>, unit: f64) -> cyclide::Result<SurfaceMesh> {
+    let mut made = job.pieces.tessellate(shape, MESH * unit);
+    for coarser in [4.0, 16.0, 64.0] {
+        if !matches!(made, Err(cyclide::Error::TooManyPieces { .. })) {
+            break;
+        }
+        made = job.pieces.tessellate(shape, coarser * MESH * unit);
+    }
+    made
 }
 
 /// Height of the eye over its horizontal distance is this over 0.94.
