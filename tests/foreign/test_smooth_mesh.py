@@ -42,7 +42,8 @@ def build(program, tmp_path_factory):
         document, paths = folder / f"{name}.json", [folder / f"{name}.{suffix}" for suffix in suffixes]
         document.write_text(json.dumps({"cyclide": 1, "units": units, "objects": objects}))
         outputs = [word for path in paths for word in ("-o", path)]
-        report = json.loads(program("build", document, *outputs, "--json", *options))
+        words = ("build", document, *outputs) if outputs else ("report", document)
+        report = json.loads(program(*words, "--json", *options))
         return paths, report
 
     run.folder = folder

@@ -9,8 +9,8 @@ use crate::surface::barycentric::Barycentric;
 
 /// Places of an edge at which the normals of its two triangles are compared: those of the table of `docs/math/triangle-surfaces.md#comparison-with-pn-triangles`.
 const ALONG: [f64; 5] = [0.02, 0.1, 0.3, 0.5, 0.8];
-/// Steps from corner to corner at which distances are measured.
-const STEPS: usize = 8;
+/// Steps from corner to corner at which distances are measured: middles of sides and of triangles are among their places.
+const STEPS: usize = 12;
 
 /// Normals and distances of a smooth mesh beside other surfaces of the same vertices and normals, largest values over all of the
 /// places looked at: sampled, not proved.
