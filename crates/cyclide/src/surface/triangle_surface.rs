@@ -10,7 +10,6 @@ const STEPS: usize = 4;
 
 /// A surface over triangles. It has no exact rational form, so it is never a face of a shell: files hold meshes of it.
 #[derive(Debug, Clone, PartialEq)]
-#[expect(clippy::large_enum_variant, reason = "a model has few objects, and a patch is a plain value")]
 pub enum TriangleSurface {
     /// Over the triangles of a mesh.
     Mesh(SmoothMesh),
@@ -20,6 +19,7 @@ pub enum TriangleSurface {
 
 /// The patch over one triangle of such a surface.
 #[derive(Debug, Clone, Copy)]
+#[expect(clippy::large_enum_variant, reason = "a plain value, made once for many places")]
 enum Patch {
     Smooth(SmoothTriangle),
     Blend(SphereBlend),

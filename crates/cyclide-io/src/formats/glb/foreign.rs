@@ -121,7 +121,7 @@ impl SceneTriangles {
 fn triangles(mode: Option<u64>, corners: &[usize]) -> Result<Vec<[usize; 3]>, String> {
     let distinct = |t: &[usize; 3]| t[0] != t[1] && t[1] != t[2] && t[2] != t[0];
     match mode {
-        Some(TRIANGLES) if corners.len() % 3 == 0 => Ok(corners.as_chunks().0.to_vec()),
+        Some(TRIANGLES) if corners.len().is_multiple_of(3) => Ok(corners.as_chunks().0.to_vec()),
         Some(TRIANGLES) => Err("triangles need three corners each".to_owned()),
         // Every other triangle of a strip runs the other way; those without area turn it.
         Some(STRIP) => {

@@ -28,8 +28,8 @@ impl PnTriangle {
     /// The point at barycentric coordinates of sum 1.
     pub(super) fn point(&self, l: [f64; 3]) -> Point3 {
         let mut sum = self.middle * (6.0 * l[0] * l[1] * l[2]);
-        for i in 0..3 {
-            sum += self.corners[i] * (l[i] * l[i] * l[i]);
+        for (corner, l) in self.corners.iter().zip(l) {
+            sum += *corner * (l * l * l);
         }
         for [i, j] in SIDES {
             sum += (self.beside[i][j] * l[i] + self.beside[j][i] * l[j]) * (3.0 * l[i] * l[j]);
