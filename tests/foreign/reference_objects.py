@@ -124,4 +124,4 @@ def _fair_spline(spec, points, corners):
 
 def reported_area(objects):
     """Area of objects of a report. A thick shell has one for each of its skins and rims, and none for all."""
-    return sum(part["area"] for entry in objects for part in entry["parts"])
+    return sum(part["area"] for entry in objects for part in entry.get("parts", [entry]))

@@ -5,6 +5,7 @@ mod attack;
 mod layers;
 mod reference;
 mod roof;
+mod scan;
 
 use std::process::ExitCode;
 
@@ -19,6 +20,7 @@ tasks:
   reference [--only CONSTRUCT,… | --curves | --surfaces] FILE…
              run reference cases (cyclide-reference/1) through the public API; `cargo xtask reference --help`
   roof       write the free-form roofs of the examples: examples/roof.obj, examples/roof-20.obj
+  scan       write the scanned stone of the examples: examples/stone.ply
 ";
 
 fn main() -> ExitCode {
@@ -30,6 +32,7 @@ fn main() -> ExitCode {
         Some("layers") => layers::main(),
         Some("reference") => reference::main(&rest),
         Some("roof") => roof::main(),
+        Some("scan") => scan::main(),
         Some("help" | "--help" | "-h") => {
             print!("{HELP}");
             ExitCode::SUCCESS

@@ -26,10 +26,10 @@ pub use document::{
     CyclidePatchSpec, CyclideSpec, CyclidicNetSpec, DOCUMENT_VERSION, Directions, DiskSpec, Document,
     EllipseBridgeSpec, EndsSpec, FairEndPair, FairEndSpec, FairEndWord, FairEndsSpec, FairFitSpec, FairSplineSpec,
     Fitted, FrameSpec, GridSource, Lists, MakeCircularOptions, MakeCircularSpec, MeshFile, ModelBuilder, NO_EFFECT,
-    ObjectSpec, OffsetSpec, PipeSpec, PlaneSpec, PlateSpec, PlateWithNeckSpec, PointFile, PointSource, PolyhedronFile,
-    PolylineSpec, RadiiSpec, Remark, RevolutionSpec, RotationSpec, RoundedPolyhedron, RuledSpec, ScaleSpec,
-    SmoothPolyhedronSpec, SphereSpec, StepSpec, StraightWord, SupportStructureSpec, TransformSpec, TypeWord,
-    document_schema,
+    NormalsSpec, ObjectSpec, OffsetSpec, PipeSpec, PlaneSpec, PlateSpec, PlateWithNeckSpec, PointFile, PointSource,
+    PolyhedronFile, PolylineSpec, RadiiSpec, Remark, RevolutionSpec, RotationSpec, RoundedPolyhedron, RuledSpec,
+    ScaleSpec, SmoothChoice, SmoothMeshSpec, SmoothPolyhedronSpec, SphereBlendSpec, SphereSpec, StepSpec, StraightWord,
+    SupportStructureSpec, TransformSpec, TriangleMeshFile, TypeWord, document_schema,
 };
 pub use error::{Error, Result};
 pub use export::camera::Camera;
@@ -45,9 +45,10 @@ pub use input::file::{MOST_INPUT_BYTES, read_head, read_input, read_standard_inp
 pub use input::points::{ColumnUnit, PointColumns, PointList, PointRemark, PointTable, read_points, unit_of_columns};
 pub use measure::joints::SurfaceJointReport;
 pub use report::{
-    CheckError, CircularReport, CurvatureRangeReport, CurvatureReport, CurvesReport, FairnessReport, FileReport,
-    FitPieces, FitReport, GeometryReport, JointReport, ObjectReport, PartReport, PatchPlace, PolyhedronReport,
-    RangeReport, Report, SeamReport, ShapeReport, SingularPatchReport, Spacing, SurfaceReport, WarningReport, sample,
+    CheckError, CircularReport, ComparisonReport, CurvatureRangeReport, CurvatureReport, CurvesReport, FairnessReport,
+    FileReport, FitPieces, FitReport, GeometryReport, JointReport, ObjectReport, PartReport, PatchPlace,
+    PolyhedronReport, RangeReport, Report, SeamReport, ShapeReport, SingularPatchReport, SmoothReport, Spacing,
+    SurfaceReport, WarningReport, sample,
 };
 pub use text::place::{Diagnostic, Source, decode};
 pub use text::suggest::{did_you_mean, similar};

@@ -1,5 +1,5 @@
 //! Test helpers of cyclide (unpublished): generators of random input, patches and whole documents, files broken on
-//! purpose, a set of closed curves, the roof of the examples, the runner of reference files.
+//! purpose, a set of closed curves, the roof and the scan of the examples, the runner of reference files.
 
 pub mod attack;
 pub mod circuits;
@@ -9,3 +9,4 @@ pub mod patches;
 pub mod rational_faces;
 pub mod reference;
 pub mod roof;
+pub mod scan;

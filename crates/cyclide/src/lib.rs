@@ -133,9 +133,12 @@ pub use short_number::ShortNumber;
 pub use surface::{CyclideKind, CyclidicNet, DupinCyclide, NetFrame, SingularPatch};
 pub use surface::{CyclidePatch, PatchKind};
 pub use surface::{ImplicitForm, PatchLocation, PatchRow};
+pub use surface::{
+    NormalWeights, SmoothComparison, SmoothEdge, SmoothMeasure, SmoothMesh, SmoothTriangle, SphereBlend, VertexNormals,
+};
 pub use surface::{ParamSurface, QuadGrid};
 pub use surface::{Seam, SeamMeasure};
-pub use surface::{SmoothEdge, SmoothMeasure, SmoothMesh, SmoothTriangle, SphereBlend, VertexNormals};
+pub use surface::{SideLine, TrianglePatch, TriangleSurface};
 pub use topology::{Body, EdgeCurve, FaceEdge, FaceSurface, Shell, ShellEdge, ShellFace, Side};
 pub use topology::{SurfaceJoint, surface_joints};
 pub use warning::Warning;

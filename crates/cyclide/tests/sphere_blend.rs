@@ -1,7 +1,7 @@
 //! Sphere blends over one triangle: laws of `docs/math/triangle-surfaces.md#sphere-blend`.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
-use cyclide::{Circle, Mobius, Point3, Quat, Sphere, SphereBlend, Vec3};
+use cyclide::{Circle, Mobius, Point3, Quat, SideLine, Sphere, SphereBlend, TriangleSurface, Vec3};
 use proptest::prelude::*;
 
 const CORNERS: [[f64; 3]; 3] = [[0.2, -0.1, 0.3], [2.1, 0.4, -0.2], [0.7, 1.9, 0.6]];
@@ -186,4 +186,62 @@ proptest! {
             }
         }
     }
+}
+
+/// Of a piece of a sphere: every triangle is within the bound of it, and the area by quadrature is that of fine meshes.
+#[test]
+fn meshes_and_area_are_those_of_the_sphere() {
+    // On the sphere of radius 5 about the origin.
+    let corners = [[3.0, 4.0, 0.0], [-3.0, 4.0, 0.0], [0.0, 3.0, 4.0]].map(Point3::from);
+    let control = [[0.0, 5.0, 0.0], [1.4, 4.8, 0.0], [0.0, 4.8, 1.4]].map(Point3::from);
+    let patch = SphereBlend::from_control_points(corners, control).unwrap();
+    let surface = TriangleSurface::from(patch);
+    assert!(surface.free_sides() == 3 && surface.lines(0) == [SideLine::Free; 3] && surface.patch(1).is_none());
+    let bounds = surface.sampled_bounds().unwrap();
+    assert!(corners.iter().all(|p| bounds.distance(*p) == 0.0) && bounds.max.y > 4.9);
+    let measure = patch.measure().unwrap();
+    // What half as many nodes would change; how right the area is, the fine meshes below say.
+    assert!(measure.volume.is_none() && measure.area_error < 1e-4 * measure.area);
+    for tolerance in [0.1, 1e-2, 1e-3] {
+        let made = surface.tessellate_within(tolerance, 100_000).unwrap();
+        assert!(made.mesh.bound <= tolerance && made.mesh.faces.len() == made.divisions * made.divisions);
+        for face in &made.mesh.faces {
+            let at = |k: usize| made.mesh.positions[face.corners()[k].position];
+            let [a, b, c] = [at(0), at(1), at(2)];
+            let middle = (a.to_vec() + b.to_vec() + c.to_vec()) / 3.0;
+            let depth = |v: Vec3| 5.0 - v.length();
+            assert!(depth(a.to_vec()).abs() < 1e-14);
+            for v in [middle, a.midpoint(b).to_vec(), b.midpoint(c).to_vec(), c.midpoint(a).to_vec()] {
+                assert!(depth(v) >= 0.0 && depth(v) <= made.mesh.bound);
+            }
+            let outward = (b - a).cross(c - a);
+            assert!(face.corners().iter().all(|corner| made.mesh.normals[corner.normal].dot(outward) > 0.0));
+        }
+        // A triangle within the bound is smaller than its part of the sphere, by twice the bound over the radius at most.
+        let lost = 1.0 - made.mesh.area() / measure.area;
+        assert!(lost > 0.0 && lost < 4.0 * made.mesh.bound / 5.0 + 1e-9, "{lost:e}");
+    }
+    assert_eq!(surface.tessellate_within(1e-9, 100).unwrap_err().reason(), "too-many-pieces");
+}
+
+#[test]
+fn similarities_map_the_patch_with_its_outer_side() {
+    let surface = TriangleSurface::from(patch());
+    let turn = Mobius::similarity(Quat::from_axis_angle(Vec3::Y, 0.7), 2.5, Vec3::new(1.0, -4.0, 2.0)).unwrap();
+    let mirror = Mobius::reflection(Point3::new(0.3, 0.0, 1.0), Vec3::new(1.0, 2.0, -2.0)).unwrap();
+    for (map, turned) in [(turn, false), (mirror, true), (mirror.after(&turn), true)] {
+        let image = surface.similar(&map).unwrap();
+        let [own, other] = [&surface, &image].map(|s| s.patch(0).unwrap());
+        for at in [[1.0, 2.0, 3.0], [0.0, 1.0, 4.0], [5.0, 1.0, 1.0]] {
+            let (p, n) = own.point_and_normal(at).unwrap();
+            let there = if turned { [at[0], at[2], at[1]] } else { at };
+            let (q, m) = other.point_and_normal(there).unwrap();
+            assert!(
+                map.map_point(p).unwrap().distance(q) < 1e-13
+                    && (map.push_forward(p, n).unwrap().unit().unwrap() - m).length() < 1e-13
+            );
+        }
+    }
+    let inversion = Mobius::inversion(Point3::new(9.0, 0.0, 0.0), 1.0).unwrap();
+    assert_eq!(surface.similar(&inversion).unwrap_err().reason(), "not-a-similarity");
 }

@@ -20,7 +20,8 @@ pub fn run(plan: &NewPlan) -> Result<(), Failure> {
     }
     let stem = path.file_stem().map_or_else(|| kind.clone().into(), |stem| stem.to_string_lossy());
     let (name, next) = (path.display(), Path::new(stem.as_ref()).display());
-    let said = format!("{name}: made. Build it with: cyclide build {name} -o {next}.step -o {next}.png\n");
+    let suffix = if ObjectSpec::has_exact_form(kind) { "step" } else { "glb" };
+    let said = format!("{name}: made. Build it with: cyclide build {name} -o {next}.{suffix} -o {next}.png\n");
     files::write(&[(path, text)], WriteOptions::default(), &said)
 }
 

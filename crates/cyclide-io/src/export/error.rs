@@ -76,6 +76,18 @@ pub enum ExportError {
         /// What cannot be expressed.
         detail: &'static str,
     },
+    /// A surface has no exact form, and the format holds exact forms only. What an approximation by patches would be off could be
+    /// sampled, not proved.
+    #[error(
+        "object {object}: {format} holds exact surfaces, and this one has no exact form: write GLB, OBJ or STL, which hold a mesh \
+         within the tolerance, or leave it out with `\"construction\": true`"
+    )]
+    NoExactForm {
+        /// Name of the object.
+        object: String,
+        /// Name of the format.
+        format: &'static str,
+    },
     /// The format's numbers are rounded by more than the tolerance.
     #[error(
         "object {object}: {format} rounds coordinates of up to {} by {}, more than the tolerance {}: {hint}",
@@ -122,6 +134,7 @@ impl ExportError {
             Self::TooSmall { .. } => "object-too-small",
             Self::Lowering { source, .. } | Self::Surface { source, .. } => source.reason(),
             Self::NotInFormat { .. } => "not-in-format",
+            Self::NoExactForm { .. } => "no-exact-form",
             Self::Rounding { .. } => "rounding-above-tolerance",
             Self::Picture { .. } => "picture",
         }

@@ -133,6 +133,13 @@ impl Promise {
         promise
     }
 
+    /// A bound that was found at many places, with a reserve between them.
+    pub(crate) fn sampled(bound: f64) -> Self {
+        let mut promise = Self::EXACT;
+        promise.add(Exactness::Sampled(bound));
+        promise
+    }
+
     /// The promise of a polyline within a tolerance: its vertices are points of the curve, to the digits of that.
     pub(crate) fn of_polyline(curve: &dyn ParamCurve, tolerance: f64) -> Self {
         let rounding = |piece: usize| match curve.piece_form(piece) {

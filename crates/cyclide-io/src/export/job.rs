@@ -107,7 +107,7 @@ pub(crate) fn piece_counts<'a>(
 /// The pieces that a file may have if nothing else is asked for.
 fn most_pieces(model: &Model, bodies: &[BodyOf<'_>]) -> usize {
     let of_curves: usize = contours(model).map(|contour| contour.curve.as_curve().piece_count()).sum();
-    let faces: usize = bodies.iter().flat_map(|body| body.body.shells()).map(|shell| shell.faces().len()).sum();
+    let faces: usize = bodies.iter().map(|body| body.body.part_count()).sum();
     DEFAULT_MOST_PIECES.saturating_add((of_curves + faces).saturating_mul(PIECES_OF_EACH))
 }
 

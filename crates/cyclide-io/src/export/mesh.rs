@@ -1,6 +1,7 @@
 //! What the mesh formats share: bodies as meshes, curves as polylines, and what single precision costs.
 
 use crate::export::error::ExportError;
+use crate::export::exported::Promise;
 use crate::export::job::Job;
 use crate::export::mesh_plan::{BodyPlan, Cell, MeshPlan};
 use crate::export::parts::{BodyOf, Contour};
@@ -30,6 +31,15 @@ pub(crate) fn body_meshes<'a>(job: &'a Job<'_>) -> Result<Vec<BodyMesh<'a>>, Exp
 }
 
 impl BodyMesh<'_> {
+    /// What is promised for the mesh with vertices that rounding has moved: proved of faces, sampled of surfaces over triangles.
+    pub(crate) fn promise(&self, moved: f64) -> Promise {
+        let bound = self.mesh.bound + moved;
+        match self.body.body.triangles() {
+            None => Promise::proved(bound),
+            Some(_) => Promise::sampled(bound),
+        }
+    }
+
     /// Notes what the file is checked against, where faces are written whole with the vertices that they share.
     pub(crate) fn plan_whole(&self, plan: &mut MeshPlan) {
         let polygons = self.mesh.faces.iter().map(|face| face.corners().iter().map(|corner| corner.position));

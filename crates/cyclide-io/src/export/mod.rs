@@ -12,4 +12,6 @@ pub(crate) mod options;
 pub(crate) mod parts;
 pub(crate) mod pieces;
 pub(crate) mod ready;
+pub(crate) mod shape;
 pub(crate) mod side_use;
+pub(crate) mod triangle_cells;

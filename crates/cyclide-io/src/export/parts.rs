@@ -2,7 +2,8 @@
 //! bodies, each with the object that it belongs to.
 
 use crate::export::error::ExportError;
-use cyclide::{Aabb, Body, CurveObject, Item, Model, bounds};
+use crate::export::shape::Shape;
+use cyclide::{Aabb, CurveObject, Item, Model, bounds};
 
 /// A body of a surface with the object it belongs to.
 pub(crate) struct BodyOf<'a> {
@@ -16,7 +17,7 @@ pub(crate) struct BodyOf<'a> {
     pub(crate) index: usize,
     /// How many bodies the object has: one per surface, or more where one falls apart into lobes.
     pub(crate) count: usize,
-    pub(crate) body: Body,
+    pub(crate) body: Shape<'a>,
 }
 
 impl BodyOf<'_> {
@@ -60,10 +61,13 @@ impl Contour<'_> {
 pub(crate) fn bodies(model: &Model) -> Result<Vec<BodyOf<'_>>, ExportError> {
     let mut bodies = Vec::new();
     for (item, it) in model.items.iter().enumerate() {
-        let mut own = Vec::new();
+        let mut own: Vec<(usize, Shape<'_>)> = Vec::new();
         for (index, surface) in it.surfaces.iter().enumerate() {
             let lowered = |source| ExportError::Surface { object: it.name.clone(), surface: index, source };
-            own.extend(surface.to_bodies().map_err(lowered)?.into_iter().map(|body| (index, body)));
+            if let Some(triangles) = surface.as_triangles() {
+                own.push((index, Shape::of_triangles(triangles).map_err(lowered)?));
+            }
+            own.extend(surface.to_bodies().map_err(lowered)?.into_iter().map(|body| (index, body.into())));
         }
         let count = own.len();
         let named = |(index, (surface, body))| BodyOf { object: &it.name, item, surface, index, count, body };

@@ -1,6 +1,7 @@
 //! The pieces that one file may be made of: cells of meshes and vertices of polylines, over all objects together.
 
-use cyclide::{Body, CurvePlace, Error, ParamCurve, Point3, SurfaceMesh, flatten_within, tessellate_within};
+use crate::export::shape::Shape;
+use cyclide::{CurvePlace, Error, ParamCurve, Point3, SurfaceMesh, flatten_within, tessellate_within};
 use std::cell::Cell;
 
 /// A cap on pieces, and how many are used.
@@ -23,9 +24,13 @@ impl Pieces {
     }
 
     /// As [`tessellate`](cyclide::tessellate), with the cells that are left.
-    pub(crate) fn tessellate(&self, body: &Body, tolerance: f64) -> cyclide::Result<SurfaceMesh> {
+    pub(crate) fn tessellate(&self, shape: &Shape<'_>, tolerance: f64) -> cyclide::Result<SurfaceMesh> {
         let left = self.left();
-        let mesh = tessellate_within([body], tolerance, left).map_err(|e| self.of_file(e, left))?;
+        let mesh = match shape {
+            Shape::Faces(body) => tessellate_within([body], tolerance, left),
+            Shape::Triangles(surface, _) => surface.tessellate_within(tolerance, left).map(|made| made.mesh),
+        };
+        let mesh = mesh.map_err(|e| self.of_file(e, left))?;
         self.used.set(self.used.get() + mesh.faces.len());
         Ok(mesh)
     }

@@ -31,6 +31,7 @@ pub(super) static ENTRY: Entry = Entry {
     title: "CSV",
     suffixes: &["csv"],
     lacks: Some(Kind::Surfaces),
+    holds_exact_only: false,
     write,
     reading: Some(Reading { read: read_whole, compare, rounds_by_model: false }),
 };

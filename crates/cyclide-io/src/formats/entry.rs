@@ -24,6 +24,8 @@ pub(crate) struct Entry {
     pub(crate) suffixes: &'static [&'static str],
     /// The kind of objects that it cannot hold.
     pub(crate) lacks: Option<Kind>,
+    /// True if surfaces stand in it by their exact form, or by exact lines of it.
+    pub(crate) holds_exact_only: bool,
     /// Writes a model.
     pub(crate) write: fn(&Job<'_>) -> Result<Exported, ExportError>,
     /// The way back; `None` where the file holds no geometry.

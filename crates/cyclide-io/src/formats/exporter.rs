@@ -5,6 +5,7 @@ use crate::export::error::ExportError;
 use crate::export::exported::Exported;
 use crate::export::job::Job;
 use crate::export::options::ExportOptions;
+use crate::export::parts::BodyOf;
 use crate::export::ready::ReadyModel;
 use crate::formats::Format;
 use crate::formats::entry::{Entry, Kind};
@@ -49,6 +50,7 @@ impl<'a> Exporter<'a> {
     pub fn export(&self, format: Format, options: &ExportOptions) -> Result<Exported, ExportError> {
         let job = Job::new(&self.ready, options)?;
         let entry = format.entry();
+        check_exact_form(&self.ready.bodies, entry)?;
         let left_out = left_out(self.ready.model, entry)?;
         let mut file = (entry.write)(&job)?;
         file.notes.extend(left_out);
@@ -64,6 +66,16 @@ impl<'a> Exporter<'a> {
     /// As [`file_deviation`](crate::file_deviation).
     pub fn deviation(&self, format: Format, file: &Exported) -> Result<f64, ReadError> {
         Ok(deviations_of(&self.ready, format, file)?.largest())
+    }
+}
+
+/// Refuses surfaces without an exact form where the format holds exact ones only.
+fn check_exact_form(bodies: &[BodyOf<'_>], format: &Entry) -> Result<(), ExportError> {
+    match bodies.iter().find(|body| body.body.triangles().is_some()) {
+        Some(body) if format.holds_exact_only => {
+            Err(ExportError::NoExactForm { object: body.object.to_owned(), format: format.title })
+        }
+        _ => Ok(()),
     }
 }
 

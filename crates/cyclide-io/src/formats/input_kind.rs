@@ -24,6 +24,9 @@ pub enum InputKind {
     Foreign(&'static str, &'static str),
 }
 
+/// A mesh in a format that is read by one type of object, or by none.
+const OTHER_MESH: InputKind = InputKind::Foreign("a mesh of another format", "save it as OBJ, with its quads");
+
 /// Bytes of a file that tell what it is.
 const HEAD: usize = 4096;
 
@@ -42,9 +45,7 @@ impl InputKind {
             "iges" | "igs" | "brep" | "3dm" | "sat" | "fcstd" => {
                 Self::Foreign("a CAD file", "export points of its curves as CSV, or a mesh of quads as OBJ")
             }
-            "gltf" | "ply" | "off" | "3mf" | "fbx" | "dae" | "blend" => {
-                Self::Foreign("a mesh of another format", "save it as OBJ, with its quads")
-            }
+            "gltf" | "ply" | "off" | "3mf" | "fbx" | "dae" | "blend" => OTHER_MESH,
             "dwg" | "pdf" | "ai" | "eps" => Self::Foreign("a drawing", "export points of its curves as CSV"),
             "xlsx" | "xls" | "ods" => Self::Foreign("a spreadsheet", "save it as CSV"),
             "gpx" | "kml" | "geojson" => Self::Foreign("a geographic file", "save its points as CSV, in a plane grid"),
@@ -61,9 +62,11 @@ impl InputKind {
     #[must_use]
     pub fn of_bytes(bytes: &[u8]) -> Option<Self> {
         let head = &bytes[..bytes.len().min(HEAD)];
-        let magic: [(&[u8], Self); 4] = [
+        let magic: [(&[u8], Self); 6] = [
             (b"glTF", Self::written(Format::Glb)),
             (b"\x89PNG", Self::written(Format::Png)),
+            (b"ply\n", OTHER_MESH),
+            (b"ply\r\n", OTHER_MESH),
             (b"%PDF", Self::Foreign("a drawing", "export points of its curves as CSV")),
             (b"PK\x03\x04", Self::Foreign("an archive or a spreadsheet", "unpack it, or save it as CSV")),
         ];
@@ -117,6 +120,11 @@ impl InputKind {
         None
     }
 
+    /// True for what may be a mesh.
+    pub(crate) fn is_mesh(self) -> bool {
+        [Self::Mesh, OTHER_MESH, Self::written(Format::Glb), Self::written(Format::Stl)].contains(&self)
+    }
+
     /// What people call it.
     #[must_use]
     pub const fn name(self) -> &'static str {
@@ -158,6 +166,7 @@ mod tests {
             (b"x,y,speed,u,v\n0,1,2,3,4\n", Some(InputKind::Points)),
             (b"x,y,i,j\n0,1,2,3\n", Some(InputKind::Points)),
             (b"x,y,z,i,j,k\n0,1,2,0,0,1\n", Some(InputKind::Points)),
+            (b"ply\nformat ascii 1.0\nelement vertex 3\n", Some(OTHER_MESH)),
             (b"vertex v\n", None),
             (b"", None),
             (b"\xff\xfe\x00", None),

@@ -19,9 +19,10 @@ use entry::Entry;
 
 pub(crate) use csv::push_sample;
 pub use exporter::{Exporter, export};
+pub(crate) use glb::read_scene;
 pub use input_kind::InputKind;
+pub(crate) use obj::read_polygons;
 pub use obj::{ObjGrid, read_quad_grid};
-pub(crate) use obj::{PolygonMesh, read_polygons};
 pub(crate) use read_back::deviations_of;
 pub use read_back::{file_deviation, read_back};
 pub(crate) use stl::read_triangles;

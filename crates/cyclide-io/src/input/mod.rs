@@ -1,4 +1,7 @@
-//! What is read of users: files and standard input as bytes, lists of points.
+//! What is read of users: files and standard input as bytes, lists of points, meshes.
 
 pub(crate) mod file;
+pub(crate) mod ply;
 pub(crate) mod points;
+pub(crate) mod polygon_mesh;
+pub(crate) mod triangle_mesh;

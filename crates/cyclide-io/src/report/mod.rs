@@ -7,10 +7,11 @@ mod file;
 mod polyhedron;
 mod sample;
 mod seam;
+mod smooth;
 mod surface;
 mod text;
 
-use cyclide::Units;
+use cyclide::{SurfaceObject, Units};
 use indexmap::IndexMap;
 use serde::Serialize;
 
@@ -22,6 +23,7 @@ pub use file::{CheckError, FileReport};
 pub use polyhedron::PolyhedronReport;
 pub use sample::{Spacing, sample};
 pub use seam::SeamReport;
+pub use smooth::{ComparisonReport, SmoothReport};
 pub use surface::{CircularReport, PartReport, PatchPlace, ShapeReport, SingularPatchReport, SurfaceReport};
 
 /// The report on a model and the files made of it. As JSON, values that are not finite are `null`.
@@ -58,6 +60,8 @@ pub enum GeometryReport {
     Curves(CurvesReport),
     /// Surfaces.
     Surface(SurfaceReport),
+    /// A smooth surface over triangles.
+    Smooth(SmoothReport),
 }
 
 /// Smallest and largest value.
@@ -103,6 +107,8 @@ impl ObjectReport {
     pub fn new(built: &BuiltObject, tolerance: Option<f64>) -> Self {
         let geometry = if built.item.surfaces.is_empty() {
             GeometryReport::Curves(CurvesReport::new(built, tolerance))
+        } else if let Some(triangles) = built.item.surfaces.iter().find_map(SurfaceObject::as_triangles) {
+            GeometryReport::Smooth(SmoothReport::new(built, triangles))
         } else {
             GeometryReport::Surface(SurfaceReport::new(built))
         };

@@ -1,7 +1,9 @@
 //! Samples of one object as CSV: points with tangent and curvature along curves, with normal and principal curvatures
 //! on surfaces.
 
-use cyclide::{ArcLength, Body, CyclidePatch, FaceSurface, Item, ParamSurface as _, ShellFace};
+use cyclide::{
+    ArcLength, Body, CyclidePatch, FaceSurface, Item, ParamSurface as _, ShellFace, SurfaceObject, TriangleSurface,
+};
 
 use crate::check::file_sample::FileSample;
 use crate::document::BuiltObject;
@@ -27,10 +29,47 @@ pub enum Spacing {
 /// fastest, the outer unit normal, and principal curvatures that are negative where the surface bends away from it; a
 /// column `body` (from 0) in front if there are several. `spacing` is for curves.
 ///
+/// Smooth surfaces over triangles: columns `triangle,a,b,x,y,z,normal_x,normal_y,normal_z` with triangles from 0, the first two
+/// barycentric coordinates, `count` places along each side.
+///
 /// Fields are empty where a tangent, normal or curvature does not exist.
 #[must_use]
 pub fn sample(built: &BuiltObject, count: usize, spacing: Spacing) -> String {
+    if let Some(surface) = built.item.surfaces.iter().find_map(SurfaceObject::as_triangles) {
+        return triangles(surface, count);
+    }
     if built.bodies.is_empty() { curves(&built.item, count, spacing) } else { surfaces(&built.bodies, count) }
+}
+
+fn triangles(surface: &TriangleSurface, count: usize) -> String {
+    let mut out = "triangle,a,b,x,y,z,normal_x,normal_y,normal_z\n".to_owned();
+    let steps = count.saturating_sub(1).max(1);
+    for triangle in 0..surface.triangle_count() {
+        let Some(patch) = surface.patch(triangle) else { continue };
+        for a in 0..=steps {
+            for b in 0..=steps - a {
+                let place = patch.point_and_normal([a, b, steps - a - b].map(|v| v as f64)).ok();
+                let vectors = place.map(|(p, normal)| [p.to_array(), normal.to_array()]);
+                out += &triangle.to_string();
+                for value in [a, b].map(|v| Some(v as f64 / steps as f64)) {
+                    push_field(&mut out, value);
+                }
+                for k in 0..6 {
+                    push_field(&mut out, vectors.map(|v| v[k / 3][k % 3]));
+                }
+                out.push('\n');
+            }
+        }
+    }
+    out
+}
+
+/// A comma and the value, if there is one.
+fn push_field(out: &mut String, value: Option<f64>) {
+    out.push(',');
+    if let Some(value) = value {
+        push_plain(out, value);
+    }
 }
 
 /// Fractions 0, 1/(count-1), … 1.
@@ -90,10 +129,7 @@ fn push_surface_sample(out: &mut String, face: &ShellFace, s: f64, t: f64) {
     };
     let curvatures = curvatures.map(|k| Some(side * k).filter(|k| k.is_finite()));
     for value in [s, t].map(Some).into_iter().chain(point).chain(normal).chain(curvatures) {
-        out.push(',');
-        if let Some(value) = value {
-            push_plain(out, value);
-        }
+        push_field(out, value);
     }
     out.push('\n');
 }

@@ -10,7 +10,7 @@ use super::{
     ShapeReport, SurfaceReport,
 };
 
-fn short(value: f64) -> String {
+pub(super) fn short(value: f64) -> String {
     ShortNumber(value).to_string()
 }
 
@@ -22,7 +22,7 @@ fn range(range: &RangeReport) -> String {
     }
 }
 
-fn plural(count: usize, one: &str) -> String {
+pub(super) fn plural(count: usize, one: &str) -> String {
     format!("{count} {one}{}", if count == 1 { "" } else { "s" })
 }
 
@@ -58,6 +58,7 @@ impl ObjectReport {
         match &self.geometry {
             GeometryReport::Curves(curves) => curves.facts(&mut facts),
             GeometryReport::Surface(surface) => surface.facts(&mut facts),
+            GeometryReport::Smooth(surface) => surface.facts(&mut facts),
         }
         if self.construction {
             facts.push("construction".to_owned());
@@ -67,6 +68,7 @@ impl ObjectReport {
         match &self.geometry {
             GeometryReport::Curves(curves) => curves.lines(units, &mut line)?,
             GeometryReport::Surface(surface) => surface.lines(units, &mut line)?,
+            GeometryReport::Smooth(surface) => surface.lines(units, &mut line)?,
         }
         if !self.warnings.is_empty() {
             line("warnings", self.warnings.len().to_string())?;
@@ -76,7 +78,7 @@ impl ObjectReport {
 }
 
 /// Writes one line of a report: its label and its text.
-type Line<'a> = &'a mut dyn FnMut(&str, String) -> fmt::Result;
+pub(super) type Line<'a> = &'a mut dyn FnMut(&str, String) -> fmt::Result;
 
 impl CurvesReport {
     fn facts(&self, facts: &mut Vec<String>) {
@@ -153,7 +155,7 @@ impl FairnessReport {
 }
 
 /// An area or a volume.
-fn measure(value: f64, units: &str, power: &str) -> String {
+pub(super) fn measure(value: f64, units: &str, power: &str) -> String {
     if value.is_nan() { "not known".to_owned() } else { format!("{} {units}{power}", short(value)) }
 }
 

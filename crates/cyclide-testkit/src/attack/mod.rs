@@ -20,6 +20,7 @@ mod revolutions;
 pub mod runner;
 mod scales;
 mod swept;
+mod triangles;
 
 pub use random::Random;
 
@@ -45,15 +46,17 @@ type Class = (&'static str, u32, fn(&mut Random) -> Objects);
 pub(crate) struct Objects {
     objects: Vec<(&'static str, Value)>,
     has_surfaces: bool,
+    /// The tolerance if none is drawn.
+    tolerance: Option<f64>,
 }
 
 impl Objects {
     fn curve(object: Value) -> Self {
-        Self { objects: vec![("a", object)], has_surfaces: false }
+        Self { objects: vec![("a", object)], has_surfaces: false, tolerance: None }
     }
 
     fn surface(object: Value) -> Self {
-        Self { objects: vec![("a", object)], has_surfaces: true }
+        Self { objects: vec![("a", object)], has_surfaces: true, tolerance: None }
     }
 
     /// The first object as construction geometry, and a second one made from it.
@@ -62,11 +65,11 @@ impl Objects {
             first["construction"] = json!(true);
         }
         base.objects.push((name, object));
-        Self { objects: base.objects, has_surfaces }
+        Self { objects: base.objects, has_surfaces, tolerance: base.tolerance }
     }
 }
 
-const CLASSES: [Class; 19] = [
+const CLASSES: [Class; 20] = [
     ("points", 6, points::object),
     ("hairpins", 4, hairpins::object),
     ("ends", 4, ends::object),
@@ -86,6 +89,7 @@ const CLASSES: [Class; 19] = [
     ("necks", 1, swept::neck),
     ("bridges", 1, swept::bridge),
     ("rails", 1, swept::between_rails),
+    ("triangles", 1, triangles::surface),
 ];
 
 /// Document `number` of the attack with this seed.
@@ -105,7 +109,7 @@ pub fn document(seed: u64, number: u64) -> Attack {
     let made = chosen.2(&mut random);
     let objects: serde_json::Map<String, Value> =
         made.objects.into_iter().map(|(name, object)| (name.to_owned(), object)).collect();
-    let tolerance = random.chance(0.3).then(|| random.decades(-9.0, 1.0));
+    let tolerance = random.chance(0.3).then(|| random.decades(-9.0, 1.0)).or(made.tolerance);
     let document = json!({"cyclide": 1, "units": "mm", "objects": objects});
     Attack { class: chosen.0, document, has_surfaces: made.has_surfaces, tolerance }
 }

@@ -29,15 +29,16 @@ impl Conformal for CurveObject {
 }
 
 impl Conformal for SurfaceObject {
-    /// The image under any map that keeps the surface finite.
+    /// The image under any map that keeps the surface finite, of a surface over triangles under a similarity.
     ///
     /// # Errors
-    /// As the surface's own `transformed`.
+    /// As the surface's own `transformed` or `similar`.
     fn transformed(&self, map: &Mobius) -> Result<Self> {
         match self {
             Self::Patch(patch) => patch.transformed(map).map(Self::Patch),
             Self::Net(net) => net.transformed(map).map(Self::Net),
             Self::Body(body) => body.transformed(map).map(Self::Body),
+            Self::Triangles(surface) => surface.similar(map).map(Self::Triangles),
         }
     }
 }
@@ -118,7 +119,7 @@ impl SurfaceObject {
     }
 
     /// The parallel surface at a signed distance along the unit normal, exact; `None` for a solid, whose normal is not
-    /// one along its creases.
+    /// one along its creases, and for a surface over triangles.
     ///
     /// # Errors
     /// As the surface's own `offset`.
@@ -127,11 +128,12 @@ impl SurfaceObject {
         match self {
             Self::Patch(patch) => Some(patch.offset(distance).map(Self::Patch)),
             Self::Net(net) => Some(net.offset(distance).map(Self::Net)),
-            Self::Body(_) => None,
+            Self::Body(_) | Self::Triangles(_) => None,
         }
     }
 
-    /// The solid between the surface and its parallel surface; `None` for what is a solid between two surfaces already.
+    /// The solid between the surface and its parallel surface; `None` for what is a solid between two surfaces already,
+    /// and for a surface over triangles.
     ///
     /// # Errors
     /// As [`CyclidicNet::thick`].
@@ -140,7 +142,7 @@ impl SurfaceObject {
         match self {
             Self::Patch(patch) => Some(CyclidicNet::from(*patch).thick(distance).map(Self::Body).map_err(of_one_quad)),
             Self::Net(net) => Some(net.thick(distance).map(Self::Body)),
-            Self::Body(_) => None,
+            Self::Body(_) | Self::Triangles(_) => None,
         }
     }
 

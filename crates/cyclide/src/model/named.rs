@@ -4,7 +4,7 @@ use super::object::{CurveObject, Item, Model, Units};
 use super::surface_object::SurfaceObject;
 use crate::construct::Biarc;
 use crate::curve::{Arc, ArcPath, BlendLaw, Circle, CircleSpline};
-use crate::surface::{CyclidePatch, CyclidicNet};
+use crate::surface::{CyclidePatch, CyclidicNet, SmoothMesh, SphereBlend, TriangleSurface};
 use crate::topology::{Body, Shell};
 
 impl Model {
@@ -64,6 +64,8 @@ impl SurfaceObject {
             Self::Patch(_) => "cyclide-patch",
             Self::Net(_) => "cyclidic-net",
             Self::Body(_) => "body",
+            Self::Triangles(TriangleSurface::Mesh(_)) => "smooth-mesh",
+            Self::Triangles(TriangleSurface::Blend(_)) => "sphere-blend",
         }
     }
 }
@@ -80,11 +82,23 @@ macro_rules! becomes {
 }
 
 becomes!(CurveObject: Arc => Arc, Circle => Circle, ArcPath => ArcPath, CircleSpline => CircleSpline);
-becomes!(SurfaceObject: CyclidePatch => Patch, CyclidicNet => Net, Body => Body);
+becomes!(SurfaceObject: CyclidePatch => Patch, CyclidicNet => Net, Body => Body, TriangleSurface => Triangles);
 
 impl From<Biarc> for CurveObject {
     fn from(biarc: Biarc) -> Self {
         Self::ArcPath(biarc.to_path())
+    }
+}
+
+impl From<SmoothMesh> for SurfaceObject {
+    fn from(mesh: SmoothMesh) -> Self {
+        Self::Triangles(mesh.into())
+    }
+}
+
+impl From<SphereBlend> for SurfaceObject {
+    fn from(blend: SphereBlend) -> Self {
+        Self::Triangles(blend.into())
     }
 }
 

@@ -1,7 +1,7 @@
 //! Any surface of the kernel, on its way to files.
 
 use crate::error::Result;
-use crate::surface::{CyclidePatch, CyclidicNet};
+use crate::surface::{CyclidePatch, CyclidicNet, TriangleSurface};
 use crate::topology::{Body, Shell};
 
 /// Any surface of the kernel.
@@ -23,6 +23,8 @@ pub enum SurfaceObject {
     /// Faces of any kind as they are sewn: a solid between a net and its offset, made by [`CyclidicNet::thick`], or what has no
     /// shorter name.
     Body(Body),
+    /// A surface over triangles, which has no exact form and no faces.
+    Triangles(TriangleSurface),
 }
 
 impl SurfaceObject {
@@ -32,8 +34,14 @@ impl SurfaceObject {
         if let Self::Net(net) = self { Some(net) } else { None }
     }
 
-    /// The surface as patches that share edges, what every exporter reads: one body, or the lobes of a net that hangs
-    /// together in nodes only, as [`CyclidicNet::to_shells`].
+    /// The surface over triangles, if it is one.
+    #[must_use]
+    pub fn as_triangles(&self) -> Option<&TriangleSurface> {
+        if let Self::Triangles(surface) = self { Some(surface) } else { None }
+    }
+
+    /// The surface as patches that share edges: one body, or the lobes of a net that hangs together in nodes only, as
+    /// [`CyclidicNet::to_shells`]; none of a surface over triangles, see [`as_triangles`](Self::as_triangles).
     ///
     /// # Errors
     /// Only where an edge is beyond the range of the kernel's numbers.
@@ -43,6 +51,7 @@ impl SurfaceObject {
             Self::Patch(patch) => Ok(vec![alone(Shell::from_surface(*patch)?)]),
             Self::Net(net) => Ok(net.to_shells()?.into_iter().map(alone).collect()),
             Self::Body(body) => Ok(vec![body.clone()]),
+            Self::Triangles(_) => Ok(Vec::new()),
         }
     }
 }

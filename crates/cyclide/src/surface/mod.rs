@@ -10,6 +10,7 @@ mod quad_grid;
 mod seam;
 mod smooth;
 mod sphere_blend;
+mod triangle_surface;
 
 pub use dupin::{CyclideKind, DupinCyclide};
 pub(crate) use net::SameVertices;
@@ -18,5 +19,8 @@ pub use param_surface::ParamSurface;
 pub use patch::{CyclidePatch, ImplicitForm, PatchKind, PatchLocation, PatchRow};
 pub use quad_grid::QuadGrid;
 pub use seam::{Seam, SeamMeasure};
-pub use smooth::{SmoothEdge, SmoothMeasure, SmoothMesh, SmoothTriangle, VertexNormals};
+pub use smooth::{
+    NormalWeights, SmoothComparison, SmoothEdge, SmoothMeasure, SmoothMesh, SmoothTriangle, VertexNormals,
+};
 pub use sphere_blend::SphereBlend;
+pub use triangle_surface::{SideLine, TrianglePatch, TriangleSurface};

@@ -13,6 +13,7 @@
 //! over neighbouring triangles meet in their corners only, see [`SmoothMesh`](super::SmoothMesh) for surfaces over meshes.
 
 use super::barycentric::Barycentric;
+use super::smooth::Jet;
 use crate::base::range;
 use crate::base::vector::{Point3, Vec3};
 use crate::error::{Error, ErrorItem, Result};
@@ -144,6 +145,11 @@ impl SphereBlend {
         Ok(Self { corners, size, spokes, radius: centre.length(), normal, leave: [[1.0, 0.0]; 3] })
     }
 
+    /// The patch with the same angles at its corners, taken in an order, over a similar triangle.
+    pub(super) fn over_similar(&self, corners: [Point3; 3], order: [usize; 3]) -> Result<Self> {
+        Ok(Self { leave: order.map(|k| self.leave[k]), ..Self::over(corners)? })
+    }
+
     /// Corners.
     #[must_use]
     pub fn corners(&self) -> [Point3; 3] {
@@ -160,11 +166,7 @@ impl SphereBlend {
         if let Some(corner) = at.corner() {
             return Ok(self.corners[corner]);
         }
-        let lift = self.place(&at)?.lift;
-        // From the nearest corner: the circumcentre of a thin triangle is far away.
-        let (nearest, coordinates) = (self.corners[at.largest()], at.coordinates());
-        let flat = (0..3).fold(Vec3::ZERO, |sum, i| sum + (self.corners[i] - nearest) * coordinates[i]);
-        Ok(nearest + (flat + lift * self.size))
+        Ok(self.point_of(&at, &self.place(&at)?))
     }
 
     /// Unit normal at barycentric coordinates, on the side from which the corners are seen counter-clockwise where the patch is not folded over.
@@ -175,6 +177,19 @@ impl SphereBlend {
         let at = Barycentric::new(lambda)?;
         let [d1, d2] = self.place(&at)?.derivatives;
         d1.cross(d2).unit().ok_or(Error::UndefinedNormal { vertex: at.largest(), length: 0.0, limit: 0.0 })
+    }
+
+    /// Point and derivatives at a place that is no corner.
+    pub(super) fn jet(&self, at: &Barycentric) -> Result<Jet> {
+        let place = self.place(at)?;
+        Ok(Jet { point: self.point_of(at, &place), derivatives: place.derivatives.map(|d| d * self.size) })
+    }
+
+    fn point_of(&self, at: &Barycentric, place: &Place) -> Point3 {
+        // From the nearest corner: the circumcentre of a thin triangle is far away.
+        let (nearest, coordinates) = (self.corners[at.largest()], at.coordinates());
+        let flat = (0..3).fold(Vec3::ZERO, |sum, i| sum + (self.corners[i] - nearest) * coordinates[i]);
+        nearest + (flat + place.lift * self.size)
     }
 
     /// The derivatives by the first two coordinates, the third being what is left to 1

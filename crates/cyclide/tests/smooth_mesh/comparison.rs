@@ -81,6 +81,18 @@ fn jumps_are_those_of_the_table() {
         });
         let normals = |t: usize| surface.corner_normals()[t].map(|n| surface.normals()[n]);
         let pn_jump = jump(&surface, |t, at| Pn(corners(t), normals(t)).normal(at));
+        let compared = surface.comparison().unwrap();
+        // The form here has its derivatives from differences of 1e-6: ten digits.
+        assert!((compared.pn_jump.to_degrees() - pn_jump).abs() < 1e-7, "{name}");
+        assert!((compared.flat_jump.to_degrees() - flat_jump).abs() < 1e-9, "{name}");
+        // Both sides are derivatives, equal but for rounding.
+        assert!(compared.jump < 1e-12, "{name}: {:e}", compared.jump);
+        let from_pn = |t: usize| {
+            let at = [0.25, 0.25, 0.5];
+            Pn(corners(t), normals(t)).point(at).distance(surface.triangle(t).unwrap().point(at).unwrap())
+        };
+        let at_one_place = (0..surface.triangles().len()).map(from_pn).fold(0.0, f64::max);
+        assert!(at_one_place <= compared.from_pn * (1.0 + 1e-12) && compared.from_pn < 2.0 * at_one_place, "{name}");
         // A little inside, where the normal is that of the derivatives and not the one that is shared.
         let own_jump = jump(&surface, |t, at| {
             let inside = at.map(|v| if v == 0.0 { 1e-10 } else { v });

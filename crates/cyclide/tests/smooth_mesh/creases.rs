@@ -1,11 +1,11 @@
 //! Edges that are kept sharp.
 
 use crate::shapes::{self, Mesh};
-use cyclide::{MeshFace, Point3, SmoothMesh, VertexNormals};
+use cyclide::{MeshFace, Mobius, NormalWeights, Point3, SmoothMesh, TriangleSurface, Vec3, VertexNormals};
 use std::f64::consts::{FRAC_PI_4, PI};
 
 fn creased(mesh: &Mesh, angle: f64) -> SmoothMesh {
-    SmoothMesh::new(&mesh.0, &mesh.1, VertexNormals::Creased { angle }).unwrap()
+    SmoothMesh::new(&mesh.0, &mesh.1, VertexNormals::Creased { angle, weights: NormalWeights::Angle }).unwrap()
 }
 
 #[test]
@@ -96,7 +96,70 @@ fn creases_may_end_anywhere() {
     assert!(surface.tessellate_within(1e-3).is_ok());
     assert!(creased(&mesh, PI).edges().iter().all(|edge| !edge.is_sharp()));
     for wrong in [-0.1, 4.0, f64::NAN] {
-        let refused = SmoothMesh::new(&mesh.0, &mesh.1, VertexNormals::Creased { angle: wrong });
+        let refused =
+            SmoothMesh::new(&mesh.0, &mesh.1, VertexNormals::Creased { angle: wrong, weights: NormalWeights::Angle });
         assert_eq!(refused.unwrap_err().reason(), "angle-out-of-range");
+    }
+}
+
+/// Normals given for corners that differ across edges make creases there; equal ones do not.
+#[test]
+fn normals_given_at_corners_say_where_creases_are() {
+    let (points, triangles) = shapes::cube();
+    let flat = |t: &[usize; 3]| {
+        let [a, b, c] = t.map(|v| points[v]);
+        (b - a).cross(c - a)
+    };
+    let faceted: Vec<[Vec3; 3]> = triangles.iter().map(|t| [flat(t); 3]).collect();
+    let given = SmoothMesh::new(&points, &triangles, VertexNormals::GivenAtCorners(&faceted)).unwrap();
+    let creased = creased(&(points.clone(), triangles.clone()), 1.0);
+    // The diagonals of the faces are no creases.
+    assert_eq!(given.edges().iter().filter(|edge| edge.is_sharp()).count(), 12);
+    for t in 0..triangles.len() {
+        for at in [[1.0, 1.0, 1.0], [3.0, 2.0, 0.0]] {
+            let [p, q] = [&given, &creased].map(|mesh| mesh.triangle(t).unwrap().point(at).unwrap());
+            assert!(p.distance(q) < 1e-15);
+        }
+    }
+    // Those of the smooth surface, to four digits as files have them, give it back to these.
+    let smooth = crate::laws::smooth(&(points.clone(), triangles.clone()));
+    let digits = |n: Vec3| Vec3::from(n.to_array().map(|x| (1e4 * x).round() / 1e4));
+    let corners: Vec<[Vec3; 3]> =
+        smooth.corner_normals().iter().map(|c| c.map(|n| digits(smooth.normals()[n]))).collect();
+    let read = SmoothMesh::new(&points, &triangles, VertexNormals::GivenAtCorners(&corners)).unwrap();
+    assert!(read.edges().iter().all(|edge| !edge.is_sharp()));
+    let apart = |t: usize| {
+        let [p, q] = [&read, &smooth].map(|mesh| mesh.triangle(t).unwrap().point([1.0; 3]).unwrap());
+        p.distance(q)
+    };
+    assert!((0..triangles.len()).all(|t| apart(t) < 1e-4));
+    let wrong = |given: &[[Vec3; 3]]| {
+        SmoothMesh::new(&points, &triangles, VertexNormals::GivenAtCorners(given)).unwrap_err().reason()
+    };
+    assert_eq!(wrong(&corners[1..]), "normal-count");
+    assert_eq!(wrong(&vec![[Vec3::ZERO; 3]; 12]), "undefined-normal");
+    assert_eq!(wrong(&vec![[Vec3::X * f64::NAN; 3]; 12]), "not-finite");
+}
+
+/// Creases stay creases however faint, and a mirror keeps the outer side outside.
+#[test]
+fn similar_images_keep_creases() {
+    let mesh = shapes::cylinder(12);
+    let surface = creased(&mesh, 0.6);
+    let sharp = |mesh: &SmoothMesh| mesh.edges().iter().filter(|edge| edge.is_sharp()).count();
+    assert!(sharp(&surface) > 0 && sharp(&surface) < surface.edges().len());
+    let mirror = Mobius::reflection(Point3::new(0.3, 0.0, 1.0), Vec3::new(1.0, 2.0, -2.0)).unwrap();
+    let TriangleSurface::Mesh(image) = TriangleSurface::from(surface.clone()).similar(&mirror).unwrap() else {
+        panic!("a mesh")
+    };
+    assert_eq!(sharp(&image), sharp(&surface));
+    let [own, other] = [&surface, &image].map(|mesh| mesh.measure().unwrap());
+    // As many roundings as places of the quadrature.
+    assert!((own.area / other.area - 1.0).abs() < 1e-12 && own.volume.is_some() == other.volume.is_some());
+    for t in 0..mesh.1.len() {
+        let (p, n) = surface.triangle(t).unwrap().point_and_normal([1.0, 2.0, 3.0]).unwrap();
+        let (q, m) = image.triangle(t).unwrap().point_and_normal([1.0, 3.0, 2.0]).unwrap();
+        assert!(mirror.map_point(p).unwrap().distance(q) < 1e-13);
+        assert!((mirror.push_forward(p, n).unwrap() - m).length() < 1e-12);
     }
 }

@@ -1,7 +1,7 @@
 //! Meshes that are none, and random ones: named errors, nothing else.
 
 use crate::shapes;
-use cyclide::{Point3, SmoothMesh, SmoothTriangle, Vec3, VertexNormals};
+use cyclide::{NormalWeights, Point3, SmoothMesh, SmoothTriangle, Vec3, VertexNormals};
 use proptest::prelude::*;
 
 fn refused(points: &[Point3], triangles: &[[usize; 3]]) -> cyclide::Error {
@@ -112,7 +112,7 @@ proptest! {
         crease in prop::option::of(0.0..3.2),
     ) {
         let points: Vec<Point3> = points.into_iter().map(Point3::from).collect();
-        let normals = crease.map_or(VertexNormals::AngleWeighted, |angle| VertexNormals::Creased { angle });
+        let normals = crease.map_or(VertexNormals::AngleWeighted, |angle| VertexNormals::Creased { angle, weights: NormalWeights::Angle });
         let made = SmoothMesh::new(&points, &triangles, normals).and_then(|surface| surface.tessellate(5));
         match made {
             Ok(mesh) => {

@@ -34,9 +34,11 @@ macro_rules! input {
 
 const CURVES: &[Format] = &[Format::Step, Format::Svg, Format::Png];
 const SURFACES: &[Format] = &[Format::Step, Format::Glb, Format::Png];
+/// Of surfaces without an exact form.
+const MESHES: &[Format] = &[Format::Glb, Format::Stl, Format::Png];
 
 /// All models, in the order of the page.
-pub const ENTRIES: [Entry; 20] = [
+pub const ENTRIES: [Entry; 22] = [
     Entry {
         name: "roof",
         title: "Free-form roof with two skins",
@@ -140,6 +142,22 @@ pub const ENTRIES: [Entry; 20] = [
         document: example!("volume_faces.json"),
         inputs: &[],
         formats: SURFACES,
+    },
+    Entry {
+        name: "stone",
+        title: "A scan made smooth",
+        text: "A smooth surface through the vertices of a scan of 500 triangles: the tangent plane is continuous, and its meshes are closed to the bit.",
+        document: example!("stone.json"),
+        inputs: &[input!("stone.ply")],
+        formats: MESHES,
+    },
+    Entry {
+        name: "sphere_blend",
+        title: "Blends of spheres over a triangle",
+        text: "A sphere at each corner shapes the patch between them: three points on one sphere give a piece of it, others a blend.",
+        document: example!("sphere_blend.json"),
+        inputs: &[],
+        formats: MESHES,
     },
     Entry {
         name: "track",

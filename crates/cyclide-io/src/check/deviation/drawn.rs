@@ -89,14 +89,14 @@ mod tests {
         let corners = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [0.0, 0.0, 1.0]].map(Point3::from);
         let patch = CyclidePatch::from_corners_and_frame(corners, Vec3::Y, Vec3::Z).unwrap();
         let body = Body { outer: Shell::from_surface(patch).unwrap(), voids: Vec::new() };
-        let bodies = [BodyOf { object: "octant", item: 0, surface: 0, index: 0, count: 1, body }];
+        let bodies = [BodyOf { object: "octant", item: 0, surface: 0, index: 0, count: 1, body: body.into() }];
         let line = |line: ShellLine| DrawnLine {
             place: LinePlace { body: 0, shell: 0, line },
             parts: Correspondence::one_to_one(1),
             promise: Promise::EXACT,
         };
         let circles = [0.25, 0.5].map(|s| line(ShellLine::AlongT { face: 0, s }));
-        let edges = (0..bodies[0].body.outer.edges().len()).map(|edge| line(ShellLine::Edge(edge)));
+        let edges = (0..bodies[0].body.shells().flat_map(Shell::edges).count()).map(|edge| line(ShellLine::Edge(edge)));
         let right: Vec<DrawnLine> = circles.into_iter().chain(edges).collect();
         let arcs = right.iter().map(|line| *line.place.curve(&bodies).unwrap().unwrap().arc().unwrap());
         let read: Vec<CurveChain> = arcs.map(|arc| ArcPath::new(vec![arc], false).unwrap().into()).collect();

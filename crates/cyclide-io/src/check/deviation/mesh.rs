@@ -12,13 +12,16 @@ use super::facing::{Facing, NORMAL_LIMIT, facet_error};
 use super::matching::larger;
 use super::nearest::NearestTriangle;
 use super::triangle::Triangle;
+use super::triangle_surface;
 use crate::check::file_content::ReadError;
 use crate::drawing::plane_regions::is_plane_quad;
 use crate::export::mesh_plan::{BodyPlan, Cell, MeshPlan};
 use crate::export::parts::BodyOf;
 use crate::export::side_use::{SideUse, side_use};
+use crate::export::triangle_cells::are_whole;
 use cyclide::{
-    FaceSurface, MeshCorner, MeshFace, MeshSource, ParamSurface as _, Point3, ShellFace, SurfaceJet, SurfaceMesh, Vec3,
+    FaceSurface, MeshCorner, MeshFace, MeshSource, ParamSurface as _, Point3, ShellFace, SurfaceJet, SurfaceMesh,
+    TriangleSurface, Vec3,
 };
 
 /// Points of a cell in each direction.
@@ -39,7 +42,7 @@ pub(crate) struct MeshForm {
 
 /// A polygon of the file.
 #[derive(Clone, Copy)]
-struct Polygon<'a> {
+pub(super) struct Polygon<'a> {
     /// Its mesh, and the mesh's number in the file.
     mesh: &'a SurfaceMesh,
     number: usize,
@@ -47,11 +50,21 @@ struct Polygon<'a> {
 }
 
 impl Polygon<'_> {
+    /// Its corners.
+    pub(super) fn corners(&self) -> impl Iterator<Item = Point3> {
+        self.face.corners().iter().map(|corner| self.point(corner))
+    }
+
+    /// The normals at these.
+    pub(super) fn normals(&self) -> impl Iterator<Item = Vec3> {
+        self.face.corners().iter().map(|corner| self.mesh.normals[corner.normal])
+    }
+
     fn point(&self, corner: &MeshCorner) -> Point3 {
         self.mesh.positions[corner.position]
     }
 
-    fn triangles(&self) -> impl Iterator<Item = Triangle> {
+    pub(super) fn triangles(&self) -> impl Iterator<Item = Triangle> {
         let corners = self.face.corners();
         crate::export::mesh::triangles(self.face).iter().map(move |t| Triangle::new(t.map(|i| self.point(&corners[i]))))
     }
@@ -88,7 +101,11 @@ pub(crate) fn mesh_deviation(
         if own.is_empty() {
             return Err(ReadError::NoPolygons { object: body.label() });
         }
-        deviations[index] = larger(deviations[index], body_deviation(form, body, cells, &own, plan)?);
+        let own_deviation = match body.body.triangles() {
+            None => body_deviation(form, body, cells, &own, plan)?,
+            Some(surface) => triangle_surface::deviation(form, body, surface, cells, &own, plan)?,
+        };
+        deviations[index] = larger(deviations[index], own_deviation);
         check_sides(form, body, cells, &own, plan)?;
     }
     Ok(deviations)
@@ -176,7 +193,11 @@ fn check_sides(
         let bits = |p: Point3| p.to_array().map(f64::to_bits);
         side_use(polygons.iter().map(|p| p.face.corners().iter().map(move |c| bits(p.point(c)))))
     };
-    let expected = if plan.merged { plan.sides } else { shell_sides(body, cells) };
+    let expected = match body.body.triangles() {
+        _ if plan.merged => plan.sides,
+        Some(surface) => SideUse { free: triangle_surface::free_sides(surface, cells), repeated: 0 },
+        None => shell_sides(body, cells),
+    };
     if found == expected {
         return Ok(());
     }
@@ -222,13 +243,19 @@ fn check_cover(bodies: &[BodyOf<'_>], cells: &[Cell]) -> Result<(), ReadError> {
     for (body, mut cells) in bodies.iter().zip(of_bodies) {
         cells.sort_by_key(|source| (source.shell, source.face));
         let mut rest = cells.as_slice();
-        let places =
+        let triangles = body.body.triangles();
+        let of_faces =
             body.body.shells().enumerate().flat_map(|(k, shell)| (0..shell.faces().len()).map(move |f| (k, f)));
-        for (number, place) in places.enumerate() {
+        let of_triangles = (0..triangles.map_or(0, TriangleSurface::triangle_count)).map(|triangle| (0, triangle));
+        for (number, place) in of_faces.chain(of_triangles).enumerate() {
             let count = rest.iter().take_while(|source| (source.shell, source.face) == place).count();
             let (own, after) = rest.split_at(count);
             rest = after;
-            if !cover.is_whole(own.iter().copied()) {
+            let whole = match triangles {
+                None => cover.is_whole(own.iter().copied()),
+                Some(_) => are_whole(own),
+            };
+            if !whole {
                 return Err(ReadError::NotCovered { object: body.label(), face: number });
             }
         }
@@ -360,7 +387,7 @@ mod tests {
         let cells = mesh.sources.iter().map(|source| Cell { body: 0, source: *source, polygons: 1 }).collect();
         let sides = side_use(mesh.faces.iter().map(|face| face.corners().iter().map(|corner| corner.position)));
         let plan = MeshPlan { cells, bodies: vec![BodyPlan { sides, merged: true, moved: 0.0 }] };
-        (BodyOf { object: "octant", item: 0, surface: 0, index: 0, count: 1, body }, mesh, plan)
+        (BodyOf { object: "octant", item: 0, surface: 0, index: 0, count: 1, body: body.into() }, mesh, plan)
     }
 
     fn measured(body: BodyOf<'_>, mesh: SurfaceMesh, plan: &MeshPlan) -> Result<f64, ReadError> {

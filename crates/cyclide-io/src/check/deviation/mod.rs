@@ -25,6 +25,7 @@ mod nearest;
 mod samples;
 mod track;
 mod triangle;
+mod triangle_surface;
 
 use crate::check::file_content::ReadError;
 use crate::export::exported::{WrittenCurve, knots_of};

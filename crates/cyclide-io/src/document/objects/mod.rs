@@ -8,6 +8,7 @@ mod nets;
 mod polyhedra;
 mod references;
 mod refuse;
+mod smooth;
 mod surfaces;
 mod swept;
 
@@ -20,13 +21,14 @@ use super::Document;
 use super::construct::ContourFacts;
 use super::coordinates::PointSource;
 use super::locate::{Step, path_text, span_of};
-use super::spec::{CyclidicNetSpec, GridSource, ObjectSpec, PolyhedronFile};
+use super::spec::{CyclidicNetSpec, GridSource, ObjectSpec, PolyhedronFile, TriangleMeshFile};
 use crate::error::{Error, Result};
 use crate::text::place::Diagnostic;
 pub use idle::NO_EFFECT;
 use nets::MeshNames;
 pub use polyhedra::RoundedPolyhedron;
 use references::{References, State};
+pub use smooth::SmoothChoice;
 
 /// An object made by its construction, with what is known about it besides its geometry.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -41,6 +43,8 @@ pub struct BuiltObject {
     pub seams: Vec<Seam>,
     /// The polyhedron whose edges and corners were rounded.
     pub polyhedron: Option<Box<RoundedPolyhedron>>,
+    /// What was chosen for a smooth mesh.
+    pub smooth: Option<SmoothChoice>,
     /// Construction geometry: not for files.
     pub construction: bool,
     /// One entry per contour.
@@ -128,6 +132,7 @@ impl<'a> ModelBuilder<'a> {
                     circular: None,
                     seams: Vec::new(),
                     polyhedron: None,
+                    smooth: None,
                     remarks,
                     warnings,
                     data: Vec::new(),
@@ -150,6 +155,7 @@ impl Document {
                 Some(file.obj.as_str())
             }
             (ObjectSpec::SmoothPolyhedron(spec), _) => spec.mesh.as_ref().map(PolyhedronFile::path),
+            (ObjectSpec::SmoothMesh(spec), _) => spec.mesh.as_ref().map(TriangleMeshFile::path),
             _ => None,
         })
     }
@@ -173,6 +179,8 @@ struct Builder<'a> {
     seams: Vec<Seam>,
     /// The polyhedron whose offset the object is.
     polyhedron: Option<Box<RoundedPolyhedron>>,
+    /// What was chosen for the smooth mesh that it is.
+    smooth: Option<SmoothChoice>,
     remarks: Vec<Remark>,
     warnings: Vec<(usize, Warning)>,
     /// The points of a fit.
@@ -203,8 +211,8 @@ impl Builder<'_> {
         let (warnings, data) = (self.warnings, self.data);
         let item = Item { name, kind, contours: curves, surfaces, warnings, tolerance, data };
         let construction = self.spec.is_construction();
-        let Self { circular, seams, polyhedron, remarks, .. } = self;
-        Ok(BuiltObject { item, bodies, circular, seams, polyhedron, construction, contours: facts, remarks })
+        let Self { circular, seams, polyhedron, smooth, remarks, .. } = self;
+        Ok(BuiltObject { item, bodies, circular, seams, polyhedron, smooth, construction, contours: facts, remarks })
     }
 
     fn remark(

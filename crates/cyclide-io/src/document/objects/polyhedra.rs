@@ -1,7 +1,5 @@
 //! Smooth offsets of convex polyhedra: from files, points and lists of faces to the kernel's body.
 
-use std::collections::HashMap;
-
 use cyclide::{ConvexPolyhedron, Error as KernelError, ErrorItem, Point3, ShortNumber, SurfaceObject};
 
 use super::Builder;
@@ -10,7 +8,9 @@ use crate::document::coordinates::PointSource;
 use crate::document::locate::Step;
 use crate::document::spec::{PolyhedronFile, SmoothPolyhedronSpec};
 use crate::error::{Error, Result};
-use crate::formats::{InputKind, PolygonMesh, read_polygons, read_triangles};
+use crate::formats::{InputKind, read_polygons, read_triangles};
+use crate::input::polygon_mesh::PolygonMesh;
+use crate::input::triangle_mesh::distinct;
 
 /// Part of the largest coordinate of an STL file by which a corner may be off its plane: sixteen roundings to single precision, for
 /// the planes of small triangles.
@@ -94,7 +94,7 @@ impl Builder<'_> {
             PolyhedronFile::Obj(_) => read_polygons(&name, &bytes),
             PolyhedronFile::Stl(_) => read_triangles(&name, &bytes).map(|points| {
                 let faces = (0..points.len() / 3).map(|k| vec![3 * k, 3 * k + 1, 3 * k + 2]).collect();
-                PolygonMesh { points, faces }
+                PolygonMesh { points, faces, ..PolygonMesh::default() }
             }),
         };
         let given = read.map_err(|message| match InputKind::of_bytes(&bytes) {
@@ -154,16 +154,7 @@ impl Builder<'_> {
 
 /// The mesh with one point for all that are equal, and without corners that repeat the one before.
 fn welded(points: &[Point3], faces: &[Vec<usize>]) -> (Vec<Point3>, Vec<Vec<usize>>) {
-    let mut number: HashMap<[u64; 3], usize> = HashMap::with_capacity(points.len());
-    let mut kept: Vec<Point3> = Vec::new();
-    // 0 and -0 are the same.
-    let same = points.iter().map(|p| {
-        *number.entry(p.to_array().map(|x| (x + 0.0).to_bits())).or_insert_with(|| {
-            kept.push(*p);
-            kept.len() - 1
-        })
-    });
-    let same: Vec<usize> = same.collect();
+    let (kept, same) = distinct(points);
     let face = |corners: &Vec<usize>| {
         let mut corners: Vec<usize> = corners.iter().map(|&v| same[v]).collect();
         corners.dedup();

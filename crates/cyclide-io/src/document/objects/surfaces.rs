@@ -15,6 +15,8 @@ impl Builder<'_> {
             ObjectSpec::Cyclide(spec) => self.cyclide(spec),
             ObjectSpec::CyclidicNet(spec) => self.net(spec),
             ObjectSpec::SmoothPolyhedron(spec) => self.smooth_polyhedron(spec),
+            ObjectSpec::SmoothMesh(spec) => self.smooth_mesh(spec),
+            ObjectSpec::SphereBlend(spec) => self.sphere_blend(spec),
             ObjectSpec::Offset(spec) => self.offset(spec),
             ObjectSpec::Transform(spec) => self.mapped_surfaces(spec),
             ObjectSpec::Revolution(spec) => self.revolution(spec),

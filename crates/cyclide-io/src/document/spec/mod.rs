@@ -8,6 +8,7 @@ mod fair;
 mod nets;
 mod polyhedra;
 mod radii;
+mod smooth;
 mod surfaces;
 mod swept;
 
@@ -31,6 +32,7 @@ pub use fair::{FairEndPair, FairEndSpec, FairEndWord, FairEndsSpec, FairSplineSp
 pub use nets::{CyclideSpec, CyclidicNetSpec, FrameSpec, GridSource, MeshFile};
 pub use polyhedra::{PolyhedronFile, SmoothPolyhedronSpec};
 pub use radii::RadiiSpec;
+pub use smooth::{NormalsSpec, SmoothMeshSpec, SphereBlendSpec, TriangleMeshFile};
 pub use surfaces::CyclidePatchSpec;
 pub use swept::{CircularSurfaceSpec, DiskSpec, EllipseBridgeSpec, PlateSpec, PlateWithNeckSpec, RuledSpec};
 
@@ -86,6 +88,10 @@ pub enum ObjectSpec {
     CyclidicNet(CyclidicNetSpec),
     /// A convex polyhedron with its edges and corners rounded.
     SmoothPolyhedron(SmoothPolyhedronSpec),
+    /// A smooth surface through the vertices of a triangle mesh.
+    SmoothMesh(SmoothMeshSpec),
+    /// A smooth patch over one triangle, shaped by three spheres.
+    SphereBlend(SphereBlendSpec),
     /// A parallel surface, or the solid between.
     Offset(OffsetSpec),
     /// What a curve sweeps when it turns about an axis.
@@ -113,6 +119,14 @@ pub struct TypeWord;
 impl<'de> Deserialize<'de> for TypeWord {
     fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         serde::de::IgnoredAny::deserialize(deserializer).map(|_| Self)
+    }
+}
+
+impl ObjectSpec {
+    /// False for types of surfaces that STEP and JSON do not hold: there are meshes of them only.
+    #[must_use]
+    pub fn has_exact_form(word: &str) -> bool {
+        !["smooth-mesh", "sphere-blend"].contains(&word)
     }
 }
 
@@ -173,6 +187,8 @@ object_types! {
     "cyclide" => Cyclide,
     "cyclidic-net" => CyclidicNet,
     "smooth-polyhedron" => SmoothPolyhedron,
+    "smooth-mesh" => SmoothMesh,
+    "sphere-blend" => SphereBlend,
     "offset" => Offset,
     "revolution" => Revolution,
     "pipe" => Pipe,

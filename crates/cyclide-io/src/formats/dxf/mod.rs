@@ -37,6 +37,7 @@ pub(super) static ENTRY: Entry = Entry {
     title: "DXF",
     suffixes: &["dxf"],
     lacks: Some(Kind::Surfaces),
+    holds_exact_only: false,
     write,
     reading: Some(Reading { read: |bytes| read(bytes).map(Drawing::into_content), compare, rounds_by_model: true }),
 };

@@ -9,6 +9,7 @@
 //! The edges of the patches can be drawn as lines on the vertices of the mesh.
 
 mod buffer;
+mod foreign;
 mod material;
 mod reader;
 
@@ -23,13 +24,15 @@ use crate::export::exported::{Exported, Promise, Written};
 use crate::export::job::Job;
 use crate::export::mesh::{BodyMesh, Single, between, body_meshes, check_single, polyline, single, triangles};
 use crate::export::parts::{BodyOf, Contour};
+use crate::export::shape::Shape;
 use crate::formats::entry::{Entry, Reading};
 use buffer::Buffer;
-use cyclide::{Aabb, Body, Item, MeshCorner, Point3, SurfaceMesh, bounds};
+use cyclide::{Aabb, Item, MeshCorner, Point3, SurfaceMesh, bounds};
 use material::{Look, UNLIT};
 use serde_json::{Value, json};
 use std::collections::HashMap;
 
+pub(crate) use foreign::read_scene;
 pub(crate) use reader::read;
 
 /// Modes of primitives.
@@ -84,6 +87,7 @@ pub(super) static ENTRY: Entry = Entry {
     title: "GLB",
     suffixes: &["glb"],
     lacks: None,
+    holds_exact_only: false,
     write,
     reading: Some(Reading { read, compare, rounds_by_model: false }),
 };
@@ -206,7 +210,7 @@ impl File {
             }
         }
         body.plan_triangles(&rounded, rounding.moved, |face| triangles(face).len(), &mut self.written.mesh);
-        self.written.bodies.push(Promise::proved(mesh.bound + rounding.moved));
+        self.written.bodies.push(body.promise(rounding.moved));
     }
 
     /// The primitive of a curve.
@@ -243,11 +247,13 @@ impl File {
 }
 
 /// The edges of the patches of a mesh, parts of one plane as one, as pairs of vertices, where those with the same rounded position are one.
-fn edges(body: &Body, mesh: &SurfaceMesh, rounded: &[[f32; 3]], vertices: &mut Vertices) -> Vec<u32> {
+fn edges(body: &Shape<'_>, mesh: &SurfaceMesh, rounded: &[[f32; 3]], vertices: &mut Vertices) -> Vec<u32> {
     let regions: Vec<Vec<usize>> = body.shells().map(plane_regions).collect();
     let faces = mesh.faces.iter().zip(&mesh.sources);
     let of_patch = faces.flat_map(|(face, source)| {
-        let patch = (source.shell, regions[source.shell][source.face]);
+        // The triangles of a surface without faces are its patches.
+        let region = regions.get(source.shell).and_then(|faces| faces.get(source.face));
+        let patch = (source.shell, region.copied().unwrap_or(source.face));
         triangles(face).iter().map(move |t| (patch, t.map(|i| face.corners()[i])))
     });
     let triangles: Vec<((usize, usize), [MeshCorner; 3])> = of_patch.collect();

@@ -49,6 +49,7 @@ pub(super) static ENTRY: Entry = Entry {
     title: "a file of exact B-splines",
     suffixes: &["json"],
     lacks: None,
+    holds_exact_only: true,
     write,
     reading: Some(Reading { read, compare, rounds_by_model: false }),
 };

@@ -11,7 +11,7 @@ use crate::check::file_content::ReadError;
 use crate::check::made::Made;
 use crate::formats::entry::{Entry, Reading};
 
-pub(crate) use polyhedron::{PolygonMesh, read_polygons};
+pub(crate) use polyhedron::read_polygons;
 pub use quad_grid::{ObjGrid, read_quad_grid};
 use read_back::read_back;
 use writer::{labels, write};
@@ -22,6 +22,7 @@ pub(super) static ENTRY: Entry = Entry {
     title: "OBJ",
     suffixes: &["obj"],
     lacks: None,
+    holds_exact_only: false,
     write,
     reading: Some(Reading { read: read_back, compare, rounds_by_model: false }),
 };

@@ -5,7 +5,7 @@
 
 use std::ops::Range;
 
-use cyclide::Point3;
+use cyclide::{Point3, Vec3};
 
 use crate::input::points::MOST_POINTS;
 use crate::text::lines::lines;
@@ -16,6 +16,8 @@ use crate::text::place::{Diagnostic, Source, quoted};
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Polygon {
     pub(super) corners: Vec<usize>,
+    /// Indices of the normals of its corners, where these are read and all of them have one.
+    pub(super) normals: Option<Vec<usize>>,
     pub(super) span: Range<usize>,
 }
 
@@ -26,6 +28,15 @@ pub(super) struct Polygons {
     /// Places of the points in the text.
     pub(super) spans: Vec<Range<usize>>,
     pub(super) faces: Vec<Polygon>,
+    /// Normals, where they are read.
+    pub(super) normals: Vec<Vec3>,
+}
+
+/// Whether the normals of a file are read.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Normals {
+    Read,
+    PassOver,
 }
 
 /// A word and its place.
@@ -43,7 +54,7 @@ const LONGEST_STATEMENT: usize = 65_536;
 /// # Errors
 /// A message with its place: a coordinate or index that is no number, too few of them, an index without a point, a
 /// statement that is too long.
-pub(super) fn parse(source: Source<'_>) -> Result<Polygons, Box<Diagnostic>> {
+pub(super) fn parse(source: Source<'_>, normals: Normals) -> Result<Polygons, Box<Diagnostic>> {
     let mut polygons = Polygons::default();
     for_each_statement(source, |words| {
         let [keyword, data @ ..] = words else { return Ok(()) };
@@ -67,7 +78,18 @@ pub(super) fn parse(source: Source<'_>) -> Result<Polygons, Box<Diagnostic>> {
                 }
                 let so_far = polygons.points.len();
                 let corners = data.iter().map(|word| index(source, *word, so_far)).collect::<Result<_, _>>()?;
-                polygons.faces.push(Polygon { corners, span });
+                let normals = match normals {
+                    Normals::Read => normals_of(source, data, polygons.normals.len())?,
+                    Normals::PassOver => None,
+                };
+                polygons.faces.push(Polygon { corners, normals, span });
+            }
+            "vn" if normals == Normals::Read => {
+                let [x, y, z, ..] = data else {
+                    return Err(source.diagnostic(span, "", "a normal needs three coordinates"));
+                };
+                let [x, y, z] = [coordinate(source, *x)?, coordinate(source, *y)?, coordinate(source, *z)?];
+                polygons.normals.push(Vec3::new(x, y, z));
             }
             _ => {}
         }
@@ -78,6 +100,11 @@ pub(super) fn parse(source: Source<'_>) -> Result<Polygons, Box<Diagnostic>> {
     for face in &polygons.faces {
         if let Some(k) = face.corners.iter().position(|corner| *corner >= count) {
             return Err(no_such_point(source, face, k, count));
+        }
+        let normals = polygons.normals.len();
+        if let Some(wrong) = face.normals.iter().flatten().find(|normal| **normal >= normals) {
+            let message = format!("there is no normal {}: the file has {normals}", wrong + 1);
+            return Err(source.diagnostic(face.span.clone(), "", message));
         }
     }
     Ok(polygons)
@@ -127,18 +154,43 @@ fn coordinate(source: Source<'_>, word: Word<'_>) -> Result<f64, Box<Diagnostic>
     }
 }
 
+/// The normals of the corners of a face, the third number of each; `None` if a corner has none.
+fn normals_of(source: Source<'_>, data: &[Word<'_>], so_far: usize) -> Result<Option<Vec<usize>>, Box<Diagnostic>> {
+    let third = |word: &Word<'_>| word.0.splitn(3, '/').nth(2).is_some_and(|number| !number.is_empty());
+    if !data.iter().all(third) {
+        return Ok(None);
+    }
+    data.iter().map(|word| numbered(source, *word, 2, "normal", so_far)).collect::<Result<_, _>>().map(Some)
+}
+
 /// Index from 0 of a corner's point; those past the points so far are checked when all are known.
 fn index(source: Source<'_>, word: Word<'_>, so_far: usize) -> Result<usize, Box<Diagnostic>> {
-    let number = word.0.split('/').next().unwrap_or_default();
+    numbered(source, word, 0, "point", so_far)
+}
+
+/// Index from 0 that one of the numbers of a corner stands for.
+fn numbered(
+    source: Source<'_>,
+    word: Word<'_>,
+    place: usize,
+    what: &str,
+    so_far: usize,
+) -> Result<usize, Box<Diagnostic>> {
+    let number = word.0.split('/').nth(place).unwrap_or_default();
     let Ok(number) = number.parse::<i64>() else {
-        return Err(refused(source, word, format!("`{}` does not start with the number of a point", quoted(word.0))));
+        let text = quoted(word.0);
+        let message = match place {
+            0 => format!("`{text}` does not start with the number of a {what}"),
+            _ => format!("`{text}` does not end with the number of a {what}"),
+        };
+        return Err(refused(source, word, message));
     };
     let back = usize::try_from(number.unsigned_abs()).unwrap_or(usize::MAX);
     match number {
         1.. => Ok(back - 1),
-        0 => Err(refused(source, word, "points are numbered from 1")),
+        0 => Err(refused(source, word, format!("{what}s are numbered from 1"))),
         _ => so_far
             .checked_sub(back)
-            .ok_or_else(|| refused(source, word, format!("there is no such point: {so_far} stand before this line"))),
+            .ok_or_else(|| refused(source, word, format!("there is no such {what}: {so_far} stand before this line"))),
     }
 }

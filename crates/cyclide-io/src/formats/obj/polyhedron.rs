@@ -1,16 +1,8 @@
 //! The points and faces of a mesh of any polygons.
 
-use cyclide::Point3;
-
-use super::polygons::{Polygons, parse};
+use super::polygons::{Normals, Polygons, parse};
+use crate::input::polygon_mesh::PolygonMesh;
 use crate::text::place::{Diagnostic, Source, decode};
-
-/// Points, and faces as loops of them.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub(crate) struct PolygonMesh {
-    pub(crate) points: Vec<Point3>,
-    pub(crate) faces: Vec<Vec<usize>>,
-}
 
 /// Reads the polygons of an OBJ file; `name` is what messages call it.
 ///
@@ -18,9 +10,16 @@ pub(crate) struct PolygonMesh {
 /// A message with file, line and column.
 pub(crate) fn read_polygons(name: &str, bytes: &[u8]) -> Result<PolygonMesh, Box<Diagnostic>> {
     let source = Source { name, text: decode(name, bytes)? };
-    let Polygons { points, faces, .. } = parse(source)?;
+    let Polygons { points, faces, normals, .. } = parse(source, Normals::Read)?;
     if faces.is_empty() {
         return Err(source.diagnostic(0..0, "", "the file holds no faces"));
     }
-    Ok(PolygonMesh { points, faces: faces.into_iter().map(|face| face.corners).collect() })
+    let whole = faces.iter().all(|face| face.normals.is_some());
+    let (normals, corner_normals) = if whole {
+        (normals, faces.iter().filter_map(|face| face.normals.clone()).collect())
+    } else {
+        Default::default()
+    };
+    let faces = faces.into_iter().map(|face| face.corners).collect();
+    Ok(PolygonMesh { points, faces, normals, corner_normals })
 }

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use cyclide::{Error, QuadGrid};
 
-use super::polygons::{Polygon, Polygons, parse};
+use super::polygons::{Normals, Polygon, Polygons, parse};
 use crate::text::place::{Diagnostic, Source, decode};
 
 /// A quad grid read from a file.
@@ -31,7 +31,7 @@ pub struct ObjGrid {
 /// fewer than three quads.
 pub fn read_quad_grid(name: &str, bytes: &[u8]) -> Result<ObjGrid, Box<Diagnostic>> {
     let source = Source { name, text: decode(name, bytes)? };
-    let polygons = parse(source)?;
+    let polygons = parse(source, Normals::PassOver)?;
     let mesh = Mesh::new(source, &polygons)?;
     mesh.check_connected()?;
     mesh.check_vertices()?;

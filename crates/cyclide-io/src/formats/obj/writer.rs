@@ -32,7 +32,7 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
             file.name("g", &body.body.label());
             file.mesh(mesh);
             body.plan_whole(&mut written.mesh);
-            written.bodies.push(Promise::proved(mesh.bound));
+            written.bodies.push(body.promise(0.0));
         }
         for contour in job.contours().filter(|contour| contour.item == index) {
             file.name("g", &contour.label());

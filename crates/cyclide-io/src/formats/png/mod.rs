@@ -51,8 +51,15 @@ const PART: f64 = 24.0;
 const LAYER: f64 = 0.03;
 
 /// What there is to know of the format.
-pub(super) static ENTRY: Entry =
-    Entry { name: "png", title: "a picture", suffixes: &["png"], lacks: None, write, reading: None };
+pub(super) static ENTRY: Entry = Entry {
+    name: "png",
+    title: "a picture",
+    suffixes: &["png"],
+    lacks: None,
+    holds_exact_only: false,
+    write,
+    reading: None,
+};
 
 /// Draws the model.
 pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {

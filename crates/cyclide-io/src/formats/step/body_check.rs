@@ -37,7 +37,9 @@ pub(crate) fn bodies_deviation(expected: &[BodyOf<'_>], read: &[FileBody], size:
         return Err(ReadError::BodyCount { found: read.len(), expected: expected.len() });
     }
     let one = |(index, (body, file)): (usize, (&BodyOf<'_>, &FileBody))| {
-        body_deviation(&body.body, file, size).map_err(|e| match e {
+        let no_faces = ReadError::Body { body: index, detail: "it has no faces" };
+        let faces = body.body.faces().ok_or(no_faces)?;
+        body_deviation(faces, file, size).map_err(|e| match e {
             Mismatch::Structure(detail) => ReadError::Body { body: index, detail },
             Mismatch::Kernel(source) => ReadError::Geometry { place: format!("body {index}"), source },
         })

@@ -53,6 +53,7 @@ pub(super) static ENTRY: Entry = Entry {
     title: "STEP",
     suffixes: &["step", "stp"],
     lacks: None,
+    holds_exact_only: true,
     write,
     reading: Some(Reading { read, compare, rounds_by_model: true }),
 };
@@ -86,10 +87,11 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
     }
     for body in job.bodies {
         let lowered = |source| body.unfit(source);
+        // What has none was refused.
+        let Some(faces) = body.body.faces() else { continue };
         written.bodies.push(Promise::EXACT);
         let (body_written, remarks) =
-            topology::body(&mut data, &body.label(), &body.body, job.size(), job.options.step_edges)
-                .map_err(lowered)?;
+            topology::body(&mut data, &body.label(), faces, job.size(), job.options.step_edges).map_err(lowered)?;
         shortest = shortest.min(remarks.shortest);
         if remarks.touches_itself {
             notes.push(format!(

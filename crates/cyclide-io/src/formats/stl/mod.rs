@@ -13,7 +13,7 @@ use crate::check::file_content::ReadError;
 use crate::check::labels::{FileLabels, FileName, Named};
 use crate::check::made::Made;
 use crate::export::error::ExportError;
-use crate::export::exported::{Exported, Promise, Written};
+use crate::export::exported::{Exported, Written};
 use crate::export::job::Job;
 use crate::export::mesh::{Single, body_meshes, check_single, single, triangles};
 use crate::export::parts::BodyOf;
@@ -31,6 +31,7 @@ pub(super) static ENTRY: Entry = Entry {
     title: "STL",
     suffixes: &["stl"],
     lacks: Some(Kind::Curves),
+    holds_exact_only: false,
     write,
     reading: Some(Reading { read, compare, rounds_by_model: false }),
 };
@@ -78,7 +79,7 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
         body.plan_triangles(&points, rounding.moved, |_| counts.next().unwrap_or(0), &mut written.mesh);
         own.iter().for_each(|triangle| push_triangle(&mut records, triangle));
         count += own.len();
-        written.bodies.push(Promise::proved(mesh.bound + moved));
+        written.bodies.push(body.promise(moved));
     }
     let Ok(count) = u32::try_from(count) else {
         let object = job.bodies.first().map(|b| b.object.to_owned()).unwrap_or_default();

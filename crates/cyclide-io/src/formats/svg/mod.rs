@@ -52,6 +52,7 @@ pub(super) static ENTRY: Entry = Entry {
     title: "SVG",
     suffixes: &["svg"],
     lacks: None,
+    holds_exact_only: true,
     write,
     reading: Some(Reading { read, compare, rounds_by_model: false }),
 };

@@ -1,39 +1,46 @@
-//! Distance of a smooth surface from its mesh, sampled.
+//! Distance of a surface over triangles from its mesh, sampled.
 
 use super::{Place, cells, lambda};
 use crate::base::vector::{Point3, Vec3};
 use crate::error::Result;
-use crate::surface::{SmoothMesh, SmoothTriangle};
 
-/// The largest distance at the middles of edges and triangles of the mesh, without what the place has moved along them.
-pub(super) fn largest(mesh: &SmoothMesh, divisions: usize) -> Result<f64> {
-    let mut largest: f64 = 0.0;
-    for index in 0..mesh.triangles().len() {
-        let Some(triangle) = mesh.triangle(index) else { continue };
-        largest = largest.max(of_triangle(&triangle, divisions).map_err(|e| e.in_triangle(index))?);
-    }
-    Ok(largest)
-}
+/// Edges of the mesh in few parts are looked at in this many, those in many at their middle: an edge that bends to both sides
+/// passes through its chord there.
+const FINE: usize = 4;
+const COARSE: usize = 2;
+/// Parts of an edge of the surface from which on there are many.
+const MANY: usize = 8;
 
-fn of_triangle(triangle: &SmoothTriangle, divisions: usize) -> Result<f64> {
-    // All places of twice as many divisions: the even ones are vertices of the mesh, the others middles of its edges.
-    let n = 2 * divisions;
+/// The largest distance of a patch from its mesh with so many divisions, at places on the edges and inside the triangles of the
+/// mesh, without what the place has moved along them.
+pub(super) fn of_patch(divisions: usize, point: impl Fn([f64; 3]) -> Result<Point3>) -> Result<f64> {
+    // All places of several times as many divisions: some are vertices of the mesh, the others inside its edges and triangles.
+    let steps = if divisions < MANY { FINE } else { COARSE };
+    let n = steps * divisions;
     let points = (0..=n)
         .flat_map(|i| (0..=n - i).map(move |j| [i, j, n - i - j]))
-        .map(|at| triangle.point(lambda(at)))
+        .map(|at| point(lambda(at)))
         .collect::<Result<Vec<Point3>>>()?;
     // Row i begins behind rows of n + 1, n, ... places.
     let at = |[i, j, _]: Place| points[i * (n + 1) - (i * i - i) / 2 + j];
     let mut largest: f64 = 0.0;
     for cell in cells(divisions) {
-        let corners = cell.map(|place| at(place.map(|v| 2 * v)));
+        let inside = |weights: [usize; 3]| [0, 1, 2].map(|c| (0..3).map(|k| weights[k] * cell[k][c]).sum());
+        let corners = cell.map(|place| at(place.map(|v| steps * v)));
         for k in 0..3 {
             let (one, two) = (k, (k + 1) % 3);
-            let middle = at([0, 1, 2].map(|c| cell[one][c] + cell[two][c]));
-            largest = largest.max(off_line(middle, corners[one], corners[two]));
+            for step in 1..steps {
+                let mut weights = [0; 3];
+                (weights[one], weights[two]) = (step, steps - step);
+                largest = largest.max(off_line(at(inside(weights)), corners[one], corners[two]));
+            }
         }
-        let centre = triangle.point(lambda([0, 1, 2].map(|c| cell[0][c] + cell[1][c] + cell[2][c])))?;
-        largest = largest.max(off_plane(centre, corners));
+        for a in 1..steps {
+            for b in 1..steps - a {
+                largest = largest.max(off_plane(at(inside([a, b, steps - a - b])), corners));
+            }
+        }
+        largest = largest.max(off_plane(point(lambda(inside([1; 3])))?, corners));
     }
     Ok(largest)
 }

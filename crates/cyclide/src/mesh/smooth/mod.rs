@@ -1,23 +1,26 @@
-//! Meshes of smooth surfaces: each triangle cut into N² by integer barycentric coordinates, the same N everywhere.
+//! Meshes of surfaces over triangles: each triangle cut into N² by integer barycentric coordinates, the same N everywhere.
 //!
 //! Points of an edge are computed once, from its lower vertex, so neighbours share them to the bit. How far the mesh is from the
-//! surface is measured at the middles of all edges and triangles: sampled, not proved.
+//! surface is measured at places on all edges and in all triangles of it: sampled, not proved.
 
+mod blend;
 mod deviation;
 mod numbering;
 
 use super::MOST_PIECES;
 use super::surface_mesh::{MeshFace, MeshSource, SurfaceMesh};
 use crate::error::{Error, ErrorItem, Result, check_tolerance};
-use crate::surface::SmoothMesh;
+use crate::surface::{SmoothMesh, TriangleSurface};
 use numbering::Numbering;
 
 /// Numbers of divisions grow by this more than the last deviation asks for, which saves most second tries.
 const MORE: f64 = 1.03;
 /// Fewer divisions tell little of the deviation of many.
 const FEW: usize = 8;
+/// What is kept for the places between those that are looked at: the bound is so many times the largest distance found.
+const RESERVE: f64 = 1.25;
 
-/// A mesh of a smooth surface with what was measured of it.
+/// A mesh of a surface over triangles with what was measured of it.
 ///
 /// ```
 /// use cyclide::{Point3, SmoothMesh, VertexNormals};
@@ -31,11 +34,11 @@ const FEW: usize = 8;
 #[non_exhaustive]
 pub struct SmoothTessellation {
     /// The mesh: faces in the order of the triangles of the surface, N² each, whose sources have the number of their triangle as face
-    /// and the ranges of its first two barycentric coordinates. Its `bound` is the deviation.
+    /// and the ranges of its first two barycentric coordinates. Its `bound` is 1.25 times the deviation.
     pub mesh: SurfaceMesh,
     /// Parts N of every edge.
     pub divisions: usize,
-    /// Largest distance of the surface from the mesh at the middles of its edges and triangles: sampled, not proved.
+    /// Largest distance of the surface from the mesh at places on its edges and in its triangles: sampled, not proved.
     pub deviation: f64,
 }
 
@@ -46,10 +49,7 @@ impl SmoothMesh {
     /// `parameter-out-of-range` (no division), `too-many-pieces` (above [`MOST_PIECES`]), as
     /// [`SmoothTriangle::point`](crate::SmoothTriangle::point) with the number of the triangle.
     pub fn tessellate(&self, divisions: usize) -> Result<SurfaceMesh> {
-        if divisions == 0 {
-            return Err(Error::ParameterOutOfRange { name: ErrorItem::Divisions, value: 0.0, min: 1.0, max: f64::MAX });
-        }
-        check_count(self, divisions as f64)?;
+        check_divisions(self.triangles().len(), divisions, MOST_PIECES)?;
         let numbering = Numbering::new(self, divisions);
         let (positions, normals) = numbering.places()?;
         let count = self.triangles().len() * divisions * divisions;
@@ -63,51 +63,101 @@ impl SmoothMesh {
         Ok(SurfaceMesh { positions, normals, faces, sources, lost: Vec::new(), bound: f64::INFINITY, gap: 0.0 })
     }
 
-    /// A mesh that is within a tolerance of the surface where it is measured, at the middles of its edges and triangles.
+    /// A mesh that is within a tolerance of the surface where it is measured, with a reserve for what lies between.
     ///
     /// # Errors
     /// `tolerance-not-positive`, `not-finite`, and as [`tessellate`](Self::tessellate).
     pub fn tessellate_within(&self, tolerance: f64) -> Result<SmoothTessellation> {
-        check_tolerance(tolerance)?;
-        let mut divisions = 1;
-        loop {
-            let deviation = self.sampled_deviation(divisions)?;
-            if deviation <= tolerance {
-                let mesh = SurfaceMesh { bound: deviation, ..self.tessellate(divisions)? };
-                return Ok(SmoothTessellation { mesh, divisions, deviation });
-            }
-            // Deviations fall with the square of the divisions, once there are a few.
-            let wanted = (divisions as f64 * (deviation / tolerance).sqrt() * MORE).ceil();
-            let wanted = if divisions < FEW { wanted.min(FEW as f64) } else { wanted };
-            check_count(self, wanted)?;
-            divisions = (divisions + 1).max(wanted as usize);
-        }
+        within(self, tolerance, MOST_PIECES)
     }
 
-    /// The largest distance of the surface from its mesh with these divisions, at the middles of the edges and triangles of the mesh.
+    /// The largest distance of the surface from its mesh with these divisions, at places on the edges and in the triangles of the mesh.
     ///
     /// # Errors
     /// As [`tessellate`](Self::tessellate).
     pub fn sampled_deviation(&self, divisions: usize) -> Result<f64> {
-        if divisions == 0 {
-            return Err(Error::ParameterOutOfRange { name: ErrorItem::Divisions, value: 0.0, min: 1.0, max: f64::MAX });
-        }
-        check_count(self, divisions as f64)?;
-        deviation::largest(self, divisions)
+        check_divisions(self.triangles().len(), divisions, MOST_PIECES)?;
+        Divided::deviation(self, divisions)
     }
 }
 
+impl TriangleSurface {
+    /// A mesh of at most `most` triangles, as [`SmoothMesh::tessellate_within`].
+    ///
+    /// # Errors
+    /// As [`SmoothMesh::tessellate_within`].
+    pub fn tessellate_within(&self, tolerance: f64, most: usize) -> Result<SmoothTessellation> {
+        match self {
+            Self::Mesh(mesh) => within(mesh, tolerance, most),
+            Self::Blend(blend) => within(blend, tolerance, most),
+        }
+    }
+}
+
+/// What is cut into parts.
+trait Divided {
+    fn triangle_count(&self) -> usize;
+    fn deviation(&self, divisions: usize) -> Result<f64>;
+    fn mesh(&self, divisions: usize) -> Result<SurfaceMesh>;
+}
+
+impl Divided for SmoothMesh {
+    fn triangle_count(&self) -> usize {
+        self.triangles().len()
+    }
+
+    fn deviation(&self, divisions: usize) -> Result<f64> {
+        let mut largest: f64 = 0.0;
+        for index in 0..self.triangles().len() {
+            let Some(triangle) = self.triangle(index) else { continue };
+            let own = deviation::of_patch(divisions, |at| triangle.point(at));
+            largest = largest.max(own.map_err(|e| e.in_triangle(index))?);
+        }
+        Ok(largest)
+    }
+
+    fn mesh(&self, divisions: usize) -> Result<SurfaceMesh> {
+        self.tessellate(divisions)
+    }
+}
+
+fn within(surface: &impl Divided, tolerance: f64, most: usize) -> Result<SmoothTessellation> {
+    check_tolerance(tolerance)?;
+    let (count, mut divisions) = (surface.triangle_count(), 1);
+    check_count(count, 1.0, most)?;
+    loop {
+        let deviation = surface.deviation(divisions)?;
+        let bound = RESERVE * deviation;
+        if bound <= tolerance {
+            let mesh = SurfaceMesh { bound, ..surface.mesh(divisions)? };
+            return Ok(SmoothTessellation { mesh, divisions, deviation });
+        }
+        // Deviations fall with the square of the divisions, once there are a few.
+        let wanted = (divisions as f64 * (bound / tolerance).sqrt() * MORE).ceil();
+        let wanted = if divisions < FEW { wanted.min(FEW as f64) } else { wanted };
+        check_count(count, wanted, most)?;
+        divisions = (divisions + 1).max(wanted as usize);
+    }
+}
+
+fn check_divisions(triangles: usize, divisions: usize, most: usize) -> Result<()> {
+    if divisions == 0 {
+        return Err(Error::ParameterOutOfRange { name: ErrorItem::Divisions, value: 0.0, min: 1.0, max: f64::MAX });
+    }
+    check_count(triangles, divisions as f64, most)
+}
+
 /// Refuses more triangles than are made.
-fn check_count(mesh: &SmoothMesh, divisions: f64) -> Result<()> {
-    let needed = mesh.triangles().len() as f64 * divisions * divisions;
-    if needed <= MOST_PIECES as f64 {
+fn check_count(triangles: usize, divisions: f64, most: usize) -> Result<()> {
+    let needed = triangles as f64 * divisions * divisions;
+    if needed <= most as f64 {
         return Ok(());
     }
     Err(Error::TooManyPieces {
         what: "the mesh",
         segment: None,
         needed,
-        cap: MOST_PIECES,
+        cap: most,
         remedy: "use a larger tolerance or fewer triangles",
     })
 }

@@ -47,7 +47,7 @@ impl Connections {
     /// # Errors
     /// `no-triangles`, `no-such-vertex`, and of one triangle `not-finite`, `parameter-out-of-range`, `degenerate-triangle`;
     /// `non-manifold-edge`, `inconsistent-orientation`.
-    pub(super) fn new(positions: &[Point3], triangles: &[[usize; 3]], sharp: SharpEdges) -> Result<Self> {
+    pub(super) fn new(positions: &[Point3], triangles: &[[usize; 3]], sharp: &SharpEdges<'_>) -> Result<Self> {
         if triangles.is_empty() {
             return Err(Error::NoTriangles);
         }
@@ -79,7 +79,7 @@ fn flat_normal(positions: &[Point3], triangle: usize, vertices: [usize; 3]) -> R
 }
 
 /// All edges, in the order of their vertices.
-fn edges(triangles: &[[usize; 3]], flat_normals: &[Vec3], sharp: SharpEdges) -> Result<Vec<MeshEdge>> {
+fn edges(triangles: &[[usize; 3]], flat_normals: &[Vec3], sharp: &SharpEdges<'_>) -> Result<Vec<MeshEdge>> {
     let mut halves: Vec<([usize; 2], bool, EdgeSide)> = Vec::with_capacity(3 * triangles.len());
     for (triangle, vertices) in triangles.iter().enumerate() {
         for corner in 0..3 {
@@ -94,8 +94,8 @@ fn edges(triangles: &[[usize; 3]], flat_normals: &[Vec3], sharp: SharpEdges) -> 
         let edge = match *same {
             [(vertices, _, first)] => MeshEdge { vertices, first, second: None, sharp: false },
             [(vertices, false, first), (_, true, second)] => {
-                let angle = flat_normals[first.triangle].angle(flat_normals[second.triangle]);
-                MeshEdge { vertices, first, second: Some(second), sharp: sharp.includes(angle) }
+                let sharp = sharp.includes([first, second], flat_normals);
+                MeshEdge { vertices, first, second: Some(second), sharp }
             }
             [([low, high], downwards, first), (_, _, second)] => {
                 let vertices = if downwards { [high, low] } else { [low, high] };

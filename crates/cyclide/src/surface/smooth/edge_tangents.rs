@@ -46,6 +46,20 @@ impl<'a> EdgeTangents<'a> {
         Self { positions, triangles, connections, normals, boundary }
     }
 
+    /// How many corners the boundary has.
+    pub(super) fn boundary_corners(&self) -> usize {
+        let is_corner = |fan: &usize| self.boundary_turn(*fan).is_some_and(|[into, out]| is_corner(&into, &out));
+        (0..self.boundary.len()).filter(is_corner).count()
+    }
+
+    /// The chords of the boundary to and from the vertex of a fan.
+    fn boundary_turn(&self, fan: usize) -> Option<[Chord; 2]> {
+        let [before, behind] = self.boundary[fan];
+        let vertex = self.connections.fan_vertices[fan];
+        let [a, b, c] = [before?, vertex, behind?].map(|v| self.positions[v]);
+        Some([Chord::new(a, b), Chord::new(b, c)])
+    }
+
     /// Unit tangents at both ends of an edge, along its curve from the lower vertex.
     ///
     /// # Errors
@@ -75,17 +89,18 @@ impl<'a> EdgeTangents<'a> {
 
     /// The tangent of the boundary at the vertex of a fan, in the direction of the edge; `None` at its corners.
     fn along_boundary(&self, edge: &MeshEdge, fan: usize, normal: Vec3) -> Option<Vec3> {
-        let [before, behind] = self.boundary[fan];
-        let vertex = self.connections.fan_vertices[fan];
-        let [a, b, c] = [before?, vertex, behind?].map(|v| self.positions[v]);
-        let (into, out) = (Chord::new(a, b), Chord::new(b, c));
-        if into.turn(&out) > BOUNDARY_CORNER {
+        let [into, out] = self.boundary_turn(fan)?;
+        if is_corner(&into, &out) {
             return None;
         }
         let forwards = self.triangles[edge.first.triangle][edge.first.ends()[0]] == edge.vertices[0];
         let tangent = tangent_across(into.tangent_to(&out)?, normal, 0).ok()?.0;
         Some(if forwards { tangent } else { -tangent })
     }
+}
+
+fn is_corner(into: &Chord, out: &Chord) -> bool {
+    into.turn(out) > BOUNDARY_CORNER
 }
 
 /// The tangent of a crease: in both tangent planes, or across the mean normal where that does not tell.

@@ -12,19 +12,24 @@
 //! - Local: a vertex moves the triangles around it and, by the normals, their neighbours.
 //! - Similarities map the surface with its data, other Möbius maps do not.
 
+mod comparison;
 mod connect;
 mod edge_tangents;
 mod measure;
 mod normals;
+mod pn_triangle;
 mod side;
+mod similar;
 mod triangle;
 
+pub use comparison::SmoothComparison;
 pub use measure::SmoothMeasure;
+pub(super) use triangle::Jet;
 pub use triangle::SmoothTriangle;
 
 use crate::base::vector::{Point3, Vec3};
 use crate::curve::{BlendLaw, BlendSegment, Chord};
-use crate::error::Result;
+use crate::error::{Error, ErrorItem, Result};
 use crate::warning::Warning;
 use connect::{Connections, EdgeSide, MeshEdge};
 use edge_tangents::EdgeTangents;
@@ -52,26 +57,64 @@ pub enum VertexNormals<'a> {
     /// The mean with the weights `sin α/(|a| |b|)`, `a` and `b` being the edges of a triangle at the vertex: exact where all
     /// vertices are on a sphere, and better for meshes of smooth surfaces (N. Max, 1999).
     SphereWeighted,
-    /// Weighted by angles, but where neighbouring triangles meet at a larger angle than this (radians, between their normals) the edge is
+    /// Means, but where neighbouring triangles meet at a larger angle than this (radians, between their normals) the edge is
     /// kept as a crease, with a normal on each side.
     Creased {
         /// Edges with larger angles are creases, radians.
         angle: f64,
+        /// How the normals of the triangles between creases are weighted.
+        weights: NormalWeights,
     },
     /// One for each vertex, of any length.
     Given(&'a [Vec3]),
+    /// One for each corner of each triangle, of any length: an edge at whose ends those of its two triangles differ by more than
+    /// 1e-3 radians, the last digit of many files, is a crease. Between creases the mean is taken.
+    GivenAtCorners(&'a [[Vec3; 3]]),
+}
+
+/// How the normals of the triangles around a vertex are weighted in their mean.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum NormalWeights {
+    /// As [`VertexNormals::AngleWeighted`].
+    #[default]
+    Angle,
+    /// As [`VertexNormals::SphereWeighted`].
+    Sphere,
 }
 
 /// Which edges are creases.
 #[derive(Debug, Clone, Copy)]
-struct SharpEdges {
-    /// Angles between triangles above this are, radians; `None` for no creases.
-    above: Option<f64>,
+enum SharpEdges<'a> {
+    None,
+    /// Those with larger angles between their triangles, radians.
+    Above(f64),
+    /// Those at which the normals given for the corners differ.
+    Apart(&'a [[Vec3; 3]]),
+    /// Those of a mesh with the same triangles, or with all of them turned over: then the last two corners are exchanged.
+    Like(&'a SmoothMesh, bool),
 }
 
-impl SharpEdges {
-    fn includes(self, angle: f64) -> bool {
-        self.above.is_some_and(|above| angle > above)
+/// Normals of one corner that differ by more, radians, are two.
+const SAME_NORMAL: f64 = 1e-3;
+
+impl SharpEdges<'_> {
+    /// Whether the edge with these two sides is one.
+    fn includes(&self, [first, second]: [EdgeSide; 2], flat_normals: &[Vec3]) -> bool {
+        match self {
+            Self::None => false,
+            Self::Above(angle) => flat_normals[first.triangle].angle(flat_normals[second.triangle]) > *angle,
+            Self::Apart(normals) => {
+                let ([a, b], [c, d]) = (first.ends(), second.ends());
+                let apart = |(k, l): (usize, usize)| {
+                    normals[first.triangle][k].angle(normals[second.triangle][l]) > SAME_NORMAL
+                };
+                [(a, d), (b, c)].into_iter().any(apart)
+            }
+            Self::Like(mesh, turned) => {
+                let corner = if *turned { (3 - first.corner) % 3 } else { first.corner };
+                mesh.edges[mesh.triangle_edges[first.triangle][corner]].sharp
+            }
+        }
     }
 }
 
@@ -138,6 +181,7 @@ pub struct SmoothMesh {
     corner_normals: Vec<[usize; 3]>,
     edges: Vec<SmoothEdge>,
     triangle_edges: Vec<[usize; 3]>,
+    boundary_corners: usize,
     backward: Option<Warning>,
 }
 
@@ -151,8 +195,17 @@ impl SmoothMesh {
     /// `angle-out-of-range` (of creases: 0 to π), and with the number of the triangle `not-finite`, `parameter-out-of-range` (coordinates
     /// above 1e150), `degenerate-triangle`, `normal-along-edge`, `opposite-normals`, `arc-through-infinity`, `ambiguous-half-turn`.
     pub fn new(positions: &[Point3], triangles: &[[usize; 3]], normals: VertexNormals) -> Result<Self> {
-        let connections = Connections::new(positions, triangles, sharp_edges(&normals)?)?;
-        let normals = normals::of_fans(positions, triangles, &connections, &normals)?;
+        Self::with_creases(positions, triangles, &normals, &sharp_edges(&normals, triangles.len())?)
+    }
+
+    fn with_creases(
+        positions: &[Point3],
+        triangles: &[[usize; 3]],
+        normals: &VertexNormals,
+        sharp: &SharpEdges<'_>,
+    ) -> Result<Self> {
+        let connections = Connections::new(positions, triangles, sharp)?;
+        let normals = normals::of_fans(positions, triangles, &connections, normals)?;
         let backward = normals::backward(triangles, &connections, &normals);
         let tangents = EdgeTangents::new(positions, triangles, &connections, &normals);
         let edge = |edge: &MeshEdge| {
@@ -165,12 +218,14 @@ impl SmoothMesh {
             Ok(edge)
         };
         let edges = connections.edges.iter().map(edge).collect::<Result<Vec<_>>>()?;
+        let boundary_corners = tangents.boundary_corners();
         let mesh = Self {
             positions: positions.to_vec(),
             triangles: triangles.to_vec(),
             normals,
             edges,
             corner_normals: connections.fans,
+            boundary_corners,
             triangle_edges: connections.triangle_edges,
             backward,
         };
@@ -231,6 +286,12 @@ impl SmoothMesh {
         self.edges.iter().all(|edge| edge.second.is_some())
     }
 
+    /// Vertices at which the boundary turns by more than 60 degrees: it keeps a corner there, and is smooth everywhere else.
+    #[must_use]
+    pub fn boundary_corners(&self) -> usize {
+        self.boundary_corners
+    }
+
     /// What should be known of the surface.
     #[must_use]
     pub fn warnings(&self) -> Vec<Warning> {
@@ -241,11 +302,16 @@ impl SmoothMesh {
     /// common edge to the bit, if these are asked for with integers as barycentric coordinates.
     #[must_use]
     pub fn triangle(&self, index: usize) -> Option<SmoothTriangle> {
-        let vertices = *self.triangles.get(index)?;
+        (index < self.triangles.len()).then(|| self.patch(index))
+    }
+
+    /// The patch over a triangle that there is.
+    pub(super) fn patch(&self, index: usize) -> SmoothTriangle {
+        let vertices = self.triangles[index];
         let sides = [0, 1, 2].map(|corner| self.side(EdgeSide { triangle: index, corner }));
         let against = [0, 1, 2].map(|corner| vertices[(corner + 1) % 3] > vertices[(corner + 2) % 3]);
         let normals = self.corner_normals[index].map(|n| self.normals[n]);
-        Some(SmoothTriangle::from_sides(vertices.map(|v| self.positions[v]), normals, sides, against))
+        SmoothTriangle::from_sides(vertices.map(|v| self.positions[v]), normals, sides, against)
     }
 
     /// A side of a triangle, its curve from the lower vertex with the normals of that triangle.
@@ -260,17 +326,29 @@ impl SmoothMesh {
 }
 
 /// # Errors
-/// `angle-out-of-range`.
-fn sharp_edges(normals: &VertexNormals) -> Result<SharpEdges> {
-    let above = match *normals {
-        VertexNormals::Creased { angle } => {
+/// `angle-out-of-range`, `normal-count`, `not-finite`.
+fn sharp_edges<'a>(normals: &VertexNormals<'a>, triangles: usize) -> Result<SharpEdges<'a>> {
+    match *normals {
+        VertexNormals::Creased { angle, .. } => {
             let max = std::f64::consts::PI;
             if !(0.0..=max).contains(&angle) {
-                return Err(crate::error::Error::AngleOutOfRange { angle, min: 0.0, max });
+                return Err(Error::AngleOutOfRange { angle, min: 0.0, max });
             }
-            Some(angle)
+            Ok(SharpEdges::Above(angle))
         }
-        VertexNormals::AngleWeighted | VertexNormals::SphereWeighted | VertexNormals::Given(_) => None,
-    };
-    Ok(SharpEdges { above })
+        VertexNormals::GivenAtCorners(given) => {
+            if given.len() != triangles {
+                return Err(Error::CountDiffers {
+                    what: ErrorItem::Normal,
+                    given: 3 * given.len(),
+                    needed: 3 * triangles,
+                });
+            }
+            match given.as_flattened().iter().position(|normal| !normal.is_finite()) {
+                Some(index) => Err(Error::NotFinite { what: ErrorItem::Normal, index }),
+                None => Ok(SharpEdges::Apart(given)),
+            }
+        }
+        VertexNormals::AngleWeighted | VertexNormals::SphereWeighted | VertexNormals::Given(_) => Ok(SharpEdges::None),
+    }
 }

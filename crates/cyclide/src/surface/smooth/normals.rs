@@ -1,8 +1,8 @@
 //! Normals of a mesh: one for each fan of corners.
 
-use super::VertexNormals;
 use super::connect::Connections;
 use super::triangle::unit_normal;
+use super::{NormalWeights, VertexNormals};
 use crate::base::vector::{Point3, Vec3};
 use crate::error::{Error, ErrorItem, Result};
 use crate::warning::Warning;
@@ -31,14 +31,28 @@ pub(super) fn of_fans(
             }
             connections.fan_vertices.iter().map(|&vertex| unit_normal(given[vertex], vertex)).collect()
         }
-        VertexNormals::AngleWeighted | VertexNormals::Creased { .. } => {
+        VertexNormals::GivenAtCorners(given) => mean_of_given(triangles, connections, given),
+        VertexNormals::AngleWeighted | VertexNormals::Creased { weights: NormalWeights::Angle, .. } => {
             mean_normals(positions, triangles, connections, Vec3::angle)
         }
-        VertexNormals::SphereWeighted => mean_normals(positions, triangles, connections, |a, b| {
-            // sin/(|a| |b|), the directions first: squares of tiny and of huge edges leave the range of doubles.
-            a.unit().zip(b.unit()).map_or(0.0, |(u, v)| u.cross(v).length()) / a.length() / b.length()
-        }),
+        VertexNormals::SphereWeighted | VertexNormals::Creased { weights: NormalWeights::Sphere, .. } => {
+            mean_normals(positions, triangles, connections, |a, b| {
+                // sin/(|a| |b|), the directions first: squares of tiny and of huge edges leave the range of doubles.
+                a.unit().zip(b.unit()).map_or(0.0, |(u, v)| u.cross(v).length()) / a.length() / b.length()
+            })
+        }
     }
+}
+
+/// The means of normals given at corners that are one but for their digits.
+fn mean_of_given(triangles: &[[usize; 3]], connections: &Connections, given: &[[Vec3; 3]]) -> Result<Vec<Vec3>> {
+    let mut sums = vec![Vec3::ZERO; connections.fan_vertices.len()];
+    for ((vertices, fans), normals) in triangles.iter().zip(&connections.fans).zip(given) {
+        for k in 0..3 {
+            sums[fans[k]] += unit_normal(normals[k], vertices[k])?;
+        }
+    }
+    sums.into_iter().zip(&connections.fan_vertices).map(|(sum, &vertex)| unit_normal(sum, vertex)).collect()
 }
 
 /// The means of the normals of the triangles around a vertex with weights made from their two edges there.

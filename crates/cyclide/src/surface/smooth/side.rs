@@ -80,10 +80,15 @@ impl Side {
     }
 }
 
-/// The arc from a corner to a place of the opposite side, and how it moves with that place.
+/// The arc from a corner to a place of the opposite side, with what it was made from.
 pub(super) struct SpokeArc {
     arc: BlendSegment,
-    by_place: BlendVariation,
+    chord: Chord,
+    /// Normal at the corner.
+    normal: Vec3,
+    to: SidePlace,
+    /// Tangents at both ends, and the parts of the chord across the normals.
+    tangents: [(Vec3, f64); 2],
 }
 
 impl SpokeArc {
@@ -91,19 +96,9 @@ impl SpokeArc {
     /// `normal-along-edge`, and as [`blend`].
     pub(super) fn new(corner: usize, vertex: Point3, normal: Vec3, to: &SidePlace) -> Result<Self> {
         let chord = Chord::new(vertex, to.point);
-        let u = chord.unit;
-        let (start, start_length) = tangent_across(u, normal, corner)?;
-        let (end, end_length) = tangent_across(u, to.normal, corner)?;
-        let arc = blend([vertex, to.point], &chord, [start, end])?;
-
-        let du = (to.velocity - u * u.dot(to.velocity)) / chord.length;
-        let unit_change = |unit: Vec3, change: Vec3, length: f64| (change - unit * unit.dot(change)) / length;
-        let start_tangent = unit_change(start, du - normal * du.dot(normal), start_length);
-        let (m, dm) = (to.normal, to.normal_change);
-        let end_change = unit_change(end, du - m * (du.dot(m) + u.dot(dm)) - dm * u.dot(m), end_length);
-        // The derivative of its reflection 2 (u·t) u - t.
-        let end_tangent = (u * (du.dot(end) + u.dot(end_change)) + du * u.dot(end)) * 2.0 - end_change;
-        Ok(Self { arc, by_place: BlendVariation { end: to.velocity, start_tangent, end_tangent } })
+        let tangents = [tangent_across(chord.unit, normal, corner)?, tangent_across(chord.unit, to.normal, corner)?];
+        let arc = blend([vertex, to.point], &chord, tangents.map(|(tangent, _)| tangent))?;
+        Ok(Self { arc, chord, normal, to: *to, tangents })
     }
 
     /// The point at `l`, from 0 at the corner to 1 on the side.
@@ -113,6 +108,21 @@ impl SpokeArc {
 
     /// Derivatives at `l`: along the arc, and by the parameter of the side.
     pub(super) fn derivatives(&self, l: f64) -> [Vec3; 2] {
-        self.arc.first_derivatives(l, &self.by_place)
+        self.arc.first_derivatives(l, &self.by_place())
+    }
+
+    /// How the arc moves with its place on the side.
+    fn by_place(&self) -> BlendVariation {
+        let Self { chord, normal, to, tangents, .. } = self;
+        let [(start, start_length), (end, end_length)] = *tangents;
+        let u = chord.unit;
+        let du = (to.velocity - u * u.dot(to.velocity)) / chord.length;
+        let unit_change = |unit: Vec3, change: Vec3, length: f64| (change - unit * unit.dot(change)) / length;
+        let start_tangent = unit_change(start, du - *normal * du.dot(*normal), start_length);
+        let (m, dm) = (to.normal, to.normal_change);
+        let end_change = unit_change(end, du - m * (du.dot(m) + u.dot(dm)) - dm * u.dot(m), end_length);
+        // The derivative of its reflection 2 (u·t) u - t.
+        let end_tangent = (u * (du.dot(end) + u.dot(end_change)) + du * u.dot(end)) * 2.0 - end_change;
+        BlendVariation { end: to.velocity, start_tangent, end_tangent }
     }
 }

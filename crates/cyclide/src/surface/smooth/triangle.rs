@@ -32,11 +32,11 @@ pub struct SmoothTriangle {
     against: [bool; 3],
 }
 
-/// A point of a smooth triangle with its derivatives by the first two barycentric coordinates, the third being what is left to 1.
+/// A point of a patch over a triangle with its derivatives by the first two barycentric coordinates, the third being what is left to 1.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Jet {
-    pub(super) point: Point3,
-    pub(super) derivatives: [Vec3; 2],
+pub(in crate::surface) struct Jet {
+    pub(in crate::surface) point: Point3,
+    pub(in crate::surface) derivatives: [Vec3; 2],
 }
 
 /// Derivatives of the three coordinates by the first two.

@@ -5,6 +5,7 @@ use super::light::Rgb;
 use super::surface::growth;
 use crate::drawing::palette;
 use crate::export::job::Job;
+use crate::export::triangle_cells::TriangleCell;
 use crate::formats::png::{CURVE, Polyline};
 use cyclide::{Body, FaceSurface, MeshSource, ParamSurface as _, Point3, Shell, SurfaceMesh};
 
@@ -18,8 +19,10 @@ const DOT: usize = 12;
 
 /// What is on a facet.
 pub(super) enum Paint {
-    /// A part of a surface, with the parameters of its corners.
+    /// A part of a face, with the parameters of its corners.
     Surface { surface: usize, at: [[f64; 2]; 3] },
+    /// A part of a patch over a triangle, with the barycentric coordinates of its corners.
+    Patch { patch: usize, at: [[f64; 3]; 3] },
     /// One colour, of a curve of the object.
     Ink { object: usize, light: Rgb },
 }
@@ -34,7 +37,7 @@ pub(super) struct Facets {
 /// Triangles on a few points of each surface: for the camera and the shadow.
 pub(super) fn rough(job: &Job<'_>) -> Vec<[Point3; 3]> {
     let shells = || job.bodies.iter().flat_map(|b| b.body.shells());
-    let count: usize = shells().map(|s| s.faces().len()).sum();
+    let count: usize = job.bodies.iter().map(|b| b.body.part_count()).sum();
     let cells = (ROUGH / count.max(1) as f64).sqrt().clamp(ROUGH_SIDES.0, ROUGH_SIDES.1) as usize;
     let mut triangles = Vec::new();
     for face in shells().flat_map(Shell::faces) {
@@ -44,22 +47,27 @@ pub(super) fn rough(job: &Job<'_>) -> Vec<[Point3; 3]> {
             triangles.extend([[a, b, c], [b, d, c]]);
         }
     }
+    for surface in job.bodies.iter().filter_map(|b| b.body.triangles()) {
+        // Half as many divisions as for a face: a triangle is as large as half of it.
+        let source = |i: usize, j: usize| {
+            let range = |k: usize| [k, k + 1].map(|v| v as f64 * 2.0 / cells as f64);
+            MeshSource { shell: 0, face: 0, s: range(i), t: range(j) }
+        };
+        for patch in (0..surface.triangle_count()).filter_map(|triangle| surface.patch(triangle)) {
+            let n = cells / 2;
+            let parts = (0..n).flat_map(|i| (0..n - i).map(move |j| (i, j)));
+            let parts = parts.flat_map(|(i, j)| TriangleCell::of(&source(i, j)).parts());
+            triangles.extend(
+                parts.filter_map(|[a, b, c]| Some([patch.point(a).ok()?, patch.point(b).ok()?, patch.point(c).ok()?])),
+            );
+        }
+    }
     triangles
 }
 
 impl Facets {
     /// The mesh of a body; `first` is the index of its first face's surface.
-    ///
-    /// # Errors
-    /// As [`tessellate`](cyclide::tessellate).
-    pub(super) fn add_body(
-        &mut self,
-        body: &Body,
-        first: usize,
-        camera: &Camera,
-        tessellate: impl Fn(&Body) -> cyclide::Result<SurfaceMesh>,
-    ) -> cyclide::Result<()> {
-        let mesh = tessellate(body)?;
+    pub(super) fn add_body(&mut self, body: &Body, mesh: &SurfaceMesh, first: usize, camera: &Camera) {
         let positions: Vec<Projected> = mesh.positions.iter().map(|p| camera.project(*p)).collect();
         // Index of the first surface of each shell.
         let mut starts = vec![first];
@@ -70,7 +78,7 @@ impl Facets {
         for (face, source) in mesh.faces.iter().zip(&mesh.sources) {
             let on = &shells[source.shell].faces()[source.face].surface;
             let corners: Vec<usize> = face.corners().iter().map(|c| c.position).collect();
-            let at = corner_parameters(on, source, &corners, &mesh);
+            let at = corner_parameters(on, source, &corners, mesh);
             let surface = starts[source.shell] + source.face;
             for k in 1..corners.len() - 1 {
                 let pick = [0, k, k + 1];
@@ -78,7 +86,21 @@ impl Facets {
                 self.paints.push(Paint::Surface { surface, at: pick.map(|i| at[i]) });
             }
         }
-        Ok(())
+    }
+
+    /// The mesh of a surface over triangles; `first` is the index of its first patch.
+    pub(super) fn add_triangles(&mut self, mesh: &SurfaceMesh, first: usize, camera: &Camera) {
+        let positions: Vec<Projected> = mesh.positions.iter().map(|p| camera.project(*p)).collect();
+        let mut faces = mesh.faces.iter();
+        for own in mesh.sources.chunk_by(|a, b| a == b) {
+            let cell = TriangleCell::of(&own[0]);
+            for (part, face) in cell.parts().zip(faces.by_ref().take(own.len())) {
+                let Some(corners) = face.corners().first_chunk::<3>() else { continue };
+                self.corners.push(corners.map(|c| positions[c.position]));
+                let at = part.map(|at| at.map(|v| v / cell.divisions as f64));
+                self.paints.push(Paint::Patch { patch: first + own[0].face, at });
+            }
+        }
     }
 
     /// A curve as a ribbon of constant width in the picture.
@@ -137,7 +159,12 @@ fn corner_parameters(on: &FaceSurface, cell: &MeshSource, corners: &[usize], mes
 /// Parameters at a place of the picture, and how much each of them changes from pixel to pixel.
 ///
 /// In perspective `near` and `near` times a parameter are linear in the picture, their quotient is the parameter.
-pub(super) fn parameters(corners: &[Projected; 3], at: &[[f64; 2]; 3], x: f64, y: f64) -> ([f64; 2], [f64; 2]) {
+pub(super) fn parameters<const N: usize>(
+    corners: &[Projected; 3],
+    at: &[[f64; N]; 3],
+    x: f64,
+    y: f64,
+) -> ([f64; N], [f64; N]) {
     let [a, b, c] = corners;
     let (x1, y1, x2, y2) = (b.x - a.x, b.y - a.y, c.x - a.x, c.y - a.y);
     let area = x1 * y2 - x2 * y1;
@@ -155,6 +182,6 @@ pub(super) fn parameters(corners: &[Projected; 3], at: &[[f64; 2]; 3], x: f64, y
         let slope = growth((v_x - value * near_x) / near, (v_y - value * near_y) / near);
         (value.clamp(0.0, 1.0), slope)
     };
-    let ((s, ds), (t, dt)) = (parameter(0), parameter(1));
-    ([s, t], [ds, dt])
+    let all: [(f64, f64); N] = std::array::from_fn(parameter);
+    (all.map(|(value, _)| value), all.map(|(_, slope)| slope))
 }

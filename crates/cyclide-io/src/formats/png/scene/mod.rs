@@ -9,6 +9,7 @@ mod camera;
 mod facets;
 mod ground;
 mod light;
+mod patch;
 mod raster;
 mod surface;
 #[cfg(test)]
@@ -21,16 +22,18 @@ use crate::drawing::palette::to_linear;
 use crate::export::error::ExportError;
 use crate::export::exported::{Exported, Promise, Written};
 use crate::export::job::Job;
+use crate::export::shape::Shape;
 use crate::formats::png::axes::{self, Plan, Rulers};
 use crate::formats::png::canvas::{Canvas, Ink, PAPER};
 use crate::formats::png::legend::{self, Naming, balloon};
 use crate::formats::png::sheet::{Caption, Names, Sheet};
 use crate::formats::png::view;
 use camera::Camera;
-use cyclide::{Aabb, Point3};
+use cyclide::{Aabb, Point3, SurfaceMesh};
 use facets::{Facets, Paint};
 use ground::Ground;
 use light::{Lights, Rgb, screen};
+use patch::{Patch, patches};
 use raster::{Band, NOTHING, SAMPLE_COUNT, sample_place};
 use surface::{Surface, surfaces};
 use visible::Visible;
@@ -69,23 +72,30 @@ pub(super) fn write(job: &Job<'_>, sheet: Sheet, names: Names) -> Result<Exporte
     let lights = Lights::new(camera.axes());
     let ground = (heights && axes[2].z > 0.0).then(|| Ground::new(&rough, bounds, &lights));
 
-    let mut drawn = Vec::new();
-    let mut items = Vec::new();
+    let (mut drawn, mut patches_drawn) = (Vec::new(), Vec::new());
+    let (mut items, mut patch_items) = (Vec::new(), Vec::new());
     let mut facets = Facets::default();
     for body in job.bodies {
+        if let Some(surface) = body.body.triangles() {
+            let mesh = triangles(job, &body.body, camera.unit()).map_err(|source| body.unfit(source))?;
+            facets.add_triangles(&mesh, patches_drawn.len(), &camera);
+            patches_drawn.extend(patches(surface, body.item, sheet.scale));
+            patch_items.resize(patches_drawn.len(), body.item);
+        }
+        let Some(faces) = body.body.faces() else { continue };
         let first = drawn.len();
-        for shell in body.body.shells() {
+        for shell in faces.shells() {
             drawn.extend(surfaces(shell, body.item, camera.unit(), sheet.scale));
         }
         items.resize(drawn.len(), body.item);
-        let added =
-            facets.add_body(&body.body, first, &camera, |body| job.pieces.tessellate(body, MESH * camera.unit()));
-        added.map_err(|source| body.unfit(source))?;
+        let mesh = job.pieces.tessellate(&body.body, MESH * camera.unit()).map_err(|source| body.unfit(source))?;
+        facets.add_body(faces, &mesh, first, &camera);
     }
     for curve in curves(job, FLATNESS * camera.unit())? {
         facets.add_curve(&curve, &camera, sheet.scale);
     }
-    let scene = Scene { camera, lights, ground, drawn, items, facets, paper: to_linear(PAPER) };
+    let paper = to_linear(PAPER);
+    let scene = Scene { camera, lights, ground, drawn, items, patches: patches_drawn, patch_items, facets, paper };
     let size = (sheet.width as usize, height as usize);
     let mut visible = Visible::new(size, 6.0 * sheet.scale);
     let mut canvas = scene.draw(size, &mut visible)?;
@@ -112,6 +122,19 @@ pub(super) fn write(job: &Job<'_>, sheet: Sheet, names: Names) -> Result<Exporte
     Ok(written.exported(bytes, notes))
 }
 
+/// A mesh of a surface over triangles. Where one that is near enough has too many triangles, because a few of the patches bend
+/// sharply, coarser ones serve: the light is that of the surface all the same.
+fn triangles(job: &Job<'_>, shape: &Shape<'_>, unit: f64) -> cyclide::Result<SurfaceMesh> {
+    let mut made = job.pieces.tessellate(shape, MESH * unit);
+    for coarser in [4.0, 16.0, 64.0] {
+        if !matches!(made, Err(cyclide::Error::TooManyPieces { .. })) {
+            break;
+        }
+        made = job.pieces.tessellate(shape, coarser * MESH * unit);
+    }
+    made
+}
+
 /// Height of the eye over its horizontal distance is this over 0.94.
 const STEEPNESS: f64 = 0.5;
 
@@ -125,6 +148,9 @@ struct Scene<'a> {
     drawn: Vec<Surface<'a>>,
     /// The object of each surface.
     items: Vec<usize>,
+    patches: Vec<Patch>,
+    /// The object of each patch.
+    patch_items: Vec<usize>,
     facets: Facets,
     paper: Rgb,
 }
@@ -150,6 +176,7 @@ impl Scene<'_> {
         match self.facets.paints.get(facet as usize)? {
             Paint::Ink { object, .. } => Some(*object),
             Paint::Surface { surface, .. } => self.items.get(*surface).copied(),
+            Paint::Patch { patch, .. } => self.patch_items.get(*patch).copied(),
         }
     }
 
@@ -221,6 +248,11 @@ impl Scene<'_> {
                 let rough = facets::parameters(&self.facets.corners[facet as usize], at, x, y);
                 let (at, slope) = surface.settle(rough, at, ray, &self.camera);
                 surface.colour(at, slope, -ray, &self.lights)
+            }
+            Paint::Patch { patch, at } => {
+                let ray = self.camera.ray(x, y);
+                let (at, slope) = facets::parameters(&self.facets.corners[facet as usize], at, x, y);
+                self.patches[*patch].colour(at, slope, -ray, &self.lights)
             }
         }
     }

@@ -11,17 +11,17 @@ use cyclide::{FaceSurface, ParamSurface as _, Shell, Side, Vec3};
 const SPACING: f64 = 30.0;
 /// Half widths of lines, pixels: inner circles, edges between two patches, and the visible side of a border.
 const CIRCLE: f64 = 0.45;
-const EDGE: f64 = 0.75;
-const BORDER: f64 = 1.8;
+pub(super) const EDGE: f64 = 0.75;
+pub(super) const BORDER: f64 = 1.8;
 /// Strength of the ink: inner circles, edges.
 const CIRCLE_INK: f64 = 0.36;
-const EDGE_INK: f64 = 0.78;
+pub(super) const EDGE_INK: f64 = 0.78;
 /// Lines closer together than the first are gone, farther apart than the second they have their full strength, pixels.
 const FADE: (f64, f64) = (3.5, 9.0);
 /// A step of Newton's method after which no other is needed, relative to the facet's parameters.
 const SMALL_STEP: f64 = 0.03;
 /// How much darker the inner side of an open shell is.
-const INNER: f64 = 0.78;
+pub(super) const INNER: f64 = 0.78;
 
 /// A face with what is drawn on it.
 pub(super) struct Surface<'a> {
@@ -149,11 +149,11 @@ pub(super) fn growth(x: f64, y: f64) -> f64 {
 }
 
 /// How much of a pixel a line covers whose middle is so many pixels away.
-fn cover(distance: f64, half_width: f64) -> f64 {
+pub(super) fn cover(distance: f64, half_width: f64) -> f64 {
     // A pixel from distance - 1/2 to distance + 1/2 against the line from -w to w.
     ((distance + 0.5).min(half_width) - (distance - 0.5).max(-half_width)).clamp(0.0, 1.0)
 }
 
-fn fade(spacing: f64) -> f64 {
+pub(super) fn fade(spacing: f64) -> f64 {
     ((spacing - FADE.0) / (FADE.1 - FADE.0)).clamp(0.0, 1.0)
 }

@@ -50,7 +50,8 @@ fn facets(shells: Vec<Shell>, camera: &Camera) -> Facets {
     let mut facets = Facets::default();
     for (index, outer) in shells.into_iter().enumerate() {
         let body = cyclide::Body { outer, voids: Vec::new() };
-        facets.add_body(&body, index, camera, |body| cyclide::tessellate(body, MESH * camera.unit())).unwrap();
+        let mesh = cyclide::tessellate(&body, MESH * camera.unit()).unwrap();
+        facets.add_body(&body, &mesh, index, camera);
     }
     facets
 }

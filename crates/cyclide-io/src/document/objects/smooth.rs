@@ -1,0 +1,306 @@
+//! Smooth surfaces over triangles: from files and lists to the kernel's surfaces.
+
+use cyclide::{
+    Error as KernelError, ErrorItem, NormalWeights, Point3, ShortNumber, SmoothMesh, SphereBlend, SurfaceObject,
+    TriangleSurface, Units, VertexNormals, Warning,
+};
+
+use super::Builder;
+use crate::document::angle::Angle;
+use crate::document::coordinates::Coordinates;
+use crate::document::locate::Step;
+use crate::document::spec::{NormalsSpec, SmoothMeshSpec, SphereBlendSpec, TriangleMeshFile};
+use crate::error::{Error, Result};
+use crate::formats::{InputKind, read_polygons, read_scene, read_triangles};
+use crate::input::ply;
+use crate::input::polygon_mesh::PolygonMesh;
+use crate::input::triangle_mesh::{TriangleMesh, Uncut};
+
+/// What was chosen for a smooth mesh.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SmoothChoice {
+    /// Where the normals at the vertices come from: `angle`, `sphere`, `file` or `given`.
+    pub normals: &'static str,
+    /// The angle above which edges are creases, radians.
+    pub crease_angle: Option<f64>,
+    /// Polygons of the mesh as given.
+    pub polygons: usize,
+}
+
+/// Polygons as they are given.
+struct Given {
+    mesh: PolygonMesh,
+    /// The file.
+    file: Option<String>,
+    /// Whether triangles share vertices there by their numbers.
+    shared: bool,
+}
+
+impl Builder<'_> {
+    /// The smooth surface through the vertices of a mesh.
+    pub(super) fn smooth_mesh(&mut self, spec: &SmoothMeshSpec) -> Result<Vec<SurfaceObject>> {
+        let given = self.polygons(spec)?;
+        let mesh = TriangleMesh::new(&given.mesh).map_err(|uncut| self.uncut(&given, uncut))?;
+        self.remark_on_mesh(&given, &mesh);
+        let crease_angle = spec.crease_angle.map(Angle::radians);
+        let weighted = |weights, plain| match crease_angle {
+            Some(angle) => VertexNormals::Creased { angle, weights },
+            None => plain,
+        };
+        let (normals, word) = match &spec.normals {
+            NormalsSpec::Angle => (weighted(NormalWeights::Angle, VertexNormals::AngleWeighted), "angle"),
+            NormalsSpec::Sphere => (weighted(NormalWeights::Sphere, VertexNormals::SphereWeighted), "sphere"),
+            NormalsSpec::File | NormalsSpec::Given(_) => {
+                if crease_angle.is_some() {
+                    return Err(self.unfit(
+                        "`crease_angle` goes with the normals \"angle\" and \"sphere\": where normals are given, creases are where a vertex has several",
+                    ));
+                }
+                let word = if spec.normals == NormalsSpec::File { "file" } else { "given" };
+                (VertexNormals::GivenAtCorners(mesh.normals.as_deref().unwrap_or_default()), word)
+            }
+        };
+        let surface = SmoothMesh::new(&mesh.points, &mesh.triangles, normals);
+        let surface = surface.map_err(|e| self.refused_smooth(&given, &mesh, &e))?;
+        if is_inside_out(&mesh) && surface.is_closed() {
+            let message = "the triangles are clockwise seen from outside: the outer side is inside".to_owned();
+            self.remark("inside-out", None, None, given.file.clone(), message);
+        }
+        for warning in surface.warnings() {
+            let warning = in_given_numbers_warning(&mesh, warning);
+            self.remark(warning.reason(), None, warning.index(), given.file.clone(), warning.to_string());
+            self.warnings.push((0, warning));
+        }
+        self.smooth = Some(SmoothChoice { normals: word, crease_angle, polygons: given.mesh.faces.len() });
+        Ok(vec![surface.into()])
+    }
+
+    fn polygons(&mut self, spec: &SmoothMeshSpec) -> Result<Given> {
+        let mut given = match (&spec.mesh, &spec.vertices, &spec.triangles) {
+            (Some(file), None, None) => self.polygon_file(file)?,
+            (None, Some(vertices), Some(triangles)) => {
+                let count = vertices.len();
+                for (index, triangle) in triangles.iter().enumerate() {
+                    if let Some(place) = triangle.iter().position(|v| *v as usize >= count) {
+                        let vertex = triangle[place] as usize;
+                        let error = KernelError::NoSuchVertex { triangle: index, vertex, count };
+                        return Err(self.refused_at(["triangles".into(), index.into(), place.into()], &error));
+                    }
+                }
+                let points = vertices.iter().map(|p| p.point()).collect();
+                let faces = triangles.iter().map(|t| t.map(|v| v as usize).to_vec()).collect();
+                Given { mesh: PolygonMesh { points, faces, ..PolygonMesh::default() }, file: None, shared: true }
+            }
+            _ => {
+                return Err(
+                    self.unfit("a mesh is given by exactly one of `mesh` (a file), or `vertices` with `triangles`")
+                );
+            }
+        };
+        match &spec.normals {
+            NormalsSpec::Given(normals) => {
+                let (given_count, needed) = (normals.len(), given.mesh.points.len());
+                if spec.mesh.is_some() {
+                    return Err(self.unfit("a list of `normals` goes with `vertices`: of a file take \"file\""));
+                }
+                if given_count != needed {
+                    let error = KernelError::CountDiffers { what: ErrorItem::Normal, given: given_count, needed };
+                    return Err(self.refused_at(["normals".into()], &error));
+                }
+                given.mesh.normals = normals.iter().map(|n| n.vector()).collect();
+                given.mesh.corner_normals.clone_from(&given.mesh.faces);
+            }
+            NormalsSpec::File if given.mesh.corner_normals.is_empty() => {
+                let why = match &spec.mesh {
+                    None => "there is no file: give one for each of `vertices`, or take \"angle\" or \"sphere\"",
+                    Some(TriangleMeshFile::Stl(_)) => {
+                        "STL has normals of triangles, not of vertices: take \"angle\" or \"sphere\""
+                    }
+                    Some(_) => "the file does not have a normal for every corner: take \"angle\" or \"sphere\"",
+                };
+                return Err(Error::Input(self.diagnostic(["normals".into()], why)));
+            }
+            _ => {}
+        }
+        Ok(given)
+    }
+
+    fn polygon_file(&mut self, file: &TriangleMeshFile) -> Result<Given> {
+        let (name, bytes) = self.file(file.path(), ["mesh", file.word()])?;
+        let read = match file {
+            TriangleMeshFile::Obj(_) => read_polygons(&name, &bytes),
+            TriangleMeshFile::Ply(_) => ply::read_polygons(&name, &bytes),
+            TriangleMeshFile::Stl(_) => read_triangles(&name, &bytes).map(|points| {
+                let faces = (0..points.len() / 3).map(|k| vec![3 * k, 3 * k + 1, 3 * k + 2]).collect();
+                PolygonMesh { points, faces, ..PolygonMesh::default() }
+            }),
+            TriangleMeshFile::Glb(_) => read_scene(&name, &bytes).map(|scene| {
+                if scene.lines > 0 {
+                    let message = format!("{} primitives of points and lines are left out", scene.lines);
+                    self.remark("lines-left-out", None, None, Some(name.clone()), message);
+                }
+                if scene.moves {
+                    let message = "skins and morph targets are left aside: the mesh is taken at rest".to_owned();
+                    self.remark("pose-left-aside", None, None, Some(name.clone()), message);
+                }
+                let mut mesh = scene.mesh;
+                let units = self.document.units;
+                let scale = 1000.0 / units.in_millimetres();
+                if units != Units::Metre {
+                    mesh.points.iter_mut().for_each(|p| *p = Point3::ORIGIN + p.to_vec() * scale);
+                    let (factor, symbol) = (ShortNumber(scale), units.symbol());
+                    let message =
+                        format!("GLB counts in metres: coordinates are multiplied by {factor} to be in {symbol}");
+                    self.remark("unit-of-file", None, None, Some(name.clone()), message);
+                }
+                mesh
+            }),
+        };
+        let mesh = read.map_err(|message| match InputKind::of_bytes(&bytes) {
+            Some(found) if !found.is_mesh() => {
+                let text = format!("{name} is {}, not a mesh ({})", found.name(), file.word().to_uppercase());
+                Error::Input(self.diagnostic(["mesh".into(), file.word().into()], &text))
+            }
+            _ => Error::Input(message),
+        })?;
+        let shared = matches!(file, TriangleMeshFile::Obj(_) | TriangleMeshFile::Ply(_));
+        Ok(Given { mesh, file: Some(name), shared })
+    }
+
+    /// Says what was changed between the file and the triangles.
+    fn remark_on_mesh(&mut self, given: &Given, mesh: &TriangleMesh) {
+        let place = given.file.clone();
+        let (cut, collapsed) = (mesh.cut, mesh.collapsed);
+        if cut.count > 0 {
+            let message = format!("{} polygons of more than three corners are cut into triangles", cut.count);
+            self.remark("polygons-cut", None, Some(cut.first), place.clone(), message);
+        }
+        if collapsed.count > 0 {
+            let message = format!("{} polygons are left out: their corners are at two places at most", collapsed.count);
+            self.remark("polygons-without-area", None, Some(collapsed.first), place.clone(), message);
+        }
+        // In STL and GLB vertices stand once for every triangle, or for every normal.
+        if mesh.merged > 0 && given.shared {
+            let message = format!("{} vertices are at the place of another: they are one", mesh.merged);
+            self.remark("vertices-merged", None, None, place.clone(), message);
+        }
+        if mesh.unused > 0 {
+            let message = format!("{} vertices belong to no triangle and are left out", mesh.unused);
+            self.remark("vertices-unused", None, None, place, message);
+        }
+    }
+
+    fn uncut(&self, given: &Given, uncut: Uncut) -> Error {
+        let Uncut { polygon, corners } = uncut;
+        let message = format!(
+            "polygon {polygon} of {corners} corners cannot be cut into triangles: it crosses itself, is not nearly plane, or has more than 256 corners"
+        );
+        let field = if given.file.is_some() { "mesh" } else { "triangles" };
+        self.refused_in_words([field.into()], "polygon-not-simple", message)
+    }
+
+    /// The message for what the kernel said about the mesh, in the numbers of the file.
+    fn refused_smooth(&self, given: &Given, mesh: &TriangleMesh, error: &KernelError) -> Error {
+        let (error, triangle, vertices) = in_given_numbers(mesh, error.clone());
+        let field = match (&error, &given.file) {
+            (KernelError::AngleOutOfRange { .. }, _) => "crease_angle",
+            (KernelError::NotFinite { what: ErrorItem::Normal, .. }, _) => "normals",
+            (_, Some(_)) => "mesh",
+            (_, None) => "triangles",
+        };
+        let mut words = error.to_string();
+        if field == "mesh" {
+            let at = |k: &usize| mesh.points[*k].to_array().map(|x| ShortNumber(x).to_string()).join(", ");
+            let places: Vec<String> = vertices.iter().map(|k| format!("({})", at(k))).collect();
+            let of = given.file.as_deref().unwrap_or_default();
+            words += &if places.is_empty() {
+                format!(" (of {of})")
+            } else {
+                format!(" (of {of}, at {})", places.join(" and "))
+            };
+        }
+        let mut steps: Vec<Step> = vec![field.into()];
+        if let (Some(triangle), "triangles") = (triangle, field) {
+            steps.push(triangle.into());
+        }
+        if self.document.text.is_empty() {
+            return self.refused_at(steps, &error);
+        }
+        self.refused_in_words(steps, error.reason(), words)
+    }
+
+    /// The patch over one triangle.
+    pub(super) fn sphere_blend(&mut self, spec: &SphereBlendSpec) -> Result<Vec<SurfaceObject>> {
+        let corners = spec.corners.map(Coordinates::point);
+        let blend = match (spec.control, spec.normals) {
+            (Some(control), None) => SphereBlend::from_control_points(corners, control.map(Coordinates::point)),
+            (None, Some(normals)) => SphereBlend::from_normals(corners, normals.map(Coordinates::vector)),
+            _ => {
+                let needed = "a sphere blend has exactly one of `control` (a point of each sphere) and `normals`";
+                return Err(self.unfit(needed));
+            }
+        };
+        let blend = blend.map_err(|e| self.refused_blend(spec, &e))?;
+        // Where the spheres cancel is known when the patch is walked over.
+        let surface = TriangleSurface::from(blend);
+        surface.sampled_bounds().and_then(|_| blend.measure()).map_err(|e| self.refused_blend(spec, &e))?;
+        Ok(vec![surface.into()])
+    }
+
+    fn refused_blend(&self, spec: &SphereBlendSpec, error: &KernelError) -> Error {
+        let shape = if spec.control.is_some() { "control" } else { "normals" };
+        let error = if let KernelError::InTriangle { cause, .. } = error { cause } else { error };
+        let steps: Vec<Step> = match *error {
+            KernelError::ControlPointOnCircumcircle { corner, .. } => vec!["control".into(), corner.into()],
+            KernelError::UndefinedNormal { vertex, .. } if spec.normals.is_some() => {
+                vec!["normals".into(), vertex.into()]
+            }
+            KernelError::NotFinite { what: ErrorItem::Normal, index } => vec!["normals".into(), index.into()],
+            KernelError::OppositeSpheres { .. } | KernelError::PatchThroughInfinity { .. } => vec![shape.into()],
+            _ => vec!["corners".into()],
+        };
+        self.refused_at(steps, error)
+    }
+}
+
+/// Whether the triangles enclose a negative volume.
+fn is_inside_out(mesh: &TriangleMesh) -> bool {
+    let Some(&apex) = mesh.points.first() else { return false };
+    let corners = mesh.triangles.iter().map(|t| t.map(|v| mesh.points[v] - apex));
+    corners.map(|[a, b, c]| a.dot(b.cross(c))).sum::<f64>() < 0.0
+}
+
+/// The error in the numbers of the polygons and vertices as given, with the polygon and the kernel's vertices that it names.
+fn in_given_numbers(mesh: &TriangleMesh, error: KernelError) -> (KernelError, Option<usize>, Vec<usize>) {
+    use KernelError as E;
+    let polygon = |triangle: usize| mesh.polygons.get(triangle).copied().unwrap_or(triangle);
+    let given = |vertex: usize| mesh.vertices.get(vertex).copied().unwrap_or(vertex);
+    let corners = |triangle: usize| mesh.triangles.get(triangle).map_or(Vec::new(), |t| t.to_vec());
+    match error {
+        E::InTriangle { triangle, cause } => {
+            (E::InTriangle { triangle: polygon(triangle), cause }, Some(polygon(triangle)), corners(triangle))
+        }
+        E::NonManifoldEdge { vertices, triangle, count } => {
+            let error = E::NonManifoldEdge { vertices: vertices.map(given), triangle: polygon(triangle), count };
+            (error, Some(polygon(triangle)), vertices.to_vec())
+        }
+        E::InconsistentOrientation { vertices, triangles } => {
+            let error = E::InconsistentOrientation { vertices: vertices.map(given), triangles: triangles.map(polygon) };
+            (error, Some(polygon(triangles[1])), vertices.to_vec())
+        }
+        E::UndefinedNormal { vertex, length, limit } => {
+            (E::UndefinedNormal { vertex: given(vertex), length, limit }, None, vec![vertex])
+        }
+        other => (other, None, Vec::new()),
+    }
+}
+
+/// The warning in the numbers of the polygons and vertices as given.
+fn in_given_numbers_warning(mesh: &TriangleMesh, warning: Warning) -> Warning {
+    match warning {
+        Warning::NormalFacesBackward { triangle, vertex, count } => {
+            Warning::NormalFacesBackward { triangle: mesh.polygons[triangle], vertex: mesh.vertices[vertex], count }
+        }
+        other => other,
+    }
+}

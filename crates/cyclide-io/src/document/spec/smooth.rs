@@ -1,0 +1,165 @@
+//! Smooth surfaces over triangles, field by field.
+
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+use super::TypeWord;
+use super::comment::Comment;
+use crate::document::angle::Angle;
+use crate::document::coordinates::Coordinates;
+
+/// A smooth surface through the vertices of a triangle mesh: its tangent plane is continuous, and neighbours share edges. The mesh
+/// is in a file (`mesh`), or given by `vertices` and `triangles`. It has no exact form: GLB, OBJ and STL hold meshes of it within
+/// the tolerance, STEP and JSON do not hold it.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(extend("oneOf" = [
+    { "required": ["mesh"], "properties": { "vertices": false, "triangles": false } },
+    { "required": ["vertices", "triangles"], "properties": { "mesh": false } }
+]))]
+pub struct SmoothMeshSpec {
+    /// The word `smooth-mesh`.
+    #[schemars(with = "String", extend("const" = "smooth-mesh"))]
+    pub r#type: TypeWord,
+    /// What the author remarks; read and left aside.
+    #[serde(default)]
+    pub comment: Comment,
+    /// Construction geometry: built and reported, not written to files.
+    #[serde(default)]
+    pub construction: bool,
+    /// A mesh of polygons, which are cut into triangles. Points that are equal are one.
+    pub mesh: Option<TriangleMeshFile>,
+    /// The vertices.
+    #[schemars(length(min = 3))]
+    pub vertices: Option<Vec<Coordinates>>,
+    /// The triangles: three vertices each by their number from 0, counter-clockwise from outside.
+    #[schemars(length(min = 1))]
+    pub triangles: Option<Vec<[u32; 3]>>,
+    /// Where the normals at the vertices come from.
+    #[serde(default)]
+    pub normals: NormalsSpec,
+    /// Edges at which triangles meet at a larger angle than this (between their normals, 0 to π) stay creases. Default: none; with
+    /// normals from the file its own.
+    pub crease_angle: Option<Angle>,
+}
+
+/// The normals at the vertices of a mesh.
+#[derive(Debug, Clone, PartialEq, Default, JsonSchema)]
+#[schemars(untagged, rename = "VertexNormals")]
+pub enum NormalsSpec {
+    /// The mean of those of the triangles around a vertex, weighted by their angles.
+    #[default]
+    #[schemars(with = "NormalsWord")]
+    Angle,
+    /// The mean with weights that are exact where all vertices are on a sphere: better on meshes of smooth surfaces.
+    #[schemars(skip)]
+    Sphere,
+    /// Those of the file; where a vertex has several, the edges between them are creases.
+    #[schemars(skip)]
+    File,
+    /// One for each of `vertices`, of any length.
+    Given(Vec<Coordinates>),
+}
+
+/// A rule for normals.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize, JsonSchema)]
+#[schemars(inline)]
+enum NormalsWord {
+    /// The mean of those of the triangles around a vertex, weighted by their angles.
+    #[serde(rename = "angle")]
+    Angle,
+    /// The mean with weights that are exact where all vertices are on a sphere: better on meshes of smooth surfaces.
+    #[serde(rename = "sphere")]
+    Sphere,
+    /// Those of the file; where a vertex has several, the edges between them are creases.
+    #[serde(rename = "file")]
+    File,
+}
+
+impl<'de> Deserialize<'de> for NormalsSpec {
+    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct NormalsVisitor;
+        impl<'de> serde::de::Visitor<'de> for NormalsVisitor {
+            type Value = NormalsSpec;
+            fn expecting(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+                f.write_str("\"angle\", \"sphere\", \"file\" or a list of directions `[[x, y, z], …]`")
+            }
+            fn visit_str<E: serde::de::Error>(self, word: &str) -> Result<NormalsSpec, E> {
+                let word = NormalsWord::deserialize(serde::de::value::StrDeserializer::new(word))?;
+                Ok(match word {
+                    NormalsWord::Angle => NormalsSpec::Angle,
+                    NormalsWord::Sphere => NormalsSpec::Sphere,
+                    NormalsWord::File => NormalsSpec::File,
+                })
+            }
+            fn visit_seq<A: serde::de::SeqAccess<'de>>(self, seq: A) -> Result<NormalsSpec, A::Error> {
+                Vec::deserialize(serde::de::value::SeqAccessDeserializer::new(seq)).map(NormalsSpec::Given)
+            }
+        }
+        deserializer.deserialize_any(NormalsVisitor)
+    }
+}
+
+/// A mesh in a file of its own.
+#[derive(Debug, Clone, PartialEq, Eq, Deserialize, JsonSchema)]
+pub enum TriangleMeshFile {
+    /// Path of a Wavefront OBJ file, relative to the document.
+    #[serde(rename = "obj")]
+    Obj(String),
+    /// Path of an STL file, binary or text, relative to the document.
+    #[serde(rename = "stl")]
+    Stl(String),
+    /// Path of a PLY file, binary or text, relative to the document.
+    #[serde(rename = "ply")]
+    Ply(String),
+    /// Path of a binary glTF file, relative to the document: its scene, in metres, with the axis that is up there as third one.
+    #[serde(rename = "glb")]
+    Glb(String),
+}
+
+impl TriangleMeshFile {
+    /// The path.
+    #[must_use]
+    pub fn path(&self) -> &str {
+        match self {
+            Self::Obj(path) | Self::Stl(path) | Self::Ply(path) | Self::Glb(path) => path,
+        }
+    }
+
+    /// The word of its format.
+    pub(crate) const fn word(&self) -> &'static str {
+        match self {
+            Self::Obj(_) => "obj",
+            Self::Stl(_) => "stl",
+            Self::Ply(_) => "ply",
+            Self::Glb(_) => "glb",
+        }
+    }
+}
+
+/// A smooth patch over one triangle, shaped at each corner by a sphere through the circle of the three corners: given by a point
+/// of each sphere (`control`), or by the normals that the patch should have at the corners (`normals`). It has no exact form, as a
+/// smooth mesh.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(extend("oneOf" = [
+    { "required": ["control"], "properties": { "normals": false } },
+    { "required": ["normals"], "properties": { "control": false } }
+]))]
+pub struct SphereBlendSpec {
+    /// The word `sphere-blend`.
+    #[schemars(with = "String", extend("const" = "sphere-blend"))]
+    pub r#type: TypeWord,
+    /// What the author remarks; read and left aside.
+    #[serde(default)]
+    pub comment: Comment,
+    /// Construction geometry: built and reported, not written to files.
+    #[serde(default)]
+    pub construction: bool,
+    /// The corners, counter-clockwise seen from outside.
+    pub corners: [Coordinates; 3],
+    /// A point of the sphere of each corner, off the circle of the corners. On the side of these points the patch bulges.
+    pub control: Option<[Coordinates; 3]>,
+    /// The normal at each corner, of any length; it is turned about the circle's tangent there as far as the sphere asks for.
+    pub normals: Option<[Coordinates; 3]>,
+}
