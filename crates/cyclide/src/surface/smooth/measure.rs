@@ -41,7 +41,7 @@ impl SmoothMesh {
     /// of few triangles each of these parts is cut into up to 64.
     ///
     /// # Errors
-    /// As [`SmoothTriangle::point`], with the number of the triangle.
+    /// As [`SmoothTriangle::point`](crate::SmoothTriangle::point), with the number of the triangle.
     pub fn measure(&self) -> Result<SmoothMeasure> {
         let apex = self.middle();
         let panels = panels(self.triangles().len());
