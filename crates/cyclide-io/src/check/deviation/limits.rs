@@ -51,14 +51,17 @@ impl Deviations {
             let [bound, digits] = promise.distances();
             // Digits that cost more than the tolerance leave too little of the curve.
             let limit = bound + (READ_BACK_ROUNDING * extent + whole).max(digits.min(written.tolerance));
-            if deviation <= limit {
-                None
-            } else {
-                Some((deviation, bound, limit, deviation <= limit + digits, promise.is_sampled()))
-            }
+            if deviation <= limit { None } else { Some((deviation, bound, limit, deviation <= limit + digits)) }
         };
         let named = |part: String| {
-            move |(deviation, bound, limit, by_digits)| Beyond { part, deviation, bound, limit, by_digits, sampled }
+            move |(deviation, bound, limit, by_digits)| Beyond {
+                part,
+                deviation,
+                bound,
+                limit,
+                by_digits,
+                sampled: false,
+            }
         };
         let extents = &ready.extents;
         let parts = || written.curves.iter().zip(&extents.curves).zip(&self.curves).zip(contours(ready.model));
