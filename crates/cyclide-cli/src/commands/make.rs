@@ -43,6 +43,7 @@ pub fn run(plan: &MakePlan) -> Result<(), Failure> {
         let checked = exporter.check(path, *format, &exported);
         report.files.push(checked.map_err(|error| match error {
             CheckError::TooFewDigits { .. } => Failure::Refused(format!("{error} [too-few-digits]")),
+            CheckError::BendsTooSharply { .. } => Failure::Refused(format!("{error} [bends-too-sharply]")),
             fault => Failure::Check(fault.to_string()),
         })?);
         files.push((path.clone(), exported.bytes));

@@ -214,6 +214,18 @@ pub enum ReadError {
         /// Which of its faces, from 0, those of all its shells counted through.
         face: usize,
     },
+    /// A vertex of a mesh is not at its place on the surface.
+    #[error("a vertex of triangle {face} of {object} is off its place by {}, limit {}", ShortNumber(*.off), ShortNumber(*.limit))]
+    Vertex {
+        /// The object.
+        object: String,
+        /// Which of the triangles of the surface, from 0.
+        face: usize,
+        /// How far it is off.
+        off: f64,
+        /// What rounding accounts for.
+        limit: f64,
+    },
     /// A normal is not that of the surface, or in STL not that of its triangle.
     #[error("a normal of face {face} of {object} is off by {}, limit {}", ShortNumber(*.off), ShortNumber(*.limit))]
     Normal {

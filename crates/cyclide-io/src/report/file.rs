@@ -85,6 +85,23 @@ pub enum CheckError {
         /// The largest distance accepted.
         limit: f64,
     },
+    /// Between the places at which the mesh of a surface over triangles was measured the surface bends so sharply that it is farther
+    /// away than was promised; its vertices are where they should be. No fault of the writer.
+    #[error(
+        "{path}: {part}: between the places where its mesh was measured the surface bends too sharply, and is {} off, more than {}: \
+         allow another tolerance, look at the normals, or keep sharp edges as creases",
+        ShortNumber(*.deviation), ShortNumber(*.limit)
+    )]
+    BendsTooSharply {
+        /// The file.
+        path: String,
+        /// The body that it is about.
+        part: String,
+        /// The distance measured.
+        deviation: f64,
+        /// The largest distance accepted.
+        limit: f64,
+    },
 }
 
 impl Exporter<'_> {
@@ -122,11 +139,13 @@ impl FileReport {
                 Ok(deviations) => deviations,
                 Err(source) => return Err(CheckError::Unreadable { path, source: Box::new(source) }),
             };
-            if let Some(Beyond { part, deviation, bound, limit, by_digits }) =
+            if let Some(Beyond { part, deviation, bound, limit, by_digits, sampled }) =
                 deviations.beyond(ready, reading.rounds_by_model, &exported.written)
             {
                 return Err(if by_digits {
                     CheckError::TooFewDigits { path, part, deviation, limit }
+                } else if sampled {
+                    CheckError::BendsTooSharply { path, part, deviation, limit }
                 } else {
                     CheckError::BeyondBound { path, part, deviation, bound, limit }
                 });

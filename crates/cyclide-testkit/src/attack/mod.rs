@@ -46,7 +46,7 @@ type Class = (&'static str, u32, fn(&mut Random) -> Objects);
 pub(crate) struct Objects {
     objects: Vec<(&'static str, Value)>,
     has_surfaces: bool,
-    /// The tolerance if none is drawn.
+    /// The tolerance that it needs, where others make too much work.
     tolerance: Option<f64>,
 }
 
@@ -109,7 +109,8 @@ pub fn document(seed: u64, number: u64) -> Attack {
     let made = chosen.2(&mut random);
     let objects: serde_json::Map<String, Value> =
         made.objects.into_iter().map(|(name, object)| (name.to_owned(), object)).collect();
-    let tolerance = random.chance(0.3).then(|| random.decades(-9.0, 1.0)).or(made.tolerance);
+    let drawn = random.chance(0.3).then(|| random.decades(-9.0, 1.0));
+    let tolerance = made.tolerance.or(drawn);
     let document = json!({"cyclide": 1, "units": "mm", "objects": objects});
     Attack { class: chosen.0, document, has_surfaces: made.has_surfaces, tolerance }
 }

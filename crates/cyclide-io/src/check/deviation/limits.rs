@@ -33,6 +33,8 @@ pub(crate) struct Beyond {
     pub(crate) limit: f64,
     /// True if the digits of the format's numbers account for it: they cost more than the tolerance.
     pub(crate) by_digits: bool,
+    /// True of a surface over triangles, for which what is promised was found by sampling.
+    pub(crate) sampled: bool,
 }
 
 impl Deviations {
@@ -52,7 +54,14 @@ impl Deviations {
             if deviation <= limit { None } else { Some((deviation, bound, limit, deviation <= limit + digits)) }
         };
         let named = |part: String| {
-            move |(deviation, bound, limit, by_digits)| Beyond { part, deviation, bound, limit, by_digits }
+            move |(deviation, bound, limit, by_digits)| Beyond {
+                part,
+                deviation,
+                bound,
+                limit,
+                by_digits,
+                sampled: false,
+            }
         };
         let extents = &ready.extents;
         let parts = || written.curves.iter().zip(&extents.curves).zip(&self.curves).zip(contours(ready.model));
@@ -66,7 +75,8 @@ impl Deviations {
             parts().find_map(|(index, ((body, extent), deviation))| {
                 // What nothing was promised for is exact.
                 let promise = written.bodies.get(index).unwrap_or(&Promise::EXACT);
-                check(promise, *extent, *deviation).map(named(body.label()))
+                let beyond = check(promise, *extent, *deviation).map(named(body.label()))?;
+                Some(Beyond { sampled: body.body.triangles().is_some(), ..beyond })
             })
         };
         let line = || {

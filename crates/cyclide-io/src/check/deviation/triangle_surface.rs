@@ -41,7 +41,7 @@ pub(super) fn free_sides(surface: &TriangleSurface, cells: &[Cell]) -> usize {
 /// The largest distance between the polygons of one surface and its cells.
 ///
 /// # Errors
-/// [`ReadError::WrongSide`], [`ReadError::Normal`]; [`ReadError::Geometry`] where the surface cannot be evaluated.
+/// [`ReadError::WrongSide`], [`ReadError::Vertex`], [`ReadError::Normal`]; [`ReadError::Geometry`] where the surface cannot be evaluated.
 pub(super) fn deviation(
     form: MeshForm,
     body: &BodyOf<'_>,
@@ -156,6 +156,9 @@ impl<'a> Check<'a> {
             // Nearer to the place of another corner: the triangle is turned over, or another one.
             if off > own_place && places.iter().any(|place| place.distance(*p) < off) {
                 return Err(ReadError::WrongSide { object, face });
+            }
+            if !(off <= own_place) {
+                return Err(ReadError::Vertex { object, face, off, limit: own_place });
             }
             largest = larger(largest, off);
         }

@@ -8,6 +8,8 @@ use crate::error::Result;
 /// passes through its chord there.
 const FINE: usize = 4;
 const COARSE: usize = 2;
+/// The centre of a triangle, and three places between it and the corners.
+const INNER: [[usize; 3]; 4] = [[1, 1, 1], [4, 1, 1], [1, 4, 1], [1, 1, 4]];
 /// Parts of an edge of the surface from which on there are many.
 const MANY: usize = 8;
 
@@ -40,7 +42,9 @@ pub(super) fn of_patch(divisions: usize, point: impl Fn([f64; 3]) -> Result<Poin
                 largest = largest.max(off_plane(at(inside([a, b, steps - a - b])), corners));
             }
         }
-        largest = largest.max(off_plane(point(lambda(inside([1; 3])))?, corners));
+        for weights in INNER {
+            largest = largest.max(off_plane(point(lambda(inside(weights)))?, corners));
+        }
     }
     Ok(largest)
 }
