@@ -66,15 +66,14 @@ def target_folder():
 
 
 PYTHON = sys.executable
-# As `cargo xtask`, but built by one command with the program: alone it would build every dependency again, for it needs
-# some of them with fewer features.
-XTASK = target_folder() / "release" / "xtask"
+# As `cargo xtask`, but of the profile and the features of the tests: so no dependency is built twice.
+XTASK = target_folder() / "debug" / "xtask"
 STEPS = [
     ("format", ["cargo", "fmt", "--all", "--check"], one),
     ("lints", ["cargo", "clippy", "--workspace", "--all-targets", "--locked", "--", "-D", "warnings"], one),
     ("without faer", ["cargo", "clippy", "--package", "cyclide", "--no-default-features", "--locked", "--", "-D", "warnings"], one),
     ("documentation", ["cargo", "doc", "--workspace", "--no-deps", "--locked"], one),
-    ("program", ["cargo", "build", "--release", "--locked", "--package", "cyclide-cli", "--package", "xtask"], one),
+    ("program", ["cargo", "build", "--profile", "test", "--workspace", "--bins", "--locked"], one),
     ("layers", [XTASK, "layers"], one),
     ("dependencies", [PYTHON, "tests/dependencies.py"], one),
     ("citations", [PYTHON, "tests/citations.py"], one),

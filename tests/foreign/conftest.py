@@ -1,4 +1,4 @@
-"""Builds every model once with the release program and hands the files to the readers' tests."""
+"""Builds every model once with the program as the tests build it and hands the files to the readers' tests."""
 
 import json
 import subprocess
@@ -20,8 +20,8 @@ MODELS = {
 def program_path():
     command = ["cargo", "metadata", "--format-version", "1", "--no-deps", "--offline"]
     folder = json.loads(subprocess.run(command, cwd=ROOT, check=True, capture_output=True).stdout)["target_directory"]
-    path = Path(folder, "release", "cyclide")
-    assert path.exists(), f"{path} is missing: cargo build --release first"
+    path = Path(folder, "debug", "cyclide")
+    assert path.exists(), f"{path} is missing: cargo build --profile test --workspace --bins first"
     return path
 
 
