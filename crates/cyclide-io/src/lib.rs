@@ -9,6 +9,7 @@ mod document;
 mod drawing;
 mod error;
 mod export;
+#[cfg(feature = "files")]
 mod file;
 mod formats;
 mod input;
@@ -36,11 +37,13 @@ pub use export::camera::Camera;
 pub use export::error::ExportError;
 pub use export::exported::Exported;
 pub use export::options::{DEFAULT_MOST_PIECES, DxfVersion, ExportOptions, StepEdges, StepProducts};
+#[cfg(feature = "files")]
 pub use file::{
     NotDurable, StagedFiles, WriteOptions, leads_to_standard_input, leads_to_standard_output, same_file, write_file,
     write_files,
 };
 pub use formats::{Exporter, Format, InputKind, ObjGrid, export, file_deviation, read_back, read_quad_grid};
+#[cfg(feature = "files")]
 pub use input::file::{MOST_INPUT_BYTES, read_head, read_input, read_standard_input};
 pub use input::points::{ColumnUnit, PointColumns, PointList, PointRemark, PointTable, read_points, unit_of_columns};
 pub use measure::joints::SurfaceJointReport;

@@ -201,7 +201,7 @@ fn format_of(path: &Path, told: Option<Format>) -> Result<Format, Failure> {
         }
         (Ok(format), _) | (Err(_), Some(format)) => Ok(format),
         (Err(_), None) if is_standard_output(path) => {
-            let names = Format::ALL.map(Format::name).join(", ");
+            let names = Format::ALL.iter().map(|format| format.name()).collect::<Vec<_>>().join(", ");
             Err(Failure::Usage(format!("-o {} needs --format: one of {names}", path.display())))
         }
         (Err(error), None) => Err(Failure::Usage(error.to_string())),

@@ -22,6 +22,7 @@ pub(crate) struct Combs {
     pub(crate) left_out: Vec<usize>,
 }
 
+#[cfg_attr(not(feature = "png"), allow(dead_code, reason = "pictures name the combs; drawings draw them"))]
 /// The comb of an object, to one scale.
 #[derive(Debug)]
 pub(crate) struct Comb {

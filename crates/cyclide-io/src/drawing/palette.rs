@@ -15,11 +15,13 @@ pub(crate) const fn surface_on_screen(index: usize) -> u32 {
     SURFACES[index % SURFACES.len()]
 }
 
+#[cfg(feature = "png")]
 /// The colour of an object's curves in linear light.
 pub(crate) fn linear(index: usize) -> [f64; 3] {
     to_linear(object(index))
 }
 
+#[cfg(feature = "png")]
 /// The colour of an object's surfaces in linear light.
 pub(crate) fn surface(index: usize) -> [f64; 3] {
     to_linear(surface_on_screen(index))

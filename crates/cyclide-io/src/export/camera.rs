@@ -1,5 +1,6 @@
 //! Where a picture is looked at from.
 
+#[cfg(feature = "png")]
 use cyclide::Vec3;
 use std::str::FromStr;
 
@@ -33,6 +34,7 @@ impl Camera {
         upright.then_some(Self { azimuth, elevation })
     }
 
+    #[cfg(feature = "png")]
     /// Right, up and toward the eye: unit vectors.
     pub(crate) fn axes(self) -> [Vec3; 3] {
         let sin_cos = |angle: f64| {
@@ -51,6 +53,7 @@ impl Camera {
         [right, toward.cross(right), toward]
     }
 
+    #[cfg(feature = "png")]
     /// True for a view along one of the axes, where pictures are drawings: without perspective.
     pub(crate) fn is_along_axis(self) -> bool {
         self.axes()[2].to_array().iter().filter(|v| **v == 0.0).count() == 2

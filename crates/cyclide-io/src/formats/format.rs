@@ -25,7 +25,7 @@ impl Format {
 
     /// The format that a suffix in lower case stands for.
     pub(crate) fn of_suffix(suffix: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|format| format.entry().suffixes.contains(&suffix))
+        Self::ALL.iter().copied().find(|format| format.entry().suffixes.contains(&suffix))
     }
 
     /// The format that a file's suffix stands for, upper or lower case.

@@ -62,8 +62,9 @@ impl InputKind {
     #[must_use]
     pub fn of_bytes(bytes: &[u8]) -> Option<Self> {
         let head = &bytes[..bytes.len().min(HEAD)];
-        let magic: [(&[u8], Self); 6] = [
+        let magic: &[(&[u8], Self)] = &[
             (b"glTF", Self::written(Format::Glb)),
+            #[cfg(feature = "png")]
             (b"\x89PNG", Self::written(Format::Png)),
             (b"ply\n", OTHER_MESH),
             (b"ply\r\n", OTHER_MESH),

@@ -9,6 +9,7 @@ mod glb;
 mod input_kind;
 mod json;
 mod obj;
+#[cfg(feature = "png")]
 mod png;
 mod read_back;
 mod step;
@@ -29,21 +30,21 @@ pub(crate) use stl::read_triangles;
 
 /// The list: each format with its module, which holds its entry.
 macro_rules! formats {
-    ($($(#[$doc:meta])* $format:ident: $module:ident,)*) => {
+    ($($(#[$doc:meta])* $format:ident: $module:ident $(if $feature:literal)?,)*) => {
         /// A file format.
         #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
         pub enum Format {
-            $($(#[$doc])* $format,)*
+            $($(#[cfg(feature = $feature)])? $(#[$doc])* $format,)*
         }
 
         impl Format {
             /// Every format.
-            pub const ALL: [Self; [$(stringify!($format)),*].len()] = [$(Self::$format),*];
+            pub const ALL: &'static [Self] = &[$($(#[cfg(feature = $feature)])? Self::$format),*];
 
             /// What there is to know of it.
             pub(crate) const fn entry(self) -> &'static Entry {
                 match self {
-                    $(Self::$format => &$module::ENTRY,)*
+                    $($(#[cfg(feature = $feature)])? Self::$format => &$module::ENTRY,)*
                 }
             }
         }
@@ -62,7 +63,7 @@ formats! {
     /// Exact rational B-splines as JSON.
     Json: json,
     /// A picture.
-    Png: png,
+    Png: png if "png",
     /// Binary glTF 2.0: rendering, browsers.
     Glb: glb,
     /// Wavefront OBJ: meshes with quads.

@@ -1,5 +1,6 @@
 //! What is read of users: files and standard input as bytes, lists of points, meshes.
 
+#[cfg(feature = "files")]
 pub(crate) mod file;
 pub(crate) mod ply;
 pub(crate) mod points;

@@ -214,7 +214,7 @@ fn names_of_any_letters_are_right() {
         .collect();
     for title in [None, Some("円, \"t\" ".to_owned()), Some(long.clone())] {
         let options = ExportOptions { tolerance: Some(0.3), title, ..ExportOptions::default() };
-        for format in Format::ALL.into_iter().filter(|format| format.has_geometry()) {
+        for format in Format::ALL.iter().copied().filter(|format| format.has_geometry()) {
             // In JSON objects are told apart by their names.
             let model = if matches!(format, Format::Dxf | Format::Csv | Format::Json) { &curves } else { &meshes };
             let _ = Damage::with(model.clone(), format, &options);
