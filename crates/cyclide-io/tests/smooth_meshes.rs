@@ -245,7 +245,7 @@ fn damage_to_a_mesh_is_found() {
     // A vertex inside, moved by more than the bound; less than rounding is no damage.
     let message = |bytes: Vec<u8>| checked(bytes).unwrap_err().to_string();
     assert!(message(changed(&whole.bytes, "v", 40, moved(2.0 * whole.bound))).contains("off its place"));
-    assert!(checked(changed(&whole.bytes, "v", 40, moved(1e-13))).is_ok());
+    assert!(checked(changed(&whole.bytes, "v", 40, moved(1e-14))).is_ok());
     // A triangle turned over, one in the place of another, one less, and a normal turned by a thousandth.
     let turned = |line: &str| {
         let words = corners(line);
