@@ -402,7 +402,7 @@ fn what_cannot_be_made_smooth_is_refused_with_its_place() {
             "degenerate-triangle",
         ),
         (format!("{}, \"crease_angle\": 4", inline(&TRIANGLES)), "objects.p.crease_angle", "angle-out-of-range"),
-        (format!("{}, \"normals\": [[0,0,1]]", inline(&TRIANGLES)), "objects.p.normals", "normal-count"),
+        (format!("{}, \"normals\": [[0,0,1]]", inline(&TRIANGLES)), "objects.p.normals", "count-differs"),
     ] {
         let message = message(&fields);
         assert!(message.contains(place) && message.contains(&format!("[{reason}]")), "{message}");

@@ -136,7 +136,7 @@ fn normals_given_at_corners_say_where_creases_are() {
     let wrong = |given: &[[Vec3; 3]]| {
         SmoothMesh::new(&points, &triangles, VertexNormals::GivenAtCorners(given)).unwrap_err().reason()
     };
-    assert_eq!(wrong(&corners[1..]), "normal-count");
+    assert_eq!(wrong(&corners[1..]), "count-differs");
     assert_eq!(wrong(&vec![[Vec3::ZERO; 3]; 12]), "undefined-normal");
     assert_eq!(wrong(&vec![[Vec3::X * f64::NAN; 3]; 12]), "not-finite");
 }

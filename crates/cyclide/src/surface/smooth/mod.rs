@@ -326,7 +326,7 @@ impl SmoothMesh {
 }
 
 /// # Errors
-/// `angle-out-of-range`, `normal-count`, `not-finite`.
+/// `angle-out-of-range`, `count-differs`, `not-finite`.
 fn sharp_edges<'a>(normals: &VertexNormals<'a>, triangles: usize) -> Result<SharpEdges<'a>> {
     match *normals {
         VertexNormals::Creased { angle, .. } => {
