@@ -8,7 +8,7 @@ use std::path::Path;
 impl Format {
     /// The suffixes that are understood, lower case, without their dots.
     pub fn suffixes() -> impl Iterator<Item = &'static str> {
-        Self::ALL.into_iter().flat_map(|format| format.entry().suffixes).copied()
+        Self::ALL.iter().flat_map(|format| format.entry().suffixes).copied()
     }
 
     /// Lower-case name, as in reports.
