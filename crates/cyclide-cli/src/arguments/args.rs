@@ -497,7 +497,8 @@ fn output_help() -> String {
 /// The name of a format.
 fn format_word() -> impl TypedValueParser<Value = Format> {
     let named = |word: String| Format::ALL.iter().copied().find(|format| format.name() == word);
-    PossibleValuesParser::new(Format::ALL.iter().map(|format| format.name())).try_map(move |word| named(word).ok_or("no such format"))
+    PossibleValuesParser::new(Format::ALL.iter().map(|format| format.name()))
+        .try_map(move |word| named(word).ok_or("no such format"))
 }
 
 /// A finite number that is not negative.
