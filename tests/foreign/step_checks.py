@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 from scipy.spatial import cKDTree
 
+import step_modelling as modelling
 from OCP.TopAbs import TopAbs_EDGE, TopAbs_FACE, TopAbs_VERTEX
 from step_faces import Edge, angle, distinct
 
@@ -18,6 +19,8 @@ AREA_LIMIT = 1e-9
 READER_AREA_LIMIT = 1e-7
 VOLUME_LIMIT = 1e-9
 NORMAL_LIMIT = 1e-7
+# Volume of a cut, of the solid's: what OpenCASCADE's intersections keep.
+CUT_LIMIT = 1e-6
 TOLERANCE_LIMIT = 1e-6
 # Kinds of edges that the program writes.
 EDGES = ("circle", "rational")
@@ -120,6 +123,20 @@ def assert_area(step, expected):
 def assert_volume(step, expected):
     assert sum(face.volume() for face in step.faces) == pytest.approx(expected, rel=VOLUME_LIMIT)
     assert step.volume() == pytest.approx(expected, rel=READER_AREA_LIMIT)
+
+
+def assert_cuts(step, own, *tools):
+    """OpenCASCADE cuts the solid, of this volume, with each tool (a solid in its box), fuses and intersects it: valid shapes whose
+    volumes add up."""
+    assert modelling.faults(step.shape) == []
+    for make_tool in tools:
+        tool, volume, _ = make_tool(*modelling.box(step))
+        found = {kind: make(step.shape, tool).Shape() for kind, make in modelling.OPERATIONS.items()}
+        assert all(modelling.valid(shape) for shape in found.values())
+        cut, fused, common = (modelling.volume(found[kind]) for kind in ("cut", "fuse", "common"))
+        assert 0 < common < own
+        assert cut + common == pytest.approx(own, rel=CUT_LIMIT)
+        assert fused - cut == pytest.approx(volume, rel=CUT_LIMIT)
 
 
 def assert_points(step, size, locate):

@@ -9,11 +9,9 @@ from scipy.spatial import ConvexHull
 
 import step_modelling as modelling
 from conftest import ROOT
-from step_checks import NORMAL_LIMIT, assert_area, assert_volume, normals_across_joints, structure
+from step_checks import NORMAL_LIMIT, assert_area, assert_cuts, assert_volume, normals_across_joints, structure
 from step_faces import StepFaces
 
-# Volume of a cut, of the solid's: what OpenCASCADE's intersections keep.
-CUT_LIMIT = 1e-6
 
 
 def sphere(count, seed):
@@ -73,13 +71,4 @@ def test_solids_have_the_measures_of_steiner(name, rounded):
 @pytest.mark.parametrize("name", SOLIDS)
 def test_solids_are_cut(name, rounded):
     step, report = rounded(name)
-    assert modelling.faults(step.shape) == []
-    low, high = modelling.box(step)
-    for tool, volume, _ in (modelling.slab(low, high), modelling.drill(low, high)):
-        found = {kind: make(step.shape, tool).Shape() for kind, make in modelling.OPERATIONS.items()}
-        assert all(modelling.valid(shape) for shape in found.values())
-        cut, fused, common = (modelling.volume(found[kind]) for kind in ("cut", "fuse", "common"))
-        own = report["volume"]
-        assert 0 < common < own
-        assert cut + common == pytest.approx(own, rel=CUT_LIMIT)
-        assert fused - cut == pytest.approx(volume, rel=CUT_LIMIT)
+    assert_cuts(step, report["volume"], modelling.slab, modelling.drill)
