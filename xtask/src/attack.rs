@@ -12,7 +12,7 @@ const HELP: &str = "\
 usage: cargo xtask attack [--seed S] [--count N] [--from I] [--only CLASS] [--program FILE] [--jobs J]
                           [--seconds T] [--mebibytes M] [--keep FOLDER] [--png] [--one]
 
-Builds N random documents (default 1000) into every format that their objects can have, each in a process of its own
+Builds N random documents (default 1000; with --only N of that class) into every format that their objects can have, each in a process of its own
 with T seconds of processor time (default 20) and M mebibytes of address space (default 2048). Prints what became of
 them, by class, and every document that was not built or refused by name: seed and number make it again
 (`--from NUMBER --count 1 --keep FOLDER`). Ends with 1 if there was one.
@@ -102,6 +102,13 @@ fn check_program(program: &Path) -> Result<(), String> {
 fn run(request: &Request) -> Result<usize, String> {
     check_program(&request.program)?;
     let next = AtomicU64::new(request.numbers.start);
+    // Documents still to be built: with one class those of others are passed over, up to a thousand times as many.
+    let wanted = request.numbers.end - request.numbers.start;
+    let taken = AtomicU64::new(0);
+    let last = match request.only {
+        Some(_) => request.numbers.start + 1000 * wanted,
+        None => request.numbers.end,
+    };
     let found = Mutex::new((Counts::new(), 0));
     let scratch = request
         .keep
@@ -113,16 +120,19 @@ fn run(request: &Request) -> Result<usize, String> {
     }
     std::thread::scope(|scope| {
         for folder in &folders {
-            let (next, found) = (&next, &found);
+            let (next, taken, found) = (&next, &taken, &found);
             scope.spawn(move || {
                 loop {
                     let number = next.fetch_add(1, Ordering::Relaxed);
-                    if number >= request.numbers.end {
+                    if number >= last {
                         break;
                     }
                     let attack = attack::document(request.seed, number);
                     if request.only.as_ref().is_some_and(|only| only != attack.class) {
                         continue;
+                    }
+                    if taken.fetch_add(1, Ordering::Relaxed) >= wanted {
+                        break;
                     }
                     let mut formats = runner::formats(&attack);
                     formats.extend(request.png.then_some("png"));

@@ -28,9 +28,9 @@ pub use document::{
     EllipseBridgeSpec, EndsSpec, FairEndPair, FairEndSpec, FairEndWord, FairEndsSpec, FairFitSpec, FairSplineSpec,
     Fitted, FrameSpec, GridSource, Lists, MakeCircularOptions, MakeCircularSpec, MeshFile, ModelBuilder, NO_EFFECT,
     NormalsSpec, ObjectSpec, OffsetSpec, PipeSpec, PlaneSpec, PlateSpec, PlateWithNeckSpec, PointFile, PointSource,
-    PolyhedronFile, PolylineSpec, RadiiSpec, Remark, RevolutionSpec, RotationSpec, RoundedPolyhedron, RuledSpec,
+    PolygonMeshFile, PolylineSpec, RadiiSpec, Remark, RevolutionSpec, RotationSpec, RoundedPolyhedron, RuledSpec,
     ScaleSpec, SmoothChoice, SmoothMeshSpec, SmoothPolyhedronSpec, SphereBlendSpec, SphereSpec, StepSpec, StraightWord,
-    SupportStructureSpec, TransformSpec, TriangleMeshFile, TypeWord, document_schema,
+    SupportStructureSpec, TransformSpec, TypeWord, document_schema,
 };
 pub use error::{Error, Result};
 pub use export::camera::Camera;

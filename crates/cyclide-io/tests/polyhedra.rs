@@ -84,7 +84,7 @@ fn every_source_gives_the_same_body() {
         let [measured, formula] = [surface.volume.unwrap(), polyhedron.volume];
         assert!((measured / volume() - 1.0).abs() < 1e-11 && (formula / volume() - 1.0).abs() < 1e-13, "{source}");
         assert!((surface.area.unwrap() / polyhedron.area - 1.0).abs() < 1e-11);
-        assert!(surface.orthogonality < 1e-14 && surface.curvature_s.min > -2.0 - 1e-12);
+        assert!(surface.orthogonality.unwrap() < 1e-14 && surface.curvature_s.min > -2.0 - 1e-12);
         assert!(report.to_string().contains("6 faces, 12 edges, 8 vertices, radius 0.5 mm; by Steiner"), "{report}");
     }
 }

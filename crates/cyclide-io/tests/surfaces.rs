@@ -43,7 +43,7 @@ fn a_patch_and_its_report() {
         // Away from the outer side, which is that of f_s x f_t: outside.
         assert!((range.min + 0.5).abs() < 1e-13 && (range.max + 0.5).abs() < 1e-13, "{range:?}");
     }
-    assert!(surface.residual < 1e-15 && surface.orthogonality < 1e-14);
+    assert!(surface.residual.unwrap() < 1e-15 && surface.orthogonality.unwrap() < 1e-14);
     assert!(surface.singular.is_empty() && surface.flipped.is_empty(), "a side of one point is no singular line");
     let text = report.to_string();
     assert!(text.starts_with("o: cyclide-patch, open, 1 patch\n  area       6.2832 m²\n"), "{text}");

@@ -31,6 +31,7 @@ Examples:
   cyclide curve track.csv --closed --units m -o track.step -o track.dxf -o track.png
   cyclide build logo.json -o logo.dxf --tolerance 0.01
   cyclide build roof.json -o roof.step -o roof.glb -o roof.png
+  cyclide new pipe -o pipe.json && cyclide build pipe.json -o pipe.step
   cyclide report roof.json --json
 
 The documentation of the project explains the words: docs/document.md (what a document may hold), docs/report.md (every word

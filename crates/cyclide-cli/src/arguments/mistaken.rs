@@ -20,7 +20,7 @@ pub enum Wanted {
 }
 
 /// What the program reads, said where a file is none of it.
-const READS: &str = "it reads model documents ('cyclide new' starts one), lists of points as CSV ('cyclide curve') and meshes of quads as OBJ (in a document: 'cyclide new cyclidic-net')";
+const READS: &str = "it reads model documents ('cyclide new' starts one), lists of points as CSV ('cyclide curve') and, for documents, meshes of quads as OBJ ('cyclide new cyclidic-net') and of any polygons as OBJ, STL, PLY and GLB ('cyclide new smooth-mesh', 'cyclide new smooth-polyhedron')";
 
 /// Refuses an input that its suffix says to be of another kind, before its first line is called a mistake.
 pub fn refuse_suffix(path: &Path, wanted: Wanted) -> Result<(), Failure> {
@@ -34,6 +34,7 @@ pub fn refuse_content(path: &Path, bytes: &[u8], wanted: Wanted) -> Result<(), F
 
 fn refuse(path: &Path, found: InputKind, wanted: Wanted) -> Result<(), Failure> {
     let net = "'cyclide new cyclidic-net' prints a document for it";
+    let polygons = "'cyclide new smooth-mesh' prints a document that makes it smooth, 'cyclide new smooth-polyhedron' one that rounds a convex one";
     let path = if is_standard(path) { "standard input".to_owned() } else { path.display().to_string() };
     let answer = match (found, wanted) {
         (InputKind::Document, Wanted::Document) | (InputKind::Points, Wanted::Points) => return Ok(()),
@@ -52,7 +53,9 @@ fn refuse(path: &Path, found: InputKind, wanted: Wanted) -> Result<(), Failure> 
         (InputKind::PointGrid, Wanted::Points) => {
             format!("{net}; if it is a curve all the same, choose its columns: --columns x,y,z")
         }
-        (InputKind::PointGrid, Wanted::Document) | (InputKind::Mesh, _) => net.to_owned(),
+        (InputKind::PointGrid, Wanted::Document) => net.to_owned(),
+        (InputKind::Mesh, _) => format!("{net} if its faces are quads, {polygons}"),
+        (InputKind::PolygonMesh, _) => polygons.to_owned(),
     };
     let wanted = match wanted {
         Wanted::Document => InputKind::Document,
@@ -97,7 +100,10 @@ fn file_tip(word: &str) -> Option<String> {
     match InputKind::of_path(Path::new(word))? {
         InputKind::Document => Some(format!("build a model document with 'cyclide build {word} -o FILE'")),
         InputKind::Points => Some(format!("make a curve of points with 'cyclide curve {word} -o FILE'")),
-        InputKind::Mesh => Some("start a document for a mesh with 'cyclide new cyclidic-net'".to_owned()),
+        InputKind::Mesh => {
+            Some("start a document for a mesh with 'cyclide new cyclidic-net' or 'cyclide new smooth-mesh'".to_owned())
+        }
+        InputKind::PolygonMesh => Some("start a document for a mesh with 'cyclide new smooth-mesh'".to_owned()),
         _ => Some(format!("the program does not read {word}: {READS}")),
     }
 }

@@ -37,9 +37,9 @@ pub use spec::{
     CircularSurfaceSpec, ClampedEnds, Comment, CyclidePatchSpec, CyclideSpec, CyclidicNetSpec, DiskSpec,
     EllipseBridgeSpec, EndsSpec, FairEndPair, FairEndSpec, FairEndWord, FairEndsSpec, FairFitSpec, FairSplineSpec,
     FrameSpec, GridSource, MakeCircularOptions, MakeCircularSpec, MeshFile, NormalsSpec, ObjectSpec, OffsetSpec,
-    PipeSpec, PlaneSpec, PlateSpec, PlateWithNeckSpec, PolyhedronFile, PolylineSpec, RadiiSpec, RevolutionSpec,
+    PipeSpec, PlaneSpec, PlateSpec, PlateWithNeckSpec, PolygonMeshFile, PolylineSpec, RadiiSpec, RevolutionSpec,
     RotationSpec, RuledSpec, ScaleSpec, SmoothMeshSpec, SmoothPolyhedronSpec, SphereBlendSpec, SphereSpec, StepSpec,
-    StraightWord, SupportStructureSpec, TransformSpec, TriangleMeshFile, TypeWord,
+    StraightWord, SupportStructureSpec, TransformSpec, TypeWord,
 };
 
 /// The document version this crate reads.

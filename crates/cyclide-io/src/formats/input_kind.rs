@@ -16,16 +16,19 @@ pub enum InputKind {
     PointsJson,
     /// Points in rows and columns, or the samples of a surface.
     PointGrid,
-    /// A mesh in the format that is read.
+    /// A mesh as OBJ, whose quads a net takes and whose polygons everything else that is made of meshes.
     Mesh,
+    /// A mesh of polygons in a format that nets do not read: STL, PLY, GLB.
+    PolygonMesh,
     /// A format that is written and not read, by its name.
     Written(&'static str),
     /// What is neither written nor read, and what to save in its place.
     Foreign(&'static str, &'static str),
 }
 
-/// A mesh in a format that is read by one type of object, or by none.
-const OTHER_MESH: InputKind = InputKind::Foreign("a mesh of another format", "save it as OBJ, with its quads");
+/// A mesh in a format that is not read.
+const OTHER_MESH: InputKind =
+    InputKind::Foreign("a mesh of another format", "save it as OBJ, with its quads if it has some");
 
 /// Bytes of a file that tell what it is.
 const HEAD: usize = 4096;
@@ -42,10 +45,11 @@ impl InputKind {
             "json" => Self::Document,
             "csv" | "tsv" | "xyz" => Self::Points,
             "obj" => Self::Mesh,
+            "stl" | "ply" | "glb" => Self::PolygonMesh,
             "iges" | "igs" | "brep" | "3dm" | "sat" | "fcstd" => {
                 Self::Foreign("a CAD file", "export points of its curves as CSV, or a mesh of quads as OBJ")
             }
-            "gltf" | "ply" | "off" | "3mf" | "fbx" | "dae" | "blend" => OTHER_MESH,
+            "gltf" | "off" | "3mf" | "fbx" | "dae" | "blend" => OTHER_MESH,
             "dwg" | "pdf" | "ai" | "eps" => Self::Foreign("a drawing", "export points of its curves as CSV"),
             "xlsx" | "xls" | "ods" => Self::Foreign("a spreadsheet", "save it as CSV"),
             "gpx" | "kml" | "geojson" => Self::Foreign("a geographic file", "save its points as CSV, in a plane grid"),
@@ -63,11 +67,11 @@ impl InputKind {
     pub fn of_bytes(bytes: &[u8]) -> Option<Self> {
         let head = &bytes[..bytes.len().min(HEAD)];
         let magic: &[(&[u8], Self)] = &[
-            (b"glTF", Self::written(Format::Glb)),
+            (b"glTF", Self::PolygonMesh),
             #[cfg(feature = "png")]
             (b"\x89PNG", Self::written(Format::Png)),
-            (b"ply\n", OTHER_MESH),
-            (b"ply\r\n", OTHER_MESH),
+            (b"ply\n", Self::PolygonMesh),
+            (b"ply\r\n", Self::PolygonMesh),
             (b"%PDF", Self::Foreign("a drawing", "export points of its curves as CSV")),
             (b"PK\x03\x04", Self::Foreign("an archive or a spreadsheet", "unpack it, or save it as CSV")),
         ];
@@ -81,6 +85,7 @@ impl InputKind {
             b'{' => text.contains("\"cyclide-nurbs\"").then(|| Self::written(Format::Json)),
             b'[' => text[1..].trim_start().starts_with('[').then_some(Self::PointsJson),
             b'<' => text.contains("<svg").then(|| Self::written(Format::Svg)),
+            _ if text.starts_with("solid") && text.contains("facet") => Some(Self::PolygonMesh),
             _ if text.starts_with("ISO-10303-21") => Some(Self::written(Format::Step)),
             _ if text.starts_with("0\nSECTION") || text.starts_with("0\r\nSECTION") => Some(Self::written(Format::Dxf)),
             _ => Self::of_lines(text),
@@ -123,7 +128,7 @@ impl InputKind {
 
     /// True for what may be a mesh.
     pub(crate) fn is_mesh(self) -> bool {
-        [Self::Mesh, OTHER_MESH, Self::written(Format::Glb), Self::written(Format::Stl)].contains(&self)
+        [Self::Mesh, Self::PolygonMesh, OTHER_MESH].contains(&self)
     }
 
     /// What people call it.
@@ -134,7 +139,7 @@ impl InputKind {
             Self::Points => "a list of points",
             Self::PointsJson => "a list of points as JSON",
             Self::PointGrid => "points of a surface (its columns speak of rows or patches)",
-            Self::Mesh => "a mesh",
+            Self::Mesh | Self::PolygonMesh => "a mesh",
             Self::Written(name) | Self::Foreign(name, _) => name,
         }
     }
@@ -167,7 +172,10 @@ mod tests {
             (b"x,y,speed,u,v\n0,1,2,3,4\n", Some(InputKind::Points)),
             (b"x,y,i,j\n0,1,2,3\n", Some(InputKind::Points)),
             (b"x,y,z,i,j,k\n0,1,2,0,0,1\n", Some(InputKind::Points)),
-            (b"ply\nformat ascii 1.0\nelement vertex 3\n", Some(OTHER_MESH)),
+            (b"ply\nformat ascii 1.0\nelement vertex 3\n", Some(InputKind::PolygonMesh)),
+            (b"solid part\nfacet normal 0 0 1\n", Some(InputKind::PolygonMesh)),
+            (b"solid ground\n", None),
+            (b"glTF\x02\0\0\0", Some(InputKind::PolygonMesh)),
             (b"vertex v\n", None),
             (b"", None),
             (b"\xff\xfe\x00", None),

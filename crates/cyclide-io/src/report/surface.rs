@@ -27,8 +27,10 @@ pub struct SurfaceReport {
     /// Edges with one patch only.
     pub free_edges: usize,
     /// Area of a surface that is one part; `None` where there are several: the sum of the two skins of a shell and its rims
-    /// is nobody's area.
+    /// is nobody's pane.
     pub area: Option<f64>,
+    /// Area of all patches together: what is painted.
+    pub total_area: f64,
     /// What creases divide the bodies into, the largest first: one part for a smooth surface; the skins and the rims of a
     /// thick shell.
     pub parts: Vec<PartReport>,
@@ -46,10 +48,12 @@ pub struct SurfaceReport {
     pub curvature_t: CurvatureRangeReport,
     /// The nine real weights of every patch, before patches are cut so that all are positive.
     pub weights: RangeReport,
-    /// Largest real part of the quaternion quotient, a length: how far rounding takes the surface out of three-space.
-    pub residual: f64,
-    /// Largest cosine between the two directions of the parameter lines of patches of cyclides.
-    pub orthogonality: f64,
+    /// Largest real part of the quaternion quotient, a length: how far rounding takes patches of cyclides out of
+    /// three-space. `None` without such patches.
+    pub residual: Option<f64>,
+    /// Largest cosine between the two directions of the parameter lines of patches of cyclides. `None` without these:
+    /// lines of rational faces need not cross at right angles.
+    pub orthogonality: Option<f64>,
     /// Patches with a singular point: a parameter line that shrinks to a point inside, or a side that is a node.
     pub singular: Vec<SingularPatchReport>,
     /// Patches whose `f_s × f_t` is against the normal along which offsets are made: offsets beyond a focal set. Of a
@@ -221,6 +225,7 @@ impl SurfaceReport {
             closed: shells().all(Shell::is_closed),
             free_edges: shells().flat_map(Shell::edge_uses).filter(|&uses| uses == 1).count(),
             area: if let [only] = parts[..] { Some(only.area) } else { None },
+            total_area: parts.iter().map(|part| part.area).sum(),
             parts,
             volume: volumes.map(|v| v.iter().sum()),
             not_known,
@@ -228,8 +233,8 @@ impl SurfaceReport {
             curvature_s: CurvatureRangeReport::EMPTY,
             curvature_t: CurvatureRangeReport::EMPTY,
             weights: RangeReport::EMPTY,
-            residual: 0.0,
-            orthogonality: 0.0,
+            residual: None,
+            orthogonality: None,
             singular: Vec::new(),
             flipped: Vec::new(),
             seams: nets.flat_map(|net| SeamReport::all(net, &built.seams)).collect(),
@@ -265,12 +270,13 @@ impl SurfaceReport {
         for weight in patch.real_weights().as_flattened() {
             self.weights = self.weights.with(*weight, *weight);
         }
+        let (residual, orthogonality) = (self.residual.get_or_insert(0.0), self.orthogonality.get_or_insert(0.0));
         for i in 0..SAMPLES * SAMPLES {
             let [s, t] = [i % SAMPLES, i / SAMPLES].map(|k| k as f64 / (SAMPLES - 1) as f64);
-            self.residual = self.residual.max(patch.real_residual(s, t));
+            *residual = residual.max(patch.real_residual(s, t));
             let jet = patch.jet(s, t);
             if let (Some(a), Some(b)) = (jet.ds.unit(), jet.dt.unit()) {
-                self.orthogonality = self.orthogonality.max(a.dot(b).abs());
+                *orthogonality = orthogonality.max(a.dot(b).abs());
             }
         }
     }

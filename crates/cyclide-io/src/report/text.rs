@@ -178,7 +178,8 @@ impl SurfaceReport {
             line("area", measure(area, units, "²"))?;
         } else if !self.parts.is_empty() {
             let each = self.parts.iter().map(|part| measure(part.area, units, "²"));
-            line("areas", listed(self.parts.len(), each))?;
+            let together = measure(self.total_area, units, "²");
+            line("areas", format!("{}; together {together}", listed(self.parts.len(), each)))?;
         }
         if let Some(volume) = self.volume {
             line("volume", measure(volume, units, "³"))?;
@@ -202,8 +203,9 @@ impl SurfaceReport {
         let (s, t) = (self.curvature_s.text(units), self.curvature_t.text(units));
         line("curvature", format!("along s {s}; along t {t}"))?;
         line("weights", range(&self.weights))?;
-        let (residual, cosine) = (short(self.residual), short(self.orthogonality));
-        line("accuracy", format!("in space to {residual} {units}, lines orthogonal to {cosine} rad"))?;
+        if let (Some(residual), Some(cosine)) = (self.residual.map(short), self.orthogonality.map(short)) {
+            line("accuracy", format!("in space to {residual} {units}, lines orthogonal to {cosine} rad"))?;
+        }
         if let Some(polyhedron) = &self.polyhedron {
             line("polyhedron", polyhedron.text(units))?;
         }

@@ -149,13 +149,17 @@ impl std::fmt::Display for Error {
                 ShortNumber(*min),
                 ShortNumber(*max)
             ),
-            Self::AngleOutOfRange { angle, min, max } => write!(
-                f,
-                "the angle {:#} is 0 or outside {:#} to {:#} radians; degrees are written {{\"degrees\": 90}}",
-                ShortNumber(*angle),
-                ShortNumber(*min),
-                ShortNumber(*max)
-            ),
+            Self::AngleOutOfRange { angle: 0.0, .. } => f.write_str("the angle is 0"),
+            Self::AngleOutOfRange { angle, min, max } => {
+                let [own, from, to] = [*angle, *min, *max].map(|radians| ShortNumber(radians.to_degrees()));
+                write!(
+                    f,
+                    "the angle of {:#} radians ({own} degrees) is outside {:#} to {:#} radians ({from} to {to} degrees); degrees are written {{\"degrees\": 90}}",
+                    ShortNumber(*angle),
+                    ShortNumber(*min),
+                    ShortNumber(*max)
+                )
+            }
             Self::CrossesAxis { piece, distance, .. } => write!(
                 f,
                 "piece {piece} of the profile meets the axis, or lies on another side of it than the pieces before (distance {}): cut it there and turn one half",

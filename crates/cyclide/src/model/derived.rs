@@ -7,7 +7,7 @@ use super::surface_object::SurfaceObject;
 use crate::base::vector::Vec3;
 use crate::conformal::mobius::{Conformal, Mobius};
 use crate::construct::{Pipe, Revolution};
-use crate::curve::{Arc, ParamCurve as _};
+use crate::curve::{Arc, ArcPath, ParamCurve as _};
 use crate::error::{Error, Result};
 use crate::surface::CyclidicNet;
 use crate::topology::{Body, EdgeCurve, Shell};
@@ -80,11 +80,19 @@ impl CurveObject {
     /// # Errors
     /// `not-of-arcs`, errors of the arcs that stand for the curve, and as [`Pipe::body`].
     pub fn piped(&self, pipe: &Pipe, tolerance: Option<f64>) -> Result<SurfaceObject> {
+        pipe.body(&self.spine(tolerance)?).map(SurfaceObject::Body)
+    }
+
+    /// The arcs and segments that a pipe about the curve follows: its own, or those within the tolerance, if one is given.
+    ///
+    /// # Errors
+    /// `not-of-arcs`, errors of the arcs that stand for the curve.
+    pub fn spine(&self, tolerance: Option<f64>) -> Result<ArcPath> {
         let wanted = "polyline, arc-spline, arc-fit, circle";
         let of_arcs = !matches!(self, Self::CircleSpline(_));
         // What is exact does not ask for the tolerance.
         let tolerance = tolerance.or_else(|| of_arcs.then_some(1.0)).ok_or(Error::NotOfArcs { wanted })?;
-        pipe.body(&self.lower_to_arcs(tolerance)?.form).map(SurfaceObject::Body)
+        Ok(self.lower_to_arcs(tolerance)?.form)
     }
 }
 

@@ -3,7 +3,7 @@
 use cyclide::{Arc, Biarc, BlendSegment, Circle, CurveObject, ErrorItem, Quat, Vec3, Warning, bounds};
 
 use super::Builder;
-use super::idle::{Idle, NO_EFFECT, idle_fields};
+use super::idle::{Idle, idle_fields};
 use crate::document::angle::Angle;
 use crate::document::construct::{
     Contour, ContourFacts, Made, arc_fit, arc_spline, circle_spline, fair_fit, fair_spline, polyline,
@@ -257,10 +257,7 @@ impl Builder<'_> {
             }
             made.push((curve, facts));
         }
-        for (field, why) in idle.unwrap_or_default() {
-            let place = (!self.document.text.is_empty()).then(|| path_text(&self.path([Step::from(field)])));
-            self.remark(NO_EFFECT, None, None, place, format!("`{field}` has no effect: {why}"));
-        }
+        self.remark_on_idle(idle.unwrap_or_default());
         Ok(made)
     }
 
@@ -270,7 +267,10 @@ impl Builder<'_> {
             && let Some(found) = InputKind::of_bytes(&bytes).filter(|found| *found != InputKind::Points)
         {
             let place = match found {
-                InputKind::Mesh => ": the field `grid` of a `cyclidic-net` reads it",
+                InputKind::Mesh => {
+                    ": the field `grid` of a `cyclidic-net` reads it, `mesh` of a `smooth-mesh` or a `smooth-polyhedron` too"
+                }
+                InputKind::PolygonMesh => ": the field `mesh` of a `smooth-mesh` or a `smooth-polyhedron` reads it",
                 InputKind::PointGrid => {
                     ": a `cyclidic-net` reads it as a mesh (OBJ); choose `columns` if it is a curve"
                 }

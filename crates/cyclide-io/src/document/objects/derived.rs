@@ -1,10 +1,11 @@
 //! Objects made from other objects.
 
 use cyclide::{
-    Body, Conformal as _, CurveObject, CyclidePatch, ErrorItem, HPoint, Mobius, Pipe, Point3, Quat, Revolution, Shell,
-    ShellFace, ShortNumber, SurfaceObject, Vec3, Warning, bounds, closest_point,
+    Body, Conformal as _, CurveObject, CyclidePatch, ErrorItem, HPoint, Mobius, ParamCurve as _, Pipe, Point3, Quat,
+    Revolution, Shell, ShellFace, ShortNumber, SurfaceObject, Vec3, Warning, bounds, closest_point,
 };
 
+use super::idle::idle_in_pipe;
 use super::{Builder, BuiltObject};
 use crate::document::angle::Angle;
 use crate::document::coordinates::Coordinates;
@@ -15,11 +16,11 @@ use crate::error::{Error, Result};
 impl Builder<'_> {
     /// The parallel surfaces, or the solids between.
     pub(super) fn offset(&self, spec: &OffsetSpec) -> Result<Vec<SurfaceObject>> {
-        let needed = "only surfaces that are not thick already have an offset";
-        let source = self.surface_source(needed)?;
+        let source = self.surface_source("only surfaces have an offset")?;
+        let other = "only patches, nets and cyclides that are not thick already have an exact offset; what is made of curves or meshes gets its wall from them: both sides of a profile, the `wall` of a pipe, a larger `radius`";
         let made = source.item.surfaces.iter().map(|surface| {
             let made = if spec.thick { surface.thick(spec.distance) } else { surface.offset(spec.distance) };
-            made.ok_or_else(|| self.wrong_source(needed))?.map_err(|e| self.refused(&e, None))
+            made.ok_or_else(|| self.wrong_source(other))?.map_err(|e| self.refused(&e, None))
         });
         made.collect()
     }
@@ -38,7 +39,7 @@ impl Builder<'_> {
     }
 
     /// The tubes about the curves of another object.
-    pub(super) fn pipe(&self, spec: &PipeSpec) -> Result<Vec<SurfaceObject>> {
+    pub(super) fn pipe(&mut self, spec: &PipeSpec) -> Result<Vec<SurfaceObject>> {
         let curves = self.sources.first().map_or(&[][..], |source| &source.item.contours);
         if curves.is_empty() {
             return Err(self.wrong_source("only curves have a pipe about them"));
@@ -48,7 +49,21 @@ impl Builder<'_> {
         if let Some(wall) = spec.wall {
             pipe = pipe.with_wall(wall).map_err(refused)?;
         }
-        curves.iter().map(|curve| curve.piped(&pipe, spec.tolerance).map_err(refused)).collect()
+        let spines = curves.iter().map(|curve| curve.spine(spec.tolerance)).collect::<cyclide::Result<Vec<_>>>();
+        let spines = spines.map_err(refused)?;
+        let bodies =
+            spines.iter().map(|spine| pipe.body(spine)).collect::<cyclide::Result<Vec<_>>>().map_err(refused)?;
+        let meeting = pipe.first_meeting(&spines).map_err(refused)?;
+        let idle = idle_in_pipe(spec, curves, spines.iter().all(|spine| spine.is_closed()));
+        if let Some(([first, second], distance)) = meeting {
+            let message = format!(
+                "the pipes of the contours {first} and {second} run into each other ({} from spine to spine): each is a body of its own, and volume and area count what they share twice; fuse them in CAD",
+                ShortNumber(distance)
+            );
+            self.remark("pipes-meet", Some(second), None, None, message);
+        }
+        self.remark_on_idle(idle);
+        Ok(bodies.into_iter().map(SurfaceObject::Body).collect())
     }
 
     /// The edges of a surface, each once.

@@ -3,14 +3,16 @@
 //! Where it is cheap the curve is made again without the field and compared; so the answer needs no rule of its own for what
 //! a construction does with a field.
 
-use cyclide::{BiarcRule, CurveObject, bounds, corners_by_angle};
+use cyclide::{BiarcRule, CurveObject, PipeEnds, bounds, corners_by_angle};
 
+use super::Builder;
 use crate::document::angle::Angle;
 use crate::document::construct::{Contour, arc_spline, fair_spline};
 use crate::document::coordinates::{PointFile, PointSource};
+use crate::document::locate::{Step, path_text};
 use crate::document::spec::{
     ArcSplineSpec, CircleSplineSpec, Comment, EndsSpec, FairEndsSpec, FairFitSpec, FairSplineSpec, ObjectSpec,
-    StraightWord, TypeWord,
+    PipeSpec, StraightWord, TypeWord,
 };
 
 /// The reason of warnings about fields and options without effect.
@@ -90,6 +92,30 @@ fn in_fair_fit(spec: &FairFitSpec, at: &Contour<'_>) -> Vec<Idle> {
         ("budget", spec.budget.is_some() && no_fits, none_taken_out),
         ("corner_angle", has_no_corner(spec.corner_angle, spec.closed, at), NO_CORNER),
     ])
+}
+
+/// The fields of a pipe that make no difference; `closed` if all curves are.
+pub(super) fn idle_in_pipe(spec: &PipeSpec, curves: &[CurveObject], closed: bool) -> Vec<Idle> {
+    let of_arcs = !curves.iter().any(|curve| matches!(curve, CurveObject::CircleSpline(_)));
+    found(&[
+        ("ends", closed && spec.ends != PipeEnds::Flat, NO_ENDS),
+        (
+            "ends",
+            !closed && spec.ends == PipeEnds::Open && spec.wall.is_some(),
+            "a wall ends in rings; without `wall` the tube is open",
+        ),
+        ("tolerance", of_arcs && spec.tolerance.is_some(), "the curve is made of arcs and segments already"),
+    ])
+}
+
+impl Builder<'_> {
+    /// Says which fields have no effect.
+    pub(super) fn remark_on_idle(&mut self, idle: Vec<Idle>) {
+        for (field, why) in idle {
+            let place = (!self.document.text.is_empty()).then(|| path_text(&self.path([Step::from(field)])));
+            self.remark(NO_EFFECT, None, None, place, format!("`{field}` has no effect: {why}"));
+        }
+    }
 }
 
 /// Part of a curve's size that rounding may move it by.

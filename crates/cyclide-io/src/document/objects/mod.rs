@@ -5,6 +5,7 @@ mod derived;
 mod idle;
 mod net_hints;
 mod nets;
+mod polygon_mesh;
 mod polyhedra;
 mod references;
 mod refuse;
@@ -21,7 +22,7 @@ use super::Document;
 use super::construct::ContourFacts;
 use super::coordinates::PointSource;
 use super::locate::{Step, path_text, span_of};
-use super::spec::{CyclidicNetSpec, GridSource, ObjectSpec, PolyhedronFile, TriangleMeshFile};
+use super::spec::{CyclidicNetSpec, GridSource, ObjectSpec, PolygonMeshFile};
 use crate::error::{Error, Result};
 use crate::text::place::Diagnostic;
 pub use idle::NO_EFFECT;
@@ -154,8 +155,8 @@ impl Document {
             (ObjectSpec::CyclidicNet(CyclidicNetSpec { grid: GridSource::File(file), .. }), _) => {
                 Some(file.obj.as_str())
             }
-            (ObjectSpec::SmoothPolyhedron(spec), _) => spec.mesh.as_ref().map(PolyhedronFile::path),
-            (ObjectSpec::SmoothMesh(spec), _) => spec.mesh.as_ref().map(TriangleMeshFile::path),
+            (ObjectSpec::SmoothPolyhedron(spec), _) => spec.mesh.as_ref().map(PolygonMeshFile::path),
+            (ObjectSpec::SmoothMesh(spec), _) => spec.mesh.as_ref().map(PolygonMeshFile::path),
             _ => None,
         })
     }

@@ -100,7 +100,8 @@ impl<'a> Builder<'a> {
         let mesh = read_quad_grid(&name, &bytes).map_err(|message| match InputKind::of_bytes(&bytes) {
             None | Some(InputKind::Mesh) => Error::Input(message),
             Some(found) => {
-                let text = format!("{name} is {}, not a mesh (OBJ)", found.name());
+                let other = if found == InputKind::PolygonMesh { "a mesh in another format" } else { found.name() };
+                let text = format!("{name} is {other}, not a mesh (OBJ)");
                 Error::Input(self.diagnostic(["grid".into(), "obj".into()], &text))
             }
         })?;

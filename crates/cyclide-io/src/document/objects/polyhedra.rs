@@ -6,10 +6,8 @@ use super::Builder;
 use super::curves::inline_points;
 use crate::document::coordinates::PointSource;
 use crate::document::locate::Step;
-use crate::document::spec::{PolyhedronFile, SmoothPolyhedronSpec};
+use crate::document::spec::{PolygonMeshFile, SmoothPolyhedronSpec};
 use crate::error::{Error, Result};
-use crate::formats::{InputKind, read_polygons, read_triangles};
-use crate::input::polygon_mesh::PolygonMesh;
 use crate::input::triangle_mesh::distinct;
 
 /// Part of the largest coordinate of an STL file by which a corner may be off its plane: sixteen roundings to single precision, for
@@ -88,25 +86,13 @@ impl Builder<'_> {
     }
 
     /// The mesh of a file; corners at the same place are one, and triangles without area left out.
-    fn polyhedron_file(&mut self, file: &PolyhedronFile) -> Result<Mesh> {
-        let (name, bytes) = self.file(file.path(), ["mesh", file.word()])?;
-        let read = match file {
-            PolyhedronFile::Obj(_) => read_polygons(&name, &bytes),
-            PolyhedronFile::Stl(_) => read_triangles(&name, &bytes).map(|points| {
-                let faces = (0..points.len() / 3).map(|k| vec![3 * k, 3 * k + 1, 3 * k + 2]).collect();
-                PolygonMesh { points, faces, ..PolygonMesh::default() }
-            }),
-        };
-        let given = read.map_err(|message| match InputKind::of_bytes(&bytes) {
-            Some(found) if found != InputKind::Mesh => {
-                let text = format!("{name} is {}, not a mesh ({})", found.name(), file.word().to_uppercase());
-                Error::Input(self.diagnostic(["mesh".into(), file.word().into()], &text))
-            }
-            _ => Error::Input(message),
-        })?;
+    fn polyhedron_file(&mut self, file: &PolygonMeshFile) -> Result<Mesh> {
+        let (name, given) = self.mesh_of_file(file)?;
         let (points, faces) = welded(&given.points, &given.faces);
         let largest = points.iter().map(|p| p.to_vec().max_abs()).fold(0.0, f64::max);
-        let flatness = matches!(file, PolyhedronFile::Stl(_)).then_some(SINGLE * largest);
+        // Formats whose numbers have single precision.
+        let single = matches!(file, PolygonMeshFile::Stl(_) | PolygonMeshFile::Glb(_));
+        let flatness = single.then_some(SINGLE * largest);
         Ok(Mesh { points, faces: Some(faces), flatness, field: "mesh", file: Some(name) })
     }
 

@@ -1,18 +1,16 @@
 //! Smooth surfaces over triangles: from files and lists to the kernel's surfaces.
 
 use cyclide::{
-    Error as KernelError, ErrorItem, NormalWeights, Point3, ShortNumber, SmoothMesh, SphereBlend, SurfaceObject,
-    TriangleSurface, Units, VertexNormals, Warning,
+    Error as KernelError, ErrorItem, NormalWeights, ShortNumber, SmoothMesh, SphereBlend, SurfaceObject,
+    TriangleSurface, VertexNormals, Warning,
 };
 
 use super::Builder;
 use crate::document::angle::Angle;
 use crate::document::coordinates::Coordinates;
 use crate::document::locate::Step;
-use crate::document::spec::{NormalsSpec, SmoothMeshSpec, SphereBlendSpec, TriangleMeshFile};
+use crate::document::spec::{NormalsSpec, PolygonMeshFile, SmoothMeshSpec, SphereBlendSpec};
 use crate::error::{Error, Result};
-use crate::formats::{InputKind, read_polygons, read_scene, read_triangles};
-use crate::input::ply;
 use crate::input::polygon_mesh::PolygonMesh;
 use crate::input::triangle_mesh::{TriangleMesh, Uncut};
 
@@ -113,7 +111,7 @@ impl Builder<'_> {
             NormalsSpec::File if given.mesh.corner_normals.is_empty() => {
                 let why = match &spec.mesh {
                     None => "there is no file: give one for each of `vertices`, or take \"angle\" or \"sphere\"",
-                    Some(TriangleMeshFile::Stl(_)) => {
+                    Some(PolygonMeshFile::Stl(_)) => {
                         "STL has normals of triangles, not of vertices: take \"angle\" or \"sphere\""
                     }
                     Some(_) => "the file does not have a normal for every corner: take \"angle\" or \"sphere\"",
@@ -125,45 +123,9 @@ impl Builder<'_> {
         Ok(given)
     }
 
-    fn polygon_file(&mut self, file: &TriangleMeshFile) -> Result<Given> {
-        let (name, bytes) = self.file(file.path(), ["mesh", file.word()])?;
-        let read = match file {
-            TriangleMeshFile::Obj(_) => read_polygons(&name, &bytes),
-            TriangleMeshFile::Ply(_) => ply::read_polygons(&name, &bytes),
-            TriangleMeshFile::Stl(_) => read_triangles(&name, &bytes).map(|points| {
-                let faces = (0..points.len() / 3).map(|k| vec![3 * k, 3 * k + 1, 3 * k + 2]).collect();
-                PolygonMesh { points, faces, ..PolygonMesh::default() }
-            }),
-            TriangleMeshFile::Glb(_) => read_scene(&name, &bytes).map(|scene| {
-                if scene.lines > 0 {
-                    let message = format!("{} primitives of points and lines are left out", scene.lines);
-                    self.remark("lines-left-out", None, None, Some(name.clone()), message);
-                }
-                if scene.moves {
-                    let message = "skins and morph targets are left aside: the mesh is taken at rest".to_owned();
-                    self.remark("pose-left-aside", None, None, Some(name.clone()), message);
-                }
-                let mut mesh = scene.mesh;
-                let units = self.document.units;
-                let scale = 1000.0 / units.in_millimetres();
-                if units != Units::Metre {
-                    mesh.points.iter_mut().for_each(|p| *p = Point3::ORIGIN + p.to_vec() * scale);
-                    let (factor, symbol) = (ShortNumber(scale), units.symbol());
-                    let message =
-                        format!("GLB counts in metres: coordinates are multiplied by {factor} to be in {symbol}");
-                    self.remark("unit-of-file", None, None, Some(name.clone()), message);
-                }
-                mesh
-            }),
-        };
-        let mesh = read.map_err(|message| match InputKind::of_bytes(&bytes) {
-            Some(found) if !found.is_mesh() => {
-                let text = format!("{name} is {}, not a mesh ({})", found.name(), file.word().to_uppercase());
-                Error::Input(self.diagnostic(["mesh".into(), file.word().into()], &text))
-            }
-            _ => Error::Input(message),
-        })?;
-        let shared = matches!(file, TriangleMeshFile::Obj(_) | TriangleMeshFile::Ply(_));
+    fn polygon_file(&mut self, file: &PolygonMeshFile) -> Result<Given> {
+        let (name, mesh) = self.mesh_of_file(file)?;
+        let shared = matches!(file, PolygonMeshFile::Obj(_) | PolygonMeshFile::Ply(_));
         Ok(Given { mesh, file: Some(name), shared })
     }
 

@@ -6,6 +6,7 @@ mod curves;
 mod derived;
 mod fair;
 mod nets;
+mod polygon_mesh_file;
 mod polyhedra;
 mod radii;
 mod smooth;
@@ -30,9 +31,10 @@ pub use derived::{
 };
 pub use fair::{FairEndPair, FairEndSpec, FairEndWord, FairEndsSpec, FairSplineSpec, StraightWord};
 pub use nets::{CyclideSpec, CyclidicNetSpec, FrameSpec, GridSource, MeshFile};
-pub use polyhedra::{PolyhedronFile, SmoothPolyhedronSpec};
+pub use polygon_mesh_file::PolygonMeshFile;
+pub use polyhedra::SmoothPolyhedronSpec;
 pub use radii::RadiiSpec;
-pub use smooth::{NormalsSpec, SmoothMeshSpec, SphereBlendSpec, TriangleMeshFile};
+pub use smooth::{NormalsSpec, SmoothMeshSpec, SphereBlendSpec};
 pub use surfaces::CyclidePatchSpec;
 pub use swept::{CircularSurfaceSpec, DiskSpec, EllipseBridgeSpec, PlateSpec, PlateWithNeckSpec, RuledSpec};
 

@@ -5,6 +5,7 @@ use serde::Deserialize;
 
 use super::TypeWord;
 use super::comment::Comment;
+use super::polygon_mesh_file::PolygonMeshFile;
 use crate::document::coordinates::{Coordinates, PointSource};
 
 /// A convex polyhedron with all edges and corners rounded: the points within a distance of it. A solid of planes, cylinders and
@@ -31,7 +32,7 @@ pub struct SmoothPolyhedronSpec {
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub radius: f64,
     /// A closed mesh of any planar polygons. Points that are equal are one; faces in one plane become one.
-    pub mesh: Option<PolyhedronFile>,
+    pub mesh: Option<PolygonMeshFile>,
     /// Points whose convex hull it is.
     pub points: Option<PointSource>,
     /// The vertices.
@@ -44,36 +45,7 @@ pub struct SmoothPolyhedronSpec {
     #[serde(default)]
     pub hull: bool,
     /// Corners this near to a plane are in it: faces are planar, and those in one plane become one. Default: 1e-9 of the diameter,
-    /// of an STL file the rounding of its numbers, 1e-6 of the largest coordinate.
+    /// of an STL or GLB file the rounding of its numbers, 1e-6 of the largest coordinate.
     #[schemars(range(min = 0.0))]
     pub flatness: Option<f64>,
-}
-
-/// A mesh in a file of its own.
-#[derive(Debug, Clone, PartialEq, Eq, Deserialize, JsonSchema)]
-pub enum PolyhedronFile {
-    /// Path of a Wavefront OBJ file, relative to the document.
-    #[serde(rename = "obj")]
-    Obj(String),
-    /// Path of an STL file, binary or text, relative to the document.
-    #[serde(rename = "stl")]
-    Stl(String),
-}
-
-impl PolyhedronFile {
-    /// The path.
-    #[must_use]
-    pub fn path(&self) -> &str {
-        match self {
-            Self::Obj(path) | Self::Stl(path) => path,
-        }
-    }
-
-    /// The word of its format.
-    pub(crate) const fn word(&self) -> &'static str {
-        match self {
-            Self::Obj(_) => "obj",
-            Self::Stl(_) => "stl",
-        }
-    }
 }

@@ -5,6 +5,7 @@ use serde::Deserialize;
 
 use super::TypeWord;
 use super::comment::Comment;
+use super::polygon_mesh_file::PolygonMeshFile;
 use crate::document::angle::Angle;
 use crate::document::coordinates::Coordinates;
 
@@ -28,7 +29,7 @@ pub struct SmoothMeshSpec {
     #[serde(default)]
     pub construction: bool,
     /// A mesh of polygons, which are cut into triangles. Points that are equal are one.
-    pub mesh: Option<TriangleMeshFile>,
+    pub mesh: Option<PolygonMeshFile>,
     /// The vertices.
     #[schemars(length(min = 3))]
     pub vertices: Option<Vec<Coordinates>>,
@@ -97,43 +98,6 @@ impl<'de> Deserialize<'de> for NormalsSpec {
             }
         }
         deserializer.deserialize_any(NormalsVisitor)
-    }
-}
-
-/// A mesh in a file of its own.
-#[derive(Debug, Clone, PartialEq, Eq, Deserialize, JsonSchema)]
-pub enum TriangleMeshFile {
-    /// Path of a Wavefront OBJ file, relative to the document.
-    #[serde(rename = "obj")]
-    Obj(String),
-    /// Path of an STL file, binary or text, relative to the document.
-    #[serde(rename = "stl")]
-    Stl(String),
-    /// Path of a PLY file, binary or text, relative to the document.
-    #[serde(rename = "ply")]
-    Ply(String),
-    /// Path of a binary glTF file, relative to the document: its scene, in metres, with the axis that is up there as third one.
-    #[serde(rename = "glb")]
-    Glb(String),
-}
-
-impl TriangleMeshFile {
-    /// The path.
-    #[must_use]
-    pub fn path(&self) -> &str {
-        match self {
-            Self::Obj(path) | Self::Stl(path) | Self::Ply(path) | Self::Glb(path) => path,
-        }
-    }
-
-    /// The word of its format.
-    pub(crate) const fn word(&self) -> &'static str {
-        match self {
-            Self::Obj(_) => "obj",
-            Self::Stl(_) => "stl",
-            Self::Ply(_) => "ply",
-            Self::Glb(_) => "glb",
-        }
     }
 }
 

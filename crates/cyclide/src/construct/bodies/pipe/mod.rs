@@ -117,4 +117,25 @@ impl Pipe {
         }
         Ok(Body { outer: outer.with_bore(inner)?, voids: Vec::new() })
     }
+
+    /// The first two of several spines, by their numbers, whose pipes run into each other, with the distance of the spines there:
+    /// each pipe is a body of its own, and what they have in common counts twice. Parts of pipes beyond the balls about their spines, the
+    /// spikes of mitres, are not looked at.
+    ///
+    /// ```
+    /// use cyclide::{ArcPath, Pipe, Point3};
+    /// let rod = |from: [f64; 3], to: [f64; 3]| ArcPath::rounded_polyline(&[from, to].map(Point3::from), false, &[0.0; 2]);
+    /// let cross = [rod([-9.0, 0.0, 0.0], [9.0, 0.0, 0.0])?, rod([0.0, -9.0, 1.0], [0.0, 9.0, 1.0])?];
+    /// assert_eq!(Pipe::new(1.0)?.first_meeting(&cross)?, Some(([0, 1], 1.0)));
+    /// assert_eq!(Pipe::new(0.4)?.first_meeting(&cross)?, None);
+    /// # Ok::<(), cyclide::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`body`](Self::body), of each spine.
+    pub fn first_meeting(&self, spines: &[ArcPath]) -> Result<Option<([usize; 2], f64)>> {
+        let spines = spines.iter().map(|path| Spine::new(path, self.radius)).collect::<Result<Vec<_>>>()?;
+        let found = overlap::first_meeting(&spines, self.radius, self.ends);
+        Ok(found.map(|overlap::Meeting { spines, distance }| (spines, distance)))
+    }
 }

@@ -47,26 +47,18 @@ struct Measured<'a> {
 /// # Errors
 /// `pipe-meets-itself`.
 pub(super) fn check(spine: &Spine, radius: f64, ends: PipeEnds) -> Result<()> {
-    let mut before = Vec::with_capacity(spine.pieces.len());
-    let mut length = 0.0;
-    for piece in &spine.pieces {
-        before.push(length);
-        length += piece.arc.length();
-    }
-    let measured = Measured { spine, before, length, radius, ends };
-    let step = (0.5 * radius).max(length / MOST_CHORDS);
+    let measured = Measured::new(spine, radius, ends);
+    let step = (0.5 * radius).max(measured.length / MOST_CHORDS);
     let middles = measured.middles(step);
     let cube = 2.0 * radius + step;
-    let key = |p: Point3| p.to_array().map(|v| (v / cube).floor() as i64);
+    let key = |p: Point3| key(p, cube);
     let mut cubes: HashMap<[i64; 3], Vec<usize>> = HashMap::new();
     for (k, middle) in middles.iter().enumerate() {
         cubes.entry(key(middle.point)).or_default().push(k);
     }
     for middle in &middles {
-        let [x, y, z] = key(middle.point);
         let mut seen: Vec<usize> = Vec::new();
-        let around = (0..27).map(|k: i64| [x + k % 3 - 1, y + k / 3 % 3 - 1, z + k / 9 - 1]);
-        for other in around.filter_map(|at| cubes.get(&at)).flatten().map(|&k| &middles[k]) {
+        for other in around(key(middle.point)).filter_map(|at| cubes.get(&at)).flatten().map(|&k| &middles[k]) {
             let near = middle.point.distance(other.point) < cube;
             if !near || !measured.is_apart(middle, other) || seen.contains(&other.piece) {
                 continue;
@@ -76,9 +68,7 @@ pub(super) fn check(spine: &Spine, radius: f64, ends: PipeEnds) -> Result<()> {
         }
     }
     for (own, p) in measured.outside_balls() {
-        let [x, y, z] = key(p);
-        let around = (0..27).map(|k: i64| [x + k % 3 - 1, y + k / 3 % 3 - 1, z + k / 9 - 1]);
-        for other in around.filter_map(|at| cubes.get(&at)).flatten().map(|&k| &middles[k]) {
+        for other in around(key(p)).filter_map(|at| cubes.get(&at)).flatten().map(|&k| &middles[k]) {
             if measured.is_apart(&own, other) {
                 measured.check_point(&own, p, other.piece)?;
             }
@@ -87,7 +77,56 @@ pub(super) fn check(spine: &Spine, radius: f64, ends: PipeEnds) -> Result<()> {
     Ok(())
 }
 
-impl Measured<'_> {
+/// Two tubes of one radius that run into each other, and how near their spines are.
+pub(super) struct Meeting {
+    pub(super) spines: [usize; 2],
+    pub(super) distance: f64,
+}
+
+/// The first tubes about different spines, in their order, that meet.
+pub(super) fn first_meeting(spines: &[Spine], radius: f64, ends: PipeEnds) -> Option<Meeting> {
+    let all: Vec<Measured<'_>> = spines.iter().map(|spine| Measured::new(spine, radius, ends)).collect();
+    let length: f64 = all.iter().map(|one| one.length).sum();
+    let step = (0.5 * radius).max(length / MOST_CHORDS);
+    let cube = 2.0 * radius + step;
+    let mut cubes: HashMap<[i64; 3], Vec<(usize, Place)>> = HashMap::new();
+    for (index, own) in all.iter().enumerate() {
+        for middle in own.middles(step) {
+            let near = around(key(middle.point, cube)).filter_map(|at| cubes.get(&at)).flatten();
+            for (first, other) in
+                near.filter(|(first, other)| *first < index && other.point.distance(middle.point) < cube)
+            {
+                if let Some(distance) = own.distance_if_met(middle, &all[*first], *other) {
+                    return Some(Meeting { spines: [*first, index], distance });
+                }
+            }
+            cubes.entry(key(middle.point, cube)).or_default().push((index, middle));
+        }
+    }
+    None
+}
+
+/// The cube of this width that a point lies in.
+fn key(p: Point3, cube: f64) -> [i64; 3] {
+    p.to_array().map(|v| (v / cube).floor() as i64)
+}
+
+/// A cube and those beside it.
+fn around([x, y, z]: [i64; 3]) -> impl Iterator<Item = [i64; 3]> {
+    (0..27).map(move |k: i64| [x + k % 3 - 1, y + k / 3 % 3 - 1, z + k / 9 - 1])
+}
+
+impl<'a> Measured<'a> {
+    fn new(spine: &'a Spine, radius: f64, ends: PipeEnds) -> Self {
+        let mut before = Vec::with_capacity(spine.pieces.len());
+        let mut length = 0.0;
+        for piece in &spine.pieces {
+            before.push(length);
+            length += piece.arc.length();
+        }
+        Self { spine, before, length, radius, ends }
+    }
+
     /// The middles of chords that are not longer than a step.
     fn middles(&self, step: f64) -> Vec<Place> {
         let mut middles = Vec::new();
@@ -116,11 +155,12 @@ impl Measured<'_> {
         mitred(a, b) || mitred(b, a)
     }
 
-    fn check_pair(&self, from: Place, to: Place) -> Result<()> {
+    /// From a place and one of another spine to the nearest two on their pieces.
+    fn nearest_pair(&self, from: Place, other: &Self, to: Place) -> (Place, Place) {
         let (mut a, mut b) = (from, to);
         let mut distance = f64::INFINITY;
         for _ in 0..TURNS {
-            b = self.nearest_on(b.piece, a.point);
+            b = other.nearest_on(b.piece, a.point);
             a = self.nearest_on(a.piece, b.point);
             let now = a.point.distance(b.point);
             if !(now < distance * (1.0 - TOUCHING)) {
@@ -128,9 +168,22 @@ impl Measured<'_> {
             }
             distance = now;
         }
+        (a, b)
+    }
+
+    /// The distance of two spines next to a place of each, if their tubes meet there.
+    fn distance_if_met(&self, from: Place, other: &Self, to: Place) -> Option<f64> {
+        let (a, b) = self.nearest_pair(from, other, to);
+        let distance = a.point.distance(b.point);
+        let meets = distance < 2.0 * self.radius * (1.0 - TOUCHING) && !self.ends_part(&a, other, &b);
+        meets.then_some(distance)
+    }
+
+    fn check_pair(&self, from: Place, to: Place) -> Result<()> {
+        let (a, b) = self.nearest_pair(from, self, to);
         let limit = 2.0 * self.radius;
         let distance = a.point.distance(b.point);
-        if distance >= limit * (1.0 - TOUCHING) || !self.is_apart(&a, &b) || self.ends_part(&a, &b) {
+        if distance >= limit * (1.0 - TOUCHING) || !self.is_apart(&a, &b) || self.ends_part(&a, self, &b) {
             return Ok(());
         }
         let [first, second] = [a, b].map(|place| self.spine.pieces[place.piece].source);
@@ -181,11 +234,11 @@ impl Measured<'_> {
     }
 
     /// True if a plane end lies between both places: the tube stops there, half a ball short.
-    fn ends_part(&self, a: &Place, b: &Place) -> bool {
+    fn ends_part(&self, a: &Place, other: &Self, b: &Place) -> bool {
         if self.ends == PipeEnds::Round {
             return false;
         }
-        match (self.way_out(a), self.way_out(b)) {
+        match (self.way_out(a), other.way_out(b)) {
             (None, None) => false,
             (Some(out), None) => self.is_before_disk(a.point, out, b.point),
             (None, Some(out)) => self.is_before_disk(b.point, out, a.point),
