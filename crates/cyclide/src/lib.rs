@@ -70,7 +70,7 @@
 //! | bodies made from solids | [`ConvexPolyhedron`], [`SphericalPolygon`] |
 //! | topology | [`Body`], [`Shell`], [`ShellFace`], [`ShellEdge`], [`FaceSurface`], [`EdgeCurve`], [`surface_joints`] |
 //! | polylines and meshes | [`flatten`], [`tessellate`], [`SurfaceMesh`], [`parameter_lines`] |
-//! | models for files | [`Model`], [`Item`], [`CurveObject`], [`SurfaceObject`], [`Lower`], [`CurveChain`], [`Units`] |
+//! | models for files | [`Model`], [`Item`], [`Geometry`], [`CurveObject`], [`SurfaceObject`], [`Lower`], [`CurveChain`], [`Units`] |
 //! | what is refused, what is remarked | [`Error`], [`ErrorItem`], [`reasons`], [`Warning`], [`ShapeChange`] |
 
 mod base;
@@ -126,7 +126,9 @@ pub use mesh::{
     MOST_PIECES, MeshCorner, MeshFace, MeshSource, SmoothTessellation, SurfaceMesh, flatten, flatten_into,
     flatten_places, flatten_within, tessellate, tessellate_all, tessellate_within,
 };
-pub use model::{ChainPiece, CurveChain, CurveObject, Exactness, Item, Lower, Lowered, Model, SurfaceObject, Units};
+pub use model::{
+    ChainPiece, CurveChain, CurveObject, Exactness, Geometry, Item, Lower, Lowered, Model, SurfaceObject, Units,
+};
 pub use rational::{NurbsCurve, RationalBezier, RationalBezierSurface};
 pub use shape_change::ShapeChange;
 pub use short_number::ShortNumber;

@@ -6,7 +6,7 @@ mod page;
 use std::io;
 use std::path::Path;
 
-use cyclide_io::{Document, ExportOptions, FileReport, Format, ModelBuilder, Report, export};
+use cyclide_io::{Document, ExportOptions, Exporter, Format, ModelBuilder, Report};
 
 use crate::arguments::plan::GalleryPlan;
 use crate::commands::load::Loaded;
@@ -60,8 +60,9 @@ fn make(entry: &'static Entry, files: &mut Vec<(String, Vec<u8>)>, progress: &Pr
     let objects = (0..document.objects.len()).map(|index| builder.build(index, &mut hear));
     let objects = objects.collect::<cyclide_io::Result<_>>().map_err(|error| fault(error.to_string()))?;
     let loaded = Loaded { units: document.units, objects, input_files: Vec::new() };
-    let model = loaded.model();
     let mut report = Report::new(loaded.units, &loaded.objects, None);
+    let (model, provenance) = loaded.into_model();
+    let exporter = Exporter::with_provenance(&model, &provenance).map_err(|error| fault(error.to_string()))?;
     files.push((name, entry.document.as_bytes().to_vec()));
     files.extend(entry.inputs.iter().map(|(name, bytes)| ((*name).to_owned(), bytes.to_vec())));
     progress.done();
@@ -71,8 +72,8 @@ fn make(entry: &'static Entry, files: &mut Vec<(String, Vec<u8>)>, progress: &Pr
         let title = if *format == Format::Png { entry.title } else { entry.name };
         let options =
             ExportOptions { title: Some(title.to_owned()), png_width: Some(PICTURE), ..ExportOptions::default() };
-        let exported = export(&model, *format, &options).map_err(|error| fault(error.to_string()))?;
-        let checked = FileReport::new(Path::new(&name), *format, &model, &exported);
+        let exported = exporter.export(*format, &options).map_err(|error| fault(error.to_string()))?;
+        let checked = exporter.check(Path::new(&name), *format, &exported);
         report.files.push(checked.map_err(|error| fault(error.to_string()))?);
         files.push((name, exported.bytes));
         progress.done();
