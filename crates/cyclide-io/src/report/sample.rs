@@ -2,8 +2,8 @@
 //! on surfaces.
 
 use cyclide::{
-    ArcLength, Body, CurveObject, CyclidePatch, FaceSurface, Geometry, ParamSurface as _, ShellFace, SurfaceObject,
-    TriangleSurface,
+    ArcLength, Body, CurveObject, CyclidePatch, FaceGeometry as _, Geometry, ParamSurface as _, ShellFace,
+    SurfaceObject, TriangleSurface,
 };
 
 use crate::check::file_sample::FileSample;
@@ -127,11 +127,7 @@ fn push_surface_sample(out: &mut String, face: &ShellFace, s: f64, t: f64) {
     let side = if flipped == face.same_sense { -1.0 } else { 1.0 };
     let point = surface.point(s, t).to_array().map(Some);
     let normal = (surface.unit_normal(s, t) * side).to_array().map(Some);
-    let curvatures = match surface {
-        FaceSurface::Cyclide(patch) => [patch.k1(t), patch.k2(s)],
-        FaceSurface::Rational(surface) => surface.jet(s, t).normal_curvatures().unwrap_or([f64::NAN; 2]),
-    };
-    let curvatures = curvatures.map(|k| Some(side * k).filter(|k| k.is_finite()));
+    let curvatures = surface.line_curvatures(s, t).map(|k| Some(side * k).filter(|k| k.is_finite()));
     for value in [s, t].map(Some).into_iter().chain(point).chain(normal).chain(curvatures) {
         push_field(out, value);
     }
