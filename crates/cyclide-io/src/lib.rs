@@ -37,6 +37,7 @@ pub use export::camera::Camera;
 pub use export::error::ExportError;
 pub use export::exported::Exported;
 pub use export::options::{DEFAULT_MOST_PIECES, DxfVersion, ExportOptions, StepEdges, StepProducts};
+pub use export::provenance::Provenance;
 #[cfg(feature = "files")]
 pub use file::{
     NotDurable, StagedFiles, WriteOptions, leads_to_standard_input, leads_to_standard_output, same_file, write_file,

@@ -25,7 +25,7 @@ fn build(fields: &str) -> Result<BuiltObject, String> {
 }
 
 fn curve(built: &BuiltObject) -> &dyn ParamCurve {
-    built.item.contours[0].as_curve()
+    built.item.curves()[0].as_curve()
 }
 
 fn near(a: Point3, b: [f64; 3]) -> bool {
@@ -72,7 +72,7 @@ fn an_arc_needs_one_complete_form() {
 fn circle_and_biarc() {
     let built = build("\"type\": \"circle\", \"center\": [1,2,3], \"normal\": [0,1,0], \"radius\": 2").unwrap();
     assert!((length(curve(&built)) - 4.0 * PI).abs() < 1e-13);
-    assert_eq!(built.item.kind, "circle");
+    assert_eq!(built.provenance.kind, "circle");
     let built = build(
         "\"type\": \"biarc\", \"from\": [0,0], \"from_tangent\": [1,0], \"to\": [2,1], \"to_tangent\": [2,0], \"rule\": \"equal-chord\"",
     )
@@ -84,7 +84,7 @@ fn circle_and_biarc() {
 #[test]
 fn a_circle_through_three_points() {
     let built = build("\"type\": \"circle\", \"through\": [[4,0,1],[1,3,1],[-2,0,1]]").unwrap();
-    let CurveObject::Circle(circle) = &built.item.contours[0] else { panic!("a circle") };
+    let CurveObject::Circle(circle) = &built.item.curves()[0] else { panic!("a circle") };
     // The circle about (1, 0, 1) with the radius 3, from the first point counter-clockwise: a few roundings of coordinates of 4.
     assert!(circle.center().distance(Point3::new(1.0, 0.0, 1.0)) < 4e-15 && (circle.radius() - 3.0).abs() < 4e-15);
     assert!(near(curve(&built).point(0.0), [4.0, 0.0, 1.0]) && near(curve(&built).point(0.25), [1.0, 3.0, 1.0]));
@@ -118,20 +118,20 @@ fn splines_and_fits_run_on_every_contour() {
         ("\"type\": \"arc-spline\", \"rule\": \"auto\"", 8),
     ] {
         let built = build(&format!("{fields}, \"closed\": true, \"points\": [{square}, {hole}]")).unwrap();
-        assert_eq!(built.item.contours.len(), 2);
-        assert!(built.item.contours.iter().all(|c| c.as_curve().piece_count() == pieces && c.as_curve().is_closed()));
+        assert_eq!(built.item.curves().len(), 2);
+        assert!(built.item.curves().iter().all(|c| c.as_curve().piece_count() == pieces && c.as_curve().is_closed()));
         assert_eq!(built.contours.iter().map(|c| c.points).collect::<Vec<_>>(), [4, 4]);
         let remark = &built.remarks[0];
         assert_eq!((remark.reason, remark.contour, remark.index), ("closing-point-merged", Some(1), Some(4)));
         assert_eq!(remark.place.as_deref(), Some("objects.a.points[1][4]"));
         // On circles the tension has no effect, of which the kernel knows nothing.
         let of_the_kernel = built.remarks.iter().filter(|remark| remark.reason != "no-effect").count();
-        assert_eq!(built.item.warnings.len(), of_the_kernel);
+        assert_eq!(built.warnings.len(), of_the_kernel);
     }
     let fit = format!("\"type\": \"arc-fit\", \"closed\": true, \"tolerance\": 0.01, \"points\": {circle}");
     let built = build(&fit).unwrap();
     let Some(Fitted::Arcs(certificate)) = built.contours[0].fit else { panic!("an arc fit") };
-    assert!(certificate.deviation <= 0.01 && built.item.tolerance == Some(0.01));
+    assert!(certificate.deviation <= 0.01 && built.tolerance == Some(0.01));
     assert!((length(curve(&built)) - 20.0 * PI).abs() < 0.1);
 }
 
@@ -148,7 +148,7 @@ fn fair_fits_take_their_options_and_keep_their_certificate() {
         let fields = format!("\"type\": \"fair-fit\", \"tolerance\": 0.05{fields}, \"points\": [{}]", points.join(","));
         let built = build(&fields).unwrap();
         let Some(Fitted::Fair(certificate)) = built.contours[0].fit else { panic!("a fair fit") };
-        assert!(certificate.deviation <= 0.05 && built.item.tolerance == Some(0.05));
+        assert!(certificate.deviation <= 0.05 && built.tolerance == Some(0.05));
         (certificate, curve(&built).point(0.0))
     };
     let (free, start) = fit("");
@@ -193,7 +193,7 @@ fn ends_and_corners_reach_the_spline() {
     // The same corner, from a column of the file.
     let file = "x,y,corner\n0,0,0\n2,0,0\n4,0,1\n4,2,0\n4,4,0\n";
     let marked = build_with("\"type\": \"circle-spline\", \"points\": {\"csv\": \"p.csv\"}", file).unwrap();
-    assert_eq!(marked.item.contours, sharp.item.contours);
+    assert_eq!(marked.item.curves(), sharp.item.curves());
 }
 
 #[test]
@@ -201,7 +201,7 @@ fn files_of_points_are_found_next_to_the_document() {
     let file = "# x_m,y_m\n0,0\n1,0\n1,1\n\n5,5\n6,5\n6,6\n5,5\n";
     let fields = "\"type\": \"arc-spline\", \"points\": {\"csv\": \"p.csv\", \"columns\": [\"y_m\", \"x_m\"]}";
     let built = build_with(fields, file).unwrap();
-    assert_eq!(built.item.contours.len(), 2);
+    assert_eq!(built.item.curves().len(), 2);
     assert!(near(curve(&built).point(1.0), [1.0, 1.0, 0.0]) && near(curve(&built).point(0.5), [0.0, 1.0, 0.0]));
     let reasons: Vec<_> = built.remarks.iter().map(|r| (r.reason, r.place.as_deref())).collect();
     assert_eq!(reasons, [("units-differ", Some("dir/p.csv")), ("ends-meet", Some("dir/p.csv:9"))]);
@@ -332,7 +332,7 @@ fn the_words_of_a_fair_spline_reach_the_kernel() {
     assert!(start("\"free\"").curvature().unwrap() < 1e-12 && start("\"arc\"").curvature().unwrap() > 1e-3);
     assert!(start("{\"start\": \"free\", \"end\": [1, 0]}").curvature().unwrap() < 1e-12);
     let tense = fair(", \"tension\": 1");
-    let CurveObject::CircleSpline(spline) = &tense.item.contours[0] else { panic!("a circle spline") };
+    let CurveObject::CircleSpline(spline) = &tense.item.curves()[0] else { panic!("a circle spline") };
     assert!(spline.segments().iter().all(|s| s.law() == cyclide::BlendLaw::Fair { blend: 0.0 }));
     for (fields, reason) in
         [("\"tension\": 2", "tension"), ("\"tight\": 0.5", "tight"), ("\"ends\": {\"end\": [0,0]}", "ends")]
@@ -345,7 +345,7 @@ fn the_words_of_a_fair_spline_reach_the_kernel() {
 #[test]
 fn a_circle_spline_is_one() {
     let built = build("\"type\": \"circle-spline\", \"points\": [[0,0],[1,0],[1,1]]").unwrap();
-    let CurveObject::CircleSpline(spline) = &built.item.contours[0] else { panic!("a circle spline") };
+    let CurveObject::CircleSpline(spline) = &built.item.curves()[0] else { panic!("a circle spline") };
     assert_eq!(spline.order(), 2);
     assert!(spline.segments().iter().all(|s| s.law() == cyclide::BlendLaw::Rational { order: 2 }));
 }
@@ -365,7 +365,7 @@ fn long_chains_of_objects_are_built() {
         let read = |_: &Path| Err(std::io::ErrorKind::NotFound.into());
         let mut builder = ModelBuilder::new(&document, Path::new(""), &read).unwrap();
         let last = (0..count).map(|index| builder.build(index, &mut |_| {}).unwrap()).last().unwrap();
-        let CurveObject::Circle(circle) = &last.item.contours[0] else { panic!("a circle") };
+        let CurveObject::Circle(circle) = &last.item.curves()[0] else { panic!("a circle") };
         assert!((circle.center().x - (count - 1) as f64).abs() < 1e-9);
     };
     build(40_000);

@@ -33,7 +33,7 @@ fn build_with(fields: &str, files: Files<'_>) -> Result<BuiltObject, String> {
 }
 
 fn surface(built: &BuiltObject) -> &TriangleSurface {
-    built.item.surfaces[0].as_triangles().unwrap()
+    built.item.surfaces()[0].as_triangles().unwrap()
 }
 
 fn report(built: &BuiltObject) -> SmoothReport {

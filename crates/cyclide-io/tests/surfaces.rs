@@ -28,7 +28,7 @@ const CIRCLE: &str = r#""c": {"type": "circle", "center": [5, 0], "radius": 1}"#
 #[test]
 fn a_patch_and_its_report() {
     let built = build(OCTANT).unwrap();
-    assert!(matches!(built.item.surfaces[..], [SurfaceObject::Patch(_)]));
+    assert!(matches!(built.item.surfaces(), [SurfaceObject::Patch(_)]));
     let center = Point3::new(1.0, 0.0, 0.0);
     for (s, t) in [(0.2, 0.1), (0.5, 0.5), (0.9, 0.3), (0.0, 1.0)] {
         assert!((point(&built, s, t).distance(center) - 2.0).abs() < 1e-14);
@@ -90,7 +90,7 @@ fn offsets_and_images() {
     let document = Document::parse("m.json", text.as_bytes()).unwrap();
     let read = |_: &Path| Ok(Vec::new());
     let built = ModelBuilder::new(&document, Path::new(""), &read).unwrap().build(0, &mut |_| {}).unwrap();
-    assert!(built.item.contours[0].as_curve().point(0.25).distance(Point3::new(5.0, 8.0, 0.0)) < 1e-14);
+    assert!(built.item.curves()[0].as_curve().point(0.25).distance(Point3::new(5.0, 8.0, 0.0)) < 1e-14);
 }
 
 #[test]
@@ -437,8 +437,8 @@ fn nets_with_their_skins_and_edges() {
         assert!(build(&again).unwrap_err().contains("`t` is of type `offset`: only surfaces that are not thick"));
     }
     let edges = build(&format!(r#"{framed}, "e": {{"type": "support-structure", "of": "n"}}"#)).unwrap();
-    assert_eq!(edges.item.contours.len(), 7);
-    let length: f64 = edges.item.contours.iter().map(|c| cyclide::length(c.as_curve())).sum();
+    assert_eq!(edges.item.curves().len(), 7);
+    let length: f64 = edges.item.curves().iter().map(|c| cyclide::length(c.as_curve())).sum();
     assert!((length - (6.0 + 3.0 * quarter)).abs() < 1e-13);
 }
 

@@ -68,9 +68,9 @@
 //! | surfaces over triangles | [`SmoothMesh`], [`SmoothTriangle`], [`SphereBlend`] |
 //! | bodies made from curves | [`Revolution`], [`Pipe`], [`NeckBlend`], [`EllipseBridge`], [`Body::ruled`], [`Body::circular`] |
 //! | bodies made from solids | [`ConvexPolyhedron`], [`SphericalPolygon`] |
-//! | topology | [`Body`], [`Shell`], [`ShellFace`], [`ShellEdge`], [`FaceSurface`], [`EdgeCurve`], [`surface_joints`] |
+//! | topology | [`Body`], [`Shell`], [`ShellFace`], [`ShellEdge`], [`FaceSurface`], [`FaceGeometry`], [`EdgeCurve`], [`surface_joints`] |
 //! | polylines and meshes | [`flatten`], [`tessellate`], [`SurfaceMesh`], [`parameter_lines`] |
-//! | models for files | [`Model`], [`Item`], [`CurveObject`], [`SurfaceObject`], [`Lower`], [`CurveChain`], [`Units`] |
+//! | models for files | [`Model`], [`Item`], [`Geometry`], [`CurveObject`], [`SurfaceObject`], [`Lower`], [`CurveChain`], [`Units`] |
 //! | what is refused, what is remarked | [`Error`], [`ErrorItem`], [`reasons`], [`Warning`], [`ShapeChange`] |
 
 mod base;
@@ -126,7 +126,9 @@ pub use mesh::{
     MOST_PIECES, MeshCorner, MeshFace, MeshSource, SmoothTessellation, SurfaceMesh, flatten, flatten_into,
     flatten_places, flatten_within, tessellate, tessellate_all, tessellate_within,
 };
-pub use model::{ChainPiece, CurveChain, CurveObject, Exactness, Item, Lower, Lowered, Model, SurfaceObject, Units};
+pub use model::{
+    ChainPiece, CurveChain, CurveObject, Exactness, Geometry, Item, Lower, Lowered, Model, SurfaceObject, Units,
+};
 pub use rational::{NurbsCurve, RationalBezier, RationalBezierSurface};
 pub use shape_change::ShapeChange;
 pub use short_number::ShortNumber;
@@ -139,6 +141,8 @@ pub use surface::{
 pub use surface::{ParamSurface, QuadGrid};
 pub use surface::{Seam, SeamMeasure};
 pub use surface::{SideLine, TrianglePatch, TriangleSurface};
-pub use topology::{Body, EdgeCurve, FaceEdge, FaceSurface, Shell, ShellEdge, ShellFace, Side};
+pub use topology::{
+    Body, CellDistances, EdgeCurve, FaceEdge, FaceGeometry, FaceSurface, LineBends, Shell, ShellEdge, ShellFace, Side,
+};
 pub use topology::{SurfaceJoint, surface_joints};
 pub use warning::Warning;

@@ -2,8 +2,9 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
 use cyclide::{
-    Arc, Body, Conformal as _, EdgeCurve, EllipseBridge, Error, FaceSurface, Mobius, ParamSurface as _, PatchKind,
-    Point3, Quat, RationalBezier, RationalBezierSurface, Vec3, surface_joints, tessellate,
+    Arc, Body, Conformal as _, EdgeCurve, EllipseBridge, Error, FaceGeometry as _, FaceSurface, Mobius,
+    ParamSurface as _, PatchKind, Point3, Quat, RationalBezier, RationalBezierSurface, Vec3, surface_joints,
+    tessellate,
 };
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 

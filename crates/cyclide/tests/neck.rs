@@ -2,8 +2,8 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
 use cyclide::{
-    Body, Conformal as _, Error, FaceSurface, Mobius, NeckBlend, NeckBody, NeckSide, NeckVariant, ParamSurface as _,
-    PatchKind, PlateShape, Point3, Quat, Side, Vec3, surface_joints,
+    Body, Conformal as _, Error, FaceGeometry as _, FaceSurface, Mobius, NeckBlend, NeckBody, NeckSide, NeckVariant,
+    ParamSurface as _, PatchKind, PlateShape, Point3, Quat, Side, Vec3, surface_joints,
 };
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 

@@ -2,8 +2,8 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
 use cyclide::{
-    Body, Conformal as _, ConvexPolyhedron, FaceSurface, Mobius, PatchKind, Point3, Quat, SphericalPolygon, Vec3,
-    surface_joints, tessellate,
+    Body, Conformal as _, ConvexPolyhedron, FaceGeometry as _, FaceSurface, Mobius, PatchKind, Point3, Quat,
+    SphericalPolygon, Vec3, surface_joints, tessellate,
 };
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 

@@ -2,8 +2,8 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
 use cyclide::{
-    Body, Conformal as _, CyclidePatch, EdgeCurve, FaceSurface, MeshFace, Mobius, ParamSurface, Point3,
-    RationalBezierSurface, Shell, ShellEdge, SurfaceMesh, Vec3, surface_joints, tessellate,
+    Body, Conformal as _, CyclidePatch, EdgeCurve, FaceGeometry as _, FaceSurface, MeshFace, Mobius, ParamSurface,
+    Point3, RationalBezierSurface, Shell, ShellEdge, SurfaceMesh, Vec3, surface_joints, tessellate,
 };
 use cyclide_testkit::rational_faces::{egg, egg_profile, smooth_pair};
 use std::collections::HashMap;

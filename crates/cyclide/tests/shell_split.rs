@@ -2,7 +2,10 @@
 
 #![allow(clippy::unwrap_used, reason = "what cannot be made fails the test")]
 
-use cyclide::{CyclidePatch, CyclidicNet, DupinCyclide, NetFrame, ParamSurface as _, Point3, QuadGrid, Shell, Vec3};
+use cyclide::{
+    CyclidePatch, CyclidicNet, DupinCyclide, FaceGeometry as _, NetFrame, ParamSurface as _, Point3, QuadGrid, Shell,
+    Vec3,
+};
 use proptest::prelude::*;
 use std::f64::consts::PI;
 

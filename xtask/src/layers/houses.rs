@@ -86,7 +86,7 @@ pub const IO: House = House {
         ("drawing", &["export"]),
         ("check", &["export", "drawing", "text"]),
         ("formats", &["export", "drawing", "check", "input", "text"]),
-        ("document", &["formats", "input", "measure", "text", "error"]),
+        ("document", &["export", "formats", "input", "measure", "text", "error"]),
         ("report", &["document", "formats", "check", "export", "measure", "text"]),
     ],
     is_kernel: false,

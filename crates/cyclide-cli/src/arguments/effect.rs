@@ -86,8 +86,8 @@ pub fn refuse_options_of_other_kinds(args: &CurveArgs, kind: Kind) -> Result<(),
 /// The warnings about options that this model leaves without effect, after the files were made.
 pub fn without_effect(plan: &MakePlan, model: &Model, report: &Report) -> Vec<String> {
     let options = &plan.options;
-    let curves = || model.items.iter().flat_map(|item| &item.contours);
-    let no_surface = model.items.iter().all(|item| item.surfaces.is_empty());
+    let curves = || model.items.iter().flat_map(|item| item.curves());
+    let no_surface = model.items.iter().all(|item| item.surfaces().is_empty());
     let bent = |geometry: &GeometryReport| matches!(geometry, GeometryReport::Curves(c) if c.curvature.max > 0.0);
     // The trigonometric curve is no spline either: it becomes one within the tolerance.
     let no_spline = !curves().any(|curve| matches!(curve, CurveObject::CircleSpline(_)));

@@ -35,7 +35,7 @@ pub fn sample(plan: &SamplePlan) -> Result<(), Failure> {
         return Err(Failure::Usage("--equal-length is for curves, the object is a surface".to_owned()));
     }
     let (of_one, parts, what) = match patches {
-        0 => (plan.count, object.item.contours.len(), "contours"),
+        0 => (plan.count, object.item.curves().len(), "contours"),
         _ => (plan.count.saturating_mul(plan.count), patches, "patches"),
     };
     let rows = parts.saturating_mul(of_one);

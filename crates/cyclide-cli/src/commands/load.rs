@@ -7,7 +7,8 @@ use std::path::{Path, PathBuf};
 
 use cyclide::{Model, Units};
 use cyclide_io::{
-    BuiltObject, Document, ModelBuilder, PointColumns, read_head, read_input, read_standard_input, unit_of_columns,
+    BuiltObject, Document, ModelBuilder, PointColumns, Provenance, read_head, read_input, read_standard_input,
+    unit_of_columns,
 };
 
 use crate::arguments::mistaken::{Wanted, refuse_content};
@@ -29,17 +30,12 @@ pub struct Loaded {
 }
 
 impl Loaded {
-    /// The objects for files, without what is known about them besides: construction geometry stays behind.
-    pub fn model(&self) -> Model {
-        let shown = self.objects.iter().filter(|built| !built.construction);
-        Model { units: self.units, items: shown.map(|built| built.item.clone()).collect() }
-    }
-
-    /// As [`model`](Self::model), where nothing else is needed any more: of large models a copy would be half of all
-    /// memory.
-    pub fn into_model(self) -> Model {
+    /// The objects for files and how they came about, without what is known about them besides (of large models a copy would
+    /// be half of all memory): construction geometry stays behind.
+    pub fn into_model(self) -> (Model, Vec<Provenance>) {
         let shown = self.objects.into_iter().filter(|built| !built.construction);
-        Model { units: self.units, items: shown.map(|built| built.item).collect() }
+        let (items, provenance) = shown.map(|built| (built.item, built.provenance)).unzip();
+        (Model { units: self.units, items }, provenance)
     }
 }
 

@@ -22,7 +22,7 @@ pub fn run(plan: &MakePlan) -> Result<(), Failure> {
     progress.doing("measuring".to_owned());
     let mut report = Report::new(loaded.units, &loaded.objects, plan.options.tolerance);
     progress.done();
-    let model = loaded.into_model();
+    let (model, provenance) = loaded.into_model();
     let mut options = plan.options.clone();
     if let (None, Input::File(path)) = (&options.title, &plan.input)
         && !is_standard(path)
@@ -37,7 +37,7 @@ pub fn run(plan: &MakePlan) -> Result<(), Failure> {
         progress.doing(path.display().to_string());
         let exporter = match &mut exporter {
             Some(exporter) => exporter,
-            none => none.insert(Exporter::new(&model).map_err(|error| refused(path, &error))?),
+            none => none.insert(Exporter::with_provenance(&model, &provenance).map_err(|error| refused(path, &error))?),
         };
         let exported = exporter.export(*format, &options).map_err(|error| refused(path, &error))?;
         let checked = exporter.check(path, *format, &exported);

@@ -1,7 +1,6 @@
 //! How many inner parameter circles a drawing of a shell shows.
 
-use crate::drawing::plane_regions::is_plane_quad;
-use cyclide::Shell;
+use cyclide::{FaceGeometry as _, Shell};
 
 /// A patch is divided no finer than in two to this power.
 const MOST_LEVELS: u32 = 5;
@@ -13,7 +12,7 @@ pub(crate) fn halvings(shell: &Shell, spacing: f64) -> Vec<[u32; 2]> {
     let faces = shell.faces();
     let mut parent: Vec<usize> = (0..2 * faces.len()).collect();
     let mut on_edge: Vec<Option<usize>> = vec![None; shell.edges().len()];
-    let is_plane: Vec<bool> = faces.iter().map(|face| is_plane_quad(&face.surface)).collect();
+    let is_plane: Vec<bool> = faces.iter().map(|face| face.surface.is_plane_quad()).collect();
     for (f, face) in faces.iter().enumerate().filter(|(f, _)| !is_plane[*f]) {
         for (k, side) in face.sides.iter().enumerate() {
             let Some(side) = side else { continue };

@@ -1,6 +1,6 @@
 //! Faces that are parts of one plane side by side: what lies between them is no line of a drawing.
 
-use cyclide::{FaceSurface, ParamSurface as _, Shell, ShellFace, Side};
+use cyclide::{FaceGeometry as _, ParamSurface as _, Shell, ShellFace, Side};
 
 /// Normals of the same plane differ by less than this.
 const SAME_NORMAL: f64 = 1e-6;
@@ -8,7 +8,7 @@ const SAME_NORMAL: f64 = 1e-6;
 /// For each face the first one of its plane; itself for a face that is no plane between straight lines.
 pub(crate) fn plane_regions(shell: &Shell) -> Vec<usize> {
     let faces = shell.faces();
-    let is_plane: Vec<bool> = faces.iter().map(|face| is_plane_quad(&face.surface)).collect();
+    let is_plane: Vec<bool> = faces.iter().map(|face| face.surface.is_plane_quad()).collect();
     let mut first: Vec<usize> = (0..faces.len()).collect();
     for along in shell.faces_along_edges() {
         let &[(a, _), (b, _)] = along.as_slice() else { continue };
@@ -25,11 +25,6 @@ pub(crate) fn drawn_edges(shell: &Shell) -> Vec<bool> {
     let region = plane_regions(shell);
     let is_inside = |along: &[(usize, Side)]| matches!(along, [(a, _), (b, _)] if a != b && region[*a] == region[*b]);
     shell.faces_along_edges().iter().map(|along| !is_inside(along)).collect()
-}
-
-/// True for a face in a plane whose parameter lines are straight: they say nothing about its shape.
-pub(crate) fn is_plane_quad(surface: &FaceSurface) -> bool {
-    matches!(surface, FaceSurface::Rational(surface) if surface.is_plane_quad())
 }
 
 fn same_normal(a: &ShellFace, b: &ShellFace) -> bool {

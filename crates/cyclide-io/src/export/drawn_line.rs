@@ -2,7 +2,7 @@
 
 use crate::export::exported::Promise;
 use crate::export::parts::BodyOf;
-use cyclide::{Correspondence, EdgeCurve};
+use cyclide::{Correspondence, EdgeCurve, FaceGeometry as _};
 
 /// Which line of a shell.
 #[derive(Debug, Clone, Copy, PartialEq)]

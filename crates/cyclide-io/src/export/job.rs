@@ -4,6 +4,7 @@ use crate::export::error::ExportError;
 use crate::export::options::{DEFAULT_MOST_PIECES, ExportOptions, PIECES_OF_EACH};
 use crate::export::parts::{BodyOf, Contour, contours};
 use crate::export::pieces::Pieces;
+use crate::export::provenance::Provenances;
 use crate::export::ready::ReadyModel;
 use cyclide::{Aabb, Arc, ArcPath, ChainPiece, CurveChain, Lower, Lowered, Model, ParamCurve as _, Units};
 
@@ -15,6 +16,8 @@ const DEFAULT_MESH_TOLERANCE: f64 = 1e-4;
 /// A checked request: the model, the options with the defaults filled in, and the model's size.
 pub(crate) struct Job<'a> {
     pub(crate) model: &'a Model,
+    /// How its objects came about.
+    pub(crate) provenances: Provenances<'a>,
     pub(crate) options: &'a ExportOptions,
     /// Tolerance of curves.
     pub(crate) tolerance: f64,
@@ -30,7 +33,7 @@ pub(crate) struct Job<'a> {
 
 impl<'a> Job<'a> {
     pub(crate) fn new(ready: &'a ReadyModel<'a>, options: &'a ExportOptions) -> Result<Self, ExportError> {
-        let ReadyModel { model, ref bodies, bounds, .. } = *ready;
+        let ReadyModel { model, provenances, ref bodies, bounds, .. } = *ready;
         let tolerance = options.tolerance.unwrap_or_else(|| default_tolerance(bounds));
         let relative = DEFAULT_MESH_TOLERANCE / DEFAULT_RELATIVE_TOLERANCE;
         let mesh_tolerance = options.tolerance.unwrap_or_else(|| relative * default_tolerance(bounds));
@@ -38,7 +41,7 @@ impl<'a> Job<'a> {
             return Err(ExportError::ToleranceNotPositive { tolerance });
         }
         let pieces = Pieces::new(options.max_pieces.unwrap_or_else(|| most_pieces(model, bodies)));
-        Ok(Self { model, options, tolerance, mesh_tolerance, pieces, bounds, bodies })
+        Ok(Self { model, provenances, options, tolerance, mesh_tolerance, pieces, bounds, bodies })
     }
 
     pub(crate) fn units(&self) -> Units {

@@ -11,6 +11,7 @@ pub(crate) mod mesh_plan;
 pub(crate) mod options;
 pub(crate) mod parts;
 pub(crate) mod pieces;
+pub(crate) mod provenance;
 pub(crate) mod ready;
 pub(crate) mod shape;
 pub(crate) mod side_use;

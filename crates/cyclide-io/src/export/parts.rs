@@ -62,7 +62,7 @@ pub(crate) fn bodies(model: &Model) -> Result<Vec<BodyOf<'_>>, ExportError> {
     let mut bodies = Vec::new();
     for (item, it) in model.items.iter().enumerate() {
         let mut own: Vec<(usize, Shape<'_>)> = Vec::new();
-        for (index, surface) in it.surfaces.iter().enumerate() {
+        for (index, surface) in it.surfaces().iter().enumerate() {
             let lowered = |source| ExportError::Surface { object: it.name.clone(), surface: index, source };
             if let Some(triangles) = surface.as_triangles() {
                 own.push((index, Shape::of_triangles(triangles).map_err(lowered)?));
@@ -89,7 +89,7 @@ pub(crate) fn contours(model: &Model) -> impl Iterator<Item = Contour<'_>> {
 
 /// The connected curves of one object, by its number in the model.
 pub(crate) fn contours_of(item: usize, it: &Item) -> impl Iterator<Item = Contour<'_>> {
-    let count = it.contours.len();
-    let own = it.contours.iter().enumerate();
+    let count = it.curves().len();
+    let own = it.curves().iter().enumerate();
     own.map(move |(index, curve)| Contour { object: &it.name, item, index, count, curve })
 }

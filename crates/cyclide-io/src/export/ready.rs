@@ -2,6 +2,7 @@
 
 use crate::export::error::ExportError;
 use crate::export::parts::{BodyOf, bodies, boxes, contours};
+use crate::export::provenance::{Provenance, Provenances};
 use cyclide::{Aabb, Model};
 
 /// Largest coordinate that is written: products of two of them must not overflow.
@@ -14,6 +15,8 @@ const SMALLEST_BODY: f64 = 1e-140;
 /// A model with what all its files need.
 pub(crate) struct ReadyModel<'a> {
     pub(crate) model: &'a Model,
+    /// How its objects came about.
+    pub(crate) provenances: Provenances<'a>,
     /// The bodies of all surfaces, in the model's order.
     pub(crate) bodies: Vec<BodyOf<'a>>,
     /// The smallest box around all curves and surfaces.
@@ -30,12 +33,12 @@ pub(crate) struct Extents {
 }
 
 impl<'a> ReadyModel<'a> {
-    /// Makes a model ready.
+    /// Makes a model ready, whose first objects came about as given.
     ///
     /// # Errors
     /// [`ExportError`] for a model without anything to write, beyond the largest coordinates, or with a surface that has
     /// no body.
-    pub(crate) fn new(model: &'a Model) -> Result<Self, ExportError> {
+    pub(crate) fn new(model: &'a Model, provenance: &'a [Provenance]) -> Result<Self, ExportError> {
         let bodies = bodies(model)?;
         let mut total: Option<Aabb> = None;
         let mut curves = Vec::new();
@@ -55,7 +58,8 @@ impl<'a> ReadyModel<'a> {
         // Those of the bodies stand behind those of the curves.
         let of_bodies = curves.split_off(count);
         let extents = Extents { curves, bodies: of_bodies };
-        Ok(Self { model, bodies, bounds: total.ok_or(ExportError::Empty)?, extents })
+        let provenances = Provenances::new(model, provenance);
+        Ok(Self { model, provenances, bodies, bounds: total.ok_or(ExportError::Empty)?, extents })
     }
 
     /// Size of the model and its distance from the origin, whichever is larger: rounding is relative to coordinates.

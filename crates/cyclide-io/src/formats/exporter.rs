@@ -6,11 +6,12 @@ use crate::export::exported::Exported;
 use crate::export::job::Job;
 use crate::export::options::ExportOptions;
 use crate::export::parts::BodyOf;
+use crate::export::provenance::Provenance;
 use crate::export::ready::ReadyModel;
 use crate::formats::Format;
 use crate::formats::entry::{Entry, Kind};
 use crate::formats::read_back::deviations_of;
-use cyclide::{Item, Model};
+use cyclide::{Geometry, Item, Model};
 
 /// Makes the content of a file. The same model and options give the same bytes. For several files of one model
 /// [`Exporter`] does once what they share.
@@ -40,7 +41,16 @@ impl<'a> Exporter<'a> {
     /// [`ExportError`] for a model without anything to write, beyond the largest coordinates, or with a surface that has
     /// no body.
     pub fn new(model: &'a Model) -> Result<Self, ExportError> {
-        Ok(Self { ready: ReadyModel::new(model)? })
+        Self::with_provenance(model, &[])
+    }
+
+    /// As [`new`](Self::new), of a model whose first objects came about as given: files say so and pictures show the points of
+    /// fits. Other objects are called by their geometry.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new).
+    pub fn with_provenance(model: &'a Model, provenance: &'a [Provenance]) -> Result<Self, ExportError> {
+        Ok(Self { ready: ReadyModel::new(model, provenance)? })
     }
 
     /// As [`export`](crate::export()).
@@ -84,9 +94,9 @@ fn left_out(model: &Model, format: &Entry) -> Result<Option<String>, ExportError
     let Some(kind) = format.lacks else {
         return Ok(None);
     };
-    let has = |item: &&Item, kind: Kind| match kind {
-        Kind::Curves => !item.contours.is_empty(),
-        Kind::Surfaces => !item.surfaces.is_empty(),
+    let has = |item: &&Item, kind: Kind| match &item.geometry {
+        Geometry::Curves(contours) => kind == Kind::Curves && !contours.is_empty(),
+        Geometry::Surfaces(surfaces) => kind == Kind::Surfaces && !surfaces.is_empty(),
     };
     let (other, what) = match kind {
         Kind::Curves => (Kind::Surfaces, "curves"),

@@ -21,12 +21,13 @@ pub fn read_back(format: Format, bytes: &[u8]) -> Result<FileContent, ReadError>
 /// The largest distance between what a file holds and the model, recomputed from the file's bytes.
 ///
 /// SVG is a drawing of the plane: there both are compared as seen along the third axis, surfaces by the edges and
-/// parameter circles that are drawn.
+/// parameter circles that are drawn. Of a file of [`Exporter::with_provenance`](crate::Exporter::with_provenance) it is
+/// [`Exporter::deviation`](crate::Exporter::deviation) that knows what the objects are called.
 ///
 /// # Errors
 /// [`ReadError`] if the bytes cannot be read, or hold other things than the model.
 pub fn file_deviation(model: &Model, format: Format, file: &Exported) -> Result<f64, ReadError> {
-    Ok(deviations_of(&ReadyModel::new(model).map_err(not_ready)?, format, file)?.largest())
+    Ok(deviations_of(&ReadyModel::new(model, &[]).map_err(not_ready)?, format, file)?.largest())
 }
 
 /// As [`file_deviation`], of a model made ready, part by part.

@@ -112,7 +112,7 @@ pub enum FitPieces {
 impl CurvesReport {
     /// Measures an object.
     pub(super) fn new(built: &BuiltObject, tolerance: Option<f64>) -> Self {
-        let curves = || built.item.contours.iter().map(CurveObject::as_curve);
+        let curves = || built.item.curves().iter().map(CurveObject::as_curve);
         let mut joint = JointReport::default();
         for j in curves().flat_map(joints) {
             joint.count += 1;
@@ -141,8 +141,8 @@ impl CurvesReport {
             joints: joint,
             curvature,
             fairness: FairnessReport::new(built),
-            weights: weights(&built.item.contours, tolerance),
-            contours: built.item.contours.len(),
+            weights: weights(built.item.curves(), tolerance),
+            contours: built.item.curves().len(),
             points: built.contours.iter().map(|c| c.points).sum(),
             fit: fit(built),
         }
@@ -163,7 +163,7 @@ fn weights(contours: &[CurveObject], tolerance: Option<f64>) -> Option<RangeRepo
 }
 
 fn fit(built: &BuiltObject) -> Option<FitReport> {
-    let tolerance = built.item.tolerance.unwrap_or_default();
+    let tolerance = built.tolerance.unwrap_or_default();
     built
         .contours
         .iter()

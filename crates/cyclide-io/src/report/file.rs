@@ -116,12 +116,12 @@ impl Exporter<'_> {
 
 impl FileReport {
     /// Reads the bytes of a file back, measures how far its curves are from the model's, and holds that against the
-    /// promise.
+    /// promise. Of a file of [`Exporter::with_provenance`] it is [`Exporter::check`] that knows what the objects are called.
     ///
     /// # Errors
     /// [`CheckError`]: the file must not be written.
     pub fn new(path: &Path, format: Format, model: &Model, exported: &Exported) -> Result<Self, CheckError> {
-        match ReadyModel::new(model) {
+        match ReadyModel::new(model, &[]) {
             Ok(ready) => Self::of(&ready, path, format, exported),
             Err(error) => {
                 let source = Box::new(ReadError::syntax("the model", error.to_string()));

@@ -11,7 +11,7 @@ mod smooth;
 mod surface;
 mod text;
 
-use cyclide::{SurfaceObject, Units};
+use cyclide::{Geometry, SurfaceObject, Units};
 use indexmap::IndexMap;
 use serde::Serialize;
 
@@ -105,15 +105,15 @@ impl ObjectReport {
     /// Measures an object.
     #[must_use]
     pub fn new(built: &BuiltObject, tolerance: Option<f64>) -> Self {
-        let geometry = if built.item.surfaces.is_empty() {
-            GeometryReport::Curves(CurvesReport::new(built, tolerance))
-        } else if let Some(triangles) = built.item.surfaces.iter().find_map(SurfaceObject::as_triangles) {
-            GeometryReport::Smooth(SmoothReport::new(built, triangles))
-        } else {
-            GeometryReport::Surface(SurfaceReport::new(built))
+        let geometry = match &built.item.geometry {
+            Geometry::Curves(_) => GeometryReport::Curves(CurvesReport::new(built, tolerance)),
+            Geometry::Surfaces(surfaces) => match surfaces.iter().find_map(SurfaceObject::as_triangles) {
+                Some(triangles) => GeometryReport::Smooth(SmoothReport::new(built, triangles)),
+                None => GeometryReport::Surface(SurfaceReport::new(built)),
+            },
         };
         let warnings = built.remarks.iter().map(WarningReport::from).collect();
-        Self { r#type: built.item.kind.clone(), construction: built.construction, geometry, warnings }
+        Self { r#type: built.provenance.kind.to_owned(), construction: built.construction, geometry, warnings }
     }
 }
 

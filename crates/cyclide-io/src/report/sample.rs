@@ -2,7 +2,8 @@
 //! on surfaces.
 
 use cyclide::{
-    ArcLength, Body, CyclidePatch, FaceSurface, Item, ParamSurface as _, ShellFace, SurfaceObject, TriangleSurface,
+    ArcLength, Body, CurveObject, CyclidePatch, FaceGeometry as _, Geometry, ParamSurface as _, ShellFace,
+    SurfaceObject, TriangleSurface,
 };
 
 use crate::check::file_sample::FileSample;
@@ -35,10 +36,13 @@ pub enum Spacing {
 /// Fields are empty where a tangent, normal or curvature does not exist.
 #[must_use]
 pub fn sample(built: &BuiltObject, count: usize, spacing: Spacing) -> String {
-    if let Some(surface) = built.item.surfaces.iter().find_map(SurfaceObject::as_triangles) {
-        return triangles(surface, count);
+    match &built.item.geometry {
+        Geometry::Curves(contours) => curves(contours, count, spacing),
+        Geometry::Surfaces(made) => match made.iter().find_map(SurfaceObject::as_triangles) {
+            Some(surface) => triangles(surface, count),
+            None => surfaces(&built.bodies, count),
+        },
     }
-    if built.bodies.is_empty() { curves(&built.item, count, spacing) } else { surfaces(&built.bodies, count) }
 }
 
 fn triangles(surface: &TriangleSurface, count: usize) -> String {
@@ -77,11 +81,11 @@ fn fractions(count: usize) -> impl Iterator<Item = f64> + Clone {
     (0..count).map(move |i| i as f64 / count.saturating_sub(1).max(1) as f64)
 }
 
-fn curves(item: &Item, count: usize, spacing: Spacing) -> String {
-    let several = item.contours.len() > 1;
+fn curves(contours: &[CurveObject], count: usize, spacing: Spacing) -> String {
+    let several = contours.len() > 1;
     let columns = "t,x,y,z,tangent_x,tangent_y,tangent_z,curvature";
     let mut out = format!("{}{columns}\n", if several { "contour," } else { "" });
-    for (contour, curve) in item.contours.iter().enumerate() {
+    for (contour, curve) in contours.iter().enumerate() {
         let curve = curve.as_curve();
         let ts = match spacing {
             Spacing::Parameter => fractions(count).collect(),
@@ -123,11 +127,7 @@ fn push_surface_sample(out: &mut String, face: &ShellFace, s: f64, t: f64) {
     let side = if flipped == face.same_sense { -1.0 } else { 1.0 };
     let point = surface.point(s, t).to_array().map(Some);
     let normal = (surface.unit_normal(s, t) * side).to_array().map(Some);
-    let curvatures = match surface {
-        FaceSurface::Cyclide(patch) => [patch.k1(t), patch.k2(s)],
-        FaceSurface::Rational(surface) => surface.jet(s, t).normal_curvatures().unwrap_or([f64::NAN; 2]),
-    };
-    let curvatures = curvatures.map(|k| Some(side * k).filter(|k| k.is_finite()));
+    let curvatures = surface.line_curvatures(s, t).map(|k| Some(side * k).filter(|k| k.is_finite()));
     for value in [s, t].map(Some).into_iter().chain(point).chain(normal).chain(curvatures) {
         push_field(out, value);
     }

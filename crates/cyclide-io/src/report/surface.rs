@@ -218,7 +218,7 @@ impl SurfaceReport {
             it.shells().for_each(|shell| parts.extend(PartReport::of_shell(body, shell, &mut not_known)));
         }
         parts.sort_by(|a, b| b.area.total_cmp(&a.area));
-        let nets = built.item.surfaces.iter().filter_map(SurfaceObject::as_net);
+        let nets = built.item.surfaces().iter().filter_map(SurfaceObject::as_net);
         let mut report = Self {
             patches: shells().map(|shell| shell.faces().len()).sum(),
             bodies: bodies.len(),
@@ -242,7 +242,7 @@ impl SurfaceReport {
             circular: built.circular.as_ref().map(|report| Box::new(CircularReport::from(report))),
         };
         // An object has solids only, or none: a solid's rims have no normal of their own to be against.
-        let thick = built.item.surfaces.iter().any(|surface| matches!(surface, SurfaceObject::Body(_)));
+        let thick = built.item.surfaces().iter().any(|surface| matches!(surface, SurfaceObject::Body(_)));
         for (body, it) in bodies.iter().enumerate() {
             for (patch, face) in it.shells().flat_map(Shell::faces).enumerate() {
                 let place = PatchPlace { body, patch };

@@ -75,8 +75,7 @@ fn the_plan_of_a_level_patch_is_made_of_arcs() {
     let corners = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 1.0, 0.0]].map(Point3::from);
     let (v1, v2) = (cyclide::Vec3::new(0.6, 0.8, 0.0), cyclide::Vec3::new(-0.8, 0.6, 0.0));
     let patch = cyclide::CyclidePatch::from_corners_and_frame(corners, v1, v2).unwrap();
-    let item = cyclide::Item { surfaces: vec![cyclide::SurfaceObject::Patch(patch)], ..cyclide::Item::default() };
-    let m = Model { units: Units::Metre, items: vec![item] };
+    let m = Model::new(Units::Metre).with_surface("", patch);
     let file = export(&m, Format::Svg, &ExportOptions::default()).unwrap();
     assert!(file.exact && file.notes.len() <= 1, "{:?}", file.notes);
     let text = String::from_utf8(file.bytes).unwrap();
@@ -111,8 +110,8 @@ fn the_plan_of_a_riser_keeps_its_promise() {
 #[test]
 fn plans_of_surfaces_are_measured_line_by_line() {
     let ring = cyclide::DupinCyclide::new(6.0, 2.0, 3.5).unwrap();
-    let surfaces = ring.nets([8, 8]).unwrap().into_iter().map(cyclide::SurfaceObject::Net).collect();
-    let item = cyclide::Item { name: "ring".to_owned(), surfaces, ..cyclide::Item::default() };
+    let surfaces: Vec<_> = ring.nets([8, 8]).unwrap().into_iter().map(cyclide::SurfaceObject::Net).collect();
+    let item = cyclide::Item::new("ring", surfaces);
     let m = Model { items: vec![item], ..Model::default() };
     for tolerance in [0.1, 1e-3] {
         let options = ExportOptions { tolerance: Some(tolerance), ..ExportOptions::default() };
@@ -142,8 +141,7 @@ fn plans_of_images_near_infinity_keep_their_promise() {
     for beside in [1.0, 1e-2, 1e-4] {
         let map = cyclide::Mobius::inversion(Point3::new(38.0 + beside, 0.0, 0.0), 10.0).unwrap();
         let net = ring.nets([4, 4]).unwrap().remove(0).transformed(&map).unwrap();
-        let item = cyclide::Item { surfaces: vec![cyclide::SurfaceObject::Net(net)], ..cyclide::Item::default() };
-        let m = Model { items: vec![item], ..Model::default() };
+        let m = Model::default().with_surface("", net);
         let file = export(&m, Format::Svg, &ExportOptions::default()).unwrap();
         let found = file_deviation(&m, Format::Svg, &file).unwrap();
         assert!(found <= file.bound, "{beside}: {found:e} of {:e}", file.bound);

@@ -15,7 +15,7 @@ fn patches_are_exact_with_positive_weights() {
         // Rounding of coordinates up to 52.
         assert!(file_deviation(&m, Format::Json, &file).unwrap() < 1e-13);
         let content = read_back(Format::Json, &file.bytes).unwrap();
-        assert!(content.patches.len() >= m.items.iter().map(|item| item.surfaces.len()).sum());
+        assert!(content.patches.len() >= m.items.iter().map(|item| item.surfaces().len()).sum());
         assert!(content.patches.iter().all(|patch| patch.surface.has_positive_weights()));
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::damage::Damage;
 use crate::models::{bent_quad, curve_and_surfaces, flat, mixed, slot, surfaces, torus_part};
-use cyclide::{CurveObject, Model, Point3, Units};
+use cyclide::{Model, Point3, Units};
 use cyclide_io::{DxfVersion, ExportOptions, Format, StepProducts};
 
 /// Two objects with the same curve in other places, in inches.
@@ -10,10 +10,7 @@ pub fn twins() -> Model {
     let mut model = mixed(flat);
     model.units = Units::Inch;
     model.items.truncate(1);
-    model.items.push(model.items[0].clone());
-    model.items[1].name = "other".to_owned();
-    model.items[1].contours = vec![CurveObject::ArcPath(slot(|x, y| Point3::new(x + 100.0, y, 0.0)))];
-    model
+    model.with_curve("other", slot(|x, y| Point3::new(x + 100.0, y, 0.0)))
 }
 
 /// Two surfaces in inches.

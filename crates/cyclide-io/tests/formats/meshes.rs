@@ -141,15 +141,14 @@ fn closed_bodies_are_watertight_from_the_bytes() {
 }
 
 fn solid(surface: SurfaceObject) -> Model {
-    let item = Item { name: "ring".to_owned(), kind: "cyclide".to_owned(), surfaces: vec![surface], ..Item::default() };
-    Model { items: vec![item], ..Model::default() }
+    Model::default().with_surface("ring", surface)
 }
 
 #[test]
 fn obj_keeps_quads_and_doubles() {
     let m = surfaces(&[torus_part(Point3::ORIGIN)]);
     let file = export(&m, Format::Obj, &with_tolerance(1e-2)).unwrap();
-    let made = tessellate(&m.items[0].surfaces[0].to_bodies().unwrap()[0], 1e-2).unwrap();
+    let made = tessellate(&m.items[0].surfaces()[0].to_bodies().unwrap()[0], 1e-2).unwrap();
     let read = read_back(Format::Obj, &file.bytes).unwrap().meshes.remove(0);
     assert_eq!((&read.positions, &read.normals, &read.faces), (&made.positions, &made.normals, &made.faces));
     assert!(read.faces.iter().all(|f| matches!(f, MeshFace::Quad(_))));
@@ -164,7 +163,7 @@ fn stl_is_binary_with_the_length_it_says() {
     let made: usize = m
         .items
         .iter()
-        .map(|item| tessellate(&item.surfaces[0].to_bodies().unwrap()[0], 1e-2).unwrap().triangle_count())
+        .map(|item| tessellate(&item.surfaces()[0].to_bodies().unwrap()[0], 1e-2).unwrap().triangle_count())
         .sum();
     assert_eq!((count, bytes.len()), (made, 84 + 50 * made));
     assert!(!bytes.starts_with(b"solid"));
@@ -366,7 +365,7 @@ fn glb_lines_are_the_edges() {
 #[test]
 fn curves_of_meshes_are_lines() {
     let m = Model { items: curve_and_surfaces().items[..1].to_vec(), ..Model::default() };
-    let CurveObject::ArcPath(slot) = &m.items[0].contours[0] else { panic!("a path") };
+    let CurveObject::ArcPath(slot) = &m.items[0].curves()[0] else { panic!("a path") };
     assert!(cyclide::ParamCurve::is_closed(slot));
     for format in [Format::Glb, Format::Obj] {
         let content = read_back(format, &export(&m, format, &ExportOptions::default()).unwrap().bytes).unwrap();
@@ -378,7 +377,7 @@ fn curves_of_meshes_are_lines() {
 #[test]
 fn refusals_name_the_surface() {
     let patches = [torus_part(Point3::ORIGIN), octant()].map(SurfaceObject::Patch);
-    let item = Item { name: "parts".to_owned(), surfaces: patches.to_vec(), ..Item::default() };
+    let item = Item::new("parts", patches.to_vec());
     let model = Model { items: vec![item], ..Model::default() };
     let error = export(&model, Format::Obj, &with_tolerance(1e-12)).unwrap_err();
     assert!(error.to_string().starts_with("object parts, surface 0: "), "{error}");
@@ -387,8 +386,6 @@ fn refusals_name_the_surface() {
     let net = DupinCyclide::new(4.0, 1.0, 2.0).unwrap().nets([4, 4]).unwrap().remove(0).offset(-1.01).unwrap();
     let lobes = SurfaceObject::Net(net.clone()).to_bodies().unwrap();
     assert!(lobes.len() == 2 && tessellate(&lobes[0], 1e-7).is_ok() && tessellate(&lobes[1], 1e-7).is_err());
-    let item = Item { surfaces: vec![SurfaceObject::Net(net)], ..Item::default() };
-    let error =
-        export(&Model { items: vec![item], ..Model::default() }, Format::Obj, &with_tolerance(1e-7)).unwrap_err();
+    let error = export(&Model::default().with_surface("", net), Format::Obj, &with_tolerance(1e-7)).unwrap_err();
     assert!(error.to_string().contains(", surface 0: the mesh needs "), "{error}");
 }

@@ -7,13 +7,8 @@ use cyclide::{
 
 /// A model of one object per contour list.
 pub fn model(items: Vec<(&str, Vec<CurveObject>)>) -> Model {
-    let item = |(name, contours): (&str, Vec<CurveObject>)| Item {
-        name: name.to_owned(),
-        kind: "arc-spline".to_owned(),
-        contours,
-        ..Item::default()
-    };
-    Model { units: Units::Millimetre, items: items.into_iter().map(item).collect() }
+    let items = items.into_iter().map(|(name, contours)| Item::new(name, contours));
+    Model { units: Units::Millimetre, items: items.collect() }
 }
 
 /// A point in a frame: `map` moves the plane figures below into space.
@@ -133,13 +128,9 @@ pub fn splines() -> Vec<(&'static str, Model)> {
 
 /// A model of one object per patch: s0, s1, ….
 pub fn surfaces(patches: &[CyclidePatch]) -> Model {
-    let item = |(i, patch): (usize, &CyclidePatch)| Item {
-        name: format!("s{i}"),
-        kind: "cyclide-patch".to_owned(),
-        surfaces: vec![SurfaceObject::Patch(*patch)],
-        ..Item::default()
-    };
-    Model { units: Units::Millimetre, items: patches.iter().enumerate().map(item).collect() }
+    let items =
+        patches.iter().enumerate().map(|(i, patch)| Item::new(format!("s{i}"), vec![SurfaceObject::Patch(*patch)]));
+    Model { units: Units::Millimetre, items: items.collect() }
 }
 
 /// One eighth of the unit sphere, with a pole.

@@ -1,13 +1,11 @@
 //! PNG pictures of surfaces: they show the model, whatever its size, and are the same every time.
 
-use cyclide::{Circle, CurveObject, CyclidePatch, Item, Model, Point3, SurfaceObject, Units, Vec3};
+use cyclide::{Circle, CurveObject, CyclidePatch, Item, Model, Point3, Units, Vec3};
 use cyclide_io::{ExportOptions, Format, export};
 use tiny_skia::Pixmap;
 
-fn model(surfaces: Vec<CyclidePatch>, contours: Vec<CurveObject>) -> Model {
-    let surfaces = surfaces.into_iter().map(SurfaceObject::Patch).collect();
-    let item = Item { name: "object".to_owned(), surfaces, contours, ..Item::default() };
-    Model { units: Units::Millimetre, items: vec![item] }
+fn model(surface: CyclidePatch) -> Model {
+    Model::new(Units::Millimetre).with_surface("object", surface)
 }
 
 fn patch(corners: [[f64; 3]; 4], v1: [f64; 3], v2: [f64; 3]) -> CyclidePatch {
@@ -48,11 +46,11 @@ fn ink(picture: &Pixmap) -> f64 {
 
 #[test]
 fn pictures_do_not_depend_on_size_or_run() {
-    let reference = picture(&model(vec![vault(1.0)], vec![]));
+    let reference = picture(&model(vault(1.0)));
     assert!((0.2..0.7).contains(&ink(&reference)), "{}", ink(&reference));
-    assert_eq!(bytes(&model(vec![vault(1.0)], vec![])), bytes(&model(vec![vault(1.0)], vec![])));
+    assert_eq!(bytes(&model(vault(1.0))), bytes(&model(vault(1.0))));
     for size in [1e-9, 0.3, 1e9] {
-        let other = picture(&model(vec![vault(size)], vec![]));
+        let other = picture(&model(vault(size)));
         let difference = |(a, b): (&u8, &u8)| f64::from(a.abs_diff(*b));
         let sum: f64 = reference.data().iter().zip(other.data()).map(difference).sum();
         // Rounding moves a sample at an edge here and there.
@@ -74,7 +72,7 @@ fn awkward_surfaces_have_pictures() {
     for (name, surface, least) in
         [("level", level, 0.3), ("edge on", edge_on, 0.1), ("octant", octant(), 0.1), ("sliver", sliver, 0.0)]
     {
-        let share = ink(&picture(&model(vec![surface], vec![])));
+        let share = ink(&picture(&model(surface)));
         assert!(share >= least && share < 0.9, "{name}: {share}");
     }
 }
@@ -82,7 +80,11 @@ fn awkward_surfaces_have_pictures() {
 /// A ring under the vault is hidden by it, one above it is seen.
 #[test]
 fn curves_are_hidden_by_surfaces() {
-    let vault_with = |contours: Vec<CurveObject>| picture(&model(vec![vault(1.0)], contours));
+    // The ring is the first object, for the dark colour.
+    let vault_with = |contours: Vec<CurveObject>| {
+        let ring = Model { items: vec![Item::new("ring", contours)], ..Model::default() };
+        picture(&ring.with_surface("vault", vault(1.0)))
+    };
     let ring =
         |y: f64, z: f64| vec![CurveObject::Circle(Circle::from_radius(Point3::new(0.5, y, z), Vec3::Z, 0.1).unwrap())];
     // Pixels of nearly full ink: the rings, and where the vault's borders are seen at a slant.

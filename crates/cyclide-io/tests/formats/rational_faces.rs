@@ -1,6 +1,6 @@
 //! Rational faces that are no cyclides, through every format that holds surfaces.
 
-use cyclide::{Body, Item, Model, Shell, SurfaceObject, Units};
+use cyclide::{Body, Model, Shell, SurfaceObject, Units};
 use cyclide_io::{ExportOptions, Exporter, FileReport, Format, StepEdges, read_back};
 use cyclide_testkit::rational_faces::{egg, smooth_pair};
 use std::path::Path;
@@ -9,9 +9,7 @@ const FORMATS: [Format; 7] =
     [Format::Step, Format::Json, Format::Glb, Format::Obj, Format::Stl, Format::Svg, Format::Png];
 
 fn model(name: &str, body: Body) -> Model {
-    let surfaces = vec![SurfaceObject::Body(body)];
-    let item = Item { name: name.to_owned(), kind: "faces".to_owned(), surfaces, ..Item::default() };
-    Model { units: Units::Millimetre, items: vec![item] }
+    Model::new(Units::Millimetre).with_surface(name, body)
 }
 
 fn models() -> [Model; 2] {
@@ -48,7 +46,7 @@ fn step_has_the_rational_surfaces_and_edges_themselves() {
             let options = ExportOptions { step_edges: edges, ..ExportOptions::default() };
             let (_, bytes) = report(&model, Format::Step, &options);
             let text = String::from_utf8(bytes.clone()).unwrap();
-            let SurfaceObject::Body(body) = &model.items[0].surfaces[0] else { unreachable!() };
+            let SurfaceObject::Body(body) = &model.items[0].surfaces()[0] else { unreachable!() };
             let faces: usize = body.shells().map(|shell| shell.faces().len()).sum();
             assert_eq!(text.matches("B_SPLINE_SURFACE_WITH_KNOTS").count(), faces);
             let edges: usize = body.shells().map(|shell| shell.edges().len()).sum();

@@ -65,7 +65,7 @@ fn coordinates_are_the_same_doubles() {
     for format in [Format::Csv, Format::Json] {
         let bytes = export(&m, format, &ExportOptions::default()).unwrap().bytes;
         let chains = read_back(format, &bytes).unwrap().curves;
-        let curve = m.items[0].contours[0].as_curve();
+        let curve = m.items[0].curves()[0].as_curve();
         let (start, end) = (curve.point(0.0), curve.point(1.0));
         assert_eq!((chains[0].point(0.0), chains[0].point(1.0)), (start, end), "{format:?}");
     }
@@ -142,7 +142,7 @@ fn wild_curves_pass_their_own_check() {
         // Some of these points allow no curve.
         let Ok(spline) = CircleSpline::from_points(&points, &options) else { continue };
         let m = model(vec![("wild", vec![CurveObject::CircleSpline(spline)])]);
-        let size = bounds(m.items[0].contours[0].as_curve()).diagonal();
+        let size = bounds(m.items[0].curves()[0].as_curve()).diagonal();
         for format in FORMATS {
             let file = export(&m, format, &ExportOptions::default()).unwrap();
             let d = file_deviation(&m, format, &file).unwrap();

@@ -2,7 +2,7 @@
 
 use crate::models::{circle_spline, model};
 use cyclide::{Arc, BlendVariant, Circle, CurveObject, Model, Point3, Vec3};
-use cyclide_io::{Camera, ExportOptions, Format, export};
+use cyclide_io::{Camera, ExportOptions, Exporter, Format, Provenance, export};
 use std::collections::HashMap;
 use tiny_skia::Pixmap;
 
@@ -108,8 +108,8 @@ fn scale_bars_have_the_length_they_say() {
 fn pictures_are_as_wide_as_asked_for() {
     let curves = model(vec![("tall", vec![segment([0.0; 3], [0.0, 9.0, 0.0])]), ("round", vec![circle(1.0)])]);
     let ring = cyclide::DupinCyclide::new(6.0, 2.0, 3.5).unwrap().nets([4, 4]).unwrap();
-    let surfaces = ring.into_iter().map(cyclide::SurfaceObject::Net).collect();
-    let item = cyclide::Item { name: "ring".to_owned(), surfaces, ..cyclide::Item::default() };
+    let surfaces: Vec<_> = ring.into_iter().map(cyclide::SurfaceObject::Net).collect();
+    let item = cyclide::Item::new("ring", surfaces);
     let surface = Model { items: vec![item], ..Model::default() };
     for (m, widths) in [(&curves, vec![200, 640, 1600, 3001]), (&surface, vec![200, 640])] {
         for width in widths {
@@ -216,7 +216,7 @@ fn axes_are_drawn_on_request() {
     // The same of surfaces, in drawings and in perspective.
     let ring = cyclide::DupinCyclide::new(6.0, 2.0, 3.5).unwrap().nets([4, 4]).unwrap();
     let surfaces: Vec<_> = ring.into_iter().map(cyclide::SurfaceObject::Net).collect();
-    let item = cyclide::Item { name: "ring".to_owned(), surfaces, ..cyclide::Item::default() };
+    let item = cyclide::Item::new("ring", surfaces);
     let m = Model { items: vec![item], ..Model::default() };
     for view in ["top", "front", "iso", "20,30", "-120,-40"] {
         let view = Some(view.parse().unwrap());
@@ -241,15 +241,21 @@ fn a_curve_on_another_leaves_both_colours_to_be_seen() {
 
 #[test]
 fn fits_show_their_data() {
-    let mut m = model(vec![("fit", vec![spline(&flower(12))])]);
-    let data = [0x9C, 0xC0, 0xE4];
-    let none = places(&picture(&m, &ExportOptions::default()), data).len();
+    let m = model(vec![("fit", vec![spline(&flower(12))])]);
+    let colour = [0x9C, 0xC0, 0xE4];
+    let none = places(&picture(&m, &ExportOptions::default()), colour).len();
     // Points off the curve, well apart.
-    m.items[0].data = (0..20).map(|i| Point3::new(50.0 - 5.0 * f64::from(i), 20.0, 0.0)).collect();
-    let shown = places(&picture(&m, &ExportOptions::default()), data).len();
+    let data = (0..20).map(|i| Point3::new(50.0 - 5.0 * f64::from(i), 20.0, 0.0)).collect();
+    let provenance = [Provenance { kind: "fair-fit", data }];
+    let exporter = Exporter::with_provenance(&m, &provenance).unwrap();
+    let with_data = |options: &ExportOptions| {
+        let bytes = exporter.export(Format::Png, options).unwrap().bytes;
+        places(&Pixmap::decode_png(&bytes).unwrap(), colour).len()
+    };
+    let shown = with_data(&ExportOptions::default());
     // The area of a dot of radius 4.4 is 61 pixels, its rim is mixed with the paper.
     assert!(none == 0 && shown > 20 * 40 && shown < 26 * 61, "{shown}");
-    assert!(places(&picture(&m, &options(|o| o.png_plain = true)), data).is_empty());
+    assert_eq!(with_data(&options(|o| o.png_plain = true)), 0);
 }
 
 #[test]
@@ -268,7 +274,7 @@ fn many_surfaces_leave_the_picture_its_room() {
         let corners = [[x, y], [x + 2.0, y], [x, y + 2.0], [x + 2.0, y + 2.0]].map(|[x, y]| Point3::new(x, y, 0.0));
         let patch = cyclide::CyclidePatch::from_corners_and_frame(corners, Vec3::X, Vec3::Y).unwrap();
         let name = format!("a panel with a rather long name, number {i}");
-        cyclide::Item { name, surfaces: vec![cyclide::SurfaceObject::Patch(patch)], ..cyclide::Item::default() }
+        cyclide::Item::new(name, vec![cyclide::SurfaceObject::Patch(patch)])
     };
     let m = Model { items: (0..40).map(patch).collect(), ..Model::default() };
     let picture = picture(&m, &options(|o| o.png_width = Some(1000)));

@@ -108,7 +108,7 @@ fn an_object_is_a_product_and_several_are_an_assembly() {
         assert!(text.contains(&format!("=PRODUCT('{name}','{name}',''")), "{name}");
         assert_eq!(found(&text, &format!("=PRESENTATION_LAYER_ASSIGNMENT('{name}',''")).len(), 1, "{name}");
     }
-    let single = self::text(&model(vec![("a", vec![m.items[0].contours[0].clone()])]));
+    let single = self::text(&model(vec![("a", vec![m.items[0].curves()[0].clone()])]));
     assert_eq!(found(&single, "=PRODUCT(").len(), 1);
     assert_eq!(found(&single, "ASSEMBLY").len(), 0);
 }

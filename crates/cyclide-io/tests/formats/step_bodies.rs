@@ -6,13 +6,7 @@ use cyclide_io::{
 };
 
 fn model(items: Vec<(&str, SurfaceObject)>) -> Model {
-    let item = |(name, surface): (&str, SurfaceObject)| Item {
-        name: name.to_owned(),
-        kind: "cyclide-patch".to_owned(),
-        surfaces: vec![surface],
-        ..Item::default()
-    };
-    Model { items: items.into_iter().map(item).collect(), ..Model::default() }
+    items.into_iter().fold(Model::default(), |model, (name, surface)| model.with_surface(name, surface))
 }
 
 /// Patch of revolution about the third axis over `[u0, u1]`, from its meridian's ends and start direction.
@@ -104,7 +98,7 @@ fn spheres_with_other_circles_stay_rational() {
 #[test]
 fn general_patches_are_rational_with_positive_weights_and_shared_edges() {
     let m = model(vec![("patch", general())]);
-    let size = patch(&m.items[0].surfaces[0]).size();
+    let size = patch(&m.items[0].surfaces()[0]).size();
     for (edges, circles) in [(StepEdges::Circles, true), (StepEdges::Rational, false)] {
         let (file, text) = step(&m, edges);
         assert_exact(&m, &file, 20.0 * size);
@@ -164,20 +158,19 @@ fn the_same_model_gives_the_same_bytes() {
 
 #[test]
 fn a_mixture_is_one_representation() {
+    let line = Item::new("line", vec![CurveObject::Arc(patch(&general()).s_line(0.5).unwrap())]);
     let mut m = model(vec![("patch", general())]);
-    let line = patch(&m.items[0].surfaces[0]).s_line(0.5).unwrap();
-    m.items[0].contours.push(CurveObject::Arc(line));
+    m.items.push(line.clone());
     let (file, text) = step(&m, StepEdges::Circles);
-    // Curves and surfaces of one object; related representations of one kind each crash FreeCAD 0.20.
+    // Curves and surfaces of one product; related representations of one kind each crash FreeCAD 0.20.
     let general: Vec<&str> = text.lines().filter(|l| l.contains("SHAPE_REPRESENTATION(")).collect();
     let [shape] = general[..] else { panic!("{general:?}") };
     let (items, kind) = (shape.matches('#').count() - 3, shape.split(['=', '(']).nth(1).unwrap());
     assert_eq!((kind, items), ("SHAPE_REPRESENTATION", 2), "{shape}");
     assert!(!text.contains("RELATIONSHIP"));
     assert!(file_deviation(&m, Format::Step, &file).unwrap() < 1e-11);
-    // Of several objects too, with a note; as an assembly each has the representation of its kind.
-    let thick = thick().items.remove(0);
-    let m = Model { items: vec![thick, Item { surfaces: Vec::new(), ..m.items[0].clone() }], ..m };
+    // Of solids too, with a note; as an assembly each has the representation of its kind.
+    let m = Model { items: vec![thick().items.remove(0), line], ..m };
     let (file, text) = step(&m, StepEdges::Circles);
     assert_eq!(text.matches("=PRODUCT(").count(), 1);
     assert!(file.notes[0].contains("--step-products assembly"), "{:?}", file.notes);

@@ -4,7 +4,7 @@ use super::flatten::flatten;
 use crate::base::vector::{Point3, Vec3};
 use crate::error::Result;
 use crate::surface::ParamSurface as _;
-use crate::topology::{Body, EdgeCurve, Shell, ShellFace, Side};
+use crate::topology::{Body, EdgeCurve, FaceGeometry as _, Shell, ShellFace, Side};
 
 /// Which parameter lines a polyline follows.
 ///

@@ -10,5 +10,5 @@ mod surface_object;
 
 pub use chain::{ChainPiece, CurveChain};
 pub use lower::{Exactness, Lower, Lowered};
-pub use object::{CurveObject, Item, Model, Units};
+pub use object::{CurveObject, Geometry, Item, Model, Units};
 pub use surface_object::SurfaceObject;

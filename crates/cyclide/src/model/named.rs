@@ -3,7 +3,7 @@
 use super::object::{CurveObject, Item, Model, Units};
 use super::surface_object::SurfaceObject;
 use crate::construct::Biarc;
-use crate::curve::{Arc, ArcPath, BlendLaw, Circle, CircleSpline};
+use crate::curve::{Arc, ArcPath, Circle, CircleSpline};
 use crate::surface::{CyclidePatch, CyclidicNet, SmoothMesh, SphereBlend, TriangleSurface};
 use crate::topology::{Body, Shell};
 
@@ -25,48 +25,18 @@ impl Model {
     /// The model with one more object, a curve. Names tell objects apart in files: give each its own.
     #[must_use]
     pub fn with_curve(self, name: impl Into<String>, curve: impl Into<CurveObject>) -> Self {
-        let curve = curve.into();
-        let kind = curve.kind().to_owned();
-        self.with(Item { name: name.into(), kind, contours: vec![curve], ..Item::default() })
+        self.with(Item::new(name, vec![curve.into()]))
     }
 
     /// The model with one more object, a surface or a solid.
     #[must_use]
     pub fn with_surface(self, name: impl Into<String>, surface: impl Into<SurfaceObject>) -> Self {
-        let surface = surface.into();
-        let kind = surface.kind().to_owned();
-        self.with(Item { name: name.into(), kind, surfaces: vec![surface], ..Item::default() })
+        self.with(Item::new(name, vec![surface.into()]))
     }
 
     fn with(mut self, item: Item) -> Self {
         self.items.push(item);
         self
-    }
-}
-
-impl CurveObject {
-    /// What files and reports call it.
-    fn kind(&self) -> &'static str {
-        match self {
-            Self::Arc(_) => "arc",
-            Self::Circle(_) => "circle",
-            Self::ArcPath(_) => "arc-spline",
-            Self::CircleSpline(spline) if matches!(spline.segments()[0].law(), BlendLaw::Fair { .. }) => "fair-spline",
-            Self::CircleSpline(_) => "circle-spline",
-        }
-    }
-}
-
-impl SurfaceObject {
-    /// What files and reports call it.
-    fn kind(&self) -> &'static str {
-        match self {
-            Self::Patch(_) => "cyclide-patch",
-            Self::Net(_) => "cyclidic-net",
-            Self::Body(_) => "body",
-            Self::Triangles(TriangleSurface::Mesh(_)) => "smooth-mesh",
-            Self::Triangles(TriangleSurface::Blend(_)) => "sphere-blend",
-        }
     }
 }
 

@@ -3,10 +3,8 @@
 use super::chain::CurveChain;
 use super::lower::{Lower, Lowered};
 use super::surface_object::SurfaceObject;
-use crate::base::vector::Point3;
 use crate::curve::{Arc, ArcPath, Circle, CircleSpline, ParamCurve};
 use crate::error::Result;
-use crate::warning::Warning;
 
 /// What one unit of the coordinates means. Coordinates are never rescaled; units label them.
 ///
@@ -127,31 +125,87 @@ impl Lower for CurveObject {
     }
 }
 
-/// A named object made by one construction: connected curves (contours), surfaces, or both.
+/// What an object is made of: curves or surfaces, never both. A construction that makes both makes two objects.
+///
+/// The list is closed on purpose: objects of another kind (motions, volumes) are a new variant, and the compiler then names
+/// every writer, check and report that has to think of them.
 ///
 /// ```
-/// use cyclide::{Circle, Model, Point3, Units, Vec3};
+/// use cyclide::{Circle, Geometry, Point3, Vec3};
 /// let circle = Circle::from_radius(Point3::ORIGIN, Vec3::Z, 1.0)?;
-/// let model = Model::new(Units::Metre).with_curve("rim", circle);
-/// assert_eq!((model.items[0].name.as_str(), model.items[0].contours.len()), ("rim", 1));
+/// let geometry = Geometry::from(vec![circle.into()]);
+/// assert!(matches!(&geometry, Geometry::Curves(contours) if contours.len() == 1));
+/// # Ok::<(), cyclide::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub enum Geometry {
+    /// Connected curves: contours.
+    Curves(Vec<CurveObject>),
+    /// Surfaces, each one body, or several where it hangs together in points only.
+    Surfaces(Vec<SurfaceObject>),
+}
+
+impl Default for Geometry {
+    /// No curve.
+    fn default() -> Self {
+        Self::Curves(Vec::new())
+    }
+}
+
+impl From<Vec<CurveObject>> for Geometry {
+    fn from(contours: Vec<CurveObject>) -> Self {
+        Self::Curves(contours)
+    }
+}
+
+impl From<Vec<SurfaceObject>> for Geometry {
+    fn from(surfaces: Vec<SurfaceObject>) -> Self {
+        Self::Surfaces(surfaces)
+    }
+}
+
+/// A named object made by one construction. How it was made, what was said about it and what it was made from is known to
+/// whoever ran the construction.
+///
+/// ```
+/// use cyclide::{Circle, Item, Point3, Vec3};
+/// let ring = |radius| Circle::from_radius(Point3::ORIGIN, Vec3::Z, radius);
+/// let item = Item::new("washer", vec![ring(6.0)?.into(), ring(3.2)?.into()]);
+/// assert_eq!((item.name.as_str(), item.curves().len(), item.surfaces().len()), ("washer", 2, 0));
 /// # Ok::<(), cyclide::Error>(())
 /// ```
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Item {
     /// Name, unique in the model.
     pub name: String,
-    /// The document's type word: `arc`, `circle-spline`, ….
-    pub kind: String,
-    /// Its connected curves.
-    pub contours: Vec<CurveObject>,
-    /// Its surfaces, each one body.
-    pub surfaces: Vec<SurfaceObject>,
-    /// Remarks of the construction, with the contour they belong to.
-    pub warnings: Vec<(usize, Warning)>,
-    /// The bound the construction promised on the distance to its input (an arc fit's tolerance), if any.
-    pub tolerance: Option<f64>,
-    /// The points that a fit was made near, for pictures; empty for curves through their points.
-    pub data: Vec<Point3>,
+    /// Its curves or surfaces.
+    pub geometry: Geometry,
+}
+
+impl Item {
+    /// An object of curves or of surfaces. Names tell objects apart in files: give each its own.
+    #[must_use]
+    pub fn new(name: impl Into<String>, geometry: impl Into<Geometry>) -> Self {
+        Self { name: name.into(), geometry: geometry.into() }
+    }
+
+    /// Its connected curves; none of an object of another kind.
+    #[must_use]
+    pub fn curves(&self) -> &[CurveObject] {
+        match &self.geometry {
+            Geometry::Curves(contours) => contours,
+            Geometry::Surfaces(_) => &[],
+        }
+    }
+
+    /// Its surfaces; none of an object of another kind.
+    #[must_use]
+    pub fn surfaces(&self) -> &[SurfaceObject] {
+        match &self.geometry {
+            Geometry::Curves(_) => &[],
+            Geometry::Surfaces(surfaces) => surfaces,
+        }
+    }
 }
 
 /// Named objects and the unit of their coordinates.

@@ -1,6 +1,6 @@
 //! Boxes around shells and bodies.
 
-use super::{Body, Shell};
+use super::{Body, FaceGeometry as _, Shell};
 use crate::base::bounds::Aabb;
 use crate::base::vector::Point3;
 

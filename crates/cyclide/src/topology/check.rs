@@ -1,6 +1,6 @@
 //! What makes vertices, edges and faces a shell.
 
-use super::{EdgeCurve, FaceEdge, FaceSurface, Shell, ShellFace, Side};
+use super::{EdgeCurve, FaceEdge, FaceGeometry as _, FaceSurface, Shell, ShellFace, Side};
 use crate::base::vector::Point3;
 use crate::error::{Error, ErrorItem, Result};
 

@@ -1,6 +1,6 @@
 //! The surfaces that faces lie on, and what every one of them gives.
 
-use super::EdgeCurve;
+use super::{CellDistances, EdgeCurve, FaceGeometry, LineBends};
 use crate::base::bounds::Aabb;
 use crate::base::surface_jet::SurfaceJet;
 use crate::base::vector::{Point3, Vec3};
@@ -9,10 +9,11 @@ use crate::error::Result;
 use crate::rational::RationalBezierSurface;
 use crate::surface::{CyclidePatch, ParamSurface};
 
-/// The surface of a face, over `[0, 1]²`.
+/// The surface of a face, over `[0, 1]²`: any of the surfaces that have [`FaceGeometry`]. Match on it only where the kind itself
+/// matters, as in files that know spheres and tori.
 ///
 /// ```
-/// use cyclide::{CyclidePatch, FaceSurface, Point3, Vec3};
+/// use cyclide::{CyclidePatch, FaceGeometry as _, FaceSurface, Point3, Vec3};
 /// let corners = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 1.0, 0.0]].map(Point3::from);
 /// let face = FaceSurface::from(CyclidePatch::from_corners_and_frame(corners, Vec3::X, Vec3::Y)?);
 /// assert!(face.is_regular() && face.to_rational().degrees() == [2, 2]);
@@ -37,88 +38,12 @@ impl FaceSurface {
         }
     }
 
-    /// The corners at (0,0), (1,0), (0,1), (1,1).
-    #[must_use]
-    pub fn corners(&self) -> [Point3; 4] {
+    /// What is asked of every surface of a face.
+    fn geometry(&self) -> &dyn FaceGeometry {
         match self {
-            Self::Cyclide(patch) => patch.corners(),
-            Self::Rational(surface) => surface.corners(),
+            Self::Cyclide(patch) => patch,
+            Self::Rational(surface) => surface,
         }
-    }
-
-    /// The s-line at `t`, with the same parameter s.
-    ///
-    /// # Errors
-    /// As [`CyclidePatch::s_line`].
-    pub fn s_line(&self, t: f64) -> Result<EdgeCurve> {
-        Ok(match self {
-            Self::Cyclide(patch) => patch.s_line(t)?.into(),
-            Self::Rational(surface) => surface.s_line(t).into(),
-        })
-    }
-
-    /// The t-line at `s`, with the same parameter t.
-    ///
-    /// # Errors
-    /// As [`CyclidePatch::t_line`].
-    pub fn t_line(&self, s: f64) -> Result<EdgeCurve> {
-        Ok(match self {
-            Self::Cyclide(patch) => patch.t_line(s)?.into(),
-            Self::Rational(surface) => surface.t_line(s).into(),
-        })
-    }
-
-    /// A box around the surface: the smallest one to rounding of a patch, to 1e-9 of its size of a rational surface.
-    #[must_use]
-    pub fn bounds(&self) -> Aabb {
-        match self {
-            Self::Cyclide(patch) => patch.bounds(),
-            Self::Rational(surface) => surface.bounds(),
-        }
-    }
-
-    /// The exact rational form.
-    #[must_use]
-    pub fn to_rational(&self) -> RationalBezierSurface {
-        match self {
-            Self::Cyclide(patch) => patch.to_rational(),
-            Self::Rational(surface) => surface.clone(),
-        }
-    }
-
-    /// The places of s, inside, at which the t-line is one point; of rational surfaces such lines are sides only.
-    #[must_use]
-    pub fn singular_s(&self) -> Vec<f64> {
-        self.patch().map_or_else(Vec::new, CyclidePatch::singular_s)
-    }
-
-    /// The places of t, inside, at which the s-line is one point.
-    #[must_use]
-    pub fn singular_t(&self) -> Vec<f64> {
-        self.patch().map_or_else(Vec::new, CyclidePatch::singular_t)
-    }
-
-    /// True if no parameter line inside is one point.
-    #[must_use]
-    pub fn is_regular(&self) -> bool {
-        self.patch().is_none_or(CyclidePatch::is_regular)
-    }
-
-    /// Unit normal, continuous over the surface, also at sides that are one point. Of patches it is the opposite of
-    /// `f_s × f_t` where these are [flipped](CyclidePatch::is_flipped).
-    #[must_use]
-    pub fn unit_normal(&self, s: f64, t: f64) -> Vec3 {
-        match self {
-            Self::Cyclide(patch) => patch.unit_normal(s, t),
-            Self::Rational(surface) => surface.unit_normal(s, t),
-        }
-    }
-
-    /// The side of the [unit normal](Self::unit_normal) on which `f_s × f_t` is: 1, or -1 where it is against it, as on patches
-    /// that are [flipped](CyclidePatch::is_flipped).
-    #[must_use]
-    pub fn side_of_normal(&self, s: f64, t: f64) -> f64 {
-        self.patch().map_or(1.0, |patch| patch.side_of_normal(s, t))
     }
 
     /// The part over `[s0, s1] × [t0, t1]` with corners that are known better than by evaluation.
@@ -171,5 +96,57 @@ impl ParamSurface for FaceSurface {
             Self::Cyclide(patch) => patch.normal(s, t),
             Self::Rational(surface) => surface.normal(s, t),
         }
+    }
+}
+
+/// All of it is the surface's own, what has a default too.
+impl FaceGeometry for FaceSurface {
+    fn corners(&self) -> [Point3; 4] {
+        self.geometry().corners()
+    }
+    fn s_line(&self, t: f64) -> Result<EdgeCurve> {
+        self.geometry().s_line(t)
+    }
+    fn t_line(&self, s: f64) -> Result<EdgeCurve> {
+        self.geometry().t_line(s)
+    }
+    fn bounds(&self) -> Aabb {
+        self.geometry().bounds()
+    }
+    fn to_rational(&self) -> RationalBezierSurface {
+        self.geometry().to_rational()
+    }
+    fn unit_normal(&self, s: f64, t: f64) -> Vec3 {
+        self.geometry().unit_normal(s, t)
+    }
+    fn cell_distances(&self, s: &[f64], t: &[f64], tolerance: f64) -> CellDistances {
+        self.geometry().cell_distances(s, t, tolerance)
+    }
+    fn cell_distance(&self, s: [f64; 2], t: [f64; 2]) -> f64 {
+        self.geometry().cell_distance(s, t)
+    }
+    fn line_bends(&self, places: &[f64]) -> LineBends {
+        self.geometry().line_bends(places)
+    }
+    fn line_curvatures(&self, s: f64, t: f64) -> [f64; 2] {
+        self.geometry().line_curvatures(s, t)
+    }
+    fn has_flat_cells(&self) -> bool {
+        self.geometry().has_flat_cells()
+    }
+    fn is_plane_quad(&self) -> bool {
+        self.geometry().is_plane_quad()
+    }
+    fn singular_s(&self) -> Vec<f64> {
+        self.geometry().singular_s()
+    }
+    fn singular_t(&self) -> Vec<f64> {
+        self.geometry().singular_t()
+    }
+    fn is_regular(&self) -> bool {
+        self.geometry().is_regular()
+    }
+    fn side_of_normal(&self, s: f64, t: f64) -> f64 {
+        self.geometry().side_of_normal(s, t)
     }
 }

@@ -1,6 +1,6 @@
 //! Area and enclosed volume by quadrature over the faces.
 
-use super::{FaceSurface, Shell, ShellFace};
+use super::{FaceGeometry as _, FaceSurface, Shell, ShellFace};
 use crate::base::bounds::Aabb;
 use crate::base::quadrature::{gauss2, gauss4, gauss8};
 use crate::base::vector::{Point3, Vec3};

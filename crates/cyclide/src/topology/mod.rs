@@ -3,6 +3,7 @@
 mod bounds;
 mod check;
 mod edge_curve;
+mod face_geometry;
 mod face_surface;
 mod joints;
 mod measure;
@@ -15,6 +16,7 @@ mod thick;
 mod transform;
 
 pub use edge_curve::EdgeCurve;
+pub use face_geometry::{CellDistances, FaceGeometry, LineBends};
 pub use face_surface::FaceSurface;
 pub use joints::{SurfaceJoint, surface_joints};
 pub(crate) use sewing::Sewing;
@@ -111,7 +113,7 @@ impl Shell {
     /// The shell of one surface with its (up to four) edges. Corners that are equal are one vertex.
     ///
     /// # Errors
-    /// As [`FaceSurface::s_line`].
+    /// As [`FaceGeometry::s_line`].
     pub fn from_surface(surface: impl Into<FaceSurface>) -> Result<Self> {
         let surface = surface.into();
         let (exact, corners) = (surface.patch().is_some(), surface.corners());

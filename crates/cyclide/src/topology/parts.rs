@@ -1,6 +1,6 @@
 //! The parts of a shell: what hangs together through edges, and what hangs together in single points only.
 
-use super::{Shell, ShellEdge, ShellFace};
+use super::{FaceGeometry as _, Shell, ShellEdge, ShellFace};
 use crate::error::Result;
 
 impl Shell {

@@ -1,6 +1,6 @@
 //! The four sides of a face, and what is known of each by its name: its corners, its direction, its place in the loop.
 
-use super::{EdgeCurve, FaceEdge, FaceSurface, ShellFace};
+use super::{EdgeCurve, FaceEdge, FaceGeometry as _, FaceSurface, ShellFace};
 use crate::error::Result;
 
 /// A side of the parameter square `[0, 1]²` of a face; as a number, its index among [`ShellFace::sides`].

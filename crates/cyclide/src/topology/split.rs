@@ -4,7 +4,7 @@
 //! through opposite sides are a strip, and a strip is cut as a whole. Faces that share an edge agree on its parameter,
 //! so the cut has one parameter per edge and its vertex is computed once.
 
-use super::{EdgeCurve, FaceEdge, FaceSurface, Shell, ShellEdge, ShellFace, Side};
+use super::{EdgeCurve, FaceEdge, FaceGeometry as _, FaceSurface, Shell, ShellEdge, ShellFace, Side};
 use crate::base::bounds::Aabb;
 use crate::base::vector::Point3;
 use crate::error::{Error, Result};

@@ -60,9 +60,9 @@ fn make(entry: &'static Entry, files: &mut Vec<(String, Vec<u8>)>, progress: &Pr
     let objects = (0..document.objects.len()).map(|index| builder.build(index, &mut hear));
     let objects = objects.collect::<cyclide_io::Result<_>>().map_err(|error| fault(error.to_string()))?;
     let loaded = Loaded { units: document.units, objects, input_files: Vec::new() };
-    let model = loaded.model();
-    let exporter = Exporter::new(&model).map_err(|error| fault(error.to_string()))?;
     let mut report = Report::new(loaded.units, &loaded.objects, None);
+    let (model, provenance) = loaded.into_model();
+    let exporter = Exporter::with_provenance(&model, &provenance).map_err(|error| fault(error.to_string()))?;
     files.push((name, entry.document.as_bytes().to_vec()));
     files.extend(entry.inputs.iter().map(|(name, bytes)| ((*name).to_owned(), bytes.to_vec())));
     progress.done();

@@ -1,6 +1,6 @@
 //! Which way the polygons of a cell and their normals look, against `f_s × f_t` of the patch and the sense of its face.
 
-use cyclide::{FaceSurface, MeshSource, ParamSurface as _, Point3, ShellFace, Vec3};
+use cyclide::{FaceGeometry as _, FaceSurface, MeshSource, ParamSurface as _, Point3, ShellFace, Vec3};
 
 /// Normals of faces that meet within 1e-6 radians are one in the mesh; the rest is their rounding to single precision.
 pub(super) const NORMAL_LIMIT: f64 = 1.2e-6;

@@ -14,14 +14,13 @@ use super::nearest::NearestTriangle;
 use super::triangle::Triangle;
 use super::triangle_surface;
 use crate::check::file_content::ReadError;
-use crate::drawing::plane_regions::is_plane_quad;
 use crate::export::mesh_plan::{BodyPlan, Cell, MeshPlan};
 use crate::export::parts::BodyOf;
 use crate::export::side_use::{SideUse, side_use};
 use crate::export::triangle_cells::are_whole;
 use cyclide::{
-    FaceSurface, MeshCorner, MeshFace, MeshSource, ParamSurface as _, Point3, ShellFace, SurfaceJet, SurfaceMesh,
-    TriangleSurface, Vec3,
+    FaceGeometry as _, FaceSurface, MeshCorner, MeshFace, MeshSource, ParamSurface as _, Point3, ShellFace, SurfaceJet,
+    SurfaceMesh, TriangleSurface, Vec3,
 };
 
 /// Points of a cell in each direction.
@@ -294,7 +293,7 @@ fn cell_deviation(
         }
         largest = larger(largest, best);
     }
-    let is_plane = is_plane_quad(surface);
+    let is_plane = surface.is_plane_quad();
     for Triangle { corners: [a, b, c], .. } in triangles {
         let center = Point3::ORIGIN + (a.to_vec() + b.to_vec() + c.to_vec()) / 3.0;
         for p in [*a, *b, *c, a.midpoint(*b), b.midpoint(*c), c.midpoint(*a), center] {

@@ -18,7 +18,7 @@ impl Builder<'_> {
     pub(super) fn offset(&self, spec: &OffsetSpec) -> Result<Vec<SurfaceObject>> {
         let source = self.surface_source("only surfaces have an offset")?;
         let other = "only patches, nets and cyclides that are not thick already have an exact offset; what is made of curves or meshes gets its wall from them: both sides of a profile, the `wall` of a pipe, a larger `radius`";
-        let made = source.item.surfaces.iter().map(|surface| {
+        let made = source.item.surfaces().iter().map(|surface| {
             let made = if spec.thick { surface.thick(spec.distance) } else { surface.offset(spec.distance) };
             made.ok_or_else(|| self.wrong_source(other))?.map_err(|e| self.refused(&e, None))
         });
@@ -27,7 +27,7 @@ impl Builder<'_> {
 
     /// What the curves of another object sweep.
     pub(super) fn revolution(&self, spec: &RevolutionSpec) -> Result<Vec<SurfaceObject>> {
-        let curves = self.sources.first().map_or(&[][..], |source| &source.item.contours);
+        let curves = self.sources.first().map_or(&[][..], |source| source.item.curves());
         if curves.is_empty() {
             return Err(self.wrong_source("only curves sweep a surface of revolution"));
         }
@@ -40,7 +40,7 @@ impl Builder<'_> {
 
     /// The tubes about the curves of another object.
     pub(super) fn pipe(&mut self, spec: &PipeSpec) -> Result<Vec<SurfaceObject>> {
-        let curves = self.sources.first().map_or(&[][..], |source| &source.item.contours);
+        let curves = self.sources.first().map_or(&[][..], |source| source.item.curves());
         if curves.is_empty() {
             return Err(self.wrong_source("only curves have a pipe about them"));
         }
@@ -70,7 +70,7 @@ impl Builder<'_> {
     pub(super) fn support_structure(&self) -> Result<Vec<CurveObject>> {
         let source = self.surface_source("only surfaces have a support structure")?;
         let mut arcs = Vec::new();
-        for surface in &source.item.surfaces {
+        for surface in source.item.surfaces() {
             arcs.extend(surface.edge_arcs().map_err(|e| self.refused(&e, None))?);
         }
         Ok(arcs.into_iter().map(CurveObject::Arc).collect())
@@ -78,7 +78,7 @@ impl Builder<'_> {
 
     /// The images of curves.
     pub(super) fn mapped_curves(&self, spec: &TransformSpec) -> Result<Vec<CurveObject>> {
-        let curves = self.sources.first().map_or(&[][..], |source| &source.item.contours);
+        let curves = self.sources.first().map_or(&[][..], |source| source.item.curves());
         self.mapped(spec, curves, |curve, map| {
             check_far_from_pole(curve, map)?;
             curve.transformed(map)
@@ -87,7 +87,7 @@ impl Builder<'_> {
 
     /// The images of surfaces.
     pub(super) fn mapped_surfaces(&self, spec: &TransformSpec) -> Result<Vec<SurfaceObject>> {
-        let surfaces = self.sources.first().map_or(&[][..], |source| &source.item.surfaces);
+        let surfaces = self.sources.first().map_or(&[][..], |source| source.item.surfaces());
         self.mapped(spec, surfaces, |surface, map| surface.transformed(map))
     }
 
@@ -157,14 +157,14 @@ impl Builder<'_> {
     /// The source, which must have surfaces.
     pub(super) fn surface_source(&self, needed: &str) -> Result<&BuiltObject> {
         match self.sources.first() {
-            Some(source) if !source.item.surfaces.is_empty() => Ok(source),
+            Some(source) if !source.item.surfaces().is_empty() => Ok(source),
             _ => Err(self.wrong_source(needed)),
         }
     }
 
     /// The message that the source is of the wrong kind.
     fn wrong_source(&self, needed: &str) -> Error {
-        let source = self.sources.first().map(|s| format!("`{}` is of type `{}`", s.item.name, s.item.kind));
+        let source = self.sources.first().map(|s| format!("`{}` is of type `{}`", s.item.name, s.provenance.kind));
         let message = format!("{}: {needed}", source.unwrap_or_default());
         Error::Input(self.diagnostic([Step::from("of")], &message))
     }

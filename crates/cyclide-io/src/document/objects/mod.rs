@@ -16,7 +16,7 @@ mod swept;
 use std::io;
 use std::path::{Path, PathBuf};
 
-use cyclide::{Body, CircularMeshReport, Item, Point3, Seam, SurfaceObject, Warning};
+use cyclide::{Body, CircularMeshReport, Geometry, Item, Point3, Seam, SurfaceObject, Warning};
 
 use super::Document;
 use super::construct::ContourFacts;
@@ -24,6 +24,7 @@ use super::coordinates::PointSource;
 use super::locate::{Step, path_text, span_of};
 use super::spec::{CyclidicNetSpec, GridSource, ObjectSpec, PolygonMeshFile};
 use crate::error::{Error, Result};
+use crate::export::provenance::Provenance;
 use crate::text::place::Diagnostic;
 pub use idle::NO_EFFECT;
 use nets::MeshNames;
@@ -36,6 +37,12 @@ pub use smooth::SmoothChoice;
 pub struct BuiltObject {
     /// The object for the model.
     pub item: Item,
+    /// How it came about, for files and pictures.
+    pub provenance: Provenance,
+    /// Remarks of the construction, with the contour they belong to.
+    pub warnings: Vec<(usize, Warning)>,
+    /// The bound the construction promised on the distance to its input (an arc fit's tolerance), if any.
+    pub tolerance: Option<f64>,
     /// The surfaces as patches that share edges, in their order.
     pub bodies: Vec<Body>,
     /// What it took to make a net circular.
@@ -190,7 +197,7 @@ struct Builder<'a> {
 
 impl Builder<'_> {
     fn build(mut self) -> Result<BuiltObject> {
-        let (curves, facts) = self.curves()?.into_iter().unzip();
+        let (curves, contours) = self.curves()?.into_iter().unzip();
         let surfaces = self.surfaces()?;
         let bodies = surfaces.iter().map(SurfaceObject::to_bodies).collect::<cyclide::Result<Vec<_>>>();
         let bodies: Vec<Body> = bodies.map_err(|e| self.refused(&e, None))?.into_iter().flatten().collect();
@@ -208,12 +215,26 @@ impl Builder<'_> {
             ObjectSpec::FairFit(s) => Some(s.tolerance),
             _ => None,
         };
-        let (name, kind) = (self.name.to_owned(), self.spec.type_word().to_owned());
-        let (warnings, data) = (self.warnings, self.data);
-        let item = Item { name, kind, contours: curves, surfaces, warnings, tolerance, data };
+        // A type makes curves or surfaces, and an image is of the kind of its object.
+        let geometry = if surfaces.is_empty() { Geometry::Curves(curves) } else { Geometry::Surfaces(surfaces) };
+        let item = Item::new(self.name, geometry);
         let construction = self.spec.is_construction();
-        let Self { circular, seams, polyhedron, smooth, remarks, .. } = self;
-        Ok(BuiltObject { item, bodies, circular, seams, polyhedron, smooth, construction, contours: facts, remarks })
+        let Self { data, warnings, circular, seams, polyhedron, smooth, remarks, .. } = self;
+        let provenance = Provenance { kind: self.spec.type_word(), data };
+        Ok(BuiltObject {
+            item,
+            provenance,
+            warnings,
+            tolerance,
+            bodies,
+            circular,
+            seams,
+            polyhedron,
+            smooth,
+            construction,
+            contours,
+            remarks,
+        })
     }
 
     fn remark(

@@ -184,7 +184,7 @@ impl<'a> Builder<'a> {
         let Some(given) = spec.make_circular.border_curves() else { return Ok(curves) };
         let named = given.sides().into_iter().enumerate().filter(|(_, (_, name))| name.is_some());
         for ((side, (field, _)), source) in named.zip(&self.sources) {
-            let [curve] = source.item.contours.as_slice() else {
+            let [curve] = source.item.curves() else {
                 let message = format!("`{}` is not one connected curve", source.item.name);
                 let steps = ["make_circular".into(), "border".into(), field.into()];
                 return Err(Error::Input(self.diagnostic(steps, &message)));

@@ -2,7 +2,7 @@
 
 use cyclide::{CurveObject, EllipseBridge, NeckBlend, NeckBody, NeckSide, PlateShape, SurfaceObject, Vec3};
 
-use super::Builder;
+use super::{Builder, BuiltObject};
 use crate::document::angle::Angle;
 use crate::document::coordinates::Coordinates;
 use crate::document::locate::{Step, path_text};
@@ -62,11 +62,11 @@ impl Builder<'_> {
 
     /// The two curves that an object is spanned between.
     fn rails(&self) -> Result<[&CurveObject; 2]> {
-        let rail = |k: usize| match self.sources[k].item.contours.as_slice() {
+        let rail = |k: usize| match self.sources[k].item.curves() {
             [curve] => Ok(curve),
             contours => {
-                let item = &self.sources[k].item;
-                let (name, kind, count) = (&item.name, &item.kind, contours.len());
+                let BuiltObject { item, provenance, .. } = self.sources[k];
+                let (name, kind, count) = (&item.name, provenance.kind, contours.len());
                 let what = if count == 0 { "is no curve".to_owned() } else { format!("has {count} contours") };
                 let message = format!("`{name}` is of type `{kind}` and {what}: a rail is one curve");
                 Err(Error::Input(self.diagnostic(["rails".into(), k.into()], &message)))

@@ -103,8 +103,8 @@ fn labels(model: &Model, version: DxfVersion, entities: impl Iterator<Item = usi
     let layers = layers::layer_names(model.items.iter().map(|i| i.name.as_str()), version);
     let table = std::iter::once("0").chain(layers.iter().map(String::as_str));
     let mut names: Vec<FileName> = table.map(|name| FileName::new(LAYER, name, 1)).collect();
-    let used = layers.iter().zip(&model.items).filter(|(_, item)| !item.contours.is_empty());
-    names.extend(used.map(|(layer, item)| FileName::new(LAYER_OF, layer, item.contours.len())));
+    let used = layers.iter().zip(&model.items).filter(|(_, item)| !item.curves().is_empty());
+    names.extend(used.map(|(layer, item)| FileName::new(LAYER_OF, layer, item.curves().len())));
     let grouped = contours(model).zip(entities).filter(|(_, count)| version == DxfVersion::R2000 && *count > 1);
     let group = |(number, (contour, count)): (usize, (Contour<'_>, usize))| {
         FileName::new(GROUP, layers::group_name(&contour.label(), number), count)

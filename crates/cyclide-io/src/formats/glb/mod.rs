@@ -64,7 +64,7 @@ fn labels(named: Named<'_>, bodies: &[BodyOf<'_>], mesh_lines: &[Vec<[usize; 2]>
     let mut names = vec![FileName::new(TITLE, named.title, 1)];
     for (index, item) in named.model.items.iter().enumerate() {
         let own = || bodies.iter().zip(mesh_lines).filter(|(body, _)| body.item == index);
-        let parts = item.contours.len() + own().count();
+        let parts = item.curves().len() + own().count();
         if parts == 0 {
             continue;
         }
@@ -76,7 +76,7 @@ fn labels(named: Named<'_>, bodies: &[BodyOf<'_>], mesh_lines: &[Vec<[usize; 2]>
                 push_counted(&mut names, MATERIAL, &line);
             }
         }
-        item.contours.iter().for_each(|_| push_counted(&mut names, MATERIAL, &line));
+        item.curves().iter().for_each(|_| push_counted(&mut names, MATERIAL, &line));
     }
     FileLabels::new(named.model.units, names)
 }
@@ -144,7 +144,7 @@ impl File {
         item: &Item,
         bodies: &[&BodyMesh<'_>],
     ) -> Result<(), ExportError> {
-        let curves = item.contours.iter().map(|curve| bounds(curve.as_curve()));
+        let curves = item.curves().iter().map(|curve| bounds(curve.as_curve()));
         let Some(extent) = curves.chain(bodies.iter().map(|mesh| mesh.body.body.bounds())).reduce(Aabb::union) else {
             return Ok(());
         };
@@ -157,7 +157,7 @@ impl File {
                 self.body(body, center, [Some(material), ink], &mut primitives);
             }
         }
-        if !item.contours.is_empty() {
+        if !item.curves().is_empty() {
             let material = self.material(&Look::line(item, index));
             for contour in job.contours().filter(|contour| contour.item == index) {
                 primitives.push(self.curve(job, &contour, center, material)?);

@@ -29,12 +29,11 @@ use crate::check::made::Made;
 use crate::export::error::ExportError;
 use crate::export::exported::{Exported, PieceNotes, Promise, Written, WrittenCurve};
 use crate::export::job::Job;
-use crate::export::parts::{BodyOf, Contour};
+use crate::export::parts::Contour;
+use crate::export::ready::ReadyModel;
 use crate::formats::entry::{Entry, Reading};
 use crate::text::number::push_plain;
-use cyclide::{
-    ChainPiece, CurveChain, DEFAULT_PIECE_ANGLE, Exactness, Lowered, Model, NurbsCurve, ParamCurve as _, Point3,
-};
+use cyclide::{ChainPiece, CurveChain, DEFAULT_PIECE_ANGLE, Exactness, Lowered, NurbsCurve, ParamCurve as _, Point3};
 use serde_json::Value;
 
 use reader::read;
@@ -59,7 +58,7 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
     let mut written = Written::default();
     let mut out = format!("{{\n\"cyclide-nurbs\": 1,\n\"units\": \"{}\",\n\"objects\": {{", job.units().symbol());
     for (index, item) in job.model.items.iter().enumerate() {
-        let (name, kind) = (quoted(&item.name), quoted(&item.kind));
+        let (name, kind) = (quoted(&item.name), quoted(job.provenances.kind(index)));
         out.push_str(if index == 0 { "\n" } else { ",\n" });
         out.push_str(&format!("{name}: {{\"type\": {kind}, \"contours\": ["));
         for contour in job.contours().filter(|contour| contour.item == index) {
@@ -67,13 +66,13 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
             out.push_str(if contour.index == 0 { "\n" } else { ",\n" });
             written.curves.push(push_contour(&mut out, &contour, lowered)?);
         }
-        out.push_str(if item.contours.is_empty() { "]" } else { "\n]" });
+        out.push_str(if item.curves().is_empty() { "]" } else { "\n]" });
         for body in job.bodies.iter().filter(|body| body.item == index) {
             out.push_str(if body.index == 0 { ", \"surfaces\": [\n" } else { ",\n" });
             surfaces::push_body(&mut out, body)?;
             written.bodies.push(Promise::EXACT);
         }
-        out.push_str(if item.surfaces.is_empty() { "}" } else { "\n]}" });
+        out.push_str(if item.surfaces().is_empty() { "}" } else { "\n]}" });
     }
     out.push_str("\n}\n}\n");
     Ok(written.exported(out.into_bytes(), Vec::new()))
@@ -83,7 +82,7 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
 fn compare(made: &Made<'_>) -> Result<Deviations, ReadError> {
     let content = read(&made.file.bytes)?;
     let bodies = &made.ready.bodies;
-    let labels = labels(made.ready.model, bodies, &made.file.written);
+    let labels = labels(made.ready, &made.file.written);
     let curves = made.curves(&content, View::Space)?;
     let bodies = surfaces::deviation(bodies, &content.patches)?;
     content.labels.check(&labels)?;
@@ -91,15 +90,16 @@ fn compare(made: &Made<'_>) -> Result<Deviations, ReadError> {
 }
 
 /// The labels of a file of the model with what was promised for its curves.
-fn labels(model: &Model, bodies: &[BodyOf<'_>], written: &Written) -> FileLabels {
+fn labels(ready: &ReadyModel<'_>, written: &Written) -> FileLabels {
+    let ReadyModel { model, provenances, bodies, .. } = ready;
     let mut names = Vec::new();
     let mut curves = written.curves.iter();
     for (index, item) in model.items.iter().enumerate() {
         let own = || bodies.iter().filter(|body| body.item == index);
-        names.push(FileName::new("type", &item.kind, 1));
-        names.push(FileName::new(reader::CURVES_OF, &item.name, item.contours.len()));
+        names.push(FileName::new("type", provenances.kind(index), 1));
+        names.push(FileName::new(reader::CURVES_OF, &item.name, item.curves().len()));
         names.push(FileName::new(reader::SURFACES_OF, &item.name, own().count()));
-        let promises = curves.by_ref().take(item.contours.len()).map(|curve| &curve.promise);
+        let promises = curves.by_ref().take(item.curves().len()).map(|curve| &curve.promise);
         names.extend(promises.map(|promise| promised(promise.is_exact(), promise.distances()[0])));
         names.extend(own().map(|body| body_kind(body.body.is_solid(), true)));
     }

@@ -7,7 +7,7 @@ use crate::check::file_content::ReadError;
 use crate::export::error::ExportError;
 use crate::export::parts::BodyOf;
 use crate::text::number::push_plain;
-use cyclide::{ParamSurface as _, RationalBezierSurface, Shell};
+use cyclide::{FaceGeometry as _, ParamSurface as _, RationalBezierSurface, Shell};
 
 /// Places per parameter at which surfaces are compared.
 const PLACES: u32 = 9;

@@ -71,7 +71,7 @@ impl Legend {
             Naming::Colours => coloured(job, combs, names),
             Naming::Names | Naming::Numbers => crowd(combs),
         };
-        if job.model.items.iter().any(|item| !item.data.is_empty()) {
+        if job.provenances.data().next().is_some() {
             row.push(Entry { mark: Mark::Data, text: "data points of a fit, its nodes as rings".to_owned() });
         }
         let numbered = match naming {
@@ -194,7 +194,7 @@ pub(super) fn is_crowded(job: &Job<'_>) -> bool {
 }
 
 fn mark(job: &Job<'_>, index: usize) -> Mark {
-    if job.model.items[index].contours.is_empty() {
+    if job.model.items[index].curves().is_empty() {
         Mark::Field(Ink::surface(index), Ink::object(index))
     } else {
         Mark::Line(Ink::object(index), false)

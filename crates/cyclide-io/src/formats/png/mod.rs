@@ -345,8 +345,8 @@ fn data(canvas: &mut Canvas, view: &View, sheet: Sheet, job: &Job<'_>) {
     }
     let radius = DATA * sheet.scale;
     let mut drawn = std::collections::HashSet::new();
-    for p in job.model.items.iter().flat_map(|item| &item.data) {
-        let (x, y) = view.at(*p);
+    for p in job.provenances.data() {
+        let (x, y) = view.at(p);
         if drawn.insert(((x / radius as f32).round() as i64, (y / radius as f32).round() as i64)) {
             canvas.spot((x, y), radius);
         }

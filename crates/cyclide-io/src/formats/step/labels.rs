@@ -21,8 +21,8 @@ pub(crate) fn labels(named: Named<'_>, bodies: &[BodyOf<'_>], read: &FileLabels)
     let whole = |item: usize| [(LAYER, named.model.items[item].name.as_str()), (PRODUCT, product(item))];
     let mut names = Vec::new();
     let mut push = |of: &'static str, name: &str, count: usize| names.push(FileName::new(of, escaped(name), count));
-    for (index, item) in items().filter(|(_, item)| !item.contours.is_empty()) {
-        push(SET, &item.name, item.contours.len());
+    for (index, item) in items().filter(|(_, item)| !item.curves().is_empty()) {
+        push(SET, &item.name, item.curves().len());
         whole(index).iter().for_each(|(of, name)| push(of, name, 1));
     }
     for body in bodies {
@@ -34,7 +34,7 @@ pub(crate) fn labels(named: Named<'_>, bodies: &[BodyOf<'_>], read: &FileLabels)
     }
     let mut with_bodies = vec![false; named.model.items.len()];
     bodies.iter().for_each(|body| with_bodies[body.item] = true);
-    let written = items().filter(|(index, item)| !item.contours.is_empty() || with_bodies[*index]);
+    let written = items().filter(|(index, item)| !item.curves().is_empty() || with_bodies[*index]);
     for (_, item) in written.filter(|_| assembly) {
         [(OCCURRENCE, item.name.as_str()), (ASSEMBLY, named.title), (PRODUCT, item.name.as_str())]
             .iter()

@@ -142,7 +142,7 @@ fn labels(named: Named<'_>, written: &Written) -> FileLabels {
     let mut ids = HashSet::new();
     let mut curves = written.curves.iter();
     for item in &named.model.items {
-        let own = curves.by_ref().take(item.contours.len());
+        let own = curves.by_ref().take(item.curves().len());
         let count = own.filter(|curve| !curve.is_left_out()).count();
         if count == 0 {
             continue;

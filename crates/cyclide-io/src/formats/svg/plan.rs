@@ -12,7 +12,7 @@ use crate::export::exported::{Promise, WrittenCurve};
 use crate::export::job::Job;
 use crate::export::parts::BodyOf;
 use crate::text::number::push_plain;
-use cyclide::{Aabb, Arc, Correspondence, EdgeCurve, Shell};
+use cyclide::{Aabb, Arc, Correspondence, EdgeCurve, FaceGeometry as _, Shell};
 
 /// Names of the groups in the order in which they are drawn: inner circles, edges.
 pub(super) const GROUPS: [&str; 2] = ["circles", "edges"];

@@ -1,15 +1,12 @@
 //! Cells become polygons.
 
-use super::cell_bound::denominators;
 use super::cuts::Cuts;
 use super::strips::{SAME_CUT, Strips, point_lines};
 use super::vertices::{BorderVertices, compact};
-use crate::base::quat::Quat;
 use crate::base::vector::{Point3, Vec3};
 use crate::mesh::surface_mesh::{MeshCorner, MeshFace, MeshSource, SurfaceMesh};
-use crate::rational::RationalBezierSurface;
-use crate::surface::{CyclidePatch, ParamSurface as _};
-use crate::topology::{FaceSurface, Shell, ShellFace};
+use crate::surface::ParamSurface as _;
+use crate::topology::{FaceGeometry as _, FaceSurface, Shell, ShellFace};
 
 /// Appends the cells of a shell to the mesh. Returns how far vertices shared with other faces are off the patches.
 pub(super) fn assemble(shell: &Shell, index: usize, strips: &Strips, cuts: &Cuts, mesh: &mut SurfaceMesh) -> f64 {
@@ -145,9 +142,8 @@ impl<'a> FaceGrid<'a> {
                 let (s, t) = ([self.s[i], self.s[i + 1]], [self.t[j], self.t[j + 1]]);
                 let source = MeshSource { shell, face, s, t };
                 if let Some(polygon) = polygon(cell) {
-                    match (surface, polygon) {
-                        // Four corners of a cell of a rational face are in no plane.
-                        (FaceSurface::Rational(_), MeshFace::Quad(cell)) => {
+                    match polygon {
+                        MeshFace::Quad(cell) if !surface.has_flat_cells() => {
                             mesh.faces.extend(in_two(cell, &mesh.positions));
                             mesh.sources.extend([source; 2]);
                         }
@@ -176,63 +172,40 @@ fn in_two([a, b, c, d]: [MeshCorner; 4], positions: &[Point3]) -> [MeshFace; 2] 
 }
 
 /// The unit normals of a face in the direction of `f_s × f_t`, at its cuts and in its cells.
-enum Normals<'a> {
-    Patch {
-        patch: &'a CyclidePatch,
-        /// The denominators at the cuts, s fastest.
-        d: Vec<Quat>,
-        /// Against `f_s × f_t` the patch's own normal turns where a speed changes its sign: the signs of the cells along s
-        /// and along t.
-        signs: [Vec<f64>; 2],
-        last: [usize; 2],
-    },
-    Rational {
-        surface: &'a RationalBezierSurface,
-        s: &'a [f64],
-        t: &'a [f64],
-    },
+struct Normals<'a> {
+    surface: &'a FaceSurface,
+    s: &'a [f64],
+    t: &'a [f64],
+    /// On which side of the surface's own normal that is: in each cell, s fastest, or once where it is the same in all.
+    sides: Vec<f64>,
 }
 
 impl<'a> Normals<'a> {
     fn new(surface: &'a FaceSurface, s: &'a [f64], t: &'a [f64]) -> Self {
-        match surface {
-            FaceSurface::Cyclide(patch) => {
-                let signs = |direction: usize, cuts: &[f64]| -> Vec<f64> {
-                    let sign = patch.speed_sign(direction);
-                    cuts.windows(2).map(|w| sign(0.5 * (w[0] + w[1]))).collect()
-                };
-                let (signs, last) = ([signs(1, s), signs(0, t)], [s.len() - 2, t.len() - 2]);
-                Self::Patch { patch, d: denominators(patch, s, t), signs, last }
-            }
-            FaceSurface::Rational(surface) => Self::Rational { surface, s, t },
-        }
+        let sides = if surface.is_regular() {
+            vec![surface.side_of_normal(0.5, 0.5)]
+        } else {
+            let middle = |w: &[f64]| 0.5 * (w[0] + w[1]);
+            let of_row = |t: f64| s.windows(2).map(move |w| surface.side_of_normal(middle(w), t));
+            t.windows(2).map(middle).flat_map(of_row).collect()
+        };
+        Self { surface, s, t, sides }
+    }
+
+    fn side(&self, i: usize, j: usize) -> f64 {
+        if let [side] = self.sides[..] { side } else { self.sides[i + j * (self.s.len() - 1)] }
     }
 
     /// At cuts, as the cell after them has it.
     fn at_cut(&self, i: usize, j: usize) -> Vec3 {
-        match self {
-            Self::Patch { patch, d, signs, last } => {
-                let sign = signs[0][i.min(last[0])] * signs[1][j.min(last[1])];
-                unit_rotation(d[i + j * (last[0] + 2)], patch.frame()[2]) * sign
-            }
-            Self::Rational { surface, s, t } => surface.unit_normal(s[i], t[j]),
-        }
+        let last = |cuts: &[f64]| cuts.len() - 2;
+        self.in_cell(self.s[i], self.t[j], i.min(last(self.s)), j.min(last(self.t)))
     }
 
     /// At a place of a cell, its border included.
     fn in_cell(&self, s: f64, t: f64, i: usize, j: usize) -> Vec3 {
-        match self {
-            Self::Patch { patch, signs, .. } => {
-                unit_rotation(patch.denominator(s, t), patch.frame()[2]) * (signs[0][i] * signs[1][j])
-            }
-            Self::Rational { surface, .. } => surface.unit_normal(s, t),
-        }
+        self.surface.unit_normal(s, t) * self.side(i, j)
     }
-}
-
-/// The vector turned by a quaternion of any length.
-fn unit_rotation(d: Quat, v: Vec3) -> Vec3 {
-    (d * (1.0 / d.norm_squared().sqrt())).rotate(v)
 }
 
 /// The polygon of four corners of which neighbours may be one; `None` if two remain.

@@ -1,15 +1,9 @@
 //! Where to cut: densities from the sagitta in closed form, then as many cuts as the certificate asks for.
 
-use super::cell_bound::{GridBound, PatchSpeeds, denominators, grid_bound};
 use super::density::Density;
-use super::rational_cells;
 use super::strips::{Member, Place, Strip, Strips};
-use crate::base::surface_jet::SurfaceJet;
-use crate::base::vector::Vec3;
 use crate::error::{Error, Result};
-use crate::rational::RationalBezierSurface;
-use crate::surface::CyclidePatch;
-use crate::topology::{FaceSurface, Shell};
+use crate::topology::{FaceGeometry as _, FaceSurface, LineBends, Shell};
 
 /// Intervals on which densities are sampled.
 const SCAN: usize = 16;
@@ -28,97 +22,30 @@ const MARGIN: f64 = 1.002;
 /// Largest number of parts of one cell in one round.
 const SPLIT: f64 = 8.0;
 
-/// How a face bends, on the grid of samples.
-enum Samples {
-    Patch(Box<PatchSamples>),
-    Rational(Box<RationalSamples>),
-}
-
-/// A rational face: an eighth of the second derivatives along s and along t, s fastest. Times the square of a width, a
-/// distance from a chord.
-struct RationalSamples([Vec<f64>; 2]);
-
-/// A patch.
-struct PatchSamples {
-    /// `1/|D|⁴`, s fastest.
-    inverse: Vec<f64>,
-    /// `|q| |m|/4` of the s-lines, then of the t-lines: times `1/|D|⁴` and the square of a width, a sagitta.
-    bend: [[f64; SCAN + 1]; 2],
-    /// Normal component of their bulge.
-    normal: [[f64; SCAN + 1]; 2],
-}
-
 /// The sample with the given index.
 fn at(k: usize) -> f64 {
     k as f64 / SCAN as f64
 }
 
+/// How a face bends, on the grid of samples.
+struct Samples(Box<LineBends>);
+
 impl Samples {
     /// The samples of a face that one cell does not do for. Others ask for no cuts, and in a net of many small patches
     /// these are all: what is sampled here is larger than what belongs to a face otherwise.
     fn of_bent(surface: &FaceSurface, tolerance: f64) -> Option<Self> {
-        let bound = bound_of(surface, &[0.0, 1.0], &[0.0, 1.0], tolerance);
-        let one_does = bound.distance <= tolerance && bound.excess.iter().flatten().all(|&excess| excess <= 1.0);
-        (!one_does).then(|| match surface {
-            FaceSurface::Cyclide(patch) => Self::Patch(Box::new(PatchSamples::new(patch, &PatchSpeeds::new(patch)))),
-            FaceSurface::Rational(surface) => Self::Rational(Box::new(RationalSamples::new(surface))),
-        })
+        let found = surface.cell_distances(&[0.0, 1.0], &[0.0, 1.0], tolerance);
+        let one_does = found.distance <= tolerance && found.excess.iter().flatten().all(|&excess| excess <= 1.0);
+        let places: [f64; SCAN + 1] = std::array::from_fn(at);
+        (!one_does).then(|| Self(Box::new(surface.line_bends(&places))))
     }
 
     /// Curvature of the sagitta along the direction, that across it, and the cosine of their bulges at a sample: `along`
     /// counts along the direction.
     fn bends(&self, direction: usize, along: usize, across: usize) -> (f64, f64, f64) {
-        match self {
-            Self::Patch(samples) => samples.bends(direction, along, across),
-            Self::Rational(samples) => samples.bends(direction, along, across),
-        }
-    }
-}
-
-/// The certified distances of the cells of a face.
-fn bound_of(surface: &FaceSurface, s: &[f64], t: &[f64], tolerance: f64) -> GridBound {
-    match surface {
-        FaceSurface::Cyclide(patch) => {
-            grid_bound(&PatchSpeeds::new(patch), s, t, &denominators(patch, s, t), tolerance)
-        }
-        FaceSurface::Rational(surface) => rational_cells::grid_bound(surface, s, t, tolerance),
-    }
-}
-
-impl RationalSamples {
-    fn new(surface: &RationalBezierSurface) -> Self {
-        let jets: Vec<_> = (0..=SCAN).flat_map(|j| (0..=SCAN).map(move |i| surface.jet(at(i), at(j)))).collect();
-        let of = |second: fn(&SurfaceJet) -> Vec3| jets.iter().map(|jet| 0.125 * second(jet).length()).collect();
-        Self([of(|jet| jet.dss), of(|jet| jet.dtt)])
-    }
-
-    /// As [`Samples::bends`]; the cosine is the worst one, since the twist adds to both.
-    fn bends(&self, direction: usize, along: usize, across: usize) -> (f64, f64, f64) {
         let (i, j) = if direction == 0 { (along, across) } else { (across, along) };
-        let k = i + j * (SCAN + 1);
-        (self.0[direction][k], self.0[1 - direction][k], 1.0)
-    }
-}
-
-impl PatchSamples {
-    fn new(patch: &CyclidePatch, speeds: &PatchSpeeds) -> Self {
-        let places: [f64; SCAN + 1] = std::array::from_fn(at);
-        let square = |v: f64| v * v;
-        let d = denominators(patch, &places, &places);
-        let lines = [0, 1].map(|direction| places.map(|x| speeds.line(direction, x)));
-        Self {
-            inverse: d.iter().map(|d| 1.0 / square(d.norm_squared())).collect(),
-            bend: lines.map(|lines| lines.map(|l| 0.25 * l.q * l.m)),
-            normal: lines.map(|lines| lines.map(|l| l.normal)),
-        }
-    }
-
-    /// As [`Samples::bends`].
-    fn bends(&self, direction: usize, along: usize, across: usize) -> (f64, f64, f64) {
-        let (i, j) = if direction == 0 { (along, across) } else { (across, along) };
-        let inverse = self.inverse[i + j * (SCAN + 1)];
-        let (own, other) = (self.bend[direction][across], self.bend[1 - direction][along]);
-        (own * inverse, other * inverse, self.normal[direction][across] * self.normal[1 - direction][along])
+        let (sagittas, cosine) = self.0.at(i, j).unwrap_or(([f64::NAN; 2], 1.0));
+        (sagittas[direction], sagittas[1 - direction], cosine)
     }
 }
 
@@ -292,9 +219,9 @@ impl Cuts {
         self.distance = 0.0;
         for (f, face) in shell.faces().iter().enumerate() {
             let [s, t] = strips.faces[f].map(|place| self.at(place));
-            let bound = bound_of(&face.surface, &s, &t, tolerance);
-            self.distance = self.distance.max(bound.distance);
-            for (place, own) in strips.faces[f].iter().zip(bound.excess) {
+            let found = face.surface.cell_distances(&s, &t, tolerance);
+            self.distance = self.distance.max(found.distance);
+            for (place, own) in strips.faces[f].iter().zip(found.excess) {
                 let of_strip = &mut excess[place.strip];
                 let last = own.len() - 1;
                 for (k, e) in own.into_iter().enumerate() {

@@ -5,10 +5,8 @@
 //! goes ([`strips`]), and each edge is sampled once: neighbours share vertices, without cracks or T-joints.
 
 mod assemble;
-mod cell_bound;
 mod cuts;
 mod density;
-mod rational_cells;
 mod strips;
 mod vertices;
 

@@ -3,8 +3,7 @@
 //! The two sides of a patch along s are cut where the patch is, and the patch beyond a side is cut where the side is: a
 //! strip runs across opposite sides through the whole shell, as on a quad mesh. Within it parameters may run either way.
 
-use super::cell_bound::PatchSpeeds;
-use crate::topology::{FaceEdge, FaceSurface, Shell, ShellFace};
+use crate::topology::{FaceEdge, FaceGeometry as _, Shell, ShellFace};
 
 /// A direction of a face in its strip.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -120,12 +119,7 @@ impl Strip {
 /// The lines across a direction of a face that are one point, sides included, ascending.
 pub(super) fn point_lines(face: &ShellFace, direction: usize) -> Vec<f64> {
     let [first, last] = [2 - 2 * direction, 3 - 2 * direction].map(|side| face.sides[side].is_none());
-    let inside = match (&face.surface, direction) {
-        (FaceSurface::Rational(_), _) => Vec::new(),
-        (FaceSurface::Cyclide(patch), _) if PatchSpeeds::new(patch).is_regular(direction) => Vec::new(),
-        (FaceSurface::Cyclide(patch), 0) => patch.singular_s(),
-        (FaceSurface::Cyclide(patch), _) => patch.singular_t(),
-    };
+    let inside = if direction == 0 { face.surface.singular_s() } else { face.surface.singular_t() };
     first.then_some(0.0).into_iter().chain(inside).chain(last.then_some(1.0)).collect()
 }
 

@@ -19,7 +19,7 @@ use crate::construct::bodies::LARGEST_ARC;
 use crate::error::{Error, ErrorItem, Result};
 use crate::rational::RationalBezierSurface;
 use crate::surface::CyclidePatch;
-use crate::topology::{Body, FaceEdge, FaceSurface, Sewing, ShellFace};
+use crate::topology::{Body, FaceEdge, FaceGeometry as _, FaceSurface, Sewing, ShellFace};
 
 /// The inner weights along a side of a face of a sphere are at least this part of the smaller end weight.
 const SMALLEST_WEIGHT: f64 = 0.25;

@@ -31,6 +31,7 @@
 //! All maxima over `t` come from Bernstein coefficients on the cell. Arcs of a cell turn by at most 120 degrees, far below
 //! the half turn up to which feet and sagittas behave.
 
+use super::cells::{CellDistances, are_cuts};
 use crate::base::quat::Quat;
 use crate::base::vector::Vec3;
 use crate::surface::CyclidePatch;
@@ -84,12 +85,6 @@ impl PatchSpeeds {
         c[0] * a + c[1] * b + c[2] * e
     }
 
-    /// False if a line across the given direction may shrink to a point inside.
-    pub(super) fn is_regular(&self, direction: usize) -> bool {
-        let [a, b, c] = self.q[1 - direction];
-        (a > 0.0 && b > 0.0 && c > 0.0) || (a < 0.0 && b < 0.0 && c < 0.0)
-    }
-
     /// Sign of the speed of the lines of the family in the middle between two places.
     fn sign(&self, direction: usize, x: f64, y: f64) -> f64 {
         let middle = 0.5 * (x + y);
@@ -130,15 +125,6 @@ pub(super) fn denominators(patch: &CyclidePatch, s: &[f64], t: &[f64]) -> Vec<Qu
     t.iter().flat_map(|&t| row(t)).collect()
 }
 
-/// What is known of the cells of one patch.
-#[derive(Debug, Clone)]
-pub(super) struct GridBound {
-    /// No cell is farther from its quad; meaningless where a turn is above 1.
-    pub(super) distance: f64,
-    /// The worst cell of each column (between two cuts of s) and of each row: how many times as many cuts it needs.
-    pub(super) excess: [Vec<f64>; 2],
-}
-
 /// The t-arc of one side of a cell.
 #[derive(Clone, Copy)]
 struct Side {
@@ -161,8 +147,12 @@ impl Side {
     }
 }
 
-/// The certified distances between a patch cut at the given parameters, with its denominators there, and its quads.
-pub(super) fn grid_bound(speeds: &PatchSpeeds, s: &[f64], t: &[f64], d: &[Quat], tolerance: f64) -> GridBound {
+/// The certified distances between a patch cut at the given parameters and the quads over the corners of its cells.
+pub(super) fn grid_distances(patch: &CyclidePatch, s: &[f64], t: &[f64], tolerance: f64) -> CellDistances {
+    if !(are_cuts(s) && are_cuts(t)) {
+        return CellDistances::unknown([s, t]);
+    }
+    let (speeds, d) = (PatchSpeeds::new(patch), denominators(patch, s, t));
     let lines: Vec<Line> = s.iter().map(|&s| speeds.line(1, s)).collect();
     let [mut columns, mut rows] = [vec![0.0_f64; s.len() - 1], vec![0.0_f64; t.len() - 1]];
     let mut worst = 0.0_f64;
@@ -190,7 +180,9 @@ pub(super) fn grid_bound(speeds: &PatchSpeeds, s: &[f64], t: &[f64], d: &[Quat],
             columns_turn[i] = columns_turn[i].max(turn[0]);
             rows_turn[j] = rows_turn[j].max(turn[1]);
             // Sagittas mean nothing where an arc turns too far.
-            if turn[0].max(turn[1]) <= 1.0 {
+            if !(turn[0].max(turn[1]) <= 1.0) {
+                worst = f64::INFINITY;
+            } else {
                 worst = worst.max(square);
                 // The larger of the two at least.
                 let b = left.sagitta.max(right.sagitta);
@@ -208,7 +200,7 @@ pub(super) fn grid_bound(speeds: &PatchSpeeds, s: &[f64], t: &[f64], d: &[Quat],
     let excess = |squares: &[f64], turns: &[f64]| -> Vec<f64> {
         squares.iter().zip(turns).map(|(square, turn)| (square.sqrt() / tolerance).sqrt().max(*turn)).collect()
     };
-    GridBound { distance: worst.sqrt(), excess: [excess(&columns, &columns_turn), excess(&rows, &rows_turn)] }
+    CellDistances { distance: worst.sqrt(), excess: [excess(&columns, &columns_turn), excess(&rows, &rows_turn)] }
 }
 
 /// Largest square of a sum of two vectors of lengths at most `a`, `b` with cosine at most `c`.

@@ -1,17 +1,20 @@
 //! Cells of rational faces: two triangles each, certified by the hulls of second derivatives (see
 //! `rational::surface_bounds`).
 
-use super::cell_bound::GridBound;
+use super::cells::{CellDistances, are_cuts};
 use crate::rational::{RationalBezierSurface, SecondDerivatives};
 
 /// A direction in which the surface bends by less than this part of the other is not cut for the deviation of a cell.
 const SMALL_BEND: f64 = 0.125;
 
 /// The certified distances between a surface cut at the given parameters and the triangles over the corners of its cells.
-pub(super) fn grid_bound(surface: &RationalBezierSurface, s: &[f64], t: &[f64], tolerance: f64) -> GridBound {
+pub(super) fn grid_distances(surface: &RationalBezierSurface, s: &[f64], t: &[f64], tolerance: f64) -> CellDistances {
+    if !(are_cuts(s) && are_cuts(t)) {
+        return CellDistances::unknown([s, t]);
+    }
     if surface.is_plane_quad() {
         // Cells are quads in the plane, whose triangles cover them.
-        return GridBound { distance: 0.0, excess: [vec![0.0; s.len() - 1], vec![0.0; t.len() - 1]] };
+        return CellDistances::even([s, t], 0.0, 0.0);
     }
     let [mut columns, mut rows] = [vec![0.0_f64; s.len() - 1], vec![0.0_f64; t.len() - 1]];
     let mut worst = 0.0_f64;
@@ -34,5 +37,5 @@ pub(super) fn grid_bound(surface: &RationalBezierSurface, s: &[f64], t: &[f64], 
     }
     // Distances fall with the square of the number of cuts.
     let excess = |distances: Vec<f64>| distances.into_iter().map(|distance| (distance / tolerance).sqrt()).collect();
-    GridBound { distance: worst, excess: [excess(columns), excess(rows)] }
+    CellDistances { distance: worst, excess: [excess(columns), excess(rows)] }
 }

@@ -1,0 +1,99 @@
+//! How objects came about, as far as files say it or pictures show it.
+
+use cyclide::{BlendLaw, CurveObject, Geometry, Item, Model, Point3, SurfaceObject, TriangleSurface};
+
+/// How an object came about: its construction in the words of documents, and the points that it was made near.
+///
+/// ```
+/// use cyclide::{Circle, Model, Point3, Units, Vec3};
+/// use cyclide_io::{ExportOptions, Exporter, Format, Provenance};
+/// let rim = Circle::from_radius(Point3::ORIGIN, Vec3::Z, 30.0)?;
+/// let model = Model::new(Units::Millimetre).with_curve("rim", rim);
+/// let mirrored = [Provenance { kind: "transform", data: Vec::new() }];
+/// let exporter = Exporter::with_provenance(&model, &mirrored)?;
+/// let file = exporter.export(Format::Json, &ExportOptions::default())?;
+/// assert!(String::from_utf8(file.bytes)?.contains(r#""type": "transform""#));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Provenance {
+    /// The type word of documents: `arc`, `circle-spline`, `transform`, ….
+    pub kind: &'static str,
+    /// The points that a fit was made near; empty for what passes through its points.
+    pub data: Vec<Point3>,
+}
+
+/// The objects of a model with how they came about, where that is known.
+#[derive(Clone, Copy)]
+pub(crate) struct Provenances<'a> {
+    model: &'a Model,
+    given: &'a [Provenance],
+}
+
+impl<'a> Provenances<'a> {
+    /// Of a model whose first objects came about as given.
+    pub(crate) const fn new(model: &'a Model, given: &'a [Provenance]) -> Self {
+        Self { model, given }
+    }
+
+    /// What files call the construction of an object: the word given, else that of the shortest document with such geometry.
+    pub(crate) fn kind(&self, item: usize) -> &'static str {
+        match (self.given.get(item), self.model.items.get(item)) {
+            (Some(given), _) => given.kind,
+            (None, Some(item)) => kind_of(item),
+            (None, None) => "",
+        }
+    }
+
+    /// The points that the objects were made near.
+    pub(crate) fn data(&self) -> impl Iterator<Item = Point3> + use<'a> {
+        self.given.iter().flat_map(|given| given.data.iter().copied())
+    }
+}
+
+/// The word for an object by its first curve or surface; none for an object without one.
+fn kind_of(item: &Item) -> &'static str {
+    match &item.geometry {
+        Geometry::Curves(contours) => contours.first().map_or("", kind_of_curve),
+        Geometry::Surfaces(surfaces) => surfaces.first().map_or("", kind_of_surface),
+    }
+}
+
+fn kind_of_curve(curve: &CurveObject) -> &'static str {
+    match curve {
+        CurveObject::Arc(_) => "arc",
+        CurveObject::Circle(_) => "circle",
+        CurveObject::ArcPath(_) => "arc-spline",
+        CurveObject::CircleSpline(spline) => match spline.segments().first().map(cyclide::BlendSegment::law) {
+            Some(BlendLaw::Fair { .. }) => "fair-spline",
+            _ => "circle-spline",
+        },
+    }
+}
+
+fn kind_of_surface(surface: &SurfaceObject) -> &'static str {
+    match surface {
+        SurfaceObject::Patch(_) => "cyclide-patch",
+        SurfaceObject::Net(_) => "cyclidic-net",
+        SurfaceObject::Body(_) => "body",
+        SurfaceObject::Triangles(TriangleSurface::Mesh(_)) => "smooth-mesh",
+        SurfaceObject::Triangles(TriangleSurface::Blend(_)) => "sphere-blend",
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Provenance, Provenances};
+    use cyclide::{Circle, Geometry, Item, Model, Point3, Units, Vec3};
+
+    #[test]
+    fn what_is_not_given_is_called_by_its_geometry() {
+        let circle = Circle::from_radius(Point3::ORIGIN, Vec3::Z, 1.0).unwrap();
+        let mut model = Model::new(Units::Metre).with_curve("a", circle).with_curve("b", circle);
+        model.items.push(Item::new("c", Geometry::default()));
+        let given = [Provenance { kind: "transform", data: vec![Point3::ORIGIN] }];
+        let known = Provenances::new(&model, &given);
+        assert_eq!([0, 1, 2, 3].map(|item| known.kind(item)), ["transform", "circle", "", ""]);
+        assert_eq!(known.data().collect::<Vec<_>>(), [Point3::ORIGIN]);
+    }
+}

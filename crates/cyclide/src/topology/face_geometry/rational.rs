@@ -1,0 +1,36 @@
+//! Rational Bézier surfaces as surfaces of faces.
+
+use super::rational_cells::grid_distances;
+use super::{CellDistances, FaceGeometry};
+use crate::base::bounds::Aabb;
+use crate::base::vector::{Point3, Vec3};
+use crate::error::Result;
+use crate::rational::RationalBezierSurface;
+use crate::topology::EdgeCurve;
+
+impl FaceGeometry for RationalBezierSurface {
+    fn corners(&self) -> [Point3; 4] {
+        Self::corners(self)
+    }
+    fn s_line(&self, t: f64) -> Result<EdgeCurve> {
+        Ok(Self::s_line(self, t).into())
+    }
+    fn t_line(&self, s: f64) -> Result<EdgeCurve> {
+        Ok(Self::t_line(self, s).into())
+    }
+    fn bounds(&self) -> Aabb {
+        Self::bounds(self)
+    }
+    fn to_rational(&self) -> RationalBezierSurface {
+        self.clone()
+    }
+    fn unit_normal(&self, s: f64, t: f64) -> Vec3 {
+        Self::unit_normal(self, s, t)
+    }
+    fn cell_distances(&self, s: &[f64], t: &[f64], tolerance: f64) -> CellDistances {
+        grid_distances(self, s, t, tolerance)
+    }
+    fn is_plane_quad(&self) -> bool {
+        Self::is_plane_quad(self)
+    }
+}
