@@ -609,6 +609,64 @@ fn pipes_follow_arcs_and_segments() {
 }
 
 #[test]
+fn pipes_that_run_into_each_other_are_warned_of() {
+    let rods = |second: &str, pipe: &str| {
+        build(&format!(
+            r#""r": {{"type": "polyline", "points": [[[-40, 0, 0], [40, 0, 0]], {second}], "construction": true}},
+            "p": {{"type": "pipe", "of": "r", {pipe}}}"#
+        ))
+        .unwrap()
+    };
+    let reasons = |built: &BuiltObject| built.remarks.iter().map(|remark| remark.reason).collect::<Vec<_>>();
+    // Across, touching with plane ends, beside, and end to end: only what has a part in common is warned of.
+    for (second, pipe, found) in [
+        ("[[0, -40, 30], [0, 40, 30]]", r#""radius": 20"#, &["pipes-meet"][..]),
+        ("[[0, -40, 40], [0, 40, 40]]", r#""radius": 20"#, &[]),
+        ("[[-40, 41, 0], [40, 41, 0]]", r#""radius": 20"#, &[]),
+        ("[[40, 0, 0], [80, 0, 0]]", r#""radius": 20"#, &[]),
+        ("[[40, 0, 0], [80, 0, 0]]", r#""radius": 20, "ends": "round""#, &["pipes-meet"]),
+        ("[[0, 0, 0], [0, 40, 0]]", r#""radius": 5"#, &["pipes-meet"]),
+    ] {
+        let built = rods(second, pipe);
+        assert_eq!(reasons(&built), found, "{second} {pipe}");
+        assert_eq!(built.bodies.len(), 2);
+    }
+    let crossing = rods("[[0, -40, 30], [0, 40, 30]]", r#""radius": 20"#);
+    assert_eq!(crossing.remarks[0].contour, Some(1));
+    assert!(crossing.remarks[0].message.contains("(30 from spine to spine)"), "{}", crossing.remarks[0].message);
+}
+
+#[test]
+fn fields_of_pipes_without_effect_are_named() {
+    let pipe = |closed: bool, rest: &str| {
+        let built = build(&format!(
+            r#""r": {{"type": "polyline", "points": [[0, 0], [50, 0], [50, 50], [0, 50]], "radius": 9, "closed": {closed}, "construction": true}},
+            "p": {{"type": "pipe", "of": "r", "radius": 2, {rest}}}"#
+        ))
+        .unwrap();
+        built.remarks.iter().map(|remark| (remark.reason, remark.place.clone().unwrap())).collect::<Vec<_>>()
+    };
+    let named = |field: &str| vec![("no-effect", format!("objects.p.{field}"))];
+    assert_eq!(pipe(true, r#""ends": "round""#), named("ends"));
+    assert_eq!(pipe(false, r#""ends": "round""#), []);
+    assert_eq!(pipe(false, r#""ends": "open", "wall": 1"#), named("ends"));
+    assert_eq!(pipe(false, r#""tolerance": 0.1"#), named("tolerance"));
+}
+
+#[test]
+fn accuracy_is_said_of_patches_of_cyclides_only() {
+    let lines = r#""a": {"type": "polyline", "points": [[0, 0, 0], [10, 0, 0]], "construction": true},
+        "b": {"type": "polyline", "points": [[10, 10, 0], [20, 10, 5]], "construction": true},"#;
+    let ruled = surface(&build(&format!(r#"{lines} "r": {{"type": "ruled", "rails": ["a", "b"]}}"#)).unwrap());
+    assert_eq!((ruled.residual, ruled.orthogonality), (None, None));
+    let tube = surface(&build(&format!(r#"{lines} "p": {{"type": "pipe", "of": "a", "radius": 2}}"#)).unwrap());
+    assert!(tube.orthogonality.unwrap() < 1e-14);
+    // The tube and both disks, parts that creases divide.
+    let whole = std::f64::consts::TAU * 2.0 * (10.0 + 2.0);
+    assert!((tube.total_area / whole - 1.0).abs() < 1e-12 && tube.area.is_none() && tube.parts.len() == 3);
+}
+
+#[test]
 fn revolutions_that_are_none_are_refused_in_their_place() {
     let curve =
         |points: &str, kind: &str| format!(r#""p": {{"type": {kind}, "points": {points}, "construction": true}}"#);
