@@ -139,6 +139,6 @@ pub use surface::{
 pub use surface::{ParamSurface, QuadGrid};
 pub use surface::{Seam, SeamMeasure};
 pub use surface::{SideLine, TrianglePatch, TriangleSurface};
-pub use topology::{Body, EdgeCurve, FaceEdge, FaceSurface, Shell, ShellEdge, ShellFace, Side};
+pub use topology::{Body, CutShell, EdgeCurve, FaceEdge, FacePart, FaceSurface, Shell, ShellEdge, ShellFace, Side};
 pub use topology::{SurfaceJoint, surface_joints};
 pub use warning::Warning;

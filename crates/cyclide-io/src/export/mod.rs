@@ -5,6 +5,7 @@ pub(crate) mod camera;
 pub(crate) mod drawn_line;
 pub(crate) mod error;
 pub(crate) mod exported;
+pub(crate) mod face_plan;
 pub(crate) mod job;
 pub(crate) mod mesh;
 pub(crate) mod mesh_plan;

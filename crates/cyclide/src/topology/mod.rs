@@ -2,7 +2,9 @@
 
 mod bounds;
 mod check;
+mod cut_shell;
 mod edge_curve;
+mod face_part;
 mod face_surface;
 mod joints;
 mod measure;
@@ -14,7 +16,9 @@ mod split;
 mod thick;
 mod transform;
 
+pub use cut_shell::CutShell;
 pub use edge_curve::EdgeCurve;
+pub use face_part::FacePart;
 pub use face_surface::FaceSurface;
 pub use joints::{SurfaceJoint, surface_joints};
 pub(crate) use sewing::Sewing;

@@ -70,7 +70,7 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
         out.push_str(if item.contours.is_empty() { "]" } else { "\n]" });
         for body in job.bodies.iter().filter(|body| body.item == index) {
             out.push_str(if body.index == 0 { ", \"surfaces\": [\n" } else { ",\n" });
-            surfaces::push_body(&mut out, body)?;
+            written.shells.push(surfaces::push_body(&mut out, body)?);
             written.bodies.push(Promise::EXACT);
         }
         out.push_str(if item.surfaces.is_empty() { "}" } else { "\n]}" });
@@ -85,7 +85,7 @@ fn compare(made: &Made<'_>) -> Result<Deviations, ReadError> {
     let bodies = &made.ready.bodies;
     let labels = labels(made.ready.model, bodies, &made.file.written);
     let curves = made.curves(&content, View::Space)?;
-    let bodies = surfaces::deviation(bodies, &content.patches)?;
+    let bodies = surfaces::deviation(bodies, &made.file.written.shells, &content.patches)?;
     content.labels.check(&labels)?;
     Ok(Deviations { curves, bodies, ..Deviations::default() })
 }

@@ -38,7 +38,7 @@ use crate::formats::entry::{Entry, Reading};
 use cyclide::{ChainPiece, CurveChain, CurveObject, Lowered, ShortNumber, Units};
 use data::Data;
 use structure::Part;
-use topology::Written as WrittenBody;
+use topology::Entity;
 
 use body_check::bodies_deviation;
 use labels::labels;
@@ -90,18 +90,19 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
         // What has none was refused.
         let Some(faces) = body.body.faces() else { continue };
         written.bodies.push(Promise::EXACT);
-        let (body_written, remarks) =
+        let as_written =
             topology::body(&mut data, &body.label(), faces, job.size(), job.options.step_edges).map_err(lowered)?;
-        shortest = shortest.min(remarks.shortest);
-        if remarks.touches_itself {
+        shortest = shortest.min(as_written.shortest);
+        if as_written.touches_itself {
             notes.push(format!(
                 "{} touches itself in single points: written as closed shells, not as a solid",
                 body.label()
             ));
         }
-        match body_written {
-            WrittenBody::Solid(number) => parts[body.item].solids.push(number),
-            WrittenBody::Surface(number) => parts[body.item].surfaces.push(number),
+        written.shells.push(as_written.shells);
+        match as_written.entity {
+            Entity::Solid(number) => parts[body.item].solids.push(number),
+            Entity::Surface(number) => parts[body.item].surfaces.push(number),
         }
     }
     if shortest < SHORTEST_EDGE {
@@ -135,7 +136,7 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
 fn compare(made: &Made<'_>) -> Result<Deviations, ReadError> {
     let content = read(&made.file.bytes)?;
     let curves = made.curves(&content, View::Space)?;
-    let bodies = bodies_deviation(&made.ready.bodies, &content.bodies, made.ready.bounds.diagonal())?;
+    let bodies = bodies_deviation(made, &content.bodies)?;
     content.labels.check(&labels(made.named(), &made.ready.bodies, &content.labels))?;
     Ok(Deviations { curves, bodies, ..Deviations::default() })
 }
