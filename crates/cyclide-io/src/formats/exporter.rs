@@ -4,6 +4,7 @@ use crate::check::file_content::ReadError;
 use crate::export::error::ExportError;
 use crate::export::exported::Exported;
 use crate::export::job::Job;
+use crate::export::lowered::Forms;
 use crate::export::options::ExportOptions;
 use crate::export::parts::BodyOf;
 use crate::export::ready::ReadyModel;
@@ -18,10 +19,25 @@ use cyclide::{Item, Model};
 /// # Errors
 /// [`ExportError`], naming the object and contour at fault.
 pub fn export(model: &Model, format: Format, options: &ExportOptions) -> Result<Exported, ExportError> {
-    Exporter::new(model)?.export(format, options)
+    Exporter::new(model)?.expecting([format], options).export(format, options)
 }
 
-/// Writes a model into several formats and checks the files.
+/// Writes a model into several formats and checks the files. What these share is made once: bodies, the model's size, and curves
+/// as arcs and splines, of which each form is kept until the last of the files that are [expected](Self::expecting) has it.
+///
+/// ```
+/// use cyclide::{Arc, ArcPath, Model, Point3, Units};
+/// use cyclide_io::{ExportOptions, Exporter, Format};
+/// let path = ArcPath::new(vec![Arc::segment(Point3::ORIGIN, Point3::new(2.0, 1.0, 0.0))?], false)?;
+/// let model = Model::new(Units::Metre).with_curve("path", path);
+/// let (formats, options) = ([Format::Dxf, Format::Svg], ExportOptions::default());
+/// let exporter = Exporter::new(&model)?.expecting(formats, &options);
+/// for format in formats {
+///     let file = exporter.export(format, &options)?;
+///     assert!(file.exact && exporter.deviation(format, &file)? < 1e-15);
+/// }
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub struct Exporter<'a> {
     pub(crate) ready: ReadyModel<'a>,
 }
@@ -34,13 +50,22 @@ impl std::fmt::Debug for Exporter<'_> {
 }
 
 impl<'a> Exporter<'a> {
-    /// Makes a model ready: sews its bodies and measures its size, once for all files.
+    /// Makes a model ready: sews its bodies and measures its size.
     ///
     /// # Errors
     /// [`ExportError`] for a model without anything to write, beyond the largest coordinates, or with a surface that has
     /// no body.
     pub fn new(model: &'a Model) -> Result<Self, ExportError> {
         Ok(Self { ready: ReadyModel::new(model)? })
+    }
+
+    /// The same, told which files are to come, each once: forms of curves, which are as large as files, are given up with the
+    /// last of these that needs them. Otherwise they are kept as long as the exporter, in case that another file follows.
+    #[must_use]
+    pub fn expecting(self, formats: impl IntoIterator<Item = Format>, options: &ExportOptions) -> Self {
+        let forms: Vec<Forms> = formats.into_iter().map(|format| (format.entry().forms)(options)).collect();
+        self.ready.lowered.expect(&forms);
+        self
     }
 
     /// As [`export`](crate::export()).
@@ -52,7 +77,9 @@ impl<'a> Exporter<'a> {
         let entry = format.entry();
         check_exact_form(&self.ready.bodies, entry)?;
         let left_out = left_out(self.ready.model, entry)?;
-        let mut file = (entry.write)(&job)?;
+        let made = (entry.write)(&job);
+        self.ready.lowered.made((entry.forms)(options));
+        let mut file = made?;
         file.notes.extend(left_out);
         job.title().clone_into(&mut file.title);
         file.written.tolerance = job.tolerance;

@@ -29,6 +29,7 @@ use crate::check::made::Made;
 use crate::export::error::ExportError;
 use crate::export::exported::{Exported, PieceNotes, Promise, Written, WrittenCurve};
 use crate::export::job::Job;
+use crate::export::lowered::Forms;
 use crate::export::parts::{BodyOf, Contour};
 use crate::formats::entry::{Entry, Reading};
 use crate::text::number::push_plain;
@@ -50,6 +51,7 @@ pub(super) static ENTRY: Entry = Entry {
     suffixes: &["json"],
     lacks: None,
     holds_exact_only: true,
+    forms: |_| Forms::CHAINS,
     write,
     reading: Some(Reading { read, compare, rounds_by_model: false }),
 };

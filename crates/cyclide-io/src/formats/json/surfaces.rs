@@ -59,12 +59,16 @@ fn push_surface(out: &mut String, surface: &RationalBezierSurface) {
 /// all of which they have to be.
 ///
 /// # Errors
-/// [`ReadError::PatchCount`], [`ReadError::Patch`], [`ReadError::Body`].
+/// [`ReadError::BodyCount`], [`ReadError::PatchCount`], [`ReadError::Patch`], [`ReadError::Body`].
 pub(super) fn deviation(
     bodies: &[BodyOf<'_>],
     plans: &[Vec<ShellPlan>],
     read: &[FilePatch],
 ) -> Result<Vec<f64>, ReadError> {
+    let count = read.iter().map(|patch| patch.body + 1).max().unwrap_or(0);
+    if count != bodies.len() {
+        return Err(ReadError::BodyCount { found: count, expected: bodies.len() });
+    }
     let mut expected: Vec<(usize, usize, FacePart)> = Vec::new();
     for index in 0..bodies.len() {
         let of_body = plans.get(index).into_iter().flatten();
@@ -105,5 +109,46 @@ fn check_complete(index: usize, body: &BodyOf<'_>, plans: &[ShellPlan]) -> Resul
     match body.body.shells().enumerate().all(is_tiled) {
         true => Ok(()),
         false => Err(ReadError::Body { body: index, detail: "its patches are not its faces, each part once" }),
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "what cannot be made fails the test")]
+mod tests {
+    use super::*;
+    use crate::export::options::ExportOptions;
+    use crate::formats::json::read;
+    use crate::formats::{Exporter, Format};
+    use cyclide::{CyclidePatch, Item, Model, Point3, SurfaceObject, Vec3};
+
+    /// Half of a plane ring, which is cut into two patches, after something was changed in what is told of them.
+    fn checked(change: impl FnOnce(&mut Vec<FacePart>)) -> Result<f64, String> {
+        let corners = [[1.0, 0.0, 0.0], [-1.0, 0.0, 0.0], [2.0, 0.0, 0.0], [-2.0, 0.0, 0.0]].map(Point3::from);
+        let patch = CyclidePatch::from_corners_and_frame(corners, Vec3::Y, Vec3::X).unwrap();
+        let item = Item { name: "it".to_owned(), surfaces: vec![SurfaceObject::Patch(patch)], ..Item::default() };
+        let model = Model { items: vec![item], ..Model::default() };
+        let exporter = Exporter::new(&model).unwrap();
+        let mut file = exporter.export(Format::Json, &ExportOptions::default()).unwrap();
+        change(&mut file.written.shells[0][0].faces);
+        let patches = read(&file.bytes).unwrap().patches;
+        assert_eq!(patches.len(), 2);
+        deviation(&exporter.ready.bodies, &file.written.shells, &patches).map(|off| off[0]).map_err(|e| e.to_string())
+    }
+
+    #[test]
+    fn patches_are_held_against_the_uncut_face() {
+        assert!(checked(|_| ()).unwrap() < 1e-14);
+        assert!(checked(|parts| parts.swap(0, 1)).unwrap() > 1.0);
+        let beside = checked(|parts| {
+            let at = parts[0].s[1] + 1e-3;
+            (parts[0].s[1], parts[1].s[0]) = (at, at);
+        });
+        assert!(beside.unwrap() > 1e-4);
+        let refused = Err("body 0: its patches are not its faces, each part once".to_owned());
+        // Too short by a millionth, and the first part twice.
+        assert_eq!(checked(|parts| parts[1].s[1] -= 1e-6), refused);
+        assert_eq!(checked(|parts| parts[1] = parts[0]), refused);
+        assert_eq!(checked(|parts| parts[1].face = 1), Err("patch 1: there is no such face".to_owned()));
+        assert_eq!(checked(|parts| parts.truncate(1)), Err("2 patches in the file, 1 in the model".to_owned()));
     }
 }

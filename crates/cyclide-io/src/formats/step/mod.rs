@@ -32,6 +32,7 @@ use crate::check::made::Made;
 use crate::export::error::ExportError;
 use crate::export::exported::{Exported, PieceNotes, Promise, Written};
 use crate::export::job::Job;
+use crate::export::lowered::Forms;
 use crate::export::options::StepProducts;
 use crate::export::parts::Contour;
 use crate::formats::entry::{Entry, Reading};
@@ -54,6 +55,7 @@ pub(super) static ENTRY: Entry = Entry {
     suffixes: &["step", "stp"],
     lacks: None,
     holds_exact_only: true,
+    forms: |_| Forms::CHAINS,
     write,
     reading: Some(Reading { read, compare, rounds_by_model: true }),
 };

@@ -5,8 +5,8 @@ use super::distance::Piece;
 use crate::check::tiles::same_place;
 use cyclide::{FacePart, Shell, Side};
 
-/// A line inside a face that is shorter than this part of the model's size may be one point, for which no edge stands:
-/// whether it is one is measured.
+/// A line inside a face without an edge in the file is no wider than this part of the model's size; how wide it is counts as
+/// a deviation.
 const NARROW: f64 = 1e-6;
 
 /// What a border is a part of.
@@ -68,7 +68,8 @@ impl Border {
 }
 
 /// The sides of a part of a face that `count` edges in the file stand for, in the order of the loop seen from the outer side,
-/// and how far the sides for which none stands are from being one point. `None` if there is another number of them.
+/// and how far the sides for which none stands are from being one point: the narrowest ones. `None` if there is another number
+/// of them.
 pub(super) fn sides_with_edges(
     shell: &Shell,
     piece: &Piece<'_>,
@@ -81,14 +82,12 @@ pub(super) fn sides_with_edges(
         sides.reverse();
     }
     let mut width = 0.0_f64;
-    if sides.len() > count {
-        sides.retain(|(side, border)| {
-            let own = if matches!(border.line, Line::Edge(_)) { f64::INFINITY } else { piece.width(*side) };
-            if own <= NARROW * size {
-                width = width.max(own);
-            }
-            !(own <= NARROW * size)
-        });
+    while sides.len() > count {
+        let inside = |(_, border): &&(Side, Border)| matches!(border.line, Line::Inside { .. });
+        let widths = sides.iter().filter(inside).map(|(side, _)| (piece.width(*side), *side));
+        let (narrowest, side) = widths.min_by(|a, b| a.0.total_cmp(&b.0)).filter(|(own, _)| *own <= NARROW * size)?;
+        sides.retain(|(other, _)| *other != side);
+        width = width.max(narrowest);
     }
     (sides.len() == count).then_some((sides, width))
 }
