@@ -68,7 +68,7 @@
 //! | surfaces over triangles | [`SmoothMesh`], [`SmoothTriangle`], [`SphereBlend`] |
 //! | bodies made from curves | [`Revolution`], [`Pipe`], [`NeckBlend`], [`EllipseBridge`], [`Body::ruled`], [`Body::circular`] |
 //! | bodies made from solids | [`ConvexPolyhedron`], [`SphericalPolygon`] |
-//! | topology | [`Body`], [`Shell`], [`ShellFace`], [`ShellEdge`], [`FaceSurface`], [`EdgeCurve`], [`surface_joints`] |
+//! | topology | [`Body`], [`Shell`], [`ShellFace`], [`ShellEdge`], [`CutShell`], [`FacePart`], [`FaceSurface`], [`EdgeCurve`], [`surface_joints`] |
 //! | polylines and meshes | [`flatten`], [`tessellate`], [`SurfaceMesh`], [`parameter_lines`] |
 //! | models for files | [`Model`], [`Item`], [`CurveObject`], [`SurfaceObject`], [`Lower`], [`CurveChain`], [`Units`] |
 //! | what is refused, what is remarked | [`Error`], [`ErrorItem`], [`reasons`], [`Warning`], [`ShapeChange`] |

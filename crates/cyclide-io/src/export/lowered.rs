@@ -49,6 +49,13 @@ impl LoweredCurves {
         }
     }
 
+    /// How many chains and how many paths of arcs were made, and how many of each are kept.
+    #[cfg(test)]
+    pub(crate) fn counts(&self) -> [[usize; 2]; 2] {
+        let (chains, arcs) = (self.chains.state(), self.arcs.state());
+        [[chains.made, arcs.made], [chains.forms.len(), arcs.forms.len()]]
+    }
+
     /// The contour as arcs and rational splines, without pieces of no length, which no format wants.
     ///
     /// # Errors
@@ -173,66 +180,4 @@ fn piece_counts<'a>(
         ChainPiece::Arc(arc) => std::iter::repeat_n(of_arc(arc), 1),
         ChainPiece::Spline(curve) => std::iter::repeat_n(1, curve.piece_count()),
     })
-}
-
-#[cfg(test)]
-#[allow(clippy::unwrap_used, reason = "what cannot be made fails the test")]
-mod tests {
-    use super::*;
-    use crate::export::options::ExportOptions;
-    use crate::formats::{Exporter, Format};
-    use cyclide::{CircleSpline, CurveObject, FairSplineOptions, Item, Model, Point3};
-
-    /// A fair spline and a polygon.
-    fn model() -> Model {
-        let points = [[0.0, 0.0, 0.0], [4.0, 1.0, 0.0], [6.0, 5.0, 0.0], [2.0, 6.0, 0.0]].map(Point3::from);
-        let options = FairSplineOptions { closed: true, ..Default::default() };
-        let spline = CurveObject::CircleSpline(CircleSpline::fair(&points, &options).unwrap());
-        let polygon = (0..4).map(|k| Arc::segment(points[k], points[(k + 1) % 4]).unwrap()).collect();
-        let polygon = CurveObject::ArcPath(ArcPath::new(polygon, true).unwrap());
-        let item = Item { name: "it".to_owned(), contours: vec![spline, polygon], ..Item::default() };
-        Model { items: vec![item], ..Model::default() }
-    }
-
-    /// How many chains and how many paths of arcs were made, and how many of each are kept.
-    fn counts(exporter: &Exporter<'_>) -> [[usize; 2]; 2] {
-        let LoweredCurves { chains, arcs } = &exporter.ready.lowered;
-        let (chains, arcs) = (chains.state(), arcs.state());
-        [[chains.made, arcs.made], [chains.forms.len(), arcs.forms.len()]]
-    }
-
-    #[test]
-    fn each_form_of_a_contour_is_made_once_and_kept_while_it_is_needed() {
-        use Format::{Dxf, Json, Step, Svg};
-        let (model, options) = (model(), ExportOptions::default());
-        let alone = |format| crate::formats::export(&model, format, &options).unwrap().bytes;
-        let files = [Step, Dxf, Json, Svg];
-        let kept = [[2, 0], [2, 2], [0, 2], [0, 0]];
-        let exporter = Exporter::new(&model).unwrap().expecting(files, &options);
-        let open = Exporter::new(&model).unwrap();
-        for (format, kept) in files.into_iter().zip(kept) {
-            let bytes = alone(format);
-            assert_eq!(exporter.export(format, &options).unwrap().bytes, bytes);
-            assert_eq!(counts(&exporter)[1], kept, "after {format:?}");
-            assert_eq!(open.export(format, &options).unwrap().bytes, bytes);
-        }
-        assert_eq!([&exporter, &open].map(|exporter| counts(exporter)[0]), [[2, 2]; 2]);
-        // Nothing is known of more: the first keeps nothing for it.
-        for exporter in [&exporter, &open] {
-            assert_eq!(exporter.export(Svg, &options).unwrap().bytes, alone(Svg));
-        }
-        assert_eq!([counts(&exporter), counts(&open)], [[[2, 4], [0, 0]], [[2, 2], [2, 2]]]);
-    }
-
-    #[test]
-    fn another_tolerance_is_another_form() {
-        let model = model();
-        let exporter = Exporter::new(&model).unwrap();
-        for (tolerance, made) in [(0.1, 2), (0.01, 4), (0.01, 4)] {
-            let options = ExportOptions { tolerance: Some(tolerance), ..ExportOptions::default() };
-            let bytes = exporter.export(Format::Dxf, &options).unwrap().bytes;
-            assert_eq!(bytes, crate::formats::export(&model, Format::Dxf, &options).unwrap().bytes);
-            assert_eq!(counts(&exporter)[0], [0, made]);
-        }
-    }
 }

@@ -128,3 +128,59 @@ fn left_out(model: &Model, format: &Entry) -> Result<Option<String>, ExportError
     }
     Ok(Some(format!("{what} are left out ({} cannot hold them): {}", format.title, lost.join(", "))))
 }
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "what cannot be made fails the test")]
+mod tests {
+    use super::*;
+    use cyclide::{Arc, ArcPath, CircleSpline, CurveObject, FairSplineOptions, Point3};
+
+    /// A fair spline and a polygon.
+    fn model() -> Model {
+        let points = [[0.0, 0.0, 0.0], [4.0, 1.0, 0.0], [6.0, 5.0, 0.0], [2.0, 6.0, 0.0]].map(Point3::from);
+        let options = FairSplineOptions { closed: true, ..Default::default() };
+        let spline = CurveObject::CircleSpline(CircleSpline::fair(&points, &options).unwrap());
+        let polygon = (0..4).map(|k| Arc::segment(points[k], points[(k + 1) % 4]).unwrap()).collect();
+        let polygon = CurveObject::ArcPath(ArcPath::new(polygon, true).unwrap());
+        let item = Item { name: "it".to_owned(), contours: vec![spline, polygon], ..Item::default() };
+        Model { items: vec![item], ..Model::default() }
+    }
+
+    #[test]
+    fn each_form_of_a_contour_is_made_once_and_kept_while_it_is_needed() {
+        use Format::{Dxf, Json, Step, Svg};
+        let (model, options) = (model(), ExportOptions::default());
+        let alone = |format| export(&model, format, &options).unwrap().bytes;
+        let files = [Step, Dxf, Json, Svg];
+        let kept = [[2, 0], [2, 2], [0, 2], [0, 0]];
+        let exporter = Exporter::new(&model).unwrap().expecting(files, &options);
+        let open = Exporter::new(&model).unwrap();
+        for (format, kept) in files.into_iter().zip(kept) {
+            let bytes = alone(format);
+            assert_eq!(exporter.export(format, &options).unwrap().bytes, bytes);
+            assert_eq!(exporter.ready.lowered.counts()[1], kept, "after {format:?}");
+            assert_eq!(open.export(format, &options).unwrap().bytes, bytes);
+        }
+        assert_eq!([&exporter, &open].map(|exporter| exporter.ready.lowered.counts()[0]), [[2, 2]; 2]);
+        // Nothing is known of more: the first keeps nothing for it.
+        for exporter in [&exporter, &open] {
+            assert_eq!(exporter.export(Svg, &options).unwrap().bytes, alone(Svg));
+        }
+        assert_eq!(
+            [exporter.ready.lowered.counts(), open.ready.lowered.counts()],
+            [[[2, 4], [0, 0]], [[2, 2], [2, 2]]]
+        );
+    }
+
+    #[test]
+    fn another_tolerance_is_another_form() {
+        let model = model();
+        let exporter = Exporter::new(&model).unwrap();
+        for (tolerance, made) in [(0.1, 2), (0.01, 4), (0.01, 4)] {
+            let options = ExportOptions { tolerance: Some(tolerance), ..ExportOptions::default() };
+            let bytes = exporter.export(Format::Dxf, &options).unwrap().bytes;
+            assert_eq!(bytes, export(&model, Format::Dxf, &options).unwrap().bytes);
+            assert_eq!(exporter.ready.lowered.counts()[0], [0, made]);
+        }
+    }
+}

@@ -32,8 +32,8 @@ impl Border {
     /// The side of a part of a face of this shell; `None` for a side of one point, as the model has it.
     pub(super) fn of(shell: &Shell, part: &FacePart, side: Side) -> Option<Self> {
         let (at, range) = part.side(side);
-        let end = if matches!(side, Side::Bottom | Side::Left) { 0.0 } else { 1.0 };
-        if at != end {
+        let is_inside = if matches!(side, Side::Bottom | Side::Left) { at > 0.0 } else { at < 1.0 };
+        if is_inside {
             let line = Line::Inside { face: part.face, direction: side.direction(), at };
             return Some(Self { line, range, forward: true });
         }

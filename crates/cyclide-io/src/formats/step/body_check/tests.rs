@@ -22,7 +22,7 @@ fn model(surface: impl Into<SurfaceObject>) -> Model {
 /// Most of a plane ring, which is cut into four faces one behind the other.
 fn ring() -> Model {
     let at = |r: f64, u: f64| Point3::new(r * u.cos(), r * u.sin(), 0.0);
-    let corners = [at(1.0, 0.0), at(1.0, 5.0), at(2.0, 0.0), at(2.0, 5.0)];
+    let corners = [at(1.0, 0.0), at(1.0, 5.5), at(2.0, 0.0), at(2.0, 5.5)];
     model(SurfaceObject::Patch(CyclidePatch::from_corners_and_frame(corners, Vec3::Y, Vec3::X).unwrap()))
 }
 
