@@ -199,7 +199,10 @@ fn what_belongs_to_another_command_is_answered_with_it() {
         ("build c.step -o a.dxf", "c.step is STEP, which cyclide writes and does not read: it reads model documents"),
         ("curve step.txt -o a.dxf", "step.txt is STEP, which cyclide writes"),
         ("curve none.dxf -o a.step", "none.dxf is DXF, which cyclide writes and does not read"),
-        ("build none.ply -o a.step", "none.ply seems to be a mesh, not a model document: 'cyclide new smooth-mesh' prints"),
+        (
+            "build none.ply -o a.step",
+            "none.ply seems to be a mesh, not a model document: 'cyclide new smooth-mesh' prints",
+        ),
         ("build none.stl -o a.step", "'cyclide new smooth-polyhedron' one that rounds a convex one"),
         ("curve none.glb -o a.step", "none.glb seems to be a mesh, not a list of points"),
         ("none.ply", "'cyclide new smooth-mesh'"),

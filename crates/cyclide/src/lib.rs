@@ -68,7 +68,7 @@
 //! | surfaces over triangles | [`SmoothMesh`], [`SmoothTriangle`], [`SphereBlend`] |
 //! | bodies made from curves | [`Revolution`], [`Pipe`], [`NeckBlend`], [`EllipseBridge`], [`Body::ruled`], [`Body::circular`] |
 //! | bodies made from solids | [`ConvexPolyhedron`], [`SphericalPolygon`] |
-//! | topology | [`Body`], [`Shell`], [`ShellFace`], [`ShellEdge`], [`FaceSurface`], [`FaceGeometry`], [`EdgeCurve`], [`surface_joints`] |
+//! | topology | [`Body`], [`Shell`], [`ShellFace`], [`ShellEdge`], [`CutShell`], [`FacePart`], [`FaceSurface`], [`FaceGeometry`], [`EdgeCurve`], [`surface_joints`] |
 //! | polylines and meshes | [`flatten`], [`tessellate`], [`SurfaceMesh`], [`parameter_lines`] |
 //! | models for files | [`Model`], [`Item`], [`Geometry`], [`CurveObject`], [`SurfaceObject`], [`Lower`], [`CurveChain`], [`Units`] |
 //! | what is refused, what is remarked | [`Error`], [`ErrorItem`], [`reasons`], [`Warning`], [`ShapeChange`] |
@@ -142,7 +142,8 @@ pub use surface::{ParamSurface, QuadGrid};
 pub use surface::{Seam, SeamMeasure};
 pub use surface::{SideLine, TrianglePatch, TriangleSurface};
 pub use topology::{
-    Body, CellDistances, EdgeCurve, FaceEdge, FaceGeometry, FaceSurface, LineBends, Shell, ShellEdge, ShellFace, Side,
+    Body, CellDistances, CutShell, EdgeCurve, FaceEdge, FaceGeometry, FacePart, FaceSurface, LineBends, Shell,
+    ShellEdge, ShellFace, Side,
 };
 pub use topology::{SurfaceJoint, surface_joints};
 pub use warning::Warning;

@@ -3,9 +3,10 @@
 #![allow(clippy::unwrap_used, reason = "what cannot be made fails the test")]
 
 use cyclide::{
-    CyclidePatch, CyclidicNet, DupinCyclide, FaceGeometry as _, NetFrame, ParamSurface as _, Point3, QuadGrid, Shell,
-    Vec3,
+    CutShell, CyclidePatch, CyclidicNet, DupinCyclide, FaceGeometry as _, FacePart, NetFrame, ParamSurface as _,
+    Point3, QuadGrid, Shell, Vec3,
 };
+use cyclide_testkit::rational_faces::egg;
 use proptest::prelude::*;
 use std::f64::consts::PI;
 
@@ -68,10 +69,47 @@ fn area<'a>(faces: impl Iterator<Item = &'a CyclidePatch>, n: u32) -> f64 {
         / f64::from(n * n)
 }
 
+/// Every face of a cut shell is that part of a face of the uncut one that it is said to be, and the parts of a face tile it.
+fn check_parts(uncut: &Shell, cut: &CutShell) {
+    assert_eq!(cut.parts().len(), cut.shell().faces().len());
+    for (face, part) in cut.shell().faces().iter().zip(cut.parts()) {
+        let whole = &uncut.faces()[part.face];
+        assert_eq!(face.same_sense, whole.same_sense);
+        let corners = whole.surface.corners();
+        let size = corners.iter().map(|p| p.distance(corners[0])).fold(0.0, f64::max);
+        for (x, y) in (0..25_u32).map(|k| (f64::from(k % 5) / 4.0, f64::from(k / 5) / 4.0)) {
+            let (s, t) = part.place(x, y);
+            let (p, q) = (face.surface.point(x, y), whole.surface.point(s, t));
+            // Rounding, magnified by the weights (below 1e4 here) and where the surface comes near infinity.
+            assert!(p.distance(q) <= 1e-11 * size.max(q.to_vec().length()), "{part:?} is {:e} off", p.distance(q));
+        }
+    }
+    for face in 0..uncut.faces().len() {
+        let own: Vec<&FacePart> = cut.parts().iter().filter(|part| part.face == face).collect();
+        // Areas are sums of products of differences of numbers up to 1, some hundreds at most.
+        let area: f64 = own.iter().map(|part| (part.s[1] - part.s[0]) * (part.t[1] - part.t[0])).sum();
+        assert!((area - 1.0).abs() <= 1e-13, "the parts of face {face} have an area of {area}");
+        let common = |a: [f64; 2], b: [f64; 2]| (a[1].min(b[1]) - a[0].max(b[0])).max(0.0);
+        for (i, a) in own.iter().enumerate() {
+            assert!([a.s, a.t].iter().all(|[from, to]| 0.0 <= *from && from < to && *to <= 1.0), "{a:?}");
+            for b in &own[..i] {
+                assert!(common(a.s, b.s) * common(a.t, b.t) <= 1e-15, "{a:?} and {b:?} overlap");
+            }
+        }
+    }
+}
+
+/// Cut for files, as the writers do it.
+fn cut_for_files(shell: &Shell) -> CutShell {
+    let cut = CutShell::from(shell.clone()).with_regular_faces().unwrap().with_positive_weights().unwrap();
+    check_parts(shell, &cut);
+    cut
+}
+
 fn exported(patch: CyclidePatch) -> Shell {
-    let shell = Shell::from_surface(patch).unwrap().with_regular_faces().unwrap().with_positive_weights().unwrap();
-    check(&shell, &patch);
-    shell
+    let cut = cut_for_files(&Shell::from_surface(patch).unwrap());
+    check(cut.shell(), &patch);
+    cut.into_shell()
 }
 
 #[test]
@@ -135,7 +173,7 @@ fn neighbours_are_cut_together() {
     let grid = QuadGrid::new(points, [3, 3], [false, false]).unwrap();
     let frame = NetFrame::First(Vec3::Y, Vec3::new(-ps[0].sin(), 0.0, ps[0].cos()));
     let net = CyclidicNet::new(grid, frame).unwrap();
-    let shell = net.to_shell().unwrap().with_regular_faces().unwrap().with_positive_weights().unwrap();
+    let shell = cut_for_files(&net.to_shell().unwrap()).into_shell();
     assert_eq!((shell.faces().len(), shell.edges().len(), shell.vertices().len()), (6, 17, 12));
     let expected = 4.0 * (5.0 * 2.0 * (ps[2] - ps[0]) + 4.0 * (ps[2].sin() - ps[0].sin()));
     assert!((shell.area() / expected - 1.0).abs() < 1e-12);
@@ -156,6 +194,42 @@ fn strips_of_named_faces_are_halved_as_often_as_asked() {
         assert!((shell.area() / ring.area() - 1.0).abs() < 1e-12);
         Shell::new(shell.vertices().to_vec(), shell.edges().to_vec(), shell.faces().to_vec()).unwrap();
     }
+}
+
+#[test]
+fn cuts_of_cuts_tell_the_parts_of_the_first_faces() {
+    // The horn whose nodes are inside of patches, then halved: regular, positive, and in quarters.
+    let ring = DupinCyclide::new(4.0, 1.0, 2.0).unwrap().nets([4, 4]).unwrap().remove(0);
+    let horn = ring.offset(-1.3).unwrap().to_shell().unwrap();
+    assert!(horn.faces().iter().any(|face| !face.surface.is_regular()));
+    // Rational faces, two of their sides poles.
+    for (shell, least) in [(horn, 20), (egg().outer, 4)] {
+        let cut = cut_for_files(&shell);
+        assert!(cut.shell().faces().len() >= least);
+        let quarters = cut.clone().halved(|_, _| [true, true], 2).unwrap();
+        assert_eq!(quarters.shell().faces().len(), 16 * cut.shell().faces().len());
+        check_parts(&shell, &quarters);
+    }
+}
+
+#[test]
+fn the_parts_of_cuts_follow_the_faces() {
+    let halves = CutShell::from(Shell::from_surface(bent()).unwrap()).halved(|_, _| [true, false], 1).unwrap();
+    let [a, b] = halves.parts() else { panic!("{:?}", halves.parts()) };
+    assert_eq!((a.s[0], a.s[1], b.s[1], a.t, b.t), (0.0, b.s[0], 1.0, [0.0, 1.0], [0.0, 1.0]));
+    // The second half alone is halved along t, and its neighbour with it.
+    let corner = halves.shell().faces()[1].surface.corners()[1];
+    let quarters = halves.clone().halved(|_, face| [false, face.surface.corners()[1] == corner], 1).unwrap();
+    let places: Vec<([f64; 2], f64)> = quarters.parts().iter().map(|part| (part.s, part.t[0])).collect();
+    let at = quarters.parts()[0].t[1];
+    assert_eq!(places, [(a.s, 0.0), (a.s, at), (b.s, 0.0), (b.s, at)]);
+}
+
+/// A patch of no special kind on the corners of a rectangle.
+fn bent() -> CyclidePatch {
+    let corners = [[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [0.0, 1.0, 0.0], [2.0, 1.0, 0.0]].map(Point3::from);
+    let (v1, v2) = (Vec3::new(2.0, 3.0, 6.0) / 7.0, Vec3::new(-6.0, -2.0, 3.0) / 7.0);
+    CyclidePatch::from_corners_and_frame(corners, v1, v2).unwrap()
 }
 
 #[test]

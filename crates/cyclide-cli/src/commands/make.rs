@@ -37,7 +37,11 @@ pub fn run(plan: &MakePlan) -> Result<(), Failure> {
         progress.doing(path.display().to_string());
         let exporter = match &mut exporter {
             Some(exporter) => exporter,
-            none => none.insert(Exporter::with_provenance(&model, &provenance).map_err(|error| refused(path, &error))?),
+            none => {
+                let formats = plan.outputs.iter().map(|(_, format)| *format);
+                let ready = Exporter::with_provenance(&model, &provenance).map_err(|error| refused(path, &error))?;
+                none.insert(ready.expecting(formats, &options))
+            }
         };
         let exported = exporter.export(*format, &options).map_err(|error| refused(path, &error))?;
         let checked = exporter.check(path, *format, &exported);

@@ -7,3 +7,4 @@ pub(crate) mod file_sample;
 pub(crate) mod labels;
 pub(crate) mod made;
 pub(crate) mod polyline;
+pub(crate) mod tiles;

@@ -1,6 +1,7 @@
 //! The content of a file with the promises that hold for it.
 
 use crate::export::drawn_line::DrawnLine;
+use crate::export::face_plan::ShellPlan;
 use crate::export::mesh_plan::MeshPlan;
 use cyclide::{
     Arc, ArcPath, ChainPiece, Correspondence, CurveChain, Exactness, Lowered, NurbsCurve, ParamCurve, PieceForm,
@@ -35,6 +36,8 @@ pub(crate) struct Written {
     pub(crate) curves: Vec<WrittenCurve>,
     /// What is promised for each body, in the model's order.
     pub(crate) bodies: Vec<Promise>,
+    /// What the faces of each body stand for, shell by shell in file order, in formats that hold faces.
+    pub(crate) shells: Vec<Vec<ShellPlan>>,
     /// What the polygons of a mesh stand for.
     pub(crate) mesh: MeshPlan,
     /// True if the edges of the patches are drawn on the meshes.

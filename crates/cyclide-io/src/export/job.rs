@@ -1,12 +1,13 @@
 //! A checked request to a writer: the model lowered to contours and bodies, the options with the defaults filled in.
 
 use crate::export::error::ExportError;
+use crate::export::lowered::LoweredCurves;
 use crate::export::options::{DEFAULT_MOST_PIECES, ExportOptions, PIECES_OF_EACH};
 use crate::export::parts::{BodyOf, Contour, contours};
 use crate::export::pieces::Pieces;
 use crate::export::provenance::Provenances;
 use crate::export::ready::ReadyModel;
-use cyclide::{Aabb, Arc, ArcPath, ChainPiece, CurveChain, Lower, Lowered, Model, ParamCurve as _, Units};
+use cyclide::{Aabb, ArcPath, CurveChain, Lowered, Model, Units};
 
 /// Tolerance of curves when none is asked for: this part of the model's diagonal.
 const DEFAULT_RELATIVE_TOLERANCE: f64 = 1e-5;
@@ -29,11 +30,12 @@ pub(crate) struct Job<'a> {
     pub(crate) bounds: Aabb,
     /// The bodies of all surfaces, in the model's order.
     pub(crate) bodies: &'a [BodyOf<'a>],
+    lowered: &'a LoweredCurves,
 }
 
 impl<'a> Job<'a> {
     pub(crate) fn new(ready: &'a ReadyModel<'a>, options: &'a ExportOptions) -> Result<Self, ExportError> {
-        let ReadyModel { model, provenances, ref bodies, bounds, .. } = *ready;
+        let ReadyModel { model, provenances, ref bodies, bounds, ref lowered, .. } = *ready;
         let tolerance = options.tolerance.unwrap_or_else(|| default_tolerance(bounds));
         let relative = DEFAULT_MESH_TOLERANCE / DEFAULT_RELATIVE_TOLERANCE;
         let mesh_tolerance = options.tolerance.unwrap_or_else(|| relative * default_tolerance(bounds));
@@ -41,7 +43,7 @@ impl<'a> Job<'a> {
             return Err(ExportError::ToleranceNotPositive { tolerance });
         }
         let pieces = Pieces::new(options.max_pieces.unwrap_or_else(|| most_pieces(model, bodies)));
-        Ok(Self { model, provenances, options, tolerance, mesh_tolerance, pieces, bounds, bodies })
+        Ok(Self { model, provenances, options, tolerance, mesh_tolerance, pieces, bounds, bodies, lowered })
     }
 
     pub(crate) fn units(&self) -> Units {
@@ -66,45 +68,15 @@ impl<'a> Job<'a> {
         contours(self.model)
     }
 
-    /// The contour as arcs and rational splines, without pieces of no length, which no format wants.
+    /// As [`LoweredCurves::chain`].
     pub(crate) fn chain(&self, contour: &Contour<'_>) -> Result<Lowered<CurveChain>, ExportError> {
-        let lowered = contour.lowered(contour.curve.lower_to_chain(self.tolerance))?;
-        let is_point = |p: &ChainPiece| matches!(p, ChainPiece::Arc(arc) if arc.start() == arc.end());
-        let Lowered { form, exactness, correspondence } = lowered;
-        if !form.pieces().iter().any(is_point) {
-            return Ok(Lowered { form, exactness, correspondence });
-        }
-        let correspondence = correspondence.recounted(piece_counts(&form, |arc| usize::from(arc.start() != arc.end())));
-        let pieces = form.pieces().iter().filter(|p| !is_point(p)).cloned().collect();
-        let form = contour.lowered(CurveChain::new(pieces, form.is_closed(), 0.0))?;
-        Ok(Lowered { form, exactness, correspondence })
+        self.lowered.chain(contour, self.tolerance)
     }
 
-    /// The contour as arcs and segments, without those of no length.
+    /// As [`LoweredCurves::arcs`].
     pub(crate) fn arcs(&self, contour: &Contour<'_>) -> Result<Lowered<ArcPath>, ExportError> {
-        let lowered = contour.lowered(contour.curve.lower_to_arcs(self.tolerance))?;
-        let Lowered { form, exactness, correspondence } = lowered;
-        let is_kept = |arc: &Arc| arc.start() != arc.end();
-        if form.arcs().iter().all(is_kept) {
-            return Ok(Lowered { form, exactness, correspondence });
-        }
-        let correspondence = correspondence.recounted(form.arcs().iter().map(|arc| usize::from(is_kept(arc))));
-        let arcs = form.arcs().iter().filter(|arc| is_kept(arc)).copied().collect();
-        let form = contour.lowered(ArcPath::new(arcs, form.is_closed()))?;
-        Ok(Lowered { form, exactness, correspondence })
+        self.lowered.arcs(contour, self.tolerance)
     }
-}
-
-/// How many pieces each smooth piece of a chain becomes in a file: an arc as many as the function says, the span of a
-/// spline one.
-pub(crate) fn piece_counts<'a>(
-    chain: &'a CurveChain,
-    mut of_arc: impl FnMut(&Arc) -> usize + 'a,
-) -> impl Iterator<Item = usize> + 'a {
-    chain.pieces().iter().flat_map(move |piece| match piece {
-        ChainPiece::Arc(arc) => std::iter::repeat_n(of_arc(arc), 1),
-        ChainPiece::Spline(curve) => std::iter::repeat_n(1, curve.piece_count()),
-    })
 }
 
 /// The pieces that a file may have if nothing else is asked for.

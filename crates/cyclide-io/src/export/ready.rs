@@ -1,6 +1,8 @@
-//! A model made ready for its files: bodies sewn, size measured and held against the limits, once for all formats.
+//! A model made ready for its files: bodies sewn, size measured and held against the limits, curves lowered, once for all
+//! formats.
 
 use crate::export::error::ExportError;
+use crate::export::lowered::LoweredCurves;
 use crate::export::parts::{BodyOf, bodies, boxes, contours};
 use crate::export::provenance::{Provenance, Provenances};
 use cyclide::{Aabb, Model};
@@ -22,6 +24,8 @@ pub(crate) struct ReadyModel<'a> {
     /// The smallest box around all curves and surfaces.
     pub(crate) bounds: Aabb,
     pub(crate) extents: Extents,
+    /// The forms of its curves that files share.
+    pub(crate) lowered: LoweredCurves,
 }
 
 /// Size of each part of a model and its distance from the origin, whichever is larger: rounding is relative to
@@ -59,7 +63,8 @@ impl<'a> ReadyModel<'a> {
         let of_bodies = curves.split_off(count);
         let extents = Extents { curves, bodies: of_bodies };
         let provenances = Provenances::new(model, provenance);
-        Ok(Self { model, provenances, bodies, bounds: total.ok_or(ExportError::Empty)?, extents })
+        let bounds = total.ok_or(ExportError::Empty)?;
+        Ok(Self { model, provenances, bodies, bounds, extents, lowered: LoweredCurves::default() })
     }
 
     /// Size of the model and its distance from the origin, whichever is larger: rounding is relative to coordinates.

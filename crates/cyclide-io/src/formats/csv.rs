@@ -13,6 +13,7 @@ use crate::check::polyline::Polyline;
 use crate::export::error::ExportError;
 use crate::export::exported::{Exported, Promise, Written};
 use crate::export::job::Job;
+use crate::export::lowered::Forms;
 use crate::export::mesh::between;
 use crate::export::parts::{Contour, contours};
 use crate::formats::entry::{Entry, Kind, Reading};
@@ -32,6 +33,7 @@ pub(super) static ENTRY: Entry = Entry {
     suffixes: &["csv"],
     lacks: Some(Kind::Surfaces),
     holds_exact_only: false,
+    forms: |_| Forms::NONE,
     write,
     reading: Some(Reading { read: read_whole, compare, rounds_by_model: false }),
 };

@@ -6,6 +6,8 @@ use crate::check::made::Made;
 use crate::export::error::ExportError;
 use crate::export::exported::Exported;
 use crate::export::job::Job;
+use crate::export::lowered::Forms;
+use crate::export::options::ExportOptions;
 
 /// What a model consists of.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -26,6 +28,8 @@ pub(crate) struct Entry {
     pub(crate) lacks: Option<Kind>,
     /// True if surfaces stand in it by their exact form, or by exact lines of it.
     pub(crate) holds_exact_only: bool,
+    /// The forms of curves that a file needs.
+    pub(crate) forms: fn(&ExportOptions) -> Forms,
     /// Writes a model.
     pub(crate) write: fn(&Job<'_>) -> Result<Exported, ExportError>,
     /// The way back; `None` where the file holds no geometry.

@@ -4,6 +4,7 @@ use crate::check::file_content::ReadError;
 use crate::export::error::ExportError;
 use crate::export::exported::Exported;
 use crate::export::job::Job;
+use crate::export::lowered::Forms;
 use crate::export::options::ExportOptions;
 use crate::export::parts::BodyOf;
 use crate::export::provenance::Provenance;
@@ -19,10 +20,25 @@ use cyclide::{Geometry, Item, Model};
 /// # Errors
 /// [`ExportError`], naming the object and contour at fault.
 pub fn export(model: &Model, format: Format, options: &ExportOptions) -> Result<Exported, ExportError> {
-    Exporter::new(model)?.export(format, options)
+    Exporter::new(model)?.expecting([format], options).export(format, options)
 }
 
-/// Writes a model into several formats and checks the files.
+/// Writes a model into several formats and checks the files. What these share is made once: bodies, the model's size, and curves
+/// as arcs and splines, of which each form is kept until the last of the files that are [expected](Self::expecting) has it.
+///
+/// ```
+/// use cyclide::{Arc, ArcPath, Model, Point3, Units};
+/// use cyclide_io::{ExportOptions, Exporter, Format};
+/// let path = ArcPath::new(vec![Arc::segment(Point3::ORIGIN, Point3::new(2.0, 1.0, 0.0))?], false)?;
+/// let model = Model::new(Units::Metre).with_curve("path", path);
+/// let (formats, options) = ([Format::Dxf, Format::Svg], ExportOptions::default());
+/// let exporter = Exporter::new(&model)?.expecting(formats, &options);
+/// for format in formats {
+///     let file = exporter.export(format, &options)?;
+///     assert!(file.exact && exporter.deviation(format, &file)? < 1e-15);
+/// }
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub struct Exporter<'a> {
     pub(crate) ready: ReadyModel<'a>,
 }
@@ -35,7 +51,7 @@ impl std::fmt::Debug for Exporter<'_> {
 }
 
 impl<'a> Exporter<'a> {
-    /// Makes a model ready: sews its bodies and measures its size, once for all files.
+    /// Makes a model ready: sews its bodies and measures its size.
     ///
     /// # Errors
     /// [`ExportError`] for a model without anything to write, beyond the largest coordinates, or with a surface that has
@@ -53,6 +69,15 @@ impl<'a> Exporter<'a> {
         Ok(Self { ready: ReadyModel::new(model, provenance)? })
     }
 
+    /// The same, told which files are to come, each once: forms of curves, which are as large as files, are given up with the
+    /// last of these that needs them. Otherwise they are kept as long as the exporter, in case that another file follows.
+    #[must_use]
+    pub fn expecting(self, formats: impl IntoIterator<Item = Format>, options: &ExportOptions) -> Self {
+        let forms: Vec<Forms> = formats.into_iter().map(|format| (format.entry().forms)(options)).collect();
+        self.ready.lowered.expect(&forms);
+        self
+    }
+
     /// As [`export`](crate::export()).
     ///
     /// # Errors
@@ -62,7 +87,9 @@ impl<'a> Exporter<'a> {
         let entry = format.entry();
         check_exact_form(&self.ready.bodies, entry)?;
         let left_out = left_out(self.ready.model, entry)?;
-        let mut file = (entry.write)(&job)?;
+        let made = (entry.write)(&job);
+        self.ready.lowered.made((entry.forms)(options));
+        let mut file = made?;
         file.notes.extend(left_out);
         job.title().clone_into(&mut file.title);
         file.written.tolerance = job.tolerance;
@@ -110,4 +137,60 @@ fn left_out(model: &Model, format: &Entry) -> Result<Option<String>, ExportError
         return Err(ExportError::NotInFormat { object: (*first).to_owned(), format: format.title, detail: what });
     }
     Ok(Some(format!("{what} are left out ({} cannot hold them): {}", format.title, lost.join(", "))))
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "what cannot be made fails the test")]
+mod tests {
+    use super::*;
+    use cyclide::{Arc, ArcPath, CircleSpline, CurveObject, FairSplineOptions, Point3};
+
+    /// A fair spline and a polygon.
+    fn model() -> Model {
+        let points = [[0.0, 0.0, 0.0], [4.0, 1.0, 0.0], [6.0, 5.0, 0.0], [2.0, 6.0, 0.0]].map(Point3::from);
+        let options = FairSplineOptions { closed: true, ..Default::default() };
+        let spline = CurveObject::CircleSpline(CircleSpline::fair(&points, &options).unwrap());
+        let polygon = (0..4).map(|k| Arc::segment(points[k], points[(k + 1) % 4]).unwrap()).collect();
+        let polygon = CurveObject::ArcPath(ArcPath::new(polygon, true).unwrap());
+        let item = Item::new("it", vec![spline, polygon]);
+        Model { items: vec![item], ..Model::default() }
+    }
+
+    #[test]
+    fn each_form_of_a_contour_is_made_once_and_kept_while_it_is_needed() {
+        use Format::{Dxf, Json, Step, Svg};
+        let (model, options) = (model(), ExportOptions::default());
+        let alone = |format| export(&model, format, &options).unwrap().bytes;
+        let files = [Step, Dxf, Json, Svg];
+        let kept = [[2, 0], [2, 2], [0, 2], [0, 0]];
+        let exporter = Exporter::new(&model).unwrap().expecting(files, &options);
+        let open = Exporter::new(&model).unwrap();
+        for (format, kept) in files.into_iter().zip(kept) {
+            let bytes = alone(format);
+            assert_eq!(exporter.export(format, &options).unwrap().bytes, bytes);
+            assert_eq!(exporter.ready.lowered.counts()[1], kept, "after {format:?}");
+            assert_eq!(open.export(format, &options).unwrap().bytes, bytes);
+        }
+        assert_eq!([&exporter, &open].map(|exporter| exporter.ready.lowered.counts()[0]), [[2, 2]; 2]);
+        // Nothing is known of more: the first keeps nothing for it.
+        for exporter in [&exporter, &open] {
+            assert_eq!(exporter.export(Svg, &options).unwrap().bytes, alone(Svg));
+        }
+        assert_eq!(
+            [exporter.ready.lowered.counts(), open.ready.lowered.counts()],
+            [[[2, 4], [0, 0]], [[2, 2], [2, 2]]]
+        );
+    }
+
+    #[test]
+    fn another_tolerance_is_another_form() {
+        let model = model();
+        let exporter = Exporter::new(&model).unwrap();
+        for (tolerance, made) in [(0.1, 2), (0.01, 4), (0.01, 4)] {
+            let options = ExportOptions { tolerance: Some(tolerance), ..ExportOptions::default() };
+            let bytes = exporter.export(Format::Dxf, &options).unwrap().bytes;
+            assert_eq!(bytes, export(&model, Format::Dxf, &options).unwrap().bytes);
+            assert_eq!(exporter.ready.lowered.counts()[0], [0, made]);
+        }
+    }
 }

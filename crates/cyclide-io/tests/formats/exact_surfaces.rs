@@ -54,6 +54,6 @@ fn a_missing_or_wrong_patch_is_found_out() {
     assert!(file_deviation(&m, Format::Json, &other).map_or(true, |d| d > 0.5), "another patch, or another number");
     let less = export(&surfaces(&[octant()]), Format::Json, &ExportOptions::default()).unwrap();
     let error = file_deviation(&m, Format::Json, &less).unwrap_err();
-    assert!(error.to_string().contains("patches in the file"), "{error}");
+    assert!(error.to_string().contains("1 bodies in the file, 2 in the model"), "{error}");
     assert!(file_deviation(&m, Format::Json, &file).unwrap() < 1e-14);
 }

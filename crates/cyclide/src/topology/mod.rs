@@ -2,8 +2,10 @@
 
 mod bounds;
 mod check;
+mod cut_shell;
 mod edge_curve;
 mod face_geometry;
+mod face_part;
 mod face_surface;
 mod joints;
 mod measure;
@@ -15,8 +17,10 @@ mod split;
 mod thick;
 mod transform;
 
+pub use cut_shell::CutShell;
 pub use edge_curve::EdgeCurve;
 pub use face_geometry::{CellDistances, FaceGeometry, LineBends};
+pub use face_part::FacePart;
 pub use face_surface::FaceSurface;
 pub use joints::{SurfaceJoint, surface_joints};
 pub(crate) use sewing::Sewing;

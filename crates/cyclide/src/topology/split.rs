@@ -4,39 +4,27 @@
 //! through opposite sides are a strip, and a strip is cut as a whole. Faces that share an edge agree on its parameter,
 //! so the cut has one parameter per edge and its vertex is computed once.
 
-use super::{EdgeCurve, FaceEdge, FaceGeometry as _, FaceSurface, Shell, ShellEdge, ShellFace, Side};
-use crate::base::bounds::Aabb;
+use super::{EdgeCurve, FaceEdge, FaceGeometry as _, FacePart, FaceSurface, Shell, ShellEdge, ShellFace, Side};
 use crate::base::vector::Point3;
 use crate::error::{Error, Result};
 use crate::surface::ParamSurface as _;
 
-/// Smallest cosine of half an edge's angle: edges stay below 150 degrees.
-const SMALLEST_COSINE: f64 = 0.25;
-/// Smallest weight of the middle of a patch, relative to the geometric mean of its corners' weights.
-const SMALLEST_MIDDLE: f64 = 0.0625;
-/// A strip is halved this often at most: sixteen halvings leave 3e-5 of an edge.
-const MOST_PASSES: usize = 16;
-/// Faces of a cut shell at most, or so many times those given: they take two kilobytes each with what belongs to them.
-const MOST_FACES: usize = 500_000;
-const MOST_GROWTH: usize = 8;
-/// Shortest edge that other programs tell from a point, relative to the box of the vertices.
-const SHORTEST_EDGE: f64 = 1e-13;
 /// Speeds below this part of the largest one are zero: the parameter line is one point.
 const ZERO_SPEED: f64 = 1e-9;
 
 /// Where edges are cut, in their own parameter, and where faces are cut across a direction in which both sides are one
 /// point, in the parameter of the face.
-struct Cuts {
+pub(super) struct Cuts {
     edges: Vec<Option<f64>>,
     lunes: Vec<[Option<f64>; 2]>,
 }
 
 impl Cuts {
-    fn none(shell: &Shell) -> Self {
+    pub(super) fn none(shell: &Shell) -> Self {
         Self { edges: vec![None; shell.edges.len()], lunes: vec![[None; 2]; shell.faces.len()] }
     }
 
-    fn is_empty(&self) -> bool {
+    pub(super) fn is_empty(&self) -> bool {
         self.edges.iter().all(Option::is_none) && self.lunes.iter().flatten().all(Option::is_none)
     }
 
@@ -57,95 +45,8 @@ impl ShellFace {
 }
 
 impl Shell {
-    /// The same surface in faces whose nine real weights are all positive and whose edges are below 150 degrees:
-    /// strips of faces are halved until all are. Edges and vertices stay shared bit for bit, sides of one point stay so.
-    ///
-    /// # Errors
-    /// `patch-through-infinity` where sixteen halvings do not suffice; `too-many-pieces` (faces); `short-edge` if an edge is shorter than 1e-13 of
-    /// the shell, as in cyclides that are nearly singular.
-    pub fn with_positive_weights(&self) -> Result<Self> {
-        let shell = self.halved(|_, face| too_wide(&face.surface), MOST_PASSES)?;
-        if !shell.faces.iter().all(|face| too_wide(&face.surface) == [false, false]) {
-            return Err(Error::PatchThroughInfinity { s: 0.5, t: 0.5 });
-        }
-        shell.check_long_edges()?;
-        Ok(shell)
-    }
-
-    /// The same surface with strips of faces halved, at the middle of their widest side, until `wide` names no direction
-    /// (s, t) of a face of the shell so far that is to be halved, `most` times at most. Edges and vertices stay shared bit for bit, sides of
-    /// one point stay so.
-    ///
-    /// # Errors
-    /// `parameter-out-of-range` beyond the range of the kernel's numbers; `too-many-pieces` beyond half a million faces and
-    /// eight times those given; `short-edge` where a part of a face would be a point.
-    pub fn halved(&self, wide: impl Fn(&Self, &ShellFace) -> [bool; 2], most: usize) -> Result<Self> {
-        let mut shell = self.clone();
-        let cap = self.most_faces();
-        for _ in 0..most {
-            let mut found: Vec<(usize, usize, WidestSide)> = Vec::new();
-            for (index, face) in shell.faces.iter().enumerate() {
-                let wide = wide(&shell, face);
-                if wide != [false, false] {
-                    let sides = widest_sides(&face.surface);
-                    found.extend([0, 1].into_iter().filter(|&d| wide[d]).map(|d| (index, d, sides[d])));
-                }
-            }
-            if found.is_empty() {
-                break;
-            }
-            // The widest side decides where its strip is cut.
-            found.sort_by(|a, b| a.2.cosine.total_cmp(&b.2.cosine));
-            let (mut cuts, along) = (Cuts::none(&shell), shell.faces_along_edges());
-            for (face, direction, side) in found {
-                shell.mark(&along, &mut cuts, face, direction, side.middle);
-            }
-            shell = shell.cut(&cuts, cap)?;
-        }
-        Ok(shell)
-    }
-
-    /// Refuses edges that are points for other programs.
-    fn check_long_edges(&self) -> Result<()> {
-        let limit = SHORTEST_EDGE * Aabb::of_points(self.vertices.iter().copied()).map_or(0.0, Aabb::diagonal);
-        for (edge, ShellEdge { curve, .. }) in self.edges.iter().enumerate() {
-            let length = curve.start().distance(curve.end());
-            if length < limit {
-                return Err(Error::ShortEdge { edge, length, limit });
-            }
-        }
-        Ok(())
-    }
-
-    /// The same surface in faces without a parameter line of one point inside: strips of faces are cut there, and the
-    /// parts of a singular face meet in that point, which is a side of each. Neighbours of a singular face are cut
-    /// with it.
-    ///
-    /// # Errors
-    /// As [`halved`](Self::halved).
-    pub fn with_regular_faces(&self) -> Result<Self> {
-        let mut shell = self.clone();
-        let cap = self.most_faces();
-        // Every pass cuts each strip once; a patch has two such lines at most in each direction.
-        for _ in 0..MOST_PASSES {
-            let (mut cuts, along) = (Cuts::none(&shell), shell.faces_along_edges());
-            for (index, face) in shell.faces.iter().enumerate() {
-                for (direction, places) in [face.surface.singular_s(), face.surface.singular_t()].iter().enumerate() {
-                    if let Some(&at) = places.first() {
-                        shell.mark(&along, &mut cuts, index, direction, at);
-                    }
-                }
-            }
-            if cuts.is_empty() {
-                break;
-            }
-            shell = shell.cut(&cuts, cap)?;
-        }
-        Ok(shell)
-    }
-
     /// Marks a face, and the strip through it, for a cut at the face's parameter `at` of a direction.
-    fn mark(&self, along: &[Vec<(usize, Side)>], cuts: &mut Cuts, face: usize, direction: usize, at: f64) {
+    pub(super) fn mark(&self, along: &[Vec<(usize, Side)>], cuts: &mut Cuts, face: usize, direction: usize, at: f64) {
         match self.faces[face].side_along(direction) {
             Some(side) => self.mark_strip(along, &mut cuts.edges, side.edge, side.turned(at)),
             None => cuts.lunes[face][direction] = Some(at),
@@ -197,13 +98,9 @@ impl Shell {
         corners
     }
 
-    /// How many faces a shell may have that is cut from this one.
-    fn most_faces(&self) -> usize {
-        MOST_FACES.max(MOST_GROWTH.saturating_mul(self.faces.len()))
-    }
-
-    /// The shell with the marked edges cut, of `most` faces at most; every strip must be marked as a whole.
-    fn cut(&self, cuts: &Cuts, most: usize) -> Result<Self> {
+    /// The shell with the marked edges cut, of `most` faces at most, and which part of which face each of its faces is;
+    /// every strip must be marked as a whole.
+    pub(super) fn cut(&self, cuts: &Cuts, most: usize) -> Result<(Self, Vec<FacePart>)> {
         let parts = |(index, face): (usize, &ShellFace)| -> usize {
             [0, 1].map(|d| 1 + usize::from(cuts.of(index, face, d).is_some())).iter().product()
         };
@@ -233,10 +130,11 @@ impl Shell {
                 new.edges.push(edge.clone());
             }
         }
+        let mut of_faces = Vec::with_capacity(faces);
         for index in 0..self.faces.len() {
-            self.cut_face(index, cuts, &middles, &parts, &mut new)?;
+            of_faces.extend(self.cut_face(index, cuts, &middles, &parts, &mut new)?);
         }
-        Ok(new)
+        Ok((new, of_faces))
     }
 
     /// The vertices of the cuts, one per cut edge; edges that meet in a line of one point share it.
@@ -269,8 +167,15 @@ impl Shell {
         middles
     }
 
-    /// The one, two or four parts of a face, with their inner edges.
-    fn cut_face(&self, index: usize, cuts: &Cuts, middles: &[usize], parts: &[usize], new: &mut Self) -> Result<()> {
+    /// Adds the one, two or four parts of a face, with their inner edges; gives which parts they are.
+    fn cut_face(
+        &self,
+        index: usize,
+        cuts: &Cuts,
+        middles: &[usize],
+        parts: &[usize],
+        new: &mut Self,
+    ) -> Result<Vec<FacePart>> {
         let face = &self.faces[index];
         let breaks = [0, 1].map(|d| cuts.of(index, face, d).map_or(vec![0.0, 1.0], |at| vec![0.0, at, 1.0]));
         let [ns, nt] = [breaks[0].len() - 1, breaks[1].len() - 1];
@@ -292,19 +197,20 @@ impl Shell {
                 };
             }
         }
-        let part = |i: usize, j: usize| {
+        let between = |direction: usize, i: usize| [breaks[direction][i], breaks[direction][i + 1]];
+        let own: Vec<FacePart> =
+            (0..ns * nt).map(|k| FacePart { face: index, s: between(0, k % ns), t: between(1, k / ns) }).collect();
+        let surface = |k: usize| {
+            let (i, j) = (k % ns, k / ns);
             let points = [(i, j), (i + 1, j), (i, j + 1), (i + 1, j + 1)].map(|(i, j)| new.vertices[vertex[i][j]]);
             if points.iter().all(|p| *p == points[0]) {
                 return Err(no_part(face, points[0]));
             }
-            Ok(face.surface.part_between([breaks[0][i], breaks[0][i + 1]], [breaks[1][j], breaks[1][j + 1]], points))
+            Ok(face.surface.part_between(own[k].s, own[k].t, points))
         };
-        let surfaces: Vec<FaceSurface> = if ns * nt == 1 {
-            vec![face.surface.clone()]
-        } else {
-            (0..ns * nt).map(|k| part(k % ns, k / ns)).collect::<Result<_>>()?
-        };
-        // The part of a side between two breaks, or the side as a whole.
+        let surfaces: Vec<FaceSurface> =
+            if ns * nt == 1 { vec![face.surface.clone()] } else { (0..ns * nt).map(surface).collect::<Result<_>>()? };
+        // The part of a side between two breaks, or the side as a own.
         let part_of_side = |k: usize, i: usize| {
             face.sides[k].map(|side| {
                 let i = if side.forward { i } else { 1 - i };
@@ -340,7 +246,7 @@ impl Shell {
             let sides = [along_s[i][j], along_s[i][j + 1], along_t[i][j], along_t[i + 1][j]];
             new.faces.push(ShellFace { surface, sides, same_sense: face.same_sense });
         }
-        Ok(())
+        Ok(own)
     }
 }
 
@@ -366,49 +272,4 @@ fn is_one_point(surface: &FaceSurface, direction: usize, at: f64) -> bool {
     let [a, b, c] = speeds;
     let u = 1.0 - at;
     (u * (u * a + 2.0 * at * b) + at * at * c).abs() <= ZERO_SPEED * largest
-}
-
-/// The widest of the two sides of a patch in a direction.
-#[derive(Debug, Clone, Copy)]
-struct WidestSide {
-    /// Cosine of half its angle; for a side of one point, of its weights.
-    cosine: f64,
-    /// The face's parameter in its middle.
-    middle: f64,
-}
-
-/// The widest sides of a surface along s and along t; rational ones are halved where others ask for it only, in the middle.
-fn widest_sides(surface: &FaceSurface) -> [WidestSide; 2] {
-    let Some(patch) = surface.patch() else { return [WidestSide { cosine: 1.0, middle: 0.5 }; 2] };
-    let w = patch.real_weights();
-    let corner = |k: usize| w[2 * (k & 1)][k & 2].sqrt();
-    let side = |side: Side| {
-        let [a, b] = side.corners().map(corner);
-        let middle = match side {
-            Side::Bottom => w[1][0],
-            Side::Top => w[1][2],
-            Side::Left => w[0][1],
-            Side::Right => w[2][1],
-        };
-        // Where both ends weigh the same is the middle of the arc.
-        WidestSide { cosine: middle / (a * b), middle: a / (a + b) }
-    };
-    [0, 1].map(|direction| {
-        let [k, l] = Side::along(direction).map(side);
-        if k.cosine <= l.cosine { k } else { l }
-    })
-}
-
-/// The directions in which a surface has to be halved for positive weights, which rational ones have.
-fn too_wide(surface: &FaceSurface) -> [bool; 2] {
-    let Some(patch) = surface.patch() else { return [false; 2] };
-    let widest = widest_sides(surface);
-    let wide = widest.map(|side| !(side.cosine >= SMALLEST_COSINE));
-    let w = patch.real_weights();
-    let middle = w[1][1] / (w[0][0] * w[2][0] * w[0][2] * w[2][2]).powf(0.25);
-    if wide == [false, false] && !(middle >= SMALLEST_MIDDLE) {
-        let wider = usize::from(widest[1].cosine < widest[0].cosine);
-        return [0, 1].map(|direction| direction == wider);
-    }
-    wide
 }

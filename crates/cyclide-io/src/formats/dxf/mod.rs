@@ -21,6 +21,7 @@ use crate::check::made::Made;
 use crate::export::error::ExportError;
 use crate::export::exported::{Exported, Promise, Written, knots_of, straightened};
 use crate::export::job::Job;
+use crate::export::lowered::Forms;
 use crate::export::options::DxfVersion;
 use crate::export::parts::{Contour, contours};
 use crate::formats::entry::{Entry, Kind, Reading};
@@ -38,6 +39,7 @@ pub(super) static ENTRY: Entry = Entry {
     suffixes: &["dxf"],
     lacks: Some(Kind::Surfaces),
     holds_exact_only: false,
+    forms: |options| if options.dxf_splines { Forms::BOTH } else { Forms::ARCS },
     write,
     reading: Some(Reading { read: |bytes| read(bytes).map(Drawing::into_content), compare, rounds_by_model: true }),
 };

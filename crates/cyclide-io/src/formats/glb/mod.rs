@@ -22,6 +22,7 @@ use crate::drawing::plane_regions::plane_regions;
 use crate::export::error::ExportError;
 use crate::export::exported::{Exported, Promise, Written};
 use crate::export::job::Job;
+use crate::export::lowered::Forms;
 use crate::export::mesh::{BodyMesh, Single, between, body_meshes, check_single, polyline, single, triangles};
 use crate::export::parts::{BodyOf, Contour};
 use crate::export::shape::Shape;
@@ -88,6 +89,7 @@ pub(super) static ENTRY: Entry = Entry {
     suffixes: &["glb"],
     lacks: None,
     holds_exact_only: false,
+    forms: |_| Forms::NONE,
     write,
     reading: Some(Reading { read, compare, rounds_by_model: false }),
 };

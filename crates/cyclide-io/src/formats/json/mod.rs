@@ -29,6 +29,7 @@ use crate::check::made::Made;
 use crate::export::error::ExportError;
 use crate::export::exported::{Exported, PieceNotes, Promise, Written, WrittenCurve};
 use crate::export::job::Job;
+use crate::export::lowered::Forms;
 use crate::export::parts::Contour;
 use crate::export::ready::ReadyModel;
 use crate::formats::entry::{Entry, Reading};
@@ -49,6 +50,7 @@ pub(super) static ENTRY: Entry = Entry {
     suffixes: &["json"],
     lacks: None,
     holds_exact_only: true,
+    forms: |_| Forms::CHAINS,
     write,
     reading: Some(Reading { read, compare, rounds_by_model: false }),
 };
@@ -69,7 +71,7 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
         out.push_str(if item.curves().is_empty() { "]" } else { "\n]" });
         for body in job.bodies.iter().filter(|body| body.item == index) {
             out.push_str(if body.index == 0 { ", \"surfaces\": [\n" } else { ",\n" });
-            surfaces::push_body(&mut out, body)?;
+            written.shells.push(surfaces::push_body(&mut out, body)?);
             written.bodies.push(Promise::EXACT);
         }
         out.push_str(if item.surfaces().is_empty() { "}" } else { "\n]}" });
@@ -84,7 +86,7 @@ fn compare(made: &Made<'_>) -> Result<Deviations, ReadError> {
     let bodies = &made.ready.bodies;
     let labels = labels(made.ready, &made.file.written);
     let curves = made.curves(&content, View::Space)?;
-    let bodies = surfaces::deviation(bodies, &content.patches)?;
+    let bodies = surfaces::deviation(bodies, &made.file.written.shells, &content.patches)?;
     content.labels.check(&labels)?;
     Ok(Deviations { curves, bodies, ..Deviations::default() })
 }

@@ -4,34 +4,35 @@ use super::push_numbers;
 use crate::check::bodies::FilePatch;
 use crate::check::deviation::larger;
 use crate::check::file_content::ReadError;
+use crate::check::tiles::tile_faces;
 use crate::export::error::ExportError;
+use crate::export::face_plan::ShellPlan;
 use crate::export::parts::BodyOf;
 use crate::text::number::push_plain;
-use cyclide::{FaceGeometry as _, ParamSurface as _, RationalBezierSurface, Shell};
+use cyclide::{CutShell, FaceGeometry as _, FacePart, ParamSurface as _, RationalBezierSurface, Shell};
 
 /// Places per parameter at which surfaces are compared.
 const PLACES: u32 = 9;
 
-/// The shells of a body as they are written: patches whose weights are not all positive are cut.
-fn shells(body: &BodyOf<'_>) -> cyclide::Result<Vec<Shell>> {
-    body.body.shells().map(Shell::with_positive_weights).collect()
-}
-
-/// Writes a body as one element of the list `surfaces`.
-pub(super) fn push_body(out: &mut String, body: &BodyOf<'_>) -> Result<(), ExportError> {
-    let lowered = |source| body.unfit(source);
+/// Writes a body as one element of the list `surfaces`: patches whose weights are not all positive are cut. Gives what its
+/// patches stand for.
+pub(super) fn push_body(out: &mut String, body: &BodyOf<'_>) -> Result<Vec<ShellPlan>, ExportError> {
+    let cut = |shell: &Shell| CutShell::from(shell.clone()).with_positive_weights();
+    let shells = body.body.shells().map(cut).collect::<cyclide::Result<Vec<_>>>();
     out.push_str(&format!("{{\"closed\": {}, \"exact\": true, \"shells\": [", body.body.is_solid()));
-    for (i, shell) in shells(body).map_err(lowered)?.iter().enumerate() {
+    let mut plans = Vec::new();
+    for (i, cut) in shells.map_err(|source| body.unfit(source))?.iter().enumerate() {
         out.push_str(if i == 0 { "\n{\"patches\": [" } else { ",\n{\"patches\": [" });
-        for (j, face) in shell.faces().iter().enumerate() {
+        for (j, face) in cut.shell().faces().iter().enumerate() {
             out.push_str(if j == 0 { "\n" } else { ",\n" });
             out.push_str(&format!("{{\"outward\": {}, ", face.same_sense));
             push_surface(out, &face.surface.to_rational());
         }
         out.push_str("]}");
+        plans.push(ShellPlan { shell: i, faces: cut.parts().to_vec() });
     }
     out.push_str("]}");
-    Ok(())
+    Ok(plans)
 }
 
 fn push_surface(out: &mut String, surface: &RationalBezierSurface) {
@@ -54,36 +55,99 @@ fn push_surface(out: &mut String, surface: &RationalBezierSurface) {
     out.push_str("]}");
 }
 
-/// The largest distance at equal parameters between the patches read and those of each body.
+/// The largest distance at equal parameters between the patches read and the parts of each body's faces that they stand for,
+/// all of which they have to be.
 ///
 /// # Errors
-/// [`ReadError::PatchCount`], [`ReadError::Patch`], `Geometry` where a body has no form of positive weights.
-pub(crate) fn deviation(bodies: &[BodyOf<'_>], read: &[FilePatch]) -> Result<Vec<f64>, ReadError> {
-    let mut expected = Vec::new();
-    for (index, body) in bodies.iter().enumerate() {
-        let shells = shells(body).map_err(|source| ReadError::Geometry { place: body.label(), source })?;
-        for (shell, faces) in shells.iter().map(Shell::faces).enumerate() {
-            expected.extend(faces.iter().map(|face| (index, shell, face.same_sense, face.surface.clone())));
-        }
+/// [`ReadError::BodyCount`], [`ReadError::PatchCount`], [`ReadError::Patch`], [`ReadError::Body`].
+pub(super) fn deviation(
+    bodies: &[BodyOf<'_>],
+    plans: &[Vec<ShellPlan>],
+    read: &[FilePatch],
+) -> Result<Vec<f64>, ReadError> {
+    let count = read.iter().map(|patch| patch.body + 1).max().unwrap_or(0);
+    if count != bodies.len() {
+        return Err(ReadError::BodyCount { found: count, expected: bodies.len() });
+    }
+    let mut expected: Vec<(usize, usize, FacePart)> = Vec::new();
+    for index in 0..bodies.len() {
+        let of_body = plans.get(index).into_iter().flatten();
+        expected.extend(of_body.flat_map(|plan| plan.faces.iter().map(move |part| (index, plan.shell, *part))));
     }
     if expected.len() != read.len() {
         return Err(ReadError::PatchCount { found: read.len(), expected: expected.len() });
     }
     let mut deviations = vec![0.0; bodies.len()];
-    for (number, ((body, shell, outward, surface), found)) in expected.into_iter().zip(read).enumerate() {
-        let wrong = if (found.body, found.shell) != (body, shell) {
-            Some("it belongs to another body or shell")
-        } else {
-            (found.outward != outward).then_some("its outer side is the other one")
-        };
-        if let Some(detail) = wrong {
-            return Err(ReadError::Patch { patch: number, detail });
+    for (number, (&(body, shell, part), found)) in expected.iter().zip(read).enumerate() {
+        let wrong = |detail| ReadError::Patch { patch: number, detail };
+        let own = bodies[body].body.shells().nth(shell).and_then(|shell| shell.faces().get(part.face));
+        let face = own.ok_or_else(|| wrong("there is no such face"))?;
+        if (found.body, found.shell) != (body, shell) {
+            return Err(wrong("it belongs to another body or shell"));
+        }
+        if found.outward != face.same_sense {
+            return Err(wrong("its outer side is the other one"));
         }
         for k in 0..PLACES * PLACES {
             let at = |i: u32| f64::from(i) / f64::from(PLACES - 1);
-            let (s, t) = (at(k % PLACES), at(k / PLACES));
-            deviations[body] = larger(deviations[body], found.surface.point(s, t).distance(surface.point(s, t)));
+            let (x, y) = (at(k % PLACES), at(k / PLACES));
+            let (s, t) = part.place(x, y);
+            deviations[body] = larger(deviations[body], found.surface.point(x, y).distance(face.surface.point(s, t)));
         }
     }
+    for (index, body) in bodies.iter().enumerate() {
+        check_complete(index, body, plans.get(index).map_or(&[], Vec::as_slice))?;
+    }
     Ok(deviations)
+}
+
+/// Every face of the body is there, each part of it once.
+fn check_complete(index: usize, body: &BodyOf<'_>, plans: &[ShellPlan]) -> Result<(), ReadError> {
+    let is_tiled = |(number, shell): (usize, &Shell)| {
+        tile_faces(shell, plans.iter().filter(|plan| plan.shell == number).flat_map(|plan| &plan.faces))
+    };
+    match body.body.shells().enumerate().all(is_tiled) {
+        true => Ok(()),
+        false => Err(ReadError::Body { body: index, detail: "its patches are not its faces, each part once" }),
+    }
+}
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used, reason = "what cannot be made fails the test")]
+mod tests {
+    use super::*;
+    use crate::export::options::ExportOptions;
+    use crate::formats::json::read;
+    use crate::formats::{Exporter, Format};
+    use cyclide::{CyclidePatch, Model, Point3, Vec3};
+
+    /// Half of a plane ring, which is cut into two patches, after something was changed in what is told of them.
+    fn checked(change: impl FnOnce(&mut Vec<FacePart>)) -> Result<f64, String> {
+        let corners = [[1.0, 0.0, 0.0], [-1.0, 0.0, 0.0], [2.0, 0.0, 0.0], [-2.0, 0.0, 0.0]].map(Point3::from);
+        let patch = CyclidePatch::from_corners_and_frame(corners, Vec3::Y, Vec3::X).unwrap();
+        let model = Model::default().with_surface("it", patch);
+        let exporter = Exporter::new(&model).unwrap();
+        let mut file = exporter.export(Format::Json, &ExportOptions::default()).unwrap();
+        change(&mut file.written.shells[0][0].faces);
+        let patches = read(&file.bytes).unwrap().patches;
+        assert_eq!(patches.len(), 2);
+        deviation(&exporter.ready.bodies, &file.written.shells, &patches).map(|off| off[0]).map_err(|e| e.to_string())
+    }
+
+    #[test]
+    fn patches_are_held_against_the_uncut_face() {
+        assert!(checked(|_| ()).unwrap() < 1e-14);
+        assert!(checked(|parts| parts.swap(0, 1)).unwrap() > 1.0);
+        let beside = checked(|parts| {
+            let at = parts[0].s[1] + 1e-3;
+            (parts[0].s[1], parts[1].s[0]) = (at, at);
+        });
+        assert!(beside.unwrap() > 1e-4);
+        let refused = Err("body 0: its patches are not its faces, each part once".to_owned());
+        // Too short by a millionth, and the first part twice.
+        assert_eq!(checked(|parts| parts[1].s[1] -= 1e-6), refused);
+        assert_eq!(checked(|parts| parts[1] = parts[0]), refused);
+        assert_eq!(checked(|parts| parts[1].face = 1), Err("patch 1: there is no such face".to_owned()));
+        assert_eq!(checked(|parts| parts.truncate(1)), Err("2 patches in the file, 1 in the model".to_owned()));
+    }
 }

@@ -9,6 +9,7 @@ mod writer;
 use crate::check::deviation::{Deviations, MeshForm, View};
 use crate::check::file_content::ReadError;
 use crate::check::made::Made;
+use crate::export::lowered::Forms;
 use crate::formats::entry::{Entry, Reading};
 
 pub(crate) use polyhedron::read_polygons;
@@ -23,6 +24,7 @@ pub(super) static ENTRY: Entry = Entry {
     suffixes: &["obj"],
     lacks: None,
     holds_exact_only: false,
+    forms: |_| Forms::NONE,
     write,
     reading: Some(Reading { read: read_back, compare, rounds_by_model: false }),
 };

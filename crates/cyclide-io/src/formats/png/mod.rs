@@ -22,6 +22,7 @@ use crate::export::camera::Camera;
 use crate::export::error::ExportError;
 use crate::export::exported::{Exported, Promise, Written};
 use crate::export::job::Job;
+use crate::export::lowered::Forms;
 use crate::formats::entry::Entry;
 use axes::{Plan, Rulers};
 use canvas::{Canvas, Ink, Pixel};
@@ -57,6 +58,7 @@ pub(super) static ENTRY: Entry = Entry {
     suffixes: &["png"],
     lacks: None,
     holds_exact_only: false,
+    forms: |_| Forms::NONE,
     write,
     reading: None,
 };

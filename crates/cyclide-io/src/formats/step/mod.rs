@@ -32,13 +32,14 @@ use crate::check::made::Made;
 use crate::export::error::ExportError;
 use crate::export::exported::{Exported, PieceNotes, Promise, Written};
 use crate::export::job::Job;
+use crate::export::lowered::Forms;
 use crate::export::options::StepProducts;
 use crate::export::parts::Contour;
 use crate::formats::entry::{Entry, Reading};
 use cyclide::{ChainPiece, CurveChain, CurveObject, Lowered, ShortNumber, Units};
 use data::Data;
 use structure::Part;
-use topology::Written as WrittenBody;
+use topology::Entity;
 
 use body_check::bodies_deviation;
 use labels::labels;
@@ -54,6 +55,7 @@ pub(super) static ENTRY: Entry = Entry {
     suffixes: &["step", "stp"],
     lacks: None,
     holds_exact_only: true,
+    forms: |_| Forms::CHAINS,
     write,
     reading: Some(Reading { read, compare, rounds_by_model: true }),
 };
@@ -90,18 +92,19 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
         // What has none was refused.
         let Some(faces) = body.body.faces() else { continue };
         written.bodies.push(Promise::EXACT);
-        let (body_written, remarks) =
+        let as_written =
             topology::body(&mut data, &body.label(), faces, job.size(), job.options.step_edges).map_err(lowered)?;
-        shortest = shortest.min(remarks.shortest);
-        if remarks.touches_itself {
+        shortest = shortest.min(as_written.shortest);
+        if as_written.touches_itself {
             notes.push(format!(
                 "{} touches itself in single points: written as closed shells, not as a solid",
                 body.label()
             ));
         }
-        match body_written {
-            WrittenBody::Solid(number) => parts[body.item].solids.push(number),
-            WrittenBody::Surface(number) => parts[body.item].surfaces.push(number),
+        written.shells.push(as_written.shells);
+        match as_written.entity {
+            Entity::Solid(number) => parts[body.item].solids.push(number),
+            Entity::Surface(number) => parts[body.item].surfaces.push(number),
         }
     }
     if shortest < SHORTEST_EDGE {
@@ -135,7 +138,7 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
 fn compare(made: &Made<'_>) -> Result<Deviations, ReadError> {
     let content = read(&made.file.bytes)?;
     let curves = made.curves(&content, View::Space)?;
-    let bodies = bodies_deviation(&made.ready.bodies, &content.bodies, made.ready.bounds.diagonal())?;
+    let bodies = bodies_deviation(made, &content.bodies)?;
     content.labels.check(&labels(made.named(), &made.ready.bodies, &content.labels))?;
     Ok(Deviations { curves, bodies, ..Deviations::default() })
 }

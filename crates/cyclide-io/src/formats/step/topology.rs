@@ -5,26 +5,31 @@ use super::data::{Data, logical, push_list, push_reference, references, string};
 use super::integration::is_integrable;
 use super::parameter_curves::ParameterCurve;
 use super::surfaces;
+use crate::export::face_plan::ShellPlan;
 use crate::export::options::StepEdges;
-use cyclide::{Arc, Body, EdgeCurve, FaceSurface, NurbsCurve, PatchKind, Point3, Result, Shell, ShellFace, Side};
+use cyclide::{
+    Arc, Body, CutShell, EdgeCurve, FaceSurface, NurbsCurve, PatchKind, Point3, Result, Shell, ShellFace, Side,
+};
 use std::fmt::Write as _;
 
 /// An edge that departs from its chord by no more than this part of the model's size is a line: its curvature is
 /// rounding.
 const STRAIGHT: f64 = 1e-15;
 
-/// How a body was written.
+/// A body in the file.
 #[derive(Debug, Clone, Copy)]
-pub(super) enum Written {
+pub(super) enum Entity {
     /// `MANIFOLD_SOLID_BREP` or `BREP_WITH_VOIDS`.
     Solid(usize),
     /// `SHELL_BASED_SURFACE_MODEL`.
     Surface(usize),
 }
 
-/// What the user should know about a body.
-#[derive(Default)]
-pub(super) struct Remarks {
+/// How a body was written, and what the user should know about it.
+pub(super) struct Written {
+    pub(super) entity: Entity,
+    /// What its faces stand for, shell by shell.
+    pub(super) shells: Vec<ShellPlan>,
     /// Length of the shortest edge; infinite without edges.
     pub(super) shortest: f64,
     /// True if a closed body touches itself in single points, so that it is no solid.
@@ -32,49 +37,43 @@ pub(super) struct Remarks {
 }
 
 /// Writes a body; `size` is the model's diagonal.
-pub(super) fn body(
-    data: &mut Data,
-    name: &str,
-    body: &Body,
-    size: f64,
-    edges: StepEdges,
-) -> Result<(Written, Remarks)> {
-    let mut remarks = Remarks { shortest: f64::INFINITY, touches_itself: false };
-    let mut shells = Vec::new();
-    for shell in body.shells() {
-        let shell = exported(shell, size, edges)?;
-        for edge in shell.edges() {
-            remarks.shortest = remarks.shortest.min(edge.curve.length());
-        }
-        shells.push(shell);
-    }
-    let parts: Vec<Vec<Vec<usize>>> = shells.iter().map(Shell::parts).collect();
-    let closed: Vec<bool> = shells.iter().map(Shell::is_closed).collect();
+pub(super) fn body(data: &mut Data, name: &str, body: &Body, size: f64, edges: StepEdges) -> Result<Written> {
+    let shells = body.shells().map(|shell| cut(shell, size, edges)).collect::<Result<Vec<CutShell>>>()?;
+    let lengths = shells.iter().flat_map(|cut| cut.shell().edges()).map(|edge| edge.curve.length());
+    let shortest = lengths.fold(f64::INFINITY, f64::min);
+    let parts: Vec<Vec<Vec<usize>>> = shells.iter().map(|cut| cut.shell().parts()).collect();
+    let closed: Vec<bool> = shells.iter().map(|cut| cut.shell().is_closed()).collect();
     let solid = closed.iter().all(|&c| c) && parts.iter().all(|p| p.len() == 1);
-    remarks.touches_itself = closed[0] && parts[0].len() > 1;
-    let mut written = Vec::new();
-    for (index, (shell, parts)) in shells.iter().zip(&parts).enumerate() {
+    let touches_itself = closed[0] && parts[0].len() > 1;
+    let (mut written, mut plans) = (Vec::new(), Vec::new());
+    for (index, (cut, parts)) in shells.iter().zip(&parts).enumerate() {
         // A void is written as the boundary of the hollow, whose outer side is the other one.
         let flip = solid && index > 0;
-        let mut writer = Writer::new(data, shell, size, edges);
+        let mut writer = Writer::new(data, cut.shell(), size, edges);
         for part in parts {
             let faces = part.iter().map(|&f| writer.face(f, flip)).collect::<Result<Vec<_>>>()?;
             let kind = if closed[index] { "CLOSED_SHELL" } else { "OPEN_SHELL" };
             written.push(writer.data.add(&format!("{kind}('',{})", references(&faces))));
+            plans.push(ShellPlan { shell: index, faces: part.iter().map(|&f| cut.parts()[f]).collect() });
         }
     }
+    let entity = entity(data, name, solid, &written);
+    Ok(Written { entity, shells: plans, shortest, touches_itself })
+}
+
+/// A body of these shells.
+fn entity(data: &mut Data, name: &str, solid: bool, shells: &[usize]) -> Entity {
     let name = string(name);
-    let written = if !solid {
-        Written::Surface(data.add(&format!("SHELL_BASED_SURFACE_MODEL({name},{})", references(&written))))
-    } else if let [outer] = written[..] {
-        Written::Solid(data.add(&format!("MANIFOLD_SOLID_BREP({name},#{outer})")))
+    if !solid {
+        Entity::Surface(data.add(&format!("SHELL_BASED_SURFACE_MODEL({name},{})", references(shells))))
+    } else if let [outer] = shells {
+        Entity::Solid(data.add(&format!("MANIFOLD_SOLID_BREP({name},#{outer})")))
     } else {
         let voids: Vec<usize> =
-            written[1..].iter().map(|v| data.add(&format!("ORIENTED_CLOSED_SHELL('',*,#{v},.F.)"))).collect();
-        let (outer, voids) = (written[0], references(&voids));
-        Written::Solid(data.add(&format!("BREP_WITH_VOIDS({name},#{outer},{voids})")))
-    };
-    Ok((written, remarks))
+            shells[1..].iter().map(|v| data.add(&format!("ORIENTED_CLOSED_SHELL('',*,#{v},.F.)"))).collect();
+        let (outer, voids) = (shells[0], references(&voids));
+        Entity::Solid(data.add(&format!("BREP_WITH_VOIDS({name},#{outer},{voids})")))
+    }
 }
 
 /// Strips are halved this often at most for the sake of integration, which sharpens the rule more than enough.
@@ -82,8 +81,8 @@ const MOST_HALVINGS: usize = 8;
 
 /// The faces as they are written: regular inside, with positive weights; rational ones such that readers integrate them.
 /// `size` is the model's diagonal.
-pub(crate) fn exported(shell: &Shell, size: f64, edges: StepEdges) -> Result<Shell> {
-    let good = shell.with_regular_faces()?.with_positive_weights()?;
+fn cut(shell: &Shell, size: f64, edges: StepEdges) -> Result<CutShell> {
+    let good = CutShell::from(shell.clone()).with_regular_faces()?.with_positive_weights()?;
     let is_rational = |shell: &Shell, face: &ShellFace| surfaces::kind(shell, face, size, edges) == PatchKind::Cyclide;
     let is_bad = |shell: &Shell, face: &ShellFace| {
         face.surface.patch().is_some_and(|patch| !is_integrable(patch)) && is_rational(shell, face)

@@ -15,6 +15,7 @@ use crate::check::made::Made;
 use crate::export::error::ExportError;
 use crate::export::exported::{Exported, Written};
 use crate::export::job::Job;
+use crate::export::lowered::Forms;
 use crate::export::mesh::{Single, body_meshes, check_single, single, triangles};
 use crate::export::parts::BodyOf;
 use crate::formats::entry::{Entry, Kind, Reading};
@@ -32,6 +33,7 @@ pub(super) static ENTRY: Entry = Entry {
     suffixes: &["stl"],
     lacks: Some(Kind::Curves),
     holds_exact_only: false,
+    forms: |_| Forms::NONE,
     write,
     reading: Some(Reading { read, compare, rounds_by_model: false }),
 };

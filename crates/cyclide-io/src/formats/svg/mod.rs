@@ -22,6 +22,7 @@ use crate::drawing;
 use crate::export::error::ExportError;
 use crate::export::exported::{Exported, Promise, Written, WrittenCurve};
 use crate::export::job::Job;
+use crate::export::lowered::Forms;
 use crate::export::parts::Contour;
 use crate::formats::entry::{Entry, Reading};
 use crate::text::number::push_plain;
@@ -53,6 +54,7 @@ pub(super) static ENTRY: Entry = Entry {
     suffixes: &["svg"],
     lacks: None,
     holds_exact_only: true,
+    forms: |_| Forms::ARCS,
     write,
     reading: Some(Reading { read, compare, rounds_by_model: false }),
 };

@@ -1,0 +1,149 @@
+//! How far faces and edges of a file are from the part of a face of the uncut model that they stand for.
+//!
+//! Rational surfaces and edges are compared at equal parameters, analytic surfaces and circles by distance.
+
+use super::border::Border;
+use super::{Mismatch, require};
+use crate::check::bodies::{FileEdge, FileFace, FileSurface};
+use crate::check::deviation::larger;
+use cyclide::{
+    ChainPiece, FacePart, FaceSurface, ParamCurve as _, ParamSurface as _, PatchKind, Point3, RationalBezierSurface,
+    Side, Vec3,
+};
+
+/// Places per parameter at which surfaces and edges are compared.
+const PLACES: u32 = 9;
+/// By so much of its length and of the model's size an edge may leave its face at equal parameters: far below readers' own
+/// tolerance, above the rounding of parameters with very uneven weights.
+const PARAMETER_LIMIT: (f64, f64) = (1e-9, 1e-12);
+/// Edges below this part of the model's size are points for other programs; the kernel takes corners for concircular to it.
+const SHORT_EDGE: f64 = 1e-9;
+/// Rounding of a point of an edge or a face, or of the length of an edge, relative to the coordinates.
+const ROUNDING: f64 = 16.0 * f64::EPSILON;
+
+/// A part of a face of the uncut model: a surface with its own parameters, from 0 to 1.
+pub(super) struct Piece<'a> {
+    pub(super) surface: &'a FaceSurface,
+    pub(super) part: &'a FacePart,
+}
+
+impl Piece<'_> {
+    fn point(&self, (x, y): (f64, f64)) -> Point3 {
+        let (s, t) = self.part.place(x, y);
+        self.surface.point(s, t)
+    }
+
+    /// The points of one side from its start to its end.
+    fn along(&self, side: Side) -> impl Iterator<Item = Point3> {
+        (0..PLACES).map(move |i| self.point(side.place(parameter(i))))
+    }
+
+    /// How far the points of a side are from being one.
+    pub(super) fn width(&self, side: Side) -> f64 {
+        let start = self.point(side.place(0.0));
+        self.along(side).map(|p| p.distance(start)).fold(0.0, larger)
+    }
+
+    /// The surface of the file's face against it.
+    ///
+    /// # Errors
+    /// A face that looks to the other side than the model's `outer_side`, which is that of `f_s × f_t` if it is true.
+    pub(super) fn surface_deviation(&self, file: &FileFace, outer_side: bool) -> Result<f64, Mismatch> {
+        let places = (0..PLACES * PLACES).map(|k| (parameter(k % PLACES), parameter(k / PLACES)));
+        let (distance, outward) = match &file.surface {
+            FileSurface::Rational(surface) => {
+                let apart = places.map(|(x, y)| surface.point(x, y).distance(self.point((x, y))));
+                (apart.fold(0.0, larger), true)
+            }
+            FileSurface::Analytic(kind) => {
+                let apart = places.map(|place| kind.distance(self.point(place)).unwrap_or(f64::INFINITY));
+                let (s, t) = self.part.place(0.5, 0.5);
+                let (middle, normal) = (self.surface.point(s, t), self.surface.normal(s, t));
+                let outward = normal.zip(outward(kind, middle)).is_some_and(|(n, out)| n.dot(out) > 0.0);
+                (apart.fold(0.0, larger), outward)
+            }
+        };
+        require(file.same_sense == (outward == outer_side), "a face looks to the wrong side")?;
+        Ok(distance)
+    }
+
+    /// The file's edge against one of its sides, which is this border.
+    pub(super) fn edge_deviation(&self, side: Side, border: Border, edge: &FileEdge) -> f64 {
+        let mut largest = 0.0_f64;
+        for (i, p) in (0..PLACES).zip(self.along(side)) {
+            let along = border.turned(parameter(i));
+            largest = larger(
+                largest,
+                match &edge.curve {
+                    ChainPiece::Arc(arc) => arc.closest_point(p).distance,
+                    ChainPiece::Spline(curve) => curve.point(along).distance(p),
+                },
+            );
+            if i == 0 || i + 1 == PLACES {
+                largest = larger(largest, edge.ends[usize::from(along > 0.5)].distance(p));
+            }
+        }
+        let (start, end) = match &edge.curve {
+            ChainPiece::Arc(arc) => (arc.start(), arc.end()),
+            ChainPiece::Spline(curve) => (curve.point(0.0), curve.point(1.0)),
+        };
+        larger(largest, larger(start.distance(edge.ends[0]), end.distance(edge.ends[1])))
+    }
+}
+
+/// A vector on the side of the surface's own normal.
+fn outward(kind: &PatchKind, p: Point3) -> Option<Vec3> {
+    let from_axis = |frame: &cyclide::Frame| {
+        let v = p - frame.origin();
+        v - frame.z() * v.dot(frame.z())
+    };
+    match kind {
+        PatchKind::Plane { frame } => Some(frame.z()),
+        PatchKind::Sphere { frame, .. } => Some(p - frame.origin()),
+        PatchKind::Cylinder { frame, .. } | PatchKind::Cone { frame, .. } => Some(from_axis(frame)),
+        PatchKind::Torus { frame, major_radius, .. } => {
+            Some(p - (frame.origin() + from_axis(frame).unit()? * *major_radius))
+        }
+        PatchKind::Cyclide => None,
+    }
+}
+
+/// Holds an edge against its face's surface at equal parameters of the edge, as readers do: on the curve that the file has
+/// in the surface's parameters; without one they interpolate, which is exact where the parameters are proportional.
+pub(super) fn check_parameters(
+    surface: &RationalBezierSurface,
+    (side, border): (Side, Border),
+    edge: &FileEdge,
+    size: f64,
+) -> Result<(), Mismatch> {
+    let ChainPiece::Arc(arc) = &edge.curve else {
+        return Ok(()); // in the parameter of its faces, and compared there
+    };
+    // Far from the origin the file's points are as coarse as their numbers.
+    let rounding = ROUNDING * arc.start().to_vec().max_abs().max(arc.end().to_vec().max_abs());
+    if let Some(curve) = &edge.parameter_curve {
+        // Short edges carry the rounding of their place.
+        let (range, unit) = arc.radius().map_or((arc.length(), 1.0), |radius| (arc.angle(), radius));
+        let (from, to) = curve.domain();
+        require(
+            from == 0.0 && (to - range).abs() <= 1e-9 * range + rounding / unit,
+            "a parameter curve has another range than its edge",
+        )?;
+    }
+    let places = (0..PLACES).map(|i| {
+        let x = parameter(i);
+        let on_curve = edge.parameter_curve.as_ref().map(|curve| curve.point(x));
+        let (u, v) = on_curve.map_or_else(|| side.place(border.turned(x)), |at| (at.x, at.y));
+        surface.point(u, v).distance(arc.point_at_length(x))
+    });
+    let (of_length, of_size) = PARAMETER_LIMIT;
+    let apart = places.fold(0.0, larger);
+    let limit = of_length * arc.length() + of_size * size + rounding;
+    // Corners of a net may be off their circle by so much: along a side as short as that the weights disagree.
+    let short = arc.length() <= SHORT_EDGE * size;
+    require(apart <= limit || (short && apart <= arc.length()), "an edge leaves its face at equal parameters")
+}
+
+fn parameter(i: u32) -> f64 {
+    f64::from(i) / f64::from(PLACES - 1)
+}

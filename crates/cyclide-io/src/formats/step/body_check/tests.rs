@@ -1,0 +1,165 @@
+//! Files whose bodies were cut in a wrong way, and right files of which something wrong is told, held against the uncut model.
+
+#![allow(clippy::unwrap_used, reason = "what cannot be made fails the test")]
+
+use super::*;
+use crate::export::exported::Exported;
+use crate::export::options::ExportOptions;
+use crate::formats::step::reader::read;
+use crate::formats::{Exporter, Format};
+use cyclide::{
+    CyclidePatch, CyclidicNet, DupinCyclide, FaceGeometry as _, FacePart, Model, NetFrame, Point3, QuadGrid,
+    SurfaceObject, Vec3,
+};
+
+/// More than rounding leaves of models of this size, less than anything below is wrong by.
+const SMALL: f64 = 1e-12;
+
+fn model(surface: impl Into<SurfaceObject>) -> Model {
+    Model::default().with_surface("it", surface)
+}
+
+/// Most of a plane ring, which is cut into four faces one behind the other.
+fn ring() -> Model {
+    let at = |r: f64, u: f64| Point3::new(r * u.cos(), r * u.sin(), 0.0);
+    let corners = [at(1.0, 0.0), at(1.0, 5.5), at(2.0, 0.0), at(2.0, 5.5)];
+    model(SurfaceObject::Patch(CyclidePatch::from_corners_and_frame(corners, Vec3::Y, Vec3::X).unwrap()))
+}
+
+/// A ring cyclide moved inwards until it is a horn, as one closed shell that touches itself in two nodes inside its faces.
+fn horn() -> Model {
+    let ring = DupinCyclide::new(4.0, 1.0, 2.0).unwrap().nets([4, 4]).unwrap().remove(0);
+    let outer = ring.offset(-1.3).unwrap().to_shell().unwrap();
+    assert!(outer.is_closed() && outer.faces().iter().any(|face| !face.surface.is_regular()));
+    model(SurfaceObject::Body(Body { outer, voids: Vec::new() }))
+}
+
+/// What the check says of the file of a model after something was changed in it, or in what is told of it.
+fn checked(model: &Model, change: impl FnOnce(&mut Exported, &mut Vec<FileBody>)) -> Result<f64, String> {
+    let exporter = Exporter::new(model).unwrap();
+    let mut file = exporter.export(Format::Step, &ExportOptions::default()).unwrap();
+    let mut bodies = read(&file.bytes).unwrap().bodies;
+    change(&mut file, &mut bodies);
+    let deviations = bodies_deviation(&Made { ready: &exporter.ready, file: &file }, &bodies);
+    deviations.map(|off| off[0]).map_err(|error| error.to_string())
+}
+
+/// The same, of which faces the writer tells.
+fn told(model: &Model, change: impl FnOnce(&mut Vec<FacePart>)) -> Result<f64, String> {
+    checked(model, |file, _| change(&mut file.written.shells[0][0].faces))
+}
+
+#[test]
+fn right_files_are_right() {
+    for model in [ring(), horn()] {
+        assert!(checked(&model, |_, _| ()).unwrap() < SMALL);
+    }
+}
+
+#[test]
+fn parts_that_do_not_tile_the_faces_are_refused() {
+    let refused = Err("body 0: its faces are not those of the model, each part once".to_owned());
+    let shifted = |by: f64| told(&ring(), |parts| parts[1].s[0] += by);
+    assert_eq!([shifted(0.01), shifted(-0.01), shifted(f64::NAN)], [(); 3].map(|()| refused.clone()));
+    assert_eq!(told(&ring(), |parts| parts[3].t[1] = 0.5), refused);
+    assert_eq!(told(&ring(), |parts| parts[2].face = 1), refused);
+    // A part that is missing in the file as well, and one that is there twice.
+    let both = |change: fn(&mut Vec<FacePart>, &mut Vec<FileFace>)| {
+        checked(&ring(), |file, bodies| {
+            change(&mut file.written.shells[0][0].faces, &mut bodies[0].shells[0].faces);
+        })
+    };
+    let missing = both(|parts, faces| drop((parts.pop(), faces.pop())));
+    let doubled = both(|parts, faces| {
+        parts.push(parts[0]);
+        faces.push(faces[0].clone());
+    });
+    let replaced = both(|parts, faces| (parts[1], faces[1]) = (parts[0], faces[0].clone()));
+    assert_eq!([missing, doubled, replaced], [(); 3].map(|()| refused.clone()));
+    assert_eq!(told(&ring(), |parts| parts.truncate(3)), refused);
+}
+
+#[test]
+fn parts_of_other_places_are_found() {
+    // Neighbours exchanged: all lies in one plane, but an edge of one of them is on the border, of the other inside.
+    let swapped = told(&ring(), |parts| parts.swap(0, 1));
+    assert!(swapped.as_ref().map_or(true, |off| *off > 0.1), "{swapped:?}");
+    // A cut told a thousandth beside its place, on both sides of it.
+    let beside = told(&ring(), |parts| {
+        let at = parts[0].s[1] + 1e-3;
+        (parts[0].s[1], parts[1].s[0]) = (at, at);
+    });
+    assert!(beside.unwrap() > 1e-4);
+}
+
+/// A strip of two squares whose middle line is lifted, and the flat one of one face.
+#[test]
+fn a_wrong_middle_is_found() {
+    let strip = |xs: &[f64], height: f64| {
+        let at = |y: f64, (i, x): (usize, &f64)| Point3::new(*x, y, if i == 1 { height } else { 0.0 });
+        let points = [0.0, 1.0].into_iter().flat_map(|y| xs.iter().enumerate().map(move |place| at(y, place)));
+        let grid = QuadGrid::new(points.collect(), [xs.len(), 2], [false, false]).unwrap();
+        let slope = Vec3::new(1.0, 0.0, height).unit().unwrap();
+        CyclidicNet::new(grid, NetFrame::First(slope, Vec3::Y)).unwrap()
+    };
+    let whole = model(SurfaceObject::Patch(strip(&[0.0, 2.0], 0.0).patch(0, 0)));
+    let off = |height: f64| {
+        let cut = model(SurfaceObject::Net(strip(&[0.0, 1.0, 2.0], height)));
+        let mut file = Exporter::new(&cut).unwrap().export(Format::Step, &ExportOptions::default()).unwrap();
+        // Told as halves of the one face.
+        file.written.shells[0][0].faces =
+            [[0.0, 0.5], [0.5, 1.0]].map(|s| FacePart { face: 0, s, t: [0.0, 1.0] }).to_vec();
+        let bodies = read(&file.bytes).unwrap().bodies;
+        let ready = Exporter::new(&whole).unwrap().ready;
+        bodies_deviation(&Made { ready: &ready, file: &file }, &bodies).unwrap()[0]
+    };
+    assert!(off(0.0) < SMALL);
+    let lifted = off(1e-6);
+    assert!((1e-6..1e-5).contains(&lifted), "{lifted}");
+}
+
+#[test]
+fn edges_are_shared_where_parts_have_a_common_border() {
+    let number = |bodies: &mut Vec<FileBody>, face: usize, edge: usize, to: Option<u64>| {
+        let own = &mut bodies[0].shells[0].faces[face].edges;
+        let from = own[edge].edge;
+        own[edge].edge = to.unwrap_or(from);
+        from
+    };
+    // The edge between the first two faces: the second of one, the last of the other.
+    let unshared = checked(&ring(), |_, bodies| {
+        assert_eq!(number(bodies, 0, 1, None), number(bodies, 1, 3, None));
+        number(bodies, 0, 1, Some(u64::MAX));
+    });
+    assert_eq!(unshared, Err("body 0: faces share an edge in the model only".to_owned()));
+    let shared = checked(&ring(), |_, bodies| {
+        let first = number(bodies, 0, 1, None);
+        number(bodies, 2, 3, Some(first));
+    });
+    assert_eq!(shared, Err("body 0: faces share an edge in the file only".to_owned()));
+}
+
+#[test]
+fn lobes_are_shells_of_their_own() {
+    let shells = |file: &Exported| file.written.shells[0].iter().map(|plan| plan.shell).collect::<Vec<_>>();
+    let right = checked(&horn(), |file, _| assert_eq!(shells(file), [0, 0]));
+    assert!(right.unwrap() < SMALL);
+    let merged = checked(&horn(), |file, bodies| {
+        let [faces, more] = [0, 1].map(|k| std::mem::take(&mut file.written.shells[0][k].faces));
+        file.written.shells[0] = vec![ShellPlan { shell: 0, faces: [faces, more].concat() }];
+        let more = bodies[0].shells.remove(1).faces;
+        bodies[0].shells[0].faces.extend(more);
+        bodies[0].solid = true;
+    });
+    assert_eq!(merged, Err("body 0: the faces of a shell do not hang together".to_owned()));
+    // A face that went over to the other lobe.
+    let parted = checked(&horn(), |file, bodies| {
+        let part = file.written.shells[0][0].faces.pop().unwrap();
+        file.written.shells[0][1].faces.push(part);
+        let face = bodies[0].shells[0].faces.pop().unwrap();
+        bodies[0].shells[1].faces.push(face);
+    });
+    assert_eq!(parted, Err("body 0: faces share an edge in the model only".to_owned()));
+    let solid = checked(&horn(), |_, bodies| bodies[0].solid = true);
+    assert_eq!(solid, Err("body 0: it is a solid in one of file and model only".to_owned()));
+}
