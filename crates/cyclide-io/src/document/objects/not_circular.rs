@@ -20,7 +20,7 @@ impl Builder<'_> {
 
 #[cfg(test)]
 mod tests {
-    use crate::{Document, ModelBuilder};
+    use crate::document::{Document, ModelBuilder};
     use std::path::Path;
 
     #[test]
