@@ -1,4 +1,4 @@
-"""Licences and sources of every crate in Cargo.lock against the lists of deny.toml, by `cargo metadata` alone."""
+"""Licences and sources of every crate in Cargo.lock against the lists of deny.toml, and what can be left out, by cargo alone."""
 
 import json
 import re
@@ -25,6 +25,19 @@ def accepted(expression, allow):
     return bool(eval("".join(code.get(w, str(w in allow)) for w in words)))  # only True, False, and, or, brackets
 
 
+# Crates that a package can be built without.
+OPTIONAL = [("cyclide", "faer"), ("cyclide-io", "faer"), ("cyclide-io", "tiny-skia"), ("cyclide-io", "tempfile")]
+
+
+def is_needed(package, crate):
+    """True if a package without its default features depends on a crate."""
+    command = ["cargo", "tree", "--package", package, "--no-default-features", "--edges", "normal,build", "--prefix", "none", "--locked"]
+    listing = subprocess.run(command, cwd=ROOT, check=True, stdout=subprocess.PIPE, text=True).stdout
+    names = [line.split()[0] for line in listing.splitlines() if line]
+    assert package in names, listing
+    return crate in names
+
+
 def main():
     rules = tomllib.loads((ROOT / "deny.toml").read_text())
     allow, registries = set(rules["licenses"]["allow"]), set(rules["sources"]["allow-registry"])
@@ -42,6 +55,7 @@ def main():
             faults.append(f"{name}: source {package['source']}")
         if package["name"] in banned:
             faults.append(f"{name}: banned")
+    faults += [f"{package} needs {crate} without its features" for package, crate in OPTIONAL if is_needed(package, crate)]
     print("\n".join(faults) or f"{len(packages)} crates: licences and sources as deny.toml allows")
     return 1 if faults else 0
 

@@ -58,6 +58,6 @@ pub use text::place::{Diagnostic, Source, decode};
 pub use text::suggest::{did_you_mean, similar};
 
 /// The example of the README is compiled and run with the documentation tests.
-#[cfg(doctest)]
+#[cfg(all(doctest, feature = "circular-mesh"))]
 #[doc = include_str!("../../../README.md")]
 struct Readme;

@@ -46,6 +46,7 @@ impl<'a> Provenances<'a> {
     }
 
     /// The points that the objects were made near.
+    #[cfg(any(feature = "png", test))]
     pub(crate) fn data(&self) -> impl Iterator<Item = Point3> + use<'a> {
         self.given.iter().flat_map(|given| given.data.iter().copied())
     }

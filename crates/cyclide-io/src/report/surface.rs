@@ -3,8 +3,8 @@
 use std::collections::BTreeMap;
 
 use cyclide::{
-    Body, CORNER_ANGLE, CircularMeshReport, CyclidePatch, FaceSurface, ParamSurface as _, RationalBezierSurface,
-    ShapeChange, Shell, ShellFace, SurfaceObject, surface_joints,
+    Body, CORNER_ANGLE, CyclidePatch, FaceSurface, ParamSurface as _, RationalBezierSurface, ShapeChange, Shell,
+    ShellFace, SurfaceObject, surface_joints,
 };
 use serde::Serialize;
 
@@ -239,7 +239,7 @@ impl SurfaceReport {
             flipped: Vec::new(),
             seams: nets.flat_map(|net| SeamReport::all(net, &built.seams)).collect(),
             polyhedron: built.polyhedron.as_deref().map(|rounded| Box::new(PolyhedronReport::from(rounded))),
-            circular: built.circular.as_ref().map(|report| Box::new(CircularReport::from(report))),
+            circular: circular(built),
         };
         // An object has solids only, or none: a solid's rims have no normal of their own to be against.
         let thick = built.item.surfaces().iter().any(|surface| matches!(surface, SurfaceObject::Body(_)));
@@ -305,8 +305,21 @@ impl SurfaceReport {
     }
 }
 
-impl From<&CircularMeshReport> for CircularReport {
-    fn from(report: &CircularMeshReport) -> Self {
+/// What it took to make the net circular.
+#[cfg(feature = "circular-mesh")]
+fn circular(built: &BuiltObject) -> Option<Box<CircularReport>> {
+    built.circular.as_ref().map(|report| Box::new(CircularReport::from(report)))
+}
+
+/// Nothing is made circular here.
+#[cfg(not(feature = "circular-mesh"))]
+fn circular(_: &BuiltObject) -> Option<Box<CircularReport>> {
+    None
+}
+
+#[cfg(feature = "circular-mesh")]
+impl From<&cyclide::CircularMeshReport> for CircularReport {
+    fn from(report: &cyclide::CircularMeshReport) -> Self {
         Self {
             steps: report.steps,
             residual_before: report.residual_before,

@@ -5,21 +5,26 @@ use super::vector::Vec3;
 /// Sweeps of rotations: convergence is quadratic, three or four are the rule.
 const SWEEPS: usize = 30;
 
+/// Singular values that differ by no more than this part of the largest tell no rotation from another.
+pub(crate) const UNIQUE: f64 = 1e-12;
+
 /// The rotation matrix (as its columns) that maximises `tr(RᵀG)` for the matrix `G` with the given columns: with
-/// `G = U S Vᵀ`, `R = U diag(1, 1, det(U Vᵀ)) Vᵀ`. `None` if it is not unique: `G` of rank below 2 (two singular
-/// values below 1e-12 of the largest), or not finite; also if `det G < 0` and the two small singular values are equal.
-#[must_use]
-pub(crate) fn nearest_rotation(columns: [Vec3; 3]) -> Option<[Vec3; 3]> {
+/// `G = U S Vᵀ`, `R = U diag(1, 1, det(U Vᵀ)) Vᵀ`.
+///
+/// # Errors
+/// If it is not unique, the figure that is not above [`UNIQUE`]: the second singular value relative to the largest (`G` of rank
+/// below 2; 0 if it is not finite), or its difference to the third if `det G < 0`.
+pub(crate) fn nearest_rotation(columns: [Vec3; 3]) -> Result<[Vec3; 3], f64> {
     let size = columns.iter().map(|c| c.max_abs()).fold(0.0, f64::max);
     if !(size > 0.0 && columns.iter().all(|c| c.is_finite())) {
-        return None;
+        return Err(0.0);
     }
     let (a, v) = orthogonal_columns(columns.map(|c| c / size));
     let mut order = [0, 1, 2];
     order.sort_by(|&i, &j| a[j].length_squared().total_cmp(&a[i].length_squared()));
     let [s0, s1, s2] = order.map(|i| a[i].length());
-    if s1 <= 1e-12 * s0 {
-        return None;
+    if s1 <= UNIQUE * s0 {
+        return Err(s1 / s0);
     }
     // The third column of U from the first two: it gives det U = 1 also where S has a zero, and with V made
     // right-handed the same way the product has determinant 1, as the factor det(U Vᵀ) demands.
@@ -27,11 +32,11 @@ pub(crate) fn nearest_rotation(columns: [Vec3; 3]) -> Option<[Vec3; 3]> {
     let (v0, v1) = (v[order[0]], v[order[1]]);
     let (u2, v2) = (u0.cross(u1), v0.cross(v1));
     let reversed = u2.dot(a[order[2]]) * v2.dot(v[order[2]]) < 0.0;
-    if reversed && s1 - s2 <= 1e-12 * s0 {
-        return None;
+    if reversed && s1 - s2 <= UNIQUE * s0 {
+        return Err((s1 - s2) / s0);
     }
     // Column k of U Vᵀ is the sum of u_i (v_i)_k.
-    Some([0, 1, 2].map(|k| u0 * v0[k] + u1 * v1[k] + u2 * v2[k]))
+    Ok([0, 1, 2].map(|k| u0 * v0[k] + u1 * v1[k] + u2 * v2[k]))
 }
 
 /// The singular values of the matrix with the given columns, largest first.
@@ -131,9 +136,9 @@ mod tests {
 
     #[test]
     fn without_a_unique_answer_there_is_none() {
-        assert!(nearest_rotation([Vec3::ZERO; 3]).is_none());
-        assert!(nearest_rotation([Vec3::X, Vec3::X * 2.0, Vec3::ZERO]).is_none());
-        assert!(nearest_rotation([Vec3::X, Vec3::Y, Vec3::new(f64::NAN, 0.0, 0.0)]).is_none());
-        assert!(nearest_rotation([-Vec3::X, -Vec3::Y, -Vec3::Z]).is_none());
+        assert_eq!(nearest_rotation([Vec3::ZERO; 3]), Err(0.0));
+        assert!(nearest_rotation([Vec3::X, Vec3::X * 2.0, Vec3::ZERO]).is_err_and(|measured| measured <= UNIQUE));
+        assert_eq!(nearest_rotation([Vec3::X, Vec3::Y, Vec3::new(f64::NAN, 0.0, 0.0)]), Err(0.0));
+        assert!(nearest_rotation([-Vec3::X, -Vec3::Y, -Vec3::Z]).is_err_and(|measured| measured <= UNIQUE));
     }
 }

@@ -59,8 +59,9 @@ impl Arc4 {
         range::check_distance(c.norm())?;
         range::check_weight_ratio(w.norm())?;
         let pn = p.length();
-        if w.w < 0.0 && pn <= 8.0 * f64::EPSILON * -w.w {
-            return Err(Error::PoleOnSegment { real: w.w, vector: pn });
+        let limit = 8.0 * f64::EPSILON * -w.w;
+        if w.w < 0.0 && pn <= limit {
+            return Err(Error::PoleOnSegment { real: w.w, vector: pn, limit });
         }
         Ok(Self { a0: start, a1: end, r: w.w, c, cp: c * Quat::from(p), pn, n: w.norm() })
     }

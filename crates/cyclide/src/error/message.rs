@@ -21,11 +21,12 @@ impl std::fmt::Display for Error {
                 write!(f, "too few points: {given} given, at least {needed} needed")
             }
             Self::ZeroWeight { index } => write!(f, "weight {index} is zero"),
-            Self::PoleOnSegment { real, vector } => write!(
+            Self::PoleOnSegment { real, vector, limit } => write!(
                 f,
-                "the arc passes through infinity: its weight ratio has real part {} and vector part {}",
+                "the arc passes through infinity: its weight ratio has real part {} and vector part {}, limit {}",
                 ShortNumber(*real),
-                ShortNumber(*vector)
+                ShortNumber(*vector),
+                ShortNumber(*limit)
             ),
             Self::NearlyFullCircle { rest, limit } => write!(
                 f,
@@ -193,7 +194,7 @@ impl std::fmt::Display for Error {
                 ShortNumber(-*angle),
                 clockwise(*reflex, *edges)
             ),
-            Self::NotInOpenHemisphere { side, measured } => write!(
+            Self::NotInOpenHemisphere { side, measured, .. } => write!(
                 f,
                 "the corners are not in an open half of the sphere, counter-clockwise: {} round the middle by {} radians, {}",
                 side.map_or("all sides run".to_owned(), |side| format!("side {side} runs")),
@@ -302,19 +303,30 @@ impl std::fmt::Display for Error {
                 speed_ratio(*stretch, *limit),
                 ShortNumber(*limit)
             ),
-            Self::AmbiguousFrame => {
-                f.write_str("the edges of the net determine no frame: give one at the first vertex")
-            }
-            Self::CollapsedSide { side, cannot } => write!(f, "the side {side} of the net is one point: {cannot}"),
-            Self::OffsetOnFocalSet { distance } => write!(
+            Self::AmbiguousFrame { measured, limit } => write!(
                 f,
-                "the offset at distance {} lies on the focal set: all centres of curvature of one family of lines are at that distance, and the surface shrinks to a curve or a point",
+                "the edges of the net determine no frame: give one at the first vertex (their second direction stands out by {} of the first, limit {})",
+                ShortNumber(*measured),
+                ShortNumber(*limit)
+            ),
+            Self::CollapsedSide { side, cannot } => write!(f, "the side {side} of the net is one point: {cannot}"),
+            Self::OffsetOnFocalSet { distance, measured, limit } => write!(
+                f,
+                "the offset at distance {} lies on the focal set: all centres of curvature of one family of lines are at that distance, and the surface shrinks to a curve or a point (lines keep {} of their speed, limit {})",
+                ShortNumber(*distance),
+                ShortNumber(*measured),
+                ShortNumber(*limit)
+            ),
+            Self::OffsetNotRegular { distance, limit } if *limit == 0.0 => write!(
+                f,
+                "a solid between the surface and its offset at distance {} would run through itself: the surface itself is singular or folded there, limit 0",
                 ShortNumber(*distance)
             ),
-            Self::OffsetNotRegular { distance } => write!(
+            Self::OffsetNotRegular { distance, limit } => write!(
                 f,
-                "a solid between the surface and its offset at distance {} would run through itself: a centre of curvature lies between them, or on one of them (`report` gives the radii)",
-                ShortNumber(*distance)
+                "a solid between the surface and its offset at distance {} would run through itself: a centre of curvature lies between them, or on one of them, limit {} (`report` gives the radii)",
+                ShortNumber(*distance),
+                ShortNumber(*limit)
             ),
             Self::NotAShell { item, index, detail } => write!(f, "not a shell: {item} {index}: {detail}"),
             Self::ShortEdge { edge, length, limit } => write!(
@@ -379,7 +391,12 @@ impl std::fmt::Display for Error {
                 ShortNumber(*length),
                 ShortNumber(*limit)
             ),
-            Self::NoTriangles => f.write_str("the mesh has no triangles"),
+            Self::NoTriangles { vertices, needed } => {
+                write!(
+                    f,
+                    "the mesh has no triangles: {vertices} vertices and 0 triangles given, at least {needed} needed"
+                )
+            }
             Self::NoSuchVertex { triangle, vertex, count } => {
                 write!(f, "triangle {triangle} names vertex {vertex}, but there are {count} vertices, counted from 0")
             }

@@ -61,10 +61,14 @@ impl CyclidicNet {
     /// Refuses distances beyond a curvature centre, and nets whose patches do not all have `f_s × f_t` on the same side.
     fn check_between(&self, h: f64) -> Result<()> {
         let flipped = self.patch(0, 0).is_flipped();
-        match self.patches().position(|patch| !patch.offset_is_regular(h) || patch.is_flipped() != flipped) {
-            Some(quad) => Err(Error::OffsetNotRegular { distance: h }.in_quad(quad)),
-            None => Ok(()),
+        for (quad, patch) in self.patches().enumerate() {
+            let folded = patch.is_flipped() != flipped;
+            if folded || !patch.offset_is_regular(h) {
+                let limit = if folded { 0.0 } else { patch.offset_limit(h) };
+                return Err(Error::OffsetNotRegular { distance: h, limit }.in_quad(quad));
+            }
         }
+        Ok(())
     }
 
     /// Which of the open sides s = 0, s = 1 and t = 0, t = 1 are one point.

@@ -94,7 +94,17 @@ fn beyond_the_focal_surface_patches_flip() {
     let net = DupinCyclide::new(2.0, 0.7, 1.1).unwrap().nets([4, 4]).unwrap().remove(0);
     assert!(net.offset(-0.39).unwrap().flipped_patches().is_empty());
     assert_eq!(net.offset(-1.9).unwrap().flipped_patches().len(), 16);
-    assert_eq!(net.thick(-1.0).unwrap_err().reason(), "offset-not-regular");
+    let error = net.thick(-1.0).unwrap_err();
+    assert_eq!(error.reason(), "offset-not-regular");
+    let cyclide::Error::InQuad { quad, cause } = error else { panic!("in a quad") };
+    let cyclide::Error::OffsetNotRegular { limit, .. } = *cause else { panic!("a limit") };
+    // The limit is where it begins: a millionth less is made, a millionth more is not.
+    let patch = net.patches().nth(quad).unwrap();
+    assert!(
+        limit < -0.39
+            && patch.offset_is_regular(limit * (1.0 - 1e-6))
+            && !patch.offset_is_regular(limit * (1.0 + 1e-6))
+    );
     let half = net.offset(-1.0).unwrap();
     assert!(!half.singular_patches().is_empty());
     for found in half.singular_patches() {

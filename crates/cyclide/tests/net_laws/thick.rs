@@ -105,7 +105,10 @@ fn patches_against_each_other_bound_no_solid() {
     assert!(both.singular_patches().is_empty());
     assert_eq!(both.flipped_patches().len(), 8);
     for h in [0.01, -0.01] {
-        assert_eq!(both.thick(h).unwrap_err().reason(), "offset-not-regular");
+        let error = both.thick(h).unwrap_err();
+        assert_eq!(error.reason(), "offset-not-regular");
+        // No distance at all is right.
+        assert!(error.to_string().ends_with(", limit 0"), "{error}");
     }
 }
 

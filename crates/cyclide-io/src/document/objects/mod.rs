@@ -1,10 +1,14 @@
 //! From objects of a document to the kernel's curves and surfaces; what the kernel refuses is shown at its place.
 
+#[cfg(feature = "circular-mesh")]
+mod circular;
 mod curves;
 mod derived;
 mod idle;
 mod net_hints;
 mod nets;
+#[cfg(not(feature = "circular-mesh"))]
+mod not_circular;
 mod polygon_mesh;
 mod polyhedra;
 mod references;
@@ -16,7 +20,9 @@ mod swept;
 use std::io;
 use std::path::{Path, PathBuf};
 
-use cyclide::{Body, CircularMeshReport, Geometry, Item, Point3, Seam, SurfaceObject, Warning};
+#[cfg(feature = "circular-mesh")]
+use cyclide::CircularMeshReport;
+use cyclide::{Body, Geometry, Item, Point3, Seam, SurfaceObject, Warning};
 
 use super::Document;
 use super::construct::ContourFacts;
@@ -46,6 +52,7 @@ pub struct BuiltObject {
     /// The surfaces as patches that share edges, in their order.
     pub bodies: Vec<Body>,
     /// What it took to make a net circular.
+    #[cfg(feature = "circular-mesh")]
     pub circular: Option<CircularMeshReport>,
     /// Where opposite borders of the grid of a net nearly coincide, as given.
     pub seams: Vec<Seam>,
@@ -135,8 +142,10 @@ impl<'a> ModelBuilder<'a> {
                     sources,
                     folder,
                     read,
+                    #[cfg(feature = "circular-mesh")]
                     progress,
                     mesh: None,
+                    #[cfg(feature = "circular-mesh")]
                     circular: None,
                     seams: Vec::new(),
                     polyhedron: None,
@@ -178,10 +187,13 @@ struct Builder<'a> {
     sources: Vec<&'a BuiltObject>,
     folder: &'a Path,
     read: Read<'a>,
+    /// Hears what takes long.
+    #[cfg(feature = "circular-mesh")]
     progress: &'a mut dyn FnMut(String),
     /// The file that the grid of a net was read from.
     mesh: Option<MeshNames>,
     /// What it took to make the net of the object circular.
+    #[cfg(feature = "circular-mesh")]
     circular: Option<CircularMeshReport>,
     /// The seams of its grid as given.
     seams: Vec<Seam>,
@@ -219,7 +231,7 @@ impl Builder<'_> {
         let geometry = if surfaces.is_empty() { Geometry::Curves(curves) } else { Geometry::Surfaces(surfaces) };
         let item = Item::new(self.name, geometry);
         let construction = self.spec.is_construction();
-        let Self { data, warnings, circular, seams, polyhedron, smooth, remarks, .. } = self;
+        let Self { data, warnings, seams, polyhedron, smooth, remarks, .. } = self;
         let provenance = Provenance { kind: self.spec.type_word(), data };
         Ok(BuiltObject {
             item,
@@ -227,7 +239,8 @@ impl Builder<'_> {
             warnings,
             tolerance,
             bodies,
-            circular,
+            #[cfg(feature = "circular-mesh")]
+            circular: self.circular,
             seams,
             polyhedron,
             smooth,

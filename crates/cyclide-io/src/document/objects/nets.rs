@@ -1,9 +1,8 @@
 //! Nets and whole cyclides: from grids and parameters to the kernel's surfaces.
 
 use cyclide::{
-    Body, Border, CircularMeshOptions, CircularMeshReport, CurveObject, CyclidicNet, DupinCyclide,
-    Error as KernelError, ErrorItem, Frame, NetFrame, ParamCurve, QuadGrid, SurfaceObject, Vec3, Warning,
-    make_circular,
+    Body, CyclidicNet, DupinCyclide, Error as KernelError, ErrorItem, Frame, NetFrame, QuadGrid, SurfaceObject, Vec3,
+    Warning,
 };
 
 use super::Builder;
@@ -12,11 +11,8 @@ use super::refuse::frame_words;
 use super::surfaces::direction;
 use crate::document::coordinates::Coordinates;
 use crate::document::locate::Step;
-use crate::document::spec::{
-    BorderSpec, BorderWord, CyclideSpec, CyclidicNetSpec, FrameSpec, GridSource, MakeCircularOptions, MeshFile,
-    ObjectSpec,
-};
-use crate::error::{CROSSING_QUAD, Error, Result, rejected_quads};
+use crate::document::spec::{CyclideSpec, CyclidicNetSpec, FrameSpec, GridSource, MeshFile, ObjectSpec};
+use crate::error::{Error, Result};
 use crate::formats::{InputKind, read_quad_grid};
 use crate::measure::joints::SurfaceJointReport;
 use crate::measure::seams::measured_seams;
@@ -25,7 +21,7 @@ use crate::measure::seams::measured_seams;
 const SEGMENTS: [u32; 2] = [4, 4];
 
 /// What crossing sides often come from.
-const ROW_BY_ROW: &str = "points are given row by row, all rows in the same direction";
+pub(super) const ROW_BY_ROW: &str = "points are given row by row, all rows in the same direction";
 
 /// What a file calls the points of a grid.
 pub(super) struct MeshNames {
@@ -114,34 +110,6 @@ impl<'a> Builder<'a> {
         Ok(mesh.grid)
     }
 
-    /// Moves the vertices so that every quad has a circle.
-    fn circular(&mut self, spec: &CyclidicNetSpec, given: &MakeCircularOptions, grid: &QuadGrid) -> Result<QuadGrid> {
-        let curves = self.border_curves(spec)?;
-        let border = match &given.border {
-            BorderSpec::Word(BorderWord::Free) => Border::Free,
-            BorderSpec::Word(BorderWord::Pinned) => Border::Pinned,
-            BorderSpec::Curves(_) => Border::OnCurves(curves),
-        };
-        let usual = CircularMeshOptions::default();
-        let max_steps = given.max_steps.map_or(usual.max_steps, |n| n as usize);
-        let progress = &mut *self.progress;
-        let options = CircularMeshOptions { border, max_steps, allow_shape_change: given.allow_shape_change };
-        let mesh = make_circular(grid, &options, &mut |step| {
-            progress(format!("circular quads: step {}, residual {}", step.step, cyclide::ShortNumber(step.residual)));
-        });
-        let mesh = mesh.map_err(|e| self.refused_in_grid(grid, &e))?;
-        for warning in mesh.warnings {
-            let (index, message) = (warning.index(), warning.to_string());
-            self.remark(warning.reason(), None, index, None, message);
-            self.warnings.push((0, warning));
-        }
-        if let [first, ..] = mesh.report.rejected_quads[..] {
-            return Err(self.rejected_quads(grid, first, &mesh.report));
-        }
-        self.circular = Some(mesh.report);
-        Ok(mesh.grid)
-    }
-
     /// Warns of a net that its frame folded.
     pub(super) fn warn_of_folds(&mut self, spec: &CyclidicNetSpec, surfaces: &[SurfaceObject], bodies: &[Body]) {
         let nets = surfaces.iter().filter_map(SurfaceObject::as_net);
@@ -178,24 +146,8 @@ impl<'a> Builder<'a> {
         }
     }
 
-    /// The curves of the sides, in the kernel's order.
-    fn border_curves(&self, spec: &CyclidicNetSpec) -> Result<[Option<&'a dyn ParamCurve>; 4]> {
-        let mut curves = [None; 4];
-        let Some(given) = spec.make_circular.border_curves() else { return Ok(curves) };
-        let named = given.sides().into_iter().enumerate().filter(|(_, (_, name))| name.is_some());
-        for ((side, (field, _)), source) in named.zip(&self.sources) {
-            let [curve] = source.item.curves() else {
-                let message = format!("`{}` is not one connected curve", source.item.name);
-                let steps = ["make_circular".into(), "border".into(), field.into()];
-                return Err(Error::Input(self.diagnostic(steps, &message)));
-            };
-            curves[side] = Some(CurveObject::as_curve(curve));
-        }
-        Ok(curves)
-    }
-
     /// The message for what the kernel said about a quad, a vertex or the frame of a net.
-    fn refused_in_grid(&self, grid: &QuadGrid, error: &KernelError) -> Error {
+    pub(super) fn refused_in_grid(&self, grid: &QuadGrid, error: &KernelError) -> Error {
         match (error, self.spec) {
             (KernelError::FrameNotOrthonormal { .. }, ObjectSpec::CyclidicNet(net)) => {
                 let words = match net.frame {
@@ -238,18 +190,8 @@ impl<'a> Builder<'a> {
         }
     }
 
-    /// The message about quads of the circular grid that no patch fits into, at the first of them.
-    fn rejected_quads(&self, grid: &QuadGrid, first: usize, report: &CircularMeshReport) -> Error {
-        let (quads, steps, moved) = (&report.rejected_quads, report.steps, report.moves.max);
-        if self.document.text.is_empty() {
-            return Error::RejectedQuads { object: self.name.to_owned(), quads: quads.clone(), steps, moved };
-        }
-        let words = format!("{}; {ROW_BY_ROW}", rejected_quads(quads, steps, moved));
-        self.refused_at_quad(grid, first, CROSSING_QUAD, words)
-    }
-
     /// The message at a quad: where its first corner stands.
-    fn refused_at_quad(&self, grid: &QuadGrid, quad: usize, reason: &'static str, words: String) -> Error {
+    pub(super) fn refused_at_quad(&self, grid: &QuadGrid, quad: usize, reason: &'static str, words: String) -> Error {
         let columns = grid.quads()[0];
         self.refused_at_vertices(grid, &grid.corners(quad % columns, quad / columns), reason, words)
     }

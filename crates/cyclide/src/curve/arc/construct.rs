@@ -232,7 +232,7 @@ impl Arc {
 
 fn opposes(error: Error, index: usize) -> Error {
     match error {
-        Error::PoleOnSegment { real, vector } => {
+        Error::PoleOnSegment { real, vector, .. } => {
             Error::TangentOpposesChord { index, angle: vector.atan2(-real), limit: POLE_LIMIT }
         }
         other => other,

@@ -92,8 +92,9 @@ impl Arc {
             return Err(Error::ZeroWeight { index: 1 });
         }
         range::check_weight_ratio(n)?;
-        if r < 0.0 && pn <= POLE_LIMIT * -r {
-            return Err(Error::PoleOnSegment { real: r, vector: pn });
+        let limit = POLE_LIMIT * -r;
+        if r < 0.0 && pn <= limit {
+            return Err(Error::PoleOnSegment { real: r, vector: pn, limit });
         }
         Ok(Self::from_ratio_unchecked(p0, p1, r, p))
     }

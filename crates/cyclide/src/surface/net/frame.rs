@@ -61,7 +61,7 @@ pub(super) fn fitted(grid: &QuadGrid) -> Result<(Vec3, Vec3)> {
         }
     }
     let axes = [0, 1].map(|d| closing_axis(grid, &back, d));
-    nearest(sum, axes).ok_or(Error::AmbiguousFrame)
+    nearest(sum, axes).map_err(|measured| Error::AmbiguousFrame { measured, limit: svd3::UNIQUE })
 }
 
 /// Frames come back round a closed direction of an odd number of edges only if their vector along it is turned round
@@ -80,8 +80,9 @@ fn closing_axis(grid: &QuadGrid, back: &[[Vec3; 3]], d: usize) -> Option<Vec3> {
     columns.into_iter().max_by(|x, y| x.length_squared().total_cmp(&y.length_squared())).and_then(Vec3::unit)
 }
 
-/// The frame that maximises the sum of `v_k · sum_k`, of those with the given lines of `v1` and `v2`.
-fn nearest(sum: [Vec3; 3], axes: [Option<Vec3>; 2]) -> Option<(Vec3, Vec3)> {
+/// The frame that maximises the sum of `v_k · sum_k`, of those with the given lines of `v1` and `v2`; what fails to tell it from
+/// others, as [`svd3::nearest_rotation`].
+fn nearest(sum: [Vec3; 3], axes: [Option<Vec3>; 2]) -> Result<(Vec3, Vec3), f64> {
     let [g1, g2, g3] = sum;
     let across = |x: Vec3, axis: Vec3| (x - axis * x.dot(axis)).unit();
     let both = [1.0, -1.0];
@@ -91,12 +92,13 @@ fn nearest(sum: [Vec3; 3], axes: [Option<Vec3>; 2]) -> Option<(Vec3, Vec3)> {
         [Some(x), None] => both.iter().filter_map(|&k| Some((x * k, across(g2 + g3.cross(x * k), x)?))).collect(),
         [None, Some(y)] => both.iter().filter_map(|&k| Some((across(g1 + (y * k).cross(g3), y)?, y * k))).collect(),
         [Some(x), Some(y)] => {
-            let y = across(y, x)?;
+            let y = across(y, x).ok_or(0.0)?;
             both.iter().flat_map(|&k| both.map(|l| (x * k, y * l))).collect()
         }
     };
     let score = |(v1, v2): (Vec3, Vec3)| v1.dot(g1) + v2.dot(g2) + v1.cross(v2).dot(g3);
-    candidates.into_iter().max_by(|a, b| score(*a).total_cmp(&score(*b)))
+    // Without a candidate nothing stands out.
+    candidates.into_iter().max_by(|a, b| score(*a).total_cmp(&score(*b))).ok_or(0.0)
 }
 
 /// The linear map with the given images of the axes.

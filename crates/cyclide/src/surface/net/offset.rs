@@ -32,9 +32,7 @@ impl CyclidicNet {
         let mut same = SameVertices::new(m * n);
         let cells = self.size()[0];
         for (quad, patch) in self.patches().enumerate() {
-            if patch.offset_is_focal(h) {
-                return Err(Error::OffsetOnFocalSet { distance: h }.in_quad(quad));
-            }
+            patch.check_not_focal(h).map_err(|error| error.in_quad(quad))?;
             let corners = self.grid.corners(quad % cells, quad / cells);
             for [a, b] in patch.offset_points(h).into_iter().flatten() {
                 same.join(corners[a], corners[b]);

@@ -28,9 +28,7 @@ impl CyclidePatch {
         if !h.is_finite() {
             return Err(Error::NotFinite { what: ErrorItem::OffsetDistance, index: 0 });
         }
-        if self.offset_is_focal(h) {
-            return Err(Error::OffsetOnFocalSet { distance: h });
-        }
+        self.check_not_focal(h)?;
         let (q1, q2) = self.offset_speeds(h);
         let mut corners = std::array::from_fn(|k| {
             let w = self.weights[k];
@@ -73,9 +71,29 @@ impl CyclidePatch {
         sides.map(|(speed, corners)| (speed == 0.0).then_some(corners))
     }
 
-    /// True if all lines of one family shrink to points in the offset.
-    pub(in crate::surface) fn offset_is_focal(&self, h: f64) -> bool {
-        self.offset_lines(h).iter().any(|lines| lines.iter().all(|[speed, terms]| speed.abs() <= FOCAL * terms))
+    /// Refuses an offset in which all lines of one family shrink to points.
+    ///
+    /// # Errors
+    /// `offset-on-focal-set`.
+    pub(in crate::surface) fn check_not_focal(&self, h: f64) -> Result<()> {
+        let lines = self.offset_lines(h);
+        let Some(family) = lines.iter().find(|lines| lines.iter().all(|[speed, terms]| speed.abs() <= FOCAL * terms))
+        else {
+            return Ok(());
+        };
+        // Of a side that is one point there are no terms.
+        let left = family.iter().filter(|[_, terms]| *terms > 0.0).map(|[speed, terms]| speed.abs() / terms);
+        Err(Error::OffsetOnFocalSet { distance: h, measured: left.fold(0.0, f64::max), limit: FOCAL })
+    }
+
+    /// How far the surface may be offset to the side of `h` before it meets a centre of curvature, with the sign of `h`: infinite
+    /// where there is none, 0 for a patch that is singular inside.
+    pub(crate) fn offset_limit(&self, h: f64) -> f64 {
+        if !self.is_regular() {
+            return 0.0;
+        }
+        let bends = [self.k1_range(), self.k2_range()].concat();
+        h.signum() / bends.into_iter().map(|k| k * h.signum()).fold(0.0, f64::max)
     }
 
     /// Speeds of the offset; those of sides that are one point are exactly zero.

@@ -49,7 +49,7 @@ impl Connections {
     /// `non-manifold-edge`, `inconsistent-orientation`.
     pub(super) fn new(positions: &[Point3], triangles: &[[usize; 3]], sharp: &SharpEdges<'_>) -> Result<Self> {
         if triangles.is_empty() {
-            return Err(Error::NoTriangles);
+            return Err(Error::NoTriangles { vertices: positions.len(), needed: 1 });
         }
         let flat_normals =
             triangles.iter().enumerate().map(|(i, &t)| flat_normal(positions, i, t)).collect::<Result<Vec<_>>>()?;

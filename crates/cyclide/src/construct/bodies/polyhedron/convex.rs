@@ -101,7 +101,7 @@ pub(super) fn normal_polygons(
             (pair[0] * half.cos() + axis.cross(pair[0]) * half.sin()) * half.sin()
         });
         let apex = sides.fold(Vec3::ZERO, |sum, middle| sum + middle).unit();
-        let apex = apex.ok_or(Error::NotInOpenHemisphere { side: None, measured: 0.0 });
+        let apex = apex.ok_or(Error::NotInOpenHemisphere { side: None, measured: 0.0, limit: 0.0 });
         (!around.is_empty()).then(|| SphericalPolygon::about(around, apex?)).transpose()
     };
     fans.iter().map(polygon).collect()

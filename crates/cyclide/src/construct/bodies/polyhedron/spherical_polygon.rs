@@ -51,7 +51,7 @@ impl SphericalPolygon {
         };
         let corners: Vec<Vec3> = corners.iter().enumerate().map(direction).collect::<Result<_>>()?;
         let sum = corners.iter().fold(Vec3::ZERO, |sum, n| sum + *n);
-        let apex = sum.unit().ok_or(Error::NotInOpenHemisphere { side: None, measured: 0.0 })?;
+        let apex = sum.unit().ok_or(Error::NotInOpenHemisphere { side: None, measured: 0.0, limit: 0.0 })?;
         Self::about(corners, apex)
     }
 
@@ -73,12 +73,13 @@ impl SphericalPolygon {
             let sine = a.cross(b).dot(self.apex);
             let measured = sine.atan2(a.dot(b));
             if !(sine > 0.0) {
-                return Err(Error::NotInOpenHemisphere { side: Some(side), measured });
+                return Err(Error::NotInOpenHemisphere { side: Some(side), measured, limit: 0.0 });
             }
             turn += measured;
         }
-        if turn > TAU + TURN_LIMIT {
-            return Err(Error::NotInOpenHemisphere { side: None, measured: turn });
+        let limit = TAU + TURN_LIMIT;
+        if turn > limit {
+            return Err(Error::NotInOpenHemisphere { side: None, measured: turn, limit });
         }
         Ok(())
     }

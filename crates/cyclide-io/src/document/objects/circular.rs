@@ -1,0 +1,69 @@
+//! Grids whose vertices are moved until every quad has a circle.
+
+use cyclide::{Border, CircularMeshOptions, CircularMeshReport, CurveObject, ParamCurve, QuadGrid, make_circular};
+
+use super::Builder;
+use super::nets::ROW_BY_ROW;
+use crate::document::spec::{BorderSpec, BorderWord, CyclidicNetSpec, MakeCircularOptions};
+use crate::error::{CROSSING_QUAD, Error, Result, rejected_quads};
+
+impl<'a> Builder<'a> {
+    /// Moves the vertices so that every quad has a circle.
+    pub(super) fn circular(
+        &mut self,
+        spec: &CyclidicNetSpec,
+        given: &MakeCircularOptions,
+        grid: &QuadGrid,
+    ) -> Result<QuadGrid> {
+        let curves = self.border_curves(spec)?;
+        let border = match &given.border {
+            BorderSpec::Word(BorderWord::Free) => Border::Free,
+            BorderSpec::Word(BorderWord::Pinned) => Border::Pinned,
+            BorderSpec::Curves(_) => Border::OnCurves(curves),
+        };
+        let usual = CircularMeshOptions::default();
+        let max_steps = given.max_steps.map_or(usual.max_steps, |n| n as usize);
+        let progress = &mut *self.progress;
+        let options = CircularMeshOptions { border, max_steps, allow_shape_change: given.allow_shape_change };
+        let mesh = make_circular(grid, &options, &mut |step| {
+            progress(format!("circular quads: step {}, residual {}", step.step, cyclide::ShortNumber(step.residual)));
+        });
+        let mesh = mesh.map_err(|e| self.refused_in_grid(grid, &e))?;
+        for warning in mesh.warnings {
+            let (index, message) = (warning.index(), warning.to_string());
+            self.remark(warning.reason(), None, index, None, message);
+            self.warnings.push((0, warning));
+        }
+        if let [first, ..] = mesh.report.rejected_quads[..] {
+            return Err(self.rejected_quads(grid, first, &mesh.report));
+        }
+        self.circular = Some(mesh.report);
+        Ok(mesh.grid)
+    }
+
+    /// The curves of the sides, in the kernel's order.
+    fn border_curves(&self, spec: &CyclidicNetSpec) -> Result<[Option<&'a dyn ParamCurve>; 4]> {
+        let mut curves = [None; 4];
+        let Some(given) = spec.make_circular.border_curves() else { return Ok(curves) };
+        let named = given.sides().into_iter().enumerate().filter(|(_, (_, name))| name.is_some());
+        for ((side, (field, _)), source) in named.zip(&self.sources) {
+            let [curve] = source.item.curves() else {
+                let message = format!("`{}` is not one connected curve", source.item.name);
+                let steps = ["make_circular".into(), "border".into(), field.into()];
+                return Err(Error::Input(self.diagnostic(steps, &message)));
+            };
+            curves[side] = Some(CurveObject::as_curve(curve));
+        }
+        Ok(curves)
+    }
+
+    /// The message about quads of the circular grid that no patch fits into, at the first of them.
+    fn rejected_quads(&self, grid: &QuadGrid, first: usize, report: &CircularMeshReport) -> Error {
+        let (quads, steps, moved) = (&report.rejected_quads, report.steps, report.moves.max);
+        if self.document.text.is_empty() {
+            return Error::RejectedQuads { object: self.name.to_owned(), quads: quads.clone(), steps, moved };
+        }
+        let words = format!("{}; {ROW_BY_ROW}", rejected_quads(quads, steps, moved));
+        self.refused_at_quad(grid, first, CROSSING_QUAD, words)
+    }
+}

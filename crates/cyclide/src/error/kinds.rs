@@ -1,0 +1,751 @@
+//! The reasons for which input is refused, in the order of the pages with their examples ([`reasons`](super::reasons)).
+
+use super::ErrorItem;
+use crate::shape_change::ShapeChange;
+
+/// Why a piece of input was refused: the item at fault, what was measured of it, and the limit that it broke.
+///
+/// A variant without a field for the limit names it in its sentence, where it could be no other: finite, positive, not zero,
+/// not the same point. Or nothing is measured, because what is wrong is how things hang together (a loop that is no face, a side
+/// that is one point, a curve that comes back to itself): the fields say where.
+///
+/// ```
+/// use cyclide::{Arc, Error, Point3, Vec3};
+/// let error = Arc::from_start_tangent(Point3::ORIGIN, Point3::new(1.0, 0.0, 0.0), Vec3::ZERO).unwrap_err();
+/// assert_eq!((error.reason(), error.index()), ("zero-tangent", Some(0)));
+/// assert_eq!(error, Error::ZeroTangent { index: 0 });
+/// ```
+#[derive(Clone, PartialEq)]
+#[non_exhaustive]
+pub enum Error {
+    // Numbers, points, directions and lists as such; maps.
+    /// A number of the input is NaN or infinite.
+    NotFinite {
+        /// The kind of item.
+        what: ErrorItem,
+        /// Which one, from 0.
+        index: usize,
+    },
+    /// A parameter is outside its interval.
+    ParameterOutOfRange {
+        /// Which parameter.
+        name: ErrorItem,
+        /// Its value.
+        value: f64,
+        /// Smallest value accepted.
+        min: f64,
+        /// Largest value accepted; `f64::MAX` for no upper limit.
+        max: f64,
+    },
+    /// Something so small and so far from the origin that the rounding of its coordinates is its shape.
+    BelowRoundingOfPlace {
+        /// The kind of thing.
+        what: ErrorItem,
+        /// Its size: the diagonal of the box of its points, or a radius.
+        size: f64,
+        /// Its largest coordinate.
+        place: f64,
+        /// Smallest size accepted there.
+        limit: f64,
+    },
+    /// A tolerance is zero, negative or not a number.
+    ToleranceNotPositive {
+        /// The tolerance given.
+        tolerance: f64,
+    },
+    /// Fewer points than the construction needs.
+    TooFewPoints {
+        /// Number of points given.
+        given: usize,
+        /// Number of points needed.
+        needed: usize,
+    },
+    /// Two points that must differ are equal (or closer than the stated limit).
+    CoincidentPoints {
+        /// Index of the first point.
+        first: usize,
+        /// Index of the second point.
+        second: usize,
+        /// Their distance.
+        distance: f64,
+        /// Distances up to this count as equal (0: only equal doubles).
+        limit: f64,
+    },
+    /// There is not one of a list for each point or vertex.
+    CountDiffers {
+        /// What the list holds.
+        what: ErrorItem,
+        /// How many are given.
+        given: usize,
+        /// Number of points or vertices.
+        needed: usize,
+    },
+    /// A tangent or direction vector is zero.
+    ZeroTangent {
+        /// Which tangent, from 0.
+        index: usize,
+    },
+    /// A rotation axis, plane normal or direction is zero (or not usable in the plane asked for).
+    ZeroAxis {
+        /// What it is.
+        what: ErrorItem,
+        /// Which one, from 0.
+        index: usize,
+        /// Length of what is usable of it.
+        length: f64,
+        /// Lengths up to this are refused.
+        limit: f64,
+    },
+    /// A weight quaternion is zero.
+    ZeroWeight {
+        /// Which weight, from 0.
+        index: usize,
+    },
+    /// A rational weight that must be positive is not.
+    WeightNotPositive {
+        /// Which weight, from 0.
+        index: usize,
+        /// Its value.
+        weight: f64,
+    },
+    /// A radius is zero relative to the position of its centre.
+    ZeroRadius {
+        /// The radius found.
+        radius: f64,
+        /// Radii up to this are refused.
+        limit: f64,
+    },
+    /// A radius, length or tolerance that must be positive is not.
+    RadiusNotPositive {
+        /// The value given.
+        radius: f64,
+    },
+    /// The factor of a similarity is zero, negative or not a number.
+    ScaleNotPositive {
+        /// The factor given.
+        factor: f64,
+    },
+    /// The blend order is outside what is supported.
+    OrderOutOfRange {
+        /// The order asked for.
+        order: u32,
+        /// The largest order supported.
+        max: u32,
+    },
+    /// A swept angle is outside its range.
+    SweepOutOfRange {
+        /// The angle given, radians.
+        sweep: f64,
+        /// Smallest angle accepted.
+        min: f64,
+        /// Largest angle accepted.
+        max: f64,
+    },
+    /// A turn beyond what is asked for: more than a whole one, a whole one in one piece, or none where a body is to be made.
+    AngleOutOfRange {
+        /// The angle given, radians.
+        angle: f64,
+        /// Smallest angle accepted.
+        min: f64,
+        /// Largest angle accepted.
+        max: f64,
+    },
+    /// A refinement would need more pieces than its cap on work and memory.
+    TooManyPieces {
+        /// What would grow.
+        what: &'static str,
+        /// Which segment or piece of a curve, from 0; `None` where the whole is meant.
+        segment: Option<usize>,
+        /// Pieces needed, as far as counted.
+        needed: f64,
+        /// Largest number of pieces made.
+        cap: usize,
+        /// What to ask for instead.
+        remedy: &'static str,
+    },
+    /// Something goes to infinity, or so near it that its digits are lost: a third point on the line of the other two, outside the
+    /// segment; a point that a map takes there.
+    PointAtInfinity {
+        /// What goes there.
+        what: ErrorItem,
+        /// Which one, from 0.
+        index: usize,
+        /// Its distance from the place that goes to infinity.
+        distance: f64,
+        /// Smallest distance accepted (0: only that place itself).
+        limit: f64,
+    },
+    /// A matrix of quaternions does not map three-space to itself.
+    NotMobius {
+        /// Relative defect measured.
+        defect: f64,
+        /// Largest defect accepted.
+        limit: f64,
+    },
+    /// A Möbius map that is not a similarity was given where only similarities keep the kind of curve.
+    NotASimilarity {
+        /// Length of the entry `c` of its matrix.
+        measured: f64,
+        /// Largest one accepted.
+        limit: f64,
+    },
+
+    // Arcs, circles, splines and fits.
+    /// The weight ratio is a negative real number: the arc would be the outer part of the chord's line.
+    PoleOnSegment {
+        /// Real part of the weight ratio.
+        real: f64,
+        /// Length of its vector part.
+        vector: f64,
+        /// Lengths up to this are refused.
+        limit: f64,
+    },
+    /// An arc that turns by so nearly a full circle that its points would lose their digits.
+    NearlyFullCircle {
+        /// What it leaves of a full turn, radians.
+        rest: f64,
+        /// What it must leave at least, radians.
+        limit: f64,
+    },
+    /// The weight's vector part is not perpendicular to the chord, so the arc would leave three-space.
+    NotInImH {
+        /// Cosine of the angle between the chord and the weight's vector part.
+        cosine: f64,
+        /// Largest cosine accepted.
+        limit: f64,
+    },
+    /// The tangent points straight away from the other end, where only an infinite line would do, or so nearly that the arc
+    /// runs out far beyond its chord.
+    TangentOpposesChord {
+        /// Which tangent (or piece of a curve), from 0.
+        index: usize,
+        /// Its angle with the way back along the chord, radians.
+        angle: f64,
+        /// Smallest angle accepted.
+        limit: f64,
+    },
+    /// Three points on a line have no finite circle.
+    DegenerateCircle {
+        /// Sine of the angle at the middle point.
+        sine: f64,
+        /// Smallest sine accepted.
+        limit: f64,
+    },
+    /// Four points in a plane have no finite sphere.
+    DegenerateSphere {
+        /// Volume relative to the product of the three edges.
+        volume: f64,
+        /// Smallest relative volume accepted.
+        limit: f64,
+    },
+    /// No biarc with finite arcs joins the data.
+    NoFiniteBiarc {
+        /// What was measured.
+        measured: &'static str,
+        /// Its value.
+        value: f64,
+        /// The limit it broke.
+        limit: f64,
+    },
+    /// The points turn back on themselves: there is no tangent to estimate.
+    Cusp {
+        /// The point, from 0.
+        index: usize,
+        /// Length of the sum of the two unit chords.
+        measured: f64,
+        /// Sums up to this are a cusp.
+        limit: f64,
+    },
+    /// A circle of a blend is the chord's own line taken through infinity, or comes so near infinity that its points have lost
+    /// their digits.
+    ArcThroughInfinity {
+        /// Which segment, from 0.
+        segment: usize,
+        /// How far the largest circle of the blend runs, in lengths of the chord; infinite where it is a line.
+        reach: f64,
+        /// How far it may run.
+        limit: f64,
+    },
+    /// Opposite circles whose common tangent is the chord: no half-turn is preferred.
+    AmbiguousHalfTurn {
+        /// Which segment, from 0.
+        segment: usize,
+        /// Sine of the angle between the tangent and the chord.
+        sine: f64,
+        /// Smallest sine accepted.
+        limit: f64,
+    },
+    /// Consecutive pieces of a path do not meet.
+    Disconnected {
+        /// The piece that ends.
+        piece: usize,
+        /// The piece that should start there.
+        next: usize,
+        /// Distance between the two ends.
+        gap: f64,
+        /// Largest gap accepted.
+        limit: f64,
+    },
+    /// The knots, weights and points of a spline do not fit together.
+    NotASpline {
+        /// What does not fit.
+        detail: &'static str,
+    },
+    /// A part of a curve is not proved to be within the tolerance of its chord, however short.
+    NotWithinTolerance {
+        /// Which smooth piece, from 0.
+        piece: usize,
+        /// What is proved at the shortest chord.
+        bound: f64,
+        /// The tolerance asked for.
+        tolerance: f64,
+    },
+    /// No tangent-continuous arc spline stays within the tolerance of the polyline near this vertex.
+    NoG1SplineInTube {
+        /// Vertex of the input where the search died.
+        vertex: usize,
+        /// The tolerance.
+        tolerance: f64,
+    },
+    /// No curve of the kind was found within the tolerance of these points.
+    ToleranceNotReached {
+        /// The points outside, in the user's numbering.
+        points: Vec<usize>,
+        /// Largest distance of one of them.
+        deviation: f64,
+        /// The tolerance.
+        tolerance: f64,
+    },
+
+    // Patches, nets, their offsets and shells; quads made circular.
+    /// The four corners of a quad are not on one circle (or line).
+    NotConcircular {
+        /// Distance of the last corner from the circle of the others, relative to the quad's size.
+        measured: f64,
+        /// Largest distance accepted.
+        limit: f64,
+    },
+    /// The corners of a quad are on a circle but not in the order a0, a1, a3, a2.
+    CrossingQuad {
+        /// Position of the opposite corner on the inverted arc between its neighbours, outside `[0, 1]`.
+        position: f64,
+    },
+    /// The directions of a frame, which may have any length but zero, are not perpendicular.
+    FrameNotOrthonormal {
+        /// Cosine of the angle between them; 1 where one of them is zero.
+        measured: f64,
+        /// Largest cosine accepted.
+        limit: f64,
+    },
+    /// The weights do not put the surface into three-space.
+    NotInSpace {
+        /// Largest real part of the quotient, relative to the size.
+        defect: f64,
+        /// Largest defect accepted.
+        limit: f64,
+    },
+    /// The patch contains the point at infinity.
+    PatchThroughInfinity {
+        /// First parameter.
+        s: f64,
+        /// Second parameter.
+        t: f64,
+    },
+    /// The frame does not come back when it is carried once round a closed net.
+    NetDoesNotClose {
+        /// The closed direction: 0 for s, 1 for t.
+        direction: usize,
+        /// Angle of the rotation from the frame that left to the frame that came back, radians.
+        angle: f64,
+        /// Ratio of the parameter speeds on both sides of the seam, minus 1.
+        stretch: f64,
+        /// Largest angle and stretch accepted.
+        limit: f64,
+    },
+    /// No frame fits the directions of the edges of a net better than all others.
+    AmbiguousFrame {
+        /// How much the second direction that the edges agree on stands out, relative to the first: 0 where there is one only.
+        measured: f64,
+        /// Values up to this are refused.
+        limit: f64,
+    },
+    /// A construction needs four real sides and met one that is a single point.
+    CollapsedSide {
+        /// The side: `s = 0`, `s = 1`, `t = 0` or `t = 1`.
+        side: &'static str,
+        /// What cannot be made.
+        cannot: &'static str,
+    },
+    /// An offset that is no surface.
+    OffsetOnFocalSet {
+        /// Signed distance of the offset.
+        distance: f64,
+        /// Largest speed of a line of the family that shrinks, relative to what it is made of.
+        measured: f64,
+        /// Values up to this are refused.
+        limit: f64,
+    },
+    /// A solid between a surface and its offset would run through itself.
+    OffsetNotRegular {
+        /// Signed distance of the offset.
+        distance: f64,
+        /// Signed distance of the first centre of curvature on that side: less is accepted. 0 where the surface itself runs against
+        /// its normal, or through a singular point.
+        limit: f64,
+    },
+    /// Vertices, edges and faces do not make a shell.
+    NotAShell {
+        /// The kind of item: vertex, edge or face.
+        item: ErrorItem,
+        /// Which one, from 0.
+        index: usize,
+        /// What is wrong with it.
+        detail: &'static str,
+    },
+    /// An edge that other programs would take for a point.
+    ShortEdge {
+        /// Which edge, from 0, after faces were cut.
+        edge: usize,
+        /// Distance of its ends.
+        length: f64,
+        /// Shortest length accepted.
+        limit: f64,
+    },
+    /// The quads of a grid cannot be made circular.
+    NotConverged {
+        /// Steps made.
+        step: usize,
+        /// Largest residual of a quad (dimensionless).
+        residual: f64,
+        /// Largest residual accepted.
+        limit: f64,
+    },
+    /// A grid made circular is no longer the surface that was given.
+    ShapeLost {
+        /// What was measured.
+        change: Box<ShapeChange>,
+    },
+    /// Two neighbouring vertices of a side came to the same point of the curve it shall slide on.
+    CollapsedOnCurve {
+        /// The first vertex, s fastest.
+        first: usize,
+        /// The second vertex.
+        second: usize,
+    },
+    /// Two curves on which the sides of a grid slide do not meet at the corner between them.
+    BorderCurvesApart {
+        /// The corner of the grid, s fastest.
+        vertex: usize,
+        /// Distance of the curves beside the corner.
+        distance: f64,
+        /// Curves at most this far apart meet.
+        limit: f64,
+    },
+
+    // Revolutions, pipes, necks, bridges, surfaces between two curves, polyhedra.
+    /// A profile meets the axis that it is to turn about, other than with its ends.
+    CrossesAxis {
+        /// Which piece, from 0.
+        piece: usize,
+        /// Its distance from the axis where that was found.
+        distance: f64,
+        /// Distances up to this are refused; a larger one is on another side of the axis.
+        limit: f64,
+    },
+    /// The meridian of a profile meets itself, and with it what it sweeps.
+    ProfileMeetsItself {
+        /// Which piece, from 0.
+        first: usize,
+        /// The other one; the same if it comes back to itself.
+        second: usize,
+        /// Distance from the axis near the place.
+        radius: f64,
+        /// Height along the axis, from its given point.
+        height: f64,
+    },
+    /// A profile in a plane across its axis that sweeps a part of the plane twice.
+    FoldedProfile {
+        /// Which piece, from 0.
+        piece: usize,
+        /// Where it turns back.
+        distance: f64,
+    },
+    /// The legs of a corner are too short for its arc beside those of the neighbours, or turn back on each other.
+    BendDoesNotFit {
+        /// Index of the point.
+        corner: usize,
+        /// Radius asked for.
+        radius: f64,
+        /// How much of the leg the arcs at both ends take.
+        needed: f64,
+        /// Length of the leg.
+        length: f64,
+    },
+    /// A pipe is as wide as an arc that it follows.
+    PipeTooWide {
+        /// Which arc of the path, from 0.
+        piece: usize,
+        /// Radius of the pipe.
+        radius: f64,
+        /// Radius of the arc.
+        limit: f64,
+    },
+    /// A corner of a pipe that no mitre joins: it is next to an arc, or turns back.
+    CornerNotMitred {
+        /// Which piece begins there, from 0.
+        joint: usize,
+        /// Its turn, radians.
+        turn: f64,
+        /// Joints up to here are smooth.
+        smooth: f64,
+        /// Corners of segments up to here are mitred.
+        limit: f64,
+    },
+    /// A segment of a pipe is shorter than its mitres need.
+    MitreDoesNotFit {
+        /// Which segment, from 0.
+        piece: usize,
+        /// Length that the mitres at both ends take.
+        needed: f64,
+        /// Length of the segment.
+        length: f64,
+    },
+    /// Parts of a pipe that are no neighbours run into each other.
+    PipeMeetsItself {
+        /// Which piece, from 0.
+        first: usize,
+        /// The other one; the same if it is an arc that comes round.
+        second: usize,
+        /// Distance of both.
+        distance: f64,
+        /// Twice the radius.
+        limit: f64,
+    },
+    /// What follows arcs and segments was given a curve of another kind.
+    NotOfArcs {
+        /// Kinds of curves that are.
+        wanted: &'static str,
+    },
+    /// A ball that is to roll inside a pipe is as large as the pipe.
+    BallDoesNotFit {
+        /// Radius of the ball.
+        radius: f64,
+        /// Radius of the pipe.
+        limit: f64,
+    },
+    /// A solid with the neck of a ball larger than the bends of its way: its surface would run through itself.
+    NeckFolds {
+        /// Radius of the ball.
+        radius: f64,
+        /// Smallest radius of curvature of the way of its centre.
+        limit: f64,
+    },
+    /// A plate that ends within what is to stand on it.
+    PlateTooSmall {
+        /// What it must reach beyond: neck or bore.
+        what: ErrorItem,
+        /// How far it reaches.
+        reach: f64,
+        /// How far it must.
+        needed: f64,
+    },
+    /// Two ellipses cross, between which there is no solid.
+    EllipsesCross {
+        /// Difference of the semi-axes along x, of the other sign than that along y.
+        along_x: f64,
+        /// Difference of the semi-axes along y.
+        along_y: f64,
+    },
+    /// Two curves between which pieces are to be matched one by one do not have as many.
+    PieceCountsDiffer {
+        /// Pieces of the first curve.
+        first: usize,
+        /// Pieces of the second.
+        second: usize,
+    },
+    /// Straight lines between two curves that cross each other, or run along both: the surface has no normal there.
+    RulingsCross {
+        /// Which piece, from 0.
+        piece: usize,
+        /// The parameter of the piece, and the part of the way from the first curve to the second.
+        at: [f64; 2],
+        /// Length of the normal there, relative to what it could have.
+        normal: f64,
+        /// Values up to this are refused.
+        limit: f64,
+    },
+    /// A surface of so high a degree that no program would read it.
+    DegreeTooHigh {
+        /// The degree needed.
+        degree: usize,
+        /// Largest degree made.
+        limit: usize,
+    },
+    /// A loop of vertices is no face.
+    NotAFace {
+        /// Which face, from 0.
+        face: usize,
+        /// What is wrong with it.
+        detail: &'static str,
+    },
+    /// An edge of a polyhedron without one face on each side.
+    NotClosed {
+        /// Start of the edge.
+        first: usize,
+        /// Its end.
+        second: usize,
+        /// Faces along it in this direction.
+        forward: usize,
+        /// Faces along it in the other direction.
+        back: usize,
+    },
+    /// A corner of a face of a polyhedron is off its plane.
+    NonPlanarFace {
+        /// Which face, from 0.
+        face: usize,
+        /// The point that is farthest off.
+        vertex: usize,
+        /// Its distance.
+        distance: f64,
+        /// Largest distance accepted.
+        limit: f64,
+    },
+    /// A polyhedron with an edge at which its faces turn towards each other.
+    NotConvex {
+        /// Start of the edge that is reflex most of all.
+        first: usize,
+        /// Its end.
+        second: usize,
+        /// The angle between its normals, radians: not positive.
+        angle: f64,
+        /// How many edges are reflex.
+        reflex: usize,
+        /// How many there are.
+        edges: usize,
+    },
+    /// Points that bound no body.
+    FlatPolyhedron {
+        /// How far they are from it.
+        thickness: f64,
+        /// Largest distance that counts as being in it.
+        limit: f64,
+    },
+    /// Directions that are not the corners of a convex polygon in an open half of the sphere.
+    NotInOpenHemisphere {
+        /// Which side, from 0; `None` for all together.
+        side: Option<usize>,
+        /// Its angle about the middle, radians, or that of all together; 0 where there is no middle.
+        measured: f64,
+        /// What the angle of one side must be above, and that of all together at most.
+        limit: f64,
+    },
+
+    // Triangles and meshes of them.
+    /// The corners of a triangle lie on one line, or nearly.
+    DegenerateTriangle {
+        /// Twice the area, relative to the square of the longest edge.
+        area: f64,
+        /// Values up to this are refused.
+        limit: f64,
+    },
+    /// No sphere is told by a control point on the circle through the corners of its triangle.
+    ControlPointOnCircumcircle {
+        /// The corner whose sphere it is, from 0.
+        corner: usize,
+        /// How far it is off, relative to the circle and its distance.
+        distance: f64,
+        /// Values up to this are refused.
+        limit: f64,
+    },
+    /// Spheres that cancel each other where they are blended.
+    OppositeSpheres {
+        /// The first two barycentric coordinates of the place.
+        at: [f64; 2],
+        /// Length of the blended sphere, 1 where all agree.
+        length: f64,
+        /// Values up to this are refused.
+        limit: f64,
+    },
+    /// A normal along the edge that shall be perpendicular to it.
+    NormalAlongEdge {
+        /// The corner of the triangle, from 0.
+        corner: usize,
+        /// The part of the line across the normal, relative to it.
+        across: f64,
+        /// Values up to this are refused.
+        limit: f64,
+    },
+    /// The normals at the ends of an edge cancel each other between them.
+    OppositeNormals {
+        /// The corner of the triangle, from 0.
+        corner: usize,
+        /// Length of the blended normal across the edge.
+        length: f64,
+        /// Values up to this are refused.
+        limit: f64,
+    },
+    /// The faces around a vertex lie back to back.
+    UndefinedNormal {
+        /// Which vertex, from 0.
+        vertex: usize,
+        /// Length of the weighted mean of the normals of its faces, or of the normal given.
+        length: f64,
+        /// Values up to this are refused.
+        limit: f64,
+    },
+    /// A mesh without a triangle.
+    NoTriangles {
+        /// Number of vertices, of which none has a face.
+        vertices: usize,
+        /// Number of triangles needed.
+        needed: usize,
+    },
+    /// A triangle names a vertex that does not exist.
+    NoSuchVertex {
+        /// Which triangle, from 0.
+        triangle: usize,
+        /// The index it names.
+        vertex: usize,
+        /// Number of vertices.
+        count: usize,
+    },
+    /// More than two triangles share an edge.
+    NonManifoldEdge {
+        /// Ends of the edge, the lower index first.
+        vertices: [usize; 2],
+        /// The first of the triangles, from 0.
+        triangle: usize,
+        /// How many there are.
+        count: usize,
+    },
+    /// Two neighbouring triangles are seen from different sides.
+    InconsistentOrientation {
+        /// Start and end of the edge.
+        vertices: [usize; 2],
+        /// The triangles, from 0.
+        triangles: [usize; 2],
+    },
+
+    // What failed in a part of the input.
+    /// One quad of a net failed; the cause says why.
+    InQuad {
+        /// Which quad, from 0, s fastest.
+        quad: usize,
+        /// What went wrong in it.
+        cause: Box<Error>,
+    },
+    /// One triangle of a mesh failed; the cause says why.
+    InTriangle {
+        /// Which triangle, from 0.
+        triangle: usize,
+        /// What went wrong in it.
+        cause: Box<Error>,
+    },
+    /// One span of a chain failed; the cause says why.
+    InSpan {
+        /// Which span, from 0.
+        span: usize,
+        /// What went wrong in it.
+        cause: Box<Error>,
+    },
+}
