@@ -9,6 +9,7 @@ pub use bodies::{
     ConvexPolyhedron, EllipseBridge, NeckBlend, NeckBody, NeckSide, NeckVariant, Pipe, PipeEnds, PlateShape,
     PolyhedronEdge, Revolution, SphericalPolygon,
 };
+pub use curves::{ProjectiveBiarc, TorusSplineOptions, TorusTangent, TorusWinding, TwoTypeBiarc};
 #[cfg(feature = "circular-mesh")]
 pub use circular_mesh::{
     Border, CircularMesh, CircularMeshOptions, CircularMeshReport, CircularMeshStep, LineAngles, VertexMoves,
