@@ -132,6 +132,9 @@ pub use model::{ChainPiece, CurveChain, CurveObject, Exactness, Item, Lower, Low
 pub use rational::{NurbsCurve, RationalBezier, RationalBezierSurface};
 pub use shape_change::ShapeChange;
 pub use short_number::ShortNumber;
+pub use surface::{
+    CircleFamily, QuarticType, SegmentMethod, Torus, TorusClasses, TorusJunction, TorusPiece, TorusSegment, TorusSpline,
+};
 pub use surface::{CyclideKind, CyclidicNet, DupinCyclide, NetFrame, SingularPatch};
 pub use surface::{CyclidePatch, PatchKind};
 pub use surface::{ImplicitForm, PatchLocation, PatchRow};
@@ -140,9 +143,6 @@ pub use surface::{
 };
 pub use surface::{ParamSurface, QuadGrid};
 pub use surface::{Seam, SeamMeasure};
-pub use surface::{
-    CircleFamily, QuarticType, SegmentMethod, Torus, TorusClasses, TorusJunction, TorusPiece, TorusSegment, TorusSpline,
-};
 pub use surface::{SideLine, TrianglePatch, TriangleSurface};
 pub use topology::{Body, EdgeCurve, FaceEdge, FaceSurface, Shell, ShellEdge, ShellFace, Side};
 pub use topology::{SurfaceJoint, surface_joints};

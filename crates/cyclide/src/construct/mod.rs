@@ -9,7 +9,6 @@ pub use bodies::{
     ConvexPolyhedron, EllipseBridge, NeckBlend, NeckBody, NeckSide, NeckVariant, Pipe, PipeEnds, PlateShape,
     PolyhedronEdge, Revolution, SphericalPolygon,
 };
-pub use curves::{ProjectiveBiarc, TorusSplineOptions, TorusTangent, TorusWinding, TwoTypeBiarc};
 #[cfg(feature = "circular-mesh")]
 pub use circular_mesh::{
     Border, CircularMesh, CircularMeshOptions, CircularMeshReport, CircularMeshStep, LineAngles, VertexMoves,
@@ -20,3 +19,4 @@ pub use curves::{
     FairFit, FairFitCertificate, FairFitOptions, FairSplineOptions, FitCertificate, FitTarget, RationalRun,
     blends_by_turn, certify_arc, curvature_intervals, estimate_tangents, feasible_bulges,
 };
+pub use curves::{ProjectiveBiarc, TorusSplineOptions, TorusTangent, TorusWinding, TwoTypeBiarc};

@@ -410,12 +410,9 @@ impl std::fmt::Display for Error {
                 ShortNumber(*distance),
                 ShortNumber(*limit)
             ),
-            Self::PointOffTorus { index, distance, limit } => write!(
-                f,
-                "point {index} is {} off the torus, limit {}",
-                ShortNumber(*distance),
-                ShortNumber(*limit)
-            ),
+            Self::PointOffTorus { index, distance, limit } => {
+                write!(f, "point {index} is {} off the torus, limit {}", ShortNumber(*distance), ShortNumber(*limit))
+            }
             Self::NotMonotone { coordinate, step, slopes } => write!(
                 f,
                 "coordinate {coordinate} would have to turn back or stand still: step {}, slopes {} and {} at its ends",

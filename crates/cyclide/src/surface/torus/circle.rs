@@ -43,10 +43,7 @@ impl Torus {
         let villarceau = |d: f64, sign: f64| {
             let e = Complex::at_angle(2.0 * d);
             let tube = shape.tube;
-            (
-                Vec3::new(tube * e.re, tube * e.im, 0.0),
-                Vec3::new(sign * tube * e.im, -sign * tube * e.re, shape.root),
-            )
+            (Vec3::new(tube * e.re, tube * e.im, 0.0), Vec3::new(sign * tube * e.im, -sign * tube * e.re, shape.root))
         };
         match family {
             CircleFamily::Parallel => (Vec3::new(0.0, 0.0, shape.point(&at).z), Vec3::Z),

@@ -24,10 +24,10 @@ mod spline_edit;
 pub use class::TorusClasses;
 pub use family::{CircleFamily, QuarticType};
 pub use junction::TorusJunction;
-pub use piece::TorusPiece;
 pub(crate) use piece::Course;
-pub use spline::{SegmentMethod, TorusSegment, TorusSpline};
+pub use piece::TorusPiece;
 pub(crate) use spline::TorusChain;
+pub use spline::{SegmentMethod, TorusSegment, TorusSpline};
 
 use super::ParamSurface;
 use crate::base::frame::Frame;
@@ -186,14 +186,7 @@ impl ParamSurface for Torus {
         let (s, t) = (along(Vec2::new(pi, 0.0)), along(Vec2::new(0.0, pi)));
         // x''(1,1) = x_ss + 2 x_st + x_tt.
         let both = along(Vec2::new(pi, pi));
-        SurfaceJet {
-            point: s.point,
-            ds: s.d1,
-            dt: t.d1,
-            dss: s.d2,
-            dst: (both.d2 - s.d2 - t.d2) * 0.5,
-            dtt: t.d2,
-        }
+        SurfaceJet { point: s.point, ds: s.d1, dt: t.d1, dss: s.d2, dst: (both.d2 - s.d2 - t.d2) * 0.5, dtt: t.d2 }
     }
 
     fn normal(&self, s: f64, t: f64) -> Option<Vec3> {

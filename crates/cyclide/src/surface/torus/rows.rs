@@ -43,22 +43,44 @@ impl Torus {
         RationalBezier::from_rows_unchecked(rows.into_iter().map(placed).collect())
     }
 
-    /// The same in parts with positive weights: the piece is halved until they are.
-    pub(super) fn positive_parts(&self, piece: &TorusPiece) -> Vec<RationalPart> {
-        let mut parts = Vec::new();
-        self.append_positive(piece, [0.0, 1.0], HALVINGS, &mut parts);
+    /// The same in parts as they are asked for: the piece is halved until they are so.
+    pub(super) fn rational_parts(&self, piece: &TorusPiece, spans: Spans) -> Vec<RationalPart> {
+        let (mut parts, mut ahead) = (Vec::new(), vec![([0.0, 1.0], HALVINGS)]);
+        while let Some(([from, to], halvings)) = ahead.pop() {
+            let whole = from <= 0.0 && to >= 1.0;
+            let curve = self.piece_to_rational(&if whole { *piece } else { piece.part(from, to) });
+            if halvings == 0 || spans.accept(&curve) {
+                parts.push(RationalPart { curve, from, to });
+            } else {
+                let middle = 0.5 * (from + to);
+                ahead.extend([([middle, to], halvings - 1), ([from, middle], halvings - 1)]);
+            }
+        }
         parts
     }
+}
 
-    fn append_positive(&self, piece: &TorusPiece, [from, to]: [f64; 2], halvings: u32, parts: &mut Vec<RationalPart>) {
-        let whole = from <= 0.0 && to >= 1.0;
-        let curve = self.piece_to_rational(&if whole { *piece } else { piece.part(from, to) });
-        if halvings == 0 || curve.has_positive_weights() {
-            return parts.push(RationalPart { curve, from, to });
+/// What is asked of the parts of a rational form.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Spans {
+    /// Positive weights.
+    Positive,
+    /// Positive weights that start and end with a logarithmic slope of at most [`EVEN_SLOPE`] by the parameter of the part.
+    Even,
+}
+
+/// With slopes up to this the factor that joins the weights of two spans smoothly is positive: it changes a slope by less
+/// than 3 (`docs/math/torus-splines.md#c1-knots`).
+const EVEN_SLOPE: f64 = 1.4;
+
+impl Spans {
+    fn accept(self, curve: &RationalBezier) -> bool {
+        if !curve.has_positive_weights() || self == Self::Positive {
+            return curve.has_positive_weights();
         }
-        let middle = 0.5 * (from + to);
-        self.append_positive(piece, [from, middle], halvings - 1, parts);
-        self.append_positive(piece, [middle, to], halvings - 1, parts);
+        let (rows, n) = (curve.rows(), curve.degree());
+        let slope = |end: usize, next: usize| (rows[next][3] / rows[end][3] - 1.0).abs() * n as f64;
+        slope(0, 1) <= EVEN_SLOPE && slope(n, n - 1) <= EVEN_SLOPE
     }
 }
 

@@ -1,5 +1,6 @@
 //! Splines on a torus as curves of the kernel, and their exact rational form.
 
+use super::rows::{RationalPart, Spans};
 use super::spline::TorusSpline;
 use crate::base::bounds::Aabb;
 use crate::base::jet::CurveJet;
@@ -15,17 +16,27 @@ impl TorusSpline {
     /// # Errors
     /// `weight-not-positive`, `not-a-spline` (a piece so short or so uneven that its numbers have lost their digits).
     pub fn to_nurbs(&self) -> Result<NurbsCurve> {
-        self.to_nurbs_parts().map(|(curve, _)| curve)
+        self.to_nurbs_parts(Spans::Positive).map(|(curve, _)| curve)
+    }
+
+    /// The same curve with C1 knots ([`NurbsCurve::with_c1_knots`]), which CAD systems want of a curve that they sweep or offset along:
+    /// degree 7 (5 if all pieces are arcs of circles), in spans so even that such a form exists.
+    ///
+    /// # Errors
+    /// As [`to_nurbs`](Self::to_nurbs).
+    pub fn to_c1_nurbs(&self) -> Result<NurbsCurve> {
+        let (curve, _) = self.to_nurbs_parts(Spans::Even)?;
+        Ok(curve.with_c1_knots().unwrap_or(curve))
     }
 
     /// The same, with the pieces that the spans stand for.
-    pub(crate) fn to_nurbs_parts(&self) -> Result<(NurbsCurve, Correspondence)> {
+    pub(crate) fn to_nurbs_parts(&self, spans: Spans) -> Result<(NurbsCurve, Correspondence)> {
         let (mut curves, mut intervals) = (Vec::new(), Vec::new());
         let mut parts = Correspondence::from_start(Vec::with_capacity(self.pieces.len()));
         for i in 0..self.pieces.len() {
             let length = self.knots[i + 1] - self.knots[i];
             let before = curves.len();
-            for (curve, from, to) in self.rational_parts(i) {
+            for (curve, from, to) in self.rational_parts(i, spans) {
                 curves.push(curve);
                 intervals.push(length * (to - from));
             }
@@ -36,14 +47,23 @@ impl TorusSpline {
             let ends = [0.0, 1.0].map(|s| curve.point(s));
             *curve = curve.multiplied(&vec![1.0; degree - curve.degree() + 1]).with_ends(Some(ends[0]), Some(ends[1]));
         }
-        NurbsCurve::from_beziers(&curves, &intervals).map(|curve| (curve, parts))
+        let curve = NurbsCurve::from_beziers(&curves, &intervals)?;
+        // A point times its weight and divided by it again is rounded: joints are put in as they are.
+        let mut points = curve.control_points().to_vec();
+        let mut span = 0;
+        for (joint, pieces) in self.joints.iter().zip(parts.spans.iter().map(|s| s.pieces).chain([0])) {
+            points[span * degree] = *joint;
+            span += pieces;
+        }
+        let curve = NurbsCurve::new(degree, curve.knots().to_vec(), points, curve.weights().to_vec())?;
+        Ok((curve, parts))
     }
 
     /// The parts of a piece with positive weights, and the parameters between which each runs; the ends of the piece are its joints.
-    fn rational_parts(&self, piece: usize) -> Vec<(RationalBezier, f64, f64)> {
-        let parts = self.torus.positive_parts(&self.pieces[piece]);
+    fn rational_parts(&self, piece: usize, spans: Spans) -> Vec<(RationalBezier, f64, f64)> {
+        let parts = self.torus.rational_parts(&self.pieces[piece], spans);
         let (last, joints) = (parts.len() - 1, [self.joints[piece], self.joints[piece + 1]]);
-        let with_ends = |(k, part): (usize, super::rows::RationalPart)| {
+        let with_ends = |(k, part): (usize, RationalPart)| {
             let start = (k == 0).then_some(joints[0]);
             let end = (k == last).then_some(joints[1]);
             (part.curve.with_ends(start, end), part.from, part.to)
@@ -71,7 +91,7 @@ impl ParamCurve for TorusSpline {
 
     fn piece_hull(&self, piece: usize, _tolerance: f64) -> Result<PieceHull> {
         let mut hull = PieceHull::within(0.0);
-        for (curve, from, to) in self.rational_parts(piece) {
+        for (curve, from, to) in self.rational_parts(piece, Spans::Positive) {
             hull.push(&curve, from, to);
         }
         Ok(hull)
@@ -93,6 +113,8 @@ impl ParamCurve for TorusSpline {
 
     fn piece_bounds(&self, piece: usize) -> Aabb {
         let start = Aabb::of_point(self.joints[piece]).including(self.joints[piece + 1]);
-        self.rational_parts(piece).iter().fold(start, |b, (curve, _, _)| b.union(curve.piece_bounds(0)))
+        self.rational_parts(piece, Spans::Positive)
+            .iter()
+            .fold(start, |b, (curve, _, _)| b.union(curve.piece_bounds(0)))
     }
 }

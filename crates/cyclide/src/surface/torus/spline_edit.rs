@@ -12,7 +12,15 @@ impl TorusSpline {
     pub fn reversed(&self) -> Self {
         let (n, [first, last]) = (self.pieces.len(), [self.knots[0], self.knots[self.pieces.len()]]);
         // The mirror image of each end is the other end, to the bit.
-        let mirrored = |(i, k): (usize, &f64)| if i == n { first } else if i == 0 { last } else { first + (last - k) };
+        let mirrored = |(i, k): (usize, &f64)| {
+            if i == n {
+                first
+            } else if i == 0 {
+                last
+            } else {
+                first + (last - k)
+            }
+        };
         let mut knots: Vec<f64> = self.knots.iter().enumerate().map(mirrored).collect();
         knots.reverse();
         let segment = |s: &TorusSegment| TorusSegment { pieces: n - s.pieces.end..n - s.pieces.start, ..s.clone() };

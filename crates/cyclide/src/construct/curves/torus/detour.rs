@@ -17,6 +17,9 @@ const LOOP_RADIUS: f64 = 0.25;
 /// Turns this near none or a whole one, and lines of so few radii, are left out.
 const LEFT_OUT: f64 = 1e-3;
 
+/// Paths within this part of their length tie.
+const TIE: f64 = 1e-9;
+
 /// Longest line between nodes, radians of the plane.
 const LONGEST_LINE: f64 = 1.0;
 
@@ -144,5 +147,8 @@ fn shortest(start: f64, end: f64, step: Vec2, radius: f64) -> [Part; 3] {
         parts.iter().map(of).sum()
     };
     let none = [Part::Arc(TAU), Part::Line(0.0), Part::Arc(0.0)];
-    all.into_iter().min_by(|p, q| size(p).total_cmp(&size(q))).unwrap_or(none)
+    // Of paths that differ by rounding only the first.
+    all.into_iter()
+        .reduce(|best, next| if size(&next) < (1.0 - TIE) * size(&best) { next } else { best })
+        .unwrap_or(none)
 }

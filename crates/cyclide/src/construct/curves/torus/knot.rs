@@ -13,7 +13,7 @@ use crate::surface::{Course, SegmentMethod, Torus, TorusChain, TorusPiece, Torus
 use std::f64::consts::PI;
 
 /// Largest step of a coordinate over one piece, radians: the speed varies by 6 % over it, and the curve is off the straight line in
-/// its plane by less than 1e-3 radians.
+/// its plane by less than 2e-3 radians.
 const STEP: f64 = 0.5;
 
 /// Most turns of either kind.

@@ -70,8 +70,7 @@ impl ProjectiveBiarc {
         // e^(iD) conj Z = h0 r0 + h1 r1 e^(iD), over |Z|² in two steps.
         let second = sin.abs() / r1 / length / length;
         let (x, rest) = (z.arg(), Complex::new(p + q * cos, q * sin));
-        let courses =
-            [Course { step: x, ratio: z * first }, Course { step: rest.arg(), ratio: rest * second }];
+        let courses = [Course { step: x, ratio: z * first }, Course { step: rest.arg(), ratio: rest * second }];
         Ok(Self { start, lengths, mid: x, mid_slope: (sin / length).powi(2).copysign(step), courses })
     }
 
@@ -98,11 +97,7 @@ impl ProjectiveBiarc {
     pub fn offset(&self, u: f64) -> f64 {
         let [h0, h1] = self.lengths;
         let [first, second] = self.courses;
-        if u < h0 {
-            first.turn((u / h0).max(0.0))
-        } else {
-            self.mid + second.turn(((u - h0) / h1).min(1.0))
-        }
+        if u < h0 { first.turn((u / h0).max(0.0)) } else { self.mid + second.turn(((u - h0) / h1).min(1.0)) }
     }
 
     pub(super) fn courses(&self) -> [Course; 2] {

@@ -60,7 +60,10 @@ impl TorusSpline {
         let mut chain = TorusChain::starting_at(0.0);
         chain.push(first, lengths[0]);
         chain.push(second, lengths[0] + lengths[1]);
-        chain.end_segment(SegmentMethod::Direct, super::spline_span::quality(kind, step, rates, lengths[0] + lengths[1]));
+        chain.end_segment(
+            SegmentMethod::Direct,
+            super::spline_span::quality(kind, step, rates, lengths[0] + lengths[1]),
+        );
         Ok(chain.into_spline(torus, false, start + step))
     }
 }

@@ -71,7 +71,7 @@ fn append_segment(data: &Data, segment: usize, chain: &mut TorusChain) -> Result
     let (spans, method) = join(&whole)?;
     let quality = spans.iter().map(|span| span.quality).fold(1.0, f64::min);
     for span in &spans {
-        span.append(chain, knot)?;
+        span.append(chain, knot, end - start)?;
     }
     chain.end_segment(method, quality);
     Ok(())

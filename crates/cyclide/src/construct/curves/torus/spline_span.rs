@@ -11,6 +11,9 @@ const LARGEST_STEP: f64 = 1.5;
 /// A coordinate whose step and speeds are below this part of the largest speed stands still: rounding of an arc of a circle.
 const STILL: f64 = 1e-14;
 
+/// Qualities within this factor tie.
+const TIE: f64 = 1.0 + 1e-9;
+
 /// Data over a parameter of length 1: a place, a step, the speeds at both ends.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Hermite {
@@ -49,18 +52,25 @@ pub(super) struct TypedSpan {
 }
 
 impl TypedSpan {
-    /// Appends its two pieces; `knot` tells the knot of a part of the segment.
-    pub(super) fn append(&self, chain: &mut TorusChain, knot: impl Fn(f64) -> f64) -> Result<()> {
+    /// Appends its two pieces; `knot` tells the knot of a part of the segment, which has the length `whole`.
+    pub(super) fn append(&self, chain: &mut TorusChain, knot: impl Fn(f64) -> f64, whole: f64) -> Result<()> {
+        let [from, to] = self.part;
+        let knots = [from, 0.5 * (from + to), to].map(knot);
+        // Knots are rounded: speeds belong to their differences, not to those of the parts, or the derivative would jump by the
+        // rounding of the knots over the length of a piece.
+        let length = knots[2] - knots[0];
+        let lengths = [(knots[1] - knots[0]) / length, (knots[2] - knots[1]) / length];
+        let stretch = length / ((to - from) * whole);
         let (data, speed) = (self.data, fastest(self.data.step, self.data.rates));
-        let mut local = LocalData::new(self.kind, data.step, data.rates);
+        let mut local = LocalData::new(self.kind, data.step, data.rates.map(|rate| rate * stretch));
         for i in 0..2 {
             if is_still(local.steps[i], local.slopes[i], speed) {
                 (local.steps[i], local.slopes[i]) = (0.0, [0.0; 2]);
             }
         }
-        let [first, second] = local.pieces(self.kind, data.start, [0.5; 2])?;
-        chain.push(first, knot(0.5 * (self.part[0] + self.part[1])));
-        chain.push(second, knot(self.part[1]));
+        let [first, second] = local.pieces(self.kind, data.start, lengths)?;
+        chain.push(first, knots[1]);
+        chain.push(second, knots[2]);
         Ok(())
     }
 }
@@ -84,10 +94,22 @@ pub(super) fn quality(kind: QuarticType, step: Vec2, rates: [Vec2; 2], length: f
     of(0).min(of(1))
 }
 
-/// The type of the best quality for data over a parameter of length 1; `None` if none has any.
+/// The type of the best quality for data over a parameter of length 1, of those with a coordinate that stands still if there is one:
+/// data on a circle give its arc. `None` if none has any quality.
 pub(super) fn best_type(step: Vec2, rates: [Vec2; 2]) -> Option<(QuarticType, f64)> {
-    let all = QuarticType::ALL.into_iter().map(|kind| (kind, quality(kind, step, rates, 1.0)));
-    all.max_by(|a, b| a.1.total_cmp(&b.1)).filter(|(_, quality)| *quality > 0.0)
+    let speed = fastest(step, rates);
+    let on_circle = |kind: QuarticType| {
+        let local = LocalData::new(kind, step, rates);
+        (0..2).any(|i| is_still(local.steps[i], local.slopes[i], speed))
+    };
+    let rated = QuarticType::ALL.into_iter().map(|kind| (on_circle(kind), quality(kind, step, rates, 1.0), kind));
+    // The first of types that differ by rounding only: the choice does not depend on where the torus stands or begins.
+    let better = |a: &(bool, f64, QuarticType), b: &(bool, f64, QuarticType)| {
+        if a.0 == b.0 { a.1 > TIE * b.1 } else { a.0 }
+    };
+    let usable = rated.filter(|(_, quality, _)| *quality > 0.0);
+    let best = usable.reduce(|best, next| if better(&next, &best) { next } else { best });
+    best.map(|(_, quality, kind)| (kind, quality))
 }
 
 fn fastest(step: Vec2, [v0, v1]: [Vec2; 2]) -> f64 {

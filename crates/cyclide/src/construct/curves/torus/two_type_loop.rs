@@ -57,7 +57,8 @@ impl TorusSpline {
             chain.push(first, segment as f64 + 0.5);
             chain.push(second, segment as f64 + 1.0);
             let speeds = [rates[segment], best.middle().1, rates[next]].map(Vec2::length);
-            let (least, most) = (speeds.into_iter().fold(step.length(), f64::min), speeds.into_iter().fold(step.length(), f64::max));
+            let (least, most) =
+                (speeds.into_iter().fold(step.length(), f64::min), speeds.into_iter().fold(step.length(), f64::max));
             chain.end_segment(SegmentMethod::TwoTypes, least / most);
         }
         Ok(chain.into_spline(torus, true, places[0]))
