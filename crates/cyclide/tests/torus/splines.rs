@@ -2,8 +2,8 @@
 
 use crate::data::{modulo, places, reach, tori};
 use cyclide::{
-    ParamCurve, Point2, SegmentMethod, Torus, TorusSpline, TorusSplineOptions, TorusTangent, TorusWinding, Vec2,
-    bounds, flatten, joints,
+    Exactness, Lower, ParamCurve, Point2, SegmentMethod, Torus, TorusSpline, TorusSplineOptions, TorusTangent,
+    TorusWinding, Vec2, bounds, flatten, joints,
 };
 use cyclide_testkit::attack::Random;
 use cyclide_testkit::torus_splines::{faults, off_torus, winding};
@@ -184,4 +184,37 @@ fn frames_stand_on_the_torus() {
         let (plane, z) = torus.frame().to_local(lifted);
         assert!((plane.x.hypot(plane.y) - 3.0).hypot(z) > 1.0, "outward");
     }
+}
+
+/// What leaves the kernel: one exact spline with its correspondence, and arcs within a tolerance, tangent at their joints.
+#[test]
+fn it_leaves_the_kernel_exactly_or_as_arcs() {
+    for torus in tori() {
+        let places = [[0.1, 0.2], [1.3, 0.9], [0.4, -1.0], [-0.6, 0.1]].map(Point2::from);
+        for closed in [false, true] {
+            let options = TorusSplineOptions { closed, ..Default::default() };
+            let spline = TorusSpline::through_places(&torus, &places, &options).unwrap();
+            let tolerance = 1e-3 * torus.major_radius();
+            let chain = spline.lower_to_chain(tolerance).unwrap();
+            assert_eq!((chain.exactness, chain.correspondence.spans.len()), (Exactness::Exact, spline.piece_count()));
+            assert_eq!(chain.correspondence.piece_count(), chain.form.piece_count());
+            assert!(joints(&chain.form).iter().all(|joint| joint.gap <= 1e-15 * reach(&torus)));
+            let arcs = spline.lower_to_arcs(tolerance).unwrap();
+            assert_eq!(arcs.correspondence.piece_count(), arcs.form.arcs().len());
+            assert!(joints(&arcs.form).iter().all(|joint| joint.gap == 0.0 && joint.angle < 1e-6));
+            for k in 0..=2000 {
+                let p = spline.point(f64::from(k) / 2000.0);
+                assert!(arcs.form.closest_point(p).distance <= tolerance);
+            }
+            let index = cyclide::CurveIndex::new(&spline);
+            for k in 0..=400 {
+                let p = arcs.form.point(f64::from(k) / 400.0);
+                assert!(index.closest_point(p).distance <= tolerance);
+            }
+        }
+    }
+    let circle = TorusSpline::knot(&tori()[0], [1, -1], Point2::default()).unwrap().lower_to_arcs(1e-3).unwrap();
+    assert_eq!((circle.exactness, circle.form.is_closed()), (Exactness::Exact, true));
+    let radius = |arc: &cyclide::Arc| (arc.radius().unwrap() - 3.0).abs();
+    assert!(circle.form.arcs().iter().all(|arc| radius(arc) < 1e-12));
 }

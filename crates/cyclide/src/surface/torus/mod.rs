@@ -26,6 +26,7 @@ pub use family::{CircleFamily, QuarticType};
 pub use junction::TorusJunction;
 pub(crate) use piece::Course;
 pub use piece::TorusPiece;
+pub(crate) use rows::Spans;
 pub(crate) use spline::TorusChain;
 pub use spline::{SegmentMethod, TorusSegment, TorusSpline};
 
