@@ -221,3 +221,20 @@ fn nearly_closed_tori_keep_the_outer_side() {
         assert!(v.length() > 0.0 && v.dot(torus.unit_normal(Point2::new(0.4, b))).abs() < 1e-12 * v.length());
     }
 }
+
+/// The torus as a cyclide: its patches lie on it, their normals are those of the places.
+#[test]
+fn it_is_a_cyclide() {
+    for torus in tori() {
+        let net = torus.to_cyclide().unwrap().nets([6, 4]).unwrap().remove(0);
+        for (i, j) in [(0, 0), (3, 1), (5, 3)] {
+            let patch = net.patch(i, j);
+            for (s, t) in [(0.0, 0.0), (0.4, 0.7), (1.0, 0.3)] {
+                let p = patch.point(s, t);
+                assert!(off_torus(&torus, p) < 1e-13 * reach(&torus));
+                let place = torus.locate(p, 1e-9 * reach(&torus)).unwrap();
+                assert!((patch.unit_normal(s, t) - torus.unit_normal(place)).length() < 1e-11);
+            }
+        }
+    }
+}

@@ -8,7 +8,9 @@ fn all_solved(seed: u64, count: u64) -> ([usize; 3], usize) {
     let (mut methods, mut most) = ([0; 3], 0);
     for case in 0..count {
         let problem = Problem::awkward(seed, case);
-        let spline = problem.solve().unwrap_or_else(|e| panic!("{seed}/{case}: {e} in {problem:?}"));
+        let solved = problem.solve();
+        assert!(solved.is_ok(), "{seed}/{case}: {solved:?} of {problem:?}");
+        let spline = solved.unwrap();
         let faults = problem.faults(&spline);
         assert!(faults.is_empty(), "{seed}/{case}: {faults:?}\n{problem:?}");
         for segment in spline.segments() {
@@ -37,6 +39,9 @@ fn awkward_problems_are_all_solved() {
 #[test]
 #[ignore = "minutes"]
 fn ten_thousand_awkward_problems_are_all_solved() {
+    // The figures of `docs/math/torus-splines.md#the-general-problem`.
     let (methods, most) = all_solved(32, 10_000);
-    println!("direct, halved, detour: {methods:?}; most pieces of a segment: {most}");
+    // Sines that differ in the last digit on another machine may change a choice.
+    assert!(methods.iter().zip([5228, 19_722, 11_299]).all(|(got, want): (&i32, i32)| (got - want).abs() < 50));
+    assert!((40..60).contains(&most));
 }

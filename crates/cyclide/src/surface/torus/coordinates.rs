@@ -102,12 +102,12 @@ impl Shape {
     }
 
     /// The angle `B` of half a meridian angle, whole half turns kept.
-    pub(super) fn from_meridian(&self, half: f64) -> f64 {
+    pub(super) fn tube_angle(&self, half: f64) -> f64 {
         scaled_tangent(half, self.thin.sqrt(), self.wide.sqrt())
     }
 
     /// Half the meridian angle of `B`.
-    pub(super) fn to_meridian(&self, b: f64) -> f64 {
+    pub(super) fn half_meridian(&self, b: f64) -> f64 {
         scaled_tangent(b, self.wide.sqrt(), self.thin.sqrt())
     }
 }

@@ -4,6 +4,7 @@ use super::family::QuarticType;
 use super::spline::TorusSpline;
 use crate::base::planar::{Point2, Vec2};
 use crate::base::vector::{Point3, Vec3};
+use crate::curve::ParamCurve as _;
 
 /// A place where two pieces of a spline on a torus meet.
 ///
@@ -49,10 +50,7 @@ impl TorusSpline {
     }
 
     fn junction(&self, piece: usize, before: usize, is_given: bool) -> TorusJunction {
-        let velocity = |piece: usize, s: f64| {
-            use crate::curve::ParamCurve as _;
-            self.piece_jet(piece, s).d1 / (self.knots[piece + 1] - self.knots[piece])
-        };
+        let velocity = |piece: usize, s: f64| self.piece_jet(piece, s).d1 / (self.knots[piece + 1] - self.knots[piece]);
         let after = velocity(piece, 0.0);
         TorusJunction {
             piece,

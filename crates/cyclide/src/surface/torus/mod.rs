@@ -30,8 +30,9 @@ pub(crate) use rows::Spans;
 pub(crate) use spline::TorusChain;
 pub use spline::{SegmentMethod, TorusSegment, TorusSpline};
 
-use super::ParamSurface;
+use super::{DupinCyclide, ParamSurface};
 use crate::base::frame::Frame;
+use crate::base::jet::CurveJet;
 use crate::base::planar::{Point2, Vec2};
 use crate::base::range;
 use crate::base::surface_jet::SurfaceJet;
@@ -127,13 +128,29 @@ impl Torus {
     /// by `meridian` from the outer side. Whole turns of both are kept.
     #[must_use]
     pub fn place_of_angles(&self, longitude: f64, meridian: f64) -> Point2 {
-        Point2::new(0.5 * longitude, self.shape.from_meridian(0.5 * meridian))
+        Point2::new(0.5 * longitude, self.shape.tube_angle(0.5 * meridian))
     }
 
     /// Longitude and meridian angle of a place, radians: the inverse of [`place_of_angles`](Self::place_of_angles).
     #[must_use]
     pub fn angles_of_place(&self, place: Point2) -> [f64; 2] {
-        [2.0 * place.x, 2.0 * self.shape.to_meridian(place.y)]
+        [2.0 * place.x, 2.0 * self.shape.half_meridian(place.y)]
+    }
+
+    /// The same torus as a cyclide, of which bodies are made: patches round both ways in the same frame.
+    ///
+    /// ```
+    /// use cyclide::{Frame, Torus};
+    /// let torus = Torus::new(Frame::WORLD, 3.0, 1.0)?;
+    /// let solid = torus.to_cyclide()?.to_bodies([8, 6])?.remove(0);
+    /// assert!((solid.volume()? - 6.0 * std::f64::consts::PI.powi(2)).abs() < 1e-9); // Pappus
+    /// # Ok::<(), cyclide::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// `parameter-out-of-range` (the tube is below 1e-6 of the major radius).
+    pub fn to_cyclide(&self) -> Result<DupinCyclide> {
+        Ok(DupinCyclide::new(self.major, 0.0, self.minor)?.placed(self.frame))
     }
 
     /// The image under a similarity or a reflection. The longitude of the image of a place changes its sign under a map that turns
@@ -167,10 +184,16 @@ impl Torus {
         self.frame.x() * n.x + self.frame.y() * n.y + self.frame.z() * n.z
     }
 
+    /// Speed in space of a curve that passes a place at the speed `rate`: the plane is conformal.
+    fn speed_at(&self, at: &UnitPair, rate: Vec2) -> f64 {
+        let tube = rate.y * self.shape.tube / self.shape.root;
+        2.0 * self.major * self.shape.radius(at) * Vec2::new(rate.x, tube).length()
+    }
+
     /// Point and derivatives of a curve through a place whose angles have these derivatives.
-    fn jet_at(&self, at: &UnitPair, rates: &Jet3) -> crate::base::jet::CurveJet {
+    fn jet_at(&self, at: &UnitPair, rates: &Jet3) -> CurveJet {
         let [p, d1, d2, d3] = self.shape.jet(at, rates);
-        crate::base::jet::CurveJet {
+        CurveJet {
             point: self.world_point(p),
             d1: self.world_vector(d1),
             d2: self.world_vector(d2),

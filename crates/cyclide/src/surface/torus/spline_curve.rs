@@ -111,6 +111,11 @@ impl ParamCurve for TorusSpline {
         }
     }
 
+    fn piece_speed(&self, piece: usize, s: f64) -> f64 {
+        let p = &self.pieces[piece];
+        self.torus.speed_at(&p.unit_pair(s), p.rate(s))
+    }
+
     fn piece_bounds(&self, piece: usize) -> Aabb {
         let start = Aabb::of_point(self.joints[piece]).including(self.joints[piece + 1]);
         self.rational_parts(piece, Spans::Positive)

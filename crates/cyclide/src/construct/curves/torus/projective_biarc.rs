@@ -124,7 +124,7 @@ fn check(coordinate: usize, start: f64, step: f64, slopes: [f64; 2], lengths: [f
     if step.abs() >= PI {
         return Err(Error::SpanTooLarge { coordinate, step, limit: PI });
     }
-    let still = step == 0.0 && slopes == [0.0; 2];
+    let still = step == 0.0 && slopes.iter().all(|m| *m == 0.0);
     let of_one_sign = slopes.iter().all(|m| m * step.signum() > 0.0) && step != 0.0;
     if still {
         return Ok(());

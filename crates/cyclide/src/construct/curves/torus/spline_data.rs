@@ -28,8 +28,8 @@ const CUSP: f64 = 0.05;
 /// Speed at a cusp, across its longer chord, as part of the speed of that.
 const CUSP_SPEED: f64 = 0.3;
 
-/// Largest way of all segments together, radians: some ten million pieces.
-const MOST_WAY: f64 = 1e6;
+/// Largest way of all segments together, radians: some million pieces.
+const MOST_WAY: f64 = 2.5e5;
 
 /// Checked input: segment `i` goes from place `i` by step `i` within the knots `i` and `i + 1`.
 #[derive(Debug)]
@@ -205,23 +205,19 @@ fn wind(steps: &mut [Vec2], options: &TorusSplineOptions) -> Result<()> {
     }
 }
 
-/// Adds half turns one by one where the step stays shortest, until all together are as many as asked for.
+/// Adds half turns where steps stay shortest, until all together are as many as asked for.
 fn wind_component(steps: &mut [Vec2], asked: f64, component: impl Fn(&mut Vec2) -> &mut f64) {
     let sum: f64 = steps.iter_mut().map(|step| *component(step)).sum();
     let missing = asked - (sum / PI).round();
     let turn = PI.copysign(missing);
-    // As many for each first, so that the search below is for a few at most.
-    let (count, each) = (steps.len() as f64, (missing.abs() / steps.len() as f64).floor());
-    steps.iter_mut().for_each(|step| *component(step) += each * turn);
-    for _ in 0..(missing.abs() - each * count) as usize {
-        let length = |step: &mut Vec2| (*component(step) + turn).abs();
-        let shortest = steps.iter_mut().min_by(|a, b| {
-            let (mut a, mut b) = (**a, **b);
-            length(&mut a).total_cmp(&length(&mut b))
-        });
-        if let Some(step) = shortest {
-            *component(step) += turn;
-        }
+    let each = (missing.abs() / steps.len() as f64).floor();
+    let rest = (missing.abs() - each * steps.len() as f64) as usize;
+    // As many for each first; of the rest none gets two, as that would be longer than any other with one.
+    let lengths: Vec<f64> = steps.iter_mut().map(|step| (*component(step) + (each + 1.0) * turn).abs()).collect();
+    let mut order: Vec<usize> = (0..steps.len()).collect();
+    order.sort_by(|i, j| lengths[*i].total_cmp(&lengths[*j]));
+    for (rank, i) in order.into_iter().enumerate() {
+        *component(&mut steps[i]) += turn * if rank < rest { each + 1.0 } else { each };
     }
 }
 

@@ -41,7 +41,7 @@ pub enum TorusWinding {
     #[default]
     Shortest,
     /// A closed curve that runs so many times round the axis and round the tube: half turns are added to the steps that stay
-    /// shortest.
+    /// shortest. An open curve takes no notice.
     Total([i32; 2]),
     /// So many times pi added to both angles of the shortest step, for each segment in order.
     PerSegment(Vec<[i32; 2]>),
