@@ -20,7 +20,8 @@ impl TorusSpline {
     }
 
     /// The same curve with C1 knots ([`NurbsCurve::with_c1_knots`]), which CAD systems want of a curve that they sweep or offset along:
-    /// degree 7 (5 if all pieces are arcs of circles), in spans so even that such a form exists.
+    /// degree 7 (5 if all pieces are arcs of circles), in spans so even that such a form exists; as
+    /// [`to_nurbs`](Self::to_nurbs) gives it where rounding leaves none.
     ///
     /// # Errors
     /// As [`to_nurbs`](Self::to_nurbs).

@@ -8,8 +8,12 @@ use crate::surface::{QuarticType, TorusChain};
 /// Largest step of a coordinate in one span, radians.
 const LARGEST_STEP: f64 = 1.5;
 
-/// A coordinate whose step and speeds are below this part of the largest speed stands still: rounding of an arc of a circle.
+/// A coordinate stands still whose step and speeds are below this part of those of the place, each of its own, or below the
+/// rounding of angles: data on an arc of a circle.
 const STILL: f64 = 1e-14;
+
+/// Rounding of angles of a few radians.
+const ANGLE_ROUNDING: f64 = 1e-15;
 
 /// Qualities within this factor tie.
 const TIE: f64 = 1.0 + 1e-9;
@@ -61,12 +65,10 @@ impl TypedSpan {
         let length = knots[2] - knots[0];
         let lengths = [(knots[1] - knots[0]) / length, (knots[2] - knots[1]) / length];
         let stretch = length / ((to - from) * whole);
-        let (data, speed) = (self.data, fastest(self.data.step, self.data.rates));
+        let data = self.data;
         let mut local = LocalData::new(self.kind, data.step, data.rates.map(|rate| rate * stretch));
-        for i in 0..2 {
-            if is_still(local.steps[i], local.slopes[i], speed) {
-                (local.steps[i], local.slopes[i]) = (0.0, [0.0; 2]);
-            }
+        if let Some(i) = standing(self.kind, data.step, data.rates) {
+            (local.steps[i], local.slopes[i]) = (0.0, [0.0; 2]);
         }
         let [first, second] = local.pieces(self.kind, data.start, lengths)?;
         chain.push(first, knots[1]);
@@ -80,10 +82,11 @@ impl TypedSpan {
 pub(super) fn quality(kind: QuarticType, step: Vec2, rates: [Vec2; 2], length: f64) -> f64 {
     let rates = rates.map(|rate| rate * length);
     let (local, speed) = (LocalData::new(kind, step, rates), fastest(step, rates));
+    let still = standing(kind, step, rates);
     let of = |i: usize| {
         let (d, [m0, m1]) = (local.steps[i], local.slopes[i]);
         let one_way = (d > 0.0 && m0 > 0.0 && m1 > 0.0) || (d < 0.0 && m0 < 0.0 && m1 < 0.0);
-        if is_still(d, [m0, m1], speed) {
+        if still == Some(i) {
             1.0
         } else if one_way && d.abs() <= LARGEST_STEP {
             m0.abs().min(m1.abs()).min(d.abs()) / speed
@@ -97,11 +100,7 @@ pub(super) fn quality(kind: QuarticType, step: Vec2, rates: [Vec2; 2], length: f
 /// The type of the best quality for data over a parameter of length 1, of those with a coordinate that stands still if there is one:
 /// data on a circle give its arc. `None` if none has any quality.
 pub(super) fn best_type(step: Vec2, rates: [Vec2; 2]) -> Option<(QuarticType, f64)> {
-    let speed = fastest(step, rates);
-    let on_circle = |kind: QuarticType| {
-        let local = LocalData::new(kind, step, rates);
-        (0..2).any(|i| is_still(local.steps[i], local.slopes[i], speed))
-    };
+    let on_circle = |kind: QuarticType| standing(kind, step, rates).is_some();
     let rated = QuarticType::ALL.into_iter().map(|kind| (on_circle(kind), quality(kind, step, rates, 1.0), kind));
     // The first of types that differ by rounding only: the choice does not depend on where the torus stands or begins.
     let better = |a: &(bool, f64, QuarticType), b: &(bool, f64, QuarticType)| {
@@ -116,6 +115,17 @@ fn fastest(step: Vec2, [v0, v1]: [Vec2; 2]) -> f64 {
     v0.length().max(v1.length()).max(step.length())
 }
 
-fn is_still(step: f64, slopes: [f64; 2], speed: f64) -> bool {
-    step.abs().max(slopes[0].abs()).max(slopes[1].abs()) <= STILL * speed
+/// The coordinate that stands still, if one does and the other runs; rates are by a parameter of length 1.
+fn standing(kind: QuarticType, step: Vec2, rates: [Vec2; 2]) -> Option<usize> {
+    let local = LocalData::new(kind, step, rates);
+    let sizes = [step.length(), rates[0].length(), rates[1].length()];
+    let stands = |i: usize| {
+        let all = [local.steps[i], local.slopes[i][0], local.slopes[i][1]];
+        all.iter().zip(sizes).all(|(x, size)| x.abs() <= STILL * size + ANGLE_ROUNDING)
+    };
+    match (stands(0), stands(1)) {
+        (true, false) => Some(0),
+        (false, true) => Some(1),
+        _ => None,
+    }
 }
