@@ -10,3 +10,4 @@ pub mod rational_faces;
 pub mod reference;
 pub mod roof;
 pub mod scan;
+pub mod torus_splines;

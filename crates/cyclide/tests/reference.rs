@@ -88,6 +88,23 @@ fn arc_fits() {
 }
 
 #[test]
+fn tori_and_curves_on_them() {
+    all_pass(
+        include_str!("reference/30-torus.json"),
+        &[
+            ("torus-eval", 46),
+            ("torus-inverse", 42),
+            ("torus-circle", 40),
+            ("type-switch", 40),
+            ("rp1-biarc", 48),
+            ("torus-quartic-biarc", 41),
+            ("two-type-biarc", 20),
+            ("torus-spline", 44),
+        ],
+    );
+}
+
+#[test]
 fn patches_and_nets() {
     all_pass(
         include_str!("reference/20-cyclides.json"),

@@ -280,6 +280,11 @@ pub(super) fn numbers(value: &Value) -> Option<Vec<f64>> {
     }
 }
 
+/// A list of rows of so many numbers.
+pub(super) fn rows<const N: usize>(value: &Value) -> Option<Vec<[f64; N]>> {
+    value.as_array()?.iter().map(|row| numbers(row)?.try_into().ok()).collect()
+}
+
 /// The rows of numbers below a value, in order; what is no number and no list is a row of its own.
 fn collect_rows<'a>(value: &'a Value, rows: &mut Vec<&'a Value>) {
     match value {

@@ -18,6 +18,7 @@ mod patch;
 mod polyhedron;
 mod report;
 mod revolution;
+mod torus;
 mod triangle;
 
 pub use case::{Case, Fault};
@@ -30,7 +31,7 @@ use serde_json::Value;
 type Handler = fn(&Case, &mut Check) -> Result<(), Fault>;
 
 /// The constructs about curves, whether or not the kernel has them yet: `--curves` of the command.
-pub const CURVE_CONSTRUCTS: [&str; 34] = [
+pub const CURVE_CONSTRUCTS: [&str; 40] = [
     "arc-three-points",
     "arc-point-tangent",
     "arc-weights",
@@ -65,11 +66,17 @@ pub const CURVE_CONSTRUCTS: [&str; 34] = [
     "arc-certify",
     "g1-arc-interval",
     "g1-arc-spline",
+    "torus-circle",
+    "type-switch",
+    "rp1-biarc",
+    "torus-quartic-biarc",
+    "two-type-biarc",
+    "torus-spline",
 ];
 
 /// The constructs about surfaces of revolution, circular surfaces, offsets of polyhedra, patches over triangles, patches and nets
 /// of Dupin cyclides: `--surfaces` of the command.
-pub const SURFACE_CONSTRUCTS: [&str; 16] = [
+pub const SURFACE_CONSTRUCTS: [&str; 18] = [
     "revolution",
     "revolution-angle",
     "neck-blend",
@@ -86,6 +93,8 @@ pub const SURFACE_CONSTRUCTS: [&str; 16] = [
     "circular-net-frames",
     "sphere-blend",
     "blend-patch",
+    "torus-eval",
+    "torus-inverse",
 ];
 
 /// The handler of a construct; `None` if the product does not have it (yet).
@@ -101,6 +110,7 @@ fn handler(construct: &str) -> Option<Handler> {
         circular::handler,
         polyhedron::handler,
         triangle::handler,
+        torus::handler,
     ]
     .iter()
     .find_map(|topic| topic(construct))

@@ -2,6 +2,7 @@
 
 pub(crate) mod bernstein;
 pub(crate) mod bounds;
+pub(crate) mod complex;
 pub(crate) mod cut;
 pub(crate) mod euclidean;
 pub(crate) mod frame;

@@ -19,3 +19,4 @@ pub use curves::{
     FairFit, FairFitCertificate, FairFitOptions, FairSplineOptions, FitCertificate, FitTarget, RationalRun,
     blends_by_turn, certify_arc, curvature_intervals, estimate_tangents, feasible_bulges,
 };
+pub use curves::{ProjectiveBiarc, TorusSplineOptions, TorusTangent, TorusWinding, TwoTypeBiarc};

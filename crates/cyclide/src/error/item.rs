@@ -31,6 +31,7 @@ macro_rules! items {
 }
 
 items! {
+    Angle => "angle",
     Axis => "axis",
     BarycentricCoordinate => "barycentric coordinate",
     Blend => "blend",
@@ -96,15 +97,18 @@ items! {
     T => "t",
     T1 => "t1",
     Tangent => "tangent",
+    TangentOverSpan => "tangent times the length of its span",
     Tension => "tension",
     Thickness => "thickness",
     Tight => "tight",
     Tolerance => "tolerance",
+    Torus => "torus",
     U => "u",
     Vertex => "vertex",
     Wall => "wall",
     Weight => "weight",
     WeightRatio => "length of the weight ratio",
+    Winding => "winding",
 }
 
 impl std::fmt::Display for ErrorItem {

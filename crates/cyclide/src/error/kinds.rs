@@ -748,4 +748,84 @@ pub enum Error {
         /// What went wrong in it.
         cause: Box<Error>,
     },
+    /// A torus whose tube is not thinner than the circle that its middle follows.
+    NotARingTorus {
+        /// Radius of the middle of the tube.
+        major: f64,
+        /// Radius of the tube: must be above 0 and below the other.
+        minor: f64,
+    },
+    /// A complex coordinate of a point of a torus is zero.
+    ZeroCoordinate {
+        /// Which of the four, from 0.
+        index: usize,
+    },
+    /// A point on the axis of a torus: every longitude is equally near.
+    PointOnAxis {
+        /// Which point, from 0.
+        index: usize,
+        /// Its distance from the axis.
+        distance: f64,
+        /// Distances up to this are refused.
+        limit: f64,
+    },
+    /// A point on the circle along the middle of the tube of a torus: its whole meridian is equally near.
+    PointOnCoreCircle {
+        /// Which point, from 0.
+        index: usize,
+        /// Its distance from the circle.
+        distance: f64,
+        /// Distances up to this are refused.
+        limit: f64,
+    },
+    /// A point that should lie on a torus does not.
+    PointOffTorus {
+        /// Which point, from 0.
+        index: usize,
+        /// Its distance from the torus.
+        distance: f64,
+        /// Largest distance accepted.
+        limit: f64,
+    },
+    /// A coordinate that can run in one direction only is asked to turn back, or to stand still at an end of a step.
+    NotMonotone {
+        /// Which of the two coordinates, from 0.
+        coordinate: usize,
+        /// The step over the span, radians.
+        step: f64,
+        /// The slopes at its ends, by the parameter of the curve.
+        slopes: [f64; 2],
+    },
+    /// A coordinate is asked to go farther than half round within one span.
+    SpanTooLarge {
+        /// Which of the two coordinates, from 0.
+        coordinate: usize,
+        /// The step, radians.
+        step: f64,
+        /// Steps must be below this.
+        limit: f64,
+    },
+    /// An interval of the parameter without length, or with one that is lost beside the whole.
+    EmptyInterval {
+        /// Which interval, from 0.
+        index: usize,
+        /// Its length.
+        length: f64,
+        /// It must be above this.
+        limit: f64,
+    },
+    /// No two pieces of the given types join the ends of a segment.
+    NoTwoTypeSolution {
+        /// Which segment, from 0.
+        segment: usize,
+        /// The number whose arc cosine the middle needs; within 1 where no solution runs in the directions given.
+        cosine: f64,
+    },
+    /// Turns about the axis and about the middle of the tube that have a common divisor: the curve would cover itself.
+    NotCoprime {
+        /// The turns.
+        turns: [i32; 2],
+        /// Their greatest common divisor; 0 if both are 0.
+        divisor: u32,
+    },
 }

@@ -412,6 +412,56 @@ impl std::fmt::Display for Error {
             ),
             Self::InTriangle { triangle, cause } => write!(f, "triangle {triangle}: {cause}"),
             Self::InSpan { span, cause } => write!(f, "span {span}: {cause}"),
+            Self::NotARingTorus { major, minor } => write!(
+                f,
+                "no ring torus: the radius {} of the tube must be above 0 and below the radius {} of its middle",
+                ShortNumber(*minor),
+                ShortNumber(*major)
+            ),
+            Self::ZeroCoordinate { index } => write!(f, "complex coordinate {index} of a point of the torus is zero"),
+            Self::PointOnAxis { index, distance, limit } => write!(
+                f,
+                "point {index} is on the axis of the torus, where no longitude is the nearest: distance {}, limit {}",
+                ShortNumber(*distance),
+                ShortNumber(*limit)
+            ),
+            Self::PointOnCoreCircle { index, distance, limit } => write!(
+                f,
+                "point {index} is in the middle of the tube, where no side is the nearest: distance {}, limit {}",
+                ShortNumber(*distance),
+                ShortNumber(*limit)
+            ),
+            Self::PointOffTorus { index, distance, limit } => {
+                write!(f, "point {index} is {} off the torus, limit {}", ShortNumber(*distance), ShortNumber(*limit))
+            }
+            Self::NotMonotone { coordinate, step, slopes } => write!(
+                f,
+                "coordinate {coordinate} would have to turn back or stand still: step {}, slopes {} and {} at its ends",
+                ShortNumber(*step),
+                ShortNumber(slopes[0]),
+                ShortNumber(slopes[1])
+            ),
+            Self::SpanTooLarge { coordinate, step, limit } => write!(
+                f,
+                "coordinate {coordinate} goes {} radians in one span, which must be below {}: put a point between",
+                ShortNumber(*step),
+                ShortNumber(*limit)
+            ),
+            Self::EmptyInterval { index, length, limit } => write!(
+                f,
+                "interval {index} of the parameter has the length {}, which must be above {}",
+                ShortNumber(*length),
+                ShortNumber(*limit)
+            ),
+            Self::NoTwoTypeSolution { segment, cosine } => write!(
+                f,
+                "no two pieces of these types join the ends of segment {segment}: the cosine of their middle would be {}, at most 1 is one, and the ways must run in the directions given",
+                ShortNumber(*cosine)
+            ),
+            Self::NotCoprime { turns: [p, q], divisor } => write!(
+                f,
+                "{p} and {q} turns have the greatest common divisor {divisor}, not 1: the curve would run over itself, or not at all"
+            ),
         }
     }
 }

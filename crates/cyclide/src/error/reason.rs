@@ -97,6 +97,16 @@ impl Error {
             Self::NotConverged { .. } => "not-converged",
             Self::ShapeLost { .. } => "shape-lost",
             Self::BorderCurvesApart { .. } => "border-curves-apart",
+            Self::NotARingTorus { .. } => "not-a-ring-torus",
+            Self::ZeroCoordinate { .. } => "zero-coordinate",
+            Self::PointOnAxis { .. } => "point-on-axis",
+            Self::PointOnCoreCircle { .. } => "point-on-core-circle",
+            Self::PointOffTorus { .. } => "point-off-torus",
+            Self::NotMonotone { .. } => "not-monotone",
+            Self::SpanTooLarge { .. } => "span-too-large",
+            Self::EmptyInterval { .. } => "empty-interval",
+            Self::NoTwoTypeSolution { .. } => "no-two-type-solution",
+            Self::NotCoprime { .. } => "not-coprime",
         }
     }
 
@@ -135,6 +145,12 @@ impl Error {
             | Self::NoSuchVertex { triangle, .. }
             | Self::NonManifoldEdge { triangle, .. } => Some(triangle),
             Self::InconsistentOrientation { triangles: [_, second], .. } => Some(second),
+            Self::ZeroCoordinate { index }
+            | Self::PointOnAxis { index, .. }
+            | Self::PointOnCoreCircle { index, .. }
+            | Self::PointOffTorus { index, .. }
+            | Self::EmptyInterval { index, .. } => Some(index),
+            Self::NoTwoTypeSolution { segment, .. } => Some(segment),
             Self::UndefinedNormal { vertex, .. } => Some(vertex),
             Self::ToleranceNotReached { ref points, .. } => points.first().copied(),
             _ => None,

@@ -7,6 +7,7 @@ mod lower;
 mod named;
 mod object;
 mod surface_object;
+mod torus_spline;
 
 pub use chain::{ChainPiece, CurveChain};
 pub use lower::{Exactness, Lower, Lowered};

@@ -10,6 +10,7 @@ mod quad_grid;
 mod seam;
 mod smooth;
 mod sphere_blend;
+mod torus;
 mod triangle_surface;
 
 pub use dupin::{CyclideKind, DupinCyclide};
@@ -23,4 +24,8 @@ pub use smooth::{
     NormalWeights, SmoothComparison, SmoothEdge, SmoothMeasure, SmoothMesh, SmoothTriangle, VertexNormals,
 };
 pub use sphere_blend::SphereBlend;
+pub use torus::{
+    CircleFamily, QuarticType, SegmentMethod, Torus, TorusClasses, TorusJunction, TorusPiece, TorusSegment, TorusSpline,
+};
+pub(crate) use torus::{Course, Spans, TorusChain};
 pub use triangle_surface::{SideLine, TrianglePatch, TriangleSurface};

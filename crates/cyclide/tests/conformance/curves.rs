@@ -2,7 +2,8 @@
 
 use cyclide::{
     Arc, ArcPath, BlendVariant, ChainPiece, Circle, CircleSpline, CircleSplineOptions, CurveChain, DEFAULT_PIECE_ANGLE,
-    FairEnd, FairSplineOptions, NurbsCurve, ParamCurve, Point3, SplineEnds, Vec3,
+    FairEnd, FairSplineOptions, Frame, NurbsCurve, ParamCurve, Point2, Point3, SplineEnds, Torus, TorusSpline,
+    TorusSplineOptions, TorusTangent, Vec2, Vec3,
 };
 
 /// One curve of the list.
@@ -169,9 +170,28 @@ fn cases_at(s: f64) -> Vec<Case> {
     cases.push(case("blend segment", spline.segments()[1]));
     cases.push(case("circle spline with a corner", spline));
     cases.push(case("kinked circle spline", kinked_spline(s, true, 2, BlendVariant::Rational)));
+    cases.extend(torus_splines(s));
     let part = kinked_spline(s, true, 4, BlendVariant::Rational).restricted(0.1, 0.7).unwrap();
     cases.push(case("part of a circle spline", part));
     cases
+}
+
+/// Splines on a torus: a knot, and a seam with turned back tangents through points, open and closed.
+fn torus_splines(s: f64) -> Vec<Case> {
+    let frame = Frame::from_normal(point(s, -0.5 * s, 0.2 * s), Vec3::new(0.2, 0.4, 1.0), Vec3::X).unwrap();
+    let torus = Torus::new(frame, 2.0 * s, 0.7 * s).unwrap();
+    let places = [[0.0, 0.1], [0.9, 0.8], [1.6, 0.2], [2.2, -0.9]].map(Point2::from);
+    let back =
+        vec![TorusTangent::Free, TorusTangent::Rate(Vec2::new(-0.5, 0.2)), TorusTangent::Free, TorusTangent::Free];
+    let through = |closed: bool, tangents: Vec<TorusTangent>| {
+        let options = TorusSplineOptions { closed, tangents, ..Default::default() };
+        TorusSpline::through_places(&torus, &places, &options).unwrap()
+    };
+    vec![
+        case("torus knot", TorusSpline::knot(&torus, [2, 3], places[0]).unwrap()),
+        case("open seam on a torus", through(false, vec![])),
+        case("closed seam on a torus, one tangent turned back", through(true, back)),
+    ]
 }
 
 /// Every implementor at three scales.

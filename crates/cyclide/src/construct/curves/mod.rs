@@ -8,6 +8,7 @@ mod fair_fit;
 mod fair_spline;
 mod rational_runs;
 mod rounded_polyline;
+mod torus;
 
 pub use arc_fit::{
     ArcCertificate, ArcFit, ArcFitOptions, BulgeIntervals, Effort, FitCertificate, FitTarget, certify_arc,
@@ -18,3 +19,4 @@ pub use biarc::{Biarc, BiarcRule};
 pub use fair_fit::{FairFit, FairFitCertificate, FairFitOptions};
 pub use fair_spline::{FairEnd, FairSplineOptions, blends_by_turn};
 pub use rational_runs::RationalRun;
+pub use torus::{ProjectiveBiarc, TorusSplineOptions, TorusTangent, TorusWinding, TwoTypeBiarc};

@@ -10,12 +10,14 @@
 //! | [`patches`] | patches, nets, their offsets and shells; quads made circular |
 //! | [`bodies`] | revolutions, pipes, necks, bridges, surfaces between two curves, polyhedra |
 //! | [`meshes`] | triangles and meshes of them |
+//! | [`tori`] | tori, points and curves on them |
 
 pub mod bodies;
 pub mod curves;
 pub mod meshes;
 pub mod numbers;
 pub mod patches;
+pub mod tori;
 
 #[cfg(test)]
 mod tests {
@@ -32,6 +34,7 @@ mod tests {
             include_str!("patches.rs"),
             include_str!("bodies.rs"),
             include_str!("meshes.rs"),
+            include_str!("tori.rs"),
         ];
         let table = include_str!("../reason.rs").split("pub fn reason").nth(1).and_then(|t| t.split("pub fn").next());
         let reasons: Vec<&str> = quoted(table.unwrap()).collect();

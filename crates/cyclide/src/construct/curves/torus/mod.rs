@@ -1,0 +1,17 @@
+//! Curves on a torus: biarcs of linear complex functions, quartic biarcs of one type and of two, splines through points, knots.
+
+mod arcs;
+mod detour;
+mod knot;
+mod projective_biarc;
+mod quartic_biarc;
+mod spline;
+mod spline_data;
+mod spline_options;
+mod spline_span;
+mod two_type;
+mod two_type_loop;
+
+pub use projective_biarc::ProjectiveBiarc;
+pub use spline_options::{TorusSplineOptions, TorusTangent, TorusWinding};
+pub use two_type::TwoTypeBiarc;

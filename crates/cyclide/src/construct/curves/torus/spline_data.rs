@@ -1,0 +1,237 @@
+//! The input of a spline on a torus, checked: steps with the half turns asked for, tangents, lengths of the segments.
+
+use super::projective_biarc::within;
+use super::spline_options::{TorusSplineOptions, TorusTangent, TorusWinding};
+use crate::base::planar::{Point2, Vec2};
+use crate::error::{Error, ErrorItem, Result};
+use crate::surface::Torus;
+use std::f64::consts::PI;
+
+/// Largest angle of a place, radians: it keeps ten digits modulo pi.
+pub(super) const MAX_ANGLE: f64 = 1e6;
+
+/// Most half turns added to a step or asked for in all.
+const MOST_TURNS: f64 = 10_000.0;
+
+/// Steps up to this part of `pi` and both angles are rounding of equal points.
+const SAME_PLACE: f64 = 1e-15;
+
+/// Tangents times the length of their span accepted, radians: outside, the speeds of neighbouring pieces lose their digits.
+const WAY_RANGE: [f64; 2] = [1e-12, 1e12];
+
+/// Shortest span of the knot parameter as part of the whole.
+const SHORTEST_SPAN: f64 = 1e-12;
+
+/// Estimated tangents below this part of the speed of the neighbouring chords are those of a cusp.
+const CUSP: f64 = 0.05;
+
+/// Speed at a cusp, across its longer chord, as part of the speed of that.
+const CUSP_SPEED: f64 = 0.3;
+
+/// Largest way of all segments together, radians: some million pieces.
+const MOST_WAY: f64 = 2.5e5;
+
+/// Checked input: segment `i` goes from place `i` by step `i` within the knots `i` and `i + 1`.
+#[derive(Debug)]
+pub(super) struct Data {
+    pub(super) places: Vec<Point2>,
+    pub(super) steps: Vec<Vec2>,
+    pub(super) knots: Vec<f64>,
+    /// By the knot parameter, one for each place.
+    pub(super) rates: Vec<Vec2>,
+    pub(super) closed: bool,
+}
+
+impl Data {
+    pub(super) fn new(torus: &Torus, places: &[Point2], options: &TorusSplineOptions) -> Result<Self> {
+        let (n, closed) = (places.len(), options.closed);
+        let needed = if closed { 1 } else { 2 };
+        if n < needed {
+            return Err(Error::TooFewPoints { given: n, needed });
+        }
+        for (index, place) in places.iter().enumerate() {
+            if !place.is_finite() {
+                return Err(Error::NotFinite { what: ErrorItem::Angle, index });
+            }
+            within(ErrorItem::Angle, place.x.abs().max(place.y.abs()), [0.0, MAX_ANGLE])?;
+        }
+        let segments = if closed { n } else { n - 1 };
+        let knots = knots(options, segments)?;
+        let given = given_rates(torus, places, options)?;
+        let mut steps: Vec<Vec2> = (0..segments).map(|i| shortest_step(places[i], places[(i + 1) % n])).collect();
+        wind(&mut steps, options)?;
+        for (i, step) in steps.iter_mut().enumerate() {
+            check_step(step, i, [places[i], places[(i + 1) % n]], (i + 1) % n, options.loops)?;
+        }
+        let way: f64 = steps.iter().map(|step| step.length()).sum();
+        if !(way <= MOST_WAY) {
+            let (needed, cap) = (way, MOST_WAY as usize);
+            return Err(Error::TooManyPieces {
+                what: "curve on the torus",
+                segment: None,
+                needed,
+                cap,
+                remedy: "ask for fewer turns",
+            });
+        }
+        let mut data = Self { places: places.to_vec(), steps, knots, rates: Vec::new(), closed };
+        data.rates = (0..n).map(|i| given[i].unwrap_or_else(|| data.estimate(i))).collect();
+        data.check_ways()?;
+        Ok(data)
+    }
+
+    /// Length of a segment in the knot parameter.
+    pub(super) fn length(&self, segment: usize) -> f64 {
+        self.knots[segment + 1] - self.knots[segment]
+    }
+
+    /// The places with their tangents at both ends of a segment, by the parameter of the segment, which has length 1.
+    pub(super) fn ways(&self, segment: usize) -> [Vec2; 2] {
+        let next = (segment + 1) % self.places.len();
+        [self.rates[segment], self.rates[next]].map(|rate| rate * self.length(segment))
+    }
+
+    /// Bessel's estimate from the chords on both sides; at the ends the chord, at cusps across.
+    fn estimate(&self, point: usize) -> Vec2 {
+        let segments = self.steps.len();
+        let before = if point > 0 { Some(point - 1) } else { self.closed.then(|| segments - 1) };
+        let after = (point < segments).then_some(point);
+        let chord = |segment: usize| self.steps[segment] * (1.0 / self.length(segment));
+        let (estimate, longer) = match (before, after) {
+            (Some(l), Some(r)) => {
+                let (hl, hr) = (self.length(l), self.length(r));
+                let (dl, dr) = (chord(l), chord(r));
+                let longer = if dl.length() > dr.length() { dl } else { dr };
+                (dl * (hr / (hl + hr)) + dr * (hl / (hl + hr)), longer)
+            }
+            (Some(only), None) | (None, Some(only)) => (chord(only), chord(only)),
+            (None, None) => (Vec2::new(1.0, 0.0), Vec2::new(1.0, 0.0)),
+        };
+        if longer.length() == 0.0 {
+            // Equal points on both sides, with loops between: along the parallel.
+            return Vec2::new(1.0 / self.length(after.or(before).unwrap_or(0)), 0.0);
+        }
+        if estimate.length() < CUSP * longer.length() { longer.left() * CUSP_SPEED } else { estimate }
+    }
+
+    fn check_ways(&self) -> Result<()> {
+        (0..self.steps.len())
+            .flat_map(|segment| self.ways(segment))
+            .try_for_each(|way| within(ErrorItem::TangentOverSpan, way.length(), WAY_RANGE))
+    }
+}
+
+/// The step to the next place by the shortest way, each angle by half pi at most.
+pub(super) fn shortest_step(from: Point2, to: Point2) -> Vec2 {
+    let short = |x: f64| x - PI * (x / PI).round();
+    let d = to - from;
+    Vec2::new(short(d.x), short(d.y))
+}
+
+fn knots(options: &TorusSplineOptions, segments: usize) -> Result<Vec<f64>> {
+    if options.knots.is_empty() {
+        return Ok((0..=segments).map(|k| k as f64).collect());
+    }
+    if options.knots.len() != segments + 1 {
+        return Err(Error::CountDiffers { what: ErrorItem::Knot, given: options.knots.len(), needed: segments + 1 });
+    }
+    if let Some(index) = options.knots.iter().position(|k| !k.is_finite()) {
+        return Err(Error::NotFinite { what: ErrorItem::Knot, index });
+    }
+    let whole = options.knots[segments] - options.knots[0];
+    let limit = (SHORTEST_SPAN * whole).max(0.0);
+    for (index, pair) in options.knots.windows(2).enumerate() {
+        let length = pair[1] - pair[0];
+        if !(length > limit && whole.is_finite()) {
+            return Err(Error::EmptyInterval { index, length, limit });
+        }
+    }
+    Ok(options.knots.clone())
+}
+
+/// The tangents that are not free, as speeds of places.
+fn given_rates(torus: &Torus, places: &[Point2], options: &TorusSplineOptions) -> Result<Vec<Option<Vec2>>> {
+    let n = places.len();
+    if options.tangents.is_empty() {
+        return Ok(vec![None; n]);
+    }
+    if options.tangents.len() != n {
+        return Err(Error::CountDiffers { what: ErrorItem::Tangent, given: options.tangents.len(), needed: n });
+    }
+    let rate = |(index, tangent): (usize, &TorusTangent)| {
+        let rate = match tangent {
+            TorusTangent::Free => return Ok(None),
+            TorusTangent::Rate(rate) => *rate,
+            TorusTangent::Velocity(v) if v.is_finite() => torus.rate(places[index], *v),
+            TorusTangent::Velocity(_) => Vec2::new(f64::NAN, f64::NAN),
+        };
+        let speed = rate.length();
+        if !speed.is_finite() {
+            Err(Error::NotFinite { what: ErrorItem::Tangent, index })
+        } else if speed == 0.0 {
+            Err(Error::ZeroTangent { index })
+        } else {
+            Ok(Some(rate))
+        }
+    };
+    options.tangents.iter().enumerate().map(rate).collect()
+}
+
+/// Adds the half turns asked for.
+fn wind(steps: &mut [Vec2], options: &TorusSplineOptions) -> Result<()> {
+    let check = |turns: f64| within(ErrorItem::Winding, turns.abs(), [0.0, MOST_TURNS]);
+    match &options.winding {
+        TorusWinding::Shortest => Ok(()),
+        TorusWinding::PerSegment(list) => {
+            if list.len() != steps.len() {
+                return Err(Error::CountDiffers { what: ErrorItem::Winding, given: list.len(), needed: steps.len() });
+            }
+            for (step, turns) in steps.iter_mut().zip(list) {
+                let [x, y] = turns.map(f64::from);
+                check(x.abs().max(y.abs()))?;
+                *step = *step + Vec2::new(PI * x, PI * y);
+            }
+            Ok(())
+        }
+        TorusWinding::Total(turns) => {
+            let [x, y] = turns.map(f64::from);
+            check(x.abs().max(y.abs()))?;
+            if options.closed {
+                wind_component(steps, x, |step| &mut step.x);
+                wind_component(steps, y, |step| &mut step.y);
+            }
+            Ok(())
+        }
+    }
+}
+
+/// Adds half turns where steps stay shortest, until all together are as many as asked for.
+fn wind_component(steps: &mut [Vec2], asked: f64, component: impl Fn(&mut Vec2) -> &mut f64) {
+    let sum: f64 = steps.iter_mut().map(|step| *component(step)).sum();
+    let missing = asked - (sum / PI).round();
+    let turn = PI.copysign(missing);
+    let each = (missing.abs() / steps.len() as f64).floor();
+    let rest = (missing.abs() - each * steps.len() as f64) as usize;
+    // As many for each first; of the rest none gets two, as that would be longer than any other with one.
+    let lengths: Vec<f64> = steps.iter_mut().map(|step| (*component(step) + (each + 1.0) * turn).abs()).collect();
+    let mut order: Vec<usize> = (0..steps.len()).collect();
+    order.sort_by(|i, j| lengths[*i].total_cmp(&lengths[*j]));
+    for (rank, i) in order.into_iter().enumerate() {
+        *component(&mut steps[i]) += turn * if rank < rest { each + 1.0 } else { each };
+    }
+}
+
+/// Refuses a step between equal points; where loops are asked for it becomes exactly none.
+fn check_step(step: &mut Vec2, first: usize, ends: [Point2; 2], second: usize, loops: bool) -> Result<()> {
+    let limit = |a: f64, b: f64| SAME_PLACE * (PI + a.abs() + b.abs());
+    let limits = Vec2::new(limit(ends[0].x, ends[1].x), limit(ends[0].y, ends[1].y));
+    if step.x.abs() > limits.x || step.y.abs() > limits.y {
+        return Ok(());
+    }
+    if loops {
+        *step = Vec2::default();
+        return Ok(());
+    }
+    let (distance, limit) = (step.length(), limits.length());
+    Err(Error::CoincidentPoints { first, second, distance, limit })
+}

@@ -1,0 +1,52 @@
+//! Torus knots.
+
+use crate::data::{reach, tori};
+use cyclide::{CircleFamily, ParamCurve, Point2, TorusSpline, joints, length};
+use cyclide_testkit::torus_splines::{faults, winding};
+
+#[test]
+fn knots_wind_as_asked_and_are_c1() {
+    for torus in tori() {
+        for turns in [[2, 3], [3, 2], [-3, 5], [7, -4], [1, 0], [0, -1], [1, 1], [-1, 1], [1, 9]] {
+            let knot = TorusSpline::knot(&torus, turns, Point2::new(0.3, -0.2)).unwrap();
+            assert_eq!(faults(&knot), Vec::<String>::new(), "{turns:?}");
+            assert_eq!(winding(&knot), turns.map(i64::from));
+            // All pieces are one piece turned: speeds agree to rounding without any estimate.
+            assert!(knot.junctions().iter().all(|j| j.rate_jump.length() < 1e-14 && j.types[0] == j.types[1]));
+        }
+    }
+}
+
+/// `[1, 0]`, `[0, 1]` and `[±1, ±1]` are circles, of degree 2.
+#[test]
+fn simple_knots_are_circles() {
+    let torus = &tori()[1];
+    let start = Point2::new(0.4, 1.0);
+    let cases = [
+        ([1, 0], CircleFamily::Parallel),
+        ([0, 1], CircleFamily::Meridian),
+        ([1, 1], CircleFamily::Villarceau),
+        ([1, -1], CircleFamily::MirrorVillarceau),
+    ];
+    for (turns, family) in cases {
+        let (knot, circle) = (TorusSpline::knot(torus, turns, start).unwrap(), torus.circle(family, start).unwrap());
+        assert_eq!(knot.to_nurbs().unwrap().degree(), 2);
+        assert!((length(&knot) - length(&circle)).abs() < 1e-12 * length(&circle), "{turns:?}");
+        assert!((0..50).all(|k| circle.closest_point(knot.point(f64::from(k) / 50.0)).distance < 1e-13 * reach(torus)));
+    }
+}
+
+/// Equal pieces are turned into each other by the longitude, and stay near the straight line of the plane.
+#[test]
+fn knots_are_nearly_straight_in_the_plane() {
+    let torus = &tori()[0];
+    let knot = TorusSpline::knot(torus, [2, 3], Point2::default()).unwrap();
+    let slope = 1.5;
+    for piece in 0..knot.pieces().len() {
+        for k in 0..=10 {
+            let place = knot.unrolled_place(piece, f64::from(k) / 10.0);
+            assert!((place.y - slope * place.x).abs() < 2e-3, "{place:?}");
+        }
+    }
+    assert!(joints(&knot).iter().all(|joint| joint.gap == 0.0 && joint.angle < 1e-13));
+}
