@@ -10,6 +10,7 @@ is such a fraction whose weight turns with its own parameter (C. Doran, "Circle 
 geometric algebra", section 4). Quaternions are arrays [w, x, y, z]; all functions take arrays of parameters.
 """
 
+import functools
 import math
 
 import numpy as np
@@ -454,9 +455,11 @@ class Curve:
     def _each(self, index, s, method):
         """A method of the pieces `index` at their own parameters `s`."""
         out = np.empty((len(s), 3))
-        for i in np.unique(index):
-            mask = index == i
-            out[mask] = getattr(self.pieces[i], method)(s[mask])
+        order = np.argsort(index, kind="stable")
+        starts = np.flatnonzero(np.diff(index[order], prepend=-1))
+        for places in np.split(order, starts[1:]):
+            if len(places):
+                out[places] = getattr(self.pieces[index[places[0]]], method)(s[places])
         return out
 
     def point(self, t):
@@ -483,20 +486,30 @@ class Curve:
             before = value
         raise AssertionError("the length of a reference piece did not converge")
 
+    @functools.cached_property
+    def _samples(self):
+        """The samples of `sample()` and a tree of them: curves do not change."""
+        t, x = self.sample(64)
+        return t, x, cKDTree(x)
+
     def sample(self, per_piece=64):
         t = np.linspace(0.0, len(self), per_piece * len(self) + 1)
         return t, self.point(t)
 
     def extent(self):
         """Diagonal of the bounding box."""
-        _, x = self.sample()
+        _, x, _ = self._samples
         return float(np.linalg.norm(x.max(axis=0) - x.min(axis=0)))
+
+    def gap(self, points):
+        """The largest distance of points from the nearest samples: enough to tell which of several curves they are on."""
+        return float(self._samples[2].query(points)[0].max())
 
     def distances(self, points):
         """Distance of every given point to the curve: nearest samples, then Gauss-Newton inside their pieces."""
         points = np.atleast_2d(np.asarray(points, float))
-        t, x = self.sample()
-        _, nearest = cKDTree(x).query(points, k=2)
+        t, _, tree = self._samples
+        _, nearest = tree.query(points, k=2)
         best = np.full(len(points), np.inf)
         for column in nearest.T:
             for side in (-1e-9, 1e-9):  # a sample at a joint belongs to both pieces

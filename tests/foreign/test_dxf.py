@@ -70,7 +70,7 @@ def test_planar_curves_are_polylines_within_the_tolerance(built, drawing):
             assert min(c.distances(points).max() for _, c in polylines) <= limit, name
             continue
         _, samples = curve.sample(32)
-        entity, read = min(polylines, key=lambda p: p[1].distances(samples[::16]).max())
+        entity, read = min(polylines, key=lambda p: p[1].gap(samples[::16]))
         exact = all(isinstance(piece, form.Arc) for piece in curve.pieces)
         limit = 1e-9 * curve.extent() + (0.0 if exact else TOLERANCE)
         assert read.distances(samples).max() <= limit, name

@@ -22,7 +22,7 @@ def step(built):
 def wire_of(step, curve, scale):
     """The wire that runs along this reference curve."""
     if curve not in step.found:
-        gaps = [curve.distances(wire.points(3)[:60] / scale).max() for wire in step.wires]
+        gaps = [curve.gap(wire.points(3)[:60] / scale) for wire in step.wires]
         step.found[curve] = step.wires[int(np.argmin(gaps))]
     return step.found[curve]
 
