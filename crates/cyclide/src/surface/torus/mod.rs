@@ -143,7 +143,7 @@ impl Torus {
     /// use cyclide::{Frame, Torus};
     /// let torus = Torus::new(Frame::WORLD, 3.0, 1.0)?;
     /// let solid = torus.to_cyclide()?.to_bodies([8, 6])?.remove(0);
-    /// assert!((solid.outer.volume()? - 6.0 * std::f64::consts::PI.powi(2)).abs() < 1e-9); // Pappus
+    /// assert!((solid.outer.volume() - 6.0 * std::f64::consts::PI.powi(2)).abs() < 1e-9); // Pappus
     /// # Ok::<(), cyclide::Error>(())
     /// ```
     ///

@@ -4,7 +4,8 @@
 //! `e^(iD)`, has the same speed at both ends, so that equal pieces join C1; all pieces of a knot are one piece turned
 //! (`docs/math/torus-splines.md#torus-knots`).
 
-use super::spline_data::MAX_ANGLE;
+use super::projective_biarc::within;
+use super::spline_data::check_angles;
 use super::spline_span::best_type;
 use crate::base::complex::Complex;
 use crate::base::planar::{Point2, Vec2};
@@ -60,12 +61,9 @@ impl TorusSpline {
 }
 
 fn check(turns: [i32; 2], start: Point2) -> Result<()> {
-    if !start.is_finite() {
-        return Err(Error::NotFinite { what: ErrorItem::Angle, index: 0 });
-    }
-    super::projective_biarc::within(ErrorItem::Angle, start.x.abs().max(start.y.abs()), [0.0, MAX_ANGLE])?;
+    check_angles(0, start)?;
     let [p, q] = turns.map(i32::unsigned_abs);
-    super::projective_biarc::within(ErrorItem::Winding, f64::from(p.max(q)), [0.0, f64::from(MOST_TURNS)])?;
+    within(ErrorItem::Winding, f64::from(p.max(q)), [0.0, f64::from(MOST_TURNS)])?;
     let divisor = greatest_common_divisor(p, q);
     if divisor == 1 { Ok(()) } else { Err(Error::NotCoprime { turns, divisor }) }
 }

@@ -8,7 +8,7 @@ use crate::surface::Torus;
 use std::f64::consts::PI;
 
 /// Largest angle of a place, radians: it keeps ten digits modulo pi.
-pub(super) const MAX_ANGLE: f64 = 1e6;
+const MAX_ANGLE: f64 = 1e6;
 
 /// Most half turns added to a step or asked for in all.
 const MOST_TURNS: f64 = 10_000.0;
@@ -45,16 +45,7 @@ pub(super) struct Data {
 impl Data {
     pub(super) fn new(torus: &Torus, places: &[Point2], options: &TorusSplineOptions) -> Result<Self> {
         let (n, closed) = (places.len(), options.closed);
-        let needed = if closed { 1 } else { 2 };
-        if n < needed {
-            return Err(Error::TooFewPoints { given: n, needed });
-        }
-        for (index, place) in places.iter().enumerate() {
-            if !place.is_finite() {
-                return Err(Error::NotFinite { what: ErrorItem::Angle, index });
-            }
-            within(ErrorItem::Angle, place.x.abs().max(place.y.abs()), [0.0, MAX_ANGLE])?;
-        }
+        check_places(places, if closed { 1 } else { 2 })?;
         let segments = if closed { n } else { n - 1 };
         let knots = knots(options, segments)?;
         let given = given_rates(torus, places, options)?;
@@ -63,17 +54,7 @@ impl Data {
         for (i, step) in steps.iter_mut().enumerate() {
             check_step(step, i, [places[i], places[(i + 1) % n]], (i + 1) % n, options.loops)?;
         }
-        let way: f64 = steps.iter().map(|step| step.length()).sum();
-        if !(way <= MOST_WAY) {
-            let (needed, cap) = (way, MOST_WAY as usize);
-            return Err(Error::TooManyPieces {
-                what: "curve on the torus",
-                segment: None,
-                needed,
-                cap,
-                remedy: "ask for fewer turns",
-            });
-        }
+        check_way(&steps)?;
         let mut data = Self { places: places.to_vec(), steps, knots, rates: Vec::new(), closed };
         data.rates = (0..n).map(|i| given[i].unwrap_or_else(|| data.estimate(i))).collect();
         data.check_ways()?;
@@ -121,6 +102,44 @@ impl Data {
     }
 }
 
+/// Refuses too few places, and angles that are not finite or have lost their digits modulo pi.
+pub(super) fn check_places(places: &[Point2], needed: usize) -> Result<()> {
+    if places.len() < needed {
+        return Err(Error::TooFewPoints { given: places.len(), needed });
+    }
+    places.iter().enumerate().try_for_each(|(index, place)| check_angles(index, *place))
+}
+
+/// The same of one place.
+pub(super) fn check_angles(index: usize, place: Point2) -> Result<()> {
+    if !place.is_finite() {
+        return Err(Error::NotFinite { what: ErrorItem::Angle, index });
+    }
+    within(ErrorItem::Angle, place.x.abs().max(place.y.abs()), [0.0, MAX_ANGLE])
+}
+
+/// Refuses a tangent, as the speed of its place, that is none.
+pub(super) fn check_rate(index: usize, rate: Vec2) -> Result<()> {
+    let speed = rate.length();
+    if !speed.is_finite() {
+        Err(Error::NotFinite { what: ErrorItem::Tangent, index })
+    } else if speed == 0.0 {
+        Err(Error::ZeroTangent { index })
+    } else {
+        Ok(())
+    }
+}
+
+/// Refuses more half turns than work and memory allow.
+fn check_way(steps: &[Vec2]) -> Result<()> {
+    let needed: f64 = steps.iter().map(|step| step.length()).sum();
+    if needed <= MOST_WAY {
+        return Ok(());
+    }
+    let (what, remedy) = ("curve on the torus", "ask for fewer turns");
+    Err(Error::TooManyPieces { what, segment: None, needed, cap: MOST_WAY as usize, remedy })
+}
+
 /// The step to the next place by the shortest way, each angle by half pi at most.
 pub(super) fn shortest_step(from: Point2, to: Point2) -> Vec2 {
     let short = |x: f64| x - PI * (x / PI).round();
@@ -165,14 +184,7 @@ fn given_rates(torus: &Torus, places: &[Point2], options: &TorusSplineOptions) -
             TorusTangent::Velocity(v) if v.is_finite() => torus.rate(places[index], *v),
             TorusTangent::Velocity(_) => Vec2::new(f64::NAN, f64::NAN),
         };
-        let speed = rate.length();
-        if !speed.is_finite() {
-            Err(Error::NotFinite { what: ErrorItem::Tangent, index })
-        } else if speed == 0.0 {
-            Err(Error::ZeroTangent { index })
-        } else {
-            Ok(Some(rate))
-        }
+        check_rate(index, rate).map(|()| Some(rate))
     };
     options.tangents.iter().enumerate().map(rate).collect()
 }

@@ -115,47 +115,51 @@ impl Shared {
     ) -> Result<Vec<TwoTypeBiarc>> {
         let ([i, j], [h0, h1]) = (self.places, lengths);
         let (first, last) = (kinds[0].local(rates[0]), kinds[1].local(rates[1]));
-        let f1 = kinds[0].local(step)[i];
         let slopes = [first[i], self.sign * last[j]];
-        let f = ProjectiveBiarc::of_coordinate(i, 0.0, f1, slopes, lengths)?;
-        let (p0, q1, q1_rate) = (first[1 - i], kinds[1].local(step)[1 - j], last[1 - j]);
-        let (al, be) = (1.0 / (h1 * h1 * q1_rate), self.e / (h0 * h0 * p0));
+        let f = ProjectiveBiarc::of_coordinate(i, 0.0, kinds[0].local(step)[i], slopes, lengths)?;
+        let (p_rate, q_rate, q1) = (first[1 - i], last[1 - j], kinds[1].local(step)[1 - j]);
+        let (al, be) = (1.0 / (h1 * h1 * q_rate), self.e / (h0 * h0 * p_rate));
         let turned = Complex::at_angle(2.0 * self.e * (self.g * f.mid_offset() - q1)) * -al;
         let k = Complex::new(turned.re + be, turned.im);
         let cosine = (2.0 * self.g * f.mid_slope() - al + be) / k.norm();
         let half = 0.5 * cosine.acos();
-        let candidates = [half, -half].map(|half| self.candidate(-0.5 * k.arg() + half, &f, p0, q1, q1_rate));
-        let found: Vec<TwoTypeBiarc> = candidates
+        let steps =
+            [half, -half].map(|half| self.candidate(half - 0.5 * k.arg(), f.mid_offset(), p_rate, [q1, q_rate]));
+        let found: Vec<TwoTypeBiarc> = steps
             .into_iter()
             .flatten()
-            .map(|(pm, q_step)| {
-                let p_course = single([h0 * p0, pm]);
-                let q_course = single_to_end([h1 * q1_rate, q_step]);
-                let [f_course, rest] = f.courses();
-                let signed = Course {
-                    step: self.sign * rest.step,
-                    ratio: if self.sign < 0.0 { rest.ratio.conj() } else { rest.ratio },
-                };
-                let middle = kinds[0].back(ordered(i, f.mid_offset(), pm));
-                let pm_rate = (pm.sin() / h0).powi(2) / p0;
-                TwoTypeBiarc {
-                    pieces: [
-                        TorusPiece::new(kinds[0], start, ordered(i, f_course, p_course)),
-                        TorusPiece::new(kinds[1], start + middle, ordered(j, signed, q_course)),
-                    ],
-                    middle,
-                    middle_rate: kinds[0].back(ordered(i, f.mid_slope(), pm_rate)),
-                }
+            .map(|[p_step, q_step]| {
+                let courses = [single([h0 * p_rate, p_step]), single_to_end([h1 * q_rate, q_step])];
+                self.biarc(kinds, start, &f, courses, (p_step.sin() / h0).powi(2) / p_rate)
             })
             .collect();
         if found.is_empty() { Err(Error::NoTwoTypeSolution { segment: 0, cosine }) } else { Ok(found) }
     }
 
+    /// From the biarc of the shared coordinate and the courses of the others.
+    fn biarc(
+        &self,
+        kinds: [QuarticType; 2],
+        start: Point2,
+        f: &ProjectiveBiarc,
+        [p, q]: [Course; 2],
+        p_rate: f64,
+    ) -> TwoTypeBiarc {
+        let ([i, j], [first, rest]) = (self.places, f.courses());
+        let signed = if self.sign < 0.0 { Course { step: -rest.step, ratio: rest.ratio.conj() } } else { rest };
+        let middle = kinds[0].back(ordered(i, f.mid_offset(), p.step));
+        let pieces = [
+            TorusPiece::new(kinds[0], start, ordered(i, first, p)),
+            TorusPiece::new(kinds[1], start + middle, ordered(j, signed, q)),
+        ];
+        TwoTypeBiarc { pieces, middle, middle_rate: kinds[0].back(ordered(i, f.mid_slope(), p_rate)) }
+    }
+
     /// The step of `p` and that of `q` of a solution modulo pi, if both run in the directions of the speeds.
-    fn candidate(&self, pm: f64, f: &ProjectiveBiarc, p0: f64, q1: f64, q1_rate: f64) -> Option<(f64, f64)> {
-        let up = (pm * p0.signum()).rem_euclid(PI) * p0.signum();
-        let q_step = q1 - (self.e * up + self.g * f.mid_offset());
-        (up.abs() > 0.0 && q_step * q1_rate.signum() > 0.0 && q_step.abs() < PI).then_some((up, q_step))
+    fn candidate(&self, p: f64, f: f64, p_rate: f64, [q1, q_rate]: [f64; 2]) -> Option<[f64; 2]> {
+        let p_step = (p * p_rate.signum()).rem_euclid(PI) * p_rate.signum();
+        let q_step = q1 - (self.e * p_step + self.g * f);
+        (p_step.abs() > 0.0 && q_step * q_rate.signum() > 0.0 && q_step.abs() < PI).then_some([p_step, q_step])
     }
 }
 

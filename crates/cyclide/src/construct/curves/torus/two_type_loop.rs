@@ -1,7 +1,6 @@
 //! Closed curves of two-type biarcs through points with given speeds, as in the loops of `002` Figs. 2 and 3.
 
-use super::projective_biarc::within;
-use super::spline_data::{MAX_ANGLE, shortest_step};
+use super::spline_data::{check_places, check_rate, shortest_step};
 use super::two_type::TwoTypeBiarc;
 use crate::base::planar::{Point2, Vec2};
 use crate::error::{Error, ErrorItem, Result};
@@ -32,22 +31,15 @@ impl TorusSpline {
     /// ```
     ///
     /// # Errors
-    /// `too-few-points` (below 2), `count-differs`, `not-finite`, `parameter-out-of-range` (angles above 1e6),
+    /// `too-few-points` (below 2), `count-differs`, `not-finite`, `zero-tangent`, `parameter-out-of-range` (angles above 1e6),
     /// `no-two-type-solution` with the segment: take [`through_places`](Self::through_places), which has always one.
     pub fn two_type_loop(torus: &Torus, places: &[Point2], rates: &[Vec2]) -> Result<Self> {
         let n = places.len();
-        if n < 2 {
-            return Err(Error::TooFewPoints { given: n, needed: 2 });
-        }
+        check_places(places, 2)?;
         if rates.len() != n {
             return Err(Error::CountDiffers { what: ErrorItem::Tangent, given: rates.len(), needed: n });
         }
-        for (index, place) in places.iter().enumerate() {
-            if !place.is_finite() {
-                return Err(Error::NotFinite { what: ErrorItem::Angle, index });
-            }
-            within(ErrorItem::Angle, place.x.abs().max(place.y.abs()), [0.0, MAX_ANGLE])?;
-        }
+        rates.iter().enumerate().try_for_each(|(index, rate)| check_rate(index, *rate))?;
         let mut chain = TorusChain::starting_at(0.0);
         for (segment, start) in places.iter().enumerate() {
             let next = (segment + 1) % n;
@@ -56,9 +48,9 @@ impl TorusSpline {
             let [first, second] = best.pieces();
             chain.push(first, segment as f64 + 0.5);
             chain.push(second, segment as f64 + 1.0);
-            let speeds = [rates[segment], best.middle().1, rates[next]].map(Vec2::length);
+            let speeds = [rates[segment], best.middle().1, rates[next], step].map(Vec2::length);
             let (least, most) =
-                (speeds.into_iter().fold(step.length(), f64::min), speeds.into_iter().fold(step.length(), f64::max));
+                (speeds.into_iter().fold(f64::INFINITY, f64::min), speeds.into_iter().fold(0.0, f64::max));
             chain.end_segment(SegmentMethod::TwoTypes, least / most);
         }
         Ok(chain.into_spline(torus, true, places[0]))
@@ -73,7 +65,6 @@ fn quarter(start: Point2, step: Vec2, rates: [Vec2; 2], segment: usize) -> Resul
         let [Some(first), Some(second)] = kinds else { continue };
         let found = match TwoTypeBiarc::all([first, second], start, step, rates, [0.5; 2]) {
             Ok(found) => found,
-            Err(error @ Error::NotFinite { .. }) => return Err(error),
             Err(Error::NoTwoTypeSolution { cosine, .. }) if best.is_err() => {
                 best = Err(Error::NoTwoTypeSolution { segment, cosine });
                 continue;
