@@ -301,6 +301,26 @@ pub enum Warning {
         /// Smallest radius of curvature of the way of its centre.
         limit: f64,
     },
+    /// A hull of points of which no faces in planes are as near as the default flatness: it was raised until there are some.
+    FlatnessRaised {
+        /// The default, 1e-9 of the diameter.
+        asked: f64,
+        /// What was used.
+        used: f64,
+    },
+    /// Edges of a polyhedron at which its faces are nearly in one plane, as where coordinates have few digits.
+    ShallowEdges {
+        /// Ends of the edge that bends least.
+        ends: [usize; 2],
+        /// How many there are.
+        count: usize,
+        /// The least angle between the normals of two faces, radians.
+        angle: f64,
+        /// Angles below this are reported, radians.
+        limit: f64,
+        /// How far the corners of one face are off the plane of the other one at most.
+        off: f64,
+    },
     /// Normals of a mesh that point to the back of a face at their vertex: the smooth surface folds over there.
     NormalFacesBackward {
         /// The first triangle with such a corner, from 0.
@@ -353,6 +373,8 @@ impl Warning {
             Self::BeyondFocalSet { .. } => "beyond-focal-set",
             Self::FoldedNet { .. } => "folded-net",
             Self::NeckFolds { .. } => "neck-folds",
+            Self::FlatnessRaised { .. } => "flatness-raised",
+            Self::ShallowEdges { .. } => "shallow-edges",
             Self::NormalFacesBackward { .. } => "normal-faces-backward",
         }
     }
@@ -394,6 +416,8 @@ impl Warning {
             | Self::EndsWithoutEffect
             | Self::SwingsOut { .. }
             | Self::Zigzag { .. }
+            | Self::FlatnessRaised { .. }
+            | Self::ShallowEdges { .. }
             | Self::NeckFolds { .. } => None,
         }
     }
@@ -606,6 +630,19 @@ impl std::fmt::Display for Warning {
                 "the neck runs through itself on the side to which the pipe leans: a ball of radius {} rolls through bends of radius {}; take a smaller ball",
                 ShortNumber(*radius),
                 ShortNumber(*limit)
+            ),
+            Self::FlatnessRaised { asked, used } => write!(
+                f,
+                "the points are not in planes within {}, 1e-9 of their diameter: {} is taken, as of rounded points; give the rounding of the points as `flatness`",
+                ShortNumber(*asked),
+                ShortNumber(*used)
+            ),
+            Self::ShallowEdges { ends: [first, second], count, angle, limit, off } => write!(
+                f,
+                "{count} edge(s) bend by less than {} radians, least of all that between the points {first} and {second}, by {}: where their faces are meant to be in one plane, give the rounding of the points as `flatness`; corners are up to {} off the plane beside them",
+                ShortNumber(*limit),
+                ShortNumber(*angle),
+                ShortNumber(*off)
             ),
             Self::OpenSeam { border, gap, angle } => write!(
                 f,

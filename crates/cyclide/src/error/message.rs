@@ -391,6 +391,12 @@ impl std::fmt::Display for Error {
             ),
             Self::InTriangle { triangle, cause } => write!(f, "triangle {triangle}: {cause}"),
             Self::InSpan { span, cause } => write!(f, "span {span}: {cause}"),
+            Self::PlanesMissPoint { vertex, distance, limit } => write!(
+                f,
+                "with faces that are near to one plane made one, the surface is {} off at point {vertex}, limit {}",
+                ShortNumber(*distance),
+                ShortNumber(*limit)
+            ),
         }
     }
 }

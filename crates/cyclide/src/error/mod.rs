@@ -725,6 +725,15 @@ pub enum Error {
         /// What went wrong in it.
         cause: Box<Error>,
     },
+    /// The planes of the sides of a polyhedron leave a given point, or have a corner that is far from the given faces.
+    PlanesMissPoint {
+        /// The point, or the given one that became the corner.
+        vertex: usize,
+        /// Its distance from the other surface.
+        distance: f64,
+        /// Largest distance accepted.
+        limit: f64,
+    },
 }
 
 impl std::error::Error for Error {

@@ -189,6 +189,17 @@
 //! assert_eq!(ConvexPolyhedron::new(&cube, &faces).unwrap_err().reason(), "non-planar-face");
 //! ```
 //!
+//! # `planes-miss-point`
+//! The nose of a wedge is lower than the flatness and joins its base; the sides that are left meet far in front of it.
+//! ```
+//! use cyclide::{ConvexPolyhedron, Point3};
+//! let section = [[0.0, 0.0], [10.0, 0.0], [10.0, 0.1], [0.0, 2.0]];
+//! let wedge: Vec<Point3> = [0.0, 10.0].iter().flat_map(|&y| section.map(|[x, z]| Point3::new(x, y, z))).collect();
+//! assert_eq!(ConvexPolyhedron::hull_with_flatness(&wedge, 0.11).unwrap_err().reason(), "planes-miss-point");
+//! assert_eq!(ConvexPolyhedron::hull(&wedge)?.faces().len(), 6);
+//! # Ok::<(), cyclide::Error>(())
+//! ```
+//!
 //! # `not-convex`
 //! Faces turn towards each other at an edge: here all of them, being clockwise.
 //! ```
