@@ -56,7 +56,10 @@ impl Builder<'_> {
         };
         let polyhedron = polyhedron.map_err(|e| self.refused_mesh(&mesh, &e))?;
         let body = polyhedron.offset(spec.radius).map_err(|e| self.refused_mesh(&mesh, &e))?;
-        let place = mesh.file.clone().or_else(|| (!self.document.text.is_empty()).then(|| path_text(&self.path([Step::from(mesh.field)]))));
+        let place = mesh
+            .file
+            .clone()
+            .or_else(|| (!self.document.text.is_empty()).then(|| path_text(&self.path([Step::from(mesh.field)]))));
         for warning in polyhedron.warnings() {
             self.remark(warning.reason(), None, warning.index(), place.clone(), warning.to_string());
             self.warnings.push((0, warning));

@@ -24,8 +24,10 @@ use plane::area_vector;
 /// Corners are in the plane of their face, and faces in one plane, within this part of the diameter.
 const PLANAR: f64 = 1e-9;
 /// Of points whose hull has no planes within that, it is raised so often by a factor: up to 6.6e-5 of the diameter.
-const RAISES: usize = 8;
+const RAISES: i32 = 8;
 const RAISE: f64 = 4.0;
+/// So many more are tried where the first one leaves shallow edges.
+const TRIED_ON: usize = 2;
 /// Edges that bend by less, radians, speak of few digits.
 const SHALLOW: f64 = 1e-3;
 
@@ -137,14 +139,21 @@ impl ConvexPolyhedron {
             Err(error) if !matches!(error, Error::FlatPolyhedron { .. }) => error,
             made => return made,
         };
-        let mut used = asked;
-        for _ in 0..RAISES {
-            used *= RAISE;
-            if let Ok(made) = Self::with_flatness(points, &triangles, used) {
-                return Ok(Self { raised: Some(Warning::FlatnessRaised { asked, used }), ..made });
-            }
+        Self::raised(points, &triangles, asked).ok_or(refused)
+    }
+
+    /// With the first larger flatness that gives a polyhedron, or with one a little larger still that leaves no edges of rounding.
+    fn raised(points: &[Point3], triangles: &[Vec<usize>], asked: f64) -> Option<Self> {
+        let flatness = (1..=RAISES).map(|k| asked * RAISE.powi(k));
+        let mut made = flatness.filter_map(|used| {
+            let made = Self::with_flatness(points, triangles, used).ok()?;
+            Some(Self { raised: Some(Warning::FlatnessRaised { asked, used }), ..made })
+        });
+        let first = made.next()?;
+        if first.shallow_edges().is_none() {
+            return Some(first);
         }
-        Err(refused)
+        Some(made.take(TRIED_ON).find(|more| more.shallow_edges().is_none()).unwrap_or(first))
     }
 
     /// As [`hull`](Self::hull), with the distance within which corners are in one plane, which is not raised.
