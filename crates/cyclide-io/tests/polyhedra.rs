@@ -218,8 +218,9 @@ fn points_of_few_digits_are_told_what_to_give() {
     assert_eq!(remark.place.as_deref(), Some("objects.p.points"));
     let built = build(&format!("{fields}, \"flatness\": 0.001")).unwrap();
     assert!(built.remarks.is_empty() && built.polyhedron.unwrap().polyhedron.faces().len() == 12);
-    // Where planes that are near to each other meet is farther away than the flatness: refused, with the distance.
-    let wedge = "\"points\": [[0,0,0],[10,0,0],[10,0,0.1],[0,0,2],[0,10,0],[10,10,0],[10,10,0.1],[0,10,2]]";
-    let error = build(&format!("{wedge}, \"radius\": 1, \"flatness\": 0.11")).unwrap_err();
-    assert!(error.contains("[planes-miss-point]") && error.contains("limit 0.11"), "{error}");
+    // Four planes of a sharp tip that meet outside it by more than the flatness: refused, with the distance.
+    let tip = "\"points\": [[0,0,10],[1,0,0],[0,1,0],[-1,0,0],[0,-1,0],[0.76,0.76,-5],[-0.75,0.75,-5],[-0.76,-0.76,-5],[0.75,-0.75,-5]]";
+    let error = build(&format!("{tip}, \"radius\": 0.5, \"flatness\": 0.02")).unwrap_err();
+    assert!(error.contains("0.0333") && error.contains("limit 0.02"), "{error}");
+    assert!(error.contains("[planes-miss-point]"), "{error}");
 }

@@ -153,7 +153,7 @@ fn glb_is_brought_to_the_units_of_the_document() {
     let document = Document::parse("m.json", text.as_bytes()).unwrap();
     let read = |_: &Path| Ok(glb());
     let built = ModelBuilder::new(&document, Path::new(""), &read).unwrap().build(0, &mut |_| {}).unwrap();
-    assert_eq!(reasons(&built), ["unit-of-file"]);
+    assert_eq!(reasons(&built), ["unit-of-file", "sharp-edges-smoothed"]);
     let patch = surface(&built).patch(0).unwrap();
     assert_eq!(patch.corners()[1], Point3::new(0.0, 3000.0, 0.0));
 }

@@ -457,12 +457,6 @@ fn rounded_points_have_a_hull() {
         let polyhedron = ConvexPolyhedron::hull(&points).unwrap();
         let said: Vec<&str> = polyhedron.warnings().iter().map(cyclide::Warning::reason).collect();
         let box_faces = polyhedron.faces().len() == 6;
-        println!(
-            "{digits} {} {said:?} {:e} {:e}",
-            polyhedron.faces().len(),
-            polyhedron.flatness(),
-            polyhedron.deviation()
-        );
         assert!(box_faces || said.contains(&"shallow-edges"), "{digits}: {said:?}");
         assert!(polyhedron.deviation() <= polyhedron.flatness(), "{digits}");
         for (p, q) in polyhedron.vertices().iter().zip(&points) {

@@ -140,7 +140,16 @@ impl Builder<'_> {
             };
             words += &format!(" (of {file}: {} and {})", at(first), at(second));
         }
-        if few_digits {
+        let is_shape = matches!(
+            error,
+            KernelError::NotConvex { .. }
+                | KernelError::NotAFace { .. }
+                | KernelError::NonPlanarFace { .. }
+                | KernelError::PlanesMissPoint { .. }
+        );
+        if mesh.faces.is_none() && is_shape {
+            words += "; the hull of the points has no faces in planes within this `flatness`: take a larger one, the rounding of the points";
+        } else if few_digits {
             words += "; where coordinates have few digits, give their rounding as `flatness`";
         } else if matches!(error, KernelError::NotConvex { .. }) {
             words += "; `\"hull\": true` takes the convex hull";

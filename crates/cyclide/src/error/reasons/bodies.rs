@@ -190,13 +190,14 @@
 //! ```
 //!
 //! # `planes-miss-point`
-//! The nose of a wedge is lower than the flatness and joins its base; the sides that are left meet far in front of it.
+//! The four planes of a sharp tip are pulled outwards by points beside its base, and meet farther from the tip than the flatness.
 //! ```
 //! use cyclide::{ConvexPolyhedron, Point3};
-//! let section = [[0.0, 0.0], [10.0, 0.0], [10.0, 0.1], [0.0, 2.0]];
-//! let wedge: Vec<Point3> = [0.0, 10.0].iter().flat_map(|&y| section.map(|[x, z]| Point3::new(x, y, z))).collect();
-//! assert_eq!(ConvexPolyhedron::hull_with_flatness(&wedge, 0.11).unwrap_err().reason(), "planes-miss-point");
-//! assert_eq!(ConvexPolyhedron::hull(&wedge)?.faces().len(), 6);
+//! let ring = [[0.0, 0.0, 10.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0], [0.0, -1.0, 0.0]];
+//! let base = [[0.76, 0.76, -5.0], [-0.75, 0.75, -5.0], [-0.76, -0.76, -5.0], [0.75, -0.75, -5.0]];
+//! let points: Vec<Point3> = ring.into_iter().chain(base).map(Point3::from).collect();
+//! assert_eq!(ConvexPolyhedron::hull_with_flatness(&points, 0.02).unwrap_err().reason(), "planes-miss-point");
+//! assert!(ConvexPolyhedron::hull_with_flatness(&points, 0.04)?.deviation() > 0.03);
 //! # Ok::<(), cyclide::Error>(())
 //! ```
 //!

@@ -11,8 +11,8 @@ use crate::surface::barycentric::Barycentric;
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
-/// Measures of a surface over triangles with the estimate of their errors: how much a rule with half as many nodes in each direction differs,
-/// part by part.
+/// Measures of a surface over triangles with the estimate of their errors, from how much a rule with half as many nodes in each direction
+/// differs, part by part.
 ///
 /// ```
 /// use cyclide::{Point3, SmoothMesh, VertexNormals};
@@ -38,7 +38,8 @@ pub struct SmoothMeasure {
 impl SmoothMesh {
     /// Area and volume. The patches are smooth in polar coordinates about their corners, so each is cut into six triangles with one corner of
     /// the patch each, and a Gauss-Legendre rule of 4 x 4 nodes is taken there in such coordinates. The parts with the largest
-    /// differences from the rule of 2 x 2 nodes are quartered until all of these together are below a millionth, or the cap on work is spent.
+    /// errors, estimated from the differences from the rule of 2 x 2 nodes, are quartered until all errors together are below a millionth, or
+    /// the cap on work is spent.
     ///
     /// # Errors
     /// `too-many-pieces` where more than a thousandth is left uncertain then; as [`SmoothTriangle::point`](crate::SmoothTriangle::point),
@@ -70,6 +71,8 @@ impl SphereBlend {
 const AGREEMENT: f64 = 1e-6;
 /// What is left uncertain beyond this part is not known: reports say how much is.
 const UNKNOWN: f64 = 1e-3;
+/// What a difference of the rules, as a part of the integral, is multiplied by when it is squared.
+const SQUARE: f64 = 16.0;
 /// Quarterings at most, and one more for so many parts.
 const QUARTERINGS: [usize; 2] = [4096, 16];
 /// Triangles from which on their parts are not cut at first, and the most parts of each coordinate: some thousand places are looked at in
@@ -93,7 +96,9 @@ struct Part {
 struct Measured {
     part: Part,
     sums: [f64; 2],
-    /// How much the coarse rule differs.
+    /// Of the absolute values.
+    sizes: [f64; 2],
+    /// What is estimated from the difference of the coarse rule.
     errors: [f64; 2],
     /// The larger error as a part of what is measured.
     uncertain: f64,
@@ -144,7 +149,7 @@ impl<F: Fn(usize, &Barycentric) -> Result<Jet>> Quadrature<F> {
             }
         }
         for measured in &first {
-            (0..2).for_each(|k| made.scale[k] += measured.sums[k].abs());
+            (0..2).for_each(|k| made.scale[k] += measured.sizes[k]);
         }
         first.iter_mut().for_each(|measured| measured.uncertain = made.weighed(measured.errors));
         made.parts = first.into();
@@ -195,7 +200,7 @@ impl<F: Fn(usize, &Barycentric) -> Result<Jet>> Quadrature<F> {
                 lost[k] = (sum - sums[k]) - part;
                 sums[k] = sum;
                 errors[k] += measured.errors[k];
-                absolute[k] += measured.sums[k].abs();
+                absolute[k] += measured.sizes[k];
             }
         }
         for (k, what) in [(0, "an area by quadrature"), (1, "a volume by quadrature")] {
@@ -218,15 +223,21 @@ impl<F: Fn(usize, &Barycentric) -> Result<Jet>> Quadrature<F> {
 
     /// The integrals over a part by the fine rule, with what the coarse one differs.
     fn measured(&self, part: Part) -> Result<Measured> {
-        let sums = self.sums(&part, &unit_rule4())?;
-        let coarse = self.sums(&part, &unit_rule2())?;
-        let errors = [0, 1].map(|k| (sums[k] - coarse[k]).abs());
-        Ok(Measured { part, sums, errors, uncertain: 0.0 })
+        let [sums, sizes] = self.sums(&part, &unit_rule4())?;
+        let [coarse, _] = self.sums(&part, &unit_rule2())?;
+        let errors = [0, 1].map(|k| {
+            let difference = (sums[k] - coarse[k]).abs();
+            // Of half as many nodes the error is the root of the error, as a part: where it is small, that of the fine rule is far below it.
+            let part = if sizes[k] > 0.0 { difference / sizes[k] } else { 1.0 };
+            difference * (SQUARE * part).min(1.0)
+        });
+        Ok(Measured { part, sums, sizes, errors, uncertain: 0.0 })
     }
 
-    fn sums(&self, part: &Part, rule: &[(f64, f64)]) -> Result<[f64; 2]> {
+    /// The sums of a rule, and those of the absolute values.
+    fn sums(&self, part: &Part, rule: &[(f64, f64)]) -> Result<[[f64; 2]; 2]> {
         let [a, b] = CELLS[part.cell];
-        let mut sums = [0.0; 2];
+        let [mut sums, mut sizes] = [[0.0; 2]; 2];
         for (radius, radius_weight) in rule.iter().map(|(x, w)| (part.start[0] + part.length * x, part.length * w)) {
             for (turn, turn_weight) in rule.iter().map(|(x, w)| (part.start[1] + part.length * x, part.length * w)) {
                 let mut lambda = [0.0; 3];
@@ -238,11 +249,14 @@ impl<F: Fn(usize, &Barycentric) -> Result<Jet>> Quadrature<F> {
                 let element: Vec3 = jet.derivatives[0].cross(jet.derivatives[1]);
                 // A cell is a sixth of the triangle, which is half of the unit square of its coordinates.
                 let weight = radius * radius_weight * turn_weight / 6.0;
-                sums[0] += weight * element.length();
-                sums[1] += weight * (jet.point - self.apex).dot(element) / 3.0;
+                let values = [weight * element.length(), weight * (jet.point - self.apex).dot(element) / 3.0];
+                for k in 0..2 {
+                    sums[k] += values[k];
+                    sizes[k] += values[k].abs();
+                }
             }
         }
-        Ok(sums)
+        Ok([sums, sizes])
     }
 }
 
