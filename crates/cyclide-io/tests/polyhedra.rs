@@ -167,3 +167,60 @@ fn single_precision_is_taken_for_what_it_is() {
     // By no more than single precision at 100.
     assert!(rounded.moved > 0.0 && rounded.moved < 2e-5, "{}", rounded.moved);
 }
+
+/// A building in metres of a map, in an STL file: single precision has steps of 3 cm there, and the walls are cut into faces lower than what
+/// counts as flat.
+#[test]
+fn walls_in_low_triangles_far_from_the_origin_stay_walls() {
+    let (east, parts) = (500_000.0, 16);
+    let mut binary = vec![b' '; 80];
+    let mut triangles: Vec<[[f64; 3]; 3]> = Vec::new();
+    let sizes = [20.0, 10.0, 6.0];
+    for (axis, end) in (0..3).flat_map(|axis| [(axis, 0), (axis, parts)]) {
+        for (i, j) in (0..parts).flat_map(|i| (0..parts).map(move |j| (i, j))) {
+            let at = |i: i32, j: i32| {
+                let mut key = [0; 3];
+                (key[axis], key[(axis + 1) % 3], key[(axis + 2) % 3]) = (end, i, j);
+                let [x, y, z] = [0, 1, 2].map(|k| sizes[k] * f64::from(key[k]) / f64::from(parts));
+                [east + 0.9 * x - 0.4 * y, 0.4 * x + 0.9 * y, z]
+            };
+            let [a, b, c, d] = [at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)];
+            triangles.extend(if end == 0 { [[a, c, b], [a, d, c]] } else { [[a, b, c], [a, c, d]] });
+        }
+    }
+    binary.extend((triangles.len() as u32).to_le_bytes());
+    for triangle in &triangles {
+        binary.extend([0; 12]);
+        triangle.as_flattened().iter().for_each(|x| binary.extend((*x as f32).to_le_bytes()));
+        binary.extend([0; 2]);
+    }
+    let built = build_with(r#""mesh": {"stl": "b.stl"}, "radius": 0.5"#, &[("b.stl", binary)]).unwrap();
+    let rounded = built.polyhedron.unwrap();
+    assert_eq!((rounded.polyhedron.faces().len(), rounded.polyhedron.corner_count()), (6, 8));
+    // To a step of the coordinates over the size.
+    let volume = 1200.0 * (0.9 * 0.9 + 0.4 * 0.4);
+    assert!((rounded.polyhedron.volume() / volume - 1.0).abs() < 4e-3, "{}", rounded.polyhedron.volume());
+    assert!(rounded.moved > 0.0 && rounded.moved < 0.0625, "{}", rounded.moved);
+}
+
+#[test]
+fn points_of_few_digits_are_told_what_to_give() {
+    let golden = 0.5 * (1.0 + 5.0_f64.sqrt());
+    let mut points: Vec<[f64; 3]> = CUBE.map(|p| p.map(|x| 20.0 * (x - 1.0))).to_vec();
+    for (a, b) in [(1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0)] {
+        let [x, y] = [a / golden, b * golden].map(|x| (20_000.0 * x).round() / 1000.0);
+        points.extend([[0.0, x, y], [x, y, 0.0], [y, 0.0, x]]);
+    }
+    let fields = format!("\"points\": {points:?}, \"radius\": 4");
+    let built = build(&fields).unwrap();
+    let [remark] = &built.remarks[..] else { panic!("{:?}", built.remarks) };
+    assert!(remark.reason == "shallow-edges" && remark.message.contains("`flatness`"), "{remark:?}");
+    assert_eq!(remark.place.as_deref(), Some("objects.p.points"));
+    let built = build(&format!("{fields}, \"flatness\": 0.001")).unwrap();
+    assert!(built.remarks.is_empty() && built.polyhedron.unwrap().polyhedron.faces().len() == 12);
+    // Four planes of a sharp tip that meet outside it by more than the flatness: refused, with the distance.
+    let tip = "\"points\": [[0,0,10],[1,0,0],[0,1,0],[-1,0,0],[0,-1,0],[0.76,0.76,-5],[-0.75,0.75,-5],[-0.76,-0.76,-5],[0.75,-0.75,-5]]";
+    let error = build(&format!("{tip}, \"radius\": 0.5, \"flatness\": 0.02")).unwrap_err();
+    assert!(error.contains("0.0333") && error.contains("limit 0.02"), "{error}");
+    assert!(error.contains("[planes-miss-point]"), "{error}");
+}

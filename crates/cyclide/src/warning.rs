@@ -301,6 +301,59 @@ pub enum Warning {
         /// Smallest radius of curvature of the way of its centre.
         limit: f64,
     },
+    /// A hull of points of which no faces in planes are as near as the default flatness: it was raised until there are some.
+    FlatnessRaised {
+        /// The default, 1e-9 of the diameter.
+        asked: f64,
+        /// What was used.
+        used: f64,
+    },
+    /// Edges of a polyhedron at which its faces are nearly in one plane, as where coordinates have few digits.
+    ShallowEdges {
+        /// Ends of the edge that bends least.
+        ends: [usize; 2],
+        /// How many there are.
+        count: usize,
+        /// The least angle between the normals of two faces, radians.
+        angle: f64,
+        /// Angles below this are reported, radians.
+        limit: f64,
+        /// How far the corners of one face are off the plane of the other one at most.
+        off: f64,
+    },
+    /// Edges of a mesh at which the smooth surface runs backwards: faces are too thin or too long for their normals, or the points noisy.
+    FoldsBack {
+        /// Ends of the edge at which it turns most.
+        vertices: [usize; 2],
+        /// A triangle there, from 0.
+        triangle: usize,
+        /// The angle between the normal of the derivatives and that of the surface there, radians: half a turn where it is folded.
+        angle: f64,
+        /// How many such edges there are.
+        count: usize,
+    },
+    /// Sharp edges of a mesh that became smooth, since no angle of creases was given.
+    SharpEdgesSmoothed {
+        /// Ends of the sharpest.
+        vertices: [usize; 2],
+        /// The angle between its triangles, radians.
+        angle: f64,
+        /// How many there are.
+        count: usize,
+        /// Angles above this are reported, radians.
+        limit: f64,
+    },
+    /// Border edges of a mesh that lie on each other without being joined.
+    LooseBorders {
+        /// Ends of the first one.
+        vertices: [usize; 2],
+        /// How many there are.
+        count: usize,
+        /// Border edges of the mesh.
+        borders: usize,
+        /// The largest distance of the middle of one from the nearest other one; a hundredth of its length at most.
+        gap: f64,
+    },
     /// Normals of a mesh that point to the back of a face at their vertex: the smooth surface folds over there.
     NormalFacesBackward {
         /// The first triangle with such a corner, from 0.
@@ -349,10 +402,14 @@ impl Warning {
             Self::MovedFar { .. } => "moved-far",
             Self::LeftSurface { .. } => "left-surface",
             Self::Zigzag { .. } => "zigzag",
-            Self::OpenSeam { .. } => "open-seam",
+            Self::OpenSeam { .. } | Self::LooseBorders { .. } => "open-seam",
             Self::BeyondFocalSet { .. } => "beyond-focal-set",
             Self::FoldedNet { .. } => "folded-net",
             Self::NeckFolds { .. } => "neck-folds",
+            Self::FoldsBack { .. } => "folds-back",
+            Self::SharpEdgesSmoothed { .. } => "sharp-edges-smoothed",
+            Self::FlatnessRaised { .. } => "flatness-raised",
+            Self::ShallowEdges { .. } => "shallow-edges",
             Self::NormalFacesBackward { .. } => "normal-faces-backward",
         }
     }
@@ -377,7 +434,7 @@ impl Warning {
             Self::MovedFar { vertex, .. } | Self::LeftSurface { vertex, .. } => Some(vertex),
             Self::BeyondFocalSet { first, .. } => Some(first),
             Self::FoldedNet { first, .. } => first,
-            Self::NormalFacesBackward { triangle, .. } => Some(triangle),
+            Self::NormalFacesBackward { triangle, .. } | Self::FoldsBack { triangle, .. } => Some(triangle),
             Self::SamplesTooCoarse { .. }
             | Self::ToleranceBelowNoise { .. }
             | Self::Wavers { .. }
@@ -394,6 +451,10 @@ impl Warning {
             | Self::EndsWithoutEffect
             | Self::SwingsOut { .. }
             | Self::Zigzag { .. }
+            | Self::SharpEdgesSmoothed { .. }
+            | Self::LooseBorders { .. }
+            | Self::FlatnessRaised { .. }
+            | Self::ShallowEdges { .. }
             | Self::NeckFolds { .. } => None,
         }
     }
@@ -606,6 +667,35 @@ impl std::fmt::Display for Warning {
                 "the neck runs through itself on the side to which the pipe leans: a ball of radius {} rolls through bends of radius {}; take a smaller ball",
                 ShortNumber(*radius),
                 ShortNumber(*limit)
+            ),
+            Self::FoldsBack { vertices: [from, to], triangle, angle, count } => write!(
+                f,
+                "the surface folds back at {count} edge(s), most of all at that between the vertices {from} and {to}, in triangle {triangle}: its normal turns by {:.0} degrees there; `crease_angle` keeps edges, a finer or smoother mesh has no folds",
+                angle.to_degrees()
+            ),
+            Self::SharpEdgesSmoothed { vertices: [from, to], angle, count, limit } => write!(
+                f,
+                "{count} edge(s) that bend by more than {:.0} degrees are smoothed away, by up to {:.1} degrees, between the vertices {from} and {to}: `crease_angle` keeps them",
+                limit.to_degrees(),
+                angle.to_degrees()
+            ),
+            Self::LooseBorders { vertices: [from, to], count, borders, gap } => write!(
+                f,
+                "{count} of {borders} border edges lie within {} of another one, the first between the vertices {from} and {to}: points that are meant to be one are apart, weld them; or a vertex is inside an edge of a neighbour, cut this there",
+                ShortNumber(*gap)
+            ),
+            Self::FlatnessRaised { asked, used } => write!(
+                f,
+                "the points are not in planes within {}, 1e-9 of their diameter: {} is taken, as of rounded points; give the rounding of the points as `flatness`",
+                ShortNumber(*asked),
+                ShortNumber(*used)
+            ),
+            Self::ShallowEdges { ends: [first, second], count, angle, limit, off } => write!(
+                f,
+                "{count} edge(s) bend by less than {} radians, least of all that between the points {first} and {second}, by {}: where their faces are meant to be in one plane, give the rounding of the points as `flatness`; corners are up to {} off the plane beside them",
+                ShortNumber(*limit),
+                ShortNumber(*angle),
+                ShortNumber(*off)
             ),
             Self::OpenSeam { border, gap, angle } => write!(
                 f,

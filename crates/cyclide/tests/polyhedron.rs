@@ -392,3 +392,82 @@ fn polygons_of_spheres_are_in_an_open_half() {
         (0..5).map(|k| 2.0 * TAU * f64::from(k) / 5.0).map(|a| Vec3::new(a.cos(), a.sin(), 1.0)).collect();
     assert_eq!(refused(&star), "not-in-open-hemisphere");
 }
+
+/// The box of three edges, each side cut into squares of two triangles, moved by a map; every point once.
+fn cut_box(edges: [f64; 3], parts: i32, map: impl Fn(Point3) -> Point3) -> (Vec<Point3>, Vec<Vec<usize>>) {
+    let (mut keys, mut points, mut triangles): (Vec<[i32; 3]>, Vec<Point3>, Vec<Vec<usize>>) = Default::default();
+    let mut vertex = |key: [i32; 3]| {
+        keys.iter().position(|other| *other == key).unwrap_or_else(|| {
+            let at = [0, 1, 2].map(|k| edges[k] * f64::from(key[k]) / f64::from(parts));
+            points.push(map(Point3::from(at)));
+            keys.push(key);
+            keys.len() - 1
+        })
+    };
+    for (axis, end) in (0..3).flat_map(|axis| [(axis, 0), (axis, parts)]) {
+        for (i, j) in (0..parts).flat_map(|i| (0..parts).map(move |j| (i, j))) {
+            let mut corner = |i: i32, j: i32| {
+                let mut key = [0; 3];
+                (key[axis], key[(axis + 1) % 3], key[(axis + 2) % 3]) = (end, i, j);
+                vertex(key)
+            };
+            let [a, b, c, d] = [corner(i, j), corner(i + 1, j), corner(i + 1, j + 1), corner(i, j + 1)];
+            let halves = if end == 0 { [[a, c, b], [a, d, c]] } else { [[a, b, c], [a, c, d]] };
+            triangles.extend(halves.map(|half| half.to_vec()));
+        }
+    }
+    (points, triangles)
+}
+
+/// All corners of the highest triangles of a wall are nearer to the roof than the flatness: they are of the wall all the same.
+#[test]
+fn low_triangles_of_a_wall_do_not_join_the_roof() {
+    let turn = Quat::from_axis_angle(Vec3::new(1.0, -2.0, 0.5).unit().unwrap(), 0.8);
+    for turned in [false, true] {
+        let map = |p: Point3| if turned { Point3::ORIGIN + turn.rotate(p.to_vec()) } else { p };
+        let (points, triangles) = cut_box([100.0, 60.0, 3.0], 4, map);
+        assert_eq!((points.len(), triangles.len()), (98, 192));
+        let polyhedron = ConvexPolyhedron::with_flatness(&points, &triangles, 0.76).unwrap();
+        assert_eq!((polyhedron.faces().len(), polyhedron.edges().count(), polyhedron.corner_count()), (6, 12, 8));
+        assert!((polyhedron.volume() / 18000.0 - 1.0).abs() < 1e-12 && polyhedron.deviation() < 1e-12);
+        check(&polyhedron, 2.0);
+    }
+    // With noise, by which small triangles turn by ten degrees.
+    let mut random = Random(99);
+    let (mut points, triangles) = cut_box([20.0, 10.0, 6.0], 16, |p| p);
+    points.iter_mut().for_each(|p| *p = *p + random.in_cube().to_vec() * 0.02);
+    let polyhedron = ConvexPolyhedron::with_flatness(&points, &triangles, 0.24).unwrap();
+    assert_eq!((polyhedron.faces().len(), polyhedron.corner_count()), (6, 8));
+    // Every point within the noise of a plane, and so of the surface but for the corners.
+    assert!(polyhedron.deviation() > 0.01 && polyhedron.deviation() < 0.04, "{}", polyhedron.deviation());
+    assert!((polyhedron.volume() / 1200.0 - 1.0).abs() < 2e-3);
+}
+
+/// The hull of the points of a box that are rounded to some digits: of any number of them there is one, and what is said of it is true.
+#[test]
+fn rounded_points_have_a_hull() {
+    let turn = Quat::from_axis_angle(Vec3::new(0.3, 0.5, -1.0).unit().unwrap(), 1.1);
+    let grid =
+        (0..216).map(|k| Vec3::new(f64::from(k % 6) * 20.0, f64::from(k / 6 % 6) * 15.0, f64::from(k / 36) * 9.0));
+    let exact: Vec<Point3> = grid.map(|v| Point3::ORIGIN + turn.rotate(v)).collect();
+    for digits in 2..=10 {
+        let unit = 10.0_f64.powi(digits);
+        let round = |x: f64| (x * unit).round() / unit;
+        let points: Vec<Point3> = exact.iter().map(|p| Point3::new(round(p.x), round(p.y), round(p.z))).collect();
+        let polyhedron = ConvexPolyhedron::hull(&points).unwrap();
+        let said: Vec<&str> = polyhedron.warnings().iter().map(cyclide::Warning::reason).collect();
+        let box_faces = polyhedron.faces().len() == 6;
+        assert!(box_faces || said.contains(&"shallow-edges"), "{digits}: {said:?}");
+        assert!(polyhedron.deviation() <= polyhedron.flatness(), "{digits}");
+        for (p, q) in polyhedron.vertices().iter().zip(&points) {
+            let height = |k: usize| (*q - polyhedron.vertices()[polyhedron.faces()[k][0]]).dot(polyhedron.normals()[k]);
+            let out = (0..polyhedron.faces().len()).map(height).fold(f64::NEG_INFINITY, f64::max);
+            assert!(out <= polyhedron.deviation() + 1e-13, "{digits}: {p:?} {q:?} {out:e}");
+        }
+        // With the digits given it is the box, to them.
+        let known = ConvexPolyhedron::hull_with_flatness(&points, 2.0 / unit).unwrap();
+        assert_eq!((known.faces().len(), known.corner_count()), (6, 8), "{digits}");
+        assert!((known.volume() / 337_500.0 - 1.0).abs() < 0.2 / unit);
+        assert!(known.warnings().is_empty() && known.deviation() <= 2.0 / unit);
+    }
+}

@@ -50,6 +50,7 @@ impl Pieces {
                 };
                 Error::TooManyPieces { what, segment, needed, cap, remedy }
             }
+            Error::InTriangle { triangle, cause } => self.of_file(*cause, left).in_triangle(triangle),
             other => other,
         }
     }

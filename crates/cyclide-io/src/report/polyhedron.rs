@@ -21,7 +21,7 @@ pub struct PolyhedronReport {
     pub volume: f64,
     /// Area of the offset by the formula.
     pub area: f64,
-    /// How far a vertex moved at most, so that those of every face are in one plane.
+    /// How far the polyhedron is from the points and faces given, at most.
     pub moved: f64,
 }
 
@@ -49,7 +49,7 @@ impl PolyhedronReport {
             "{faces} faces, {edges} edges, {vertices} vertices, radius {radius} {units}; by Steiner area {area} {units}², volume {volume} {units}³"
         );
         if self.moved > 0.0 {
-            text += &format!("; vertices moved by up to {moved} {units}");
+            text += &format!("; within {moved} {units} of the points given");
         }
         text
     }

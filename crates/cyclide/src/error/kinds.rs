@@ -828,4 +828,13 @@ pub enum Error {
         /// Their greatest common divisor; 0 if both are 0.
         divisor: u32,
     },
+    /// The planes of the sides of a polyhedron leave a given point, or have a corner that is far from the given faces.
+    PlanesMissPoint {
+        /// The point, or the given one that became the corner.
+        vertex: usize,
+        /// Its distance from the other surface.
+        distance: f64,
+        /// Largest distance accepted.
+        limit: f64,
+    },
 }

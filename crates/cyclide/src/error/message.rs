@@ -462,6 +462,12 @@ impl std::fmt::Display for Error {
                 f,
                 "{p} and {q} turns have the greatest common divisor {divisor}, not 1: the curve would run over itself, or not at all"
             ),
+            Self::PlanesMissPoint { vertex, distance, limit } => write!(
+                f,
+                "with faces that are near to one plane made one, the surface is {} off at point {vertex}, limit {}",
+                ShortNumber(*distance),
+                ShortNumber(*limit)
+            ),
         }
     }
 }

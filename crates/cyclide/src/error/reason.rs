@@ -54,6 +54,7 @@ impl Error {
             Self::NotAFace { .. } => "not-a-face",
             Self::NotClosed { .. } => "not-closed",
             Self::NonPlanarFace { .. } => "non-planar-face",
+            Self::PlanesMissPoint { .. } => "planes-miss-point",
             Self::NotConvex { .. } => "not-convex",
             Self::NotInOpenHemisphere { .. } => "not-in-open-hemisphere",
             Self::FlatPolyhedron { .. } => "flat-polyhedron",
@@ -151,7 +152,7 @@ impl Error {
             | Self::PointOffTorus { index, .. }
             | Self::EmptyInterval { index, .. } => Some(index),
             Self::NoTwoTypeSolution { segment, .. } => Some(segment),
-            Self::UndefinedNormal { vertex, .. } => Some(vertex),
+            Self::UndefinedNormal { vertex, .. } | Self::PlanesMissPoint { vertex, .. } => Some(vertex),
             Self::ToleranceNotReached { ref points, .. } => points.first().copied(),
             _ => None,
         }

@@ -9,7 +9,9 @@
 //! x = y + σ W (n + σ Y)/(1 + σ² |Y|²),   y = Σ λ_i x_i,   Y = y - o,   W = Σ λ_i λ_j |x_i - x_j|²,   σ = τ/ρ
 //! τ = b/(L + a),   a = Σ λ_i C_i,   b = Σ λ_i S_i,   L = hypot(a, b)
 //! ```
-//! `(C_i, S_i)` are cosine and sine of the angle at which the sphere of corner i leaves the plane. Analytic inside. Patches
+//! `(C_i, S_i)` are cosine and sine of the angle at which the sphere of corner i leaves the plane. With cosine and sine of half the
+//! angle of `(a, b)` for `τ = s/c` it is `y + W/ρ s (c n + s Z)/(c² + s² |Z|²)`, `Z = Y/ρ`, which has no infinity but at the circumcentre, where the
+//! plane is turned over. Analytic inside. Patches
 //! over neighbouring triangles meet in their corners only, see [`SmoothMesh`](super::SmoothMesh) for surfaces over meshes.
 
 use super::barycentric::Barycentric;
@@ -22,10 +24,10 @@ use crate::error::{Error, ErrorItem, Result};
 pub(super) const DEGENERATE_TRIANGLE: f64 = 1e-12;
 /// Control points nearer to the circle, relative to it and to their distance, tell no sphere.
 const ON_CIRCLE: f64 = 1e-12;
-/// Blended spheres that are shorter cancel each other.
-const OPPOSITE: f64 = 1e-12;
-/// Blended spheres that leave the plane by less than this angle, turned over, pass through infinity.
-const TURNED_OVER: f64 = 1e-12;
+/// Blended spheres that are shorter cancel each other: the patch would swing round by half a turn over this part of the triangle.
+const OPPOSITE: f64 = 1e-4;
+/// A patch that reaches farther than the circumradius over this passes through infinity.
+const INFINITE: f64 = 1e-4;
 
 /// Twice the area of a triangle over its longest edge squared, and that edge.
 pub(super) fn relative_area(corners: [Point3; 3]) -> (f64, f64) {
@@ -87,7 +89,8 @@ impl SphereBlend {
     ///
     /// # Errors
     /// `not-finite`, `parameter-out-of-range` (coordinates above 1e150), `degenerate-triangle`,
-    /// `control-point-on-circumcircle`.
+    /// `control-point-on-circumcircle`; where the spheres cancel or nearly so (a blend below 1e-4) `opposite-spheres`, where the patch
+    /// reaches farther than 1e4 circumradii `patch-through-infinity`.
     pub fn from_control_points(corners: [Point3; 3], control: [Point3; 3]) -> Result<Self> {
         for (index, p) in control.into_iter().enumerate() {
             range::check_point(3 + index, p.to_vec())?;
@@ -106,6 +109,7 @@ impl SphereBlend {
             }
             blend.leave[i] = [c / off, s / off];
         }
+        blend.check_whole()?;
         Ok(blend)
     }
 
@@ -114,7 +118,7 @@ impl SphereBlend {
     ///
     /// # Errors
     /// `not-finite`, `parameter-out-of-range` (coordinates above 1e150), `degenerate-triangle`, `undefined-normal` (zero, or
-    /// along the circle's tangent).
+    /// along the circle's tangent); `opposite-spheres` and `patch-through-infinity` as of control points.
     pub fn from_normals(corners: [Point3; 3], normals: [Vec3; 3]) -> Result<Self> {
         let mut blend = Self::over(corners)?;
         for (i, normal) in normals.into_iter().enumerate() {
@@ -130,7 +134,58 @@ impl SphereBlend {
             }
             blend.leave[i] = [c / length, s / length];
         }
+        blend.check_whole()?;
         Ok(blend)
+    }
+
+    /// Refuses spheres that cancel somewhere, and a patch that passes through infinity. Both are known beforehand: `(a, b)` is linear
+    /// in the coordinates, so it is nowhere 0 if the origin is outside the triangle of the three `(C_i, S_i)`; and only the
+    /// circumcentre, or the place nearest to it, goes far.
+    ///
+    /// # Errors
+    /// `opposite-spheres`, `patch-through-infinity`.
+    fn check_whole(&self) -> Result<()> {
+        let (length, [s, t, _]) = nearest_to_origin(self.leave);
+        if !(length > OPPOSITE) {
+            return Err(Error::OppositeSpheres { at: [s, t], length, limit: OPPOSITE });
+        }
+        let at = self.nearest_to_circumcentre();
+        let half = self.half_turn(at)?;
+        let off = (0..3).fold(Vec3::ZERO, |sum, i| sum + self.spokes[i] * at[i]).length() / self.radius;
+        if !(half.cosine.hypot(half.sine * off) > INFINITE) {
+            return Err(Error::PatchThroughInfinity { s: at[0], t: at[1] });
+        }
+        Ok(())
+    }
+
+    /// The place of the triangle that is nearest to the circumcentre: this, or the middle of the longest side.
+    fn nearest_to_circumcentre(&self) -> [f64; 3] {
+        let squared = [0, 1, 2].map(|i| (self.spokes[(i + 1) % 3] - self.spokes[(i + 2) % 3]).length_squared());
+        let weights = [0, 1, 2].map(|i| {
+            let [own, next, last] = [squared[i], squared[(i + 1) % 3], squared[(i + 2) % 3]];
+            own * (next + last - own)
+        });
+        if let Some(obtuse) = weights.iter().position(|w| !(*w > 0.0)) {
+            let mut middle = [0.5; 3];
+            middle[obtuse] = 0.0;
+            return middle;
+        }
+        let sum: f64 = weights.iter().sum();
+        weights.map(|w| w / sum)
+    }
+
+    /// Half the angle at which the blended sphere leaves the plane.
+    fn half_turn(&self, [l1, l2, l3]: [f64; 3]) -> Result<HalfTurn> {
+        let mix = |k: usize| l1 * self.leave[0][k] + l2 * self.leave[1][k] + l3 * self.leave[2][k];
+        let (a, b) = (mix(0), mix(1));
+        let length = a.hypot(b);
+        if !(length > 0.5 * OPPOSITE) {
+            return Err(Error::OppositeSpheres { at: [l1, l2], length, limit: OPPOSITE });
+        }
+        // The larger of both without cancellation. Both may change their sign together.
+        let [c, s] = if a < 0.0 { [b, length - a] } else { [length + a, b] };
+        let unit = c.hypot(s);
+        Ok(HalfTurn { cosine: c / unit, sine: s / unit, of: [a / length, b / length], length })
     }
 
     /// The flat patch.
@@ -195,32 +250,60 @@ impl SphereBlend {
     /// The derivatives by the first two coordinates, the third being what is left to 1
     /// (`docs/math/triangle-surfaces.md#sphere-blend`).
     fn place(&self, at: &Barycentric) -> Result<Place> {
-        let [l1, l2, l3] = at.coordinates();
-        let [e1, e2, e3] = self.spokes;
-        let mix = |k: usize| l1 * self.leave[0][k] + l2 * self.leave[1][k] + l3 * self.leave[2][k];
-        let (a, b) = (mix(0), mix(1));
-        let length = a.hypot(b);
-        if !(length > OPPOSITE) {
-            return Err(Error::OppositeSpheres { at: [l1, l2], length, limit: OPPOSITE });
-        }
-        if a < 0.0 && b.abs() <= TURNED_OVER * length {
-            return Err(Error::PatchThroughInfinity { s: l1, t: l2 });
-        }
-        let tau = if a < 0.0 { (length - a) / b } else { b / (length + a) };
-        let sigma = tau / self.radius;
+        let lambda @ [l1, l2, l3] = at.coordinates();
+        let half = self.half_turn(lambda)?;
+        let HalfTurn { cosine: c, sine: s, of: [a, b], length } = half;
+        let [e1, e2, e3] = self.spokes.map(|spoke| spoke / self.radius);
         let [y1, y2] = [e1 - e3, e2 - e3];
+        // All in units of the circumradius from here on.
         let w = l1 * l2 * (e1 - e2).length_squared() + l2 * l3 * y2.length_squared() + l1 * l3 * y1.length_squared();
         let flat = e1 * l1 + e2 * l2 + e3 * l3;
-        let e = 1.0 + sigma * sigma * flat.length_squared();
-        let up = self.normal + flat * sigma;
+        let e = c * c + s * s * flat.length_squared();
+        if !(e > 0.0) {
+            return Err(Error::PatchThroughInfinity { s: l1, t: l2 });
+        }
+        let up = self.normal * c + flat * s;
         let derivatives = [(0, y1), (1, y2)].map(|(i, y)| {
             let [a_i, b_i] = [0, 1].map(|k| self.leave[i][k] - self.leave[2][k]);
-            let sigma_i = 0.5 * (1.0 + tau * tau) * (a * b_i - b * a_i) / (length * length * self.radius);
+            let turn = 0.5 * (a * b_i - b * a_i) / length;
+            let (c_i, s_i) = (-s * turn, c * turn);
             let w_i = -2.0 * flat.dot(y);
-            let e_i = 2.0 * sigma * sigma_i * flat.length_squared() - sigma * sigma * w_i;
-            let lifted = up * (sigma_i * w + sigma * w_i) + (flat * sigma_i + y * sigma) * (sigma * w);
-            y + lifted / e - up * (sigma * w * e_i / (e * e))
+            let e_i = 2.0 * (c * c_i + s * s_i * flat.length_squared() + s * s * flat.dot(y));
+            let lifted = up * (w_i * s + w * s_i) + (self.normal * c_i + flat * s_i + y * s) * (w * s);
+            y + lifted / e - up * (w * s * e_i / (e * e))
         });
-        Ok(Place { lift: up * (sigma * w / e), derivatives })
+        let (lift, radius) = (up * (w * s / e), self.radius);
+        Ok(Place { lift: lift * radius, derivatives: derivatives.map(|d| d * radius) })
     }
+}
+
+/// Cosine and sine of half the angle of a blended sphere, and its own, with the length of the blend.
+struct HalfTurn {
+    cosine: f64,
+    sine: f64,
+    of: [f64; 2],
+    length: f64,
+}
+
+/// The distance of a triangle in the plane from the origin, 0 if that is inside, and the place there.
+fn nearest_to_origin(corners: [[f64; 2]; 3]) -> (f64, [f64; 3]) {
+    let cross = |[a, b]: [f64; 2], [c, d]: [f64; 2]| a * d - b * c;
+    let parts = [0, 1, 2].map(|i| cross(corners[(i + 1) % 3], corners[(i + 2) % 3]));
+    if parts.iter().all(|part| *part > 0.0) || parts.iter().all(|part| *part < 0.0) {
+        let sum: f64 = parts.iter().sum();
+        return (0.0, parts.map(|part| part / sum));
+    }
+    let side = |i: usize| {
+        let (from, to) = ((i + 1) % 3, (i + 2) % 3);
+        let [p, q] = [corners[from], corners[to]];
+        let way = [q[0] - p[0], q[1] - p[1]];
+        let along = -(p[0] * way[0] + p[1] * way[1]) / (way[0] * way[0] + way[1] * way[1]);
+        let t = if along.is_finite() { along.clamp(0.0, 1.0) } else { 0.0 };
+        let mut at = [0.0; 3];
+        (at[from], at[to]) = (1.0 - t, t);
+        ((p[0] + t * way[0]).hypot(p[1] + t * way[1]), at)
+    };
+    let [first, second, third] = [side(0), side(1), side(2)];
+    let nearer = |a: (f64, [f64; 3]), b: (f64, [f64; 3])| if b.0 < a.0 { b } else { a };
+    nearer(nearer(first, second), third)
 }

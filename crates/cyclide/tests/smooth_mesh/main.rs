@@ -7,3 +7,4 @@ mod hostile;
 mod laws;
 mod shapes;
 mod tessellation;
+mod warned;

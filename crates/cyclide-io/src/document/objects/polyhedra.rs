@@ -5,14 +5,14 @@ use cyclide::{ConvexPolyhedron, Error as KernelError, ErrorItem, Point3, ShortNu
 use super::Builder;
 use super::curves::inline_points;
 use crate::document::coordinates::PointSource;
-use crate::document::locate::Step;
+use crate::document::locate::{Step, path_text};
 use crate::document::spec::{PolygonMeshFile, SmoothPolyhedronSpec};
 use crate::error::{Error, Result};
 use crate::input::triangle_mesh::distinct;
 
-/// Part of the largest coordinate of an STL file by which a corner may be off its plane: sixteen roundings to single precision, for
-/// the planes of small triangles.
-const SINGLE: f64 = 9.5e-7;
+/// Part of the largest coordinate of an STL file by which a corner may be off its plane: eight roundings to single precision. A point
+/// is off by two at most, the fourth corner of a quad off the plane of the other three by up to seven.
+const SINGLE: f64 = 4.8e-7;
 /// Edges reflex by less than this, radians, and corners off their plane by less than this part of the size, speak of few digits.
 const FEW_DIGITS: f64 = 1e-3;
 
@@ -23,7 +23,7 @@ pub struct RoundedPolyhedron {
     pub polyhedron: ConvexPolyhedron,
     /// The radius.
     pub radius: f64,
-    /// How far its vertices moved to be in the planes of their faces.
+    /// How far its surface is from the points and faces given, at most.
     pub moved: f64,
 }
 
@@ -54,7 +54,15 @@ impl Builder<'_> {
         };
         let polyhedron = polyhedron.map_err(|e| self.refused_mesh(&mesh, &e))?;
         let body = polyhedron.offset(spec.radius).map_err(|e| self.refused_mesh(&mesh, &e))?;
-        let moved = polyhedron.vertices().iter().zip(points).map(|(p, q)| p.distance(*q)).fold(0.0, f64::max);
+        let place = mesh
+            .file
+            .clone()
+            .or_else(|| (!self.document.text.is_empty()).then(|| path_text(&self.path([Step::from(mesh.field)]))));
+        for warning in polyhedron.warnings() {
+            self.remark(warning.reason(), None, warning.index(), place.clone(), warning.to_string());
+            self.warnings.push((0, warning));
+        }
+        let moved = polyhedron.deviation();
         self.polyhedron = Some(Box::new(RoundedPolyhedron { polyhedron, radius: spec.radius, moved }));
         Ok(vec![SurfaceObject::Body(body)])
     }
@@ -100,7 +108,7 @@ impl Builder<'_> {
     fn refused_mesh(&self, mesh: &Mesh, error: &KernelError) -> Error {
         let few_digits = match *error {
             KernelError::NotConvex { angle, .. } => angle > -FEW_DIGITS,
-            KernelError::NonPlanarFace { distance, .. } => {
+            KernelError::NonPlanarFace { distance, .. } | KernelError::PlanesMissPoint { distance, .. } => {
                 let size = cyclide::Aabb::of_points(mesh.points.iter().copied()).map_or(0.0, |b| b.diagonal());
                 distance < FEW_DIGITS * size
             }
@@ -118,7 +126,16 @@ impl Builder<'_> {
             };
             words += &format!(" (of {file}: {} and {})", at(first), at(second));
         }
-        if few_digits {
+        let is_shape = matches!(
+            error,
+            KernelError::NotConvex { .. }
+                | KernelError::NotAFace { .. }
+                | KernelError::NonPlanarFace { .. }
+                | KernelError::PlanesMissPoint { .. }
+        );
+        if mesh.faces.is_none() && is_shape {
+            words += "; the hull of the points has no faces in planes within this `flatness`: take a larger one, the rounding of the points";
+        } else if few_digits {
             words += "; where coordinates have few digits, give their rounding as `flatness`";
         } else if matches!(error, KernelError::NotConvex { .. }) {
             words += "; `\"hull\": true` takes the convex hull";

@@ -203,10 +203,7 @@ impl Builder<'_> {
             }
         };
         let blend = blend.map_err(|e| self.refused_blend(spec, &e))?;
-        // Where the spheres cancel is known when the patch is walked over.
-        let surface = TriangleSurface::from(blend);
-        surface.sampled_bounds().and_then(|_| blend.measure()).map_err(|e| self.refused_blend(spec, &e))?;
-        Ok(vec![surface.into()])
+        Ok(vec![TriangleSurface::from(blend).into()])
     }
 
     fn refused_blend(&self, spec: &SphereBlendSpec, error: &KernelError) -> Error {
@@ -259,9 +256,19 @@ fn in_given_numbers(mesh: &TriangleMesh, error: KernelError) -> (KernelError, Op
 
 /// The warning in the numbers of the polygons and vertices as given.
 fn in_given_numbers_warning(mesh: &TriangleMesh, warning: Warning) -> Warning {
+    let given = |vertex: usize| mesh.vertices.get(vertex).copied().unwrap_or(vertex);
     match warning {
         Warning::NormalFacesBackward { triangle, vertex, count } => {
             Warning::NormalFacesBackward { triangle: mesh.polygons[triangle], vertex: mesh.vertices[vertex], count }
+        }
+        Warning::FoldsBack { vertices, triangle, angle, count } => {
+            Warning::FoldsBack { vertices: vertices.map(given), triangle: mesh.polygons[triangle], angle, count }
+        }
+        Warning::SharpEdgesSmoothed { vertices, angle, count, limit } => {
+            Warning::SharpEdgesSmoothed { vertices: vertices.map(given), angle, count, limit }
+        }
+        Warning::LooseBorders { vertices, count, borders, gap } => {
+            Warning::LooseBorders { vertices: vertices.map(given), count, borders, gap }
         }
         other => other,
     }

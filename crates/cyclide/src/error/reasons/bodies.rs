@@ -189,6 +189,18 @@
 //! assert_eq!(ConvexPolyhedron::new(&cube, &faces).unwrap_err().reason(), "non-planar-face");
 //! ```
 //!
+//! # `planes-miss-point`
+//! The four planes of a sharp tip are pulled outwards by points beside its base, and meet farther from the tip than the flatness.
+//! ```
+//! use cyclide::{ConvexPolyhedron, Point3};
+//! let ring = [[0.0, 0.0, 10.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0], [0.0, -1.0, 0.0]];
+//! let base = [[0.76, 0.76, -5.0], [-0.75, 0.75, -5.0], [-0.76, -0.76, -5.0], [0.75, -0.75, -5.0]];
+//! let points: Vec<Point3> = ring.into_iter().chain(base).map(Point3::from).collect();
+//! assert_eq!(ConvexPolyhedron::hull_with_flatness(&points, 0.02).unwrap_err().reason(), "planes-miss-point");
+//! assert!(ConvexPolyhedron::hull_with_flatness(&points, 0.04)?.deviation() > 0.03);
+//! # Ok::<(), cyclide::Error>(())
+//! ```
+//!
 //! # `not-convex`
 //! Faces turn towards each other at an edge: here all of them, being clockwise.
 //! ```

@@ -11,8 +11,8 @@ impl Divided for SphereBlend {
         1
     }
 
-    fn deviation(&self, divisions: usize) -> Result<f64> {
-        deviation::of_patch(divisions, |at| self.point(at))
+    fn deviation(&self, divisions: usize) -> Result<(f64, usize)> {
+        deviation::of_patch(divisions, |at| self.point(at)).map(|deviation| (deviation, 0))
     }
 
     fn mesh(&self, n: usize) -> Result<SurfaceMesh> {

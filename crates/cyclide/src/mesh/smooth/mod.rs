@@ -66,7 +66,8 @@ impl SmoothMesh {
     /// A mesh that is within a tolerance of the surface where it is measured, with a reserve for what lies between.
     ///
     /// # Errors
-    /// `tolerance-not-positive`, `not-finite`, and as [`tessellate`](Self::tessellate).
+    /// `tolerance-not-positive`, `not-finite`, and as [`tessellate`](Self::tessellate); `too-many-pieces` with the number of the triangle that asks
+    /// for so many: all are cut alike.
     pub fn tessellate_within(&self, tolerance: f64) -> Result<SmoothTessellation> {
         within(self, tolerance, MOST_PIECES)
     }
@@ -77,7 +78,7 @@ impl SmoothMesh {
     /// As [`tessellate`](Self::tessellate).
     pub fn sampled_deviation(&self, divisions: usize) -> Result<f64> {
         check_divisions(self.triangles().len(), divisions, MOST_PIECES)?;
-        Divided::deviation(self, divisions)
+        Divided::deviation(self, divisions).map(|(deviation, _)| deviation)
     }
 }
 
@@ -97,7 +98,8 @@ impl TriangleSurface {
 /// What is cut into parts.
 trait Divided {
     fn triangle_count(&self) -> usize;
-    fn deviation(&self, divisions: usize) -> Result<f64>;
+    /// The largest one, and the triangle that has it.
+    fn deviation(&self, divisions: usize) -> Result<(f64, usize)>;
     fn mesh(&self, divisions: usize) -> Result<SurfaceMesh>;
 }
 
@@ -106,12 +108,15 @@ impl Divided for SmoothMesh {
         self.triangles().len()
     }
 
-    fn deviation(&self, divisions: usize) -> Result<f64> {
-        let mut largest: f64 = 0.0;
+    fn deviation(&self, divisions: usize) -> Result<(f64, usize)> {
+        let mut largest = (0.0, 0);
         for index in 0..self.triangles().len() {
             let Some(triangle) = self.triangle(index) else { continue };
             let own = deviation::of_patch(divisions, |at| triangle.point(at));
-            largest = largest.max(own.map_err(|e| e.in_triangle(index))?);
+            let own = own.map_err(|e| e.in_triangle(index))?;
+            if own > largest.0 {
+                largest = (own, index);
+            }
         }
         Ok(largest)
     }
@@ -126,7 +131,7 @@ fn within(surface: &impl Divided, tolerance: f64, most: usize) -> Result<SmoothT
     let (count, mut divisions) = (surface.triangle_count(), 1);
     check_count(count, 1.0, most)?;
     loop {
-        let deviation = surface.deviation(divisions)?;
+        let (deviation, worst) = surface.deviation(divisions)?;
         let bound = RESERVE * deviation;
         if bound <= tolerance {
             let mesh = SurfaceMesh { bound, ..surface.mesh(divisions)? };
@@ -135,7 +140,8 @@ fn within(surface: &impl Divided, tolerance: f64, most: usize) -> Result<SmoothT
         // Deviations fall with the square of the divisions, once there are a few.
         let wanted = (divisions as f64 * (bound / tolerance).sqrt() * MORE).ceil();
         let wanted = if divisions < FEW { wanted.min(FEW as f64) } else { wanted };
-        check_count(count, wanted, most)?;
+        // All triangles are cut alike: the worst one decides.
+        check_count(count, wanted, most).map_err(|e| e.in_triangle(worst))?;
         divisions = (divisions + 1).max(wanted as usize);
     }
 }

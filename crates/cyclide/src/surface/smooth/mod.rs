@@ -15,6 +15,8 @@
 mod comparison;
 mod connect;
 mod edge_tangents;
+mod faults;
+mod loose_borders;
 mod measure;
 mod normals;
 mod pn_triangle;
@@ -183,6 +185,8 @@ pub struct SmoothMesh {
     triangle_edges: Vec<[usize; 3]>,
     boundary_corners: usize,
     backward: Option<Warning>,
+    /// The normals are means over all triangles of a vertex, and nothing says that it should be so.
+    averaged: bool,
 }
 
 impl SmoothMesh {
@@ -205,6 +209,7 @@ impl SmoothMesh {
         sharp: &SharpEdges<'_>,
     ) -> Result<Self> {
         let connections = Connections::new(positions, triangles, sharp)?;
+        let averaged = matches!(normals, VertexNormals::AngleWeighted);
         let normals = normals::of_fans(positions, triangles, &connections, normals)?;
         let backward = normals::backward(triangles, &connections, &normals);
         let tangents = EdgeTangents::new(positions, triangles, &connections, &normals);
@@ -228,6 +233,7 @@ impl SmoothMesh {
             boundary_corners,
             triangle_edges: connections.triangle_edges,
             backward,
+            averaged,
         };
         mesh.check_sides()?;
         Ok(mesh)
@@ -290,12 +296,6 @@ impl SmoothMesh {
     #[must_use]
     pub fn boundary_corners(&self) -> usize {
         self.boundary_corners
-    }
-
-    /// What should be known of the surface.
-    #[must_use]
-    pub fn warnings(&self) -> Vec<Warning> {
-        self.backward.iter().cloned().collect()
     }
 
     /// The patch over a triangle; `None` beyond the last one. Patches of neighbours agree in the points and normals of their

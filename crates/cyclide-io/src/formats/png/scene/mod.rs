@@ -127,7 +127,7 @@ pub(super) fn write(job: &Job<'_>, sheet: Sheet, names: Names) -> Result<Exporte
 fn triangles(job: &Job<'_>, shape: &Shape<'_>, unit: f64) -> cyclide::Result<SurfaceMesh> {
     let mut made = job.pieces.tessellate(shape, MESH * unit);
     for coarser in [4.0, 16.0, 64.0] {
-        if !matches!(made, Err(cyclide::Error::TooManyPieces { .. })) {
+        if !made.as_ref().is_err_and(|error| error.reason() == "too-many-pieces") {
             break;
         }
         made = job.pieces.tessellate(shape, coarser * MESH * unit);

@@ -1,7 +1,9 @@
 //! Convex polyhedra: their faces, edges and measures, and their smooth offsets.
 
 mod convex;
+mod deviation;
 mod faces;
+mod groups;
 mod hull;
 mod merge;
 mod offset;
@@ -14,11 +16,20 @@ use crate::base::bounds::Aabb;
 use crate::base::range;
 use crate::base::vector::{Point3, Vec3};
 use crate::error::{Error, ErrorItem, Result};
+use crate::warning::Warning;
+use deviation::Surface;
 use faces::{FaceSide, Faces};
 use plane::area_vector;
 
 /// Corners are in the plane of their face, and faces in one plane, within this part of the diameter.
 const PLANAR: f64 = 1e-9;
+/// Of points whose hull has no planes within that, it is raised so often by a factor: up to 6.6e-5 of the diameter.
+const RAISES: i32 = 8;
+const RAISE: f64 = 4.0;
+/// So many more are tried where the first one leaves shallow edges.
+const TRIED_ON: usize = 2;
+/// Edges that bend by less, radians, speak of few digits.
+const SHALLOW: f64 = 1e-3;
 
 /// A convex polyhedron: planar faces, each a loop of vertices that is counter-clockwise from outside.
 ///
@@ -39,6 +50,10 @@ pub struct ConvexPolyhedron {
     fans: Vec<Vec<FaceSide>>,
     /// The normals round each vertex.
     cones: Vec<Option<SphericalPolygon>>,
+    /// Within which corners are in one plane.
+    flatness: f64,
+    deviation: f64,
+    raised: Option<Warning>,
 }
 
 /// An edge of a polyhedron.
@@ -64,7 +79,7 @@ pub struct PolyhedronEdge {
 
 impl ConvexPolyhedron {
     /// The polyhedron with these faces, loops of vertices counter-clockwise from outside, planar within 1e-9 of the diameter. Faces
-    /// in one plane, such as the triangles of a side, become one; vertices may move by as much as that takes.
+    /// in one plane, such as the triangles of a side, become one; vertices move by as much as that takes.
     ///
     /// # Errors
     /// As [`with_flatness`](Self::with_flatness).
@@ -74,12 +89,13 @@ impl ConvexPolyhedron {
     }
 
     /// As [`new`](Self::new), with the distance within which corners are in one plane: that of the digits of the coordinates where
-    /// these are few.
+    /// these are few. No given point is farther from the surface than it, nor a corner of the surface from the given faces. Faces
+    /// join a plane only if their normals agree with it, or if they are all that is left between it and another one.
     ///
     /// # Errors
     /// `not-finite`, `parameter-out-of-range` (coordinates), `below-rounding-of-place`, `not-a-face`, `not-closed` (an edge
     /// without a face on each side), `not-a-shell` (several parts, or parts that touch in a point), `non-planar-face`,
-    /// `flat-polyhedron`, `not-convex` (an edge is reflex, or faces are clockwise from outside), `not-in-open-hemisphere` (faces
+    /// `planes-miss-point` (the planes leave a point farther than the flatness), `flat-polyhedron`, `not-convex` (an edge is reflex, or faces are clockwise from outside), `not-in-open-hemisphere` (faces
     /// wind round a vertex).
     pub fn with_flatness(vertices: &[Point3], faces: &[Vec<usize>], flatness: f64) -> Result<Self> {
         check_points(vertices)?;
@@ -92,25 +108,58 @@ impl ConvexPolyhedron {
             });
         }
         let given = Faces::new(faces.to_vec(), vertices.len())?;
-        given.fans(vertices.len())?;
+        let fans = given.fans(vertices.len())?;
         plane::check_planar(vertices, given.loops(), flatness)?;
-        let loops = merge::merged(vertices, &given, flatness)?;
-        Self::of_sides(vertices, loops, flatness)
+        let group = groups::groups(vertices, &given, flatness);
+        let loops = merge::merged(vertices, &given, &group, flatness)?;
+        let made = Self::of_sides(vertices, loops, flatness)?;
+        let surface = Surface { points: &made.vertices, faces: &made.faces };
+        let (vertex, deviation) =
+            deviation::farthest(Surface { points: vertices, faces: &given }, surface, &group, &fans);
+        let limit = flatness.max(plane::rounding(vertices));
+        if !(deviation <= limit) {
+            return Err(Error::PlanesMissPoint { vertex, distance: deviation, limit });
+        }
+        Ok(Self { deviation, ..made })
     }
 
     /// The convex hull of points, each side one face. Points that are no corners of it stay in the list of vertices, without faces.
+    /// Sides are planar within 1e-9 of the diameter; of points of which no faces in planes are that near, as of rounded ones, within
+    /// the first of 4, 16, ... times that (at most 6.6e-5) at which they are, with a [warning](Self::warnings).
     ///
     /// # Errors
-    /// `too-few-points`, `not-finite`, `parameter-out-of-range`, `below-rounding-of-place`, `flat-polyhedron`.
+    /// `too-few-points`, `not-finite`, `parameter-out-of-range`, `below-rounding-of-place`, `flat-polyhedron`; as
+    /// [`hull_with_flatness`](Self::hull_with_flatness) where no multiple does.
     pub fn hull(points: &[Point3]) -> Result<Self> {
+        check_points(points)?;
         let diameter = Aabb::of_points(points.iter().copied()).map_or(0.0, Aabb::diagonal);
-        Self::hull_with_flatness(points, PLANAR * diameter)
+        let triangles = hull::triangles(points)?;
+        let asked = PLANAR * diameter;
+        let refused = match Self::with_flatness(points, &triangles, asked) {
+            Err(error) if !matches!(error, Error::FlatPolyhedron { .. }) => error,
+            made => return made,
+        };
+        Self::raised(points, &triangles, asked).ok_or(refused)
     }
 
-    /// As [`hull`](Self::hull), with the distance within which corners are in one plane.
+    /// With the first larger flatness that gives a polyhedron, or with one a little larger still that leaves no edges of rounding.
+    fn raised(points: &[Point3], triangles: &[Vec<usize>], asked: f64) -> Option<Self> {
+        let flatness = (1..=RAISES).map(|k| asked * RAISE.powi(k));
+        let mut made = flatness.filter_map(|used| {
+            let made = Self::with_flatness(points, triangles, used).ok()?;
+            Some(Self { raised: Some(Warning::FlatnessRaised { asked, used }), ..made })
+        });
+        let first = made.next()?;
+        if first.shallow_edges().is_none() {
+            return Some(first);
+        }
+        Some(made.take(TRIED_ON).find(|more| more.shallow_edges().is_none()).unwrap_or(first))
+    }
+
+    /// As [`hull`](Self::hull), with the distance within which corners are in one plane, which is not raised.
     ///
     /// # Errors
-    /// As [`hull`](Self::hull); `non-planar-face` where no faces in planes are near.
+    /// As [`hull`](Self::hull); as [`with_flatness`](Self::with_flatness) where no faces in planes are that near.
     pub fn hull_with_flatness(points: &[Point3], flatness: f64) -> Result<Self> {
         check_points(points)?;
         let triangles = hull::triangles(points)?;
@@ -120,7 +169,7 @@ impl ConvexPolyhedron {
     /// From loops of which no two are in one plane.
     fn of_sides(vertices: &[Point3], loops: Vec<Vec<usize>>, flatness: f64) -> Result<Self> {
         let faces = Faces::new(loops, vertices.len())?;
-        let vertices = plane::made_planar(vertices, faces.loops(), flatness)?;
+        let vertices = plane::made_planar(vertices, faces.loops())?;
         let normal = |(face, corners): (usize, &Vec<usize>)| {
             let normal = area_vector(&vertices, corners).unit();
             normal.ok_or(Error::NotAFace { face, detail: "its corners are on a line" })
@@ -130,7 +179,45 @@ impl ConvexPolyhedron {
         convex::check_faces(&vertices, &faces, &normals, flatness)?;
         let fans = faces.fans(vertices.len())?;
         let cones = convex::normal_polygons(&vertices, &faces, &fans, &normals)?;
-        Ok(Self { vertices, faces, normals, fans, cones })
+        Ok(Self { vertices, faces, normals, fans, cones, flatness, deviation: 0.0, raised: None })
+    }
+
+    /// The distance within which corners count as in one plane.
+    #[must_use]
+    pub fn flatness(&self) -> f64 {
+        self.flatness
+    }
+
+    /// How far the surface is from what it was made from, at most: points that faces had from it, and its corners from these faces.
+    /// Not more than the [flatness](Self::flatness), or rounding.
+    #[must_use]
+    pub fn deviation(&self) -> f64 {
+        self.deviation
+    }
+
+    /// What should be known of it: `flatness-raised`, `shallow-edges`.
+    #[must_use]
+    pub fn warnings(&self) -> Vec<Warning> {
+        self.raised.iter().cloned().chain(self.shallow_edges()).collect()
+    }
+
+    /// Edges at which hardly any angle is left.
+    fn shallow_edges(&self) -> Option<Warning> {
+        let shallow: Vec<PolyhedronEdge> = self.edges().filter(|edge| edge.angle < SHALLOW).collect();
+        let least = shallow.iter().min_by(|a, b| a.angle.total_cmp(&b.angle))?;
+        let off = shallow.iter().map(|edge| self.off_neighbour(edge)).fold(0.0, f64::max);
+        Some(Warning::ShallowEdges { ends: least.ends, count: shallow.len(), angle: least.angle, limit: SHALLOW, off })
+    }
+
+    /// How far the corners of the smaller face of an edge are below the plane of the other one: the less of both ways.
+    fn off_neighbour(&self, edge: &PolyhedronEdge) -> f64 {
+        let [a, b] = edge.faces;
+        let start = self.vertices[edge.ends[0]];
+        let below = |face: usize, other: usize| {
+            let corners = self.faces.loops()[face].iter();
+            corners.map(|&v| (self.vertices[v] - start).dot(self.normals[other]).abs()).fold(0.0, f64::max)
+        };
+        below(a, b).min(below(b, a))
     }
 
     /// The vertices, in the order of those given.

@@ -10,8 +10,8 @@ const MOST_ROUNDS: usize = 200;
 const STEPS: usize = 3;
 /// Roundings of a coordinate by which a vertex may be off its planes.
 const ROUNDINGS: f64 = 8.0;
-/// A vertex moves by no more than so many times the distance within which faces are planar.
-const LARGEST_MOVE: f64 = 64.0;
+/// Times so much what is left off the planes at the end is too much.
+const LEFT: f64 = 64.0;
 
 /// A plane through a point across a unit normal.
 #[derive(Debug, Clone, Copy)]
@@ -64,43 +64,55 @@ pub(super) fn check_planar(points: &[Point3], loops: &[Vec<usize>], limit: f64) 
     Ok(())
 }
 
+/// The rounding of coordinates of a polyhedron, as it is seen in distances from planes.
+pub(super) fn rounding(points: &[Point3]) -> f64 {
+    Aabb::of_points(points.iter().copied()).map_or(0.0, |b| ROUNDINGS * f64::EPSILON * b.max_abs().max(b.diagonal()))
+}
+
 /// The vertices moved, as little as they can, until the corners of every face of more than three are in one plane to the
 /// rounding of their coordinates: those of a vertex at a time go to its planes, then each plane to its vertices. With three
 /// planes or fewer at every vertex one round is enough.
 ///
 /// # Errors
-/// `non-planar-face` where that takes far more than `within`.
-pub(super) fn made_planar(points: &[Point3], loops: &[Vec<usize>], within: f64) -> Result<Vec<Point3>> {
+/// `non-planar-face` where the last round does not end there.
+pub(super) fn made_planar(points: &[Point3], loops: &[Vec<usize>]) -> Result<Vec<Point3>> {
     let mut points = points.to_vec();
     let faces: Vec<usize> = (0..loops.len()).filter(|&f| loops[f].len() > 3).collect();
-    let given = points.clone();
-    let used = loops.iter().flatten().map(|&v| points[v]);
-    let Some(bounds) = Aabb::of_points(used) else { return Ok(points) };
-    let rounding = ROUNDINGS * f64::EPSILON * bounds.max_abs().max(bounds.diagonal());
+    let used: Vec<Point3> = loops.iter().flatten().map(|&v| points[v]).collect();
+    let rounding = rounding(&used);
     let mut at: Vec<Vec<usize>> = vec![Vec::new(); points.len()];
     for (k, &face) in faces.iter().enumerate() {
         loops[face].iter().for_each(|&v| at[v].push(k));
     }
-    for _ in 0..MOST_ROUNDS {
+    for round in 0..=MOST_ROUNDS {
         let planes: Vec<Plane> = faces.iter().filter_map(|&f| Plane::of_loop(&points, &loops[f])).collect();
         if planes.len() < faces.len() {
             break;
         }
-        let off = |k: usize| loops[faces[k]].iter().map(|&v| planes[k].distance(points[v]).abs()).fold(0.0, f64::max);
-        if (0..faces.len()).all(|k| off(k) <= rounding) {
+        let mut worst = (0, 0, 0.0);
+        for (plane, &face) in planes.iter().zip(&faces) {
+            for &vertex in &loops[face] {
+                let off = plane.distance(points[vertex]).abs();
+                if off > worst.2 {
+                    worst = (face, vertex, off);
+                }
+            }
+        }
+        let (face, vertex, distance) = worst;
+        if distance <= rounding {
+            break;
+        }
+        if round == MOST_ROUNDS {
+            let limit = LEFT * rounding;
+            if distance > limit {
+                return Err(Error::NonPlanarFace { face, vertex, distance, limit });
+            }
             break;
         }
         for (vertex, of_vertex) in at.iter().enumerate().filter(|(_, of_vertex)| !of_vertex.is_empty()) {
             let of_vertex: Vec<Plane> = of_vertex.iter().map(|&k| planes[k]).collect();
             points[vertex] = onto(points[vertex], &of_vertex);
         }
-    }
-    let moved = points.iter().zip(&given).map(|(p, q)| p.distance(*q));
-    let (vertex, distance) = moved.enumerate().fold((0, 0.0), |far, at| if at.1 > far.1 { at } else { far });
-    let limit = LARGEST_MOVE * within;
-    if !(distance <= limit) {
-        let face = faces.iter().copied().find(|&f| loops[f].contains(&vertex)).unwrap_or(0);
-        return Err(Error::NonPlanarFace { face, vertex, distance, limit });
     }
     Ok(points)
 }
