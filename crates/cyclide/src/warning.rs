@@ -301,6 +301,45 @@ pub enum Warning {
         /// Smallest radius of curvature of the way of its centre.
         limit: f64,
     },
+    /// A bridge between ellipses that cross: it runs through itself beside the places where they do.
+    EllipsesCross {
+        /// By how much the second ellipse is wider along x.
+        along_x: f64,
+        /// The same along y.
+        along_y: f64,
+    },
+    /// The ends of a profile were near the axis that it turns about, and were moved onto it.
+    MovedToAxis {
+        /// The farthest of them.
+        distance: f64,
+        /// Ends up to this far are moved.
+        limit: f64,
+    },
+    /// A part of a turn of a profile that goes round an area: the surface has no end faces.
+    OpenPart {
+        /// The angle of the turn, radians.
+        angle: f64,
+    },
+    /// A whole turn of a profile that goes round no area: the surface is open where its ends are off the axis.
+    OpenProfile {
+        /// Distance of its start from the axis.
+        start: f64,
+        /// Distance of its end.
+        end: f64,
+    },
+    /// A profile in a plane across the axis that it turns about: what it sweeps is a part of that plane.
+    FlatRevolution,
+    /// A surface between two curves bends sharply where pieces of the curves join smoothly.
+    KinksAtJoints {
+        /// Joints at which its normals differ by more than the limit.
+        count: usize,
+        /// The joint of the curves with the largest angle, from 0.
+        joint: usize,
+        /// That angle, radians.
+        angle: f64,
+        /// Angles above this are reported, radians.
+        limit: f64,
+    },
     /// Normals of a mesh that point to the back of a face at their vertex: the smooth surface folds over there.
     NormalFacesBackward {
         /// The first triangle with such a corner, from 0.
@@ -353,6 +392,11 @@ impl Warning {
             Self::BeyondFocalSet { .. } => "beyond-focal-set",
             Self::FoldedNet { .. } => "folded-net",
             Self::NeckFolds { .. } => "neck-folds",
+            Self::EllipsesCross { .. } => "ellipses-cross",
+            Self::MovedToAxis { .. } => "moved-to-axis",
+            Self::OpenPart { .. } | Self::OpenProfile { .. } => "open-body",
+            Self::FlatRevolution => "flat-revolution",
+            Self::KinksAtJoints { .. } => "kinks-at-joints",
             Self::NormalFacesBackward { .. } => "normal-faces-backward",
         }
     }
@@ -377,6 +421,7 @@ impl Warning {
             Self::MovedFar { vertex, .. } | Self::LeftSurface { vertex, .. } => Some(vertex),
             Self::BeyondFocalSet { first, .. } => Some(first),
             Self::FoldedNet { first, .. } => first,
+            Self::KinksAtJoints { joint, .. } => Some(joint),
             Self::NormalFacesBackward { triangle, .. } => Some(triangle),
             Self::SamplesTooCoarse { .. }
             | Self::ToleranceBelowNoise { .. }
@@ -394,7 +439,12 @@ impl Warning {
             | Self::EndsWithoutEffect
             | Self::SwingsOut { .. }
             | Self::Zigzag { .. }
-            | Self::NeckFolds { .. } => None,
+            | Self::NeckFolds { .. }
+            | Self::EllipsesCross { .. }
+            | Self::MovedToAxis { .. }
+            | Self::OpenPart { .. }
+            | Self::OpenProfile { .. }
+            | Self::FlatRevolution => None,
         }
     }
 }
@@ -607,6 +657,33 @@ impl std::fmt::Display for Warning {
                 ShortNumber(*radius),
                 ShortNumber(*limit)
             ),
+            Self::EllipsesCross { along_x, along_y } => write!(
+                f,
+                "the ellipses cross: the second is wider by {} along x and by {} along y, and the bridge runs through itself beside the places where they do; take one inside the other",
+                ShortNumber(*along_x),
+                ShortNumber(*along_y)
+            ),
+            Self::MovedToAxis { distance, limit } => write!(
+                f,
+                "the profile ends up to {} off the axis (up to {} counts as meant to be on it): its ends were moved onto the axis; write more digits, or start farther out for a bore",
+                ShortNumber(*distance),
+                ShortNumber(*limit)
+            ),
+            Self::OpenPart { angle } => write!(
+                f,
+                "the turn by {} degrees has no end faces: the body is open at both; a whole turn is a solid",
+                degrees(*angle)
+            ),
+            Self::OpenProfile { start, end } => write_open_profile(f, *start, *end),
+            Self::FlatRevolution => f.write_str(
+                "the profile lies in a plane across the axis, and what it sweeps is flat; for a body give it heights along the axis (points [r, 0, z] for the axis z), or take an axis in its plane",
+            ),
+            Self::KinksAtJoints { count, joint, angle, limit } => write!(
+                f,
+                "the surface has kinks at {count} joint(s) where both curves run smoothly, the largest of {} degrees at joint {joint} (above {}): speeds jump there from piece to piece by different factors; take curves with pieces of like lengths on both sides, or of one piece",
+                degrees(*angle),
+                degrees(*limit)
+            ),
             Self::OpenSeam { border, gap, angle } => write!(
                 f,
                 "the first and the last {border} of the grid are at most an edge apart and the net is open there: the surface has a gap of up to {} and an angle of up to {} degrees there",
@@ -656,6 +733,21 @@ fn write_nodes_not_reached(
         _ => "a curve cannot have fewer",
     };
     write!(f, "{asked} nodes were asked for, {reached} it has: {because}")
+}
+
+/// Which ends are off the axis, and how to get a solid.
+fn write_open_profile(f: &mut std::fmt::Formatter<'_>, start: f64, end: f64) -> std::fmt::Result {
+    match (start > 0.0, end > 0.0) {
+        (true, true) => write!(
+            f,
+            "the surface is open: its profile starts {} and ends {} off the axis",
+            ShortNumber(start),
+            ShortNumber(end)
+        ),
+        (true, false) => write!(f, "the surface is open: its profile starts {} off the axis", ShortNumber(start)),
+        _ => write!(f, "the surface is open: its profile ends {} off the axis", ShortNumber(end)),
+    }?;
+    f.write_str("; a solid needs a closed profile, or both ends on the axis")
 }
 
 fn times(count: usize) -> String {

@@ -725,6 +725,13 @@ pub enum Error {
         /// What went wrong in it.
         cause: Box<Error>,
     },
+    /// The arcs between two curves cross their neighbours: the surface has no normal there, and runs through itself beside it.
+    ArcsCross {
+        /// Which piece of the curves, from 0.
+        piece: usize,
+        /// Near which part of the piece, and of the arcs.
+        at: [f64; 2],
+    },
 }
 
 impl std::error::Error for Error {

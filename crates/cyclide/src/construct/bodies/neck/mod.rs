@@ -178,9 +178,11 @@ impl NeckBlend {
         self.over(&Sector::new(from, to))
     }
 
-    /// What the user should know: an outer neck of a large ball on a pipe that leans runs through itself on the steep side. The
-    /// centres of the ball run along an ellipse whose smallest radius of curvature is `q cos φ`; where the arc comes through the
-    /// direction of its centre of curvature, a larger ball folds the envelope. A solid of it is refused.
+    /// What the user should know: the envelope outside a pipe, with a large ball and a pipe that leans, runs through itself on the steep
+    /// side. The centres of the ball run along an ellipse whose smallest radius of curvature is `q cos φ`; where the arc comes through the
+    /// direction of its centre of curvature, a larger ball folds the envelope. A solid of it is refused. The vertical variant never folds: seen along the
+    /// axis of the pipe, its points at the part `l` of the way lie on the circle of radius `R + σ l ρ` about a centre moved by `l ρ sin φ`, and
+    /// such circles lie one in the other.
     #[must_use]
     pub fn warning(&self) -> Option<Warning> {
         self.folds_beyond().map(|limit| Warning::NeckFolds { radius: self.ball_radius, limit })
@@ -189,7 +191,7 @@ impl NeckBlend {
     /// The largest ball that does not fold the neck, if this one does.
     fn folds_beyond(&self) -> Option<f64> {
         let limit = (self.pipe_radius + self.ball_radius) * self.cos;
-        (self.sign > 0.0 && self.ball_radius > limit).then_some(limit)
+        (self.variant == NeckVariant::Pipe && self.sign > 0.0 && self.ball_radius > limit).then_some(limit)
     }
 
     /// The exact form over a sector: the rows at the module.
