@@ -395,3 +395,16 @@ fn hollows_are_found_within_the_sagitta() {
         assert_eq!(body.voids.len(), 1);
     }
 }
+
+/// The profile is a thousand million times smaller than its distance from the axis.
+#[test]
+fn thin_rings_far_from_the_axis_are_made() {
+    for radius in [1.0, 1e-3] {
+        let circle = CurveObject::Circle(Circle::from_radius(p(1e6, 0.0), Vec3::Y, radius).unwrap());
+        let SurfaceObject::Body(ring) = circle.revolved(&whole()).unwrap() else { panic!("a body") };
+        assert!(ring.is_solid());
+        // The rounding of places, 1e-10, against the radius.
+        let volume = ring.outer.volume() / (2.0 * PI * PI * radius * radius * 1e6) - 1.0;
+        assert!(volume.abs() < 1e-9 / radius, "{radius}: {volume}");
+    }
+}

@@ -118,7 +118,7 @@ impl Revolution {
     /// as [`CyclidePatch::from_weights`](crate::CyclidePatch::from_weights).
     pub fn body(&self, profile: &[EdgeCurve], closed: bool) -> Result<Body> {
         let near = self.beside([profile]);
-        let (shell, _) = near.shell(profile, closed).map_err(|e| near.from_given(e))?;
+        let (shell, _) = near.shell(profile, closed).map_err(|e| near.counted_from_given(e))?;
         Ok(Body { outer: shell, voids: Vec::new() })
     }
 
@@ -129,7 +129,7 @@ impl Revolution {
     /// As [`body`](Self::body); `profile-meets-itself` also where the profiles of two solids meet, whose pieces are counted through.
     pub fn bodies(&self, profiles: &[(Vec<EdgeCurve>, bool)]) -> Result<Vec<Body>> {
         let near = self.beside(profiles.iter().map(|(pieces, _)| &pieces[..]));
-        near.bodies_beside(profiles).map_err(|e| near.from_given(e))
+        near.bodies_beside(profiles).map_err(|e| near.counted_from_given(e))
     }
 
     /// As [`bodies`](Self::bodies), counted from a point beside the profiles.
@@ -169,7 +169,7 @@ impl Revolution {
         let near = self.beside(profiles.iter().map(|(pieces, _)| &pieces[..]));
         let mut warnings = Vec::new();
         for (index, (pieces, closed)) in profiles.iter().enumerate() {
-            let profile = Profile::new(&near, pieces, *closed).map_err(|e| near.from_given(e))?;
+            let profile = Profile::new(&near, pieces, *closed).map_err(|e| near.counted_from_given(e))?;
             warnings.extend(near.warnings_of(&profile).into_iter().map(|warning| (index, warning)));
         }
         Ok(warnings)
@@ -229,7 +229,7 @@ impl Revolution {
     }
 
     /// An error with the height from the given point.
-    fn from_given(&self, error: Error) -> Error {
+    fn counted_from_given(&self, error: Error) -> Error {
         match error {
             Error::ProfileMeetsItself { first, second, radius, height } => {
                 let height = height + (self.origin - self.given).dot(self.axis);

@@ -75,7 +75,9 @@ fn face(
     rotor: Quat,
 ) -> Result<FaceSurface> {
     if let (EdgeCurve::Arc(arc), Some(across)) = (low, across) {
+        // Far from the axis for its size the direction has the rounding of its place: that of the turn is known better.
         let along = arc.start_tangent().ok_or(Error::ZeroTangent { index: 0 })?;
+        let along = along - across * along.dot(across);
         let ratio = arc.weight_ratio();
         let weights = [Quat::ONE, ratio, rotor, rotor * ratio];
         let patch = CyclidePatch::from_weights(corners, weights, along, across)?;
