@@ -354,6 +354,45 @@ pub enum Warning {
         /// The largest distance of the middle of one from the nearest other one; a hundredth of its length at most.
         gap: f64,
     },
+    /// A bridge between ellipses that cross: it runs through itself beside the places where they do.
+    EllipsesCross {
+        /// By how much the second ellipse is wider along x.
+        along_x: f64,
+        /// The same along y.
+        along_y: f64,
+    },
+    /// The ends of a profile were near the axis that it turns about, and were moved onto it.
+    MovedToAxis {
+        /// The farthest of them.
+        distance: f64,
+        /// Ends up to this far are moved.
+        limit: f64,
+    },
+    /// A part of a turn of a profile that goes round an area: the surface has no end faces.
+    OpenPart {
+        /// The angle of the turn, radians.
+        angle: f64,
+    },
+    /// A whole turn of a profile that goes round no area: the surface is open where its ends are off the axis.
+    OpenProfile {
+        /// Distance of its start from the axis.
+        start: f64,
+        /// Distance of its end.
+        end: f64,
+    },
+    /// A profile in a plane across the axis that it turns about: what it sweeps is a part of that plane.
+    FlatRevolution,
+    /// A surface between two curves bends sharply where pieces of the curves join smoothly.
+    KinksAtJoints {
+        /// Joints at which its normals differ by more than the limit.
+        count: usize,
+        /// The joint of the curves with the largest angle, from 0.
+        joint: usize,
+        /// That angle, radians.
+        angle: f64,
+        /// Angles above this are reported, radians.
+        limit: f64,
+    },
     /// Normals of a mesh that point to the back of a face at their vertex: the smooth surface folds over there.
     NormalFacesBackward {
         /// The first triangle with such a corner, from 0.
@@ -410,6 +449,11 @@ impl Warning {
             Self::SharpEdgesSmoothed { .. } => "sharp-edges-smoothed",
             Self::FlatnessRaised { .. } => "flatness-raised",
             Self::ShallowEdges { .. } => "shallow-edges",
+            Self::EllipsesCross { .. } => "ellipses-cross",
+            Self::MovedToAxis { .. } => "moved-to-axis",
+            Self::OpenPart { .. } | Self::OpenProfile { .. } => "open-body",
+            Self::FlatRevolution => "flat-revolution",
+            Self::KinksAtJoints { .. } => "kinks-at-joints",
             Self::NormalFacesBackward { .. } => "normal-faces-backward",
         }
     }
@@ -434,6 +478,7 @@ impl Warning {
             Self::MovedFar { vertex, .. } | Self::LeftSurface { vertex, .. } => Some(vertex),
             Self::BeyondFocalSet { first, .. } => Some(first),
             Self::FoldedNet { first, .. } => first,
+            Self::KinksAtJoints { joint, .. } => Some(joint),
             Self::NormalFacesBackward { triangle, .. } | Self::FoldsBack { triangle, .. } => Some(triangle),
             Self::SamplesTooCoarse { .. }
             | Self::ToleranceBelowNoise { .. }
@@ -455,7 +500,12 @@ impl Warning {
             | Self::LooseBorders { .. }
             | Self::FlatnessRaised { .. }
             | Self::ShallowEdges { .. }
-            | Self::NeckFolds { .. } => None,
+            | Self::NeckFolds { .. }
+            | Self::EllipsesCross { .. }
+            | Self::MovedToAxis { .. }
+            | Self::OpenPart { .. }
+            | Self::OpenProfile { .. }
+            | Self::FlatRevolution => None,
         }
     }
 }
@@ -697,6 +747,33 @@ impl std::fmt::Display for Warning {
                 ShortNumber(*angle),
                 ShortNumber(*off)
             ),
+            Self::EllipsesCross { along_x, along_y } => write!(
+                f,
+                "the ellipses cross: the second is wider by {} along x and by {} along y, and the bridge runs through itself beside the places where they do; take one inside the other",
+                ShortNumber(*along_x),
+                ShortNumber(*along_y)
+            ),
+            Self::MovedToAxis { distance, limit } => write!(
+                f,
+                "the profile ends up to {} off the axis (up to {} counts as meant to be on it): its ends were moved onto the axis; write more digits, or start farther out for a bore",
+                ShortNumber(*distance),
+                ShortNumber(*limit)
+            ),
+            Self::OpenPart { angle } => write!(
+                f,
+                "the turn by {} degrees has no end faces: the body is open at both; a whole turn is a solid",
+                degrees(*angle)
+            ),
+            Self::OpenProfile { start, end } => write_open_profile(f, *start, *end),
+            Self::FlatRevolution => f.write_str(
+                "the profile lies in a plane across the axis, and what it sweeps is flat; for a body give it heights along the axis (points [r, 0, z] for the axis z), or take an axis in its plane",
+            ),
+            Self::KinksAtJoints { count, joint, angle, limit } => write!(
+                f,
+                "the surface has kinks at {count} joint(s) where both curves run smoothly, the largest of {} degrees at joint {joint} (above {}): speeds jump there from piece to piece by different factors; take curves with pieces of like lengths on both sides, or of one piece",
+                degrees(*angle),
+                degrees(*limit)
+            ),
             Self::OpenSeam { border, gap, angle } => write!(
                 f,
                 "the first and the last {border} of the grid are at most an edge apart and the net is open there: the surface has a gap of up to {} and an angle of up to {} degrees there",
@@ -746,6 +823,21 @@ fn write_nodes_not_reached(
         _ => "a curve cannot have fewer",
     };
     write!(f, "{asked} nodes were asked for, {reached} it has: {because}")
+}
+
+/// Which ends are off the axis, and how to get a solid.
+fn write_open_profile(f: &mut std::fmt::Formatter<'_>, start: f64, end: f64) -> std::fmt::Result {
+    match (start > 0.0, end > 0.0) {
+        (true, true) => write!(
+            f,
+            "the surface is open: its profile starts {} and ends {} off the axis",
+            ShortNumber(start),
+            ShortNumber(end)
+        ),
+        (true, false) => write!(f, "the surface is open: its profile starts {} off the axis", ShortNumber(start)),
+        _ => write!(f, "the surface is open: its profile ends {} off the axis", ShortNumber(end)),
+    }?;
+    f.write_str("; a solid needs a closed profile, or both ends on the axis")
 }
 
 fn times(count: usize) -> String {

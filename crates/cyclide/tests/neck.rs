@@ -267,6 +267,27 @@ fn large_balls_fold_outer_necks_and_are_warned_of() {
     }
 }
 
+/// Seen along the pipe the surface covers each place once, whatever ball rolls: it goes on outwards in t and round in s.
+#[test]
+fn the_vertical_variant_never_folds() {
+    for (slope, ball) in [(PI / 3.0, 2.0), (1.0, 20.0), (-1.4, 5.0), (0.3, 100.0)] {
+        let neck = NeckBlend::new(1.0, ball, slope, NeckSide::Outside, NeckVariant::Vertical).unwrap();
+        assert_eq!(neck.warning(), None);
+        for quarter in 0..4 {
+            let surface = neck.surface(FRAC_PI_2 * f64::from(quarter), FRAC_PI_2 * f64::from(quarter + 1)).unwrap();
+            for (i, j) in (0..=40).flat_map(|i| (1..=40).map(move |j| (i, j))) {
+                let jet = surface.jet(f64::from(i) / 40.0, f64::from(j) / 40.0);
+                // The part of the area that is across the pipe: at its start the arc runs along it.
+                let across = -jet.ds.cross(jet.dt).dot(neck.axis()) / (jet.ds.length() * jet.dt.length());
+                assert!(across > 1e-4, "{slope} {ball} {i} {j}: {across}");
+            }
+        }
+        let plate = Some(PlateShape::Rectangle([1e4; 2]));
+        let body = neck.body(&made(3e3, plate, Some(1.0), None)).unwrap();
+        assert!(body.is_solid() && body.outer.volume() > 1e8);
+    }
+}
+
 #[test]
 fn necks_and_bodies_that_are_none_are_refused() {
     let neck = |pipe, ball, slope, side| NeckBlend::new(pipe, ball, slope, side, NeckVariant::Pipe);

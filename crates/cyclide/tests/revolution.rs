@@ -2,8 +2,8 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
 use cyclide::{
-    Arc, Body, Circle, CurveObject, EdgeCurve, FaceSurface, ParamSurface as _, PatchKind, Point3, RationalBezier,
-    Revolution, Shell, SurfaceObject, Vec3, surface_joints, tessellate,
+    Arc, Body, Circle, CurveObject, EdgeCurve, Error, FaceSurface, ParamSurface as _, PatchKind, Point3,
+    RationalBezier, Revolution, Shell, SurfaceObject, Vec3, Warning, surface_joints, tessellate,
 };
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -240,4 +240,171 @@ fn a_contour_inside_another_is_a_hollow() {
     };
     let [ball] = &bodies(&[half(2.0), half(1.0)])[..] else { panic!("one body") };
     assert!((volume(ball) / (28.0 / 3.0 * PI) - 1.0).abs() < 1e-12);
+}
+
+/// The warnings of one profile about an axis.
+fn warned(turn: &Revolution, profile: &[EdgeCurve], closed: bool) -> Vec<Warning> {
+    turn.warnings(&[(profile.to_vec(), closed)]).unwrap().into_iter().map(|(_, warning)| warning).collect()
+}
+
+/// Coordinates with seven digits are off a tilted axis; a body is meant all the same.
+#[test]
+fn ends_next_to_the_axis_are_moved_onto_it_and_it_is_said() {
+    let sweep = |gap: f64| {
+        let profile = chain(&[[gap, 0.0], [30.0, 0.0], [30.0, 40.0], [-gap, 40.0]], false);
+        let body = whole().body(&profile, false).unwrap();
+        (body.is_solid(), body.outer.volume(), warned(&whole(), &profile, false))
+    };
+    // The profile is 50 in size.
+    for gap in [1e-12, 1e-7, 4e-5] {
+        let (solid, volume, warnings) = sweep(gap);
+        assert!(solid && (volume / (PI * 900.0 * 40.0) - 1.0).abs() < 1e-11, "{gap}: {volume}");
+        match warnings[..] {
+            [] => assert!(gap < 1e-11),
+            [Warning::MovedToAxis { distance, limit }] => {
+                // The end on the other side makes the profile longer.
+                assert!(distance == gap && (limit / (1e-6 * 50.0) - 1.0).abs() < 1e-5);
+            }
+            _ => panic!("{gap}: {warnings:?}"),
+        }
+    }
+    let bowl = chain(&[[1e-3, 0.0], [30.0, 0.0], [30.0, 40.0]], false);
+    assert!(!whole().body(&bowl, false).unwrap().is_solid());
+    assert_eq!(warned(&whole(), &bowl, false), [Warning::OpenProfile { start: 1e-3, end: 30.0 }]);
+    // Of a closed profile a side along the axis; a bore is kept.
+    let washer = |bore: f64| chain(&[[bore, 0.0], [1.0, 0.0], [1.0, 1.0], [bore, 1.0]], true);
+    assert!(matches!(warned(&whole(), &washer(1e-7), true)[..], [Warning::MovedToAxis { .. }]));
+    assert_eq!(whole().body(&washer(1e-7), true).unwrap().outer.faces().len(), 12);
+    assert_eq!(warned(&whole(), &washer(1e-3), true), []);
+    assert_eq!(whole().body(&washer(1e-3), true).unwrap().outer.faces().len(), 16);
+}
+
+#[test]
+fn the_point_of_the_axis_that_is_given_changes_nothing() {
+    let at = |height: f64| Revolution::new(Point3::new(0.0, 0.0, height), Vec3::Z, TAU).unwrap();
+    let profile = chain(&[[1e-3, 0.0], [1.0, 0.0], [1.0, 1.0], [1e-3, 1.0]], true);
+    let body = at(0.0).body(&profile, true).unwrap();
+    for height in [-3.0, 1e6, 1e9] {
+        let other = at(height).body(&profile, true).unwrap();
+        assert_eq!(other.outer.faces().len(), body.outer.faces().len(), "{height}");
+        assert!((other.outer.volume() / body.outer.volume() - 1.0).abs() < 1e-12, "{height}");
+    }
+    // Heights in messages are from the point given.
+    let eight = chain(&[[10.0, 0.0], [30.0, 30.0], [30.0, 0.0], [10.0, 30.0]], true);
+    let Err(Error::ProfileMeetsItself { height: near, .. }) = at(0.0).body(&eight, true) else { panic!("an eight") };
+    let Err(Error::ProfileMeetsItself { height: far, .. }) = at(1e6).body(&eight, true) else { panic!("an eight") };
+    assert!((far + 1e6 - near).abs() < 1e-6, "{far} {near}");
+    // About an axis in space, from a point a million times as far away as the bore is wide.
+    let (h, d, axis) = (2f64.sqrt(), 1e-2, Vec3::new(0.0, 1.0, 1.0));
+    let tilted = |r: f64, z: f64| Point3::new(r, z / h, z / h);
+    let corners = [tilted(d, 0.0), tilted(1.0, 0.0), tilted(1.0, 1.0), tilted(d, 1.0)];
+    let profile: Vec<EdgeCurve> = (0..4).map(|k| segment(corners[k], corners[(k + 1) % 4])).collect();
+    for far in [0.0, 3.0, 3e4, 1e6] {
+        let body = Revolution::new(Point3::new(0.0, far, far), axis, TAU).unwrap().body(&profile, true).unwrap();
+        assert!((body.outer.volume() / (PI * (1.0 - d * d)) - 1.0).abs() < 1e-9, "{far}");
+    }
+}
+
+#[test]
+fn what_stays_open_is_said() {
+    let square = chain(&[[1.0, 0.0], [2.0, 0.0], [2.0, 1.0], [1.0, 1.0]], true);
+    let half = Revolution::new(Point3::ORIGIN, Vec3::Z, PI).unwrap();
+    assert_eq!(warned(&whole(), &square, true), []);
+    // A sheet is what it is.
+    assert_eq!(warned(&half, &square[..2], false), []);
+    assert_eq!(warned(&whole(), &square[..2], false), [Warning::OpenProfile { start: 1.0, end: 2.0 }]);
+    // A ring of a plane.
+    assert_eq!(warned(&whole(), &square[..1], false), [Warning::FlatRevolution]);
+    // Past the axis, or round it, a profile in a plane across it has places without a normal.
+    let across = |points: &[[f64; 2]]| -> Vec<EdgeCurve> {
+        let at = |k: usize| Point3::new(points[k][0], points[k][1], 5.0);
+        (1..points.len()).map(|k| segment(at(k - 1), at(k))).collect()
+    };
+    for folded in
+        [&[[20.0, 0.0], [20.0, 30.0]][..], &[[10.0, 0.0], [20.0, 0.0], [20.0, 30.0]], &[[-1.0, 2.0], [3.0, 2.0]]]
+    {
+        assert_eq!(whole().body(&across(folded), false).unwrap_err().reason(), "folded-profile", "{folded:?}");
+    }
+    let vase = across(&[[30.0, 0.0], [42.0, 25.0], [40.0, 55.0], [22.0, 90.0]]);
+    assert_eq!(warned(&whole(), &vase, false), [Warning::FlatRevolution]);
+    let round = CurveObject::Circle(Circle::from_radius(Point3::ORIGIN, Vec3::Z, 10.0).unwrap());
+    assert_eq!(round.revolved(&whole()).unwrap_err().reason(), "folded-profile");
+}
+
+#[test]
+fn thin_disks_and_washers_are_solids() {
+    for thickness in [9e-7, 1e-9] {
+        let disk = chain(&[[0.0, 0.0], [1.0, 0.0], [1.0, thickness], [0.0, thickness]], false);
+        let washer = chain(&[[0.5, 0.0], [1.0, 0.0], [1.0, thickness], [0.5, thickness]], true);
+        for (profile, closed, area) in [(disk, false, PI), (washer, true, 0.75 * PI)] {
+            let body = whole().body(&profile, closed).unwrap();
+            assert!(body.is_solid() && (body.outer.volume() / (area * thickness) - 1.0).abs() < 1e-6, "{thickness}");
+            assert_eq!(warned(&whole(), &profile, closed), []);
+        }
+    }
+}
+
+/// A fillet that reaches through a line by less than it leaves its chords.
+#[test]
+fn crossings_below_the_sagitta_are_found() {
+    let notch = |reach: f64| {
+        let (radius, sagitta) = (20.0, 20.0 * (1.0 - (PI / 96.0).cos()));
+        let top = 60.0 + reach * sagitta;
+        let round = Arc::from_bulge(p(top - radius, -radius), p(top - radius, radius), Vec3::Y, -1.0).unwrap();
+        assert!((round.point(0.5).x - top).abs() < 1e-12);
+        let line = |from: [f64; 2], to: [f64; 2]| segment(p(from[0], from[1]), p(to[0], to[1]));
+        vec![
+            line([10.0, -90.0], [60.0, -90.0]),
+            line([60.0, -90.0], [60.0, 90.0]),
+            line([60.0, 90.0], [10.0, 90.0]),
+            line([10.0, 90.0], [top - radius, radius]),
+            round.reversed().into(),
+            line([top - radius, -radius], [10.0, -90.0]),
+        ]
+    };
+    for reach in [0.9, 0.3, 0.01] {
+        let error = whole().body(&notch(reach), true).unwrap_err();
+        assert_eq!(error.reason(), "profile-meets-itself", "{reach}");
+    }
+    assert!(whole().body(&notch(-0.01), true).unwrap().is_solid());
+}
+
+/// The profile leaves its pole to one side and comes back through the axis next to it.
+#[test]
+fn crossings_of_the_axis_next_to_a_pole_are_found() {
+    let profile = |lean: f64| {
+        let rows = [[0.0, 0.0, 0.0, 1.0], [lean, 0.0, 10.0, 1.0], [30.0, 0.0, 20.0, 1.0], [0.0, 0.0, 60.0, 1.0]];
+        EdgeCurve::Rational(RationalBezier::new(rows.to_vec()).unwrap())
+    };
+    for lean in [-0.01, -0.2] {
+        for curve in [profile(lean), profile(lean).reversed()] {
+            assert_eq!(whole().body(&[curve], false).unwrap_err().reason(), "crosses-axis", "{lean}");
+        }
+    }
+    assert!(whole().body(&[profile(0.0)], false).unwrap().is_solid());
+    assert!(whole().body(&[profile(0.01)], false).unwrap().is_solid());
+}
+
+/// A thin hollow next to the outside, between a curve and its chords.
+#[test]
+fn hollows_are_found_within_the_sagitta() {
+    let circle = |r: f64| CurveObject::Circle(Circle::from_radius(p(20.0, 0.0), Vec3::Y, r).unwrap());
+    for wall in [1e-2, 1e-4, 1e-6] {
+        let made = SurfaceObject::revolved(&[circle(10.0 - wall), circle(10.0)], &whole()).unwrap();
+        let [SurfaceObject::Body(body)] = &made[..] else { panic!("{wall}: {} bodies", made.len()) };
+        assert_eq!(body.voids.len(), 1);
+    }
+}
+
+/// The profile is a thousand million times smaller than its distance from the axis.
+#[test]
+fn thin_rings_far_from_the_axis_are_made() {
+    for radius in [1.0, 1e-3] {
+        let circle = CurveObject::Circle(Circle::from_radius(p(1e6, 0.0), Vec3::Y, radius).unwrap());
+        let SurfaceObject::Body(ring) = circle.revolved(&whole()).unwrap() else { panic!("a body") };
+        assert!(ring.is_solid());
+        // The rounding of places, 1e-10, against the radius.
+        let volume = ring.outer.volume() / (2.0 * PI * PI * radius * radius * 1e6) - 1.0;
+        assert!(volume.abs() < 1e-9 / radius, "{radius}: {volume}");
+    }
 }

@@ -837,4 +837,11 @@ pub enum Error {
         /// Largest distance accepted.
         limit: f64,
     },
+    /// The arcs between two curves cross their neighbours: the surface has no normal there, and runs through itself beside it.
+    ArcsCross {
+        /// Which piece of the curves, from 0.
+        piece: usize,
+        /// Near which part of the piece, and of the arcs.
+        at: [f64; 2],
+    },
 }

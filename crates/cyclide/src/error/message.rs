@@ -97,6 +97,12 @@ impl std::fmt::Display for Error {
                 ShortNumber(*normal),
                 ShortNumber(*limit)
             ),
+            Self::ArcsCross { piece, at } => write!(
+                f,
+                "the arcs between piece {piece} of both curves cross their neighbours near {} of the piece and {} of the arcs, and the surface runs through itself; does the second curve run the other way?",
+                ShortNumber(at[0]),
+                ShortNumber(at[1])
+            ),
             Self::DegreeTooHigh { degree, limit } => write!(
                 f,
                 "the surface would have the degree {degree}, limit {limit}: take curves of lower degrees (segments have 1, arcs 2, fair splines 4)"

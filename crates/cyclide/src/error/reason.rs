@@ -36,6 +36,7 @@ impl Error {
             Self::EllipsesCross { .. } => "ellipses-cross",
             Self::PieceCountsDiffer { .. } => "piece-counts-differ",
             Self::RulingsCross { .. } => "rulings-cross",
+            Self::ArcsCross { .. } => "arcs-cross",
             Self::DegreeTooHigh { .. } => "degree-too-high",
             Self::DegenerateCircle { .. } => "degenerate-circle",
             Self::DegenerateSphere { .. } => "degenerate-sphere",
@@ -131,6 +132,7 @@ impl Error {
             | Self::NotWithinTolerance { piece, .. }
             | Self::CrossesAxis { piece, .. }
             | Self::RulingsCross { piece, .. }
+            | Self::ArcsCross { piece, .. }
             | Self::PipeTooWide { piece, .. }
             | Self::MitreDoesNotFit { piece, .. }
             | Self::FoldedProfile { piece, .. } => Some(piece),

@@ -11,6 +11,7 @@ use crate::curve::{Arc, ArcPath, ParamCurve as _};
 use crate::error::{Error, Result};
 use crate::surface::CyclidicNet;
 use crate::topology::{Body, EdgeCurve, Shell};
+use crate::warning::Warning;
 
 impl Conformal for CurveObject {
     /// The image: of arcs and chains of arcs under any map, of circles and circle splines under similarities and
@@ -107,13 +108,31 @@ impl SurfaceObject {
         Ok(turn.bodies(&profiles)?.into_iter().map(Self::Body).collect())
     }
 
+    /// What should be known of that which curves sweep, each with the number of the curve: see [`Revolution::warnings`].
+    ///
+    /// # Errors
+    /// As [`revolved`](Self::revolved).
+    pub fn warnings_of_revolved(curves: &[CurveObject], turn: &Revolution) -> Result<Vec<(usize, Warning)>> {
+        let profiles = curves.iter().map(CurveObject::exact_pieces).collect::<Result<Vec<_>>>()?;
+        turn.warnings(&profiles)
+    }
+
     /// The straight lines between two curves, exact, piece by piece: see [`Body::ruled`]. It is closed round if both curves are.
     ///
     /// # Errors
     /// `not-a-spline` for a trigonometric circle spline, which has no rational form; as [`Body::ruled`].
-    pub fn ruled([first, second]: [&CurveObject; 2]) -> Result<Self> {
+    pub fn ruled(rails: [&CurveObject; 2]) -> Result<Self> {
+        Self::ruled_with_warning(rails).map(|(surface, _)| surface)
+    }
+
+    /// As [`ruled`](Self::ruled), with what should be known of it: see [`Body::ruled_with_warning`].
+    ///
+    /// # Errors
+    /// As [`ruled`](Self::ruled).
+    pub fn ruled_with_warning([first, second]: [&CurveObject; 2]) -> Result<(Self, Option<Warning>)> {
         let ((first, a), (second, b)) = (first.exact_pieces()?, second.exact_pieces()?);
-        Body::ruled([&first, &second], a && b).map(Self::Body)
+        let (body, warning) = Body::ruled_with_warning([&first, &second], a && b)?;
+        Ok((Self::Body(body), warning))
     }
 
     /// The arcs between two curves, exact, piece by piece, with tangents at the first: see [`Body::circular`]. It is closed round if
@@ -121,9 +140,21 @@ impl SurfaceObject {
     ///
     /// # Errors
     /// `not-a-spline` for a trigonometric circle spline, which has no rational form; as [`Body::circular`].
-    pub fn circular([first, second]: [&CurveObject; 2], tangents: &[Vec3]) -> Result<Self> {
+    pub fn circular(rails: [&CurveObject; 2], tangents: &[Vec3]) -> Result<Self> {
+        Self::circular_with_warning(rails, tangents).map(|(surface, _)| surface)
+    }
+
+    /// As [`circular`](Self::circular), with what should be known of it: see [`Body::circular_with_warning`].
+    ///
+    /// # Errors
+    /// As [`circular`](Self::circular).
+    pub fn circular_with_warning(
+        [first, second]: [&CurveObject; 2],
+        tangents: &[Vec3],
+    ) -> Result<(Self, Option<Warning>)> {
         let ((first, a), (second, b)) = (first.exact_pieces()?, second.exact_pieces()?);
-        Body::circular([&first, &second], tangents, a && b).map(Self::Body)
+        let (body, warning) = Body::circular_with_warning([&first, &second], tangents, a && b)?;
+        Ok((Self::Body(body), warning))
     }
 
     /// The parallel surface at a signed distance along the unit normal, exact; `None` for a solid, whose normal is not

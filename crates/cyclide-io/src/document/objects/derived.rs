@@ -26,7 +26,7 @@ impl Builder<'_> {
     }
 
     /// What the curves of another object sweep.
-    pub(super) fn revolution(&self, spec: &RevolutionSpec) -> Result<Vec<SurfaceObject>> {
+    pub(super) fn revolution(&mut self, spec: &RevolutionSpec) -> Result<Vec<SurfaceObject>> {
         let curves = self.sources.first().map_or(&[][..], |source| source.item.curves());
         if curves.is_empty() {
             return Err(self.wrong_source("only curves sweep a surface of revolution"));
@@ -35,7 +35,20 @@ impl Builder<'_> {
         let center = spec.center.unwrap_or_default().point();
         let angle = spec.angle.map_or(std::f64::consts::TAU, Angle::radians);
         let turn = Revolution::new(center, axis, angle).map_err(|e| self.refused(&e, None))?;
-        SurfaceObject::revolved(curves, &turn).map_err(|e| self.refused(&e, None))
+        let several = curves.len() > 1;
+        let made = SurfaceObject::revolved(curves, &turn).map_err(|e| self.refused(&e, None))?;
+        let warnings = SurfaceObject::warnings_of_revolved(curves, &turn).map_err(|e| self.refused(&e, None))?;
+        for (contour, warning) in warnings {
+            self.warn_at("of", several.then_some(contour), warning);
+        }
+        Ok(made)
+    }
+
+    /// Adds a warning about a field.
+    pub(super) fn warn_at(&mut self, field: &str, contour: Option<usize>, warning: Warning) {
+        let place = (!self.document.text.is_empty()).then(|| path_text(&self.path([Step::from(field)])));
+        self.remark(warning.reason(), contour, warning.index(), place, warning.to_string());
+        self.warnings.push((contour.unwrap_or(0), warning));
     }
 
     /// The tubes about the curves of another object.

@@ -1,11 +1,10 @@
 //! Necks, bridges, and surfaces between two curves.
 
-use cyclide::{CurveObject, EllipseBridge, NeckBlend, NeckBody, NeckSide, PlateShape, SurfaceObject, Vec3};
+use cyclide::{CurveObject, EllipseBridge, NeckBlend, NeckBody, NeckSide, PlateShape, SurfaceObject, Vec3, Warning};
 
 use super::{Builder, BuiltObject};
 use crate::document::angle::Angle;
 use crate::document::coordinates::Coordinates;
-use crate::document::locate::{Step, path_text};
 use crate::document::spec::{CircularSurfaceSpec, EllipseBridgeSpec, PlateSpec, PlateWithNeckSpec};
 use crate::error::{Error, Result};
 
@@ -32,32 +31,42 @@ impl Builder<'_> {
         let made = NeckBody { height: spec.height, plate, thickness: spec.thickness, wall: spec.wall };
         let body = neck.body(&made).map_err(|e| self.refused(&e, None))?;
         if let Some(warning) = neck.warning() {
-            let place = (!self.document.text.is_empty()).then(|| path_text(&self.path([Step::from("ball_radius")])));
-            self.remark(warning.reason(), None, None, place, warning.to_string());
-            self.warnings.push((0, warning));
+            self.warn_at("ball_radius", None, warning);
         }
         Ok(vec![SurfaceObject::Body(body)])
     }
 
     /// The bridge between two ellipses.
-    pub(super) fn ellipse_bridge(&self, spec: &EllipseBridgeSpec) -> Result<Vec<SurfaceObject>> {
+    pub(super) fn ellipse_bridge(&mut self, spec: &EllipseBridgeSpec) -> Result<Vec<SurfaceObject>> {
         let [first, second] = spec.ellipses;
-        let body = EllipseBridge::new(first, second).and_then(|bridge| bridge.body(spec.depth));
-        body.map(|body| vec![SurfaceObject::Body(body)]).map_err(|e| self.refused(&e, None))
+        let bridge = EllipseBridge::new(first, second).map_err(|e| self.refused(&e, None))?;
+        let body = bridge.body(spec.depth).map_err(|e| self.refused(&e, None))?;
+        if let Some(warning) = bridge.warning() {
+            self.warn_at("ellipses", None, warning);
+        }
+        Ok(vec![SurfaceObject::Body(body)])
     }
 
     /// Arcs between two curves.
-    pub(super) fn circular_surface(&self, spec: &CircularSurfaceSpec) -> Result<Vec<SurfaceObject>> {
+    pub(super) fn circular_surface(&mut self, spec: &CircularSurfaceSpec) -> Result<Vec<SurfaceObject>> {
         let rails = self.rails()?;
         let tangents: Vec<Vec3> = spec.tangent.0.iter().copied().map(Coordinates::vector).collect();
-        let made = SurfaceObject::circular(rails, &tangents);
-        made.map(|surface| vec![surface]).map_err(|e| self.refused(&e, None))
+        let made = SurfaceObject::circular_with_warning(rails, &tangents);
+        let made = made.map_err(|e| self.refused(&e, None))?;
+        Ok(self.between_rails(made))
     }
 
     /// Straight lines between two curves.
-    pub(super) fn ruled(&self) -> Result<Vec<SurfaceObject>> {
-        let made = SurfaceObject::ruled(self.rails()?);
-        made.map(|surface| vec![surface]).map_err(|e| self.refused(&e, None))
+    pub(super) fn ruled(&mut self) -> Result<Vec<SurfaceObject>> {
+        let made = SurfaceObject::ruled_with_warning(self.rails()?).map_err(|e| self.refused(&e, None))?;
+        Ok(self.between_rails(made))
+    }
+
+    fn between_rails(&mut self, (surface, warning): (SurfaceObject, Option<Warning>)) -> Vec<SurfaceObject> {
+        if let Some(warning) = warning {
+            self.warn_at("rails", None, warning);
+        }
+        vec![surface]
     }
 
     /// The two curves that an object is spanned between.

@@ -25,12 +25,15 @@
 //! coefficients of positive weights are not positive.
 
 use super::bands::{Bands, rows_of};
+use super::crossing_arcs::check_arcs;
+use super::kinks::kinks;
 use super::rails::{RailPiece, rail_pieces};
 use crate::base::vector::Vec3;
 use crate::curve::Arc;
 use crate::error::{Error, ErrorItem, Result};
 use crate::rational::{Polynomial, PolynomialRow, RationalBezier, RationalBezierSurface};
 use crate::topology::{Body, EdgeCurve};
+use crate::warning::Warning;
 
 /// Largest degree made: that of the surfaces of OpenCASCADE.
 const LARGEST_DEGREE: usize = 25;
@@ -84,8 +87,21 @@ impl Body {
     /// # Errors
     /// `piece-counts-differ`, `too-few-points`, `disconnected`, `weight-not-positive` (of the rails, or where no parts of the surface have
     /// positive weights: arcs that turn nearly round); `count-differs`, `not-finite`, `zero-tangent`, `coincident-points` (the rails meet),
-    /// `tangent-opposes-chord`, `degree-too-high`.
+    /// `tangent-opposes-chord`, `degree-too-high`, `arcs-cross` (neighbouring arcs cross, as where one rail runs the other way).
     pub fn circular(rails: [&[EdgeCurve]; 2], tangents: &[Vec3], closed: bool) -> Result<Self> {
+        Self::circular_with_warning(rails, tangents, closed).map(|(body, _)| body)
+    }
+
+    /// As [`circular`](Self::circular), with what should be known of it: where both rails run smoothly from piece to piece, but speeds change there
+    /// by different factors, the surface has a kink (`kinks-at-joints`, above a thousandth of a radian).
+    ///
+    /// # Errors
+    /// As [`circular`](Self::circular).
+    pub fn circular_with_warning(
+        rails: [&[EdgeCurve]; 2],
+        tangents: &[Vec3],
+        closed: bool,
+    ) -> Result<(Self, Option<Warning>)> {
         let tangents = tangents_of_joints(tangents, rails[0].len(), closed)?;
         let pieces: Vec<ArcPiece> =
             rail_pieces(rails, closed)?.into_iter().map(|rails| ArcPiece::new(rails, &tangents)).collect();
@@ -94,7 +110,13 @@ impl Body {
         let mut negative = Error::WeightNotPositive { index: 0, weight: 0.0 };
         for count in parts_of_arcs {
             match cut(&pieces, speed, count) {
-                Ok(made) => return sewn(&made, speed, count, closed),
+                Ok(made) => {
+                    made.iter().try_for_each(|(piece, surface)| piece.check_arcs(surface))?;
+                    let body = sewn(&made, speed, count, closed)?;
+                    let starts: Vec<Option<usize>> = made.iter().map(|(piece, _)| piece.rails.joint()).collect();
+                    let warning = kinks(rails, closed, &body, &starts);
+                    return Ok((body, warning));
+                }
                 Err(error @ Error::WeightNotPositive { .. }) => negative = error,
                 Err(error) => return Err(error),
             }
@@ -134,6 +156,15 @@ impl ArcPiece {
     fn surface(&self, speed: f64) -> Result<RationalBezierSurface> {
         let [first, second] = self.rails.curves.each_ref().map(|curve| RationalBezier::new(rows_of(curve)));
         RationalBezierSurface::circular(&first?, &second?, self.tangents.map(|v| v * speed))
+    }
+
+    /// Refuses arcs that cross their neighbours.
+    fn check_arcs(&self, surface: &RationalBezierSurface) -> Result<()> {
+        let plane = |s: f64| {
+            let (chord, tangent) = (self.chord(s), self.tangent(s));
+            chord.cross(tangent) / (chord.length() * tangent.length())
+        };
+        check_arcs(surface, plane, (self.rails.piece, self.rails.part))
     }
 
     /// Both halves along the rails.

@@ -20,6 +20,7 @@ use crate::curve::Arc;
 use crate::error::{Error, ErrorItem, Result};
 use crate::rational::{Polynomial, PolynomialRow, RationalBezierSurface};
 use crate::topology::{Body, EdgeCurve};
+use crate::warning::Warning;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 /// Ellipses whose semi-axes differ by less than this part of them meet.
@@ -27,8 +28,9 @@ const SEPARATION: f64 = 1e-12;
 
 /// Over a face the square of the chord, which is a weight, grows by no more than this: readers integrate faces of uneven weights badly.
 const LARGEST_GROWTH: f64 = 16.0;
-/// A quarter turn is halved this often at most: enough for widths that stand as 1 to 250; beyond, the faces beside the narrow places are uneven.
-const MOST_HALVINGS: usize = 6;
+/// A quarter turn is halved this often at most, and only beside its narrow place: enough for all widths that are more than rounding of the
+/// semi-axes (1.5e-11 of them, `body`), since each halving there makes the square of the chord four times as even.
+const MOST_HALVINGS: usize = 40;
 
 /// The bridge between two ellipses about the origin with axes along x and y.
 ///
@@ -94,6 +96,13 @@ impl EllipseBridge {
         self.over(&Sector::new(from, to))
     }
 
+    /// What the user should know: between ellipses that cross the surface runs through itself. A solid of them is refused.
+    #[must_use]
+    pub fn warning(&self) -> Option<Warning> {
+        let [along_x, along_y] = self.widths();
+        (along_x * along_y < 0.0).then_some(Warning::EllipsesCross { along_x, along_y })
+    }
+
     /// The bridge as one body: the surface alone, or down to a base plane at `z = -depth` between the elliptic cylinders, a solid.
     /// Of circles its faces are parts of a torus, cylinders and a plane.
     ///
@@ -145,8 +154,7 @@ impl EllipseBridge {
             let (min, max) = (range::MIN_DISTANCE, f64::MAX);
             return Err(Error::ParameterOutOfRange { name: ErrorItem::Depth, value: depth, min, max });
         }
-        let [along_x, along_y] = self.widths();
-        if along_x * along_y < 0.0 {
+        if let Some(Warning::EllipsesCross { along_x, along_y }) = self.warning() {
             return Err(Error::EllipsesCross { along_x, along_y });
         }
         Ok(())

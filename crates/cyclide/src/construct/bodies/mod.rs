@@ -2,9 +2,11 @@
 
 mod bands;
 mod circular_surface;
+mod crossing_arcs;
 mod ellipse_bridge;
 mod ellipse_ring;
 mod input_chain;
+mod kinks;
 mod neck;
 mod pipe;
 mod polyhedron;

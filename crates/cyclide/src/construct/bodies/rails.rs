@@ -60,6 +60,11 @@ impl RailPiece {
         Ok([half([a, c], [from, middle]), half([b, d], [middle, to])])
     }
 
+    /// The joint of the curves as given that it starts from.
+    pub(super) fn joint(&self) -> Option<usize> {
+        (self.part[0] == 0.0).then_some(self.piece)
+    }
+
     fn evened(mut self) -> Self {
         self.curves = self.curves.map(|curve| evened(&curve));
         self

@@ -5,10 +5,12 @@
 //! their edges.
 
 use super::bands::Bands;
+use super::kinks::kinks;
 use super::rails::{RailPiece, rail_pieces};
 use super::rulings::check_rulings;
 use crate::error::{Error, Result};
 use crate::topology::{Body, EdgeCurve};
+use crate::warning::Warning;
 
 /// Pieces nearer to each other than this part of their coordinates are one.
 const SAME: f64 = 1e-12;
@@ -22,6 +24,15 @@ impl Body {
     /// # Errors
     /// `piece-counts-differ`, `too-few-points` (no piece), `disconnected`, `weight-not-positive`; `coincident-points` (a piece of one rail is that of the other); `rulings-cross`.
     pub fn ruled(rails: [&[EdgeCurve]; 2], closed: bool) -> Result<Self> {
+        Self::ruled_with_warning(rails, closed).map(|(body, _)| body)
+    }
+
+    /// As [`ruled`](Self::ruled), with what should be known of it: where both rails run smoothly from piece to piece, but speeds change there by
+    /// different factors, the surface has a kink (`kinks-at-joints`, above a thousandth of a radian).
+    ///
+    /// # Errors
+    /// As [`ruled`](Self::ruled).
+    pub fn ruled_with_warning(rails: [&[EdgeCurve]; 2], closed: bool) -> Result<(Self, Option<Warning>)> {
         let pieces = rail_pieces(rails, closed)?;
         check_apart(&pieces)?;
         let rail = |k: usize| pieces.iter().map(|piece| piece.curves[k].clone()).collect::<Vec<_>>();
@@ -29,7 +40,10 @@ impl Body {
         let first = bands.ring(rail(0), closed);
         let second = bands.ring_beside(rail(1), closed, &first);
         bands.ruled([&first, &second])?;
-        bands.finish()
+        let body = bands.finish()?;
+        let starts: Vec<Option<usize>> = pieces.iter().map(RailPiece::joint).collect();
+        let warning = kinks(rails, closed, &body, &starts);
+        Ok((body, warning))
     }
 }
 

@@ -150,6 +150,18 @@
 //! # Ok::<(), cyclide::Error>(())
 //! ```
 //!
+//! # `arcs-cross`
+//! The arcs between two curves cross their neighbours, most often because one of the curves runs the other way.
+//! ```
+//! use cyclide::{Arc, Body, Point3, Vec3};
+//! let at = |x: f64, y: f64| Point3::new(x, y, 0.0);
+//! let there = Arc::from_three_points(at(-1.0, 0.0), at(0.0, 0.1), at(1.0, 0.0))?;
+//! let back = Arc::from_three_points(at(1.0, 0.5), at(0.0, 0.4), at(-1.0, 0.5))?;
+//! let error = Body::circular([&[there.into()], &[back.into()]], &[Vec3::Z], false).unwrap_err();
+//! assert_eq!(error.reason(), "arcs-cross");
+//! # Ok::<(), cyclide::Error>(())
+//! ```
+//!
 //! # `degree-too-high`
 //! A surface between curves would have a degree that no program reads.
 //! ```

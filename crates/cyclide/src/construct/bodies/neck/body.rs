@@ -145,8 +145,8 @@ impl NeckBlend {
         let on_pipe = ring(bands, &self.on_pipe(), sectors)?;
         let on_plate = ring(bands, &self.on_plate(), sectors)?;
         bands.ruled([end, &on_pipe])?;
-        let arc = |i: usize, _| Ok(self.arc(sectors[i].from())?.into());
-        bands.band([&on_pipe, &on_plate], arc, |_, i| self.over(&sectors[i]))?;
+        let arc = |i: usize, _| Ok(self.even_arc(sectors[i].from())?.into());
+        bands.band([&on_pipe, &on_plate], arc, |_, i| self.even_over(&sectors[i]))?;
         Ok((on_pipe, on_plate))
     }
 

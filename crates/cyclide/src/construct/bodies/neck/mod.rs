@@ -32,13 +32,16 @@ use crate::base::range;
 use crate::base::vector::{Point3, Vec3};
 use crate::curve::Arc;
 use crate::error::{Error, ErrorItem, Result};
-use crate::rational::{PolynomialRow, RationalBezierSurface};
+use crate::rational::{Polynomial, PolynomialRow, RationalBezierSurface};
 use crate::warning::Warning;
 use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2, SQRT_2};
 
 /// Largest angle between the axis of the pipe and the normal of the plate: beyond, the contact on the plate is more than 500 times as
 /// long as it is wide.
 const LARGEST_SLOPE: f64 = FRAC_PI_2 - 2e-3;
+
+/// Arcs of a body are made even where the weight of an end is below this part of that of the other.
+const UNEVEN: f64 = 1.0 / 16.0;
 
 /// The side of the pipe on which the ball rolls.
 ///
@@ -178,9 +181,11 @@ impl NeckBlend {
         self.over(&Sector::new(from, to))
     }
 
-    /// What the user should know: an outer neck of a large ball on a pipe that leans runs through itself on the steep side. The
-    /// centres of the ball run along an ellipse whose smallest radius of curvature is `q cos φ`; where the arc comes through the
-    /// direction of its centre of curvature, a larger ball folds the envelope. A solid of it is refused.
+    /// What the user should know: the envelope outside a pipe, with a large ball and a pipe that leans, runs through itself on the steep
+    /// side. The centres of the ball run along an ellipse whose smallest radius of curvature is `q cos φ`; where the arc comes through the
+    /// direction of its centre of curvature, a larger ball folds the envelope. A solid of it is refused. The vertical variant never folds: seen along the
+    /// axis of the pipe, its points at the part `l` of the way lie on the circle of radius `R + σ l ρ` about a centre moved by `l ρ sin φ`, and
+    /// such circles lie one in the other.
     #[must_use]
     pub fn warning(&self) -> Option<Warning> {
         self.folds_beyond().map(|limit| Warning::NeckFolds { radius: self.ball_radius, limit })
@@ -189,15 +194,53 @@ impl NeckBlend {
     /// The largest ball that does not fold the neck, if this one does.
     fn folds_beyond(&self) -> Option<f64> {
         let limit = (self.pipe_radius + self.ball_radius) * self.cos;
-        (self.sign > 0.0 && self.ball_radius > limit).then_some(limit)
+        (self.variant == NeckVariant::Pipe && self.sign > 0.0 && self.ball_radius > limit).then_some(limit)
     }
 
-    /// The exact form over a sector: the rows at the module.
+    /// The exact form over a sector.
     fn over(&self, sector: &Sector) -> Result<RationalBezierSurface> {
+        RationalBezierSurface::from_polynomial_rows(&self.rows(sector))
+    }
+
+    /// The form that bodies have. Where the pipe leans so far that the arcs at its highest or lowest contact are very uneven, they are even at
+    /// both ends of the sector: rows times 1, ϱ and ϱ², a change of the parameter t, ϱ linear between the roots of the ratio of their end weights; of degree (6, 2).
+    /// Readers project the arc onto the face, and an uneven one ends beside its corner by more than they overlook.
+    fn even_over(&self, sector: &Sector) -> Result<RationalBezierSurface> {
+        if !self.is_uneven() {
+            return self.over(sector);
+        }
+        let [first, middle, last] = self.rows(sector);
+        let root = |end: [f64; 2]| self.unevenness(end).sqrt();
+        let (ratio, one) = (Polynomial::new(vec![root(sector.start), root(sector.end)]), Polynomial::new(vec![1.0; 2]));
+        let rows = [&first * &(&one * &one), &middle * &(&one * &ratio), &last * &(&ratio * &ratio)];
+        RationalBezierSurface::from_polynomial_rows(&rows)
+    }
+
+    /// As [`arc`](Self::arc), with the parameter that it has in a body.
+    fn even_arc(&self, angle: f64) -> Result<Arc> {
+        let arc = self.arc(angle)?;
+        Ok(if self.is_uneven() { arc.evened() } else { arc })
+    }
+
+    fn is_uneven(&self) -> bool {
+        1.0 - self.sin.abs() < UNEVEN
+    }
+
+    /// The weight of the start of an arc as part of that of its end.
+    fn unevenness(&self, [_, sin]: [f64; 2]) -> f64 {
+        let across = self.sign * self.sin * sin;
+        match self.variant {
+            NeckVariant::Pipe => 1.0 / (1.0 - across),
+            NeckVariant::Vertical => 1.0 + across,
+        }
+    }
+
+    /// The rows at the module.
+    fn rows(&self, sector: &Sector) -> [PolynomialRow; 3] {
         let Sector { cos, sin, one, .. } = sector;
         let [a0, a1] = [self.on_pipe(), self.on_plate()].map(|ellipse| ellipse.row(sector));
         let bent = |sign: f64| one + &(sin * (sign * self.sign * self.sin));
-        let rows = match self.variant {
+        match self.variant {
             NeckVariant::Pipe => {
                 let m = bent(-1.0);
                 let squared = sin * sin;
@@ -216,8 +259,7 @@ impl NeckBlend {
                 let middle = &(&a0 * &(one * self.cos)) + &PolynomialRow::direction(v);
                 [&a0 * &l, &middle * FRAC_1_SQRT_2, &a1 * one]
             }
-        };
-        RationalBezierSurface::from_polynomial_rows(&rows)
+        }
     }
 
     /// The direction in which the arc leaves the pipe, with the length that it has at the module.

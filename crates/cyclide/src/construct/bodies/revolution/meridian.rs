@@ -1,11 +1,12 @@
 //! The meridian of a profile, its points as distance from the axis and height, and whether it meets itself: then what it sweeps
 //! in a whole turn does, and is no solid.
 //!
-//! Chords find the candidates; a crossing of two chords is one of the curves if Newton's method leads to it, so that walls as
-//! thin as a sagitta are not taken for crossings. Chords are sorted by height: time grows with their number times those beside
-//! each other.
+//! Chords find the candidates: two pieces of curves can meet where their chords are nearer than both leave theirs by, of which there is
+//! a bound. They do if Newton's method leads there, from the ends and the middles, so that walls as thin as a sagitta are not taken for
+//! crossings. Chords are sorted by height: time grows with their number times those beside each other.
 
-use super::{Piece, Revolution};
+use super::Revolution;
+use super::profile::Piece;
 use crate::base::vector::Point3;
 use crate::curve::ParamCurve as _;
 use crate::error::{Error, Result};
@@ -18,7 +19,13 @@ const ONE_PLACE: f64 = 1e-12;
 /// Chords turn back if the sine between them is below this.
 const BACK: f64 = 1e-9;
 /// Steps of Newton's method.
-const STEPS: usize = 12;
+const STEPS: usize = 24;
+/// Places of a chord from which it starts.
+const STARTS: [f64; 3] = [0.0, 0.5, 1.0];
+/// Rounding of a place on a curve.
+const PLACE: f64 = 1e-9;
+/// Steps in which the height of a curve over a place is found.
+const HALVINGS: u32 = 60;
 
 /// Distance from the axis and height.
 type Plane = [f64; 2];
@@ -30,6 +37,8 @@ struct Chord<'a> {
     piece: usize,
     part: [f64; 2],
     ends: [Plane; 2],
+    /// The curve leaves its chord by no more than this.
+    leaves: f64,
     /// Place in the order of the profile.
     order: usize,
 }
@@ -81,7 +90,8 @@ pub(super) fn is_around(turn: &Revolution, outer: &[Piece], inner: &[Piece]) -> 
         // One end belongs to the chord, the other to the next one.
         (from[0] > 0.0) != (to[0] > 0.0) && {
             let height = from[1] - from[0] * (to[1] - from[1]) / (to[0] - from[0]);
-            height > 0.0
+            // A curve that leaves its chord may be on the other side of a place near it.
+            if height.abs() > 2.0 * chord.leaves { height > 0.0 } else { chord.height_over(turn, place[0]) > place[1] }
         }
     };
     chords(turn, 0, 0, outer).iter().filter(|chord| crosses(chord)).count() % 2 == 1
@@ -89,8 +99,8 @@ pub(super) fn is_around(turn: &Revolution, outer: &[Piece], inner: &[Piece]) -> 
 
 /// Refuses chords of which two meet; those beside each other in height are looked at.
 fn find_meeting(mut chords: Vec<Chord<'_>>, size: f64, meet: impl Fn(&Chord<'_>, &Chord<'_>) -> bool) -> Result<()> {
-    let low = |chord: &Chord<'_>| chord.ends[0][1].min(chord.ends[1][1]);
-    let high = |chord: &Chord<'_>| chord.ends[0][1].max(chord.ends[1][1]);
+    let low = |chord: &Chord<'_>| chord.ends[0][1].min(chord.ends[1][1]) - chord.leaves;
+    let high = |chord: &Chord<'_>| chord.ends[0][1].max(chord.ends[1][1]) + chord.leaves;
     chords.sort_by(|a, b| low(a).total_cmp(&low(b)));
     for (i, a) in chords.iter().enumerate() {
         for b in chords[i + 1..].iter().take_while(|b| low(b) <= high(a) + ONE_PLACE * size) {
@@ -111,17 +121,81 @@ fn chords<'a>(turn: &Revolution, profile: usize, from: usize, pieces: &'a [Piece
         // A segment in a plane with the axis is its chord.
         let straight = across.is_some() && matches!(curve, EdgeCurve::Arc(arc) if arc.is_straight());
         let count = if straight { 1 } else { CHORDS };
+        let mut rest = Some(curve.clone());
         for k in 0..count {
             let part = [k, k + 1].map(|k| k as f64 / count as f64);
-            let ends = part.map(|x| meridian(turn, curve.point(x)));
-            chords.push(Chord { curve, profile, piece: from + piece, part, ends, order: chords.len() });
+            let places = part.map(|x| curve.point(x));
+            let ends = places.map(|p| meridian(turn, p));
+            let leaves = if straight {
+                0.0
+            } else {
+                leaves(next_part(&mut rest, count - k).as_ref(), turn, places, across.is_some())
+            };
+            chords.push(Chord { curve, profile, piece: from + piece, part, ends, leaves, order: chords.len() });
         }
     }
     chords
 }
 
+/// The first of so many parts of what is left of a curve, which it is cut from.
+fn next_part(rest: &mut Option<EdgeCurve>, parts: usize) -> Option<EdgeCurve> {
+    let whole = rest.take()?;
+    if parts == 1 {
+        return Some(whole);
+    }
+    let (first, left) = whole.split(1.0 / parts as f64).ok()?;
+    *rest = Some(left);
+    Some(first)
+}
+
+/// A bound of the distance of the meridian of a part of a curve from its chord. Distances of points grow in no meridian, so the curve is
+/// as near to the meridian of its chord in space as to that chord; which leaves the straight line where the chord is in no plane with the
+/// axis: its distance from the axis has the second derivative `|w0 × w1|² / r³`, w its ways off the axis.
+fn leaves(part: Option<&EdgeCurve>, turn: &Revolution, ends: [Point3; 2], planar: bool) -> f64 {
+    let sagitta = match part {
+        None => f64::INFINITY,
+        Some(EdgeCurve::Arc(arc)) => 0.5 * arc.chord().length() * (0.25 * arc.angle()).tan(),
+        Some(EdgeCurve::Rational(curve)) => curve
+            .rows()
+            .iter()
+            .map(|&[x, y, z, w]| from_segment(Point3::new(x / w, y / w, z / w), ends))
+            .fold(0.0, f64::max),
+    };
+    if planar {
+        return sagitta;
+    }
+    let [from, to] = ends.map(|p| turn.way_off_axis(p));
+    let (area, way) = (from.cross(to).length(), to - from);
+    let foot = (-from.dot(way) / way.dot(way).max(f64::MIN_POSITIVE)).clamp(0.0, 1.0);
+    let nearest = (from + way * foot).length();
+    let bent = area * area / (8.0 * nearest.powi(3));
+    let most = from.length().max(to.length());
+    sagitta + if bent <= most { bent } else { most }
+}
+
+/// Distance of a point from a segment.
+fn from_segment(p: Point3, [from, to]: [Point3; 2]) -> f64 {
+    let (along, way) = (to - from, p - from);
+    let part = (way.dot(along) / along.dot(along).max(f64::MIN_POSITIVE)).clamp(0.0, 1.0);
+    (way - along * part).length()
+}
+
+impl Chord<'_> {
+    /// The height of the curve at a distance from the axis between those of its ends.
+    fn height_over(&self, turn: &Revolution, radius: f64) -> f64 {
+        let [mut low, mut high] = self.part;
+        let rises = self.ends[0][0] < self.ends[1][0];
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (low + high);
+            let [at, _] = meridian(turn, self.curve.point(middle));
+            if (at < radius) == rises { low = middle } else { high = middle }
+        }
+        meridian(turn, self.curve.point(low))[1]
+    }
+}
+
 fn meridian(turn: &Revolution, p: Point3) -> Plane {
-    [turn.way_off_axis(p).length(), (p - turn.origin).dot(turn.axis)]
+    [turn.way_off_axis(p).length(), turn.height(p)]
 }
 
 fn distance(a: Plane, b: Plane) -> f64 {
@@ -145,15 +219,28 @@ fn turns_back(first: &Chord<'_>, second: &Chord<'_>) -> bool {
 
 /// True if the curves over two chords that do not follow each other meet.
 fn cross(turn: &Revolution, a: &Chord<'_>, b: &Chord<'_>, size: f64) -> bool {
-    let beside =
-        |chord: &Chord<'_>, p: Plane| cross_product(minus(chord.ends[1], chord.ends[0]), minus(p, chord.ends[0]));
-    let split =
-        |chord: &Chord<'_>, other: &Chord<'_>| beside(chord, other.ends[0]) * beside(chord, other.ends[1]) < 0.0;
-    let touches = |chord: &Chord<'_>, p: Plane| to_segment(p, chord.ends) <= ONE_PLACE * size;
-    if a.ends.iter().any(|p| touches(b, *p)) || b.ends.iter().any(|p| touches(a, *p)) {
+    let apart = between_segments(a.ends, b.ends);
+    if apart > a.leaves + b.leaves + ONE_PLACE * size {
+        return false;
+    }
+    // Two segments meet if they touch.
+    if a.leaves + b.leaves == 0.0 {
         return true;
     }
-    split(a, b) && split(b, a) && meet_near(turn, a, b, size)
+    let starts = |chord: &Chord<'_>| STARTS.map(|x| chord.part[0] + x * (chord.part[1] - chord.part[0]));
+    starts(a).into_iter().any(|x| starts(b).into_iter().any(|y| meet_near(turn, [a, b], [x, y], size)))
+}
+
+/// Distance of two segments.
+fn between_segments(a: [Plane; 2], b: [Plane; 2]) -> f64 {
+    let beside = |[from, to]: [Plane; 2], p: Plane| cross_product(minus(to, from), minus(p, from));
+    let split = |chord: [Plane; 2], other: [Plane; 2]| beside(chord, other[0]) * beside(chord, other[1]) < 0.0;
+    if split(a, b) && split(b, a) {
+        return 0.0;
+    }
+    let nearest =
+        |of: [Plane; 2], to: [Plane; 2]| of.map(|p| to_segment(p, to)).into_iter().fold(f64::INFINITY, f64::min);
+    nearest(a, b).min(nearest(b, a))
 }
 
 fn to_segment(p: Plane, [from, to]: [Plane; 2]) -> f64 {
@@ -163,12 +250,11 @@ fn to_segment(p: Plane, [from, to]: [Plane; 2]) -> f64 {
     (way[0] - part * along[0]).hypot(way[1] - part * along[1])
 }
 
-/// True if Newton's method from the middles of two chords leads to a place on both curves.
-fn meet_near(turn: &Revolution, a: &Chord<'_>, b: &Chord<'_>, size: f64) -> bool {
-    let curves = [a.curve, b.curve];
-    let mut at = [a, b].map(|chord| 0.5 * (chord.part[0] + chord.part[1]));
+/// True if Newton's method leads from two places to a place on both curves, over their chords.
+fn meet_near(turn: &Revolution, chords: [&Chord<'_>; 2], mut at: [f64; 2], size: f64) -> bool {
+    let over = |k: usize, x: f64| chords[k].part[0] - PLACE <= x && x <= chords[k].part[1] + PLACE;
     for _ in 0..STEPS {
-        let jets = [0, 1].map(|k| curves[k].piece_jet(0, at[k]));
+        let jets = [0, 1].map(|k: usize| chords[k].curve.piece_jet(0, at[k]));
         let [p, q] = jets.map(|jet| meridian(turn, jet.point));
         let slopes = jets.map(|jet| {
             let way = turn.way_off_axis(jet.point);
@@ -176,9 +262,7 @@ fn meet_near(turn: &Revolution, a: &Chord<'_>, b: &Chord<'_>, size: f64) -> bool
         });
         let off = minus(q, p);
         if off[0].hypot(off[1]) <= 1e3 * ONE_PLACE * size {
-            // Within the pieces, and not one place of one piece.
-            let inside = at.iter().all(|x| (0.0..=1.0).contains(x));
-            return inside && (a.piece != b.piece || (at[0] - at[1]).abs() > 0.5 / CHORDS as f64);
+            return over(0, at[0]) && over(1, at[1]);
         }
         let determinant = cross_product(slopes[0], slopes[1]);
         // Not `==`: nothing is known where it is no number either.
