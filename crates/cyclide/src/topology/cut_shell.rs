@@ -23,9 +23,9 @@ const SHORTEST_EDGE: f64 = 1e-13;
 ///
 /// ```
 /// use cyclide::{CutShell, CyclidePatch, Point3, Shell, Vec3};
-/// // A ring of 300 degrees: its edges are halved twice.
+/// // A ring of 315 degrees: its edges are halved twice.
 /// let at = |r: f64, u: f64| Point3::new(r * u.cos(), r * u.sin(), 0.0);
-/// let end = 300.0_f64.to_radians();
+/// let end = 315.0_f64.to_radians();
 /// let corners = [at(1.0, 0.0), at(1.0, end), at(2.0, 0.0), at(2.0, end)];
 /// let ring = Shell::from_surface(CyclidePatch::from_corners_and_frame(corners, Vec3::Y, Vec3::X)?)?;
 /// let cut = CutShell::from(ring).with_positive_weights()?;
