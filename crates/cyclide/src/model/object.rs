@@ -131,9 +131,9 @@ impl Lower for CurveObject {
 /// every writer, check and report that has to think of them.
 ///
 /// ```
-/// use cyclide::{Circle, Geometry, Point3, Vec3};
+/// use cyclide::{Circle, CurveObject, Geometry, Point3, Vec3};
 /// let circle = Circle::from_radius(Point3::ORIGIN, Vec3::Z, 1.0)?;
-/// let geometry = Geometry::from(vec![circle.into()]);
+/// let geometry = Geometry::from(vec![CurveObject::from(circle)]);
 /// assert!(matches!(&geometry, Geometry::Curves(contours) if contours.len() == 1));
 /// # Ok::<(), cyclide::Error>(())
 /// ```
@@ -168,9 +168,9 @@ impl From<Vec<SurfaceObject>> for Geometry {
 /// whoever ran the construction.
 ///
 /// ```
-/// use cyclide::{Circle, Item, Point3, Vec3};
-/// let ring = |radius| Circle::from_radius(Point3::ORIGIN, Vec3::Z, radius);
-/// let item = Item::new("washer", vec![ring(6.0)?.into(), ring(3.2)?.into()]);
+/// use cyclide::{Circle, CurveObject, Item, Point3, Vec3};
+/// let ring = |radius| Circle::from_radius(Point3::ORIGIN, Vec3::Z, radius).map(CurveObject::from);
+/// let item = Item::new("washer", vec![ring(6.0)?, ring(3.2)?]);
 /// assert_eq!((item.name.as_str(), item.curves().len(), item.surfaces().len()), ("washer", 2, 0));
 /// # Ok::<(), cyclide::Error>(())
 /// ```

@@ -7,12 +7,13 @@ use crate::base::vector::Vec3;
 /// [`FaceGeometry::line_bends`](crate::FaceGeometry::line_bends).
 ///
 /// ```
-/// use cyclide::{CyclidePatch, FaceGeometry, Point3, Vec3};
+/// use cyclide::{CyclidePatch, FaceGeometry, ParamSurface, Point3, Vec3};
 /// let corners = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [0.0, 0.0, 1.0]].map(Point3::from);
 /// let octant = CyclidePatch::from_corners_and_frame(corners, Vec3::Y, Vec3::Z)?;
 /// let bends = octant.line_bends(&[0.0, 0.5, 1.0]);
-/// // A quarter of the equator, turned at the speed 2 tan(45°) in its middle: 2²/8.
-/// assert!((bends.at(1, 0).unwrap().0[0] - 0.5).abs() < 1e-14);
+/// // The equator of the unit sphere: the sagitta of a short arc is an eighth of the square of its length.
+/// let speed = octant.jet(0.5, 0.0).ds.length();
+/// assert!((bends.at(1, 0).unwrap().0[0] - speed * speed / 8.0).abs() < 1e-14);
 /// // The last row is the pole, and the grid has no fourth.
 /// assert!(bends.at(1, 2).unwrap().0[0] < 1e-14 && bends.at(1, 3).is_none());
 /// # Ok::<(), cyclide::Error>(())
