@@ -45,7 +45,7 @@ pub struct SmoothPolyhedronSpec {
     #[serde(default)]
     pub hull: bool,
     /// Corners this near to a plane are in it: faces are planar, and those in one plane become one. Default: 1e-9 of the diameter,
-    /// of an STL or GLB file the rounding of its numbers, 1e-6 of the largest coordinate.
+    /// of an STL or GLB file the rounding of its numbers, 5e-7 of the largest coordinate.
     #[schemars(range(min = 0.0))]
     pub flatness: Option<f64>,
 }
