@@ -1,5 +1,6 @@
 //! Surfaces of revolution: exact points, closed solids with the measures of Pappus, analytic faces of arcs.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
+#![allow(clippy::float_cmp, reason = "numbers handed through are the same")]
 
 use cyclide::{
     Arc, Body, Circle, CurveObject, EdgeCurve, Error, FaceSurface, ParamSurface as _, PatchKind, Point3,
