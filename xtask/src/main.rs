@@ -2,6 +2,7 @@
 #![allow(clippy::print_stdout, clippy::print_stderr, reason = "a command-line program reports by printing")]
 
 mod attack;
+mod faces;
 mod layers;
 mod reference;
 mod roof;
@@ -15,6 +16,8 @@ usage: cargo xtask <task> [arguments]
 tasks:
   attack [--seed S] [--count N]
              random documents of every type against the built program; `cargo xtask attack --help`
+  faces FOLDER
+             write bodies of rational faces that no document makes, for the tests of foreign readers
   layers     fail on a forbidden arrow between the rooms of the kernel or between the crates, and on I/O, clocks,
              unsafe code or f32 in the kernel
   reference [--only CONSTRUCT,… | --curves | --surfaces] FILE…
@@ -29,6 +32,7 @@ fn main() -> ExitCode {
     let rest: Vec<String> = arguments.collect();
     match task.as_deref() {
         Some("attack") => attack::main(&rest),
+        Some("faces") => faces::main(&rest),
         Some("layers") => layers::main(),
         Some("reference") => reference::main(&rest),
         Some("roof") => roof::main(),

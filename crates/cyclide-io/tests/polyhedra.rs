@@ -115,7 +115,7 @@ fn what_is_no_polyhedron_is_refused_at_its_place() {
         (format!("{points}, \"radius\": 1, \"flatness\": -1"), "objects.p.flatness", "[parameter-out-of-range]"),
         (format!("{}, \"radius\": 1", inline(&FACES[1..])), "objects.p.faces", "[not-closed]"),
         (format!("{}, \"radius\": 1", inline(&inverted)), "objects.p.faces", "[not-convex]"),
-        (format!("{}, \"radius\": 1", inline(&wrong)), "objects.p.faces[2]", "[not-a-face]"),
+        (format!("{}, \"radius\": 1", inline(&wrong)), "objects.p.faces[2][1]", "[not-a-face]"),
         (format!("{flat}, \"radius\": 1"), "objects.p.points", "[flat-polyhedron]"),
         (r#""points": [[0,0], [1,0], [0,1]], "radius": 1"#.to_owned(), "objects.p.points", "[too-few-points]"),
     ] {

@@ -141,7 +141,9 @@ fn similarities_map_the_patch_with_its_data() {
 fn refusals_have_names() {
     let c = corners();
     let inside = [Point3::new(0.9, 0.6, 0.9); 3];
-    let refused = |corners, control| SphereBlend::from_control_points(corners, control).unwrap_err().reason();
+    let refused = |corners, control| {
+        SphereBlend::from_control_points(corners, control).and_then(SphereBlend::whole).unwrap_err().reason()
+    };
     assert_eq!(refused([c[0], c[1], c[0].lerp(c[1], 0.3)], inside), "degenerate-triangle");
     assert_eq!(refused([c[0], c[1], c[0]], inside), "degenerate-triangle");
     assert_eq!(refused(c, [inside[0], c[1], inside[2]]), "control-point-on-circumcircle");
@@ -256,7 +258,7 @@ fn leaning(degrees: [f64; 3]) -> cyclide::Result<SphereBlend> {
         let (sin, cos) = degrees[k].to_radians().sin_cos();
         corners[k].to_vec() * sin + Vec3::Z * cos
     };
-    SphereBlend::from_normals(corners, [normal(0), normal(1), normal(2)])
+    SphereBlend::from_normals(corners, [normal(0), normal(1), normal(2)])?.whole()
 }
 
 /// `(a, b)` is linear: the patch is torn if the origin is in the triangle of the three angles, wherever places are looked at.

@@ -640,6 +640,22 @@ pub enum Error {
         limit: f64,
     },
 
+    /// The planes of the sides of a polyhedron leave a given point, or have a corner that is far from the given faces.
+    PlanesMissPoint {
+        /// The point, or the given one that became the corner.
+        vertex: usize,
+        /// Its distance from the other surface.
+        distance: f64,
+        /// Largest distance accepted.
+        limit: f64,
+    },
+    /// The arcs between two curves cross their neighbours: the surface has no normal there, and runs through itself beside it.
+    ArcsCross {
+        /// Which piece of the curves, from 0.
+        piece: usize,
+        /// Near which part of the piece, and of the arcs.
+        at: [f64; 2],
+    },
     // Triangles and meshes of them.
     /// The corners of a triangle lie on one line, or nearly.
     DegenerateTriangle {
@@ -726,28 +742,7 @@ pub enum Error {
         triangles: [usize; 2],
     },
 
-    // What failed in a part of the input.
-    /// One quad of a net failed; the cause says why.
-    InQuad {
-        /// Which quad, from 0, s fastest.
-        quad: usize,
-        /// What went wrong in it.
-        cause: Box<Error>,
-    },
-    /// One triangle of a mesh failed; the cause says why.
-    InTriangle {
-        /// Which triangle, from 0.
-        triangle: usize,
-        /// What went wrong in it.
-        cause: Box<Error>,
-    },
-    /// One span of a chain failed; the cause says why.
-    InSpan {
-        /// Which span, from 0.
-        span: usize,
-        /// What went wrong in it.
-        cause: Box<Error>,
-    },
+    // Tori and curves on them.
     /// A torus whose tube is not thinner than the circle that its middle follows.
     NotARingTorus {
         /// Radius of the middle of the tube.
@@ -828,20 +823,26 @@ pub enum Error {
         /// Their greatest common divisor; 0 if both are 0.
         divisor: u32,
     },
-    /// The planes of the sides of a polyhedron leave a given point, or have a corner that is far from the given faces.
-    PlanesMissPoint {
-        /// The point, or the given one that became the corner.
-        vertex: usize,
-        /// Its distance from the other surface.
-        distance: f64,
-        /// Largest distance accepted.
-        limit: f64,
+    // What failed in a part of the input.
+    /// One quad of a net failed; the cause says why.
+    InQuad {
+        /// Which quad, from 0, s fastest.
+        quad: usize,
+        /// What went wrong in it.
+        cause: Box<Error>,
     },
-    /// The arcs between two curves cross their neighbours: the surface has no normal there, and runs through itself beside it.
-    ArcsCross {
-        /// Which piece of the curves, from 0.
-        piece: usize,
-        /// Near which part of the piece, and of the arcs.
-        at: [f64; 2],
+    /// One triangle of a mesh failed; the cause says why.
+    InTriangle {
+        /// Which triangle, from 0.
+        triangle: usize,
+        /// What went wrong in it.
+        cause: Box<Error>,
+    },
+    /// One span of a chain failed; the cause says why.
+    InSpan {
+        /// Which span, from 0.
+        span: usize,
+        /// What went wrong in it.
+        cause: Box<Error>,
     },
 }

@@ -184,10 +184,14 @@ impl std::fmt::Display for Error {
                 ShortNumber(*distance)
             ),
             Self::NotAFace { face, detail } => write!(f, "face {face}: {detail}"),
-            Self::NotClosed { first, second, forward, back } => write!(
-                f,
-                "the faces do not close: {forward} of them run from point {first} to point {second} and {back} the other way, where one and one should"
-            ),
+            Self::NotClosed { first, second, forward, back } => {
+                write!(
+                    f,
+                    "the faces do not close: {forward} of them run from point {first} to point {second} and {back} the other way, where one and one should"
+                )?;
+                // Two faces that share the edge, of which one is clockwise.
+                if forward + back == 2 { f.write_str(": one of the two is to be turned over") } else { Ok(()) }
+            }
             Self::NonPlanarFace { face, vertex, distance, limit } => write!(
                 f,
                 "face {face} is not planar: point {vertex} is {} off, limit {}",

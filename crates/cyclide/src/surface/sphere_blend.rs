@@ -24,7 +24,9 @@ use crate::error::{Error, ErrorItem, Result};
 pub(super) const DEGENERATE_TRIANGLE: f64 = 1e-12;
 /// Control points nearer to the circle, relative to it and to their distance, tell no sphere.
 const ON_CIRCLE: f64 = 1e-12;
-/// Blended spheres that are shorter cancel each other: the patch would swing round by half a turn over this part of the triangle.
+/// Blended spheres that are shorter cancel each other: there is no point.
+const CANCELLED: f64 = 1e-12;
+/// Where they are shorter than this the patch swings round by half a turn over this part of the triangle: it is torn.
 const OPPOSITE: f64 = 1e-4;
 /// A patch that reaches farther than the circumradius over this passes through infinity.
 const INFINITE: f64 = 1e-4;
@@ -89,8 +91,7 @@ impl SphereBlend {
     ///
     /// # Errors
     /// `not-finite`, `parameter-out-of-range` (coordinates above 1e150), `degenerate-triangle`,
-    /// `control-point-on-circumcircle`; where the spheres cancel or nearly so (a blend below 1e-4) `opposite-spheres`, where the patch
-    /// reaches farther than 1e4 circumradii `patch-through-infinity`.
+    /// `control-point-on-circumcircle`. Spheres may cancel somewhere: see [`whole`](Self::whole).
     pub fn from_control_points(corners: [Point3; 3], control: [Point3; 3]) -> Result<Self> {
         for (index, p) in control.into_iter().enumerate() {
             range::check_point(3 + index, p.to_vec())?;
@@ -109,7 +110,6 @@ impl SphereBlend {
             }
             blend.leave[i] = [c / off, s / off];
         }
-        blend.check_whole()?;
         Ok(blend)
     }
 
@@ -118,7 +118,7 @@ impl SphereBlend {
     ///
     /// # Errors
     /// `not-finite`, `parameter-out-of-range` (coordinates above 1e150), `degenerate-triangle`, `undefined-normal` (zero, or
-    /// along the circle's tangent); `opposite-spheres` and `patch-through-infinity` as of control points.
+    /// along the circle's tangent).
     pub fn from_normals(corners: [Point3; 3], normals: [Vec3; 3]) -> Result<Self> {
         let mut blend = Self::over(corners)?;
         for (i, normal) in normals.into_iter().enumerate() {
@@ -134,17 +134,25 @@ impl SphereBlend {
             }
             blend.leave[i] = [c / length, s / length];
         }
-        blend.check_whole()?;
         Ok(blend)
     }
 
-    /// Refuses spheres that cancel somewhere, and a patch that passes through infinity. Both are known beforehand: `(a, b)` is linear
-    /// in the coordinates, so it is nowhere 0 if the origin is outside the triangle of the three `(C_i, S_i)`; and only the
-    /// circumcentre, or the place nearest to it, goes far.
+    /// The patch, if it has a point everywhere: what is torn, or passes through infinity, is refused. Both are known beforehand:
+    /// `(a, b)` is linear in the coordinates, so it is nowhere 0 if the origin is outside the triangle of the three `(C_i, S_i)`; and only
+    /// the circumcentre, or the place nearest to it, goes far.
+    ///
+    /// ```
+    /// use cyclide::{Point3, SphereBlend, Vec3};
+    /// let corners = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(Point3::from);
+    /// let ball = SphereBlend::from_normals(corners, corners.map(Point3::to_vec))?;
+    /// assert_eq!(ball.whole()?, ball);
+    /// # Ok::<(), cyclide::Error>(())
+    /// ```
     ///
     /// # Errors
-    /// `opposite-spheres`, `patch-through-infinity`.
-    fn check_whole(&self) -> Result<()> {
+    /// Where the spheres cancel or nearly so (a blend below 1e-4) `opposite-spheres`, where the patch reaches farther than 1e4 circumradii
+    /// `patch-through-infinity`.
+    pub fn whole(self) -> Result<Self> {
         let (length, [s, t, _]) = nearest_to_origin(self.leave);
         if !(length > OPPOSITE) {
             return Err(Error::OppositeSpheres { at: [s, t], length, limit: OPPOSITE });
@@ -155,7 +163,7 @@ impl SphereBlend {
         if !(half.cosine.hypot(half.sine * off) > INFINITE) {
             return Err(Error::PatchThroughInfinity { s: at[0], t: at[1] });
         }
-        Ok(())
+        Ok(self)
     }
 
     /// The place of the triangle that is nearest to the circumcentre: this, or the middle of the longest side.
@@ -179,8 +187,8 @@ impl SphereBlend {
         let mix = |k: usize| l1 * self.leave[0][k] + l2 * self.leave[1][k] + l3 * self.leave[2][k];
         let (a, b) = (mix(0), mix(1));
         let length = a.hypot(b);
-        if !(length > 0.5 * OPPOSITE) {
-            return Err(Error::OppositeSpheres { at: [l1, l2], length, limit: OPPOSITE });
+        if !(length > CANCELLED) {
+            return Err(Error::OppositeSpheres { at: [l1, l2], length, limit: CANCELLED });
         }
         // The larger of both without cancellation. Both may change their sign together.
         let [c, s] = if a < 0.0 { [b, length - a] } else { [length + a, b] };

@@ -82,6 +82,17 @@ impl Builder<'_> {
                 Ok(Mesh { points, faces: None, flatness: None, field: "points", file: None })
             }
             (None, None, Some(vertices), Some(faces)) => {
+                let count = vertices.len();
+                for (index, corners) in faces.iter().enumerate() {
+                    if let Some(place) = corners.iter().position(|v| *v as usize >= count) {
+                        let words = format!(
+                            "face {index} names vertex {}, but there are {count} vertices, counted from 0",
+                            corners[place]
+                        );
+                        let steps: [Step; 3] = ["faces".into(), index.into(), place.into()];
+                        return Err(self.refused_in_words(steps, "not-a-face", words));
+                    }
+                }
                 let face = |corners: &Vec<u32>| corners.iter().map(|&v| v as usize).collect();
                 let points = vertices.iter().map(|p| p.point()).collect();
                 let faces = Some(faces.iter().map(face).collect());

@@ -202,7 +202,7 @@ impl Builder<'_> {
                 return Err(self.unfit(needed));
             }
         };
-        let blend = blend.map_err(|e| self.refused_blend(spec, &e))?;
+        let blend = blend.and_then(SphereBlend::whole).map_err(|e| self.refused_blend(spec, &e))?;
         Ok(vec![TriangleSurface::from(blend).into()])
     }
 

@@ -25,7 +25,8 @@
 //! use cyclide::{Point3, SphereBlend};
 //! let corners = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0]].map(Point3::from);
 //! let poles = [[0.0, 0.0, 1.0], [0.0, 0.0, -1.0], [0.0, 0.0, 1.0]].map(Point3::from);
-//! assert_eq!(SphereBlend::from_control_points(corners, poles).unwrap_err().reason(), "opposite-spheres");
+//! assert_eq!(SphereBlend::from_control_points(corners, poles)?.whole().unwrap_err().reason(), "opposite-spheres");
+//! # Ok::<(), cyclide::Error>(())
 //! ```
 //!
 //! # `normal-along-edge`
