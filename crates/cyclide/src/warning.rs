@@ -368,7 +368,7 @@ pub enum Warning {
         /// Ends up to this far are moved.
         limit: f64,
     },
-    /// A part of a turn of a profile that goes round an area: the surface has no end faces.
+    /// A part of a turn of a profile that goes round an area, but has no end faces.
     OpenPart {
         /// The angle of the turn, radians.
         angle: f64,
@@ -761,7 +761,7 @@ impl std::fmt::Display for Warning {
             ),
             Self::OpenPart { angle } => write!(
                 f,
-                "the turn by {} degrees has no end faces: the body is open at both; a whole turn is a solid",
+                "the body is open at both ends of its turn by {} degrees: end faces are made of one contour, in a plane with the axis, that is seen whole from a point inside; a whole turn is a solid",
                 degrees(*angle)
             ),
             Self::OpenProfile { start, end } => write_open_profile(f, *start, *end),

@@ -311,6 +311,11 @@ fn what_stays_open_is_said() {
     let square = chain(&[[1.0, 0.0], [2.0, 0.0], [2.0, 1.0], [1.0, 1.0]], true);
     let half = Revolution::new(Point3::ORIGIN, Vec3::Z, PI).unwrap();
     assert_eq!(warned(&whole(), &square, true), []);
+    assert_eq!(warned(&half, &square, true), []);
+    // A thin bent wall is not seen whole from a point.
+    let bent =
+        chain(&[[1.0, 0.0], [5.0, 0.0], [5.0, 5.0], [4.9, 5.0], [4.9, 0.1], [1.1, 0.1], [1.1, 5.0], [1.0, 5.0]], true);
+    assert_eq!(warned(&half, &bent, true), [Warning::OpenPart { angle: PI }]);
     // A sheet is what it is.
     assert_eq!(warned(&half, &square[..2], false), []);
     assert_eq!(warned(&whole(), &square[..2], false), [Warning::OpenProfile { start: 1.0, end: 2.0 }]);
@@ -407,5 +412,55 @@ fn thin_rings_far_from_the_axis_are_made() {
         // The rounding of places, 1e-10, against the radius.
         let volume = ring.outer.volume() / (2.0 * PI * PI * radius * radius * 1e6) - 1.0;
         assert!(volume.abs() < 1e-9 / radius, "{radius}: {volume}");
+    }
+}
+
+#[test]
+fn parts_of_turns_have_end_faces() {
+    let cubic = |rows: [[f64; 2]; 4]| -> EdgeCurve {
+        RationalBezier::new(rows.map(|[x, z]| [x, 0.0, z, 1.0]).to_vec()).unwrap().into()
+    };
+    let square = chain(&[[1.0, 0.0], [2.0, 0.0], [2.0, 1.0], [1.0, 1.0]], true);
+    let angled = chain(&[[1.0, 0.0], [3.0, 0.0], [3.0, 1.0], [2.0, 1.0], [2.0, 3.0], [1.0, 3.0]], true);
+    let round: Vec<EdgeCurve> = {
+        let half = |from, to| Arc::from_bulge(from, to, Vec3::Y, 1.0).unwrap().into();
+        vec![half(p(2.0, 0.0), p(4.0, 0.0)), half(p(4.0, 0.0), p(2.0, 0.0))]
+    };
+    let drop = vec![cubic([[0.0, 0.0], [3.0, 0.0], [2.0, 4.0], [0.0, 4.0]])];
+    let lens = vec![
+        segment(p(0.0, 0.0), p(2.0, 0.0)),
+        Arc::from_three_points(p(2.0, 0.0), p(1.5, 1.5), p(0.0, 2.0)).unwrap().into(),
+        segment(p(0.0, 2.0), p(0.0, 0.0)),
+    ];
+    for (profile, closed, faces) in [
+        (square, true, 4),
+        (angled, true, 6),
+        (round, true, 4),
+        (drop, false, 2),
+        (lens.clone(), true, 3),
+        (lens[..2].to_vec(), false, 3),
+    ] {
+        let whole_volume = whole().body(&profile, closed).unwrap().outer.volume();
+        for angle in [0.3, -1.0, PI, 5.0, 6.2] {
+            let turn = Revolution::new(Point3::ORIGIN, Vec3::Z, angle).unwrap();
+            let body = turn.body(&profile, closed).unwrap();
+            assert!(body.is_solid(), "{angle}");
+            let volume = body.outer.known_volume().unwrap();
+            assert!((volume / whole_volume * TAU / angle.abs() - 1.0).abs() < 1e-11, "{angle}: {volume}");
+            let flat = |face: &cyclide::ShellFace| {
+                let at = face.surface.point(0.3, 0.4);
+                let normal = face.surface.normal(0.3, 0.4).unwrap() * if face.same_sense { 1.0 } else { -1.0 };
+                let ends = [0.0, angle].map(|at| Vec3::new(-f64::sin(at), f64::cos(at), 0.0) * angle.signum());
+                // Outside is behind the start and ahead of the end.
+                ends.iter().zip([-1.0, 1.0]).any(|(along, outside)| {
+                    at.to_vec().dot(*along).abs() < 1e-13 && (normal - *along * outside).length() < 1e-9
+                })
+            };
+            let found = body.outer.faces().iter().filter(|face| flat(face)).count();
+            assert_eq!(found, 2 * faces, "{angle}");
+            assert_eq!(warned(&turn, &profile, closed), []);
+            let mesh = tessellate(&body, 1e-3).unwrap();
+            assert!((mesh.volume() / volume - 1.0).abs() < 1e-2);
+        }
     }
 }

@@ -12,6 +12,7 @@
 //! gives more: multiplying a quaternion form `N D^-1` by `x` from the left keeps it one, `(x N)(x D)^-1`, whose corners have
 //! the weights `1, u, w, w u`: a principal patch of a torus, sphere, cone, cylinder or plane.
 
+mod caps;
 mod flat;
 mod meridian;
 mod profile;
@@ -106,8 +107,8 @@ impl Revolution {
 
     /// The body that a profile sweeps, sewn: pieces that follow each other, each from the end of the last one, `closed` if
     /// the end is the start. Arcs in a plane with the axis become patches, all else rational faces, in sectors of a quarter
-    /// turn at most. It is a solid, outside outwards, if the turn is whole and the profile is closed or ends on the axis on both
-    /// sides. Pieces along the axis sweep nothing. Ends within a millionth of the profile's size of the axis are moved onto it, as are pieces
+    /// turn at most. It is a solid, outside outwards, if the profile is closed or ends on the axis on both sides, and the turn is whole or
+    /// the profile has end faces: alone, in one half plane of the axis, and seen whole from a point inside. Pieces along the axis sweep nothing. Ends within a millionth of the profile's size of the axis are moved onto it, as are pieces
     /// along it: [`warnings`](Self::warnings) says how far. The normal of an open surface is that of the
     /// profile's direction × the turn's: to the axis where the profile runs up and the turn is positive.
     ///
@@ -118,7 +119,7 @@ impl Revolution {
     /// as [`CyclidePatch::from_weights`](crate::CyclidePatch::from_weights).
     pub fn body(&self, profile: &[EdgeCurve], closed: bool) -> Result<Body> {
         let near = self.beside([profile]);
-        let (shell, _) = near.shell(profile, closed).map_err(|e| near.counted_from_given(e))?;
+        let (shell, _) = near.shell(profile, closed, true).map_err(|e| near.counted_from_given(e))?;
         Ok(Body { outer: shell, voids: Vec::new() })
     }
 
@@ -134,7 +135,9 @@ impl Revolution {
 
     /// As [`bodies`](Self::bodies), counted from a point beside the profiles.
     fn bodies_beside(&self, profiles: &[(Vec<EdgeCurve>, bool)]) -> Result<Vec<Body>> {
-        let swept = profiles.iter().map(|(pieces, closed)| self.shell(pieces, *closed)).collect::<Result<Vec<_>>>()?;
+        let alone = profiles.len() == 1;
+        let swept =
+            profiles.iter().map(|(pieces, closed)| self.shell(pieces, *closed, alone)).collect::<Result<Vec<_>>>()?;
         let solids: Vec<&[Piece]> =
             swept.iter().map(|(shell, profile)| if shell.is_closed() { &profile.pieces[..] } else { &[] }).collect();
         let size = swept.iter().map(|(_, profile)| profile.size).fold(0.0, f64::max);
@@ -161,7 +164,7 @@ impl Revolution {
 
     /// What should be known of that which profiles sweep, each with the number of the profile: ends that were moved onto the axis
     /// (`moved-to-axis`), a profile in a plane across the axis (`flat-revolution`), a surface that stays open although its profile
-    /// goes round an area, or although the turn is whole (`open-body`).
+    /// goes round an area (a part of a turn without end faces), or although the turn is whole (`open-body`).
     ///
     /// # Errors
     /// As [`body`](Self::body), as far as profiles are refused for themselves.
@@ -170,17 +173,19 @@ impl Revolution {
         let mut warnings = Vec::new();
         for (index, (pieces, closed)) in profiles.iter().enumerate() {
             let profile = Profile::new(&near, pieces, *closed).map_err(|e| near.counted_from_given(e))?;
-            warnings.extend(near.warnings_of(&profile).into_iter().map(|warning| (index, warning)));
+            warnings
+                .extend(near.warnings_of(&profile, profiles.len() == 1).into_iter().map(|warning| (index, warning)));
         }
         Ok(warnings)
     }
 
-    fn warnings_of(&self, profile: &Profile) -> Vec<Warning> {
+    fn warnings_of(&self, profile: &Profile, alone: bool) -> Vec<Warning> {
         let moved = profile.moved.map(|[distance, limit]| Warning::MovedToAxis { distance, limit });
         let open = if profile.flat {
             Some(Warning::FlatRevolution)
         } else if profile.encloses() {
-            (!self.is_whole()).then_some(Warning::OpenPart { angle: self.angle })
+            let open = !self.is_whole() && self.centre_of_ends(profile, alone).is_none();
+            open.then_some(Warning::OpenPart { angle: self.angle })
         } else {
             let [start, end] = profile.ends_off_axis(self);
             self.is_whole().then_some(Warning::OpenProfile { start, end })
@@ -189,17 +194,23 @@ impl Revolution {
     }
 
     /// What a profile sweeps, outside outwards where it is closed.
-    fn shell(&self, profile: &[EdgeCurve], closed: bool) -> Result<(Shell, Profile)> {
+    fn shell(&self, profile: &[EdgeCurve], closed: bool, alone: bool) -> Result<(Shell, Profile)> {
         if self.angle == 0.0 {
             return Err(Error::AngleOutOfRange { angle: 0.0, min: -TAU, max: TAU });
         }
         let profile = Profile::new(self, profile, closed)?;
-        let shell = profile.swept(self)?;
+        let shell = profile.swept(self, self.centre_of_ends(&profile, alone))?;
         if !shell.is_closed() {
             return Ok((shell, profile));
         }
         meridian::check(self, &profile.pieces, profile.size)?;
         Ok((shell.outside_out(), profile))
+    }
+
+    /// The point from which the end faces of a part of a turn go, where it has some.
+    fn centre_of_ends(&self, profile: &Profile, alone: bool) -> Option<Point3> {
+        let bounded = alone && !self.is_whole() && profile.encloses() && !profile.flat;
+        bounded.then(|| caps::centre(self, profile)).flatten()
     }
 
     /// The way of a point from the axis.

@@ -1,6 +1,7 @@
 //! The faces of a profile that turns, in sectors of a quarter turn at most, sewn.
 
 use super::Revolution;
+use super::caps::{self, End};
 use super::profile::Profile;
 use crate::base::quat::Quat;
 use crate::base::vector::{Point3, Vec3};
@@ -12,8 +13,8 @@ use crate::topology::{EdgeCurve, FaceSurface, Sewing, Shell};
 use std::f64::consts::FRAC_PI_2;
 
 impl Profile {
-    /// The shell of all sectors.
-    pub(super) fn swept(&self, turn: &Revolution) -> Result<Shell> {
+    /// The shell of all sectors, with end faces about a point of the profile's plane if there is one.
+    pub(super) fn swept(&self, turn: &Revolution, centre: Option<Point3>) -> Result<Shell> {
         let sectors = (turn.angle.abs() / FRAC_PI_2 * (1.0 - 1e-12)).ceil().max(1.0) as usize;
         let step = turn.angle / sectors as f64;
         let whole = turn.is_whole();
@@ -60,6 +61,15 @@ impl Profile {
                 let [low, high] = [low, high].map(|edge| &sewing.edges[edge].curve);
                 let surface = face(turn, [low, high], across, corners, rotor)?;
                 sewing.face(surface, sides, true);
+            }
+        }
+        if let Some(centre) = centre {
+            let axis = if self.closed { None } else { Some(sewing.segment(vertex(joints - 1, 0), vertex(0, 0))?) };
+            for k in [0, sectors] {
+                let vertices = (0..joints).map(|j| vertex(j, k)).collect();
+                let edges = meridians[k].iter().copied().chain(axis).collect();
+                let centre = if k == 0 { centre } else { turn.turned(centre, turn.angle) };
+                caps::add(&mut sewing, &End { vertices, edges, centre, last: k > 0 })?;
             }
         }
         sewing.finish()
