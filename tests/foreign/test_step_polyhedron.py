@@ -24,6 +24,8 @@ SOLIDS = {
     "dodecahedron": (np.array(DODECAHEDRON["points"]), DODECAHEDRON["radius"]),
     "hull": (sphere(200, 5), 2.0),
 }
+# Solids that are cut: a cut of the large hull, 2,178 faces, takes OpenCASCADE half a minute.
+CUT = {"dodecahedron": SOLIDS["dodecahedron"], "small hull": (sphere(30, 6), 2.0)}
 
 
 def steiner(points, radius):
@@ -44,7 +46,7 @@ def steiner(points, radius):
 @pytest.fixture
 def rounded(program, tmp_path):
     def make(name):
-        points, radius = SOLIDS[name]
+        points, radius = {**SOLIDS, **CUT}[name]
         fields = {"type": "smooth-polyhedron", "points": points.tolist(), "radius": radius}
         (tmp_path / "p.json").write_text(json.dumps({"cyclide": 1, "units": "mm", "objects": {"p": fields}}))
         report = json.loads(program("build", tmp_path / "p.json", "-o", tmp_path / "p.step", "--json"))
@@ -68,7 +70,7 @@ def test_solids_have_the_measures_of_steiner(name, rounded):
     assert {face.kind for face in step.faces} == {"plane", "cylinder", "b-spline"}
 
 
-@pytest.mark.parametrize("name", SOLIDS)
+@pytest.mark.parametrize("name", CUT)
 def test_solids_are_cut(name, rounded):
     step, report = rounded(name)
     assert_cuts(step, report["volume"], modelling.slab, modelling.drill)

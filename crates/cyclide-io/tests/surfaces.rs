@@ -434,7 +434,11 @@ fn nets_with_their_skins_and_edges() {
         );
         assert!((surface(&build(&moved).unwrap()).volume.unwrap() / volume - 1.0).abs() < 1e-11);
         let again = format!(r#"{}, "m": {{"type": "offset", "of": "t", "distance": 1}}"#, thick(distance));
-        assert!(build(&again).unwrap_err().contains("`t` is of type `offset`: only surfaces that are not thick"));
+        let error = build(&again).unwrap_err();
+        assert!(
+            error.contains("`t` is of type `offset`: only patches, nets and cyclides that are not thick"),
+            "{error}"
+        );
     }
     let edges = build(&format!(r#"{framed}, "e": {{"type": "support-structure", "of": "n"}}"#)).unwrap();
     assert_eq!(edges.item.curves().len(), 7);
@@ -555,10 +559,12 @@ fn revolutions_are_solids_where_the_profile_closes() {
     let solid = surface(&build(&with("")).unwrap());
     assert!(solid.closed && solid.bodies == 1 && solid.free_edges == 0, "{solid:?}");
     assert!(solid.volume.unwrap() > 0.0 && solid.joints.gap < 1e-14);
-    // Half a turn has half of the area, and no volume.
+    // Half a turn has half of the volume, between two flat ends; the turned part has half of the area.
     let half = surface(&build(&with(r#", "angle": {"degrees": 180}"#)).unwrap());
-    assert!(!half.closed && half.volume.is_none());
-    assert!((half.area.unwrap() / solid.area.unwrap() - 0.5).abs() < 1e-12);
+    assert!(half.closed && half.parts.len() == 3 && half.bodies == 1, "{half:?}");
+    assert!((half.volume.unwrap() / solid.volume.unwrap() - 0.5).abs() < 1e-11);
+    assert!((half.parts[0].area / solid.area.unwrap() - 0.5).abs() < 1e-12);
+    assert!((half.parts[1].area / half.parts[2].area - 1.0).abs() < 1e-12);
     // About another axis, moved along with it.
     let turned = r#""m": {"type": "transform", "of": "p", "construction": true,
         "steps": [{"rotation": {"angle": {"degrees": -90}, "axis": [0, 1, 0]}}, {"translation": [5, 6, 7]}]}"#;

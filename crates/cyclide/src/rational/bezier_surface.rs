@@ -97,16 +97,16 @@ impl RationalBezierSurface {
         SurfaceJet { point: Point3::ORIGIN + x, ds, dt, dss, dst, dtt }
     }
 
-    /// The way to the point from the origin, and the first derivatives, for a third of the price of a [jet](Self::jet).
-    pub(crate) fn first_jet(&self, s: f64, t: f64) -> [Vec3; 3] {
-        let by_t = |row: &[[f64; 4]]| -> [f64; 8] {
-            let derivatives: [[f64; 4]; 2] = bernstein::derivatives(row, t);
-            std::array::from_fn(|k| derivatives[k / 4][k % 4])
-        };
-        let [h, hs]: [[f64; 8]; 2] = self.across(by_t, [0.0; 8], |rows| bernstein::derivatives(rows, s));
-        let vector = |h: [f64; 8], k: usize| Vec3::new(h[k], h[k + 1], h[k + 2]);
-        let x = vector(h, 0) / h[3];
-        [x, (vector(hs, 0) - x * hs[3]) / h[3], (vector(h, 4) - x * h[7]) / h[3]]
+    /// Points, as ways from the origin, and first derivatives along the line of t at `s`, for many places on it.
+    pub(crate) fn first_jets_along(&self, s: f64) -> FirstJets {
+        let [p, q] = self.degrees;
+        let mut column = vec![[0.0; 4]; p + 1];
+        let rows = (0..=q).map(|j| {
+            column.iter_mut().zip(self.rows.iter().skip(j).step_by(q + 1)).for_each(|(to, from)| *to = *from);
+            let [h, hs]: [[f64; 4]; 2] = bernstein::derivatives(&column, s);
+            std::array::from_fn(|k| if k < 4 { h[k] } else { hs[k - 4] })
+        });
+        FirstJets(rows.collect())
     }
 
     /// What is made of the rows `f` of the lines along t, without allocation up to degree 15 along s.
@@ -249,3 +249,16 @@ const PLANE_ROUNDING: f64 = 16.0 * f64::EPSILON;
 const VANISHED: f64 = 1e-13;
 /// So is one below this part of the coordinates, of whose differences it is made: faces are small, or far from the origin.
 const ROUNDING: f64 = 64.0 * f64::EPSILON;
+
+/// A line along t of a surface, with the derivatives across it: homogeneous rows of both.
+pub(crate) struct FirstJets(Vec<[f64; 8]>);
+
+impl FirstJets {
+    /// The point as a way from the origin, and the derivatives along s and t.
+    pub(crate) fn at(&self, t: f64) -> [Vec3; 3] {
+        let [h, ht]: [[f64; 8]; 2] = bernstein::derivatives(&self.0, t);
+        let vector = |h: [f64; 8], k: usize| Vec3::new(h[k], h[k + 1], h[k + 2]);
+        let x = vector(h, 0) / h[3];
+        [x, (vector(h, 4) - x * h[7]) / h[3], (vector(ht, 0) - x * ht[3]) / h[3]]
+    }
+}

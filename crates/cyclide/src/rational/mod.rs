@@ -9,6 +9,7 @@ mod smooth_knots;
 mod surface_bounds;
 
 pub use bezier_curve::RationalBezier;
+pub(crate) use bezier_surface::FirstJets;
 pub use bezier_surface::RationalBezierSurface;
 pub use nurbs_curve::NurbsCurve;
 pub(crate) use polynomial::{Polynomial, PolynomialRow};

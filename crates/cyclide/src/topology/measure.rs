@@ -5,7 +5,7 @@ use crate::base::bounds::Aabb;
 use crate::base::quadrature::{gauss2, gauss4, gauss8};
 use crate::base::vector::{Point3, Vec3};
 use crate::error::{Error, Result};
-use crate::rational::RationalBezierSurface;
+use crate::rational::{FirstJets, RationalBezierSurface};
 use crate::surface::CyclidePatch;
 use std::collections::BinaryHeap;
 
@@ -67,15 +67,15 @@ impl Shell {
         QUARTERINGS[0] + QUARTERINGS[1] * self.faces.len()
     }
 
-    fn area_by(&self, most: usize) -> Quadrature<impl Fn(usize, f64, f64) -> f64> {
+    fn area_by(&self, most: usize) -> Quadrature<AreaElement<'_>> {
         let cells = self.faces.iter().enumerate().flat_map(|(f, face)| regular_cells(face).map(move |cell| (f, cell)));
-        let local: Vec<Local<'_>> = self.faces.iter().map(|face| Local::of(&face.surface)).collect();
-        let mut area = Quadrature::new(&self.faces, cells, most, move |face, s, t| local[face].area(s, t));
+        let element = AreaElement(self.faces.iter().map(|face| Local::of(&face.surface)).collect());
+        let mut area = Quadrature::new(&self.faces, cells, most, element);
         area.refine(Quadrature::agrees);
         area
     }
 
-    fn volume_by(&self, most: usize) -> Quadrature<impl Fn(usize, f64, f64) -> f64> {
+    fn volume_by(&self, most: usize) -> Quadrature<FluxElement<'_>> {
         let mut volume = self.cones(most);
         volume.refine(Quadrature::agrees);
         volume
@@ -114,21 +114,49 @@ impl Shell {
     /// The flux of a [field](Self::field) of divergence 1 from the first vertex through the faces, signed by the side: of an open shell
     /// the volumes `(f - v)·(f_s × f_t)/3` of the cones over them. Signed, they have no kinks. Points are taken from a corner of the face:
     /// far from the origin their rounding would be seen.
-    fn cones(&self, most: usize) -> Quadrature<impl Fn(usize, f64, f64) -> f64> {
+    fn cones(&self, most: usize) -> Quadrature<FluxElement<'_>> {
         let tip = self.vertices.first().copied().unwrap_or(Point3::ORIGIN);
-        let field = self.field();
         let faces = self.faces.iter().map(|face| {
             (Local::of(&face.surface), face.surface.corners()[0] - tip, if face.same_sense { 1.0 } else { -1.0 })
         });
-        let faces: Vec<_> = faces.collect();
-        let cells = (0..faces.len()).map(|face| (face, UNIT));
-        Quadrature::new(&self.faces, cells, most, move |face, s, t| {
-            let (local, corner, sign) = &faces[face];
-            let (way, across) = local.way_and_cross(s, t);
+        let element = FluxElement { faces: faces.collect(), field: self.field() };
+        let cells = (0..self.faces.len()).map(|face| (face, UNIT));
+        Quadrature::new(&self.faces, cells, most, element)
+    }
+}
+
+/// What is integrated over faces. What a line along t needs is made once for all its places.
+trait Element {
+    /// The element along the line at `s`, as a function of t.
+    fn along(&self, face: usize, s: f64) -> impl Fn(f64) -> f64;
+}
+
+/// The element of area.
+struct AreaElement<'a>(Vec<Local<'a>>);
+
+impl Element for AreaElement<'_> {
+    fn along(&self, face: usize, s: f64) -> impl Fn(f64) -> f64 {
+        let line = self.0[face].line(s);
+        move |t| line.area(t)
+    }
+}
+
+/// The element of the flux of a field, with the way of the first corner of each face from the tip, and the sign of its side.
+struct FluxElement<'a> {
+    faces: Vec<(Local<'a>, Vec3, f64)>,
+    field: [Vec3; 3],
+}
+
+impl Element for FluxElement<'_> {
+    fn along(&self, face: usize, s: f64) -> impl Fn(f64) -> f64 {
+        let (local, corner, sign) = &self.faces[face];
+        let line = local.line(s);
+        move |t| {
+            let (way, across) = line.way_and_cross(t);
             let way = way + *corner;
-            let [x, y, z] = field.map(|row| row.dot(way));
+            let [x, y, z] = self.field.map(|row| row.dot(way));
             sign * Vec3::new(x, y, z).dot(across)
-        })
+        }
     }
 }
 
@@ -147,20 +175,38 @@ impl<'a> Local<'a> {
         }
     }
 
-    /// The element of area.
-    fn area(&self, s: f64, t: f64) -> f64 {
+    /// Its line along t at `s`.
+    fn line(&self, s: f64) -> LocalLine<'_> {
         match self {
-            Self::Cyclide(patch) => patch.element(s, t).abs(),
-            Self::Rational(_) => self.way_and_cross(s, t).1.length(),
+            Self::Cyclide(patch) => LocalLine::Cyclide(patch, s),
+            Self::Rational(surface) => LocalLine::Rational(surface.first_jets_along(s)),
+        }
+    }
+}
+
+/// A line along t of a face.
+enum LocalLine<'a> {
+    Cyclide(&'a CyclidePatch, f64),
+    Rational(FirstJets),
+}
+
+impl LocalLine<'_> {
+    /// The element of area.
+    fn area(&self, t: f64) -> f64 {
+        match self {
+            Self::Cyclide(patch, s) => patch.element(*s, t).abs(),
+            Self::Rational(_) => self.way_and_cross(t).1.length(),
         }
     }
 
     /// The way from the first corner, and `f_s × f_t` along the side of the unit normal.
-    fn way_and_cross(&self, s: f64, t: f64) -> (Vec3, Vec3) {
+    fn way_and_cross(&self, t: f64) -> (Vec3, Vec3) {
         match self {
-            Self::Cyclide(patch) => (patch.way_from_first_corner(s, t), patch.unit_normal(s, t) * patch.element(s, t)),
-            Self::Rational(surface) => {
-                let [way, ds, dt] = surface.first_jet(s, t);
+            Self::Cyclide(patch, s) => {
+                (patch.way_from_first_corner(*s, t), patch.unit_normal(*s, t) * patch.element(*s, t))
+            }
+            Self::Rational(line) => {
+                let [way, ds, dt] = line.at(t);
                 (way, ds.cross(dt))
             }
         }
@@ -238,7 +284,7 @@ struct Quadrature<E> {
     is_wild: bool,
 }
 
-impl<E: Fn(usize, f64, f64) -> f64> Quadrature<E> {
+impl<E: Element> Quadrature<E> {
     /// Of the cells of the faces, given with the number of the face, with at most so many quarterings.
     fn new(faces: &[ShellFace], cells: impl Iterator<Item = (usize, Cell)>, most: usize, element: E) -> Self {
         let (parts, left) = (BinaryHeap::new(), most);
@@ -356,11 +402,18 @@ impl<E: Fn(usize, f64, f64) -> f64> Quadrature<E> {
 
     /// The rule of so many points in each direction on a cell.
     fn rule(&self, points: Points, face: usize, [[s0, s1], [t0, t1]]: Cell) -> f64 {
-        let at = |s: f64, t: f64| (self.element)(face, s, t);
+        let along = |s: f64| {
+            let mut at = self.element.along(face, s);
+            match points {
+                Points::Two => gauss2(&mut at, t0, t1),
+                Points::Four => gauss4(&mut at, t0, t1),
+                Points::Eight => gauss8(&mut at, t0, t1),
+            }
+        };
         match points {
-            Points::Two => gauss2(&mut |s| gauss2(&mut |t| at(s, t), t0, t1), s0, s1),
-            Points::Four => gauss4(&mut |s| gauss4(&mut |t| at(s, t), t0, t1), s0, s1),
-            Points::Eight => gauss8(&mut |s| gauss8(&mut |t| at(s, t), t0, t1), s0, s1),
+            Points::Two => gauss2(&mut { along }, s0, s1),
+            Points::Four => gauss4(&mut { along }, s0, s1),
+            Points::Eight => gauss8(&mut { along }, s0, s1),
         }
     }
 }
@@ -435,11 +488,27 @@ impl Eq for Part {}
 
 #[cfg(test)]
 mod tests {
-    use super::{Local, Quadrature, UNIT};
+    use super::{AreaElement, Element, Local, Quadrature, UNIT};
     use crate::base::vector::Point3;
     use crate::conformal::mobius::{Conformal as _, Mobius};
     use crate::surface::DupinCyclide;
     use std::cell::Cell;
+
+    /// The element of area, counted.
+    struct Counted<'a> {
+        area: AreaElement<'a>,
+        count: &'a Cell<usize>,
+    }
+
+    impl Element for Counted<'_> {
+        fn along(&self, face: usize, s: f64) -> impl Fn(f64) -> f64 {
+            let at = self.area.along(face, s);
+            move |t| {
+                self.count.set(self.count.get() + 1);
+                at(t)
+            }
+        }
+    }
 
     /// Small patches cost 20 evaluations each, and agree with the same surface in large ones.
     #[test]
@@ -451,10 +520,9 @@ mod tests {
         }
         let count = Cell::new(0);
         let cells = (0..small.faces().len()).map(|face| (face, UNIT));
-        let mut area = Quadrature::new(small.faces(), cells, usize::MAX, |face, s, t| {
-            count.set(count.get() + 1);
-            Local::of(&small.faces()[face].surface).area(s, t)
-        });
+        let area = AreaElement(small.faces().iter().map(|face| Local::of(&face.surface)).collect());
+        let element = Counted { area, count: &count };
+        let mut area = Quadrature::new(small.faces(), cells, usize::MAX, element);
         assert_eq!(count.get(), 20 * small.faces().len());
         area.refine(|area| area.error <= 1e-6 * area.size);
         assert_eq!(count.get(), 20 * small.faces().len());
