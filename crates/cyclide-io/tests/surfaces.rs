@@ -559,12 +559,17 @@ fn revolutions_are_solids_where_the_profile_closes() {
     let solid = surface(&build(&with("")).unwrap());
     assert!(solid.closed && solid.bodies == 1 && solid.free_edges == 0, "{solid:?}");
     assert!(solid.volume.unwrap() > 0.0 && solid.joints.gap < 1e-14);
-    // Half a turn has half of the volume, between two flat ends; the turned part has half of the area.
+    // A part of a turn has that part of the volume, between two flat ends; the turned part has that part of the area.
     let half = surface(&build(&with(r#", "angle": {"degrees": 180}"#)).unwrap());
-    assert!(half.closed && half.parts.len() == 3 && half.bodies == 1, "{half:?}");
+    assert!(half.closed && half.parts.len() == 2 && half.bodies == 1, "the ends lie in one plane: {half:?}");
     assert!((half.volume.unwrap() / solid.volume.unwrap() - 0.5).abs() < 1e-11);
     assert!((half.parts[0].area / solid.area.unwrap() - 0.5).abs() < 1e-12);
-    assert!((half.parts[1].area / half.parts[2].area - 1.0).abs() < 1e-12);
+    let third = surface(&build(&with(r#", "angle": {"degrees": -120}"#)).unwrap());
+    assert!((third.volume.unwrap() / solid.volume.unwrap() - 1.0 / 3.0).abs() < 1e-11);
+    let [_, one, other] = &third.parts[..] else { panic!("two ends: {third:?}") };
+    for end in [one.area, other.area] {
+        assert!((end / (0.5 * half.parts[1].area) - 1.0).abs() < 1e-12);
+    }
     // About another axis, moved along with it.
     let turned = r#""m": {"type": "transform", "of": "p", "construction": true,
         "steps": [{"rotation": {"angle": {"degrees": -90}, "axis": [0, 1, 0]}}, {"translation": [5, 6, 7]}]}"#;
