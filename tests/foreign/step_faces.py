@@ -205,22 +205,24 @@ class Face:
 
     def area(self):
         """Own quadrature; in a plane along the edges."""
-        return self._plane_area() if self.kind == "plane" else self._integral(lambda _, n: np.linalg.norm(n, axis=-1))
+        return self._plane_area() if self.kind == "plane" else self._integrals[0]
 
     def volume(self):
         """Volume of the cone over the face from the origin, signed by the outer side."""
         if self.kind == "plane":
             p, n = self.at(self.box[0], self.box[2])
             return float(np.dot(p, n) / np.linalg.norm(n)) * self._plane_area() / 3
-        return self._integral(lambda p, n: np.sum(p * n, axis=-1) / 3)
+        return self._integrals[1]
 
-    def _integral(self, element):
-        """Gauss-Legendre, 24 x 24 nodes on each quarter of the range of the parameters, which is the face."""
+    @functools.cached_property
+    def _integrals(self):
+        """Area and volume by Gauss-Legendre, 24 x 24 nodes on each quarter of the range of the parameters, which is the face."""
         u0, u1, v0, v1 = self.box
         places = np.concatenate([0.25 + 0.25 * _NODES, 0.75 + 0.25 * _NODES])
         weights = 0.25 * np.concatenate([_WEIGHTS, _WEIGHTS])
-        values = element(*self.at_all(u0 + (u1 - u0) * places[:, None], v0 + (v1 - v0) * places[None, :]))
-        return float((u1 - u0) * (v1 - v0) * (weights @ values @ weights))
+        p, n = self.at_all(u0 + (u1 - u0) * places[:, None], v0 + (v1 - v0) * places[None, :])
+        elements = np.linalg.norm(n, axis=-1), np.sum(p * n, axis=-1) / 3
+        return [float((u1 - u0) * (v1 - v0) * (weights @ values @ weights)) for values in elements]
 
     def _plane_area(self):
         """Half the integral of r x dr round the face."""
