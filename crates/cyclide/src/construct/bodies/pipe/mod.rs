@@ -132,8 +132,11 @@ impl Pipe {
     /// ```
     ///
     /// # Errors
-    /// As [`body`](Self::body), of each spine.
+    /// Of several, as [`body`](Self::body) of each spine.
     pub fn first_meeting(&self, spines: &[ArcPath]) -> Result<Option<([usize; 2], f64)>> {
+        if spines.len() < 2 {
+            return Ok(None);
+        }
         let spines = spines.iter().map(|path| Spine::new(path, self.radius)).collect::<Result<Vec<_>>>()?;
         let found = overlap::first_meeting(&spines, self.radius, self.ends);
         Ok(found.map(|overlap::Meeting { spines, distance }| (spines, distance)))
