@@ -113,7 +113,10 @@ pub use construct::{ConvexPolyhedron, PolyhedronEdge, SphericalPolygon};
 pub use construct::{EllipseBridge, NeckBlend, NeckBody, NeckSide, NeckVariant, PlateShape};
 pub use construct::{FairFit, FairFitCertificate, FairFitOptions};
 pub use construct::{Pipe, PipeEnds, RationalRun, Revolution};
-pub use construct::{ProjectiveBiarc, TorusSplineOptions, TorusTangent, TorusWinding, TwoTypeBiarc};
+pub use construct::{
+    ProjectiveBiarc, TorusMap, TorusSplineOptions, TorusTangent, TorusWinding, TwoTypeBiarc, UnrollOptions,
+    UnrolledSpline,
+};
 pub use curve::{Arc, Arc4, ArcPath, Circle, ClosestPoint, DEFAULT_PIECE_ANGLE, ParamCurve, PieceForm, PieceHull};
 pub use curve::{ArcLength, CurveIndex, ExtremeCurvature, Joint};
 pub use curve::{

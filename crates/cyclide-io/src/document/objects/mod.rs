@@ -16,6 +16,7 @@ mod refuse;
 mod smooth;
 mod surfaces;
 mod swept;
+mod torus;
 
 use std::io;
 use std::path::{Path, PathBuf};
@@ -37,6 +38,7 @@ use nets::MeshNames;
 pub use polyhedra::RoundedPolyhedron;
 use references::{References, State};
 pub use smooth::SmoothChoice;
+pub use torus::UnrolledPlane;
 
 /// An object made by its construction, with what is known about it besides its geometry.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -60,6 +62,8 @@ pub struct BuiltObject {
     pub polyhedron: Option<Box<RoundedPolyhedron>>,
     /// What was chosen for a smooth mesh.
     pub smooth: Option<SmoothChoice>,
+    /// What became of a curve of a torus when it was laid flat.
+    pub unrolled: Option<UnrolledPlane>,
     /// Construction geometry: not for files.
     pub construction: bool,
     /// One entry per contour.
@@ -150,6 +154,7 @@ impl<'a> ModelBuilder<'a> {
                     seams: Vec::new(),
                     polyhedron: None,
                     smooth: None,
+                    unrolled: None,
                     remarks,
                     warnings,
                     data: Vec::new(),
@@ -201,6 +206,8 @@ struct Builder<'a> {
     polyhedron: Option<Box<RoundedPolyhedron>>,
     /// What was chosen for the smooth mesh that it is.
     smooth: Option<SmoothChoice>,
+    /// What became of the curve when it was laid flat.
+    unrolled: Option<UnrolledPlane>,
     remarks: Vec<Remark>,
     warnings: Vec<(usize, Warning)>,
     /// The points of a fit.
@@ -231,7 +238,7 @@ impl Builder<'_> {
         let geometry = if surfaces.is_empty() { Geometry::Curves(curves) } else { Geometry::Surfaces(surfaces) };
         let item = Item::new(self.name, geometry);
         let construction = self.spec.is_construction();
-        let Self { data, warnings, seams, polyhedron, smooth, remarks, .. } = self;
+        let Self { data, warnings, seams, polyhedron, smooth, unrolled, remarks, .. } = self;
         let provenance = Provenance { kind: self.spec.type_word(), data };
         Ok(BuiltObject {
             item,
@@ -244,6 +251,7 @@ impl Builder<'_> {
             seams,
             polyhedron,
             smooth,
+            unrolled,
             construction,
             contours,
             remarks,
