@@ -51,8 +51,8 @@ pub use measure::joints::SurfaceJointReport;
 pub use report::{
     CheckError, CircularReport, ComparisonReport, CurvatureRangeReport, CurvatureReport, CurvesReport, FairnessReport,
     FileReport, FitPieces, FitReport, GeometryReport, JointReport, ObjectReport, PartReport, PatchPlace,
-    PolyhedronReport, RangeReport, Report, SeamReport, ShapeReport, SingularPatchReport, SmoothReport, Spacing,
-    SurfaceReport, WarningReport, sample,
+    PolyhedronReport, RangeReport, Report, SeamReport, SegmentCounts, ShapeReport, SingularPatchReport, SmoothReport,
+    Spacing, SurfaceReport, TorusReport, UnrolledReport, WarningReport, sample,
 };
 pub use text::place::{Diagnostic, Source, decode};
 pub use text::suggest::{did_you_mean, similar};

@@ -65,7 +65,7 @@
 //! | exact rational forms | [`NurbsCurve`], [`RationalBezier`], [`RationalBezierSurface`], [`RationalRun`] |
 //! | patches, nets, whole cyclides | [`CyclidePatch`], [`CyclidicNet`], [`DupinCyclide`], [`QuadGrid`], [`Seam`] |
 //! | quads made circular | `make_circular`, with the feature `circular-mesh` |
-//! | tori and curves on them | [`Torus`], [`TorusSpline`] (through points, torus knots), [`CircleFamily`], [`QuarticType`] |
+//! | tori and curves on them | [`Torus`], [`TorusSpline`] (through points, torus knots, laid flat), [`CircleFamily`], [`QuarticType`], [`TorusSeam`] |
 //! | surfaces over triangles | [`SmoothMesh`], [`SmoothTriangle`], [`SphereBlend`] |
 //! | bodies made from curves | [`Revolution`], [`Pipe`], [`NeckBlend`], [`EllipseBridge`], [`Body::ruled`], [`Body::circular`] |
 //! | bodies made from solids | [`ConvexPolyhedron`], [`SphericalPolygon`] |
@@ -112,7 +112,7 @@ pub use construct::{
 pub use construct::{ConvexPolyhedron, PolyhedronEdge, SphericalPolygon};
 pub use construct::{EllipseBridge, NeckBlend, NeckBody, NeckSide, NeckVariant, PlateShape};
 pub use construct::{FairFit, FairFitCertificate, FairFitOptions};
-pub use construct::{Pipe, PipeEnds, RationalRun, Revolution};
+pub use construct::{Pipe, PipeEnds, RationalRun, Revolution, TorusSeam};
 pub use construct::{
     ProjectiveBiarc, TorusMap, TorusSplineOptions, TorusTangent, TorusWinding, TwoTypeBiarc, UnrollOptions,
     UnrolledSpline,
