@@ -2,8 +2,8 @@
 
 use cyclide::{ErrorItem, Point3, ShortNumber, Warning};
 
-use super::Builder;
 use super::curves::{Origin, Points, point_steps};
+use super::{Builder, Remark};
 use crate::document::angle::Angle;
 use crate::document::coordinates::Coordinates;
 use crate::document::locate::{Step, path_text, span_of};
@@ -22,11 +22,12 @@ enum Blame {
 impl Builder<'_> {
     /// What the kernel said; it counts points after repeated ones were merged, which is said where the number matters.
     fn words(&self, error: &cyclide::Error, contour: usize) -> String {
-        let merged = |(c, w): &(usize, Warning)| {
-            *c == contour && matches!(w, Warning::PointsMerged { .. } | Warning::ClosingPointMerged { .. })
+        let merged = |remark: &Remark| {
+            let merges = |w: &Warning| matches!(w, Warning::PointsMerged { .. } | Warning::ClosingPointMerged { .. });
+            remark.contour == Some(contour) && remark.warning.as_ref().is_some_and(merges)
         };
         match (error, self.spec) {
-            (cyclide::Error::TooFewPoints { .. }, _) if self.warnings.iter().any(merged) => {
+            (cyclide::Error::TooFewPoints { .. }, _) if self.remarks.iter().any(merged) => {
                 format!("{error} (repeated points count once)")
             }
             (cyclide::Error::ParameterOutOfRange { name: ErrorItem::Distance, .. }, ObjectSpec::Offset(spec))
