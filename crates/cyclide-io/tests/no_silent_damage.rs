@@ -185,7 +185,7 @@ fn curvatures_without_bounds_are_null_with_the_reason() {
         assert_eq!(range["unbounded"].is_string(), unbounded, "{range}");
         let (min, max) =
             (range["min"].as_f64().unwrap_or(f64::NEG_INFINITY), range["max"].as_f64().unwrap_or(f64::INFINITY));
-        let against = face.surface.patch().unwrap().is_flipped() == face.same_sense;
+        let against = face.outer_sign_of_unit_normal() < 0.0;
         for i in 0..2000 {
             // Nearer and nearer to both ends.
             let near = 10.0_f64.powf(-8.0 * f64::from(i % 1000) / 1000.0);
