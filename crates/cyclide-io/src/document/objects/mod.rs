@@ -29,7 +29,7 @@ use super::Document;
 use super::construct::ContourFacts;
 use super::coordinates::PointSource;
 use super::locate::{Step, path_text, span_of};
-use super::spec::{CyclidicNetSpec, GridSource, ObjectSpec, PolygonMeshFile};
+use super::spec::{CyclidicNetSpec, GridSource, ObjectSpec};
 use crate::error::{Error, Result};
 use crate::export::provenance::Provenance;
 use crate::text::place::Diagnostic;
@@ -154,8 +154,8 @@ impl Document {
             (ObjectSpec::CyclidicNet(CyclidicNetSpec { grid: GridSource::File(file), .. }), _) => {
                 Some(file.obj.as_str())
             }
-            (ObjectSpec::SmoothPolyhedron(spec), _) => spec.mesh.as_ref().map(PolygonMeshFile::path),
-            (ObjectSpec::SmoothMesh(spec), _) => spec.mesh.as_ref().map(PolygonMeshFile::path),
+            (ObjectSpec::SmoothPolyhedron(spec), _) => spec.mesh.as_ref().map(|file| file.path.as_str()),
+            (ObjectSpec::SmoothMesh(spec), _) => spec.mesh.as_ref().map(|file| file.path.as_str()),
             _ => None,
         })
     }

@@ -105,7 +105,7 @@ impl Builder<'_> {
         let (points, faces) = welded(&given.points, &given.faces);
         let largest = points.iter().map(|p| p.to_vec().max_abs()).fold(0.0, f64::max);
         // Formats whose numbers have single precision.
-        let single = matches!(file, PolygonMeshFile::Stl(_) | PolygonMeshFile::Glb(_));
+        let single = file.format.entry().is_single;
         let flatness = single.then_some(SINGLE * largest);
         Ok(Mesh { points, faces: Some(faces), flatness, field: "mesh", file: Some(name) })
     }

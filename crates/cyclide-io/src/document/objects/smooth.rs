@@ -108,10 +108,7 @@ impl Builder<'_> {
             NormalsSpec::File if given.mesh.corner_normals.is_empty() => {
                 let why = match &spec.mesh {
                     None => "there is no file: give one for each of `vertices`, or take \"angle\" or \"sphere\"",
-                    Some(PolygonMeshFile::Stl(_)) => {
-                        "STL has normals of triangles, not of vertices: take \"angle\" or \"sphere\""
-                    }
-                    Some(_) => "the file does not have a normal for every corner: take \"angle\" or \"sphere\"",
+                    Some(file) => file.format.entry().without_normals,
                 };
                 return Err(Error::Input(self.diagnostic(["normals".into()], why)));
             }
@@ -122,7 +119,7 @@ impl Builder<'_> {
 
     fn polygon_file(&mut self, file: &PolygonMeshFile) -> Result<Given> {
         let (name, mesh) = self.mesh_of_file(file)?;
-        let shared = matches!(file, PolygonMeshFile::Obj(_) | PolygonMeshFile::Ply(_));
+        let shared = file.format.entry().shares_vertices;
         Ok(Given { mesh, file: Some(name), shared })
     }
 
