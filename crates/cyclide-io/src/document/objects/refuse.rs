@@ -177,9 +177,8 @@ fn blame(spec: &ObjectSpec, error: &cyclide::Error) -> Blame {
         _ => Blame::Entry("tangents", index),
     };
     let is_patch = matches!(spec, ObjectSpec::CyclidePatch(_));
-    let of_distance = ["offset-on-focal-set", "offset-not-regular", "not-a-shell"];
     match *error {
-        _ if matches!(spec, ObjectSpec::Offset(_)) && of_distance.contains(&error.reason()) => Blame::Field("distance"),
+        _ if matches!(spec, ObjectSpec::Offset(_)) && is_of_distance(error) => Blame::Field("distance"),
         _ if matches!(
             spec,
             ObjectSpec::PlateWithNeck(_)
@@ -228,6 +227,16 @@ fn blame(spec: &ObjectSpec, error: &cyclide::Error) -> Blame {
         E::ParameterOutOfRange { name: I::EdgePoints, .. } => Blame::Field("polyline"),
         E::ParameterOutOfRange { name, .. } => Blame::Field(name.word()),
         _ => error.index().map_or(Blame::Object, Blame::Point),
+    }
+}
+
+/// Whether the distance of an offset is at fault, in the whole of it or in one of its quads.
+fn is_of_distance(error: &cyclide::Error) -> bool {
+    use cyclide::Error as E;
+    match error {
+        E::InQuad { cause, .. } => is_of_distance(cause),
+        E::OffsetOnFocalSet { .. } | E::OffsetNotRegular { .. } | E::NotAShell { .. } => true,
+        _ => false,
     }
 }
 
