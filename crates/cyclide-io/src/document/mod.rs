@@ -33,14 +33,15 @@ pub use objects::{BuiltObject, ModelBuilder, NO_EFFECT, Remark, RoundedPolyhedro
 use plain_words::{in_plain_words, other_word_for, syntax_in_plain_words, wrong_count};
 pub use schema::document_schema;
 pub use spec::{
-    AnglePairs, ArcFitSpec, ArcSpec, ArcSplineSpec, BiarcSpec, BorderCurves, BorderSpec, BorderWord, CircleSpec, CircleSplineSpec,
-    CircularSurfaceSpec, ClampedEnds, Comment, CyclidePatchSpec, CyclideSpec, CyclidicNetSpec, DiskSpec,
-    EllipseBridgeSpec, EndsSpec, FamilySpec, FairEndPair, FairEndSpec, FairEndWord, FairEndsSpec, FairFitSpec, FairSplineSpec,
-    FrameSpec, GridSource, MakeCircularOptions, MakeCircularSpec, MeshFile, NormalsSpec, ObjectSpec, OffsetSpec,
-    PipeSpec, PlaneSpec, PlateSpec, PlateWithNeckSpec, PolygonMeshFile, PolylineSpec, RadiiSpec, RatePairs, RevolutionSpec,
-    RotationSpec, RuledSpec, ScaleSpec, SmoothMeshSpec, SmoothPolyhedronSpec, SphereBlendSpec, SphereSpec, StepSpec,
-    StraightWord, SupportStructureSpec, TorusCircleSpec, TorusKnotSpec, TorusMethod, TorusSource, TorusSpec, TorusSplineSpec,
-    TransformSpec, TypeWord, UnrolledSpec, WindingSpec,
+    AnglePairs, ArcFitSpec, ArcSpec, ArcSplineSpec, BiarcSpec, BorderCurves, BorderSpec, BorderWord, CircleSpec,
+    CircleSplineSpec, CircularSurfaceSpec, ClampedEnds, Comment, CyclidePatchSpec, CyclideSpec, CyclidicNetSpec,
+    DiskSpec, EllipseBridgeSpec, EndsSpec, FairEndPair, FairEndSpec, FairEndWord, FairEndsSpec, FairFitSpec,
+    FairSplineSpec, FamilySpec, FrameSpec, GridSource, MakeCircularOptions, MakeCircularSpec, MeshFile, NormalsSpec,
+    ObjectSpec, OffsetSpec, PipeSpec, PlaneSpec, PlateSpec, PlateWithNeckSpec, PolygonMeshFile, PolylineSpec,
+    RadiiSpec, RatePairs, RevolutionSpec, RotationSpec, RuledSpec, ScaleSpec, SmoothMeshSpec, SmoothPolyhedronSpec,
+    SphereBlendSpec, SphereSpec, StepSpec, StraightWord, SupportStructureSpec, TorusCircleSpec, TorusKnotSpec,
+    TorusMethod, TorusSeamSpec, TorusSource, TorusSpec, TorusSplineSpec, TransformSpec, TypeWord, UnrolledSpec,
+    WindingSpec,
 };
 
 /// The document version this crate reads.

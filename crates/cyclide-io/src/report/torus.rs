@@ -4,7 +4,8 @@ use std::collections::BTreeMap;
 use std::fmt;
 
 use cyclide::{
-    CircleFamily, CurveObject, Exactness, Lower as _, ParamCurve as _, QuarticType, SegmentMethod, TorusMap, TorusSpline,
+    CircleFamily, CurveObject, Exactness, Lower as _, ParamCurve as _, QuarticType, SegmentMethod, TorusMap,
+    TorusSpline,
 };
 use serde::Serialize;
 

@@ -139,6 +139,7 @@ impl ObjectSpec {
             Self::Revolution(s) => of(s.of.as_str()),
             Self::Pipe(s) => of(s.of.as_str()),
             Self::Unrolled(s) => of(s.of.as_str()),
+            Self::TorusSeam(s) => of(s.of.as_str()),
             Self::TorusSpline(s) => torus(&s.torus),
             Self::TorusKnot(s) => torus(&s.torus),
             Self::TorusCircle(s) => torus(&s.torus),

@@ -1,8 +1,9 @@
 //! Curves on a torus: splines, knots, circles, and curves laid flat.
 
 use cyclide::{
-    ArcPath, Circle, CurveObject, Error as E, ErrorItem as I, Point2, ShortNumber, Torus, TorusMap, TorusSpline,
-    TorusSplineOptions, TorusTangent, TorusWinding, UnrollOptions,
+    ArcPath, Body, Circle, CurveObject, Error as E, ErrorItem as I, Lower as _, Pipe, Point2, ShortNumber,
+    SurfaceObject, Torus, TorusMap, TorusSeam, TorusSpline, TorusSplineOptions, TorusTangent, TorusWinding,
+    UnrollOptions,
 };
 
 use super::Builder;
@@ -12,10 +13,10 @@ use super::refuse::Blame;
 use crate::document::angle::Angle;
 use crate::document::construct::{Contour, ContourFacts, Made};
 use crate::document::coordinates::Coordinates;
-use crate::document::locate::{Step, path_text};
+use crate::document::locate::Step;
 use crate::document::spec::{
-    CyclideSpec, ObjectSpec, TorusCircleSpec, TorusKnotSpec, TorusMethod, TorusSource, TorusSplineSpec, UnrolledSpec,
-    WindingSpec,
+    CyclideSpec, ObjectSpec, TorusCircleSpec, TorusKnotSpec, TorusMethod, TorusSeamSpec, TorusSource, TorusSplineSpec,
+    UnrolledSpec, WindingSpec,
 };
 use crate::error::{Error, Result};
 use crate::input::points::PointList;
@@ -26,6 +27,9 @@ const NEAR: f64 = 1e-6;
 
 /// Distance within which arcs stand for a curve that is laid flat where nothing is said, as part of the width of the plane.
 const FLAT: f64 = 1e-5;
+
+/// Distance within which the edges of a seam follow its curve where nothing is said, as part of its width.
+const SEAM: f64 = 1e-3;
 
 /// What became of a curve of a torus when it was laid flat, over all its contours.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -45,9 +49,12 @@ pub struct UnrolledPlane {
 }
 
 impl ObjectSpec {
-    /// True for curves that are given on a torus.
+    /// True for curves that are given on a torus, and what is made of them.
     pub(super) fn is_on_torus(&self) -> bool {
-        matches!(self, Self::TorusSpline(_) | Self::TorusKnot(_) | Self::TorusCircle(_) | Self::Unrolled(_))
+        matches!(
+            self,
+            Self::TorusSpline(_) | Self::TorusKnot(_) | Self::TorusCircle(_) | Self::Unrolled(_) | Self::TorusSeam(_)
+        )
     }
 }
 
@@ -151,7 +158,7 @@ impl Builder<'_> {
         if moved <= NEAR * torus.major_radius() {
             return;
         }
-        let place = (!self.document.text.is_empty()).then(|| path_text(&self.path([Step::from(field)])));
+        let place = self.place_of([Step::from(field)]);
         let message = format!(
             "points are up to {} away from the torus: each was moved to the nearest point of it",
             ShortNumber(moved)
@@ -159,17 +166,41 @@ impl Builder<'_> {
         self.remark("moved-onto-torus", None, None, place, message);
     }
 
-    /// Curves of a torus laid flat.
-    pub(super) fn unrolled(&mut self, spec: &UnrolledSpec) -> Result<Vec<CurveObject>> {
+    /// The splines that the source consists of, one at least.
+    fn splines_of_source(&self, needed: &str) -> Result<Vec<TorusSpline>> {
         let source = self.sources.first().map_or(&[][..], |source| source.item.curves());
         let on_torus = |curve: &CurveObject| match curve {
             CurveObject::TorusSpline(spline) => Some(spline.clone()),
             _ => None,
         };
         let splines: Vec<TorusSpline> = source.iter().map_while(on_torus).collect();
-        let Some(torus) = splines.first().map(|spline| *spline.torus()).filter(|_| splines.len() == source.len()) else {
-            return Err(self.wrong_source("only a `torus-spline` or a `torus-knot` is laid flat with its torus"));
-        };
+        if splines.is_empty() || splines.len() < source.len() { Err(self.wrong_source(needed)) } else { Ok(splines) }
+    }
+
+    /// Raised or sunk seams.
+    pub(super) fn torus_seam(&mut self, spec: &TorusSeamSpec) -> Result<Vec<SurfaceObject>> {
+        let splines = self.splines_of_source("only a `torus-spline` or a `torus-knot` has a seam along it")?;
+        let tolerance = spec.tolerance.unwrap_or(SEAM * spec.width);
+        let bodies = TorusSeam::new(spec.width, spec.height)
+            .and_then(|seam| splines.iter().map(|spline| seam.body(spline, tolerance)).collect::<cyclide::Result<_>>());
+        let bodies: Vec<Body> = bodies.map_err(|e| self.refused(&e, None))?;
+        // Where pipes as wide as the seam run into themselves or each other, the seam does.
+        let pipe = Pipe::new(0.5 * spec.width).map_err(|e| self.refused(&e, None))?;
+        let spines: Vec<ArcPath> =
+            splines.iter().filter_map(|spline| spline.to_arcs(tolerance).ok()).map(|(path, _)| path).collect();
+        let with_itself = spines.iter().any(|path| matches!(pipe.body(path), Err(E::PipeMeetsItself { .. })));
+        if with_itself || pipe.first_meeting(&spines).is_ok_and(|meeting| meeting.is_some()) {
+            let place = self.place_of([Step::from("width")]);
+            let message = "the seam comes nearer to itself than its width: the solid runs through itself there, and volume and area count twice what it shares";
+            self.remark("seam-meets-itself", None, None, place, message.to_owned());
+        }
+        Ok(bodies.into_iter().map(SurfaceObject::Body).collect())
+    }
+
+    /// Curves of a torus laid flat.
+    pub(super) fn unrolled(&mut self, spec: &UnrolledSpec) -> Result<Vec<CurveObject>> {
+        let splines = self.splines_of_source("only a `torus-spline` or a `torus-knot` is laid flat with its torus")?;
+        let torus = *splines[0].torus();
         let size = spec.map.size(&torus);
         let mut options = UnrollOptions::new(spec.tolerance.unwrap_or(FLAT * size[0]));
         options.map = spec.map;
@@ -317,12 +348,19 @@ pub(super) fn blame_torus(spec: &ObjectSpec, error: &cyclide::Error) -> Blame {
         E::NotFinite { what: I::Knot, index } => Blame::Entry("knots", *index),
         E::EmptyInterval { index, .. } => Blame::Entry("knots", index + 1),
         E::NotCoprime { .. } => Blame::Field("turns"),
+        E::ParameterOutOfRange { name: name @ (I::Width | I::Height), .. } => Blame::Field(name.word()),
+        E::RadiusNotPositive { .. } => Blame::Field("width"),
+        _ if matches!(spec, ObjectSpec::TorusSeam(_))
+            && !matches!(error, E::ToleranceNotPositive { .. } | E::TooManyPieces { .. }) =>
+        {
+            Blame::Field("of")
+        }
         E::NoTwoTypeSolution { .. } => Blame::Field("method"),
         E::ToleranceNotPositive { .. } => Blame::Field("tolerance"),
         E::CountDiffers { what: I::Winding, .. } => Blame::Field("winding"),
         E::ParameterOutOfRange { name: I::Winding, .. } | E::TooManyPieces { .. } => match spec {
             ObjectSpec::TorusKnot(_) => Blame::Field("turns"),
-            ObjectSpec::Unrolled(_) => Blame::Field("tolerance"),
+            ObjectSpec::Unrolled(_) | ObjectSpec::TorusSeam(_) => Blame::Field("tolerance"),
             _ => Blame::Field("winding"),
         },
         E::ParameterOutOfRange { name: I::TangentOverSpan, .. } => match spec {

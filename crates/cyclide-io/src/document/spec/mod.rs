@@ -39,8 +39,8 @@ pub use smooth::{NormalsSpec, SmoothMeshSpec, SphereBlendSpec};
 pub use surfaces::CyclidePatchSpec;
 pub use swept::{CircularSurfaceSpec, DiskSpec, EllipseBridgeSpec, PlateSpec, PlateWithNeckSpec, RuledSpec};
 pub use torus::{
-    AnglePairs, FamilySpec, RatePairs, TorusCircleSpec, TorusKnotSpec, TorusMethod, TorusSource, TorusSpec,
-    TorusSplineSpec, UnrolledSpec, WindingSpec,
+    AnglePairs, FamilySpec, RatePairs, TorusCircleSpec, TorusKnotSpec, TorusMethod, TorusSeamSpec, TorusSource,
+    TorusSpec, TorusSplineSpec, UnrolledSpec, WindingSpec,
 };
 
 /// A cyclide model: named curves and surfaces made of circles. Lengths are in the document's units and are never rescaled,
@@ -95,6 +95,8 @@ pub enum ObjectSpec {
     TorusCircle(TorusCircleSpec),
     /// A curve of a torus laid flat.
     Unrolled(UnrolledSpec),
+    /// A raised or sunk seam along a curve of a torus.
+    TorusSeam(TorusSeamSpec),
     /// One patch of a Dupin cyclide, bounded by four circular arcs.
     CyclidePatch(CyclidePatchSpec),
     /// A whole Dupin cyclide.
@@ -202,6 +204,7 @@ object_types! {
     "torus-knot" => TorusKnot,
     "torus-circle" => TorusCircle,
     "unrolled" => Unrolled,
+    "torus-seam" => TorusSeam,
     "cyclide-patch" => CyclidePatch,
     "cyclide" => Cyclide,
     "cyclidic-net" => CyclidicNet,

@@ -180,6 +180,31 @@ pub struct UnrolledSpec {
     pub border: bool,
 }
 
+/// A solid along a curve of a torus with a rectangular section: a raised seam to be fused to the torus, a sunk one to be cut from it.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct TorusSeamSpec {
+    /// The word `torus-seam`.
+    #[schemars(with = "String", extend("const" = "torus-seam"))]
+    pub r#type: TypeWord,
+    /// What the author remarks; read and left aside.
+    #[serde(default)]
+    pub comment: Comment,
+    /// Construction geometry: built and reported, not written to files.
+    #[serde(default)]
+    pub construction: bool,
+    /// Name of the `torus-spline` or `torus-knot`, which may be construction geometry.
+    pub of: String,
+    /// Width across the curve.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub width: f64,
+    /// From where to where it reaches, along the outward normal of the torus: negative below the surface.
+    pub height: [f64; 2],
+    /// Distance within which the edges follow the curve. Default: a thousandth of the width.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub tolerance: Option<f64>,
+}
+
 /// A ring torus: a tube about a circle.
 #[derive(Debug, Clone, Copy, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -270,7 +295,9 @@ impl<'de, T: Deserialize<'de>> Visitor<'de> for PairsVisitor<T> {
     /// The pairs, and whether they are in degrees.
     type Value = (Vec<T>, bool);
     fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("pairs of longitude and meridian angle, `[[0, 0.5], …]` in radians or `{\"degrees\": [[0, 30], …]}`")
+        f.write_str(
+            "pairs of longitude and meridian angle, `[[0, 0.5], …]` in radians or `{\"degrees\": [[0, 30], …]}`",
+        )
     }
     fn visit_seq<A: SeqAccess<'de>>(self, seq: A) -> Result<Self::Value, A::Error> {
         Vec::deserialize(SeqAccessDeserializer::new(seq)).map(|pairs| (pairs, false))
@@ -326,7 +353,10 @@ impl JsonSchema for AnglePairs {
         "AnglePairs".into()
     }
     fn json_schema(_generator: &mut SchemaGenerator) -> Schema {
-        pairs_schema("Pairs of longitude and meridian angle: in radians, or in degrees with their name.", &pair_schema())
+        pairs_schema(
+            "Pairs of longitude and meridian angle: in radians, or in degrees with their name.",
+            &pair_schema(),
+        )
     }
 }
 
@@ -336,7 +366,10 @@ impl JsonSchema for RatePairs {
     }
     fn json_schema(_generator: &mut SchemaGenerator) -> Schema {
         let pair = json_schema!({ "anyOf": [pair_schema(), { "type": "null" }] });
-        pairs_schema("Pairs of rates of longitude and meridian angle, in radians, or in degrees with their name.", &pair)
+        pairs_schema(
+            "Pairs of rates of longitude and meridian angle, in radians, or in degrees with their name.",
+            &pair,
+        )
     }
 }
 

@@ -10,6 +10,7 @@ mod kinks;
 mod neck;
 mod pipe;
 mod polyhedron;
+mod rail_surface;
 mod rails;
 mod revolution;
 mod rotated_rows;
@@ -22,6 +23,7 @@ pub use ellipse_bridge::EllipseBridge;
 pub use neck::{NeckBlend, NeckBody, NeckSide, NeckVariant, PlateShape};
 pub use pipe::{Pipe, PipeEnds};
 pub use polyhedron::{ConvexPolyhedron, PolyhedronEdge, SphericalPolygon};
+pub use rail_surface::RailSurface;
 pub use revolution::Revolution;
 pub use torus_seam::TorusSeam;
 

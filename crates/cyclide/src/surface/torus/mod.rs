@@ -23,9 +23,9 @@ mod spline_curve;
 mod spline_edit;
 
 pub use class::TorusClasses;
+pub(crate) use crossing::PlaceAngle;
 pub use family::{CircleFamily, QuarticType};
 pub use junction::TorusJunction;
-pub(crate) use crossing::PlaceAngle;
 pub(crate) use piece::Course;
 pub use piece::TorusPiece;
 pub(crate) use rows::Spans;
