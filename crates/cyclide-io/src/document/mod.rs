@@ -36,12 +36,12 @@ pub use spec::{
     AnglePairs, ArcFitSpec, ArcSpec, ArcSplineSpec, BiarcSpec, BorderCurves, BorderSpec, BorderWord, CircleSpec,
     CircleSplineSpec, CircularSurfaceSpec, ClampedEnds, Comment, CyclidePatchSpec, CyclideSpec, CyclidicNetSpec,
     DiskSpec, EllipseBridgeSpec, EndsSpec, FairEndPair, FairEndSpec, FairEndWord, FairEndsSpec, FairFitSpec,
-    FairSplineSpec, FamilySpec, FrameSpec, GridSource, MakeCircularOptions, MakeCircularSpec, MeshFile, NormalsSpec,
-    ObjectSpec, OffsetSpec, PipeSpec, PlaneSpec, PlateSpec, PlateWithNeckSpec, PolygonMeshFile, PolylineSpec,
-    RadiiSpec, RatePairs, RevolutionSpec, RotationSpec, RuledSpec, ScaleSpec, SmoothMeshSpec, SmoothPolyhedronSpec,
-    SphereBlendSpec, SphereSpec, StepSpec, StraightWord, SupportStructureSpec, TorusCircleSpec, TorusKnotSpec,
-    TorusMethod, TorusSeamSpec, TorusSource, TorusSpec, TorusSplineSpec, TransformSpec, TypeWord, UnrolledSpec,
-    WindingSpec,
+    FairSplineSpec, FamilySpec, FrameSpec, FreeOr, GridSource, MakeCircularOptions, MakeCircularSpec, MeshFile,
+    NormalsSpec, ObjectSpec, OffsetSpec, PipeSpec, PlaneSpec, PlateSpec, PlateWithNeckSpec, PolygonMeshFile,
+    PolylineSpec, RadiiSpec, RatePairs, RevolutionSpec, RotationSpec, RuledSpec, ScaleSpec, SmoothMeshSpec,
+    SmoothPolyhedronSpec, SphereBlendSpec, SphereSpec, StepSpec, StraightWord, SupportStructureSpec, TorusCircleSpec,
+    TorusKnotSpec, TorusMethod, TorusSeamSpec, TorusSource, TorusSpec, TorusSplineSpec, TransformSpec, TypeWord,
+    UnrolledSpec, WindingSpec,
 };
 
 /// The document version this crate reads.

@@ -15,8 +15,8 @@ use crate::document::construct::{Contour, ContourFacts, Made};
 use crate::document::coordinates::Coordinates;
 use crate::document::locate::Step;
 use crate::document::spec::{
-    CyclideSpec, ObjectSpec, TorusCircleSpec, TorusKnotSpec, TorusMethod, TorusSeamSpec, TorusSource, TorusSplineSpec,
-    UnrolledSpec, WindingSpec,
+    CyclideSpec, FreeOr, ObjectSpec, TorusCircleSpec, TorusKnotSpec, TorusMethod, TorusSeamSpec, TorusSource,
+    TorusSplineSpec, UnrolledSpec, WindingSpec,
 };
 use crate::error::{Error, Result};
 use crate::input::points::PointList;
@@ -110,7 +110,7 @@ impl Builder<'_> {
     /// Fields that do not go together.
     fn check_fields(&self, spec: &TorusSplineSpec) -> Result<()> {
         let two_types = spec.method == TorusMethod::TwoTypes;
-        let is_directed = spec.tangents.as_ref().is_some_and(|all| all.iter().all(Option::is_some))
+        let is_directed = spec.tangents.as_ref().is_some_and(|all| all.iter().all(|FreeOr(given)| given.is_some()))
             || spec.rates.as_ref().is_some_and(|all| all.pairs.iter().all(Option::is_some));
         let message = if spec.tangents.is_some() && spec.rates.is_some() {
             "directions are given by `tangents` or by `rates`"
@@ -223,8 +223,13 @@ impl Builder<'_> {
         }
         if plane.cuts > 0 {
             let (cuts, lines) = (plane.cuts, curves.len());
+            let counted = |count: usize, one: &str, more: &str| {
+                if count == 1 { one.to_owned() } else { format!("{count} {more}") }
+            };
             let message = format!(
-                "the curve crosses the cuts of the torus {cuts} times and is {lines} lines in the plane, which end at its border"
+                "the curve crosses the cuts of the torus {} and is {} in the plane: lines end at its border",
+                counted(cuts, "once", "times"),
+                counted(lines, "one line", "lines")
             );
             self.remark("cut-at-seam", None, None, None, message);
         }
@@ -292,7 +297,7 @@ fn tangents(
     places: &[Point2],
     at: &Contour<'_>,
 ) -> cyclide::Result<Vec<TorusTangent>> {
-    let velocity = |v: &Option<Coordinates>, _: Point2| v.map(|v| TorusTangent::Velocity(v.vector()));
+    let velocity = |FreeOr(v): &FreeOr<Coordinates>, _: Point2| v.map(|v| TorusTangent::Velocity(v.vector()));
     let rate = |r: &Option<[f64; 2]>, place| r.map(|r| TorusTangent::Rate(torus.rate_of_angles(place, r)));
     match (&spec.tangents, &spec.rates) {
         (Some(given), _) => of_kept(given, places, at, velocity),

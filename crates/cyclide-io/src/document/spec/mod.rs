@@ -39,7 +39,7 @@ pub use smooth::{NormalsSpec, SmoothMeshSpec, SphereBlendSpec};
 pub use surfaces::CyclidePatchSpec;
 pub use swept::{CircularSurfaceSpec, DiskSpec, EllipseBridgeSpec, PlateSpec, PlateWithNeckSpec, RuledSpec};
 pub use torus::{
-    AnglePairs, FamilySpec, RatePairs, TorusCircleSpec, TorusKnotSpec, TorusMethod, TorusSeamSpec, TorusSource,
+    AnglePairs, FamilySpec, FreeOr, RatePairs, TorusCircleSpec, TorusKnotSpec, TorusMethod, TorusSeamSpec, TorusSource,
     TorusSpec, TorusSplineSpec, UnrolledSpec, WindingSpec,
 };
 

@@ -40,10 +40,11 @@ pub struct TorusSplineSpec {
     /// Distance within which points must be near the torus. Default: a millionth of its major radius.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub tolerance: Option<f64>,
-    /// Velocities in space, one for each point, by the knots: their length counts. What they have across the torus is left out; `null`
-    /// leaves a point free.
-    pub tangents: Option<Vec<Option<Coordinates>>>,
-    /// Velocities as rates of longitude and meridian angle, one for each point, by the knots; `null` leaves a point free.
+    /// Velocities in space, one for each point, by the knots: their length counts. What they have across the torus is left out;
+    /// `"free"` leaves a point its own.
+    pub tangents: Option<Vec<FreeOr<Coordinates>>>,
+    /// Velocities as rates of longitude and meridian angle, one for each point, by the knots; `"free"` leaves a
+    /// point its own.
     pub rates: Option<RatePairs>,
     /// The parameter at each point, increasing, and of a closed curve at its end. Default: 0, 1, 2, ….
     pub knots: Option<Vec<f64>>,
@@ -273,13 +274,46 @@ pub struct AnglePairs {
     pub in_degrees: bool,
 }
 
-/// The same where a pair may be left free by `null`.
+/// The same for rates, of which any may be left free.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct RatePairs {
     /// In radians by the knots.
     pub pairs: Vec<Option<[f64; 2]>>,
     /// True if the document has them in degrees.
     pub in_degrees: bool,
+}
+
+/// A velocity, or the word `free`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FreeOr<T>(pub Option<T>);
+
+impl<'de, T: Deserialize<'de>> Deserialize<'de> for FreeOr<T> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct FreeVisitor<T>(std::marker::PhantomData<T>);
+        impl<'de, T: Deserialize<'de>> Visitor<'de> for FreeVisitor<T> {
+            type Value = FreeOr<T>;
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str("a list of numbers, or the word `free`")
+            }
+            fn visit_str<E: serde::de::Error>(self, word: &str) -> Result<FreeOr<T>, E> {
+                if word == "free" { Ok(FreeOr(None)) } else { Err(E::unknown_variant(word, &["free"])) }
+            }
+            fn visit_seq<A: SeqAccess<'de>>(self, seq: A) -> Result<FreeOr<T>, A::Error> {
+                T::deserialize(SeqAccessDeserializer::new(seq)).map(|given| FreeOr(Some(given)))
+            }
+        }
+        deserializer.deserialize_any(FreeVisitor(std::marker::PhantomData))
+    }
+}
+
+impl JsonSchema for FreeOr<Coordinates> {
+    fn schema_name() -> std::borrow::Cow<'static, str> {
+        "FreeOrVelocity".into()
+    }
+    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
+        let one = generator.subschema_for::<Coordinates>();
+        json_schema!({ "description": "A velocity, or the word `free`.", "anyOf": [one, { "const": "free" }] })
+    }
 }
 
 /// A list of pairs as it stands, or in degrees.
@@ -321,9 +355,9 @@ impl<'de> Deserialize<'de> for AnglePairs {
 
 impl<'de> Deserialize<'de> for RatePairs {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let visitor = PairsVisitor::<Option<[f64; 2]>>(std::marker::PhantomData);
+        let visitor = PairsVisitor::<FreeOr<[f64; 2]>>(std::marker::PhantomData);
         let (pairs, in_degrees) = deserializer.deserialize_any(visitor)?;
-        let radians = |pair: Option<[f64; 2]>| pair.map(|pair| in_radians(pair, in_degrees));
+        let radians = |FreeOr(pair): FreeOr<[f64; 2]>| pair.map(|pair| in_radians(pair, in_degrees));
         Ok(Self { pairs: pairs.into_iter().map(radians).collect(), in_degrees })
     }
 }
@@ -365,7 +399,7 @@ impl JsonSchema for RatePairs {
         "RatePairs".into()
     }
     fn json_schema(_generator: &mut SchemaGenerator) -> Schema {
-        let pair = json_schema!({ "anyOf": [pair_schema(), { "type": "null" }] });
+        let pair = json_schema!({ "anyOf": [pair_schema(), { "const": "free" }] });
         pairs_schema(
             "Pairs of rates of longitude and meridian angle, in radians, or in degrees with their name.",
             &pair,
@@ -459,7 +493,7 @@ mod tests {
         let degrees = parse("{\"degrees\":[[180,-90]]}").unwrap();
         assert_eq!(degrees.pairs, [[std::f64::consts::PI, -std::f64::consts::FRAC_PI_2]]);
         assert!(degrees.in_degrees);
-        let rates: RatePairs = serde_json::from_str("{\"degrees\":[[180,0],null]}").unwrap();
+        let rates: RatePairs = serde_json::from_str("{\"degrees\":[[180,0],\"free\"]}").unwrap();
         assert_eq!(rates.pairs, [Some([std::f64::consts::PI, 0.0]), None]);
         for (text, message) in [
             ("[1,2]", "invalid type: integer `1`"),

@@ -85,6 +85,7 @@ impl TorusSeam {
                 return Err(out_of_range(ErrorItem::Height, height, [-b, a - b]));
             }
         }
+        self.check_width(spline)?;
         let mut spans = Vec::new();
         for piece in 0..spline.piece_count() {
             self.append_spans(spline, piece, SAFETY * tolerance, &mut spans)?;
@@ -137,38 +138,76 @@ impl TorusSeam {
         Ok(true)
     }
 
+    /// Refuses a width with which the seam folds at one of many places of the curve, with the largest with which it folds at none.
+    fn check_width(&self, spline: &TorusSpline) -> Result<()> {
+        let mut widest = f64::INFINITY;
+        for piece in 0..spline.piece_count() {
+            for k in 0..=2 * PLACES {
+                let moving = Moving::at(spline, piece, f64::from(k) / f64::from(2 * PLACES))?;
+                widest = widest.min(moving.widest(self.heights));
+            }
+        }
+        if self.width <= widest { Ok(()) } else { Err(out_of_range(ErrorItem::Width, self.width, [0.0, widest])) }
+    }
+
     /// The rectangle at a place of the curve.
     ///
     /// # Errors
     /// `zero-tangent`, `parameter-out-of-range` (the seam folds).
     fn section(&self, spline: &TorusSpline, piece: usize, s: f64) -> Result<Section> {
-        let torus = spline.torus();
-        let jet = spline.piece_jet(piece, s);
-        let cusp = || Error::ZeroTangent { index: piece };
-        let (speed, tangent) = (jet.d1.length(), jet.tangent().ok_or_else(cusp)?);
-        let (axis, from_axis) = (torus.frame().z(), jet.point - torus.frame().origin());
-        let outward = (from_axis - axis * from_axis.dot(axis)).unit().ok_or_else(cusp)?;
-        let around = axis.cross(outward);
-        let normal = ((from_axis - outward * torus.major_radius()) / torus.minor_radius()).unit().ok_or_else(cusp)?;
-        let longitude = 2.0 * spline.pieces()[piece].rate(s).x;
-        let normal_rate = (jet.d1 - around * (torus.major_radius() * longitude)) / torus.minor_radius();
-        let tangent_rate = (jet.d2 - tangent * tangent.dot(jet.d2)) / speed;
-        let across = normal.cross(tangent);
-        let across_rate = normal_rate.cross(tangent) + normal.cross(tangent_rate);
+        let moving = Moving::at(spline, piece, s)?;
+        let widest = moving.widest(self.heights);
+        if self.width > widest {
+            return Err(out_of_range(ErrorItem::Width, self.width, [0.0, widest]));
+        }
         let [low, high] = self.heights;
         let half = 0.5 * self.width;
         let places = [[-half, low], [half, low], [half, high], [-half, high]];
-        let derivatives = places.map(|[side, height]| jet.d1 + across_rate * side + normal_rate * height);
-        for [side, height] in places {
-            let unwound = (jet.d1 + normal_rate * height).dot(tangent) / speed;
-            let turned = side.signum() * 0.5 * across_rate.dot(tangent) / speed;
-            if unwound + turned * self.width < SLOWEST {
-                let widest = ((SLOWEST - unwound) / turned).max(0.0);
-                return Err(out_of_range(ErrorItem::Width, self.width, [0.0, widest]));
-            }
-        }
-        let corners = places.map(|[side, height]| jet.point + across * side + normal * height);
-        Ok(Section { corners, derivatives })
+        let Moving { point, velocity, normal, normal_rate, across, across_rate, .. } = moving;
+        Ok(Section {
+            corners: places.map(|[side, height]| point + across * side + normal * height),
+            derivatives: places.map(|[side, height]| velocity + across_rate * side + normal_rate * height),
+        })
+    }
+}
+
+/// The frame at a place of a curve, and how it turns.
+#[derive(Debug, Clone, Copy)]
+struct Moving {
+    point: Point3,
+    velocity: Vec3,
+    tangent: Vec3,
+    normal: Vec3,
+    normal_rate: Vec3,
+    /// Across the curve, along the torus.
+    across: Vec3,
+    across_rate: Vec3,
+}
+
+impl Moving {
+    fn at(spline: &TorusSpline, piece: usize, s: f64) -> Result<Self> {
+        let torus = spline.torus();
+        let (jet, lost) = (spline.piece_jet(piece, s), || Error::ZeroTangent { index: piece });
+        let (speed, tangent) = (jet.d1.length(), jet.tangent().ok_or_else(lost)?);
+        let (axis, from_axis) = (torus.frame().z(), jet.point - torus.frame().origin());
+        let outward = (from_axis - axis * from_axis.dot(axis)).unit().ok_or_else(lost)?;
+        let around = axis.cross(outward);
+        let normal = ((from_axis - outward * torus.major_radius()) / torus.minor_radius()).unit().ok_or_else(lost)?;
+        let longitude = 2.0 * spline.pieces()[piece].rate(s).x;
+        let normal_rate = (jet.d1 - around * (torus.major_radius() * longitude)) / torus.minor_radius();
+        let tangent_rate = (jet.d2 - tangent * tangent.dot(jet.d2)) / speed;
+        let across_rate = normal_rate.cross(tangent) + normal.cross(tangent_rate);
+        let across = normal.cross(tangent);
+        Ok(Self { point: jet.point, velocity: jet.d1, tangent, normal, normal_rate, across, across_rate })
+    }
+
+    /// The largest width with which no corner between these heights falls below the slowest speed along the curve.
+    fn widest(&self, heights: [f64; 2]) -> f64 {
+        let speed = self.velocity.length();
+        let turn = 0.5 * self.across_rate.dot(self.tangent).abs() / speed;
+        let slowest = heights.map(|height| (self.velocity + self.normal_rate * height).dot(self.tangent) / speed);
+        let room = slowest[0].min(slowest[1]) - SLOWEST;
+        if room <= 0.0 { 0.0 } else { room / turn }
     }
 }
 
@@ -229,7 +268,7 @@ fn sewn(spans: &[[[Point3; 4]; 4]], closed: bool) -> Result<Body> {
         }
     }
     if let (false, Some(first), Some(end)) = (closed, vertices.first(), vertices.last()) {
-        for (ring, edges, same_sense) in [(first, across[0], false), (end, across[across.len() - 1], true)] {
+        for (ring, edges, same_sense) in [(first, across[0], true), (end, across[across.len() - 1], false)] {
             let corners = ring.map(|vertex| row(sewing.vertices[vertex]));
             let surface = RationalBezierSurface::new([1, 1], vec![corners[0], corners[3], corners[1], corners[2]])?;
             let side = |edge: usize, forward: bool| Some(FaceEdge { edge, forward });
