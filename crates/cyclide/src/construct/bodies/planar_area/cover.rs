@@ -69,7 +69,7 @@ impl<'a> Lines<'a> {
     }
 
     /// Three faces from a point inside.
-    fn from_inside(&mut self, triangle: [usize; 3]) -> Option<(Point2, [Corners; 3])> {
+    fn about_inside(&mut self, triangle: [usize; 3]) -> Option<(Point2, [Corners; 3])> {
         let middle = |points: [Point2; 3]| {
             let [x, y] = [points.map(|p| p.x), points.map(|p| p.y)].map(|c| c.iter().sum::<f64>() / 3.0);
             Point2::new(x, y)
@@ -135,7 +135,7 @@ pub(super) fn cover(contours: &Contours<'_>) -> Result<(Vec<Point2>, Vec<Corners
             (free[number], free[neighbour]) = (false, false);
             faces[neighbour] = None;
             found.push(corners);
-        } else if let Some((p, corners)) = lines.from_inside(triangles[number]) {
+        } else if let Some((p, corners)) = lines.about_inside(triangles[number]) {
             free[number] = false;
             inside.push(p);
             found.extend(corners);

@@ -112,10 +112,10 @@ impl Profile {
                 of_sector[j] = Some(sewing.arc(walls.vertex(j, k), walls.vertex(j, k + 1), rotor)?);
             }
         }
-        for k in 0..sectors {
+        for (k, parallels) in parallels.iter().enumerate() {
             for (j, piece) in self.pieces.iter().enumerate() {
                 let [low, high] = [walls.meridians[k][j], walls.meridians[(k + 1) % boundaries][j]];
-                let sides = [Some(low), Some(high), parallels[k][j], parallels[k][next(j)]];
+                let sides = [Some(low), Some(high), parallels[j], parallels[next(j)]];
                 let corners = [(j, k), (next(j), k), (j, k + 1), (next(j), k + 1)];
                 let corners = corners.map(|(j, k)| sewing.vertices[walls.vertex(j, k)]);
                 let across = piece.across.map(|across| rotated(turn, across, step * k as f64));
