@@ -8,6 +8,12 @@ use std::str::FromStr;
 ///
 /// The azimuth is 0 in front of the model (the eye is on the side of negative y) and grows to the right, so that the
 /// right view (from the side of positive x) has a quarter turn; the elevation is a quarter turn from above.
+///
+/// ```
+/// use cyclide_io::Camera;
+/// assert_eq!("front".parse::<Camera>(), Ok(Camera::new(0.0, 0.0).unwrap_or_else(|| unreachable!("it is upright"))));
+/// assert!("30,91".parse::<Camera>().is_err());
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Camera {
     azimuth: f64,
