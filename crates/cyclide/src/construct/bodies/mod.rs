@@ -9,6 +9,7 @@ mod input_chain;
 mod kinks;
 mod neck;
 mod pipe;
+mod planar_area;
 mod polyhedron;
 mod rail_surface;
 mod rails;
