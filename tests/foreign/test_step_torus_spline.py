@@ -63,14 +63,14 @@ def test_curves_lie_on_the_torus_of_the_same_file(curve):
     name, shape = curve
     assert modelling.valid(shape) and len(list(explored(shape, TopAbs_SOLID))) == 1
     for face in explored(shape, TopAbs_FACE):
-        surface = BRepAdaptor_Surface(TopoDS.Face_s(face))
+        surface = BRepAdaptor_Surface(TopoDS.Face(face))
         assert surface.GetType() == GeomAbs_Torus
         torus = surface.Torus()
         assert abs(torus.MajorRadius() - A) < 1e-12 and abs(torus.MinorRadius() - B) < 1e-12
         place, axis = torus.Location(), torus.Axis().Direction()
         assert np.linalg.norm(np.array([place.X(), place.Y(), place.Z()]) - CENTER) < 1e-12
         assert abs(abs(np.dot([axis.X(), axis.Y(), axis.Z()], AXIS)) - 1.0) < 1e-14
-    edges = [TopoDS.Edge_s(edge) for edge in explored(shape, TopAbs_EDGE, TopAbs_FACE)]
+    edges = [TopoDS.Edge(edge) for edge in explored(shape, TopAbs_EDGE, TopAbs_FACE)]
     assert edges
     for edge in edges:
         line, first, last = curve_of(edge)
@@ -89,7 +89,7 @@ def curve_of(edge):
 
 def test_velocities_are_continuous(curve):
     name, shape = curve
-    for edge in (TopoDS.Edge_s(edge) for edge in explored(shape, TopAbs_EDGE, TopAbs_FACE)):
+    for edge in (TopoDS.Edge(edge) for edge in explored(shape, TopAbs_EDGE, TopAbs_FACE)):
         line = curve_of(edge)[0]
         if not hasattr(line, "NbKnots"):
             assert name == "villarceau"

@@ -197,8 +197,9 @@ fn parse_object(source: Source<'_>, name: &str, raw: &RawValue) -> Result<Object
     ObjectSpec::parse(&kind, raw.get())
         .ok_or_else(|| {
             let start = offset_in(source.text, word.get());
-            let hint = Some(did_you_mean(&kind, ObjectSpec::TYPES.iter().copied())).filter(|hint| !hint.is_empty());
-            let hint = hint.unwrap_or_else(|| other_word_for(&kind));
+            // What other programs call it is meant before words that look like it.
+            let hint = Some(other_word_for(&kind)).filter(|hint| !hint.is_empty());
+            let hint = hint.unwrap_or_else(|| did_you_mean(&kind, ObjectSpec::TYPES.iter().copied()));
             let message = format!("unknown type `{}`, expected one of `{known}`{hint}", quoted(&kind));
             source.diagnostic(start..start + word.get().len(), &path_text(&at), message)
         })?

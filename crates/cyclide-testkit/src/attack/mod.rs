@@ -91,7 +91,7 @@ const CLASSES: [Class; 22] = [
     ("bridges", 2, swept::bridge),
     ("rails", 3, swept::between_rails),
     ("triangles", 3, triangles::surface),
-    ("tori", 2, tori::curve),
+    ("tori", 3, tori::curve),
     ("seams", 2, tori::seam),
 ];
 

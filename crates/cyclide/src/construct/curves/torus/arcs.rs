@@ -16,9 +16,9 @@ impl SmoothPiece for PieceInSpace<'_> {
         self.0.piece_point(self.1, s)
     }
 
-    fn directed(&self, s: f64) -> Option<(Point3, Vec3)> {
+    fn moving(&self, s: f64) -> (Point3, Vec3) {
         let jet = self.0.piece_jet(self.1, s);
-        Some((jet.point, jet.tangent()?))
+        (jet.point, jet.d1)
     }
 }
 

@@ -274,10 +274,9 @@ impl SmoothPiece for FlatPart<'_> {
         Point3::new(p.x - copy[0] * self.flat.size[0], p.y - copy[1] * self.flat.size[1], 0.0)
     }
 
-    fn directed(&self, s: f64) -> Option<(Point3, Vec3)> {
+    fn moving(&self, s: f64) -> (Point3, Vec3) {
         let (spline, piece) = (self.flat.spline, self.part.piece);
-        let velocity = self.flat.map.velocity(spline.torus(), self.place(s), spline.unrolled_rate(piece, s));
-        let direction = velocity.unit()?;
-        Some((self.point(s), Vec3::new(direction.x, direction.y, 0.0)))
+        let velocity = self.flat.map.velocity(spline.torus(), self.place(s), spline.pieces()[piece].rate(s));
+        (self.point(s), Vec3::new(velocity.x, velocity.y, 0.0))
     }
 }
