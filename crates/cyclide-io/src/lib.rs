@@ -27,7 +27,7 @@ pub use document::{
     CyclidePatchSpec, CyclideSpec, CyclidicNetSpec, DOCUMENT_VERSION, Directions, DiskSpec, Document,
     EllipseBridgeSpec, EndsSpec, FairEndPair, FairEndSpec, FairEndWord, FairEndsSpec, FairFitSpec, FairSplineSpec,
     Fitted, FrameSpec, GridSource, Lists, MakeCircularOptions, MakeCircularSpec, MeshFile, ModelBuilder, NO_EFFECT,
-    NormalsSpec, ObjectSpec, OffsetSpec, PipeSpec, PlaneSpec, PlateSpec, PlateWithNeckSpec, PointFile, PointSource,
+    NormalsSpec, ObjectSpec, OffsetSpec, PipeSpec, PipeTeeSpec, TeeBlendSpec, TeeBranchSpec, TeeLawSpec, TeeMainSpec, TeeRadiusSpec, PlaneSpec, PlateSpec, PlateWithNeckSpec, PointFile, PointSource,
     PolygonMeshFile, PolylineSpec, RadiiSpec, Remark, RevolutionSpec, RotationSpec, RoundedPolyhedron, RuledSpec,
     ScaleSpec, SmoothChoice, SmoothMeshSpec, SmoothPolyhedronSpec, SphereBlendSpec, SphereSpec, StepSpec, StraightWord,
     SupportStructureSpec, TransformSpec, TypeWord, document_schema,

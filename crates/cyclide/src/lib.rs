@@ -67,7 +67,7 @@
 //! | quads made circular | `make_circular`, with the feature `circular-mesh` |
 //! | tori and curves on them | [`Torus`], [`TorusSpline`] (through points, torus knots), [`CircleFamily`], [`QuarticType`] |
 //! | surfaces over triangles | [`SmoothMesh`], [`SmoothTriangle`], [`SphereBlend`] |
-//! | bodies made from curves | [`Revolution`], [`Pipe`], [`NeckBlend`], [`EllipseBridge`], [`Body::ruled`], [`Body::circular`] |
+//! | bodies made from curves | [`Revolution`], [`Pipe`], [`NeckBlend`], [`PipeTee`], [`EllipseBridge`], [`Body::ruled`], [`Body::circular`] |
 //! | bodies made from solids | [`ConvexPolyhedron`], [`SphericalPolygon`] |
 //! | topology | [`Body`], [`Shell`], [`ShellFace`], [`ShellEdge`], [`CutShell`], [`FacePart`], [`FaceSurface`], [`FaceGeometry`], [`EdgeCurve`], [`surface_joints`] |
 //! | polylines and meshes | [`flatten`], [`tessellate`], [`SurfaceMesh`], [`parameter_lines`] |
@@ -111,6 +111,7 @@ pub use construct::{
 };
 pub use construct::{ConvexPolyhedron, PolyhedronEdge, SphericalPolygon};
 pub use construct::{EllipseBridge, NeckBlend, NeckBody, NeckSide, NeckVariant, PlateShape};
+pub use construct::{MadeTee, PipeTee, TeeBlend, TeeBlendFacts, TeeBranch, TeeEnds, TeeMain};
 pub use construct::{FairFit, FairFitCertificate, FairFitOptions};
 pub use construct::{Pipe, PipeEnds, RationalRun, Revolution};
 pub use construct::{ProjectiveBiarc, TorusSplineOptions, TorusTangent, TorusWinding, TwoTypeBiarc};

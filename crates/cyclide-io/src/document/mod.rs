@@ -37,7 +37,7 @@ pub use spec::{
     CircularSurfaceSpec, ClampedEnds, Comment, CyclidePatchSpec, CyclideSpec, CyclidicNetSpec, DiskSpec,
     EllipseBridgeSpec, EndsSpec, FairEndPair, FairEndSpec, FairEndWord, FairEndsSpec, FairFitSpec, FairSplineSpec,
     FrameSpec, GridSource, MakeCircularOptions, MakeCircularSpec, MeshFile, NormalsSpec, ObjectSpec, OffsetSpec,
-    PipeSpec, PlaneSpec, PlateSpec, PlateWithNeckSpec, PolygonMeshFile, PolylineSpec, RadiiSpec, RevolutionSpec,
+    PipeSpec, PipeTeeSpec, TeeBlendSpec, TeeBranchSpec, TeeLawSpec, TeeMainSpec, TeeRadiusSpec, PlaneSpec, PlateSpec, PlateWithNeckSpec, PolygonMeshFile, PolylineSpec, RadiiSpec, RevolutionSpec,
     RotationSpec, RuledSpec, ScaleSpec, SmoothMeshSpec, SmoothPolyhedronSpec, SphereBlendSpec, SphereSpec, StepSpec,
     StraightWord, SupportStructureSpec, TransformSpec, TypeWord,
 };

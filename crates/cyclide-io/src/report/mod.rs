@@ -9,6 +9,7 @@ mod sample;
 mod seam;
 mod smooth;
 mod surface;
+mod tee;
 mod text;
 
 use cyclide::{Geometry, SurfaceObject, Units};
@@ -24,6 +25,7 @@ pub use polyhedron::PolyhedronReport;
 pub use sample::{Spacing, sample};
 pub use seam::SeamReport;
 pub use smooth::{ComparisonReport, SmoothReport};
+pub use tee::TeeBlendReport;
 pub use surface::{CircularReport, PartReport, PatchPlace, ShapeReport, SingularPatchReport, SurfaceReport};
 
 /// The report on a model and the files made of it. As JSON, values that are not finite are `null`.

@@ -6,7 +6,7 @@ mod circular_mesh;
 mod curves;
 
 pub use bodies::{
-    ConvexPolyhedron, EllipseBridge, NeckBlend, NeckBody, NeckSide, NeckVariant, Pipe, PipeEnds, PlateShape,
+    ConvexPolyhedron, EllipseBridge, MadeTee, PipeTee, TeeBlend, TeeBlendFacts, TeeBranch, TeeEnds, TeeMain, NeckBlend, NeckBody, NeckSide, NeckVariant, Pipe, PipeEnds, PlateShape,
     PolyhedronEdge, Revolution, SphericalPolygon,
 };
 #[cfg(feature = "circular-mesh")]

@@ -16,13 +16,14 @@ mod refuse;
 mod smooth;
 mod surfaces;
 mod swept;
+mod tees;
 
 use std::io;
 use std::path::{Path, PathBuf};
 
 #[cfg(feature = "circular-mesh")]
 use cyclide::CircularMeshReport;
-use cyclide::{Body, Geometry, Item, Point3, Seam, SurfaceObject, Warning};
+use cyclide::{Body, Geometry, Item, Point3, Seam, SurfaceObject, TeeBlendFacts, Warning};
 
 use super::Document;
 use super::construct::ContourFacts;
@@ -58,6 +59,8 @@ pub struct BuiltObject {
     pub seams: Vec<Seam>,
     /// The polyhedron whose edges and corners were rounded.
     pub polyhedron: Option<Box<RoundedPolyhedron>>,
+    /// The blends of a tee.
+    pub tee_blends: Vec<TeeBlendFacts>,
     /// What was chosen for a smooth mesh.
     pub smooth: Option<SmoothChoice>,
     /// Construction geometry: not for files.
@@ -149,6 +152,7 @@ impl<'a> ModelBuilder<'a> {
                     circular: None,
                     seams: Vec::new(),
                     polyhedron: None,
+                    tee_blends: Vec::new(),
                     smooth: None,
                     remarks,
                     warnings,
@@ -199,6 +203,8 @@ struct Builder<'a> {
     seams: Vec<Seam>,
     /// The polyhedron whose offset the object is.
     polyhedron: Option<Box<RoundedPolyhedron>>,
+    /// The blends of the tee that it is.
+    tee_blends: Vec<TeeBlendFacts>,
     /// What was chosen for the smooth mesh that it is.
     smooth: Option<SmoothChoice>,
     remarks: Vec<Remark>,
@@ -231,7 +237,7 @@ impl Builder<'_> {
         let geometry = if surfaces.is_empty() { Geometry::Curves(curves) } else { Geometry::Surfaces(surfaces) };
         let item = Item::new(self.name, geometry);
         let construction = self.spec.is_construction();
-        let Self { data, warnings, seams, polyhedron, smooth, remarks, .. } = self;
+        let Self { data, warnings, seams, polyhedron, tee_blends, smooth, remarks, .. } = self;
         let provenance = Provenance { kind: self.spec.type_word(), data };
         Ok(BuiltObject {
             item,
@@ -243,6 +249,7 @@ impl Builder<'_> {
             circular: self.circular,
             seams,
             polyhedron,
+            tee_blends,
             smooth,
             construction,
             contours,

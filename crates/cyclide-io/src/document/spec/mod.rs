@@ -12,6 +12,7 @@ mod radii;
 mod smooth;
 mod surfaces;
 mod swept;
+mod tees;
 
 use std::collections::BTreeMap;
 
@@ -36,6 +37,7 @@ pub use polyhedra::SmoothPolyhedronSpec;
 pub use radii::RadiiSpec;
 pub use smooth::{NormalsSpec, SmoothMeshSpec, SphereBlendSpec};
 pub use surfaces::CyclidePatchSpec;
+pub use tees::{PipeTeeSpec, TeeBlendSpec, TeeBranchSpec, TeeLawSpec, TeeMainSpec, TeeRadiusSpec};
 pub use swept::{CircularSurfaceSpec, DiskSpec, EllipseBridgeSpec, PlateSpec, PlateWithNeckSpec, RuledSpec};
 
 /// A cyclide model: named curves and surfaces made of circles. Lengths are in the document's units and are never rescaled,
@@ -100,6 +102,8 @@ pub enum ObjectSpec {
     Revolution(RevolutionSpec),
     /// The tube about a curve of arcs and segments.
     Pipe(PipeSpec),
+    /// A main pipe with branches, blended by rolling balls.
+    PipeTee(PipeTeeSpec),
     /// A pipe on a plate with a rounded neck.
     PlateWithNeck(PlateWithNeckSpec),
     /// Half circles between two ellipses.
@@ -194,6 +198,7 @@ object_types! {
     "offset" => Offset,
     "revolution" => Revolution,
     "pipe" => Pipe,
+    "pipe-tee" => PipeTee,
     "plate-with-neck" => PlateWithNeck,
     "ellipse-bridge" => EllipseBridge,
     "circular-surface" => CircularSurface,

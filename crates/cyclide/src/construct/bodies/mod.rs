@@ -15,6 +15,7 @@ mod revolution;
 mod rotated_rows;
 mod ruled;
 mod rulings;
+mod tee;
 mod turned_patch;
 
 pub use ellipse_bridge::EllipseBridge;
@@ -22,6 +23,7 @@ pub use neck::{NeckBlend, NeckBody, NeckSide, NeckVariant, PlateShape};
 pub use pipe::{Pipe, PipeEnds};
 pub use polyhedron::{ConvexPolyhedron, PolyhedronEdge, SphericalPolygon};
 pub use revolution::Revolution;
+pub use tee::{MadeTee, PipeTee, TeeBlend, TeeBlendFacts, TeeBranch, TeeEnds, TeeMain};
 
 /// Largest angle of an arc in one face, or in one piece of it: beyond, its weights are far from each other, and from half a turn on not
 /// positive.
