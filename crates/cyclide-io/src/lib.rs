@@ -27,10 +27,11 @@ pub use document::{
     CyclidePatchSpec, CyclideSpec, CyclidicNetSpec, DOCUMENT_VERSION, Directions, DiskSpec, Document,
     EllipseBridgeSpec, EndsSpec, FairEndPair, FairEndSpec, FairEndWord, FairEndsSpec, FairFitSpec, FairSplineSpec,
     Fitted, FrameSpec, GridSource, Lists, MakeCircularOptions, MakeCircularSpec, MeshFile, ModelBuilder, NO_EFFECT,
-    NormalsSpec, ObjectSpec, OffsetSpec, PipeSpec, PipeTeeSpec, TeeBlendSpec, TeeBranchSpec, TeeLawSpec, TeeMainSpec, TeeRadiusSpec, PlaneSpec, PlateSpec, PlateWithNeckSpec, PointFile, PointSource,
-    PolygonMeshFile, PolylineSpec, RadiiSpec, Remark, RevolutionSpec, RotationSpec, RoundedPolyhedron, RuledSpec,
-    ScaleSpec, SmoothChoice, SmoothMeshSpec, SmoothPolyhedronSpec, SphereBlendSpec, SphereSpec, StepSpec, StraightWord,
-    SupportStructureSpec, TransformSpec, TypeWord, document_schema,
+    NormalsSpec, ObjectSpec, OffsetSpec, PipeSpec, PipeTeeSpec, PlaneSpec, PlateSpec, PlateWithNeckSpec, PointFile,
+    PointSource, PolygonMeshFile, PolylineSpec, RadiiSpec, Remark, RevolutionSpec, RotationSpec, RoundedPolyhedron,
+    RuledSpec, ScaleSpec, SmoothChoice, SmoothMeshSpec, SmoothPolyhedronSpec, SphereBlendSpec, SphereSpec, StepSpec,
+    StraightWord, SupportStructureSpec, TeeBlendSpec, TeeBranchSpec, TeeLawSpec, TeeMainSpec, TeeRadiusSpec,
+    TransformSpec, TypeWord, document_schema,
 };
 pub use error::{Error, Result};
 pub use export::camera::Camera;
@@ -52,7 +53,7 @@ pub use report::{
     CheckError, CircularReport, ComparisonReport, CurvatureRangeReport, CurvatureReport, CurvesReport, FairnessReport,
     FileReport, FitPieces, FitReport, GeometryReport, JointReport, ObjectReport, PartReport, PatchPlace,
     PolyhedronReport, RangeReport, Report, SeamReport, ShapeReport, SingularPatchReport, SmoothReport, Spacing,
-    SurfaceReport, WarningReport, sample,
+    SurfaceReport, TeeBlendReport, WarningReport, sample,
 };
 pub use text::place::{Diagnostic, Source, decode};
 pub use text::suggest::{did_you_mean, similar};

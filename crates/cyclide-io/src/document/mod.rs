@@ -37,9 +37,10 @@ pub use spec::{
     CircularSurfaceSpec, ClampedEnds, Comment, CyclidePatchSpec, CyclideSpec, CyclidicNetSpec, DiskSpec,
     EllipseBridgeSpec, EndsSpec, FairEndPair, FairEndSpec, FairEndWord, FairEndsSpec, FairFitSpec, FairSplineSpec,
     FrameSpec, GridSource, MakeCircularOptions, MakeCircularSpec, MeshFile, NormalsSpec, ObjectSpec, OffsetSpec,
-    PipeSpec, PipeTeeSpec, TeeBlendSpec, TeeBranchSpec, TeeLawSpec, TeeMainSpec, TeeRadiusSpec, PlaneSpec, PlateSpec, PlateWithNeckSpec, PolygonMeshFile, PolylineSpec, RadiiSpec, RevolutionSpec,
-    RotationSpec, RuledSpec, ScaleSpec, SmoothMeshSpec, SmoothPolyhedronSpec, SphereBlendSpec, SphereSpec, StepSpec,
-    StraightWord, SupportStructureSpec, TransformSpec, TypeWord,
+    PipeSpec, PipeTeeSpec, PlaneSpec, PlateSpec, PlateWithNeckSpec, PolygonMeshFile, PolylineSpec, RadiiSpec,
+    RevolutionSpec, RotationSpec, RuledSpec, ScaleSpec, SmoothMeshSpec, SmoothPolyhedronSpec, SphereBlendSpec,
+    SphereSpec, StepSpec, StraightWord, SupportStructureSpec, TeeBlendSpec, TeeBranchSpec, TeeLawSpec, TeeMainSpec,
+    TeeRadiusSpec, TransformSpec, TypeWord,
 };
 
 /// The document version this crate reads.

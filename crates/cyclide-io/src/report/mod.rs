@@ -25,8 +25,8 @@ pub use polyhedron::PolyhedronReport;
 pub use sample::{Spacing, sample};
 pub use seam::SeamReport;
 pub use smooth::{ComparisonReport, SmoothReport};
-pub use tee::TeeBlendReport;
 pub use surface::{CircularReport, PartReport, PatchPlace, ShapeReport, SingularPatchReport, SurfaceReport};
+pub use tee::TeeBlendReport;
 
 /// The report on a model and the files made of it. As JSON, values that are not finite are `null`.
 #[derive(Debug, Clone, PartialEq, Serialize)]

@@ -20,6 +20,7 @@ mod revolutions;
 pub mod runner;
 mod scales;
 mod swept;
+mod tees;
 mod triangles;
 
 pub use random::Random;
@@ -69,7 +70,7 @@ impl Objects {
     }
 }
 
-const CLASSES: [Class; 20] = [
+const CLASSES: [Class; 21] = [
     ("points", 6, points::object),
     ("hairpins", 4, hairpins::object),
     ("ends", 4, ends::object),
@@ -86,6 +87,7 @@ const CLASSES: [Class; 20] = [
     ("revolutions", 1, revolutions::surface),
     ("polyhedra", 1, polyhedra::surface),
     ("pipes", 1, pipes::surface),
+    ("tees", 1, tees::surface),
     ("necks", 1, swept::neck),
     ("bridges", 1, swept::bridge),
     ("rails", 1, swept::between_rails),

@@ -6,8 +6,8 @@ mod circular_mesh;
 mod curves;
 
 pub use bodies::{
-    ConvexPolyhedron, EllipseBridge, MadeTee, PipeTee, TeeBlend, TeeBlendFacts, TeeBranch, TeeEnds, TeeMain, NeckBlend, NeckBody, NeckSide, NeckVariant, Pipe, PipeEnds, PlateShape,
-    PolyhedronEdge, Revolution, SphericalPolygon,
+    ConvexPolyhedron, EllipseBridge, MadeTee, NeckBlend, NeckBody, NeckSide, NeckVariant, Pipe, PipeEnds, PipeTee,
+    PlateShape, PolyhedronEdge, Revolution, SphericalPolygon, TeeBlend, TeeBlendFacts, TeeBranch, TeeEnds, TeeMain,
 };
 #[cfg(feature = "circular-mesh")]
 pub use circular_mesh::{

@@ -1,10 +1,10 @@
 //! What an error says: plain sentences with the item, the measure and the limit.
 
-use super::{Error, ErrorItem};
 use super::words::{
     at_infinity, at_least, clockwise, count_differs, numbered, opposed, outside, points_in_words, size_in_place,
     speed_ratio, through_infinity, zero_axis,
 };
+use super::{Error, ErrorItem};
 use crate::short_number::ShortNumber;
 
 impl std::fmt::Display for Error {

@@ -12,7 +12,9 @@ impl Builder<'_> {
     /// A main pipe with branches.
     pub(super) fn pipe_tee(&mut self, spec: &PipeTeeSpec) -> Result<Vec<SurfaceObject>> {
         if spec.wall.is_some() && spec.ends == TeeEnds::Open {
-            return Err(self.unfit("a `wall` makes a solid: its ends are `flat`, with rings round the bore, or `closed`"));
+            return Err(
+                self.unfit("a `wall` makes a solid: its ends are `flat`, with rings round the bore, or `closed`")
+            );
         }
         let main = TeeMain { radius: spec.main.radius, ends: spec.main.ends };
         let branches = spec.branches.iter().map(|branch| self.tee_branch(branch)).collect::<Result<Vec<_>>>()?;

@@ -37,8 +37,8 @@ pub use polyhedra::SmoothPolyhedronSpec;
 pub use radii::RadiiSpec;
 pub use smooth::{NormalsSpec, SmoothMeshSpec, SphereBlendSpec};
 pub use surfaces::CyclidePatchSpec;
-pub use tees::{PipeTeeSpec, TeeBlendSpec, TeeBranchSpec, TeeLawSpec, TeeMainSpec, TeeRadiusSpec};
 pub use swept::{CircularSurfaceSpec, DiskSpec, EllipseBridgeSpec, PlateSpec, PlateWithNeckSpec, RuledSpec};
+pub use tees::{PipeTeeSpec, TeeBlendSpec, TeeBranchSpec, TeeLawSpec, TeeMainSpec, TeeRadiusSpec};
 
 /// A cyclide model: named curves and surfaces made of circles. Lengths are in the document's units and are never rescaled,
 /// angles are in radians or say `degrees`.

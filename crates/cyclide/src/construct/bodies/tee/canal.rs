@@ -102,11 +102,9 @@ impl<'a> Canal<'a> {
     /// A row in the axes of the branch, from its foot.
     fn placed(&self, [x, y, z]: [Polynomial; 3], weight: Polynomial) -> PolynomialRow {
         let (foot, [ex, ey, ez]) = (self.crossing.foot.to_vec(), self.crossing.axes);
-        let along = |ex: f64, ey: f64, ez: f64, foot: f64| {
-            &(&(&x * ex) + &(&y * ey)) + &(&(&z * ez) + &(&weight * foot))
-        };
-        let rows =
-            [along(ex.x, ey.x, ez.x, foot.x), along(ex.y, ey.y, ez.y, foot.y), along(ex.z, ey.z, ez.z, foot.z)];
+        let along =
+            |ex: f64, ey: f64, ez: f64, foot: f64| &(&(&x * ex) + &(&y * ey)) + &(&(&z * ez) + &(&weight * foot));
+        let rows = [along(ex.x, ey.x, ez.x, foot.x), along(ex.y, ey.y, ez.y, foot.y), along(ex.z, ey.z, ez.z, foot.z)];
         let [x, y, z] = rows;
         PolynomialRow([x, y, z, weight])
     }
@@ -114,7 +112,10 @@ impl<'a> Canal<'a> {
     /// The centres of the balls.
     pub(super) fn centres(&self) -> RationalBezier {
         let forms = &self.forms;
-        curve(&self.placed([forms.across[0].clone(), forms.across[1].clone(), forms.height.clone()], forms.weight.clone()))
+        curve(
+            &self
+                .placed([forms.across[0].clone(), forms.across[1].clone(), forms.height.clone()], forms.weight.clone()),
+        )
     }
 
     /// The radii of the balls as a curve along x.

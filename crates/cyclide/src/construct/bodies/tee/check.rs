@@ -112,13 +112,17 @@ impl PipeTee {
         for (index, branch) in placed.iter().enumerate() {
             let needed = reach_up(&branch.crossing, &branch.partition) + LEAST_REST * branch.crossing.radii[0] + short;
             if !(branch.length > needed) {
-                return Err(Error::TeePipeTooShort { what: ErrorItem::Branch, branch: index, end: branch.length, needed });
+                return Err(Error::TeePipeTooShort {
+                    what: ErrorItem::Branch,
+                    branch: index,
+                    end: branch.length,
+                    needed,
+                });
             }
             let [low, high] = [branch.reach[0] - rest - short, branch.reach[1] + rest + short];
-            for (end, needed, fits) in [
-                (self.main.ends[0], low, self.main.ends[0] < low),
-                (self.main.ends[1], high, self.main.ends[1] > high),
-            ] {
+            for (end, needed, fits) in
+                [(self.main.ends[0], low, self.main.ends[0] < low), (self.main.ends[1], high, self.main.ends[1] > high)]
+            {
                 if !fits {
                     return Err(Error::TeePipeTooShort { what: ErrorItem::MainPipe, branch: index, end, needed });
                 }
@@ -172,4 +176,3 @@ fn least_distance(a: [Point3; 2], b: [Point3; 2], main: f64) -> f64 {
     }
     least
 }
-

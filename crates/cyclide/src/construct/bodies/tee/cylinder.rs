@@ -74,7 +74,12 @@ impl Cylinder {
     ///
     /// # Errors
     /// As [`RationalBezierSurface::new`].
-    pub(super) fn between(&self, weight: &Polynomial, first: &Border, second: &Border) -> Result<RationalBezierSurface> {
+    pub(super) fn between(
+        &self,
+        weight: &Polynomial,
+        first: &Border,
+        second: &Border,
+    ) -> Result<RationalBezierSurface> {
         let ([c0, s0], [c1, s1]) = (&first.half, &second.half);
         let minus = |p: Polynomial, q: Polynomial| &p + &(&q * -1.0);
         let cos = [minus(c0 * c0, s0 * s0), minus(c0 * c1, s0 * s1), minus(c1 * c1, s1 * s1)];
@@ -82,7 +87,9 @@ impl Cylinder {
         let norm = [&(c0 * c0) + &(s0 * s0), &(c0 * c1) + &(s0 * s1), &(c1 * c1) + &(s1 * s1)];
         let rows: Vec<PolynomialRow> = if first.along == second.along {
             (0..3)
-                .map(|k| self.row(&(&cos[k] * weight), &(&sin[k] * weight), &(&norm[k] * weight), &(&norm[k] * &first.along)))
+                .map(|k| {
+                    self.row(&(&cos[k] * weight), &(&sin[k] * weight), &(&norm[k] * weight), &(&norm[k] * &first.along))
+                })
                 .collect()
         } else {
             // Products with a polynomial of degree 1 across.

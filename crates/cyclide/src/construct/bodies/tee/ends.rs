@@ -34,7 +34,11 @@ impl Skin<'_> {
             let rows: Vec<[f64; 4]> = self.rows_from(edge, start).into_iter().flat_map(towards).collect();
             let corners = [self.sewing.vertices[start], self.sewing.vertices[end], centre, centre];
             let surface = RationalBezierSurface::new([rows.len() / 2 - 1, 1], rows)?.with_corners(corners);
-            self.plane_face(surface, [Some((edge, start)), None, Some((spokes[k], start)), Some((spokes[(k + 1) % count], end))], outwards);
+            self.plane_face(
+                surface,
+                [Some((edge, start)), None, Some((spokes[k], start)), Some((spokes[(k + 1) % count], end))],
+                outwards,
+            );
         }
         Ok(())
     }

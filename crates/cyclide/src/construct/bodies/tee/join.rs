@@ -4,9 +4,9 @@
 use super::crossing::Crossing;
 use super::cylinder::{Border, Cylinder};
 use super::skin::{Ring, Skin};
+use crate::base::vector::Vec3;
 use crate::error::Result;
 use crate::rational::Polynomial;
-use crate::base::vector::Vec3;
 use std::f64::consts::{PI, TAU};
 
 /// Steps of both rings are one face if they end within this part of the shorter.
@@ -107,15 +107,16 @@ impl Skin<'_> {
                 (0, 1)
             };
             let (end_i, end_j) = (i + di, j + dj);
-            let behind =
-                if end_i == last_i && end_j == last_j { first } else { self.link(&cylinder, [&from, &to], [end_i, end_j], places)? };
+            let behind = if end_i == last_i && end_j == last_j {
+                first
+            } else {
+                self.link(&cylinder, [&from, &to], [end_i, end_j], places)?
+            };
             let half = |walk: &Walk, k: usize, moves: usize| {
                 if moves == 1 { walk.along(k) } else { walk.half(k).map(Polynomial::constant) }
             };
-            let [first_border, second_border] = [(&from, i, di, places[0]), (&to, j, dj, places[1])].map(|(walk, k, moves, at)| Border {
-                half: half(walk, k, moves),
-                along: Polynomial::constant(at),
-            });
+            let [first_border, second_border] = [(&from, i, di, places[0]), (&to, j, dj, places[1])]
+                .map(|(walk, k, moves, at)| Border { half: half(walk, k, moves), along: Polynomial::constant(at) });
             let one = Polynomial::constant(1.0);
             let surface = cylinder.between(&one, &first_border, &second_border)?;
             let vertices = [from.vertex(i), from.vertex(end_i), to.vertex(j), to.vertex(end_j)];
@@ -125,7 +126,8 @@ impl Skin<'_> {
             let side = |walk: &Walk, k: usize, moves: usize| {
                 (moves == 1).then(|| (walk.ring.edges[walk.at(k)], walk.vertex(k)))
             };
-            let sides = [side(&from, i, di), side(&to, j, dj), Some((before, vertices[0])), Some((behind, vertices[1]))];
+            let sides =
+                [side(&from, i, di), side(&to, j, dj), Some((before, vertices[0])), Some((behind, vertices[1]))];
             self.plane_face(surface, sides, outwards);
             (i, j, before) = (end_i, end_j, behind);
         }
@@ -133,7 +135,13 @@ impl Skin<'_> {
     }
 
     /// The edge between a vertex of one ring and one of the other.
-    fn link(&mut self, cylinder: &Cylinder, [from, to]: [&Walk; 2], [i, j]: [usize; 2], places: [f64; 2]) -> Result<usize> {
+    fn link(
+        &mut self,
+        cylinder: &Cylinder,
+        [from, to]: [&Walk; 2],
+        [i, j]: [usize; 2],
+        places: [f64; 2],
+    ) -> Result<usize> {
         debug_assert!((from.angles[i] - to.angles[j]).abs() < PI);
         let ends = [from.vertex(i), to.vertex(j)];
         if (from.angles[i] - to.angles[j]).abs() <= 1e-12 {

@@ -215,8 +215,12 @@ impl PipeTee {
     /// `tee-branch-too-wide`, `angle-out-of-range`, as [`TeeBlend`] `radius-not-positive`, `tee-blend-too-large`, `too-many-pieces`, `coincident-points`;
     /// `tee-pipe-too-short`, `tee-blend-folds`, `tee-hole-folds`, `tee-branches-meet`.
     pub fn made(&self) -> Result<MadeTee> {
-        let mut placed =
-            self.branches.iter().enumerate().map(|(index, branch)| self.placed(index, branch)).collect::<Result<Vec<_>>>()?;
+        let mut placed = self
+            .branches
+            .iter()
+            .enumerate()
+            .map(|(index, branch)| self.placed(index, branch))
+            .collect::<Result<Vec<_>>>()?;
         let mut order: Vec<usize> = (0..placed.len()).collect();
         order.sort_by(|&a, &b| placed[a].reach[0].total_cmp(&placed[b].reach[0]));
         self.check_room(&placed, &order)?;
@@ -235,11 +239,12 @@ impl PipeTee {
         let radii = pieces.iter().map(|piece| radius_law::radii_of(&crossing, piece));
         let radii = radii.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], [c, d]| [a.min(c), b.max(d)]);
         let reach = check::reach_along(&crossing, &partition);
+        let turn = std::f64::consts::TAU;
         let facts = TeeBlendFacts {
             radii,
             pieces: partition.pieces.len(),
             tightest: tight.left,
-            tightest_at: tight.angle,
+            tightest_at: tight.angle.rem_euclid(turn) % turn,
         };
         Ok(Placed { crossing, partition, length: branch.length, reach, facts })
     }
@@ -340,7 +345,12 @@ impl PipeTee {
                 None => self.main.ends[1] - short,
             };
             let Placed { crossing, partition, length, .. } = branch;
-            rings.push(skin.branch(&Branch { crossing, partition, length: length - short, stretch: [before, behind] })?);
+            rings.push(skin.branch(&Branch {
+                crossing,
+                partition,
+                length: length - short,
+                stretch: [before, behind],
+            })?);
         }
         for k in 1..rings.len() {
             let (at, beyond) = (&rings[k - 1].main[1], &rings[k].main[0]);

@@ -61,7 +61,8 @@ impl Partition {
     /// `tee-hole-folds` if the loop does not turn once round through all directions.
     pub(super) fn new(crossing: &Crossing, pieces: &[LoopPiece]) -> Result<Self> {
         // Nodes that are near enough to corners are taken for them, unless there are too few.
-        let (mut cut, corners) = with_corners(crossing, pieces, NEAR).or_else(|_| with_corners(crossing, pieces, 0.0))?;
+        let (mut cut, corners) =
+            with_corners(crossing, pieces, NEAR).or_else(|_| with_corners(crossing, pieces, 0.0))?;
         // Every side again by itself, finer where weights ask for it.
         let count = cut.len();
         cut.rotate_left(corners[3]);

@@ -94,11 +94,13 @@ fn quartic(crossing: &Crossing, radius: f64) -> Result<Vec<LoopPiece>> {
 /// A ball of one radius within a tolerance: spans are halved until the bound is proved.
 fn near(crossing: &Crossing, radius: f64, tolerance: f64) -> Result<Vec<LoopPiece>> {
     let node = |angle: f64| crossing.factor_of_radius(angle, radius, 0.0);
-    let mut left: Vec<[f64; 2]> = (0..8).rev().map(|k| [f64::from(k) * FRAC_PI_4, f64::from(k + 1) * FRAC_PI_4]).collect();
+    let mut left: Vec<[f64; 2]> =
+        (0..8).rev().map(|k| [f64::from(k) * FRAC_PI_4, f64::from(k + 1) * FRAC_PI_4]).collect();
     let mut pieces: Vec<LoopPiece> = Vec::new();
     while let Some([from, to]) = left.pop() {
         let span = LoopPiece::hermite([from, to], [node(from), node(to)]);
-        let off = span.iter().map(|piece| radii_of(crossing, piece)).map(|[low, high]| (radius - low).max(high - radius));
+        let off =
+            span.iter().map(|piece| radii_of(crossing, piece)).map(|[low, high]| (radius - low).max(high - radius));
         let off = off.fold(0.0, f64::max);
         if off <= tolerance {
             pieces.extend(span);
@@ -106,7 +108,13 @@ fn near(crossing: &Crossing, radius: f64, tolerance: f64) -> Result<Vec<LoopPiec
         }
         let middle = 0.5 * (from + to);
         if pieces.len() + 2 * left.len() + 4 > MOST_PIECES || !(from < middle && middle < to) {
-            return Err(Error::TooManyPieces { what: "the blend", segment: None, needed: 2.0 * MOST_PIECES as f64, cap: MOST_PIECES, remedy: "use a larger tolerance" });
+            return Err(Error::TooManyPieces {
+                what: "the blend",
+                segment: None,
+                needed: 2.0 * MOST_PIECES as f64,
+                cap: MOST_PIECES,
+                remedy: "use a larger tolerance",
+            });
         }
         left.extend([[middle, to], [from, middle]]);
     }
@@ -115,7 +123,8 @@ fn near(crossing: &Crossing, radius: f64, tolerance: f64) -> Result<Vec<LoopPiec
 
 /// A ball whose radius follows a law through its values.
 fn along(crossing: &Crossing, law: &Law) -> Result<Vec<LoopPiece>> {
-    let mut angles: Vec<f64> = law.values.iter().map(|[angle, _, _]| crossing.boosted_angle(*angle).rem_euclid(TAU)).collect();
+    let mut angles: Vec<f64> =
+        law.values.iter().map(|[angle, _, _]| crossing.boosted_angle(*angle).rem_euclid(TAU)).collect();
     angles.sort_by(f64::total_cmp);
     let first = angles[0];
     angles.push(first + TAU);

@@ -81,7 +81,8 @@ impl Skin<'_> {
         let upper: Vec<Point3> =
             balls.iter().map(|ball| crossing.branch_point(radius, ball.on_branch, ball.height)).collect();
         let lower: Vec<Point3> = balls.iter().map(|ball| cylinder.point(ball.on_main, ball.along)).collect();
-        let [tops, contacts] = [&upper, &lower].map(|points| points.iter().map(|&p| self.sewing.vertex(p)).collect::<Vec<_>>());
+        let [tops, contacts] =
+            [&upper, &lower].map(|points| points.iter().map(|&p| self.sewing.vertex(p)).collect::<Vec<_>>());
         let mut top_edges = Vec::new();
         let mut edges = Vec::new();
         let mut circles = Vec::new();
@@ -111,7 +112,8 @@ impl Skin<'_> {
         let (count, height) = (canals.len(), branch.length);
         let [tops, top_edges] = on_branch;
         let radius = crossing.radii[0] - self.depth;
-        let ends: Vec<Point3> = balls.iter().map(|ball| crossing.branch_point(radius, ball.on_branch, height)).collect();
+        let ends: Vec<Point3> =
+            balls.iter().map(|ball| crossing.branch_point(radius, ball.on_branch, height)).collect();
         let vertices: Vec<usize> = ends.iter().map(|&p| self.sewing.vertex(p)).collect();
         let axis = crossing.axes[2];
         let mut edges = Vec::new();
@@ -123,8 +125,7 @@ impl Skin<'_> {
             let ratio = half(1) * half(0).inverse().unwrap_or(Quat::ONE);
             edges.push(self.sewing.arc(vertices[k], vertices[(k + 1) % count], ratio)?);
         }
-        let rulings =
-            (0..count).map(|k| self.sewing.segment(tops[k], vertices[k])).collect::<Result<Vec<_>>>()?;
+        let rulings = (0..count).map(|k| self.sewing.segment(tops[k], vertices[k])).collect::<Result<Vec<_>>>()?;
         for (k, canal) in canals.iter().enumerate() {
             let next = (k + 1) % count;
             let corners = [tops[k], tops[next], vertices[k], vertices[next]].map(|v| self.sewing.vertices[v]);
@@ -158,7 +159,15 @@ impl Skin<'_> {
                 rulings.push(lines.skin.sewing.segment(hole.contacts[node(k)], vertex)?);
             }
             for (j, k) in nodes.enumerate() {
-                lines.ruled(&canals[k], at, [hole.contacts[k], hole.contacts[node(k + 1)]], hole.edges[k], ring, &rulings, j)?;
+                lines.ruled(
+                    &canals[k],
+                    at,
+                    [hole.contacts[k], hole.contacts[node(k + 1)]],
+                    hole.edges[k],
+                    ring,
+                    &rulings,
+                    j,
+                )?;
             }
             lines.rulings[side] = rulings;
         }
@@ -306,11 +315,7 @@ impl<'a, 'b> Lines<'a, 'b> {
             self.cylinder.border(&forms.on_main, &(&forms.weight * at), &forms.weight),
         ];
         let surface = RationalBezierSurface::from_polynomial_rows(&rows)?;
-        self.add(
-            surface,
-            [contacts[0], contacts[1], ends[0], ends[1]],
-            [edge, end_edge, rulings[j], rulings[j + 1]],
-        );
+        self.add(surface, [contacts[0], contacts[1], ends[0], ends[1]], [edge, end_edge, rulings[j], rulings[j + 1]]);
         Ok(())
     }
 
@@ -408,7 +413,10 @@ impl<'a, 'b> Lines<'a, 'b> {
             let beside = self.vertices[line][if side == 0 { 1 } else { last - 1 }];
             let segment = self.edges[line][if side == 0 { 0 } else { last - 1 }];
             let places = vec![self.places[line][if side == 0 { 1 } else { last - 1 }], self.stretch[side]];
-            let border = |half: [f64; 2]| Border { half: half.map(Polynomial::constant), along: Polynomial::new(places.clone()) };
+            let border = |half: [f64; 2]| Border {
+                half: half.map(Polynomial::constant),
+                along: Polynomial::new(places.clone()),
+            };
             let surface = self.cylinder.between(&one, &border(half), &border(target))?;
             let edges = [ruling, segment, self.arcs[line][inside], edge];
             self.add(surface, [contact, vertex, beside, behind], edges);
@@ -421,7 +429,11 @@ impl<'a, 'b> Lines<'a, 'b> {
         ring.edges.extend([corner_edges[0].0, self.across[place], corner_edges[1].0]);
         ring.vertices.extend([0, 1].map(|line: usize| self.vertices[line][place]));
         ring.halves.extend([self.halves[0], self.second]);
-        ring.along.extend([constant(high, self.halves[0]), constant(self.halves[0], self.halves[1]), constant(self.second, low)]);
+        ring.along.extend([
+            constant(high, self.halves[0]),
+            constant(self.halves[0], self.halves[1]),
+            constant(self.second, low),
+        ]);
         Ok(ring)
     }
 }
