@@ -1,50 +1,106 @@
 //! What may be chosen about a file.
 
+use schemars::JsonSchema;
+use serde::Deserialize;
+
 use crate::export::camera::Camera;
 
 /// Which DXF.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+///
+/// ```
+/// use cyclide::{Arc, Model, Point3};
+/// use cyclide_io::{ExportOptions, Format, DxfVersion, export};
+/// let segment = Arc::segment(Point3::ORIGIN, Point3::new(3.0, 4.0, 0.0))?;
+/// let model = Model::default().with_curve("line", segment);
+/// let options = ExportOptions { dxf_version: DxfVersion::R12, ..ExportOptions::default() };
+/// let text = String::from_utf8(export(&model, Format::Dxf, &options)?.bytes)?;
+/// assert!(text.contains("AC1009"));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
 pub enum DxfVersion {
-    /// AC1015: LWPOLYLINE, SPLINE, groups. The default.
+    /// AutoCAD 2000 (AC1015), with LWPOLYLINE, SPLINE and groups: the default.
     #[default]
     R2000,
-    /// AC1009: POLYLINE, for old machines; no splines.
+    /// AutoCAD R12 (AC1009), with POLYLINE, for old machines; no splines.
     R12,
 }
 
 /// The curves of the edges between faces in STEP, and with them the faces: both are such that readers find edge and face
 /// together at equal parameters, which booleans and fillets need.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+///
+/// ```
+/// use cyclide::{DupinCyclide, Model};
+/// use cyclide_io::{ExportOptions, Format, StepEdges, export};
+/// let ring = DupinCyclide::new(3.0, 0.0, 1.0)?.nets([4, 4])?.remove(0);
+/// let model = Model::default().with_surface("ring", ring);
+/// let size = |step_edges| export(&model, Format::Step, &ExportOptions { step_edges, ..Default::default() }).map(|file| file.bytes.len());
+/// assert!(size(StepEdges::Circles)? > 0 && size(StepEdges::Rational)? > 0);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
 pub enum StepEdges {
-    /// `CIRCLE` and `LINE`, on rational faces with their curves in the faces' parameters: CAD systems show radii and
-    /// centres, and cylinders, cones, spheres and tori are what they are. The default.
+    /// Circles and lines, with radii and centres; planes, cylinders, cones, spheres and tori are such faces: the default.
+    ///
+    /// On rational faces these have their curves in the faces' parameters.
     #[default]
+    #[serde(rename = "circle")]
     Circles,
-    /// Rational B-splines in the parameter of the faces, lines where they are even, and rational faces everywhere but in
-    /// planes: half as large a file.
+    /// Rational B-splines, with which all faces but planes are rational: half as large a file.
+    ///
+    /// They have the parameter of the faces, and are lines where they are even.
     Rational,
 }
 
 /// The products of several objects in STEP.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+///
+/// ```
+/// use cyclide::{Arc, Model, Point3};
+/// use cyclide_io::{ExportOptions, Format, StepProducts, export};
+/// let segment = Arc::segment(Point3::ORIGIN, Point3::new(3.0, 4.0, 0.0))?;
+/// let model = Model::default().with_curve("line", segment);
+/// let options = ExportOptions { step_products: StepProducts::One, ..ExportOptions::default() };
+/// let text = String::from_utf8(export(&model, Format::Step, &options)?.bytes)?;
+/// assert_eq!(text.matches("=PRODUCT(").count(), 1);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
 pub enum StepProducts {
-    /// One product per object in an assembly, but one product for curves and surfaces together: FreeCAD 0.20 without its
-    /// window crashes on such a file otherwise. The default.
+    /// An assembly, but one product where curves and surfaces stand together: the default.
+    ///
+    /// FreeCAD 0.20 without its window crashes on such a file otherwise.
     #[default]
     Auto,
-    /// One product per object in an assembly: readers show the objects by their names.
+    /// One product per object in an assembly, with its name.
     Assembly,
-    /// One product that holds all objects.
+    /// One product of all objects.
     One,
 }
 
 /// Most pieces of one file of a small model if nothing else is asked for: about half a gigabyte of memory and a minute.
+///
+/// ```
+/// assert_eq!(cyclide_io::DEFAULT_MOST_PIECES, 1_000_000);
+/// ```
 pub const DEFAULT_MOST_PIECES: usize = 1_000_000;
 
 /// So many more for each piece of a curve and each patch: a large model is not refused for its size.
 pub(crate) const PIECES_OF_EACH: usize = 16;
 
 /// What may be chosen about a file.
+///
+/// ```
+/// use cyclide::{Arc, Model, Point3};
+/// use cyclide_io::{ExportOptions, Format, export};
+/// let segment = Arc::segment(Point3::ORIGIN, Point3::new(3.0, 4.0, 0.0))?;
+/// let model = Model::default().with_curve("line", segment);
+/// let options = ExportOptions { svg_points: true, ..ExportOptions::default() };
+/// assert!(export(&model, Format::Svg, &options)?.bytes.len() > export(&model, Format::Svg, &ExportOptions::default())?.bytes.len());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct ExportOptions {
     /// Largest distance between the file's curve or mesh and the object where the format needs an approximation, in

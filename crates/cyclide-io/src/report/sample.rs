@@ -2,8 +2,8 @@
 //! on surfaces.
 
 use cyclide::{
-    ArcLength, Body, CurveObject, CyclidePatch, FaceGeometry as _, Geometry, ParamSurface as _, ShellFace,
-    SurfaceObject, TriangleSurface,
+    ArcLength, Body, CurveObject, FaceGeometry as _, Geometry, ParamSurface as _, ShellFace, SurfaceObject,
+    TriangleSurface,
 };
 
 use crate::check::file_sample::FileSample;
@@ -12,6 +12,15 @@ use crate::formats::push_sample;
 use crate::text::number::push_plain;
 
 /// Where the samples of a curve lie.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"c": {"type": "circle", "center": [0, 0], "radius": 2}}}"#.parse()?;
+/// let built = document.build()?;
+/// let rows = cyclide_io::sample(&built[0], 5, cyclide_io::Spacing::Length);
+/// assert_eq!(rows.lines().count(), 6);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Spacing {
     /// Equal steps of the parameter.
@@ -34,6 +43,15 @@ pub enum Spacing {
 /// barycentric coordinates, `count` places along each side.
 ///
 /// Fields are empty where a tangent, normal or curvature does not exist.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"c": {"type": "circle", "center": [0, 0], "radius": 2}}}"#.parse()?;
+/// let built = document.build()?;
+/// let rows = cyclide_io::sample(&built[0], 5, cyclide_io::Spacing::Parameter);
+/// assert!(rows.starts_with("t,x,y,z,") && rows.lines().count() == 6);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[must_use]
 pub fn sample(built: &BuiltObject, count: usize, spacing: Spacing) -> String {
     match &built.item.geometry {
@@ -123,8 +141,7 @@ fn surfaces(bodies: &[Body], count: usize) -> String {
 fn push_surface_sample(out: &mut String, face: &ShellFace, s: f64, t: f64) {
     let surface = &face.surface;
     // Curvatures of patches are against D V3 D^-1, which turns to the other side nowhere, as the report has it.
-    let flipped = surface.patch().is_some_and(CyclidePatch::is_flipped);
-    let side = if flipped == face.same_sense { -1.0 } else { 1.0 };
+    let side = face.outer_sign_of_unit_normal();
     let point = surface.point(s, t).to_array().map(Some);
     let normal = (surface.unit_normal(s, t) * side).to_array().map(Some);
     let curvatures = surface.line_curvatures(s, t).map(|k| Some(side * k).filter(|k| k.is_finite()));

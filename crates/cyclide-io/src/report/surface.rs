@@ -16,6 +16,16 @@ use crate::measure::joints::SurfaceJointReport;
 const SAMPLES: usize = 5;
 
 /// The report on the surfaces of an object; largest values are over all its patches.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"p": {"type": "cyclide-patch", "corners": [[0, 0], [2, 0], [0, 1], [2, 1]], "frame": [[1, 0, 0], [0, 1, 0]]}}}"#.parse()?;
+/// let built = document.build()?;
+/// let report = cyclide_io::ObjectReport::new(&built[0], None);
+/// let cyclide_io::GeometryReport::Surface(found) = report.geometry else { unreachable!("by its type") };
+/// assert!(found.patches == 1 && (found.total_area - 2.0).abs() < 1e-12);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct SurfaceReport {
     /// Patches of all bodies together.
@@ -74,6 +84,16 @@ pub struct SurfaceReport {
 }
 
 /// Patches of one body that hang together without a crease.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"n": {"type": "cyclidic-net", "grid": [[[0, 1, 0], [1, 1, 0], [3, 1, 0]], [[0, 0, 1], [1, 0, 1], [3, 0, 1]]]}}}"#.parse()?;
+/// let built = document.build()?;
+/// let report = cyclide_io::ObjectReport::new(&built[0], None);
+/// let cyclide_io::GeometryReport::Surface(found) = report.geometry else { unreachable!("by its type") };
+/// assert_eq!((found.parts.len(), found.parts[0].patches), (1, 2));
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct PartReport {
     /// The body, from 0.
@@ -187,6 +207,16 @@ impl From<&ShapeChange> for ShapeReport {
 }
 
 /// A patch of an object.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"p": {"type": "cyclide-patch", "corners": [[0, 0], [2, 0], [0, 1], [2, 1]], "frame": [[1, 0, 0], [0, 1, 0]]}}}"#.parse()?;
+/// let built = document.build()?;
+/// let report = cyclide_io::ObjectReport::new(&built[0], None);
+/// let cyclide_io::GeometryReport::Surface(found) = report.geometry else { unreachable!("by its type") };
+/// assert!(found.flipped.iter().all(|place| place.patch < found.patches));
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 pub struct PatchPlace {
     /// The body, from 0.
@@ -196,6 +226,16 @@ pub struct PatchPlace {
 }
 
 /// A patch with singular points.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"p": {"type": "cyclide-patch", "corners": [[0, 0], [2, 0], [0, 1], [2, 1]], "frame": [[1, 0, 0], [0, 1, 0]]}}}"#.parse()?;
+/// let built = document.build()?;
+/// let report = cyclide_io::ObjectReport::new(&built[0], None);
+/// let cyclide_io::GeometryReport::Surface(found) = report.geometry else { unreachable!("by its type") };
+/// assert!(found.singular.is_empty());
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct SingularPatchReport {
     /// The patch.
@@ -267,7 +307,7 @@ impl SurfaceReport {
         };
         self.singular.extend(SingularPatchReport::new(place, patch));
         // The curvatures are against D V3 D^-1; the outer side may be the other one.
-        let against = patch.is_flipped() == face.same_sense;
+        let against = face.outer_sign_of_unit_normal() < 0.0;
         let turned = |[a, b]: [f64; 2]| if against { [-b, -a] } else { [a, b] };
         self.curvature_s = self.curvature_s.with(turned(patch.k1_range()));
         self.curvature_t = self.curvature_t.with(turned(patch.k2_range()));
@@ -289,7 +329,7 @@ impl SurfaceReport {
 impl SurfaceReport {
     /// A rational face, whose parameter lines need not be lines of curvature: normal curvatures of these, by samples.
     fn add_rational(&mut self, surface: &RationalBezierSurface, face: &ShellFace) {
-        let side = if face.same_sense { 1.0 } else { -1.0 };
+        let side = face.outer_sign();
         for row in surface.rows() {
             self.weights = self.weights.with(row[3], row[3]);
         }

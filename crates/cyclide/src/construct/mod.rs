@@ -7,7 +7,8 @@ mod curves;
 
 pub use bodies::{
     ConvexPolyhedron, EllipseBridge, MadeTee, NeckBlend, NeckBody, NeckSide, NeckVariant, Pipe, PipeEnds, PipeTee,
-    PlateShape, PolyhedronEdge, Revolution, SphericalPolygon, TeeBlend, TeeBlendFacts, TeeBranch, TeeEnds, TeeMain,
+    PlateShape, PolyhedronEdge, RailSurface, Revolution, SphericalPolygon, TeeBlend, TeeBlendFacts, TeeBranch, TeeEnds,
+    TeeMain,
 };
 #[cfg(feature = "circular-mesh")]
 pub use circular_mesh::{

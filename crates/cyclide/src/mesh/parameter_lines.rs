@@ -3,7 +3,6 @@
 use super::flatten::flatten;
 use crate::base::vector::{Point3, Vec3};
 use crate::error::Result;
-use crate::surface::ParamSurface as _;
 use crate::topology::{Body, EdgeCurve, FaceGeometry as _, Shell, ShellFace, Side};
 
 /// Which parameter lines a polyline follows.
@@ -46,6 +45,14 @@ pub struct ParameterLine {
 
 /// Every edge of the body once, then `inner` parameter lines (circles on cyclides) of each face in each direction, at equal steps of the
 /// parameter, so that they continue from face to face. No point of a line is farther than `tolerance` from its polyline.
+///
+/// ```
+/// use cyclide::{Body, DupinCyclide};
+/// let ring = Body { outer: DupinCyclide::new(3.0, 0.0, 1.0)?.to_shell()?, voids: Vec::new() };
+/// let lines = cyclide::parameter_lines(&ring, 0, 0.1)?;
+/// assert_eq!(lines.len(), ring.outer.edges().len());
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 ///
 /// # Errors
 /// As [`flatten`]; as [`CyclidePatch::s_line`](crate::CyclidePatch::s_line).
@@ -103,8 +110,6 @@ fn is_point(curve: &EdgeCurve) -> bool {
     curve.arc().is_some_and(|arc| arc.chord().max_abs() == 0.0)
 }
 
-/// Unit normal on the shell's outer side.
 fn outer_normal(face: &ShellFace, (s, t): (f64, f64)) -> Vec3 {
-    let normal = face.surface.normal(s, t).unwrap_or(Vec3::ZERO);
-    if face.same_sense { normal } else { -normal }
+    face.outer_normal(s, t).unwrap_or_default()
 }

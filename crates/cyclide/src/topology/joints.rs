@@ -30,6 +30,13 @@ pub struct SurfaceJoint {
 }
 
 /// Every edge that two faces share, measured at nine places of each: faces that share an edge have its parameter.
+///
+/// ```
+/// use cyclide::{Body, DupinCyclide};
+/// let ring = Body { outer: DupinCyclide::new(3.0, 0.0, 1.0)?.to_shell()?, voids: Vec::new() };
+/// assert!(cyclide::surface_joints(&ring.outer).iter().all(|joint| joint.angle < 1e-12));
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[must_use]
 pub fn surface_joints(shell: &Shell) -> Vec<SurfaceJoint> {
     let joint = |(edge, users): (usize, &Vec<(usize, Side)>)| {
@@ -51,6 +58,5 @@ pub fn surface_joints(shell: &Shell) -> Vec<SurfaceJoint> {
 /// Point and outer normal of a face on one of its sides, by the parameter of the edge.
 fn at(face: &ShellFace, side: Side, x: f64) -> (Point3, Vec3) {
     let (s, t) = side.place(face.side(side).map_or(x, |edge| edge.turned(x)));
-    let normal = face.surface.normal(s, t).unwrap_or_default();
-    (face.surface.point(s, t), if face.same_sense { normal } else { -normal })
+    (face.surface.point(s, t), face.outer_normal(s, t).unwrap_or_default())
 }

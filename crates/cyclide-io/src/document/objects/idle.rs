@@ -9,13 +9,21 @@ use super::Builder;
 use crate::document::angle::Angle;
 use crate::document::construct::{Contour, arc_spline, fair_spline};
 use crate::document::coordinates::{PointFile, PointSource};
-use crate::document::locate::{Step, path_text};
+use crate::document::locate::Step;
 use crate::document::spec::{
     ArcSplineSpec, CircleSplineSpec, Comment, EndsSpec, FairEndsSpec, FairFitSpec, FairSplineSpec, ObjectSpec,
     PipeSpec, StraightWord, TypeWord,
 };
 
 /// The reason of warnings about fields and options without effect.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"s": {"type": "fair-spline", "ends": "free", "points": [[1, 0], [0, 1], [-1, 0], [0, -1]], "closed": true}}}"#.parse()?;
+/// let built = document.build()?;
+/// assert_eq!(built[0].remarks[0].reason, cyclide_io::NO_EFFECT);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 pub const NO_EFFECT: &str = "no-effect";
 
 /// A field, and why it has no effect.
@@ -112,7 +120,7 @@ impl Builder<'_> {
     /// Says which fields have no effect.
     pub(super) fn remark_on_idle(&mut self, idle: Vec<Idle>) {
         for (field, why) in idle {
-            let place = (!self.document.text.is_empty()).then(|| path_text(&self.path([Step::from(field)])));
+            let place = self.place_of([Step::from(field)]);
             self.remark(NO_EFFECT, None, None, place, format!("`{field}` has no effect: {why}"));
         }
     }

@@ -9,7 +9,9 @@ mod input_chain;
 mod kinks;
 mod neck;
 mod pipe;
+mod planar_area;
 mod polyhedron;
+mod rail_surface;
 mod rails;
 mod revolution;
 mod rotated_rows;
@@ -22,6 +24,7 @@ pub use ellipse_bridge::EllipseBridge;
 pub use neck::{NeckBlend, NeckBody, NeckSide, NeckVariant, PlateShape};
 pub use pipe::{Pipe, PipeEnds};
 pub use polyhedron::{ConvexPolyhedron, PolyhedronEdge, SphericalPolygon};
+pub use rail_surface::RailSurface;
 pub use revolution::Revolution;
 pub use tee::{MadeTee, PipeTee, TeeBlend, TeeBlendFacts, TeeBranch, TeeEnds, TeeMain};
 

@@ -89,6 +89,15 @@ impl TeeBranch {
 }
 
 /// How the pipes of a tee end.
+///
+/// ```
+/// use cyclide::{PipeTee, TeeBranch, TeeEnds, TeeMain};
+/// let main = TeeMain { radius: 3.0, ends: [-12.0, 12.0] };
+/// let tee = PipeTee::new(main, vec![TeeBranch::upright(2.0, 10.0, 0.5)])?.with_wall(0.2)?;
+/// assert!(tee.made()?.body.voids.is_empty());
+/// assert_eq!(tee.with_ends(TeeEnds::Closed).made()?.body.voids.len(), 1);
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Deserialize), serde(rename_all = "kebab-case"))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(inline, description = "The ends of the pipes."))]
@@ -121,6 +130,14 @@ pub struct PipeTee {
 }
 
 /// A tee as it was made.
+///
+/// ```
+/// use cyclide::{PipeTee, TeeBranch, TeeMain};
+/// let main = TeeMain { radius: 3.0, ends: [-12.0, 12.0] };
+/// let made = PipeTee::new(main, vec![TeeBranch::upright(2.0, 10.0, 0.5)])?.made()?;
+/// assert!(made.body.is_solid() && made.blends.len() == 1);
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct MadeTee {
     /// The body.
@@ -130,6 +147,14 @@ pub struct MadeTee {
 }
 
 /// What is known of a blend.
+///
+/// ```
+/// use cyclide::{PipeTee, TeeBranch, TeeMain};
+/// let main = TeeMain { radius: 3.0, ends: [-12.0, 12.0] };
+/// let facts = PipeTee::new(main, vec![TeeBranch::upright(2.0, 10.0, 0.5)])?.made()?.blends[0];
+/// assert!(facts.radii[0] >= 0.4995 && facts.radii[1] <= 0.5005 && facts.tightest > 0.7);
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TeeBlendFacts {
     /// The least and the largest radius of its balls, a proved bound.

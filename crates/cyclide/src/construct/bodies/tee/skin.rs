@@ -324,20 +324,20 @@ impl<'a, 'b> Lines<'a, 'b> {
         let count = canals.len();
         let target = if line == 0 { self.halves[0] } else { self.second };
         let steps = to - from;
-        for k in from..to {
+        for (k, canal) in canals.iter().enumerate().take(to).skip(from) {
             // Lines run from low places to high ones, the loop comes back along the first.
             let place = |node: usize| if line == 0 { steps - (node - from) } else { node - from };
             let (start, end) = (place(k), place(k + 1));
             let contacts = [hole.contacts[k], hole.contacts[(k + 1) % count]];
             let vertices = [start, end].map(|p| self.vertices[line][p + 1]);
-            let forms = &canals[k].forms;
+            let forms = &canal.forms;
             let size = |end: f64| {
                 let [c, s] = forms.on_main.each_ref().map(|p| super::canal::value(p, end));
                 c.hypot(s)
             };
             let even = [size(0.0), size(1.0)];
             let straight = Polynomial::new([start, end].map(|p| self.places[line][p + 1]).to_vec());
-            let first = Border { half: forms.on_main.clone(), along: absolute(self.crossing, &canals[k]) };
+            let first = Border { half: forms.on_main.clone(), along: absolute(self.crossing, canal) };
             let second = Border {
                 half: target.map(|v| Polynomial::new(even.map(|size| size * v).to_vec())),
                 along: &straight * &forms.weight,
