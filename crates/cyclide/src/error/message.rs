@@ -93,7 +93,7 @@ impl std::fmt::Display for Error {
             ),
             Self::TeeBlendTooLarge { radius, .. } => write!(
                 f,
-                "a blend of one quartic with the radius {} at its flank has an infinite one in a crotch, as has any between pipes of so nearly one radius: give one radius for all of it",
+                "a blend of one quartic with the radius {} at its flank has an infinite one in a crotch, as has any where the radii of the pipes differ by so little more than their offset: give one radius for all of it",
                 ShortNumber(*radius)
             ),
             Self::TeePipeTooShort { what: ErrorItem::Branch, branch, end, needed } => write!(
