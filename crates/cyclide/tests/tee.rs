@@ -1,8 +1,8 @@
 //! Tees: balls that touch both pipes, tangent planes, walls of one thickness, and bodies of known volume.
 
 use cyclide::{
-    Body, Error, FaceSurface, MadeTee, ParamSurface as _, PipeTee, Point3, RationalBezierSurface, ShellFace, TeeBlend,
-    TeeBranch, TeeEnds, TeeMain, Vec3, surface_joints,
+    Body, Error, FaceSurface, MadeTee, PipeTee, Point3, RationalBezierSurface, ShellFace, TeeBlend, TeeBranch, TeeEnds,
+    TeeMain, Vec3, surface_joints,
 };
 use std::f64::consts::{FRAC_PI_2, PI};
 
