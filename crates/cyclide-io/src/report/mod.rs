@@ -11,6 +11,7 @@ mod smooth;
 mod surface;
 mod tee;
 mod text;
+mod torus;
 
 use cyclide::{Geometry, SurfaceObject, Units};
 use indexmap::IndexMap;
@@ -27,6 +28,7 @@ pub use seam::SeamReport;
 pub use smooth::{ComparisonReport, SmoothReport};
 pub use surface::{CircularReport, PartReport, PatchPlace, ShapeReport, SingularPatchReport, SurfaceReport};
 pub use tee::TeeBlendReport;
+pub use torus::{SegmentCounts, TorusReport, UnrolledReport};
 
 /// The report on a model and the files made of it. As JSON, values that are not finite are `null`.
 ///

@@ -12,6 +12,7 @@ mod rails;
 mod refusals;
 mod revolutions;
 mod tees;
+mod tori;
 
 use std::path::Path;
 

@@ -21,6 +21,7 @@ pub mod runner;
 mod scales;
 mod swept;
 mod tees;
+mod tori;
 mod triangles;
 
 pub use random::Random;
@@ -70,7 +71,7 @@ impl Objects {
     }
 }
 
-const CLASSES: [Class; 21] = [
+const CLASSES: [Class; 23] = [
     ("points", 5, points::object),
     ("hairpins", 3, hairpins::object),
     ("ends", 3, ends::object),
@@ -92,6 +93,8 @@ const CLASSES: [Class; 21] = [
     ("bridges", 2, swept::bridge),
     ("rails", 3, swept::between_rails),
     ("triangles", 3, triangles::surface),
+    ("tori", 3, tori::curve),
+    ("seams", 2, tori::seam),
 ];
 
 /// Document `number` of the attack with this seed.

@@ -8,7 +8,7 @@ mod curves;
 pub use bodies::{
     ConvexPolyhedron, EllipseBridge, MadeTee, NeckBlend, NeckBody, NeckSide, NeckVariant, Pipe, PipeEnds, PipeTee,
     PlateShape, PolyhedronEdge, RailSurface, Revolution, SphericalPolygon, TeeBlend, TeeBlendFacts, TeeBranch, TeeEnds,
-    TeeMain,
+    TeeMain, TorusSeam,
 };
 #[cfg(feature = "circular-mesh")]
 pub use circular_mesh::{
@@ -20,4 +20,7 @@ pub use curves::{
     FairFit, FairFitCertificate, FairFitOptions, FairSplineOptions, FitCertificate, FitTarget, RationalRun,
     blends_by_turn, certify_arc, curvature_intervals, estimate_tangents, feasible_bulges,
 };
-pub use curves::{ProjectiveBiarc, TorusSplineOptions, TorusTangent, TorusWinding, TwoTypeBiarc};
+pub use curves::{
+    ProjectiveBiarc, TorusMap, TorusSplineOptions, TorusTangent, TorusWinding, TwoTypeBiarc, UnrollOptions,
+    UnrolledSpline,
+};

@@ -18,6 +18,7 @@ mod smooth;
 mod surfaces;
 mod swept;
 mod tees;
+mod torus;
 
 use std::io;
 use std::path::{Path, PathBuf};
@@ -40,6 +41,7 @@ pub use polyhedra::RoundedPolyhedron;
 use references::{References, State};
 pub use remark::Remark;
 pub use smooth::SmoothChoice;
+pub use torus::UnrolledPlane;
 
 /// An object made by its construction, with what is known about it besides its geometry.
 ///
@@ -71,6 +73,8 @@ pub struct BuiltObject {
     pub tee_blends: Vec<TeeBlendFacts>,
     /// What was chosen for a smooth mesh.
     pub smooth: Option<SmoothChoice>,
+    /// What became of a curve of a torus when it was laid flat.
+    pub unrolled: Option<UnrolledPlane>,
     /// Construction geometry: not for files.
     pub construction: bool,
     /// One entry per contour.
@@ -157,6 +161,7 @@ impl<'a> ModelBuilder<'a> {
                     polyhedron: None,
                     tee_blends: Vec::new(),
                     smooth: None,
+                    unrolled: None,
                     remarks: Vec::new(),
                     data: Vec::new(),
                 };
@@ -219,6 +224,8 @@ struct Builder<'a> {
     tee_blends: Vec<TeeBlendFacts>,
     /// What was chosen for the smooth mesh that it is.
     smooth: Option<SmoothChoice>,
+    /// What became of the curve when it was laid flat.
+    unrolled: Option<UnrolledPlane>,
     remarks: Vec<Remark>,
     /// The points of a fit.
     data: Vec<Point3>,
@@ -248,7 +255,7 @@ impl Builder<'_> {
         let geometry = if surfaces.is_empty() { Geometry::Curves(curves) } else { Geometry::Surfaces(surfaces) };
         let item = Item::new(self.name, geometry);
         let construction = self.spec.is_construction();
-        let Self { data, seams, polyhedron, tee_blends, smooth, remarks, .. } = self;
+        let Self { data, seams, polyhedron, tee_blends, smooth, unrolled, remarks, .. } = self;
         let provenance = Provenance { kind: self.spec.type_word(), data };
         Ok(BuiltObject {
             item,
@@ -261,6 +268,7 @@ impl Builder<'_> {
             polyhedron,
             tee_blends,
             smooth,
+            unrolled,
             construction,
             contours,
             remarks,
