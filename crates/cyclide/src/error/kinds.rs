@@ -560,6 +560,8 @@ pub enum Error {
     },
     /// The balls of the plainest blend of a tee are infinite in a crotch.
     TeeBlendTooLarge {
+        /// Which branch, from 0.
+        branch: usize,
         /// Radius of the ball at the flank.
         radius: f64,
         /// The radius at which that begins; not positive where no ball will do.
@@ -578,6 +580,8 @@ pub enum Error {
     },
     /// The blend of a tee runs through itself.
     TeeBlendFolds {
+        /// Which branch, from 0.
+        branch: usize,
         /// Angle round the branch where that is.
         angle: f64,
         /// Its width there as part of what it would be on a straight way: not positive.
@@ -585,6 +589,8 @@ pub enum Error {
     },
     /// The contact of a blend with the main pipe of a tee turns back and forth.
     TeeHoleFolds {
+        /// Which branch, from 0.
+        branch: usize,
         /// Angle round the branch where that is.
         angle: f64,
     },

@@ -85,15 +85,15 @@ impl std::fmt::Display for Error {
                 ShortNumber(*reach),
                 ShortNumber(*limit)
             ),
-            Self::TeeBlendTooLarge { radius, limit } if *limit > 0.0 => write!(
+            Self::TeeBlendTooLarge { branch, radius, limit } if *limit > 0.0 => write!(
                 f,
-                "a blend of one quartic with the radius {} at its flank has an infinite one in a crotch: its radius must be below {}, or give one radius for all of it",
+                "the blend of branch {branch}, of one quartic with the radius {} at its flank, has an infinite one in a crotch: its radius must be below {}, or give one radius for all of it",
                 ShortNumber(*radius),
                 ShortNumber(*limit)
             ),
-            Self::TeeBlendTooLarge { radius, .. } => write!(
+            Self::TeeBlendTooLarge { branch, radius, .. } => write!(
                 f,
-                "a blend of one quartic with the radius {} at its flank has an infinite one in a crotch, as has any between pipes of so nearly one radius: give one radius for all of it",
+                "the blend of branch {branch}, of one quartic with the radius {} at its flank, has an infinite one in a crotch, as has any where the radii of the pipes differ by so little more than their offset: give one radius for all of it",
                 ShortNumber(*radius)
             ),
             Self::TeePipeTooShort { what: ErrorItem::Branch, branch, end, needed } => write!(
@@ -108,15 +108,15 @@ impl std::fmt::Display for Error {
                 ShortNumber(*end),
                 ShortNumber(*needed)
             ),
-            Self::TeeBlendFolds { angle, left } => write!(
+            Self::TeeBlendFolds { branch, angle, left } => write!(
                 f,
-                "the blend runs through itself at {} radians round the branch: its width there is {} of that on a straight way, which must be positive; take a smaller radius there, or one that changes less",
+                "the blend of branch {branch} runs through itself at {} radians round the branch: its width there is {} of that on a straight way, which must be positive; take a smaller radius there, or one that changes less",
                 ShortNumber(*angle),
                 ShortNumber(*left)
             ),
-            Self::TeeHoleFolds { angle } => write!(
+            Self::TeeHoleFolds { branch, angle } => write!(
                 f,
-                "the blend meets the main pipe in a line that turns back at {} radians round the branch: let the radius change less there",
+                "the blend of branch {branch} meets the main pipe in a line that turns back at {} radians round the branch: let the radius change less there",
                 ShortNumber(*angle)
             ),
             Self::TeeBranchesMeet { first, second, distance, needed } => write!(

@@ -237,9 +237,11 @@ fn blame(spec: &ObjectSpec, error: &cyclide::Error) -> Blame {
 fn blame_tee(error: &cyclide::Error) -> Blame {
     use cyclide::{Error as E, ErrorItem as I};
     match error {
-        E::TeeBranchTooWide { branch, .. } | E::TeePipeTooShort { what: I::Branch, branch, .. } => {
-            Blame::Entry("branches", *branch)
-        }
+        E::TeeBranchTooWide { branch, .. }
+        | E::TeeBlendTooLarge { branch, .. }
+        | E::TeeBlendFolds { branch, .. }
+        | E::TeeHoleFolds { branch, .. }
+        | E::TeePipeTooShort { what: I::Branch, branch, .. } => Blame::Entry("branches", *branch),
         E::TeePipeTooShort { .. } => Blame::Field("main"),
         E::TeeBranchesMeet { second, .. } => Blame::Entry("branches", *second),
         E::ParameterOutOfRange { name: name @ I::Wall, .. } => Blame::Field(name.word()),

@@ -12,6 +12,10 @@ use crate::document::angle::Angle;
 /// main pipe and within its breadth.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[schemars(
+    extend("if" = {"properties": {"ends": {"const": "open"}}, "required": ["ends"]}),
+    extend("then" = {"properties": {"wall": false}})
+)]
 pub struct PipeTeeSpec {
     /// The word `pipe-tee`.
     #[schemars(with = "String", extend("const" = "pipe-tee"))]
@@ -88,7 +92,11 @@ pub enum TeeBlendSpec {
 /// A law of the radius of a ball; one of `radius`, `least`, `crotch` with `flank`, and `values`.
 #[derive(Debug, Clone, PartialEq, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-#[schemars(rename = "TeeLaw")]
+#[schemars(
+    rename = "TeeLaw",
+    extend("oneOf" = [{"required": ["radius"]}, {"required": ["least"]}, {"required": ["crotch", "flank"]}, {"required": ["values"]}]),
+    extend("dependentRequired" = {"tolerance": ["radius"], "crotch": ["flank"], "flank": ["crotch"]})
+)]
 pub struct TeeLawSpec {
     /// One radius.
     #[schemars(extend("exclusiveMinimum" = 0))]

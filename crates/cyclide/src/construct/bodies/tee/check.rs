@@ -70,7 +70,7 @@ pub(super) fn check_folds(crossing: &Crossing, pieces: &[LoopPiece], depth: f64)
     if tightest.left > 0.0 {
         return Ok(tightest);
     }
-    Err(Error::TeeBlendFolds { angle: tightest.angle, left: tightest.left })
+    Err(Error::TeeBlendFolds { branch: crossing.branch, angle: tightest.angle, left: tightest.left })
 }
 
 /// The places along the main pipe between which the contact of the blend is: of the hulls of its pieces.

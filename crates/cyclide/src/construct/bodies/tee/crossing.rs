@@ -9,6 +9,8 @@ use crate::rational::Polynomial;
 /// their radii differ.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Crossing {
+    /// Which branch, from 0, for what is refused of it.
+    pub(super) branch: usize,
     /// Radii of branch and main pipe.
     pub(super) radii: [f64; 2],
     /// Difference of the radii.

@@ -296,6 +296,7 @@ impl PipeTee {
         let sideways = Vec3::new(0.0, turn_cos, turn_sin);
         let along = Vec3::X;
         Ok(Crossing {
+            branch: index,
             radii: [radius, main],
             delta,
             tau,

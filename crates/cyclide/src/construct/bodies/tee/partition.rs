@@ -112,7 +112,10 @@ fn with_corners(crossing: &Crossing, pieces: &[LoopPiece], near: f64) -> Result<
             }
             let kind = (now + 3) % 4;
             if now != (before + 1) % 4 || corners[kind].is_some() || waiting.is_some() {
-                return Err(Error::TeeHoleFolds { angle: crossing.true_angle(piece.angle(high)) });
+                return Err(Error::TeeHoleFolds {
+                    branch: crossing.branch,
+                    angle: crossing.true_angle(piece.angle(high)),
+                });
             }
             let place = change(|t| at(piece, t) == before, [low, high]);
             before = now;
@@ -133,7 +136,7 @@ fn with_corners(crossing: &Crossing, pieces: &[LoopPiece], near: f64) -> Result<
     if let Some(kind) = waiting {
         corners[kind] = Some(0);
     }
-    let fold = || Error::TeeHoleFolds { angle: 0.0 };
+    let fold = || Error::TeeHoleFolds { branch: crossing.branch, angle: 0.0 };
     let mut found = [0; 4];
     for (place, corner) in found.iter_mut().zip(corners) {
         *place = corner.ok_or_else(fold)?;

@@ -85,7 +85,7 @@ fn quartic(crossing: &Crossing, radius: f64) -> Result<Vec<LoopPiece>> {
     let factor = 0.5 * (1.0 + ratio + (ratio * (ratio + 2.0)).sqrt());
     let limit = 4.0 * widest - crossing.radii[0];
     if !(factor > 1.0) {
-        return Err(Error::TeeBlendTooLarge { radius, limit });
+        return Err(Error::TeeBlendTooLarge { branch: crossing.branch, radius, limit });
     }
     let at = |k: u32| f64::from(k) * FRAC_PI_4;
     Ok((0..8).map(|k| LoopPiece::constant(at(k), at(k + 1), factor)).collect())
