@@ -170,7 +170,7 @@ impl TorusSpline {
         let mut runs: Vec<Vec<Part>> = Vec::new();
         for part in (0..self.pieces().len()).flat_map(|piece| self.parts(piece, seam)) {
             match runs.last_mut() {
-                Some(run) if run.last().is_some_and(|last| last.copy == part.copy) => run.push(part),
+                Some(run) if run.last().is_some_and(|last| same_copy(last.copy, part.copy)) => run.push(part),
                 _ => runs.push(vec![part]),
             }
         }
@@ -183,7 +183,7 @@ impl TorusSpline {
         let copies = |runs: &[Vec<Part>]| Some((runs.first()?.first()?.copy, runs.last()?.last()?.copy));
         if let (Some([n, m]), Some((first, last))) = (turns, copies(&runs))
             && runs.len() > 1
-            && last == [first[0] + n, first[1] + m]
+            && same_copy(last, [first[0] + n, first[1] + m])
         {
             let start = runs.remove(0);
             if let Some(run) = runs.last_mut() {
@@ -279,4 +279,9 @@ impl SmoothPiece for FlatPart<'_> {
         let velocity = self.flat.map.velocity(spline.torus(), self.place(s), spline.pieces()[piece].rate(s));
         (self.point(s), Vec3::new(velocity.x, velocity.y, 0.0))
     }
+}
+
+/// Whether two copies of the plane, counted along both of its sides, are one.
+fn same_copy([a, b]: [f64; 2], [c, d]: [f64; 2]) -> bool {
+    (a - c).abs() < 0.5 && (b - d).abs() < 0.5
 }
