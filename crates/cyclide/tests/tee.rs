@@ -1,5 +1,7 @@
 //! Tees: balls that touch both pipes, tangent planes, walls of one thickness, and bodies of known volume.
 
+#![allow(clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
+
 use cyclide::{
     Body, Error, FaceSurface, MadeTee, PipeTee, Point3, RationalBezierSurface, ShellFace, TeeBlend, TeeBranch, TeeEnds,
     TeeMain, Vec3, surface_joints,

@@ -73,7 +73,7 @@ pub(super) fn check_folds(crossing: &Crossing, pieces: &[LoopPiece], depth: f64)
     Err(Error::TeeBlendFolds { branch: crossing.branch, angle: tightest.angle, left: tightest.left })
 }
 
-/// The places along the main pipe between which the contact of the blend is: of the hulls of its pieces.
+/// The places along the main pipe between which the contact of the blend is, from places of its pieces close together.
 pub(super) fn reach_along(crossing: &Crossing, partition: &Partition) -> [f64; 2] {
     let mut reach = [f64::INFINITY, f64::NEG_INFINITY];
     for piece in &partition.pieces {
