@@ -66,6 +66,7 @@
 //! | patches, nets, whole cyclides | [`CyclidePatch`], [`CyclidicNet`], [`DupinCyclide`], [`QuadGrid`], [`Seam`] |
 //! | quads made circular | `make_circular`, with the feature `circular-mesh` |
 //! | tori and curves on them | [`Torus`], [`TorusSpline`] (through points, torus knots), [`CircleFamily`], [`QuarticType`] |
+//! | rolling balls, canal surfaces | [`SkewCylinders`], [`CrossingCylinders`], [`QuadricPair`], [`RollingBall`], [`CanalPatch`] |
 //! | surfaces over triangles | [`SmoothMesh`], [`SmoothTriangle`], [`SphereBlend`] |
 //! | bodies made from curves | [`Revolution`], [`Pipe`], [`NeckBlend`], [`EllipseBridge`], [`Body::ruled`], [`Body::circular`] |
 //! | bodies made from solids | [`ConvexPolyhedron`], [`SphericalPolygon`] |
@@ -137,6 +138,8 @@ pub use short_number::ShortNumber;
 pub use surface::{
     CircleFamily, QuarticType, SegmentMethod, Torus, TorusClasses, TorusJunction, TorusPiece, TorusSegment, TorusSpline,
 };
+pub use surface::{CanalPatch, CharacteristicCircle, ContactPartner, CrossingCylinders, RollingBall, SkewCylinders};
+pub use surface::{NaturalQuadric, PairKind, QuadricPair};
 pub use surface::{CyclideKind, CyclidicNet, DupinCyclide, NetFrame, SingularPatch};
 pub use surface::{CyclidePatch, PatchKind};
 pub use surface::{ImplicitForm, PatchLocation, PatchRow};
