@@ -7,7 +7,7 @@ mod common;
 #[test]
 fn every_warning_is_explained() {
     // The words as the kernel has them.
-    let source = include_str!("../../cyclide/src/warning.rs");
+    let source = include_str!("../../cyclide/src/warning/reason.rs");
     let page = include_str!("../../../docs/report.md");
     let (_, body) = source.split_once("pub fn reason(&self)").expect("the function of the words");
     let (body, _) = body.split_once("\n    }\n").expect("its end");

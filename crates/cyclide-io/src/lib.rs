@@ -43,7 +43,9 @@ pub use file::{
     NotDurable, StagedFiles, WriteOptions, leads_to_standard_input, leads_to_standard_output, same_file, write_file,
     write_files,
 };
-pub use formats::{Exporter, Format, InputKind, ObjGrid, export, file_deviation, read_back, read_quad_grid};
+pub use formats::{
+    Exporter, Format, InputKind, MeshFormat, ObjGrid, export, file_deviation, read_back, read_quad_grid,
+};
 #[cfg(feature = "files")]
 pub use input::file::{MOST_INPUT_BYTES, read_head, read_input, read_standard_input};
 pub use input::points::{ColumnUnit, PointColumns, PointList, PointRemark, PointTable, read_points, unit_of_columns};

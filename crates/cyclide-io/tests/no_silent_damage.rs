@@ -185,7 +185,7 @@ fn curvatures_without_bounds_are_null_with_the_reason() {
         assert_eq!(range["unbounded"].is_string(), unbounded, "{range}");
         let (min, max) =
             (range["min"].as_f64().unwrap_or(f64::NEG_INFINITY), range["max"].as_f64().unwrap_or(f64::INFINITY));
-        let against = face.surface.patch().unwrap().is_flipped() == face.same_sense;
+        let against = face.outer_sign_of_unit_normal() < 0.0;
         for i in 0..2000 {
             // Nearer and nearer to both ends.
             let near = 10.0_f64.powf(-8.0 * f64::from(i % 1000) / 1000.0);
@@ -211,7 +211,7 @@ fn offsets_beyond_the_focal_set_say_how_far_they_can_go() {
     assert_eq!((remark.reason, remark.place.as_deref()), ("beyond-focal-set", Some("objects.o.distance")));
     // All patches have the tube's radius 1.
     assert!(remark.message.contains("by -1.5 ") && remark.message.contains(" on 16 patch(es)"), "{}", remark.message);
-    let (_, warning) = &beyond.warnings[0];
+    let warning = beyond.remarks[0].warning.as_ref().unwrap();
     let cyclide::Warning::BeyondFocalSet { radius, count, .. } = *warning else { panic!("{warning:?}") };
     assert!((radius - 1.0).abs() < 1e-12 && count == 16, "{radius}"); // rounding
     for near in [-0.999, 0.5, 1.99] {
@@ -219,7 +219,9 @@ fn offsets_beyond_the_focal_set_say_how_far_they_can_go() {
     }
     // Outwards the inner half of the ring has centres of curvature, 2 and farther away.
     let outwards = offset(2.5);
-    let cyclide::Warning::BeyondFocalSet { radius, count, .. } = outwards.warnings[0].1 else { panic!("a warning") };
+    let Some(cyclide::Warning::BeyondFocalSet { radius, count, .. }) = outwards.remarks[0].warning else {
+        panic!("a warning")
+    };
     assert!((radius - 2.0).abs() < 1e-12 && count == 8, "{radius} {count}");
     // And back: the ring as it was.
     let back = last_of(

@@ -148,9 +148,9 @@ fn grids_along_curvature_lines_move_little_and_grids_across_them_are_warned_of()
     let median = |mesh: &CircularMesh| mesh.report.angle_before.unwrap().median.to_degrees();
     assert!(median(&along) < 5.0 && median(&across) > 40.0, "{} {}", median(&along), median(&across));
     assert!(along.report.angle_after.unwrap().median < along.report.angle_before.unwrap().median);
-    assert!(along.warnings.is_empty(), "{:?}", along.warnings);
+    assert!(along.warnings().is_empty(), "{:?}", along.warnings());
     assert!(along.report.moves.mean < 0.05 && across.report.moves.mean > 0.2);
-    let reasons: Vec<&str> = across.warnings.iter().map(cyclide::Warning::reason).collect();
+    let reasons: Vec<&str> = across.warnings().iter().map(cyclide::Warning::reason).collect();
     assert!(reasons.contains(&"moved-far"), "{reasons:?}");
 }
 
@@ -158,7 +158,7 @@ fn grids_along_curvature_lines_move_little_and_grids_across_them_are_warned_of()
 fn noise_is_named_as_zigzag() {
     let reasons = |noisy| {
         let mesh = circular(&grid(canopy, 20, noisy), Border::Free).unwrap();
-        mesh.warnings.iter().map(cyclide::Warning::reason).collect::<Vec<_>>()
+        mesh.warnings().iter().map(cyclide::Warning::reason).collect::<Vec<_>>()
     };
     assert!(!reasons(0.0).contains(&"zigzag"));
     assert!(reasons(0.02).contains(&"zigzag"));
@@ -209,7 +209,7 @@ fn what_is_circular_does_not_move() {
         let mesh = circular(&before, Border::Free).unwrap();
         assert_eq!(mesh.grid, before);
         assert_eq!((mesh.report.steps, mesh.report.moves.max), (0, 0.0));
-        assert!(mesh.warnings.is_empty());
+        assert!(mesh.warnings().is_empty());
     }
 }
 

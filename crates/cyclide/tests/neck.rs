@@ -100,7 +100,7 @@ fn bodies(neck: &NeckBlend, side: NeckSide) -> Vec<Body> {
         NeckSide::Inside => vec![None],
     };
     let kinds = [(None, None), (Some(0.7), None), (Some(0.7), Some(0.5))];
-    let kinds = &kinds[..if neck.warning().is_some() { 1 } else { 3 }];
+    let kinds = &kinds[..if !neck.warnings().is_empty() { 1 } else { 3 }];
     let all = plates
         .into_iter()
         .flat_map(|plate| kinds.iter().map(move |&(thickness, wall)| made(70.0, plate, thickness, wall)));
@@ -237,7 +237,11 @@ fn large_balls_fold_outer_necks_and_are_warned_of() {
                 };
                 let neck = NeckBlend::new(1.0, ball, slope, side, NeckVariant::Pipe).unwrap();
                 let folds = side == NeckSide::Outside && part > 1.0;
-                assert_eq!(neck.warning().map(|w| w.reason()), folds.then_some("neck-folds"), "{slope} {part}");
+                assert_eq!(
+                    neck.warnings().first().map(|w| w.reason()),
+                    folds.then_some("neck-folds"),
+                    "{slope} {part}"
+                );
                 // No solid has such a boundary.
                 let plate = Some(PlateShape::Rectangle([1e3; 2])).filter(|_| side == NeckSide::Outside);
                 assert!(neck.body(&made(1e3, plate, None, None)).is_ok());
@@ -273,7 +277,7 @@ fn large_balls_fold_outer_necks_and_are_warned_of() {
 fn the_vertical_variant_never_folds() {
     for (slope, ball) in [(PI / 3.0, 2.0), (1.0, 20.0), (-1.4, 5.0), (0.3, 100.0)] {
         let neck = NeckBlend::new(1.0, ball, slope, NeckSide::Outside, NeckVariant::Vertical).unwrap();
-        assert_eq!(neck.warning(), None);
+        assert_eq!(neck.warnings(), []);
         for quarter in 0..4 {
             let surface = neck.surface(FRAC_PI_2 * f64::from(quarter), FRAC_PI_2 * f64::from(quarter + 1)).unwrap();
             for (i, j) in (0..=40).flat_map(|i| (1..=40).map(move |j| (i, j))) {

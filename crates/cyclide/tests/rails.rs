@@ -3,7 +3,8 @@
 #![allow(clippy::float_cmp, reason = "numbers handed through are the same")]
 
 use cyclide::{
-    Arc, Body, EdgeCurve, EllipseBridge, Error, FaceSurface, Point3, RationalBezier, Vec3, Warning, surface_joints,
+    Arc, Body, EdgeCurve, EllipseBridge, Error, FaceSurface, Point3, RailSurface, RationalBezier, Vec3, Warning,
+    surface_joints,
 };
 use std::f64::consts::PI;
 use std::slice::from_ref;
@@ -51,24 +52,24 @@ fn kinks_at_smooth_joints_are_said() {
     for (first, second) in [(1.0, 1.0), (3.0, 3.0), (1.0, 1.5), (4.0, 1.0)] {
         let rails = [straight(0.0, first), straight(1.0, second)];
         let [a, b] = &rails;
-        let ruled = Body::ruled_with_warning([a, b], false).unwrap();
-        let circular = Body::circular_with_warning([a, b], &[Vec3::Z], false).unwrap();
-        for (body, warning) in [ruled, circular] {
-            let angle = surface_joints(&body.outer).iter().map(|joint| joint.angle).fold(0.0, f64::max);
-            match warning {
-                None => assert!(first == second && angle < 1e-12, "{first} {second}: {angle}"),
-                Some(Warning::KinksAtJoints { count: 1, joint: 1, angle: said, limit }) => {
+        let ruled = RailSurface::ruled([a, b], false).unwrap();
+        let circular = RailSurface::circular([a, b], &[Vec3::Z], false).unwrap();
+        for made in [ruled, circular] {
+            let angle = surface_joints(&made.body().outer).iter().map(|joint| joint.angle).fold(0.0, f64::max);
+            match *made.warnings() {
+                [] => assert!(first == second && angle < 1e-12, "{first} {second}: {angle}"),
+                [Warning::KinksAtJoints { count: 1, joint: 1, angle: said, limit }] => {
                     assert!(said == angle && angle > limit && first != second)
                 }
-                other => panic!("{other:?}"),
+                ref other => panic!("{other:?}"),
             }
         }
     }
     // At a corner of a curve the surface has one too.
     let [a, _] = straight(0.0, 1.0);
     let turned = cubic([[1.0, 0.0, 0.0], [1.3, 0.1, 0.0], [1.6, 0.2, 0.0], [2.0, 0.3, 0.0]]);
-    let (body, warning) = Body::ruled_with_warning([&[a, turned], &straight(1.0, 3.0)], false).unwrap();
-    assert!(warning.is_none() && body.outer.faces().len() == 2);
+    let made = RailSurface::ruled([&[a, turned], &straight(1.0, 3.0)], false).unwrap();
+    assert!(made.warnings().is_empty() && made.body().outer.faces().len() == 2);
 }
 
 /// The bridge is a hundred thousand times as wide along y as along x.
@@ -106,9 +107,9 @@ fn bridges_of_very_uneven_width_have_their_volume() {
 
 #[test]
 fn bridges_that_cross_are_said() {
-    let warning = |first, second| EllipseBridge::new(first, second).unwrap().warning();
-    assert_eq!(warning([2.0, 1.0], [1.0, 2.0]), Some(Warning::EllipsesCross { along_x: -1.0, along_y: 1.0 }));
-    assert_eq!(warning([1.0, 2.0], [3.0, 2.5]), None);
+    let warnings = |first, second| EllipseBridge::new(first, second).unwrap().warnings();
+    assert_eq!(warnings([2.0, 1.0], [1.0, 2.0]), [Warning::EllipsesCross { along_x: -1.0, along_y: 1.0 }]);
+    assert_eq!(warnings([1.0, 2.0], [3.0, 2.5]), []);
     assert!(EllipseBridge::new([2.0, 1.0], [1.0, 2.0]).unwrap().body(None).is_ok());
     assert!(EllipseBridge::new([2.0, 1.0], [1.0, 2.0]).unwrap().body(Some(1.0)).is_err());
 }

@@ -449,7 +449,7 @@ fn parts_of_turns_have_end_faces() {
             assert!((volume / whole_volume * TAU / angle.abs() - 1.0).abs() < 1e-11, "{angle}: {volume}");
             let flat = |face: &cyclide::ShellFace| {
                 let at = face.surface.point(0.3, 0.4);
-                let normal = face.surface.normal(0.3, 0.4).unwrap() * if face.same_sense { 1.0 } else { -1.0 };
+                let normal = face.outer_normal(0.3, 0.4).unwrap();
                 let ends = [0.0, angle].map(|at| Vec3::new(-f64::sin(at), f64::cos(at), 0.0) * angle.signum());
                 // Outside is behind the start and ahead of the end.
                 ends.iter().zip([-1.0, 1.0]).any(|(along, outside)| {

@@ -61,7 +61,7 @@ fn allowed(grid: &QuadGrid) -> CircularMesh {
 }
 
 fn reasons(mesh: &CircularMesh) -> Vec<&'static str> {
-    mesh.warnings.iter().map(Warning::reason).collect()
+    mesh.warnings().iter().map(Warning::reason).collect()
 }
 
 fn refused(name: &str, grid: &QuadGrid) -> ShapeChange {
@@ -88,7 +88,7 @@ fn a_relief_across_its_curvature_lines_is_refused() {
             // What would have been written: less than half of the height, with the reasons.
             let mesh = allowed(&before);
             assert!(height(&mesh.grid) < 0.45 * height(&before), "{} {}", height(&mesh.grid), height(&before));
-            assert!(reasons(&mesh).starts_with(&["across-curvature-lines", "shape-changed"]), "{:?}", mesh.warnings);
+            assert!(reasons(&mesh).starts_with(&["across-curvature-lines", "shape-changed"]), "{:?}", mesh.warnings());
             assert_eq!(mesh.report.shape, Some(change));
         }
     }
@@ -102,7 +102,7 @@ fn a_hypar_over_its_straight_lines_is_refused_and_one_turned_by_45_degrees_is_no
         assert!(change.bending.unwrap() < 0.01 && change.thickness.unwrap() < 0.01, "{change:?}");
         assert!(height(&allowed(&hypar(0.0)).grid) < 0.01);
         let mesh = guarded(&hypar(45.0)).unwrap();
-        assert!(mesh.warnings.is_empty(), "{:?}", mesh.warnings);
+        assert!(mesh.warnings().is_empty(), "{:?}", mesh.warnings());
         assert!((height(&mesh.grid) / height(&hypar(45.0)) - 1.0).abs() < 0.05);
         // Between them the doubt comes first, then the refusal.
         assert_eq!(reasons(&guarded(&hypar(35.0)).unwrap())[..1], ["shape-changed"]);
@@ -211,7 +211,7 @@ fn nearly_flat_grids_are_not_refused() {
             let mesh = guarded(&before).unwrap();
             assert!(mesh.report.shape.unwrap().turn.to_degrees() < 0.3);
             // A thousandth of the size shows: the loss is said.
-            assert_eq!(reasons(&mesh).contains(&"shape-changed"), size > 5e-4, "{size:e}: {:?}", mesh.warnings);
+            assert_eq!(reasons(&mesh).contains(&"shape-changed"), size > 5e-4, "{size:e}: {:?}", mesh.warnings());
         }
     }
     let flat = guarded(&grid(&|u, v| [u + 0.1 * v * v, v + 0.15 * u * v, 0.0], [8, 8], OPEN, 0.0)).unwrap();
@@ -296,7 +296,7 @@ fn a_sheared_paraboloid_steepens_and_has_no_ripples_to_lose() {
             assert_eq!(reasons(&mesh)[..1], ["shape-changed"]);
             // Nearly spherical as it is, its lines are measured and named.
             assert!((shape.across.unwrap().to_degrees() - 36.0).abs() < 3.0, "{half} {quads}: {shape:?}");
-            let words = mesh.warnings[0].to_string();
+            let words = mesh.warnings()[0].to_string();
             assert!(words.contains(" degrees off the curvature lines: mesh the surface along"), "{words}");
         }
     }
@@ -358,7 +358,7 @@ fn egg_crates_of_six_quads_are_seen() {
         assert!(change.lost_relief > 0.5, "{change:?}");
     }
     let shallow = guarded(&dome(0.1)).unwrap();
-    assert!(reasons(&shallow).contains(&"shape-changed"), "{:?}", shallow.warnings);
+    assert!(reasons(&shallow).contains(&"shape-changed"), "{:?}", shallow.warnings());
 }
 
 #[test]

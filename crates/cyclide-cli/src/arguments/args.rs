@@ -2,11 +2,14 @@
 
 use std::path::PathBuf;
 
-use cyclide_io::{Camera, Format, WriteOptions};
+use cyclide::{BiarcRule, BlendVariant, Effort, FitTarget, Units};
+use cyclide_io::{Camera, DxfVersion, FairEndWord, Format, StepEdges, StepProducts, StraightWord, WriteOptions};
 
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{ArgAction, Args as ClapArgs, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
+
+use super::words::word;
 
 const EXIT_CODES: &str = "\
 Exit codes:
@@ -214,14 +217,14 @@ pub struct OutputArgs {
     #[arg(long, help_heading = "Formats")]
     pub dxf_splines: bool,
     /// DXF: the version written [default: r2000].
-    #[arg(long, value_name = "VERSION", value_enum, help_heading = "Formats")]
-    pub dxf_version: Option<DxfArg>,
+    #[arg(long, value_name = "VERSION", value_parser = word::<DxfVersion>(), help_heading = "Formats")]
+    pub dxf_version: Option<DxfVersion>,
     /// STEP: the curves of the edges between faces, and with them the faces [default: circle].
-    #[arg(long, value_name = "CURVE", value_enum, help_heading = "Formats")]
-    pub step_edges: Option<EdgesArg>,
+    #[arg(long, value_name = "CURVE", value_parser = word::<StepEdges>(), help_heading = "Formats")]
+    pub step_edges: Option<StepEdges>,
     /// STEP: the products of several objects [default: auto].
-    #[arg(long, value_name = "PRODUCTS", value_enum, help_heading = "Formats")]
-    pub step_products: Option<ProductsArg>,
+    #[arg(long, value_name = "PRODUCTS", value_parser = word::<StepProducts>(), help_heading = "Formats")]
+    pub step_products: Option<StepProducts>,
     /// SVG: draw the curvature comb.
     #[arg(long, help_heading = "Formats")]
     pub svg_comb: bool,
@@ -287,8 +290,8 @@ pub struct CurveArgs {
     pub tolerance: Option<f64>,
     /// What the coordinates are measured in; they are labelled, never rescaled [default: what the names of the columns
     /// say, as x_m, else mm].
-    #[arg(long, value_enum)]
-    pub units: Option<UnitsArg>,
+    #[arg(long, value_parser = word::<Units>())]
+    pub units: Option<Units>,
     /// The two or three coordinate columns, by name or by number from 1 [default: x, y and z by their names].
     #[arg(long, value_name = "A,B", value_delimiter = ',', num_args = 1)]
     pub columns: Option<Vec<String>>,
@@ -306,26 +309,26 @@ pub struct CurveArgs {
     #[arg(long, value_name = "PART", value_parser = below_half, allow_negative_numbers = true)]
     pub tight: Option<f64>,
     /// Fair spline: the ends of an open curve [default: circle].
-    #[arg(long, value_enum)]
-    pub ends: Option<EndsArg>,
+    #[arg(long, value_parser = word::<FairEndWord>())]
+    pub ends: Option<FairEndWord>,
     /// Fair spline: whether runs of points on a line beside a corner stay straight [default: auto].
-    #[arg(long, value_enum)]
-    pub straight: Option<StraightArg>,
+    #[arg(long, value_parser = word::<StraightWord>())]
+    pub straight: Option<StraightWord>,
     /// Circle spline: blend order, 1 to 4 [default: 2].
     #[arg(long, value_name = "K", value_parser = clap::value_parser!(u32).range(1..=4))]
     pub order: Option<u32>,
     /// Circle spline: how circles are blended [default: rational].
-    #[arg(long, value_enum)]
-    pub variant: Option<VariantArg>,
+    #[arg(long, value_parser = word::<BlendVariant>())]
+    pub variant: Option<BlendVariant>,
     /// Arc spline: how the joint between two points is chosen [default: equal-d].
-    #[arg(long, value_enum)]
-    pub rule: Option<RuleArg>,
+    #[arg(long, value_parser = word::<BiarcRule>())]
+    pub rule: Option<BiarcRule>,
     /// Arc fit: what the points are [default: points].
-    #[arg(long, value_enum)]
-    pub target: Option<TargetArg>,
+    #[arg(long, value_parser = word::<FitTarget>())]
+    pub target: Option<FitTarget>,
     /// Arc fit: how hard to search [default: default].
-    #[arg(long, value_enum)]
-    pub effort: Option<EffortArg>,
+    #[arg(long, value_parser = word::<Effort>())]
+    pub effort: Option<Effort>,
     /// Fair fit: how much the curve keeps to the middle of the points: 0 is the fairest curve, 1 halves the distance to
     /// what noisy points were measured from for about 3 % more variation of curvature, 10 and more approach least
     /// squares [default: 0].
@@ -406,85 +409,6 @@ pub enum Kind {
     FairFit,
 }
 
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub enum UnitsArg {
-    Mm,
-    Cm,
-    M,
-    In,
-    Ft,
-}
-
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub enum VariantArg {
-    /// An exact rational curve.
-    Rational,
-    /// Sines of a blended angle; files carry it within a tolerance.
-    Trigonometric,
-}
-
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub enum EndsArg {
-    /// Along the circle through the three points at the end.
-    Circle,
-    /// The end segment is an arc.
-    Arc,
-    /// The curvature vanishes.
-    Free,
-}
-
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub enum StraightArg {
-    /// They stay straight, the curve bends at the corner only.
-    Auto,
-    /// The curve is as fair as it can be and swings a little along them.
-    Off,
-}
-
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub enum RuleArg {
-    /// Equal legs of the control triangles.
-    EqualD,
-    /// Equal chords.
-    EqualChord,
-    /// Equal legs, unless equal chords are clearly better.
-    Auto,
-}
-
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub enum TargetArg {
-    /// Samples of a smooth curve.
-    Points,
-    /// The edges themselves.
-    Polyline,
-}
-
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub enum EffortArg {
-    /// Quick, a few per cent more arcs.
-    Fast,
-    /// The usual search.
-    Default,
-    /// Slow, sometimes fewer arcs.
-    Best,
-}
-
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub enum DxfArg {
-    /// AutoCAD 2000: the default.
-    R2000,
-    /// AutoCAD R12: for old machines.
-    R12,
-}
-
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub enum EdgesArg {
-    /// Circles and lines, with radii and centres; planes, cylinders, cones, spheres and tori are such faces: the default.
-    Circle,
-    /// Rational B-splines, with which all faces but planes are rational: half as large a file.
-    Rational,
-}
-
 /// What is said of `--output`: the suffixes are those of the formats.
 fn output_help() -> String {
     let suffixes: Vec<String> = Format::suffixes().map(|suffix| format!(".{suffix}")).collect();
@@ -509,16 +433,6 @@ fn not_negative(text: &str) -> Result<f64, String> {
         Ok(_) => Err("it must not be negative, and finite".to_owned()),
         Err(_) => Err("it is not a number".to_owned()),
     }
-}
-
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub enum ProductsArg {
-    /// An assembly, but one product where curves and surfaces stand together: the default.
-    Auto,
-    /// One product per object in an assembly, with its name.
-    Assembly,
-    /// One product of all objects.
-    One,
 }
 
 /// A positive, finite number.

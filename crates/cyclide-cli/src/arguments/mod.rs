@@ -6,3 +6,4 @@ pub mod effect;
 pub mod mistaken;
 pub mod plan;
 pub mod starters;
+mod words;

@@ -4,17 +4,15 @@ use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
 use clap_complete::Shell;
-use cyclide::{BiarcRule, BlendVariant, Effort, FitTarget, Units};
 use cyclide_io::{
-    Angle, ArcFitSpec, ArcSplineSpec, CircleSplineSpec, Comment, Document, DxfVersion, EndsSpec, ExportOptions,
-    FairEndWord, FairEndsSpec, FairFitSpec, FairSplineSpec, Format, ObjectSpec, PointColumns, PointFile, PointSource,
-    Spacing, StepEdges, StepProducts, StraightWord, TypeWord, WriteOptions, leads_to_standard_input, same_file,
+    Angle, ArcFitSpec, ArcSplineSpec, CircleSplineSpec, Comment, Document, EndsSpec, ExportOptions, FairEndsSpec,
+    FairFitSpec, FairSplineSpec, Format, ObjectSpec, PointColumns, PointFile, PointSource, Spacing, TypeWord,
+    WriteOptions, leads_to_standard_input, same_file,
 };
 
 use crate::arguments::args::{
-    Args, BuildArgs, Command, CompletionsArgs, CurveArgs, DxfArg, EdgesArg, EffortArg, EndsArg, GalleryArgs, Kind,
-    ManArgs, NewArgs, OutputArgs, ProductsArg, ReportArgs, RuleArg, SampleArgs, StraightArg, TargetArg, UnitsArg,
-    VariantArg,
+    Args, BuildArgs, Command, CompletionsArgs, CurveArgs, GalleryArgs, Kind, ManArgs, NewArgs, OutputArgs, ReportArgs,
+    SampleArgs,
 };
 use crate::arguments::effect;
 use crate::arguments::mistaken::{Wanted, refuse_suffix};
@@ -165,19 +163,9 @@ impl OutputArgs {
             tolerance,
             max_pieces: self.max_pieces.map(|n| usize::try_from(n).unwrap_or(usize::MAX)),
             dxf_splines: self.dxf_splines,
-            dxf_version: match self.dxf_version {
-                None | Some(DxfArg::R2000) => DxfVersion::R2000,
-                Some(DxfArg::R12) => DxfVersion::R12,
-            },
-            step_edges: match self.step_edges {
-                None | Some(EdgesArg::Circle) => StepEdges::Circles,
-                Some(EdgesArg::Rational) => StepEdges::Rational,
-            },
-            step_products: match self.step_products {
-                None | Some(ProductsArg::Auto) => StepProducts::Auto,
-                Some(ProductsArg::Assembly) => StepProducts::Assembly,
-                Some(ProductsArg::One) => StepProducts::One,
-            },
+            dxf_version: self.dxf_version.unwrap_or_default(),
+            step_edges: self.step_edges.unwrap_or_default(),
+            step_products: self.step_products.unwrap_or_default(),
             glb_edges: self.glb_edges,
             svg_comb: self.svg_comb,
             svg_points: self.svg_points,
@@ -229,8 +217,8 @@ impl CurveArgs {
                 closed,
                 tension: self.tension.unwrap_or_default(),
                 tight: self.tight,
-                ends: self.ends.map_or_else(FairEndsSpec::default, |ends| FairEndsSpec::Both(ends.word())),
-                straight: self.straight.map_or_else(StraightWord::default, StraightArg::word),
+                ends: self.ends.map_or_else(FairEndsSpec::default, FairEndsSpec::Both),
+                straight: self.straight.unwrap_or_default(),
                 corner_angle,
             }),
             Kind::CircleSpline => ObjectSpec::CircleSpline(CircleSplineSpec {
@@ -240,7 +228,7 @@ impl CurveArgs {
                 points,
                 closed,
                 order: self.order.unwrap_or(2),
-                variant: self.variant.map_or_else(BlendVariant::default, VariantArg::word),
+                variant: self.variant.unwrap_or_default(),
                 ends: EndsSpec::Natural,
                 corner_angle,
             }),
@@ -251,7 +239,7 @@ impl CurveArgs {
                 points,
                 tangents: None,
                 closed,
-                rule: self.rule.map_or_else(BiarcRule::default, RuleArg::word),
+                rule: self.rule.unwrap_or_default(),
             }),
             Kind::ArcFit => {
                 let needed = || Failure::Usage("--kind arc-fit needs --tolerance".to_owned());
@@ -262,8 +250,8 @@ impl CurveArgs {
                     points,
                     closed,
                     tolerance: self.tolerance.ok_or_else(needed)?,
-                    target: self.target.map_or_else(FitTarget::default, TargetArg::word),
-                    effort: self.effort.map_or_else(Effort::default, EffortArg::word),
+                    target: self.target.unwrap_or_default(),
+                    effort: self.effort.unwrap_or_default(),
                     corner_angle,
                 })
             }
@@ -290,7 +278,7 @@ impl CurveArgs {
         for path in &self.output.output {
             refuse_overwriting(Some(path), &self.points)?;
         }
-        let units = self.units.map_or(Units::default(), UnitsArg::units);
+        let units = self.units.unwrap_or_default();
         let document = Document::from_objects(&self.points.display().to_string(), units, objects);
         let columns = PointColumns { coordinates: self.columns, contour: self.contour_column };
         let input = Input::Made { document: Box::new(document), columns, unit_of_columns: self.units.is_none() };
@@ -338,75 +326,6 @@ impl Kind {
             Self::ArcSpline => "arc-spline",
             Self::ArcFit => "arc-fit",
             Self::FairFit => "fair-fit",
-        }
-    }
-}
-
-impl UnitsArg {
-    const fn units(self) -> Units {
-        match self {
-            Self::Mm => Units::Millimetre,
-            Self::Cm => Units::Centimetre,
-            Self::M => Units::Metre,
-            Self::In => Units::Inch,
-            Self::Ft => Units::Foot,
-        }
-    }
-}
-
-impl VariantArg {
-    const fn word(self) -> BlendVariant {
-        match self {
-            Self::Rational => BlendVariant::Rational,
-            Self::Trigonometric => BlendVariant::Trigonometric,
-        }
-    }
-}
-
-impl EndsArg {
-    const fn word(self) -> FairEndWord {
-        match self {
-            Self::Circle => FairEndWord::Circle,
-            Self::Arc => FairEndWord::Arc,
-            Self::Free => FairEndWord::Free,
-        }
-    }
-}
-
-impl StraightArg {
-    const fn word(self) -> StraightWord {
-        match self {
-            Self::Auto => StraightWord::Auto,
-            Self::Off => StraightWord::Off,
-        }
-    }
-}
-
-impl RuleArg {
-    const fn word(self) -> BiarcRule {
-        match self {
-            Self::EqualD => BiarcRule::EqualD,
-            Self::EqualChord => BiarcRule::EqualChord,
-            Self::Auto => BiarcRule::Auto,
-        }
-    }
-}
-
-impl TargetArg {
-    const fn word(self) -> FitTarget {
-        match self {
-            Self::Points => FitTarget::Points,
-            Self::Polyline => FitTarget::Polyline,
-        }
-    }
-}
-
-impl EffortArg {
-    const fn word(self) -> Effort {
-        match self {
-            Self::Fast => Effort::Fast,
-            Self::Default => Effort::Default,
-            Self::Best => Effort::Best,
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Faces that are parts of one plane side by side: what lies between them is no line of a drawing.
 
-use cyclide::{FaceGeometry as _, ParamSurface as _, Shell, ShellFace, Side};
+use cyclide::{FaceGeometry as _, Shell, ShellFace, Side};
 
 /// Normals of the same plane differ by less than this.
 const SAME_NORMAL: f64 = 1e-6;
@@ -28,10 +28,7 @@ pub(crate) fn drawn_edges(shell: &Shell) -> Vec<bool> {
 }
 
 fn same_normal(a: &ShellFace, b: &ShellFace) -> bool {
-    let normal = |face: &ShellFace| {
-        let normal = face.surface.normal(0.5, 0.5)?;
-        Some(if face.same_sense { normal } else { -normal })
-    };
+    let normal = |face: &ShellFace| face.outer_normal(0.5, 0.5);
     normal(a).zip(normal(b)).is_some_and(|(n, m)| (n - m).length() <= SAME_NORMAL)
 }
 

@@ -1,40 +1,50 @@
 //! What may be chosen about a file.
 
+use schemars::JsonSchema;
+use serde::Deserialize;
+
 use crate::export::camera::Camera;
 
 /// Which DXF.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
 pub enum DxfVersion {
-    /// AC1015: LWPOLYLINE, SPLINE, groups. The default.
+    /// AutoCAD 2000 (AC1015), with LWPOLYLINE, SPLINE and groups: the default.
     #[default]
     R2000,
-    /// AC1009: POLYLINE, for old machines; no splines.
+    /// AutoCAD R12 (AC1009), with POLYLINE, for old machines; no splines.
     R12,
 }
 
 /// The curves of the edges between faces in STEP, and with them the faces: both are such that readers find edge and face
 /// together at equal parameters, which booleans and fillets need.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
 pub enum StepEdges {
-    /// `CIRCLE` and `LINE`, on rational faces with their curves in the faces' parameters: CAD systems show radii and
-    /// centres, and cylinders, cones, spheres and tori are what they are. The default.
+    /// Circles and lines, with radii and centres; planes, cylinders, cones, spheres and tori are such faces: the default.
+    ///
+    /// On rational faces these have their curves in the faces' parameters.
     #[default]
+    #[serde(rename = "circle")]
     Circles,
-    /// Rational B-splines in the parameter of the faces, lines where they are even, and rational faces everywhere but in
-    /// planes: half as large a file.
+    /// Rational B-splines, with which all faces but planes are rational: half as large a file.
+    ///
+    /// They have the parameter of the faces, and are lines where they are even.
     Rational,
 }
 
 /// The products of several objects in STEP.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
 pub enum StepProducts {
-    /// One product per object in an assembly, but one product for curves and surfaces together: FreeCAD 0.20 without its
-    /// window crashes on such a file otherwise. The default.
+    /// An assembly, but one product where curves and surfaces stand together: the default.
+    ///
+    /// FreeCAD 0.20 without its window crashes on such a file otherwise.
     #[default]
     Auto,
-    /// One product per object in an assembly: readers show the objects by their names.
+    /// One product per object in an assembly, with its name.
     Assembly,
-    /// One product that holds all objects.
+    /// One product of all objects.
     One,
 }
 

@@ -2,6 +2,7 @@
 
 use crate::export::error::ExportError;
 use crate::formats::Format;
+use crate::formats::foreign::in_place_of_writing;
 use crate::text::suggest::did_you_mean;
 use std::path::Path;
 
@@ -42,27 +43,17 @@ impl Format {
         let suffix = path.extension().map(|s| s.to_string_lossy().to_lowercase()).unwrap_or_default();
         Self::of_suffix(&suffix).ok_or_else(|| {
             let known: Vec<String> = Self::suffixes().map(|suffix| format!(".{suffix}")).collect();
-            ExportError::UnknownSuffix { path: path.to_path_buf(), known: known.join(" "), hint: in_place_of(&suffix) }
+            ExportError::UnknownSuffix { path: path.to_path_buf(), known: known.join(" "), hint: hint_for(&suffix) }
         })
     }
 }
 
 /// What to write in the place of a format that is not written, or the suffix that was meant.
-fn in_place_of(suffix: &str) -> String {
-    let place = match suffix {
-        "iges" | "igs" | "x_t" | "x_b" | "sat" | "brep" | "brp" | "fcstd" | "sldprt" | "ipt" | "3dm" | "f3d" => {
-            ".step carries curves and surfaces to CAD"
-        }
-        "dwg" => ".dxf is what programs that read DWG read too",
-        "pdf" | "eps" | "ps" | "ai" => ".svg is a drawing at true size, to print or convert",
-        "jpg" | "jpeg" | "webp" | "gif" | "bmp" | "tif" | "tiff" => ".png is a picture",
-        "gltf" => ".glb is the same in one file",
-        "3mf" | "ply" | "off" | "fbx" | "dae" | "usd" | "usdz" => ".glb, .obj and .stl are meshes",
-        "nc" | "ngc" | "tap" | "gcode" | "cnc" => ".dxf holds arcs, from which CAM makes the machine's code",
-        "txt" | "tsv" | "xyz" | "dat" | "asc" => ".csv is a list of points",
-        _ => return did_you_mean(suffix, Format::suffixes()),
-    };
-    format!("; {place}")
+fn hint_for(suffix: &str) -> String {
+    match in_place_of_writing(suffix) {
+        Some(place) => format!("; {place}"),
+        None => did_you_mean(suffix, Format::suffixes()),
+    }
 }
 
 #[cfg(test)]

@@ -2,7 +2,8 @@
 
 use std::path::Path;
 
-use crate::formats::Format;
+use crate::formats::foreign::{DRAWING, OTHER_MESH, in_place_of_reading};
+use crate::formats::{Format, MeshFormat};
 use crate::text::lines::lines;
 
 /// What a file is.
@@ -16,7 +17,7 @@ pub enum InputKind {
     PointsJson,
     /// Points in rows and columns, or the samples of a surface.
     PointGrid,
-    /// A mesh as OBJ, whose quads a net takes and whose polygons everything else that is made of meshes.
+    /// A mesh whose quads a net takes, and whose polygons everything else that is made of meshes: OBJ.
     Mesh,
     /// A mesh of polygons in a format that nets do not read: STL, PLY, GLB.
     PolygonMesh,
@@ -25,10 +26,6 @@ pub enum InputKind {
     /// What is neither written nor read, and what to save in its place.
     Foreign(&'static str, &'static str),
 }
-
-/// A mesh in a format that is not read.
-const OTHER_MESH: InputKind =
-    InputKind::Foreign("a mesh of another format", "save it as OBJ, with its quads if it has some");
 
 /// Bytes of a file that tell what it is.
 const HEAD: usize = 4096;
@@ -44,17 +41,22 @@ impl InputKind {
         Some(match suffix.as_str() {
             "json" => Self::Document,
             "csv" | "tsv" | "xyz" => Self::Points,
-            "obj" => Self::Mesh,
-            "stl" | "ply" | "glb" => Self::PolygonMesh,
-            "iges" | "igs" | "brep" | "3dm" | "sat" | "fcstd" => {
-                Self::Foreign("a CAD file", "export points of its curves as CSV, or a mesh of quads as OBJ")
+            other => {
+                let mesh = MeshFormat::of_word(other).map(Self::of_mesh);
+                let foreign = || in_place_of_reading(other).map(Self::foreign);
+                return mesh.or_else(foreign).or_else(|| Format::of_suffix(other).map(Self::written));
             }
-            "gltf" | "off" | "3mf" | "fbx" | "dae" | "blend" => OTHER_MESH,
-            "dwg" | "pdf" | "ai" | "eps" => Self::Foreign("a drawing", "export points of its curves as CSV"),
-            "xlsx" | "xls" | "ods" => Self::Foreign("a spreadsheet", "save it as CSV"),
-            "gpx" | "kml" | "geojson" => Self::Foreign("a geographic file", "save its points as CSV, in a plane grid"),
-            other => Self::written(Format::of_suffix(other)?),
         })
+    }
+
+    /// A mesh that is read.
+    fn of_mesh(format: MeshFormat) -> Self {
+        if format.entry().has_quads { Self::Mesh } else { Self::PolygonMesh }
+    }
+
+    /// What is not read, with what to save in its place.
+    const fn foreign((name, instead): (&'static str, &'static str)) -> Self {
+        Self::Foreign(name, instead)
     }
 
     /// A file of a format that is written.
@@ -67,12 +69,9 @@ impl InputKind {
     pub fn of_bytes(bytes: &[u8]) -> Option<Self> {
         let head = &bytes[..bytes.len().min(HEAD)];
         let magic: &[(&[u8], Self)] = &[
-            (b"glTF", Self::PolygonMesh),
             #[cfg(feature = "png")]
             (b"\x89PNG", Self::written(Format::Png)),
-            (b"ply\n", Self::PolygonMesh),
-            (b"ply\r\n", Self::PolygonMesh),
-            (b"%PDF", Self::Foreign("a drawing", "export points of its curves as CSV")),
+            (b"%PDF", Self::foreign(DRAWING)),
             (b"PK\x03\x04", Self::Foreign("an archive or a spreadsheet", "unpack it, or save it as CSV")),
         ];
         if let Some((_, found)) = magic.iter().find(|(start, _)| head.starts_with(start)) {
@@ -85,14 +84,13 @@ impl InputKind {
             b'{' => text.contains("\"cyclide-nurbs\"").then(|| Self::written(Format::Json)),
             b'[' => text[1..].trim_start().starts_with('[').then_some(Self::PointsJson),
             b'<' => text.contains("<svg").then(|| Self::written(Format::Svg)),
-            _ if text.starts_with("solid") && text.contains("facet") => Some(Self::PolygonMesh),
             _ if text.starts_with("ISO-10303-21") => Some(Self::written(Format::Step)),
             _ if text.starts_with("0\nSECTION") || text.starts_with("0\r\nSECTION") => Some(Self::written(Format::Dxf)),
-            _ => Self::of_lines(text),
+            _ => MeshFormat::of_start(text).map(Self::of_mesh).or_else(|| Self::of_lines(text)),
         }
     }
 
-    /// Meshes and lists of points, by their first lines that are no remark.
+    /// Lists of points, by their first lines that are no remark.
     fn of_lines(text: &str) -> Option<Self> {
         let fields = |line: &str| -> Vec<String> {
             let fields = line.split([',', ';', '\t', ' ']).map(|f| f.trim_matches('"').to_lowercase());
@@ -113,12 +111,6 @@ impl InputKind {
             }
             match names.as_slice() {
                 [] => {}
-                [word, ..] if word == "mtllib" => return Some(Self::Mesh),
-                [word, rest @ ..]
-                    if ["v", "vn", "vt", "f"].contains(&word.as_str()) && rest.len() >= 2 && number(&rest[0]) =>
-                {
-                    return Some(Self::Mesh);
-                }
                 [first, second, ..] if number(first) && number(second) => return Some(Self::Points),
                 _ => {}
             }
@@ -128,7 +120,7 @@ impl InputKind {
 
     /// True for what may be a mesh.
     pub(crate) fn is_mesh(self) -> bool {
-        [Self::Mesh, Self::PolygonMesh, OTHER_MESH].contains(&self)
+        [Self::Mesh, Self::PolygonMesh, Self::foreign(OTHER_MESH)].contains(&self)
     }
 
     /// What people call it.

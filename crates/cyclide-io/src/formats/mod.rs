@@ -4,11 +4,14 @@ mod csv;
 mod dxf;
 mod entry;
 mod exporter;
+mod foreign;
 mod format;
 mod glb;
 mod input_kind;
 mod json;
+mod mesh_format;
 mod obj;
+mod ply;
 #[cfg(feature = "png")]
 mod png;
 mod read_back;
@@ -20,13 +23,12 @@ use entry::Entry;
 
 pub(crate) use csv::push_sample;
 pub use exporter::{Exporter, export};
-pub(crate) use glb::read_scene;
 pub use input_kind::InputKind;
-pub(crate) use obj::read_polygons;
+pub use mesh_format::MeshFormat;
+pub(crate) use mesh_format::ReadMesh;
 pub use obj::{ObjGrid, read_quad_grid};
 pub(crate) use read_back::deviations_of;
 pub use read_back::{file_deviation, read_back};
-pub(crate) use stl::read_triangles;
 
 /// The list: each format with its module, which holds its entry.
 macro_rules! formats {

@@ -2,7 +2,6 @@
 
 #[cfg(feature = "files")]
 pub(crate) mod file;
-pub(crate) mod ply;
 pub(crate) mod points;
 pub(crate) mod polygon_mesh;
 pub(crate) mod triangle_mesh;

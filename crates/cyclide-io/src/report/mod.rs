@@ -129,7 +129,7 @@ impl RangeReport {
 
 impl From<&Remark> for WarningReport {
     fn from(remark: &Remark) -> Self {
-        let Remark { reason, contour, index, place, message } = remark.clone();
+        let Remark { reason, contour, index, place, message, warning: _ } = remark.clone();
         Self { reason, message, contour, index, place }
     }
 }

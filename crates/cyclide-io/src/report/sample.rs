@@ -2,8 +2,8 @@
 //! on surfaces.
 
 use cyclide::{
-    ArcLength, Body, CurveObject, CyclidePatch, FaceGeometry as _, Geometry, ParamSurface as _, ShellFace,
-    SurfaceObject, TriangleSurface,
+    ArcLength, Body, CurveObject, FaceGeometry as _, Geometry, ParamSurface as _, ShellFace, SurfaceObject,
+    TriangleSurface,
 };
 
 use crate::check::file_sample::FileSample;
@@ -123,8 +123,7 @@ fn surfaces(bodies: &[Body], count: usize) -> String {
 fn push_surface_sample(out: &mut String, face: &ShellFace, s: f64, t: f64) {
     let surface = &face.surface;
     // Curvatures of patches are against D V3 D^-1, which turns to the other side nowhere, as the report has it.
-    let flipped = surface.patch().is_some_and(CyclidePatch::is_flipped);
-    let side = if flipped == face.same_sense { -1.0 } else { 1.0 };
+    let side = face.outer_sign_of_unit_normal();
     let point = surface.point(s, t).to_array().map(Some);
     let normal = (surface.unit_normal(s, t) * side).to_array().map(Some);
     let curvatures = surface.line_curvatures(s, t).map(|k| Some(side * k).filter(|k| k.is_finite()));

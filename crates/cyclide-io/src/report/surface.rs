@@ -263,7 +263,7 @@ impl SurfaceReport {
         };
         self.singular.extend(SingularPatchReport::new(place, patch));
         // The curvatures are against D V3 D^-1; the outer side may be the other one.
-        let against = patch.is_flipped() == face.same_sense;
+        let against = face.outer_sign_of_unit_normal() < 0.0;
         let turned = |[a, b]: [f64; 2]| if against { [-b, -a] } else { [a, b] };
         self.curvature_s = self.curvature_s.with(turned(patch.k1_range()));
         self.curvature_t = self.curvature_t.with(turned(patch.k2_range()));
@@ -285,7 +285,7 @@ impl SurfaceReport {
 impl SurfaceReport {
     /// A rational face, whose parameter lines need not be lines of curvature: normal curvatures of these, by samples.
     fn add_rational(&mut self, surface: &RationalBezierSurface, face: &ShellFace) {
-        let side = if face.same_sense { 1.0 } else { -1.0 };
+        let side = face.outer_sign();
         for row in surface.rows() {
             self.weights = self.weights.with(row[3], row[3]);
         }

@@ -7,7 +7,7 @@ mod curves;
 
 pub use bodies::{
     ConvexPolyhedron, EllipseBridge, NeckBlend, NeckBody, NeckSide, NeckVariant, Pipe, PipeEnds, PlateShape,
-    PolyhedronEdge, Revolution, SphericalPolygon,
+    PolyhedronEdge, RailSurface, Revolution, SphericalPolygon,
 };
 #[cfg(feature = "circular-mesh")]
 pub use circular_mesh::{

@@ -3,7 +3,6 @@
 use super::flatten::flatten;
 use crate::base::vector::{Point3, Vec3};
 use crate::error::Result;
-use crate::surface::ParamSurface as _;
 use crate::topology::{Body, EdgeCurve, FaceGeometry as _, Shell, ShellFace, Side};
 
 /// Which parameter lines a polyline follows.
@@ -103,8 +102,6 @@ fn is_point(curve: &EdgeCurve) -> bool {
     curve.arc().is_some_and(|arc| arc.chord().max_abs() == 0.0)
 }
 
-/// Unit normal on the shell's outer side.
 fn outer_normal(face: &ShellFace, (s, t): (f64, f64)) -> Vec3 {
-    let normal = face.surface.normal(s, t).unwrap_or(Vec3::ZERO);
-    if face.same_sense { normal } else { -normal }
+    face.outer_normal(s, t).unwrap_or_default()
 }

@@ -4,14 +4,12 @@ use super::chain::ChainPiece;
 use super::lower::{Exactness, Lower as _, Lowered};
 use super::object::CurveObject;
 use super::surface_object::SurfaceObject;
-use crate::base::vector::Vec3;
 use crate::conformal::mobius::{Conformal, Mobius};
 use crate::construct::{Pipe, Revolution};
 use crate::curve::{Arc, ArcPath, ParamCurve as _};
 use crate::error::{Error, Result};
 use crate::surface::CyclidicNet;
 use crate::topology::{Body, EdgeCurve, Shell};
-use crate::warning::Warning;
 
 impl Conformal for CurveObject {
     /// The image: of arcs and chains of arcs under any map, of circles and circle splines under similarities and
@@ -54,8 +52,12 @@ impl CurveObject {
         turn.body(&profile, closed).map(SurfaceObject::Body)
     }
 
-    /// The pieces of the exact form, and whether the last one ends where the first begins.
-    fn exact_pieces(&self) -> Result<(Vec<EdgeCurve>, bool)> {
+    /// The pieces of the exact form, as [`Revolution`] and [`RailSurface`](crate::RailSurface) take them, and whether the last one ends where the
+    /// first begins.
+    ///
+    /// # Errors
+    /// `not-a-spline` for a trigonometric circle spline, which has no rational form.
+    pub fn exact_pieces(&self) -> Result<(Vec<EdgeCurve>, bool)> {
         // What is exact does not ask for the tolerance.
         let Lowered { form, exactness, .. } = self.lower_to_chain(1.0)?;
         if exactness != Exactness::Exact {
@@ -106,55 +108,6 @@ impl SurfaceObject {
     pub fn revolved(curves: &[CurveObject], turn: &Revolution) -> Result<Vec<Self>> {
         let profiles = curves.iter().map(CurveObject::exact_pieces).collect::<Result<Vec<_>>>()?;
         Ok(turn.bodies(&profiles)?.into_iter().map(Self::Body).collect())
-    }
-
-    /// What should be known of that which curves sweep, each with the number of the curve: see [`Revolution::warnings`].
-    ///
-    /// # Errors
-    /// As [`revolved`](Self::revolved).
-    pub fn warnings_of_revolved(curves: &[CurveObject], turn: &Revolution) -> Result<Vec<(usize, Warning)>> {
-        let profiles = curves.iter().map(CurveObject::exact_pieces).collect::<Result<Vec<_>>>()?;
-        turn.warnings(&profiles)
-    }
-
-    /// The straight lines between two curves, exact, piece by piece: see [`Body::ruled`]. It is closed round if both curves are.
-    ///
-    /// # Errors
-    /// `not-a-spline` for a trigonometric circle spline, which has no rational form; as [`Body::ruled`].
-    pub fn ruled(rails: [&CurveObject; 2]) -> Result<Self> {
-        Self::ruled_with_warning(rails).map(|(surface, _)| surface)
-    }
-
-    /// As [`ruled`](Self::ruled), with what should be known of it: see [`Body::ruled_with_warning`].
-    ///
-    /// # Errors
-    /// As [`ruled`](Self::ruled).
-    pub fn ruled_with_warning([first, second]: [&CurveObject; 2]) -> Result<(Self, Option<Warning>)> {
-        let ((first, a), (second, b)) = (first.exact_pieces()?, second.exact_pieces()?);
-        let (body, warning) = Body::ruled_with_warning([&first, &second], a && b)?;
-        Ok((Self::Body(body), warning))
-    }
-
-    /// The arcs between two curves, exact, piece by piece, with tangents at the first: see [`Body::circular`]. It is closed round if
-    /// both curves are.
-    ///
-    /// # Errors
-    /// `not-a-spline` for a trigonometric circle spline, which has no rational form; as [`Body::circular`].
-    pub fn circular(rails: [&CurveObject; 2], tangents: &[Vec3]) -> Result<Self> {
-        Self::circular_with_warning(rails, tangents).map(|(surface, _)| surface)
-    }
-
-    /// As [`circular`](Self::circular), with what should be known of it: see [`Body::circular_with_warning`].
-    ///
-    /// # Errors
-    /// As [`circular`](Self::circular).
-    pub fn circular_with_warning(
-        [first, second]: [&CurveObject; 2],
-        tangents: &[Vec3],
-    ) -> Result<(Self, Option<Warning>)> {
-        let ((first, a), (second, b)) = (first.exact_pieces()?, second.exact_pieces()?);
-        let (body, warning) = Body::circular_with_warning([&first, &second], tangents, a && b)?;
-        Ok((Self::Body(body), warning))
     }
 
     /// The parallel surface at a signed distance along the unit normal, exact; `None` for a solid, whose normal is not

@@ -51,6 +51,5 @@ pub fn surface_joints(shell: &Shell) -> Vec<SurfaceJoint> {
 /// Point and outer normal of a face on one of its sides, by the parameter of the edge.
 fn at(face: &ShellFace, side: Side, x: f64) -> (Point3, Vec3) {
     let (s, t) = side.place(face.side(side).map_or(x, |edge| edge.turned(x)));
-    let normal = face.surface.normal(s, t).unwrap_or_default();
-    (face.surface.point(s, t), if face.same_sense { normal } else { -normal })
+    (face.surface.point(s, t), face.outer_normal(s, t).unwrap_or_default())
 }

@@ -116,9 +116,8 @@ impl Shell {
     /// far from the origin their rounding would be seen.
     fn cones(&self, most: usize) -> Quadrature<FluxElement<'_>> {
         let tip = self.vertices.first().copied().unwrap_or(Point3::ORIGIN);
-        let faces = self.faces.iter().map(|face| {
-            (Local::of(&face.surface), face.surface.corners()[0] - tip, if face.same_sense { 1.0 } else { -1.0 })
-        });
+        let faces = self.faces.iter();
+        let faces = faces.map(|face| (Local::of(&face.surface), face.surface.corners()[0] - tip, face.outer_sign()));
         let element = FluxElement { faces: faces.collect(), field: self.field() };
         let cells = (0..self.faces.len()).map(|face| (face, UNIT));
         Quadrature::new(&self.faces, cells, most, element)

@@ -9,6 +9,7 @@ mod face_part;
 mod face_surface;
 mod joints;
 mod measure;
+mod outer_side;
 mod parts;
 mod sew;
 mod sewing;

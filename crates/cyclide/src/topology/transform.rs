@@ -77,7 +77,7 @@ mod tests {
         assert!((back.outer.volume() / volume - 1.0).abs() < 1e-10);
         // A centre inside the solid would turn it inside out.
         let face = &body.outer.faces()[0];
-        let inward = face.surface.normal(0.5, 0.5).unwrap() * if face.same_sense { -0.1 } else { 0.1 };
+        let inward = face.outer_normal(0.5, 0.5).unwrap() * -0.1;
         let inside = Mobius::inversion(face.surface.point(0.5, 0.5) + inward, 1.0).unwrap();
         assert!(body.transformed(&inside).is_err());
     }

@@ -33,7 +33,7 @@ impl<'a> Facing<'a> {
         let ([s0, s1], [t0, t1], surface) = (source.s, source.t, &face.surface);
         let parameters = [(s0, t0), (s1, t0), (s1, t1), (s0, t1)];
         let corners = parameters.map(|(s, t)| surface.point(s, t));
-        let outer = if face.same_sense { 1.0 } else { -1.0 };
+        let outer = face.outer_sign();
         let diagonals = [corners[2] - corners[0], corners[3] - corners[1]];
         let [u, v] = diagonals.map(|d| d.unit().unwrap_or_default());
         let middle = (0.5 * (s0 + s1), 0.5 * (t0 + t1));

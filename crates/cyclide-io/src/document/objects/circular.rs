@@ -2,8 +2,8 @@
 
 use cyclide::{Border, CircularMeshOptions, CircularMeshReport, CurveObject, ParamCurve, QuadGrid, make_circular};
 
-use super::Builder;
 use super::nets::ROW_BY_ROW;
+use super::{Builder, Remark};
 use crate::document::spec::{BorderSpec, BorderWord, CyclidicNetSpec, MakeCircularOptions};
 use crate::error::{CROSSING_QUAD, Error, Result, rejected_quads};
 
@@ -29,11 +29,7 @@ impl<'a> Builder<'a> {
             progress(format!("circular quads: step {}, residual {}", step.step, cyclide::ShortNumber(step.residual)));
         });
         let mesh = mesh.map_err(|e| self.refused_in_grid(grid, &e))?;
-        for warning in mesh.warnings {
-            let (index, message) = (warning.index(), warning.to_string());
-            self.remark(warning.reason(), None, index, None, message);
-            self.warnings.push((0, warning));
-        }
+        self.remarks.extend(mesh.warnings().iter().cloned().map(Remark::from));
         if let [first, ..] = mesh.report.rejected_quads[..] {
             return Err(self.rejected_quads(grid, first, &mesh.report));
         }

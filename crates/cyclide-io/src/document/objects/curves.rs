@@ -2,8 +2,8 @@
 
 use cyclide::{Arc, Biarc, BlendSegment, Circle, CurveObject, ErrorItem, Quat, Vec3, Warning, bounds};
 
-use super::Builder;
 use super::idle::{Idle, idle_fields};
+use super::{Builder, Remark};
 use crate::document::angle::Angle;
 use crate::document::construct::{
     Contour, ContourFacts, Made, arc_fit, arc_spline, circle_spline, fair_fit, fair_spline, polyline,
@@ -233,8 +233,7 @@ impl Builder<'_> {
             for warning in merged.warnings {
                 let index = warning.index();
                 let place = index.map(|i| self.place(&points, contour, i));
-                self.remark(warning.reason(), Some(contour), index, place, warning.to_string());
-                self.warnings.push((contour, warning));
+                self.remarks.push(Remark { contour: Some(contour), index, place, ..warning.into() });
             }
             let at = Contour { index: contour, list: &points.lists[contour], kept: &points.kept[contour] };
             let made_of_points = construct(&at).map_err(|e| self.refused(&e, Some((&points, contour))))?;
@@ -249,8 +248,7 @@ impl Builder<'_> {
             for warning in warnings {
                 let index = warning.index().and_then(|i| points.kept[contour].get(i).copied());
                 let place = index.map(|i| self.place(&points, contour, i));
-                self.remark(warning.reason(), Some(contour), index, place, warning.to_string());
-                self.warnings.push((contour, warning));
+                self.remarks.push(Remark { contour: Some(contour), index, place, ..warning.into() });
             }
             if facts.fit.is_some() {
                 self.data.extend_from_slice(&points.lists[contour].points);

@@ -9,7 +9,7 @@ use super::idle::idle_in_pipe;
 use super::{Builder, BuiltObject};
 use crate::document::angle::Angle;
 use crate::document::coordinates::Coordinates;
-use crate::document::locate::{Step, path_text};
+use crate::document::locate::Step;
 use crate::document::spec::{OffsetSpec, PipeSpec, RevolutionSpec, RotationSpec, StepSpec, TransformSpec};
 use crate::error::{Error, Result};
 
@@ -36,19 +36,13 @@ impl Builder<'_> {
         let angle = spec.angle.map_or(std::f64::consts::TAU, Angle::radians);
         let turn = Revolution::new(center, axis, angle).map_err(|e| self.refused(&e, None))?;
         let several = curves.len() > 1;
-        let made = SurfaceObject::revolved(curves, &turn).map_err(|e| self.refused(&e, None))?;
-        let warnings = SurfaceObject::warnings_of_revolved(curves, &turn).map_err(|e| self.refused(&e, None))?;
-        for (contour, warning) in warnings {
+        let profiles = curves.iter().map(CurveObject::exact_pieces).collect::<cyclide::Result<Vec<_>>>();
+        let profiles = profiles.map_err(|e| self.refused(&e, None))?;
+        let bodies = turn.bodies(&profiles).map_err(|e| self.refused(&e, None))?;
+        for (contour, warning) in turn.warnings(&profiles).map_err(|e| self.refused(&e, None))? {
             self.warn_at("of", several.then_some(contour), warning);
         }
-        Ok(made)
-    }
-
-    /// Adds a warning about a field.
-    pub(super) fn warn_at(&mut self, field: &str, contour: Option<usize>, warning: Warning) {
-        let place = (!self.document.text.is_empty()).then(|| path_text(&self.path([Step::from(field)])));
-        self.remark(warning.reason(), contour, warning.index(), place, warning.to_string());
-        self.warnings.push((contour.unwrap_or(0), warning));
+        Ok(bodies.into_iter().map(SurfaceObject::Body).collect())
     }
 
     /// The tubes about the curves of another object.
@@ -144,10 +138,7 @@ impl Builder<'_> {
         let Some(&(first, _)) = beyond.first() else { return };
         let sharpest = beyond.iter().map(|(_, bend)| *bend).fold(1.0, f64::max);
         let (distance, radius) = (spec.distance, spec.distance.abs() / sharpest);
-        let warning = Warning::BeyondFocalSet { distance, radius, first, count: beyond.len() };
-        let place = (!self.document.text.is_empty()).then(|| path_text(&self.path([Step::from("distance")])));
-        self.remark(warning.reason(), None, Some(first), place, warning.to_string());
-        self.warnings.push((0, warning));
+        self.warn_at("distance", None, Warning::BeyondFocalSet { distance, radius, first, count: beyond.len() });
     }
 
     /// Warns of rotations by more than a turn whose numbers may be meant as degrees.
@@ -158,7 +149,7 @@ impl Builder<'_> {
                 continue;
             }
             let steps = ["steps".into(), index.into(), "rotation".into(), "angle".into()];
-            let place = (!self.document.text.is_empty()).then(|| path_text(&self.path(steps)));
+            let place = self.place_of(steps);
             let [turns, radians] = [angle / std::f64::consts::TAU, angle.to_radians()].map(ShortNumber);
             let message = format!(
                 "the angle {angle} is taken as radians, {turns} turns: if degrees are meant, write `{{\"degrees\": {angle}}}` or {radians}"

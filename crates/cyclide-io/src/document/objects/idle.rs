@@ -9,7 +9,7 @@ use super::Builder;
 use crate::document::angle::Angle;
 use crate::document::construct::{Contour, arc_spline, fair_spline};
 use crate::document::coordinates::{PointFile, PointSource};
-use crate::document::locate::{Step, path_text};
+use crate::document::locate::Step;
 use crate::document::spec::{
     ArcSplineSpec, CircleSplineSpec, Comment, EndsSpec, FairEndsSpec, FairFitSpec, FairSplineSpec, ObjectSpec,
     PipeSpec, StraightWord, TypeWord,
@@ -112,7 +112,7 @@ impl Builder<'_> {
     /// Says which fields have no effect.
     pub(super) fn remark_on_idle(&mut self, idle: Vec<Idle>) {
         for (field, why) in idle {
-            let place = (!self.document.text.is_empty()).then(|| path_text(&self.path([Step::from(field)])));
+            let place = self.place_of([Step::from(field)]);
             self.remark(NO_EFFECT, None, None, place, format!("`{field}` has no effect: {why}"));
         }
     }

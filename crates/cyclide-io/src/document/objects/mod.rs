@@ -13,6 +13,7 @@ mod polygon_mesh;
 mod polyhedra;
 mod references;
 mod refuse;
+mod remark;
 mod smooth;
 mod surfaces;
 mod swept;
@@ -22,13 +23,13 @@ use std::path::{Path, PathBuf};
 
 #[cfg(feature = "circular-mesh")]
 use cyclide::CircularMeshReport;
-use cyclide::{Body, Geometry, Item, Point3, Seam, SurfaceObject, Warning};
+use cyclide::{Body, Geometry, Item, Point3, Seam, SurfaceObject};
 
 use super::Document;
 use super::construct::ContourFacts;
 use super::coordinates::PointSource;
 use super::locate::{Step, path_text, span_of};
-use super::spec::{CyclidicNetSpec, GridSource, ObjectSpec, PolygonMeshFile};
+use super::spec::{CyclidicNetSpec, GridSource, ObjectSpec};
 use crate::error::{Error, Result};
 use crate::export::provenance::Provenance;
 use crate::text::place::Diagnostic;
@@ -36,6 +37,7 @@ pub use idle::NO_EFFECT;
 use nets::MeshNames;
 pub use polyhedra::RoundedPolyhedron;
 use references::{References, State};
+pub use remark::Remark;
 pub use smooth::SmoothChoice;
 
 /// An object made by its construction, with what is known about it besides its geometry.
@@ -45,8 +47,6 @@ pub struct BuiltObject {
     pub item: Item,
     /// How it came about, for files and pictures.
     pub provenance: Provenance,
-    /// Remarks of the construction, with the contour they belong to.
-    pub warnings: Vec<(usize, Warning)>,
     /// The bound the construction promised on the distance to its input (an arc fit's tolerance), if any.
     pub tolerance: Option<f64>,
     /// The surfaces as patches that share edges, in their order.
@@ -64,23 +64,8 @@ pub struct BuiltObject {
     pub construction: bool,
     /// One entry per contour.
     pub contours: Vec<ContourFacts>,
-    /// What the user should know.
+    /// What the user should know: warnings of the kernel, and what reading and making the object remarked.
     pub remarks: Vec<Remark>,
-}
-
-/// A warning with its place in the input.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Remark {
-    /// Stable kebab-case name.
-    pub reason: &'static str,
-    /// Which contour, from 0, where it is about one.
-    pub contour: Option<usize>,
-    /// Which point (or the segment that starts there), from 0, as the input counts them.
-    pub index: Option<usize>,
-    /// `file:line` or the path in the document, where known.
-    pub place: Option<String>,
-    /// The sentence.
-    pub message: String,
 }
 
 /// Builds the objects of a document, each once, however many others are made from it. What no other object needs is handed
@@ -134,7 +119,6 @@ impl<'a> ModelBuilder<'a> {
                 }
                 let Self { document, folder, read, .. } = *self;
                 let sources = self.references.of(needed).iter().filter_map(|&k| self.made[k].as_ref()).collect();
-                let (remarks, warnings) = (Vec::new(), Vec::new());
                 let builder = Builder {
                     document,
                     name,
@@ -150,8 +134,7 @@ impl<'a> ModelBuilder<'a> {
                     seams: Vec::new(),
                     polyhedron: None,
                     smooth: None,
-                    remarks,
-                    warnings,
+                    remarks: Vec::new(),
                     data: Vec::new(),
                 };
                 self.made[needed] = Some(builder.build()?);
@@ -171,8 +154,8 @@ impl Document {
             (ObjectSpec::CyclidicNet(CyclidicNetSpec { grid: GridSource::File(file), .. }), _) => {
                 Some(file.obj.as_str())
             }
-            (ObjectSpec::SmoothPolyhedron(spec), _) => spec.mesh.as_ref().map(PolygonMeshFile::path),
-            (ObjectSpec::SmoothMesh(spec), _) => spec.mesh.as_ref().map(PolygonMeshFile::path),
+            (ObjectSpec::SmoothPolyhedron(spec), _) => spec.mesh.as_ref().map(|file| file.path.as_str()),
+            (ObjectSpec::SmoothMesh(spec), _) => spec.mesh.as_ref().map(|file| file.path.as_str()),
             _ => None,
         })
     }
@@ -202,7 +185,6 @@ struct Builder<'a> {
     /// What was chosen for the smooth mesh that it is.
     smooth: Option<SmoothChoice>,
     remarks: Vec<Remark>,
-    warnings: Vec<(usize, Warning)>,
     /// The points of a fit.
     data: Vec<Point3>,
 }
@@ -231,12 +213,11 @@ impl Builder<'_> {
         let geometry = if surfaces.is_empty() { Geometry::Curves(curves) } else { Geometry::Surfaces(surfaces) };
         let item = Item::new(self.name, geometry);
         let construction = self.spec.is_construction();
-        let Self { data, warnings, seams, polyhedron, smooth, remarks, .. } = self;
+        let Self { data, seams, polyhedron, smooth, remarks, .. } = self;
         let provenance = Provenance { kind: self.spec.type_word(), data };
         Ok(BuiltObject {
             item,
             provenance,
-            warnings,
             tolerance,
             bodies,
             #[cfg(feature = "circular-mesh")]
@@ -248,17 +229,6 @@ impl Builder<'_> {
             contours,
             remarks,
         })
-    }
-
-    fn remark(
-        &mut self,
-        reason: &'static str,
-        contour: Option<usize>,
-        index: Option<usize>,
-        place: Option<String>,
-        message: String,
-    ) {
-        self.remarks.push(Remark { reason, contour, index, place, message });
     }
 
     /// Path of this object, or of a value in it.

@@ -5,10 +5,10 @@ use cyclide::{
     Warning,
 };
 
-use super::Builder;
 use super::net_hints::{hint, seam_words};
 use super::refuse::frame_words;
 use super::surfaces::direction;
+use super::{Builder, Remark};
 use crate::document::coordinates::Coordinates;
 use crate::document::locate::Step;
 use crate::document::spec::{CyclideSpec, CyclidicNetSpec, FrameSpec, GridSource, MeshFile, ObjectSpec};
@@ -129,8 +129,7 @@ impl<'a> Builder<'a> {
             FrameSpec::Auto => "smooth the grid, or give a frame",
             FrameSpec::First(_) => "use the frame \"auto\" or another one",
         };
-        self.remark(warning.reason(), None, first, None, format!("{warning}; {hint}"));
-        self.warnings.push((0, warning));
+        self.remarks.push(Remark { message: format!("{warning}; {hint}"), ..warning.into() });
     }
 
     /// Warns of borders of the grid, as given or as made, that nearly coincide: the net is open there.
@@ -138,10 +137,9 @@ impl<'a> Builder<'a> {
         for net in surfaces.iter().filter_map(SurfaceObject::as_net) {
             for (seam, measure) in measured_seams(net, &self.seams) {
                 let border = ["column", "row"][seam.direction];
-                let Some(words) = seam_words(seam, measure, net.grid(), self.document.units) else { continue };
+                let Some(message) = seam_words(seam, measure, net.grid(), self.document.units) else { continue };
                 let warning = Warning::OpenSeam { border, gap: measure.gap, angle: measure.angle };
-                self.remark(warning.reason(), None, None, None, words);
-                self.warnings.push((0, warning));
+                self.remarks.push(Remark { message, ..warning.into() });
             }
         }
     }

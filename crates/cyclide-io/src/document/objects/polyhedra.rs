@@ -2,10 +2,10 @@
 
 use cyclide::{ConvexPolyhedron, Error as KernelError, ErrorItem, Point3, ShortNumber, SurfaceObject};
 
-use super::Builder;
 use super::curves::inline_points;
+use super::{Builder, Remark};
 use crate::document::coordinates::PointSource;
-use crate::document::locate::{Step, path_text};
+use crate::document::locate::Step;
 use crate::document::spec::{PolygonMeshFile, SmoothPolyhedronSpec};
 use crate::error::{Error, Result};
 use crate::input::triangle_mesh::distinct;
@@ -54,14 +54,9 @@ impl Builder<'_> {
         };
         let polyhedron = polyhedron.map_err(|e| self.refused_mesh(&mesh, &e))?;
         let body = polyhedron.offset(spec.radius).map_err(|e| self.refused_mesh(&mesh, &e))?;
-        let place = mesh
-            .file
-            .clone()
-            .or_else(|| (!self.document.text.is_empty()).then(|| path_text(&self.path([Step::from(mesh.field)]))));
-        for warning in polyhedron.warnings() {
-            self.remark(warning.reason(), None, warning.index(), place.clone(), warning.to_string());
-            self.warnings.push((0, warning));
-        }
+        let place = mesh.file.clone().or_else(|| self.place_of([Step::from(mesh.field)]));
+        let warnings = polyhedron.warnings().into_iter();
+        self.remarks.extend(warnings.map(|warning| Remark { place: place.clone(), ..warning.into() }));
         let moved = polyhedron.deviation();
         self.polyhedron = Some(Box::new(RoundedPolyhedron { polyhedron, radius: spec.radius, moved }));
         Ok(vec![SurfaceObject::Body(body)])
@@ -110,7 +105,7 @@ impl Builder<'_> {
         let (points, faces) = welded(&given.points, &given.faces);
         let largest = points.iter().map(|p| p.to_vec().max_abs()).fold(0.0, f64::max);
         // Formats whose numbers have single precision.
-        let single = matches!(file, PolygonMeshFile::Stl(_) | PolygonMeshFile::Glb(_));
+        let single = file.format.entry().is_single;
         let flatness = single.then_some(SINGLE * largest);
         Ok(Mesh { points, faces: Some(faces), flatness, field: "mesh", file: Some(name) })
     }

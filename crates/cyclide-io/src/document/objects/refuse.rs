@@ -2,8 +2,8 @@
 
 use cyclide::{ErrorItem, Point3, ShortNumber, Warning};
 
-use super::Builder;
 use super::curves::{Origin, Points, point_steps};
+use super::{Builder, Remark};
 use crate::document::angle::Angle;
 use crate::document::coordinates::Coordinates;
 use crate::document::locate::{Step, path_text, span_of};
@@ -22,11 +22,12 @@ enum Blame {
 impl Builder<'_> {
     /// What the kernel said; it counts points after repeated ones were merged, which is said where the number matters.
     fn words(&self, error: &cyclide::Error, contour: usize) -> String {
-        let merged = |(c, w): &(usize, Warning)| {
-            *c == contour && matches!(w, Warning::PointsMerged { .. } | Warning::ClosingPointMerged { .. })
+        let merged = |remark: &Remark| {
+            let merges = |w: &Warning| matches!(w, Warning::PointsMerged { .. } | Warning::ClosingPointMerged { .. });
+            remark.contour == Some(contour) && remark.warning.as_ref().is_some_and(merges)
         };
         match (error, self.spec) {
-            (cyclide::Error::TooFewPoints { .. }, _) if self.warnings.iter().any(merged) => {
+            (cyclide::Error::TooFewPoints { .. }, _) if self.remarks.iter().any(merged) => {
                 format!("{error} (repeated points count once)")
             }
             (cyclide::Error::ParameterOutOfRange { name: ErrorItem::Distance, .. }, ObjectSpec::Offset(spec))
@@ -176,9 +177,8 @@ fn blame(spec: &ObjectSpec, error: &cyclide::Error) -> Blame {
         _ => Blame::Entry("tangents", index),
     };
     let is_patch = matches!(spec, ObjectSpec::CyclidePatch(_));
-    let of_distance = ["offset-on-focal-set", "offset-not-regular", "not-a-shell"];
     match *error {
-        _ if matches!(spec, ObjectSpec::Offset(_)) && of_distance.contains(&error.reason()) => Blame::Field("distance"),
+        _ if matches!(spec, ObjectSpec::Offset(_)) && is_of_distance(error) => Blame::Field("distance"),
         _ if matches!(
             spec,
             ObjectSpec::PlateWithNeck(_)
@@ -227,6 +227,16 @@ fn blame(spec: &ObjectSpec, error: &cyclide::Error) -> Blame {
         E::ParameterOutOfRange { name: I::EdgePoints, .. } => Blame::Field("polyline"),
         E::ParameterOutOfRange { name, .. } => Blame::Field(name.word()),
         _ => error.index().map_or(Blame::Object, Blame::Point),
+    }
+}
+
+/// Whether the distance of an offset is at fault, in the whole of it or in one of its quads.
+fn is_of_distance(error: &cyclide::Error) -> bool {
+    use cyclide::Error as E;
+    match error {
+        E::InQuad { cause, .. } => is_of_distance(cause),
+        E::OffsetOnFocalSet { .. } | E::OffsetNotRegular { .. } | E::NotAShell { .. } => true,
+        _ => false,
     }
 }
 

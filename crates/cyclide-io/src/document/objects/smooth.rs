@@ -5,7 +5,7 @@ use cyclide::{
     TriangleSurface, VertexNormals, Warning,
 };
 
-use super::Builder;
+use super::{Builder, Remark};
 use crate::document::angle::Angle;
 use crate::document::coordinates::Coordinates;
 use crate::document::locate::Step;
@@ -64,11 +64,8 @@ impl Builder<'_> {
             let message = "the triangles are clockwise seen from outside: the outer side is inside".to_owned();
             self.remark("inside-out", None, None, given.file.clone(), message);
         }
-        for warning in surface.warnings() {
-            let warning = in_given_numbers_warning(&mesh, warning);
-            self.remark(warning.reason(), None, warning.index(), given.file.clone(), warning.to_string());
-            self.warnings.push((0, warning));
-        }
+        let warnings = surface.warnings().into_iter().map(|warning| in_given_numbers_warning(&mesh, warning));
+        self.remarks.extend(warnings.map(|warning| Remark { place: given.file.clone(), ..warning.into() }));
         self.smooth = Some(SmoothChoice { normals: word, crease_angle, polygons: given.mesh.faces.len() });
         Ok(vec![surface.into()])
     }
@@ -111,10 +108,7 @@ impl Builder<'_> {
             NormalsSpec::File if given.mesh.corner_normals.is_empty() => {
                 let why = match &spec.mesh {
                     None => "there is no file: give one for each of `vertices`, or take \"angle\" or \"sphere\"",
-                    Some(PolygonMeshFile::Stl(_)) => {
-                        "STL has normals of triangles, not of vertices: take \"angle\" or \"sphere\""
-                    }
-                    Some(_) => "the file does not have a normal for every corner: take \"angle\" or \"sphere\"",
+                    Some(file) => file.format.entry().without_normals,
                 };
                 return Err(Error::Input(self.diagnostic(["normals".into()], why)));
             }
@@ -125,7 +119,7 @@ impl Builder<'_> {
 
     fn polygon_file(&mut self, file: &PolygonMeshFile) -> Result<Given> {
         let (name, mesh) = self.mesh_of_file(file)?;
-        let shared = matches!(file, PolygonMeshFile::Obj(_) | PolygonMeshFile::Ply(_));
+        let shared = file.format.entry().shares_vertices;
         Ok(Given { mesh, file: Some(name), shared })
     }
 

@@ -1,6 +1,8 @@
 //! Necks, bridges, and surfaces between two curves.
 
-use cyclide::{CurveObject, EllipseBridge, NeckBlend, NeckBody, NeckSide, PlateShape, SurfaceObject, Vec3, Warning};
+use cyclide::{
+    CurveObject, EdgeCurve, EllipseBridge, NeckBlend, NeckBody, NeckSide, PlateShape, RailSurface, SurfaceObject, Vec3,
+};
 
 use super::{Builder, BuiltObject};
 use crate::document::angle::Angle;
@@ -30,7 +32,7 @@ impl Builder<'_> {
         });
         let made = NeckBody { height: spec.height, plate, thickness: spec.thickness, wall: spec.wall };
         let body = neck.body(&made).map_err(|e| self.refused(&e, None))?;
-        if let Some(warning) = neck.warning() {
+        for warning in neck.warnings() {
             self.warn_at("ball_radius", None, warning);
         }
         Ok(vec![SurfaceObject::Body(body)])
@@ -41,7 +43,7 @@ impl Builder<'_> {
         let [first, second] = spec.ellipses;
         let bridge = EllipseBridge::new(first, second).map_err(|e| self.refused(&e, None))?;
         let body = bridge.body(spec.depth).map_err(|e| self.refused(&e, None))?;
-        if let Some(warning) = bridge.warning() {
+        for warning in bridge.warnings() {
             self.warn_at("ellipses", None, warning);
         }
         Ok(vec![SurfaceObject::Body(body)])
@@ -49,24 +51,27 @@ impl Builder<'_> {
 
     /// Arcs between two curves.
     pub(super) fn circular_surface(&mut self, spec: &CircularSurfaceSpec) -> Result<Vec<SurfaceObject>> {
-        let rails = self.rails()?;
         let tangents: Vec<Vec3> = spec.tangent.0.iter().copied().map(Coordinates::vector).collect();
-        let made = SurfaceObject::circular_with_warning(rails, &tangents);
-        let made = made.map_err(|e| self.refused(&e, None))?;
-        Ok(self.between_rails(made))
+        self.between_rails(|rails, closed| RailSurface::circular(rails, &tangents, closed))
     }
 
     /// Straight lines between two curves.
     pub(super) fn ruled(&mut self) -> Result<Vec<SurfaceObject>> {
-        let made = SurfaceObject::ruled_with_warning(self.rails()?).map_err(|e| self.refused(&e, None))?;
-        Ok(self.between_rails(made))
+        self.between_rails(RailSurface::ruled)
     }
 
-    fn between_rails(&mut self, (surface, warning): (SurfaceObject, Option<Warning>)) -> Vec<SurfaceObject> {
-        if let Some(warning) = warning {
-            self.warn_at("rails", None, warning);
+    /// A surface between the pieces of two curves, closed round if both are.
+    fn between_rails(
+        &mut self,
+        construct: impl Fn([&[EdgeCurve]; 2], bool) -> cyclide::Result<RailSurface>,
+    ) -> Result<Vec<SurfaceObject>> {
+        let [first, second] = self.rails()?.map(|curve| curve.exact_pieces().map_err(|e| self.refused(&e, None)));
+        let ((first, a), (second, b)) = (first?, second?);
+        let made = construct([&first, &second], a && b).map_err(|e| self.refused(&e, None))?;
+        for warning in made.warnings() {
+            self.warn_at("rails", None, warning.clone());
         }
-        vec![surface]
+        Ok(vec![SurfaceObject::Body(made.into_body())])
     }
 
     /// The two curves that an object is spanned between.

@@ -1,73 +1,77 @@
 //! Meshes in files of their own.
 
-use schemars::JsonSchema;
-use serde::Deserialize;
+use std::borrow::Cow;
 
-/// A mesh in a file of its own.
-#[derive(Debug, Clone, PartialEq, Eq, JsonSchema)]
-pub enum PolygonMeshFile {
-    /// Path of a Wavefront OBJ file, relative to the document.
-    #[schemars(rename = "obj")]
-    Obj(String),
-    /// Path of an STL file, binary or text, relative to the document.
-    #[schemars(rename = "stl")]
-    Stl(String),
-    /// Path of a PLY file, binary or text, relative to the document.
-    #[schemars(rename = "ply")]
-    Ply(String),
-    /// Path of a binary glTF file, relative to the document: its scene, in metres, with the axis that is up there as third one.
-    #[schemars(rename = "glb")]
-    Glb(String),
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use serde::de::{Error as _, MapAccess, Unexpected, Visitor};
+use serde::{Deserialize, Deserializer};
+
+use crate::formats::MeshFormat;
+
+/// A mesh in a file of its own: an object with one field, the word of its format.
+///
+/// ```
+/// use cyclide_io::{Document, MeshFormat, ObjectSpec};
+/// let text = r#"{"cyclide": 1, "objects": {"m": {"type": "smooth-mesh", "mesh": {"stl": "scan.stl"}}}}"#;
+/// let document = Document::parse("m.json", text.as_bytes())?;
+/// let ObjectSpec::SmoothMesh(spec) = &document.objects[0].1 else { unreachable!("the type says so") };
+/// let file = spec.mesh.as_ref().expect("it is given");
+/// assert_eq!((file.format, file.path.as_str()), (MeshFormat::Stl, "scan.stl"));
+/// # Ok::<(), Box<cyclide_io::Diagnostic>>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct PolygonMeshFile {
+    /// The format.
+    pub format: MeshFormat,
+    /// The path, relative to the document.
+    pub path: String,
 }
 
-impl PolygonMeshFile {
-    /// The path.
-    #[must_use]
-    pub fn path(&self) -> &str {
-        match self {
-            Self::Obj(path) | Self::Stl(path) | Self::Ply(path) | Self::Glb(path) => path,
-        }
+impl<'de> Deserialize<'de> for MeshFormat {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let word = Cow::<str>::deserialize(deserializer)?;
+        Self::of_word(&word).ok_or_else(|| D::Error::unknown_variant(&word, Self::WORDS))
     }
-
-    /// The word of its format.
-    pub(crate) const fn word(&self) -> &'static str {
-        match self {
-            Self::Obj(_) => "obj",
-            Self::Stl(_) => "stl",
-            Self::Ply(_) => "ply",
-            Self::Glb(_) => "glb",
-        }
-    }
-}
-
-/// The words of the formats, for what is derived of reading.
-#[derive(Deserialize)]
-#[serde(rename_all = "lowercase")]
-enum Written {
-    Obj(String),
-    Stl(String),
-    Ply(String),
-    Glb(String),
 }
 
 impl<'de> Deserialize<'de> for PolygonMeshFile {
     /// As an object with one field. A path alone is answered with how it is written.
-    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         struct PolygonMeshFileVisitor;
-        impl<'de> serde::de::Visitor<'de> for PolygonMeshFileVisitor {
+        impl<'de> Visitor<'de> for PolygonMeshFileVisitor {
             type Value = PolygonMeshFile;
             fn expecting(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-                f.write_str("a mesh file: `{\"obj\": FILE}`, or with `stl`, `ply` or `glb`")
+                let quoted: Vec<String> = MeshFormat::WORDS.iter().skip(1).map(|word| format!("`{word}`")).collect();
+                let (last, others) =
+                    quoted.split_last().map_or(("", &[][..]), |(last, others)| (last.as_str(), others));
+                let first = MeshFormat::WORDS.first().copied().unwrap_or_default();
+                write!(f, "a mesh file: `{{\"{first}\": FILE}}`, or with {} or {last}", others.join(", "))
             }
-            fn visit_map<A: serde::de::MapAccess<'de>>(self, map: A) -> Result<PolygonMeshFile, A::Error> {
-                Ok(match Written::deserialize(serde::de::value::MapAccessDeserializer::new(map))? {
-                    Written::Obj(path) => PolygonMeshFile::Obj(path),
-                    Written::Stl(path) => PolygonMeshFile::Stl(path),
-                    Written::Ply(path) => PolygonMeshFile::Ply(path),
-                    Written::Glb(path) => PolygonMeshFile::Glb(path),
-                })
+            fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<PolygonMeshFile, A::Error> {
+                let format = map.next_key()?.ok_or_else(|| A::Error::invalid_type(Unexpected::Map, &"enum"))?;
+                Ok(PolygonMeshFile { format, path: map.next_value()? })
             }
         }
         deserializer.deserialize_any(PolygonMeshFileVisitor)
+    }
+}
+
+impl JsonSchema for PolygonMeshFile {
+    fn schema_name() -> Cow<'static, str> {
+        "PolygonMeshFile".into()
+    }
+    fn json_schema(_generator: &mut SchemaGenerator) -> Schema {
+        let field = |format: &MeshFormat| {
+            let entry = format.entry();
+            json_schema!({
+                "type": "object",
+                "properties": { (entry.word): { "type": "string" } },
+                "required": [entry.word],
+                "additionalProperties": false,
+                "description": entry.field
+            })
+        };
+        let fields: Vec<Schema> = MeshFormat::ALL.iter().map(field).collect();
+        json_schema!({ "oneOf": fields, "description": "A mesh in a file of its own." })
     }
 }

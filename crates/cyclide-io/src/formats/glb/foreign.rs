@@ -11,6 +11,7 @@ use cyclide::Point3;
 use serde_json::Value;
 
 use super::TRIANGLES;
+use crate::formats::mesh_format::ReadMesh;
 use crate::input::points::MOST_POINTS;
 use crate::input::polygon_mesh::PolygonMesh;
 use crate::text::place::{Diagnostic, Source};
@@ -32,6 +33,20 @@ pub(crate) struct SceneTriangles {
     pub(crate) lines: usize,
     /// True if skins or morph targets move the vertices: they are taken at rest.
     pub(crate) moves: bool,
+}
+
+impl From<SceneTriangles> for ReadMesh {
+    fn from(scene: SceneTriangles) -> Self {
+        let mut remarks = Vec::new();
+        if scene.lines > 0 {
+            remarks.push(("lines-left-out", format!("{} primitives of points and lines are left out", scene.lines)));
+        }
+        if scene.moves {
+            let message = "skins and morph targets are left aside: the mesh is taken at rest".to_owned();
+            remarks.push(("pose-left-aside", message));
+        }
+        Self { mesh: scene.mesh, remarks, in_metres: true }
+    }
 }
 
 /// Reads the triangles; `name` is what messages call the file.

@@ -27,14 +27,27 @@ use crate::export::mesh::{BodyMesh, Single, between, body_meshes, check_single, 
 use crate::export::parts::{BodyOf, Contour};
 use crate::export::shape::Shape;
 use crate::formats::entry::{Entry, Reading};
+use crate::formats::mesh_format::{MeshEntry, NO_NORMAL_OF_A_CORNER, ReadMesh};
 use buffer::Buffer;
 use cyclide::{Aabb, Item, MeshCorner, Point3, SurfaceMesh, bounds};
 use material::{Look, UNLIT};
 use serde_json::{Value, json};
 use std::collections::HashMap;
 
-pub(crate) use foreign::read_scene;
+use foreign::read_scene;
 pub(crate) use reader::read;
+
+/// What there is to know of meshes in it.
+pub(super) const MESH_ENTRY: MeshEntry = MeshEntry {
+    word: "glb",
+    field: "Path of a binary glTF file, relative to the document: its scene, in metres, with the axis that is up there as third one.",
+    is_start: |text| text.starts_with("glTF"),
+    read: |name, bytes| read_scene(name, bytes).map(ReadMesh::from),
+    has_quads: false,
+    is_single: true,
+    shares_vertices: false,
+    without_normals: NO_NORMAL_OF_A_CORNER,
+};
 
 /// Modes of primitives.
 const LINES: u64 = 1;

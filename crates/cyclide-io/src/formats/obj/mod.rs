@@ -11,8 +11,10 @@ use crate::check::file_content::ReadError;
 use crate::check::made::Made;
 use crate::export::lowered::Forms;
 use crate::formats::entry::{Entry, Reading};
+use crate::formats::mesh_format::{MeshEntry, NO_NORMAL_OF_A_CORNER, ReadMesh};
+use crate::text::lines::lines;
 
-pub(crate) use polyhedron::read_polygons;
+use polyhedron::read_polygons;
 pub use quad_grid::{ObjGrid, read_quad_grid};
 use read_back::read_back;
 use writer::{labels, write};
@@ -28,6 +30,42 @@ pub(super) static ENTRY: Entry = Entry {
     write,
     reading: Some(Reading { read: read_back, compare, rounds_by_model: false }),
 };
+
+/// What there is to know of meshes in it.
+pub(super) const MESH_ENTRY: MeshEntry = MeshEntry {
+    word: "obj",
+    field: "Path of a Wavefront OBJ file, relative to the document.",
+    is_start,
+    read: |name, bytes| read_polygons(name, bytes).map(ReadMesh::from),
+    has_quads: true,
+    is_single: false,
+    shares_vertices: true,
+    without_normals: NO_NORMAL_OF_A_CORNER,
+};
+
+/// Lines that are looked at.
+const LINES: usize = 20;
+
+/// By the first line that is no remark and has the word of one, before any that is a row of numbers.
+fn is_start(text: &str) -> bool {
+    let is_number = |word: Option<&str>| word.is_some_and(|word| word.parse::<f64>().is_ok());
+    for (_, line) in lines(text).take(LINES) {
+        let mut words = line.split_whitespace();
+        match words.next() {
+            Some("mtllib") => return true,
+            Some("v" | "vn" | "vt" | "f") if words.clone().count() >= 2 => {
+                // Corners are numbers with others behind slashes.
+                let first = words.next().and_then(|word| word.split('/').next());
+                if is_number(first) {
+                    return true;
+                }
+            }
+            Some(word) if is_number(Some(word)) => return false,
+            _ => {}
+        }
+    }
+    false
+}
 
 /// Reads a file of a model and holds it against this.
 fn compare(made: &Made<'_>) -> Result<Deviations, ReadError> {

@@ -19,12 +19,13 @@ use crate::export::lowered::Forms;
 use crate::export::mesh::{Single, body_meshes, check_single, single, triangles};
 use crate::export::parts::BodyOf;
 use crate::formats::entry::{Entry, Kind, Reading};
+use crate::formats::mesh_format::{MeshEntry, ReadMesh};
 use cyclide::{Point3, Units};
 
 use collapsed::{Triangle, is_whole, reach};
 
 use reader::read;
-pub(crate) use triangles::read_triangles;
+use triangles::read_triangles;
 
 /// What there is to know of the format.
 pub(super) static ENTRY: Entry = Entry {
@@ -36,6 +37,18 @@ pub(super) static ENTRY: Entry = Entry {
     forms: |_| Forms::NONE,
     write,
     reading: Some(Reading { read, compare, rounds_by_model: false }),
+};
+
+/// What there is to know of meshes in it.
+pub(super) const MESH_ENTRY: MeshEntry = MeshEntry {
+    word: "stl",
+    field: "Path of an STL file, binary or text, relative to the document.",
+    is_start: |text| text.starts_with("solid") && text.contains("facet"),
+    read: |name, bytes| read_triangles(name, bytes).map(ReadMesh::of_triangles),
+    has_quads: false,
+    is_single: true,
+    shares_vertices: false,
+    without_normals: "STL has normals of triangles, not of vertices: take \"angle\" or \"sphere\"",
 };
 
 /// Length of the head, and of the record of a triangle.

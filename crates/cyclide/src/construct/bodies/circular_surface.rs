@@ -27,13 +27,13 @@
 use super::bands::{Bands, rows_of};
 use super::crossing_arcs::check_arcs;
 use super::kinks::kinks;
+use super::rail_surface::RailSurface;
 use super::rails::{RailPiece, rail_pieces};
 use crate::base::vector::Vec3;
 use crate::curve::Arc;
 use crate::error::{Error, ErrorItem, Result};
 use crate::rational::{Polynomial, PolynomialRow, RationalBezier, RationalBezierSurface};
 use crate::topology::{Body, EdgeCurve};
-use crate::warning::Warning;
 
 /// Largest degree made: that of the surfaces of OpenCASCADE.
 const LARGEST_DEGREE: usize = 25;
@@ -89,19 +89,16 @@ impl Body {
     /// positive weights: arcs that turn nearly round); `count-differs`, `not-finite`, `zero-tangent`, `coincident-points` (the rails meet),
     /// `tangent-opposes-chord`, `degree-too-high`, `arcs-cross` (neighbouring arcs cross, as where one rail runs the other way).
     pub fn circular(rails: [&[EdgeCurve]; 2], tangents: &[Vec3], closed: bool) -> Result<Self> {
-        Self::circular_with_warning(rails, tangents, closed).map(|(body, _)| body)
+        RailSurface::circular(rails, tangents, closed).map(RailSurface::into_body)
     }
+}
 
-    /// As [`circular`](Self::circular), with what should be known of it: where both rails run smoothly from piece to piece, but speeds change there
-    /// by different factors, the surface has a kink (`kinks-at-joints`, above a thousandth of a radian).
+impl RailSurface {
+    /// The surface of arcs between two rails: see [`Body::circular`].
     ///
     /// # Errors
-    /// As [`circular`](Self::circular).
-    pub fn circular_with_warning(
-        rails: [&[EdgeCurve]; 2],
-        tangents: &[Vec3],
-        closed: bool,
-    ) -> Result<(Self, Option<Warning>)> {
+    /// As [`Body::circular`].
+    pub fn circular(rails: [&[EdgeCurve]; 2], tangents: &[Vec3], closed: bool) -> Result<Self> {
         let tangents = tangents_of_joints(tangents, rails[0].len(), closed)?;
         let pieces: Vec<ArcPiece> =
             rail_pieces(rails, closed)?.into_iter().map(|rails| ArcPiece::new(rails, &tangents)).collect();
@@ -114,8 +111,8 @@ impl Body {
                     made.iter().try_for_each(|(piece, surface)| piece.check_arcs(surface))?;
                     let body = sewn(&made, speed, count, closed)?;
                     let starts: Vec<Option<usize>> = made.iter().map(|(piece, _)| piece.rails.joint()).collect();
-                    let warning = kinks(rails, closed, &body, &starts);
-                    return Ok((body, warning));
+                    let warnings = kinks(rails, closed, &body, &starts).into_iter().collect();
+                    return Ok(Self { body, warnings });
                 }
                 Err(error @ Error::WeightNotPositive { .. }) => negative = error,
                 Err(error) => return Err(error),

@@ -96,11 +96,17 @@ impl EllipseBridge {
         self.over(&Sector::new(from, to))
     }
 
-    /// What the user should know: between ellipses that cross the surface runs through itself. A solid of them is refused.
+    /// What should be known of it (`ellipses-cross`): between ellipses that cross the surface runs through itself. A solid of them is refused.
     #[must_use]
-    pub fn warning(&self) -> Option<Warning> {
-        let [along_x, along_y] = self.widths();
-        (along_x * along_y < 0.0).then_some(Warning::EllipsesCross { along_x, along_y })
+    pub fn warnings(&self) -> Vec<Warning> {
+        let cross = self.crossing().map(|[along_x, along_y]| Warning::EllipsesCross { along_x, along_y });
+        cross.into_iter().collect()
+    }
+
+    /// By how much the second ellipse is wider along both axes, if the ellipses cross.
+    fn crossing(&self) -> Option<[f64; 2]> {
+        let widths = self.widths();
+        (widths[0] * widths[1] < 0.0).then_some(widths)
     }
 
     /// The bridge as one body: the surface alone, or down to a base plane at `z = -depth` between the elliptic cylinders, a solid.
@@ -154,7 +160,7 @@ impl EllipseBridge {
             let (min, max) = (range::MIN_DISTANCE, f64::MAX);
             return Err(Error::ParameterOutOfRange { name: ErrorItem::Depth, value: depth, min, max });
         }
-        if let Some(Warning::EllipsesCross { along_x, along_y }) = self.warning() {
+        if let Some([along_x, along_y]) = self.crossing() {
             return Err(Error::EllipsesCross { along_x, along_y });
         }
         Ok(())

@@ -10,6 +10,7 @@ mod kinks;
 mod neck;
 mod pipe;
 mod polyhedron;
+mod rail_surface;
 mod rails;
 mod revolution;
 mod rotated_rows;
@@ -21,6 +22,7 @@ pub use ellipse_bridge::EllipseBridge;
 pub use neck::{NeckBlend, NeckBody, NeckSide, NeckVariant, PlateShape};
 pub use pipe::{Pipe, PipeEnds};
 pub use polyhedron::{ConvexPolyhedron, PolyhedronEdge, SphericalPolygon};
+pub use rail_surface::RailSurface;
 pub use revolution::Revolution;
 
 /// Largest angle of an arc in one face, or in one piece of it: beyond, its weights are far from each other, and from half a turn on not

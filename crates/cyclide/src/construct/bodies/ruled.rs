@@ -6,11 +6,11 @@
 
 use super::bands::Bands;
 use super::kinks::kinks;
+use super::rail_surface::RailSurface;
 use super::rails::{RailPiece, rail_pieces};
 use super::rulings::check_rulings;
 use crate::error::{Error, Result};
 use crate::topology::{Body, EdgeCurve};
-use crate::warning::Warning;
 
 /// Pieces nearer to each other than this part of their coordinates are one.
 const SAME: f64 = 1e-12;
@@ -24,15 +24,16 @@ impl Body {
     /// # Errors
     /// `piece-counts-differ`, `too-few-points` (no piece), `disconnected`, `weight-not-positive`; `coincident-points` (a piece of one rail is that of the other); `rulings-cross`.
     pub fn ruled(rails: [&[EdgeCurve]; 2], closed: bool) -> Result<Self> {
-        Self::ruled_with_warning(rails, closed).map(|(body, _)| body)
+        RailSurface::ruled(rails, closed).map(RailSurface::into_body)
     }
+}
 
-    /// As [`ruled`](Self::ruled), with what should be known of it: where both rails run smoothly from piece to piece, but speeds change there by
-    /// different factors, the surface has a kink (`kinks-at-joints`, above a thousandth of a radian).
+impl RailSurface {
+    /// The surface of straight lines between two rails: see [`Body::ruled`].
     ///
     /// # Errors
-    /// As [`ruled`](Self::ruled).
-    pub fn ruled_with_warning(rails: [&[EdgeCurve]; 2], closed: bool) -> Result<(Self, Option<Warning>)> {
+    /// As [`Body::ruled`].
+    pub fn ruled(rails: [&[EdgeCurve]; 2], closed: bool) -> Result<Self> {
         let pieces = rail_pieces(rails, closed)?;
         check_apart(&pieces)?;
         let rail = |k: usize| pieces.iter().map(|piece| piece.curves[k].clone()).collect::<Vec<_>>();
@@ -42,8 +43,8 @@ impl Body {
         bands.ruled([&first, &second])?;
         let body = bands.finish()?;
         let starts: Vec<Option<usize>> = pieces.iter().map(RailPiece::joint).collect();
-        let warning = kinks(rails, closed, &body, &starts);
-        Ok((body, warning))
+        let warnings = kinks(rails, closed, &body, &starts).into_iter().collect();
+        Ok(Self { body, warnings })
     }
 }
 

@@ -55,9 +55,16 @@ pub struct CircularMesh {
     pub grid: QuadGrid,
     /// Steps, residuals, moves, angles to curvature lines, rejected quads.
     pub report: CircularMeshReport,
+    warnings: Vec<Warning>,
+}
+
+impl CircularMesh {
     /// Doubts: grid lines across the curvature lines, a changed shape, long moves, vertices off the input surface, zigzag
     /// grid lines.
-    pub warnings: Vec<Warning>,
+    #[must_use]
+    pub fn warnings(&self) -> &[Warning] {
+        &self.warnings
+    }
 }
 
 /// Moves the vertices of a grid until the corners of every quad lie on one circle (or line).

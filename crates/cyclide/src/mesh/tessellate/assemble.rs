@@ -97,7 +97,7 @@ impl<'a> FaceGrid<'a> {
     /// Appends vertices, normals and polygons; returns how far shared vertices are off the patch.
     fn emit(&self, border: &mut BorderVertices, [shell, face]: [usize; 2], mesh: &mut SurfaceMesh) -> f64 {
         let (surface, n, m) = (&self.face.surface, self.s.len() - 1, self.t.len() - 1);
-        let outer = if self.face.same_sense { 1.0 } else { -1.0 };
+        let outer = self.face.outer_sign();
         let normals = Normals::new(surface, &self.s, &self.t);
         let mut gap = 0.0_f64;
         let mut corners = Vec::with_capacity((n + 1) * (m + 1));

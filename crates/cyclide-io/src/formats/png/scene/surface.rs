@@ -55,7 +55,7 @@ pub(super) fn surfaces(shell: &Shell, object: usize, unit: f64, scale: f64) -> i
             surface: &face.surface,
             levels,
             sides: face.sides.map(|side| side.map_or(0.0, |s| width(s.edge))),
-            outer: if face.same_sense { 1.0 } else { -1.0 },
+            outer: face.outer_sign(),
             tint,
             inner_tint: if closed { tint } else { tint.map(|c| c * INNER) },
             ink,

@@ -181,14 +181,15 @@ impl NeckBlend {
         self.over(&Sector::new(from, to))
     }
 
-    /// What the user should know: the envelope outside a pipe, with a large ball and a pipe that leans, runs through itself on the steep
+    /// What should be known of it (`neck-folds`): the envelope outside a pipe, with a large ball and a pipe that leans, runs through itself on the steep
     /// side. The centres of the ball run along an ellipse whose smallest radius of curvature is `q cos φ`; where the arc comes through the
     /// direction of its centre of curvature, a larger ball folds the envelope. A solid of it is refused. The vertical variant never folds: seen along the
     /// axis of the pipe, its points at the part `l` of the way lie on the circle of radius `R + σ l ρ` about a centre moved by `l ρ sin φ`, and
     /// such circles lie one in the other.
     #[must_use]
-    pub fn warning(&self) -> Option<Warning> {
-        self.folds_beyond().map(|limit| Warning::NeckFolds { radius: self.ball_radius, limit })
+    pub fn warnings(&self) -> Vec<Warning> {
+        let folds = self.folds_beyond().map(|limit| Warning::NeckFolds { radius: self.ball_radius, limit });
+        folds.into_iter().collect()
     }
 
     /// The largest ball that does not fold the neck, if this one does.

@@ -9,11 +9,24 @@ mod values;
 
 use cyclide::{Point3, Vec3};
 
+use crate::formats::mesh_format::{MeshEntry, NO_NORMAL_OF_A_CORNER, ReadMesh};
 use crate::input::points::MOST_POINTS;
 use crate::input::polygon_mesh::PolygonMesh;
 use crate::text::place::{Diagnostic, Source};
 use header::{Element, Encoding, Header, Property};
 use values::{Binary, Text, Values};
+
+/// What there is to know of the format.
+pub(super) const MESH_ENTRY: MeshEntry = MeshEntry {
+    word: "ply",
+    field: "Path of a PLY file, binary or text, relative to the document.",
+    is_start: |text| text.starts_with("ply\n") || text.starts_with("ply\r\n"),
+    read: |name, bytes| read_polygons(name, bytes).map(ReadMesh::from),
+    has_quads: false,
+    is_single: false,
+    shares_vertices: true,
+    without_normals: NO_NORMAL_OF_A_CORNER,
+};
 
 /// Most corners of a face.
 const MOST_CORNERS: usize = 4096;
@@ -24,7 +37,7 @@ const COORDINATES: [&str; 6] = ["x", "y", "z", "nx", "ny", "nz"];
 ///
 /// # Errors
 /// A message with the file, of text with line and column.
-pub(crate) fn read_polygons(name: &str, bytes: &[u8]) -> Result<PolygonMesh, Box<Diagnostic>> {
+fn read_polygons(name: &str, bytes: &[u8]) -> Result<PolygonMesh, Box<Diagnostic>> {
     let (header, start) = Header::read(bytes).map_err(|message| refused(name, message))?;
     let Header { encoding, elements } = header;
     let mesh = match encoding {

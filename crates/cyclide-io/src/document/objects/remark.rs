@@ -1,0 +1,61 @@
+//! What the user should know of an object: warnings of the kernel with their place, and what reading and making it remarked.
+
+use cyclide::Warning;
+
+use super::Builder;
+use crate::document::locate::{Step, path_text};
+
+/// A warning with its place in the input.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Remark {
+    /// Stable kebab-case name.
+    pub reason: &'static str,
+    /// Which contour, from 0, where it is about one.
+    pub contour: Option<usize>,
+    /// Which point (or the segment that starts there), from 0, as the input counts them.
+    pub index: Option<usize>,
+    /// `file:line` or the path in the document, where known.
+    pub place: Option<String>,
+    /// The sentence.
+    pub message: String,
+    /// The warning with its measures, where it is one of the kernel.
+    pub warning: Option<Warning>,
+}
+
+impl From<Warning> for Remark {
+    fn from(warning: Warning) -> Self {
+        Self {
+            reason: warning.reason(),
+            contour: None,
+            index: warning.index(),
+            place: None,
+            message: warning.to_string(),
+            warning: Some(warning),
+        }
+    }
+}
+
+impl Builder<'_> {
+    /// Adds what is no warning of the kernel.
+    pub(super) fn remark(
+        &mut self,
+        reason: &'static str,
+        contour: Option<usize>,
+        index: Option<usize>,
+        place: Option<String>,
+        message: String,
+    ) {
+        self.remarks.push(Remark { reason, contour, index, place, message, warning: None });
+    }
+
+    /// Adds a warning about a field.
+    pub(super) fn warn_at(&mut self, field: &str, contour: Option<usize>, warning: Warning) {
+        let place = self.place_of([Step::from(field)]);
+        self.remarks.push(Remark { contour, place, ..warning.into() });
+    }
+
+    /// Path of a value of this object, of a document that has a text.
+    pub(super) fn place_of(&self, steps: impl IntoIterator<Item = Step>) -> Option<String> {
+        (!self.document.text.is_empty()).then(|| path_text(&self.path(steps)))
+    }
+}

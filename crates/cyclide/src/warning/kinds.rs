@@ -1,0 +1,399 @@
+//! The list of warnings: what each is about, what was measured, and above which limit it is said.
+
+use crate::shape_change::ShapeChange;
+
+/// A remark on a result that is valid but may not be what was meant.
+///
+/// ```
+/// use cyclide::{CircleSpline, CircleSplineOptions, Point3, Warning};
+/// let back = [[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0]].map(Point3::from);
+/// let spline = CircleSpline::from_points(&back, &CircleSplineOptions::default())?;
+/// assert_eq!(spline.warnings()[0], Warning::Cusp { node: 1 });
+/// assert_eq!(spline.warnings()[0].reason(), "cusp");
+/// # Ok::<(), cyclide::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
+pub enum Warning {
+    /// The curve turns back on itself at a node: one-sided tangents, the joint is only connected (G0).
+    Cusp {
+        /// Index of the point.
+        node: usize,
+    },
+    /// A turn close to half a turn: the circle through the node is very large.
+    SharpTurn {
+        /// Index of the point.
+        node: usize,
+        /// Turn at the point, radians.
+        angle: f64,
+        /// Turns above this are reported, radians.
+        limit: f64,
+    },
+    /// A turn close to half a turn, where a smooth curve would swing out: cut, both sides end there (G0).
+    SharpTurnCut {
+        /// Index of the point.
+        node: usize,
+        /// Turn at the point, radians.
+        angle: f64,
+        /// Turns above this are cut, radians.
+        limit: f64,
+    },
+    /// Segments of a fair spline that are less fair than asked for, because the fairest curve does not exist or swings out
+    /// far there; its curvature is continuous all the same.
+    Relaxed {
+        /// Segments, from 0, rising, each with its blend: 1 is the fairest, 0 follows its neighbours alone.
+        segments: Vec<(usize, f64)>,
+    },
+    /// The blend takes the long way round between its two circles.
+    LongWay {
+        /// Segment, from 0; it starts at the point of the same index.
+        segment: usize,
+    },
+    /// The two circles of a segment run in opposite directions: a small change of the data moves the curve a lot.
+    OppositeCircles {
+        /// Segment, from 0.
+        segment: usize,
+    },
+    /// Chords are so short against their coordinates that these, rounded to doubles, do not tell their directions.
+    RoundedDirections {
+        /// The first of the segments, from 0.
+        segment: usize,
+        /// How many there are.
+        count: usize,
+        /// How well the worst of their directions is known, radians.
+        angle: f64,
+        /// Values above this are reported, radians.
+        limit: f64,
+    },
+    /// Neighbouring chords differ much in length, which makes interpolating curves bulge.
+    UnevenSpacing {
+        /// Index of the point between the two chords.
+        node: usize,
+        /// Longer over shorter chord.
+        ratio: f64,
+        /// Ratios above this are reported.
+        limit: f64,
+    },
+    /// A corner of the input was kept as a corner.
+    CornerKept {
+        /// Index of the point.
+        vertex: usize,
+        /// Turn at the point, radians.
+        angle: f64,
+    },
+    /// The samples are too far apart for the tolerance if the edges themselves are meant.
+    SamplesTooCoarse {
+        /// Median sagitta of the edges.
+        sagitta: f64,
+        /// Largest sagitta an arc over two vertices can have.
+        limit: f64,
+    },
+    /// The tolerance is below the noise of the data, or exact data are too coarse for it: nearly every span has two edges
+    /// or fewer.
+    ToleranceBelowNoise {
+        /// Fraction of such spans.
+        fraction: f64,
+    },
+    /// An interpolating curve changes between left and right far more often than its data.
+    Wavers {
+        /// Changes of the curve.
+        curve: usize,
+        /// Changes of the polygon through its nodes.
+        data: usize,
+        /// Those and one for each end of a straight run: what the data account for.
+        explained: usize,
+    },
+    /// The points turn sharply between straight runs, and the curve goes round: a corner that was not marked.
+    CornerNotMarked {
+        /// Index of the first of these points.
+        node: usize,
+        /// How many there are.
+        count: usize,
+        /// The largest turn, radians.
+        angle: f64,
+        /// How far the curve leaves the edges beside them.
+        distance: f64,
+    },
+    /// The data themselves change between left and right as noise does, and a curve through all of them must.
+    DataWaver {
+        /// Changes of the polygon through the nodes.
+        changes: usize,
+        /// Nodes, corners and ends excepted.
+        nodes: usize,
+    },
+    /// Arcs of a fit are much tighter than any circle of the data near them: a corner may be hidden in them.
+    TightArc {
+        /// The piece that is tightest against its data, from 0.
+        piece: usize,
+        /// Index of the point at its start.
+        vertex: usize,
+        /// Its radius.
+        radius: f64,
+        /// Radius of the tightest circle of the data near it.
+        data: f64,
+        /// Radii below this are reported.
+        limit: f64,
+        /// How many arcs are that tight.
+        count: usize,
+    },
+    /// A fit turns more than its data do within the tolerance: it swings to and fro between the points.
+    TurnsMoreThanData {
+        /// Total turning of the fit, radians.
+        turning: f64,
+        /// What the data turn within the tolerance at most, radians.
+        limit: f64,
+    },
+    /// A smooth curve within the tolerance needs nearly as many nodes as there are points.
+    ManyNodes {
+        /// Nodes of the curve.
+        nodes: usize,
+        /// Points it was fitted to; more than a third as many nodes are reported.
+        points: usize,
+        /// How often the points change between left and right. More than a third of them do so as noise does.
+        changes: usize,
+    },
+    /// The fairest curve leans on the bounds of the tolerance: nearer to the data is nearer to what noisy data were
+    /// measured from.
+    LeansOnWalls {
+        /// Root mean square of the distances of the points from the curve.
+        rms: f64,
+        /// Values above this are reported.
+        limit: f64,
+        /// How far the points scatter from one to the next about any smooth curve: the standard deviation of their noise.
+        /// `None` where there are too few points to a node to tell noise from shape.
+        scatter: Option<f64>,
+    },
+    /// A tolerance that is wide against the figure binds little: a narrower one gave a better curve.
+    WideTolerance {
+        /// The tolerance asked for.
+        tolerance: f64,
+        /// What the curve keeps to: the tolerance itself for an arc fit.
+        used: f64,
+    },
+    /// A tolerance so large that bends or loops are gone: the curve is less than 0.8 times as long as its points say.
+    ShapeSmoothedAway {
+        /// Length of the curve.
+        curve: f64,
+        /// Length of the line through the points after their noise has been smoothed.
+        data: f64,
+    },
+    /// A fair fit has more nodes than were asked for, or fewer.
+    NodesNotReached {
+        /// Nodes of each smooth piece that were asked for.
+        asked: usize,
+        /// Nodes of the piece that is farthest from it.
+        reached: usize,
+        /// What decided: `tolerance`, `budget`, `max-fits`, `fewest` (no curve has fewer) or `first-fit` (the tolerance
+        /// was reached with fewer).
+        why: &'static str,
+    },
+    /// Ends were asked for, but a closed curve has none.
+    EndsWithoutEffect,
+    /// A fair fit swung out between its points, far from their polyline, as it does where a corner is no corner to it.
+    SwingsOut {
+        /// How far the curve was from the polyline.
+        distance: f64,
+        /// The tolerance and half the longest edge (of arcs twice the tolerance and the largest sagitta); larger distances
+        /// are reported.
+        limit: f64,
+        /// It was fitted again with places on the edges, and does not swing out any more.
+        held: bool,
+    },
+    /// The feet of some points step back along the curve: distances are bounded one way only.
+    FeetNotMonotone {
+        /// The first point whose foot is before that of its predecessor.
+        point: usize,
+        /// How many there are.
+        count: usize,
+    },
+    /// Points closer than the limit to their neighbour were merged.
+    PointsMerged {
+        /// Index of the first one dropped.
+        first: usize,
+        /// How many were dropped.
+        count: usize,
+        /// Distances up to this count as equal.
+        limit: f64,
+    },
+    /// The last points of a closed curve repeat its first one and were merged with it.
+    ClosingPointMerged {
+        /// Index of the first one dropped.
+        index: usize,
+    },
+    /// The lines of a grid to be made circular run across the curvature lines of its surface.
+    AcrossCurvatureLines {
+        /// Mean angle to the curvature lines, weighted by the difference of the principal curvatures, radians.
+        angle: f64,
+        /// Angles above this are reported, radians.
+        limit: f64,
+    },
+    /// The shape of a grid changed when it was made circular.
+    ShapeChanged {
+        /// What was measured.
+        change: ShapeChange,
+    },
+    /// A vertex moved far when its grid was made circular: the grid does not follow the curvature lines of its surface.
+    MovedFar {
+        /// The vertex, s fastest.
+        vertex: usize,
+        /// Length of its move.
+        distance: f64,
+        /// Moves above this are reported: two median edges.
+        limit: f64,
+    },
+    /// A vertex left the surface of its grid when it was made circular.
+    LeftSurface {
+        /// The vertex, s fastest.
+        vertex: usize,
+        /// Its distance from the input surface.
+        distance: f64,
+        /// Distances above this are reported: the median edge.
+        limit: f64,
+    },
+    /// Grid lines turn to and fro from vertex to vertex: a noisy or too coarse grid, better smoothed first.
+    Zigzag {
+        /// How neighbouring turns agree: 1 for smooth lines, -2/3 for independent errors of the vertices.
+        agreement: f64,
+        /// Mean turn at a vertex, radians.
+        turn: f64,
+    },
+    /// Opposite borders of an open net nearly coincide, as where a tube was cut open.
+    OpenSeam {
+        /// What the borders are: `column` (s = 0 and s = 1) or `row` (t = 0 and t = 1).
+        border: &'static str,
+        /// Largest distance of a point of one border from the other one.
+        gap: f64,
+        /// Largest angle between the normals there, radians.
+        angle: f64,
+    },
+    /// An offset beyond centres of curvature of its surface: lines run backwards there.
+    BeyondFocalSet {
+        /// The distance of the offset.
+        distance: f64,
+        /// The smallest radius of curvature towards that side.
+        radius: f64,
+        /// The first patch with a smaller radius than the distance.
+        first: usize,
+        /// How many there are.
+        count: usize,
+    },
+    /// A net whose frame does not suit its grid: lines shrink to a point inside patches, or neighbours fold over.
+    FoldedNet {
+        /// Patches inside which a parameter line shrinks to a point.
+        singular: usize,
+        /// The first of them, s fastest.
+        first: Option<usize>,
+        /// Inner edges at which the normals differ by more than a thousandth of a radian.
+        creases: usize,
+        /// Largest angle there, radians.
+        angle: f64,
+    },
+    /// The neck of a ball that is larger than the bends of its way: it runs through itself.
+    NeckFolds {
+        /// Radius of the ball.
+        radius: f64,
+        /// Smallest radius of curvature of the way of its centre.
+        limit: f64,
+    },
+    /// A hull of points of which no faces in planes are as near as the default flatness: it was raised until there are some.
+    FlatnessRaised {
+        /// The default, 1e-9 of the diameter.
+        asked: f64,
+        /// What was used.
+        used: f64,
+    },
+    /// Edges of a polyhedron at which its faces are nearly in one plane, as where coordinates have few digits.
+    ShallowEdges {
+        /// Ends of the edge that bends least.
+        ends: [usize; 2],
+        /// How many there are.
+        count: usize,
+        /// The least angle between the normals of two faces, radians.
+        angle: f64,
+        /// Angles below this are reported, radians.
+        limit: f64,
+        /// How far the corners of one face are off the plane of the other one at most.
+        off: f64,
+    },
+    /// Edges of a mesh at which the smooth surface runs backwards: faces are too thin or too long for their normals, or the points noisy.
+    FoldsBack {
+        /// Ends of the edge at which it turns most.
+        vertices: [usize; 2],
+        /// A triangle there, from 0.
+        triangle: usize,
+        /// The angle between the normal of the derivatives and that of the surface there, radians: half a turn where it is folded.
+        angle: f64,
+        /// How many such edges there are.
+        count: usize,
+    },
+    /// Sharp edges of a mesh that became smooth, since no angle of creases was given.
+    SharpEdgesSmoothed {
+        /// Ends of the sharpest.
+        vertices: [usize; 2],
+        /// The angle between its triangles, radians.
+        angle: f64,
+        /// How many there are.
+        count: usize,
+        /// Angles above this are reported, radians.
+        limit: f64,
+    },
+    /// Border edges of a mesh that lie on each other without being joined.
+    LooseBorders {
+        /// Ends of the first one.
+        vertices: [usize; 2],
+        /// How many there are.
+        count: usize,
+        /// Border edges of the mesh.
+        borders: usize,
+        /// The largest distance of the middle of one from the nearest other one; a hundredth of its length at most.
+        gap: f64,
+    },
+    /// A bridge between ellipses that cross: it runs through itself beside the places where they do.
+    EllipsesCross {
+        /// By how much the second ellipse is wider along x.
+        along_x: f64,
+        /// The same along y.
+        along_y: f64,
+    },
+    /// The ends of a profile were near the axis that it turns about, and were moved onto it.
+    MovedToAxis {
+        /// The farthest of them.
+        distance: f64,
+        /// Ends up to this far are moved.
+        limit: f64,
+    },
+    /// A part of a turn of a profile that goes round an area, but has no end faces.
+    OpenPart {
+        /// The angle of the turn, radians.
+        angle: f64,
+    },
+    /// A whole turn of a profile that goes round no area: the surface is open where its ends are off the axis.
+    OpenProfile {
+        /// Distance of its start from the axis.
+        start: f64,
+        /// Distance of its end.
+        end: f64,
+    },
+    /// A profile in a plane across the axis that it turns about: what it sweeps is a part of that plane.
+    FlatRevolution,
+    /// A surface between two curves bends sharply where pieces of the curves join smoothly.
+    KinksAtJoints {
+        /// Joints at which its normals differ by more than the limit.
+        count: usize,
+        /// The joint of the curves with the largest angle, from 0.
+        joint: usize,
+        /// That angle, radians.
+        angle: f64,
+        /// Angles above this are reported, radians.
+        limit: f64,
+    },
+    /// Normals of a mesh that point to the back of a face at their vertex: the smooth surface folds over there.
+    NormalFacesBackward {
+        /// The first triangle with such a corner, from 0.
+        triangle: usize,
+        /// The vertex of it.
+        vertex: usize,
+        /// How many corners there are.
+        count: usize,
+    },
+}

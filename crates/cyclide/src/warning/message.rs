@@ -1,0 +1,306 @@
+//! What a warning says: plain sentences with the place, the measure, the limit and what helps.
+
+use super::Warning;
+use super::reason::as_noise;
+use super::words::{rounded_down, times, write_nodes_not_reached, write_open_profile, write_relaxed};
+use crate::shape_change::degrees;
+use crate::short_number::ShortNumber;
+
+/// Points that scatter by more than this part of what counts as leaning are called noisy.
+const SCATTER: f64 = 0.15;
+/// Neighbouring chords that differ by this factor are no uneven spacing: the shorter one joins a point to itself.
+const NEARLY_REPEATED: f64 = 1000.0;
+
+impl std::fmt::Display for Warning {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Cusp { node } => {
+                write!(f, "point {node}: the curve turns back on itself (cusp), joint only connected")
+            }
+            Self::SharpTurn { node, angle, limit } => {
+                write!(
+                    f,
+                    "point {node}: the points turn back by {:.2} degrees (more than {:.0} is sharp): the circle through it and its neighbours is very large, and the curve swings out; if a corner is meant, mark it",
+                    angle.to_degrees(),
+                    limit.to_degrees()
+                )
+            }
+            Self::SharpTurnCut { node, angle, limit } => {
+                write!(
+                    f,
+                    "point {node}: the points turn back by {:.2} degrees (more than {:.0} is sharp): a smooth curve would swing out, so the point is made a corner",
+                    angle.to_degrees(),
+                    limit.to_degrees()
+                )
+            }
+            Self::Relaxed { segments } => write_relaxed(f, segments),
+            Self::LongWay { segment } => {
+                write!(f, "segment {segment}: the blend takes the long way between its circles")
+            }
+            Self::OppositeCircles { segment } => {
+                write!(
+                    f,
+                    "segment {segment}: its circles run in opposite directions, small changes move the curve a lot"
+                )
+            }
+            Self::RoundedDirections { segment, count, angle, limit } => write!(
+                f,
+                "{count} chord(s), the first is segment {segment}, are so short for coordinates this large that rounding turns them by up to {} degrees (above {}): move the points to the origin before they are written, or merge them",
+                degrees(*angle),
+                degrees(*limit)
+            ),
+            Self::UnevenSpacing { node, ratio, .. } if *ratio >= NEARLY_REPEATED => {
+                write!(
+                    f,
+                    "point {node}: neighbouring chords differ by a factor {ratio:.0}: two points nearly repeat each other there, and the curve may loop; remove one of them"
+                )
+            }
+            Self::UnevenSpacing { node, ratio, limit } => {
+                write!(
+                    f,
+                    "point {node}: neighbouring chords differ by a factor {ratio:.1} (above {limit}), the curve may bulge"
+                )
+            }
+            Self::CornerKept { vertex, angle } => {
+                write!(f, "point {vertex}: corner of {:.1} degrees kept", angle.to_degrees())
+            }
+            Self::SamplesTooCoarse { sagitta, limit } => write!(
+                f,
+                "median sagitta of the edges is {}, an arc over two of them allows {}: if the points are samples of a smooth curve, use the target `points`",
+                ShortNumber(*sagitta),
+                ShortNumber(*limit)
+            ),
+            Self::ToleranceBelowNoise { fraction } => {
+                write!(
+                    f,
+                    "{:.0} % of the arcs span two edges or fewer: the tolerance is below the noise of the points, or they are too far apart for it",
+                    fraction * 100.0
+                )
+            }
+            Self::Wavers { curve, data, explained } => {
+                write!(f, "the curve changes {} between left and right, its points {}", times(*curve), times(*data))?;
+                if explained > data {
+                    write!(f, " ({explained} with the ends of their straight runs)")?;
+                }
+                f.write_str(": it wavers between them (the comb of a picture shows where); a fair spline, or a fit within a tolerance, bends less to and fro")
+            }
+            Self::CornerNotMarked { node, count, angle, distance } => write!(
+                f,
+                "{count} point(s) turn between straight runs, by up to {:.1} degrees, the first is point {node}: the curve goes round and leaves the runs by up to {}; if corners are meant, mark them (a corner angle)",
+                angle.to_degrees(),
+                ShortNumber(*distance)
+            ),
+            Self::DataWaver { changes, nodes } => write!(
+                f,
+                "the points change {changes} times between left and right at {nodes} nodes, as noise does, and the curve passes through all of them: a fit within a tolerance is smoother"
+            ),
+            Self::TightArc { piece, vertex, radius, data, limit, count } => {
+                write!(
+                    f,
+                    "{count} arc(s) much tighter than the data, the tightest is piece {piece} at point {vertex}: radius {}, the tightest circle of the data there has {} (below {} is tight)",
+                    ShortNumber(*radius),
+                    ShortNumber(*data),
+                    ShortNumber(*limit)
+                )
+            }
+            Self::TurnsMoreThanData { turning, limit } => {
+                write!(
+                    f,
+                    "the fit turns by {turning:.2} radians in all, its data by at most {limit:.2}: smooth the points or raise the tolerance"
+                )
+            }
+            Self::ManyNodes { nodes, points, changes } => {
+                write!(f, "{nodes} nodes for {points} points, ")?;
+                if as_noise(*changes, *points) {
+                    write!(
+                        f,
+                        "which change between left and right {changes} times, as noise does: the tolerance is below their noise"
+                    )
+                } else {
+                    f.write_str("which are too few, or the tolerance too small, to be described by fewer; corners are followed with few nodes only if they are given (a corner angle)")
+                }
+            }
+            Self::LeansOnWalls { rms, limit, scatter } => {
+                write!(
+                    f,
+                    "the curve leans on the bounds of the tolerance, as the fairest one does: the root mean square of the distances is {} (more than {} is much); ",
+                    ShortNumber(*rms),
+                    ShortNumber(*limit)
+                )?;
+                match *scatter {
+                    Some(scatter) if scatter > SCATTER * limit => write!(
+                        f,
+                        "the points scatter by {} from one to the next: for noise, 3 to 4 times that as tolerance with centre 1 comes nearer to what was measured",
+                        ShortNumber(scatter)
+                    ),
+                    Some(scatter) => write!(
+                        f,
+                        "the points scatter by no more than {} from one to the next: a smaller tolerance, or a centre of 1, comes nearer to them",
+                        ShortNumber(scatter)
+                    ),
+                    None => f.write_str("a smaller tolerance, or a centre of 1, comes nearer to the points"),
+                }
+            }
+            Self::WideTolerance { tolerance, used } if used >= tolerance => write!(
+                f,
+                "the tolerance {} is wide against the figure: bends and corners smaller than it may be gone",
+                ShortNumber(*tolerance)
+            ),
+            Self::WideTolerance { tolerance, used } => write!(
+                f,
+                "the tolerance {} is wide against the figure: the curve keeps within {}, where it is fairer or swings out less",
+                ShortNumber(*tolerance),
+                ShortNumber(*used)
+            ),
+            Self::ShapeSmoothedAway { curve, data } => write!(
+                f,
+                "the curve is {} long, its points say {}: bends or loops smaller than the tolerance are gone",
+                ShortNumber(*curve),
+                ShortNumber(*data)
+            ),
+            Self::NodesNotReached { asked, reached, why } => write_nodes_not_reached(f, *asked, *reached, why),
+            Self::EndsWithoutEffect => f.write_str("a closed curve has no ends: what was asked for them has no effect"),
+            Self::SwingsOut { distance, limit, held } => write!(
+                f,
+                "between the points the curve {} up to {} from their polyline (more than {} is far){}; if the points have corners, give a corner angle",
+                if *held { "would swing out" } else { "swings out" },
+                ShortNumber(*distance),
+                ShortNumber(*limit),
+                if *held { ": it is held to places on the edges too" } else { "" }
+            ),
+            Self::FeetNotMonotone { point, count } => write!(
+                f,
+                "point {point}: its place on the curve is before that of the point before it ({count} such): the points are denser than their noise, and the distance to their polyline is bounded one way only"
+            ),
+            Self::PointsMerged { first, count, limit } => {
+                let limit = ShortNumber(*limit);
+                match count {
+                    1 => write!(f, "point {first} repeats the one before it (closer than {limit}): left out"),
+                    _ => write!(
+                        f,
+                        "{count} points repeat those before them (closer than {limit}): left out, the first is point {first}"
+                    ),
+                }
+            }
+            Self::ClosingPointMerged { index } => {
+                write!(f, "point {index} repeats the first point of the closed curve: merged with it")
+            }
+            Self::AcrossCurvatureLines { angle, limit } => write!(
+                f,
+                "the grid lines run {} degrees off the curvature lines of the surface on average (more than {} is across them): quads with circles follow curvature lines",
+                degrees(*angle),
+                degrees(*limit)
+            ),
+            Self::ShapeChanged { change } => write!(f, "the shape changed: {}", change.changed()),
+            Self::MovedFar { vertex, distance, limit } => {
+                write!(
+                    f,
+                    "vertex {vertex} moved by {} (more than {} is far): align the grid with the curvature lines first",
+                    ShortNumber(*distance),
+                    ShortNumber(*limit)
+                )
+            }
+            Self::LeftSurface { vertex, distance, limit } => {
+                write!(
+                    f,
+                    "vertex {vertex} is {} off the input surface (more than {} is far)",
+                    ShortNumber(*distance),
+                    ShortNumber(*limit)
+                )
+            }
+            Self::Zigzag { agreement, turn } => write!(
+                f,
+                "grid lines zigzag: neighbouring turns of {:.1} degrees on average agree by {agreement:.2}; smooth or refine the grid first",
+                turn.to_degrees()
+            ),
+            Self::NeckFolds { radius, limit } => write!(
+                f,
+                "the neck runs through itself on the side to which the pipe leans: a ball of radius {} rolls through bends of radius {}; take a smaller ball",
+                ShortNumber(*radius),
+                ShortNumber(*limit)
+            ),
+            Self::FoldsBack { vertices: [from, to], triangle, angle, count } => write!(
+                f,
+                "the surface folds back at {count} edge(s), most of all at that between the vertices {from} and {to}, in triangle {triangle}: its normal turns by {:.0} degrees there; `crease_angle` keeps edges, a finer or smoother mesh has no folds",
+                angle.to_degrees()
+            ),
+            Self::SharpEdgesSmoothed { vertices: [from, to], angle, count, limit } => write!(
+                f,
+                "{count} edge(s) that bend by more than {:.0} degrees are smoothed away, by up to {:.1} degrees, between the vertices {from} and {to}: `crease_angle` keeps them",
+                limit.to_degrees(),
+                angle.to_degrees()
+            ),
+            Self::LooseBorders { vertices: [from, to], count, borders, gap } => write!(
+                f,
+                "{count} of {borders} border edges lie within {} of another one, the first between the vertices {from} and {to}: points that are meant to be one are apart, weld them; or a vertex is inside an edge of a neighbour, cut this there",
+                ShortNumber(*gap)
+            ),
+            Self::FlatnessRaised { asked, used } => write!(
+                f,
+                "the points are not in planes within {}, 1e-9 of their diameter: {} is taken, as of rounded points; give the rounding of the points as `flatness`",
+                ShortNumber(*asked),
+                ShortNumber(*used)
+            ),
+            Self::ShallowEdges { ends: [first, second], count, angle, limit, off } => write!(
+                f,
+                "{count} edge(s) bend by less than {} radians, least of all that between the points {first} and {second}, by {}: where their faces are meant to be in one plane, give the rounding of the points as `flatness`; corners are up to {} off the plane beside them",
+                ShortNumber(*limit),
+                ShortNumber(*angle),
+                ShortNumber(*off)
+            ),
+            Self::EllipsesCross { along_x, along_y } => write!(
+                f,
+                "the ellipses cross: the second is wider by {} along x and by {} along y, and the bridge runs through itself beside the places where they do; take one inside the other",
+                ShortNumber(*along_x),
+                ShortNumber(*along_y)
+            ),
+            Self::MovedToAxis { distance, limit } => write!(
+                f,
+                "the profile ends up to {} off the axis (up to {} counts as meant to be on it): its ends were moved onto the axis; write more digits, or start farther out for a bore",
+                ShortNumber(*distance),
+                ShortNumber(*limit)
+            ),
+            Self::OpenPart { angle } => write!(
+                f,
+                "the body is open at both ends of its turn by {} degrees: end faces are made of one contour, in a plane with the axis, that is seen whole from a point inside; a whole turn is a solid",
+                degrees(*angle)
+            ),
+            Self::OpenProfile { start, end } => write_open_profile(f, *start, *end),
+            Self::FlatRevolution => f.write_str(
+                "the profile lies in a plane across the axis, and what it sweeps is flat; for a body give it heights along the axis (points [r, 0, z] for the axis z), or take an axis in its plane",
+            ),
+            Self::KinksAtJoints { count, joint, angle, limit } => write!(
+                f,
+                "the surface has kinks at {count} joint(s) where both curves run smoothly, the largest of {} degrees at joint {joint} (above {}): speeds jump there from piece to piece by different factors; take curves with pieces of like lengths on both sides, or of one piece",
+                degrees(*angle),
+                degrees(*limit)
+            ),
+            Self::OpenSeam { border, gap, angle } => write!(
+                f,
+                "the first and the last {border} of the grid are at most an edge apart and the net is open there: the surface has a gap of up to {} and an angle of up to {} degrees there",
+                ShortNumber(*gap),
+                degrees(*angle)
+            ),
+            Self::BeyondFocalSet { distance, radius, first, count } => write!(
+                f,
+                "the offset by {} goes beyond the focal set on {count} patch(es), the first is patch {first}: the surface bends towards that side with radii down to {}, and beyond them its lines run backwards; offsets by less do not",
+                ShortNumber(*distance),
+                ShortNumber(rounded_down(*radius))
+            ),
+            Self::FoldedNet { singular, first, creases, angle } => {
+                if let Some(first) = first {
+                    write!(f, "{singular} singular patch(es), the first is quad {first}")?;
+                }
+                let and = if first.is_some() && *creases > 0 { "; " } else { "" };
+                if *creases > 0 {
+                    write!(f, "{and}{creases} joint(s) with a crease of up to {:.1} degrees", angle.to_degrees())?;
+                }
+                f.write_str(": the frame does not suit the grid")
+            }
+            Self::NormalFacesBackward { triangle, vertex, count } => write!(
+                f,
+                "{count} normal(s) point to the back of a triangle beside them, first that of vertex {vertex} in triangle {triangle}: the surface folds over there; turn the normals or the triangles, or refine the mesh"
+            ),
+        }
+    }
+}

@@ -1,0 +1,12 @@
+//! What a construction did that its user should know: named, with the place, the measure and the limit.
+//!
+//! There is one door to them: `warnings()` of that which was made (a fit, a spline, a mesh, a polyhedron), or of that which makes
+//! it where the result is a plain [`Body`](crate::Body) that could not keep them (a neck, a bridge, a turn). [`Warning::reason`] gives the stable
+//! kebab-case name that reports and the documentation use.
+
+mod kinds;
+mod message;
+mod reason;
+mod words;
+
+pub use kinds::Warning;

@@ -1,0 +1,114 @@
+//! The stable names of the warnings, and the point, segment or other item that each is about.
+
+use super::Warning;
+
+impl Warning {
+    /// The stable name of the warning, as used in reports.
+    #[must_use]
+    pub fn reason(&self) -> &'static str {
+        match self {
+            Self::Cusp { .. } => "cusp",
+            Self::SharpTurn { .. } => "sharp-turn",
+            Self::SharpTurnCut { .. } => "sharp-turn-cut",
+            Self::Relaxed { .. } => "relaxed",
+            Self::LongWay { .. } => "long-way",
+            Self::OppositeCircles { .. } => "opposite-circles",
+            Self::RoundedDirections { .. } => "rounded-directions",
+            Self::UnevenSpacing { .. } => "uneven-spacing",
+            Self::CornerKept { .. } => "corner-kept",
+            Self::SamplesTooCoarse { .. } => "samples-too-coarse",
+            Self::ToleranceBelowNoise { .. } => "tolerance-below-noise",
+            Self::Wavers { .. } => "wavers",
+            Self::CornerNotMarked { .. } => "corner-not-marked",
+            Self::DataWaver { .. } => "data-waver",
+            Self::TightArc { .. } => "tight-arc",
+            Self::TurnsMoreThanData { .. } => "turns-more-than-data",
+            Self::ManyNodes { points, changes, .. } if as_noise(*changes, *points) => "tolerance-below-noise",
+            Self::ManyNodes { .. } => "many-nodes",
+            Self::LeansOnWalls { .. } => "leans-on-walls",
+            Self::WideTolerance { .. } => "wide-tolerance",
+            Self::ShapeSmoothedAway { .. } => "shape-smoothed-away",
+            Self::NodesNotReached { .. } => "nodes-not-reached",
+            Self::EndsWithoutEffect => "no-effect",
+            Self::SwingsOut { .. } => "swings-out",
+            Self::FeetNotMonotone { .. } => "feet-not-monotone",
+            Self::PointsMerged { .. } => "points-merged",
+            Self::ClosingPointMerged { .. } => "closing-point-merged",
+            Self::AcrossCurvatureLines { .. } => "across-curvature-lines",
+            Self::ShapeChanged { .. } => "shape-changed",
+            Self::MovedFar { .. } => "moved-far",
+            Self::LeftSurface { .. } => "left-surface",
+            Self::Zigzag { .. } => "zigzag",
+            Self::OpenSeam { .. } | Self::LooseBorders { .. } => "open-seam",
+            Self::BeyondFocalSet { .. } => "beyond-focal-set",
+            Self::FoldedNet { .. } => "folded-net",
+            Self::NeckFolds { .. } => "neck-folds",
+            Self::FoldsBack { .. } => "folds-back",
+            Self::SharpEdgesSmoothed { .. } => "sharp-edges-smoothed",
+            Self::FlatnessRaised { .. } => "flatness-raised",
+            Self::ShallowEdges { .. } => "shallow-edges",
+            Self::EllipsesCross { .. } => "ellipses-cross",
+            Self::MovedToAxis { .. } => "moved-to-axis",
+            Self::OpenPart { .. } | Self::OpenProfile { .. } => "open-body",
+            Self::FlatRevolution => "flat-revolution",
+            Self::KinksAtJoints { .. } => "kinks-at-joints",
+            Self::NormalFacesBackward { .. } => "normal-faces-backward",
+        }
+    }
+
+    /// The index of the point or segment, where there is one.
+    #[must_use]
+    pub fn index(&self) -> Option<usize> {
+        match *self {
+            Self::Cusp { node }
+            | Self::SharpTurn { node, .. }
+            | Self::SharpTurnCut { node, .. }
+            | Self::CornerNotMarked { node, .. }
+            | Self::UnevenSpacing { node, .. } => Some(node),
+            Self::Relaxed { ref segments } => segments.first().map(|(segment, _)| *segment),
+            Self::LongWay { segment } | Self::OppositeCircles { segment } | Self::RoundedDirections { segment, .. } => {
+                Some(segment)
+            }
+            Self::CornerKept { vertex, .. } | Self::TightArc { vertex, .. } => Some(vertex),
+            Self::PointsMerged { first, .. } => Some(first),
+            Self::FeetNotMonotone { point, .. } => Some(point),
+            Self::ClosingPointMerged { index } => Some(index),
+            Self::MovedFar { vertex, .. } | Self::LeftSurface { vertex, .. } => Some(vertex),
+            Self::BeyondFocalSet { first, .. } => Some(first),
+            Self::FoldedNet { first, .. } => first,
+            Self::KinksAtJoints { joint, .. } => Some(joint),
+            Self::NormalFacesBackward { triangle, .. } | Self::FoldsBack { triangle, .. } => Some(triangle),
+            Self::SamplesTooCoarse { .. }
+            | Self::ToleranceBelowNoise { .. }
+            | Self::Wavers { .. }
+            | Self::DataWaver { .. }
+            | Self::TurnsMoreThanData { .. }
+            | Self::AcrossCurvatureLines { .. }
+            | Self::ShapeChanged { .. }
+            | Self::OpenSeam { .. }
+            | Self::ManyNodes { .. }
+            | Self::LeansOnWalls { .. }
+            | Self::WideTolerance { .. }
+            | Self::ShapeSmoothedAway { .. }
+            | Self::NodesNotReached { .. }
+            | Self::EndsWithoutEffect
+            | Self::SwingsOut { .. }
+            | Self::Zigzag { .. }
+            | Self::SharpEdgesSmoothed { .. }
+            | Self::LooseBorders { .. }
+            | Self::FlatnessRaised { .. }
+            | Self::ShallowEdges { .. }
+            | Self::NeckFolds { .. }
+            | Self::EllipsesCross { .. }
+            | Self::MovedToAxis { .. }
+            | Self::OpenPart { .. }
+            | Self::OpenProfile { .. }
+            | Self::FlatRevolution => None,
+        }
+    }
+}
+
+/// Points that change between left and right more often than this many times in three do so as noise does.
+pub(super) fn as_noise(changes: usize, points: usize) -> bool {
+    3 * changes > points
+}
