@@ -68,7 +68,7 @@
 //! | tori and curves on them | [`Torus`], [`TorusSpline`] (through points, torus knots), [`CircleFamily`], [`QuarticType`] |
 //! | rolling balls, canal surfaces | [`SkewCylinders`], [`CrossingCylinders`], [`QuadricPair`], [`RollingBall`], [`CanalPatch`] |
 //! | surfaces over triangles | [`SmoothMesh`], [`SmoothTriangle`], [`SphereBlend`] |
-//! | bodies made from curves | [`Revolution`], [`Pipe`], [`NeckBlend`], [`EllipseBridge`], [`Body::ruled`], [`Body::circular`], [`RailSurface`] |
+//! | bodies made from curves | [`Revolution`], [`Pipe`], [`PipeTee`], [`NeckBlend`], [`EllipseBridge`], [`Body::ruled`], [`Body::circular`], [`RailSurface`] |
 //! | bodies made from solids | [`ConvexPolyhedron`], [`SphericalPolygon`] |
 //! | topology | [`Body`], [`Shell`], [`ShellFace`], [`ShellEdge`], [`CutShell`], [`FacePart`], [`FaceSurface`], [`FaceGeometry`], [`EdgeCurve`], [`surface_joints`] |
 //! | polylines and meshes | [`flatten`], [`tessellate`], [`SurfaceMesh`], [`parameter_lines`] |
@@ -113,7 +113,7 @@ pub use construct::{
 pub use construct::{ConvexPolyhedron, PolyhedronEdge, SphericalPolygon};
 pub use construct::{EllipseBridge, NeckBlend, NeckBody, NeckSide, NeckVariant, PlateShape};
 pub use construct::{FairFit, FairFitCertificate, FairFitOptions};
-pub use construct::{Pipe, PipeEnds, RailSurface, RationalRun, Revolution};
+pub use construct::{Pipe, PipeEnds, PipeTee, PipeTeeBody, RailSurface, RationalRun, Revolution};
 pub use construct::{ProjectiveBiarc, TorusSplineOptions, TorusTangent, TorusWinding, TwoTypeBiarc};
 pub use curve::{Arc, Arc4, ArcPath, Circle, ClosestPoint, DEFAULT_PIECE_ANGLE, ParamCurve, PieceForm, PieceHull};
 pub use curve::{ArcLength, CurveIndex, ExtremeCurvature, Joint};
@@ -135,14 +135,14 @@ pub use model::{
 pub use rational::{NurbsCurve, RationalBezier, RationalBezierSurface};
 pub use shape_change::ShapeChange;
 pub use short_number::ShortNumber;
+pub use surface::{CanalPatch, CharacteristicCircle, ContactPartner, CrossingCylinders, RollingBall, SkewCylinders};
 pub use surface::{
     CircleFamily, QuarticType, SegmentMethod, Torus, TorusClasses, TorusJunction, TorusPiece, TorusSegment, TorusSpline,
 };
-pub use surface::{CanalPatch, CharacteristicCircle, ContactPartner, CrossingCylinders, RollingBall, SkewCylinders};
-pub use surface::{NaturalQuadric, PairKind, QuadricPair};
 pub use surface::{CyclideKind, CyclidicNet, DupinCyclide, NetFrame, SingularPatch};
 pub use surface::{CyclidePatch, PatchKind};
 pub use surface::{ImplicitForm, PatchLocation, PatchRow};
+pub use surface::{NaturalQuadric, PairKind, QuadricPair};
 pub use surface::{
     NormalWeights, SmoothComparison, SmoothEdge, SmoothMeasure, SmoothMesh, SmoothTriangle, SphereBlend, VertexNormals,
 };

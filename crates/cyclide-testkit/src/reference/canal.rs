@@ -41,7 +41,8 @@ fn patch(case: &Case, check: &mut Check) -> Result<(), Fault> {
         let ends = linear.get(i).and_then(rows::<2>).ok_or_else(|| malformed("z_linear"))?;
         <[[f64; 2]; 2]>::try_from(ends).map_err(|_| malformed("z_linear"))
     };
-    let patch = CanalPatch::between_skew_cylinders(&cylinders(case)?, kind(case.input("type")?)?, [ends(0)?, ends(1)?])?;
+    let patch =
+        CanalPatch::between_skew_cylinders(&cylinders(case)?, kind(case.input("type")?)?, [ends(0)?, ends(1)?])?;
     let allowed = allowed(case, check);
     let samples = check.want_raw("samples").and_then(Value::as_array).cloned().unwrap_or_default();
     for (i, sample) in samples.iter().enumerate() {

@@ -6,8 +6,8 @@ mod circular_mesh;
 mod curves;
 
 pub use bodies::{
-    ConvexPolyhedron, EllipseBridge, NeckBlend, NeckBody, NeckSide, NeckVariant, Pipe, PipeEnds, PlateShape,
-    PolyhedronEdge, RailSurface, Revolution, SphericalPolygon,
+    ConvexPolyhedron, EllipseBridge, NeckBlend, NeckBody, NeckSide, NeckVariant, Pipe, PipeEnds, PipeTee, PipeTeeBody,
+    PlateShape, PolyhedronEdge, RailSurface, Revolution, SphericalPolygon,
 };
 #[cfg(feature = "circular-mesh")]
 pub use circular_mesh::{

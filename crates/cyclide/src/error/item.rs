@@ -85,6 +85,7 @@ items! {
     Polyhedron => "polyhedron",
     Radius => "radius",
     RadiusOfCircle => "radius of the circle",
+    Reach => "reach",
     Rotation => "rotation",
     Row => "row",
     S => "s",

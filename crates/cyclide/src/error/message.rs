@@ -516,6 +516,13 @@ impl std::fmt::Display for Error {
                 ShortNumber(*reach),
                 ShortNumber(*limit)
             ),
+            Self::BlendFolds { angle, radius, measured } => write!(
+                f,
+                "the blend runs through itself near the angle {}: a ball of radius {} is too large for the bends of its way (measured {}, must be above 0)",
+                ShortNumber(*angle),
+                ShortNumber(*radius),
+                ShortNumber(*measured)
+            ),
             Self::PlanesMissPoint { vertex, distance, limit } => write!(
                 f,
                 "with faces that are near to one plane made one, the surface is {} off at point {vertex}, limit {}",

@@ -117,6 +117,7 @@ impl Error {
             Self::ParallelContact { .. } => "parallel-contact",
             Self::RadiusTooSmall { .. } => "radius-too-small",
             Self::BranchTooWide { .. } => "branch-too-wide",
+            Self::BlendFolds { .. } => "blend-folds",
         }
     }
 

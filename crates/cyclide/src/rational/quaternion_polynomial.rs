@@ -18,12 +18,6 @@ impl QuatPolynomial {
         Quat::from(self.0.each_ref().map(|entry| entry.value(t)))
     }
 
-    /// Value and first derivative at a parameter.
-    pub(crate) fn jet(&self, t: f64) -> [Quat; 2] {
-        let entries = self.0.each_ref().map(|entry| entry.jet::<2>(t));
-        [0, 1].map(|k| Quat::from(entries.map(|entry| entry[k])))
-    }
-
     pub(crate) fn conj(&self) -> Self {
         let [w, x, y, z] = &self.0;
         Self([w.clone(), x * -1.0, y * -1.0, z * -1.0])
@@ -70,9 +64,8 @@ mod tests {
 
     #[test]
     fn products_are_those_of_the_values() {
-        let linear = |a: [f64; 4], b: [f64; 4]| {
-            QuatPolynomial(std::array::from_fn(|d| Polynomial::new(vec![a[d], b[d]])))
-        };
+        let linear =
+            |a: [f64; 4], b: [f64; 4]| QuatPolynomial(std::array::from_fn(|d| Polynomial::new(vec![a[d], b[d]])));
         let p = linear([1.0, -2.0, 0.5, 3.0], [0.0, 1.0, -1.0, 2.0]);
         let q = linear([0.25, 3.0, -1.0, 2.0], [-1.0, 0.5, 4.0, 1.0]);
         for t in [0.0, 0.3, 1.0] {

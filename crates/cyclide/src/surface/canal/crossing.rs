@@ -188,5 +188,14 @@ impl CrossingCylinders {
     }
 }
 
+impl CrossingPiece {
+    /// The angle about the branch from the start of the piece.
+    pub(crate) fn turned(&self, s: f64) -> f64 {
+        let [c, e] = &self.half_angles[1];
+        let [[c0, e0], [c1, e1]] = [0.0, s].map(|s| [c.value(s), e.value(s)]);
+        2.0 * (c0 * e1 - e0 * c1).atan2(c0 * c1 + e0 * e1)
+    }
+}
+
 /// The part of the main cylinder that the branch must leave at its side: nearer to the edge the contact curves fold together.
 const NARROWEST_SIDE: f64 = 1e-6;

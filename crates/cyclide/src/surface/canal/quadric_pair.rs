@@ -98,8 +98,7 @@ impl QuadricPair {
             let e = (-norm).sqrt();
             let [first, second] = [0, 1].map(|i| torus_forms(&forms[i], parts[i], e));
             let rows = [combined(&forms[0], parts[0]), first[0], first[1], second[0], second[1]];
-            let (rows, pivot) =
-                inverse(rows).ok_or(Error::DegeneratePair { measured: 0.0, limit: MANY_FORMS })?;
+            let (rows, pivot) = inverse(rows).ok_or(Error::DegeneratePair { measured: 0.0, limit: MANY_FORMS })?;
             if !(pivot > f64::EPSILON) {
                 return Err(Error::DegeneratePair { measured: pivot, limit: f64::EPSILON });
             }
