@@ -135,7 +135,9 @@ pub use model::{
 pub use rational::{NurbsCurve, RationalBezier, RationalBezierSurface};
 pub use shape_change::ShapeChange;
 pub use short_number::ShortNumber;
-pub use surface::{CanalPatch, CharacteristicCircle, ContactPartner, CrossingCylinders, RollingBall, SkewCylinders};
+pub use surface::{
+    CanalPart, CanalPatch, CharacteristicCircle, ContactPartner, CrossingCylinders, RollingBall, SkewCylinders,
+};
 pub use surface::{
     CircleFamily, QuarticType, SegmentMethod, Torus, TorusClasses, TorusJunction, TorusPiece, TorusSegment, TorusSpline,
 };

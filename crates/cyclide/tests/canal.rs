@@ -88,7 +88,7 @@ fn patches_of_all_types_are_envelopes() {
             let families = kind.families().map(CircleFamily::index);
             let degree = patch.to_rational().unwrap().degrees();
             assert_eq!(degree, [if families == [0, 3] { 14 } else { 12 }, 2]);
-            for (surface, s, t) in patch.rational_parts().unwrap() {
+            for cyclide::CanalPart { surface, s, t } in patch.rational_parts().unwrap() {
                 assert!(surface.has_positive_weights());
                 parts += 1;
                 let (x, y) = (0.37, 0.61);

@@ -64,11 +64,10 @@ mod tests {
     fn inverses_and_null_vectors() {
         let m = [[0.0, 2.0, 1.0], [1.0, -1.0, 0.5], [3.0, 0.25, -2.0]];
         let (inverse, ratio) = inverse(m).unwrap();
-        for i in 0..3 {
-            for j in 0..3 {
-                let sum: f64 = (0..3).map(|k| m[i][k] * inverse[k][j]).sum();
-                assert!((sum - f64::from(u8::from(i == j))).abs() < 1e-15);
-            }
+        for (i, row) in m.iter().enumerate() {
+            let product: [f64; 3] = std::array::from_fn(|j| row.iter().zip(inverse).map(|(a, b)| a * b[j]).sum());
+            let off = product.iter().enumerate().map(|(j, x)| (x - f64::from(u8::from(i == j))).abs());
+            assert!(off.fold(0.0, f64::max) < 1e-15);
         }
         assert!(ratio > 0.1);
         let wide = [[1.0, 2.0, 3.0], [0.0, 1.0, -1.0]];

@@ -14,6 +14,6 @@ pub use contact::ContactPartner;
 pub use crossing::CrossingCylinders;
 pub(crate) use crossing::CrossingPiece;
 pub use natural_quadric::NaturalQuadric;
-pub use patch::{CanalPatch, CharacteristicCircle};
+pub use patch::{CanalPart, CanalPatch, CharacteristicCircle};
 pub use quadric_pair::{PairKind, QuadricPair};
 pub use skew_cylinders::SkewCylinders;

@@ -64,6 +64,27 @@ pub struct CharacteristicCircle {
     pub minor_arc_midpoint: Point3,
 }
 
+/// A part of a canal patch in its exact rational form, with positive weights.
+///
+/// ```
+/// use cyclide::{CanalPatch, CircleFamily, QuarticType, SkewCylinders};
+/// let pair = SkewCylinders::new([1.0, 1.5], 2.0)?;
+/// let kind = QuarticType::between(CircleFamily::Parallel, CircleFamily::Meridian).expect("they differ");
+/// let patch = CanalPatch::between_skew_cylinders(&pair, kind, [[[1.0, 0.1], [1.0, 0.3]], [[0.2, 1.0], [-0.2, 1.0]]])?;
+/// let parts = patch.rational_parts()?;
+/// assert!(parts[0].surface.point(0.0, 0.0).distance(patch.point(parts[0].s[0], parts[0].t[0])) < 1e-13);
+/// # Ok::<(), cyclide::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct CanalPart {
+    /// Over `[0, 1]²`.
+    pub surface: RationalBezierSurface,
+    /// Where it is in the patch along s.
+    pub s: [f64; 2],
+    /// And along t.
+    pub t: [f64; 2],
+}
+
 impl CanalPatch {
     /// Makes the arcs at both ends even: the weights of their ends equal. A factor that grows linearly along s moves no point of a circle.
     pub(super) fn even_ends(&mut self) {
@@ -189,18 +210,18 @@ impl CanalPatch {
     }
 
     /// The rational form in parts with positive weights: halved along s while weights of a curve of contact are not, across t while only those
-    /// between are not. Each with its rectangle `[s0, s1]`, `[t0, t1]` of the patch.
+    /// between are not.
     ///
     /// # Errors
     /// `weight-not-positive` (a weight of the balls themselves is not: they run through infinity), as [`to_rational`](Self::to_rational).
-    pub fn rational_parts(&self) -> Result<Vec<(RationalBezierSurface, [f64; 2], [f64; 2])>> {
+    pub fn rational_parts(&self) -> Result<Vec<CanalPart>> {
         let whole = self.to_rational()?;
         let mut ahead = vec![(whole, [0.0, 1.0], [0.0, 1.0], HALVINGS)];
         let mut parts = Vec::new();
         while let Some((surface, s, t, [along, across])) = ahead.pop() {
             let halves = match first_bad_row(&surface) {
                 None => {
-                    parts.push((surface, s, t));
+                    parts.push(CanalPart { surface, s, t });
                     continue;
                 }
                 Some((1, _)) if across > 0 => {

@@ -90,7 +90,8 @@ mod tests {
             let difference = (law.at(x + 1e-6)[0] - law.at(x - 1e-6)[0]) / 2e-6;
             assert!((slope - difference).abs() < 1e-5, "{x}");
         }
-        assert_eq!(RadiusLaw::new(&[[9.0, 0.3]]).unwrap().at(-20.0), [0.3, 0.0]);
+        let constant = RadiusLaw::new(&[[9.0, 0.3]]).unwrap().at(-20.0);
+        assert!((constant[0] - 0.3).abs() + constant[1].abs() == 0.0);
         assert_eq!(RadiusLaw::new(&[[0.0, 1.0], [TAU, 2.0]]).unwrap_err().reason(), "coincident-points");
     }
 }

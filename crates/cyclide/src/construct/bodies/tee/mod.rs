@@ -164,3 +164,4 @@ fn knots(law: &RadiusLaw, spans: usize) -> Vec<f64> {
 fn check_finite(what: ErrorItem, value: f64) -> Result<()> {
     if value.is_finite() { Ok(()) } else { Err(Error::NotFinite { what, index: 0 }) }
 }
+
