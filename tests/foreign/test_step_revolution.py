@@ -96,11 +96,25 @@ def test_arcs_and_segments_give_analytic_faces(revolved):
     assert {face.kind for face in step.faces} == {"plane", "cylinder", "cone"}
 
 
-def test_a_part_of_a_turn_is_open(revolved):
+def test_a_part_of_a_turn_has_ends(revolved):
+    """The wall of the vase is bent and thin: no point sees all of its profile."""
+    _, whole, _ = revolved(VASE["objects"]["profile"], {})
     step, report, curve = revolved(VASE["objects"]["profile"], {"angle": {"degrees": 100}})
-    size, _ = structure(step, closed=False)
-    assert not step.solids and report["volume"] is None
-    assert_points(step, size, curve.locate)
+    size, _ = structure(step, closed=True)
+    assert len(step.solids) == 1 and step.exactly_valid
+    assert report["volume"] == pytest.approx(whole["volume"] * 100 / 360, rel=1e-9)
+    assert_volume(step, report["volume"])
+    angle = math.radians(100)
+    across = np.array([[0.0, 1.0, 0.0], [-math.sin(angle), math.cos(angle), 0.0]])
+
+    def locate(p):
+        off = np.abs(p @ across.T)
+        k = int(off.max(axis=0).argmin())
+        if off[:, k].max() <= 1e-9 * size:
+            return off[:, k], np.broadcast_to(across[k], p.shape)
+        return curve.locate(p)
+
+    assert_points(step, size, locate)
 
 
 @pytest.mark.parametrize("name", ["vase", "spindle"])
@@ -108,3 +122,65 @@ def test_solids_are_cut(name, revolved):
     profile = {"vase": VASE["objects"]["profile"], "spindle": SPINDLE}[name]
     step, report, _ = revolved(profile, {})
     assert_cuts(step, report["volume"], modelling.slab, modelling.drill)
+
+
+def green(points):
+    """The area within a polygon in the plane of x and z, and the integral of the distance from the axis over it."""
+    p, q = np.array(points), np.roll(points, -1, axis=0)
+    cross = p[:, 0] * q[:, 1] - p[:, 1] * q[:, 0]
+    return abs(cross.sum()) / 2, abs((cross * (p[:, 0] + q[:, 0])).sum()) / 6
+
+
+def disk(x, radius):
+    return math.pi * radius**2, math.pi * radius**2 * x
+
+
+U = [[10, 0], [30, 0], [30, 20], [27, 20], [27, 3], [13, 3], [13, 20], [10, 20]]
+COMB = [[10 + 2 * k, 18 if k % 2 == 0 else 1] for k in range(11)] + [[30, 0], [10, 0]]
+
+
+def square(x, half):
+    return [[x - half, -half], [x + half, -half], [x + half, half], [x - half, half]]
+
+
+def ring(x, radius):
+    """A circle as arcs through four of its points."""
+    return [[x + radius, 0], [x, radius], [x - radius, 0], [x, -radius]]
+
+
+# Contours, each a list of corners or of points of arcs, with area and moment of each.
+SECTIONS = {
+    "u": ("polyline", [U], [green(U)]),
+    "comb": ("polyline", [COMB], [green(COMB)]),
+    "tube": ("arc-spline", [ring(20, 6), ring(20, 5)], [disk(20, 6), disk(20, 5)]),
+    "excentric": ("arc-spline", [ring(20, 6), ring(21, 4.8)], [disk(20, 6), disk(21, 4.8)]),
+    "box": ("polyline", [square(20, 8), square(20, 7)], [green(square(20, 8)), green(square(20, 7))]),
+}
+
+
+@pytest.mark.parametrize("name, angle", [("u", 1.0), ("comb", -5.0), ("tube", 1.0), ("excentric", -5.0), ("box", 5.0)])
+def test_parts_of_turns_are_solids(name, angle, program, tmp_path):
+    """Contours that no point sees whole, and tubes: valid, closed, with the volume of Pappus and planar ends; cut and fused."""
+    word, contours, moments = SECTIONS[name]
+    points = [[[x, 0, z] for x, z in contour] for contour in contours]
+    contour = {"type": word, "points": points, "closed": True, "construction": True}
+    objects = {"contour": contour, "solid": {"type": "revolution", "of": "contour", "angle": angle}}
+    (tmp_path / "s.json").write_text(json.dumps({"cyclide": 1, "units": "mm", "objects": objects}))
+    report = json.loads(program("build", tmp_path / "s.json", "-o", tmp_path / "s.step", "--json"))["objects"]["solid"]
+    step = StepFaces(tmp_path / "s.step")
+    structure(step, closed=True)
+    assert (len(step.solids), len(step.shells)) == (1, 1) and step.exactly_valid
+    volume = abs(angle) * (moments[0][1] - sum(m for _, m in moments[1:]))
+    assert report["volume"] == pytest.approx(volume, rel=1e-9)
+    assert_volume(step, volume)
+    ends = 0.0
+    across = np.array([[0.0, 1.0, 0.0], [-math.sin(angle), math.cos(angle), 0.0]])
+    for face in step.faces:
+        if face.kind == "plane":
+            p, n = face.at(face.box[0], face.box[2])
+            if any(abs(n @ a) > 0.999 * np.linalg.norm(n) and abs(p @ a) < 1e-9 for a in across):
+                ends += face.area()
+    assert ends == pytest.approx(2 * (moments[0][0] - sum(a for a, _ in moments[1:])), rel=1e-9)
+    assert_area(step, reported_area([report]))
+    if angle == 1.0:  # the others have the same faces in more sectors
+        assert_cuts(step, report["volume"], modelling.slab)

@@ -7,9 +7,21 @@ use cyclide::ShortNumber;
 use crate::text::place::Diagnostic;
 
 /// Result of a fallible call of this crate.
+///
+/// ```
+/// let read: cyclide_io::Result<cyclide_io::Document> = "{}".parse();
+/// assert!(read.is_err());
+/// ```
 pub type Result<T, E = Error> = std::result::Result<T, E>;
 
 /// Why a model was not read or built.
+///
+/// ```
+/// use cyclide_io::{Document, Error};
+/// let text = r#"{"cyclide": 1, "objects": {"c": {"type": "circle", "center": [0, 0], "radius": 0}}}"#;
+/// let error = text.parse::<Document>().and_then(|document| document.build()).unwrap_err();
+/// assert!(matches!(error, Error::Input(_)) && error.to_string().contains("objects.c.radius"));
+/// ```
 #[derive(thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {

@@ -56,24 +56,24 @@
 //! |---|---|
 //! | points, directions, frames, boxes | [`Point3`], [`Vec3`], [`Point2`], [`Vec2`], [`Quat`], [`Frame`], [`Aabb`] |
 //! | maps | [`Mobius`] (inversions, similarities), [`Conformal`] (what they keep), [`HPoint`], [`Sphere`] |
-//! | circles and arcs | [`Circle`], [`Arc`], [`Arc4`], [`Biarc`], [`ArcPath`] |
-//! | curves through points | [`CircleSpline::fair`], [`CircleSpline::from_points`], [`ArcPath::spline`], [`ArcPath::rounded_polyline`], [`BlendSegment`] |
-//! | curves near points | [`ArcFit`] (fewest arcs), [`FairFit`] (fairest curve), [`certify_arc`], [`feasible_bulges`], [`curvature_intervals`] |
-//! | evaluation | [`ParamCurve::point`], [`ParamCurve::jet`], [`ParamSurface::point`], [`ParamSurface::jet`], [`CurveJet`], [`SurfaceJet`] |
-//! | measures of curves | [`length()`], [`resample`], [`ArcLength`], [`closest_point`], [`CurveIndex`], [`bounds()`] |
-//! | continuity and fairness | [`joints`], [`extreme_curvature`], [`curvature_comb`], [`fairness()`], [`wavering()`] |
+//! | circles and arcs | [`Circle`], [`Arc`], [`Arc4`], [`Biarc`] ([`BiarcRule`]), [`ArcPath`], [`DEFAULT_PIECE_ANGLE`] |
+//! | curves through points | [`CircleSpline::fair`] ([`FairSplineOptions`], [`FairEnd`], [`blends_by_turn`]), [`CircleSpline::from_points`] ([`CircleSplineOptions`], [`SplineEnds`]), [`ArcPath::spline`] ([`ArcSplineOptions`], [`estimate_tangents`]), [`ArcPath::rounded_polyline`], [`BlendSegment`] ([`BlendVariant`], [`BlendLaw`]), [`corners_by_angle`] |
+//! | curves near points | [`ArcFit`] (fewest arcs: [`ArcFitOptions`], [`FitTarget`], [`Effort`], [`FitCertificate`]), [`FairFit`] (fairest curve: [`FairFitOptions`], [`FairFitCertificate`]), [`certify_arc`] ([`ArcCertificate`]), [`feasible_bulges`] ([`BulgeIntervals`]), [`curvature_intervals`] |
+//! | evaluation | [`ParamCurve::point`], [`ParamCurve::jet`], [`ParamSurface::point`], [`ParamSurface::jet`], [`CurveJet`], [`SurfaceJet`]; what a piece is: [`PieceForm`], [`PieceHull`] |
+//! | measures of curves | [`length()`], [`resample`], [`ArcLength`], [`closest_point`] ([`ClosestPoint`]), [`CurveIndex`], [`bounds()`] |
+//! | continuity and fairness | [`joints`] ([`Joint`]), [`extreme_curvature`] ([`ExtremeCurvature`]), [`curvature_comb`], [`fairness()`] ([`Fairness`]), [`wavering()`] ([`Wavering`], [`RoundedTurns`], [`CORNER_ANGLE`]) |
 //! | exact rational forms | [`NurbsCurve`], [`RationalBezier`], [`RationalBezierSurface`], [`RationalRun`] |
-//! | patches, nets, whole cyclides | [`CyclidePatch`], [`CyclidicNet`], [`DupinCyclide`], [`QuadGrid`], [`Seam`] |
-//! | quads made circular | `make_circular`, with the feature `circular-mesh` |
-//! | tori and curves on them | [`Torus`], [`TorusSpline`] (through points, torus knots), [`CircleFamily`], [`QuarticType`] |
-//! | rolling balls, canal surfaces | [`SkewCylinders`], [`CrossingCylinders`], [`QuadricPair`], [`RollingBall`], [`CanalPatch`] |
-//! | surfaces over triangles | [`SmoothMesh`], [`SmoothTriangle`], [`SphereBlend`] |
-//! | bodies made from curves | [`Revolution`], [`Pipe`], [`PipeTee`], [`NeckBlend`], [`EllipseBridge`], [`Body::ruled`], [`Body::circular`], [`RailSurface`] |
-//! | bodies made from solids | [`ConvexPolyhedron`], [`SphericalPolygon`] |
-//! | topology | [`Body`], [`Shell`], [`ShellFace`], [`ShellEdge`], [`CutShell`], [`FacePart`], [`FaceSurface`], [`FaceGeometry`], [`EdgeCurve`], [`surface_joints`] |
-//! | polylines and meshes | [`flatten`], [`tessellate`], [`SurfaceMesh`], [`parameter_lines`] |
-//! | models for files | [`Model`], [`Item`], [`Geometry`], [`CurveObject`], [`SurfaceObject`], [`Lower`], [`CurveChain`], [`Units`] |
-//! | what is refused, what is remarked | [`Error`], [`ErrorItem`], [`reasons`], [`Warning`], [`ShapeChange`] |
+//! | patches, nets, whole cyclides | [`CyclidePatch`] ([`PatchKind`], [`ImplicitForm`], [`PatchRow`], [`PatchLocation`]), [`CyclidicNet`] ([`NetFrame`], [`SingularPatch`]), [`DupinCyclide`] ([`CyclideKind`]), [`QuadGrid`], [`Seam`] ([`SeamMeasure`]) |
+//! | quads made circular | `make_circular`, with the feature `circular-mesh`: `CircularMesh`, `CircularMeshOptions`, `Border`, `CircularMeshStep`, `CircularMeshReport`, `LineAngles`, `VertexMoves` |
+//! | tori and curves on them | [`Torus`], [`TorusSpline`] (through points, torus knots: [`TorusSplineOptions`], [`TorusTangent`], [`TorusWinding`]), [`TorusPiece`], [`TorusSegment`], [`TorusJunction`], [`TorusClasses`], [`CircleFamily`], [`QuarticType`], [`SegmentMethod`], [`ProjectiveBiarc`], [`TwoTypeBiarc`] |
+//! | rolling balls, canal surfaces | [`SkewCylinders`], [`CrossingCylinders`], [`NaturalQuadric`], [`QuadricPair`] ([`PairKind`]), [`RollingBall`] ([`ContactPartner`]), [`CanalPatch`] ([`CanalPart`], [`CharacteristicCircle`]) |
+//! | surfaces over triangles | [`SmoothMesh`] ([`VertexNormals`], [`NormalWeights`], [`SmoothEdge`], [`SmoothMeasure`], [`SmoothComparison`]), [`SmoothTriangle`], [`SphereBlend`], [`TriangleSurface`], [`TrianglePatch`], [`SideLine`] |
+//! | bodies made from curves | [`Revolution`], [`Pipe`] ([`PipeEnds`]), [`PipeTee`] ([`PipeTeeBody`]), [`PipeManifold`] ([`Branch`]), [`NeckBlend`] ([`NeckBody`], [`NeckSide`], [`NeckVariant`], [`PlateShape`]), [`EllipseBridge`], [`Body::ruled`], [`Body::circular`], [`RailSurface`] |
+//! | bodies made from solids | [`ConvexPolyhedron`] ([`PolyhedronEdge`]), [`SphericalPolygon`] |
+//! | topology | [`Body`], [`Shell`], [`ShellFace`], [`ShellEdge`], [`FaceEdge`], [`Side`], [`CutShell`], [`FacePart`], [`FaceSurface`], [`FaceGeometry`] ([`CellDistances`], [`LineBends`]), [`EdgeCurve`], [`surface_joints`] ([`SurfaceJoint`]) |
+//! | polylines and meshes | [`flatten`], [`flatten_into`], [`flatten_places`], [`flatten_within`], [`tessellate`], [`tessellate_all`], [`tessellate_within`], [`SurfaceMesh`] ([`MeshFace`], [`MeshCorner`], [`MeshSource`]), [`SmoothTessellation`], [`parameter_lines`] ([`ParameterLine`], [`LineKind`]), [`MOST_PIECES`] |
+//! | models for files | [`Model`], [`Item`], [`Geometry`], [`CurveObject`], [`SurfaceObject`], [`Lower`] ([`Lowered`], [`Exactness`], [`Correspondence`], [`CurvePlace`], [`Span`]), [`CurveChain`], [`ChainPiece`], [`Units`] |
+//! | what is refused, what is remarked | [`Error`], [`ErrorItem`], [`Result`], [`reasons`], [`Warning`], [`ShapeChange`], [`ShortNumber`] |
 
 mod base;
 mod batch;
@@ -113,7 +113,7 @@ pub use construct::{
 pub use construct::{ConvexPolyhedron, PolyhedronEdge, SphericalPolygon};
 pub use construct::{EllipseBridge, NeckBlend, NeckBody, NeckSide, NeckVariant, PlateShape};
 pub use construct::{FairFit, FairFitCertificate, FairFitOptions};
-pub use construct::{Pipe, PipeEnds, PipeTee, PipeTeeBody, RailSurface, RationalRun, Revolution};
+pub use construct::{Branch, Pipe, PipeEnds, PipeManifold, PipeTee, PipeTeeBody, RailSurface, RationalRun, Revolution};
 pub use construct::{ProjectiveBiarc, TorusSplineOptions, TorusTangent, TorusWinding, TwoTypeBiarc};
 pub use curve::{Arc, Arc4, ArcPath, Circle, ClosestPoint, DEFAULT_PIECE_ANGLE, ParamCurve, PieceForm, PieceHull};
 pub use curve::{ArcLength, CurveIndex, ExtremeCurvature, Joint};

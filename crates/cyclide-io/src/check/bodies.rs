@@ -3,6 +3,17 @@
 use cyclide::{ChainPiece, NurbsCurve, PatchKind, Point3, RationalBezierSurface};
 
 /// A rational patch of a file of surfaces.
+///
+/// ```
+/// use cyclide::{DupinCyclide, Model};
+/// use cyclide_io::{ExportOptions, Format, export, read_back};
+/// let ring = DupinCyclide::new(3.0, 0.0, 1.0)?.nets([4, 4])?.remove(0);
+/// let model = Model::default().with_surface("ring", ring);
+/// let file = export(&model, Format::Json, &ExportOptions::default())?;
+/// let content = read_back(Format::Json, &file.bytes)?;
+/// assert!(content.patches.len() >= 16 && content.patches.iter().all(|patch| patch.body == 0));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct FilePatch {
     /// The body that it belongs to, from 0, those of all objects counted through.
@@ -16,6 +27,17 @@ pub struct FilePatch {
 }
 
 /// A body of a file: a solid, or one or more shells.
+///
+/// ```
+/// use cyclide::{DupinCyclide, Model};
+/// use cyclide_io::{ExportOptions, Format, export, read_back};
+/// let ring = DupinCyclide::new(3.0, 0.0, 1.0)?.nets([4, 4])?.remove(0);
+/// let model = Model::default().with_surface("ring", ring);
+/// let file = export(&model, Format::Step, &ExportOptions::default())?;
+/// let content = read_back(Format::Step, &file.bytes)?;
+/// assert!(content.bodies[0].solid && content.bodies[0].shells.len() == 1);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct FileBody {
     /// True for solids.
@@ -25,6 +47,17 @@ pub struct FileBody {
 }
 
 /// A shell of a file.
+///
+/// ```
+/// use cyclide::{DupinCyclide, Model};
+/// use cyclide_io::{ExportOptions, Format, export, read_back};
+/// let ring = DupinCyclide::new(3.0, 0.0, 1.0)?.nets([4, 4])?.remove(0);
+/// let model = Model::default().with_surface("ring", ring);
+/// let file = export(&model, Format::Step, &ExportOptions::default())?;
+/// let content = read_back(Format::Step, &file.bytes)?;
+/// assert!(content.bodies[0].shells[0].closed);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct FileShell {
     /// True if the file calls it closed.
@@ -36,6 +69,18 @@ pub struct FileShell {
 }
 
 /// A face of a file.
+///
+/// ```
+/// use cyclide::{DupinCyclide, Model};
+/// use cyclide_io::{ExportOptions, Format, export, read_back};
+/// let ring = DupinCyclide::new(3.0, 0.0, 1.0)?.nets([4, 4])?.remove(0);
+/// let model = Model::default().with_surface("ring", ring);
+/// let file = export(&model, Format::Step, &ExportOptions::default())?;
+/// let content = read_back(Format::Step, &file.bytes)?;
+/// let faces = &content.bodies[0].shells[0].faces;
+/// assert!(faces.iter().all(|face| face.edges.len() == 4));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct FileFace {
     /// The surface.
@@ -47,6 +92,18 @@ pub struct FileFace {
 }
 
 /// The surface of a face of a file.
+///
+/// ```
+/// use cyclide::{DupinCyclide, Model};
+/// use cyclide_io::{ExportOptions, Format, export, read_back};
+/// let ring = DupinCyclide::new(3.0, 0.0, 1.0)?.nets([4, 4])?.remove(0);
+/// let model = Model::default().with_surface("ring", ring);
+/// let file = export(&model, Format::Step, &ExportOptions::default())?;
+/// let content = read_back(Format::Step, &file.bytes)?;
+/// let faces = &content.bodies[0].shells[0].faces;
+/// assert!(faces.iter().all(|face| matches!(face.surface, cyclide_io::FileSurface::Analytic(_))));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub enum FileSurface {
     /// A rational Bézier surface.
@@ -56,6 +113,18 @@ pub enum FileSurface {
 }
 
 /// An edge as a loop uses it.
+///
+/// ```
+/// use cyclide::{DupinCyclide, Model};
+/// use cyclide_io::{ExportOptions, Format, export, read_back};
+/// let ring = DupinCyclide::new(3.0, 0.0, 1.0)?.nets([4, 4])?.remove(0);
+/// let model = Model::default().with_surface("ring", ring);
+/// let file = export(&model, Format::Step, &ExportOptions::default())?;
+/// let content = read_back(Format::Step, &file.bytes)?;
+/// let edges = content.bodies[0].shells[0].faces.iter().flat_map(|face| &face.edges);
+/// assert!(edges.clone().count() > 0 && edges.clone().all(|edge| edge.vertices[0] != edge.vertices[1]));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct FileEdge {
     /// Number of the edge in the file.

@@ -7,6 +7,16 @@ use crate::text::place::quoted;
 use cyclide::{CurveChain, ShortNumber, SurfaceMesh};
 
 /// What a file of ours holds.
+///
+/// ```
+/// use cyclide::{Arc, Model, Point3};
+/// use cyclide_io::{ExportOptions, Format, export, read_back};
+/// let segment = Arc::segment(Point3::ORIGIN, Point3::new(3.0, 4.0, 0.0))?;
+/// let model = Model::default().with_curve("line", segment);
+/// let content = read_back(Format::Json, &export(&model, Format::Json, &ExportOptions::default())?.bytes)?;
+/// assert!(content.curves.len() == 1 && content.bodies.is_empty());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Default)]
 #[non_exhaustive]
 pub struct FileContent {
@@ -35,6 +45,12 @@ impl From<Vec<CurveChain>> for FileContent {
 }
 
 /// Why bytes could not be read back.
+///
+/// ```
+/// use cyclide_io::{Format, read_back};
+/// let error = read_back(Format::Dxf, b"x\n").unwrap_err();
+/// assert!(error.to_string().contains("line 1"));
+/// ```
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum ReadError {

@@ -3,6 +3,16 @@
 use cyclide::{CurveJet, CurvePlace, ParamCurve};
 
 /// What a table says beside a point of a curve.
+///
+/// ```
+/// use cyclide::{Arc, Model, Point3};
+/// use cyclide_io::{ExportOptions, Format, export, read_back};
+/// let segment = Arc::segment(Point3::ORIGIN, Point3::new(3.0, 4.0, 0.0))?;
+/// let model = Model::default().with_curve("line", segment);
+/// let content = read_back(Format::Csv, &export(&model, Format::Csv, &ExportOptions::default())?.bytes)?;
+/// assert!(content.samples[0].iter().all(|sample| sample.curvature == Some(0.0)));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FileSample {
     /// The global parameter.

@@ -10,6 +10,16 @@ use cyclide::{Model, Units};
 const SAME_UNIT: f64 = 1e-9;
 
 /// The unit and the names that a file says.
+///
+/// ```
+/// use cyclide::{Arc, Model, Point3};
+/// use cyclide_io::{ExportOptions, Format, export, read_back};
+/// let segment = Arc::segment(Point3::ORIGIN, Point3::new(3.0, 4.0, 0.0))?;
+/// let model = Model::default().with_curve("line", segment);
+/// let content = read_back(Format::Step, &export(&model, Format::Step, &ExportOptions::default())?.bytes)?;
+/// assert!(content.labels.names.iter().any(|name| name.name == "line"));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Default)]
 #[non_exhaustive]
 pub struct FileLabels {
@@ -20,6 +30,16 @@ pub struct FileLabels {
 }
 
 /// A name in a file.
+///
+/// ```
+/// use cyclide::{Arc, Model, Point3};
+/// use cyclide_io::{ExportOptions, Format, export, read_back};
+/// let segment = Arc::segment(Point3::ORIGIN, Point3::new(3.0, 4.0, 0.0))?;
+/// let model = Model::default().with_curve("line", segment);
+/// let content = read_back(Format::Step, &export(&model, Format::Step, &ExportOptions::default())?.bytes)?;
+/// assert!(content.labels.names.iter().any(|name| name.name == "line"));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct FileName {
     /// What it is the name of: `layer`, `node`, ….

@@ -9,6 +9,11 @@ use serde::de::value::MapAccessDeserializer;
 use serde::de::{Deserializer, MapAccess, Visitor};
 
 /// An angle as it is written: `1.5708` or `{"degrees": 90}`.
+///
+/// ```
+/// use cyclide_io::Angle;
+/// assert_eq!(Angle::Degrees(180.0).radians(), Angle::Radians(std::f64::consts::PI).radians());
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Angle {
     /// A number alone.

@@ -15,6 +15,14 @@ use super::spec::{
 use crate::input::points::PointList;
 
 /// What is known about a contour besides its curve.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"s": {"type": "fair-spline", "points": [[1, 0], [0, 1], [-1, 0], [0, -1]], "closed": true}}}"#.parse()?;
+/// let built = document.build()?;
+/// assert_eq!((built[0].contours[0].points, built[0].contours[0].fit), (4, None));
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct ContourFacts {
     /// Points it was made from, after merging; 0 if it was not made from a list.
@@ -26,6 +34,15 @@ pub struct ContourFacts {
 }
 
 /// What is proved about a fitted contour.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"f": {"type": "arc-fit", "tolerance": 0.1, "points": [[0, 0], [1, 0.05], [2, 0]]}}}"#.parse()?;
+/// let built = document.build()?;
+/// let Some(cyclide_io::Fitted::Arcs(certificate)) = built[0].contours[0].fit else { unreachable!("by its type") };
+/// assert!(certificate.deviation <= 0.1);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Fitted {
     /// By arcs and lines.

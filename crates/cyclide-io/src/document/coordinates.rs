@@ -12,6 +12,11 @@ use serde::de::{Deserializer, Error as _, MapAccess, SeqAccess, Visitor};
 use crate::input::points::MOST_POINTS;
 
 /// A point or vector with two or three coordinates; the third is 0 if left out.
+///
+/// ```
+/// use cyclide_io::Coordinates;
+/// assert_eq!(Coordinates([1.0, 2.0, 0.0]).point().distance(cyclide::Point3::new(1.0, 0.0, 0.0)), 2.0);
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Coordinates(pub [f64; 3]);
 
@@ -30,6 +35,14 @@ impl Coordinates {
 }
 
 /// One list of points, or several (one per contour).
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"s": {"type": "polyline", "closed": true, "points": [[[0, 0], [9, 0], [0, 9]], [[1, 1], [3, 1], [1, 3]]]}}}"#.parse()?;
+/// let built = document.build()?;
+/// assert_eq!(built[0].item.curves().len(), 2);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Lists {
     /// The lists.
@@ -39,10 +52,26 @@ pub struct Lists {
 }
 
 /// One direction, or a list of them.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"a": {"type": "polyline", "points": [[0, 0], [5, 0]]}, "b": {"type": "polyline", "points": [[0, 2], [5, 2]]}, "s": {"type": "circular-surface", "rails": ["a", "b"], "tangent": [[0, 0, 1], [0, 0, 1]]}}}"#.parse()?;
+/// let built = document.build()?;
+/// assert!((built[2].bodies[0].outer.area() - 5.0 * std::f64::consts::PI).abs() < 1e-9);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Directions(pub Vec<Coordinates>);
 
 /// Where the points of a construction come from.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"s": {"type": "polyline", "points": [[0, 0], [3, 4]]}}}"#.parse()?;
+/// let built = document.build()?;
+/// assert!((cyclide::length(built[0].item.curves()[0].as_curve()) - 5.0).abs() < 1e-12);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub enum PointSource {
     /// The document itself.
@@ -52,6 +81,17 @@ pub enum PointSource {
 }
 
 /// A file of points: delimited text, one point per line, contours separated by blank lines or told apart by a column.
+///
+/// ```
+/// use cyclide_io::{Document, ModelBuilder};
+/// use std::path::Path;
+/// let text = r#"{"cyclide": 1, "objects": {"p": {"type": "polyline", "points": {"csv": "two.csv"}}}}"#;
+/// let document: Document = text.parse()?;
+/// let read = |_: &Path| Ok(b"x,y\n0,0\n3,4\n".to_vec());
+/// let built = ModelBuilder::new(&document, Path::new(""), &read)?.build(0, &mut |_| ())?;
+/// assert!((cyclide::length(built.item.curves()[0].as_curve()) - 5.0).abs() < 1e-12);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Eq, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct PointFile {

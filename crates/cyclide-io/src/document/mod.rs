@@ -43,9 +43,24 @@ pub use spec::{
 };
 
 /// The document version this crate reads.
+///
+/// ```
+/// use cyclide_io::{DOCUMENT_VERSION, Document};
+/// let text = format!("{{\"cyclide\": {DOCUMENT_VERSION}, \"objects\": {{}}}}");
+/// assert!(text.parse::<Document>().is_ok());
+/// ```
 pub const DOCUMENT_VERSION: u64 = 1;
 
 /// A parsed model document.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "units": "m", "objects": {"c": {"type": "circle", "center": [0, 0], "radius": 2}}}"#.parse()?;
+/// assert_eq!((document.units, document.objects[0].0.as_str()), (cyclide::Units::Metre, "c"));
+/// let circle = &document.build()?[0];
+/// assert!((cyclide::length(circle.item.curves()[0].as_curve()) - 4.0 * std::f64::consts::PI).abs() < 1e-12);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Document {
     /// Unit of all coordinates.
@@ -237,6 +252,15 @@ fn one_value_too_many(source: Source<'_>, path: &[Step], offset: usize, message:
 fn quoted_name_before(text: &str, offset: usize) -> Option<std::ops::Range<usize>> {
     let before = text.get(..offset)?.strip_suffix('"')?;
     before.rfind('"').map(|start| start..offset)
+}
+
+impl std::str::FromStr for Document {
+    type Err = crate::error::Error;
+
+    /// Reads a text, which messages call `document`: see [`Document::parse`].
+    fn from_str(text: &str) -> crate::error::Result<Self> {
+        Ok(Self::parse("document", text.as_bytes())?)
+    }
 }
 
 #[cfg(test)]

@@ -6,6 +6,11 @@ use serde_json::{Value, json};
 use super::spec::DocumentShape;
 
 /// The JSON Schema (draft 2020-12) of the model document, as text.
+///
+/// ```
+/// let schema = cyclide_io::document_schema();
+/// assert!(schema.contains("cyclide model document"));
+/// ```
 #[must_use]
 pub fn document_schema() -> String {
     let mut value = shape();

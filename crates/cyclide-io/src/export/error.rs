@@ -4,6 +4,12 @@ use cyclide::ShortNumber;
 use std::path::PathBuf;
 
 /// Why a file could not be made.
+///
+/// ```
+/// use cyclide_io::Format;
+/// let error = Format::from_path("logo.iges".as_ref()).unwrap_err();
+/// assert!(error.to_string().ends_with("; .step carries curves and surfaces to CAD"));
+/// ```
 #[derive(thiserror::Error)]
 #[non_exhaustive]
 pub enum ExportError {

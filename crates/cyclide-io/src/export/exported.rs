@@ -8,6 +8,16 @@ use cyclide::{
 };
 
 /// A file's content with the promises that hold for it.
+///
+/// ```
+/// use cyclide::{Arc, Model, Point3};
+/// use cyclide_io::{ExportOptions, Format, export};
+/// let segment = Arc::segment(Point3::ORIGIN, Point3::new(3.0, 4.0, 0.0))?;
+/// let model = Model::default().with_curve("line", segment);
+/// let file = export(&model, Format::Step, &ExportOptions::default())?;
+/// assert!(file.exact && file.notes.is_empty() && file.bytes.starts_with(b"ISO-10303-21;"));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Exported {
     /// The bytes of the file.

@@ -6,6 +6,17 @@ use serde::Deserialize;
 use crate::export::camera::Camera;
 
 /// Which DXF.
+///
+/// ```
+/// use cyclide::{Arc, Model, Point3};
+/// use cyclide_io::{ExportOptions, Format, DxfVersion, export};
+/// let segment = Arc::segment(Point3::ORIGIN, Point3::new(3.0, 4.0, 0.0))?;
+/// let model = Model::default().with_curve("line", segment);
+/// let options = ExportOptions { dxf_version: DxfVersion::R12, ..ExportOptions::default() };
+/// let text = String::from_utf8(export(&model, Format::Dxf, &options)?.bytes)?;
+/// assert!(text.contains("AC1009"));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum DxfVersion {
@@ -18,6 +29,16 @@ pub enum DxfVersion {
 
 /// The curves of the edges between faces in STEP, and with them the faces: both are such that readers find edge and face
 /// together at equal parameters, which booleans and fillets need.
+///
+/// ```
+/// use cyclide::{DupinCyclide, Model};
+/// use cyclide_io::{ExportOptions, Format, StepEdges, export};
+/// let ring = DupinCyclide::new(3.0, 0.0, 1.0)?.nets([4, 4])?.remove(0);
+/// let model = Model::default().with_surface("ring", ring);
+/// let size = |step_edges| export(&model, Format::Step, &ExportOptions { step_edges, ..Default::default() }).map(|file| file.bytes.len());
+/// assert!(size(StepEdges::Circles)? > 0 && size(StepEdges::Rational)? > 0);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum StepEdges {
@@ -34,6 +55,17 @@ pub enum StepEdges {
 }
 
 /// The products of several objects in STEP.
+///
+/// ```
+/// use cyclide::{Arc, Model, Point3};
+/// use cyclide_io::{ExportOptions, Format, StepProducts, export};
+/// let segment = Arc::segment(Point3::ORIGIN, Point3::new(3.0, 4.0, 0.0))?;
+/// let model = Model::default().with_curve("line", segment);
+/// let options = ExportOptions { step_products: StepProducts::One, ..ExportOptions::default() };
+/// let text = String::from_utf8(export(&model, Format::Step, &options)?.bytes)?;
+/// assert_eq!(text.matches("=PRODUCT(").count(), 1);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum StepProducts {
@@ -49,12 +81,26 @@ pub enum StepProducts {
 }
 
 /// Most pieces of one file of a small model if nothing else is asked for: about half a gigabyte of memory and a minute.
+///
+/// ```
+/// assert_eq!(cyclide_io::DEFAULT_MOST_PIECES, 1_000_000);
+/// ```
 pub const DEFAULT_MOST_PIECES: usize = 1_000_000;
 
 /// So many more for each piece of a curve and each patch: a large model is not refused for its size.
 pub(crate) const PIECES_OF_EACH: usize = 16;
 
 /// What may be chosen about a file.
+///
+/// ```
+/// use cyclide::{Arc, Model, Point3};
+/// use cyclide_io::{ExportOptions, Format, export};
+/// let segment = Arc::segment(Point3::ORIGIN, Point3::new(3.0, 4.0, 0.0))?;
+/// let model = Model::default().with_curve("line", segment);
+/// let options = ExportOptions { svg_points: true, ..ExportOptions::default() };
+/// assert!(export(&model, Format::Svg, &options)?.bytes.len() > export(&model, Format::Svg, &ExportOptions::default())?.bytes.len());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct ExportOptions {
     /// Largest distance between the file's curve or mesh and the object where the format needs an approximation, in

@@ -27,6 +27,15 @@ pub use target::same_file;
 use temporary::Temporary;
 
 /// How files are written.
+///
+/// ```
+/// let folder = tempfile::tempdir()?;
+/// let path = folder.path().join("a.txt");
+/// let options = cyclide_io::WriteOptions { durable: true, ..Default::default() };
+/// cyclide_io::write_file(&path, b"text", options)?;
+/// assert_eq!(std::fs::read(&path)?, b"text");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct WriteOptions {
     /// Files that are read-only, or that the user may not write, are replaced too.
@@ -36,6 +45,14 @@ pub struct WriteOptions {
 }
 
 /// Writes a file whole or not at all.
+///
+/// ```
+/// let folder = tempfile::tempdir()?;
+/// let path = folder.path().join("a.txt");
+/// cyclide_io::write_file(&path, b"text", cyclide_io::WriteOptions::default())?;
+/// assert_eq!(std::fs::read(&path)?, b"text");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 ///
 /// # Errors
 /// Those of the file system; a file that is read-only.

@@ -56,6 +56,14 @@ fn followed(path: &Path) -> io::Result<Option<PathBuf>> {
 
 /// True if two paths lead to the same file, whether it exists or not: `a.step` and `./a.step`, links and what they lead
 /// to, two names of one file.
+///
+/// ```
+/// let folder = tempfile::tempdir()?;
+/// let path = folder.path().join("a.txt");
+/// std::fs::write(&path, "1,2")?;
+/// assert!(cyclide_io::same_file(&path, &folder.path().join(".").join("a.txt")));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[must_use]
 pub fn same_file(a: &Path, b: &Path) -> bool {
     let place = |path: &Path| -> Option<PathBuf> {

@@ -17,6 +17,16 @@ use cyclide::{Geometry, Item, Model};
 /// Makes the content of a file. The same model and options give the same bytes. For several files of one model
 /// [`Exporter`] does once what they share.
 ///
+/// ```
+/// use cyclide::{Arc, Model, Point3};
+/// use cyclide_io::{ExportOptions, Format, export};
+/// let segment = Arc::segment(Point3::ORIGIN, Point3::new(3.0, 4.0, 0.0))?;
+/// let model = Model::default().with_curve("line", segment);
+/// let file = export(&model, Format::Dxf, &ExportOptions::default())?;
+/// assert!(file.exact && file.bytes.starts_with(b"  0\nSECTION"));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
 /// # Errors
 /// [`ExportError`], naming the object and contour at fault.
 pub fn export(model: &Model, format: Format, options: &ExportOptions) -> Result<Exported, ExportError> {

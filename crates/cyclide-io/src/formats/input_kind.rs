@@ -7,6 +7,12 @@ use crate::formats::{Format, MeshFormat};
 use crate::text::lines::lines;
 
 /// What a file is.
+///
+/// ```
+/// use cyclide_io::InputKind;
+/// assert_eq!(InputKind::of_path("scan.ply".as_ref()), Some(InputKind::PolygonMesh));
+/// assert_eq!(InputKind::of_bytes(b"x;y\n0;1\n"), Some(InputKind::Points));
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum InputKind {
     /// A model document.

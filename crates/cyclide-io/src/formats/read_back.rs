@@ -12,6 +12,16 @@ use cyclide::Model;
 
 /// Reads a file that [`export`](crate::export()) wrote.
 ///
+/// ```
+/// use cyclide::{Arc, Model, Point3};
+/// use cyclide_io::{ExportOptions, Format, export, read_back};
+/// let segment = Arc::segment(Point3::ORIGIN, Point3::new(3.0, 4.0, 0.0))?;
+/// let model = Model::default().with_curve("line", segment);
+/// let file = export(&model, Format::Step, &ExportOptions::default())?;
+/// assert_eq!(read_back(Format::Step, &file.bytes)?.curves.len(), 1);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
 /// # Errors
 /// [`ReadError`]; never panics, whatever the bytes are.
 pub fn read_back(format: Format, bytes: &[u8]) -> Result<FileContent, ReadError> {
@@ -23,6 +33,16 @@ pub fn read_back(format: Format, bytes: &[u8]) -> Result<FileContent, ReadError>
 /// SVG is a drawing of the plane: there both are compared as seen along the third axis, surfaces by the edges and
 /// parameter circles that are drawn. Of a file of [`Exporter::with_provenance`](crate::Exporter::with_provenance) it is
 /// [`Exporter::deviation`](crate::Exporter::deviation) that knows what the objects are called.
+///
+/// ```
+/// use cyclide::{Arc, Model, Point3};
+/// use cyclide_io::{ExportOptions, Format, export, file_deviation};
+/// let segment = Arc::segment(Point3::ORIGIN, Point3::new(3.0, 4.0, 0.0))?;
+/// let model = Model::default().with_curve("line", segment);
+/// let file = export(&model, Format::Svg, &ExportOptions::default())?;
+/// assert!(file_deviation(&model, Format::Svg, &file)? < 1e-9);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 ///
 /// # Errors
 /// [`ReadError`] if the bytes cannot be read, or hold other things than the model.

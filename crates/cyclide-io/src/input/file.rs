@@ -9,6 +9,14 @@ pub const MOST_INPUT_BYTES: u64 = 1 << 29;
 
 /// The bytes of a file.
 ///
+/// ```
+/// let folder = tempfile::tempdir()?;
+/// let path = folder.path().join("a.txt");
+/// std::fs::write(&path, "1,2")?;
+/// assert_eq!(cyclide_io::read_input(&path)?, b"1,2");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
 /// # Errors
 /// Those of the file system; a folder, a pipe or a device; more than [`MOST_INPUT_BYTES`].
 pub fn read_input(path: &Path) -> io::Result<Vec<u8>> {
@@ -16,6 +24,14 @@ pub fn read_input(path: &Path) -> io::Result<Vec<u8>> {
 }
 
 /// The first bytes of a file, at most `count`.
+///
+/// ```
+/// let folder = tempfile::tempdir()?;
+/// let path = folder.path().join("a.txt");
+/// std::fs::write(&path, "1,2")?;
+/// assert_eq!(cyclide_io::read_head(&path, 1)?, b"1");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 ///
 /// # Errors
 /// As of [`read_input`].

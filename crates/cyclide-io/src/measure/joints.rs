@@ -4,6 +4,16 @@ use cyclide::{CORNER_ANGLE, Shell, surface_joints};
 use serde::Serialize;
 
 /// How patches meet, measured along every edge that two share.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"n": {"type": "cyclidic-net", "grid": [[[0, 1, 0], [1, 1, 0], [3, 1, 0]], [[0, 0, 1], [1, 0, 1], [3, 0, 1]]]}}}"#.parse()?;
+/// let built = document.build()?;
+/// let report = cyclide_io::ObjectReport::new(&built[0], None);
+/// let cyclide_io::GeometryReport::Surface(found) = report.geometry else { unreachable!("by its type") };
+/// assert!(found.joints.gap < 1e-12 && found.joints.creases == 0);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
 pub struct SurfaceJointReport {
     /// Number of such edges.

@@ -7,6 +7,18 @@ use serde::Serialize;
 
 /// Smallest and largest principal curvature of an object along one family of lines. A side without a bound is infinite
 /// (`null` in JSON), and the reason is given; a bound that is given holds everywhere.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"r": {"type": "cyclide", "a": 3, "mu": 1}}}"#.parse()?;
+/// let built = document.build()?;
+/// let report = cyclide_io::ObjectReport::new(&built[0], None);
+/// let cyclide_io::GeometryReport::Surface(found) = report.geometry else { unreachable!("by its type") };
+/// // Of the tube, whose radius is 1.
+/// let [s, t] = [found.curvature_s, found.curvature_t].map(|range| range.max.abs().max(range.min.abs()));
+/// assert!((s.max(t) - 1.0).abs() < 1e-12);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct CurvatureRangeReport {
     /// Smallest.

@@ -8,6 +8,16 @@ use crate::document::{BuiltObject, Fitted};
 use crate::export::job::default_tolerance;
 
 /// The report on the curves of an object; largest values are over all its contours.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"c": {"type": "circle", "center": [0, 0], "radius": 2}}}"#.parse()?;
+/// let built = document.build()?;
+/// let report = cyclide_io::ObjectReport::new(&built[0], None);
+/// let cyclide_io::GeometryReport::Curves(found) = report.geometry else { unreachable!("by its type") };
+/// assert!((found.length - 4.0 * std::f64::consts::PI).abs() < 1e-12);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct CurvesReport {
     /// Length of all contours together.
@@ -35,6 +45,16 @@ pub struct CurvesReport {
 }
 
 /// Continuity, measured at every joint (the closing one included).
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"p": {"type": "polyline", "points": [[0, 0], [10, 0], [10, 10]], "radius": 2}}}"#.parse()?;
+/// let built = document.build()?;
+/// let report = cyclide_io::ObjectReport::new(&built[0], None);
+/// let cyclide_io::GeometryReport::Curves(found) = report.geometry else { unreachable!("by its type") };
+/// assert!(found.joints.count == 2 && found.joints.angle < 1e-12 && (found.joints.curvature_jump - 0.5).abs() < 1e-12);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
 pub struct JointReport {
     /// Largest distance between an end and the start that follows.
@@ -54,6 +74,16 @@ pub struct JointReport {
 }
 
 /// The largest curvature.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"c": {"type": "circle", "center": [0, 0], "radius": 2}}}"#.parse()?;
+/// let built = document.build()?;
+/// let report = cyclide_io::ObjectReport::new(&built[0], None);
+/// let cyclide_io::GeometryReport::Curves(found) = report.geometry else { unreachable!("by its type") };
+/// assert!((found.curvature.max - 0.5).abs() < 1e-12);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct CurvatureReport {
     /// Its value, in 1/length; infinite at a cusp.
@@ -67,6 +97,16 @@ pub struct CurvatureReport {
 }
 
 /// What a fit achieved; largest values over all contours.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"f": {"type": "arc-fit", "tolerance": 0.1, "points": [[0, 0], [1, 0.05], [2, 0]]}}}"#.parse()?;
+/// let built = document.build()?;
+/// let report = cyclide_io::ObjectReport::new(&built[0], None);
+/// let cyclide_io::GeometryReport::Curves(found) = report.geometry else { unreachable!("by its type") };
+/// assert!(found.fit.is_some_and(|fit| fit.deviation <= fit.tolerance));
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct FitReport {
     /// The bound that was asked for.
@@ -84,6 +124,17 @@ pub struct FitReport {
 }
 
 /// What a fitted curve is made of, over all contours.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"f": {"type": "arc-fit", "tolerance": 0.1, "points": [[0, 0], [1, 0.05], [2, 0]]}}}"#.parse()?;
+/// let built = document.build()?;
+/// let report = cyclide_io::ObjectReport::new(&built[0], None);
+/// let cyclide_io::GeometryReport::Curves(found) = report.geometry else { unreachable!("by its type") };
+/// let fit = found.fit.expect("it is one");
+/// assert!(matches!(fit.made, cyclide_io::FitPieces::Arcs { .. }));
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[serde(untagged)]
 pub enum FitPieces {

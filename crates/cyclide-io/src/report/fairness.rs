@@ -6,6 +6,16 @@ use serde::Serialize;
 use crate::document::BuiltObject;
 
 /// How evenly the curves of an object bend, summed over its contours; each is cut at its corners.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"p": {"type": "polyline", "points": [[0, 0], [10, 0], [10, 10]], "radius": 2}}}"#.parse()?;
+/// let built = document.build()?;
+/// let report = cyclide_io::ObjectReport::new(&built[0], None);
+/// let cyclide_io::GeometryReport::Curves(found) = report.geometry else { unreachable!("by its type") };
+/// assert_eq!(found.fairness.jumps, 2);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct FairnessReport {
     /// Changes between turning left and turning right; `None` for a curve in space.

@@ -27,6 +27,15 @@ pub use smooth::{ComparisonReport, SmoothReport};
 pub use surface::{CircularReport, PartReport, PatchPlace, ShapeReport, SingularPatchReport, SurfaceReport};
 
 /// The report on a model and the files made of it. As JSON, values that are not finite are `null`.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"c": {"type": "circle", "center": [0, 0], "radius": 2}}}"#.parse()?;
+/// let built = document.build()?;
+/// let report = cyclide_io::Report::new(document.units, &built, None);
+/// assert_eq!((report.units, report.objects.len()), ("mm", 1));
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Report {
     /// Symbol of the unit of all lengths: `mm`, `m`, ….
@@ -38,6 +47,15 @@ pub struct Report {
 }
 
 /// The report on one object.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"c": {"type": "circle", "center": [0, 0], "radius": 2}}}"#.parse()?;
+/// let built = document.build()?;
+/// let report = cyclide_io::ObjectReport::new(&built[0], None);
+/// assert_eq!((report.r#type.as_str(), report.warnings.len()), ("circle", 0));
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct ObjectReport {
     /// The document's word for the construction.
@@ -53,6 +71,16 @@ pub struct ObjectReport {
 }
 
 /// What is said about an object's geometry, by its kind.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"c": {"type": "circle", "center": [0, 0], "radius": 2}}}"#.parse()?;
+/// let built = document.build()?;
+/// let report = cyclide_io::ObjectReport::new(&built[0], None);
+/// let cyclide_io::GeometryReport::Curves(found) = report.geometry else { unreachable!("by its type") };
+/// assert!(found.closed);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(untagged)]
 pub enum GeometryReport {
@@ -65,6 +93,16 @@ pub enum GeometryReport {
 }
 
 /// Smallest and largest value.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"p": {"type": "cyclide-patch", "corners": [[0, 0], [2, 0], [0, 1], [2, 1]], "frame": [[1, 0, 0], [0, 1, 0]]}}}"#.parse()?;
+/// let built = document.build()?;
+/// let report = cyclide_io::ObjectReport::new(&built[0], None);
+/// let cyclide_io::GeometryReport::Surface(found) = report.geometry else { unreachable!("by its type") };
+/// assert!(found.weights.min > 0.0 && found.weights.min <= found.weights.max);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct RangeReport {
     /// Smallest.
@@ -74,6 +112,15 @@ pub struct RangeReport {
 }
 
 /// A warning with its place in the input.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"s": {"type": "circle-spline", "points": [[0, 0], [1, 1], [1, 1], [3, 0]]}}}"#.parse()?;
+/// let built = document.build()?;
+/// let report = cyclide_io::ObjectReport::new(&built[0], None);
+/// assert_eq!(report.warnings[0].reason, "points-merged");
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct WarningReport {
     /// Stable kebab-case name.

@@ -7,6 +7,18 @@ use crate::document::RoundedPolyhedron;
 
 /// A polyhedron, and the measures of its offset by Steiner's formulas: volume `V + A r + M r² + 4 pi r³/3` and area
 /// `A + 2 M r + 4 pi r²`, `M` half the sum of the lengths of the edges times their angles.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"s": {"type": "smooth-polyhedron", "radius": 1, "points": [[0, 0, 0], [2, 0, 0], [0, 2, 0], [2, 2, 0], [0, 0, 2], [2, 0, 2], [0, 2, 2], [2, 2, 2]]}}}"#.parse()?;
+/// let built = document.build()?;
+/// let report = cyclide_io::ObjectReport::new(&built[0], None);
+/// let cyclide_io::GeometryReport::Surface(found) = report.geometry else { unreachable!("by its type") };
+/// let polyhedron = found.polyhedron.expect("it is one");
+/// assert_eq!((polyhedron.faces, polyhedron.edges, polyhedron.vertices), (6, 12, 8));
+/// assert!((polyhedron.volume - (32.0 + (6.0 + 4.0 / 3.0) * std::f64::consts::PI)).abs() < 1e-10);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct PolyhedronReport {
     /// Faces of the polyhedron: planes of the body.

@@ -12,6 +12,15 @@ use crate::formats::push_sample;
 use crate::text::number::push_plain;
 
 /// Where the samples of a curve lie.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"c": {"type": "circle", "center": [0, 0], "radius": 2}}}"#.parse()?;
+/// let built = document.build()?;
+/// let rows = cyclide_io::sample(&built[0], 5, cyclide_io::Spacing::Length);
+/// assert_eq!(rows.lines().count(), 6);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Spacing {
     /// Equal steps of the parameter.
@@ -34,6 +43,15 @@ pub enum Spacing {
 /// barycentric coordinates, `count` places along each side.
 ///
 /// Fields are empty where a tangent, normal or curvature does not exist.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"c": {"type": "circle", "center": [0, 0], "radius": 2}}}"#.parse()?;
+/// let built = document.build()?;
+/// let rows = cyclide_io::sample(&built[0], 5, cyclide_io::Spacing::Parameter);
+/// assert!(rows.starts_with("t,x,y,z,") && rows.lines().count() == 6);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[must_use]
 pub fn sample(built: &BuiltObject, count: usize, spacing: Spacing) -> String {
     match &built.item.geometry {

@@ -7,6 +7,16 @@ use serde::Serialize;
 /// Two opposite borders of an open net that nearly coincide, as where a tube was cut open. They do if at every vertex of
 /// one, in the grid as given or as made, the vertex opposite is not farther than the edges that lead to both are long (on
 /// average).
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"n": {"type": "cyclidic-net", "grid": [[[0, 1, 0], [1, 1, 0], [3, 1, 0]], [[0, 0, 1], [1, 0, 1], [3, 0, 1]]]}}}"#.parse()?;
+/// let built = document.build()?;
+/// let report = cyclide_io::ObjectReport::new(&built[0], None);
+/// let cyclide_io::GeometryReport::Surface(found) = report.geometry else { unreachable!("by its type") };
+/// assert!(found.seams.is_empty());
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct SeamReport {
     /// The borders: `column` (s = 0 and s = 1) or `row` (t = 0 and t = 1).

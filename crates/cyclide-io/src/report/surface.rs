@@ -16,6 +16,16 @@ use crate::measure::joints::SurfaceJointReport;
 const SAMPLES: usize = 5;
 
 /// The report on the surfaces of an object; largest values are over all its patches.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"p": {"type": "cyclide-patch", "corners": [[0, 0], [2, 0], [0, 1], [2, 1]], "frame": [[1, 0, 0], [0, 1, 0]]}}}"#.parse()?;
+/// let built = document.build()?;
+/// let report = cyclide_io::ObjectReport::new(&built[0], None);
+/// let cyclide_io::GeometryReport::Surface(found) = report.geometry else { unreachable!("by its type") };
+/// assert!(found.patches == 1 && (found.total_area - 2.0).abs() < 1e-12);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct SurfaceReport {
     /// Patches of all bodies together.
@@ -71,6 +81,16 @@ pub struct SurfaceReport {
 }
 
 /// Patches of one body that hang together without a crease.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"n": {"type": "cyclidic-net", "grid": [[[0, 1, 0], [1, 1, 0], [3, 1, 0]], [[0, 0, 1], [1, 0, 1], [3, 0, 1]]]}}}"#.parse()?;
+/// let built = document.build()?;
+/// let report = cyclide_io::ObjectReport::new(&built[0], None);
+/// let cyclide_io::GeometryReport::Surface(found) = report.geometry else { unreachable!("by its type") };
+/// assert_eq!((found.parts.len(), found.parts[0].patches), (1, 2));
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct PartReport {
     /// The body, from 0.
@@ -184,6 +204,16 @@ impl From<&ShapeChange> for ShapeReport {
 }
 
 /// A patch of an object.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"p": {"type": "cyclide-patch", "corners": [[0, 0], [2, 0], [0, 1], [2, 1]], "frame": [[1, 0, 0], [0, 1, 0]]}}}"#.parse()?;
+/// let built = document.build()?;
+/// let report = cyclide_io::ObjectReport::new(&built[0], None);
+/// let cyclide_io::GeometryReport::Surface(found) = report.geometry else { unreachable!("by its type") };
+/// assert!(found.flipped.iter().all(|place| place.patch < found.patches));
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 pub struct PatchPlace {
     /// The body, from 0.
@@ -193,6 +223,16 @@ pub struct PatchPlace {
 }
 
 /// A patch with singular points.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"p": {"type": "cyclide-patch", "corners": [[0, 0], [2, 0], [0, 1], [2, 1]], "frame": [[1, 0, 0], [0, 1, 0]]}}}"#.parse()?;
+/// let built = document.build()?;
+/// let report = cyclide_io::ObjectReport::new(&built[0], None);
+/// let cyclide_io::GeometryReport::Surface(found) = report.geometry else { unreachable!("by its type") };
+/// assert!(found.singular.is_empty());
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct SingularPatchReport {
     /// The patch.

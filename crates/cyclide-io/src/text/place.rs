@@ -7,6 +7,13 @@ use std::ops::Range;
 use crate::text::lines::line_ends;
 
 /// A text with the name under which messages speak of it.
+///
+/// ```
+/// use cyclide_io::Source;
+/// let source = Source { name: "p.csv", text: "1,2\n3;4\n" };
+/// let message = source.diagnostic(5..6, "", "a comma is needed");
+/// assert!(message.to_string().contains("p.csv:2:2"));
+/// ```
 #[derive(Debug, Clone, Copy)]
 pub struct Source<'a> {
     /// Name of the file.
@@ -18,6 +25,13 @@ pub struct Source<'a> {
 /// A refused piece of input text: where it is, what is wrong with it, and the line it stands on.
 ///
 /// Displayed as `file:line:column: path: message`, then the line with carets under the piece.
+///
+/// ```
+/// use cyclide_io::Source;
+/// let source = Source { name: "p.csv", text: "1,2\n3;4\n" };
+/// let message = source.diagnostic(5..6, "", "a comma is needed");
+/// assert!(message.to_string().contains("p.csv:2:2"));
+/// ```
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Diagnostic {
     /// Name of the file.
@@ -150,6 +164,12 @@ pub(crate) fn quoted(text: &str) -> Cow<'_, str> {
 const HEAD: usize = 4096;
 
 /// The text of bytes that must be UTF-8, without a byte-order mark.
+///
+/// ```
+/// assert_eq!(cyclide_io::decode("a.csv", b"\xef\xbb\xbf1,2")?.trim_start_matches('\u{feff}'), "1,2");
+/// assert!(cyclide_io::decode("a.csv", b"\xff\xff").is_err());
+/// # Ok::<(), Box<cyclide_io::Diagnostic>>(())
+/// ```
 ///
 /// # Errors
 /// A message with the place of the first byte that is not UTF-8, or about UTF-16, with its mark or without.

@@ -12,6 +12,10 @@ const SHORTEST_PART: usize = 3;
 /// The known words that `word` may stand for, nearest first: those that are a few letters away (inserted, left out,
 /// replaced or swapped: at most one in three), else those that share a whole word with it (`spline`, `arc-spline`), else
 /// those that begin alike (`tol`, `tolerance`; `rotate`, `rotation`). Capitals and the kind of dash do not count.
+///
+/// ```
+/// assert_eq!(cyclide_io::similar("circel", ["circle", "arc"]), ["circle"]);
+/// ```
 #[must_use]
 pub fn similar<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> Vec<&'a str> {
     if word.len() > LONGEST {
@@ -46,6 +50,10 @@ pub fn similar<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> Vec<
 }
 
 /// The end of a message about an unknown word: `; did you mean `radius`?`, or nothing.
+///
+/// ```
+/// assert_eq!(cyclide_io::did_you_mean("circel", ["circle", "arc"]), "; did you mean `circle`?");
+/// ```
 #[must_use]
 pub fn did_you_mean<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> String {
     match similar(word, known).as_slice() {

@@ -15,10 +15,12 @@ mod mesh_damage;
 mod meshes;
 mod models;
 mod part_limits;
+#[cfg(feature = "png")]
 mod pictures;
 mod rational_faces;
 mod right_files;
 mod round_trip;
+#[cfg(feature = "png")]
 mod sheets;
 mod step;
 mod step_bodies;

@@ -1,8 +1,9 @@
-//! PNG pictures of surfaces: they show the model, whatever its size, and are the same every time.
+//! PNG pictures: they show the model, whatever its size, and are the same every time.
 
+use crate::models::{self, flat, mixed, space_chain, splines, tilted};
+use Pixmap;
 use cyclide::{Circle, CurveObject, CyclidePatch, Item, Model, Point3, Units, Vec3};
 use cyclide_io::{ExportOptions, Format, export};
-use tiny_skia::Pixmap;
 
 fn model(surface: CyclidePatch) -> Model {
     Model::new(Units::Millimetre).with_surface("object", surface)
@@ -92,4 +93,34 @@ fn curves_are_hidden_by_surfaces() {
     let alone = dark(&vault_with(vec![]));
     assert_eq!(dark(&vault_with(ring(0.8, 0.05))), alone, "the vault stands between the ring and the eye");
     assert!(dark(&vault_with(ring(0.5, 0.4))) > alone + 500);
+}
+
+/// Width, height and the share of pixels that differ from the paper in the corner.
+fn measured(bytes: &[u8]) -> (u32, u32, f64) {
+    let pixels = Pixmap::decode_png(bytes).unwrap();
+    let paper = pixels.pixels()[0];
+    let ink = pixels.pixels().iter().filter(|p| **p != paper).count();
+    (pixels.width(), pixels.height(), ink as f64 / pixels.pixels().len() as f64)
+}
+
+#[test]
+fn pictures_are_full_and_reproducible() {
+    let space = models::model(vec![("s", vec![CurveObject::ArcPath(space_chain())])]);
+    for m in [mixed(flat), mixed(tilted), space].into_iter().chain(splines().into_iter().map(|(_, m)| m)) {
+        let bytes = || export(&m, Format::Png, &ExportOptions::default()).unwrap().bytes;
+        let (width, height, ink) = measured(&bytes());
+        assert!(width == 1600 && height <= 1200 || width <= 1600 && height == 1200, "{width} x {height}");
+        assert!(ink > 0.01 && ink < 0.6, "{ink}");
+        assert_eq!(bytes(), bytes());
+    }
+}
+
+#[test]
+fn a_straight_line_has_a_picture() {
+    for end in [[5.0, 0.0, 0.0], [0.0, 5.0, 0.0], [0.0, 0.0, 5.0], [1e-9, 0.0, 0.0], [1e9, 0.0, 0.0]] {
+        let line = cyclide::Arc::segment([0.0; 3].into(), end.into()).unwrap();
+        let m = models::model(vec![("line", vec![CurveObject::Arc(line)])]);
+        let (_, _, ink) = measured(&export(&m, Format::Png, &ExportOptions::default()).unwrap().bytes);
+        assert!(ink > 0.001, "{end:?}");
+    }
 }

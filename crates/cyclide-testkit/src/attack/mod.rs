@@ -70,12 +70,12 @@ impl Objects {
 }
 
 const CLASSES: [Class; 20] = [
-    ("points", 6, points::object),
-    ("hairpins", 4, hairpins::object),
-    ("ends", 4, ends::object),
-    ("scales", 4, scales::object),
-    ("single curves", 3, objects::single),
-    ("inversions", 4, inversions::curve),
+    ("points", 5, points::object),
+    ("hairpins", 3, hairpins::object),
+    ("ends", 3, ends::object),
+    ("scales", 3, scales::object),
+    ("single curves", 2, objects::single),
+    ("inversions", 3, inversions::curve),
     ("maps", 2, maps::curve),
     ("near-degenerate cyclides", 3, near_degenerate::cyclide),
     ("support structures", 2, near_degenerate::support),
@@ -83,13 +83,13 @@ const CLASSES: [Class; 20] = [
     ("offsets", 2, patches::offset),
     ("nets", 3, nets::object),
     ("inverted surfaces", 2, inversions::surface),
-    ("revolutions", 1, revolutions::surface),
-    ("polyhedra", 1, polyhedra::surface),
-    ("pipes", 1, pipes::surface),
-    ("necks", 1, swept::neck),
-    ("bridges", 1, swept::bridge),
-    ("rails", 1, swept::between_rails),
-    ("triangles", 1, triangles::surface),
+    ("revolutions", 3, revolutions::surface),
+    ("polyhedra", 3, polyhedra::surface),
+    ("pipes", 3, pipes::surface),
+    ("necks", 3, swept::neck),
+    ("bridges", 2, swept::bridge),
+    ("rails", 3, swept::between_rails),
+    ("triangles", 3, triangles::surface),
 ];
 
 /// Document `number` of the attack with this seed.

@@ -56,7 +56,9 @@ pub(super) fn bridge(random: &mut Random) -> Objects {
     if random.chance(0.6) {
         object["depth"] = json!(scale * random.decades(-6.0, 3.0));
     }
-    Objects::surface(object)
+    // Where they cross or turn over does not depend on the tolerance: with the default one narrow bridges have much to mesh.
+    let size = first.into_iter().chain(second).fold(0.0, f64::max);
+    Objects { tolerance: random.chance(0.7).then_some(0.02 * size), ..Objects::surface(object) }
 }
 
 /// Between a curve and its image, which has as many pieces, or another curve.

@@ -47,8 +47,7 @@ fn mesh(random: &mut Random) -> Objects {
         2 => object["crease_angle"] = json!(random.between(0.0, std::f64::consts::PI)),
         _ => {}
     }
-    // With the default tolerance wild ones have some hundred thousand triangles.
-    Objects { tolerance: Some(0.02 * size), ..Objects::surface(object) }
+    Objects { tolerance: Some(tolerance(random, size)), ..Objects::surface(object) }
 }
 
 fn blend(random: &mut Random) -> Objects {
@@ -65,6 +64,10 @@ fn blend(random: &mut Random) -> Objects {
             [0, 1, 2].map(|k| corners[near][k] + reach * off[k])
         }));
     }
-    // With the default tolerance wild ones have some hundred thousand triangles.
-    Objects { tolerance: Some(0.02 * size), ..Objects::surface(object) }
+    Objects { tolerance: Some(tolerance(random, size)), ..Objects::surface(object) }
+}
+
+/// With the default tolerance wild ones have some hundred thousand triangles. Where they fold does not depend on it: most are coarse.
+fn tolerance(random: &mut Random, size: f64) -> f64 {
+    size * if random.chance(0.1) { 0.02 } else { 0.2 }
 }

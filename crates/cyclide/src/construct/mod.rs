@@ -6,7 +6,7 @@ mod circular_mesh;
 mod curves;
 
 pub use bodies::{
-    ConvexPolyhedron, EllipseBridge, NeckBlend, NeckBody, NeckSide, NeckVariant, Pipe, PipeEnds, PipeTee, PipeTeeBody,
+    Branch, ConvexPolyhedron, EllipseBridge, NeckBlend, NeckBody, NeckSide, NeckVariant, Pipe, PipeEnds, PipeManifold, PipeTee, PipeTeeBody,
     PlateShape, PolyhedronEdge, RailSurface, Revolution, SphericalPolygon,
 };
 #[cfg(feature = "circular-mesh")]

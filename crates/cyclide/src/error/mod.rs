@@ -14,6 +14,12 @@ pub use item::ErrorItem;
 pub use kinds::Error;
 
 /// Result of a fallible kernel call.
+///
+/// ```
+/// use cyclide::{Arc, Point3, Vec3};
+/// let result: cyclide::Result<Arc> = Arc::from_start_tangent(Point3::ORIGIN, Point3::new(1.0, 0.0, 0.0), Vec3::ZERO);
+/// assert_eq!(result.unwrap_err().reason(), "zero-tangent");
+/// ```
 pub type Result<T, E = Error> = std::result::Result<T, E>;
 
 impl std::error::Error for Error {

@@ -26,6 +26,16 @@ const APPROXIMATION: f64 = 1.0 / 32.0;
 /// Parameters and points of a polyline within `tolerance` of the curve, in both directions (largest distance of a
 /// curve point from its chord): proved, not sampled. The ends of all pieces are vertices; a closed curve ends with the bits of its start.
 ///
+/// ```
+/// use cyclide::{Arc, Point3};
+/// let [a, b, c] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0]].map(Point3::from);
+/// let arc = Arc::from_three_points(a, b, c)?;
+/// let vertices = cyclide::flatten(&arc, 0.01)?;
+/// // The middle of each chord is within the tolerance of the circle.
+/// assert!(vertices.windows(2).all(|w| w[0].1.lerp(w[1].1, 0.5).to_vec().length() > 0.99));
+/// # Ok::<(), cyclide::Error>(())
+/// ```
+///
 /// # Errors
 /// `tolerance-not-positive`, `not-finite` (infinite tolerance); `too-many-pieces` if more than [`MOST_PIECES`] vertices would be
 /// needed; `not-within-tolerance` if the rounding of the curve's numbers leaves no proof.
@@ -38,6 +48,16 @@ pub fn flatten(curve: &dyn ParamCurve, tolerance: f64) -> Result<Vec<(f64, Point
 }
 
 /// As [`flatten`], into a vector that is cleared first and keeps its capacity for the next call.
+///
+/// ```
+/// use cyclide::{Arc, Point3};
+/// let [a, b, c] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0]].map(Point3::from);
+/// let arc = Arc::from_three_points(a, b, c)?;
+/// let mut vertices = Vec::new();
+/// cyclide::flatten_into(&arc, 0.01, &mut vertices)?;
+/// assert_eq!(vertices, cyclide::flatten(&arc, 0.01)?);
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 ///
 /// # Errors
 /// As [`flatten`].
@@ -52,6 +72,15 @@ pub fn flatten_into(curve: &dyn ParamCurve, tolerance: f64, vertices: &mut Vec<(
 /// As [`flatten`], with the places of the vertices as piece and parameter, to the last digit however many pieces there
 /// are.
 ///
+/// ```
+/// use cyclide::{Arc, Point3};
+/// let [a, b, c] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0]].map(Point3::from);
+/// let arc = Arc::from_three_points(a, b, c)?;
+/// let places = cyclide::flatten_places(&arc, 0.01)?;
+/// assert!(places.iter().all(|(place, _)| place.piece == 0));
+/// # Ok::<(), cyclide::Error>(())
+/// ```
+///
 /// # Errors
 /// As [`flatten`].
 pub fn flatten_places(curve: &dyn ParamCurve, tolerance: f64) -> Result<Vec<(CurvePlace, Point3)>> {
@@ -59,6 +88,14 @@ pub fn flatten_places(curve: &dyn ParamCurve, tolerance: f64) -> Result<Vec<(Cur
 }
 
 /// As [`flatten_places`], with `most` vertices at most.
+///
+/// ```
+/// use cyclide::{Arc, Point3};
+/// let [a, b, c] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0]].map(Point3::from);
+/// let arc = Arc::from_three_points(a, b, c)?;
+/// assert_eq!(cyclide::flatten_within(&arc, 1e-9, 100).unwrap_err().reason(), "too-many-pieces");
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 ///
 /// # Errors
 /// As [`flatten`].

@@ -8,6 +8,14 @@ mod tessellate;
 
 /// Pieces that a polyline (vertices) or a mesh (cells) has at most, unless more are allowed: some 100 bytes each here, and several
 /// times as many in what is made of them.
+///
+/// ```
+/// use cyclide::{Arc, Point3};
+/// let [a, b, c] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0]].map(Point3::from);
+/// let arc = Arc::from_three_points(a, b, c)?;
+/// assert!(cyclide::flatten(&arc, 1e-9)?.len() < cyclide::MOST_PIECES);
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 pub const MOST_PIECES: usize = 4_000_000;
 
 pub use flatten::{flatten, flatten_into, flatten_places, flatten_within};

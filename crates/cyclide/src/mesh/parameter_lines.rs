@@ -46,6 +46,14 @@ pub struct ParameterLine {
 /// Every edge of the body once, then `inner` parameter lines (circles on cyclides) of each face in each direction, at equal steps of the
 /// parameter, so that they continue from face to face. No point of a line is farther than `tolerance` from its polyline.
 ///
+/// ```
+/// use cyclide::{Body, DupinCyclide};
+/// let ring = Body { outer: DupinCyclide::new(3.0, 0.0, 1.0)?.to_shell()?, voids: Vec::new() };
+/// let lines = cyclide::parameter_lines(&ring, 0, 0.1)?;
+/// assert_eq!(lines.len(), ring.outer.edges().len());
+/// # Ok::<(), cyclide::Error>(())
+/// ```
+///
 /// # Errors
 /// As [`flatten`]; as [`CyclidePatch::s_line`](crate::CyclidePatch::s_line).
 pub fn parameter_lines(body: &Body, inner: usize, tolerance: f64) -> Result<Vec<ParameterLine>> {

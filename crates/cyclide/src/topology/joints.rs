@@ -30,6 +30,13 @@ pub struct SurfaceJoint {
 }
 
 /// Every edge that two faces share, measured at nine places of each: faces that share an edge have its parameter.
+///
+/// ```
+/// use cyclide::{Body, DupinCyclide};
+/// let ring = Body { outer: DupinCyclide::new(3.0, 0.0, 1.0)?.to_shell()?, voids: Vec::new() };
+/// assert!(cyclide::surface_joints(&ring.outer).iter().all(|joint| joint.angle < 1e-12));
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[must_use]
 pub fn surface_joints(shell: &Shell) -> Vec<SurfaceJoint> {
     let joint = |(edge, users): (usize, &Vec<(usize, Side)>)| {

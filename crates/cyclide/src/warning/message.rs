@@ -262,7 +262,7 @@ impl std::fmt::Display for Warning {
             ),
             Self::OpenPart { angle } => write!(
                 f,
-                "the body is open at both ends of its turn by {} degrees: end faces are made of one contour, in a plane with the axis, that is seen whole from a point inside; a whole turn is a solid",
+                "the body is open at both ends of its turn by {} degrees: end faces are made of contours in one plane with the axis that meet neither themselves nor each other; a whole turn is a solid",
                 degrees(*angle)
             ),
             Self::OpenProfile { start, end } => write_open_profile(f, *start, *end),

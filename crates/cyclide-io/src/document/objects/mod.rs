@@ -41,6 +41,14 @@ pub use remark::Remark;
 pub use smooth::SmoothChoice;
 
 /// An object made by its construction, with what is known about it besides its geometry.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"c": {"type": "circle", "center": [0, 0], "radius": 2}}}"#.parse()?;
+/// let built = document.build()?;
+/// assert_eq!((built[0].item.name.as_str(), built[0].provenance.kind), ("c", "circle"));
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct BuiltObject {
     /// The object for the model.
@@ -70,6 +78,17 @@ pub struct BuiltObject {
 
 /// Builds the objects of a document, each once, however many others are made from it. What no other object needs is handed
 /// out and not kept.
+///
+/// ```
+/// use cyclide_io::{Document, ModelBuilder};
+/// use std::path::Path;
+/// let text = r#"{"cyclide": 1, "objects": {"p": {"type": "polyline", "points": {"csv": "two.csv"}}}}"#;
+/// let document: Document = text.parse()?;
+/// let read = |_: &Path| Ok(b"x,y\n0,0\n3,4\n".to_vec());
+/// let built = ModelBuilder::new(&document, Path::new(""), &read)?.build(0, &mut |_| ())?;
+/// assert!((cyclide::length(built.item.curves()[0].as_curve()) - 5.0).abs() < 1e-12);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 pub struct ModelBuilder<'a> {
     document: &'a Document,
     folder: &'a Path,
@@ -147,6 +166,16 @@ impl<'a> ModelBuilder<'a> {
 }
 
 impl Document {
+    /// Builds all objects of a document that refers to no files, in its order. [`ModelBuilder`] reads files, and builds objects one by one.
+    ///
+    /// # Errors
+    /// As [`ModelBuilder::new`] and [`ModelBuilder::build`]; a file that is referred to is not found.
+    pub fn build(&self) -> Result<Vec<BuiltObject>> {
+        let no_files = |_: &Path| Err(io::ErrorKind::NotFound.into());
+        let mut builder = ModelBuilder::new(self, Path::new(""), &no_files)?;
+        (0..self.objects.len()).map(|index| builder.build(index, &mut |_| ())).collect()
+    }
+
     /// The files the document refers to, as it writes them.
     pub fn input_files(&self) -> impl Iterator<Item = &str> {
         self.objects.iter().filter_map(|(_, spec)| match (spec, spec.points()) {

@@ -17,6 +17,15 @@ const SINGLE: f64 = 4.8e-7;
 const FEW_DIGITS: f64 = 1e-3;
 
 /// A polyhedron and the radius of its rounding.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"s": {"type": "smooth-polyhedron", "radius": 1, "points": [[0, 0, 0], [2, 0, 0], [0, 2, 0], [2, 2, 0], [0, 0, 2], [2, 0, 2], [0, 2, 2], [2, 2, 2]]}}}"#.parse()?;
+/// let built = document.build()?;
+/// let rounded = built[0].polyhedron.as_ref().expect("it is one");
+/// assert_eq!((rounded.polyhedron.faces().len(), rounded.radius), (6, 1.0));
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct RoundedPolyhedron {
     /// The polyhedron.

@@ -6,6 +6,14 @@ use super::Builder;
 use crate::document::locate::{Step, path_text};
 
 /// A warning with its place in the input.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"s": {"type": "circle-spline", "points": [[0, 0], [1, 1], [1, 1], [3, 0]]}}}"#.parse()?;
+/// let built = document.build()?;
+/// assert_eq!((built[0].remarks[0].reason, built[0].remarks[0].index), ("points-merged", Some(2)));
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Remark {
     /// Stable kebab-case name.

@@ -15,6 +15,15 @@ use crate::input::polygon_mesh::PolygonMesh;
 use crate::input::triangle_mesh::{TriangleMesh, Uncut};
 
 /// What was chosen for a smooth mesh.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"m": {"type": "smooth-mesh", "normals": "sphere", "vertices": [[1, 0, 0], [0, 1, 0], [-1, 0, 0], [0, -1, 0], [0, 0, 1], [0, 0, -1]], "triangles": [[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4], [1, 0, 5], [2, 1, 5], [3, 2, 5], [0, 3, 5]]}}}"#.parse()?;
+/// let built = document.build()?;
+/// let choice = built[0].smooth.expect("it is a smooth mesh");
+/// assert_eq!((choice.normals, choice.polygons), ("sphere", 8));
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SmoothChoice {
     /// Where the normals at the vertices come from: `angle`, `sphere`, `file` or `given`.

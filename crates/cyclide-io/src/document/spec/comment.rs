@@ -8,6 +8,14 @@ use serde::Deserialize;
 use serde::de::{Deserializer, SeqAccess, Visitor};
 
 /// A text, or a list of texts, one per line. It is checked and left aside.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"c": {"type": "circle", "comment": ["a hole", "for a bolt"], "center": [0, 0], "radius": 2}}}"#.parse()?;
+/// let built = document.build()?;
+/// assert_eq!(built.len(), 1);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Comment;
 

@@ -12,6 +12,14 @@ use crate::document::coordinates::{Coordinates, Lists, PointSource};
 
 /// A circular arc or straight segment: through three points, or from one point to another with one more datum
 /// (`tangent`, `end_tangent`, `weights` or `bulge`).
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"a": {"type": "arc", "through": [[1, 0], [0, 1], [-1, 0]]}}}"#.parse()?;
+/// let built = document.build()?;
+/// assert!((cyclide::length(built[0].item.curves()[0].as_curve()) - std::f64::consts::PI).abs() < 1e-12);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(extend("oneOf" = [
@@ -57,6 +65,14 @@ pub struct ArcSpec {
 }
 
 /// A full circle: by its centre and radius, or through three points.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"c": {"type": "circle", "center": [0, 0], "radius": 2}}}"#.parse()?;
+/// let built = document.build()?;
+/// assert!((cyclide::length(built[0].item.curves()[0].as_curve()) - 4.0 * std::f64::consts::PI).abs() < 1e-12);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(extend("oneOf" = [
@@ -85,6 +101,14 @@ pub struct CircleSpec {
 }
 
 /// Two arcs from one point and direction to another, tangent-continuous at their joint.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"b": {"type": "biarc", "from": [0, 0], "from_tangent": [1, 0], "to": [2, 1], "to_tangent": [1, 0]}}}"#.parse()?;
+/// let built = document.build()?;
+/// assert_eq!(built[0].item.curves()[0].as_curve().piece_count(), 2);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct BiarcSpec {
@@ -111,6 +135,15 @@ pub struct BiarcSpec {
 }
 
 /// Arcs through points: a biarc from each point to the next, tangent-continuous everywhere.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"s": {"type": "arc-spline", "points": [[0, 0], [1, 1], [2, 0]]}}}"#.parse()?;
+/// let built = document.build()?;
+/// let curve = built[0].item.curves()[0].as_curve();
+/// assert!(cyclide::joints(curve).iter().all(|joint| joint.angle < 1e-12));
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ArcSplineSpec {
@@ -137,6 +170,14 @@ pub struct ArcSplineSpec {
 }
 
 /// Segments through points, with corners that arcs round.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"p": {"type": "polyline", "points": [[0, 0], [10, 0], [10, 10]], "radius": 2}}}"#.parse()?;
+/// let built = document.build()?;
+/// assert!((cyclide::length(built[0].item.curves()[0].as_curve()) - (16.0 + std::f64::consts::PI)).abs() < 1e-12);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct PolylineSpec {
@@ -160,6 +201,14 @@ pub struct PolylineSpec {
 }
 
 /// The fewest arcs and segments within a tolerance, tangent-continuous except at corners.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"f": {"type": "arc-fit", "tolerance": 0.1, "points": [[1, 0], [0.71, 0.71], [0, 1], [-0.71, 0.71], [-1, 0]]}}}"#.parse()?;
+/// let built = document.build()?;
+/// assert_eq!(built[0].item.curves()[0].as_curve().piece_count(), 1);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ArcFitSpec {
@@ -193,6 +242,15 @@ pub struct ArcFitSpec {
 
 /// The fairest smooth curve within a tolerance of points, with few nodes and continuous curvature: for dense or noisy
 /// data.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"f": {"type": "fair-fit", "tolerance": 0.2, "points": [[0, 0], [1, 0.1], [2, 0], [3, 0.1], [4, 0]]}}}"#.parse()?;
+/// let built = document.build()?;
+/// let Some(cyclide_io::Fitted::Fair(certificate)) = built[0].contours[0].fit else { unreachable!("by its type") };
+/// assert!(certificate.deviation <= 0.2);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct FairFitSpec {
@@ -241,6 +299,14 @@ pub struct FairFitSpec {
 }
 
 /// A smooth curve through points: neighbouring circles blended into each other.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"s": {"type": "circle-spline", "points": [[1, 0], [0, 1], [-1, 0], [0, -1]], "closed": true}}}"#.parse()?;
+/// let built = document.build()?;
+/// assert!((cyclide::length(built[0].item.curves()[0].as_curve()) - 2.0 * std::f64::consts::PI).abs() < 1e-12);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct CircleSplineSpec {
@@ -280,6 +346,15 @@ pub(super) const fn default_order() -> u32 {
 }
 
 /// The ends of an open circle spline: `natural`, or given directions.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"s": {"type": "circle-spline", "ends": {"start": [0, 3]}, "points": [[0, 0], [1, 1], [2, 1], [3, 0]]}}}"#.parse()?;
+/// let built = document.build()?;
+/// let tangent = built[0].item.curves()[0].as_curve().jet(0.0).d1;
+/// assert!(tangent.x.abs() < 1e-12 && tangent.y > 0.0);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default, JsonSchema)]
 #[schemars(untagged, rename = "Ends")]
 pub enum EndsSpec {
@@ -301,6 +376,15 @@ enum NaturalWord {
 }
 
 /// Directions of travel at the ends of an open curve; an end that is left out is natural.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"s": {"type": "circle-spline", "ends": {"start": [0, 3], "end": [0, -1]}, "points": [[0, 0], [1, 1], [2, 1], [3, 0]]}}}"#.parse()?;
+/// let built = document.build()?;
+/// let tangent = built[0].item.curves()[0].as_curve().jet(0.0).d1;
+/// assert!(tangent.x.abs() < 1e-12 && tangent.y > 0.0);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ClampedEnds {

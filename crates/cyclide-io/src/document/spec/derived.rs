@@ -10,6 +10,14 @@ use crate::document::angle::Angle;
 use crate::document::coordinates::Coordinates;
 
 /// A parallel surface of another object, exact, or the solid between both.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"r": {"type": "cyclide", "a": 3, "mu": 1}, "o": {"type": "offset", "of": "r", "distance": 0.5}}}"#.parse()?;
+/// let built = document.build()?;
+/// assert!((built[1].bodies[0].outer.area() - 18.0 * std::f64::consts::PI.powi(2)).abs() < 1e-9);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct OffsetSpec {
@@ -34,6 +42,14 @@ pub struct OffsetSpec {
 }
 
 /// The image of another object under a chain of maps.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"c": {"type": "circle", "center": [0, 0], "radius": 2}, "t": {"type": "transform", "of": "c", "steps": [{"scale": {"factor": 3}}, {"translation": [1, 0, 0]}]}}}"#.parse()?;
+/// let built = document.build()?;
+/// assert!((cyclide::length(built[1].item.curves()[0].as_curve()) - 12.0 * std::f64::consts::PI).abs() < 1e-12);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct TransformSpec {
@@ -54,6 +70,14 @@ pub struct TransformSpec {
 }
 
 /// One map. Inversions and matrices keep arcs and surfaces; full circles and circle splines take the others only.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"c": {"type": "circle", "center": [0, 0], "radius": 2}, "t": {"type": "transform", "of": "c", "steps": [{"translation": [1, 0, 0]}]}}}"#.parse()?;
+/// let built = document.build()?;
+/// assert!((cyclide::length(built[1].item.curves()[0].as_curve()) - 4.0 * std::f64::consts::PI).abs() < 1e-12);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 #[schemars(rename = "Step")]
@@ -73,6 +97,14 @@ pub enum StepSpec {
 }
 
 /// What a curve sweeps when it turns about an axis.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"c": {"type": "circle", "center": [3, 0], "radius": 1}, "r": {"type": "revolution", "of": "c", "axis": [0, 1, 0]}}}"#.parse()?;
+/// let built = document.build()?;
+/// assert!((built[1].bodies[0].outer.volume() - 6.0 * std::f64::consts::PI.powi(2)).abs() < 1e-10);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct RevolutionSpec {
@@ -97,6 +129,14 @@ pub struct RevolutionSpec {
 }
 
 /// The tube of a radius about a curve of arcs and segments.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"l": {"type": "polyline", "points": [[0, 0], [10, 0]]}, "p": {"type": "pipe", "of": "l", "radius": 1}}}"#.parse()?;
+/// let built = document.build()?;
+/// assert!((built[1].bodies[0].outer.volume() - 10.0 * std::f64::consts::PI).abs() < 1e-10);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct PipeSpec {
@@ -126,6 +166,15 @@ pub struct PipeSpec {
 }
 
 /// A sphere to invert in.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"a": {"type": "arc", "through": [[1, 0], [1.5, 0.5], [2, 0]]}, "t": {"type": "transform", "of": "a", "steps": [{"inversion": {"center": [0, 0], "radius": 1}}]}}}"#.parse()?;
+/// let built = document.build()?;
+/// let end = built[1].item.curves()[0].as_curve().point(1.0);
+/// assert!((end.x.abs() - 0.5).abs() < 1e-12 || (end.x.abs() - 1.0).abs() < 1e-12);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct SphereSpec {
@@ -137,6 +186,15 @@ pub struct SphereSpec {
 }
 
 /// A turn.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"c": {"type": "circle", "center": [0, 0], "radius": 2}, "t": {"type": "transform", "of": "c", "steps": [{"rotation": {"axis": [1, 0, 0], "angle": {"degrees": 90}}}]}}}"#.parse()?;
+/// let built = document.build()?;
+/// let p = built[1].item.curves()[0].as_curve().point(0.25);
+/// assert!(p.y.abs() < 1e-12 && (p.z.abs() - 2.0).abs() < 1e-12);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct RotationSpec {
@@ -149,6 +207,14 @@ pub struct RotationSpec {
 }
 
 /// A change of size.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"c": {"type": "circle", "center": [0, 0], "radius": 2}, "t": {"type": "transform", "of": "c", "steps": [{"scale": {"factor": 3}}]}}}"#.parse()?;
+/// let built = document.build()?;
+/// assert!((cyclide::length(built[1].item.curves()[0].as_curve()) - 12.0 * std::f64::consts::PI).abs() < 1e-12);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ScaleSpec {
@@ -160,6 +226,15 @@ pub struct ScaleSpec {
 }
 
 /// A plane to reflect in.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"c": {"type": "circle", "center": [0, 0], "radius": 2}, "t": {"type": "transform", "of": "c", "steps": [{"translation": [5, 0, 0]}, {"mirror": {"normal": [1, 0, 0]}}]}}}"#.parse()?;
+/// let built = document.build()?;
+/// let p = built[1].item.curves()[0].as_curve().point(0.0);
+/// assert!(p.x < -2.9);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct PlaneSpec {
@@ -170,6 +245,14 @@ pub struct PlaneSpec {
 }
 
 /// The edges of another surface as arcs: what carries a skin.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"p": {"type": "cyclide-patch", "corners": [[0, 0], [2, 0], [0, 1], [2, 1]], "frame": [[1, 0, 0], [0, 1, 0]]}, "e": {"type": "support-structure", "of": "p"}}}"#.parse()?;
+/// let built = document.build()?;
+/// assert!((cyclide::length(built[1].item.curves()[0].as_curve()) - 2.0).abs() < 1e-12);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct SupportStructureSpec {

@@ -9,6 +9,14 @@ use crate::document::angle::Angle;
 use crate::document::coordinates::{Coordinates, PointSource};
 
 /// The fairest smooth curve through points: continuous curvature that varies as little as that of an Euler spiral.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"s": {"type": "fair-spline", "points": [[1, 0], [0, 1], [-1, 0], [0, -1]], "closed": true}}}"#.parse()?;
+/// let built = document.build()?;
+/// assert!((cyclide::length(built[0].item.curves()[0].as_curve()) - 2.0 * std::f64::consts::PI).abs() < 1e-9);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct FairSplineSpec {
@@ -46,6 +54,14 @@ pub struct FairSplineSpec {
 }
 
 /// Whether runs of points on a line beside a corner stay straight.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"s": {"type": "fair-spline", "straight": "off", "corner_angle": {"degrees": 60}, "points": [[0, 0], [1, 0], [2, 0], [2, 1], [2, 2]]}}}"#.parse()?;
+/// let built = document.build()?;
+/// assert_eq!(built[0].item.curves()[0].as_curve().piece_count(), 4);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 #[schemars(rename = "Straight")]
@@ -58,6 +74,15 @@ pub enum StraightWord {
 }
 
 /// The ends of an open fair spline: a word for both, or an object with one for each.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"s": {"type": "fair-spline", "ends": {"start": [0, 3]}, "points": [[0, 0], [1, 1], [2, 1], [3, 0]]}}}"#.parse()?;
+/// let built = document.build()?;
+/// let tangent = built[0].item.curves()[0].as_curve().jet(0.0).d1;
+/// assert!(tangent.x.abs() < 1e-12 && tangent.y > 0.0);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, JsonSchema)]
 #[schemars(untagged, rename = "FairEnds")]
 pub enum FairEndsSpec {
@@ -74,6 +99,15 @@ impl Default for FairEndsSpec {
 }
 
 /// The two ends of an open curve; one that is left out is `circle`.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"s": {"type": "fair-spline", "ends": {"start": [0, 3], "end": "arc"}, "points": [[0, 0], [1, 1], [2, 1], [3, 0]]}}}"#.parse()?;
+/// let built = document.build()?;
+/// let tangent = built[0].item.curves()[0].as_curve().jet(0.0).d1;
+/// assert!(tangent.x.abs() < 1e-12 && tangent.y > 0.0);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct FairEndPair {
@@ -84,6 +118,15 @@ pub struct FairEndPair {
 }
 
 /// One end of an open fair spline.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"s": {"type": "fair-spline", "ends": {"start": "free", "end": "arc"}, "points": [[0, 0], [1, 1], [2, 1], [3, 0]]}}}"#.parse()?;
+/// let built = document.build()?;
+/// let start = built[0].item.curves()[0].as_curve().jet(0.0);
+/// assert!(start.curvature().is_some_and(|k| k < 1e-9));
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, JsonSchema)]
 #[schemars(untagged, rename = "FairEnd")]
 pub enum FairEndSpec {
@@ -94,6 +137,15 @@ pub enum FairEndSpec {
 }
 
 /// How an end without a given direction is made.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"s": {"type": "fair-spline", "ends": "free", "points": [[0, 0], [1, 1], [2, 1], [3, 0]]}}}"#.parse()?;
+/// let built = document.build()?;
+/// let start = built[0].item.curves()[0].as_curve().jet(0.0);
+/// assert!(start.curvature().is_some_and(|k| k < 1e-9));
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 #[schemars(rename = "FairEndWord")]

@@ -61,6 +61,15 @@ pub(super) struct DocumentShape {
 }
 
 /// One object of a document.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"c": {"type": "circle", "center": [0, 0], "radius": 2}}}"#.parse()?;
+/// let built = document.build()?;
+/// assert_eq!(document.objects[0].1.type_word(), "circle");
+/// assert!(built[0].bodies.is_empty());
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, JsonSchema)]
 #[schemars(untagged, rename = "Object")]
 pub enum ObjectSpec {
@@ -115,6 +124,14 @@ pub enum ObjectSpec {
 }
 
 /// The field `type`: its word has been read before, to tell what the other fields are.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"c": {"type": "circle", "center": [0, 0], "radius": 2}}}"#.parse()?;
+/// let built = document.build()?;
+/// assert_eq!(built[0].provenance.kind, "circle");
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct TypeWord;
 

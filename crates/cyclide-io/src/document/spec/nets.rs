@@ -10,6 +10,14 @@ use crate::document::coordinates::Coordinates;
 
 /// A whole Dupin cyclide by its three parameters: the points with
 /// `(|p|^2 + b^2 - mu^2)^2 = 4 (a x - c mu)^2 + 4 b^2 y^2`, `b^2 = a^2 - c^2`. `c = 0` is the torus with radii a, mu.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"r": {"type": "cyclide", "a": 3, "mu": 1}}}"#.parse()?;
+/// let built = document.build()?;
+/// assert!((built[0].bodies[0].outer.area() - 12.0 * std::f64::consts::PI.powi(2)).abs() < 1e-9);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct CyclideSpec {
@@ -46,6 +54,15 @@ pub struct CyclideSpec {
 
 /// A smooth surface of patches over a grid of points: neighbouring patches share their circular edge and their normals
 /// along it. The four corners of every quad must be on one circle: `make_circular` sees to it.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"n": {"type": "cyclidic-net", "grid": [[[0, 1, 0], [1, 1, 0], [3, 1, 0]], [[0, 0, 1], [1, 0, 1], [3, 0, 1]]]}}}"#.parse()?;
+/// let built = document.build()?;
+/// let shell = &built[0].bodies[0].outer;
+/// assert!(shell.faces().len() == 2 && cyclide::surface_joints(shell).iter().all(|joint| joint.angle < 1e-12));
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct CyclidicNetSpec {
@@ -74,6 +91,15 @@ pub struct CyclidicNetSpec {
 }
 
 /// Where the vertices of a net come from.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"n": {"type": "cyclidic-net", "grid": [[[0, 1, 0], [1, 1, 0], [3, 1, 0]], [[0, 0, 1], [1, 0, 1], [3, 0, 1]]]}}}"#.parse()?;
+/// let built = document.build()?;
+/// let shell = &built[0].bodies[0].outer;
+/// assert!(shell.faces().len() == 2 && cyclide::surface_joints(shell).iter().all(|joint| joint.angle < 1e-12));
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, JsonSchema)]
 #[schemars(untagged, rename = "Grid")]
 pub enum GridSource {
@@ -84,6 +110,17 @@ pub enum GridSource {
 }
 
 /// A mesh of quads in a file of its own.
+///
+/// ```
+/// use cyclide_io::{Document, ModelBuilder};
+/// use std::path::Path;
+/// let text = r#"{"cyclide": 1, "objects": {"n": {"type": "cyclidic-net", "grid": {"obj": "roof.obj"}}}}"#;
+/// let document: Document = text.parse()?;
+/// let quads = b"v 0 1 0\nv 1 1 0\nv 1 0 1\nv 0 0 1\nf 1 2 3 4\n";
+/// let built = ModelBuilder::new(&document, Path::new(""), &|_| Ok(quads.to_vec()))?.build(0, &mut |_| ())?;
+/// assert_eq!(built.bodies[0].outer.faces().len(), 1);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Eq, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct MeshFile {
@@ -111,6 +148,15 @@ impl<'de> Deserialize<'de> for GridSource {
 }
 
 /// The frame of a net: `auto`, or two directions.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"n": {"type": "cyclidic-net", "grid": [[[0, 1, 0], [1, 1, 0], [3, 1, 0]], [[0, 0, 1], [1, 0, 1], [3, 0, 1]]], "frame": "auto"}}}"#.parse()?;
+/// let built = document.build()?;
+/// let shell = &built[0].bodies[0].outer;
+/// assert!(shell.faces().len() == 2 && cyclide::surface_joints(shell).iter().all(|joint| joint.angle < 1e-12));
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default, JsonSchema)]
 #[schemars(untagged, rename = "Frame")]
 pub enum FrameSpec {

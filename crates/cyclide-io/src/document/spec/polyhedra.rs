@@ -11,6 +11,14 @@ use crate::document::coordinates::{Coordinates, PointSource};
 /// A convex polyhedron with all edges and corners rounded: the points within a distance of it. A solid of planes, cylinders and
 /// parts of spheres. The polyhedron is a mesh in a file (`mesh`), the convex hull of points (`points`), or given by `vertices` and
 /// `faces`.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"s": {"type": "smooth-polyhedron", "radius": 1, "points": [[0, 0, 0], [2, 0, 0], [0, 2, 0], [2, 2, 0], [0, 0, 2], [2, 0, 2], [0, 2, 2], [2, 2, 2]]}}}"#.parse()?;
+/// let built = document.build()?;
+/// assert!((built[0].bodies[0].outer.volume() - (32.0 + (6.0 + 4.0 / 3.0) * std::f64::consts::PI)).abs() < 1e-10);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(extend("oneOf" = [

@@ -6,6 +6,14 @@ use serde::{Deserialize, Serialize};
 use std::fmt;
 
 /// The radius of all corners, or a list of one per point.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"p": {"type": "polyline", "points": [[0, 0], [10, 0], [10, 10]], "radius": [0, 2, 0]}}}"#.parse()?;
+/// let built = document.build()?;
+/// assert!((cyclide::length(built[0].item.curves()[0].as_curve()) - (16.0 + std::f64::consts::PI)).abs() < 1e-12);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(untagged, rename = "Radii")]
 #[serde(untagged)]

@@ -12,6 +12,17 @@ use crate::document::coordinates::Coordinates;
 /// A smooth surface through the vertices of a triangle mesh: its tangent plane is continuous, and neighbours share edges. The mesh
 /// is in a file (`mesh`), or given by `vertices` and `triangles`. It has no exact form: GLB, OBJ and STL hold meshes of it within
 /// the tolerance, STEP and JSON do not hold it.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"m": {"type": "smooth-mesh", "vertices": [[1, 0, 0], [0, 1, 0], [-1, 0, 0], [0, -1, 0], [0, 0, 1], [0, 0, -1]], "triangles": [[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4], [1, 0, 5], [2, 1, 5], [3, 2, 5], [0, 3, 5]]}}}"#.parse()?;
+/// let built = document.build()?;
+/// let report = cyclide_io::ObjectReport::new(&built[0], None);
+/// let cyclide_io::GeometryReport::Smooth(found) = report.geometry else { unreachable!("by its type") };
+/// // Rounder than the octahedron, and within the ball.
+/// assert!(found.volume.is_some_and(|volume| volume > 4.0 / 3.0 && volume < 4.2));
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(extend("oneOf" = [
@@ -45,6 +56,16 @@ pub struct SmoothMeshSpec {
 }
 
 /// The normals at the vertices of a mesh.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"m": {"type": "smooth-mesh", "normals": "sphere", "vertices": [[1, 0, 0], [0, 1, 0], [-1, 0, 0], [0, -1, 0], [0, 0, 1], [0, 0, -1]], "triangles": [[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4], [1, 0, 5], [2, 1, 5], [3, 2, 5], [0, 3, 5]]}}}"#.parse()?;
+/// let built = document.build()?;
+/// let report = cyclide_io::ObjectReport::new(&built[0], None);
+/// let cyclide_io::GeometryReport::Smooth(found) = report.geometry else { unreachable!("by its type") };
+/// assert_eq!(found.normals, Some("sphere"));
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Default, JsonSchema)]
 #[schemars(untagged, rename = "VertexNormals")]
 pub enum NormalsSpec {
@@ -104,6 +125,16 @@ impl<'de> Deserialize<'de> for NormalsSpec {
 /// A smooth patch over one triangle, shaped at each corner by a sphere through the circle of the three corners: given by a point
 /// of each sphere (`control`), or by the normals that the patch should have at the corners (`normals`). It has no exact form, as a
 /// smooth mesh.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"s": {"type": "sphere-blend", "corners": [[1, 0, 0], [0, 1, 0], [0, 0, 1]], "normals": [[1, 0, 0], [0, 1, 0], [0, 0, 1]]}}}"#.parse()?;
+/// let built = document.build()?;
+/// let report = cyclide_io::ObjectReport::new(&built[0], None);
+/// let cyclide_io::GeometryReport::Smooth(found) = report.geometry else { unreachable!("by its type") };
+/// assert_eq!((found.triangles, found.vertices, found.closed), (1, 3, false));
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(extend("oneOf" = [

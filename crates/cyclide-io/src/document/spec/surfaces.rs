@@ -9,6 +9,14 @@ use crate::document::coordinates::Coordinates;
 
 /// One principal patch of a Dupin cyclide: four corners on one circle and a frame at one of them. All its parameter
 /// lines are circular arcs.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"p": {"type": "cyclide-patch", "corners": [[0, 0], [2, 0], [0, 1], [2, 1]], "frame": [[1, 0, 0], [0, 1, 0]]}}}"#.parse()?;
+/// let built = document.build()?;
+/// assert!((built[0].bodies[0].outer.area() - 2.0).abs() < 1e-12);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct CyclidePatchSpec {

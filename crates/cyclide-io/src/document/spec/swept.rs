@@ -11,6 +11,14 @@ use crate::document::coordinates::Directions;
 
 /// A pipe on a plate with a rounded neck between them, that of a ball rolling round the pipe; an open surface, or with a
 /// `thickness` a solid. The upper side of the plate is the plane z = 0, the axis of the pipe meets it in the origin.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"n": {"type": "plate-with-neck", "pipe_radius": 15, "ball_radius": 8, "height": 50, "plate": [90, 90]}}}"#.parse()?;
+/// let built = document.build()?;
+/// assert!(built[0].bodies[0].outer.area() > 90.0 * 90.0 && !built[0].bodies[0].is_solid());
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(
@@ -58,6 +66,15 @@ pub struct PlateWithNeckSpec {
 }
 
 /// The border of a plate: the sides of a rectangle along x and y, or the radius of a disk.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"n": {"type": "plate-with-neck", "pipe_radius": 15, "ball_radius": 8, "height": 50, "plate": [90, 90]}}}"#.parse()?;
+/// let built = document.build()?;
+/// let bounds = built[0].bodies[0].bounds();
+/// assert!((bounds.max.x - bounds.min.x - 90.0).abs() < 1e-12);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, JsonSchema)]
 #[schemars(untagged, rename = "Plate")]
 pub enum PlateSpec {
@@ -69,6 +86,15 @@ pub enum PlateSpec {
 }
 
 /// A disk.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"n": {"type": "plate-with-neck", "pipe_radius": 15, "ball_radius": 8, "height": 50, "plate": {"radius": 40}}}}"#.parse()?;
+/// let built = document.build()?;
+/// let bounds = built[0].bodies[0].bounds();
+/// assert!((bounds.max.x - bounds.min.x - 80.0).abs() < 1e-12);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(rename = "Disk")]
@@ -79,6 +105,14 @@ pub struct DiskSpec {
 }
 
 /// Half circles, upright on the chords between two ellipses about the origin; tangent to the elliptic cylinders below both.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"e": {"type": "ellipse-bridge", "ellipses": [[20, 34], [36, 42]], "depth": 6}}}"#.parse()?;
+/// let built = document.build()?;
+/// assert!(built[0].bodies[0].is_solid());
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct EllipseBridgeSpec {
@@ -102,6 +136,14 @@ pub struct EllipseBridgeSpec {
 }
 
 /// Arcs between two curves, from piece to piece at equal parameters, with given directions at the first curve.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"a": {"type": "polyline", "points": [[0, 0], [5, 0]]}, "b": {"type": "polyline", "points": [[0, 2], [5, 2]]}, "s": {"type": "circular-surface", "rails": ["a", "b"], "tangent": [0, 0, 1]}}}"#.parse()?;
+/// let built = document.build()?;
+/// assert!((built[2].bodies[0].outer.area() - 5.0 * std::f64::consts::PI).abs() < 1e-9);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct CircularSurfaceSpec {
@@ -122,6 +164,14 @@ pub struct CircularSurfaceSpec {
 }
 
 /// Straight lines between two curves, from piece to piece at equal parameters.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"a": {"type": "polyline", "points": [[0, 0], [5, 0]]}, "b": {"type": "polyline", "points": [[0, 2], [5, 2]]}, "s": {"type": "ruled", "rails": ["a", "b"]}}}"#.parse()?;
+/// let built = document.build()?;
+/// assert!((built[2].bodies[0].outer.area() - 10.0).abs() < 1e-12);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct RuledSpec {

@@ -8,6 +8,13 @@ use super::polygons::{Normals, Polygon, Polygons, parse};
 use crate::text::place::{Diagnostic, Source, decode};
 
 /// A quad grid read from a file.
+///
+/// ```
+/// let quads = b"v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
+/// let read = cyclide_io::read_quad_grid("a.obj", quads)?;
+/// assert_eq!(read.grid.size(), [2, 2]);
+/// # Ok::<(), Box<cyclide_io::Diagnostic>>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct ObjGrid {
     /// The grid: a rectangle, a tube (one direction closed) or a torus (both closed).
@@ -23,6 +30,13 @@ pub struct ObjGrid {
 /// s runs along the first side of the first face (from its first to its second corner) and t along its last side (from
 /// the first to the fourth corner), so that `s × t` is the side from which that face is counter-clockwise. Vertex (0, 0)
 /// is reached from the first corner by walking back along s and then along t; in a closed direction it stays there.
+///
+/// ```
+/// let quads = b"v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
+/// let read = cyclide_io::read_quad_grid("a.obj", quads)?;
+/// assert_eq!(read.grid.size(), [2, 2]);
+/// # Ok::<(), Box<cyclide_io::Diagnostic>>(())
+/// ```
 ///
 /// # Errors
 /// A message with file, line and column, and a reason: `not-a-quad`, `non-manifold-edge`, `non-manifold-vertex`,

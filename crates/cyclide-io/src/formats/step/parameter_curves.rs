@@ -40,6 +40,11 @@ pub(super) struct ParameterCurve {
 }
 
 impl ParameterCurve {
+    /// Along a rational edge, which has the patch's parameter.
+    pub(super) fn proportional() -> Self {
+        Self { values: vec![0.0, 1.0], weights: None }
+    }
+
     /// Along a line; `None` where the parameters are proportional, which readers find themselves.
     pub(super) fn along_line(arc: &Arc) -> Option<Self> {
         Self::weighted(arc, vec![0.0, 1.0])

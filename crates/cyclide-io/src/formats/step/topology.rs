@@ -90,11 +90,14 @@ fn cut(shell: &Shell, size: f64, edges: StepEdges) -> Result<CutShell> {
     good.halved(|shell, face| [is_bad(shell, face), false], MOST_HALVINGS)
 }
 
+/// Weights of a face are far from each other beyond this factor.
+const UNEVEN: f64 = 4.0;
+
 /// The curve of an edge in space, with its number.
 enum SpaceCurve {
     Line(usize, Arc),
     Circle(usize, Arc),
-    /// In the parameter of its faces, so that readers find the curves in their parameters.
+    /// In the parameter of its faces, so that readers find the curves in their parameters, where weights are even.
     Rational(usize),
 }
 
@@ -186,7 +189,10 @@ impl<'a> Writer<'a> {
         let edge = &self.shell.edges()[index];
         let (start, end) = (self.vertex(edge.start), self.vertex(edge.end));
         let curve = match self.space_curve(index)? {
-            SpaceCurve::Rational(curve) => curve,
+            SpaceCurve::Rational(curve) if !self.has_uneven_face(index) => curve,
+            SpaceCurve::Rational(curve) => {
+                self.on_rational_faces(index, curve, Some(&ParameterCurve::proportional()), 1.0)?
+            }
             SpaceCurve::Line(curve, arc) => {
                 let along = ParameterCurve::along_line(&arc);
                 self.on_rational_faces(index, curve, along.as_ref(), arc.chord().length())?
@@ -210,6 +216,20 @@ impl<'a> Writer<'a> {
                 let _ = write!(out, "VERTEX_POINT('',#{point})");
             })
         })
+    }
+
+    /// Whether a face along an edge has weights far from each other. From these OpenCASCADE takes its surface for so fast that it
+    /// holds the rounding of curves in the parameters, where it has to find them itself, for gaps, and closes these with edges
+    /// that are points: loops which it reads as crossing themselves.
+    fn has_uneven_face(&self, index: usize) -> bool {
+        let uneven = |&(face, _): &(usize, Side)| match &self.shell.faces()[face].surface {
+            FaceSurface::Rational(surface) if self.kinds[face] == PatchKind::Cyclide => {
+                let weights = || surface.rows().iter().map(|row| row[3]);
+                weights().fold(0.0, f64::max) > UNEVEN * weights().fold(f64::INFINITY, f64::min)
+            }
+            _ => false,
+        };
+        self.users[index].iter().any(uneven)
     }
 
     /// A curve over `[0, range]` with the curves in the parameters of its rational faces, which readers cannot find

@@ -30,6 +30,14 @@ pub use unit::{ColumnUnit, unit_of_columns};
 pub(crate) const MOST_POINTS: usize = 10_000_000;
 
 /// Which columns to read.
+///
+/// ```
+/// use cyclide_io::{PointColumns, read_points};
+/// let columns = PointColumns { coordinates: Some(vec!["b".to_owned(), "a".to_owned()]), ..PointColumns::default() };
+/// let table = read_points("p.csv", b"a,b\n1,2\n", &columns)?;
+/// assert_eq!(table.contours[0].points[0], cyclide::Point3::new(2.0, 1.0, 0.0));
+/// # Ok::<(), Box<cyclide_io::Diagnostic>>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct PointColumns {
     /// Names (or numbers from 1) of the two or three coordinate columns; `None` finds them.
@@ -40,6 +48,13 @@ pub struct PointColumns {
 }
 
 /// The points of a file.
+///
+/// ```
+/// use cyclide_io::{PointColumns, read_points};
+/// let table = read_points("p.csv", b"x,y\n0,0\n3,4\n\n5,5\n6,7\n", &PointColumns::default())?;
+/// assert_eq!(table.contours.len(), 2);
+/// # Ok::<(), Box<cyclide_io::Diagnostic>>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct PointTable {
     /// The contours, in the file's order; none is empty, and there is at least one.
@@ -51,6 +66,13 @@ pub struct PointTable {
 }
 
 /// What was read in one of several possible ways.
+///
+/// ```
+/// use cyclide_io::{PointColumns, read_points};
+/// let table = read_points("p.csv", b"1,2,3.5,4\n", &PointColumns::default())?;
+/// assert_eq!(table.remarks[0].reason, "columns-taken");
+/// # Ok::<(), Box<cyclide_io::Diagnostic>>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct PointRemark {
     /// Stable kebab-case name: `columns-taken`, `columns-not-read`, `unit-not-applied`, `numbers-as-x`, `decimal-commas`, `decimal-pairs`,
@@ -61,6 +83,13 @@ pub struct PointRemark {
 }
 
 /// One contour's points.
+///
+/// ```
+/// use cyclide_io::{PointColumns, read_points};
+/// let table = read_points("p.csv", b"x,y,corner\n0,0,0\n3,4,1\n5,5,0\n", &PointColumns::default())?;
+/// assert_eq!(table.contours[0].corners, [1]);
+/// # Ok::<(), Box<cyclide_io::Diagnostic>>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct PointList {
     /// The points; height 0 where the file has two coordinates.
@@ -72,6 +101,13 @@ pub struct PointList {
 }
 
 /// Reads a point list from the bytes of a file; `name` is what messages call it.
+///
+/// ```
+/// use cyclide_io::{PointColumns, read_points};
+/// let table = read_points("p.csv", b"x,y\n0,0\n3,4\n", &PointColumns::default())?;
+/// assert_eq!(table.contours[0].points[1], cyclide::Point3::new(3.0, 4.0, 0.0));
+/// # Ok::<(), Box<cyclide_io::Diagnostic>>(())
+/// ```
 ///
 /// # Errors
 /// A message with file, line and column: not UTF-8, no points, a field that is not a finite number or is lost below

@@ -8,6 +8,12 @@ use super::table::Table;
 use crate::text::place::{Source, decode};
 
 /// A unit that columns name.
+///
+/// ```
+/// use cyclide_io::{PointColumns, unit_of_columns};
+/// let found = unit_of_columns(b"x_m,y_m\n0,1\n", &PointColumns::default());
+/// assert!(found.is_some_and(|found| found.unit == cyclide::Units::Metre));
+/// ```
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ColumnUnit {
     /// The unit.
@@ -47,6 +53,12 @@ impl UnitWord {
 
 /// The unit that the names of the coordinate columns agree on (`x_m`, `y [mm]`), from the first bytes of a file that is
 /// read as [`read_points`](super::read_points) does; `None` if they speak of none, or are refused.
+///
+/// ```
+/// use cyclide_io::{PointColumns, unit_of_columns};
+/// let found = unit_of_columns(b"x_m,y_m\n0,1\n", &PointColumns::default());
+/// assert!(found.is_some_and(|found| found.unit == cyclide::Units::Metre));
+/// ```
 #[must_use]
 pub fn unit_of_columns(head: &[u8], columns: &PointColumns) -> Option<ColumnUnit> {
     // The last line may be cut in two.

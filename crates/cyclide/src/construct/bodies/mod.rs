@@ -9,6 +9,7 @@ mod input_chain;
 mod kinks;
 mod neck;
 mod pipe;
+mod planar_area;
 mod polyhedron;
 mod rail_surface;
 mod rails;
@@ -25,7 +26,7 @@ pub use pipe::{Pipe, PipeEnds};
 pub use polyhedron::{ConvexPolyhedron, PolyhedronEdge, SphericalPolygon};
 pub use rail_surface::RailSurface;
 pub use revolution::Revolution;
-pub use tee::{PipeTee, PipeTeeBody};
+pub use tee::{Branch, PipeManifold, PipeTee, PipeTeeBody};
 
 /// Largest angle of an arc in one face, or in one piece of it: beyond, its weights are far from each other, and from half a turn on not
 /// positive.

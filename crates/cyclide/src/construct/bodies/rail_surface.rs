@@ -14,7 +14,7 @@ use crate::warning::Warning;
 ///     Ok::<_, cyclide::Error>([Arc::segment(a, b)?.into(), Arc::segment(b, c)?.into()])
 /// };
 /// let made = RailSurface::ruled([&rail(0.0, [0.0, 1.0, 2.0])?, &rail(1.0, [0.0, 1.0, 4.0])?], false)?;
-/// assert_eq!(made.body().faces().count(), 2);
+/// assert_eq!(made.body().outer.faces().len(), 2);
 /// assert_eq!(made.warnings()[0].reason(), "kinks-at-joints");
 /// # Ok::<(), cyclide::Error>(())
 /// ```

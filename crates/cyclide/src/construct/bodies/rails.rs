@@ -78,7 +78,7 @@ fn check_rail(rail: &[EdgeCurve], closed: bool) -> Result<()> {
 }
 
 /// The curve with weights of 1 at both ends: arcs with another parameter, rational curves with a linear factor.
-fn evened(curve: &EdgeCurve) -> EdgeCurve {
+pub(super) fn evened(curve: &EdgeCurve) -> EdgeCurve {
     match curve {
         EdgeCurve::Arc(arc) => EdgeCurve::Arc(arc.evened()),
         EdgeCurve::Rational(curve) => EdgeCurve::Rational(with_unit_ends(curve)),

@@ -100,6 +100,15 @@ impl ArcPath {
 /// (`docs/math/arc-splines.md#three-point-tangents`); exact where the points lie on a circle or line. Two points give
 /// their chord.
 ///
+/// ```
+/// use cyclide::Point3;
+/// // Those of the circle through three points.
+/// let points = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0]].map(Point3::from);
+/// let tangents = cyclide::estimate_tangents(&points, false)?;
+/// assert!(tangents.iter().zip(points).all(|(tangent, p)| tangent.dot(p.to_vec()).abs() < 1e-12));
+/// # Ok::<(), cyclide::Error>(())
+/// ```
+///
 /// # Errors
 /// `too-few-points` (fewer than 2, or 3 if closed), `not-finite`, `coincident-points` (neighbours); `cusp` where the
 /// points turn back on themselves (sum of the unit chords at most 1e-9): split the points there.

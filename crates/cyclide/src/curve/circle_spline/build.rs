@@ -106,6 +106,12 @@ impl BlendSegment {
 
 /// The points where the polygon turns by more than `limit` (radians): candidates for the corners of a circle spline.
 /// The ends of an open polygon and points next to an equal one are not among them.
+///
+/// ```
+/// use cyclide::Point3;
+/// let points = [[0.0, 0.0, 0.0], [9.0, 0.0, 0.0], [9.0, 9.0, 0.0]].map(Point3::from);
+/// assert_eq!(cyclide::corners_by_angle(&points, false, 1.0), [1]);
+/// ```
 #[must_use]
 pub fn corners_by_angle(points: &[Point3], closed: bool, limit: f64) -> Vec<usize> {
     let n = points.len();

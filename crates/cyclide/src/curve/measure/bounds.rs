@@ -7,6 +7,15 @@ use crate::curve::{ParamCurve, PieceForm};
 
 /// The smallest box around the curve: exact for arcs and circles; elsewhere the stationary points of each coordinate
 /// are bracketed by an adaptive scan and refined, so that the box touches the curve to 1e-12 of its size.
+///
+/// ```
+/// use cyclide::{Arc, Point3};
+/// let [a, b, c] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0]].map(Point3::from);
+/// let arc = Arc::from_three_points(a, b, c)?;
+/// let found = cyclide::bounds(&arc);
+/// assert!((found.max - Point3::new(1.0, 1.0, 0.0)).length() < 1e-12);
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[must_use]
 pub fn bounds(curve: &dyn ParamCurve) -> Aabb {
     let n = curve.piece_count();

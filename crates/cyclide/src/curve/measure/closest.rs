@@ -36,6 +36,15 @@ const STRAY_MARGIN: f64 = 2.0;
 /// The nearest point of the curve to `p`; the first along the curve of equally near ones.
 ///
 /// For many queries on one curve make a [`CurveIndex`].
+///
+/// ```
+/// use cyclide::{Arc, Point3};
+/// let [a, b, c] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0]].map(Point3::from);
+/// let arc = Arc::from_three_points(a, b, c)?;
+/// let found = cyclide::closest_point(&arc, Point3::new(0.0, 3.0, 0.0));
+/// assert!((found.distance - 2.0).abs() < 1e-12);
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[must_use]
 pub fn closest_point(curve: &dyn ParamCurve, p: Point3) -> ClosestPoint {
     CurveIndex::new(curve).closest_point(p)

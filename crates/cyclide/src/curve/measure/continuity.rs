@@ -33,6 +33,14 @@ pub struct Joint {
 ///
 /// Tangents are those of the geometry: where the first derivative vanishes, the limit direction is taken. A piece
 /// without any direction (all its points are one) is passed over, and its gaps are added to those of the joint.
+///
+/// ```
+/// use cyclide::{ArcPath, Point3};
+/// let bend = [[0.0, 0.0, 0.0], [9.0, 0.0, 0.0], [9.0, 9.0, 0.0]].map(Point3::from);
+/// let path = ArcPath::rounded_polyline(&bend, false, &[0.0, 2.0, 0.0])?;
+/// assert!(cyclide::joints(&path).iter().all(|joint| joint.angle < 1e-12 && (joint.curvature_jump - 0.5).abs() < 1e-12));
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[must_use]
 pub fn joints(curve: &dyn ParamCurve) -> Vec<Joint> {
     let n = curve.piece_count();

@@ -27,6 +27,14 @@ pub struct ExtremeCurvature {
 
 /// The largest curvature over all pieces: exact for arcs and circles; elsewhere maxima are bracketed by an adaptive
 /// scan of each piece and refined to rounding.
+///
+/// ```
+/// use cyclide::{Arc, Point3};
+/// let [a, b, c] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0]].map(Point3::from);
+/// let arc = Arc::from_three_points(a, b, c)?;
+/// assert!((cyclide::extreme_curvature(&arc).max - 1.0).abs() < 1e-12);
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[must_use]
 pub fn extreme_curvature(curve: &dyn ParamCurve) -> ExtremeCurvature {
     let n = curve.piece_count();

@@ -5,6 +5,14 @@ use crate::base::vector::Point3;
 use crate::curve::{ParamCurve, PieceForm};
 
 /// Length of the whole curve: closed form for arcs and circles, else each piece to 1e-12 of itself.
+///
+/// ```
+/// use cyclide::{Arc, Point3};
+/// let [a, b, c] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0]].map(Point3::from);
+/// let arc = Arc::from_three_points(a, b, c)?;
+/// assert!((cyclide::length(&arc) - std::f64::consts::PI).abs() < 1e-14);
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[must_use]
 pub fn length(curve: &dyn ParamCurve) -> f64 {
     (0..curve.piece_count()).map(|piece| curve.piece_length(piece, 0.0, 1.0)).sum()
@@ -12,6 +20,15 @@ pub fn length(curve: &dyn ParamCurve) -> f64 {
 
 /// `count` points at equal steps of arc length with their parameters, both ends included (on a closed curve the last
 /// is the first again).
+///
+/// ```
+/// use cyclide::{Arc, Point3};
+/// let [a, b, c] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0]].map(Point3::from);
+/// let arc = Arc::from_three_points(a, b, c)?;
+/// let places = cyclide::resample(&arc, 3);
+/// assert!((places[1].0 - 0.5).abs() < 1e-9);
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[must_use]
 pub fn resample(curve: &dyn ParamCurve, count: usize) -> Vec<(f64, Point3)> {
     ArcLength::new(curve).uniform(count).into_iter().map(|t| (t, curve.point(t))).collect()

@@ -51,6 +51,14 @@ pub fn tessellate(body: &Body, tolerance: f64) -> Result<SurfaceMesh> {
 
 /// One mesh of several bodies, as [`tessellate`]; the shells of all bodies are counted through.
 ///
+/// ```
+/// use cyclide::{Body, DupinCyclide};
+/// let ring = Body { outer: DupinCyclide::new(3.0, 0.0, 1.0)?.to_shell()?, voids: Vec::new() };
+/// let mesh = cyclide::tessellate_all([&ring, &ring], 0.1)?;
+/// assert_eq!(mesh.faces.len(), 2 * cyclide::tessellate_all([&ring], 0.1)?.faces.len());
+/// # Ok::<(), cyclide::Error>(())
+/// ```
+///
 /// # Errors
 /// As [`tessellate`].
 pub fn tessellate_all<'a>(bodies: impl IntoIterator<Item = &'a Body>, tolerance: f64) -> Result<SurfaceMesh> {
@@ -58,6 +66,13 @@ pub fn tessellate_all<'a>(bodies: impl IntoIterator<Item = &'a Body>, tolerance:
 }
 
 /// As [`tessellate_all`], with `most` cells at most.
+///
+/// ```
+/// use cyclide::{Body, DupinCyclide};
+/// let ring = Body { outer: DupinCyclide::new(3.0, 0.0, 1.0)?.to_shell()?, voids: Vec::new() };
+/// assert_eq!(cyclide::tessellate_within([&ring], 1e-6, 1000).unwrap_err().reason(), "too-many-pieces");
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 ///
 /// # Errors
 /// As [`tessellate`].

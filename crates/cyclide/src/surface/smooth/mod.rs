@@ -75,6 +75,16 @@ pub enum VertexNormals<'a> {
 }
 
 /// How the normals of the triangles around a vertex are weighted in their mean.
+///
+/// ```
+/// use cyclide::{NormalWeights, Point3, SmoothMesh, VertexNormals};
+/// let corners = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0], [0.0, -1.0, 0.0], [0.0, 0.0, 1.0], [0.0, 0.0, -1.0]];
+/// let triangles = [[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4], [1, 0, 5], [2, 1, 5], [3, 2, 5], [0, 3, 5]];
+/// let normals = VertexNormals::Creased { angle: 0.5, weights: NormalWeights::Angle };
+/// let mesh = SmoothMesh::new(&corners.map(Point3::from), &triangles, normals)?;
+/// assert!(mesh.is_closed());
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum NormalWeights {
     /// As [`VertexNormals::AngleWeighted`].

@@ -7,8 +7,8 @@ use super::{Mismatch, require};
 use crate::check::bodies::{FileEdge, FileFace, FileSurface};
 use crate::check::deviation::larger;
 use cyclide::{
-    ChainPiece, FacePart, FaceSurface, ParamCurve as _, ParamSurface as _, PatchKind, Point3, RationalBezierSurface,
-    Side, Vec3,
+    ChainPiece, FacePart, FaceSurface, NurbsCurve, ParamCurve as _, ParamSurface as _, PatchKind, Point3,
+    RationalBezierSurface, Side, Vec3,
 };
 
 /// Places per parameter at which surfaces and edges are compared.
@@ -116,8 +116,10 @@ pub(super) fn check_parameters(
     edge: &FileEdge,
     size: f64,
 ) -> Result<(), Mismatch> {
-    let ChainPiece::Arc(arc) = &edge.curve else {
-        return Ok(()); // in the parameter of its faces, and compared there
+    let arc = match (&edge.curve, &edge.parameter_curve) {
+        (ChainPiece::Arc(arc), _) => arc,
+        (ChainPiece::Spline(_), None) => return Ok(()), // in the parameter of its faces, and compared there
+        (ChainPiece::Spline(curve), Some(on_face)) => return check_proportional(surface, curve, on_face, size),
     };
     // Far from the origin the file's points are as coarse as their numbers.
     let rounding = ROUNDING * arc.start().to_vec().max_abs().max(arc.end().to_vec().max_abs());
@@ -142,6 +144,25 @@ pub(super) fn check_parameters(
     // Corners of a net may be off their circle by so much: along a side as short as that the weights disagree.
     let short = arc.length() <= SHORT_EDGE * size;
     require(apart <= limit || (short && apart <= arc.length()), "an edge leaves its face at equal parameters")
+}
+
+/// Holds a rational edge against its face's surface where the file says that it runs.
+fn check_proportional(
+    surface: &RationalBezierSurface,
+    curve: &NurbsCurve,
+    on_face: &NurbsCurve,
+    size: f64,
+) -> Result<(), Mismatch> {
+    let [range, on_face_range] = [curve, on_face].map(NurbsCurve::domain);
+    require(range == on_face_range, "a parameter curve has another range than its edge")?;
+    let apart = |i: u32| {
+        let x = range.0 + (range.1 - range.0) * parameter(i);
+        let at = on_face.point_at_knot(x);
+        surface.point(at.x, at.y).distance(curve.point_at_knot(x))
+    };
+    let rounding = ROUNDING * curve.point_at_knot(range.0).to_vec().max_abs();
+    let apart = (0..PLACES).map(apart).fold(0.0, larger);
+    require(apart <= PARAMETER_LIMIT.1 * size + rounding, "an edge leaves its face at equal parameters")
 }
 
 fn parameter(i: u32) -> f64 {

@@ -57,8 +57,8 @@ pub(super) fn check(turn: &Revolution, pieces: &[Piece], size: f64) -> Result<()
         let follows = second.order - first.order == 1;
         let closes = ring && first.order == 0 && second.order == count - 1;
         match (follows, closes) {
-            (true, _) => turns_back(first, second),
-            (_, true) => turns_back(second, first),
+            (true, _) => turns_back(turn, first, second),
+            (_, true) => turns_back(turn, second, first),
             _ => cross(turn, first, second, size),
         }
     })
@@ -83,7 +83,7 @@ pub(super) fn check_apart(turn: &Revolution, profiles: &[&[Piece]], size: f64) -
 
 /// True if the meridian of a solid goes round that of another, from which it is apart: a ray along the axis from a place of the other
 /// meets it an odd number of times. Along the axis it is closed by the axis.
-pub(super) fn is_around(turn: &Revolution, outer: &[Piece], inner: &[Piece]) -> bool {
+fn is_around(turn: &Revolution, outer: &[Piece], inner: &[Piece]) -> bool {
     let Some(place) = inner.first().map(|piece| meridian(turn, piece.curve.point(0.5))) else { return false };
     let crosses = |chord: &Chord<'_>| {
         let [from, to] = chord.ends.map(|p| minus(p, place));
@@ -95,6 +95,13 @@ pub(super) fn is_around(turn: &Revolution, outer: &[Piece], inner: &[Piece]) -> 
         }
     };
     chords(turn, 0, 0, outer).iter().filter(|chord| crosses(chord)).count() % 2 == 1
+}
+
+/// Of each of several profiles that are apart, none where there are no pieces, all that go round it.
+pub(super) fn all_around(turn: &Revolution, profiles: &[&[Piece]]) -> Vec<Vec<usize>> {
+    let around =
+        |k: usize| (0..profiles.len()).filter(|&j| j != k && is_around(turn, profiles[j], profiles[k])).collect();
+    (0..profiles.len()).map(around).collect()
 }
 
 /// Refuses chords of which two meet; those beside each other in height are looked at.
@@ -210,11 +217,30 @@ fn cross_product(a: Plane, b: Plane) -> f64 {
     a[0] * b[1] - a[1] * b[0]
 }
 
-/// True if a chord runs back along the one before it.
-fn turns_back(first: &Chord<'_>, second: &Chord<'_>) -> bool {
+/// True if a curve runs back along the one before it. Chords of arcs that touch in a point may do so though the arcs do not: as far as
+/// the shorter one reaches, the longer one has a place equally far from the joint.
+fn turns_back(turn: &Revolution, first: &Chord<'_>, second: &Chord<'_>) -> bool {
     let [u, v] = [first, second].map(|chord| minus(chord.ends[1], chord.ends[0]));
-    let lengths = u[0].hypot(u[1]) * v[0].hypot(v[1]);
-    u[0] * v[0] + u[1] * v[1] < 0.0 && cross_product(u, v).abs() <= BACK * lengths
+    let lengths = [u, v].map(|way| way[0].hypot(way[1]));
+    if u[0] * v[0] + u[1] * v[1] >= 0.0 || cross_product(u, v).abs() > BACK * lengths[0] * lengths[1] {
+        return false;
+    }
+    if first.leaves + second.leaves == 0.0 {
+        return true;
+    }
+    let [ending, starting] = [[first.part[1], first.part[0]], second.part];
+    let (short, long, joint) = if lengths[0] < lengths[1] {
+        (first.ends[0], (second.curve, starting), first.ends[1])
+    } else {
+        (second.ends[1], (first.curve, ending), first.ends[1])
+    };
+    let reach = distance(short, joint);
+    let (curve, [mut near, mut far]) = long;
+    for _ in 0..HALVINGS {
+        let middle = 0.5 * (near + far);
+        if distance(meridian(turn, curve.point(middle)), joint) < reach { near = middle } else { far = middle }
+    }
+    distance(meridian(turn, curve.point(near)), short) <= BACK * reach
 }
 
 /// True if the curves over two chords that do not follow each other meet.

@@ -12,7 +12,8 @@
 //! gives more: multiplying a quaternion form `N D^-1` by `x` from the left keeps it one, `(x N)(x D)^-1`, whose corners have
 //! the weights `1, u, w, w u`: a principal patch of a torus, sphere, cone, cylinder or plane.
 
-mod caps;
+mod centre;
+mod ends;
 mod flat;
 mod meridian;
 mod profile;
@@ -28,6 +29,7 @@ use crate::error::{Error, ErrorItem, Result};
 use crate::rational::{RationalBezier, RationalBezierSurface};
 use crate::topology::{Body, EdgeCurve, Shell};
 use crate::warning::Warning;
+use ends::Ends;
 use profile::{Piece, Profile};
 use std::f64::consts::TAU;
 
@@ -108,7 +110,8 @@ impl Revolution {
     /// The body that a profile sweeps, sewn: pieces that follow each other, each from the end of the last one, `closed` if
     /// the end is the start. Arcs in a plane with the axis become patches, all else rational faces, in sectors of a quarter
     /// turn at most. It is a solid, outside outwards, if the profile is closed or ends on the axis on both sides, and the turn is whole or
-    /// the profile has end faces: alone, in one half plane of the axis, and seen whole from a point inside. Pieces along the axis sweep nothing. Ends within a millionth of the profile's size of the axis are moved onto it, as are pieces
+    /// the profile has end faces: it lies in one half plane of the axis and does not meet itself. Its curves are cut where planar faces along them
+    /// need that, to 2,000 pieces at most. Pieces along the axis sweep nothing. Ends within a millionth of the profile's size of the axis are moved onto it, as are pieces
     /// along it: [`warnings`](Self::warnings) says how far. The normal of an open surface is that of the
     /// profile's direction × the turn's: to the axis where the profile runs up and the turn is positive.
     ///
@@ -119,12 +122,11 @@ impl Revolution {
     /// as [`CyclidePatch::from_weights`](crate::CyclidePatch::from_weights).
     pub fn body(&self, profile: &[EdgeCurve], closed: bool) -> Result<Body> {
         let near = self.beside([profile]);
-        let (shell, _) = near.shell(profile, closed, true).map_err(|e| near.counted_from_given(e))?;
-        Ok(Body { outer: shell, voids: Vec::new() })
+        near.one_body(profile, closed).map_err(|e| near.counted_from_given(e))
     }
 
     /// The bodies that several profiles sweep, each with whether it is closed: as [`body`](Self::body), but a solid inside another one is a hollow
-    /// of it, one inside the hollow a solid again. Bodies stand in the order of the profiles of their outer shells.
+    /// of it, one inside the hollow a solid again. In a part of a turn a hollow runs from end to end, a tunnel of one shell. Bodies stand in the order of the profiles of their outer shells.
     ///
     /// # Errors
     /// As [`body`](Self::body); `profile-meets-itself` also where the profiles of two solids meet, whose pieces are counted through.
@@ -133,26 +135,38 @@ impl Revolution {
         near.bodies_beside(profiles).map_err(|e| near.counted_from_given(e))
     }
 
+    /// As [`body`](Self::body), counted from a point beside the profile.
+    fn one_body(&self, profile: &[EdgeCurve], closed: bool) -> Result<Body> {
+        let profile = self.profile(profile, closed)?;
+        if self.is_whole() {
+            return self.whole_shell(&profile).map(body_of);
+        }
+        let groups = ends::groups(self, std::slice::from_ref(&profile))?;
+        self.part(&profile, groups.first().and_then(|group| group.ends.as_ref()))
+    }
+
     /// As [`bodies`](Self::bodies), counted from a point beside the profiles.
     fn bodies_beside(&self, profiles: &[(Vec<EdgeCurve>, bool)]) -> Result<Vec<Body>> {
-        let alone = profiles.len() == 1;
-        let swept =
-            profiles.iter().map(|(pieces, closed)| self.shell(pieces, *closed, alone)).collect::<Result<Vec<_>>>()?;
-        let solids: Vec<&[Piece]> =
-            swept.iter().map(|(shell, profile)| if shell.is_closed() { &profile.pieces[..] } else { &[] }).collect();
-        let size = swept.iter().map(|(_, profile)| profile.size).fold(0.0, f64::max);
+        let profiles =
+            profiles.iter().map(|(pieces, closed)| self.profile(pieces, *closed)).collect::<Result<Vec<_>>>()?;
+        if !self.is_whole() {
+            let groups = ends::groups(self, &profiles)?;
+            return groups.iter().map(|group| self.part(&profiles[group.profiles[0]], group.ends.as_ref())).collect();
+        }
+        let swept = profiles.iter().map(|profile| self.whole_shell(profile)).collect::<Result<Vec<_>>>()?;
+        let solids: Vec<&[Piece]> = (swept.iter().zip(&profiles))
+            .map(|(shell, profile)| if shell.is_closed() { &profile.pieces[..] } else { &[] })
+            .collect();
+        let size = profiles.iter().map(|profile| profile.size).fold(0.0, f64::max);
         meridian::check_apart(self, &solids, size)?;
-        let around = |k: usize| -> Vec<usize> {
-            (0..solids.len()).filter(|&j| j != k && meridian::is_around(self, solids[j], solids[k])).collect()
-        };
-        let around: Vec<Vec<usize>> = (0..solids.len()).map(around).collect();
+        let around = meridian::all_around(self, &solids);
         let mut place = vec![None; swept.len()];
         let mut bodies = Vec::new();
-        for (k, (shell, _)) in swept.iter().enumerate().filter(|(k, _)| around[*k].len().is_multiple_of(2)) {
+        for (k, shell) in swept.iter().enumerate().filter(|(k, _)| around[*k].len().is_multiple_of(2)) {
             place[k] = Some(bodies.len());
-            bodies.push(Body { outer: shell.clone(), voids: Vec::new() });
+            bodies.push(body_of(shell.clone()));
         }
-        for (k, (shell, _)) in swept.into_iter().enumerate().filter(|(k, _)| !around[*k].len().is_multiple_of(2)) {
+        for (k, shell) in swept.into_iter().enumerate().filter(|(k, _)| !around[*k].len().is_multiple_of(2)) {
             // The one next to it is inside as many as there are but itself.
             let next = around[k].iter().find(|&&j| around[j].len() + 1 == around[k].len());
             if let Some(body) = next.and_then(|&j| place[j]) {
@@ -164,53 +178,67 @@ impl Revolution {
 
     /// What should be known of that which profiles sweep, each with the number of the profile: ends that were moved onto the axis
     /// (`moved-to-axis`), a profile in a plane across the axis (`flat-revolution`), a surface that stays open although its profile
-    /// goes round an area (a part of a turn without end faces), or although the turn is whole (`open-body`).
+    /// goes round an area (a part of a turn without end faces: in no half plane of the axis, or meeting itself or another one), or although the turn is whole (`open-body`).
     ///
     /// # Errors
     /// As [`body`](Self::body), as far as profiles are refused for themselves.
     pub fn warnings(&self, profiles: &[(Vec<EdgeCurve>, bool)]) -> Result<Vec<(usize, Warning)>> {
         let near = self.beside(profiles.iter().map(|(pieces, _)| &pieces[..]));
-        let mut warnings = Vec::new();
-        for (index, (pieces, closed)) in profiles.iter().enumerate() {
-            let profile = Profile::new(&near, pieces, *closed).map_err(|e| near.counted_from_given(e))?;
-            warnings
-                .extend(near.warnings_of(&profile, profiles.len() == 1).into_iter().map(|warning| (index, warning)));
-        }
-        Ok(warnings)
+        near.warnings_beside(profiles).map_err(|e| near.counted_from_given(e))
     }
 
-    fn warnings_of(&self, profile: &Profile, alone: bool) -> Vec<Warning> {
+    /// As [`warnings`](Self::warnings), counted from a point beside the profiles.
+    fn warnings_beside(&self, profiles: &[(Vec<EdgeCurve>, bool)]) -> Result<Vec<(usize, Warning)>> {
+        let made = profiles.iter().map(|(pieces, closed)| Profile::new(self, pieces, *closed));
+        let profiles = made.collect::<Result<Vec<_>>>()?;
+        let mut ended = vec![self.is_whole(); profiles.len()];
+        if !self.is_whole() {
+            for group in ends::groups(self, &profiles)?.iter().filter(|group| group.ends.is_some()) {
+                group.profiles.iter().for_each(|&k| ended[k] = true);
+            }
+        }
+        let warnings = profiles.iter().zip(ended).enumerate();
+        Ok(warnings.flat_map(|(k, (profile, ended))| self.warnings_of(profile, ended).map(move |w| (k, w))).collect())
+    }
+
+    /// Warnings of a profile that has end faces, or needs none.
+    fn warnings_of(&self, profile: &Profile, ended: bool) -> impl Iterator<Item = Warning> + use<> {
         let moved = profile.moved.map(|[distance, limit]| Warning::MovedToAxis { distance, limit });
         let open = if profile.flat {
             Some(Warning::FlatRevolution)
         } else if profile.encloses() {
-            let open = !self.is_whole() && self.centre_of_ends(profile, alone).is_none();
-            open.then_some(Warning::OpenPart { angle: self.angle })
+            (!ended).then_some(Warning::OpenPart { angle: self.angle })
         } else {
             let [start, end] = profile.ends_off_axis(self);
             self.is_whole().then_some(Warning::OpenProfile { start, end })
         };
-        moved.into_iter().chain(open).collect()
+        moved.into_iter().chain(open)
     }
 
-    /// What a profile sweeps, outside outwards where it is closed.
-    fn shell(&self, profile: &[EdgeCurve], closed: bool, alone: bool) -> Result<(Shell, Profile)> {
+    fn profile(&self, pieces: &[EdgeCurve], closed: bool) -> Result<Profile> {
         if self.angle == 0.0 {
             return Err(Error::AngleOutOfRange { angle: 0.0, min: -TAU, max: TAU });
         }
-        let profile = Profile::new(self, profile, closed)?;
-        let shell = profile.swept(self, self.centre_of_ends(&profile, alone))?;
-        if !shell.is_closed() {
-            return Ok((shell, profile));
-        }
-        meridian::check(self, &profile.pieces, profile.size)?;
-        Ok((shell.outside_out(), profile))
+        Profile::new(self, pieces, closed)
     }
 
-    /// The point from which the end faces of a part of a turn go, where it has some.
-    fn centre_of_ends(&self, profile: &Profile, alone: bool) -> Option<Point3> {
-        let bounded = alone && !self.is_whole() && profile.encloses() && !profile.flat;
-        bounded.then(|| caps::centre(self, profile)).flatten()
+    /// What a profile sweeps in a whole turn, outside outwards where it is closed.
+    fn whole_shell(&self, profile: &Profile) -> Result<Shell> {
+        let shell = sectors::open_shell(self, profile)?;
+        if !shell.is_closed() {
+            return Ok(shell);
+        }
+        meridian::check(self, &profile.pieces, profile.size)?;
+        Ok(shell.outside_out())
+    }
+
+    /// What profiles sweep in a part of a turn: a solid with end faces, without them an open surface of the first profile.
+    fn part(&self, profile: &Profile, ends: Option<&Ends>) -> Result<Body> {
+        let shell = match ends {
+            Some(ends) => sectors::closed_shell(self, ends)?.outside_out(),
+            None => sectors::open_shell(self, profile)?,
+        };
+        Ok(body_of(shell))
     }
 
     /// The way of a point from the axis.
@@ -249,4 +277,8 @@ impl Revolution {
             other => other,
         }
     }
+}
+
+fn body_of(outer: Shell) -> Body {
+    Body { outer, voids: Vec::new() }
 }

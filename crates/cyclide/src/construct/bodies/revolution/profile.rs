@@ -122,6 +122,32 @@ impl Profile {
         }
     }
 
+    /// The curves of the pieces.
+    pub(super) fn curves(&self) -> Vec<EdgeCurve> {
+        self.pieces.iter().map(|piece| piece.curve.clone()).collect()
+    }
+
+    /// The same profile run backwards, or in other parts.
+    pub(super) fn with_curves(&self, turn: &Revolution, curves: Vec<EdgeCurve>) -> Self {
+        let poles: Vec<Point3> = self.joints.iter().filter(|joint| joint.on_axis).map(|joint| joint.point).collect();
+        let end = curves.last().filter(|_| !self.closed).map(EdgeCurve::end);
+        let points = curves.iter().map(EdgeCurve::start).chain(end);
+        let joints = points.map(|point| Joint { point, on_axis: poles.contains(&point) }).collect();
+        let pieces = curves.into_iter().map(|curve| Piece { across: across(turn, &curve), curve }).collect();
+        Self { pieces, joints, ..*self }
+    }
+
+    /// Where it starts.
+    pub(super) fn first_point(&self) -> Point3 {
+        self.joints.first().map_or(Point3::ORIGIN, |joint| joint.point)
+    }
+
+    /// Where it ends: a closed one where it starts.
+    pub(super) fn last_point(&self) -> Point3 {
+        let last = if self.closed { self.joints.first() } else { self.joints.last() };
+        last.map_or(Point3::ORIGIN, |joint| joint.point)
+    }
+
     /// True if it goes round an area, by itself or with the axis: in a whole turn it sweeps a solid.
     pub(super) fn encloses(&self) -> bool {
         self.closed || self.joints.first().zip(self.joints.last()).is_some_and(|(a, b)| a.on_axis && b.on_axis)

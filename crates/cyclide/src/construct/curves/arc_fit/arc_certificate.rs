@@ -61,6 +61,16 @@ impl ArcCertificate {
 /// and in one pass (`docs/math/arc-fitting.md#certificate-of-one-arc`). Positive bulge: counter-clockwise. `heights`,
 /// one per point, are compared with a helix.
 ///
+/// ```
+/// use cyclide::Point2;
+/// // A quarter of the unit circle: its bulge is the tangent of a quarter of its angle.
+/// let point = |k: i32| (0.25 * std::f64::consts::FRAC_PI_2 * f64::from(k)).sin_cos();
+/// let points: Vec<Point2> = (0..=4).map(point).map(|(sin, cos)| Point2::new(cos, sin)).collect();
+/// let proof = cyclide::certify_arc(&points, (0.25 * std::f64::consts::FRAC_PI_2).tan(), None)?;
+/// assert!(proof.proves() && proof.vertex_deviation < 1e-12);
+/// # Ok::<(), cyclide::Error>(())
+/// ```
+///
 /// # Errors
 /// `too-few-points` (fewer than 2, or another number of heights), `not-finite`, `coincident-points` (first and last
 /// equal: a full circle is not one arc).

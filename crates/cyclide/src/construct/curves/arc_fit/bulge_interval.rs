@@ -33,6 +33,15 @@ pub struct BulgeIntervals {
 ///
 /// Extra turns (W of [`certify_arc`](super::certify_arc)) are not excluded here: test the bulge chosen.
 ///
+/// ```
+/// use cyclide::Point2;
+/// let points = [[0.0, 0.0], [1.0, 0.0], [2.0, 0.0]].map(|[x, y]| Point2::new(x, y));
+/// let bulges = cyclide::feasible_bulges(&points, 0.1, false, std::f64::consts::PI)?;
+/// // Arcs to both sides, and the line.
+/// assert!(bulges.ccw.is_some_and(|[least, _]| least == 0.0) && bulges.cw.is_some());
+/// # Ok::<(), cyclide::Error>(())
+/// ```
+///
 /// # Errors
 /// `tolerance-not-positive`, `sweep-out-of-range`, `too-few-points` (fewer than 2), `not-finite`,
 /// `coincident-points` (first and last equal).

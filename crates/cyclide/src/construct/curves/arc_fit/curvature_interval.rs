@@ -135,6 +135,14 @@ impl CurvatureSweep {
 ///
 /// The first point is the vertex that the joint `start` belongs to. Sweeps stay below half a turn.
 ///
+/// ```
+/// use cyclide::Point2;
+/// // Tangent arcs from the origin that pass within 0.1 of a point straight ahead: the segment is one.
+/// let found = cyclide::curvature_intervals(&[Point2::new(0.0, 0.0), Point2::new(1.0, 0.0)], Point2::new(0.0, 0.0), 0.0, 0.1)?;
+/// assert!(found.iter().any(|[from, to]| *from < 0.0 && *to > 0.0));
+/// # Ok::<(), cyclide::Error>(())
+/// ```
+///
 /// # Errors
 /// `tolerance-not-positive`, `too-few-points` (fewer than 2), `not-finite`.
 pub fn curvature_intervals(

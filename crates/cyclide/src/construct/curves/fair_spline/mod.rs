@@ -91,6 +91,14 @@ impl CircleSpline {
 /// (`docs/math/fair-splines.md#relaxation`, without what data in space need beside): `1 - tension` up to turns of 120
 /// degrees, 0 from 161.8 degrees on.
 ///
+/// ```
+/// use cyclide::Point3;
+/// let points = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0], [0.0, -1.0, 0.0]].map(Point3::from);
+/// let blends = cyclide::blends_by_turn(&points, true, 0.0)?;
+/// assert!(blends.len() == 4 && blends.iter().all(|blend| (0.0..=1.0).contains(blend)));
+/// # Ok::<(), cyclide::Error>(())
+/// ```
+///
 /// # Errors
 /// `too-few-points`, `not-finite`, `coincident-points`, `parameter-out-of-range` (tension).
 pub fn blends_by_turn(points: &[Point3], closed: bool, tension: f64) -> Result<Vec<f64>> {

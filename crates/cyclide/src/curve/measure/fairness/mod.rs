@@ -33,6 +33,10 @@ use swings::{Course, Swing, course};
 pub use wavering::{RoundedTurns, Wavering, wavering};
 
 /// Tangents that differ by more than this, in radians, make a joint a corner.
+///
+/// ```
+/// assert!(cyclide::CORNER_ANGLE > 0.0 && cyclide::CORNER_ANGLE < std::f64::consts::PI);
+/// ```
 pub const CORNER_ANGLE: f64 = 1e-3;
 /// Swings of the curvature below this part of the largest one do not count.
 const NOISE: f64 = 1e-9;
@@ -78,6 +82,14 @@ impl Fairness {
 }
 
 /// Measures how evenly a curve bends. Linear in the number of pieces.
+///
+/// ```
+/// use cyclide::{ArcPath, Point3};
+/// let bend = [[0.0, 0.0, 0.0], [9.0, 0.0, 0.0], [9.0, 9.0, 0.0]].map(Point3::from);
+/// let path = ArcPath::rounded_polyline(&bend, false, &[0.0, 2.0, 0.0])?;
+/// assert_eq!(cyclide::fairness(&path).jumps, 2);
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[must_use]
 pub fn fairness(curve: &dyn ParamCurve) -> Fairness {
     let total = length(curve);

@@ -90,6 +90,14 @@ pub struct RoundedTurns {
 }
 
 /// Compares a curve with the polygon of the nodes between its pieces.
+///
+/// ```
+/// use cyclide::{CircleSpline, FairSplineOptions, Point3};
+/// let points = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0], [0.0, -1.0, 0.0]].map(Point3::from);
+/// let spline = CircleSpline::fair(&points, &FairSplineOptions { closed: true, ..Default::default() })?;
+/// assert!(!cyclide::wavering(&spline, &cyclide::fairness(&spline)).curve_wavers);
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[must_use]
 pub fn wavering(curve: &dyn ParamCurve, fairness: &Fairness) -> Wavering {
     let changes = fairness.sign_changes.unwrap_or_else(|| changes_in_space(curve));

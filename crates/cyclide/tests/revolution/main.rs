@@ -2,6 +2,8 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 #![allow(clippy::float_cmp, reason = "numbers handed through are the same")]
 
+mod ends;
+
 use cyclide::{
     Arc, Body, Circle, CurveObject, EdgeCurve, Error, FaceSurface, ParamSurface as _, PatchKind, Point3,
     RationalBezier, Revolution, Shell, SurfaceObject, Vec3, Warning, surface_joints, tessellate,
@@ -312,10 +314,13 @@ fn what_stays_open_is_said() {
     let half = Revolution::new(Point3::ORIGIN, Vec3::Z, PI).unwrap();
     assert_eq!(warned(&whole(), &square, true), []);
     assert_eq!(warned(&half, &square, true), []);
-    // A thin bent wall is not seen whole from a point.
-    let bent =
-        chain(&[[1.0, 0.0], [5.0, 0.0], [5.0, 5.0], [4.9, 5.0], [4.9, 0.1], [1.1, 0.1], [1.1, 5.0], [1.0, 5.0]], true);
-    assert_eq!(warned(&half, &bent, true), [Warning::OpenPart { angle: PI }]);
+    // No end faces: a profile that meets itself, and one in no plane with the axis.
+    let eight = chain(&[[1.0, 0.0], [3.0, 3.0], [3.0, 0.0], [1.0, 3.0]], true);
+    assert_eq!(warned(&half, &eight, true), [Warning::OpenPart { angle: PI }]);
+    let mut tilted = square.clone();
+    let off = Point3::new(2.0, 0.5, 1.0);
+    tilted.splice(1..3, [segment(p(2.0, 0.0), off), segment(off, p(1.0, 1.0))]);
+    assert_eq!(warned(&half, &tilted, true), [Warning::OpenPart { angle: PI }]);
     // A sheet is what it is.
     assert_eq!(warned(&half, &square[..2], false), []);
     assert_eq!(warned(&whole(), &square[..2], false), [Warning::OpenProfile { start: 1.0, end: 2.0 }]);
