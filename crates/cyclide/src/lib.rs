@@ -110,10 +110,10 @@ pub use construct::{
     Border, CircularMesh, CircularMeshOptions, CircularMeshReport, CircularMeshStep, LineAngles, VertexMoves,
     make_circular,
 };
+pub use construct::{Branch, Pipe, PipeEnds, PipeManifold, PipeTee, PipeTeeBody, RailSurface, RationalRun, Revolution};
 pub use construct::{ConvexPolyhedron, PolyhedronEdge, SphericalPolygon};
 pub use construct::{EllipseBridge, NeckBlend, NeckBody, NeckSide, NeckVariant, PlateShape};
 pub use construct::{FairFit, FairFitCertificate, FairFitOptions};
-pub use construct::{Branch, Pipe, PipeEnds, PipeManifold, PipeTee, PipeTeeBody, RailSurface, RationalRun, Revolution};
 pub use construct::{ProjectiveBiarc, TorusSplineOptions, TorusTangent, TorusWinding, TwoTypeBiarc};
 pub use curve::{Arc, Arc4, ArcPath, Circle, ClosestPoint, DEFAULT_PIECE_ANGLE, ParamCurve, PieceForm, PieceHull};
 pub use curve::{ArcLength, CurveIndex, ExtremeCurvature, Joint};

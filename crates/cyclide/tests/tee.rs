@@ -1,6 +1,6 @@
 //! Blended tees: closed, exact, tangent to both partners, the blend the envelope of its balls.
 
-use cyclide::{Error, PipeTee, PipeTeeBody, Shell, surface_joints};
+use cyclide::{Branch, Error, PipeManifold, PipeTee, PipeTeeBody, Shell, surface_joints};
 use std::f64::consts::PI;
 
 const MADE: PipeTeeBody = PipeTeeBody { reach: [5.0, 6.0], height: 5.0, wall: None };
@@ -142,4 +142,26 @@ fn what_does_not_fit_is_refused() {
     assert_eq!(refused(PipeTeeBody { height: 2.0, ..MADE }), "parameter-out-of-range");
     assert_eq!(refused(PipeTeeBody { wall: Some(1.0), ..MADE }), "parameter-out-of-range");
     assert_eq!(refused(PipeTeeBody { wall: Some(f64::NAN), ..MADE }), "not-finite");
+}
+
+#[test]
+fn a_manifold_of_three_pipes_is_one_solid() {
+    let branch = |position, radius, offset| Branch { position, radius, offset, ball_radius: 0.3, height: 5.0 };
+    let manifold = PipeManifold::new(2.0, &[branch(6.0, 1.2, 0.0), branch(0.0, 0.8, 0.3)], 1e-3).unwrap();
+    for wall in [None, Some(0.1)] {
+        let body = manifold.body([-4.0, 11.0], wall).unwrap();
+        assert!(body.is_solid());
+        let (gap, angle) = joints(&body.outer);
+        assert!(gap < 1e-13 && angle < 1e-11, "{gap:e} {angle:e}");
+    }
+    // Each branch adds what it adds alone: to the pipe alone.
+    let volume = |manifold: &PipeManifold, ends| manifold.body(ends, None).unwrap().outer.volume();
+    let alone = |branch| PipeManifold::new(2.0, &[branch], 1e-3).unwrap();
+    let pipe = 15.0 * 4.0 * PI;
+    let ends = [-4.0, 11.0];
+    let [one, other] = [branch(6.0, 1.2, 0.0), branch(0.0, 0.8, 0.3)].map(|b| volume(&alone(b), ends) - pipe);
+    // Both alone may have another number of spans, and so another radius within the tolerance.
+    assert!((volume(&manifold, ends) - pipe - one - other).abs() < 2e-2);
+    let close = PipeManifold::new(2.0, &[branch(2.0, 1.2, 0.0), branch(0.0, 0.8, 0.0)], 1e-3).unwrap();
+    assert_eq!(close.body(ends, None).unwrap_err().reason(), "parameter-out-of-range");
 }

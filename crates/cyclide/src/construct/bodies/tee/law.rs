@@ -53,9 +53,9 @@ impl RadiusLaw {
         Ok(Self { stations: (0..n).map(|i| [order[i].1, order[i].2, slope(i)]).collect() })
     }
 
-    /// The angles of the stations.
+    /// The angles of the stations; of a constant law none, as they are no matter.
     pub(super) fn angles(&self) -> impl Iterator<Item = f64> + '_ {
-        self.stations.iter().map(|station| station[0])
+        self.stations.iter().filter(|_| self.stations.len() > 1).map(|station| station[0])
     }
 
     /// The radius and its derivative.

@@ -4,9 +4,11 @@
 mod body;
 mod cylinder_face;
 mod law;
+mod manifold;
 mod skin;
 
 pub use body::PipeTeeBody;
+pub use manifold::{Branch, PipeManifold};
 
 use crate::error::{Error, ErrorItem, Result};
 use crate::surface::{CanalPatch, CrossingCylinders, CrossingPiece};
@@ -71,14 +73,7 @@ impl PipeTee {
                 return Ok(tee);
             }
         }
-        let cap = 16 * SPANS[SPANS.len() - 1];
-        Err(Error::TooManyPieces {
-            what: "blend",
-            segment: None,
-            needed: cap as f64 * (least / tolerance).cbrt(),
-            cap,
-            remedy: "use a larger tolerance",
-        })
+        Err(too_many_pieces(least / tolerance))
     }
 
     fn with_spans(pair: CrossingCylinders, law: &RadiusLaw, spans: usize) -> Self {
@@ -144,6 +139,13 @@ impl PipeTee {
     }
 }
 
+/// So many times the tolerance was left with the most pieces.
+fn too_many_pieces(times: f64) -> Error {
+    let cap = 16 * SPANS[SPANS.len() - 1];
+    let needed = cap as f64 * times.cbrt();
+    Error::TooManyPieces { what: "blend", segment: None, needed, cap, remedy: "use a larger tolerance" }
+}
+
 /// Knots over a turn from 0: all eighths, so many spans in each, and the stations.
 fn knots(law: &RadiusLaw, spans: usize) -> Vec<f64> {
     let n = 8 * spans;
@@ -164,4 +166,3 @@ fn knots(law: &RadiusLaw, spans: usize) -> Vec<f64> {
 fn check_finite(what: ErrorItem, value: f64) -> Result<()> {
     if value.is_finite() { Ok(()) } else { Err(Error::NotFinite { what, index: 0 }) }
 }
-

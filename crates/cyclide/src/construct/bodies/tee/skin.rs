@@ -19,14 +19,25 @@ const BACK: usize = 3;
 /// The angle by which sides lean out on the pipe, radians, at most, and as part of the angle behind.
 const LEAN: [f64; 2] = [0.7, 0.25];
 
+/// A tee where it stands along the pipe, with the height of the end of its branch.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Stand<'a> {
+    pub(super) tee: &'a PipeTee,
+    pub(super) position: f64,
+    pub(super) height: f64,
+}
+
 /// A skin: the tee with other radii, the balls larger by what the cylinders are thinner.
 pub(super) struct Skin<'a> {
     tee: &'a PipeTee,
+    position: f64,
+    height: f64,
     /// What the radii of the cylinders are less, and those of the balls more.
     thinner: f64,
-    /// Coordinates of the ends along the pipe, negative first, and the height of the end of the branch.
+    /// Coordinates of the ends along the pipe from the branch, negative first.
     ends: [f64; 2],
-    height: f64,
+    /// Where the arcs of the ends beside the contact begin and end.
+    fan: [f64; 2],
 }
 
 /// The three rings at which a skin ends: at both ends of the pipe, and of the branch.
@@ -35,13 +46,35 @@ pub(super) struct Ends {
     pub(super) branch: Ring,
 }
 
+/// The angles about the pipe between which the contacts of all tees lie and lean out.
+pub(super) fn fan(stands: &[Stand]) -> [f64; 2] {
+    let [low, high] = stands.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], stand| {
+        let [from, to] = stand.tee.contact_angles();
+        [low.min(from), high.max(to)]
+    });
+    let lean = LEAN[0].min(LEAN[1] * (TAU - (high - low)));
+    [low - lean, high + lean]
+}
+
+impl PipeTee {
+    /// The angles about the pipe of the contact in the plane of both axes, before and behind.
+    fn contact_angles(&self) -> [f64; 2] {
+        [0, self.halves[0]].map(|i| {
+            let half = &self.pieces[i % self.pieces.len()].half_angles[0];
+            let [c, s] = half.each_ref().map(|entry| entry.value(0.0));
+            (2.0 * s.atan2(c)).rem_euclid(TAU)
+        })
+    }
+}
+
 impl<'a> Skin<'a> {
-    pub(super) fn new(tee: &'a PipeTee, thinner: f64, ends: [f64; 2], height: f64) -> Self {
-        Self { tee, thinner, ends, height }
+    pub(super) fn new(stand: &Stand<'a>, thinner: f64, ends: [f64; 2], fan: [f64; 2]) -> Self {
+        let Stand { tee, position, height } = *stand;
+        Self { tee, position, height, thinner, ends: ends.map(|x| x - position), fan }
     }
 
-    /// Adds the faces, outside outwards, or `inside` the hollow.
-    pub(super) fn sew(&self, bands: &mut Bands, inside: bool) -> Result<Ends> {
+    /// Adds the faces, outside outwards, or `inside` the hollow, from the ring `before` at the left end if there is one.
+    pub(super) fn sew(&self, bands: &mut Bands, inside: bool, before: Option<Ring>) -> Result<Ends> {
         let (pipe, branch) = self.cylinders();
         let contacts = self.contacts();
         let curves = |side: usize, on: &Placed| -> Result<Vec<EdgeCurve>> {
@@ -50,7 +83,7 @@ impl<'a> Skin<'a> {
         let on_pipe = bands.ring(curves(0, &pipe)?, true);
         let on_branch = bands.ring(curves(1, &branch)?, true);
         self.blend(bands, [&on_branch, &on_pipe], inside)?;
-        let ends = self.pipe(bands, &pipe, &on_pipe, &contacts, inside)?;
+        let ends = self.pipe(bands, &pipe, &on_pipe, &contacts, (inside, before))?;
         let top: Vec<CylinderCurve> = self.branch_arcs();
         let arcs = top.iter().map(|arc| arc_of(arc, &branch)).collect::<Result<_>>()?;
         let top_ring = bands.ring(arcs, true);
@@ -97,16 +130,11 @@ impl<'a> Skin<'a> {
         on: &Placed,
         on_pipe: &Ring,
         contacts: &[[CylinderCurve; 2]],
-        inside: bool,
+        (inside, mut before): (bool, Option<Ring>),
     ) -> Result<[Ring; 2]> {
         let (n, half) = (contacts.len(), self.tee.halves[0]);
-        let angle = |i: usize| {
-            let ([c, s], _) = contacts[i % n][0].end(0.0);
-            (2.0 * s.atan2(c)).rem_euclid(TAU)
-        };
-        let (low, high) = (angle(0), angle(half));
+        let [low, high] = self.tee.contact_angles();
         let behind = TAU - (high - low);
-        let lean = LEAN[0].min(LEAN[1] * behind);
         // Round the back in the plane of the branch.
         let step = behind / BACK as f64;
         let back: Vec<CylinderCurve> =
@@ -123,11 +151,13 @@ impl<'a> Skin<'a> {
             } else {
                 contacts[half..].iter().rev().map(|contact| contact[0].reversed()).collect()
             };
-            let fan = self.fan(side, [low - lean, high + lean], [high + lean, low + TAU - lean]);
+            let fan = self.fan_arcs(side);
             near.extend(back.iter().cloned());
             let ring = part.closed_by(&back_ring);
-            let curves = fan.iter().map(|arc| arc_of(arc, on)).collect::<Result<_>>()?;
-            let end = bands.ring(curves, true);
+            let end = match before.take() {
+                Some(ring) if side == 0 => ring,
+                _ => bands.ring(fan.iter().map(|arc| arc_of(arc, on)).collect::<Result<_>>()?, true),
+            };
             let reach = near.iter().map(|curve| curve.end(0.0).1.abs()).fold(0.0, f64::max);
             let bias = (1.5 * reach / self.ends[side].abs()).clamp(0.15, 0.5);
             let ends_of = |i: usize| [near[i].end(0.0), fan[i].end(0.0)];
@@ -152,7 +182,8 @@ impl<'a> Skin<'a> {
 
     /// The arcs of the circle at an end of the pipe: `beside` the contact between two angles, spread as the angles about the branch are, then round the
     /// back.
-    fn fan(&self, side: usize, [low, high]: [f64; 2], behind: [f64; 2]) -> Vec<CylinderCurve> {
+    fn fan_arcs(&self, side: usize) -> Vec<CylinderCurve> {
+        let ([low, high], behind) = (self.fan, [self.fan[1], self.fan[0] + TAU]);
         let (angles, n) = (&self.tee.angles, self.tee.angles.len());
         let half = self.tee.halves[0];
         // From the plane of both axes on the far side of the branch, 0 to pi.
@@ -191,33 +222,21 @@ impl<'a> Skin<'a> {
         // Angles of the pair are counted from its z, here -y, towards its y, here z, or its x.
         let (x, back, z) = ([1.0, 0.0, 0.0], [0.0, -1.0, 0.0], [0.0, 0.0, 1.0]);
         (
-            Placed { columns: [back, z, x], origin: [0.0; 3], radius: r1 },
-            Placed { columns: [back, x, z], origin: [0.0, offset, 0.0], radius: r2 },
+            Placed { columns: [back, z, x], origin: [self.position, 0.0, 0.0], radius: r1 },
+            Placed { columns: [back, x, z], origin: [self.position, offset, 0.0], radius: r2 },
         )
     }
 
-    /// From the axes of the pair to those of the tee: y is up, z is -y, and the axis of the pipe is at the origin.
+    /// From the axes of the pair to those of the tee: y is up, z is -y, and the axis of the pipe is that of x.
     fn placed(&self, p: Point3) -> Point3 {
-        Point3::new(p.x, -(p.z + self.tee.pair.half_gap()), p.y)
+        Point3::new(p.x + self.position, -(p.z + self.tee.pair.half_gap()), p.y)
     }
 
     /// The same of homogeneous rows.
     fn placed_surface(&self, surface: &RationalBezierSurface) -> Result<RationalBezierSurface> {
-        let h = self.tee.pair.half_gap();
-        let rows = surface.rows().iter().map(|&[x, y, z, w]| [x, -(z + h * w), y, w]).collect();
+        let (p, h) = (self.position, self.tee.pair.half_gap());
+        let rows = surface.rows().iter().map(|&[x, y, z, w]| [x + p * w, -(z + h * w), y, w]).collect();
         RationalBezierSurface::new(surface.degrees(), rows)
-    }
-
-    /// How far contacts reach along the pipe, both ways, and up the branch.
-    pub(super) fn reach(tee: &PipeTee) -> [f64; 3] {
-        let mut reach = [0.0_f64, 0.0, f64::NEG_INFINITY];
-        for patch in tee.patches() {
-            for k in 0..=super::PLACES {
-                let (center, _) = patch.ball(f64::from(k) / f64::from(super::PLACES));
-                reach = [reach[0].min(center.x), reach[1].max(center.x), reach[2].max(center.y)];
-            }
-        }
-        reach
     }
 }
 
