@@ -1,6 +1,7 @@
 //! Laws of what is swept and spanned on random, near-degenerate and badly scaled input: revolutions, pipes, necks, bridges,
 //! surfaces between curves. Pappus, images under similarities, and the same data the other way round.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+#![allow(clippy::float_cmp, reason = "places at the ends are these numbers")]
 
 use cyclide::{
     Arc, ArcPath, Body, Conformal as _, EdgeCurve, EllipseBridge, Mobius, NeckBlend, NeckSide, NeckVariant,
@@ -71,7 +72,7 @@ proptest! {
 
     /// Parts of turns are solids with the volume of Pappus, wherever and however large, whichever way the profile runs.
     #[test]
-    fn parts_of_turns_have_the_measures_of_pappus(contour in contour(), angle in 1e-3..6.28_f64, other in any::<bool>(), similar in similarity()) {
+    fn parts_of_turns_have_the_measures_of_pappus(contour in contour(), angle in 1e-3..6.2_f64, other in any::<bool>(), similar in similarity()) {
         let map = map_of(similar);
         let place = |[r, z]: [f64; 2]| map.map_point(Point3::new(r, 0.0, z)).unwrap();
         let axis = place([0.0, 1.0]) - place([0.0, 0.0]);

@@ -31,6 +31,8 @@ pub struct ContourFacts {
     pub fit: Option<Fitted>,
     /// How evenly an interpolating curve bends, where that was compared with its points.
     pub fairness: Option<Fairness>,
+    /// The largest distance by which points were moved onto the torus that the curve lies on.
+    pub moved: Option<f64>,
 }
 
 /// What is proved about a fitted contour.
@@ -183,8 +185,8 @@ pub(super) fn circle_spline(spec: &CircleSplineSpec, at: &Contour<'_>) -> Made {
 }
 
 impl Contour<'_> {
-    fn facts(&self, fit: Option<Fitted>) -> ContourFacts {
-        ContourFacts { points: self.list.points.len(), fit, fairness: None }
+    pub(super) fn facts(&self, fit: Option<Fitted>) -> ContourFacts {
+        ContourFacts { points: self.list.points.len(), fit, fairness: None, moved: None }
     }
 }
 

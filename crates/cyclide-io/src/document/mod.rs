@@ -29,17 +29,19 @@ pub use angle::Angle;
 pub use construct::{ContourFacts, Fitted};
 pub use coordinates::{Coordinates, Directions, Lists, PointFile, PointSource};
 use locate::{Entries, Step, offset_in, path_text, value_at};
-pub use objects::{BuiltObject, ModelBuilder, NO_EFFECT, Remark, RoundedPolyhedron, SmoothChoice};
+pub use objects::{BuiltObject, ModelBuilder, NO_EFFECT, Remark, RoundedPolyhedron, SmoothChoice, UnrolledPlane};
 use plain_words::{in_plain_words, other_word_for, syntax_in_plain_words, wrong_count};
 pub use schema::document_schema;
 pub use spec::{
-    ArcFitSpec, ArcSpec, ArcSplineSpec, BiarcSpec, BorderCurves, BorderSpec, BorderWord, CircleSpec, CircleSplineSpec,
-    CircularSurfaceSpec, ClampedEnds, Comment, CyclidePatchSpec, CyclideSpec, CyclidicNetSpec, DiskSpec,
-    EllipseBridgeSpec, EndsSpec, FairEndPair, FairEndSpec, FairEndWord, FairEndsSpec, FairFitSpec, FairSplineSpec,
-    FrameSpec, GridSource, MakeCircularOptions, MakeCircularSpec, MeshFile, NormalsSpec, ObjectSpec, OffsetSpec,
-    PipeSpec, PlaneSpec, PlateSpec, PlateWithNeckSpec, PolygonMeshFile, PolylineSpec, RadiiSpec, RevolutionSpec,
-    RotationSpec, RuledSpec, ScaleSpec, SmoothMeshSpec, SmoothPolyhedronSpec, SphereBlendSpec, SphereSpec, StepSpec,
-    StraightWord, SupportStructureSpec, TransformSpec, TypeWord,
+    AnglePairs, ArcFitSpec, ArcSpec, ArcSplineSpec, BiarcSpec, BorderCurves, BorderSpec, BorderWord, CircleSpec,
+    CircleSplineSpec, CircularSurfaceSpec, ClampedEnds, Comment, CyclidePatchSpec, CyclideSpec, CyclidicNetSpec,
+    DiskSpec, EllipseBridgeSpec, EndsSpec, FairEndPair, FairEndSpec, FairEndWord, FairEndsSpec, FairFitSpec,
+    FairSplineSpec, FamilySpec, FrameSpec, FreeOr, GridSource, MakeCircularOptions, MakeCircularSpec, MeshFile,
+    NormalsSpec, ObjectSpec, OffsetSpec, PipeSpec, PlaneSpec, PlateSpec, PlateWithNeckSpec, PolygonMeshFile,
+    PolylineSpec, RadiiSpec, RatePairs, RevolutionSpec, RotationSpec, RuledSpec, ScaleSpec, SmoothMeshSpec,
+    SmoothPolyhedronSpec, SphereBlendSpec, SphereSpec, StepSpec, StraightWord, SupportStructureSpec, TorusCircleSpec,
+    TorusKnotSpec, TorusMethod, TorusSeamSpec, TorusSource, TorusSpec, TorusSplineSpec, TransformSpec, TypeWord,
+    UnrolledSpec, WindingSpec,
 };
 
 /// The document version this crate reads.
@@ -195,8 +197,9 @@ fn parse_object(source: Source<'_>, name: &str, raw: &RawValue) -> Result<Object
     ObjectSpec::parse(&kind, raw.get())
         .ok_or_else(|| {
             let start = offset_in(source.text, word.get());
-            let hint = Some(did_you_mean(&kind, ObjectSpec::TYPES.iter().copied())).filter(|hint| !hint.is_empty());
-            let hint = hint.unwrap_or_else(|| other_word_for(&kind));
+            // What other programs call it is meant before words that look like it.
+            let hint = Some(other_word_for(&kind)).filter(|hint| !hint.is_empty());
+            let hint = hint.unwrap_or_else(|| did_you_mean(&kind, ObjectSpec::TYPES.iter().copied()));
             let message = format!("unknown type `{}`, expected one of `{known}`{hint}", quoted(&kind));
             source.diagnostic(start..start + word.get().len(), &path_text(&at), message)
         })?

@@ -103,6 +103,10 @@ pub(super) fn other_word_for(kind: &str) -> String {
         "polygon" | "path" => {
             "segments through points are a `polyline`, arcs along points an `arc-fit` or an `arc-spline`"
         }
+        "groove" | "bead" | "weld" | "weld-seam" => "a raised or sunk seam along a curve of a torus is a `torus-seam`",
+        "villarceau" | "villarceau-circle" => "a circle of a torus is a `torus-circle`",
+        "knot" | "trefoil" | "winding" | "helix" | "filament" => "a curve round a torus is a `torus-knot`",
+        "unroll" | "flat" | "development" => "a curve of a torus laid flat is `unrolled`",
         "torus" | "ring" | "horn" | "spindle" => "a torus is a `cyclide` with the radii `a` and `mu`",
         "surface" | "mesh" | "grid" | "net" | "nurbs-surface" | "quads" => "a surface over a grid is a `cyclidic-net`",
         "tube" | "hose" | "rod" | "wire" => "the tube about a curve is a `pipe`",

@@ -34,8 +34,8 @@ pub(super) fn types_with_field(field: &str) -> Vec<String> {
     with_field.collect()
 }
 
-/// Takes out `null` (an optional field may be left out, not null), the number formats of the program's own types and
-/// the line breaks of descriptions.
+/// Takes out `null` (an optional field may be left out, not null), the number formats of the program's own types, and of
+/// descriptions their line breaks and their examples, which are those of the library.
 fn tidy(value: &mut Value) {
     match value {
         Value::Object(object) => {
@@ -57,7 +57,8 @@ fn tidy(value: &mut Value) {
                 object.shift_remove("format");
             }
             if let Some(Value::String(text)) = object.get_mut("description") {
-                *text = text.replace('\n', " ");
+                let prose = text.split("```").next().unwrap_or_default();
+                *text = prose.trim_end().replace('\n', " ");
             }
             object.values_mut().for_each(tidy);
         }

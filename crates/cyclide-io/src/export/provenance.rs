@@ -69,6 +69,7 @@ fn kind_of_curve(curve: &CurveObject) -> &'static str {
             Some(BlendLaw::Fair { .. }) => "fair-spline",
             _ => "circle-spline",
         },
+        CurveObject::TorusSpline(_) => "torus-spline",
     }
 }
 

@@ -3,7 +3,7 @@
 use cyclide::{Aabb, CORNER_ANGLE, CurveObject, Lower, bounds, extreme_curvature, joints, length};
 use serde::Serialize;
 
-use super::{FairnessReport, RangeReport};
+use super::{FairnessReport, RangeReport, TorusReport, UnrolledReport};
 use crate::document::{BuiltObject, Fitted};
 use crate::export::job::default_tolerance;
 
@@ -42,6 +42,12 @@ pub struct CurvesReport {
     /// The certificate of a fit, over all contours.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub fit: Option<FitReport>,
+    /// Of splines on a torus: the torus, and how they run on it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub torus: Option<TorusReport>,
+    /// Of curves laid flat with their torus: what became of their lengths.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub unrolled: Option<UnrolledReport>,
 }
 
 /// Continuity, measured at every joint (the closing one included).
@@ -196,6 +202,8 @@ impl CurvesReport {
             contours: built.item.curves().len(),
             points: built.contours.iter().map(|c| c.points).sum(),
             fit: fit(built),
+            torus: TorusReport::new(built),
+            unrolled: built.unrolled.as_ref().map(UnrolledReport::from),
         }
     }
 }

@@ -10,6 +10,7 @@ mod seam;
 mod smooth;
 mod surface;
 mod text;
+mod torus;
 
 use cyclide::{Geometry, SurfaceObject, Units};
 use indexmap::IndexMap;
@@ -25,6 +26,7 @@ pub use sample::{Spacing, sample};
 pub use seam::SeamReport;
 pub use smooth::{ComparisonReport, SmoothReport};
 pub use surface::{CircularReport, PartReport, PatchPlace, ShapeReport, SingularPatchReport, SurfaceReport};
+pub use torus::{SegmentCounts, TorusReport, UnrolledReport};
 
 /// The report on a model and the files made of it. As JSON, values that are not finite are `null`.
 ///

@@ -33,7 +33,8 @@ pub enum Spacing {
 /// Samples of an object, ends included: `count` per contour of a curve, `count` by `count` per patch of a surface.
 ///
 /// Curves: columns `t,x,y,z,tangent_x,tangent_y,tangent_z,curvature`, with a column `contour` (from 0) in front if
-/// there are several; of a closed contour the last sample repeats the first.
+/// there are several; of a closed contour the last sample repeats the first. Splines on a torus have the outward unit normal of the
+/// torus too, `normal_x,normal_y,normal_z`: with the tangent it is the frame along a seam.
 ///
 /// Surfaces: columns `patch,s,t,x,y,z,normal_x,normal_y,normal_z,curvature_s,curvature_t` with patches from 0, s
 /// fastest, the outer unit normal, and principal curvatures that are negative where the surface bends away from it; a
@@ -102,8 +103,14 @@ fn fractions(count: usize) -> impl Iterator<Item = f64> + Clone {
 fn curves(contours: &[CurveObject], count: usize, spacing: Spacing) -> String {
     let several = contours.len() > 1;
     let columns = "t,x,y,z,tangent_x,tangent_y,tangent_z,curvature";
-    let mut out = format!("{}{columns}\n", if several { "contour," } else { "" });
+    let on_torus = contours.iter().all(|curve| matches!(curve, CurveObject::TorusSpline(_)));
+    let normals = if on_torus { ",normal_x,normal_y,normal_z" } else { "" };
+    let mut out = format!("{}{columns}{normals}\n", if several { "contour," } else { "" });
     for (contour, curve) in contours.iter().enumerate() {
+        let spline = match curve {
+            CurveObject::TorusSpline(spline) if on_torus => Some(spline),
+            _ => None,
+        };
         let curve = curve.as_curve();
         let ts = match spacing {
             Spacing::Parameter => fractions(count).collect(),
@@ -114,6 +121,12 @@ fn curves(contours: &[CurveObject], count: usize, spacing: Spacing) -> String {
                 out += &format!("{contour},");
             }
             push_sample(&mut out, curve.point(t), &FileSample::new(t, &curve.jet(t)));
+            if let Some(spline) = spline {
+                out.pop();
+                let normal = spline.seam_frame(t).map(|frame| frame.z().to_array());
+                (0..3).for_each(|k| push_field(&mut out, normal.map(|n| n[k])));
+                out.push('\n');
+            }
         }
     }
     out

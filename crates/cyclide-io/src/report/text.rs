@@ -120,6 +120,12 @@ impl CurvesReport {
             Some(weights) => line("weights", range(weights))?,
             None => line("weights", "no rational form within the tolerance".to_owned())?,
         }
+        if let Some(torus) = &self.torus {
+            torus.lines(units, line)?;
+        }
+        if let Some(unrolled) = &self.unrolled {
+            unrolled.lines(units, line)?;
+        }
         if let Some(fit) = &self.fit {
             let made = match fit.made {
                 FitPieces::Arcs { arcs, lines, .. } => format!("{} and {}", plural(arcs, "arc"), plural(lines, "line")),

@@ -1,9 +1,9 @@
 //! PNG pictures: they show the model, whatever its size, and are the same every time.
 
 use crate::models::{self, flat, mixed, space_chain, splines, tilted};
-use Pixmap;
 use cyclide::{Circle, CurveObject, CyclidePatch, Item, Model, Point3, Units, Vec3};
 use cyclide_io::{ExportOptions, Format, export};
+use tiny_skia::Pixmap;
 
 fn model(surface: CyclidePatch) -> Model {
     Model::new(Units::Millimetre).with_surface("object", surface)

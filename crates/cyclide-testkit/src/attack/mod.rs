@@ -20,6 +20,7 @@ mod revolutions;
 pub mod runner;
 mod scales;
 mod swept;
+mod tori;
 mod triangles;
 
 pub use random::Random;
@@ -69,7 +70,7 @@ impl Objects {
     }
 }
 
-const CLASSES: [Class; 20] = [
+const CLASSES: [Class; 22] = [
     ("points", 5, points::object),
     ("hairpins", 3, hairpins::object),
     ("ends", 3, ends::object),
@@ -90,6 +91,8 @@ const CLASSES: [Class; 20] = [
     ("bridges", 2, swept::bridge),
     ("rails", 3, swept::between_rails),
     ("triangles", 3, triangles::surface),
+    ("tori", 3, tori::curve),
+    ("seams", 2, tori::seam),
 ];
 
 /// Document `number` of the attack with this seed.

@@ -7,7 +7,7 @@ mod curves;
 
 pub use bodies::{
     Branch, ConvexPolyhedron, EllipseBridge, NeckBlend, NeckBody, NeckSide, NeckVariant, Pipe, PipeEnds, PipeManifold,
-    PipeTee, PipeTeeBody, PlateShape, PolyhedronEdge, RailSurface, Revolution, SphericalPolygon,
+    PipeTee, PipeTeeBody, PlateShape, PolyhedronEdge, RailSurface, Revolution, SphericalPolygon, TorusSeam,
 };
 #[cfg(feature = "circular-mesh")]
 pub use circular_mesh::{
@@ -19,4 +19,7 @@ pub use curves::{
     FairFit, FairFitCertificate, FairFitOptions, FairSplineOptions, FitCertificate, FitTarget, RationalRun,
     blends_by_turn, certify_arc, curvature_intervals, estimate_tangents, feasible_bulges,
 };
-pub use curves::{ProjectiveBiarc, TorusSplineOptions, TorusTangent, TorusWinding, TwoTypeBiarc};
+pub use curves::{
+    ProjectiveBiarc, TorusMap, TorusSplineOptions, TorusTangent, TorusWinding, TwoTypeBiarc, UnrollOptions,
+    UnrolledSpline,
+};

@@ -109,6 +109,7 @@ items! {
     Wall => "wall",
     Weight => "weight",
     WeightRatio => "length of the weight ratio",
+    Width => "width",
     Winding => "winding",
 }
 

@@ -12,8 +12,8 @@ use crate::surface::CyclidicNet;
 use crate::topology::{Body, EdgeCurve, Shell};
 
 impl Conformal for CurveObject {
-    /// The image: of arcs and chains of arcs under any map, of circles and circle splines under similarities and
-    /// reflections.
+    /// The image: of arcs and chains of arcs under any map, of circles, circle splines and splines on tori under similarities
+    /// and reflections.
     ///
     /// # Errors
     /// As the curve's own `transformed` or `similar`; `not-a-similarity`.
@@ -23,6 +23,7 @@ impl Conformal for CurveObject {
             Self::Circle(c) => c.similar(map).map(Self::Circle),
             Self::ArcPath(c) => c.transformed(map).map(Self::ArcPath),
             Self::CircleSpline(c) => c.similar(map).map(Self::CircleSpline),
+            Self::TorusSpline(c) => c.similar(map).map(Self::TorusSpline),
         }
     }
 }
@@ -86,13 +87,23 @@ impl CurveObject {
         pipe.body(&self.spine(tolerance)?).map(SurfaceObject::Body)
     }
 
+    /// True of what is made of arcs and segments.
+    #[must_use]
+    pub fn is_of_arcs(&self) -> bool {
+        match self {
+            Self::Arc(_) | Self::Circle(_) | Self::ArcPath(_) => true,
+            Self::CircleSpline(_) => false,
+            Self::TorusSpline(spline) => spline.pieces().iter().all(|piece| piece.degree() == 2),
+        }
+    }
+
     /// The arcs and segments that a pipe about the curve follows: its own, or those within the tolerance, if one is given.
     ///
     /// # Errors
     /// `not-of-arcs`, errors of the arcs that stand for the curve.
     pub fn spine(&self, tolerance: Option<f64>) -> Result<ArcPath> {
         let wanted = "polyline, arc-spline, arc-fit, circle";
-        let of_arcs = !matches!(self, Self::CircleSpline(_));
+        let of_arcs = self.is_of_arcs();
         // What is exact does not ask for the tolerance.
         let tolerance = tolerance.or_else(|| of_arcs.then_some(1.0)).ok_or(Error::NotOfArcs { wanted })?;
         Ok(self.lower_to_arcs(tolerance)?.form)

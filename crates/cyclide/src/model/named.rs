@@ -4,7 +4,7 @@ use super::object::{CurveObject, Item, Model, Units};
 use super::surface_object::SurfaceObject;
 use crate::construct::Biarc;
 use crate::curve::{Arc, ArcPath, Circle, CircleSpline};
-use crate::surface::{CyclidePatch, CyclidicNet, SmoothMesh, SphereBlend, TriangleSurface};
+use crate::surface::{CyclidePatch, CyclidicNet, SmoothMesh, SphereBlend, TorusSpline, TriangleSurface};
 use crate::topology::{Body, Shell};
 
 impl Model {
@@ -51,7 +51,7 @@ macro_rules! becomes {
     };
 }
 
-becomes!(CurveObject: Arc => Arc, Circle => Circle, ArcPath => ArcPath, CircleSpline => CircleSpline);
+becomes!(CurveObject: Arc => Arc, Circle => Circle, ArcPath => ArcPath, CircleSpline => CircleSpline, TorusSpline => TorusSpline);
 becomes!(SurfaceObject: CyclidePatch => Patch, CyclidicNet => Net, Body => Body, TriangleSurface => Triangles);
 
 impl From<Biarc> for CurveObject {

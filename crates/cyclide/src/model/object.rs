@@ -5,6 +5,7 @@ use super::lower::{Lower, Lowered};
 use super::surface_object::SurfaceObject;
 use crate::curve::{Arc, ArcPath, Circle, CircleSpline, ParamCurve};
 use crate::error::Result;
+use crate::surface::TorusSpline;
 
 /// What one unit of the coordinates means. Coordinates are never rescaled; units label them.
 ///
@@ -92,6 +93,8 @@ pub enum CurveObject {
     ArcPath(ArcPath),
     /// A circle spline of either variant.
     CircleSpline(CircleSpline),
+    /// A spline on a torus.
+    TorusSpline(TorusSpline),
 }
 
 impl CurveObject {
@@ -103,6 +106,7 @@ impl CurveObject {
             Self::Circle(c) => c,
             Self::ArcPath(c) => c,
             Self::CircleSpline(c) => c,
+            Self::TorusSpline(c) => c,
         }
     }
 
@@ -112,6 +116,7 @@ impl CurveObject {
             Self::Circle(c) => c,
             Self::ArcPath(c) => c,
             Self::CircleSpline(c) => c,
+            Self::TorusSpline(c) => c,
         }
     }
 }

@@ -33,5 +33,5 @@ pub use sphere_blend::SphereBlend;
 pub use torus::{
     CircleFamily, QuarticType, SegmentMethod, Torus, TorusClasses, TorusJunction, TorusPiece, TorusSegment, TorusSpline,
 };
-pub(crate) use torus::{Course, Spans, TorusChain};
+pub(crate) use torus::{Course, PlaceAngle, Spans, TorusChain};
 pub use triangle_surface::{SideLine, TrianglePatch, TriangleSurface};

@@ -11,4 +11,6 @@ mod moved;
 mod places;
 mod problems;
 mod refusals;
+mod seams;
 mod splines;
+mod unrolled;

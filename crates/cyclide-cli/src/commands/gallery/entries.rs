@@ -38,7 +38,7 @@ const SURFACES: &[Format] = &[Format::Step, Format::Glb, Format::Png];
 const MESHES: &[Format] = &[Format::Glb, Format::Stl, Format::Png];
 
 /// All models, in the order of the page.
-pub const ENTRIES: [Entry; 22] = [
+pub const ENTRIES: [Entry; 27] = [
     Entry {
         name: "roof",
         title: "Free-form roof with two skins",
@@ -142,6 +142,46 @@ pub const ENTRIES: [Entry; 22] = [
         document: example!("volume_faces.json"),
         inputs: &[],
         formats: SURFACES,
+    },
+    Entry {
+        name: "trefoil",
+        title: "A trefoil on a torus",
+        text: "The torus knot of two turns round the axis and three round the tube, exactly on the torus, with a rod about it; two Villarceau circles through one point.",
+        document: example!("trefoil.json"),
+        inputs: &[],
+        formats: SURFACES,
+    },
+    Entry {
+        name: "four_point_loop",
+        title: "A loop through four points",
+        text: "Two quartics of two types for each quarter, with directions along parallels and meridians in turn, and the spline that chooses for itself: both lie on the torus exactly.",
+        document: example!("four_point_loop.json"),
+        inputs: &[],
+        formats: SURFACES,
+    },
+    Entry {
+        name: "winding",
+        title: "Filament on a core",
+        text: "One closed thread, 5 times round the axis and 87 times round the tube: 7.7 m of it, exactly on the torus.",
+        document: example!("winding.json"),
+        inputs: &[],
+        formats: SURFACES,
+    },
+    Entry {
+        name: "o_ring",
+        title: "Marks on a moulded ring",
+        text: "A raised mark and a sunk line along curves of a torus, each a solid of a given width between two heights, to be fused to the ring or cut from it.",
+        document: example!("o_ring.json"),
+        inputs: &[],
+        formats: SURFACES,
+    },
+    Entry {
+        name: "o_ring_pattern",
+        title: "The marks laid flat",
+        text: "The same curves with their torus unrolled to a rectangle: longitude by meridian angle, each as a length.",
+        document: example!("o_ring_pattern.json"),
+        inputs: &[],
+        formats: CURVES,
     },
     Entry {
         name: "stone",

@@ -13,7 +13,7 @@ use crate::document::locate::{Step, path_text};
 use crate::document::spec::{ArcSpec, CircleSpec, ObjectSpec};
 use crate::error::{Error, Result};
 use crate::formats::InputKind;
-use crate::input::points::{PointColumns, PointList, merge_repeated, read_points};
+use crate::input::points::{Merged, PointColumns, PointList, merge_repeated, read_points};
 use crate::text::lines::LineStarts;
 use crate::text::place::decode;
 
@@ -26,8 +26,8 @@ pub(super) struct Points {
 }
 
 pub(super) enum Origin {
-    /// In the document, as a list or (nested) a list of lists.
-    Document { nested: bool },
+    /// In the document, as a list or (nested) a list of lists, in a field.
+    Document { nested: bool, field: &'static [&'static str] },
     /// In a file of its own: its name, its text, and where the lines of it start.
     File { name: String, text: String, lines: LineStarts },
 }
@@ -42,9 +42,15 @@ impl ObjectSpec {
             Self::FairSpline(s) => Some(&s.points),
             Self::FairFit(s) => Some(&s.points),
             Self::CircleSpline(s) => Some(&s.points),
+            Self::TorusSpline(s) => s.points.as_ref(),
             Self::SmoothPolyhedron(s) => s.points.as_ref(),
             _ => None,
         }
+    }
+
+    /// True where equal neighbouring points are meant as they are.
+    fn keeps_repeated_points(&self) -> bool {
+        matches!(self, Self::TorusSpline(s) if s.loops)
     }
 
     /// The angle above which turns of the points are corners, if one is given.
@@ -132,6 +138,10 @@ impl Builder<'_> {
             ObjectSpec::FairSpline(s) => self.each_contour(&s.points, s.closed, |at| fair_spline(s, at)),
             ObjectSpec::FairFit(s) => self.each_contour(&s.points, s.closed, |at| fair_fit(s, at)),
             ObjectSpec::CircleSpline(s) => self.each_contour(&s.points, s.closed, |at| circle_spline(s, at)),
+            ObjectSpec::TorusSpline(s) => self.torus_spline(s),
+            ObjectSpec::TorusKnot(s) => single(CurveObject::TorusSpline(self.torus_knot(s)?)),
+            ObjectSpec::TorusCircle(s) => self.torus_circle(s).map(|made| vec![made]),
+            ObjectSpec::Unrolled(s) => Ok(without_facts(self.unrolled(s)?)),
             ObjectSpec::Transform(s) => Ok(without_facts(self.mapped_curves(s)?)),
             ObjectSpec::SupportStructure(_) => Ok(without_facts(self.support_structure()?)),
             _ => Ok(Vec::new()),
@@ -204,21 +214,31 @@ impl Builder<'_> {
     }
 
     /// Reads the points, merges repeated ones and runs a construction on every contour.
-    fn each_contour(
+    pub(super) fn each_contour(
         &mut self,
         source: &PointSource,
         closed: bool,
         construct: impl Fn(&Contour<'_>) -> Made,
     ) -> Result<Vec<(CurveObject, ContourFacts)>> {
-        let mut points = match source {
+        let points = match source {
             PointSource::Inline(lists) => inline_points(lists),
             PointSource::File(file) => self.file_points(file)?,
         };
+        self.each_contour_of(points, closed, construct)
+    }
+
+    /// The same of points that have been read.
+    pub(super) fn each_contour_of(
+        &mut self,
+        mut points: Points,
+        closed: bool,
+        construct: impl Fn(&Contour<'_>) -> Made,
+    ) -> Result<Vec<(CurveObject, ContourFacts)>> {
         let mut made = Vec::new();
         let mut idle: Option<Vec<Idle>> = None;
         for contour in 0..points.lists.len() {
             let list = &mut points.lists[contour];
-            if !closed && list.ends_meet() {
+            if !closed && !self.spec.keeps_repeated_points() && list.ends_meet() {
                 let message =
                     "the last point repeats the first, but the curve is not closed: set `closed` if it is meant to be";
                 let last = list.points.len() - 1;
@@ -227,7 +247,11 @@ impl Builder<'_> {
             }
             // Places are looked up in the list as given, so before the merge drops entries.
             let given_offsets = points.lists[contour].offsets.clone();
-            let merged = merge_repeated(&mut points.lists[contour], closed);
+            let merged = if self.spec.keeps_repeated_points() {
+                Merged::nothing(&points.lists[contour])
+            } else {
+                merge_repeated(&mut points.lists[contour], closed)
+            };
             points.lists[contour].offsets = given_offsets;
             points.kept[contour] = merged.kept;
             for warning in merged.warnings {
@@ -304,7 +328,7 @@ impl Builder<'_> {
     /// Where a point stands, by its index in the list as given.
     fn place(&self, points: &Points, contour: usize, index: usize) -> String {
         match &points.origin {
-            Origin::Document { nested } => path_text(&self.path(point_steps(*nested, contour, Some(index)))),
+            Origin::Document { .. } => path_text(&self.path(points.steps(contour, Some(index)))),
             Origin::File { name, lines, .. } => {
                 let offset = points.lists[contour].offsets.get(index).copied().unwrap_or_default();
                 format!("{name}:{}", lines.line_of(offset))
@@ -313,11 +337,20 @@ impl Builder<'_> {
     }
 }
 
-/// The path of a point below its object.
-pub(super) fn point_steps(nested: bool, contour: usize, index: Option<usize>) -> Vec<Step> {
-    let contour = nested.then_some(Step::Index(contour));
-    [Step::from("points")].into_iter().chain(contour).chain(index.map(Step::Index)).collect()
+impl Points {
+    /// The path below the object of a list, or of a point of it.
+    pub(super) fn steps(&self, contour: usize, index: Option<usize>) -> Vec<Step> {
+        let (nested, field) = match &self.origin {
+            Origin::Document { nested, field } => (*nested, *field),
+            Origin::File { .. } => (false, POINTS),
+        };
+        let contour = nested.then_some(Step::Index(contour));
+        field.iter().copied().map(Step::from).chain(contour).chain(index.map(Step::Index)).collect()
+    }
 }
+
+/// The field that most points stand in.
+const POINTS: &[&str] = &["points"];
 
 pub(super) fn inline_points(source: &Lists) -> Points {
     let list = |points: &Vec<Coordinates>| PointList {
@@ -327,7 +360,8 @@ pub(super) fn inline_points(source: &Lists) -> Points {
     // An empty list is one contour without points, for the kernel to refuse.
     let lists =
         if source.lists.is_empty() { vec![PointList::default()] } else { source.lists.iter().map(list).collect() };
-    Points { kept: vec![Vec::new(); lists.len()], lists, origin: Origin::Document { nested: source.nested } }
+    let origin = Origin::Document { nested: source.nested, field: POINTS };
+    Points { kept: vec![Vec::new(); lists.len()], lists, origin }
 }
 
 /// Curves that were not made from points.

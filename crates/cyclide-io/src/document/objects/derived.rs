@@ -167,7 +167,7 @@ impl Builder<'_> {
     }
 
     /// The message that the source is of the wrong kind.
-    fn wrong_source(&self, needed: &str) -> Error {
+    pub(super) fn wrong_source(&self, needed: &str) -> Error {
         let source = self.sources.first().map(|s| format!("`{}` is of type `{}`", s.item.name, s.provenance.kind));
         let message = format!("{}: {needed}", source.unwrap_or_default());
         Error::Input(self.diagnostic([Step::from("of")], &message))

@@ -12,8 +12,9 @@ use crate::document::coordinates::{PointFile, PointSource};
 use crate::document::locate::Step;
 use crate::document::spec::{
     ArcSplineSpec, CircleSplineSpec, Comment, EndsSpec, FairEndsSpec, FairFitSpec, FairSplineSpec, ObjectSpec,
-    PipeSpec, StraightWord, TypeWord,
+    PipeSpec, StraightWord, TorusSplineSpec, TypeWord,
 };
+use crate::input::points::merge_repeated;
 
 /// The reason of warnings about fields and options without effect.
 ///
@@ -39,6 +40,7 @@ pub(super) fn idle_fields(spec: &ObjectSpec, at: &Contour<'_>, made: &CurveObjec
         ObjectSpec::CircleSpline(spec) => in_circle_spline(spec, at),
         ObjectSpec::ArcSpline(spec) => in_arc_spline(spec, at, made),
         ObjectSpec::FairFit(spec) => in_fair_fit(spec, at),
+        ObjectSpec::TorusSpline(spec) => in_torus_spline(spec, at),
         _ => Vec::new(),
     }
 }
@@ -102,9 +104,14 @@ fn in_fair_fit(spec: &FairFitSpec, at: &Contour<'_>) -> Vec<Idle> {
     ])
 }
 
+fn in_torus_spline(spec: &TorusSplineSpec, at: &Contour<'_>) -> Vec<Idle> {
+    let none_repeated = || merge_repeated(&mut at.list.clone(), spec.closed).kept.len() == at.kept.len();
+    found(&[("loops", spec.loops && none_repeated(), "no point repeats its neighbour")])
+}
+
 /// The fields of a pipe that make no difference; `closed` if all curves are.
 pub(super) fn idle_in_pipe(spec: &PipeSpec, curves: &[CurveObject], closed: bool) -> Vec<Idle> {
-    let of_arcs = !curves.iter().any(|curve| matches!(curve, CurveObject::CircleSpline(_)));
+    let of_arcs = curves.iter().all(CurveObject::is_of_arcs);
     found(&[
         ("ends", closed && spec.ends != PipeEnds::Flat, NO_ENDS),
         (

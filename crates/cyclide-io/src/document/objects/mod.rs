@@ -17,6 +17,7 @@ mod remark;
 mod smooth;
 mod surfaces;
 mod swept;
+mod torus;
 
 use std::io;
 use std::path::{Path, PathBuf};
@@ -39,6 +40,7 @@ pub use polyhedra::RoundedPolyhedron;
 use references::{References, State};
 pub use remark::Remark;
 pub use smooth::SmoothChoice;
+pub use torus::UnrolledPlane;
 
 /// An object made by its construction, with what is known about it besides its geometry.
 ///
@@ -68,6 +70,8 @@ pub struct BuiltObject {
     pub polyhedron: Option<Box<RoundedPolyhedron>>,
     /// What was chosen for a smooth mesh.
     pub smooth: Option<SmoothChoice>,
+    /// What became of a curve of a torus when it was laid flat.
+    pub unrolled: Option<UnrolledPlane>,
     /// Construction geometry: not for files.
     pub construction: bool,
     /// One entry per contour.
@@ -153,6 +157,7 @@ impl<'a> ModelBuilder<'a> {
                     seams: Vec::new(),
                     polyhedron: None,
                     smooth: None,
+                    unrolled: None,
                     remarks: Vec::new(),
                     data: Vec::new(),
                 };
@@ -213,6 +218,8 @@ struct Builder<'a> {
     polyhedron: Option<Box<RoundedPolyhedron>>,
     /// What was chosen for the smooth mesh that it is.
     smooth: Option<SmoothChoice>,
+    /// What became of the curve when it was laid flat.
+    unrolled: Option<UnrolledPlane>,
     remarks: Vec<Remark>,
     /// The points of a fit.
     data: Vec<Point3>,
@@ -242,7 +249,7 @@ impl Builder<'_> {
         let geometry = if surfaces.is_empty() { Geometry::Curves(curves) } else { Geometry::Surfaces(surfaces) };
         let item = Item::new(self.name, geometry);
         let construction = self.spec.is_construction();
-        let Self { data, seams, polyhedron, smooth, remarks, .. } = self;
+        let Self { data, seams, polyhedron, smooth, unrolled, remarks, .. } = self;
         let provenance = Provenance { kind: self.spec.type_word(), data };
         Ok(BuiltObject {
             item,
@@ -254,6 +261,7 @@ impl Builder<'_> {
             seams,
             polyhedron,
             smooth,
+            unrolled,
             construction,
             contours,
             remarks,

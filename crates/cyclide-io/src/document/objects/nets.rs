@@ -31,16 +31,25 @@ pub(super) struct MeshNames {
     numbers: Vec<usize>,
 }
 
+/// The frame of a cyclide or a torus; what is left out is at the origin, upright, and from x.
+pub(super) fn frame_of_axes(
+    center: Option<Coordinates>,
+    axis: Option<Coordinates>,
+    x_direction: Option<Coordinates>,
+) -> cyclide::Result<Frame> {
+    let center = center.unwrap_or_default().point();
+    let axis = axis.map_or(Vec3::Z, Coordinates::vector);
+    let x = x_direction.map(Coordinates::vector);
+    // Where the axis itself is that of x, the ring's long axis is that of y.
+    Frame::from_normal(center, axis, x.unwrap_or(Vec3::X))
+        .or_else(|e| if x.is_none() { Frame::from_normal(center, axis, Vec3::Y) } else { Err(e) })
+}
+
 impl<'a> Builder<'a> {
     /// A whole cyclide as one closed net, or as several that touch in the nodes.
     pub(super) fn cyclide(&self, spec: &CyclideSpec) -> Result<Vec<SurfaceObject>> {
         let made = || {
-            let center = spec.center.unwrap_or_default().point();
-            let axis = spec.axis.map_or(Vec3::Z, Coordinates::vector);
-            let x = spec.x_direction.map(Coordinates::vector);
-            // Where the axis itself is that of x, the ring's long axis is that of y.
-            let frame = Frame::from_normal(center, axis, x.unwrap_or(Vec3::X))
-                .or_else(|e| if x.is_none() { Frame::from_normal(center, axis, Vec3::Y) } else { Err(e) })?;
+            let frame = frame_of_axes(spec.center, spec.axis, spec.x_direction)?;
             let segments = spec.segments.unwrap_or(SEGMENTS).map(|n| n as usize);
             DupinCyclide::new(spec.a, spec.c, spec.mu)?.placed(frame).nets(segments)
         };

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use crate::document::Document;
 use crate::document::locate::{Step, path_text, span_of};
-use crate::document::spec::{BorderCurves, ObjectSpec};
+use crate::document::spec::{BorderCurves, ObjectSpec, TorusSource};
 use crate::error::{Error, Result};
 use crate::text::suggest::did_you_mean;
 
@@ -124,6 +124,11 @@ fn rails(names: &[String; 2]) -> Vec<(Vec<Step>, &str)> {
     names.iter().enumerate().map(|(k, name)| (vec![Step::from("rails"), Step::from(k)], name.as_str())).collect()
 }
 
+/// The name of a torus, if it is one.
+fn torus(source: &TorusSource) -> Vec<(Vec<Step>, &str)> {
+    source.name().map(|name| (vec![Step::from("torus")], name)).into_iter().collect()
+}
+
 impl ObjectSpec {
     /// The names of the objects it is made from, with their paths below the object.
     pub(super) fn references(&self) -> Vec<(Vec<Step>, &str)> {
@@ -133,6 +138,11 @@ impl ObjectSpec {
             Self::Transform(s) => of(s.of.as_str()),
             Self::Revolution(s) => of(s.of.as_str()),
             Self::Pipe(s) => of(s.of.as_str()),
+            Self::Unrolled(s) => of(s.of.as_str()),
+            Self::TorusSeam(s) => of(s.of.as_str()),
+            Self::TorusSpline(s) => torus(&s.torus),
+            Self::TorusKnot(s) => torus(&s.torus),
+            Self::TorusCircle(s) => torus(&s.torus),
             Self::SupportStructure(s) => of(s.of.as_str()),
             Self::CircularSurface(s) => rails(&s.rails),
             Self::Ruled(s) => rails(&s.rails),

@@ -2,7 +2,8 @@
 
 use cyclide::{ErrorItem, Point3, ShortNumber, Warning};
 
-use super::curves::{Origin, Points, point_steps};
+use super::curves::{Origin, Points};
+use super::torus::blame_torus;
 use super::{Builder, Remark};
 use crate::document::angle::Angle;
 use crate::document::coordinates::Coordinates;
@@ -12,7 +13,7 @@ use crate::error::Error;
 use crate::text::place::Source;
 
 /// The value of an object that an error is about.
-enum Blame {
+pub(super) enum Blame {
     Field(&'static str),
     Entry(&'static str, usize),
     Point(usize),
@@ -104,8 +105,8 @@ impl Builder<'_> {
         if document.is_empty() {
             return Error::Geometry { object: self.name.to_owned(), source: error.clone() };
         }
-        let nested = |points: &Points| matches!(points.origin, Origin::Document { nested: true });
-        let in_points = |k: Option<usize>| from.map(|(p, c)| self.path(point_steps(nested(p), c, k)));
+        let nested = |points: &Points| matches!(points.origin, Origin::Document { nested: true, .. });
+        let in_points = |k: Option<usize>| from.map(|(p, c)| self.path(p.steps(c, k)));
         let candidates = match blame {
             Blame::Field(field) => vec![self.path([field.into()])],
             Blame::Entry(field, k) => {
@@ -189,6 +190,7 @@ fn blame(spec: &ObjectSpec, error: &cyclide::Error) -> Blame {
         {
             blame_swept(spec, error)
         }
+        _ if spec.is_on_torus() => blame_torus(spec, error),
         E::NotFinite { what: I::Tangent, index } | E::ZeroTangent { index } | E::TangentOpposesChord { index, .. } => {
             tangent(index)
         }

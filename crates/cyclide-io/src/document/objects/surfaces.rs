@@ -25,6 +25,7 @@ impl Builder<'_> {
             ObjectSpec::EllipseBridge(spec) => self.ellipse_bridge(spec),
             ObjectSpec::CircularSurface(spec) => self.circular_surface(spec),
             ObjectSpec::Ruled(_) => self.ruled(),
+            ObjectSpec::TorusSeam(spec) => self.torus_seam(spec),
             _ => Ok(Vec::new()),
         }
     }

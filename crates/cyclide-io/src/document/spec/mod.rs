@@ -12,6 +12,7 @@ mod radii;
 mod smooth;
 mod surfaces;
 mod swept;
+mod torus;
 
 use std::collections::BTreeMap;
 
@@ -37,6 +38,10 @@ pub use radii::RadiiSpec;
 pub use smooth::{NormalsSpec, SmoothMeshSpec, SphereBlendSpec};
 pub use surfaces::CyclidePatchSpec;
 pub use swept::{CircularSurfaceSpec, DiskSpec, EllipseBridgeSpec, PlateSpec, PlateWithNeckSpec, RuledSpec};
+pub use torus::{
+    AnglePairs, FamilySpec, FreeOr, RatePairs, TorusCircleSpec, TorusKnotSpec, TorusMethod, TorusSeamSpec, TorusSource,
+    TorusSpec, TorusSplineSpec, UnrolledSpec, WindingSpec,
+};
 
 /// A cyclide model: named curves and surfaces made of circles. Lengths are in the document's units and are never rescaled,
 /// angles are in radians or say `degrees`.
@@ -91,6 +96,16 @@ pub enum ObjectSpec {
     FairFit(FairFitSpec),
     /// A smooth curve through points, blended from circles.
     CircleSpline(CircleSplineSpec),
+    /// A smooth curve on a torus through points.
+    TorusSpline(TorusSplineSpec),
+    /// A curve that runs evenly round a torus both ways.
+    TorusKnot(TorusKnotSpec),
+    /// A circle of a torus.
+    TorusCircle(TorusCircleSpec),
+    /// A curve of a torus laid flat.
+    Unrolled(UnrolledSpec),
+    /// A raised or sunk seam along a curve of a torus.
+    TorusSeam(TorusSeamSpec),
     /// One patch of a Dupin cyclide, bounded by four circular arcs.
     CyclidePatch(CyclidePatchSpec),
     /// A whole Dupin cyclide.
@@ -202,6 +217,11 @@ object_types! {
     "fair-spline" => FairSpline,
     "fair-fit" => FairFit,
     "circle-spline" => CircleSpline,
+    "torus-spline" => TorusSpline,
+    "torus-knot" => TorusKnot,
+    "torus-circle" => TorusCircle,
+    "unrolled" => Unrolled,
+    "torus-seam" => TorusSeam,
     "cyclide-patch" => CyclidePatch,
     "cyclide" => Cyclide,
     "cyclidic-net" => CyclidicNet,

@@ -133,7 +133,11 @@ pub(super) fn b_spline(data: &mut Data, curve: NurbsCurve) -> usize {
     let curve = curve.with_c1_knots().unwrap_or(curve);
     let points: Vec<usize> = curve.control_points().iter().map(|&p| data.point(p)).collect();
     let knots = curve.knot_multiplicities();
-    let closed = if curve.is_closed() { ".T." } else { ".F." };
+    let closed = match curve.is_closed() {
+        true if same_weight_at_ends(&curve) => ".T.",
+        true => ".U.",
+        false => ".F.",
+    };
     // One instance may be most of the file: written where it stays.
     data.write(|out| {
         let _ = write!(out, "(BOUNDED_CURVE() B_SPLINE_CURVE({},", curve.degree());
@@ -148,4 +152,13 @@ pub(super) fn b_spline(data: &mut Data, curve: NurbsCurve) -> usize {
         push_list(out, curve.weights(), |out, &weight| push_step(out, weight));
         out.push_str(") REPRESENTATION_ITEM(''))");
     })
+}
+
+/// Readers make a curve that is said to be closed periodic: its last control point becomes the first one, weight and all, which bends
+/// the last span of a curve whose weights differ there. Of such a curve the word is that it is not known.
+fn same_weight_at_ends(curve: &NurbsCurve) -> bool {
+    match curve.weights() {
+        [first, .., last] => (first - last).abs() <= 4.0 * f64::EPSILON * first.abs(),
+        _ => true,
+    }
 }

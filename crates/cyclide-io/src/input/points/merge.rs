@@ -32,6 +32,13 @@ pub(crate) struct Merged {
     pub(crate) warnings: Vec<Warning>,
 }
 
+impl Merged {
+    /// All points of a list as they are.
+    pub(crate) fn nothing(list: &PointList) -> Self {
+        Self { kept: (0..list.points.len()).collect(), warnings: Vec::new() }
+    }
+}
+
 /// Merges repeated neighbours, and for a closed contour the last points that repeat the first. A mark on any of the
 /// merged points stays; the list's offsets go with the points.
 pub(crate) fn merge_repeated(list: &mut PointList, closed: bool) -> Merged {

@@ -22,7 +22,7 @@ use cyclide::{Point3, Units};
 use crate::text::place::{Diagnostic, Source, decode, quoted};
 use columns::Chosen;
 use decimals::{Decimals, Pairs};
-pub(crate) use merge::merge_repeated;
+pub(crate) use merge::{Merged, merge_repeated};
 use table::{Row, Table};
 pub use unit::{ColumnUnit, unit_of_columns};
 

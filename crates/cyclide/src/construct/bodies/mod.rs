@@ -18,6 +18,7 @@ mod rotated_rows;
 mod ruled;
 mod rulings;
 mod tee;
+mod torus_seam;
 mod turned_patch;
 
 pub use ellipse_bridge::EllipseBridge;
@@ -27,6 +28,7 @@ pub use polyhedron::{ConvexPolyhedron, PolyhedronEdge, SphericalPolygon};
 pub use rail_surface::RailSurface;
 pub use revolution::Revolution;
 pub use tee::{Branch, PipeManifold, PipeTee, PipeTeeBody};
+pub use torus_seam::TorusSeam;
 
 /// Largest angle of an arc in one face, or in one piece of it: beyond, its weights are far from each other, and from half a turn on not
 /// positive.

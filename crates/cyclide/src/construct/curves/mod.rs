@@ -19,4 +19,7 @@ pub use biarc::{Biarc, BiarcRule};
 pub use fair_fit::{FairFit, FairFitCertificate, FairFitOptions};
 pub use fair_spline::{FairEnd, FairSplineOptions, blends_by_turn};
 pub use rational_runs::RationalRun;
-pub use torus::{ProjectiveBiarc, TorusSplineOptions, TorusTangent, TorusWinding, TwoTypeBiarc};
+pub use torus::{
+    ProjectiveBiarc, TorusMap, TorusSplineOptions, TorusTangent, TorusWinding, TwoTypeBiarc, UnrollOptions,
+    UnrolledSpline,
+};

@@ -26,8 +26,24 @@ impl Torus {
         self.locate_numbered(0, p, tolerance)
     }
 
+    /// As [`locate`](Self::locate) for each of many points, whose number errors name.
+    ///
+    /// ```
+    /// use cyclide::{Frame, Point3, Torus};
+    /// let torus = Torus::new(Frame::WORLD, 3.0, 1.0)?;
+    /// let error = torus.locate_all(&[[4.0, 0.0, 0.0], [5.0, 0.0, 0.0]].map(Point3::from), 0.1).unwrap_err();
+    /// assert_eq!((error.reason(), error.index()), ("point-off-torus", Some(1)));
+    /// # Ok::<(), cyclide::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`locate`](Self::locate).
+    pub fn locate_all(&self, points: &[Point3], tolerance: f64) -> Result<Vec<Point2>> {
+        points.iter().enumerate().map(|(index, p)| self.locate_numbered(index, *p, tolerance)).collect()
+    }
+
     /// As [`locate`](Self::locate) for one of many points.
-    pub(crate) fn locate_numbered(&self, index: usize, p: Point3, tolerance: f64) -> Result<Point2> {
+    fn locate_numbered(&self, index: usize, p: Point3, tolerance: f64) -> Result<Point2> {
         if !p.is_finite() {
             return Err(Error::NotFinite { what: ErrorItem::Point, index });
         }

@@ -12,6 +12,7 @@
 mod circle;
 mod class;
 mod coordinates;
+mod crossing;
 mod family;
 mod junction;
 mod locate;
@@ -22,6 +23,7 @@ mod spline_curve;
 mod spline_edit;
 
 pub use class::TorusClasses;
+pub(crate) use crossing::PlaceAngle;
 pub use family::{CircleFamily, QuarticType};
 pub use junction::TorusJunction;
 pub(crate) use piece::Course;
@@ -135,6 +137,53 @@ impl Torus {
     #[must_use]
     pub fn angles_of_place(&self, place: Point2) -> [f64; 2] {
         [2.0 * place.x, 2.0 * self.shape.half_meridian(place.y)]
+    }
+
+    /// The speed in the plane of the torus, at a place, of a curve whose longitude and meridian angle have these rates, radians by its
+    /// parameter.
+    ///
+    /// ```
+    /// use cyclide::{Frame, Point2, Torus};
+    /// let torus = Torus::new(Frame::WORLD, 3.0, 1.0)?;
+    /// let (from, to) = (torus.place_of_angles(0.3, 2.0), torus.place_of_angles(0.3 + 2e-6, 2.0 - 5e-6));
+    /// let rate = torus.rate_of_angles(from, [2.0, -5.0]);
+    /// assert!(((to - from) * 1e6 - rate).length() < 1e-4);
+    /// # Ok::<(), cyclide::Error>(())
+    /// ```
+    #[must_use]
+    pub fn rate_of_angles(&self, place: Point2, [longitude, meridian]: [f64; 2]) -> Vec2 {
+        let radius = self.shape.radius(&UnitPair::at(place));
+        Vec2::new(0.5 * longitude, 0.5 * self.shape.root * meridian / radius)
+    }
+
+    /// Rates of longitude and meridian angle of a curve that passes a place at the speed `rate`: the inverse of
+    /// [`rate_of_angles`](Self::rate_of_angles).
+    #[must_use]
+    pub fn angle_rates(&self, place: Point2, rate: Vec2) -> [f64; 2] {
+        let radius = self.shape.radius(&UnitPair::at(place));
+        [2.0 * rate.x, 2.0 * rate.y * radius / self.shape.root]
+    }
+
+    /// Distance of a point from the axis of the torus, at a place.
+    #[must_use]
+    pub fn distance_from_axis(&self, place: Point2) -> f64 {
+        self.major * self.shape.radius(&UnitPair::at(place))
+    }
+
+    /// Distance of a point from the torus, negative inside of the tube; NaN of a point that is not finite.
+    ///
+    /// ```
+    /// use cyclide::{Frame, Point3, Torus};
+    /// let torus = Torus::new(Frame::WORLD, 3.0, 1.0)?;
+    /// assert_eq!(torus.distance(Point3::new(0.0, 3.0, 1.5)), 0.5);
+    /// assert_eq!(torus.distance(Point3::new(0.0, 3.0, 0.0)), -1.0);
+    /// # Ok::<(), cyclide::Error>(())
+    /// ```
+    #[must_use]
+    pub fn distance(&self, p: Point3) -> f64 {
+        let (plane, height) = self.frame.to_local(p);
+        let from_core = (plane - Point2::default()).length() / self.major - 1.0;
+        (Vec2::new(from_core, height / self.major).length() - self.shape.tube) * self.major
     }
 
     /// The same torus as a cyclide, of which bodies are made: patches round both ways in the same frame.

@@ -151,6 +151,11 @@ impl TorusPiece {
         self.kind.join(units)
     }
 
+    /// The same up to positive factors, as polynomials of `s`: what runs along one angle is of degree 2 at most.
+    pub(super) fn direction_polynomials(&self, s: f64) -> UnitPair {
+        self.kind.join(std::array::from_fn(|i| self.units[i] * self.courses[i].at(s)))
+    }
+
     /// Derivatives of both angles at `s`.
     pub(super) fn rates(&self, s: f64) -> Jet3 {
         let [p, q] = self.courses.map(|c| c.jet(s));

@@ -58,7 +58,7 @@ impl NeckBlend {
     ///
     /// # Errors
     /// `parameter-out-of-range` (a height below the contact with the pipe, a thickness that is not positive, a wall as thick as the pipe);
-    /// `plate-too-small` (it does not reach beyond the neck, or the bore); `neck-folds` (of a solid: see [`warning`](Self::warning)); `not-finite`; `not-a-shell` beyond the range of numbers.
+    /// `plate-too-small` (it does not reach beyond the neck, or the bore); `neck-folds` (of a solid: see [`warnings`](Self::warnings)); `not-finite`; `not-a-shell` beyond the range of numbers.
     pub fn body(&self, made: &NeckBody) -> Result<Body> {
         for (name, length) in [(ErrorItem::Thickness, made.thickness), (ErrorItem::Wall, made.wall)] {
             check_positive(name, length)?;

@@ -1,6 +1,7 @@
 //! Curves on a torus: biarcs of linear complex functions, quartic biarcs of one type and of two, splines through points, knots.
 
 mod arcs;
+mod biarc_cover;
 mod detour;
 mod knot;
 mod projective_biarc;
@@ -11,7 +12,9 @@ mod spline_options;
 mod spline_span;
 mod two_type;
 mod two_type_loop;
+mod unroll;
 
 pub use projective_biarc::ProjectiveBiarc;
 pub use spline_options::{TorusSplineOptions, TorusTangent, TorusWinding};
 pub use two_type::TwoTypeBiarc;
+pub use unroll::{TorusMap, UnrollOptions, UnrolledSpline};

@@ -40,9 +40,7 @@ impl TorusSpline {
         tolerance: f64,
         options: &TorusSplineOptions,
     ) -> Result<Self> {
-        let place = |(index, p): (usize, &Point3)| torus.locate_numbered(index, *p, tolerance);
-        let places: Vec<Point2> = points.iter().enumerate().map(place).collect::<Result<_>>()?;
-        Self::through_places(torus, &places, options)
+        Self::through_places(torus, &torus.locate_all(points, tolerance)?, options)
     }
 
     /// The spline through places of a torus, parametrically C1, with the tangents, knots and half turns of the options. Any such data

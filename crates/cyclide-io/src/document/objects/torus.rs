@@ -1,0 +1,383 @@
+//! Curves on a torus: splines, knots, circles, and curves laid flat.
+
+use cyclide::{
+    ArcPath, Body, Circle, CurveObject, Error as E, ErrorItem as I, Lower as _, Pipe, Point2, ShortNumber,
+    SurfaceObject, Torus, TorusMap, TorusSeam, TorusSpline, TorusSplineOptions, TorusTangent, TorusWinding,
+    UnrollOptions,
+};
+
+use super::Builder;
+use super::curves::{Origin, Points};
+use super::nets::frame_of_axes;
+use super::refuse::Blame;
+use crate::document::angle::Angle;
+use crate::document::construct::{Contour, ContourFacts, Made};
+use crate::document::coordinates::Coordinates;
+use crate::document::locate::Step;
+use crate::document::spec::{
+    CyclideSpec, FreeOr, ObjectSpec, TorusCircleSpec, TorusKnotSpec, TorusMethod, TorusSeamSpec, TorusSource,
+    TorusSplineSpec, UnrolledSpec, WindingSpec,
+};
+use crate::error::{Error, Result};
+use crate::input::points::PointList;
+
+/// Distance within which points must be near the torus where nothing is said, as part of its major radius: more than the rounding
+/// of coordinates with six digits after the point, less than anybody sees.
+const NEAR: f64 = 1e-6;
+
+/// Distance within which arcs stand for a curve that is laid flat where nothing is said, as part of the width of the plane.
+const FLAT: f64 = 1e-5;
+
+/// Distance within which the edges of a seam follow its curve where nothing is said, as part of its width.
+const SEAM: f64 = 1e-3;
+
+/// What became of a curve of a torus when it was laid flat, over all its contours.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct UnrolledPlane {
+    /// The map.
+    pub map: TorusMap,
+    /// Width and height of the plane of the whole torus.
+    pub size: [f64; 2],
+    /// How often the curve was cut.
+    pub cuts: usize,
+    /// The least and the largest factor by which the map multiplies lengths round the axis, on the curve.
+    pub stretch: [f64; 2],
+    /// Length of the curve on the torus, and of all lines in the plane.
+    pub lengths: [f64; 2],
+    /// Distance within which arcs stand for the curve in the plane.
+    pub tolerance: f64,
+}
+
+impl ObjectSpec {
+    /// True for curves that are given on a torus, and what is made of them.
+    pub(super) fn is_on_torus(&self) -> bool {
+        matches!(
+            self,
+            Self::TorusSpline(_) | Self::TorusKnot(_) | Self::TorusCircle(_) | Self::Unrolled(_) | Self::TorusSeam(_)
+        )
+    }
+}
+
+impl Builder<'_> {
+    /// The torus that a curve lies on.
+    fn torus(&self, source: &TorusSource) -> Result<Torus> {
+        let refused = |e: cyclide::Error| self.refused_at([Step::from("torus")], &e);
+        match source {
+            TorusSource::Here(spec) => frame_of_axes(spec.center, spec.axis, spec.x_direction)
+                .and_then(|frame| Torus::new(frame, spec.major_radius, spec.minor_radius))
+                .map_err(refused),
+            TorusSource::Named(name) => match self.document.objects.iter().find(|(other, _)| other == name) {
+                Some((_, ObjectSpec::Cyclide(CyclideSpec { a, c: 0.0, mu, center, axis, x_direction, .. }))) => {
+                    frame_of_axes(*center, *axis, *x_direction)
+                        .and_then(|frame| Torus::new(frame, *a, *mu))
+                        .map_err(refused)
+                }
+                Some((_, ObjectSpec::Cyclide(CyclideSpec { c, .. }))) => {
+                    let message = format!("`{name}` is a `cyclide` with `c` = {c}: a torus has `c` = 0");
+                    Err(Error::Input(self.diagnostic([Step::from("torus")], &message)))
+                }
+                other => {
+                    let kind = other.map_or("", |(_, spec)| spec.type_word());
+                    let message = format!("`{name}` is of type `{kind}`: a torus is a `cyclide` with `c` = 0");
+                    Err(Error::Input(self.diagnostic([Step::from("torus")], &message)))
+                }
+            },
+        }
+    }
+
+    /// The curves through points or through places given by angles.
+    pub(super) fn torus_spline(&mut self, spec: &TorusSplineSpec) -> Result<Vec<(CurveObject, ContourFacts)>> {
+        self.check_fields(spec)?;
+        let torus = self.torus(&spec.torus)?;
+        let construct = |at: &Contour<'_>| spline(spec, &torus, at);
+        let made = match (&spec.points, &spec.angles) {
+            (Some(points), None) => self.each_contour(points, spec.closed, construct),
+            (None, Some(angles)) => {
+                // As points in space repeated ones are found in the same way.
+                let points = angles.pairs.iter().map(|[a, b]| torus.point(torus.place_of_angles(*a, *b))).collect();
+                let lists = vec![PointList { points, ..PointList::default() }];
+                let field: &[&str] = if angles.in_degrees { &["angles", "degrees"] } else { &["angles"] };
+                let origin = Origin::Document { nested: false, field };
+                self.each_contour_of(Points { kept: vec![Vec::new()], lists, origin }, spec.closed, construct)
+            }
+            _ => Err(self.unfit("a `torus-spline` is given by `points` or by `angles`")),
+        }?;
+        let moved = made.iter().filter_map(|(_, facts)| facts.moved).fold(0.0, f64::max);
+        self.warn_of_move(moved, &torus, "points");
+        Ok(made)
+    }
+
+    /// Fields that do not go together.
+    fn check_fields(&self, spec: &TorusSplineSpec) -> Result<()> {
+        let two_types = spec.method == TorusMethod::TwoTypes;
+        let is_directed = spec.tangents.as_ref().is_some_and(|all| all.iter().all(|FreeOr(given)| given.is_some()))
+            || spec.rates.as_ref().is_some_and(|all| all.pairs.iter().all(Option::is_some));
+        let message = if spec.tangents.is_some() && spec.rates.is_some() {
+            "directions are given by `tangents` or by `rates`"
+        } else if matches!(spec.winding, Some(WindingSpec::Total(_))) && !spec.closed {
+            "a pair of turns is that of a closed curve: set `closed`, or give a list of pairs, one for each step"
+        } else if spec.angles.is_some() && spec.tolerance.is_some() {
+            "`tolerance` goes with `points`: angles are on the torus"
+        } else if two_types && !(spec.closed && is_directed) {
+            "the method `two-types` makes closed curves with a direction at every point: set `closed`, and give `tangents` or `rates`"
+        } else if two_types && (spec.knots.is_some() || spec.winding.is_some() || spec.loops) {
+            "the method `two-types` goes the shortest way with the knots 0, 1, 2, …: leave out `knots`, `winding` and `loops`"
+        } else {
+            return Ok(());
+        };
+        Err(self.unfit(message))
+    }
+
+    /// A torus knot.
+    pub(super) fn torus_knot(&self, spec: &TorusKnotSpec) -> Result<TorusSpline> {
+        let torus = self.torus(&spec.torus)?;
+        let start = spec.start.map_or(Point2::default(), |start| place(&torus, start));
+        TorusSpline::knot(&torus, spec.turns, start).map_err(|e| self.refused(&e, None))
+    }
+
+    /// A circle of a torus.
+    pub(super) fn torus_circle(&mut self, spec: &TorusCircleSpec) -> Result<(CurveObject, ContourFacts)> {
+        let torus = self.torus(&spec.torus)?;
+        let (at, moved) = match (spec.through, spec.at) {
+            (Some(through), None) => {
+                let tolerance = spec.tolerance.unwrap_or(NEAR * torus.major_radius());
+                let at = torus.locate(through.point(), tolerance).map_err(|e| self.refused(&e, None))?;
+                (at, torus.distance(through.point()).abs())
+            }
+            (None, Some(at)) if spec.tolerance.is_none() => (place(&torus, at), 0.0),
+            (None, Some(_)) => return Err(self.unfit("`tolerance` goes with `through`: angles are on the torus")),
+            _ => return Err(self.unfit("a circle of a torus is given by a point: `through` or `at`")),
+        };
+        let circle: Circle = torus.circle(spec.family.into(), at).map_err(|e| self.refused(&e, None))?;
+        self.warn_of_move(moved, &torus, "through");
+        Ok((CurveObject::Circle(circle), ContourFacts::default()))
+    }
+
+    /// Says that points were moved by more than rounding.
+    fn warn_of_move(&mut self, moved: f64, torus: &Torus, field: &str) {
+        if moved <= NEAR * torus.major_radius() {
+            return;
+        }
+        let place = self.place_of([Step::from(field)]);
+        let message = format!(
+            "points are up to {} away from the torus: each was moved to the nearest point of it",
+            ShortNumber(moved)
+        );
+        self.remark("moved-onto-torus", None, None, place, message);
+    }
+
+    /// The splines that the source consists of, one at least.
+    fn splines_of_source(&self, needed: &str) -> Result<Vec<TorusSpline>> {
+        let source = self.sources.first().map_or(&[][..], |source| source.item.curves());
+        let on_torus = |curve: &CurveObject| match curve {
+            CurveObject::TorusSpline(spline) => Some(spline.clone()),
+            _ => None,
+        };
+        let splines: Vec<TorusSpline> = source.iter().map_while(on_torus).collect();
+        if splines.is_empty() || splines.len() < source.len() { Err(self.wrong_source(needed)) } else { Ok(splines) }
+    }
+
+    /// Raised or sunk seams.
+    pub(super) fn torus_seam(&mut self, spec: &TorusSeamSpec) -> Result<Vec<SurfaceObject>> {
+        let splines = self.splines_of_source("only a `torus-spline` or a `torus-knot` has a seam along it")?;
+        let tolerance = spec.tolerance.unwrap_or(SEAM * spec.width);
+        let bodies = TorusSeam::new(spec.width, spec.height)
+            .and_then(|seam| splines.iter().map(|spline| seam.body(spline, tolerance)).collect::<cyclide::Result<_>>());
+        let bodies: Vec<Body> = bodies.map_err(|e| self.refused(&e, None))?;
+        // Where pipes as wide as the seam run into themselves or each other, the seam does.
+        let pipe = Pipe::new(0.5 * spec.width).map_err(|e| self.refused(&e, None))?;
+        let spines: Vec<ArcPath> =
+            splines.iter().filter_map(|spline| spline.to_arcs(tolerance).ok()).map(|(path, _)| path).collect();
+        let with_itself = spines.iter().any(|path| matches!(pipe.body(path), Err(E::PipeMeetsItself { .. })));
+        if with_itself || pipe.first_meeting(&spines).is_ok_and(|meeting| meeting.is_some()) {
+            let place = self.place_of([Step::from("width")]);
+            let message = "the seam comes nearer to itself than its width: the solid runs through itself there, and volume and area count twice what it shares";
+            self.remark("seam-meets-itself", None, None, place, message.to_owned());
+        }
+        Ok(bodies.into_iter().map(SurfaceObject::Body).collect())
+    }
+
+    /// Curves of a torus laid flat.
+    pub(super) fn unrolled(&mut self, spec: &UnrolledSpec) -> Result<Vec<CurveObject>> {
+        let splines = self.splines_of_source("only a `torus-spline` or a `torus-knot` is laid flat with its torus")?;
+        let torus = *splines[0].torus();
+        let size = spec.map.size(&torus);
+        let mut options = UnrollOptions::new(spec.tolerance.unwrap_or(FLAT * size[0]));
+        options.map = spec.map;
+        options.seam = spec.seam.map_or(options.seam, |seam| seam.map(Angle::turn));
+        let mut plane = UnrolledPlane {
+            map: spec.map,
+            size,
+            cuts: 0,
+            stretch: [f64::INFINITY, 0.0],
+            lengths: [0.0; 2],
+            tolerance: options.tolerance,
+        };
+        let mut curves = Vec::new();
+        for spline in &splines {
+            let flat = spline.unroll(&options).map_err(|e| self.refused(&e, None))?;
+            plane.cuts += flat.cuts;
+            plane.stretch = [plane.stretch[0].min(flat.stretch[0]), plane.stretch[1].max(flat.stretch[1])];
+            plane.lengths = [plane.lengths[0] + flat.lengths[0], plane.lengths[1] + flat.lengths[1]];
+            curves.extend(flat.lines.into_iter().map(CurveObject::ArcPath));
+        }
+        if plane.cuts > 0 {
+            let (cuts, lines) = (plane.cuts, curves.len());
+            let counted = |count: usize, one: &str, more: &str| {
+                if count == 1 { one.to_owned() } else { format!("{count} {more}") }
+            };
+            let message = format!(
+                "the curve crosses the cuts of the torus {} and is {} in the plane: lines end at its border",
+                counted(cuts, "once", "times"),
+                counted(lines, "one line", "lines")
+            );
+            self.remark("cut-at-seam", None, None, None, message);
+        }
+        if spec.border {
+            curves.push(CurveObject::ArcPath(border(&torus, &options).map_err(|e| self.refused(&e, None))?));
+        }
+        self.unrolled = Some(plane);
+        Ok(curves)
+    }
+}
+
+/// The place at a longitude and a meridian angle; whole turns do not matter.
+fn place(torus: &Torus, [longitude, meridian]: [Angle; 2]) -> Point2 {
+    torus.place_of_angles(longitude.turn(), meridian.turn())
+}
+
+/// The rectangle of the unrolled torus: longitudes from the cut on, meridian angles up to it.
+fn border(torus: &Torus, options: &UnrollOptions) -> cyclide::Result<ArcPath> {
+    let [width, height] = options.map.size(torus);
+    let corner = options.map.point(torus, torus.place_of_angles(options.seam[0], options.seam[1]));
+    let corners = [[0.0, -height], [width, -height], [width, 0.0], [0.0, 0.0]];
+    let points = corners.map(|[x, y]| cyclide::Point3::new(corner.x + x, corner.y + y, 0.0));
+    ArcPath::rounded_polyline(&points, true, &[0.0; 4])
+}
+
+/// One contour of a spline.
+fn spline(spec: &TorusSplineSpec, torus: &Torus, at: &Contour<'_>) -> Made {
+    let mut facts = at.facts(None);
+    let places: Vec<Point2> = if let Some(angles) = &spec.angles {
+        at.kept.iter().filter_map(|&i| angles.pairs.get(i)).map(|[a, b]| torus.place_of_angles(*a, *b)).collect()
+    } else {
+        let tolerance = spec.tolerance.unwrap_or(NEAR * torus.major_radius());
+        facts.moved = Some(at.list.points.iter().map(|p| torus.distance(*p).abs()).fold(0.0, f64::max));
+        torus.locate_all(&at.list.points, tolerance)?
+    };
+    let tangents = tangents(spec, torus, &places, at)?;
+    let made = if spec.method == TorusMethod::TwoTypes {
+        let rates: Vec<_> = tangents
+            .iter()
+            .zip(&places)
+            .map(|(tangent, place)| match tangent {
+                TorusTangent::Rate(rate) => *rate,
+                TorusTangent::Velocity(velocity) => torus.rate(*place, *velocity),
+                TorusTangent::Free => cyclide::Vec2::default(),
+            })
+            .collect();
+        TorusSpline::two_type_loop(torus, &places, &rates)?
+    } else {
+        let winding = match &spec.winding {
+            None => TorusWinding::Shortest,
+            Some(WindingSpec::Total(turns)) => TorusWinding::Total(*turns),
+            Some(WindingSpec::Each(turns)) => TorusWinding::PerSegment(turns.clone()),
+        };
+        let knots = spec.knots.as_ref().map_or_else(Vec::new, |knots| kept_knots(knots, spec.closed, at));
+        let options = TorusSplineOptions { closed: spec.closed, tangents, knots, winding, loops: spec.loops };
+        TorusSpline::through_places(torus, &places, &options)?
+    };
+    Ok((CurveObject::TorusSpline(made), facts, Vec::new()))
+}
+
+/// The directions of the points that are left after merging; empty if none is given.
+fn tangents(
+    spec: &TorusSplineSpec,
+    torus: &Torus,
+    places: &[Point2],
+    at: &Contour<'_>,
+) -> cyclide::Result<Vec<TorusTangent>> {
+    let velocity = |FreeOr(v): &FreeOr<Coordinates>, _: Point2| v.map(|v| TorusTangent::Velocity(v.vector()));
+    let rate = |r: &Option<[f64; 2]>, place| r.map(|r| TorusTangent::Rate(torus.rate_of_angles(place, r)));
+    match (&spec.tangents, &spec.rates) {
+        (Some(given), _) => of_kept(given, places, at, velocity),
+        (None, Some(given)) => of_kept(&given.pairs, places, at, rate),
+        (None, None) => Ok(Vec::new()),
+    }
+}
+
+/// Each point's own of a list for the points as given; what belongs to points that were merged away goes with them.
+fn of_kept<T>(
+    given: &[T],
+    places: &[Point2],
+    at: &Contour<'_>,
+    tangent: impl Fn(&T, Point2) -> Option<TorusTangent>,
+) -> cyclide::Result<Vec<TorusTangent>> {
+    let needed = at.kept.last().map_or(0, |last| last + 1).max(at.kept.len());
+    // The last point of a closed list may repeat the first.
+    if given.len() < needed || given.len() > needed + 1 {
+        return Err(E::CountDiffers { what: I::Tangent, given: given.len(), needed });
+    }
+    let own = at.kept.iter().zip(places).filter_map(|(&i, place)| given.get(i).map(|g| tangent(g, *place)));
+    Ok(own.map(Option::unwrap_or_default).collect())
+}
+
+/// The knots of the points that are left after merging, and that at the end of a closed curve.
+fn kept_knots(knots: &[f64], closed: bool, at: &Contour<'_>) -> Vec<f64> {
+    let needed = at.kept.last().map_or(0, |last| last + 1);
+    if at.kept.len() == needed {
+        return knots.to_vec();
+    }
+    let own = at.kept.iter().filter_map(|&i| knots.get(i).copied());
+    let end = knots.last().copied().filter(|_| closed && knots.len() > needed);
+    own.chain(end).collect()
+}
+
+/// Which value of a curve on a torus an error of the kernel is about.
+pub(super) fn blame_torus(spec: &ObjectSpec, error: &cyclide::Error) -> Blame {
+    let directions = match spec {
+        ObjectSpec::TorusSpline(s) if s.rates.is_some() => "rates",
+        _ => "tangents",
+    };
+    let angles = match spec {
+        ObjectSpec::TorusKnot(_) => "start",
+        ObjectSpec::TorusCircle(s) if s.at.is_some() => "at",
+        ObjectSpec::TorusCircle(_) => "through",
+        ObjectSpec::Unrolled(_) => "seam",
+        _ => "angles",
+    };
+    match error {
+        E::ZeroTangent { index } | E::NotFinite { what: I::Tangent, index } => Blame::Entry(directions, *index),
+        E::CountDiffers { what: I::Tangent, .. } => Blame::Field(directions),
+        E::CountDiffers { what: I::Knot, .. } => Blame::Field("knots"),
+        E::NotFinite { what: I::Knot, index } => Blame::Entry("knots", *index),
+        E::EmptyInterval { index, .. } => Blame::Entry("knots", index + 1),
+        E::NotCoprime { .. } => Blame::Field("turns"),
+        E::ParameterOutOfRange { name: name @ (I::Width | I::Height), .. } => Blame::Field(name.word()),
+        E::RadiusNotPositive { .. } => Blame::Field("width"),
+        _ if matches!(spec, ObjectSpec::TorusSeam(_))
+            && !matches!(error, E::ToleranceNotPositive { .. } | E::TooManyPieces { .. }) =>
+        {
+            Blame::Field("of")
+        }
+        E::NoTwoTypeSolution { .. } => Blame::Field("method"),
+        E::ToleranceNotPositive { .. } => Blame::Field("tolerance"),
+        E::CountDiffers { what: I::Winding, .. } => Blame::Field("winding"),
+        E::ParameterOutOfRange { name: I::Winding, .. } | E::TooManyPieces { .. } => match spec {
+            ObjectSpec::TorusKnot(_) => Blame::Field("turns"),
+            ObjectSpec::Unrolled(_) | ObjectSpec::TorusSeam(_) => Blame::Field("tolerance"),
+            _ => Blame::Field("winding"),
+        },
+        E::ParameterOutOfRange { name: I::TangentOverSpan, .. } => match spec {
+            ObjectSpec::TorusSpline(s) if s.knots.is_some() => Blame::Field("knots"),
+            _ => Blame::Field(directions),
+        },
+        E::ParameterOutOfRange { name: I::Angle, .. } | E::NotFinite { what: I::Angle, .. } => Blame::Field(angles),
+        E::PointOnAxis { .. } | E::PointOnCoreCircle { .. } | E::PointOffTorus { .. }
+            if matches!(spec, ObjectSpec::TorusCircle(_)) =>
+        {
+            Blame::Field(angles)
+        }
+        _ => error.index().map_or(Blame::Object, Blame::Point),
+    }
+}

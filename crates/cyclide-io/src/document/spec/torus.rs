@@ -1,0 +1,507 @@
+//! Curves on a torus, field by field.
+
+use std::fmt;
+
+use cyclide::{CircleFamily, TorusMap};
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use serde::Deserialize;
+use serde::de::value::{MapAccessDeserializer, SeqAccessDeserializer};
+use serde::de::{Deserializer, MapAccess, SeqAccess, Visitor};
+
+use super::TypeWord;
+use super::comment::Comment;
+use crate::document::angle::Angle;
+use crate::document::coordinates::{Coordinates, PointSource};
+
+/// A smooth curve on a torus through points near it, or through places given by two angles: rational quartics that lie exactly on the
+/// torus, C1 in their knots. There always is one: where directions turn back it makes a detour.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(extend("oneOf" = [
+    { "required": ["points"], "properties": { "angles": false } },
+    { "required": ["angles"], "properties": { "points": false, "tolerance": false } }
+]))]
+pub struct TorusSplineSpec {
+    /// The word `torus-spline`.
+    #[schemars(with = "String", extend("const" = "torus-spline"))]
+    pub r#type: TypeWord,
+    /// What the author remarks; read and left aside.
+    #[serde(default)]
+    pub comment: Comment,
+    /// Construction geometry: built and reported, not written to files.
+    #[serde(default)]
+    pub construction: bool,
+    /// The torus that it lies on: here, or the name of a `cyclide` that is one (`c` = 0).
+    pub torus: TorusSource,
+    /// Points on or near the torus. Each is moved to the nearest point of the torus.
+    pub points: Option<PointSource>,
+    /// Longitude and meridian angle of each point.
+    pub angles: Option<AnglePairs>,
+    /// Distance within which points must be near the torus. Default: a millionth of its major radius.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub tolerance: Option<f64>,
+    /// Velocities in space, one for each point, by the knots: their length counts. What they have across the torus is left out;
+    /// `"free"` leaves a point its own.
+    pub tangents: Option<Vec<FreeOr<Coordinates>>>,
+    /// Velocities as rates of longitude and meridian angle, one for each point, by the knots; `"free"` leaves a
+    /// point its own.
+    pub rates: Option<RatePairs>,
+    /// The parameter at each point, increasing, and of a closed curve at its end. Default: 0, 1, 2, ….
+    pub knots: Option<Vec<f64>>,
+    /// The last point joins the first.
+    #[serde(default)]
+    pub closed: bool,
+    /// Turns round the axis and round the tube of a closed curve; or a list of turns added to the shortest way, one pair for each
+    /// step. Default: the shortest way from point to point.
+    pub winding: Option<WindingSpec>,
+    /// Equal neighbouring points get a loop between them; else they are one point.
+    #[serde(default)]
+    pub loops: bool,
+    /// How the points are joined.
+    #[serde(default)]
+    pub method: TorusMethod,
+}
+
+/// How the points of a curve on a torus are joined.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum TorusMethod {
+    /// By pieces of one type between two points where that will do, else by more. It always succeeds.
+    #[default]
+    General,
+    /// By two pieces of two types from each point to the next, so that directions may be along parallels and meridians in turn: closed,
+    /// with a direction at every point. Not all data have such a curve.
+    TwoTypes,
+}
+
+/// A torus knot: the closed curve that runs evenly round the axis and round the tube of a torus.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct TorusKnotSpec {
+    /// The word `torus-knot`.
+    #[schemars(with = "String", extend("const" = "torus-knot"))]
+    pub r#type: TypeWord,
+    /// What the author remarks; read and left aside.
+    #[serde(default)]
+    pub comment: Comment,
+    /// Construction geometry: built and reported, not written to files.
+    #[serde(default)]
+    pub construction: bool,
+    /// The torus that it lies on: here, or the name of a `cyclide` that is one (`c` = 0).
+    pub torus: TorusSource,
+    /// Turns round the axis and turns round the tube, without a common divisor; negative ones run the other way.
+    pub turns: [i32; 2],
+    /// Longitude and meridian angle of its start. Default `[0, 0]`.
+    pub start: Option<[Angle; 2]>,
+}
+
+/// A circle of a torus through a point of it.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(extend("oneOf" = [
+    { "required": ["through"], "properties": { "at": false } },
+    { "required": ["at"], "properties": { "through": false, "tolerance": false } }
+]))]
+pub struct TorusCircleSpec {
+    /// The word `torus-circle`.
+    #[schemars(with = "String", extend("const" = "torus-circle"))]
+    pub r#type: TypeWord,
+    /// What the author remarks; read and left aside.
+    #[serde(default)]
+    pub comment: Comment,
+    /// Construction geometry: built and reported, not written to files.
+    #[serde(default)]
+    pub construction: bool,
+    /// The torus that it lies on: here, or the name of a `cyclide` that is one (`c` = 0).
+    pub torus: TorusSource,
+    /// Which of the four circles through the point.
+    #[serde(default)]
+    pub family: FamilySpec,
+    /// The point, on or near the torus.
+    pub through: Option<Coordinates>,
+    /// Longitude and meridian angle of the point.
+    pub at: Option<[Angle; 2]>,
+    /// Distance within which the point must be near the torus. Default: a millionth of its major radius.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub tolerance: Option<f64>,
+}
+
+/// A family of circles on a torus.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum FamilySpec {
+    /// Villarceau circles: longitude and meridian angle rise together.
+    #[default]
+    Villarceau,
+    /// Villarceau circles along which the meridian angle falls as the longitude rises.
+    MirrorVillarceau,
+    /// Round the axis.
+    Parallel,
+    /// Round the tube.
+    Meridian,
+}
+
+impl From<FamilySpec> for CircleFamily {
+    fn from(family: FamilySpec) -> Self {
+        match family {
+            FamilySpec::Villarceau => Self::Villarceau,
+            FamilySpec::MirrorVillarceau => Self::MirrorVillarceau,
+            FamilySpec::Parallel => Self::Parallel,
+            FamilySpec::Meridian => Self::Meridian,
+        }
+    }
+}
+
+/// A curve of a torus laid flat: the torus is cut along a parallel and a meridian and unrolled to a rectangle in the plane z = 0. Lines
+/// break where the curve crosses the cuts.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct UnrolledSpec {
+    /// The word `unrolled`.
+    #[schemars(with = "String", extend("const" = "unrolled"))]
+    pub r#type: TypeWord,
+    /// What the author remarks; read and left aside.
+    #[serde(default)]
+    pub comment: Comment,
+    /// Construction geometry: built and reported, not written to files.
+    #[serde(default)]
+    pub construction: bool,
+    /// Name of the `torus-spline` or `torus-knot`, which may be construction geometry.
+    pub of: String,
+    /// How the torus is laid flat.
+    #[serde(default)]
+    pub map: TorusMap,
+    /// Longitude and meridian angle of the cuts. Default: the longitude 0, and the inner side (half a turn).
+    pub seam: Option<[Angle; 2]>,
+    /// Distance within which arcs stand for the curve in the plane. Default: a hundred-thousandth of the width of the plane.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub tolerance: Option<f64>,
+    /// Adds the rectangle of the unrolled torus.
+    #[serde(default)]
+    pub border: bool,
+}
+
+/// A solid along a curve of a torus with a rectangular section: a raised seam to be fused to the torus, a sunk one to be cut from it.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct TorusSeamSpec {
+    /// The word `torus-seam`.
+    #[schemars(with = "String", extend("const" = "torus-seam"))]
+    pub r#type: TypeWord,
+    /// What the author remarks; read and left aside.
+    #[serde(default)]
+    pub comment: Comment,
+    /// Construction geometry: built and reported, not written to files.
+    #[serde(default)]
+    pub construction: bool,
+    /// Name of the `torus-spline` or `torus-knot`, which may be construction geometry.
+    pub of: String,
+    /// Width across the curve.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub width: f64,
+    /// From where to where it reaches, along the outward normal of the torus: negative below the surface.
+    pub height: [f64; 2],
+    /// Distance within which the edges follow the curve. Default: a thousandth of the width.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub tolerance: Option<f64>,
+}
+
+/// A ring torus: a tube about a circle.
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(rename = "Torus")]
+pub struct TorusSpec {
+    /// Radius of the circle that the middle of the tube follows.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub major_radius: f64,
+    /// Radius of the tube, less than that.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub minor_radius: f64,
+    /// Where the centre is. Default: the origin.
+    pub center: Option<Coordinates>,
+    /// Axis of the torus, of any length. Default `[0, 0, 1]`.
+    pub axis: Option<Coordinates>,
+    /// Direction of the longitude 0, perpendicular to `axis`, of any length. Default `[1, 0, 0]`, or for another axis the direction nearest
+    /// to it.
+    pub x_direction: Option<Coordinates>,
+}
+
+/// The torus of a curve.
+#[derive(Debug, Clone, PartialEq, JsonSchema)]
+#[schemars(untagged, rename = "TorusSource")]
+pub enum TorusSource {
+    /// Its radii and its place.
+    Here(TorusSpec),
+    /// Name of a `cyclide` with `c` = 0.
+    Named(String),
+}
+
+impl TorusSource {
+    /// The name of the object, if it is one.
+    pub(in crate::document) fn name(&self) -> Option<&str> {
+        match self {
+            Self::Here(_) => None,
+            Self::Named(name) => Some(name),
+        }
+    }
+}
+
+impl<'de> Deserialize<'de> for TorusSource {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct TorusVisitor;
+        impl<'de> Visitor<'de> for TorusVisitor {
+            type Value = TorusSource;
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str("`{\"major_radius\": …, \"minor_radius\": …}` or the name of a `cyclide`")
+            }
+            fn visit_str<E>(self, name: &str) -> Result<TorusSource, E> {
+                Ok(TorusSource::Named(name.to_owned()))
+            }
+            fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<TorusSource, A::Error> {
+                TorusSpec::deserialize(MapAccessDeserializer::new(map)).map(TorusSource::Here)
+            }
+        }
+        deserializer.deserialize_any(TorusVisitor)
+    }
+}
+
+/// Pairs of longitude and meridian angle, in radians: `[[0, 0.5], …]`, `{"degrees": [[0, 30], …]}`.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct AnglePairs {
+    /// In radians.
+    pub pairs: Vec<[f64; 2]>,
+    /// True if the document has them in degrees.
+    pub in_degrees: bool,
+}
+
+/// The same for rates, of which any may be left free.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct RatePairs {
+    /// In radians by the knots.
+    pub pairs: Vec<Option<[f64; 2]>>,
+    /// True if the document has them in degrees.
+    pub in_degrees: bool,
+}
+
+/// A velocity, or the word `free`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FreeOr<T>(pub Option<T>);
+
+impl<'de, T: Deserialize<'de>> Deserialize<'de> for FreeOr<T> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct FreeVisitor<T>(std::marker::PhantomData<T>);
+        impl<'de, T: Deserialize<'de>> Visitor<'de> for FreeVisitor<T> {
+            type Value = FreeOr<T>;
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str("a list of numbers, or the word `free`")
+            }
+            fn visit_str<E: serde::de::Error>(self, word: &str) -> Result<FreeOr<T>, E> {
+                if word == "free" { Ok(FreeOr(None)) } else { Err(E::unknown_variant(word, &["free"])) }
+            }
+            fn visit_seq<A: SeqAccess<'de>>(self, seq: A) -> Result<FreeOr<T>, A::Error> {
+                T::deserialize(SeqAccessDeserializer::new(seq)).map(|given| FreeOr(Some(given)))
+            }
+        }
+        deserializer.deserialize_any(FreeVisitor(std::marker::PhantomData))
+    }
+}
+
+impl JsonSchema for FreeOr<Coordinates> {
+    fn schema_name() -> std::borrow::Cow<'static, str> {
+        "FreeOrVelocity".into()
+    }
+    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
+        let one = generator.subschema_for::<Coordinates>();
+        json_schema!({ "description": "A velocity, or the word `free`.", "anyOf": [one, { "const": "free" }] })
+    }
+}
+
+/// A list of pairs as it stands, or in degrees.
+struct PairsVisitor<T>(std::marker::PhantomData<T>);
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct InDegrees<T> {
+    degrees: Vec<T>,
+}
+
+impl<'de, T: Deserialize<'de>> Visitor<'de> for PairsVisitor<T> {
+    /// The pairs, and whether they are in degrees.
+    type Value = (Vec<T>, bool);
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(
+            "pairs of longitude and meridian angle, `[[0, 0.5], …]` in radians or `{\"degrees\": [[0, 30], …]}`",
+        )
+    }
+    fn visit_seq<A: SeqAccess<'de>>(self, seq: A) -> Result<Self::Value, A::Error> {
+        Vec::deserialize(SeqAccessDeserializer::new(seq)).map(|pairs| (pairs, false))
+    }
+    fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<Self::Value, A::Error> {
+        InDegrees::deserialize(MapAccessDeserializer::new(map)).map(|given| (given.degrees, true))
+    }
+}
+
+/// In radians; whole turns stay.
+fn in_radians(pair: [f64; 2], in_degrees: bool) -> [f64; 2] {
+    if in_degrees { pair.map(f64::to_radians) } else { pair }
+}
+
+impl<'de> Deserialize<'de> for AnglePairs {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let (pairs, in_degrees) = deserializer.deserialize_any(PairsVisitor::<[f64; 2]>(std::marker::PhantomData))?;
+        Ok(Self { pairs: pairs.into_iter().map(|pair| in_radians(pair, in_degrees)).collect(), in_degrees })
+    }
+}
+
+impl<'de> Deserialize<'de> for RatePairs {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let visitor = PairsVisitor::<FreeOr<[f64; 2]>>(std::marker::PhantomData);
+        let (pairs, in_degrees) = deserializer.deserialize_any(visitor)?;
+        let radians = |FreeOr(pair): FreeOr<[f64; 2]>| pair.map(|pair| in_radians(pair, in_degrees));
+        Ok(Self { pairs: pairs.into_iter().map(radians).collect(), in_degrees })
+    }
+}
+
+fn pairs_schema(description: &str, pair: &Schema) -> Schema {
+    let list = json_schema!({ "type": "array", "items": pair, "minItems": 1 });
+    json_schema!({
+        "description": description,
+        "anyOf": [
+            list,
+            {
+                "type": "object",
+                "properties": { "degrees": list },
+                "required": ["degrees"],
+                "additionalProperties": false
+            }
+        ]
+    })
+}
+
+fn pair_schema() -> Schema {
+    json_schema!({ "type": "array", "items": { "type": "number" }, "minItems": 2, "maxItems": 2 })
+}
+
+impl JsonSchema for AnglePairs {
+    fn schema_name() -> std::borrow::Cow<'static, str> {
+        "AnglePairs".into()
+    }
+    fn json_schema(_generator: &mut SchemaGenerator) -> Schema {
+        pairs_schema(
+            "Pairs of longitude and meridian angle: in radians, or in degrees with their name.",
+            &pair_schema(),
+        )
+    }
+}
+
+impl JsonSchema for RatePairs {
+    fn schema_name() -> std::borrow::Cow<'static, str> {
+        "RatePairs".into()
+    }
+    fn json_schema(_generator: &mut SchemaGenerator) -> Schema {
+        let pair = json_schema!({ "anyOf": [pair_schema(), { "const": "free" }] });
+        pairs_schema(
+            "Pairs of rates of longitude and meridian angle, in radians, or in degrees with their name.",
+            &pair,
+        )
+    }
+}
+
+/// The turns of a curve on a torus.
+#[derive(Debug, Clone, PartialEq, Eq, JsonSchema)]
+#[schemars(untagged, rename = "Winding")]
+pub enum WindingSpec {
+    /// Round the axis and round the tube, in all.
+    Total([i32; 2]),
+    /// Added to the shortest way, for each step.
+    Each(Vec<[i32; 2]>),
+}
+
+impl<'de> Deserialize<'de> for WindingSpec {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        /// What can stand in the list.
+        enum Cell {
+            Turns(i32),
+            Pair([i32; 2]),
+        }
+        struct CellVisitor;
+        impl CellVisitor {
+            const WHAT: &'static str = "a whole number of turns, or a pair of them";
+            fn turns<E: serde::de::Error>(turns: Option<i32>) -> Result<Cell, E> {
+                turns.map(Cell::Turns).ok_or_else(|| E::custom("more turns than anybody winds"))
+            }
+        }
+        impl<'de> Visitor<'de> for CellVisitor {
+            type Value = Cell;
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str(Self::WHAT)
+            }
+            fn visit_i64<E: serde::de::Error>(self, turns: i64) -> Result<Cell, E> {
+                Self::turns(i32::try_from(turns).ok())
+            }
+            fn visit_u64<E: serde::de::Error>(self, turns: u64) -> Result<Cell, E> {
+                Self::turns(i32::try_from(turns).ok())
+            }
+            fn visit_seq<A: SeqAccess<'de>>(self, seq: A) -> Result<Cell, A::Error> {
+                <[i32; 2]>::deserialize(SeqAccessDeserializer::new(seq)).map(Cell::Pair)
+            }
+        }
+        impl<'de> Deserialize<'de> for Cell {
+            fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+                deserializer.deserialize_any(CellVisitor)
+            }
+        }
+        let cells = Vec::<Cell>::deserialize(deserializer)?;
+        if let [Cell::Turns(round), Cell::Turns(tube)] = cells[..] {
+            return Ok(Self::Total([round, tube]));
+        }
+        let pair = |cell: Cell| match cell {
+            Cell::Pair(pair) => Ok(pair),
+            Cell::Turns(_) => Err(serde::de::Error::custom(
+                "`winding` is a pair of turns `[1, 2]`, or a list of such pairs, one for each step",
+            )),
+        };
+        cells.into_iter().map(pair).collect::<Result<_, _>>().map(Self::Each)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn windings_are_one_pair_or_a_list_of_pairs() {
+        let parse = |text: &str| serde_json::from_str::<WindingSpec>(text).map_err(|e| e.to_string());
+        assert_eq!(parse("[1,-2]"), Ok(WindingSpec::Total([1, -2])));
+        assert_eq!(parse("[[1,-2],[0,3]]"), Ok(WindingSpec::Each(vec![[1, -2], [0, 3]])));
+        for (text, message) in [
+            ("[1]", "`winding` is a pair of turns"),
+            ("[1,2,3]", "`winding` is a pair of turns"),
+            ("[1.5,2]", "expected a whole number of turns"),
+            ("[3000000000,2]", "more turns"),
+            ("[[1,2,3]]", "invalid length 3"),
+        ] {
+            let error = parse(text).unwrap_err();
+            assert!(error.contains(message), "{text}: {error}");
+        }
+    }
+
+    #[test]
+    fn angles_are_radians_or_say_degrees() {
+        let parse = |text: &str| serde_json::from_str::<AnglePairs>(text).map_err(|e| e.to_string());
+        assert_eq!(parse("[[1,2]]").map(|a| a.pairs), Ok(vec![[1.0, 2.0]]));
+        let degrees = parse("{\"degrees\":[[180,-90]]}").unwrap();
+        assert_eq!(degrees.pairs, [[std::f64::consts::PI, -std::f64::consts::FRAC_PI_2]]);
+        assert!(degrees.in_degrees);
+        let rates: RatePairs = serde_json::from_str("{\"degrees\":[[180,0],\"free\"]}").unwrap();
+        assert_eq!(rates.pairs, [Some([std::f64::consts::PI, 0.0]), None]);
+        for (text, message) in [
+            ("[1,2]", "invalid type: integer `1`"),
+            ("{\"radians\":[[1,2]]}", "unknown field `radians`, expected `degrees`"),
+            ("7", "expected pairs of longitude and meridian angle"),
+        ] {
+            let error = parse(text).unwrap_err();
+            assert!(error.contains(message), "{text}: {error}");
+        }
+    }
+}

@@ -1,0 +1,210 @@
+//! The report on curves of a torus, and on what becomes of them in the plane.
+
+use std::collections::BTreeMap;
+use std::fmt;
+
+use cyclide::{
+    CircleFamily, CurveObject, Exactness, Lower as _, ParamCurve as _, QuarticType, SegmentMethod, TorusMap,
+    TorusSpline,
+};
+use serde::Serialize;
+
+use super::text::{Line, plural, short};
+use crate::document::{BuiltObject, UnrolledPlane};
+
+/// Samples of the distance from the torus on each span of the rational form.
+const SAMPLES: usize = 16;
+
+/// How splines run on their torus, over all contours.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct TorusReport {
+    /// Radius of the circle that the middle of the tube follows.
+    pub major_radius: f64,
+    /// Radius of the tube.
+    pub minor_radius: f64,
+    /// Turns round the axis and round the tube of each closed contour; `null` for an open one.
+    pub winding: Vec<Option<[i64; 2]>>,
+    /// Largest distance from the torus of the rational curves that files hold: rounding.
+    pub off: f64,
+    /// Largest distance by which points were moved onto the torus.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub moved: Option<f64>,
+    /// The number of pieces of each type: between which families of circles they run.
+    pub types: BTreeMap<String, usize>,
+    /// How the segments between points were joined.
+    pub segments: SegmentCounts,
+    /// Joints at which the type changes.
+    pub type_changes: usize,
+    /// Largest jump of the velocity at a joint, by the knots, relative to the velocity: rounding.
+    pub velocity_jump: f64,
+    /// The least quality of a segment: near 0 the curve comes nearly to a stop, 1 is an arc of a circle at constant speed.
+    pub quality: f64,
+}
+
+/// How segments between points were joined.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
+pub struct SegmentCounts {
+    /// By pieces of one type.
+    pub direct: usize,
+    /// Cut in halves until each part had a type.
+    pub halved: usize,
+    /// By a way of arcs and lines in the plane of the torus.
+    pub detour: usize,
+    /// By two pieces of two types.
+    pub two_types: usize,
+}
+
+/// What became of curves that were laid flat with their torus.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct UnrolledReport {
+    /// The map: `belt` or `conformal`.
+    pub map: &'static str,
+    /// Width and height of the plane of the whole torus.
+    pub size: [f64; 2],
+    /// How often the curve crosses the cuts of the torus.
+    pub cuts: usize,
+    /// The least and the largest factor by which lengths round the axis are multiplied, along the curve. Round the tube the factor is
+    /// 1 on a belt, and the same as round the axis in the conformal map.
+    pub stretch: [f64; 2],
+    /// Length of the curve on the torus.
+    pub length_on_torus: f64,
+    /// Length of all its lines in the plane.
+    pub length_in_plane: f64,
+    /// Distance within which arcs stand for the curve in the plane.
+    pub tolerance: f64,
+}
+
+impl TorusReport {
+    /// Measures an object whose curves are splines on one torus.
+    pub(super) fn new(built: &BuiltObject) -> Option<Self> {
+        let splines: Vec<&TorusSpline> = built.item.curves().iter().filter_map(on_torus).collect();
+        let torus = splines.first()?.torus();
+        let moved = built.contours.iter().filter_map(|facts| facts.moved).reduce(f64::max);
+        let mut report = Self {
+            major_radius: torus.major_radius(),
+            minor_radius: torus.minor_radius(),
+            winding: splines.iter().map(|spline| spline.winding()).collect(),
+            off: 0.0,
+            moved,
+            types: BTreeMap::new(),
+            segments: SegmentCounts::default(),
+            type_changes: 0,
+            velocity_jump: 0.0,
+            quality: f64::INFINITY,
+        };
+        splines.into_iter().for_each(|spline| report.add(spline));
+        Some(report)
+    }
+
+    fn add(&mut self, spline: &TorusSpline) {
+        for piece in spline.pieces() {
+            *self.types.entry(type_word(piece.quartic_type())).or_default() += 1;
+        }
+        for segment in spline.segments() {
+            *match segment.method {
+                SegmentMethod::Direct => &mut self.segments.direct,
+                SegmentMethod::Halved => &mut self.segments.halved,
+                SegmentMethod::Detour => &mut self.segments.detour,
+                SegmentMethod::TwoTypes => &mut self.segments.two_types,
+            } += 1;
+            self.quality = self.quality.min(segment.quality);
+        }
+        for joint in spline.junctions() {
+            self.type_changes += usize::from(joint.types[0] != joint.types[1]);
+            self.velocity_jump = self.velocity_jump.max(joint.jump.length() / joint.velocity.length());
+        }
+        self.off = self.off.max(off_torus(spline).unwrap_or(f64::NAN));
+    }
+
+    /// The lines of the text.
+    pub(super) fn lines(&self, units: &str, line: Line<'_>) -> fmt::Result {
+        let (major, minor, off) = (short(self.major_radius), short(self.minor_radius), short(self.off));
+        let mut text = format!("radii {major} {units} and {minor} {units}, the curve off it by {off} {units}");
+        if let Some(moved) = self.moved.filter(|moved| *moved > 0.0) {
+            text += &format!(", its points by {} {units}", short(moved));
+        }
+        line("torus", text)?;
+        if let [Some([axis, tube])] = self.winding[..] {
+            line("winding", format!("{} round the axis, {} round the tube", turns(axis), turns(tube)))?;
+        }
+        let types: Vec<String> = self.types.iter().map(|(word, count)| format!("{count} {word}")).collect();
+        let changes = plural(self.type_changes, "change");
+        line("types", format!("{}; {changes} of type, velocity jump {}", types.join(", "), short(self.velocity_jump)))?;
+        line("segments", format!("{}; least quality {}", self.segments.text(), short(self.quality)))
+    }
+}
+
+impl SegmentCounts {
+    fn text(self) -> String {
+        let all = [
+            (self.direct, "direct"),
+            (self.halved, "halved"),
+            (self.detour, "by detours"),
+            (self.two_types, "of two types"),
+        ];
+        let some = all.into_iter().filter(|(count, _)| *count > 0);
+        some.map(|(count, how)| format!("{count} {how}")).collect::<Vec<_>>().join(", ")
+    }
+}
+
+impl UnrolledReport {
+    /// The lines of the text.
+    pub(super) fn lines(&self, units: &str, line: Line<'_>) -> fmt::Result {
+        let [width, height] = self.size.map(short);
+        let (cuts, within) = (plural(self.cuts, "cut"), short(self.tolerance));
+        line("unrolled", format!("{} of {width} by {height} {units}, {cuts}, within {within} {units}", self.map))?;
+        let [least, most] = self.stretch.map(short);
+        let (on_torus, in_plane) = (short(self.length_on_torus), short(self.length_in_plane));
+        let lengths = format!("{on_torus} {units} on the torus are {in_plane} {units} in the plane");
+        line("stretch", format!("{least} to {most} round the axis; {lengths}"))
+    }
+}
+
+impl From<&UnrolledPlane> for UnrolledReport {
+    fn from(plane: &UnrolledPlane) -> Self {
+        Self {
+            map: match plane.map {
+                TorusMap::Belt => "belt",
+                TorusMap::Conformal => "conformal",
+            },
+            size: plane.size,
+            cuts: plane.cuts,
+            stretch: plane.stretch,
+            length_on_torus: plane.lengths[0],
+            length_in_plane: plane.lengths[1],
+            tolerance: plane.tolerance,
+        }
+    }
+}
+
+fn turns(count: i64) -> String {
+    format!("{count} turn{}", if count.abs() == 1 { "" } else { "s" })
+}
+
+fn on_torus(curve: &CurveObject) -> Option<&TorusSpline> {
+    match curve {
+        CurveObject::TorusSpline(spline) => Some(spline),
+        _ => None,
+    }
+}
+
+/// How far the rational form of a spline is from its torus, which the spline itself is on by its construction.
+fn off_torus(spline: &TorusSpline) -> Option<f64> {
+    let (chain, exactness) = spline.to_chain(1.0).ok()?;
+    let at =
+        |piece: usize, k: usize| spline.torus().distance(chain.piece_point(piece, k as f64 / SAMPLES as f64)).abs();
+    let all = (0..chain.piece_count()).flat_map(|piece| (0..SAMPLES).map(move |k| (piece, k)));
+    let largest = all.map(|(piece, k)| at(piece, k)).fold(0.0, f64::max);
+    (exactness == Exactness::Exact).then_some(largest)
+}
+
+/// The two families of circles of a type.
+fn type_word(kind: QuarticType) -> String {
+    let word = |family| match family {
+        CircleFamily::Parallel => "parallel",
+        CircleFamily::Villarceau => "villarceau",
+        CircleFamily::MirrorVillarceau => "mirror-villarceau",
+        CircleFamily::Meridian => "meridian",
+    };
+    kind.families().map(word).join("+")
+}

@@ -1,0 +1,100 @@
+//! A smooth curve as G1 arcs within a tolerance: biarcs with its points and tangents, halved until each is near enough, the curve to
+//! the arcs and the arcs to the curve. Distances are sampled, not certified.
+
+use crate::base::vector::{Point3, Vec3};
+use crate::construct::curves::biarc::{Biarc, BiarcRule};
+use crate::curve::Arc;
+use crate::error::{Error, Result};
+
+/// Samples on each biarc: four to each of the lobes of its distance from a smooth curve.
+const SAMPLES: u32 = 16;
+
+/// The part of the tolerance that sampled distances may use: with four samples to a lobe the largest is missed by 8 % at most.
+const SAFETY: f64 = 0.92;
+
+/// Largest turn of the tangent over a biarc, radians.
+const TURN: f64 = std::f64::consts::FRAC_PI_2;
+
+/// Steps from the nearest sample to the foot of a point: each squares what is missing but for the part that curvature has.
+const FOOT_STEPS: u32 = 3;
+
+/// Most halvings of a piece.
+const HALVINGS: u32 = 12;
+
+/// A smooth piece of a curve.
+pub(super) trait SmoothPiece {
+    /// The point at a parameter.
+    fn point(&self, s: f64) -> Point3;
+
+    /// Point and velocity.
+    fn moving(&self, s: f64) -> (Point3, Vec3);
+}
+
+/// Appends arcs for the part `[from, to]` of a piece with this number.
+///
+/// # Errors
+/// `too-many-pieces`.
+pub(super) fn append_biarcs(
+    piece: &dyn SmoothPiece,
+    number: usize,
+    [from, to]: [f64; 2],
+    tolerance: f64,
+    arcs: &mut Vec<Arc>,
+) -> Result<()> {
+    let mut ahead = vec![([from, to], HALVINGS)];
+    while let Some(([from, to], halvings)) = ahead.pop() {
+        if let Some(biarc) = biarc_within(piece, [from, to], SAFETY * tolerance) {
+            arcs.extend(biarc.arcs());
+            continue;
+        }
+        let Some(halvings) = halvings.checked_sub(1) else {
+            let cap = 1_usize << HALVINGS;
+            let (needed, remedy) = ((cap + 1) as f64, "use a larger tolerance");
+            return Err(Error::TooManyPieces { what: "piece", segment: Some(number), needed, cap, remedy });
+        };
+        let middle = 0.5 * (from + to);
+        ahead.extend([([middle, to], halvings), ([from, middle], halvings)]);
+    }
+    Ok(())
+}
+
+fn biarc_within(piece: &dyn SmoothPiece, [from, to]: [f64; 2], limit: f64) -> Option<Biarc> {
+    let directed = |s: f64| {
+        let (point, velocity) = piece.moving(s);
+        Some((point, velocity.unit()?))
+    };
+    let [start, middle, end] = [from, 0.5 * (from + to), to].map(directed);
+    let ((p0, t0), (_, tm), (p1, t1)) = (start?, middle?, end?);
+    if t0.angle(tm) + tm.angle(t1) > TURN {
+        return None;
+    }
+    let biarc = Biarc::new(p0, t0, p1, t1, BiarcRule::EqualD).ok()?;
+    let places: Vec<f64> = (0..=SAMPLES).map(|k| from + (to - from) * (f64::from(k) / f64::from(SAMPLES))).collect();
+    let samples: Vec<(f64, Point3)> = places.into_iter().map(|s| (s, piece.point(s))).collect();
+    let near_arcs = |p: Point3| biarc.arcs().iter().any(|arc| arc.closest_point(p).distance <= limit);
+    let near_curve = |p: Point3| distance_from(piece, &samples, p) <= limit;
+    let arcs = biarc.arcs();
+    let all_near = samples.iter().all(|(_, p)| near_arcs(*p));
+    (all_near
+        && arcs
+            .iter()
+            .all(|arc| (1..SAMPLES / 2).all(|k| near_curve(arc.point(f64::from(2 * k) / f64::from(SAMPLES))))))
+    .then_some(biarc)
+}
+
+/// Distance of a point from the part of a piece that has these samples: from the nearest one along the velocity to its foot.
+fn distance_from(piece: &dyn SmoothPiece, samples: &[(f64, Point3)], p: Point3) -> f64 {
+    let nearest = samples.iter().min_by(|(_, a), (_, b)| a.distance(p).total_cmp(&b.distance(p)));
+    let (Some((mut s, mut q)), Some((from, _)), Some((to, _))) = (nearest.copied(), samples.first(), samples.last())
+    else {
+        return f64::INFINITY;
+    };
+    let mut distance = q.distance(p);
+    for _ in 0..FOOT_STEPS {
+        let velocity = piece.moving(s).1;
+        s = (s + (p - q).dot(velocity) / velocity.dot(velocity).max(f64::MIN_POSITIVE)).clamp(*from, *to);
+        q = piece.point(s);
+        distance = distance.min(q.distance(p));
+    }
+    distance
+}

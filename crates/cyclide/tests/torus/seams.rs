@@ -1,0 +1,91 @@
+//! Seams of a given width along curves of a torus.
+
+use crate::data::tori;
+use cyclide::{Error, ErrorItem, Point2, TorusSeam, TorusSpline, TorusSplineOptions, length};
+use std::f64::consts::PI;
+
+/// Round the outer equator a seam is a tube of rectangular section, round the tube a ring of plates: volumes by Pappus. The tolerance moves
+/// each side by as much at most.
+#[test]
+fn seams_along_circles_have_the_volume_of_their_turn() {
+    for torus in &tori()[..3] {
+        let (a, b) = (torus.major_radius(), torus.minor_radius());
+        let (width, [low, high]) = (0.3 * b, [-0.1 * b, 0.04 * b]);
+        let tolerance = 1e-6 * b;
+        for (turns, radius) in [([1, 0], a + b), ([0, 1], b)] {
+            let circle = TorusSpline::knot(torus, turns, Point2::default()).unwrap();
+            let body = TorusSeam::new(width, [low, high]).unwrap().body(&circle, tolerance).unwrap();
+            assert!(body.outer.is_closed() && body.voids.is_empty());
+            let volume = PI * width * ((radius + high).powi(2) - (radius + low).powi(2));
+            let surface = 2.0 * (width + high - low) * length(&circle) * (1.0 + high / radius);
+            let error = (body.outer.volume() - volume).abs();
+            assert!(error <= tolerance * surface, "{turns:?}: {error:e}");
+        }
+    }
+}
+
+/// The corners of a seam are half its width and its heights away from the curve, along the torus and its normal.
+#[test]
+fn edges_of_a_seam_are_where_they_should_be() {
+    let torus = &tori()[1];
+    let b = torus.minor_radius();
+    let knot = TorusSpline::knot(torus, [2, 3], Point2::new(0.3, 0.1)).unwrap();
+    let (width, heights, tolerance) = (0.2 * b, [-0.05 * b, 0.1 * b], 1e-4 * b);
+    let body = TorusSeam::new(width, heights).unwrap().body(&knot, tolerance).unwrap();
+    let frames: Vec<_> = (0..2000).map(|k| knot.seam_frame(f64::from(k) / 2000.0).unwrap()).collect();
+    for edge in body.outer.edges() {
+        for s in [0.0, 0.31, 0.5] {
+            let p = edge.curve.point(s);
+            let frame = frames.iter().min_by(|f, g| f.origin().distance(p).total_cmp(&g.origin().distance(p))).unwrap();
+            let v = p - frame.origin();
+            let (side, height) = (v.dot(frame.y()).abs(), v.dot(frame.z()));
+            // Frames are a step along the curve apart: what they turn by over half of it moves a corner by less than a tenth of the width.
+            let on_side = (side - 0.5 * width).abs() < 0.02 * width;
+            let on_height = heights.iter().any(|h| (height - h).abs() < 0.02 * width);
+            assert!((on_side || on_height) && side < 0.52 * width, "{side} {height}");
+        }
+    }
+    assert!(body.outer.is_closed());
+}
+
+/// An open curve has plane ends: a closed solid too, whose volume is that of its section along it.
+#[test]
+fn seams_of_open_curves_are_solids() {
+    let torus = &tori()[0];
+    let places = [[0.0, 0.0], [0.4, 0.3], [0.9, 0.1]].map(Point2::from);
+    let curve = TorusSpline::through_places(torus, &places, &TorusSplineOptions::default()).unwrap();
+    let body = TorusSeam::new(0.02, [-0.01, 0.01]).unwrap().body(&curve, 1e-5).unwrap();
+    assert!(body.outer.is_closed());
+    // To first order the middle line has the volume; the section is 1 % of the radii.
+    assert!((body.outer.volume() / (0.02 * 0.02 * length(&curve)) - 1.0).abs() < 1e-3);
+}
+
+#[test]
+fn what_folds_or_leaves_the_tube_is_refused() {
+    let torus = &tori()[0];
+    let places = [[0.3, 0.1], [0.36, 0.0], [0.3, -0.1], [0.24, 0.0]].map(Point2::from);
+    let options = TorusSplineOptions { closed: true, ..Default::default() };
+    let ring = TorusSpline::through_places(torus, &places, &options).unwrap();
+    let body = |width: f64, heights: [f64; 2]| TorusSeam::new(width, heights).and_then(|seam| seam.body(&ring, 1e-3));
+    let Err(Error::ParameterOutOfRange { name: ErrorItem::Width, max, .. }) = body(2.0, [-0.1, 0.1]) else {
+        unreachable!("wider than the ring")
+    };
+    // The width named is right at that place, where the seam folded first.
+    assert!(max > 0.1 && max < 2.0, "{max}");
+    assert!(body(0.5 * max, [-0.1, 0.1]).is_ok());
+    let height = |width: f64, heights: [f64; 2]| match body(width, heights) {
+        Err(Error::ParameterOutOfRange { name, .. }) => name,
+        other => unreachable!("{other:?}"),
+    };
+    for heights in
+        [[0.1, 0.1], [0.2, 0.1], [-1.0, 0.1], [0.0, 2.0], [f64::NAN, 0.1], [0.0, f64::NAN], [0.0, f64::INFINITY]]
+    {
+        assert_eq!(height(0.1, heights), ErrorItem::Height, "{heights:?}");
+    }
+    for width in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+        assert_eq!(height(width, [0.0, 0.1]), ErrorItem::Width);
+    }
+    let seam = TorusSeam::new(0.1, [0.0, 0.1]).unwrap();
+    assert_eq!(seam.body(&ring, -1.0).unwrap_err().reason(), "tolerance-not-positive");
+    assert_eq!(seam.body(&ring, 1e-30).unwrap_err().reason(), "too-many-pieces");
+}
