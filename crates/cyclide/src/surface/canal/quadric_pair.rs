@@ -44,12 +44,11 @@ pub enum PairKind {
 ///
 /// ```
 /// use cyclide::{NaturalQuadric, Point2, Point3, QuadricPair, Vec3};
-/// let pipe = NaturalQuadric::cylinder(Point3::ORIGIN, Vec3::X, 1.0)?;
-/// let cone = NaturalQuadric::cone(Point3::new(0.0, -5.0, 3.0), Vec3::Y, 0.2)?;
-/// let pair = QuadricPair::new([pipe, cone])?;
-/// let ball = pair.ball(Point2::new(0.0, 1.4))?;
+/// let pipe = NaturalQuadric::cylinder(Point3::new(5.0, 0.0, -1.5), Vec3::X, 0.8)?;
+/// let other = NaturalQuadric::cylinder(Point3::new(0.0, -7.0, 1.5), Vec3::Y, 1.3)?;
+/// let ball = QuadricPair::new([pipe, other])?.ball(Point2::new(0.2, 1.3))?;
 /// let contact = ball.contacts[0];
-/// assert!((contact.y.hypot(contact.z) - 1.0).abs() < 1e-13);
+/// assert!((contact.y.hypot(contact.z + 1.5) - 0.8).abs() < 1e-12);
 /// # Ok::<(), cyclide::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
