@@ -6,8 +6,8 @@ mod circular_mesh;
 mod curves;
 
 pub use bodies::{
-    Branch, ConvexPolyhedron, EllipseBridge, NeckBlend, NeckBody, NeckSide, NeckVariant, Pipe, PipeEnds, PipeManifold,
-    PipeTee, PipeTeeBody, PlateShape, PolyhedronEdge, RailSurface, Revolution, SphericalPolygon, TorusSeam,
+    ConvexPolyhedron, EllipseBridge, NeckBlend, NeckBody, NeckSide, NeckVariant, Pipe, PipeEnds, PlateShape,
+    PolyhedronEdge, RailSurface, Revolution, SphericalPolygon, TorusSeam,
 };
 #[cfg(feature = "circular-mesh")]
 pub use circular_mesh::{

@@ -85,7 +85,6 @@ items! {
     Polyhedron => "polyhedron",
     Radius => "radius",
     RadiusOfCircle => "radius of the circle",
-    Reach => "reach",
     Rotation => "rotation",
     Row => "row",
     S => "s",

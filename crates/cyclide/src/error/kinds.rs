@@ -871,22 +871,6 @@ pub enum Error {
         /// It must be above this.
         limit: f64,
     },
-    /// A branch that comes out at the side of the pipe that it enters.
-    BranchTooWide {
-        /// Radius of the branch and distance of the axes together.
-        reach: f64,
-        /// They must be at most this: just below the radius of the pipe.
-        limit: f64,
-    },
-    /// A ball too large for the bends of the way on which it rolls: the canal surface turns inside out.
-    BlendFolds {
-        /// Angle of its contact about the axis of the branch, radians.
-        angle: f64,
-        /// Radius of the ball there.
-        radius: f64,
-        /// The Jacobian of the canal, relative to a thin one; it must be above 0.
-        measured: f64,
-    },
     // What failed in a part of the input.
     /// One quad of a net failed; the cause says why.
     InQuad {

@@ -510,19 +510,6 @@ impl std::fmt::Display for Error {
                 ShortNumber(*radius),
                 ShortNumber(*limit)
             ),
-            Self::BranchTooWide { reach, limit } => write!(
-                f,
-                "the branch reaches {} from the axis of the pipe and comes out at its side, at most {} stays inside",
-                ShortNumber(*reach),
-                ShortNumber(*limit)
-            ),
-            Self::BlendFolds { angle, radius, measured } => write!(
-                f,
-                "the blend runs through itself near the angle {}: a ball of radius {} is too large for the bends of its way (measured {}, must be above 0)",
-                ShortNumber(*angle),
-                ShortNumber(*radius),
-                ShortNumber(*measured)
-            ),
             Self::PlanesMissPoint { vertex, distance, limit } => write!(
                 f,
                 "with faces that are near to one plane made one, the surface is {} off at point {vertex}, limit {}",

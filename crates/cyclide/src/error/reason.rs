@@ -116,8 +116,6 @@ impl Error {
             Self::NoPositiveRadius { .. } => "no-positive-radius",
             Self::ParallelContact { .. } => "parallel-contact",
             Self::RadiusTooSmall { .. } => "radius-too-small",
-            Self::BranchTooWide { .. } => "branch-too-wide",
-            Self::BlendFolds { .. } => "blend-folds",
         }
     }
 

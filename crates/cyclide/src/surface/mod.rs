@@ -14,10 +14,7 @@ mod sphere_blend;
 mod torus;
 mod triangle_surface;
 
-pub(crate) use canal::CrossingPiece;
-pub use canal::{
-    CanalPart, CanalPatch, CharacteristicCircle, ContactPartner, CrossingCylinders, RollingBall, SkewCylinders,
-};
+pub use canal::{CanalPart, CanalPatch, CharacteristicCircle, ContactPartner, RollingBall, SkewCylinders};
 pub use canal::{NaturalQuadric, PairKind, QuadricPair};
 pub use dupin::{CyclideKind, DupinCyclide};
 pub(crate) use net::SameVertices;

@@ -5,7 +5,7 @@ use crate::base::vector::Point3;
 use crate::curve::Arc;
 use crate::error::{Error, ErrorItem, Result};
 use crate::rational::{PolynomialRow, RationalBezierSurface};
-use crate::topology::{Body, EdgeCurve, FaceEdge, FaceSurface, Sewing};
+use crate::topology::{Body, EdgeCurve, FaceSurface, Sewing};
 
 /// Vertices of neighbouring rings nearer to each other than this part of the coordinates are one.
 const SAME_POINT: f64 = 1e-12;
@@ -21,35 +21,7 @@ pub(super) struct Bands {
 pub(super) struct Ring {
     /// The start of each edge, and the end of the last one if the ring is open.
     vertices: Vec<usize>,
-    /// With whether the ring runs along it.
-    edges: Vec<Option<FaceEdge>>,
-}
-
-impl Ring {
-    /// The part of a closed ring from edge `from` up to edge `to`, open.
-    pub(super) fn part(&self, from: usize, to: usize) -> Self {
-        let n = self.vertices.len();
-        let vertices = (from..=to).map(|i| self.vertices[i % n]).collect();
-        Self { vertices, edges: self.edges[from..to].to_vec() }
-    }
-
-    /// The same edges backwards, of an open ring.
-    pub(super) fn reversed(&self) -> Self {
-        let turned = |edge: &Option<FaceEdge>| edge.map(|e| FaceEdge { forward: !e.forward, ..e });
-        Self {
-            vertices: self.vertices.iter().rev().copied().collect(),
-            edges: self.edges.iter().rev().map(turned).collect(),
-        }
-    }
-
-    /// This open ring closed by another one from its end to its start.
-    pub(super) fn closed_by(&self, other: &Self) -> Self {
-        let inner = |ring: &Self| ring.vertices[..ring.edges.len()].to_vec();
-        Self {
-            vertices: [inner(self), inner(other)].concat(),
-            edges: [self.edges.clone(), other.edges.clone()].concat(),
-        }
-    }
+    edges: Vec<Option<usize>>,
 }
 
 impl Bands {
@@ -73,22 +45,11 @@ impl Bands {
         self.ring_through(vertices, curves)
     }
 
-    /// Adds the edges along curves from the last vertex of an open ring to its first: the ends are these vertices.
-    pub(super) fn way_back(&mut self, ring: &Ring, curves: Vec<EdgeCurve>) -> Ring {
-        let between = curves.iter().skip(1).map(EdgeCurve::start);
-        let (start, end) = (ring.vertices[ring.vertices.len() - 1], ring.vertices[0]);
-        let mut vertices = vec![start];
-        vertices.extend(between.map(|p| self.sewing.vertex(p)));
-        vertices.push(end);
-        self.ring_through(vertices, curves)
-    }
-
     fn ring_through(&mut self, vertices: Vec<usize>, curves: Vec<EdgeCurve>) -> Ring {
         let edges = curves.into_iter().enumerate().map(|(i, curve)| {
             let [start, end] = [vertices[i], vertices[(i + 1) % vertices.len()]];
             let points = [start, end].map(|vertex| self.sewing.vertices[vertex]);
-            let edge = self.sewing.edge(start, end, curve.with_ends(Some(points[0]), Some(points[1])));
-            Some(FaceEdge { edge, forward: true })
+            Some(self.sewing.edge(start, end, curve.with_ends(Some(points[0]), Some(points[1]))))
         });
         let edges = edges.collect();
         Ring { vertices, edges }
@@ -122,15 +83,12 @@ impl Bands {
             let corners = [from.vertices[i], from.vertices[next], to.vertices[i], to.vertices[next]];
             let corners = corners.map(|vertex| self.sewing.vertices[vertex]);
             let surface = surface(self, i)?.with_corners(corners);
-            let along_t = [between[i], between[next]].map(|edge| edge.map(|edge| FaceEdge { edge, forward: true }));
-            let along_s = [from.edges[i], to.edges[i]];
-            let arc = |edge: Option<FaceEdge>| {
-                edge.filter(|edge| edge.forward).and_then(|edge| self.sewing.edges[edge.edge].curve.arc())
-            };
+            let arc = |edge: Option<usize>| edge.and_then(|edge| self.sewing.edges[edge].curve.arc());
+            let [along_s, along_t] = [[from.edges[i], to.edges[i]], [between[i], between[next]]];
             let all_arcs = along_s.iter().chain(&along_t).all(|edge| edge.is_none() || arc(*edge).is_some());
             let patch = all_arcs.then(|| turned_patch(&surface, corners, along_s.map(arc), along_t.map(arc))).flatten();
             let surface = patch.map_or_else(|| surface.into(), FaceSurface::from);
-            self.sewing.face_along(surface, [along_s[0], along_s[1], along_t[0], along_t[1]], true);
+            self.sewing.face(surface, [from.edges[i], to.edges[i], between[i], between[next]], true);
         }
         Ok(())
     }
@@ -155,14 +113,7 @@ impl Bands {
 
     /// The rows of an edge of a ring, or the point that stands for it.
     fn rows(&self, ring: &Ring, i: usize) -> std::result::Result<Vec<[f64; 4]>, Point3> {
-        let rows = |FaceEdge { edge, forward }: FaceEdge| {
-            let mut rows = rows_of(&self.sewing.edges[edge].curve);
-            if !forward {
-                rows.reverse();
-            }
-            rows
-        };
-        ring.edges[i].map(rows).ok_or(self.sewing.vertices[ring.vertices[i]])
+        ring.edges[i].map(|edge| rows_of(&self.sewing.edges[edge].curve)).ok_or(self.sewing.vertices[ring.vertices[i]])
     }
 
     /// The body: closed outside outwards.

@@ -1,4 +1,4 @@
-//! Bodies and sheets: revolutions, pipes, tees, necks, bridges, surfaces between two curves, rounded polyhedra.
+//! Bodies and sheets: revolutions, pipes, necks, bridges, surfaces between two curves, rounded polyhedra.
 
 mod bands;
 mod circular_surface;
@@ -17,7 +17,6 @@ mod revolution;
 mod rotated_rows;
 mod ruled;
 mod rulings;
-mod tee;
 mod torus_seam;
 mod turned_patch;
 
@@ -27,7 +26,6 @@ pub use pipe::{Pipe, PipeEnds};
 pub use polyhedron::{ConvexPolyhedron, PolyhedronEdge, SphericalPolygon};
 pub use rail_surface::RailSurface;
 pub use revolution::Revolution;
-pub use tee::{Branch, PipeManifold, PipeTee, PipeTeeBody};
 pub use torus_seam::TorusSeam;
 
 /// Largest angle of an arc in one face, or in one piece of it: beyond, its weights are far from each other, and from half a turn on not

@@ -149,18 +149,3 @@
 //! assert_eq!(error.reason(), "radius-too-small");
 //! # Ok::<(), cyclide::Error>(())
 //! ```
-//!
-//! # `branch-too-wide`
-//! A branch as wide as the pipe that it enters.
-//! ```
-//! use cyclide::CrossingCylinders;
-//! assert_eq!(CrossingCylinders::new([1.0, 1.0], 0.0).unwrap_err().reason(), "branch-too-wide");
-//! ```
-//!
-//! # `blend-folds`
-//! A law of the radius that changes so fast that the blend runs through itself.
-//! ```
-//! use cyclide::PipeTee;
-//! let error = PipeTee::new([2.0, 1.0], 0.0, &[[0.0, 0.1], [0.4, 3.0]], 1e-2).unwrap_err();
-//! assert_eq!(error.reason(), "blend-folds");
-//! ```

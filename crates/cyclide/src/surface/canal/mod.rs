@@ -2,7 +2,6 @@
 
 mod ball;
 mod contact;
-mod crossing;
 mod natural_quadric;
 mod patch;
 mod quadric_pair;
@@ -11,8 +10,6 @@ mod skew_patch;
 
 pub use ball::RollingBall;
 pub use contact::ContactPartner;
-pub use crossing::CrossingCylinders;
-pub(crate) use crossing::CrossingPiece;
 pub use natural_quadric::NaturalQuadric;
 pub use patch::{CanalPart, CanalPatch, CharacteristicCircle};
 pub use quadric_pair::{PairKind, QuadricPair};
