@@ -23,6 +23,8 @@ BIARC = {"type": "biarc", "from": [0, 0], "from_tangent": [1, 0], "to": [1, 1], 
 PATCH = {"type": "cyclide-patch", "corners": [[0, 0], [1, 0], [0, 1], [1, 1]], "frame": [[1, 0, 1], [0, 1]]}
 CYCLIDE = {"type": "cyclide", "a": 3, "mu": 2}
 NET = {"type": "cyclidic-net", "grid": [[[0, 0], [1, 0], [3, 0]], [[0, 1], [1, 1], [3, 1]]]}
+BRANCH = {"radius": 8, "length": 30, "blend": 2}
+TEE = {"type": "pipe-tee", "main": {"radius": 12, "ends": [-40, 40]}, "branches": [BRANCH]}
 NECK = {"type": "plate-with-neck", "pipe_radius": 9, "ball_radius": 4, "height": 40, "plate": [60, 50]}
 BRIDGE = {"type": "ellipse-bridge", "ellipses": [[10, 20], [20, 25]]}
 STEPS = [
@@ -65,6 +67,9 @@ GOOD = {
     "neck": NECK,
     "neck on a disk": {**NECK, "plate": {"radius": 30}, "slope": {"degrees": 10}, "variant": "vertical", "thickness": 3, "wall": 2},
     "neck inside": {**without(NECK, "plate"), "side": "inside", "thickness": 3},
+    "tee": TEE,
+    "tee with a wall and laws": {**TEE, "wall": 2, "ends": "closed", "branches": [{**BRANCH, "angle": {"degrees": 60}, "offset": 1, "azimuth": 0.5, "blend": {"crotch": 4, "flank": 3}}]},
+    "tee with values": {**TEE, "branches": [{**BRANCH, "blend": {"values": [{"angle": {"degrees": 90}, "radius": 3}]}}]},
     "bridge": BRIDGE,
     "bridge with walls": {**BRIDGE, "depth": 3},
     "tangents": {"type": "arc-spline", "points": [[0, 0], [1, 1]], "tangents": [[1, 0], [0, 1, 0]], "rule": "auto"},
@@ -123,6 +128,10 @@ BAD = {
     "net from another file": {**NET, "grid": {"stl": "a.stl"}},
     "net closed in words": {**NET, "closed": "s"},
     "another rule": {**BIARC, "rule": "best"},
+    "tee without branches": {**TEE, "branches": []},
+    "tee with a blend of nothing": {**TEE, "branches": [{**BRANCH, "blend": {}}]},
+    "tee with a wall that is open": {**TEE, "wall": 2, "ends": "open"},
+    "tee with a blend of radius zero": {**TEE, "branches": [{**BRANCH, "blend": 0}]},
     "neck without a plate": without(NECK, "plate"),
     "neck inside with a plate": {**NECK, "side": "inside"},
     "neck with a wall of a surface": {**NECK, "wall": 2},

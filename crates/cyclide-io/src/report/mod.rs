@@ -9,6 +9,7 @@ mod sample;
 mod seam;
 mod smooth;
 mod surface;
+mod tee;
 mod text;
 mod torus;
 
@@ -26,6 +27,7 @@ pub use sample::{Spacing, sample};
 pub use seam::SeamReport;
 pub use smooth::{ComparisonReport, SmoothReport};
 pub use surface::{CircularReport, PartReport, PatchPlace, ShapeReport, SingularPatchReport, SurfaceReport};
+pub use tee::TeeBlendReport;
 pub use torus::{SegmentCounts, TorusReport, UnrolledReport};
 
 /// The report on a model and the files made of it. As JSON, values that are not finite are `null`.

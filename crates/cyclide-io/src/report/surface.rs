@@ -8,7 +8,7 @@ use cyclide::{
 };
 use serde::Serialize;
 
-use super::{CurvatureRangeReport, PolyhedronReport, RangeReport, SeamReport};
+use super::{CurvatureRangeReport, PolyhedronReport, RangeReport, SeamReport, TeeBlendReport};
 use crate::document::BuiltObject;
 use crate::measure::joints::SurfaceJointReport;
 
@@ -75,6 +75,9 @@ pub struct SurfaceReport {
     /// The polyhedron whose edges and corners were rounded.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub polyhedron: Option<Box<PolyhedronReport>>,
+    /// The blends of a tee, in the order of its branches.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub blends: Vec<TeeBlendReport>,
     /// What it took to make a net circular.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub circular: Option<Box<CircularReport>>,
@@ -279,6 +282,7 @@ impl SurfaceReport {
             flipped: Vec::new(),
             seams: nets.flat_map(|net| SeamReport::all(net, &built.seams)).collect(),
             polyhedron: built.polyhedron.as_deref().map(|rounded| Box::new(PolyhedronReport::from(rounded))),
+            blends: built.tee_blends.iter().map(TeeBlendReport::from).collect(),
             circular: circular(built),
         };
         // An object has solids only, or none: a solid's rims have no normal of their own to be against.

@@ -215,6 +215,9 @@ impl SurfaceReport {
         if let Some(polyhedron) = &self.polyhedron {
             line("polyhedron", polyhedron.text(units))?;
         }
+        for (index, blend) in self.blends.iter().enumerate() {
+            line("blend", format!("of branch {index}: {}", blend.text(units)))?;
+        }
         if let Some(c) = &self.circular {
             let [most, mean, off] = [c.move_max, c.move_mean, c.off_surface_max].map(short);
             let moved = format!("vertices moved up to {most} {units}, {mean} {units} on average");

@@ -11,6 +11,7 @@ mod pipes;
 mod rails;
 mod refusals;
 mod revolutions;
+mod tees;
 mod tori;
 
 use std::path::Path;

@@ -20,6 +20,7 @@ mod revolutions;
 pub mod runner;
 mod scales;
 mod swept;
+mod tees;
 mod tori;
 mod triangles;
 
@@ -70,7 +71,7 @@ impl Objects {
     }
 }
 
-const CLASSES: [Class; 22] = [
+const CLASSES: [Class; 23] = [
     ("points", 5, points::object),
     ("hairpins", 3, hairpins::object),
     ("ends", 3, ends::object),
@@ -87,6 +88,7 @@ const CLASSES: [Class; 22] = [
     ("revolutions", 3, revolutions::surface),
     ("polyhedra", 3, polyhedra::surface),
     ("pipes", 3, pipes::surface),
+    ("tees", 3, tees::surface),
     ("necks", 3, swept::neck),
     ("bridges", 2, swept::bridge),
     ("rails", 3, swept::between_rails),

@@ -6,8 +6,9 @@ mod circular_mesh;
 mod curves;
 
 pub use bodies::{
-    ConvexPolyhedron, EllipseBridge, NeckBlend, NeckBody, NeckSide, NeckVariant, Pipe, PipeEnds, PlateShape,
-    PolyhedronEdge, RailSurface, Revolution, SphericalPolygon, TorusSeam,
+    ConvexPolyhedron, EllipseBridge, MadeTee, NeckBlend, NeckBody, NeckSide, NeckVariant, Pipe, PipeEnds, PipeTee,
+    PlateShape, PolyhedronEdge, RailSurface, Revolution, SphericalPolygon, TeeBlend, TeeBlendFacts, TeeBranch, TeeEnds,
+    TeeMain, TorusSeam,
 };
 #[cfg(feature = "circular-mesh")]
 pub use circular_mesh::{

@@ -549,6 +549,62 @@ pub enum Error {
         /// How far it must.
         needed: f64,
     },
+    /// A branch of a tee reaches beyond the breadth of its main pipe, or up to it.
+    TeeBranchTooWide {
+        /// Which branch, from 0.
+        branch: usize,
+        /// How far it reaches from the axis of the main pipe, sideways.
+        reach: f64,
+        /// The radius of the main pipe.
+        limit: f64,
+    },
+    /// The balls of the plainest blend of a tee are infinite in a crotch.
+    TeeBlendTooLarge {
+        /// Which branch, from 0.
+        branch: usize,
+        /// Radius of the ball at the flank.
+        radius: f64,
+        /// The radius at which that begins; not positive where no ball will do.
+        limit: f64,
+    },
+    /// A pipe of a tee ends within a blend.
+    TeePipeTooShort {
+        /// The branch or the main pipe.
+        what: ErrorItem,
+        /// Which branch it is about, from 0.
+        branch: usize,
+        /// Where it ends.
+        end: f64,
+        /// Where it may end first.
+        needed: f64,
+    },
+    /// The blend of a tee runs through itself.
+    TeeBlendFolds {
+        /// Which branch, from 0.
+        branch: usize,
+        /// Angle round the branch where that is.
+        angle: f64,
+        /// Its width there as part of what it would be on a straight way: not positive.
+        left: f64,
+    },
+    /// The contact of a blend with the main pipe of a tee turns back and forth.
+    TeeHoleFolds {
+        /// Which branch, from 0.
+        branch: usize,
+        /// Angle round the branch where that is.
+        angle: f64,
+    },
+    /// Two branches of a tee, or their blends, meet.
+    TeeBranchesMeet {
+        /// The first branch, from 0.
+        first: usize,
+        /// The second.
+        second: usize,
+        /// Their distance.
+        distance: f64,
+        /// The distance that they need.
+        needed: f64,
+    },
     /// Two ellipses cross, between which there is no solid.
     EllipsesCross {
         /// Difference of the semi-axes along x, of the other sign than that along y.

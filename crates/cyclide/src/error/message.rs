@@ -1,10 +1,10 @@
 //! What an error says: plain sentences with the item, the measure and the limit.
 
-use super::Error;
 use super::words::{
     at_infinity, at_least, clockwise, count_differs, numbered, opposed, outside, points_in_words, size_in_place,
     speed_ratio, through_infinity, zero_axis,
 };
+use super::{Error, ErrorItem};
 use crate::short_number::ShortNumber;
 
 impl std::fmt::Display for Error {
@@ -77,6 +77,52 @@ impl std::fmt::Display for Error {
                 f,
                 "the plate is too small: it reaches {} from the axis of the pipe, the {what} {}",
                 ShortNumber(*reach),
+                ShortNumber(*needed)
+            ),
+            Self::TeeBranchTooWide { branch, reach, limit } => write!(
+                f,
+                "branch {branch} reaches {} sideways from the axis of the main pipe, whose radius is {}: a branch stands within its breadth, thinner and offset by less than the radii differ; make it thinner, or move it nearer to the axis",
+                ShortNumber(*reach),
+                ShortNumber(*limit)
+            ),
+            Self::TeeBlendTooLarge { branch, radius, limit } if *limit > 0.0 => write!(
+                f,
+                "the blend of branch {branch}, of one quartic with the radius {} at its flank, has an infinite one in a crotch: its radius must be below {}, or give one radius for all of it",
+                ShortNumber(*radius),
+                ShortNumber(*limit)
+            ),
+            Self::TeeBlendTooLarge { branch, radius, .. } => write!(
+                f,
+                "the blend of branch {branch}, of one quartic with the radius {} at its flank, has an infinite one in a crotch, as has any where the radii of the pipes differ by so little more than their offset: give one radius for all of it",
+                ShortNumber(*radius)
+            ),
+            Self::TeePipeTooShort { what: ErrorItem::Branch, branch, end, needed } => write!(
+                f,
+                "branch {branch} ends within its blend: at {} along its axis, which must be above {}",
+                ShortNumber(*end),
+                ShortNumber(*needed)
+            ),
+            Self::TeePipeTooShort { what, branch, end, needed } => write!(
+                f,
+                "the {what} ends within the blend of branch {branch}: at {}, which must be beyond {}",
+                ShortNumber(*end),
+                ShortNumber(*needed)
+            ),
+            Self::TeeBlendFolds { branch, angle, left } => write!(
+                f,
+                "the blend of branch {branch} runs through itself at {} radians round the branch: its width there is {} of that on a straight way, which must be positive; take a smaller radius there, or one that changes less",
+                ShortNumber(*angle),
+                ShortNumber(*left)
+            ),
+            Self::TeeHoleFolds { branch, angle } => write!(
+                f,
+                "the blend of branch {branch} meets the main pipe in a line that turns back at {} radians round the branch: let the radius change less there",
+                ShortNumber(*angle)
+            ),
+            Self::TeeBranchesMeet { first, second, distance, needed } => write!(
+                f,
+                "branches {first} and {second} meet, or their blends do: their distance is {}, which must be above {}",
+                ShortNumber(*distance),
                 ShortNumber(*needed)
             ),
             Self::EllipsesCross { along_x, along_y } => write!(

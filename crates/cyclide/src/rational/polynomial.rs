@@ -45,6 +45,11 @@ impl Polynomial {
         Self::new(self.0.windows(2).map(|pair| n * (pair[1] - pair[0])).collect())
     }
 
+    /// The same run backwards: at `1 - t`.
+    pub(crate) fn reversed(&self) -> Self {
+        Self(self.0.iter().rev().copied().collect())
+    }
+
     /// As a constant, if all coefficients are equal.
     pub(crate) fn settled(&self) -> Self {
         if self.0.iter().all(|c| c - self.0[0] == 0.0) { Self::constant(self.0[0]) } else { self.clone() }

@@ -38,7 +38,7 @@ const SURFACES: &[Format] = &[Format::Step, Format::Glb, Format::Png];
 const MESHES: &[Format] = &[Format::Glb, Format::Stl, Format::Png];
 
 /// All models, in the order of the page.
-pub const ENTRIES: [Entry; 27] = [
+pub const ENTRIES: [Entry; 28] = [
     Entry {
         name: "roof",
         title: "Free-form roof with two skins",
@@ -108,6 +108,14 @@ pub const ENTRIES: [Entry; 27] = [
         title: "A pipe through a roof",
         text: "A rolling ball rounds the corner between a pipe and a plate at 35 degrees: an exact rational neck, sewn with pipe and plate to one solid.",
         document: example!("roof_pipe.json"),
+        inputs: &[],
+        formats: SURFACES,
+    },
+    Entry {
+        name: "tee",
+        title: "Tees of pipes",
+        text: "Branches blended with a main pipe by balls that roll round them: an upright one whose ball is larger in the crotches, a lateral at 45 degrees, and three branches on one hollow pipe. Exact rational faces, one solid each.",
+        document: example!("tee.json"),
         inputs: &[],
         formats: SURFACES,
     },

@@ -17,6 +17,7 @@ mod remark;
 mod smooth;
 mod surfaces;
 mod swept;
+mod tees;
 mod torus;
 
 use std::io;
@@ -24,7 +25,7 @@ use std::path::{Path, PathBuf};
 
 #[cfg(feature = "circular-mesh")]
 use cyclide::CircularMeshReport;
-use cyclide::{Body, Geometry, Item, Point3, Seam, SurfaceObject};
+use cyclide::{Body, Geometry, Item, Point3, Seam, SurfaceObject, TeeBlendFacts};
 
 use super::Document;
 use super::construct::ContourFacts;
@@ -68,6 +69,8 @@ pub struct BuiltObject {
     pub seams: Vec<Seam>,
     /// The polyhedron whose edges and corners were rounded.
     pub polyhedron: Option<Box<RoundedPolyhedron>>,
+    /// The blends of a tee.
+    pub tee_blends: Vec<TeeBlendFacts>,
     /// What was chosen for a smooth mesh.
     pub smooth: Option<SmoothChoice>,
     /// What became of a curve of a torus when it was laid flat.
@@ -156,6 +159,7 @@ impl<'a> ModelBuilder<'a> {
                     circular: None,
                     seams: Vec::new(),
                     polyhedron: None,
+                    tee_blends: Vec::new(),
                     smooth: None,
                     unrolled: None,
                     remarks: Vec::new(),
@@ -216,6 +220,8 @@ struct Builder<'a> {
     seams: Vec<Seam>,
     /// The polyhedron whose offset the object is.
     polyhedron: Option<Box<RoundedPolyhedron>>,
+    /// The blends of the tee that it is.
+    tee_blends: Vec<TeeBlendFacts>,
     /// What was chosen for the smooth mesh that it is.
     smooth: Option<SmoothChoice>,
     /// What became of the curve when it was laid flat.
@@ -249,7 +255,7 @@ impl Builder<'_> {
         let geometry = if surfaces.is_empty() { Geometry::Curves(curves) } else { Geometry::Surfaces(surfaces) };
         let item = Item::new(self.name, geometry);
         let construction = self.spec.is_construction();
-        let Self { data, seams, polyhedron, smooth, unrolled, remarks, .. } = self;
+        let Self { data, seams, polyhedron, tee_blends, smooth, unrolled, remarks, .. } = self;
         let provenance = Provenance { kind: self.spec.type_word(), data };
         Ok(BuiltObject {
             item,
@@ -260,6 +266,7 @@ impl Builder<'_> {
             circular: self.circular,
             seams,
             polyhedron,
+            tee_blends,
             smooth,
             unrolled,
             construction,

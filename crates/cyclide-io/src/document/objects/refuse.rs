@@ -191,6 +191,7 @@ fn blame(spec: &ObjectSpec, error: &cyclide::Error) -> Blame {
             blame_swept(spec, error)
         }
         _ if spec.is_on_torus() => blame_torus(spec, error),
+        _ if matches!(spec, ObjectSpec::PipeTee(_)) => blame_tee(error),
         E::NotFinite { what: I::Tangent, index } | E::ZeroTangent { index } | E::TangentOpposesChord { index, .. } => {
             tangent(index)
         }
@@ -229,6 +230,22 @@ fn blame(spec: &ObjectSpec, error: &cyclide::Error) -> Blame {
         E::ParameterOutOfRange { name: I::EdgePoints, .. } => Blame::Field("polyline"),
         E::ParameterOutOfRange { name, .. } => Blame::Field(name.word()),
         _ => error.index().map_or(Blame::Object, Blame::Point),
+    }
+}
+
+/// As [`blame`], of tees.
+fn blame_tee(error: &cyclide::Error) -> Blame {
+    use cyclide::{Error as E, ErrorItem as I};
+    match error {
+        E::TeeBranchTooWide { branch, .. }
+        | E::TeeBlendTooLarge { branch, .. }
+        | E::TeeBlendFolds { branch, .. }
+        | E::TeeHoleFolds { branch, .. }
+        | E::TeePipeTooShort { what: I::Branch, branch, .. } => Blame::Entry("branches", *branch),
+        E::TeePipeTooShort { .. } => Blame::Field("main"),
+        E::TeeBranchesMeet { second, .. } => Blame::Entry("branches", *second),
+        E::ParameterOutOfRange { name: name @ I::Wall, .. } => Blame::Field(name.word()),
+        _ => Blame::Field("branches"),
     }
 }
 

@@ -12,6 +12,7 @@ mod radii;
 mod smooth;
 mod surfaces;
 mod swept;
+mod tees;
 mod torus;
 
 use std::collections::BTreeMap;
@@ -38,6 +39,7 @@ pub use radii::RadiiSpec;
 pub use smooth::{NormalsSpec, SmoothMeshSpec, SphereBlendSpec};
 pub use surfaces::CyclidePatchSpec;
 pub use swept::{CircularSurfaceSpec, DiskSpec, EllipseBridgeSpec, PlateSpec, PlateWithNeckSpec, RuledSpec};
+pub use tees::{PipeTeeSpec, TeeBlendSpec, TeeBranchSpec, TeeLawSpec, TeeMainSpec, TeeRadiusSpec};
 pub use torus::{
     AnglePairs, FamilySpec, FreeOr, RatePairs, TorusCircleSpec, TorusKnotSpec, TorusMethod, TorusSeamSpec, TorusSource,
     TorusSpec, TorusSplineSpec, UnrolledSpec, WindingSpec,
@@ -124,6 +126,8 @@ pub enum ObjectSpec {
     Revolution(RevolutionSpec),
     /// The tube about a curve of arcs and segments.
     Pipe(PipeSpec),
+    /// A main pipe with branches, blended by rolling balls.
+    PipeTee(PipeTeeSpec),
     /// A pipe on a plate with a rounded neck.
     PlateWithNeck(PlateWithNeckSpec),
     /// Half circles between two ellipses.
@@ -231,6 +235,7 @@ object_types! {
     "offset" => Offset,
     "revolution" => Revolution,
     "pipe" => Pipe,
+    "pipe-tee" => PipeTee,
     "plate-with-neck" => PlateWithNeck,
     "ellipse-bridge" => EllipseBridge,
     "circular-surface" => CircularSurface,

@@ -133,11 +133,7 @@ pub(super) fn b_spline(data: &mut Data, curve: NurbsCurve) -> usize {
     let curve = curve.with_c1_knots().unwrap_or(curve);
     let points: Vec<usize> = curve.control_points().iter().map(|&p| data.point(p)).collect();
     let knots = curve.knot_multiplicities();
-    let closed = match curve.is_closed() {
-        true if same_weight_at_ends(&curve) => ".T.",
-        true => ".U.",
-        false => ".F.",
-    };
+    let closed = if curve.is_closed() && same_weight_at_ends(&curve) { ".T." } else { ".F." };
     // One instance may be most of the file: written where it stays.
     data.write(|out| {
         let _ = write!(out, "(BOUNDED_CURVE() B_SPLINE_CURVE({},", curve.degree());
@@ -155,7 +151,8 @@ pub(super) fn b_spline(data: &mut Data, curve: NurbsCurve) -> usize {
 }
 
 /// Readers make a curve that is said to be closed periodic: its last control point becomes the first one, weight and all, which bends
-/// the last span of a curve whose weights differ there. Of such a curve the word is that it is not known.
+/// the last span of a curve whose weights differ there. The flag is for information only (ISO 10303-42), and OpenCASCADE takes unknown for
+/// closed: such a curve is not called closed, and its composite curve says that it continues.
 fn same_weight_at_ends(curve: &NurbsCurve) -> bool {
     match curve.weights() {
         [first, .., last] => (first - last).abs() <= 4.0 * f64::EPSILON * first.abs(),

@@ -17,6 +17,7 @@ mod revolution;
 mod rotated_rows;
 mod ruled;
 mod rulings;
+mod tee;
 mod torus_seam;
 mod turned_patch;
 
@@ -26,6 +27,7 @@ pub use pipe::{Pipe, PipeEnds};
 pub use polyhedron::{ConvexPolyhedron, PolyhedronEdge, SphericalPolygon};
 pub use rail_surface::RailSurface;
 pub use revolution::Revolution;
+pub use tee::{MadeTee, PipeTee, TeeBlend, TeeBlendFacts, TeeBranch, TeeEnds, TeeMain};
 pub use torus_seam::TorusSeam;
 
 /// Largest angle of an arc in one face, or in one piece of it: beyond, its weights are far from each other, and from half a turn on not

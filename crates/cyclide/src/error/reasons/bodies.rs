@@ -1,4 +1,4 @@
-//! What is refused of revolutions, pipes, necks, bridges, surfaces between two curves, and polyhedra.
+//! What is refused of revolutions, pipes, tees, necks, bridges, surfaces between two curves, and polyhedra.
 //!
 //! # `crosses-axis`
 //! A profile crosses the axis that it is to turn about.
@@ -118,6 +118,67 @@
 //! let neck = NeckBlend::new(3.0, 0.8, 0.5, NeckSide::Outside, NeckVariant::Pipe)?;
 //! let body = NeckBody { height: 8.0, plate: Some(PlateShape::Disk(2.0)), thickness: None, wall: None };
 //! assert_eq!(neck.body(&body).unwrap_err().reason(), "plate-too-small");
+//! # Ok::<(), cyclide::Error>(())
+//! ```
+//!
+//! # `tee-branch-too-wide`
+//! A branch of a tee reaches beyond the breadth of its main pipe.
+//! ```
+//! use cyclide::{PipeTee, TeeBranch, TeeMain};
+//! let main = TeeMain { radius: 3.0, ends: [-12.0, 12.0] };
+//! let beside = TeeBranch { offset: 1.5, ..TeeBranch::upright(2.0, 10.0, 0.5) };
+//! assert_eq!(PipeTee::new(main, vec![beside])?.made().unwrap_err().reason(), "tee-branch-too-wide");
+//! # Ok::<(), cyclide::Error>(())
+//! ```
+//!
+//! # `tee-blend-too-large`
+//! The plainest blend of a wide branch has no finite ball in its crotches.
+//! ```
+//! use cyclide::{PipeTee, TeeBlend, TeeBranch, TeeMain};
+//! let main = TeeMain { radius: 3.0, ends: [-12.0, 12.0] };
+//! let wide = TeeBranch { blend: TeeBlend::Least(0.5), ..TeeBranch::upright(2.8, 10.0, 0.5) };
+//! assert_eq!(PipeTee::new(main, vec![wide])?.made().unwrap_err().reason(), "tee-blend-too-large");
+//! # Ok::<(), cyclide::Error>(())
+//! ```
+//!
+//! # `tee-pipe-too-short`
+//! A pipe of a tee ends within its blend.
+//! ```
+//! use cyclide::{PipeTee, TeeBranch, TeeMain};
+//! let main = TeeMain { radius: 3.0, ends: [-12.0, 2.1] };
+//! assert_eq!(PipeTee::new(main, vec![TeeBranch::upright(2.0, 10.0, 0.5)])?.made().unwrap_err().reason(), "tee-pipe-too-short");
+//! # Ok::<(), cyclide::Error>(())
+//! ```
+//!
+//! # `tee-blend-folds`
+//! A blend of a tee runs through itself: in the sharp crotch of a branch that leans far its ball is too large.
+//! ```
+//! use cyclide::{PipeTee, TeeBranch, TeeMain};
+//! let main = TeeMain { radius: 3.0, ends: [-40.0, 40.0] };
+//! let leaning = TeeBranch { angle: 0.4, ..TeeBranch::upright(1.5, 40.0, 1.0) };
+//! assert_eq!(PipeTee::new(main, vec![leaning])?.made().unwrap_err().reason(), "tee-blend-folds");
+//! # Ok::<(), cyclide::Error>(())
+//! ```
+//!
+//! # `tee-hole-folds`
+//! The radius of a blend changes so much that its contact with the main pipe turns back and forth.
+//! ```
+//! use cyclide::{PipeTee, TeeBlend, TeeBranch, TeeMain};
+//! let main = TeeMain { radius: 3.0, ends: [-12.0, 12.0] };
+//! let angle = |k: usize| std::f64::consts::TAU * k as f64 / 12.0;
+//! let wave = (0..12).map(|k| [angle(k), if k % 2 == 0 { 0.65 } else { 0.35 }]).collect();
+//! let branch = TeeBranch { blend: TeeBlend::Angles(wave), ..TeeBranch::upright(1.5, 10.0, 0.5) };
+//! assert_eq!(PipeTee::new(main, vec![branch])?.made().unwrap_err().reason(), "tee-hole-folds");
+//! # Ok::<(), cyclide::Error>(())
+//! ```
+//!
+//! # `tee-branches-meet`
+//! Two branches of a tee are nearer to each other than their blends allow.
+//! ```
+//! use cyclide::{PipeTee, TeeBranch, TeeMain};
+//! let main = TeeMain { radius: 3.0, ends: [-12.0, 12.0] };
+//! let branch = |at| TeeBranch { at, ..TeeBranch::upright(2.0, 10.0, 0.5) };
+//! assert_eq!(PipeTee::new(main, vec![branch(-2.0), branch(2.0)])?.made().unwrap_err().reason(), "tee-branches-meet");
 //! # Ok::<(), cyclide::Error>(())
 //! ```
 //!

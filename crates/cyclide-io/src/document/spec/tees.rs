@@ -1,0 +1,156 @@
+//! Tees of pipes, field by field.
+
+use cyclide::TeeEnds;
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+use super::TypeWord;
+use super::comment::Comment;
+use crate::document::angle::Angle;
+
+/// A main pipe about the x axis with branches, each blended by a ball that rolls round it; solid, or with a `wall`. Branches are thinner than the
+/// main pipe and within its breadth.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(
+    extend("if" = {"properties": {"ends": {"const": "open"}}, "required": ["ends"]}),
+    extend("then" = {"properties": {"wall": false}})
+)]
+pub struct PipeTeeSpec {
+    /// The word `pipe-tee`.
+    #[schemars(with = "String", extend("const" = "pipe-tee"))]
+    pub r#type: TypeWord,
+    /// What the author remarks; read and left aside.
+    #[serde(default)]
+    pub comment: Comment,
+    /// Construction geometry: built and reported, not written to files.
+    #[serde(default)]
+    pub construction: bool,
+    /// The main pipe.
+    pub main: TeeMainSpec,
+    /// The branches, at least one, each in a stretch of the main pipe of its own.
+    #[schemars(length(min = 1))]
+    pub branches: Vec<TeeBranchSpec>,
+    /// Thickness of the wall of all pipes, also within the blends. Default: the tee is filled.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub wall: Option<f64>,
+    /// How the pipes end. `open` leaves a surface, and goes without a wall.
+    #[serde(default)]
+    pub ends: TeeEnds,
+}
+
+/// The main pipe of a tee.
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(rename = "TeeMain")]
+pub struct TeeMainSpec {
+    /// Its outer radius.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub radius: f64,
+    /// The places on the x axis where it ends, the lower one first.
+    pub ends: [f64; 2],
+}
+
+/// A branch of a tee.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(rename = "TeeBranch")]
+pub struct TeeBranchSpec {
+    /// What the author remarks; read and left aside.
+    #[serde(default)]
+    pub comment: Comment,
+    /// Its outer radius.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub radius: f64,
+    /// Distance of its end, along its axis, from the place nearest to the axis of the main pipe.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub length: f64,
+    /// Angle between its direction and the x axis. Default: a right angle.
+    pub angle: Option<Angle>,
+    /// How far its axis passes beside that of the main pipe: towards -y if it goes up. Below the difference of the radii.
+    #[serde(default)]
+    pub offset: f64,
+    /// The place on the x axis that its axis is nearest to. Default 0.
+    #[serde(default)]
+    pub at: f64,
+    /// Its direction round the main pipe, seen against the x axis counter-clockwise: 0, the default, up along z, a quarter turn -y.
+    pub azimuth: Option<Angle>,
+    /// The ball that blends it with the main pipe.
+    pub blend: TeeBlendSpec,
+}
+
+/// The radius of the ball of a blend, or a law of it.
+#[derive(Debug, Clone, PartialEq, JsonSchema)]
+#[schemars(untagged, rename = "TeeBlend")]
+pub enum TeeBlendSpec {
+    /// One radius, to a thousandth of it.
+    Radius(#[schemars(extend("exclusiveMinimum" = 0))] f64),
+    /// One radius to a tolerance, or a law.
+    Law(TeeLawSpec),
+}
+
+/// A law of the radius of a ball; one of `radius`, `least`, `crotch` with `flank`, and `values`.
+#[derive(Debug, Clone, PartialEq, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(
+    rename = "TeeLaw",
+    extend("oneOf" = [{"required": ["radius"]}, {"required": ["least"]}, {"required": ["crotch", "flank"]}, {"required": ["values"]}]),
+    extend("dependentRequired" = {"tolerance": ["radius"], "crotch": ["flank"], "flank": ["crotch"]})
+)]
+pub struct TeeLawSpec {
+    /// One radius.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub radius: Option<f64>,
+    /// Largest difference from that one radius, which no rational blend has exactly. Default: a thousandth of it.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub tolerance: Option<f64>,
+    /// The plainest blend, with this radius at the flank where it is least and larger ones in the crotches.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub least: Option<f64>,
+    /// The radius in both crotches, where the branch leans towards the ends of the main pipe.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub crotch: Option<f64>,
+    /// The radius at both flanks.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub flank: Option<f64>,
+    /// Radii at angles round the branch.
+    #[schemars(length(min = 1))]
+    pub values: Option<Vec<TeeRadiusSpec>>,
+}
+
+/// The radius of a ball at an angle.
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(rename = "TeeRadius")]
+pub struct TeeRadiusSpec {
+    /// Angle round the branch: 0 on the side of the end of the main pipe.
+    pub angle: Angle,
+    /// The radius there.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub radius: f64,
+}
+
+impl<'de> Deserialize<'de> for TeeBlendSpec {
+    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct BlendVisitor;
+        impl<'de> serde::de::Visitor<'de> for BlendVisitor {
+            type Value = TeeBlendSpec;
+            fn expecting(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+                f.write_str("a radius, or a law such as `{\"crotch\": 8, \"flank\": 5}`")
+            }
+            fn visit_f64<E>(self, radius: f64) -> Result<TeeBlendSpec, E> {
+                Ok(TeeBlendSpec::Radius(radius))
+            }
+            fn visit_u64<E>(self, radius: u64) -> Result<TeeBlendSpec, E> {
+                Ok(TeeBlendSpec::Radius(radius as f64))
+            }
+            fn visit_i64<E>(self, radius: i64) -> Result<TeeBlendSpec, E> {
+                Ok(TeeBlendSpec::Radius(radius as f64))
+            }
+            fn visit_map<A: serde::de::MapAccess<'de>>(self, map: A) -> Result<TeeBlendSpec, A::Error> {
+                TeeLawSpec::deserialize(serde::de::value::MapAccessDeserializer::new(map)).map(TeeBlendSpec::Law)
+            }
+        }
+        deserializer.deserialize_any(BlendVisitor)
+    }
+}

@@ -1,0 +1,36 @@
+//! The report on the blends of a tee.
+
+use cyclide::{ShortNumber, TeeBlendFacts};
+use serde::Serialize;
+
+use super::RangeReport;
+
+/// A blend of a branch with its main pipe.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct TeeBlendReport {
+    /// The radii of its balls, to a bound that is proved.
+    pub radius: RangeReport,
+    /// Pieces of its loop.
+    pub pieces: usize,
+    /// How near it comes to folding: 1 where the ball rolls straight, 0 where the blend would run through itself.
+    pub tightest: f64,
+    /// The angle round the branch at which that is, in radians.
+    pub tightest_at: f64,
+}
+
+impl From<&TeeBlendFacts> for TeeBlendReport {
+    fn from(facts: &TeeBlendFacts) -> Self {
+        let [min, max] = facts.radii;
+        let TeeBlendFacts { pieces, tightest, tightest_at, .. } = *facts;
+        Self { radius: RangeReport { min, max }, pieces, tightest, tightest_at }
+    }
+}
+
+impl TeeBlendReport {
+    /// What the text says of it.
+    pub(super) fn text(&self, units: &str) -> String {
+        let [min, max, tightest, at] =
+            [self.radius.min, self.radius.max, self.tightest, self.tightest_at].map(|x| ShortNumber(x).to_string());
+        format!("radius {min} to {max} {units}, {} pieces, tightest {tightest} at {at} rad", self.pieces)
+    }
+}

@@ -1,0 +1,48 @@
+//! Tees of pipes.
+
+use super::{build, surface};
+
+fn tee(branches: &str, rest: &str) -> Result<cyclide_io::BuiltObject, String> {
+    build(&format!(
+        r#""t": {{"type": "pipe-tee", "main": {{"radius": 12, "ends": [-50, 60]}}, "branches": [{branches}]{rest}}}"#
+    ))
+}
+
+const BRANCH: &str = r#"{"radius": 8, "length": 40, "blend": {"crotch": 3, "flank": 2}}"#;
+
+#[test]
+fn tees_are_solids_with_a_report_on_their_blends() {
+    let filled = surface(&tee(BRANCH, "").unwrap());
+    assert!(filled.closed && filled.bodies == 1);
+    let [blend] = &filled.blends[..] else { panic!("one blend: {:?}", filled.blends) };
+    assert!((blend.radius.min - 2.0).abs() < 1e-9 && (blend.radius.max - 3.0).abs() < 1e-9, "{blend:?}");
+    assert!(blend.tightest > 0.0 && blend.tightest < 1.0);
+    let hollow = surface(&tee(BRANCH, r#", "wall": 1"#).unwrap());
+    let closed = surface(&tee(BRANCH, r#", "wall": 1, "ends": "closed""#).unwrap());
+    // Two disks of the main pipe and one of the branch, one thick.
+    let disks = std::f64::consts::PI * (2.0 * 121.0 + 49.0);
+    let more = closed.volume.unwrap() - hollow.volume.unwrap();
+    assert!((more / disks - 1.0).abs() < 1e-10, "{more}");
+    assert!(!surface(&tee(BRANCH, r#", "ends": "open""#).unwrap()).closed);
+}
+
+#[test]
+fn tees_that_are_none_are_refused_in_their_place() {
+    let leaning = r#"{"radius": 6, "length": 60, "angle": {"degrees": 22}, "blend": 4}"#;
+    for (branches, rest, place, reason) in [
+        (r#"{"radius": 8, "length": 40, "offset": 5, "blend": 2}"#, "", "branches.0", "[tee-branch-too-wide]"),
+        (r#"{"radius": 8, "length": 13, "blend": 2}"#, "", "branches.0", "[tee-pipe-too-short]"),
+        (r#"{"radius": 8, "length": 40, "at": 50, "blend": 2}"#, "", "main", "[tee-pipe-too-short]"),
+        (leaning, "", "branches.0", "[tee-blend-folds]"),
+        (r#"{"radius": 11, "length": 40, "blend": {"least": 2}}"#, "", "branches.0", "[tee-blend-too-large]"),
+        (BRANCH, r#", "wall": 9"#, "wall", "[parameter-out-of-range]"),
+        (BRANCH, r#", "wall": 1, "ends": "open""#, "", "`wall` makes a solid"),
+        (r#"{"radius": 8, "length": 40, "blend": {"radius": 2, "flank": 3}}"#, "", "", "a blend is given by one of"),
+    ] {
+        let error = tee(branches, rest).unwrap_err();
+        assert!(error.contains(place) && error.contains(reason), "{error}");
+    }
+    let both = format!("{BRANCH}, {}", BRANCH.replacen('{', r#"{"at": 20, "#, 1));
+    let error = tee(&both, "").unwrap_err();
+    assert!(error.contains("branches.1") && error.contains("[tee-branches-meet]"), "{error}");
+}

@@ -1,0 +1,178 @@
+//! What is refused of a tee: balls without a radius, blends that fold, pipes that end within a blend, branches that meet.
+
+use super::canal::Canal;
+use super::crossing::Crossing;
+use super::loop_piece::LoopPiece;
+use super::partition::Partition;
+use super::{PipeTee, Placed};
+use crate::base::bernstein;
+use crate::base::vector::{Point3, Vec3};
+use crate::error::{Error, ErrorItem, Result};
+
+/// Places of a piece, and of an arc, at which folds are looked for.
+const PLACES: usize = 12;
+/// A part of a pipe beyond a blend is longer than this part of its radius.
+const LEAST_REST: f64 = 1e-3;
+
+/// Where a blend comes nearest to folding.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct TightPlace {
+    /// What is left there: 1 where the way of the ball is straight, 0 where the blend folds.
+    pub(super) left: f64,
+    /// The angle round the branch.
+    pub(super) angle: f64,
+}
+
+/// Refuses a loop on which a ball has no positive radius.
+///
+/// # Errors
+/// `radius-not-positive`.
+pub(super) fn check_radii(crossing: &Crossing, pieces: &[LoopPiece]) -> Result<()> {
+    for piece in pieces {
+        for k in 0..=PLACES {
+            let angle = piece.angle(k as f64 / PLACES as f64);
+            let radius = crossing.radius_of_factor(angle, piece.factor(angle));
+            if !(radius > 0.0 && radius.is_finite()) {
+                return Err(Error::RadiusNotPositive { radius });
+            }
+        }
+    }
+    Ok(())
+}
+
+/// Refuses a blend that folds. With centres m, radii R and the unit normal N of the canal towards the outside of the balls, the derivative along the loop
+/// across the circles has, up to a positive factor, the part `|m'|² - R'² - R R'' - R N·m''`: it must stay positive.
+///
+/// # Errors
+/// `tee-blend-folds`.
+pub(super) fn check_folds(crossing: &Crossing, pieces: &[LoopPiece], depth: f64) -> Result<TightPlace> {
+    let mut tightest = TightPlace { left: f64::INFINITY, angle: 0.0 };
+    for piece in pieces {
+        // The larger balls of the inner skin fold first.
+        let canal = Canal::new(crossing, piece, depth);
+        let (centres, radii) = (canal.centres(), canal.radii());
+        let surface = canal.surface()?;
+        for k in 0..=PLACES {
+            let t = k as f64 / PLACES as f64;
+            let (m, r) = (centres.jet(t), radii.jet(t));
+            let speed = m.d1.dot(m.d1) - r.d1.x * r.d1.x;
+            for j in 0..=PLACES {
+                let on = surface.point(t, j as f64 / PLACES as f64);
+                let way = on - m.point;
+                let radius = r.point.x;
+                let left = 1.0 - (radius * r.d2.x + way.dot(m.d2)) / speed;
+                if left < tightest.left {
+                    tightest = TightPlace { left, angle: crossing.true_angle(piece.angle(t)) };
+                }
+            }
+        }
+    }
+    if tightest.left > 0.0 {
+        return Ok(tightest);
+    }
+    Err(Error::TeeBlendFolds { branch: crossing.branch, angle: tightest.angle, left: tightest.left })
+}
+
+/// The places along the main pipe between which the contact of the blend is: of the hulls of its pieces.
+pub(super) fn reach_along(crossing: &Crossing, partition: &Partition) -> [f64; 2] {
+    let mut reach = [f64::INFINITY, f64::NEG_INFINITY];
+    for piece in &partition.pieces {
+        for place in quotients(&crossing.forms(piece).along, &crossing.forms(piece).weight) {
+            reach = [reach[0].min(place + crossing.at), reach[1].max(place + crossing.at)];
+        }
+    }
+    reach
+}
+
+/// The farthest contact along the branch.
+fn reach_up(crossing: &Crossing, partition: &Partition) -> f64 {
+    let forms = partition.pieces.iter().map(|piece| crossing.forms(piece));
+    forms.flat_map(|forms| quotients(&forms.height, &forms.weight)).fold(f64::NEG_INFINITY, f64::max)
+}
+
+/// Values of a quotient at places of a piece close together.
+fn quotients(above: &crate::rational::Polynomial, below: &crate::rational::Polynomial) -> Vec<f64> {
+    let row = |p: &crate::rational::Polynomial| p.coefficients().iter().map(|&c| [c]).collect::<Vec<[f64; 1]>>();
+    let (above, below) = (row(above), row(below));
+    let at = |k: usize| {
+        let t = k as f64 / 32.0;
+        bernstein::eval(&above, t)[0] / bernstein::eval(&below, t)[0]
+    };
+    (0..=32).map(at).collect()
+}
+
+impl PipeTee {
+    /// Refuses pipes that end within a blend, and branches that meet.
+    ///
+    /// # Errors
+    /// `tee-pipe-too-short`, `tee-branches-meet`.
+    pub(super) fn check_room(&self, placed: &[Placed], order: &[usize]) -> Result<()> {
+        let short = if self.ends == super::TeeEnds::Closed { self.wall.unwrap_or(0.0) } else { 0.0 };
+        let rest = LEAST_REST * self.main.radius;
+        for (index, branch) in placed.iter().enumerate() {
+            let needed = reach_up(&branch.crossing, &branch.partition) + LEAST_REST * branch.crossing.radii[0] + short;
+            if !(branch.length > needed) {
+                return Err(Error::TeePipeTooShort {
+                    what: ErrorItem::Branch,
+                    branch: index,
+                    end: branch.length,
+                    needed,
+                });
+            }
+            let [low, high] = [branch.reach[0] - rest - short, branch.reach[1] + rest + short];
+            for (end, needed, fits) in
+                [(self.main.ends[0], low, self.main.ends[0] < low), (self.main.ends[1], high, self.main.ends[1] > high)]
+            {
+                if !fits {
+                    return Err(Error::TeePipeTooShort { what: ErrorItem::MainPipe, branch: index, end, needed });
+                }
+            }
+        }
+        for pair in order.windows(2) {
+            let [first, second] = [pair[0], pair[1]];
+            let distance = placed[second].reach[0] - placed[first].reach[1];
+            if !(distance > 3.0 * rest) {
+                let (first, second) = (first.min(second), first.max(second));
+                return Err(Error::TeeBranchesMeet { first, second, distance, needed: 3.0 * rest });
+            }
+        }
+        check_branches_apart(placed)
+    }
+}
+
+/// Refuses branches that run into each other.
+fn check_branches_apart(placed: &[Placed]) -> Result<()> {
+    let axis = |branch: &Placed| {
+        let way = branch.crossing.axes[2];
+        [branch.crossing.foot, branch.crossing.foot + way * branch.length]
+    };
+    for (second, b) in placed.iter().enumerate() {
+        for (first, a) in placed.iter().enumerate().take(second) {
+            let needed = a.crossing.radii[0] + b.crossing.radii[0];
+            let main = a.crossing.radii[1];
+            let distance = least_distance(axis(a), axis(b), main);
+            if distance <= needed {
+                return Err(Error::TeeBranchesMeet { first, second, distance, needed });
+            }
+        }
+    }
+    Ok(())
+}
+
+/// The least distance of two segments where both are outside the main pipe.
+fn least_distance(a: [Point3; 2], b: [Point3; 2], main: f64) -> f64 {
+    const STEPS: usize = 64;
+    let outside = |p: Point3| Vec3::new(0.0, p.y, p.z).length() >= main;
+    let at = |[from, to]: [Point3; 2], k: usize| from + (to - from) * (k as f64 / STEPS as f64);
+    let mut least = f64::INFINITY;
+    for p in (0..=STEPS).map(|k| at(a, k)).filter(|&p| outside(p)) {
+        // The nearest point of the other segment.
+        let way = b[1] - b[0];
+        let t = ((p - b[0]).dot(way) / way.dot(way)).clamp(0.0, 1.0);
+        let near = b[0] + way * t;
+        if outside(near) {
+            least = least.min(p.distance(near));
+        }
+    }
+    least
+}

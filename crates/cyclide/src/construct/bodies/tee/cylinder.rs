@@ -1,0 +1,128 @@
+//! Parts of the main pipe between two borders: rulings, arcs and what is between, all exact.
+//!
+//! A half direction `V` with the angle g is turned to the point at g by `(C² - S², 2 S C)/(C² + S²)`; between two half directions it runs linearly, and the
+//! place along the pipe too. So the part is rational, of degree 2 across where the borders are at equal places, of degree 3 otherwise.
+
+use super::crossing::Crossing;
+use crate::base::quat::Quat;
+use crate::base::vector::{Point3, Vec3};
+use crate::curve::Arc;
+use crate::error::Result;
+use crate::rational::{Polynomial, PolynomialRow, RationalBezierSurface};
+use crate::topology::EdgeCurve;
+
+/// A border on the main pipe: half direction, and the place along it times the weight.
+pub(super) struct Border {
+    pub(super) half: [Polynomial; 2],
+    pub(super) along: Polynomial,
+}
+
+/// A skin of the main pipe.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Cylinder {
+    radius: f64,
+    up: Vec3,
+    sideways: Vec3,
+}
+
+impl Cylinder {
+    pub(super) fn new(crossing: &Crossing, depth: f64) -> Self {
+        Self { radius: crossing.radii[1] - depth, up: crossing.up, sideways: crossing.sideways }
+    }
+
+    /// The direction off the axis at a half direction.
+    pub(super) fn direction(&self, [c, s]: [f64; 2]) -> Vec3 {
+        (self.up * ((c - s) * (c + s)) + self.sideways * (2.0 * c * s)) / (c * c + s * s)
+    }
+
+    pub(super) fn point(&self, half: [f64; 2], along: f64) -> Point3 {
+        Point3::new(along, 0.0, 0.0) + self.direction(half) * self.radius
+    }
+
+    /// A circle at a place, of degree twice that of its half direction.
+    pub(super) fn circle(&self, [c, s]: &[Polynomial; 2], along: f64) -> PolynomialRow {
+        let (cc, ss, sc) = (c * c, s * s, c * s);
+        self.row(&(&cc + &(&ss * -1.0)), &(&sc * 2.0), &(&cc + &ss), &(&(&cc + &ss) * along))
+    }
+
+    /// The curve of a border, with its weight.
+    pub(super) fn border(&self, [c, s]: &[Polynomial; 2], along: &Polynomial, weight: &Polynomial) -> PolynomialRow {
+        let (cc, ss, sc) = (c * c, s * s, c * s);
+        let norm = &cc + &ss;
+        let (cos, sin) = (&(&cc + &(&ss * -1.0)) * weight, &(&sc * 2.0) * weight);
+        self.row(&cos, &sin, &(&norm * weight), &(&norm * along))
+    }
+
+    fn row(&self, cos: &Polynomial, sin: &Polynomial, weight: &Polynomial, along: &Polynomial) -> PolynomialRow {
+        let (u, v) = (self.up * self.radius, self.sideways * self.radius);
+        let across = |u: f64, v: f64| &(cos * u) + &(sin * v);
+        PolynomialRow([&across(u.x, v.x) + along, across(u.y, v.y), across(u.z, v.z), weight.clone()])
+    }
+
+    /// The arc across from one half direction of length 1 to another, at one place.
+    ///
+    /// # Errors
+    /// As [`Arc::from_weight_ratio`].
+    pub(super) fn arc(&self, ends: [Point3; 2], from: [f64; 2], to: [f64; 2]) -> Result<Arc> {
+        // What turns `up` towards `sideways`.
+        let axis = self.up.cross(self.sideways);
+        let [from, to] = [from, to].map(|[c, s]| Quat::from_parts(c, axis * s));
+        Arc::from_ratio_across(ends[0], ends[1], to * from.inverse().unwrap_or(Quat::ONE))
+    }
+
+    /// The part between two borders with one weight: s along them, t across.
+    ///
+    /// # Errors
+    /// As [`RationalBezierSurface::new`].
+    pub(super) fn between(
+        &self,
+        weight: &Polynomial,
+        first: &Border,
+        second: &Border,
+    ) -> Result<RationalBezierSurface> {
+        let ([c0, s0], [c1, s1]) = (&first.half, &second.half);
+        let minus = |p: Polynomial, q: Polynomial| &p + &(&q * -1.0);
+        let cos = [minus(c0 * c0, s0 * s0), minus(c0 * c1, s0 * s1), minus(c1 * c1, s1 * s1)];
+        let sin = [&(c0 * s0) * 2.0, &(c0 * s1) + &(s0 * c1), &(c1 * s1) * 2.0];
+        let norm = [&(c0 * c0) + &(s0 * s0), &(c0 * c1) + &(s0 * s1), &(c1 * c1) + &(s1 * s1)];
+        let rows: Vec<PolynomialRow> = if first.along == second.along {
+            (0..3)
+                .map(|k| {
+                    self.row(&(&cos[k] * weight), &(&sin[k] * weight), &(&norm[k] * weight), &(&norm[k] * &first.along))
+                })
+                .collect()
+        } else {
+            // Products with a polynomial of degree 1 across.
+            let raised = |a: &[Polynomial; 3], b: [&Polynomial; 2]| -> [Polynomial; 4] {
+                let third = 1.0 / 3.0;
+                [
+                    &a[0] * b[0],
+                    &(&(&a[0] * b[1]) * third) + &(&(&a[1] * b[0]) * (2.0 * third)),
+                    &(&(&a[1] * b[1]) * (2.0 * third)) + &(&(&a[2] * b[0]) * third),
+                    &a[2] * b[1],
+                ]
+            };
+            let [cos, sin, weights] = [&cos, &sin, &norm].map(|a| raised(a, [weight, weight]));
+            let along = raised(&norm, [&first.along, &second.along]);
+            (0..4).map(|k| self.row(&cos[k], &sin[k], &weights[k], &along[k])).collect()
+        };
+        RationalBezierSurface::from_polynomial_rows(&rows)
+    }
+
+    /// The edge across between two half directions of length 1 at two places: an arc where these are one.
+    ///
+    /// # Errors
+    /// As [`arc`](Self::arc).
+    pub(super) fn across(&self, ends: [Point3; 2], halves: [[f64; 2]; 2], along: [f64; 2]) -> Result<EdgeCurve> {
+        if along[0] - along[1] == 0.0 {
+            return Ok(self.arc(ends, halves[0], halves[1])?.into());
+        }
+        let constant = |half: [f64; 2], at: f64| Border {
+            half: half.map(Polynomial::constant),
+            along: Polynomial::new(vec![at, at]),
+        };
+        let one = Polynomial::constant(1.0);
+        let strip = self.between(&one, &constant(halves[0], along[0]), &constant(halves[1], along[1]))?;
+        Ok(EdgeCurve::from(strip.t_line(0.0)).with_ends(Some(ends[0]), Some(ends[1])))
+    }
+}

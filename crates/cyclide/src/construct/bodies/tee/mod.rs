@@ -1,0 +1,395 @@
+//! Tees: branches on a main pipe, blended by balls that roll round them, exact (`docs/math/pipe-tees.md`).
+//!
+//! The branch is thinner than the main pipe, and their axes meet or pass nearer than the radii differ, at any angle: the case that
+//! `docs/math/pipe-tees.md#balls` calls spacelike. The centres of balls that touch both from outside form a surface with rational curves of degree 4, on which
+//! every law of the radius has its loop. The canal of a piece of the loop is rational of degree (12, 2), and so are, exactly, what is left of
+//! both pipes: all faces have four sides and share edges.
+//!
+//! A wall has the same loop inside: radii of pipes less by its thickness, radii of balls larger by it, the centres stay.
+
+mod canal;
+mod check;
+mod crossing;
+mod cylinder;
+mod ends;
+mod join;
+mod loop_piece;
+mod partition;
+mod radius_law;
+mod skin;
+
+pub use radius_law::TeeBlend;
+
+use crate::base::range;
+use crate::base::vector::{Point3, Vec3};
+use crate::error::{Error, ErrorItem, Result};
+use crate::topology::{Body, Sewing};
+use check::TightPlace;
+use crossing::Crossing;
+use partition::Partition;
+use skin::{Branch, Ring, Rings, Skin};
+
+/// Smallest sine of the angle between a branch and its main pipe.
+const SMALLEST_SINE: f64 = 0.05;
+
+/// The main pipe of a tee, about the x axis.
+///
+/// ```
+/// use cyclide::TeeMain;
+/// let main = TeeMain { radius: 30.0, ends: [-100.0, 100.0] };
+/// assert!(main.ends[0] < main.ends[1]);
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct TeeMain {
+    /// Its outer radius.
+    pub radius: f64,
+    /// The places on the x axis where it ends.
+    pub ends: [f64; 2],
+}
+
+/// A branch of a tee.
+///
+/// ```
+/// use cyclide::{TeeBlend, TeeBranch};
+/// let lateral = TeeBranch { angle: 0.8, ..TeeBranch::upright(20.0, 100.0, 6.0) };
+/// assert!(matches!(lateral.blend, TeeBlend::Radius { radius: 6.0, .. }));
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct TeeBranch {
+    /// Its outer radius, below that of the main pipe.
+    pub radius: f64,
+    /// Where it ends: distance along its axis from the place nearest to the axis of the main pipe.
+    pub length: f64,
+    /// Angle between its direction and that of the main pipe, the x axis.
+    pub angle: f64,
+    /// How far its axis passes beside that of the main pipe, towards -y for a branch that goes up. Below the difference of the radii.
+    pub offset: f64,
+    /// The place on the x axis that its own axis is nearest to.
+    pub at: f64,
+    /// Its direction round the main pipe: 0 up, along z, a quarter turn -y.
+    pub azimuth: f64,
+    /// The blend.
+    pub blend: TeeBlend,
+}
+
+impl TeeBranch {
+    /// A branch straight up from the middle, with a blend of one radius.
+    #[must_use]
+    pub fn upright(radius: f64, length: f64, blend: f64) -> Self {
+        Self {
+            radius,
+            length,
+            angle: std::f64::consts::FRAC_PI_2,
+            offset: 0.0,
+            at: 0.0,
+            azimuth: 0.0,
+            blend: TeeBlend::Radius { radius: blend, tolerance: None },
+        }
+    }
+}
+
+/// How the pipes of a tee end.
+///
+/// ```
+/// use cyclide::{PipeTee, TeeBranch, TeeEnds, TeeMain};
+/// let main = TeeMain { radius: 3.0, ends: [-12.0, 12.0] };
+/// let tee = PipeTee::new(main, vec![TeeBranch::upright(2.0, 10.0, 0.5)])?.with_wall(0.2)?;
+/// assert!(tee.made()?.body.voids.is_empty());
+/// assert_eq!(tee.with_ends(TeeEnds::Closed).made()?.body.voids.len(), 1);
+/// # Ok::<(), cyclide::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Deserialize), serde(rename_all = "kebab-case"))]
+#[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(inline, description = "The ends of the pipes."))]
+pub enum TeeEnds {
+    /// Plane: disks, or with a wall rings round the bore.
+    #[default]
+    Flat,
+    /// Plane and, with a wall, without an opening: a hollow inside that ends as far below the ends as the wall is thick.
+    Closed,
+    /// None: the surface only.
+    Open,
+}
+
+/// A main pipe with branches, solid or with a wall.
+///
+/// ```
+/// use cyclide::{PipeTee, TeeBranch, TeeMain};
+/// let main = TeeMain { radius: 30.0, ends: [-100.0, 100.0] };
+/// let tee = PipeTee::new(main, vec![TeeBranch::upright(20.0, 100.0, 6.0)])?.with_wall(3.0)?;
+/// let made = tee.made()?;
+/// assert!(made.body.is_solid() && (made.blends[0].radii[1] - 6.0).abs() < 0.006);
+/// # Ok::<(), cyclide::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct PipeTee {
+    main: TeeMain,
+    branches: Vec<TeeBranch>,
+    wall: Option<f64>,
+    ends: TeeEnds,
+}
+
+/// A tee as it was made.
+///
+/// ```
+/// use cyclide::{PipeTee, TeeBranch, TeeMain};
+/// let main = TeeMain { radius: 3.0, ends: [-12.0, 12.0] };
+/// let made = PipeTee::new(main, vec![TeeBranch::upright(2.0, 10.0, 0.5)])?.made()?;
+/// assert!(made.body.is_solid() && made.blends.len() == 1);
+/// # Ok::<(), cyclide::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct MadeTee {
+    /// The body.
+    pub body: Body,
+    /// What is known of the blends, in the order of the branches.
+    pub blends: Vec<TeeBlendFacts>,
+}
+
+/// What is known of a blend.
+///
+/// ```
+/// use cyclide::{PipeTee, TeeBranch, TeeMain};
+/// let main = TeeMain { radius: 3.0, ends: [-12.0, 12.0] };
+/// let facts = PipeTee::new(main, vec![TeeBranch::upright(2.0, 10.0, 0.5)])?.made()?.blends[0];
+/// assert!(facts.radii[0] >= 0.4995 && facts.radii[1] <= 0.5005 && facts.tightest > 0.7);
+/// # Ok::<(), cyclide::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct TeeBlendFacts {
+    /// The least and the largest radius of its balls, a proved bound.
+    pub radii: [f64; 2],
+    /// Pieces of its loop.
+    pub pieces: usize,
+    /// How near it comes to folding: what is left of its width where most of it is gone, 1 where it is straight and 0 where it folds.
+    pub tightest: f64,
+    /// The angle round the branch at which that is, in radians.
+    pub tightest_at: f64,
+}
+
+/// A branch placed, with its loop.
+struct Placed {
+    crossing: Crossing,
+    partition: Partition,
+    length: f64,
+    /// The places along the main pipe between which the blend is.
+    reach: [f64; 2],
+    facts: TeeBlendFacts,
+}
+
+impl PipeTee {
+    /// A solid tee.
+    ///
+    /// # Errors
+    /// `not-finite`, `radius-not-positive`, `too-few-points` (no branch), `parameter-out-of-range` (coordinates beyond the range of the kernel's numbers).
+    pub fn new(main: TeeMain, branches: Vec<TeeBranch>) -> Result<Self> {
+        if branches.is_empty() {
+            return Err(Error::TooFewPoints { given: 0, needed: 1 });
+        }
+        let radii = std::iter::once(main.radius).chain(branches.iter().map(|branch| branch.radius));
+        for (index, radius) in radii.enumerate() {
+            if !radius.is_finite() {
+                return Err(Error::NotFinite { what: ErrorItem::Radius, index });
+            }
+            if radius <= 0.0 {
+                return Err(Error::RadiusNotPositive { radius });
+            }
+            range::check_distance(radius)?;
+        }
+        for (index, branch) in branches.iter().enumerate() {
+            let numbers = [
+                (ErrorItem::Height, branch.length),
+                (ErrorItem::Angle, branch.angle),
+                (ErrorItem::Distance, branch.offset),
+                (ErrorItem::Coordinate, branch.at),
+                (ErrorItem::Angle, branch.azimuth),
+            ];
+            for (what, value) in numbers {
+                if !value.is_finite() {
+                    return Err(Error::NotFinite { what, index });
+                }
+            }
+        }
+        if let Some(index) = main.ends.iter().position(|end| !end.is_finite()) {
+            return Err(Error::NotFinite { what: ErrorItem::Coordinate, index });
+        }
+        Ok(Self { main, branches, wall: None, ends: TeeEnds::Flat })
+    }
+
+    /// The same with a bore in all pipes that leaves this thickness of the wall.
+    ///
+    /// # Errors
+    /// `parameter-out-of-range` unless the wall is thinner than the thinnest pipe.
+    pub fn with_wall(self, wall: f64) -> Result<Self> {
+        let max = self.branches.iter().map(|branch| branch.radius).fold(self.main.radius, f64::min);
+        if !(wall > 0.0 && wall < max) {
+            return Err(Error::ParameterOutOfRange { name: ErrorItem::Wall, value: wall, min: 0.0, max });
+        }
+        Ok(Self { wall: Some(wall), ..self })
+    }
+
+    /// The same with other ends.
+    #[must_use]
+    pub fn with_ends(self, ends: TeeEnds) -> Self {
+        Self { ends, ..self }
+    }
+
+    /// The body, with what is known of its blends.
+    ///
+    /// # Errors
+    /// `tee-branch-too-wide`, `angle-out-of-range`, as [`TeeBlend`] `radius-not-positive`, `tee-blend-too-large`, `too-many-pieces`, `coincident-points`;
+    /// `tee-pipe-too-short`, `tee-blend-folds`, `tee-hole-folds`, `tee-branches-meet`.
+    pub fn made(&self) -> Result<MadeTee> {
+        let mut placed = self
+            .branches
+            .iter()
+            .enumerate()
+            .map(|(index, branch)| self.placed(index, branch))
+            .collect::<Result<Vec<_>>>()?;
+        let mut order: Vec<usize> = (0..placed.len()).collect();
+        order.sort_by(|&a, &b| placed[a].reach[0].total_cmp(&placed[b].reach[0]));
+        self.check_room(&placed, &order)?;
+        let blends = placed.iter().map(|branch| branch.facts).collect();
+        placed.sort_by(|a, b| a.reach[0].total_cmp(&b.reach[0]));
+        Ok(MadeTee { body: self.sewn(&placed)?, blends })
+    }
+
+    fn placed(&self, index: usize, branch: &TeeBranch) -> Result<Placed> {
+        let crossing = self.crossing(index, branch)?;
+        let pieces = branch.blend.pieces(&crossing)?;
+        check::check_radii(&crossing, &pieces)?;
+        let depth = self.wall.unwrap_or(0.0);
+        let tight: TightPlace = check::check_folds(&crossing, &pieces, depth)?;
+        let partition = Partition::new(&crossing, &pieces)?;
+        let radii = pieces.iter().map(|piece| radius_law::radii_of(&crossing, piece));
+        let radii = radii.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], [c, d]| [a.min(c), b.max(d)]);
+        let reach = check::reach_along(&crossing, &partition);
+        let turn = std::f64::consts::TAU;
+        let facts = TeeBlendFacts {
+            radii,
+            pieces: partition.pieces.len(),
+            tightest: tight.left,
+            tightest_at: tight.angle.rem_euclid(turn) % turn,
+        };
+        Ok(Placed { crossing, partition, length: branch.length, reach, facts })
+    }
+
+    /// The branch in the axes of the main pipe.
+    fn crossing(&self, index: usize, branch: &TeeBranch) -> Result<Crossing> {
+        let (main, radius) = (self.main.radius, branch.radius);
+        let (sin, cos) = branch.angle.sin_cos();
+        if !(sin >= SMALLEST_SINE) {
+            let least = SMALLEST_SINE.asin();
+            return Err(Error::AngleOutOfRange { angle: branch.angle, min: least, max: std::f64::consts::PI - least });
+        }
+        let delta = main - radius;
+        // On the edge of it the loop is degenerate: it comes to a point.
+        let limit = delta * (1.0 - 1e-6);
+        if !(branch.offset.abs() < limit) || !(delta > 1e-6 * main) {
+            let offset = branch.offset.abs();
+            return Err(Error::TeeBranchTooWide { branch: index, reach: radius + offset, limit: main });
+        }
+        let tau = -branch.offset / delta;
+        let root = ((1.0 - tau) * (1.0 + tau)).sqrt();
+        let (turn_sin, turn_cos) = branch.azimuth.sin_cos();
+        let up = Vec3::new(0.0, -turn_sin, turn_cos);
+        let sideways = Vec3::new(0.0, turn_cos, turn_sin);
+        let along = Vec3::X;
+        Ok(Crossing {
+            branch: index,
+            radii: [radius, main],
+            delta,
+            tau,
+            root,
+            boost: ((1.0 + tau) / (1.0 - tau)).sqrt().sqrt(),
+            sin,
+            cos,
+            at: branch.at,
+            foot: Point3::new(branch.at, 0.0, 0.0) + sideways * branch.offset,
+            sideways,
+            up,
+            axes: [along * sin - up * cos, sideways, along * cos + up * sin],
+        })
+    }
+
+    /// The faces of all skins.
+    fn sewn(&self, placed: &[Placed]) -> Result<Body> {
+        let mut sewing = Sewing::default();
+        let outer = self.skin(&mut sewing, placed, 0.0, 0.0)?;
+        let Some(wall) = self.wall else {
+            if self.ends == TeeEnds::Open {
+                return Ok(Body { outer: sewing.finish()?, voids: Vec::new() });
+            }
+            self.disks(&mut sewing, placed, &outer, 0.0)?;
+            return Ok(Body { outer: sewing.finish()?, voids: Vec::new() });
+        };
+        if self.ends == TeeEnds::Closed {
+            self.disks(&mut sewing, placed, &outer, 0.0)?;
+            let mut inside = Sewing::default();
+            let inner = self.skin(&mut inside, placed, wall, wall)?;
+            self.disks(&mut inside, placed, &inner, wall)?;
+            return Ok(Body { outer: sewing.finish()?, voids: vec![inside.finish()?] });
+        }
+        let inner = self.skin(&mut sewing, placed, wall, 0.0)?;
+        let mut skin = Skin { sewing: &mut sewing, depth: 0.0, inner: false };
+        for ((outer, inner), (_, outwards)) in outer.iter().zip(&inner).zip(self.openings(placed, 0.0)) {
+            skin.between_rings(outer, inner, outwards)?;
+        }
+        Ok(Body { outer: sewing.finish()?, voids: Vec::new() })
+    }
+
+    /// The centres of all ends and the directions out of them, as rings of skins are ordered: both ends of the main pipe, then the branches.
+    fn openings(&self, placed: &[Placed], short: f64) -> Vec<(Point3, Vec3)> {
+        let main = [(self.main.ends[0] + short, -1.0), (self.main.ends[1] - short, 1.0)];
+        let branches = placed.iter().map(|branch| {
+            let axis = branch.crossing.axes[2];
+            (branch.crossing.foot + axis * (branch.length - short), axis)
+        });
+        main.into_iter().map(|(at, way)| (Point3::new(at, 0.0, 0.0), Vec3::X * way)).chain(branches).collect()
+    }
+
+    fn disks(&self, sewing: &mut Sewing, placed: &[Placed], rings: &[Ring], depth: f64) -> Result<()> {
+        let mut skin = Skin { sewing, depth, inner: depth > 0.0 };
+        for (ring, (centre, outwards)) in rings.iter().zip(self.openings(placed, depth)) {
+            skin.disk(ring, centre, if depth > 0.0 { -outwards } else { outwards })?;
+        }
+        Ok(())
+    }
+
+    /// The faces of a skin, and its rings in the order of [`openings`](Self::openings).
+    fn skin(&self, sewing: &mut Sewing, placed: &[Placed], depth: f64, short: f64) -> Result<Vec<Ring>> {
+        let mut skin = Skin { sewing, depth, inner: depth > 0.0 };
+        let mut rings: Vec<Rings> = Vec::new();
+        for (k, branch) in placed.iter().enumerate() {
+            // Between two branches a third of the way is left for what joins their rings.
+            let before = match k.checked_sub(1).and_then(|j| placed.get(j)) {
+                Some(other) => branch.reach[0] - (branch.reach[0] - other.reach[1]) / 3.0,
+                None => self.main.ends[0] + short,
+            };
+            let behind = match placed.get(k + 1) {
+                Some(other) => branch.reach[1] + (other.reach[0] - branch.reach[1]) / 3.0,
+                None => self.main.ends[1] - short,
+            };
+            let Placed { crossing, partition, length, .. } = branch;
+            rings.push(skin.branch(&Branch {
+                crossing,
+                partition,
+                length: length - short,
+                stretch: [before, behind],
+            })?);
+        }
+        for k in 1..rings.len() {
+            let (at, beyond) = (&rings[k - 1].main[1], &rings[k].main[0]);
+            skin.join([&placed[k - 1].crossing, &placed[k].crossing], [at, beyond])?;
+        }
+        let mut open = Vec::new();
+        let (mut first, mut last, mut branches) = (None, None, Vec::new());
+        for Rings { branch, main: [start, end] } in rings {
+            first = first.or(Some(start));
+            last = Some(end);
+            branches.push(branch);
+        }
+        open.extend(first.into_iter().chain(last).chain(branches));
+        Ok(open)
+    }
+}

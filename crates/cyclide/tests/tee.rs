@@ -1,0 +1,276 @@
+//! Tees: balls that touch both pipes, tangent planes, walls of one thickness, and bodies of known volume.
+
+use cyclide::{
+    Body, Error, FaceSurface, MadeTee, PipeTee, Point3, RationalBezierSurface, ShellFace, TeeBlend, TeeBranch, TeeEnds,
+    TeeMain, Vec3, surface_joints,
+};
+use std::f64::consts::{FRAC_PI_2, PI};
+
+const MAIN: TeeMain = TeeMain { radius: 3.0, ends: [-14.0, 16.0] };
+
+fn branch() -> TeeBranch {
+    TeeBranch::upright(2.0, 12.0, 0.5)
+}
+
+fn law() -> TeeBlend {
+    TeeBlend::Angles(vec![[0.0, 0.8], [FRAC_PI_2, 0.4], [PI, 1.0], [1.5 * PI, 0.5]])
+}
+
+fn made(main: TeeMain, branches: Vec<TeeBranch>, wall: Option<f64>, ends: TeeEnds) -> Result<MadeTee, Error> {
+    let tee = PipeTee::new(main, branches)?.with_ends(ends);
+    wall.map_or(Ok(tee.clone()), |wall| tee.with_wall(wall))?.made()
+}
+
+fn solid(branches: Vec<TeeBranch>) -> MadeTee {
+    made(MAIN, branches, None, TeeEnds::Flat).expect("a tee")
+}
+
+/// The canals of a body: the faces of degree (12, 2).
+fn canals(body: &Body) -> Vec<(&RationalBezierSurface, &ShellFace)> {
+    let faces = body.shells().flat_map(|shell| shell.faces());
+    let rational = faces.filter_map(|face| match &face.surface {
+        FaceSurface::Rational(surface) => Some((surface, face)),
+        FaceSurface::Cyclide(_) => None,
+    });
+    rational.filter(|(surface, _)| surface.degrees() == [12, 2]).collect()
+}
+
+/// Point and direction of the axis of a branch.
+fn axis(branch: &TeeBranch) -> (Point3, Vec3) {
+    let ((lean_sin, lean_cos), (sin, cos)) = (branch.angle.sin_cos(), branch.azimuth.sin_cos());
+    let foot = Point3::new(branch.at, 0.0, 0.0) + Vec3::new(0.0, cos, sin) * branch.offset;
+    (foot, Vec3::X * lean_cos + Vec3::new(0.0, -sin, cos) * lean_sin)
+}
+
+fn off_axis(p: Point3, (foot, way): (Point3, Vec3)) -> Vec3 {
+    let v = p - foot;
+    v - way * v.dot(way)
+}
+
+/// Outside normal of a face.
+fn normal(surface: &RationalBezierSurface, face: &ShellFace, s: f64, t: f64) -> Vec3 {
+    let jet = surface.jet(s, t);
+    let n = jet.ds.cross(jet.dt).unit().expect("a normal");
+    if face.same_sense { n } else { -n }
+}
+
+/// The radius of the ball on the outer side that touches a canal at a point and the main pipe: by bisection of the distance from the axis less both
+/// radii, which falls along the normal from there on (the normal leans off the radial direction).
+fn ball(p: Point3, n: Vec3, pipe: f64, most: f64) -> f64 {
+    let gap = |r: f64| off_axis(p + n * r, (Point3::ORIGIN, Vec3::X)).length() - pipe - r;
+    let (mut low, mut high) = (0.0, most);
+    for _ in 0..80 {
+        let middle = 0.5 * (low + high);
+        if gap(middle) > 0.0 { low = middle } else { high = middle }
+    }
+    0.5 * (low + high)
+}
+
+#[test]
+fn every_circle_of_the_blend_is_on_one_ball_that_touches_both_pipes() {
+    let variants = [
+        branch(),
+        TeeBranch { blend: law(), ..branch() },
+        TeeBranch { angle: 0.8, offset: 0.7, azimuth: 2.0, at: 1.5, blend: law(), ..branch() },
+        TeeBranch { radius: 1.0, angle: 2.2, offset: -0.8, blend: TeeBlend::Least(0.4), ..branch() },
+    ];
+    for variant in variants {
+        let tee = solid(vec![variant.clone()]);
+        let [least, most] = tee.blends[0].radii;
+        for (surface, face) in canals(&tee.body) {
+            for s in [0.1, 0.55, 0.9] {
+                let found = [0.15, 0.5, 0.85].map(|t| {
+                    let (p, n) = (surface.point(s, t), normal(surface, face, s, t));
+                    let radius = ball(p, n, MAIN.radius, 4.0 * most);
+                    (p + n * radius, radius)
+                });
+                for (centre, radius) in found {
+                    // Coordinates up to 16 and quotients of degree 12, and the slow way of the gap near its zero.
+                    assert!(centre.distance(found[0].0) < 1e-10 && (radius - found[0].1).abs() < 1e-10);
+                    let touching = off_axis(centre, axis(&variant)).length() - variant.radius - radius;
+                    assert!(touching.abs() < 1e-10, "{touching}");
+                    assert!(radius > least - 1e-10 && radius < most + 1e-10, "{radius}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn blends_are_tangent_to_both_pipes() {
+    for branches in [vec![branch()], vec![TeeBranch { angle: 1.0, offset: 0.8, blend: law(), ..branch() }]] {
+        let tee = made(MAIN, branches, Some(0.2), TeeEnds::Flat).expect("a tee");
+        let joints = surface_joints(&tee.body.outer);
+        let smooth = joints.iter().filter(|joint| joint.angle < 0.1);
+        // Creases are right angles, at the rings of the ends only.
+        assert!(joints.iter().all(|joint| joint.angle < 0.1 || (joint.angle - FRAC_PI_2).abs() < 1e-9));
+        assert!(smooth.map(|joint| joint.angle).fold(0.0, f64::max) < 1e-8);
+    }
+}
+
+#[test]
+fn radii_are_those_asked_for() {
+    // Near one radius, to the tolerance.
+    let near =
+        |tolerance| TeeBranch { blend: TeeBlend::Radius { radius: 0.6, tolerance: Some(tolerance) }, ..branch() };
+    for tolerance in [1e-2, 1e-4, 1e-6] {
+        let facts = solid(vec![near(tolerance)]).blends[0];
+        assert!(facts.radii[0] >= 0.6 - tolerance && facts.radii[1] <= 0.6 + tolerance);
+        // The bound is not a wild one: a tenth of the tolerance is used.
+        assert!(facts.radii[1] - facts.radii[0] > 0.1 * tolerance);
+    }
+    // The law is met at its angles: there the contact round the branch is at the angle, and the ball as large as asked.
+    let asked = TeeBranch { blend: law(), angle: 1.1, offset: 0.6, ..branch() };
+    let tee = solid(vec![asked.clone()]);
+    let (foot, way) = axis(&asked);
+    let TeeBlend::Angles(values) = &asked.blend else { panic!("a law") };
+    let (across, beside) = (Vec3::X * asked.angle.sin() - Vec3::Z * asked.angle.cos(), Vec3::Y);
+    for &[angle, radius] in values {
+        let (mut nearest, mut found) = (f64::INFINITY, 0.0);
+        for (surface, face) in canals(&tee.body) {
+            let contact = off_axis(surface.point(0.0, 0.0), (foot, way));
+            let off = (contact.dot(beside).atan2(contact.dot(across)) - angle).rem_euclid(2.0 * PI);
+            let off = off.min(2.0 * PI - off);
+            if off < nearest {
+                let (p, n) = (surface.point(0.0, 0.5), normal(surface, face, 0.0, 0.5));
+                (nearest, found) = (off, ball(p, n, MAIN.radius, 5.0));
+            }
+        }
+        assert!(nearest < 1e-9 && (found - radius).abs() < 1e-9, "{angle}: {nearest} {found}");
+    }
+}
+
+#[test]
+fn walls_have_one_thickness_also_in_the_blend() {
+    let wall = 0.25;
+    let lateral = TeeBranch { angle: 1.0, offset: 0.5, blend: law(), ..branch() };
+    let tee = made(MAIN, vec![lateral], Some(wall), TeeEnds::Closed).expect("a tee");
+    assert!(tee.body.is_solid() && tee.body.voids.len() == 1);
+    let faces = canals(&tee.body);
+    let (outer, inner) = faces.split_at(faces.len() / 2);
+    assert_eq!(outer.len(), inner.len());
+    for ((outside, face), (inside, _)) in outer.iter().zip(inner) {
+        for (s, t) in [(0.0, 0.0), (0.3, 0.4), (0.7, 1.0)] {
+            let below = outside.point(s, t) - normal(outside, face, s, t) * wall;
+            assert!(below.distance(inside.point(s, t)) < 1e-10);
+        }
+    }
+}
+
+#[test]
+fn a_tiny_blend_leaves_the_volume_of_both_pipes() {
+    // Beyond the main pipe an upright branch of radius a, offset by e, has the volume of its chords: simpson over y.
+    let (a, e) = (2.0_f64, 0.6);
+    let tee = solid(vec![TeeBranch { offset: e, ..TeeBranch::upright(a, 12.0, 1e-3) }]);
+    let steps = 20_000;
+    let inside = |k: i32| {
+        // y = a sin θ takes the root at the border away.
+        let theta = -FRAC_PI_2 + PI * f64::from(k) / f64::from(steps);
+        let y = a * theta.sin();
+        2.0 * (a * theta.cos()).powi(2) * (9.0 - (y - e) * (y - e)).sqrt()
+    };
+    let weight = |k: i32| {
+        if k == 0 || k == steps {
+            1.0
+        } else if k % 2 == 1 {
+            4.0
+        } else {
+            2.0
+        }
+    };
+    let chords: f64 = (0..=steps).map(|k| weight(k) * inside(k)).sum::<f64>() * PI / f64::from(3 * steps);
+    let expected = PI * 9.0 * 30.0 + PI * a * a * 12.0 - chords;
+    // The fillet of 1e-3 adds less than its square times the length of the edge.
+    let more = tee.body.outer.volume() - expected;
+    assert!(more > 0.0 && more < 1.5e-5, "{more}");
+}
+
+#[test]
+fn the_whole_range_of_pipes_makes_solids() {
+    for part in [0.05, 0.5, 0.98] {
+        for angle in [0.5, 2.6] {
+            for offset in [-0.9, 0.0, 0.9] {
+                let main = TeeMain { radius: 1.0, ends: [-20.0, 20.0] };
+                let blend = TeeBlend::Radius { radius: 0.1 * part, tolerance: Some(0.01 * part) };
+                let offset = offset * (1.0 - part);
+                let branch = TeeBranch { angle, offset, blend, ..TeeBranch::upright(part, 20.0, 1.0) };
+                let tee = made(main, vec![branch], None, TeeEnds::Flat).expect("a tee");
+                assert!(tee.body.is_solid());
+                let least = PI * 40.0 + PI * part * part * (20.0 - 1.0 / angle.sin() - part / angle.tan().abs());
+                assert!(tee.body.outer.volume() > least, "{part} {angle} {offset}");
+            }
+        }
+    }
+}
+
+#[test]
+fn scale_and_place_change_nothing_else() {
+    let volume = |scale: f64, azimuth: f64, at: f64| {
+        let main = TeeMain { radius: 3.0 * scale, ends: [(-14.0 + at) * scale, (16.0 + at) * scale] };
+        let blend = TeeBlend::Radius { radius: 0.5 * scale, tolerance: None };
+        let lateral = TeeBranch {
+            angle: 1.0,
+            offset: 0.5 * scale,
+            azimuth,
+            at: at * scale,
+            blend,
+            ..TeeBranch::upright(2.0 * scale, 12.0 * scale, 1.0)
+        };
+        made(main, vec![lateral], None, TeeEnds::Flat).expect("a tee").body.outer.volume() / scale.powi(3)
+    };
+    let own = volume(1.0, 0.0, 0.0);
+    for (scale, azimuth, at) in [(1e-6, 0.0, 0.0), (1e6, 0.0, 0.0), (1.0, 2.3, 0.0), (1.0, 0.0, 500.0)] {
+        // Quadrature to 1e-12, in coordinates up to 500.
+        assert!((volume(scale, azimuth, at) / own - 1.0).abs() < 1e-10, "{scale} {azimuth} {at}");
+    }
+}
+
+#[test]
+fn a_manifold_is_one_solid_that_adds_up() {
+    let main = TeeMain { radius: 3.0, ends: [-20.0, 20.0] };
+    let branches = || {
+        vec![
+            TeeBranch { at: 10.0, radius: 1.5, offset: 0.9, angle: 1.3, ..branch() },
+            TeeBranch { at: -10.0, ..branch() },
+            TeeBranch { at: 0.0, azimuth: 1.7, blend: law(), ..branch() },
+        ]
+    };
+    let whole = made(main, branches(), None, TeeEnds::Flat).expect("a tee");
+    assert!(whole.body.is_solid() && whole.blends.len() == 3);
+    let bare = PI * 9.0 * 40.0;
+    let alone =
+        |branch: TeeBranch| made(main, vec![branch], None, TeeEnds::Flat).expect("a tee").body.outer.volume() - bare;
+    let sum: f64 = bare + branches().into_iter().map(alone).sum::<f64>();
+    assert!((whole.body.outer.volume() / sum - 1.0).abs() < 1e-11);
+    let hollow = made(main, branches(), Some(0.2), TeeEnds::Flat).expect("a tee");
+    assert!(hollow.body.is_solid() && hollow.body.voids.is_empty());
+    let joints = surface_joints(&hollow.body.outer);
+    assert!(joints.iter().all(|joint| joint.angle < 1e-8 || (joint.angle - FRAC_PI_2).abs() < 1e-9));
+    let open = made(main, branches(), None, TeeEnds::Open).expect("a tee");
+    assert!(!open.body.is_solid());
+}
+
+#[test]
+fn what_is_no_tee_is_refused_with_its_measures() {
+    let refused = |main, branches| made(main, branches, None, TeeEnds::Flat).expect_err("no tee");
+    let beside = TeeBranch { offset: 1.2, ..branch() };
+    let wide = Error::TeeBranchTooWide { branch: 0, reach: 3.2, limit: 3.0 };
+    assert_eq!(refused(MAIN, vec![beside]), wide);
+    assert_eq!(refused(MAIN, vec![TeeBranch { radius: 3.0, ..branch() }]).reason(), "tee-branch-too-wide");
+    for angle in [0.0, PI, -1.0, 0.04] {
+        assert_eq!(refused(MAIN, vec![TeeBranch { angle, ..branch() }]).reason(), "angle-out-of-range");
+    }
+    // The contact of the ball in the crotch is at 2.5 along the main pipe, and sqrt(3.5²) up.
+    let short = TeeMain { ends: [-14.0, 2.4], ..MAIN };
+    let Error::TeePipeTooShort { end, needed, .. } = refused(short, vec![branch()]) else { panic!("too short") };
+    assert!((end - 2.4).abs() < 1e-15 && (needed - 2.503).abs() < 1e-6, "{needed}");
+    let Error::TeePipeTooShort { needed, .. } = refused(MAIN, vec![TeeBranch { length: 3.4, ..branch() }]) else {
+        panic!("too short")
+    };
+    assert!((needed - 3.502).abs() < 1e-6, "{needed}");
+    let nan = TeeBranch { offset: f64::NAN, ..branch() };
+    assert_eq!(PipeTee::new(MAIN, vec![nan]).expect_err("no number").reason(), "not-finite");
+    assert_eq!(PipeTee::new(MAIN, vec![]).expect_err("none").reason(), "too-few-points");
+    let twice = TeeBlend::Angles(vec![[0.0, 1.0], [2.0 * PI, 1.0]]);
+    assert_eq!(refused(MAIN, vec![TeeBranch { blend: twice, ..branch() }]).reason(), "coincident-points");
+}

@@ -1,0 +1,205 @@
+"""Tees of pipes as OpenCASCADE reads them: solids, tangency, and the blend against what defines it: the envelope of balls that
+touch both pipes, computed here from points and normals alone."""
+
+import json
+import math
+
+import numpy as np
+import pytest
+
+import step_modelling as modelling
+from OCP.BRep import BRep_Tool
+from OCP.BRepAlgoAPI import BRepAlgoAPI_Fuse
+from OCP.BRepPrimAPI import BRepPrimAPI_MakeBox
+from OCP.gp import gp_Pnt, gp_Vec
+from step_checks import PLACES, POINT_LIMIT, assert_cuts, structure
+from step_faces import Edge, StepFaces, angle, vector
+
+MAIN = {"radius": 30, "ends": [-90, 110]}
+LAW = {"crotch": 10, "flank": 6}
+# Branches, other fields.
+TEES = {
+    "upright": ([{"radius": 20, "length": 80, "blend": LAW}], {}),
+    "least": ([{"radius": 8, "length": 80, "blend": {"least": 4}}], {}),
+    "lateral": ([{"radius": 18, "length": 100, "angle": {"degrees": 45}, "blend": 5}], {"wall": 3}),
+    "offset": ([{"radius": 12, "length": 80, "angle": {"degrees": 115}, "offset": 12, "blend": LAW}], {"wall": 2, "ends": "closed"}),
+    "manifold": (
+        [
+            {"radius": 14, "length": 70, "at": -55, "blend": LAW},
+            {"radius": 10, "length": 70, "at": 5, "azimuth": {"degrees": 70}, "offset": -8, "blend": {"values": [{"angle": 0, "radius": 5}]}},
+            {"radius": 14, "length": 75, "at": 60, "angle": {"degrees": 70}, "blend": {"crotch": 7, "flank": 4}},
+        ],
+        {"wall": 2},
+    ),
+}
+# Of normals at edges: the reader's own curves in the parameters are interpolated, and corrected here by Newton steps.
+TANGENT = 1e-6
+
+
+@pytest.fixture(scope="module", params=TEES)
+def tee(request, program, tmp_path_factory):
+    branches, fields = TEES[request.param]
+    return made(program, tmp_path_factory.mktemp("tee"), MAIN, branches, fields)
+
+
+def made(program, folder, main, branches, fields):
+    spec = {"type": "pipe-tee", "main": main, "branches": branches, **fields}
+    document = folder / "tee.json"
+    document.write_text(json.dumps({"cyclide": 1, "units": "mm", "objects": {"tee": spec}}))
+    report = json.loads(program("build", document, "-o", folder / "tee.step", "--json"))
+    return StepFaces(folder / "tee.step"), spec, report["objects"]["tee"]
+
+
+def radians(value, default):
+    return math.radians(value["degrees"]) if isinstance(value, dict) else default
+
+
+def axes(spec):
+    """Point, direction and radius of the main pipe and of every branch."""
+    found = [(np.zeros(3), np.array([1.0, 0, 0]), spec["main"]["radius"])]
+    for branch in spec["branches"]:
+        lean, turn = radians(branch.get("angle"), math.pi / 2), radians(branch.get("azimuth"), 0.0)
+        up = np.array([0, -math.sin(turn), math.cos(turn)])
+        side = np.array([0, math.cos(turn), math.sin(turn)])
+        way = math.cos(lean) * np.array([1.0, 0, 0]) + math.sin(lean) * up
+        found.append((branch.get("at", 0) * np.array([1.0, 0, 0]) + branch.get("offset", 0) * side, way, branch["radius"]))
+    return found
+
+
+def is_blend(face):
+    return face.rational is not None and sorted(face.rational.degrees) == [2, 12]
+
+
+def off_axis(points, axis):
+    origin, way, _ = axis
+    v = points - origin
+    return v - (v @ way)[..., None] * way
+
+
+def ball(points, normals, axis, depth):
+    """The radius of the ball that touches a pipe and has a point with this normal: |P + R N| = r + R across the axis."""
+    v, n = off_axis(points, axis), normals - (normals @ axis[1])[..., None] * axis[1]
+    r = axis[2] - depth
+    # (n.n - 1) R^2 + 2 (v.n - r) R + v.v - r^2 = 0; stable for n.n near 1.
+    a, b, c = np.sum(n * n, -1) - 1, np.sum(v * n, -1) - r, np.sum(v * v, -1) - r * r
+    root = np.sqrt(np.maximum(b * b - a * c, 0))
+    first, second = -c / (b - root), -c / (b + root)
+    return first, second
+
+
+def test_blends_are_envelopes_of_balls_that_touch_both_pipes(tee):
+    step, spec, report = tee
+    size, pipes, wall = step.size(), axes(spec), spec.get("wall", 0.0)
+    blends = [face for face in step.faces if is_blend(face)]
+    skins = 2 if wall else 1
+    assert len(blends) == skins * sum(blend["pieces"] for blend in report["blends"])
+    count = max(6, math.ceil(math.sqrt(10_000 / len(blends))))
+    along, across = np.linspace(0.03, 0.97, count), np.linspace(0.04, 0.96, count)
+    total = 0
+    for face in blends:
+        turned = face.rational.degrees == (2, 12)
+        x, y = (across[None, :], along[:, None]) if turned else (along[:, None], across[None, :])
+        x, y = np.broadcast_arrays(x, y)
+        points, normals = face.at_all(*face.rational.scaled(x, y))
+        normals = normals / np.linalg.norm(normals, axis=-1, keepdims=True)
+        errors = []
+        for index, branch in enumerate(pipes[1:]):
+            for depth, sign in ((0.0, 1.0), (wall, -1.0))[:skins]:
+                candidates = ball(points, sign * normals, pipes[0], depth)
+                for radius in candidates:
+                    centre = points + radius[..., None] * sign * normals
+                    touches = abs(np.linalg.norm(off_axis(centre, branch), axis=-1) - branch[2] + depth - radius)
+                    # One ball for all points of a circle.
+                    moves = np.linalg.norm(centre - centre[:, :1], axis=-1) + abs(radius - radius[:, :1])
+                    low, high = (report["blends"][index]["radius"][k] + depth for k in ("min", "max"))
+                    outside = np.maximum(low - radius, radius - high)
+                    errors.append(max(touches.max(), moves.max(), outside.max(), 0.0))
+        assert min(errors) <= POINT_LIMIT * size
+        total += points.shape[0] * points.shape[1]
+    assert total >= 10_000
+
+
+def normals_at(face, points, edge, places):
+    """As `Face.normals_near`, with full Newton steps: parameter lines of these faces are not orthogonal."""
+    curve = BRep_Tool.CurveOnSurface_s(edge, face.shape, 0.0, 0.0)
+    curve = curve[0] if isinstance(curve, tuple) else curve
+    own, found = Edge(edge), []
+    for point, place in zip(points, places):
+        at = curve.Value(own.first + (own.last - own.first) * place)
+        u, v = at.X(), at.Y()
+        for _ in range(6):
+            p, du, dv = gp_Pnt(), gp_Vec(), gp_Vec()
+            face.surface.D1(u, v, p, du, dv)
+            jacobian = np.array([vector(du), vector(dv)]).T
+            step, *_ = np.linalg.lstsq(jacobian, point - vector(p), rcond=None)
+            u, v = u + step[0], v + step[1]
+        p, normal = face.at(u, v)
+        assert np.linalg.norm(p - point) < 1e-9 * (1 + abs(point).max()), "the edge is not on the face"
+        found.append(normal / np.linalg.norm(normal))
+    return found
+
+
+def test_tees_are_one_closed_solid_and_tangent_along_contacts(tee):
+    step, spec, report = tee
+    _, users = structure(step, closed=True)
+    assert len(step.solids) == 1 and step.exactly_valid
+    assert len(step.shells) == (2 if spec.get("ends") == "closed" else 1)
+    assert step.volume() == pytest.approx(report["volume"], rel=1e-7)
+    assert sum(face.volume() for face in step.faces) == pytest.approx(report["volume"], rel=1e-9)
+    creases, smooth, contacts = 0, 0.0, 0
+    for (first, edge), (second, other) in users:
+        points = np.array([Edge(edge).point(x) for x in PLACES])
+        largest = max(map(angle, normals_at(first, points, edge, PLACES), normals_at(second, points, other, PLACES)))
+        if largest > 0.1:
+            # Only where walls meet plane ends.
+            creases += 1
+            assert "plane" in (first.kind, second.kind) or largest == pytest.approx(math.pi / 2, abs=1e-6)
+        else:
+            smooth = max(smooth, largest)
+            contacts += is_blend(first) != is_blend(second)
+    skins = 2 if spec.get("wall") else 1
+    assert contacts == 2 * skins * sum(blend["pieces"] for blend in report["blends"]) and creases > 0
+    assert smooth <= TANGENT
+
+
+@pytest.fixture(scope="module")
+def upright(program, tmp_path_factory):
+    branches, fields = TEES["upright"]
+    return made(program, tmp_path_factory.mktemp("upright"), MAIN, branches, fields)
+
+
+def test_a_tee_is_cut_fused_and_sectioned(upright):
+    step, _, report = upright
+    assert_cuts(step, report["volume"], modelling.slab)
+    # A plate under the main pipe, into which it sinks.
+    plate = BRepPrimAPI_MakeBox(gp_Pnt(-60, -50, -45), gp_Pnt(80, 50, -25)).Shape()
+    fused = BRepAlgoAPI_Fuse(step.shape, plate).Shape()
+    assert modelling.valid(fused)
+    volume = modelling.volume(fused)
+    # The part of the pipe in the plate is a segment of its circle, 5 high, over the length of the plate.
+    half = math.acos(25 / 30)
+    common = 140 * 30**2 * (half - math.sin(half) * math.cos(half))
+    assert volume == pytest.approx(report["volume"] + 140 * 100 * 20 - common, rel=1e-6)
+    section = modelling.wire_points(modelling.section(step.shape, (0, 0, 0), (0, 1, 0)))
+    assert len(section) > 0 and np.abs(section[:, 1]).max() < 1e-6
+
+
+def test_random_tees_are_valid(program, tmp_path):
+    generator = np.random.default_rng(5)
+    for k in range(6):
+        r = 30 * generator.uniform(0.05, 0.98)
+        lean = generator.uniform(35, 145)
+        branch = {
+            "radius": r,
+            "length": 160,
+            "angle": {"degrees": lean},
+            "offset": (30 - r) * generator.uniform(-0.9, 0.9),
+            "blend": {"radius": 0.15 * r, "tolerance": 0.01 * r},
+        }
+        folder = tmp_path / str(k)
+        folder.mkdir()
+        fields = {"wall": 0.1 * r} if k % 2 else {}
+        step, _, report = made(program, folder, {"radius": 30, "ends": [-150, 150]}, [branch], fields)
+        structure(step, closed=True)
+        assert len(step.solids) == 1 and step.exactly_valid, branch
+        assert step.volume() == pytest.approx(report["volume"], rel=1e-7), branch
