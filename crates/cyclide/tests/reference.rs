@@ -100,6 +100,11 @@ fn tori_and_curves_on_them() {
             ("torus-quartic-biarc", 41),
             ("two-type-biarc", 20),
             ("torus-spline", 44),
+            ("perp-cylinder-sphere", 45),
+            ("canal-patch", 20),
+            ("contact-ball", 42),
+            ("constant-radius-curve", 21),
+            ("quadric-pair-kind", 20),
         ],
     );
 }

@@ -9,6 +9,7 @@ mod arc;
 mod arc_fit;
 mod arc_spline;
 mod blend;
+mod canal;
 mod case;
 mod check;
 mod circular;
@@ -74,9 +75,9 @@ pub const CURVE_CONSTRUCTS: [&str; 40] = [
     "torus-spline",
 ];
 
-/// The constructs about surfaces of revolution, circular surfaces, offsets of polyhedra, patches over triangles, patches and nets
+/// The constructs about canal surfaces, surfaces of revolution, circular surfaces, offsets of polyhedra, patches over triangles, patches and nets
 /// of Dupin cyclides: `--surfaces` of the command.
-pub const SURFACE_CONSTRUCTS: [&str; 18] = [
+pub const SURFACE_CONSTRUCTS: [&str; 23] = [
     "revolution",
     "revolution-angle",
     "neck-blend",
@@ -95,6 +96,11 @@ pub const SURFACE_CONSTRUCTS: [&str; 18] = [
     "blend-patch",
     "torus-eval",
     "torus-inverse",
+    "perp-cylinder-sphere",
+    "canal-patch",
+    "contact-ball",
+    "constant-radius-curve",
+    "quadric-pair-kind",
 ];
 
 /// The handler of a construct; `None` if the product does not have it (yet).
@@ -111,6 +117,7 @@ fn handler(construct: &str) -> Option<Handler> {
         polyhedron::handler,
         triangle::handler,
         torus::handler,
+        canal::handler,
     ]
     .iter()
     .find_map(|topic| topic(construct))

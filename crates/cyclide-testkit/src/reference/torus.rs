@@ -25,12 +25,12 @@ pub(super) fn handler(construct: &str) -> Option<Handler> {
     })
 }
 
-fn malformed(what: &str) -> Fault {
+pub(super) fn malformed(what: &str) -> Fault {
     Fault::Malformed(format!("input `{what}` is not of its type"))
 }
 
 /// The rule of these constructs: `rtol` times the field `scale`, or times 1 plus the size of the expected numbers.
-fn allowed(case: &Case, check: &mut Check) -> impl Fn(&[f64]) -> f64 + use<> {
+pub(super) fn allowed(case: &Case, check: &mut Check) -> impl Fn(&[f64]) -> f64 + use<> {
     let (rtol, scale) = (case.rtol(), check.number_expected("scale"));
     check.agree("scale");
     move |want| rtol * scale.unwrap_or_else(|| 1.0 + want.iter().fold(0.0, |sum: f64, x| sum.hypot(*x)))
@@ -48,7 +48,7 @@ fn rate(case: &Case, name: &str) -> Result<Vec2, Fault> {
     case.pair(name).map(|[a, b]| Vec2::new(a, b))
 }
 
-fn kind(value: &Value) -> Result<QuarticType, Fault> {
+pub(super) fn kind(value: &Value) -> Result<QuarticType, Fault> {
     let family = |k: usize| {
         let index = value[k].as_u64().and_then(|i| usize::try_from(i).ok()).ok_or_else(|| malformed("type"))?;
         CircleFamily::ALL.get(index).copied().ok_or_else(|| malformed("type"))

@@ -4,6 +4,7 @@ pub(crate) mod bernstein;
 pub(crate) mod bounds;
 pub(crate) mod complex;
 pub(crate) mod cut;
+pub(crate) mod elimination;
 pub(crate) mod euclidean;
 pub(crate) mod frame;
 pub(crate) mod jet;

@@ -879,6 +879,54 @@ pub enum Error {
         /// Their greatest common divisor; 0 if both are 0.
         divisor: u32,
     },
+    // Rolling balls and canal surfaces.
+    /// Two cylinders or cones whose common tangent balls have no torus: their pair is spacelike, or on the border.
+    NotTimelikePair {
+        /// Of two skew cylinders the distance of the axes, of a general pair the norm ratio of its common form.
+        measured: f64,
+        /// The distance must be above this, the ratio below it.
+        limit: f64,
+    },
+    /// Two surfaces whose axes meet or are parallel in the space of balls: their tangent balls form no single surface.
+    DegeneratePair {
+        /// Norm ratio of the common form, or the smallest pivot of the forms where there are several.
+        measured: f64,
+        /// Values of this size or below are refused.
+        limit: f64,
+    },
+    /// A place on the border of the balls between two cylinders, where they are infinite.
+    SphereAtInfinity {
+        /// The product of sines that vanishes there.
+        measured: f64,
+        /// Values up to this are refused.
+        limit: f64,
+    },
+    /// A ball that touches a surface from the wrong side, or its other nappe.
+    WrongSide {
+        /// Which surface, from 0; 0 where it is both.
+        surface: usize,
+        /// What must be positive: the product of sines of a place, or the distance from the axis.
+        measured: f64,
+    },
+    /// A ball whose radius is not positive where one outside is asked for.
+    NoPositiveRadius {
+        /// The radius found.
+        radius: f64,
+    },
+    /// A contact whose ball lies between parallel planes, so that none or any touches both.
+    ParallelContact {
+        /// What vanishes there: 1 less the cosine between the normals, or the distance that the radius is divided by.
+        measured: f64,
+        /// Values up to this are refused.
+        limit: f64,
+    },
+    /// A ball too small to touch both cylinders.
+    RadiusTooSmall {
+        /// The radius given.
+        radius: f64,
+        /// It must be above this.
+        limit: f64,
+    },
     // What failed in a part of the input.
     /// One quad of a net failed; the cause says why.
     InQuad {

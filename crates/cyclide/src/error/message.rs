@@ -518,6 +518,44 @@ impl std::fmt::Display for Error {
                 f,
                 "{p} and {q} turns have the greatest common divisor {divisor}, not 1: the curve would run over itself, or not at all"
             ),
+            Self::NotTimelikePair { measured, limit } => write!(
+                f,
+                "the balls that touch both surfaces form no torus: measured {}, limit {}",
+                ShortNumber(*measured),
+                ShortNumber(*limit)
+            ),
+            Self::DegeneratePair { measured, limit } => write!(
+                f,
+                "the two surfaces have a common tangent ball for an axis, or parallel or equal axes: measured {}, limit {}",
+                ShortNumber(*measured),
+                ShortNumber(*limit)
+            ),
+            Self::SphereAtInfinity { measured, limit } => write!(
+                f,
+                "the ball at this place is infinite: the product of sines is {}, which must be above {}",
+                ShortNumber(*measured),
+                ShortNumber(*limit)
+            ),
+            Self::WrongSide { surface, measured } => write!(
+                f,
+                "the ball touches surface {surface} from the wrong side: measured {}, which must be above 0",
+                ShortNumber(*measured)
+            ),
+            Self::NoPositiveRadius { radius } => {
+                write!(f, "the ball outside both surfaces would have the radius {}", ShortNumber(*radius))
+            }
+            Self::ParallelContact { measured, limit } => write!(
+                f,
+                "the tangent planes are so nearly parallel that no single ball touches both: measured {}, limit {}",
+                ShortNumber(*measured),
+                ShortNumber(*limit)
+            ),
+            Self::RadiusTooSmall { radius, limit } => write!(
+                f,
+                "a ball of radius {} cannot touch both cylinders: it must be above {}",
+                ShortNumber(*radius),
+                ShortNumber(*limit)
+            ),
             Self::PlanesMissPoint { vertex, distance, limit } => write!(
                 f,
                 "with faces that are near to one plane made one, the surface is {} off at point {vertex}, limit {}",

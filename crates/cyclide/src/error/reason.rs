@@ -115,6 +115,13 @@ impl Error {
             Self::EmptyInterval { .. } => "empty-interval",
             Self::NoTwoTypeSolution { .. } => "no-two-type-solution",
             Self::NotCoprime { .. } => "not-coprime",
+            Self::NotTimelikePair { .. } => "not-timelike-pair",
+            Self::DegeneratePair { .. } => "degenerate-pair",
+            Self::SphereAtInfinity { .. } => "sphere-at-infinity",
+            Self::WrongSide { .. } => "wrong-side",
+            Self::NoPositiveRadius { .. } => "no-positive-radius",
+            Self::ParallelContact { .. } => "parallel-contact",
+            Self::RadiusTooSmall { .. } => "radius-too-small",
         }
     }
 
@@ -160,6 +167,7 @@ impl Error {
             | Self::PointOffTorus { index, .. }
             | Self::EmptyInterval { index, .. } => Some(index),
             Self::NoTwoTypeSolution { segment, .. } => Some(segment),
+            Self::WrongSide { surface, .. } => Some(surface),
             Self::UndefinedNormal { vertex, .. } | Self::PlanesMissPoint { vertex, .. } => Some(vertex),
             Self::ToleranceNotReached { ref points, .. } => points.first().copied(),
             _ => None,

@@ -5,6 +5,7 @@ mod bezier_surface;
 mod nurbs_curve;
 mod nurbs_edit;
 mod polynomial;
+mod quaternion_polynomial;
 mod smooth_knots;
 mod surface_bounds;
 
@@ -13,4 +14,5 @@ pub(crate) use bezier_surface::FirstJets;
 pub use bezier_surface::RationalBezierSurface;
 pub use nurbs_curve::NurbsCurve;
 pub(crate) use polynomial::{Polynomial, PolynomialRow};
+pub(crate) use quaternion_polynomial::QuatPolynomial;
 pub(crate) use surface_bounds::SecondDerivatives;

@@ -4,7 +4,7 @@
 use super::RationalBezierSurface;
 use crate::base::bernstein;
 use crate::error::Result;
-use std::ops::{Add, Mul};
+use std::ops::{Add, Mul, Sub};
 
 /// A polynomial over `[0, 1]` by its Bernstein coefficients; a constant has one.
 #[derive(Debug, Clone, PartialEq)]
@@ -28,6 +28,23 @@ impl Polynomial {
         &self.0
     }
 
+    /// The value at a parameter.
+    pub(crate) fn value(&self, t: f64) -> f64 {
+        self.jet::<1>(t)[0]
+    }
+
+    /// Value and derivatives of the next orders at a parameter, `K` in all.
+    pub(crate) fn jet<const K: usize>(&self, t: f64) -> [f64; K] {
+        let rows: Vec<[f64; 1]> = self.0.iter().map(|&c| [c]).collect();
+        bernstein::derivatives::<1, K>(&rows, t).map(|[value]| value)
+    }
+
+    /// The derivative.
+    pub(crate) fn derivative(&self) -> Self {
+        let n = self.degree() as f64;
+        Self::new(self.0.windows(2).map(|pair| n * (pair[1] - pair[0])).collect())
+    }
+
     /// The same run backwards: at `1 - t`.
     pub(crate) fn reversed(&self) -> Self {
         Self(self.0.iter().rev().copied().collect())
@@ -39,7 +56,7 @@ impl Polynomial {
     }
 
     /// The same polynomial with coefficients of a degree that is not lower.
-    fn elevated(&self, degree: usize) -> Self {
+    pub(crate) fn elevated(&self, degree: usize) -> Self {
         match degree.saturating_sub(self.degree()) {
             0 => self.clone(),
             by => Self(bernstein::product(&self.0, &vec![1.0; by + 1])),
@@ -58,6 +75,13 @@ impl Mul<f64> for &Polynomial {
     type Output = Polynomial;
     fn mul(self, factor: f64) -> Polynomial {
         Polynomial(self.0.iter().map(|c| c * factor).collect())
+    }
+}
+
+impl Sub for &Polynomial {
+    type Output = Polynomial;
+    fn sub(self, other: Self) -> Polynomial {
+        self + &(other * -1.0)
     }
 }
 
@@ -143,10 +167,12 @@ mod tests {
         let (a, b) = (Polynomial::new(vec![1.0, -2.0, 0.5]), Polynomial::new(vec![0.25, 3.0, -1.0, 2.0]));
         for t in [0.0, 0.3, 0.75, 1.0] {
             let (x, y) = (value(&a, t), value(&b, t));
-            for (got, want) in [(&a + &b, x + y), (&a * &b, x * y), (&b * -3.0, -3.0 * y)] {
+            let sums = [(&a + &b, x + y), (&a - &b, x - y), (&a * &b, x * y), (&b * -3.0, -3.0 * y)];
+            for (got, want) in sums {
                 assert!((value(&got, t) - want).abs() < 4e-15, "{t}");
             }
         }
+        assert_eq!((a.derivative().value(0.3), b.value(0.3)), (a.jet::<2>(0.3)[1], value(&b, 0.3)));
         assert_eq!((&a * &b).degree(), 5);
         assert_eq!((&a + &Polynomial::constant(1.0)).coefficients(), [2.0, -1.0, 1.5]);
     }

@@ -2,6 +2,7 @@
 
 mod barycentric;
 mod bounds;
+mod canal;
 mod dupin;
 mod net;
 mod param_surface;
@@ -13,6 +14,8 @@ mod sphere_blend;
 mod torus;
 mod triangle_surface;
 
+pub use canal::{CanalPart, CanalPatch, CharacteristicCircle, ContactPartner, RollingBall, SkewCylinders};
+pub use canal::{NaturalQuadric, PairKind, QuadricPair};
 pub use dupin::{CyclideKind, DupinCyclide};
 pub(crate) use net::SameVertices;
 pub use net::{CyclidicNet, NetFrame, SingularPatch};

@@ -88,3 +88,64 @@
 //! assert_eq!(error.reason(), "not-coprime");
 //! # Ok::<(), cyclide::Error>(())
 //! ```
+//!
+//! # `not-timelike-pair`
+//! The balls between two skew cylinders form a torus only if one axis keeps out of the other cylinder's offset.
+//! ```
+//! use cyclide::SkewCylinders;
+//! assert_eq!(SkewCylinders::new([1.0, 3.0], 1.0).unwrap_err().reason(), "not-timelike-pair");
+//! ```
+//!
+//! # `degenerate-pair`
+//! Two surfaces with a common axis.
+//! ```
+//! use cyclide::{NaturalQuadric, Point3, QuadricPair, Vec3};
+//! let pipe = NaturalQuadric::cylinder(Point3::ORIGIN, Vec3::Z, 1.0)?;
+//! assert_eq!(QuadricPair::new([pipe, pipe]).unwrap_err().reason(), "degenerate-pair");
+//! # Ok::<(), cyclide::Error>(())
+//! ```
+//!
+//! # `sphere-at-infinity`
+//! On the border of the places of balls the ball is a plane.
+//! ```
+//! use cyclide::{Point2, SkewCylinders};
+//! let error = SkewCylinders::new([1.0, 1.0], 2.0)?.ball(Point2::new(0.5, 0.5)).unwrap_err();
+//! assert_eq!(error.reason(), "sphere-at-infinity");
+//! # Ok::<(), cyclide::Error>(())
+//! ```
+//!
+//! # `wrong-side`
+//! Beyond that border balls touch from the other side.
+//! ```
+//! use cyclide::{Point2, SkewCylinders};
+//! let error = SkewCylinders::new([1.0, 1.0], 2.0)?.ball(Point2::new(1.0, 0.5)).unwrap_err();
+//! assert_eq!(error.reason(), "wrong-side");
+//! # Ok::<(), cyclide::Error>(())
+//! ```
+//!
+//! # `no-positive-radius`
+//! No ball outside touches a surface at a point and a sphere that is behind it.
+//! ```
+//! use cyclide::{ContactPartner, Point3, RollingBall, Vec3};
+//! let sphere = ContactPartner::Sphere { center: Point3::new(-3.0, 0.0, 0.0), radius: 1.0 };
+//! let error = RollingBall::at_contact(Point3::new(1.0, 0.0, 0.0), Vec3::X, sphere).unwrap_err();
+//! assert_eq!(error.reason(), "no-positive-radius");
+//! ```
+//!
+//! # `parallel-contact`
+//! A ball at a point whose tangent plane is parallel to the plane that it should touch.
+//! ```
+//! use cyclide::{ContactPartner, Point3, RollingBall, Vec3};
+//! let plane = ContactPartner::Plane { normal: Vec3::Z, offset: 0.0 };
+//! let error = RollingBall::at_contact(Point3::new(0.0, 0.0, 1.0), Vec3::Z, plane).unwrap_err();
+//! assert_eq!(error.reason(), "parallel-contact");
+//! ```
+//!
+//! # `radius-too-small`
+//! A ball that is smaller than half the gap between two cylinders.
+//! ```
+//! use cyclide::SkewCylinders;
+//! let error = SkewCylinders::new([1.0, 1.0], 2.0)?.place_of_radius(0.5, 0.0).unwrap_err();
+//! assert_eq!(error.reason(), "radius-too-small");
+//! # Ok::<(), cyclide::Error>(())
+//! ```

@@ -17,7 +17,7 @@ mod family;
 mod junction;
 mod locate;
 mod piece;
-mod rows;
+pub(in crate::surface) mod rows;
 mod spline;
 mod spline_curve;
 mod spline_edit;

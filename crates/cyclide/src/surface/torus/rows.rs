@@ -109,17 +109,18 @@ fn local_rows(shape: &Shape, piece: &TorusPiece) -> Vec<[f64; 4]> {
     (0..xy.len()).map(row).collect()
 }
 
-fn conj(p: &[Complex]) -> Vec<Complex> {
+/// The conjugate polynomial.
+pub(in crate::surface) fn conj(p: &[Complex]) -> Vec<Complex> {
     p.iter().map(|z| z.conj()).collect()
 }
 
 /// `p conj(p)`.
-fn square_norm(p: &[Complex]) -> Vec<Complex> {
+pub(in crate::surface) fn square_norm(p: &[Complex]) -> Vec<Complex> {
     product(p, &conj(p))
 }
 
 /// The product of two complex polynomials in Bernstein form.
-fn product(p: &[Complex], q: &[Complex]) -> Vec<Complex> {
+pub(in crate::surface) fn product(p: &[Complex], q: &[Complex]) -> Vec<Complex> {
     let part = |p: &[Complex], of: fn(&Complex) -> f64| p.iter().map(of).collect::<Vec<f64>>();
     let (pr, pi, qr, qi) = (part(p, |z| z.re), part(p, |z| z.im), part(q, |z| z.re), part(q, |z| z.im));
     let (rr, ii) = (real_product(&pr, &qr), real_product(&pi, &qi));

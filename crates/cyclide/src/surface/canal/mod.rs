@@ -1,0 +1,16 @@
+//! Balls that roll between two surfaces, and the canal surfaces that they envelop (`docs/math/canal-blends.md`).
+
+mod ball;
+mod contact;
+mod natural_quadric;
+mod patch;
+mod quadric_pair;
+mod skew_cylinders;
+mod skew_patch;
+
+pub use ball::RollingBall;
+pub use contact::ContactPartner;
+pub use natural_quadric::NaturalQuadric;
+pub use patch::{CanalPart, CanalPatch, CharacteristicCircle};
+pub use quadric_pair::{PairKind, QuadricPair};
+pub use skew_cylinders::SkewCylinders;

@@ -1,0 +1,173 @@
+//! Rolling balls and canal surfaces: every ball touches what it should, every patch is the envelope of its balls.
+
+use cyclide::{
+    CanalPatch, CircleFamily, Frame, NaturalQuadric, Point2, Point3, QuadricPair, QuarticType, RollingBall,
+    SkewCylinders, Torus, TorusSpline, TorusSplineOptions, Vec3,
+};
+use cyclide_testkit::attack::Random;
+
+/// Distance of a point from a line through a point along a unit vector.
+fn off_axis(p: Point3, origin: Point3, axis: Vec3) -> f64 {
+    let way = p - origin;
+    (way - axis * way.dot(axis)).length()
+}
+
+/// How far a ball is from touching two perpendicular cylinders of these radii from outside, and its contacts from lying on both.
+fn faults(ball: &RollingBall, [r1, r2]: [f64; 2], h: f64) -> f64 {
+    let axes = [(Point3::new(0.0, 0.0, -h), Vec3::X, r1), (Point3::new(0.0, 0.0, h), Vec3::Y, r2)];
+    let fault = |i: usize| {
+        let (origin, axis, r) = axes[i];
+        let apart = (off_axis(ball.center, origin, axis) - (r + ball.radius)).abs();
+        let off = (off_axis(ball.contacts[i], origin, axis) - r.abs()).abs();
+        let across = ball.contacts[i].distance(ball.center - ball.normals[i] * ball.radius);
+        apart.max(off).max(across)
+    };
+    fault(0).max(fault(1))
+}
+
+#[test]
+fn balls_touch_both_cylinders() {
+    let mut rng = Random::new(7, 0);
+    for _ in 0..500 {
+        let (r1, r2) = (rng.between(0.2, 2.0), rng.between(0.2, 2.0));
+        let h = 0.5 * (r1 - r2).abs() + rng.between(0.01, 2.0);
+        let pair = SkewCylinders::new([r1, r2], h).unwrap();
+        let a = rng.between(-1.4, 1.4);
+        let b = a.abs() + rng.between(0.05, 0.95) * (std::f64::consts::PI - 2.0 * a.abs());
+        let ball = pair.ball(Point2::new(a, b)).unwrap();
+        let size = 1.0 + ball.center.to_vec().length() + ball.radius.abs();
+        assert!(faults(&ball, [r1, r2], h) < 1e-13 * size, "{r1} {r2} {h} {a} {b}");
+        // The normals lead back to the place.
+        let back = pair.place_of_normals(ball.normals);
+        assert!((back - Point2::new(a, b)).length() < 1e-12, "{a} {b} {back:?}");
+        // Exchange of the cylinders: (A, B) becomes (pi/2 - B, pi/2 - A).
+        let half = std::f64::consts::FRAC_PI_2;
+        let swapped = SkewCylinders::new([r2, r1], h).unwrap();
+        let other = swapped.ball(Point2::new(half - b, half - a)).unwrap();
+        assert!((other.radius - ball.radius).abs() < 1e-12 * size);
+        // A mirror: A becomes -A.
+        let mirrored = pair.ball(Point2::new(-a, b)).unwrap();
+        assert!((mirrored.radius - ball.radius).abs() < 1e-12 * size);
+    }
+}
+
+/// The envelope condition `(x - m)·m' + R R' = 0`, relative to the speed, by differences of the ball.
+fn off_envelope(patch: &CanalPatch, s: f64, t: f64) -> f64 {
+    let step = 1e-5;
+    let ([m0, m1], [r0, r1]) = {
+        let [a, b] = [patch.ball(s - step), patch.ball(s + step)];
+        ([a.0, b.0], [a.1, b.1])
+    };
+    let (m, r) = patch.ball(s);
+    let (motion, growth) = ((m1 - m0) / (2.0 * step), (r1 - r0) / (2.0 * step));
+    ((patch.point(s, t) - m).dot(motion) + r * growth).abs() / (motion.length() * r.abs())
+}
+
+#[test]
+fn patches_of_all_types_are_envelopes() {
+    let mut rng = Random::new(11, 0);
+    let mut parts = 0;
+    for kind in QuarticType::ALL {
+        for _ in 0..10 {
+            let (r1, r2) = (rng.between(0.4, 1.5), rng.between(0.4, 1.5));
+            let h = 0.5 * (r1 + r2) + rng.between(0.1, 1.0);
+            let pair = SkewCylinders::new([r1, r2], h).unwrap();
+            // About the middle of the diamond.
+            let center = kind.local(cyclide::Vec2::new(rng.between(-0.2, 0.2), 1.57 + rng.between(-0.2, 0.2)));
+            let ends = center.map(|x| {
+                let d = rng.between(0.05, 0.25);
+                [x - d, x + d].map(|x| [x.cos(), x.sin()])
+            });
+            let patch = CanalPatch::between_skew_cylinders(&pair, kind, ends).unwrap();
+            for k in 1..8 {
+                let s = f64::from(k) / 8.0;
+                for t in [0.0, 0.3, 1.0] {
+                    assert!(off_envelope(&patch, s, t) < 1e-8, "{kind:?}");
+                }
+            }
+            let families = kind.families().map(CircleFamily::index);
+            let degree = patch.to_rational().unwrap().degrees();
+            assert_eq!(degree, [if families == [0, 3] { 14 } else { 12 }, 2]);
+            for cyclide::CanalPart { surface, s, t } in patch.rational_parts().unwrap() {
+                assert!(surface.has_positive_weights());
+                parts += 1;
+                let (x, y) = (0.37, 0.61);
+                let p = patch.point(s[0] + x * (s[1] - s[0]), t[0] + y * (t[1] - t[0]));
+                assert!(surface.point(x, y).distance(p) < 1e-11 * (1.0 + p.to_vec().length()));
+            }
+        }
+    }
+    assert!(parts < 4 * 60);
+}
+
+#[test]
+fn patches_along_a_spline_join_smoothly() {
+    let pair = SkewCylinders::new([1.0, 1.5], 1.6).unwrap();
+    // The plane of any torus serves: places are all that counts.
+    let torus = Torus::new(Frame::WORLD, 2.0, 1.0).unwrap();
+    let places: Vec<Point2> = (0..8).map(|k| pair.place_of_radius(0.8, 0.785 * f64::from(k)).unwrap()).collect();
+    let spline =
+        TorusSpline::through_places(&torus, &places, &TorusSplineOptions { closed: true, ..Default::default() });
+    let spline = spline.unwrap();
+    let patches: Vec<CanalPatch> =
+        spline.pieces().iter().map(|piece| CanalPatch::along(&pair, piece).unwrap()).collect();
+    for (patch, next) in patches.iter().zip(patches.iter().cycle().skip(1)) {
+        let (end, start) = (patch.characteristic_circle(1.0), next.characteristic_circle(0.0));
+        assert!(end.center.distance(start.center) < 1e-12 && (end.axis - start.axis).length() < 1e-11);
+        assert!(end.contacts[0].distance(start.contacts[0]) < 1e-12);
+    }
+}
+
+#[test]
+fn balls_touch_cylinders_and_cones_in_any_position() {
+    let mut rng = Random::new(3, 0);
+    let direction =
+        |rng: &mut Random| Vec3::new(rng.between(-1.0, 1.0), rng.between(-1.0, 1.0), rng.between(-1.0, 1.0));
+    let (mut timelike, mut touched) = (0, 0);
+    for case in 0..200 {
+        let mut surface = || {
+            let origin = Point3::ORIGIN + direction(&mut rng) * 2.0;
+            let axis = direction(&mut rng);
+            if rng.between(0.0, 1.0) < 0.5 {
+                NaturalQuadric::cylinder(origin, axis, rng.between(0.2, 1.0)).unwrap()
+            } else {
+                NaturalQuadric::cone(origin, axis, rng.between(0.1, 1.2)).unwrap()
+            }
+        };
+        let pair = QuadricPair::new([surface(), surface()]).unwrap();
+        for k in 0..8 {
+            let place = Point2::new(0.3 + 0.7 * f64::from(k), 1.0 + 1.3 * f64::from(k));
+            match pair.ball(place) {
+                Ok(ball) => {
+                    touched += 1;
+                    for (i, surface) in pair.surfaces().iter().enumerate() {
+                        let p = ball.contacts[i];
+                        let (height, off) =
+                            ((p - surface.origin()).dot(surface.axis()), off_axis(p, surface.origin(), surface.axis()));
+                        let want = surface.radius() + (height * surface.half_angle().tan()).abs();
+                        let size = 1.0 + ball.center.to_vec().length() + ball.radius.abs();
+                        // The inverse of the forms of a random pair loses some digits.
+                        assert!((off - want).abs() < 1e-9 * size, "{case} {k}: {off} {want}");
+                    }
+                }
+                Err(error) => {
+                    assert!(["wrong-side", "not-timelike-pair", "sphere-at-infinity"].contains(&error.reason()))
+                }
+            }
+        }
+        timelike += usize::from(pair.kind() == cyclide::PairKind::Timelike);
+    }
+    assert!(timelike > 40 && touched > 100, "{timelike} {touched}");
+}
+
+#[test]
+fn perpendicular_cylinders_are_a_pair() {
+    let (r1, r2, h) = (0.8, 1.3, 1.5);
+    let pair = QuadricPair::new([
+        NaturalQuadric::cylinder(Point3::new(5.0, 0.0, -h), Vec3::X, r1).unwrap(),
+        NaturalQuadric::cylinder(Point3::new(0.0, -7.0, h), Vec3::Y, r2).unwrap(),
+    ])
+    .unwrap();
+    let ball = pair.ball(Point2::new(0.2, 1.3)).unwrap();
+    assert!(faults(&ball, [r1, r2], h) < 1e-12);
+}
