@@ -16,12 +16,17 @@ fn report(built: &BuiltObject) -> CurvesReport {
     curves
 }
 
+fn as_torus_spline(curve: &CurveObject) -> Option<&TorusSpline> {
+    match curve {
+        CurveObject::TorusSpline(spline) => Some(spline),
+        _ => None,
+    }
+}
+
 fn splines(built: &BuiltObject) -> Vec<&TorusSpline> {
-    let spline = |curve| match curve {
-        &CurveObject::TorusSpline(ref spline) => spline,
-        other => panic!("{other:?}"),
-    };
-    built.item.curves().iter().map(spline).collect()
+    let splines: Vec<_> = built.item.curves().iter().filter_map(as_torus_spline).collect();
+    assert_eq!(splines.len(), built.item.curves().len());
+    splines
 }
 
 fn spline(fields: &str) -> Result<BuiltObject, String> {

@@ -86,13 +86,6 @@ pub struct CanalPart {
 }
 
 impl CanalPatch {
-    /// Makes the arcs at both ends even: the weights of their ends equal. A factor that grows linearly along s moves no point of a circle.
-    pub(super) fn even_ends(&mut self) {
-        let lengths = [0.0, 1.0].map(|s| self.turns.each_ref().map(|turn| turn.value(s).norm()));
-        let factor = Polynomial::new(lengths.map(|[first, second]| second / first).to_vec());
-        self.turns[0] = &self.turns[0] * &factor;
-    }
-
     /// The patch of the concentric balls whose radii are larger by a distance: the offset surface at this distance against the normals.
     #[must_use]
     pub fn offset(&self, distance: f64) -> Self {
