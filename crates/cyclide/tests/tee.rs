@@ -74,7 +74,7 @@ fn every_circle_of_the_blend_is_on_one_ball_that_touches_both_pipes() {
         branch(),
         TeeBranch { blend: law(), ..branch() },
         TeeBranch { angle: 0.8, offset: 0.7, azimuth: 2.0, at: 1.5, blend: law(), ..branch() },
-        TeeBranch { radius: 1.0, angle: 2.2, offset: -0.8, blend: TeeBlend::Least(0.4), ..branch() },
+        TeeBranch { radius: 1.0, angle: 2.2, offset: -0.3, blend: TeeBlend::Least(0.4), ..branch() },
     ];
     for variant in variants {
         let tee = solid(vec![variant.clone()]);

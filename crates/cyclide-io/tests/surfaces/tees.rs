@@ -30,11 +30,11 @@ fn tees_are_solids_with_a_report_on_their_blends() {
 fn tees_that_are_none_are_refused_in_their_place() {
     let leaning = r#"{"radius": 6, "length": 60, "angle": {"degrees": 22}, "blend": 4}"#;
     for (branches, rest, place, reason) in [
-        (r#"{"radius": 8, "length": 40, "offset": 5, "blend": 2}"#, "", "branches.0", "[tee-branch-too-wide]"),
-        (r#"{"radius": 8, "length": 13, "blend": 2}"#, "", "branches.0", "[tee-pipe-too-short]"),
+        (r#"{"radius": 8, "length": 40, "offset": 5, "blend": 2}"#, "", "branches[0]", "[tee-branch-too-wide]"),
+        (r#"{"radius": 8, "length": 13, "blend": 2}"#, "", "branches[0]", "[tee-pipe-too-short]"),
         (r#"{"radius": 8, "length": 40, "at": 50, "blend": 2}"#, "", "main", "[tee-pipe-too-short]"),
-        (leaning, "", "branches.0", "[tee-blend-folds]"),
-        (r#"{"radius": 11, "length": 40, "blend": {"least": 2}}"#, "", "branches.0", "[tee-blend-too-large]"),
+        (leaning, "", "branches[0]", "[tee-blend-folds]"),
+        (r#"{"radius": 11, "length": 40, "blend": {"least": 2}}"#, "", "branches[0]", "[tee-blend-too-large]"),
         (BRANCH, r#", "wall": 9"#, "wall", "[parameter-out-of-range]"),
         (BRANCH, r#", "wall": 1, "ends": "open""#, "", "`wall` makes a solid"),
         (r#"{"radius": 8, "length": 40, "blend": {"radius": 2, "flank": 3}}"#, "", "", "a blend is given by one of"),
@@ -44,5 +44,5 @@ fn tees_that_are_none_are_refused_in_their_place() {
     }
     let both = format!("{BRANCH}, {}", BRANCH.replacen('{', r#"{"at": 20, "#, 1));
     let error = tee(&both, "").unwrap_err();
-    assert!(error.contains("branches.1") && error.contains("[tee-branches-meet]"), "{error}");
+    assert!(error.contains("branches[1]") && error.contains("[tee-branches-meet]"), "{error}");
 }

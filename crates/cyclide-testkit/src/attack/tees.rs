@@ -37,7 +37,7 @@ fn branch(random: &mut Random, main: f64, index: usize, wild: bool) -> Value {
                 .collect();
             json!({"values": values})
         }
-        3 => json!({"radius": radius * size, "tolerance": radius * size * random.decades(-6.0, 0.0)}),
+        3 => json!({"radius": radius * size, "tolerance": radius * size * random.decades(-4.0, 0.0)}),
         _ => json!(radius * size),
     };
     let mut object = json!({"radius": radius, "length": main * random.between(2.0, 8.0), "blend": blend, "at": main * 8.0 * index as f64});

@@ -479,7 +479,7 @@ mod tests {
             ("[1,2,3]", "`winding` is a pair of turns"),
             ("[1.5,2]", "expected a whole number of turns"),
             ("[3000000000,2]", "more turns"),
-            ("[[1,2,3]]", "invalid length 3"),
+            ("[[1,2,3]]", "trailing characters"),
         ] {
             let error = parse(text).unwrap_err();
             assert!(error.contains(message), "{text}: {error}");
