@@ -16,7 +16,7 @@ from test_mesh import validate
 
 EXAMPLES = sorted(p.stem for p in (ROOT / "examples").glob("*.json"))
 # Smooth surfaces over triangles have no exact form.
-MESHES = {"stone", "sphere_blend"}
+MESHES = {"stone", "scan", "sphere_blend"}
 VOID = {"meta", "img", "link", "br"}
 
 
@@ -57,6 +57,8 @@ def test_the_page_leads_to_every_file(gallery):
     files = {p.name for p in gallery.iterdir()} - {"index.html"}
     assert set(page.links) | set(page.pictures) == files
     assert {Path(f).stem for f in files if f.endswith(".json")} == set(EXAMPLES)
+    # Each skin of the roof has an area of its own.
+    assert "<dt>area</dt><dd>outer skin 1703.4 m², inner skin 1661.8 m²</dd>" in text
     assert "NaN" not in text and "inf" not in re.sub(r"<style>.*</style>", "", text, flags=re.S)
 
 
@@ -89,6 +91,9 @@ def test_meshes_are_those_of_the_report(gallery, program):
         assert scene.area == pytest.approx(area, rel=5e-3), path.name
 
 
-def test_the_documents_beside_the_files_are_the_examples(gallery):
+def test_the_documents_beside_the_files_are_the_examples(gallery, program, tmp_path):
     for name in EXAMPLES:
         assert (gallery / f"{name}.json").read_bytes() == (ROOT / "examples" / f"{name}.json").read_bytes()
+    # With the files they are made from: what is shown can be built again.
+    program("build", gallery / "track.json", "-o", tmp_path / "again.step")
+    assert (tmp_path / "again.step").stat().st_size > 0

@@ -23,7 +23,7 @@ tasks:
   reference [--only CONSTRUCT,… | --curves | --surfaces] FILE…
              run reference cases (cyclide-reference/1) through the public API; `cargo xtask reference --help`
   roof       write the free-form roofs of the examples: examples/roof.obj, examples/roof-20.obj
-  scan       write the scanned stone of the examples: examples/stone.ply
+  scan       write the scanned stone of the examples, coarse and fine: examples/stone.ply, stone-5000.ply
 ";
 
 fn main() -> ExitCode {

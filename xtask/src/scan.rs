@@ -1,17 +1,19 @@
-//! `cargo xtask scan`: writes the scanned stone among the examples.
+//! `cargo xtask scan`: writes the scanned stone among the examples, coarse and fine.
 
 use cyclide_testkit::scan::scan_ply;
 use std::process::ExitCode;
 
-/// Vertices of the mesh of 500 triangles.
-const VERTICES: usize = 252;
+/// The files with their vertices: meshes of 500 and of 5,000 triangles.
+const SCANS: [(&str, usize); 2] = [("stone.ply", 252), ("stone-5000.ply", 2502)];
 
 pub fn main() -> ExitCode {
-    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../examples/stone.ply");
-    if let Err(error) = std::fs::write(path, scan_ply(VERTICES)) {
-        eprintln!("{path}: {error}");
-        return ExitCode::FAILURE;
+    for (name, vertices) in SCANS {
+        let path = format!("{}/../examples/{name}", env!("CARGO_MANIFEST_DIR"));
+        if let Err(error) = std::fs::write(&path, scan_ply(vertices)) {
+            eprintln!("{path}: {error}");
+            return ExitCode::FAILURE;
+        }
+        println!("examples/{name}: {} triangles", 2 * vertices - 4);
     }
-    println!("examples/stone.ply: {} triangles", 2 * VERTICES - 4);
     ExitCode::SUCCESS
 }

@@ -4,6 +4,15 @@
 
 mod common;
 
+use std::collections::BTreeSet;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use common::{Folder, project};
+use cyclide_io::ObjectSpec;
+use serde_json::Value;
+
+const CIRCLE: &str = r#"{"cyclide": 1, "objects": {"c": {"type": "circle", "center": [0, 0], "radius": 1}}}"#;
+
 #[test]
 fn every_warning_is_explained() {
     // The words as the kernel has them.
@@ -18,14 +27,6 @@ fn every_warning_is_explained() {
     }
 }
 
-use std::collections::BTreeSet;
-
-use common::{Folder, project};
-use cyclide_io::ObjectSpec;
-use serde_json::Value;
-
-const CIRCLE: &str = r#"{"cyclide": 1, "objects": {"c": {"type": "circle", "center": [0, 0], "radius": 1}}}"#;
-
 /// The types of the published schema: the constants of the fields `type` of its definitions.
 fn types_of_the_schema() -> BTreeSet<String> {
     let schema = std::fs::read_to_string(project("docs/schema/cyclide-1.schema.json")).unwrap();
@@ -39,31 +40,41 @@ fn every_type_has_a_document_to_start_from_that_builds_and_is_drawn() {
     let types = types_of_the_schema();
     assert!(types.len() >= 12 && types.contains("cyclidic-net"), "{types:?}");
     assert_eq!(types, ObjectSpec::TYPES.iter().map(|kind| (*kind).to_owned()).collect());
+    // Pictures take most of the time, and are drawn side by side.
+    let types: Vec<&str> = types.iter().map(String::as_str).collect();
+    let next = AtomicUsize::new(0);
+    std::thread::scope(|scope| {
+        for _ in 0..std::thread::available_parallelism().map_or(1, usize::from) {
+            scope.spawn(|| {
+                while let Some(kind) = types.get(next.fetch_add(1, Ordering::Relaxed)) {
+                    builds_and_is_drawn(kind);
+                }
+            });
+        }
+    });
+}
+
+fn builds_and_is_drawn(kind: &str) {
     let folder = Folder::with(&[]);
-    for kind in &types {
-        let document = folder.ok(&format!("new {kind}"));
-        let read: Value = serde_json::from_str(&document).unwrap();
-        let objects = read["objects"].as_object().unwrap();
-        assert!(objects.values().any(|object| object["type"] == kind.as_str()), "{document}");
-        assert!(read["comment"][0].is_string(), "it says what it makes: {document}");
-        assert!(
-            objects.values().all(|object| object["comment"].is_array()),
-            "it says what the fields mean: {document}"
-        );
-        assert!(document.lines().all(|line| line.chars().count() <= 190), "{kind}: {document}");
-        folder.write("m.json", &document);
-        // Of what has no exact form, meshes.
-        let exact = !["smooth-mesh", "sphere-blend"].contains(&kind.as_str());
-        let outputs = if exact { "-o m.step -o m.png -o m.svg" } else { "-o m.glb -o m.png -o m.stl" };
-        let run = folder.run(&format!("build m.json {outputs} --json"));
-        assert_eq!((run.code, run.stderr.as_str()), (0, ""), "{kind}");
-        let report: Value = serde_json::from_str(&run.stdout).unwrap();
-        let files = report["files"].as_array().unwrap();
-        // An exact file, a picture that is more than an empty page.
-        let bound = if exact { 1e-9 } else { files[0]["bound"].as_f64().unwrap() };
-        assert!(files[0]["deviation"].as_f64().unwrap() <= bound, "{kind}: {}", files[0]);
-        assert!(folder.read("m.png").starts_with(b"\x89PNG") && folder.read("m.png").len() > 10_000, "{kind}");
-    }
+    let document = folder.ok(&format!("new {kind}"));
+    let read: Value = serde_json::from_str(&document).unwrap();
+    let objects = read["objects"].as_object().unwrap();
+    assert!(objects.values().any(|object| object["type"] == kind), "{document}");
+    assert!(read["comment"][0].is_string(), "it says what it makes: {document}");
+    assert!(objects.values().all(|object| object["comment"].is_array()), "it says what the fields mean: {document}");
+    assert!(document.lines().all(|line| line.chars().count() <= 190), "{kind}: {document}");
+    folder.write("m.json", &document);
+    // Of what has no exact form, meshes.
+    let exact = !["smooth-mesh", "sphere-blend"].contains(&kind);
+    let outputs = if exact { "-o m.step -o m.png -o m.svg" } else { "-o m.glb -o m.png -o m.stl" };
+    let run = folder.run(&format!("build m.json {outputs} --json"));
+    assert_eq!((run.code, run.stderr.as_str()), (0, ""), "{kind}");
+    let report: Value = serde_json::from_str(&run.stdout).unwrap();
+    let files = report["files"].as_array().unwrap();
+    // An exact file, a picture that is more than an empty page.
+    let bound = if exact { 1e-9 } else { files[0]["bound"].as_f64().unwrap() };
+    assert!(files[0]["deviation"].as_f64().unwrap() <= bound, "{kind}: {}", files[0]);
+    assert!(folder.read("m.png").starts_with(b"\x89PNG") && folder.read("m.png").len() > 10_000, "{kind}");
 }
 
 #[test]

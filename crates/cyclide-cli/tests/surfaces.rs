@@ -179,37 +179,6 @@ fn the_help_names_what_holds_for_surfaces() {
 }
 
 #[test]
-fn the_gallery_shows_every_example() {
-    let folder = Folder::with(&[]);
-    let said = folder.ok("gallery -o out/gallery");
-    assert!(said.ends_with("index.html\n"), "{said}");
-    let page = String::from_utf8(folder.read("out/gallery/index.html")).unwrap();
-    let mut links = 0;
-    for link in page.split("href=\"").skip(1).chain(page.split("src=\"").skip(1)) {
-        let file = &link[..link.find('"').unwrap()];
-        assert!(!folder.read(&format!("out/gallery/{file}")).is_empty(), "{file}");
-        links += 1;
-    }
-    let examples = std::fs::read_dir(project("examples")).unwrap().map(|e| e.unwrap().path());
-    for example in examples.filter(|p| p.extension().is_some_and(|s| s == "json")) {
-        let name = example.file_stem().unwrap().to_str().unwrap();
-        assert!(page.contains(&format!("href=\"{name}.json\"")), "examples/{name}.json is in the gallery");
-        // What has no exact form is there as a mesh.
-        let exact = !["stone", "sphere_blend"].contains(&name);
-        for suffix in ["png", if exact { "step" } else { "stl" }] {
-            assert!(page.contains(&format!("href=\"{name}.{suffix}\"")), "{name}.{suffix}");
-        }
-        assert_eq!(folder.read(&format!("out/gallery/{name}.json")), std::fs::read(&example).unwrap());
-    }
-    assert!(links > 20);
-    // Each skin of the roof has an area of its own.
-    assert!(page.contains("<dt>area</dt><dd>outer skin 1703.4 m², inner skin 1661.8 m²</dd>"), "{page}");
-    // What is shown can be built again.
-    folder.ok("build out/gallery/track.json -o again.step");
-    folder.ok("build out/gallery/patch.json -o again.step");
-}
-
-#[test]
 fn a_gallery_that_cannot_be_written() {
     let folder = Folder::with(&[("taken", "a file")]);
     assert!(folder.fails(3, "gallery -o taken").starts_with("error: cannot write taken"));

@@ -541,14 +541,19 @@ fn a_scan_of_five_thousand_triangles_becomes_smooth() {
     assert!(comparison.jump < 1e-9 && comparison.pn_jump > 1e-2, "{comparison:?}");
     let model = Model::new(Units::Millimetre).with_surface("scan", SurfaceObject::from(mesh));
     let exporter = Exporter::new(&model).unwrap();
-    for format in [Format::Glb, Format::Obj, Format::Stl] {
+    let holds_it = |format| {
         let file = exporter.export(format, &options(0.02)).unwrap();
         let report = exporter.check(Path::new("a"), format, &file).unwrap();
         assert!(report.deviation.unwrap() <= file.bound);
         let content = read_back(format, &file.bytes).unwrap();
         let read: f64 = content.meshes.iter().map(cyclide::SurfaceMesh::volume).sum();
         assert!((read - volume).abs() < 1.1 * file.bound * measure.area, "{format:?}");
-    }
+    };
+    std::thread::scope(|scope| {
+        for format in [Format::Glb, Format::Obj, Format::Stl] {
+            scope.spawn(move || holds_it(format));
+        }
+    });
 }
 
 /// Files broken at random are read or refused, and never make the program fall.

@@ -62,6 +62,14 @@ pub fn write_file(path: &Path, bytes: &[u8], options: WriteOptions) -> io::Resul
 
 /// Writes several files as [`write_file`] does: none is replaced before all are complete under temporary names.
 ///
+/// ```
+/// let folder = tempfile::tempdir()?;
+/// let files = ["a.txt", "b.txt"].map(|name| (folder.path().join(name), name.as_bytes()));
+/// cyclide_io::write_files(&files, cyclide_io::WriteOptions::default()).map_err(|(_, error)| error)?;
+/// assert_eq!(std::fs::read(&files[1].0)?, b"b.txt");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
 /// # Errors
 /// Those of the file system, with the index of the file; those before it may have been written.
 pub fn write_files<P: AsRef<Path>, B: AsRef<[u8]>>(
@@ -72,6 +80,17 @@ pub fn write_files<P: AsRef<Path>, B: AsRef<[u8]>>(
 }
 
 /// Files that are complete but have not taken their places; dropped, they are removed.
+///
+/// ```
+/// use cyclide_io::{StagedFiles, WriteOptions};
+/// let folder = tempfile::tempdir()?;
+/// let files = [(folder.path().join("a.txt"), b"text")];
+/// let staged = StagedFiles::new(&files, WriteOptions::default()).map_err(|(_, error)| error)?;
+/// assert!(!files[0].0.exists());
+/// staged.commit().map_err(|(_, error)| error)?;
+/// assert!(files[0].0.exists());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug)]
 pub struct StagedFiles<'a> {
     files: Vec<Staged<'a>>,
@@ -134,6 +153,16 @@ impl<'a> StagedFiles<'a> {
 
 /// All files have taken their places, but the names in a folder could not be brought to the disk: inside an
 /// [`io::Error`].
+///
+/// ```
+/// use cyclide_io::{NotDurable, WriteOptions, write_file};
+/// let folder = tempfile::tempdir()?;
+/// match write_file(&folder.path().join("a.txt"), b"text", WriteOptions { durable: true, ..WriteOptions::default() }) {
+///     Err(error) if error.get_ref().is_some_and(|inner| inner.is::<NotDurable>()) => eprintln!("written, but: {error}"),
+///     other => other?,
+/// }
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug)]
 pub struct NotDurable {
     folder: PathBuf,

@@ -3,6 +3,13 @@
 use std::path::Path;
 
 /// True if this is the regular file that standard input is read from (`< m.json`): who writes it loses what was read.
+///
+/// ```
+/// let folder = tempfile::tempdir()?;
+/// // Nothing reads from a name that does not exist.
+/// assert!(!cyclide_io::leads_to_standard_input(&folder.path().join("m.json")));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[must_use]
 pub fn leads_to_standard_input(path: &Path) -> bool {
     behind::standard_input().is_some_and(|input| input.is_file() && behind::is_at(&input, path))
@@ -10,6 +17,10 @@ pub fn leads_to_standard_input(path: &Path) -> bool {
 
 /// True if this is where standard output goes, be it a file, a pipe or a device: `/dev/fd/1`, the name behind `>`. Not the
 /// null device, in which nothing gets mixed.
+///
+/// ```
+/// assert!(!cyclide_io::leads_to_standard_output(std::path::Path::new("/dev/null")));
+/// ```
 #[must_use]
 pub fn leads_to_standard_output(path: &Path) -> bool {
     let null = Path::new("/dev/null");

@@ -5,6 +5,14 @@ use std::io::{self, Read};
 use std::path::Path;
 
 /// Largest input, in bytes: twelve million points.
+///
+/// ```
+/// let folder = tempfile::tempdir()?;
+/// let path = folder.path().join("large.csv");
+/// std::fs::File::create(&path)?.set_len(cyclide_io::MOST_INPUT_BYTES + 1)?;
+/// assert!(cyclide_io::read_input(&path).is_err());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 pub const MOST_INPUT_BYTES: u64 = 1 << 29;
 
 /// The bytes of a file.
@@ -42,6 +50,11 @@ pub fn read_head(path: &Path, count: u64) -> io::Result<Vec<u8>> {
 }
 
 /// The bytes of standard input, to its end.
+///
+/// ```no_run
+/// let document: cyclide_io::Document = String::from_utf8(cyclide_io::read_standard_input()?)?.parse()?;
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 ///
 /// # Errors
 /// Those of the system; more than [`MOST_INPUT_BYTES`].

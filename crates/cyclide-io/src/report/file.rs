@@ -19,6 +19,18 @@ const FAR_OFF: f64 = 0.02;
 const ABOVE_ASKED: f64 = 0.05;
 
 /// The report on one file.
+///
+/// ```
+/// use cyclide::{Circle, Model, Point3, Units, Vec3};
+/// use cyclide_io::{ExportOptions, Exporter, Format};
+/// let ring = Circle::from_radius(Point3::ORIGIN, Vec3::Z, 2.0)?;
+/// let model = Model::new(Units::Millimetre).with_curve("ring", ring);
+/// let exporter = Exporter::new(&model)?;
+/// let file = exporter.export(Format::Step, &ExportOptions::default())?;
+/// let report = exporter.check("ring.step".as_ref(), Format::Step, &file)?;
+/// assert!(report.exact && report.bound == 0.0 && report.deviation < Some(1e-12));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct FileReport {
     /// Path as given.
@@ -40,6 +52,21 @@ pub struct FileReport {
 }
 
 /// A file that does not keep its promise: a fault of this program, not of the input.
+///
+/// ```
+/// use cyclide::{Circle, Model, Point3, Units, Vec3};
+/// use cyclide_io::{CheckError, ExportOptions, Exporter, Format};
+/// let ring = Circle::from_radius(Point3::ORIGIN, Vec3::Z, 2.0)?;
+/// let model = Model::new(Units::Millimetre).with_curve("ring", ring);
+/// let exporter = Exporter::new(&model)?;
+/// let file = exporter.export(Format::Step, &ExportOptions::default())?;
+/// // A file that was damaged on its way.
+/// let mut damaged = file.clone();
+/// damaged.bytes.truncate(500);
+/// let error = exporter.check("ring.step".as_ref(), Format::Step, &damaged).unwrap_err();
+/// assert!(matches!(error, CheckError::Unreadable { .. }));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum CheckError {

@@ -150,6 +150,20 @@ fn first_of_part(before: &mut [usize], mut face: usize) -> usize {
 }
 
 /// How the vertices of a net were moved so that every quad has a circle; lengths in model units, angles in radians.
+///
+/// ```
+/// # #[cfg(feature = "circular-mesh")] {
+/// let place = |i: i32, j: i32| [f64::from(i), f64::from(j), 0.002 * f64::from(10 * i * i + i * j + 20 * j * j)];
+/// let grid: Vec<Vec<[f64; 3]>> = (-2..=2).map(|j| (-3..=3).map(|i| place(i, j)).collect()).collect();
+/// let object = format!(r#"{{"type": "cyclidic-net", "make_circular": true, "grid": {grid:?}}}"#);
+/// let document: cyclide_io::Document = format!(r#"{{"cyclide": 1, "objects": {{"roof": {object}}}}}"#).parse()?;
+/// let report = cyclide_io::ObjectReport::new(&document.build()?[0], None);
+/// let cyclide_io::GeometryReport::Surface(found) = report.geometry else { unreachable!("by its type") };
+/// let made = found.circular.expect("it was asked for");
+/// assert!(made.residual_after < 1e-9 && made.residual_after < made.residual_before && made.move_max < 0.5);
+/// # }
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct CircularReport {
     /// Steps of the search.
@@ -180,6 +194,20 @@ pub struct CircularReport {
 }
 
 /// How much of its shape a net made circular has kept: numbers free of scale (see `ShapeChange` of the kernel).
+///
+/// ```
+/// # #[cfg(feature = "circular-mesh")] {
+/// let place = |i: i32, j: i32| [f64::from(i), f64::from(j), 0.002 * f64::from(10 * i * i + i * j + 20 * j * j)];
+/// let grid: Vec<Vec<[f64; 3]>> = (-2..=2).map(|j| (-3..=3).map(|i| place(i, j)).collect()).collect();
+/// let object = format!(r#"{{"type": "cyclidic-net", "make_circular": true, "grid": {grid:?}}}"#);
+/// let document: cyclide_io::Document = format!(r#"{{"cyclide": 1, "objects": {{"roof": {object}}}}}"#).parse()?;
+/// let report = cyclide_io::ObjectReport::new(&document.build()?[0], None);
+/// let cyclide_io::GeometryReport::Surface(found) = report.geometry else { unreachable!("by its type") };
+/// let shape = found.circular.and_then(|made| made.shape).expect("it is not flat");
+/// assert!(shape.lost_relief < 0.5 && shape.bending > Some(0.5));
+/// # }
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct ShapeReport {
     /// Bending of the surface, after over before.

@@ -135,7 +135,12 @@ impl RationalBezierSurface {
     /// (more only where 4096 parts do not suffice).
     #[must_use]
     pub fn bounds(&self) -> Aabb {
-        let mut inner = self.corners().into_iter().fold(Aabb::of_point(self.point(0.5, 0.5)), Aabb::including);
+        self.bounds_with(Aabb::of_point(self.corners()[0]))
+    }
+
+    /// The box around the surface and what is known already, as near. What is inside that costs nothing.
+    pub(crate) fn bounds_with(&self, known: Aabb) -> Aabb {
+        let mut inner = self.corners().into_iter().fold(known.including(self.point(0.5, 0.5)), Aabb::including);
         let mut outer = inner;
         // Level by level: what the corners of all parts show makes most of the hulls superfluous.
         let mut waiting = VecDeque::from([self.clone()]);

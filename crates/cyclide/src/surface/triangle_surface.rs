@@ -9,6 +9,15 @@ use crate::error::Result;
 const STEPS: usize = 4;
 
 /// A surface over triangles. It has no exact rational form, so it is never a face of a shell: files hold meshes of it.
+///
+/// ```
+/// use cyclide::{Point3, SphereBlend, TriangleSurface};
+/// let corners = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(Point3::from);
+/// let sail = SphereBlend::from_normals(corners, corners.map(Point3::to_vec))?;
+/// let surface = TriangleSurface::from(sail);
+/// assert_eq!((surface.triangle_count(), surface.free_sides(), surface.is_closed()), (1, 3, false));
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq)]
 pub enum TriangleSurface {
     /// Over the triangles of a mesh.
@@ -99,6 +108,14 @@ impl TriangleSurface {
 }
 
 /// What a side of a triangle is to the surface.
+///
+/// ```
+/// use cyclide::{Point3, SideLine, SphereBlend, TriangleSurface};
+/// let corners = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(Point3::from);
+/// let sail = SphereBlend::from_normals(corners, corners.map(Point3::to_vec))?;
+/// assert_eq!(TriangleSurface::from(sail).lines(0), [SideLine::Free; 3]);
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum SideLine {
     /// The surface goes on smoothly.
@@ -110,6 +127,17 @@ pub enum SideLine {
 }
 
 /// The patch over one triangle of a surface.
+///
+/// ```
+/// use cyclide::{Point3, SphereBlend, TriangleSurface};
+/// let corners = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(Point3::from);
+/// let sail = SphereBlend::from_normals(corners, corners.map(Point3::to_vec))?;
+/// let surface = TriangleSurface::from(sail);
+/// let patch = surface.patch(0).expect("it has one");
+/// let (point, normal) = patch.point_and_normal([1.0, 2.0, 1.0])?;
+/// assert!((point.to_vec() - normal).length() < 1e-14); // a piece of the unit sphere
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy)]
 pub struct TrianglePatch(Patch);
 

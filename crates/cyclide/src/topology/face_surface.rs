@@ -113,6 +113,9 @@ impl FaceGeometry for FaceSurface {
     fn bounds(&self) -> Aabb {
         self.geometry().bounds()
     }
+    fn bounds_with(&self, known: Aabb) -> Aabb {
+        self.geometry().bounds_with(known)
+    }
     fn to_rational(&self) -> RationalBezierSurface {
         self.geometry().to_rational()
     }

@@ -37,8 +37,11 @@ const SURFACES: &[Format] = &[Format::Step, Format::Glb, Format::Png];
 /// Of surfaces without an exact form.
 const MESHES: &[Format] = &[Format::Glb, Format::Stl, Format::Png];
 
+/// Of fine scans, whose meshes are large.
+const RENDERED: &[Format] = &[Format::Glb, Format::Png];
+
 /// All models, in the order of the page.
-pub const ENTRIES: [Entry; 28] = [
+pub const ENTRIES: [Entry; 30] = [
     Entry {
         name: "roof",
         title: "Free-form roof with two skins",
@@ -92,6 +95,14 @@ pub const ENTRIES: [Entry; 28] = [
         title: "Rounded dodecahedron",
         text: "The convex hull of twenty points with a radius of 4 mm on all edges and corners: planes, cylinders and parts of spheres.",
         document: example!("dodecahedron.json"),
+        inputs: &[],
+        formats: SURFACES,
+    },
+    Entry {
+        name: "hull",
+        title: "A cut stone of two hundred corners",
+        text: "The convex hull of 200 points on an egg, nearly 400 triangles, with a radius of 1.2 mm on all edges and corners.",
+        document: example!("hull.json"),
         inputs: &[],
         formats: SURFACES,
     },
@@ -198,6 +209,14 @@ pub const ENTRIES: [Entry; 28] = [
         document: example!("stone.json"),
         inputs: &[input!("stone.ply")],
         formats: MESHES,
+    },
+    Entry {
+        name: "scan",
+        title: "The same stone scanned finely",
+        text: "A smooth surface through the 2,502 vertices of 5,000 triangles.",
+        document: example!("scan.json"),
+        inputs: &[input!("stone-5000.ply")],
+        formats: RENDERED,
     },
     Entry {
         name: "sphere_blend",

@@ -5,6 +5,9 @@ mod page;
 
 use std::io;
 use std::path::Path;
+use std::sync::OnceLock;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::thread;
 
 use cyclide_io::{Document, ExportOptions, Exporter, Format, ModelBuilder, Report};
 
@@ -18,10 +21,15 @@ use entries::{ENTRIES, Entry};
 /// Width of the pictures, pixels: twice that of their place on the page.
 const PICTURE: u32 = 1280;
 
+/// Models that are built at once, at most: each holds its meshes in memory.
+const AT_ONCE: usize = 4;
+
 /// An entry with what was made of it.
 struct Shown {
     entry: &'static Entry,
     report: Report,
+    /// Names and bytes, those it is made from included.
+    files: Vec<(String, Vec<u8>)>,
 }
 
 /// Builds all entries, checks their files, and writes them and the page: all, or none.
@@ -31,12 +39,9 @@ pub fn run(plan: &GalleryPlan) -> Result<(), Failure> {
         return Err(Failure::write(plan.folder.display(), &io::ErrorKind::NotADirectory.into()));
     }
     let progress = Progress::new(ENTRIES.iter().map(|entry| entry.formats.len() + 1).sum());
-    let mut files: Vec<(String, Vec<u8>)> = Vec::new();
-    let mut shown = Vec::new();
-    for entry in &ENTRIES {
-        progress.doing(entry.title.to_owned());
-        shown.push(Shown { entry, report: make(entry, &mut files, &progress)? });
-    }
+    let mut shown = make_all(&progress)?;
+    let mut files: Vec<(String, Vec<u8>)> =
+        shown.iter_mut().flat_map(|shown| std::mem::take(&mut shown.files)).collect();
     drop(progress);
     files.push(("index.html".to_owned(), page::html(&shown).into_bytes()));
     std::fs::create_dir_all(&plan.folder).map_err(|error| Failure::write(plan.folder.display(), &error))?;
@@ -46,8 +51,28 @@ pub fn run(plan: &GalleryPlan) -> Result<(), Failure> {
     files::write(&files, plan.write, &text)
 }
 
-/// Builds one entry and adds its files, those it is made from included.
-fn make(entry: &'static Entry, files: &mut Vec<(String, Vec<u8>)>, progress: &Progress) -> Result<Report, Failure> {
+/// Builds all entries, some at once; in their order.
+fn make_all(progress: &Progress) -> Result<Vec<Shown>, Failure> {
+    let next = AtomicUsize::new(0);
+    let made: Vec<OnceLock<Result<Shown, Failure>>> = ENTRIES.iter().map(|_| OnceLock::new()).collect();
+    let workers = thread::available_parallelism().map_or(1, usize::from).min(AT_ONCE);
+    thread::scope(|scope| {
+        for _ in 0..workers {
+            scope.spawn(|| {
+                while let Some((entry, place)) = ENTRIES.iter().zip(&made).nth(next.fetch_add(1, Ordering::Relaxed)) {
+                    progress.doing(entry.title.to_owned());
+                    // Each place is reached once.
+                    let _ = place.set(make(entry, progress));
+                }
+            });
+        }
+    });
+    made.into_iter().filter_map(OnceLock::into_inner).collect()
+}
+
+/// Builds one entry.
+fn make(entry: &'static Entry, progress: &Progress) -> Result<Shown, Failure> {
+    let mut files: Vec<(String, Vec<u8>)> = Vec::new();
     let fault = |message: String| Failure::Check(format!("{}: {message}", entry.name));
     let read = |path: &Path| {
         let found = entry.inputs.iter().find(|(name, _)| Path::new(name) == path);
@@ -78,5 +103,5 @@ fn make(entry: &'static Entry, files: &mut Vec<(String, Vec<u8>)>, progress: &Pr
         files.push((name, exported.bytes));
         progress.done();
     }
-    Ok(report)
+    Ok(Shown { entry, report, files })
 }

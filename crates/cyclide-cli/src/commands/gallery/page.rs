@@ -61,7 +61,7 @@ footer { padding-top: 2rem; padding-bottom: 3rem; color: var(--soft); font-size:
 ";
 
 fn card(shown: &Shown) -> String {
-    let Shown { entry, report } = shown;
+    let Shown { entry, report, .. } = shown;
     let name = entry.name;
     let mut links = String::new();
     for file in &report.files {

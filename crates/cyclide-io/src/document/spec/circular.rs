@@ -4,6 +4,13 @@ use schemars::JsonSchema;
 use serde::Deserialize;
 
 /// Whether the vertices of a net are moved so that every quad has a circle, and what its border may do.
+///
+/// ```
+/// use cyclide_io::{MakeCircularSpec};
+/// let read: MakeCircularSpec = serde_json::from_str(r#"true"#)?;
+/// assert_eq!(read, MakeCircularSpec::Switch(true));
+/// # Ok::<(), serde_json::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, JsonSchema)]
 #[schemars(untagged, rename = "MakeCircular")]
 pub enum MakeCircularSpec {
@@ -20,6 +27,14 @@ impl Default for MakeCircularSpec {
 }
 
 /// How the vertices of a net are moved.
+///
+/// ```
+/// use cyclide_io::{MakeCircularOptions, MakeCircularSpec};
+/// let read: MakeCircularSpec = serde_json::from_str(r#"{"max_steps": 50}"#)?;
+/// let expected = MakeCircularOptions { max_steps: Some(50), ..Default::default() };
+/// assert_eq!(read, MakeCircularSpec::Options(expected));
+/// # Ok::<(), serde_json::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct MakeCircularOptions {
@@ -35,6 +50,14 @@ pub struct MakeCircularOptions {
 }
 
 /// What the border of a net may do: a word, or curves to slide on.
+///
+/// ```
+/// use cyclide_io::{BorderSpec, BorderWord, MakeCircularSpec};
+/// let read: MakeCircularSpec = serde_json::from_str(r#"{"border": "pinned"}"#)?;
+/// let MakeCircularSpec::Options(options) = read else { unreachable!("it has options") };
+/// assert_eq!(options.border, BorderSpec::Word(BorderWord::Pinned));
+/// # Ok::<(), serde_json::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, JsonSchema)]
 #[schemars(untagged, rename = "Border")]
 pub enum BorderSpec {
@@ -51,6 +74,12 @@ impl Default for BorderSpec {
 }
 
 /// What every side of a border may do.
+///
+/// ```
+/// use cyclide_io::BorderWord;
+/// assert_eq!(serde_json::from_str::<BorderWord>(r#""pinned""#)?, BorderWord::Pinned);
+/// # Ok::<(), serde_json::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 #[schemars(inline)]
@@ -64,6 +93,15 @@ pub enum BorderWord {
 
 /// Names of curves of the model on which the sides of a border slide; a side that is left out is free. Rows run along
 /// s and columns along t: for a grid from a file see the field `frame` of the net.
+///
+/// ```
+/// use cyclide_io::{BorderCurves, BorderSpec, MakeCircularSpec};
+/// let read: MakeCircularSpec = serde_json::from_str(r#"{"border": {"first_row": "eaves"}}"#)?;
+/// let MakeCircularSpec::Options(options) = read else { unreachable!("it has options") };
+/// let curves = BorderCurves { first_row: Some("eaves".to_owned()), ..Default::default() };
+/// assert_eq!(options.border, BorderSpec::Curves(curves));
+/// # Ok::<(), serde_json::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Eq, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct BorderCurves {

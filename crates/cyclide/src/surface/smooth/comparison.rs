@@ -14,6 +14,16 @@ const STEPS: usize = 12;
 
 /// Normals and distances of a smooth mesh beside other surfaces of the same vertices and normals, largest values over all of the
 /// places looked at: sampled, not proved.
+///
+/// ```
+/// use cyclide::{Point3, SmoothMesh, VertexNormals};
+/// let corners = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0], [0.0, -1.0, 0.0], [0.0, 0.0, 1.0], [0.0, 0.0, -1.0]];
+/// let triangles = [[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4], [1, 0, 5], [2, 1, 5], [3, 2, 5], [0, 3, 5]];
+/// let mesh = SmoothMesh::new(&corners.map(Point3::from), &triangles, VertexNormals::AngleWeighted)?;
+/// let ball = mesh.comparison()?; // the corners and normals of a ball
+/// assert!(ball.jump < 1e-9 && ball.flat_jump > 1.0 && ball.pn_jump > 0.01);
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct SmoothComparison {
     /// Jump of the normal across edges that are no creases, radians: between the normals that the derivatives of both triangles give.

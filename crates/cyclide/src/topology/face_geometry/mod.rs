@@ -56,6 +56,11 @@ pub trait FaceGeometry: ParamSurface {
     /// A box around the surface: the smallest one to rounding of a patch, to 1e-9 of its size of a rational surface.
     fn bounds(&self) -> Aabb;
 
+    /// The box around the surface and a known one, as near: what is inside that need not be found.
+    fn bounds_with(&self, known: Aabb) -> Aabb {
+        known.union(self.bounds())
+    }
+
     /// The exact rational form.
     fn to_rational(&self) -> RationalBezierSurface;
 

@@ -21,6 +21,9 @@ impl FaceGeometry for RationalBezierSurface {
     fn bounds(&self) -> Aabb {
         Self::bounds(self)
     }
+    fn bounds_with(&self, known: Aabb) -> Aabb {
+        Self::bounds_with(self, known)
+    }
     fn to_rational(&self) -> RationalBezierSurface {
         self.clone()
     }
