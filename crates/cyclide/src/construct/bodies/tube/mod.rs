@@ -117,6 +117,28 @@ impl Tube {
         self.arcs.len()
     }
 
+    /// True if it comes back to its start.
+    #[must_use]
+    pub fn is_closed(&self) -> bool {
+        self.closed
+    }
+
+    /// The first two of several tubes, by their numbers, that run into each other, with the distance of the centres of two balls that do: looked for at balls
+    /// half their radius apart.
+    ///
+    /// ```
+    /// use cyclide::{Ball, Point3, Tube};
+    /// let rod = |a: [f64; 3], b: [f64; 3]| Tube::through(&[a, b].map(|p| Ball::new(Point3::from(p), 1.0)), false);
+    /// let cross = [rod([-9.0, 0.0, 0.0], [9.0, 0.0, 0.0])?, rod([0.0, -9.0, 1.0], [0.0, 9.0, 1.0])?];
+    /// assert!(Tube::first_meeting(&cross).is_some());
+    /// # Ok::<(), cyclide::Error>(())
+    /// ```
+    #[must_use]
+    pub fn first_meeting(tubes: &[Self]) -> Option<([usize; 2], f64)> {
+        let found = meeting::first(&tubes.iter().map(|tube| (&tube.arcs[..], tube.closed)).collect::<Vec<_>>(), true)?;
+        Some((found.tubes, found.distance))
+    }
+
     /// The body. Outside is outwards; a solid unless the ends of an open tube are open.
     ///
     /// # Errors
