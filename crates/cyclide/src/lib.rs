@@ -5,7 +5,8 @@
 //! they leave the kernel as [`NurbsCurve`] and [`RationalBezierSurface`] without any tolerance.
 //!
 //! Everything is `f64`, lengths are unitless, angles are radians, parameters run over `[0, 1]`. The kernel has no
-//! I/O, no clock and no global tolerance; bad input gets an [`Error`] with the item, the measure and the limit.
+//! I/O, no clock and no global tolerance; bad input gets an [`Error`] with the item, the measure and the limit. Files (STEP, DXF, SVG, GLB, OBJ, STL, JSON,
+//! CSV, PNG) are written by the crate `cyclide-io` from a [`Model`]; small programs to start from are in its folder `examples`.
 //!
 //! An arc through three points, its measures and its exact rational form:
 //! ```
@@ -50,7 +51,21 @@
 //! # Ok::<(), cyclide::Error>(())
 //! ```
 //!
+//! A solid: the pipe about a run with a rounded corner, hollow.
+//! ```
+//! use cyclide::{ArcPath, Pipe, Point3};
+//! let run = [[0.0, 0.0, 0.0], [40.0, 0.0, 0.0], [40.0, 30.0, 0.0]].map(Point3::from);
+//! let spine = ArcPath::rounded_polyline(&run, false, &[0.0, 8.0, 0.0])?;
+//! let pipe = Pipe::new(3.0)?.with_wall(0.5)?.body(&spine)?;
+//! let ring = std::f64::consts::PI * (3.0 * 3.0 - 2.5 * 2.5);
+//! assert!(pipe.is_solid() && (pipe.outer.volume() - ring * spine.length()).abs() < 1e-9);
+//! # Ok::<(), cyclide::Error>(())
+//! ```
+//!
 //! # By topic
+//!
+//! Types of documents go by these names here: `polyline` [`ArcPath::rounded_polyline`], `arc-spline` [`ArcPath::spline`], `fair-spline` [`CircleSpline::fair`], `smooth-polyhedron` [`ConvexPolyhedron`],
+//! `plate-with-neck` [`NeckBlend`], `transform` [`Mobius`], `offset` [`SurfaceObject::offset`], `support-structure` [`SurfaceObject::edge_arcs`].
 //!
 //! | topic | where it is |
 //! |---|---|

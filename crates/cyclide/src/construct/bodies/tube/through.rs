@@ -76,5 +76,6 @@ fn tangent(ways: &[Way], k: usize, closed: bool) -> Result<Way> {
         _ if k == n => middle(n - 2, n - 1).and_then(|before| mirrored(n - 1, before)),
         _ => middle(k - 1, k),
     };
-    found.ok_or(Error::TubeTurnsBack { ball: k })
+    // At an end it is the next ball that has no tangent.
+    found.ok_or(Error::TubeTurnsBack { ball: if closed { k } else { k.clamp(1, n - 1) } })
 }
