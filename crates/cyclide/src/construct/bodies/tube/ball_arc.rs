@@ -82,7 +82,7 @@ impl BallArc {
     }
 
     pub(super) fn ball(&self, s: f64) -> Ball {
-        if s == 1.0 { self.ends[1] } else { self.polar([s, s]).0 }
+        if s >= 1.0 { self.ends[1] } else { self.polar([s, s]).0 }
     }
 
     pub(super) fn station(&self, s: f64) -> Station {

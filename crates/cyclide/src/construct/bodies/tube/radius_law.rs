@@ -73,7 +73,7 @@ impl RadiusLaw {
     /// `radius-not-closed` unless the radii at both ends are equal.
     pub(super) fn closed(mut self) -> Result<Self> {
         let [first, last] = [self.radius(0.0), self.radius(1.0)];
-        if first != last {
+        if (first - last).abs() > 0.0 {
             return Err(Error::RadiusNotClosed { first, last });
         }
         self.take_slopes(true);
@@ -89,7 +89,7 @@ impl RadiusLaw {
     /// True if there is one radius.
     #[must_use]
     pub fn is_constant(&self) -> bool {
-        self.nodes.iter().all(|node| node[1] == self.nodes[0][1])
+        self.nodes.iter().all(|node| node[1].total_cmp(&self.nodes[0][1]).is_eq())
     }
 
     /// The places between which it is one cubic.

@@ -63,7 +63,7 @@ fn tangent(ways: &[Way], k: usize, closed: bool) -> Result<Way> {
     let n = ways.len();
     let middle = |before: usize, behind: usize| {
         let sum = [before, behind].map(|i| ways[i] * (1.0 / ways[i].square()));
-        (sum[0] + sum[1]).unit().filter(|tangent| tangent.dot(ways[behind]) > 0.0)
+        (sum[0] + sum[1]).unit().filter(|tangent| [before, behind].iter().all(|&i| tangent.dot(ways[i]) > 0.0))
     };
     let mirrored = |along: usize, tangent: Way| {
         let chord = ways[along];
