@@ -164,6 +164,10 @@ fn tubes_are_similar_and_reversible() {
     let own = of(&balls);
     let reversed: Vec<Ball> = balls.iter().rev().copied().collect();
     assert!((of(&reversed) / own - 1.0).abs() < 1e-12);
+    // Radii are told with those between the balls: none of the points of faces is on a larger or smaller one.
+    let tube = Tube::through(&balls, false).unwrap();
+    let [low, high] = tube.radii();
+    assert!(low <= 0.8 && high >= 1.5 && low > 0.7 && high < 1.7, "{low} {high}");
     for scale in [1e-9, 1e9] {
         let scaled = balls.map(|b| Ball::new(Point3::ORIGIN + b.center.to_vec() * scale, b.radius * scale));
         assert!((of(&scaled) / scale.powi(3) / own - 1.0).abs() < 1e-11);

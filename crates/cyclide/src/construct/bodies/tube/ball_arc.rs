@@ -102,13 +102,21 @@ impl BallArc {
         w / (1.0 + w) * middle.distance(between)
     }
 
-    /// The smallest radius of its balls and the place of it: a quotient of quadratics.
-    pub(super) fn least_radius(&self) -> (f64, f64) {
-        let places = (0..=PLACES).map(|k| k as f64 / PLACES as f64).map(|s| (self.ball(s).radius, s));
-        let least = places.fold((f64::INFINITY, 0.0), |least, one| if one.0 < least.0 { one } else { least });
-        // Between places it is lower by no more than the sagitta.
-        let ([a, b, c], _) = self.control();
-        if a.radius.min(b.radius).min(c.radius) > 0.0 { least } else { (least.0 - self.sagitta([0.0, 1.0]), least.1) }
+    /// The least and the largest radius of its balls: at its ends, or where the derivative of a quotient of quadratics is zero.
+    pub(super) fn radii(&self) -> [f64; 2] {
+        let ([first, middle, last], [_, w, _]) = self.control();
+        let [r0, r1, r2] = [first.radius, middle.radius * w, last.radius];
+        let ends = [r0.min(r2), r0.max(r2)];
+        // With x = s/(1 - s): c x² + 2 b x + a = 0.
+        let [a, b, c] = [r1 - w * r0, 0.5 * (r2 - r0), w * r2 - r1];
+        let square = b * b - a * c;
+        if !(square >= 0.0) {
+            return ends;
+        }
+        let sum = -b - square.sqrt().copysign(b);
+        let roots = [sum / c, a / sum];
+        let inside = roots.into_iter().filter(|x| *x > 0.0 && x.is_finite()).map(|x| self.ball(x / (1.0 + x)).radius);
+        inside.fold(ends, |[low, high], r| [low.min(r), high.max(r)])
     }
 
     /// How much of its width the envelope has left where least is, and the place: 1 where it is straight, 0 where it folds. With the outward

@@ -102,7 +102,7 @@ fn add_places(arcs: &[BallArc], tube: usize, places: &mut Vec<Place>) -> f64 {
         arc.centers()[0].distance(arc.ball(0.5).center) + arc.ball(0.5).center.distance(arc.centers()[1])
     };
     // Where a radius is none, the body is refused before.
-    let steps = |arc: &BallArc| 2.0 * chord(arc) / arc.least_radius().0.max(1e-3 * chord(arc));
+    let steps = |arc: &BallArc| 2.0 * chord(arc) / arc.radii()[0].max(1e-3 * chord(arc));
     let coarser = (arcs.iter().map(steps).sum::<f64>() / MOST_BALLS).max(1.0);
     let mut way = 0.0;
     for arc in arcs {

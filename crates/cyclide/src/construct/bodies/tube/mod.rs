@@ -106,9 +106,8 @@ impl Tube {
     /// The least and the largest radius.
     #[must_use]
     pub fn radii(&self) -> [f64; 2] {
-        let least = self.arcs.iter().map(|arc| arc.least_radius().0).fold(f64::INFINITY, f64::min);
-        let ends = self.arcs.iter().flat_map(|arc| [0.0, 0.25, 0.5, 0.75, 1.0].map(|s| arc.ball(s).radius));
-        [least, ends.fold(0.0, f64::max)]
+        let radii = self.arcs.iter().map(BallArc::radii);
+        radii.fold([f64::INFINITY, 0.0], |[low, high], [a, b]| [low.min(a), high.max(b)])
     }
 
     /// How many arcs of balls it consists of.
@@ -162,7 +161,7 @@ impl Tube {
 
     fn check_arcs(&self) -> Result<()> {
         for arc in &self.arcs {
-            let (radius, _) = arc.least_radius();
+            let [radius, _] = arc.radii();
             if radius <= 0.0 {
                 return Err(Error::RadiusNotPositive { radius });
             }
