@@ -126,11 +126,11 @@ impl RationalBezierSurface {
         then(lines)
     }
 
-    /// Unit normal in the direction of `f_s × f_t`; on a side that is one point the limit from inside. Zero where there is
-    /// none.
+    /// Unit normal in the direction of `f_s × f_t`; on a side that is one point, and at a corner where two sides run on straight or come to a
+    /// cusp, the limit from inside. Zero where there is none.
     #[must_use]
     pub fn unit_normal(&self, s: f64, t: f64) -> Vec3 {
-        let SurfaceJet { point, ds, dt, dst, .. } = self.jet(s, t);
+        let SurfaceJet { point, ds, dt, dss, dst, dtt } = self.jet(s, t);
         // Of a derivative that vanishes on a side, what it is next to it: it grows with the way from the side.
         let inward = |x: f64| if x < 0.5 { 1.0 } else { -1.0 };
         let zero = VANISHED * ds.max_abs().max(dt.max_abs()) + ROUNDING * point.to_vec().max_abs();
@@ -139,7 +139,35 @@ impl RationalBezierSurface {
             (false, true) => (ds, dst * inward(s)),
             _ => (ds, dt),
         };
-        a.unit().zip(b.unit()).and_then(|(a, b)| a.cross(b).unit()).unwrap_or_default()
+        let Some((a, b)) = a.unit().zip(b.unit()) else { return Vec3::default() };
+        let across = a.cross(b);
+        if across.length() > PARALLEL {
+            return across.unit().unwrap_or_default();
+        }
+        // Both directions are one. How their product grows on the way inside, unless that is rounding too.
+        let way = [inward(s), inward(t)];
+        let (first, second) = (dss * way[0] + dst * way[1], dst * way[0] + dtt * way[1]);
+        let growth = first.cross(dt) + ds.cross(second);
+        let size = first.length() * dt.length() + ds.length() * second.length();
+        let known =
+            if growth.length() > PARALLEL * size { growth.unit() } else { self.normal_from_inside([s, t], way) };
+        known.or_else(|| across.unit()).unwrap_or_default()
+    }
+
+    /// The normal at a place of the border to which its neighbourhood leads: that of the plane, or one drawn out from two places inside.
+    fn normal_from_inside(&self, at: [f64; 2], way: [f64; 2]) -> Option<Vec3> {
+        if at.into_iter().all(|x| x > 0.0 && x < 1.0) {
+            return None;
+        }
+        if let Some(plane) = self.plane() {
+            return Some(plane.z());
+        }
+        let inside = |step: f64| {
+            let jet = self.jet(at[0] + way[0] * step, at[1] + way[1] * step);
+            jet.normal()
+        };
+        let (near, far) = (inside(INSIDE)?, inside(2.0 * INSIDE)?);
+        (near * 2.0 - far).unit()
     }
 
     /// The plane in which all control points lie, to 1e-13 of their size and the rounding of their coordinates: its third axis is
@@ -245,6 +273,10 @@ impl RationalBezierSurface {
 /// Part of its size, and of the coordinates, by which control points may be off a plane.
 const PLANAR: f64 = 1e-13;
 const PLANE_ROUNDING: f64 = 16.0 * f64::EPSILON;
+/// Sines of the angle between parameter lines up to which their product is rounding.
+const PARALLEL: f64 = 1e-7;
+/// From a place of the border to one from which its normal is drawn out, in parameters.
+const INSIDE: f64 = 1e-3;
 /// A derivative below this part of the other one is rounding of zero: the side is one point there.
 const VANISHED: f64 = 1e-13;
 /// So is one below this part of the coordinates, of whose differences it is made: faces are small, or far from the origin.

@@ -2,9 +2,10 @@
 
 use super::{chain, p, segment, whole};
 use cyclide::{
-    Arc, Body, EdgeCurve, ParamCurve as _, ParamSurface as _, Point3, RationalBezier, Revolution, Shell, Vec3,
+    Arc, ArcPath, Body, CurveObject, EdgeCurve, ParamCurve as _, ParamSurface as _, Point3, RationalBezier, Revolution,
+    Shell, SurfaceObject, Vec3, surface_joints,
 };
-use std::f64::consts::TAU;
+use std::f64::consts::{FRAC_PI_2, TAU};
 
 type Contours = Vec<(Vec<EdgeCurve>, bool)>;
 
@@ -213,4 +214,18 @@ fn every_simple_contour_has_end_faces() {
             );
         }
     }
+}
+
+#[test]
+fn normals_of_end_faces_stand_across_also_at_corners_that_run_on_straight() {
+    // The corners of the end faces of a rounded profile: two sides of one face run on into each other.
+    let corners =
+        [[20.0, 0.0], [60.0, 0.0], [60.0, 50.0], [50.0, 50.0], [50.0, 10.0], [30.0, 10.0], [30.0, 40.0], [20.0, 40.0]];
+    let profile = ArcPath::rounded_polyline(&corners.map(|[x, z]| Point3::new(x, 0.0, z)), true, &[2.0; 8]).unwrap();
+    let turn = Revolution::new(Point3::ORIGIN, Vec3::Z, 250_f64.to_radians()).unwrap();
+    let part = SurfaceObject::revolved(&[CurveObject::ArcPath(profile)], &turn).unwrap();
+    let joints = surface_joints(&part[0].to_bodies().unwrap()[0].outer);
+    let rims: Vec<f64> = joints.iter().map(|joint| joint.angle).filter(|angle| *angle > 1e-6).collect();
+    // Rounding of 60 over the flattest side of a face.
+    assert!(rims.len() == 32 && rims.iter().all(|angle| (angle - FRAC_PI_2).abs() < 1e-9), "{rims:?}");
 }
