@@ -15,6 +15,7 @@
 
 mod body_check;
 mod curves;
+mod cylinder_curves;
 mod data;
 mod integration;
 mod labels;
