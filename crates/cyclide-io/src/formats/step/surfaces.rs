@@ -1,12 +1,13 @@
-//! The surfaces of faces: planes, cylinders, cones, spheres and tori where the patch lies on one, else exact rational
-//! biquadratics of one Bézier span.
+//! The surfaces of faces: planes, cylinders, cones, spheres and tori where the patch lies on one, planes and cylinders where
+//! a rational face does, else exact rational surfaces of one Bézier span.
 //!
 //! A face of a sphere is written as `SPHERICAL_SURFACE` only if its edges are meridians and parallels about one axis,
 //! which is then the placement's: readers find parameter curves by interpolation, and edges that are no lines of the
 //! parameters lose digits there (an octant with its poles elsewhere: parameter curves off by 3e-7 of the size, area by
 //! 6e-9). The other faces of spheres, whose circles belong to two elliptic and hyperbolic pencils, stay rational, and
-//! so do tori without a hole: `TOROIDAL_SURFACE` is for a smaller radius of the tube. The edges of all other kinds are
-//! lines of the parameters anyway. The seam is turned to the side away from the face.
+//! so do tori without a hole: `TOROIDAL_SURFACE` is for a smaller radius of the tube. The edges of patches of
+//! all other kinds are lines of the parameters anyway; those of rational faces on cylinders are written with their curves.
+//! The seam is turned to the side away from the face.
 
 use super::cylinder_curves::CylinderCurve;
 use super::data::{Data, push_list, push_reference};
