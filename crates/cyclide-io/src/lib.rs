@@ -28,12 +28,12 @@ pub use document::{
     EllipseBridgeSpec, EndsSpec, FairEndPair, FairEndSpec, FairEndWord, FairEndsSpec, FairFitSpec, FairSplineSpec,
     FamilySpec, Fitted, FrameSpec, FreeOr, GridSource, Lists, MakeCircularOptions, MakeCircularSpec, MeshFile,
     ModelBuilder, NO_EFFECT, NormalsSpec, ObjectSpec, OffsetSpec, PipeSpec, PipeTeeSpec, PlaneSpec, PlateSpec,
-    PlateWithNeckSpec, PointFile, PointSource, PolygonMeshFile, PolylineSpec, RadiiSpec, RatePairs, Remark,
-    RevolutionSpec, RotationSpec, RoundedPolyhedron, RuledSpec, ScaleSpec, SmoothChoice, SmoothMeshSpec,
+    PlateWithNeckSpec, PointFile, PointSource, PolygonMeshFile, PolylineSpec, RadiiSpec, RadiusLawSpec, RatePairs,
+    Remark, RevolutionSpec, RotationSpec, RoundedPolyhedron, RuledSpec, ScaleSpec, SmoothChoice, SmoothMeshSpec,
     SmoothPolyhedronSpec, SphereBlendSpec, SphereSpec, StepSpec, StraightWord, SupportStructureSpec, TeeBlendSpec,
     TeeBranchSpec, TeeLawSpec, TeeMainSpec, TeeRadiusSpec, TorusCircleSpec, TorusKnotSpec, TorusMethod, TorusSeamSpec,
-    TorusSource, TorusSpec, TorusSplineSpec, TransformSpec, TypeWord, UnrolledPlane, UnrolledSpec, WindingSpec,
-    document_schema,
+    TorusSource, TorusSpec, TorusSplineSpec, TransformSpec, TubeFacts, TubeSpec, TypeWord, UnrolledPlane, UnrolledSpec,
+    WindingSpec, document_schema,
 };
 pub use error::{Error, Result};
 pub use export::camera::Camera;
@@ -57,7 +57,7 @@ pub use report::{
     CheckError, CircularReport, ComparisonReport, CurvatureRangeReport, CurvatureReport, CurvesReport, FairnessReport,
     FileReport, FitPieces, FitReport, GeometryReport, JointReport, ObjectReport, PartReport, PatchPlace,
     PolyhedronReport, RangeReport, Report, SeamReport, SegmentCounts, ShapeReport, SingularPatchReport, SmoothReport,
-    Spacing, SurfaceReport, TeeBlendReport, TorusReport, UnrolledReport, WarningReport, sample,
+    Spacing, SurfaceReport, TeeBlendReport, TorusReport, TubeReport, UnrolledReport, WarningReport, sample,
 };
 pub use text::place::{Diagnostic, Source, decode};
 pub use text::suggest::{did_you_mean, similar};

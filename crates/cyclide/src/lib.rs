@@ -5,7 +5,8 @@
 //! they leave the kernel as [`NurbsCurve`] and [`RationalBezierSurface`] without any tolerance.
 //!
 //! Everything is `f64`, lengths are unitless, angles are radians, parameters run over `[0, 1]`. The kernel has no
-//! I/O, no clock and no global tolerance; bad input gets an [`Error`] with the item, the measure and the limit.
+//! I/O, no clock and no global tolerance; bad input gets an [`Error`] with the item, the measure and the limit. Files (STEP, DXF, SVG, GLB, OBJ, STL, JSON,
+//! CSV, PNG) are written by the crate `cyclide-io` from a [`Model`]; small programs to start from are in its folder `examples`.
 //!
 //! An arc through three points, its measures and its exact rational form:
 //! ```
@@ -50,7 +51,21 @@
 //! # Ok::<(), cyclide::Error>(())
 //! ```
 //!
+//! A solid: the pipe about a run with a rounded corner, hollow.
+//! ```
+//! use cyclide::{ArcPath, Pipe, Point3};
+//! let run = [[0.0, 0.0, 0.0], [40.0, 0.0, 0.0], [40.0, 30.0, 0.0]].map(Point3::from);
+//! let spine = ArcPath::rounded_polyline(&run, false, &[0.0, 8.0, 0.0])?;
+//! let pipe = Pipe::new(3.0)?.with_wall(0.5)?.body(&spine)?;
+//! let ring = std::f64::consts::PI * (3.0 * 3.0 - 2.5 * 2.5);
+//! assert!(pipe.is_solid() && (pipe.outer.volume() - ring * spine.length()).abs() < 1e-9);
+//! # Ok::<(), cyclide::Error>(())
+//! ```
+//!
 //! # By topic
+//!
+//! Types of documents go by these names here: `polyline` [`ArcPath::rounded_polyline`], `arc-spline` [`ArcPath::spline`], `fair-spline` [`CircleSpline::fair`], `smooth-polyhedron` [`ConvexPolyhedron`],
+//! `plate-with-neck` [`NeckBlend`], `transform` [`Mobius`], `offset` [`SurfaceObject::offset`], `support-structure` [`SurfaceObject::edge_arcs`].
 //!
 //! | topic | where it is |
 //! |---|---|
@@ -68,7 +83,7 @@
 //! | tori and curves on them | [`Torus`], [`TorusSpline`] (through points, torus knots: [`TorusSplineOptions`], [`TorusTangent`], [`TorusWinding`]), laid flat ([`TorusMap`], [`UnrollOptions`], [`UnrolledSpline`]), [`TorusSeam`], [`TorusPiece`], [`TorusSegment`], [`TorusJunction`], [`TorusClasses`], [`CircleFamily`], [`QuarticType`], [`SegmentMethod`], [`ProjectiveBiarc`], [`TwoTypeBiarc`] |
 //! | rolling balls, canal surfaces | [`SkewCylinders`], [`NaturalQuadric`], [`QuadricPair`] ([`PairKind`]), [`RollingBall`] ([`ContactPartner`]), [`CanalPatch`] ([`CanalPart`], [`CharacteristicCircle`]) |
 //! | surfaces over triangles | [`SmoothMesh`] ([`VertexNormals`], [`NormalWeights`], [`SmoothEdge`], [`SmoothMeasure`], [`SmoothComparison`]), [`SmoothTriangle`], [`SphereBlend`], [`TriangleSurface`], [`TrianglePatch`], [`SideLine`] |
-//! | bodies made from curves | [`Revolution`], [`Pipe`] ([`PipeEnds`]), [`NeckBlend`] ([`NeckBody`], [`NeckSide`], [`NeckVariant`], [`PlateShape`]), [`PipeTee`] ([`TeeMain`], [`TeeBranch`], [`TeeBlend`], [`TeeEnds`], [`MadeTee`], [`TeeBlendFacts`]), [`EllipseBridge`], [`Body::ruled`], [`Body::circular`], [`RailSurface`] |
+//! | bodies made from curves | [`Revolution`], [`Pipe`] ([`PipeEnds`]), [`Tube`] ([`Ball`], [`RadiusLaw`]), [`NeckBlend`] ([`NeckBody`], [`NeckSide`], [`NeckVariant`], [`PlateShape`]), [`PipeTee`] ([`TeeMain`], [`TeeBranch`], [`TeeBlend`], [`TeeEnds`], [`MadeTee`], [`TeeBlendFacts`]), [`EllipseBridge`], [`Body::ruled`], [`Body::circular`], [`RailSurface`] |
 //! | bodies made from solids | [`ConvexPolyhedron`] ([`PolyhedronEdge`]), [`SphericalPolygon`] |
 //! | topology | [`Body`], [`Shell`], [`ShellFace`], [`ShellEdge`], [`FaceEdge`], [`Side`], [`CutShell`], [`FacePart`], [`FaceSurface`], [`FaceGeometry`] ([`CellDistances`], [`LineBends`]), [`EdgeCurve`], [`surface_joints`] ([`SurfaceJoint`]) |
 //! | polylines and meshes | [`flatten`], [`flatten_into`], [`flatten_places`], [`flatten_within`], [`tessellate`], [`tessellate_all`], [`tessellate_within`], [`SurfaceMesh`] ([`MeshFace`], [`MeshCorner`], [`MeshSource`]), [`SmoothTessellation`], [`parameter_lines`] ([`ParameterLine`], [`LineKind`]), [`MOST_PIECES`] |
@@ -105,6 +120,7 @@ pub use construct::{
     FairSplineOptions, FitCertificate, FitTarget, blends_by_turn, certify_arc, curvature_intervals, estimate_tangents,
     feasible_bulges,
 };
+pub use construct::{Ball, RadiusLaw, Tube};
 #[cfg(feature = "circular-mesh")]
 pub use construct::{
     Border, CircularMesh, CircularMeshOptions, CircularMeshReport, CircularMeshStep, LineAngles, VertexMoves,

@@ -29,7 +29,9 @@ pub use angle::Angle;
 pub use construct::{ContourFacts, Fitted};
 pub use coordinates::{Coordinates, Directions, Lists, PointFile, PointSource};
 use locate::{Entries, Step, offset_in, path_text, value_at};
-pub use objects::{BuiltObject, ModelBuilder, NO_EFFECT, Remark, RoundedPolyhedron, SmoothChoice, UnrolledPlane};
+pub use objects::{
+    BuiltObject, ModelBuilder, NO_EFFECT, Remark, RoundedPolyhedron, SmoothChoice, TubeFacts, UnrolledPlane,
+};
 use plain_words::{in_plain_words, other_word_for, syntax_in_plain_words, wrong_count};
 pub use schema::document_schema;
 pub use spec::{
@@ -38,10 +40,11 @@ pub use spec::{
     DiskSpec, EllipseBridgeSpec, EndsSpec, FairEndPair, FairEndSpec, FairEndWord, FairEndsSpec, FairFitSpec,
     FairSplineSpec, FamilySpec, FrameSpec, FreeOr, GridSource, MakeCircularOptions, MakeCircularSpec, MeshFile,
     NormalsSpec, ObjectSpec, OffsetSpec, PipeSpec, PipeTeeSpec, PlaneSpec, PlateSpec, PlateWithNeckSpec,
-    PolygonMeshFile, PolylineSpec, RadiiSpec, RatePairs, RevolutionSpec, RotationSpec, RuledSpec, ScaleSpec,
-    SmoothMeshSpec, SmoothPolyhedronSpec, SphereBlendSpec, SphereSpec, StepSpec, StraightWord, SupportStructureSpec,
-    TeeBlendSpec, TeeBranchSpec, TeeLawSpec, TeeMainSpec, TeeRadiusSpec, TorusCircleSpec, TorusKnotSpec, TorusMethod,
-    TorusSeamSpec, TorusSource, TorusSpec, TorusSplineSpec, TransformSpec, TypeWord, UnrolledSpec, WindingSpec,
+    PolygonMeshFile, PolylineSpec, RadiiSpec, RadiusLawSpec, RatePairs, RevolutionSpec, RotationSpec, RuledSpec,
+    ScaleSpec, SmoothMeshSpec, SmoothPolyhedronSpec, SphereBlendSpec, SphereSpec, StepSpec, StraightWord,
+    SupportStructureSpec, TeeBlendSpec, TeeBranchSpec, TeeLawSpec, TeeMainSpec, TeeRadiusSpec, TorusCircleSpec,
+    TorusKnotSpec, TorusMethod, TorusSeamSpec, TorusSource, TorusSpec, TorusSplineSpec, TransformSpec, TubeSpec,
+    TypeWord, UnrolledSpec, WindingSpec,
 };
 
 /// The document version this crate reads.

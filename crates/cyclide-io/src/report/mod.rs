@@ -12,6 +12,7 @@ mod surface;
 mod tee;
 mod text;
 mod torus;
+mod tube;
 
 use cyclide::{Geometry, SurfaceObject, Units};
 use indexmap::IndexMap;
@@ -29,6 +30,7 @@ pub use smooth::{ComparisonReport, SmoothReport};
 pub use surface::{CircularReport, PartReport, PatchPlace, ShapeReport, SingularPatchReport, SurfaceReport};
 pub use tee::TeeBlendReport;
 pub use torus::{SegmentCounts, TorusReport, UnrolledReport};
+pub use tube::TubeReport;
 
 /// The report on a model and the files made of it. As JSON, values that are not finite are `null`.
 ///

@@ -8,7 +8,7 @@ use cyclide::{
 };
 use serde::Serialize;
 
-use super::{CurvatureRangeReport, PolyhedronReport, RangeReport, SeamReport, TeeBlendReport};
+use super::{CurvatureRangeReport, PolyhedronReport, RangeReport, SeamReport, TeeBlendReport, TubeReport};
 use crate::document::BuiltObject;
 use crate::measure::joints::SurfaceJointReport;
 
@@ -75,6 +75,9 @@ pub struct SurfaceReport {
     /// The polyhedron whose edges and corners were rounded.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub polyhedron: Option<Box<PolyhedronReport>>,
+    /// What is known of tubes of changing radius, one for each body.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub tubes: Vec<TubeReport>,
     /// The blends of a tee, in the order of its branches.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub blends: Vec<TeeBlendReport>,
@@ -310,6 +313,7 @@ impl SurfaceReport {
             flipped: Vec::new(),
             seams: nets.flat_map(|net| SeamReport::all(net, &built.seams)).collect(),
             polyhedron: built.polyhedron.as_deref().map(|rounded| Box::new(PolyhedronReport::from(rounded))),
+            tubes: built.tubes.iter().map(TubeReport::from).collect(),
             blends: built.tee_blends.iter().map(TeeBlendReport::from).collect(),
             circular: circular(built),
         };

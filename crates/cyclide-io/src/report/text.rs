@@ -215,6 +215,9 @@ impl SurfaceReport {
         if let Some(polyhedron) = &self.polyhedron {
             line("polyhedron", polyhedron.text(units))?;
         }
+        for tube in &self.tubes {
+            line("tube", tube.text(units))?;
+        }
         for (index, blend) in self.blends.iter().enumerate() {
             line("blend", format!("of branch {index}: {}", blend.text(units)))?;
         }

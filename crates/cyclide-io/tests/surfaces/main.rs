@@ -13,6 +13,7 @@ mod refusals;
 mod revolutions;
 mod tees;
 mod tori;
+mod tubes;
 
 use std::path::Path;
 

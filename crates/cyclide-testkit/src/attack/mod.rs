@@ -23,6 +23,7 @@ mod swept;
 mod tees;
 mod tori;
 mod triangles;
+mod tubes;
 
 pub use random::Random;
 
@@ -71,7 +72,7 @@ impl Objects {
     }
 }
 
-const CLASSES: [Class; 23] = [
+const CLASSES: [Class; 24] = [
     ("points", 5, points::object),
     ("hairpins", 3, hairpins::object),
     ("ends", 3, ends::object),
@@ -88,6 +89,7 @@ const CLASSES: [Class; 23] = [
     ("revolutions", 2, revolutions::surface),
     ("polyhedra", 1, polyhedra::surface),
     ("pipes", 2, pipes::surface),
+    ("tubes", 2, tubes::surface),
     ("tees", 1, tees::surface),
     ("necks", 2, swept::neck),
     ("bridges", 1, swept::bridge),

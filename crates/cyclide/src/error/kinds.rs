@@ -549,6 +549,47 @@ pub enum Error {
         /// How far it must.
         needed: f64,
     },
+    /// One of two neighbouring balls of a tube holds the other.
+    BallsNested {
+        /// Which ball, from 0.
+        first: usize,
+        /// Its neighbour.
+        second: usize,
+        /// Distance of their centres.
+        distance: f64,
+        /// Difference of their radii.
+        limit: f64,
+    },
+    /// No smooth tube goes on from a ball to its neighbours.
+    TubeTurnsBack {
+        /// Which ball, from 0.
+        ball: usize,
+    },
+    /// A tube is wider than its way bends.
+    TubeFolds {
+        /// Which piece of its spine, or which pair of balls, from 0.
+        piece: usize,
+        /// Where in it or in one of its arcs, 0 to 1.
+        at: f64,
+        /// Its width there on the inner side of the bend as part of what it would be on a straight way: not positive.
+        left: f64,
+    },
+    /// The radius of a tube changes as fast as the way goes on: its balls hold each other.
+    RadiusGrowsTooFast {
+        /// Which piece of its spine, from 0.
+        piece: usize,
+        /// Change of the radius by the length of the way.
+        rate: f64,
+        /// It has to be below.
+        limit: f64,
+    },
+    /// A closed tube begins with another radius than it ends with.
+    RadiusNotClosed {
+        /// Radius at the start.
+        first: f64,
+        /// Radius at the end.
+        last: f64,
+    },
     /// A branch of a tee reaches beyond the breadth of its main pipe, or up to it.
     TeeBranchTooWide {
         /// Which branch, from 0.

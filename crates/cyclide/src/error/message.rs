@@ -108,6 +108,34 @@ impl std::fmt::Display for Error {
                 ShortNumber(*end),
                 ShortNumber(*needed)
             ),
+            Self::BallsNested { first, second, distance, limit } => write!(
+                f,
+                "of the balls {first} and {second} one holds the other: their centres are {} apart, their radii differ by {}; move them apart or take radii that are nearer to each other",
+                ShortNumber(*distance),
+                ShortNumber(*limit)
+            ),
+            Self::TubeTurnsBack { ball } => write!(
+                f,
+                "no smooth tube goes on at ball {ball}: its neighbours lie on one side, or the radii change too fast for the turn; put balls between"
+            ),
+            Self::TubeFolds { piece, at, left } => write!(
+                f,
+                "the tube folds on the inner side of a bend, in piece {piece} at {}: {} of its width is left there, it must be above 0; take smaller radii or wider bends",
+                ShortNumber(*at),
+                ShortNumber(*left)
+            ),
+            Self::RadiusGrowsTooFast { piece, rate, limit } => write!(
+                f,
+                "the radius changes by {} for each length of the way in piece {piece}, it must be below {}: the balls would hold each other; spread the change over more of the length",
+                ShortNumber(*rate),
+                ShortNumber(*limit)
+            ),
+            Self::RadiusNotClosed { first, last } => write!(
+                f,
+                "the curve is closed, but the radius begins with {} and ends with {}: make both equal",
+                ShortNumber(*first),
+                ShortNumber(*last)
+            ),
             Self::TeeBlendFolds { branch, angle, left } => write!(
                 f,
                 "the blend of branch {branch} runs through itself at {} radians round the branch: its width there is {} of that on a straight way, which must be positive; take a smaller radius there, or one that changes less",

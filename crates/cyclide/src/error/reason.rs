@@ -36,6 +36,11 @@ impl Error {
             Self::TeeBranchTooWide { .. } => "tee-branch-too-wide",
             Self::TeeBlendTooLarge { .. } => "tee-blend-too-large",
             Self::TeePipeTooShort { .. } => "tee-pipe-too-short",
+            Self::BallsNested { .. } => "balls-nested",
+            Self::TubeTurnsBack { .. } => "tube-turns-back",
+            Self::TubeFolds { .. } => "tube-folds",
+            Self::RadiusGrowsTooFast { .. } => "radius-grows-too-fast",
+            Self::RadiusNotClosed { .. } => "radius-not-closed",
             Self::TeeBlendFolds { .. } => "tee-blend-folds",
             Self::TeeHoleFolds { .. } => "tee-hole-folds",
             Self::TeeBranchesMeet { .. } => "tee-branches-meet",
@@ -148,12 +153,15 @@ impl Error {
             | Self::ArcsCross { piece, .. }
             | Self::PipeTooWide { piece, .. }
             | Self::MitreDoesNotFit { piece, .. }
+            | Self::TubeFolds { piece, .. }
+            | Self::RadiusGrowsTooFast { piece, .. }
             | Self::FoldedProfile { piece, .. } => Some(piece),
             Self::NotAFace { face, .. } | Self::NonPlanarFace { face, .. } => Some(face),
             Self::ProfileMeetsItself { second, .. } => Some(second),
             Self::BendDoesNotFit { corner, .. } => Some(corner),
             Self::CornerNotMitred { joint, .. } => Some(joint),
-            Self::PipeMeetsItself { second, .. } => Some(second),
+            Self::PipeMeetsItself { second, .. } | Self::BallsNested { second, .. } => Some(second),
+            Self::TubeTurnsBack { ball } => Some(ball),
             Self::InSpan { span, .. } => Some(span),
             Self::NotAShell { index, .. } => Some(index),
             Self::InQuad { quad, .. } => Some(quad),

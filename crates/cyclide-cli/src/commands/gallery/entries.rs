@@ -41,7 +41,7 @@ const MESHES: &[Format] = &[Format::Glb, Format::Stl, Format::Png];
 const RENDERED: &[Format] = &[Format::Glb, Format::Png];
 
 /// All models, in the order of the page.
-pub const ENTRIES: [Entry; 30] = [
+pub const ENTRIES: [Entry; 31] = [
     Entry {
         name: "roof",
         title: "Free-form roof with two skins",
@@ -119,6 +119,14 @@ pub const ENTRIES: [Entry; 30] = [
         title: "A pipe through a roof",
         text: "A rolling ball rounds the corner between a pipe and a plate at 35 degrees: an exact rational neck, sewn with pipe and plate to one solid.",
         document: example!("roof_pipe.json"),
+        inputs: &[],
+        formats: SURFACES,
+    },
+    Entry {
+        name: "tubes",
+        title: "Tubes of changing radius",
+        text: "A cable that thins, a horn with a wall, a knot of changing width and a handle through four balls: chains of Dupin cyclides that are tangent all round.",
+        document: example!("tubes.json"),
         inputs: &[],
         formats: SURFACES,
     },

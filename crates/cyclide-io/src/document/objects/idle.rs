@@ -3,7 +3,7 @@
 //! Where it is cheap the curve is made again without the field and compared; so the answer needs no rule of its own for what
 //! a construction does with a field.
 
-use cyclide::{BiarcRule, CurveObject, PipeEnds, bounds, corners_by_angle};
+use cyclide::{BiarcRule, CurveObject, PipeEnds, Tube, bounds, corners_by_angle};
 
 use super::Builder;
 use crate::document::angle::Angle;
@@ -12,7 +12,7 @@ use crate::document::coordinates::{PointFile, PointSource};
 use crate::document::locate::Step;
 use crate::document::spec::{
     ArcSplineSpec, CircleSplineSpec, Comment, EndsSpec, FairEndsSpec, FairFitSpec, FairSplineSpec, ObjectSpec,
-    PipeSpec, StraightWord, TorusSplineSpec, TypeWord,
+    PipeSpec, StraightWord, TorusSplineSpec, TubeSpec, TypeWord,
 };
 use crate::input::points::merge_repeated;
 
@@ -120,6 +120,19 @@ pub(super) fn idle_in_pipe(spec: &PipeSpec, curves: &[CurveObject], closed: bool
             "a wall ends in rings; without `wall` the tube is open",
         ),
         ("tolerance", of_arcs && spec.tolerance.is_some(), "the curve is made of arcs and segments already"),
+    ])
+}
+
+/// What a tube does not look at.
+pub(super) fn idle_in_tube(spec: &TubeSpec, tubes: &[Tube]) -> Vec<Idle> {
+    let closed = tubes.iter().all(Tube::is_closed);
+    found(&[
+        ("ends", closed && spec.ends != PipeEnds::Flat, NO_ENDS),
+        (
+            "ends",
+            !closed && spec.ends == PipeEnds::Open && spec.wall.is_some(),
+            "a wall ends in rings; without `wall` the tube is open",
+        ),
     ])
 }
 

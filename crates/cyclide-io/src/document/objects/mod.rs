@@ -19,6 +19,7 @@ mod surfaces;
 mod swept;
 mod tees;
 mod torus;
+mod tubes;
 
 use std::io;
 use std::path::{Path, PathBuf};
@@ -42,6 +43,7 @@ use references::{References, State};
 pub use remark::Remark;
 pub use smooth::SmoothChoice;
 pub use torus::UnrolledPlane;
+pub use tubes::TubeFacts;
 
 /// An object made by its construction, with what is known about it besides its geometry.
 ///
@@ -71,6 +73,8 @@ pub struct BuiltObject {
     pub polyhedron: Option<Box<RoundedPolyhedron>>,
     /// The blends of a tee.
     pub tee_blends: Vec<TeeBlendFacts>,
+    /// What is known of tubes, one for each body.
+    pub tubes: Vec<TubeFacts>,
     /// What was chosen for a smooth mesh.
     pub smooth: Option<SmoothChoice>,
     /// What became of a curve of a torus when it was laid flat.
@@ -160,6 +164,7 @@ impl<'a> ModelBuilder<'a> {
                     seams: Vec::new(),
                     polyhedron: None,
                     tee_blends: Vec::new(),
+                    tubes: Vec::new(),
                     smooth: None,
                     unrolled: None,
                     remarks: Vec::new(),
@@ -222,6 +227,8 @@ struct Builder<'a> {
     polyhedron: Option<Box<RoundedPolyhedron>>,
     /// The blends of the tee that it is.
     tee_blends: Vec<TeeBlendFacts>,
+    /// What is known of the tubes that it is.
+    tubes: Vec<TubeFacts>,
     /// What was chosen for the smooth mesh that it is.
     smooth: Option<SmoothChoice>,
     /// What became of the curve when it was laid flat.
@@ -255,7 +262,7 @@ impl Builder<'_> {
         let geometry = if surfaces.is_empty() { Geometry::Curves(curves) } else { Geometry::Surfaces(surfaces) };
         let item = Item::new(self.name, geometry);
         let construction = self.spec.is_construction();
-        let Self { data, seams, polyhedron, tee_blends, smooth, unrolled, remarks, .. } = self;
+        let Self { data, seams, polyhedron, tee_blends, tubes, smooth, unrolled, remarks, .. } = self;
         let provenance = Provenance { kind: self.spec.type_word(), data };
         Ok(BuiltObject {
             item,
@@ -267,6 +274,7 @@ impl Builder<'_> {
             seams,
             polyhedron,
             tee_blends,
+            tubes,
             smooth,
             unrolled,
             construction,

@@ -138,6 +138,7 @@ impl ObjectSpec {
             Self::Transform(s) => of(s.of.as_str()),
             Self::Revolution(s) => of(s.of.as_str()),
             Self::Pipe(s) => of(s.of.as_str()),
+            Self::Tube(s) => s.of.as_deref().map(of).unwrap_or_default(),
             Self::Unrolled(s) => of(s.of.as_str()),
             Self::TorusSeam(s) => of(s.of.as_str()),
             Self::TorusSpline(s) => torus(&s.torus),

@@ -8,7 +8,7 @@ use super::{Builder, Remark};
 use crate::document::angle::Angle;
 use crate::document::coordinates::Coordinates;
 use crate::document::locate::{Step, path_text, span_of};
-use crate::document::spec::{ArcSpec, ObjectSpec};
+use crate::document::spec::{ArcSpec, ObjectSpec, TubeSpec};
 use crate::error::Error;
 use crate::text::place::Source;
 
@@ -192,6 +192,7 @@ fn blame(spec: &ObjectSpec, error: &cyclide::Error) -> Blame {
         }
         _ if spec.is_on_torus() => blame_torus(spec, error),
         _ if matches!(spec, ObjectSpec::PipeTee(_)) => blame_tee(error),
+        _ if matches!(spec, ObjectSpec::Tube(_)) => blame_tube(spec, error),
         E::NotFinite { what: I::Tangent, index } | E::ZeroTangent { index } | E::TangentOpposesChord { index, .. } => {
             tangent(index)
         }
@@ -246,6 +247,20 @@ fn blame_tee(error: &cyclide::Error) -> Blame {
         E::TeeBranchesMeet { second, .. } => Blame::Entry("branches", *second),
         E::ParameterOutOfRange { name: name @ I::Wall, .. } => Blame::Field(name.word()),
         _ => Blame::Field("branches"),
+    }
+}
+
+/// As [`blame`], of tubes.
+fn blame_tube(spec: &ObjectSpec, error: &cyclide::Error) -> Blame {
+    use cyclide::{Error as E, ErrorItem as I};
+    let through = matches!(spec, ObjectSpec::Tube(TubeSpec { balls: Some(_), .. }));
+    match error {
+        E::ParameterOutOfRange { name: name @ (I::Wall | I::Tolerance), .. } => Blame::Field(name.word()),
+        E::CornerNotMitred { .. } | E::ArcThroughInfinity { .. } => Blame::Field("of"),
+        E::TubeFolds { piece, .. } if through => Blame::Entry("balls", *piece),
+        E::NotFinite { index, .. } if through => Blame::Entry("balls", *index),
+        _ if through => error.index().map_or(Blame::Field("balls"), |index| Blame::Entry("balls", index)),
+        _ => Blame::Field("radius"),
     }
 }
 

@@ -21,6 +21,7 @@ impl Builder<'_> {
             ObjectSpec::Transform(spec) => self.mapped_surfaces(spec),
             ObjectSpec::Revolution(spec) => self.revolution(spec),
             ObjectSpec::Pipe(spec) => self.pipe(spec),
+            ObjectSpec::Tube(spec) => self.tube(spec),
             ObjectSpec::PipeTee(spec) => self.pipe_tee(spec),
             ObjectSpec::PlateWithNeck(spec) => self.plate_with_neck(spec),
             ObjectSpec::EllipseBridge(spec) => self.ellipse_bridge(spec),

@@ -14,6 +14,7 @@ mod surfaces;
 mod swept;
 mod tees;
 mod torus;
+mod tubes;
 
 use std::collections::BTreeMap;
 
@@ -44,6 +45,7 @@ pub use torus::{
     AnglePairs, FamilySpec, FreeOr, RatePairs, TorusCircleSpec, TorusKnotSpec, TorusMethod, TorusSeamSpec, TorusSource,
     TorusSpec, TorusSplineSpec, UnrolledSpec, WindingSpec,
 };
+pub use tubes::{RadiusLawSpec, TubeSpec};
 
 /// A cyclide model: named curves and surfaces made of circles. Lengths are in the document's units and are never rescaled,
 /// angles are in radians or say `degrees`.
@@ -126,6 +128,8 @@ pub enum ObjectSpec {
     Revolution(RevolutionSpec),
     /// The tube about a curve of arcs and segments.
     Pipe(PipeSpec),
+    /// The tube of changing radius along a curve, or through balls.
+    Tube(TubeSpec),
     /// A main pipe with branches, blended by rolling balls.
     PipeTee(PipeTeeSpec),
     /// A pipe on a plate with a rounded neck.
@@ -235,6 +239,7 @@ object_types! {
     "offset" => Offset,
     "revolution" => Revolution,
     "pipe" => Pipe,
+    "tube" => Tube,
     "pipe-tee" => PipeTee,
     "plate-with-neck" => PlateWithNeck,
     "ellipse-bridge" => EllipseBridge,

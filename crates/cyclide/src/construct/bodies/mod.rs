@@ -19,6 +19,7 @@ mod ruled;
 mod rulings;
 mod tee;
 mod torus_seam;
+mod tube;
 mod turned_patch;
 
 pub use ellipse_bridge::EllipseBridge;
@@ -29,6 +30,7 @@ pub use rail_surface::RailSurface;
 pub use revolution::Revolution;
 pub use tee::{MadeTee, PipeTee, TeeBlend, TeeBlendFacts, TeeBranch, TeeEnds, TeeMain};
 pub use torus_seam::TorusSeam;
+pub use tube::{Ball, RadiusLaw, Tube};
 
 /// Largest angle of an arc in one face, or in one piece of it: beyond, its weights are far from each other, and from half a turn on not
 /// positive.

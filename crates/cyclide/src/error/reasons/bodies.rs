@@ -82,6 +82,51 @@
 //! # Ok::<(), cyclide::Error>(())
 //! ```
 //!
+//! # `balls-nested`
+//! One of two neighbouring balls of a tube holds the other.
+//! ```
+//! use cyclide::{Ball, Point3, Tube};
+//! let balls = [Ball::new(Point3::ORIGIN, 3.0), Ball::new(Point3::new(1.0, 0.0, 0.0), 1.0)];
+//! assert_eq!(Tube::through(&balls, false).unwrap_err().reason(), "balls-nested");
+//! ```
+//!
+//! # `tube-turns-back`
+//! No smooth tube goes on from a ball to its neighbours.
+//! ```
+//! use cyclide::{Ball, Point3, Tube};
+//! let balls = [0.0, 3.0, 1.0].map(|x| Ball::new(Point3::new(x, 0.0, 0.0), 0.5));
+//! assert_eq!(Tube::through(&balls, false).unwrap_err().reason(), "tube-turns-back");
+//! ```
+//!
+//! # `tube-folds`
+//! A tube is wider than its way bends.
+//! ```
+//! use cyclide::{Ball, Point3, Tube};
+//! let balls = [[0.0, 0.0], [2.0, 2.0], [4.0, 0.0]].map(|[x, y]| Ball::new(Point3::new(x, y, 0.0), 3.0));
+//! assert_eq!(Tube::through(&balls, false)?.body().unwrap_err().reason(), "tube-folds");
+//! # Ok::<(), cyclide::Error>(())
+//! ```
+//!
+//! # `radius-grows-too-fast`
+//! The radius of a tube changes as fast as the way goes on.
+//! ```
+//! use cyclide::{ArcPath, Point3, RadiusLaw, Tube};
+//! let spine = ArcPath::rounded_polyline(&[[0.0, 0.0, 0.0], [4.0, 0.0, 0.0]].map(Point3::from), false, &[0.0; 2])?;
+//! let law = RadiusLaw::new(&[[0.0, 1.0], [1.0, 6.0]])?;
+//! assert_eq!(Tube::along(&spine, &law, 1e-3).unwrap_err().reason(), "radius-grows-too-fast");
+//! # Ok::<(), cyclide::Error>(())
+//! ```
+//!
+//! # `radius-not-closed`
+//! A closed tube begins with another radius than it ends with.
+//! ```
+//! use cyclide::{ArcPath, Circle, Point3, RadiusLaw, Tube, Vec3};
+//! let ring = ArcPath::new(Circle::from_radius(Point3::ORIGIN, Vec3::Z, 9.0)?.to_arcs().to_vec(), true)?;
+//! let law = RadiusLaw::new(&[[0.0, 1.0], [1.0, 2.0]])?;
+//! assert_eq!(Tube::along(&ring, &law, 1e-3).unwrap_err().reason(), "radius-not-closed");
+//! # Ok::<(), cyclide::Error>(())
+//! ```
+//!
 //! # `not-of-arcs`
 //! What follows arcs was given a curve of another kind, and no tolerance for arcs in its place.
 //! ```

@@ -1,0 +1,44 @@
+//! The report on a tube of changing radius.
+
+use cyclide::{Exactness, ShortNumber};
+use serde::Serialize;
+
+use super::RangeReport;
+use crate::document::TubeFacts;
+
+/// What is known of a tube.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct TubeReport {
+    /// The radii of its balls.
+    pub radius: RangeReport,
+    /// Arcs of balls that it consists of.
+    pub arcs: usize,
+    /// Its distance from the tube of the law along the curve.
+    pub within: f64,
+    /// What that rests on: `exact`, `proved` or `sampled`.
+    pub proof: &'static str,
+}
+
+impl From<&TubeFacts> for TubeReport {
+    fn from(facts: &TubeFacts) -> Self {
+        let [min, max] = facts.radii;
+        let proof = match facts.within {
+            Exactness::Exact => "exact",
+            Exactness::Proved(_) => "proved",
+            Exactness::Sampled(_) => "sampled",
+        };
+        Self { radius: RangeReport { min, max }, arcs: facts.arcs, within: facts.within.bound(), proof }
+    }
+}
+
+impl TubeReport {
+    /// What the text says of it.
+    pub(super) fn text(&self, units: &str) -> String {
+        let [min, max, within] = [self.radius.min, self.radius.max, self.within].map(|x| ShortNumber(x).to_string());
+        let off = match self.proof {
+            "exact" => "exact".to_owned(),
+            proof => format!("within {within} {units} of its law, {proof}"),
+        };
+        format!("radius {min} to {max} {units}, {} arcs of balls, {off}", self.arcs)
+    }
+}

@@ -1,0 +1,63 @@
+//! Tubes of changing radius.
+
+use super::{build, surface};
+
+fn tube(fields: &str) -> Result<cyclide_io::BuiltObject, String> {
+    build(&format!(r#""t": {{"type": "tube", {fields}}}"#))
+}
+
+const BALLS: &str = r#""balls": [[0, 0, 0, 2], [10, 0, 0, 1], [18, 6, 0, 1.5]]"#;
+
+#[test]
+fn tubes_through_balls_are_exact_solids() {
+    let solid = surface(&tube(BALLS).unwrap());
+    assert!(solid.closed && solid.bodies == 1);
+    let [known] = &solid.tubes[..] else { panic!("one tube: {:?}", solid.tubes) };
+    assert_eq!((known.proof, known.within), ("exact", 0.0));
+    assert!(known.radius.min <= 1.0 && known.radius.max >= 2.0 && known.arcs == 4, "{known:?}");
+    let hollow = surface(&tube(&format!(r#"{BALLS}, "wall": 0.2"#)).unwrap());
+    assert!(hollow.closed && hollow.volume.unwrap() < 0.5 * solid.volume.unwrap());
+    assert!(!surface(&tube(&format!(r#"{BALLS}, "ends": "open""#)).unwrap()).closed);
+}
+
+#[test]
+fn tubes_along_curves_are_within_their_tolerance() {
+    let line = r#""l": {"type": "polyline", "points": [[0, 0], [10, 0]]}, "#;
+    let cone = |law: &str| build(&format!(r#"{line}"t": {{"type": "tube", "of": "l", "radius": {law}}}"#));
+    let exact = surface(&cone("[2, 1]").unwrap());
+    assert_eq!(exact.tubes[0].proof, "exact");
+    let bulge = surface(&cone(r#"[{"at": 0.2, "radius": 1}, {"at": 0.6, "radius": 2}]"#).unwrap());
+    assert!(bulge.tubes[0].proof == "proved" && bulge.tubes[0].within <= 1e-3, "{:?}", bulge.tubes);
+    assert_eq!((bulge.tubes[0].radius.min, bulge.tubes[0].radius.max), (1.0, 2.0));
+}
+
+#[test]
+fn tubes_that_are_none_are_refused_in_their_place() {
+    for (fields, place, reason) in [
+        (r#""balls": [[0, 0, 0, 3], [1, 0, 0, 1]]"#, "balls[1]", "[balls-nested]"),
+        (r#""balls": [[0, 0, 0, 1], [9, 0, 0, 1], [5, 0, 0, 1]]"#, "balls[1]", "[tube-turns-back]"),
+        (r#""balls": [[0, 0, 0, 3], [2, 2, 0, 3], [4, 0, 0, 3]]"#, "balls[", "[tube-folds]"),
+        (r#""balls": [[0, 0, 0, 3], [9, 0, 0, -1]]"#, "balls", "[radius-not-positive]"),
+        (&format!(r#"{BALLS}, "wall": 1.5"#), "wall", "[parameter-out-of-range]"),
+        (&format!(r#"{BALLS}, "radius": 1"#), "", "a tube runs along a curve"),
+        (r#""of": "nothing""#, "", "nothing"),
+    ] {
+        let error = tube(fields).unwrap_err();
+        assert!(error.contains(place) && error.contains(reason), "{error}");
+    }
+    let circle = r#""c": {"type": "circle", "center": [0, 0], "radius": 9}, "#;
+    let along = |rest: &str| build(&format!(r#"{circle}"t": {{"type": "tube", "of": "c", {rest}}}"#)).unwrap_err();
+    for (rest, reason) in [
+        (r#""radius": [1, 2]"#, "[radius-not-closed]"),
+        (r#""radius": 10"#, "[tube-folds]"),
+        (
+            r#""radius": [{"at": 0, "radius": 0.1}, {"at": 0.02, "radius": 4}, {"at": 1, "radius": 0.1}]"#,
+            "[radius-grows-too-fast]",
+        ),
+        (r#""radius": [1, {"at": 0.5, "radius": 2}]"#, "either evenly spaced"),
+        (r#""radius": [{"at": 0.5, "radius": 1}, {"at": 0.5, "radius": 2}]"#, "[empty-interval]"),
+    ] {
+        let error = along(rest);
+        assert!(error.contains(reason), "{error}");
+    }
+}

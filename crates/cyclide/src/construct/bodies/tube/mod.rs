@@ -1,0 +1,217 @@
+//! Tubes: envelopes of balls along a way, whose radius may change: hoses, cables, horns (`docs/math/tubes.md`).
+//!
+//! A ball is a point of a space with the square `v·v - r²`. A conic that is a circle of that space is envelope of a Dupin cyclide, so a chain of
+//! biarcs there is a G1 tube of exact cyclides. Lines of curvature lead places of a ring to the next, and each quarter over an arc is a
+//! principal patch; where places have to turn, at the seam of a closed tube or where lines of curvature crowd, faces on the same cyclide of degree
+//! (4, 2) let them.
+
+mod along;
+mod ball;
+mod ball_arc;
+mod meeting;
+mod radius_law;
+mod ring;
+mod skin;
+mod through;
+
+pub use ball::Ball;
+pub use radius_law::RadiusLaw;
+
+use super::PipeEnds;
+use crate::base::vector::Vec3;
+use crate::curve::{ArcPath, ParamCurve as _};
+use crate::error::{Error, ErrorItem, Result};
+use crate::topology::Body;
+use ball_arc::BallArc;
+use ring::Ring;
+use skin::{Skin, Step};
+
+/// Places this near to those of another ring, radians, are the same.
+const SAME_PLACES: f64 = 1e-11;
+
+/// A tube of changing radius, solid or with a wall.
+///
+/// ```
+/// use cyclide::{ArcPath, Point3, RadiusLaw, Tube};
+/// let bend = [[0.0, 0.0, 0.0], [20.0, 0.0, 0.0], [20.0, 20.0, 0.0]].map(Point3::from);
+/// let spine = ArcPath::rounded_polyline(&bend, false, &[0.0, 8.0, 0.0])?;
+/// let horn = Tube::along(&spine, &RadiusLaw::new(&[[0.0, 1.0], [1.0, 3.0]])?, 1e-3)?;
+/// assert!(horn.bound() <= 1e-3 && horn.body()?.is_solid());
+/// # Ok::<(), cyclide::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct Tube {
+    arcs: Vec<BallArc>,
+    bound: f64,
+    closed: bool,
+    wall: Option<f64>,
+    ends: PipeEnds,
+}
+
+impl Tube {
+    /// The tube through balls: it touches each in a circle. Between two it is a cone or a cylinder; else it goes on by biarcs with, at each
+    /// ball, the tangent of the arc of balls through it and its neighbours. Exact: this is what it is.
+    ///
+    /// # Errors
+    /// `too-few-points` (2, or 3 of a closed tube), `not-finite`, `radius-not-positive`, `parameter-out-of-range`, `balls-nested` (one of two neighbours holds the
+    /// other), `tube-turns-back` (no smooth tube goes on there).
+    pub fn through(balls: &[Ball], closed: bool) -> Result<Self> {
+        let arcs = through::through(balls, closed)?;
+        Ok(Self { arcs, bound: 0.0, closed, wall: None, ends: PipeEnds::Flat })
+    }
+
+    /// The tube along a chain of arcs, with a law of the radius over the fraction of its length, no ball of which is farther than the tolerance from that of the law: centres and
+    /// radii together ([`bound`](Self::bound), proved). Where the radius stays, and where it is linear along a segment, it is exact.
+    ///
+    /// # Errors
+    /// `radius-not-positive` (the tolerance), `corner-not-mitred` (a joint of the spine that is not smooth), `radius-not-closed`, `radius-grows-too-fast` (as fast as the way
+    /// or faster: its balls hold each other), `too-many-pieces`.
+    pub fn along(spine: &ArcPath, law: &RadiusLaw, tolerance: f64) -> Result<Self> {
+        if !(tolerance > 0.0 && tolerance.is_finite()) {
+            return Err(Error::ParameterOutOfRange {
+                name: ErrorItem::Tolerance,
+                value: tolerance,
+                min: 0.0,
+                max: f64::INFINITY,
+            });
+        }
+        let along::Along { arcs, bound } = along::along(spine, law, tolerance)?;
+        Ok(Self { arcs, bound, closed: spine.is_closed(), wall: None, ends: PipeEnds::Flat })
+    }
+
+    /// The same with a bore that leaves this thickness of the wall, measured along the normals.
+    ///
+    /// # Errors
+    /// `parameter-out-of-range` unless the wall is thinner than the least radius.
+    pub fn with_wall(self, wall: f64) -> Result<Self> {
+        let max = self.radii()[0];
+        if !(wall > 0.0 && wall < max) {
+            return Err(Error::ParameterOutOfRange { name: ErrorItem::Wall, value: wall, min: 0.0, max });
+        }
+        Ok(Self { wall: Some(wall), ..self })
+    }
+
+    /// The same with other ends; a closed tube has none. Round ends are the rest of the balls there.
+    #[must_use]
+    pub fn with_ends(self, ends: PipeEnds) -> Self {
+        Self { ends, ..self }
+    }
+
+    /// No ball is farther from those of the law than this; 0 if exact.
+    #[must_use]
+    pub fn bound(&self) -> f64 {
+        self.bound
+    }
+
+    /// The least and the largest radius.
+    #[must_use]
+    pub fn radii(&self) -> [f64; 2] {
+        let radii = self.arcs.iter().map(BallArc::radii);
+        radii.fold([f64::INFINITY, 0.0], |[low, high], [a, b]| [low.min(a), high.max(b)])
+    }
+
+    /// How many arcs of balls it consists of.
+    #[must_use]
+    pub fn arc_count(&self) -> usize {
+        self.arcs.len()
+    }
+
+    /// True if it comes back to its start.
+    #[must_use]
+    pub fn is_closed(&self) -> bool {
+        self.closed
+    }
+
+    /// The first two of several tubes, by their numbers, that run into each other, with the distance of the centres of two balls that do: looked for at balls
+    /// half their radius apart.
+    ///
+    /// ```
+    /// use cyclide::{Ball, Point3, Tube};
+    /// let rod = |a: [f64; 3], b: [f64; 3]| Tube::through(&[a, b].map(|p| Ball::new(Point3::from(p), 1.0)), false);
+    /// let cross = [rod([-9.0, 0.0, 0.0], [9.0, 0.0, 0.0])?, rod([0.0, -9.0, 1.0], [0.0, 9.0, 1.0])?];
+    /// assert!(Tube::first_meeting(&cross).is_some());
+    /// # Ok::<(), cyclide::Error>(())
+    /// ```
+    #[must_use]
+    pub fn first_meeting(tubes: &[Self]) -> Option<([usize; 2], f64)> {
+        let found = meeting::first(&tubes.iter().map(|tube| (&tube.arcs[..], tube.closed)).collect::<Vec<_>>(), true)?;
+        Some((found.tubes, found.distance))
+    }
+
+    /// The body. Outside is outwards; a solid unless the ends of an open tube are open.
+    ///
+    /// # Errors
+    /// `radius-not-positive` (between balls), `tube-folds` (a bend narrower than the tube, with its place), `pipe-meets-itself`, as
+    /// [`CyclidePatch::from_corners_and_frame`](crate::CyclidePatch::from_corners_and_frame).
+    pub fn body(&self) -> Result<Body> {
+        self.check_arcs()?;
+        meeting::check(&self.arcs, self.closed)?;
+        let (rings, steps) = self.rings();
+        let outer = Skin::new(&rings, &steps, 0.0)?;
+        let Some(wall) = self.wall else {
+            return Ok(Body { outer: outer.closed(self.ends, !self.closed)?, voids: Vec::new() });
+        };
+        let inner = Skin::new(&rings, &steps, wall)?;
+        if self.closed || self.ends == PipeEnds::Round {
+            let void = inner.closed(self.ends, !self.closed)?.flipped();
+            return Ok(Body { outer: outer.closed(self.ends, !self.closed)?, voids: vec![void] });
+        }
+        Ok(Body { outer: outer.with_bore(inner)?, voids: Vec::new() })
+    }
+
+    fn check_arcs(&self) -> Result<()> {
+        for arc in &self.arcs {
+            let [radius, _] = arc.radii();
+            if radius <= 0.0 {
+                return Err(Error::RadiusNotPositive { radius });
+            }
+            let (left, at) = arc.left();
+            if !(left > 0.0) {
+                return Err(Error::TubeFolds { piece: arc.source, at, left });
+            }
+        }
+        Ok(())
+    }
+
+    /// The rings between arcs, and the steps from each to the next.
+    fn rings(&self) -> (Vec<Ring>, Vec<Step>) {
+        let start = self.arcs[0].station(0.0);
+        let mut rings = vec![Ring::quarters(start, self.first_direction())];
+        let mut steps = Vec::new();
+        for (index, arc) in self.arcs.iter().enumerate() {
+            let carried = rings[index].carried(arc.station(1.0));
+            if self.closed && index + 1 == self.arcs.len() {
+                steps.push(closing(carried, &rings[0]));
+                break;
+            }
+            let respread = carried.respread();
+            rings.push(respread.unwrap_or(carried));
+            steps.push(Step { carried, next: index + 1, renumbered: 0, turned: respread.is_some() });
+        }
+        (rings, steps)
+    }
+
+    /// Across the plane of the first bend: the lines of a plane tube lie in its plane and across it.
+    fn first_direction(&self) -> Vec3 {
+        let bends = self.arcs.iter().map(|arc| arc.tangents[0].v.cross(arc.tangents[1].v));
+        bends.filter_map(|bend| if bend.length() > 1e-9 { bend.unit() } else { None }).next().unwrap_or_default()
+    }
+}
+
+/// The step to the first ring of a closed tube: to the places that are nearest.
+fn closing(carried: Ring, first: &Ring) -> Step {
+    let angles = carried.angles();
+    let apart = |renumbered: usize| {
+        let off = (0..4).map(|k| {
+            let turn = first_angle(&carried, first, (k + renumbered) % 4) - angles[k];
+            (turn + std::f64::consts::PI).rem_euclid(std::f64::consts::TAU) - std::f64::consts::PI
+        });
+        off.map(f64::abs).fold(0.0, f64::max)
+    };
+    let renumbered = (0..4).min_by(|&a, &b| apart(a).total_cmp(&apart(b))).unwrap_or(0);
+    Step { carried, next: 0, renumbered, turned: apart(renumbered) > SAME_PLACES }
+}
+
+fn first_angle(carried: &Ring, first: &Ring, place: usize) -> f64 {
+    carried.angle(first.radial(place))
+}

@@ -1,0 +1,214 @@
+//! Tubes of changing radius: exact where they are called so, within their bound elsewhere, solids in all their forms.
+
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
+use cyclide::{
+    ArcPath, Ball, Body, Circle, Frame, Lower as _, ParamSurface as _, Pipe, PipeEnds, Point2, Point3, RadiusLaw,
+    Torus, TorusSpline, Tube, Vec3, surface_joints,
+};
+use std::f64::consts::{PI, TAU};
+
+fn ball([x, y, z, r]: [f64; 4]) -> Ball {
+    Ball::new(Point3::new(x, y, z), r)
+}
+
+fn volume(body: &Body) -> f64 {
+    body.outer.volume() + body.voids.iter().map(|void| void.volume()).sum::<f64>()
+}
+
+/// Neighbours share their edges with the parameter, and tangent planes but at the rims of plane ends.
+fn is_sewn(body: &Body, gap: f64) -> bool {
+    let sewn =
+        |shell| surface_joints(shell).iter().all(|joint| joint.gap < gap && (joint.angle < 1e-9 || joint.angle > 0.5));
+    body.shells().all(sewn)
+}
+
+fn run() -> ArcPath {
+    let points = [[0.0, 0.0, 0.0], [20.0, 0.0, 0.0], [20.0, 20.0, 5.0], [0.0, 30.0, 12.0]].map(Point3::from);
+    ArcPath::rounded_polyline(&points, false, &[0.0, 6.0, 8.0, 0.0]).unwrap()
+}
+
+/// How far the points of all faces are from the envelope: on the ball of the chain nearest to them, within it of no other.
+fn off_law(body: &Body, spine: &ArcPath, law: &RadiusLaw) -> f64 {
+    let length = spine.length();
+    let count = 20_000;
+    let balls: Vec<Ball> = (0..=count)
+        .map(|k| {
+            let at = k as f64 / count as f64;
+            let mut left = at * length;
+            let arcs = spine.arcs();
+            let mut point = arcs[arcs.len() - 1].end();
+            for arc in arcs {
+                if left <= arc.length() {
+                    point = arc.point_at_length(left / arc.length());
+                    break;
+                }
+                left -= arc.length();
+            }
+            Ball::new(point, law.radius(at))
+        })
+        .collect();
+    let mut worst = 0.0_f64;
+    for face in body.outer.faces() {
+        for (s, t) in [(0.2, 0.3), (0.7, 0.5), (0.5, 0.9), (0.9, 0.1)] {
+            let p = face.surface.point(s, t);
+            let depth = balls.iter().map(|b| p.distance(b.center) - b.radius).fold(f64::INFINITY, f64::min);
+            worst = worst.max(depth.abs());
+        }
+    }
+    worst
+}
+
+#[test]
+fn cones_cylinders_and_round_ends_are_exact() {
+    let cone = Tube::through(&[ball([0.0, 0.0, 0.0, 3.0]), ball([10.0, 0.0, 0.0, 1.0])], false).unwrap();
+    // Rims at the contacts: sin of the half angle is 2/10.
+    let (sin, cos) = (0.2_f64, (1.0_f64 - 0.04).sqrt());
+    let frustum = |r0: f64, r1: f64| {
+        let (a, b, h) = (r0 * cos, r1 * cos, 10.0 + (r1 - r0) * sin);
+        PI * h / 3.0 * (a * a + a * b + b * b)
+    };
+    let cap = |r: f64, height: f64| PI * height * height * (r - height / 3.0);
+    let flat = cone.body().unwrap();
+    assert!(flat.is_solid() && (volume(&flat) / frustum(3.0, 1.0) - 1.0).abs() < 1e-12);
+    let round = cone.clone().with_ends(PipeEnds::Round).body().unwrap();
+    let caps = cap(3.0, 3.0 + 3.0 * sin) + cap(1.0, 1.0 - sin);
+    assert!((volume(&round) / (frustum(3.0, 1.0) + caps) - 1.0).abs() < 1e-12);
+    let open = cone.clone().with_ends(PipeEnds::Open).body().unwrap();
+    assert!(!open.outer.is_closed());
+    // With a wall: the difference of two cones with the same normals, and rings of cones at the ends.
+    let hollow = cone.clone().with_wall(0.5).unwrap().body().unwrap();
+    assert!(hollow.is_solid() && hollow.voids.is_empty());
+    let closed = cone.with_wall(0.5).unwrap().with_ends(PipeEnds::Round).body().unwrap();
+    assert_eq!(closed.voids.len(), 1);
+    let inner = frustum(2.5, 0.5) + cap(2.5, 2.5 + 2.5 * sin) + cap(0.5, 0.5 - 0.5 * sin);
+    assert!((volume(&closed) - (volume(&round) - inner)).abs() < 1e-10);
+}
+
+#[test]
+fn one_radius_is_the_pipe() {
+    let (spine, law) = (run(), RadiusLaw::constant(2.0).unwrap());
+    let tube = Tube::along(&spine, &law, 1e-3).unwrap();
+    assert!(tube.bound() <= 0.0);
+    let (body, pipe) = (tube.body().unwrap(), Pipe::new(2.0).unwrap().body(&spine).unwrap());
+    assert!((volume(&body) / volume(&pipe) - 1.0).abs() < 1e-12, "{} {}", volume(&body), volume(&pipe));
+    let hollow = tube.with_wall(0.3).unwrap().body().unwrap();
+    let pipe = Pipe::new(2.0).unwrap().with_wall(0.3).unwrap().body(&spine).unwrap();
+    assert!((volume(&hollow) / volume(&pipe) - 1.0).abs() < 1e-12);
+}
+
+#[test]
+fn laws_are_kept_within_the_bound() {
+    let spine = run();
+    let law = RadiusLaw::new(&[[0.0, 1.0], [0.4, 2.5], [1.0, 1.5]]).unwrap();
+    let mut arcs = 0;
+    for tolerance in [0.1, 1e-2, 1e-3, 1e-4] {
+        let tube = Tube::along(&spine, &law, tolerance).unwrap();
+        assert!(tube.bound() <= tolerance && tube.bound() > 0.0 && tube.arc_count() >= arcs);
+        arcs = tube.arc_count();
+        let body = tube.body().unwrap();
+        // The samples of the law are 2.6e-3 apart.
+        let off = off_law(&tube.clone().with_ends(PipeEnds::Open).body().unwrap(), &spine, &law);
+        assert!(off <= tube.bound() + 1e-6, "{tolerance}: {off} {}", tube.bound());
+        assert!(body.is_solid() && is_sewn(&body, 1e-12));
+    }
+    assert!(arcs < 400, "{arcs}");
+}
+
+#[test]
+fn closed_tubes_in_space_come_round() {
+    let torus = Torus::new(Frame::WORLD, 12.0, 5.0).unwrap();
+    let knot = TorusSpline::knot(&torus, [2, 3], Point2::default()).unwrap();
+    let (spine, _) = knot.to_arcs(1e-3).unwrap();
+    let law = RadiusLaw::new(&[[0.0, 1.0], [0.3, 1.6], [0.6, 0.8], [1.0, 1.0]]).unwrap();
+    let tube = Tube::along(&spine, &law, 1e-2).unwrap();
+    let body = tube.body().unwrap();
+    assert!(body.is_solid() && is_sewn(&body, 1e-11));
+    let rope = Tube::along(&spine, &RadiusLaw::constant(1.2).unwrap(), 1e-2).unwrap().body().unwrap();
+    assert!((volume(&rope) / (PI * 1.44 * spine.length()) - 1.0).abs() < 1e-9); // Pappus
+}
+
+#[test]
+fn a_ring_of_balls_is_a_whole_cyclide() {
+    // Four balls of a Dupin ring: centres on a circle here, radii linear in x, is a circle of balls.
+    let place = |angle: f64| {
+        let (x, y) = (5.0 * angle.cos(), 4.0 * angle.sin());
+        ball([x, y, 0.0, 1.5 + 0.6 * angle.cos()])
+    };
+    // On the ellipse with half axes a, b the radius d + c x/a, c² = a² - b², keeps to one cyclide: a = 5, b = sqrt(25 - 0.36).
+    let b = (25.0_f64 - 0.36).sqrt();
+    let balls: Vec<Ball> = (0..8)
+        .map(|k| {
+            let one = place(f64::from(k) * TAU / 8.0);
+            Ball::new(Point3::new(one.center.x, one.center.y * b / 4.0, 0.0), one.radius)
+        })
+        .collect();
+    let body = Tube::through(&balls, true).unwrap().body().unwrap();
+    assert!(body.is_solid());
+    for face in body.outer.faces() {
+        let p = face.surface.point(0.3, 0.6);
+        // (x² + y² + z² - d² + b²)² = 4 (a x - c d)² + 4 b² y², the ring cyclide.
+        let (a, c, d) = (5.0, 0.6, 1.5);
+        let left = (p.to_vec().length_squared() - d * d + b * b).powi(2);
+        let right = 4.0 * (a * p.x - c * d).powi(2) + 4.0 * b * b * p.y * p.y;
+        let mirrored = 4.0 * (a * p.x + c * d).powi(2) + 4.0 * b * b * p.y * p.y;
+        let off = ((left - right) / left).abs().min(((left - mirrored) / left).abs());
+        assert!(off < 1e-12, "{off}");
+    }
+}
+
+#[test]
+fn tubes_are_similar_and_reversible() {
+    let balls = [[0.0, 0.0, 0.0, 1.0], [6.0, 1.0, 0.0, 1.5], [9.0, 6.0, 3.0, 0.8], [6.0, 11.0, 4.0, 1.2]].map(ball);
+    let of = |balls: &[Ball]| volume(&Tube::through(balls, false).unwrap().body().unwrap());
+    let own = of(&balls);
+    let reversed: Vec<Ball> = balls.iter().rev().copied().collect();
+    assert!((of(&reversed) / own - 1.0).abs() < 1e-12);
+    // Radii are told with those between the balls: none of the points of faces is on a larger or smaller one.
+    let tube = Tube::through(&balls, false).unwrap();
+    let [low, high] = tube.radii();
+    assert!(low <= 0.8 && high >= 1.5 && low > 0.7 && high < 1.7, "{low} {high}");
+    for scale in [1e-9, 1e9] {
+        let scaled = balls.map(|b| Ball::new(Point3::ORIGIN + b.center.to_vec() * scale, b.radius * scale));
+        assert!((of(&scaled) / scale.powi(3) / own - 1.0).abs() < 1e-11);
+    }
+}
+
+#[test]
+fn a_horn_along_a_coil_spreads_its_places() {
+    // Lines of curvature of a growing coil crowd.
+    let balls: Vec<Ball> = (0..60)
+        .map(|k| {
+            let (angle, size) = (f64::from(k) * 0.35, (f64::from(k) * 0.035).exp());
+            ball([4.0 * size * angle.cos(), 4.0 * size * angle.sin(), 7.0 * size, 1.2 * size])
+        })
+        .collect();
+    let body = Tube::through(&balls, false).unwrap().body().unwrap();
+    assert!(body.is_solid() && is_sewn(&body, 1e-9));
+}
+
+#[test]
+fn what_folds_meets_itself_or_swallows_is_refused() {
+    let spine =
+        ArcPath::new(Circle::from_radius(Point3::ORIGIN, Vec3::Z, 3.0).unwrap().to_arcs().to_vec(), true).unwrap();
+    let wide = Tube::along(&spine, &RadiusLaw::constant(3.5).unwrap(), 1e-3).unwrap();
+    assert_eq!(wide.body().unwrap_err().reason(), "tube-folds");
+    let hairpin = [
+        [0.0, 0.0, 0.0, 1.0],
+        [10.0, 0.0, 0.0, 1.0],
+        [13.0, 0.8, 0.0, 1.0],
+        [10.0, 1.6, 0.0, 1.0],
+        [0.0, 1.6, 0.0, 1.0],
+    ];
+    let error = Tube::through(&hairpin.map(ball), false).unwrap().body().unwrap_err();
+    assert!(["pipe-meets-itself", "tube-folds"].contains(&error.reason()), "{error}");
+    let corner =
+        ArcPath::rounded_polyline(&[[0.0; 3], [5.0, 0.0, 0.0], [5.0, 5.0, 0.0]].map(Point3::from), false, &[0.0; 3]);
+    let law = RadiusLaw::constant(0.5).unwrap();
+    assert_eq!(Tube::along(&corner.unwrap(), &law, 1e-3).unwrap_err().reason(), "corner-not-mitred");
+    assert_eq!(Tube::along(&spine, &law, 0.0).unwrap_err().reason(), "parameter-out-of-range");
+    assert!(Tube::through(&[ball([0.0, 0.0, 0.0, f64::NAN]), ball([1.0, 0.0, 0.0, 1.0])], false).is_err());
+    assert!(RadiusLaw::new(&[[0.5, 1.0], [0.5, 2.0]]).is_err() && RadiusLaw::new(&[]).is_err());
+    let tube = Tube::along(&spine, &law, 1e-3).unwrap();
+    assert_eq!(tube.with_wall(0.6).unwrap_err().reason(), "parameter-out-of-range");
+}
