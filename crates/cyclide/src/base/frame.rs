@@ -44,6 +44,11 @@ impl Frame {
         Ok(Self { origin, x: y.cross(z), y, z })
     }
 
+    /// The frame of axes that are orthonormal and right-handed already.
+    pub(crate) fn of_axes(origin: Point3, [x, y, z]: [Vec3; 3]) -> Self {
+        Self { origin, x, y, z }
+    }
+
     /// Origin.
     #[must_use]
     pub fn origin(&self) -> Point3 {

@@ -86,6 +86,27 @@ pub struct CanalPart {
 }
 
 impl CanalPatch {
+    /// From `[W m, W]`, `W R` and the quaternions that turn the third axis to the normals of the contacts.
+    pub(crate) fn from_turns(center: PolynomialRow, radius: Polynomial, turns: [QuatPolynomial; 2]) -> Self {
+        Self { center, radius, turns }
+    }
+
+    /// The quaternion from the first turn to the second at `s`: the ratio of the weights of the arc between the contacts.
+    pub(crate) fn arc_ratio(&self, s: f64) -> Option<Quat> {
+        let [a, b] = self.turns.each_ref().map(|turn| turn.value(s));
+        a.inverse().map(|inverse| b * inverse)
+    }
+
+    /// `W R`.
+    pub(crate) fn radius(&self) -> &Polynomial {
+        &self.radius
+    }
+
+    /// `[W m, W]`.
+    pub(crate) fn center(&self) -> &PolynomialRow {
+        &self.center
+    }
+
     /// The patch of the concentric balls whose radii are larger by a distance: the offset surface at this distance against the normals.
     #[must_use]
     pub fn offset(&self, distance: f64) -> Self {

@@ -11,6 +11,7 @@ mod ground;
 mod light;
 mod patch;
 mod raster;
+mod rows;
 mod surface;
 #[cfg(test)]
 mod tests;
@@ -35,6 +36,7 @@ use ground::Ground;
 use light::{Lights, Rgb, screen};
 use patch::{Patch, patches};
 use raster::{Band, NOTHING, SAMPLE_COUNT, sample_place};
+use rows::side_by_side;
 use surface::{Surface, surfaces};
 use visible::Visible;
 
@@ -160,10 +162,11 @@ impl Scene<'_> {
         let mut canvas = Canvas::new(width as u32, height as u32).ok_or_else(|| picture("it has no size"))?;
         let table = Screen::new();
         raster::bands(&self.facets.corners, (width, height), |band| {
-            for row in 0..band.rows {
-                for x in 0..width {
-                    let colour = self.pixel(band, x, row);
-                    canvas.set(x, band.top + row, colour.map(|c| table.byte(c)));
+            let band: &Band = band;
+            let shade = |row| (0..width).map(|x| self.pixel(band, x, row).map(|c| table.byte(c))).collect::<Vec<_>>();
+            for (row, colours) in side_by_side(band.rows, shade).into_iter().enumerate() {
+                for (x, colour) in colours.into_iter().enumerate() {
+                    canvas.set(x, band.top + row, colour);
                     visible.add(x, band.top + row, self.object(band.seen(x, row)[0]));
                 }
             }

@@ -2,8 +2,10 @@
 //! (`docs/math/pipe-tees.md#balls`).
 
 use super::loop_piece::LoopPiece;
+use crate::base::frame::Frame;
+use crate::base::quat::Quat;
 use crate::base::vector::{Point3, Vec3};
-use crate::rational::Polynomial;
+use crate::rational::{Polynomial, PolynomialRow};
 
 /// Two cylinders in their place: the main pipe about the x axis, the branch thinner than it, its axis passing that of the main pipe nearer than
 /// their radii differ.
@@ -65,6 +67,21 @@ pub(super) struct PieceForms {
 }
 
 impl Crossing {
+    /// A row in the axes of the branch, from its foot.
+    pub(super) fn placed(&self, [x, y, z]: [Polynomial; 3], weight: Polynomial) -> PolynomialRow {
+        let (foot, [ex, ey, ez]) = (self.foot.to_vec(), self.axes);
+        let along =
+            |ex: f64, ey: f64, ez: f64, foot: f64| &(&(&x * ex) + &(&y * ey)) + &(&(&z * ez) + &(&weight * foot));
+        let rows = [along(ex.x, ey.x, ez.x, foot.x), along(ex.y, ey.y, ez.y, foot.y), along(ex.z, ey.z, ez.z, foot.z)];
+        let [x, y, z] = rows;
+        PolynomialRow([x, y, z, weight])
+    }
+
+    /// The rotation from the axes of space to those of the branch.
+    pub(super) fn turn(&self) -> Quat {
+        Frame::of_axes(self.foot, self.axes).rotation()
+    }
+
     /// The true half angle of a boosted one, up to a positive factor.
     fn unboosted(&self, [c, s]: [f64; 2]) -> [f64; 2] {
         let (sum, difference) = ((c + s) / self.boost, (c - s) * self.boost);
