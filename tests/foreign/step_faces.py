@@ -204,7 +204,9 @@ class Face:
         return np.mean([vector(BRep_Tool.Pnt_s(TopoDS.Vertex(v))) for v in distinct(self.shape, TopAbs_VERTEX)], axis=0)
 
     def area(self):
-        """Own quadrature; in a plane along the edges."""
+        """Own quadrature; in a plane and on a cylinder along the edges."""
+        if self.kind == "cylinder":
+            return self._cylinder_integrals[0]
         return self._plane_area() if self.kind == "plane" else self._integrals[0]
 
     def volume(self):
@@ -212,7 +214,34 @@ class Face:
         if self.kind == "plane":
             p, n = self.at(self.box[0], self.box[2])
             return float(np.dot(p, n) / np.linalg.norm(n)) * self._plane_area() / 3
-        return self._integrals[1]
+        return self._cylinder_integrals[1] if self.kind == "cylinder" else self._integrals[1]
+
+    @functools.cached_property
+    def _cylinder_integrals(self):
+        """Area and volume of any part of a cylinder: with height v and angle u about the axis, the integrals of r v du and of
+        r (c.e + r) v du / 3 round the face, c the origin of the axis and e the direction off it."""
+        cylinder = self.surface.Cylinder()
+        axis = cylinder.Axis()
+        origin, z = vector(axis.Location()), vector(axis.Direction())
+        radius, area, volume = cylinder.Radius(), 0.0, 0.0
+        places = np.concatenate([0.25 + 0.25 * _NODES, 0.75 + 0.25 * _NODES])
+        weights = 0.25 * np.concatenate([_WEIGHTS, _WEIGHTS])
+        for edge in self.edges:
+            curve = BRepAdaptor_Curve(edge)
+            first, last = curve.FirstParameter(), curve.LastParameter()
+            sign = -1.0 if edge.Orientation() == TopAbs_REVERSED else 1.0
+            for x, w in zip(places, weights):
+                p, d = gp_Pnt(), gp_Vec()
+                curve.D1(first + (last - first) * x, p, d)
+                v = vector(p) - origin
+                off = v - (v @ z) * z
+                step = sign * (last - first) * w * np.dot(np.cross(off, vector(d)), z) / (off @ off) * (v @ z) * radius
+                area += step
+                volume += step * (np.dot(origin, off) / radius + radius) / 3
+        p, n = self.at(self.box[0], self.box[2])
+        v = p - origin
+        outward = np.dot(n, v - (v @ z) * z) > 0
+        return abs(area), (1.0 if outward else -1.0) * math.copysign(1.0, area) * volume
 
     @functools.cached_property
     def _integrals(self):

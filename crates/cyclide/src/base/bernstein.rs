@@ -28,6 +28,27 @@ pub(crate) fn product(a: &[f64], b: &[f64]) -> Vec<f64> {
     out
 }
 
+/// The Bernstein coefficients of the square of a polynomial in two parameters, the second one fastest (degrees double).
+#[must_use]
+pub(crate) fn square_of_two(coefficients: &[f64], [p, q]: [usize; 2]) -> Vec<f64> {
+    let grid = |[p, q]: [usize; 2]| binomials(p).flat_map(move |a| binomials(q).map(move |b| a * b));
+    let scaled: Vec<f64> = coefficients.iter().zip(grid([p, q])).map(|(a, c)| a * c).collect();
+    let mut out = vec![0.0; (2 * p + 1) * (2 * q + 1)];
+    for (i, row) in scaled.chunks(q + 1).enumerate() {
+        for (k, other) in scaled.chunks(q + 1).enumerate() {
+            for (j, a) in row.iter().enumerate() {
+                for (out, b) in out[(i + k) * (2 * q + 1) + j..].iter_mut().zip(other) {
+                    *out += a * b;
+                }
+            }
+        }
+    }
+    for (out, c) in out.iter_mut().zip(grid([2 * p, 2 * q])) {
+        *out /= c;
+    }
+    out
+}
+
 /// Splits at `t` in place of the row: returns the coefficients of the left and of the right part.
 #[must_use]
 pub(crate) fn split<const D: usize>(row: &[[f64; D]], t: f64) -> (Vec<[f64; D]>, Vec<[f64; D]>) {

@@ -28,7 +28,7 @@ const LARGEST_ERROR: f64 = 1e-13;
 /// Terms of the series; those above the degree measure the error.
 const TERMS: usize = 32;
 /// What readers take.
-const LARGEST_DEGREE: usize = 25;
+pub(super) const LARGEST_DEGREE: usize = 25;
 
 /// The patch's parameter along an edge as a rational Bézier curve over the edge's own parameter.
 #[derive(Debug, Clone, PartialEq)]
@@ -54,7 +54,7 @@ impl ParameterCurve {
     pub(super) fn along_circle(arc: &Arc) -> Option<Self> {
         let quarter = 0.25 * arc.angle();
         let terms = series(|x| 0.5 + 0.5 * ((2.0 * x - 1.0) * quarter).tan() / quarter.tan());
-        let mut values = bernstein(&terms[..=degree(&terms)]);
+        let mut values = bernstein(&terms[..=degree(&terms, LARGEST_ERROR).min(LARGEST_DEGREE)]);
         let last = values.len() - 1;
         (values[0], values[last]) = (0.0, 1.0);
         Self::weighted(arc, values)
@@ -75,29 +75,34 @@ impl ParameterCurve {
     pub(super) fn write(&self, data: &mut Data, side: Side, edge: FaceEdge, range: f64) -> usize {
         let place = |x: &f64| side.place(edge.turned(*x)).into();
         let points: Vec<usize> = self.values.iter().map(|x| data.parameter_point(place(x))).collect();
-        let (degree, ends) = (points.len() - 1, points.len());
-        data.write(|out| {
-            // Writing to a string cannot fail.
-            let rational = self.weights.is_some();
-            out.push_str(if rational { "(BOUNDED_CURVE() B_SPLINE_CURVE(" } else { "B_SPLINE_CURVE_WITH_KNOTS(''," });
-            let _ = write!(out, "{degree},");
-            push_list(out, points, push_reference);
-            out.push_str(",.UNSPECIFIED.,.F.,.F.");
-            out.push_str(if rational { ") B_SPLINE_CURVE_WITH_KNOTS(" } else { "," });
-            let _ = write!(out, "({ends},{ends}),");
-            push_list(out, [0.0, range], push_step);
-            out.push_str(",.UNSPECIFIED.)");
-            if let Some(weights) = &self.weights {
-                out.push_str(" CURVE() GEOMETRIC_REPRESENTATION_ITEM() RATIONAL_B_SPLINE_CURVE(");
-                push_list(out, weights, |out, &w| push_step(out, w));
-                out.push_str(") REPRESENTATION_ITEM(''))");
-            }
-        })
+        spline(data, points, self.weights.as_deref(), range)
     }
 }
 
+/// One Bézier span over `[0, range]` with these points of the parameters.
+pub(super) fn spline(data: &mut Data, points: Vec<usize>, weights: Option<&[f64]>, range: f64) -> usize {
+    let (degree, ends) = (points.len() - 1, points.len());
+    data.write(|out| {
+        // Writing to a string cannot fail.
+        let rational = weights.is_some();
+        out.push_str(if rational { "(BOUNDED_CURVE() B_SPLINE_CURVE(" } else { "B_SPLINE_CURVE_WITH_KNOTS(''," });
+        let _ = write!(out, "{degree},");
+        push_list(out, points, push_reference);
+        out.push_str(",.UNSPECIFIED.,.F.,.F.");
+        out.push_str(if rational { ") B_SPLINE_CURVE_WITH_KNOTS(" } else { "," });
+        let _ = write!(out, "({ends},{ends}),");
+        push_list(out, [0.0, range], push_step);
+        out.push_str(",.UNSPECIFIED.)");
+        if let Some(weights) = weights {
+            out.push_str(" CURVE() GEOMETRIC_REPRESENTATION_ITEM() RATIONAL_B_SPLINE_CURVE(");
+            push_list(out, weights, |out, &w| push_step(out, w));
+            out.push_str(") REPRESENTATION_ITEM(''))");
+        }
+    })
+}
+
 /// The Chebyshev series of a function on `[0, 1]`, from its values at the zeros of the next polynomial.
-fn series(f: impl Fn(f64) -> f64) -> Vec<f64> {
+pub(super) fn series(f: impl Fn(f64) -> f64) -> Vec<f64> {
     let angle = |i: usize| std::f64::consts::PI * (i as f64 + 0.5) / TERMS as f64;
     let values: Vec<f64> = (0..TERMS).map(|i| f(0.5 + 0.5 * angle(i).cos())).collect();
     let term = |k: usize| {
@@ -107,19 +112,19 @@ fn series(f: impl Fn(f64) -> f64) -> Vec<f64> {
     (0..TERMS).map(term).collect()
 }
 
-/// The lowest degree that leaves out no more than the largest error.
-fn degree(terms: &[f64]) -> usize {
+/// The lowest degree that leaves out no more than a limit.
+pub(super) fn degree(terms: &[f64], limit: f64) -> usize {
     let mut left_out = 0.0;
     let over = |k: &usize| {
         left_out += terms[*k].abs();
-        left_out > LARGEST_ERROR
+        left_out > limit
     };
-    (1..terms.len()).rev().find(over).unwrap_or(1).min(LARGEST_DEGREE)
+    (1..terms.len()).rev().find(over).unwrap_or(1)
 }
 
 /// A Chebyshev series on `[0, 1]` in Bernstein form: Clenshaw's `b_k = c_k + 2z b_{k+1} - b_{k+2}` with `z = 2x - 1`, each
 /// a degree above the one before.
-fn bernstein(terms: &[f64]) -> Vec<f64> {
+pub(super) fn bernstein(terms: &[f64]) -> Vec<f64> {
     let (mut next, mut after) = (Vec::new(), Vec::new());
     for (k, &c) in terms.iter().enumerate().rev() {
         let factor = if k == 0 { 1.0 } else { 2.0 };

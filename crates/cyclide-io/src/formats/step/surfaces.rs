@@ -1,19 +1,21 @@
-//! The surfaces of faces: planes, cylinders, cones, spheres and tori where the patch lies on one, else exact rational
-//! biquadratics of one Bézier span.
+//! The surfaces of faces: planes, cylinders, cones, spheres and tori where the patch lies on one, planes and cylinders where
+//! a rational face does, else exact rational surfaces of one Bézier span.
 //!
 //! A face of a sphere is written as `SPHERICAL_SURFACE` only if its edges are meridians and parallels about one axis,
 //! which is then the placement's: readers find parameter curves by interpolation, and edges that are no lines of the
 //! parameters lose digits there (an octant with its poles elsewhere: parameter curves off by 3e-7 of the size, area by
 //! 6e-9). The other faces of spheres, whose circles belong to two elliptic and hyperbolic pencils, stay rational, and
-//! so do tori without a hole: `TOROIDAL_SURFACE` is for a smaller radius of the tube. The edges of all other kinds are
-//! lines of the parameters anyway. The seam is turned to the side away from the face.
+//! so do tori without a hole: `TOROIDAL_SURFACE` is for a smaller radius of the tube. The edges of patches of
+//! all other kinds are lines of the parameters anyway; those of rational faces on cylinders are written with their curves.
+//! The seam is turned to the side away from the face.
 
+use super::cylinder_curves::CylinderCurve;
 use super::data::{Data, push_list, push_reference};
 use crate::export::options::StepEdges;
 use crate::text::number::push_step;
 use cyclide::{
-    Arc, CyclidePatch, Error, FaceSurface, Frame, ParamSurface as _, PatchKind, Point3, RationalBezierSurface, Result,
-    Shell, ShellFace, Vec3,
+    Arc, CyclidePatch, EdgeCurve, Error, FaceSurface, Frame, ParamSurface as _, PatchKind, Point3,
+    RationalBezierSurface, Result, Shell, ShellFace, Vec3,
 };
 use std::fmt::Write as _;
 
@@ -27,14 +29,12 @@ const SMALLEST_HOLE: f64 = 1e-6;
 /// Angle up to which circles of a sphere are parallel to, or contain, an axis.
 const AXIS_LIMIT: f64 = 1e-10;
 
-/// The surface of a face as it is written: the kind with its placement, of a rational face a plane or the general one. Where
-/// rational edges are asked for, all but planes is rational: only there do rational edges have exact parameter curves.
+/// The surface of a face as it is written: the kind with its placement, of a rational face a plane, a cylinder or the general
+/// one. Where rational edges are asked for, all but planes is rational: only there do rational edges have exact parameter curves.
 pub(super) fn kind(shell: &Shell, face: &ShellFace, size: f64, edges: StepEdges) -> PatchKind {
     let patch = match &face.surface {
         FaceSurface::Cyclide(patch) => patch,
-        FaceSurface::Rational(surface) => {
-            return surface.plane().map_or(PatchKind::Cyclide, |frame| PatchKind::Plane { frame });
-        }
+        FaceSurface::Rational(surface) => return rational_kind(shell, face, surface, size, edges),
     };
     let kind = patch.recognise();
     let keep = match kind {
@@ -60,6 +60,28 @@ pub(super) fn kind(shell: &Shell, face: &ShellFace, size: f64, edges: StepEdges)
         PatchKind::Cyclide => false,
     };
     if keep { kind } else { PatchKind::Cyclide }
+}
+
+/// The same of a rational face. One on a cylinder is written so only if all its rational edges have curves in the cylinder's
+/// parameters: readers do not find these well enough.
+fn rational_kind(
+    shell: &Shell,
+    face: &ShellFace,
+    surface: &RationalBezierSurface,
+    size: f64,
+    edges: StepEdges,
+) -> PatchKind {
+    let kind = match edges {
+        StepEdges::Rational => surface.plane().map_or(PatchKind::Cyclide, |frame| PatchKind::Plane { frame }),
+        StepEdges::Circles => surface.recognise(),
+    };
+    let PatchKind::Cylinder { frame, radius, .. } = kind else { return kind };
+    let is_followed = |curve: &EdgeCurve| match curve {
+        EdgeCurve::Arc(_) => true,
+        EdgeCurve::Rational(curve) => CylinderCurve::of(curve, (&frame, radius), size).is_some(),
+    };
+    let mut curves = face.sides.iter().flatten().map(|side| &shell.edges()[side.edge].curve);
+    if radius <= LARGEST_RADIUS * size && curves.all(is_followed) { kind } else { PatchKind::Cyclide }
 }
 
 /// The axis about which the edges of a spherical face are meridians and parallels, if there is one.

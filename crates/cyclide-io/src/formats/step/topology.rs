@@ -1,6 +1,7 @@
 //! Bodies: vertices, edges, loops and faces, all shared, in open and closed shells.
 
 use super::curves;
+use super::cylinder_curves::CylinderCurve;
 use super::data::{Data, logical, push_list, push_reference, references, string};
 use super::integration::is_integrable;
 use super::parameter_curves::ParameterCurve;
@@ -189,17 +190,17 @@ impl<'a> Writer<'a> {
         let edge = &self.shell.edges()[index];
         let (start, end) = (self.vertex(edge.start), self.vertex(edge.end));
         let curve = match self.space_curve(index)? {
-            SpaceCurve::Rational(curve) if !self.has_uneven_face(index) => curve,
             SpaceCurve::Rational(curve) => {
-                self.on_rational_faces(index, curve, Some(&ParameterCurve::proportional()), 1.0)?
+                let along = self.has_uneven_face(index).then(ParameterCurve::proportional);
+                self.on_faces(index, curve, along.as_ref(), 1.0)?
             }
             SpaceCurve::Line(curve, arc) => {
                 let along = ParameterCurve::along_line(&arc);
-                self.on_rational_faces(index, curve, along.as_ref(), arc.chord().length())?
+                self.on_faces(index, curve, along.as_ref(), arc.chord().length())?
             }
             SpaceCurve::Circle(curve, arc) => {
                 let along = ParameterCurve::along_circle(&arc);
-                self.on_rational_faces(index, curve, along.as_ref(), arc.angle())?
+                self.on_faces(index, curve, along.as_ref(), arc.angle())?
             }
         };
         let number = self.data.write(|out| {
@@ -232,24 +233,26 @@ impl<'a> Writer<'a> {
         self.users[index].iter().any(uneven)
     }
 
-    /// A curve over `[0, range]` with the curves in the parameters of its rational faces, which readers cannot find
-    /// exactly; those of analytic surfaces, whose parameter lines circles and lines are, they can.
-    fn on_rational_faces(
-        &mut self,
-        index: usize,
-        curve: usize,
-        along: Option<&ParameterCurve>,
-        range: f64,
-    ) -> Result<usize> {
-        let Some(along) = along else { return Ok(curve) };
+    /// A curve over `[0, range]` with the curves in the parameters of its faces that readers cannot find exactly: on rational
+    /// surfaces `along`, and of rational edges on cylinders. Circles and lines are parameter lines of analytic surfaces, which they
+    /// can.
+    fn on_faces(&mut self, index: usize, curve: usize, along: Option<&ParameterCurve>, range: f64) -> Result<usize> {
         let mut found = Vec::with_capacity(2);
         for (face, side) in self.users[index].clone() {
             let Some(edge) = self.shell.faces()[face].side(side) else { continue };
-            if self.kinds[face] == PatchKind::Cyclide {
-                let (surface, _) = self.surface(face)?;
-                let curve = along.write(self.data, side, edge, range);
-                found.push(self.data.parameter_curve(surface, curve));
+            let along = along.filter(|_| self.kinds[face] == PatchKind::Cyclide);
+            let on_cylinder = self.on_cylinder(index, face);
+            if along.is_none() && on_cylinder.is_none() {
+                continue;
             }
+            // Before what refers to it.
+            let (surface, _) = self.surface(face)?;
+            let on_face = match (along, on_cylinder) {
+                (Some(along), _) => along.write(self.data, side, edge, range),
+                (None, Some(on_cylinder)) => on_cylinder.write(self.data),
+                (None, None) => continue,
+            };
+            found.push(self.data.parameter_curve(surface, on_face));
         }
         if found.is_empty() {
             return Ok(curve);
@@ -259,6 +262,16 @@ impl<'a> Writer<'a> {
             push_list(out, found, push_reference);
             out.push_str(",.CURVE_3D.)");
         }))
+    }
+
+    /// The curve of a rational edge in the parameters of a face that is written as a cylinder.
+    fn on_cylinder(&self, edge: usize, face: usize) -> Option<CylinderCurve> {
+        match (&self.kinds[face], &self.shell.edges()[edge].curve) {
+            (PatchKind::Cylinder { frame, radius, .. }, EdgeCurve::Rational(edge)) => {
+                CylinderCurve::of(edge, (frame, *radius), self.size)
+            }
+            _ => None,
+        }
     }
 
     /// A circle or a line; the rational quadratic in the parameter of the faces where the circle would lose digits, and

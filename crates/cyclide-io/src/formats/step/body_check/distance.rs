@@ -7,7 +7,7 @@ use super::{Mismatch, require};
 use crate::check::bodies::{FileEdge, FileFace, FileSurface};
 use crate::check::deviation::larger;
 use cyclide::{
-    ChainPiece, FacePart, FaceSurface, NurbsCurve, ParamCurve as _, ParamSurface as _, PatchKind, Point3,
+    ChainPiece, FacePart, FaceSurface, NurbsCurve, ParamCurve as _, ParamSurface as _, PatchKind, Point2, Point3,
     RationalBezierSurface, Side, Vec3,
 };
 
@@ -146,9 +146,35 @@ pub(super) fn check_parameters(
     require(apart <= limit || (short && apart <= arc.length()), "an edge leaves its face at equal parameters")
 }
 
-/// Holds a rational edge against its face's surface where the file says that it runs.
+/// The same of an analytic surface: rational edges have curves in the parameters of cylinders; others readers find, as
+/// circles and lines are parameter lines.
+pub(super) fn check_on_analytic(kind: &PatchKind, edge: &FileEdge, size: f64) -> Result<(), Mismatch> {
+    match (kind, &edge.curve, &edge.parameter_curve) {
+        (PatchKind::Cylinder { frame, radius, .. }, ChainPiece::Spline(curve), Some(on_face)) => {
+            let on_cylinder = |at: Point3| {
+                let (sin, cos) = at.x.sin_cos();
+                frame.to_world(Point2::new(radius * cos, radius * sin)) + frame.z() * at.y
+            };
+            check_where(on_cylinder, curve, on_face, size)
+        }
+        (_, _, None) => Ok(()),
+        _ => Err(Mismatch("a curve in the parameters of a surface that needs none")),
+    }
+}
+
+/// Holds a rational edge against its face's rational surface where the file says that it runs.
 fn check_proportional(
     surface: &RationalBezierSurface,
+    curve: &NurbsCurve,
+    on_face: &NurbsCurve,
+    size: f64,
+) -> Result<(), Mismatch> {
+    check_where(|at| surface.point(at.x, at.y), curve, on_face, size)
+}
+
+/// Holds a rational edge against a surface at the parameters that the file gives.
+fn check_where(
+    surface: impl Fn(Point3) -> Point3,
     curve: &NurbsCurve,
     on_face: &NurbsCurve,
     size: f64,
@@ -157,8 +183,7 @@ fn check_proportional(
     require(range == on_face_range, "a parameter curve has another range than its edge")?;
     let apart = |i: u32| {
         let x = range.0 + (range.1 - range.0) * parameter(i);
-        let at = on_face.point_at_knot(x);
-        surface.point(at.x, at.y).distance(curve.point_at_knot(x))
+        surface(on_face.point_at_knot(x)).distance(curve.point_at_knot(x))
     };
     let rounding = ROUNDING * curve.point_at_knot(range.0).to_vec().max_abs();
     let apart = (0..PLACES).map(apart).fold(0.0, larger);

@@ -21,7 +21,7 @@ use crate::export::face_plan::ShellPlan;
 use crate::export::parts::BodyOf;
 use border::{Border, Line, sides_with_edges};
 use cyclide::{Body, Shell};
-use distance::{Piece, check_parameters};
+use distance::{Piece, check_on_analytic, check_parameters};
 use std::collections::HashMap;
 
 /// The largest distance between surfaces, edges and vertices of each body of the file and of the model.
@@ -103,8 +103,9 @@ fn shell_deviation(shell: &Shell, plan: &ShellPlan, flip: bool, file: &FileShell
             require(shared.border.is_same(&border), "faces share an edge in the file only")?;
             shared.uses.push((index, forward));
             largest = larger(largest, piece.edge_deviation(side, border, edge));
-            if let FileSurface::Rational(surface) = &file.surface {
-                check_parameters(surface, (side, border), edge, size)?;
+            match &file.surface {
+                FileSurface::Rational(surface) => check_parameters(surface, (side, border), edge, size)?,
+                FileSurface::Analytic(kind) => check_on_analytic(kind, edge, size)?,
             }
         }
     }

@@ -8,8 +8,8 @@ use crate::export::options::ExportOptions;
 use crate::formats::step::reader::read;
 use crate::formats::{Exporter, Format};
 use cyclide::{
-    CyclidePatch, CyclidicNet, DupinCyclide, FaceGeometry as _, FacePart, Model, NetFrame, Point3, QuadGrid,
-    SurfaceObject, Vec3,
+    CyclidePatch, CyclidicNet, DupinCyclide, FaceGeometry as _, FacePart, Model, NetFrame, NurbsCurve, PatchKind,
+    PipeTee, Point3, QuadGrid, SurfaceObject, TeeBranch, TeeMain, Vec3,
 };
 
 /// More than rounding leaves of models of this size, less than anything below is wrong by.
@@ -162,4 +162,26 @@ fn lobes_are_shells_of_their_own() {
     assert_eq!(parted, Err("body 0: faces share an edge in the model only".to_owned()));
     let solid = checked(&horn(), |_, bodies| bodies[0].solid = true);
     assert_eq!(solid, Err("body 0: it is a solid in one of file and model only".to_owned()));
+}
+
+/// Rational edges on cylinders: their curves in the parameters, of which readers take the one that is told.
+#[test]
+fn curves_on_cylinders_are_held_against_their_edges() {
+    let main = TeeMain { radius: 3.0, ends: [-10.0, 10.0] };
+    let tee = PipeTee::new(main, vec![TeeBranch::upright(2.0, 9.0, 0.5)]).unwrap().made().unwrap();
+    let model = model(SurfaceObject::Body(tee.body));
+    let on_cylinder = |bodies: &mut Vec<FileBody>, change: fn(Point3) -> Point3| {
+        let is_cylinder =
+            |face: &&mut FileFace| matches!(face.surface, FileSurface::Analytic(PatchKind::Cylinder { .. }));
+        let edges = bodies[0].shells[0].faces.iter_mut().filter(is_cylinder).flat_map(|face| &mut face.edges);
+        let curve = edges.filter_map(|edge| edge.parameter_curve.as_mut()).next().unwrap();
+        let points = curve.control_points().iter().map(|&p| change(p)).collect();
+        *curve = NurbsCurve::new(curve.degree(), curve.knots().to_vec(), points, curve.weights().to_vec()).unwrap();
+    };
+    assert!(checked(&model, |_, bodies| on_cylinder(bodies, |p| p)).unwrap() < SMALL);
+    // A hundred-millionth of a turn, and of the height.
+    for change in [|p| p + Vec3::X * 1e-8, |p| p + Vec3::Y * 1e-8] as [fn(Point3) -> Point3; 2] {
+        let moved = checked(&model, |_, bodies| on_cylinder(bodies, change));
+        assert_eq!(moved, Err("body 0: an edge leaves its face at equal parameters".to_owned()));
+    }
 }

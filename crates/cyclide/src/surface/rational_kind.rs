@@ -1,0 +1,108 @@
+//! Which rational surfaces are parts of planes and of cylinders of revolution (`docs/math/patches.md#rational-surfaces`).
+
+use super::patch::PatchKind;
+use crate::base::bernstein;
+use crate::base::bounds::Aabb;
+use crate::base::frame::Frame;
+use crate::base::vector::{Point3, Vec3};
+use crate::rational::RationalBezierSurface;
+
+/// Places per parameter whose normals give the axis.
+const PLACES: u32 = 5;
+/// Normals of a cylinder are at right angles to its axis to this; it only keeps other surfaces from the proof.
+const ACROSS: f64 = 1e-8;
+/// Sine of the angle between the normals that are farthest apart: below it the axis is undetermined.
+const SMALLEST_TURN: f64 = 1e-3;
+/// How far the surface may leave the cylinder: the first of its own size, the second, rounding, of coordinates and radius.
+const LIMIT: (f64, f64) = (1e-13, 64.0 * f64::EPSILON);
+
+impl RationalBezierSurface {
+    /// The plane or the cylinder of revolution on which the surface lies, proved by its coefficients: no point is farther from
+    /// it than 1e-13 of the size of the surface and the rounding of coordinates and radius. [`PatchKind::Cyclide`] stands
+    /// for all else, for weights that are not all positive and for strips of a cylinder that turn by less than 0.001.
+    /// Source: own, see `docs/math/patches.md#rational-surfaces`.
+    ///
+    /// ```
+    /// use cyclide::{PatchKind, RationalBezierSurface};
+    /// let h = 0.5_f64.sqrt();
+    /// let rows = [[1.0, 0.0, 1.0], [h, h, h], [0.0, 1.0, 1.0]];
+    /// let rows = rows.iter().flat_map(|[x, y, w]| [[*x, *y, 0.0, *w], [*x, *y, 3.0 * w, *w]]).collect();
+    /// let quarter = RationalBezierSurface::new([2, 1], rows)?;
+    /// let PatchKind::Cylinder { radius, .. } = quarter.recognise() else { panic!("a quarter of a cylinder") };
+    /// assert!((radius - 1.0).abs() < 1e-14);
+    /// # Ok::<(), cyclide::Error>(())
+    /// ```
+    #[must_use]
+    pub fn recognise(&self) -> PatchKind {
+        if !self.has_positive_weights() {
+            return PatchKind::Cyclide;
+        }
+        if let Some(frame) = self.plane() {
+            return PatchKind::Plane { frame };
+        }
+        self.cylinder().unwrap_or(PatchKind::Cyclide)
+    }
+
+    /// The cylinder that points and normals of some places suggest, if the surface lies on it.
+    fn cylinder(&self) -> Option<PatchKind> {
+        let place = |i: u32| f64::from(i) / f64::from(PLACES - 1);
+        let places = (0..PLACES * PLACES).map(|k| (place(k / PLACES), place(k % PLACES)));
+        let (points, normals): (Vec<Point3>, Vec<Vec3>) =
+            places.map(|(s, t)| (self.point(s, t), self.unit_normal(s, t))).unzip();
+        let axis = axis(&normals)?;
+        let (radius, origin) = radius_and_centre(&points, &normals);
+        let middle = self.point(0.5, 0.5);
+        let origin = origin + axis * (middle - origin).dot(axis);
+        let frame = Frame::from_normal(origin, axis, origin - middle).ok()?;
+        let bounds = Aabb::of_points(points)?;
+        let rounding = LIMIT.1 * (bounds.max_abs() + radius.abs());
+        let limit = LIMIT.0 * bounds.diagonal() + rounding;
+        let found = PatchKind::Cylinder { frame, radius: radius.abs(), outward: radius > 0.0 };
+        self.is_on_cylinder(&frame, radius.abs(), limit).then_some(found)
+    }
+
+    /// Whether no point is farther than the limit from the cylinder about the third axis, with positive weights: with rows
+    /// `(X, Y, W)` across the axis `(X² + Y² - r² W²)/W²` is between the quotients of the coefficients, and
+    /// `|ρ - r| <= |ρ² - r²|/r`.
+    fn is_on_cylinder(&self, frame: &Frame, radius: f64, limit: f64) -> bool {
+        let local = self.seen_from(frame.origin());
+        let across = |v: Vec3| local.rows().iter().map(|[x, y, z, _]| Vec3::new(*x, *y, *z).dot(v)).collect::<Vec<_>>();
+        let weights: Vec<f64> = local.rows().iter().map(|row| row[3]).collect();
+        let square = |row: &[f64]| bernstein::square_of_two(row, self.degrees());
+        let (xx, yy, ww) = (square(&across(frame.x())), square(&across(frame.y())), square(&weights));
+        let mut off = xx.iter().zip(&yy).zip(&ww).map(|((x, y), w)| ((x + y) / w - radius * radius).abs() / radius);
+        off.all(|off| off <= limit)
+    }
+}
+
+/// The direction at right angles to all normals, from two that are far apart, up as far as it is decided.
+fn axis(normals: &[Vec3]) -> Option<Vec3> {
+    let turn = |from: Vec3| move |a: &&Vec3, b: &&Vec3| from.cross(**a).length().total_cmp(&from.cross(**b).length());
+    let first = **normals.iter().max_by(turn(*normals.first()?)).as_ref()?;
+    let second = **normals.iter().max_by(turn(first)).as_ref()?;
+    let across = first.cross(second);
+    // Not `<`: what is no number is refused too.
+    if !(across.length() >= SMALLEST_TURN) {
+        return None;
+    }
+    let axis = across.unit()?;
+    let largest = [axis.x, axis.y, axis.z].into_iter().max_by(|a, b| a.abs().total_cmp(&b.abs()))?;
+    let axis = if largest < 0.0 { -axis } else { axis };
+    normals.iter().all(|n| n.dot(axis).abs() <= ACROSS).then_some(axis)
+}
+
+/// The radius, negative where the normals point to the axis, and a point of this: least squares of `p - r n = c` across it.
+fn radius_and_centre(points: &[Point3], normals: &[Vec3]) -> (f64, Point3) {
+    let (p0, n0) = (points[0], normals[0]);
+    let share = 1.0 / points.len() as f64;
+    let sums =
+        points.iter().zip(normals).fold((Vec3::ZERO, Vec3::ZERO), |(p, n), (q, m)| (p + (*q - p0), n + (*m - n0)));
+    let (p_mean, n_mean) = (p0 + sums.0 * share, n0 + sums.1 * share);
+    let (mut up, mut down) = (0.0, 0.0);
+    for (p, n) in points.iter().zip(normals) {
+        up += (*p - p_mean).dot(*n - n_mean);
+        down += (*n - n_mean).dot(*n - n_mean);
+    }
+    let radius = up / down;
+    (radius, p_mean - n_mean * radius)
+}
