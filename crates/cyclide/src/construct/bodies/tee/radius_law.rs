@@ -155,7 +155,7 @@ pub(super) fn radii_of(crossing: &Crossing, piece: &LoopPiece) -> [f64; 2] {
     for k in 0..PARTS {
         let canal = Canal::new(crossing, &piece.part(cut(k), cut(k + 1)), 0.0);
         let (radius, weight) = (canal.radius(), &canal.forms.weight);
-        for (r, w) in paired(&radius, weight) {
+        for (r, w) in paired(radius, weight) {
             let value = if w > 0.0 { r / w } else { f64::NAN };
             if !value.is_finite() {
                 return [f64::NEG_INFINITY, f64::INFINITY];
