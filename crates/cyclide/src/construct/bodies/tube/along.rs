@@ -14,7 +14,7 @@ const SMOOTH: f64 = 1e-10;
 const LINEAR: f64 = 1e-13;
 /// Halvings of a part of the spine, and parts of all of it, at most.
 const MOST_HALVINGS: u32 = 24;
-const MOST_ARCS: usize = 20_000;
+const MOST_ARCS: usize = 100_000;
 /// Places of an arc at which its distance is measured, at first and at most.
 const PLACES: [usize; 2] = [8, 512];
 
@@ -60,7 +60,7 @@ pub(super) fn along(path: &ArcPath, law: &RadiusLaw, tolerance: f64) -> Result<A
 }
 
 fn too_many(source: usize) -> Error {
-    let (needed, remedy) = ((MOST_ARCS + 1) as f64, "use a larger tolerance");
+    let (needed, remedy) = ((MOST_ARCS + 1) as f64, "use a larger tolerance, or a curve of fewer pieces");
     Error::TooManyPieces { what: "piece", segment: Some(source), needed, cap: MOST_ARCS, remedy }
 }
 
