@@ -565,7 +565,7 @@ pub enum Error {
         /// Which ball, from 0.
         ball: usize,
     },
-    /// A tube is wider than its way bends.
+    /// A tube is wider than the bends of its way, or than the swings of its radius, allow.
     TubeFolds {
         /// Which piece of its spine, or which pair of balls, from 0.
         piece: usize,

@@ -120,7 +120,7 @@ impl std::fmt::Display for Error {
             ),
             Self::TubeFolds { piece, at, left } => write!(
                 f,
-                "the tube folds on the inner side of a bend, in piece {piece} at {}: {} of its width is left there, it must be above 0; take smaller radii or wider bends",
+                "the tube folds in piece {piece} at {}, where it bends or its radius swings faster than its width allows: {} of the width is left, it must be above 0; take smaller radii, wider bends or a slower change of the radius",
                 ShortNumber(*at),
                 ShortNumber(*left)
             ),
