@@ -405,3 +405,18 @@ fn rulings_that_cross_are_refused() {
     let ends = rows([[1.0, 0.0, 0.0], [4.0 / 3.0, 2.0 / 3.0, 0.0], [5.0 / 3.0, 5.0 / 3.0, 1.0], [2.0, 3.0, 4.0]]);
     assert!(Body::ruled([&[edge.into()], &[ends.into()]], false).is_ok());
 }
+
+#[test]
+fn rulings_are_judged_at_any_size() {
+    // Products of three lengths leave the numbers at both ends of these.
+    for size in [1e-130, 1e-100, 1e-60, 1.0, 1e60, 1e100, 1e130] {
+        let line = |from: [f64; 3], to: [f64; 3]| {
+            let at = |[x, y, z]: [f64; 3]| p(size * x, size * y, size * z);
+            [segment(at(from), at(to))]
+        };
+        let low = line([0.0, 0.0, 0.0], [10.0, 0.0, 0.0]);
+        assert!(Body::ruled([&low, &line([0.0, 3.0, 10.0], [10.0, -4.0, 12.0])], false).is_ok(), "{size:e}");
+        let against = Body::ruled([&low, &line([10.0, 0.0, 10.0], [0.0, 0.0, 10.0])], false).unwrap_err();
+        assert_eq!(against.reason(), "rulings-cross", "{size:e}");
+    }
+}

@@ -15,11 +15,13 @@ const ZERO: f64 = 1e-9;
 /// Steps in which a place between two others is found.
 const STEPS: u32 = 60;
 
-/// A ruling, with the normals at its ends.
+/// A ruling, with the normals at its ends. Directions and derivatives are taken in units of their own lengths, so that neither
+/// size nor place of the rails is seen, and no product of them leaves the numbers.
 #[derive(Debug, Clone, Copy)]
 struct Ruling {
     s: f64,
-    way: Vec3,
+    length: f64,
+    /// In units of `speed`; their directions and lengths are compared with one.
     normals: [Vec3; 2],
     /// The larger of the derivatives at its ends.
     speed: f64,
@@ -29,32 +31,33 @@ struct Ruling {
 impl Ruling {
     fn of(piece: &RailPiece, s: f64) -> Self {
         let [a, b] = piece.curves.each_ref().map(|curve| curve.as_curve().piece_jet(0, s));
-        let way = b.point - a.point;
-        let [a, b] = [a.d1, b.d1];
-        let speed = a.length().max(b.length());
-        Self { s, way, normals: [a.cross(way), b.cross(way)], speed, volume: way.dot(a.cross(b)) }
+        let ruling = b.point - a.point;
+        let way = ruling.unit().unwrap_or(Vec3::ZERO);
+        let speed = a.d1.length().max(b.d1.length());
+        let [a, b] = [a.d1, b.d1].map(|d1| if speed > 0.0 { d1 / speed } else { Vec3::ZERO });
+        Self { s, length: ruling.length(), normals: [a.cross(way), b.cross(way)], speed, volume: way.dot(a.cross(b)) }
     }
 
     /// The place along it where its normal is shortest, with the part of the longer end that is left of it.
     fn least_normal(&self) -> (f64, f64) {
         let [from, to] = self.normals;
         let (longer, turn) = (from.length().max(to.length()), from - to);
-        if longer <= ZERO * self.speed * self.way.length() {
+        if longer <= ZERO {
             return (0.5, 0.0);
         }
         let t = from.dot(turn) / turn.dot(turn).max(f64::MIN_POSITIVE);
         (t, (from - turn * t).length() / longer)
     }
 
+    /// Beyond the rounding of a normal that vanishes at an end, as those of a curve's tangents do.
     fn has_opposite_normals(&self) -> bool {
-        self.normals[0].dot(self.normals[1]) < 0.0
+        self.normals[0].dot(self.normals[1]) < 0.0 && is_inside(self.least_normal().0)
     }
 
     /// Refuses one whose normal vanishes inside, or all along.
     fn check(&self, piece: &RailPiece) -> Result<()> {
         let (t, normal) = self.least_normal();
-        let inside = t > ZERO && t < 1.0 - ZERO;
-        if inside && normal <= ZERO { Err(self.crossed(piece, t, normal)) } else { Ok(()) }
+        if is_inside(t) && normal <= ZERO { Err(self.crossed(piece, t, normal)) } else { Ok(()) }
     }
 
     fn crossed(&self, piece: &RailPiece, t: f64, normal: f64) -> Error {
@@ -63,18 +66,23 @@ impl Ruling {
     }
 }
 
+/// Whether a parameter is between the ends, and at none of them.
+fn is_inside(t: f64) -> bool {
+    t > ZERO && t < 1.0 - ZERO
+}
+
 /// Refuses a piece in which rulings cross, or curves that meet other than in its ends.
 ///
 /// # Errors
 /// `rulings-cross`.
 pub(super) fn check_rulings(piece: &RailPiece) -> Result<()> {
     let rulings: Vec<Ruling> = (0..=PLACES).map(|k| Ruling::of(piece, f64::from(k) / f64::from(PLACES))).collect();
-    let longest = rulings.iter().map(|ruling| ruling.way.length()).fold(0.0, f64::max);
-    let is_point = |ruling: &Ruling| ruling.way.length() <= ZERO * longest;
+    let longest = rulings.iter().map(|ruling| ruling.length).fold(0.0, f64::max);
+    let is_point = |ruling: &Ruling| ruling.length <= ZERO * longest;
     for around in rulings.windows(3) {
         if may_meet(around) {
             let nearest = shortest_between(piece, around[0].s, around[2].s);
-            if is_point(&nearest) && nearest.s > ZERO && nearest.s < 1.0 - ZERO {
+            if is_point(&nearest) && is_inside(nearest.s) {
                 return Err(nearest.crossed(piece, 0.5, 0.0));
             }
         }
@@ -85,7 +93,7 @@ pub(super) fn check_rulings(piece: &RailPiece) -> Result<()> {
 
 /// Whether the middle one is the shortest of three, and short enough for the curves to meet near it at their speed.
 fn may_meet(around: &[Ruling]) -> bool {
-    let [before, middle, after] = [0, 1, 2].map(|k: usize| around[k].way.length());
+    let [before, middle, after] = [0, 1, 2].map(|k: usize| around[k].length);
     let speed = around.iter().map(|ruling| ruling.speed).fold(0.0, f64::max);
     middle <= before && middle <= after && middle <= 4.0 * speed / f64::from(PLACES)
 }
@@ -106,7 +114,7 @@ fn check_between(piece: &RailPiece, [mut from, mut to]: [Ruling; 2]) -> Result<(
 
 /// The shortest ruling between two places, if their lengths have one minimum there.
 fn shortest_between(piece: &RailPiece, mut from: f64, mut to: f64) -> Ruling {
-    let length = |s: f64| Ruling::of(piece, s).way.length();
+    let length = |s: f64| Ruling::of(piece, s).length;
     for _ in 0..2 * STEPS {
         let third = (to - from) / 3.0;
         let [s0, s1] = [from + third, to - third];
