@@ -23,6 +23,8 @@ TEES = {
     "least": ([{"radius": 8, "length": 80, "blend": {"least": 4}}], {}),
     "lateral": ([{"radius": 18, "length": 100, "angle": {"degrees": 45}, "blend": 5}], {"wall": 3}),
     "offset": ([{"radius": 12, "length": 80, "angle": {"degrees": 115}, "offset": 12, "blend": LAW}], {"wall": 2, "ends": "closed"}),
+    "tapered": ([{"radius": 18, "length": 90, "angle": {"degrees": 70}, "taper": {"degrees": 5}, "offset": 5, "blend": LAW}], {"wall": 2}),
+    "wider": ([{"radius": 10, "length": 80, "angle": {"degrees": 110}, "taper": {"degrees": -9}, "offset": -4, "blend": 5}], {}),
     "manifold": (
         [
             {"radius": 14, "length": 70, "at": -55, "blend": LAW},
@@ -55,14 +57,14 @@ def radians(value, default):
 
 
 def axes(spec):
-    """Point, direction and radius of the main pipe and of every branch."""
-    found = [(np.zeros(3), np.array([1.0, 0, 0]), spec["main"]["radius"])]
+    """Point, direction, radius and taper of the main pipe and of every branch."""
+    found = [(np.zeros(3), np.array([1.0, 0, 0]), spec["main"]["radius"], 0.0)]
     for branch in spec["branches"]:
         lean, turn = radians(branch.get("angle"), math.pi / 2), radians(branch.get("azimuth"), 0.0)
         up = np.array([0, -math.sin(turn), math.cos(turn)])
         side = np.array([0, math.cos(turn), math.sin(turn)])
         way = math.cos(lean) * np.array([1.0, 0, 0]) + math.sin(lean) * up
-        found.append((branch.get("at", 0) * np.array([1.0, 0, 0]) + branch.get("offset", 0) * side, way, branch["radius"]))
+        found.append((branch.get("at", 0) * np.array([1.0, 0, 0]) + branch.get("offset", 0) * side, way, branch["radius"], radians(branch.get("taper"), 0.0)))
     return found
 
 
@@ -71,9 +73,15 @@ def is_blend(face):
 
 
 def off_axis(points, axis):
-    origin, way, _ = axis
+    origin, way, *_ = axis
     v = points - origin
     return v - (v @ way)[..., None] * way
+
+
+def off_pipe(points, pipe):
+    """Distance of points from a pipe, a cylinder or a cone."""
+    origin, way, radius, taper = pipe
+    return (np.linalg.norm(off_axis(points, pipe), axis=-1) - radius) * math.cos(taper) + (points - origin) @ way * math.sin(taper)
 
 
 def ball(points, normals, axis, depth):
@@ -108,7 +116,7 @@ def test_blends_are_envelopes_of_balls_that_touch_both_pipes(tee):
                 candidates = ball(points, sign * normals, pipes[0], depth)
                 for radius in candidates:
                     centre = points + radius[..., None] * sign * normals
-                    touches = abs(np.linalg.norm(off_axis(centre, branch), axis=-1) - branch[2] + depth - radius)
+                    touches = abs(off_pipe(centre, branch) + depth - radius)
                     # One ball for all points of a circle.
                     moves = np.linalg.norm(centre - centre[:, :1], axis=-1) + abs(radius - radius[:, :1])
                     low, high = (report["blends"][index]["radius"][k] + depth for k in ("min", "max"))

@@ -49,6 +49,12 @@ fn off_axis(p: Point3, (foot, way): (Point3, Vec3)) -> Vec3 {
     v - way * v.dot(way)
 }
 
+/// Distance of a point from a branch, a cone or a cylinder.
+fn off_branch(p: Point3, branch: &TeeBranch) -> f64 {
+    let ((foot, way), (sin, cos)) = (axis(branch), branch.taper.sin_cos());
+    (off_axis(p, (foot, way)).length() - branch.radius) * cos + (p - foot).dot(way) * sin
+}
+
 /// Outside normal of a face.
 fn normal(surface: &RationalBezierSurface, face: &ShellFace, s: f64, t: f64) -> Vec3 {
     let jet = surface.jet(s, t);
@@ -75,6 +81,9 @@ fn every_circle_of_the_blend_is_on_one_ball_that_touches_both_pipes() {
         TeeBranch { blend: law(), ..branch() },
         TeeBranch { angle: 0.8, offset: 0.7, azimuth: 2.0, at: 1.5, blend: law(), ..branch() },
         TeeBranch { radius: 1.0, angle: 2.2, offset: -0.3, blend: TeeBlend::Least(0.4), ..branch() },
+        TeeBranch { taper: 0.1, ..branch() },
+        TeeBranch { taper: -0.2, angle: 0.9, offset: 0.7, azimuth: 2.0, at: 1.5, blend: law(), ..branch() },
+        TeeBranch { radius: 1.0, taper: 0.06, angle: 2.0, offset: -0.3, blend: TeeBlend::Least(0.4), ..branch() },
     ];
     for variant in variants {
         let tee = solid(vec![variant.clone()]);
@@ -89,7 +98,7 @@ fn every_circle_of_the_blend_is_on_one_ball_that_touches_both_pipes() {
                 for (centre, radius) in found {
                     // Coordinates up to 16 and quotients of degree 12, and the slow way of the gap near its zero.
                     assert!(centre.distance(found[0].0) < 1e-10 && (radius - found[0].1).abs() < 1e-10);
-                    let touching = off_axis(centre, axis(&variant)).length() - variant.radius - radius;
+                    let touching = off_branch(centre, &variant) - radius;
                     assert!(touching.abs() < 1e-10, "{touching}");
                     assert!(radius > least - 1e-10 && radius < most + 1e-10, "{radius}");
                 }
@@ -100,12 +109,17 @@ fn every_circle_of_the_blend_is_on_one_ball_that_touches_both_pipes() {
 
 #[test]
 fn blends_are_tangent_to_both_pipes() {
-    for branches in [vec![branch()], vec![TeeBranch { angle: 1.0, offset: 0.8, blend: law(), ..branch() }]] {
+    let lateral = || TeeBranch { angle: 1.0, offset: 0.8, blend: law(), ..branch() };
+    let tapers = [0.08, -0.15].map(|taper| vec![TeeBranch { taper, ..lateral() }]);
+    for branches in [vec![branch()], vec![lateral()]].into_iter().chain(tapers) {
+        let taper = branches[0].taper;
         let tee = made(MAIN, branches, Some(0.2), TeeEnds::Flat).expect("a tee");
         let joints = surface_joints(&tee.body.outer);
         let smooth = joints.iter().filter(|joint| joint.angle < 0.1);
-        // Creases are right angles, at the rings of the ends only.
-        assert!(joints.iter().all(|joint| joint.angle < 0.1 || (joint.angle - FRAC_PI_2).abs() < 1e-9));
+        // Creases are at the rings of the ends only: right angles, and those of cones.
+        let creases = [0.0, taper, -taper].map(|lean| FRAC_PI_2 + lean);
+        let is_crease = |angle: f64| creases.iter().any(|crease| (angle - crease).abs() < 1e-9);
+        assert!(joints.iter().all(|joint| joint.angle < 0.1 || is_crease(joint.angle)));
         assert!(smooth.map(|joint| joint.angle).fold(0.0, f64::max) < 1e-8);
     }
 }
@@ -145,18 +159,70 @@ fn radii_are_those_asked_for() {
 #[test]
 fn walls_have_one_thickness_also_in_the_blend() {
     let wall = 0.25;
-    let lateral = TeeBranch { angle: 1.0, offset: 0.5, blend: law(), ..branch() };
-    let tee = made(MAIN, vec![lateral], Some(wall), TeeEnds::Closed).expect("a tee");
-    assert!(tee.body.is_solid() && tee.body.voids.len() == 1);
-    let faces = canals(&tee.body);
-    let (outer, inner) = faces.split_at(faces.len() / 2);
-    assert_eq!(outer.len(), inner.len());
-    for ((outside, face), (inside, _)) in outer.iter().zip(inner) {
-        for (s, t) in [(0.0, 0.0), (0.3, 0.4), (0.7, 1.0)] {
-            let below = outside.point(s, t) - normal(outside, face, s, t) * wall;
-            assert!(below.distance(inside.point(s, t)) < 1e-10);
+    for taper in [0.0, 0.1, -0.2] {
+        let lateral = TeeBranch { angle: 1.0, offset: 0.5, taper, blend: law(), ..branch() };
+        let tee = made(MAIN, vec![lateral], Some(wall), TeeEnds::Closed).expect("a tee");
+        assert!(tee.body.is_solid() && tee.body.voids.len() == 1);
+        let faces = canals(&tee.body);
+        let (outer, inner) = faces.split_at(faces.len() / 2);
+        assert_eq!(outer.len(), inner.len());
+        for ((outside, face), (inside, _)) in outer.iter().zip(inner) {
+            for (s, t) in [(0.0, 0.0), (0.3, 0.4), (0.7, 1.0)] {
+                let below = outside.point(s, t) - normal(outside, face, s, t) * wall;
+                assert!(below.distance(inside.point(s, t)) < 1e-10);
+            }
         }
     }
+}
+
+#[test]
+fn tapers_are_cones_to_their_ends() {
+    // Against the tee whose branch is a cylinder the volume changes by the frustum's, but for what is inside the main pipe and the blend.
+    for (taper, angle, offset) in [(0.05, 1.2, 0.3), (-0.2, 0.9, -0.4), (0.12, 2.0, 0.0)] {
+        let branch = TeeBranch { taper, angle, offset, ..branch() };
+        let tee = solid(vec![branch.clone()]);
+        assert!(tee.body.is_solid());
+        let (foot, way) = axis(&branch);
+        let end = branch.radius - branch.length * taper.tan();
+        let mut on_cone = 0;
+        for face in tee.body.outer.faces() {
+            let FaceSurface::Rational(surface) = &face.surface else { continue };
+            if surface.degrees() != [6, 1] {
+                continue;
+            }
+            on_cone += 1;
+            for (s, t) in [(0.2, 0.1), (0.5, 0.5), (0.9, 1.0)] {
+                let p = surface.point(s, t);
+                assert!(off_branch(p, &branch).abs() < 1e-13, "coordinates up to 14");
+                let out = off_axis(p, (foot, way)).unit().expect("off the axis") * taper.cos() + way * taper.sin();
+                assert!(normal(surface, face, s, t).dot(out) > 1.0 - 1e-12);
+            }
+            let top = surface.point(0.5, 1.0);
+            assert!((off_axis(top, (foot, way)).length() - end).abs() < 1e-13);
+            assert!(((top - foot).dot(way) - branch.length).abs() < 1e-13);
+        }
+        assert!(on_cone > 7);
+        // Above what the main pipe and the blend reach the branch is a frustum: cut off the same from branches of two lengths.
+        let longer = TeeBranch { length: 12.5, ..branch.clone() };
+        let more = solid(vec![longer]).body.outer.volume() - tee.body.outer.volume();
+        let last = branch.radius - 12.5 * taper.tan();
+        let frustum = PI / 3.0 * 0.5 * (end * end + end * last + last * last);
+        assert!((more - frustum).abs() < 1e-9, "{more} {frustum}: of volumes of a thousand");
+    }
+}
+
+#[test]
+fn tapers_that_leave_no_branch_are_refused() {
+    let refused = |branch| made(MAIN, vec![branch], None, TeeEnds::Flat).expect_err("no tee");
+    // It comes to a point at 12/6, at 12 and inside the main pipe.
+    assert_eq!(refused(TeeBranch { taper: 0.33, ..branch() }).reason(), "radius-not-positive");
+    assert_eq!(refused(TeeBranch { taper: (2.0_f64 / 12.0).atan(), ..branch() }).reason(), "radius-not-positive");
+    let inside = TeeBranch { taper: (2.0_f64 / 2.9).atan(), length: 2.8, ..branch() };
+    assert_eq!(refused(inside).reason(), "tee-pipe-too-short");
+    // A line of it along the main pipe.
+    let along = TeeBranch { taper: -0.5, angle: 0.52, ..branch() };
+    assert_eq!(refused(along).reason(), "angle-out-of-range");
+    assert_eq!(refused(TeeBranch { taper: -0.3, radius: 3.2, ..branch() }).reason(), "tee-branch-too-wide");
 }
 
 #[test]

@@ -47,6 +47,9 @@ fn branch(random: &mut Random, main: f64, index: usize, wild: bool) -> Value {
     if random.chance(0.5) {
         object["offset"] = json!((main - radius) * random.between(-most, most));
     }
+    if random.chance(0.3) {
+        object["taper"] = json!(if wild { random.between(-0.8, 0.8) } else { random.between(-0.2, 0.05) });
+    }
     if random.chance(0.4) {
         object["azimuth"] = json!(random.between(-7.0, 7.0));
     }

@@ -31,6 +31,7 @@ impl Builder<'_> {
     fn tee_branch(&self, spec: &TeeBranchSpec) -> Result<TeeBranch> {
         Ok(TeeBranch {
             radius: spec.radius,
+            taper: spec.taper.map_or(0.0, Angle::radians),
             length: spec.length,
             angle: spec.angle.map_or(FRAC_PI_2, Angle::radians),
             offset: spec.offset,

@@ -59,9 +59,11 @@ pub struct TeeBranchSpec {
     /// What the author remarks; read and left aside.
     #[serde(default)]
     pub comment: Comment,
-    /// Its outer radius.
+    /// Its outer radius; with a `taper` that where its axis is nearest to that of the main pipe.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub radius: f64,
+    /// The angle between its axis and its lines, a draft: above zero it grows thinner towards its end, below wider. Default 0, a cylinder.
+    pub taper: Option<Angle>,
     /// Distance of its end, along its axis, from the place nearest to the axis of the main pipe.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub length: f64,

@@ -8,6 +8,7 @@ use crate::base::quat::Quat;
 use crate::error::Result;
 use crate::rational::{Polynomial, PolynomialRow, QuatPolynomial, RationalBezier, RationalBezierSurface};
 use crate::surface::CanalPatch;
+use std::f64::consts::FRAC_PI_2;
 
 /// The canal of a piece: its balls, and the turns of the third axis into the normals at both contacts.
 pub(super) struct Canal<'a> {
@@ -18,6 +19,19 @@ pub(super) struct Canal<'a> {
     patch: CanalPatch,
 }
 
+/// A ball where it touches both pipes.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Ball {
+    /// Cosine and sine of half the angle of its contact round the branch, of length 1.
+    pub(super) on_branch: [f64; 2],
+    /// The same round the main pipe, from `up` towards `sideways`.
+    pub(super) on_main: [f64; 2],
+    /// Place of the contact along the branch, from its foot.
+    pub(super) height: f64,
+    /// Place of the contact along the main pipe.
+    pub(super) along: f64,
+}
+
 impl<'a> Canal<'a> {
     pub(super) fn new(crossing: &'a Crossing, piece: &LoopPiece, depth: f64) -> Self {
         let forms = crossing.forms(piece);
@@ -25,8 +39,9 @@ impl<'a> Canal<'a> {
         let [k0, k3] = forms.factor.clone();
         let zero = || Polynomial::constant(0.0);
         let [c, s] = &forms.on_branch;
-        // (c + s e3)(1 + e2), and kappa on its side, where it costs no degree.
-        let branch = QuatPolynomial([c.clone(), s * -1.0, c.clone(), s.clone()]);
+        // (c + s e3) and the turn of the third axis to the normal on the line c = 1; kappa on its side, where it costs no degree.
+        let (rise_sin, rise_cos) = (0.5 * (FRAC_PI_2 - crossing.taper)).sin_cos();
+        let branch = QuatPolynomial([c * rise_cos, s * -rise_sin, c * rise_sin, s * rise_cos]);
         let first = &branch * &QuatPolynomial([k0, zero(), zero(), k3]).conj();
         let [c, s] = &forms.on_main;
         let second = QuatPolynomial([c * lean_cos, s * -lean_cos, c * lean_sin, s * lean_sin]);
@@ -36,7 +51,7 @@ impl<'a> Canal<'a> {
         let sign = if first.dot(&second).coefficients().iter().sum::<f64>() < 0.0 { -1.0 } else { 1.0 };
         let even = [0.0, 1.0].map(|end| sign * first.value(end).norm() / second.value(end).norm());
         let second = &second * &Polynomial::new(even.to_vec());
-        let radius = &forms.reach + &(&forms.weight * (depth - crossing.radii[0]));
+        let radius = &forms.radius + &(&forms.weight * depth);
         let [x, y] = forms.across.clone();
         let center = crossing.placed([x, y, forms.height.clone()], forms.weight.clone());
         let patch = CanalPatch::from_turns(center, radius, [first, second]);
@@ -58,26 +73,48 @@ impl<'a> Canal<'a> {
         self.patch.arc_ratio(end)
     }
 
+    /// The place of the contact along the branch, times the weight.
+    pub(super) fn height(&self) -> Polynomial {
+        &self.forms.height + &(self.radius() * -self.crossing.taper.sin())
+    }
+
     /// The contact with the branch, of degree 6.
     pub(super) fn on_branch(&self) -> PolynomialRow {
-        let forms = &self.forms;
+        let (forms, height) = (&self.forms, self.height());
         let [c, s] = &forms.on_branch;
-        let radius = self.crossing.radii[0] - self.depth;
+        let foot = self.crossing.branch_radius(self.depth, 0.0);
+        let radius = &(&forms.weight * foot) + &(&height * -self.crossing.taper.tan());
         let norm = &(c * c) + &(s * s);
-        let across = [&(c * c) + &(&(s * s) * -1.0), &(c * s) * 2.0].map(|p| &(&p * &forms.weight) * radius);
-        let [x, y] = across;
-        self.crossing.placed([x, y, &forms.height * &norm], &forms.weight * &norm)
+        let [x, y] = [&(c * c) + &(&(s * s) * -1.0), &(c * s) * 2.0].map(|p| &p * &radius);
+        self.crossing.placed([x, y, &height * &norm], &forms.weight * &norm)
     }
 
     /// A circle of the branch at a place along it, below the contact, with its parameter and its weights.
     pub(super) fn beside_branch(&self, height: f64) -> PolynomialRow {
         let forms = &self.forms;
         let [c, s] = &forms.on_branch;
-        let radius = self.crossing.radii[0] - self.depth;
+        let radius = self.crossing.branch_radius(self.depth, height);
         let norm = &(&(c * c) + &(s * s)) * &forms.weight;
         let across = [&(c * c) + &(&(s * s) * -1.0), &(c * s) * 2.0].map(|p| &(&p * &forms.weight) * radius);
         let [x, y] = across;
         self.crossing.placed([x, y, &norm * height], norm)
+    }
+
+    /// The ball at the start.
+    pub(super) fn ball(&self) -> Ball {
+        let forms = &self.forms;
+        let unit = |half: &[Polynomial; 2]| {
+            let [c, s] = half.each_ref().map(|p| value(p, 0.0));
+            let length = c.hypot(s);
+            [c / length, s / length]
+        };
+        let weight = value(&forms.weight, 0.0);
+        Ball {
+            on_branch: unit(&forms.on_branch),
+            on_main: unit(&forms.on_main),
+            height: value(&self.height(), 0.0) / weight,
+            along: self.crossing.at + value(&forms.along, 0.0) / weight,
+        }
     }
 
     /// The centres of the balls.

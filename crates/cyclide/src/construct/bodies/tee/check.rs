@@ -84,10 +84,10 @@ pub(super) fn reach_along(crossing: &Crossing, partition: &Partition) -> [f64; 2
     reach
 }
 
-/// The farthest contact along the branch.
-fn reach_up(crossing: &Crossing, partition: &Partition) -> f64 {
-    let forms = partition.pieces.iter().map(|piece| crossing.forms(piece));
-    forms.flat_map(|forms| quotients(&forms.height, &forms.weight)).fold(f64::NEG_INFINITY, f64::max)
+/// The farthest contact along the branch, of a skin.
+fn reach_up(crossing: &Crossing, partition: &Partition, depth: f64) -> f64 {
+    let canals = partition.pieces.iter().map(|piece| Canal::new(crossing, piece, depth));
+    canals.flat_map(|canal| quotients(&canal.height(), &canal.forms.weight)).fold(f64::NEG_INFINITY, f64::max)
 }
 
 /// Values of a quotient at places of a piece close together.
@@ -110,7 +110,10 @@ impl PipeTee {
         let short = if self.ends == super::TeeEnds::Closed { self.wall.unwrap_or(0.0) } else { 0.0 };
         let rest = LEAST_REST * self.main.radius;
         for (index, branch) in placed.iter().enumerate() {
-            let needed = reach_up(&branch.crossing, &branch.partition) + LEAST_REST * branch.crossing.radii[0] + short;
+            // With a branch that grows wider the contact inside is the farther one.
+            let depths = [0.0, self.wall.unwrap_or(0.0)];
+            let up = depths.map(|depth| reach_up(&branch.crossing, &branch.partition, depth));
+            let needed = up[0].max(up[1]) + LEAST_REST * branch.crossing.radii[0] + short;
             if !(branch.length > needed) {
                 return Err(Error::TeePipeTooShort {
                     what: ErrorItem::Branch,
@@ -148,7 +151,8 @@ fn check_branches_apart(placed: &[Placed]) -> Result<()> {
     };
     for (second, b) in placed.iter().enumerate() {
         for (first, a) in placed.iter().enumerate().take(second) {
-            let needed = a.crossing.radii[0] + b.crossing.radii[0];
+            let widest = |branch: &Placed| branch.crossing.widest(branch.length);
+            let needed = widest(a) + widest(b);
             let main = a.crossing.radii[1];
             let distance = least_distance(axis(a), axis(b), main);
             if distance <= needed {

@@ -1,28 +1,36 @@
 //! A branch that stands inside the breadth of its main pipe, and the balls that touch both from outside
 //! (`docs/math/pipe-tees.md#balls`).
 
+use super::TeeBranch;
+use super::boost::Boost;
 use super::loop_piece::LoopPiece;
 use crate::base::frame::Frame;
 use crate::base::quat::Quat;
 use crate::base::vector::{Point3, Vec3};
+use crate::error::{Error, ErrorItem, Result};
 use crate::rational::{Polynomial, PolynomialRow};
+use std::f64::consts::{FRAC_PI_4, PI};
 
-/// Two cylinders in their place: the main pipe about the x axis, the branch thinner than it, its axis passing that of the main pipe nearer than
-/// their radii differ.
+/// Smallest sine of the angle between a line of a branch and its main pipe.
+const SMALLEST_SINE: f64 = 0.05;
+/// The part of what there is room for that a branch leaves at least.
+const LEAST_ROOM: f64 = 1e-6;
+
+/// Two pipes in their place: the main pipe, a cylinder about the x axis, and the branch, a cylinder or a cone thinner than it, its axis passing that of the main pipe
+/// nearer than their radii differ.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Crossing {
     /// Which branch, from 0, for what is refused of it.
     pub(super) branch: usize,
-    /// Radii of branch and main pipe.
+    /// Radii of branch and main pipe, that of the branch at its foot.
     pub(super) radii: [f64; 2],
-    /// Difference of the radii.
-    pub(super) delta: f64,
-    /// Distance of the axes as part of that, with its sign.
-    pub(super) tau: f64,
-    /// `√(1 - τ²)`.
-    pub(super) root: f64,
-    /// `((1 + τ)/(1 - τ))^¼`.
-    pub(super) boost: f64,
+    /// The angle by which the branch grows thinner.
+    pub(super) taper: f64,
+    /// Of the contacts round branch and main pipe.
+    pub(super) boosts: [Boost; 2],
+    /// What balls at infinity are told by: the weight of a ball is `(A q - B c²)(C q - D s²)/unit`.
+    pub(super) infinite: [[f64; 2]; 2],
+    pub(super) unit: f64,
     /// Sine and cosine of the angle between the axes.
     pub(super) sin: f64,
     pub(super) cos: f64,
@@ -37,28 +45,56 @@ pub(super) struct Crossing {
     pub(super) axes: [Vec3; 3],
 }
 
-/// A ball at an angle round the branch.
+/// The boosts of branch and main pipe, from the form that both have in common (`docs/math/pipe-tees.md#tapered-branches`).
+fn boosts(index: usize, main: f64, branch: &TeeBranch) -> Result<[Boost; 2]> {
+    let (sin, cos) = branch.angle.sin_cos();
+    let (taper_cos, offset) = (branch.taper.cos(), branch.offset);
+    let (delta, lean) = (main / taper_cos - branch.radius, branch.taper.tan() / sin);
+    let [across, up] = [delta.hypot(offset * lean * cos), delta.hypot(offset * lean)];
+    let taus = [-offset / across, -offset / (taper_cos * up)];
+    // On the edge of it the loop is degenerate: it comes to a point.
+    if !(delta > LEAST_ROOM * main && taus.iter().all(|tau| tau.abs() < 1.0 - LEAST_ROOM)) {
+        let reach = branch.radius + offset.abs() * ((1.0 - lean * cos) * (1.0 + lean * cos)).max(0.0).sqrt();
+        return Err(Error::TeeBranchTooWide { branch: index, reach, limit: main / taper_cos });
+    }
+    Ok([
+        Boost::new(taus[0], [delta / across, offset * lean * cos / across]),
+        Boost::new(taus[1], [delta / up, -offset * lean / up]),
+    ])
+}
+
+/// What balls at infinity are told by. Of `A`, `B`, `C`, `D` the products are given, and that `CD/AB` is `(cos w + cos ω)/(cos w - cos ω)`.
+fn infinite_balls(branch: &TeeBranch, boosts: &[Boost; 2]) -> [[f64; 2]; 2] {
+    let ((sin, cos), (taper_sin, taper_cos)) = (branch.angle.sin_cos(), branch.taper.sin_cos());
+    let [first, second] = boosts.each_ref().map(Boost::turn_cos);
+    let (whole, lean) = (first / boosts[0].root, taper_sin / sin);
+    let ac = 0.5 * second * (whole - lean);
+    let [ad, bc] = [-1.0, 1.0].map(|sign| 0.5 * first * (taper_cos * whole + sign * lean * cos));
+    let (half_sum, half_difference) = (0.5 * (branch.angle + branch.taper), 0.5 * (branch.angle - branch.taper));
+    let tangents = half_sum.tan() * half_difference.tan();
+    let scale = (ad / (ac * ac * bc) * tangents).sqrt().sqrt();
+    [[scale * ac, scale * bc], [1.0 / scale, ad / (ac * scale)]]
+}
+
+/// The quadratic of the factor k of a loop that vanishes where it has a ball of a given radius, at a boosted angle.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Ball {
-    /// Cosine and sine of half the angle of its contact round the branch, of length 1.
-    pub(super) on_branch: [f64; 2],
-    /// The same round the main pipe, from `up` towards `sideways`.
-    pub(super) on_main: [f64; 2],
-    /// Place of the contact along the branch, from its foot.
-    pub(super) height: f64,
-    /// Place of the contact along the main pipe.
-    pub(super) along: f64,
+struct FactorForm {
+    /// Of the weight and of what the radius and that of the branch come from, without the radius: `a₂k² + a₁k + a₀`.
+    weight: [f64; 3],
+    reach: [f64; 3],
+    /// Their derivatives by the angle.
+    weight_by_angle: [f64; 3],
+    reach_by_angle: [f64; 3],
 }
 
 /// What a piece of the loop says about its balls, as polynomials over it.
 pub(super) struct PieceForms {
-    /// Weight, and times it: coordinates of the centre across the branch, along the branch from the foot, along the main pipe from the foot, and the radius
-    /// of the balls with that of the branch.
+    /// Weight, and times it: coordinates of the centre across the branch, along the branch from the foot, along the main pipe from the foot, and the radius.
     pub(super) weight: Polynomial,
     pub(super) across: [Polynomial; 2],
     pub(super) height: Polynomial,
     pub(super) along: Polynomial,
-    pub(super) reach: Polynomial,
+    pub(super) radius: Polynomial,
     /// Cosine and sine of half the angles of the contacts, up to a factor.
     pub(super) on_branch: [Polynomial; 2],
     pub(super) on_main: [Polynomial; 2],
@@ -67,6 +103,48 @@ pub(super) struct PieceForms {
 }
 
 impl Crossing {
+    /// A branch in the axes of a main pipe of this radius, with walls of this thickness.
+    ///
+    /// # Errors
+    /// `angle-out-of-range` (a line of the branch along the main pipe), `radius-not-positive` (a branch that comes to an end before its own),
+    /// `tee-branch-too-wide`, `tee-pipe-too-short` (it comes to an end inside the main pipe).
+    pub(super) fn new(index: usize, main: f64, branch: &TeeBranch, wall: f64) -> Result<Self> {
+        let (sin, cos) = branch.angle.sin_cos();
+        let taper_cos = branch.taper.cos();
+        let least = SMALLEST_SINE.asin() + branch.taper.abs();
+        if !(branch.angle >= least && branch.angle <= PI - least) {
+            return Err(Error::AngleOutOfRange { angle: branch.angle, min: least, max: PI - least });
+        }
+        let end = branch.radius - branch.length * branch.taper.tan() - wall / taper_cos;
+        if !(end > 0.0) {
+            return Err(Error::RadiusNotPositive { radius: end });
+        }
+        let boosts = boosts(index, main, branch)?;
+        let (turn_sin, turn_cos) = branch.azimuth.sin_cos();
+        let up = Vec3::new(0.0, -turn_sin, turn_cos);
+        let sideways = Vec3::new(0.0, turn_cos, turn_sin);
+        let along = Vec3::X;
+        let crossing = Self {
+            branch: index,
+            radii: [branch.radius, main],
+            taper: branch.taper,
+            boosts,
+            infinite: infinite_balls(branch, &boosts),
+            unit: main - branch.radius * taper_cos,
+            sin,
+            cos,
+            at: branch.at,
+            foot: Point3::new(branch.at, 0.0, 0.0) + sideways * branch.offset,
+            sideways,
+            up,
+            axes: [along * sin - up * cos, sideways, along * cos + up * sin],
+        };
+        if crossing.has_balls() {
+            return Ok(crossing);
+        }
+        Err(Error::TeePipeTooShort { what: ErrorItem::Branch, branch: index, end: branch.length, needed: main / sin })
+    }
+
     /// A row in the axes of the branch, from its foot.
     pub(super) fn placed(&self, [x, y, z]: [Polynomial; 3], weight: Polynomial) -> PolynomialRow {
         let (foot, [ex, ey, ez]) = (self.foot.to_vec(), self.axes);
@@ -82,71 +160,100 @@ impl Crossing {
         Frame::of_axes(self.foot, self.axes).rotation()
     }
 
-    /// The true half angle of a boosted one, up to a positive factor.
-    fn unboosted(&self, [c, s]: [f64; 2]) -> [f64; 2] {
-        let (sum, difference) = ((c + s) / self.boost, (c - s) * self.boost);
-        [0.5 * (sum + difference), 0.5 * (sum - difference)]
-    }
-
-    fn unboosted_forms(&self, [c, s]: [&Polynomial; 2]) -> [Polynomial; 2] {
-        let (sum, difference) = (&(c + s) * (0.5 / self.boost), &(c + &(s * -1.0)) * (0.5 * self.boost));
-        [&sum + &difference, &sum + &(&difference * -1.0)]
-    }
-
     /// The boosted angle of a contact round the branch at the true angle.
     pub(super) fn boosted_angle(&self, angle: f64) -> f64 {
-        let (s, c) = (0.5 * angle).sin_cos();
-        let (sum, difference) = ((c + s) * self.boost, (c - s) / self.boost);
-        2.0 * (0.5 * (sum - difference)).atan2(0.5 * (sum + difference))
+        self.boosts[0].boosted_angle(angle)
     }
 
     /// The true angle of a boosted one round the branch.
     pub(super) fn true_angle(&self, boosted: f64) -> f64 {
-        let (s, c) = (0.5 * boosted).sin_cos();
-        let [c, s] = self.unboosted([c, s]);
-        2.0 * s.atan2(c)
+        self.boosts[0].true_angle(boosted)
+    }
+
+    /// The sum of the forms of five coordinates from which the radius of a ball and that of the branch come, `R + r cos w`: `cos w L + sin w h`, of
+    /// `(m₁, y, n₁, m₂, n₂)`.
+    fn reach_form(&self) -> [f64; 5] {
+        let (sin, cos) = self.taper.sin_cos();
+        let [[x, _, l], [up, ..]] = [self.boosts[0].rows(), self.boosts[1].rows()];
+        let lean = sin / self.sin;
+        [
+            lean * self.cos * x[0],
+            cos * l[1] + lean * (self.cos * x[1] + up[1]),
+            cos * l[2] + lean * self.cos * x[2],
+            lean * up[0],
+            lean * up[2],
+        ]
+    }
+
+    fn factor_form(&self, boosted: f64) -> FactorForm {
+        let (sin, cos) = boosted.sin_cos();
+        let (ss, cc, sc) = (0.5 * (1.0 - cos), 0.5 * (1.0 + cos), 0.5 * sin);
+        let (square, by_square) = (sc * sc, 0.5 * sin * cos);
+        let [[a, b], [c, d]] = self.infinite;
+        let [m1, y, n1, m2, n2] = self.reach_form();
+        FactorForm {
+            weight: [b * d * square / self.unit, -(a * d * ss + b * c * cc) / self.unit, a * c / self.unit],
+            reach: [0.5 * (n2 - m2) * square, 0.5 * (n1 + m1 * cos + y * sin), 0.5 * (n2 + m2)],
+            weight_by_angle: [b * d * by_square / self.unit, -0.5 * sin * (a * d - b * c) / self.unit, 0.0],
+            reach_by_angle: [0.5 * (n2 - m2) * by_square, 0.5 * (y * cos - m1 * sin), 0.0],
+        }
+    }
+
+    /// The radius of the branch times the cosine of its taper: what balls reach beyond their own radius.
+    fn reach_of_branch(&self) -> f64 {
+        self.radii[0] * self.taper.cos()
+    }
+
+    /// Whether there is a loop at all: the apex of a branch that grows thinner is outside the main pipe.
+    pub(super) fn has_balls(&self) -> bool {
+        let form = self.factor_form(FRAC_PI_4);
+        self.reach_of_branch() * form.weight[2] > form.reach[2]
     }
 
     /// The factor k of the loop at a boosted angle for a ball of this radius, with its derivative.
     pub(super) fn factor_of_radius(&self, boosted: f64, radius: f64, derivative: f64) -> [f64; 2] {
-        let (sin, cos) = boosted.sin_cos();
-        let reach = radius + self.radii[0];
-        let ratio = self.delta * (1.0 - self.tau * sin) / reach;
-        let by_angle = -(self.delta * self.tau * cos + ratio * derivative) / reach;
-        let root = (ratio * (2.0 + ratio) + cos * cos).sqrt();
-        let factor = 0.5 * (1.0 + ratio + root);
-        [factor, 0.5 * (by_angle + ((1.0 + ratio) * by_angle - sin * cos) / root)]
+        let form = self.factor_form(boosted);
+        let reach = radius + self.reach_of_branch();
+        let [a0, a1, a2] = std::array::from_fn(|k| reach * form.weight[k] - form.reach[k]);
+        let root = (a1 * a1 - 4.0 * a2 * a0).sqrt();
+        let factor = (root - a1) / (2.0 * a2);
+        let by_angle =
+            |k: usize| derivative * form.weight[k] + reach * form.weight_by_angle[k] - form.reach_by_angle[k];
+        [factor, -(by_angle(0) + factor * (by_angle(1) + factor * by_angle(2))) / root]
     }
 
     /// The radius of the ball at a boosted angle of a loop with this factor.
     pub(super) fn radius_of_factor(&self, boosted: f64, factor: f64) -> f64 {
-        let (sin, cos) = boosted.sin_cos();
-        // k² - k + sin²/4 without the difference of nearly equal numbers.
-        let below = (factor - 0.5) * (factor - 0.5) - 0.25 * cos * cos;
-        self.delta * factor * (1.0 - self.tau * sin) / below - self.radii[0]
+        let (sin, cos) = (0.5 * boosted).sin_cos();
+        let [[a, b], [c, d]] = self.infinite;
+        // As a product, without the difference of nearly equal numbers.
+        let weight = (a * factor - b * cos * cos) * (c * factor - d * sin * sin) / self.unit;
+        let [r0, r1, r2] = self.factor_form(boosted).reach;
+        (r0 + factor * (r1 + factor * r2)) / weight - self.reach_of_branch()
     }
 
-    /// The ball at a boosted angle where the form of the loop has this value.
-    pub(super) fn ball(&self, boosted: f64, q: f64) -> Ball {
-        let (s, c) = (0.5 * boosted).sin_cos();
-        let weight = (q - s * s) * (q - c * c) / (2.0 * self.delta * self.root);
-        let m = 0.5 * (c - s) * (c + s) * q;
-        let across = 0.5 * (q - s * c) * (q + s * c);
-        let unit = |[c, s]: [f64; 2]| {
-            let length = c.hypot(s);
-            [c / length, s / length]
-        };
-        Ball {
-            on_branch: unit(self.unboosted([c, s])),
-            on_main: unit(self.unboosted([q, s * c])),
-            height: (across + m * self.cos) / (self.sin * weight),
-            along: self.at + (m + across * self.cos) / (self.sin * weight),
+    /// The factor above which all balls of a loop are finite.
+    pub(super) fn least_factor(&self) -> f64 {
+        let [[a, b], [c, d]] = self.infinite;
+        (b / a).max(d / c)
+    }
+
+    /// The radius of the branch at a height, of a skin below the outer one by a depth.
+    pub(super) fn branch_radius(&self, depth: f64, height: f64) -> f64 {
+        if self.taper == 0.0 {
+            return self.radii[0] - depth;
         }
+        self.radii[0] - depth / self.taper.cos() - height * self.taper.tan()
     }
 
-    /// The point of the branch at a half angle and a place along it.
-    pub(super) fn branch_point(&self, radius: f64, [c, s]: [f64; 2], height: f64) -> Point3 {
-        let [x, y, z] = self.axes;
+    /// The largest radius of the branch outside the main pipe, up to a height.
+    pub(super) fn widest(&self, length: f64) -> f64 {
+        self.branch_radius(0.0, length).max(self.branch_radius(0.0, self.radii[1].min(length)))
+    }
+
+    /// The point of a skin of the branch at a half angle of length 1 and a place along it.
+    pub(super) fn branch_point(&self, depth: f64, [c, s]: [f64; 2], height: f64) -> Point3 {
+        let ([x, y, z], radius) = (self.axes, self.branch_radius(depth, height));
         self.foot + x * (radius * (c - s) * (c + s)) + y * (radius * 2.0 * c * s) + z * height
     }
 
@@ -155,22 +262,30 @@ impl Crossing {
         let [s, c] = piece.halves();
         let minus = |p: &Polynomial, q: &Polynomial| p + &(q * -1.0);
         let (ss, sc, cc, q) = (&s * &s, &s * &c, &c * &c, piece.value());
-        let (beyond_s, beyond_c) = (minus(&q, &ss), minus(&q, &cc));
-        let weight = &(&beyond_s * &beyond_c) * (0.5 / (self.delta * self.root));
-        let n = &(&(&ss + &cc) * &q) * 0.5;
-        let m = &(&minus(&cc, &ss) * &q) * 0.5;
+        let [[a, b], [e, d]] = self.infinite;
+        let (beyond_c, beyond_s) = (minus(&(&q * a), &(&cc * b)), minus(&(&q * e), &(&ss * d)));
+        let weight = &(&beyond_c * &beyond_s) * (1.0 / self.unit);
         let y = &sc * &q;
-        let across = &minus(&(&q * &q), &(&sc * &sc)) * 0.5;
-        let tangent = self.half_lean().tan();
+        let first = [&(&minus(&cc, &ss) * &q) * 0.5, y.clone(), &(&(&ss + &cc) * &q) * 0.5];
+        let (qq, square) = (&q * &q, &sc * &sc);
+        let second = [&minus(&qq, &square) * 0.5, y, &(&qq + &square) * 0.5];
+        let along = |row: [f64; 3], [m, y, n]: &[Polynomial; 3]| &(&(m * row[0]) + &(y * row[1])) + &(n * row[2]);
+        let [x_row, y_row, l_row] = self.boosts[0].rows();
+        let across = [x_row, y_row].map(|row| along(row, &first));
+        let up = along(self.boosts[1].rows()[0], &second);
+        let height = &(&up + &(&across[0] * self.cos)) * (1.0 / self.sin);
+        let (taper_sin, taper_cos) = self.taper.sin_cos();
+        let radius =
+            &(&(&along(l_row, &first) * taper_cos) + &(&height * taper_sin)) + &(&weight * -self.reach_of_branch());
         let [by_s, by_c] = piece.gradient();
         PieceForms {
-            height: &(&across + &(&m * self.cos)) * (1.0 / self.sin),
-            along: &(&m + &(&across * self.cos)) * (1.0 / self.sin),
-            reach: &(&n + &(&y * -self.tau)) * (1.0 / self.root),
-            across: [m, &(&y + &(&n * -self.tau)) * (1.0 / self.root)],
-            on_branch: self.unboosted_forms([&c, &s]),
-            on_main: self.unboosted_forms([&q, &sc]),
-            factor: [&(&beyond_c * &by_c) * (1.0 + tangent), &(&beyond_s * &by_s) * (1.0 - tangent)],
+            along: &(&across[0] + &(&up * self.cos)) * (1.0 / self.sin),
+            on_branch: self.boosts[0].halves([&c, &s]),
+            on_main: self.boosts[1].halves([&q, &sc]),
+            factor: [&beyond_c * &by_c, &beyond_s * &by_s],
+            height,
+            across,
+            radius,
             weight,
         }
     }

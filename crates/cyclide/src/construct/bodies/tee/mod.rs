@@ -7,6 +7,7 @@
 //!
 //! A wall has the same loop inside: radii of pipes less by its thickness, radii of balls larger by it, the centres stay.
 
+mod boost;
 mod canal;
 mod check;
 mod crossing;
@@ -28,9 +29,6 @@ use check::TightPlace;
 use crossing::Crossing;
 use partition::Partition;
 use skin::{Branch, Ring, Rings, Skin};
-
-/// Smallest sine of the angle between a branch and its main pipe.
-const SMALLEST_SINE: f64 = 0.05;
 
 /// The main pipe of a tee, about the x axis.
 ///
@@ -56,8 +54,10 @@ pub struct TeeMain {
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct TeeBranch {
-    /// Its outer radius, below that of the main pipe.
+    /// Its outer radius, below that of the main pipe; with a taper that at the place nearest to the axis of the main pipe.
     pub radius: f64,
+    /// Half the angle of the cone that it is: above zero it grows thinner towards its end, below wider, 0 is a cylinder.
+    pub taper: f64,
     /// Where it ends: distance along its axis from the place nearest to the axis of the main pipe.
     pub length: f64,
     /// Angle between its direction and that of the main pipe, the x axis.
@@ -78,6 +78,7 @@ impl TeeBranch {
     pub fn upright(radius: f64, length: f64, blend: f64) -> Self {
         Self {
             radius,
+            taper: 0.0,
             length,
             angle: std::f64::consts::FRAC_PI_2,
             offset: 0.0,
@@ -199,6 +200,7 @@ impl PipeTee {
         for (index, branch) in branches.iter().enumerate() {
             let numbers = [
                 (ErrorItem::Height, branch.length),
+                (ErrorItem::Angle, branch.taper),
                 (ErrorItem::Angle, branch.angle),
                 (ErrorItem::Distance, branch.offset),
                 (ErrorItem::Coordinate, branch.at),
@@ -255,7 +257,7 @@ impl PipeTee {
     }
 
     fn placed(&self, index: usize, branch: &TeeBranch) -> Result<Placed> {
-        let crossing = self.crossing(index, branch)?;
+        let crossing = Crossing::new(index, self.main.radius, branch, self.wall.unwrap_or(0.0))?;
         let pieces = branch.blend.pieces(&crossing)?;
         check::check_radii(&crossing, &pieces)?;
         let depth = self.wall.unwrap_or(0.0);
@@ -272,44 +274,6 @@ impl PipeTee {
             tightest_at: tight.angle.rem_euclid(turn) % turn,
         };
         Ok(Placed { crossing, partition, length: branch.length, reach, facts })
-    }
-
-    /// The branch in the axes of the main pipe.
-    fn crossing(&self, index: usize, branch: &TeeBranch) -> Result<Crossing> {
-        let (main, radius) = (self.main.radius, branch.radius);
-        let (sin, cos) = branch.angle.sin_cos();
-        if !(sin >= SMALLEST_SINE) {
-            let least = SMALLEST_SINE.asin();
-            return Err(Error::AngleOutOfRange { angle: branch.angle, min: least, max: std::f64::consts::PI - least });
-        }
-        let delta = main - radius;
-        // On the edge of it the loop is degenerate: it comes to a point.
-        let limit = delta * (1.0 - 1e-6);
-        if !(branch.offset.abs() < limit) || !(delta > 1e-6 * main) {
-            let offset = branch.offset.abs();
-            return Err(Error::TeeBranchTooWide { branch: index, reach: radius + offset, limit: main });
-        }
-        let tau = -branch.offset / delta;
-        let root = ((1.0 - tau) * (1.0 + tau)).sqrt();
-        let (turn_sin, turn_cos) = branch.azimuth.sin_cos();
-        let up = Vec3::new(0.0, -turn_sin, turn_cos);
-        let sideways = Vec3::new(0.0, turn_cos, turn_sin);
-        let along = Vec3::X;
-        Ok(Crossing {
-            branch: index,
-            radii: [radius, main],
-            delta,
-            tau,
-            root,
-            boost: ((1.0 + tau) / (1.0 - tau)).sqrt().sqrt(),
-            sin,
-            cos,
-            at: branch.at,
-            foot: Point3::new(branch.at, 0.0, 0.0) + sideways * branch.offset,
-            sideways,
-            up,
-            axes: [along * sin - up * cos, sideways, along * cos + up * sin],
-        })
     }
 
     /// The faces of all skins.

@@ -13,6 +13,9 @@ const MOST_PIECES: usize = 2048;
 const SAME_ANGLE: f64 = 1e-9;
 /// A blend of one radius keeps it to this part of it where no tolerance is given.
 const DEFAULT_TOLERANCE: f64 = 1e-3;
+/// Places of a loop at which its least ball is looked for, and steps in which it is found.
+const PLACES: u32 = 32;
+const HALVINGS: u32 = 60;
 
 /// The radius of the ball that blends a branch with its main pipe.
 ///
@@ -78,17 +81,38 @@ fn check_radius(radius: f64, index: usize) -> Result<()> {
     Ok(())
 }
 
-/// One form all round. At the flank `(R + r)(k - ½)² = δ (1 - |τ|) k`, and the ball in the crotch is finite for k > 1.
+/// One form all round, whose least ball has the radius. Balls shrink as the form grows.
 fn quartic(crossing: &Crossing, radius: f64) -> Result<Vec<LoopPiece>> {
-    let widest = crossing.delta * (1.0 - crossing.tau.abs());
-    let ratio = widest / (radius + crossing.radii[0]);
-    let factor = 0.5 * (1.0 + ratio + (ratio * (ratio + 2.0)).sqrt());
-    let limit = 4.0 * widest - crossing.radii[0];
-    if !(factor > 1.0) {
+    let mut low = crossing.least_factor();
+    let limit = least_of_form(crossing, low);
+    if !(radius < limit) {
         return Err(Error::TeeBlendTooLarge { branch: crossing.branch, radius, limit });
     }
+    let mut high = 2.0 * low;
+    while least_of_form(crossing, high) > radius && high.is_finite() {
+        high *= 2.0;
+    }
+    for _ in 0..HALVINGS {
+        let middle = 0.5 * (low + high);
+        if least_of_form(crossing, middle) > radius { low = middle } else { high = middle }
+    }
+    let factor = 0.5 * (low + high);
     let at = |k: u32| f64::from(k) * FRAC_PI_4;
     Ok((0..8).map(|k| LoopPiece::constant(at(k), at(k + 1), factor)).collect())
+}
+
+/// The least radius of the balls of a loop with one form.
+fn least_of_form(crossing: &Crossing, factor: f64) -> f64 {
+    let radius = |angle: f64| crossing.radius_of_factor(angle, factor);
+    let step = TAU / f64::from(PLACES);
+    let least = (0..PLACES).map(|k| f64::from(k) * step).min_by(|a, b| radius(*a).total_cmp(&radius(*b)));
+    // The least of a smooth function between three places, by thirds.
+    let (mut low, mut high) = least.map_or((0.0, 0.0), |at| (at - step, at + step));
+    for _ in 0..HALVINGS {
+        let third = (high - low) / 3.0;
+        if radius(low + third) < radius(high - third) { high -= third } else { low += third }
+    }
+    radius(0.5 * (low + high))
 }
 
 /// A ball of one radius within a tolerance: spans are halved until the bound is proved.
@@ -131,9 +155,7 @@ fn along(crossing: &Crossing, law: &Law) -> Result<Vec<LoopPiece>> {
     let node = |angle: f64| {
         let at = crossing.true_angle(angle);
         let [radius, slope] = law.at(at);
-        // df/dφ of the boost.
-        let turn = crossing.root / (1.0 - crossing.tau * angle.sin());
-        crossing.factor_of_radius(angle, radius, slope * turn)
+        crossing.factor_of_radius(angle, radius, slope * crossing.boosts[0].speed(angle))
     };
     let mut pieces = Vec::new();
     for ends in angles.windows(2) {

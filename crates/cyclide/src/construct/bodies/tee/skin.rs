@@ -1,9 +1,8 @@
 //! A skin of a tee, outer or inner: the blends, the walls of the branches, and the main pipe in stretches round their holes.
 
-use super::canal::{Canal, curve};
-use super::crossing::{Ball, Crossing};
+use super::canal::{Ball, Canal, curve};
+use super::crossing::Crossing;
 use super::cylinder::{Border, Cylinder};
-use super::loop_piece::LoopPiece;
 use super::partition::Partition;
 use crate::base::quat::Quat;
 use crate::base::vector::{Point3, Vec3};
@@ -72,14 +71,12 @@ impl Skin<'_> {
 
     /// The blend, with the vertices and edges of its contact with the branch.
     fn blend(&mut self, branch: &Branch, canals: &[Canal]) -> Result<(Hole, [Vec<usize>; 2])> {
-        let (crossing, pieces) = (branch.crossing, &branch.partition.pieces);
-        let count = pieces.len();
-        let ball = |piece: &LoopPiece| crossing.ball(piece.from, piece.factor(piece.from));
-        let balls: Vec<Ball> = pieces.iter().map(ball).collect();
+        let crossing = branch.crossing;
+        let count = canals.len();
+        let balls: Vec<Ball> = canals.iter().map(Canal::ball).collect();
         let cylinder = Cylinder::new(crossing, self.depth);
-        let radius = crossing.radii[0] - self.depth;
         let upper: Vec<Point3> =
-            balls.iter().map(|ball| crossing.branch_point(radius, ball.on_branch, ball.height)).collect();
+            balls.iter().map(|ball| crossing.branch_point(self.depth, ball.on_branch, ball.height)).collect();
         let lower: Vec<Point3> = balls.iter().map(|ball| cylinder.point(ball.on_main, ball.along)).collect();
         let [tops, contacts] =
             [&upper, &lower].map(|points| points.iter().map(|&p| self.sewing.vertex(p)).collect::<Vec<_>>());
@@ -111,9 +108,8 @@ impl Skin<'_> {
         let crossing = branch.crossing;
         let (count, height) = (canals.len(), branch.length);
         let [tops, top_edges] = on_branch;
-        let radius = crossing.radii[0] - self.depth;
         let ends: Vec<Point3> =
-            balls.iter().map(|ball| crossing.branch_point(radius, ball.on_branch, height)).collect();
+            balls.iter().map(|ball| crossing.branch_point(self.depth, ball.on_branch, height)).collect();
         let vertices: Vec<usize> = ends.iter().map(|&p| self.sewing.vertex(p)).collect();
         let axis = crossing.axes[2];
         let mut edges = Vec::new();
