@@ -213,7 +213,12 @@ def cases():
         [BRepPrimAPI_MakeCylinder(axis((-5, 0, 0), (1, 0, 0)), 2, 10).Shape(), BRepPrimAPI_MakeCone(axis((0, 0.5, 0), (0, 0, 1)), 1.5, 0.5, 5).Shape()],
         Quadric((0, 0, 0), (1, 0, 0), 2),
         Quadric((0, 0.5, 0), (0, 0, -1), 1.5, half),
-        {},
+        # The cone is 1.5 wide where the axes are nearest.
+        {
+            f"cyclide, radius to {t:.0e}": tee
+            | {"branches": [{"radius": 1.5, "taper": half, "length": 5, "offset": 0.5, "blend": {"radius": RADIUS, "tolerance": t}}]}
+            for t in (1e-3, 1e-6)
+        },
     )  # fmt: skip
 
 
