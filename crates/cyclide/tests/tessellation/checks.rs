@@ -87,7 +87,7 @@ fn surface_distance(patch: &dyn ParamSurface, p: Point3, mut s: f64, mut t: f64)
 
 /// As [`surface_distance`], slower and never running off: of each step the part that comes nearest, as the speed changes much near
 /// a pole.
-fn descent_distance(patch: &dyn ParamSurface, p: Point3, mut s: f64, mut t: f64) -> f64 {
+pub fn descent_distance(patch: &dyn ParamSurface, p: Point3, mut s: f64, mut t: f64) -> f64 {
     let mut best = patch.point(s, t).distance(p);
     for _ in 0..40 {
         let jet = patch.jet(s, t);

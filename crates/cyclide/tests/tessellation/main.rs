@@ -6,4 +6,5 @@ mod bounds;
 mod checks;
 mod closed;
 mod data;
+mod developable;
 mod mesh;

@@ -3,6 +3,7 @@
 
 mod bends;
 mod cells;
+mod developable_cells;
 mod patch;
 mod patch_cells;
 mod rational;

@@ -1,7 +1,8 @@
 //! Rational Bézier surfaces as surfaces of faces.
 
+use super::developable_cells::Developable;
 use super::rational_cells::grid_distances;
-use super::{CellDistances, FaceGeometry};
+use super::{CellDistances, FaceGeometry, LineBends};
 use crate::base::bounds::Aabb;
 use crate::base::vector::{Point3, Vec3};
 use crate::error::Result;
@@ -32,6 +33,18 @@ impl FaceGeometry for RationalBezierSurface {
     }
     fn cell_distances(&self, s: &[f64], t: &[f64], tolerance: f64) -> CellDistances {
         grid_distances(self, s, t, tolerance)
+    }
+    fn line_bends(&self, places: &[f64]) -> LineBends {
+        let Some(developable) = Developable::of(self) else {
+            return LineBends::of_places(places, |s, t| self.jet(s, t));
+        };
+        // What runs on the surface is no bend.
+        LineBends::of_places(places, |s, t| {
+            let mut jet = self.jet(s, t);
+            let normal = developable.normal(jet.point);
+            (jet.dss, jet.dtt) = (normal * jet.dss.dot(normal), normal * jet.dtt.dot(normal));
+            jet
+        })
     }
     fn is_plane_quad(&self) -> bool {
         Self::is_plane_quad(self)
