@@ -1,6 +1,7 @@
 //! One rational Bézier curve in homogeneous rows `[wx, wy, wz, w]`.
 
 use super::nurbs_curve::NurbsCurve;
+use super::{Polynomial, PolynomialRow};
 use crate::base::bernstein;
 use crate::base::jet::CurveJet;
 use crate::base::vector::{Point3, Vec3};
@@ -39,6 +40,13 @@ impl RationalBezier {
     /// As [`new`](Self::new) for rows that are finite by construction.
     pub(crate) fn from_rows_unchecked(rows: Vec<[f64; 4]>) -> Self {
         Self { rows }
+    }
+
+    /// The curve of a row of polynomials.
+    pub(crate) fn from_polynomial_row(row: &PolynomialRow) -> Self {
+        let degree = row.0.iter().map(Polynomial::degree).max().unwrap_or(0).max(1);
+        let entries = row.0.each_ref().map(|p| p.elevated(degree));
+        Self::from_rows_unchecked((0..=degree).map(|i| entries.each_ref().map(|p| p.coefficients()[i])).collect())
     }
 
     /// The rows `[wx, wy, wz, w]`.

@@ -8,6 +8,7 @@ mod ellipse_ring;
 mod input_chain;
 mod kinks;
 mod neck;
+mod pierced;
 mod pipe;
 mod planar_area;
 mod polyhedron;

@@ -3,7 +3,6 @@
 
 use super::crossing::{Crossing, PieceForms};
 use super::loop_piece::LoopPiece;
-use crate::base::bernstein;
 use crate::base::quat::Quat;
 use crate::error::Result;
 use crate::rational::{Polynomial, PolynomialRow, QuatPolynomial, RationalBezier, RationalBezierSurface};
@@ -104,42 +103,32 @@ impl<'a> Canal<'a> {
     pub(super) fn ball(&self) -> Ball {
         let forms = &self.forms;
         let unit = |half: &[Polynomial; 2]| {
-            let [c, s] = half.each_ref().map(|p| value(p, 0.0));
+            let [c, s] = half.each_ref().map(|p| p.value(0.0));
             let length = c.hypot(s);
             [c / length, s / length]
         };
-        let weight = value(&forms.weight, 0.0);
+        let weight = forms.weight.value(0.0);
         Ball {
             on_branch: unit(&forms.on_branch),
             on_main: unit(&forms.on_main),
-            height: value(&self.height(), 0.0) / weight,
-            along: self.crossing.at + value(&forms.along, 0.0) / weight,
+            height: self.height().value(0.0) / weight,
+            along: self.crossing.at + forms.along.value(0.0) / weight,
         }
     }
 
     /// The centres of the balls.
     pub(super) fn centres(&self) -> RationalBezier {
-        curve(self.patch.center())
+        RationalBezier::from_polynomial_row(self.patch.center())
     }
 
     /// The radii of the balls as a curve along x.
     pub(super) fn radii(&self) -> RationalBezier {
         let zero = Polynomial::constant(0.0);
-        curve(&PolynomialRow([self.radius().clone(), zero.clone(), zero, self.forms.weight.clone()]))
+        RationalBezier::from_polynomial_row(&PolynomialRow([
+            self.radius().clone(),
+            zero.clone(),
+            zero,
+            self.forms.weight.clone(),
+        ]))
     }
-}
-
-/// The curve of a row of polynomials.
-pub(super) fn curve(row: &PolynomialRow) -> RationalBezier {
-    let degree = row.0.iter().map(Polynomial::degree).max().unwrap_or(0).max(1);
-    let one = Polynomial::new(vec![0.0; degree + 1]);
-    let entries = row.0.each_ref().map(|p| p + &one);
-    let rows = (0..=degree).map(|i| entries.each_ref().map(|p| p.coefficients()[i])).collect();
-    RationalBezier::from_rows_unchecked(rows)
-}
-
-/// The value of a polynomial.
-pub(super) fn value(p: &Polynomial, t: f64) -> f64 {
-    let rows: Vec<[f64; 1]> = p.coefficients().iter().map(|&c| [c]).collect();
-    bernstein::eval(&rows, t)[0]
 }

@@ -7,6 +7,7 @@ use super::loop_piece::LoopPiece;
 use crate::base::frame::Frame;
 use crate::base::quat::Quat;
 use crate::base::vector::{Point3, Vec3};
+use crate::construct::bodies::pierced::Cylinder;
 use crate::error::{Error, ErrorItem, Result};
 use crate::rational::{Polynomial, PolynomialRow};
 use std::f64::consts::{FRAC_PI_4, PI};
@@ -158,6 +159,12 @@ impl Crossing {
     /// The rotation from the axes of space to those of the branch.
     pub(super) fn turn(&self) -> Quat {
         Frame::of_axes(self.foot, self.axes).rotation()
+    }
+
+    /// A skin of the main pipe.
+    pub(super) fn main_pipe(&self, depth: f64) -> Cylinder {
+        let radius = self.radii[1] - depth;
+        Cylinder { radius, origin: Point3::ORIGIN, along: Vec3::X, sideways: self.sideways, up: self.up }
     }
 
     /// The boosted angle of a contact round the branch at the true angle.

@@ -2,9 +2,8 @@
 //! other, three where one has more; exact.
 
 use super::crossing::Crossing;
-use super::cylinder::{Border, Cylinder};
-use super::skin::{Ring, Skin};
 use crate::base::vector::Vec3;
+use crate::construct::bodies::pierced::{Border, Cylinder, Ring, Skin};
 use crate::error::Result;
 use crate::rational::Polynomial;
 use std::f64::consts::{PI, TAU};
@@ -83,7 +82,7 @@ impl Skin<'_> {
     /// As [`RationalBezierSurface::new`](crate::RationalBezierSurface::new).
     pub(super) fn join(&mut self, crossings: [&Crossing; 2], rings: [&Ring; 2]) -> Result<()> {
         let [a, b] = crossings;
-        let cylinder = Cylinder::new(a, self.depth);
+        let cylinder = a.main_pipe(self.depth);
         let turn = b.up.dot(a.sideways).atan2(b.up.dot(a.up));
         let from = Walk::new(rings[0], 0.0, None);
         let to = Walk::new(rings[1], 0.5 * turn, Some(from.angles[0]));

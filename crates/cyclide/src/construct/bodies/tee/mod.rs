@@ -11,8 +11,6 @@ mod boost;
 mod canal;
 mod check;
 mod crossing;
-mod cylinder;
-mod ends;
 mod join;
 mod loop_piece;
 mod partition;
@@ -23,12 +21,13 @@ pub use radius_law::TeeBlend;
 
 use crate::base::range;
 use crate::base::vector::{Point3, Vec3};
+use crate::construct::bodies::pierced::{Ring, Skin};
 use crate::error::{Error, ErrorItem, Result};
 use crate::topology::{Body, Sewing};
 use check::TightPlace;
 use crossing::Crossing;
 use partition::Partition;
-use skin::{Branch, Ring, Rings, Skin};
+use skin::{Branch, Rings};
 
 /// The main pipe of a tee, about the x axis.
 ///

@@ -7,7 +7,7 @@ use crate::rational::RationalBezierSurface;
 
 impl Ring {
     /// The edges with the vertices at which they start and end.
-    pub(super) fn steps(&self) -> impl Iterator<Item = (usize, [usize; 2])> + '_ {
+    pub(in crate::construct::bodies) fn steps(&self) -> impl Iterator<Item = (usize, [usize; 2])> + '_ {
         let count = self.vertices.len();
         self.edges.iter().enumerate().map(move |(k, &edge)| (edge, [self.vertices[k], self.vertices[(k + 1) % count]]))
     }
@@ -25,7 +25,7 @@ impl Skin<'_> {
     }
 
     /// A disk within a ring.
-    pub(super) fn disk(&mut self, ring: &Ring, centre: Point3, outwards: Vec3) -> Result<()> {
+    pub(in crate::construct::bodies) fn disk(&mut self, ring: &Ring, centre: Point3, outwards: Vec3) -> Result<()> {
         let middle = self.sewing.vertex(centre);
         let spokes = ring.vertices.iter().map(|&v| self.sewing.segment(v, middle)).collect::<Result<Vec<_>>>()?;
         let count = spokes.len();
@@ -44,7 +44,12 @@ impl Skin<'_> {
     }
 
     /// The plane ring between two rings about one point that run side by side.
-    pub(super) fn between_rings(&mut self, outer: &Ring, inner: &Ring, outwards: Vec3) -> Result<()> {
+    pub(in crate::construct::bodies) fn between_rings(
+        &mut self,
+        outer: &Ring,
+        inner: &Ring,
+        outwards: Vec3,
+    ) -> Result<()> {
         let pairs = outer.vertices.iter().zip(&inner.vertices);
         let spokes = pairs.map(|(&a, &b)| self.sewing.segment(a, b)).collect::<Result<Vec<_>>>()?;
         let count = spokes.len();

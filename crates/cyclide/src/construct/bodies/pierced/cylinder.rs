@@ -1,9 +1,8 @@
-//! Parts of the main pipe between two borders: rulings, arcs and what is between, all exact.
+//! Parts of a pipe between two borders: rulings, arcs and what is between, all exact.
 //!
 //! A half direction `V` with the angle g is turned to the point at g by `(C² - S², 2 S C)/(C² + S²)`; between two half directions it runs linearly, and the
 //! place along the pipe too. So the part is rational, of degree 2 across where the borders are at equal places, of degree 3 otherwise.
 
-use super::crossing::Crossing;
 use crate::base::quat::Quat;
 use crate::base::vector::{Point3, Vec3};
 use crate::curve::Arc;
@@ -11,42 +10,57 @@ use crate::error::Result;
 use crate::rational::{Polynomial, PolynomialRow, RationalBezierSurface};
 use crate::topology::EdgeCurve;
 
-/// A border on the main pipe: half direction, and the place along it times the weight.
-pub(super) struct Border {
-    pub(super) half: [Polynomial; 2],
-    pub(super) along: Polynomial,
+/// A border on a pipe: half direction, and the place along it times the weight.
+pub(in crate::construct::bodies) struct Border {
+    pub(in crate::construct::bodies) half: [Polynomial; 2],
+    pub(in crate::construct::bodies) along: Polynomial,
 }
 
-/// A skin of the main pipe.
+/// A skin of a pipe. Angles are counted from `up` towards `sideways`, places along the axis from the origin; the three directions are a
+/// right-handed frame in the order along, sideways, up.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Cylinder {
-    radius: f64,
-    up: Vec3,
-    sideways: Vec3,
+pub(in crate::construct::bodies) struct Cylinder {
+    pub(in crate::construct::bodies) radius: f64,
+    pub(in crate::construct::bodies) origin: Point3,
+    pub(in crate::construct::bodies) along: Vec3,
+    pub(in crate::construct::bodies) sideways: Vec3,
+    pub(in crate::construct::bodies) up: Vec3,
 }
 
 impl Cylinder {
-    pub(super) fn new(crossing: &Crossing, depth: f64) -> Self {
-        Self { radius: crossing.radii[1] - depth, up: crossing.up, sideways: crossing.sideways }
+    /// What a point is off the axis.
+    pub(in crate::construct::bodies) fn off_axis(&self, p: Point3) -> Vec3 {
+        let way = p - self.origin;
+        way - self.along * way.dot(self.along)
+    }
+
+    /// The centre of its circle at a place.
+    pub(in crate::construct::bodies) fn centre(&self, along: f64) -> Point3 {
+        self.origin + self.along * along
     }
 
     /// The direction off the axis at a half direction.
-    pub(super) fn direction(&self, [c, s]: [f64; 2]) -> Vec3 {
+    pub(in crate::construct::bodies) fn direction(&self, [c, s]: [f64; 2]) -> Vec3 {
         (self.up * ((c - s) * (c + s)) + self.sideways * (2.0 * c * s)) / (c * c + s * s)
     }
 
-    pub(super) fn point(&self, half: [f64; 2], along: f64) -> Point3 {
-        Point3::new(along, 0.0, 0.0) + self.direction(half) * self.radius
+    pub(in crate::construct::bodies) fn point(&self, half: [f64; 2], along: f64) -> Point3 {
+        self.centre(along) + self.direction(half) * self.radius
     }
 
     /// A circle at a place, of degree twice that of its half direction.
-    pub(super) fn circle(&self, [c, s]: &[Polynomial; 2], along: f64) -> PolynomialRow {
+    pub(in crate::construct::bodies) fn circle(&self, [c, s]: &[Polynomial; 2], along: f64) -> PolynomialRow {
         let (cc, ss, sc) = (c * c, s * s, c * s);
         self.row(&(&cc + &(&ss * -1.0)), &(&sc * 2.0), &(&cc + &ss), &(&(&cc + &ss) * along))
     }
 
     /// The curve of a border, with its weight.
-    pub(super) fn border(&self, [c, s]: &[Polynomial; 2], along: &Polynomial, weight: &Polynomial) -> PolynomialRow {
+    pub(in crate::construct::bodies) fn border(
+        &self,
+        [c, s]: &[Polynomial; 2],
+        along: &Polynomial,
+        weight: &Polynomial,
+    ) -> PolynomialRow {
         let (cc, ss, sc) = (c * c, s * s, c * s);
         let norm = &cc + &ss;
         let (cos, sin) = (&(&cc + &(&ss * -1.0)) * weight, &(&sc * 2.0) * weight);
@@ -54,16 +68,19 @@ impl Cylinder {
     }
 
     fn row(&self, cos: &Polynomial, sin: &Polynomial, weight: &Polynomial, along: &Polynomial) -> PolynomialRow {
+        let (o, w) = (self.origin, self.along);
         let (u, v) = (self.up * self.radius, self.sideways * self.radius);
-        let across = |u: f64, v: f64| &(cos * u) + &(sin * v);
-        PolynomialRow([&across(u.x, v.x) + along, across(u.y, v.y), across(u.z, v.z), weight.clone()])
+        let entry = |u: f64, v: f64, w: f64, o: f64| &(&(cos * u) + &(sin * v)) + &(&(along * w) + &(weight * o));
+        let [x, y, z] =
+            [(u.x, v.x, w.x, o.x), (u.y, v.y, w.y, o.y), (u.z, v.z, w.z, o.z)].map(|(u, v, w, o)| entry(u, v, w, o));
+        PolynomialRow([x, y, z, weight.clone()])
     }
 
     /// The arc across from one half direction of length 1 to another, at one place.
     ///
     /// # Errors
     /// As [`Arc::from_weight_ratio`].
-    pub(super) fn arc(&self, ends: [Point3; 2], from: [f64; 2], to: [f64; 2]) -> Result<Arc> {
+    pub(in crate::construct::bodies) fn arc(&self, ends: [Point3; 2], from: [f64; 2], to: [f64; 2]) -> Result<Arc> {
         // What turns `up` towards `sideways`.
         let axis = self.up.cross(self.sideways);
         let [from, to] = [from, to].map(|[c, s]| Quat::from_parts(c, axis * s));
@@ -74,7 +91,7 @@ impl Cylinder {
     ///
     /// # Errors
     /// As [`RationalBezierSurface::new`].
-    pub(super) fn between(
+    pub(in crate::construct::bodies) fn between(
         &self,
         weight: &Polynomial,
         first: &Border,
@@ -113,7 +130,12 @@ impl Cylinder {
     ///
     /// # Errors
     /// As [`arc`](Self::arc).
-    pub(super) fn across(&self, ends: [Point3; 2], halves: [[f64; 2]; 2], along: [f64; 2]) -> Result<EdgeCurve> {
+    pub(in crate::construct::bodies) fn across(
+        &self,
+        ends: [Point3; 2],
+        halves: [[f64; 2]; 2],
+        along: [f64; 2],
+    ) -> Result<EdgeCurve> {
         if along[0] - along[1] == 0.0 {
             return Ok(self.arc(ends, halves[0], halves[1])?.into());
         }

@@ -1,0 +1,11 @@
+//! Pipes with holes in them: the faces round a hole whose border is a rational curve, the rings at the ends, and what closes them. All of it
+//! is exact, of four-sided faces that share edges (`docs/math/pipe-tees.md#faces`).
+
+mod cylinder;
+mod ends;
+mod lines;
+mod skin;
+
+pub(super) use cylinder::{Border, Cylinder};
+pub(super) use lines::{Hole, HolePiece, Node};
+pub(super) use skin::{Ring, Skin};
