@@ -172,6 +172,32 @@ fn tangents_nearly_against_their_chords_are_refused() {
     assert!(mesh.bound <= 1e-2 * radius);
 }
 
+#[test]
+fn chords_of_different_lengths_have_arcs_to_the_same_limit() {
+    // The chord and the tangent are at the same angle everywhere: arcs of one angle, on the circles of chords of 8 to 12 and of 8 to 80.
+    for end in [12.0, 80.0] {
+        let (first, second) =
+            ([segment(p(0.0, 0.0, 0.0), p(20.0, 0.0, 0.0))], [segment(p(0.0, 8.0, 0.0), p(20.0, end, 0.0))]);
+        for angle in [0.0101_f64, 0.02, 0.1, 0.3, 1.0] {
+            let tangent = Vec3::new(0.0, -angle.cos(), angle.sin());
+            let body = Body::circular([&first, &second], &[tangent], false).unwrap();
+            assert!(surface_joints(&body.outer).iter().all(|joint| joint.angle < 1e-7), "{end} {angle}");
+            for face in body.outer.faces() {
+                let FaceSurface::Rational(surface) = &face.surface else { panic!("a rational face") };
+                assert!(surface.has_positive_weights());
+                for (s, t) in [(0.0, 0.5), (0.3, 0.2), (0.7, 0.9)] {
+                    let q = surface.point(s, t);
+                    let chord = 8.0 + (end - 8.0) * q.x / 20.0;
+                    // In the plane of its x, on the circle through both ends whose tangent leaves the chord at π - angle.
+                    let (radius, up) = (0.5 * chord / angle.sin(), 0.5 * chord / angle.tan());
+                    let off = (q - p(q.x, 0.5 * chord, up)).length() - radius;
+                    assert!(off.abs() < 1e-9 * radius, "{end} {angle}: {off}");
+                }
+            }
+        }
+    }
+}
+
 /// Rails of all kinds: lines, arcs, a cubic with other weights, in space.
 fn rails() -> Vec<[RationalBezier; 2]> {
     let line = |a: Point3, b: Point3| RationalBezier::new(vec![[a.x, a.y, a.z, 1.0], [b.x, b.y, b.z, 1.0]]).unwrap();
@@ -418,5 +444,22 @@ fn rulings_are_judged_at_any_size() {
         assert!(Body::ruled([&low, &line([0.0, 3.0, 10.0], [10.0, -4.0, 12.0])], false).is_ok(), "{size:e}");
         let against = Body::ruled([&low, &line([10.0, 0.0, 10.0], [0.0, 0.0, 10.0])], false).unwrap_err();
         assert_eq!(against.reason(), "rulings-cross", "{size:e}");
+    }
+}
+
+#[test]
+fn rulings_that_cross_for_a_moment_are_refused() {
+    // In a plane: the normals of both ends turn round within a 250th of the piece, where the second arc turns away from the first.
+    for (start, turns) in [(0.0, 0.942), (-1.0, 0.939)] {
+        let through = |a: [f64; 3], b: [f64; 3], c: [f64; 3]| {
+            let [a, b, c] = [a, b, c].map(|[x, y, z]| p(x, y, z));
+            [EdgeCurve::from(Arc::from_three_points(a, b, c).unwrap())]
+        };
+        let first = through([0.0, 0.0, 0.0], [10.0, 2.0, 0.0], [20.0, 0.0, 0.0]);
+        let second = through([0.0, start, 0.0], [10.0, -2.0, 0.0], [20.0, 1.0, 0.0]);
+        let Error::RulingsCross { at, .. } = Body::ruled([&first, &second], false).unwrap_err() else {
+            panic!("rulings cross")
+        };
+        assert!((at[0] - turns).abs() < 3e-3, "{at:?}");
     }
 }

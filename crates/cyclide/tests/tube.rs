@@ -60,6 +60,14 @@ fn off_law(body: &Body, spine: &ArcPath, law: &RadiusLaw) -> f64 {
 }
 
 #[test]
+fn tubes_far_from_the_origin_are_made() {
+    for place in [0.0, 1e5, 1e6, 1e7, 1e8] {
+        let balls = [[0.0, 0.0, 1.0], [5.0, 0.0, 2.0], [9.0, 3.0, 1.0]].map(|[x, y, r]| ball([place + x, y, 0.0, r]));
+        assert!(Tube::through(&balls, false).unwrap().body().unwrap().is_solid(), "{place}");
+    }
+}
+
+#[test]
 fn cones_cylinders_and_round_ends_are_exact() {
     let cone = Tube::through(&[ball([0.0, 0.0, 0.0, 3.0]), ball([10.0, 0.0, 0.0, 1.0])], false).unwrap();
     // Rims at the contacts: sin of the half angle is 2/10.

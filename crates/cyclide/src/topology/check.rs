@@ -87,7 +87,9 @@ impl Shell {
         let Ok(line) = side.curve_of(surface) else { return false };
         if let (EdgeCurve::Arc(line), EdgeCurve::Arc(arc)) = (&line, edge) {
             let want = if place.forward { *arc } else { arc.reversed() }.weight_ratio();
-            return (line.weight_ratio() - want).norm() <= RATIO_LIMIT * want.norm();
+            // Of points with rounded coordinates the ratio is known as well as the chord.
+            let rounding = ROUNDINGS * f64::EPSILON * arc.start().to_vec().max_abs() / arc.chord().length();
+            return (line.weight_ratio() - want).norm() <= (RATIO_LIMIT + rounding) * want.norm();
         }
         // Two rational curves are one, with one parameter, if they agree at more places than their degrees together.
         let degree = |curve: &EdgeCurve| match curve {

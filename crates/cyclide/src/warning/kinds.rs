@@ -374,6 +374,11 @@ pub enum Warning {
         /// Distance of its end.
         end: f64,
     },
+    /// A closed profile touches the axis in one point: the solid is pinched there, its inside on both sides of one vertex.
+    Pinched {
+        /// The height of the point along the axis.
+        height: f64,
+    },
     /// A profile in a plane across the axis that it turns about: what it sweeps is a part of that plane.
     FlatRevolution,
     /// A surface between two curves bends sharply where pieces of the curves join smoothly.

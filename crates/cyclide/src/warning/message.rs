@@ -266,6 +266,11 @@ impl std::fmt::Display for Warning {
                 degrees(*angle)
             ),
             Self::OpenProfile { start, end } => write_open_profile(f, *start, *end),
+            Self::Pinched { height } => write!(
+                f,
+                "the closed profile touches the axis at the height {}, and the solid is pinched there: all around it meets itself in one point, which many programs take for no solid; keep the profile off the axis, or run it along the axis",
+                ShortNumber(*height)
+            ),
             Self::FlatRevolution => f.write_str(
                 "the profile lies in a plane across the axis, and what it sweeps is flat; for a body give it heights along the axis (points [r, 0, z] for the axis z), or take an axis in its plane",
             ),

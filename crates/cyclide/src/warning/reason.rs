@@ -50,6 +50,7 @@ impl Warning {
             Self::EllipsesCross { .. } => "ellipses-cross",
             Self::MovedToAxis { .. } => "moved-to-axis",
             Self::OpenPart { .. } | Self::OpenProfile { .. } => "open-body",
+            Self::Pinched { .. } => "pinched",
             Self::FlatRevolution => "flat-revolution",
             Self::KinksAtJoints { .. } => "kinks-at-joints",
             Self::NormalFacesBackward { .. } => "normal-faces-backward",
@@ -103,6 +104,7 @@ impl Warning {
             | Self::MovedToAxis { .. }
             | Self::OpenPart { .. }
             | Self::OpenProfile { .. }
+            | Self::Pinched { .. }
             | Self::FlatRevolution => None,
         }
     }

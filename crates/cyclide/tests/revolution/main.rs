@@ -324,6 +324,16 @@ fn what_stays_open_is_said() {
     // A sheet is what it is.
     assert_eq!(warned(&half, &square[..2], false), []);
     assert_eq!(warned(&whole(), &square[..2], false), [Warning::OpenProfile { start: 1.0, end: 2.0 }]);
+    // Pinched in a point of the axis, wherever the profile begins.
+    for start in 0..5 {
+        let mut points = [[1.0, -1.0], [2.0, -1.0], [2.0, 1.0], [1.0, 1.0], [0.0, 0.0]];
+        points.rotate_left(start);
+        let profile = chain(&points, true);
+        assert_eq!(warned(&whole(), &profile, true), [Warning::Pinched { height: 0.0 }], "{start}");
+        assert!(whole().body(&profile, true).unwrap().is_solid());
+    }
+    let twice = chain(&[[1.0, -2.0], [2.0, 0.0], [0.0, 1.0], [1.0, 0.0], [0.0, -1.0]], true);
+    assert_eq!(whole().body(&twice, true).unwrap_err().reason(), "profile-meets-itself");
     // A ring of a plane.
     assert_eq!(warned(&whole(), &square[..1], false), [Warning::FlatRevolution]);
     // Past the axis, or round it, a profile in a plane across it has places without a normal.

@@ -57,6 +57,17 @@ impl RationalBezierSurface {
     /// # Errors
     /// `degree-too-high`; `not-finite`.
     pub fn circular(first: &RationalBezier, second: &RationalBezier, tangent: [Vec3; 2]) -> Result<Self> {
+        Self::circular_evened(first, second, tangent, None)
+    }
+
+    /// The same surface with the derivatives times a factor that is linear between two values: its rows times 1, the factor and its square, another
+    /// parameter of the arcs.
+    fn circular_evened(
+        first: &RationalBezier,
+        second: &RationalBezier,
+        tangent: [Vec3; 2],
+        factors: Option<[f64; 2]>,
+    ) -> Result<Self> {
         let [a, b] = [first, second].map(|curve| PolynomialRow::of_rows(curve.rows()));
         let v = [0, 1, 2].map(|d| linear(tangent.map(|v| [v.x, v.y, v.z][d])));
         let rows = if let Some(b) = over_same_denominator(&a, &b) {
@@ -68,6 +79,14 @@ impl RationalBezierSurface {
             let c = [0, 1, 2].map(|d| &(&b.0[d] * alpha) + &(&(&a.0[d] * beta) * -1.0));
             let both = alpha * beta;
             arc_rows([&a, &b], &c, &v, [&both, alpha, &(&(alpha * alpha) * &both)])
+        };
+        let rows = match factors {
+            Some(factors) => {
+                let (one, factor) = (Polynomial::new(vec![1.0; 2]), Polynomial::new(factors.to_vec()));
+                let [first, middle, last] = rows;
+                [&first * &(&one * &one), &middle * &(&one * &factor), &last * &(&factor * &factor)]
+            }
+            None => rows,
         };
         let degree = rows.iter().flat_map(|row| &row.0).map(Polynomial::degree).max().unwrap_or(0);
         if degree > LARGEST_DEGREE {
@@ -102,10 +121,12 @@ impl RailSurface {
         let tangents = tangents_of_joints(tangents, rails[0].len(), closed)?;
         let pieces: Vec<ArcPiece> =
             rail_pieces(rails, closed)?.into_iter().map(|rails| ArcPiece::new(rails, &tangents)).collect();
-        let speed = speed(&pieces)?;
-        let parts_of_arcs = std::iter::successors(Some(1), |&n| (n < MOST_PARTS).then_some(2 * n));
+        let one = Speed::One(speed(&pieces)?);
+        let parts_of_arcs = || std::iter::successors(Some(1), |&n| (n < MOST_PARTS).then_some(2 * n));
+        // Even arcs have a higher degree: only where chords differ so much that others do not do.
+        let tries = parts_of_arcs().map(|n| (one, n)).chain(parts_of_arcs().map(|n| (Speed::Even, n)));
         let mut negative = Error::WeightNotPositive { index: 0, weight: 0.0 };
-        for count in parts_of_arcs {
+        for (speed, count) in tries {
             match cut(&pieces, speed, count) {
                 Ok(made) => {
                     made.iter().try_for_each(|(piece, surface)| piece.check_arcs(surface))?;
@@ -120,6 +141,15 @@ impl RailSurface {
         }
         Err(negative)
     }
+}
+
+/// How fast arcs start.
+#[derive(Debug, Clone, Copy)]
+enum Speed {
+    /// A factor of all tangents.
+    One(f64),
+    /// As fast as they end, by factors of the tangents that are linear over a piece.
+    Even,
 }
 
 /// A piece of the rails with the tangents at its ends.
@@ -145,14 +175,29 @@ impl ArcPiece {
     }
 
     /// The arc at its start, or (`x` = 1) at its end.
-    fn arc(&self, x: f64, speed: f64) -> Result<Arc> {
+    fn arc(&self, x: f64, speed: Speed) -> Result<Arc> {
         let [from, to] = self.rails.curves.each_ref().map(|curve| curve.point(x));
-        Arc::from_start_tangent(from, to, self.tangent(x) * speed)
+        Arc::from_start_tangent(from, to, self.tangent(x) * self.factor(x, speed))
     }
 
-    fn surface(&self, speed: f64) -> Result<RationalBezierSurface> {
+    /// The factor of the tangent at an end.
+    fn factor(&self, x: f64, speed: Speed) -> f64 {
+        match speed {
+            Speed::One(speed) => speed,
+            Speed::Even => self.chord(x).length() / self.tangent(x).length(),
+        }
+    }
+
+    fn surface(&self, speed: Speed) -> Result<RationalBezierSurface> {
         let [first, second] = self.rails.curves.each_ref().map(|curve| RationalBezier::new(rows_of(curve)));
-        RationalBezierSurface::circular(&first?, &second?, self.tangents.map(|v| v * speed))
+        let (first, second) = (first?, second?);
+        match speed {
+            Speed::One(speed) => RationalBezierSurface::circular(&first, &second, self.tangents.map(|v| v * speed)),
+            Speed::Even => {
+                let factors = [0.0, 1.0].map(|x| self.factor(x, speed));
+                RationalBezierSurface::circular_evened(&first, &second, self.tangents, Some(factors))
+            }
+        }
     }
 
     /// Refuses arcs that cross their neighbours.
@@ -221,7 +266,7 @@ fn speed(pieces: &[ArcPiece]) -> Result<f64> {
 ///
 /// # Errors
 /// `weight-not-positive` where they do not get them, with the piece; as [`RationalBezierSurface::circular`].
-fn cut(pieces: &[ArcPiece], speed: f64, count: usize) -> Result<Vec<(ArcPiece, RationalBezierSurface)>> {
+fn cut(pieces: &[ArcPiece], speed: Speed, count: usize) -> Result<Vec<(ArcPiece, RationalBezierSurface)>> {
     let mut made = Vec::with_capacity(pieces.len());
     let mut waiting: Vec<(ArcPiece, u32)> = pieces.iter().rev().map(|piece| (piece.clone(), 0)).collect();
     while let Some((piece, halvings)) = waiting.pop() {
@@ -249,7 +294,7 @@ fn part(k: usize, count: usize) -> [f64; 2] {
     [k as f64 / count as f64, (k + 1) as f64 / count as f64]
 }
 
-fn sewn(made: &[(ArcPiece, RationalBezierSurface)], speed: f64, count: usize, closed: bool) -> Result<Body> {
+fn sewn(made: &[(ArcPiece, RationalBezierSurface)], speed: Speed, count: usize, closed: bool) -> Result<Body> {
     let mut bands = Bands::default();
     let mut from: Option<super::bands::Ring> = None;
     for k in 0..=count {

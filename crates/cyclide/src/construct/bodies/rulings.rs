@@ -98,18 +98,37 @@ fn may_meet(around: &[Ruling]) -> bool {
     middle <= before && middle <= after && middle <= 4.0 * speed / f64::from(PLACES)
 }
 
-/// Refuses a ruling between two whose volumes have different signs.
-fn check_between(piece: &RailPiece, [mut from, mut to]: [Ruling; 2]) -> Result<()> {
+/// Refuses a ruling between two whose volumes have different signs, or between the places at which the normals of both ends turn round: in a
+/// plane rulings cross between these, however near they are, and volumes say nothing.
+fn check_between(piece: &RailPiece, [from, to]: [Ruling; 2]) -> Result<()> {
+    let turns = [0, 1].map(|end: usize| {
+        let ahead = |ruling: &Ruling| from.normals[end].dot(ruling.normals[end]) >= 0.0;
+        (!ahead(&to)).then(|| change(piece, [from, to], ahead).s)
+    });
+    let [Some(first), Some(second)] = turns else { return check_volumes(piece, [from, to]) };
+    let middle = Ruling::of(piece, 0.5 * (first + second));
+    middle.check(piece)?;
+    check_volumes(piece, [from, middle])?;
+    check_volumes(piece, [middle, to])
+}
+
+fn check_volumes(piece: &RailPiece, [from, to]: [Ruling; 2]) -> Result<()> {
     let opposite = from.has_opposite_normals() && to.has_opposite_normals();
     if !opposite || from.volume * to.volume >= 0.0 {
         return Ok(());
     }
+    let found = change(piece, [from, to], |ruling| (ruling.volume < 0.0) == (from.volume < 0.0));
+    let (t, normal) = found.least_normal();
+    if found.has_opposite_normals() { Err(found.crossed(piece, t, normal)) } else { Ok(()) }
+}
+
+/// The first ruling found between two of which something ceases to hold.
+fn change(piece: &RailPiece, [mut from, mut to]: [Ruling; 2], holds: impl Fn(&Ruling) -> bool) -> Ruling {
     for _ in 0..STEPS {
         let middle = Ruling::of(piece, 0.5 * (from.s + to.s));
-        if (middle.volume < 0.0) == (from.volume < 0.0) { from = middle } else { to = middle }
+        if holds(&middle) { from = middle } else { to = middle }
     }
-    let (t, normal) = to.least_normal();
-    if to.has_opposite_normals() { Err(to.crossed(piece, t, normal)) } else { Ok(()) }
+    to
 }
 
 /// The shortest ruling between two places, if their lengths have one minimum there.

@@ -177,7 +177,7 @@ impl Revolution {
     }
 
     /// What should be known of that which profiles sweep, each with the number of the profile: ends that were moved onto the axis
-    /// (`moved-to-axis`), a profile in a plane across the axis (`flat-revolution`), a surface that stays open although its profile
+    /// (`moved-to-axis`), a profile in a plane across the axis (`flat-revolution`), a closed profile that touches the axis (`pinched`), a surface that stays open although its profile
     /// goes round an area (a part of a turn without end faces: in no half plane of the axis, or meeting itself or another one), or although the turn is whole (`open-body`).
     ///
     /// # Errors
@@ -204,6 +204,9 @@ impl Revolution {
     /// Warnings of a profile that has end faces, or needs none.
     fn warnings_of(&self, profile: &Profile, ended: bool) -> impl Iterator<Item = Warning> + use<> {
         let moved = profile.moved.map(|[distance, limit]| Warning::MovedToAxis { distance, limit });
+        let pinch = profile.pinches().first().map(|&k| profile.joints[k].point);
+        let pinched =
+            pinch.filter(|_| self.is_whole() && !profile.flat).map(|p| Warning::Pinched { height: self.height(p) });
         let open = if profile.flat {
             Some(Warning::FlatRevolution)
         } else if profile.encloses() {
@@ -212,7 +215,7 @@ impl Revolution {
             let [start, end] = profile.ends_off_axis(self);
             self.is_whole().then_some(Warning::OpenProfile { start, end })
         };
-        moved.into_iter().chain(open)
+        moved.into_iter().chain(pinched).chain(open)
     }
 
     fn profile(&self, pieces: &[EdgeCurve], closed: bool) -> Result<Profile> {
@@ -224,6 +227,10 @@ impl Revolution {
 
     /// What a profile sweeps in a whole turn, outside outwards where it is closed.
     fn whole_shell(&self, profile: &Profile) -> Result<Shell> {
+        if let [first, .., second] = profile.pinches()[..] {
+            let height = self.height(profile.joints[second].point);
+            return Err(Error::ProfileMeetsItself { first, second, radius: 0.0, height });
+        }
         let shell = sectors::open_shell(self, profile)?;
         if !shell.is_closed() {
             return Ok(shell);

@@ -148,6 +148,20 @@ impl Profile {
         last.map_or(Point3::ORIGIN, |joint| joint.point)
     }
 
+    /// The pieces that start on the axis where a profile goes on from there: of a closed one, by itself or as it is given.
+    pub(super) fn pinches(&self) -> Vec<usize> {
+        let on_axis = |range: std::ops::Range<usize>| range.filter(|&k| self.joints[k].on_axis).collect::<Vec<_>>();
+        if self.closed {
+            return on_axis(0..self.joints.len());
+        }
+        let last = self.joints.len() - 1;
+        let mut inside = on_axis(1..last);
+        if self.joints[0].on_axis && self.joints[0].point == self.joints[last].point {
+            inside.insert(0, 0);
+        }
+        inside
+    }
+
     /// True if it goes round an area, by itself or with the axis: in a whole turn it sweeps a solid.
     pub(super) fn encloses(&self) -> bool {
         self.closed || self.joints.first().zip(self.joints.last()).is_some_and(|(a, b)| a.on_axis && b.on_axis)
