@@ -6,9 +6,9 @@ mod circular_mesh;
 mod curves;
 
 pub use bodies::{
-    Ball, ConvexPolyhedron, EllipseBridge, MadeTee, NeckBlend, NeckBody, NeckSide, NeckVariant, Pipe, PipeEnds,
-    PipeTee, PlateShape, PolyhedronEdge, RadiusLaw, RailSurface, Revolution, SphericalPolygon, TeeBlend, TeeBlendFacts,
-    TeeBranch, TeeEnds, TeeMain, TorusSeam, Tube,
+    Ball, ConvexPolyhedron, CrossingPipe, EllipseBridge, MadeCrossing, MadeTee, NeckBlend, NeckBody, NeckSide,
+    NeckVariant, Pipe, PipeCrossing, PipeEnds, PipeTee, PlateShape, PolyhedronEdge, RadiusLaw, RailSurface, Revolution,
+    SphericalPolygon, TeeBlend, TeeBlendFacts, TeeBranch, TeeEnds, TeeMain, TorusSeam, Tube,
 };
 #[cfg(feature = "circular-mesh")]
 pub use circular_mesh::{

@@ -635,6 +635,31 @@ pub enum Error {
         /// Angle round the branch where that is.
         angle: f64,
     },
+    /// A pipe of a crossing ends within the blend.
+    CrossingPipeTooShort {
+        /// Which pipe, from 0.
+        pipe: usize,
+        /// The end, as its place along the axis.
+        end: f64,
+        /// The place that it must be beyond.
+        needed: f64,
+    },
+    /// The hole of a crossing goes too far round a pipe.
+    CrossingHoleTooWide {
+        /// Which pipe, from 0.
+        pipe: usize,
+        /// How far it goes to either side, in radians.
+        angle: f64,
+        /// The largest such angle.
+        limit: f64,
+    },
+    /// The blend of a crossing runs through itself.
+    CrossingFolds {
+        /// Where its ball is then, as an angle about the common normal of the axes from the first one.
+        angle: f64,
+        /// What is left of its width there, in parts of that on a straight way.
+        left: f64,
+    },
     /// Two branches of a tee, or their blends, meet.
     TeeBranchesMeet {
         /// The first branch, from 0.

@@ -81,7 +81,7 @@ impl std::fmt::Display for Error {
             ),
             Self::TeeBranchTooWide { branch, reach, limit } => write!(
                 f,
-                "branch {branch} reaches {} sideways from the axis of the main pipe, whose radius is {}: a branch stands within its breadth, thinner and offset by less than the radii differ; make it thinner, or move it nearer to the axis",
+                "branch {branch} reaches {} sideways from the axis of the main pipe, whose radius is {}: a branch stands within its breadth, thinner and offset by less than the radii differ; make it thinner, or move it nearer to the axis; pipes that pass each other at right angles are a crossing (`PipeCrossing`)",
                 ShortNumber(*reach),
                 ShortNumber(*limit)
             ),
@@ -146,6 +146,24 @@ impl std::fmt::Display for Error {
                 f,
                 "the blend of branch {branch} meets the main pipe in a line that turns back at {} radians round the branch: let the radius change less there",
                 ShortNumber(*angle)
+            ),
+            Self::CrossingPipeTooShort { pipe, end, needed } => write!(
+                f,
+                "pipe {pipe} ends within the blend: at {}, which must be beyond {}",
+                ShortNumber(*end),
+                ShortNumber(*needed)
+            ),
+            Self::CrossingHoleTooWide { pipe, angle, limit } => write!(
+                f,
+                "the blend goes {} radians round pipe {pipe} to either side, and at most {} leave a back to it; take a smaller ball, or move the axes apart",
+                ShortNumber(*angle),
+                ShortNumber(*limit)
+            ),
+            Self::CrossingFolds { angle, left } => write!(
+                f,
+                "the blend runs through itself where its ball is at {} radians from the first axis: its width there is {} of that on a straight way, which must be positive; take a smaller ball, a thinner wall, or move the axes",
+                ShortNumber(*angle),
+                ShortNumber(*left)
             ),
             Self::TeeBranchesMeet { first, second, distance, needed } => write!(
                 f,

@@ -217,6 +217,34 @@
 //! # Ok::<(), cyclide::Error>(())
 //! ```
 //!
+//! # `crossing-pipe-too-short`
+//! A pipe of a crossing ends within the blend.
+//! ```
+//! use cyclide::{CrossingPipe, PipeCrossing};
+//! let pipe = CrossingPipe { radius: 2.0, ends: [-2.2, 9.0] };
+//! let crossing = PipeCrossing::new([pipe, pipe], 3.0, 0.5)?;
+//! assert_eq!(crossing.made().unwrap_err().reason(), "crossing-pipe-too-short");
+//! # Ok::<(), cyclide::Error>(())
+//! ```
+//!
+//! # `crossing-hole-too-wide`
+//! A thin pipe lies so deep in a thick one that the blend goes nearly all round it.
+//! ```
+//! use cyclide::{CrossingPipe, PipeCrossing};
+//! let pipes = [6.0, 1.0].map(|radius| CrossingPipe { radius, ends: [-12.0, 12.0] });
+//! assert_eq!(PipeCrossing::new(pipes, 5.02, 0.3)?.made().unwrap_err().reason(), "crossing-hole-too-wide");
+//! # Ok::<(), cyclide::Error>(())
+//! ```
+//!
+//! # `crossing-folds`
+//! The ball of a crossing is too large to roll between its pipes, and the blend runs through itself.
+//! ```
+//! use cyclide::{CrossingPipe, PipeCrossing};
+//! let pipe = CrossingPipe { radius: 2.0, ends: [-12.0, 12.0] };
+//! assert_eq!(PipeCrossing::new([pipe, pipe], 3.0, 9.0)?.made().unwrap_err().reason(), "crossing-folds");
+//! # Ok::<(), cyclide::Error>(())
+//! ```
+//!
 //! # `tee-branches-meet`
 //! Two branches of a tee are nearer to each other than their blends allow.
 //! ```

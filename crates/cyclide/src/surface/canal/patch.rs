@@ -91,6 +91,28 @@ impl CanalPatch {
         Self { center, radius, turns }
     }
 
+    /// `q0`, `q1`.
+    pub(crate) fn turns(&self) -> &[QuatPolynomial; 2] {
+        &self.turns
+    }
+
+    /// The same with turns of one length at both ends, so that neighbours share arcs with their parameter: the one of lower degree times a linear
+    /// factor.
+    pub(crate) fn with_even_ends(mut self) -> Self {
+        let degree = |turn: &QuatPolynomial| turn.0.iter().map(Polynomial::degree).max();
+        let lower = usize::from(degree(&self.turns[1]) < degree(&self.turns[0]));
+        let even = [0.0, 1.0].map(|s| self.turns[1 - lower].value(s).norm() / self.turns[lower].value(s).norm());
+        self.turns[lower] = &self.turns[lower] * &Polynomial::new(even.to_vec());
+        self
+    }
+
+    /// The same elsewhere.
+    pub(crate) fn moved(mut self, by: Vec3) -> Self {
+        let [x, y, z, w] = self.center.0;
+        self.center = PolynomialRow([&x + &(&w * by.x), &y + &(&w * by.y), &z + &(&w * by.z), w]);
+        self
+    }
+
     /// The quaternion from the first turn to the second at `s`: the ratio of the weights of the arc between the contacts.
     pub(crate) fn arc_ratio(&self, s: f64) -> Option<Quat> {
         let [a, b] = self.turns.each_ref().map(|turn| turn.value(s));
@@ -126,10 +148,25 @@ impl CanalPatch {
         })
     }
 
-    /// The smallest value over the circle at `s` of the Jacobian of the canal, `|m'|² - R'² - R R'' + R n·m''`, over `|m'|²`: the surface is regular where it is
-    /// positive, and has turned inside out where it is negative. 0 where the centre stands still.
+    /// A bound from below over the circle at `s` of the [Jacobian](Self::jacobian).
     #[must_use]
     pub fn least_jacobian(&self, s: f64) -> f64 {
+        let [a, b] = self.turns.each_ref().map(|turn| turn.value(s));
+        // A quotient of quadratics in t: between its coefficients.
+        self.jacobian_of(s, [[a, a], [a, b], [b, b]])
+    }
+
+    /// The Jacobian of the canal, `|m'|² - R'² - R R'' + R n·m''`, over `|m'|²`: the surface is regular where it is positive, and has turned inside out where it is
+    /// negative. 0 where the centre stands still.
+    #[must_use]
+    pub fn jacobian(&self, s: f64, t: f64) -> f64 {
+        let [a, b] = self.turns.each_ref().map(|turn| turn.value(s));
+        let q = a * (1.0 - t) + b * t;
+        self.jacobian_of(s, [[q, q]])
+    }
+
+    /// The least of the Jacobian's coefficients for pairs of turns.
+    fn jacobian_of<const N: usize>(&self, s: f64, pairs: [[Quat; 2]; N]) -> f64 {
         let h: [[f64; 3]; 4] = self.center.0.each_ref().map(|entry| entry.jet::<3>(s));
         let [w, dw, ddw] = h[3];
         let quotient = |[x, dx, ddx]: [f64; 3]| {
@@ -144,15 +181,13 @@ impl CanalPatch {
         if square == 0.0 {
             return 0.0;
         }
-        // A quotient of quadratics in t: between its coefficients.
-        let [a, b] = self.turns.each_ref().map(|turn| turn.value(s));
         let k = Quat::new(0.0, 0.0, 0.0, 1.0);
         let at = |p: Quat, q: Quat| {
             let turned = (p * k * q.conj()).vector();
             ((square - dr * dr - r * ddr) * p.dot(q) + r * turned.dot(bend), p.dot(q))
         };
-        let least = [at(a, a), at(a, b), at(b, b)].into_iter().map(|(value, weight)| value / weight);
-        least.fold(f64::INFINITY, f64::min) / square
+        let values = pairs.into_iter().map(|[p, q]| at(p, q)).map(|(value, weight)| value / weight);
+        values.fold(f64::INFINITY, f64::min) / square
     }
 
     /// Centre and radius of the ball at `s`.

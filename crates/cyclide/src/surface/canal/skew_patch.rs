@@ -26,6 +26,16 @@ impl CanalPatch {
         Self::between_skew_cylinders(pair, piece.quartic_type(), piece.linear_coordinates())
     }
 
+    /// The half directions `(cos, sin)` of the angles of both contacts about their axes from the third axis, up to factors, along a piece.
+    ///
+    /// # Errors
+    /// As [`between_skew_cylinders`](Self::between_skew_cylinders).
+    pub(crate) fn half_directions(pair: &SkewCylinders, piece: &TorusPiece) -> Result<[[Polynomial; 2]; 2]> {
+        let (classes, [plus, minus]) =
+            (Rows::new(piece.quartic_type(), piece.linear_coordinates())?.classes(), pair.sides().map(f64::sqrt));
+        Ok(classes.map(|class| [&real(&class) * minus, &imaginary(&class) * plus]))
+    }
+
     /// The patch along a quartic of a type, given by the complex numbers `[re, im]` of its two coordinates at the start and at the end. The arc is
     /// the shorter one in the middle of the patch.
     ///
@@ -36,20 +46,7 @@ impl CanalPatch {
         kind: QuarticType,
         coordinates: [[[f64; 2]; 2]; 2],
     ) -> Result<Self> {
-        let mut z: [Vec<Complex>; 4] = std::array::from_fn(|_| vec![Complex::ONE]);
-        let mut turns = [0.0; 4];
-        for (i, family) in kind.families().into_iter().enumerate() {
-            let [start, end] = coordinates[i].map(|[re, im]| Complex::new(re, im));
-            check(i, start)?;
-            check(i, end)?;
-            let turn = (start.conj() * end).im;
-            turns[family.index()] = turn;
-            z[family.index()] = if turn == 0.0 { vec![start] } else { vec![start, end] };
-        }
-        if turns.iter().all(|turn| *turn == 0.0) {
-            return Err(Error::CoincidentPoints { first: 0, second: 1, distance: 0.0, limit: 0.0 });
-        }
-        let rows = Rows { z, turns };
+        let rows = Rows::new(kind, coordinates)?;
         let (center, radius) = rows.balls(pair);
         let [q1, q2, kappa] = rows.turns(pair);
         let [first, last] = kind.families().map(|family| family.index());
@@ -85,6 +82,23 @@ struct Rows {
 }
 
 impl Rows {
+    fn new(kind: QuarticType, coordinates: [[[f64; 2]; 2]; 2]) -> Result<Self> {
+        let mut z: [Vec<Complex>; 4] = std::array::from_fn(|_| vec![Complex::ONE]);
+        let mut turns = [0.0; 4];
+        for (i, family) in kind.families().into_iter().enumerate() {
+            let [start, end] = coordinates[i].map(|[re, im]| Complex::new(re, im));
+            check(i, start)?;
+            check(i, end)?;
+            let turn = (start.conj() * end).im;
+            turns[family.index()] = turn;
+            z[family.index()] = if turn == 0.0 { vec![start] } else { vec![start, end] };
+        }
+        if turns.iter().all(|turn| *turn == 0.0) {
+            return Err(Error::CoincidentPoints { first: 0, second: 1, distance: 0.0, limit: 0.0 });
+        }
+        Ok(Self { z, turns })
+    }
+
     fn norms(&self) -> [Polynomial; 4] {
         self.z.each_ref().map(|z| real(&square_norm(z)))
     }

@@ -5,9 +5,13 @@ use super::skin::{Ring, Skin};
 use crate::curve::Arc;
 use crate::error::Result;
 use crate::rational::{Polynomial, PolynomialRow, RationalBezier, RationalBezierSurface};
+use std::f64::consts::{PI, TAU};
 
-/// Angle from the middle of a hole to the lines behind it: both arcs to them and the arc between them are of a third of a turn at most.
-const BEHIND: f64 = std::f64::consts::TAU / 3.0;
+/// Angle from the middle of a hole to the lines behind it, for one that goes so far round to either side: both arcs to them and the arc between them are of a third of a
+/// turn at most, or the lines are a third of the way behind it.
+fn behind(reach: f64) -> f64 {
+    (TAU / 3.0).max(reach + (PI - reach) / 3.0)
+}
 
 /// A place of the border of a hole: half direction of length 1, and place along the pipe.
 #[derive(Debug, Clone, Copy)]
@@ -109,7 +113,8 @@ impl<'a, 'b> Lines<'a, 'b> {
         let [_, front, back, rear, count] = hole.sides;
         let angle = |node: &Node| 2.0 * node.half[1].atan2(node.half[0]);
         let angles = || hole.nodes.iter().map(angle);
-        let middle = 0.5 * (angles().fold(f64::INFINITY, f64::min) + angles().fold(f64::NEG_INFINITY, f64::max));
+        let (low, high) = (angles().fold(f64::INFINITY, f64::min), angles().fold(f64::NEG_INFINITY, f64::max));
+        let (middle, behind) = (0.5 * (low + high), behind(0.5 * (high - low)));
         let half = |angle: f64| {
             let (s, c) = (0.5 * angle).sin_cos();
             [c, s]
@@ -118,8 +123,8 @@ impl<'a, 'b> Lines<'a, 'b> {
             skin,
             cylinder: hole.cylinder,
             stretch: hole.stretch,
-            halves: [half(middle + BEHIND), half(middle + 2.0 * BEHIND)],
-            second: half(middle - BEHIND),
+            halves: [half(middle + behind), half(middle + TAU - behind)],
+            second: half(middle - behind),
             vertices: [Vec::new(), Vec::new()],
             places: [Vec::new(), Vec::new()],
             edges: [Vec::new(), Vec::new()],

@@ -1,0 +1,116 @@
+//! A skin of a crossing, outer or inner: the blend, and both pipes round their holes.
+
+use super::ball_loop::{BallLoop, LoopPiece};
+use crate::base::quat::Quat;
+use crate::base::vector::{Point3, Vec3};
+use crate::construct::bodies::pierced::{Cylinder, Hole, HolePiece, Node, Ring, Skin};
+use crate::error::Result;
+use crate::rational::RationalBezier;
+use crate::surface::SkewCylinders;
+
+/// The first pipe about the x axis, the second along y above it, each seen from the other one.
+pub(super) fn axis(pair: &SkewCylinders, pipe: usize) -> Cylinder {
+    let radius = pair.radii()[pipe];
+    if pipe == 0 {
+        return Cylinder { radius, origin: Point3::ORIGIN, along: Vec3::X, sideways: Vec3::Y, up: Vec3::Z };
+    }
+    let origin = Point3::new(0.0, 0.0, 2.0 * pair.half_gap());
+    Cylinder { radius, origin, along: Vec3::Y, sideways: Vec3::X, up: -Vec3::Z }
+}
+
+/// What has been sewn of the contacts with a pipe, in the order of the loop.
+struct Contacts {
+    cylinder: Cylinder,
+    nodes: Vec<Node>,
+    vertices: Vec<usize>,
+    edges: Vec<usize>,
+}
+
+impl Skin<'_> {
+    /// The faces of a crossing whose pipes go from place to place, and the rings at their ends: both of the first pipe, both of the second.
+    pub(super) fn crossing(
+        &mut self,
+        pair: &SkewCylinders,
+        balls: &BallLoop,
+        stretches: [[f64; 2]; 2],
+    ) -> Result<Vec<Ring>> {
+        let contacts = [0, 1].map(|pipe: usize| {
+            let cylinder = axis(pair, pipe);
+            self.contacts(Cylinder { radius: cylinder.radius - self.depth, ..cylinder }, &balls.pieces, pipe)
+        });
+        self.strip(pair, balls, &contacts)?;
+        let mut rings = Vec::new();
+        for (pipe, contacts) in contacts.into_iter().enumerate() {
+            rings.extend(self.stretch(&hole(balls, contacts, pipe, stretches[pipe]))?);
+        }
+        Ok(rings)
+    }
+
+    fn contacts(&mut self, cylinder: Cylinder, pieces: &[LoopPiece], pipe: usize) -> Contacts {
+        let nodes: Vec<Node> = pieces.iter().map(|piece| node(piece, pipe)).collect();
+        let vertices: Vec<usize> =
+            nodes.iter().map(|node| self.sewing.vertex(cylinder.point(node.half, node.along))).collect();
+        let edges = pieces.iter().enumerate().map(|(k, piece)| {
+            let row = cylinder.border(&piece.halves[pipe], piece.along(pipe), piece.patch.center().weight());
+            self.edge([vertices[k], vertices[(k + 1) % pieces.len()]], RationalBezier::from_polynomial_row(&row).into())
+        });
+        let edges = edges.collect();
+        Contacts { cylinder, nodes, vertices, edges }
+    }
+
+    fn strip(&mut self, pair: &SkewCylinders, balls: &BallLoop, [first, second]: &[Contacts; 2]) -> Result<()> {
+        let count = balls.pieces.len();
+        let mut circles = Vec::with_capacity(count);
+        for (k, piece) in balls.pieces.iter().enumerate() {
+            let ratio = piece.patch.arc_ratio(0.0).unwrap_or(Quat::ONE);
+            circles.push(self.sewing.arc(first.vertices[k], second.vertices[k], ratio)?);
+        }
+        // Balls are counted from the middle between the axes.
+        let up = Vec3::Z * pair.half_gap();
+        for (k, piece) in balls.pieces.iter().enumerate() {
+            let next = (k + 1) % count;
+            let corners = [first.vertices[k], first.vertices[next], second.vertices[k], second.vertices[next]];
+            let canal = piece.patch.offset(self.depth).moved(up);
+            let surface = canal.to_rational()?.with_corners(corners.map(|v| self.sewing.vertices[v]));
+            let outwards = canal.ball(0.5).0 - surface.point(0.5, 0.5);
+            let starts = [first.vertices[k], second.vertices[k], first.vertices[k], first.vertices[next]];
+            self.face(surface, [first.edges[k], second.edges[k], circles[k], circles[next]], starts, outwards);
+        }
+        Ok(())
+    }
+}
+
+/// Where a piece starts on a pipe.
+fn node(piece: &LoopPiece, pipe: usize) -> Node {
+    let [c, s] = piece.halves[pipe].each_ref().map(|p| p.value(0.0));
+    let length = c.hypot(s);
+    Node { half: [c / length, s / length], along: piece.along_at(pipe, 0.0) }
+}
+
+/// The hole of a pipe, from its corner on. Seen from the first pipe the loop turns as angles do, seen from the second the other way.
+fn hole(balls: &BallLoop, contacts: Contacts, pipe: usize, stretch: [f64; 2]) -> Hole {
+    let (count, quarter, corner) = (balls.pieces.len(), balls.quarter, balls.corners[pipe]);
+    let piece = |k: usize, reversed: bool| {
+        let piece = &balls.pieces[k];
+        let entries =
+            [&piece.halves[pipe][0], &piece.halves[pipe][1], piece.along(pipe), piece.patch.center().weight()];
+        let [c, s, along, weight] = entries.map(|p| if reversed { p.reversed() } else { p.clone() });
+        HolePiece { half: [c, s], along, weight }
+    };
+    // Of the first pipe the side towards its end lies about x, a half turn behind the start of the loop less a quarter; of the second about y.
+    let (order, ahead, beside): (Vec<usize>, bool, [usize; 2]) = if pipe == 0 {
+        ((0..count).map(|j| (j + 2 * quarter + corner) % count).collect(), true, [2 * (quarter - corner), 2 * corner])
+    } else {
+        ((0..count).map(|j| (2 * count + corner - j) % count).collect(), false, [2 * corner, 2 * (quarter - corner)])
+    };
+    let of_piece = |&node: &usize| if ahead { node } else { (node + count - 1) % count };
+    Hole {
+        cylinder: contacts.cylinder,
+        pieces: order.iter().map(|node| piece(of_piece(node), !ahead)).collect(),
+        nodes: order.iter().map(|&node| contacts.nodes[node]).collect(),
+        contacts: order.iter().map(|&node| contacts.vertices[node]).collect(),
+        edges: order.iter().map(|node| contacts.edges[of_piece(node)]).collect(),
+        sides: [0, beside[0], beside[0] + beside[1], 2 * beside[0] + beside[1], count],
+        stretch,
+    }
+}

@@ -1,0 +1,201 @@
+//! Pipes that pass each other: balls that touch both, tangent planes, walls of one thickness, bodies of known volume.
+
+#![allow(clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
+
+use cyclide::{
+    Body, CrossingPipe, Error, FaceSurface, MadeCrossing, PipeCrossing, Point3, RationalBezierSurface, ShellFace,
+    TeeEnds, Vec3, surface_joints,
+};
+use std::f64::consts::{FRAC_PI_2, PI};
+
+const END: f64 = 12.0;
+
+fn crossing(radii: [f64; 2], distance: f64, blend: f64) -> Result<PipeCrossing, Error> {
+    PipeCrossing::new(radii.map(|radius| CrossingPipe { radius, ends: [-END, END + 1.0] }), distance, blend)
+}
+
+fn made(radii: [f64; 2], distance: f64, blend: f64) -> MadeCrossing {
+    crossing(radii, distance, blend).and_then(|c| c.made()).expect("a crossing")
+}
+
+/// Pipes that overlap, equal and not, one that is nearly in the other, two that touch, and two apart.
+const CASES: [([f64; 2], f64, f64); 6] = [
+    ([2.0, 2.0], 3.0, 0.5),
+    ([2.0, 3.0], 3.5, 0.6),
+    ([3.0, 1.0], 2.6, 0.3),
+    ([2.0, 2.0], 0.8, 0.4),
+    ([2.0, 1.5], 3.5, 0.8),
+    ([2.0, 2.0], 4.5, 1.0),
+];
+
+fn normal(surface: &RationalBezierSurface, face: &ShellFace, s: f64, t: f64) -> Vec3 {
+    let jet = surface.jet(s, t);
+    let n = jet.ds.cross(jet.dt).unit().expect("a normal");
+    if face.same_sense { n } else { -n }
+}
+
+/// The canals: the faces of degree 2 across that lie on no cylinder.
+fn canals(body: &Body) -> Vec<(&RationalBezierSurface, &ShellFace)> {
+    let faces = body.shells().flat_map(|shell| shell.faces());
+    let rational = faces.filter_map(|face| match &face.surface {
+        FaceSurface::Rational(surface) => Some((surface, face)),
+        FaceSurface::Cyclide(_) => None,
+    });
+    rational.filter(|(surface, _)| surface.degrees()[0] >= 12 && surface.degrees()[1] == 2).collect()
+}
+
+/// Distances of a point from both axes.
+fn off_axes(p: Point3, distance: f64) -> [f64; 2] {
+    [p.y.hypot(p.z), p.x.hypot(p.z - distance)]
+}
+
+#[test]
+fn every_circle_of_the_blend_is_on_one_ball_that_touches_both_pipes() {
+    for (radii, distance, blend) in CASES {
+        let crossing = made(radii, distance, blend);
+        assert!(crossing.body.is_solid());
+        let [least, most] = crossing.blend.radii;
+        assert!(least >= 0.999 * blend && most <= 1.001 * blend && least < most);
+        let canals = canals(&crossing.body);
+        assert_eq!(canals.len(), crossing.blend.pieces);
+        for (surface, face) in canals {
+            for s in [0.1, 0.5, 0.8] {
+                // At the contact with the first pipe the normal is radial: the ball touches the second too.
+                let (p, n) = (surface.point(s, 0.0), normal(surface, face, s, 0.0));
+                let gap = |r: f64| off_axes(p + n * r, distance)[1] - radii[1] - r;
+                let (mut low, mut high) = (0.5 * blend, 2.0 * blend);
+                for _ in 0..80 {
+                    let middle = 0.5 * (low + high);
+                    if gap(middle) > 0.0 { low = middle } else { high = middle }
+                }
+                let centre = p + n * low;
+                assert!(low > least - 1e-9 && low < most + 1e-9, "{low} {least} {most}");
+                for t in [0.0, 0.3, 0.6, 1.0] {
+                    let (q, m) = (surface.point(s, t), normal(surface, face, s, t));
+                    assert!((q + m * low).distance(centre) < 1e-8 * distance, "{radii:?} {t}");
+                }
+                let off = off_axes(centre, distance);
+                assert!((off[0] - radii[0] - low).abs() < 1e-9 && (off[1] - radii[1] - low).abs() < 1e-9);
+            }
+        }
+    }
+}
+
+#[test]
+fn crossings_are_tangent_solids_with_and_without_walls() {
+    for (radii, distance, blend) in CASES {
+        let whole = crossing(radii, distance, blend).expect("a crossing");
+        let wall = 0.15;
+        let forms = [
+            (whole, 1, 0),
+            (whole.with_wall(wall).expect("a wall"), 1, 0),
+            (whole.with_wall(wall).expect("a wall").with_ends(TeeEnds::Closed), 2, 1),
+        ];
+        for (form, shells, voids) in forms {
+            let body = form.made().expect("a crossing").body;
+            assert!(body.is_solid() && body.shells().count() == shells && body.voids.len() == voids);
+            for shell in body.shells() {
+                for joint in surface_joints(shell) {
+                    let crease = (joint.angle - FRAC_PI_2).abs() < 1e-9;
+                    assert!(joint.gap < 1e-12 * END && (joint.angle < 1e-8 || crease), "{radii:?}: {joint:?}");
+                }
+            }
+        }
+        let open = whole.with_ends(TeeEnds::Open).made().expect("a crossing").body;
+        assert!(!open.is_solid());
+    }
+}
+
+#[test]
+fn walls_have_one_thickness_also_in_the_blend() {
+    let wall = 0.2;
+    let whole = crossing([2.0, 3.0], 3.5, 0.6).and_then(|c| c.with_wall(wall)).expect("a crossing");
+    let body = whole.with_ends(TeeEnds::Closed).made().expect("a crossing").body;
+    let faces = canals(&body);
+    let (outer, inner) = faces.split_at(faces.len() / 2);
+    for ((outside, face), (inside, _)) in outer.iter().zip(inner) {
+        for (s, t) in [(0.0, 0.0), (0.3, 0.4), (0.7, 1.0)] {
+            let below = outside.point(s, t) - normal(outside, face, s, t) * wall;
+            assert!(below.distance(inside.point(s, t)) < 1e-10);
+        }
+    }
+}
+
+/// Volume that two pipes of these radii at right angles, this far apart, have in common: over the height the product of two chords.
+fn common(radii: [f64; 2], distance: f64) -> f64 {
+    let (low, high) = ((distance - radii[1]).max(-radii[0]), radii[0].min(distance + radii[1]));
+    let steps = 200_000;
+    let chord = |r: f64, z: f64| 2.0 * (r * r - z * z).max(0.0).sqrt();
+    // z = middle + half sin θ: the roots at the ends lose their edge.
+    let (middle, half) = (0.5 * (low + high), 0.5 * (high - low));
+    let at = |k: i32| {
+        let theta = -FRAC_PI_2 + PI * (f64::from(k) + 0.5) / f64::from(steps);
+        let z = middle + half * theta.sin();
+        chord(radii[0], z) * chord(radii[1], z - distance) * half * theta.cos()
+    };
+    (0..steps).map(at).sum::<f64>() * PI / f64::from(steps)
+}
+
+#[test]
+fn a_small_blend_leaves_the_volume_of_both_pipes() {
+    for (radii, distance) in [([2.0, 2.0], 3.0), ([2.0, 3.0], 3.5), ([3.0, 1.0], 2.6)] {
+        let expected = radii.iter().map(|r| PI * r * r * (2.0 * END + 1.0)).sum::<f64>() - common(radii, distance);
+        // The fillet adds a part of its square times the length of the edge.
+        for blend in [0.1, 0.01] {
+            let more = made(radii, distance, blend).body.outer.volume() - expected;
+            assert!(more > 0.0 && more < 12.0 * blend * blend, "{radii:?} {blend}: {more}");
+        }
+    }
+}
+
+#[test]
+fn scale_changes_nothing_else_and_pipes_may_change_places() {
+    let volume = |scale: f64, radii: [f64; 2], ends: [[f64; 2]; 2]| {
+        let pipe = |k: usize| CrossingPipe { radius: scale * radii[k], ends: ends[k].map(|end| scale * end) };
+        let crossing = PipeCrossing::new([pipe(0), pipe(1)], 3.5 * scale, 0.6 * scale).and_then(|c| c.made());
+        crossing.expect("a crossing").body.outer.volume() / scale.powi(3)
+    };
+    let (first, second) = ([-12.0, 13.0], [-9.0, 15.0]);
+    let own = volume(1.0, [2.0, 3.0], [first, second]);
+    for scale in [1e-6, 1e-3, 1e6] {
+        assert!((volume(scale, [2.0, 3.0], [first, second]) / own - 1.0).abs() < 1e-10, "{scale}");
+    }
+    assert!((volume(1.0, [3.0, 2.0], [second, first]) / own - 1.0).abs() < 1e-10);
+}
+
+#[test]
+fn tolerances_are_kept_and_followed() {
+    let mut pieces = 0;
+    for tolerance in [1e-1, 1e-2, 1e-4, 1e-6] {
+        let whole = crossing([2.0, 3.0], 3.5, 0.6).and_then(|c| c.with_tolerance(tolerance)).expect("a crossing");
+        let facts = whole.made().expect("a crossing").blend;
+        assert!(facts.radii[0] >= 0.6 - tolerance && facts.radii[1] <= 0.6 + tolerance);
+        assert!(facts.pieces >= pieces);
+        pieces = facts.pieces;
+    }
+    assert!(pieces < 600, "{pieces}");
+}
+
+#[test]
+fn what_is_no_crossing_is_refused_with_its_measures() {
+    let refused = |radii, distance, blend| {
+        crossing(radii, distance, blend).and_then(|c| c.made().map(|_| ())).expect_err("no crossing")
+    };
+    assert_eq!(refused([2.0, 3.0], 1.0, 0.5), Error::NotTimelikePair { measured: 1.0, limit: 1.0 });
+    assert_eq!(refused([2.0, 2.0], 5.0, 0.5), Error::RadiusTooSmall { radius: 0.5, limit: 0.5 });
+    assert_eq!(refused([2.0, -2.0], 3.0, 0.5).reason(), "radius-not-positive");
+    assert_eq!(refused([2.0, 2.0], f64::NAN, 0.5).reason(), "not-finite");
+    // Contacts with the first pipe go as far as the second is wide, and farther.
+    let pipe = |radius, start| CrossingPipe { radius, ends: [start, END] };
+    let short = PipeCrossing::new([pipe(2.0, -2.4), pipe(3.0, -END)], 3.5, 0.6).and_then(|c| c.made());
+    let Err(Error::CrossingPipeTooShort { pipe: 0, end, needed }) = short else { panic!("too short: {short:?}") };
+    assert!(end == -2.4 && needed < -2.5 && needed > -3.6, "{needed}");
+    // A thin pipe nearly inside a thick one is held all round.
+    let Error::CrossingHoleTooWide { pipe: 1, angle, limit } = refused([6.0, 1.0], 5.02, 0.3) else {
+        panic!("too wide: {:?}", refused([6.0, 1.0], 5.02, 0.3))
+    };
+    assert!(angle > limit);
+    // A ball of four times the pipes has no room to roll.
+    let Error::CrossingFolds { left, .. } = refused([2.0, 2.0], 3.0, 9.0) else { panic!("it folds") };
+    assert!(left <= 0.0, "{left}");
+}
