@@ -4,6 +4,7 @@
 //! One file per class of trouble. A class makes lists of points, or whole objects; [`document`] puts them together, and
 //! the same seed and number give the same document on every machine.
 
+mod crossings;
 mod ends;
 mod hairpins;
 mod inversions;
@@ -72,7 +73,7 @@ impl Objects {
     }
 }
 
-const CLASSES: [Class; 24] = [
+const CLASSES: [Class; 25] = [
     ("points", 5, points::object),
     ("hairpins", 3, hairpins::object),
     ("ends", 3, ends::object),
@@ -91,6 +92,7 @@ const CLASSES: [Class; 24] = [
     ("pipes", 2, pipes::surface),
     ("tubes", 2, tubes::surface),
     ("tees", 1, tees::surface),
+    ("crossings", 1, crossings::surface),
     ("necks", 2, swept::neck),
     ("bridges", 1, swept::bridge),
     ("rails", 2, swept::between_rails),

@@ -41,7 +41,7 @@ const MESHES: &[Format] = &[Format::Glb, Format::Stl, Format::Png];
 const RENDERED: &[Format] = &[Format::Glb, Format::Png];
 
 /// All models, in the order of the page.
-pub const ENTRIES: [Entry; 31] = [
+pub const ENTRIES: [Entry; 32] = [
     Entry {
         name: "roof",
         title: "Free-form roof with two skins",
@@ -135,6 +135,14 @@ pub const ENTRIES: [Entry; 31] = [
         title: "Tees of pipes",
         text: "Branches blended with a main pipe by balls that roll round them: an upright one whose ball is larger in the crotches, a lateral at 45 degrees, and three branches on one hollow pipe. Exact rational faces, one solid each.",
         document: example!("tee.json"),
+        inputs: &[],
+        formats: SURFACES,
+    },
+    Entry {
+        name: "crossing",
+        title: "Pipes that pass each other",
+        text: "Blended by a ball of one radius: two hollow pipes with one bore, a rail that lies on a bar, and two pipes that do not touch, which the blend joins as a bridge. Exact envelopes of balls, one solid each.",
+        document: example!("crossing.json"),
         inputs: &[],
         formats: SURFACES,
     },

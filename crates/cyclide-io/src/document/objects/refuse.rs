@@ -192,6 +192,7 @@ fn blame(spec: &ObjectSpec, error: &cyclide::Error) -> Blame {
         }
         _ if spec.is_on_torus() => blame_torus(spec, error),
         _ if matches!(spec, ObjectSpec::PipeTee(_)) => blame_tee(error),
+        _ if matches!(spec, ObjectSpec::PipeCrossing(_)) => blame_crossing(error),
         _ if matches!(spec, ObjectSpec::Tube(_)) => blame_tube(spec, error),
         E::NotFinite { what: I::Tangent, index } | E::ZeroTangent { index } | E::TangentOpposesChord { index, .. } => {
             tangent(index)
@@ -247,6 +248,22 @@ fn blame_tee(error: &cyclide::Error) -> Blame {
         E::TeeBranchesMeet { second, .. } => Blame::Entry("branches", *second),
         E::ParameterOutOfRange { name: name @ I::Wall, .. } => Blame::Field(name.word()),
         _ => Blame::Field("branches"),
+    }
+}
+
+/// As [`blame`], of crossings of pipes.
+fn blame_crossing(error: &cyclide::Error) -> Blame {
+    use cyclide::{Error as E, ErrorItem as I};
+    match error {
+        E::CrossingPipeTooShort { pipe, .. } | E::CrossingHoleTooWide { pipe, .. } => Blame::Entry("pipes", *pipe),
+        E::NotFinite { what: I::Radius, index } if *index < 2 => Blame::Entry("pipes", *index),
+        E::RadiusTooSmall { .. } | E::CrossingFolds { .. } | E::NotFinite { what: I::Radius, .. } => {
+            Blame::Field("blend")
+        }
+        E::NotTimelikePair { .. } | E::NotFinite { what: I::Distance, .. } => Blame::Field("distance"),
+        E::ToleranceNotPositive { .. } | E::TooManyPieces { .. } => Blame::Field("tolerance"),
+        E::ParameterOutOfRange { name: name @ I::Wall, .. } => Blame::Field(name.word()),
+        _ => Blame::Field("pipes"),
     }
 }
 

@@ -2,6 +2,7 @@
 
 mod circular;
 mod comment;
+mod crossings;
 mod curves;
 mod derived;
 mod fair;
@@ -24,6 +25,7 @@ use serde::Deserialize;
 
 pub use circular::{BorderCurves, BorderSpec, BorderWord, MakeCircularOptions, MakeCircularSpec};
 pub use comment::Comment;
+pub use crossings::{CrossingPipeSpec, PipeCrossingSpec};
 pub use curves::{
     ArcFitSpec, ArcSpec, ArcSplineSpec, BiarcSpec, CircleSpec, CircleSplineSpec, ClampedEnds, EndsSpec, FairFitSpec,
     PolylineSpec,
@@ -132,6 +134,8 @@ pub enum ObjectSpec {
     Tube(TubeSpec),
     /// A main pipe with branches, blended by rolling balls.
     PipeTee(PipeTeeSpec),
+    /// Two pipes that pass each other, blended by a rolling ball.
+    PipeCrossing(PipeCrossingSpec),
     /// A pipe on a plate with a rounded neck.
     PlateWithNeck(PlateWithNeckSpec),
     /// Half circles between two ellipses.
@@ -241,6 +245,7 @@ object_types! {
     "pipe" => Pipe,
     "tube" => Tube,
     "pipe-tee" => PipeTee,
+    "pipe-crossing" => PipeCrossing,
     "plate-with-neck" => PlateWithNeck,
     "ellipse-bridge" => EllipseBridge,
     "circular-surface" => CircularSurface,

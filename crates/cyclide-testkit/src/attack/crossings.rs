@@ -1,0 +1,36 @@
+//! Pipes that pass each other, of all widths and distances; mostly such as somebody would make.
+
+use super::{Objects, Random};
+use serde_json::json;
+
+pub(super) fn surface(random: &mut Random) -> Objects {
+    let scale = if random.chance(0.15) { random.decades(-9.0, 6.0) } else { 1.0 };
+    let wild = random.chance(0.2);
+    let first = scale * random.between(5.0, 50.0);
+    let second = first * if wild { random.decades(-4.0, 2.0) } else { random.between(0.3, 3.0) };
+    let (least, most) = ((first - second).abs(), first + second);
+    let distance = least + (most - least) * if wild { random.decades(-9.0, 0.5) } else { random.between(0.15, 1.1) };
+    let gap = 0.5 * (distance - most).max(0.0);
+    let blend = gap + first.min(second) * if wild { random.decades(-6.0, 1.0) } else { random.between(0.05, 0.5) };
+    let ends = |random: &mut Random| {
+        let [low, high] =
+            [(); 2].map(|()| (first.max(second) + blend) * random.between(if wild { 0.5 } else { 2.0 }, 6.0));
+        [-low, high]
+    };
+    let mut object = json!({
+        "type": "pipe-crossing",
+        "pipes": [{"radius": first, "ends": ends(random)}, {"radius": second, "ends": ends(random)}],
+        "distance": distance,
+        "blend": blend,
+    });
+    if random.chance(0.4) {
+        object["wall"] = json!(first.min(second) * random.between(0.01, if wild { 1.1 } else { 0.3 }));
+    }
+    if random.chance(0.3) {
+        object["tolerance"] = json!(blend * random.decades(-5.0, 0.0));
+    }
+    if random.chance(0.3) {
+        object["ends"] = json!(["flat", "closed", "open"][random.below(3)]);
+    }
+    Objects::surface(object)
+}
