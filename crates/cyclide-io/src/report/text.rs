@@ -219,7 +219,8 @@ impl SurfaceReport {
             line("tube", tube.text(units))?;
         }
         for (index, blend) in self.blends.iter().enumerate() {
-            line("blend", format!("of branch {index}: {}", blend.text(units)))?;
+            let of = if self.blends.len() > 1 { format!("of branch {index}: ") } else { String::new() };
+            line("blend", format!("{of}{}", blend.text(units)))?;
         }
         if let Some(c) = &self.circular {
             let [most, mean, off] = [c.move_max, c.move_mean, c.off_surface_max].map(short);

@@ -32,5 +32,7 @@ pub(super) fn surface(random: &mut Random) -> Objects {
     if random.chance(0.3) {
         object["ends"] = json!(["flat", "closed", "open"][random.below(3)]);
     }
-    Objects::surface(object)
+    // Finer meshes of long pipes have a million triangles.
+    let tolerance = Some(first.max(second) * random.decades(-4.0, -1.0));
+    Objects { tolerance, ..Objects::surface(object) }
 }
