@@ -25,6 +25,8 @@ CYCLIDE = {"type": "cyclide", "a": 3, "mu": 2}
 NET = {"type": "cyclidic-net", "grid": [[[0, 0], [1, 0], [3, 0]], [[0, 1], [1, 1], [3, 1]]]}
 BRANCH = {"radius": 8, "length": 30, "blend": 2}
 TEE = {"type": "pipe-tee", "main": {"radius": 12, "ends": [-40, 40]}, "branches": [BRANCH]}
+PIPE = {"radius": 12, "ends": [-40, 40]}
+CROSSING = {"type": "pipe-crossing", "pipes": [PIPE, PIPE], "distance": 18, "blend": 3}
 NECK = {"type": "plate-with-neck", "pipe_radius": 9, "ball_radius": 4, "height": 40, "plate": [60, 50]}
 BRIDGE = {"type": "ellipse-bridge", "ellipses": [[10, 20], [20, 25]]}
 STEPS = [
@@ -70,6 +72,8 @@ GOOD = {
     "tee": TEE,
     "tee with a wall and laws": {**TEE, "wall": 2, "ends": "closed", "branches": [{**BRANCH, "angle": {"degrees": 60}, "offset": 1, "azimuth": 0.5, "blend": {"crotch": 4, "flank": 3}}]},
     "tee with values": {**TEE, "branches": [{**BRANCH, "blend": {"values": [{"angle": {"degrees": 90}, "radius": 3}]}}]},
+    "crossing": CROSSING,
+    "crossing with a wall": {**CROSSING, "wall": 2, "ends": "closed", "tolerance": 0.01},
     "bridge": BRIDGE,
     "bridge with walls": {**BRIDGE, "depth": 3},
     "tangents": {"type": "arc-spline", "points": [[0, 0], [1, 1]], "tangents": [[1, 0], [0, 1, 0]], "rule": "auto"},
@@ -131,6 +135,9 @@ BAD = {
     "tee without branches": {**TEE, "branches": []},
     "tee with a blend of nothing": {**TEE, "branches": [{**BRANCH, "blend": {}}]},
     "tee with a wall that is open": {**TEE, "wall": 2, "ends": "open"},
+    "crossing of one pipe": {**CROSSING, "pipes": [PIPE]},
+    "crossing with a wall that is open": {**CROSSING, "wall": 2, "ends": "open"},
+    "crossing with a blend of radius zero": {**CROSSING, "blend": 0},
     "tee with a blend of radius zero": {**TEE, "branches": [{**BRANCH, "blend": 0}]},
     "neck without a plate": without(NECK, "plate"),
     "neck inside with a plate": {**NECK, "side": "inside"},

@@ -1,5 +1,4 @@
-"""Tees of pipes as OpenCASCADE reads them: solids, tangency, and the blend against what defines it: the envelope of balls that
-touch both pipes, computed here from points and normals alone."""
+"""Tees of pipes as OpenCASCADE reads them: solids, tangency, and the blend against the envelope of balls that touch both pipes."""
 
 import json
 import math
@@ -8,12 +7,12 @@ import numpy as np
 import pytest
 
 import step_modelling as modelling
-from OCP.BRep import BRep_Tool
 from OCP.BRepAlgoAPI import BRepAlgoAPI_Fuse
 from OCP.BRepPrimAPI import BRepPrimAPI_MakeBox
-from OCP.gp import gp_Pnt, gp_Vec
-from step_checks import PLACES, POINT_LIMIT, assert_cuts, structure
-from step_faces import Edge, StepFaces, angle, vector
+from OCP.gp import gp_Pnt
+from rolling_balls import TANGENT, check_envelopes, smooth_edges
+from step_checks import assert_cuts, structure
+from step_faces import StepFaces
 
 MAIN = {"radius": 30, "ends": [-90, 110]}
 LAW = {"crotch": 10, "flank": 6}
@@ -34,8 +33,6 @@ TEES = {
         {"wall": 2},
     ),
 }
-# Of normals at edges: the reader's own curves in the parameters are interpolated, and corrected here by Newton steps.
-TANGENT = 1e-6
 
 
 @pytest.fixture(scope="module", params=TEES)
@@ -77,79 +74,12 @@ def is_tapered(face, spec):
     return cone and face.rational is not None and sorted(face.rational.degrees) == [1, 6]
 
 
-def off_axis(points, axis):
-    origin, way, *_ = axis
-    v = points - origin
-    return v - (v @ way)[..., None] * way
-
-
-def off_pipe(points, pipe):
-    """Distance of points from a pipe, a cylinder or a cone."""
-    origin, way, radius, taper = pipe
-    return (np.linalg.norm(off_axis(points, pipe), axis=-1) - radius) * math.cos(taper) + (points - origin) @ way * math.sin(taper)
-
-
-def ball(points, normals, axis, depth):
-    """The radius of the ball that touches a pipe and has a point with this normal: |P + R N| = r + R across the axis."""
-    v, n = off_axis(points, axis), normals - (normals @ axis[1])[..., None] * axis[1]
-    r = axis[2] - depth
-    # (n.n - 1) R^2 + 2 (v.n - r) R + v.v - r^2 = 0; stable for n.n near 1.
-    a, b, c = np.sum(n * n, -1) - 1, np.sum(v * n, -1) - r, np.sum(v * v, -1) - r * r
-    root = np.sqrt(np.maximum(b * b - a * c, 0))
-    first, second = -c / (b - root), -c / (b + root)
-    return first, second
-
-
 def test_blends_are_envelopes_of_balls_that_touch_both_pipes(tee):
     step, spec, report = tee
-    size, pipes, wall = step.size(), axes(spec), spec.get("wall", 0.0)
-    blends = [face for face in step.faces if is_blend(face)]
-    skins = 2 if wall else 1
-    assert len(blends) == skins * sum(blend["pieces"] for blend in report["blends"])
-    count = max(6, math.ceil(math.sqrt(10_000 / len(blends))))
-    along, across = np.linspace(0.03, 0.97, count), np.linspace(0.04, 0.96, count)
-    total = 0
-    for face in blends:
-        turned = face.rational.degrees == (2, 12)
-        x, y = (across[None, :], along[:, None]) if turned else (along[:, None], across[None, :])
-        x, y = np.broadcast_arrays(x, y)
-        points, normals = face.at_all(*face.rational.scaled(x, y))
-        normals = normals / np.linalg.norm(normals, axis=-1, keepdims=True)
-        errors = []
-        for index, branch in enumerate(pipes[1:]):
-            for depth, sign in ((0.0, 1.0), (wall, -1.0))[:skins]:
-                candidates = ball(points, sign * normals, pipes[0], depth)
-                for radius in candidates:
-                    centre = points + radius[..., None] * sign * normals
-                    touches = abs(off_pipe(centre, branch) + depth - radius)
-                    # One ball for all points of a circle.
-                    moves = np.linalg.norm(centre - centre[:, :1], axis=-1) + abs(radius - radius[:, :1])
-                    low, high = (report["blends"][index]["radius"][k] + depth for k in ("min", "max"))
-                    outside = np.maximum(low - radius, radius - high)
-                    errors.append(max(touches.max(), moves.max(), outside.max(), 0.0))
-        assert min(errors) <= POINT_LIMIT * size
-        total += points.shape[0] * points.shape[1]
-    assert total >= 10_000
-
-
-def normals_at(face, points, edge, places):
-    """As `Face.normals_near`, with full Newton steps: parameter lines of these faces are not orthogonal."""
-    curve = BRep_Tool.CurveOnSurface_s(edge, face.shape, 0.0, 0.0)
-    curve = curve[0] if isinstance(curve, tuple) else curve
-    own, found = Edge(edge), []
-    for point, place in zip(points, places):
-        at = curve.Value(own.first + (own.last - own.first) * place)
-        u, v = at.X(), at.Y()
-        for _ in range(6):
-            p, du, dv = gp_Pnt(), gp_Vec(), gp_Vec()
-            face.surface.D1(u, v, p, du, dv)
-            jacobian = np.array([vector(du), vector(dv)]).T
-            step, *_ = np.linalg.lstsq(jacobian, point - vector(p), rcond=None)
-            u, v = u + step[0], v + step[1]
-        p, normal = face.at(u, v)
-        assert np.linalg.norm(p - point) < 1e-9 * (1 + abs(point).max()), "the edge is not on the face"
-        found.append(normal / np.linalg.norm(normal))
-    return found
+    pipes, wall = axes(spec), spec.get("wall", 0.0)
+    pairs = [((pipes[0], branch), blend["radius"]) for branch, blend in zip(pipes[1:], report["blends"])]
+    faces = check_envelopes(step, is_blend, pairs, wall)
+    assert faces == (2 if wall else 1) * sum(blend["pieces"] for blend in report["blends"])
 
 
 def test_tees_are_one_closed_solid_and_tangent_along_contacts(tee):
@@ -162,17 +92,7 @@ def test_tees_are_one_closed_solid_and_tangent_along_contacts(tee):
     assert len(step.shells) == (2 if spec.get("ends") == "closed" else 1)
     assert step.volume() == pytest.approx(report["volume"], rel=1e-7)
     assert sum(face.volume() for face in step.faces) == pytest.approx(report["volume"], rel=1e-9)
-    creases, smooth, contacts = 0, 0.0, 0
-    for (first, edge), (second, other) in users:
-        points = np.array([Edge(edge).point(x) for x in PLACES])
-        largest = max(map(angle, normals_at(first, points, edge, PLACES), normals_at(second, points, other, PLACES)))
-        if largest > 0.1:
-            # Only where walls meet plane ends.
-            creases += 1
-            assert "plane" in (first.kind, second.kind) or largest == pytest.approx(math.pi / 2, abs=1e-6)
-        else:
-            smooth = max(smooth, largest)
-            contacts += is_blend(first) != is_blend(second)
+    smooth, contacts, creases = smooth_edges(users, is_blend)
     skins = 2 if spec.get("wall") else 1
     assert contacts == 2 * skins * sum(blend["pieces"] for blend in report["blends"]) and creases > 0
     assert smooth <= TANGENT

@@ -1,0 +1,106 @@
+"""Blends between pipes against what defines them: envelopes of balls that touch both, computed from points and normals alone; and
+tangency along the edges of such bodies."""
+
+import math
+
+import numpy as np
+
+from OCP.BRep import BRep_Tool
+from OCP.gp import gp_Pnt, gp_Vec
+from step_checks import PLACES, POINT_LIMIT
+from step_faces import Edge, angle, vector
+
+# Of normals at edges: the reader's own curves in the parameters are interpolated, and corrected here by Newton steps.
+TANGENT = 1e-6
+
+
+def off_axis(points, axis):
+    origin, way, *_ = axis
+    v = points - origin
+    return v - (v @ way)[..., None] * way
+
+
+def off_pipe(points, pipe):
+    """Distance of points from a pipe, a cylinder or a cone."""
+    origin, way, radius, taper = pipe
+    return (np.linalg.norm(off_axis(points, pipe), axis=-1) - radius) * math.cos(taper) + (points - origin) @ way * math.sin(taper)
+
+
+def ball(points, normals, axis, depth):
+    """The radius of the ball that touches a pipe and has a point with this normal: |P + R N| = r + R across the axis."""
+    v, n = off_axis(points, axis), normals - (normals @ axis[1])[..., None] * axis[1]
+    r = axis[2] - depth
+    # (n.n - 1) R^2 + 2 (v.n - r) R + v.v - r^2 = 0; stable for n.n near 1.
+    a, b, c = np.sum(n * n, -1) - 1, np.sum(v * n, -1) - r, np.sum(v * v, -1) - r * r
+    root = np.sqrt(np.maximum(b * b - a * c, 0))
+    first, second = -c / (b - root), -c / (b + root)
+    return first, second
+
+
+def normals_at(face, points, edge, places):
+    """As `Face.normals_near`, with full Newton steps: parameter lines of these faces are not orthogonal."""
+    curve = BRep_Tool.CurveOnSurface_s(edge, face.shape, 0.0, 0.0)
+    curve = curve[0] if isinstance(curve, tuple) else curve
+    own, found = Edge(edge), []
+    for point, place in zip(points, places):
+        at = curve.Value(own.first + (own.last - own.first) * place)
+        u, v = at.X(), at.Y()
+        for _ in range(6):
+            p, du, dv = gp_Pnt(), gp_Vec(), gp_Vec()
+            face.surface.D1(u, v, p, du, dv)
+            jacobian = np.array([vector(du), vector(dv)]).T
+            step, *_ = np.linalg.lstsq(jacobian, point - vector(p), rcond=None)
+            u, v = u + step[0], v + step[1]
+        p, normal = face.at(u, v)
+        assert np.linalg.norm(p - point) < 1e-9 * (1 + abs(point).max()), "the edge is not on the face"
+        found.append(normal / np.linalg.norm(normal))
+    return found
+
+
+def check_envelopes(step, is_blend, pairs, wall):
+    """Every blend face is, at more than 10,000 points in all, of balls that touch both pipes of one of the pairs; each pair comes with the
+    least and greatest radius that the report gives. The count of the faces is returned."""
+    blends = [face for face in step.faces if is_blend(face)]
+    count = max(6, math.ceil(math.sqrt(10_000 / len(blends))))
+    along, across = np.linspace(0.03, 0.97, count), np.linspace(0.04, 0.96, count)
+    total = 0
+    for face in blends:
+        turned = face.rational.degrees[0] == 2
+        x, y = (across[None, :], along[:, None]) if turned else (along[:, None], across[None, :])
+        x, y = np.broadcast_arrays(x, y)
+        points, normals = face.at_all(*face.rational.scaled(x, y))
+        normals = normals / np.linalg.norm(normals, axis=-1, keepdims=True)
+        skins = ((0.0, 1.0), (wall, -1.0))[: 2 if wall else 1]
+        errors = [departure(points, sign * normals, pipes, radii, depth) for pipes, radii in pairs for depth, sign in skins]
+        assert min(errors) <= POINT_LIMIT * step.size()
+        total += points.shape[0] * points.shape[1]
+    assert total >= 10_000
+    return len(blends)
+
+
+def departure(points, normals, pipes, radii, depth):
+    """How far the balls at points, each row of which is on one ball, are from touching pipes that are thinner by the depth, with radii in a range."""
+    errors = []
+    for radius in ball(points, normals, pipes[0], depth):
+        centre = points + radius[..., None] * normals
+        touches = abs(off_pipe(centre, pipes[1]) + depth - radius)
+        # One ball for all points of a circle.
+        moves = np.linalg.norm(centre - centre[:, :1], axis=-1) + abs(radius - radius[:, :1])
+        outside = np.maximum(radii["min"] + depth - radius, radius - radii["max"] - depth)
+        errors.append(max(touches.max(), moves.max(), outside.max(), 0.0))
+    return min(errors)
+
+
+def smooth_edges(users, is_blend):
+    """The largest angle between normals at smooth edges, the count of edges between a blend and a pipe, and of the creases at plane ends."""
+    creases, smooth, contacts = 0, 0.0, 0
+    for (first, edge), (second, other) in users:
+        points = np.array([Edge(edge).point(x) for x in PLACES])
+        largest = max(map(angle, normals_at(first, points, edge, PLACES), normals_at(second, points, other, PLACES)))
+        if largest > 0.1:
+            creases += 1
+            assert "plane" in (first.kind, second.kind) or math.isclose(largest, math.pi / 2, abs_tol=1e-6)
+        else:
+            smooth = max(smooth, largest)
+            contacts += is_blend(first) != is_blend(second)
+    return smooth, contacts, creases

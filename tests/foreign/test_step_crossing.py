@@ -1,0 +1,102 @@
+"""Crossings of pipes as OpenCASCADE reads them: solids, tangency, and the blend against the envelope of balls that touch both pipes."""
+
+import json
+
+import numpy as np
+import pytest
+
+import step_modelling as modelling
+from OCP.BRepAlgoAPI import BRepAlgoAPI_Fuse
+from OCP.BRepPrimAPI import BRepPrimAPI_MakeBox
+from OCP.gp import gp_Pnt
+from rolling_balls import TANGENT, check_envelopes, smooth_edges
+from step_checks import assert_cuts, structure
+from step_faces import StepFaces
+
+ENDS = [-80, 90]
+# Radii, the distance of the axes, the radius of the ball, other fields.
+CROSSINGS = {
+    "equal": ([20, 20], 30, 8, {"wall": 3}),
+    "thin on thick": ([28, 10], 36, 6, {}),
+    "bridge": ([15, 12], 33, 9, {"wall": 2, "ends": "closed"}),
+    "deep": ([20, 20], 8, 4, {}),
+}
+
+
+@pytest.fixture(scope="module", params=CROSSINGS)
+def crossing(request, program, tmp_path_factory):
+    return made(program, tmp_path_factory.mktemp("crossing"), *CROSSINGS[request.param])
+
+
+def made(program, folder, radii, distance, blend, fields):
+    pipes = [{"radius": radius, "ends": ENDS} for radius in radii]
+    spec = {"type": "pipe-crossing", "pipes": pipes, "distance": distance, "blend": blend, **fields}
+    document = folder / "crossing.json"
+    document.write_text(json.dumps({"cyclide": 1, "units": "mm", "objects": {"crossing": spec}}))
+    report = json.loads(program("build", document, "-o", folder / "crossing.step", "--json"))
+    return StepFaces(folder / "crossing.step"), spec, report["objects"]["crossing"]
+
+
+def axes(spec):
+    """Point, direction, radius and taper of both pipes."""
+    first, second = (pipe["radius"] for pipe in spec["pipes"])
+    return (
+        (np.zeros(3), np.array([1.0, 0, 0]), first, 0.0),
+        (np.array([0, 0, float(spec["distance"])]), np.array([0, 1.0, 0]), second, 0.0),
+    )
+
+
+def is_blend(face):
+    return face.rational is not None and sorted(face.rational.degrees) in ([2, 12], [2, 14])
+
+
+def test_blends_are_envelopes_of_balls_that_touch_both_pipes(crossing):
+    step, spec, report = crossing
+    [blend], wall = report["blends"], spec.get("wall", 0.0)
+    # The default tolerance: a thousandth of the radius.
+    assert 0.999 * spec["blend"] <= blend["radius"]["min"] <= blend["radius"]["max"] <= 1.001 * spec["blend"]
+    faces = check_envelopes(step, is_blend, [(axes(spec), blend["radius"])], wall)
+    assert faces == (2 if wall else 1) * blend["pieces"]
+
+
+def test_crossings_are_one_closed_solid_and_tangent_along_contacts(crossing):
+    step, spec, report = crossing
+    _, users = structure(step, closed=True)
+    assert len(step.solids) == 1 and step.exactly_valid
+    assert all(is_blend(face) or face.kind in ("cylinder", "plane") for face in step.faces)
+    assert max(gap for gap, _ in modelling.departures(step)) <= 1e-12 * step.size()
+    assert len(step.shells) == (2 if spec.get("ends") == "closed" else 1)
+    assert step.volume() == pytest.approx(report["volume"], rel=1e-7)
+    assert sum(face.volume() for face in step.faces) == pytest.approx(report["volume"], rel=1e-9)
+    smooth, contacts, creases = smooth_edges(users, is_blend)
+    assert contacts == 2 * (2 if spec.get("wall") else 1) * report["blends"][0]["pieces"] and creases > 0
+    assert smooth <= TANGENT
+
+
+def test_a_crossing_is_cut_fused_and_sectioned(program, tmp_path):
+    step, spec, report = made(program, tmp_path, [20, 20], 30, 8, {})
+    assert_cuts(step, report["volume"], modelling.slab)
+    # A plate under the first pipe, into which it sinks.
+    plate = BRepPrimAPI_MakeBox(gp_Pnt(-60, -50, -40), gp_Pnt(70, 50, -15)).Shape()
+    fused = BRepAlgoAPI_Fuse(step.shape, plate).Shape()
+    assert modelling.valid(fused)
+    half = np.arccos(15 / 20)
+    common = 130 * 20**2 * (half - np.sin(half) * np.cos(half))
+    assert modelling.volume(fused) == pytest.approx(report["volume"] + 130 * 100 * 25 - common, rel=1e-6)
+    section = modelling.wire_points(modelling.section(step.shape, (0, 0, 0), (0, 1, 0)))
+    assert len(section) > 0 and np.abs(section[:, 1]).max() < 1e-6
+
+
+def test_random_crossings_are_valid(program, tmp_path):
+    generator = np.random.default_rng(7)
+    for k in range(4):
+        radii = [20.0, 20 * generator.uniform(0.4, 1)]
+        # From well sunk to nearly apart.
+        distance = (radii[0] - radii[1]) + generator.uniform(0.3, 0.95) * 2 * radii[1]
+        blend = generator.uniform(0.05, 0.4) * radii[1]
+        folder = tmp_path / str(k)
+        folder.mkdir()
+        step, spec, report = made(program, folder, radii, distance, blend, {"wall": 0.1 * radii[1]} if k % 2 else {})
+        structure(step, closed=True)
+        assert len(step.solids) == 1 and step.exactly_valid, spec
+        assert step.volume() == pytest.approx(report["volume"], rel=1e-7), spec
