@@ -12,9 +12,10 @@ fn off_axis(p: Point3, origin: Point3, axis: Vec3) -> f64 {
     (way - axis * way.dot(axis)).length()
 }
 
-/// How far a ball is from touching two perpendicular cylinders of these radii from outside, and its contacts from lying on both.
-fn faults(ball: &RollingBall, [r1, r2]: [f64; 2], h: f64) -> f64 {
-    let axes = [(Point3::new(0.0, 0.0, -h), Vec3::X, r1), (Point3::new(0.0, 0.0, h), Vec3::Y, r2)];
+/// How far a ball is from touching two cylinders of these radii, with axes at this angle, from outside, and its contacts from lying on both.
+fn faults(ball: &RollingBall, [r1, r2]: [f64; 2], h: f64, angle: f64) -> f64 {
+    let second = Vec3::new(angle.cos(), angle.sin(), 0.0);
+    let axes = [(Point3::new(0.0, 0.0, -h), Vec3::X, r1), (Point3::new(0.0, 0.0, h), second, r2)];
     let fault = |i: usize| {
         let (origin, axis, r) = axes[i];
         let apart = (off_axis(ball.center, origin, axis) - (r + ball.radius)).abs();
@@ -31,21 +32,26 @@ fn balls_touch_both_cylinders() {
     for _ in 0..500 {
         let (r1, r2) = (rng.between(0.2, 2.0), rng.between(0.2, 2.0));
         let h = 0.5 * (r1 - r2).abs() + rng.between(0.01, 2.0);
-        let pair = SkewCylinders::new([r1, r2], h).unwrap();
+        let upright = SkewCylinders::new([r1, r2], h).unwrap();
+        let angle = if rng.chance(0.3) { upright.angle() } else { rng.between(0.2, 2.9) };
+        let pair = upright.with_angle(angle).unwrap();
         let a = rng.between(-1.4, 1.4);
         let b = a.abs() + rng.between(0.05, 0.95) * (std::f64::consts::PI - 2.0 * a.abs());
         let ball = pair.ball(Point2::new(a, b)).unwrap();
         let size = 1.0 + ball.center.to_vec().length() + ball.radius.abs();
-        assert!(faults(&ball, [r1, r2], h) < 1e-13 * size, "{r1} {r2} {h} {a} {b}");
+        assert!(faults(&ball, [r1, r2], h, angle) < 1e-13 * size / angle.sin(), "{r1} {r2} {h} {angle} {a} {b}");
         // The normals lead back to the place.
         let back = pair.place_of_normals(ball.normals);
         assert!((back - Point2::new(a, b)).length() < 1e-12, "{a} {b} {back:?}");
         // Exchange of the cylinders: (A, B) becomes (pi/2 - B, pi/2 - A).
         let half = std::f64::consts::FRAC_PI_2;
-        let swapped = SkewCylinders::new([r2, r1], h).unwrap();
+        let swapped = SkewCylinders::new([r2, r1], h).unwrap().with_angle(angle).unwrap();
         let other = swapped.ball(Point2::new(half - b, half - a)).unwrap();
         assert!((other.radius - ball.radius).abs() < 1e-12 * size);
-        // A mirror: A becomes -A.
+        // A half turn about the common normal: A becomes -A, B becomes pi - B. The radius is that of either mirror too.
+        let turned = pair.ball(Point2::new(-a, 2.0 * half - b)).unwrap();
+        let Point3 { x, y, z } = ball.center;
+        assert!(turned.center.distance(Point3::new(-x, -y, z)) < 1e-12 * size / angle.sin());
         let mirrored = pair.ball(Point2::new(-a, b)).unwrap();
         assert!((mirrored.radius - ball.radius).abs() < 1e-12 * size);
     }
@@ -71,7 +77,9 @@ fn patches_of_all_types_are_envelopes() {
         for _ in 0..10 {
             let (r1, r2) = (rng.between(0.4, 1.5), rng.between(0.4, 1.5));
             let h = 0.5 * (r1 + r2) + rng.between(0.1, 1.0);
-            let pair = SkewCylinders::new([r1, r2], h).unwrap();
+            let upright = SkewCylinders::new([r1, r2], h).unwrap();
+            let angle = if rng.chance(0.3) { upright.angle() } else { rng.between(0.3, 2.8) };
+            let pair = upright.with_angle(angle).unwrap();
             // About the middle of the diamond.
             let center = kind.local(cyclide::Vec2::new(rng.between(-0.2, 0.2), 1.57 + rng.between(-0.2, 0.2)));
             let ends = center.map(|x| {
@@ -82,7 +90,7 @@ fn patches_of_all_types_are_envelopes() {
             for k in 1..8 {
                 let s = f64::from(k) / 8.0;
                 for t in [0.0, 0.3, 1.0] {
-                    assert!(off_envelope(&patch, s, t) < 1e-8, "{kind:?}");
+                    assert!(off_envelope(&patch, s, t) < 1e-8, "{kind:?} {angle}");
                 }
             }
             let families = kind.families().map(CircleFamily::index);
@@ -169,5 +177,5 @@ fn perpendicular_cylinders_are_a_pair() {
     ])
     .unwrap();
     let ball = pair.ball(Point2::new(0.2, 1.3)).unwrap();
-    assert!(faults(&ball, [r1, r2], h) < 1e-12);
+    assert!(faults(&ball, [r1, r2], h, std::f64::consts::FRAC_PI_2) < 1e-12);
 }

@@ -1,13 +1,13 @@
-//! Two cylinders with perpendicular axes, and the surface of the centres of balls that touch both
-//! (`docs/math/canal-blends.md#balls-between-two-perpendicular-cylinders`; source: `002`, section 4).
+//! Two cylinders with skew axes, and the surface of the centres of balls that touch both
+//! (`docs/math/canal-blends.md#balls-between-two-skew-cylinders`; source: `002`, section 4, for axes at right angles).
 //!
-//! With radii `r1`, `r2`, axes `2h` apart, `d = r2 - r1`, `k+ = 2h + d`, `k- = 2h - d`, the places `(A, B)` of the plane of a torus give
+//! With radii `r1`, `r2`, axes `2h` apart at the angle `w`, `d = r2 - r1`, `k+ = 2h + d`, `k- = 2h - d`, the places `(A, B)` of the plane of a torus give
 //! ```text
 //! X0 = cos 2A - cos 2B = 2 sin(B-A) sin(B+A),   E = sqrt(k+ k-)
-//! center = (E sin 2B, E sin 2A, 2h cos 2A - d)/X0 - (0, 0, h),   R + r1 = (2h - d cos 2A)/X0
+//! center = (x, E sin 2A/X0, (2h cos 2A - d)/X0 - h),   x sin w = (E sin 2B + E sin 2A cos w)/X0,   R + r1 = (2h - d cos 2A)/X0
 //! tan(f1/2) = sqrt(k+/k-) tan A,   tan(f2/2) = sqrt(k+/k-) tan B
 //! ```
-//! `f1`, `f2` are the angles of the contacts about the axes, from the third axis.
+//! `f1`, `f2` are the angles of the contacts about the axes, from the third axis; towards y about the first, towards `(sin w, -cos w, 0)` about the second.
 
 use super::RollingBall;
 use crate::base::planar::Point2;
@@ -19,8 +19,8 @@ use std::f64::consts::{FRAC_PI_2, PI};
 /// Products of sines up to this are rounding of `cos 2A = cos 2B`.
 const AT_INFINITY: f64 = 1e-15;
 
-/// Two cylinders with perpendicular axes that do not meet, so far apart that the balls touching both form a torus: the first along
-/// x through `(0, 0, -h)`, the second along y through `(0, 0, h)`.
+/// Two cylinders with skew axes, so far apart that the balls touching both form a torus: the first along x through `(0, 0, -h)`, the second through
+/// `(0, 0, h)`, along y or at another [angle](Self::with_angle).
 ///
 /// Balls are told by places `(A, B)` of the plane of a torus, radians: inside the diamond `|A| < B < pi - |A|` they touch both from outside;
 /// in its middle `(0, pi/2)` is the smallest. A negative radius is that of a cylinder that the balls touch from inside.
@@ -37,10 +37,12 @@ const AT_INFINITY: f64 = 1e-15;
 pub struct SkewCylinders {
     radii: [f64; 2],
     half_gap: f64,
+    /// What the angle of the axes is more than a right one, between minus and plus a right one.
+    lean: f64,
 }
 
 impl SkewCylinders {
-    /// From the radii and half the distance of the axes.
+    /// With perpendicular axes, from the radii and half the distance of the axes.
     ///
     /// # Errors
     /// `not-finite`, `zero-radius`, `parameter-out-of-range` (beyond 1e-150 to 1e150), `not-timelike-pair` (unless
@@ -63,7 +65,51 @@ impl SkewCylinders {
             return Err(Error::NotTimelikePair { measured, limit });
         }
         range::check_distance(half_gap)?;
-        Ok(Self { radii, half_gap })
+        Ok(Self { radii, half_gap, lean: 0.0 })
+    }
+
+    /// The same with the second axis along `(cos angle, sin angle, 0)`, for an angle in radians.
+    ///
+    /// ```
+    /// use cyclide::{Point2, SkewCylinders};
+    /// let pair = SkewCylinders::new([1.0, 1.5], 2.0)?.with_angle(1.0)?;
+    /// let ball = pair.ball(Point2::new(0.1, 1.4))?;
+    /// let [sin, cos] = [1_f64.sin(), 1_f64.cos()];
+    /// let from_axis = (ball.center.x * sin - ball.center.y * cos).hypot(ball.center.z - 2.0);
+    /// assert!((from_axis - (1.5 + ball.radius)).abs() < 1e-14);
+    /// # Ok::<(), cyclide::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// `not-finite`, `parameter-out-of-range` unless the angle is between 0 and pi.
+    pub fn with_angle(self, angle: f64) -> Result<Self> {
+        if !angle.is_finite() {
+            return Err(Error::NotFinite { what: ErrorItem::Angle, index: 0 });
+        }
+        let lean = angle - FRAC_PI_2;
+        if !(angle > 0.0 && lean < FRAC_PI_2) {
+            return Err(Error::ParameterOutOfRange { name: ErrorItem::Angle, value: angle, min: 0.0, max: PI });
+        }
+        Ok(Self { lean, ..self })
+    }
+
+    /// The angle of the axes, radians.
+    #[must_use]
+    pub fn angle(&self) -> f64 {
+        FRAC_PI_2 + self.lean
+    }
+
+    /// The direction of the second axis, and the one across it that its angles go towards.
+    #[must_use]
+    pub(crate) fn second_axis(&self) -> [Vec3; 2] {
+        let (sin, cos) = self.lean.sin_cos();
+        [Vec3::new(-sin, cos, 0.0), Vec3::new(cos, sin, 0.0)]
+    }
+
+    /// Cosine and sine of half of what the angle is more than a right one.
+    pub(super) fn half_lean(&self) -> [f64; 2] {
+        let (sin, cos) = (0.5 * self.lean).sin_cos();
+        [cos, sin]
     }
 
     /// The radii.
@@ -110,15 +156,21 @@ impl SkewCylinders {
         // 2h - d cos 2A = k- cos² A + k+ sin² A,  2h cos 2A - d = k- cos² A - k+ sin² A.
         let from_axis = (minus * cos_a * cos_a + plus * sin_a * sin_a) / x0;
         let height = (minus * cos_a * cos_a - plus * sin_a * sin_a) / x0 - h;
-        let center = Point3::new(2.0 * root * sin_b * cos_b / x0, 2.0 * root * sin_a * cos_a / x0, height);
+        // Across either axis.
+        let [second, first] = [sin_b * cos_b, sin_a * cos_a].map(|product| 2.0 * root * product / x0);
+        let [along, across] = self.second_axis();
+        let center = Point3::new((second - first * across.y) / across.x, first, height);
         let direction = |sin: f64, cos: f64| {
             let (p, q) = (plus.sqrt() * sin, minus.sqrt() * cos);
             let n = p * p + q * q;
             [2.0 * p * q / n, (q - p) * (q + p) / n]
         };
         let ([s1, c1], [s2, c2]) = (direction(sin_a, cos_a), direction(sin_b, cos_b));
-        let normals = [Vec3::new(0.0, s1, c1), Vec3::new(s2, 0.0, c2)];
-        let axes = [Point3::new(center.x, 0.0, -h), Point3::new(0.0, center.y, h)];
+        let normals = [Vec3::new(0.0, s1, c1), across * s2 + Vec3::Z * c2];
+        let axes = [
+            Point3::new(center.x, 0.0, -h),
+            Point3::new(0.0, 0.0, h) + along * (center.x * along.x + center.y * along.y),
+        ];
         let contacts = [0, 1].map(|i| axes[i] + normals[i] * self.radii[i]);
         Ok(RollingBall { center, radius: from_axis - self.radii[0], contacts, normals })
     }
@@ -132,7 +184,7 @@ impl SkewCylinders {
             let angle = 0.5 * sin.atan2(cos);
             (minus * angle.sin()).atan2(plus * angle.cos())
         };
-        let (a, b) = (half(normals[0].y, normals[0].z), half(normals[1].x, normals[1].z));
+        let (a, b) = (half(normals[0].y, normals[0].z), half(normals[1].dot(self.second_axis()[1]), normals[1].z));
         Point2::new(a, if b < 0.0 { b + PI } else { b })
     }
 

@@ -1,5 +1,5 @@
-//! The patch of balls between two perpendicular cylinders along a quartic of the plane of the torus, in its lowest degree
-//! (`docs/math/canal-blends.md#patches-between-two-perpendicular-cylinders`; source: `002`, section 4).
+//! The patch of balls between two skew cylinders along a quartic of the plane of the torus, in its lowest degree
+//! (`docs/math/canal-blends.md#patches-between-two-skew-cylinders`; source: `002`, section 4, for axes at right angles).
 //!
 //! With linear complex `z_i`, `c_i = Im(conj z_i z_i')`, `n_i = |z_i|²`, `w = z0 z1 z2`, `v = z1 conj(z2) z3`:
 //! ```text
@@ -8,7 +8,9 @@
 //! U2 = c0 n2 n3 + 2 c2 n0 n3 - c3 n0 n2,   I2 = Im(z0 z1² z3)
 //! kappa = (U1 I1 + U2 I2) + (U2 I2 - U1 I1) k
 //! ```
-//! and the circles from `q1` to `q2 kappa`, or for types with `z3` but not `z0` from `q1 conj(kappa)` to `q2`, which has a lower degree.
+//! where the axes are at right angles. At a right angle and `2 l` more, `q2` has the factor `cos l + k sin l` on the left, and in `kappa` the products
+//! `U1 I1` have the factor `cos l + sin l`, `U2 I2` the factor `cos l - sin l`;
+//! the circles go from `q1` to `q2 kappa`, or for types with `z3` but not `z0` from `q1 conj(kappa)` to `q2`, which has a lower degree.
 
 use super::{CanalPatch, SkewCylinders};
 use crate::base::complex::Complex;
@@ -18,7 +20,7 @@ use crate::surface::torus::rows::{conj, product, square_norm};
 use crate::surface::{QuarticType, TorusPiece};
 
 impl CanalPatch {
-    /// The patch between two perpendicular cylinders along a piece of a spline in the plane of their balls, inside the diamond.
+    /// The patch between two skew cylinders along a piece of a spline in the plane of their balls, inside the diamond.
     ///
     /// # Errors
     /// As [`between_skew_cylinders`](Self::between_skew_cylinders).
@@ -122,7 +124,11 @@ impl Rows {
         let height = &(&(&y1 * (2.0 * h)) - &(&y0 * d)) - &(&weight * h);
         let from_axis = &(&y0 * (2.0 * h)) - &(&y1 * d);
         let radius = &from_axis - &(&weight * pair.radii()[0]);
-        (PolynomialRow([&y4 * root, &y2 * root, height, weight]), radius)
+        let [_, across] = pair.second_axis();
+        let (first, second) = (&y2 * root, &y4 * root);
+        // A right angle leaves no terms that only add rounding.
+        let x = if across.y == 0.0 { second } else { &(&second - &(&first * across.y)) * (1.0 / across.x) };
+        (PolynomialRow([x, first, height, weight]), radius)
     }
 
     /// `q1`, `q2`, `kappa`.
@@ -130,14 +136,16 @@ impl Rows {
         let ([w, v], [plus, minus]) = (self.classes(), pair.sides().map(f64::sqrt));
         let zero = || Polynomial::constant(0.0);
         let q1 = QuatPolynomial([&real(&w) * minus, &imaginary(&w) * -plus, zero(), zero()]);
-        let q2 = QuatPolynomial([&real(&v) * minus, zero(), &imaginary(&v) * plus, zero()]);
+        let [cos, sin] = pair.half_lean();
+        let (upright, turned) = (&real(&v) * minus, &imaginary(&v) * plus);
+        let q2 = QuatPolynomial([&upright * cos, &turned * -sin, &turned * cos, &upright * sin]);
         let ([n0, n1, n2, n3], [c0, c1, c2, c3]) = (self.norms(), self.turns);
         let u1 = sum([(c0, &n1, &n3), (2.0 * c1, &n0, &n3), (c3, &n0, &n1)]);
         let u2 = sum([(c0, &n2, &n3), (2.0 * c2, &n0, &n3), (-c3, &n0, &n2)]);
         let [z0, z1, z2, z3] = &self.z;
         let i1 = imaginary(&product(&product(&conj(z0), &product(&conj(z2), &conj(z2))), z3));
         let i2 = imaginary(&product(&product(z0, &product(z1, z1)), z3));
-        let (one, other) = (&u1 * &i1, &u2 * &i2);
+        let (one, other) = (&(&u1 * &i1) * (cos + sin), &(&u2 * &i2) * (cos - sin));
         [q1, q2, QuatPolynomial([&one + &other, zero(), zero(), &other - &one])]
     }
 }
