@@ -73,7 +73,7 @@ GOOD = {
     "tee with a wall and laws": {**TEE, "wall": 2, "ends": "closed", "branches": [{**BRANCH, "angle": {"degrees": 60}, "offset": 1, "azimuth": 0.5, "blend": {"crotch": 4, "flank": 3}}]},
     "tee with values": {**TEE, "branches": [{**BRANCH, "blend": {"values": [{"angle": {"degrees": 90}, "radius": 3}]}}]},
     "crossing": CROSSING,
-    "crossing with a wall": {**CROSSING, "wall": 2, "ends": "closed", "tolerance": 0.01},
+    "crossing with a wall": {**CROSSING, "wall": 2, "ends": "closed", "tolerance": 0.01, "angle": {"degrees": 60}},
     "bridge": BRIDGE,
     "bridge with walls": {**BRIDGE, "depth": 3},
     "tangents": {"type": "arc-spline", "points": [[0, 0], [1, 1]], "tangents": [[1, 0], [0, 1, 0]], "rule": "auto"},

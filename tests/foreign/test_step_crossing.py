@@ -20,6 +20,8 @@ CROSSINGS = {
     "thin on thick": ([28, 10], 36, 6, {}),
     "bridge": ([15, 12], 33, 9, {"wall": 2, "ends": "closed"}),
     "deep": ([20, 20], 8, 4, {}),
+    "askew": ([20, 15], 24, 4, {"wall": 2, "angle": {"degrees": 50}}),
+    "acute": ([20, 20], 30, 3, {"angle": {"degrees": 150}}),
 }
 
 
@@ -40,9 +42,10 @@ def made(program, folder, radii, distance, blend, fields):
 def axes(spec):
     """Point, direction, radius and taper of both pipes."""
     first, second = (pipe["radius"] for pipe in spec["pipes"])
+    angle = np.radians(spec["angle"]["degrees"]) if "angle" in spec else np.pi / 2
     return (
         (np.zeros(3), np.array([1.0, 0, 0]), first, 0.0),
-        (np.array([0, 0, float(spec["distance"])]), np.array([0, 1.0, 0]), second, 0.0),
+        (np.array([0, 0, float(spec["distance"])]), np.array([np.cos(angle), np.sin(angle), 0.0]), second, 0.0),
     )
 
 
@@ -93,10 +96,11 @@ def test_random_crossings_are_valid(program, tmp_path):
         radii = [20.0, 20 * generator.uniform(0.4, 1)]
         # From well sunk to nearly apart.
         distance = (radii[0] - radii[1]) + generator.uniform(0.3, 0.95) * 2 * radii[1]
-        blend = generator.uniform(0.05, 0.4) * radii[1]
+        lean = generator.uniform(35, 145) if k % 2 else 90.0
+        blend = generator.uniform(0.05, 0.4) * radii[1] * np.sin(np.radians(lean)) ** 2
         folder = tmp_path / str(k)
         folder.mkdir()
-        step, spec, report = made(program, folder, radii, distance, blend, {"wall": 0.1 * radii[1]} if k % 2 else {})
+        step, spec, report = made(program, folder, radii, distance, blend, {"angle": {"degrees": lean}, **({"wall": 0.05 * radii[1]} if k % 2 else {})})
         structure(step, closed=True)
         assert len(step.solids) == 1 and step.exactly_valid, spec
         assert step.volume() == pytest.approx(report["volume"], rel=1e-7), spec

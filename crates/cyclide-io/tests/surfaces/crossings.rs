@@ -37,6 +37,8 @@ fn crossings_that_are_none_are_refused_in_their_place() {
         ([40.0, 4.0], r#""distance": 36.05, "blend": 1"#, "pipes[1]", "[crossing-hole-too-wide]"),
         ([58.0, 60.0], r#""distance": 80, "blend": 4"#, "pipes[0]", "[crossing-pipe-too-short]"),
         ([15.0, 12.0], r#""distance": 24, "blend": 4, "wall": 12"#, "wall", "[parameter-out-of-range]"),
+        ([15.0, 12.0], r#""distance": 24, "blend": 4, "angle": {"degrees": 180}"#, "angle", "[parameter-out-of-range]"),
+        ([15.0, 12.0], r#""distance": 24, "blend": 9, "angle": {"degrees": 40}"#, "blend", "[crossing-folds]"),
         ([15.0, -12.0], r#""distance": 24, "blend": 4"#, "pipes", "[radius-not-positive]"),
         ([15.0, 12.0], r#""distance": 24, "blend": 4, "wall": 1, "ends": "open""#, "", "`wall` makes a solid"),
     ] {

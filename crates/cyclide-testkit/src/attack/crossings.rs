@@ -26,6 +26,10 @@ pub(super) fn surface(random: &mut Random) -> Objects {
     if random.chance(0.4) {
         object["wall"] = json!(first.min(second) * random.between(0.01, if wild { 1.1 } else { 0.3 }));
     }
+    if random.chance(0.6) {
+        object["angle"] =
+            json!({"degrees": random.between(if wild { -20.0 } else { 25.0 }, if wild { 200.0 } else { 155.0 })});
+    }
     if random.chance(0.3) {
         object["tolerance"] = json!(blend * random.decades(-5.0, 0.0));
     }

@@ -653,6 +653,13 @@ pub enum Error {
         /// The largest such angle.
         limit: f64,
     },
+    /// The border of the hole of a crossing turns back, so that parts of its pipe would overlap.
+    CrossingHoleTurnsBack {
+        /// Which pipe, from 0.
+        pipe: usize,
+        /// Where, as a place along its axis.
+        along: f64,
+    },
     /// The blend of a crossing runs through itself.
     CrossingFolds {
         /// Where its ball is then, as an angle about the common normal of the axes from the first one.

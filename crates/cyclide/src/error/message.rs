@@ -159,6 +159,11 @@ impl std::fmt::Display for Error {
                 ShortNumber(*angle),
                 ShortNumber(*limit)
             ),
+            Self::CrossingHoleTurnsBack { pipe, along } => write!(
+                f,
+                "the border of the hole in pipe {pipe} turns back at {} along it; take a smaller ball, move the axes apart, or turn them nearer to a right angle",
+                ShortNumber(*along)
+            ),
             Self::CrossingFolds { angle, left } => write!(
                 f,
                 "the blend runs through itself where its ball is at {} radians from the first axis: its width there is {} of that on a straight way, which must be positive; take a smaller ball, a thinner wall, or move the axes",

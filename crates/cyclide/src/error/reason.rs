@@ -45,6 +45,7 @@ impl Error {
             Self::TeeHoleFolds { .. } => "tee-hole-folds",
             Self::CrossingPipeTooShort { .. } => "crossing-pipe-too-short",
             Self::CrossingHoleTooWide { .. } => "crossing-hole-too-wide",
+            Self::CrossingHoleTurnsBack { .. } => "crossing-hole-turns-back",
             Self::CrossingFolds { .. } => "crossing-folds",
             Self::TeeBranchesMeet { .. } => "tee-branches-meet",
             Self::EllipsesCross { .. } => "ellipses-cross",

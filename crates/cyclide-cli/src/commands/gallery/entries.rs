@@ -141,7 +141,7 @@ pub const ENTRIES: [Entry; 32] = [
     Entry {
         name: "crossing",
         title: "Pipes that pass each other",
-        text: "Blended by a ball of one radius: two hollow pipes with one bore, a rail that lies on a bar, and two pipes that do not touch, which the blend joins as a bridge. Exact envelopes of balls, one solid each.",
+        text: "Blended by a ball of one radius: two hollow pipes with one bore, the same askew, a rail that lies on a bar, and two pipes that do not touch, which the blend joins as a bridge. Exact envelopes of balls, one solid each.",
         document: example!("crossing.json"),
         inputs: &[],
         formats: SURFACES,

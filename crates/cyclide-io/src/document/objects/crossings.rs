@@ -3,6 +3,7 @@
 use cyclide::{CrossingPipe, PipeCrossing, SurfaceObject, TeeEnds};
 
 use super::Builder;
+use crate::document::angle::Angle;
 use crate::document::spec::PipeCrossingSpec;
 use crate::error::Result;
 
@@ -23,6 +24,7 @@ impl Builder<'_> {
 fn crossing(spec: &PipeCrossingSpec) -> cyclide::Result<PipeCrossing> {
     let pipes = spec.pipes.map(|pipe| CrossingPipe { radius: pipe.radius, ends: pipe.ends });
     let crossing = PipeCrossing::new(pipes, spec.distance, spec.blend)?.with_ends(spec.ends);
+    let crossing = spec.angle.map_or(Ok(crossing), |angle| crossing.with_angle(Angle::radians(angle)))?;
     let crossing = spec.tolerance.map_or(Ok(crossing), |tolerance| crossing.with_tolerance(tolerance))?;
     spec.wall.map_or(Ok(crossing), |wall| crossing.with_wall(wall))
 }

@@ -255,14 +255,16 @@ fn blame_tee(error: &cyclide::Error) -> Blame {
 fn blame_crossing(error: &cyclide::Error) -> Blame {
     use cyclide::{Error as E, ErrorItem as I};
     match error {
-        E::CrossingPipeTooShort { pipe, .. } | E::CrossingHoleTooWide { pipe, .. } => Blame::Entry("pipes", *pipe),
+        E::CrossingPipeTooShort { pipe, .. }
+        | E::CrossingHoleTooWide { pipe, .. }
+        | E::CrossingHoleTurnsBack { pipe, .. } => Blame::Entry("pipes", *pipe),
         E::NotFinite { what: I::Radius, index } if *index < 2 => Blame::Entry("pipes", *index),
         E::RadiusTooSmall { .. } | E::CrossingFolds { .. } | E::NotFinite { what: I::Radius, .. } => {
             Blame::Field("blend")
         }
         E::NotTimelikePair { .. } | E::NotFinite { what: I::Distance, .. } => Blame::Field("distance"),
         E::ToleranceNotPositive { .. } | E::TooManyPieces { .. } => Blame::Field("tolerance"),
-        E::ParameterOutOfRange { name: name @ I::Wall, .. } => Blame::Field(name.word()),
+        E::ParameterOutOfRange { name: name @ (I::Wall | I::Angle), .. } => Blame::Field(name.word()),
         _ => Blame::Field("pipes"),
     }
 }

@@ -6,9 +6,9 @@ use serde::Deserialize;
 
 use super::TypeWord;
 use super::comment::Comment;
+use crate::document::angle::Angle;
 
-/// Two pipes that pass each other at right angles, blended by a ball that rolls between them: the first about the x axis, the second along y, `distance`
-/// above it; solid, or with a `wall` and one bore. Where they do not touch the blend is a bridge between them.
+/// Two pipes that pass each other, blended by a ball that rolls between them: the first about the x axis, the second `distance` above it, at an `angle` to it; solid, or with a `wall` and one bore. Where they do not touch the blend is a bridge between them.
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(
@@ -30,6 +30,8 @@ pub struct PipeCrossingSpec {
     /// Distance of the axes, more than the radii differ.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub distance: f64,
+    /// Angle of the second axis from the first, about the upward normal, between 0 and 180 degrees. Default: a right angle.
+    pub angle: Option<Angle>,
     /// The radius of the ball; of pipes that do not touch more than half the gap.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub blend: f64,

@@ -236,6 +236,16 @@
 //! # Ok::<(), cyclide::Error>(())
 //! ```
 //!
+//! # `crossing-hole-turns-back`
+//! The blend of two pipes that pass each other askew, with a large ball, meets a pipe in a line that turns back along it.
+//! ```
+//! use cyclide::{CrossingPipe, PipeCrossing};
+//! let pipes = [1.0, 0.7241].map(|radius| CrossingPipe { radius, ends: [-12.0, 12.0] });
+//! let crossing = PipeCrossing::new(pipes, 0.445, 1.16)?.with_angle(50_f64.to_radians())?;
+//! assert_eq!(crossing.made().unwrap_err().reason(), "crossing-hole-turns-back");
+//! # Ok::<(), cyclide::Error>(())
+//! ```
+//!
 //! # `crossing-folds`
 //! The ball of a crossing is too large to roll between its pipes, and the blend runs through itself.
 //! ```

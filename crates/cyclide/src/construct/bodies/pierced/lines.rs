@@ -13,6 +13,18 @@ fn behind(reach: f64) -> f64 {
     (TAU / 3.0).max(reach + (PI - reach) / 3.0)
 }
 
+/// The half direction of an angle.
+fn half(angle: f64) -> [f64; 2] {
+    let (s, c) = (0.5 * angle).sin_cos();
+    [c, s]
+}
+
+/// From one half direction to another, of degree 0 where they are one.
+fn between([from, to]: [[f64; 2]; 2]) -> [Polynomial; 2] {
+    let one = (0..2).all(|d: usize| from[d] - to[d] == 0.0);
+    [0, 1].map(|d: usize| Polynomial::new(if one { vec![from[d]] } else { vec![from[d], to[d]] }))
+}
+
 /// A place of the border of a hole: half direction of length 1, and place along the pipe.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::construct::bodies) struct Node {
@@ -39,6 +51,8 @@ pub(in crate::construct::bodies) struct Hole {
     /// The numbers of the pieces that start the sides: towards the end of the pipe, beside it, towards its start, beside it on the other side, as many pieces as on the first; last that of
     /// all pieces.
     pub(in crate::construct::bodies) sides: [usize; 5],
+    /// How much the hole leans: by how much the lines behind it go round the pipe for a step along it.
+    pub(in crate::construct::bodies) slant: f64,
     /// Where the stretch begins and ends.
     pub(in crate::construct::bodies) stretch: [f64; 2],
 }
@@ -93,12 +107,11 @@ struct Lines<'a, 'b> {
     skin: &'a mut Skin<'b>,
     cylinder: Cylinder,
     stretch: [f64; 2],
-    /// Half directions of both lines behind, the second as it is reached from the first, and as it is from the hole.
-    halves: [[f64; 2]; 2],
-    second: [f64; 2],
-    /// Vertices along both lines from the start to the end of the stretch, with their places, and edges between them.
+    /// Vertices along both lines from the start to the end of the stretch, with their places and angles as they are reached from the hole, and edges between
+    /// them.
     vertices: [Vec<usize>; 2],
     places: [Vec<f64>; 2],
+    angles: [Vec<f64>; 2],
     edges: [Vec<usize>; 2],
     rulings: [Vec<usize>; 2],
     /// The arcs from the hole to both lines, from low places to high ones.
@@ -111,22 +124,18 @@ struct Lines<'a, 'b> {
 impl<'a, 'b> Lines<'a, 'b> {
     fn new(skin: &'a mut Skin<'b>, hole: &'a Hole) -> Result<Self> {
         let [_, front, back, rear, count] = hole.sides;
-        let angle = |node: &Node| 2.0 * node.half[1].atan2(node.half[0]);
+        // As if the hole were upright.
+        let angle = |node: &Node| 2.0 * node.half[1].atan2(node.half[0]) - hole.slant * node.along;
         let angles = || hole.nodes.iter().map(angle);
         let (low, high) = (angles().fold(f64::INFINITY, f64::min), angles().fold(f64::NEG_INFINITY, f64::max));
         let (middle, behind) = (0.5 * (low + high), behind(0.5 * (high - low)));
-        let half = |angle: f64| {
-            let (s, c) = (0.5 * angle).sin_cos();
-            [c, s]
-        };
         let mut lines = Self {
             skin,
             cylinder: hole.cylinder,
             stretch: hole.stretch,
-            halves: [half(middle + behind), half(middle + TAU - behind)],
-            second: half(middle - behind),
             vertices: [Vec::new(), Vec::new()],
             places: [Vec::new(), Vec::new()],
+            angles: [Vec::new(), Vec::new()],
             edges: [Vec::new(), Vec::new()],
             rulings: [Vec::new(), Vec::new()],
             arcs: [Vec::new(), Vec::new()],
@@ -139,23 +148,34 @@ impl<'a, 'b> Lines<'a, 'b> {
             let along = nodes.iter().map(|&k| hole.nodes[k % count].along);
             let places: Vec<f64> =
                 std::iter::once(hole.stretch[0]).chain(along).chain(std::iter::once(hole.stretch[1])).collect();
-            let target = if line == 0 { lines.halves[0] } else { lines.second };
-            let points = places.iter().map(|&at| lines.cylinder.point(target, at));
+            // Beyond the hole lines are straight.
+            let last = nodes.len();
+            let upright = if line == 0 { middle + behind } else { middle - behind };
+            let angles: Vec<f64> = (0..places.len()).map(|k| upright + hole.slant * places[k.clamp(1, last)]).collect();
+            let points = places.iter().zip(&angles).map(|(&at, &angle)| lines.cylinder.point(half(angle), at));
             let vertices: Vec<usize> = points.map(|p| lines.skin.sewing.vertex(p)).collect();
-            for pair in vertices.windows(2) {
-                let edge = lines.skin.sewing.segment(pair[0], pair[1])?;
+            for k in 0..=last {
+                let ends = [vertices[k], vertices[k + 1]];
+                let edge = if angles[k] - angles[k + 1] == 0.0 {
+                    lines.skin.sewing.segment(ends[0], ends[1])?
+                } else {
+                    let along = Polynomial::new(vec![places[k], places[k + 1]]);
+                    let border = between([half(angles[k]), half(angles[k + 1])]);
+                    let row = lines.cylinder.border(&border, &along, &Polynomial::constant(1.0));
+                    lines.skin.edge(ends, RationalBezier::from_polynomial_row(&row).into())
+                };
                 lines.edges[line].push(edge);
             }
-            for (&k, &vertex) in nodes.iter().zip(&vertices[1..]) {
-                let (contact, from) = (hole.contacts[k % count], hole.nodes[k % count].half);
+            for (j, &k) in nodes.iter().enumerate() {
+                let (contact, vertex) = (hole.contacts[k % count], vertices[j + 1]);
                 let ends = [contact, vertex].map(|v| lines.skin.sewing.vertices[v]);
-                let arc = lines.cylinder.arc(ends, from, target)?;
+                let arc = lines.cylinder.arc(ends, hole.nodes[k % count].half, half(angles[j + 1]))?;
                 let edge = lines.skin.sewing.edge(contact, vertex, arc);
                 lines.arcs[line].push(edge);
             }
             let outer = |k: usize| (hole.contacts[k % count], hole.nodes[k % count].half);
             lines.outermost[line] = [outer(nodes[0]), outer(nodes[nodes.len() - 1])];
-            (lines.vertices[line], lines.places[line]) = (vertices, places);
+            (lines.vertices[line], lines.places[line], lines.angles[line]) = (vertices, places, angles);
         }
         Ok(lines)
     }
@@ -198,7 +218,6 @@ impl<'a, 'b> Lines<'a, 'b> {
     /// The parts beside the hole, with arcs to a line.
     fn beside(&mut self, hole: &Hole, [from, to]: [usize; 2], line: usize) -> Result<()> {
         let count = hole.pieces.len();
-        let target = if line == 0 { self.halves[0] } else { self.second };
         let steps = to - from;
         for (k, piece) in hole.pieces.iter().enumerate().take(to).skip(from) {
             // Lines run from low places to high ones, the loop comes back along the first.
@@ -210,11 +229,12 @@ impl<'a, 'b> Lines<'a, 'b> {
                 let [c, s] = piece.half.each_ref().map(|p| p.value(end));
                 c.hypot(s)
             };
-            let even = [size(0.0), size(1.0)];
+            let even = Polynomial::new(vec![size(0.0), size(1.0)]);
             let straight = Polynomial::new([start, end].map(|p| self.places[line][p + 1]).to_vec());
             let first = Border { half: piece.half.clone(), along: piece.along.clone() };
+            let targets = [start, end].map(|p| half(self.angles[line][p + 1]));
             let second = Border {
-                half: target.map(|v| Polynomial::new(even.map(|size| size * v).to_vec())),
+                half: between(targets).map(|coordinate| &coordinate * &even),
                 along: &straight * &piece.weight,
             };
             let surface = self.cylinder.between(&piece.weight, &first, &second)?;
@@ -227,6 +247,11 @@ impl<'a, 'b> Lines<'a, 'b> {
             );
         }
         Ok(())
+    }
+
+    /// Half directions of both lines behind at a vertex, the second as it is reached from the first.
+    fn behind_at(&self, k: usize) -> [[f64; 2]; 2] {
+        [half(self.angles[0][k]), half(self.angles[1][k] + TAU)]
     }
 
     /// The parts behind, between both lines.
@@ -242,13 +267,14 @@ impl<'a, 'b> Lines<'a, 'b> {
             if (along[0] - along[1]).abs() <= 1e-13 * size {
                 along[1] = along[0];
             }
-            let curve = self.cylinder.across(points, self.halves, along)?;
+            let curve = self.cylinder.across(points, self.behind_at(k), along)?;
             let edge = self.skin.edge(ends, curve);
             self.across.push(edge);
         }
         for k in 0..last {
+            let [starts, ends] = [self.behind_at(k), self.behind_at(k + 1)];
             let border = |line: usize| Border {
-                half: self.halves[line].map(Polynomial::constant),
+                half: between([starts[line], ends[line]]),
                 along: Polynomial::new(vec![self.places[line][k], self.places[line][k + 1]]),
             };
             let surface = self.cylinder.between(&one, &border(0), &border(1))?;
@@ -274,8 +300,8 @@ impl<'a, 'b> Lines<'a, 'b> {
         let one = Polynomial::constant(1.0);
         let mut corner_edges = Vec::new();
         for line in [0, 1] {
-            let target = if line == 0 { self.halves[0] } else { self.second };
-            let (contact, half) = self.outermost[line][side];
+            let target = half(self.angles[line][place]);
+            let (contact, from) = self.outermost[line][side];
             let (vertex, ruling) = if line == 0 {
                 (ring.vertices[ring.vertices.len() - 1], self.rulings[side][self.rulings[side].len() - 1])
             } else {
@@ -283,7 +309,7 @@ impl<'a, 'b> Lines<'a, 'b> {
             };
             let behind = self.vertices[line][place];
             let ends = [vertex, behind].map(|v| self.skin.sewing.vertices[v]);
-            let arc: Arc = self.cylinder.arc(ends, half, target)?;
+            let arc: Arc = self.cylinder.arc(ends, from, target)?;
             let edge = self.skin.sewing.edge(vertex, behind, arc);
             let beside = self.vertices[line][if side == 0 { 1 } else { last - 1 }];
             let segment = self.edges[line][if side == 0 { 0 } else { last - 1 }];
@@ -292,23 +318,20 @@ impl<'a, 'b> Lines<'a, 'b> {
                 half: half.map(Polynomial::constant),
                 along: Polynomial::new(places.clone()),
             };
-            let surface = self.cylinder.between(&one, &border(half), &border(target))?;
+            let surface = self.cylinder.between(&one, &border(from), &border(target))?;
             let edges = [ruling, segment, self.arcs[line][inside], edge];
             self.add(surface, [contact, vertex, beside, behind], edges);
-            corner_edges.push((edge, half));
+            corner_edges.push((edge, from));
         }
         // Once round: to the first line, behind to the second, and back.
-        let constant = |from: [f64; 2], to: [f64; 2]| [0, 1].map(|d: usize| Polynomial::new(vec![from[d], to[d]]));
+        let [first, second] = self.behind_at(place);
+        let as_from_hole = half(self.angles[1][place]);
         let high = corner_edges[0].1;
         let low = corner_edges[1].1;
         ring.edges.extend([corner_edges[0].0, self.across[place], corner_edges[1].0]);
         ring.vertices.extend([0, 1].map(|line: usize| self.vertices[line][place]));
-        ring.halves.extend([self.halves[0], self.second]);
-        ring.along.extend([
-            constant(high, self.halves[0]),
-            constant(self.halves[0], self.halves[1]),
-            constant(self.second, low),
-        ]);
+        ring.halves.extend([first, as_from_hole]);
+        ring.along.extend([between([high, first]), between([first, second]), between([as_from_hole, low])]);
         Ok(ring)
     }
 }

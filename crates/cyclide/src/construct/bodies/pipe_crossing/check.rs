@@ -45,22 +45,36 @@ pub(super) fn check_folds(balls: &BallLoop, depth: f64) -> Result<TightPlace> {
     }
 }
 
-/// Refuses holes that go too far round.
+/// Refuses holes that go too far round, and those whose border turns back: parts of the pipe would overlap.
 ///
 /// # Errors
-/// `crossing-hole-too-wide`.
+/// `crossing-hole-too-wide`, `crossing-hole-turns-back`.
 pub(super) fn check_holes(balls: &BallLoop) -> Result<()> {
+    let places = || (0..=PLACES).map(|k| f64::from(k) / f64::from(PLACES));
     for pipe in 0..2 {
-        let half = |s: f64, halves: &[crate::rational::Polynomial; 2]| {
-            let [c, s] = halves.each_ref().map(|p| p.value(s));
-            2.0 * s.atan2(c)
-        };
-        let angles = balls.pieces.iter().flat_map(|piece| {
-            (0..=PLACES).map(move |k| half(f64::from(k) / f64::from(PLACES), &piece.halves[pipe]).abs())
-        });
+        let angles = balls.pieces.iter().flat_map(|piece| places().map(move |s| piece.angle_at(pipe, s).abs()));
         let angle = angles.fold(0.0, f64::max);
         if !(angle <= FARTHEST) {
             return Err(Error::CrossingHoleTooWide { pipe, angle, limit: FARTHEST });
+        }
+        let order = balls.hole_order(pipe);
+        let ahead = if order.ahead { 1.0 } else { -1.0 };
+        // Towards both ends of the pipe by the angle, beside the hole by the place; the other two sides are half a turn from these.
+        for (side, sign) in [(0, ahead), (1, -ahead)] {
+            let pieces = &order.pieces[order.sides[side]..order.sides[side + 1]];
+            let value = |k: usize, s: f64| {
+                let piece = &balls.pieces[k];
+                if side == 0 { piece.angle_at(pipe, s) } else { piece.along_at(pipe, s) }
+            };
+            let turns = |&k: &usize| {
+                let back = |pair: &[f64]| !((value(k, pair[1]) - value(k, pair[0])) * sign > 0.0);
+                let places: Vec<f64> = places().collect();
+                places.windows(2).find(|pair| back(pair)).map(|pair| balls.pieces[k].along_at(pipe, pair[0]))
+            };
+            let missing = || pieces.is_empty().then(|| balls.pieces[order.pieces[0]].along_at(pipe, 0.0));
+            if let Some(along) = pieces.iter().find_map(turns).or_else(missing) {
+                return Err(Error::CrossingHoleTurnsBack { pipe, along });
+            }
         }
     }
     Ok(())

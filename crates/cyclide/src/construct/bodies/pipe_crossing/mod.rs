@@ -1,4 +1,4 @@
-//! Pipes that pass each other at right angles, blended by a ball that rolls between them (`docs/math/pipe-crossings.md`).
+//! Pipes that pass each other, blended by a ball that rolls between them (`docs/math/pipe-crossings.md`).
 //!
 //! The distance of the axes is more than the radii differ: the case of `002`, section 4 (*timelike*), in which the balls that touch both pipes
 //! are those of a torus. The loop of balls goes round neither pipe, so each has a hole in its side; where the pipes do not touch, the blend
@@ -6,6 +6,7 @@
 
 mod ball_loop;
 mod check;
+mod corners;
 mod skin;
 
 use super::pierced::{Ring, Skin};
@@ -20,7 +21,7 @@ use ball_loop::BallLoop;
 /// The ball keeps its radius to this part of it where no tolerance is given.
 const DEFAULT_TOLERANCE: f64 = 1e-3;
 
-/// A pipe that passes another at right angles.
+/// A pipe that passes another.
 ///
 /// ```
 /// use cyclide::CrossingPipe;
@@ -35,8 +36,8 @@ pub struct CrossingPipe {
     pub ends: [f64; 2],
 }
 
-/// Two pipes that pass each other at right angles with a blend between them, solid or with a wall: the first about the x axis, the second along y
-/// above it.
+/// Two pipes that pass each other with a blend between them, solid or with a wall: the first about the x axis, the second above it, along y or at another
+/// [angle](Self::with_angle).
 ///
 /// The ball touches both pipes from outside everywhere, and its radius is within the tolerance. Smooth (tangent planes) along the contacts.
 /// Source: `002`, section 4, with `docs/math/pipe-crossings.md`.
@@ -79,7 +80,7 @@ pub struct MadeCrossing {
 }
 
 impl PipeCrossing {
-    /// A solid crossing: the distance of the axes, and the radius of the ball, to a thousandth of it.
+    /// A solid crossing at right angles: the distance of the axes, and the radius of the ball, to a thousandth of it.
     ///
     /// # Errors
     /// `not-finite`, `radius-not-positive`, `parameter-out-of-range`; `not-timelike-pair` unless the distance is more than the radii differ;
@@ -103,6 +104,14 @@ impl PipeCrossing {
             return Err(Error::RadiusTooSmall { radius: blend, limit });
         }
         Ok(Self { pipes, pair, blend, tolerance: DEFAULT_TOLERANCE * blend, wall: None, ends: TeeEnds::Flat })
+    }
+
+    /// The same with the second pipe along `(cos angle, sin angle, 0)`, radians.
+    ///
+    /// # Errors
+    /// As [`SkewCylinders::with_angle`].
+    pub fn with_angle(self, angle: f64) -> Result<Self> {
+        Ok(Self { pair: self.pair.with_angle(angle)?, ..self })
     }
 
     /// The same with another tolerance of the radius.
@@ -137,12 +146,12 @@ impl PipeCrossing {
     /// The body, with what is known of its blend.
     ///
     /// # Errors
-    /// `too-many-pieces` (the tolerance), `crossing-folds`, `crossing-hole-too-wide`, `crossing-pipe-too-short`.
+    /// `too-many-pieces` (the tolerance), `crossing-folds`, `crossing-hole-too-wide`, `crossing-hole-turns-back`, `crossing-pipe-too-short`.
     pub fn made(&self) -> Result<MadeCrossing> {
         let balls = BallLoop::new(&self.pair, self.blend, self.tolerance)?;
         let depth = self.wall.unwrap_or(0.0);
-        let tight = check::check_folds(&balls, depth)?;
         check::check_holes(&balls)?;
+        let tight = check::check_folds(&balls, depth)?;
         self.check_room(&balls)?;
         let blend = TeeBlendFacts {
             radii: balls.radii,

@@ -8,14 +8,15 @@ use crate::error::Result;
 use crate::rational::RationalBezier;
 use crate::surface::SkewCylinders;
 
-/// The first pipe about the x axis, the second along y above it, each seen from the other one.
+/// The first pipe about the x axis, the second above it, each seen from the other one.
 pub(super) fn axis(pair: &SkewCylinders, pipe: usize) -> Cylinder {
     let radius = pair.radii()[pipe];
     if pipe == 0 {
         return Cylinder { radius, origin: Point3::ORIGIN, along: Vec3::X, sideways: Vec3::Y, up: Vec3::Z };
     }
     let origin = Point3::new(0.0, 0.0, 2.0 * pair.half_gap());
-    Cylinder { radius, origin, along: Vec3::Y, sideways: Vec3::X, up: -Vec3::Z }
+    let [along, sideways] = pair.second_axis();
+    Cylinder { radius, origin, along, sideways, up: -Vec3::Z }
 }
 
 /// What has been sewn of the contacts with a pipe, in the order of the loop.
@@ -51,7 +52,7 @@ impl Skin<'_> {
         let vertices: Vec<usize> =
             nodes.iter().map(|node| self.sewing.vertex(cylinder.point(node.half, node.along))).collect();
         let edges = pieces.iter().enumerate().map(|(k, piece)| {
-            let row = cylinder.border(&piece.halves[pipe], piece.along(pipe), piece.patch.center().weight());
+            let row = cylinder.border(&piece.halves[pipe], &piece.along[pipe], piece.patch.center().weight());
             self.edge([vertices[k], vertices[(k + 1) % pieces.len()]], RationalBezier::from_polynomial_row(&row).into())
         });
         let edges = edges.collect();
@@ -87,30 +88,30 @@ fn node(piece: &LoopPiece, pipe: usize) -> Node {
     Node { half: [c / length, s / length], along: piece.along_at(pipe, 0.0) }
 }
 
-/// The hole of a pipe, from its corner on. Seen from the first pipe the loop turns as angles do, seen from the second the other way.
+/// The hole of a pipe, from its corner on.
 fn hole(balls: &BallLoop, contacts: Contacts, pipe: usize, stretch: [f64; 2]) -> Hole {
-    let (count, quarter, corner) = (balls.pieces.len(), balls.quarter, balls.corners[pipe]);
-    let piece = |k: usize, reversed: bool| {
+    let order = balls.hole_order(pipe);
+    let piece = |&k: &usize| {
         let piece = &balls.pieces[k];
         let entries =
-            [&piece.halves[pipe][0], &piece.halves[pipe][1], piece.along(pipe), piece.patch.center().weight()];
-        let [c, s, along, weight] = entries.map(|p| if reversed { p.reversed() } else { p.clone() });
+            [&piece.halves[pipe][0], &piece.halves[pipe][1], &piece.along[pipe], piece.patch.center().weight()];
+        let [c, s, along, weight] = entries.map(|p| if order.ahead { p.clone() } else { p.reversed() });
         HolePiece { half: [c, s], along, weight }
     };
-    // Of the first pipe the side towards its end lies about x, a half turn behind the start of the loop less a quarter; of the second about y.
-    let (order, ahead, beside): (Vec<usize>, bool, [usize; 2]) = if pipe == 0 {
-        ((0..count).map(|j| (j + 2 * quarter + corner) % count).collect(), true, [2 * (quarter - corner), 2 * corner])
-    } else {
-        ((0..count).map(|j| (2 * count + corner - j) % count).collect(), false, [2 * corner, 2 * (quarter - corner)])
-    };
-    let of_piece = |&node: &usize| if ahead { node } else { (node + count - 1) % count };
+    let nodes: Vec<Node> = order.nodes.iter().map(|&node| contacts.nodes[node]).collect();
+    // The corners beside the hole at high angles, which an upright hole has at one angle.
+    let [high, back] = [1, 2].map(|side: usize| nodes[order.sides[side] % nodes.len()]);
+    let angle = |node: Node| 2.0 * node.half[1].atan2(node.half[0]);
+    let slant = (angle(high) - angle(back)) / (high.along - back.along);
     Hole {
         cylinder: contacts.cylinder,
-        pieces: order.iter().map(|node| piece(of_piece(node), !ahead)).collect(),
-        nodes: order.iter().map(|&node| contacts.nodes[node]).collect(),
-        contacts: order.iter().map(|&node| contacts.vertices[node]).collect(),
-        edges: order.iter().map(|node| contacts.edges[of_piece(node)]).collect(),
-        sides: [0, beside[0], beside[0] + beside[1], 2 * beside[0] + beside[1], count],
+        pieces: order.pieces.iter().map(piece).collect(),
+        nodes,
+        contacts: order.nodes.iter().map(|&node| contacts.vertices[node]).collect(),
+        edges: order.pieces.iter().map(|&piece| contacts.edges[piece]).collect(),
+        sides: order.sides,
+        // What is rounding is none.
+        slant: if (slant * (high.along - back.along)).abs() < 1e-9 { 0.0 } else { slant },
         stretch,
     }
 }

@@ -72,8 +72,16 @@ impl Skin<'_> {
             self.face(surface, [top_edges[k], edges[k], circles[k], circles[next]], starts, outwards);
         }
         let nodes = balls.iter().map(|ball| Node { half: ball.on_main, along: ball.along }).collect();
-        let hole =
-            Hole { cylinder, pieces, nodes, contacts, edges, sides: branch.partition.sides, stretch: branch.stretch };
+        let hole = Hole {
+            cylinder,
+            pieces,
+            nodes,
+            contacts,
+            edges,
+            sides: branch.partition.sides,
+            slant: 0.0,
+            stretch: branch.stretch,
+        };
         Ok((hole, [tops, top_edges]))
     }
 
