@@ -131,6 +131,7 @@ pub use construct::{CrossingPipe, MadeCrossing, PipeCrossing};
 pub use construct::{EllipseBridge, NeckBlend, NeckBody, NeckSide, NeckVariant, PlateShape};
 pub use construct::{FairFit, FairFitCertificate, FairFitOptions};
 pub use construct::{MadeTee, PipeTee, TeeBlend, TeeBlendFacts, TeeBranch, TeeEnds, TeeMain};
+pub use construct::{MoebiusSplineOptions, NodeParameters, QbInterpolation, QbNode, circle_tangents};
 pub use construct::{Pipe, PipeEnds, RailSurface, RationalRun, Revolution, TorusSeam};
 pub use construct::{
     ProjectiveBiarc, TorusMap, TorusSplineOptions, TorusTangent, TorusWinding, TwoTypeBiarc, UnrollOptions,
@@ -143,6 +144,7 @@ pub use curve::{
 };
 pub use curve::{CORNER_ANGLE, Fairness, RoundedTurns, Wavering, fairness, wavering};
 pub use curve::{Correspondence, CurvePlace, Span};
+pub use curve::{QbCurve, QbReach, QbSpline};
 pub use curve::{bounds, closest_point, curvature_comb, extreme_curvature, joints, length, resample};
 pub use error::{Error, ErrorItem, Result, reasons};
 pub use mesh::{LineKind, ParameterLine, parameter_lines};
