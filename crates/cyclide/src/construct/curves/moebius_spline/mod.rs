@@ -1,5 +1,5 @@
 //! A C1 spline through points, local and covariant under Möbius maps: quadratic QB spans between derivatives of circles
-//! (`docs/math/qb-curves.md#moebius-splines`; own construction beside `003`).
+//! (`docs/math/qb-curves.md#splines-of-invariant-spans`; own construction beside `003`).
 //!
 //! At each point the curve has the derivative of the circle through it and its neighbours, run through at their knots; between two points
 //! it is the [invariant span](QbCurve::invariant_span). Points on a circle, a line or a sphere give a curve on it, however they

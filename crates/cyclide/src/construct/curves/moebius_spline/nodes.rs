@@ -7,10 +7,10 @@
 //! ```
 
 use crate::base::vector::{Point3, Vec3};
-use crate::curve::{Chord, chords_between};
+use crate::curve::{Chord, chords_between, corner_nodes};
 use crate::error::{Error, ErrorItem, Result};
 
-/// The derivative with which a curve arrives at a node, and that with which it leaves: different at a cusp only.
+/// The derivative with which a curve arrives at a node, and that with which it leaves: different at corners and cusps only.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct NodeVelocity {
     pub(super) arriving: Vec3,
@@ -24,18 +24,20 @@ impl NodeVelocity {
     }
 }
 
-/// Points with their chords and steps of knots.
+/// Points with their chords, steps of knots, and corners.
 #[derive(Debug)]
 pub(super) struct Nodes<'a> {
     pub(super) points: &'a [Point3],
     pub(super) chords: Vec<Chord>,
     pub(super) steps: Vec<f64>,
     pub(super) closed: bool,
+    /// Rising.
+    corners: Vec<usize>,
 }
 
 impl<'a> Nodes<'a> {
     /// Of points and knots: one for each point, of a closed curve one more.
-    pub(super) fn new(points: &'a [Point3], knots: &[f64], closed: bool) -> Result<Self> {
+    pub(super) fn new(points: &'a [Point3], knots: &[f64], closed: bool, corners: &[usize]) -> Result<Self> {
         let needed = points.len() + usize::from(closed);
         if knots.len() != needed {
             return Err(Error::CountDiffers { what: ErrorItem::Knot, given: knots.len(), needed });
@@ -51,18 +53,34 @@ impl<'a> Nodes<'a> {
             }
             (chords, _) => chords?,
         };
-        Ok(Self { points, chords, steps, closed })
+        let corners = corner_nodes(corners, points.len(), closed)?;
+        Ok(Self { points, chords, steps, closed, corners })
+    }
+
+    /// True of the ends of an open curve and of corners: no circle runs through.
+    pub(super) fn is_cut(&self, i: usize) -> bool {
+        (!self.closed && (i == 0 || i + 1 == self.points.len())) || self.corners.binary_search(&i).is_ok()
     }
 
     /// The velocity at a node.
     pub(super) fn velocity(&self, i: usize) -> NodeVelocity {
-        let n = self.points.len();
-        match i {
-            _ if n == 2 => NodeVelocity::smooth(self.chord_velocity(0)),
-            0 if !self.closed => NodeVelocity::smooth(self.end_velocity([0, 1], false)),
-            i if !self.closed && i == n - 1 => NodeVelocity::smooth(self.end_velocity([n - 2, n - 3], true)),
-            i => self.inner_velocity((i + n - 1) % n, i),
+        let (n, m) = (self.points.len(), self.chords.len());
+        let before = (i + n - 1) % n;
+        if !self.is_cut(i) {
+            return self.inner_velocity(before, i);
         }
+        let leaving = self.cut_velocity([i.min(m - 1), (i + 1) % m], (i + 1) % n, false);
+        let arriving = self.cut_velocity([before.min(m - 1), (i + n - 2) % n % m], before, true);
+        match i {
+            0 if !self.closed => NodeVelocity::smooth(leaving),
+            i if !self.closed && i + 1 == n => NodeVelocity::smooth(arriving),
+            _ => NodeVelocity { arriving, leaving, is_cusp: true },
+        }
+    }
+
+    /// Where the curve is cut: by the circle through the next two points, or along the chord if that is cut too.
+    fn cut_velocity(&self, chords: [usize; 2], neighbour: usize, reversed: bool) -> Vec3 {
+        if self.is_cut(neighbour) { self.chord_velocity(chords[0]) } else { self.end_velocity(chords, reversed) }
     }
 
     fn inner_velocity(&self, before: usize, after: usize) -> NodeVelocity {
@@ -119,7 +137,7 @@ fn across(a: &Chord, b: &Chord) -> f64 {
 /// `count-differs` (knots), `too-few-points` (2 open, 3 closed), `not-finite`, `empty-interval` (knots that do not increase),
 /// `coincident-points`, `cusp` (a point at which the polygon turns right back).
 pub fn circle_tangents(points: &[Point3], knots: &[f64], closed: bool) -> Result<Vec<Vec3>> {
-    let nodes = Nodes::new(points, knots, closed)?;
+    let nodes = Nodes::new(points, knots, closed, &[])?;
     let tangent = |index: usize| {
         let velocity = nodes.velocity(index);
         if velocity.is_cusp {

@@ -26,25 +26,28 @@ pub struct MoebiusSplineOptions {
     /// The knots at which the curve passes its points. Those by distances are as far apart as these say, from 0; given ones increase, and
     /// of a closed curve there is one more than points. The shape hardly depends on them.
     pub knots: NodeParameters,
+    /// Indices of points that stay corners: both sides end there with the circle of their last three points. The ends of an open curve may
+    /// be listed without effect.
+    pub corners: Vec<usize>,
     /// Derivatives by the knots that are given, one entry for each point, `None` for those of the circles; or no entry at all.
     pub tangents: Vec<Option<Vec3>>,
 }
 
 impl QbSpline {
     /// The Möbius spline through points, in their order: C1 by its [knots](Self::knots), local (a span depends on four points), of quadratic
-    /// spans, which are rational quartics. Where the polygon turns right back it has a corner. Linear in the number of points.
+    /// spans, which are rational quartics. At corners, and where the polygon turns right back, it is only connected. Linear in the number of points.
     ///
     /// The image under a Möbius map is the Möbius spline through the images of the points, with the same knots, as long as neither leads
     /// a span the long way round.
     ///
     /// # Errors
     /// `count-differs` (knots, tangents), `too-few-points` (2 open, 3 closed), `not-finite`, `empty-interval` (knots that do not
-    /// increase), `coincident-points` (neighbours closer than 1e-12 of the bounding box's diagonal), `zero-tangent`, `arc-through-infinity`,
-    /// `ambiguous-half-turn`, `curve-through-infinity`.
+    /// increase), `coincident-points` (neighbours closer than 1e-12 of the bounding box's diagonal), `parameter-out-of-range` (a corner that is
+    /// no point), `zero-tangent`, `arc-through-infinity`, `ambiguous-half-turn`, `curve-through-infinity`.
     pub fn through_points(points: &[Point3], options: &MoebiusSplineOptions) -> Result<Self> {
         let (n, closed) = (points.len(), options.closed);
         let knots = knots_of(points, options)?;
-        let nodes = Nodes::new(points, &knots, closed)?;
+        let nodes = Nodes::new(points, &knots, closed, &options.corners)?;
         if !(options.tangents.is_empty() || options.tangents.len() == n) {
             return Err(Error::CountDiffers { what: ErrorItem::Tangent, given: options.tangents.len(), needed: n });
         }
@@ -88,7 +91,7 @@ fn velocity(nodes: &Nodes, options: &MoebiusSplineOptions, i: usize, warnings: &
         };
     }
     let n = nodes.points.len();
-    if nodes.closed || (i > 0 && i + 1 < n) {
+    if !nodes.is_cut(i) {
         inspect_node(i, &nodes.chords[(i + n - 1) % n], &nodes.chords[i], warnings);
     }
     Ok(nodes.velocity(i))
