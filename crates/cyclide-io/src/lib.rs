@@ -59,8 +59,9 @@ pub use measure::joints::SurfaceJointReport;
 pub use report::{
     CheckError, CircularReport, ComparisonReport, CurvatureRangeReport, CurvatureReport, CurvesReport, FairnessReport,
     FileReport, FitPieces, FitReport, GeometryReport, JointReport, ObjectReport, PartReport, PatchPlace,
-    PolyhedronReport, QbReport, RangeReport, Report, SeamReport, SegmentCounts, ShapeReport, SingularPatchReport, SmoothReport,
-    Spacing, SurfaceReport, TeeBlendReport, TorusReport, TubeReport, UnrolledReport, WarningReport, sample,
+    PolyhedronReport, QbReport, RangeReport, Report, SeamReport, SegmentCounts, ShapeReport, SingularPatchReport,
+    SmoothReport, Spacing, SurfaceReport, TeeBlendReport, TorusReport, TubeReport, UnrolledReport, WarningReport,
+    sample,
 };
 pub use text::place::{Diagnostic, Source, decode};
 pub use text::suggest::{did_you_mean, similar};

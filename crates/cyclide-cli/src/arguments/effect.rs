@@ -41,14 +41,8 @@ pub fn refuse_formats_not_written(args: &OutputArgs, outputs: &[(PathBuf, Format
 
 /// Refuses options that the kind of curve does not have, and those that another one leaves nothing to do.
 pub fn refuse_options_of_other_kinds(args: &CurveArgs, kind: Kind) -> Result<(), Failure> {
-    let closed_kinds = [
-        Kind::FairSpline,
-        Kind::CircleSpline,
-        Kind::MoebiusSpline,
-        Kind::ArcSpline,
-        Kind::ArcFit,
-        Kind::FairFit,
-    ];
+    let closed_kinds =
+        [Kind::FairSpline, Kind::CircleSpline, Kind::MoebiusSpline, Kind::ArcSpline, Kind::ArcFit, Kind::FairFit];
     let given = [
         ("--closed", args.closed, &closed_kinds[..]),
         ("--tension", args.tension.is_some(), &[Kind::FairSpline]),

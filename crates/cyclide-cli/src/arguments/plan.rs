@@ -6,8 +6,9 @@ use std::path::{Path, PathBuf};
 use clap_complete::Shell;
 use cyclide_io::{
     Angle, ArcFitSpec, ArcSplineSpec, CircleSplineSpec, Comment, Document, EndsSpec, ExportOptions, FairEndsSpec,
-    FairFitSpec, FairSplineSpec, Format, MoebiusContinuity, MoebiusSplineSpec, ObjectSpec, ParametersSpec, PointColumns,
-    PointFile, PointSource, QbInterpolationSpec, Spacing, TypeWord, WriteOptions, leads_to_standard_input, same_file,
+    FairFitSpec, FairSplineSpec, Format, MoebiusContinuity, MoebiusSplineSpec, ObjectSpec, ParametersSpec,
+    PointColumns, PointFile, PointSource, QbInterpolationSpec, Spacing, TypeWord, WriteOptions,
+    leads_to_standard_input, same_file,
 };
 
 use crate::arguments::args::{

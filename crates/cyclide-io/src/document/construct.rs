@@ -8,11 +8,11 @@ use cyclide::{
 
 use super::angle::Angle;
 use super::coordinates::Coordinates;
+use super::interpolate::InterpolationFacts;
 use super::spec::{
     ArcFitSpec, ArcSplineSpec, CircleSplineSpec, EndsSpec, FairEndPair, FairEndSpec, FairEndWord, FairEndsSpec,
     FairFitSpec, FairSplineSpec, PolylineSpec, RadiiSpec, StraightWord,
 };
-use super::interpolate::InterpolationFacts;
 use crate::input::points::PointList;
 
 /// What is known about a contour besides its curve.

@@ -1,8 +1,8 @@
 //! Curves of quaternion pairs through lists of points, from the fields of a document to the kernel's options.
 
 use cyclide::{
-    CircleSpline, CircleSplineOptions, CurveObject, ErrorItem, MoebiusSplineOptions, NodeParameters, QbInterpolation, QbNode,
-    QbSpline, Vec3,
+    CircleSpline, CircleSplineOptions, CurveObject, ErrorItem, MoebiusSplineOptions, NodeParameters, QbInterpolation,
+    QbNode, QbSpline, Vec3,
 };
 
 use super::construct::{Contour, Made, corners};
@@ -44,11 +44,7 @@ pub(super) fn qb_interpolation(spec: &QbInterpolationSpec, at: &Contour<'_>) -> 
                 return Err(cyclide::Error::CountDiffers { what, given: given.len(), needed: points.len() });
             }
             let parameters = parameters.of(points)?;
-            let node = |i: usize| QbNode {
-                parameter: parameters[i],
-                point: points[i],
-                derivatives: given[i].clone(),
-            };
+            let node = |i: usize| QbNode { parameter: parameters[i], point: points[i], derivatives: given[i].clone() };
             QbInterpolation::through_nodes(&(0..points.len()).map(node).collect::<Vec<_>>())?
         }
     };
@@ -69,10 +65,13 @@ pub(super) fn moebius_spline(spec: &MoebiusSplineSpec, at: &Contour<'_>) -> Made
     let corners = corners(at, closed, spec.corner_angle)?;
     let spline = match spec.continuity {
         MoebiusContinuity::G1 => {
-            let circles =
-                CircleSpline::from_points(points, &CircleSplineOptions { closed, order: 1, corners, ..Default::default() })?;
+            let circles = CircleSpline::from_points(
+                points,
+                &CircleSplineOptions { closed, order: 1, corners, ..Default::default() },
+            )?;
             circles.check_finite()?;
-            let no_spline = cyclide::Error::NotASpline { detail: "a circle spline of order 1 is one of quaternion pairs" };
+            let no_spline =
+                cyclide::Error::NotASpline { detail: "a circle spline of order 1 is one of quaternion pairs" };
             QbSpline::from_circle_spline(&circles).ok_or(no_spline)?
         }
         MoebiusContinuity::C1 => {

@@ -64,7 +64,8 @@ impl QbReport {
 
     /// The lines of the text.
     pub(super) fn lines(&self, line: Line<'_>) -> fmt::Result {
-        let mut text = format!("quaternion pairs of degree {}, rational of degree {}", self.degree, self.rational_degree);
+        let mut text =
+            format!("quaternion pairs of degree {}, rational of degree {}", self.degree, self.rational_degree);
         if self.corners > 0 {
             text += &format!(", {}", plural(self.corners, "corner"));
         }

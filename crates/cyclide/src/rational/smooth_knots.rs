@@ -114,8 +114,7 @@ impl NurbsCurve {
         let unit = POINT_ROUNDINGS * f64::EPSILON * after.point.to_vec().max_abs() * self.degree() as f64;
         let (left, right) = (self.span_rows(i), self.span_rows(j));
         let n = self.degree();
-        let rounding =
-            unit * (left[n - 1][3] / left[n][3] / intervals[i] + right[1][3] / right[0][3] / intervals[j]);
+        let rounding = unit * (left[n - 1][3] / left[n][3] / intervals[i] + right[1][3] / right[0][3] / intervals[j]);
         (after_d1 - before_d1).length() <= C1_LIMIT * after_d1.length().max(before_d1.length()) + rounding
     }
 

@@ -2,8 +2,8 @@
 
 use cyclide::{
     Arc, ArcPath, BlendVariant, ChainPiece, Circle, CircleSpline, CircleSplineOptions, CurveChain, DEFAULT_PIECE_ANGLE,
-    FairEnd, FairSplineOptions, Frame, MoebiusSplineOptions, NodeParameters, NurbsCurve, ParamCurve, Point2, Point3, QbInterpolation, QbSpline, SplineEnds, Torus, TorusSpline,
-    TorusSplineOptions, TorusTangent, Vec2, Vec3,
+    FairEnd, FairSplineOptions, Frame, MoebiusSplineOptions, NodeParameters, NurbsCurve, ParamCurve, Point2, Point3,
+    QbInterpolation, QbSpline, SplineEnds, Torus, TorusSpline, TorusSplineOptions, TorusTangent, Vec2, Vec3,
 };
 
 /// One curve of the list.

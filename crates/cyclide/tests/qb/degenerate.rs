@@ -2,8 +2,8 @@
 
 use crate::data::PARAMETERS;
 use cyclide::{
-    HPoint, MoebiusSplineOptions, NodeParameters, ParamCurve, Point3, QbCurve, QbInterpolation, QbNode, QbSpline, Quat, Vec3,
-    circle_tangents,
+    HPoint, MoebiusSplineOptions, NodeParameters, ParamCurve, Point3, QbCurve, QbInterpolation, QbNode, QbSpline, Quat,
+    Vec3, circle_tangents,
 };
 
 fn five() -> [Point3; 5] {
@@ -49,10 +49,12 @@ fn interpolation_names_what_is_wrong() {
 
 #[test]
 fn high_degrees_are_refused() {
-    let points: Vec<Point3> = (0..41).map(|i| {
-        let x = f64::from(i);
-        Point3::new((7.0 * x).sin(), (5.0 * x * x).cos(), (3.0 * x + 1.0).sin())
-    }).collect();
+    let points: Vec<Point3> = (0..41)
+        .map(|i| {
+            let x = f64::from(i);
+            Point3::new((7.0 * x).sin(), (5.0 * x * x).cos(), (3.0 * x + 1.0).sin())
+        })
+        .collect();
     let error = QbInterpolation::through_points(&points, &NodeParameters::Uniform).unwrap_err();
     assert!(["degree-too-high", "unattainable-point"].contains(&error.reason()), "{error}");
 }
@@ -101,7 +103,10 @@ fn scale_changes_no_digit_of_the_shape() {
         let other = QbInterpolation::through_points(&scaled, &NodeParameters::Chord).unwrap();
         let long = QbSpline::through_points(&scaled, &MoebiusSplineOptions::default()).unwrap();
         for t in PARAMETERS {
-            assert!(other.curve().point(t).distance(Point3::ORIGIN + found.curve().point(t).to_vec() * s) <= 1e-12 * s, "{e}");
+            assert!(
+                other.curve().point(t).distance(Point3::ORIGIN + found.curve().point(t).to_vec() * s) <= 1e-12 * s,
+                "{e}"
+            );
             assert!(long.point(t).distance(Point3::ORIGIN + spline.point(t).to_vec() * s) <= 1e-12 * s, "{e}");
         }
     }

@@ -141,7 +141,8 @@ proptest! {
 fn five_points_at_even_parameters_have_the_weights_of_the_closed_form() {
     // `003`, (6) and (7), with the first weight 1.
     use cyclide::Quat;
-    let points = [[0.0, 0.0, 0.0], [1.0, 2.0, 0.0], [3.0, 2.0, 1.0], [5.0, 1.0, 1.0], [6.0, 0.0, 3.0]].map(Point3::from);
+    let points =
+        [[0.0, 0.0, 0.0], [1.0, 2.0, 0.0], [3.0, 2.0, 1.0], [5.0, 1.0, 1.0], [6.0, 0.0, 3.0]].map(Point3::from);
     let d = |i: usize, j: usize| Quat::from(points[i] - points[j]);
     let inverse = |q: Quat| q.inverse().unwrap();
     let (a41, a43, a21, a23) = (inverse(d(4, 1)), inverse(d(4, 3)), inverse(d(2, 1)), inverse(d(2, 3)));
@@ -157,10 +158,13 @@ fn five_points_at_even_parameters_have_the_weights_of_the_closed_form() {
 #[test]
 fn needles_and_far_runs_are_said() {
     // The middle point is a little off the line of the others.
-    let bumped = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [2.0, 1e-4, 0.0], [3.0, 0.0, 0.0], [4.0, 0.0, 0.0]].map(Point3::from);
+    let bumped =
+        [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [2.0, 1e-4, 0.0], [3.0, 0.0, 0.0], [4.0, 0.0, 0.0]].map(Point3::from);
     let t = NodeParameters::Given(vec![0.0, 0.25, 0.5, 0.75, 1.0]);
     match QbInterpolation::through_points(&bumped, &t) {
-        Ok(found) => assert!(found.warnings().iter().any(|w| w.reason() == "spike-near-point"), "{:?}", found.warnings()),
+        Ok(found) => {
+            assert!(found.warnings().iter().any(|w| w.reason() == "spike-near-point"), "{:?}", found.warnings())
+        }
         Err(error) => assert_eq!(error.reason(), "unattainable-point"),
     }
     // A circle that comes back the long way.

@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used, reason = "helpers of tests")]
 #![allow(clippy::float_cmp, reason = "values that must agree to the bit are compared as such")]
 
+mod any_input;
 mod curves;
 mod data;
 mod degenerate;

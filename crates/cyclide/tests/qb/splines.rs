@@ -2,8 +2,8 @@
 
 use crate::data::{PARAMETERS, outside_inversion};
 use cyclide::{
-    CircleSpline, CircleSplineOptions, Conformal, MoebiusSplineOptions, NodeParameters, ParamCurve, Point3, QbSpline, Vec3,
-    bounds, joints,
+    CircleSpline, CircleSplineOptions, Conformal, MoebiusSplineOptions, NodeParameters, ParamCurve, Point3, QbSpline,
+    Vec3, bounds, joints,
 };
 use cyclide_testkit::generators::point;
 use proptest::prelude::*;
@@ -34,7 +34,9 @@ fn is_short(spline: &QbSpline) -> bool {
 proptest! {
     #[test]
     fn points_are_met_and_derivatives_continuous(points in points(), closed: bool) {
-        prop_assume!(is_tame(&points, closed));
+        if !is_tame(&points, closed) {
+            return Ok(());
+        }
         let spline = QbSpline::through_points(&points, &options(closed)).unwrap();
         let n = spline.piece_count();
         let size = bounds(&spline).diagonal();
@@ -55,10 +57,15 @@ proptest! {
 
     #[test]
     fn the_exact_form_is_the_curve(points in points(), closed: bool) {
-        prop_assume!(is_tame(&points, closed));
+        if !is_tame(&points, closed) {
+            return Ok(());
+        }
         let spline = QbSpline::through_points(&points, &options(closed)).unwrap();
         let runs = spline.to_nurbs_runs().unwrap();
         prop_assert_eq!(runs.len(), 1);
+        // Ends are those of the spline to the bit: a closed curve closes.
+        prop_assert_eq!(runs[0].control_points()[0], spline.point(0.0));
+        prop_assert_eq!(runs[0].control_points().last().copied(), Some(spline.point(1.0)));
         let (first, last) = (spline.knots()[0], spline.knots()[spline.knots().len() - 1]);
         let size = bounds(&spline).diagonal();
         for i in 0..=60 {
@@ -76,13 +83,17 @@ proptest! {
 
     #[test]
     fn splines_of_images_are_images_of_splines(points in points(), closed: bool, map in outside_inversion()) {
-        prop_assume!(is_tame(&points, closed));
+        if !is_tame(&points, closed) {
+            return Ok(());
+        }
         let spline = QbSpline::through_points(&points, &options(closed)).unwrap();
         let images: Vec<Point3> = points.iter().map(|p| map.map_point(*p).unwrap()).collect();
         let knots = NodeParameters::Given(spline.knots().to_vec());
         let of_images = QbSpline::through_points(&images, &MoebiusSplineOptions { closed, knots, ..Default::default() }).unwrap();
         // The way round infinity is not kept: the centre may be in the lune of a span.
-        prop_assume!(is_short(&spline) && is_short(&of_images) && bounds(&spline).diagonal() < 4.0);
+        if !(is_short(&spline) && is_short(&of_images) && bounds(&spline).diagonal() < 4.0) {
+            return Ok(());
+        }
         let image = spline.transformed(&map).unwrap();
         prop_assert_eq!(image.knots(), of_images.knots());
         for i in 0..=60 {
@@ -94,7 +105,9 @@ proptest! {
     #[test]
     fn points_on_a_circle_stay_on_it(mut angles in prop::collection::vec(0.0..6.2_f64, 4..9), closed: bool) {
         angles.sort_by(f64::total_cmp);
-        prop_assume!(angles.windows(2).all(|w| w[1] - w[0] > 0.02));
+        if !(angles.windows(2).all(|w| w[1] - w[0] > 0.02)) {
+            return Ok(());
+        }
         let points: Vec<Point3> = angles.iter().map(|a| Point3::new(a.cos(), a.sin(), 0.5)).collect();
         for knots in [NodeParameters::Automatic, NodeParameters::Uniform, NodeParameters::Chord] {
             let spline = QbSpline::through_points(&points, &MoebiusSplineOptions { closed, knots, ..Default::default() }).unwrap();
@@ -108,8 +121,7 @@ proptest! {
     #[test]
     fn without_knots_it_is_the_circle_spline_of_order_one(points in points(), closed: bool) {
         let made = CircleSpline::from_points(&points, &CircleSplineOptions { closed, order: 1, ..Default::default() });
-        prop_assume!(made.is_ok());
-        let circles = made.unwrap();
+        let Ok(circles) = made else { return Ok(()) };
         let spline = QbSpline::from_circle_spline(&circles).unwrap();
         prop_assert_eq!(spline.kinks(), circles.kinks());
         for i in 0..=60 {
@@ -123,7 +135,9 @@ proptest! {
 
     #[test]
     fn reversed_and_cut_chains_have_the_same_points(points in points(), closed: bool, t in 0.05..0.95_f64) {
-        prop_assume!(is_tame(&points, closed));
+        if !is_tame(&points, closed) {
+            return Ok(());
+        }
         let spline = QbSpline::through_points(&points, &options(closed)).unwrap();
         let size = bounds(&spline).diagonal();
         let back = spline.reversed();
@@ -141,7 +155,9 @@ proptest! {
     /// A span depends on four points and their knots.
     #[test]
     fn far_points_change_nothing(points in prop::collection::vec(point(), 7), other in point()) {
-        prop_assume!(is_tame(&points, false));
+        if !is_tame(&points, false) {
+            return Ok(());
+        }
         let knots = NodeParameters::Given((0..7).map(f64::from).collect());
         let options = MoebiusSplineOptions { knots, ..Default::default() };
         let spline = QbSpline::through_points(&points, &options).unwrap();
@@ -156,7 +172,8 @@ proptest! {
 fn tangents_that_are_given_are_kept() {
     let points = [[0.0, 0.0, 0.0], [2.0, 1.0, 0.0], [3.0, 3.0, 1.0], [1.0, 4.0, 0.0]].map(Point3::from);
     let v = Vec3::new(0.5, 1.0, 0.25);
-    let options = MoebiusSplineOptions { tangents: vec![None, Some(v), None, None], closed: true, ..Default::default() };
+    let options =
+        MoebiusSplineOptions { tangents: vec![None, Some(v), None, None], closed: true, ..Default::default() };
     let spline = QbSpline::through_points(&points, &options).unwrap();
     let u = spline.knots()[1];
     assert!((spline.jet_at_knot(u).d1 - v).length() < 1e-14);
@@ -178,13 +195,17 @@ fn turning_right_back_is_a_corner() {
 #[test]
 fn closed_splines_get_knots_and_weights_that_fit_at_the_seam() {
     let points = [[0.0, 0.0, 0.0], [2.0, 1.0, 0.0], [3.0, 3.0, 1.0], [1.0, 4.0, 0.0]].map(Point3::from);
-    let spline = QbSpline::through_points(&points, &MoebiusSplineOptions { closed: true, ..Default::default() }).unwrap();
+    let spline =
+        QbSpline::through_points(&points, &MoebiusSplineOptions { closed: true, ..Default::default() }).unwrap();
     let smooth = spline.to_nurbs_runs().unwrap()[0].with_c1_knots().unwrap();
     assert_eq!(smooth.degree(), 7);
     let (n, w) = (smooth.weights().len(), smooth.weights());
     assert!((w[0] - w[n - 1]).abs() < 1e-14 * w[0]);
     let knots = smooth.breaks();
-    let slopes = [(w[1] - w[0]) / (knots[1] - knots[0]), (w[n - 1] - w[n - 2]) / (knots[knots.len() - 1] - knots[knots.len() - 2])];
+    let slopes = [
+        (w[1] - w[0]) / (knots[1] - knots[0]),
+        (w[n - 1] - w[n - 2]) / (knots[knots.len() - 1] - knots[knots.len() - 2]),
+    ];
     assert!((slopes[0] - slopes[1]).abs() < 1e-12);
 }
 

@@ -8,8 +8,8 @@ use crate::document::angle::Angle;
 use crate::document::construct::{
     Contour, ContourFacts, Made, arc_fit, arc_spline, circle_spline, fair_fit, fair_spline, polyline,
 };
-use crate::document::interpolate::{moebius_spline, qb_interpolation};
 use crate::document::coordinates::{Coordinates, Lists, PointFile, PointSource};
+use crate::document::interpolate::{moebius_spline, qb_interpolation};
 use crate::document::locate::{Step, path_text};
 use crate::document::spec::{ArcSpec, CircleSpec, ObjectSpec};
 use crate::error::{Error, Result};

@@ -11,8 +11,8 @@ use crate::document::construct::{Contour, arc_spline, fair_spline};
 use crate::document::coordinates::{PointFile, PointSource};
 use crate::document::locate::Step;
 use crate::document::spec::{
-    ArcSplineSpec, CircleSplineSpec, Comment, EndsSpec, FairEndsSpec, FairFitSpec, FairSplineSpec,
-    MoebiusContinuity, MoebiusSplineSpec, ObjectSpec, ParametersSpec, PipeSpec, StraightWord, TorusSplineSpec, TubeSpec, TypeWord,
+    ArcSplineSpec, CircleSplineSpec, Comment, EndsSpec, FairEndsSpec, FairFitSpec, FairSplineSpec, MoebiusContinuity,
+    MoebiusSplineSpec, ObjectSpec, ParametersSpec, PipeSpec, StraightWord, TorusSplineSpec, TubeSpec, TypeWord,
 };
 use crate::input::points::merge_repeated;
 
@@ -115,7 +115,11 @@ fn in_moebius_spline(spec: &MoebiusSplineSpec, at: &Contour<'_>) -> Vec<Idle> {
     let no_knots = "with `g1` the curve has no knots";
     found(&[
         ("knots", by_directions && spec.knots != ParametersSpec::default(), no_knots),
-        ("tangents", by_directions && spec.tangents.is_some(), "with `g1` the curve takes the directions of its circles"),
+        (
+            "tangents",
+            by_directions && spec.tangents.is_some(),
+            "with `g1` the curve takes the directions of its circles",
+        ),
         ("corner_angle", has_no_corner(spec.corner_angle, spec.closed, at), NO_CORNER),
     ])
 }

@@ -12,8 +12,8 @@ mod build;
 mod modify;
 
 pub use build::corners_by_angle;
-pub(super) use modify::renumbered;
 pub(crate) use build::{SHARP_TURN, chords_between, corner_nodes, inspect_node, rounded_directions};
+pub(super) use modify::renumbered;
 
 use super::blend::{BlendLaw, BlendSegment, BlendVariant};
 use super::param_curve::ParamCurve;

@@ -13,6 +13,7 @@ use super::QbCurve;
 use crate::base::quat::Quat;
 use crate::base::vector::{Point3, Vec3};
 use crate::curve::blend::{BlendLaw, BlendSegment};
+use crate::error::{Error, ErrorItem, Result};
 
 /// What the span is made from: ends, unit chord and its length, tangent at the start, `(h·t1, -h × t1)`, and end speeds in chords.
 #[derive(Debug, Clone, Copy)]
@@ -23,6 +24,23 @@ pub(crate) struct SpanData {
     pub(crate) tangent: Vec3,
     pub(crate) root: Quat,
     pub(crate) speeds: [f64; 2],
+}
+
+/// End speeds accepted, in chords: third derivatives hold powers of them.
+const SPEEDS: [f64; 2] = [1e-30, 1e30];
+
+impl SpanData {
+    /// Refuses end speeds out of range.
+    ///
+    /// # Errors
+    /// `parameter-out-of-range`.
+    pub(crate) fn check(&self) -> Result<()> {
+        let [min, max] = SPEEDS;
+        match self.speeds.into_iter().find(|speed| !(min..=max).contains(speed)) {
+            Some(value) => Err(Error::ParameterOutOfRange { name: ErrorItem::TangentOverSpan, value, min, max }),
+            None => Ok(()),
+        }
+    }
 }
 
 impl QbCurve {

@@ -142,7 +142,12 @@ impl QbCurve {
         let (num, den) = self.polynomials();
         let sizes = |part: fn(&Row) -> Quat| Polynomial::new(self.rows.iter().map(|row| part(row).norm()).collect());
         let (real, size) = (num.dot(&den), &sizes(numerator) * &sizes(denominator));
-        let part = |(a, b): (&f64, &f64)| if *b > 0.0 { a.abs() / b } else { 0.0 };
+        // Sums that overflow say nothing.
+        let part = |(a, b): (&f64, &f64)| match *b {
+            b if !b.is_finite() => f64::INFINITY,
+            b if b > 0.0 => a.abs() / b,
+            _ => 0.0,
+        };
         real.coefficients().iter().zip(size.coefficients()).map(part).fold(0.0, f64::max)
     }
 

@@ -157,6 +157,7 @@ impl QbSpline {
     /// One run as a B-spline; adds how many pieces each of its spans has become.
     pub(crate) fn nurbs_of_run(&self, run: Range<usize>, spans: &mut Vec<Span>) -> Result<NurbsCurve> {
         let n = self.spans.len();
+        let end = self.spans[(run.end + n - 1) % n].point(1.0);
         let degree = run.clone().map(|i| self.spans[i % n].degree()).max().unwrap_or(0).max(1);
         let (mut curves, mut intervals, mut joints) = (Vec::<RationalBezier>::new(), Vec::new(), Vec::new());
         for i in run {
@@ -179,8 +180,8 @@ impl QbSpline {
         for (i, joint) in joints.iter().enumerate() {
             points[i * 2 * degree] = *joint;
         }
-        if let (Some(last), Some(end)) = (points.last_mut(), curves.last()) {
-            *last = end.point(1.0);
+        if let Some(last) = points.last_mut() {
+            *last = end;
         }
         NurbsCurve::new(2 * degree, curve.knots().to_vec(), points, curve.weights().to_vec())
     }

@@ -1,7 +1,7 @@
 //! Chains of QB curves reversed, cut and moved.
 
-use super::spline::QbSpline;
 use super::QbCurve;
+use super::spline::QbSpline;
 use crate::base::cut::{check_interval, place_of_cut};
 use crate::conformal::mobius::{Conformal, Mobius};
 use crate::curve::circle_spline::renumbered;

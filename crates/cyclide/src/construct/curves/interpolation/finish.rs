@@ -106,7 +106,11 @@ impl QbInterpolation {
 }
 
 /// The curve of pairs in the frame of the data; its ends are the points known there.
-pub(super) fn placed(pairs: impl IntoIterator<Item = (Quat, Quat)>, frame: DataFrame, ends: [Option<Point3>; 2]) -> QbCurve {
+pub(super) fn placed(
+    pairs: impl IntoIterator<Item = (Quat, Quat)>,
+    frame: DataFrame,
+    ends: [Option<Point3>; 2],
+) -> QbCurve {
     let sized = pairs.into_iter().map(|(n, d)| (n * frame.radius, d));
     QbCurve::from_local(frame.center, sized).with_ends(ends[0], ends[1])
 }

@@ -51,14 +51,12 @@ impl QbInterpolation {
     /// (above 12), `curve-through-infinity`.
     pub fn through_nodes(nodes: &[QbNode]) -> Result<Self> {
         let conditions: usize = nodes.iter().map(|node| 1 + node.derivatives.len()).sum();
-        if conditions % 2 == 0 {
+        if conditions.is_multiple_of(2) {
             return Err(Error::EvenPointCount { given: conditions });
         }
         for (index, node) in nodes.iter().enumerate() {
             range::check_point(index, node.point.to_vec())?;
-            if node.derivatives.iter().any(|d| !d.is_finite()) {
-                return Err(Error::NotFinite { what: ErrorItem::Tangent, index });
-            }
+            node.derivatives.iter().try_for_each(|d| range::check_derivative(index, *d))?;
             if !node.parameter.is_finite() {
                 return Err(Error::NotFinite { what: ErrorItem::Parameter, index });
             }
@@ -67,6 +65,7 @@ impl QbInterpolation {
         check_parameters(&t)?;
         let points: Vec<Point3> = nodes.iter().map(|node| node.point).collect();
         let frame = DataFrame::of(&points).including(nodes.iter().flat_map(taylor_lengths));
+        range::check_distance(frame.radius)?;
         if frame.radius <= 0.0 {
             return Self::finish(one_point(points[0]), frame, t, vec![1.0; nodes.len()]);
         }
@@ -81,7 +80,8 @@ impl QbInterpolation {
             return Err(Error::UnattainablePoint { points: failing, measured: attainability[first], limit: ATTAINED });
         }
         let lower = solved.rank.saturating_sub(degree + 1);
-        let pairs = if lower < degree { pairs_of(&null_vector(rows_of(&jets, lower), 2 * lower + 2).entries) } else { found };
+        let pairs =
+            if lower < degree { pairs_of(&null_vector(rows_of(&jets, lower), 2 * lower + 2).entries) } else { found };
         let curve = placed(pairs, frame, [None; 2]);
         check_met(&curve, &jets, frame)?;
         let [start, end] = end_points(&t, &points);
@@ -102,7 +102,8 @@ fn taylor_lengths(node: &QbNode) -> impl Iterator<Item = f64> + '_ {
 }
 
 fn jet_of(node: &QbNode, frame: DataFrame) -> Jet {
-    let scaled = node.derivatives.iter().zip(factorials()).map(|(d, factorial)| Quat::from(*d / (factorial * frame.radius)));
+    let scaled =
+        node.derivatives.iter().zip(factorials()).map(|(d, factorial)| Quat::from(*d / (factorial * frame.radius)));
     Jet { t: node.parameter, taylor: std::iter::once(frame.local(node.point)).chain(scaled).collect() }
 }
 
@@ -134,7 +135,9 @@ fn taylor_of_basis(degree: usize, k: usize, t: f64) -> Vec<f64> {
     let bernstein = |i: usize| choose(lower, i) * power(t, i) * power(1.0 - t, lower - i);
     let entry = |i: usize| {
         let terms = (0..=k).filter(|j| *j <= i && i - j <= lower);
-        let sum: f64 = terms.map(|j| if (k - j) % 2 == 0 { choose(k, j) } else { -choose(k, j) } * bernstein(i - j)).sum();
+        let sum: f64 = terms
+            .map(|j| if (k - j).is_multiple_of(2) { choose(k, j) } else { -choose(k, j) } * bernstein(i - j))
+            .sum();
         choose(degree, k) * sum
     };
     (0..=degree).map(entry).collect()
@@ -157,7 +160,9 @@ fn check_met(curve: &QbCurve, jets: &[Jet], frame: DataFrame) -> Result<()> {
         let derivatives = curve.derivatives(jet.t, jet.taylor.len() - 1);
         let taylor = derivatives.iter().zip(factorials()).map(|(d, factorial)| *d / factorial);
         let got = std::iter::once(curve.local_point(jet.t)).chain(taylor);
-        let off = got.zip(&jet.taylor).map(|(got, want)| (got / frame.radius - want.vector()).length() / want.norm().max(1.0));
+        let off = got
+            .zip(&jet.taylor)
+            .map(|(got, want)| (got / frame.radius - want.vector()).length() / want.norm().max(1.0));
         off.fold(0.0, |m: f64, x| if x <= m { m } else { x })
     };
     let missed: Vec<usize> = (0..jets.len()).filter(|k| !(distance(&jets[*k]) <= MISSED)).collect();

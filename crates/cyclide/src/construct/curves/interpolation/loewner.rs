@@ -27,12 +27,12 @@ impl QbInterpolation {
     /// `count-differs`, `even-point-count`, `not-finite`, `parameter-out-of-range`, `coincident-points` (of parameters by distance),
     /// `repeated-parameter`, `unattainable-point`, `degree-too-high` (above 12), `curve-through-infinity`.
     pub fn through_points(points: &[Point3], parameters: &NodeParameters) -> Result<Self> {
-        if let NodeParameters::Given(given) = parameters {
-            if given.len() != points.len() {
-                return Err(Error::CountDiffers { what: ErrorItem::Parameter, given: given.len(), needed: points.len() });
-            }
+        if let NodeParameters::Given(given) = parameters
+            && given.len() != points.len()
+        {
+            return Err(Error::CountDiffers { what: ErrorItem::Parameter, given: given.len(), needed: points.len() });
         }
-        if points.len() % 2 == 0 {
+        if points.len().is_multiple_of(2) {
             return Err(Error::EvenPointCount { given: points.len() });
         }
         for (index, p) in points.iter().enumerate() {
@@ -41,6 +41,7 @@ impl QbInterpolation {
         let t = parameters.of(points)?;
         check_parameters(&t)?;
         let frame = DataFrame::of(points);
+        range::check_distance(frame.radius)?;
         if frame.radius <= 0.0 {
             return Self::finish(one_point(points[0]), frame, t, vec![1.0; points.len()]);
         }
@@ -51,7 +52,8 @@ impl QbInterpolation {
         if let Some(&first) = failing.first() {
             return Err(Error::UnattainablePoint { points: failing, measured: attainability[first], limit: ATTAINED });
         }
-        let pairs = if solved.rank < n { drop_degree(&t, &local, solved.rank) } else { pairs_of(&t, &local, &solved.entries) };
+        let pairs =
+            if solved.rank < n { drop_degree(&t, &local, solved.rank) } else { pairs_of(&t, &local, &solved.entries) };
         let curve = placed(pairs, frame, [None; 2]);
         check_met(&curve, &t, &local, frame)?;
         let [start, end] = end_points(&t, points);
@@ -101,7 +103,8 @@ fn drop_degree(t: &[f64], a: &[Quat], degree: usize) -> Vec<(Quat, Quat)> {
     let mut order: Vec<usize> = (0..t.len()).collect();
     order.sort_by(|x, y| t[*x].total_cmp(&t[*y]));
     let last = t.len() - 1;
-    let chosen: Vec<usize> = (0..=2 * degree).map(|k| order[if degree > 0 { k * last / (2 * degree) } else { 0 }]).collect();
+    let chosen: Vec<usize> =
+        (0..=2 * degree).map(|k| order[if degree > 0 { k * last / (2 * degree) } else { 0 }]).collect();
     let t: Vec<f64> = chosen.iter().map(|k| t[*k]).collect();
     let a: Vec<Quat> = chosen.iter().map(|k| a[*k]).collect();
     let solved = solve(&t, &a);

@@ -38,17 +38,19 @@ impl QbInterpolation {
         for (index, p) in points.iter().enumerate() {
             range::check_point(index, p.to_vec())?;
         }
-        if let Some(index) = tangents.iter().position(|v| !v.is_finite()) {
-            return Err(Error::NotFinite { what: ErrorItem::Tangent, index });
+        for (index, v) in tangents.iter().enumerate() {
+            range::check_derivative(index, *v)?;
         }
         if !(t > 0.0 && t < 1.0) {
             return Err(Error::ParameterOutOfRange { name: ErrorItem::T, value: t, min: 0.0, max: 1.0 });
         }
         let parameters = vec![0.0, t, 1.0];
         let frame = DataFrame::of(&points);
+        range::check_distance(frame.radius)?;
         let Some(inverse) = Quat::from(points[2] - points[0]).inverse() else {
             // Closed: no chord to divide by.
-            let node = |k: usize, derivatives: Vec<Vec3>| QbNode { parameter: parameters[k], point: points[k], derivatives };
+            let node =
+                |k: usize, derivatives: Vec<Vec3>| QbNode { parameter: parameters[k], point: points[k], derivatives };
             return Self::through_nodes(&[node(0, vec![tangents[0]]), node(1, Vec::new()), node(2, vec![tangents[1]])]);
         };
         let pairs = closed_form(points, tangents, t, inverse, frame)?;
@@ -74,7 +76,8 @@ fn closed_form(
     let right = (d20 * (1.0 / tau), d42 * alpha);
     let vanishes = |(a, b): (Quat, Quat)| (a - b).norm() <= VANISHES * (a.norm() + b.norm());
     let measure = |(a, b): (Quat, Quat)| (a - b).norm() / (a.norm() + b.norm()).max(f64::MIN_POSITIVE);
-    let missed = |point: usize, measured: f64| Error::UnattainablePoint { points: vec![point], measured, limit: VANISHES };
+    let missed =
+        |point: usize, measured: f64| Error::UnattainablePoint { points: vec![point], measured, limit: VANISHES };
     let local = |p: Point3| Quat::from(p - frame.center);
     match (vanishes(left), vanishes(right)) {
         (true, true) => return Ok(vec![(local(a0), Quat::ONE), (local(a4) * alpha, alpha)]),
@@ -90,11 +93,7 @@ fn closed_form(
     if sum.norm() <= VANISHES * size {
         return Err(missed(1, sum.norm() / size));
     }
-    Ok(vec![
-        (local(a0), Quat::ONE),
-        (local(a0) * middle + Quat::from(v0 * 0.5), middle),
-        (local(a4) * last, last),
-    ])
+    Ok(vec![(local(a0), Quat::ONE), (local(a0) * middle + Quat::from(v0 * 0.5), middle), (local(a4) * last, last)])
 }
 
 /// Refuses a curve that misses a point or a tangent: between the limit above and 1e-8 rounding is divided by little.

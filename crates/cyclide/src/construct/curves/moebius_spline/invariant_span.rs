@@ -27,7 +27,8 @@ impl QbCurve {
     /// ```
     ///
     /// # Errors
-    /// `not-finite`, `coincident-points`, `zero-tangent`, `opposite-arcs`, `curve-through-infinity` (derivatives that point backward).
+    /// `not-finite`, `coincident-points`, `zero-tangent`, `opposite-arcs`, `parameter-out-of-range` (derivatives
+    /// beyond 1e30 chords), `curve-through-infinity` (derivatives that point backward).
     pub fn invariant_span(ends: [Point3; 2], velocities: [Vec3; 2]) -> Result<Self> {
         for (index, p) in ends.iter().enumerate() {
             range::check_point(index, p.to_vec())?;
@@ -44,6 +45,7 @@ impl QbCurve {
         let (t1, t2) = (unit(0)?, unit(1)?.reflect(chord.unit));
         let speeds = velocities.map(|v| v.length() / chord.length);
         let data = SpanData { ends, unit: chord.unit, length: chord.length, tangent: t1, root: root(t1, t2)?, speeds };
+        data.check()?;
         let span = Self::from_span(&data);
         span.check_finite()?;
         Ok(span)

@@ -84,7 +84,8 @@ impl<'a> Nodes<'a> {
     }
 
     fn inner_velocity(&self, before: usize, after: usize) -> NodeVelocity {
-        let ([c0, c1], [h0, h1]) = ([&self.chords[before], &self.chords[after]], [self.steps[before], self.steps[after]]);
+        let ([c0, c1], [h0, h1]) =
+            ([&self.chords[before], &self.chords[after]], [self.steps[before], self.steps[after]]);
         match c0.tangent_to(c1) {
             Some(tangent) => {
                 let speed = (1.0 / h0 + 1.0 / h1) * c0.length * (c1.length / across(c0, c1));

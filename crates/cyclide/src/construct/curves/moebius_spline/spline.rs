@@ -78,11 +78,21 @@ fn knots_of(points: &[Point3], options: &MoebiusSplineOptions) -> Result<Vec<f64
     }
     let mut sum = 0.0;
     let steps = node_steps(&options.knots, points, options.closed)?;
-    Ok(std::iter::once(0.0).chain(steps.into_iter().map(|h| { sum += h; sum })).collect())
+    Ok(std::iter::once(0.0)
+        .chain(steps.into_iter().map(|h| {
+            sum += h;
+            sum
+        }))
+        .collect())
 }
 
 /// The velocity at a node: given, or of its circle.
-fn velocity(nodes: &Nodes, options: &MoebiusSplineOptions, i: usize, warnings: &mut Vec<Warning>) -> Result<NodeVelocity> {
+fn velocity(
+    nodes: &Nodes,
+    options: &MoebiusSplineOptions,
+    i: usize,
+    warnings: &mut Vec<Warning>,
+) -> Result<NodeVelocity> {
     if let Some(given) = options.tangents.get(i).copied().flatten() {
         return match given {
             v if !v.is_finite() => Err(Error::NotFinite { what: ErrorItem::Tangent, index: i }),
@@ -114,7 +124,9 @@ fn span_between(nodes: &Nodes, i: usize, [v0, v1]: [Vec3; 2], warnings: &mut Vec
     }
     segment.check_finite(i)?;
     let speeds = [v0, v1].map(|v| v.length() * (nodes.steps[i] / chord.length));
-    let span = QbCurve::from_span(&segment.span_data(speeds));
+    let data = segment.span_data(speeds);
+    data.check().map_err(|e| e.in_span(i))?;
+    let span = QbCurve::from_span(&data);
     span.check_finite().map_err(|e| e.in_span(i))?;
     Ok(span)
 }

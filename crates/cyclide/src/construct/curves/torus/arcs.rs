@@ -2,8 +2,8 @@
 //!
 //! Pieces that are arcs of circles stay as they are. The others are [covered by biarcs](super::super::biarc_cover).
 
-use crate::construct::curves::biarc_cover::{SmoothPiece, append_biarcs};
 use crate::base::vector::{Point3, Vec3};
+use crate::construct::curves::biarc_cover::{SmoothPiece, append_biarcs};
 use crate::curve::{Arc, Correspondence, CurvePlace, ParamCurve as _, Span};
 use crate::error::Result;
 use crate::surface::TorusSpline;
