@@ -45,7 +45,7 @@ pub struct CurvesReport {
     pub fit: Option<FitReport>,
     /// Of curves of quaternion pairs: their degree, and how they meet their points.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub qb: Option<QbReport>,
+    pub qb: Option<Box<QbReport>>,
     /// Of splines on a torus: the torus, and how they run on it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub torus: Option<TorusReport>,
@@ -206,7 +206,7 @@ impl CurvesReport {
             contours: built.item.curves().len(),
             points: built.contours.iter().map(|c| c.points).sum(),
             fit: fit(built),
-            qb: QbReport::new(built),
+            qb: QbReport::new(built).map(Box::new),
             torus: TorusReport::new(built),
             unrolled: built.unrolled.as_ref().map(UnrolledReport::from),
         }

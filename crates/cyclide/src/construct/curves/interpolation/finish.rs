@@ -20,6 +20,9 @@ const SPIKE: f64 = 1e-3;
 /// Curves that run farther, in sizes of the data, are remarked upon.
 const FAR: f64 = 3.0;
 
+/// First denominators above this part of the largest are made 1.
+const GAUGE: f64 = 1e-3;
+
 /// Largest degree made: control points of higher ones have lost their digits.
 const MOST_DEGREE: usize = 12;
 
@@ -111,7 +114,12 @@ pub(super) fn placed(
     frame: DataFrame,
     ends: [Option<Point3>; 2],
 ) -> QbCurve {
-    let sized = pairs.into_iter().map(|(n, d)| (n * frame.radius, d));
+    let pairs: Vec<(Quat, Quat)> = pairs.into_iter().collect();
+    // The first denominator is 1 where it is worth anything: real weights are then those that people know.
+    let largest = pairs.iter().map(|(_, d)| d.norm()).fold(0.0, f64::max);
+    let first = pairs.first().map(|(_, d)| *d).filter(|d| d.norm() > GAUGE * largest);
+    let gauge = first.and_then(Quat::inverse).unwrap_or(Quat::ONE);
+    let sized = pairs.into_iter().map(|(n, d)| (n * gauge * frame.radius, d * gauge));
     QbCurve::from_local(frame.center, sized).with_ends(ends[0], ends[1])
 }
 

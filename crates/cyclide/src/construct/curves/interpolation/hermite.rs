@@ -64,6 +64,7 @@ impl QbInterpolation {
         let t: Vec<f64> = nodes.iter().map(|node| node.parameter).collect();
         check_parameters(&t)?;
         let points: Vec<Point3> = nodes.iter().map(|node| node.point).collect();
+        let spread = DataFrame::of(&points).radius;
         let frame = DataFrame::of(&points).including(nodes.iter().flat_map(taylor_lengths));
         range::check_distance(frame.radius)?;
         if frame.radius <= 0.0 {
@@ -83,9 +84,11 @@ impl QbInterpolation {
         let pairs =
             if lower < degree { pairs_of(&null_vector(rows_of(&jets, lower), 2 * lower + 2).entries) } else { found };
         let curve = placed(pairs, frame, [None; 2]);
-        check_met(&curve, &jets, frame)?;
+        check_met(&curve, &jets, frame, spread)?;
         let [start, end] = end_points(&t, &points);
-        Self::finish(curve.with_ends(start, end), frame, t, attainability)
+        // How far the curve runs is measured by its points, where there are several.
+        let seen = if spread > 0.0 { DataFrame { radius: spread, ..frame } } else { frame };
+        Self::finish(curve.with_ends(start, end), seen, t, attainability)
     }
 }
 
@@ -154,16 +157,18 @@ fn size_at(curve: &QbCurve, t: f64) -> f64 {
     (n.norm() + d.norm()) / curve.largest_pair()
 }
 
-/// Refuses a curve that misses a point or a derivative, in the frame of the data.
-fn check_met(curve: &QbCurve, jets: &[Jet], frame: DataFrame) -> Result<()> {
+/// Refuses a curve that misses a derivative, in the frame of the data, or a point, in the size of the points where they have one: derivatives
+/// may be so long that points differ by rounding beside them.
+fn check_met(curve: &QbCurve, jets: &[Jet], frame: DataFrame, spread: f64) -> Result<()> {
+    let size = if spread > 0.0 { spread / frame.radius } else { 1.0 };
     let distance = |jet: &Jet| {
+        let place = (curve.local_point(jet.t) / frame.radius - jet.taylor[0].vector()).length() / size;
         let derivatives = curve.derivatives(jet.t, jet.taylor.len() - 1);
         let taylor = derivatives.iter().zip(factorials()).map(|(d, factorial)| *d / factorial);
-        let got = std::iter::once(curve.local_point(jet.t)).chain(taylor);
-        let off = got
-            .zip(&jet.taylor)
+        let off = taylor
+            .zip(&jet.taylor[1..])
             .map(|(got, want)| (got / frame.radius - want.vector()).length() / want.norm().max(1.0));
-        off.fold(0.0, |m: f64, x| if x <= m { m } else { x })
+        off.fold(place, |m: f64, x| if m.is_nan() || x <= m { m } else { x })
     };
     let missed: Vec<usize> = (0..jets.len()).filter(|k| !(distance(&jets[*k]) <= MISSED)).collect();
     match missed.first() {

@@ -19,6 +19,9 @@ use crate::error::{Error, ErrorItem, Result};
 /// `L`, `R` or the denominator in the middle up to this part of what they are sums of vanish.
 const VANISHES: f64 = 1e-11;
 
+/// Derivatives are at most as many sizes of the data long: third derivatives hold powers of them.
+const MOST_SPEED: f64 = 1e30;
+
 impl QbInterpolation {
     /// The curve of degree 2 that starts at the first point with the first derivative, passes the second at `t`, and ends at the third with
     /// the second derivative. A derivative may be zero: the curve then has a cusp there. Of one arc the degree is 1.
@@ -32,7 +35,7 @@ impl QbInterpolation {
     /// ```
     ///
     /// # Errors
-    /// `parameter-out-of-range` (`t` in `(0, 1)`), `not-finite`, `unattainable-point` (of the three points 0, 1 or 2),
+    /// `parameter-out-of-range` (`t` in `(0, 1)`, derivatives beyond 1e30 sizes of the data), `not-finite`, `unattainable-point` (of the three points 0, 1 or 2),
     /// `curve-through-infinity`.
     pub fn three_points_two_tangents(points: [Point3; 3], tangents: [Vec3; 2], t: f64) -> Result<Self> {
         for (index, p) in points.iter().enumerate() {
@@ -47,6 +50,10 @@ impl QbInterpolation {
         let parameters = vec![0.0, t, 1.0];
         let frame = DataFrame::of(&points);
         range::check_distance(frame.radius)?;
+        let (value, max) = (tangents.iter().map(|v| v.length()).fold(0.0, f64::max), MOST_SPEED * frame.radius);
+        if value > max && frame.radius > 0.0 {
+            return Err(Error::ParameterOutOfRange { name: ErrorItem::Tangent, value, min: 0.0, max });
+        }
         let Some(inverse) = Quat::from(points[2] - points[0]).inverse() else {
             // Closed: no chord to divide by.
             let node =
