@@ -168,7 +168,8 @@
 //! use cyclide::{NodeParameters, Point3, QbInterpolation};
 //! let points = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [2.0, 1.0, 0.0], [3.0, 0.0, 0.0], [4.0, 0.0, 0.0]].map(Point3::from);
 //! let error = QbInterpolation::through_points(&points, &NodeParameters::Uniform).unwrap_err();
-//! assert_eq!((error.reason(), error.index()), ("unattainable-point", Some(2)));
+//! assert_eq!(error.index(), Some(2));
+//! assert_eq!(error.reason(), "unattainable-point");
 //! ```
 //!
 //! # `curve-through-infinity`

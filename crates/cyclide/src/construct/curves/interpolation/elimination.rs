@@ -73,7 +73,7 @@ mod tests {
     use super::*;
 
     fn entry(i: usize, j: usize) -> Quat {
-        let x = |k: usize| ((17 * i + 5 * j + 3 * k + 1) as f64 * 1.618).sin();
+        let x = |k: usize| ((31 * i + 7 * j + 13 * k + 11 * i * j + 5 * j * k + 1) as f64 * 1.618).sin();
         Quat::new(x(0), x(1), x(2), x(3))
     }
 
