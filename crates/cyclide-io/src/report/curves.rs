@@ -20,6 +20,7 @@ use crate::export::job::default_tolerance;
 /// # Ok::<(), cyclide_io::Error>(())
 /// ```
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct CurvesReport {
     /// Length of all contours together.
     pub length: f64,
@@ -66,6 +67,7 @@ pub struct CurvesReport {
 /// # Ok::<(), cyclide_io::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
+#[non_exhaustive]
 pub struct JointReport {
     /// Largest distance between an end and the start that follows.
     pub gap: f64,
@@ -95,6 +97,7 @@ pub struct JointReport {
 /// # Ok::<(), cyclide_io::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct CurvatureReport {
     /// Its value, in 1/length; infinite at a cusp.
     pub max: f64,
@@ -118,6 +121,7 @@ pub struct CurvatureReport {
 /// # Ok::<(), cyclide_io::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct FitReport {
     /// The bound that was asked for.
     pub tolerance: f64,

@@ -45,6 +45,7 @@ pub use tube::TubeReport;
 /// # Ok::<(), cyclide_io::Error>(())
 /// ```
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct Report {
     /// Symbol of the unit of all lengths: `mm`, `m`, ….
     pub units: &'static str,
@@ -65,6 +66,7 @@ pub struct Report {
 /// # Ok::<(), cyclide_io::Error>(())
 /// ```
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct ObjectReport {
     /// The document's word for the construction.
     pub r#type: String,
@@ -112,6 +114,7 @@ pub enum GeometryReport {
 /// # Ok::<(), cyclide_io::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct RangeReport {
     /// Smallest.
     pub min: f64,
@@ -130,6 +133,7 @@ pub struct RangeReport {
 /// # Ok::<(), cyclide_io::Error>(())
 /// ```
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[non_exhaustive]
 pub struct WarningReport {
     /// Stable kebab-case name.
     pub reason: &'static str,

@@ -14,6 +14,7 @@ mod nets;
 mod objects;
 mod patches;
 mod pipes;
+mod planar;
 mod points;
 mod polyhedra;
 mod quotients;
@@ -42,6 +43,8 @@ pub struct Attack {
     pub has_surfaces: bool,
     /// The tolerance to ask for, if any.
     pub tolerance: Option<f64>,
+    /// The area that the report has to give, if it is known.
+    pub area: Option<f64>,
 }
 
 /// One class: how often it is taken, and its objects by name, the last one to be written.
@@ -53,15 +56,17 @@ pub(crate) struct Objects {
     has_surfaces: bool,
     /// The tolerance that it needs, where others make too much work.
     tolerance: Option<f64>,
+    /// The area of the last object, if it is known.
+    area: Option<f64>,
 }
 
 impl Objects {
     fn curve(object: Value) -> Self {
-        Self { objects: vec![("a", object)], has_surfaces: false, tolerance: None }
+        Self { objects: vec![("a", object)], has_surfaces: false, tolerance: None, area: None }
     }
 
     fn surface(object: Value) -> Self {
-        Self { objects: vec![("a", object)], has_surfaces: true, tolerance: None }
+        Self { objects: vec![("a", object)], has_surfaces: true, tolerance: None, area: None }
     }
 
     /// The first object as construction geometry, and a second one made from it.
@@ -70,7 +75,7 @@ impl Objects {
             first["construction"] = json!(true);
         }
         base.objects.push((name, object));
-        Self { objects: base.objects, has_surfaces, tolerance: base.tolerance }
+        Self { objects: base.objects, has_surfaces, tolerance: base.tolerance, area: None }
     }
 }
 
@@ -97,6 +102,7 @@ const CLASSES: [Class; 26] = [
     ("necks", 2, swept::neck),
     ("bridges", 1, swept::bridge),
     ("rails", 2, swept::between_rails),
+    ("planar", 2, planar::surface),
     ("triangles", 1, triangles::surface),
     ("tori", 2, tori::curve),
     ("seams", 1, tori::seam),
@@ -123,5 +129,5 @@ pub fn document(seed: u64, number: u64) -> Attack {
     let drawn = random.chance(0.3).then(|| random.decades(-9.0, 1.0));
     let tolerance = made.tolerance.or(drawn);
     let document = json!({"cyclide": 1, "units": "mm", "objects": objects});
-    Attack { class: chosen.0, document, has_surfaces: made.has_surfaces, tolerance }
+    Attack { class: chosen.0, document, has_surfaces: made.has_surfaces, tolerance, area: made.area }
 }

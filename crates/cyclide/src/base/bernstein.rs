@@ -28,25 +28,29 @@ pub(crate) fn product(a: &[f64], b: &[f64]) -> Vec<f64> {
     out
 }
 
-/// The Bernstein coefficients of the square of a polynomial in two parameters, the second one fastest (degrees double).
+/// The Bernstein coefficients of the product of two polynomials in two parameters, the second one fastest (degrees add).
 #[must_use]
-pub(crate) fn square_of_two(coefficients: &[f64], [p, q]: [usize; 2]) -> Vec<f64> {
+pub(crate) fn product_of_two(
+    (a, [p, q]): (&[f64], [usize; 2]),
+    (b, [r, u]): (&[f64], [usize; 2]),
+) -> (Vec<f64>, [usize; 2]) {
     let grid = |[p, q]: [usize; 2]| binomials(p).flat_map(move |a| binomials(q).map(move |b| a * b));
-    let scaled: Vec<f64> = coefficients.iter().zip(grid([p, q])).map(|(a, c)| a * c).collect();
-    let mut out = vec![0.0; (2 * p + 1) * (2 * q + 1)];
-    for (i, row) in scaled.chunks(q + 1).enumerate() {
-        for (k, other) in scaled.chunks(q + 1).enumerate() {
+    let scaled = |row: &[f64], degrees| row.iter().zip(grid(degrees)).map(|(a, c)| a * c).collect::<Vec<_>>();
+    let (a, b) = (scaled(a, [p, q]), scaled(b, [r, u]));
+    let mut out = vec![0.0; (p + r + 1) * (q + u + 1)];
+    for (i, row) in a.chunks(q + 1).enumerate() {
+        for (k, other) in b.chunks(u + 1).enumerate() {
             for (j, a) in row.iter().enumerate() {
-                for (out, b) in out[(i + k) * (2 * q + 1) + j..].iter_mut().zip(other) {
+                for (out, b) in out[(i + k) * (q + u + 1) + j..].iter_mut().zip(other) {
                     *out += a * b;
                 }
             }
         }
     }
-    for (out, c) in out.iter_mut().zip(grid([2 * p, 2 * q])) {
+    for (out, c) in out.iter_mut().zip(grid([p + r, q + u])) {
         *out /= c;
     }
-    out
+    (out, [p + r, q + u])
 }
 
 /// The quotient by the linear factor `t - root` of a row of which `root` in `[0, 1]` is a root: of one degree less. Run from

@@ -820,6 +820,17 @@ pub enum Error {
         /// Near which part of the piece, and of the arcs.
         at: [f64; 2],
     },
+    /// The directions of arcs at neighbouring joints of a curve oppose each other: halfway between them there is none.
+    OppositeTangents {
+        /// The first one, from 0.
+        first: usize,
+        /// The next one; of closed curves the first of all again.
+        second: usize,
+        /// What is left of the longer one between them.
+        length: f64,
+        /// Parts up to this are refused.
+        limit: f64,
+    },
     // Triangles and meshes of them.
     /// The corners of a triangle lie on one line, or nearly.
     DegenerateTriangle {

@@ -196,9 +196,15 @@ impl std::fmt::Display for Error {
             ),
             Self::ArcsCross { piece, at } => write!(
                 f,
-                "the arcs between piece {piece} of both curves cross their neighbours near {} of the piece and {} of the arcs, and the surface runs through itself; does the second curve run the other way?",
+                "the arcs between piece {piece} of both curves cross their neighbours near {} of the piece and {} of the arcs, and the surface runs through itself or folds back; does the second curve run the other way, or the tangent away from it?",
                 ShortNumber(at[0]),
                 ShortNumber(at[1])
+            ),
+            Self::OppositeTangents { first, second, length, limit } => write!(
+                f,
+                "between tangents {first} and {second}, which oppose each other, there is a place without a direction: {} of the longer one is left, limit {}; turn one of them to a side",
+                ShortNumber(*length),
+                ShortNumber(*limit)
             ),
             Self::DegreeTooHigh { degree, limit } => write!(
                 f,
@@ -294,7 +300,7 @@ impl std::fmt::Display for Error {
             }
             Self::CrossesAxis { piece, distance, .. } => write!(
                 f,
-                "piece {piece} of the profile meets the axis, or lies on another side of it than the pieces before (distance {}): cut it there and turn one half",
+                "piece {piece} of the profile meets the axis, or lies on another side of it than the pieces before (distance {}): cut it there, and turn one half, or each part for itself",
                 ShortNumber(*distance)
             ),
             Self::ProfileMeetsItself { first, second, radius, height } => write!(
@@ -520,9 +526,12 @@ impl std::fmt::Display for Error {
                 ShortNumber(*length),
                 ShortNumber(*limit)
             ),
+            Self::UndefinedNormal { vertex, limit, .. } if *limit <= 0.0 => {
+                write!(f, "vertex {vertex} has no normal: the one given for it is zero")
+            }
             Self::UndefinedNormal { vertex, length, limit } => write!(
                 f,
-                "vertex {vertex} has no normal: those of its faces cancel to the length {}, limit {}",
+                "vertex {vertex} has no normal: those of its faces cancel, or the one given runs along its circle: the length {} is left, limit {}",
                 ShortNumber(*length),
                 ShortNumber(*limit)
             ),

@@ -52,6 +52,7 @@ impl Error {
             Self::PieceCountsDiffer { .. } => "piece-counts-differ",
             Self::RulingsCross { .. } => "rulings-cross",
             Self::ArcsCross { .. } => "arcs-cross",
+            Self::OppositeTangents { .. } => "opposite-tangents",
             Self::DegreeTooHigh { .. } => "degree-too-high",
             Self::DegenerateCircle { .. } => "degenerate-circle",
             Self::DegenerateSphere { .. } => "degenerate-sphere",
@@ -150,6 +151,7 @@ impl Error {
             | Self::PointAtInfinity { index, .. }
             | Self::ZeroAxis { index, .. }
             | Self::Cusp { index, .. }
+            | Self::OppositeTangents { first: index, .. }
             | Self::WeightNotPositive { index, .. } => Some(index),
             Self::CoincidentPoints { second, .. } | Self::RepeatedParameter { second, .. } => Some(second),
             Self::ArcThroughInfinity { segment, .. } | Self::AmbiguousHalfTurn { segment, .. } => Some(segment),

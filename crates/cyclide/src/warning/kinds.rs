@@ -410,6 +410,22 @@ pub enum Warning {
         /// Angles above this are reported, radians.
         limit: f64,
     },
+    /// Arcs between two curves that start nearly against their chords, so that they are nearly full circles of many chords' radius.
+    NearlyFullArcs {
+        /// The piece of the curves where that is so most, from 0.
+        piece: usize,
+        /// The angle between tangent and the way back along the chord there, radians.
+        angle: f64,
+        /// Angles below this are reported, radians.
+        limit: f64,
+    },
+    /// Spheres at the corners of a triangle nearly oppose each other: between them the patch swings round within a small part of the triangle.
+    SpheresNearlyOpposite {
+        /// Length of the blended sphere there, 1 where all agree.
+        length: f64,
+        /// Lengths up to this are reported.
+        limit: f64,
+    },
     /// Normals of a mesh that point to the back of a face at their vertex: the smooth surface folds over there.
     NormalFacesBackward {
         /// The first triangle with such a corner, from 0.

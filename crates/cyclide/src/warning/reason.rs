@@ -55,6 +55,8 @@ impl Warning {
             Self::Pinched { .. } => "pinched",
             Self::FlatRevolution => "flat-revolution",
             Self::KinksAtJoints { .. } => "kinks-at-joints",
+            Self::NearlyFullArcs { .. } => "nearly-full-arcs",
+            Self::SpheresNearlyOpposite { .. } => "spheres-nearly-opposite",
             Self::NormalFacesBackward { .. } => "normal-faces-backward",
         }
     }
@@ -76,6 +78,7 @@ impl Warning {
             Self::CornerKept { vertex, .. } | Self::TightArc { vertex, .. } => Some(vertex),
             Self::PointsMerged { first, .. } => Some(first),
             Self::FeetNotMonotone { point, .. } => Some(point),
+            Self::NearlyFullArcs { piece, .. } => Some(piece),
             Self::ClosingPointMerged { index } => Some(index),
             Self::MovedFar { vertex, .. } | Self::LeftSurface { vertex, .. } => Some(vertex),
             Self::BeyondFocalSet { first, .. } => Some(first),
@@ -109,6 +112,7 @@ impl Warning {
             | Self::OpenPart { .. }
             | Self::OpenProfile { .. }
             | Self::Pinched { .. }
+            | Self::SpheresNearlyOpposite { .. }
             | Self::FlatRevolution => None,
         }
     }

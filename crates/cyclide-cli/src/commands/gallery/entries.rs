@@ -93,7 +93,7 @@ pub const ENTRIES: [Entry; 33] = [
     Entry {
         name: "dodecahedron",
         title: "Rounded dodecahedron",
-        text: "The convex hull of twenty points with a radius of 4 mm on all edges and corners: planes, cylinders and parts of spheres.",
+        text: "The convex hull of twenty points, and the same with a radius of 4 mm on all edges and corners: planes, cylinders and parts of spheres.",
         document: example!("dodecahedron.json"),
         inputs: &[],
         formats: SURFACES,
@@ -149,7 +149,7 @@ pub const ENTRIES: [Entry; 33] = [
     Entry {
         name: "ellipse_bridge",
         title: "Bridge of two ellipses",
-        text: "Half circles upright on the chords between two ellipses, and walls tangent to them: a solid ring.",
+        text: "Half circles upright on the chords between two ellipses, and walls tangent to them: a solid ring. Beside it whole circles on the same chords.",
         document: example!("ellipse_bridge.json"),
         inputs: &[],
         formats: SURFACES,
@@ -236,8 +236,8 @@ pub const ENTRIES: [Entry; 33] = [
     },
     Entry {
         name: "sphere_blend",
-        title: "Blends of spheres over a triangle",
-        text: "A sphere at each corner shapes the patch between them: three points on one sphere give a piece of it, others a blend.",
+        title: "A blend of spheres over a triangle",
+        text: "Spheres through the corners of a triangle, one for each of them, and the patch that leaves each corner along the sphere of that.",
         document: example!("sphere_blend.json"),
         inputs: &[],
         formats: MESHES,

@@ -325,7 +325,7 @@ fn blame_swept(spec: &ObjectSpec, error: &cyclide::Error) -> Blame {
         }
         (
             ObjectSpec::CircularSurface(_),
-            E::ZeroTangent { .. } | E::TangentOpposesChord { .. } | E::CountDiffers { .. },
+            E::ZeroTangent { .. } | E::OppositeTangents { .. } | E::TangentOpposesChord { .. } | E::CountDiffers { .. },
         ) => Blame::Field("tangent"),
         (ObjectSpec::CircularSurface(_) | ObjectSpec::Ruled(_), _) => Blame::Field("rails"),
         _ => Blame::Object,

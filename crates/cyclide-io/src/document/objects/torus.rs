@@ -32,6 +32,15 @@ const FLAT: f64 = 1e-5;
 const SEAM: f64 = 1e-3;
 
 /// What became of a curve of a torus when it was laid flat, over all its contours.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"k": {"type": "torus-knot", "torus": {"major_radius": 40, "minor_radius": 15}, "turns": [1, 1]}, "u": {"type": "unrolled", "of": "k"}}}"#.parse()?;
+/// let built = document.build()?;
+/// let plane = built[1].unrolled.expect("it is laid flat");
+/// assert!((plane.size[1] - 30.0 * std::f64::consts::PI).abs() < 1e-9);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct UnrolledPlane {
     /// The map.

@@ -11,6 +11,14 @@ use crate::error::Result;
 const TOLERANCE: f64 = 1e-3;
 
 /// What is known of a tube besides its body.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"t": {"type": "tube", "balls": [[0, 0, 0, 2], [10, 0, 0, 3], [20, 5, 0, 2]]}}}"#.parse()?;
+/// let built = document.build()?;
+/// assert_eq!(built[0].tubes[0].within, cyclide::Exactness::Exact);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TubeFacts {
     /// The least and the largest radius.

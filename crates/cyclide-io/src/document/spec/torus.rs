@@ -15,12 +15,23 @@ use crate::document::coordinates::{Coordinates, PointSource};
 
 /// A smooth curve on a torus through points near it, or through places given by two angles: rational quartics that lie exactly on the
 /// torus, C1 in their knots. There always is one: where directions turn back it makes a detour.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"s": {"type": "torus-spline", "torus": {"major_radius": 40, "minor_radius": 15}, "angles": [[0, 0], [1, 1], [2, 0]]}}}"#.parse()?;
+/// let built = document.build()?;
+/// let curve = built[0].item.curves()[0].as_curve();
+/// // From the outer side of the tube.
+/// assert!((curve.point(0.0).to_vec().length() - 55.0).abs() < 1e-12);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(extend("oneOf" = [
     { "required": ["points"], "properties": { "angles": false } },
     { "required": ["angles"], "properties": { "points": false, "tolerance": false } }
 ]))]
+#[non_exhaustive]
 pub struct TorusSplineSpec {
     /// The word `torus-spline`.
     #[schemars(with = "String", extend("const" = "torus-spline"))]
@@ -63,6 +74,14 @@ pub struct TorusSplineSpec {
 }
 
 /// How the points of a curve on a torus are joined.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"s": {"type": "torus-spline", "torus": {"major_radius": 40, "minor_radius": 15}, "angles": [[0, 0], [1, 1], [2, 0]]}}}"#.parse()?;
+/// let cyclide_io::ObjectSpec::TorusSpline(spec) = &document.objects[0].1 else { unreachable!("by its type") };
+/// assert_eq!(spec.method, cyclide_io::TorusMethod::General);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum TorusMethod {
@@ -75,8 +94,17 @@ pub enum TorusMethod {
 }
 
 /// A torus knot: the closed curve that runs evenly round the axis and round the tube of a torus.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"k": {"type": "torus-knot", "torus": {"major_radius": 40, "minor_radius": 15}, "turns": [2, 3]}}}"#.parse()?;
+/// let built = document.build()?;
+/// assert!(built[0].item.curves()[0].as_curve().is_closed());
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[non_exhaustive]
 pub struct TorusKnotSpec {
     /// The word `torus-knot`.
     #[schemars(with = "String", extend("const" = "torus-knot"))]
@@ -96,12 +124,23 @@ pub struct TorusKnotSpec {
 }
 
 /// A circle of a torus through a point of it.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"c": {"type": "torus-circle", "torus": {"major_radius": 40, "minor_radius": 15}, "at": [0, 0]}}}"#.parse()?;
+/// let built = document.build()?;
+/// // Villarceau circles are as large as the middle of the tube.
+/// let length = cyclide::length(built[0].item.curves()[0].as_curve());
+/// assert!((length - 80.0 * std::f64::consts::PI).abs() < 1e-9);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(extend("oneOf" = [
     { "required": ["through"], "properties": { "at": false } },
     { "required": ["at"], "properties": { "through": false, "tolerance": false } }
 ]))]
+#[non_exhaustive]
 pub struct TorusCircleSpec {
     /// The word `torus-circle`.
     #[schemars(with = "String", extend("const" = "torus-circle"))]
@@ -127,8 +166,18 @@ pub struct TorusCircleSpec {
 }
 
 /// A family of circles on a torus.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"c": {"type": "torus-circle", "torus": {"major_radius": 40, "minor_radius": 15}, "family": "meridian", "at": [0, 0]}}}"#.parse()?;
+/// let built = document.build()?;
+/// let length = cyclide::length(built[0].item.curves()[0].as_curve());
+/// assert!((length - 30.0 * std::f64::consts::PI).abs() < 1e-9);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
+#[non_exhaustive]
 pub enum FamilySpec {
     /// Villarceau circles: longitude and meridian angle rise together.
     #[default]
@@ -154,8 +203,17 @@ impl From<FamilySpec> for CircleFamily {
 
 /// A curve of a torus laid flat: the torus is cut along a parallel and a meridian and unrolled to a rectangle in the plane z = 0. Lines
 /// break where the curve crosses the cuts.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"k": {"type": "torus-knot", "torus": {"major_radius": 40, "minor_radius": 15}, "turns": [1, 1]}, "u": {"type": "unrolled", "of": "k"}}}"#.parse()?;
+/// let built = document.build()?;
+/// assert!(built[1].item.curves()[0].as_curve().point(0.4).z == 0.0);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[non_exhaustive]
 pub struct UnrolledSpec {
     /// The word `unrolled`.
     #[schemars(with = "String", extend("const" = "unrolled"))]
@@ -182,8 +240,17 @@ pub struct UnrolledSpec {
 }
 
 /// A solid along a curve of a torus with a rectangular section: a raised seam to be fused to the torus, a sunk one to be cut from it.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"k": {"type": "torus-knot", "torus": {"major_radius": 40, "minor_radius": 15}, "turns": [1, 1]}, "s": {"type": "torus-seam", "of": "k", "width": 3, "height": [-1, 1], "tolerance": 0.1}}}"#.parse()?;
+/// let built = document.build()?;
+/// assert!(built[1].bodies[0].is_solid());
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[non_exhaustive]
 pub struct TorusSeamSpec {
     /// The word `torus-seam`.
     #[schemars(with = "String", extend("const" = "torus-seam"))]
@@ -207,9 +274,19 @@ pub struct TorusSeamSpec {
 }
 
 /// A ring torus: a tube about a circle.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"c": {"type": "torus-circle", "torus": {"major_radius": 3, "minor_radius": 1, "center": [0, 0, 5]}, "family": "parallel", "at": [0, 0]}}}"#.parse()?;
+/// let built = document.build()?;
+/// let point = built[0].item.curves()[0].as_curve().point(0.0);
+/// assert!((point.x - 4.0).abs() < 1e-12 && (point.z - 5.0).abs() < 1e-12);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(rename = "Torus")]
+#[non_exhaustive]
 pub struct TorusSpec {
     /// Radius of the circle that the middle of the tube follows.
     #[schemars(extend("exclusiveMinimum" = 0))]
@@ -227,6 +304,14 @@ pub struct TorusSpec {
 }
 
 /// The torus of a curve.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"ring": {"type": "cyclide", "a": 40, "mu": 15}, "k": {"type": "torus-knot", "torus": "ring", "turns": [2, 3]}}}"#.parse()?;
+/// let cyclide_io::ObjectSpec::TorusKnot(spec) = &document.objects[1].1 else { unreachable!("by its type") };
+/// assert_eq!(spec.torus, cyclide_io::TorusSource::Named("ring".to_owned()));
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, JsonSchema)]
 #[schemars(untagged, rename = "TorusSource")]
 pub enum TorusSource {
@@ -266,6 +351,15 @@ impl<'de> Deserialize<'de> for TorusSource {
 }
 
 /// Pairs of longitude and meridian angle, in radians: `[[0, 0.5], …]`, `{"degrees": [[0, 30], …]}`.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"s": {"type": "torus-spline", "torus": {"major_radius": 40, "minor_radius": 15}, "angles": {"degrees": [[0, 0], [90, 45]]}, "rates": [[1, 1], "free"]}}}"#.parse()?;
+/// let cyclide_io::ObjectSpec::TorusSpline(spec) = &document.objects[0].1 else { unreachable!("by its type") };
+/// let angles = spec.angles.as_ref().expect("they are given");
+/// assert!(angles.in_degrees && angles.pairs[1] == [std::f64::consts::FRAC_PI_2, std::f64::consts::FRAC_PI_4]);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct AnglePairs {
     /// In radians.
@@ -275,6 +369,15 @@ pub struct AnglePairs {
 }
 
 /// The same for rates, of which any may be left free.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"s": {"type": "torus-spline", "torus": {"major_radius": 40, "minor_radius": 15}, "angles": {"degrees": [[0, 0], [90, 45]]}, "rates": [[1, 1], "free"]}}}"#.parse()?;
+/// let cyclide_io::ObjectSpec::TorusSpline(spec) = &document.objects[0].1 else { unreachable!("by its type") };
+/// let rates = spec.rates.as_ref().expect("they are given");
+/// assert_eq!(rates.pairs, [Some([1.0, 1.0]), None]);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct RatePairs {
     /// In radians by the knots.
@@ -284,6 +387,15 @@ pub struct RatePairs {
 }
 
 /// A velocity, or the word `free`.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"s": {"type": "torus-spline", "torus": {"major_radius": 40, "minor_radius": 15}, "angles": [[0, 0], [1, 1]], "tangents": ["free", [0, 10, 5]]}}}"#.parse()?;
+/// let cyclide_io::ObjectSpec::TorusSpline(spec) = &document.objects[0].1 else { unreachable!("by its type") };
+/// let tangents = spec.tangents.as_ref().expect("they are given");
+/// assert!(tangents[0].0.is_none() && tangents[1].0.is_some());
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FreeOr<T>(pub Option<T>);
 
@@ -408,8 +520,17 @@ impl JsonSchema for RatePairs {
 }
 
 /// The turns of a curve on a torus.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"s": {"type": "torus-spline", "torus": {"major_radius": 40, "minor_radius": 15}, "angles": [[0, 0], [1, 1], [3, 0]], "closed": true, "winding": [1, 2]}}}"#.parse()?;
+/// let cyclide_io::ObjectSpec::TorusSpline(spec) = &document.objects[0].1 else { unreachable!("by its type") };
+/// assert_eq!(spec.winding, Some(cyclide_io::WindingSpec::Total([1, 2])));
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Eq, JsonSchema)]
 #[schemars(untagged, rename = "Winding")]
+#[non_exhaustive]
 pub enum WindingSpec {
     /// Round the axis and round the tube, in all.
     Total([i32; 2]),

@@ -150,8 +150,7 @@
 //! ```
 //! use cyclide::{NeckBlend, NeckBody, NeckSide, NeckVariant, PlateShape};
 //! let neck = NeckBlend::new(1.0, 5.0, 1.0, NeckSide::Outside, NeckVariant::Pipe)?;
-//! let plate = Some(PlateShape::Rectangle([100.0, 100.0]));
-//! let solid = NeckBody { height: 30.0, plate, thickness: Some(1.0), wall: None };
+//! let solid = NeckBody::new(30.0).with_plate(PlateShape::Rectangle([100.0, 100.0])).with_thickness(1.0);
 //! assert_eq!(neck.body(&solid).unwrap_err().reason(), "neck-folds");
 //! # Ok::<(), cyclide::Error>(())
 //! ```
@@ -161,7 +160,7 @@
 //! ```
 //! use cyclide::{NeckBlend, NeckBody, NeckSide, NeckVariant, PlateShape};
 //! let neck = NeckBlend::new(3.0, 0.8, 0.5, NeckSide::Outside, NeckVariant::Pipe)?;
-//! let body = NeckBody { height: 8.0, plate: Some(PlateShape::Disk(2.0)), thickness: None, wall: None };
+//! let body = NeckBody::new(8.0).with_plate(PlateShape::Disk(2.0));
 //! assert_eq!(neck.body(&body).unwrap_err().reason(), "plate-too-small");
 //! # Ok::<(), cyclide::Error>(())
 //! ```
@@ -303,6 +302,16 @@
 //! let back = Arc::from_three_points(at(1.0, 0.5), at(0.0, 0.4), at(-1.0, 0.5))?;
 //! let error = Body::circular([&[there.into()], &[back.into()]], &[Vec3::Z], false).unwrap_err();
 //! assert_eq!(error.reason(), "arcs-cross");
+//! # Ok::<(), cyclide::Error>(())
+//! ```
+//!
+//! # `opposite-tangents`
+//! The directions of arcs at two joints oppose each other, so that there is none between them.
+//! ```
+//! use cyclide::{Arc, Body, Point3, Vec3};
+//! let rail = |y: f64| Arc::segment(Point3::new(0.0, y, 0.0), Point3::new(1.0, y, 0.0));
+//! let error = Body::circular([&[rail(0.0)?.into()], &[rail(1.0)?.into()]], &[Vec3::Z, Vec3::Z * -3.0], false).unwrap_err();
+//! assert_eq!(error.reason(), "opposite-tangents");
 //! # Ok::<(), cyclide::Error>(())
 //! ```
 //!
