@@ -140,6 +140,7 @@ impl Builder<'_> {
             ObjectSpec::CircleSpline(s) => self.each_contour(&s.points, s.closed, |at| circle_spline(s, at)),
             ObjectSpec::TorusSpline(s) => self.torus_spline(s),
             ObjectSpec::TorusKnot(s) => single(CurveObject::TorusSpline(self.torus_knot(s)?)),
+            ObjectSpec::TorusQuartic(s) => single(CurveObject::TorusSpline(self.torus_quartic(s)?)),
             ObjectSpec::TorusCircle(s) => self.torus_circle(s).map(|made| vec![made]),
             ObjectSpec::Unrolled(s) => Ok(without_facts(self.unrolled(s)?)),
             ObjectSpec::Transform(s) => Ok(without_facts(self.mapped_curves(s)?)),

@@ -2,6 +2,7 @@
 
 mod arcs;
 mod biarc_cover;
+mod closed_quartic;
 mod detour;
 mod knot;
 mod projective_biarc;
