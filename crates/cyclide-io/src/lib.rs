@@ -55,8 +55,8 @@ pub use document::{
     RatePairs, Remark, RevolutionSpec, RotationSpec, RoundedPolyhedron, RuledSpec, ScaleSpec, SmoothChoice,
     SmoothMeshSpec, SmoothPolyhedronSpec, SphereBlendSpec, SphereSpec, StepSpec, StraightWord, SupportStructureSpec,
     TeeBlendSpec, TeeBranchSpec, TeeLawSpec, TeeMainSpec, TeeRadiusSpec, TorusCircleSpec, TorusKnotSpec, TorusMethod,
-    TorusSeamSpec, TorusSource, TorusSpec, TorusSplineSpec, TransformSpec, TubeFacts, TubeSpec, TypeWord,
-    UnrolledPlane, UnrolledSpec, WindingSpec, document_schema,
+    TorusQuarticSpec, TorusSeamSpec, TorusSource, TorusSpec, TorusSplineSpec, TransformSpec, TubeFacts, TubeSpec,
+    TypeWord, UnrolledPlane, UnrolledSpec, WindingSpec, document_schema,
 };
 pub use document::{
     InterpolationFacts, MoebiusContinuity, MoebiusSplineSpec, ParameterRule, ParametersSpec, QbInterpolationSpec,

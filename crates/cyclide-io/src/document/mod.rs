@@ -46,8 +46,8 @@ pub use spec::{
     PolygonMeshFile, PolylineSpec, QbInterpolationSpec, RadiiSpec, RadiusLawSpec, RatePairs, RevolutionSpec,
     RotationSpec, RuledSpec, ScaleSpec, SmoothMeshSpec, SmoothPolyhedronSpec, SphereBlendSpec, SphereSpec, StepSpec,
     StraightWord, SupportStructureSpec, TeeBlendSpec, TeeBranchSpec, TeeLawSpec, TeeMainSpec, TeeRadiusSpec,
-    TorusCircleSpec, TorusKnotSpec, TorusMethod, TorusSeamSpec, TorusSource, TorusSpec, TorusSplineSpec, TransformSpec,
-    TubeSpec, TypeWord, UnrolledSpec, WindingSpec,
+    TorusCircleSpec, TorusKnotSpec, TorusMethod, TorusQuarticSpec, TorusSeamSpec, TorusSource, TorusSpec,
+    TorusSplineSpec, TransformSpec, TubeSpec, TypeWord, UnrolledSpec, WindingSpec,
 };
 
 /// The document version this crate reads.

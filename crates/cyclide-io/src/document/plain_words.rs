@@ -111,6 +111,7 @@ pub(super) fn other_word_for(kind: &str) -> String {
         }
         "groove" | "bead" | "weld" | "weld-seam" => "a raised or sunk seam along a curve of a torus is a `torus-seam`",
         "villarceau" | "villarceau-circle" => "a circle of a torus is a `torus-circle`",
+        "quartic" => "a closed quartic of one type is a `torus-quartic`",
         "knot" | "trefoil" | "winding" | "helix" | "filament" => "a curve round a torus is a `torus-knot`",
         "unroll" | "flat" | "development" => "a curve of a torus laid flat is `unrolled`",
         "torus" | "ring" | "horn" | "spindle" => "a torus is a `cyclide` with the radii `a` and `mu`",

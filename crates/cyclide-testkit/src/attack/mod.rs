@@ -79,7 +79,7 @@ impl Objects {
     }
 }
 
-const CLASSES: [Class; 26] = [
+const CLASSES: &[Class] = &[
     ("points", 5, points::object),
     ("hairpins", 3, hairpins::object),
     ("ends", 3, ends::object),

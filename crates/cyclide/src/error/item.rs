@@ -88,6 +88,7 @@ items! {
     Polyhedron => "polyhedron",
     Radius => "radius",
     RadiusOfCircle => "radius of the circle",
+    Ratio => "ratio",
     Rotation => "rotation",
     Row => "row",
     S => "s",

@@ -556,6 +556,19 @@ pub enum Error {
         /// Twice the radius.
         limit: f64,
     },
+    /// Parts of a seam along a curve of a torus that are no neighbours share space.
+    SeamMeetsItself {
+        /// Which piece of the curve, from 0.
+        first: usize,
+        /// The other one; the same if it comes round.
+        second: usize,
+        /// A point that both parts hold.
+        point: [f64; 3],
+        /// Distance of the curve from itself there.
+        distance: f64,
+        /// Width of the seam.
+        width: f64,
+    },
     /// What follows arcs and segments was given a curve of another kind.
     NotOfArcs {
         /// Kinds of curves that are.

@@ -380,6 +380,15 @@ impl std::fmt::Display for Error {
                 ShortNumber(*distance),
                 ShortNumber(*limit)
             ),
+            Self::SeamMeetsItself { first, second, point: [x, y, z], distance, width } => write!(
+                f,
+                "the seam runs through itself at {}, {}, {}: pieces {first} and {second} of its curve are {} apart there, and it is {} wide; take a narrower seam, or a curve that keeps away from itself",
+                ShortNumber(*x),
+                ShortNumber(*y),
+                ShortNumber(*z),
+                ShortNumber(*distance),
+                ShortNumber(*width)
+            ),
             Self::ParameterOutOfRange { name, value, min, max } => {
                 write!(f, "{name} = {:#} is {}", ShortNumber(*value), outside(*min, *max))
             }

@@ -85,6 +85,7 @@ impl Error {
             Self::CornerNotMitred { .. } => "corner-not-mitred",
             Self::MitreDoesNotFit { .. } => "mitre-does-not-fit",
             Self::PipeMeetsItself { .. } => "pipe-meets-itself",
+            Self::SeamMeetsItself { .. } => "seam-meets-itself",
             Self::ParameterOutOfRange { .. } => "parameter-out-of-range",
             Self::NoG1SplineInTube { .. } => "no-g1-spline-in-tube",
             Self::ToleranceNotReached { .. } => "tolerance-not-reached",
@@ -171,7 +172,9 @@ impl Error {
             Self::ProfileMeetsItself { second, .. } => Some(second),
             Self::BendDoesNotFit { corner, .. } => Some(corner),
             Self::CornerNotMitred { joint, .. } => Some(joint),
-            Self::PipeMeetsItself { second, .. } | Self::BallsNested { second, .. } => Some(second),
+            Self::PipeMeetsItself { second, .. }
+            | Self::SeamMeetsItself { second, .. }
+            | Self::BallsNested { second, .. } => Some(second),
             Self::TubeTurnsBack { ball } => Some(ball),
             Self::InSpan { span, .. } => Some(span),
             Self::NotAShell { index, .. } => Some(index),

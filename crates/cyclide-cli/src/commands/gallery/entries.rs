@@ -16,6 +16,8 @@ pub struct Entry {
     pub inputs: &'static [(&'static str, &'static [u8])],
     /// What is made of it.
     pub formats: &'static [Format],
+    /// Where its picture is looked at from, as `--camera` has it; from the front and above if empty.
+    pub camera: &'static str,
 }
 
 /// A document of the folder of examples.
@@ -41,7 +43,7 @@ const MESHES: &[Format] = &[Format::Glb, Format::Stl, Format::Png];
 const RENDERED: &[Format] = &[Format::Glb, Format::Png];
 
 /// All models, in the order of the page.
-pub const ENTRIES: [Entry; 33] = [
+pub const ENTRIES: &[Entry] = &[
     Entry {
         name: "roof",
         title: "Free-form roof with two skins",
@@ -49,6 +51,7 @@ pub const ENTRIES: [Entry; 33] = [
         document: example!("roof.json"),
         inputs: &[input!("roof-20.obj")],
         formats: SURFACES,
+        camera: "",
     },
     Entry {
         name: "patch",
@@ -57,6 +60,7 @@ pub const ENTRIES: [Entry; 33] = [
         document: example!("patch.json"),
         inputs: &[],
         formats: SURFACES,
+        camera: "",
     },
     Entry {
         name: "ring",
@@ -65,6 +69,7 @@ pub const ENTRIES: [Entry; 33] = [
         document: example!("ring.json"),
         inputs: &[],
         formats: SURFACES,
+        camera: "",
     },
     Entry {
         name: "inverted_torus",
@@ -73,6 +78,7 @@ pub const ENTRIES: [Entry; 33] = [
         document: example!("inverted_torus.json"),
         inputs: &[],
         formats: SURFACES,
+        camera: "",
     },
     Entry {
         name: "handle",
@@ -81,6 +87,7 @@ pub const ENTRIES: [Entry; 33] = [
         document: example!("handle.json"),
         inputs: &[],
         formats: SURFACES,
+        camera: "",
     },
     Entry {
         name: "vase",
@@ -89,6 +96,7 @@ pub const ENTRIES: [Entry; 33] = [
         document: example!("vase.json"),
         inputs: &[],
         formats: SURFACES,
+        camera: "",
     },
     Entry {
         name: "dodecahedron",
@@ -97,6 +105,7 @@ pub const ENTRIES: [Entry; 33] = [
         document: example!("dodecahedron.json"),
         inputs: &[],
         formats: SURFACES,
+        camera: "",
     },
     Entry {
         name: "hull",
@@ -105,6 +114,7 @@ pub const ENTRIES: [Entry; 33] = [
         document: example!("hull.json"),
         inputs: &[],
         formats: SURFACES,
+        camera: "",
     },
     Entry {
         name: "pipe",
@@ -113,6 +123,7 @@ pub const ENTRIES: [Entry; 33] = [
         document: example!("pipe.json"),
         inputs: &[],
         formats: SURFACES,
+        camera: "",
     },
     Entry {
         name: "roof_pipe",
@@ -121,6 +132,7 @@ pub const ENTRIES: [Entry; 33] = [
         document: example!("roof_pipe.json"),
         inputs: &[],
         formats: SURFACES,
+        camera: "",
     },
     Entry {
         name: "tubes",
@@ -129,6 +141,7 @@ pub const ENTRIES: [Entry; 33] = [
         document: example!("tubes.json"),
         inputs: &[],
         formats: SURFACES,
+        camera: "20,45",
     },
     Entry {
         name: "tee",
@@ -137,6 +150,7 @@ pub const ENTRIES: [Entry; 33] = [
         document: example!("tee.json"),
         inputs: &[],
         formats: SURFACES,
+        camera: "25,50",
     },
     Entry {
         name: "crossing",
@@ -145,6 +159,7 @@ pub const ENTRIES: [Entry; 33] = [
         document: example!("crossing.json"),
         inputs: &[],
         formats: SURFACES,
+        camera: "0,28",
     },
     Entry {
         name: "ellipse_bridge",
@@ -153,6 +168,7 @@ pub const ENTRIES: [Entry; 33] = [
         document: example!("ellipse_bridge.json"),
         inputs: &[],
         formats: SURFACES,
+        camera: "",
     },
     Entry {
         name: "ruled",
@@ -161,6 +177,7 @@ pub const ENTRIES: [Entry; 33] = [
         document: example!("ruled.json"),
         inputs: &[],
         formats: SURFACES,
+        camera: "",
     },
     Entry {
         name: "circles_in_space",
@@ -169,6 +186,7 @@ pub const ENTRIES: [Entry; 33] = [
         document: example!("circles_in_space.json"),
         inputs: &[],
         formats: SURFACES,
+        camera: "",
     },
     Entry {
         name: "volume_faces",
@@ -177,22 +195,43 @@ pub const ENTRIES: [Entry; 33] = [
         document: example!("volume_faces.json"),
         inputs: &[],
         formats: SURFACES,
+        camera: "",
     },
     Entry {
         name: "trefoil",
         title: "A trefoil on a torus",
-        text: "The torus knot of two turns round the axis and three round the tube, exactly on the torus, with a rod about it; two Villarceau circles through one point.",
+        text: "The torus knot of two turns round the axis and three round the tube, exactly on the torus, with a rod about it, and a thicker rod alone; two Villarceau circles through one point.",
         document: example!("trefoil.json"),
         inputs: &[],
         formats: SURFACES,
+        camera: "0,70",
+    },
+    Entry {
+        name: "torus_circles",
+        title: "The circles of a torus",
+        text: "Round the axis and round the tube, and the two families of Villarceau circles, whose radius is that of the middle circle: four through every point.",
+        document: example!("torus_circles.json"),
+        inputs: &[],
+        formats: SURFACES,
+        camera: "0,50",
+    },
+    Entry {
+        name: "torus_quartics",
+        title: "Quartics of six types",
+        text: "Closed curves of degree 4, each along two of the four families of circles at once, exactly on the torus.",
+        document: example!("torus_quartics.json"),
+        inputs: &[],
+        formats: SURFACES,
+        camera: "0,60",
     },
     Entry {
         name: "four_point_loop",
         title: "A loop through four points",
-        text: "Two quartics of two types for each quarter, with directions along parallels and meridians in turn, and the spline that chooses for itself: both lie on the torus exactly.",
+        text: "Four points with directions, along parallels and meridians in turn, and two quartics of two types for each quarter; beside it four points and the spline that chooses its directions and types. Both lie on the torus exactly.",
         document: example!("four_point_loop.json"),
         inputs: &[],
         formats: SURFACES,
+        camera: "0,32",
     },
     Entry {
         name: "winding",
@@ -201,6 +240,7 @@ pub const ENTRIES: [Entry; 33] = [
         document: example!("winding.json"),
         inputs: &[],
         formats: SURFACES,
+        camera: "",
     },
     Entry {
         name: "o_ring",
@@ -209,6 +249,7 @@ pub const ENTRIES: [Entry; 33] = [
         document: example!("o_ring.json"),
         inputs: &[],
         formats: SURFACES,
+        camera: "",
     },
     Entry {
         name: "o_ring_pattern",
@@ -217,6 +258,7 @@ pub const ENTRIES: [Entry; 33] = [
         document: example!("o_ring_pattern.json"),
         inputs: &[],
         formats: CURVES,
+        camera: "",
     },
     Entry {
         name: "stone",
@@ -225,6 +267,7 @@ pub const ENTRIES: [Entry; 33] = [
         document: example!("stone.json"),
         inputs: &[input!("stone.ply")],
         formats: MESHES,
+        camera: "",
     },
     Entry {
         name: "scan",
@@ -233,6 +276,7 @@ pub const ENTRIES: [Entry; 33] = [
         document: example!("scan.json"),
         inputs: &[input!("stone-5000.ply")],
         formats: RENDERED,
+        camera: "",
     },
     Entry {
         name: "sphere_blend",
@@ -241,6 +285,7 @@ pub const ENTRIES: [Entry; 33] = [
         document: example!("sphere_blend.json"),
         inputs: &[],
         formats: MESHES,
+        camera: "",
     },
     Entry {
         name: "track",
@@ -249,6 +294,7 @@ pub const ENTRIES: [Entry; 33] = [
         document: example!("track.json"),
         inputs: &[input!("track.csv"), input!("survey.csv")],
         formats: CURVES,
+        camera: "",
     },
     Entry {
         name: "survey",
@@ -257,6 +303,7 @@ pub const ENTRIES: [Entry; 33] = [
         document: example!("survey.json"),
         inputs: &[input!("survey.csv")],
         formats: CURVES,
+        camera: "",
     },
     Entry {
         name: "logo",
@@ -265,6 +312,7 @@ pub const ENTRIES: [Entry; 33] = [
         document: example!("logo.json"),
         inputs: &[input!("logo.csv")],
         formats: CURVES,
+        camera: "",
     },
     Entry {
         name: "cable",
@@ -273,6 +321,7 @@ pub const ENTRIES: [Entry; 33] = [
         document: example!("cable.json"),
         inputs: &[input!("cable.csv")],
         formats: CURVES,
+        camera: "",
     },
     Entry {
         name: "gallery",
@@ -281,6 +330,7 @@ pub const ENTRIES: [Entry; 33] = [
         document: example!("gallery.json"),
         inputs: &[],
         formats: CURVES,
+        camera: "",
     },
     Entry {
         name: "arcs",
@@ -289,6 +339,7 @@ pub const ENTRIES: [Entry; 33] = [
         document: example!("arcs.json"),
         inputs: &[],
         formats: CURVES,
+        camera: "",
     },
     Entry {
         name: "qb_curves",
@@ -297,6 +348,7 @@ pub const ENTRIES: [Entry; 33] = [
         document: example!("qb_curves.json"),
         inputs: &[],
         formats: CURVES,
+        camera: "",
     },
     Entry {
         name: "circle_blends",
@@ -305,5 +357,6 @@ pub const ENTRIES: [Entry; 33] = [
         document: example!("circle_blends.json"),
         inputs: &[],
         formats: CURVES,
+        camera: "",
     },
 ];

@@ -150,6 +150,7 @@ impl Builder<'_> {
             ObjectSpec::QbInterpolation(s) => self.each_contour(&s.points, false, |at| qb_interpolation(s, at)),
             ObjectSpec::TorusSpline(s) => self.torus_spline(s),
             ObjectSpec::TorusKnot(s) => single(CurveObject::TorusSpline(self.torus_knot(s)?)),
+            ObjectSpec::TorusQuartic(s) => single(CurveObject::TorusSpline(self.torus_quartic(s)?)),
             ObjectSpec::TorusCircle(s) => self.torus_circle(s).map(|made| vec![made]),
             ObjectSpec::Unrolled(s) => Ok(without_facts(self.unrolled(s)?)),
             ObjectSpec::Transform(s) => Ok(without_facts(self.mapped_curves(s)?)),

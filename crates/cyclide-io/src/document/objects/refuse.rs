@@ -8,7 +8,7 @@ use super::{Builder, Remark};
 use crate::document::angle::Angle;
 use crate::document::coordinates::Coordinates;
 use crate::document::locate::{Step, path_text, span_of};
-use crate::document::spec::{ArcSpec, ObjectSpec, TubeSpec};
+use crate::document::spec::{ArcSpec, FreeOr, ObjectSpec, TorusSplineSpec, TubeSpec};
 use crate::error::Error;
 use crate::text::place::Source;
 
@@ -41,6 +41,9 @@ impl Builder<'_> {
                 written.map_or_else(|| error.to_string(), |angle| corner_angle_words(angle, *value))
             }
             (cyclide::Error::FrameNotOrthonormal { .. }, ObjectSpec::CyclidePatch(spec)) => frame_words(spec.frame),
+            (cyclide::Error::ZeroTangent { index }, ObjectSpec::TorusSpline(spec)) if is_given(spec, *index) => {
+                format!("tangent {index} is normal to the torus there: nothing of it runs along the torus")
+            }
             // What is the normal of a frame to the kernel.
             (cyclide::Error::ZeroAxis { .. }, ObjectSpec::Cyclide(_)) => "the axis is zero".to_owned(),
             (cyclide::Error::CoincidentPoints { distance, limit, .. }, ObjectSpec::EllipseBridge(_)) => format!(
@@ -133,6 +136,12 @@ impl Builder<'_> {
         let message = self.document.source().diagnostic(span, &path_text(&path), words);
         Error::Input(message.with_reason(error.reason()))
     }
+}
+
+/// True if a curve on a torus was given a direction there that is not zero.
+fn is_given(spec: &TorusSplineSpec, index: usize) -> bool {
+    let given = spec.tangents.as_ref().and_then(|all| all.get(index)).and_then(|FreeOr(given)| *given);
+    given.is_some_and(|given| given.vector().length() > 0.0)
 }
 
 /// Degrees are taken for radians now and then: what was written, and what may be meant.

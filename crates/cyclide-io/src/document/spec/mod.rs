@@ -48,8 +48,8 @@ pub use swept::{
 };
 pub use tees::{PipeTeeSpec, TeeBlendSpec, TeeBranchSpec, TeeLawSpec, TeeMainSpec, TeeRadiusSpec};
 pub use torus::{
-    AnglePairs, FamilySpec, FreeOr, RatePairs, TorusCircleSpec, TorusKnotSpec, TorusMethod, TorusSeamSpec, TorusSource,
-    TorusSpec, TorusSplineSpec, UnrolledSpec, WindingSpec,
+    AnglePairs, FamilySpec, FreeOr, RatePairs, TorusCircleSpec, TorusKnotSpec, TorusMethod, TorusQuarticSpec,
+    TorusSeamSpec, TorusSource, TorusSpec, TorusSplineSpec, UnrolledSpec, WindingSpec,
 };
 pub use tubes::{RadiusLawSpec, TubeSpec};
 
@@ -115,6 +115,8 @@ pub enum ObjectSpec {
     TorusSpline(TorusSplineSpec),
     /// A curve that runs evenly round a torus both ways.
     TorusKnot(TorusKnotSpec),
+    /// See [`TorusQuarticSpec`].
+    TorusQuartic(TorusQuarticSpec),
     /// A circle of a torus.
     TorusCircle(TorusCircleSpec),
     /// A curve of a torus laid flat.
@@ -242,6 +244,7 @@ object_types! {
     "qb-interpolation" => QbInterpolation,
     "torus-spline" => TorusSpline,
     "torus-knot" => TorusKnot,
+    "torus-quartic" => TorusQuartic,
     "torus-circle" => TorusCircle,
     "unrolled" => Unrolled,
     "torus-seam" => TorusSeam,

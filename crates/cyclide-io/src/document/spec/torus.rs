@@ -123,6 +123,29 @@ pub struct TorusKnotSpec {
     pub start: Option<[Angle; 2]>,
 }
 
+/// A closed quartic of a torus of one of its six types: it runs once round two families of circles, along both at once.
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct TorusQuarticSpec {
+    /// The word `torus-quartic`.
+    #[schemars(with = "String", extend("const" = "torus-quartic"))]
+    pub r#type: TypeWord,
+    /// What the author remarks; read and left aside.
+    #[serde(default)]
+    pub comment: Comment,
+    /// Construction geometry: built and reported, not written to files.
+    #[serde(default)]
+    pub construction: bool,
+    /// The torus that it lies on: here, or the name of a `cyclide` that is one (`c` = 0).
+    pub torus: TorusSource,
+    /// Two different families of circles: the type.
+    pub families: [FamilySpec; 2],
+    /// How fast it runs along the second family at its start, for its speed along the first; negative ones run back. From 1/32 to 32.
+    pub ratio: f64,
+    /// Longitude and meridian angle of its start. Default `[0, 0]`.
+    pub start: Option<[Angle; 2]>,
+}
+
 /// A circle of a torus through a point of it.
 ///
 /// ```
@@ -224,7 +247,7 @@ pub struct UnrolledSpec {
     /// Construction geometry: built and reported, not written to files.
     #[serde(default)]
     pub construction: bool,
-    /// Name of the `torus-spline` or `torus-knot`, which may be construction geometry.
+    /// Name of the `torus-spline`, `torus-knot`, `torus-quartic` or `torus-circle`, which may be construction geometry.
     pub of: String,
     /// How the torus is laid flat.
     #[serde(default)]
@@ -261,7 +284,7 @@ pub struct TorusSeamSpec {
     /// Construction geometry: built and reported, not written to files.
     #[serde(default)]
     pub construction: bool,
-    /// Name of the `torus-spline` or `torus-knot`, which may be construction geometry.
+    /// Name of the `torus-spline`, `torus-knot`, `torus-quartic` or `torus-circle`, which may be construction geometry.
     pub of: String,
     /// Width across the curve.
     #[schemars(extend("exclusiveMinimum" = 0))]

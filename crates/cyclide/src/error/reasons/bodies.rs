@@ -82,6 +82,16 @@
 //! # Ok::<(), cyclide::Error>(())
 //! ```
 //!
+//! # `seam-meets-itself`
+//! Parts of a seam along a curve of a torus that are no neighbours share space.
+//! ```
+//! use cyclide::{Frame, Torus, TorusSeam, TorusSpline};
+//! let turns = TorusSpline::knot(&Torus::new(Frame::WORLD, 40.0, 15.0)?, [9, 2], Default::default())?;
+//! let error = TorusSeam::new(12.0, [-0.5, 0.5])?.body(&turns, 0.05).unwrap_err();
+//! assert_eq!(error.reason(), "seam-meets-itself");
+//! # Ok::<(), cyclide::Error>(())
+//! ```
+//!
 //! # `balls-nested`
 //! One of two neighbouring balls of a tube holds the other.
 //! ```
