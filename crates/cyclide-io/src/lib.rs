@@ -5,6 +5,7 @@
 //! our own files ([`read_back`]), so that every export is checked from the bytes written ([`file_deviation`]).
 
 mod check;
+mod compare;
 mod document;
 mod drawing;
 mod error;
@@ -21,19 +22,20 @@ pub use check::bodies::{FileBody, FileEdge, FileFace, FilePatch, FileShell, File
 pub use check::file_content::{FileContent, ReadError};
 pub use check::file_sample::FileSample;
 pub use check::labels::{FileLabels, FileName};
+pub use compare::{ComparedKind, Comparison, CurveMeasures};
 pub use document::{
     Angle, AnglePairs, ArcFitSpec, ArcSpec, ArcSplineSpec, BiarcSpec, BorderCurves, BorderSpec, BorderWord,
     BuiltObject, CircleSpec, CircleSplineSpec, CircularSurfaceSpec, ClampedEnds, Comment, ContourFacts, Coordinates,
     CrossingPipeSpec, CyclidePatchSpec, CyclideSpec, CyclidicNetSpec, DOCUMENT_VERSION, Directions, DiskSpec, Document,
     EllipseBridgeSpec, EndsSpec, FairEndPair, FairEndSpec, FairEndWord, FairEndsSpec, FairFitSpec, FairSplineSpec,
     FamilySpec, Fitted, FrameSpec, FreeOr, GridSource, Lists, MakeCircularOptions, MakeCircularSpec, MeshFile,
-    ModelBuilder, NO_EFFECT, NormalsSpec, ObjectSpec, OffsetSpec, PipeCrossingSpec, PipeSpec, PipeTeeSpec, PlaneSpec,
-    PlateSpec, PlateWithNeckSpec, PointFile, PointSource, PolygonMeshFile, PolylineSpec, RadiiSpec, RadiusLawSpec,
-    RatePairs, Remark, RevolutionSpec, RotationSpec, RoundedPolyhedron, RuledSpec, ScaleSpec, SmoothChoice,
-    SmoothMeshSpec, SmoothPolyhedronSpec, SphereBlendSpec, SphereSpec, StepSpec, StraightWord, SupportStructureSpec,
-    TeeBlendSpec, TeeBranchSpec, TeeLawSpec, TeeMainSpec, TeeRadiusSpec, TorusCircleSpec, TorusKnotSpec, TorusMethod,
-    TorusSeamSpec, TorusSource, TorusSpec, TorusSplineSpec, TransformSpec, TubeFacts, TubeSpec, TypeWord,
-    UnrolledPlane, UnrolledSpec, WindingSpec, document_schema,
+    ModelBuilder, NO_EFFECT, NormalsSpec, NurbsSpec, ObjectSpec, OffsetSpec, PipeCrossingSpec, PipeSpec, PipeTeeSpec,
+    PlaneSpec, PlateSpec, PlateWithNeckSpec, PointFile, PointSource, PolygonMeshFile, PolylineSpec, RadiiSpec,
+    RadiusLawSpec, RatePairs, Remark, RevolutionSpec, RotationSpec, RoundedPolyhedron, RuledSpec, ScaleSpec,
+    SmoothChoice, SmoothMeshSpec, SmoothPolyhedronSpec, SphereBlendSpec, SphereSpec, StepSpec, StraightWord,
+    SupportStructureSpec, TeeBlendSpec, TeeBranchSpec, TeeLawSpec, TeeMainSpec, TeeRadiusSpec, TorusCircleSpec,
+    TorusKnotSpec, TorusMethod, TorusSeamSpec, TorusSource, TorusSpec, TorusSplineSpec, TransformSpec, TubeFacts,
+    TubeSpec, TypeWord, UnrolledPlane, UnrolledSpec, WindingSpec, document_schema,
 };
 pub use error::{Error, Result};
 pub use export::camera::Camera;
@@ -54,10 +56,12 @@ pub use input::file::{MOST_INPUT_BYTES, read_head, read_input, read_standard_inp
 pub use input::points::{ColumnUnit, PointColumns, PointList, PointRemark, PointTable, read_points, unit_of_columns};
 pub use measure::joints::SurfaceJointReport;
 pub use report::{
-    CheckError, CircularReport, ComparisonReport, CurvatureRangeReport, CurvatureReport, CurvesReport, FairnessReport,
-    FileReport, FitPieces, FitReport, GeometryReport, JointReport, ObjectReport, PartReport, PatchPlace,
-    PolyhedronReport, RangeReport, Report, SeamReport, SegmentCounts, ShapeReport, SingularPatchReport, SmoothReport,
-    Spacing, SurfaceReport, TeeBlendReport, TorusReport, TubeReport, UnrolledReport, WarningReport, sample,
+    CheckError, CircularReport, ComparisonReport, ContourSamples, CurvatureRangeReport, CurvatureReport, CurveSample,
+    CurveSamples, CurvesReport, FairnessReport, FileReport, FitPieces, FitReport, GeometryReport, JointReport,
+    ObjectReport, PartReport, PatchPlace, PolyhedronReport, RangeReport, Report, SampleOptions, SamplePlaces,
+    SeamReport, SegmentCounts, ShapeReport, SingularPatchReport, SmoothReport, Spacing, SurfaceReport,
+    TIGHTER_THAN_RADIUS, TeeBlendReport, TightPlaceReport, TightReport, TorusReport, TubeReport, UnrolledReport,
+    WarningReport, sample,
 };
 pub use text::place::{Diagnostic, Source, decode};
 pub use text::suggest::{did_you_mean, similar};

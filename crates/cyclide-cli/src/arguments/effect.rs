@@ -90,7 +90,7 @@ pub fn without_effect(plan: &MakePlan, model: &Model, report: &Report) -> Vec<St
     let no_surface = model.items.iter().all(|item| item.surfaces().is_empty());
     let bent = |geometry: &GeometryReport| matches!(geometry, GeometryReport::Curves(c) if c.curvature.max > 0.0);
     // The trigonometric curve is no spline either: it becomes one within the tolerance.
-    let no_spline = !curves().any(|curve| matches!(curve, CurveObject::CircleSpline(_)));
+    let no_spline = curves().all(CurveObject::is_of_arcs);
     let has_joints = |curve: &CurveObject| !matches!(curve, CurveObject::Circle(_));
     let all_exact = report.files.iter().all(|file| file.exact || file.deviation.is_none());
     let idle = [

@@ -97,8 +97,9 @@ fn unit_by_name(word: &str) -> Option<&'static str> {
 pub(super) fn other_word_for(kind: &str) -> String {
     let answer = match kind.to_lowercase().as_str() {
         "line" | "segment" => "an `arc` with the bulge 0 is a straight segment",
-        "ellipse" | "bezier" | "nurbs" | "bspline" | "b-spline" | "curve" => {
-            "a smooth curve through points is a `fair-spline`"
+        "ellipse" | "curve" | "spline" => "a smooth curve through points is a `fair-spline`",
+        "bezier" | "bspline" | "b-spline" | "rational-bspline" | "nurbs-curve" => {
+            "a spline by its control points is a `nurbs`"
         }
         "polygon" | "path" => {
             "segments through points are a `polyline`, arcs along points an `arc-fit` or an `arc-spline`"

@@ -41,7 +41,7 @@ const MESHES: &[Format] = &[Format::Glb, Format::Stl, Format::Png];
 const RENDERED: &[Format] = &[Format::Glb, Format::Png];
 
 /// All models, in the order of the page.
-pub const ENTRIES: [Entry; 32] = [
+pub const ENTRIES: [Entry; 33] = [
     Entry {
         name: "roof",
         title: "Free-form roof with two skins",
@@ -295,6 +295,14 @@ pub const ENTRIES: [Entry; 32] = [
         title: "Curves of blended circles",
         text: "A circle spline and its points, the same of order 1 and 2, inversions that are not wanted beside the fair spline that has none, and four points of one circle in crossing order.",
         document: example!("circle_blends.json"),
+        inputs: &[],
+        formats: CURVES,
+    },
+    Entry {
+        name: "inverted_spline",
+        title: "A NURBS curve turned inside out",
+        text: "A closed rational cubic as another program would have it, its knots not clamped, and its image under an inversion: exact, of degree 6, with positive weights.",
+        document: example!("inverted_spline.json"),
         inputs: &[],
         formats: CURVES,
     },

@@ -138,6 +138,7 @@ impl Builder<'_> {
             ObjectSpec::FairSpline(s) => self.each_contour(&s.points, s.closed, |at| fair_spline(s, at)),
             ObjectSpec::FairFit(s) => self.each_contour(&s.points, s.closed, |at| fair_fit(s, at)),
             ObjectSpec::CircleSpline(s) => self.each_contour(&s.points, s.closed, |at| circle_spline(s, at)),
+            ObjectSpec::Nurbs(s) => single(self.nurbs(s)?),
             ObjectSpec::TorusSpline(s) => self.torus_spline(s),
             ObjectSpec::TorusKnot(s) => single(CurveObject::TorusSpline(self.torus_knot(s)?)),
             ObjectSpec::TorusCircle(s) => self.torus_circle(s).map(|made| vec![made]),

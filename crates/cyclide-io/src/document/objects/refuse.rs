@@ -3,6 +3,7 @@
 use cyclide::{ErrorItem, Point3, ShortNumber, Warning};
 
 use super::curves::{Origin, Points};
+use super::nurbs::blame_nurbs;
 use super::torus::blame_torus;
 use super::{Builder, Remark};
 use crate::document::angle::Angle;
@@ -190,6 +191,7 @@ fn blame(spec: &ObjectSpec, error: &cyclide::Error) -> Blame {
         {
             blame_swept(spec, error)
         }
+        _ if matches!(spec, ObjectSpec::Nurbs(_)) => blame_nurbs(error),
         _ if spec.is_on_torus() => blame_torus(spec, error),
         _ if matches!(spec, ObjectSpec::PipeTee(_)) => blame_tee(error),
         _ if matches!(spec, ObjectSpec::PipeCrossing(_)) => blame_crossing(error),

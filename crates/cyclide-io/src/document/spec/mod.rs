@@ -7,6 +7,7 @@ mod curves;
 mod derived;
 mod fair;
 mod nets;
+mod nurbs;
 mod polygon_mesh_file;
 mod polyhedra;
 mod radii;
@@ -36,6 +37,7 @@ pub use derived::{
 };
 pub use fair::{FairEndPair, FairEndSpec, FairEndWord, FairEndsSpec, FairSplineSpec, StraightWord};
 pub use nets::{CyclideSpec, CyclidicNetSpec, FrameSpec, GridSource, MeshFile};
+pub use nurbs::NurbsSpec;
 pub use polygon_mesh_file::PolygonMeshFile;
 pub use polyhedra::SmoothPolyhedronSpec;
 pub use radii::RadiiSpec;
@@ -102,6 +104,8 @@ pub enum ObjectSpec {
     FairFit(FairFitSpec),
     /// A smooth curve through points, blended from circles.
     CircleSpline(CircleSplineSpec),
+    /// A rational B-spline curve.
+    Nurbs(NurbsSpec),
     /// A smooth curve on a torus through points.
     TorusSpline(TorusSplineSpec),
     /// A curve that runs evenly round a torus both ways.
@@ -229,6 +233,7 @@ object_types! {
     "fair-spline" => FairSpline,
     "fair-fit" => FairFit,
     "circle-spline" => CircleSpline,
+    "nurbs" => Nurbs,
     "torus-spline" => TorusSpline,
     "torus-knot" => TorusKnot,
     "torus-circle" => TorusCircle,
