@@ -37,6 +37,9 @@ pub use document::{
     TorusKnotSpec, TorusMethod, TorusSeamSpec, TorusSource, TorusSpec, TorusSplineSpec, TransformSpec, TubeFacts,
     TubeSpec, TypeWord, UnrolledPlane, UnrolledSpec, WindingSpec, document_schema,
 };
+pub use document::{
+    InterpolationFacts, MoebiusContinuity, MoebiusSplineSpec, ParameterRule, ParametersSpec, QbInterpolationSpec,
+};
 pub use error::{Error, Result};
 pub use export::camera::Camera;
 pub use export::error::ExportError;
@@ -58,7 +61,7 @@ pub use measure::joints::SurfaceJointReport;
 pub use report::{
     CheckError, CircularReport, ComparisonReport, ContourSamples, CurvatureRangeReport, CurvatureReport, CurveSample,
     CurveSamples, CurvesReport, FairnessReport, FileReport, FitPieces, FitReport, GeometryReport, JointReport,
-    ObjectReport, PartReport, PatchPlace, PolyhedronReport, RangeReport, Report, SampleOptions, SamplePlaces,
+    ObjectReport, PartReport, PatchPlace, PolyhedronReport, QbReport, RangeReport, Report, SampleOptions, SamplePlaces,
     SeamReport, SegmentCounts, ShapeReport, SingularPatchReport, SmoothReport, Spacing, SurfaceReport,
     TIGHTER_THAN_RADIUS, TeeBlendReport, TightPlaceReport, TightReport, TorusReport, TubeReport, UnrolledReport,
     WarningReport, sample,

@@ -10,6 +10,7 @@ use cyclide_io::{
 };
 
 use super::args::{CurveArgs, Kind, WriteArgs, positive, up_to_half_a_turn};
+use super::effect::CLOSED_KINDS;
 use super::plan::{Input, refuse_overwriting};
 use super::words::word;
 use crate::output::failure::Failure;
@@ -116,8 +117,8 @@ impl CompareArgs {
 }
 
 impl ComparePlan {
-    /// Every kind of `cyclide curve --kind`, fits within the tolerance.
-    pub fn kinds(&self, tolerance: f64) -> Result<Vec<(String, ObjectSpec)>, Failure> {
+    /// Every kind of `cyclide curve --kind`, fits within the tolerance; of those that cannot be closed, where the others are, none.
+    pub fn kinds(&self, tolerance: f64) -> Result<Vec<(String, Option<ObjectSpec>)>, Failure> {
         let args = CurveArgs {
             closed: self.closed,
             tolerance: Some(tolerance),
@@ -125,7 +126,9 @@ impl ComparePlan {
             corner_angle_deg: self.corner_angle_deg,
             ..CurveArgs::default()
         };
-        let made = |kind: &Kind| Ok((kind.word().to_owned(), args.spec(*kind, self.source.clone())?));
+        let fits = |kind: &Kind| !self.closed || CLOSED_KINDS.contains(kind);
+        let spec = |kind: &Kind| fits(kind).then(|| args.spec(*kind, self.source.clone())).transpose();
+        let made = |kind: &Kind| Ok((kind.word().to_owned(), spec(kind)?));
         Kind::value_variants().iter().map(made).collect()
     }
 }

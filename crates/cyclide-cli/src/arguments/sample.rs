@@ -33,10 +33,10 @@ pub struct SampleArgs {
     #[arg(long, value_name = "NAME")]
     pub object: Option<String>,
     /// Samples per contour of a curve, or N by N per patch of a surface; at least 2.
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(2..=10_000_000))]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(2..=10_000_000), required_unless_present = "step")]
     pub count: Option<u32>,
     /// Curves: a sample every D of arc length, and the end.
-    #[arg(long, value_name = "D", value_parser = positive, allow_negative_numbers = true, conflicts_with = "count", required_unless_present = "count")]
+    #[arg(long, value_name = "D", value_parser = positive, allow_negative_numbers = true, conflicts_with = "count")]
     pub step: Option<f64>,
     /// Curves: equal steps of arc length instead of the parameter.
     #[arg(long, conflicts_with = "step")]

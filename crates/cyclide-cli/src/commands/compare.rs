@@ -21,12 +21,19 @@ pub fn run(plan: &ComparePlan) -> Result<(), Failure> {
     let size = polygon.item.curves().iter().map(CurveObject::as_curve).map(bounds).reduce(Aabb::union);
     let tolerance = plan.tolerance.unwrap_or_else(|| TOLERANCE * size.map_or(1.0, |size| size.diagonal()));
     let source = plan.points.display().to_string();
-    let kinds = Document::from_objects(&source, document.units, plan.kinds(tolerance)?);
-    let progress = Progress::new(kinds.objects.len());
-    let mut made = Vec::with_capacity(kinds.objects.len());
-    for (index, (word, _)) in kinds.objects.iter().enumerate() {
+    let kinds = plan.kinds(tolerance)?;
+    let progress = Progress::new(kinds.len());
+    let mut made = Vec::with_capacity(kinds.len());
+    for (word, spec) in kinds {
         progress.doing(word.clone());
-        made.push((word.clone(), load::build_quietly(&kinds, &folder, index, &inputs)));
+        let built = match spec {
+            None => Err("this kind cannot be closed".to_owned()),
+            Some(spec) => {
+                let document = Document::from_objects(&source, document.units, vec![(word.clone(), spec)]);
+                load::build_quietly(&document, &folder, 0, &inputs)
+            }
+        };
+        made.push((word, built));
         progress.done();
     }
     let name = plan.points.file_name().map_or(source.clone(), |name| name.to_string_lossy().into_owned());

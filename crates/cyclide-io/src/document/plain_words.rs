@@ -97,6 +97,12 @@ fn unit_by_name(word: &str) -> Option<&'static str> {
 pub(super) fn other_word_for(kind: &str) -> String {
     let answer = match kind.to_lowercase().as_str() {
         "line" | "segment" => "an `arc` with the bulge 0 is a straight segment",
+        "catmull-rom" | "hermite-spline" | "möbius-spline" | "mobius-spline" => {
+            "a local smooth curve through points is a `moebius-spline`"
+        }
+        "interpolation" | "lagrange" | "rational-interpolation" => {
+            "a rational curve of lowest degree through points is a `qb-interpolation`"
+        }
         "ellipse" | "curve" | "spline" => "a smooth curve through points is a `fair-spline`",
         "bezier" | "bspline" | "b-spline" | "rational-bspline" | "nurbs-curve" => {
             "a spline by its control points is a `nurbs`"

@@ -3,6 +3,7 @@
 use cyclide::{Aabb, ArcLength, CORNER_ANGLE, CurveObject, Lower, bounds, extreme_curvature, joints, length};
 use serde::Serialize;
 
+use super::qb::QbReport;
 use super::{FairnessReport, RangeReport, TightReport, TorusReport, UnrolledReport};
 use crate::document::{BuiltObject, Fitted};
 use crate::export::job::default_tolerance;
@@ -45,6 +46,9 @@ pub struct CurvesReport {
     /// The places that are tighter than a radius, where one was asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub tight: Option<TightReport>,
+    /// Of curves of quaternion pairs: their degree, and how they meet their points.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub qb: Option<Box<QbReport>>,
     /// Of splines on a torus: the torus, and how they run on it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub torus: Option<TorusReport>,
@@ -212,6 +216,7 @@ impl CurvesReport {
             points: built.contours.iter().map(|c| c.points).sum(),
             fit: fit(built),
             tight: None,
+            qb: QbReport::new(built).map(Box::new),
             torus: TorusReport::new(built),
             unrolled: built.unrolled.as_ref().map(UnrolledReport::from),
         }

@@ -3,7 +3,7 @@
 use super::chain::CurveChain;
 use super::lower::{Lower, Lowered};
 use super::surface_object::SurfaceObject;
-use crate::curve::{Arc, ArcPath, Circle, CircleSpline, ParamCurve};
+use crate::curve::{Arc, ArcPath, Circle, CircleSpline, ParamCurve, QbSpline};
 use crate::error::Result;
 use crate::rational::NurbsCurve;
 use crate::surface::TorusSpline;
@@ -98,6 +98,8 @@ pub enum CurveObject {
     TorusSpline(TorusSpline),
     /// A rational B-spline curve.
     Nurbs(NurbsCurve),
+    /// Quaternionic Bézier curves end to end, or one.
+    QbSpline(QbSpline),
 }
 
 impl CurveObject {
@@ -111,6 +113,7 @@ impl CurveObject {
             Self::CircleSpline(c) => c,
             Self::TorusSpline(c) => c,
             Self::Nurbs(c) => c,
+            Self::QbSpline(c) => c,
         }
     }
 
@@ -122,6 +125,7 @@ impl CurveObject {
             Self::CircleSpline(c) => c,
             Self::TorusSpline(c) => c,
             Self::Nurbs(c) => c,
+            Self::QbSpline(c) => c,
         }
     }
 }
