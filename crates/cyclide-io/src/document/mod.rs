@@ -41,7 +41,7 @@ pub use spec::{
     CircleSpec, CircleSplineSpec, CircularSurfaceSpec, ClampedEnds, Comment, CrossingPipeSpec, CyclidePatchSpec,
     CyclideSpec, CyclidicNetSpec, DiskSpec, EllipseBridgeSpec, EndsSpec, FairEndPair, FairEndSpec, FairEndWord,
     FairEndsSpec, FairFitSpec, FairSplineSpec, FamilySpec, FrameSpec, FreeOr, GridSource, MakeCircularOptions,
-    MakeCircularSpec, MeshFile, MoebiusContinuity, MoebiusSplineSpec, NormalsSpec, ObjectSpec, OffsetSpec,
+    MakeCircularSpec, MeshFile, MoebiusContinuity, MoebiusSplineSpec, NormalsSpec, NurbsSpec, ObjectSpec, OffsetSpec,
     ParameterRule, ParametersSpec, PipeCrossingSpec, PipeSpec, PipeTeeSpec, PlaneSpec, PlateSpec, PlateWithNeckSpec,
     PolygonMeshFile, PolylineSpec, QbInterpolationSpec, RadiiSpec, RadiusLawSpec, RatePairs, RevolutionSpec,
     RotationSpec, RuledSpec, ScaleSpec, SmoothMeshSpec, SmoothPolyhedronSpec, SphereBlendSpec, SphereSpec, StepSpec,

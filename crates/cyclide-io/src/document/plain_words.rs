@@ -103,8 +103,9 @@ pub(super) fn other_word_for(kind: &str) -> String {
         "interpolation" | "lagrange" | "rational-interpolation" => {
             "a rational curve of lowest degree through points is a `qb-interpolation`"
         }
-        "ellipse" | "bezier" | "nurbs" | "bspline" | "b-spline" | "curve" => {
-            "a smooth curve through points is a `fair-spline`"
+        "ellipse" | "curve" | "spline" => "a smooth curve through points is a `fair-spline`",
+        "bezier" | "bspline" | "b-spline" | "rational-bspline" | "nurbs-curve" => {
+            "a spline by its control points is a `nurbs`"
         }
         "polygon" | "path" => {
             "segments through points are a `polyline`, arcs along points an `arc-fit` or an `arc-spline`"

@@ -1,6 +1,7 @@
 //! What was made and what was written: measured on the curves and on the bytes, never taken from the plan.
 
 mod curvature;
+mod curve_sample;
 mod curves;
 mod fairness;
 mod file;
@@ -12,6 +13,7 @@ mod smooth;
 mod surface;
 mod tee;
 mod text;
+mod tight;
 mod torus;
 mod tube;
 
@@ -21,6 +23,7 @@ use serde::Serialize;
 
 use crate::document::{BuiltObject, Remark};
 pub use curvature::CurvatureRangeReport;
+pub use curve_sample::{ContourSamples, CurveSample, CurveSamples, SampleOptions, SamplePlaces};
 pub use curves::{CurvatureReport, CurvesReport, FitPieces, FitReport, JointReport};
 pub use fairness::FairnessReport;
 pub use file::{CheckError, FileReport};
@@ -31,6 +34,7 @@ pub use seam::SeamReport;
 pub use smooth::{ComparisonReport, SmoothReport};
 pub use surface::{CircularReport, PartReport, PatchPlace, ShapeReport, SingularPatchReport, SurfaceReport};
 pub use tee::TeeBlendReport;
+pub use tight::{TIGHTER_THAN_RADIUS, TightPlaceReport, TightReport};
 pub use torus::{SegmentCounts, TorusReport, UnrolledReport};
 pub use tube::TubeReport;
 
@@ -157,6 +161,23 @@ impl Report {
     pub fn new(units: Units, objects: &[BuiltObject], tolerance: Option<f64>) -> Self {
         let reports = objects.iter().map(|built| (built.item.name.clone(), ObjectReport::new(built, tolerance)));
         Self { units: units.symbol(), objects: reports.collect(), files: Vec::new() }
+    }
+
+    /// With the places of all curves that are tighter than a radius, in the reports of these objects and as warnings.
+    ///
+    /// # Errors
+    /// As [`cyclide::tight_places`].
+    pub fn with_min_radius(mut self, objects: &[BuiltObject], radius: f64) -> cyclide::Result<Self> {
+        for built in objects {
+            let found = TightReport::new(built, radius)?;
+            if let Some(report) = self.objects.get_mut(&built.item.name)
+                && let GeometryReport::Curves(curves) = &mut report.geometry
+            {
+                report.warnings.extend(found.warnings(curves.contours > 1, self.units));
+                curves.tight = Some(found);
+            }
+        }
+        Ok(self)
     }
 }
 

@@ -179,12 +179,18 @@ fn samples_have_the_normals_of_the_torus() {
     let made = build(&format!(r#""k": {{"type": "torus-knot", {HERE}, "turns": [2, 3]}}"#)).unwrap();
     let table = sample(&made, 41, Spacing::Length);
     let mut lines = table.lines();
-    assert_eq!(lines.next(), Some("t,x,y,z,tangent_x,tangent_y,tangent_z,curvature,normal_x,normal_y,normal_z"));
-    let rows: Vec<Vec<f64>> = lines.map(|line| line.split(',').map(|f| f.parse().unwrap()).collect()).collect();
+    assert_eq!(
+        lines.next(),
+        Some(
+            "t,x,y,z,tangent_x,tangent_y,tangent_z,curvature,station,signed_curvature,torsion,normal_x,normal_y,normal_z,binormal_x,binormal_y,binormal_z"
+        )
+    );
+    let rows: Vec<Vec<f64>> =
+        lines.map(|line| line.split(',').map(|f| f.parse().unwrap_or(f64::NAN)).collect()).collect();
     assert_eq!(rows.len(), 41);
     let torus = splines(&made)[0].torus();
     for row in &rows {
-        let (p, t, n) = (&row[1..4], &row[4..7], &row[8..11]);
+        let (p, t, n) = (&row[1..4], &row[4..7], &row[11..14]);
         let dot: f64 = t.iter().zip(n).map(|(a, b)| a * b).sum();
         assert!(dot.abs() < 1e-12);
         // A step along the normal is that far from the torus.

@@ -11,6 +11,7 @@ mod inversions;
 mod maps;
 mod near_degenerate;
 mod nets;
+mod nurbs;
 mod objects;
 mod patches;
 mod pipes;
@@ -88,6 +89,7 @@ const CLASSES: &[Class] = &[
     ("inversions", 3, inversions::curve),
     ("maps", 2, maps::curve),
     ("near-degenerate cyclides", 3, near_degenerate::cyclide),
+    ("splines", 3, nurbs::curve),
     ("support structures", 2, near_degenerate::support),
     ("patches", 3, patches::object),
     ("offsets", 2, patches::offset),

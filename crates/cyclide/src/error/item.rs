@@ -51,6 +51,7 @@ items! {
     CornerAngle => "corner_angle",
     Curve => "curve",
     Cyclide => "cyclide",
+    Degree => "degree",
     Depth => "depth",
     Direction => "direction",
     Distance => "distance",

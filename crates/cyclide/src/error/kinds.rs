@@ -286,6 +286,24 @@ pub enum Error {
         /// Largest gap accepted.
         limit: f64,
     },
+    /// A knot is less than the one before.
+    KnotsDecrease {
+        /// Which knot, from 0.
+        index: usize,
+        /// Its value.
+        knot: f64,
+        /// The knot before, which it must not be below.
+        before: f64,
+    },
+    /// A knot is repeated so often that the curve falls apart there, or a control point counts for nothing.
+    KnotMultiplicity {
+        /// The first knot of that value, from 0.
+        index: usize,
+        /// How often it is there.
+        multiplicity: usize,
+        /// How often it may be there.
+        limit: usize,
+    },
     /// The knots, weights and points of a spline do not fit together.
     NotASpline {
         /// What does not fit.
@@ -334,6 +352,17 @@ pub enum Error {
         bound: f64,
         /// The tolerance asked for.
         tolerance: f64,
+    },
+    /// A frame does not exist at a place of a curve: what it would be made from vanishes there.
+    NoFrame {
+        /// What vanishes.
+        what: &'static str,
+        /// The place, a global parameter in `[0, 1]`.
+        t: f64,
+        /// Its size.
+        measured: f64,
+        /// Sizes up to this are refused.
+        limit: f64,
     },
     /// No tangent-continuous arc spline stays within the tolerance of the polyline near this vertex.
     NoG1SplineInTube {

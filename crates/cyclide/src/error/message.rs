@@ -415,6 +415,20 @@ impl std::fmt::Display for Error {
                 ShortNumber(*limit)
             ),
             Self::NotASimilarity { .. } => f.write_str("the map is not a similarity"),
+            Self::NoFrame { what, t, measured, limit } => write!(
+                f,
+                "there is no frame at the parameter {}: {what} is {}, more than {} is needed",
+                ShortNumber(*t),
+                ShortNumber(*measured),
+                ShortNumber(*limit)
+            ),
+            Self::KnotsDecrease { index, knot, before } => {
+                write!(f, "knot {index} is {knot}, less than the one before, {before}: knots must not decrease")
+            }
+            Self::KnotMultiplicity { index, multiplicity, limit } => write!(
+                f,
+                "the knot at {index} is there {multiplicity} times, {limit} at most: the curve would fall apart there"
+            ),
             Self::NotASpline { detail } => write!(f, "not a spline: {detail}"),
             Self::WeightNotPositive { index, weight } => {
                 write!(f, "weight {index} is {}: rational weights must be positive here", ShortNumber(*weight))

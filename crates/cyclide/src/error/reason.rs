@@ -92,6 +92,9 @@ impl Error {
             Self::Disconnected { .. } => "disconnected",
             Self::NotMobius { .. } => "not-mobius",
             Self::NotASimilarity { .. } => "not-a-similarity",
+            Self::NoFrame { .. } => "no-frame",
+            Self::KnotsDecrease { .. } => "knots-decrease",
+            Self::KnotMultiplicity { .. } => "knot-multiplicity",
             Self::NotASpline { .. } => "not-a-spline",
             Self::WeightNotPositive { .. } => "weight-not-positive",
             Self::FrameNotOrthonormal { .. } => "frame-not-orthonormal",
@@ -187,7 +190,9 @@ impl Error {
             | Self::PointOnAxis { index, .. }
             | Self::PointOnCoreCircle { index, .. }
             | Self::PointOffTorus { index, .. }
-            | Self::EmptyInterval { index, .. } => Some(index),
+            | Self::EmptyInterval { index, .. }
+            | Self::KnotsDecrease { index, .. }
+            | Self::KnotMultiplicity { index, .. } => Some(index),
             Self::NoTwoTypeSolution { segment, .. } => Some(segment),
             Self::WrongSide { surface, .. } => Some(surface),
             Self::UndefinedNormal { vertex, .. } | Self::PlanesMissPoint { vertex, .. } => Some(vertex),

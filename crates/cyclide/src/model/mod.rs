@@ -5,6 +5,7 @@ mod circle_spline;
 mod derived;
 mod lower;
 mod named;
+mod nurbs;
 mod object;
 mod qb_spline;
 mod surface_object;

@@ -5,6 +5,7 @@ use super::lower::{Lower, Lowered};
 use super::surface_object::SurfaceObject;
 use crate::curve::{Arc, ArcPath, Circle, CircleSpline, ParamCurve, QbSpline};
 use crate::error::Result;
+use crate::rational::NurbsCurve;
 use crate::surface::TorusSpline;
 
 /// What one unit of the coordinates means. Coordinates are never rescaled; units label them.
@@ -95,6 +96,8 @@ pub enum CurveObject {
     CircleSpline(CircleSpline),
     /// A spline on a torus.
     TorusSpline(TorusSpline),
+    /// A rational B-spline curve.
+    Nurbs(NurbsCurve),
     /// Quaternionic Bézier curves end to end, or one.
     QbSpline(QbSpline),
 }
@@ -109,6 +112,7 @@ impl CurveObject {
             Self::ArcPath(c) => c,
             Self::CircleSpline(c) => c,
             Self::TorusSpline(c) => c,
+            Self::Nurbs(c) => c,
             Self::QbSpline(c) => c,
         }
     }
@@ -120,6 +124,7 @@ impl CurveObject {
             Self::ArcPath(c) => c,
             Self::CircleSpline(c) => c,
             Self::TorusSpline(c) => c,
+            Self::Nurbs(c) => c,
             Self::QbSpline(c) => c,
         }
     }

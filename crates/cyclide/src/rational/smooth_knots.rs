@@ -28,11 +28,15 @@ const POINT_ROUNDINGS: f64 = 8.0;
 impl NurbsCurve {
     /// The same curve with the same parameter and C1 knots (multiplicity `degree - 1`) at every knot where the
     /// derivative is continuous; the degree rises by 3. Where a closed curve joins itself as smoothly, so do its weights. Spans with very uneven weights keep their knots where the other
-    /// form would lose points by rounding. `None` if nothing can be gained (one span, no C1 knot, or a factor that would
-    /// not stay positive).
+    /// form would lose points by rounding. `None` if nothing can be gained (one span, no C1 knot, a factor that would not stay
+    /// positive, or knots that are smooth as they are).
     #[must_use]
     pub fn with_c1_knots(&self) -> Option<Self> {
         let count = self.span_count();
+        // What has smooth knots of its own keeps them: this form is C1 only, and of higher degree.
+        if self.knots().len() != self.degree() * (count + 1) + 2 {
+            return None;
+        }
         let intervals: Vec<f64> = self.breaks().windows(2).map(|w| w[1] - w[0]).collect();
         let mut smooth: Vec<bool> = (1..count).map(|j| self.is_c1_at(j, &intervals)).collect();
         let seam = self.is_c1_at_seam(&intervals);

@@ -359,4 +359,13 @@ pub const ENTRIES: &[Entry] = &[
         formats: CURVES,
         camera: "",
     },
+    Entry {
+        name: "inverted_spline",
+        title: "A NURBS curve turned inside out",
+        text: "A closed rational cubic as another program would have it, its knots not clamped, and its image under an inversion: exact, of degree 6, with positive weights.",
+        document: example!("inverted_spline.json"),
+        inputs: &[],
+        formats: CURVES,
+        camera: "",
+    },
 ];

@@ -8,6 +8,7 @@ mod derived;
 mod fair;
 mod interpolated;
 mod nets;
+mod nurbs;
 mod polygon_mesh_file;
 mod polyhedra;
 mod radii;
@@ -38,6 +39,7 @@ pub use derived::{
 pub use fair::{FairEndPair, FairEndSpec, FairEndWord, FairEndsSpec, FairSplineSpec, StraightWord};
 pub use interpolated::{MoebiusContinuity, MoebiusSplineSpec, ParameterRule, ParametersSpec, QbInterpolationSpec};
 pub use nets::{CyclideSpec, CyclidicNetSpec, FrameSpec, GridSource, MeshFile};
+pub use nurbs::NurbsSpec;
 pub use polygon_mesh_file::PolygonMeshFile;
 pub use polyhedra::SmoothPolyhedronSpec;
 pub use radii::RadiiSpec;
@@ -107,6 +109,8 @@ pub enum ObjectSpec {
     FairFit(FairFitSpec),
     /// A smooth curve through points, blended from circles.
     CircleSpline(CircleSplineSpec),
+    /// A rational B-spline curve.
+    Nurbs(NurbsSpec),
     /// A local smooth curve through points that Möbius maps keep.
     MoebiusSpline(MoebiusSplineSpec),
     /// A rational curve of lowest degree through points.
@@ -240,6 +244,7 @@ object_types! {
     "fair-spline" => FairSpline,
     "fair-fit" => FairFit,
     "circle-spline" => CircleSpline,
+    "nurbs" => Nurbs,
     "moebius-spline" => MoebiusSpline,
     "qb-interpolation" => QbInterpolation,
     "torus-spline" => TorusSpline,

@@ -9,6 +9,7 @@ mod fair_fit;
 mod fair_spline;
 mod interpolation;
 mod moebius_spline;
+mod nurbs_arcs;
 mod qb_arcs;
 mod rational_runs;
 mod rounded_polyline;

@@ -96,12 +96,30 @@
 //! # Ok::<(), cyclide::Error>(())
 //! ```
 //!
-//! # `not-a-spline`
-//! Knots, weights and points of a spline do not fit together.
+//! # `knots-decrease`
+//! A knot is less than the one before.
 //! ```
 //! use cyclide::{NurbsCurve, Point3};
 //! let points = [[0.0, 0.0, 0.0], [1.0, 1.0, 0.0], [2.0, 0.0, 0.0]].map(Point3::from).to_vec();
-//! let error = NurbsCurve::new(2, vec![0.0, 1.0], points, vec![1.0; 3]).unwrap_err();
+//! let error = NurbsCurve::new(2, vec![0.0, 0.0, 0.0, 1.0, 0.9, 1.0], points, vec![1.0; 3]).unwrap_err();
+//! assert_eq!((error.reason(), error.index()), ("knots-decrease", Some(4)));
+//! ```
+//!
+//! # `knot-multiplicity`
+//! A knot is repeated so often that the curve falls apart there.
+//! ```
+//! use cyclide::{NurbsCurve, Point3};
+//! let points = [[0.0, 0.0, 0.0], [1.0, 1.0, 0.0], [2.0, 0.0, 0.0], [3.0, 0.0, 0.0]].map(Point3::from).to_vec();
+//! let error = NurbsCurve::new(1, vec![0.0, 0.0, 0.5, 0.5, 1.0, 1.0], points, vec![1.0; 4]).unwrap_err();
+//! assert_eq!((error.reason(), error.index()), ("knot-multiplicity", Some(2)));
+//! ```
+//!
+//! # `not-a-spline`
+//! Knots, weights and points of a spline do not fit together: here the ends are not clamped.
+//! ```
+//! use cyclide::{NurbsCurve, Point3};
+//! let points = [[0.0, 0.0, 0.0], [1.0, 1.0, 0.0], [2.0, 0.0, 0.0]].map(Point3::from).to_vec();
+//! let error = NurbsCurve::new(2, vec![0.0, 1.0, 2.0, 3.0, 4.0, 5.0], points, vec![1.0; 3]).unwrap_err();
 //! assert_eq!(error.reason(), "not-a-spline");
 //! ```
 //!
@@ -112,6 +130,16 @@
 //! let points = [[1e9, 0.0, 0.0], [1e9 + 1.0, 1.0, 0.0], [1e9 + 2.0, 0.0, 0.0]].map(Point3::from).to_vec();
 //! let far = NurbsCurve::new(2, vec![0.0, 0.0, 0.0, 1.0, 1.0, 1.0], points, vec![1.0, 2.0, 1.0])?;
 //! assert_eq!(flatten(&far, 1e-9).unwrap_err().reason(), "not-within-tolerance");
+//! # Ok::<(), cyclide::Error>(())
+//! ```
+//!
+//! # `no-frame`
+//! What a frame would be made from vanishes: here the curvature of a straight line has no direction.
+//! ```
+//! use cyclide::{Arc, CurveFrames, FrameRule, Point3};
+//! let line = Arc::segment(Point3::ORIGIN, Point3::new(1.0, 0.0, 0.0))?;
+//! let error = CurveFrames::new(&line, &FrameRule::Frenet)?.at(0.5).unwrap_err();
+//! assert_eq!(error.reason(), "no-frame");
 //! # Ok::<(), cyclide::Error>(())
 //! ```
 //!
