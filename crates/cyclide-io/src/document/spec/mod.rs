@@ -15,6 +15,7 @@ mod surfaces;
 mod swept;
 mod tees;
 mod torus;
+mod torus_numbers;
 mod tubes;
 
 use std::collections::BTreeMap;
@@ -46,9 +47,10 @@ pub use swept::{
 };
 pub use tees::{PipeTeeSpec, TeeBlendSpec, TeeBranchSpec, TeeLawSpec, TeeMainSpec, TeeRadiusSpec};
 pub use torus::{
-    AnglePairs, FamilySpec, FreeOr, RatePairs, TorusCircleSpec, TorusKnotSpec, TorusMethod, TorusSeamSpec, TorusSource,
-    TorusSpec, TorusSplineSpec, UnrolledSpec, WindingSpec,
+    FamilySpec, TorusCircleSpec, TorusKnotSpec, TorusMethod, TorusSeamSpec, TorusSource, TorusSpec, TorusSplineSpec,
+    UnrolledSpec, WindingSpec,
 };
+pub use torus_numbers::{AnglePairs, FreeOr, RatePairs};
 pub use tubes::{RadiusLawSpec, TubeSpec};
 
 /// A cyclide model: named curves and surfaces made of circles. Lengths are in the document's units and are never rescaled,
