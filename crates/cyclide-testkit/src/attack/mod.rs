@@ -17,6 +17,7 @@ mod pipes;
 mod planar;
 mod points;
 mod polyhedra;
+mod quotients;
 mod random;
 mod revolutions;
 pub mod runner;
@@ -105,6 +106,7 @@ const CLASSES: [Class; 26] = [
     ("triangles", 1, triangles::surface),
     ("tori", 2, tori::curve),
     ("seams", 1, tori::seam),
+    ("quotients", 3, quotients::curve),
 ];
 
 /// Document `number` of the attack with this seed.

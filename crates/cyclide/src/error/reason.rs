@@ -60,6 +60,11 @@ impl Error {
             Self::ArcThroughInfinity { .. } => "arc-through-infinity",
             Self::AmbiguousHalfTurn { .. } => "ambiguous-half-turn",
             Self::TooManyPieces { .. } => "too-many-pieces",
+            Self::EvenPointCount { .. } => "even-point-count",
+            Self::RepeatedParameter { .. } => "repeated-parameter",
+            Self::UnattainablePoint { .. } => "unattainable-point",
+            Self::CurveThroughInfinity { .. } => "curve-through-infinity",
+            Self::OppositeArcs { .. } => "opposite-arcs",
             Self::NotWithinTolerance { .. } => "not-within-tolerance",
             Self::BelowRoundingOfPlace { .. } => "below-rounding-of-place",
             Self::ToleranceNotPositive { .. } => "tolerance-not-positive",
@@ -148,7 +153,7 @@ impl Error {
             | Self::Cusp { index, .. }
             | Self::OppositeTangents { first: index, .. }
             | Self::WeightNotPositive { index, .. } => Some(index),
-            Self::CoincidentPoints { second, .. } => Some(second),
+            Self::CoincidentPoints { second, .. } | Self::RepeatedParameter { second, .. } => Some(second),
             Self::ArcThroughInfinity { segment, .. } | Self::AmbiguousHalfTurn { segment, .. } => Some(segment),
             Self::TooManyPieces { segment, .. } => segment,
             Self::NoG1SplineInTube { vertex, .. } => Some(vertex),
@@ -183,7 +188,9 @@ impl Error {
             Self::NoTwoTypeSolution { segment, .. } => Some(segment),
             Self::WrongSide { surface, .. } => Some(surface),
             Self::UndefinedNormal { vertex, .. } | Self::PlanesMissPoint { vertex, .. } => Some(vertex),
-            Self::ToleranceNotReached { ref points, .. } => points.first().copied(),
+            Self::ToleranceNotReached { ref points, .. } | Self::UnattainablePoint { ref points, .. } => {
+                points.first().copied()
+            }
             _ => None,
         }
     }
