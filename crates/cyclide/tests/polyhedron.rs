@@ -5,7 +5,6 @@ use cyclide::{
     Body, Conformal as _, ConvexPolyhedron, FaceGeometry as _, FaceSurface, Mobius, PatchKind, Point3, Quat,
     SphericalPolygon, Vec3, surface_joints, tessellate,
 };
-use proptest::prelude::*;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 /// Reproducible numbers in [-1, 1] (xorshift).
@@ -472,75 +471,3 @@ fn rounded_points_have_a_hull() {
         assert!(known.warnings().is_empty() && known.deviation() <= 2.0 / unit);
     }
 }
-
-/// Points of a cube squeezed in one direction and in another, some of them as good as in the plane, on the line or at the place of others.
-fn squeezed() -> impl Strategy<Value = Vec<Vec3>> {
-    let decades = |from: f64| prop_oneof![2 => Just(1.0), 1 => (from..0.0).prop_map(|power| 10.0_f64.powf(power))];
-    let number = -1.0..1.0_f64;
-    let points = prop::collection::vec((prop::array::uniform3(number), 0.0..4.0_f64, -9.0..-1.0_f64), 5..14);
-    (points, decades(-2.0), decades(-4.0)).prop_map(|(points, thin, flat)| {
-        let mut made: Vec<Vec3> = Vec::new();
-        for ([x, y, z], kind, power) in points {
-            let own = Vec3::new(x, thin * y, flat * z);
-            // Of all points one in eight each is near to another one, or to the line or plane through others.
-            let near = own * 10.0_f64.powf(power);
-            let count = made.len();
-            made.push(match (kind, count) {
-                (k, 3..) if k < 0.5 => made[count - 1] + near,
-                (k, 3..) if k < 1.0 => made[0] * 0.3 + made[count - 1] * 0.7 + near,
-                (k, 3..) if k < 1.5 => made[0] * 1.4 + made[1] * 0.8 - made[2] * 1.2 + near,
-                _ => own,
-            });
-        }
-        made
-    })
-}
-
-proptest! {
-    #![proptest_config(ProptestConfig { cases: 64, failure_persistence: None, ..ProptestConfig::default() })]
-
-    /// Steiner's formulas, Gauss and Bonnet, and the support function, of hulls that are nearly flat, of any size and place.
-    #[test]
-    fn offsets_of_any_hull_keep_the_laws(points in squeezed(), radius in -3.0..2.0_f64, scale in -6.0..6.0_f64, far in prop::array::uniform3(-30.0..30.0_f64), direction in prop::array::uniform3(-1.0..1.0_f64)) {
-        let (scale, radius) = (10.0_f64.powf(scale), 10.0_f64.powf(scale + radius));
-        let [x, y, z] = far;
-        let place = Vec3::new(x, y, z);
-        let points: Vec<Point3> = points.iter().map(|p| Point3::ORIGIN + (*p + place) * scale).collect();
-        let polyhedron = match ConvexPolyhedron::hull(&points) {
-            Ok(polyhedron) => polyhedron,
-            Err(error) => {
-                prop_assert!(REFUSED.contains(&error.reason()), "{error}");
-                return Ok(());
-            }
-        };
-        let body = match polyhedron.offset(radius) {
-            Ok(body) => body,
-            Err(error) => {
-                prop_assert!(REFUSED.contains(&error.reason()), "{error}");
-                return Ok(());
-            }
-        };
-        prop_assert!(body.is_solid());
-        let cones = (0..polyhedron.vertices().len()).filter_map(|v| polyhedron.normal_cone(v));
-        let solid: f64 = cones.map(SphericalPolygon::solid_angle).sum();
-        prop_assert!((solid / (4.0 * PI) - 1.0).abs() < 1e-9, "{solid}");
-        // Coordinates are rounded by so much; with them the moved faces, and their volume by that times the area.
-        let rounding = 64.0 * f64::EPSILON * (60.0 * scale + radius);
-        let (volume, area) = (body.outer.known_volume().unwrap(), body.outer.known_area().unwrap());
-        let (volumes, areas) = (polyhedron.offset_volume(radius), polyhedron.offset_area(radius));
-        prop_assert!((volume - volumes).abs() <= 1e-10 * volumes + rounding * areas, "{volume} {volumes}");
-        prop_assert!((area / areas - 1.0).abs() <= 1e-10 + rounding / radius, "{area} {areas}");
-        // No point is beyond the plane that supports the offset, and one is on it.
-        let Some(d) = Vec3::from(direction).unit() else { return Ok(()) };
-        let support = polyhedron.support(d) + radius;
-        let mesh = tessellate(&body, 1e-2 * radius.max(1e-1 * scale)).unwrap();
-        let highest = mesh.positions.iter().map(|p| p.to_vec().dot(d)).fold(f64::NEG_INFINITY, f64::max);
-        prop_assert!(highest <= support + rounding && highest >= support - 1.001 * mesh.bound - rounding, "{highest} {support}");
-        // The polyhedron itself.
-        let own = polyhedron.body().unwrap().outer;
-        prop_assert!((own.known_volume().unwrap() - polyhedron.volume()).abs() <= rounding * polyhedron.area());
-    }
-}
-
-/// Why a hull or its offset may be refused: it is flat, or below the rounding of its place.
-const REFUSED: [&str; 3] = ["flat-polyhedron", "below-rounding-of-place", "too-few-points"];

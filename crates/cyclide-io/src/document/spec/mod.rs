@@ -17,6 +17,7 @@ mod surfaces;
 mod swept;
 mod tees;
 mod torus;
+mod torus_numbers;
 mod tubes;
 
 use std::collections::BTreeMap;
@@ -50,9 +51,10 @@ pub use swept::{
 };
 pub use tees::{PipeTeeSpec, TeeBlendSpec, TeeBranchSpec, TeeLawSpec, TeeMainSpec, TeeRadiusSpec};
 pub use torus::{
-    AnglePairs, FamilySpec, FreeOr, RatePairs, TorusCircleSpec, TorusKnotSpec, TorusMethod, TorusQuarticSpec,
-    TorusSeamSpec, TorusSource, TorusSpec, TorusSplineSpec, UnrolledSpec, WindingSpec,
+    FamilySpec, TorusCircleSpec, TorusKnotSpec, TorusMethod, TorusQuarticSpec, TorusSeamSpec, TorusSource, TorusSpec,
+    TorusSplineSpec, UnrolledSpec, WindingSpec,
 };
+pub use torus_numbers::{AnglePairs, FreeOr, RatePairs};
 pub use tubes::{RadiusLawSpec, TubeSpec};
 
 /// A cyclide model: named curves and surfaces made of circles. Lengths are in the document's units and are never rescaled,
