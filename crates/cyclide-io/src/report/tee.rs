@@ -22,6 +22,8 @@ use super::RangeReport;
 pub struct TeeBlendReport {
     /// The radii of its balls, to a bound that is proved.
     pub radius: RangeReport,
+    /// The largest difference from the radius or the law that was asked for.
+    pub deviation: f64,
     /// Pieces of its loop.
     pub pieces: usize,
     /// How near it comes to folding: 1 where the ball rolls straight, 0 where the blend would run through itself.
@@ -33,16 +35,20 @@ pub struct TeeBlendReport {
 impl From<&TeeBlendFacts> for TeeBlendReport {
     fn from(facts: &TeeBlendFacts) -> Self {
         let [min, max] = facts.radii;
-        let TeeBlendFacts { pieces, tightest, tightest_at, .. } = *facts;
-        Self { radius: RangeReport { min, max }, pieces, tightest, tightest_at }
+        let TeeBlendFacts { deviation, pieces, tightest, tightest_at, .. } = *facts;
+        Self { radius: RangeReport { min, max }, deviation, pieces, tightest, tightest_at }
     }
 }
 
 impl TeeBlendReport {
     /// What the text says of it.
     pub(super) fn text(&self, units: &str) -> String {
-        let [min, max, tightest, at] =
-            [self.radius.min, self.radius.max, self.tightest, self.tightest_at].map(|x| ShortNumber(x).to_string());
-        format!("radius {min} to {max} {units}, {} pieces, tightest {tightest} at {at} rad", self.pieces)
+        let [min, max, off, tightest, at] =
+            [self.radius.min, self.radius.max, self.deviation, self.tightest, self.tightest_at]
+                .map(|x| ShortNumber(x).to_string());
+        format!(
+            "radius {min} to {max} {units}, {off} off what was asked for, {} pieces, tightest {tightest} at {at} rad",
+            self.pieces
+        )
     }
 }

@@ -103,6 +103,7 @@ items! {
     T1 => "t1",
     Tangent => "tangent",
     TangentOverSpan => "tangent times the length of its span",
+    Taper => "taper",
     Tension => "tension",
     Thickness => "thickness",
     Tight => "tight",

@@ -675,6 +675,8 @@ pub enum Error {
         reach: f64,
         /// The radius of the main pipe.
         limit: f64,
+        /// How far its axis passes beside that of the main pipe.
+        offset: f64,
     },
     /// The balls of the plainest blend of a tee are infinite in a crotch.
     TeeBlendTooLarge {
@@ -684,6 +686,13 @@ pub enum Error {
         radius: f64,
         /// The radius at which that begins; not positive where no ball will do.
         limit: f64,
+    },
+    /// A branch as wide as its main pipe has a blend whose radius changes.
+    TeeLawOnEqualPipes {
+        /// Which branch, from 0.
+        branch: usize,
+        /// Two of its radii.
+        radii: [f64; 2],
     },
     /// A pipe of a tee ends within a blend.
     TeePipeTooShort {
@@ -711,6 +720,22 @@ pub enum Error {
         branch: usize,
         /// Angle round the branch where that is.
         angle: f64,
+    },
+    /// The ends of a pipe are not in order.
+    PipeEndsReversed {
+        /// Which pipe, from 0; of a tee the main pipe.
+        pipe: usize,
+        /// The first end.
+        start: f64,
+        /// The second, which must be above it.
+        end: f64,
+    },
+    /// The axes of a crossing are too near to each other.
+    CrossingAxesTooNear {
+        /// Their distance.
+        distance: f64,
+        /// What the radii differ: it must be above this.
+        limit: f64,
     },
     /// A pipe of a crossing ends within the blend.
     CrossingPipeTooShort {
@@ -1094,6 +1119,15 @@ pub enum Error {
         /// Which quad, from 0, s fastest.
         quad: usize,
         /// What went wrong in it.
+        cause: Box<Error>,
+    },
+    /// A number of one branch of a tee failed; the cause says why.
+    InBranch {
+        /// Which branch, from 0.
+        branch: usize,
+        /// Which of its numbers.
+        what: ErrorItem,
+        /// What went wrong with it.
         cause: Box<Error>,
     },
     /// One triangle of a mesh failed; the cause says why.

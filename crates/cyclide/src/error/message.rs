@@ -79,12 +79,23 @@ impl std::fmt::Display for Error {
                 ShortNumber(*reach),
                 ShortNumber(*needed)
             ),
-            Self::TeeBranchTooWide { branch, reach, limit } => write!(
-                f,
-                "branch {branch} reaches {} sideways from the axis of the main pipe, whose radius is {}: a branch stands within its breadth, thinner and offset by less than the radii differ; make it thinner, or move it nearer to the axis; pipes that pass each other at right angles are a crossing (`PipeCrossing`)",
-                ShortNumber(*reach),
-                ShortNumber(*limit)
-            ),
+            Self::TeeBranchTooWide { branch, reach, limit, offset } => {
+                write!(
+                    f,
+                    "branch {branch} reaches {} sideways from the axis of the main pipe, whose radius is {}: a branch stands within its breadth, thinner and offset by less than the radii differ, or is of one radius with it, a cylinder whose axis meets the other; ",
+                    ShortNumber(*reach),
+                    ShortNumber(*limit)
+                )?;
+                let room = limit - (reach - offset.abs());
+                if *offset == 0.0 || room <= 0.0 {
+                    return f.write_str("make it thinner, or let the wider pipe be the main one");
+                }
+                write!(
+                    f,
+                    "make it thinner, or its offset less than {}; a pipe that goes on past the other, its axis farther off than the radii differ, is a `pipe-crossing`, at any angle",
+                    ShortNumber(room)
+                )
+            }
             Self::TeeBlendTooLarge { branch, radius, limit } if *limit > 0.0 => write!(
                 f,
                 "the blend of branch {branch}, of one quartic with the radius {} at its flank, has an infinite one in a crotch: its radius must be below {}, or give one radius for all of it",
@@ -95,6 +106,12 @@ impl std::fmt::Display for Error {
                 f,
                 "the blend of branch {branch}, of one quartic with the radius {} at its flank, has an infinite one in a crotch, as has any where the radii of the pipes differ by so little more than their offset: give one radius for all of it",
                 ShortNumber(*radius)
+            ),
+            Self::TeeLawOnEqualPipes { branch, radii: [first, second] } => write!(
+                f,
+                "branch {branch} is as wide as the main pipe, and its blend has one radius all round, not {} and {}: give one, or make the branch thinner",
+                ShortNumber(*first),
+                ShortNumber(*second)
             ),
             Self::TeePipeTooShort { what: ErrorItem::Branch, branch, end, needed } => write!(
                 f,
@@ -146,6 +163,18 @@ impl std::fmt::Display for Error {
                 f,
                 "the blend of branch {branch} meets the main pipe in a line that turns back at {} radians round the branch: let the radius change less there",
                 ShortNumber(*angle)
+            ),
+            Self::PipeEndsReversed { pipe, start, end } => write!(
+                f,
+                "the ends of pipe {pipe} are at {} and {}: the lower place comes first",
+                ShortNumber(*start),
+                ShortNumber(*end)
+            ),
+            Self::CrossingAxesTooNear { distance, limit } => write!(
+                f,
+                "the axes are {} apart, and pipes pass each other if that is more than their radii differ, by {}: move them apart; a pipe that ends on another, its axis nearer or meeting, is a branch of a `pipe-tee`",
+                ShortNumber(*distance),
+                ShortNumber(*limit)
             ),
             Self::CrossingPipeTooShort { pipe, end, needed } => write!(
                 f,
@@ -577,6 +606,7 @@ impl std::fmt::Display for Error {
                 "triangles {} and {} both run from vertex {} to vertex {}: one of them must be turned over",
                 triangles[0], triangles[1], vertices[0], vertices[1]
             ),
+            Self::InBranch { branch, what, cause } => write!(f, "branch {branch}, {what}: {cause}"),
             Self::InTriangle { triangle, cause } => write!(f, "triangle {triangle}: {cause}"),
             Self::InSpan { span, cause } => write!(f, "span {span}: {cause}"),
             Self::NotARingTorus { major, minor } => write!(

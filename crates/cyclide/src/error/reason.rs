@@ -1,6 +1,6 @@
 //! The stable names of the reasons, and the item at fault.
 
-use super::Error;
+use super::{Error, ErrorItem};
 
 impl Error {
     /// The stable name of the reason, as used in reference data and reports.
@@ -35,6 +35,7 @@ impl Error {
             Self::PlateTooSmall { .. } => "plate-too-small",
             Self::TeeBranchTooWide { .. } => "tee-branch-too-wide",
             Self::TeeBlendTooLarge { .. } => "tee-blend-too-large",
+            Self::TeeLawOnEqualPipes { .. } => "tee-law-on-equal-pipes",
             Self::TeePipeTooShort { .. } => "tee-pipe-too-short",
             Self::BallsNested { .. } => "balls-nested",
             Self::TubeTurnsBack { .. } => "tube-turns-back",
@@ -43,6 +44,8 @@ impl Error {
             Self::RadiusNotClosed { .. } => "radius-not-closed",
             Self::TeeBlendFolds { .. } => "tee-blend-folds",
             Self::TeeHoleFolds { .. } => "tee-hole-folds",
+            Self::PipeEndsReversed { .. } => "pipe-ends-reversed",
+            Self::CrossingAxesTooNear { .. } => "crossing-axes-too-near",
             Self::CrossingPipeTooShort { .. } => "crossing-pipe-too-short",
             Self::CrossingHoleTooWide { .. } => "crossing-hole-too-wide",
             Self::CrossingHoleTurnsBack { .. } => "crossing-hole-turns-back",
@@ -119,7 +122,10 @@ impl Error {
             Self::NoSuchVertex { .. } => "no-such-vertex",
             Self::NonManifoldEdge { .. } => "non-manifold-edge",
             Self::InconsistentOrientation { .. } => "inconsistent-orientation",
-            Self::InQuad { cause, .. } | Self::InTriangle { cause, .. } | Self::InSpan { cause, .. } => cause.reason(),
+            Self::InQuad { cause, .. }
+            | Self::InBranch { cause, .. }
+            | Self::InTriangle { cause, .. }
+            | Self::InSpan { cause, .. } => cause.reason(),
             Self::CollapsedOnCurve { .. } => "collapsed-on-curve",
             Self::NotConverged { .. } => "not-converged",
             Self::ShapeLost { .. } => "shape-lost",
@@ -182,6 +188,7 @@ impl Error {
             Self::InSpan { span, .. } => Some(span),
             Self::NotAShell { index, .. } => Some(index),
             Self::InQuad { quad, .. } => Some(quad),
+            Self::InBranch { branch, .. } => Some(branch),
             Self::InTriangle { triangle, .. }
             | Self::NoSuchVertex { triangle, .. }
             | Self::NonManifoldEdge { triangle, .. } => Some(triangle),
@@ -207,6 +214,12 @@ impl Error {
     #[must_use]
     pub fn in_quad(self, quad: usize) -> Self {
         Self::InQuad { quad, cause: Box::new(self) }
+    }
+
+    /// Wraps the error as the failure of a number of one branch of a tee.
+    #[must_use]
+    pub fn in_branch(self, branch: usize, what: ErrorItem) -> Self {
+        Self::InBranch { branch, what, cause: Box::new(self) }
     }
 
     /// Wraps the error as the failure of one triangle of a mesh.

@@ -9,7 +9,7 @@ use super::{Builder, Remark};
 use crate::document::angle::Angle;
 use crate::document::coordinates::Coordinates;
 use crate::document::locate::{Step, path_text, span_of};
-use crate::document::spec::{ArcSpec, FreeOr, ObjectSpec, TorusSplineSpec, TubeSpec};
+use crate::document::spec::{ArcSpec, FreeOr, ObjectSpec, PipeCrossingSpec, TorusSplineSpec, TubeSpec};
 use crate::error::Error;
 use crate::text::place::Source;
 
@@ -17,6 +17,8 @@ use crate::text::place::Source;
 pub(super) enum Blame {
     Field(&'static str),
     Entry(&'static str, usize),
+    /// A field of an entry.
+    FieldOfEntry(&'static str, usize, &'static str),
     Point(usize),
     Object,
 }
@@ -116,6 +118,10 @@ impl Builder<'_> {
         let in_points = |k: Option<usize>| from.map(|(p, c)| self.path(p.steps(c, k)));
         let candidates = match blame {
             Blame::Field(field) => vec![self.path([field.into()])],
+            Blame::FieldOfEntry(list, k, field) => {
+                let entry = [list.into(), k.into()];
+                vec![self.path(entry.iter().cloned().chain([field.into()])), self.path(entry)]
+            }
             Blame::Entry(field, k) => {
                 let contour = from.map_or(0, |(_, c)| c);
                 let one = self.path([field.into(), original(k).into()]);
@@ -216,7 +222,7 @@ fn blame(spec: &ObjectSpec, error: &cyclide::Error) -> Blame {
         E::ParameterOutOfRange { name: I::Parameter, .. } if is_qb => Blame::Field("parameters"),
         _ if spec.is_on_torus() => blame_torus(spec, error),
         _ if matches!(spec, ObjectSpec::PipeTee(_)) => blame_tee(error),
-        _ if matches!(spec, ObjectSpec::PipeCrossing(_)) => blame_crossing(error),
+        _ if let ObjectSpec::PipeCrossing(spec) = spec => blame_crossing(spec, error),
         _ if matches!(spec, ObjectSpec::Tube(_)) => blame_tube(spec, error),
         E::NotFinite { what: I::Tangent, index } | E::ZeroTangent { index } | E::TangentOpposesChord { index, .. } => {
             tangent(index)
@@ -265,28 +271,42 @@ fn blame_tee(error: &cyclide::Error) -> Blame {
     match error {
         E::TeeBranchTooWide { branch, .. }
         | E::TeeBlendTooLarge { branch, .. }
+        | E::TeeLawOnEqualPipes { branch, .. }
         | E::TeeBlendFolds { branch, .. }
         | E::TeeHoleFolds { branch, .. }
         | E::TeePipeTooShort { what: I::Branch, branch, .. } => Blame::Entry("branches", *branch),
-        E::TeePipeTooShort { .. } => Blame::Field("main"),
+        E::InBranch { branch, what, .. } => Blame::FieldOfEntry("branches", *branch, what.word()),
+        E::TeePipeTooShort { .. }
+        | E::PipeEndsReversed { .. }
+        | E::RadiusNotPositive { .. }
+        | E::NotFinite { what: I::Radius, .. } => Blame::Field("main"),
         E::TeeBranchesMeet { second, .. } => Blame::Entry("branches", *second),
+        E::NotFinite { index, .. } => Blame::Entry("branches", *index),
         E::ParameterOutOfRange { name: name @ I::Wall, .. } => Blame::Field(name.word()),
         _ => Blame::Field("branches"),
     }
 }
 
 /// As [`blame`], of crossings of pipes.
-fn blame_crossing(error: &cyclide::Error) -> Blame {
+fn blame_crossing(spec: &PipeCrossingSpec, error: &cyclide::Error) -> Blame {
     use cyclide::{Error as E, ErrorItem as I};
     match error {
-        E::CrossingPipeTooShort { pipe, .. }
+        E::PipeEndsReversed { pipe, .. }
+        | E::CrossingPipeTooShort { pipe, .. }
         | E::CrossingHoleTooWide { pipe, .. }
         | E::CrossingHoleTurnsBack { pipe, .. } => Blame::Entry("pipes", *pipe),
         E::NotFinite { what: I::Radius, index } if *index < 2 => Blame::Entry("pipes", *index),
-        E::RadiusTooSmall { .. } | E::CrossingFolds { .. } | E::NotFinite { what: I::Radius, .. } => {
-            Blame::Field("blend")
+        E::RadiusTooSmall { .. }
+        | E::BelowRoundingOfPlace { .. }
+        | E::CrossingFolds { .. }
+        | E::NotFinite { what: I::Radius, .. } => Blame::Field("blend"),
+        E::RadiusNotPositive { .. } => match spec.pipes.iter().position(|pipe| pipe.radius <= 0.0) {
+            Some(pipe) => Blame::Entry("pipes", pipe),
+            None => Blame::Field("blend"),
+        },
+        E::CrossingAxesTooNear { .. } | E::NotTimelikePair { .. } | E::NotFinite { what: I::Distance, .. } => {
+            Blame::Field("distance")
         }
-        E::NotTimelikePair { .. } | E::NotFinite { what: I::Distance, .. } => Blame::Field("distance"),
         E::ToleranceNotPositive { .. } | E::TooManyPieces { .. } => Blame::Field("tolerance"),
         E::ParameterOutOfRange { name: name @ (I::Wall | I::Angle), .. } => Blame::Field(name.word()),
         _ => Blame::Field("pipes"),

@@ -9,7 +9,7 @@ use super::comment::Comment;
 use crate::document::angle::Angle;
 
 /// A main pipe about the x axis with branches, each blended by a ball that rolls round it; solid, or with a `wall`. Branches are thinner than the
-/// main pipe and within its breadth.
+/// main pipe and within its breadth, or of its radius with meeting axes.
 ///
 /// ```
 /// use cyclide_io::Document;
@@ -98,7 +98,7 @@ pub struct TeeBranchSpec {
     pub length: f64,
     /// Angle between its direction and the x axis. Default: a right angle.
     pub angle: Option<Angle>,
-    /// How far its axis passes beside that of the main pipe: towards -y if it goes up. Below the difference of the radii.
+    /// How far its axis passes beside that of the main pipe: towards +y if it goes up. Below the difference of the radii.
     #[serde(default)]
     pub offset: f64,
     /// The place on the x axis that its axis is nearest to. Default 0.
@@ -146,14 +146,15 @@ pub enum TeeBlendSpec {
 #[schemars(
     rename = "TeeLaw",
     extend("oneOf" = [{"required": ["radius"]}, {"required": ["least"]}, {"required": ["crotch", "flank"]}, {"required": ["values"]}]),
-    extend("dependentRequired" = {"tolerance": ["radius"], "crotch": ["flank"], "flank": ["crotch"]})
+    extend("dependentRequired" = {"crotch": ["flank"], "flank": ["crotch"]}),
+    extend("dependentSchemas" = {"least": {"properties": {"tolerance": false}}})
 )]
 #[non_exhaustive]
 pub struct TeeLawSpec {
     /// One radius.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub radius: Option<f64>,
-    /// Largest difference from that one radius, which no rational blend has exactly. Default: a thousandth of it.
+    /// Largest difference from that one radius or from the law, which no rational blend has exactly. Default: a thousandth of the radius.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub tolerance: Option<f64>,
     /// The plainest blend, with this radius at the flank where it is least and larger ones in the crotches.

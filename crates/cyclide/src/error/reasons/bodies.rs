@@ -195,6 +195,17 @@
 //! # Ok::<(), cyclide::Error>(())
 //! ```
 //!
+//! # `tee-law-on-equal-pipes`
+//! A branch of a tee is as wide as its main pipe, and the radius of its blend changes.
+//! ```
+//! use cyclide::{PipeTee, TeeBlend, TeeBranch, TeeMain};
+//! let main = TeeMain { radius: 3.0, ends: [-12.0, 12.0] };
+//! let blend = TeeBlend::Angles { values: vec![[0.0, 0.5], [1.0, 0.7]], tolerance: None };
+//! let equal = TeeBranch { blend, ..TeeBranch::upright(3.0, 10.0, 0.5) };
+//! assert_eq!(PipeTee::new(main, vec![equal])?.made().unwrap_err().reason(), "tee-law-on-equal-pipes");
+//! # Ok::<(), cyclide::Error>(())
+//! ```
+//!
 //! # `tee-pipe-too-short`
 //! A pipe of a tee ends within its blend.
 //! ```
@@ -221,8 +232,27 @@
 //! let main = TeeMain { radius: 3.0, ends: [-12.0, 12.0] };
 //! let angle = |k: usize| std::f64::consts::TAU * k as f64 / 12.0;
 //! let wave = (0..12).map(|k| [angle(k), if k % 2 == 0 { 0.65 } else { 0.35 }]).collect();
-//! let branch = TeeBranch { blend: TeeBlend::Angles(wave), ..TeeBranch::upright(1.5, 10.0, 0.5) };
+//! let branch = TeeBranch { blend: TeeBlend::Angles { values: wave, tolerance: None }, ..TeeBranch::upright(1.5, 10.0, 0.5) };
 //! assert_eq!(PipeTee::new(main, vec![branch])?.made().unwrap_err().reason(), "tee-hole-folds");
+//! # Ok::<(), cyclide::Error>(())
+//! ```
+//!
+//! # `pipe-ends-reversed`
+//! The ends of a pipe, places along its axis, are not in order.
+//! ```
+//! use cyclide::{PipeTee, TeeBranch, TeeMain};
+//! let main = TeeMain { radius: 3.0, ends: [12.0, -12.0] };
+//! let tee = PipeTee::new(main, vec![TeeBranch::upright(2.0, 10.0, 0.5)]);
+//! assert_eq!(tee.unwrap_err().reason(), "pipe-ends-reversed");
+//! # Ok::<(), cyclide::Error>(())
+//! ```
+//!
+//! # `crossing-axes-too-near`
+//! The axes of two pipes that are to pass each other are no farther apart than their radii differ.
+//! ```
+//! use cyclide::{CrossingPipe, PipeCrossing};
+//! let pipe = CrossingPipe { radius: 2.0, ends: [-9.0, 9.0] };
+//! assert_eq!(PipeCrossing::new([pipe, pipe], 0.0, 0.5).unwrap_err().reason(), "crossing-axes-too-near");
 //! # Ok::<(), cyclide::Error>(())
 //! ```
 //!
