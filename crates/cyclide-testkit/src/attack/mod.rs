@@ -118,7 +118,7 @@ pub fn document(seed: u64, number: u64) -> Attack {
     let total: u32 = CLASSES.iter().map(|class| class.1).sum();
     let mut pick = random.below(total as usize) as u32;
     let mut chosen = CLASSES[0];
-    for class in CLASSES {
+    for &class in CLASSES {
         if pick < class.1 {
             chosen = class;
             break;
