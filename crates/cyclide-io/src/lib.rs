@@ -35,6 +35,9 @@ pub use document::{
     TorusQuarticSpec, TorusSeamSpec, TorusSource, TorusSpec, TorusSplineSpec, TransformSpec, TubeFacts, TubeSpec,
     TypeWord, UnrolledPlane, UnrolledSpec, WindingSpec, document_schema,
 };
+pub use document::{
+    InterpolationFacts, MoebiusContinuity, MoebiusSplineSpec, ParameterRule, ParametersSpec, QbInterpolationSpec,
+};
 pub use error::{Error, Result};
 pub use export::camera::Camera;
 pub use export::error::ExportError;
@@ -56,8 +59,9 @@ pub use measure::joints::SurfaceJointReport;
 pub use report::{
     CheckError, CircularReport, ComparisonReport, CurvatureRangeReport, CurvatureReport, CurvesReport, FairnessReport,
     FileReport, FitPieces, FitReport, GeometryReport, JointReport, ObjectReport, PartReport, PatchPlace,
-    PolyhedronReport, RangeReport, Report, SeamReport, SegmentCounts, ShapeReport, SingularPatchReport, SmoothReport,
-    Spacing, SurfaceReport, TeeBlendReport, TorusReport, TubeReport, UnrolledReport, WarningReport, sample,
+    PolyhedronReport, QbReport, RangeReport, Report, SeamReport, SegmentCounts, ShapeReport, SingularPatchReport,
+    SmoothReport, Spacing, SurfaceReport, TeeBlendReport, TorusReport, TubeReport, UnrolledReport, WarningReport,
+    sample,
 };
 pub use text::place::{Diagnostic, Source, decode};
 pub use text::suggest::{did_you_mean, similar};

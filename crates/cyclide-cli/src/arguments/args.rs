@@ -401,6 +401,10 @@ pub enum Kind {
     FairSpline,
     /// A smooth curve through the points, blended from circles.
     CircleSpline,
+    /// A local smooth curve through the points that inversions keep.
+    MoebiusSpline,
+    /// The rational curve of lowest degree through an odd number of points.
+    QbInterpolation,
     /// Arcs through the points.
     ArcSpline,
     /// The fewest arcs within a tolerance.

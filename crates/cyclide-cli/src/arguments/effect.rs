@@ -41,8 +41,11 @@ pub fn refuse_formats_not_written(args: &OutputArgs, outputs: &[(PathBuf, Format
 
 /// Refuses options that the kind of curve does not have, and those that another one leaves nothing to do.
 pub fn refuse_options_of_other_kinds(args: &CurveArgs, kind: Kind) -> Result<(), Failure> {
+    let closed_kinds =
+        [Kind::FairSpline, Kind::CircleSpline, Kind::MoebiusSpline, Kind::ArcSpline, Kind::ArcFit, Kind::FairFit];
     let given = [
-        ("--tension", args.tension.is_some(), &[Kind::FairSpline][..]),
+        ("--closed", args.closed, &closed_kinds[..]),
+        ("--tension", args.tension.is_some(), &[Kind::FairSpline]),
         ("--tight", args.tight.is_some(), &[Kind::FairSpline]),
         ("--ends", args.ends.is_some(), &[Kind::FairSpline]),
         ("--straight", args.straight.is_some(), &[Kind::FairSpline]),
@@ -54,7 +57,7 @@ pub fn refuse_options_of_other_kinds(args: &CurveArgs, kind: Kind) -> Result<(),
         (
             "--corner-angle-deg",
             args.corner_angle_deg.is_some(),
-            &[Kind::FairSpline, Kind::CircleSpline, Kind::ArcFit, Kind::FairFit],
+            &[Kind::FairSpline, Kind::CircleSpline, Kind::MoebiusSpline, Kind::ArcFit, Kind::FairFit],
         ),
         ("--smooth", args.smooth.is_some(), &[Kind::FairFit]),
         ("--centre", args.centre.is_some(), &[Kind::FairFit]),

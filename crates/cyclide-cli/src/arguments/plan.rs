@@ -6,8 +6,9 @@ use std::path::{Path, PathBuf};
 use clap_complete::Shell;
 use cyclide_io::{
     Angle, ArcFitSpec, ArcSplineSpec, CircleSplineSpec, Comment, Document, EndsSpec, ExportOptions, FairEndsSpec,
-    FairFitSpec, FairSplineSpec, Format, ObjectSpec, PointColumns, PointFile, PointSource, Spacing, TypeWord,
-    WriteOptions, leads_to_standard_input, same_file,
+    FairFitSpec, FairSplineSpec, Format, MoebiusContinuity, MoebiusSplineSpec, ObjectSpec, ParametersSpec,
+    PointColumns, PointFile, PointSource, QbInterpolationSpec, Spacing, TypeWord, WriteOptions,
+    leads_to_standard_input, same_file,
 };
 
 use crate::arguments::args::{
@@ -232,6 +233,25 @@ impl CurveArgs {
                 ends: EndsSpec::Natural,
                 corner_angle,
             }),
+            Kind::MoebiusSpline => ObjectSpec::MoebiusSpline(MoebiusSplineSpec {
+                r#type,
+                comment: Comment,
+                construction: false,
+                points,
+                closed,
+                continuity: MoebiusContinuity::default(),
+                knots: ParametersSpec::default(),
+                tangents: None,
+                corner_angle,
+            }),
+            Kind::QbInterpolation => ObjectSpec::QbInterpolation(QbInterpolationSpec {
+                r#type,
+                comment: Comment,
+                construction: false,
+                points,
+                parameters: ParametersSpec::default(),
+                derivatives: None,
+            }),
             Kind::ArcSpline => ObjectSpec::ArcSpline(ArcSplineSpec {
                 r#type,
                 comment: Comment,
@@ -323,6 +343,8 @@ impl Kind {
         match self {
             Self::FairSpline => "fair-spline",
             Self::CircleSpline => "circle-spline",
+            Self::MoebiusSpline => "moebius-spline",
+            Self::QbInterpolation => "qb-interpolation",
             Self::ArcSpline => "arc-spline",
             Self::ArcFit => "arc-fit",
             Self::FairFit => "fair-fit",

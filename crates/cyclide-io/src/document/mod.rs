@@ -10,6 +10,7 @@
 mod angle;
 mod construct;
 mod coordinates;
+mod interpolate;
 mod limits;
 mod locate;
 mod objects;
@@ -28,6 +29,7 @@ use crate::text::suggest::did_you_mean;
 pub use angle::Angle;
 pub use construct::{ContourFacts, Fitted};
 pub use coordinates::{Coordinates, Directions, Lists, PointFile, PointSource};
+pub use interpolate::InterpolationFacts;
 use locate::{Entries, Step, offset_in, path_text, value_at};
 pub use objects::{
     BuiltObject, ModelBuilder, NO_EFFECT, Remark, RoundedPolyhedron, SmoothChoice, TubeFacts, UnrolledPlane,
@@ -39,12 +41,13 @@ pub use spec::{
     CircleSplineSpec, CircularSurfaceSpec, ClampedEnds, Comment, CrossingPipeSpec, CyclidePatchSpec, CyclideSpec,
     CyclidicNetSpec, DiskSpec, EllipseBridgeSpec, EndsSpec, FairEndPair, FairEndSpec, FairEndWord, FairEndsSpec,
     FairFitSpec, FairSplineSpec, FamilySpec, FrameSpec, FreeOr, GridSource, MakeCircularOptions, MakeCircularSpec,
-    MeshFile, NormalsSpec, ObjectSpec, OffsetSpec, PipeCrossingSpec, PipeSpec, PipeTeeSpec, PlaneSpec, PlateSpec,
-    PlateWithNeckSpec, PolygonMeshFile, PolylineSpec, RadiiSpec, RadiusLawSpec, RatePairs, RevolutionSpec,
-    RotationSpec, RuledSpec, ScaleSpec, SmoothMeshSpec, SmoothPolyhedronSpec, SphereBlendSpec, SphereSpec, StepSpec,
-    StraightWord, SupportStructureSpec, TeeBlendSpec, TeeBranchSpec, TeeLawSpec, TeeMainSpec, TeeRadiusSpec,
-    TorusCircleSpec, TorusKnotSpec, TorusMethod, TorusQuarticSpec, TorusSeamSpec, TorusSource, TorusSpec,
-    TorusSplineSpec, TransformSpec, TubeSpec, TypeWord, UnrolledSpec, WindingSpec,
+    MeshFile, MoebiusContinuity, MoebiusSplineSpec, NormalsSpec, ObjectSpec, OffsetSpec, ParameterRule, ParametersSpec,
+    PipeCrossingSpec, PipeSpec, PipeTeeSpec, PlaneSpec, PlateSpec, PlateWithNeckSpec, PolygonMeshFile, PolylineSpec,
+    QbInterpolationSpec, RadiiSpec, RadiusLawSpec, RatePairs, RevolutionSpec, RotationSpec, RuledSpec, ScaleSpec,
+    SmoothMeshSpec, SmoothPolyhedronSpec, SphereBlendSpec, SphereSpec, StepSpec, StraightWord, SupportStructureSpec,
+    TeeBlendSpec, TeeBranchSpec, TeeLawSpec, TeeMainSpec, TeeRadiusSpec, TorusCircleSpec, TorusKnotSpec, TorusMethod,
+    TorusQuarticSpec, TorusSeamSpec, TorusSource, TorusSpec, TorusSplineSpec, TransformSpec, TubeSpec, TypeWord,
+    UnrolledSpec, WindingSpec,
 };
 
 /// The document version this crate reads.

@@ -97,6 +97,12 @@ fn unit_by_name(word: &str) -> Option<&'static str> {
 pub(super) fn other_word_for(kind: &str) -> String {
     let answer = match kind.to_lowercase().as_str() {
         "line" | "segment" => "an `arc` with the bulge 0 is a straight segment",
+        "catmull-rom" | "hermite-spline" | "möbius-spline" | "mobius-spline" => {
+            "a local smooth curve through points is a `moebius-spline`"
+        }
+        "interpolation" | "lagrange" | "rational-interpolation" => {
+            "a rational curve of lowest degree through points is a `qb-interpolation`"
+        }
         "ellipse" | "bezier" | "nurbs" | "bspline" | "b-spline" | "curve" => {
             "a smooth curve through points is a `fair-spline`"
         }

@@ -3,6 +3,7 @@
 use cyclide::{Aabb, CORNER_ANGLE, CurveObject, Lower, bounds, extreme_curvature, joints, length};
 use serde::Serialize;
 
+use super::qb::QbReport;
 use super::{FairnessReport, RangeReport, TorusReport, UnrolledReport};
 use crate::document::{BuiltObject, Fitted};
 use crate::export::job::default_tolerance;
@@ -42,6 +43,9 @@ pub struct CurvesReport {
     /// The certificate of a fit, over all contours.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub fit: Option<FitReport>,
+    /// Of curves of quaternion pairs: their degree, and how they meet their points.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub qb: Option<Box<QbReport>>,
     /// Of splines on a torus: the torus, and how they run on it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub torus: Option<TorusReport>,
@@ -202,6 +206,7 @@ impl CurvesReport {
             contours: built.item.curves().len(),
             points: built.contours.iter().map(|c| c.points).sum(),
             fit: fit(built),
+            qb: QbReport::new(built).map(Box::new),
             torus: TorusReport::new(built),
             unrolled: built.unrolled.as_ref().map(UnrolledReport::from),
         }

@@ -5,6 +5,7 @@ mod curves;
 mod fairness;
 mod file;
 mod polyhedron;
+mod qb;
 mod sample;
 mod seam;
 mod smooth;
@@ -24,6 +25,7 @@ pub use curves::{CurvatureReport, CurvesReport, FitPieces, FitReport, JointRepor
 pub use fairness::FairnessReport;
 pub use file::{CheckError, FileReport};
 pub use polyhedron::PolyhedronReport;
+pub use qb::QbReport;
 pub use sample::{Spacing, sample};
 pub use seam::SeamReport;
 pub use smooth::{ComparisonReport, SmoothReport};

@@ -120,6 +120,9 @@ impl CurvesReport {
             Some(weights) => line("weights", range(weights))?,
             None => line("weights", "no rational form within the tolerance".to_owned())?,
         }
+        if let Some(qb) = &self.qb {
+            qb.lines(line)?;
+        }
         if let Some(torus) = &self.torus {
             torus.lines(units, line)?;
         }

@@ -16,6 +16,7 @@ mod patches;
 mod pipes;
 mod points;
 mod polyhedra;
+mod quotients;
 mod random;
 mod revolutions;
 pub mod runner;
@@ -73,7 +74,7 @@ impl Objects {
     }
 }
 
-const CLASSES: [Class; 25] = [
+const CLASSES: [Class; 26] = [
     ("points", 5, points::object),
     ("hairpins", 3, hairpins::object),
     ("ends", 3, ends::object),
@@ -99,6 +100,7 @@ const CLASSES: [Class; 25] = [
     ("triangles", 1, triangles::surface),
     ("tori", 2, tori::curve),
     ("seams", 1, tori::seam),
+    ("quotients", 3, quotients::curve),
 ];
 
 /// Document `number` of the attack with this seed.

@@ -1,4 +1,4 @@
-//! Curves: the trait, arcs, circles, chains of arcs.
+//! Curves: the trait, arcs, circles, chains of arcs, QB curves.
 
 mod arc;
 mod arc4;
@@ -13,6 +13,8 @@ mod nurbs;
 mod param_curve;
 mod piece_form;
 mod piece_hull;
+mod qb;
+mod smooth_runs;
 
 pub use arc::Arc;
 pub use arc::measure::ClosestPoint;
@@ -32,3 +34,5 @@ pub(crate) use node_tangent::Chord;
 pub use param_curve::ParamCurve;
 pub use piece_form::PieceForm;
 pub use piece_hull::PieceHull;
+pub(crate) use qb::SpanData;
+pub use qb::{QbCurve, QbReach, QbSpline};

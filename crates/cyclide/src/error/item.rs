@@ -80,6 +80,7 @@ items! {
     Nodes => "nodes",
     Normal => "normal",
     OffsetDistance => "offset distance",
+    Pair => "pair",
     Parameter => "parameter",
     Patch => "patch",
     Plane => "plane",

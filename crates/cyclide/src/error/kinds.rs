@@ -291,6 +291,41 @@ pub enum Error {
         /// What does not fit.
         detail: &'static str,
     },
+    /// A curve of degree n takes an odd number of conditions, `2n + 1`.
+    EvenPointCount {
+        /// Number of conditions given: points, and derivatives at them.
+        given: usize,
+    },
+    /// Two points are asked for at one parameter.
+    RepeatedParameter {
+        /// Which point, from 0.
+        first: usize,
+        /// The other one.
+        second: usize,
+        /// Their parameter.
+        value: f64,
+    },
+    /// The only curve of the degree that fits the other points, at their parameters, misses these.
+    UnattainablePoint {
+        /// Which points, from 0, rising.
+        points: Vec<usize>,
+        /// What is left of the weight of the first one, relative to all, or its distance from the curve in sizes of the data.
+        measured: f64,
+        /// The weight must be above this, the distance below it.
+        limit: f64,
+    },
+    /// A curve passes through infinity, or runs so far out that doubles do not tell.
+    CurveThroughInfinity {
+        /// Near which parameter.
+        t: f64,
+    },
+    /// The circular arcs that leave two points along their tangents run in opposite directions: no direction is halfway.
+    OppositeArcs {
+        /// Length of the sum of their unit tangents at the start.
+        measured: f64,
+        /// Lengths below this are refused.
+        limit: f64,
+    },
     /// A part of a curve is not proved to be within the tolerance of its chord, however short.
     NotWithinTolerance {
         /// Which smooth piece, from 0.

@@ -237,6 +237,34 @@ impl std::fmt::Display for Error {
                 ShortNumber(*place),
                 ShortNumber(*limit)
             ),
+            Self::EvenPointCount { given } => write!(
+                f,
+                "{given} conditions given: a curve of degree n takes an odd number, 2n + 1; add or leave out a point, or take a Moebius \
+                 spline, which takes any number"
+            ),
+            Self::RepeatedParameter { first, second, value } => {
+                write!(f, "points {first} and {second} have the same parameter {}", ShortNumber(*value))
+            }
+            Self::UnattainablePoint { points, measured, limit } => write!(
+                f,
+                "{} cannot be attained: the others lie, at their parameters, on a curve of lower degree that misses them ({}, limit \
+                 {}); move a point or change the parameters",
+                points_in_words(points),
+                ShortNumber(*measured),
+                ShortNumber(*limit)
+            ),
+            Self::CurveThroughInfinity { t } => write!(
+                f,
+                "the curve passes through infinity near the parameter {}: change the parameters, move a point, or take a Moebius spline",
+                ShortNumber(*t)
+            ),
+            Self::OppositeArcs { measured, limit } => write!(
+                f,
+                "the circles along both tangents run in opposite directions ({} of a common one, at least {} needed): turn a tangent, or \
+                 put a point between",
+                ShortNumber(*measured),
+                ShortNumber(*limit)
+            ),
             Self::NotWithinTolerance { piece, bound, tolerance } => write!(
                 f,
                 "piece {piece}: the curve is not proved to be within {} of a polyline, only within {}; use a larger tolerance",

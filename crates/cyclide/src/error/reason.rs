@@ -59,6 +59,11 @@ impl Error {
             Self::ArcThroughInfinity { .. } => "arc-through-infinity",
             Self::AmbiguousHalfTurn { .. } => "ambiguous-half-turn",
             Self::TooManyPieces { .. } => "too-many-pieces",
+            Self::EvenPointCount { .. } => "even-point-count",
+            Self::RepeatedParameter { .. } => "repeated-parameter",
+            Self::UnattainablePoint { .. } => "unattainable-point",
+            Self::CurveThroughInfinity { .. } => "curve-through-infinity",
+            Self::OppositeArcs { .. } => "opposite-arcs",
             Self::NotWithinTolerance { .. } => "not-within-tolerance",
             Self::BelowRoundingOfPlace { .. } => "below-rounding-of-place",
             Self::ToleranceNotPositive { .. } => "tolerance-not-positive",
@@ -147,7 +152,7 @@ impl Error {
             | Self::ZeroAxis { index, .. }
             | Self::Cusp { index, .. }
             | Self::WeightNotPositive { index, .. } => Some(index),
-            Self::CoincidentPoints { second, .. } => Some(second),
+            Self::CoincidentPoints { second, .. } | Self::RepeatedParameter { second, .. } => Some(second),
             Self::ArcThroughInfinity { segment, .. } | Self::AmbiguousHalfTurn { segment, .. } => Some(segment),
             Self::TooManyPieces { segment, .. } => segment,
             Self::NoG1SplineInTube { vertex, .. } => Some(vertex),
@@ -184,7 +189,9 @@ impl Error {
             Self::NoTwoTypeSolution { segment, .. } => Some(segment),
             Self::WrongSide { surface, .. } => Some(surface),
             Self::UndefinedNormal { vertex, .. } | Self::PlanesMissPoint { vertex, .. } => Some(vertex),
-            Self::ToleranceNotReached { ref points, .. } => points.first().copied(),
+            Self::ToleranceNotReached { ref points, .. } | Self::UnattainablePoint { ref points, .. } => {
+                points.first().copied()
+            }
             _ => None,
         }
     }

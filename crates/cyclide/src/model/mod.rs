@@ -6,6 +6,7 @@ mod derived;
 mod lower;
 mod named;
 mod object;
+mod qb_spline;
 mod surface_object;
 mod torus_spline;
 

@@ -3,7 +3,7 @@
 use super::chain::CurveChain;
 use super::lower::{Lower, Lowered};
 use super::surface_object::SurfaceObject;
-use crate::curve::{Arc, ArcPath, Circle, CircleSpline, ParamCurve};
+use crate::curve::{Arc, ArcPath, Circle, CircleSpline, ParamCurve, QbSpline};
 use crate::error::Result;
 use crate::surface::TorusSpline;
 
@@ -95,6 +95,8 @@ pub enum CurveObject {
     CircleSpline(CircleSpline),
     /// A spline on a torus.
     TorusSpline(TorusSpline),
+    /// Quaternionic Bézier curves end to end, or one.
+    QbSpline(QbSpline),
 }
 
 impl CurveObject {
@@ -107,6 +109,7 @@ impl CurveObject {
             Self::ArcPath(c) => c,
             Self::CircleSpline(c) => c,
             Self::TorusSpline(c) => c,
+            Self::QbSpline(c) => c,
         }
     }
 
@@ -117,6 +120,7 @@ impl CurveObject {
             Self::ArcPath(c) => c,
             Self::CircleSpline(c) => c,
             Self::TorusSpline(c) => c,
+            Self::QbSpline(c) => c,
         }
     }
 }

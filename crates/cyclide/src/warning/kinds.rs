@@ -74,6 +74,24 @@ pub enum Warning {
         /// Ratios above this are reported.
         limit: f64,
     },
+    /// A curve through a point hardly reaches it: it runs there and back in a needle of the parameter.
+    SpikeNearPoint {
+        /// Index of the point.
+        point: usize,
+        /// Width of the needle in parts of the parameter's range.
+        width: f64,
+        /// Widths below this are reported.
+        limit: f64,
+    },
+    /// A curve through points runs far away from them in between.
+    LargeExcursion {
+        /// Its largest distance from the middle of the points, in sizes of theirs.
+        reach: f64,
+        /// The parameter there.
+        t: f64,
+        /// Values above this are reported.
+        limit: f64,
+    },
     /// A corner of the input was kept as a corner.
     CornerKept {
         /// Index of the point.

@@ -61,6 +61,20 @@ impl std::fmt::Display for Warning {
                     "point {node}: neighbouring chords differ by a factor {ratio:.1} (above {limit}), the curve may bulge"
                 )
             }
+            Self::SpikeNearPoint { point, width, .. } => write!(
+                f,
+                "the curve reaches point {point} in a needle only, over {} of its parameter: the other points hardly leave it the way; \
+                 change the parameters or take a Moebius spline",
+                ShortNumber(*width)
+            ),
+            Self::LargeExcursion { reach, t, limit } => write!(
+                f,
+                "near the parameter {} the curve is {} times as far from the middle of its points as these are (above {} is said); change \
+                 the parameters or take a Moebius spline",
+                ShortNumber(*t),
+                ShortNumber(*reach),
+                ShortNumber(*limit)
+            ),
             Self::CornerKept { vertex, angle } => {
                 write!(f, "point {vertex}: corner of {:.1} degrees kept", angle.to_degrees())
             }

@@ -15,6 +15,8 @@ impl Warning {
             Self::OppositeCircles { .. } => "opposite-circles",
             Self::RoundedDirections { .. } => "rounded-directions",
             Self::UnevenSpacing { .. } => "uneven-spacing",
+            Self::SpikeNearPoint { .. } => "spike-near-point",
+            Self::LargeExcursion { .. } => "large-excursion",
             Self::CornerKept { .. } => "corner-kept",
             Self::SamplesTooCoarse { .. } => "samples-too-coarse",
             Self::ToleranceBelowNoise { .. } => "tolerance-below-noise",
@@ -70,6 +72,7 @@ impl Warning {
             Self::LongWay { segment } | Self::OppositeCircles { segment } | Self::RoundedDirections { segment, .. } => {
                 Some(segment)
             }
+            Self::SpikeNearPoint { point, .. } => Some(point),
             Self::CornerKept { vertex, .. } | Self::TightArc { vertex, .. } => Some(vertex),
             Self::PointsMerged { first, .. } => Some(first),
             Self::FeetNotMonotone { point, .. } => Some(point),
@@ -79,7 +82,8 @@ impl Warning {
             Self::FoldedNet { first, .. } => first,
             Self::KinksAtJoints { joint, .. } => Some(joint),
             Self::NormalFacesBackward { triangle, .. } | Self::FoldsBack { triangle, .. } => Some(triangle),
-            Self::SamplesTooCoarse { .. }
+            Self::LargeExcursion { .. }
+            | Self::SamplesTooCoarse { .. }
             | Self::ToleranceBelowNoise { .. }
             | Self::Wavers { .. }
             | Self::DataWaver { .. }

@@ -43,7 +43,7 @@ const MESHES: &[Format] = &[Format::Glb, Format::Stl, Format::Png];
 const RENDERED: &[Format] = &[Format::Glb, Format::Png];
 
 /// All models, in the order of the page.
-pub const ENTRIES: [Entry; 34] = [
+pub const ENTRIES: [Entry; 35] = [
     Entry {
         name: "roof",
         title: "Free-form roof with two skins",
@@ -337,6 +337,15 @@ pub const ENTRIES: [Entry; 34] = [
         title: "Arcs from weights",
         text: "Two points and two quaternion weights are an arc; its centre; two arcs with one tangent; and the subdivision of an arc, one square root a point, into 3, 5, 9 and 33 points at equal distances.",
         document: example!("arcs.json"),
+        inputs: &[],
+        formats: CURVES,
+        camera: "",
+    },
+    Entry {
+        name: "qb_curves",
+        title: "Quotients of quaternion polynomials",
+        text: "The rational curve of degree 4 through five points, at parameters of three kinds; three points with tangents at both ends; a Möbius spline and its image under an inversion, which is the Möbius spline of the mapped points.",
+        document: example!("qb_curves.json"),
         inputs: &[],
         formats: CURVES,
         camera: "",

@@ -186,6 +186,8 @@ fn blame(spec: &ObjectSpec, error: &cyclide::Error) -> Blame {
         (ObjectSpec::CircleSpline(_) | ObjectSpec::FairSpline(_), _) => Blame::Field("ends"),
         _ => Blame::Entry("tangents", index),
     };
+    let is_moebius = matches!(spec, ObjectSpec::MoebiusSpline(_));
+    let is_qb = matches!(spec, ObjectSpec::QbInterpolation(_));
     let is_patch = matches!(spec, ObjectSpec::CyclidePatch(_));
     match *error {
         _ if matches!(spec, ObjectSpec::Offset(_)) && is_of_distance(error) => Blame::Field("distance"),
@@ -199,6 +201,14 @@ fn blame(spec: &ObjectSpec, error: &cyclide::Error) -> Blame {
         {
             blame_swept(spec, error)
         }
+        E::RepeatedParameter { second, .. } => Blame::Entry("parameters", second),
+        E::EmptyInterval { index, .. } if is_moebius => Blame::Entry("knots", index + 1),
+        E::NotFinite { what: I::Knot, index } if is_moebius => Blame::Entry("knots", index),
+        E::NotFinite { what: I::Parameter, index } => Blame::Entry("parameters", index),
+        E::CountDiffers { what: I::Knot, .. } if is_moebius => Blame::Field("knots"),
+        E::CountDiffers { what: I::Parameter, .. } => Blame::Field(if is_moebius { "knots" } else { "parameters" }),
+        E::CountDiffers { .. } | E::NotFinite { what: I::Tangent, .. } if is_qb => Blame::Field("derivatives"),
+        E::ParameterOutOfRange { name: I::Parameter, .. } if is_qb => Blame::Field("parameters"),
         _ if spec.is_on_torus() => blame_torus(spec, error),
         _ if matches!(spec, ObjectSpec::PipeTee(_)) => blame_tee(error),
         _ if matches!(spec, ObjectSpec::PipeCrossing(_)) => blame_crossing(error),

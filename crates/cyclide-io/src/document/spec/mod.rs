@@ -6,6 +6,7 @@ mod crossings;
 mod curves;
 mod derived;
 mod fair;
+mod interpolated;
 mod nets;
 mod polygon_mesh_file;
 mod polyhedra;
@@ -35,6 +36,7 @@ pub use derived::{
     SupportStructureSpec, TransformSpec,
 };
 pub use fair::{FairEndPair, FairEndSpec, FairEndWord, FairEndsSpec, FairSplineSpec, StraightWord};
+pub use interpolated::{MoebiusContinuity, MoebiusSplineSpec, ParameterRule, ParametersSpec, QbInterpolationSpec};
 pub use nets::{CyclideSpec, CyclidicNetSpec, FrameSpec, GridSource, MeshFile};
 pub use polygon_mesh_file::PolygonMeshFile;
 pub use polyhedra::SmoothPolyhedronSpec;
@@ -102,6 +104,10 @@ pub enum ObjectSpec {
     FairFit(FairFitSpec),
     /// A smooth curve through points, blended from circles.
     CircleSpline(CircleSplineSpec),
+    /// A local smooth curve through points that Möbius maps keep.
+    MoebiusSpline(MoebiusSplineSpec),
+    /// A rational curve of lowest degree through points.
+    QbInterpolation(QbInterpolationSpec),
     /// A smooth curve on a torus through points.
     TorusSpline(TorusSplineSpec),
     /// A curve that runs evenly round a torus both ways.
@@ -231,6 +237,8 @@ object_types! {
     "fair-spline" => FairSpline,
     "fair-fit" => FairFit,
     "circle-spline" => CircleSpline,
+    "moebius-spline" => MoebiusSpline,
+    "qb-interpolation" => QbInterpolation,
     "torus-spline" => TorusSpline,
     "torus-knot" => TorusKnot,
     "torus-quartic" => TorusQuartic,

@@ -143,3 +143,48 @@
 //! let error = FairFit::new(&zigzag, &FairFitOptions::new(0.02)).unwrap_err();
 //! assert_eq!(error.reason(), "tolerance-not-reached");
 //! ```
+//!
+//! # `even-point-count`
+//! A curve of degree n takes 2n + 1 conditions.
+//! ```
+//! use cyclide::{NodeParameters, Point3, QbInterpolation};
+//! let points = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0]].map(Point3::from);
+//! let error = QbInterpolation::through_points(&points, &NodeParameters::Uniform).unwrap_err();
+//! assert_eq!(error.reason(), "even-point-count");
+//! ```
+//!
+//! # `repeated-parameter`
+//! Two points are asked for at one parameter.
+//! ```
+//! use cyclide::{NodeParameters, Point3, QbInterpolation};
+//! let points = [[0.0, 0.0, 0.0], [1.0, 1.0, 0.0], [2.0, 0.0, 0.0]].map(Point3::from);
+//! let error = QbInterpolation::through_points(&points, &NodeParameters::Given(vec![0.0, 0.5, 0.5])).unwrap_err();
+//! assert_eq!(error.reason(), "repeated-parameter");
+//! ```
+//!
+//! # `unattainable-point`
+//! Four points are on a line, evenly, and so is the curve: it misses the fifth.
+//! ```
+//! use cyclide::{NodeParameters, Point3, QbInterpolation};
+//! let points = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [2.0, 1.0, 0.0], [3.0, 0.0, 0.0], [4.0, 0.0, 0.0]].map(Point3::from);
+//! let error = QbInterpolation::through_points(&points, &NodeParameters::Uniform).unwrap_err();
+//! assert_eq!(error.index(), Some(2));
+//! assert_eq!(error.reason(), "unattainable-point");
+//! ```
+//!
+//! # `curve-through-infinity`
+//! The points go there and back on a line, which a circle does through infinity.
+//! ```
+//! use cyclide::{NodeParameters, Point3, QbInterpolation};
+//! let points = [[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [1.0, 0.0, 0.0]].map(Point3::from);
+//! let error = QbInterpolation::through_points(&points, &NodeParameters::Uniform).unwrap_err();
+//! assert_eq!(error.reason(), "curve-through-infinity");
+//! ```
+//!
+//! # `opposite-arcs`
+//! Both tangents stand across the chord, to the same side.
+//! ```
+//! use cyclide::{Point3, QbCurve, Vec3};
+//! let ends = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0]].map(Point3::from);
+//! assert_eq!(QbCurve::invariant_span(ends, [Vec3::Y; 2]).unwrap_err().reason(), "opposite-arcs");
+//! ```
