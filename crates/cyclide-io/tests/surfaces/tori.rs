@@ -13,7 +13,7 @@ fn report(built: &BuiltObject) -> CurvesReport {
     let Some(GeometryReport::Curves(curves)) = report.objects.into_values().next().map(|o| o.geometry) else {
         panic!("curves")
     };
-    curves
+    *curves
 }
 
 fn as_torus_spline(curve: &CurveObject) -> Option<&TorusSpline> {
