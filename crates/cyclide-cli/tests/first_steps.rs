@@ -227,7 +227,7 @@ fn what_belongs_to_another_command_is_answered_with_it() {
         // Outputs of other commands.
         ("build c.json -o a.pdf", ".svg is a drawing at true size"),
         ("build c.json -o a.iges", ".step carries curves and surfaces to CAD"),
-        ("sample c.json --count 3 -o a.step", "samples are CSV; for this format see 'cyclide build'"),
+        ("sample c.json --count 3 -o a.step", "samples are CSV or JSON; for this format see 'cyclide build'"),
         ("gallery -o page.html", "the name of a folder is needed"),
         ("man -o cyclide.json", "the name of a folder is needed"),
         // Options of other commands.
