@@ -156,7 +156,7 @@ fn near_words_are_suggested() {
     ]);
     for (code, command, hint) in [
         (1, "report type.json", "; did you mean `arc-fit`?\n"),
-        (1, "report part.json", "; did you mean `arc-spline` or `fair-spline` or `circle-spline`?\n"),
+        (1, "report part.json", "; a smooth curve through points is a `fair-spline`\n"),
         (1, "report field.json", "; did you mean `center`?\n"),
         (1, "report outer.json", "; did you mean `units`?\n"),
         (1, "report units.json", "; did you mean `in`?\n"),
