@@ -136,3 +136,25 @@ fn nearly_equal_tangents_of_a_large_circle_are_not_near_infinity() {
         }
     }
 }
+
+/// Pairs next to a common zero: once round a circle in a hundredth of the parameter, slowly along it before and behind.
+#[test]
+fn loops_in_a_tiny_range_of_the_parameter_are_written() {
+    let points = json!([
+        [1.947_339_294_244_502_7, 0.675_970_892_945_564_8, -2.603_096_842_618_945e-8],
+        [0.759_309_217_197_173, 1.916_381_153_917_463_6, -1.222_439_555_944_576_4e-8],
+        [-0.012_180_831_852_404_324, 2.061_290_542_685_152, 6.606_349_533_215_535e-8],
+        [-1.948_452_435_467_552_3, 0.672_755_882_617_963_2, -3.927_436_912_637_206e-8],
+        [-1.752_640_508_265_688_4, -1.085_043_207_634_100_8, -1.361_773_080_176_638e-8]
+    ]);
+    let parameters = json!([0, 0.602_556_352_890_967_5, 0.879_231_102_125_070_7, 0.919_713_198_925_492_5, 1]);
+    let center = json!([2.223_695_921_841_327_5, 0.060_627_573_531_631_39, 0.789_601_322_561_077_5]);
+    let model = model(&json!({
+        "a": {"type": "qb-interpolation", "points": points, "parameters": parameters, "construction": true},
+        "b": {"type": "transform", "of": "a", "steps": [{"inversion": {"center": center, "radius": 15.464_502_226_399_528}}]}
+    }))
+    .unwrap();
+    for format in FORMATS {
+        assert_eq!(check(&model, format), Ok(()), "{format:?}");
+    }
+}

@@ -9,8 +9,9 @@
 //! distance from the line <= max over s of ((1-s) |f_0| + s |f_d| + M s(1-s)/2) / min w_i
 //! ```
 //! which tends to the sagitta itself as the interval shrinks; and the curve lies in the hull of its control points,
-//! which bounds the distance from the line again and tells how far it reaches beyond the ends of the chord. (Own
-//! derivation from the convex hull property.)
+//! which bounds the distance from the line again and tells how far it reaches beyond the ends of the chord. Along a
+//! direction `e` with `f = e·v` the derivative of the point is `(w f' - f w')/w²`: it never turns back where that
+//! polynomial has no negative coefficient. (Own derivations from the convex hull property.)
 
 use crate::base::bernstein;
 use crate::base::vector::{Point3, Vec3};
@@ -88,15 +89,58 @@ impl PieceHull {
         let line = Chord::new(chord);
         let mut largest = if self.parts.is_empty() { f64::INFINITY } else { 0.0 };
         for part in self.parts.iter().filter(|p| p.from < b && a < p.to) {
-            let width = part.to - part.from;
-            let place = |s: f64| ((s - part.from) / width).clamp(0.0, 1.0);
-            self.scratch.clear();
-            self.scratch.extend_from_slice(&part.rows);
-            bernstein::restrict(&mut self.scratch, [place(a), place(b)]);
+            part.restrict_to([a, b], &mut self.scratch);
             largest = f64::max(largest, line.deviation(&self.scratch));
         }
         largest + self.bound
     }
+
+    /// True if it is proved that the parts never turn back along a direction over `[a, b]`: their derivative has no
+    /// component against it anywhere. A loop is found out so, however short its range of the parameter is. False where the hull
+    /// proves nothing (closed form, or weights that are not positive there).
+    ///
+    /// ```
+    /// use cyclide::{ParamCurve, RationalBezier, Vec3};
+    /// let parabola = RationalBezier::new(vec![[0.0, 0.0, 0.0, 1.0], [1.0, 2.0, 0.0, 1.0], [2.0, 0.0, 0.0, 1.0]])?;
+    /// let mut hull = parabola.piece_hull(0, 1e-6)?;
+    /// assert!(hull.advances([0.0, 1.0], Vec3::X));
+    /// assert!(hull.advances([0.0, 0.5], Vec3::Y) && !hull.advances([0.0, 0.6], Vec3::Y)); // it rises, then falls
+    /// # Ok::<(), cyclide::Error>(())
+    /// ```
+    pub fn advances(&mut self, [a, b]: [f64; 2], direction: Vec3) -> bool {
+        let mut parts = self.parts.iter().filter(|p| p.from < b && a < p.to).peekable();
+        let scratch = &mut self.scratch;
+        parts.peek().is_some()
+            && parts.all(|part| {
+                part.restrict_to([a, b], scratch);
+                never_turns_back(scratch, direction)
+            })
+    }
+}
+
+impl HullPart {
+    /// The rows over what of `[a, b]` is in this part.
+    fn restrict_to(&self, [a, b]: [f64; 2], rows: &mut Vec<[f64; 4]>) {
+        let place = |s: f64| ((s - self.from) / (self.to - self.from)).clamp(0.0, 1.0);
+        rows.clear();
+        rows.extend_from_slice(&self.rows);
+        bernstein::restrict(rows, [place(a), place(b)]);
+    }
+}
+
+/// True if the derivative of the curve with these rows has a proof that it has no component against a direction.
+fn never_turns_back(rows: &[[f64; 4]], direction: Vec3) -> bool {
+    if rows.len() < 2 {
+        return false;
+    }
+    let [x, y, z, w] = rows[0];
+    let start = Vec3::new(x, y, z) * (1.0 / w);
+    let along = |row: &[f64; 4]| (Vec3::new(row[0], row[1], row[2]) - start * row[3]).dot(direction);
+    let (f, w): (Vec<f64>, Vec<f64>) = rows.iter().map(|row| (along(row), row[3])).unzip();
+    let difference = |c: &[f64]| -> Vec<f64> { c.windows(2).map(|pair| pair[1] - pair[0]).collect() };
+    let up = bernstein::product(&w, &difference(&f));
+    let down = bernstein::product(&f, &difference(&w));
+    w.iter().all(|w| *w > 0.0) && up.iter().zip(&down).all(|(up, down)| up - down >= 0.0)
 }
 
 /// A chord: start, unit direction (zero for a chord of no length) and length.

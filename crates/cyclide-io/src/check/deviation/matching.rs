@@ -183,7 +183,9 @@ fn refined(a: &Track<'_>, b: &Track<'_>, worst: &Worst) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use cyclide::{Arc, ArcPath, CircleSpline, CircleSplineOptions, CurveChain, Lower as _, Lowered, Vec3};
+    use cyclide::{
+        Arc, ArcPath, CircleSpline, CircleSplineOptions, CurveChain, HPoint, Lower as _, Lowered, QbCurve, Quat, Vec3,
+    };
 
     /// Two half circles and two sides, with the arcs in some order.
     fn slot(order: [usize; 4]) -> CurveChain {
@@ -227,5 +229,37 @@ mod tests {
         let parts = Correspondence::one_to_one(3).recounted([1, 0, 1]);
         let distance = apart(&path, &form.unwrap(), &parts, false);
         assert!((distance - 0.25).abs() < 1e-15, "{distance}");
+    }
+
+    /// From 0 to 1 along the x-axis, and between the parameters 0.8 ± 1e-4 once round a circle of radius `r`: the complex curve
+    /// `t + 2 i r e/(e - i (t - c))`, in quaternions `i (x - y k)` for `x + i y`.
+    fn with_a_loop(r: f64) -> QbCurve {
+        let (e, c) = (1e-4, 0.8);
+        let weight = |t: f64| Quat::new(e, 0.0, 0.0, t - c);
+        let rise = Quat::new(0.0, 0.0, 0.0, -2.0 * r * e);
+        let (first, last) = (weight(0.0), weight(1.0));
+        let pairs = [(rise, first), (rise + first * 0.5, (first + last) * 0.5), (rise + last, last)];
+        QbCurve::new(&pairs.map(|(n, d)| HPoint { n: Quat::new(0.0, 1.0, 0.0, 0.0) * n, d })).unwrap()
+    }
+
+    /// Ends, tangents and speeds of a stretch say nothing of a loop between them.
+    #[test]
+    fn a_loop_in_a_tiny_range_of_the_parameter_is_seen() {
+        for r in [0.3, 1e-2, 1e-3] {
+            let curve = with_a_loop(r);
+            let [a, b] = [0.0, 1.0].map(|t| curve.point(t));
+            let straight = Arc::segment(a, b).unwrap();
+            let parts = Correspondence::one_to_one(1);
+            // The loop is as high as it is wide; the rest of the curve is nearer to the segment than 2 r e/0.2.
+            for (a, b) in [(&curve as &dyn ParamCurve, &straight as &dyn ParamCurve), (&straight, &curve)] {
+                let distance = apart(a, b, &parts, false);
+                assert!((distance / (2.0 * r) - 1.0).abs() < 2e-3, "{r} {distance}");
+            }
+            // And nothing is wrong with the exact form, which is cut at other places.
+            let Lowered { form, correspondence, .. } =
+                cyclide::QbSpline::from_curve(curve.clone()).unwrap().lower_to_chain(1e-3).unwrap();
+            // Pairs next to a common zero: their denominators are 1e-4 of what they are sums of.
+            assert!(apart(&curve, &form, &correspondence, false) < 1e-11);
+        }
     }
 }

@@ -1,6 +1,6 @@
 //! A part of a curve cut into tame windows, with the foot of a point on each.
 
-use cyclide::{Arc, CurvePlace, ParamCurve, PieceForm, Point3, Vec3};
+use cyclide::{Arc, CurvePlace, ParamCurve, PieceForm, PieceHull, Point3, Vec3};
 
 /// Windows of a whole piece before the turn is looked at: of an arc one would be taken for a point where it is a
 /// circle, of anything else two for a line where it is an S.
@@ -14,6 +14,8 @@ const CHORD_COSINE: f64 = 0.92;
 /// Largest quotient of the speeds at the ends of a window, and of the chord and the way at their mean speed.
 const WINDOW_SPEEDS: f64 = 4.0;
 const CHORD_SPEEDS: f64 = 1.5;
+/// Where the hull of a piece is an approximation, it is within this part of the distance of its ends.
+const HULL_TOLERANCE: f64 = 1e-3;
 /// Windows below this part of their coordinates are not cut any further.
 const UNSEEN: f64 = 1e-13;
 /// Halvings of a window at most, and windows of a part. An arc that passes near infinity runs nearly all of its way in a
@@ -64,6 +66,8 @@ pub(super) struct Track<'a> {
     plan: bool,
     /// Arcs with weights of equal size in place of the pieces of the part that have weights of very different sizes.
     balanced: Vec<Arc>,
+    /// What proves that windows of a piece have no loop: number of the piece, and its hull, if there is one.
+    hull: Option<(usize, PieceHull)>,
     /// The windows of the part, in order; never empty once there is a part.
     pub(super) windows: Vec<Window>,
 }
@@ -71,7 +75,7 @@ pub(super) struct Track<'a> {
 impl<'a> Track<'a> {
     /// The curve in space or in the plan view.
     pub(super) fn new(curve: &'a dyn ParamCurve, plan: bool) -> Self {
-        Self { curve, plan, balanced: Vec::new(), windows: Vec::new() }
+        Self { curve, plan, balanced: Vec::new(), hull: None, windows: Vec::new() }
     }
 
     /// Takes the part between two places, which may be one.
@@ -121,6 +125,8 @@ impl<'a> Track<'a> {
             }
         } else if let PieceForm::Circle(_) = form {
             first = 2 * FIRST_WINDOWS[0];
+        } else {
+            self.take_hull(piece);
         }
         if range[1] - range[0] < SHORT_PART {
             first = 1;
@@ -198,7 +204,7 @@ impl<'a> Track<'a> {
 
     /// Adds a window, halved until it is tame.
     fn cut(&mut self, piece: usize, balanced: Option<usize>, start: Node, end: Node, depth: u32) {
-        let tame = is_tame(&start, &end);
+        let tame = is_unseen(&start, &end) || (is_tame(&start, &end) && self.advances(piece, &start, &end));
         let middle = 0.5 * (start.s + end.s);
         let last = depth == 0 || self.windows.len() >= WINDOW_CAP || !(start.s < middle && middle < end.s);
         if tame || last {
@@ -212,6 +218,23 @@ impl<'a> Track<'a> {
         let middle = self.node(piece, balanced, middle);
         self.cut(piece, balanced, start, middle, depth - 1);
         self.cut(piece, balanced, middle, end, depth - 1);
+    }
+
+    /// Makes the hull of a piece without a closed form; parts of one piece follow each other.
+    fn take_hull(&mut self, piece: usize) {
+        if self.hull.as_ref().is_none_or(|(of, _)| *of != piece) {
+            let [a, b] = [0.0, 1.0].map(|s| self.curve.piece_point(piece, s));
+            self.hull = self.curve.piece_hull(piece, HULL_TOLERANCE * a.distance(b)).ok().map(|hull| (piece, hull));
+        }
+    }
+
+    /// True if a window runs along its chord all the time, as far as that can be proved: both ends may lie before and behind a loop
+    /// that is run through in a tiny range of the parameter.
+    fn advances(&mut self, piece: usize, start: &Node, end: &Node) -> bool {
+        match &mut self.hull {
+            Some((of, hull)) if *of == piece => hull.advances([start.s, end.s], end.point - start.point),
+            _ => true,
+        }
     }
 
     fn node(&self, piece: usize, balanced: Option<usize>, s: f64) -> Node {
@@ -238,15 +261,18 @@ fn with_even_weights(arc: &Arc) -> Option<(Arc, f64)> {
     if tame { None } else { Some((Arc::from_weight_ratio(arc.start(), arc.end(), ratio * (1.0 / size)).ok()?, size)) }
 }
 
+/// True if a window is too small to see, and to be cut.
+fn is_unseen(start: &Node, end: &Node) -> bool {
+    let way = 0.5 * (start.d1.length() + end.d1.length()) * (end.s - start.s);
+    way.max(start.point.distance(end.point)) <= UNSEEN * start.point.to_vec().max_abs()
+}
+
 /// True if the tangents at both ends and the chord agree in direction, and the speeds with each other and with the
-/// chord. The tangents alone would take a loop for a straight stretch. What is too small to see is tame.
+/// chord. The tangents alone would take a loop for a straight stretch.
 fn is_tame(start: &Node, end: &Node) -> bool {
     let (u, v) = (start.d1.length(), end.d1.length());
     let chord = end.point - start.point;
     let (straight, expected) = (chord.length(), 0.5 * (u + v) * (end.s - start.s));
-    if straight.max(expected) <= UNSEEN * start.point.to_vec().max_abs() {
-        return true;
-    }
     let even = u <= WINDOW_SPEEDS * v && v <= WINDOW_SPEEDS * u;
     let along = |d1: Vec3, speed: f64| chord.dot(d1) >= CHORD_COSINE * straight * speed;
     even && start.d1.dot(end.d1) >= WINDOW_COSINE * u * v
