@@ -1,9 +1,10 @@
 //! A smooth curve as G1 arcs within a tolerance: biarcs with its points and tangents, halved until each is near enough, the curve to
-//! the arcs and the arcs to the curve. Distances are sampled, not certified.
+//! the arcs and the arcs to the curve. Distances are sampled, not certified, but over parts that are proved not to turn back where the
+//! piece has a hull: a loop between two samples would be left out.
 
 use super::biarc::{Biarc, BiarcRule};
 use crate::base::vector::{Point3, Vec3};
-use crate::curve::{Arc, ParamCurve};
+use crate::curve::{Arc, ParamCurve, PieceHull};
 use crate::error::{Error, Result};
 
 /// Samples on each biarc: four to each of the lobes of its distance from a smooth curve.
@@ -18,8 +19,10 @@ const TURN: f64 = std::f64::consts::FRAC_PI_2;
 /// Steps from the nearest sample to the foot of a point: each squares what is missing but for the part that curvature has.
 const FOOT_STEPS: u32 = 3;
 
-/// Most halvings of a piece.
-const HALVINGS: u32 = 12;
+/// Most biarcs of a piece, and most halvings: next to infinity or a common zero of its pairs a curve runs most of its way in a tiny
+/// range of the parameter.
+const MOST_BIARCS: usize = 4096;
+const HALVINGS: u32 = 40;
 
 /// A smooth piece of a curve.
 pub(super) trait SmoothPiece {
@@ -28,6 +31,11 @@ pub(super) trait SmoothPiece {
 
     /// Point and velocity, or another vector in the direction of travel where that vanishes at an end of the piece.
     fn moving(&self, s: f64) -> (Point3, Vec3);
+
+    /// What proves that parts do not turn back, if there is anything; within `tolerance` of the piece.
+    fn hull(&self, _tolerance: f64) -> Option<PieceHull> {
+        None
+    }
 }
 
 /// A piece of a curve, by its number.
@@ -45,6 +53,10 @@ impl SmoothPiece for PieceOf<'_> {
         let moves = jet.d1 != Vec3::ZERO;
         (jet.point, if moves { jet.d1 } else { jet.limit_tangent(side).unwrap_or(Vec3::ZERO) })
     }
+
+    fn hull(&self, tolerance: f64) -> Option<PieceHull> {
+        self.0.piece_hull(self.1, tolerance).ok()
+    }
 }
 
 /// Appends arcs for the part `[from, to]` of a piece with this number.
@@ -58,14 +70,18 @@ pub(super) fn append_biarcs(
     tolerance: f64,
     arcs: &mut Vec<Arc>,
 ) -> Result<()> {
+    let mut hull = piece.hull(tolerance);
     let mut ahead = vec![([from, to], HALVINGS)];
+    let mut left = MOST_BIARCS;
     while let Some(([from, to], halvings)) = ahead.pop() {
-        if let Some(biarc) = biarc_within(piece, [from, to], SAFETY * tolerance) {
+        let biarc = biarc_within(piece, [from, to], SAFETY * tolerance, hull.as_mut());
+        if let Some((biarc, less)) = biarc.zip(left.checked_sub(1)) {
             arcs.extend(biarc.arcs());
+            left = less;
             continue;
         }
-        let Some(halvings) = halvings.checked_sub(1) else {
-            let cap = 1_usize << HALVINGS;
+        let Some(halvings) = halvings.checked_sub(1).filter(|_| left > 0) else {
+            let cap = MOST_BIARCS;
             let (needed, remedy) = ((cap + 1) as f64, "use a larger tolerance");
             return Err(Error::TooManyPieces { what: "piece", segment: Some(number), needed, cap, remedy });
         };
@@ -75,7 +91,12 @@ pub(super) fn append_biarcs(
     Ok(())
 }
 
-fn biarc_within(piece: &dyn SmoothPiece, [from, to]: [f64; 2], limit: f64) -> Option<Biarc> {
+fn biarc_within(
+    piece: &dyn SmoothPiece,
+    [from, to]: [f64; 2],
+    limit: f64,
+    hull: Option<&mut PieceHull>,
+) -> Option<Biarc> {
     let directed = |s: f64| {
         let (point, velocity) = piece.moving(s);
         Some((point, velocity.unit()?))
@@ -83,6 +104,10 @@ fn biarc_within(piece: &dyn SmoothPiece, [from, to]: [f64; 2], limit: f64) -> Op
     let [start, middle, end] = [from, 0.5 * (from + to), to].map(directed);
     let ((p0, t0), (_, tm), (p1, t1)) = (start?, middle?, end?);
     if t0.angle(tm) + tm.angle(t1) > TURN {
+        return None;
+    }
+    // What is all within the limit of its chord may turn back.
+    if hull.is_some_and(|hull| !hull.advances([from, to], p1 - p0) && hull.deviation([from, to], [p0, p1]) > limit) {
         return None;
     }
     let biarc = Biarc::new(p0, t0, p1, t1, BiarcRule::EqualD).ok()?;

@@ -3,7 +3,7 @@
 
 use super::biarc_cover::{SmoothPiece, append_biarcs};
 use crate::base::vector::{Point3, Vec3};
-use crate::curve::{Arc, Correspondence, CurvePlace, ParamCurve as _, PieceForm, QbCurve, QbSpline, Span};
+use crate::curve::{Arc, Correspondence, CurvePlace, ParamCurve as _, PieceForm, PieceHull, QbCurve, QbSpline, Span};
 use crate::error::Result;
 
 impl SmoothPiece for QbCurve {
@@ -14,6 +14,10 @@ impl SmoothPiece for QbCurve {
     fn moving(&self, s: f64) -> (Point3, Vec3) {
         let jet = self.jet(s);
         (jet.point, jet.d1)
+    }
+
+    fn hull(&self, tolerance: f64) -> Option<PieceHull> {
+        self.piece_hull(0, tolerance).ok()
     }
 }
 
