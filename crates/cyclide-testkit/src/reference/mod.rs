@@ -15,6 +15,7 @@ mod check;
 mod circular;
 mod deviation;
 mod fair;
+mod motion;
 mod patch;
 mod polyhedron;
 mod report;
@@ -118,6 +119,7 @@ fn handler(construct: &str) -> Option<Handler> {
         triangle::handler,
         torus::handler,
         canal::handler,
+        motion::handler,
     ]
     .iter()
     .find_map(|topic| topic(construct))

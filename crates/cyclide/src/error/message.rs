@@ -1,5 +1,6 @@
 //! What an error says: plain sentences with the item, the measure and the limit.
 
+use super::motion_message::of_motion;
 use super::words::{
     at_infinity, at_least, clockwise, count_differs, numbered, opposed, outside, points_in_words, size_in_place,
     speed_ratio, through_infinity, zero_axis,
@@ -613,6 +614,19 @@ impl std::fmt::Display for Error {
                 ShortNumber(*distance),
                 ShortNumber(*limit)
             ),
+            Self::ZeroRotation { .. }
+            | Self::NotARotation { .. }
+            | Self::NotOnStudyQuadric { .. }
+            | Self::WrongPoseCount { .. }
+            | Self::RepeatedParameter { .. }
+            | Self::ParametersNotIncreasing { .. }
+            | Self::UnattainablePose { .. }
+            | Self::MotionThroughExceptionalPoint { .. }
+            | Self::RotationTooLarge { .. }
+            | Self::NoCubicMotion { .. }
+            | Self::StudyFormVanishes { .. }
+            | Self::MotionNotRational
+            | Self::MotionAtRest { .. } => f.write_str(&of_motion(self)),
         }
     }
 }

@@ -12,7 +12,7 @@ use crate::surface::CyclidicNet;
 use crate::topology::{Body, EdgeCurve, Shell};
 
 impl Conformal for CurveObject {
-    /// The image: of arcs and chains of arcs under any map, of circles, circle splines and splines on tori under similarities
+    /// The image: of arcs and chains of arcs under any map, of circles, circle splines, splines on tori and B-splines under similarities
     /// and reflections.
     ///
     /// # Errors
@@ -24,6 +24,7 @@ impl Conformal for CurveObject {
             Self::ArcPath(c) => c.transformed(map).map(Self::ArcPath),
             Self::CircleSpline(c) => c.similar(map).map(Self::CircleSpline),
             Self::TorusSpline(c) => c.similar(map).map(Self::TorusSpline),
+            Self::Nurbs(c) => c.similar(map).map(Self::Nurbs),
         }
     }
 }
@@ -92,7 +93,7 @@ impl CurveObject {
     pub fn is_of_arcs(&self) -> bool {
         match self {
             Self::Arc(_) | Self::Circle(_) | Self::ArcPath(_) => true,
-            Self::CircleSpline(_) => false,
+            Self::CircleSpline(_) | Self::Nurbs(_) => false,
             Self::TorusSpline(spline) => spline.pieces().iter().all(|piece| piece.degree() == 2),
         }
     }

@@ -5,6 +5,7 @@ mod circle_spline;
 mod derived;
 mod lower;
 mod named;
+mod nurbs;
 mod object;
 mod surface_object;
 mod torus_spline;

@@ -4,6 +4,8 @@ use super::object::{CurveObject, Item, Model, Units};
 use super::surface_object::SurfaceObject;
 use crate::construct::Biarc;
 use crate::curve::{Arc, ArcPath, Circle, CircleSpline};
+use crate::motion::MovingBody;
+use crate::rational::NurbsCurve;
 use crate::surface::{CyclidePatch, CyclidicNet, SmoothMesh, SphereBlend, TorusSpline, TriangleSurface};
 use crate::topology::{Body, Shell};
 
@@ -34,6 +36,12 @@ impl Model {
         self.with(Item::new(name, vec![surface.into()]))
     }
 
+    /// The model with one more object, a moving body.
+    #[must_use]
+    pub fn with_motion(self, name: impl Into<String>, body: impl Into<MovingBody>) -> Self {
+        self.with(Item::new(name, body.into()))
+    }
+
     fn with(mut self, item: Item) -> Self {
         self.items.push(item);
         self
@@ -51,7 +59,7 @@ macro_rules! becomes {
     };
 }
 
-becomes!(CurveObject: Arc => Arc, Circle => Circle, ArcPath => ArcPath, CircleSpline => CircleSpline, TorusSpline => TorusSpline);
+becomes!(CurveObject: Arc => Arc, Circle => Circle, ArcPath => ArcPath, CircleSpline => CircleSpline, TorusSpline => TorusSpline, NurbsCurve => Nurbs);
 becomes!(SurfaceObject: CyclidePatch => Patch, CyclidicNet => Net, Body => Body, TriangleSurface => Triangles);
 
 impl From<Biarc> for CurveObject {

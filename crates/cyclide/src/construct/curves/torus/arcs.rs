@@ -1,9 +1,9 @@
 //! A spline on a torus as G1 arcs within a tolerance, for formats that know arcs only.
 //!
-//! Pieces that are arcs of circles stay as they are. The others are [covered by biarcs](super::biarc_cover).
+//! Pieces that are arcs of circles stay as they are. The others are [covered by biarcs](super::super::biarc_cover).
 
-use super::biarc_cover::{SmoothPiece, append_biarcs};
 use crate::base::vector::{Point3, Vec3};
+use crate::construct::curves::biarc_cover::{SmoothPiece, append_biarcs};
 use crate::curve::{Arc, Correspondence, CurvePlace, ParamCurve as _, Span};
 use crate::error::Result;
 use crate::surface::TorusSpline;

@@ -7,9 +7,9 @@
 //! conformal  y = 2 a b B / c      angles are true, and every circle of the four families is a straight line
 //! ```
 
-use super::biarc_cover::{SmoothPiece, append_biarcs};
 use crate::base::planar::{Point2, Vec2};
 use crate::base::vector::{Point3, Vec3};
+use crate::construct::curves::biarc_cover::{SmoothPiece, append_biarcs};
 use crate::curve::{Arc, ArcPath, ParamCurve as _, length};
 use crate::error::{Error, ErrorItem, Result, check_tolerance};
 use crate::surface::{PlaceAngle, Torus, TorusSpline};

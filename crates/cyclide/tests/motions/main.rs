@@ -1,0 +1,11 @@
+//! Laws of motions: frames on both sides, reversal of time, derivatives against differences, exact forms against evaluation,
+//! certificates and refusals.
+
+mod cubics;
+mod data;
+mod frames;
+mod jets;
+mod refusals;
+mod swept;
+mod timing;
+mod trajectories;
