@@ -1,7 +1,9 @@
 //! `sample`, `report` and `schema`: looking at a model without writing exchange files.
 
+use std::path::Path;
+
 use cyclide::Body;
-use cyclide_io::{Report, Spacing, did_you_mean, document_schema, write_file};
+use cyclide_io::{Report, Spacing, did_you_mean, document_schema, sample_poses, write_file};
 
 use crate::arguments::plan::{ReportPlan, SamplePlan, refuse_overwriting};
 use crate::commands::load::{self, Inputs};
@@ -34,7 +36,14 @@ pub fn sample(plan: &SamplePlan) -> Result<(), Failure> {
     if patches > 0 && plan.spacing == Spacing::Length {
         return Err(Failure::Usage("--equal-length is for curves, the object is a surface".to_owned()));
     }
+    let motion = object.item.motion().is_some();
+    if motion && plan.spacing == Spacing::Length {
+        return Err(Failure::Usage(
+            "--equal-length is for curves: a motion with the law `constant-speed` is sampled so".to_owned(),
+        ));
+    }
     let (of_one, parts, what) = match patches {
+        0 if motion => (plan.count, 1, "motion"),
         0 => (plan.count, object.item.curves().len(), "contours"),
         _ => (plan.count.saturating_mul(plan.count), patches, "patches"),
     };
@@ -43,7 +52,10 @@ pub fn sample(plan: &SamplePlan) -> Result<(), Failure> {
         let message = format!("--count {} gives {rows} rows on {parts} {what}, more than {MOST_ROWS}", plan.count);
         return Err(Failure::Usage(message));
     }
-    let text = cyclide_io::sample(&object, plan.count, plan.spacing);
+    let as_json =
+        plan.output.as_deref().and_then(Path::extension).is_some_and(|suffix| suffix.eq_ignore_ascii_case("json"));
+    let poses = if as_json { sample_poses(&object, plan.count) } else { None };
+    let text = poses.unwrap_or_else(|| cyclide_io::sample(&object, plan.count, plan.spacing));
     match &plan.output {
         None => terminal::print(&text),
         Some(path) => {

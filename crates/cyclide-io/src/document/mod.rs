@@ -39,12 +39,13 @@ pub use spec::{
     CircleSplineSpec, CircularSurfaceSpec, ClampedEnds, Comment, CrossingPipeSpec, CyclidePatchSpec, CyclideSpec,
     CyclidicNetSpec, DiskSpec, EllipseBridgeSpec, EndsSpec, FairEndPair, FairEndSpec, FairEndWord, FairEndsSpec,
     FairFitSpec, FairSplineSpec, FamilySpec, FrameSpec, FreeOr, GridSource, MakeCircularOptions, MakeCircularSpec,
-    MeshFile, NormalsSpec, ObjectSpec, OffsetSpec, PipeCrossingSpec, PipeSpec, PipeTeeSpec, PlaneSpec, PlateSpec,
-    PlateWithNeckSpec, PolygonMeshFile, PolylineSpec, RadiiSpec, RadiusLawSpec, RatePairs, RevolutionSpec,
-    RotationSpec, RuledSpec, ScaleSpec, SmoothMeshSpec, SmoothPolyhedronSpec, SphereBlendSpec, SphereSpec, StepSpec,
-    StraightWord, SupportStructureSpec, TeeBlendSpec, TeeBranchSpec, TeeLawSpec, TeeMainSpec, TeeRadiusSpec,
-    TorusCircleSpec, TorusKnotSpec, TorusMethod, TorusSeamSpec, TorusSource, TorusSpec, TorusSplineSpec, TransformSpec,
-    TubeSpec, TypeWord, UnrolledSpec, WindingSpec,
+    MeshFile, MotionKind, MotionSpec, NormalsSpec, ObjectSpec, OffsetSpec, PipeCrossingSpec, PipeSpec, PipeTeeSpec,
+    PlaneSpec, PlateSpec, PlateWithNeckSpec, PolygonMeshFile, PolylineSpec, PoseFile, PoseSource, PoseSpec, RadiiSpec,
+    RadiusLawSpec, RatePairs, RevolutionSpec, RotationSpec, RuledSpec, ScaleSpec, SmoothMeshSpec, SmoothPolyhedronSpec,
+    SphereBlendSpec, SphereSpec, StepSpec, StraightWord, SupportStructureSpec, SweptSurfaceSpec, TeeBlendSpec,
+    TeeBranchSpec, TeeLawSpec, TeeMainSpec, TeeRadiusSpec, TorusCircleSpec, TorusKnotSpec, TorusMethod, TorusSeamSpec,
+    TorusSource, TorusSpec, TorusSplineSpec, TrajectorySpec, TransformSpec, TubeSpec, TypeWord, UnrolledSpec,
+    WindingSpec,
 };
 
 /// The document version this crate reads.

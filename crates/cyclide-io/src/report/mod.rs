@@ -4,6 +4,7 @@ mod curvature;
 mod curves;
 mod fairness;
 mod file;
+mod motion;
 mod polyhedron;
 mod sample;
 mod seam;
@@ -23,8 +24,9 @@ pub use curvature::CurvatureRangeReport;
 pub use curves::{CurvatureReport, CurvesReport, FitPieces, FitReport, JointReport};
 pub use fairness::FairnessReport;
 pub use file::{CheckError, FileReport};
+pub use motion::MotionReport;
 pub use polyhedron::PolyhedronReport;
-pub use sample::{Spacing, sample};
+pub use sample::{Spacing, sample, sample_poses};
 pub use seam::SeamReport;
 pub use smooth::{ComparisonReport, SmoothReport};
 pub use surface::{CircularReport, PartReport, PatchPlace, ShapeReport, SingularPatchReport, SurfaceReport};
@@ -69,7 +71,7 @@ pub struct ObjectReport {
     /// True for construction geometry, which is in no file.
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     pub construction: bool,
-    /// Its curves or its surfaces.
+    /// Its curves, its surfaces or its motion.
     #[serde(flatten)]
     pub geometry: GeometryReport,
     /// What the user should know.
@@ -96,6 +98,8 @@ pub enum GeometryReport {
     Surface(SurfaceReport),
     /// A smooth surface over triangles.
     Smooth(SmoothReport),
+    /// A motion.
+    Motion(Box<MotionReport>),
 }
 
 /// Smallest and largest value.
@@ -164,6 +168,7 @@ impl ObjectReport {
                 Some(triangles) => GeometryReport::Smooth(SmoothReport::new(built, triangles)),
                 None => GeometryReport::Surface(SurfaceReport::new(built)),
             },
+            Geometry::Motion(body) => GeometryReport::Motion(Box::new(MotionReport::new(body))),
         };
         let warnings = built.remarks.iter().map(WarningReport::from).collect();
         Self { r#type: built.provenance.kind.to_owned(), construction: built.construction, geometry, warnings }

@@ -9,6 +9,7 @@ mod ends;
 mod hairpins;
 mod inversions;
 mod maps;
+mod motions;
 mod near_degenerate;
 mod nets;
 mod objects;
@@ -73,7 +74,7 @@ impl Objects {
     }
 }
 
-const CLASSES: [Class; 25] = [
+const CLASSES: [Class; 27] = [
     ("points", 5, points::object),
     ("hairpins", 3, hairpins::object),
     ("ends", 3, ends::object),
@@ -99,6 +100,8 @@ const CLASSES: [Class; 25] = [
     ("triangles", 1, triangles::surface),
     ("tori", 2, tori::curve),
     ("seams", 1, tori::seam),
+    ("trajectories", 2, motions::trajectory),
+    ("swept surfaces", 2, motions::swept),
 ];
 
 /// Document `number` of the attack with this seed.

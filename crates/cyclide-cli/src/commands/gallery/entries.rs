@@ -37,11 +37,14 @@ const SURFACES: &[Format] = &[Format::Step, Format::Glb, Format::Png];
 /// Of surfaces without an exact form.
 const MESHES: &[Format] = &[Format::Glb, Format::Stl, Format::Png];
 
+/// Of motions, with what is made of them.
+const MOVING: &[Format] = &[Format::Glb, Format::Step, Format::Png];
+
 /// Of fine scans, whose meshes are large.
 const RENDERED: &[Format] = &[Format::Glb, Format::Png];
 
 /// All models, in the order of the page.
-pub const ENTRIES: [Entry; 32] = [
+pub const ENTRIES: [Entry; 33] = [
     Entry {
         name: "roof",
         title: "Free-form roof with two skins",
@@ -129,6 +132,14 @@ pub const ENTRIES: [Entry; 32] = [
         document: example!("tubes.json"),
         inputs: &[],
         formats: SURFACES,
+    },
+    Entry {
+        name: "pick_and_place",
+        title: "Pick and place",
+        text: "A gripper takes parts from a tray and puts them down turned over: one smooth rational motion through eight poses, as an animation; the path of its tip and what its fingers run over are exact.",
+        document: example!("pick_and_place.json"),
+        inputs: &[],
+        formats: MOVING,
     },
     Entry {
         name: "tee",

@@ -139,6 +139,7 @@ impl Builder<'_> {
             ObjectSpec::FairFit(s) => self.each_contour(&s.points, s.closed, |at| fair_fit(s, at)),
             ObjectSpec::CircleSpline(s) => self.each_contour(&s.points, s.closed, |at| circle_spline(s, at)),
             ObjectSpec::TorusSpline(s) => self.torus_spline(s),
+            ObjectSpec::Trajectory(s) => single(self.trajectory(s)?),
             ObjectSpec::TorusKnot(s) => single(CurveObject::TorusSpline(self.torus_knot(s)?)),
             ObjectSpec::TorusCircle(s) => self.torus_circle(s).map(|made| vec![made]),
             ObjectSpec::Unrolled(s) => Ok(without_facts(self.unrolled(s)?)),

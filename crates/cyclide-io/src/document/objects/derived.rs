@@ -94,6 +94,9 @@ impl Builder<'_> {
 
     /// The images of surfaces.
     pub(super) fn mapped_surfaces(&self, spec: &TransformSpec) -> Result<Vec<SurfaceObject>> {
+        if self.sources.first().is_some_and(|source| source.item.motion().is_some()) {
+            return Err(self.wrong_source("a motion is placed by its poses, not by a `transform`"));
+        }
         let surfaces = self.sources.first().map_or(&[][..], |source| source.item.surfaces());
         self.mapped(spec, surfaces, |surface, map| surface.transformed(map))
     }

@@ -6,6 +6,7 @@ mod crossings;
 mod curves;
 mod derived;
 mod fair;
+mod motions;
 mod nets;
 mod polygon_mesh_file;
 mod polyhedra;
@@ -35,6 +36,7 @@ pub use derived::{
     SupportStructureSpec, TransformSpec,
 };
 pub use fair::{FairEndPair, FairEndSpec, FairEndWord, FairEndsSpec, FairSplineSpec, StraightWord};
+pub use motions::{MotionKind, MotionSpec, PoseFile, PoseSource, PoseSpec, SweptSurfaceSpec, TrajectorySpec};
 pub use nets::{CyclideSpec, CyclidicNetSpec, FrameSpec, GridSource, MeshFile};
 pub use polygon_mesh_file::PolygonMeshFile;
 pub use polyhedra::SmoothPolyhedronSpec;
@@ -144,6 +146,12 @@ pub enum ObjectSpec {
     CircularSurface(CircularSurfaceSpec),
     /// Straight lines between two curves.
     Ruled(RuledSpec),
+    /// A motion of a body through poses.
+    Motion(MotionSpec),
+    /// The path of a point of a moving body.
+    Trajectory(TrajectorySpec),
+    /// What a curve of a moving body runs over.
+    SweptSurface(SweptSurfaceSpec),
     /// An object mapped.
     Transform(TransformSpec),
     /// The edges of a surface as arcs.
@@ -250,6 +258,9 @@ object_types! {
     "ellipse-bridge" => EllipseBridge,
     "circular-surface" => CircularSurface,
     "ruled" => Ruled,
+    "motion" => Motion,
+    "trajectory" => Trajectory,
+    "swept-surface" => SweptSurface,
     "transform" => Transform,
     "support-structure" => SupportStructure,
 }
