@@ -99,7 +99,7 @@ fn check_order(given: &[TimedPose], places: &[f64], order: TimeOrder) -> Result<
                 return Err(Error::ParametersNotIncreasing { index: second, value, before });
             }
             TimeOrder::Distinct => {
-                if let Some(first) = (0..second).find(|first| places[*first] == places[second]) {
+                if let Some(first) = (0..second).find(|first| places[*first].total_cmp(&places[second]).is_eq()) {
                     return Err(Error::RepeatedParameter { first, second, value });
                 }
             }

@@ -87,8 +87,12 @@ impl<'a> Timing<'a> {
     pub fn time_at(&self, fraction: f64) -> f64 {
         let [first, last] = self.motion.domain();
         let x = fraction.clamp(0.0, 1.0);
-        if x == 0.0 || x == 1.0 {
-            return if x == 0.0 { first } else { last };
+        // Both ends to the bit.
+        if x <= 0.0 {
+            return first;
+        }
+        if x >= 1.0 {
+            return last;
         }
         match self.law {
             TimeLaw::AsGiven => first + (last - first) * x,
