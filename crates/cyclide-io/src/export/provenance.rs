@@ -72,6 +72,8 @@ fn kind_of_curve(curve: &CurveObject) -> &'static str {
         },
         CurveObject::TorusSpline(_) => "torus-spline",
         CurveObject::Nurbs(_) => "nurbs",
+        CurveObject::QbSpline(spline) if spline.spans().len() > 1 => "moebius-spline",
+        CurveObject::QbSpline(_) => "qb-interpolation",
     }
 }
 

@@ -1,17 +1,20 @@
 //! What was made and what was written: measured on the curves and on the bytes, never taken from the plan.
 
 mod curvature;
+mod curve_sample;
 mod curves;
 mod fairness;
 mod file;
 mod motion;
 mod polyhedron;
+mod qb;
 mod sample;
 mod seam;
 mod smooth;
 mod surface;
 mod tee;
 mod text;
+mod tight;
 mod torus;
 mod tube;
 
@@ -21,16 +24,19 @@ use serde::Serialize;
 
 use crate::document::{BuiltObject, Remark};
 pub use curvature::CurvatureRangeReport;
+pub use curve_sample::{ContourSamples, CurveSample, CurveSamples, SampleOptions, SamplePlaces};
 pub use curves::{CurvatureReport, CurvesReport, FitPieces, FitReport, JointReport};
 pub use fairness::FairnessReport;
 pub use file::{CheckError, FileReport};
 pub use motion::MotionReport;
 pub use polyhedron::PolyhedronReport;
+pub use qb::QbReport;
 pub use sample::{Spacing, sample, sample_poses};
 pub use seam::SeamReport;
 pub use smooth::{ComparisonReport, SmoothReport};
 pub use surface::{CircularReport, PartReport, PatchPlace, ShapeReport, SingularPatchReport, SurfaceReport};
 pub use tee::TeeBlendReport;
+pub use tight::{TIGHTER_THAN_RADIUS, TightPlaceReport, TightReport};
 pub use torus::{SegmentCounts, TorusReport, UnrolledReport};
 pub use tube::TubeReport;
 
@@ -45,6 +51,7 @@ pub use tube::TubeReport;
 /// # Ok::<(), cyclide_io::Error>(())
 /// ```
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct Report {
     /// Symbol of the unit of all lengths: `mm`, `m`, ….
     pub units: &'static str,
@@ -65,6 +72,7 @@ pub struct Report {
 /// # Ok::<(), cyclide_io::Error>(())
 /// ```
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct ObjectReport {
     /// The document's word for the construction.
     pub r#type: String,
@@ -93,7 +101,7 @@ pub struct ObjectReport {
 #[serde(untagged)]
 pub enum GeometryReport {
     /// Curves.
-    Curves(CurvesReport),
+    Curves(Box<CurvesReport>),
     /// Surfaces.
     Surface(SurfaceReport),
     /// A smooth surface over triangles.
@@ -114,6 +122,7 @@ pub enum GeometryReport {
 /// # Ok::<(), cyclide_io::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct RangeReport {
     /// Smallest.
     pub min: f64,
@@ -132,6 +141,7 @@ pub struct RangeReport {
 /// # Ok::<(), cyclide_io::Error>(())
 /// ```
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[non_exhaustive]
 pub struct WarningReport {
     /// Stable kebab-case name.
     pub reason: &'static str,
@@ -156,6 +166,23 @@ impl Report {
         let reports = objects.iter().map(|built| (built.item.name.clone(), ObjectReport::new(built, tolerance)));
         Self { units: units.symbol(), objects: reports.collect(), files: Vec::new() }
     }
+
+    /// With the places of all curves that are tighter than a radius, in the reports of these objects and as warnings.
+    ///
+    /// # Errors
+    /// As [`cyclide::tight_places`].
+    pub fn with_min_radius(mut self, objects: &[BuiltObject], radius: f64) -> cyclide::Result<Self> {
+        for built in objects {
+            let found = TightReport::new(built, radius)?;
+            if let Some(report) = self.objects.get_mut(&built.item.name)
+                && let GeometryReport::Curves(curves) = &mut report.geometry
+            {
+                report.warnings.extend(found.warnings(curves.contours > 1, self.units));
+                curves.tight = Some(found);
+            }
+        }
+        Ok(self)
+    }
 }
 
 impl ObjectReport {
@@ -163,7 +190,7 @@ impl ObjectReport {
     #[must_use]
     pub fn new(built: &BuiltObject, tolerance: Option<f64>) -> Self {
         let geometry = match &built.item.geometry {
-            Geometry::Curves(_) => GeometryReport::Curves(CurvesReport::new(built, tolerance)),
+            Geometry::Curves(_) => GeometryReport::Curves(Box::new(CurvesReport::new(built, tolerance))),
             Geometry::Surfaces(surfaces) => match surfaces.iter().find_map(SurfaceObject::as_triangles) {
                 Some(triangles) => GeometryReport::Smooth(SmoothReport::new(built, triangles)),
                 None => GeometryReport::Surface(SurfaceReport::new(built)),

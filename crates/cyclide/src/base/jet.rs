@@ -30,6 +30,13 @@ impl CurveJet {
         self.d1.unit()
     }
 
+    /// Unit direction of travel from the first derivative that does not vanish, on the side ahead (`side` +1, as at the start
+    /// of a piece) or behind (-1, as at its end). `None` if all three vanish.
+    pub(crate) fn limit_tangent(&self, side: f64) -> Option<Vec3> {
+        // x'(s0 + h) = d1 + h d2 + h²/2 d3 with h of the sign of `side`.
+        self.d1.unit().or_else(|| (self.d2 * side).unit()).or_else(|| self.d3.unit())
+    }
+
     /// Speed, the length of the first derivative.
     #[must_use]
     #[inline]

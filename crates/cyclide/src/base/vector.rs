@@ -195,6 +195,13 @@ impl Point3 {
         Self::new(s * self.x + t * other.x, s * self.y + t * other.y, s * self.z + t * other.z)
     }
 
+    /// Distance from the segment between two points, which may be one.
+    pub(crate) fn distance_to_segment(self, [from, to]: [Self; 2]) -> f64 {
+        let way = to - from;
+        let part = ((self - from).dot(way) / way.dot(way).max(f64::MIN_POSITIVE)).clamp(0.0, 1.0);
+        self.distance(from + way * part)
+    }
+
     /// True if every coordinate is finite.
     #[must_use]
     #[inline]

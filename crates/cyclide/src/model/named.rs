@@ -3,7 +3,7 @@
 use super::object::{CurveObject, Item, Model, Units};
 use super::surface_object::SurfaceObject;
 use crate::construct::Biarc;
-use crate::curve::{Arc, ArcPath, Circle, CircleSpline};
+use crate::curve::{Arc, ArcPath, Circle, CircleSpline, QbSpline};
 use crate::motion::MovingBody;
 use crate::rational::NurbsCurve;
 use crate::surface::{CyclidePatch, CyclidicNet, SmoothMesh, SphereBlend, TorusSpline, TriangleSurface};
@@ -59,7 +59,7 @@ macro_rules! becomes {
     };
 }
 
-becomes!(CurveObject: Arc => Arc, Circle => Circle, ArcPath => ArcPath, CircleSpline => CircleSpline, TorusSpline => TorusSpline, NurbsCurve => Nurbs);
+becomes!(CurveObject: Arc => Arc, Circle => Circle, ArcPath => ArcPath, CircleSpline => CircleSpline, TorusSpline => TorusSpline, QbSpline => QbSpline, NurbsCurve => Nurbs);
 becomes!(SurfaceObject: CyclidePatch => Patch, CyclidicNet => Net, Body => Body, TriangleSurface => Triangles);
 
 impl From<Biarc> for CurveObject {

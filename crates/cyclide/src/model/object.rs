@@ -3,7 +3,7 @@
 use super::chain::CurveChain;
 use super::lower::{Lower, Lowered};
 use super::surface_object::SurfaceObject;
-use crate::curve::{Arc, ArcPath, Circle, CircleSpline, ParamCurve};
+use crate::curve::{Arc, ArcPath, Circle, CircleSpline, ParamCurve, QbSpline};
 use crate::error::Result;
 use crate::motion::MovingBody;
 use crate::rational::NurbsCurve;
@@ -97,8 +97,10 @@ pub enum CurveObject {
     CircleSpline(CircleSpline),
     /// A spline on a torus.
     TorusSpline(TorusSpline),
-    /// A rational B-spline.
+    /// A rational B-spline curve.
     Nurbs(NurbsCurve),
+    /// Quaternionic Bézier curves end to end, or one.
+    QbSpline(QbSpline),
 }
 
 impl CurveObject {
@@ -112,6 +114,7 @@ impl CurveObject {
             Self::CircleSpline(c) => c,
             Self::TorusSpline(c) => c,
             Self::Nurbs(c) => c,
+            Self::QbSpline(c) => c,
         }
     }
 
@@ -123,6 +126,7 @@ impl CurveObject {
             Self::CircleSpline(c) => c,
             Self::TorusSpline(c) => c,
             Self::Nurbs(c) => c,
+            Self::QbSpline(c) => c,
         }
     }
 }

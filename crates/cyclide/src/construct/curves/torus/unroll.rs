@@ -82,7 +82,8 @@ impl TorusMap {
     /// `2 a b/c`.
     fn conformal_height(torus: &Torus) -> f64 {
         let [a, b] = [torus.major_radius(), torus.minor_radius()];
-        2.0 * b / ((1.0 - b / a) * (1.0 + b / a)).sqrt()
+        // The difference of the radii is exact where they are near each other, that of 1 and their ratio is not.
+        2.0 * b / (((a - b) / a) * (1.0 + b / a)).sqrt()
     }
 }
 
