@@ -139,7 +139,12 @@ fn motions() {
             ("motion-cubic-cross-ratio", 8),
             ("motion-sclerp", 15),
             ("motion-spline-fibre", 9),
-@@TAIL@@fn qb_curves_interpolation_and_moebius_splines() {
+        ],
+    );
+}
+
+#[test]
+fn qb_curves_interpolation_and_moebius_splines() {
     all_pass(
         include_str!("reference/40-interpolation.json"),
         &[

@@ -1,20 +1,12 @@
 //! Samples of one object as CSV: points with tangent and curvature [along curves](super::curve_sample), with normal and principal
 //! curvatures on surfaces.
 
-<<<<<<< HEAD
 use cyclide::{
-    ArcLength, Body, CurveObject, FaceGeometry as _, Geometry, MovingBody, ParamSurface as _, Quat, ShellFace,
-    SurfaceObject, TriangleSurface,
+    Body, FaceGeometry as _, Geometry, MovingBody, ParamSurface as _, Quat, ShellFace, SurfaceObject, TriangleSurface,
 };
-
 use serde_json::json;
 
-use crate::check::file_sample::FileSample;
-=======
-use cyclide::{Body, FaceGeometry as _, Geometry, ParamSurface as _, ShellFace, SurfaceObject, TriangleSurface};
-
 use super::curve_sample::{CurveSamples, SampleOptions, SamplePlaces};
->>>>>>> main
 use crate::document::BuiltObject;
 use crate::text::number::push_plain;
 

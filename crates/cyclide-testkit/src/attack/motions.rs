@@ -31,7 +31,7 @@ fn with_motion(random: &mut Random, base: Objects, object: Value, written: bool)
     named.iter_mut().for_each(|(_, value)| value["construction"] = json!(true));
     named.push(("m", motion));
     named.push(("o", object));
-    Objects { objects: named, has_surfaces: false, tolerance: base.tolerance }
+    Objects { objects: named, has_surfaces: false, area: None, tolerance: base.tolerance }
 }
 
 fn motion(random: &mut Random) -> Value {

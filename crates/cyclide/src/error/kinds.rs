@@ -314,13 +314,13 @@ pub enum Error {
         /// Number of conditions given: points, and derivatives at them.
         given: usize,
     },
-    /// Two points are asked for at one parameter.
+    /// Two points, or two poses, are asked for at one parameter.
     RepeatedParameter {
-        /// Which point, from 0.
+        /// Which of them, from 0.
         first: usize,
         /// The other one.
         second: usize,
-        /// Their parameter.
+        /// The parameter of the second; of the first too, or so near that it is the same on the scale of all.
         value: f64,
     },
     /// The only curve of the degree that fits the other points, at their parameters, misses these.
@@ -1141,15 +1141,6 @@ pub enum Error {
         needed: usize,
         /// True if more will do.
         or_more: bool,
-    },
-    /// Two parameters that must differ are one.
-    RepeatedParameter {
-        /// Index of the first.
-        first: usize,
-        /// Index of the second.
-        second: usize,
-        /// The value of the second; of the first too, or so near that it is the same on the scale of all.
-        value: f64,
     },
     /// A parameter is not after the one before it.
     ParametersNotIncreasing {

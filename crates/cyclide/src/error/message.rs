@@ -279,7 +279,7 @@ impl std::fmt::Display for Error {
                  spline, which takes any number"
             ),
             Self::RepeatedParameter { first, second, value } => {
-                write!(f, "points {first} and {second} have the same parameter {}", ShortNumber(*value))
+                write!(f, "parameters {first} and {second} are both {}", ShortNumber(*value))
             }
             Self::UnattainablePoint { points, measured, limit } => write!(
                 f,
@@ -708,7 +708,6 @@ impl std::fmt::Display for Error {
             | Self::NotARotation { .. }
             | Self::NotOnStudyQuadric { .. }
             | Self::WrongPoseCount { .. }
-            | Self::RepeatedParameter { .. }
             | Self::ParametersNotIncreasing { .. }
             | Self::UnattainablePose { .. }
             | Self::MotionThroughExceptionalPoint { .. }

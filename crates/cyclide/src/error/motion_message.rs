@@ -21,9 +21,6 @@ pub(super) fn of_motion(error: &Error) -> String {
         Error::WrongPoseCount { given, needed, or_more } => {
             format!("{given} poses given, {needed}{} needed", if *or_more { " or more" } else { "" })
         }
-        Error::RepeatedParameter { first, second, value } => {
-            format!("the parameters {first} and {second} are both {}", ShortNumber(*value))
-        }
         Error::ParametersNotIncreasing { index, value, before } => format!(
             "the parameters do not rise: number {index} is {} after {}",
             ShortNumber(*value),

@@ -151,7 +151,6 @@ impl Error {
             Self::NotARotation { .. } => "not-a-rotation",
             Self::NotOnStudyQuadric { .. } => "not-on-study-quadric",
             Self::WrongPoseCount { .. } => "wrong-pose-count",
-            Self::RepeatedParameter { .. } => "repeated-parameter",
             Self::ParametersNotIncreasing { .. } => "parameters-not-increasing",
             Self::UnattainablePose { .. } => "unattainable-pose",
             Self::MotionThroughExceptionalPoint { .. } => "motion-through-exceptional-point",

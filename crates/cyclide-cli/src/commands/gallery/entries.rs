@@ -153,6 +153,7 @@ pub const ENTRIES: &[Entry] = &[
         document: example!("pick_and_place.json"),
         inputs: &[],
         formats: MOVING,
+        camera: "",
     },
     Entry {
         name: "tee",

@@ -1,6 +1,6 @@
 //! Arc length: the total, and the constant-speed parameter.
 
-use crate::base::quadrature;
+use crate::base::quadrature::{self, gauss8};
 use crate::base::vector::Point3;
 use crate::curve::{ParamCurve, PieceForm};
 

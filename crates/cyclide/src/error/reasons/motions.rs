@@ -30,14 +30,6 @@
 //! assert_eq!(RationalMotion::conic(&[]).unwrap_err().reason(), "wrong-pose-count");
 //! ```
 //!
-//! # `repeated-parameter`
-//! Two poses are asked for at one time.
-//! ```
-//! use cyclide::{Pose, RationalMotion, TimedPose};
-//! let poses = [0.0, 1.0, 1.0].map(|time| TimedPose { time, pose: Pose::IDENTITY });
-//! assert_eq!(RationalMotion::conic(&poses).unwrap_err().reason(), "repeated-parameter");
-//! ```
-//!
 //! # `parameters-not-increasing`
 //! A spline goes from pose to pose, and time does not run backwards.
 //! ```
