@@ -36,7 +36,7 @@ pub const KERNEL: House = House {
         ("rational", &["base", "conformal", "error", "warning"]),
         ("batch", &["base", "conformal", "rational", "error", "warning"]),
         ("curve", &["base", "conformal", "rational", "batch", "error", "warning"]),
-        ("motion", &["base", "conformal", "rational", "error", "warning"]),
+        ("motion", &["base", "conformal", "rational", "curve", "error", "warning"]),
         ("surface", &["base", "conformal", "rational", "batch", "curve", "error", "warning"]),
         ("topology", &["base", "conformal", "rational", "batch", "curve", "surface", "error", "warning"]),
         ("mesh", &["base", "conformal", "rational", "batch", "curve", "surface", "topology", "error", "warning"]),
