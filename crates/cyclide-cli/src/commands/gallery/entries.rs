@@ -41,7 +41,7 @@ const MESHES: &[Format] = &[Format::Glb, Format::Stl, Format::Png];
 const RENDERED: &[Format] = &[Format::Glb, Format::Png];
 
 /// All models, in the order of the page.
-pub const ENTRIES: [Entry; 32] = [
+pub const ENTRIES: [Entry; 33] = [
     Entry {
         name: "roof",
         title: "Free-form roof with two skins",
@@ -143,6 +143,14 @@ pub const ENTRIES: [Entry; 32] = [
         title: "Pipes that pass each other",
         text: "Blended by a ball of one radius: two hollow pipes with one bore, the same askew, a rail that lies on a bar, and two pipes that do not touch, which the blend joins as a bridge. Exact envelopes of balls, one solid each.",
         document: example!("crossing.json"),
+        inputs: &[],
+        formats: SURFACES,
+    },
+    Entry {
+        name: "contact_blend",
+        title: "Tubes on a sphere and on a plate",
+        text: "Blended by a ball of one radius: a hollow strut off the centre of a spherical node, a cone that leans on a plate, and a dished head with its knuckle, whose rim is rounded inside. Exact envelopes of balls, one solid each.",
+        document: example!("contact_blend.json"),
         inputs: &[],
         formats: SURFACES,
     },

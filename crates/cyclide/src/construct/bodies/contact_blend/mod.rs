@@ -216,7 +216,10 @@ impl ContactBlend {
             (BlendBase::Plane(shape), NeckSide::Outside) => Some((shape, PlateNodes::new(&setup, shape)?)),
             _ => None,
         };
-        let angles = plate.as_ref().map_or_else(|| plate::equal_angles(8), |(_, nodes)| nodes.angles.clone());
+        let angles = plate.as_ref().map_or_else(
+            || plate::equal_angles(if setup.is_level() { 4 } else { 8 }),
+            |(_, nodes)| nodes.angles.clone(),
+        );
         let balls = BallLoop::new(&setup, &angles, self.tolerance)?;
         check::check_tube(&setup, &balls, depth)?;
         let short = if self.ends == TeeEnds::Closed { depth } else { 0.0 };

@@ -10,6 +10,7 @@ use crate::construct::bodies::ellipse_ring::{Ellipse, Sector};
 use crate::construct::bodies::rails::evened;
 use crate::curve::Arc;
 use crate::error::Result;
+use crate::rational::RationalBezierSurface;
 use crate::surface::CanalPatch;
 use crate::topology::EdgeCurve;
 
@@ -63,12 +64,19 @@ impl Skin<'_> {
             return Ok(pieces.map(|piece| evened(&piece.on_base(setup, self.depth).into())).collect());
         }
         // All have one height and one distance from the axis.
-        let p = self.balls.pieces[0].on_base(setup, self.depth).point(0.0) - setup.frame.origin();
-        let height = p.dot(setup.frame.z());
-        let radius = (p - setup.frame.z() * height).length();
+        self.circles_through(self.balls.pieces[0].on_base(setup, self.depth).point(0.0))
+    }
+
+    /// Parts of the circle about the axis through a point, over the pieces.
+    fn circles_through(&self, p: Point3) -> Result<Vec<EdgeCurve>> {
+        let setup = self.setup;
+        let from = p - setup.frame.origin();
+        let height = from.dot(setup.frame.z());
+        let radius = (from - setup.frame.z() * height).length();
         let (u, v) = (setup.frame.x() * radius, setup.frame.y() * radius);
         let circle = Ellipse { center: setup.point([0.0, 0.0, height]), u, v };
-        pieces.map(|piece| circle.curve(&Sector::new(piece.ends[0], piece.ends[1]))).collect()
+        let sector = |piece: &Piece| Sector::new(piece.ends[0], piece.ends[1]);
+        self.balls.pieces.iter().map(|piece| circle.curve(&sector(piece))).collect()
     }
 
     /// The tube and the blend.
@@ -106,7 +114,10 @@ impl Skin<'_> {
             let second = if k + 1 == count {
                 to.clone()
             } else {
-                bands.ring(surfaces.iter().map(|surface| evened(&surface.s_line(t[1]).into())).collect(), true)
+                let line = |surface: &RationalBezierSurface| evened(&surface.s_line(t[1]).into());
+                let level = self.setup.is_level();
+                let through = |i: usize| self.circles_through(canals[i].point(0.0, t[1]));
+                bands.ring(if level { through(0)? } else { surfaces.iter().map(line).collect() }, true)
             };
             let arc = |i: usize, ends: [Point3; 2]| -> Result<EdgeCurve> {
                 let ends = if self.back { [ends[1], ends[0]] } else { ends };
