@@ -60,13 +60,13 @@ class Quadric:
         across = offset - np.outer(height, self.axis)
         length = np.linalg.norm(across, axis=1)
         cos, sin = np.cos(self.half), np.sin(self.half)
-        return (length - self.radius) * cos - height * sin, across / length[:, None] * cos - self.axis * sin
+        return (length - self.radius) * cos - height * sin, across / np.maximum(length, 1e-300)[:, None] * cos - self.axis * sin
 
 
 def canal_deviation(points, first, second):
     """How far each point is from the envelope of the balls of the radius that touch both from outside."""
     gradients = first.distance(points)[1] + second.distance(points)[1]
-    centers = points + RADIUS * gradients / np.linalg.norm(gradients, axis=1)[:, None]
+    centers = points + RADIUS * gradients / np.maximum(np.linalg.norm(gradients, axis=1), 1e-300)[:, None]
     for _ in range(60):
         (a, da), (b, db) = first.distance(centers), second.distance(centers)
         along = np.cross(da, db)

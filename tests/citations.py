@@ -136,16 +136,20 @@ def check_itself(places):
         raise AssertionError(f"faults found in lines {sorted(lines)} of {len(wrong)} wrong ones: {faults}")
 
 
-def not_in_index():
-    """Public names of the kernel that its index by topic lacks."""
-    text = (ROOT / "crates/cyclide/src/lib.rs").read_text(encoding="utf-8")
+# The crates with an index by topic, and how many public names they have at least.
+INDEXED = {"crates/cyclide/src/lib.rs": 150, "crates/cyclide-io/src/lib.rs": 150}
+
+
+def not_in_index(library, at_least):
+    """Public names of a crate that its index by topic lacks."""
+    text = (ROOT / library).read_text(encoding="utf-8")
     index = text.partition("# By topic")[2].partition("\nmod ")[0]
     listed = set(re.findall(r"`(\w+)", index))
     lists = re.findall(r"^pub use \w+(?:::\w+)*(?:::\{([^}]*)\}|::(\w+));", text, re.MULTILINE)
     names = {name.strip() for several, one in lists for name in (several or one).split(",") if name.strip()}
-    if len(names) < 150:
-        raise AssertionError(f"the public names were not found: {sorted(names)}")
-    return [f"crates/cyclide/src/lib.rs: `{name}` is not in the index by topic" for name in sorted(names - listed)]
+    if len(names) < at_least:
+        raise AssertionError(f"the public names of {library} were not found: {sorted(names)}")
+    return [f"{library}: `{name}` is not in the index by topic" for name in sorted(names - listed)]
 
 
 def main():
@@ -165,7 +169,8 @@ def main():
     for page in sorted((ROOT / "docs/math").glob("*.md")):
         if page.name != "README.md" and f"({page.name})" not in index:
             faults.append(f"docs/math/{page.name} is not in the index")
-    faults += not_in_index()
+    for library, at_least in INDEXED.items():
+        faults += not_in_index(library, at_least)
     print("\n".join(faults) or f"{looked} citations and links lead somewhere; sources cite {len(pages)} pages")
     return 1 if faults or not looked else 0
 

@@ -16,6 +16,7 @@ from step_faces import StepFaces
 EXAMPLES = {name: json.loads((ROOT / f"examples/{name}.json").read_text())["objects"] for name in ("roof_pipe", "ellipse_bridge")}
 DUCT = {key: value for key, value in EXAMPLES["roof_pipe"]["duct"].items() if key not in ("construction", "comment")}
 RING = EXAMPLES["ellipse_bridge"]["ring"]
+WHOLE = {key: value for key, value in RING.items() if key != "depth"} | {"arcs": "full"}
 NECKS = {
     "duct": DUCT,
     "filled": {**{k: v for k, v in DUCT.items() if k != "wall"}, "slope": -0.4},
@@ -24,6 +25,7 @@ NECKS = {
     "cup": {**{k: v for k, v in DUCT.items() if k != "plate"}, "side": "inside"},
 }
 BRIDGES = {"ring": RING, "even": {**RING, "ellipses": [[20, 30], [32, 42]]}, "uneven": {**RING, "ellipses": [[20, 20], [20.2, 40]]}}
+BRIDGES |= {"whole": WHOLE, "even whole": {**WHOLE, "ellipses": [[20, 30], [32, 42]]}, "torus": {**WHOLE, "ellipses": [[20, 20], [32, 32]]}}
 
 
 def plane(point, normal):
@@ -165,10 +167,13 @@ def bridge(spec):
         difference = [value(p + step * e) - value(p - step * e) for e in np.eye(3)]
         gradient = np.stack(difference, -1) / (2 * step)
         length = np.linalg.norm(gradient, axis=-1)
-        # Below the rails there is no bridge.
-        distance = np.where(p[:, 2] < -1e-9, np.inf, np.abs(value(p)) / length)
+        # Below the rails there is no bridge of half circles.
+        distance = np.where(half & (p[:, 2] < -1e-9), np.inf, np.abs(value(p)) / length)
         return distance, gradient / length[:, None]
 
+    half = spec.get("arcs") != "full"
+    if not half:
+        return [top]
     floor = plane([0, 0, -spec["depth"]], [0, 0, 1])
     return [top, upright_cylinder(a, b), upright_cylinder(c, d), floor]
 

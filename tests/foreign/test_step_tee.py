@@ -24,6 +24,8 @@ TEES = {
     "offset": ([{"radius": 12, "length": 80, "angle": {"degrees": 115}, "offset": 12, "blend": LAW}], {"wall": 2, "ends": "closed"}),
     "tapered": ([{"radius": 18, "length": 90, "angle": {"degrees": 70}, "taper": {"degrees": 5}, "offset": 5, "blend": LAW}], {"wall": 2}),
     "wider": ([{"radius": 10, "length": 80, "angle": {"degrees": 110}, "taper": {"degrees": -9}, "offset": -4, "blend": 5}], {}),
+    "equal": ([{"radius": 30, "length": 100, "blend": 5}], {}),
+    "equal lateral": ([{"radius": 30, "length": 130, "angle": {"degrees": 55}, "azimuth": {"degrees": 30}, "blend": 4}], {"wall": 3}),
     "manifold": (
         [
             {"radius": 14, "length": 70, "at": -55, "blend": LAW},
@@ -66,7 +68,7 @@ def axes(spec):
 
 
 def is_blend(face):
-    return face.rational is not None and sorted(face.rational.degrees) == [2, 12]
+    return face.rational is not None and sorted(face.rational.degrees) in ([2, 8], [2, 12])
 
 
 def is_tapered(face, spec):
@@ -96,6 +98,15 @@ def test_tees_are_one_closed_solid_and_tangent_along_contacts(tee):
     skins = 2 if spec.get("wall") else 1
     assert contacts == 2 * skins * sum(blend["pieces"] for blend in report["blends"]) and creases > 0
     assert smooth <= TANGENT
+
+
+@pytest.mark.parametrize("name", ["equal", "equal lateral"])
+def test_equal_tees_are_cut_and_fused(name, program, tmp_path):
+    branches, fields = TEES[name]
+    step, _, report = made(program, tmp_path, MAIN, branches, fields)
+    assert_cuts(step, report["volume"], modelling.slab)
+    fused = BRepAlgoAPI_Fuse(step.shape, BRepPrimAPI_MakeBox(gp_Pnt(-60, -50, -45), gp_Pnt(80, 50, -25)).Shape()).Shape()
+    assert modelling.valid(fused) and modelling.volume(fused) > report["volume"]
 
 
 @pytest.fixture(scope="module")

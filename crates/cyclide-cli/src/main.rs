@@ -13,13 +13,14 @@ use arguments::args::Args;
 use arguments::mistaken;
 use arguments::plan::Plan;
 use clap::Parser as _;
-use commands::{gallery, inspect, make, manuals, start};
+use commands::{compare, gallery, inspect, make, manuals, sample, start};
 
 fn main() -> ExitCode {
     let typed = Args::try_parse().unwrap_or_else(|error| mistaken::explain(error).exit());
     let outcome = typed.plan().and_then(|plan| match plan {
         Plan::Make(plan) => make::run(&plan),
-        Plan::Sample(plan) => inspect::sample(&plan),
+        Plan::Compare(plan) => compare::run(&plan),
+        Plan::Sample(plan) => sample::run(&plan),
         Plan::Report(plan) => inspect::report(&plan),
         Plan::New(plan) => start::run(&plan),
         Plan::Gallery(plan) => gallery::run(&plan),

@@ -168,7 +168,7 @@ fn sample_prints_points_tangents_and_curvature() {
     let folder = Folder::with(&[("all.json", ALL), ("logo.csv", LOGO)]);
     let text = folder.ok("sample all.json --object ring --count 9");
     let mut lines = text.lines();
-    assert_eq!(lines.next(), Some("t,x,y,z,tangent_x,tangent_y,tangent_z,curvature"));
+    assert_eq!(lines.next(), Some("t,x,y,z,tangent_x,tangent_y,tangent_z,curvature,station,signed_curvature,torsion"));
     let rows: Vec<Vec<f64>> = lines.map(|l| l.split(',').map(|v| v.parse().unwrap()).collect()).collect();
     assert_eq!(rows.len(), 9);
     for (i, row) in rows.iter().enumerate() {
@@ -181,7 +181,7 @@ fn sample_prints_points_tangents_and_curvature() {
     // Several contours, equal steps of length, into a file.
     assert_eq!(folder.ok("sample all.json --object spline --count 50 --equal-length -o s.csv"), "");
     let text = String::from_utf8(folder.read("s.csv")).unwrap();
-    assert!(text.starts_with("contour,t,x,y,z,tangent_x,tangent_y,tangent_z,curvature\n0,0,0,0,0,"));
+    assert!(text.starts_with("contour,t,x,y,z,tangent_x,tangent_y,tangent_z,curvature,station,"));
     let points = |contour: &str| -> Vec<(f64, f64)> {
         let rows = text.lines().filter(|l| l.starts_with(contour));
         rows.map(|l| l.split(',').map(|v| v.parse().unwrap_or(0.0)).collect::<Vec<f64>>())

@@ -3,8 +3,33 @@
 //! Everything works on text and bytes; the only functions that touch the file system are the few that say so.
 //! Writers are pure functions from a [`Model`](cyclide::Model) to bytes ([`export()`]); each format has a reader of
 //! our own files ([`read_back`]), so that every export is checked from the bytes written ([`file_deviation`]).
+//!
+//! # By topic
+//!
+//! | topic | where it is |
+//! |---|---|
+//! | documents | [`Document`] ([`DOCUMENT_VERSION`]), [`document_schema`], [`ObjectSpec`] and a description for every type of object, below; [`Comment`], [`TypeWord`], [`StepSpec`] |
+//! | numbers of documents | [`Angle`], [`Coordinates`], [`Directions`], [`Lists`], [`PointSource`] ([`PointFile`]), [`AnglePairs`], [`RatePairs`], [`FreeOr`], [`RadiiSpec`] |
+//! | objects that are made | [`ModelBuilder`], [`BuiltObject`] ([`ContourFacts`], [`Fitted`], [`SmoothChoice`], [`RoundedPolyhedron`], [`TubeFacts`], [`UnrolledPlane`]), [`Remark`], [`NO_EFFECT`] |
+//! | curves | [`ArcSpec`], [`BiarcSpec`], [`CircleSpec`], [`PolylineSpec`], [`ArcSplineSpec`], [`CircleSplineSpec`] ([`EndsSpec`], [`ClampedEnds`]), [`FairSplineSpec`] ([`FairEndsSpec`], [`FairEndPair`], [`FairEndSpec`], [`FairEndWord`], [`StraightWord`]), [`ArcFitSpec`], [`FairFitSpec`] |
+//! | quaternionic curves through points | [`QbInterpolationSpec`] ([`ParametersSpec`], [`ParameterRule`]), [`MoebiusSplineSpec`] ([`MoebiusContinuity`]), [`InterpolationFacts`], [`QbReport`] |
+//! | curves on a torus | [`TorusSplineSpec`] ([`TorusMethod`], [`WindingSpec`]), [`TorusKnotSpec`], [`TorusCircleSpec`] ([`FamilySpec`]), [`TorusSource`] ([`TorusSpec`]), [`UnrolledSpec`], [`TorusSeamSpec`] |
+//! | patches and nets | [`CyclidePatchSpec`], [`CyclideSpec`], [`CyclidicNetSpec`] ([`GridSource`], [`MeshFile`], [`FrameSpec`]), [`MakeCircularSpec`] ([`MakeCircularOptions`], [`BorderSpec`], [`BorderWord`], [`BorderCurves`]), [`OffsetSpec`], [`SupportStructureSpec`] |
+//! | surfaces over triangles, polyhedra | [`SmoothMeshSpec`] ([`NormalsSpec`], [`PolygonMeshFile`]), [`SphereBlendSpec`], [`SmoothPolyhedronSpec`] |
+//! | bodies made from curves | [`RevolutionSpec`], [`PipeSpec`], [`TubeSpec`] ([`RadiusLawSpec`]), [`PlateWithNeckSpec`] ([`PlateSpec`], [`DiskSpec`]), [`EllipseBridgeSpec`] ([`BridgeArcs`]), [`CircularSurfaceSpec`], [`RuledSpec`] |
+//! | tees and crossings | [`PipeTeeSpec`] ([`TeeMainSpec`], [`TeeBranchSpec`], [`TeeBlendSpec`], [`TeeLawSpec`], [`TeeRadiusSpec`]), [`PipeCrossingSpec`] ([`CrossingPipeSpec`]) |
+//! | maps | [`TransformSpec`], [`RotationSpec`], [`ScaleSpec`], [`SphereSpec`], [`PlaneSpec`] |
+//! | lists of points | [`read_points`] ([`PointTable`], [`PointList`], [`PointRemark`], [`PointColumns`], [`ColumnUnit`], [`unit_of_columns`]) |
+//! | meshes | [`read_quad_grid`] ([`ObjGrid`]), [`MeshFormat`] |
+//! | formats | [`Format`], [`InputKind`], [`Exporter`], [`export()`], [`Exported`], [`ExportOptions`] ([`DxfVersion`], [`StepEdges`], [`StepProducts`], [`Camera`], [`DEFAULT_MOST_PIECES`]), [`Provenance`] |
+//! | files read back | [`read_back`], [`FileContent`] ([`FileBody`], [`FileShell`], [`FileFace`], [`FileSurface`], [`FilePatch`], [`FileEdge`], [`FileSample`], [`FileLabels`], [`FileName`]), [`file_deviation`] |
+//! | reports | [`Report`] ([`ObjectReport`], [`GeometryReport`], [`FileReport`], [`WarningReport`], [`RangeReport`], [`JointReport`], [`PartReport`], [`ShapeReport`], [`CheckError`]), of curves [`CurvesReport`] ([`CurvatureReport`], [`FairnessReport`], [`FitReport`], [`FitPieces`], [`TorusReport`], [`SegmentCounts`], [`UnrolledReport`]), of surfaces [`SurfaceReport`] ([`CurvatureRangeReport`], [`SurfaceJointReport`], [`SeamReport`], [`SingularPatchReport`], [`PatchPlace`], [`CircularReport`], [`PolyhedronReport`], [`TeeBlendReport`], [`TubeReport`]), of meshes made smooth [`SmoothReport`] ([`ComparisonReport`]) |
+//! | samples | [`sample`] ([`Spacing`]) |
+//! | files and streams | with the feature `files`: `read_input`, `read_head`, `read_standard_input`, `MOST_INPUT_BYTES`, `write_file`, `write_files`, `WriteOptions`, `StagedFiles`, `NotDurable`, `same_file`, `leads_to_standard_input`, `leads_to_standard_output` |
+//! | what is refused | [`Error`], [`Result`], [`ReadError`], [`ExportError`], [`Diagnostic`] ([`Source`], [`decode`]), [`did_you_mean`], [`similar`] |
 
 mod check;
+mod compare;
 mod document;
 mod drawing;
 mod error;
@@ -21,19 +46,24 @@ pub use check::bodies::{FileBody, FileEdge, FileFace, FilePatch, FileShell, File
 pub use check::file_content::{FileContent, ReadError};
 pub use check::file_sample::FileSample;
 pub use check::labels::{FileLabels, FileName};
+pub use compare::{ComparedKind, Comparison, CurveMeasures};
 pub use document::{
     Angle, AnglePairs, ArcFitSpec, ArcSpec, ArcSplineSpec, BiarcSpec, BlendTubeSpec, BorderCurves, BorderSpec,
-    BorderWord, BuiltObject, CircleSpec, CircleSplineSpec, CircularSurfaceSpec, ClampedEnds, Comment, ContactBlendSpec,
-    ContourFacts, Coordinates, CrossingPipeSpec, CyclidePatchSpec, CyclideSpec, CyclidicNetSpec, DOCUMENT_VERSION,
-    Directions, DiskSpec, Document, EllipseBridgeSpec, EndsSpec, FairEndPair, FairEndSpec, FairEndWord, FairEndsSpec,
-    FairFitSpec, FairSplineSpec, FamilySpec, Fitted, FrameSpec, FreeOr, GridSource, Lists, MakeCircularOptions,
-    MakeCircularSpec, MeshFile, ModelBuilder, NO_EFFECT, NormalsSpec, ObjectSpec, OffsetSpec, PipeCrossingSpec,
-    PipeSpec, PipeTeeSpec, PlaneSpec, PlateSpec, PlateWithNeckSpec, PointFile, PointSource, PolygonMeshFile,
-    PolylineSpec, RadiiSpec, RadiusLawSpec, RatePairs, Remark, RevolutionSpec, RotationSpec, RoundedPolyhedron,
-    RuledSpec, ScaleSpec, SmoothChoice, SmoothMeshSpec, SmoothPolyhedronSpec, SphereBlendSpec, SphereSpec, StepSpec,
-    StraightWord, SupportStructureSpec, TeeBlendSpec, TeeBranchSpec, TeeLawSpec, TeeMainSpec, TeeRadiusSpec,
-    TorusCircleSpec, TorusKnotSpec, TorusMethod, TorusSeamSpec, TorusSource, TorusSpec, TorusSplineSpec, TransformSpec,
-    TubeFacts, TubeSpec, TypeWord, UnrolledPlane, UnrolledSpec, WindingSpec, document_schema,
+    BorderWord, BridgeArcs, BuiltObject, CircleSpec, CircleSplineSpec, CircularSurfaceSpec, ClampedEnds, Comment,
+    ContactBlendSpec, ContourFacts, Coordinates, CrossingPipeSpec, CyclidePatchSpec, CyclideSpec, CyclidicNetSpec,
+    DOCUMENT_VERSION, Directions, DiskSpec, Document, EllipseBridgeSpec, EndsSpec, FairEndPair, FairEndSpec,
+    FairEndWord, FairEndsSpec, FairFitSpec, FairSplineSpec, FamilySpec, Fitted, FrameSpec, FreeOr, GridSource, Lists,
+    MakeCircularOptions, MakeCircularSpec, MeshFile, ModelBuilder, NO_EFFECT, NormalsSpec, NurbsSpec, ObjectSpec,
+    OffsetSpec, PipeCrossingSpec, PipeSpec, PipeTeeSpec, PlaneSpec, PlateSpec, PlateWithNeckSpec, PointFile,
+    PointSource, PolygonMeshFile, PolylineSpec, RadiiSpec, RadiusLawSpec, RatePairs, Remark, RevolutionSpec,
+    RotationSpec, RoundedPolyhedron, RuledSpec, ScaleSpec, SmoothChoice, SmoothMeshSpec, SmoothPolyhedronSpec,
+    SphereBlendSpec, SphereSpec, StepSpec, StraightWord, SupportStructureSpec, TeeBlendSpec, TeeBranchSpec, TeeLawSpec,
+    TeeMainSpec, TeeRadiusSpec, TorusCircleSpec, TorusKnotSpec, TorusMethod, TorusQuarticSpec, TorusSeamSpec,
+    TorusSource, TorusSpec, TorusSplineSpec, TransformSpec, TubeFacts, TubeSpec, TypeWord, UnrolledPlane, UnrolledSpec,
+    WindingSpec, document_schema,
+};
+pub use document::{
+    InterpolationFacts, MoebiusContinuity, MoebiusSplineSpec, ParameterRule, ParametersSpec, QbInterpolationSpec,
 };
 pub use error::{Error, Result};
 pub use export::camera::Camera;
@@ -54,10 +84,12 @@ pub use input::file::{MOST_INPUT_BYTES, read_head, read_input, read_standard_inp
 pub use input::points::{ColumnUnit, PointColumns, PointList, PointRemark, PointTable, read_points, unit_of_columns};
 pub use measure::joints::SurfaceJointReport;
 pub use report::{
-    CheckError, CircularReport, ComparisonReport, CurvatureRangeReport, CurvatureReport, CurvesReport, FairnessReport,
-    FileReport, FitPieces, FitReport, GeometryReport, JointReport, ObjectReport, PartReport, PatchPlace,
-    PolyhedronReport, RangeReport, Report, SeamReport, SegmentCounts, ShapeReport, SingularPatchReport, SmoothReport,
-    Spacing, SurfaceReport, TeeBlendReport, TorusReport, TubeReport, UnrolledReport, WarningReport, sample,
+    CheckError, CircularReport, ComparisonReport, ContourSamples, CurvatureRangeReport, CurvatureReport, CurveSample,
+    CurveSamples, CurvesReport, FairnessReport, FileReport, FitPieces, FitReport, GeometryReport, JointReport,
+    ObjectReport, PartReport, PatchPlace, PolyhedronReport, QbReport, RangeReport, Report, SampleOptions, SamplePlaces,
+    SeamReport, SegmentCounts, ShapeReport, SingularPatchReport, SmoothReport, Spacing, SurfaceReport,
+    TIGHTER_THAN_RADIUS, TeeBlendReport, TightPlaceReport, TightReport, TorusReport, TubeReport, UnrolledReport,
+    WarningReport, sample,
 };
 pub use text::place::{Diagnostic, Source, decode};
 pub use text::suggest::{did_you_mean, similar};

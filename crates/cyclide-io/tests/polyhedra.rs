@@ -89,6 +89,46 @@ fn every_source_gives_the_same_body() {
     }
 }
 
+/// With the radius 0: planes alone, in every source.
+#[test]
+fn the_polyhedron_itself_is_a_solid_of_planes() {
+    let pyramid = "\"points\": [[5,0,0],[1.5,4.8,0],[-4,3,0],[-4,-3,0],[1.5,-4.8,0],[0,0,4],[0,0,1],[0.2,0.1,0]]";
+    for (source, faces, patches) in [
+        (format!("\"points\": {CUBE:?}"), 6, 6),
+        (r#""mesh": {"stl": "cube.stl"}"#.to_owned(), 6, 6),
+        (pyramid.to_owned(), 6, 7),
+    ] {
+        let built = build_with(&format!("{source}, \"radius\": 0"), &files()).unwrap();
+        let report = Report::new(cyclide::Units::Millimetre, std::slice::from_ref(&built), None);
+        let GeometryReport::Surface(surface) = &report.objects["p"].geometry else { panic!("a surface") };
+        let polyhedron = surface.polyhedron.as_deref().unwrap();
+        assert!(surface.closed && surface.bodies == 1 && polyhedron.faces == faces && surface.patches == patches);
+        let [measured, formula] = [surface.volume.unwrap(), polyhedron.volume];
+        assert!((measured / formula - 1.0).abs() < 1e-13, "{source}: {measured} {formula}");
+        assert!((built.bodies[0].outer.area() / polyhedron.area - 1.0).abs() < 1e-13, "{source}");
+    }
+}
+
+/// OpenCASCADE takes an edge below 1e-7 mm for a point, whatever the units of the file; other formats hold it.
+#[test]
+fn edges_that_readers_take_for_points_are_refused_in_step() {
+    let made = |radius: f64, units: cyclide::Units| {
+        let built = build(&format!("\"points\": {CUBE:?}, \"radius\": {radius:e}")).unwrap();
+        let model = cyclide::Model { units, items: vec![built.item.clone()] };
+        let exporter = Exporter::new(&model).unwrap();
+        let step = exporter.export(Format::Step, &ExportOptions::default());
+        assert!(exporter.export(Format::Json, &ExportOptions::default()).is_ok());
+        step
+    };
+    let (mm, inch) = (cyclide::Units::Millimetre, cyclide::Units::Inch);
+    let error = made(5e-8, mm).unwrap_err();
+    assert_eq!(error.reason(), "edge-too-short");
+    assert!(error.to_string().contains("nearer than 1e-7 mm for one"), "{error}");
+    // Half of a quarter of a turn of this radius is longer.
+    assert!(!made(2e-7, mm).unwrap().notes.is_empty() && made(1e-5, mm).unwrap().notes.is_empty());
+    assert!(made(5e-8, inch).is_ok());
+}
+
 #[test]
 fn planes_are_planes_in_step_and_cylinders_cylinders() {
     let fields = format!("\"points\": {CUBE:?}, \"radius\": 0.5");
@@ -110,7 +150,7 @@ fn what_is_no_polyhedron_is_refused_at_its_place() {
     let points = format!("\"points\": {CUBE:?}");
     let flat = r#""points": [[0,0], [1,0], [1,1], [0,1], [0.2, 0.7]]"#;
     for (fields, place, reason) in [
-        (format!("{points}, \"radius\": 0"), "objects.p.radius", "[radius-not-positive]"),
+        (format!("{points}, \"radius\": -1"), "objects.p.radius", "[radius-not-positive]"),
         (format!("{points}, \"radius\": 1e-12"), "objects.p.radius", "[below-rounding-of-place]"),
         (format!("{points}, \"radius\": 1, \"flatness\": -1"), "objects.p.flatness", "[parameter-out-of-range]"),
         (format!("{}, \"radius\": 1", inline(&FACES[1..])), "objects.p.faces", "[not-closed]"),

@@ -416,6 +416,8 @@ fn warnings_of_the_surface_name_the_polygons_of_the_file() {
 fn what_cannot_be_made_smooth_is_refused_with_its_place() {
     let message = |fields: &str| build_with(fields, &[]).unwrap_err();
     let third = [TRIANGLES.as_slice(), &[[0, 2, 3]]].concat();
+    let mut zero = POINTS;
+    zero[2] = [0.0; 3];
     let flipped: Vec<[usize; 3]> =
         TRIANGLES.iter().enumerate().map(|(k, t)| if k == 5 { [t[0], t[2], t[1]] } else { *t }).collect();
     for (fields, place, reason) in [
@@ -430,6 +432,7 @@ fn what_cannot_be_made_smooth_is_refused_with_its_place() {
         ),
         (format!("{}, \"crease_angle\": 4", inline(&TRIANGLES)), "objects.p.crease_angle", "angle-out-of-range"),
         (format!("{}, \"normals\": [[0,0,1]]", inline(&TRIANGLES)), "objects.p.normals", "count-differs"),
+        (format!("{}, \"normals\": {zero:?}", inline(&TRIANGLES)), "objects.p.normals[2]", "undefined-normal"),
     ] {
         let message = message(&fields);
         assert!(message.contains(place) && message.contains(&format!("[{reason}]")), "{message}");

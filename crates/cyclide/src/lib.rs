@@ -72,11 +72,13 @@
 //! | points, directions, frames, boxes | [`Point3`], [`Vec3`], [`Point2`], [`Vec2`], [`Quat`], [`Frame`], [`Aabb`] |
 //! | maps | [`Mobius`] (inversions, similarities), [`Conformal`] (what they keep), [`HPoint`], [`Sphere`] |
 //! | circles and arcs | [`Circle`], [`Arc`], [`Arc4`], [`Biarc`] ([`BiarcRule`]), [`ArcPath`], [`DEFAULT_PIECE_ANGLE`] |
-//! | curves through points | [`CircleSpline::fair`] ([`FairSplineOptions`], [`FairEnd`], [`blends_by_turn`]), [`CircleSpline::from_points`] ([`CircleSplineOptions`], [`SplineEnds`]), [`ArcPath::spline`] ([`ArcSplineOptions`], [`estimate_tangents`]), [`ArcPath::rounded_polyline`], [`BlendSegment`] ([`BlendVariant`], [`BlendLaw`]), [`corners_by_angle`] |
+//! | curves through points | [`CircleSpline::fair`] ([`FairSplineOptions`], [`FairEnd`], [`blends_by_turn`]), [`CircleSpline::from_points`] ([`CircleSplineOptions`], [`SplineEnds`]), [`ArcPath::spline`] ([`ArcSplineOptions`], [`estimate_tangents`]), [`ArcPath::rounded_polyline`], [`QbSpline::through_points`] ([`MoebiusSplineOptions`], [`circle_tangents`]), [`QbInterpolation`] ([`NodeParameters`], [`QbNode`]), [`BlendSegment`] ([`BlendVariant`], [`BlendLaw`]), [`corners_by_angle`] |
+//! | quotients of quaternion polynomials | [`QbCurve`] ([`QbReach`]), [`QbSpline`] |
 //! | curves near points | [`ArcFit`] (fewest arcs: [`ArcFitOptions`], [`FitTarget`], [`Effort`], [`FitCertificate`]), [`FairFit`] (fairest curve: [`FairFitOptions`], [`FairFitCertificate`]), [`certify_arc`] ([`ArcCertificate`]), [`feasible_bulges`] ([`BulgeIntervals`]), [`curvature_intervals`] |
 //! | evaluation | [`ParamCurve::point`], [`ParamCurve::jet`], [`ParamSurface::point`], [`ParamSurface::jet`], [`CurveJet`], [`SurfaceJet`]; what a piece is: [`PieceForm`], [`PieceHull`] |
 //! | measures of curves | [`length()`], [`resample`], [`ArcLength`], [`closest_point`] ([`ClosestPoint`]), [`CurveIndex`], [`bounds()`] |
-//! | continuity and fairness | [`joints`] ([`Joint`]), [`extreme_curvature`] ([`ExtremeCurvature`]), [`curvature_comb`], [`fairness()`] ([`Fairness`]), [`wavering()`] ([`Wavering`], [`RoundedTurns`], [`CORNER_ANGLE`]) |
+//! | frames along curves | [`CurveFrames`] ([`FrameRule`], [`ClosedTwist`], [`CurveFrame`]) |
+//! | continuity and fairness | [`joints`] ([`Joint`]), [`extreme_curvature`] ([`ExtremeCurvature`]), [`bending_energy`], [`tight_places`] ([`TightPlace`]), [`plane_normal`], [`curvature_comb`], [`fairness()`] ([`Fairness`]), [`wavering()`] ([`Wavering`], [`RoundedTurns`], [`CORNER_ANGLE`]) |
 //! | exact rational forms | [`NurbsCurve`], [`RationalBezier`], [`RationalBezierSurface`], [`RationalRun`] |
 //! | patches, nets, whole cyclides | [`CyclidePatch`] ([`PatchKind`], [`ImplicitForm`], [`PatchRow`], [`PatchLocation`]), [`CyclidicNet`] ([`NetFrame`], [`SingularPatch`]), [`DupinCyclide`] ([`CyclideKind`]), [`QuadGrid`], [`Seam`] ([`SeamMeasure`]) |
 //! | quads made circular | `make_circular`, with the feature `circular-mesh`: `CircularMesh`, `CircularMeshOptions`, `Border`, `CircularMeshStep`, `CircularMeshReport`, `LineAngles`, `VertexMoves` |
@@ -132,6 +134,7 @@ pub use construct::{CrossingPipe, MadeCrossing, PipeCrossing};
 pub use construct::{EllipseBridge, NeckBlend, NeckBody, NeckSide, NeckVariant, PlateShape};
 pub use construct::{FairFit, FairFitCertificate, FairFitOptions};
 pub use construct::{MadeTee, PipeTee, TeeBlend, TeeBlendFacts, TeeBranch, TeeEnds, TeeMain};
+pub use construct::{MoebiusSplineOptions, NodeParameters, QbInterpolation, QbNode, circle_tangents};
 pub use construct::{Pipe, PipeEnds, RailSurface, RationalRun, Revolution, TorusSeam};
 pub use construct::{
     ProjectiveBiarc, TorusMap, TorusSplineOptions, TorusTangent, TorusWinding, TwoTypeBiarc, UnrollOptions,
@@ -142,8 +145,10 @@ pub use curve::{ArcLength, CurveIndex, ExtremeCurvature, Joint};
 pub use curve::{
     BlendLaw, BlendSegment, BlendVariant, CircleSpline, CircleSplineOptions, SplineEnds, corners_by_angle,
 };
-pub use curve::{CORNER_ANGLE, Fairness, RoundedTurns, Wavering, fairness, wavering};
+pub use curve::{CORNER_ANGLE, Fairness, RoundedTurns, Wavering, fairness, plane_normal, wavering};
+pub use curve::{ClosedTwist, CurveFrame, CurveFrames, FrameRule, TightPlace, bending_energy, tight_places};
 pub use curve::{Correspondence, CurvePlace, Span};
+pub use curve::{QbCurve, QbReach, QbSpline};
 pub use curve::{bounds, closest_point, curvature_comb, extreme_curvature, joints, length, resample};
 pub use error::{Error, ErrorItem, Result, reasons};
 pub use mesh::{LineKind, ParameterLine, parameter_lines};

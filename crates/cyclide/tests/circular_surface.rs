@@ -3,8 +3,8 @@
 
 use cyclide::{
     Arc, Body, Conformal as _, EdgeCurve, EllipseBridge, Error, FaceGeometry as _, FaceSurface, Mobius,
-    ParamSurface as _, PatchKind, Point3, Quat, RationalBezier, RationalBezierSurface, Vec3, surface_joints,
-    tessellate,
+    ParamSurface as _, PatchKind, Point3, Quat, RailSurface, RationalBezier, RationalBezierSurface, Vec3, Warning,
+    surface_joints, tessellate,
 };
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -74,6 +74,7 @@ fn solid_bridges_have_known_volumes() {
         let solid = bridge.body(Some(1.5));
         if crossing {
             assert_eq!(solid.unwrap_err().reason(), "ellipses-cross");
+            assert_eq!(bridge.whole_circles().unwrap_err().reason(), "ellipses-cross");
             continue;
         }
         let solid = solid.unwrap();
@@ -99,6 +100,14 @@ fn solid_bridges_have_known_volumes() {
         let want = (arch + 1.5 * ring).abs();
         let found = solid.outer.known_volume().unwrap();
         assert!((found / want - 1.0).abs() < 1e-10, "{first:?} {second:?}: {found} {want}");
+        // Whole circles: the same arch above and below.
+        let whole = bridge.whole_circles().unwrap();
+        assert!(whole.is_solid() && whole.outer.edge_uses().into_iter().all(|uses| uses == 2));
+        let found = whole.outer.known_volume().unwrap();
+        assert!((found / (2.0 * arch.abs()) - 1.0).abs() < 1e-10, "{first:?} {second:?}: {found} {arch}");
+        for joint in surface_joints(&whole.outer) {
+            assert!(joint.gap < 1e-14 * 3.0 && joint.angle < 1e-7, "{joint:?}");
+        }
     }
 }
 
@@ -180,7 +189,15 @@ fn chords_of_different_lengths_have_arcs_to_the_same_limit() {
             ([segment(p(0.0, 0.0, 0.0), p(20.0, 0.0, 0.0))], [segment(p(0.0, 8.0, 0.0), p(20.0, end, 0.0))]);
         for angle in [0.0101_f64, 0.02, 0.1, 0.3, 1.0] {
             let tangent = Vec3::new(0.0, -angle.cos(), angle.sin());
-            let body = Body::circular([&first, &second], &[tangent], false).unwrap();
+            let made = RailSurface::circular([&first, &second], &[tangent], false).unwrap();
+            match made.warnings() {
+                [] => assert!(angle >= 0.1),
+                [Warning::NearlyFullArcs { piece: 0, angle: said, limit }] => {
+                    assert!((said - angle).abs() < 1e-12 && angle < *limit);
+                }
+                other => panic!("{other:?}"),
+            }
+            let body = made.into_body();
             assert!(surface_joints(&body.outer).iter().all(|joint| joint.angle < 1e-7), "{end} {angle}");
             for face in body.outer.faces() {
                 let FaceSurface::Rational(surface) = &face.surface else { panic!("a rational face") };
@@ -371,7 +388,17 @@ fn rails_that_do_not_fit_are_refused() {
     assert_eq!(circular(&b, &[Vec3::Z; 2]), "count-differs");
     assert_eq!(circular(&b, &[Vec3::ZERO]), "zero-tangent");
     assert_eq!(circular(&b, &[Vec3::new(f64::NAN, 0.0, 0.0)]), "not-finite");
-    assert_eq!(circular(&b, &[Vec3::new(0.0, -1.0, 0.0)]), "tangent-opposes-chord");
+    // Halfway between directions that oppose each other, of whatever lengths, there is none.
+    let x = Vec3::X;
+    for (tangents, first, second) in
+        [([Vec3::Z, -Vec3::Z, x], 0, 1), ([x, Vec3::Z * 1e3, Vec3::new(0.0, 1e-9, -1.0)], 1, 2)]
+    {
+        let error = Body::circular([&a, &b], &tangents, false).unwrap_err();
+        assert!(
+            matches!(error, Error::OppositeTangents { first: f, second: s, .. } if [f, s] == [first, second]),
+            "{error}"
+        );
+    }
     assert_eq!(circular(&a, &[Vec3::Z]), "coincident-points");
     // From one point on.
     let fan = [segment(p(0.0, 0.0, 0.0), p(0.0, 1.0, 0.0)), segment(p(0.0, 1.0, 0.0), p(0.0, 2.0, 0.0))];

@@ -90,7 +90,9 @@ fn the_pipe_variant_is_at_the_radius_from_the_way_of_the_ball_and_has_its_normal
 }
 
 fn made(height: f64, plate: Option<PlateShape>, thickness: Option<f64>, wall: Option<f64>) -> NeckBody {
-    NeckBody { height, plate, thickness, wall }
+    let mut made = NeckBody::new(height);
+    (made.plate, made.thickness, made.wall) = (plate, thickness, wall);
+    made
 }
 
 /// The bodies of a neck with all kinds of plates, open and, unless it folds, solid.

@@ -197,7 +197,7 @@ fn what_is_no_crossing_is_refused_with_its_measures() {
     let refused = |radii, distance, blend| {
         crossing(radii, distance, blend).and_then(|c| c.made().map(|_| ())).expect_err("no crossing")
     };
-    assert_eq!(refused([2.0, 3.0], 1.0, 0.5), Error::NotTimelikePair { measured: 1.0, limit: 1.0 });
+    assert_eq!(refused([2.0, 3.0], 1.0, 0.5), Error::CrossingAxesTooNear { distance: 1.0, limit: 1.0 });
     assert_eq!(refused([2.0, 2.0], 5.0, 0.5), Error::RadiusTooSmall { radius: 0.5, limit: 0.5 });
     assert_eq!(refused([2.0, -2.0], 3.0, 0.5).reason(), "radius-not-positive");
     assert_eq!(refused([2.0, 2.0], f64::NAN, 0.5).reason(), "not-finite");
@@ -214,4 +214,18 @@ fn what_is_no_crossing_is_refused_with_its_measures() {
     // A ball of four times the pipes has no room to roll.
     let Error::CrossingFolds { left, .. } = refused([2.0, 2.0], 3.0, 9.0) else { panic!("it folds") };
     assert!(left <= 0.0, "{left}");
+}
+
+#[test]
+fn long_pipes_and_the_smallest_balls() {
+    // What is rounding is that of the hole, however long the pipes.
+    let long = [20.0, 15.0].map(|radius| CrossingPipe { radius, ends: [-1e7, 1e7] });
+    assert!(PipeCrossing::new(long, 30.0, 6.0).expect("a crossing").made().expect("a solid").body.is_solid());
+    let pipes = [20.0, 15.0].map(|radius| CrossingPipe { radius, ends: [-80.0, 80.0] });
+    let tiny = PipeCrossing::new(pipes, 34.999_999_999_9, 1e-10).expect("a pair").made().expect_err("rounding");
+    assert_eq!(tiny.reason(), "below-rounding-of-place");
+    // Pipes nearly on one axis: the hole is what is wrong, not the tolerance.
+    let equal = [20.0, 20.0].map(|radius| CrossingPipe { radius, ends: [-80.0, 80.0] });
+    let wide = PipeCrossing::new(equal, 0.01, 1.0).expect("a pair").made().expect_err("too wide");
+    assert_eq!(wide.reason(), "crossing-hole-too-wide");
 }

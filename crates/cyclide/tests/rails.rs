@@ -6,6 +6,7 @@ use cyclide::{
     Arc, Body, EdgeCurve, EllipseBridge, Error, FaceSurface, Point3, RailSurface, RationalBezier, Vec3, Warning,
     surface_joints,
 };
+use proptest::prelude::*;
 use std::f64::consts::PI;
 use std::slice::from_ref;
 
@@ -31,6 +32,112 @@ fn arcs_that_cross_are_refused() {
     // Arcs that lean over each other without meeting.
     let twisted = through([[-1.0, 0.5, 0.0], [0.3, 0.4, 1.0], [1.0, 0.5, 2.0]]);
     assert!(Body::circular([&[first], &[twisted]], &[Vec3::Z, Vec3::new(1.0, 0.0, 1.0)], false).is_ok());
+}
+
+fn segment(from: [f64; 3], to: [f64; 3]) -> [EdgeCurve; 1] {
+    [Arc::segment(from.into(), to.into()).unwrap().into()]
+}
+
+#[test]
+fn arcs_that_fold_over_in_their_plane_are_refused() {
+    // The arcs of a strip are one arc, moved along x: they cross where it runs back across y.
+    for turned in [false, true] {
+        let place = |x: f64, y: f64| if turned { [0.6 * x, y, 0.8 * x] } else { [x, y, 0.0] };
+        let rails = [segment(place(0.0, 0.0), place(30.0, 0.0)), segment(place(0.0, 20.0), place(30.0, 20.0))];
+        let strip = |x: f64, y: f64| Body::circular([&rails[0], &rails[1]], &[Vec3::from(place(x, y))], false);
+        for (x, y) in [(0.0, 1.0), (1.0, 1.0), (1.0, 0.2), (1.0, 0.0), (-1.0, 0.0), (1.0, 1e-9)] {
+            let area = strip(x, y).unwrap().outer.known_area().unwrap();
+            assert!((area - 600.0).abs() < 1e-9, "{x} {y}: {area}");
+        }
+        for (x, y) in [(1.0, -1.0), (1.0, -0.2), (-1.0, -0.2), (1.0, -0.01), (0.1, -1.0)] {
+            assert_eq!(strip(x, y).unwrap_err().reason(), "arcs-cross", "{x} {y}");
+        }
+    }
+    // Both curves turn back on themselves at a joint, with it the surface.
+    let there_and_back =
+        |y: f64| [segment([0.0, y, 0.0], [9.0, y, 0.0]), segment([9.0, y, 0.0], [1.0, y, 0.0])].concat();
+    let error = Body::circular([&there_and_back(0.0), &there_and_back(5.0)], &[Vec3::new(1.0, 3.0, 0.0)], false);
+    assert!(matches!(error, Err(Error::ArcsCross { piece: 1, at: [0.0, _] })), "{error:?}");
+    // Rails in the line of straight arcs: no surface at all.
+    let line = [segment([0.0; 3], [1.0, 0.0, 0.0]), segment([5.0, 0.0, 0.0], [7.0, 0.0, 0.0])];
+    assert_eq!(Body::circular([&line[0], &line[1]], &[Vec3::X], false).unwrap_err().reason(), "arcs-cross");
+}
+
+/// Rails in planes that hold all neighbours of the arc at 0, where both run along one direction: neighbours come through the cylinder
+/// over it, and then through its plane.
+#[test]
+fn arcs_that_touch_their_neighbours_are_refused() {
+    let rail = |y: f64, z: f64| cubic([[0.0, y, 0.0], [1.0, y, 0.0], [2.0, y, z], [3.0, y, 3.0 * z]]);
+    let both = |tangent: Vec3| Body::circular([&[rail(0.0, 1.0)], &[rail(20.0, 1.0)]], &[tangent], false);
+    assert!(both(Vec3::new(1.0, 1.0, 0.0)).is_ok());
+    let Err(Error::ArcsCross { at: [s, t], .. }) = both(Vec3::new(1.0, -1.0, 0.0)) else { panic!("folds at 0") };
+    assert!(s < 0.05 && (0.05..0.5).contains(&t), "{s} {t}");
+}
+
+/// Twice the area between an arc with this start tangent and its chord, positive left of it.
+fn segment_area(chord: [f64; 2], tangent: [f64; 2]) -> f64 {
+    let [dot, cross] = [chord[0] * tangent[0] + chord[1] * tangent[1], tangent[0] * chord[1] - tangent[1] * chord[0]];
+    let half = cross.abs().atan2(dot);
+    if half < 1e-9 {
+        return 0.0;
+    }
+    let sector = (half - half.sin() * half.cos()) / half.sin().powi(2);
+    // An arc that turns left leaves its chord to the right.
+    cross.signum() * sector * 0.5 * (chord[0].powi(2) + chord[1].powi(2))
+}
+
+fn place() -> impl Strategy<Value = [f64; 2]> {
+    prop::array::uniform2(-10.0..10.0_f64)
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 256, failure_persistence: None, ..ProptestConfig::default() })]
+
+    /// In a plane a surface has the area inside its border, or is refused because its arcs run both ways.
+    #[test]
+    fn planar_surfaces_have_the_area_inside_their_border(
+        ends in prop::array::uniform4(place()), tangents in prop::array::uniform2(place()),
+        bulges in prop::array::uniform2(-0.57..0.57_f64), one in any::<bool>(), arcs in any::<bool>()
+    ) {
+        let tangents = if one { [tangents[0]; 2] } else { tangents };
+        let bulges = if arcs { bulges } else { [0.0; 2] };
+        let at = |[x, y]: [f64; 2]| Point3::new(x, y, 0.0);
+        let arc = |k: usize| Arc::from_bulge(at(ends[2 * k]), at(ends[2 * k + 1]), Vec3::Z, bulges[k]);
+        let (Ok(first), Ok(second)) = (arc(0), arc(1)) else { return Ok(()) };
+        let chord = |k: usize| [ends[2 + k][0] - ends[k][0], ends[2 + k][1] - ends[k][1]];
+        let vector = |[x, y]: [f64; 2]| Vec3::new(x, y, 0.0);
+        // The border: the first rail, the arc at its end, the second rail and the arc at the start backwards.
+        let way = |k: usize| [ends[2 * k + 1][0] - ends[2 * k][0], ends[2 * k + 1][1] - ends[2 * k][1]];
+        let bulged = |k: usize, arc: &Arc| segment_area(way(k), [arc.start_derivative().x, arc.start_derivative().y]);
+        let corners = [ends[0], ends[1], ends[3], ends[2]];
+        let polygon: f64 = (0..4).map(|k| {
+            let (p, q) = (corners[k], corners[(k + 1) % 4]);
+            p[0] * q[1] - p[1] * q[0]
+        }).sum();
+        let border = polygon + bulged(0, &first) - bulged(1, &second) + segment_area(chord(1), tangents[1]) - segment_area(chord(0), tangents[0]);
+        let rails = [EdgeCurve::from(first), second.into()];
+        let tangents = tangents.map(vector);
+        match Body::circular([&rails[..1], &rails[1..]], &tangents[..if one { 1 } else { 2 }], false) {
+            Ok(body) => {
+                let area = body.outer.known_area().unwrap();
+                // Quadrature next to arcs of fifty chords' radius.
+                prop_assert!((area - 0.5 * border.abs()).abs() <= 1e-7 * area, "{area} {}", 0.5 * border);
+            }
+            Err(Error::ArcsCross { .. }) => {
+                let [one, other] = [first, second].map(|rail| rail.evened().to_rational());
+                let surface = cyclide::RationalBezierSurface::circular(&one, &other, tangents).unwrap();
+                // Somewhere on a grid that is finer near the ends.
+                let grid = || (0..=200).map(|k| 0.5 - 0.5 * (PI * f64::from(k) / 200.0).cos());
+                let sides = grid().flat_map(|s| grid().map(move |t| (s, t))).map(|(s, t)| {
+                    let jet = surface.jet(s, t);
+                    jet.ds.cross(jet.dt).z
+                });
+                let (least, most) = sides.fold((f64::MAX, f64::MIN), |(a, b), x| (a.min(x), b.max(x)));
+                prop_assert!(least < 0.0 && most > 0.0, "{least} {most}");
+            }
+            Err(_) => {}
+        }
+    }
 }
 
 /// A cubic through the plane of its points.

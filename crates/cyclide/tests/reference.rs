@@ -125,3 +125,26 @@ fn patches_and_nets() {
         ],
     );
 }
+
+#[test]
+fn qb_curves_interpolation_and_moebius_splines() {
+    all_pass(
+        include_str!("reference/40-interpolation.json"),
+        &[
+            ("qb-evaluate", 12),
+            ("qb-to-rational-bezier", 12),
+            ("qb-subdivide", 12),
+            ("qb-elevate", 12),
+            ("qb-moebius", 12),
+            ("pole-report", 17),
+            ("interpolate-points", 54),
+            ("interpolate-hermite", 17),
+            ("hermite-three-points-two-tangents", 25),
+            ("invariant-span", 23),
+            ("circle-tangents", 19),
+            ("circle-tangent-spline", 18),
+            ("g1-circle-spline", 25),
+            ("spline-nurbs", 3),
+        ],
+    );
+}

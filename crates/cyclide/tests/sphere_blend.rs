@@ -1,7 +1,7 @@
 //! Sphere blends over one triangle: laws of `docs/math/triangle-surfaces.md#sphere-blend`.
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
-use cyclide::{Circle, Mobius, Point3, Quat, SideLine, Sphere, SphereBlend, TriangleSurface, Vec3};
+use cyclide::{Circle, Mobius, Point3, Quat, SideLine, Sphere, SphereBlend, TriangleSurface, Vec3, Warning};
 use proptest::prelude::*;
 use std::f64::consts::PI;
 
@@ -153,6 +153,16 @@ fn refusals_have_names() {
     let [x, y, z] = [Vec3::X, Vec3::Y, Vec3::ZERO];
     assert_eq!(SphereBlend::from_normals(c, [x, y, z]).unwrap_err().reason(), "undefined-normal");
     assert_eq!(SphereBlend::from_normals(c, [x, y, x * f64::NAN]).unwrap_err().reason(), "not-finite");
+    let error = SphereBlend::from_normals(c, [x, y, z]).unwrap_err().to_string();
+    assert_eq!(error, "vertex 2 has no normal: the one given for it is zero");
+    // Above and below: it is made, and said.
+    let large = [[0.0, 0.0, 0.0], [10.0, 0.0, 0.0], [0.0, 10.0, 0.0]].map(Point3::from);
+    let control = [[5.0, 5.0, 50.0], [5.0, 5.0, -50.0], [3.0, 3.0, 1.0]].map(Point3::from);
+    let wild = SphereBlend::from_control_points(large, control).and_then(SphereBlend::whole).unwrap();
+    let [Warning::SpheresNearlyOpposite { length, limit }] = wild.warnings()[..] else { panic!("it is said") };
+    assert!((length - 0.02558).abs() < 1e-5 && length < limit);
+    let ball = SphereBlend::from_normals(c, c.map(Point3::to_vec)).unwrap();
+    assert_eq!(ball.warnings(), []);
     // In the plane outside the circle: the plane turned over.
     let flat = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0]].map(Point3::from);
     assert_eq!(refused(flat, [Point3::new(3.0, 0.0, 0.0); 3]), "patch-through-infinity");

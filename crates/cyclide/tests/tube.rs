@@ -3,8 +3,9 @@
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use cyclide::{
-    ArcPath, Ball, Body, Circle, Frame, Lower as _, ParamSurface as _, Pipe, PipeEnds, Point2, Point3, RadiusLaw,
-    Torus, TorusSpline, Tube, Vec3, surface_joints,
+    ArcLength, ArcPath, Ball, Body, Circle, CircleSpline, CircleSplineOptions, CurveObject, FairSplineOptions, Frame,
+    Lower as _, ParamSurface as _, Pipe, PipeEnds, Point2, Point3, RadiusLaw, Torus, TorusSpline, Tube, Vec3,
+    surface_joints,
 };
 use std::f64::consts::{PI, TAU};
 
@@ -219,4 +220,84 @@ fn what_folds_meets_itself_or_swallows_is_refused() {
     assert!(RadiusLaw::new(&[[0.5, 1.0], [0.5, 2.0]]).is_err() && RadiusLaw::new(&[]).is_err());
     let tube = Tube::along(&spine, &law, 1e-3).unwrap();
     assert_eq!(tube.with_wall(0.6).unwrap_err().reason(), "parameter-out-of-range");
+}
+
+/// Tubes along curves that are not of arcs are within their bound of the balls of the law along the curve itself, by its own length:
+/// every point of the skin is on the envelope of these balls, but for what is between two of 40,000.
+#[test]
+fn tubes_along_splines_are_within_their_bound() {
+    let points = [[0.0, 0.0, 0.0], [60.0, 0.0, 0.0], [95.0, 35.0, 10.0], [70.0, 75.0, 30.0], [20.0, 70.0, 45.0]];
+    let points = points.map(Point3::from);
+    let torus = Torus::new(Frame::WORLD, 60.0, 25.0).unwrap();
+    // Flat at both ends: so it is the same along closed curves.
+    let swing = RadiusLaw::new(&[[0.0, 3.0], [0.1, 3.0], [0.5, 6.0], [0.9, 3.0], [1.0, 3.0]]).unwrap();
+    let curves: [CurveObject; 3] = [
+        CircleSpline::fair(&points, &FairSplineOptions::default()).unwrap().into(),
+        CircleSpline::from_points(&points, &CircleSplineOptions::default()).unwrap().into(),
+        TorusSpline::knot(&torus, [2, 3], Point2::new(0.2, 0.1)).unwrap().into(),
+    ];
+    for (number, curve) in curves.iter().enumerate() {
+        for (law, tolerance) in [(&swing, 0.05), (&swing, 2e-3), (&RadiusLaw::constant(3.0).unwrap(), 5e-3)] {
+            let arcs = curve.lower_to_arcs(0.2 * tolerance).unwrap();
+            let made = Tube::along_curve(curve.as_curve(), (&arcs.form, &arcs.correspondence), law, tolerance);
+            let tube = made.unwrap_or_else(|e| panic!("{number} {tolerance}: {e}"));
+            assert!(tube.bound() > 0.0 && tube.bound() <= tolerance, "{number}: {}", tube.bound());
+            let places = ArcLength::new(curve.as_curve()).uniform(40_000);
+            let last = places.len() - 1;
+            let ball =
+                |(k, t): (usize, &f64)| Ball::new(curve.as_curve().point(*t), law.radius(k as f64 / last as f64));
+            let balls: Vec<Ball> = places.iter().enumerate().map(ball).collect();
+            let body = tube.body().unwrap();
+            for face in body.outer.faces().iter().step_by(7) {
+                let p = face.surface.point(0.4, 0.6);
+                let depth = balls.iter().map(|b| p.distance(b.center) - b.radius).fold(f64::INFINITY, f64::min);
+                assert!(depth.abs() <= tube.bound() + 2e-5 || is_end(p, &balls), "{number} {tolerance}: {depth:e}");
+            }
+        }
+        // Arcs that are too far off are refused, not taken for the curve.
+        let coarse = curve.lower_to_arcs(0.5).unwrap();
+        let parts = (&coarse.form, &coarse.correspondence);
+        let error = Tube::along_curve(curve.as_curve(), parts, &swing, 1e-3).unwrap_err();
+        assert_eq!(error.reason(), "not-within-tolerance");
+    }
+}
+
+/// On the plane end of a tube: nearer to the first or the last centre than to the skin.
+fn is_end(p: Point3, balls: &[Ball]) -> bool {
+    [balls.first(), balls.last()].into_iter().flatten().any(|b| p.distance(b.center) < 0.99 * b.radius)
+}
+
+/// A tube ends with a disk where its ends are not round: another part may pass the end nearer than the ball there would reach. Here the last
+/// segment ends 3 away from the first one, whose radius is 2; a radius of 2 fits, with round ends it does not, and 3.1 does not at all.
+#[test]
+fn flat_ends_reach_as_far_as_their_disks() {
+    let hook = [[0.0, 0.0, 0.0], [40.0, 0.0, 0.0], [40.0, 30.0, 0.0], [10.0, 30.0, 0.0], [10.0, 3.0, 0.0]];
+    let spine = ArcPath::rounded_polyline(&hook.map(Point3::from), false, &[0.0, 5.0, 5.0, 5.0, 0.0]).unwrap();
+    let body = |radius: f64, ends: PipeEnds| {
+        Tube::along(&spine, &RadiusLaw::constant(radius).unwrap(), 1e-3).unwrap().with_ends(ends).body()
+    };
+    assert!(body(2.0, PipeEnds::Flat).unwrap().is_solid() && body(2.9, PipeEnds::Open).is_ok());
+    assert_eq!(body(2.0, PipeEnds::Round).unwrap_err().reason(), "pipe-meets-itself");
+    assert_eq!(body(3.1, PipeEnds::Flat).unwrap_err().reason(), "pipe-meets-itself");
+    // A ring cut open: its ends face each other across a gap far below the radius.
+    let ring = |gap: f64| {
+        let circle = Circle::from_radius(Point3::ORIGIN, Vec3::Z, 20.0).unwrap();
+        let angles = [0.0, 0.5, 1.0].map(|k| gap / 40.0 + k * (TAU - gap / 20.0));
+        let [a, b, c] = angles.map(|angle| circle.center() + Vec3::new(angle.cos(), angle.sin(), 0.0) * 20.0);
+        let spine = ArcPath::new(vec![cyclide::Arc::from_three_points(a, b, c).unwrap()], false).unwrap();
+        Tube::along(&spine, &RadiusLaw::constant(4.0).unwrap(), 1e-3).unwrap().body()
+    };
+    assert!(ring(0.5).unwrap().is_solid());
+}
+
+/// Bends that leave a tube no width are refused as such, however little they miss.
+#[test]
+fn bends_of_the_radius_fold() {
+    let bend = [[0.0, 0.0, 0.0], [20.0, 0.0, 0.0], [20.0, 20.0, 0.0]].map(Point3::from);
+    let spine = ArcPath::rounded_polyline(&bend, false, &[0.0, 5.0, 0.0]).unwrap();
+    let body = |radius: f64| Tube::along(&spine, &RadiusLaw::constant(radius).unwrap(), 1e-3).unwrap().body();
+    for less in [0.0, 1e-12, 1e-8] {
+        assert_eq!(body(5.0 * (1.0 - less)).unwrap_err().reason(), "tube-folds", "{less}");
+    }
+    assert!(body(5.0 * (1.0 - 1e-4)).is_ok());
 }

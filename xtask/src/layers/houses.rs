@@ -88,6 +88,7 @@ pub const IO: House = House {
         ("formats", &["export", "drawing", "check", "input", "text"]),
         ("document", &["export", "formats", "input", "measure", "text", "error"]),
         ("report", &["document", "formats", "check", "export", "measure", "text"]),
+        ("compare", &["document", "text"]),
     ],
     is_kernel: false,
 };

@@ -9,6 +9,8 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{ArgAction, Args as ClapArgs, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 
+use super::compare::{self, CompareArgs};
+use super::sample::{self, SampleArgs};
 use super::words::word;
 
 const EXIT_CODES: &str = "\
@@ -87,21 +89,11 @@ Examples:
 The file: one point per line, separated by commas, semicolons, tabs or blanks; a header line is optional. A blank line
 starts a new contour, as does a new value in a column named 'contour'; a column 'corner' (0 or 1) marks corners.";
 
-const SAMPLE_EXAMPLES: &str = "\
-Examples:
-  cyclide sample logo.json --count 500 > logo.csv
-  cyclide sample cable.json --object cable --count 200 --equal-length -o cable.csv
-  cyclide sample roof.json --object 'outer skin' --count 8 -o roof.csv
-
-Curves: columns t,x,y,z,tangent_x,tangent_y,tangent_z,curvature, with a column 'contour' in front if the object has
-several. Each contour gets its own samples, both ends included.
-Surfaces: columns patch,s,t,x,y,z,normal_x,normal_y,normal_z,curvature_s,curvature_t on a grid of N by N places of every
-patch, edges included, with a column 'body' in front if the object has several.";
-
 const REPORT_EXAMPLES: &str = "\
 Examples:
   cyclide report logo.json
   cyclide report logo.json --json | jq '.objects[].length'
+  cyclide report track.json --min-radius 12
   cyclide report roof.json --json | jq '.objects[].circular.move_max'
 
 docs/report.md explains every word of the report, with what is good and what to do about the rest; the fields of --json are in
@@ -134,8 +126,11 @@ pub enum Command {
     /// Turn a list of points into a curve and write it to files.
     #[command(after_help = CURVE_EXAMPLES)]
     Curve(CurveArgs),
-    /// Sample an object of a model: points, tangents or normals, curvatures as CSV.
-    #[command(after_help = SAMPLE_EXAMPLES)]
+    /// Set all kinds of curve through or near the same points side by side.
+    #[command(after_help = compare::EXAMPLES)]
+    Compare(CompareArgs),
+    /// Sample an object of a model: points, stations, tangents, frames or normals, curvatures as CSV or JSON.
+    #[command(after_help = sample::EXAMPLES)]
     Sample(SampleArgs),
     /// Build a model document and report on its objects without writing files.
     #[command(after_help = REPORT_EXAMPLES)]
@@ -196,7 +191,7 @@ pub struct BuildArgs {
 }
 
 /// Options about the files that are written.
-#[derive(Debug, ClapArgs)]
+#[derive(Debug, Default, ClapArgs)]
 pub struct OutputArgs {
     // Its help names the suffixes.
     #[arg(short, long = "output", value_name = "FILE", required = true, action = ArgAction::Append, help = output_help())]
@@ -209,6 +204,9 @@ pub struct OutputArgs {
     /// Print the report as JSON (docs/report.md explains its words).
     #[arg(long)]
     pub json: bool,
+    /// Name the places of curves whose radius is below R, in the report and as warnings.
+    #[arg(long, value_name = "R", value_parser = positive, allow_negative_numbers = true)]
+    pub min_radius: Option<f64>,
     /// Most pieces of one file, cells of meshes and vertices of polylines together; one to two kilobytes of memory each [default:
     /// 1000000, and 16 for each piece of a curve and each patch].
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..=1_000_000_000))]
@@ -252,7 +250,7 @@ pub struct OutputArgs {
 }
 
 /// How files are written.
-#[derive(Debug, Clone, Copy, ClapArgs)]
+#[derive(Debug, Clone, Copy, Default, ClapArgs)]
 pub struct WriteArgs {
     /// Replace files that are read-only too.
     #[arg(long)]
@@ -268,7 +266,7 @@ impl WriteArgs {
     }
 }
 
-#[derive(Debug, ClapArgs)]
+#[derive(Debug, Default, ClapArgs)]
 pub struct CurveArgs {
     /// The points (CSV, one per line: see below), - for standard input.
     pub points: PathBuf,
@@ -356,32 +354,15 @@ pub struct CurveArgs {
 }
 
 #[derive(Debug, ClapArgs)]
-pub struct SampleArgs {
-    /// The model document (JSON), - for standard input; 'cyclide new' prints one to start from.
-    pub model: PathBuf,
-    /// Name of the object; may be left out if there is only one.
-    #[arg(long, value_name = "NAME")]
-    pub object: Option<String>,
-    /// Samples per contour of a curve, or N by N per patch of a surface; at least 2.
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(2..=10_000_000))]
-    pub count: u32,
-    /// Curves: equal steps of arc length instead of the parameter.
-    #[arg(long)]
-    pub equal_length: bool,
-    /// Write to a file instead of standard output.
-    #[arg(short, long, value_name = "FILE")]
-    pub output: Option<PathBuf>,
-    #[command(flatten)]
-    pub write: WriteArgs,
-}
-
-#[derive(Debug, ClapArgs)]
 pub struct ReportArgs {
     /// The model document (JSON), - for standard input; 'cyclide new' prints one to start from.
     pub model: PathBuf,
     /// Print the report as JSON.
     #[arg(long)]
     pub json: bool,
+    /// Name the places of curves whose radius is below R.
+    #[arg(long, value_name = "R", value_parser = positive, allow_negative_numbers = true)]
+    pub min_radius: Option<f64>,
 }
 
 #[derive(Debug, ClapArgs)]
@@ -393,7 +374,8 @@ pub struct GalleryArgs {
     pub write: WriteArgs,
 }
 
-/// Constructions that start from a list of points.
+/// Constructions that start from a list of points. What stands here `curve` makes and `compare` compares, by the objects of
+/// `CurveArgs::spec`: there is no second list.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
 pub enum Kind {
     /// The fairest smooth curve through the points.
@@ -401,6 +383,10 @@ pub enum Kind {
     FairSpline,
     /// A smooth curve through the points, blended from circles.
     CircleSpline,
+    /// A local smooth curve through the points that inversions keep.
+    MoebiusSpline,
+    /// The rational curve of lowest degree through an odd number of points.
+    QbInterpolation,
     /// Arcs through the points.
     ArcSpline,
     /// The fewest arcs within a tolerance.
@@ -436,7 +422,7 @@ fn not_negative(text: &str) -> Result<f64, String> {
 }
 
 /// A positive, finite number.
-fn positive(text: &str) -> Result<f64, String> {
+pub fn positive(text: &str) -> Result<f64, String> {
     match text.parse::<f64>() {
         Ok(value) if value > 0.0 && value.is_finite() => Ok(value),
         Ok(_) => Err("it must be positive and finite".to_owned()),
@@ -454,7 +440,7 @@ fn up_to_one(text: &str) -> Result<f64, String> {
 }
 
 /// A positive number of degrees, at most 180.
-fn up_to_half_a_turn(text: &str) -> Result<f64, String> {
+pub fn up_to_half_a_turn(text: &str) -> Result<f64, String> {
     match positive(text) {
         Ok(value) if value > 180.0 => Err("it must be at most 180 degrees".to_owned()),
         other => other,

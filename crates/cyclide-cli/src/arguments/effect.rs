@@ -39,10 +39,15 @@ pub fn refuse_formats_not_written(args: &OutputArgs, outputs: &[(PathBuf, Format
     }
 }
 
+/// The kinds of curve that can be closed.
+pub const CLOSED_KINDS: [Kind; 6] =
+    [Kind::FairSpline, Kind::CircleSpline, Kind::MoebiusSpline, Kind::ArcSpline, Kind::ArcFit, Kind::FairFit];
+
 /// Refuses options that the kind of curve does not have, and those that another one leaves nothing to do.
 pub fn refuse_options_of_other_kinds(args: &CurveArgs, kind: Kind) -> Result<(), Failure> {
     let given = [
-        ("--tension", args.tension.is_some(), &[Kind::FairSpline][..]),
+        ("--closed", args.closed, &CLOSED_KINDS[..]),
+        ("--tension", args.tension.is_some(), &[Kind::FairSpline]),
         ("--tight", args.tight.is_some(), &[Kind::FairSpline]),
         ("--ends", args.ends.is_some(), &[Kind::FairSpline]),
         ("--straight", args.straight.is_some(), &[Kind::FairSpline]),
@@ -54,7 +59,7 @@ pub fn refuse_options_of_other_kinds(args: &CurveArgs, kind: Kind) -> Result<(),
         (
             "--corner-angle-deg",
             args.corner_angle_deg.is_some(),
-            &[Kind::FairSpline, Kind::CircleSpline, Kind::ArcFit, Kind::FairFit],
+            &[Kind::FairSpline, Kind::CircleSpline, Kind::MoebiusSpline, Kind::ArcFit, Kind::FairFit],
         ),
         ("--smooth", args.smooth.is_some(), &[Kind::FairFit]),
         ("--centre", args.centre.is_some(), &[Kind::FairFit]),
@@ -90,7 +95,7 @@ pub fn without_effect(plan: &MakePlan, model: &Model, report: &Report) -> Vec<St
     let no_surface = model.items.iter().all(|item| item.surfaces().is_empty());
     let bent = |geometry: &GeometryReport| matches!(geometry, GeometryReport::Curves(c) if c.curvature.max > 0.0);
     // The trigonometric curve is no spline either: it becomes one within the tolerance.
-    let no_spline = !curves().any(|curve| matches!(curve, CurveObject::CircleSpline(_)));
+    let no_spline = curves().all(CurveObject::is_of_arcs);
     let has_joints = |curve: &CurveObject| !matches!(curve, CurveObject::Circle(_));
     let all_exact = report.files.iter().all(|file| file.exact || file.deviation.is_none());
     let idle = [

@@ -2,8 +2,10 @@
 //! answered with it ([`mistaken`]), and what has no effect is said ([`effect`]).
 
 pub mod args;
+pub mod compare;
 pub mod effect;
 pub mod mistaken;
 pub mod plan;
+pub mod sample;
 pub mod starters;
 mod words;

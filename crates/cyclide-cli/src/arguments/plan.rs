@@ -6,22 +6,25 @@ use std::path::{Path, PathBuf};
 use clap_complete::Shell;
 use cyclide_io::{
     Angle, ArcFitSpec, ArcSplineSpec, CircleSplineSpec, Comment, Document, EndsSpec, ExportOptions, FairEndsSpec,
-    FairFitSpec, FairSplineSpec, Format, ObjectSpec, PointColumns, PointFile, PointSource, Spacing, TypeWord,
-    WriteOptions, leads_to_standard_input, same_file,
+    FairFitSpec, FairSplineSpec, Format, MoebiusContinuity, MoebiusSplineSpec, ObjectSpec, ParametersSpec,
+    PointColumns, PointFile, PointSource, QbInterpolationSpec, TypeWord, WriteOptions, leads_to_standard_input,
+    same_file,
 };
 
 use crate::arguments::args::{
     Args, BuildArgs, Command, CompletionsArgs, CurveArgs, GalleryArgs, Kind, ManArgs, NewArgs, OutputArgs, ReportArgs,
-    SampleArgs,
 };
+use crate::arguments::compare::{CompareArgs, ComparePlan};
 use crate::arguments::effect;
 use crate::arguments::mistaken::{Wanted, refuse_suffix};
+use crate::arguments::sample::{SampleArgs, SamplePlan};
 use crate::output::failure::Failure;
 use crate::output::standard::{is_standard, is_standard_output};
 
 /// What to do.
 pub enum Plan {
     Make(MakePlan),
+    Compare(ComparePlan),
     Sample(SamplePlan),
     Report(ReportPlan),
     New(NewPlan),
@@ -49,6 +52,8 @@ pub struct MakePlan {
     /// The tolerance is that of an arc fit, not of the files alone.
     pub fit_tolerance: bool,
     pub json: bool,
+    /// Places of curves tighter than this are named.
+    pub min_radius: Option<f64>,
 }
 
 /// Where the model comes from.
@@ -65,21 +70,12 @@ pub enum Input {
     },
 }
 
-/// Sample one object of a model.
-pub struct SamplePlan {
-    pub input: Input,
-    pub object: Option<String>,
-    pub count: usize,
-    pub spacing: Spacing,
-    /// `None` is standard output.
-    pub output: Option<PathBuf>,
-    pub write: WriteOptions,
-}
-
 /// Report on a model.
 pub struct ReportPlan {
     pub input: Input,
     pub json: bool,
+    /// Places of curves tighter than this are named.
+    pub min_radius: Option<f64>,
 }
 
 /// Build the gallery.
@@ -97,7 +93,9 @@ impl Args {
             | Command::Report(ReportArgs { model: path, .. }) => {
                 refuse_suffix(path, Wanted::Document)?;
             }
-            Command::Curve(CurveArgs { points: path, .. }) => refuse_suffix(path, Wanted::Points)?,
+            Command::Curve(CurveArgs { points: path, .. }) | Command::Compare(CompareArgs { points: path, .. }) => {
+                refuse_suffix(path, Wanted::Points)?;
+            }
             Command::New(_) | Command::Gallery(_) | Command::Schema | Command::Completions(_) | Command::Man(_) => {}
         }
         match self.command {
@@ -105,22 +103,10 @@ impl Args {
                 output.plan(Input::File(model), tolerance).map(Plan::Make)
             }
             Command::Curve(args) => args.plan().map(Plan::Make),
-            Command::Sample(SampleArgs { model, object, count, equal_length, output, write }) => {
-                refuse_overwriting(output.as_deref(), &model)?;
-                let output = output.filter(|path| !is_standard_output(path));
-                let spacing = if equal_length { Spacing::Length } else { Spacing::Parameter };
-                output.as_deref().map_or(Ok(()), |path| refuse_other_suffix(path, "csv", "samples are CSV"))?;
-                Ok(Plan::Sample(SamplePlan {
-                    input: Input::File(model),
-                    object,
-                    count: count as usize,
-                    spacing,
-                    output,
-                    write: write.options(),
-                }))
-            }
-            Command::Report(ReportArgs { model, json }) => {
-                Ok(Plan::Report(ReportPlan { input: Input::File(model), json }))
+            Command::Compare(args) => args.plan().map(Plan::Compare),
+            Command::Sample(args) => args.plan().map(Plan::Sample),
+            Command::Report(ReportArgs { model, json, min_radius }) => {
+                Ok(Plan::Report(ReportPlan { input: Input::File(model), json, min_radius }))
             }
             Command::New(NewArgs { kind, output }) => {
                 let output = output.filter(|path| !is_standard_output(path));
@@ -176,7 +162,15 @@ impl OutputArgs {
             title: None,
         };
         let write = self.write.options();
-        Ok(MakePlan { input, outputs, options, write, fit_tolerance: false, json: self.json })
+        Ok(MakePlan {
+            input,
+            outputs,
+            options,
+            write,
+            fit_tolerance: false,
+            json: self.json,
+            min_radius: self.min_radius,
+        })
     }
 }
 
@@ -206,9 +200,24 @@ impl CurveArgs {
             return Err(Failure::Usage(format!("{}: the path is not Unicode", self.points.display())));
         };
         let file = PointFile { csv, columns: self.columns.clone(), contour: self.contour_column.clone() };
-        let (points, closed, r#type) = (PointSource::File(file), self.closed, TypeWord);
+        let spec = self.spec(kind, PointSource::File(file))?;
+        let objects = vec![(name.to_owned(), spec)];
+        for path in &self.output.output {
+            refuse_overwriting(Some(path), &self.points)?;
+        }
+        let units = self.units.unwrap_or_default();
+        let document = Document::from_objects(&self.points.display().to_string(), units, objects);
+        let columns = PointColumns { coordinates: self.columns, contour: self.contour_column };
+        let input = Input::Made { document: Box::new(document), columns, unit_of_columns: self.units.is_none() };
+        let plan = self.output.plan(input, self.tolerance)?;
+        Ok(MakePlan { fit_tolerance: kind == Kind::ArcFit, ..plan })
+    }
+
+    /// The object of a kind from points, by the options that the kind has.
+    pub fn spec(&self, kind: Kind, points: PointSource) -> Result<ObjectSpec, Failure> {
+        let (closed, r#type) = (self.closed, TypeWord);
         let corner_angle = self.corner_angle_deg.map(Angle::Degrees);
-        let spec = match kind {
+        Ok(match kind {
             Kind::FairSpline => ObjectSpec::FairSpline(FairSplineSpec {
                 r#type,
                 comment: Comment,
@@ -231,6 +240,25 @@ impl CurveArgs {
                 variant: self.variant.unwrap_or_default(),
                 ends: EndsSpec::Natural,
                 corner_angle,
+            }),
+            Kind::MoebiusSpline => ObjectSpec::MoebiusSpline(MoebiusSplineSpec {
+                r#type,
+                comment: Comment,
+                construction: false,
+                points,
+                closed,
+                continuity: MoebiusContinuity::default(),
+                knots: ParametersSpec::default(),
+                tangents: None,
+                corner_angle,
+            }),
+            Kind::QbInterpolation => ObjectSpec::QbInterpolation(QbInterpolationSpec {
+                r#type,
+                comment: Comment,
+                construction: false,
+                points,
+                parameters: ParametersSpec::default(),
+                derivatives: None,
             }),
             Kind::ArcSpline => ObjectSpec::ArcSpline(ArcSplineSpec {
                 r#type,
@@ -273,22 +301,12 @@ impl CurveArgs {
                     polyline: self.polyline.unwrap_or_default(),
                 })
             }
-        };
-        let objects = vec![(name.to_owned(), spec)];
-        for path in &self.output.output {
-            refuse_overwriting(Some(path), &self.points)?;
-        }
-        let units = self.units.unwrap_or_default();
-        let document = Document::from_objects(&self.points.display().to_string(), units, objects);
-        let columns = PointColumns { coordinates: self.columns, contour: self.contour_column };
-        let input = Input::Made { document: Box::new(document), columns, unit_of_columns: self.units.is_none() };
-        let plan = self.output.plan(input, self.tolerance)?;
-        Ok(MakePlan { fit_tolerance: kind == Kind::ArcFit, ..plan })
+        })
     }
 }
 
 /// Refuses the suffix of a format that another command writes; names without one, and unknown ones, may be meant.
-fn refuse_other_suffix(path: &Path, suffix: &str, what: &str) -> Result<(), Failure> {
+pub fn refuse_other_suffix(path: &Path, suffix: &str, what: &str) -> Result<(), Failure> {
     match Format::from_path(path) {
         Ok(format) if format.name() != suffix => {
             Err(Failure::Usage(format!("{}: {what}; for this format see 'cyclide build'", path.display())))
@@ -323,6 +341,8 @@ impl Kind {
         match self {
             Self::FairSpline => "fair-spline",
             Self::CircleSpline => "circle-spline",
+            Self::MoebiusSpline => "moebius-spline",
+            Self::QbInterpolation => "qb-interpolation",
             Self::ArcSpline => "arc-spline",
             Self::ArcFit => "arc-fit",
             Self::FairFit => "fair-fit",

@@ -134,6 +134,19 @@ pub fn build_one(
     build_next(&mut ModelBuilder::new(document, folder, &read)?, document, index, progress)
 }
 
+/// Builds one object without a word; what is wrong with it in one line.
+pub fn build_quietly(document: &Document, folder: &Path, index: usize, inputs: &Inputs) -> Result<BuiltObject, String> {
+    let read = |path: &Path| inputs.read(path);
+    let built = ModelBuilder::new(document, folder, &read).and_then(|mut builder| builder.build(index, &mut |_| ()));
+    built.map_err(|error| match error {
+        cyclide_io::Error::Input(found) => {
+            let reason = found.reason.map(|reason| format!(" [{reason}]")).unwrap_or_default();
+            format!("{}:{}: {}{reason}", found.file, found.line, found.message)
+        }
+        other => other.to_string(),
+    })
+}
+
 fn build_next(
     builder: &mut ModelBuilder<'_>,
     document: &Document,

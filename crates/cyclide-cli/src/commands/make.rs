@@ -1,6 +1,6 @@
 //! `build` and `curve`: all files are made and checked before the first is written.
 
-use cyclide_io::{CheckError, ExportError, Exporter, Report};
+use cyclide_io::{CheckError, ExportError, Exporter, Report, TIGHTER_THAN_RADIUS};
 
 use crate::arguments::effect;
 use crate::arguments::plan::{Input, MakePlan, refuse_overwriting};
@@ -20,7 +20,8 @@ pub fn run(plan: &MakePlan) -> Result<(), Failure> {
         }
     }
     progress.doing("measuring".to_owned());
-    let mut report = Report::new(loaded.units, &loaded.objects, plan.options.tolerance);
+    let report = Report::new(loaded.units, &loaded.objects, plan.options.tolerance);
+    let mut report = with_tight_places(report, &loaded, plan.min_radius)?;
     progress.done();
     let (model, provenance) = loaded.into_model();
     let mut options = plan.options.clone();
@@ -74,6 +75,23 @@ fn load(plan: &MakePlan) -> Result<(Loaded, Progress), Failure> {
     let progress = Progress::new(document.objects.len() + plan.outputs.len() + 1);
     let loaded = load::build(&document, &folder, &inputs, &progress)?;
     Ok((loaded, progress))
+}
+
+/// The report with the places that are tighter than a radius, if one was given; they are warned of.
+pub fn with_tight_places(report: Report, loaded: &Loaded, radius: Option<f64>) -> Result<Report, Failure> {
+    let Some(radius) = radius else { return Ok(report) };
+    let report = report
+        .with_min_radius(&loaded.objects, radius)
+        .map_err(|error| Failure::Refused(format!("--min-radius: {error} [{}]", error.reason())))?;
+    for (name, object) in &report.objects {
+        let count = object.warnings.iter().filter(|warning| warning.reason == TIGHTER_THAN_RADIUS).count();
+        if count > 0 {
+            let places = if count == 1 { "1 place is".to_owned() } else { format!("{count} places are") };
+            let message = format!("{name}: {places} tighter than {radius} {}; the report names them", report.units);
+            terminal::warning(&format!("{message} [{TIGHTER_THAN_RADIUS}]"));
+        }
+    }
+    Ok(report)
 }
 
 /// A report as text or JSON.

@@ -1,8 +1,10 @@
 //! The commands: what is done once the plan is known to make sense.
 
+pub mod compare;
 pub mod gallery;
 pub mod inspect;
 mod load;
 pub mod make;
 pub mod manuals;
+pub mod sample;
 pub mod start;

@@ -8,6 +8,7 @@ use cyclide::{
 
 use super::angle::Angle;
 use super::coordinates::Coordinates;
+use super::interpolate::InterpolationFacts;
 use super::spec::{
     ArcFitSpec, ArcSplineSpec, CircleSplineSpec, EndsSpec, FairEndPair, FairEndSpec, FairEndWord, FairEndsSpec,
     FairFitSpec, FairSplineSpec, PolylineSpec, RadiiSpec, StraightWord,
@@ -33,6 +34,8 @@ pub struct ContourFacts {
     pub fairness: Option<Fairness>,
     /// The largest distance by which points were moved onto the torus that the curve lies on.
     pub moved: Option<f64>,
+    /// What is known of a curve of lowest degree through points.
+    pub interpolation: Option<InterpolationFacts>,
 }
 
 /// What is proved about a fitted contour.
@@ -133,7 +136,7 @@ pub(super) fn fair_fit(spec: &FairFitSpec, at: &Contour<'_>) -> Made {
 }
 
 /// The corners marked in the file, and those that turn by more than the angle given.
-fn corners(at: &Contour<'_>, closed: bool, angle: Option<Angle>) -> cyclide::Result<Vec<usize>> {
+pub(super) fn corners(at: &Contour<'_>, closed: bool, angle: Option<Angle>) -> cyclide::Result<Vec<usize>> {
     let mut corners = at.list.corners.clone();
     if let Some(angle) = angle.map(Angle::radians) {
         let max = std::f64::consts::PI;
@@ -186,7 +189,7 @@ pub(super) fn circle_spline(spec: &CircleSplineSpec, at: &Contour<'_>) -> Made {
 
 impl Contour<'_> {
     pub(super) fn facts(&self, fit: Option<Fitted>) -> ContourFacts {
-        ContourFacts { points: self.list.points.len(), fit, fairness: None, moved: None }
+        ContourFacts { points: self.list.points.len(), fit, fairness: None, moved: None, interpolation: None }
     }
 }
 

@@ -10,6 +10,7 @@
 mod angle;
 mod construct;
 mod coordinates;
+mod interpolate;
 mod limits;
 mod locate;
 mod objects;
@@ -28,6 +29,7 @@ use crate::text::suggest::did_you_mean;
 pub use angle::Angle;
 pub use construct::{ContourFacts, Fitted};
 pub use coordinates::{Coordinates, Directions, Lists, PointFile, PointSource};
+pub use interpolate::InterpolationFacts;
 use locate::{Entries, Step, offset_in, path_text, value_at};
 pub use objects::{
     BuiltObject, ModelBuilder, NO_EFFECT, Remark, RoundedPolyhedron, SmoothChoice, TubeFacts, UnrolledPlane,
@@ -36,15 +38,16 @@ use plain_words::{in_plain_words, other_word_for, syntax_in_plain_words, wrong_c
 pub use schema::document_schema;
 pub use spec::{
     AnglePairs, ArcFitSpec, ArcSpec, ArcSplineSpec, BiarcSpec, BlendTubeSpec, BorderCurves, BorderSpec, BorderWord,
-    CircleSpec, CircleSplineSpec, CircularSurfaceSpec, ClampedEnds, Comment, ContactBlendSpec, CrossingPipeSpec,
-    CyclidePatchSpec, CyclideSpec, CyclidicNetSpec, DiskSpec, EllipseBridgeSpec, EndsSpec, FairEndPair, FairEndSpec,
-    FairEndWord, FairEndsSpec, FairFitSpec, FairSplineSpec, FamilySpec, FrameSpec, FreeOr, GridSource,
-    MakeCircularOptions, MakeCircularSpec, MeshFile, NormalsSpec, ObjectSpec, OffsetSpec, PipeCrossingSpec, PipeSpec,
-    PipeTeeSpec, PlaneSpec, PlateSpec, PlateWithNeckSpec, PolygonMeshFile, PolylineSpec, RadiiSpec, RadiusLawSpec,
-    RatePairs, RevolutionSpec, RotationSpec, RuledSpec, ScaleSpec, SmoothMeshSpec, SmoothPolyhedronSpec,
+    BridgeArcs, CircleSpec, CircleSplineSpec, CircularSurfaceSpec, ClampedEnds, Comment, ContactBlendSpec,
+    CrossingPipeSpec, CyclidePatchSpec, CyclideSpec, CyclidicNetSpec, DiskSpec, EllipseBridgeSpec, EndsSpec,
+    FairEndPair, FairEndSpec, FairEndWord, FairEndsSpec, FairFitSpec, FairSplineSpec, FamilySpec, FrameSpec, FreeOr,
+    GridSource, MakeCircularOptions, MakeCircularSpec, MeshFile, MoebiusContinuity, MoebiusSplineSpec, NormalsSpec,
+    NurbsSpec, ObjectSpec, OffsetSpec, ParameterRule, ParametersSpec, PipeCrossingSpec, PipeSpec, PipeTeeSpec,
+    PlaneSpec, PlateSpec, PlateWithNeckSpec, PolygonMeshFile, PolylineSpec, QbInterpolationSpec, RadiiSpec,
+    RadiusLawSpec, RatePairs, RevolutionSpec, RotationSpec, RuledSpec, ScaleSpec, SmoothMeshSpec, SmoothPolyhedronSpec,
     SphereBlendSpec, SphereSpec, StepSpec, StraightWord, SupportStructureSpec, TeeBlendSpec, TeeBranchSpec, TeeLawSpec,
-    TeeMainSpec, TeeRadiusSpec, TorusCircleSpec, TorusKnotSpec, TorusMethod, TorusSeamSpec, TorusSource, TorusSpec,
-    TorusSplineSpec, TransformSpec, TubeSpec, TypeWord, UnrolledSpec, WindingSpec,
+    TeeMainSpec, TeeRadiusSpec, TorusCircleSpec, TorusKnotSpec, TorusMethod, TorusQuarticSpec, TorusSeamSpec,
+    TorusSource, TorusSpec, TorusSplineSpec, TransformSpec, TubeSpec, TypeWord, UnrolledSpec, WindingSpec,
 };
 
 /// The document version this crate reads.

@@ -97,14 +97,22 @@ fn unit_by_name(word: &str) -> Option<&'static str> {
 pub(super) fn other_word_for(kind: &str) -> String {
     let answer = match kind.to_lowercase().as_str() {
         "line" | "segment" => "an `arc` with the bulge 0 is a straight segment",
-        "ellipse" | "bezier" | "nurbs" | "bspline" | "b-spline" | "curve" => {
-            "a smooth curve through points is a `fair-spline`"
+        "catmull-rom" | "hermite-spline" | "möbius-spline" | "mobius-spline" => {
+            "a local smooth curve through points is a `moebius-spline`"
+        }
+        "interpolation" | "lagrange" | "rational-interpolation" => {
+            "a rational curve of lowest degree through points is a `qb-interpolation`"
+        }
+        "ellipse" | "curve" | "spline" => "a smooth curve through points is a `fair-spline`",
+        "bezier" | "bspline" | "b-spline" | "rational-bspline" | "nurbs-curve" => {
+            "a spline by its control points is a `nurbs`"
         }
         "polygon" | "path" => {
             "segments through points are a `polyline`, arcs along points an `arc-fit` or an `arc-spline`"
         }
         "groove" | "bead" | "weld" | "weld-seam" => "a raised or sunk seam along a curve of a torus is a `torus-seam`",
         "villarceau" | "villarceau-circle" => "a circle of a torus is a `torus-circle`",
+        "quartic" => "a closed quartic of one type is a `torus-quartic`",
         "knot" | "trefoil" | "winding" | "helix" | "filament" => "a curve round a torus is a `torus-knot`",
         "unroll" | "flat" | "development" => "a curve of a torus laid flat is `unrolled`",
         "torus" | "ring" | "horn" | "spindle" => "a torus is a `cyclide` with the radii `a` and `mu`",

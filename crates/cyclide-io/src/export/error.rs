@@ -113,6 +113,22 @@ pub enum ExportError {
         /// What to do instead.
         hint: &'static str,
     },
+    /// A face has an edge that readers of the format take for a point.
+    #[error(
+        "object {object}: an edge is only {} mm long, and readers of {format} take points nearer than {} mm for one, which spoils the faces \
+         there: make it longer, leave it out, or write another format",
+        ShortNumber(*.length), ShortNumber(*.limit)
+    )]
+    EdgeTooShort {
+        /// Name of the object.
+        object: String,
+        /// Name of the format.
+        format: &'static str,
+        /// Length of the edge in millimetres.
+        length: f64,
+        /// Shorter ones are refused.
+        limit: f64,
+    },
     /// The picture could not be encoded.
     #[error("the picture could not be encoded: {detail}")]
     Picture {
@@ -142,6 +158,7 @@ impl ExportError {
             Self::NotInFormat { .. } => "not-in-format",
             Self::NoExactForm { .. } => "no-exact-form",
             Self::Rounding { .. } => "rounding-above-tolerance",
+            Self::EdgeTooShort { .. } => "edge-too-short",
             Self::Picture { .. } => "picture",
         }
     }

@@ -70,6 +70,9 @@ fn kind_of_curve(curve: &CurveObject) -> &'static str {
             _ => "circle-spline",
         },
         CurveObject::TorusSpline(_) => "torus-spline",
+        CurveObject::Nurbs(_) => "nurbs",
+        CurveObject::QbSpline(spline) if spline.spans().len() > 1 => "moebius-spline",
+        CurveObject::QbSpline(_) => "qb-interpolation",
     }
 }
 

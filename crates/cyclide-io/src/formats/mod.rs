@@ -34,6 +34,12 @@ pub use read_back::{file_deviation, read_back};
 macro_rules! formats {
     ($($(#[$doc:meta])* $format:ident: $module:ident $(if $feature:literal)?,)*) => {
         /// A file format.
+        ///
+        /// ```
+        /// use cyclide_io::Format;
+        /// assert_eq!(Format::from_path("model.stp".as_ref())?, Format::Step);
+        /// # Ok::<(), cyclide_io::ExportError>(())
+        /// ```
         #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
         pub enum Format {
             $($(#[cfg(feature = $feature)])? $(#[$doc])* $format,)*

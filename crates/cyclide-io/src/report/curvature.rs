@@ -20,6 +20,7 @@ use serde::Serialize;
 /// # Ok::<(), cyclide_io::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct CurvatureRangeReport {
     /// Smallest.
     pub min: f64,

@@ -1,9 +1,10 @@
 //! The report on curves.
 
-use cyclide::{Aabb, CORNER_ANGLE, CurveObject, Lower, bounds, extreme_curvature, joints, length};
+use cyclide::{Aabb, ArcLength, CORNER_ANGLE, CurveObject, Lower, bounds, extreme_curvature, joints, length};
 use serde::Serialize;
 
-use super::{FairnessReport, RangeReport, TorusReport, UnrolledReport};
+use super::qb::QbReport;
+use super::{FairnessReport, RangeReport, TightReport, TorusReport, UnrolledReport};
 use crate::document::{BuiltObject, Fitted};
 use crate::export::job::default_tolerance;
 
@@ -19,6 +20,7 @@ use crate::export::job::default_tolerance;
 /// # Ok::<(), cyclide_io::Error>(())
 /// ```
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct CurvesReport {
     /// Length of all contours together.
     pub length: f64,
@@ -42,6 +44,12 @@ pub struct CurvesReport {
     /// The certificate of a fit, over all contours.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub fit: Option<FitReport>,
+    /// The places that are tighter than a radius, where one was asked for.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub tight: Option<TightReport>,
+    /// Of curves of quaternion pairs: their degree, and how they meet their points.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub qb: Option<Box<QbReport>>,
     /// Of splines on a torus: the torus, and how they run on it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub torus: Option<TorusReport>,
@@ -62,6 +70,7 @@ pub struct CurvesReport {
 /// # Ok::<(), cyclide_io::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize)]
+#[non_exhaustive]
 pub struct JointReport {
     /// Largest distance between an end and the start that follows.
     pub gap: f64,
@@ -91,11 +100,14 @@ pub struct JointReport {
 /// # Ok::<(), cyclide_io::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct CurvatureReport {
     /// Its value, in 1/length; infinite at a cusp.
     pub max: f64,
     /// Where it is: global parameter of the contour.
     pub t: f64,
+    /// Arc length from the start of the contour to it.
+    pub station: f64,
     /// The contour, from 0.
     pub contour: usize,
     /// The point.
@@ -114,6 +126,7 @@ pub struct CurvatureReport {
 /// # Ok::<(), cyclide_io::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct FitReport {
     /// The bound that was asked for.
     pub tolerance: f64,
@@ -183,13 +196,17 @@ impl CurvesReport {
                 joint.smooth_curvature_jump = joint.smooth_curvature_jump.max(j.curvature_jump);
             }
         }
-        let mut curvature = CurvatureReport { max: f64::NEG_INFINITY, t: 0.0, contour: 0, point: [0.0; 3] };
+        let mut curvature =
+            CurvatureReport { max: f64::NEG_INFINITY, t: 0.0, station: 0.0, contour: 0, point: [0.0; 3] };
         for (contour, curve) in curves().enumerate() {
             let extreme = extreme_curvature(curve);
             if extreme.max > curvature.max {
                 let point = extreme.point.to_array();
-                curvature = CurvatureReport { max: extreme.max, t: extreme.t, contour, point };
+                curvature = CurvatureReport { max: extreme.max, t: extreme.t, station: 0.0, contour, point };
             }
+        }
+        if let Some(curve) = curves().nth(curvature.contour) {
+            curvature.station = ArcLength::new(curve).station(curvature.t);
         }
         Self {
             length: curves().map(length).sum(),
@@ -202,6 +219,8 @@ impl CurvesReport {
             contours: built.item.curves().len(),
             points: built.contours.iter().map(|c| c.points).sum(),
             fit: fit(built),
+            tight: None,
+            qb: QbReport::new(built).map(Box::new),
             torus: TorusReport::new(built),
             unrolled: built.unrolled.as_ref().map(UnrolledReport::from),
         }

@@ -17,6 +17,7 @@ use crate::document::BuiltObject;
 /// # Ok::<(), cyclide_io::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct FairnessReport {
     /// Changes between turning left and turning right; `None` for a curve in space.
     pub sign_changes: Option<usize>,

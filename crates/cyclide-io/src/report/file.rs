@@ -32,6 +32,7 @@ const ABOVE_ASKED: f64 = 0.05;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct FileReport {
     /// Path as given.
     pub path: String,

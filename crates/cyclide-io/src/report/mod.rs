@@ -1,16 +1,19 @@
 //! What was made and what was written: measured on the curves and on the bytes, never taken from the plan.
 
 mod curvature;
+mod curve_sample;
 mod curves;
 mod fairness;
 mod file;
 mod polyhedron;
+mod qb;
 mod sample;
 mod seam;
 mod smooth;
 mod surface;
 mod tee;
 mod text;
+mod tight;
 mod torus;
 mod tube;
 
@@ -20,15 +23,18 @@ use serde::Serialize;
 
 use crate::document::{BuiltObject, Remark};
 pub use curvature::CurvatureRangeReport;
+pub use curve_sample::{ContourSamples, CurveSample, CurveSamples, SampleOptions, SamplePlaces};
 pub use curves::{CurvatureReport, CurvesReport, FitPieces, FitReport, JointReport};
 pub use fairness::FairnessReport;
 pub use file::{CheckError, FileReport};
 pub use polyhedron::PolyhedronReport;
+pub use qb::QbReport;
 pub use sample::{Spacing, sample};
 pub use seam::SeamReport;
 pub use smooth::{ComparisonReport, SmoothReport};
 pub use surface::{CircularReport, PartReport, PatchPlace, ShapeReport, SingularPatchReport, SurfaceReport};
 pub use tee::TeeBlendReport;
+pub use tight::{TIGHTER_THAN_RADIUS, TightPlaceReport, TightReport};
 pub use torus::{SegmentCounts, TorusReport, UnrolledReport};
 pub use tube::TubeReport;
 
@@ -43,6 +49,7 @@ pub use tube::TubeReport;
 /// # Ok::<(), cyclide_io::Error>(())
 /// ```
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct Report {
     /// Symbol of the unit of all lengths: `mm`, `m`, ….
     pub units: &'static str,
@@ -63,6 +70,7 @@ pub struct Report {
 /// # Ok::<(), cyclide_io::Error>(())
 /// ```
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct ObjectReport {
     /// The document's word for the construction.
     pub r#type: String,
@@ -110,6 +118,7 @@ pub enum GeometryReport {
 /// # Ok::<(), cyclide_io::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct RangeReport {
     /// Smallest.
     pub min: f64,
@@ -128,6 +137,7 @@ pub struct RangeReport {
 /// # Ok::<(), cyclide_io::Error>(())
 /// ```
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[non_exhaustive]
 pub struct WarningReport {
     /// Stable kebab-case name.
     pub reason: &'static str,
@@ -151,6 +161,23 @@ impl Report {
     pub fn new(units: Units, objects: &[BuiltObject], tolerance: Option<f64>) -> Self {
         let reports = objects.iter().map(|built| (built.item.name.clone(), ObjectReport::new(built, tolerance)));
         Self { units: units.symbol(), objects: reports.collect(), files: Vec::new() }
+    }
+
+    /// With the places of all curves that are tighter than a radius, in the reports of these objects and as warnings.
+    ///
+    /// # Errors
+    /// As [`cyclide::tight_places`].
+    pub fn with_min_radius(mut self, objects: &[BuiltObject], radius: f64) -> cyclide::Result<Self> {
+        for built in objects {
+            let found = TightReport::new(built, radius)?;
+            if let Some(report) = self.objects.get_mut(&built.item.name)
+                && let GeometryReport::Curves(curves) = &mut report.geometry
+            {
+                report.warnings.extend(found.warnings(curves.contours > 1, self.units));
+                curves.tight = Some(found);
+            }
+        }
+        Ok(self)
     }
 }
 

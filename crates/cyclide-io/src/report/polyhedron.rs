@@ -20,6 +20,7 @@ use crate::document::RoundedPolyhedron;
 /// # Ok::<(), cyclide_io::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct PolyhedronReport {
     /// Faces of the polyhedron: planes of the body.
     pub faces: usize,

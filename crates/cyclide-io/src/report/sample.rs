@@ -1,17 +1,13 @@
-//! Samples of one object as CSV: points with tangent and curvature along curves, with normal and principal curvatures
-//! on surfaces.
+//! Samples of one object as CSV: points with tangent and curvature [along curves](super::curve_sample), with normal and principal
+//! curvatures on surfaces.
 
-use cyclide::{
-    ArcLength, Body, CurveObject, FaceGeometry as _, Geometry, ParamSurface as _, ShellFace, SurfaceObject,
-    TriangleSurface,
-};
+use cyclide::{Body, FaceGeometry as _, Geometry, ParamSurface as _, ShellFace, SurfaceObject, TriangleSurface};
 
-use crate::check::file_sample::FileSample;
+use super::curve_sample::{CurveSamples, SampleOptions, SamplePlaces};
 use crate::document::BuiltObject;
-use crate::formats::push_sample;
 use crate::text::number::push_plain;
 
-/// Where the samples of a curve lie.
+/// How the samples of a curve follow each other, if their number is given.
 ///
 /// ```
 /// use cyclide_io::Document;
@@ -32,9 +28,7 @@ pub enum Spacing {
 
 /// Samples of an object, ends included: `count` per contour of a curve, `count` by `count` per patch of a surface.
 ///
-/// Curves: columns `t,x,y,z,tangent_x,tangent_y,tangent_z,curvature`, with a column `contour` (from 0) in front if
-/// there are several; of a closed contour the last sample repeats the first. Splines on a torus have the outward unit normal of the
-/// torus too, `normal_x,normal_y,normal_z`: with the tangent it is the frame along a seam.
+/// Curves: as [`CurveSamples::csv`], without frames.
 ///
 /// Surfaces: columns `patch,s,t,x,y,z,normal_x,normal_y,normal_z,curvature_s,curvature_t` with patches from 0, s
 /// fastest, the outer unit normal, and principal curvatures that are negative where the surface bends away from it; a
@@ -56,7 +50,12 @@ pub enum Spacing {
 #[must_use]
 pub fn sample(built: &BuiltObject, count: usize, spacing: Spacing) -> String {
     match &built.item.geometry {
-        Geometry::Curves(contours) => curves(contours, count, spacing),
+        Geometry::Curves(_) => {
+            let places = SamplePlaces::Count { count, spacing };
+            // Without frames nothing is refused.
+            CurveSamples::new(built, &SampleOptions { places, frames: None })
+                .map_or_else(|_| String::new(), |s| s.csv())
+        }
         Geometry::Surfaces(made) => match made.iter().find_map(SurfaceObject::as_triangles) {
             Some(surface) => triangles(surface, count),
             None => surfaces(&built.bodies, count),
@@ -88,7 +87,7 @@ fn triangles(surface: &TriangleSurface, count: usize) -> String {
 }
 
 /// A comma and the value, if there is one.
-fn push_field(out: &mut String, value: Option<f64>) {
+pub(super) fn push_field(out: &mut String, value: Option<f64>) {
     out.push(',');
     if let Some(value) = value {
         push_plain(out, value);
@@ -96,40 +95,8 @@ fn push_field(out: &mut String, value: Option<f64>) {
 }
 
 /// Fractions 0, 1/(count-1), … 1.
-fn fractions(count: usize) -> impl Iterator<Item = f64> + Clone {
+pub(super) fn fractions(count: usize) -> impl Iterator<Item = f64> + Clone {
     (0..count).map(move |i| i as f64 / count.saturating_sub(1).max(1) as f64)
-}
-
-fn curves(contours: &[CurveObject], count: usize, spacing: Spacing) -> String {
-    let several = contours.len() > 1;
-    let columns = "t,x,y,z,tangent_x,tangent_y,tangent_z,curvature";
-    let on_torus = contours.iter().all(|curve| matches!(curve, CurveObject::TorusSpline(_)));
-    let normals = if on_torus { ",normal_x,normal_y,normal_z" } else { "" };
-    let mut out = format!("{}{columns}{normals}\n", if several { "contour," } else { "" });
-    for (contour, curve) in contours.iter().enumerate() {
-        let spline = match curve {
-            CurveObject::TorusSpline(spline) if on_torus => Some(spline),
-            _ => None,
-        };
-        let curve = curve.as_curve();
-        let ts = match spacing {
-            Spacing::Parameter => fractions(count).collect(),
-            Spacing::Length => ArcLength::new(curve).uniform(count),
-        };
-        for t in ts {
-            if several {
-                out += &format!("{contour},");
-            }
-            push_sample(&mut out, curve.point(t), &FileSample::new(t, &curve.jet(t)));
-            if let Some(spline) = spline {
-                out.pop();
-                let normal = spline.seam_frame(t).map(|frame| frame.z().to_array());
-                (0..3).for_each(|k| push_field(&mut out, normal.map(|n| n[k])));
-                out.push('\n');
-            }
-        }
-    }
-    out
 }
 
 fn surfaces(bodies: &[Body], count: usize) -> String {

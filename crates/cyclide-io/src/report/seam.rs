@@ -18,6 +18,7 @@ use serde::Serialize;
 /// # Ok::<(), cyclide_io::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct SeamReport {
     /// The borders: `column` (s = 0 and s = 1) or `row` (t = 0 and t = 1).
     pub border: &'static str,

@@ -20,6 +20,7 @@ use crate::document::BuiltObject;
 /// # Ok::<(), cyclide_io::Error>(())
 /// ```
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct SmoothReport {
     /// Triangles.
     pub triangles: usize,
@@ -69,6 +70,7 @@ pub struct SmoothReport {
 /// # Ok::<(), cyclide_io::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct ComparisonReport {
     /// Largest jump of the normal across an edge that is no crease, radians: rounding.
     pub jump: f64,
@@ -84,7 +86,7 @@ pub struct ComparisonReport {
 
 impl From<SmoothComparison> for ComparisonReport {
     fn from(given: SmoothComparison) -> Self {
-        let SmoothComparison { jump, flat_jump, pn_jump, from_flat, from_pn } = given;
+        let SmoothComparison { jump, flat_jump, pn_jump, from_flat, from_pn, .. } = given;
         Self { jump, flat_jump, pn_jump, from_flat, from_pn }
     }
 }

@@ -27,6 +27,7 @@ const SAMPLES: usize = 5;
 /// # Ok::<(), cyclide_io::Error>(())
 /// ```
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct SurfaceReport {
     /// Patches of all bodies together.
     pub patches: usize,
@@ -98,6 +99,7 @@ pub struct SurfaceReport {
 /// # Ok::<(), cyclide_io::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct PartReport {
     /// The body, from 0.
     pub body: usize,
@@ -168,6 +170,7 @@ fn first_of_part(before: &mut [usize], mut face: usize) -> usize {
 /// # Ok::<(), cyclide_io::Error>(())
 /// ```
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct CircularReport {
     /// Steps of the search.
     pub steps: usize,
@@ -212,6 +215,7 @@ pub struct CircularReport {
 /// # Ok::<(), cyclide_io::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct ShapeReport {
     /// Bending of the surface, after over before.
     pub bending: Option<f64>,
@@ -249,6 +253,7 @@ impl From<&ShapeChange> for ShapeReport {
 /// # Ok::<(), cyclide_io::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[non_exhaustive]
 pub struct PatchPlace {
     /// The body, from 0.
     pub body: usize,
@@ -268,6 +273,7 @@ pub struct PatchPlace {
 /// # Ok::<(), cyclide_io::Error>(())
 /// ```
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct SingularPatchReport {
     /// The patch.
     #[serde(flatten)]

@@ -77,6 +77,9 @@ impl ObjectReport {
     }
 }
 
+/// Tight places that the text names.
+const MOST_TIGHT_PLACES: usize = 20;
+
 /// Writes one line of a report: its label and its text.
 pub(super) type Line<'a> = &'a mut dyn FnMut(&str, String) -> fmt::Result;
 
@@ -109,16 +112,35 @@ impl CurvesReport {
         let mut text = format!("up to {} 1/{units}", short(c.max));
         if c.max > 0.0 {
             let place = c.point.map(short).join(", ");
-            text += &format!(" (radius {} {units}) at t = {}, point {place}", short(1.0 / c.max), short(c.t));
+            text += &format!(
+                " (radius {} {units}) at t = {}, station {} {units}, point {place}",
+                short(1.0 / c.max),
+                short(c.t),
+                short(c.station)
+            );
             if self.contours > 1 {
                 text += &format!(" of contour {}", c.contour);
             }
         }
         line("curvature", text)?;
+        if let Some(tight) = &self.tight {
+            let (count, radius) = (tight.places.len(), short(tight.radius));
+            let many = if count == 0 { "no place".to_owned() } else { plural(count, "place") };
+            line("tight", format!("{many} with a radius below {radius} {units}"))?;
+            for place in tight.places.iter().take(MOST_TIGHT_PLACES) {
+                line("", place.words(units))?;
+            }
+            if count > MOST_TIGHT_PLACES {
+                line("", format!("and {} more (--json has all)", count - MOST_TIGHT_PLACES))?;
+            }
+        }
         line("fairness", self.fairness.text())?;
         match &self.weights {
             Some(weights) => line("weights", range(weights))?,
             None => line("weights", "no rational form within the tolerance".to_owned())?,
+        }
+        if let Some(qb) = &self.qb {
+            qb.lines(line)?;
         }
         if let Some(torus) = &self.torus {
             torus.lines(units, line)?;

@@ -16,7 +16,19 @@ use crate::document::{BuiltObject, UnrolledPlane};
 const SAMPLES: usize = 16;
 
 /// How splines run on their torus, over all contours.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"k": {"type": "torus-knot", "torus": {"major_radius": 40, "minor_radius": 15}, "turns": [2, 3]}}}"#.parse()?;
+/// let built = document.build()?;
+/// let report = cyclide_io::ObjectReport::new(&built[0], None);
+/// let cyclide_io::GeometryReport::Curves(found) = report.geometry else { unreachable!("by its type") };
+/// let torus = found.torus.expect("it lies on one");
+/// assert!(torus.winding == [Some([2, 3])] && torus.off < 1e-12);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct TorusReport {
     /// Radius of the circle that the middle of the tube follows.
     pub major_radius: f64,
@@ -42,7 +54,20 @@ pub struct TorusReport {
 }
 
 /// How segments between points were joined.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"s": {"type": "torus-spline", "torus": {"major_radius": 40, "minor_radius": 15}, "angles": [[0, 0], [1, 1], [2, 0]]}}}"#.parse()?;
+/// let built = document.build()?;
+/// let report = cyclide_io::ObjectReport::new(&built[0], None);
+/// let cyclide_io::GeometryReport::Curves(found) = report.geometry else { unreachable!("by its type") };
+/// let segments = found.torus.expect("it lies on one").segments;
+/// // Two steps between three points.
+/// assert_eq!(segments.direct + segments.halved + segments.detour + segments.two_types, 2);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
+#[non_exhaustive]
 pub struct SegmentCounts {
     /// By pieces of one type.
     pub direct: usize,
@@ -55,7 +80,19 @@ pub struct SegmentCounts {
 }
 
 /// What became of curves that were laid flat with their torus.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"k": {"type": "torus-knot", "torus": {"major_radius": 40, "minor_radius": 15}, "turns": [1, 1]}, "u": {"type": "unrolled", "of": "k"}}}"#.parse()?;
+/// let built = document.build()?;
+/// let report = cyclide_io::ObjectReport::new(&built[1], None);
+/// let cyclide_io::GeometryReport::Curves(found) = report.geometry else { unreachable!("by its type") };
+/// let unrolled = found.unrolled.expect("it is laid flat");
+/// assert!(unrolled.map == "belt" && unrolled.cuts == 2);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
 pub struct UnrolledReport {
     /// The map: `belt` or `conformal`.
     pub map: &'static str,

@@ -31,7 +31,9 @@ fn crossings_are_solids_with_a_report_on_their_blend() {
 #[test]
 fn crossings_that_are_none_are_refused_in_their_place() {
     for (radii, rest, place, reason) in [
-        ([15.0, 12.0], r#""distance": 2, "blend": 4"#, "distance", "[not-timelike-pair]"),
+        ([15.0, 12.0], r#""distance": 2, "blend": 4"#, "distance", "[crossing-axes-too-near]"),
+        ([15.0, 15.0], r#""distance": 0, "blend": 4"#, "distance", "`pipe-tee`"),
+        ([15.0, 12.0], r#""distance": 24, "blend": -5"#, "blend", "[radius-not-positive]"),
         ([15.0, 12.0], r#""distance": 40, "blend": 4"#, "blend", "[radius-too-small]"),
         ([15.0, 12.0], r#""distance": 24, "blend": 60"#, "", "[crossing-folds]"),
         ([40.0, 4.0], r#""distance": 36.05, "blend": 1"#, "pipes[1]", "[crossing-hole-too-wide]"),
@@ -39,7 +41,7 @@ fn crossings_that_are_none_are_refused_in_their_place() {
         ([15.0, 12.0], r#""distance": 24, "blend": 4, "wall": 12"#, "wall", "[parameter-out-of-range]"),
         ([15.0, 12.0], r#""distance": 24, "blend": 4, "angle": {"degrees": 180}"#, "angle", "[parameter-out-of-range]"),
         ([15.0, 12.0], r#""distance": 24, "blend": 9, "angle": {"degrees": 40}"#, "blend", "[crossing-folds]"),
-        ([15.0, -12.0], r#""distance": 24, "blend": 4"#, "pipes", "[radius-not-positive]"),
+        ([15.0, -12.0], r#""distance": 24, "blend": 4"#, "pipes[1]", "[radius-not-positive]"),
         ([15.0, 12.0], r#""distance": 24, "blend": 4, "wall": 1, "ends": "open""#, "", "`wall` makes a solid"),
     ] {
         let error = crossing(&pipes(radii, rest)).unwrap_err();

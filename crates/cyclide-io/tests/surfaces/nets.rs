@@ -92,6 +92,21 @@ fn nets_with_their_skins_and_edges() {
     assert!((length - (6.0 + 3.0 * quarter)).abs() < 1e-13);
 }
 
+/// What has rational edges says how many are left out, and what has rational faces why an inversion does not take it.
+#[test]
+fn rational_edges_and_faces_are_named() {
+    let tee = r#""t": {"type": "pipe-tee", "main": {"radius": 30, "ends": [-80, 80]}, "branches": [{"radius": 18, "length": 75, "blend": 6}]}"#;
+    let edges = build(&format!(r#"{tee}, "e": {{"type": "support-structure", "of": "t"}}"#)).unwrap();
+    let [remark] = &edges.remarks[..] else { panic!("{:?}", edges.remarks) };
+    let arcs = edges.item.curves().len();
+    let told: Vec<usize> = remark.message.split(' ').filter_map(|word| word.parse().ok()).collect();
+    assert_eq!((remark.reason, told[1] - told[0], told[0] > 0), ("rational-edges-left-out", arcs, true));
+    let inversion =
+        r#""i": {"type": "transform", "of": "t", "steps": [{"inversion": {"center": [0, 0, 300], "radius": 100}}]}"#;
+    let error = build(&format!("{tee}, {inversion}")).unwrap_err();
+    assert!(error.contains("[not-a-similarity]") && error.contains("surfaces with rational faces"), "{error}");
+}
+
 #[test]
 fn refused_nets_and_cyclides() {
     for (object, piece, start) in [

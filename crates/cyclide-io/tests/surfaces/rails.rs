@@ -10,7 +10,18 @@ fn bridges_are_surfaces_or_solids_and_refused_in_their_place() {
     let solid = surface(&bridge(r#""ellipses": [[10, 20], [20, 25]], "depth": 3"#).unwrap());
     assert!(solid.closed && solid.patches == 20);
     assert!(!surface(&bridge(r#""ellipses": [[10, 20], [20, 15]]"#).unwrap()).closed);
+    // Whole circles: of circles a torus, with the volume 2π²Rr².
+    let ring = surface(&bridge(r#""ellipses": [[10, 20], [20, 25]], "arcs": "full""#).unwrap());
+    assert!(ring.closed && ring.patches == 16 && ring.joints.creases == 0);
+    let torus = surface(&bridge(r#""ellipses": [[10, 10], [20, 20]], "arcs": "full""#).unwrap());
+    assert!((torus.volume.unwrap() / (2.0 * std::f64::consts::PI.powi(2) * 15.0 * 25.0) - 1.0).abs() < 1e-12);
     for (fields, place, reason) in [
+        (
+            r#""ellipses": [[10, 20], [20, 25]], "arcs": "full", "depth": 3"#,
+            "objects.b",
+            "`depth` goes with half circles",
+        ),
+        (r#""ellipses": [[10, 20], [20, 15]], "arcs": "full""#, "objects.b.ellipses", "[ellipses-cross]"),
         (r#""ellipses": [[10, 20], [10, 25]]"#, "objects.b.ellipses", "[coincident-points]"),
         (r#""ellipses": [[10, 20], [10, 25]]"#, "objects.b.ellipses", "the ellipses touch"),
         (r#""ellipses": [[10, -20], [20, 25]]"#, "objects.b.ellipses", "[radius-not-positive]"),
@@ -66,6 +77,11 @@ fn surfaces_between_two_curves_and_what_refuses_them() {
             r#"{"type": "circular-surface", "rails": ["a", "b"], "tangent": [[0, 0, 1], [0, 0, 1], [0, 0, 1]]}"#,
             "objects.s.tangent",
             "[count-differs]",
+        ),
+        (
+            r#"{"type": "circular-surface", "rails": ["a", "b"], "tangent": [[0, 0, 1], [0, 0, -2]]}"#,
+            "objects.s.tangent",
+            "between tangents 0 and 1, which oppose each other",
         ),
         (
             r#"{"type": "circular-surface", "rails": ["a", "b"], "tangent": [0, -1, 0]}"#,

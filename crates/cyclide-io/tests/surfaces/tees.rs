@@ -17,6 +17,7 @@ fn tees_are_solids_with_a_report_on_their_blends() {
     let [blend] = &filled.blends[..] else { panic!("one blend: {:?}", filled.blends) };
     assert!((blend.radius.min - 2.0).abs() < 1e-9 && (blend.radius.max - 3.0).abs() < 1e-9, "{blend:?}");
     assert!(blend.tightest > 0.0 && blend.tightest < 1.0);
+    assert!(blend.deviation > 0.0 && blend.deviation < 3e-3, "a thousandth of the radius: {blend:?}");
     let hollow = surface(&tee(BRANCH, r#", "wall": 1"#).unwrap());
     let closed = surface(&tee(BRANCH, r#", "wall": 1, "ends": "closed""#).unwrap());
     // Two disks of the main pipe and one of the branch, one thick.
@@ -42,6 +43,23 @@ fn tees_that_are_none_are_refused_in_their_place() {
         let error = tee(branches, rest).unwrap_err();
         assert!(error.contains(place) && error.contains(reason), "{error}");
     }
+    for (branches, place, reason) in [
+        (r#"{"radius": 8, "length": 40, "blend": -1}"#, "branches[0].blend", "[radius-not-positive]"),
+        (r#"{"radius": -8, "length": 40, "blend": 1}"#, "branches[0].radius", "[radius-not-positive]"),
+        (r#"{"radius": 8, "length": 40, "angle": 90, "blend": 1}"#, "branches[0].angle", "[angle-out-of-range]"),
+        (r#"{"radius": 8, "length": 40, "offset": 15, "blend": 1}"#, "branches[0]", "`pipe-crossing`"),
+        (
+            r#"{"radius": 12, "length": 40, "blend": {"crotch": 3, "flank": 2}}"#,
+            "branches[0]",
+            "[tee-law-on-equal-pipes]",
+        ),
+    ] {
+        let error = tee(branches, "").unwrap_err();
+        assert!(error.contains(place) && error.contains(reason), "{error}");
+    }
+    let reversed = r#""t": {"type": "pipe-tee", "main": {"radius": 12, "ends": [60, -50]}, "branches": [{"radius": 8, "length": 40, "blend": 2}]}"#;
+    let error = build(reversed).unwrap_err();
+    assert!(error.contains("t.main") && error.contains("[pipe-ends-reversed]"), "{error}");
     let both = format!("{BRANCH}, {}", BRANCH.replacen('{', r#"{"at": 20, "#, 1));
     let error = tee(&both, "").unwrap_err();
     assert!(error.contains("branches[1]") && error.contains("[tee-branches-meet]"), "{error}");

@@ -179,12 +179,18 @@ fn samples_have_the_normals_of_the_torus() {
     let made = build(&format!(r#""k": {{"type": "torus-knot", {HERE}, "turns": [2, 3]}}"#)).unwrap();
     let table = sample(&made, 41, Spacing::Length);
     let mut lines = table.lines();
-    assert_eq!(lines.next(), Some("t,x,y,z,tangent_x,tangent_y,tangent_z,curvature,normal_x,normal_y,normal_z"));
-    let rows: Vec<Vec<f64>> = lines.map(|line| line.split(',').map(|f| f.parse().unwrap()).collect()).collect();
+    assert_eq!(
+        lines.next(),
+        Some(
+            "t,x,y,z,tangent_x,tangent_y,tangent_z,curvature,station,signed_curvature,torsion,normal_x,normal_y,normal_z,binormal_x,binormal_y,binormal_z"
+        )
+    );
+    let rows: Vec<Vec<f64>> =
+        lines.map(|line| line.split(',').map(|f| f.parse().unwrap_or(f64::NAN)).collect()).collect();
     assert_eq!(rows.len(), 41);
     let torus = splines(&made)[0].torus();
     for row in &rows {
-        let (p, t, n) = (&row[1..4], &row[4..7], &row[8..11]);
+        let (p, t, n) = (&row[1..4], &row[4..7], &row[11..14]);
         let dot: f64 = t.iter().zip(n).map(|(a, b)| a * b).sum();
         assert!(dot.abs() < 1e-12);
         // A step along the normal is that far from the torus.
@@ -215,11 +221,24 @@ fn seams_are_solids_and_say_where_they_meet() {
     let told = surface(&made);
     assert!(told.closed && told.volume.is_some_and(|v| v > 0.0) && reasons(&made).is_empty());
     let narrow = r#""k": {"type": "torus-knot", "torus": "ring", "turns": [1, 40]}"#;
-    let wide = build(&format!(
-        r#"{RING}, {narrow}, "s": {{"type": "torus-seam", "of": "k", "width": 5, "height": [-0.5, 0.5], "tolerance": 0.2}}"#
-    ))
-    .unwrap();
-    assert_eq!(reasons(&wide), ["seam-meets-itself"]);
+    let seam_of = |curve: &str, width: f64| {
+        let fields = r#""height": [-0.5, 0.5], "tolerance": 0.2"#;
+        build(&format!(r#"{RING}, {curve}, "s": {{"type": "torus-seam", "of": "k", "width": {width}, {fields}}}"#))
+    };
+    let error = seam_of(narrow, 5.0).unwrap_err();
+    assert!(error.contains("objects.s.width") && error.contains("[seam-meets-itself]"), "{error}");
+    // Circles of all families have seams, and are laid flat.
+    for (family, length) in [("villarceau", 80.0), ("mirror-villarceau", 80.0), ("parallel", 92.0), ("meridian", 24.0)]
+    {
+        let circle = format!(
+            r#""k": {{"type": "torus-circle", "torus": "ring", "family": "{family}", "at": [0.3, {{"degrees": 60}}]}}"#
+        );
+        let volume = surface(&seam_of(&circle, 2.0).unwrap()).volume.unwrap();
+        // The middle line has the volume of the section, to a part of the height over the radius.
+        assert!((volume / (2.0 * length * std::f64::consts::PI) - 1.0).abs() < 0.01, "{family}: {volume}");
+        let flat = build(&format!(r#"{RING}, {circle}, "u": {{"type": "unrolled", "of": "k"}}"#)).unwrap();
+        assert!((report(&flat).unrolled.unwrap().lengths[0] / (length * std::f64::consts::PI) - 1.0).abs() < 1e-9);
+    }
     for (fields, place, reason) in [
         (r#""width": 90, "height": [-0.5, 0.5]"#, "objects.s.width", "[parameter-out-of-range]"),
         (r#""width": 0, "height": [-0.5, 0.5]"#, "objects.s.width", "[parameter-out-of-range]"),
@@ -232,6 +251,27 @@ fn seams_are_solids_and_say_where_they_meet() {
     }
     let error = build(r#""c": {"type": "circle", "center": [0, 0], "radius": 1}, "s": {"type": "torus-seam", "of": "c", "width": 1, "height": [0, 1]}"#).unwrap_err();
     assert!(error.contains("`c` is of type `circle`: only a `torus-spline`"), "{error}");
+}
+
+#[test]
+fn quartics_of_a_type() {
+    let quartic = |families: &str, ratio: &str| {
+        build(&format!(r#""q": {{"type": "torus-quartic", {HERE}, "families": {families}, "ratio": {ratio}}}"#))
+    };
+    let told = report(&quartic(r#"["parallel", "meridian"]"#, "3").unwrap()).torus.unwrap();
+    assert_eq!(told.winding, vec![Some([1, 1])]);
+    // The ratio is that of the second family given.
+    let [one, other] = [(r#"["parallel", "villarceau"]"#, "4"), (r#"["villarceau", "parallel"]"#, "0.25")]
+        .map(|(families, ratio)| quartic(families, ratio).unwrap());
+    assert!(splines(&one)[0].point(0.3).distance(splines(&other)[0].point(0.3)) < 1e-12);
+    for (families, ratio, place, message) in [
+        (r#"["parallel", "parallel"]"#, "2", "objects.q.families", "two different families"),
+        (r#"["villarceau", "mirror-villarceau"]"#, "1", "objects.q.ratio", "[not-coprime]"),
+        (r#"["parallel", "meridian"]"#, "0", "objects.q.ratio", "[parameter-out-of-range]"),
+    ] {
+        let error = quartic(families, ratio).unwrap_err();
+        assert!(error.contains(place) && error.contains(message), "{error}");
+    }
 }
 
 #[test]
@@ -283,6 +323,11 @@ fn what_is_refused_is_shown_at_its_place() {
         (r#""closed": true"#, "is given by `points` or by `angles`"),
         (r#""angles": [[0, 0], [1, 0]], "winding": [1, 0]"#, "that of a closed curve"),
         (r#""angles": [[0, 0], [1, 0]], "tolerance": 1"#, "`tolerance` goes with `points`"),
+        (
+            r#""angles": [[0, 0], [1, 0]], "tangents": [[1, 0, 0], "free"]"#,
+            "tangent 0 is normal to the torus there: nothing of it runs along the torus",
+        ),
+        (r#""angles": [[0, 0]], "closed": true"#, "[too-few-points]"),
         (
             r#""angles": [[0, 0], [1, 0]], "rates": [[1, 0], "free"], "tangents": ["free", "free"]"#,
             "by `tangents` or by `rates`",

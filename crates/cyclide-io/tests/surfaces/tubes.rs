@@ -31,6 +31,25 @@ fn tubes_along_curves_are_within_their_tolerance() {
     assert_eq!((bulge.tubes[0].radius.min, bulge.tubes[0].radius.max), (1.0, 2.0));
 }
 
+/// Along splines too the distance is proved, whatever it is; so many pieces that nobody could use them are refused.
+#[test]
+fn tubes_along_splines_are_proved() {
+    let points = "[[0, 0, 0], [60, 0, 0], [95, 35, 10], [70, 75, 30], [20, 70, 45]]";
+    let along = |kind: &str, radius: &str, tolerance: &str| {
+        let way = format!(r#""w": {{"type": "{kind}", "points": {points}}}"#);
+        build(&format!(r#"{way}, "t": {{"type": "tube", "of": "w", "radius": {radius}, "tolerance": {tolerance}}}"#))
+    };
+    for (kind, radius) in [("fair-spline", "[3, 6, 3]"), ("circle-spline", "[3, 6, 3]"), ("fair-spline", "3")] {
+        for (tolerance, within) in [("0.01", 0.01), ("1e-5", 1e-5)] {
+            let made = surface(&along(kind, radius, tolerance).unwrap());
+            let [known] = &made.tubes[..] else { panic!("one tube") };
+            assert!(known.proof == "proved" && known.within <= within, "{kind} {radius}: {known:?}");
+        }
+    }
+    let error = along("fair-spline", "[3, 6, 3]", "1e-9").unwrap_err();
+    assert!(error.contains("[too-many-pieces]") && error.contains("use a larger tolerance"), "{error}");
+}
+
 #[test]
 fn tubes_that_are_none_are_refused_in_their_place() {
     for (fields, place, reason) in [

@@ -20,8 +20,12 @@ pub(super) fn surface(random: &mut Random) -> Objects {
 }
 
 /// One or two inversions, the first about a place near a point of the object where it has points.
-fn steps(random: &mut Random, base: &Objects) -> Vec<Value> {
-    let points = base.objects.last().and_then(|(_, object)| object.get("points")).and_then(Value::as_array);
+pub(super) fn steps(random: &mut Random, base: &Objects) -> Vec<Value> {
+    let points = base
+        .objects
+        .last()
+        .and_then(|(_, object)| object.get("points").or(object.get("control_points")))
+        .and_then(Value::as_array);
     let near = points.map(|points| points[random.below(points.len())].clone());
     let near = near.and_then(|p| p.as_array().map(|p| p.iter().filter_map(Value::as_f64).collect::<Vec<_>>()));
     let near = near.unwrap_or_else(|| vec![random.normal(), random.normal()]);

@@ -10,7 +10,7 @@ pub(super) fn curve(random: &mut Random) -> Objects {
     Objects::derived(base, "b", json!({"type": "transform", "of": "a", "steps": steps}), false)
 }
 
-fn step(random: &mut Random) -> Value {
+pub(super) fn step(random: &mut Random) -> Value {
     match random.below(4) {
         0 => {
             let far = random.decades(-3.0, 9.0);

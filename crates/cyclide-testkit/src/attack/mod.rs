@@ -12,11 +12,14 @@ mod inversions;
 mod maps;
 mod near_degenerate;
 mod nets;
+mod nurbs;
 mod objects;
 mod patches;
 mod pipes;
+mod planar;
 mod points;
 mod polyhedra;
+mod quotients;
 mod random;
 mod revolutions;
 pub mod runner;
@@ -42,6 +45,8 @@ pub struct Attack {
     pub has_surfaces: bool,
     /// The tolerance to ask for, if any.
     pub tolerance: Option<f64>,
+    /// The area that the report has to give, if it is known.
+    pub area: Option<f64>,
 }
 
 /// One class: how often it is taken, and its objects by name, the last one to be written.
@@ -53,15 +58,17 @@ pub(crate) struct Objects {
     has_surfaces: bool,
     /// The tolerance that it needs, where others make too much work.
     tolerance: Option<f64>,
+    /// The area of the last object, if it is known.
+    area: Option<f64>,
 }
 
 impl Objects {
     fn curve(object: Value) -> Self {
-        Self { objects: vec![("a", object)], has_surfaces: false, tolerance: None }
+        Self { objects: vec![("a", object)], has_surfaces: false, tolerance: None, area: None }
     }
 
     fn surface(object: Value) -> Self {
-        Self { objects: vec![("a", object)], has_surfaces: true, tolerance: None }
+        Self { objects: vec![("a", object)], has_surfaces: true, tolerance: None, area: None }
     }
 
     /// The first object as construction geometry, and a second one made from it.
@@ -70,11 +77,11 @@ impl Objects {
             first["construction"] = json!(true);
         }
         base.objects.push((name, object));
-        Self { objects: base.objects, has_surfaces, tolerance: base.tolerance }
+        Self { objects: base.objects, has_surfaces, tolerance: base.tolerance, area: None }
     }
 }
 
-const CLASSES: [Class; 26] = [
+const CLASSES: &[Class] = &[
     ("points", 5, points::object),
     ("hairpins", 3, hairpins::object),
     ("ends", 3, ends::object),
@@ -83,6 +90,7 @@ const CLASSES: [Class; 26] = [
     ("inversions", 3, inversions::curve),
     ("maps", 2, maps::curve),
     ("near-degenerate cyclides", 3, near_degenerate::cyclide),
+    ("splines", 3, nurbs::curve),
     ("support structures", 2, near_degenerate::support),
     ("patches", 3, patches::object),
     ("offsets", 2, patches::offset),
@@ -98,9 +106,11 @@ const CLASSES: [Class; 26] = [
     ("necks", 2, swept::neck),
     ("bridges", 1, swept::bridge),
     ("rails", 2, swept::between_rails),
+    ("planar", 2, planar::surface),
     ("triangles", 1, triangles::surface),
     ("tori", 2, tori::curve),
     ("seams", 1, tori::seam),
+    ("quotients", 3, quotients::curve),
 ];
 
 /// Document `number` of the attack with this seed.
@@ -110,7 +120,7 @@ pub fn document(seed: u64, number: u64) -> Attack {
     let total: u32 = CLASSES.iter().map(|class| class.1).sum();
     let mut pick = random.below(total as usize) as u32;
     let mut chosen = CLASSES[0];
-    for class in CLASSES {
+    for &class in CLASSES {
         if pick < class.1 {
             chosen = class;
             break;
@@ -123,5 +133,5 @@ pub fn document(seed: u64, number: u64) -> Attack {
     let drawn = random.chance(0.3).then(|| random.decades(-9.0, 1.0));
     let tolerance = made.tolerance.or(drawn);
     let document = json!({"cyclide": 1, "units": "mm", "objects": objects});
-    Attack { class: chosen.0, document, has_surfaces: made.has_surfaces, tolerance }
+    Attack { class: chosen.0, document, has_surfaces: made.has_surfaces, tolerance, area: made.area }
 }

@@ -60,6 +60,9 @@ pub fn formats(attack: &Attack) -> Vec<&'static str> {
     formats
 }
 
+/// Reports in words give five digits.
+const REPORTED: f64 = 1e-4;
+
 /// Builds a document into all of the formats at once; those that fail on their own are left out and the rest is tried
 /// again. `arguments` are added to each command. The folder is for this document alone.
 #[must_use]
@@ -87,7 +90,10 @@ pub fn run(
             .stdin(Stdio::null())
             .output();
         let outcome = match output {
-            Ok(output) => outcome(&output),
+            Ok(output) => match outcome(&output) {
+                Outcome::Written => area_as_known(attack, &output),
+                other => other,
+            },
             Err(error) => Outcome::Crash(error.to_string()),
         };
         if outcome == Outcome::Written {
@@ -106,6 +112,17 @@ pub fn run(
         found.push((format, outcome));
     }
     found
+}
+
+/// Written, if the report gives the area that is known.
+fn area_as_known(attack: &Attack, output: &Output) -> Outcome {
+    let Some(known) = attack.area else { return Outcome::Written };
+    let text = String::from_utf8_lossy(&output.stdout);
+    let area = |line: &str| line.trim_start().strip_prefix("area ")?.split_whitespace().next()?.parse::<f64>().ok();
+    match text.lines().find_map(area) {
+        Some(found) if (found / known - 1.0).abs() <= REPORTED => Outcome::Written,
+        found => Outcome::Wrong(format!("area {found:?} instead of {known}")),
+    }
 }
 
 fn asked(attack: &Attack) -> Vec<String> {

@@ -39,9 +39,10 @@ pub(super) fn seam(random: &mut Random) -> Objects {
 }
 
 fn on_torus(random: &mut Random) -> Value {
-    match random.below(5) {
+    match random.below(6) {
         0 => knot(random),
         1 => circle(random),
+        2 => quartic(random),
         _ => spline(random),
     }
 }
@@ -65,8 +66,16 @@ fn knot(random: &mut Random) -> Value {
     json!({"type": "torus-knot", "torus": torus(random), "turns": turns, "start": angles(random)})
 }
 
+const FAMILIES: [&str; 4] = ["villarceau", "mirror-villarceau", "parallel", "meridian"];
+
+fn quartic(random: &mut Random) -> Value {
+    let families = [0, 1].map(|_| random.pick(&FAMILIES));
+    let ratio = random.pick(&[1.0, -1.0]) * random.decades(-1.7, 1.7);
+    json!({"type": "torus-quartic", "torus": torus(random), "families": families, "ratio": ratio, "start": angles(random)})
+}
+
 fn circle(random: &mut Random) -> Value {
-    let family = random.pick(&["villarceau", "mirror-villarceau", "parallel", "meridian"]);
+    let family = random.pick(&FAMILIES);
     json!({"type": "torus-circle", "torus": torus(random), "family": family, "at": angles(random)})
 }
 

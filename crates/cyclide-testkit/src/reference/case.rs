@@ -85,7 +85,7 @@ impl<'a> Case<'a> {
     }
 
     pub(super) fn number(&self, name: &str) -> Result<f64, Fault> {
-        self.input(name)?.as_f64().ok_or_else(|| malformed(name))
+        number(self.input(name)?).ok_or_else(|| malformed(name))
     }
 
     pub(super) fn count(&self, name: &str) -> Result<u64, Fault> {
@@ -116,6 +116,16 @@ impl<'a> Case<'a> {
         self.array::<4>(name).map(Quat::from)
     }
 
+    /// A list of numbers.
+    pub(super) fn numbers(&self, name: &str) -> Result<Vec<f64>, Fault> {
+        let list = self.input(name)?.as_array().ok_or_else(|| malformed(name))?;
+        list.iter().map(|v| number(v).ok_or_else(|| malformed(name))).collect()
+    }
+
+    pub(super) fn quats(&self, name: &str) -> Result<Vec<Quat>, Fault> {
+        Ok(self.arrays::<4>(name)?.into_iter().map(Quat::from).collect())
+    }
+
     /// A pair: a point of the plane or a complex number.
     pub(super) fn pair(&self, name: &str) -> Result<[f64; 2], Fault> {
         self.array::<2>(name)
@@ -139,11 +149,21 @@ impl<'a> Case<'a> {
     }
 }
 
-fn array<const N: usize>(value: &Value) -> Option<[f64; N]> {
-    let numbers: Vec<f64> = value.as_array()?.iter().map(Value::as_f64).collect::<Option<_>>()?;
+/// A number; those that JSON has not are words.
+fn number(value: &Value) -> Option<f64> {
+    match value.as_str() {
+        Some("NaN") => Some(f64::NAN),
+        Some("Infinity") => Some(f64::INFINITY),
+        Some("-Infinity") => Some(f64::NEG_INFINITY),
+        _ => value.as_f64(),
+    }
+}
+
+pub(super) fn array<const N: usize>(value: &Value) -> Option<[f64; N]> {
+    let numbers: Vec<f64> = value.as_array()?.iter().map(number).collect::<Option<_>>()?;
     numbers.try_into().ok()
 }
 
-fn malformed(name: &str) -> Fault {
+pub(super) fn malformed(name: &str) -> Fault {
     Fault::Malformed(format!("input `{name}` is missing or not of its type"))
 }

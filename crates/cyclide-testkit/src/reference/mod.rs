@@ -15,8 +15,11 @@ mod check;
 mod circular;
 mod deviation;
 mod fair;
+mod interpolation;
+mod moebius_spline;
 mod patch;
 mod polyhedron;
+mod qb;
 mod report;
 mod revolution;
 mod torus;
@@ -32,7 +35,7 @@ use serde_json::Value;
 type Handler = fn(&Case, &mut Check) -> Result<(), Fault>;
 
 /// The constructs about curves, whether or not the kernel has them yet: `--curves` of the command.
-pub const CURVE_CONSTRUCTS: [&str; 40] = [
+pub const CURVE_CONSTRUCTS: [&str; 54] = [
     "arc-three-points",
     "arc-point-tangent",
     "arc-weights",
@@ -73,6 +76,20 @@ pub const CURVE_CONSTRUCTS: [&str; 40] = [
     "torus-quartic-biarc",
     "two-type-biarc",
     "torus-spline",
+    "qb-evaluate",
+    "qb-to-rational-bezier",
+    "qb-elevate",
+    "qb-subdivide",
+    "qb-moebius",
+    "pole-report",
+    "interpolate-points",
+    "interpolate-hermite",
+    "hermite-three-points-two-tangents",
+    "invariant-span",
+    "circle-tangents",
+    "circle-tangent-spline",
+    "g1-circle-spline",
+    "spline-nurbs",
 ];
 
 /// The constructs about canal surfaces, surfaces of revolution, circular surfaces, offsets of polyhedra, patches over triangles, patches and nets
@@ -118,6 +135,9 @@ fn handler(construct: &str) -> Option<Handler> {
         triangle::handler,
         torus::handler,
         canal::handler,
+        qb::handler,
+        interpolation::handler,
+        moebius_spline::handler,
     ]
     .iter()
     .find_map(|topic| topic(construct))
@@ -157,10 +177,16 @@ fn judge<'a>(case: &Case<'a>, handler: Handler) -> Check<'a> {
     let outcome = handler(case, &mut check);
     match (case.expected_error(), outcome) {
         (None, Ok(())) => check.finish(&INFORMATION),
-        (Some(want), Err(Fault::Refused(error))) => match patch::reason(case.construct(), &error) {
-            reason if reason == want => check.agree("error"),
-            reason => check.fail("error", format!("refused as {reason} ({error}), expected {want}")),
-        },
+        (Some(want), Err(Fault::Refused(error))) => {
+            let words = [patch::reason(case.construct(), &error), interpolation::reason(case.construct(), &error)];
+            match words {
+                words if words.contains(&want) => check.agree("error"),
+                [reason, _] => check.fail("error", format!("refused as {reason} ({error}), expected {want}")),
+            }
+            if let Some(index) = interpolation::index(case.construct(), &error) {
+                check.exact("index", index);
+            }
+        }
         (Some(want), Ok(())) => check.fail("error", format!("accepted, expected the error {want}")),
         (None, Err(Fault::Refused(error))) => check.fail("error", format!("refused as {}: {error}", error.reason())),
         (_, Err(Fault::Malformed(what))) => check.fail("input", what),

@@ -28,25 +28,55 @@ pub(crate) fn product(a: &[f64], b: &[f64]) -> Vec<f64> {
     out
 }
 
-/// The Bernstein coefficients of the square of a polynomial in two parameters, the second one fastest (degrees double).
+/// The Bernstein coefficients of the product of two polynomials in two parameters, the second one fastest (degrees add).
 #[must_use]
-pub(crate) fn square_of_two(coefficients: &[f64], [p, q]: [usize; 2]) -> Vec<f64> {
+pub(crate) fn product_of_two(
+    (a, [p, q]): (&[f64], [usize; 2]),
+    (b, [r, u]): (&[f64], [usize; 2]),
+) -> (Vec<f64>, [usize; 2]) {
     let grid = |[p, q]: [usize; 2]| binomials(p).flat_map(move |a| binomials(q).map(move |b| a * b));
-    let scaled: Vec<f64> = coefficients.iter().zip(grid([p, q])).map(|(a, c)| a * c).collect();
-    let mut out = vec![0.0; (2 * p + 1) * (2 * q + 1)];
-    for (i, row) in scaled.chunks(q + 1).enumerate() {
-        for (k, other) in scaled.chunks(q + 1).enumerate() {
+    let scaled = |row: &[f64], degrees| row.iter().zip(grid(degrees)).map(|(a, c)| a * c).collect::<Vec<_>>();
+    let (a, b) = (scaled(a, [p, q]), scaled(b, [r, u]));
+    let mut out = vec![0.0; (p + r + 1) * (q + u + 1)];
+    for (i, row) in a.chunks(q + 1).enumerate() {
+        for (k, other) in b.chunks(u + 1).enumerate() {
             for (j, a) in row.iter().enumerate() {
-                for (out, b) in out[(i + k) * (2 * q + 1) + j..].iter_mut().zip(other) {
+                for (out, b) in out[(i + k) * (q + u + 1) + j..].iter_mut().zip(other) {
                     *out += a * b;
                 }
             }
         }
     }
-    for (out, c) in out.iter_mut().zip(grid([2 * p, 2 * q])) {
+    for (out, c) in out.iter_mut().zip(grid([p + r, q + u])) {
         *out /= c;
     }
-    out
+    (out, [p + r, q + u])
+}
+
+/// The quotient by the linear factor `t - root` of a row of which `root` in `[0, 1]` is a root: of one degree less. Run from
+/// the end that is farther from the root, where errors shrink. `None` of constants.
+pub(crate) fn divided<const D: usize>(row: &[[f64; D]], root: f64) -> Option<Vec<[f64; D]>> {
+    let n = row.len().checked_sub(2)? + 1;
+    let (all, fewer): (Vec<f64>, Vec<f64>) = (binomials(n).collect(), binomials(n - 1).collect());
+    let scaled = |i: usize| row[i].map(|c| c * all[i]);
+    // In the basis without binomials: c_i = (1 - root) q_(i-1) - root q_i.
+    let mut out = vec![[0.0; D]; n];
+    if root > 0.5 {
+        let mut before = [0.0; D];
+        for (i, out) in out.iter_mut().enumerate() {
+            let own = scaled(i);
+            before = std::array::from_fn(|d| ((1.0 - root) * before[d] - own[d]) / root);
+            *out = before.map(|q| q / fewer[i]);
+        }
+    } else {
+        let mut after = [0.0; D];
+        for (i, out) in out.iter_mut().enumerate().rev() {
+            let own = scaled(i + 1);
+            after = std::array::from_fn(|d| (own[d] + root * after[d]) / (1.0 - root));
+            *out = after.map(|q| q / fewer[i]);
+        }
+    }
+    Some(out)
 }
 
 /// Splits at `t` in place of the row: returns the coefficients of the left and of the right part.
@@ -200,6 +230,17 @@ mod tests {
             }
         }
         assert_eq!(derivatives::<1, 4>(&[[1.0], [3.0]], 0.25), [[1.5], [2.0], [0.0], [0.0]]);
+    }
+
+    #[test]
+    fn division_undoes_the_product_with_a_linear_factor() {
+        let quotient = [1.0, -2.0, 0.5, 3.0];
+        for root in [0.0, 0.25, 0.6, 1.0] {
+            let row: Vec<[f64; 1]> = product(&quotient, &[-root, 1.0 - root]).into_iter().map(|c| [c]).collect();
+            let got = divided(&row, root).unwrap();
+            assert!(got.iter().zip(quotient).all(|([g], w)| (g - w).abs() < 1e-14), "{root}: {got:?}");
+        }
+        assert!(divided(&[[1.0]], 0.5).is_none());
     }
 
     #[test]

@@ -21,12 +21,14 @@ pub struct Aabb {
 impl Aabb {
     /// The box of one point.
     #[must_use]
+    #[inline]
     pub fn of_point(p: Point3) -> Self {
         Self { min: p, max: p }
     }
 
     /// The smallest box of some points; `None` if there are none.
     #[must_use]
+    #[inline]
     pub fn of_points<I: IntoIterator<Item = Point3>>(points: I) -> Option<Self> {
         let mut points = points.into_iter();
         let first = Self::of_point(points.next()?);
@@ -35,6 +37,7 @@ impl Aabb {
 
     /// The box grown to include a point.
     #[must_use]
+    #[inline]
     pub fn including(self, p: Point3) -> Self {
         Self {
             min: Point3::new(self.min.x.min(p.x), self.min.y.min(p.y), self.min.z.min(p.z)),
@@ -44,18 +47,21 @@ impl Aabb {
 
     /// The smallest box of two boxes.
     #[must_use]
+    #[inline]
     pub fn union(self, o: Self) -> Self {
         self.including(o.min).including(o.max)
     }
 
     /// True if the other box lies inside this one (touching allowed).
     #[must_use]
+    #[inline]
     pub fn contains(self, o: Self) -> bool {
         self.union(o) == self
     }
 
     /// Distance from a point to the box, 0 inside.
     #[must_use]
+    #[inline]
     pub fn distance(self, p: Point3) -> f64 {
         let out = |p: f64, lo: f64, hi: f64| (lo - p).max(p - hi).max(0.0);
         let (x, y, z) =
@@ -65,12 +71,14 @@ impl Aabb {
 
     /// Length of the space diagonal: the size that relative measures refer to.
     #[must_use]
+    #[inline]
     pub fn diagonal(self) -> f64 {
         (self.max - self.min).length()
     }
 
     /// Largest absolute coordinate.
     #[must_use]
+    #[inline]
     pub fn max_abs(self) -> f64 {
         self.min.to_vec().max_abs().max(self.max.to_vec().max_abs())
     }

@@ -13,42 +13,50 @@ pub(crate) struct Complex {
 impl Complex {
     pub(crate) const ONE: Self = Self::new(1.0, 0.0);
 
+    #[inline]
     pub(crate) const fn new(re: f64, im: f64) -> Self {
         Self { re, im }
     }
 
     /// The number of length 1 at this angle, radians.
+    #[inline]
     pub(crate) fn at_angle(angle: f64) -> Self {
         let (im, re) = angle.sin_cos();
         Self { re, im }
     }
 
+    #[inline]
     pub(crate) const fn conj(self) -> Self {
         Self { re: self.re, im: -self.im }
     }
 
     /// Square of the length.
+    #[inline]
     pub(crate) fn norm_squared(self) -> f64 {
         self.re * self.re + self.im * self.im
     }
 
     /// Length, without overflow of the squares.
+    #[inline]
     pub(crate) fn norm(self) -> f64 {
         length([self.re, self.im])
     }
 
     /// Angle in `(-pi, pi]`, radians.
+    #[inline]
     pub(crate) fn arg(self) -> f64 {
         self.im.atan2(self.re)
     }
 
     /// The number of length 1 at the same angle; `None` for zero and numbers that are not finite.
+    #[inline]
     pub(crate) fn unit(self) -> Option<Self> {
         let n = self.norm();
         (n > 0.0 && n.is_finite()).then(|| Self::new(self.re / n, self.im / n))
     }
 
     /// The square root with a real part that is not negative, of a number of length 1.
+    #[inline]
     pub(crate) fn unit_sqrt(self) -> Self {
         // The half of the larger of the two sums: nothing cancels.
         let root = if self.re >= 0.0 {
@@ -62,6 +70,7 @@ impl Complex {
 
 impl Mul for Complex {
     type Output = Self;
+    #[inline]
     fn mul(self, o: Self) -> Self {
         Self::new(self.re * o.re - self.im * o.im, self.re * o.im + self.im * o.re)
     }
@@ -69,6 +78,7 @@ impl Mul for Complex {
 
 impl Mul<f64> for Complex {
     type Output = Self;
+    #[inline]
     fn mul(self, s: f64) -> Self {
         Self::new(self.re * s, self.im * s)
     }
@@ -76,6 +86,7 @@ impl Mul<f64> for Complex {
 
 impl Add for Complex {
     type Output = Self;
+    #[inline]
     fn add(self, o: Self) -> Self {
         Self::new(self.re + o.re, self.im + o.im)
     }

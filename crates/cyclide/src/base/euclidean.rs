@@ -7,6 +7,7 @@ const SAFE: std::ops::RangeInclusive<f64> = 1e-280..=1e280;
 ///
 /// Within three units of rounding, the same on every machine. `hypot` is some ten times slower, as it handles every size
 /// alike; here only what needs it is scaled.
+#[inline]
 pub(crate) fn length<const N: usize>(v: [f64; N]) -> f64 {
     let square = |v: [f64; N]| v.iter().map(|x| x * x).sum::<f64>();
     let plain = square(v);

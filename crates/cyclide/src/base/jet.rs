@@ -25,12 +25,21 @@ pub struct CurveJet {
 impl CurveJet {
     /// Unit tangent; `None` where the first derivative vanishes.
     #[must_use]
+    #[inline]
     pub fn tangent(&self) -> Option<Vec3> {
         self.d1.unit()
     }
 
+    /// Unit direction of travel from the first derivative that does not vanish, on the side ahead (`side` +1, as at the start
+    /// of a piece) or behind (-1, as at its end). `None` if all three vanish.
+    pub(crate) fn limit_tangent(&self, side: f64) -> Option<Vec3> {
+        // x'(s0 + h) = d1 + h d2 + h²/2 d3 with h of the sign of `side`.
+        self.d1.unit().or_else(|| (self.d2 * side).unit()).or_else(|| self.d3.unit())
+    }
+
     /// Speed, the length of the first derivative.
     #[must_use]
+    #[inline]
     pub fn speed(&self) -> f64 {
         self.d1.length()
     }
@@ -38,6 +47,7 @@ impl CurveJet {
     /// Curvature vector: second derivative by arc length, pointing to the centre of curvature, length `1/R`.
     /// `None` where the first derivative vanishes. Zero on a straight line.
     #[must_use]
+    #[inline]
     pub fn curvature_vector(&self) -> Option<Vec3> {
         let t = self.tangent()?;
         let v = self.speed();
@@ -46,12 +56,14 @@ impl CurveJet {
 
     /// Curvature `|x' × x''|/|x'|³` (never negative).
     #[must_use]
+    #[inline]
     pub fn curvature(&self) -> Option<f64> {
         self.curvature_vector().map(Vec3::length)
     }
 
     /// Curvature signed by a plane normal: positive where the curve turns left seen against `normal`.
     #[must_use]
+    #[inline]
     pub fn signed_curvature(&self, normal: Vec3) -> Option<f64> {
         let (t, k) = (self.tangent()?, self.curvature_vector()?);
         Some(t.cross(k).dot(normal))
@@ -59,6 +71,7 @@ impl CurveJet {
 
     /// Torsion `(x' × x'')·x''' / |x' × x''|²`; `None` where the curvature vanishes.
     #[must_use]
+    #[inline]
     pub fn torsion(&self) -> Option<f64> {
         let b = self.d1.cross(self.d2);
         let b2 = b.length_squared();
@@ -68,6 +81,7 @@ impl CurveJet {
 
     /// The jet with respect to a parameter that runs `factor` times as slowly (derivatives times `factor^k`).
     #[must_use]
+    #[inline]
     pub fn scaled(self, factor: f64) -> Self {
         Self {
             point: self.point,

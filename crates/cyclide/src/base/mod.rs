@@ -1,6 +1,7 @@
 //! Numbers, points, quaternions, frames: what everything else is written in.
 
 pub(crate) mod bernstein;
+pub(crate) mod bernstein_roots;
 pub(crate) mod bounds;
 pub(crate) mod complex;
 pub(crate) mod cut;

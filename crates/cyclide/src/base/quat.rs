@@ -31,18 +31,21 @@ impl Quat {
 
     /// Quaternion from its four coefficients, real part first.
     #[must_use]
+    #[inline]
     pub const fn new(w: f64, x: f64, y: f64, z: f64) -> Self {
         Self { w, x, y, z }
     }
 
     /// Quaternion from real and vector part.
     #[must_use]
+    #[inline]
     pub const fn from_parts(real: f64, vector: Vec3) -> Self {
         Self::new(real, vector.x, vector.y, vector.z)
     }
 
     /// The unit quaternion whose conjugation `q v q^-1` turns by `angle` radians, right-handed about `axis` (unit).
     #[must_use]
+    #[inline]
     pub fn from_axis_angle(axis: Vec3, angle: f64) -> Self {
         let (s, c) = (0.5 * angle).sin_cos();
         Self::from_parts(c, axis * s)
@@ -50,36 +53,42 @@ impl Quat {
 
     /// Vector part.
     #[must_use]
+    #[inline]
     pub const fn vector(self) -> Vec3 {
         Vec3::new(self.x, self.y, self.z)
     }
 
     /// Vector part, read as a point.
     #[must_use]
+    #[inline]
     pub const fn to_point(self) -> Point3 {
         Point3::new(self.x, self.y, self.z)
     }
 
     /// Conjugate.
     #[must_use]
+    #[inline]
     pub const fn conj(self) -> Self {
         Self::new(self.w, -self.x, -self.y, -self.z)
     }
 
     /// Squared length.
     #[must_use]
+    #[inline]
     pub fn norm_squared(self) -> f64 {
         self.w * self.w + self.x * self.x + self.y * self.y + self.z * self.z
     }
 
     /// Length, without overflow of the squares.
     #[must_use]
+    #[inline]
     pub fn norm(self) -> f64 {
         length([self.w, self.x, self.y, self.z])
     }
 
     /// Inverse; `None` for zero.
     #[must_use]
+    #[inline]
     pub fn inverse(self) -> Option<Self> {
         let n = self.norm();
         if !(n > 0.0 && n.is_finite()) {
@@ -93,12 +102,14 @@ impl Quat {
 
     /// Scalar product of two quaternions as vectors of R^4.
     #[must_use]
+    #[inline]
     pub fn dot(self, o: Self) -> f64 {
         self.w * o.w + self.x * o.x + self.y * o.y + self.z * o.z
     }
 
     /// `q v q^-1` for a unit quaternion: rotation of a vector.
     #[must_use]
+    #[inline]
     pub fn rotate(self, v: Vec3) -> Vec3 {
         let p = self.vector();
         let t = p.cross(v) * 2.0;
@@ -107,58 +118,68 @@ impl Quat {
 
     /// True if every coefficient is finite.
     #[must_use]
+    #[inline]
     pub fn is_finite(self) -> bool {
         self.w.is_finite() && self.vector().is_finite()
     }
 
     /// The coefficients `[w, x, y, z]`.
     #[must_use]
+    #[inline]
     pub const fn to_array(self) -> [f64; 4] {
         [self.w, self.x, self.y, self.z]
     }
 }
 
 impl From<[f64; 4]> for Quat {
+    #[inline]
     fn from(a: [f64; 4]) -> Self {
         Self::new(a[0], a[1], a[2], a[3])
     }
 }
 impl From<Vec3> for Quat {
+    #[inline]
     fn from(v: Vec3) -> Self {
         Self::from_parts(0.0, v)
     }
 }
 impl From<Point3> for Quat {
+    #[inline]
     fn from(p: Point3) -> Self {
         Self::from_parts(0.0, p.to_vec())
     }
 }
 impl Add for Quat {
     type Output = Self;
+    #[inline]
     fn add(self, o: Self) -> Self {
         Self::new(self.w + o.w, self.x + o.x, self.y + o.y, self.z + o.z)
     }
 }
 impl Sub for Quat {
     type Output = Self;
+    #[inline]
     fn sub(self, o: Self) -> Self {
         Self::new(self.w - o.w, self.x - o.x, self.y - o.y, self.z - o.z)
     }
 }
 impl Neg for Quat {
     type Output = Self;
+    #[inline]
     fn neg(self) -> Self {
         Self::new(-self.w, -self.x, -self.y, -self.z)
     }
 }
 impl Mul<f64> for Quat {
     type Output = Self;
+    #[inline]
     fn mul(self, s: f64) -> Self {
         Self::new(self.w * s, self.x * s, self.y * s, self.z * s)
     }
 }
 impl Mul for Quat {
     type Output = Self;
+    #[inline]
     fn mul(self, o: Self) -> Self {
         let (p, q) = (self.vector(), o.vector());
         Self::from_parts(self.w * o.w - p.dot(q), q * self.w + p * o.w + p.cross(q))

@@ -31,6 +31,19 @@ pub(crate) fn check_point(index: usize, p: Vec3) -> Result<()> {
     }
 }
 
+/// Refuses a derivative that is not finite or as long as no coordinate may be.
+pub(crate) fn check_derivative(index: usize, v: Vec3) -> Result<()> {
+    let value = v.max_abs();
+    if !v.is_finite() {
+        Err(Error::NotFinite { what: ErrorItem::Tangent, index })
+    } else if value > MAX_COORDINATE {
+        let (min, max) = (-MAX_COORDINATE, MAX_COORDINATE);
+        Err(Error::ParameterOutOfRange { name: ErrorItem::Tangent, value, min, max })
+    } else {
+        Ok(())
+    }
+}
+
 /// Refuses a distance that is neither zero nor in range.
 pub(crate) fn check_distance(value: f64) -> Result<()> {
     if value == 0.0 || (MIN_DISTANCE..=4.0 * MAX_COORDINATE).contains(&value) {

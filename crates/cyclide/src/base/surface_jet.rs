@@ -33,6 +33,7 @@ pub struct SurfaceJet {
 impl SurfaceJet {
     /// Unit normal `ds × dt`; `None` where it vanishes.
     #[must_use]
+    #[inline]
     pub fn normal(&self) -> Option<Vec3> {
         // Directions first: the product of two tiny derivatives would underflow.
         self.ds.unit()?.cross(self.dt.unit()?).unit()
@@ -40,6 +41,7 @@ impl SurfaceJet {
 
     /// Coefficients `[E, F, G]` of the first fundamental form.
     #[must_use]
+    #[inline]
     pub fn first_form(&self) -> [f64; 3] {
         [self.ds.dot(self.ds), self.ds.dot(self.dt), self.dt.dot(self.dt)]
     }
@@ -47,6 +49,7 @@ impl SurfaceJet {
     /// Coefficients `[L, M, N]` of the second fundamental form against [`normal`](Self::normal); `None` where there
     /// is no normal.
     #[must_use]
+    #[inline]
     pub fn second_form(&self) -> Option<[f64; 3]> {
         let n = self.normal()?;
         Some([self.dss.dot(n), self.dst.dot(n), self.dtt.dot(n)])
@@ -55,6 +58,7 @@ impl SurfaceJet {
     /// Normal curvatures of the s-line and of the t-line against [`normal`](Self::normal), the principal ones where the lines
     /// are lines of curvature; `None` where there is no normal, or one of the lines is a point.
     #[must_use]
+    #[inline]
     pub fn normal_curvatures(&self) -> Option<[f64; 2]> {
         let ([e, _, g], [l, _, n]) = (self.first_form(), self.second_form()?);
         (e.min(g) > ONE_POINT * e.max(g)).then_some([l / e, n / g])
@@ -62,6 +66,7 @@ impl SurfaceJet {
 
     /// Element of area `|ds × dt|`.
     #[must_use]
+    #[inline]
     pub fn area_element(&self) -> f64 {
         self.ds.cross(self.dt).length()
     }

@@ -52,18 +52,21 @@ impl Vec3 {
 
     /// Vector from its components.
     #[must_use]
+    #[inline]
     pub const fn new(x: f64, y: f64, z: f64) -> Self {
         Self { x, y, z }
     }
 
     /// Dot product.
     #[must_use]
+    #[inline]
     pub fn dot(self, other: Self) -> f64 {
         self.x * other.x + self.y * other.y + self.z * other.z
     }
 
     /// Cross product, right-handed.
     #[must_use]
+    #[inline]
     pub fn cross(self, other: Self) -> Self {
         Self::new(
             self.y * other.z - self.z * other.y,
@@ -74,24 +77,28 @@ impl Vec3 {
 
     /// Squared length.
     #[must_use]
+    #[inline]
     pub fn length_squared(self) -> f64 {
         self.dot(self)
     }
 
     /// Length, without overflow or underflow of the squares.
     #[must_use]
+    #[inline]
     pub fn length(self) -> f64 {
         length([self.x, self.y, self.z])
     }
 
     /// Largest absolute component.
     #[must_use]
+    #[inline]
     pub fn max_abs(self) -> f64 {
         self.x.abs().max(self.y.abs()).max(self.z.abs())
     }
 
     /// The vector of length 1 in the same direction; `None` for the zero vector and for non-finite input.
     #[must_use]
+    #[inline]
     pub fn unit(self) -> Option<Self> {
         let m = self.max_abs();
         if !(m > 0.0 && self.is_finite()) {
@@ -104,6 +111,7 @@ impl Vec3 {
 
     /// Some unit vector perpendicular to this one (which must not be zero).
     #[must_use]
+    #[inline]
     pub fn any_perpendicular(self) -> Self {
         let a = if self.x.abs() <= self.y.abs() && self.x.abs() <= self.z.abs() {
             Self::X
@@ -120,24 +128,28 @@ impl Vec3 {
     /// This is the end tangent of a circular arc from its start tangent and the unit chord
     /// (`000`, consequence of (22), (23)).
     #[must_use]
+    #[inline]
     pub fn reflect(self, axis: Self) -> Self {
         axis * (2.0 * self.dot(axis)) - self
     }
 
     /// Angle to another vector in `[0, pi]`, radians; accurate for all angles.
     #[must_use]
+    #[inline]
     pub fn angle(self, other: Self) -> f64 {
         self.cross(other).length().atan2(self.dot(other))
     }
 
     /// True if every component is finite.
     #[must_use]
+    #[inline]
     pub fn is_finite(self) -> bool {
         self.x.is_finite() && self.y.is_finite() && self.z.is_finite()
     }
 
     /// The components as an array.
     #[must_use]
+    #[inline]
     pub const fn to_array(self) -> [f64; 3] {
         [self.x, self.y, self.z]
     }
@@ -149,43 +161,57 @@ impl Point3 {
 
     /// Point from its coordinates.
     #[must_use]
+    #[inline]
     pub const fn new(x: f64, y: f64, z: f64) -> Self {
         Self { x, y, z }
     }
 
     /// The vector from the origin to this point.
     #[must_use]
+    #[inline]
     pub const fn to_vec(self) -> Vec3 {
         Vec3::new(self.x, self.y, self.z)
     }
 
     /// Distance to another point.
     #[must_use]
+    #[inline]
     pub fn distance(self, other: Self) -> f64 {
         (self - other).length()
     }
 
     /// The point halfway to another one.
     #[must_use]
+    #[inline]
     pub fn midpoint(self, other: Self) -> Self {
         Self::new(0.5 * self.x + 0.5 * other.x, 0.5 * self.y + 0.5 * other.y, 0.5 * self.z + 0.5 * other.z)
     }
 
     /// The point `(1-t) self + t other`, exact at `t = 0` and `t = 1`.
     #[must_use]
+    #[inline]
     pub fn lerp(self, other: Self, t: f64) -> Self {
         let s = 1.0 - t;
         Self::new(s * self.x + t * other.x, s * self.y + t * other.y, s * self.z + t * other.z)
     }
 
+    /// Distance from the segment between two points, which may be one.
+    pub(crate) fn distance_to_segment(self, [from, to]: [Self; 2]) -> f64 {
+        let way = to - from;
+        let part = ((self - from).dot(way) / way.dot(way).max(f64::MIN_POSITIVE)).clamp(0.0, 1.0);
+        self.distance(from + way * part)
+    }
+
     /// True if every coordinate is finite.
     #[must_use]
+    #[inline]
     pub fn is_finite(self) -> bool {
         self.to_vec().is_finite()
     }
 
     /// The coordinates as an array.
     #[must_use]
+    #[inline]
     pub const fn to_array(self) -> [f64; 3] {
         [self.x, self.y, self.z]
     }
@@ -194,6 +220,7 @@ impl Point3 {
 macro_rules! from_array {
     ($($t:ident),*) => {$(
         impl From<[f64; 3]> for $t {
+            #[inline]
             fn from(a: [f64; 3]) -> Self {
                 Self::new(a[0], a[1], a[2])
             }
@@ -202,6 +229,7 @@ macro_rules! from_array {
             type Output = f64;
             /// # Panics
             /// If `i > 2`.
+            #[inline]
             fn index(&self, i: usize) -> &f64 {
                 [&self.x, &self.y, &self.z][i]
             }
@@ -212,64 +240,75 @@ from_array!(Vec3, Point3);
 
 impl Add for Vec3 {
     type Output = Self;
+    #[inline]
     fn add(self, o: Self) -> Self {
         Self::new(self.x + o.x, self.y + o.y, self.z + o.z)
     }
 }
 impl AddAssign for Vec3 {
+    #[inline]
     fn add_assign(&mut self, o: Self) {
         *self = *self + o;
     }
 }
 impl Sub for Vec3 {
     type Output = Self;
+    #[inline]
     fn sub(self, o: Self) -> Self {
         Self::new(self.x - o.x, self.y - o.y, self.z - o.z)
     }
 }
 impl SubAssign for Vec3 {
+    #[inline]
     fn sub_assign(&mut self, o: Self) {
         *self = *self - o;
     }
 }
 impl Neg for Vec3 {
     type Output = Self;
+    #[inline]
     fn neg(self) -> Self {
         Self::new(-self.x, -self.y, -self.z)
     }
 }
 impl Mul<f64> for Vec3 {
     type Output = Self;
+    #[inline]
     fn mul(self, s: f64) -> Self {
         Self::new(self.x * s, self.y * s, self.z * s)
     }
 }
 impl Mul<Vec3> for f64 {
     type Output = Vec3;
+    #[inline]
     fn mul(self, v: Vec3) -> Vec3 {
         v * self
     }
 }
 impl Div<f64> for Vec3 {
     type Output = Self;
+    #[inline]
     fn div(self, s: f64) -> Self {
         Self::new(self.x / s, self.y / s, self.z / s)
     }
 }
 impl Sub for Point3 {
     type Output = Vec3;
+    #[inline]
     fn sub(self, o: Self) -> Vec3 {
         Vec3::new(self.x - o.x, self.y - o.y, self.z - o.z)
     }
 }
 impl Add<Vec3> for Point3 {
     type Output = Self;
+    #[inline]
     fn add(self, v: Vec3) -> Self {
         Self::new(self.x + v.x, self.y + v.y, self.z + v.z)
     }
 }
 impl Sub<Vec3> for Point3 {
     type Output = Self;
+    #[inline]
     fn sub(self, v: Vec3) -> Self {
         Self::new(self.x - v.x, self.y - v.y, self.z - v.z)
     }

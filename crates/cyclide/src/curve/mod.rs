@@ -1,4 +1,4 @@
-//! Curves: the trait, arcs, circles, chains of arcs.
+//! Curves: the trait, arcs, circles, chains of arcs, QB curves.
 
 mod arc;
 mod arc4;
@@ -7,12 +7,15 @@ mod blend;
 mod circle;
 mod circle_spline;
 mod correspondence;
+mod frames;
 mod measure;
 mod node_tangent;
 mod nurbs;
 mod param_curve;
 mod piece_form;
 mod piece_hull;
+mod qb;
+mod smooth_runs;
 
 pub use arc::Arc;
 pub use arc::measure::ClosestPoint;
@@ -25,10 +28,14 @@ pub use circle::Circle;
 pub use circle_spline::{CircleSpline, CircleSplineOptions, SplineEnds, corners_by_angle};
 pub(crate) use circle_spline::{SHARP_TURN, chords_between, corner_nodes, inspect_node, rounded_directions};
 pub use correspondence::{Correspondence, CurvePlace, Span};
+pub use frames::{ClosedTwist, CurveFrame, CurveFrames, FrameRule};
 pub use measure::{ArcLength, CurveIndex, ExtremeCurvature, Joint};
-pub use measure::{CORNER_ANGLE, Fairness, RoundedTurns, Wavering, fairness, wavering};
+pub use measure::{CORNER_ANGLE, Fairness, RoundedTurns, Wavering, fairness, plane_normal, wavering};
+pub use measure::{TightPlace, bending_energy, tight_places};
 pub use measure::{bounds, closest_point, curvature_comb, extreme_curvature, joints, length, resample};
 pub(crate) use node_tangent::Chord;
 pub use param_curve::ParamCurve;
 pub use piece_form::PieceForm;
 pub use piece_hull::PieceHull;
+pub(crate) use qb::SpanData;
+pub use qb::{QbCurve, QbReach, QbSpline};

@@ -16,6 +16,9 @@ pub(crate) struct Chord {
 }
 
 impl Chord {
+    /// Unit chords whose sum is at most this long turn back.
+    pub(crate) const CUSP_LIMIT: f64 = CUSP_LIMIT;
+
     /// The chord from `a` to `b`, scaled before squaring so that tiny and huge data neither under- nor overflow.
     pub(crate) fn new(a: Point3, b: Point3) -> Self {
         let d = b - a;

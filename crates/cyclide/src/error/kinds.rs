@@ -286,10 +286,63 @@ pub enum Error {
         /// Largest gap accepted.
         limit: f64,
     },
+    /// A knot is less than the one before.
+    KnotsDecrease {
+        /// Which knot, from 0.
+        index: usize,
+        /// Its value.
+        knot: f64,
+        /// The knot before, which it must not be below.
+        before: f64,
+    },
+    /// A knot is repeated so often that the curve falls apart there, or a control point counts for nothing.
+    KnotMultiplicity {
+        /// The first knot of that value, from 0.
+        index: usize,
+        /// How often it is there.
+        multiplicity: usize,
+        /// How often it may be there.
+        limit: usize,
+    },
     /// The knots, weights and points of a spline do not fit together.
     NotASpline {
         /// What does not fit.
         detail: &'static str,
+    },
+    /// A curve of degree n takes an odd number of conditions, `2n + 1`.
+    EvenPointCount {
+        /// Number of conditions given: points, and derivatives at them.
+        given: usize,
+    },
+    /// Two points are asked for at one parameter.
+    RepeatedParameter {
+        /// Which point, from 0.
+        first: usize,
+        /// The other one.
+        second: usize,
+        /// Their parameter.
+        value: f64,
+    },
+    /// The only curve of the degree that fits the other points, at their parameters, misses these.
+    UnattainablePoint {
+        /// Which points, from 0, rising.
+        points: Vec<usize>,
+        /// What is left of the weight of the first one, relative to all, or its distance from the curve in sizes of the data.
+        measured: f64,
+        /// The weight must be above this, the distance below it.
+        limit: f64,
+    },
+    /// A curve passes through infinity, or runs so far out that doubles do not tell.
+    CurveThroughInfinity {
+        /// Near which parameter.
+        t: f64,
+    },
+    /// The circular arcs that leave two points along their tangents run in opposite directions: no direction is halfway.
+    OppositeArcs {
+        /// Length of the sum of their unit tangents at the start.
+        measured: f64,
+        /// Lengths below this are refused.
+        limit: f64,
     },
     /// A part of a curve is not proved to be within the tolerance of its chord, however short.
     NotWithinTolerance {
@@ -299,6 +352,17 @@ pub enum Error {
         bound: f64,
         /// The tolerance asked for.
         tolerance: f64,
+    },
+    /// A frame does not exist at a place of a curve: what it would be made from vanishes there.
+    NoFrame {
+        /// What vanishes.
+        what: &'static str,
+        /// The place, a global parameter in `[0, 1]`.
+        t: f64,
+        /// Its size.
+        measured: f64,
+        /// Sizes up to this are refused.
+        limit: f64,
     },
     /// No tangent-continuous arc spline stays within the tolerance of the polyline near this vertex.
     NoG1SplineInTube {
@@ -521,6 +585,19 @@ pub enum Error {
         /// Twice the radius.
         limit: f64,
     },
+    /// Parts of a seam along a curve of a torus that are no neighbours share space.
+    SeamMeetsItself {
+        /// Which piece of the curve, from 0.
+        first: usize,
+        /// The other one; the same if it comes round.
+        second: usize,
+        /// A point that both parts hold.
+        point: [f64; 3],
+        /// Distance of the curve from itself there.
+        distance: f64,
+        /// Width of the seam.
+        width: f64,
+    },
     /// What follows arcs and segments was given a curve of another kind.
     NotOfArcs {
         /// Kinds of curves that are.
@@ -598,6 +675,8 @@ pub enum Error {
         reach: f64,
         /// The radius of the main pipe.
         limit: f64,
+        /// How far its axis passes beside that of the main pipe.
+        offset: f64,
     },
     /// The balls of the plainest blend of a tee are infinite in a crotch.
     TeeBlendTooLarge {
@@ -607,6 +686,13 @@ pub enum Error {
         radius: f64,
         /// The radius at which that begins; not positive where no ball will do.
         limit: f64,
+    },
+    /// A branch as wide as its main pipe has a blend whose radius changes.
+    TeeLawOnEqualPipes {
+        /// Which branch, from 0.
+        branch: usize,
+        /// Two of its radii.
+        radii: [f64; 2],
     },
     /// A pipe of a tee ends within a blend.
     TeePipeTooShort {
@@ -634,6 +720,22 @@ pub enum Error {
         branch: usize,
         /// Angle round the branch where that is.
         angle: f64,
+    },
+    /// The ends of a pipe are not in order.
+    PipeEndsReversed {
+        /// Which pipe, from 0; of a tee the main pipe.
+        pipe: usize,
+        /// The first end.
+        start: f64,
+        /// The second, which must be above it.
+        end: f64,
+    },
+    /// The axes of a crossing are too near to each other.
+    CrossingAxesTooNear {
+        /// Their distance.
+        distance: f64,
+        /// What the radii differ: it must be above this.
+        limit: f64,
     },
     /// A pipe of a crossing ends within the blend.
     CrossingPipeTooShort {
@@ -810,6 +912,17 @@ pub enum Error {
         piece: usize,
         /// Near which part of the piece, and of the arcs.
         at: [f64; 2],
+    },
+    /// The directions of arcs at neighbouring joints of a curve oppose each other: halfway between them there is none.
+    OppositeTangents {
+        /// The first one, from 0.
+        first: usize,
+        /// The next one; of closed curves the first of all again.
+        second: usize,
+        /// What is left of the longer one between them.
+        length: f64,
+        /// Parts up to this are refused.
+        limit: f64,
     },
     // Triangles and meshes of them.
     /// The corners of a triangle lie on one line, or nearly.
@@ -1032,6 +1145,15 @@ pub enum Error {
         /// Which quad, from 0, s fastest.
         quad: usize,
         /// What went wrong in it.
+        cause: Box<Error>,
+    },
+    /// A number of one branch of a tee failed; the cause says why.
+    InBranch {
+        /// Which branch, from 0.
+        branch: usize,
+        /// Which of its numbers.
+        what: ErrorItem,
+        /// What went wrong with it.
         cause: Box<Error>,
     },
     /// One triangle of a mesh failed; the cause says why.

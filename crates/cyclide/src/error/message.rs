@@ -79,12 +79,23 @@ impl std::fmt::Display for Error {
                 ShortNumber(*reach),
                 ShortNumber(*needed)
             ),
-            Self::TeeBranchTooWide { branch, reach, limit } => write!(
-                f,
-                "branch {branch} reaches {} sideways from the axis of the main pipe, whose radius is {}: a branch stands within its breadth, thinner and offset by less than the radii differ; make it thinner, or move it nearer to the axis; pipes that pass each other at right angles are a crossing (`PipeCrossing`)",
-                ShortNumber(*reach),
-                ShortNumber(*limit)
-            ),
+            Self::TeeBranchTooWide { branch, reach, limit, offset } => {
+                write!(
+                    f,
+                    "branch {branch} reaches {} sideways from the axis of the main pipe, whose radius is {}: a branch stands within its breadth, thinner and offset by less than the radii differ, or is of one radius with it, a cylinder whose axis meets the other; ",
+                    ShortNumber(*reach),
+                    ShortNumber(*limit)
+                )?;
+                let room = limit - (reach - offset.abs());
+                if *offset == 0.0 || room <= 0.0 {
+                    return f.write_str("make it thinner, or let the wider pipe be the main one");
+                }
+                write!(
+                    f,
+                    "make it thinner, or its offset less than {}; a pipe that goes on past the other, its axis farther off than the radii differ, is a `pipe-crossing`, at any angle",
+                    ShortNumber(room)
+                )
+            }
             Self::TeeBlendTooLarge { branch, radius, limit } if *limit > 0.0 => write!(
                 f,
                 "the blend of branch {branch}, of one quartic with the radius {} at its flank, has an infinite one in a crotch: its radius must be below {}, or give one radius for all of it",
@@ -95,6 +106,12 @@ impl std::fmt::Display for Error {
                 f,
                 "the blend of branch {branch}, of one quartic with the radius {} at its flank, has an infinite one in a crotch, as has any where the radii of the pipes differ by so little more than their offset: give one radius for all of it",
                 ShortNumber(*radius)
+            ),
+            Self::TeeLawOnEqualPipes { branch, radii: [first, second] } => write!(
+                f,
+                "branch {branch} is as wide as the main pipe, and its blend has one radius all round, not {} and {}: give one, or make the branch thinner",
+                ShortNumber(*first),
+                ShortNumber(*second)
             ),
             Self::TeePipeTooShort { what: ErrorItem::Branch, branch, end, needed } => write!(
                 f,
@@ -146,6 +163,18 @@ impl std::fmt::Display for Error {
                 f,
                 "the blend of branch {branch} meets the main pipe in a line that turns back at {} radians round the branch: let the radius change less there",
                 ShortNumber(*angle)
+            ),
+            Self::PipeEndsReversed { pipe, start, end } => write!(
+                f,
+                "the ends of pipe {pipe} are at {} and {}: the lower place comes first",
+                ShortNumber(*start),
+                ShortNumber(*end)
+            ),
+            Self::CrossingAxesTooNear { distance, limit } => write!(
+                f,
+                "the axes are {} apart, and pipes pass each other if that is more than their radii differ, by {}: move them apart; a pipe that ends on another, its axis nearer or meeting, is a branch of a `pipe-tee`",
+                ShortNumber(*distance),
+                ShortNumber(*limit)
             ),
             Self::CrossingPipeTooShort { pipe, end, needed } => write!(
                 f,
@@ -219,9 +248,15 @@ impl std::fmt::Display for Error {
             ),
             Self::ArcsCross { piece, at } => write!(
                 f,
-                "the arcs between piece {piece} of both curves cross their neighbours near {} of the piece and {} of the arcs, and the surface runs through itself; does the second curve run the other way?",
+                "the arcs between piece {piece} of both curves cross their neighbours near {} of the piece and {} of the arcs, and the surface runs through itself or folds back; does the second curve run the other way, or the tangent away from it?",
                 ShortNumber(at[0]),
                 ShortNumber(at[1])
+            ),
+            Self::OppositeTangents { first, second, length, limit } => write!(
+                f,
+                "between tangents {first} and {second}, which oppose each other, there is a place without a direction: {} of the longer one is left, limit {}; turn one of them to a side",
+                ShortNumber(*length),
+                ShortNumber(*limit)
             ),
             Self::DegreeTooHigh { degree, limit } => write!(
                 f,
@@ -260,6 +295,34 @@ impl std::fmt::Display for Error {
                 ShortNumber(*place),
                 ShortNumber(*limit)
             ),
+            Self::EvenPointCount { given } => write!(
+                f,
+                "{given} conditions given: a curve of degree n takes an odd number, 2n + 1; add or leave out a point, or take a Moebius \
+                 spline, which takes any number"
+            ),
+            Self::RepeatedParameter { first, second, value } => {
+                write!(f, "points {first} and {second} have the same parameter {}", ShortNumber(*value))
+            }
+            Self::UnattainablePoint { points, measured, limit } => write!(
+                f,
+                "{} cannot be attained: the others lie, at their parameters, on a curve of lower degree that misses them ({}, limit \
+                 {}); move a point or change the parameters",
+                points_in_words(points),
+                ShortNumber(*measured),
+                ShortNumber(*limit)
+            ),
+            Self::CurveThroughInfinity { t } => write!(
+                f,
+                "the curve passes through infinity near the parameter {}: change the parameters, move a point, or take a Moebius spline",
+                ShortNumber(*t)
+            ),
+            Self::OppositeArcs { measured, limit } => write!(
+                f,
+                "the circles along both tangents run in opposite directions ({} of a common one, at least {} needed): turn a tangent, or \
+                 put a point between",
+                ShortNumber(*measured),
+                ShortNumber(*limit)
+            ),
             Self::NotWithinTolerance { piece, bound, tolerance } => write!(
                 f,
                 "piece {piece}: the curve is not proved to be within {} of a polyline, only within {}; use a larger tolerance",
@@ -289,7 +352,7 @@ impl std::fmt::Display for Error {
             }
             Self::CrossesAxis { piece, distance, .. } => write!(
                 f,
-                "piece {piece} of the profile meets the axis, or lies on another side of it than the pieces before (distance {}): cut it there and turn one half",
+                "piece {piece} of the profile meets the axis, or lies on another side of it than the pieces before (distance {}): cut it there, and turn one half, or each part for itself",
                 ShortNumber(*distance)
             ),
             Self::ProfileMeetsItself { first, second, radius, height } => write!(
@@ -369,6 +432,15 @@ impl std::fmt::Display for Error {
                 ShortNumber(*distance),
                 ShortNumber(*limit)
             ),
+            Self::SeamMeetsItself { first, second, point: [x, y, z], distance, width } => write!(
+                f,
+                "the seam runs through itself at {}, {}, {}: pieces {first} and {second} of its curve are {} apart there, and it is {} wide; take a narrower seam, or a curve that keeps away from itself",
+                ShortNumber(*x),
+                ShortNumber(*y),
+                ShortNumber(*z),
+                ShortNumber(*distance),
+                ShortNumber(*width)
+            ),
             Self::ParameterOutOfRange { name, value, min, max } => {
                 write!(f, "{name} = {:#} is {}", ShortNumber(*value), outside(*min, *max))
             }
@@ -395,6 +467,20 @@ impl std::fmt::Display for Error {
                 ShortNumber(*limit)
             ),
             Self::NotASimilarity { .. } => f.write_str("the map is not a similarity"),
+            Self::NoFrame { what, t, measured, limit } => write!(
+                f,
+                "there is no frame at the parameter {}: {what} is {}, more than {} is needed",
+                ShortNumber(*t),
+                ShortNumber(*measured),
+                ShortNumber(*limit)
+            ),
+            Self::KnotsDecrease { index, knot, before } => {
+                write!(f, "knot {index} is {knot}, less than the one before, {before}: knots must not decrease")
+            }
+            Self::KnotMultiplicity { index, multiplicity, limit } => write!(
+                f,
+                "the knot at {index} is there {multiplicity} times, {limit} at most: the curve would fall apart there"
+            ),
             Self::NotASpline { detail } => write!(f, "not a spline: {detail}"),
             Self::WeightNotPositive { index, weight } => {
                 write!(f, "weight {index} is {}: rational weights must be positive here", ShortNumber(*weight))
@@ -515,9 +601,12 @@ impl std::fmt::Display for Error {
                 ShortNumber(*length),
                 ShortNumber(*limit)
             ),
+            Self::UndefinedNormal { vertex, limit, .. } if *limit <= 0.0 => {
+                write!(f, "vertex {vertex} has no normal: the one given for it is zero")
+            }
             Self::UndefinedNormal { vertex, length, limit } => write!(
                 f,
-                "vertex {vertex} has no normal: those of its faces cancel to the length {}, limit {}",
+                "vertex {vertex} has no normal: those of its faces cancel, or the one given runs along its circle: the length {} is left, limit {}",
                 ShortNumber(*length),
                 ShortNumber(*limit)
             ),
@@ -540,6 +629,7 @@ impl std::fmt::Display for Error {
                 "triangles {} and {} both run from vertex {} to vertex {}: one of them must be turned over",
                 triangles[0], triangles[1], vertices[0], vertices[1]
             ),
+            Self::InBranch { branch, what, cause } => write!(f, "branch {branch}, {what}: {cause}"),
             Self::InTriangle { triangle, cause } => write!(f, "triangle {triangle}: {cause}"),
             Self::InSpan { span, cause } => write!(f, "span {span}: {cause}"),
             Self::NotARingTorus { major, minor } => write!(

@@ -25,9 +25,10 @@ pub type Result<T, E = Error> = std::result::Result<T, E>;
 impl std::error::Error for Error {
     fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
         match self {
-            Self::InQuad { cause, .. } | Self::InTriangle { cause, .. } | Self::InSpan { cause, .. } => {
-                Some(cause.as_ref())
-            }
+            Self::InQuad { cause, .. }
+            | Self::InBranch { cause, .. }
+            | Self::InTriangle { cause, .. }
+            | Self::InSpan { cause, .. } => Some(cause.as_ref()),
             _ => None,
         }
     }

@@ -1,6 +1,6 @@
 //! The stable names of the reasons, and the item at fault.
 
-use super::Error;
+use super::{Error, ErrorItem};
 
 impl Error {
     /// The stable name of the reason, as used in reference data and reports.
@@ -35,6 +35,7 @@ impl Error {
             Self::PlateTooSmall { .. } => "plate-too-small",
             Self::TeeBranchTooWide { .. } => "tee-branch-too-wide",
             Self::TeeBlendTooLarge { .. } => "tee-blend-too-large",
+            Self::TeeLawOnEqualPipes { .. } => "tee-law-on-equal-pipes",
             Self::TeePipeTooShort { .. } => "tee-pipe-too-short",
             Self::BallsNested { .. } => "balls-nested",
             Self::TubeTurnsBack { .. } => "tube-turns-back",
@@ -43,6 +44,8 @@ impl Error {
             Self::RadiusNotClosed { .. } => "radius-not-closed",
             Self::TeeBlendFolds { .. } => "tee-blend-folds",
             Self::TeeHoleFolds { .. } => "tee-hole-folds",
+            Self::PipeEndsReversed { .. } => "pipe-ends-reversed",
+            Self::CrossingAxesTooNear { .. } => "crossing-axes-too-near",
             Self::CrossingPipeTooShort { .. } => "crossing-pipe-too-short",
             Self::CrossingHoleTooWide { .. } => "crossing-hole-too-wide",
             Self::CrossingHoleTurnsBack { .. } => "crossing-hole-turns-back",
@@ -56,6 +59,7 @@ impl Error {
             Self::PieceCountsDiffer { .. } => "piece-counts-differ",
             Self::RulingsCross { .. } => "rulings-cross",
             Self::ArcsCross { .. } => "arcs-cross",
+            Self::OppositeTangents { .. } => "opposite-tangents",
             Self::DegreeTooHigh { .. } => "degree-too-high",
             Self::DegenerateCircle { .. } => "degenerate-circle",
             Self::DegenerateSphere { .. } => "degenerate-sphere",
@@ -63,6 +67,11 @@ impl Error {
             Self::ArcThroughInfinity { .. } => "arc-through-infinity",
             Self::AmbiguousHalfTurn { .. } => "ambiguous-half-turn",
             Self::TooManyPieces { .. } => "too-many-pieces",
+            Self::EvenPointCount { .. } => "even-point-count",
+            Self::RepeatedParameter { .. } => "repeated-parameter",
+            Self::UnattainablePoint { .. } => "unattainable-point",
+            Self::CurveThroughInfinity { .. } => "curve-through-infinity",
+            Self::OppositeArcs { .. } => "opposite-arcs",
             Self::NotWithinTolerance { .. } => "not-within-tolerance",
             Self::BelowRoundingOfPlace { .. } => "below-rounding-of-place",
             Self::ToleranceNotPositive { .. } => "tolerance-not-positive",
@@ -83,12 +92,16 @@ impl Error {
             Self::CornerNotMitred { .. } => "corner-not-mitred",
             Self::MitreDoesNotFit { .. } => "mitre-does-not-fit",
             Self::PipeMeetsItself { .. } => "pipe-meets-itself",
+            Self::SeamMeetsItself { .. } => "seam-meets-itself",
             Self::ParameterOutOfRange { .. } => "parameter-out-of-range",
             Self::NoG1SplineInTube { .. } => "no-g1-spline-in-tube",
             Self::ToleranceNotReached { .. } => "tolerance-not-reached",
             Self::Disconnected { .. } => "disconnected",
             Self::NotMobius { .. } => "not-mobius",
             Self::NotASimilarity { .. } => "not-a-similarity",
+            Self::NoFrame { .. } => "no-frame",
+            Self::KnotsDecrease { .. } => "knots-decrease",
+            Self::KnotMultiplicity { .. } => "knot-multiplicity",
             Self::NotASpline { .. } => "not-a-spline",
             Self::WeightNotPositive { .. } => "weight-not-positive",
             Self::FrameNotOrthonormal { .. } => "frame-not-orthonormal",
@@ -113,7 +126,10 @@ impl Error {
             Self::NoSuchVertex { .. } => "no-such-vertex",
             Self::NonManifoldEdge { .. } => "non-manifold-edge",
             Self::InconsistentOrientation { .. } => "inconsistent-orientation",
-            Self::InQuad { cause, .. } | Self::InTriangle { cause, .. } | Self::InSpan { cause, .. } => cause.reason(),
+            Self::InQuad { cause, .. }
+            | Self::InBranch { cause, .. }
+            | Self::InTriangle { cause, .. }
+            | Self::InSpan { cause, .. } => cause.reason(),
             Self::CollapsedOnCurve { .. } => "collapsed-on-curve",
             Self::NotConverged { .. } => "not-converged",
             Self::ShapeLost { .. } => "shape-lost",
@@ -149,8 +165,9 @@ impl Error {
             | Self::PointAtInfinity { index, .. }
             | Self::ZeroAxis { index, .. }
             | Self::Cusp { index, .. }
+            | Self::OppositeTangents { first: index, .. }
             | Self::WeightNotPositive { index, .. } => Some(index),
-            Self::CoincidentPoints { second, .. } => Some(second),
+            Self::CoincidentPoints { second, .. } | Self::RepeatedParameter { second, .. } => Some(second),
             Self::ArcThroughInfinity { segment, .. } | Self::AmbiguousHalfTurn { segment, .. } => Some(segment),
             Self::TooManyPieces { segment, .. } => segment,
             Self::NoG1SplineInTube { vertex, .. } => Some(vertex),
@@ -168,11 +185,14 @@ impl Error {
             Self::ProfileMeetsItself { second, .. } => Some(second),
             Self::BendDoesNotFit { corner, .. } => Some(corner),
             Self::CornerNotMitred { joint, .. } => Some(joint),
-            Self::PipeMeetsItself { second, .. } | Self::BallsNested { second, .. } => Some(second),
+            Self::PipeMeetsItself { second, .. }
+            | Self::SeamMeetsItself { second, .. }
+            | Self::BallsNested { second, .. } => Some(second),
             Self::TubeTurnsBack { ball } => Some(ball),
             Self::InSpan { span, .. } => Some(span),
             Self::NotAShell { index, .. } => Some(index),
             Self::InQuad { quad, .. } => Some(quad),
+            Self::InBranch { branch, .. } => Some(branch),
             Self::InTriangle { triangle, .. }
             | Self::NoSuchVertex { triangle, .. }
             | Self::NonManifoldEdge { triangle, .. } => Some(triangle),
@@ -181,11 +201,15 @@ impl Error {
             | Self::PointOnAxis { index, .. }
             | Self::PointOnCoreCircle { index, .. }
             | Self::PointOffTorus { index, .. }
-            | Self::EmptyInterval { index, .. } => Some(index),
+            | Self::EmptyInterval { index, .. }
+            | Self::KnotsDecrease { index, .. }
+            | Self::KnotMultiplicity { index, .. } => Some(index),
             Self::NoTwoTypeSolution { segment, .. } => Some(segment),
             Self::WrongSide { surface, .. } => Some(surface),
             Self::UndefinedNormal { vertex, .. } | Self::PlanesMissPoint { vertex, .. } => Some(vertex),
-            Self::ToleranceNotReached { ref points, .. } => points.first().copied(),
+            Self::ToleranceNotReached { ref points, .. } | Self::UnattainablePoint { ref points, .. } => {
+                points.first().copied()
+            }
             _ => None,
         }
     }
@@ -194,6 +218,12 @@ impl Error {
     #[must_use]
     pub fn in_quad(self, quad: usize) -> Self {
         Self::InQuad { quad, cause: Box::new(self) }
+    }
+
+    /// Wraps the error as the failure of a number of one branch of a tee.
+    #[must_use]
+    pub fn in_branch(self, branch: usize, what: ErrorItem) -> Self {
+        Self::InBranch { branch, what, cause: Box::new(self) }
     }
 
     /// Wraps the error as the failure of one triangle of a mesh.

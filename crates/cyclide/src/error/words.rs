@@ -90,6 +90,8 @@ pub(super) fn through_infinity(segment: usize, reach: f64, limit: f64) -> String
 pub(super) fn count_differs(what: ErrorItem, given: usize, needed: usize) -> String {
     match what {
         ErrorItem::Radius => format!("{given} radii given for {needed} points"),
+        ErrorItem::Knot => format!("{given} knots given, {needed} needed"),
+        ErrorItem::Weight => format!("{given} weights given for {needed} control points"),
         ErrorItem::Normal => format!("{given} normals given, one for each of {needed} vertices needed"),
         _ => format!("{given} {what}s given for {needed} points"),
     }

@@ -12,8 +12,8 @@ use crate::surface::CyclidicNet;
 use crate::topology::{Body, EdgeCurve, Shell};
 
 impl Conformal for CurveObject {
-    /// The image: of arcs and chains of arcs under any map, of circles, circle splines and splines on tori under similarities
-    /// and reflections.
+    /// The image: of arcs, chains of arcs, rational B-splines and QB splines under any map, of circles, circle splines and splines
+    /// on tori under similarities and reflections.
     ///
     /// # Errors
     /// As the curve's own `transformed` or `similar`; `not-a-similarity`.
@@ -24,6 +24,8 @@ impl Conformal for CurveObject {
             Self::ArcPath(c) => c.transformed(map).map(Self::ArcPath),
             Self::CircleSpline(c) => c.similar(map).map(Self::CircleSpline),
             Self::TorusSpline(c) => c.similar(map).map(Self::TorusSpline),
+            Self::Nurbs(c) => c.transformed(map).map(Self::Nurbs),
+            Self::QbSpline(c) => c.transformed(map).map(Self::QbSpline),
         }
     }
 }
@@ -94,6 +96,8 @@ impl CurveObject {
             Self::Arc(_) | Self::Circle(_) | Self::ArcPath(_) => true,
             Self::CircleSpline(_) => false,
             Self::TorusSpline(spline) => spline.pieces().iter().all(|piece| piece.degree() == 2),
+            Self::Nurbs(curve) => curve.degree() == 1,
+            Self::QbSpline(spline) => spline.spans().iter().all(|span| span.degree() == 1),
         }
     }
 

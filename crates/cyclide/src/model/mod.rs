@@ -5,7 +5,9 @@ mod circle_spline;
 mod derived;
 mod lower;
 mod named;
+mod nurbs;
 mod object;
+mod qb_spline;
 mod surface_object;
 mod torus_spline;
 

@@ -3,7 +3,8 @@
 use super::object::{CurveObject, Item, Model, Units};
 use super::surface_object::SurfaceObject;
 use crate::construct::Biarc;
-use crate::curve::{Arc, ArcPath, Circle, CircleSpline};
+use crate::curve::{Arc, ArcPath, Circle, CircleSpline, QbSpline};
+use crate::rational::NurbsCurve;
 use crate::surface::{CyclidePatch, CyclidicNet, SmoothMesh, SphereBlend, TorusSpline, TriangleSurface};
 use crate::topology::{Body, Shell};
 
@@ -51,7 +52,7 @@ macro_rules! becomes {
     };
 }
 
-becomes!(CurveObject: Arc => Arc, Circle => Circle, ArcPath => ArcPath, CircleSpline => CircleSpline, TorusSpline => TorusSpline);
+becomes!(CurveObject: Arc => Arc, Circle => Circle, ArcPath => ArcPath, CircleSpline => CircleSpline, TorusSpline => TorusSpline, QbSpline => QbSpline, NurbsCurve => Nurbs);
 becomes!(SurfaceObject: CyclidePatch => Patch, CyclidicNet => Net, Body => Body, TriangleSurface => Triangles);
 
 impl From<Biarc> for CurveObject {

@@ -3,8 +3,9 @@
 use super::chain::CurveChain;
 use super::lower::{Lower, Lowered};
 use super::surface_object::SurfaceObject;
-use crate::curve::{Arc, ArcPath, Circle, CircleSpline, ParamCurve};
+use crate::curve::{Arc, ArcPath, Circle, CircleSpline, ParamCurve, QbSpline};
 use crate::error::Result;
+use crate::rational::NurbsCurve;
 use crate::surface::TorusSpline;
 
 /// What one unit of the coordinates means. Coordinates are never rescaled; units label them.
@@ -95,6 +96,10 @@ pub enum CurveObject {
     CircleSpline(CircleSpline),
     /// A spline on a torus.
     TorusSpline(TorusSpline),
+    /// A rational B-spline curve.
+    Nurbs(NurbsCurve),
+    /// Quaternionic Bézier curves end to end, or one.
+    QbSpline(QbSpline),
 }
 
 impl CurveObject {
@@ -107,6 +112,8 @@ impl CurveObject {
             Self::ArcPath(c) => c,
             Self::CircleSpline(c) => c,
             Self::TorusSpline(c) => c,
+            Self::Nurbs(c) => c,
+            Self::QbSpline(c) => c,
         }
     }
 
@@ -117,6 +124,8 @@ impl CurveObject {
             Self::ArcPath(c) => c,
             Self::CircleSpline(c) => c,
             Self::TorusSpline(c) => c,
+            Self::Nurbs(c) => c,
+            Self::QbSpline(c) => c,
         }
     }
 }

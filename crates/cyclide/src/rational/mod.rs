@@ -4,6 +4,7 @@ mod bezier_curve;
 mod bezier_surface;
 mod nurbs_curve;
 mod nurbs_edit;
+mod nurbs_mobius;
 mod polynomial;
 mod quaternion_polynomial;
 mod smooth_knots;

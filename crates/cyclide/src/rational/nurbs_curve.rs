@@ -31,44 +31,26 @@ pub struct NurbsCurve {
 }
 
 impl NurbsCurve {
-    /// Curve from degree, knots (length `points + degree + 1`, clamped, non-decreasing, no inner knot more often
-    /// than `degree` times), affine control points and weights.
+    /// Largest degree: what CAD systems hold (OpenCASCADE reads no higher one).
+    pub const MOST_DEGREE: usize = 25;
+
+    /// Curve from degree (1 to [`MOST_DEGREE`](Self::MOST_DEGREE)), knots (length `points + degree + 1`, clamped,
+    /// non-decreasing, no inner knot more often than `degree` times), affine control points and weights. Knots that are
+    /// not clamped: [`clamped`](Self::clamped).
     ///
     /// # Errors
-    /// `not-a-spline`, `not-finite`, `weight-not-positive`.
+    /// `parameter-out-of-range` (degree), `too-few-points`, `count-differs` (weights, knots), `not-finite`,
+    /// `weight-not-positive`, `knots-decrease`, `knot-multiplicity`, `not-a-spline` (ends not clamped).
     pub fn new(degree: usize, knots: Vec<f64>, points: Vec<Point3>, weights: Vec<f64>) -> Result<Self> {
-        let fail = |detail| Err(Error::NotASpline { detail });
-        if degree == 0 || points.len() < degree + 1 {
-            return fail("fewer points than degree + 1, or degree 0");
-        }
-        if weights.len() != points.len() {
-            return fail("one weight per point needed");
-        }
-        if knots.len() != points.len() + degree + 1 {
-            return fail("number of knots is not points + degree + 1");
-        }
-        if let Some(index) = points.iter().position(|p| !p.is_finite()) {
-            return Err(Error::NotFinite { what: ErrorItem::ControlPoint, index });
-        }
-        if let Some(index) = weights.iter().position(|w| !w.is_finite() || *w <= 0.0) {
-            return Err(Error::WeightNotPositive { index, weight: weights[index] });
-        }
-        if let Some(index) = knots.iter().position(|k| !k.is_finite()) {
-            return Err(Error::NotFinite { what: ErrorItem::Knot, index });
-        }
-        if knots.windows(2).any(|w| w[1] < w[0]) {
-            return fail("knots decrease");
-        }
+        check_numbers(degree, &knots, &points, &weights)?;
         let (first, last) = (knots[0], knots[knots.len() - 1]);
         // Clamped ends are copies of one number: compared as such.
-        if multiplicity(&knots, first) != degree + 1 || multiplicity(&knots, last) != degree + 1 {
-            return fail("end knots do not have multiplicity degree + 1");
+        if multiplicity(&knots, first) <= degree || multiplicity(&knots, last) <= degree {
+            return Err(Error::NotASpline { detail: "end knots do not have multiplicity degree + 1" });
         }
+        check_multiplicities(degree, &knots)?;
         let mut breaks = knots.clone();
         breaks.dedup_by(|a, b| *a <= *b); // sorted: equal
-        if breaks[1..breaks.len() - 1].iter().any(|&k| multiplicity(&knots, k) > degree) {
-            return fail("an inner knot has multiplicity above the degree");
-        }
         let rows = homogeneous_rows(&points, &weights);
         // Where every inner knot is there as often as the degree the curve is in Bézier form: no second list is made.
         let is_bezier = rows.len() == degree * (breaks.len() - 1) + 1;
@@ -104,6 +86,17 @@ impl NurbsCurve {
             span_rows: self.span_rows.iter().rev().copied().collect(),
             breaks: self.breaks.iter().rev().map(mirrored).collect(),
         }
+    }
+
+    /// The same curve with its end in its start, of which it is rounding away.
+    pub(super) fn closed_by_rounding(mut self) -> Self {
+        let first = self.points[0];
+        if let (Some(point), Some(row)) = (self.points.last_mut(), self.span_rows.last_mut()) {
+            let w = row[3];
+            *point = first;
+            *row = [first.x * w, first.y * w, first.z * w, w];
+        }
+        self
     }
 
     /// Joins Bézier curves of one degree end to end, each over a knot interval of the given length; joints get
@@ -260,6 +253,51 @@ impl NurbsCurve {
         let (a, b) = (self.breaks[span], self.breaks[span + 1]);
         (span, (u - a) / (b - a))
     }
+}
+
+/// Refuses numbers that are no spline of this degree, whether its ends are clamped or not.
+pub(super) fn check_numbers(degree: usize, knots: &[f64], points: &[Point3], weights: &[f64]) -> Result<()> {
+    if !(1..=NurbsCurve::MOST_DEGREE).contains(&degree) {
+        let max = NurbsCurve::MOST_DEGREE as f64;
+        return Err(Error::ParameterOutOfRange { name: ErrorItem::Degree, value: degree as f64, min: 1.0, max });
+    }
+    if points.len() < degree + 1 {
+        return Err(Error::TooFewPoints { given: points.len(), needed: degree + 1 });
+    }
+    if weights.len() != points.len() {
+        return Err(Error::CountDiffers { what: ErrorItem::Weight, given: weights.len(), needed: points.len() });
+    }
+    let needed = points.len() + degree + 1;
+    if knots.len() != needed {
+        return Err(Error::CountDiffers { what: ErrorItem::Knot, given: knots.len(), needed });
+    }
+    if let Some(index) = points.iter().position(|p| !p.is_finite()) {
+        return Err(Error::NotFinite { what: ErrorItem::ControlPoint, index });
+    }
+    if let Some(index) = weights.iter().position(|w| !w.is_finite() || *w <= 0.0) {
+        return Err(Error::WeightNotPositive { index, weight: weights[index] });
+    }
+    if let Some(index) = knots.iter().position(|k| !k.is_finite()) {
+        return Err(Error::NotFinite { what: ErrorItem::Knot, index });
+    }
+    match knots.windows(2).position(|w| w[1] < w[0]) {
+        Some(i) => Err(Error::KnotsDecrease { index: i + 1, knot: knots[i + 1], before: knots[i] }),
+        None => Ok(()),
+    }
+}
+
+/// Refuses knots that are there too often: inner ones more than `degree` times, those at the ends once more.
+pub(super) fn check_multiplicities(degree: usize, knots: &[f64]) -> Result<()> {
+    let mut index = 0;
+    for run in knots.chunk_by(|a, b| a >= b) {
+        let at_end = index == 0 || index + run.len() == knots.len();
+        let limit = degree + usize::from(at_end);
+        if run.len() > limit {
+            return Err(Error::KnotMultiplicity { index, multiplicity: run.len(), limit });
+        }
+        index += run.len();
+    }
+    Ok(())
 }
 
 /// Homogeneous rows `[wx, wy, wz, w]` of control points.

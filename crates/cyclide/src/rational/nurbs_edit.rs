@@ -1,6 +1,8 @@
 //! Rational B-splines cut and moved: exact operations on knots and control points.
 
-use super::nurbs_curve::{NurbsCurve, homogeneous_rows, insert_knot, multiplicity};
+use super::nurbs_curve::{
+    NurbsCurve, check_multiplicities, check_numbers, homogeneous_rows, insert_knot, multiplicity,
+};
 use crate::base::cut::{check_interval, place_of_cut};
 use crate::base::vector::Point3;
 use crate::conformal::mobius::Mobius;
@@ -30,18 +32,80 @@ impl NurbsCurve {
         if !(u > first && u < last) {
             return Err(Error::ParameterOutOfRange { name: ErrorItem::U, value: u, min: first, max: last });
         }
+        let mut parts = self.cut_at_knots(&[u])?.into_iter();
+        match (parts.next(), parts.next()) {
+            (Some(left), Some(right)) => Ok((left, right)),
+            // Not reached: one cut makes two parts.
+            _ => Err(Error::TooFewPoints { given: 1, needed: 2 }),
+        }
+    }
+
+    /// The parts between knot-domain parameters inside the domain, which increase.
+    pub(crate) fn cut_at_knots(&self, cuts: &[f64]) -> Result<Vec<Self>> {
         let degree = self.degree();
         let mut knots = self.knots().to_vec();
         let mut rows = homogeneous_rows(self.control_points(), self.weights());
-        for _ in multiplicity(&knots, u)..degree {
-            insert_knot(degree, &mut knots, &mut rows, u);
+        for &u in cuts {
+            for _ in multiplicity(&knots, u)..degree {
+                insert_knot(degree, &mut knots, &mut rows, u);
+            }
         }
-        let from = knots.partition_point(|k| *k < u);
-        // The curve passes its control point `from - 1` at `u`.
-        let at = |j: usize| vec![u; j];
-        let left = [&knots[..from], &at(degree + 1)].concat();
-        let right = [&at(degree + 1), &knots[from + degree..]].concat();
-        Ok((Self::from_rows(degree, left, &rows[..from])?, Self::from_rows(degree, right, &rows[from - 1..])?))
+        let mut parts = Vec::with_capacity(cuts.len() + 1);
+        let (mut start, mut inner) = (vec![self.domain().0; degree + 1], degree + 1);
+        for &u in cuts {
+            // The curve passes its control point `from - 1` at `u`.
+            let from = knots.partition_point(|k| *k < u);
+            let end = vec![u; degree + 1];
+            let row = inner - degree - 1;
+            parts.push(Self::from_rows(degree, [&start[..], &knots[inner..from], &end].concat(), &rows[row..from])?);
+            (start, inner) = (end, from + degree);
+        }
+        let row = inner - degree - 1;
+        parts.push(Self::from_rows(degree, [&start[..], &knots[inner..]].concat(), &rows[row..])?);
+        Ok(parts)
+    }
+
+    /// Curve from knots that need not be clamped: the part over `knots[degree]` to `knots[points]`, where all basis
+    /// functions are there, clamped exactly by knot insertion (W. Boehm, 1980). Knots that are clamped stay as they
+    /// are. Where start and end are one control row up to rounding, as of a periodic curve, they become the same
+    /// point: the curve is closed.
+    ///
+    /// ```
+    /// use cyclide::{NurbsCurve, ParamCurve, Point3};
+    /// // A periodic quadratic: the first two control points again at the end.
+    /// let points = [[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [2.0, 2.0, 0.0], [0.0, 2.0, 0.0], [0.0, 0.0, 0.0], [2.0, 0.0, 0.0]];
+    /// let knots = (0..9).map(f64::from).collect();
+    /// let curve = NurbsCurve::clamped(2, knots, points.map(Point3::from).to_vec(), vec![1.0; 6])?;
+    /// assert_eq!((curve.domain(), curve.point(0.0), curve.is_closed()), ((2.0, 6.0), Point3::new(1.0, 0.0, 0.0), true));
+    /// # Ok::<(), cyclide::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`new`](Self::new); `empty-interval` if the part has no length.
+    pub fn clamped(degree: usize, knots: Vec<f64>, points: Vec<Point3>, weights: Vec<f64>) -> Result<Self> {
+        check_numbers(degree, &knots, &points, &weights)?;
+        let ends = [knots[degree], knots[points.len()]];
+        let [a, b] = ends;
+        if !(b > a) {
+            return Err(Error::EmptyInterval { index: 0, length: b - a, limit: 0.0 });
+        }
+        if ends.iter().all(|u| multiplicity(&knots, *u) > degree) {
+            return Self::new(degree, knots, points, weights);
+        }
+        check_multiplicities(degree, &knots)?;
+        let mut knots = knots;
+        let mut rows = homogeneous_rows(&points, &weights);
+        for u in ends {
+            for _ in multiplicity(&knots, u)..degree {
+                insert_knot(degree, &mut knots, &mut rows, u);
+            }
+        }
+        // The curve starts in its control point `after - degree - 1` and ends in `before - 1`.
+        let (after, before) = (knots.partition_point(|k| *k <= a), knots.partition_point(|k| *k < b));
+        let clamped = [&vec![a; degree + 1][..], &knots[after..before], &vec![b; degree + 1]].concat();
+        let rows = &mut rows[after - degree - 1..before];
+        join_ends(rows);
+        Self::from_rows(degree, clamped, rows)
     }
 
     /// The two parts before and after a global parameter in `(0, 1)` of the curve as a
@@ -69,5 +133,18 @@ impl NurbsCurve {
         let (span, s) = place_of_cut(t, self.span_count())?;
         let (a, b) = (self.breaks()[span], self.breaks()[span + 1]);
         Ok(a + s * (b - a))
+    }
+}
+
+/// Roundings of the largest entry by which the two ends of a periodic curve may differ.
+const END_ROUNDINGS: f64 = 16.0;
+
+/// Makes the last row the first one where they differ by rounding.
+fn join_ends(rows: &mut [[f64; 4]]) {
+    let largest = rows.iter().flatten().fold(0.0_f64, |m, v| m.max(v.abs()));
+    if let [first, .., last] = rows
+        && first.iter().zip(last.iter()).all(|(a, b)| (a - b).abs() <= END_ROUNDINGS * f64::EPSILON * largest)
+    {
+        *last = *first;
     }
 }

@@ -27,17 +27,23 @@ const POINT_ROUNDINGS: f64 = 8.0;
 
 impl NurbsCurve {
     /// The same curve with the same parameter and C1 knots (multiplicity `degree - 1`) at every knot where the
-    /// derivative is continuous; the degree rises by 3. Spans with very uneven weights keep their knots where the other
-    /// form would lose points by rounding. `None` if nothing can be gained (one span, no C1 knot, or a factor that would
-    /// not stay positive).
+    /// derivative is continuous; the degree rises by 3. Where a closed curve joins itself as smoothly, so do its weights. Spans with very uneven weights keep their knots where the other
+    /// form would lose points by rounding. `None` if nothing can be gained (one span, no C1 knot, a factor that would not stay
+    /// positive, or knots that are smooth as they are).
     #[must_use]
     pub fn with_c1_knots(&self) -> Option<Self> {
         let count = self.span_count();
+        // What has smooth knots of its own keeps them: this form is C1 only, and of higher degree.
+        if self.knots().len() != self.degree() * (count + 1) + 2 {
+            return None;
+        }
         let intervals: Vec<f64> = self.breaks().windows(2).map(|w| w[1] - w[0]).collect();
         let mut smooth: Vec<bool> = (1..count).map(|j| self.is_c1_at(j, &intervals)).collect();
+        let seam = self.is_c1_at_seam(&intervals);
         let uneven: Vec<usize> = (0..count).filter(|i| is_uneven(self.span_rows(*i))).collect();
         for _ in 0..ROUNDS {
-            let raised = self.raised(&intervals, &smooth)?;
+            let with_seam = seam.then(|| self.raised(&intervals, &smooth, true)).flatten();
+            let raised = with_seam.or_else(|| self.raised(&intervals, &smooth, false))?;
             let lost = uneven.iter().filter(|&&i| !self.keeps_points(&raised, i));
             let mut knots = lost.flat_map(|&i| [i.checked_sub(1), Some(i)]).flatten().peekable();
             if knots.peek().is_none() {
@@ -48,13 +54,13 @@ impl NurbsCurve {
         None
     }
 
-    /// With C1 knots at the smooth inner breaks; `None` if there are none.
-    fn raised(&self, intervals: &[f64], smooth: &[bool]) -> Option<Self> {
+    /// With C1 knots at the smooth inner breaks, and weights that fit at the seam; `None` if there are none.
+    fn raised(&self, intervals: &[f64], smooth: &[bool], seam: bool) -> Option<Self> {
         if !smooth.contains(&true) {
             return None;
         }
         let (count, breaks) = (self.span_count(), self.breaks());
-        let slopes = self.common_slopes(intervals, smooth);
+        let slopes = self.common_slopes(intervals, smooth, seam);
         let degree = self.degree() + 3;
         // The joint rows of smooth knots are combinations of their neighbours: left out.
         let kept = count * degree + 1 - smooth.iter().filter(|smooth| **smooth).count();
@@ -96,32 +102,47 @@ impl NurbsCurve {
 
     /// True if the affine derivative is continuous at the inner break `j`, up to the rounding of the control points.
     fn is_c1_at(&self, j: usize, intervals: &[f64]) -> bool {
-        let (before, after) = (self.span_jet(j - 1, 1.0), self.span_jet(j, 0.0));
-        let (before_d1, after_d1): (Vec3, Vec3) = (before.d1 / intervals[j - 1], after.d1 / intervals[j]);
+        self.is_c1_between([j - 1, j], intervals)
+    }
+
+    /// True if the curve is closed and its derivative continuous there.
+    fn is_c1_at_seam(&self, intervals: &[f64]) -> bool {
+        let points = self.control_points();
+        points[0] == points[points.len() - 1] && self.is_c1_between([intervals.len() - 1, 0], intervals)
+    }
+
+    /// True if the affine derivative at the end of one span is that at the start of another.
+    fn is_c1_between(&self, [i, j]: [usize; 2], intervals: &[f64]) -> bool {
+        let (before, after) = (self.span_jet(i, 1.0), self.span_jet(j, 0.0));
+        let (before_d1, after_d1): (Vec3, Vec3) = (before.d1 / intervals[i], after.d1 / intervals[j]);
         let unit = POINT_ROUNDINGS * f64::EPSILON * after.point.to_vec().max_abs() * self.degree() as f64;
-        let (left, right) = (self.span_rows(j - 1), self.span_rows(j));
+        let (left, right) = (self.span_rows(i), self.span_rows(j));
         let n = self.degree();
-        let rounding =
-            unit * (left[n - 1][3] / left[n][3] / intervals[j - 1] + right[1][3] / right[0][3] / intervals[j]);
+        let rounding = unit * (left[n - 1][3] / left[n][3] / intervals[i] + right[1][3] / right[0][3] / intervals[j]);
         (after_d1 - before_d1).length() <= C1_LIMIT * after_d1.length().max(before_d1.length()) + rounding
     }
 
     /// For every break the logarithmic slope by the knot parameter that both sides are given, chosen so that the factors
     /// stay positive: 0 or the nearest to it between the slopes of the two sides where the weights have a crest there,
-    /// and what changes both sides alike where they have a dent. `None` at ends and kinks: nothing to join there.
-    fn common_slopes(&self, intervals: &[f64], smooth: &[bool]) -> Vec<Option<f64>> {
+    /// and what changes both sides alike where they have a dent. `None` at ends that are no seam and at kinks: nothing to join there.
+    fn common_slopes(&self, intervals: &[f64], smooth: &[bool], seam: bool) -> Vec<Option<f64>> {
         let count = self.span_count();
         let mut slopes = vec![None; count + 1];
         for j in (1..count).filter(|j| smooth[j - 1]) {
-            let (h0, h1) = (intervals[j - 1], intervals[j]);
-            let (before, after) = (end_slopes(self.span_rows(j - 1))[1] / h0, end_slopes(self.span_rows(j))[0] / h1);
-            slopes[j] = Some(if after <= before {
-                0.0_f64.clamp(after, before)
-            } else {
-                (after * h1 + before * h0) / (h0 + h1)
-            });
+            slopes[j] = Some(self.common_slope([j - 1, j], intervals));
+        }
+        if seam {
+            slopes[0] = Some(self.common_slope([count - 1, 0], intervals));
+            slopes[count] = slopes[0];
         }
         slopes
+    }
+
+    /// The slope that the end of one span and the start of another are given.
+    fn common_slope(&self, [i, j]: [usize; 2], intervals: &[f64]) -> f64 {
+        let (h0, h1) = (intervals[i], intervals[j]);
+        let (before, after) = (end_slopes(self.span_rows(i))[1] / h0, end_slopes(self.span_rows(j))[0] / h1);
+        if after <= before { 0.0_f64.clamp(after, before) } else { (after * h1 + before * h0) / (h0 + h1) }
     }
 }
 

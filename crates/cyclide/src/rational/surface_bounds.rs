@@ -125,7 +125,7 @@ impl RationalBezierSurface {
     }
 
     /// The box of the control points; weights are positive.
-    fn hull_box(&self) -> Aabb {
+    pub(crate) fn hull_box(&self) -> Aabb {
         let corner = Aabb::of_point(self.corners()[0]);
         let point = |row: &[f64; 4]| Point3::new(row[0] / row[3], row[1] / row[3], row[2] / row[3]);
         self.rows().iter().filter(|row| row[3] > 0.0).fold(corner, |bounds, row| bounds.including(point(row)))

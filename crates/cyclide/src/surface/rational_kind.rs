@@ -68,7 +68,7 @@ impl RationalBezierSurface {
         let local = self.seen_from(frame.origin());
         let across = |v: Vec3| local.rows().iter().map(|[x, y, z, _]| Vec3::new(*x, *y, *z).dot(v)).collect::<Vec<_>>();
         let weights: Vec<f64> = local.rows().iter().map(|row| row[3]).collect();
-        let square = |row: &[f64]| bernstein::square_of_two(row, self.degrees());
+        let square = |row: &[f64]| bernstein::product_of_two((row, self.degrees()), (row, self.degrees())).0;
         let (xx, yy, ww) = (square(&across(frame.x())), square(&across(frame.y())), square(&weights));
         let mut off = xx.iter().zip(&yy).zip(&ww).map(|((x, y), w)| ((x + y) / w - radius * radius).abs() / radius);
         off.all(|off| off <= limit)

@@ -19,6 +19,7 @@ use super::smooth::Jet;
 use crate::base::range;
 use crate::base::vector::{Point3, Vec3};
 use crate::error::{Error, ErrorItem, Result};
+use crate::warning::Warning;
 
 /// Triangles with less than this, twice the area over the longest edge squared, have no circle.
 pub(super) const DEGENERATE_TRIANGLE: f64 = 1e-12;
@@ -28,6 +29,8 @@ const ON_CIRCLE: f64 = 1e-12;
 const CANCELLED: f64 = 1e-12;
 /// Where they are shorter than this the patch swings round by half a turn over this part of the triangle: it is torn.
 const OPPOSITE: f64 = 1e-4;
+/// Where they are shorter than this the patch swings round within a twentieth of the triangle or so, which is said.
+const NEARLY_OPPOSITE: f64 = 0.1;
 /// A patch that reaches farther than the circumradius over this passes through infinity.
 const INFINITE: f64 = 1e-4;
 
@@ -125,12 +128,12 @@ impl SphereBlend {
             if !normal.is_finite() {
                 return Err(Error::NotFinite { what: ErrorItem::Normal, index: i });
             }
-            let undefined = |length| Error::UndefinedNormal { vertex: i, length, limit: ON_CIRCLE };
-            let unit = normal.unit().ok_or_else(|| undefined(0.0))?;
+            let undefined = |length, limit| Error::UndefinedNormal { vertex: i, length, limit };
+            let unit = normal.unit().ok_or_else(|| undefined(0.0, 0.0))?;
             let (c, s) = (unit.dot(blend.normal), unit.dot(blend.spokes[i] / blend.radius));
             let length = c.hypot(s);
             if !(length > ON_CIRCLE) {
-                return Err(undefined(length));
+                return Err(undefined(length, ON_CIRCLE));
             }
             blend.leave[i] = [c / length, s / length];
         }
@@ -164,6 +167,15 @@ impl SphereBlend {
             return Err(Error::PatchThroughInfinity { s: at[0], t: at[1] });
         }
         Ok(self)
+    }
+
+    /// What should be known of it (`spheres-nearly-opposite`): where a tenth or less of the blended spheres is left the patch swings round.
+    #[must_use]
+    pub fn warnings(&self) -> Vec<Warning> {
+        let (length, _) = nearest_to_origin(self.leave);
+        let near =
+            (length <= NEARLY_OPPOSITE).then_some(Warning::SpheresNearlyOpposite { length, limit: NEARLY_OPPOSITE });
+        near.into_iter().collect()
     }
 
     /// The place of the triangle that is nearest to the circumcentre: this, or the middle of the longest side.
@@ -239,7 +251,11 @@ impl SphereBlend {
     pub fn normal(&self, lambda: [f64; 3]) -> Result<Vec3> {
         let at = Barycentric::new(lambda)?;
         let [d1, d2] = self.place(&at)?.derivatives;
-        d1.cross(d2).unit().ok_or(Error::UndefinedNormal { vertex: at.largest(), length: 0.0, limit: 0.0 })
+        d1.cross(d2).unit().ok_or(Error::UndefinedNormal {
+            vertex: at.largest(),
+            length: 0.0,
+            limit: f64::MIN_POSITIVE,
+        })
     }
 
     /// Point and derivatives at a place that is no corner.

@@ -74,6 +74,24 @@ pub enum Warning {
         /// Ratios above this are reported.
         limit: f64,
     },
+    /// A curve through a point hardly reaches it: it runs there and back in a needle of the parameter.
+    SpikeNearPoint {
+        /// Index of the point.
+        point: usize,
+        /// Width of the needle in parts of the parameter's range.
+        width: f64,
+        /// Widths below this are reported.
+        limit: f64,
+    },
+    /// A curve through points runs far away from them in between.
+    LargeExcursion {
+        /// Its largest distance from the middle of the points, in sizes of theirs.
+        reach: f64,
+        /// The parameter there.
+        t: f64,
+        /// Values above this are reported.
+        limit: f64,
+    },
     /// A corner of the input was kept as a corner.
     CornerKept {
         /// Index of the point.
@@ -390,6 +408,22 @@ pub enum Warning {
         /// That angle, radians.
         angle: f64,
         /// Angles above this are reported, radians.
+        limit: f64,
+    },
+    /// Arcs between two curves that start nearly against their chords, so that they are nearly full circles of many chords' radius.
+    NearlyFullArcs {
+        /// The piece of the curves where that is so most, from 0.
+        piece: usize,
+        /// The angle between tangent and the way back along the chord there, radians.
+        angle: f64,
+        /// Angles below this are reported, radians.
+        limit: f64,
+    },
+    /// Spheres at the corners of a triangle nearly oppose each other: between them the patch swings round within a small part of the triangle.
+    SpheresNearlyOpposite {
+        /// Length of the blended sphere there, 1 where all agree.
+        length: f64,
+        /// Lengths up to this are reported.
         limit: f64,
     },
     /// Normals of a mesh that point to the back of a face at their vertex: the smooth surface folds over there.

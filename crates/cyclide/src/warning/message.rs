@@ -61,6 +61,20 @@ impl std::fmt::Display for Warning {
                     "point {node}: neighbouring chords differ by a factor {ratio:.1} (above {limit}), the curve may bulge"
                 )
             }
+            Self::SpikeNearPoint { point, width, .. } => write!(
+                f,
+                "the curve reaches point {point} in a needle only, over {} of its parameter: the other points hardly leave it the way; \
+                 change the parameters or take a Moebius spline",
+                ShortNumber(*width)
+            ),
+            Self::LargeExcursion { reach, t, limit } => write!(
+                f,
+                "near the parameter {} the curve is {} times as far from the middle of its points as these are (above {} is said); change \
+                 the parameters or take a Moebius spline",
+                ShortNumber(*t),
+                ShortNumber(*reach),
+                ShortNumber(*limit)
+            ),
             Self::CornerKept { vertex, angle } => {
                 write!(f, "point {vertex}: corner of {:.1} degrees kept", angle.to_degrees())
             }
@@ -270,6 +284,17 @@ impl std::fmt::Display for Warning {
                 f,
                 "the closed profile touches the axis at the height {}, and the solid is pinched there: all around it meets itself in one point, which many programs take for no solid; keep the profile off the axis, or run it along the axis",
                 ShortNumber(*height)
+            ),
+            Self::NearlyFullArcs { piece, angle, limit } => write!(
+                f,
+                "the arcs of piece {piece} start {} radians from the way back along their chords (reported below {}): nearly full circles, ten chords and more in radius, off whose faces readers of files may find their edges; lean the tangent farther to a side",
+                ShortNumber(*angle),
+                ShortNumber(*limit)
+            ),
+            Self::SpheresNearlyOpposite { length, limit } => write!(
+                f,
+                "the spheres at the corners nearly oppose each other: where {} of the blended one is left (reported up to {limit}) the patch swings round, far out and within a small part of the triangle, and meshes of it need many triangles",
+                ShortNumber(*length)
             ),
             Self::FlatRevolution => f.write_str(
                 "the profile lies in a plane across the axis, and what it sweeps is flat; for a body give it heights along the axis (points [r, 0, z] for the axis z), or take an axis in its plane",

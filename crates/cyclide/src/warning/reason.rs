@@ -15,6 +15,8 @@ impl Warning {
             Self::OppositeCircles { .. } => "opposite-circles",
             Self::RoundedDirections { .. } => "rounded-directions",
             Self::UnevenSpacing { .. } => "uneven-spacing",
+            Self::SpikeNearPoint { .. } => "spike-near-point",
+            Self::LargeExcursion { .. } => "large-excursion",
             Self::CornerKept { .. } => "corner-kept",
             Self::SamplesTooCoarse { .. } => "samples-too-coarse",
             Self::ToleranceBelowNoise { .. } => "tolerance-below-noise",
@@ -53,6 +55,8 @@ impl Warning {
             Self::Pinched { .. } => "pinched",
             Self::FlatRevolution => "flat-revolution",
             Self::KinksAtJoints { .. } => "kinks-at-joints",
+            Self::NearlyFullArcs { .. } => "nearly-full-arcs",
+            Self::SpheresNearlyOpposite { .. } => "spheres-nearly-opposite",
             Self::NormalFacesBackward { .. } => "normal-faces-backward",
         }
     }
@@ -70,16 +74,19 @@ impl Warning {
             Self::LongWay { segment } | Self::OppositeCircles { segment } | Self::RoundedDirections { segment, .. } => {
                 Some(segment)
             }
+            Self::SpikeNearPoint { point, .. } => Some(point),
             Self::CornerKept { vertex, .. } | Self::TightArc { vertex, .. } => Some(vertex),
             Self::PointsMerged { first, .. } => Some(first),
             Self::FeetNotMonotone { point, .. } => Some(point),
+            Self::NearlyFullArcs { piece, .. } => Some(piece),
             Self::ClosingPointMerged { index } => Some(index),
             Self::MovedFar { vertex, .. } | Self::LeftSurface { vertex, .. } => Some(vertex),
             Self::BeyondFocalSet { first, .. } => Some(first),
             Self::FoldedNet { first, .. } => first,
             Self::KinksAtJoints { joint, .. } => Some(joint),
             Self::NormalFacesBackward { triangle, .. } | Self::FoldsBack { triangle, .. } => Some(triangle),
-            Self::SamplesTooCoarse { .. }
+            Self::LargeExcursion { .. }
+            | Self::SamplesTooCoarse { .. }
             | Self::ToleranceBelowNoise { .. }
             | Self::Wavers { .. }
             | Self::DataWaver { .. }
@@ -105,6 +112,7 @@ impl Warning {
             | Self::OpenPart { .. }
             | Self::OpenProfile { .. }
             | Self::Pinched { .. }
+            | Self::SpheresNearlyOpposite { .. }
             | Self::FlatRevolution => None,
         }
     }

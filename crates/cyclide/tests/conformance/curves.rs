@@ -2,8 +2,8 @@
 
 use cyclide::{
     Arc, ArcPath, BlendVariant, ChainPiece, Circle, CircleSpline, CircleSplineOptions, CurveChain, DEFAULT_PIECE_ANGLE,
-    FairEnd, FairSplineOptions, Frame, NurbsCurve, ParamCurve, Point2, Point3, SplineEnds, Torus, TorusSpline,
-    TorusSplineOptions, TorusTangent, Vec2, Vec3,
+    FairEnd, FairSplineOptions, Frame, MoebiusSplineOptions, NodeParameters, NurbsCurve, ParamCurve, Point2, Point3,
+    QbInterpolation, QbSpline, SplineEnds, Torus, TorusSpline, TorusSplineOptions, TorusTangent, Vec2, Vec3,
 };
 
 /// One curve of the list.
@@ -171,6 +171,7 @@ fn cases_at(s: f64) -> Vec<Case> {
     cases.push(case("circle spline with a corner", spline));
     cases.push(case("kinked circle spline", kinked_spline(s, true, 2, BlendVariant::Rational)));
     cases.extend(torus_splines(s));
+    cases.extend(qb_curves(s));
     let part = kinked_spline(s, true, 4, BlendVariant::Rational).restricted(0.1, 0.7).unwrap();
     cases.push(case("part of a circle spline", part));
     cases
@@ -191,6 +192,23 @@ fn torus_splines(s: f64) -> Vec<Case> {
         case("torus knot", TorusSpline::knot(&torus, [2, 3], places[0]).unwrap()),
         case("open seam on a torus", through(false, vec![])),
         case("closed seam on a torus, one tangent turned back", through(true, back)),
+    ]
+}
+
+/// A QB curve through five points, and Möbius splines of eight.
+fn qb_curves(s: f64) -> Vec<Case> {
+    let points = eight_points(s);
+    let through = QbInterpolation::through_points(&points[..5], &NodeParameters::Chord).unwrap();
+    let spline = |closed: bool| {
+        let options = MoebiusSplineOptions { closed, ..Default::default() };
+        QbSpline::through_points(&points, &options).unwrap()
+    };
+    let order1 = circle_spline(s, &CircleSplineOptions { order: 1, closed: true, ..Default::default() });
+    vec![
+        case("QB curve through five points", through.curve().clone()),
+        case("open Möbius spline", spline(false)),
+        case("closed Möbius spline", spline(true)),
+        case("circle spline of order 1 as QB curves", QbSpline::from_circle_spline(&order1).unwrap()),
     ]
 }
 

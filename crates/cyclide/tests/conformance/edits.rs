@@ -2,8 +2,8 @@
 
 use crate::curves::{circle_spline, point, rational_cubic, stadium};
 use cyclide::{
-    Arc, BlendVariant, ChainPiece, Circle, CircleSplineOptions, Conformal, CurveChain, CurveIndex, Mobius, ParamCurve,
-    Quat, Vec3, length,
+    Arc, BlendVariant, ChainPiece, Circle, CircleSplineOptions, Conformal, CurveChain, CurveIndex, Mobius,
+    MoebiusSplineOptions, NodeParameters, ParamCurve, QbInterpolation, QbSpline, Quat, Vec3, length,
 };
 
 /// A similarity and a reflection after it.
@@ -124,6 +124,18 @@ fn circle_splines() {
             check!("circle spline", circle_spline(1.0, &options), similar);
         }
     }
+}
+
+#[test]
+fn qb_splines() {
+    let points = [[0.0, 0.0, 0.0], [2.0, -0.5, 0.3], [4.0, 0.5, 0.0], [4.5, 2.5, -0.4], [3.0, 4.0, 0.0]];
+    let points = points.map(|[x, y, z]| point(x, y, z));
+    for closed in [false, true] {
+        let options = MoebiusSplineOptions { closed, ..Default::default() };
+        check!("Möbius spline", QbSpline::through_points(&points, &options).unwrap(), transformed);
+    }
+    let through = QbInterpolation::through_points(&points, &NodeParameters::Chord).unwrap();
+    check!("QB curve", through.curve().clone(), transformed);
 }
 
 #[test]

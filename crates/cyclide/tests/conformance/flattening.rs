@@ -84,11 +84,16 @@ fn the_law_of_hulls_can_fail() {
     assert_eq!(flatten(&Silent(true_one), 0.01).unwrap_err().reason(), "not-within-tolerance");
 }
 
-/// The point of the Bezier curve by de Casteljau on its own rows: independent of the kernel.
+/// The point of the Bezier curve of at most ten rows by de Casteljau on its own rows: independent of the kernel.
 fn de_casteljau(points: &[[f64; 3]], weights: &[f64], t: f64) -> Point3 {
-    let mut rows: Vec<[f64; 4]> = points.iter().zip(weights).map(|(p, w)| [p[0] * w, p[1] * w, p[2] * w, *w]).collect();
-    while rows.len() > 1 {
-        rows = rows.windows(2).map(|r| std::array::from_fn(|d| (1.0 - t) * r[0][d] + t * r[1][d])).collect();
+    let mut rows = [[0.0; 4]; 10];
+    for (row, (p, w)) in rows.iter_mut().zip(points.iter().zip(weights)) {
+        *row = [p[0] * w, p[1] * w, p[2] * w, *w];
+    }
+    for last in (1..points.len()).rev() {
+        for i in 0..last {
+            rows[i] = std::array::from_fn(|d| (1.0 - t) * rows[i][d] + t * rows[i + 1][d]);
+        }
     }
     let [x, y, z, w] = rows[0];
     Point3::new(x / w, y / w, z / w)

@@ -191,6 +191,42 @@ fn profiles_that_meet_themselves_are_no_solids() {
 }
 
 #[test]
+fn profiles_that_touch_the_axis_between_their_ends_are_refused() {
+    let half = Revolution::new(Point3::ORIGIN, Vec3::Z, PI).unwrap();
+    let touching: [(&[[f64; 2]], usize); 4] = [
+        (&[[0.0, 0.0], [10.0, 5.0], [0.0, 10.0], [10.0, 15.0], [0.0, 20.0]], 2),
+        (&[[10.0, 0.0], [0.0, 5.0], [10.0, 10.0]], 1),
+        // Along the axis for a while.
+        (&[[10.0, 0.0], [0.0, 5.0], [0.0, 8.0], [10.0, 10.0]], 2),
+        (&[[0.0, 0.0], [10.0, 5.0], [0.0, 10.0], [5.0, 5.0]], 2),
+    ];
+    for (points, touches) in touching {
+        for turn in [whole(), half] {
+            let profile = chain(points, false);
+            let error = turn.body(&profile, false).unwrap_err();
+            assert!(matches!(error, Error::CrossesAxis { piece, distance: 0.0, .. } if piece == touches), "{error}");
+            let same = turn.warnings(&[(profile, false)]).unwrap_err();
+            assert_eq!(same.reason(), "crosses-axis");
+        }
+    }
+    // Closed along the axis it is cut into two there.
+    assert_eq!(whole().body(&chain(touching[0].0, true), true).unwrap_err().reason(), "crosses-axis");
+    // A closed profile that runs along the axis once, wherever it begins: a cylinder with two dents.
+    let dents = [[10.0, 0.0], [0.0, 5.0], [0.0, 8.0], [10.0, 10.0]];
+    for start in 0..4 {
+        let mut points = dents;
+        points.rotate_left(start);
+        for (turn, part) in [(whole(), 1.0), (half, 0.5)] {
+            let profile = chain(&points, true);
+            let body = turn.body(&profile, true).unwrap();
+            let wanted = part * PI * (1000.0 - 500.0 / 3.0 - 200.0 / 3.0);
+            assert!(body.is_solid() && (body.outer.known_volume().unwrap() / wanted - 1.0).abs() < 1e-12, "{start}");
+            assert_eq!(turn.warnings(&[(profile, true)]).unwrap(), []);
+        }
+    }
+}
+
+#[test]
 fn crossings_of_the_axis_between_places_are_found() {
     for x in [0.9998, 0.999_999_99] {
         for start in [0.0_f64, 0.03, 0.05, 0.07] {
@@ -333,7 +369,9 @@ fn what_stays_open_is_said() {
         assert!(whole().body(&profile, true).unwrap().is_solid());
     }
     let twice = chain(&[[1.0, -2.0], [2.0, 0.0], [0.0, 1.0], [1.0, 0.0], [0.0, -1.0]], true);
-    assert_eq!(whole().body(&twice, true).unwrap_err().reason(), "profile-meets-itself");
+    assert_eq!(whole().body(&twice, true).unwrap_err().reason(), "crosses-axis");
+    // A part of a turn is a wedge all the same.
+    assert!(half.body(&twice, true).unwrap().is_solid());
     // A ring of a plane.
     assert_eq!(warned(&whole(), &square[..1], false), [Warning::FlatRevolution]);
     // Past the axis, or round it, a profile in a plane across it has places without a normal.

@@ -1,7 +1,7 @@
 //! Torus knots.
 
 use crate::data::{reach, tori};
-use cyclide::{CircleFamily, ParamCurve, Point2, TorusSpline, joints, length};
+use cyclide::{CircleFamily, ParamCurve, Point2, QuarticType, TorusSpline, joints, length};
 use cyclide_testkit::torus_splines::{faults, winding};
 
 #[test]
@@ -49,4 +49,31 @@ fn knots_are_nearly_straight_in_the_plane() {
         }
     }
     assert!(joints(&knot).iter().all(|joint| joint.gap == 0.0 && joint.angle < 1e-13));
+}
+
+/// Closed quartics of all types are C1 curves of degree 4 of one type, and wind as their coordinates do: half a turn each.
+#[test]
+fn closed_quartics_of_all_types() {
+    for torus in tori() {
+        for kind in QuarticType::ALL {
+            for ratio in [2.5, 0.2, -3.0, -0.4] {
+                let start = Point2::new(0.3, -0.7);
+                let quartic = TorusSpline::closed_quartic(&torus, kind, start, ratio).unwrap();
+                assert_eq!(faults(&quartic), Vec::<String>::new(), "{kind:?} {ratio}");
+                let way = kind.back([1.0, f64::signum(ratio)]);
+                assert_eq!(winding(&quartic), [way.x, way.y].map(|v| v.round() as i64), "{kind:?} {ratio}");
+                assert!(quartic.pieces().iter().all(|piece| piece.quartic_type() == kind && piece.degree() == 4));
+                // Speeds at the start are as asked for.
+                let [first, second] = kind.local(quartic.unrolled_rate(0, 0.0));
+                assert!((second / first - ratio).abs() < 1e-12 * ratio.abs());
+                // One quartic: its halves are too, and what it is a quarter on the ratio is the other way round.
+                let [first, second] = kind.local(quartic.unrolled_rate(8, 0.0));
+                assert!((second / first * ratio - 1.0).abs() < 1e-12);
+            }
+        }
+        let villarceau = QuarticType::between(CircleFamily::Villarceau, CircleFamily::MirrorVillarceau).unwrap();
+        let refused = |ratio| TorusSpline::closed_quartic(&torus, villarceau, Point2::default(), ratio).unwrap_err();
+        assert_eq!([1.0, -1.0, 0.0, 40.0, f64::NAN].map(|ratio| refused(ratio).reason())[..2], ["not-coprime"; 2]);
+        assert_eq!([0.0, 40.0, f64::NAN, f64::INFINITY].map(|r| refused(r).reason()), ["parameter-out-of-range"; 4]);
+    }
 }

@@ -1,7 +1,10 @@
 //! Seams of a given width along curves of a torus.
 
 use crate::data::tori;
-use cyclide::{Error, ErrorItem, Point2, TorusSeam, TorusSpline, TorusSplineOptions, length};
+use cyclide::{
+    ArcLength, Error, ErrorItem, Frame, ParamCurve, Point2, Point3, Torus, TorusSeam, TorusSpline, TorusSplineOptions,
+    length,
+};
 use std::f64::consts::PI;
 
 /// Round the outer equator a seam is a tube of rectangular section, round the tube a ring of plates: volumes by Pappus. The tolerance moves
@@ -88,4 +91,43 @@ fn what_folds_or_leaves_the_tube_is_refused() {
     let seam = TorusSeam::new(0.1, [0.0, 0.1]).unwrap();
     assert_eq!(seam.body(&ring, -1.0).unwrap_err().reason(), "tolerance-not-positive");
     assert_eq!(seam.body(&ring, 1e-30).unwrap_err().reason(), "too-many-pieces");
+}
+
+/// Turns that come nearer to each other than the width share space; a little less wide they do not. Flat seams meet where they are half
+/// the distance of the turns away, but for the bend of the torus between.
+#[test]
+fn seams_that_run_through_themselves_are_refused() {
+    let torus = Torus::new(Frame::WORLD, 40.0, 12.0).unwrap();
+    for turns in [[1, 12], [2, 9], [9, 2], [-5, 3]] {
+        let knot = TorusSpline::knot(&torus, turns, Point2::new(0.2, 0.1)).unwrap();
+        let places = ArcLength::new(&knot).uniform(3000);
+        // The last one is the first again.
+        let points: Vec<Point3> = places.iter().skip(1).map(|t| knot.point(*t)).collect();
+        let step = length(&knot) / 3000.0;
+        let n = points.len() as f64;
+        let mut nearest = f64::INFINITY;
+        for (i, p) in points.iter().enumerate() {
+            for (j, q) in points.iter().enumerate().skip(i + 1) {
+                let apart = (j - i) as f64;
+                if apart.min(n - apart) * step > 2.0 * p.distance(*q) {
+                    nearest = nearest.min(p.distance(*q));
+                }
+            }
+        }
+        let body = |width: f64| TorusSeam::new(width, [-0.2, 0.2]).unwrap().body(&knot, 1e-3);
+        assert!(body(0.9 * nearest).is_ok(), "{turns:?} {nearest}");
+        let Err(Error::SeamMeetsItself { point, distance, width, first, second }) = body(1.15 * nearest) else {
+            panic!("{turns:?}: turns {nearest} apart")
+        };
+        assert!(first < second && distance <= width, "{first} {second} {distance}");
+        // The point is inside both: half the width from two places of the curve that are not neighbours.
+        let near = points.iter().filter(|p| p.distance(Point3::from(point)) < 0.5 * width.hypot(0.4)).count() as f64;
+        assert!(near * step > 0.1 * width, "{near}");
+    }
+    // A curve that crosses itself has no seam of any width.
+    let places = [[0.0, 0.0], [0.4, 0.4], [0.4, 0.0], [0.0, 0.4]].map(Point2::from);
+    let options = TorusSplineOptions { closed: true, ..Default::default() };
+    let eight = TorusSpline::through_places(&torus, &places, &options).unwrap();
+    let error = TorusSeam::new(0.5, [0.0, 0.2]).unwrap().body(&eight, 1e-3).unwrap_err();
+    assert_eq!(error.reason(), "seam-meets-itself");
 }

@@ -2,10 +2,10 @@
 
 use crate::data::{reach, tori};
 use cyclide::{
-    ArcPath, ParamCurve, Point2, Point3, Torus, TorusMap, TorusSpline, TorusSplineOptions, UnrollOptions,
+    ArcPath, Frame, ParamCurve, Point2, Point3, Torus, TorusMap, TorusSpline, TorusSplineOptions, UnrollOptions,
     closest_point, length,
 };
-use std::f64::consts::PI;
+use std::f64::consts::{PI, TAU};
 
 fn trefoil(torus: &Torus, start: [f64; 2]) -> TorusSpline {
     TorusSpline::knot(torus, [2, 3], torus.place_of_angles(start[0], start[1])).unwrap()
@@ -127,4 +127,20 @@ fn what_is_refused() {
     assert_eq!(reason(UnrollOptions { seam: [f64::NAN, 0.0], ..UnrollOptions::new(0.1) }), "not-finite");
     assert_eq!(reason(UnrollOptions { seam: [1e9, 0.0], ..UnrollOptions::new(0.1) }), "parameter-out-of-range");
     assert_eq!(reason(UnrollOptions::new(1e-30)), "too-many-pieces");
+}
+
+/// The height of the conformal plane keeps its digits where the hole closes: `a - b` is exact for such radii.
+#[test]
+fn conformal_heights_of_closing_holes() {
+    for exponent in [4, 20, 40] {
+        let hole = f64::from(exponent).exp2().recip();
+        let torus = Torus::new(Frame::WORLD, 1.0, 1.0 - hole).unwrap();
+        let [_, height] = TorusMap::Conformal.size(&torus);
+        let exact = TAU * (1.0 - hole) / (hole * (2.0 - hole)).sqrt();
+        assert!((height / exact - 1.0).abs() < 1e-15, "{exponent}: {height} {exact}");
+        let far = Torus::new(Frame::WORLD, 3.7, 3.7 * (1.0 - 1e-9)).unwrap();
+        let (a, b) = (far.major_radius(), far.minor_radius());
+        let exact = TAU * a * b / ((a - b).sqrt() * (a + b).sqrt());
+        assert!((TorusMap::Conformal.size(&far)[1] / exact - 1.0).abs() < 1e-15);
+    }
 }

@@ -16,6 +16,8 @@ pub struct Entry {
     pub inputs: &'static [(&'static str, &'static [u8])],
     /// What is made of it.
     pub formats: &'static [Format],
+    /// Where its picture is looked at from, as `--camera` has it; from the front and above if empty.
+    pub camera: &'static str,
 }
 
 /// A document of the folder of examples.
@@ -41,7 +43,7 @@ const MESHES: &[Format] = &[Format::Glb, Format::Stl, Format::Png];
 const RENDERED: &[Format] = &[Format::Glb, Format::Png];
 
 /// All models, in the order of the page.
-pub const ENTRIES: [Entry; 33] = [
+pub const ENTRIES: &[Entry] = &[
     Entry {
         name: "roof",
         title: "Free-form roof with two skins",
@@ -49,6 +51,7 @@ pub const ENTRIES: [Entry; 33] = [
         document: example!("roof.json"),
         inputs: &[input!("roof-20.obj")],
         formats: SURFACES,
+        camera: "",
     },
     Entry {
         name: "patch",
@@ -57,6 +60,7 @@ pub const ENTRIES: [Entry; 33] = [
         document: example!("patch.json"),
         inputs: &[],
         formats: SURFACES,
+        camera: "",
     },
     Entry {
         name: "ring",
@@ -65,6 +69,7 @@ pub const ENTRIES: [Entry; 33] = [
         document: example!("ring.json"),
         inputs: &[],
         formats: SURFACES,
+        camera: "",
     },
     Entry {
         name: "inverted_torus",
@@ -73,6 +78,7 @@ pub const ENTRIES: [Entry; 33] = [
         document: example!("inverted_torus.json"),
         inputs: &[],
         formats: SURFACES,
+        camera: "",
     },
     Entry {
         name: "handle",
@@ -81,6 +87,7 @@ pub const ENTRIES: [Entry; 33] = [
         document: example!("handle.json"),
         inputs: &[],
         formats: SURFACES,
+        camera: "",
     },
     Entry {
         name: "vase",
@@ -89,14 +96,16 @@ pub const ENTRIES: [Entry; 33] = [
         document: example!("vase.json"),
         inputs: &[],
         formats: SURFACES,
+        camera: "",
     },
     Entry {
         name: "dodecahedron",
         title: "Rounded dodecahedron",
-        text: "The convex hull of twenty points with a radius of 4 mm on all edges and corners: planes, cylinders and parts of spheres.",
+        text: "The convex hull of twenty points, and the same with a radius of 4 mm on all edges and corners: planes, cylinders and parts of spheres.",
         document: example!("dodecahedron.json"),
         inputs: &[],
         formats: SURFACES,
+        camera: "",
     },
     Entry {
         name: "hull",
@@ -105,6 +114,7 @@ pub const ENTRIES: [Entry; 33] = [
         document: example!("hull.json"),
         inputs: &[],
         formats: SURFACES,
+        camera: "",
     },
     Entry {
         name: "pipe",
@@ -113,6 +123,7 @@ pub const ENTRIES: [Entry; 33] = [
         document: example!("pipe.json"),
         inputs: &[],
         formats: SURFACES,
+        camera: "",
     },
     Entry {
         name: "roof_pipe",
@@ -121,6 +132,7 @@ pub const ENTRIES: [Entry; 33] = [
         document: example!("roof_pipe.json"),
         inputs: &[],
         formats: SURFACES,
+        camera: "",
     },
     Entry {
         name: "tubes",
@@ -129,6 +141,7 @@ pub const ENTRIES: [Entry; 33] = [
         document: example!("tubes.json"),
         inputs: &[],
         formats: SURFACES,
+        camera: "20,45",
     },
     Entry {
         name: "tee",
@@ -137,6 +150,7 @@ pub const ENTRIES: [Entry; 33] = [
         document: example!("tee.json"),
         inputs: &[],
         formats: SURFACES,
+        camera: "25,50",
     },
     Entry {
         name: "crossing",
@@ -145,6 +159,7 @@ pub const ENTRIES: [Entry; 33] = [
         document: example!("crossing.json"),
         inputs: &[],
         formats: SURFACES,
+        camera: "0,28",
     },
     Entry {
         name: "contact_blend",
@@ -157,10 +172,11 @@ pub const ENTRIES: [Entry; 33] = [
     Entry {
         name: "ellipse_bridge",
         title: "Bridge of two ellipses",
-        text: "Half circles upright on the chords between two ellipses, and walls tangent to them: a solid ring.",
+        text: "Half circles upright on the chords between two ellipses, and walls tangent to them: a solid ring. Beside it whole circles on the same chords.",
         document: example!("ellipse_bridge.json"),
         inputs: &[],
         formats: SURFACES,
+        camera: "",
     },
     Entry {
         name: "ruled",
@@ -169,6 +185,7 @@ pub const ENTRIES: [Entry; 33] = [
         document: example!("ruled.json"),
         inputs: &[],
         formats: SURFACES,
+        camera: "",
     },
     Entry {
         name: "circles_in_space",
@@ -177,6 +194,7 @@ pub const ENTRIES: [Entry; 33] = [
         document: example!("circles_in_space.json"),
         inputs: &[],
         formats: SURFACES,
+        camera: "",
     },
     Entry {
         name: "volume_faces",
@@ -185,22 +203,43 @@ pub const ENTRIES: [Entry; 33] = [
         document: example!("volume_faces.json"),
         inputs: &[],
         formats: SURFACES,
+        camera: "",
     },
     Entry {
         name: "trefoil",
         title: "A trefoil on a torus",
-        text: "The torus knot of two turns round the axis and three round the tube, exactly on the torus, with a rod about it; two Villarceau circles through one point.",
+        text: "The torus knot of two turns round the axis and three round the tube, exactly on the torus, with a rod about it, and a thicker rod alone; two Villarceau circles through one point.",
         document: example!("trefoil.json"),
         inputs: &[],
         formats: SURFACES,
+        camera: "0,70",
+    },
+    Entry {
+        name: "torus_circles",
+        title: "The circles of a torus",
+        text: "Round the axis and round the tube, and the two families of Villarceau circles, whose radius is that of the middle circle: four through every point.",
+        document: example!("torus_circles.json"),
+        inputs: &[],
+        formats: SURFACES,
+        camera: "0,50",
+    },
+    Entry {
+        name: "torus_quartics",
+        title: "Quartics of six types",
+        text: "Closed curves of degree 4, each along two of the four families of circles at once, exactly on the torus.",
+        document: example!("torus_quartics.json"),
+        inputs: &[],
+        formats: SURFACES,
+        camera: "0,60",
     },
     Entry {
         name: "four_point_loop",
         title: "A loop through four points",
-        text: "Two quartics of two types for each quarter, with directions along parallels and meridians in turn, and the spline that chooses for itself: both lie on the torus exactly.",
+        text: "Four points with directions, along parallels and meridians in turn, and two quartics of two types for each quarter; beside it four points and the spline that chooses its directions and types. Both lie on the torus exactly.",
         document: example!("four_point_loop.json"),
         inputs: &[],
         formats: SURFACES,
+        camera: "0,32",
     },
     Entry {
         name: "winding",
@@ -209,6 +248,7 @@ pub const ENTRIES: [Entry; 33] = [
         document: example!("winding.json"),
         inputs: &[],
         formats: SURFACES,
+        camera: "",
     },
     Entry {
         name: "o_ring",
@@ -217,6 +257,7 @@ pub const ENTRIES: [Entry; 33] = [
         document: example!("o_ring.json"),
         inputs: &[],
         formats: SURFACES,
+        camera: "",
     },
     Entry {
         name: "o_ring_pattern",
@@ -225,6 +266,7 @@ pub const ENTRIES: [Entry; 33] = [
         document: example!("o_ring_pattern.json"),
         inputs: &[],
         formats: CURVES,
+        camera: "",
     },
     Entry {
         name: "stone",
@@ -233,6 +275,7 @@ pub const ENTRIES: [Entry; 33] = [
         document: example!("stone.json"),
         inputs: &[input!("stone.ply")],
         formats: MESHES,
+        camera: "",
     },
     Entry {
         name: "scan",
@@ -241,14 +284,16 @@ pub const ENTRIES: [Entry; 33] = [
         document: example!("scan.json"),
         inputs: &[input!("stone-5000.ply")],
         formats: RENDERED,
+        camera: "",
     },
     Entry {
         name: "sphere_blend",
-        title: "Blends of spheres over a triangle",
-        text: "A sphere at each corner shapes the patch between them: three points on one sphere give a piece of it, others a blend.",
+        title: "A blend of spheres over a triangle",
+        text: "Spheres through the corners of a triangle, one for each of them, and the patch that leaves each corner along the sphere of that.",
         document: example!("sphere_blend.json"),
         inputs: &[],
         formats: MESHES,
+        camera: "",
     },
     Entry {
         name: "track",
@@ -257,6 +302,7 @@ pub const ENTRIES: [Entry; 33] = [
         document: example!("track.json"),
         inputs: &[input!("track.csv"), input!("survey.csv")],
         formats: CURVES,
+        camera: "",
     },
     Entry {
         name: "survey",
@@ -265,6 +311,7 @@ pub const ENTRIES: [Entry; 33] = [
         document: example!("survey.json"),
         inputs: &[input!("survey.csv")],
         formats: CURVES,
+        camera: "",
     },
     Entry {
         name: "logo",
@@ -273,6 +320,7 @@ pub const ENTRIES: [Entry; 33] = [
         document: example!("logo.json"),
         inputs: &[input!("logo.csv")],
         formats: CURVES,
+        camera: "",
     },
     Entry {
         name: "cable",
@@ -281,6 +329,7 @@ pub const ENTRIES: [Entry; 33] = [
         document: example!("cable.json"),
         inputs: &[input!("cable.csv")],
         formats: CURVES,
+        camera: "",
     },
     Entry {
         name: "gallery",
@@ -289,6 +338,7 @@ pub const ENTRIES: [Entry; 33] = [
         document: example!("gallery.json"),
         inputs: &[],
         formats: CURVES,
+        camera: "",
     },
     Entry {
         name: "arcs",
@@ -297,6 +347,16 @@ pub const ENTRIES: [Entry; 33] = [
         document: example!("arcs.json"),
         inputs: &[],
         formats: CURVES,
+        camera: "",
+    },
+    Entry {
+        name: "qb_curves",
+        title: "Quotients of quaternion polynomials",
+        text: "The rational curve of degree 4 through five points, at parameters of three kinds; three points with tangents at both ends; a Möbius spline and its image under an inversion, which is the Möbius spline of the mapped points.",
+        document: example!("qb_curves.json"),
+        inputs: &[],
+        formats: CURVES,
+        camera: "",
     },
     Entry {
         name: "circle_blends",
@@ -305,5 +365,15 @@ pub const ENTRIES: [Entry; 33] = [
         document: example!("circle_blends.json"),
         inputs: &[],
         formats: CURVES,
+        camera: "",
+    },
+    Entry {
+        name: "inverted_spline",
+        title: "A NURBS curve turned inside out",
+        text: "A closed rational cubic as another program would have it, its knots not clamped, and its image under an inversion: exact, of degree 6, with positive weights.",
+        document: example!("inverted_spline.json"),
+        inputs: &[],
+        formats: CURVES,
+        camera: "",
     },
 ];

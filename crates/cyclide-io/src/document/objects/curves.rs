@@ -9,6 +9,7 @@ use crate::document::construct::{
     Contour, ContourFacts, Made, arc_fit, arc_spline, circle_spline, fair_fit, fair_spline, polyline,
 };
 use crate::document::coordinates::{Coordinates, Lists, PointFile, PointSource};
+use crate::document::interpolate::{moebius_spline, qb_interpolation};
 use crate::document::locate::{Step, path_text};
 use crate::document::spec::{ArcSpec, CircleSpec, ObjectSpec};
 use crate::error::{Error, Result};
@@ -42,6 +43,8 @@ impl ObjectSpec {
             Self::FairSpline(s) => Some(&s.points),
             Self::FairFit(s) => Some(&s.points),
             Self::CircleSpline(s) => Some(&s.points),
+            Self::MoebiusSpline(s) => Some(&s.points),
+            Self::QbInterpolation(s) => Some(&s.points),
             Self::TorusSpline(s) => s.points.as_ref(),
             Self::SmoothPolyhedron(s) => s.points.as_ref(),
             _ => None,
@@ -50,7 +53,11 @@ impl ObjectSpec {
 
     /// True where equal neighbouring points are meant as they are.
     fn keeps_repeated_points(&self) -> bool {
-        matches!(self, Self::TorusSpline(s) if s.loops)
+        match self {
+            Self::TorusSpline(s) => s.loops,
+            Self::QbInterpolation(_) => true,
+            _ => false,
+        }
     }
 
     /// The angle above which turns of the points are corners, if one is given.
@@ -60,6 +67,7 @@ impl ObjectSpec {
             Self::FairSpline(s) => s.corner_angle,
             Self::FairFit(s) => s.corner_angle,
             Self::CircleSpline(s) => s.corner_angle,
+            Self::MoebiusSpline(s) => s.corner_angle,
             _ => None,
         }
     }
@@ -138,8 +146,12 @@ impl Builder<'_> {
             ObjectSpec::FairSpline(s) => self.each_contour(&s.points, s.closed, |at| fair_spline(s, at)),
             ObjectSpec::FairFit(s) => self.each_contour(&s.points, s.closed, |at| fair_fit(s, at)),
             ObjectSpec::CircleSpline(s) => self.each_contour(&s.points, s.closed, |at| circle_spline(s, at)),
+            ObjectSpec::Nurbs(s) => single(self.nurbs(s)?),
+            ObjectSpec::MoebiusSpline(s) => self.each_contour(&s.points, s.closed, |at| moebius_spline(s, at)),
+            ObjectSpec::QbInterpolation(s) => self.each_contour(&s.points, false, |at| qb_interpolation(s, at)),
             ObjectSpec::TorusSpline(s) => self.torus_spline(s),
             ObjectSpec::TorusKnot(s) => single(CurveObject::TorusSpline(self.torus_knot(s)?)),
+            ObjectSpec::TorusQuartic(s) => single(CurveObject::TorusSpline(self.torus_quartic(s)?)),
             ObjectSpec::TorusCircle(s) => self.torus_circle(s).map(|made| vec![made]),
             ObjectSpec::Unrolled(s) => Ok(without_facts(self.unrolled(s)?)),
             ObjectSpec::Transform(s) => Ok(without_facts(self.mapped_curves(s)?)),

@@ -73,12 +73,23 @@ impl Builder<'_> {
         Ok(bodies.into_iter().map(SurfaceObject::Body).collect())
     }
 
-    /// The edges of a surface, each once.
-    pub(super) fn support_structure(&self) -> Result<Vec<CurveObject>> {
+    /// The edges of a surface that are arcs, each once; says how many are not.
+    pub(super) fn support_structure(&mut self) -> Result<Vec<CurveObject>> {
         let source = self.surface_source("only surfaces have a support structure")?;
-        let mut arcs = Vec::new();
+        let (mut arcs, mut rational) = (Vec::new(), 0);
         for surface in source.item.surfaces() {
             arcs.extend(surface.edge_arcs().map_err(|e| self.refused(&e, None))?);
+            if let SurfaceObject::Body(body) = surface {
+                let shells = std::iter::once(&body.outer).chain(&body.voids);
+                rational += shells.flat_map(|shell| shell.edges()).filter(|edge| edge.curve.arc().is_none()).count();
+            }
+        }
+        if rational > 0 {
+            let all = arcs.len() + rational;
+            let message = format!(
+                "{rational} of {all} edges are rational curves of a higher degree and are left out: a support structure is of arcs and segments"
+            );
+            self.remark("rational-edges-left-out", None, None, None, message);
         }
         Ok(arcs.into_iter().map(CurveObject::Arc).collect())
     }
@@ -86,31 +97,41 @@ impl Builder<'_> {
     /// The images of curves.
     pub(super) fn mapped_curves(&self, spec: &TransformSpec) -> Result<Vec<CurveObject>> {
         let curves = self.sources.first().map_or(&[][..], |source| source.item.curves());
-        self.mapped(spec, curves, |curve, map| {
+        let image = |curve: &CurveObject, map: &Mobius| {
             check_far_from_pole(curve, map)?;
             curve.transformed(map)
-        })
+        };
+        let kept = "circles and splines are moved, turned, scaled and mirrored only; arcs and chains of arcs take inversions too";
+        self.mapped(spec, curves, image, kept)
     }
 
     /// The images of surfaces.
     pub(super) fn mapped_surfaces(&self, spec: &TransformSpec) -> Result<Vec<SurfaceObject>> {
         let surfaces = self.sources.first().map_or(&[][..], |source| source.item.surfaces());
-        self.mapped(spec, surfaces, |surface, map| surface.transformed(map))
+        let kept = "surfaces with rational faces, as those of tees, seams and profiles that are no arcs, and surfaces over triangles are moved, turned, scaled and mirrored only; patches whose parameter lines are circles take inversions too";
+        self.mapped(spec, surfaces, |surface, map| surface.transformed(map), kept)
     }
 
-    /// Applies the steps one by one, so that a message can show the step at fault.
+    /// Applies the steps one by one, so that a message can show the step at fault; `kept` says what other maps are for.
     fn mapped<T: Clone>(
         &self,
         spec: &TransformSpec,
         objects: &[T],
         image: impl Fn(&T, &Mobius) -> cyclide::Result<T>,
+        kept: &str,
     ) -> Result<Vec<T>> {
         let mut objects = objects.to_vec();
         for (index, step) in spec.steps.iter().enumerate() {
             let refused = |e: &cyclide::Error| self.refused_at([Step::from("steps"), Step::from(index)], e);
             let map = map_of(step).map_err(|e| refused(&e))?;
             for object in &mut objects {
-                *object = image(object, &map).map_err(|e| refused(&e))?;
+                *object = image(object, &map).map_err(|e| match e {
+                    cyclide::Error::NotASimilarity { .. } => {
+                        let place = [Step::from("steps"), Step::from(index)];
+                        self.refused_in_words(place, e.reason(), format!("{e}: {kept}"))
+                    }
+                    _ => refused(&e),
+                })?;
             }
         }
         Ok(objects)

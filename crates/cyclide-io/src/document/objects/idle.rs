@@ -11,8 +11,8 @@ use crate::document::construct::{Contour, arc_spline, fair_spline};
 use crate::document::coordinates::{PointFile, PointSource};
 use crate::document::locate::Step;
 use crate::document::spec::{
-    ArcSplineSpec, CircleSplineSpec, Comment, EndsSpec, FairEndsSpec, FairFitSpec, FairSplineSpec, ObjectSpec,
-    PipeSpec, StraightWord, TorusSplineSpec, TubeSpec, TypeWord,
+    ArcSplineSpec, CircleSplineSpec, Comment, EndsSpec, FairEndsSpec, FairFitSpec, FairSplineSpec, MoebiusContinuity,
+    MoebiusSplineSpec, ObjectSpec, ParametersSpec, PipeSpec, StraightWord, TorusSplineSpec, TubeSpec, TypeWord,
 };
 use crate::input::points::merge_repeated;
 
@@ -41,6 +41,7 @@ pub(super) fn idle_fields(spec: &ObjectSpec, at: &Contour<'_>, made: &CurveObjec
         ObjectSpec::ArcSpline(spec) => in_arc_spline(spec, at, made),
         ObjectSpec::FairFit(spec) => in_fair_fit(spec, at),
         ObjectSpec::TorusSpline(spec) => in_torus_spline(spec, at),
+        ObjectSpec::MoebiusSpline(spec) => in_moebius_spline(spec, at),
         _ => Vec::new(),
     }
 }
@@ -107,6 +108,20 @@ fn in_fair_fit(spec: &FairFitSpec, at: &Contour<'_>) -> Vec<Idle> {
 fn in_torus_spline(spec: &TorusSplineSpec, at: &Contour<'_>) -> Vec<Idle> {
     let none_repeated = || merge_repeated(&mut at.list.clone(), spec.closed).kept.len() == at.kept.len();
     found(&[("loops", spec.loops && none_repeated(), "no point repeats its neighbour")])
+}
+
+fn in_moebius_spline(spec: &MoebiusSplineSpec, at: &Contour<'_>) -> Vec<Idle> {
+    let by_directions = spec.continuity == MoebiusContinuity::G1;
+    let no_knots = "with `g1` the curve has no knots";
+    found(&[
+        ("knots", by_directions && spec.knots != ParametersSpec::default(), no_knots),
+        (
+            "tangents",
+            by_directions && spec.tangents.is_some(),
+            "with `g1` the curve takes the directions of its circles",
+        ),
+        ("corner_angle", has_no_corner(spec.corner_angle, spec.closed, at), NO_CORNER),
+    ])
 }
 
 /// The fields of a pipe that make no difference; `closed` if all curves are.

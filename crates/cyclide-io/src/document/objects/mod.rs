@@ -11,6 +11,7 @@ mod net_hints;
 mod nets;
 #[cfg(not(feature = "circular-mesh"))]
 mod not_circular;
+mod nurbs;
 mod polygon_mesh;
 mod polyhedra;
 mod references;

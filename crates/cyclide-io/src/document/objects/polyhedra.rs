@@ -62,7 +62,8 @@ impl Builder<'_> {
             (None, Some(flatness)) => ConvexPolyhedron::hull_with_flatness(points, flatness),
         };
         let polyhedron = polyhedron.map_err(|e| self.refused_mesh(&mesh, &e))?;
-        let body = polyhedron.offset(spec.radius).map_err(|e| self.refused_mesh(&mesh, &e))?;
+        let body = if spec.radius == 0.0 { polyhedron.body() } else { polyhedron.offset(spec.radius) };
+        let body = body.map_err(|e| self.refused_mesh(&mesh, &e))?;
         let place = mesh.file.clone().or_else(|| self.place_of([Step::from(mesh.field)]));
         let warnings = polyhedron.warnings().into_iter();
         self.remarks.extend(warnings.map(|warning| Remark { place: place.clone(), ..warning.into() }));

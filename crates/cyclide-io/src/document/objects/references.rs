@@ -143,6 +143,7 @@ impl ObjectSpec {
             Self::TorusSeam(s) => of(s.of.as_str()),
             Self::TorusSpline(s) => torus(&s.torus),
             Self::TorusKnot(s) => torus(&s.torus),
+            Self::TorusQuartic(s) => torus(&s.torus),
             Self::TorusCircle(s) => torus(&s.torus),
             Self::SupportStructure(s) => of(s.of.as_str()),
             Self::CircularSurface(s) => rails(&s.rails),

@@ -3,12 +3,13 @@
 use cyclide::{ErrorItem, Point3, ShortNumber, Warning};
 
 use super::curves::{Origin, Points};
+use super::nurbs::blame_nurbs;
 use super::torus::blame_torus;
 use super::{Builder, Remark};
 use crate::document::angle::Angle;
 use crate::document::coordinates::Coordinates;
 use crate::document::locate::{Step, path_text, span_of};
-use crate::document::spec::{ArcSpec, ObjectSpec, TubeSpec};
+use crate::document::spec::{ArcSpec, FreeOr, ObjectSpec, PipeCrossingSpec, TorusSplineSpec, TubeSpec};
 use crate::error::Error;
 use crate::text::place::Source;
 
@@ -16,6 +17,8 @@ use crate::text::place::Source;
 pub(super) enum Blame {
     Field(&'static str),
     Entry(&'static str, usize),
+    /// A field of an entry.
+    FieldOfEntry(&'static str, usize, &'static str),
     Point(usize),
     Object,
 }
@@ -40,7 +43,13 @@ impl Builder<'_> {
                 let written = spec.corner_angle();
                 written.map_or_else(|| error.to_string(), |angle| corner_angle_words(angle, *value))
             }
+            (cyclide::Error::CountDiffers { what: ErrorItem::Knot, .. }, ObjectSpec::Nurbs(_)) => format!(
+                "{error}: as many as control points, degree and 1 together (where programs leave out the first and the last knot, repeat them)"
+            ),
             (cyclide::Error::FrameNotOrthonormal { .. }, ObjectSpec::CyclidePatch(spec)) => frame_words(spec.frame),
+            (cyclide::Error::ZeroTangent { index }, ObjectSpec::TorusSpline(spec)) if is_given(spec, *index) => {
+                format!("tangent {index} is normal to the torus there: nothing of it runs along the torus")
+            }
             // What is the normal of a frame to the kernel.
             (cyclide::Error::ZeroAxis { .. }, ObjectSpec::Cyclide(_)) => "the axis is zero".to_owned(),
             (cyclide::Error::CoincidentPoints { distance, limit, .. }, ObjectSpec::EllipseBridge(_)) => format!(
@@ -109,6 +118,10 @@ impl Builder<'_> {
         let in_points = |k: Option<usize>| from.map(|(p, c)| self.path(p.steps(c, k)));
         let candidates = match blame {
             Blame::Field(field) => vec![self.path([field.into()])],
+            Blame::FieldOfEntry(list, k, field) => {
+                let entry = [list.into(), k.into()];
+                vec![self.path(entry.iter().cloned().chain([field.into()])), self.path(entry)]
+            }
             Blame::Entry(field, k) => {
                 let contour = from.map_or(0, |(_, c)| c);
                 let one = self.path([field.into(), original(k).into()]);
@@ -133,6 +146,12 @@ impl Builder<'_> {
         let message = self.document.source().diagnostic(span, &path_text(&path), words);
         Error::Input(message.with_reason(error.reason()))
     }
+}
+
+/// True if a curve on a torus was given a direction there that is not zero.
+fn is_given(spec: &TorusSplineSpec, index: usize) -> bool {
+    let given = spec.tangents.as_ref().and_then(|all| all.get(index)).and_then(|FreeOr(given)| *given);
+    given.is_some_and(|given| given.vector().length() > 0.0)
 }
 
 /// Degrees are taken for radians now and then: what was written, and what may be meant.
@@ -177,6 +196,8 @@ fn blame(spec: &ObjectSpec, error: &cyclide::Error) -> Blame {
         (ObjectSpec::CircleSpline(_) | ObjectSpec::FairSpline(_), _) => Blame::Field("ends"),
         _ => Blame::Entry("tangents", index),
     };
+    let is_moebius = matches!(spec, ObjectSpec::MoebiusSpline(_));
+    let is_qb = matches!(spec, ObjectSpec::QbInterpolation(_));
     let is_patch = matches!(spec, ObjectSpec::CyclidePatch(_));
     match *error {
         _ if matches!(spec, ObjectSpec::Offset(_)) && is_of_distance(error) => Blame::Field("distance"),
@@ -190,9 +211,18 @@ fn blame(spec: &ObjectSpec, error: &cyclide::Error) -> Blame {
         {
             blame_swept(spec, error)
         }
+        _ if matches!(spec, ObjectSpec::Nurbs(_)) => blame_nurbs(error),
+        E::RepeatedParameter { second, .. } => Blame::Entry("parameters", second),
+        E::EmptyInterval { index, .. } if is_moebius => Blame::Entry("knots", index + 1),
+        E::NotFinite { what: I::Knot, index } if is_moebius => Blame::Entry("knots", index),
+        E::NotFinite { what: I::Parameter, index } => Blame::Entry("parameters", index),
+        E::CountDiffers { what: I::Knot, .. } if is_moebius => Blame::Field("knots"),
+        E::CountDiffers { what: I::Parameter, .. } => Blame::Field(if is_moebius { "knots" } else { "parameters" }),
+        E::CountDiffers { .. } | E::NotFinite { what: I::Tangent, .. } if is_qb => Blame::Field("derivatives"),
+        E::ParameterOutOfRange { name: I::Parameter, .. } if is_qb => Blame::Field("parameters"),
         _ if spec.is_on_torus() => blame_torus(spec, error),
         _ if matches!(spec, ObjectSpec::PipeTee(_)) => blame_tee(error),
-        _ if matches!(spec, ObjectSpec::PipeCrossing(_)) => blame_crossing(error),
+        _ if let ObjectSpec::PipeCrossing(spec) = spec => blame_crossing(spec, error),
         _ if matches!(spec, ObjectSpec::ContactBlend(_)) => blame_contact(error),
         _ if matches!(spec, ObjectSpec::Tube(_)) => blame_tube(spec, error),
         E::NotFinite { what: I::Tangent, index } | E::ZeroTangent { index } | E::TangentOpposesChord { index, .. } => {
@@ -242,28 +272,42 @@ fn blame_tee(error: &cyclide::Error) -> Blame {
     match error {
         E::TeeBranchTooWide { branch, .. }
         | E::TeeBlendTooLarge { branch, .. }
+        | E::TeeLawOnEqualPipes { branch, .. }
         | E::TeeBlendFolds { branch, .. }
         | E::TeeHoleFolds { branch, .. }
         | E::TeePipeTooShort { what: I::Branch, branch, .. } => Blame::Entry("branches", *branch),
-        E::TeePipeTooShort { .. } => Blame::Field("main"),
+        E::InBranch { branch, what, .. } => Blame::FieldOfEntry("branches", *branch, what.word()),
+        E::TeePipeTooShort { .. }
+        | E::PipeEndsReversed { .. }
+        | E::RadiusNotPositive { .. }
+        | E::NotFinite { what: I::Radius, .. } => Blame::Field("main"),
         E::TeeBranchesMeet { second, .. } => Blame::Entry("branches", *second),
+        E::NotFinite { index, .. } => Blame::Entry("branches", *index),
         E::ParameterOutOfRange { name: name @ I::Wall, .. } => Blame::Field(name.word()),
         _ => Blame::Field("branches"),
     }
 }
 
 /// As [`blame`], of crossings of pipes.
-fn blame_crossing(error: &cyclide::Error) -> Blame {
+fn blame_crossing(spec: &PipeCrossingSpec, error: &cyclide::Error) -> Blame {
     use cyclide::{Error as E, ErrorItem as I};
     match error {
-        E::CrossingPipeTooShort { pipe, .. }
+        E::PipeEndsReversed { pipe, .. }
+        | E::CrossingPipeTooShort { pipe, .. }
         | E::CrossingHoleTooWide { pipe, .. }
         | E::CrossingHoleTurnsBack { pipe, .. } => Blame::Entry("pipes", *pipe),
         E::NotFinite { what: I::Radius, index } if *index < 2 => Blame::Entry("pipes", *index),
-        E::RadiusTooSmall { .. } | E::CrossingFolds { .. } | E::NotFinite { what: I::Radius, .. } => {
-            Blame::Field("blend")
+        E::RadiusTooSmall { .. }
+        | E::BelowRoundingOfPlace { .. }
+        | E::CrossingFolds { .. }
+        | E::NotFinite { what: I::Radius, .. } => Blame::Field("blend"),
+        E::RadiusNotPositive { .. } => match spec.pipes.iter().position(|pipe| pipe.radius <= 0.0) {
+            Some(pipe) => Blame::Entry("pipes", pipe),
+            None => Blame::Field("blend"),
+        },
+        E::CrossingAxesTooNear { .. } | E::NotTimelikePair { .. } | E::NotFinite { what: I::Distance, .. } => {
+            Blame::Field("distance")
         }
-        E::NotTimelikePair { .. } | E::NotFinite { what: I::Distance, .. } => Blame::Field("distance"),
         E::ToleranceNotPositive { .. } | E::TooManyPieces { .. } => Blame::Field("tolerance"),
         E::ParameterOutOfRange { name: name @ (I::Wall | I::Angle), .. } => Blame::Field(name.word()),
         _ => Blame::Field("pipes"),
@@ -330,7 +374,7 @@ fn blame_swept(spec: &ObjectSpec, error: &cyclide::Error) -> Blame {
         }
         (
             ObjectSpec::CircularSurface(_),
-            E::ZeroTangent { .. } | E::TangentOpposesChord { .. } | E::CountDiffers { .. },
+            E::ZeroTangent { .. } | E::OppositeTangents { .. } | E::TangentOpposesChord { .. } | E::CountDiffers { .. },
         ) => Blame::Field("tangent"),
         (ObjectSpec::CircularSurface(_) | ObjectSpec::Ruled(_), _) => Blame::Field("rails"),
         _ => Blame::Object,

@@ -41,6 +41,8 @@ struct Given {
     file: Option<String>,
     /// Whether triangles share vertices there by their numbers.
     shared: bool,
+    /// Whether normals are listed beside the vertices.
+    lists_normals: bool,
 }
 
 impl Builder<'_> {
@@ -93,7 +95,12 @@ impl Builder<'_> {
                 }
                 let points = vertices.iter().map(|p| p.point()).collect();
                 let faces = triangles.iter().map(|t| t.map(|v| v as usize).to_vec()).collect();
-                Given { mesh: PolygonMesh { points, faces, ..PolygonMesh::default() }, file: None, shared: true }
+                Given {
+                    mesh: PolygonMesh { points, faces, ..PolygonMesh::default() },
+                    file: None,
+                    shared: true,
+                    lists_normals: false,
+                }
             }
             _ => {
                 return Err(
@@ -113,6 +120,7 @@ impl Builder<'_> {
                 }
                 given.mesh.normals = normals.iter().map(|n| n.vector()).collect();
                 given.mesh.corner_normals.clone_from(&given.mesh.faces);
+                given.lists_normals = true;
             }
             NormalsSpec::File if given.mesh.corner_normals.is_empty() => {
                 let why = match &spec.mesh {
@@ -129,7 +137,7 @@ impl Builder<'_> {
     fn polygon_file(&mut self, file: &PolygonMeshFile) -> Result<Given> {
         let (name, mesh) = self.mesh_of_file(file)?;
         let shared = file.format.entry().shares_vertices;
-        Ok(Given { mesh, file: Some(name), shared })
+        Ok(Given { mesh, file: Some(name), shared, lists_normals: false })
     }
 
     /// Says what was changed between the file and the triangles.
@@ -170,6 +178,7 @@ impl Builder<'_> {
         let field = match (&error, &given.file) {
             (KernelError::AngleOutOfRange { .. }, _) => "crease_angle",
             (KernelError::NotFinite { what: ErrorItem::Normal, .. }, _) => "normals",
+            (KernelError::UndefinedNormal { .. }, None) if given.lists_normals => "normals",
             (_, Some(_)) => "mesh",
             (_, None) => "triangles",
         };
@@ -185,8 +194,10 @@ impl Builder<'_> {
             };
         }
         let mut steps: Vec<Step> = vec![field.into()];
-        if let (Some(triangle), "triangles") = (triangle, field) {
-            steps.push(triangle.into());
+        match (triangle, &error) {
+            (Some(triangle), _) if field == "triangles" => steps.push(triangle.into()),
+            (_, &KernelError::UndefinedNormal { vertex, .. }) if field == "normals" => steps.push(vertex.into()),
+            _ => {}
         }
         if self.document.text.is_empty() {
             return self.refused_at(steps, &error);
@@ -206,6 +217,9 @@ impl Builder<'_> {
             }
         };
         let blend = blend.and_then(SphereBlend::whole).map_err(|e| self.refused_blend(spec, &e))?;
+        for warning in blend.warnings() {
+            self.warn_at(if spec.control.is_some() { "control" } else { "normals" }, None, warning);
+        }
         Ok(vec![TriangleSurface::from(blend).into()])
     }
 

@@ -7,7 +7,7 @@ use cyclide::{
 use super::{Builder, BuiltObject};
 use crate::document::angle::Angle;
 use crate::document::coordinates::Coordinates;
-use crate::document::spec::{CircularSurfaceSpec, EllipseBridgeSpec, PlateSpec, PlateWithNeckSpec};
+use crate::document::spec::{BridgeArcs, CircularSurfaceSpec, EllipseBridgeSpec, PlateSpec, PlateWithNeckSpec};
 use crate::error::{Error, Result};
 
 impl Builder<'_> {
@@ -30,7 +30,8 @@ impl Builder<'_> {
             PlateSpec::Rectangle(sides) => PlateShape::Rectangle(sides),
             PlateSpec::Disk(disk) => PlateShape::Disk(disk.radius),
         });
-        let made = NeckBody { height: spec.height, plate, thickness: spec.thickness, wall: spec.wall };
+        let mut made = NeckBody::new(spec.height);
+        (made.plate, made.thickness, made.wall) = (plate, spec.thickness, spec.wall);
         let body = neck.body(&made).map_err(|e| self.refused(&e, None))?;
         for warning in neck.warnings() {
             self.warn_at("ball_radius", None, warning);
@@ -41,8 +42,15 @@ impl Builder<'_> {
     /// The bridge between two ellipses.
     pub(super) fn ellipse_bridge(&mut self, spec: &EllipseBridgeSpec) -> Result<Vec<SurfaceObject>> {
         let [first, second] = spec.ellipses;
+        if spec.arcs == BridgeArcs::Full && spec.depth.is_some() {
+            return Err(self.unfit("whole circles are a solid by themselves: `depth` goes with half circles"));
+        }
         let bridge = EllipseBridge::new(first, second).map_err(|e| self.refused(&e, None))?;
-        let body = bridge.body(spec.depth).map_err(|e| self.refused(&e, None))?;
+        let body = match spec.arcs {
+            BridgeArcs::Half => bridge.body(spec.depth),
+            BridgeArcs::Full => bridge.whole_circles(),
+        };
+        let body = body.map_err(|e| self.refused(&e, None))?;
         for warning in bridge.warnings() {
             self.warn_at("ellipses", None, warning);
         }

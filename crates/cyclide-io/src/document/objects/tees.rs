@@ -47,19 +47,21 @@ impl Builder<'_> {
     fn tee_law(&self, law: &TeeLawSpec) -> Result<TeeBlend> {
         let TeeLawSpec { radius, tolerance, least, crotch, flank, values } = law;
         match (radius, tolerance, least, crotch, flank, values) {
-            (Some(radius), _, None, None, None, None) => {
+            (Some(radius), tolerance, None, None, None, None) => {
                 Ok(TeeBlend::Radius { radius: *radius, tolerance: *tolerance })
             }
             (None, None, Some(least), None, None, None) => Ok(TeeBlend::Least(*least)),
-            (None, None, None, Some(crotch), Some(flank), None) => {
+            (None, tolerance, None, Some(crotch), Some(flank), None) => {
                 let quarters = [(0.0, crotch), (FRAC_PI_2, flank), (PI, crotch), (3.0 * FRAC_PI_2, flank)];
-                Ok(TeeBlend::Angles(quarters.map(|(angle, &radius)| [angle, radius]).to_vec()))
+                let values = quarters.map(|(angle, &radius)| [angle, radius]).to_vec();
+                Ok(TeeBlend::Angles { values, tolerance: *tolerance })
             }
-            (None, None, None, None, None, Some(values)) => {
-                Ok(TeeBlend::Angles(values.iter().map(|value| [value.angle.turn(), value.radius]).collect()))
+            (None, tolerance, None, None, None, Some(values)) => {
+                let values = values.iter().map(|value| [value.angle.turn(), value.radius]).collect();
+                Ok(TeeBlend::Angles { values, tolerance: *tolerance })
             }
             _ => Err(self.unfit(
-                "a blend is given by one of `radius` (to a `tolerance`), `least`, `crotch` with `flank`, and `values`",
+                "a blend is given by one of `radius`, `least`, `crotch` with `flank`, and `values`; all but `least` take a `tolerance`",
             )),
         }
     }

@@ -1,7 +1,7 @@
 //! Curves on a torus: splines, knots, circles, and curves laid flat.
 
 use cyclide::{
-    ArcPath, Body, Circle, CurveObject, Error as E, ErrorItem as I, Lower as _, Pipe, Point2, ShortNumber,
+    ArcPath, Body, Circle, CircleFamily, CurveObject, Error as E, ErrorItem as I, Point2, QuarticType, ShortNumber,
     SurfaceObject, Torus, TorusMap, TorusSeam, TorusSpline, TorusSplineOptions, TorusTangent, TorusWinding,
     UnrollOptions,
 };
@@ -15,8 +15,8 @@ use crate::document::construct::{Contour, ContourFacts, Made};
 use crate::document::coordinates::Coordinates;
 use crate::document::locate::Step;
 use crate::document::spec::{
-    CyclideSpec, FreeOr, ObjectSpec, TorusCircleSpec, TorusKnotSpec, TorusMethod, TorusSeamSpec, TorusSource,
-    TorusSplineSpec, UnrolledSpec, WindingSpec,
+    CyclideSpec, FreeOr, ObjectSpec, TorusCircleSpec, TorusKnotSpec, TorusMethod, TorusQuarticSpec, TorusSeamSpec,
+    TorusSource, TorusSplineSpec, UnrolledSpec, WindingSpec,
 };
 use crate::error::{Error, Result};
 use crate::input::points::PointList;
@@ -32,6 +32,15 @@ const FLAT: f64 = 1e-5;
 const SEAM: f64 = 1e-3;
 
 /// What became of a curve of a torus when it was laid flat, over all its contours.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"k": {"type": "torus-knot", "torus": {"major_radius": 40, "minor_radius": 15}, "turns": [1, 1]}, "u": {"type": "unrolled", "of": "k"}}}"#.parse()?;
+/// let built = document.build()?;
+/// let plane = built[1].unrolled.expect("it is laid flat");
+/// assert!((plane.size[1] - 30.0 * std::f64::consts::PI).abs() < 1e-9);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct UnrolledPlane {
     /// The map.
@@ -53,7 +62,12 @@ impl ObjectSpec {
     pub(super) fn is_on_torus(&self) -> bool {
         matches!(
             self,
-            Self::TorusSpline(_) | Self::TorusKnot(_) | Self::TorusCircle(_) | Self::Unrolled(_) | Self::TorusSeam(_)
+            Self::TorusSpline(_)
+                | Self::TorusKnot(_)
+                | Self::TorusQuartic(_)
+                | Self::TorusCircle(_)
+                | Self::Unrolled(_)
+                | Self::TorusSeam(_)
         )
     }
 }
@@ -135,19 +149,38 @@ impl Builder<'_> {
         TorusSpline::knot(&torus, spec.turns, start).map_err(|e| self.refused(&e, None))
     }
 
-    /// A circle of a torus.
-    pub(super) fn torus_circle(&mut self, spec: &TorusCircleSpec) -> Result<(CurveObject, ContourFacts)> {
+    /// A closed quartic of one type.
+    pub(super) fn torus_quartic(&self, spec: &TorusQuarticSpec) -> Result<TorusSpline> {
         let torus = self.torus(&spec.torus)?;
-        let (at, moved) = match (spec.through, spec.at) {
+        let [one, other] = spec.families.map(CircleFamily::from);
+        let Some(kind) = QuarticType::between(one, other) else {
+            let message = "a quartic runs along two different families of circles";
+            return Err(Error::Input(self.diagnostic([Step::from("families")], message)));
+        };
+        // The type has its families in their order: the ratio is that of the second one given.
+        let ratio = if kind.families() == [one, other] { spec.ratio } else { 1.0 / spec.ratio };
+        let start = spec.start.map_or(Point2::default(), |start| place(&torus, start));
+        TorusSpline::closed_quartic(&torus, kind, start, ratio).map_err(|e| self.refused(&e, None))
+    }
+
+    /// The place that a circle runs through, and how far its point was moved.
+    fn place_of_circle(&self, spec: &TorusCircleSpec, torus: &Torus) -> Result<(Point2, f64)> {
+        match (spec.through, spec.at) {
             (Some(through), None) => {
                 let tolerance = spec.tolerance.unwrap_or(NEAR * torus.major_radius());
                 let at = torus.locate(through.point(), tolerance).map_err(|e| self.refused(&e, None))?;
-                (at, torus.distance(through.point()).abs())
+                Ok((at, torus.distance(through.point()).abs()))
             }
-            (None, Some(at)) if spec.tolerance.is_none() => (place(&torus, at), 0.0),
-            (None, Some(_)) => return Err(self.unfit("`tolerance` goes with `through`: angles are on the torus")),
-            _ => return Err(self.unfit("a circle of a torus is given by a point: `through` or `at`")),
-        };
+            (None, Some(at)) if spec.tolerance.is_none() => Ok((place(torus, at), 0.0)),
+            (None, Some(_)) => Err(self.unfit("`tolerance` goes with `through`: angles are on the torus")),
+            _ => Err(self.unfit("a circle of a torus is given by a point: `through` or `at`")),
+        }
+    }
+
+    /// A circle of a torus.
+    pub(super) fn torus_circle(&mut self, spec: &TorusCircleSpec) -> Result<(CurveObject, ContourFacts)> {
+        let torus = self.torus(&spec.torus)?;
+        let (at, moved) = self.place_of_circle(spec, &torus)?;
         let circle: Circle = torus.circle(spec.family.into(), at).map_err(|e| self.refused(&e, None))?;
         self.warn_of_move(moved, &torus, "through");
         Ok((CurveObject::Circle(circle), ContourFacts::default()))
@@ -166,40 +199,51 @@ impl Builder<'_> {
         self.remark("moved-onto-torus", None, None, place, message);
     }
 
-    /// The splines that the source consists of, one at least.
+    /// The splines that the source consists of, one at least; a circle of a torus as the spline of arcs that it is.
     fn splines_of_source(&self, needed: &str) -> Result<Vec<TorusSpline>> {
+        let name = self.sources.first().map(|source| &source.item.name);
+        let spec = self.document.objects.iter().find(|(other, _)| Some(other) == name).map(|(_, spec)| spec);
+        if let Some(ObjectSpec::TorusCircle(circle)) = spec {
+            let torus = self.torus(&circle.torus)?;
+            let (at, _) = self.place_of_circle(circle, &torus)?;
+            let spline = TorusSpline::circle(&torus, circle.family.into(), at);
+            return Ok(vec![spline.map_err(|e| self.refused(&e, None))?]);
+        }
         let source = self.sources.first().map_or(&[][..], |source| source.item.curves());
         let on_torus = |curve: &CurveObject| match curve {
             CurveObject::TorusSpline(spline) => Some(spline.clone()),
             _ => None,
         };
         let splines: Vec<TorusSpline> = source.iter().map_while(on_torus).collect();
-        if splines.is_empty() || splines.len() < source.len() { Err(self.wrong_source(needed)) } else { Ok(splines) }
+        if splines.is_empty() || splines.len() < source.len() {
+            let message = format!("only a `torus-spline`, `torus-knot`, `torus-quartic` or `torus-circle` {needed}");
+            return Err(self.wrong_source(&message));
+        }
+        Ok(splines)
     }
 
     /// Raised or sunk seams.
     pub(super) fn torus_seam(&mut self, spec: &TorusSeamSpec) -> Result<Vec<SurfaceObject>> {
-        let splines = self.splines_of_source("only a `torus-spline` or a `torus-knot` has a seam along it")?;
+        let splines = self.splines_of_source("has a seam along it")?;
         let tolerance = spec.tolerance.unwrap_or(SEAM * spec.width);
-        let bodies = TorusSeam::new(spec.width, spec.height)
-            .and_then(|seam| splines.iter().map(|spline| seam.body(spline, tolerance)).collect::<cyclide::Result<_>>());
-        let bodies: Vec<Body> = bodies.map_err(|e| self.refused(&e, None))?;
-        // Where pipes as wide as the seam run into themselves or each other, the seam does.
-        let pipe = Pipe::new(0.5 * spec.width).map_err(|e| self.refused(&e, None))?;
-        let spines: Vec<ArcPath> =
-            splines.iter().filter_map(|spline| spline.to_arcs(tolerance).ok()).map(|(path, _)| path).collect();
-        let with_itself = spines.iter().any(|path| matches!(pipe.body(path), Err(E::PipeMeetsItself { .. })));
-        if with_itself || pipe.first_meeting(&spines).is_ok_and(|meeting| meeting.is_some()) {
+        let refused = |e: cyclide::Error| self.refused(&e, None);
+        let seam = TorusSeam::new(spec.width, spec.height).map_err(refused)?;
+        let bodies: cyclide::Result<Vec<Body>> = splines.iter().map(|spline| seam.body(spline, tolerance)).collect();
+        let bodies = bodies.map_err(refused)?;
+        if let Some(([first, second], point)) = seam.first_meeting(&splines, tolerance).map_err(refused)? {
+            let [x, y, z] = point.to_array().map(ShortNumber);
+            let message = format!(
+                "the seams of the contours {first} and {second} run through each other at {x}, {y}, {z}: each is a body of its own, and volume and area count what they share twice; fuse them in CAD"
+            );
             let place = self.place_of([Step::from("width")]);
-            let message = "the seam comes nearer to itself than its width: the solid runs through itself there, and volume and area count twice what it shares";
-            self.remark("seam-meets-itself", None, None, place, message.to_owned());
+            self.remark("seams-meet", Some(second), None, place, message);
         }
         Ok(bodies.into_iter().map(SurfaceObject::Body).collect())
     }
 
     /// Curves of a torus laid flat.
     pub(super) fn unrolled(&mut self, spec: &UnrolledSpec) -> Result<Vec<CurveObject>> {
-        let splines = self.splines_of_source("only a `torus-spline` or a `torus-knot` is laid flat with its torus")?;
+        let splines = self.splines_of_source("is laid flat with its torus")?;
         let torus = *splines[0].torus();
         let size = spec.map.size(&torus);
         let mut options = UnrollOptions::new(spec.tolerance.unwrap_or(FLAT * size[0]));
@@ -340,7 +384,7 @@ pub(super) fn blame_torus(spec: &ObjectSpec, error: &cyclide::Error) -> Blame {
         _ => "tangents",
     };
     let angles = match spec {
-        ObjectSpec::TorusKnot(_) => "start",
+        ObjectSpec::TorusKnot(_) | ObjectSpec::TorusQuartic(_) => "start",
         ObjectSpec::TorusCircle(s) if s.at.is_some() => "at",
         ObjectSpec::TorusCircle(_) => "through",
         ObjectSpec::Unrolled(_) => "seam",
@@ -352,9 +396,10 @@ pub(super) fn blame_torus(spec: &ObjectSpec, error: &cyclide::Error) -> Blame {
         E::CountDiffers { what: I::Knot, .. } => Blame::Field("knots"),
         E::NotFinite { what: I::Knot, index } => Blame::Entry("knots", *index),
         E::EmptyInterval { index, .. } => Blame::Entry("knots", index + 1),
+        E::NotCoprime { .. } if matches!(spec, ObjectSpec::TorusQuartic(_)) => Blame::Field("ratio"),
         E::NotCoprime { .. } => Blame::Field("turns"),
-        E::ParameterOutOfRange { name: name @ (I::Width | I::Height), .. } => Blame::Field(name.word()),
-        E::RadiusNotPositive { .. } => Blame::Field("width"),
+        E::ParameterOutOfRange { name: name @ (I::Width | I::Height | I::Ratio), .. } => Blame::Field(name.word()),
+        E::RadiusNotPositive { .. } | E::SeamMeetsItself { .. } => Blame::Field("width"),
         _ if matches!(spec, ObjectSpec::TorusSeam(_))
             && !matches!(error, E::ToleranceNotPositive { .. } | E::TooManyPieces { .. }) =>
         {

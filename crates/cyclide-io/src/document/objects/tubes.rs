@@ -1,6 +1,8 @@
 //! Tubes of changing radius.
 
-use cyclide::{Ball, CurveObject, Exactness, Lower as _, Point3, RadiusLaw, ShortNumber, SurfaceObject, Tube};
+use cyclide::{
+    Ball, CurveObject, Exactness, Lower as _, PipeEnds, Point3, RadiusLaw, ShortNumber, SurfaceObject, Tube,
+};
 
 use super::Builder;
 use super::idle::idle_in_tube;
@@ -10,7 +12,21 @@ use crate::error::Result;
 /// Part of the least radius that the tolerance is if none is given.
 const TOLERANCE: f64 = 1e-3;
 
+/// Parts of the tolerance that arcs in place of a curve are made within, one after the other.
+const SHARES: [f64; 5] = [0.4, 0.2, 0.1, 0.03, 0.01];
+
+/// Part of the largest radius below which nobody sees that a rim is not flat.
+const RIM: f64 = 1e-6;
+
 /// What is known of a tube besides its body.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"t": {"type": "tube", "balls": [[0, 0, 0, 2], [10, 0, 0, 3], [20, 5, 0, 2]]}}}"#.parse()?;
+/// let built = document.build()?;
+/// assert_eq!(built[0].tubes[0].within, cyclide::Exactness::Exact);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TubeFacts {
     /// The least and the largest radius.
@@ -44,6 +60,13 @@ impl Builder<'_> {
                 Some(wall) => tube.with_wall(wall).map_err(|e| self.refused(&e, None))?,
                 None => tube,
             };
+            if spec.ends == PipeEnds::Flat && tube.rim_depth() > RIM * tube.radii()[1] {
+                let message = format!(
+                    "the rims of the wall are along its normals, and as the radius changes at an end they are parts of cones, {} deep: cut them in CAD, or let the radius stay before the end",
+                    ShortNumber(tube.rim_depth())
+                );
+                self.remark("rims-not-flat", None, None, None, message);
+            }
             self.tubes.push(TubeFacts { radii: tube.radii(), arcs: tube.arc_count(), within });
             tubes.push(tube);
         }
@@ -76,15 +99,24 @@ impl Builder<'_> {
     }
 }
 
-/// The tube along a curve: half the tolerance is for the arcs in place of it, where it is not made of arcs.
+/// The tube along a curve. Arcs in place of one that is not made of arcs are made nearer until the tube is proved to be within the tolerance.
 fn along(curve: &CurveObject, law: &RadiusLaw, tolerance: f64) -> cyclide::Result<(Tube, Exactness)> {
-    let share = if curve.is_of_arcs() { tolerance } else { 0.5 * tolerance };
-    let lowered = curve.lower_to_arcs(share)?;
-    let tube = Tube::along(&lowered.form, law, share)?;
-    let within = lowered.exactness.bound() + tube.bound();
-    Ok(match lowered.exactness {
-        Exactness::Exact if within == 0.0 => (tube, Exactness::Exact),
-        Exactness::Exact | Exactness::Proved(_) => (tube, Exactness::Proved(within)),
-        Exactness::Sampled(_) => (tube, Exactness::Sampled(within)),
-    })
+    if curve.is_of_arcs() {
+        let tube = Tube::along(&curve.lower_to_arcs(tolerance)?.form, law, tolerance)?;
+        let within = if tube.bound() == 0.0 { Exactness::Exact } else { Exactness::Proved(tube.bound()) };
+        return Ok((tube, within));
+    }
+    let mut shares = SHARES.into_iter();
+    loop {
+        let share = shares.next().unwrap_or(0.0) * tolerance;
+        let arcs = curve.lower_to_arcs(share)?;
+        match Tube::along_curve(curve.as_curve(), (&arcs.form, &arcs.correspondence), law, tolerance) {
+            Err(cyclide::Error::NotWithinTolerance { .. }) if !shares.as_slice().is_empty() => {}
+            made => {
+                let tube = made?;
+                let within = Exactness::Proved(tube.bound());
+                return Ok((tube, within));
+            }
+        }
+    }
 }

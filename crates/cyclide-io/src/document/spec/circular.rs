@@ -13,6 +13,7 @@ use serde::Deserialize;
 /// ```
 #[derive(Debug, Clone, PartialEq, JsonSchema)]
 #[schemars(untagged, rename = "MakeCircular")]
+#[non_exhaustive]
 pub enum MakeCircularSpec {
     /// Yes with the usual options, or no (the default).
     Switch(bool),
@@ -60,6 +61,7 @@ pub struct MakeCircularOptions {
 /// ```
 #[derive(Debug, Clone, PartialEq, JsonSchema)]
 #[schemars(untagged, rename = "Border")]
+#[non_exhaustive]
 pub enum BorderSpec {
     /// Every side alike.
     Word(BorderWord),

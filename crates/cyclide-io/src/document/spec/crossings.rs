@@ -9,12 +9,21 @@ use super::comment::Comment;
 use crate::document::angle::Angle;
 
 /// Two pipes that pass each other, blended by a ball that rolls between them: the first about the x axis, the second `distance` above it, at an `angle` to it; solid, or with a `wall` and one bore. Where they do not touch the blend is a bridge between them.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"c": {"type": "pipe-crossing", "pipes": [{"radius": 10, "ends": [-40, 40]}, {"radius": 8, "ends": [-35, 35]}], "distance": 12, "blend": 4}}}"#.parse()?;
+/// let built = document.build()?;
+/// assert!(built[0].bodies[0].is_solid());
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(
     extend("if" = {"properties": {"ends": {"const": "open"}}, "required": ["ends"]}),
     extend("then" = {"properties": {"wall": false}})
 )]
+#[non_exhaustive]
 pub struct PipeCrossingSpec {
     /// The word `pipe-crossing`.
     #[schemars(with = "String", extend("const" = "pipe-crossing"))]
@@ -47,9 +56,19 @@ pub struct PipeCrossingSpec {
 }
 
 /// A pipe of a crossing.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"c": {"type": "pipe-crossing", "pipes": [{"radius": 10, "ends": [-40, 40]}, {"radius": 8, "ends": [-35, 35]}], "distance": 12, "blend": 4}}}"#.parse()?;
+/// let built = document.build()?;
+/// let bounds = built[0].bodies[0].bounds();
+/// assert!((bounds.max.x - 40.0).abs() < 1e-9 && (bounds.max.y - 35.0).abs() < 1e-9);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(rename = "CrossingPipe")]
+#[non_exhaustive]
 pub struct CrossingPipeSpec {
     /// Its outer radius.
     #[schemars(extend("exclusiveMinimum" = 0))]

@@ -34,6 +34,7 @@ use crate::document::coordinates::{Coordinates, Lists, PointSource};
     { "required": ["from", "to", "weights"], "properties": { "through": false } },
     { "required": ["from", "to", "bulge"], "properties": { "through": false } }
 ], "dependentRequired" = { "normal": ["bulge"] }))]
+#[non_exhaustive]
 pub struct ArcSpec {
     /// The word `arc`.
     #[schemars(with = "String", extend("const" = "arc"))]
@@ -79,6 +80,7 @@ pub struct ArcSpec {
     { "required": ["center", "radius"], "properties": { "through": false } },
     { "required": ["through"], "properties": { "center": false, "radius": false, "normal": false } }
 ]))]
+#[non_exhaustive]
 pub struct CircleSpec {
     /// The word `circle`.
     #[schemars(with = "String", extend("const" = "circle"))]
@@ -111,6 +113,7 @@ pub struct CircleSpec {
 /// ```
 #[derive(Debug, Clone, PartialEq, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[non_exhaustive]
 pub struct BiarcSpec {
     /// The word `biarc`.
     #[schemars(with = "String", extend("const" = "biarc"))]
@@ -180,6 +183,7 @@ pub struct ArcSplineSpec {
 /// ```
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[non_exhaustive]
 pub struct PolylineSpec {
     /// The word `polyline`.
     #[schemars(with = "String", extend("const" = "polyline"))]
@@ -357,6 +361,7 @@ pub(super) const fn default_order() -> u32 {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default, JsonSchema)]
 #[schemars(untagged, rename = "Ends")]
+#[non_exhaustive]
 pub enum EndsSpec {
     /// The end segments are arcs.
     #[default]

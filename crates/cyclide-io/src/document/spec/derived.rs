@@ -20,6 +20,7 @@ use crate::document::coordinates::Coordinates;
 /// ```
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[non_exhaustive]
 pub struct OffsetSpec {
     /// The word `offset`.
     #[schemars(with = "String", extend("const" = "offset"))]
@@ -52,6 +53,7 @@ pub struct OffsetSpec {
 /// ```
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[non_exhaustive]
 pub struct TransformSpec {
     /// The word `transform`.
     #[schemars(with = "String", extend("const" = "transform"))]
@@ -81,6 +83,7 @@ pub struct TransformSpec {
 #[derive(Debug, Clone, Copy, PartialEq, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 #[schemars(rename = "Step")]
+#[non_exhaustive]
 pub enum StepSpec {
     /// Inversion in a sphere.
     Inversion(SphereSpec),
@@ -107,6 +110,7 @@ pub enum StepSpec {
 /// ```
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[non_exhaustive]
 pub struct RevolutionSpec {
     /// The word `revolution`.
     #[schemars(with = "String", extend("const" = "revolution"))]
@@ -139,6 +143,7 @@ pub struct RevolutionSpec {
 /// ```
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[non_exhaustive]
 pub struct PipeSpec {
     /// The word `pipe`.
     #[schemars(with = "String", extend("const" = "pipe"))]
@@ -177,6 +182,7 @@ pub struct PipeSpec {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[non_exhaustive]
 pub struct SphereSpec {
     /// Centre.
     pub center: Coordinates,
@@ -197,6 +203,7 @@ pub struct SphereSpec {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[non_exhaustive]
 pub struct RotationSpec {
     /// Axis about which a positive angle turns counter-clockwise, of any length. Default `[0, 0, 1]`.
     pub axis: Option<Coordinates>,
@@ -217,6 +224,7 @@ pub struct RotationSpec {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[non_exhaustive]
 pub struct ScaleSpec {
     /// Factor of all lengths.
     #[schemars(extend("exclusiveMinimum" = 0))]
@@ -237,6 +245,7 @@ pub struct ScaleSpec {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[non_exhaustive]
 pub struct PlaneSpec {
     /// Normal of the plane, of any length.
     pub normal: Coordinates,
@@ -255,6 +264,7 @@ pub struct PlaneSpec {
 /// ```
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[non_exhaustive]
 pub struct SupportStructureSpec {
     /// The word `support-structure`.
     #[schemars(with = "String", extend("const" = "support-structure"))]

@@ -85,6 +85,7 @@ pub enum StraightWord {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, JsonSchema)]
 #[schemars(untagged, rename = "FairEnds")]
+#[non_exhaustive]
 pub enum FairEndsSpec {
     /// Both ends alike.
     Both(FairEndWord),
@@ -129,6 +130,7 @@ pub struct FairEndPair {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, JsonSchema)]
 #[schemars(untagged, rename = "FairEnd")]
+#[non_exhaustive]
 pub enum FairEndSpec {
     /// An end without a given direction.
     Word(FairEndWord),

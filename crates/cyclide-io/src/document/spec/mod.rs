@@ -7,7 +7,9 @@ mod crossings;
 mod curves;
 mod derived;
 mod fair;
+mod interpolated;
 mod nets;
+mod nurbs;
 mod polygon_mesh_file;
 mod polyhedra;
 mod radii;
@@ -16,6 +18,7 @@ mod surfaces;
 mod swept;
 mod tees;
 mod torus;
+mod torus_numbers;
 mod tubes;
 
 use std::collections::BTreeMap;
@@ -37,18 +40,23 @@ pub use derived::{
     SupportStructureSpec, TransformSpec,
 };
 pub use fair::{FairEndPair, FairEndSpec, FairEndWord, FairEndsSpec, FairSplineSpec, StraightWord};
+pub use interpolated::{MoebiusContinuity, MoebiusSplineSpec, ParameterRule, ParametersSpec, QbInterpolationSpec};
 pub use nets::{CyclideSpec, CyclidicNetSpec, FrameSpec, GridSource, MeshFile};
+pub use nurbs::NurbsSpec;
 pub use polygon_mesh_file::PolygonMeshFile;
 pub use polyhedra::SmoothPolyhedronSpec;
 pub use radii::RadiiSpec;
 pub use smooth::{NormalsSpec, SmoothMeshSpec, SphereBlendSpec};
 pub use surfaces::CyclidePatchSpec;
-pub use swept::{CircularSurfaceSpec, DiskSpec, EllipseBridgeSpec, PlateSpec, PlateWithNeckSpec, RuledSpec};
+pub use swept::{
+    BridgeArcs, CircularSurfaceSpec, DiskSpec, EllipseBridgeSpec, PlateSpec, PlateWithNeckSpec, RuledSpec,
+};
 pub use tees::{PipeTeeSpec, TeeBlendSpec, TeeBranchSpec, TeeLawSpec, TeeMainSpec, TeeRadiusSpec};
 pub use torus::{
-    AnglePairs, FamilySpec, FreeOr, RatePairs, TorusCircleSpec, TorusKnotSpec, TorusMethod, TorusSeamSpec, TorusSource,
-    TorusSpec, TorusSplineSpec, UnrolledSpec, WindingSpec,
+    FamilySpec, TorusCircleSpec, TorusKnotSpec, TorusMethod, TorusQuarticSpec, TorusSeamSpec, TorusSource, TorusSpec,
+    TorusSplineSpec, UnrolledSpec, WindingSpec,
 };
+pub use torus_numbers::{AnglePairs, FreeOr, RatePairs};
 pub use tubes::{RadiusLawSpec, TubeSpec};
 
 /// A cyclide model: named curves and surfaces made of circles. Lengths are in the document's units and are never rescaled,
@@ -85,6 +93,7 @@ pub(super) struct DocumentShape {
 /// ```
 #[derive(Debug, Clone, PartialEq, JsonSchema)]
 #[schemars(untagged, rename = "Object")]
+#[non_exhaustive]
 pub enum ObjectSpec {
     /// A circular arc or straight segment.
     Arc(ArcSpec),
@@ -104,10 +113,18 @@ pub enum ObjectSpec {
     FairFit(FairFitSpec),
     /// A smooth curve through points, blended from circles.
     CircleSpline(CircleSplineSpec),
+    /// A rational B-spline curve.
+    Nurbs(NurbsSpec),
+    /// A local smooth curve through points that Möbius maps keep.
+    MoebiusSpline(MoebiusSplineSpec),
+    /// A rational curve of lowest degree through points.
+    QbInterpolation(QbInterpolationSpec),
     /// A smooth curve on a torus through points.
     TorusSpline(TorusSplineSpec),
     /// A curve that runs evenly round a torus both ways.
     TorusKnot(TorusKnotSpec),
+    /// See [`TorusQuarticSpec`].
+    TorusQuartic(TorusQuarticSpec),
     /// A circle of a torus.
     TorusCircle(TorusCircleSpec),
     /// A curve of a torus laid flat.
@@ -233,8 +250,12 @@ object_types! {
     "fair-spline" => FairSpline,
     "fair-fit" => FairFit,
     "circle-spline" => CircleSpline,
+    "nurbs" => Nurbs,
+    "moebius-spline" => MoebiusSpline,
+    "qb-interpolation" => QbInterpolation,
     "torus-spline" => TorusSpline,
     "torus-knot" => TorusKnot,
+    "torus-quartic" => TorusQuartic,
     "torus-circle" => TorusCircle,
     "unrolled" => Unrolled,
     "torus-seam" => TorusSeam,

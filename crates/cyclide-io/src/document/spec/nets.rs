@@ -20,6 +20,7 @@ use crate::document::coordinates::Coordinates;
 /// ```
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[non_exhaustive]
 pub struct CyclideSpec {
     /// The word `cyclide`.
     #[schemars(with = "String", extend("const" = "cyclide"))]
@@ -65,6 +66,7 @@ pub struct CyclideSpec {
 /// ```
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[non_exhaustive]
 pub struct CyclidicNetSpec {
     /// The word `cyclidic-net`.
     #[schemars(with = "String", extend("const" = "cyclidic-net"))]
@@ -159,6 +161,7 @@ impl<'de> Deserialize<'de> for GridSource {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default, JsonSchema)]
 #[schemars(untagged, rename = "Frame")]
+#[non_exhaustive]
 pub enum FrameSpec {
     /// The frame that follows the edges of the whole net best.
     #[default]

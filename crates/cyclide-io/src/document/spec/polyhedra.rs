@@ -26,6 +26,7 @@ use crate::document::coordinates::{Coordinates, PointSource};
     { "required": ["points"], "properties": { "mesh": false, "vertices": false, "faces": false, "hull": false } },
     { "required": ["vertices", "faces"], "properties": { "mesh": false, "points": false } }
 ]))]
+#[non_exhaustive]
 pub struct SmoothPolyhedronSpec {
     /// The word `smooth-polyhedron`.
     #[schemars(with = "String", extend("const" = "smooth-polyhedron"))]
@@ -36,8 +37,8 @@ pub struct SmoothPolyhedronSpec {
     /// Construction geometry: built and reported, not written to files.
     #[serde(default)]
     pub construction: bool,
-    /// The radius of the rounding, by which the polyhedron grows.
-    #[schemars(extend("exclusiveMinimum" = 0))]
+    /// The radius of the rounding, by which the polyhedron grows; 0 for the polyhedron itself.
+    #[schemars(range(min = 0.0))]
     pub radius: f64,
     /// A closed mesh of any planar polygons. Points that are equal are one; faces in one plane become one.
     pub mesh: Option<PolygonMeshFile>,

@@ -17,6 +17,7 @@ use std::fmt;
 #[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 #[schemars(untagged, rename = "Radii")]
 #[serde(untagged)]
+#[non_exhaustive]
 pub enum RadiiSpec {
     /// All alike.
     All(f64),

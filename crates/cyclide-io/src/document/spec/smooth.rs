@@ -29,6 +29,7 @@ use crate::document::coordinates::Coordinates;
     { "required": ["mesh"], "properties": { "vertices": false, "triangles": false } },
     { "required": ["vertices", "triangles"], "properties": { "mesh": false } }
 ]))]
+#[non_exhaustive]
 pub struct SmoothMeshSpec {
     /// The word `smooth-mesh`.
     #[schemars(with = "String", extend("const" = "smooth-mesh"))]
@@ -68,6 +69,7 @@ pub struct SmoothMeshSpec {
 /// ```
 #[derive(Debug, Clone, PartialEq, Default, JsonSchema)]
 #[schemars(untagged, rename = "VertexNormals")]
+#[non_exhaustive]
 pub enum NormalsSpec {
     /// The mean of those of the triangles around a vertex, weighted by their angles.
     #[default]
@@ -141,6 +143,7 @@ impl<'de> Deserialize<'de> for NormalsSpec {
     { "required": ["control"], "properties": { "normals": false } },
     { "required": ["normals"], "properties": { "control": false } }
 ]))]
+#[non_exhaustive]
 pub struct SphereBlendSpec {
     /// The word `sphere-blend`.
     #[schemars(with = "String", extend("const" = "sphere-blend"))]

@@ -19,6 +19,7 @@ use crate::document::coordinates::Coordinates;
 /// ```
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[non_exhaustive]
 pub struct CyclidePatchSpec {
     /// The word `cyclide-patch`.
     #[schemars(with = "String", extend("const" = "cyclide-patch"))]

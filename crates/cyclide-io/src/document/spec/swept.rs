@@ -27,6 +27,7 @@ use crate::document::coordinates::Directions;
     extend("then" = {"properties": {"plate": false}}),
     extend("else" = {"required": ["plate"]})
 )]
+#[non_exhaustive]
 pub struct PlateWithNeckSpec {
     /// The word `plate-with-neck`.
     #[schemars(with = "String", extend("const" = "plate-with-neck"))]
@@ -77,6 +78,7 @@ pub struct PlateWithNeckSpec {
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, JsonSchema)]
 #[schemars(untagged, rename = "Plate")]
+#[non_exhaustive]
 pub enum PlateSpec {
     /// Sides along x and y.
     #[schemars(extend("items" = {"type": "number", "exclusiveMinimum": 0}))]
@@ -98,6 +100,7 @@ pub enum PlateSpec {
 #[derive(Debug, Clone, Copy, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(rename = "Disk")]
+#[non_exhaustive]
 pub struct DiskSpec {
     /// Its radius.
     #[schemars(extend("exclusiveMinimum" = 0))]
@@ -115,6 +118,11 @@ pub struct DiskSpec {
 /// ```
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[schemars(
+    extend("if" = {"properties": {"arcs": {"const": "full"}}, "required": ["arcs"]}),
+    extend("then" = {"properties": {"depth": false}})
+)]
+#[non_exhaustive]
 pub struct EllipseBridgeSpec {
     /// The word `ellipse-bridge`.
     #[schemars(with = "String", extend("const" = "ellipse-bridge"))]
@@ -130,9 +138,31 @@ pub struct EllipseBridgeSpec {
         "type": "array", "items": {"type": "number", "exclusiveMinimum": 0}, "minItems": 2, "maxItems": 2
     }))]
     pub ellipses: [[f64; 2]; 2],
+    /// Half circles, or whole ones.
+    #[serde(default)]
+    pub arcs: BridgeArcs,
     /// Makes a solid: the elliptic cylinders go down to a base at z = -depth. One ellipse must be inside the other.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub depth: Option<f64>,
+}
+
+/// What stands on the chords between two ellipses.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"e": {"type": "ellipse-bridge", "ellipses": [[3, 3], [5, 5]], "arcs": "full"}}}"#.parse()?;
+/// let built = document.build()?;
+/// assert!((built[0].bodies[0].outer.volume() - 8.0 * std::f64::consts::PI.powi(2)).abs() < 1e-9); // a torus
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum BridgeArcs {
+    /// Half circles above the plane of the ellipses.
+    #[default]
+    Half,
+    /// Whole circles: a solid ring.
+    Full,
 }
 
 /// Arcs between two curves, from piece to piece at equal parameters, with given directions at the first curve.
@@ -146,6 +176,7 @@ pub struct EllipseBridgeSpec {
 /// ```
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[non_exhaustive]
 pub struct CircularSurfaceSpec {
     /// The word `circular-surface`.
     #[schemars(with = "String", extend("const" = "circular-surface"))]
@@ -174,6 +205,7 @@ pub struct CircularSurfaceSpec {
 /// ```
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[non_exhaustive]
 pub struct RuledSpec {
     /// The word `ruled`.
     #[schemars(with = "String", extend("const" = "ruled"))]

@@ -9,13 +9,22 @@ use super::comment::Comment;
 use crate::document::angle::Angle;
 
 /// A main pipe about the x axis with branches, each blended by a ball that rolls round it; solid, or with a `wall`. Branches are thinner than the
-/// main pipe and within its breadth.
+/// main pipe and within its breadth, or of its radius with meeting axes.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"t": {"type": "pipe-tee", "main": {"radius": 10, "ends": [-40, 40]}, "branches": [{"radius": 5, "length": 30, "blend": 3}]}}}"#.parse()?;
+/// let built = document.build()?;
+/// assert!(built[0].bodies[0].is_solid());
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(
     extend("if" = {"properties": {"ends": {"const": "open"}}, "required": ["ends"]}),
     extend("then" = {"properties": {"wall": false}})
 )]
+#[non_exhaustive]
 pub struct PipeTeeSpec {
     /// The word `pipe-tee`.
     #[schemars(with = "String", extend("const" = "pipe-tee"))]
@@ -40,9 +49,19 @@ pub struct PipeTeeSpec {
 }
 
 /// The main pipe of a tee.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"t": {"type": "pipe-tee", "main": {"radius": 10, "ends": [-40, 40]}, "branches": [{"radius": 5, "length": 30, "blend": 3}]}}}"#.parse()?;
+/// let built = document.build()?;
+/// let bounds = built[0].bodies[0].bounds();
+/// assert!((bounds.min.x + 40.0).abs() < 1e-9 && (bounds.max.x - 40.0).abs() < 1e-9);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(rename = "TeeMain")]
+#[non_exhaustive]
 pub struct TeeMainSpec {
     /// Its outer radius.
     #[schemars(extend("exclusiveMinimum" = 0))]
@@ -52,9 +71,19 @@ pub struct TeeMainSpec {
 }
 
 /// A branch of a tee.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"t": {"type": "pipe-tee", "main": {"radius": 10, "ends": [-40, 40]}, "branches": [{"radius": 5, "length": 30, "blend": 3}]}}}"#.parse()?;
+/// let built = document.build()?;
+/// // Up along z by its length.
+/// assert!((built[0].bodies[0].bounds().max.z - 30.0).abs() < 1e-9);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(rename = "TeeBranch")]
+#[non_exhaustive]
 pub struct TeeBranchSpec {
     /// What the author remarks; read and left aside.
     #[serde(default)]
@@ -69,7 +98,7 @@ pub struct TeeBranchSpec {
     pub length: f64,
     /// Angle between its direction and the x axis. Default: a right angle.
     pub angle: Option<Angle>,
-    /// How far its axis passes beside that of the main pipe: towards -y if it goes up. Below the difference of the radii.
+    /// How far its axis passes beside that of the main pipe: towards +y if it goes up. Below the difference of the radii.
     #[serde(default)]
     pub offset: f64,
     /// The place on the x axis that its axis is nearest to. Default 0.
@@ -82,8 +111,17 @@ pub struct TeeBranchSpec {
 }
 
 /// The radius of the ball of a blend, or a law of it.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"t": {"type": "pipe-tee", "main": {"radius": 10, "ends": [-40, 40]}, "branches": [{"radius": 5, "length": 30, "blend": 3}]}}}"#.parse()?;
+/// let cyclide_io::ObjectSpec::PipeTee(spec) = &document.objects[0].1 else { unreachable!("by its type") };
+/// assert_eq!(spec.branches[0].blend, cyclide_io::TeeBlendSpec::Radius(3.0));
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, JsonSchema)]
 #[schemars(untagged, rename = "TeeBlend")]
+#[non_exhaustive]
 pub enum TeeBlendSpec {
     /// One radius, to a thousandth of it.
     Radius(#[schemars(extend("exclusiveMinimum" = 0))] f64),
@@ -92,18 +130,31 @@ pub enum TeeBlendSpec {
 }
 
 /// A law of the radius of a ball; one of `radius`, `least`, `crotch` with `flank`, and `values`.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"t": {"type": "pipe-tee", "main": {"radius": 10, "ends": [-40, 40]}, "branches": [{"radius": 5, "length": 30, "blend": {"crotch": 4, "flank": 2}}]}}}"#.parse()?;
+/// let cyclide_io::ObjectSpec::PipeTee(spec) = &document.objects[0].1 else { unreachable!("by its type") };
+/// let cyclide_io::TeeBlendSpec::Law(law) = &spec.branches[0].blend else { unreachable!("it is a law") };
+/// assert_eq!((law.crotch, law.flank), (Some(4.0), Some(2.0)));
+/// let built = document.build()?;
+/// assert!(built[0].bodies[0].is_solid());
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(
     rename = "TeeLaw",
     extend("oneOf" = [{"required": ["radius"]}, {"required": ["least"]}, {"required": ["crotch", "flank"]}, {"required": ["values"]}]),
-    extend("dependentRequired" = {"tolerance": ["radius"], "crotch": ["flank"], "flank": ["crotch"]})
+    extend("dependentRequired" = {"crotch": ["flank"], "flank": ["crotch"]}),
+    extend("dependentSchemas" = {"least": {"properties": {"tolerance": false}}})
 )]
+#[non_exhaustive]
 pub struct TeeLawSpec {
     /// One radius.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub radius: Option<f64>,
-    /// Largest difference from that one radius, which no rational blend has exactly. Default: a thousandth of it.
+    /// Largest difference from that one radius or from the law, which no rational blend has exactly. Default: a thousandth of the radius.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub tolerance: Option<f64>,
     /// The plainest blend, with this radius at the flank where it is least and larger ones in the crotches.
@@ -121,9 +172,20 @@ pub struct TeeLawSpec {
 }
 
 /// The radius of a ball at an angle.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"t": {"type": "pipe-tee", "main": {"radius": 10, "ends": [-40, 40]}, "branches": [{"radius": 5, "length": 30, "blend": {"values": [{"angle": 0, "radius": 4}, {"angle": {"degrees": 90}, "radius": 2}]}}]}}}"#.parse()?;
+/// let cyclide_io::ObjectSpec::PipeTee(spec) = &document.objects[0].1 else { unreachable!("by its type") };
+/// let cyclide_io::TeeBlendSpec::Law(law) = &spec.branches[0].blend else { unreachable!("it is a law") };
+/// let values = law.values.as_ref().expect("they are given");
+/// assert_eq!((values[1].angle.radians(), values[1].radius), (std::f64::consts::FRAC_PI_2, 2.0));
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(rename = "TeeRadius")]
+#[non_exhaustive]
 pub struct TeeRadiusSpec {
     /// Angle round the branch: 0 on the side of the end of the main pipe.
     pub angle: Angle,

@@ -26,6 +26,7 @@ use super::comment::Comment;
     extend("then" = {"properties": {"radius": false, "tolerance": false}}),
     extend("else" = {"properties": {"closed": false}})
 )]
+#[non_exhaustive]
 pub struct TubeSpec {
     /// The word `tube`.
     #[schemars(with = "String", extend("const" = "tube"))]
@@ -67,6 +68,7 @@ pub struct TubeSpec {
 /// # Ok::<(), serde_json::Error>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub struct RadiusLawSpec {
     /// Fractions of the length, and radii.
     pub values: Vec<[f64; 2]>,

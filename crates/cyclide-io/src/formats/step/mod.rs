@@ -46,7 +46,10 @@ use body_check::bodies_deviation;
 use labels::labels;
 use reader::read;
 
-/// Readers merge what is closer than this (OpenCASCADE's vertex tolerance is 1e-7), in file units.
+/// OpenCASCADE takes points nearer than this for one, whatever the unit of the file, in millimetres: faces with shorter edges come out of it
+/// invalid.
+const ONE_POINT: f64 = 1e-7;
+/// Shorter edges are noted, in millimetres.
 const SHORTEST_EDGE: f64 = 1e-6;
 
 /// What there is to know of the format.
@@ -95,6 +98,11 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
         written.bodies.push(Promise::EXACT);
         let as_written =
             topology::body(&mut data, &body.label(), faces, job.size(), job.options.step_edges).map_err(lowered)?;
+        let length = as_written.shortest * job.units().in_millimetres();
+        if length < ONE_POINT {
+            let object = body.label();
+            return Err(ExportError::EdgeTooShort { object, format: ENTRY.name, length, limit: ONE_POINT });
+        }
         shortest = shortest.min(as_written.shortest);
         if as_written.touches_itself {
             notes.push(format!(
@@ -108,10 +116,10 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
             Entity::Surface(number) => parts[body.item].surfaces.push(number),
         }
     }
+    let shortest = shortest * job.units().in_millimetres();
     if shortest < SHORTEST_EDGE {
-        let unit = job.units().symbol();
         notes.push(format!(
-            "an edge is only {} {unit} long: STEP readers merge points closer than 1e-7",
+            "an edge is only {} mm long: STEP readers merge points closer than {ONE_POINT:e} mm",
             ShortNumber(shortest)
         ));
     }

@@ -25,8 +25,9 @@
 //! coefficients of positive weights are not positive.
 
 use super::bands::{Bands, rows_of};
-use super::crossing_arcs::check_arcs;
+use super::crossing_arcs::crossing_arcs;
 use super::kinks::kinks;
+use super::planar_folds::{PlanarSide, planar_side};
 use super::rail_surface::RailSurface;
 use super::rails::{RailPiece, rail_pieces};
 use crate::base::vector::Vec3;
@@ -34,6 +35,7 @@ use crate::curve::Arc;
 use crate::error::{Error, ErrorItem, Result};
 use crate::rational::{Polynomial, PolynomialRow, RationalBezier, RationalBezierSurface};
 use crate::topology::{Body, EdgeCurve};
+use crate::warning::Warning;
 
 /// Largest degree made: that of the surfaces of OpenCASCADE.
 const LARGEST_DEGREE: usize = 25;
@@ -42,10 +44,16 @@ const SEPARATION: f64 = 1e-12;
 /// An arc whose tangent is against its chord but for this angle is nearly a full circle of fifty chords' radius; nearer to it
 /// weights spread so far that files lose the edges that faces share.
 const OPPOSED: f64 = 1e-2;
+/// Below this angle, of ten chords' radius, it is said: OpenCASCADE finds edges off their faces from 0.02 on.
+const NEARLY_OPPOSED: f64 = 0.05;
+/// Tangents of neighbouring joints oppose each other if less than this part of the longer one is left between them.
+const OPPOSITE_TANGENTS: f64 = 1e-6;
 /// Places of a piece at which chord and tangent are looked at.
 const PLACES: u32 = 32;
 /// A piece is halved along the rails so many times at most.
 const MOST_HALVINGS: u32 = 5;
+/// Cosine of the angle from which planes of neighbours are one, seen from both sides.
+const OPPOSITE: f64 = 1.0 - 1e-9;
 /// The arcs of a surface are cut into so many parts at most.
 const MOST_PARTS: usize = 8;
 
@@ -105,7 +113,7 @@ impl Body {
     ///
     /// # Errors
     /// `piece-counts-differ`, `too-few-points`, `disconnected`, `weight-not-positive` (of the rails, or where no parts of the surface have
-    /// positive weights: arcs that turn nearly round); `count-differs`, `not-finite`, `zero-tangent`, `coincident-points` (the rails meet),
+    /// positive weights: arcs that turn nearly round); `count-differs`, `not-finite`, `zero-tangent`, `opposite-tangents` (at joints that follow each other), `coincident-points` (the rails meet),
     /// `tangent-opposes-chord`, `degree-too-high`, `arcs-cross` (neighbouring arcs cross, as where one rail runs the other way).
     pub fn circular(rails: [&[EdgeCurve]; 2], tangents: &[Vec3], closed: bool) -> Result<Self> {
         RailSurface::circular(rails, tangents, closed).map(RailSurface::into_body)
@@ -129,10 +137,11 @@ impl RailSurface {
         for (speed, count) in tries {
             match cut(&pieces, speed, count) {
                 Ok(made) => {
-                    made.iter().try_for_each(|(piece, surface)| piece.check_arcs(surface))?;
+                    check_all_arcs(&made, closed)?;
                     let body = sewn(&made, speed, count, closed)?;
                     let starts: Vec<Option<usize>> = made.iter().map(|(piece, _)| piece.rails.joint()).collect();
-                    let warnings = kinks(rails, closed, &body, &starts).into_iter().collect();
+                    let warnings =
+                        kinks(rails, closed, &body, &starts).into_iter().chain(nearly_full(&pieces)).collect();
                     return Ok(Self { body, warnings });
                 }
                 Err(error @ Error::WeightNotPositive { .. }) => negative = error,
@@ -174,6 +183,12 @@ impl ArcPiece {
         self.rails.curves[1].point(s) - self.rails.curves[0].point(s)
     }
 
+    /// The angle between the tangent and the way back along the chord.
+    fn opening(&self, s: f64) -> f64 {
+        let (c, v) = (self.chord(s), self.tangent(s));
+        c.cross(v).length().atan2(-c.dot(v))
+    }
+
     /// The arc at its start, or (`x` = 1) at its end.
     fn arc(&self, x: f64, speed: Speed) -> Result<Arc> {
         let [from, to] = self.rails.curves.each_ref().map(|curve| curve.point(x));
@@ -200,13 +215,26 @@ impl ArcPiece {
         }
     }
 
-    /// Refuses arcs that cross their neighbours.
-    fn check_arcs(&self, surface: &RationalBezierSurface) -> Result<()> {
+    /// Refuses arcs that cross their neighbours. Gives the normal of a surface in a plane.
+    fn check_arcs(&self, surface: &RationalBezierSurface) -> Result<Option<Vec3>> {
+        match planar_side(surface) {
+            Some(PlanarSide::One(normal)) => return Ok(Some(normal)),
+            Some(PlanarSide::Folds([s, t])) => return Err(self.crossing_at(s, t)),
+            None => {}
+        }
         let plane = |s: f64| {
             let (chord, tangent) = (self.chord(s), self.tangent(s));
             chord.cross(tangent) / (chord.length() * tangent.length())
         };
-        check_arcs(surface, plane, (self.rails.piece, self.rails.part))
+        match crossing_arcs(surface, plane) {
+            Some([s, t]) => Err(self.crossing_at(s, t)),
+            None => Ok(None),
+        }
+    }
+
+    fn crossing_at(&self, s: f64, t: f64) -> Error {
+        let [from, to] = self.rails.part;
+        Error::ArcsCross { piece: self.rails.piece, at: [from + (to - from) * s, t] }
     }
 
     /// Both halves along the rails.
@@ -232,7 +260,36 @@ fn tangents_of_joints(given: &[Vec3], pieces: usize, closed: bool) -> Result<Vec
             return Err(Error::ZeroTangent { index });
         }
     }
-    Ok((0..=pieces).map(|k| given[k % given.len()]).collect())
+    let tangents: Vec<Vec3> = (0..=pieces).map(|k| given[k % given.len()]).collect();
+    for (first, pair) in tangents.windows(2).enumerate() {
+        let length = least_between([pair[0], pair[1]]);
+        if !(length > OPPOSITE_TANGENTS) {
+            let second = (first + 1) % given.len();
+            return Err(Error::OppositeTangents { first, second, length, limit: OPPOSITE_TANGENTS });
+        }
+    }
+    Ok(tangents)
+}
+
+/// The length of the shortest vector on the way from one to another, as a part of the longer one.
+fn least_between([from, to]: [Vec3; 2]) -> f64 {
+    let longer = from.max_abs().max(to.max_abs());
+    let [from, to] = [from / longer, to / longer];
+    let turn = to - from;
+    let nearest = (-from.dot(turn) / turn.dot(turn).max(f64::MIN_POSITIVE)).clamp(0.0, 1.0);
+    (from + turn * nearest).length() / from.length().max(to.length())
+}
+
+/// The places of a piece.
+fn places() -> impl Iterator<Item = f64> {
+    (0..=PLACES).map(|k| f64::from(k) / f64::from(PLACES))
+}
+
+/// What is said of arcs that turn nearly all round.
+fn nearly_full(pieces: &[ArcPiece]) -> Option<Warning> {
+    let angles = pieces.iter().flat_map(|piece| places().map(|s| (piece.rails.piece, piece.opening(s))));
+    let (piece, angle) = angles.min_by(|a, b| a.1.total_cmp(&b.1))?;
+    (angle < NEARLY_OPPOSED).then_some(Warning::NearlyFullArcs { piece, angle, limit: NEARLY_OPPOSED })
 }
 
 /// The factor of all tangents for which the arcs run about as fast at both ends; refuses rails that meet and arcs
@@ -242,17 +299,12 @@ fn speed(pieces: &[ArcPiece]) -> Result<f64> {
     let limit = SEPARATION * ends.fold(0.0, f64::max);
     let mut sum = 0.0;
     for piece in pieces {
-        for k in 0..=PLACES {
-            let s = f64::from(k) / f64::from(PLACES);
-            let (c, v) = (piece.chord(s), piece.tangent(s));
-            let (distance, length) = (c.length(), v.length());
+        for s in places() {
+            let (distance, length) = (piece.chord(s).length(), piece.tangent(s).length());
             if !(distance > limit) {
                 return Err(Error::CoincidentPoints { first: 0, second: 1, distance, limit });
             }
-            if length == 0.0 {
-                return Err(Error::ZeroTangent { index: piece.rails.piece });
-            }
-            let angle = c.cross(v).length().atan2(-c.dot(v));
+            let angle = piece.opening(s);
             if angle < OPPOSED {
                 return Err(Error::TangentOpposesChord { index: piece.rails.piece, angle, limit: OPPOSED });
             }
@@ -282,6 +334,18 @@ fn cut(pieces: &[ArcPiece], speed: Speed, count: usize) -> Result<Vec<(ArcPiece,
         }
     }
     Ok(made)
+}
+
+/// Refuses arcs that cross their neighbours, in a piece or, in a plane, where the next one turns back.
+fn check_all_arcs(made: &[(ArcPiece, RationalBezierSurface)], closed: bool) -> Result<()> {
+    let normals = made.iter().map(|(piece, surface)| piece.check_arcs(surface)).collect::<Result<Vec<_>>>()?;
+    for (k, pair) in (1..).zip(normals.iter().zip(normals.iter().cycle().skip(1))) {
+        let (Some(normal), Some(next)) = pair else { continue };
+        if normal.dot(*next) < -OPPOSITE && (closed || k < made.len()) {
+            return Err(made[k % made.len()].0.crossing_at(0.0, 0.5));
+        }
+    }
+    Ok(())
 }
 
 /// The smallest weight.

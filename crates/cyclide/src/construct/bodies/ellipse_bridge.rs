@@ -49,6 +49,13 @@ pub struct EllipseBridge {
     speed: f64,
 }
 
+/// Halves of the circles over the chords: from the first ellipse to the second above them, and back below.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Half {
+    Upper,
+    Lower,
+}
+
 impl EllipseBridge {
     /// The bridge from the ellipse with the semi-axes `first` along x and y to that with `second`.
     ///
@@ -119,37 +126,86 @@ impl EllipseBridge {
         if let Some(depth) = depth {
             self.check_solid(depth)?;
         }
-        let place = self.first.into_iter().chain(self.second).fold(0.0, f64::max);
-        let width = self.widths().map(f64::abs).into_iter().fold(f64::INFINITY, f64::min);
-        range::check_size_in_place(ErrorItem::Bridge, width, place, range::SMALLEST_IN_PLACE)?;
+        self.check_widths()?;
         let sectors = self.sectors();
         let mut bands = Bands::default();
-        let surfaces = sectors.iter().map(|sector| self.even_over(sector)).collect::<Result<Vec<_>>>()?;
-        let rail = |bands: &mut Bands, k: usize, z: f64| -> Result<Ring> {
-            Ok(bands.ring(self.ellipse(k, z).curves(&sectors)?, true))
-        };
-        let first = rail(&mut bands, 0, 0.0)?;
-        let crown = match self.crown() {
-            Some(ellipse) => ellipse.curves(&sectors)?,
-            None => surfaces.iter().map(|surface| surface.s_line(0.5).into()).collect(),
-        };
-        let crown = bands.ring(crown, true);
-        let second = rail(&mut bands, 1, 0.0)?;
-        for (rings, t) in [([&first, &crown], [0.0, 0.5]), ([&crown, &second], [0.5, 1.0])] {
-            let arc = |i: usize, _| {
-                let [from, to] = [0, 1].map(|k| self.ellipse(k, 0.0).point(sectors[i].start));
-                let arc = Arc::from_start_tangent(from, to, Vec3::Z * from.distance(to))?;
-                Ok(EdgeCurve::Arc(arc.restricted(t[0], t[1])?))
-            };
-            bands.band(rings, arc, |_, i| Ok(surfaces[i].part([0.0, 1.0], t)))?;
-        }
+        let first = self.rail(&mut bands, &sectors, 0, 0.0)?;
+        let second = self.rail(&mut bands, &sectors, 1, 0.0)?;
+        self.half_circles(&mut bands, &sectors, [&first, &second], Half::Upper)?;
         if let Some(depth) = depth {
-            let (below, under) = (rail(&mut bands, 1, -depth)?, rail(&mut bands, 0, -depth)?);
+            let below = self.rail(&mut bands, &sectors, 1, -depth)?;
+            let under = self.rail(&mut bands, &sectors, 0, -depth)?;
             for pair in [[&second, &below], [&below, &under], [&under, &first]] {
                 bands.ruled(pair)?;
             }
         }
         bands.finish()
+    }
+
+    /// The whole circles over the chords, above and below: the surface of which the bridge is the upper half, closed, as a solid ring. Of circles its
+    /// faces are parts of a torus.
+    ///
+    /// ```
+    /// use cyclide::EllipseBridge;
+    /// use std::f64::consts::PI;
+    /// let torus = EllipseBridge::new([3.0, 3.0], [5.0, 5.0])?.whole_circles()?;
+    /// assert!(torus.is_solid() && (torus.outer.volume() - 8.0 * PI * PI).abs() < 1e-9);
+    /// # Ok::<(), cyclide::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// `ellipses-cross`, `below-rounding-of-place` as [`body`](Self::body).
+    pub fn whole_circles(&self) -> Result<Body> {
+        self.check_uncrossed()?;
+        self.check_widths()?;
+        let sectors = self.sectors();
+        let mut bands = Bands::default();
+        let first = self.rail(&mut bands, &sectors, 0, 0.0)?;
+        let second = self.rail(&mut bands, &sectors, 1, 0.0)?;
+        self.half_circles(&mut bands, &sectors, [&first, &second], Half::Upper)?;
+        self.half_circles(&mut bands, &sectors, [&second, &first], Half::Lower)?;
+        bands.finish()
+    }
+
+    fn rail(&self, bands: &mut Bands, sectors: &[Sector], k: usize, z: f64) -> Result<Ring> {
+        Ok(bands.ring(self.ellipse(k, z).curves(sectors)?, true))
+    }
+
+    /// Adds the faces of half circles between two rings, in quarters.
+    fn half_circles(&self, bands: &mut Bands, sectors: &[Sector], [from, to]: [&Ring; 2], half: Half) -> Result<()> {
+        let surface = |sector| {
+            let [first, middle, second] = self.even_rows(sector);
+            RationalBezierSurface::from_polynomial_rows(&match half {
+                Half::Upper => [first, middle, second],
+                Half::Lower => [second, &middle * -1.0, first],
+            })
+        };
+        let surfaces = sectors.iter().map(surface).collect::<Result<Vec<_>>>()?;
+        let crown = match self.crown(half) {
+            Some(ellipse) => ellipse.curves(sectors)?,
+            None => surfaces.iter().map(|surface| surface.s_line(0.5).into()).collect(),
+        };
+        let crown = bands.ring(crown, true);
+        let (ends, up) = match half {
+            Half::Upper => ([0, 1], Vec3::Z),
+            Half::Lower => ([1, 0], -Vec3::Z),
+        };
+        for (rings, t) in [([from, &crown], [0.0, 0.5]), ([&crown, to], [0.5, 1.0])] {
+            let arc = |i: usize, _| {
+                let [from, to] = ends.map(|k| self.ellipse(k, 0.0).point(sectors[i].start));
+                let arc = Arc::from_start_tangent(from, to, up * from.distance(to))?;
+                Ok(EdgeCurve::Arc(arc.restricted(t[0], t[1])?))
+            };
+            bands.band(rings, arc, |_, i| Ok(surfaces[i].part([0.0, 1.0], t)))?;
+        }
+        Ok(())
+    }
+
+    /// Refuses ellipses that are too near to each other for their place.
+    fn check_widths(&self) -> Result<()> {
+        let place = self.first.into_iter().chain(self.second).fold(0.0, f64::max);
+        let width = self.widths().map(f64::abs).into_iter().fold(f64::INFINITY, f64::min);
+        range::check_size_in_place(ErrorItem::Bridge, width, place, range::SMALLEST_IN_PLACE)
     }
 
     fn check_solid(&self, depth: f64) -> Result<()> {
@@ -160,10 +216,14 @@ impl EllipseBridge {
             let (min, max) = (range::MIN_DISTANCE, f64::MAX);
             return Err(Error::ParameterOutOfRange { name: ErrorItem::Depth, value: depth, min, max });
         }
-        if let Some([along_x, along_y]) = self.crossing() {
-            return Err(Error::EllipsesCross { along_x, along_y });
+        self.check_uncrossed()
+    }
+
+    fn check_uncrossed(&self) -> Result<()> {
+        match self.crossing() {
+            Some([along_x, along_y]) => Err(Error::EllipsesCross { along_x, along_y }),
+            None => Ok(()),
         }
-        Ok(())
     }
 
     /// Parts of the turn, four or more, over which the chords are of about one length.
@@ -201,10 +261,11 @@ impl EllipseBridge {
     }
 
     /// The ellipse along the middle of the arcs, where the bridge is as wide along both axes.
-    fn crown(&self) -> Option<Ellipse> {
+    fn crown(&self, half: Half) -> Option<Ellipse> {
         let middle = |d: usize| 0.5 * (self.first[d] + self.second[d]);
+        let height = if half == Half::Upper { 0.5 } else { -0.5 } * self.speed;
         self.is_even().then(|| Ellipse {
-            center: Point3::new(0.0, 0.0, 0.5 * self.speed),
+            center: Point3::new(0.0, 0.0, height),
             u: Vec3::new(middle(0), 0.0, 0.0),
             v: Vec3::new(0.0, middle(1), 0.0),
         })
@@ -232,19 +293,19 @@ impl EllipseBridge {
         RationalBezierSurface::from_polynomial_rows(&self.rows(sector))
     }
 
-    /// The same surface with even arcs at both ends of the sector, so that half of an arc is half of its parameter: its rows
-    /// times 1, ρ and ρ², a change of the parameter t, where ρ is linear between the lengths of the chords over λ. Its degree
+    /// The rows of the same surface with even arcs at both ends of the sector, so that half of an arc is half of its parameter: times 1, ρ and
+    /// ρ², a change of the parameter t, where ρ is linear between the lengths of the chords over λ. Its degree
     /// is (8, 2); where the bridge is as wide along both axes its arcs are even as they are.
-    fn even_over(&self, sector: &Sector) -> Result<RationalBezierSurface> {
+    fn even_rows(&self, sector: &Sector) -> [PolynomialRow; 3] {
+        let rows = self.rows(sector);
         if self.is_even() {
-            return self.over(sector);
+            return rows;
         }
         let [x, y] = self.widths();
         let ends = [sector.start, sector.end].map(|[cos, sin]| (x * cos).hypot(y * sin) / self.speed);
         let (ratio, one) = (Polynomial::new(ends.to_vec()), Polynomial::new(vec![1.0; 2]));
-        let [first, middle, last] = self.rows(sector);
-        let rows = [&first * &(&one * &one), &middle * &(&one * &ratio), &last * &(&ratio * &ratio)];
-        RationalBezierSurface::from_polynomial_rows(&rows)
+        let [first, middle, last] = rows;
+        [&first * &(&one * &one), &middle * &(&one * &ratio), &last * &(&ratio * &ratio)]
     }
 
     fn rows(&self, sector: &Sector) -> [PolynomialRow; 3] {

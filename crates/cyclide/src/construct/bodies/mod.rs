@@ -13,6 +13,7 @@ mod pierced;
 mod pipe;
 mod pipe_crossing;
 mod planar_area;
+mod planar_folds;
 mod polyhedron;
 mod rail_surface;
 mod rails;

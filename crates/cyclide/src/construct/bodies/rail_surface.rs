@@ -38,7 +38,8 @@ impl RailSurface {
     }
 
     /// What should be known of it: where both rails run smoothly from piece to piece, but speeds change there by different factors, the
-    /// surface has a kink (`kinks-at-joints`, above a thousandth of a radian).
+    /// surface has a kink (`kinks-at-joints`, above a thousandth of a radian); arcs that start within 0.05 radians of the way back along their chord turn
+    /// nearly all round (`nearly-full-arcs`).
     #[must_use]
     pub fn warnings(&self) -> &[Warning] {
         &self.warnings

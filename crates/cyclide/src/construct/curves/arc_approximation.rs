@@ -293,7 +293,7 @@ impl<'a> Walk<'a> {
         let leaps = sample.length - self.last.length > 2.0 * step + self.tolerance;
         // Where they leave a part out, as at a hairpin of the curve, the biarc may still run far from it there.
         let between = place_on(self.biarc, 0.5 * (self.last.place + sample.place));
-        let follows = to_segment(between, self.last.point, sample.point) <= self.limit;
+        let follows = between.distance_to_segment([self.last.point, sample.point]) <= self.limit;
         self.before = self.last.distance;
         self.last = sample;
         near && onward && follows && !leaps
@@ -310,14 +310,6 @@ fn top_of_parabola(a: f64, b: f64, c: f64) -> f64 {
 fn place_on(biarc: &Biarc, place: f64) -> Point3 {
     let [first, second] = biarc.arcs();
     if place < 1.0 { first.point(place.max(0.0)) } else { second.point((place - 1.0).min(1.0)) }
-}
-
-/// Distance of a point from a short chord of the curve.
-fn to_segment(p: Point3, a: Point3, b: Point3) -> f64 {
-    let chord = b - a;
-    let length2 = chord.length_squared();
-    let part = if length2 > 0.0 { ((p - a).dot(chord) / length2).clamp(0.0, 1.0) } else { 0.0 };
-    p.distance(a + chord * part)
 }
 
 /// The nearest point of a biarc and its place, arc number plus parameter.

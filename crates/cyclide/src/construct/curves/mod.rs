@@ -4,8 +4,13 @@ mod arc_approximation;
 mod arc_fit;
 mod arc_spline;
 mod biarc;
+mod biarc_cover;
 mod fair_fit;
 mod fair_spline;
+mod interpolation;
+mod moebius_spline;
+mod nurbs_arcs;
+mod qb_arcs;
 mod rational_runs;
 mod rounded_polyline;
 mod torus;
@@ -18,6 +23,8 @@ pub use arc_spline::{ArcSplineOptions, estimate_tangents};
 pub use biarc::{Biarc, BiarcRule};
 pub use fair_fit::{FairFit, FairFitCertificate, FairFitOptions};
 pub use fair_spline::{FairEnd, FairSplineOptions, blends_by_turn};
+pub use interpolation::{NodeParameters, QbInterpolation, QbNode};
+pub use moebius_spline::{MoebiusSplineOptions, circle_tangents};
 pub use rational_runs::RationalRun;
 pub use torus::{
     ProjectiveBiarc, TorusMap, TorusSplineOptions, TorusTangent, TorusWinding, TwoTypeBiarc, UnrollOptions,

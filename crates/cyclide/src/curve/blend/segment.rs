@@ -2,11 +2,13 @@
 
 use super::angle_law::{AngleLaw, BlendLaw, BlendVariant, MAX_ORDER};
 use crate::base::bounds::Aabb;
+use crate::base::quat::Quat;
 use crate::base::range;
 use crate::base::vector::{Point3, Vec3};
 use crate::conformal::mobius::Mobius;
 use crate::curve::arc::Arc;
 use crate::curve::node_tangent::Chord;
+use crate::curve::qb::SpanData;
 use crate::error::{Error, ErrorItem, Result};
 
 /// Neighbours closer than this part of the bounding box's diagonal coincide: the tangent has no limit there.
@@ -312,6 +314,14 @@ impl BlendSegment {
         } else {
             ends
         }
+    }
+
+    /// The whole segment of order 1 as a span between two points with these end speeds, in chords.
+    pub(crate) fn span_data(&self, speeds: [f64; 2]) -> SpanData {
+        let [c, s] = self.law.half;
+        // h = c t1 + s b halfway, and b is across t1.
+        let root = Quat::from_parts(c, self.t1.cross(self.b) * s);
+        SpanData { ends: [self.x1, self.x2], unit: self.u, length: self.length, tangent: self.t1, root, speeds }
     }
 
     /// Refuses a segment that is not written for how near it comes to infinity.

@@ -13,11 +13,13 @@ mod modify;
 
 pub use build::corners_by_angle;
 pub(crate) use build::{SHARP_TURN, chords_between, corner_nodes, inspect_node, rounded_directions};
+pub(super) use modify::renumbered;
 
 use super::blend::{BlendLaw, BlendSegment, BlendVariant};
 use super::param_curve::ParamCurve;
 use super::piece_form::PieceForm;
 use super::piece_hull::PieceHull;
+use super::smooth_runs::smooth_runs;
 use crate::base::bounds::Aabb;
 use crate::base::jet::CurveJet;
 use crate::base::vector::{Point3, Vec3};
@@ -163,16 +165,7 @@ impl CircleSpline {
     /// segments. Without kinks there is one run.
     #[must_use]
     pub fn smooth_runs(&self) -> Vec<Range<usize>> {
-        let n = self.segments.len();
-        let (first, last) = if self.closed { self.kinks.first().map_or((0, n), |k| (*k, k + n)) } else { (0, n) };
-        let mut runs = Vec::with_capacity(self.kinks.len() + 1);
-        let mut from = first;
-        for &k in self.kinks.iter().filter(|k| **k > first) {
-            runs.push(from..k);
-            from = k;
-        }
-        runs.push(from..last);
-        runs
+        smooth_runs(self.segments.len(), self.closed, &self.kinks)
     }
 }
 

@@ -76,7 +76,7 @@ impl CircleSpline {
 }
 
 /// The warning with its node or segments renumbered; `None` if they are gone.
-fn renumbered(
+pub(crate) fn renumbered(
     warning: &Warning,
     node_of: impl Fn(usize) -> Option<usize>,
     segment_of: impl Fn(usize) -> Option<usize>,

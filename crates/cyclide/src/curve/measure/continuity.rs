@@ -46,7 +46,7 @@ pub fn joints(curve: &dyn ParamCurve) -> Vec<Joint> {
     let n = curve.piece_count();
     let start = |i: usize| curve.piece_jet(i, 0.0);
     let end = |i: usize| curve.piece_jet(i, 1.0);
-    let extended = |i: &usize| direction(&start(*i), 1.0).is_some() && direction(&end(*i), -1.0).is_some();
+    let extended = |i: &usize| start(*i).limit_tangent(1.0).is_some() && end(*i).limit_tangent(-1.0).is_some();
     let pieces: Vec<usize> = (0..n).filter(extended).collect();
     let inner = pieces.windows(2).map(|w| (w[0], w[1]));
     let closing = match (pieces.first(), pieces.last()) {
@@ -62,7 +62,7 @@ pub fn joints(curve: &dyn ParamCurve) -> Vec<Joint> {
             curve.piece_point(at, 1.0).distance(curve.piece_point(to, 0.0))
         };
         let gap = (0..steps).map(between).sum();
-        let angle = match (direction(&before, -1.0), direction(&after, 1.0)) {
+        let angle = match (before.limit_tangent(-1.0), after.limit_tangent(1.0)) {
             (Some(a), Some(b)) => a.angle(b),
             // Not reached: only pieces with directions are listed.
             _ => 0.0,
@@ -74,13 +74,6 @@ pub fn joints(curve: &dyn ParamCurve) -> Vec<Joint> {
         Joint { piece, next, gap, angle, curvature_jump }
     };
     inner.chain(closing).map(measure).collect()
-}
-
-/// Unit direction of travel at an end of a piece, from the first derivative that does not vanish; `side` is +1 at
-/// the start and -1 at the end of the piece. `None` if all three vanish.
-fn direction(jet: &CurveJet, side: f64) -> Option<Vec3> {
-    // x'(s0 + h) = d1 + h d2 + h²/2 d3 with h of the sign of `side`.
-    jet.d1.unit().or_else(|| (jet.d2 * side).unit()).or_else(|| jet.d3.unit())
 }
 
 /// The curvature vector, or its limit where the speed vanishes: zero if the next two derivatives are parallel, else

@@ -67,7 +67,7 @@ pub fn extreme_curvature(curve: &dyn ParamCurve) -> ExtremeCurvature {
 /// Curvature and its derivative by the parameter; infinite at a cusp, 0 on a piece without extent.
 ///
 /// With `C = x' × x''`: `k = |C|/|x'|³`, `k' = k (C·(x' × x''')/|C|² - 3 x'·x''/|x'|²)`.
-fn curvature_and_slope(jet: &CurveJet) -> (f64, f64) {
+pub(super) fn curvature_and_slope(jet: &CurveJet) -> (f64, f64) {
     let Some(curvature) = jet.curvature() else {
         return (if jet.d2.cross(jet.d3).max_abs() > 0.0 { f64::INFINITY } else { 0.0 }, 0.0);
     };

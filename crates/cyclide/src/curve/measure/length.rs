@@ -95,6 +95,35 @@ impl<'a> ArcLength<'a> {
         self.total
     }
 
+    /// Arc length from the start to a global parameter (clamped to `[0, 1]`): the *station* of the point, to about 1e-13
+    /// of the length.
+    ///
+    /// ```
+    /// use cyclide::{ArcLength, Circle, Point3, Vec3};
+    /// let circle = Circle::from_radius(Point3::ORIGIN, Vec3::Z, 2.0)?;
+    /// assert!((ArcLength::new(&circle).station(0.25) - std::f64::consts::PI).abs() < 1e-14);
+    /// # Ok::<(), cyclide::Error>(())
+    /// ```
+    #[must_use]
+    pub fn station(&self, t: f64) -> f64 {
+        if t >= 1.0 {
+            return self.total;
+        }
+        let (piece, s) = self.curve.locate(t);
+        let index = self.cells.partition_point(|cell| (cell.piece, cell.s1) <= (piece, s)).min(self.cells.len() - 1);
+        let cell = &self.cells[index];
+        if cell.piece != piece {
+            // Between the last cell of its piece and the next one.
+            return cell.end - cell.length;
+        }
+        let part = match cell.form {
+            PieceForm::Arc(arc) => arc.length_to(s),
+            PieceForm::Circle(_) => s * cell.length,
+            PieceForm::Free => gauss8(&mut |s: f64| self.curve.piece_speed(piece, s), cell.s0, s),
+        };
+        cell.end - cell.length + part.clamp(0.0, cell.length)
+    }
+
     /// The global parameter of the point at the fraction `fraction` of the length (clamped to `[0, 1]`), to about
     /// 1e-12 of the length. Ends are exact. On a curve of length zero it is the fraction itself.
     #[must_use]

@@ -82,6 +82,16 @@
 //! # Ok::<(), cyclide::Error>(())
 //! ```
 //!
+//! # `seam-meets-itself`
+//! Parts of a seam along a curve of a torus that are no neighbours share space.
+//! ```
+//! use cyclide::{Frame, Torus, TorusSeam, TorusSpline};
+//! let turns = TorusSpline::knot(&Torus::new(Frame::WORLD, 40.0, 15.0)?, [9, 2], Default::default())?;
+//! let error = TorusSeam::new(12.0, [-0.5, 0.5])?.body(&turns, 0.05).unwrap_err();
+//! assert_eq!(error.reason(), "seam-meets-itself");
+//! # Ok::<(), cyclide::Error>(())
+//! ```
+//!
 //! # `balls-nested`
 //! One of two neighbouring balls of a tube holds the other.
 //! ```
@@ -150,8 +160,7 @@
 //! ```
 //! use cyclide::{NeckBlend, NeckBody, NeckSide, NeckVariant, PlateShape};
 //! let neck = NeckBlend::new(1.0, 5.0, 1.0, NeckSide::Outside, NeckVariant::Pipe)?;
-//! let plate = Some(PlateShape::Rectangle([100.0, 100.0]));
-//! let solid = NeckBody { height: 30.0, plate, thickness: Some(1.0), wall: None };
+//! let solid = NeckBody::new(30.0).with_plate(PlateShape::Rectangle([100.0, 100.0])).with_thickness(1.0);
 //! assert_eq!(neck.body(&solid).unwrap_err().reason(), "neck-folds");
 //! # Ok::<(), cyclide::Error>(())
 //! ```
@@ -161,7 +170,7 @@
 //! ```
 //! use cyclide::{NeckBlend, NeckBody, NeckSide, NeckVariant, PlateShape};
 //! let neck = NeckBlend::new(3.0, 0.8, 0.5, NeckSide::Outside, NeckVariant::Pipe)?;
-//! let body = NeckBody { height: 8.0, plate: Some(PlateShape::Disk(2.0)), thickness: None, wall: None };
+//! let body = NeckBody::new(8.0).with_plate(PlateShape::Disk(2.0));
 //! assert_eq!(neck.body(&body).unwrap_err().reason(), "plate-too-small");
 //! # Ok::<(), cyclide::Error>(())
 //! ```
@@ -183,6 +192,17 @@
 //! let main = TeeMain { radius: 3.0, ends: [-12.0, 12.0] };
 //! let wide = TeeBranch { blend: TeeBlend::Least(0.5), ..TeeBranch::upright(2.8, 10.0, 0.5) };
 //! assert_eq!(PipeTee::new(main, vec![wide])?.made().unwrap_err().reason(), "tee-blend-too-large");
+//! # Ok::<(), cyclide::Error>(())
+//! ```
+//!
+//! # `tee-law-on-equal-pipes`
+//! A branch of a tee is as wide as its main pipe, and the radius of its blend changes.
+//! ```
+//! use cyclide::{PipeTee, TeeBlend, TeeBranch, TeeMain};
+//! let main = TeeMain { radius: 3.0, ends: [-12.0, 12.0] };
+//! let blend = TeeBlend::Angles { values: vec![[0.0, 0.5], [1.0, 0.7]], tolerance: None };
+//! let equal = TeeBranch { blend, ..TeeBranch::upright(3.0, 10.0, 0.5) };
+//! assert_eq!(PipeTee::new(main, vec![equal])?.made().unwrap_err().reason(), "tee-law-on-equal-pipes");
 //! # Ok::<(), cyclide::Error>(())
 //! ```
 //!
@@ -212,8 +232,27 @@
 //! let main = TeeMain { radius: 3.0, ends: [-12.0, 12.0] };
 //! let angle = |k: usize| std::f64::consts::TAU * k as f64 / 12.0;
 //! let wave = (0..12).map(|k| [angle(k), if k % 2 == 0 { 0.65 } else { 0.35 }]).collect();
-//! let branch = TeeBranch { blend: TeeBlend::Angles(wave), ..TeeBranch::upright(1.5, 10.0, 0.5) };
+//! let branch = TeeBranch { blend: TeeBlend::Angles { values: wave, tolerance: None }, ..TeeBranch::upright(1.5, 10.0, 0.5) };
 //! assert_eq!(PipeTee::new(main, vec![branch])?.made().unwrap_err().reason(), "tee-hole-folds");
+//! # Ok::<(), cyclide::Error>(())
+//! ```
+//!
+//! # `pipe-ends-reversed`
+//! The ends of a pipe, places along its axis, are not in order.
+//! ```
+//! use cyclide::{PipeTee, TeeBranch, TeeMain};
+//! let main = TeeMain { radius: 3.0, ends: [12.0, -12.0] };
+//! let tee = PipeTee::new(main, vec![TeeBranch::upright(2.0, 10.0, 0.5)]);
+//! assert_eq!(tee.unwrap_err().reason(), "pipe-ends-reversed");
+//! # Ok::<(), cyclide::Error>(())
+//! ```
+//!
+//! # `crossing-axes-too-near`
+//! The axes of two pipes that are to pass each other are no farther apart than their radii differ.
+//! ```
+//! use cyclide::{CrossingPipe, PipeCrossing};
+//! let pipe = CrossingPipe { radius: 2.0, ends: [-9.0, 9.0] };
+//! assert_eq!(PipeCrossing::new([pipe, pipe], 0.0, 0.5).unwrap_err().reason(), "crossing-axes-too-near");
 //! # Ok::<(), cyclide::Error>(())
 //! ```
 //!
@@ -345,6 +384,16 @@
 //! let back = Arc::from_three_points(at(1.0, 0.5), at(0.0, 0.4), at(-1.0, 0.5))?;
 //! let error = Body::circular([&[there.into()], &[back.into()]], &[Vec3::Z], false).unwrap_err();
 //! assert_eq!(error.reason(), "arcs-cross");
+//! # Ok::<(), cyclide::Error>(())
+//! ```
+//!
+//! # `opposite-tangents`
+//! The directions of arcs at two joints oppose each other, so that there is none between them.
+//! ```
+//! use cyclide::{Arc, Body, Point3, Vec3};
+//! let rail = |y: f64| Arc::segment(Point3::new(0.0, y, 0.0), Point3::new(1.0, y, 0.0));
+//! let error = Body::circular([&[rail(0.0)?.into()], &[rail(1.0)?.into()]], &[Vec3::Z, Vec3::Z * -3.0], false).unwrap_err();
+//! assert_eq!(error.reason(), "opposite-tangents");
 //! # Ok::<(), cyclide::Error>(())
 //! ```
 //!

@@ -96,12 +96,30 @@
 //! # Ok::<(), cyclide::Error>(())
 //! ```
 //!
-//! # `not-a-spline`
-//! Knots, weights and points of a spline do not fit together.
+//! # `knots-decrease`
+//! A knot is less than the one before.
 //! ```
 //! use cyclide::{NurbsCurve, Point3};
 //! let points = [[0.0, 0.0, 0.0], [1.0, 1.0, 0.0], [2.0, 0.0, 0.0]].map(Point3::from).to_vec();
-//! let error = NurbsCurve::new(2, vec![0.0, 1.0], points, vec![1.0; 3]).unwrap_err();
+//! let error = NurbsCurve::new(2, vec![0.0, 0.0, 0.0, 1.0, 0.9, 1.0], points, vec![1.0; 3]).unwrap_err();
+//! assert_eq!((error.reason(), error.index()), ("knots-decrease", Some(4)));
+//! ```
+//!
+//! # `knot-multiplicity`
+//! A knot is repeated so often that the curve falls apart there.
+//! ```
+//! use cyclide::{NurbsCurve, Point3};
+//! let points = [[0.0, 0.0, 0.0], [1.0, 1.0, 0.0], [2.0, 0.0, 0.0], [3.0, 0.0, 0.0]].map(Point3::from).to_vec();
+//! let error = NurbsCurve::new(1, vec![0.0, 0.0, 0.5, 0.5, 1.0, 1.0], points, vec![1.0; 4]).unwrap_err();
+//! assert_eq!((error.reason(), error.index()), ("knot-multiplicity", Some(2)));
+//! ```
+//!
+//! # `not-a-spline`
+//! Knots, weights and points of a spline do not fit together: here the ends are not clamped.
+//! ```
+//! use cyclide::{NurbsCurve, Point3};
+//! let points = [[0.0, 0.0, 0.0], [1.0, 1.0, 0.0], [2.0, 0.0, 0.0]].map(Point3::from).to_vec();
+//! let error = NurbsCurve::new(2, vec![0.0, 1.0, 2.0, 3.0, 4.0, 5.0], points, vec![1.0; 3]).unwrap_err();
 //! assert_eq!(error.reason(), "not-a-spline");
 //! ```
 //!
@@ -112,6 +130,16 @@
 //! let points = [[1e9, 0.0, 0.0], [1e9 + 1.0, 1.0, 0.0], [1e9 + 2.0, 0.0, 0.0]].map(Point3::from).to_vec();
 //! let far = NurbsCurve::new(2, vec![0.0, 0.0, 0.0, 1.0, 1.0, 1.0], points, vec![1.0, 2.0, 1.0])?;
 //! assert_eq!(flatten(&far, 1e-9).unwrap_err().reason(), "not-within-tolerance");
+//! # Ok::<(), cyclide::Error>(())
+//! ```
+//!
+//! # `no-frame`
+//! What a frame would be made from vanishes: here the curvature of a straight line has no direction.
+//! ```
+//! use cyclide::{Arc, CurveFrames, FrameRule, Point3};
+//! let line = Arc::segment(Point3::ORIGIN, Point3::new(1.0, 0.0, 0.0))?;
+//! let error = CurveFrames::new(&line, &FrameRule::Frenet)?.at(0.5).unwrap_err();
+//! assert_eq!(error.reason(), "no-frame");
 //! # Ok::<(), cyclide::Error>(())
 //! ```
 //!
@@ -142,4 +170,49 @@
 //! let zigzag: Vec<Point3> = (0..100).map(|k| Point3::new(0.1 * f64::from(k), f64::from(k % 2), 0.0)).collect();
 //! let error = FairFit::new(&zigzag, &FairFitOptions::new(0.02)).unwrap_err();
 //! assert_eq!(error.reason(), "tolerance-not-reached");
+//! ```
+//!
+//! # `even-point-count`
+//! A curve of degree n takes 2n + 1 conditions.
+//! ```
+//! use cyclide::{NodeParameters, Point3, QbInterpolation};
+//! let points = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0]].map(Point3::from);
+//! let error = QbInterpolation::through_points(&points, &NodeParameters::Uniform).unwrap_err();
+//! assert_eq!(error.reason(), "even-point-count");
+//! ```
+//!
+//! # `repeated-parameter`
+//! Two points are asked for at one parameter.
+//! ```
+//! use cyclide::{NodeParameters, Point3, QbInterpolation};
+//! let points = [[0.0, 0.0, 0.0], [1.0, 1.0, 0.0], [2.0, 0.0, 0.0]].map(Point3::from);
+//! let error = QbInterpolation::through_points(&points, &NodeParameters::Given(vec![0.0, 0.5, 0.5])).unwrap_err();
+//! assert_eq!(error.reason(), "repeated-parameter");
+//! ```
+//!
+//! # `unattainable-point`
+//! Four points are on a line, evenly, and so is the curve: it misses the fifth.
+//! ```
+//! use cyclide::{NodeParameters, Point3, QbInterpolation};
+//! let points = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [2.0, 1.0, 0.0], [3.0, 0.0, 0.0], [4.0, 0.0, 0.0]].map(Point3::from);
+//! let error = QbInterpolation::through_points(&points, &NodeParameters::Uniform).unwrap_err();
+//! assert_eq!(error.index(), Some(2));
+//! assert_eq!(error.reason(), "unattainable-point");
+//! ```
+//!
+//! # `curve-through-infinity`
+//! The points go there and back on a line, which a circle does through infinity.
+//! ```
+//! use cyclide::{NodeParameters, Point3, QbInterpolation};
+//! let points = [[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [1.0, 0.0, 0.0]].map(Point3::from);
+//! let error = QbInterpolation::through_points(&points, &NodeParameters::Uniform).unwrap_err();
+//! assert_eq!(error.reason(), "curve-through-infinity");
+//! ```
+//!
+//! # `opposite-arcs`
+//! Both tangents stand across the chord, to the same side.
+//! ```
+//! use cyclide::{Point3, QbCurve, Vec3};
+//! let ends = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0]].map(Point3::from);
+//! assert_eq!(QbCurve::invariant_span(ends, [Vec3::Y; 2]).unwrap_err().reason(), "opposite-arcs");
 //! ```

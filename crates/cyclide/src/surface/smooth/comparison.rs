@@ -25,6 +25,7 @@ const STEPS: usize = 12;
 /// # Ok::<(), cyclide::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[non_exhaustive]
 pub struct SmoothComparison {
     /// Jump of the normal across edges that are no creases, radians: between the normals that the derivatives of both triangles give.
     pub jump: f64,

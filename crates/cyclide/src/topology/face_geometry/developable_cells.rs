@@ -97,13 +97,7 @@ pub(super) fn chord_distances(curve: &RationalBezier, cuts: &[f64]) -> Vec<f64> 
             bernstein::restrict(&mut rows, [ends[0], ends[1]]);
             let points: Vec<Point3> = rows.iter().map(|[x, y, z, w]| Point3::new(x / w, y / w, z / w)).collect();
             let (Some(&from), Some(&to)) = (points.first(), points.last()) else { return f64::INFINITY };
-            points.iter().map(|&p| segment_distance(p, from, to)).fold(0.0, f64::max)
+            points.iter().map(|&p| p.distance_to_segment([from, to])).fold(0.0, f64::max)
         })
         .collect()
-}
-
-fn segment_distance(p: Point3, from: Point3, to: Point3) -> f64 {
-    let way = to - from;
-    let x = ((p - from).dot(way) / way.dot(way).max(f64::MIN_POSITIVE)).clamp(0.0, 1.0);
-    p.distance(from + way * x)
 }

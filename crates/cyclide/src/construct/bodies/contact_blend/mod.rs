@@ -229,8 +229,10 @@ impl ContactBlend {
         let making = Making { blend: self, setup, balls, plate };
         let body = making.body()?;
         let balls = &making.balls;
+        let off = balls.radii.map(|radius| (radius - self.ball).abs());
         let blend = TeeBlendFacts {
             radii: balls.radii,
+            deviation: off[0].max(off[1]),
             pieces: balls.pieces.len(),
             tightest: tight.left,
             tightest_at: tight.angle,

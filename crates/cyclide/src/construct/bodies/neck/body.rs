@@ -19,7 +19,7 @@ use crate::topology::{Body, EdgeCurve};
 /// ```
 /// use cyclide::{NeckBlend, NeckBody, NeckSide, NeckVariant, PlateShape};
 /// let neck = NeckBlend::new(3.0, 0.8, 0.5, NeckSide::Outside, NeckVariant::Pipe)?;
-/// let body = |plate| neck.body(&NeckBody { height: 8.0, plate: Some(plate), thickness: Some(1.0), wall: None });
+/// let body = |plate| neck.body(&NeckBody::new(8.0).with_plate(plate).with_thickness(1.0));
 /// assert!(body(PlateShape::Disk(9.0))?.is_solid() && body(PlateShape::Rectangle([20.0, 20.0]))?.is_solid());
 /// # Ok::<(), cyclide::Error>(())
 /// ```
@@ -36,11 +36,12 @@ pub enum PlateShape {
 /// ```
 /// use cyclide::{NeckBlend, NeckBody, NeckSide, NeckVariant, PlateShape};
 /// let neck = NeckBlend::new(3.0, 0.8, 0.5, NeckSide::Outside, NeckVariant::Pipe)?;
-/// let open = NeckBody { height: 8.0, plate: Some(PlateShape::Disk(9.0)), thickness: None, wall: None };
+/// let open = NeckBody::new(8.0).with_plate(PlateShape::Disk(9.0));
 /// assert!(!neck.body(&open)?.is_solid());
 /// # Ok::<(), cyclide::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub struct NeckBody {
     /// Height of the end of the pipe over the plate, along its axis.
     pub height: f64,
@@ -51,6 +52,32 @@ pub struct NeckBody {
     /// Thickness of the wall of the pipe in a solid. Without it an outer neck stands on a filled pipe, an inner one in a pipe with a
     /// wall as thick as its floor; with it an outer one has a bore through the plate.
     pub wall: Option<f64>,
+}
+
+impl NeckBody {
+    /// A pipe with its end at a height over the plate, without one: an open surface.
+    #[must_use]
+    pub const fn new(height: f64) -> Self {
+        Self { height, plate: None, thickness: None, wall: None }
+    }
+
+    /// With a plate round an outer neck.
+    #[must_use]
+    pub const fn with_plate(self, plate: PlateShape) -> Self {
+        Self { plate: Some(plate), ..self }
+    }
+
+    /// With a thickness of the plate or floor: a solid.
+    #[must_use]
+    pub const fn with_thickness(self, thickness: f64) -> Self {
+        Self { thickness: Some(thickness), ..self }
+    }
+
+    /// With a wall of the pipe of this thickness, in a solid.
+    #[must_use]
+    pub const fn with_wall(self, wall: f64) -> Self {
+        Self { wall: Some(wall), ..self }
+    }
 }
 
 impl NeckBlend {

@@ -258,13 +258,16 @@ impl<'a, 'b> Lines<'a, 'b> {
     fn behind(&mut self) -> Result<()> {
         let one = Polynomial::constant(1.0);
         let last = self.places[0].len() - 1;
-        let size = (self.stretch[1] - self.stretch[0]).abs();
+        // Of the hole, not of the stretch, which may be long.
+        let [from, to] = [self.places[0][1], self.places[0][last - 1]];
+        let rounding =
+            1e-13 * (self.cylinder.radius + (to - from).abs()) + 8.0 * f64::EPSILON * from.abs().max(to.abs());
         for k in 0..=last {
             let ends = [0, 1].map(|line: usize| self.vertices[line][k]);
             let points = ends.map(|v| self.skin.sewing.vertices[v]);
             let mut along = [self.places[0][k], self.places[1][k]];
             // What is rounding is none.
-            if (along[0] - along[1]).abs() <= 1e-13 * size {
+            if (along[0] - along[1]).abs() <= rounding {
                 along[1] = along[0];
             }
             let curve = self.cylinder.across(points, self.behind_at(k), along)?;

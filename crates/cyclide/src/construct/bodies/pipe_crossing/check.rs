@@ -2,10 +2,13 @@
 
 use super::ball_loop::BallLoop;
 use crate::error::{Error, Result};
+use crate::surface::SkewCylinders;
 use std::f64::consts::TAU;
 
 /// Places of a piece at which folds are looked for.
 const PLACES: u32 = 12;
+/// Balls of a loop whose contacts are looked at first.
+const ROUND: u32 = 64;
 /// A part of a pipe beyond the blend is longer than this part of its radius.
 pub(super) const LEAST_REST: f64 = 1e-3;
 /// A hole reaches so far round its pipe, to either side, at most.
@@ -42,6 +45,25 @@ pub(super) fn check_folds(balls: &BallLoop, depth: f64) -> Result<TightPlace> {
         Ok(tightest)
     } else {
         Err(Error::CrossingFolds { angle: tightest.angle, left: tightest.left })
+    }
+}
+
+/// Refuses holes that go too far round by balls of one radius, before there is a loop, which would take too many pieces.
+///
+/// # Errors
+/// `crossing-hole-too-wide`; as [`SkewCylinders::ball`].
+pub(super) fn check_reach_round(pair: &SkewCylinders, radius: f64) -> Result<()> {
+    let [_, across] = pair.second_axis();
+    let mut farthest = [0.0_f64; 2];
+    for k in 0..ROUND {
+        let theta = TAU * f64::from(k) / f64::from(ROUND);
+        let [first, second] = pair.ball(pair.place_of_radius(radius, theta)?)?.normals;
+        let angles = [first.y.atan2(first.z), second.dot(across).atan2(-second.z)];
+        farthest = [0, 1].map(|pipe: usize| farthest[pipe].max(angles[pipe].abs()));
+    }
+    match farthest.iter().position(|angle| *angle > FARTHEST) {
+        Some(pipe) => Err(Error::CrossingHoleTooWide { pipe, angle: farthest[pipe], limit: FARTHEST }),
+        None => Ok(()),
     }
 }
 

@@ -83,7 +83,7 @@ impl PipeCrossing {
     /// A solid crossing at right angles: the distance of the axes, and the radius of the ball, to a thousandth of it.
     ///
     /// # Errors
-    /// `not-finite`, `radius-not-positive`, `parameter-out-of-range`; `not-timelike-pair` unless the distance is more than the radii differ;
+    /// `not-finite`, `radius-not-positive`, `parameter-out-of-range`, `pipe-ends-reversed`; `crossing-axes-too-near` unless the distance is more than the radii differ;
     /// `radius-too-small` (of pipes that do not touch: the ball is above half the gap).
     pub fn new(pipes: [CrossingPipe; 2], distance: f64, blend: f64) -> Result<Self> {
         for (index, radius) in pipes.iter().map(|pipe| pipe.radius).chain([blend]).enumerate() {
@@ -97,6 +97,15 @@ impl PipeCrossing {
         }
         if let Some(index) = pipes.iter().flat_map(|pipe| pipe.ends).position(|end| !end.is_finite()) {
             return Err(Error::NotFinite { what: ErrorItem::Coordinate, index });
+        }
+        for (pipe, CrossingPipe { ends: [start, end], .. }) in pipes.into_iter().enumerate() {
+            if start >= end {
+                return Err(Error::PipeEndsReversed { pipe, start, end });
+            }
+        }
+        let limit = (pipes[0].radius - pipes[1].radius).abs();
+        if distance <= limit {
+            return Err(Error::CrossingAxesTooNear { distance, limit });
         }
         let pair = SkewCylinders::new(pipes.map(|pipe| pipe.radius), 0.5 * distance)?;
         let limit = pair.smallest_radius();
@@ -146,8 +155,12 @@ impl PipeCrossing {
     /// The body, with what is known of its blend.
     ///
     /// # Errors
-    /// `too-many-pieces` (the tolerance), `crossing-folds`, `crossing-hole-too-wide`, `crossing-hole-turns-back`, `crossing-pipe-too-short`.
+    /// `below-rounding-of-place`, `too-many-pieces` (the tolerance), `crossing-folds`, `crossing-hole-too-wide`, `crossing-hole-turns-back`, `crossing-pipe-too-short`.
     pub fn made(&self) -> Result<MadeCrossing> {
+        let ends = self.pipes.iter().flat_map(|pipe| pipe.ends);
+        let place = ends.fold(2.0 * self.pair.half_gap(), |most, end| most.max(end.abs()));
+        range::check_size_in_place(ErrorItem::Blend, self.blend, place, range::SMALLEST_IN_PLACE)?;
+        check::check_reach_round(&self.pair, self.blend)?;
         let balls = BallLoop::new(&self.pair, self.blend, self.tolerance)?;
         let depth = self.wall.unwrap_or(0.0);
         check::check_holes(&balls)?;
@@ -155,6 +168,7 @@ impl PipeCrossing {
         self.check_room(&balls)?;
         let blend = TeeBlendFacts {
             radii: balls.radii,
+            deviation: balls.radii.map(|radius| (radius - self.blend).abs()).into_iter().fold(0.0, f64::max),
             pieces: balls.pieces.len(),
             tightest: tight.left,
             tightest_at: tight.angle,

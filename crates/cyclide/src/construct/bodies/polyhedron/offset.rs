@@ -45,6 +45,42 @@ impl ConvexPolyhedron {
         Ok(Body { outer: rounding.sewing.finish()?, voids: Vec::new() })
     }
 
+    /// The polyhedron itself: one closed shell of planes, outside outwards.
+    ///
+    /// ```
+    /// use cyclide::{ConvexPolyhedron, Point3};
+    /// let corners = (0..8).map(|k| Point3::new(f64::from(k & 1), f64::from(k >> 1 & 1), f64::from(k >> 2)));
+    /// let cube = ConvexPolyhedron::hull(&corners.collect::<Vec<_>>())?.body()?;
+    /// assert!(cube.is_solid() && cube.outer.faces().len() == 6 && cube.outer.edges().len() == 12);
+    /// # Ok::<(), cyclide::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// `below-rounding-of-place`; as [`Shell::new`](crate::Shell::new) where edges are so short that their directions are rounding.
+    pub fn body(&self) -> Result<Body> {
+        self.check_size(0.0)?;
+        let mut sewing = Sewing::default();
+        let mut numbers = vec![None; self.vertices().len()];
+        let mut rails: Vec<Vec<Option<FaceEdge>>> = self.faces().iter().map(|face| vec![None; face.len()]).collect();
+        for at in self.faces.edges() {
+            let [start, end] = self.faces.ends(at).map(|v| match numbers[v] {
+                Some(number) => number,
+                None => *numbers[v].insert(sewing.vertex(self.vertices[v])),
+            });
+            let edge = sewing.segment(start, end)?;
+            let beyond = self.faces.across(at);
+            rails[at.face][at.side] = Some(FaceEdge { edge, forward: true });
+            rails[beyond.face][beyond.side] = Some(FaceEdge { edge, forward: false });
+        }
+        for (face, rails) in self.faces().iter().zip(rails) {
+            let corners: Vec<usize> = face.iter().filter_map(|&v| numbers[v]).collect();
+            let rails: Vec<FaceEdge> = rails.into_iter().flatten().collect();
+            plane(&mut sewing, &corners, &rails)?;
+        }
+        largest_first(&mut sewing.faces);
+        Ok(Body { outer: sewing.finish()?, voids: Vec::new() })
+    }
+
     fn check_radius(&self, radius: f64) -> Result<()> {
         if !(radius > 0.0) {
             return Err(Error::RadiusNotPositive { radius });
@@ -53,10 +89,20 @@ impl ConvexPolyhedron {
             let (min, max) = (0.0, range::MAX_COORDINATE);
             return Err(Error::ParameterOutOfRange { name: ErrorItem::Radius, value: radius, min, max });
         }
-        let corners = self.faces().iter().flatten().map(|&v| self.vertices()[v]);
-        let (size, place) = Aabb::of_points(corners).map_or((0.0, 0.0), |b| (b.diagonal(), b.max_abs()));
+        let (_, place) = self.size_and_place();
         range::check_size_in_place(ErrorItem::Radius, radius, place, range::SMALLEST_IN_PLACE)?;
+        self.check_size(radius)
+    }
+
+    fn check_size(&self, radius: f64) -> Result<()> {
+        let (size, place) = self.size_and_place();
         range::check_size_in_place(ErrorItem::Polyhedron, size, place + radius, range::SMALLEST_IN_PLACE)
+    }
+
+    /// The diagonal of its box, and its largest coordinate.
+    fn size_and_place(&self) -> (f64, f64) {
+        let corners = self.faces().iter().flatten().map(|&v| self.vertices()[v]);
+        Aabb::of_points(corners).map_or((0.0, 0.0), |b| (b.diagonal(), b.max_abs()))
     }
 }
 
@@ -160,46 +206,19 @@ impl<'a> Rounding<'a> {
                 FaceEdge { edge: rails[if forward { 0 } else { rails.len() - 1 }], forward }
             };
             let rails: Vec<FaceEdge> = (0..n).map(rail).collect();
-            let turned = |edge: FaceEdge| FaceEdge { forward: !edge.forward, ..edge };
-            // From the last side to the one opposite: quads between the sides i and n - 2 - i.
-            let (mut i, mut left) = (0, turned(rails[n - 1]));
-            loop {
-                let j = n - 1 - i;
-                let [a, b, c, d] = [i, i + 1, j, j - 1].map(|k| first + k);
-                let points = [a, b, c, d].map(|v| self.sewing.vertices[v]);
-                let right = match j - 1 - (i + 1) {
-                    0 => None,
-                    1 => Some(rails[i + 1]),
-                    _ => Some(FaceEdge { edge: self.sewing.segment(b, d)?, forward: true }),
-                };
-                let sides = [Some(rails[i]), Some(turned(rails[j - 1])), Some(left), right];
-                self.sewing.face_along(bilinear(points)?, sides, true);
-                match right {
-                    Some(right) if j - 1 > i + 2 => left = right,
-                    _ => break,
-                }
-                i += 1;
-            }
+            let corners: Vec<usize> = (first..first + n).collect();
+            plane(&mut self.sewing, &corners, &rails)?;
             first += n;
         }
         Ok(())
     }
 
-    /// Puts the planes before the cylinders, the largest first: readers tell inside from outside on the first face, and on a thin
-    /// one they are wrong.
+    /// Puts the planes before the cylinders.
     fn planes_first(&mut self, cylinders: usize) {
         let faces = &mut self.sewing.faces;
         faces.rotate_left(cylinders);
         let planes = faces.len() - cylinders;
-        let area = |face: &ShellFace| {
-            let surface = face.surface.to_rational();
-            let [a, b, c, d] = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [1.0, 1.0]].map(|[s, t]| surface.point(s, t));
-            (d - a).cross(c - b).length()
-        };
-        let areas: Vec<f64> = faces[..planes].iter().map(area).collect();
-        if let Some(largest) = (0..planes).max_by(|&i, &j| areas[i].total_cmp(&areas[j])) {
-            faces.swap(0, largest);
-        }
+        largest_first(&mut faces[..planes]);
     }
 
     /// The parts of spheres round all vertices.
@@ -243,6 +262,44 @@ impl<'a> Rounding<'a> {
             }
         };
         (0..strip.arcs.len()).map(part).collect()
+    }
+}
+
+/// The faces of a plane polygon in quads, and a triangle where its corners are odd in number; `rails` are its sides, from corner to corner.
+fn plane(sewing: &mut Sewing, corners: &[usize], rails: &[FaceEdge]) -> Result<()> {
+    let n = corners.len();
+    let turned = |edge: FaceEdge| FaceEdge { forward: !edge.forward, ..edge };
+    // From the last side to the one opposite: quads between the sides i and n - 2 - i.
+    let (mut i, mut left) = (0, turned(rails[n - 1]));
+    loop {
+        let j = n - 1 - i;
+        let [a, b, c, d] = [i, i + 1, j, j - 1].map(|k| corners[k]);
+        let points = [a, b, c, d].map(|v| sewing.vertices[v]);
+        let right = match j - 1 - (i + 1) {
+            0 => None,
+            1 => Some(rails[i + 1]),
+            _ => Some(FaceEdge { edge: sewing.segment(b, d)?, forward: true }),
+        };
+        let sides = [Some(rails[i]), Some(turned(rails[j - 1])), Some(left), right];
+        sewing.face_along(bilinear(points)?, sides, true);
+        match right {
+            Some(right) if j - 1 > i + 2 => left = right,
+            _ => return Ok(()),
+        }
+        i += 1;
+    }
+}
+
+/// Puts the largest of plane faces first: readers tell inside from outside on the first face, and on a thin one they are wrong.
+fn largest_first(planes: &mut [ShellFace]) {
+    let area = |face: &ShellFace| {
+        let surface = face.surface.to_rational();
+        let [a, b, c, d] = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [1.0, 1.0]].map(|[s, t]| surface.point(s, t));
+        (d - a).cross(c - b).length()
+    };
+    let areas: Vec<f64> = planes.iter().map(area).collect();
+    if let Some(largest) = (0..planes.len()).max_by(|&i, &j| areas[i].total_cmp(&areas[j])) {
+        planes.swap(0, largest);
     }
 }
 

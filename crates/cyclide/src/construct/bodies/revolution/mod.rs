@@ -117,9 +117,8 @@ impl Revolution {
     ///
     /// # Errors
     /// `angle-out-of-range` (0), `too-few-points` (no piece off the axis), `disconnected`, `crosses-axis` (a piece meets the axis inside, or two lie on
-    /// different sides of it), `folded-profile` (in a plane across the axis, other than straight away from it or towards it), `profile-meets-itself` (of what
-    /// would be a solid), `weight-not-positive`; `not-a-shell` for a profile that meets the axis more than at its ends;
-    /// as [`CyclidePatch::from_weights`](crate::CyclidePatch::from_weights).
+    /// different sides of it; an open profile touches it between its ends, or, in a whole turn, a closed one more than once), `folded-profile` (in a plane across the axis, other than straight away from it or towards it), `profile-meets-itself` (of what
+    /// would be a solid), `weight-not-positive`; as [`CyclidePatch::from_weights`](crate::CyclidePatch::from_weights).
     pub fn body(&self, profile: &[EdgeCurve], closed: bool) -> Result<Body> {
         let near = self.beside([profile]);
         near.one_body(profile, closed).map_err(|e| near.counted_from_given(e))
@@ -204,7 +203,7 @@ impl Revolution {
     /// Warnings of a profile that has end faces, or needs none.
     fn warnings_of(&self, profile: &Profile, ended: bool) -> impl Iterator<Item = Warning> + use<> {
         let moved = profile.moved.map(|[distance, limit]| Warning::MovedToAxis { distance, limit });
-        let pinch = profile.pinches().first().map(|&k| profile.joints[k].point);
+        let pinch = profile.pinches().first().copied();
         let pinched =
             pinch.filter(|_| self.is_whole() && !profile.flat).map(|p| Warning::Pinched { height: self.height(p) });
         let open = if profile.flat {
@@ -227,9 +226,10 @@ impl Revolution {
 
     /// What a profile sweeps in a whole turn, outside outwards where it is closed.
     fn whole_shell(&self, profile: &Profile) -> Result<Shell> {
-        if let [first, .., second] = profile.pinches()[..] {
-            let height = self.height(profile.joints[second].point);
-            return Err(Error::ProfileMeetsItself { first, second, radius: 0.0, height });
+        if profile.pinches().len() > 1
+            && let Some(error) = profile.touching()
+        {
+            return Err(error);
         }
         let shell = sectors::open_shell(self, profile)?;
         if !shell.is_closed() {

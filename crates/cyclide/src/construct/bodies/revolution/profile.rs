@@ -35,6 +35,8 @@ pub(super) struct Profile {
     pub(super) moved: Option<[f64; 2]>,
     /// True in a plane across the axis.
     pub(super) flat: bool,
+    /// The last piece as given that starts on the axis where others end, with the limit of that.
+    pub(super) touch: Option<(usize, f64)>,
 }
 
 /// A piece that sweeps something.
@@ -81,13 +83,17 @@ impl Profile {
         let ends_on_axis = joints.first().zip(joints.last()).is_some_and(|(a, b)| a.on_axis && b.on_axis);
         let flat = is_flat(turn, given, (closed || ends_on_axis).then_some(limits.on_axis))?;
         let moved = (moved > 0.0).then_some([moved, limits.near]);
-        let mut new = Self { pieces: Vec::new(), joints: Vec::new(), closed, size: 0.0, moved, flat };
+        let mut new = Self { pieces: Vec::new(), joints: Vec::new(), closed, size: 0.0, moved, flat, touch: None };
         let mut side: Option<Vec3> = None;
-        for (index, piece) in given.iter().enumerate().filter(|(index, _)| !along_axis[*index]) {
+        let order = in_order(&along_axis, closed);
+        for (index, piece) in order.map(|index| (index, &given[index])).filter(|(index, _)| !along_axis[*index]) {
             let ends = [joints[index], joints[(index + 1) % joints.len()]];
             let [start, end] = ends.map(|joint| Some(joint.point));
             let curve = segment(piece).unwrap_or_else(|| piece.clone()).with_ends(start, end);
             check_side(turn, (&curve, ends.map(|joint| joint.on_axis)), index, limits.on_axis, &mut side)?;
+            if ends[0].on_axis && !new.pieces.is_empty() {
+                new.touch = Some((index, limits.on_axis));
+            }
             new.add(turn, &curve, ends)?;
         }
         if new.pieces.is_empty() {
@@ -96,7 +102,21 @@ impl Profile {
         let places = new.pieces.iter().flat_map(|piece| [0.0, 0.25, 0.5, 0.75, 1.0].map(|x| piece.curve.point(x)));
         new.size = Aabb::of_points(places).map_or(0.0, |b| b.diagonal());
         new.close();
-        Ok(new)
+        match new.touching() {
+            // Of two cones tip to tip nothing is one shell.
+            Some(error) if !new.is_ring() => Err(error),
+            _ => Ok(new),
+        }
+    }
+
+    /// What is said of a profile that touches the axis between its ends.
+    pub(super) fn touching(&self) -> Option<Error> {
+        self.touch.map(|(piece, limit)| Error::CrossesAxis { piece, distance: 0.0, limit })
+    }
+
+    /// Whether it ends where it starts.
+    fn is_ring(&self) -> bool {
+        self.closed || self.first_point() == self.last_point()
     }
 
     /// Adds the parts of a curve between two joints.
@@ -148,18 +168,13 @@ impl Profile {
         last.map_or(Point3::ORIGIN, |joint| joint.point)
     }
 
-    /// The pieces that start on the axis where a profile goes on from there: of a closed one, by itself or as it is given.
-    pub(super) fn pinches(&self) -> Vec<usize> {
-        let on_axis = |range: std::ops::Range<usize>| range.filter(|&k| self.joints[k].on_axis).collect::<Vec<_>>();
-        if self.closed {
-            return on_axis(0..self.joints.len());
+    /// The places on the axis at which a profile that ends where it starts goes on.
+    pub(super) fn pinches(&self) -> Vec<Point3> {
+        if !self.is_ring() {
+            return Vec::new();
         }
-        let last = self.joints.len() - 1;
-        let mut inside = on_axis(1..last);
-        if self.joints[0].on_axis && self.joints[0].point == self.joints[last].point {
-            inside.insert(0, 0);
-        }
-        inside
+        let starts = &self.joints[..self.pieces.len()];
+        starts.iter().filter(|joint| joint.on_axis).map(|joint| joint.point).collect()
     }
 
     /// True if it goes round an area, by itself or with the axis: in a whole turn it sweeps a solid.
@@ -172,6 +187,14 @@ impl Profile {
         let off = |joint: Option<&Joint>| joint.map_or(0.0, |joint| turn.way_off_axis(joint.point).length());
         [off(self.joints.first()), off(self.joints.last())]
     }
+}
+
+/// The pieces in the order in which they are turned: with pieces along the axis a closed profile starts after one of them.
+fn in_order(along_axis: &[bool], closed: bool) -> impl Iterator<Item = usize> + use<> {
+    let count = along_axis.len();
+    let after_axis = |k: &usize| along_axis[(k + count - 1) % count] && !along_axis[*k];
+    let first = (0..count).find(after_axis).filter(|_| closed).unwrap_or(0);
+    (0..count).map(move |k| (first + k) % count)
 }
 
 /// Whether a piece runs along the axis, where it sweeps nothing.

@@ -6,7 +6,6 @@ use super::loop_piece::LoopPiece;
 use super::partition::Partition;
 use super::{PipeTee, Placed};
 use crate::base::bernstein;
-use crate::base::vector::{Point3, Vec3};
 use crate::error::{Error, ErrorItem, Result};
 
 /// Places of a piece, and of an arc, at which folds are looked for.
@@ -21,23 +20,6 @@ pub(super) struct TightPlace {
     pub(super) left: f64,
     /// The angle round the branch.
     pub(super) angle: f64,
-}
-
-/// Refuses a loop on which a ball has no positive radius.
-///
-/// # Errors
-/// `radius-not-positive`.
-pub(super) fn check_radii(crossing: &Crossing, pieces: &[LoopPiece]) -> Result<()> {
-    for piece in pieces {
-        for k in 0..=PLACES {
-            let angle = piece.angle(k as f64 / PLACES as f64);
-            let radius = crossing.radius_of_factor(angle, piece.factor(angle));
-            if !(radius > 0.0 && radius.is_finite()) {
-                return Err(Error::RadiusNotPositive { radius });
-            }
-        }
-    }
-    Ok(())
 }
 
 /// Refuses a blend that folds. With centres m, radii R and the unit normal N of the canal towards the outside of the balls, the derivative along the loop
@@ -139,44 +121,6 @@ impl PipeTee {
                 return Err(Error::TeeBranchesMeet { first, second, distance, needed: 3.0 * rest });
             }
         }
-        check_branches_apart(placed)
+        Self::check_apart(placed, rest)
     }
-}
-
-/// Refuses branches that run into each other.
-fn check_branches_apart(placed: &[Placed]) -> Result<()> {
-    let axis = |branch: &Placed| {
-        let way = branch.crossing.axes[2];
-        [branch.crossing.foot, branch.crossing.foot + way * branch.length]
-    };
-    for (second, b) in placed.iter().enumerate() {
-        for (first, a) in placed.iter().enumerate().take(second) {
-            let widest = |branch: &Placed| branch.crossing.widest(branch.length);
-            let needed = widest(a) + widest(b);
-            let main = a.crossing.radii[1];
-            let distance = least_distance(axis(a), axis(b), main);
-            if distance <= needed {
-                return Err(Error::TeeBranchesMeet { first, second, distance, needed });
-            }
-        }
-    }
-    Ok(())
-}
-
-/// The least distance of two segments where both are outside the main pipe.
-fn least_distance(a: [Point3; 2], b: [Point3; 2], main: f64) -> f64 {
-    const STEPS: usize = 64;
-    let outside = |p: Point3| Vec3::new(0.0, p.y, p.z).length() >= main;
-    let at = |[from, to]: [Point3; 2], k: usize| from + (to - from) * (k as f64 / STEPS as f64);
-    let mut least = f64::INFINITY;
-    for p in (0..=STEPS).map(|k| at(a, k)).filter(|&p| outside(p)) {
-        // The nearest point of the other segment.
-        let way = b[1] - b[0];
-        let t = ((p - b[0]).dot(way) / way.dot(way)).clamp(0.0, 1.0);
-        let near = b[0] + way * t;
-        if outside(near) {
-            least = least.min(p.distance(near));
-        }
-    }
-    least
 }

@@ -3,6 +3,7 @@
 
 use super::TeeBranch;
 use super::boost::Boost;
+use super::equal;
 use super::loop_piece::LoopPiece;
 use crate::base::frame::Frame;
 use crate::base::quat::Quat;
@@ -10,12 +11,12 @@ use crate::base::vector::{Point3, Vec3};
 use crate::construct::bodies::pierced::Cylinder;
 use crate::error::{Error, ErrorItem, Result};
 use crate::rational::{Polynomial, PolynomialRow};
-use std::f64::consts::{FRAC_PI_4, PI};
+use std::f64::consts::{FRAC_PI_4, PI, TAU};
 
 /// Smallest sine of the angle between a line of a branch and its main pipe.
 const SMALLEST_SINE: f64 = 0.05;
-/// The part of what there is room for that a branch leaves at least.
-const LEAST_ROOM: f64 = 1e-6;
+/// The part of what there is room for that a branch leaves at least: with less, digits are lost that the faces need.
+const LEAST_ROOM: f64 = 1e-4;
 
 /// Two pipes in their place: the main pipe, a cylinder about the x axis, and the branch, a cylinder or a cone thinner than it, its axis passing that of the main pipe
 /// nearer than their radii differ.
@@ -27,6 +28,8 @@ pub(super) struct Crossing {
     pub(super) radii: [f64; 2],
     /// The angle by which the branch grows thinner.
     pub(super) taper: f64,
+    /// Whether both are of one radius and their axes meet: the balls are on two ellipses (`docs/math/pipe-tees.md#equal-pipes`).
+    pub(super) equal: bool,
     /// Of the contacts round branch and main pipe.
     pub(super) boosts: [Boost; 2],
     /// What balls at infinity are told by: the weight of a ball is `(A q - B c²)(C q - D s²)/unit`.
@@ -56,7 +59,7 @@ fn boosts(index: usize, main: f64, branch: &TeeBranch) -> Result<[Boost; 2]> {
     // On the edge of it the loop is degenerate: it comes to a point.
     if !(delta > LEAST_ROOM * main && taus.iter().all(|tau| tau.abs() < 1.0 - LEAST_ROOM)) {
         let reach = branch.radius + offset.abs() * ((1.0 - lean * cos) * (1.0 + lean * cos)).max(0.0).sqrt();
-        return Err(Error::TeeBranchTooWide { branch: index, reach, limit: main / taper_cos });
+        return Err(Error::TeeBranchTooWide { branch: index, reach, limit: main / taper_cos, offset });
     }
     Ok([
         Boost::new(taus[0], [delta / across, offset * lean * cos / across]),
@@ -114,13 +117,15 @@ impl Crossing {
         let taper_cos = branch.taper.cos();
         let least = SMALLEST_SINE.asin() + branch.taper.abs();
         if !(branch.angle >= least && branch.angle <= PI - least) {
-            return Err(Error::AngleOutOfRange { angle: branch.angle, min: least, max: PI - least });
+            let error = Error::AngleOutOfRange { angle: branch.angle, min: least, max: PI - least };
+            return Err(error.in_branch(index, ErrorItem::Angle));
         }
         let end = branch.radius - branch.length * branch.taper.tan() - wall / taper_cos;
         if !(end > 0.0) {
-            return Err(Error::RadiusNotPositive { radius: end });
+            return Err(Error::RadiusNotPositive { radius: end }.in_branch(index, ErrorItem::Taper));
         }
-        let boosts = boosts(index, main, branch)?;
+        let equal = branch.radius == main && branch.offset == 0.0 && branch.taper == 0.0;
+        let boosts = if equal { [Boost::new(0.0, [1.0, 0.0]); 2] } else { boosts(index, main, branch)? };
         let (turn_sin, turn_cos) = branch.azimuth.sin_cos();
         let up = Vec3::new(0.0, -turn_sin, turn_cos);
         let sideways = Vec3::new(0.0, turn_cos, turn_sin);
@@ -129,9 +134,10 @@ impl Crossing {
             branch: index,
             radii: [branch.radius, main],
             taper: branch.taper,
+            equal,
             boosts,
-            infinite: infinite_balls(branch, &boosts),
-            unit: main - branch.radius * taper_cos,
+            infinite: if equal { [[1.0; 2]; 2] } else { infinite_balls(branch, &boosts) },
+            unit: if equal { main } else { main - branch.radius * taper_cos },
             sin,
             cos,
             at: branch.at,
@@ -140,7 +146,7 @@ impl Crossing {
             up,
             axes: [along * sin - up * cos, sideways, along * cos + up * sin],
         };
-        if crossing.has_balls() {
+        if equal || crossing.has_balls() {
             return Ok(crossing);
         }
         Err(Error::TeePipeTooShort { what: ErrorItem::Branch, branch: index, end: branch.length, needed: main / sin })
@@ -172,9 +178,9 @@ impl Crossing {
         self.boosts[0].boosted_angle(angle)
     }
 
-    /// The true angle of a boosted one round the branch.
+    /// The true angle of a boosted one round the branch, in `[0, 2π)`.
     pub(super) fn true_angle(&self, boosted: f64) -> f64 {
-        self.boosts[0].true_angle(boosted)
+        self.boosts[0].true_angle(boosted).rem_euclid(TAU) % TAU
     }
 
     /// The sum of the forms of five coordinates from which the radius of a ball and that of the branch come, `R + r cos w`: `cos w L + sin w h`, of
@@ -253,11 +259,6 @@ impl Crossing {
         self.radii[0] - depth / self.taper.cos() - height * self.taper.tan()
     }
 
-    /// The largest radius of the branch outside the main pipe, up to a height.
-    pub(super) fn widest(&self, length: f64) -> f64 {
-        self.branch_radius(0.0, length).max(self.branch_radius(0.0, self.radii[1].min(length)))
-    }
-
     /// The point of a skin of the branch at a half angle of length 1 and a place along it.
     pub(super) fn branch_point(&self, depth: f64, [c, s]: [f64; 2], height: f64) -> Point3 {
         let ([x, y, z], radius) = (self.axes, self.branch_radius(depth, height));
@@ -266,6 +267,9 @@ impl Crossing {
 
     /// The polynomials of a piece.
     pub(super) fn forms(&self, piece: &LoopPiece) -> PieceForms {
+        if self.equal {
+            return equal::forms(self, piece);
+        }
         let [s, c] = piece.halves();
         let minus = |p: &Polynomial, q: &Polynomial| p + &(q * -1.0);
         let (ss, sc, cc, q) = (&s * &s, &s * &c, &c * &c, piece.value());

@@ -5,18 +5,24 @@
 //! every law of the radius has its loop. The canal of a piece of the loop is rational of degree (12, 2), and so are, exactly, what is left of
 //! both pipes: all faces have four sides and share edges.
 //!
+//! A branch as wide as the main pipe, its axis meeting the other, has its balls on two half ellipses (`docs/math/pipe-tees.md#equal-pipes`).
+//!
 //! A wall has the same loop inside: radii of pipes less by its thickness, radii of balls larger by it, the centres stay.
 
+mod apart;
 mod boost;
 mod canal;
 mod check;
 mod crossing;
+mod equal;
 mod join;
+mod law;
 mod loop_piece;
 mod partition;
 mod radius_law;
 mod skin;
 
+use radius_law::Loop;
 pub use radius_law::TeeBlend;
 
 use crate::base::range;
@@ -53,7 +59,7 @@ pub struct TeeMain {
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct TeeBranch {
-    /// Its outer radius, below that of the main pipe; with a taper that at the place nearest to the axis of the main pipe.
+    /// Its outer radius, below that of the main pipe, or equal to it with no offset and no taper; with a taper that at the place nearest to the axis of the main pipe.
     pub radius: f64,
     /// Half the angle of the cone that it is: above zero it grows thinner towards its end, below wider, 0 is a cylinder.
     pub taper: f64,
@@ -61,7 +67,7 @@ pub struct TeeBranch {
     pub length: f64,
     /// Angle between its direction and that of the main pipe, the x axis.
     pub angle: f64,
-    /// How far its axis passes beside that of the main pipe, towards -y for a branch that goes up. Below the difference of the radii.
+    /// How far its axis passes beside that of the main pipe: towards +y for a branch that goes up, turned with the azimuth. Below the difference of the radii.
     pub offset: f64,
     /// The place on the x axis that its own axis is nearest to.
     pub at: f64,
@@ -159,12 +165,24 @@ pub struct MadeTee {
 pub struct TeeBlendFacts {
     /// The least and the largest radius of its balls, a proved bound.
     pub radii: [f64; 2],
+    /// The largest difference from the radius or the law that was asked for: of one radius a proved bound, of a law looked at in places close together.
+    pub deviation: f64,
     /// Pieces of its loop.
     pub pieces: usize,
     /// How near it comes to folding: what is left of its width where most of it is gone, 1 where it is straight and 0 where it folds.
     pub tightest: f64,
     /// The angle round the branch at which that is, in radians.
     pub tightest_at: f64,
+}
+
+fn check_pipe(radius: f64) -> Result<()> {
+    if !radius.is_finite() {
+        return Err(Error::NotFinite { what: ErrorItem::Radius, index: 0 });
+    }
+    if radius <= 0.0 {
+        return Err(Error::RadiusNotPositive { radius });
+    }
+    range::check_distance(radius)
 }
 
 /// A branch placed, with its loop.
@@ -177,26 +195,33 @@ struct Placed {
     facts: TeeBlendFacts,
 }
 
+impl Placed {
+    /// The middle of its end.
+    fn end(&self) -> Point3 {
+        self.crossing.foot + self.crossing.axes[2] * self.length
+    }
+}
+
 impl PipeTee {
     /// A solid tee.
     ///
     /// # Errors
-    /// `not-finite`, `radius-not-positive`, `too-few-points` (no branch), `parameter-out-of-range` (coordinates beyond the range of the kernel's numbers).
+    /// `not-finite`, `radius-not-positive`, `too-few-points` (no branch), `pipe-ends-reversed`, `parameter-out-of-range` (coordinates beyond the range of the kernel's numbers).
     pub fn new(main: TeeMain, branches: Vec<TeeBranch>) -> Result<Self> {
         if branches.is_empty() {
             return Err(Error::TooFewPoints { given: 0, needed: 1 });
         }
-        let radii = std::iter::once(main.radius).chain(branches.iter().map(|branch| branch.radius));
-        for (index, radius) in radii.enumerate() {
-            if !radius.is_finite() {
-                return Err(Error::NotFinite { what: ErrorItem::Radius, index });
-            }
-            if radius <= 0.0 {
-                return Err(Error::RadiusNotPositive { radius });
-            }
-            range::check_distance(radius)?;
+        check_pipe(main.radius)?;
+        if let Some(index) = main.ends.iter().position(|end| !end.is_finite()) {
+            return Err(Error::NotFinite { what: ErrorItem::Coordinate, index });
+        }
+        if let [start, end] = main.ends
+            && start >= end
+        {
+            return Err(Error::PipeEndsReversed { pipe: 0, start, end });
         }
         for (index, branch) in branches.iter().enumerate() {
+            check_pipe(branch.radius).map_err(|error| error.in_branch(index, ErrorItem::Radius))?;
             let numbers = [
                 (ErrorItem::Height, branch.length),
                 (ErrorItem::Angle, branch.taper),
@@ -210,9 +235,6 @@ impl PipeTee {
                     return Err(Error::NotFinite { what, index });
                 }
             }
-        }
-        if let Some(index) = main.ends.iter().position(|end| !end.is_finite()) {
-            return Err(Error::NotFinite { what: ErrorItem::Coordinate, index });
         }
         Ok(Self { main, branches, wall: None, ends: TeeEnds::Flat })
     }
@@ -238,7 +260,7 @@ impl PipeTee {
     /// The body, with what is known of its blends.
     ///
     /// # Errors
-    /// `tee-branch-too-wide`, `angle-out-of-range`, as [`TeeBlend`] `radius-not-positive`, `tee-blend-too-large`, `too-many-pieces`, `coincident-points`;
+    /// `tee-branch-too-wide`, `angle-out-of-range`, as [`TeeBlend`] `radius-not-positive`, `tolerance-not-positive`, `tee-blend-too-large`, `tee-law-on-equal-pipes`, `too-many-pieces`, `coincident-points`, `below-rounding-of-place`;
     /// `tee-pipe-too-short`, `tee-blend-folds`, `tee-hole-folds`, `tee-branches-meet`.
     pub fn made(&self) -> Result<MadeTee> {
         let mut placed = self
@@ -257,20 +279,26 @@ impl PipeTee {
 
     fn placed(&self, index: usize, branch: &TeeBranch) -> Result<Placed> {
         let crossing = Crossing::new(index, self.main.radius, branch, self.wall.unwrap_or(0.0))?;
-        let pieces = branch.blend.pieces(&crossing)?;
-        check::check_radii(&crossing, &pieces)?;
+        let in_blend = |error: Error| error.in_branch(index, ErrorItem::Blend);
+        let Loop { pieces, deviation } = branch.blend.pieces(&crossing).map_err(in_blend)?;
         let depth = self.wall.unwrap_or(0.0);
         let tight: TightPlace = check::check_folds(&crossing, &pieces, depth)?;
         let partition = Partition::new(&crossing, &pieces)?;
         let radii = pieces.iter().map(|piece| radius_law::radii_of(&crossing, piece));
         let radii = radii.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], [c, d]| [a.min(c), b.max(d)]);
+        if !(radii[0] > 0.0) {
+            return Err(in_blend(Error::RadiusNotPositive { radius: radii[0] }));
+        }
+        let place = self.main.ends.into_iter().fold(branch.at.abs() + branch.length, |most, end| most.max(end.abs()));
+        let smallest = radii[0].min(branch.radius);
+        range::check_size_in_place(ErrorItem::Radius, smallest, place, range::SMALLEST_IN_PLACE).map_err(in_blend)?;
         let reach = check::reach_along(&crossing, &partition);
-        let turn = std::f64::consts::TAU;
         let facts = TeeBlendFacts {
             radii,
+            deviation,
             pieces: partition.pieces.len(),
             tightest: tight.left,
-            tightest_at: tight.angle.rem_euclid(turn) % turn,
+            tightest_at: tight.angle,
         };
         Ok(Placed { crossing, partition, length: branch.length, reach, facts })
     }

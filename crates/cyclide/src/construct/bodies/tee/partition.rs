@@ -6,6 +6,7 @@
 
 use super::canal::Canal;
 use super::crossing::Crossing;
+use super::equal;
 use super::loop_piece::LoopPiece;
 use crate::base::bernstein;
 use crate::error::{Error, Result};
@@ -60,6 +61,9 @@ impl Partition {
     /// # Errors
     /// `tee-hole-folds` if the loop does not turn once round through all directions.
     pub(super) fn new(crossing: &Crossing, pieces: &[LoopPiece]) -> Result<Self> {
+        if crossing.equal {
+            return Ok(Self::from_flank_to_flank(crossing, pieces));
+        }
         // Nodes that are near enough to corners are taken for them, unless there are too few.
         let (mut cut, corners) =
             with_corners(crossing, pieces, NEAR).or_else(|_| with_corners(crossing, pieces, 0.0))?;
@@ -88,6 +92,18 @@ impl Partition {
             starts[k + 1] = starts[k] + side.len();
         }
         Ok(Self { pieces: sides.concat(), sides: starts })
+    }
+}
+
+impl Partition {
+    /// The loop of equal pipes: nothing is beside the hole, which has its corners at the flanks.
+    fn from_flank_to_flank(crossing: &Crossing, pieces: &[LoopPiece]) -> Self {
+        let mut sides = [Vec::new(), Vec::new()];
+        for piece in pieces {
+            add_positive(crossing, *piece, HALVINGS, &mut sides[usize::from(!equal::is_ahead(piece))]);
+        }
+        let (ahead, count) = (sides[0].len(), sides[0].len() + sides[1].len());
+        Self { pieces: sides.concat(), sides: [0, ahead, ahead, count, count] }
     }
 }
 

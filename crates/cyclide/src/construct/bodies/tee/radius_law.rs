@@ -2,20 +2,26 @@
 
 use super::canal::Canal;
 use super::crossing::Crossing;
+use super::equal;
+use super::law::{Law, SAME_ANGLE, check_radius};
 use super::loop_piece::LoopPiece;
-use crate::error::{Error, ErrorItem, Result};
+use crate::error::{Error, Result, check_tolerance};
 use crate::rational::Polynomial;
 use std::f64::consts::{FRAC_PI_4, TAU};
 
 /// Pieces of a loop at most.
 const MOST_PIECES: usize = 2048;
-/// Angles nearer to each other than this are one.
-const SAME_ANGLE: f64 = 1e-9;
-/// A blend of one radius keeps it to this part of it where no tolerance is given.
+/// A blend keeps to its law to this part of the radius where no tolerance is given.
 const DEFAULT_TOLERANCE: f64 = 1e-3;
 /// Places of a loop at which its least ball is looked for, and steps in which it is found.
 const PLACES: u32 = 32;
 const HALVINGS: u32 = 60;
+/// Halvings of a piece for the proof that its balls have positive radii.
+const PROOF_HALVINGS: u32 = 12;
+/// Places of a piece at which its radius is compared with the law.
+const PLACES_OF_PIECE: u32 = 8;
+/// What is a rounding of a derivative, in parts of its two terms.
+const ROUNDING: f64 = 1e-12;
 
 /// The radius of the ball that blends a branch with its main pipe.
 ///
@@ -42,27 +48,35 @@ pub enum TeeBlend {
         tolerance: Option<f64>,
     },
     /// The ball has these radii at these angles, in any order, and changes smoothly between them, from one to the next without passing either.
-    Angles(Vec<[f64; 2]>),
+    Angles {
+        /// Pairs of an angle and the radius there.
+        values: Vec<[f64; 2]>,
+        /// Largest difference from the law between its values, a thousandth of the radius by default.
+        tolerance: Option<f64>,
+    },
     /// The plainest loop, one quartic all round: this radius at the flank where it is least, and the larger ones in the crotches that follow from it.
     Least(f64),
+}
+
+/// The loop of the balls of a blend.
+pub(super) struct Loop {
+    pub(super) pieces: Vec<LoopPiece>,
+    /// The largest difference of a radius from the law.
+    pub(super) deviation: f64,
 }
 
 impl TeeBlend {
     /// The loop that follows the law, from boosted angle 0 round to 2π.
     ///
     /// # Errors
-    /// `radius-not-positive`, `not-finite`, `tolerance-not-positive`, `tee-blend-too-large`, `not-within-tolerance`, `coincident-points`.
-    pub(super) fn pieces(&self, crossing: &Crossing) -> Result<Vec<LoopPiece>> {
+    /// `radius-not-positive`, `not-finite`, `tolerance-not-positive`, `tee-blend-too-large`, `too-many-pieces`, `coincident-points`, `tee-law-on-equal-pipes`.
+    pub(super) fn pieces(&self, crossing: &Crossing) -> Result<Loop> {
+        if crossing.equal {
+            return equal::pieces(crossing, self);
+        }
         match self {
-            Self::Radius { radius, tolerance } => {
-                check_radius(*radius, 0)?;
-                let tolerance = tolerance.unwrap_or(DEFAULT_TOLERANCE * radius);
-                if !(tolerance > 0.0) {
-                    return Err(Error::ToleranceNotPositive { tolerance });
-                }
-                near(crossing, *radius, tolerance)
-            }
-            Self::Angles(values) => along(crossing, &Law::new(values)?),
+            Self::Radius { radius, tolerance } => along(crossing, &Law::new(&[[0.0, *radius]])?, *tolerance),
+            Self::Angles { values, tolerance } => along(crossing, &Law::new(values)?, *tolerance),
             Self::Least(radius) => {
                 check_radius(*radius, 0)?;
                 quartic(crossing, *radius)
@@ -71,18 +85,8 @@ impl TeeBlend {
     }
 }
 
-fn check_radius(radius: f64, index: usize) -> Result<()> {
-    if !radius.is_finite() {
-        return Err(Error::NotFinite { what: ErrorItem::Radius, index });
-    }
-    if radius <= 0.0 {
-        return Err(Error::RadiusNotPositive { radius });
-    }
-    Ok(())
-}
-
 /// One form all round, whose least ball has the radius. Balls shrink as the form grows.
-fn quartic(crossing: &Crossing, radius: f64) -> Result<Vec<LoopPiece>> {
+fn quartic(crossing: &Crossing, radius: f64) -> Result<Loop> {
     let mut low = crossing.least_factor();
     let limit = least_of_form(crossing, low);
     if !(radius < limit) {
@@ -98,7 +102,22 @@ fn quartic(crossing: &Crossing, radius: f64) -> Result<Vec<LoopPiece>> {
     }
     let factor = 0.5 * (low + high);
     let at = |k: u32| f64::from(k) * FRAC_PI_4;
-    Ok((0..8).map(|k| LoopPiece::constant(at(k), at(k + 1), factor)).collect())
+    let mut pieces = Vec::new();
+    for k in 0..8 {
+        add_proved(crossing, LoopPiece::constant(at(k), at(k + 1), factor), PROOF_HALVINGS, &mut pieces);
+    }
+    Ok(Loop { pieces, deviation: 0.0 })
+}
+
+/// Adds a piece in parts of which each is proved to have positive radii.
+fn add_proved(crossing: &Crossing, piece: LoopPiece, halvings: u32, to: &mut Vec<LoopPiece>) {
+    if halvings == 0 || radii_of(crossing, &piece)[0] > 0.0 {
+        to.push(piece);
+        return;
+    }
+    let middle = 0.5 * (piece.from + piece.to);
+    add_proved(crossing, piece.part(piece.from, middle), halvings - 1, to);
+    add_proved(crossing, piece.part(middle, piece.to), halvings - 1, to);
 }
 
 /// The least radius of the balls of a loop with one form.
@@ -115,67 +134,143 @@ fn least_of_form(crossing: &Crossing, factor: f64) -> f64 {
     radius(0.5 * (low + high))
 }
 
-/// A ball of one radius within a tolerance: spans are halved until the bound is proved.
-fn near(crossing: &Crossing, radius: f64, tolerance: f64) -> Result<Vec<LoopPiece>> {
-    let node = |angle: f64| crossing.factor_of_radius(angle, radius, 0.0);
-    let mut left: Vec<[f64; 2]> =
-        (0..8).rev().map(|k| [f64::from(k) * FRAC_PI_4, f64::from(k + 1) * FRAC_PI_4]).collect();
-    let mut pieces: Vec<LoopPiece> = Vec::new();
-    while let Some([from, to]) = left.pop() {
-        let span = LoopPiece::hermite([from, to], [node(from), node(to)]);
-        let off =
-            span.iter().map(|piece| radii_of(crossing, piece)).map(|[low, high]| (radius - low).max(high - radius));
-        let off = off.fold(0.0, f64::max);
-        if off <= tolerance {
-            pieces.extend(span);
+/// A loop whose radius follows a law: spans are halved until it does within the tolerance.
+fn along(crossing: &Crossing, law: &Law, tolerance: Option<f64>) -> Result<Loop> {
+    if let Some(tolerance) = tolerance {
+        check_tolerance(tolerance)?;
+    }
+    let follow = Follow { crossing, law, tolerance };
+    let mut left = follow.spans();
+    let mut made = Loop { pieces: Vec::new(), deviation: 0.0 };
+    while let Some(span) = left.pop() {
+        let [from, to] = span;
+        let pieces = LoopPiece::hermite(span, span.map(|angle| follow.node(angle)));
+        if let Some(deviation) = follow.deviation(&pieces) {
+            made.pieces.extend(pieces);
+            made.deviation = made.deviation.max(deviation);
             continue;
         }
         let middle = 0.5 * (from + to);
-        if pieces.len() + 2 * left.len() + 4 > MOST_PIECES || !(from < middle && middle < to) {
+        if made.pieces.len() + 2 * left.len() + 4 > MOST_PIECES || !(from < middle && middle < to) {
             return Err(Error::TooManyPieces {
-                what: "the blend",
+                what: "the loop of the ball",
                 segment: None,
                 needed: 2.0 * MOST_PIECES as f64,
                 cap: MOST_PIECES,
-                remedy: "use a larger tolerance",
+                remedy: "use a larger tolerance, or a law that changes less",
             });
         }
         left.extend([[middle, to], [from, middle]]);
     }
-    Ok(pieces)
+    Ok(made)
 }
 
-/// A ball whose radius follows a law through its values.
-fn along(crossing: &Crossing, law: &Law) -> Result<Vec<LoopPiece>> {
-    let mut angles: Vec<f64> =
-        law.values.iter().map(|[angle, _, _]| crossing.boosted_angle(*angle).rem_euclid(TAU)).collect();
-    angles.sort_by(f64::total_cmp);
-    let first = angles[0];
-    angles.push(first + TAU);
-    let node = |angle: f64| {
-        let at = crossing.true_angle(angle);
-        let [radius, slope] = law.at(at);
-        crossing.factor_of_radius(angle, radius, slope * crossing.boosts[0].speed(angle))
-    };
-    let mut pieces = Vec::new();
-    for ends in angles.windows(2) {
-        let count = ((ends[1] - ends[0]) / FRAC_PI_4 - SAME_ANGLE).ceil().max(1.0);
-        let cut = |k: f64| ends[0] + (ends[1] - ends[0]) * k / count;
-        for k in 0..count as usize {
-            let [from, to] = [cut(k as f64), cut((k + 1) as f64)];
-            pieces.extend(LoopPiece::hermite([from, to], [node(from), node(to)]));
-        }
+/// A loop that is to follow a law.
+struct Follow<'a> {
+    crossing: &'a Crossing,
+    law: &'a Law,
+    tolerance: Option<f64>,
+}
+
+impl Follow<'_> {
+    /// What the radius may be off one that is asked for.
+    fn allowed(&self, radius: f64) -> f64 {
+        self.tolerance.unwrap_or(DEFAULT_TOLERANCE * radius)
     }
-    Ok(pieces)
+
+    /// The spans that are looked at first, the last one first: none across a value of the law.
+    fn spans(&self) -> Vec<[f64; 2]> {
+        let mut angles: Vec<f64> =
+            self.law.angles().map(|angle| self.crossing.boosted_angle(angle).rem_euclid(TAU)).collect();
+        angles.sort_by(f64::total_cmp);
+        angles.push(angles[0] + TAU);
+        let mut spans = Vec::new();
+        for ends in angles.windows(2) {
+            let count = ((ends[1] - ends[0]) / FRAC_PI_4 - SAME_ANGLE).ceil().max(1.0);
+            let cut = |k: usize| ends[0] + (ends[1] - ends[0]) * k as f64 / count;
+            spans.extend((0..count as usize).map(|k| [cut(k), cut(k + 1)]));
+        }
+        spans.reverse();
+        spans
+    }
+
+    /// The law at a boosted angle, with its derivative by that.
+    fn at(&self, boosted: f64) -> [f64; 2] {
+        let [radius, slope] = self.law.at(self.crossing.true_angle(boosted));
+        [radius, slope * self.crossing.boosts[0].speed(boosted)]
+    }
+
+    /// Factor of the loop, and its derivative.
+    fn node(&self, boosted: f64) -> [f64; 2] {
+        let [radius, slope] = self.at(boosted);
+        self.crossing.factor_of_radius(boosted, radius, slope)
+    }
+
+    /// How far the radius of a span is from the law, where that is within the tolerance and the radius rises and falls with it. That no radius leaves the
+    /// values at its ends by more than the tolerance is proved; between them it is looked at in places close together.
+    fn deviation(&self, pieces: &[LoopPiece; 2]) -> Option<f64> {
+        let ends = [pieces[0].from, pieces[1].to].map(|angle| self.at(angle)[0]);
+        let (low, high) = (ends[0].min(ends[1]), ends[0].max(ends[1]));
+        let allowed = self.allowed(low);
+        let mut most: f64 = 0.0;
+        for piece in pieces {
+            let [least, largest] = radii_of(self.crossing, piece);
+            let beyond = (low - least).max(largest - high);
+            if !(least > 0.0 && beyond <= allowed) {
+                return None;
+            }
+            most = most.max(beyond);
+            for k in 1..=PLACES_OF_PIECE {
+                let angle = piece.angle(f64::from(k) / f64::from(PLACES_OF_PIECE));
+                let radius = self.crossing.radius_of_factor(angle, piece.factor(angle));
+                let asked = self.at(angle)[0];
+                if !((radius - asked).abs() <= self.allowed(asked)) {
+                    return None;
+                }
+                most = most.max((radius - asked).abs());
+            }
+        }
+        let middle = self.crossing.true_angle(0.5 * (pieces[0].from + pieces[1].to));
+        let (rise, radius) = self.law.rise(middle);
+        let rises = rise.abs() > 2.0 * self.allowed(radius);
+        if rises && !pieces.iter().all(|piece| self.is_monotone(piece, rise.signum())) {
+            return None;
+        }
+        Some(most)
+    }
+
+    /// Whether the radius of a piece goes one way only, by the Bernstein coefficients of its derivative.
+    fn is_monotone(&self, piece: &LoopPiece, sign: f64) -> bool {
+        parts(piece).all(|part| {
+            let canal = Canal::new(self.crossing, &part, 0.0);
+            let (radius, weight) = (canal.radius(), &canal.forms.weight);
+            let size = |p: &Polynomial| p.coefficients().iter().fold(0.0, |most: f64, c| most.max(c.abs()));
+            let rounding = ROUNDING * size(radius) * size(weight);
+            let (first, second) = (&derivative(radius) * weight, radius * &derivative(weight));
+            first.coefficients().iter().zip(second.coefficients()).all(|(a, b)| (a - b) * sign >= -rounding)
+        })
+    }
+}
+
+fn derivative(p: &Polynomial) -> Polynomial {
+    let n = p.degree() as f64;
+    let steps: Vec<f64> = p.coefficients().windows(2).map(|pair| n * (pair[1] - pair[0])).collect();
+    if steps.is_empty() { Polynomial::constant(0.0) } else { Polynomial::new(steps) }
+}
+
+/// A piece in parts, of which bounds are nearer.
+fn parts(piece: &LoopPiece) -> impl Iterator<Item = LoopPiece> {
+    const PARTS: usize = 4;
+    let piece = *piece;
+    let cut = move |k: usize| piece.from + (piece.to - piece.from) * k as f64 / PARTS as f64;
+    (0..PARTS).map(move |k| piece.part(cut(k), cut(k + 1)))
 }
 
 /// The least and the largest radius on a piece, to a bound that is proved: quotients of Bernstein coefficients.
 pub(super) fn radii_of(crossing: &Crossing, piece: &LoopPiece) -> [f64; 2] {
-    const PARTS: usize = 4;
-    let cut = |k: usize| piece.from + (piece.to - piece.from) * k as f64 / PARTS as f64;
     let mut range = [f64::INFINITY, f64::NEG_INFINITY];
-    for k in 0..PARTS {
-        let canal = Canal::new(crossing, &piece.part(cut(k), cut(k + 1)), 0.0);
+    for part in parts(piece) {
+        let canal = Canal::new(crossing, &part, 0.0);
         let (radius, weight) = (canal.radius(), &canal.forms.weight);
         for (r, w) in paired(radius, weight) {
             let value = if w > 0.0 { r / w } else { f64::NAN };
@@ -190,69 +285,4 @@ pub(super) fn radii_of(crossing: &Crossing, piece: &LoopPiece) -> [f64; 2] {
 
 fn paired<'a>(a: &'a Polynomial, b: &'a Polynomial) -> impl Iterator<Item = (f64, f64)> + 'a {
     a.coefficients().iter().copied().zip(b.coefficients().iter().copied())
-}
-
-/// A law through values at angles: cubic between them, flat at least and largest values, so that it passes none of them.
-struct Law {
-    /// Angle in `[0, 2π)`, radius, slope; ascending.
-    values: Vec<[f64; 3]>,
-}
-
-impl Law {
-    fn new(given: &[[f64; 2]]) -> Result<Self> {
-        if given.is_empty() {
-            return Err(Error::TooFewPoints { given: 0, needed: 1 });
-        }
-        for (index, [angle, radius]) in given.iter().enumerate() {
-            if !angle.is_finite() {
-                return Err(Error::NotFinite { what: ErrorItem::Angle, index });
-            }
-            check_radius(*radius, index)?;
-        }
-        let mut order: Vec<usize> = (0..given.len()).collect();
-        let turned = |k: usize| given[k][0].rem_euclid(TAU);
-        order.sort_by(|&a, &b| turned(a).total_cmp(&turned(b)));
-        let count = order.len();
-        let gap = |k: usize| {
-            let (from, to) = (turned(order[k]), turned(order[(k + 1) % count]));
-            if k + 1 == count { to + TAU - from } else { to - from }
-        };
-        for k in 0..count {
-            if count > 1 && gap(k) <= SAME_ANGLE {
-                let (first, second) = (order[k], order[(k + 1) % count]);
-                let (first, second) = (first.min(second), first.max(second));
-                return Err(Error::CoincidentPoints { first, second, distance: gap(k), limit: SAME_ANGLE });
-            }
-        }
-        let chord = |k: usize| (given[order[(k + 1) % count]][1] - given[order[k]][1]) / gap(k);
-        let slope = |k: usize| {
-            let before = (k + count - 1) % count;
-            let (left, right) = (chord(before), chord(k));
-            if left * right <= 0.0 {
-                return 0.0;
-            }
-            // The weighted harmonic mean, which keeps cubics between their ends.
-            let (a, b) = (2.0 * gap(k) + gap(before), gap(k) + 2.0 * gap(before));
-            (a + b) / (a / left + b / right)
-        };
-        Ok(Self { values: (0..count).map(|k| [turned(order[k]), given[order[k]][1], slope(k)]).collect() })
-    }
-
-    /// Radius and slope at an angle.
-    fn at(&self, angle: f64) -> [f64; 2] {
-        let count = self.values.len();
-        let angle = angle.rem_euclid(TAU);
-        let next = self.values.iter().position(|[a, _, _]| *a > angle).unwrap_or(0);
-        let [a1, r1, s1] = self.values[next];
-        let [a0, r0, s0] = self.values[(next + count - 1) % count];
-        let mut gap = (a1 - a0).rem_euclid(TAU);
-        if gap == 0.0 {
-            gap = TAU;
-        }
-        let x = (angle - a0).rem_euclid(TAU) / gap;
-        let (d, y) = (r1 - r0, 1.0 - x);
-        let radius = r0 + d * x * x * (3.0 - 2.0 * x) + gap * x * y * (s0 * y - s1 * x);
-        let slope = (6.0 * d * x * y) / gap + s0 * y * (1.0 - 3.0 * x) + s1 * x * (1.0 - 3.0 * y);
-        [radius, slope]
-    }
 }

@@ -2,6 +2,7 @@
 
 use super::canal::{Ball, Canal};
 use super::crossing::Crossing;
+use super::equal;
 use super::partition::Partition;
 use crate::base::quat::Quat;
 use crate::base::vector::Point3;
@@ -46,8 +47,12 @@ impl Skin<'_> {
         let upper: Vec<Point3> =
             balls.iter().map(|ball| crossing.branch_point(self.depth, ball.on_branch, ball.height)).collect();
         let lower: Vec<Point3> = balls.iter().map(|ball| cylinder.point(ball.on_main, ball.along)).collect();
-        let [tops, contacts] =
-            [&upper, &lower].map(|points| points.iter().map(|&p| self.sewing.vertex(p)).collect::<Vec<_>>());
+        let contacts: Vec<usize> = lower.iter().map(|&p| self.sewing.vertex(p)).collect();
+        // At the flanks of equal pipes both contacts are one point.
+        let points: Vec<bool> =
+            branch.partition.pieces.iter().map(|piece| equal::begins_in_a_point(crossing, piece)).collect();
+        let tops: Vec<usize> =
+            (0..count).map(|k| if points[k] { contacts[k] } else { self.sewing.vertex(upper[k]) }).collect();
         let mut top_edges = Vec::new();
         let mut edges = Vec::new();
         let (mut circles, mut pieces) = (Vec::new(), Vec::new());
@@ -61,15 +66,19 @@ impl Skin<'_> {
             edges.push(self.edge([contacts[k], contacts[next]], contact.into()));
             pieces.push(piece);
             let ratio = canal.arc_ratio(0.0).unwrap_or(Quat::ONE);
-            circles.push(self.sewing.arc(tops[k], contacts[k], ratio)?);
+            circles.push(if points[k] { None } else { Some(self.sewing.arc(tops[k], contacts[k], ratio)?) });
         }
         for (k, canal) in canals.iter().enumerate() {
             let next = (k + 1) % count;
-            let surface = canal.surface()?.with_corners([upper[k], upper[next], lower[k], lower[next]]);
+            let surface = canal
+                .surface()?
+                .with_corners([tops[k], tops[next], contacts[k], contacts[next]].map(|v| self.sewing.vertices[v]));
             let centre = canal.centres().point(0.5);
             let outwards = centre - surface.point(0.5, 0.5);
-            let starts = [tops[k], contacts[k], tops[k], tops[next]];
-            self.face(surface, [top_edges[k], edges[k], circles[k], circles[next]], starts, outwards);
+            let along = [Some((top_edges[k], tops[k])), Some((edges[k], contacts[k]))];
+            let across = [k, next].map(|k| circles[k].map(|circle| (circle, tops[k])));
+            let outwards = if self.inner { -outwards } else { outwards };
+            self.plane_face(surface, [along[0], along[1], across[0], across[1]], outwards);
         }
         let nodes = balls.iter().map(|ball| Node { half: ball.on_main, along: ball.along }).collect();
         let hole = Hole {

@@ -12,9 +12,11 @@ use crate::error::{Error, Result};
 const SMOOTH: f64 = 1e-10;
 /// A radius that grows by less than this, for each length, away from linear is linear: rounding.
 const LINEAR: f64 = 1e-13;
-/// Halvings of a part of the spine, and parts of all of it, at most.
+/// Halvings of a part of the spine at most.
 const MOST_HALVINGS: u32 = 24;
-const MOST_ARCS: usize = 100_000;
+/// Arcs of balls at most, and for each arc of the spine besides: a hundred megabytes of STEP.
+pub(super) const MOST_ARCS: usize = 4096;
+const MOST_ARCS_EACH: usize = 4;
 /// Places of an arc at which its distance is measured, at first and at most.
 const PLACES: [usize; 2] = [8, 512];
 
@@ -22,6 +24,8 @@ const PLACES: [usize; 2] = [8, 512];
 pub(super) struct Along {
     pub(super) arcs: Vec<BallArc>,
     pub(super) bound: f64,
+    /// Most arcs.
+    cap: usize,
 }
 
 /// A part of a spine within one of its arcs and one cubic of the law.
@@ -44,7 +48,8 @@ pub(super) fn along(path: &ArcPath, law: &RadiusLaw, tolerance: f64) -> Result<A
     let law = if path.is_closed() { law.clone().closed()? } else { law.clone() };
     check_joints(path)?;
     let whole = path.length();
-    let mut made = Along { arcs: Vec::new(), bound: 0.0 };
+    let cap = MOST_ARCS + MOST_ARCS_EACH * path.arcs().len();
+    let mut made = Along { arcs: Vec::new(), bound: 0.0, cap };
     let mut before = 0.0;
     for (source, arc) in path.arcs().iter().enumerate() {
         for arc in arc.in_parts(LARGEST_ARC)? {
@@ -59,9 +64,9 @@ pub(super) fn along(path: &ArcPath, law: &RadiusLaw, tolerance: f64) -> Result<A
     Ok(made)
 }
 
-fn too_many(source: usize) -> Error {
-    let (needed, remedy) = ((MOST_ARCS + 1) as f64, "use a larger tolerance, or a curve of fewer pieces");
-    Error::TooManyPieces { what: "piece", segment: Some(source), needed, cap: MOST_ARCS, remedy }
+pub(super) fn too_many(source: usize, cap: usize) -> Error {
+    let (needed, remedy) = ((cap + 1) as f64, "use a larger tolerance");
+    Error::TooManyPieces { what: "the tube up to piece", segment: Some(source), needed, cap, remedy }
 }
 
 fn check_joints(path: &ArcPath) -> Result<()> {
@@ -128,8 +133,8 @@ impl<'a> Part<'a> {
                 return Err(Error::RadiusGrowsTooFast { piece: self.source, rate: rate.abs(), limit: 1.0 });
             }
         }
-        if made.arcs.len() >= MOST_ARCS {
-            return Err(too_many(self.source));
+        if made.arcs.len() >= made.cap {
+            return Err(too_many(self.source, made.cap));
         }
         let slope = (r1 - r0) / self.length();
         let linear = (m0 - slope).abs().max((m1 - slope).abs()) <= LINEAR;
@@ -159,7 +164,7 @@ impl<'a> Part<'a> {
         }
         let middle = 0.5 * (self.at[0] + self.at[1]);
         if halvings == 0 || !(self.at[0] < middle && middle < self.at[1]) {
-            return Err(too_many(self.source));
+            return Err(too_many(self.source, made.cap));
         }
         let [first, second] = self.split_at(middle)?;
         first.add(tolerance, halvings - 1, made)?;

@@ -2,8 +2,8 @@
 //! their number (`docs/math/tubes.md#meeting`).
 
 use super::ball::Ball;
-use super::ball_arc::BallArc;
-use crate::base::vector::Point3;
+use super::ball_arc::{BallArc, Station};
+use crate::base::vector::{Point3, Vec3};
 use crate::error::{Error, Result};
 use std::collections::HashMap;
 use std::f64::consts::PI;
@@ -13,6 +13,14 @@ const MOST_BALLS: f64 = 2e5;
 /// Tubes may touch: distances that are short of the sum of radii by less than this part do.
 const TOUCHING: f64 = 1e-6;
 
+/// The arcs of a tube, and what becomes of its ends.
+pub(super) struct Course<'a> {
+    pub(super) arcs: &'a [BallArc],
+    pub(super) closed: bool,
+    /// The ends are the rest of the balls there; else the tube ends with the circles of contact.
+    pub(super) round: bool,
+}
+
 /// A ball on a tube, with the way of the centre before it.
 #[derive(Clone, Copy)]
 struct Place {
@@ -20,6 +28,49 @@ struct Place {
     way: f64,
     tube: usize,
     source: usize,
+    section: Section,
+    /// So near to an end that is not round that the tube has the section only, not the whole ball.
+    cut: bool,
+}
+
+/// The disk in which a tube has the ball: its rim is the circle of contact.
+#[derive(Clone, Copy)]
+struct Section {
+    center: Point3,
+    axis: Vec3,
+    radius: f64,
+}
+
+impl Section {
+    fn of(Station { ball, tangent }: Station) -> Self {
+        let size = tangent.v.length();
+        let axis = tangent.v / size;
+        Self { center: ball.center + axis * (-ball.radius * tangent.r / size), axis, radius: ball.radius / size }
+    }
+
+    /// Distance from a point.
+    fn distance(self, p: Point3) -> f64 {
+        let v = p - self.center;
+        let height = v.dot(self.axis);
+        height.hypot(((v - self.axis * height).length() - self.radius).max(0.0))
+    }
+
+    /// True if two disks share a point: their parts of the line in which their planes meet do.
+    fn meets(self, other: Self) -> bool {
+        let Some(line) = self.axis.cross(other.axis).unit() else { return false };
+        // From the first centre in its plane to the other plane.
+        let to_plane = line.cross(self.axis);
+        let lean = to_plane.dot(other.axis);
+        let foot = self.center + to_plane * ((other.center - self.center).dot(other.axis) / lean);
+        let part = |disk: Self| {
+            let along = (disk.center - foot).dot(line);
+            let off = (disk.center - foot).length_squared() - along * along;
+            let half = (disk.radius * disk.radius * (1.0 - TOUCHING) - off).max(0.0).sqrt();
+            (along, half)
+        };
+        let ((a, half_a), (b, half_b)) = (part(self), part(other));
+        half_a > 0.0 && half_b > 0.0 && (a - b).abs() < half_a + half_b
+    }
 }
 
 /// Two balls that are where only one tube may be.
@@ -34,8 +85,8 @@ pub(super) struct Meeting {
 ///
 /// # Errors
 /// `pipe-meets-itself`.
-pub(super) fn check(arcs: &[BallArc], closed: bool) -> Result<()> {
-    match first(&[(arcs, closed)], false) {
+pub(super) fn check(course: Course<'_>) -> Result<()> {
+    match first(&[course], false) {
         None => Ok(()),
         Some(Meeting { sources: [first, second], distance, limit, .. }) => {
             Err(Error::PipeMeetsItself { first: first.min(second), second: first.max(second), distance, limit })
@@ -44,12 +95,18 @@ pub(super) fn check(arcs: &[BallArc], closed: bool) -> Result<()> {
 }
 
 /// The first balls that meet, of one tube or of different ones.
-pub(super) fn first(tubes: &[(&[BallArc], bool)], different: bool) -> Option<Meeting> {
+pub(super) fn first(tubes: &[Course<'_>], different: bool) -> Option<Meeting> {
     let mut places = Vec::new();
     let mut round = Vec::new();
-    for (tube, (arcs, closed)) in tubes.iter().enumerate() {
-        let length = add_places(arcs, tube, &mut places);
-        round.push(closed.then_some(length));
+    for (tube, course) in tubes.iter().enumerate() {
+        let start = places.len();
+        let length = add_places(course.arcs, tube, &mut places);
+        round.push(course.closed.then_some(length));
+        if !(course.closed || course.round) {
+            for place in &mut places[start..] {
+                place.cut = place.way.min(length - place.way) < place.ball.radius;
+            }
+        }
     }
     let octave = |radius: f64| radius.log2().ceil() as i32;
     let mut octaves: Vec<i32> = places.iter().map(|place| octave(place.ball.radius)).collect();
@@ -77,7 +134,13 @@ pub(super) fn first(tubes: &[(&[BallArc], bool)], different: bool) -> Option<Mee
 
 fn meeting(a: &Place, b: &Place, round: Option<f64>) -> Option<Meeting> {
     let (distance, limit) = (a.ball.center.distance(b.ball.center), a.ball.radius + b.ball.radius);
-    if distance >= limit * (1.0 - TOUCHING) {
+    let apart = match (a.cut, b.cut) {
+        (false, false) => distance >= limit * (1.0 - TOUCHING),
+        (true, false) => a.section.distance(b.ball.center) >= b.ball.radius * (1.0 - TOUCHING),
+        (false, true) => b.section.distance(a.ball.center) >= a.ball.radius * (1.0 - TOUCHING),
+        (true, true) => !a.section.meets(b.section),
+    };
+    if apart {
         return None;
     }
     let straight = (a.way - b.way).abs();
@@ -109,9 +172,10 @@ fn add_places(arcs: &[BallArc], tube: usize, places: &mut Vec<Place>) -> f64 {
         let count = (steps(arc) / coarser).ceil().max(1.0);
         let mut last = arc.ball(0.0);
         for k in 1..=count as usize {
-            let ball = arc.ball((k as f64 - 0.5) / count);
+            let station = arc.station((k as f64 - 0.5) / count);
+            let (ball, section) = (station.ball, Section::of(station));
             way += last.center.distance(ball.center);
-            places.push(Place { ball, way, tube, source: arc.source });
+            places.push(Place { ball, way, tube, source: arc.source, section, cut: false });
             last = ball;
         }
         way += last.center.distance(arc.centers()[1]);

@@ -8,6 +8,7 @@
 mod along;
 mod ball;
 mod ball_arc;
+mod beside;
 mod meeting;
 mod radius_law;
 mod ring;
@@ -19,15 +20,21 @@ pub use radius_law::RadiusLaw;
 
 use super::PipeEnds;
 use crate::base::vector::Vec3;
-use crate::curve::{ArcPath, ParamCurve as _};
+use crate::curve::{ArcPath, Correspondence, ParamCurve};
 use crate::error::{Error, ErrorItem, Result};
 use crate::topology::Body;
 use ball_arc::BallArc;
 use ring::Ring;
 use skin::{Skin, Step};
 
+/// Width that a tube has left at the inner side of a bend, as part of its own: below, points there have lost their digits.
+const LEAST_LEFT: f64 = 1e-7;
+
 /// Places this near to those of another ring, radians, are the same.
 const SAME_PLACES: f64 = 1e-11;
+
+/// Arcs for each piece of a curve, besides those that any tube may have.
+const MOST_ARCS_OF_PIECE: usize = 64;
 
 /// A tube of changing radius, solid or with a wall.
 ///
@@ -65,7 +72,7 @@ impl Tube {
     ///
     /// # Errors
     /// `radius-not-positive` (the tolerance), `corner-not-mitred` (a joint of the spine that is not smooth), `radius-not-closed`, `radius-grows-too-fast` (as fast as the way
-    /// or faster: its balls hold each other), `too-many-pieces`.
+    /// or faster: its balls hold each other), `too-many-pieces` (more than 4096 arcs of balls, and 4 for each arc of the spine).
     pub fn along(spine: &ArcPath, law: &RadiusLaw, tolerance: f64) -> Result<Self> {
         if !(tolerance > 0.0 && tolerance.is_finite()) {
             return Err(Error::ParameterOutOfRange {
@@ -75,8 +82,52 @@ impl Tube {
                 max: f64::INFINITY,
             });
         }
-        let along::Along { arcs, bound } = along::along(spine, law, tolerance)?;
+        let along::Along { arcs, bound, .. } = along::along(spine, law, tolerance)?;
         Ok(Self { arcs, bound, closed: spine.is_closed(), wall: None, ends: PipeEnds::Flat })
+    }
+
+    /// The tube along any curve, with the arcs that stand for it and the parts of the curve that they stand for ([`Lower::lower_to_arcs`](crate::Lower::lower_to_arcs)): as [`along`](Self::along) these arcs, but no ball is farther
+    /// than the tolerance from that of the law along the curve itself, over the fraction of its own length. Half the tolerance is for the arcs: they need be within less of the curve, as a radius that changes
+    /// counts what they are ahead or behind. Proved from the hulls of the curve; lengths are integrated to 1e-12.
+    ///
+    /// ```
+    /// use cyclide::{CircleSpline, FairSplineOptions, Lower, Point3, RadiusLaw, Tube};
+    /// let points = [[0.0, 0.0, 0.0], [60.0, 0.0, 0.0], [95.0, 35.0, 10.0], [70.0, 75.0, 30.0]].map(Point3::from);
+    /// let way = CircleSpline::fair(&points, &FairSplineOptions::default())?;
+    /// let arcs = way.lower_to_arcs(2e-3)?;
+    /// let horn = Tube::along_curve(&way, (&arcs.form, &arcs.correspondence), &RadiusLaw::new(&[[0.0, 3.0], [1.0, 6.0]])?, 0.01)?;
+    /// assert!(horn.bound() <= 0.01);
+    /// # Ok::<(), cyclide::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`along`](Self::along); `not-within-tolerance` (the arcs are farther from the curve than half the tolerance), `too-many-pieces` (more arcs than 4096 and 64 for each piece of the curve).
+    pub fn along_curve(
+        curve: &dyn ParamCurve,
+        (arcs, parts): (&ArcPath, &Correspondence),
+        law: &RadiusLaw,
+        tolerance: f64,
+    ) -> Result<Self> {
+        let (count, cap) = (arcs.arcs().len(), along::MOST_ARCS + MOST_ARCS_OF_PIECE * curve.piece_count());
+        if count > cap {
+            return Err(along::too_many(curve.piece_count() - 1, cap));
+        }
+        let half = 0.5 * tolerance;
+        let tube = Self::along(arcs, law, half)?;
+        let closed;
+        let law = if curve.is_closed() {
+            closed = law.clone().closed()?;
+            &closed
+        } else {
+            law
+        };
+        let steepest = law.steepest();
+        let beside::Beside { distance, lag } = beside::beside(curve, arcs, parts, half, steepest > 0.0)?;
+        let bound = if steepest > 0.0 { distance + steepest * lag } else { distance };
+        if !(bound <= half) {
+            return Err(Error::NotWithinTolerance { piece: 0, bound, tolerance: half });
+        }
+        Ok(Self { bound: bound + tube.bound, ..tube })
     }
 
     /// The same with a bore that leaves this thickness of the wall, measured along the normals.
@@ -134,7 +185,7 @@ impl Tube {
     /// ```
     #[must_use]
     pub fn first_meeting(tubes: &[Self]) -> Option<([usize; 2], f64)> {
-        let found = meeting::first(&tubes.iter().map(|tube| (&tube.arcs[..], tube.closed)).collect::<Vec<_>>(), true)?;
+        let found = meeting::first(&tubes.iter().map(Self::course).collect::<Vec<_>>(), true)?;
         Some((found.tubes, found.distance))
     }
 
@@ -145,7 +196,7 @@ impl Tube {
     /// [`CyclidePatch::from_corners_and_frame`](crate::CyclidePatch::from_corners_and_frame).
     pub fn body(&self) -> Result<Body> {
         self.check_arcs()?;
-        meeting::check(&self.arcs, self.closed)?;
+        meeting::check(self.course())?;
         let (rings, steps) = self.rings();
         let outer = Skin::new(&rings, &steps, 0.0)?;
         let Some(wall) = self.wall else {
@@ -159,6 +210,32 @@ impl Tube {
         Ok(Body { outer: outer.with_bore(inner)?, voids: Vec::new() })
     }
 
+    /// How far the rim of a wall leaves the plane of the outer circle at an end that is not round: it is along the normals, and where the
+    /// radius changes at the end, or a ball there is not met in its middle, a part of a cone. 0 without a wall.
+    ///
+    /// ```
+    /// use cyclide::{Ball, Point3, Tube};
+    /// let balls = [Ball::new(Point3::ORIGIN, 10.0), Ball::new(Point3::new(10.0, 0.0, 0.0), 5.0)];
+    /// let funnel = Tube::through(&balls, false)?.with_wall(2.0)?;
+    /// assert!((funnel.rim_depth() - 1.0).abs() < 1e-12); // the wall times the sine of the slope
+    /// # Ok::<(), cyclide::Error>(())
+    /// ```
+    #[must_use]
+    pub fn rim_depth(&self) -> f64 {
+        let (Some(wall), Some(first), Some(last)) = (self.wall, self.arcs.first(), self.arcs.last()) else {
+            return 0.0;
+        };
+        if self.closed || self.ends == PipeEnds::Round {
+            return 0.0;
+        }
+        let sine = |way: ball::Way| (way.r / way.v.length()).abs();
+        wall * sine(first.tangents[0]).max(sine(last.tangents[1]))
+    }
+
+    fn course(&self) -> meeting::Course<'_> {
+        meeting::Course { arcs: &self.arcs, closed: self.closed, round: self.ends == PipeEnds::Round }
+    }
+
     fn check_arcs(&self) -> Result<()> {
         for arc in &self.arcs {
             let [radius, _] = arc.radii();
@@ -166,7 +243,7 @@ impl Tube {
                 return Err(Error::RadiusNotPositive { radius });
             }
             let (left, at) = arc.left();
-            if !(left > 0.0) {
+            if !(left > LEAST_LEFT) {
                 return Err(Error::TubeFolds { piece: arc.source, at, left });
             }
         }

@@ -92,6 +92,19 @@ impl RadiusLaw {
         self.nodes.iter().all(|node| node[1].total_cmp(&self.nodes[0][1]).is_eq())
     }
 
+    /// The largest size of its slope: of each cubic at its ends, or where the second derivative is zero.
+    pub(super) fn steepest(&self) -> f64 {
+        let slope = |at: f64, before: bool| self.jet(at, before)[1].abs();
+        let of_cubic = |pair: &[[f64; 3]]| {
+            let ends = [pair[0][0], pair[1][0]];
+            let [from, to] = [self.jet(ends[0], false)[2], self.jet(ends[1], true)[2]];
+            let inner = ends[0] + (ends[1] - ends[0]) * (from / (from - to)).clamp(0.0, 1.0);
+            let inner = if inner.is_finite() { slope(inner, true) } else { 0.0 };
+            slope(ends[0], false).max(slope(ends[1], true)).max(inner)
+        };
+        self.nodes.windows(2).map(of_cubic).fold(0.0, f64::max)
+    }
+
     /// The places between which it is one cubic.
     pub(super) fn places(&self) -> impl Iterator<Item = f64> {
         self.nodes.iter().map(|node| node[0])

@@ -1,26 +1,11 @@
 //! A spline on a torus as G1 arcs within a tolerance, for formats that know arcs only.
 //!
-//! Pieces that are arcs of circles stay as they are. The others are [covered by biarcs](super::biarc_cover).
+//! Pieces that are arcs of circles stay as they are. The others are [covered by biarcs](crate::construct::curves::biarc_cover).
 
-use super::biarc_cover::{SmoothPiece, append_biarcs};
-use crate::base::vector::{Point3, Vec3};
+use crate::construct::curves::biarc_cover::{PieceOf, append_biarcs};
 use crate::curve::{Arc, Correspondence, CurvePlace, ParamCurve as _, Span};
 use crate::error::Result;
 use crate::surface::TorusSpline;
-
-/// A piece of a spline in space.
-struct PieceInSpace<'a>(&'a TorusSpline, usize);
-
-impl SmoothPiece for PieceInSpace<'_> {
-    fn point(&self, s: f64) -> Point3 {
-        self.0.piece_point(self.1, s)
-    }
-
-    fn moving(&self, s: f64) -> (Point3, Vec3) {
-        let jet = self.0.piece_jet(self.1, s);
-        (jet.point, jet.d1)
-    }
-}
 
 impl TorusSpline {
     /// The curve as arcs, G1 where it is, within `tolerance` of it (sampled); true if all its pieces are arcs: then they are exact.
@@ -34,7 +19,7 @@ impl TorusSpline {
                 arcs.push(Arc::from_start_tangent(start.point, end, start.d1)?);
             } else {
                 exact = false;
-                append_biarcs(&PieceInSpace(self, piece), piece, [0.0, 1.0], tolerance, &mut arcs)?;
+                append_biarcs(&PieceOf(self, piece), piece, [0.0, 1.0], tolerance, &mut arcs)?;
             }
             parts.spans.push(Span { pieces: arcs.len() - before, end: CurvePlace::after(piece) });
         }

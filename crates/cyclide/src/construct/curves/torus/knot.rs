@@ -10,7 +10,7 @@ use super::spline_span::best_type;
 use crate::base::complex::Complex;
 use crate::base::planar::{Point2, Vec2};
 use crate::error::{Error, ErrorItem, Result};
-use crate::surface::{Course, SegmentMethod, Torus, TorusChain, TorusPiece, TorusSpline};
+use crate::surface::{CircleFamily, Course, SegmentMethod, Torus, TorusChain, TorusPiece, TorusSpline};
 use std::f64::consts::PI;
 
 /// Largest step of a coordinate over one piece, radians: the speed varies by 6 % over it, and the curve is off the straight line in
@@ -57,6 +57,31 @@ impl TorusSpline {
             chain.end_segment(SegmentMethod::Direct, quality);
         }
         Ok(chain.into_spline(torus, true, start))
+    }
+}
+
+impl TorusSpline {
+    /// The circle of a family through a place as a spline of arcs, from there and to there; along Villarceau circles the longitude
+    /// rises.
+    ///
+    /// ```
+    /// use cyclide::{CircleFamily, Frame, Torus, TorusSpline, length};
+    /// let torus = Torus::new(Frame::WORLD, 3.0, 1.0)?;
+    /// let round = TorusSpline::circle(&torus, CircleFamily::Villarceau, Default::default())?;
+    /// assert!((length(&round) - 6.0 * std::f64::consts::PI).abs() < 1e-12);
+    /// # Ok::<(), cyclide::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// `not-finite`, `parameter-out-of-range` (angles above 1e6).
+    pub fn circle(torus: &Torus, family: CircleFamily, place: Point2) -> Result<Self> {
+        let turns = match family {
+            CircleFamily::Parallel => [1, 0],
+            CircleFamily::Villarceau => [1, 1],
+            CircleFamily::MirrorVillarceau => [1, -1],
+            CircleFamily::Meridian => [0, 1],
+        };
+        Self::knot(torus, turns, place)
     }
 }
 

@@ -1,7 +1,7 @@
 //! Curves on a torus: biarcs of linear complex functions, quartic biarcs of one type and of two, splines through points, knots.
 
 mod arcs;
-mod biarc_cover;
+mod closed_quartic;
 mod detour;
 mod knot;
 mod projective_biarc;

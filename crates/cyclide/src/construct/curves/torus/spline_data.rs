@@ -10,8 +10,8 @@ use std::f64::consts::PI;
 /// Largest angle of a place, radians: it keeps ten digits modulo pi.
 const MAX_ANGLE: f64 = 1e6;
 
-/// Most half turns added to a step or asked for in all.
-const MOST_TURNS: f64 = 10_000.0;
+/// Most half turns added to a step or asked for in all: far from the start places lose digits, a few with these.
+const MOST_TURNS: f64 = 2_000.0;
 
 /// Steps up to this part of `pi` and both angles are rounding of equal points.
 const SAME_PLACE: f64 = 1e-15;
@@ -28,8 +28,8 @@ const CUSP: f64 = 0.05;
 /// Speed at a cusp, across its longer chord, as part of the speed of that.
 const CUSP_SPEED: f64 = 0.3;
 
-/// Largest way of all segments together, radians: some million pieces.
-const MOST_WAY: f64 = 2.5e5;
+/// Largest way of all segments together, radians: some hundred thousand pieces.
+const MOST_WAY: f64 = 2.5e4;
 
 /// Checked input: segment `i` goes from place `i` by step `i` within the knots `i` and `i + 1`.
 #[derive(Debug)]
@@ -243,6 +243,9 @@ fn check_step(step: &mut Vec2, first: usize, ends: [Point2; 2], second: usize, l
     if loops {
         *step = Vec2::default();
         return Ok(());
+    }
+    if first == second {
+        return Err(Error::TooFewPoints { given: 1, needed: 2 });
     }
     let (distance, limit) = (step.length(), limits.length());
     Err(Error::CoincidentPoints { first, second, distance, limit })

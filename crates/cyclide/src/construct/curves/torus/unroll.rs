@@ -7,9 +7,9 @@
 //! conformal  y = 2 a b B / c      angles are true, and every circle of the four families is a straight line
 //! ```
 
-use super::biarc_cover::{SmoothPiece, append_biarcs};
 use crate::base::planar::{Point2, Vec2};
 use crate::base::vector::{Point3, Vec3};
+use crate::construct::curves::biarc_cover::{SmoothPiece, append_biarcs};
 use crate::curve::{Arc, ArcPath, ParamCurve as _, length};
 use crate::error::{Error, ErrorItem, Result, check_tolerance};
 use crate::surface::{PlaceAngle, Torus, TorusSpline};
@@ -82,7 +82,8 @@ impl TorusMap {
     /// `2 a b/c`.
     fn conformal_height(torus: &Torus) -> f64 {
         let [a, b] = [torus.major_radius(), torus.minor_radius()];
-        2.0 * b / ((1.0 - b / a) * (1.0 + b / a)).sqrt()
+        // The difference of the radii is exact where they are near each other, that of 1 and their ratio is not.
+        2.0 * b / (((a - b) / a) * (1.0 + b / a)).sqrt()
     }
 }
 

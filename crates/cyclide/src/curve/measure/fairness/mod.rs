@@ -30,6 +30,7 @@ use piece::{Measure, Piece};
 use plane::plane_of;
 use swings::{Course, Swing, course};
 
+pub use plane::plane_normal;
 pub use wavering::{RoundedTurns, Wavering, wavering};
 
 /// Tangents that differ by more than this, in radians, make a joint a corner.

@@ -10,6 +10,37 @@ const ROUNDING: f64 = 64.0 * f64::EPSILON;
 /// Places looked at on each piece.
 const PLACES: [f64; 4] = [0.0, 0.25, 0.5, 0.75];
 
+/// The unit normal of a planar curve, turned so that its largest coordinate is positive: `z` in planes `z = const`, so
+/// that curvature signed by it is positive where the curve turns left seen from above. Of a straight curve that of any plane
+/// through it, `z` if it may be. `None` for a curve that leaves every plane by more than 1e-11 of its extent or 64
+/// roundings of its coordinates.
+///
+/// ```
+/// use cyclide::{Circle, Point3, Vec3, plane_normal};
+/// let clockwise = Circle::from_radius(Point3::new(3.0, 1.0, 7.0), -Vec3::Z, 2.0)?;
+/// let normal = plane_normal(&clockwise).expect("it is planar");
+/// assert!((normal - Vec3::Z).length() < 1e-12);
+/// # Ok::<(), cyclide::Error>(())
+/// ```
+#[must_use]
+pub fn plane_normal(curve: &dyn ParamCurve) -> Option<Vec3> {
+    let normal = plane_of(curve)?;
+    let along = curve.piece_point(curve.piece_count() - 1, 1.0) - curve.piece_point(0, 0.0);
+    let is_straight = crate::curve::extreme_curvature(curve).max == 0.0;
+    if is_straight && along.z.abs() <= FLATNESS * along.length() {
+        return Some(Vec3::Z);
+    }
+    let [x, y, z] = normal.to_array();
+    let largest = if z.abs() >= x.abs().max(y.abs()) {
+        z
+    } else if y.abs() >= x.abs() {
+        y
+    } else {
+        x
+    };
+    Some(if largest < 0.0 { -normal } else { normal })
+}
+
 /// The unit normal of a curve's plane; of any plane through a straight one; `None` in space.
 ///
 /// It is that of three points: the first, the farthest from it, and the farthest from the line of both.

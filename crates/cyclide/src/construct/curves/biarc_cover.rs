@@ -1,9 +1,9 @@
 //! A smooth curve as G1 arcs within a tolerance: biarcs with its points and tangents, halved until each is near enough, the curve to
 //! the arcs and the arcs to the curve. Distances are sampled, not certified.
 
+use super::biarc::{Biarc, BiarcRule};
 use crate::base::vector::{Point3, Vec3};
-use crate::construct::curves::biarc::{Biarc, BiarcRule};
-use crate::curve::Arc;
+use crate::curve::{Arc, ParamCurve};
 use crate::error::{Error, Result};
 
 /// Samples on each biarc: four to each of the lobes of its distance from a smooth curve.
@@ -26,8 +26,25 @@ pub(super) trait SmoothPiece {
     /// The point at a parameter.
     fn point(&self, s: f64) -> Point3;
 
-    /// Point and velocity.
+    /// Point and velocity, or another vector in the direction of travel where that vanishes at an end of the piece.
     fn moving(&self, s: f64) -> (Point3, Vec3);
+}
+
+/// A piece of a curve, by its number.
+#[derive(Debug)]
+pub(super) struct PieceOf<'a>(pub(super) &'a dyn ParamCurve, pub(super) usize);
+
+impl SmoothPiece for PieceOf<'_> {
+    fn point(&self, s: f64) -> Point3 {
+        self.0.piece_point(self.1, s)
+    }
+
+    fn moving(&self, s: f64) -> (Point3, Vec3) {
+        let jet = self.0.piece_jet(self.1, s);
+        let side = if s < 0.5 { 1.0 } else { -1.0 };
+        let moves = jet.d1 != Vec3::ZERO;
+        (jet.point, if moves { jet.d1 } else { jet.limit_tangent(side).unwrap_or(Vec3::ZERO) })
+    }
 }
 
 /// Appends arcs for the part `[from, to]` of a piece with this number.

@@ -9,12 +9,16 @@
 //! faces are ruled between neighbours: their sections are the rectangles. A corner runs backwards where `w/2` is above the radius of
 //! geodesic curvature, and such a width is refused (`docs/math/torus-splines.md#seams`).
 
+mod meeting;
+mod moving;
+
 use crate::base::vector::{Point3, Vec3};
 use crate::curve::ParamCurve as _;
 use crate::error::{Error, ErrorItem, Result, check_tolerance};
 use crate::rational::{RationalBezier, RationalBezierSurface};
 use crate::surface::TorusSpline;
 use crate::topology::{Body, FaceEdge, Sewing};
+use moving::Moving;
 
 /// Most halvings of a piece.
 const HALVINGS: u32 = 12;
@@ -25,9 +29,6 @@ const PLACES: u32 = 8;
 
 /// The part of the tolerance that sampled distances may use.
 const SAFETY: f64 = 0.95;
-
-/// Speed of a corner along the curve, as part of the speed of the curve, below which the seam folds.
-const SLOWEST: f64 = 0.05;
 
 /// A seam: its width, and the heights of its lower and upper side along the outward normal of the torus.
 ///
@@ -76,7 +77,9 @@ impl TorusSeam {
     ///
     /// # Errors
     /// `tolerance-not-positive`; `parameter-out-of-range` (a height that reaches the middle of the tube or the axis; a width with which the
-    /// seam folds, with the largest that does not); `too-many-pieces`, `zero-tangent` (a stop of the curve); as [`Shell::new`](crate::Shell::new).
+    /// seam folds, with the largest that does not); `seam-meets-itself` (parts of it that are no neighbours share space, by more than the
+    /// tolerance, with the place: looked for at sections an eighth of the width apart); `too-many-pieces`, `zero-tangent` (a stop of the
+    /// curve); as [`Shell::new`](crate::Shell::new).
     pub fn body(&self, spline: &TorusSpline, tolerance: f64) -> Result<Body> {
         check_tolerance(tolerance)?;
         let (a, b) = (spline.torus().major_radius(), spline.torus().minor_radius());
@@ -90,7 +93,29 @@ impl TorusSeam {
         for piece in 0..spline.piece_count() {
             self.append_spans(spline, piece, SAFETY * tolerance, &mut spans)?;
         }
+        meeting::check(self, spline, tolerance)?;
         sewn(&spans, spline.is_closed())
+    }
+
+    /// The first two of the seams along several splines, by their numbers, that share space by more than the tolerance, with a point that
+    /// they share: looked for at sections an eighth of the width apart.
+    ///
+    /// ```
+    /// use cyclide::{Frame, Torus, TorusSeam, TorusSpline};
+    /// let torus = Torus::new(Frame::WORLD, 40.0, 15.0)?;
+    /// let rings = [[1, 0], [0, 1]].map(|turns| TorusSpline::knot(&torus, turns, Default::default()));
+    /// let [round, across] = rings;
+    /// let shared = TorusSeam::new(4.0, [-1.0, 0.5])?.first_meeting(&[round?, across?], 0.01)?;
+    /// assert!(shared.is_some_and(|(seams, _)| seams == [0, 1]));
+    /// # Ok::<(), cyclide::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// `zero-tangent`.
+    pub fn first_meeting(&self, splines: &[TorusSpline], tolerance: f64) -> Result<Option<([usize; 2], Point3)>> {
+        let splines: Vec<&TorusSpline> = splines.iter().collect();
+        let found = meeting::first(self, &splines, tolerance, true)?;
+        Ok(found.map(|meeting| (meeting.splines, meeting.point)))
     }
 
     /// Appends the cubics of the corners over a piece, span by span.
@@ -168,46 +193,6 @@ impl TorusSeam {
             corners: places.map(|[side, height]| point + across * side + normal * height),
             derivatives: places.map(|[side, height]| velocity + across_rate * side + normal_rate * height),
         })
-    }
-}
-
-/// The frame at a place of a curve, and how it turns.
-#[derive(Debug, Clone, Copy)]
-struct Moving {
-    point: Point3,
-    velocity: Vec3,
-    tangent: Vec3,
-    normal: Vec3,
-    normal_rate: Vec3,
-    /// Across the curve, along the torus.
-    across: Vec3,
-    across_rate: Vec3,
-}
-
-impl Moving {
-    fn at(spline: &TorusSpline, piece: usize, s: f64) -> Result<Self> {
-        let torus = spline.torus();
-        let (jet, lost) = (spline.piece_jet(piece, s), || Error::ZeroTangent { index: piece });
-        let (speed, tangent) = (jet.d1.length(), jet.tangent().ok_or_else(lost)?);
-        let (axis, from_axis) = (torus.frame().z(), jet.point - torus.frame().origin());
-        let outward = (from_axis - axis * from_axis.dot(axis)).unit().ok_or_else(lost)?;
-        let around = axis.cross(outward);
-        let normal = ((from_axis - outward * torus.major_radius()) / torus.minor_radius()).unit().ok_or_else(lost)?;
-        let longitude = 2.0 * spline.pieces()[piece].rate(s).x;
-        let normal_rate = (jet.d1 - around * (torus.major_radius() * longitude)) / torus.minor_radius();
-        let tangent_rate = (jet.d2 - tangent * tangent.dot(jet.d2)) / speed;
-        let across_rate = normal_rate.cross(tangent) + normal.cross(tangent_rate);
-        let across = normal.cross(tangent);
-        Ok(Self { point: jet.point, velocity: jet.d1, tangent, normal, normal_rate, across, across_rate })
-    }
-
-    /// The largest width with which no corner between these heights falls below the slowest speed along the curve.
-    fn widest(&self, heights: [f64; 2]) -> f64 {
-        let speed = self.velocity.length();
-        let turn = 0.5 * self.across_rate.dot(self.tangent).abs() / speed;
-        let slowest = heights.map(|height| (self.velocity + self.normal_rate * height).dot(self.tangent) / speed);
-        let room = slowest[0].min(slowest[1]) - SLOWEST;
-        if room <= 0.0 { 0.0 } else { room / turn }
     }
 }
 

@@ -1,0 +1,144 @@
+//! `compare`: all kinds of curve from the same points.
+
+use std::path::{Path, PathBuf};
+
+use clap::{ArgAction, Args as ClapArgs, ValueEnum as _};
+use cyclide::Units;
+use cyclide_io::{
+    Comment, Document, ObjectSpec, PointColumns, PointFile, PointSource, PolylineSpec, RadiiSpec, TypeWord,
+    WriteOptions, same_file,
+};
+
+use super::args::{CurveArgs, Kind, WriteArgs, positive, up_to_half_a_turn};
+use super::effect::CLOSED_KINDS;
+use super::plan::{Input, refuse_overwriting};
+use super::words::word;
+use crate::output::failure::Failure;
+
+pub const EXAMPLES: &str = "\
+Examples:
+  cyclide compare points.csv
+  cyclide compare track.csv --closed -o track.html
+  cyclide compare survey.csv --tolerance 0.2 --corner-angle-deg 40 -o survey.html -o survey.csv
+
+The page is one file without links to others: a table of measures, and for each kind of curve a drawing with its curvature comb and a plot
+of its curvature. Without -o the table is printed.";
+
+#[derive(Debug, ClapArgs)]
+pub struct CompareArgs {
+    /// The points (CSV, one per line: see 'cyclide curve --help'), - for standard input.
+    pub points: PathBuf,
+    /// File to write: .html a page, .csv or .json a table. Give it once per file.
+    #[arg(short, long = "output", value_name = "FILE", action = ArgAction::Append)]
+    pub output: Vec<PathBuf>,
+    /// The last point joins the first.
+    #[arg(long)]
+    pub closed: bool,
+    /// Largest distance of fits from the points, and of arcs in place of curves [default: a thousandth of the diagonal of
+    /// the points].
+    #[arg(long, value_name = "T", value_parser = positive, allow_negative_numbers = true)]
+    pub tolerance: Option<f64>,
+    /// What the coordinates are measured in; they are labelled, never rescaled [default: what the names of the columns
+    /// say, as x_m, else mm].
+    #[arg(long, value_parser = word::<Units>())]
+    pub units: Option<Units>,
+    /// The two or three coordinate columns, by name or by number from 1 [default: x, y and z by their names].
+    #[arg(long, value_name = "A,B", value_delimiter = ',', num_args = 1)]
+    pub columns: Option<Vec<String>>,
+    /// The column that tells contours apart [default: 'contour', else blank lines].
+    #[arg(long, value_name = "NAME")]
+    pub contour_column: Option<String>,
+    /// Turns above this angle, in degrees, are corners, of the kinds that can have some [default: as of 'cyclide curve'].
+    #[arg(long, value_name = "DEGREES", value_parser = up_to_half_a_turn, allow_negative_numbers = true)]
+    pub corner_angle_deg: Option<f64>,
+    #[command(flatten)]
+    pub write: WriteArgs,
+}
+
+/// What a file of a comparison holds.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ComparisonFile {
+    Page,
+    Table,
+    Json,
+}
+
+/// Compare kinds of curve.
+pub struct ComparePlan {
+    /// The polygon of the points.
+    pub input: Input,
+    pub points: PathBuf,
+    pub outputs: Vec<(PathBuf, ComparisonFile)>,
+    pub tolerance: Option<f64>,
+    pub write: WriteOptions,
+    source: PointSource,
+    closed: bool,
+    corner_angle_deg: Option<f64>,
+}
+
+impl CompareArgs {
+    pub fn plan(self) -> Result<ComparePlan, Failure> {
+        let mut outputs: Vec<(PathBuf, ComparisonFile)> = Vec::new();
+        for path in &self.output {
+            refuse_overwriting(Some(path), &self.points)?;
+            if outputs.iter().any(|(other, _)| same_file(other, path)) {
+                return Err(Failure::Usage(format!("{} is given twice as output", path.display())));
+            }
+            outputs.push((path.clone(), file_of(path)?));
+        }
+        let Some(csv) = self.points.to_str().map(str::to_owned) else {
+            return Err(Failure::Usage(format!("{}: the path is not Unicode", self.points.display())));
+        };
+        let file = PointFile { csv, columns: self.columns.clone(), contour: self.contour_column.clone() };
+        let source = PointSource::File(file);
+        let polygon = ObjectSpec::Polyline(PolylineSpec {
+            r#type: TypeWord,
+            comment: Comment,
+            construction: false,
+            points: source.clone(),
+            closed: self.closed,
+            radius: RadiiSpec::default(),
+        });
+        let name = self.points.display().to_string();
+        let document =
+            Document::from_objects(&name, self.units.unwrap_or_default(), vec![("points".to_owned(), polygon)]);
+        let columns = PointColumns { coordinates: self.columns, contour: self.contour_column };
+        Ok(ComparePlan {
+            input: Input::Made { document: Box::new(document), columns, unit_of_columns: self.units.is_none() },
+            points: self.points,
+            outputs,
+            tolerance: self.tolerance,
+            write: self.write.options(),
+            source,
+            closed: self.closed,
+            corner_angle_deg: self.corner_angle_deg,
+        })
+    }
+}
+
+impl ComparePlan {
+    /// Every kind of `cyclide curve --kind`, fits within the tolerance; of those that cannot be closed, where the others are, none.
+    pub fn kinds(&self, tolerance: f64) -> Result<Vec<(String, Option<ObjectSpec>)>, Failure> {
+        let args = CurveArgs {
+            closed: self.closed,
+            tolerance: Some(tolerance),
+            smooth: Some(tolerance),
+            corner_angle_deg: self.corner_angle_deg,
+            ..CurveArgs::default()
+        };
+        let fits = |kind: &Kind| !self.closed || CLOSED_KINDS.contains(kind);
+        let spec = |kind: &Kind| fits(kind).then(|| args.spec(*kind, self.source.clone())).transpose();
+        let made = |kind: &Kind| Ok((kind.word().to_owned(), spec(kind)?));
+        Kind::value_variants().iter().map(made).collect()
+    }
+}
+
+fn file_of(path: &Path) -> Result<ComparisonFile, Failure> {
+    let suffix = path.extension().map(|suffix| suffix.to_string_lossy().to_lowercase());
+    match suffix.as_deref() {
+        Some("html" | "htm") => Ok(ComparisonFile::Page),
+        Some("csv") => Ok(ComparisonFile::Table),
+        Some("json") => Ok(ComparisonFile::Json),
+        _ => Err(Failure::Usage(format!("{}: a comparison is .html, .csv or .json", path.display()))),
+    }
+}

@@ -1,0 +1,140 @@
+//! `sample`: which places, and which frames.
+
+use std::path::PathBuf;
+
+use clap::{Args as ClapArgs, ValueEnum};
+use cyclide::{ClosedTwist, FrameRule, Point3, Vec3};
+use cyclide_io::{SamplePlaces, Spacing, WriteOptions};
+
+use super::args::{WriteArgs, positive};
+use super::plan::{Input, refuse_other_suffix, refuse_overwriting};
+use crate::output::failure::Failure;
+use crate::output::standard::is_standard_output;
+
+pub const EXAMPLES: &str = "\
+Examples:
+  cyclide sample logo.json --count 500 > logo.csv
+  cyclide sample cable.json --object cable --count 200 --equal-length -o cable.csv
+  cyclide sample road.json --step 5 --frames up -o road.csv
+  cyclide sample cable.json --object cable --step 10 --frames rotation-minimizing -o cable-frames.json
+  cyclide sample roof.json --object 'outer skin' --count 8 -o roof.csv
+
+Curves: columns t,x,y,z,tangent_x,tangent_y,tangent_z,curvature,station,signed_curvature,torsion, with --frames also normal_x to
+normal_z and binormal_x to binormal_z, with a column 'contour' in front if the object has several. The station is the arc length
+from the start; signed curvature is positive to the left, of plane curves only. Each contour gets its own samples, both ends included.
+Surfaces: columns patch,s,t,x,y,z,normal_x,normal_y,normal_z,curvature_s,curvature_t on a grid of N by N places of every
+patch, edges included, with a column 'body' in front if the object has several.";
+
+#[derive(Debug, ClapArgs)]
+pub struct SampleArgs {
+    /// The model document (JSON), - for standard input; 'cyclide new' prints one to start from.
+    pub model: PathBuf,
+    /// Name of the object; may be left out if there is only one.
+    #[arg(long, value_name = "NAME")]
+    pub object: Option<String>,
+    /// Samples per contour of a curve, or N by N per patch of a surface; at least 2.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(2..=10_000_000), required_unless_present = "step")]
+    pub count: Option<u32>,
+    /// Curves: a sample every D of arc length, and the end.
+    #[arg(long, value_name = "D", value_parser = positive, allow_negative_numbers = true, conflicts_with = "count")]
+    pub step: Option<f64>,
+    /// Curves: equal steps of arc length instead of the parameter.
+    #[arg(long, conflicts_with = "step")]
+    pub equal_length: bool,
+    /// Curves: a frame at each place, normal and binormal (tangent x normal) beside the tangent.
+    #[arg(long, value_name = "KIND", value_enum)]
+    pub frames: Option<FrameKind>,
+    /// Frames: the direction that is up, or of rotation-minimizing frames the direction of the first normal [default: 0,0,1].
+    #[arg(long, value_name = "X,Y,Z", value_parser = triple, allow_hyphen_values = true)]
+    pub up: Option<[f64; 3]>,
+    /// Frames: the point that normals look at.
+    #[arg(long, value_name = "X,Y,Z", value_parser = triple, allow_hyphen_values = true, required_if_eq("frames", "toward"))]
+    pub toward: Option<[f64; 3]>,
+    /// Frames, rotation-minimizing: spread over a closed curve what its frame comes back turned by, so that it closes.
+    #[arg(long)]
+    pub spread_twist: bool,
+    /// Curves: print JSON instead of CSV; so does an output FILE.json.
+    #[arg(long)]
+    pub json: bool,
+    /// Write to a file instead of standard output.
+    #[arg(short, long, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+    #[command(flatten)]
+    pub write: WriteArgs,
+}
+
+/// How normals are chosen.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum FrameKind {
+    /// As far up (--up) as they can be.
+    Up,
+    /// As near to a point (--toward) as they can be.
+    Toward,
+    /// To the centre of curvature; none where the curve is straight.
+    Frenet,
+    /// Carried along without turning about the tangent.
+    RotationMinimizing,
+}
+
+/// Sample one object of a model.
+pub struct SamplePlan {
+    pub input: Input,
+    pub object: Option<String>,
+    pub places: SamplePlaces,
+    pub frames: Option<FrameRule>,
+    pub json: bool,
+    /// `None` is standard output.
+    pub output: Option<PathBuf>,
+    pub write: WriteOptions,
+}
+
+impl SampleArgs {
+    pub fn plan(self) -> Result<SamplePlan, Failure> {
+        refuse_overwriting(self.output.as_deref(), &self.model)?;
+        let frames = self.frame_rule()?;
+        let output = self.output.filter(|path| !is_standard_output(path));
+        let has_suffix = |path: &PathBuf| path.extension().is_some_and(|suffix| suffix.eq_ignore_ascii_case("json"));
+        let json = self.json || output.as_ref().is_some_and(has_suffix);
+        let (suffix, what) = if json { ("json", "JSON was asked for") } else { ("csv", "samples are CSV or JSON") };
+        output.as_deref().map_or(Ok(()), |path| refuse_other_suffix(path, suffix, what))?;
+        let spacing = if self.equal_length { Spacing::Length } else { Spacing::Parameter };
+        let places = match (self.step, self.count) {
+            (Some(step), _) => SamplePlaces::Step(step),
+            (None, count) => SamplePlaces::Count { count: count.unwrap_or(2) as usize, spacing },
+        };
+        let (input, write) = (Input::File(self.model), self.write.options());
+        Ok(SamplePlan { input, object: self.object, places, frames, json, output, write })
+    }
+
+    fn frame_rule(&self) -> Result<Option<FrameRule>, Failure> {
+        let idle = |given: bool, option: &str, with: &str| {
+            let message = format!("{option} would have no effect: it goes with --frames {with}");
+            if given { Err(Failure::Usage(message)) } else { Ok(()) }
+        };
+        let minimal = self.frames == Some(FrameKind::RotationMinimizing);
+        idle(self.up.is_some() && !minimal && self.frames != Some(FrameKind::Up), "--up", "up or rotation-minimizing")?;
+        idle(self.toward.is_some() && self.frames != Some(FrameKind::Toward), "--toward", "toward")?;
+        idle(self.spread_twist && !minimal, "--spread-twist", "rotation-minimizing")?;
+        let closed = if self.spread_twist { ClosedTwist::Spread } else { ClosedTwist::Leave };
+        Ok(self.frames.map(|kind| match kind {
+            FrameKind::Up => FrameRule::Up(self.up.map_or(Vec3::Z, Vec3::from)),
+            FrameKind::Toward => FrameRule::Toward(self.toward.map_or(Point3::ORIGIN, Point3::from)),
+            FrameKind::Frenet => FrameRule::Frenet,
+            FrameKind::RotationMinimizing => match FrameRule::rotation_minimizing() {
+                FrameRule::RotationMinimizing { tolerance, .. } => {
+                    FrameRule::RotationMinimizing { start: self.up.map(Vec3::from), closed, tolerance }
+                }
+                other => other,
+            },
+        }))
+    }
+}
+
+/// Three numbers between commas.
+fn triple(text: &str) -> Result<[f64; 3], String> {
+    let numbers: Vec<f64> = text.split(',').filter_map(|part| part.trim().parse().ok()).collect();
+    match <[f64; 3]>::try_from(numbers) {
+        Ok(numbers) if text.split(',').count() == 3 && numbers.iter().all(|v| v.is_finite()) => Ok(numbers),
+        _ => Err("three numbers are needed, with commas between: 0,0,1".to_owned()),
+    }
+}

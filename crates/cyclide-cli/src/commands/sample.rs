@@ -1,0 +1,83 @@
+//! `sample`: places of one object as a table, without writing exchange files.
+
+use cyclide::{Body, CurveObject, length};
+use cyclide_io::{BuiltObject, CurveSamples, SampleOptions, SamplePlaces, Spacing, did_you_mean, write_file};
+
+use crate::arguments::plan::refuse_overwriting;
+use crate::arguments::sample::SamplePlan;
+use crate::commands::load::{self, Inputs};
+use crate::output::failure::Failure;
+use crate::output::progress::Progress;
+use crate::output::terminal;
+
+/// Most rows that one run samples: about a gigabyte of text, which is held in memory.
+const MOST_ROWS: f64 = 1e7;
+
+/// Samples one object.
+pub fn run(plan: &SamplePlan) -> Result<(), Failure> {
+    let inputs = Inputs::default();
+    let (document, folder) = load::document(&plan.input, &inputs)?;
+    let names = || document.objects.iter().map(|(name, _)| format!("'{name}'")).collect::<Vec<_>>().join(", ");
+    let index = match &plan.object {
+        Some(name) => document.objects.iter().position(|(n, _)| n == name).ok_or_else(|| {
+            let hint = did_you_mean(name, document.objects.iter().map(|(n, _)| n.as_str()));
+            Failure::Usage(format!("the model has no object '{name}'; it has {}{hint}", names()))
+        })?,
+        None if document.objects.len() == 1 => 0,
+        None => return Err(Failure::Usage(format!("--object is needed: the model has {}", names()))),
+    };
+    for input in load::input_files(&document, &folder) {
+        refuse_overwriting(plan.output.as_deref(), &input)?;
+    }
+    let object = load::build_one(&document, &folder, index, &inputs, &Progress::new(1))?;
+    let text = if object.item.curves().is_empty() { surface(plan, &object)? } else { curves(plan, &object)? };
+    match &plan.output {
+        None => terminal::print(&text),
+        Some(path) => {
+            write_file(path, text.as_bytes(), plan.write).map_err(|error| Failure::write(path.display(), &error))
+        }
+    }
+}
+
+fn surface(plan: &SamplePlan, object: &BuiltObject) -> Result<String, Failure> {
+    let option = match plan.places {
+        SamplePlaces::Step(_) => Some("--step"),
+        SamplePlaces::Count { spacing: Spacing::Length, .. } => Some("--equal-length"),
+        SamplePlaces::Count { .. } if plan.frames.is_some() => Some("--frames"),
+        SamplePlaces::Count { .. } => plan.json.then_some("--json"),
+    };
+    if let Some(option) = option {
+        return Err(Failure::Usage(format!("{option} is for curves, the object is a surface")));
+    }
+    let SamplePlaces::Count { count, spacing } = plan.places else { return Ok(String::new()) };
+    let patches: usize = object.bodies.iter().flat_map(Body::shells).map(|shell| shell.faces().len()).sum();
+    refuse_many(&format!("--count {count}"), patches as f64 * (count as f64).powi(2), patches, "patches")?;
+    Ok(cyclide_io::sample(object, count, spacing))
+}
+
+fn curves(plan: &SamplePlan, object: &BuiltObject) -> Result<String, Failure> {
+    let contours = object.item.curves();
+    let rows = contours.iter().map(CurveObject::as_curve).map(|curve| match plan.places {
+        SamplePlaces::Count { count, .. } => count as f64,
+        SamplePlaces::Step(_) => plan.places.count_on(length(curve)),
+    });
+    let option = match plan.places {
+        SamplePlaces::Count { count, .. } => format!("--count {count}"),
+        SamplePlaces::Step(step) => format!("--step {step}"),
+    };
+    refuse_many(&option, rows.sum(), contours.len(), "contours")?;
+    let options = SampleOptions { places: plan.places, frames: plan.frames };
+    let samples = CurveSamples::new(object, &options)
+        .map_err(|error| Failure::Refused(format!("{}: {error} [{}]", object.item.name, error.reason())))?;
+    for note in samples.notes() {
+        terminal::warning(&note);
+    }
+    Ok(if plan.json { samples.json() } else { samples.csv() })
+}
+
+fn refuse_many(option: &str, rows: f64, parts: usize, what: &str) -> Result<(), Failure> {
+    if rows <= MOST_ROWS {
+        return Ok(());
+    }
+    Err(Failure::Usage(format!("{option} gives {rows} rows on {parts} {what}, more than {MOST_ROWS}")))
+}

@@ -1,0 +1,122 @@
+//! What curves are compared by.
+
+use cyclide::{
+    ArcPath, CurveIndex, CurveObject, Exactness, Lower as _, ParamCurve, Point3, bending_energy, extreme_curvature,
+    fairness, length,
+};
+use serde::Serialize;
+
+use crate::document::BuiltObject;
+
+/// Places of each smooth piece whose distance from the polygon is looked at.
+const PLACES: u32 = 32;
+
+/// The measures of one kind of curve, over all contours.
+///
+/// ```
+/// use cyclide_io::{Comparison, Document};
+/// let text = r#"{"cyclide": 1, "objects": {"p": {"type": "polyline", "points": [[0, 0], [4, 0], [4, 3]]}}}"#;
+/// let document: Document = text.parse()?;
+/// let built = document.build()?;
+/// let kinds = vec![("polyline".to_owned(), Ok(built[0].clone()))];
+/// let measures = Comparison::new("points.csv", document.units, &built[0], kinds, 0.01).kinds[0].measures.clone();
+/// let measures = measures.expect("it was made");
+/// assert_eq!((measures.length, measures.overshoot, measures.corners, measures.exact_in_step), (7.0, 0.0, 1, true));
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct CurveMeasures {
+    /// Length.
+    pub length: f64,
+    /// By how much it is longer than the polygon of the points, relative to that.
+    pub longer: f64,
+    /// Bending energy `∫ k² ds`, in 1/length; corners are not counted.
+    pub bending_energy: f64,
+    /// `L³ ∫ k'² ds`, without a unit; `None` where the curvature jumps or has no bound.
+    pub variation: Option<f64>,
+    /// `∫ |k'| ds` with what the curvature jumps by, in 1/length.
+    pub total_variation: f64,
+    /// Changes between turning left and right; `None` in space.
+    pub sign_changes: Option<usize>,
+    /// Extrema of the curvature.
+    pub extrema: usize,
+    /// Joints at which the curvature jumps.
+    pub jumps: usize,
+    /// Joints that turn, and cusps.
+    pub corners: usize,
+    /// Largest curvature, in 1/length.
+    pub max_curvature: f64,
+    /// Where it is.
+    pub max_curvature_point: [f64; 3],
+    /// Overshoot: the largest distance of the curve from the polygon of the points, looked at in 33 places of each piece.
+    pub overshoot: f64,
+    /// Where it is.
+    pub overshoot_point: [f64; 3],
+    /// The largest distance of a point from the curve: rounding of curves through the points.
+    pub off_points: f64,
+    /// Smooth pieces.
+    pub pieces: usize,
+    /// True if STEP and JSON hold it exactly.
+    pub exact_in_step: bool,
+    /// Arcs and segments that DXF and SVG need: its own where it consists of them, else as many as are within the tolerance.
+    pub arcs: Option<usize>,
+    /// True if these are the curve.
+    pub exact_in_dxf: bool,
+}
+
+impl CurveMeasures {
+    /// Measures the curves of an object against the sides of the polygon of each.
+    pub(super) fn new(built: &BuiltObject, polygon: &[CurveObject], tolerance: f64) -> Self {
+        let curves = built.item.curves();
+        let each = || curves.iter().map(CurveObject::as_curve);
+        let fair: Vec<_> = each().map(fairness).collect();
+        let tightest = each().map(extreme_curvature).max_by(|a, b| a.max.total_cmp(&b.max));
+        let far = curves.iter().zip(polygon).map(|(curve, sides)| overshoot(curve.as_curve(), sides.as_curve()));
+        let far = far.max_by(|a, b| a.0.total_cmp(&b.0)).unwrap_or((0.0, Point3::ORIGIN));
+        let own = each().map(length).sum::<f64>();
+        let sides = polygon.iter().map(|side| length(side.as_curve())).sum::<f64>();
+        let arcs: Option<Vec<(ArcPath, Exactness)>> =
+            curves.iter().map(|curve| curve.to_arcs(tolerance).ok()).collect();
+        let is_exact = |curve: &CurveObject| matches!(curve.to_chain(tolerance), Ok((_, Exactness::Exact)));
+        Self {
+            length: own,
+            longer: own / sides - 1.0,
+            bending_energy: each().map(bending_energy).sum(),
+            variation: fair.iter().map(|f| f.variation).sum::<Option<f64>>().map(|sum| sum + 0.0),
+            total_variation: 0.0 + fair.iter().map(|f| f.total_variation).sum::<f64>(),
+            sign_changes: fair.iter().map(|f| f.sign_changes).sum(),
+            extrema: fair.iter().map(|f| f.extrema).sum(),
+            jumps: fair.iter().map(|f| f.jumps).sum(),
+            corners: fair.iter().map(|f| f.corners + f.cusps).sum(),
+            max_curvature: tightest.map_or(0.0, |t| t.max),
+            max_curvature_point: tightest.map_or([0.0; 3], |t| t.point.to_array()),
+            overshoot: far.0,
+            overshoot_point: far.1.to_array(),
+            off_points: curves
+                .iter()
+                .zip(polygon)
+                .map(|(c, p)| off_points(c.as_curve(), p.as_curve()))
+                .fold(0.0, f64::max),
+            pieces: each().map(ParamCurve::piece_count).sum(),
+            exact_in_step: curves.iter().all(is_exact),
+            exact_in_dxf: arcs.as_ref().is_some_and(|all| all.iter().all(|(_, e)| *e == Exactness::Exact)),
+            arcs: arcs.map(|all| all.iter().map(|(path, _)| path.arcs().len()).sum()),
+        }
+    }
+}
+
+/// The place of a curve farthest from a polygon, by its distance.
+fn overshoot(curve: &dyn ParamCurve, polygon: &dyn ParamCurve) -> (f64, Point3) {
+    let index = CurveIndex::new(polygon);
+    let places =
+        (0..curve.piece_count()).flat_map(|piece| (0..=PLACES).map(move |i| (piece, f64::from(i) / f64::from(PLACES))));
+    let far = places.map(|(piece, s)| curve.piece_point(piece, s)).map(|p| (index.closest_point(p).distance, p));
+    far.fold((0.0, curve.piece_point(0, 0.0)), |best, next| if next.0 > best.0 { next } else { best })
+}
+
+/// The largest distance of a vertex of the polygon from a curve.
+fn off_points(curve: &dyn ParamCurve, polygon: &dyn ParamCurve) -> f64 {
+    let index = CurveIndex::new(curve);
+    let vertices = (0..polygon.piece_count()).flat_map(|piece| [0.0, 1.0].map(|s| polygon.piece_point(piece, s)));
+    vertices.map(|p| index.closest_point(p).distance).fold(0.0, f64::max)
+}

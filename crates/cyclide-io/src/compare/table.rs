@@ -1,0 +1,91 @@
+//! The comparison as a table.
+
+use cyclide::ShortNumber;
+
+use super::Comparison;
+use crate::text::number::push_plain;
+
+/// The columns, as they are called in JSON too.
+const COLUMNS: &str = "kind,length,longer,bending_energy,variation,total_variation,sign_changes,extrema,jumps,corners,\
+max_curvature,overshoot,off_points,pieces,exact_in_step,arcs,exact_in_dxf,refused";
+
+/// A line for each kind; fields are empty where there is no value.
+pub(super) fn csv(comparison: &Comparison) -> String {
+    let mut out = format!("{COLUMNS}\n");
+    for kind in &comparison.kinds {
+        out += &kind.kind;
+        match &kind.measures {
+            None => out += &format!("{},{}", ",".repeat(16), quoted(kind.refused.as_deref().unwrap_or_default())),
+            Some(m) => {
+                let count = |n: usize| Some(n as f64);
+                let flag = |is: bool| Some(f64::from(u8::from(is)));
+                let values = [
+                    Some(m.length),
+                    Some(m.longer),
+                    Some(m.bending_energy),
+                    m.variation,
+                    Some(m.total_variation),
+                    m.sign_changes.and_then(count),
+                    count(m.extrema),
+                    count(m.jumps),
+                    count(m.corners),
+                    Some(m.max_curvature),
+                    Some(m.overshoot),
+                    Some(m.off_points),
+                    count(m.pieces),
+                    flag(m.exact_in_step),
+                    m.arcs.and_then(count),
+                    flag(m.exact_in_dxf),
+                ];
+                for value in values {
+                    out.push(',');
+                    if let Some(value) = value.filter(|v| v.is_finite()) {
+                        push_plain(&mut out, value);
+                    }
+                }
+                out.push(',');
+            }
+        }
+        out.push('\n');
+    }
+    out
+}
+
+/// The most telling columns, aligned; what could not be made has none.
+pub(super) fn text(comparison: &Comparison) -> String {
+    let units = comparison.units;
+    let heads = ["", "length", "bending", "variation", "largest curvature", "jumps", "overshoot", "pieces"];
+    let mut rows = vec![heads.map(str::to_owned)];
+    for kind in &comparison.kinds {
+        let Some(m) = &kind.measures else { continue };
+        let variation = m.variation.map_or("none".to_owned(), short);
+        rows.push([
+            kind.kind.clone(),
+            format!("{} {units}", short(m.length)),
+            format!("{} 1/{units}", short(m.bending_energy)),
+            variation,
+            format!("{} 1/{units}", short(m.max_curvature)),
+            m.jumps.to_string(),
+            format!("{} {units}", short(m.overshoot)),
+            m.pieces.to_string(),
+        ]);
+    }
+    let width = |column: usize| rows.iter().map(|row| row[column].chars().count()).max().unwrap_or(0);
+    let widths: Vec<usize> = (0..heads.len()).map(width).collect();
+    let line = |row: &[String; 8]| {
+        let cells = row.iter().zip(&widths).enumerate();
+        let cells =
+            cells.map(|(i, (cell, &width))| if i == 0 { format!("{cell:width$}") } else { format!("{cell:>width$}") });
+        cells.collect::<Vec<_>>().join("  ").trim_end().to_owned() + "\n"
+    };
+    rows.iter().map(line).collect()
+}
+
+fn short(value: f64) -> String {
+    ShortNumber(value).to_string()
+}
+
+/// A text as a field.
+fn quoted(text: &str) -> String {
+    format!("\"{}\"", text.replace('"', "\"\"").replace(['\n', '\r'], " "))
+}

@@ -1,0 +1,49 @@
+//! Rational B-splines of documents.
+
+use cyclide::{CurveObject, NurbsCurve, Point3, ShortNumber};
+
+use super::Builder;
+use super::refuse::Blame;
+use crate::document::coordinates::Coordinates;
+use crate::document::locate::Step;
+use crate::document::spec::NurbsSpec;
+use crate::error::Result;
+
+impl Builder<'_> {
+    /// The curve, its ends clamped.
+    pub(super) fn nurbs(&mut self, spec: &NurbsSpec) -> Result<CurveObject> {
+        let points: Vec<Point3> = spec.control_points.iter().copied().map(Coordinates::point).collect();
+        let weights = spec.weights.clone().unwrap_or_else(|| vec![1.0; points.len()]);
+        let curve = NurbsCurve::clamped(spec.degree as usize, spec.knots.clone(), points, weights)
+            .map_err(|e| self.refused(&e, None))?;
+        // A kernel that is clamped already keeps its knots as they are.
+        if curve.knots() != spec.knots {
+            let (from, to) = curve.domain();
+            let message = format!(
+                "the knots are not clamped: the curve is the part from {} to {}, clamped by exact knot insertion ({} control points)",
+                ShortNumber(from),
+                ShortNumber(to),
+                curve.control_points().len()
+            );
+            let place = self.place_of([Step::from("knots")]);
+            self.remark("knots-clamped", None, None, place, message);
+        }
+        Ok(curve.into())
+    }
+}
+
+/// Which value of a `nurbs` an error of the kernel is about.
+pub(super) fn blame_nurbs(error: &cyclide::Error) -> Blame {
+    use cyclide::{Error as E, ErrorItem as I};
+    match *error {
+        E::ParameterOutOfRange { name: I::Degree, .. } => Blame::Field("degree"),
+        E::WeightNotPositive { index, .. } => Blame::Entry("weights", index),
+        E::CountDiffers { what: I::Weight, .. } => Blame::Field("weights"),
+        E::KnotsDecrease { index, .. } | E::KnotMultiplicity { index, .. } | E::NotFinite { what: I::Knot, index } => {
+            Blame::Entry("knots", index)
+        }
+        E::CountDiffers { .. } | E::EmptyInterval { .. } | E::NotASpline { .. } => Blame::Field("knots"),
+        E::NotFinite { what: I::ControlPoint, index } => Blame::Entry("control_points", index),
+        _ => Blame::Field("control_points"),
+    }
+}

@@ -1,0 +1,327 @@
+//! Samples along curves: points, stations, curvatures and frames, as CSV or JSON.
+
+use cyclide::{
+    ArcLength, CurveFrame, CurveFrames, CurveObject, FrameRule, ParamCurve, ShortNumber, TorusSpline, Vec3,
+    plane_normal,
+};
+use serde::Serialize;
+
+use super::sample::{Spacing, fractions, push_field};
+use crate::check::file_sample::FileSample;
+use crate::document::BuiltObject;
+use crate::formats::push_sample;
+
+/// Where the samples of a curve lie; both ends of each contour are among them.
+///
+/// ```
+/// assert!(matches!(cyclide_io::SamplePlaces::Step(0.5), cyclide_io::SamplePlaces::Step(step) if step > 0.0));
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum SamplePlaces {
+    /// So many on each contour, 2 at least.
+    Count {
+        /// How many.
+        count: usize,
+        /// How they follow each other.
+        spacing: Spacing,
+    },
+    /// At the stations 0, d, 2 d, … and at the end: the last step is shorter unless the length is a multiple of the distance.
+    Step(f64),
+}
+
+impl SamplePlaces {
+    /// Samples of a contour of this length.
+    #[must_use]
+    pub fn count_on(self, length: f64) -> f64 {
+        match self {
+            Self::Count { count, .. } => count as f64,
+            Self::Step(step) => (length / step).ceil() + 1.0,
+        }
+    }
+
+    /// The global parameters, in order.
+    fn parameters(self, lengths: &ArcLength<'_>) -> Vec<f64> {
+        match self {
+            Self::Count { count, spacing: Spacing::Parameter } => fractions(count).collect(),
+            Self::Count { count, spacing: Spacing::Length } => lengths.uniform(count),
+            Self::Step(step) => {
+                let total = lengths.total();
+                // A rest that is rounding is no step of its own.
+                let steps = (total / step * (1.0 - 1e-12)).ceil().max(1.0) as usize;
+                let fraction = |i: usize| if i == steps { 1.0 } else { (i as f64 * step / total).min(1.0) };
+                (0..=steps).map(|i| lengths.parameter_at(fraction(i))).collect()
+            }
+        }
+    }
+}
+
+/// What to sample along curves.
+///
+/// ```
+/// use cyclide_io::{CurveSamples, Document, SampleOptions, SamplePlaces};
+/// let text = r#"{"cyclide": 1, "objects": {"c": {"type": "circle", "center": [0, 0], "radius": 2}}}"#;
+/// let built = text.parse::<Document>()?.build()?;
+/// let options = SampleOptions { places: SamplePlaces::Step(1.0), frames: Some(cyclide::FrameRule::Frenet) };
+/// let samples = CurveSamples::new(&built[0], &options)?;
+/// assert_eq!((samples.contours[0].samples.len(), samples.contours[0].samples[3].station), (14, 3.0));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SampleOptions {
+    /// The places.
+    pub places: SamplePlaces,
+    /// The frames, if any are wanted.
+    pub frames: Option<FrameRule>,
+}
+
+/// The samples of the curves of an object.
+///
+/// ```
+/// use cyclide_io::{CurveSamples, Document, SampleOptions, SamplePlaces, Spacing};
+/// let text = r#"{"cyclide": 1, "objects": {"c": {"type": "circle", "center": [0, 0], "radius": 2}}}"#;
+/// let built = text.parse::<Document>()?.build()?;
+/// let places = SamplePlaces::Count { count: 5, spacing: Spacing::Length };
+/// let samples = CurveSamples::new(&built[0], &SampleOptions { places, frames: None })?;
+/// assert_eq!(samples.contours[0].samples[2].curvature, Some(0.5));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct CurveSamples {
+    /// The object's name.
+    pub object: String,
+    /// What its frames are, if it has some: `up`, `toward`, `frenet`, `rotation-minimizing`, or `torus`, the normal of the torus that
+    /// the curve lies on.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub frames: Option<&'static str>,
+    /// Its contours.
+    pub contours: Vec<ContourSamples>,
+    /// What rotation-minimizing frames of closed curves come back turned by was spread over them.
+    #[serde(skip)]
+    spread: bool,
+}
+
+/// The samples of one connected curve.
+///
+/// ```
+/// use cyclide_io::{CurveSamples, Document, SampleOptions, SamplePlaces};
+/// let text = r#"{"cyclide": 1, "objects": {"c": {"type": "circle", "center": [0, 0], "radius": 2}}}"#;
+/// let built = text.parse::<Document>()?.build()?;
+/// let frames = Some(cyclide::FrameRule::rotation_minimizing());
+/// let samples = CurveSamples::new(&built[0], &SampleOptions { places: SamplePlaces::Step(1.0), frames })?;
+/// assert!(samples.contours[0].holonomy.expect("it is closed").abs() < 1e-12);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct ContourSamples {
+    /// Length.
+    pub length: f64,
+    /// True if the end joins the start; the last sample is at the place of the first one then.
+    pub closed: bool,
+    /// Unit normal of its plane, by which curvatures are signed; `None` in space.
+    pub plane: Option<[f64; 3]>,
+    /// Of rotation-minimizing frames of a closed curve: the angle by which they come back turned about the tangent, radians.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub holonomy: Option<f64>,
+    /// Of rotation-minimizing frames: the measured bound on their error, radians.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub frame_error: Option<f64>,
+    /// The samples.
+    pub samples: Vec<CurveSample>,
+}
+
+/// A place of a curve; what does not exist there is `None`.
+///
+/// ```
+/// use cyclide_io::{CurveSamples, Document, SampleOptions, SamplePlaces};
+/// let text = r#"{"cyclide": 1, "objects": {"c": {"type": "circle", "center": [0, 0], "radius": 2}}}"#;
+/// let built = text.parse::<Document>()?.build()?;
+/// let samples = CurveSamples::new(&built[0], &SampleOptions { places: SamplePlaces::Step(1.0), frames: None })?;
+/// let first = samples.contours[0].samples[0];
+/// assert_eq!((first.signed_curvature, first.torsion, first.normal), (Some(0.5), Some(0.0), None));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct CurveSample {
+    /// Global parameter in `[0, 1]`.
+    pub t: f64,
+    /// Arc length from the start of the contour.
+    pub station: f64,
+    /// The point.
+    pub point: [f64; 3],
+    /// Unit tangent.
+    pub tangent: Option<[f64; 3]>,
+    /// Curvature, never negative.
+    pub curvature: Option<f64>,
+    /// Curvature, positive where the curve turns left seen against the normal of its plane; none in space.
+    pub signed_curvature: Option<f64>,
+    /// Torsion, positive for a right-handed helix; none where the curvature vanishes.
+    pub torsion: Option<f64>,
+    /// Unit normal of the frame.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub normal: Option<[f64; 3]>,
+    /// Unit binormal of the frame, tangent × normal.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub binormal: Option<[f64; 3]>,
+}
+
+impl CurveSamples {
+    /// Samples the contours of an object. Places without a frame have none; [`notes`](Self::notes) says so.
+    ///
+    /// # Errors
+    /// As [`CurveFrames::new`].
+    pub fn new(built: &BuiltObject, options: &SampleOptions) -> cyclide::Result<Self> {
+        let curves = built.item.curves();
+        let on_torus = options.frames.is_none() && curves.iter().all(|c| matches!(c, CurveObject::TorusSpline(_)));
+        let contour = |curve: &CurveObject| {
+            let torus = match curve {
+                CurveObject::TorusSpline(spline) if on_torus => Some(spline),
+                _ => None,
+            };
+            ContourSamples::new(curve.as_curve(), torus, options)
+        };
+        let frames = match options.frames {
+            None => (on_torus && !curves.is_empty()).then_some("torus"),
+            Some(FrameRule::Up(_)) => Some("up"),
+            Some(FrameRule::Toward(_)) => Some("toward"),
+            Some(FrameRule::Frenet) => Some("frenet"),
+            Some(FrameRule::RotationMinimizing { .. }) => Some("rotation-minimizing"),
+        };
+        let contours = curves.iter().map(contour).collect::<cyclide::Result<_>>()?;
+        let spread =
+            matches!(options.frames, Some(FrameRule::RotationMinimizing { closed: cyclide::ClosedTwist::Spread, .. }));
+        Ok(Self { object: built.item.name.clone(), frames, contours, spread })
+    }
+
+    /// As CSV: columns `t,x,y,z,tangent_x,tangent_y,tangent_z,curvature,station,signed_curvature,torsion`, with frames
+    /// `normal_x,normal_y,normal_z` and `binormal_x,binormal_y,binormal_z` too, and with a column `contour` (from 0) in front if there
+    /// are several contours. Splines on a torus have the outward unit normal of the torus as their normal if no other frames are asked
+    /// for: with the tangent it is the frame along a seam. Fields are empty where a value does not exist.
+    #[must_use]
+    pub fn csv(&self) -> String {
+        let several = self.contours.len() > 1;
+        let mut out = if several { "contour,".to_owned() } else { String::new() };
+        out += "t,x,y,z,tangent_x,tangent_y,tangent_z,curvature,station,signed_curvature,torsion";
+        if self.frames.is_some() {
+            out += ",normal_x,normal_y,normal_z,binormal_x,binormal_y,binormal_z";
+        }
+        out.push('\n');
+        for (contour, samples) in self.contours.iter().enumerate() {
+            for sample in &samples.samples {
+                if several {
+                    out += &format!("{contour},");
+                }
+                sample.push(&mut out, self.frames.is_some());
+            }
+        }
+        out
+    }
+
+    /// As JSON; what does not exist is `null`, or left out where no frames are asked for.
+    #[must_use]
+    pub fn json(&self) -> String {
+        // Numbers and words only: nothing that could fail.
+        serde_json::to_string_pretty(self).unwrap_or_default() + "\n"
+    }
+
+    /// What should be known of the frames: places that have none, and by how much those of a closed curve come back turned.
+    #[must_use]
+    pub fn notes(&self) -> Vec<String> {
+        let Some(frames) = self.frames else { return Vec::new() };
+        let mut notes = Vec::new();
+        for (contour, samples) in self.contours.iter().enumerate() {
+            let of = if self.contours.len() > 1 { format!("contour {contour}: ") } else { String::new() };
+            let mut without = samples.samples.iter().filter(|sample| sample.normal.is_none()).peekable();
+            if let Some(first) = without.peek() {
+                let (t, station) = (ShortNumber(first.t), ShortNumber(first.station));
+                let (count, all) = (without.clone().count(), samples.samples.len());
+                notes.push(format!(
+                    "{of}{count} of {all} places have no {frames} frame, the first at the station {station} (t = {t}): their normals are left out [no-frame]"
+                ));
+            }
+            let turned = samples.holonomy.filter(|angle| angle.abs() > 1e-6);
+            if let Some(angle) = turned {
+                let (angle, degrees) = (ShortNumber(angle), ShortNumber(angle.to_degrees()));
+                let what = if self.spread { ": spread over the length" } else { " about the tangent" };
+                notes.push(format!(
+                    "{of}carried once round, the frame comes back turned by {angle} rad ({degrees} degrees){what}"
+                ));
+            }
+        }
+        notes
+    }
+}
+
+impl ContourSamples {
+    fn new(curve: &dyn ParamCurve, torus: Option<&TorusSpline>, options: &SampleOptions) -> cyclide::Result<Self> {
+        let frames = options.frames.map(|rule| CurveFrames::new(curve, &rule)).transpose()?;
+        let own;
+        let lengths = match &frames {
+            Some(frames) => frames.lengths(),
+            None => {
+                own = ArcLength::new(curve);
+                &own
+            }
+        };
+        let plane = plane_normal(curve);
+        let frame_at = |t: f64| match (&frames, torus) {
+            (Some(frames), _) => frames.at(t).ok(),
+            _ => None,
+        };
+        let sample = |t: f64| {
+            let normal = torus.and_then(|spline| spline.seam_frame(t)).map(|frame| frame.z());
+            CurveSample::new(curve, t, lengths.station(t), plane, frame_at(t), normal)
+        };
+        let samples = options.places.parameters(lengths).into_iter().map(sample).collect();
+        Ok(Self {
+            length: lengths.total(),
+            closed: curve.is_closed(),
+            plane: plane.map(Vec3::to_array),
+            holonomy: frames.as_ref().and_then(CurveFrames::holonomy),
+            frame_error: frames.as_ref().and_then(CurveFrames::measured_error),
+            samples,
+        })
+    }
+}
+
+impl CurveSample {
+    fn new(
+        curve: &dyn ParamCurve,
+        t: f64,
+        station: f64,
+        plane: Option<Vec3>,
+        frame: Option<CurveFrame>,
+        normal: Option<Vec3>,
+    ) -> Self {
+        let jet = curve.jet(t);
+        let plain = FileSample::new(t, &jet);
+        let normal = normal.or_else(|| frame.map(|frame| frame.normal));
+        let binormal = normal.zip(jet.tangent()).map(|(normal, tangent)| tangent.cross(normal));
+        Self {
+            t,
+            station,
+            point: curve.point(t).to_array(),
+            tangent: plain.tangent,
+            curvature: plain.curvature,
+            signed_curvature: plane.and_then(|n| jet.signed_curvature(n)).filter(|k| k.is_finite()),
+            torsion: if plane.is_some() { jet.curvature().filter(|k| *k > 0.0).map(|_| 0.0) } else { jet.torsion() },
+            normal: normal.map(Vec3::to_array),
+            binormal: binormal.map(Vec3::to_array),
+        }
+    }
+
+    /// A line of the table.
+    fn push(&self, out: &mut String, frames: bool) {
+        let Self { t, tangent, curvature, .. } = *self;
+        push_sample(out, self.point.into(), &FileSample { t, tangent, curvature });
+        out.pop();
+        for value in [Some(self.station), self.signed_curvature, self.torsion] {
+            push_field(out, value);
+        }
+        if frames {
+            for vector in [self.normal, self.binormal] {
+                (0..3).for_each(|k| push_field(out, vector.map(|v| v[k])));
+            }
+        }
+        out.push('\n');
+    }
+}

@@ -1,0 +1,232 @@
+//! Laws of Möbius splines.
+
+use crate::data::{PARAMETERS, outside_inversion};
+use cyclide::{
+    CircleSpline, CircleSplineOptions, Conformal, MoebiusSplineOptions, NodeParameters, ParamCurve, Point3, QbSpline,
+    Vec3, bounds, joints,
+};
+use cyclide_testkit::generators::point;
+use proptest::prelude::*;
+
+fn points() -> impl Strategy<Value = Vec<Point3>> {
+    (3_usize..9).prop_flat_map(|n| prop::collection::vec(point(), n))
+}
+
+fn options(closed: bool) -> MoebiusSplineOptions {
+    MoebiusSplineOptions { closed, ..Default::default() }
+}
+
+/// No circle of the polygon's corners is so large that it takes digits: turns below 170 degrees, chords not all too uneven.
+fn is_tame(points: &[Point3], closed: bool) -> bool {
+    let n = points.len();
+    let inner = if closed { 0..n } else { 1..n - 1 };
+    let chord = |i: usize| points[(i + 1) % n] - points[i % n];
+    let chords_well = (0..n).all(|i| chord(i).length() > 0.05);
+    chords_well && inner.into_iter().all(|i| chord(i + n - 1).angle(chord(i)) < 2.96)
+}
+
+/// Not the long way, nor on the edge of it.
+fn is_short(spline: &QbSpline) -> bool {
+    !spline.warnings().iter().any(|w| matches!(w.reason(), "long-way" | "opposite-circles"))
+        && bounds(spline).diagonal() < 30.0
+}
+
+proptest! {
+    #[test]
+    fn points_are_met_and_derivatives_continuous(points in points(), closed: bool) {
+        if !is_tame(&points, closed) {
+            return Ok(());
+        }
+        let spline = QbSpline::through_points(&points, &options(closed)).unwrap();
+        let n = spline.piece_count();
+        let size = bounds(&spline).diagonal();
+        for (i, p) in points.iter().enumerate() {
+            let t = if i == n { 1.0 } else { i as f64 / n as f64 };
+            prop_assert_eq!(spline.locate(t).1.fract(), if i == n { 0.0 } else { spline.locate(t).1 });
+            prop_assert_eq!(if i == n { spline.piece_point(n - 1, 1.0) } else { spline.piece_point(i, 0.0) }, *p);
+        }
+        prop_assert!(spline.kinks().is_empty());
+        for joint in joints(&spline) {
+            prop_assert!(joint.gap == 0.0 && joint.angle < 1e-9, "{joint:?}");
+            let h = |i: usize| spline.knots()[i + 1] - spline.knots()[i];
+            let (a, b) = (spline.piece_jet(joint.piece, 1.0).d1 / h(joint.piece), spline.piece_jet(joint.next, 0.0).d1 / h(joint.next));
+            // Speeds by circles and by spans, of the size of the curve.
+            prop_assert!((a - b).length() < 1e-9 * (a.length() + size), "{a:?} {b:?}");
+        }
+    }
+
+    #[test]
+    fn the_exact_form_is_the_curve(points in points(), closed: bool) {
+        if !is_tame(&points, closed) {
+            return Ok(());
+        }
+        let spline = QbSpline::through_points(&points, &options(closed)).unwrap();
+        let runs = spline.to_nurbs_runs().unwrap();
+        prop_assert_eq!(runs.len(), 1);
+        // Ends are those of the spline to the bit: a closed curve closes.
+        prop_assert_eq!(runs[0].control_points()[0], spline.point(0.0));
+        prop_assert_eq!(runs[0].control_points().last().copied(), Some(spline.point(1.0)));
+        let (first, last) = (spline.knots()[0], spline.knots()[spline.knots().len() - 1]);
+        let size = bounds(&spline).diagonal();
+        for i in 0..=60 {
+            let k = f64::from(i) / 60.0;
+            let want = spline.jet_at_knot(first + k * (last - first)).point;
+            prop_assert!(runs[0].point_at_knot(k).distance(want) < 1e-10 * size);
+        }
+        for (i, p) in points.iter().enumerate().skip(1) {
+            if i < spline.piece_count() {
+                let k = (spline.knots()[i] - first) / (last - first);
+                prop_assert!(runs[0].point_at_knot(k).distance(*p) < 1e-12 * size);
+            }
+        }
+    }
+
+    #[test]
+    fn splines_of_images_are_images_of_splines(points in points(), closed: bool, map in outside_inversion()) {
+        if !is_tame(&points, closed) {
+            return Ok(());
+        }
+        let spline = QbSpline::through_points(&points, &options(closed)).unwrap();
+        let images: Vec<Point3> = points.iter().map(|p| map.map_point(*p).unwrap()).collect();
+        let knots = NodeParameters::Given(spline.knots().to_vec());
+        let of_images = QbSpline::through_points(&images, &MoebiusSplineOptions { closed, knots, ..Default::default() }).unwrap();
+        // The way round infinity is not kept: the centre may be in the lune of a span.
+        if !(is_short(&spline) && is_short(&of_images) && bounds(&spline).diagonal() < 4.0) {
+            return Ok(());
+        }
+        let image = spline.transformed(&map).unwrap();
+        prop_assert_eq!(image.knots(), of_images.knots());
+        for i in 0..=60 {
+            let t = f64::from(i) / 60.0;
+            prop_assert!(image.point(t).distance(of_images.point(t)) < 1e-7, "{t}");
+        }
+    }
+
+    #[test]
+    fn points_on_a_circle_stay_on_it(mut angles in prop::collection::vec(0.0..6.2_f64, 4..9), closed: bool) {
+        angles.sort_by(f64::total_cmp);
+        if !(angles.windows(2).all(|w| w[1] - w[0] > 0.02)) {
+            return Ok(());
+        }
+        let points: Vec<Point3> = angles.iter().map(|a| Point3::new(a.cos(), a.sin(), 0.5)).collect();
+        for knots in [NodeParameters::Automatic, NodeParameters::Uniform, NodeParameters::Chord] {
+            let spline = QbSpline::through_points(&points, &MoebiusSplineOptions { closed, knots, ..Default::default() }).unwrap();
+            for i in 0..=60 {
+                let p = spline.point(f64::from(i) / 60.0);
+                prop_assert!((p.x.hypot(p.y) - 1.0).abs() < 1e-11 && (p.z - 0.5).abs() < 1e-11);
+            }
+        }
+    }
+
+    #[test]
+    fn without_knots_it_is_the_circle_spline_of_order_one(points in points(), closed: bool) {
+        let made = CircleSpline::from_points(&points, &CircleSplineOptions { closed, order: 1, ..Default::default() });
+        let Ok(circles) = made else { return Ok(()) };
+        let spline = QbSpline::from_circle_spline(&circles).unwrap();
+        prop_assert_eq!(spline.kinks(), circles.kinks());
+        for i in 0..=60 {
+            let t = f64::from(i) / 60.0;
+            let (a, b) = (spline.point(t), circles.point(t));
+            // Far out digits go as the square of the distance.
+            let far = 1.0 + b.to_vec().length();
+            prop_assert!(a.distance(b) < 1e-13 * far * far, "{t}: {a:?} {b:?}");
+        }
+    }
+
+    #[test]
+    fn reversed_and_cut_chains_have_the_same_points(points in points(), closed: bool, t in 0.05..0.95_f64) {
+        if !is_tame(&points, closed) {
+            return Ok(());
+        }
+        let spline = QbSpline::through_points(&points, &options(closed)).unwrap();
+        let size = bounds(&spline).diagonal();
+        let back = spline.reversed();
+        let (left, right) = spline.split(t).unwrap();
+        prop_assert_eq!(left.point(1.0), right.point(0.0));
+        for s in PARAMETERS {
+            prop_assert!(back.point(1.0 - s).distance(spline.point(s)) < 1e-10 * size);
+            let (a, b) = (spline.knots()[0], *left.knots().last().unwrap());
+            let u = a + s * (b - a);
+            prop_assert!(left.jet_at_knot(u).point.distance(spline.jet_at_knot(u).point) < 1e-9 * size);
+        }
+        prop_assert_eq!(left.knots().last(), right.knots().first());
+    }
+
+    /// A span depends on four points and their knots.
+    #[test]
+    fn far_points_change_nothing(points in prop::collection::vec(point(), 7), other in point()) {
+        if !is_tame(&points, false) {
+            return Ok(());
+        }
+        let knots = NodeParameters::Given((0..7).map(f64::from).collect());
+        let options = MoebiusSplineOptions { knots, ..Default::default() };
+        let spline = QbSpline::through_points(&points, &options).unwrap();
+        let mut moved = points.clone();
+        moved[6] = other;
+        let Ok(changed) = QbSpline::through_points(&moved, &options) else { return Ok(()) };
+        prop_assert_eq!(&spline.spans()[..4], &changed.spans()[..4]);
+    }
+}
+
+#[test]
+fn tangents_that_are_given_are_kept() {
+    let points = [[0.0, 0.0, 0.0], [2.0, 1.0, 0.0], [3.0, 3.0, 1.0], [1.0, 4.0, 0.0]].map(Point3::from);
+    let v = Vec3::new(0.5, 1.0, 0.25);
+    let options =
+        MoebiusSplineOptions { tangents: vec![None, Some(v), None, None], closed: true, ..Default::default() };
+    let spline = QbSpline::through_points(&points, &options).unwrap();
+    let u = spline.knots()[1];
+    assert!((spline.jet_at_knot(u).d1 - v).length() < 1e-14);
+    let free = QbSpline::through_points(&points, &MoebiusSplineOptions { closed: true, ..Default::default() }).unwrap();
+    assert_eq!(spline.spans()[2], free.spans()[2]);
+}
+
+#[test]
+fn turning_right_back_is_a_corner() {
+    let points = [[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0]].map(Point3::from);
+    let spline = QbSpline::through_points(&points, &MoebiusSplineOptions::default()).unwrap();
+    assert_eq!(spline.kinks(), [1]);
+    assert_eq!(spline.warnings()[0].reason(), "cusp");
+    let runs = spline.to_nurbs_runs().unwrap();
+    assert_eq!(runs.len(), 2);
+    assert_eq!(runs[0].control_points().last(), runs[1].control_points().first());
+}
+
+#[test]
+fn closed_splines_get_knots_and_weights_that_fit_at_the_seam() {
+    let points = [[0.0, 0.0, 0.0], [2.0, 1.0, 0.0], [3.0, 3.0, 1.0], [1.0, 4.0, 0.0]].map(Point3::from);
+    let spline =
+        QbSpline::through_points(&points, &MoebiusSplineOptions { closed: true, ..Default::default() }).unwrap();
+    let smooth = spline.to_nurbs_runs().unwrap()[0].with_c1_knots().unwrap();
+    assert_eq!(smooth.degree(), 7);
+    let (n, w) = (smooth.weights().len(), smooth.weights());
+    assert!((w[0] - w[n - 1]).abs() < 1e-14 * w[0]);
+    let knots = smooth.breaks();
+    let slopes = [
+        (w[1] - w[0]) / (knots[1] - knots[0]),
+        (w[n - 1] - w[n - 2]) / (knots[knots.len() - 1] - knots[knots.len() - 2]),
+    ];
+    assert!((slopes[0] - slopes[1]).abs() < 1e-12);
+}
+
+#[test]
+fn both_sides_of_a_corner_are_splines_of_their_own() {
+    let rows = [[0.0, 0.0, 0.0], [2.0, 1.0, 0.0], [3.0, 3.0, 1.0], [5.0, 3.0, 0.0], [6.0, 1.0, 0.5]];
+    let points = rows.map(Point3::from);
+    let options = MoebiusSplineOptions { corners: vec![2], knots: NodeParameters::Chord, ..Default::default() };
+    let cut = QbSpline::through_points(&points, &options).unwrap();
+    assert_eq!(cut.kinks(), [2]);
+    let knots = NodeParameters::Chord;
+    let half = |points: &[Point3]| {
+        QbSpline::through_points(points, &MoebiusSplineOptions { knots: knots.clone(), ..Default::default() }).unwrap()
+    };
+    for (part, first) in [(half(&points[..3]), 0), (half(&points[2..]), 2)] {
+        for i in 0..2 {
+            for t in PARAMETERS {
+                assert!(part.spans()[i].point(t).distance(cut.spans()[first + i].point(t)) < 1e-14);
+            }
+        }
+    }
+    let bad = MoebiusSplineOptions { corners: vec![9], ..Default::default() };
+    assert_eq!(QbSpline::through_points(&points, &bad).unwrap_err().reason(), "parameter-out-of-range");
+}
