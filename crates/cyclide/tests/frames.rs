@@ -1,5 +1,7 @@
 //! Frames along curves, stations and tight places, against closed forms, independent sums and laws.
 
+#![allow(clippy::float_cmp, reason = "values that must agree to the bit are compared as such")]
+
 use cyclide::{
     Aabb, Arc, ArcLength, ArcPath, Circle, CircleSpline, CircleSplineOptions, ClosedTwist, Conformal, CurveFrames,
     CurveJet, CurveObject, Error, FairSplineOptions, Frame, FrameRule, Mobius, NurbsCurve, ParamCurve, PieceHull,

@@ -1,5 +1,7 @@
 //! Rational B-splines as objects: knots clamped, images under Möbius maps, cuts, arcs.
 
+#![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+
 use cyclide::{
     Conformal, CurveObject, Error, ErrorItem, Exactness, Lower, Mobius, NurbsCurve, ParamCurve, Point3, Quat, Vec3,
     closest_point, length,
@@ -24,7 +26,7 @@ fn by_definition(degree: usize, knots: &[f64], points: &[Point3], weights: &[f64
     let (mut sum, mut weight) = (Vec3::ZERO, 0.0);
     for (i, (p, w)) in points.iter().zip(weights).enumerate() {
         let b = w * basis(knots, i, degree, u, last);
-        sum = sum + p.to_vec() * b;
+        sum += p.to_vec() * b;
         weight += b;
     }
     Point3::ORIGIN + sum / weight

@@ -99,7 +99,7 @@ pub struct ObjectReport {
 #[serde(untagged)]
 pub enum GeometryReport {
     /// Curves.
-    Curves(CurvesReport),
+    Curves(Box<CurvesReport>),
     /// Surfaces.
     Surface(SurfaceReport),
     /// A smooth surface over triangles.
@@ -186,7 +186,7 @@ impl ObjectReport {
     #[must_use]
     pub fn new(built: &BuiltObject, tolerance: Option<f64>) -> Self {
         let geometry = match &built.item.geometry {
-            Geometry::Curves(_) => GeometryReport::Curves(CurvesReport::new(built, tolerance)),
+            Geometry::Curves(_) => GeometryReport::Curves(Box::new(CurvesReport::new(built, tolerance))),
             Geometry::Surfaces(surfaces) => match surfaces.iter().find_map(SurfaceObject::as_triangles) {
                 Some(triangles) => GeometryReport::Smooth(SmoothReport::new(built, triangles)),
                 None => GeometryReport::Surface(SurfaceReport::new(built)),

@@ -13,7 +13,7 @@ fn report(built: &BuiltObject) -> CurvesReport {
     let Some(GeometryReport::Curves(curves)) = report.objects.into_values().next().map(|o| o.geometry) else {
         panic!("curves")
     };
-    curves
+    *curves
 }
 
 fn as_torus_spline(curve: &CurveObject) -> Option<&TorusSpline> {
@@ -237,7 +237,7 @@ fn seams_are_solids_and_say_where_they_meet() {
         // The middle line has the volume of the section, to a part of the height over the radius.
         assert!((volume / (2.0 * length * std::f64::consts::PI) - 1.0).abs() < 0.01, "{family}: {volume}");
         let flat = build(&format!(r#"{RING}, {circle}, "u": {{"type": "unrolled", "of": "k"}}"#)).unwrap();
-        assert!((report(&flat).unrolled.unwrap().lengths[0] / (length * std::f64::consts::PI) - 1.0).abs() < 1e-9);
+        assert!((report(&flat).unrolled.unwrap().length_on_torus / (length * std::f64::consts::PI) - 1.0).abs() < 1e-9);
     }
     for (fields, place, reason) in [
         (r#""width": 90, "height": [-0.5, 0.5]"#, "objects.s.width", "[parameter-out-of-range]"),

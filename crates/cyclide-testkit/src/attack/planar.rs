@@ -37,7 +37,8 @@ pub(super) fn surface(random: &mut Random) -> Objects {
             json!({"type": "arc", "through": ([from, through, to].map(space)), "construction": true})
         }
     };
-    let tangent = if tangents[0] == tangents[1] { space(tangents[0]) } else { json!(tangents.map(space)) };
+    let one = minus(tangents[0], tangents[1]).iter().all(|x| *x == 0.0);
+    let tangent = if one { space(tangents[0]) } else { json!(tangents.map(space)) };
     let mut made = Objects::derived(Objects::curve(curve(0)), "b", curve(1), false);
     made =
         Objects::derived(made, "c", json!({"type": "circular-surface", "rails": ["a", "b"], "tangent": tangent}), true);

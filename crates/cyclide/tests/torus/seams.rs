@@ -120,9 +120,13 @@ fn seams_that_run_through_themselves_are_refused() {
             panic!("{turns:?}: turns {nearest} apart")
         };
         assert!(first < second && distance <= width, "{first} {second} {distance}");
-        // The point is inside both: half the width from two places of the curve that are not neighbours.
-        let near = points.iter().filter(|p| p.distance(Point3::from(point)) < 0.5 * width.hypot(0.4)).count() as f64;
-        assert!(near * step > 0.1 * width, "{near}");
+        // The point is inside both: as near as corners are to two places of the curve that are not neighbours.
+        let point = Point3::from(point);
+        let reach = 0.5 * width.hypot(0.4) + step;
+        let near: Vec<f64> =
+            (0..points.len()).filter(|&i| points[i].distance(point) < reach).map(|i| i as f64).collect();
+        let apart = |i: &f64| (i - near[0]).abs().min(n - (i - near[0]).abs()) * step;
+        assert!(near.iter().any(|i| apart(i) > 2.0 * reach), "{turns:?}: one part only");
     }
     // A curve that crosses itself has no seam of any width.
     let places = [[0.0, 0.0], [0.4, 0.4], [0.4, 0.0], [0.0, 0.4]].map(Point2::from);

@@ -101,7 +101,7 @@ impl Builder<'_> {
             check_far_from_pole(curve, map)?;
             curve.transformed(map)
         };
-        let kept = "circles and splines are moved, turned, scaled and mirrored only; arcs and chains of arcs take inversions too";
+        let kept = "circles, circle splines and curves on tori are moved, turned, scaled and mirrored only; arcs and chains of arcs take inversions too";
         self.mapped(spec, curves, image, kept)
     }
 

@@ -183,7 +183,6 @@ pub struct ArcSplineSpec {
 /// ```
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-#[non_exhaustive]
 pub struct PolylineSpec {
     /// The word `polyline`.
     #[schemars(with = "String", extend("const" = "polyline"))]

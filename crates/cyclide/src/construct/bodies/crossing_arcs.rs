@@ -80,9 +80,9 @@ fn placed(surface: &RationalBezierSurface, plane: impl Fn(f64) -> Vec3, s: f64) 
         for (which, passings) in passings.iter_mut().enumerate() {
             let [from, to] = [from[which], to[which]];
             if from == 0.0 && k > 0 {
-                passings.extend(passing(&both, which, [at(k); 2]));
+                passings.extend(passing(both, which, [at(k); 2]));
             } else if from * to < 0.0 {
-                passings.extend(passing(&both, which, [at(k), at(k + 1)]));
+                passings.extend(passing(both, which, [at(k), at(k + 1)]));
             }
         }
     }

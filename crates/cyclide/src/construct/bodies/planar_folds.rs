@@ -78,11 +78,11 @@ impl Determinant {
     fn of(rows: [Vec<f64>; 3], degrees: [usize; 2]) -> Self {
         let [by_s, by_t] = [0, 1].map(|along| rows.each_ref().map(|row| derivative(row, degrees, along)));
         let (mut values, mut size, mut made) = (Vec::new(), 0.0_f64, [0; 2]);
-        for k in 0..3 {
+        for (k, row) in rows.iter().enumerate() {
             let [i, j] = [(k + 1) % 3, (k + 2) % 3];
             for (i, j, sign) in [(i, j, 1.0), (j, i, -1.0)] {
                 let (minor, at) = bernstein::product_of_two((&by_s[i].0, by_s[i].1), (&by_t[j].0, by_t[j].1));
-                let (term, at) = bernstein::product_of_two((&rows[k], degrees), (&minor, at));
+                let (term, at) = bernstein::product_of_two((row, degrees), (&minor, at));
                 made = at;
                 values.resize(term.len(), 0.0);
                 values.iter_mut().zip(&term).for_each(|(sum, value)| *sum += sign * value);

@@ -124,6 +124,10 @@ impl Crossing {
         if !(end > 0.0) {
             return Err(Error::RadiusNotPositive { radius: end }.in_branch(index, ErrorItem::Taper));
         }
+        #[expect(
+            clippy::float_cmp,
+            reason = "pipes of one radius are of the same double: nearly equal ones have no loop of this kind"
+        )]
         let equal = branch.radius == main && branch.offset == 0.0 && branch.taper == 0.0;
         let boosts = if equal { [Boost::new(0.0, [1.0, 0.0]); 2] } else { boosts(index, main, branch)? };
         let (turn_sin, turn_cos) = branch.azimuth.sin_cos();

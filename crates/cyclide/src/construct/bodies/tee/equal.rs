@@ -25,6 +25,7 @@ pub(super) fn pieces(crossing: &Crossing, blend: &TeeBlend) -> Result<Loop> {
             let [_, first] = values.first().copied().ok_or(Error::TooFewPoints { given: 0, needed: 1 })?;
             for (index, &[_, radius]) in values.iter().enumerate() {
                 check_radius(radius, index)?;
+                #[expect(clippy::float_cmp, reason = "one radius is the same double at all angles")]
                 if radius != first {
                     return Err(Error::TeeLawOnEqualPipes { branch: crossing.branch, radii: [first, radius] });
                 }

@@ -36,6 +36,7 @@ impl TorusSpline {
         check_angles(0, start)?;
         within(ErrorItem::Ratio, ratio.abs(), [1.0 / MOST_RATIO, MOST_RATIO])?;
         let villarceau = QuarticType::between(CircleFamily::Villarceau, CircleFamily::MirrorVillarceau);
+        #[expect(clippy::float_cmp, reason = "the ratios 1 and -1 alone are circles")]
         if Some(kind) == villarceau && ratio.abs() == 1.0 {
             let turns = if ratio > 0.0 { [2, 0] } else { [0, 2] };
             return Err(Error::NotCoprime { turns, divisor: 2 });
