@@ -168,6 +168,7 @@ pub const ENTRIES: &[Entry] = &[
         document: example!("contact_blend.json"),
         inputs: &[],
         formats: SURFACES,
+        camera: "",
     },
     Entry {
         name: "ellipse_bridge",

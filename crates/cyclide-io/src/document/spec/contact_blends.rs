@@ -30,6 +30,7 @@ use crate::document::coordinates::Coordinates;
          "else": {"anyOf": [{"required": ["sphere"]}, {"required": ["plate"]}]}}
     ])
 )]
+#[non_exhaustive]
 pub struct ContactBlendSpec {
     /// The word `contact-blend`.
     #[schemars(with = "String", extend("const" = "contact-blend"))]
@@ -71,6 +72,7 @@ pub struct ContactBlendSpec {
 #[derive(Debug, Clone, Copy, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(rename = "BlendTube")]
+#[non_exhaustive]
 pub struct BlendTubeSpec {
     /// A point of its axis. Default: the origin.
     #[serde(default)]
