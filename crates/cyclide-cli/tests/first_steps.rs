@@ -156,7 +156,7 @@ fn near_words_are_suggested() {
     ]);
     for (code, command, hint) in [
         (1, "report type.json", "; did you mean `arc-fit`?\n"),
-        (1, "report part.json", "; did you mean `arc-spline` or `fair-spline` or `circle-spline`?\n"),
+        (1, "report part.json", "; a smooth curve through points is a `fair-spline`\n"),
         (1, "report field.json", "; did you mean `center`?\n"),
         (1, "report outer.json", "; did you mean `units`?\n"),
         (1, "report units.json", "; did you mean `in`?\n"),
@@ -227,7 +227,7 @@ fn what_belongs_to_another_command_is_answered_with_it() {
         // Outputs of other commands.
         ("build c.json -o a.pdf", ".svg is a drawing at true size"),
         ("build c.json -o a.iges", ".step carries curves and surfaces to CAD"),
-        ("sample c.json --count 3 -o a.step", "samples are CSV; for this format see 'cyclide build'"),
+        ("sample c.json --count 3 -o a.step", "samples are CSV or JSON; for this format see 'cyclide build'"),
         ("gallery -o page.html", "the name of a folder is needed"),
         ("man -o cyclide.json", "the name of a folder is needed"),
         // Options of other commands.

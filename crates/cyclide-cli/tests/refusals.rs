@@ -95,7 +95,7 @@ fn usage_that_makes_no_sense_is_refused() {
         ),
         (
             "curve p.csv -o a.step --kind arc-spline --corner-angle-deg 3",
-            "fair-spline or circle-spline or arc-fit or fair-fit, not with arc-spline",
+            "fair-spline or circle-spline or moebius-spline or arc-fit or fair-fit, not with arc-spline",
         ),
         ("curve p.csv -o a.step --order 3", "--order goes with --kind circle-spline, not with fair-spline"),
         (

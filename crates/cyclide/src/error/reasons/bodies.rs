@@ -231,7 +231,7 @@
 //! use cyclide::{PipeTee, TeeBlend, TeeBranch, TeeMain};
 //! let main = TeeMain { radius: 3.0, ends: [-12.0, 12.0] };
 //! let angle = |k: usize| std::f64::consts::TAU * k as f64 / 12.0;
-//! let wave = (0..12).map(|k| [angle(k), if k % 2 == 0 { 0.65 } else { 0.35 }]).collect();
+//! let wave = (0..12).map(|k| [angle(k), if k % 2 == 0 { 0.7 } else { 0.3 }]).collect();
 //! let branch = TeeBranch { blend: TeeBlend::Angles { values: wave, tolerance: None }, ..TeeBranch::upright(1.5, 10.0, 0.5) };
 //! assert_eq!(PipeTee::new(main, vec![branch])?.made().unwrap_err().reason(), "tee-hole-folds");
 //! # Ok::<(), cyclide::Error>(())
@@ -279,8 +279,8 @@
 //! The blend of two pipes that pass each other askew, with a large ball, meets a pipe in a line that turns back along it.
 //! ```
 //! use cyclide::{CrossingPipe, PipeCrossing};
-//! let pipes = [1.0, 0.7241].map(|radius| CrossingPipe { radius, ends: [-12.0, 12.0] });
-//! let crossing = PipeCrossing::new(pipes, 0.445, 1.16)?.with_angle(50_f64.to_radians())?;
+//! let pipes = [1.0, 0.9635].map(|radius| CrossingPipe { radius, ends: [-12.0, 12.0] });
+//! let crossing = PipeCrossing::new(pipes, 0.7793, 1.8352)?.with_angle(64.68_f64.to_radians())?;
 //! assert_eq!(crossing.made().unwrap_err().reason(), "crossing-hole-turns-back");
 //! # Ok::<(), cyclide::Error>(())
 //! ```

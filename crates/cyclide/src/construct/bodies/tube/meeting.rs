@@ -168,6 +168,12 @@ fn add_places(arcs: &[BallArc], tube: usize, places: &mut Vec<Place>) -> f64 {
     let steps = |arc: &BallArc| 2.0 * chord(arc) / arc.radii()[0].max(1e-3 * chord(arc));
     let coarser = (arcs.iter().map(steps).sum::<f64>() / MOST_BALLS).max(1.0);
     let mut way = 0.0;
+    // The ends themselves: a disk there reaches farther than those before it.
+    let end = |arc: &BallArc, s: f64, way: f64| {
+        let station = arc.station(s);
+        Place { ball: station.ball, way, tube, source: arc.source, section: Section::of(station), cut: false }
+    };
+    places.extend(arcs.first().map(|arc| end(arc, 0.0, 0.0)));
     for arc in arcs {
         let count = (steps(arc) / coarser).ceil().max(1.0);
         let mut last = arc.ball(0.0);
@@ -180,5 +186,6 @@ fn add_places(arcs: &[BallArc], tube: usize, places: &mut Vec<Place>) -> f64 {
         }
         way += last.center.distance(arc.centers()[1]);
     }
+    places.extend(arcs.last().map(|arc| end(arc, 1.0, way)));
     way
 }
