@@ -54,13 +54,14 @@ pub use document::{
     ContactBlendSpec, ContourFacts, Coordinates, CrossingPipeSpec, CyclidePatchSpec, CyclideSpec, CyclidicNetSpec,
     DOCUMENT_VERSION, Directions, DiskSpec, Document, EllipseBridgeSpec, EndsSpec, FairEndPair, FairEndSpec,
     FairEndWord, FairEndsSpec, FairFitSpec, FairSplineSpec, FamilySpec, Fitted, FrameSpec, FreeOr, GridSource, Lists,
-    MakeCircularOptions, MakeCircularSpec, MeshFile, ModelBuilder, NO_EFFECT, NormalsSpec, NurbsSpec, ObjectSpec,
-    OffsetSpec, PipeCrossingSpec, PipeSpec, PipeTeeSpec, PlaneSpec, PlateSpec, PlateWithNeckSpec, PointFile,
-    PointSource, PolygonMeshFile, PolylineSpec, RadiiSpec, RadiusLawSpec, RatePairs, Remark, RevolutionSpec,
-    RotationSpec, RoundedPolyhedron, RuledSpec, ScaleSpec, SmoothChoice, SmoothMeshSpec, SmoothPolyhedronSpec,
-    SphereBlendSpec, SphereSpec, StepSpec, StraightWord, SupportStructureSpec, TeeBlendSpec, TeeBranchSpec, TeeLawSpec,
-    TeeMainSpec, TeeRadiusSpec, TorusCircleSpec, TorusKnotSpec, TorusMethod, TorusQuarticSpec, TorusSeamSpec,
-    TorusSource, TorusSpec, TorusSplineSpec, TransformSpec, TubeFacts, TubeSpec, TypeWord, UnrolledPlane, UnrolledSpec,
+    MakeCircularOptions, MakeCircularSpec, MeshFile, ModelBuilder, MotionKind, MotionSpec, NO_EFFECT, NormalsSpec,
+    NurbsSpec, ObjectSpec, OffsetSpec, PipeCrossingSpec, PipeSpec, PipeTeeSpec, PlaneSpec, PlateSpec,
+    PlateWithNeckSpec, PointFile, PointSource, PolygonMeshFile, PolylineSpec, PoseFile, PoseSource, PoseSpec,
+    RadiiSpec, RadiusLawSpec, RatePairs, Remark, RevolutionSpec, RotationSpec, RoundedPolyhedron, RuledSpec, ScaleSpec,
+    SmoothChoice, SmoothMeshSpec, SmoothPolyhedronSpec, SphereBlendSpec, SphereSpec, StepSpec, StraightWord,
+    SupportStructureSpec, SweptSurfaceSpec, TeeBlendSpec, TeeBranchSpec, TeeLawSpec, TeeMainSpec, TeeRadiusSpec,
+    TorusCircleSpec, TorusKnotSpec, TorusMethod, TorusQuarticSpec, TorusSeamSpec, TorusSource, TorusSpec,
+    TorusSplineSpec, TrajectorySpec, TransformSpec, TubeFacts, TubeSpec, TypeWord, UnrolledPlane, UnrolledSpec,
     WindingSpec, document_schema,
 };
 pub use document::{
@@ -87,10 +88,10 @@ pub use measure::joints::SurfaceJointReport;
 pub use report::{
     CheckError, CircularReport, ComparisonReport, ContourSamples, CurvatureRangeReport, CurvatureReport, CurveSample,
     CurveSamples, CurvesReport, FairnessReport, FileReport, FitPieces, FitReport, GeometryReport, JointReport,
-    ObjectReport, PartReport, PatchPlace, PolyhedronReport, QbReport, RangeReport, Report, SampleOptions, SamplePlaces,
-    SeamReport, SegmentCounts, ShapeReport, SingularPatchReport, SmoothReport, Spacing, SurfaceReport,
+    MotionReport, ObjectReport, PartReport, PatchPlace, PolyhedronReport, QbReport, RangeReport, Report, SampleOptions,
+    SamplePlaces, SeamReport, SegmentCounts, ShapeReport, SingularPatchReport, SmoothReport, Spacing, SurfaceReport,
     TIGHTER_THAN_RADIUS, TeeBlendReport, TightPlaceReport, TightReport, TorusReport, TubeReport, UnrolledReport,
-    WarningReport, sample,
+    WarningReport, sample, sample_poses,
 };
 pub use text::place::{Diagnostic, Source, decode};
 pub use text::suggest::{did_you_mean, similar};

@@ -10,6 +10,7 @@ mod ends;
 mod hairpins;
 mod inversions;
 mod maps;
+mod motions;
 mod near_degenerate;
 mod nets;
 mod nurbs;
@@ -110,6 +111,8 @@ const CLASSES: &[Class] = &[
     ("triangles", 1, triangles::surface),
     ("tori", 2, tori::curve),
     ("seams", 1, tori::seam),
+    ("trajectories", 2, motions::trajectory),
+    ("swept surfaces", 2, motions::swept),
     ("quotients", 3, quotients::curve),
 ];
 

@@ -1,5 +1,6 @@
 //! What an error says: plain sentences with the item, the measure and the limit.
 
+use super::motion_message::of_motion;
 use super::words::{
     at_infinity, at_least, clockwise, count_differs, numbered, opposed, outside, points_in_words, size_in_place,
     speed_ratio, through_infinity, zero_axis,
@@ -301,7 +302,7 @@ impl std::fmt::Display for Error {
                  spline, which takes any number"
             ),
             Self::RepeatedParameter { first, second, value } => {
-                write!(f, "points {first} and {second} have the same parameter {}", ShortNumber(*value))
+                write!(f, "parameters {first} and {second} are both {}", ShortNumber(*value))
             }
             Self::UnattainablePoint { points, measured, limit } => write!(
                 f,
@@ -726,6 +727,18 @@ impl std::fmt::Display for Error {
                 ShortNumber(*distance),
                 ShortNumber(*limit)
             ),
+            Self::ZeroRotation { .. }
+            | Self::NotARotation { .. }
+            | Self::NotOnStudyQuadric { .. }
+            | Self::WrongPoseCount { .. }
+            | Self::ParametersNotIncreasing { .. }
+            | Self::UnattainablePose { .. }
+            | Self::MotionThroughExceptionalPoint { .. }
+            | Self::RotationTooLarge { .. }
+            | Self::NoCubicMotion { .. }
+            | Self::StudyFormVanishes { .. }
+            | Self::MotionNotRational
+            | Self::MotionAtRest { .. } => f.write_str(&of_motion(self)),
         }
     }
 }

@@ -39,6 +39,9 @@ const SURFACES: &[Format] = &[Format::Step, Format::Glb, Format::Png];
 /// Of surfaces without an exact form.
 const MESHES: &[Format] = &[Format::Glb, Format::Stl, Format::Png];
 
+/// Of motions, with what is made of them.
+const MOVING: &[Format] = &[Format::Glb, Format::Step, Format::Png];
+
 /// Of fine scans, whose meshes are large.
 const RENDERED: &[Format] = &[Format::Glb, Format::Png];
 
@@ -142,6 +145,15 @@ pub const ENTRIES: &[Entry] = &[
         inputs: &[],
         formats: SURFACES,
         camera: "20,45",
+    },
+    Entry {
+        name: "pick_and_place",
+        title: "Pick and place",
+        text: "A gripper takes parts from a tray and puts them down turned over: one smooth rational motion through eight poses, as an animation; the path of its tip and what its fingers run over are exact.",
+        document: example!("pick_and_place.json"),
+        inputs: &[],
+        formats: MOVING,
+        camera: "",
     },
     Entry {
         name: "tee",

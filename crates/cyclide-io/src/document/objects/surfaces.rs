@@ -30,6 +30,7 @@ impl Builder<'_> {
             ObjectSpec::CircularSurface(spec) => self.circular_surface(spec),
             ObjectSpec::Ruled(_) => self.ruled(),
             ObjectSpec::TorusSeam(spec) => self.torus_seam(spec),
+            ObjectSpec::SweptSurface(spec) => self.swept_surface(spec),
             _ => Ok(Vec::new()),
         }
     }

@@ -8,6 +8,7 @@ mod curves;
 mod derived;
 mod fair;
 mod interpolated;
+mod motions;
 mod nets;
 mod nurbs;
 mod polygon_mesh_file;
@@ -41,6 +42,7 @@ pub use derived::{
 };
 pub use fair::{FairEndPair, FairEndSpec, FairEndWord, FairEndsSpec, FairSplineSpec, StraightWord};
 pub use interpolated::{MoebiusContinuity, MoebiusSplineSpec, ParameterRule, ParametersSpec, QbInterpolationSpec};
+pub use motions::{MotionKind, MotionSpec, PoseFile, PoseSource, PoseSpec, SweptSurfaceSpec, TrajectorySpec};
 pub use nets::{CyclideSpec, CyclidicNetSpec, FrameSpec, GridSource, MeshFile};
 pub use nurbs::NurbsSpec;
 pub use polygon_mesh_file::PolygonMeshFile;
@@ -165,6 +167,12 @@ pub enum ObjectSpec {
     CircularSurface(CircularSurfaceSpec),
     /// Straight lines between two curves.
     Ruled(RuledSpec),
+    /// A motion of a body through poses.
+    Motion(MotionSpec),
+    /// The path of a point of a moving body.
+    Trajectory(TrajectorySpec),
+    /// What a curve of a moving body runs over.
+    SweptSurface(SweptSurfaceSpec),
     /// An object mapped.
     Transform(TransformSpec),
     /// The edges of a surface as arcs.
@@ -276,6 +284,9 @@ object_types! {
     "ellipse-bridge" => EllipseBridge,
     "circular-surface" => CircularSurface,
     "ruled" => Ruled,
+    "motion" => Motion,
+    "trajectory" => Trajectory,
+    "swept-surface" => SweptSurface,
     "transform" => Transform,
     "support-structure" => SupportStructure,
 }
