@@ -8,11 +8,12 @@ import pytest
 
 import step_modelling as modelling
 from OCP.BRepAlgoAPI import BRepAlgoAPI_Fuse
+from OCP.BRepFilletAPI import BRepFilletAPI_MakeFillet
 from OCP.BRepPrimAPI import BRepPrimAPI_MakeBox
 from OCP.gp import gp_Pnt
 from rolling_balls import TANGENT, off_pipe, smooth_edges
 from step_checks import assert_cuts, structure
-from step_faces import StepFaces
+from step_faces import Edge, StepFaces
 
 STRUT = {"through": [0, 12, 0], "radius": 10, "length": 90}
 CONE = {"direction": [0.45, -0.2, 1], "radius": 20, "taper": {"degrees": 6}, "length": 90}
@@ -104,6 +105,44 @@ def test_a_node_is_cut_fused_and_sectioned(program, tmp_path):
     assert modelling.volume(fused) == pytest.approx(report["volume"] + 130 * 110 * 18 - common, rel=1e-6)
     section = modelling.wire_points(modelling.section(step.shape, (0, 0, 0), (0, 1, 0)))
     assert len(section) > 0 and np.abs(section[:, 1]).max() < 1e-6
+
+
+STRAIGHT = {"direction": [0.45, -0.2, 1], "radius": 20, "length": 90}
+PAIRS = {
+    "cylinder and plate": {"tube": STRAIGHT, **PLATE, "blend": 8},
+    "cone and plate": BLENDS["boss"],
+    "cylinder and sphere": BLENDS["strut"],
+    "cone and sphere": {"tube": {**STRUT, "direction": [0.2, 0, 1], "taper": {"degrees": 3}}, "sphere": 40, "blend": 6},
+}
+
+
+@pytest.mark.parametrize("name", PAIRS)
+def test_solids_of_every_pair_are_cut_rounded_and_sectioned(name, program, tmp_path):
+    step, _, report = made(program, tmp_path, PAIRS[name])
+    assert len(step.solids) == 1 and step.exactly_valid
+    assert_cuts(step, report["volume"], modelling.slab, modelling.drill)
+    # The ends of tubes: all edges of one circle at once, as somebody would round them.
+    _, users = structure(step, closed=True)
+    rim = [edge for edge in modelling.creases(users) if at_end(edge, PAIRS[name])]
+    make = BRepFilletAPI_MakeFillet(step.shape)
+    for edge in rim:
+        make.Add(1.0, edge)
+    with modelling.quiet():
+        make.Build()
+    assert make.IsDone() and modelling.valid(make.Shape())
+    # The corner that a fillet of 1 takes off the rim: less than its square round it.
+    taken = report["volume"] - modelling.volume(make.Shape())
+    assert 0 < taken < 2 * math.pi * PAIRS[name]["tube"]["radius"]
+    low, high = modelling.box(step)
+    section = modelling.wire_points(modelling.section(step.shape, 0.5 * (low + high), (0.3, 1, 0.1)))
+    assert len(section) > 0 and abs((section - 0.5 * (low + high)) @ [0.3, 1, 0.1]).max() < 1e-6
+
+
+def at_end(edge, fields):
+    """Whether an edge lies in the plane of the tube's end."""
+    through, way, _, _ = tube(fields)
+    points = np.array([Edge(edge).point(x) for x in (0.1, 0.5, 0.9)])
+    return abs((points - through) @ way - fields["tube"]["length"]).max() < 1e-6
 
 
 def test_random_blends_are_valid(program, tmp_path):
