@@ -139,6 +139,7 @@ fn motions() {
             ("motion-cubic-cross-ratio", 8),
             ("motion-sclerp", 15),
             ("motion-spline-fibre", 9),
+            ("qb-as-motion", 3),
         ],
     );
 }

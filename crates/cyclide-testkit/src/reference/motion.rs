@@ -4,7 +4,10 @@ use super::Handler;
 use super::arc::xyz;
 use super::case::{Case, Fault};
 use super::check::Check;
-use cyclide::{CubicMotions, DualQuat, Point3, Pose, Quat, RationalMotion, ScrewMotion, StudyPoint, TimedPose, Vec3};
+use cyclide::{
+    CubicMotions, DualQuat, HPoint, Point3, Pose, QbSpline, Quat, RationalMotion, ScrewMotion, StudyPoint, TimedPose,
+    Vec3,
+};
 use serde_json::Value;
 
 pub(super) fn handler(construct: &str) -> Option<Handler> {
@@ -31,6 +34,7 @@ pub(super) fn handler(construct: &str) -> Option<Handler> {
             images(case, check, |t| motion.pose(t))
         },
         "motion-cubic-cross-ratio" => cubic,
+        "qb-as-motion" => qb_as_motion,
         _ => return None,
     })
 }
@@ -69,6 +73,25 @@ fn images(case: &Case, check: &mut Check, at: impl Fn(f64) -> Pose) -> Result<()
         body.into_iter().flat_map(|x| xyz(pose.apply(x))).collect()
     };
     check.samples("images", row, &move |_| allowed);
+    Ok(())
+}
+
+/// A curve of pairs as a motion, by the paper's action at the parameter and by the motion along it.
+fn qb_as_motion(case: &Case, check: &mut Check) -> Result<(), Fault> {
+    let (curve, t, x) = (super::qb::curve(case)?, case.number("t")?, case.point("x")?);
+    let at = |part: fn(&HPoint) -> Quat| {
+        let mut row: Vec<Quat> = curve.pairs().iter().map(part).collect();
+        while row.len() > 1 {
+            row = row.windows(2).map(|w| w[0] * (1.0 - t) + w[1] * t).collect();
+        }
+        row[0]
+    };
+    let by_paper = StudyPoint::from_paper(at(|pair| pair.d), at(|pair| pair.n))?.displace(x);
+    let motion = RationalMotion::along(&QbSpline::from_curve(curve.clone())?)?;
+    for (field, point) in [("paper_action", by_paper), ("half_convention", motion.pose(t).apply(x))] {
+        let allowed = relative(case, check, field, 0);
+        check.vector(field, Some(&xyz(point)), &move |_| allowed);
+    }
     Ok(())
 }
 

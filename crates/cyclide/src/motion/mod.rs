@@ -1,5 +1,6 @@
 //! Motions of rigid bodies: dual quaternions, poses, screws, and motions whose points run on rational curves.
 
+mod along_qb;
 mod any_motion;
 mod cubic;
 mod dual_quat;

@@ -130,7 +130,12 @@ impl QbCurve {
     /// infinity (`d = 0`), and its quotient need not be in three-space.
     #[must_use]
     pub fn pairs(&self) -> Vec<HPoint> {
-        let shift = Quat::from(self.origin);
+        self.pairs_about(Point3::ORIGIN)
+    }
+
+    /// The pairs with numerators measured from a point.
+    pub(crate) fn pairs_about(&self, origin: Point3) -> Vec<HPoint> {
+        let shift = Quat::from(self.origin - origin);
         let pair = |row: &Row| HPoint { n: numerator(row) + shift * denominator(row), d: denominator(row) };
         self.rows.iter().map(pair).collect()
     }

@@ -305,12 +305,12 @@
 //! ```
 //!
 //! # `contact-loop-turns-back`
-//! A cone leans so far that a ball nearly as large as it meets its plane in a line that goes round the foot of the axis no more.
+//! A cone that widens nearly fills its sphere on one side: where both come close, great circles from the far pole meet the contact twice.
 //! ```
-//! use cyclide::{BlendBase, BlendTube, ContactBlend, PlateShape, Point3, Vec3};
-//! let direction = Vec3::new(0.0, 1.2, 1.0);
-//! let cone = BlendTube { through: Point3::ORIGIN, direction, radius: 1.0, taper: 0.5, length: 9.0 };
-//! let blend = ContactBlend::new(cone, BlendBase::Plane(PlateShape::Disk(900.0)), 20.0)?;
+//! use cyclide::{BlendBase, BlendTube, ContactBlend, Point3, Vec3};
+//! let through = Point3::new(0.232, 0.0, -0.296);
+//! let cone = BlendTube { through, direction: Vec3::Z, radius: 0.763, taper: -0.65, length: 9.0 };
+//! let blend = ContactBlend::new(cone, BlendBase::Sphere { radius: 1.0 }, 0.01)?;
 //! assert_eq!(blend.made().unwrap_err().reason(), "contact-loop-turns-back");
 //! # Ok::<(), cyclide::Error>(())
 //! ```
