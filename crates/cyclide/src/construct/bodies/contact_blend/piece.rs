@@ -58,7 +58,7 @@ impl Piece {
         let (rho, rise, w) = (setup.rho - depth * setup.cos, depth * setup.sin, &self.weight);
         let round = |radius: &Polynomial, z: Polynomial, w: Polynomial| {
             let [x, y] = self.across.each_ref().map(|p| p * radius);
-            setup.to_world([x, y, z, w])
+            setup.placed([x, y, z, w])
         };
         let constant = Polynomial::constant;
         let row = match &self.heights {
@@ -159,7 +159,7 @@ impl Family<'_> {
     /// The row of centres at a distance from the axis and a height, both over a weight; the distance lacks the weight of the turn.
     fn row(&self, from_axis: &Polynomial, height: Polynomial, weight: Polynomial) -> PolynomialRow {
         let [x, y] = self.across.each_ref().map(|p| p * from_axis);
-        self.setup.to_world([x, y, height, weight])
+        self.setup.placed([x, y, height, weight])
     }
 
     fn level(&self, z: f64) -> Balls {

@@ -127,7 +127,7 @@ impl Setup {
     }
 
     /// A row in space.
-    pub(super) fn to_world(&self, [x, y, z, w]: [Polynomial; 4]) -> PolynomialRow {
+    pub(super) fn placed(&self, [x, y, z, w]: [Polynomial; 4]) -> PolynomialRow {
         let frame = self.frame;
         let o = frame.origin();
         let entry = |o: f64, a: f64, b: f64, c: f64| &(&(&w * o) + &(&x * a)) + &(&(&y * b) + &(&z * c));
