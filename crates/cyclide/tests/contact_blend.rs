@@ -180,7 +180,7 @@ fn special_positions_are_tori() {
     for base in [SPHERE, plate] {
         let upright = tube([0.0; 3], [0.0, 0.0, 1.0], 1.0, 0.05);
         let made = ContactBlend::new(upright, base, 0.5).and_then(|blend| blend.made()).unwrap();
-        assert_eq!(made.blend.radii, [0.5, 0.5]);
+        assert!(made.blend.radii.iter().all(|radius| (radius - 0.5).abs() < 1e-15));
         for face in made.body.outer.faces() {
             assert!(matches!(face.surface, FaceSurface::Cyclide(_)), "{base:?}: {:?}", face.surface);
         }
