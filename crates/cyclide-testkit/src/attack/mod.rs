@@ -4,6 +4,7 @@
 //! One file per class of trouble. A class makes lists of points, or whole objects; [`document`] puts them together, and
 //! the same seed and number give the same document on every machine.
 
+mod contact_blends;
 mod crossings;
 mod ends;
 mod hairpins;
@@ -101,6 +102,7 @@ const CLASSES: &[Class] = &[
     ("pipes", 2, pipes::surface),
     ("tubes", 2, tubes::surface),
     ("tees", 1, tees::surface),
+    ("contact blends", 1, contact_blends::surface),
     ("crossings", 1, crossings::surface),
     ("necks", 2, swept::neck),
     ("bridges", 1, swept::bridge),

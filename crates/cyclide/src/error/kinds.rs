@@ -769,6 +769,32 @@ pub enum Error {
         /// What is left of its width there, in parts of that on a straight way.
         left: f64,
     },
+    /// At some angle round a tube no ball of the radius touches it and the plane or sphere that it is blended with.
+    ContactLoopOpen {
+        /// The angle round the tube.
+        angle: f64,
+        /// What must be positive there: the rise of the tube's line over the plane, or the square of half the distance between both such balls on it.
+        measured: f64,
+    },
+    /// The contact of a blend with a plane or a sphere turns back, so that the rest of it would overlap.
+    ContactLoopTurnsBack {
+        /// The angle round the tube where that is.
+        angle: f64,
+    },
+    /// The blend of a tube with a plane or a sphere runs through itself.
+    ContactBlendFolds {
+        /// The angle round the tube where that is.
+        angle: f64,
+        /// What is left of its width there, in parts of that on a straight way.
+        left: f64,
+    },
+    /// A tube ends within its blend.
+    ContactTubeTooShort {
+        /// Its end, as the distance along its axis.
+        end: f64,
+        /// The distance that it must be beyond.
+        needed: f64,
+    },
     /// Two branches of a tee, or their blends, meet.
     TeeBranchesMeet {
         /// The first branch, from 0.

@@ -200,6 +200,29 @@ impl std::fmt::Display for Error {
                 ShortNumber(*angle),
                 ShortNumber(*left)
             ),
+            Self::ContactLoopOpen { angle, measured } => write!(
+                f,
+                "no ball of this radius touches both at {} radians round the tube: what must be positive there is {}; the tube has to meet the plane or the sphere all round, with room for the ball",
+                ShortNumber(*angle),
+                ShortNumber(*measured)
+            ),
+            Self::ContactLoopTurnsBack { angle } => write!(
+                f,
+                "the border of the blend on the plane or the sphere turns back at {} radians round the tube; take a smaller ball, or a tube that stands more upright",
+                ShortNumber(*angle)
+            ),
+            Self::ContactBlendFolds { angle, left } => write!(
+                f,
+                "the blend runs through itself at {} radians round the tube: its width there is {} of that on a straight way, which must be positive; take a smaller ball or a thinner wall",
+                ShortNumber(*angle),
+                ShortNumber(*left)
+            ),
+            Self::ContactTubeTooShort { end, needed } => write!(
+                f,
+                "the tube ends within the blend: at {} along its axis, which must be beyond {}",
+                ShortNumber(*end),
+                ShortNumber(*needed)
+            ),
             Self::TeeBranchesMeet { first, second, distance, needed } => write!(
                 f,
                 "branches {first} and {second} meet, or their blends do: their distance is {}, which must be above {}",

@@ -174,6 +174,15 @@ pub const ENTRIES: &[Entry] = &[
         camera: "0,28",
     },
     Entry {
+        name: "contact_blend",
+        title: "Tubes on a sphere and on a plate",
+        text: "Blended by a ball of one radius: a hollow strut off the centre of a spherical node, a cone that leans on a plate, and a dished head with its knuckle, whose rim is rounded inside. Exact envelopes of balls, one solid each.",
+        document: example!("contact_blend.json"),
+        inputs: &[],
+        formats: SURFACES,
+        camera: "",
+    },
+    Entry {
         name: "ellipse_bridge",
         title: "Bridge of two ellipses",
         text: "Half circles upright on the chords between two ellipses, and walls tangent to them: a solid ring. Beside it whole circles on the same chords.",

@@ -2,6 +2,7 @@
 
 #[cfg(feature = "circular-mesh")]
 mod circular;
+mod contact_blends;
 mod crossings;
 mod curves;
 mod derived;

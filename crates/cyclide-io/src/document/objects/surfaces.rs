@@ -23,6 +23,7 @@ impl Builder<'_> {
             ObjectSpec::Pipe(spec) => self.pipe(spec),
             ObjectSpec::Tube(spec) => self.tube(spec),
             ObjectSpec::PipeTee(spec) => self.pipe_tee(spec),
+            ObjectSpec::ContactBlend(spec) => self.contact_blend(spec),
             ObjectSpec::PipeCrossing(spec) => self.pipe_crossing(spec),
             ObjectSpec::PlateWithNeck(spec) => self.plate_with_neck(spec),
             ObjectSpec::EllipseBridge(spec) => self.ellipse_bridge(spec),

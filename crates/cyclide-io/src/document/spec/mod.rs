@@ -2,6 +2,7 @@
 
 mod circular;
 mod comment;
+mod contact_blends;
 mod crossings;
 mod curves;
 mod derived;
@@ -29,6 +30,7 @@ use serde::Deserialize;
 
 pub use circular::{BorderCurves, BorderSpec, BorderWord, MakeCircularOptions, MakeCircularSpec};
 pub use comment::Comment;
+pub use contact_blends::{BlendTubeSpec, ContactBlendSpec};
 pub use crossings::{CrossingPipeSpec, PipeCrossingSpec};
 pub use curves::{
     ArcFitSpec, ArcSpec, ArcSplineSpec, BiarcSpec, CircleSpec, CircleSplineSpec, ClampedEnds, EndsSpec, FairFitSpec,
@@ -155,6 +157,8 @@ pub enum ObjectSpec {
     PipeTee(PipeTeeSpec),
     /// Two pipes that pass each other, blended by a rolling ball.
     PipeCrossing(PipeCrossingSpec),
+    /// A cylinder or cone blended with a sphere or a plate.
+    ContactBlend(ContactBlendSpec),
     /// A pipe on a plate with a rounded neck.
     PlateWithNeck(PlateWithNeckSpec),
     /// Half circles between two ellipses.
@@ -275,6 +279,7 @@ object_types! {
     "tube" => Tube,
     "pipe-tee" => PipeTee,
     "pipe-crossing" => PipeCrossing,
+    "contact-blend" => ContactBlend,
     "plate-with-neck" => PlateWithNeck,
     "ellipse-bridge" => EllipseBridge,
     "circular-surface" => CircularSurface,

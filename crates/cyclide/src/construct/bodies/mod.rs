@@ -2,6 +2,7 @@
 
 mod bands;
 mod circular_surface;
+mod contact_blend;
 mod crossing_arcs;
 mod ellipse_bridge;
 mod ellipse_ring;
@@ -26,6 +27,7 @@ mod torus_seam;
 mod tube;
 mod turned_patch;
 
+pub use contact_blend::{BlendBase, BlendTube, ContactBlend, MadeContactBlend};
 pub use ellipse_bridge::EllipseBridge;
 pub use neck::{NeckBlend, NeckBody, NeckSide, NeckVariant, PlateShape};
 pub use pipe::{Pipe, PipeEnds};
