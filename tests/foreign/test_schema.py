@@ -27,6 +27,7 @@ BRANCH = {"radius": 8, "length": 30, "blend": 2}
 TEE = {"type": "pipe-tee", "main": {"radius": 12, "ends": [-40, 40]}, "branches": [BRANCH]}
 PIPE = {"radius": 12, "ends": [-40, 40]}
 CROSSING = {"type": "pipe-crossing", "pipes": [PIPE, PIPE], "distance": 18, "blend": 3}
+CONTACT = {"type": "contact-blend", "tube": {"radius": 9, "length": 60}, "sphere": 30, "blend": 4}
 NECK = {"type": "plate-with-neck", "pipe_radius": 9, "ball_radius": 4, "height": 40, "plate": [60, 50]}
 BRIDGE = {"type": "ellipse-bridge", "ellipses": [[10, 20], [20, 25]]}
 STEPS = [
@@ -73,6 +74,9 @@ GOOD = {
     "tee with a wall and laws": {**TEE, "wall": 2, "ends": "closed", "branches": [{**BRANCH, "angle": {"degrees": 60}, "offset": 1, "azimuth": 0.5, "blend": {"crotch": 4, "flank": 3}}]},
     "tee with values": {**TEE, "branches": [{**BRANCH, "blend": {"values": [{"angle": {"degrees": 90}, "radius": 3}]}}]},
     "crossing": CROSSING,
+    "tube on a sphere": CONTACT,
+    "tube on a plate": {**without(CONTACT, "sphere"), "plate": [60, 50], "thickness": 4},
+    "tube that ends at a plane": {**without(CONTACT, "sphere"), "side": "inside", "wall": 2},
     "crossing with a wall": {**CROSSING, "wall": 2, "ends": "closed", "tolerance": 0.01, "angle": {"degrees": 60}},
     "bridge": BRIDGE,
     "bridge with walls": {**BRIDGE, "depth": 3},
@@ -135,6 +139,9 @@ BAD = {
     "tee without branches": {**TEE, "branches": []},
     "tee with a blend of nothing": {**TEE, "branches": [{**BRANCH, "blend": {}}]},
     "tee with a wall that is open": {**TEE, "wall": 2, "ends": "open"},
+    "tube on nothing": without(CONTACT, "sphere"),
+    "tube on a sphere and a plate": {**CONTACT, "plate": [60, 50]},
+    "tube with a wall that is open": {**CONTACT, "wall": 2, "ends": "open"},
     "crossing of one pipe": {**CROSSING, "pipes": [PIPE]},
     "crossing with a wall that is open": {**CROSSING, "wall": 2, "ends": "open"},
     "crossing with a blend of radius zero": {**CROSSING, "blend": 0},

@@ -64,6 +64,13 @@ fn builds_and_is_drawn(kind: &str) {
     assert!(objects.values().all(|object| object["comment"].is_array()), "it says what the fields mean: {document}");
     assert!(document.lines().all(|line| line.chars().count() <= 190), "{kind}: {document}");
     folder.write("m.json", &document);
+    // A motion is an animation, and no picture.
+    if kind == "motion" {
+        let run = folder.run("build m.json -o m.glb --json");
+        assert_eq!((run.code, run.stderr.as_str()), (0, ""), "{kind}");
+        assert!(folder.read("m.glb").windows(12).any(|bytes| bytes == b"\"animations\""), "it is animated");
+        return;
+    }
     // Of what has no exact form, meshes.
     let exact = !["smooth-mesh", "sphere-blend"].contains(&kind);
     let outputs = if exact { "-o m.step -o m.png -o m.svg" } else { "-o m.glb -o m.png -o m.stl" };

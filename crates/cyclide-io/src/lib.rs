@@ -17,7 +17,8 @@
 //! | patches and nets | [`CyclidePatchSpec`], [`CyclideSpec`], [`CyclidicNetSpec`] ([`GridSource`], [`MeshFile`], [`FrameSpec`]), [`MakeCircularSpec`] ([`MakeCircularOptions`], [`BorderSpec`], [`BorderWord`], [`BorderCurves`]), [`OffsetSpec`], [`SupportStructureSpec`] |
 //! | surfaces over triangles, polyhedra | [`SmoothMeshSpec`] ([`NormalsSpec`], [`PolygonMeshFile`]), [`SphereBlendSpec`], [`SmoothPolyhedronSpec`] |
 //! | bodies made from curves | [`RevolutionSpec`], [`PipeSpec`], [`TubeSpec`] ([`RadiusLawSpec`]), [`PlateWithNeckSpec`] ([`PlateSpec`], [`DiskSpec`]), [`EllipseBridgeSpec`] ([`BridgeArcs`]), [`CircularSurfaceSpec`], [`RuledSpec`] |
-//! | tees and crossings | [`PipeTeeSpec`] ([`TeeMainSpec`], [`TeeBranchSpec`], [`TeeBlendSpec`], [`TeeLawSpec`], [`TeeRadiusSpec`]), [`PipeCrossingSpec`] ([`CrossingPipeSpec`]) |
+//! | tees and crossings | [`PipeTeeSpec`] ([`TeeMainSpec`], [`TeeBranchSpec`], [`TeeBlendSpec`], [`TeeLawSpec`], [`TeeRadiusSpec`]), [`PipeCrossingSpec`] ([`CrossingPipeSpec`]), [`ContactBlendSpec`] ([`BlendTubeSpec`]) |
+//! | motions of bodies | [`MotionSpec`] ([`MotionKind`], [`PoseSource`], [`PoseFile`], [`PoseSpec`]), [`TrajectorySpec`], [`SweptSurfaceSpec`], [`MotionReport`], [`sample_poses`] |
 //! | maps | [`TransformSpec`], [`RotationSpec`], [`ScaleSpec`], [`SphereSpec`], [`PlaneSpec`] |
 //! | lists of points | [`read_points`] ([`PointTable`], [`PointList`], [`PointRemark`], [`PointColumns`], [`ColumnUnit`], [`unit_of_columns`]) |
 //! | meshes | [`read_quad_grid`] ([`ObjGrid`]), [`MeshFormat`] |
@@ -49,18 +50,20 @@ pub use check::file_sample::FileSample;
 pub use check::labels::{FileLabels, FileName};
 pub use compare::{ComparedKind, Comparison, CurveMeasures};
 pub use document::{
-    Angle, AnglePairs, ArcFitSpec, ArcSpec, ArcSplineSpec, BiarcSpec, BorderCurves, BorderSpec, BorderWord, BridgeArcs,
-    BuiltObject, CircleSpec, CircleSplineSpec, CircularSurfaceSpec, ClampedEnds, Comment, ContourFacts, Coordinates,
-    CrossingPipeSpec, CyclidePatchSpec, CyclideSpec, CyclidicNetSpec, DOCUMENT_VERSION, Directions, DiskSpec, Document,
-    EllipseBridgeSpec, EndsSpec, FairEndPair, FairEndSpec, FairEndWord, FairEndsSpec, FairFitSpec, FairSplineSpec,
-    FamilySpec, Fitted, FrameSpec, FreeOr, GridSource, Lists, MakeCircularOptions, MakeCircularSpec, MeshFile,
-    ModelBuilder, NO_EFFECT, NormalsSpec, NurbsSpec, ObjectSpec, OffsetSpec, PipeCrossingSpec, PipeSpec, PipeTeeSpec,
-    PlaneSpec, PlateSpec, PlateWithNeckSpec, PointFile, PointSource, PolygonMeshFile, PolylineSpec, RadiiSpec,
-    RadiusLawSpec, RatePairs, Remark, RevolutionSpec, RotationSpec, RoundedPolyhedron, RuledSpec, ScaleSpec,
+    Angle, AnglePairs, ArcFitSpec, ArcSpec, ArcSplineSpec, BiarcSpec, BlendTubeSpec, BorderCurves, BorderSpec,
+    BorderWord, BridgeArcs, BuiltObject, CircleSpec, CircleSplineSpec, CircularSurfaceSpec, ClampedEnds, Comment,
+    ContactBlendSpec, ContourFacts, Coordinates, CrossingPipeSpec, CyclidePatchSpec, CyclideSpec, CyclidicNetSpec,
+    DOCUMENT_VERSION, Directions, DiskSpec, Document, EllipseBridgeSpec, EndsSpec, FairEndPair, FairEndSpec,
+    FairEndWord, FairEndsSpec, FairFitSpec, FairSplineSpec, FamilySpec, Fitted, FrameSpec, FreeOr, GridSource, Lists,
+    MakeCircularOptions, MakeCircularSpec, MeshFile, ModelBuilder, MotionKind, MotionSpec, NO_EFFECT, NormalsSpec,
+    NurbsSpec, ObjectSpec, OffsetSpec, PipeCrossingSpec, PipeSpec, PipeTeeSpec, PlaneSpec, PlateSpec,
+    PlateWithNeckSpec, PointFile, PointSource, PolygonMeshFile, PolylineSpec, PoseFile, PoseSource, PoseSpec,
+    RadiiSpec, RadiusLawSpec, RatePairs, Remark, RevolutionSpec, RotationSpec, RoundedPolyhedron, RuledSpec, ScaleSpec,
     SmoothChoice, SmoothMeshSpec, SmoothPolyhedronSpec, SphereBlendSpec, SphereSpec, StepSpec, StraightWord,
-    SupportStructureSpec, TeeBlendSpec, TeeBranchSpec, TeeLawSpec, TeeMainSpec, TeeRadiusSpec, TorusCircleSpec,
-    TorusKnotSpec, TorusMethod, TorusQuarticSpec, TorusSeamSpec, TorusSource, TorusSpec, TorusSplineSpec,
-    TransformSpec, TubeFacts, TubeSpec, TypeWord, UnrolledPlane, UnrolledSpec, WindingSpec, document_schema,
+    SupportStructureSpec, SweptSurfaceSpec, TeeBlendSpec, TeeBranchSpec, TeeLawSpec, TeeMainSpec, TeeRadiusSpec,
+    TorusCircleSpec, TorusKnotSpec, TorusMethod, TorusQuarticSpec, TorusSeamSpec, TorusSource, TorusSpec,
+    TorusSplineSpec, TrajectorySpec, TransformSpec, TubeFacts, TubeSpec, TypeWord, UnrolledPlane, UnrolledSpec,
+    WindingSpec, document_schema,
 };
 pub use document::{
     InterpolationFacts, MoebiusContinuity, MoebiusSplineSpec, ParameterRule, ParametersSpec, QbInterpolationSpec,
@@ -86,10 +89,10 @@ pub use measure::joints::SurfaceJointReport;
 pub use report::{
     CheckError, CircularReport, ComparisonReport, ContourSamples, CurvatureRangeReport, CurvatureReport, CurveSample,
     CurveSamples, CurvesReport, FairnessReport, FileReport, FitPieces, FitReport, GeometryReport, JointReport,
-    ObjectReport, PartReport, PatchPlace, PolyhedronReport, QbReport, RangeReport, Report, SampleOptions, SamplePlaces,
-    SeamReport, SegmentCounts, ShapeReport, SingularPatchReport, SmoothReport, Spacing, SurfaceReport,
+    MotionReport, ObjectReport, PartReport, PatchPlace, PolyhedronReport, QbReport, RangeReport, Report, SampleOptions,
+    SamplePlaces, SeamReport, SegmentCounts, ShapeReport, SingularPatchReport, SmoothReport, Spacing, SurfaceReport,
     TIGHTER_THAN_RADIUS, TeeBlendReport, TightPlaceReport, TightReport, TorusReport, TubeReport, UnrolledReport,
-    WarningReport, sample,
+    WarningReport, sample, sample_poses,
 };
 pub use text::place::{Diagnostic, Source, decode};
 pub use text::suggest::{did_you_mean, similar};

@@ -85,7 +85,8 @@
 //! | tori and curves on them | [`Torus`], [`TorusSpline`] (through points, torus knots, closed quartics, circles: [`TorusSplineOptions`], [`TorusTangent`], [`TorusWinding`]), laid flat ([`TorusMap`], [`UnrollOptions`], [`UnrolledSpline`]), [`TorusSeam`], [`TorusPiece`], [`TorusSegment`], [`TorusJunction`], [`TorusClasses`], [`CircleFamily`], [`QuarticType`], [`SegmentMethod`], [`ProjectiveBiarc`], [`TwoTypeBiarc`] |
 //! | rolling balls, canal surfaces | [`SkewCylinders`], [`NaturalQuadric`], [`QuadricPair`] ([`PairKind`]), [`RollingBall`] ([`ContactPartner`]), [`CanalPatch`] ([`CanalPart`], [`CharacteristicCircle`]) |
 //! | surfaces over triangles | [`SmoothMesh`] ([`VertexNormals`], [`NormalWeights`], [`SmoothEdge`], [`SmoothMeasure`], [`SmoothComparison`]), [`SmoothTriangle`], [`SphereBlend`], [`TriangleSurface`], [`TrianglePatch`], [`SideLine`] |
-//! | bodies made from curves | [`Revolution`], [`Pipe`] ([`PipeEnds`]), [`Tube`] ([`Ball`], [`RadiusLaw`]), [`NeckBlend`] ([`NeckBody`], [`NeckSide`], [`NeckVariant`], [`PlateShape`]), [`PipeTee`] ([`TeeMain`], [`TeeBranch`], [`TeeBlend`], [`TeeEnds`], [`MadeTee`], [`TeeBlendFacts`]), [`PipeCrossing`] ([`CrossingPipe`], [`MadeCrossing`]), [`EllipseBridge`], [`Body::ruled`], [`Body::circular`], [`RailSurface`] |
+//! | bodies made from curves | [`Revolution`], [`Pipe`] ([`PipeEnds`]), [`Tube`] ([`Ball`], [`RadiusLaw`]), [`NeckBlend`] ([`NeckBody`], [`NeckSide`], [`NeckVariant`], [`PlateShape`]), [`PipeTee`] ([`TeeMain`], [`TeeBranch`], [`TeeBlend`], [`TeeEnds`], [`MadeTee`], [`TeeBlendFacts`]), [`PipeCrossing`] ([`CrossingPipe`], [`MadeCrossing`]), [`ContactBlend`] ([`BlendTube`], [`BlendBase`], [`MadeContactBlend`]), [`EllipseBridge`], [`Body::ruled`], [`Body::circular`], [`RailSurface`] |
+//! | motions | [`Motion`], [`RationalMotion`], [`CubicMotions`], [`ScrewMotion`], [`TimedPose`], [`Pose`], [`DualQuat`], [`StudyPoint`], [`MotionJet`], [`Timing`] ([`TimeLaw`]), [`MovingBody`] ([`Schedule`], [`BodyMesh`]), [`SweptSurface`] |
 //! | bodies made from solids | [`ConvexPolyhedron`] ([`PolyhedronEdge`]), [`SphericalPolygon`] |
 //! | topology | [`Body`], [`Shell`], [`ShellFace`], [`ShellEdge`], [`FaceEdge`], [`Side`], [`CutShell`], [`FacePart`], [`FaceSurface`], [`FaceGeometry`] ([`CellDistances`], [`LineBends`]), [`EdgeCurve`], [`surface_joints`] ([`SurfaceJoint`]) |
 //! | polylines and meshes | [`flatten`], [`flatten_into`], [`flatten_places`], [`flatten_within`], [`tessellate`], [`tessellate_all`], [`tessellate_within`], [`SurfaceMesh`] ([`MeshFace`], [`MeshCorner`], [`MeshSource`]), [`SmoothTessellation`], [`parameter_lines`] ([`ParameterLine`], [`LineKind`]), [`MOST_PIECES`] |
@@ -100,6 +101,7 @@ mod curve;
 mod error;
 mod mesh;
 mod model;
+mod motion;
 mod rational;
 mod shape_change;
 mod short_number;
@@ -123,6 +125,7 @@ pub use construct::{
     feasible_bulges,
 };
 pub use construct::{Ball, RadiusLaw, Tube};
+pub use construct::{BlendBase, BlendTube, ContactBlend, MadeContactBlend};
 #[cfg(feature = "circular-mesh")]
 pub use construct::{
     Border, CircularMesh, CircularMeshOptions, CircularMeshReport, CircularMeshStep, LineAngles, VertexMoves,
@@ -134,7 +137,7 @@ pub use construct::{EllipseBridge, NeckBlend, NeckBody, NeckSide, NeckVariant, P
 pub use construct::{FairFit, FairFitCertificate, FairFitOptions};
 pub use construct::{MadeTee, PipeTee, TeeBlend, TeeBlendFacts, TeeBranch, TeeEnds, TeeMain};
 pub use construct::{MoebiusSplineOptions, NodeParameters, QbInterpolation, QbNode, circle_tangents};
-pub use construct::{Pipe, PipeEnds, RailSurface, RationalRun, Revolution, TorusSeam};
+pub use construct::{Pipe, PipeEnds, RailSurface, RationalRun, Revolution, SweptSurface, TorusSeam};
 pub use construct::{
     ProjectiveBiarc, TorusMap, TorusSplineOptions, TorusTangent, TorusWinding, TwoTypeBiarc, UnrollOptions,
     UnrolledSpline,
@@ -157,6 +160,10 @@ pub use mesh::{
 };
 pub use model::{
     ChainPiece, CurveChain, CurveObject, Exactness, Geometry, Item, Lower, Lowered, Model, SurfaceObject, Units,
+};
+pub use motion::{
+    BodyMesh, CubicMotions, DualQuat, Motion, MotionJet, MovingBody, Pose, RationalMotion, Schedule, ScrewMotion,
+    StudyPoint, TimeLaw, TimedPose, Timing,
 };
 pub use rational::{NurbsCurve, RationalBezier, RationalBezierSurface};
 pub use shape_change::ShapeChange;

@@ -370,3 +370,26 @@ fn bending_energy_is_curvature_squared_by_length() {
     // Control points of a loop that has shrunk to a point: the velocity vanishes in the middle.
     assert_eq!(bending_energy(&cusp), f64::INFINITY);
 }
+
+/// A place that is one that was kept, to rounding, is no step: the chord between both has no direction.
+#[test]
+fn frames_do_not_turn_over_where_they_were_kept() {
+    let points = [
+        [0.5, 0.0, 0.0],
+        [1.0, 0.0, 0.0],
+        [1.709679388155657, 0.0, 0.17961477411890797],
+        [2.3812294630917608, 0.5650413501529301, 0.6257053936322099],
+        [2.8812294630917608, 0.5650413501529301, 0.6257053936322099],
+        [3.418478663953235, 0.5650413501529301, 0.6257053936322099],
+    ];
+    let spline = spline_of(&points, false).unwrap();
+    let frames = CurveFrames::new(&spline, &FrameRule::rotation_minimizing()).unwrap();
+    // Fractions of 2 and of 10, of which many are kept, and their neighbours.
+    for i in 0..=1280 {
+        for t in [f64::from(i) / 1280.0, f64::from(i) / 1280.0 + 1e-15, f64::from(i) / 1280.0 - 1e-15] {
+            let [frame, near] = [t, t - 1e-6].map(|t| frames.at(t).unwrap());
+            // The curve turns by less than 20 in a unit of the parameter.
+            assert!((frame.normal - near.normal).length() < 2e-5, "{t}");
+        }
+    }
+}

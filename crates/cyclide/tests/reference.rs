@@ -127,6 +127,24 @@ fn patches_and_nets() {
 }
 
 #[test]
+fn motions() {
+    all_pass(
+        include_str!("reference/40-interpolation.json"),
+        &[
+            ("study-point", 5),
+            ("study-displacement-paper", 3),
+            ("study-displacement", 4),
+            ("motion-conic-three-poses", 14),
+            ("motion-quartic-five-poses", 8),
+            ("motion-cubic-cross-ratio", 8),
+            ("motion-sclerp", 15),
+            ("motion-spline-fibre", 9),
+            ("qb-as-motion", 3),
+        ],
+    );
+}
+
+#[test]
 fn qb_curves_interpolation_and_moebius_splines() {
     all_pass(
         include_str!("reference/40-interpolation.json"),

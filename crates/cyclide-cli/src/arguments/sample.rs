@@ -18,12 +18,15 @@ Examples:
   cyclide sample road.json --step 5 --frames up -o road.csv
   cyclide sample cable.json --object cable --step 10 --frames rotation-minimizing -o cable-frames.json
   cyclide sample roof.json --object 'outer skin' --count 8 -o roof.csv
+  cyclide sample gripper.json --object gripper --count 101 -o poses.csv
 
 Curves: columns t,x,y,z,tangent_x,tangent_y,tangent_z,curvature,station,signed_curvature,torsion, with --frames also normal_x to
 normal_z and binormal_x to binormal_z, with a column 'contour' in front if the object has several. The station is the arc length
 from the start; signed curvature is positive to the left, of plane curves only. Each contour gets its own samples, both ends included.
 Surfaces: columns patch,s,t,x,y,z,normal_x,normal_y,normal_z,curvature_s,curvature_t on a grid of N by N places of every
-patch, edges included, with a column 'body' in front if the object has several.";
+patch, edges included, with a column 'body' in front if the object has several.
+Motions: columns time,x,y,z,qw,qx,qy,qz,m11 to m34 (a quaternion, and the rows of the matrix) at equal steps of time; JSON has poses as a
+document takes them.";
 
 #[derive(Debug, ClapArgs)]
 pub struct SampleArgs {
@@ -32,7 +35,7 @@ pub struct SampleArgs {
     /// Name of the object; may be left out if there is only one.
     #[arg(long, value_name = "NAME")]
     pub object: Option<String>,
-    /// Samples per contour of a curve, or N by N per patch of a surface; at least 2.
+    /// Samples per contour of a curve, N by N per patch of a surface, or of a motion; at least 2.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(2..=10_000_000), required_unless_present = "step")]
     pub count: Option<u32>,
     /// Curves: a sample every D of arc length, and the end.
@@ -53,7 +56,7 @@ pub struct SampleArgs {
     /// Frames, rotation-minimizing: spread over a closed curve what its frame comes back turned by, so that it closes.
     #[arg(long)]
     pub spread_twist: bool,
-    /// Curves: print JSON instead of CSV; so does an output FILE.json.
+    /// Curves and motions: print JSON instead of CSV; so does an output FILE.json.
     #[arg(long)]
     pub json: bool,
     /// Write to a file instead of standard output.

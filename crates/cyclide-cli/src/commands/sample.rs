@@ -1,7 +1,9 @@
 //! `sample`: places of one object as a table, without writing exchange files.
 
-use cyclide::{Body, CurveObject, length};
-use cyclide_io::{BuiltObject, CurveSamples, SampleOptions, SamplePlaces, Spacing, did_you_mean, write_file};
+use cyclide::{Body, CurveObject, Geometry, length};
+use cyclide_io::{
+    BuiltObject, CurveSamples, SampleOptions, SamplePlaces, Spacing, did_you_mean, sample_poses, write_file,
+};
 
 use crate::arguments::plan::refuse_overwriting;
 use crate::arguments::sample::SamplePlan;
@@ -30,7 +32,11 @@ pub fn run(plan: &SamplePlan) -> Result<(), Failure> {
         refuse_overwriting(plan.output.as_deref(), &input)?;
     }
     let object = load::build_one(&document, &folder, index, &inputs, &Progress::new(1))?;
-    let text = if object.item.curves().is_empty() { surface(plan, &object)? } else { curves(plan, &object)? };
+    let text = match &object.item.geometry {
+        Geometry::Curves(_) => curves(plan, &object)?,
+        Geometry::Surfaces(_) => surface(plan, &object)?,
+        Geometry::Motion(_) => motion(plan, &object)?,
+    };
     match &plan.output {
         None => terminal::print(&text),
         Some(path) => {
@@ -39,20 +45,32 @@ pub fn run(plan: &SamplePlan) -> Result<(), Failure> {
     }
 }
 
+fn motion(plan: &SamplePlan, object: &BuiltObject) -> Result<String, Failure> {
+    let count = count_alone(plan, "a motion")?;
+    refuse_many(&format!("--count {count}"), count as f64, 1, "motion")?;
+    let as_json = if plan.json { sample_poses(object, count) } else { None };
+    Ok(as_json.unwrap_or_else(|| cyclide_io::sample(object, count, Spacing::Parameter)))
+}
+
 fn surface(plan: &SamplePlan, object: &BuiltObject) -> Result<String, Failure> {
-    let option = match plan.places {
-        SamplePlaces::Step(_) => Some("--step"),
-        SamplePlaces::Count { spacing: Spacing::Length, .. } => Some("--equal-length"),
-        SamplePlaces::Count { .. } if plan.frames.is_some() => Some("--frames"),
-        SamplePlaces::Count { .. } => plan.json.then_some("--json"),
-    };
-    if let Some(option) = option {
-        return Err(Failure::Usage(format!("{option} is for curves, the object is a surface")));
+    let count = count_alone(plan, "a surface")?;
+    if plan.json {
+        return Err(Failure::Usage("--json is for curves and motions, the object is a surface".to_owned()));
     }
-    let SamplePlaces::Count { count, spacing } = plan.places else { return Ok(String::new()) };
     let patches: usize = object.bodies.iter().flat_map(Body::shells).map(|shell| shell.faces().len()).sum();
     refuse_many(&format!("--count {count}"), patches as f64 * (count as f64).powi(2), patches, "patches")?;
-    Ok(cyclide_io::sample(object, count, spacing))
+    Ok(cyclide_io::sample(object, count, Spacing::Parameter))
+}
+
+/// The number of samples, where no option may be given that only curves have.
+fn count_alone(plan: &SamplePlan, what: &str) -> Result<usize, Failure> {
+    let for_curves = |option: &str| Failure::Usage(format!("{option} is for curves, the object is {what}"));
+    match plan.places {
+        SamplePlaces::Step(_) => Err(for_curves("--step")),
+        SamplePlaces::Count { spacing: Spacing::Length, .. } => Err(for_curves("--equal-length")),
+        SamplePlaces::Count { .. } if plan.frames.is_some() => Err(for_curves("--frames")),
+        SamplePlaces::Count { count, .. } => Ok(count),
+    }
 }
 
 fn curves(plan: &SamplePlan, object: &BuiltObject) -> Result<String, Failure> {

@@ -37,17 +37,18 @@ pub use objects::{
 use plain_words::{in_plain_words, other_word_for, syntax_in_plain_words, wrong_count};
 pub use schema::document_schema;
 pub use spec::{
-    AnglePairs, ArcFitSpec, ArcSpec, ArcSplineSpec, BiarcSpec, BorderCurves, BorderSpec, BorderWord, BridgeArcs,
-    CircleSpec, CircleSplineSpec, CircularSurfaceSpec, ClampedEnds, Comment, CrossingPipeSpec, CyclidePatchSpec,
-    CyclideSpec, CyclidicNetSpec, DiskSpec, EllipseBridgeSpec, EndsSpec, FairEndPair, FairEndSpec, FairEndWord,
-    FairEndsSpec, FairFitSpec, FairSplineSpec, FamilySpec, FrameSpec, FreeOr, GridSource, MakeCircularOptions,
-    MakeCircularSpec, MeshFile, MoebiusContinuity, MoebiusSplineSpec, NormalsSpec, NurbsSpec, ObjectSpec, OffsetSpec,
-    ParameterRule, ParametersSpec, PipeCrossingSpec, PipeSpec, PipeTeeSpec, PlaneSpec, PlateSpec, PlateWithNeckSpec,
-    PolygonMeshFile, PolylineSpec, QbInterpolationSpec, RadiiSpec, RadiusLawSpec, RatePairs, RevolutionSpec,
-    RotationSpec, RuledSpec, ScaleSpec, SmoothMeshSpec, SmoothPolyhedronSpec, SphereBlendSpec, SphereSpec, StepSpec,
-    StraightWord, SupportStructureSpec, TeeBlendSpec, TeeBranchSpec, TeeLawSpec, TeeMainSpec, TeeRadiusSpec,
+    AnglePairs, ArcFitSpec, ArcSpec, ArcSplineSpec, BiarcSpec, BlendTubeSpec, BorderCurves, BorderSpec, BorderWord,
+    BridgeArcs, CircleSpec, CircleSplineSpec, CircularSurfaceSpec, ClampedEnds, Comment, ContactBlendSpec,
+    CrossingPipeSpec, CyclidePatchSpec, CyclideSpec, CyclidicNetSpec, DiskSpec, EllipseBridgeSpec, EndsSpec,
+    FairEndPair, FairEndSpec, FairEndWord, FairEndsSpec, FairFitSpec, FairSplineSpec, FamilySpec, FrameSpec, FreeOr,
+    GridSource, MakeCircularOptions, MakeCircularSpec, MeshFile, MoebiusContinuity, MoebiusSplineSpec, MotionKind,
+    MotionSpec, NormalsSpec, NurbsSpec, ObjectSpec, OffsetSpec, ParameterRule, ParametersSpec, PipeCrossingSpec,
+    PipeSpec, PipeTeeSpec, PlaneSpec, PlateSpec, PlateWithNeckSpec, PolygonMeshFile, PolylineSpec, PoseFile,
+    PoseSource, PoseSpec, QbInterpolationSpec, RadiiSpec, RadiusLawSpec, RatePairs, RevolutionSpec, RotationSpec,
+    RuledSpec, ScaleSpec, SmoothMeshSpec, SmoothPolyhedronSpec, SphereBlendSpec, SphereSpec, StepSpec, StraightWord,
+    SupportStructureSpec, SweptSurfaceSpec, TeeBlendSpec, TeeBranchSpec, TeeLawSpec, TeeMainSpec, TeeRadiusSpec,
     TorusCircleSpec, TorusKnotSpec, TorusMethod, TorusQuarticSpec, TorusSeamSpec, TorusSource, TorusSpec,
-    TorusSplineSpec, TransformSpec, TubeSpec, TypeWord, UnrolledSpec, WindingSpec,
+    TorusSplineSpec, TrajectorySpec, TransformSpec, TubeSpec, TypeWord, UnrolledSpec, WindingSpec,
 };
 
 /// The document version this crate reads.

@@ -54,6 +54,8 @@ pub(crate) struct Written {
     pub(crate) mesh_edges: bool,
     /// What the lines of surfaces in a drawing stand for, in file order, with those that are points there.
     pub(crate) lines: Vec<DrawnLine>,
+    /// What is promised of each motion, in the model's order.
+    pub(crate) motions: Vec<Promise>,
     /// The tolerance of curves that the file is made with.
     pub(crate) tolerance: f64,
     /// The tolerance that was asked for, if one was.
@@ -120,6 +122,7 @@ impl Written {
         self.curves.iter().for_each(|curve| whole.merge(curve.promise));
         self.bodies.iter().for_each(|body| whole.merge(*body));
         self.lines.iter().for_each(|line| whole.merge(line.promise));
+        self.motions.iter().for_each(|motion| whole.merge(*motion));
         let Promise { bound, sampled, rounding } = whole;
         let (exact, bound, title) = (bound.is_none(), bound.unwrap_or(0.0), String::new());
         Exported { bytes, exact, bound, sampled, rounding, notes, title, written: self }

@@ -10,6 +10,7 @@ pub(crate) mod job;
 pub(crate) mod lowered;
 pub(crate) mod mesh;
 pub(crate) mod mesh_plan;
+pub(crate) mod moving;
 pub(crate) mod options;
 pub(crate) mod parts;
 pub(crate) mod pieces;

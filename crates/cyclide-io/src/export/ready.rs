@@ -3,9 +3,10 @@
 
 use crate::export::error::ExportError;
 use crate::export::lowered::LoweredCurves;
+use crate::export::moving::{reach, way};
 use crate::export::parts::{BodyOf, bodies, boxes, contours};
 use crate::export::provenance::{Provenance, Provenances};
-use cyclide::{Aabb, Model};
+use cyclide::{Aabb, Model, Vec3};
 
 /// Largest coordinate that is written: products of two of them must not overflow.
 const LARGEST_COORDINATE: f64 = 1e120;
@@ -21,7 +22,7 @@ pub(crate) struct ReadyModel<'a> {
     pub(crate) provenances: Provenances<'a>,
     /// The bodies of all surfaces, in the model's order.
     pub(crate) bodies: Vec<BodyOf<'a>>,
-    /// The smallest box around all curves and surfaces.
+    /// The smallest box around all curves, surfaces and motions.
     pub(crate) bounds: Aabb,
     pub(crate) extents: Extents,
     /// The forms of its curves that files share.
@@ -59,6 +60,14 @@ impl<'a> ReadyModel<'a> {
             }
             total = Some(total.map_or(own, |b| b.union(own)));
         }
+        for item in &model.items {
+            let Some(own) = item.motion().map(|body| grown(way(body), reach(body))) else { continue };
+            if !(own.max_abs() <= LARGEST_COORDINATE) {
+                let object = item.name.clone();
+                return Err(ExportError::TooLarge { object, value: own.max_abs(), limit: LARGEST_COORDINATE });
+            }
+            total = Some(total.map_or(own, |b| b.union(own)));
+        }
         // Those of the bodies stand behind those of the curves.
         let of_bodies = curves.split_off(count);
         let extents = Extents { curves, bodies: of_bodies };
@@ -71,6 +80,12 @@ impl<'a> ReadyModel<'a> {
     pub(crate) fn extent(&self) -> f64 {
         extent(self.bounds)
     }
+}
+
+/// A box with a margin.
+fn grown(bounds: Aabb, margin: f64) -> Aabb {
+    let margin = Vec3::new(margin, margin, margin);
+    Aabb { min: bounds.min - margin, max: bounds.max + margin }
 }
 
 fn extent(bounds: Aabb) -> f64 {

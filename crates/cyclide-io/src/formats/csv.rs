@@ -32,6 +32,7 @@ pub(super) static ENTRY: Entry = Entry {
     title: "CSV",
     suffixes: &["csv"],
     lacks: Some(Kind::Surfaces),
+    animates: false,
     holds_exact_only: false,
     forms: |_| Forms::NONE,
     write,

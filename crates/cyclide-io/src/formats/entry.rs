@@ -26,6 +26,8 @@ pub(crate) struct Entry {
     pub(crate) suffixes: &'static [&'static str],
     /// The kind of objects that it cannot hold.
     pub(crate) lacks: Option<Kind>,
+    /// True if it holds motions.
+    pub(crate) animates: bool,
     /// True if surfaces stand in it by their exact form, or by exact lines of it.
     pub(crate) holds_exact_only: bool,
     /// The forms of curves that a file needs.

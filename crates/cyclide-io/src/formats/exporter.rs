@@ -128,25 +128,32 @@ fn check_exact_form(bodies: &[BodyOf<'_>], format: &Entry) -> Result<(), ExportE
 
 /// A note on the objects that a format has no place for; refused where nothing remains.
 fn left_out(model: &Model, format: &Entry) -> Result<Option<String>, ExportError> {
-    let Some(kind) = format.lacks else {
+    let what = |item: &Item| match &item.geometry {
+        Geometry::Curves(contours) if format.lacks == Some(Kind::Curves) && !contours.is_empty() => Some("curves"),
+        Geometry::Surfaces(surfaces) if format.lacks == Some(Kind::Surfaces) && !surfaces.is_empty() => {
+            Some("surfaces")
+        }
+        Geometry::Motion(_) if !format.animates => Some("motions"),
+        _ => None,
+    };
+    let lost: Vec<(&str, &str)> =
+        model.items.iter().filter_map(|item| Some((what(item)?, item.name.as_str()))).collect();
+    let Some((first_kind, first)) = lost.first().copied() else {
         return Ok(None);
     };
-    let has = |item: &&Item, kind: Kind| match &item.geometry {
-        Geometry::Curves(contours) => kind == Kind::Curves && !contours.is_empty(),
-        Geometry::Surfaces(surfaces) => kind == Kind::Surfaces && !surfaces.is_empty(),
+    let is_empty = |item: &Item| match &item.geometry {
+        Geometry::Curves(contours) => contours.is_empty(),
+        Geometry::Surfaces(surfaces) => surfaces.is_empty(),
+        Geometry::Motion(_) => false,
     };
-    let (other, what) = match kind {
-        Kind::Curves => (Kind::Surfaces, "curves"),
-        Kind::Surfaces => (Kind::Curves, "surfaces"),
-    };
-    let lost: Vec<&str> = model.items.iter().filter(|item| has(item, kind)).map(|item| item.name.as_str()).collect();
-    let Some(first) = lost.first() else {
-        return Ok(None);
-    };
-    if !model.items.iter().any(|item| has(&item, other)) {
-        return Err(ExportError::NotInFormat { object: (*first).to_owned(), format: format.title, detail: what });
+    if !model.items.iter().any(|item| what(item).is_none() && !is_empty(item)) {
+        return Err(ExportError::NotInFormat { object: first.to_owned(), format: format.title, detail: first_kind });
     }
-    Ok(Some(format!("{what} are left out ({} cannot hold them): {}", format.title, lost.join(", "))))
+    let of_kind =
+        |kind: &str| lost.iter().filter(|(own, _)| *own == kind).map(|(_, name)| *name).collect::<Vec<_>>().join(", ");
+    let kinds = ["curves", "surfaces", "motions"].into_iter().filter(|kind| lost.iter().any(|(own, _)| own == kind));
+    let notes = kinds.map(|kind| format!("{kind} are left out ({} cannot hold them): {}", format.title, of_kind(kind)));
+    Ok(Some(notes.collect::<Vec<_>>().join("; ")))
 }
 
 #[cfg(test)]

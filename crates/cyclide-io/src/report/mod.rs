@@ -5,6 +5,7 @@ mod curve_sample;
 mod curves;
 mod fairness;
 mod file;
+mod motion;
 mod polyhedron;
 mod qb;
 mod sample;
@@ -27,9 +28,10 @@ pub use curve_sample::{ContourSamples, CurveSample, CurveSamples, SampleOptions,
 pub use curves::{CurvatureReport, CurvesReport, FitPieces, FitReport, JointReport};
 pub use fairness::FairnessReport;
 pub use file::{CheckError, FileReport};
+pub use motion::MotionReport;
 pub use polyhedron::PolyhedronReport;
 pub use qb::QbReport;
-pub use sample::{Spacing, sample};
+pub use sample::{Spacing, sample, sample_poses};
 pub use seam::SeamReport;
 pub use smooth::{ComparisonReport, SmoothReport};
 pub use surface::{CircularReport, PartReport, PatchPlace, ShapeReport, SingularPatchReport, SurfaceReport};
@@ -77,7 +79,7 @@ pub struct ObjectReport {
     /// True for construction geometry, which is in no file.
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     pub construction: bool,
-    /// Its curves or its surfaces.
+    /// Its curves, its surfaces or its motion.
     #[serde(flatten)]
     pub geometry: GeometryReport,
     /// What the user should know.
@@ -104,6 +106,8 @@ pub enum GeometryReport {
     Surface(SurfaceReport),
     /// A smooth surface over triangles.
     Smooth(SmoothReport),
+    /// A motion.
+    Motion(Box<MotionReport>),
 }
 
 /// Smallest and largest value.
@@ -191,6 +195,7 @@ impl ObjectReport {
                 Some(triangles) => GeometryReport::Smooth(SmoothReport::new(built, triangles)),
                 None => GeometryReport::Surface(SurfaceReport::new(built)),
             },
+            Geometry::Motion(body) => GeometryReport::Motion(Box::new(MotionReport::new(body))),
         };
         let warnings = built.remarks.iter().map(WarningReport::from).collect();
         Self { r#type: built.provenance.kind.to_owned(), construction: built.construction, geometry, warnings }

@@ -15,7 +15,7 @@ pub(super) fn short(value: f64) -> String {
 }
 
 /// Smallest and largest value, or the one where they look alike.
-fn range(range: &RangeReport) -> String {
+pub(super) fn range(range: &RangeReport) -> String {
     match [range.min, range.max].map(short) {
         [min, max] if min == max => min,
         [min, max] => format!("{min} to {max}"),
@@ -59,6 +59,7 @@ impl ObjectReport {
             GeometryReport::Curves(curves) => curves.facts(&mut facts),
             GeometryReport::Surface(surface) => surface.facts(&mut facts),
             GeometryReport::Smooth(surface) => surface.facts(&mut facts),
+            GeometryReport::Motion(motion) => motion.facts(&mut facts),
         }
         if self.construction {
             facts.push("construction".to_owned());
@@ -69,6 +70,7 @@ impl ObjectReport {
             GeometryReport::Curves(curves) => curves.lines(units, &mut line)?,
             GeometryReport::Surface(surface) => surface.lines(units, &mut line)?,
             GeometryReport::Smooth(surface) => surface.lines(units, &mut line)?,
+            GeometryReport::Motion(motion) => motion.lines(units, &mut line)?,
         }
         if !self.warnings.is_empty() {
             line("warnings", self.warnings.len().to_string())?;

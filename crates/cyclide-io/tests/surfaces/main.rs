@@ -2,6 +2,7 @@
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
+mod contact_blends;
 mod crossings;
 mod cyclides;
 mod necks;

@@ -4,11 +4,13 @@
 //! One file per class of trouble. A class makes lists of points, or whole objects; [`document`] puts them together, and
 //! the same seed and number give the same document on every machine.
 
+mod contact_blends;
 mod crossings;
 mod ends;
 mod hairpins;
 mod inversions;
 mod maps;
+mod motions;
 mod near_degenerate;
 mod nets;
 mod nurbs;
@@ -100,6 +102,7 @@ const CLASSES: &[Class] = &[
     ("pipes", 2, pipes::surface),
     ("tubes", 2, tubes::surface),
     ("tees", 1, tees::surface),
+    ("contact blends", 1, contact_blends::surface),
     ("crossings", 1, crossings::surface),
     ("necks", 2, swept::neck),
     ("bridges", 1, swept::bridge),
@@ -108,6 +111,8 @@ const CLASSES: &[Class] = &[
     ("triangles", 1, triangles::surface),
     ("tori", 2, tori::curve),
     ("seams", 1, tori::seam),
+    ("trajectories", 2, motions::trajectory),
+    ("swept surfaces", 2, motions::swept),
     ("quotients", 3, quotients::curve),
 ];
 

@@ -17,6 +17,7 @@ mod deviation;
 mod fair;
 mod interpolation;
 mod moebius_spline;
+mod motion;
 mod patch;
 mod polyhedron;
 mod qb;
@@ -135,6 +136,7 @@ fn handler(construct: &str) -> Option<Handler> {
         triangle::handler,
         torus::handler,
         canal::handler,
+        motion::handler,
         qb::handler,
         interpolation::handler,
         moebius_spline::handler,

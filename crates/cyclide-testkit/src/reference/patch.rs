@@ -26,11 +26,12 @@ pub(super) fn handler(construct: &str) -> Option<Handler> {
 }
 
 /// What the cases call the refusals of arcs (`docs/math/reference-cases.md#patches-and-nets`): the constructor of an
-/// arc from a tangent has names which say what is wrong with the tangent.
+/// arc from a tangent has names which say what is wrong with the tangent. Numbers that are not finite have another name in the cases of motions.
 pub(super) fn reason(construct: &str, error: &Error) -> &'static str {
     match error.reason() {
         "tangent-opposes-chord" | "pole-on-segment" if construct == "qb-arc" => "arc-through-infinity",
         "not-in-im-h" if construct == "qb-arc" => "not-in-space",
+        "not-finite" if construct.starts_with("motion-") => "non-finite",
         other => other,
     }
 }

@@ -25,7 +25,7 @@ pub(super) fn relative(case: &Case, check: &Check, field: &str, parameters: usiz
     move |_| allowed
 }
 
-fn curve(case: &Case) -> Result<QbCurve, Fault> {
+pub(super) fn curve(case: &Case) -> Result<QbCurve, Fault> {
     let (num, den) = (case.quats("Q")?, case.quats("P")?);
     let pairs: Vec<HPoint> = num.into_iter().zip(den).map(|(n, d)| HPoint { n, d }).collect();
     Ok(QbCurve::new(&pairs)?)

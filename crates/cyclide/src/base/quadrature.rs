@@ -130,6 +130,31 @@ pub(crate) fn cells(f: &mut impl FnMut(f64) -> f64, a: f64, b: f64) -> Vec<Cell>
     cells
 }
 
+/// The place in `[a, b]` up to which the integral of a function that is not negative is `rest` of the whole: Newton steps kept in a
+/// bracket. One 8-point rule must give the integral over the cell.
+#[must_use]
+pub(crate) fn invert(f: &mut impl FnMut(f64) -> f64, [a, b]: [f64; 2], whole: f64, rest: f64) -> f64 {
+    let (mut low, mut high) = (a, b);
+    let mut s = a + (b - a) * (rest / whole);
+    for _ in 0..64 {
+        let error = gauss8(f, a, s) - rest;
+        if error < 0.0 {
+            low = s;
+        } else {
+            high = s;
+        }
+        let next = s - error / f(s);
+        let next = if next >= low && next <= high { next } else { 0.5 * (low + high) };
+        let moved = (next - s).abs();
+        s = next;
+        // The error after a Newton step is of the order of the square of the step.
+        if moved <= 1e-9 * (b - a) || error == 0.0 {
+            break;
+        }
+    }
+    s
+}
+
 /// Integral of `f` over `[a, b]` to about 1e-13 of itself (or to the rounding of `f`, whichever is larger).
 #[must_use]
 pub(crate) fn integrate(f: &mut impl FnMut(f64) -> f64, a: f64, b: f64) -> f64 {

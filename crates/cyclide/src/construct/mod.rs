@@ -8,8 +8,9 @@ mod curves;
 pub use bodies::{
     Ball, ConvexPolyhedron, CrossingPipe, EllipseBridge, MadeCrossing, MadeTee, NeckBlend, NeckBody, NeckSide,
     NeckVariant, Pipe, PipeCrossing, PipeEnds, PipeTee, PlateShape, PolyhedronEdge, RadiusLaw, RailSurface, Revolution,
-    SphericalPolygon, TeeBlend, TeeBlendFacts, TeeBranch, TeeEnds, TeeMain, TorusSeam, Tube,
+    SphericalPolygon, SweptSurface, TeeBlend, TeeBlendFacts, TeeBranch, TeeEnds, TeeMain, TorusSeam, Tube,
 };
+pub use bodies::{BlendBase, BlendTube, ContactBlend, MadeContactBlend};
 #[cfg(feature = "circular-mesh")]
 pub use circular_mesh::{
     Border, CircularMesh, CircularMeshOptions, CircularMeshReport, CircularMeshStep, LineAngles, VertexMoves,

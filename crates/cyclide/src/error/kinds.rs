@@ -314,13 +314,13 @@ pub enum Error {
         /// Number of conditions given: points, and derivatives at them.
         given: usize,
     },
-    /// Two points are asked for at one parameter.
+    /// Two points, or two poses, are asked for at one parameter.
     RepeatedParameter {
-        /// Which point, from 0.
+        /// Which of them, from 0.
         first: usize,
         /// The other one.
         second: usize,
-        /// Their parameter.
+        /// The parameter of the second; of the first too, or so near that it is the same on the scale of all.
         value: f64,
     },
     /// The only curve of the degree that fits the other points, at their parameters, misses these.
@@ -769,6 +769,32 @@ pub enum Error {
         /// What is left of its width there, in parts of that on a straight way.
         left: f64,
     },
+    /// At some angle round a tube no ball of the radius touches it and the plane or sphere that it is blended with.
+    ContactLoopOpen {
+        /// The angle round the tube.
+        angle: f64,
+        /// What must be positive there: the rise of the tube's line over the plane, or the square of half the distance between both such balls on it.
+        measured: f64,
+    },
+    /// The contact of a blend with a plane or a sphere turns back, so that the rest of it would overlap.
+    ContactLoopTurnsBack {
+        /// The angle round the tube where that is.
+        angle: f64,
+    },
+    /// The blend of a tube with a plane or a sphere runs through itself.
+    ContactBlendFolds {
+        /// The angle round the tube where that is.
+        angle: f64,
+        /// What is left of its width there, in parts of that on a straight way.
+        left: f64,
+    },
+    /// A tube ends within its blend.
+    ContactTubeTooShort {
+        /// Its end, as the distance along its axis.
+        end: f64,
+        /// The distance that it must be beyond.
+        needed: f64,
+    },
     /// Two branches of a tee, or their blends, meet.
     TeeBranchesMeet {
         /// The first branch, from 0.
@@ -1111,6 +1137,94 @@ pub enum Error {
         /// The radius given.
         radius: f64,
         /// It must be above this.
+        limit: f64,
+    },
+    // Displacements and motions.
+    /// A rotation quaternion is zero.
+    ZeroRotation {
+        /// Which rotation, from 0.
+        index: usize,
+    },
+    /// A matrix that should be a displacement is none: its columns are not orthonormal and right-handed, or its last row is not `0 0 0 1`.
+    NotARotation {
+        /// Largest deviation of a length, a scalar product, the determinant or an entry of the last row.
+        off: f64,
+        /// Deviations above this are refused.
+        limit: f64,
+    },
+    /// A dual quaternion is no displacement: its parts are not perpendicular.
+    NotOnStudyQuadric {
+        /// `|p·r| / (|p| |r|)`.
+        product: f64,
+        /// Products above this are refused.
+        limit: f64,
+    },
+    /// A motion needs another number of poses.
+    WrongPoseCount {
+        /// Number of poses given.
+        given: usize,
+        /// Number of poses needed.
+        needed: usize,
+        /// True if more will do.
+        or_more: bool,
+    },
+    /// A parameter is not after the one before it.
+    ParametersNotIncreasing {
+        /// Which parameter, from 0.
+        index: usize,
+        /// Its value.
+        value: f64,
+        /// The value before it.
+        before: f64,
+    },
+    /// No motion of this kind takes a pose at its time together with the others.
+    UnattainablePose {
+        /// Which pose, from 0.
+        index: usize,
+        /// The factor of the pose against the largest, below the limit; or by how much the pose is missed, above it.
+        share: f64,
+        /// The limit.
+        limit: f64,
+    },
+    /// On its way a motion comes to where a dual quaternion is no displacement: the body would go through infinity.
+    MotionThroughExceptionalPoint {
+        /// When.
+        time: f64,
+        /// The share `|p|²/(|p|² + |r|²)` there, with lengths in units of the size of the poses.
+        share: f64,
+        /// Shares up to this are refused.
+        limit: f64,
+    },
+    /// Between two poses the rotation is so large that its direction is lost.
+    RotationTooLarge {
+        /// Which span, from 0.
+        span: usize,
+        /// Smallest length of the quaternion on the way.
+        length: f64,
+        /// Lengths up to this are refused.
+        limit: f64,
+    },
+    /// No motion of degree 3 takes the four poses one after the other (at the cross-ratio asked for).
+    NoCubicMotion {
+        /// Discriminant of the equation of the cross-ratio; negative: there is none.
+        discriminant: f64,
+        /// The cross-ratios at which there are motions; those between 0 and 1 take the poses one after the other.
+        roots: Vec<f64>,
+    },
+    /// Poses are planar, spherical or translated against each other: what should follow from how they screw is not determined.
+    StudyFormVanishes {
+        /// Largest value of the Study form between two poses, over their size.
+        measured: f64,
+        /// Values up to this are zero.
+        limit: f64,
+    },
+    /// What needs a rational motion is asked of one that is not: the points of a screw motion run on helices.
+    MotionNotRational,
+    /// A time law by the way of a point is asked of a motion that does not move it.
+    MotionAtRest {
+        /// Length of the whole way.
+        length: f64,
+        /// Lengths up to this are refused.
         limit: f64,
     },
     // What failed in a part of the input.

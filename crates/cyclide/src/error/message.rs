@@ -1,5 +1,6 @@
 //! What an error says: plain sentences with the item, the measure and the limit.
 
+use super::motion_message::of_motion;
 use super::words::{
     at_infinity, at_least, clockwise, count_differs, numbered, opposed, outside, points_in_words, size_in_place,
     speed_ratio, through_infinity, zero_axis,
@@ -199,6 +200,29 @@ impl std::fmt::Display for Error {
                 ShortNumber(*angle),
                 ShortNumber(*left)
             ),
+            Self::ContactLoopOpen { angle, measured } => write!(
+                f,
+                "no ball of this radius touches both at {} radians round the tube: what must be positive there is {}; the tube has to meet the plane or the sphere all round, with room for the ball",
+                ShortNumber(*angle),
+                ShortNumber(*measured)
+            ),
+            Self::ContactLoopTurnsBack { angle } => write!(
+                f,
+                "the border of the blend on the plane or the sphere turns back at {} radians round the tube; take a smaller ball, or a tube that stands more upright",
+                ShortNumber(*angle)
+            ),
+            Self::ContactBlendFolds { angle, left } => write!(
+                f,
+                "the blend runs through itself at {} radians round the tube: its width there is {} of that on a straight way, which must be positive; take a smaller ball or a thinner wall",
+                ShortNumber(*angle),
+                ShortNumber(*left)
+            ),
+            Self::ContactTubeTooShort { end, needed } => write!(
+                f,
+                "the tube ends within the blend: at {} along its axis, which must be beyond {}",
+                ShortNumber(*end),
+                ShortNumber(*needed)
+            ),
             Self::TeeBranchesMeet { first, second, distance, needed } => write!(
                 f,
                 "branches {first} and {second} meet, or their blends do: their distance is {}, which must be above {}",
@@ -278,7 +302,7 @@ impl std::fmt::Display for Error {
                  spline, which takes any number"
             ),
             Self::RepeatedParameter { first, second, value } => {
-                write!(f, "points {first} and {second} have the same parameter {}", ShortNumber(*value))
+                write!(f, "parameters {first} and {second} are both {}", ShortNumber(*value))
             }
             Self::UnattainablePoint { points, measured, limit } => write!(
                 f,
@@ -703,6 +727,18 @@ impl std::fmt::Display for Error {
                 ShortNumber(*distance),
                 ShortNumber(*limit)
             ),
+            Self::ZeroRotation { .. }
+            | Self::NotARotation { .. }
+            | Self::NotOnStudyQuadric { .. }
+            | Self::WrongPoseCount { .. }
+            | Self::ParametersNotIncreasing { .. }
+            | Self::UnattainablePose { .. }
+            | Self::MotionThroughExceptionalPoint { .. }
+            | Self::RotationTooLarge { .. }
+            | Self::NoCubicMotion { .. }
+            | Self::StudyFormVanishes { .. }
+            | Self::MotionNotRational
+            | Self::MotionAtRest { .. } => f.write_str(&of_motion(self)),
         }
     }
 }

@@ -6,6 +6,7 @@
 mod item;
 mod kinds;
 mod message;
+mod motion_message;
 mod reason;
 pub mod reasons;
 mod words;

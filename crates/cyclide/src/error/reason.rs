@@ -50,6 +50,10 @@ impl Error {
             Self::CrossingHoleTooWide { .. } => "crossing-hole-too-wide",
             Self::CrossingHoleTurnsBack { .. } => "crossing-hole-turns-back",
             Self::CrossingFolds { .. } => "crossing-folds",
+            Self::ContactLoopOpen { .. } => "contact-loop-open",
+            Self::ContactLoopTurnsBack { .. } => "contact-loop-turns-back",
+            Self::ContactBlendFolds { .. } => "contact-blend-folds",
+            Self::ContactTubeTooShort { .. } => "contact-tube-too-short",
             Self::TeeBranchesMeet { .. } => "tee-branches-meet",
             Self::EllipsesCross { .. } => "ellipses-cross",
             Self::PieceCountsDiffer { .. } => "piece-counts-differ",
@@ -147,6 +151,18 @@ impl Error {
             Self::NoPositiveRadius { .. } => "no-positive-radius",
             Self::ParallelContact { .. } => "parallel-contact",
             Self::RadiusTooSmall { .. } => "radius-too-small",
+            Self::ZeroRotation { .. } => "zero-rotation",
+            Self::NotARotation { .. } => "not-a-rotation",
+            Self::NotOnStudyQuadric { .. } => "not-on-study-quadric",
+            Self::WrongPoseCount { .. } => "wrong-pose-count",
+            Self::ParametersNotIncreasing { .. } => "parameters-not-increasing",
+            Self::UnattainablePose { .. } => "unattainable-pose",
+            Self::MotionThroughExceptionalPoint { .. } => "motion-through-exceptional-point",
+            Self::RotationTooLarge { .. } => "rotation-too-large",
+            Self::NoCubicMotion { .. } => "no-cubic-motion",
+            Self::StudyFormVanishes { .. } => "study-form-vanishes",
+            Self::MotionNotRational => "motion-not-rational",
+            Self::MotionAtRest { .. } => "motion-at-rest",
         }
     }
 
@@ -162,7 +178,11 @@ impl Error {
             | Self::ZeroAxis { index, .. }
             | Self::Cusp { index, .. }
             | Self::OppositeTangents { first: index, .. }
-            | Self::WeightNotPositive { index, .. } => Some(index),
+            | Self::WeightNotPositive { index, .. }
+            | Self::ZeroRotation { index }
+            | Self::ParametersNotIncreasing { index, .. }
+            | Self::UnattainablePose { index, .. } => Some(index),
+            Self::RotationTooLarge { span, .. } => Some(span),
             Self::CoincidentPoints { second, .. } | Self::RepeatedParameter { second, .. } => Some(second),
             Self::ArcThroughInfinity { segment, .. } | Self::AmbiguousHalfTurn { segment, .. } => Some(segment),
             Self::TooManyPieces { segment, .. } => segment,

@@ -4,6 +4,7 @@ use super::object::{CurveObject, Item, Model, Units};
 use super::surface_object::SurfaceObject;
 use crate::construct::Biarc;
 use crate::curve::{Arc, ArcPath, Circle, CircleSpline, QbSpline};
+use crate::motion::MovingBody;
 use crate::rational::NurbsCurve;
 use crate::surface::{CyclidePatch, CyclidicNet, SmoothMesh, SphereBlend, TorusSpline, TriangleSurface};
 use crate::topology::{Body, Shell};
@@ -33,6 +34,12 @@ impl Model {
     #[must_use]
     pub fn with_surface(self, name: impl Into<String>, surface: impl Into<SurfaceObject>) -> Self {
         self.with(Item::new(name, vec![surface.into()]))
+    }
+
+    /// The model with one more object, a moving body.
+    #[must_use]
+    pub fn with_motion(self, name: impl Into<String>, body: impl Into<MovingBody>) -> Self {
+        self.with(Item::new(name, body.into()))
     }
 
     fn with(mut self, item: Item) -> Self {

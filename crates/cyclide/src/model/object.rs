@@ -5,6 +5,7 @@ use super::lower::{Lower, Lowered};
 use super::surface_object::SurfaceObject;
 use crate::curve::{Arc, ArcPath, Circle, CircleSpline, ParamCurve, QbSpline};
 use crate::error::Result;
+use crate::motion::MovingBody;
 use crate::rational::NurbsCurve;
 use crate::surface::TorusSpline;
 
@@ -139,9 +140,9 @@ impl Lower for CurveObject {
     }
 }
 
-/// What an object is made of: curves or surfaces, never both. A construction that makes both makes two objects.
+/// What an object is made of: curves, surfaces or a motion, never two of them. A construction that makes both makes two objects.
 ///
-/// The list is closed on purpose: objects of another kind (motions, volumes) are a new variant, and the compiler then names
+/// The list is closed on purpose: objects of another kind (volumes) are a new variant, and the compiler then names
 /// every writer, check and report that has to think of them.
 ///
 /// ```
@@ -157,6 +158,8 @@ pub enum Geometry {
     Curves(Vec<CurveObject>),
     /// Surfaces, each one body, or several where it hangs together in points only.
     Surfaces(Vec<SurfaceObject>),
+    /// A moving body.
+    Motion(Box<MovingBody>),
 }
 
 impl Default for Geometry {
@@ -178,6 +181,12 @@ impl From<Vec<SurfaceObject>> for Geometry {
     }
 }
 
+impl From<MovingBody> for Geometry {
+    fn from(body: MovingBody) -> Self {
+        Self::Motion(Box::new(body))
+    }
+}
+
 /// A named object made by one construction. How it was made, what was said about it and what it was made from is known to
 /// whoever ran the construction.
 ///
@@ -192,12 +201,12 @@ impl From<Vec<SurfaceObject>> for Geometry {
 pub struct Item {
     /// Name, unique in the model.
     pub name: String,
-    /// Its curves or surfaces.
+    /// Its curves, its surfaces or its motion.
     pub geometry: Geometry,
 }
 
 impl Item {
-    /// An object of curves or of surfaces. Names tell objects apart in files: give each its own.
+    /// An object of curves, of surfaces or of a motion. Names tell objects apart in files: give each its own.
     #[must_use]
     pub fn new(name: impl Into<String>, geometry: impl Into<Geometry>) -> Self {
         Self { name: name.into(), geometry: geometry.into() }
@@ -208,7 +217,16 @@ impl Item {
     pub fn curves(&self) -> &[CurveObject] {
         match &self.geometry {
             Geometry::Curves(contours) => contours,
-            Geometry::Surfaces(_) => &[],
+            Geometry::Surfaces(_) | Geometry::Motion(_) => &[],
+        }
+    }
+
+    /// Its motion, if it is one.
+    #[must_use]
+    pub fn motion(&self) -> Option<&MovingBody> {
+        match &self.geometry {
+            Geometry::Motion(body) => Some(body),
+            _ => None,
         }
     }
 
@@ -216,7 +234,7 @@ impl Item {
     #[must_use]
     pub fn surfaces(&self) -> &[SurfaceObject] {
         match &self.geometry {
-            Geometry::Curves(_) => &[],
+            Geometry::Curves(_) | Geometry::Motion(_) => &[],
             Geometry::Surfaces(surfaces) => surfaces,
         }
     }

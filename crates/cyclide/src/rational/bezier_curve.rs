@@ -154,7 +154,7 @@ pub(super) fn moved_row(map: &Mobius, &[x, y, z, w]: &[f64; 4], index: usize) ->
 }
 
 /// The affine jet of homogeneous derivatives `[wx, wy, wz, w]` of orders 0 to 3 (quotient rule).
-pub(super) fn jet_of_homogeneous(h: [[f64; 4]; 4]) -> CurveJet {
+pub(crate) fn jet_of_homogeneous(h: [[f64; 4]; 4]) -> CurveJet {
     let v = |k: usize| Vec3::new(h[k][0], h[k][1], h[k][2]);
     let (w0, w1, w2, w3) = (h[0][3], h[1][3], h[2][3], h[3][3]);
     let x0 = v(0) / w0;

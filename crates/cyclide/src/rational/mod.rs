@@ -11,6 +11,7 @@ mod smooth_knots;
 mod surface_bounds;
 
 pub use bezier_curve::RationalBezier;
+pub(crate) use bezier_curve::jet_of_homogeneous;
 pub(crate) use bezier_surface::FirstJets;
 pub use bezier_surface::RationalBezierSurface;
 pub use nurbs_curve::NurbsCurve;

@@ -39,6 +39,12 @@ impl Polynomial {
         bernstein::derivatives::<1, K>(&rows, t).map(|[value]| value)
     }
 
+    /// The derivative; of a constant the zero.
+    pub(crate) fn derivative(&self) -> Self {
+        let degree = self.degree() as f64;
+        Self::new(self.0.windows(2).map(|pair| (pair[1] - pair[0]) * degree).collect())
+    }
+
     /// The same run backwards: at `1 - t`.
     pub(crate) fn reversed(&self) -> Self {
         Self(self.0.iter().rev().copied().collect())
@@ -167,6 +173,8 @@ mod tests {
             }
         }
         assert!((b.value(0.3) - value(&b, 0.3)).abs() < 1e-15);
+        let [_, slope] = b.jet::<2>(0.3);
+        assert!((b.derivative().value(0.3) - slope).abs() < 1e-14);
         assert_eq!((&a * &b).degree(), 5);
         assert_eq!((&a + &Polynomial::constant(1.0)).coefficients(), [2.0, -1.0, 1.5]);
     }

@@ -306,6 +306,13 @@ pub enum Warning {
         /// Largest angle there, radians.
         angle: f64,
     },
+    /// A swept surface whose curve comes to move along itself: the surface turns back there, with an edge where it does.
+    SweptSurfaceFolds {
+        /// Faces in which it does.
+        count: usize,
+        /// The first of them.
+        face: usize,
+    },
     /// The neck of a ball that is larger than the bends of its way: it runs through itself.
     NeckFolds {
         /// Radius of the ball.

@@ -317,6 +317,10 @@ impl std::fmt::Display for Warning {
                 ShortNumber(*distance),
                 ShortNumber(rounded_down(*radius))
             ),
+            Self::SweptSurfaceFolds { count, face } => write!(
+                f,
+                "the surface folds back in {count} face(s), the first is face {face}: there the curve comes to move along itself"
+            ),
             Self::FoldedNet { singular, first, creases, angle } => {
                 if let Some(first) = first {
                     write!(f, "{singular} singular patch(es), the first is quad {first}")?;

@@ -44,6 +44,7 @@ impl Warning {
             Self::OpenSeam { .. } | Self::LooseBorders { .. } => "open-seam",
             Self::BeyondFocalSet { .. } => "beyond-focal-set",
             Self::FoldedNet { .. } => "folded-net",
+            Self::SweptSurfaceFolds { .. } => "swept-surface-folds",
             Self::NeckFolds { .. } => "neck-folds",
             Self::FoldsBack { .. } => "folds-back",
             Self::SharpEdgesSmoothed { .. } => "sharp-edges-smoothed",
@@ -84,6 +85,7 @@ impl Warning {
             Self::BeyondFocalSet { first, .. } => Some(first),
             Self::FoldedNet { first, .. } => first,
             Self::KinksAtJoints { joint, .. } => Some(joint),
+            Self::SweptSurfaceFolds { face, .. } => Some(face),
             Self::NormalFacesBackward { triangle, .. } | Self::FoldsBack { triangle, .. } => Some(triangle),
             Self::LargeExcursion { .. }
             | Self::SamplesTooCoarse { .. }

@@ -39,6 +39,9 @@ const SURFACES: &[Format] = &[Format::Step, Format::Glb, Format::Png];
 /// Of surfaces without an exact form.
 const MESHES: &[Format] = &[Format::Glb, Format::Stl, Format::Png];
 
+/// Of motions, with what is made of them.
+const MOVING: &[Format] = &[Format::Glb, Format::Step, Format::Png];
+
 /// Of fine scans, whose meshes are large.
 const RENDERED: &[Format] = &[Format::Glb, Format::Png];
 
@@ -144,6 +147,15 @@ pub const ENTRIES: &[Entry] = &[
         camera: "20,45",
     },
     Entry {
+        name: "pick_and_place",
+        title: "Pick and place",
+        text: "A gripper takes parts from a tray and puts them down turned over: one smooth rational motion through eight poses, as an animation; the path of its tip and what its fingers run over are exact.",
+        document: example!("pick_and_place.json"),
+        inputs: &[],
+        formats: MOVING,
+        camera: "",
+    },
+    Entry {
         name: "tee",
         title: "Tees of pipes",
         text: "Branches blended with a main pipe by balls that roll round them: an upright one whose ball is larger in the crotches, a lateral at 45 degrees, and three branches on one hollow pipe. Exact rational faces, one solid each.",
@@ -160,6 +172,15 @@ pub const ENTRIES: &[Entry] = &[
         inputs: &[],
         formats: SURFACES,
         camera: "0,28",
+    },
+    Entry {
+        name: "contact_blend",
+        title: "Tubes on a sphere and on a plate",
+        text: "Blended by a ball of one radius: a hollow strut off the centre of a spherical node, a cone that leans on a plate, and a dished head with its knuckle, whose rim is rounded inside. Exact envelopes of balls, one solid each.",
+        document: example!("contact_blend.json"),
+        inputs: &[],
+        formats: SURFACES,
+        camera: "",
     },
     Entry {
         name: "ellipse_bridge",

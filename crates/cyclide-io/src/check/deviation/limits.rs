@@ -20,6 +20,8 @@ pub(crate) struct Deviations {
     pub(crate) bodies: Vec<f64>,
     /// Of the lines of surfaces in a drawing.
     pub(crate) lines: Vec<f64>,
+    /// Of the motions of a file that animates.
+    pub(crate) motions: Vec<f64>,
 }
 
 /// A part of a file that is farther from the model than promised.
@@ -40,7 +42,7 @@ pub(crate) struct Beyond {
 impl Deviations {
     /// The largest of all.
     pub(crate) fn largest(&self) -> f64 {
-        self.curves.iter().chain(&self.bodies).chain(&self.lines).copied().fold(0.0, larger)
+        self.curves.iter().chain(&self.bodies).chain(&self.lines).chain(&self.motions).copied().fold(0.0, larger)
     }
 
     /// The first part that is farther from the model than was promised for it, in a format whose parts are rounded by
@@ -86,6 +88,14 @@ impl Deviations {
                 check(&line.promise, *extent, *deviation).map(named(format!("a line of {}", body.label())))
             })
         };
-        curve().or_else(body).or_else(line)
+        let motion =
+            || {
+                let names =
+                    ready.model.items.iter().filter(|item| item.motion().is_some()).map(|item| item.name.clone());
+                written.motions.iter().zip(&self.motions).zip(names).find_map(|((promise, deviation), name)| {
+                    check(promise, ready.extent(), *deviation).map(named(name))
+                })
+            };
+        curve().or_else(body).or_else(line).or_else(motion)
     }
 }

@@ -150,6 +150,7 @@ impl Builder<'_> {
             ObjectSpec::MoebiusSpline(s) => self.each_contour(&s.points, s.closed, |at| moebius_spline(s, at)),
             ObjectSpec::QbInterpolation(s) => self.each_contour(&s.points, false, |at| qb_interpolation(s, at)),
             ObjectSpec::TorusSpline(s) => self.torus_spline(s),
+            ObjectSpec::Trajectory(s) => single(self.trajectory(s)?),
             ObjectSpec::TorusKnot(s) => single(CurveObject::TorusSpline(self.torus_knot(s)?)),
             ObjectSpec::TorusQuartic(s) => single(CurveObject::TorusSpline(self.torus_quartic(s)?)),
             ObjectSpec::TorusCircle(s) => self.torus_circle(s).map(|made| vec![made]),

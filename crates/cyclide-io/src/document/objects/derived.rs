@@ -107,6 +107,9 @@ impl Builder<'_> {
 
     /// The images of surfaces.
     pub(super) fn mapped_surfaces(&self, spec: &TransformSpec) -> Result<Vec<SurfaceObject>> {
+        if self.sources.first().is_some_and(|source| source.item.motion().is_some()) {
+            return Err(self.wrong_source("a motion is placed by its poses, not by a `transform`"));
+        }
         let surfaces = self.sources.first().map_or(&[][..], |source| source.item.surfaces());
         let kept = "surfaces with rational faces, as those of tees, seams and profiles that are no arcs, and surfaces over triangles are moved, turned, scaled and mirrored only; patches whose parameter lines are circles take inversions too";
         self.mapped(spec, surfaces, |surface, map| surface.transformed(map), kept)

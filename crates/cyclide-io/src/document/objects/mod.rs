@@ -2,10 +2,12 @@
 
 #[cfg(feature = "circular-mesh")]
 mod circular;
+mod contact_blends;
 mod crossings;
 mod curves;
 mod derived;
 mod idle;
+mod motions;
 mod net_hints;
 mod nets;
 #[cfg(not(feature = "circular-mesh"))]
@@ -194,14 +196,18 @@ impl Document {
 
     /// The files the document refers to, as it writes them.
     pub fn input_files(&self) -> impl Iterator<Item = &str> {
-        self.objects.iter().filter_map(|(_, spec)| match (spec, spec.points()) {
-            (_, Some(PointSource::File(file))) => Some(file.csv.as_str()),
-            (ObjectSpec::CyclidicNet(CyclidicNetSpec { grid: GridSource::File(file), .. }), _) => {
-                Some(file.obj.as_str())
-            }
-            (ObjectSpec::SmoothPolyhedron(spec), _) => spec.mesh.as_ref().map(|file| file.path.as_str()),
-            (ObjectSpec::SmoothMesh(spec), _) => spec.mesh.as_ref().map(|file| file.path.as_str()),
-            _ => None,
+        self.objects.iter().flat_map(|(_, spec)| -> Vec<&str> {
+            let one = match (spec, spec.points()) {
+                (_, Some(PointSource::File(file))) => Some(file.csv.as_str()),
+                (ObjectSpec::CyclidicNet(CyclidicNetSpec { grid: GridSource::File(file), .. }), _) => {
+                    Some(file.obj.as_str())
+                }
+                (ObjectSpec::SmoothPolyhedron(spec), _) => spec.mesh.as_ref().map(|file| file.path.as_str()),
+                (ObjectSpec::SmoothMesh(spec), _) => spec.mesh.as_ref().map(|file| file.path.as_str()),
+                (ObjectSpec::Motion(spec), _) => return spec.files().collect(),
+                _ => None,
+            };
+            one.into_iter().collect()
         })
     }
 }
@@ -244,6 +250,7 @@ impl Builder<'_> {
     fn build(mut self) -> Result<BuiltObject> {
         let (curves, contours) = self.curves()?.into_iter().unzip();
         let surfaces = self.surfaces()?;
+        let moving = self.moving_body()?;
         let bodies = surfaces.iter().map(SurfaceObject::to_bodies).collect::<cyclide::Result<Vec<_>>>();
         let bodies: Vec<Body> = bodies.map_err(|e| self.refused(&e, None))?.into_iter().flatten().collect();
         match self.spec {
@@ -260,8 +267,12 @@ impl Builder<'_> {
             ObjectSpec::FairFit(s) => Some(s.tolerance),
             _ => None,
         };
-        // A type makes curves or surfaces, and an image is of the kind of its object.
-        let geometry = if surfaces.is_empty() { Geometry::Curves(curves) } else { Geometry::Surfaces(surfaces) };
+        // A type makes curves, surfaces or a motion, and an image is of the kind of its object.
+        let geometry = match moving {
+            Some(body) => body.into(),
+            None if surfaces.is_empty() => Geometry::Curves(curves),
+            None => Geometry::Surfaces(surfaces),
+        };
         let item = Item::new(self.name, geometry);
         let construction = self.spec.is_construction();
         let Self { data, seams, polyhedron, tee_blends, tubes, smooth, unrolled, remarks, .. } = self;

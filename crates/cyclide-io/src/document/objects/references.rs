@@ -146,6 +146,10 @@ impl ObjectSpec {
             Self::TorusQuartic(s) => torus(&s.torus),
             Self::TorusCircle(s) => torus(&s.torus),
             Self::SupportStructure(s) => of(s.of.as_str()),
+            Self::Trajectory(s) => of(s.of.as_str()),
+            Self::SweptSurface(s) => {
+                vec![(vec![Step::from("of")], s.of.as_str()), (vec![Step::from("profile")], s.profile.as_str())]
+            }
             Self::CircularSurface(s) => rails(&s.rails),
             Self::Ruled(s) => rails(&s.rails),
             Self::CyclidicNet(s) => {

@@ -223,6 +223,7 @@ fn blame(spec: &ObjectSpec, error: &cyclide::Error) -> Blame {
         _ if spec.is_on_torus() => blame_torus(spec, error),
         _ if matches!(spec, ObjectSpec::PipeTee(_)) => blame_tee(error),
         _ if let ObjectSpec::PipeCrossing(spec) = spec => blame_crossing(spec, error),
+        _ if matches!(spec, ObjectSpec::ContactBlend(_)) => blame_contact(error),
         _ if matches!(spec, ObjectSpec::Tube(_)) => blame_tube(spec, error),
         E::NotFinite { what: I::Tangent, index } | E::ZeroTangent { index } | E::TangentOpposesChord { index, .. } => {
             tangent(index)
@@ -310,6 +311,20 @@ fn blame_crossing(spec: &PipeCrossingSpec, error: &cyclide::Error) -> Blame {
         E::ToleranceNotPositive { .. } | E::TooManyPieces { .. } => Blame::Field("tolerance"),
         E::ParameterOutOfRange { name: name @ (I::Wall | I::Angle), .. } => Blame::Field(name.word()),
         _ => Blame::Field("pipes"),
+    }
+}
+
+/// As [`blame`], of blends of a tube with a sphere or a plate.
+fn blame_contact(error: &cyclide::Error) -> Blame {
+    use cyclide::{Error as E, ErrorItem as I};
+    match error {
+        E::NotFinite { what: I::Radius, index: 1 } | E::ContactBlendFolds { .. } | E::BallDoesNotFit { .. } => {
+            Blame::Field("blend")
+        }
+        E::PlateTooSmall { .. } | E::RulingsCross { .. } => Blame::Field("plate"),
+        E::ToleranceNotPositive { .. } | E::TooManyPieces { .. } => Blame::Field("tolerance"),
+        E::ParameterOutOfRange { name: name @ (I::Wall | I::Thickness), .. } => Blame::Field(name.word()),
+        _ => Blame::Field("tube"),
     }
 }
 

@@ -23,12 +23,14 @@ impl Builder<'_> {
             ObjectSpec::Pipe(spec) => self.pipe(spec),
             ObjectSpec::Tube(spec) => self.tube(spec),
             ObjectSpec::PipeTee(spec) => self.pipe_tee(spec),
+            ObjectSpec::ContactBlend(spec) => self.contact_blend(spec),
             ObjectSpec::PipeCrossing(spec) => self.pipe_crossing(spec),
             ObjectSpec::PlateWithNeck(spec) => self.plate_with_neck(spec),
             ObjectSpec::EllipseBridge(spec) => self.ellipse_bridge(spec),
             ObjectSpec::CircularSurface(spec) => self.circular_surface(spec),
             ObjectSpec::Ruled(_) => self.ruled(),
             ObjectSpec::TorusSeam(spec) => self.torus_seam(spec),
+            ObjectSpec::SweptSurface(spec) => self.swept_surface(spec),
             _ => Ok(Vec::new()),
         }
     }

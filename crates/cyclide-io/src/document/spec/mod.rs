@@ -2,11 +2,13 @@
 
 mod circular;
 mod comment;
+mod contact_blends;
 mod crossings;
 mod curves;
 mod derived;
 mod fair;
 mod interpolated;
+mod motions;
 mod nets;
 mod nurbs;
 mod polygon_mesh_file;
@@ -28,6 +30,7 @@ use serde::Deserialize;
 
 pub use circular::{BorderCurves, BorderSpec, BorderWord, MakeCircularOptions, MakeCircularSpec};
 pub use comment::Comment;
+pub use contact_blends::{BlendTubeSpec, ContactBlendSpec};
 pub use crossings::{CrossingPipeSpec, PipeCrossingSpec};
 pub use curves::{
     ArcFitSpec, ArcSpec, ArcSplineSpec, BiarcSpec, CircleSpec, CircleSplineSpec, ClampedEnds, EndsSpec, FairFitSpec,
@@ -39,6 +42,7 @@ pub use derived::{
 };
 pub use fair::{FairEndPair, FairEndSpec, FairEndWord, FairEndsSpec, FairSplineSpec, StraightWord};
 pub use interpolated::{MoebiusContinuity, MoebiusSplineSpec, ParameterRule, ParametersSpec, QbInterpolationSpec};
+pub use motions::{MotionKind, MotionSpec, PoseFile, PoseSource, PoseSpec, SweptSurfaceSpec, TrajectorySpec};
 pub use nets::{CyclideSpec, CyclidicNetSpec, FrameSpec, GridSource, MeshFile};
 pub use nurbs::NurbsSpec;
 pub use polygon_mesh_file::PolygonMeshFile;
@@ -153,6 +157,8 @@ pub enum ObjectSpec {
     PipeTee(PipeTeeSpec),
     /// Two pipes that pass each other, blended by a rolling ball.
     PipeCrossing(PipeCrossingSpec),
+    /// A cylinder or cone blended with a sphere or a plate.
+    ContactBlend(ContactBlendSpec),
     /// A pipe on a plate with a rounded neck.
     PlateWithNeck(PlateWithNeckSpec),
     /// Half circles between two ellipses.
@@ -161,6 +167,12 @@ pub enum ObjectSpec {
     CircularSurface(CircularSurfaceSpec),
     /// Straight lines between two curves.
     Ruled(RuledSpec),
+    /// A motion of a body through poses.
+    Motion(MotionSpec),
+    /// The path of a point of a moving body.
+    Trajectory(TrajectorySpec),
+    /// What a curve of a moving body runs over.
+    SweptSurface(SweptSurfaceSpec),
     /// An object mapped.
     Transform(TransformSpec),
     /// The edges of a surface as arcs.
@@ -267,10 +279,14 @@ object_types! {
     "tube" => Tube,
     "pipe-tee" => PipeTee,
     "pipe-crossing" => PipeCrossing,
+    "contact-blend" => ContactBlend,
     "plate-with-neck" => PlateWithNeck,
     "ellipse-bridge" => EllipseBridge,
     "circular-surface" => CircularSurface,
     "ruled" => Ruled,
+    "motion" => Motion,
+    "trajectory" => Trajectory,
+    "swept-surface" => SweptSurface,
     "transform" => Transform,
     "support-structure" => SupportStructure,
 }

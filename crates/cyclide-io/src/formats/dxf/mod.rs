@@ -38,6 +38,7 @@ pub(super) static ENTRY: Entry = Entry {
     title: "DXF",
     suffixes: &["dxf"],
     lacks: Some(Kind::Surfaces),
+    animates: false,
     holds_exact_only: false,
     forms: |options| if options.dxf_splines { Forms::BOTH } else { Forms::ARCS },
     write,

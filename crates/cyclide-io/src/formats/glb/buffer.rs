@@ -45,19 +45,44 @@ impl Buffer {
             self.bytes.extend(v.iter().flat_map(|c| c.to_le_bytes()));
             count += 1;
         }
-        self.accessor(start, Target::Vertices, FLOAT, count, "VEC3")
+        self.accessor(start, Some(Target::Vertices), FLOAT, count, "VEC3")
+    }
+
+    /// Adds rising times with their bounds; gives the accessor.
+    pub(super) fn times(&mut self, times: &[f32]) -> usize {
+        let rows: Vec<[f32; 1]> = times.iter().map(|t| [*t]).collect();
+        let accessor = self.free_vectors(&rows);
+        self.accessors[accessor]["min"] = json!([times.first()]);
+        self.accessors[accessor]["max"] = json!([times.last()]);
+        accessor
+    }
+
+    /// Adds numbers that are no attributes of vertices, in rows of 1, 3 or 4; gives the accessor.
+    pub(super) fn free_vectors<const D: usize>(&mut self, rows: &[[f32; D]]) -> usize {
+        let start = self.bytes.len();
+        self.bytes.extend(rows.as_flattened().iter().flat_map(|c| c.to_le_bytes()));
+        let kind = match D {
+            1 => "SCALAR",
+            3 => "VEC3",
+            _ => "VEC4",
+        };
+        self.accessor(start, None, FLOAT, rows.len(), kind)
     }
 
     /// Adds indices; gives the accessor.
     pub(super) fn indices(&mut self, indices: &[u32]) -> usize {
         let start = self.bytes.len();
         self.bytes.extend(indices.iter().flat_map(|i| i.to_le_bytes()));
-        self.accessor(start, Target::Elements, UNSIGNED_INT, indices.len(), "SCALAR")
+        self.accessor(start, Some(Target::Elements), UNSIGNED_INT, indices.len(), "SCALAR")
     }
 
-    fn accessor(&mut self, start: usize, target: Target, component: u64, count: usize, kind: &str) -> usize {
-        let (length, target) = (self.bytes.len() - start, target as u64);
-        self.views.push(json!({"buffer": 0, "byteOffset": start, "byteLength": length, "target": target}));
+    fn accessor(&mut self, start: usize, target: Option<Target>, component: u64, count: usize, kind: &str) -> usize {
+        let length = self.bytes.len() - start;
+        let mut view = json!({"buffer": 0, "byteOffset": start, "byteLength": length});
+        if let Some(target) = target {
+            view["target"] = json!(target as u64);
+        }
+        self.views.push(view);
         let view = self.views.len() - 1;
         self.accessors.push(json!({"bufferView": view, "componentType": component, "count": count, "type": kind}));
         view

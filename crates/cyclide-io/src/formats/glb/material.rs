@@ -39,6 +39,12 @@ impl Look {
         Self { name: format!("{} lines", item.name), colour: palette::object(index), unlit: true }
     }
 
+    /// That of an axis of a body in motion: red, green, blue.
+    pub(super) fn axis(item: &Item, axis: usize) -> Self {
+        let (letter, colour) = [("x", 0xD0_2C_2C), ("y", 0x2C_9A_3C), ("z", 0x2C_5C_D0)][axis];
+        Self { name: format!("{} {letter}", item.name), colour, unlit: true }
+    }
+
     pub(super) fn is_unlit(&self) -> bool {
         self.unlit
     }

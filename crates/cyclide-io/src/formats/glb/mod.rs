@@ -6,12 +6,16 @@
 //! the translation of its node; the promised bound includes the rounding. Materials have the colours of the pictures,
 //! surfaces are seen from both sides, lines are unlit.
 //!
+//! Motions are animations: see `animation.rs`.
+//!
 //! The edges of the patches can be drawn as lines on the vertices of the mesh.
 
+mod animation;
 mod buffer;
 mod foreign;
 mod material;
 mod reader;
+mod track;
 
 use crate::check::deviation::{Deviations, MeshForm, View, check_mesh_edges};
 use crate::check::file_content::ReadError;
@@ -29,7 +33,7 @@ use crate::export::shape::Shape;
 use crate::formats::entry::{Entry, Reading};
 use crate::formats::mesh_format::{MeshEntry, NO_NORMAL_OF_A_CORNER, ReadMesh};
 use buffer::Buffer;
-use cyclide::{Aabb, Item, MeshCorner, Point3, SurfaceMesh, bounds};
+use cyclide::{Aabb, Item, MeshCorner, MovingBody, Point3, SurfaceMesh, bounds};
 use material::{Look, UNLIT};
 use serde_json::{Value, json};
 use std::collections::HashMap;
@@ -70,7 +74,8 @@ fn compare(made: &Made<'_>) -> Result<Deviations, ReadError> {
     let off = made.meshes(&content, form)?;
     check_mesh_edges(bodies, &content.meshes, &content.mesh_lines, &written.mesh, written.mesh_edges)?;
     content.labels.check(&labels(made.named(), bodies, &content.mesh_lines))?;
-    Ok(Deviations { curves, bodies: off, ..Deviations::default() })
+    let motions = animation::deviations(&made.file.bytes, made.ready.model)?;
+    Ok(Deviations { curves, bodies: off, motions, ..Deviations::default() })
 }
 
 /// The labels of a file of the model, whose meshes have these lines on them.
@@ -101,6 +106,7 @@ pub(super) static ENTRY: Entry = Entry {
     title: "GLB",
     suffixes: &["glb"],
     lacks: None,
+    animates: true,
     holds_exact_only: false,
     forms: |_| Forms::NONE,
     write,
@@ -114,11 +120,13 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
     let meshes = body_meshes(job)?;
     for (index, item) in job.model.items.iter().enumerate() {
         let own: Vec<&BodyMesh<'_>> = meshes.iter().filter(|mesh| mesh.body.item == index).collect();
-        file.object(job, index, item, &own)?;
+        match item.motion() {
+            Some(body) => file.motion(job, item, body)?,
+            None => file.object(job, index, item, &own)?,
+        }
     }
-    let File { buffer, nodes, meshes, materials, written } = file;
+    let File { buffer, nodes, children, animations, meshes, materials, written } = file;
     // The scene's root is the last node.
-    let children: Vec<usize> = (0..nodes.len()).collect();
     let scale = job.units().in_millimetres() / 1000.0;
     let mut nodes = nodes;
     nodes.push(json!({"name": job.title(), "rotation": Z_UP, "scale": [scale, scale, scale], "children": children}));
@@ -131,6 +139,9 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
         "meshes": meshes,
         "materials": materials,
     });
+    if !animations.is_empty() {
+        document["animations"] = json!(animations);
+    }
     if unlit {
         document["extensionsUsed"] = json!([UNLIT]);
     }
@@ -146,6 +157,9 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
 struct File {
     buffer: Buffer,
     nodes: Vec<Value>,
+    /// The nodes below the root.
+    children: Vec<usize>,
+    animations: Vec<Value>,
     meshes: Vec<Value>,
     materials: Vec<Value>,
     written: Written,
@@ -178,8 +192,31 @@ impl File {
                 primitives.push(self.curve(job, &contour, center, material)?);
             }
         }
+        self.children.push(self.nodes.len());
         self.nodes.push(json!({"name": item.name, "mesh": self.meshes.len(), "translation": center.to_array()}));
         self.meshes.push(json!({"name": item.name, "primitives": primitives}));
+        Ok(())
+    }
+
+    /// Adds a body in motion.
+    fn motion(&mut self, job: &Job<'_>, item: &Item, body: &MovingBody) -> Result<(), ExportError> {
+        let (parent, node) = (self.nodes.len(), self.nodes.len() + 1);
+        let first_material = self.materials.len();
+        let made = animation::animated(item, body, node, first_material, job.tolerance, &mut self.buffer);
+        let Some(made) = made else {
+            let detail = "its poses follow each other faster than numbers of single precision tell";
+            return Err(ExportError::NotInFormat { object: item.name.clone(), format: "GLB", detail });
+        };
+        self.materials.extend(made.materials.iter().map(Look::to_json));
+        self.children.push(parent);
+        self.nodes.push(json!({"name": item.name, "translation": made.center.to_array(), "children": [node]}));
+        let mut own = made.first;
+        own["name"] = json!(format!("{} body", item.name));
+        own["mesh"] = json!(self.meshes.len());
+        self.nodes.push(own);
+        self.meshes.push(json!({"name": item.name, "primitives": made.primitives}));
+        self.animations.push(made.animation);
+        self.written.motions.push(made.promise);
         Ok(())
     }
 

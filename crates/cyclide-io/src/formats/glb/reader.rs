@@ -1,5 +1,6 @@
 //! Reads GLB files of our own: triangles and lines of the nodes below the root, in model coordinates.
 
+use super::animation::{ReadTrack, moved_nodes};
 use super::material::{Look, UNLIT};
 use super::{LINES, MATERIAL, MESH, NODE, TITLE, TRIANGLES, Z_UP};
 use crate::check::file_content::{FileContent, ReadError};
@@ -22,10 +23,18 @@ pub(crate) fn read(bytes: &[u8]) -> Result<FileContent, ReadError> {
         content.labels.unit = Some(1000.0 * file.scale(root)?);
     }
     let nodes = file.list("nodes")?;
-    let meshes: Vec<usize> = (0..nodes.len()).filter(|i| nodes[*i].get("mesh").is_some()).collect();
+    // Bodies in motion are compared apart.
+    let moved = moved_nodes(&document);
+    let holds_moved = |node: &Value| {
+        let children = node.get("children").and_then(Value::as_array).into_iter().flatten();
+        node.get("mesh").is_none() && children.filter_map(Value::as_u64).any(|child| moved.contains(&(child as usize)))
+    };
+    let meshes: Vec<usize> =
+        (0..nodes.len()).filter(|i| nodes[*i].get("mesh").is_some() && !moved.contains(i)).collect();
+    let shown = (0..nodes.len()).filter(|i| meshes.binary_search(i).is_ok() || holds_moved(&nodes[*i]));
     if let Some(root) = root {
         let children = root.get("children").and_then(Value::as_array).map_or(&[][..], Vec::as_slice);
-        if !children.iter().map(|c| c.as_u64().map(|i| i as usize)).eq(meshes.iter().map(|i| Some(*i))) {
+        if !children.iter().map(|c| c.as_u64().map(|i| i as usize)).eq(shown.map(Some)) {
             return Err(ReadError::syntax("nodes", "the root's children are not the nodes with meshes"));
         }
         content.labels.names.push(FileName::new(TITLE, name(root), 1));
@@ -71,7 +80,22 @@ fn chunks(bytes: &[u8]) -> Result<(&[u8], &[u8]), ReadError> {
     Ok((text, binary))
 }
 
-struct File<'a> {
+/// The tracks of the animations.
+///
+/// # Errors
+/// [`ReadError`] for animations that are not like ours.
+pub(super) fn tracks(bytes: &[u8]) -> Result<Vec<ReadTrack>, ReadError> {
+    let (text, binary) = chunks(bytes)?;
+    let document = serde_json::from_slice::<Value>(text);
+    let document = document.map_err(|e| ReadError::syntax("the JSON chunk", e.to_string()))?;
+    let file = File { document: &document, binary, left: Cell::new(2 * binary.len()) };
+    match document.get("animations") {
+        Some(_) => file.list("animations")?.iter().map(|animation| file.track(animation)).collect(),
+        None => Ok(Vec::new()),
+    }
+}
+
+pub(super) struct File<'a> {
     document: &'a Value,
     binary: &'a [u8],
     /// Bytes that may still be read: twice those there are, so that nothing is made many times from the same few.
@@ -199,6 +223,31 @@ impl<'a> File<'a> {
             return Err(ReadError::syntax("accessors", "an index is beyond the vertices"));
         }
         Ok(indices)
+    }
+
+    /// The numbers of an accessor in rows; all finite.
+    pub(super) fn floats<const D: usize>(
+        &self,
+        accessor: Option<&Value>,
+        kind: &str,
+    ) -> Result<Vec<[f32; D]>, ReadError> {
+        let numbers = self.numbers(accessor, kind, 4 * D)?;
+        let rows = numbers.as_chunks::<D>().0.iter().map(|row| row.map(f32::from_le_bytes)).collect::<Vec<_>>();
+        if rows.iter().flatten().any(|v| !v.is_finite()) {
+            return Err(ReadError::syntax("accessors", "a number is not finite"));
+        }
+        Ok(rows)
+    }
+
+    /// Where the node stands that holds another one.
+    pub(super) fn parent_of(&self, node: Option<u64>) -> Result<Point3, ReadError> {
+        let holds = |parent: &&Value| {
+            let children = parent.get("children").and_then(Value::as_array).into_iter().flatten();
+            parent.get("rotation").is_none() && children.map(Value::as_u64).any(|child| child == node)
+        };
+        let parent = self.list("nodes")?.iter().find(holds);
+        let place = parent.and_then(|parent| parent.get("translation")).and_then(triple);
+        place.map(Point3::from).ok_or_else(|| ReadError::syntax("nodes", "a body in motion has no place"))
     }
 
     fn vectors(&self, accessor: Option<&Value>) -> Result<Vec<[f64; 3]>, ReadError> {

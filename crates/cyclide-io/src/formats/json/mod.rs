@@ -49,6 +49,7 @@ pub(super) static ENTRY: Entry = Entry {
     title: "a file of exact B-splines",
     suffixes: &["json"],
     lacks: None,
+    animates: false,
     holds_exact_only: true,
     forms: |_| Forms::CHAINS,
     write,

@@ -25,6 +25,7 @@ pub(super) static ENTRY: Entry = Entry {
     title: "OBJ",
     suffixes: &["obj"],
     lacks: None,
+    animates: false,
     holds_exact_only: false,
     forms: |_| Forms::NONE,
     write,

@@ -223,7 +223,7 @@ fn coloured(job: &Job<'_>, combs: &Combs, names: &[String]) -> Vec<Entry> {
     let mut entries = Vec::new();
     // The title is name enough for one.
     let named = names.len() > 1;
-    for (index, name) in names.iter().enumerate() {
+    for (index, name) in names.iter().enumerate().filter(|(_, name)| !name.is_empty()) {
         let comb = combs.drawn.iter().find(|comb| comb.item == index);
         let said = comb.map(|comb| {
             let [k, radius] = [comb.largest, 1.0 / comb.largest].map(|v| ShortNumber(three_digits(v)));

@@ -57,6 +57,7 @@ pub(super) static ENTRY: Entry = Entry {
     title: "a picture",
     suffixes: &["png"],
     lacks: None,
+    animates: false,
     holds_exact_only: false,
     forms: |_| Forms::NONE,
     write,

@@ -125,6 +125,7 @@ impl Caption {
 
 /// The names of the objects as pictures show them.
 pub(super) struct Names {
+    /// Empty for what is no part of pictures.
     pub(super) drawn: Vec<String>,
     /// Which objects are shown by other names, as notes of the file.
     pub(super) notes: Vec<String>,
@@ -135,6 +136,9 @@ impl Names {
     pub(super) fn new(job: &Job<'_>) -> Self {
         let mut notes = Vec::new();
         let mut shown = |(index, item): (usize, &cyclide::Item)| {
+            if item.motion().is_some() {
+                return String::new();
+            }
             let Some(Drawable { text, lost }) = lettering::drawable(&item.name) else {
                 let other = format!("object {}", index + 1);
                 notes.push(format!("the picture has no letters for '{}', which it calls {other}", item.name));

@@ -58,6 +58,7 @@ pub(super) static ENTRY: Entry = Entry {
     title: "STEP",
     suffixes: &["step", "stp"],
     lacks: None,
+    animates: false,
     holds_exact_only: true,
     forms: |_| Forms::CHAINS,
     write,

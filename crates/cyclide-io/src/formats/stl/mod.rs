@@ -33,6 +33,7 @@ pub(super) static ENTRY: Entry = Entry {
     title: "STL",
     suffixes: &["stl"],
     lacks: Some(Kind::Curves),
+    animates: false,
     holds_exact_only: false,
     forms: |_| Forms::NONE,
     write,

@@ -53,6 +53,7 @@ pub(super) static ENTRY: Entry = Entry {
     title: "SVG",
     suffixes: &["svg"],
     lacks: None,
+    animates: false,
     holds_exact_only: true,
     forms: |_| Forms::ARCS,
     write,

@@ -12,6 +12,7 @@
 mod columns;
 mod decimals;
 mod merge;
+mod poses;
 mod table;
 mod unit;
 
@@ -23,6 +24,7 @@ use crate::text::place::{Diagnostic, Source, decode, quoted};
 use columns::Chosen;
 use decimals::{Decimals, Pairs};
 pub(crate) use merge::{Merged, merge_repeated};
+pub(crate) use poses::read_poses;
 use table::{Row, Table};
 pub use unit::{ColumnUnit, unit_of_columns};
 

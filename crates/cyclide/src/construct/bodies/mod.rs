@@ -2,6 +2,7 @@
 
 mod bands;
 mod circular_surface;
+mod contact_blend;
 mod crossing_arcs;
 mod ellipse_bridge;
 mod ellipse_ring;
@@ -20,11 +21,13 @@ mod revolution;
 mod rotated_rows;
 mod ruled;
 mod rulings;
+mod swept;
 mod tee;
 mod torus_seam;
 mod tube;
 mod turned_patch;
 
+pub use contact_blend::{BlendBase, BlendTube, ContactBlend, MadeContactBlend};
 pub use ellipse_bridge::EllipseBridge;
 pub use neck::{NeckBlend, NeckBody, NeckSide, NeckVariant, PlateShape};
 pub use pipe::{Pipe, PipeEnds};
@@ -32,6 +35,7 @@ pub use pipe_crossing::{CrossingPipe, MadeCrossing, PipeCrossing};
 pub use polyhedron::{ConvexPolyhedron, PolyhedronEdge, SphericalPolygon};
 pub use rail_surface::RailSurface;
 pub use revolution::Revolution;
+pub use swept::SweptSurface;
 pub use tee::{MadeTee, PipeTee, TeeBlend, TeeBlendFacts, TeeBranch, TeeEnds, TeeMain};
 pub use torus_seam::TorusSeam;
 pub use tube::{Ball, RadiusLaw, Tube};

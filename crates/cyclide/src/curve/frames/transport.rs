@@ -20,6 +20,9 @@ const TURNED_BACK: f64 = 1e-7;
 /// Roundings of a direction, and of points over their distance, by which steps may differ.
 const ROUNDINGS: f64 = 16.0 * f64::EPSILON;
 
+/// Chords over coordinates whose direction may be off by a hundred thousandth by rounding: its square is what frames are then off by.
+const SHORT_CHORD: f64 = 1e5 * f64::EPSILON;
+
 /// A place with its normal.
 #[derive(Debug, Clone, Copy)]
 struct Carried {
@@ -132,9 +135,14 @@ fn first_normal(start: Option<Vec3>, tangent: Vec3) -> Result<Vec3> {
     }
 }
 
-/// The normal after one step: two reflections, and rounding taken off.
+/// The normal after one step: two reflections, and rounding taken off. Over a chord whose direction is rounding the first would be in
+/// any plane: there the tangent turns by the smallest rotation.
 fn step(from: &Carried, point: Point3, tangent: Vec3) -> Vec3 {
     let chord = point - from.point;
+    let reach = from.point.to_vec().max_abs().max(point.to_vec().max_abs());
+    if chord.length() <= SHORT_CHORD * reach {
+        return turned(from.tangent, tangent, from.normal).unwrap_or(from.normal);
+    }
     let (normal, reflected) = (mirrored(from.normal, chord), mirrored(from.tangent, chord));
     let normal = mirrored(normal, tangent - reflected);
     (normal - tangent * normal.dot(tangent)).unit().unwrap_or(from.normal)

@@ -139,7 +139,10 @@ impl<'a> ArcLength<'a> {
         let s = match cell.form {
             PieceForm::Arc(arc) => arc.parameter_at_length(rest / cell.length),
             PieceForm::Circle(_) => rest / cell.length,
-            PieceForm::Free => cell.invert(self.curve, rest),
+            PieceForm::Free => {
+                let mut speed = |s: f64| self.curve.piece_speed(cell.piece, s);
+                quadrature::invert(&mut speed, [cell.s0, cell.s1], cell.length, rest)
+            }
         };
         (cell.piece as f64 + s) / self.curve.piece_count() as f64
     }
@@ -157,30 +160,4 @@ fn cut(curve: &dyn ParamCurve, piece: usize, cells: &mut Vec<Cell>) {
     let parts = quadrature::cells(&mut |s: f64| curve.piece_speed(piece, s), 0.0, 1.0);
     let form = PieceForm::Free;
     cells.extend(parts.into_iter().map(|c| Cell { piece, s0: c.a, s1: c.b, length: c.integral, end: 0.0, form }));
-}
-
-impl Cell {
-    /// The parameter at which the length from the start of the cell is `rest`: Newton steps kept in a bracket.
-    fn invert(&self, curve: &dyn ParamCurve, rest: f64) -> f64 {
-        let mut speed = |s: f64| curve.piece_speed(self.piece, s);
-        let (mut low, mut high) = (self.s0, self.s1);
-        let mut s = self.s0 + (self.s1 - self.s0) * (rest / self.length);
-        for _ in 0..64 {
-            let error = gauss8(&mut speed, self.s0, s) - rest;
-            if error < 0.0 {
-                low = s;
-            } else {
-                high = s;
-            }
-            let next = s - error / speed(s);
-            let next = if next >= low && next <= high { next } else { 0.5 * (low + high) };
-            let moved = (next - s).abs();
-            s = next;
-            // The error after a Newton step is of the order of the square of the step.
-            if moved <= 1e-9 * (self.s1 - self.s0) || error == 0.0 {
-                break;
-            }
-        }
-        s
-    }
 }

@@ -130,9 +130,13 @@ impl QbCurve {
     /// infinity (`d = 0`), and its quotient need not be in three-space.
     #[must_use]
     pub fn pairs(&self) -> Vec<HPoint> {
-        let shift = Quat::from(self.origin);
-        let pair = |row: &Row| HPoint { n: numerator(row) + shift * denominator(row), d: denominator(row) };
-        self.rows.iter().map(pair).collect()
+        self.pairs_about(Point3::ORIGIN)
+    }
+
+    /// The pairs with numerators measured from a point.
+    pub(crate) fn pairs_about(&self, origin: Point3) -> Vec<HPoint> {
+        let pair = |row: &Row| HPoint { n: numerator(row), d: denominator(row) };
+        self.about(origin).rows.iter().map(pair).collect()
     }
 
     /// The largest Bernstein coefficient of the real part of `n conj(d)`, relative to what it is a sum of: 0 if and only if

@@ -294,6 +294,48 @@
 //! # Ok::<(), cyclide::Error>(())
 //! ```
 //!
+//! # `contact-loop-open`
+//! A tube that passes beside the sphere that it should stand on.
+//! ```
+//! use cyclide::{BlendBase, BlendTube, ContactBlend, Point3, Vec3};
+//! let tube = BlendTube { through: Point3::new(0.0, 5.5, 0.0), direction: Vec3::Z, radius: 1.0, taper: 0.0, length: 9.0 };
+//! let blend = ContactBlend::new(tube, BlendBase::Sphere { radius: 4.0 }, 0.5)?;
+//! assert_eq!(blend.made().unwrap_err().reason(), "contact-loop-open");
+//! # Ok::<(), cyclide::Error>(())
+//! ```
+//!
+//! # `contact-loop-turns-back`
+//! A cone that widens nearly fills its sphere on one side: where both come close, great circles from the far pole meet the contact twice.
+//! ```
+//! use cyclide::{BlendBase, BlendTube, ContactBlend, Point3, Vec3};
+//! let through = Point3::new(0.232, 0.0, -0.296);
+//! let cone = BlendTube { through, direction: Vec3::Z, radius: 0.763, taper: -0.65, length: 9.0 };
+//! let blend = ContactBlend::new(cone, BlendBase::Sphere { radius: 1.0 }, 0.01)?;
+//! assert_eq!(blend.made().unwrap_err().reason(), "contact-loop-turns-back");
+//! # Ok::<(), cyclide::Error>(())
+//! ```
+//!
+//! # `contact-blend-folds`
+//! The ball in the narrow corner of a tube that leans is too large to roll on.
+//! ```
+//! use cyclide::{BlendBase, BlendTube, ContactBlend, PlateShape, Point3, Vec3};
+//! let direction = Vec3::new(0.0, 1.2, 1.0);
+//! let tube = BlendTube { through: Point3::ORIGIN, direction, radius: 1.0, taper: 0.0, length: 90.0 };
+//! let blend = ContactBlend::new(tube, BlendBase::Plane(PlateShape::Disk(90.0)), 4.0)?;
+//! assert_eq!(blend.made().unwrap_err().reason(), "contact-blend-folds");
+//! # Ok::<(), cyclide::Error>(())
+//! ```
+//!
+//! # `contact-tube-too-short`
+//! A strut on a sphere ends within its blend.
+//! ```
+//! use cyclide::{BlendBase, BlendTube, ContactBlend, Point3, Vec3};
+//! let tube = BlendTube { through: Point3::ORIGIN, direction: Vec3::Z, radius: 1.0, taper: 0.0, length: 4.2 };
+//! let blend = ContactBlend::new(tube, BlendBase::Sphere { radius: 4.0 }, 0.5)?;
+//! assert_eq!(blend.made().unwrap_err().reason(), "contact-tube-too-short");
+//! # Ok::<(), cyclide::Error>(())
+//! ```
+//!
 //! # `tee-branches-meet`
 //! Two branches of a tee are nearer to each other than their blends allow.
 //! ```

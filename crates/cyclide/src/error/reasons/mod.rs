@@ -11,10 +11,12 @@
 //! | [`bodies`] | revolutions, pipes, necks, bridges, surfaces between two curves, polyhedra |
 //! | [`meshes`] | triangles and meshes of them |
 //! | [`tori`] | tori, points and curves on them |
+//! | [`motions`] | displacements, motions and what is made of them |
 
 pub mod bodies;
 pub mod curves;
 pub mod meshes;
+pub mod motions;
 pub mod numbers;
 pub mod patches;
 pub mod tori;
@@ -35,6 +37,7 @@ mod tests {
             include_str!("bodies.rs"),
             include_str!("meshes.rs"),
             include_str!("tori.rs"),
+            include_str!("motions.rs"),
         ];
         let table = include_str!("../reason.rs").split("pub fn reason").nth(1).and_then(|t| t.split("pub fn").next());
         let reasons: Vec<&str> = quoted(table.unwrap()).collect();

@@ -2,6 +2,7 @@
 
 mod ball;
 mod contact;
+mod contact_patch;
 mod natural_quadric;
 mod patch;
 mod quadric_pair;

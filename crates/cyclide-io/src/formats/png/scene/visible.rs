@@ -43,11 +43,11 @@ impl Visible {
         }
     }
 
-    /// A note on the objects of a model that are not seen, or not more than as a few pixels.
+    /// A note on the objects of a model that are not seen, or not more than as a few pixels; those without a name are not drawn.
     pub(super) fn hidden_note(&self, names: &[String]) -> Option<String> {
         let hidden =
             names.iter().enumerate().filter(|(index, _)| self.seen.get(index).is_none_or(|count| *count < self.least));
-        let hidden: Vec<&str> = hidden.map(|(_, name)| name.as_str()).collect();
+        let hidden: Vec<&str> = hidden.map(|(_, name)| name.as_str()).filter(|name| !name.is_empty()).collect();
         (!hidden.is_empty()).then(|| format!("not seen from here: {}", hidden.join(", ")))
     }
 

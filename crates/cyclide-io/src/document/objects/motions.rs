@@ -1,0 +1,183 @@
+//! Motions of bodies, paths of their points, and what their curves run over.
+
+use cyclide::{
+    BodyMesh, CubicMotions, CurveObject, Motion, MovingBody, Pose, Quat, RationalMotion, ScrewMotion, SurfaceObject,
+    SweptSurface, TimedPose,
+};
+
+use super::Builder;
+use crate::document::angle::Angle;
+use crate::document::coordinates::Coordinates;
+use crate::document::locate::Step;
+use crate::document::spec::{
+    MotionKind, MotionSpec, ObjectSpec, PoseSource, PoseSpec, SweptSurfaceSpec, TrajectorySpec,
+};
+use crate::error::{Error, Result};
+use crate::input::points::read_poses;
+
+impl Builder<'_> {
+    /// The moving body of an object that is one.
+    pub(super) fn moving_body(&mut self) -> Result<Option<MovingBody>> {
+        match self.spec {
+            ObjectSpec::Motion(spec) => self.motion(spec).map(Some),
+            _ => Ok(None),
+        }
+    }
+
+    fn motion(&mut self, spec: &MotionSpec) -> Result<MovingBody> {
+        if spec.choice.is_some() && spec.kind != MotionKind::Cubic {
+            return Err(self.unfit("only a `cubic` has a `choice`: other motions are one"));
+        }
+        let (poses, timed) = self.poses(&spec.poses)?;
+        let motion = match spec.kind {
+            MotionKind::Spline => RationalMotion::spline(&poses).map(Motion::from),
+            MotionKind::Sclerp => ScrewMotion::new(&poses).map(Motion::from),
+            MotionKind::Conic => RationalMotion::conic(&poses).map(Motion::from),
+            MotionKind::Quartic => RationalMotion::quartic(&poses).map(Motion::from),
+            MotionKind::Cubic => return self.cubic(spec, &poses, timed),
+        };
+        let motion = motion.map_err(|e| self.pose_refused(&e))?;
+        self.body(spec, motion)
+    }
+
+    /// The motion of degree 3, at its own times between the first and the last.
+    fn cubic(&mut self, spec: &MotionSpec, poses: &[TimedPose], timed: bool) -> Result<MovingBody> {
+        let only: Vec<Pose> = poses.iter().map(|timed| timed.pose).collect();
+        let cubics = CubicMotions::new(&only).map_err(|e| self.pose_refused(&e))?;
+        let admissible = cubics.admissible();
+        let choice = spec.choice.unwrap_or(0);
+        // A cross-ratio that is none is refused with those that there are.
+        let cross_ratio = admissible.get(choice).copied().unwrap_or(f64::NAN);
+        if spec.choice.is_some() && choice >= admissible.len() && !admissible.is_empty() {
+            let message = format!("there is no motion {choice}: the poses have {}, from 0", admissible.len());
+            return Err(Error::Input(self.diagnostic(["choice".into()], &message)));
+        }
+        let ends = [poses[0].time, poses[3].time];
+        let motion = cubics.motion(cross_ratio, ends).map_err(|e| self.pose_refused(&e))?;
+        if spec.choice.is_none() && admissible.len() > 1 {
+            let message = "two motions of degree 3 take these poses: the one of the smaller cross-ratio is taken; `choice` says which";
+            self.remark("cubic-chosen", None, None, self.place_of([Step::from("kind")]), message.to_owned());
+        }
+        if timed {
+            let message = "a cubic sets the times of the two poses in the middle: those given for them are left aside";
+            self.remark("times-not-taken", None, None, self.place_of([Step::from("poses")]), message.to_owned());
+        }
+        self.body(spec, motion.into())
+    }
+
+    /// The body with its tool, law and shape.
+    fn body(&mut self, spec: &MotionSpec, motion: Motion) -> Result<MovingBody> {
+        let tool = spec.tool.unwrap_or_default().point();
+        let [first, last] = motion.domain();
+        let made = MovingBody::new(motion).with_tool(tool, spec.arm.unwrap_or(0.0));
+        let made = made.and_then(|body| body.with_law(spec.law, spec.duration.unwrap_or(last - first)));
+        let made = made.map_err(|e| self.refused(&e, None))?;
+        let Some(file) = &spec.mesh else { return Ok(made) };
+        let (name, mesh) = self.mesh_of_file(file)?;
+        if mesh.faces.iter().any(|face| face.len() > 4) {
+            let message = "faces of more than four corners are cut into triangles from their first corner";
+            self.remark("polygons-cut", None, None, Some(name), message.to_owned());
+        }
+        let fan = |face: &Vec<usize>| -> Vec<[usize; 3]> {
+            (2..face.len()).map(|k| [face[0], face[k - 1], face[k]]).collect()
+        };
+        let triangles = mesh.faces.iter().flat_map(fan).collect();
+        let shape = BodyMesh::new(mesh.points, triangles).map_err(|e| self.refused(&e, None))?;
+        Ok(made.with_mesh(shape))
+    }
+
+    /// The poses, and whether times were given for them.
+    fn poses(&self, source: &PoseSource) -> Result<(Vec<TimedPose>, bool)> {
+        let made: Vec<(Option<f64>, Pose)> = match source {
+            PoseSource::Inline(list) => list
+                .iter()
+                .enumerate()
+                .map(|(i, pose)| self.pose(i, pose).map(|made| (pose.time, made)))
+                .collect::<Result<_>>()?,
+            PoseSource::File(file) => {
+                let (name, bytes) = self.file(&file.csv, ["poses", "csv"])?;
+                let table = read_poses(&name, &bytes).map_err(Error::Input)?;
+                table.into_iter().map(|row| (row.time, row.pose)).collect()
+            }
+        };
+        let given = made.iter().filter(|(time, _)| time.is_some()).count();
+        if given != 0 && given != made.len() {
+            let index = made.iter().position(|(time, _)| time.is_none()).unwrap_or(0);
+            let message = "this pose has no `time`: give one to all, or to none (then they are 0, 1, 2, …)";
+            return Err(Error::Input(self.diagnostic(["poses".into(), index.into()], message)));
+        }
+        let poses = made.into_iter().enumerate();
+        let poses = poses.map(|(i, (time, pose))| TimedPose { time: time.unwrap_or(i as f64), pose }).collect();
+        Ok((poses, given > 0))
+    }
+
+    /// One pose of the document.
+    fn pose(&self, index: usize, spec: &PoseSpec) -> Result<Pose> {
+        let steps = || [Step::from("poses"), Step::from(index)];
+        let position = spec.position.unwrap_or_default();
+        let made = match (&spec.matrix, spec.quaternion, spec.rpy) {
+            (Some(rows), None, None) if spec.position.is_none() => {
+                let mut matrix = [[0.0, 0.0, 0.0, 1.0]; 4];
+                if !(3..=4).contains(&rows.len()) {
+                    let message = format!("a matrix has three rows, or four, not {}", rows.len());
+                    return Err(Error::Input(self.diagnostic(steps().into_iter().chain(["matrix".into()]), &message)));
+                }
+                matrix.iter_mut().zip(rows).for_each(|(to, row)| *to = *row);
+                Pose::from_matrix(matrix)
+            }
+            (None, Some(quaternion), None) => Pose::new(Quat::from(quaternion), position.vector()),
+            (None, None, Some(angles)) => Pose::from_roll_pitch_yaw(position.vector(), angles.map(Angle::radians)),
+            (None, None, None) if spec.position.is_some() => Pose::new(Quat::ONE, position.vector()),
+            _ => {
+                let message =
+                    "a pose is a `position` with a `quaternion` or `rpy` (or not turned), or a `matrix` alone";
+                return Err(Error::Input(self.diagnostic(steps(), message)));
+            }
+        };
+        made.map_err(|e| self.refused_at(steps(), &e))
+    }
+
+    /// What the kernel refused of the poses, at the one it is about.
+    fn pose_refused(&self, error: &cyclide::Error) -> Error {
+        let inline = matches!(self.spec, ObjectSpec::Motion(MotionSpec { poses: PoseSource::Inline(_), .. }));
+        match error.index().filter(|_| inline) {
+            Some(index) => self.refused_at(["poses".into(), index.into()], error),
+            None => self.refused_at(["poses".into()], error),
+        }
+    }
+
+    /// The motion that an object is made from.
+    fn motion_source(&self) -> Result<&MovingBody> {
+        let source = self.sources.first().and_then(|source| source.item.motion());
+        source.ok_or_else(|| self.wrong_source("only a `motion` has trajectories and swept surfaces"))
+    }
+
+    /// The path of a point.
+    pub(super) fn trajectory(&self, spec: &TrajectorySpec) -> Result<CurveObject> {
+        let body = self.motion_source()?;
+        let point = spec.point.map_or(body.tool(), Coordinates::point);
+        let made = body.motion().rational().and_then(|motion| motion.trajectory(point));
+        made.map(CurveObject::Nurbs).map_err(|e| self.refused_at(["of".into()], &e))
+    }
+
+    /// What the contours of a curve run over.
+    pub(super) fn swept_surface(&mut self, spec: &SweptSurfaceSpec) -> Result<Vec<SurfaceObject>> {
+        let motion = self.motion_source()?.motion().clone();
+        let contours = self.sources[1].item.curves().to_vec();
+        if contours.is_empty() {
+            let message = format!("`{}` has no curve: a profile is a curve", spec.profile);
+            return Err(Error::Input(self.diagnostic(["profile".into()], &message)));
+        }
+        let motion = motion.rational().map_err(|e| self.refused_at(["of".into()], &e))?;
+        let mut made = Vec::with_capacity(contours.len());
+        for (contour, curve) in contours.iter().enumerate() {
+            let swept = curve.exact_pieces().and_then(|(pieces, closed)| SweptSurface::new(&pieces, closed, motion));
+            let swept = swept.map_err(|e| self.refused_at(["profile".into()], &e))?;
+            for warning in swept.warnings() {
+                self.warn_at("profile", (contours.len() > 1).then_some(contour), warning.clone());
+            }
+            made.push(SurfaceObject::Body(swept.into_body()));
+        }
+        Ok(made)
+    }
+}

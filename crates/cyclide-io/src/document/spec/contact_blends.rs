@@ -1,0 +1,89 @@
+//! Tubes blended with a sphere or a plate, field by field.
+
+use cyclide::{NeckSide, TeeEnds};
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+use super::comment::Comment;
+use super::{PlateSpec, TypeWord};
+use crate::document::angle::Angle;
+use crate::document::coordinates::Coordinates;
+
+/// A cylinder or a cone blended with a `sphere` about the origin, or with a `plate` whose upper side is z = 0, by a ball that rolls round it: a strut on a node, a nozzle on a
+/// tank, a boss. Inside, the ball rolls in the rim of a tube that ends there: a rod with a domed end or, with a `wall`, a dished head.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"n": {"type": "contact-blend", "tube": {"through": [0, 12], "radius": 10, "length": 90}, "sphere": 40, "blend": 6}}}"#.parse()?;
+/// assert!(document.build()?[0].bodies[0].is_solid());
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(
+    extend("allOf" = [
+        {"if": {"properties": {"ends": {"const": "open"}}, "required": ["ends"]}, "then": {"properties": {"wall": false, "thickness": false}}},
+        {"if": {"required": ["sphere"]}, "then": {"properties": {"plate": false, "thickness": false}}},
+        {"if": {"required": ["wall"]}, "then": {"properties": {"thickness": false}}},
+        {"if": {"properties": {"side": {"const": "inside"}}, "required": ["side"]},
+         "then": {"properties": {"plate": false, "thickness": false}},
+         "else": {"anyOf": [{"required": ["sphere"]}, {"required": ["plate"]}]}}
+    ])
+)]
+#[non_exhaustive]
+pub struct ContactBlendSpec {
+    /// The word `contact-blend`.
+    #[schemars(with = "String", extend("const" = "contact-blend"))]
+    pub r#type: TypeWord,
+    /// What the author remarks; read and left aside.
+    #[serde(default)]
+    pub comment: Comment,
+    /// Construction geometry: built and reported, not written to files.
+    #[serde(default)]
+    pub construction: bool,
+    /// The tube.
+    pub tube: BlendTubeSpec,
+    /// Radius of the sphere about the origin that it is blended with. Without it that is the plane z = 0.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub sphere: Option<f64>,
+    /// The border of the plate about the origin, from which the tube goes up. With the side `inside` there is none: the tube ends at the plane.
+    pub plate: Option<PlateSpec>,
+    /// Thickness of the plate below a filled tube: makes a solid. With a `wall` the plate is as thick as that.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub thickness: Option<f64>,
+    /// The radius of the ball.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub blend: f64,
+    /// Whether the ball rolls outside or inside the tube.
+    #[serde(default)]
+    pub side: NeckSide,
+    /// Largest difference from that one radius, which no rational blend with a sphere off the axis has exactly. Default: a thousandth of it.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub tolerance: Option<f64>,
+    /// Thickness of all walls: of the tube, the sphere or plate, and the blend between. Default: filled.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub wall: Option<f64>,
+    /// How the tube ends. `open` leaves a surface, and goes without a wall.
+    #[serde(default)]
+    pub ends: TeeEnds,
+}
+
+/// A cylinder, or with a taper a cone.
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(rename = "BlendTube")]
+#[non_exhaustive]
+pub struct BlendTubeSpec {
+    /// A point of its axis. Default: the origin.
+    #[serde(default)]
+    pub through: Coordinates,
+    /// Along its axis towards its end. Default: up, along z.
+    pub direction: Option<Coordinates>,
+    /// Its outer radius, of a cone that at the point.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub radius: f64,
+    /// Half the angle of the cone that it is: above zero it grows thinner towards its end, below wider. Default 0, a cylinder.
+    pub taper: Option<Angle>,
+    /// Where it ends: distance from the point along the axis.
+    pub length: f64,
+}

@@ -1,0 +1,232 @@
+//! Motions of bodies, and what is made of them, field by field.
+
+use cyclide::TimeLaw;
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+use super::comment::Comment;
+use super::{PolygonMeshFile, TypeWord};
+use crate::document::angle::Angle;
+use crate::document::coordinates::Coordinates;
+
+/// A motion of a rigid body through poses: where it is at which time. GLB files animate it, the command `sample` gives its poses, and
+/// `trajectory` and `swept-surface` are made of it.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"m": {"type": "motion", "poses": [
+///     {"position": [0, 0, 0]}, {"position": [30, 0, 10], "rpy": [0, 0, {"degrees": 90}]}]}}}"#.parse()?;
+/// let built = document.build()?;
+/// assert_eq!(built[0].item.motion().expect("it is one").duration(), 1.0);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct MotionSpec {
+    /// The word `motion`.
+    #[schemars(with = "String", extend("const" = "motion"))]
+    pub r#type: TypeWord,
+    /// What the author remarks; read and left aside.
+    #[serde(default)]
+    pub comment: Comment,
+    /// Construction geometry: built and reported, not written to files.
+    #[serde(default)]
+    pub construction: bool,
+    /// How the body goes from pose to pose.
+    #[serde(default)]
+    pub kind: MotionKind,
+    /// The poses, or a file of them.
+    pub poses: PoseSource,
+    /// How the body runs along the motion.
+    #[serde(default)]
+    pub law: TimeLaw,
+    /// How long the motion takes, in seconds. Default: from the first to the last time of the poses.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub duration: Option<f64>,
+    /// The point of the body that is measured, and along whose way laws go. Default: its origin.
+    pub tool: Option<Coordinates>,
+    /// The length by which a turn counts in laws beside the way of the tool: the distance from it at which the body should not get too fast.
+    /// Default 0.
+    #[schemars(extend("minimum" = 0))]
+    pub arm: Option<f64>,
+    /// Of a `cubic` with two motions, which one: that of the smaller (0) or the larger (1) cross-ratio.
+    pub choice: Option<usize>,
+    /// The shape of the body, for files that animate. Default: the axes of its frame.
+    pub mesh: Option<PolygonMeshFile>,
+}
+
+impl MotionSpec {
+    /// The files that it refers to.
+    pub(in crate::document) fn files(&self) -> impl Iterator<Item = &str> {
+        let poses = match &self.poses {
+            PoseSource::File(file) => Some(file.csv.as_str()),
+            PoseSource::Inline(_) => None,
+        };
+        poses.into_iter().chain(self.mesh.as_ref().map(|file| file.path.as_str()))
+    }
+}
+
+/// How a body goes from pose to pose.
+///
+/// ```
+/// use cyclide_io::MotionKind;
+/// assert_eq!(MotionKind::default(), MotionKind::Spline);
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+#[schemars(inline)]
+pub enum MotionKind {
+    /// Smoothly (C1) through any number of poses; points run on rational curves of degree 6.
+    #[default]
+    Spline,
+    /// By a screw from each pose to the next, with jumps of speed; points run on helices, which have no exact rational form.
+    Sclerp,
+    /// By the motion of degree 2 through three poses: no freedom.
+    Conic,
+    /// By the motion of degree 4 through five poses: no freedom, and it may swing.
+    Quartic,
+    /// By a motion of degree 3 through four poses, where there is one; it sets the times between the first and the last.
+    Cubic,
+}
+
+/// Where the poses of a motion come from.
+///
+/// ```
+/// use cyclide_io::PoseSource;
+/// let source: PoseSource = serde_json::from_str(r#"[{"position": [1, 2, 3]}]"#)?;
+/// assert!(matches!(source, PoseSource::Inline(poses) if poses.len() == 1));
+/// # Ok::<(), serde_json::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, JsonSchema)]
+#[schemars(untagged, rename = "Poses")]
+pub enum PoseSource {
+    /// In the document.
+    Inline(Vec<PoseSpec>),
+    /// A table.
+    File(PoseFile),
+}
+
+/// A file of poses: delimited text with a header line. Columns `x`, `y`, `z`; `qw`, `qx`, `qy`, `qz` or `roll`, `pitch`, `yaw` (radians; in degrees
+/// `roll_deg`, `pitch_deg`, `yaw_deg`); `t` or `time`, if not left out.
+///
+/// ```
+/// use cyclide_io::{Document, ModelBuilder};
+/// use std::path::Path;
+/// let text = r#"{"cyclide": 1, "objects": {"m": {"type": "motion", "poses": {"csv": "poses.csv"}}}}"#;
+/// let document: Document = text.parse()?;
+/// let read = |_: &Path| Ok(b"t,x,y,z,roll_deg,pitch_deg,yaw_deg\n0,0,0,0,0,0,0\n2,5,0,0,0,0,90\n".to_vec());
+/// let built = ModelBuilder::new(&document, Path::new(""), &read)?.build(0, &mut |_| ())?;
+/// assert_eq!(built.item.motion().expect("it is one").duration(), 2.0);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct PoseFile {
+    /// Path of the file, relative to the document.
+    pub csv: String,
+}
+
+/// One pose: a position with a rotation in one of two notations, or a matrix.
+///
+/// ```
+/// use cyclide_io::PoseSpec;
+/// let pose: PoseSpec = serde_json::from_str(r#"{"time": 2, "position": [1, 2, 3], "quaternion": [1, 0, 0, 0]}"#)?;
+/// assert_eq!(pose.time, Some(2.0));
+/// # Ok::<(), serde_json::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct PoseSpec {
+    /// When, in seconds. Default, if left out of all poses: 0, 1, 2, ….
+    pub time: Option<f64>,
+    /// Where the origin of the body is.
+    pub position: Option<Coordinates>,
+    /// The rotation as a quaternion `[w, x, y, z]` of any length.
+    pub quaternion: Option<[f64; 4]>,
+    /// The rotation as roll, pitch and yaw: about the fixed axes x by the first angle, then y, then z (the same as yaw, pitch and roll about the
+    /// moved axes z, y', x'').
+    pub rpy: Option<[Angle; 3]>,
+    /// Rotation and position as the rows of a matrix that is multiplied by columns of points: three, or four with `[0, 0, 0, 1]`.
+    #[schemars(length(min = 3, max = 4))]
+    pub matrix: Option<Vec<[f64; 4]>>,
+}
+
+/// The path of a point of a moving body: an exact rational curve.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {
+///     "m": {"type": "motion", "poses": [{"position": [0, 0]}, {"position": [30, 0], "rpy": [0, 0, {"degrees": 90}]}]},
+///     "p": {"type": "trajectory", "of": "m", "point": [0, 5]}}}"#.parse()?;
+/// let built = document.build()?;
+/// let path = built[1].item.curves()[0].as_curve();
+/// assert!(path.point(1.0).distance(cyclide::Point3::new(25.0, 0.0, 0.0)) < 1e-12);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct TrajectorySpec {
+    /// The word `trajectory`.
+    #[schemars(with = "String", extend("const" = "trajectory"))]
+    pub r#type: TypeWord,
+    /// What the author remarks; read and left aside.
+    #[serde(default)]
+    pub comment: Comment,
+    /// Construction geometry: built and reported, not written to files.
+    #[serde(default)]
+    pub construction: bool,
+    /// Name of the motion, of any kind but `sclerp`; it may be construction geometry.
+    pub of: String,
+    /// The point of the body. Default: the tool of the motion.
+    pub point: Option<Coordinates>,
+}
+
+/// What a curve of a moving body runs over: an exact rational surface.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {
+///     "m": {"type": "motion", "poses": [{"position": [0, 0]}, {"position": [30, 0]}]},
+///     "blade": {"type": "polyline", "points": [[0, 0], [0, 5]], "construction": true},
+///     "s": {"type": "swept-surface", "of": "m", "profile": "blade"}}}"#.parse()?;
+/// let built = document.build()?;
+/// assert!((built[2].bodies[0].outer.area() - 150.0).abs() < 1e-9);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct SweptSurfaceSpec {
+    /// The word `swept-surface`.
+    #[schemars(with = "String", extend("const" = "swept-surface"))]
+    pub r#type: TypeWord,
+    /// What the author remarks; read and left aside.
+    #[serde(default)]
+    pub comment: Comment,
+    /// Construction geometry: built and reported, not written to files.
+    #[serde(default)]
+    pub construction: bool,
+    /// Name of the motion, of any kind but `sclerp`; it may be construction geometry.
+    pub of: String,
+    /// Name of the curve, in the frame of the body; each of its contours makes a surface. It may be construction geometry.
+    pub profile: String,
+}
+
+impl<'de> Deserialize<'de> for PoseSource {
+    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct PoseVisitor;
+        impl<'de> serde::de::Visitor<'de> for PoseVisitor {
+            type Value = PoseSource;
+            fn expecting(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+                f.write_str("a list of poses, or `{\"csv\": FILE}`")
+            }
+            fn visit_seq<A: serde::de::SeqAccess<'de>>(self, seq: A) -> Result<PoseSource, A::Error> {
+                let seq = serde::de::value::SeqAccessDeserializer::new(seq);
+                Vec::<PoseSpec>::deserialize(seq).map(PoseSource::Inline)
+            }
+            fn visit_map<A: serde::de::MapAccess<'de>>(self, map: A) -> Result<PoseSource, A::Error> {
+                PoseFile::deserialize(serde::de::value::MapAccessDeserializer::new(map)).map(PoseSource::File)
+            }
+        }
+        deserializer.deserialize_any(PoseVisitor)
+    }
+}

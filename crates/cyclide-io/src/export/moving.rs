@@ -1,0 +1,26 @@
+//! Bodies in motion: the room that they take, and the axes that stand for those without a shape.
+
+use cyclide::{Aabb, MovingBody, Point3};
+
+/// The axes of a body without a shape are this part of the box of its way; of one that turns in place 1.
+const AXES: f64 = 0.1;
+/// The box of the way of the origin of a body.
+pub(crate) fn way(body: &MovingBody) -> Aabb {
+    let motion = body.motion();
+    let times = motion.times();
+    let places =
+        times.windows(2).flat_map(|ends| (0..=32).map(move |k| ends[0] + (ends[1] - ends[0]) * f64::from(k) / 32.0));
+    let points = places.map(|time| Point3::ORIGIN + motion.pose(time).translation());
+    points.fold(Aabb::of_point(Point3::ORIGIN + motion.pose(times[0]).translation()), Aabb::including)
+}
+
+/// How far points of the body are from its origin, and the length of its axes if it has no shape.
+pub(crate) fn reach(body: &MovingBody) -> f64 {
+    match body.mesh() {
+        Some(mesh) => mesh.points().iter().map(|p| p.to_vec().length()).fold(0.0, f64::max),
+        None => match AXES * way(body).diagonal() {
+            axes if axes > 0.0 => axes,
+            _ => 1.0,
+        },
+    }
+}

@@ -1,0 +1,190 @@
+//! Motions in a file: a node that stands at the centre of the motion, below it the body with an animation of its place and turn.
+
+use super::buffer::Buffer;
+use super::material::Look;
+use super::reader::File as Read;
+use super::track::{Carried, Track};
+use super::{LINES, TRIANGLES};
+use crate::check::file_content::ReadError;
+use crate::export::exported::Promise;
+use crate::export::mesh::single;
+use crate::export::moving::{reach, way};
+use cyclide::{BodyMesh, Item, Model, MovingBody, Point3, TimeLaw, Vec3};
+use serde_json::{Value, json};
+
+/// Places looked at between two keys when they are chosen, and when the file is checked.
+const PLACES: [u32; 2] = [9, 7];
+
+/// What an animated body adds to a file.
+pub(super) struct Animated {
+    pub(super) center: Point3,
+    pub(super) first: Value,
+    pub(super) primitives: Vec<Value>,
+    pub(super) materials: Vec<Look>,
+    pub(super) animation: Value,
+    pub(super) promise: Promise,
+}
+
+/// The parts of a body in motion; the animation is of the node with this number. `None` if single precision does not tell its times apart.
+pub(super) fn animated(
+    item: &Item,
+    body: &MovingBody,
+    node: usize,
+    first_material: usize,
+    tolerance: f64,
+    buffer: &mut Buffer,
+) -> Option<Animated> {
+    let box_of_way = way(body);
+    let center = box_of_way.min.midpoint(box_of_way.max);
+    let schedule = body.schedule().ok()?;
+    let carried = Carried { schedule: &schedule, duration: body.duration(), center, reach: reach(body) };
+    let track = carried.track(&fractions(body), tolerance)?;
+    let promise = Promise::sampled(carried.deviation(&track, PLACES[0]).max(tolerance));
+    let (primitives, materials) = match body.mesh() {
+        Some(mesh) => shape(mesh, first_material, item, buffer),
+        None => axes(reach(body), first_material, item, buffer),
+    };
+    let input = buffer.times(&track.times);
+    let translation = buffer.free_vectors(track.translations.as_flattened());
+    let rotation = buffer.free_vectors(track.rotations.as_flattened());
+    let sampler = |output: usize| json!({"input": input, "output": output, "interpolation": "CUBICSPLINE"});
+    let channel = |sampler: usize, path: &str| json!({"sampler": sampler, "target": {"node": node, "path": path}});
+    let animation = json!({
+        "name": item.name,
+        "samplers": [sampler(translation), sampler(rotation)],
+        "channels": [channel(0, "translation"), channel(1, "rotation")],
+    });
+    let first = json!({"translation": track.translations[0][1], "rotation": track.rotations[0][1]});
+    Some(Animated { center, first, primitives, materials, animation, promise })
+}
+
+/// The fractions of the duration at which the track has keys at least: where spans meet, as far as that is known.
+fn fractions(body: &MovingBody) -> Vec<f64> {
+    let (times, [first, last]) = (body.motion().times(), body.motion().domain());
+    match body.law() {
+        TimeLaw::AsGiven => times.iter().map(|time| (time - first) / (last - first)).collect(),
+        TimeLaw::ConstantSpeed | TimeLaw::Eased => {
+            let count = 2 * times.len();
+            (0..=count).map(|k| k as f64 / count as f64).collect()
+        }
+    }
+}
+
+/// Three lines along the axes of the body: red, green and blue.
+fn axes(length: f64, first_material: usize, item: &Item, buffer: &mut Buffer) -> (Vec<Value>, Vec<Look>) {
+    let mut primitives = Vec::new();
+    for (k, axis) in [Vec3::X, Vec3::Y, Vec3::Z].into_iter().enumerate() {
+        let points = [Vec3::ZERO, axis * length].map(|v| v.to_array().map(single));
+        let attributes = json!({"POSITION": buffer.positions(&points)});
+        let indices = buffer.indices(&[0, 1]);
+        primitives
+            .push(json!({"attributes": attributes, "indices": indices, "material": first_material + k, "mode": LINES}));
+    }
+    (primitives, (0..3).map(|k| Look::axis(item, k)).collect())
+}
+
+/// The triangles of a shape, each with its own normal; those without area have none and are left out.
+fn shape(mesh: &BodyMesh, material: usize, item: &Item, buffer: &mut Buffer) -> (Vec<Value>, Vec<Look>) {
+    let (mut points, mut normals) = (Vec::new(), Vec::new());
+    for corners in mesh.triangles() {
+        let corners = corners.map(|i| mesh.points()[i]);
+        if let Some(normal) = (corners[1] - corners[0]).cross(corners[2] - corners[0]).unit() {
+            points.extend(corners.map(|p| p.to_array().map(single)));
+            normals.extend([normal.to_array().map(single); 3]);
+        }
+    }
+    let attributes = json!({"POSITION": buffer.positions(&points), "NORMAL": buffer.vectors(normals.into_iter())});
+    let indices = buffer.indices(&(0..points.len() as u32).collect::<Vec<_>>());
+    let primitive = json!({"attributes": attributes, "indices": indices, "material": material, "mode": TRIANGLES});
+    (vec![primitive], vec![Look::surface(item, 0)])
+}
+
+/// How far the motions read are from those of the model.
+///
+/// # Errors
+/// [`ReadError`] if a motion is not in the file, or something else is.
+pub(super) fn deviations(bytes: &[u8], model: &Model) -> Result<Vec<f64>, ReadError> {
+    let wrong = |detail: &str| ReadError::syntax("animations", detail.to_owned());
+    let bodies: Vec<(&Item, &MovingBody)> =
+        model.items.iter().filter_map(|item| item.motion().map(|body| (item, body))).collect();
+    let tracks = super::reader::tracks(bytes)?;
+    if tracks.len() != bodies.len() {
+        return Err(wrong("not as many animations as motions"));
+    }
+    bodies
+        .into_iter()
+        .zip(tracks)
+        .map(|((item, body), read)| {
+            if read.name != item.name {
+                return Err(wrong("an animation has another name than its motion"));
+            }
+            let schedule =
+                body.schedule().map_err(|source| ReadError::Geometry { place: item.name.clone(), source })?;
+            let (duration, reach) = (body.duration(), reach(body));
+            let carried = Carried { schedule: &schedule, duration, center: read.center, reach };
+            let last = f64::from(read.track.times.last().copied().unwrap_or_default());
+            if !((last - duration).abs() <= 1e-6 * duration) {
+                return Err(wrong("an animation does not last as long as its motion"));
+            }
+            Ok(carried.deviation(&read.track, PLACES[1]))
+        })
+        .collect()
+}
+
+/// A track read, with the name of its animation and where its body's parent stands.
+pub(super) struct ReadTrack {
+    pub(super) name: String,
+    pub(super) center: Point3,
+    pub(super) track: Track,
+}
+
+/// The nodes that animations move.
+pub(super) fn moved_nodes(document: &Value) -> Vec<usize> {
+    let animations = document.get("animations").and_then(Value::as_array).into_iter().flatten();
+    let channels =
+        animations.flat_map(|animation| animation.get("channels").and_then(Value::as_array).into_iter().flatten());
+    let mut nodes: Vec<usize> = channels
+        .filter_map(|channel| channel.pointer("/target/node")?.as_u64())
+        .filter_map(|node| usize::try_from(node).ok())
+        .collect();
+    nodes.sort_unstable();
+    nodes.dedup();
+    nodes
+}
+
+impl Read<'_> {
+    /// The track of one animation.
+    ///
+    /// # Errors
+    /// [`ReadError`] for one that is not like ours.
+    pub(super) fn track(&self, animation: &Value) -> Result<ReadTrack, ReadError> {
+        let wrong = || ReadError::unsupported("an animation of another kind", "animations");
+        let sampler = |k: usize| animation.pointer(&format!("/samplers/{k}")).ok_or_else(wrong);
+        let samplers = [sampler(0)?, sampler(1)?];
+        let is_ours = |k: usize, path: &str| {
+            animation.pointer(&format!("/channels/{k}/sampler")).and_then(Value::as_u64) == Some(k as u64)
+                && animation.pointer(&format!("/channels/{k}/target/path")).and_then(Value::as_str) == Some(path)
+        };
+        let node = |k: usize| animation.pointer(&format!("/channels/{k}/target/node")).and_then(Value::as_u64);
+        let cubic = samplers.iter().all(|s| s.get("interpolation").and_then(Value::as_str) == Some("CUBICSPLINE"));
+        let same = samplers[0].get("input") == samplers[1].get("input") && node(0) == node(1);
+        if !(is_ours(0, "translation") && is_ours(1, "rotation") && cubic && same) {
+            return Err(wrong());
+        }
+        let times = self.floats::<1>(samplers[0].get("input"), "SCALAR")?;
+        let translations = self.floats::<3>(samplers[0].get("output"), "VEC3")?;
+        let rotations = self.floats::<4>(samplers[1].get("output"), "VEC4")?;
+        let count = times.len();
+        let rising = times.windows(2).all(|pair| pair[0][0] < pair[1][0]);
+        if count < 2 || !rising || translations.len() != 3 * count || rotations.len() != 3 * count {
+            return Err(ReadError::syntax("animations", "the keys of an animation do not fit together"));
+        }
+        let track = Track {
+            times: times.into_iter().map(|[t]| t).collect(),
+            translations: translations.as_chunks().0.to_vec(),
+            rotations: rotations.as_chunks().0.to_vec(),
+        };
+        let name = animation.get("name").and_then(Value::as_str).unwrap_or_default().to_owned();
+        Ok(ReadTrack { name, center: self.parent_of(node(0))?, track })
+    }
+}

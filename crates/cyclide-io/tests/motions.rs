@@ -1,0 +1,200 @@
+//! Motions of documents: every notation of poses, what is refused and where, animations read back.
+
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
+
+use std::path::Path;
+
+use cyclide::{Model, Pose, Units, Vec3};
+use cyclide_io::{BuiltObject, Document, ExportOptions, Exporter, Format, ModelBuilder, Spacing, sample, sample_poses};
+
+/// Builds all objects; `poses.csv` and `box.obj` are files.
+fn build_all(objects: &str, table: &str) -> Result<Vec<BuiltObject>, String> {
+    let text = format!("{{\"cyclide\": 1, \"objects\": {{\n{objects}\n}} }}");
+    let document = Document::parse("m.json", text.as_bytes()).map_err(|d| d.to_string())?;
+    let read = |path: &Path| match path.to_str() {
+        Some("poses.csv") => Ok(table.as_bytes().to_vec()),
+        Some("box.obj") => Ok(b"v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n".to_vec()),
+        _ => Err(std::io::ErrorKind::NotFound.into()),
+    };
+    let mut builder = ModelBuilder::new(&document, Path::new(""), &read).map_err(|e| e.to_string())?;
+    (0..document.objects.len()).map(|k| builder.build(k, &mut |_| {}).map_err(|e| e.to_string())).collect()
+}
+
+fn build(objects: &str) -> Result<BuiltObject, String> {
+    build_all(objects, "").map(|mut all| all.pop().unwrap())
+}
+
+fn motion(fields: &str) -> String {
+    format!(r#""m": {{"type": "motion", {fields}}}"#)
+}
+
+fn end(built: &BuiltObject) -> Pose {
+    built.item.motion().unwrap().schedule().unwrap().pose(1.0)
+}
+
+const TWO: &str = r#""poses": [{"position": [0, 0]}, {"position": [30, 0, 10], "rpy": [0, 0, {"degrees": 90}]}]"#;
+
+#[test]
+fn poses_in_every_notation_are_one() {
+    let half = std::f64::consts::FRAC_1_SQRT_2;
+    let list = |last: &str| motion(&format!(r#""poses": [{{"position": [0, 0]}}, {last}]"#));
+    let cases = [
+        list(r#"{"position": [30, 0, 10], "rpy": [0, 0, {"degrees": 90}]}"#),
+        list(&format!(r#"{{"position": [30, 0, 10], "quaternion": [{half}, 0, 0, {half}]}}"#)),
+        list(r#"{"position": [30, 0, 10], "quaternion": [-2, 0, 0, -2]}"#),
+        list(r#"{"matrix": [[0, -1, 0, 30], [1, 0, 0, 0], [0, 0, 1, 10]]}"#),
+        list(r#"{"matrix": [[0, -1, 0, 30], [1, 0, 0, 0], [0, 0, 1, 10], [0, 0, 0, 1]]}"#),
+    ];
+    let tables = [
+        "t,x,y,z,qw,qx,qy,qz\n0,0,0,0,1,0,0,0\n1,30,0,10,1,0,0,1\n",
+        "x;y;z;roll_deg;pitch_deg;yaw_deg\n0;0;0;0;0;0\n30;0;10;0;0;90\n",
+        "x y z roll pitch yaw\n0 0 0 0 0 0\n30 0 10 0 0 1.5707963267948966\n",
+    ];
+    let read = |table: &str| build_all(&motion(r#""poses": {"csv": "poses.csv"}"#), table).unwrap().pop().unwrap();
+    let all = cases.iter().map(|case| build(case).unwrap()).chain(tables.into_iter().map(read));
+    for built in all {
+        let pose = end(&built);
+        assert!((pose.translation() - Vec3::new(30.0, 0.0, 10.0)).length() < 1e-13);
+        assert!((pose.rotation().rotate(Vec3::X) - Vec3::Y).length() < 1e-15);
+        assert!((built.item.motion().unwrap().duration() - 1.0).abs() < 1e-15);
+    }
+}
+
+#[test]
+fn refusals_are_at_their_place() {
+    let refused = |objects: &str| build(objects).unwrap_err();
+    let cases = [
+        (motion(r#""poses": [{"position": [0, 0]}]"#), "1 poses given, 2 or more needed"),
+        (
+            motion(r#""poses": [{"position": [0, 0]}, {"position": [1, 0], "quaternion": [0, 0, 0, 0]}]"#),
+            "rotation 0 is zero",
+        ),
+        (motion(r#""poses": [{"position": [0, 0], "time": 0}, {"position": [1, 0]}]"#), "this pose has no `time`"),
+        (motion(r#""poses": [{"position": [0, 0], "time": 1}, {"position": [1, 0], "time": 0}]"#), "do not rise"),
+        (
+            motion(
+                r#""poses": [{"position": [0, 0]}, {"position": [1, 0], "quaternion": [1, 0, 0, 0], "rpy": [0, 0, 0]}]"#,
+            ),
+            "a pose is a `position`",
+        ),
+        (
+            motion(r#""poses": [{"position": [0, 0]}, {"matrix": [[1, 0, 0, 0], [0, 2, 0, 0], [0, 0, 1, 0]]}]"#),
+            "no displacement",
+        ),
+        (motion(&format!(r#""kind": "conic", {TWO}"#)), "2 poses given, 3 needed"),
+        (motion(&format!(r#""law": "eased", "duration": 0, {TWO}"#)), "duration"),
+        (motion(&format!(r#""choice": 1, {TWO}"#)), "only a `cubic`"),
+        (
+            motion(r#""law": "eased", "poses": [{"position": [0, 0]}, {"position": [0, 0], "rpy": [0, 0, 1]}]"#),
+            "name a point that moves",
+        ),
+        (motion(&format!(r#""kind": "sclerp", {TWO}"#)) + r#", "t": {"type": "trajectory", "of": "m"}"#, "helices"),
+        (
+            motion(TWO) + r#", "t": {"type": "transform", "of": "m", "steps": [{"translation": [1, 0, 0]}]}"#,
+            "placed by its poses",
+        ),
+        (
+            r#""c": {"type": "circle", "center": [0, 0], "radius": 2}, "t": {"type": "trajectory", "of": "c"}"#
+                .to_owned(),
+            "only a `motion`",
+        ),
+    ];
+    for (objects, expected) in cases {
+        let message = refused(&objects);
+        assert!(message.contains(expected), "{objects}\n{message}");
+    }
+    for (table, expected) in [
+        ("0,0,0\n1,1,1\n", "needs a header line"),
+        ("t,x,y\n0,0,0\n1,1,1\n", "no column is named `z`"),
+        ("x,y,z,qw,qx,qy,qz\n0,0,0,1,0,0,0\n0,0,0,0,0,0,0\n", "is zero"),
+        ("x,y,z,speed\n0,0,0,1\n1,0,0,1\n", "`speed` is no column of poses"),
+    ] {
+        let message = build_all(&motion(r#""poses": {"csv": "poses.csv"}"#), table).unwrap_err();
+        assert!(message.contains(expected), "{message}");
+    }
+}
+
+fn model(objects: &str) -> Model {
+    let built = build_all(objects, "").unwrap();
+    let items = built.into_iter().filter(|b| !b.construction).map(|b| b.item).collect();
+    Model { units: Units::Millimetre, items }
+}
+
+#[test]
+fn animations_are_what_they_promise() {
+    let poses = r#""poses": [{"position": [0, 0, 9]}, {"position": [30, 0, 10], "rpy": [1, 0, 2]}, {"position": [50, 40, 0], "rpy": [-1, 1, 2]}]"#;
+    for kind in ["spline", "sclerp", "conic"] {
+        for law in ["as-given", "constant-speed", "eased"] {
+            for mesh in ["", r#", "mesh": {"obj": "box.obj"}"#] {
+                let model =
+                    model(&motion(&format!(r#""kind": "{kind}", "law": "{law}", "duration": 7, {poses}{mesh}"#)));
+                let exporter = Exporter::new(&model).unwrap();
+                let options = ExportOptions { tolerance: Some(1e-2), ..ExportOptions::default() };
+                let file = exporter.export(Format::Glb, &options).unwrap();
+                let report = exporter.check("m.glb".as_ref(), Format::Glb, &file).unwrap();
+                // What single precision costs at 50 units is far below.
+                assert!(report.deviation.unwrap() <= 1.05e-2 && report.proof == "sampled", "{kind} {law}: {report:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_damaged_animation_is_found() {
+    let model = model(&motion(TWO));
+    let exporter = Exporter::new(&model).unwrap();
+    let file = exporter.export(Format::Glb, &ExportOptions::default()).unwrap();
+    let other =
+        self::model(&motion(r#""poses": [{"position": [0, 0]}, {"position": [30, 1, 10], "rpy": [0, 0, 1.5]}]"#));
+    assert!(Exporter::new(&other).unwrap().check("m.glb".as_ref(), Format::Glb, &file).is_err());
+    let mut named = model.clone();
+    named.items[0].name = "n".to_owned();
+    assert!(Exporter::new(&named).unwrap().check("m.glb".as_ref(), Format::Glb, &file).is_err());
+}
+
+#[test]
+fn formats_that_hold_no_motion_say_so() {
+    let alone = model(&motion(TWO));
+    for format in [Format::Step, Format::Svg, Format::Dxf, Format::Csv, Format::Json, Format::Obj, Format::Stl] {
+        let error = Exporter::new(&alone).unwrap().export(format, &ExportOptions::default()).unwrap_err();
+        assert!(error.to_string().contains("motions"), "{error}");
+    }
+    let with_path = model(&(motion(TWO) + r#", "p": {"type": "trajectory", "of": "m", "point": [1, 2, 3]}"#));
+    let exporter = Exporter::new(&with_path).unwrap();
+    for format in [Format::Step, Format::Json, Format::Dxf, Format::Glb, Format::Csv] {
+        let file = exporter.export(format, &ExportOptions::default()).unwrap();
+        let note = file.notes.iter().any(|note| note.contains("motions are left out"));
+        assert_eq!(note, format != Format::Glb, "{format:?} {:?}", file.notes);
+        exporter.check("f".as_ref(), format, &file).unwrap();
+    }
+    let file = exporter.export(Format::Step, &ExportOptions::default()).unwrap();
+    assert!(file.exact);
+}
+
+#[test]
+fn samples_are_poses_and_matrices() {
+    let built = build(&motion(TWO)).unwrap();
+    let rows = sample(&built, 5, Spacing::Parameter);
+    let last: Vec<f64> = rows.lines().last().unwrap().split(',').map(|f| f.parse().unwrap()).collect();
+    assert_eq!((rows.lines().count(), last.len()), (6, 20));
+    assert!((last[0] - 1.0).abs() < 1e-15);
+    let expected = [0.0, -1.0, 0.0, 30.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 10.0];
+    assert!(last[8..].iter().zip(expected).all(|(a, b)| (a - b).abs() < 1e-15));
+    // What is sampled is read again.
+    let text: serde_json::Value = serde_json::from_str(&sample_poses(&built, 3).unwrap()).unwrap();
+    let again = build(&motion(&format!(r#""poses": {}"#, text["poses"]))).unwrap();
+    assert!(end(&again).angle_to(end(&built)) < 1e-14);
+}
+
+#[test]
+fn a_swept_surface_is_a_shell_in_files() {
+    let profile = r#", "c": {"type": "circle", "center": [0, 0], "radius": 3, "construction": true}, "s": {"type": "swept-surface", "of": "m", "profile": "c"}"#;
+    let poses = r#""poses": [{"position": [0, 0, 0]}, {"position": [0, 5, 20], "rpy": [0.3, 0, 0]}, {"position": [0, 0, 40], "rpy": [0, 0.4, 1]}], "construction": true"#;
+    let model = model(&(motion(poses) + profile));
+    let exporter = Exporter::new(&model).unwrap();
+    for format in [Format::Step, Format::Json, Format::Glb, Format::Stl, Format::Obj] {
+        let file = exporter.export(format, &ExportOptions::default()).unwrap();
+        exporter.check("f".as_ref(), format, &file).unwrap();
+        assert_eq!(file.exact, matches!(format, Format::Step | Format::Json));
+    }
+}

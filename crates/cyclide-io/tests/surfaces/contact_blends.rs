@@ -1,0 +1,100 @@
+//! Tubes blended with spheres and plates.
+
+use super::{build, surface};
+
+fn blend(fields: &str) -> Result<cyclide_io::BuiltObject, String> {
+    build(&format!(r#""c": {{"type": "contact-blend", {fields}}}"#))
+}
+
+const STRUT: &str = r#""tube": {"through": [0, 12, 0], "radius": 10, "length": 90}"#;
+const CONE: &str = r#""tube": {"direction": [1, 0, 3], "radius": 12, "taper": {"degrees": 4}, "length": 80}"#;
+
+#[test]
+fn blends_are_solids_with_a_report() {
+    let node = surface(&blend(&format!(r#"{STRUT}, "sphere": 40, "blend": 6"#)).unwrap());
+    assert!(node.closed && node.bodies == 1);
+    let [facts] = &node.blends[..] else { panic!("one blend: {:?}", node.blends) };
+    assert!(facts.radius.min >= 5.994 && facts.radius.max <= 6.006, "{facts:?}");
+    let hollow = surface(&blend(&format!(r#"{STRUT}, "sphere": 40, "blend": 6, "wall": 2"#)).unwrap());
+    let closed =
+        surface(&blend(&format!(r#"{STRUT}, "sphere": 40, "blend": 6, "wall": 2, "ends": "closed""#)).unwrap());
+    // A disk 2 thick at the end of the bore.
+    let disk = std::f64::consts::PI * 2.0 * 64.0;
+    assert!(((closed.volume.unwrap() - hollow.volume.unwrap()) / disk - 1.0).abs() < 1e-9);
+    let plate = r#""plate": [120, 100], "blend": 5"#;
+    let boss = surface(&blend(&format!(r#"{CONE}, {plate}, "thickness": 8"#)).unwrap());
+    assert!(
+        boss.closed
+            && (boss.blends[0].radius.max - 5.0).abs() < 1e-12
+            && (boss.blends[0].radius.min - 5.0).abs() < 1e-12
+    );
+    // The plate alone is 8 thick: half as thick, it has so much less.
+    let thin = surface(&blend(&format!(r#"{CONE}, {plate}, "thickness": 4"#)).unwrap());
+    assert!((boss.volume.unwrap() - thin.volume.unwrap() - 4.0 * 120.0 * 100.0).abs() < 1e-7);
+    assert!(!surface(&blend(&format!("{CONE}, {plate}")).unwrap()).closed);
+    let head = r#""tube": {"radius": 20, "length": 30}, "sphere": 40, "blend": 6, "side": "inside""#;
+    assert!(surface(&blend(&format!(r#"{head}, "wall": 2"#)).unwrap()).closed);
+}
+
+#[test]
+fn blends_that_are_none_are_refused_in_their_place() {
+    for (fields, place, reason) in [
+        (
+            r#""tube": {"through": [0, 35], "radius": 10, "length": 90}, "sphere": 40, "blend": 6"#,
+            "tube",
+            "[contact-loop-open]",
+        ),
+        (r#""tube": {"radius": 10, "length": 40}, "sphere": 40, "blend": 6"#, "tube", "[contact-tube-too-short]"),
+        (
+            r#""tube": {"radius": 10, "direction": [1, 0, 0], "length": 40}, "plate": [90, 90], "blend": 6"#,
+            "tube",
+            "[parallel-contact]",
+        ),
+        (
+            r#""tube": {"radius": 10, "direction": [2, 0, 1], "length": 400}, "plate": [900, 900], "blend": 60"#,
+            "blend",
+            "[contact-blend-folds]",
+        ),
+        (r#""tube": {"radius": 10, "length": 40}, "plate": [30, 90], "blend": 6"#, "plate", "[plate-too-small]"),
+        (
+            r#""tube": {"radius": 10, "length": 40}, "sphere": 40, "blend": 12, "side": "inside""#,
+            "blend",
+            "[ball-does-not-fit]",
+        ),
+        (
+            r#""tube": {"radius": 10, "length": 40}, "sphere": 40, "blend": 3, "side": "inside", "wall": 3"#,
+            "wall",
+            "[parameter-out-of-range]",
+        ),
+        (
+            r#""tube": {"radius": 10, "taper": 2, "length": 40}, "sphere": 40, "blend": 3"#,
+            "tube",
+            "[parameter-out-of-range]",
+        ),
+        (
+            r#""tube": {"radius": 10, "length": 40}, "sphere": 40, "blend": 3, "tolerance": 0"#,
+            "tolerance",
+            "[tolerance-not-positive]",
+        ),
+        (r#""tube": {"radius": 10, "length": 40}, "blend": 3"#, "", "needs a `sphere`"),
+        (r#""tube": {"radius": 10, "length": 40}, "sphere": 40, "plate": [90, 90], "blend": 3"#, "", "leave out one"),
+        (
+            r#""tube": {"radius": 10, "length": 40}, "plate": [90, 90], "blend": 3, "side": "inside""#,
+            "",
+            "leave out `plate`",
+        ),
+        (
+            r#""tube": {"radius": 10, "length": 40}, "plate": [90, 90], "thickness": 3, "wall": 1, "blend": 3"#,
+            "",
+            "leave out `thickness`",
+        ),
+        (
+            r#""tube": {"radius": 10, "length": 90}, "sphere": 40, "blend": 3, "wall": 1, "ends": "open""#,
+            "",
+            "`wall` makes a solid",
+        ),
+    ] {
+        let error = blend(fields).unwrap_err();
+        assert!(error.contains(place) && error.contains(reason), "{reason}: {error}");
+    }
+}

@@ -1,0 +1,109 @@
+//! What is refused of a blend: balls that do not fit into the tube, blends that fold, tubes that end within them, contacts that turn back.
+
+use super::ball_loop::BallLoop;
+use super::setup::{Base, Setup};
+use crate::base::quat::Quat;
+use crate::base::vector::Vec3;
+use crate::error::{Error, Result};
+use std::f64::consts::TAU;
+
+/// Places of a piece, and of an arc, that are looked at.
+const PLACES: u32 = 12;
+/// The part of the tube beyond the blend is longer than this part of its radius.
+const LEAST_REST: f64 = 1e-3;
+
+/// Where a blend comes nearest to folding.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct TightPlace {
+    /// What is left there: 1 where the way of the ball is straight, 0 where the blend folds.
+    pub(super) left: f64,
+    /// The angle round the tube.
+    pub(super) angle: f64,
+}
+
+fn places() -> impl Iterator<Item = f64> + Clone {
+    (0..=PLACES).map(|k| f64::from(k) / f64::from(PLACES))
+}
+
+/// Refuses a blend that folds, by the larger balls of its skins.
+///
+/// # Errors
+/// `contact-blend-folds`.
+pub(super) fn check_folds(setup: &Setup, balls: &BallLoop, depth: f64) -> Result<TightPlace> {
+    let mut tightest = TightPlace { left: f64::INFINITY, angle: 0.0 };
+    for piece in &balls.pieces {
+        let canal = piece.canal.offset((setup.sigma * depth).max(0.0));
+        for s in places() {
+            let left = places().map(|t| canal.jacobian(s, t)).fold(f64::INFINITY, f64::min);
+            if left < tightest.left {
+                tightest = TightPlace { left, angle: piece.angle_at(s).rem_euclid(TAU) % TAU };
+            }
+        }
+    }
+    if tightest.left > 0.0 {
+        Ok(tightest)
+    } else {
+        Err(Error::ContactBlendFolds { angle: tightest.angle, left: tightest.left })
+    }
+}
+
+/// Refuses a ball that does not fit into the tube, or whose contact is beyond the apex.
+///
+/// # Errors
+/// `ball-does-not-fit`, `radius-not-positive`.
+pub(super) fn check_tube(setup: &Setup, balls: &BallLoop, depth: f64) -> Result<()> {
+    for piece in &balls.pieces {
+        for s in places() {
+            let height = piece.height_at(setup, 0.0, s);
+            let radius = setup.radius_at(0.0, height);
+            let rest = setup.radius_at(depth, height);
+            if !(radius > 0.0 && rest > 0.0) {
+                return Err(Error::RadiusNotPositive { radius: radius.min(rest) });
+            }
+            let limit = radius / setup.cos;
+            if setup.sigma < 0.0 && !(setup.ball < limit) {
+                return Err(Error::BallDoesNotFit { radius: setup.ball, limit });
+            }
+        }
+    }
+    Ok(())
+}
+
+/// Refuses a tube that ends within the blend of a skin.
+///
+/// # Errors
+/// `contact-tube-too-short`; `radius-not-positive` of a cone that has ended before.
+pub(super) fn check_end(setup: &Setup, balls: &BallLoop, depth: f64, short: f64) -> Result<()> {
+    let heights = balls.pieces.iter().flat_map(|piece| places().map(|s| piece.height_at(setup, depth, s)));
+    let needed = heights.fold(f64::NEG_INFINITY, f64::max) + LEAST_REST * setup.rho.abs() + short;
+    if !(setup.end > needed) {
+        return Err(Error::ContactTubeTooShort { end: setup.end - setup.shift, needed: needed - setup.shift });
+    }
+    let radius = setup.radius_at(depth, setup.end - short);
+    if radius > 0.0 { Ok(()) } else { Err(Error::RadiusNotPositive { radius }) }
+}
+
+/// Refuses contacts that turn back seen from where the rest of the base goes to: great circles to a pole, or lines to a point, would cross.
+///
+/// # Errors
+/// `contact-loop-turns-back`.
+pub(super) fn check_turning(setup: &Setup, balls: &BallLoop, towards: Option<Quat>) -> Result<()> {
+    let Some(pole) = towards.filter(|_| matches!(setup.base, Base::Sphere { .. })) else { return Ok(()) };
+    let seen = |n: Vec3| pole.conj().rotate(n);
+    let angle = |n: Vec3| n.y.atan2(n.x);
+    let (mut sum, mut sign) = (0.0, 0.0);
+    for piece in &balls.pieces {
+        for (from, to) in places().zip(places().skip(1)) {
+            let [a, b] = [from, to].map(|s| angle(seen(piece.second_normal(s))));
+            let step = (b - a + 0.5 * TAU).rem_euclid(TAU) - 0.5 * TAU;
+            if sign == 0.0 {
+                sign = step.signum();
+            }
+            sum += step;
+            if !(step * sign > 0.0) {
+                return Err(Error::ContactLoopTurnsBack { angle: piece.angle_at(from).rem_euclid(TAU) });
+            }
+        }
+    }
+    if (sum.abs() - TAU).abs() < 1.0 { Ok(()) } else { Err(Error::ContactLoopTurnsBack { angle: 0.0 }) }
+}

@@ -1,0 +1,118 @@
+//! What is refused of displacements and motions.
+//!
+//! # `zero-rotation`
+//! A quaternion of length 0 is no rotation.
+//! ```
+//! use cyclide::{Pose, Quat, Vec3};
+//! assert_eq!(Pose::new(Quat::ZERO, Vec3::ZERO).unwrap_err().reason(), "zero-rotation");
+//! ```
+//!
+//! # `not-a-rotation`
+//! A matrix mirrors.
+//! ```
+//! use cyclide::Pose;
+//! let mirror = [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, -1.0, 0.0], [0.0, 0.0, 0.0, 1.0]];
+//! assert_eq!(Pose::from_matrix(mirror).unwrap_err().reason(), "not-a-rotation");
+//! ```
+//!
+//! # `not-on-study-quadric`
+//! The parts of a dual quaternion are not perpendicular.
+//! ```
+//! use cyclide::{DualQuat, Quat, StudyPoint};
+//! let off = DualQuat { real: Quat::ONE, dual: Quat::new(1.0, 1.0, 0.0, 0.0) };
+//! assert_eq!(StudyPoint::new(off).unwrap_err().reason(), "not-on-study-quadric");
+//! ```
+//!
+//! # `wrong-pose-count`
+//! A motion of degree 2 takes three poses.
+//! ```
+//! use cyclide::RationalMotion;
+//! assert_eq!(RationalMotion::conic(&[]).unwrap_err().reason(), "wrong-pose-count");
+//! ```
+//!
+//! # `parameters-not-increasing`
+//! A spline goes from pose to pose, and time does not run backwards.
+//! ```
+//! use cyclide::{Pose, RationalMotion, TimedPose};
+//! let poses = [0.0, 2.0, 1.0].map(|time| TimedPose { time, pose: Pose::IDENTITY });
+//! assert_eq!(RationalMotion::spline(&poses).unwrap_err().reason(), "parameters-not-increasing");
+//! ```
+//!
+//! # `unattainable-pose`
+//! Two poses differ by a translation: then a motion of degree 2 does not take the third.
+//! ```
+//! use cyclide::{Pose, Quat, RationalMotion, TimedPose, Vec3};
+//! let at = |time: f64, q: [f64; 4], x: [f64; 3]| TimedPose { time, pose: Pose::new(q.into(), x.into()).unwrap() };
+//! let still = [1.0, 0.0, 0.0, 0.0];
+//! let poses =
+//!     [at(0.0, still, [0.0; 3]), at(0.5, still, [1.0, 0.0, 0.0]), at(1.0, [0.6, 0.0, 0.8, 0.0], [1.0, 1.0, 1.0])];
+//! let error = RationalMotion::conic(&poses).unwrap_err();
+//! assert_eq!(error.index(), Some(2));
+//! assert_eq!(error.reason(), "unattainable-pose");
+//! ```
+//!
+//! # `motion-through-exceptional-point`
+//! On one axis the body turns there and back, and slides on: between, it goes through infinity.
+//! ```
+//! use cyclide::{Pose, Quat, RationalMotion, TimedPose, Vec3};
+//! let at = |time: f64, q: [f64; 4], z: f64| TimedPose { time, pose: Pose::new(q.into(), Vec3::Z * z).unwrap() };
+//! let poses = [at(0.0, [0.8, 0.0, 0.0, 0.6], 0.0), at(0.5, [1.0, 0.0, 0.0, 0.0], 3.0), at(1.0, [0.8, 0.0, 0.0, -0.6], 2.0)];
+//! assert_eq!(RationalMotion::conic(&poses).unwrap_err().reason(), "motion-through-exceptional-point");
+//! ```
+//!
+//! # `rotation-too-large`
+//! Times are so uneven that the spline swings out: half way it comes to zero, where no direction is left.
+//! ```
+//! use cyclide::{Pose, Quat, RationalMotion, TimedPose, Vec3};
+//! let cosine = 40_f64.to_radians().cos();
+//! let step = 0.5 * ((1.0 + (1.0 - cosine) / cosine).sqrt() - 1.0); // this time is the worst
+//! let at = |time: f64, degrees: f64| TimedPose {
+//!     time,
+//!     pose: Pose::new(Quat::from_axis_angle(Vec3::Z, degrees.to_radians()), Vec3::ZERO).unwrap(),
+//! };
+//! let poses = [at(0.0, 0.0), at(step, -80.0), at(1.0 + step, 80.0), at(1.0 + 2.0 * step, 0.0)];
+//! let error = RationalMotion::spline(&poses).unwrap_err();
+//! assert_eq!(error.reason(), "rotation-too-large");
+//! ```
+//!
+//! # `no-cubic-motion`
+//! These poses are taken by motions of degree 3 at certain cross-ratios of the times only, of which 1/3 is none.
+//! ```
+//! use cyclide::{CubicMotions, Pose, Quat, Vec3};
+//! let pose = |w: f64, y: f64, x: f64, z: f64| Pose::new(Quat::new(w, 0.3, y, 0.1), Vec3::new(x, 1.0, z));
+//! let poses = [pose(1.0, 0.0, 0.0, 0.0)?, pose(1.0, 0.5, 1.0, 0.2)?, pose(0.8, 0.9, 2.2, 1.0)?, pose(0.4, 1.2, 3.0, 1.0)?];
+//! let error = CubicMotions::new(&poses)?.motion(1.0 / 3.0, [0.0, 1.0]).unwrap_err();
+//! assert_eq!(error.reason(), "no-cubic-motion");
+//! # Ok::<(), cyclide::Error>(())
+//! ```
+//!
+//! # `study-form-vanishes`
+//! Poses that are moved without a turn say nothing about screws.
+//! ```
+//! use cyclide::{CubicMotions, Pose, Quat, Vec3};
+//! let poses = [0.0, 1.0, 4.0, 9.0].map(|x| Pose::new(Quat::ONE, Vec3::X * x).unwrap());
+//! assert_eq!(CubicMotions::new(&poses).unwrap_err().reason(), "study-form-vanishes");
+//! ```
+//!
+//! # `motion-not-rational`
+//! A helix is no rational curve.
+//! ```
+//! use cyclide::{Motion, Pose, Quat, ScrewMotion, TimedPose, Vec3};
+//! let end = Pose::new(Quat::new(1.0, 0.0, 0.0, 1.0), Vec3::Z)?;
+//! let screw = ScrewMotion::new(&[TimedPose { time: 0.0, pose: Pose::IDENTITY }, TimedPose { time: 1.0, pose: end }])?;
+//! assert_eq!(Motion::from(screw).rational().unwrap_err().reason(), "motion-not-rational");
+//! # Ok::<(), cyclide::Error>(())
+//! ```
+//!
+//! # `motion-at-rest`
+//! A body turns about its origin, which goes no way at all.
+//! ```
+//! use cyclide::{Motion, Point3, Pose, Quat, ScrewMotion, TimeLaw, TimedPose, Timing, Vec3};
+//! let end = Pose::new(Quat::new(1.0, 0.0, 0.0, 1.0), Vec3::ZERO)?;
+//! let turn = ScrewMotion::new(&[TimedPose { time: 0.0, pose: Pose::IDENTITY }, TimedPose { time: 1.0, pose: end }])?;
+//! let turn = Motion::from(turn);
+//! let error = Timing::new(&turn, TimeLaw::ConstantSpeed, Point3::ORIGIN, 0.0).unwrap_err();
+//! assert_eq!(error.reason(), "motion-at-rest");
+//! assert!(Timing::new(&turn, TimeLaw::ConstantSpeed, Point3::ORIGIN, 1.0).is_ok()); // by the turn
+//! # Ok::<(), cyclide::Error>(())
+//! ```

@@ -1,0 +1,61 @@
+//! QB curves as motions: the denominators turn the body, the quotients move it.
+//!
+//! A span with the pairs `(n, d)` is the motion with the rotation `d(t)/|d(t)|` and the translation `n(t) d(t)⁻¹`: its dual quaternion
+//! is `d + ε n/2`, on the quadric exactly because the curve is in three-space (`docs/math/motions.md#qb-curves-as-motions`; source: `003`,
+//! section 2, whose action moves the origin on −2 times the curve).
+
+use super::rational_motion::{MotionSpan, RationalMotion};
+use crate::base::quat::Quat;
+use crate::base::vector::Point3;
+use crate::conformal::hpoint::HPoint;
+use crate::curve::{ParamCurve, QbCurve, QbSpline};
+use crate::error::Result;
+
+impl RationalMotion {
+    /// The motion that a chain of QB curves carries: the origin of the body runs on the curve, at the times of its
+    /// [knots](QbSpline::knots), turned by its denominators. Those of each span but the first
+    /// are multiplied by a constant so that the body does not jump at joints; its angular velocity may. Of degree `n` of the spans: points run on curves of degree `2n`.
+    ///
+    /// # Errors
+    /// `motion-through-exceptional-point` (the curve runs out to infinity, as near as rounding tells).
+    ///
+    /// ```
+    /// use cyclide::{MoebiusSplineOptions, ParamCurve, Point3, QbSpline, RationalMotion};
+    /// let points = [[0.0, 0.0, 0.0], [4.0, 1.0, 0.0], [5.0, 4.0, 1.0], [1.0, 3.0, 2.0]].map(Point3::from);
+    /// let spline = QbSpline::through_points(&points, &MoebiusSplineOptions::default())?;
+    /// let motion = RationalMotion::along(&spline)?;
+    /// let time = spline.knots()[1];
+    /// assert!((motion.pose(time).translation() - points[1].to_vec()).length() < 1e-14);
+    /// # Ok::<(), cyclide::Error>(())
+    /// ```
+    pub fn along(spline: &QbSpline) -> Result<Self> {
+        let (origin, times) = (spline.point(0.0), spline.knots().to_vec());
+        let mut spans: Vec<Vec<HPoint>> = Vec::with_capacity(spline.spans().len());
+        for span in spline.spans() {
+            let before = spans.last().and_then(|pairs| pairs.last()).map(|pair| pair.d);
+            spans.push(gauged(span, origin, before));
+        }
+        // Dual parts are of the size of the real ones in this unit.
+        let largest = |part: fn(&HPoint) -> Quat| spans.iter().flatten().map(|p| part(p).norm()).fold(0.0, f64::max);
+        let unit = Some(largest(|p| p.n) / largest(|p| p.d)).filter(|unit| unit.is_normal()).unwrap_or(1.0);
+        let rows = |pairs: &Vec<HPoint>| MotionSpan(pairs.iter().map(|pair| row(pair, unit)).collect());
+        let spans: Vec<MotionSpan> = spans.iter().map(rows).collect();
+        for (span, domain) in spans.iter().zip(times.windows(2)) {
+            span.check_share([domain[0], domain[1]])?;
+        }
+        Ok(Self::of_spans(times, spans, origin.to_vec(), unit))
+    }
+}
+
+/// The pairs of a span, multiplied from the right so that its first denominator is this one; as they are without.
+fn gauged(span: &QbCurve, origin: Point3, first: Option<Quat>) -> Vec<HPoint> {
+    let pairs = span.pairs_about(origin);
+    // A denominator of zero is a point at infinity, which the chain does not have.
+    let gauge = first.and_then(|first| Some(pairs[0].d.inverse()? * first)).unwrap_or(Quat::ONE);
+    pairs.iter().map(|pair| HPoint { n: pair.n * gauge, d: pair.d * gauge }).collect()
+}
+
+fn row(pair: &HPoint, unit: f64) -> [f64; 8] {
+    let (p, r) = (pair.d.to_array(), (pair.n * (0.5 / unit)).to_array());
+    [p[0], p[1], p[2], p[3], r[0], r[1], r[2], r[3]]
+}

@@ -1,0 +1,58 @@
+//! C1 motions through any number of poses: a cubic spline through their dual quaternions, read along the fibres of the quadric.
+//!
+//! Derivatives at inner poses are those of the parabola through three of them, at the ends that of the chord and the neighbour
+//! (`2ΔY/h − D`), so that the spline runs as the parabola does there. Reading along fibres commutes with displacements on both
+//! sides, so the motion is the same in every frame (`docs/math/motions.md#fibre-projection`).
+
+use super::rational_motion::{MotionSpan, RationalMotion};
+use super::timed_pose::{Prepared, TimeOrder, TimedPose};
+use crate::error::{Error, Result};
+
+impl RationalMotion {
+    /// The C1 motion through two poses or more at rising times. Between neighbours it takes the shorter way round; at half a
+    /// turn the sign of the second rotation decides. Points run on C1 curves of degree 6. For two poses, the straight way.
+    ///
+    /// # Errors
+    /// `wrong-pose-count`, `not-finite`, `parameters-not-increasing`, `rotation-too-large` (a span turns so far that its direction
+    /// is lost: insert a pose).
+    pub fn spline(poses: &[TimedPose]) -> Result<Self> {
+        if poses.len() < 2 {
+            return Err(Error::WrongPoseCount { given: poses.len(), needed: 2, or_more: true });
+        }
+        let prepared = Prepared::new(poses, TimeOrder::Increasing)?;
+        let values: Vec<[f64; 8]> = prepared.poses.iter().map(|d| d.to_array()).collect();
+        let steps: Vec<f64> = prepared.places.windows(2).map(|w| w[1] - w[0]).collect();
+        let derivatives = derivatives(&values, &steps);
+        let spans: Vec<MotionSpan> = (0..steps.len())
+            .map(|i| {
+                let ([a, b], h) = ([values[i], values[i + 1]], steps[i] / 3.0);
+                let towards = |from: [f64; 8], d: [f64; 8], h: f64| std::array::from_fn(|k| from[k] + h * d[k]);
+                MotionSpan(vec![a, towards(a, derivatives[i], h), towards(b, derivatives[i + 1], -h), b])
+            })
+            .collect();
+        spans.iter().enumerate().try_for_each(|(i, span)| span.check_length(i))?;
+        let times = poses.iter().map(|p| p.time).collect();
+        Ok(Self::of_spans(times, spans, prepared.centre, prepared.unit))
+    }
+}
+
+/// Three-point derivatives at the values.
+fn derivatives(values: &[[f64; 8]], steps: &[f64]) -> Vec<[f64; 8]> {
+    let last = steps.len();
+    let slope = |i: usize| -> [f64; 8] { std::array::from_fn(|k| (values[i + 1][k] - values[i][k]) / steps[i]) };
+    if last == 1 {
+        return vec![slope(0); 2];
+    }
+    let inner = |i: usize| -> [f64; 8] {
+        let ([before, after], [h0, h1]) = ([slope(i - 1), slope(i)], [steps[i - 1], steps[i]]);
+        std::array::from_fn(|k| (before[k] * h1 + after[k] * h0) / (h0 + h1))
+    };
+    let end = |chord: [f64; 8], neighbour: [f64; 8]| std::array::from_fn(|k| 2.0 * chord[k] - neighbour[k]);
+    (0..=last)
+        .map(|i| match i {
+            0 => end(slope(0), inner(1)),
+            i if i == last => end(slope(last - 1), inner(last - 1)),
+            i => inner(i),
+        })
+        .collect()
+}

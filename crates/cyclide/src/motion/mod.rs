@@ -1,0 +1,36 @@
+//! Motions of rigid bodies: dual quaternions, poses, screws, and motions whose points run on rational curves.
+
+mod along_qb;
+mod any_motion;
+mod cubic;
+mod dual_quat;
+mod exceptional;
+mod fibre_spline;
+mod motion_jet;
+mod moving_body;
+mod odd_poses;
+mod pose;
+mod rational_motion;
+mod screw_motion;
+mod study_form;
+mod study_point;
+mod timed_pose;
+mod timing;
+mod trajectory;
+
+pub use any_motion::Motion;
+pub use cubic::CubicMotions;
+pub use dual_quat::DualQuat;
+pub use motion_jet::MotionJet;
+pub use moving_body::{BodyMesh, MovingBody, Schedule};
+pub use pose::Pose;
+pub use rational_motion::RationalMotion;
+pub use screw_motion::ScrewMotion;
+pub use study_point::StudyPoint;
+pub use timed_pose::TimedPose;
+pub use timing::{TimeLaw, Timing};
+
+/// The span of rising times that a time is in: at a joint the one that starts there, outside the first or last.
+fn span_of(times: &[f64], time: f64) -> usize {
+    times.partition_point(|t| *t <= time).clamp(1, times.len() - 1) - 1
+}

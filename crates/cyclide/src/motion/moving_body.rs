@@ -1,0 +1,264 @@
+//! A body on its way: a motion with a point of the body, a time law and a duration.
+
+use super::any_motion::Motion;
+use super::motion_jet::MotionJet;
+use super::pose::Pose;
+use super::timing::{TimeLaw, Timing};
+use crate::base::jet::CurveJet;
+use crate::base::vector::{Point3, Vec3};
+use crate::error::{Error, ErrorItem, Result};
+
+/// Step of the difference that gives the second derivative of the speed of the way, as part of the duration.
+const STEP: f64 = 1e-5;
+
+/// A moving body: what a motion is with a tool, a time law and a duration.
+///
+/// ```
+/// use cyclide::{MovingBody, Pose, Quat, RationalMotion, TimeLaw, TimedPose, Vec3};
+/// let at = |time: f64, x: f64| TimedPose { time, pose: Pose::new(Quat::ONE, Vec3::X * x).unwrap() };
+/// let slide = RationalMotion::spline(&[at(0.0, 0.0), at(1.0, 8.0)])?;
+/// let body = MovingBody::new(slide.into()).with_law(TimeLaw::Eased, 2.0)?;
+/// let half_way = body.schedule()?.jet(0.5);
+/// assert!((half_way.point.point.x - 4.0).abs() < 1e-9);
+/// assert!((half_way.point.speed() - 8.0 * 1.875 / 2.0).abs() < 1e-9); // the law is 15/8 as fast in the middle
+/// # Ok::<(), cyclide::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct MovingBody {
+    motion: Motion,
+    tool: Point3,
+    arm: f64,
+    law: TimeLaw,
+    duration: f64,
+    mesh: Option<BodyMesh>,
+}
+
+/// The shape of a moving body for files that animate: triangles in the frame of the body.
+///
+/// ```
+/// use cyclide::{BodyMesh, Point3};
+/// let points = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]].map(Point3::from).to_vec();
+/// let mesh = BodyMesh::new(points, vec![[0, 1, 2]])?;
+/// assert_eq!(mesh.triangles().len(), 1);
+/// # Ok::<(), cyclide::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct BodyMesh {
+    points: Vec<Point3>,
+    triangles: Vec<[usize; 3]>,
+}
+
+impl BodyMesh {
+    /// Triangles between points.
+    ///
+    /// # Errors
+    /// `no-triangles`, `not-finite`, `no-such-vertex`.
+    pub fn new(points: Vec<Point3>, triangles: Vec<[usize; 3]>) -> Result<Self> {
+        if triangles.is_empty() {
+            return Err(Error::NoTriangles { vertices: points.len(), needed: 1 });
+        }
+        if let Some(index) = points.iter().position(|p| !p.is_finite()) {
+            return Err(Error::NotFinite { what: ErrorItem::Vertex, index });
+        }
+        let count = points.len();
+        for (triangle, corners) in triangles.iter().enumerate() {
+            if let Some(vertex) = corners.iter().copied().find(|corner| *corner >= count) {
+                return Err(Error::NoSuchVertex { triangle, vertex, count });
+            }
+        }
+        Ok(Self { points, triangles })
+    }
+
+    /// The points.
+    #[must_use]
+    pub fn points(&self) -> &[Point3] {
+        &self.points
+    }
+
+    /// The triangles, as indices of points.
+    #[must_use]
+    pub fn triangles(&self) -> &[[usize; 3]] {
+        &self.triangles
+    }
+}
+
+impl MovingBody {
+    /// A body that moves by the times of its motion, its origin the tool.
+    #[must_use]
+    pub fn new(motion: Motion) -> Self {
+        let [first, last] = motion.domain();
+        Self { motion, tool: Point3::ORIGIN, arm: 0.0, law: TimeLaw::AsGiven, duration: last - first, mesh: None }
+    }
+
+    /// With a point of the body that is measured, and the arm by which turns count beside its way (see [`Timing`]).
+    ///
+    /// # Errors
+    /// As [`Timing::new`].
+    pub fn with_tool(self, tool: Point3, arm: f64) -> Result<Self> {
+        Self { tool, arm, ..self }.checked()
+    }
+
+    /// With a time law, and how long the motion takes.
+    ///
+    /// # Errors
+    /// `parameter-out-of-range` (a duration that is not positive); as [`Timing::new`].
+    pub fn with_law(self, law: TimeLaw, duration: f64) -> Result<Self> {
+        if !(duration > 0.0 && duration.is_finite()) {
+            let name = ErrorItem::Duration;
+            return Err(Error::ParameterOutOfRange { name, value: duration, min: f64::MIN_POSITIVE, max: f64::MAX });
+        }
+        Self { law, duration, ..self }.checked()
+    }
+
+    /// With its shape, for files that animate.
+    #[must_use]
+    pub fn with_mesh(self, mesh: BodyMesh) -> Self {
+        Self { mesh: Some(mesh), ..self }
+    }
+
+    fn checked(self) -> Result<Self> {
+        self.schedule()?;
+        Ok(self)
+    }
+
+    /// The motion.
+    #[must_use]
+    pub fn motion(&self) -> &Motion {
+        &self.motion
+    }
+
+    /// The point of the body that is measured.
+    #[must_use]
+    pub fn tool(&self) -> Point3 {
+        self.tool
+    }
+
+    /// How it runs along its motion.
+    #[must_use]
+    pub fn law(&self) -> TimeLaw {
+        self.law
+    }
+
+    /// How long it takes.
+    #[must_use]
+    pub fn duration(&self) -> f64 {
+        self.duration
+    }
+
+    /// Its shape, if it was given one.
+    #[must_use]
+    pub fn mesh(&self) -> Option<&BodyMesh> {
+        self.mesh.as_ref()
+    }
+
+    /// The arm by which turns count beside the way of the tool.
+    #[must_use]
+    pub fn arm(&self) -> f64 {
+        self.arm
+    }
+
+    /// The way measured, for poses at times.
+    ///
+    /// # Errors
+    /// As [`Timing::new`].
+    pub fn schedule(&self) -> Result<Schedule<'_>> {
+        let timing = Timing::new(&self.motion, self.law, self.tool, self.arm)?;
+        Ok(Schedule { body: self, timing })
+    }
+}
+
+impl From<Motion> for MovingBody {
+    fn from(motion: Motion) -> Self {
+        Self::new(motion)
+    }
+}
+
+/// A moving body with its way measured.
+///
+/// ```
+/// use cyclide::{MovingBody, Pose, Quat, RationalMotion, TimedPose, Vec3};
+/// let at = |time: f64, x: f64| TimedPose { time, pose: Pose::new(Quat::ONE, Vec3::X * x).unwrap() };
+/// let body = MovingBody::new(RationalMotion::spline(&[at(0.0, 0.0), at(4.0, 8.0)])?.into());
+/// assert_eq!(body.schedule()?.pose(0.5).translation(), Vec3::X * 4.0);
+/// # Ok::<(), cyclide::Error>(())
+/// ```
+#[derive(Debug)]
+pub struct Schedule<'a> {
+    body: &'a MovingBody,
+    timing: Timing<'a>,
+}
+
+impl Schedule<'_> {
+    /// Length of the way, with turns counted by the arm.
+    #[must_use]
+    pub fn way(&self) -> f64 {
+        self.timing.way()
+    }
+
+    /// The law with the way measured.
+    #[must_use]
+    pub fn timing(&self) -> &Timing<'_> {
+        &self.timing
+    }
+
+    /// The pose when the part `fraction` of the duration is over.
+    #[must_use]
+    pub fn pose(&self, fraction: f64) -> Pose {
+        self.body.motion.pose(self.timing.time_at(fraction))
+    }
+
+    /// What the body and its tool do then, by the time that the body takes. Not finite where a law goes by a way that stands
+    /// still.
+    #[must_use]
+    pub fn jet(&self, fraction: f64) -> MotionJet {
+        let MovingBody { motion, tool, law, duration, .. } = self.body;
+        let time = self.timing.time_at(fraction);
+        let own = motion.jet(time, *tool);
+        let [first, last] = motion.domain();
+        let [u1, u2, u3] = match law {
+            TimeLaw::AsGiven => [(last - first) / duration, 0.0, 0.0],
+            TimeLaw::ConstantSpeed => self.rates(&own, time, [1.0, 0.0, 0.0]),
+            TimeLaw::Eased => {
+                let x = fraction.clamp(0.0, 1.0);
+                let first = 30.0 * x * x * (1.0 - x) * (1.0 - x);
+                let second = 60.0 * x * (1.0 - x) * (1.0 - 2.0 * x);
+                let third = 60.0 * (1.0 - 6.0 * x * (1.0 - x));
+                self.rates(&own, time, [first, second, third])
+            }
+        };
+        let CurveJet { point, d1, d2, d3 } = own.point;
+        let (omega, alpha) = (own.angular_velocity, own.angular_acceleration);
+        MotionJet {
+            pose: own.pose,
+            point: CurveJet {
+                point,
+                d1: d1 * u1,
+                d2: d2 * (u1 * u1) + d1 * u2,
+                d3: d3 * (u1 * u1 * u1) + d2 * (3.0 * u1 * u2) + d1 * u3,
+            },
+            angular_velocity: omega * u1,
+            angular_acceleration: alpha * (u1 * u1) + omega * u2,
+        }
+    }
+
+    /// The derivatives of the motion's time by the body's, from those of the part of the way that is done.
+    fn rates(&self, own: &MotionJet, time: f64, law: [f64; 3]) -> [f64; 3] {
+        let MovingBody { motion, tool, arm, duration, .. } = self.body;
+        let [s1, s2, s3] = [1, 2, 3].map(|k| law[k as usize - 1] * self.way() / duration.powi(k));
+        let speed = |jet: &MotionJet| jet.point.speed().hypot(arm * jet.angular_velocity.length());
+        let slope = |jet: &MotionJet| {
+            let product = |v: Vec3, a: Vec3| v.dot(a);
+            let turning = product(jet.angular_velocity, jet.angular_acceleration) * arm * arm;
+            (product(jet.point.d1, jet.point.d2) + turning) / speed(jet)
+        };
+        let [first, last] = motion.domain();
+        let h = STEP * (last - first);
+        let at = |t: f64| slope(&motion.jet(t.clamp(first, last), *tool));
+        let (from, to) = ((time - h).max(first), (time + h).min(last));
+        let (g, g1, g2) = (speed(own), slope(own), (at(to) - at(from)) / (to - from));
+        let u1 = s1 / g;
+        let u2 = (s2 - g1 * u1 * u1) / g;
+        let u3 = (s3 - g2 * u1 * u1 * u1 - 3.0 * g1 * u1 * u2) / g;
+        [u1, u2, u3]
+    }
+}

@@ -1,0 +1,178 @@
+//! Motions that are polynomial in the eight coefficients of a dual quaternion: every point of the body runs on a rational curve.
+//!
+//! A span is a Bézier curve `(p, r)` of degree n in R⁸, read along the fibres of the quadric: the rotation is `p`, the translation
+//! `2 Im(r p̄)/|p|²`. In homogeneous coordinates a point x of the body is at `[2 Im(r p̄) + p x p̄, |p|²]`, of degree 2n
+//! (`docs/math/motions.md#fibre-projection`).
+
+use super::dual_quat::DualQuat;
+use super::motion_jet::MotionJet;
+use super::pose::Pose;
+use super::span_of;
+use crate::base::bernstein;
+use crate::base::quat::Quat;
+use crate::base::vector::{Point3, Vec3};
+use crate::rational::{Polynomial, PolynomialRow, QuatPolynomial, jet_of_homogeneous};
+
+/// A span is halved so often at most until its weights are positive; `|p|²` is nowhere zero, so a few halvings do.
+const HALVINGS: u32 = 60;
+
+/// A motion over rising times, in spans each of which is polynomial in the coefficients of a dual quaternion.
+///
+/// Made by [`conic`](Self::conic), [`quartic`](Self::quartic), [`spline`](Self::spline), [`CubicMotions`](crate::CubicMotions).
+///
+/// ```
+/// use cyclide::{Point3, Pose, Quat, RationalMotion, TimedPose, Vec3};
+/// let at = |time: f64, z: f64| TimedPose {
+///     time,
+///     pose: Pose::new(Quat::new(1.0, 0.0, 0.0, time), Vec3::new(time, 0.0, z)).unwrap(),
+/// };
+/// let motion = RationalMotion::spline(&[at(0.0, 0.0), at(1.0, 2.0), at(3.0, 1.0)])?;
+/// assert!((motion.pose(1.0).translation() - Vec3::new(1.0, 0.0, 2.0)).length() < 1e-15);
+/// let path = motion.trajectory(Point3::new(0.0, 5.0, 0.0))?; // exact
+/// assert_eq!((path.degree(), path.span_count()), (6, 2));
+/// # Ok::<(), cyclide::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct RationalMotion {
+    /// Rising, one more than spans.
+    times: Vec<f64>,
+    spans: Vec<MotionSpan>,
+    /// What the translations are relative to.
+    centre: Vec3,
+    /// What the dual parts are multiplied by.
+    unit: f64,
+}
+
+/// The Bernstein coefficients of one span: real part, then dual part.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct MotionSpan(pub(super) Vec<[f64; 8]>);
+
+impl RationalMotion {
+    /// The motion of these spans, about a centre and in a unit. Real parts vanish nowhere.
+    pub(super) fn of_spans(times: Vec<f64>, spans: Vec<MotionSpan>, centre: Vec3, unit: f64) -> Self {
+        Self { times, spans, centre, unit }
+    }
+
+    /// The times at which spans start, and the end.
+    #[must_use]
+    pub fn times(&self) -> &[f64] {
+        &self.times
+    }
+
+    /// Degree of the dual quaternion; trajectories have twice that.
+    #[must_use]
+    pub fn degree(&self) -> usize {
+        self.spans.iter().map(|span| span.0.len() - 1).max().unwrap_or(0)
+    }
+
+    /// The dual quaternion at a time, clamped to those of the motion: of any length, and on the fibre of the displacement.
+    #[must_use]
+    pub fn dual_quat(&self, time: f64) -> DualQuat {
+        let (span, s) = self.place_of(time);
+        let at = DualQuat::from_array(bernstein::eval(&self.spans[span].0, s));
+        let dual = at.dual * self.unit + Quat::from(self.centre * 0.5) * at.real;
+        DualQuat { real: at.real, dual }
+    }
+
+    /// The pose at a time, clamped to those of the motion.
+    #[must_use]
+    pub fn pose(&self, time: f64) -> Pose {
+        let (span, s) = self.place_of(time);
+        self.span_pose(span, s)
+    }
+
+    fn span_pose(&self, span: usize, s: f64) -> Pose {
+        let at = DualQuat::from_array(bernstein::eval(&self.spans[span].0, s));
+        let length = at.real.norm();
+        // The unit of the quaternion divides both: |p|² may be tiny.
+        let p = at.real * (1.0 / length);
+        let translation = (at.dual * (1.0 / length) * p.conj()).vector() * (2.0 * self.unit);
+        Pose::of_unit(p, translation + self.centre)
+    }
+
+    /// What the body and one of its points do at a time. At a joint, on the span that starts there.
+    #[must_use]
+    pub fn jet(&self, time: f64, point: Point3) -> MotionJet {
+        let (span, s) = self.place_of(time);
+        let duration = self.times[span + 1] - self.times[span];
+        let rows: [[f64; 8]; 4] = bernstein::derivatives(&self.spans[span].0, s);
+        let at = rows.map(DualQuat::from_array);
+        let p = at.map(|d| d.real);
+        let scale = 1.0 / p[0].norm();
+        let p = p.map(|q| q * scale);
+        let r = at.map(|d| d.dual * scale);
+        let x = Quat::from(point);
+        let moved = p.map(|q| q * x);
+        let homogeneous: [[f64; 4]; 4] = std::array::from_fn(|k| {
+            let translation = leibniz(&r, &p, k).vector() * (2.0 * self.unit);
+            let way = translation + leibniz(&moved, &p, k).vector();
+            [way.x, way.y, way.z, leibniz(&p, &p, k).w]
+        });
+        let mut jet = jet_of_homogeneous(homogeneous).scaled(1.0 / duration);
+        jet.point = jet.point + self.centre;
+        // ω = 2 Im(p' p⁻¹), and its derivative; p has length 1 here.
+        let (first, second) = (p[1] * p[0].conj(), p[2] * p[0].conj());
+        MotionJet {
+            pose: self.span_pose(span, s),
+            point: jet,
+            angular_velocity: first.vector() * (2.0 / duration),
+            angular_acceleration: (second - first * first).vector() * (2.0 / (duration * duration)),
+        }
+    }
+
+    fn place_of(&self, time: f64) -> (usize, f64) {
+        let span = span_of(&self.times, time);
+        let [from, to] = [self.times[span], self.times[span + 1]];
+        (span, ((time - from) / (to - from)).clamp(0.0, 1.0))
+    }
+
+    /// The same motion with spans cut where `|p|²` has Bernstein coefficients that are not positive: then every curve and surface made of
+    /// a span has positive weights, if what is moved has.
+    #[must_use]
+    pub(crate) fn with_positive_weights(&self) -> Self {
+        let (mut times, mut spans) = (vec![self.times[0]], Vec::new());
+        for (span, ends) in self.spans.iter().zip(self.times.windows(2)) {
+            span.positive_parts([ends[0], ends[1]], HALVINGS, &mut |part, end| {
+                spans.push(part);
+                times.push(end);
+            });
+        }
+        Self { times, spans, centre: self.centre, unit: self.unit }
+    }
+
+    /// Over each span the homogeneous path, of twice the degree, of a point of the body in homogeneous coordinates `[wx, wy, wz, w]`.
+    pub(crate) fn homogeneous_paths(&self, [x, y, z, w]: [f64; 4]) -> impl Iterator<Item = PolynomialRow> {
+        let point = QuatPolynomial::constant(Quat::new(0.0, x, y, z));
+        self.spans.iter().map(move |span| {
+            let column = |d: usize| Polynomial::new(span.0.iter().map(|row| row[d]).collect());
+            let p = QuatPolynomial(std::array::from_fn(column));
+            let r = QuatPolynomial(std::array::from_fn(|d| &column(d + 4) * (2.0 * self.unit * w)));
+            let centre = QuatPolynomial::constant(Quat::from(self.centre * w));
+            let moved = &r + &(&(&centre * &p) + &(&p * &point));
+            let QuatPolynomial([_, x, y, z]) = &moved * &p.conj();
+            PolynomialRow([x, y, z, &p.dot(&p) * w])
+        })
+    }
+}
+
+impl MotionSpan {
+    /// Hands on the parts of a span over which `|p|²` has positive coefficients, each with the time of its end.
+    fn positive_parts(&self, [from, to]: [f64; 2], halvings: u32, take: &mut impl FnMut(Self, f64)) {
+        let column = |d: usize| Polynomial::new(self.0.iter().map(|row| row[d]).collect());
+        let p = QuatPolynomial(std::array::from_fn(column));
+        let middle = 0.5 * (from + to);
+        if halvings == 0 || !(middle > from && middle < to) || p.dot(&p).coefficients().iter().all(|w| *w > 0.0) {
+            return take(self.clone(), to);
+        }
+        let (left, right) = bernstein::split(&self.0, 0.5);
+        Self(left).positive_parts([from, middle], halvings - 1, take);
+        Self(right).positive_parts([middle, to], halvings - 1, take);
+    }
+}
+
+/// The derivative of order `k` of `a b̄`.
+fn leibniz(a: &[Quat; 4], b: &[Quat; 4], k: usize) -> Quat {
+    const BINOMIALS: [[f64; 4]; 4] =
+        [[1.0, 0.0, 0.0, 0.0], [1.0, 1.0, 0.0, 0.0], [1.0, 2.0, 1.0, 0.0], [1.0, 3.0, 3.0, 1.0]];
+    (0..=k).fold(Quat::ZERO, |sum, j| sum + a[j] * b[k - j].conj() * BINOMIALS[k][j])
+}

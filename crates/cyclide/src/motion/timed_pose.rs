@@ -1,0 +1,110 @@
+//! Poses at times, and what every construction of a motion does with them first.
+
+use super::dual_quat::DualQuat;
+use super::pose::Pose;
+use crate::base::quat::Quat;
+use crate::base::vector::Vec3;
+use crate::error::{Error, ErrorItem, Result};
+
+/// A pose and the time, or other parameter, at which a motion takes it.
+///
+/// ```
+/// use cyclide::{Pose, TimedPose};
+/// let start = TimedPose { time: 0.0, pose: Pose::IDENTITY };
+/// assert_eq!(start.pose.translation().length(), 0.0);
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct TimedPose {
+    /// Time, in a unit of the user's.
+    pub time: f64,
+    /// Where the body is then.
+    pub pose: Pose,
+}
+
+/// Rotations at an angle of more than half a turn have a product below this: at exactly half a turn its sign is rounding.
+const OPPOSITE: f64 = -1e-12;
+
+/// Poses as dual quaternions, made ready: about their centroid, in units of their size, neighbours on the same side.
+///
+/// Both are a change of frame and of unit, which the constructions commute with; they cost fewer digits there.
+#[derive(Debug)]
+pub(super) struct Prepared {
+    /// Smallest and largest time.
+    pub(super) domain: [f64; 2],
+    /// The times on the scale of the domain, 0 to 1.
+    pub(super) places: Vec<f64>,
+    /// Real parts of length 1, dual parts of length at most 1.
+    pub(super) poses: Vec<DualQuat>,
+    /// The centroid of the translations.
+    pub(super) centre: Vec3,
+    /// Length of the largest dual part before it was taken as unit; 1 if all vanish.
+    pub(super) unit: f64,
+}
+
+/// How the times of a construction may be ordered.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum TimeOrder {
+    /// In any order, but different.
+    Distinct,
+    /// Each after the one before it.
+    Increasing,
+}
+
+impl Prepared {
+    /// Makes poses ready.
+    ///
+    /// # Errors
+    /// `not-finite`; `repeated-parameter` or `parameters-not-increasing`.
+    pub(super) fn new(given: &[TimedPose], order: TimeOrder) -> Result<Self> {
+        if let Some(index) = given.iter().position(|p| !p.time.is_finite()) {
+            return Err(Error::NotFinite { what: ErrorItem::Time, index });
+        }
+        let times = || given.iter().map(|p| p.time);
+        let domain = [times().fold(f64::INFINITY, f64::min), times().fold(f64::NEG_INFINITY, f64::max)];
+        let range = domain[1] - domain[0];
+        if !range.is_finite() {
+            return Err(Error::NotFinite { what: ErrorItem::Time, index: given.len() - 1 });
+        }
+        let places: Vec<f64> = times().map(|t| (t - domain[0]) / range).collect();
+        check_order(given, &places, order)?;
+        let share = 1.0 / given.len() as f64;
+        let centre = given.iter().fold(Vec3::ZERO, |sum, p| sum + p.pose.translation() * share);
+        let mut poses: Vec<DualQuat> = given
+            .iter()
+            .map(|p| DualQuat::from_rotation_translation(p.pose.rotation(), p.pose.translation() - centre))
+            .collect();
+        if let Some(index) = poses.iter().position(|d| !d.is_finite()) {
+            return Err(Error::NotFinite { what: ErrorItem::Translation, index });
+        }
+        let largest = poses.iter().map(|d| d.dual.norm()).fold(0.0, f64::max);
+        let unit = if largest > 0.0 { largest } else { 1.0 };
+        for i in 0..poses.len() {
+            poses[i].dual = Quat::from(poses[i].dual.to_array().map(|v| v / unit));
+            if i > 0 && poses[i].real.dot(poses[i - 1].real) < OPPOSITE {
+                poses[i] = poses[i] * -1.0;
+            }
+        }
+        Ok(Self { domain, places, poses, centre, unit })
+    }
+}
+
+/// # Errors
+/// `repeated-parameter` or `parameters-not-increasing`.
+fn check_order(given: &[TimedPose], places: &[f64], order: TimeOrder) -> Result<()> {
+    for second in 1..given.len() {
+        let value = given[second].time;
+        match order {
+            TimeOrder::Increasing if !(places[second] > places[second - 1]) => {
+                let before = given[second - 1].time;
+                return Err(Error::ParametersNotIncreasing { index: second, value, before });
+            }
+            TimeOrder::Distinct => {
+                if let Some(first) = (0..second).find(|first| places[*first].total_cmp(&places[second]).is_eq()) {
+                    return Err(Error::RepeatedParameter { first, second, value });
+                }
+            }
+            TimeOrder::Increasing => {}
+        }
+    }
+    Ok(())
+}

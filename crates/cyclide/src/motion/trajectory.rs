@@ -1,0 +1,76 @@
+//! Paths of points of a body under a rational motion: exact rational curves of twice the degree.
+
+use super::rational_motion::RationalMotion;
+use crate::base::vector::Point3;
+use crate::error::{Error, ErrorItem, Result};
+use crate::rational::{NurbsCurve, RationalBezier};
+
+/// Slopes of homogeneous coordinates that differ by less than this part of the largest are one.
+const SAME_SLOPE: f64 = 1e-12;
+
+impl RationalMotion {
+    /// The path of a point of the body: exact, of twice the [degree](Self::degree), over the knots `[0, 1]`, which are the
+    /// times on the scale of the whole motion. Where the motion is C1, so are the knots (of multiplicity one less than the degree).
+    ///
+    /// # Errors
+    /// `not-finite` (the point is not, or its path overflows).
+    pub fn trajectory(&self, point: Point3) -> Result<NurbsCurve> {
+        if !point.is_finite() {
+            return Err(Error::NotFinite { what: ErrorItem::Point, index: 0 });
+        }
+        let motion = self.with_positive_weights();
+        let mut curves: Vec<RationalBezier> = Vec::new();
+        for row in motion.homogeneous_paths([point.x, point.y, point.z, 1.0]) {
+            let curve = RationalBezier::new(RationalBezier::from_polynomial_row(&row).rows().to_vec())?;
+            // One point for both, also where rounding is more than the coordinates, near the origin.
+            let start = curves.last().map(|before| before.point(1.0));
+            curves.push(curve.with_ends(start, None));
+        }
+        let degree = curves.iter().map(RationalBezier::degree).max().unwrap_or(1);
+        let curves: Vec<RationalBezier> = curves.iter().map(|curve| raised(curve, degree)).collect();
+        joined(&curves, motion.times())
+    }
+}
+
+/// The curve with a degree that is not lower.
+fn raised(curve: &RationalBezier, degree: usize) -> RationalBezier {
+    match degree - curve.degree() {
+        0 => curve.clone(),
+        more => curve.multiplied(&vec![1.0; more + 1]),
+    }
+}
+
+/// The curves as one B-spline over `[0, 1]`. A joint at which the homogeneous forms meet C1 lies between its neighbours: it is left out, and
+/// the knot is there once less.
+fn joined(curves: &[RationalBezier], times: &[f64]) -> Result<NurbsCurve> {
+    let degree = curves[0].degree();
+    let duration = times[times.len() - 1] - times[0];
+    let mut knots = vec![0.0; degree + 1];
+    let mut rows: Vec<[f64; 4]> = Vec::new();
+    for (i, curve) in curves.iter().enumerate() {
+        let (rest, end) = (&curve.rows()[1..], (times[i + 1] - times[0]) / duration);
+        rows.extend(if i == 0 { curve.rows() } else { rest });
+        let Some(next) = curves.get(i + 1) else {
+            knots.extend(std::iter::repeat_n(1.0, degree + 1));
+            break;
+        };
+        let steps = [times[i + 1] - times[i], times[i + 2] - times[i + 1]];
+        let smooth = degree > 1 && meet_smoothly(curve.rows(), next.rows(), steps);
+        if smooth {
+            rows.pop();
+        }
+        knots.extend(std::iter::repeat_n(end, degree - usize::from(smooth)));
+    }
+    let points = rows.iter().map(|[x, y, z, w]| Point3::new(x / w, y / w, z / w)).collect();
+    NurbsCurve::new(degree, knots, points, rows.iter().map(|row| row[3]).collect())
+}
+
+/// Whether the homogeneous derivatives of two curves are one where they meet, to rounding.
+fn meet_smoothly(before: &[[f64; 4]], after: &[[f64; 4]], [h0, h1]: [f64; 2]) -> bool {
+    let last = before.len() - 1;
+    (0..4).all(|d| {
+        let (left, right) = ((before[last][d] - before[last - 1][d]) / h0, (after[1][d] - after[0][d]) / h1);
+        let size = before.iter().chain(after).fold(0.0, |m: f64, row| m.max(row[d].abs()));
+        (left - right).abs() <= SAME_SLOPE * (left.abs() + right.abs() + size / h0.min(h1))
+    })
+}

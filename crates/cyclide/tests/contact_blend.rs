@@ -1,0 +1,238 @@
+//! Blends of tubes with plates and spheres: the envelope, solids, tangency, similarity, what is refused.
+
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
+
+use cyclide::{
+    BlendBase, BlendTube, Body, CanalPatch, ContactBlend, ContactPartner, FaceSurface, NeckSide, PlateShape, Point3,
+    RationalBezier, RationalBezierSurface, RollingBall, TeeEnds, Vec3, surface_joints,
+};
+use std::f64::consts::{FRAC_PI_2, PI};
+
+const SPHERE: BlendBase = BlendBase::Sphere { radius: 5.0 };
+const PLATE: BlendBase = BlendBase::Plane(PlateShape::Rectangle([30.0, 28.0]));
+const DISK: BlendBase = BlendBase::Plane(PlateShape::Disk(15.0));
+
+fn tube(through: [f64; 3], direction: [f64; 3], radius: f64, taper: f64) -> BlendTube {
+    let [x, y, z] = through;
+    let [u, v, w] = direction;
+    BlendTube { through: Point3::new(x, y, z), direction: Vec3::new(u, v, w), radius, taper, length: 12.0 }
+}
+
+/// Every edge closed and smooth, or a crease at a right angle, more or less by the taper where the tube ends.
+fn check(body: &Body, taper: f64) {
+    for joint in body.shells().flat_map(surface_joints) {
+        let crease = [FRAC_PI_2 - taper, FRAC_PI_2 + taper, FRAC_PI_2].iter().any(|a| (joint.angle - a).abs() < 1e-9);
+        assert!(joint.gap < 1e-11 && (joint.angle < 1e-8 || crease), "{joint:?}");
+    }
+}
+
+#[test]
+fn struts_on_spheres_are_solids() {
+    for (through, direction, taper) in [
+        ([0.0, 1.5, 0.0], [0.0, 0.0, 1.0], 0.0),
+        ([0.4, 1.5, 0.0], [0.3, 0.1, 1.0], 0.05),
+        ([0.0, 2.0, 1.0], [0.0, 0.0, 1.0], -0.05),
+        ([0.0, 0.0, 1.0], [0.0, 0.0, 1.0], 0.05),
+    ] {
+        let strut = tube(through, direction, 1.0, taper);
+        for side in [NeckSide::Outside, NeckSide::Inside] {
+            for wall in [None, Some(0.2)] {
+                for ends in [TeeEnds::Flat, TeeEnds::Closed, TeeEnds::Open] {
+                    let blend = ContactBlend::new(strut, SPHERE, 0.5).unwrap().with_side(side).with_ends(ends);
+                    let blend = wall.map_or(Ok(blend), |wall| blend.with_wall(wall)).unwrap();
+                    let made = blend.made().unwrap_or_else(|e| panic!("{through:?} {side:?} {wall:?} {ends:?}: {e}"));
+                    assert_eq!(made.body.is_solid(), ends != TeeEnds::Open);
+                    check(&made.body, taper);
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn tubes_on_plates_are_solids() {
+    for base in [PLATE, DISK] {
+        for (direction, taper) in
+            [([0.0, 0.0, 1.0], 0.1), ([0.5, 0.3, 1.0], 0.1), ([0.0, -0.8, 1.0], -0.1), ([0.4, 0.0, 1.0], 0.0)]
+        {
+            let strut = tube([0.3, 0.2, 0.0], direction, 2.0, taper);
+            for side in [NeckSide::Outside, NeckSide::Inside] {
+                for wall in [None, Some(0.2)] {
+                    for ends in [TeeEnds::Flat, TeeEnds::Closed, TeeEnds::Open] {
+                        let blend = ContactBlend::new(strut, base, 0.6).unwrap().with_side(side).with_ends(ends);
+                        let blend = blend.with_thickness(1.0).unwrap();
+                        let blend = wall.map_or(Ok(blend), |wall| blend.with_wall(wall)).unwrap();
+                        let made =
+                            blend.made().unwrap_or_else(|e| panic!("{direction:?} {side:?} {wall:?} {ends:?}: {e}"));
+                        assert_eq!(made.body.is_solid(), ends != TeeEnds::Open);
+                        check(&made.body, taper);
+                        assert!(made.blend.radii[1] - made.blend.radii[0] < 1e-13);
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// The canals: faces of degree 2 across whose normals meet in centres of balls.
+fn canals(body: &Body, degree: usize) -> Vec<(&RationalBezierSurface, f64)> {
+    let faces = body.outer.faces().iter();
+    let rational = faces.filter_map(|face| match &face.surface {
+        FaceSurface::Rational(surface) => Some((surface, if face.same_sense { 1.0 } else { -1.0 })),
+        FaceSurface::Cyclide(_) => None,
+    });
+    rational.filter(|(surface, _)| surface.degrees()[1] == 2 && surface.degrees()[0] >= degree).collect()
+}
+
+/// Distance of a point from the axis of a tube, and its place along it.
+fn off_axis(tube: &BlendTube, p: Point3) -> [f64; 2] {
+    let axis = tube.direction.unit().unwrap();
+    let along = (p - tube.through).dot(axis);
+    [(p - tube.through - axis * along).length(), along]
+}
+
+/// How far a ball is from touching the tube.
+fn gap(tube: &BlendTube, center: Point3, radius: f64) -> f64 {
+    let [off, along] = off_axis(tube, center);
+    (off - tube.radius) * tube.taper.cos() + along * tube.taper.sin() - radius
+}
+
+#[test]
+fn ten_thousand_points_are_on_balls_that_touch_both() {
+    let mut points = 0;
+    for (tube, base, degree) in [
+        (tube([0.0, 1.5, 0.0], [0.0, 0.0, 1.0], 1.0, 0.0), SPHERE, 12),
+        (tube([0.4, 1.5, 0.0], [0.3, 0.1, 1.0], 1.0, 0.05), SPHERE, 12),
+        (tube([0.3, 0.2, 0.0], [0.5, 0.3, 1.0], 2.0, 0.1), DISK, 8),
+        (tube([0.3, 0.2, 0.0], [0.0, -0.8, 1.0], 2.0, -0.1), PLATE, 8),
+    ] {
+        let blend = ContactBlend::new(tube, base, 0.5).and_then(|blend| blend.with_thickness(1.0));
+        let made = blend.and_then(|blend| blend.made()).unwrap();
+        let [least, most] = made.blend.radii;
+        let canals = canals(&made.body, degree);
+        let mut contacts = 0;
+        assert_eq!(canals.len() % made.blend.pieces, 0);
+        for (surface, sense) in canals {
+            for i in 0..=16 {
+                let s = f64::from(i) / 16.0;
+                // The envelope of balls that touch a plane or a sphere: the first normal gives centre and radius.
+                let at = |t: f64| (surface.point(s, t), surface.unit_normal(s, t) * sense);
+                let (p, n) = at(0.0);
+                let touches = |r: f64| match base {
+                    BlendBase::Plane(_) => (p + n * r).z - r,
+                    BlendBase::Sphere { radius } => (p + n * r).to_vec().length() - radius - r,
+                };
+                let (mut low, mut high) = (0.25, 1.0);
+                for _ in 0..80 {
+                    let middle = 0.5 * (low + high);
+                    if (touches(middle) > 0.0) == (touches(0.25) > 0.0) { low = middle } else { high = middle }
+                }
+                let (radius, center) = (low, p + n * low);
+                assert!(radius > least - 1e-10 && radius < most + 1e-10, "{radius} {least} {most}");
+                assert!(gap(&tube, center, radius).abs() < 1e-10, "{}", gap(&tube, center, radius));
+                for j in 0..=12 {
+                    let (q, m) = at(f64::from(j) / 12.0);
+                    points += 1;
+                    assert!((q + m * radius).distance(center) < 1e-9 && (q.distance(center) - radius).abs() < 1e-10);
+                }
+                let (q, m) = at(1.0);
+                // Arcs may be cut in two bands: the second ends at the contact.
+                let (off, normal) = match base {
+                    BlendBase::Sphere { radius } => (q.to_vec().length() - radius, q.to_vec().unit().unwrap()),
+                    BlendBase::Plane(_) => (q.z, Vec3::Z),
+                };
+                if off.abs() < 1e-9 {
+                    contacts += 1;
+                    assert!(m.cross(normal).length() < 1e-9);
+                }
+            }
+        }
+        assert_eq!(contacts, 17 * made.blend.pieces);
+    }
+    assert!(points >= 10_000, "{points}");
+}
+
+#[test]
+fn blends_are_similar_and_closer_with_the_tolerance() {
+    let volume = |scale: f64, tolerance: f64| {
+        let unit = tube([0.4, 1.5, 0.0], [0.3, 0.1, 1.0], 1.0, 0.05);
+        let through = Point3::ORIGIN + unit.through.to_vec() * scale;
+        let strut = BlendTube { through, radius: scale, length: 12.0 * scale, ..unit };
+        let blend = ContactBlend::new(strut, BlendBase::Sphere { radius: 5.0 * scale }, 0.5 * scale).unwrap();
+        let made = blend.with_tolerance(tolerance * scale).and_then(|blend| blend.made()).unwrap();
+        let [low, high] = made.blend.radii.map(|radius| radius / scale);
+        assert!(low >= 0.5 - tolerance && high <= 0.5 + tolerance);
+        (made.body.outer.volume() / scale.powi(3), high - low)
+    };
+    let (one, widest) = volume(1.0, 1e-3);
+    for scale in [1e-9, 1e-3, 1e3, 1e9] {
+        assert!((volume(scale, 1e-3).0 / one - 1.0).abs() < 1e-9, "{scale}");
+    }
+    let (fine, nearer) = volume(1.0, 1e-5);
+    let (_, nearest) = volume(1.0, 1e-7);
+    assert!(nearer < widest && nearest < nearer);
+    assert!((one - fine).abs() < 1e-2 * one);
+}
+
+#[test]
+fn special_positions_are_tori() {
+    let plate = BlendBase::Plane(PlateShape::Disk(9.0));
+    for base in [SPHERE, plate] {
+        let upright = tube([0.0; 3], [0.0, 0.0, 1.0], 1.0, 0.05);
+        let made = ContactBlend::new(upright, base, 0.5).and_then(|blend| blend.made()).unwrap();
+        assert!(made.blend.radii.iter().all(|radius| (radius - 0.5).abs() < 1e-15));
+        for face in made.body.outer.faces() {
+            assert!(matches!(face.surface, FaceSurface::Cyclide(_)), "{base:?}: {:?}", face.surface);
+        }
+    }
+}
+
+#[test]
+fn an_upright_boss_has_the_volume_of_its_profile() {
+    let (r, ball, height, thick) = (1.0, 0.5, 12.0, 1.0);
+    let upright = tube([0.0; 3], [0.0, 0.0, 1.0], r, 0.0);
+    let blend = ContactBlend::new(upright, DISK, ball).and_then(|blend| blend.with_thickness(thick)).unwrap();
+    let corner = ball * ball * (1.0 - PI / 4.0);
+    // Centroid of the corner from the tube: Pappus.
+    let centroid = (ball * ball * 0.5 * ball - PI / 4.0 * ball * ball * (ball - 4.0 * ball / (3.0 * PI))) / corner;
+    let wanted = PI * r * r * height + PI * 225.0 * thick + 2.0 * PI * (r + centroid) * corner;
+    assert!((blend.made().unwrap().body.outer.volume() / wanted - 1.0).abs() < 1e-10);
+}
+
+/// The generic canal over a strip of contacts is that of the blend.
+#[test]
+fn the_canal_of_contacts_touches_both_surfaces() {
+    let contacts = RationalBezier::new(vec![[2.0, 0.0, 1.0, 1.0], [2.0, 2.0, 2.0, 1.0], [0.0, 4.0, 6.0, 2.0]]).unwrap();
+    let normals = RationalBezier::new(vec![[1.0, 0.0, 0.0, 1.0], [1.0, 1.0, 0.0, 1.0], [0.0, 2.0, 0.0, 2.0]]).unwrap();
+    let center = Point3::new(3.0, 4.0, -1.0);
+    for partner in [
+        ContactPartner::Plane { normal: Vec3::new(0.2, -0.1, 3.0), offset: -1.0 },
+        ContactPartner::Sphere { center, radius: 2.0 },
+    ] {
+        let patch = CanalPatch::at_contacts(&contacts, &normals, partner).unwrap();
+        for part in patch.rational_parts().unwrap() {
+            assert!(part.surface.has_positive_weights());
+        }
+        for k in 0..=20 {
+            let s = f64::from(k) / 20.0;
+            let ball = RollingBall::at_contact(contacts.point(s), normals.point(s).to_vec(), partner).unwrap();
+            let (m, radius) = patch.ball(s);
+            assert!(m.distance(ball.center) < 1e-11 && (radius - ball.radius).abs() < 1e-11);
+            let step = 1e-5;
+            let (ahead, behind) = (patch.ball(s + step), patch.ball(s - step));
+            let (motion, growth) = ((ahead.0 - behind.0) / (2.0 * step), (ahead.1 - behind.1) / (2.0 * step));
+            for (t, contact) in [(0.0, ball.contacts[0]), (1.0, ball.contacts[1])] {
+                assert!(patch.point(s, t).distance(contact) < 1e-9);
+            }
+            for t in [0.2, 0.5, 0.9] {
+                // On the characteristic circle: n·m' = R'. Differences are good to 1e-8.
+                assert!((patch.unit_normal(s, t).dot(motion) - growth).abs() < 1e-7 * motion.length());
+            }
+        }
+    }
+    let long = RationalBezier::new(vec![[1.1, 0.0, 0.0, 1.0], [0.0, 1.0, 0.0, 1.0]]).unwrap();
+    let floor = ContactPartner::Plane { normal: Vec3::Z, offset: -1.0 };
+    assert_eq!(CanalPatch::at_contacts(&contacts, &long, floor).unwrap_err().reason(), "parameter-out-of-range");
+    let below = ContactPartner::Plane { normal: Vec3::Z, offset: 9.0 };
+    assert_eq!(CanalPatch::at_contacts(&contacts, &normals, below).unwrap_err().reason(), "no-positive-radius");
+}

@@ -1,0 +1,13 @@
+//! Laws of motions: frames on both sides, reversal of time, derivatives against differences, exact forms against evaluation,
+//! certificates and refusals.
+
+#![allow(clippy::unwrap_used, reason = "what cannot be made fails the test")]
+
+mod cubics;
+mod data;
+mod frames;
+mod jets;
+mod refusals;
+mod swept;
+mod timing;
+mod trajectories;

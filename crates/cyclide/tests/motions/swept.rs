@@ -1,0 +1,94 @@
+//! Swept surfaces: every point is that of the moved curve; closed ones are watertight.
+
+use crate::data::timed;
+use cyclide::{Arc, EdgeCurve, ParamSurface, Point3, Pose, Quat, RationalMotion, SweptSurface, TimedPose, Vec3};
+use proptest::prelude::*;
+
+fn arc() -> EdgeCurve {
+    let [a, b, c] = [[0.5, 0.0, 0.0], [0.0, 0.15, 0.05], [-0.5, 0.0, 0.0]].map(Point3::from);
+    Arc::from_three_points(a, b, c).unwrap().into()
+}
+
+fn square() -> Vec<EdgeCurve> {
+    let corners = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0], [0.0, -1.0, 0.0]].map(Point3::from);
+    (0..4).map(|k| Arc::segment(corners[k], corners[(k + 1) % 4]).unwrap().into()).collect()
+}
+
+proptest! {
+    #[test]
+    fn faces_are_the_moved_curve(poses in timed(2..5)) {
+        let Ok(motion) = RationalMotion::spline(&poses) else { return Ok(()) };
+        let Ok(swept) = SweptSurface::new(&[arc()], false, &motion) else { return Ok(()) };
+        let shell = &swept.body().outer;
+        // An arc of less than a third of a turn is one piece, so faces are parts of spans in order; the joints are their corners.
+        let mut start = motion.times()[0];
+        for face in shell.faces() {
+            let surface = &face.surface;
+            let along = |t: f64| surface.point(0.0, t);
+            let end = motion.times().iter().chain(&halvings(&motion)).copied().filter(|u| *u > start)
+                .filter(|u| motion.pose(*u).apply(arc().start()).distance(along(1.0)) < 1e-9)
+                .fold(f64::INFINITY, f64::min);
+            prop_assert!(end.is_finite());
+            for (s, t) in [(0.0, 0.3), (0.25, 0.5), (0.7, 0.9), (1.0, 0.1)] {
+                let time = start + (end - start) * t;
+                let expected = motion.pose(time).apply(arc().point(s));
+                let speed = motion.jet(time, arc().point(s)).point.speed();
+                // The arc has equal weights at its ends, as the profile of a face.
+                prop_assert!(expected.distance(surface.point(s, t)) < 1e-9 * (1.0 + speed), "{s} {t}");
+            }
+            start = end;
+        }
+    }
+}
+
+/// Times at which spans are cut for positive weights.
+fn halvings(motion: &RationalMotion) -> Vec<f64> {
+    motion.times().windows(2).flat_map(|w| (1..64).map(move |k| w[0] + (w[1] - w[0]) * f64::from(k) / 64.0)).collect()
+}
+
+fn turned(time: f64, degrees: f64, x: [f64; 3]) -> TimedPose {
+    TimedPose { time, pose: Pose::new(Quat::from_axis_angle(Vec3::Z, degrees.to_radians()), Vec3::from(x)).unwrap() }
+}
+
+#[test]
+fn a_segment_that_turns_is_a_disk() {
+    let motion =
+        RationalMotion::conic(&[turned(0.0, 0.0, [0.0; 3]), turned(0.5, 80.0, [0.0; 3]), turned(1.0, 160.0, [0.0; 3])]);
+    let blade = Arc::segment(Point3::ORIGIN, Point3::new(3.0, 0.0, 0.0)).unwrap();
+    let swept = SweptSurface::new(&[blade.into()], false, &motion.unwrap()).unwrap();
+    let expected = 0.5 * 9.0 * 160_f64.to_radians();
+    assert!((swept.body().outer.area() - expected).abs() < 1e-9, "{}", swept.body().outer.area());
+    assert!(swept.warnings().is_empty());
+}
+
+#[test]
+fn what_comes_back_closes() {
+    // A square goes round, and lies as it did in the end.
+    let places = [[5.0, 0.0, 0.0], [0.0, 5.0, 1.0], [-5.0, 0.0, 0.0], [0.0, -5.0, 1.0], [5.0, 0.0, 0.0]];
+    let poses: Vec<TimedPose> = places
+        .iter()
+        .enumerate()
+        .map(|(k, place)| {
+            let upright = Quat::from_axis_angle(Vec3::X, std::f64::consts::FRAC_PI_2);
+            let turn = Quat::from_axis_angle(Vec3::Z, k as f64 * std::f64::consts::FRAC_PI_2);
+            TimedPose { time: k as f64, pose: Pose::new(turn * upright, Vec3::from(*place)).unwrap() }
+        })
+        .collect();
+    let motion = RationalMotion::spline(&poses).unwrap();
+    let swept = SweptSurface::new(&square(), true, &motion).unwrap();
+    let shell = &swept.body().outer;
+    assert!(shell.is_closed() && shell.faces().len() == 16);
+    // A ring with the section 2 and a way of about 2π·5, and more for the waves.
+    assert!((60.0..80.0).contains(&shell.volume()), "{}", shell.volume());
+}
+
+#[test]
+fn what_moves_along_itself_is_refused_or_said() {
+    let blade = Arc::segment(Point3::ORIGIN, Point3::new(3.0, 0.0, 0.0)).unwrap();
+    let slide = RationalMotion::spline(&[turned(0.0, 0.0, [0.0; 3]), turned(1.0, 0.0, [2.0, 0.0, 0.0])]).unwrap();
+    assert_eq!(SweptSurface::new(&[blade.into()], false, &slide).unwrap_err().reason(), "not-a-shell");
+    // A rod that turns to the left and goes to the right runs along itself where both cancel.
+    let poses = [turned(0.0, 0.0, [0.0; 3]), turned(1.0, 120.0, [0.0, -6.0, 0.0])];
+    let swept = SweptSurface::new(&[blade.into()], false, &RationalMotion::spline(&poses).unwrap()).unwrap();
+    assert_eq!(swept.warnings().iter().map(|w| w.reason()).collect::<Vec<_>>(), ["swept-surface-folds"]);
+}

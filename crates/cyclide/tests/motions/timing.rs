@@ -1,0 +1,95 @@
+//! Time laws: constant speed is constant, eased motions begin and end at rest.
+
+use crate::data::{motions, timed};
+use cyclide::{MovingBody, Point3, TimeLaw, Timing};
+use proptest::prelude::*;
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(32))]
+    #[test]
+    fn constant_speed_is_constant(poses in timed(5), x in prop::array::uniform3(-2.0..2.0_f64), arm in 0.1..2.0_f64) {
+        let x = Point3::from(x);
+        for motion in motions(&poses) {
+            let timing = Timing::new(&motion, TimeLaw::ConstantSpeed, x, arm).unwrap();
+            let times: Vec<f64> = (0..=16).map(|k| timing.time_at(f64::from(k) / 16.0)).collect();
+            prop_assert!(times.windows(2).all(|w| w[0] < w[1]));
+            let bits = |ends: [f64; 2]| ends.map(f64::to_bits);
+            prop_assert_eq!(bits([times[0], times[16]]), bits(motion.domain()));
+            for pair in times.windows(2) {
+                // By the midpoint rule, an independent one, span by span of the motion.
+                let way: f64 = way(&motion, x, arm, [pair[0], pair[1]]);
+                prop_assert!((way * 16.0 - timing.way()).abs() < 1e-4 * timing.way(), "{way} {}", timing.way());
+            }
+        }
+    }
+
+    #[test]
+    fn eased_motions_go_from_rest_to_rest(poses in timed(5)) {
+        let x = Point3::new(0.3, 0.2, 0.1);
+        for motion in motions(&poses) {
+            let eased = Timing::new(&motion, TimeLaw::Eased, x, 0.5).unwrap();
+            let steady = Timing::new(&motion, TimeLaw::ConstantSpeed, x, 0.5).unwrap();
+            for k in 0..=8 {
+                let f = f64::from(k) / 8.0;
+                let done = f * f * f * (10.0 - 15.0 * f + 6.0 * f * f);
+                let size = motion.domain().iter().fold(1.0_f64, |m, t| m.max(t.abs()));
+                prop_assert!((eased.time_at(f) - steady.time_at(done)).abs() < 1e-9 * size);
+            }
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(16))]
+    #[test]
+    fn jets_of_laws_are_derivatives(poses in timed(5), part in 0.1..0.9_f64) {
+        for motion in motions(&poses) {
+            for law in [TimeLaw::AsGiven, TimeLaw::ConstantSpeed, TimeLaw::Eased] {
+                let body = MovingBody::new(motion.clone()).with_tool(Point3::new(0.3, 0.2, 0.1), 0.5).unwrap();
+                let body = body.with_law(law, 3.0).unwrap();
+                let schedule = body.schedule().unwrap();
+                let h = 1e-4;
+                let [before, jet, after] = [part - h, part, part + h].map(|x| schedule.jet(x));
+                // At a joint derivatives jump.
+                let times = [part - 2.0 * h, part + 2.0 * h].map(|x| schedule.timing().time_at(x));
+                if motion.times().iter().any(|t| *t >= times[0] && *t <= times[1]) {
+                    continue;
+                }
+                let steep = [&before, &jet, &after].map(|j| j.point.d3.length()).into_iter().fold(1.0, f64::max);
+                let difference = |f: fn(&cyclide::MotionJet) -> cyclide::Vec3| (f(&after) - f(&before)) / (2.0 * h * 3.0);
+                let limit = 1e-5 * steep * steep;
+                prop_assert!((difference(|j| j.point.point.to_vec()) - jet.point.d1).length() < limit);
+                prop_assert!((difference(|j| j.point.d1) - jet.point.d2).length() < limit);
+                prop_assert!((difference(|j| j.point.d2) - jet.point.d3).length() < 1e2 * limit);
+                prop_assert!((difference(|j| j.angular_velocity) - jet.angular_acceleration).length() < limit);
+            }
+        }
+    }
+}
+
+fn way(motion: &cyclide::Motion, x: Point3, arm: f64, [from, to]: [f64; 2]) -> f64 {
+    let mut ends = vec![from];
+    ends.extend(motion.times().iter().copied().filter(|t| *t > from && *t < to));
+    ends.push(to);
+    ends.windows(2)
+        .map(|part| {
+            let h = (part[1] - part[0]) / 2000.0;
+            let speed = |k: u32| {
+                let jet = motion.jet(part[0] + h * (f64::from(k) + 0.5), x);
+                jet.point.speed().hypot(arm * jet.angular_velocity.length())
+            };
+            (0..2000).map(speed).sum::<f64>() * h
+        })
+        .sum()
+}
+
+#[test]
+fn arms_that_are_none_are_refused() {
+    let poses = [0.0, 1.0].map(|time| cyclide::TimedPose { time, pose: cyclide::Pose::IDENTITY });
+    let motion = cyclide::ScrewMotion::new(&poses).unwrap().into();
+    for arm in [-1.0, f64::NAN, f64::INFINITY] {
+        let error = Timing::new(&motion, TimeLaw::AsGiven, Point3::ORIGIN, arm).unwrap_err();
+        assert_eq!(error.reason(), "parameter-out-of-range");
+    }
+    assert_eq!(Timing::new(&motion, TimeLaw::Eased, Point3::ORIGIN, 1.0).unwrap_err().reason(), "motion-at-rest");
+}

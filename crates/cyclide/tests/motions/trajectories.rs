@@ -1,0 +1,47 @@
+//! Paths of points: the exact rational form is the path.
+
+use crate::data::{motions, timed};
+use cyclide::{Motion, Point3, RationalMotion, TimedPose, Vec3};
+use proptest::prelude::*;
+
+proptest! {
+    #[test]
+    fn the_rational_form_is_the_path(poses in timed(5), x in prop::array::uniform3(-2.0..2.0_f64)) {
+        let x = Point3::from(x);
+        for motion in motions(&poses) {
+            let Motion::Rational(motion) = motion else { continue };
+            let path = motion.trajectory(x).unwrap();
+            prop_assert!(path.degree() <= 2 * motion.degree());
+            prop_assert!(path.weights().iter().all(|w| *w > 0.0));
+            let times = motion.times();
+            let (first, duration) = (times[0], times[times.len() - 1] - times[0]);
+            for k in 0..=40 {
+                let part = f64::from(k) / 40.0;
+                let jet = motion.jet(first + duration * part, x);
+                // Control points far out cost digits: a ten thousandth of what a step of 1e-8 of the duration would move.
+                let allowed = 1e-10 * (1.0 + jet.point.speed());
+                prop_assert!(path.point_at_knot(part).distance(jet.point.point) < allowed, "{part}");
+            }
+        }
+    }
+
+    #[test]
+    fn smooth_motions_have_smooth_knots(poses in timed(5)) {
+        let Ok(motion) = RationalMotion::spline(&poses) else { return Ok(()) };
+        let path = motion.trajectory(Point3::new(0.2, 0.1, -0.4)).unwrap();
+        let inner = &path.knot_multiplicities()[1..path.span_count()];
+        prop_assert!(inner.iter().all(|(_, m)| *m == path.degree() - 1), "{inner:?}");
+    }
+}
+
+#[test]
+fn a_path_through_the_origin_has_joints() {
+    // At the joint the body's origin is at the origin of the world, up to rounding.
+    let at = |time: f64, x: [f64; 3], w: f64| TimedPose {
+        time,
+        pose: cyclide::Pose::new([w, 0.1, 0.7, 0.3].into(), Vec3::from(x)).unwrap(),
+    };
+    let poses = [at(0.0, [-100.0, 3.0, 7.0], 1.0), at(1.0, [0.0; 3], 0.8), at(2.5, [120.0, -3.0, 1.0], 0.1)];
+    let path = RationalMotion::spline(&poses).unwrap().trajectory(Point3::ORIGIN).unwrap();
+    assert!(path.point_at_knot(0.4).to_vec().length() < 1e-12);
+}
