@@ -19,33 +19,44 @@ from scipy.spatial import cKDTree
 
 # ---------------------------------------------------------------------------------------------------- quaternions
 
+_CONJUGATE = np.array([1.0, -1.0, -1.0, -1.0])
+
 
 def multiply(p, q):
     """Product of quaternions, component by component, over arrays."""
     p, q = np.asarray(p, float), np.asarray(q, float)
-    a, b, c, d = np.moveaxis(p, -1, 0)
-    e, f, g, h = np.moveaxis(q, -1, 0)
-    return np.stack(
-        [
-            a * e - b * f - c * g - d * h,
-            a * f + b * e + c * h - d * g,
-            a * g - b * h + c * e + d * f,
-            a * h + b * g - c * f + d * e,
-        ],
-        axis=-1,
-    )
+    a, b, c, d = (p[..., k] for k in range(4))
+    e, f, g, h = (q[..., k] for k in range(4))
+    out = np.empty(np.broadcast_shapes(p.shape, q.shape))
+    out[..., 0] = a * e - b * f - c * g - d * h
+    out[..., 1] = a * f + b * e + c * h - d * g
+    out[..., 2] = a * g - b * h + c * e + d * f
+    out[..., 3] = a * h + b * g - c * f + d * e
+    return out
+
+
+def cross(p, q):
+    """Product of vectors, component by component, over arrays; numpy's own takes most of its time for the order of axes."""
+    (a, b, c), (e, f, g) = ([v[..., k] for k in range(3)] for v in (p, q))
+    out = np.empty(np.broadcast_shapes(p.shape, q.shape))
+    out[..., 0] = b * g - c * f
+    out[..., 1] = c * e - a * g
+    out[..., 2] = a * f - b * e
+    return out
 
 
 def inverse(q):
     """Inverse: the conjugate divided by the squared norm."""
     q = np.asarray(q, float)
-    return q * [1.0, -1.0, -1.0, -1.0] / np.sum(q * q, axis=-1, keepdims=True)
+    return q * _CONJUGATE / np.sum(q * q, axis=-1, keepdims=True)
 
 
 def pure(v):
     """The pure quaternion of a vector."""
     v = np.asarray(v, float)
-    return np.concatenate([np.zeros(v.shape[:-1] + (1,)), v], axis=-1)
+    out = np.zeros((*v.shape[:-1], 4))
+    out[..., 1:] = v
+    return out
 
 
 def real(r):
@@ -448,12 +459,17 @@ class Curve:
     def __init__(self, pieces, closed):
         self.pieces = [p.evenly() if isinstance(p, Arc) else p for p in pieces]
         self.closed = closed
+        # Of arcs alone their points and weights in columns: many short pieces are evaluated together.
+        arcs = self.pieces and all(isinstance(p, Arc) for p in self.pieces)
+        self._columns = [np.array(c) for c in zip(*((p.a0, p.a1, p.w0, p.w1) for p in self.pieces))] if arcs else None
 
     def __len__(self):
         return len(self.pieces)
 
     def _each(self, index, s, method):
         """A method of the pieces `index` at their own parameters `s`."""
+        if self._columns:
+            return getattr(Arc(*(column[index] for column in self._columns)), method)(s)
         out = np.empty((len(s), 3))
         order = np.argsort(index, kind="stable")
         starts = np.flatnonzero(np.diff(index[order], prepend=-1))

@@ -5,10 +5,8 @@ import math
 
 import numpy as np
 
-from OCP.BRep import BRep_Tool
-from OCP.gp import gp_Pnt, gp_Vec
 from step_checks import PLACES, POINT_LIMIT
-from step_faces import Edge, angle, vector
+from step_faces import Edge, angle
 
 # Of normals at edges: the reader's own curves in the parameters are interpolated, and corrected here by Newton steps.
 TANGENT = 1e-6
@@ -35,26 +33,6 @@ def ball(points, normals, axis, depth):
     root = np.sqrt(np.maximum(b * b - a * c, 0))
     first, second = -c / (b - root), -c / (b + root)
     return first, second
-
-
-def normals_at(face, points, edge, places):
-    """As `Face.normals_near`, with full Newton steps: parameter lines of these faces are not orthogonal."""
-    curve = BRep_Tool.CurveOnSurface_s(edge, face.shape, 0.0, 0.0)
-    curve = curve[0] if isinstance(curve, tuple) else curve
-    own, found = Edge(edge), []
-    for point, place in zip(points, places):
-        at = curve.Value(own.first + (own.last - own.first) * place)
-        u, v = at.X(), at.Y()
-        for _ in range(6):
-            p, du, dv = gp_Pnt(), gp_Vec(), gp_Vec()
-            face.surface.D1(u, v, p, du, dv)
-            jacobian = np.array([vector(du), vector(dv)]).T
-            step, *_ = np.linalg.lstsq(jacobian, point - vector(p), rcond=None)
-            u, v = u + step[0], v + step[1]
-        p, normal = face.at(u, v)
-        assert np.linalg.norm(p - point) < 1e-9 * (1 + abs(point).max()), "the edge is not on the face"
-        found.append(normal / np.linalg.norm(normal))
-    return found
 
 
 def check_envelopes(step, is_blend, pairs, wall):
@@ -96,7 +74,8 @@ def smooth_edges(users, is_blend):
     creases, smooth, contacts = 0, 0.0, 0
     for (first, edge), (second, other) in users:
         points = np.array([Edge(edge).point(x) for x in PLACES])
-        largest = max(map(angle, normals_at(first, points, edge, PLACES), normals_at(second, points, other, PLACES)))
+        sides = [face.normals_near(points, own, PLACES) for face, own in ((first, edge), (second, other))]
+        largest = max(map(angle, *sides))
         if largest > 0.1:
             creases += 1
             assert "plane" in (first.kind, second.kind) or math.isclose(largest, math.pi / 2, abs_tol=1e-6)

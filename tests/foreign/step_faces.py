@@ -20,6 +20,7 @@ from OCP.TopExp import TopExp_Explorer
 from OCP.TopoDS import TopoDS
 
 import surface_form as form
+from quaternion_form import cross
 
 KINDS = {
     Kind.GeomAbs_Plane: "plane",
@@ -63,6 +64,16 @@ class Edge:
     def point(self, x):
         """At the fraction x of the parameter's range."""
         return vector(self.curve.Value(self.first + (self.last - self.first) * x))
+
+    def moving(self, places):
+        """Points and derivatives by the fraction at fractions of the parameter's range."""
+        found, length = [], self.last - self.first
+        for x in places:
+            p, d = gp_Pnt(), gp_Vec()
+            self.curve.D1(self.first + length * float(x), p, d)
+            found.append((p.X(), p.Y(), p.Z(), d.X(), d.Y(), d.Z()))
+        found = np.array(found)
+        return found[:, :3], found[:, 3:] * length
 
 
 class Bezier:
@@ -119,9 +130,9 @@ class Bezier:
         (u0, u1), (v0, v1) = self.ranges
         x, y = (np.asarray(us, float) - u0) / (u1 - u0), (np.asarray(vs, float) - v0) / (v1 - v0)
         basis = [[self._bernstein(z, d, order) for order in (0, 1)] for z, d in ((x, self.degrees[0]), (y, self.degrees[1]))]
-        h, hu, hv = (
-            np.einsum("...i,...j,ijk->...k", basis[0][a], basis[1][b], self.rows) for a, b in ((0, 0), (1, 0), (0, 1))
-        )
+        count = self.rows.shape[1]
+        across = [(b @ self.rows.reshape(len(self.rows), -1)).reshape(*b.shape[:-1], count, 4) for b in basis[0]]
+        h, hu, hv = (np.einsum("...j,...jk->...k", basis[1][b], across[a]) for a, b in ((0, 0), (1, 0), (0, 1)))
         point = h[..., :3] / h[..., 3:]
         du, dv = ((d[..., :3] - point * d[..., 3:]) / h[..., 3:] for d in (hu, hv))
         return point, du / (u1 - u0), dv / (v1 - v0)
@@ -147,7 +158,7 @@ class Face:
         us, vs = np.broadcast_arrays(np.asarray(us, float), np.asarray(vs, float))
         if self.rational:
             points, du, dv = self.rational.jet(us, vs)
-            return points, self.sign * np.cross(du, dv)
+            return points, self.sign * cross(du, dv)
         found = [self.at(u, v) for u, v in zip(us.ravel(), vs.ravel())]
         return tuple(np.array(x).reshape(*us.shape, 3) for x in zip(*found))
 
@@ -227,17 +238,14 @@ class Face:
         places = np.concatenate([0.25 + 0.25 * _NODES, 0.75 + 0.25 * _NODES])
         weights = 0.25 * np.concatenate([_WEIGHTS, _WEIGHTS])
         for edge in self.edges:
-            curve = BRepAdaptor_Curve(edge)
-            first, last = curve.FirstParameter(), curve.LastParameter()
             sign = -1.0 if edge.Orientation() == TopAbs_REVERSED else 1.0
-            for x, w in zip(places, weights):
-                p, d = gp_Pnt(), gp_Vec()
-                curve.D1(first + (last - first) * x, p, d)
-                v = vector(p) - origin
-                off = v - (v @ z) * z
-                step = sign * (last - first) * w * np.dot(np.cross(off, vector(d)), z) / (off @ off) * (v @ z) * radius
-                area += step
-                volume += step * (np.dot(origin, off) / radius + radius) / 3
+            points, ways = Edge(edge).moving(places)
+            v = points - origin
+            height = v @ z
+            off = v - height[:, None] * z
+            steps = sign * radius * weights * height * (cross(off, ways) @ z) / np.sum(off * off, -1)
+            area += steps.sum()
+            volume += np.sum(steps * ((off @ origin) / radius + radius)) / 3
         p, n = self.at(self.box[0], self.box[2])
         v = p - origin
         outward = np.dot(n, v - (v @ z) * z) > 0
@@ -257,13 +265,9 @@ class Face:
         """Half the integral of r x dr round the face."""
         origin, total = self.at(self.box[0], self.box[2])[0], np.zeros(3)
         for edge in self.edges:
-            curve = BRepAdaptor_Curve(edge)
-            first, last = curve.FirstParameter(), curve.LastParameter()
             sign = -1.0 if edge.Orientation() == TopAbs_REVERSED else 1.0
-            for x, w in zip(_NODES, _WEIGHTS):
-                p, d = gp_Pnt(), gp_Vec()
-                curve.D1(0.5 * (first + last) + 0.5 * (last - first) * x, p, d)
-                total += sign * 0.25 * (last - first) * w * np.cross(vector(p) - origin, vector(d))
+            points, ways = Edge(edge).moving(0.5 + 0.5 * _NODES)
+            total += sign * 0.25 * _WEIGHTS @ cross(points - origin, ways)
         return float(np.linalg.norm(total))
 
     def normals_near(self, points, edge, places):
@@ -277,12 +281,17 @@ class Face:
         for point, place in zip(points, places):
             at = curve.Value(first + (last - first) * place)
             u, v = at.X(), at.Y()
-            for _ in range(4):  # the interpolated curve is near the edge: one or two Newton steps are enough
+            goal = gp_Pnt(*map(float, point))
+            for _ in range(6):  # the interpolated curve is near the edge: a few Newton steps are enough
                 p, du, dv = gp_Pnt(), gp_Vec(), gp_Vec()
                 self.surface.D1(u, v, p, du, dv)
-                r = gp_Vec(p, gp_Pnt(*point))
-                # The parameter lines are orthogonal: two divisions.
-                u, v = u + r.Dot(du) / du.SquareMagnitude(), v + r.Dot(dv) / dv.SquareMagnitude()
+                r = gp_Vec(p, goal)
+                a, b, c = du.SquareMagnitude(), du.Dot(dv), dv.SquareMagnitude()
+                e, f, det = r.Dot(du), r.Dot(dv), a * c - b * b
+                steps = (c * e - b * f) / det, (a * f - b * e) / det
+                u, v = u + steps[0], v + steps[1]
+                if max(map(abs, steps)) < 1e-15 * (1 + abs(u) + abs(v)):
+                    break
             p, normal = self.at(u, v)
             assert np.linalg.norm(p - point) < 1e-9 * (1 + abs(point).max()), "the edge is not on the face"
             found.append(normal / np.linalg.norm(normal))

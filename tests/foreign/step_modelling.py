@@ -21,6 +21,7 @@ from OCP.ShapeAnalysis import ShapeAnalysis_Surface
 from OCP.TopAbs import TopAbs_EDGE
 from OCP.TopoDS import TopoDS
 
+from quaternion_form import cross
 from step_faces import Edge, angle, distinct, vector
 
 # As FreeCAD's "BOP check" sets them, and all others.
@@ -194,7 +195,7 @@ def flux(patch, field, limit):
         s = cells[:, 0, None, None] + width * nodes[:, None] + 0.0 * nodes
         t = cells[:, 1, None, None] + width * nodes + 0.0 * nodes[:, None]
         p, fs, ft, _ = patch.jet(s, t)
-        return width**2 * np.sum(weights * field(p, np.cross(fs, ft)), axis=(1, 2))
+        return width**2 * np.sum(weights * field(p, cross(fs, ft)), axis=(1, 2))
 
     cells, width, total = np.stack(np.meshgrid([0.0, 0.5], [0.0, 0.5]), -1).reshape(-1, 2), 0.5, 0.0
     whole = values(cells, width)

@@ -14,7 +14,7 @@ import math
 import numpy as np
 from scipy.spatial import cKDTree
 
-from quaternion_form import inverse, multiply, pure, unit
+from quaternion_form import cross, inverse, multiply, pure, unit
 
 _NODES, _WEIGHTS = np.polynomial.legendre.leggauss(16)
 
@@ -55,26 +55,22 @@ class Patch:
             q[1], q[2], q[3] = q[1] * lam, q[2] * mu, q[3] * (lam * mu)
         return self
 
-    @staticmethod
-    def _bilinear(q, s, t):
-        s, t = np.asarray(s, float)[..., None], np.asarray(t, float)[..., None]
-        return q[0] * (1 - s) * (1 - t) + q[1] * s * (1 - t) + q[2] * (1 - s) * t + q[3] * s * t
-
     def jet(self, s, t):
         """Point, derivatives by s and t, unit normal."""
-        d, n = self._bilinear(self.w, s, t), self._bilinear(self.n, s, t)
+        s, t = np.broadcast_arrays(np.asarray(s, float), np.asarray(t, float))
+        rows = np.concatenate([self.w, self.n], axis=1)  # denominator and numerator side by side
+        forms = np.stack([(1 - s) * (1 - t), s * (1 - t), (1 - s) * t, s * t], -1) @ rows
+        slopes = (
+            np.stack([1 - t, t], -1) @ (rows[[1, 3]] - rows[[0, 2]]),
+            np.stack([1 - s, s], -1) @ (rows[[2, 3]] - rows[[0, 1]]),
+        )
+        d, n = forms[..., :4], forms[..., 4:]
         i = inverse(d)
         f = multiply(n, i)
         size = max(np.ptp(self.a, axis=0).max(), abs(f).max())
         assert abs(f[..., 0]).max() < 1e-9 * size, "the patch leaves three-space"
 
-        def derivative(q, along):
-            x = np.asarray(t if along == 0 else s, float)[..., None]
-            pairs = ((0, 1), (2, 3)) if along == 0 else ((0, 2), (1, 3))
-            (a, b), (c, e) = pairs
-            return (q[b] - q[a]) * (1 - x) + (q[e] - q[c]) * x
-
-        partial = [multiply(derivative(self.n, k) - multiply(f, derivative(self.w, k)), i)[..., 1:] for k in (0, 1)]
+        partial = [multiply(slope[..., 4:] - multiply(f, slope[..., :4]), i)[..., 1:] for slope in slopes]
         normal = _chain(d, np.broadcast_to(self.v3, d.shape), i)[..., 1:]
         return self.a[0] + f[..., 1:], partial[0], partial[1], normal
 
@@ -85,7 +81,7 @@ class Patch:
         w = np.tile(0.5 * _WEIGHTS / cells, cells)
         s, t = np.meshgrid(x, x, indexing="ij")
         _, fs, ft, _ = self.jet(s, t)
-        return float(np.einsum("i,j,ij", w, w, np.linalg.norm(np.cross(fs, ft), axis=-1)))
+        return float(w @ np.linalg.norm(cross(fs, ft), axis=-1) @ w)
 
     def length(self, side):
         """Length of the side t=0, t=1, s=0 or s=1."""
@@ -106,7 +102,10 @@ class Patch:
             r = points - f
             # The parameter lines are orthogonal: two divisions.
             step = [np.sum(r * d, -1) / np.maximum(np.sum(d * d, -1), 1e-300) for d in (fs, ft)]
+            before = s, t
             s, t = (np.clip(u + np.clip(du, -0.05, 0.05), 0.0, 1.0) for u, du in zip((s, t), step))
+            if max(abs(s - before[0]).max(), abs(t - before[1]).max()) < 1e-15:
+                break
         f, _, _, normal = self.jet(s, t)
         return np.linalg.norm(points - f, axis=-1), normal
 

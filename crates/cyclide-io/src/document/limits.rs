@@ -114,10 +114,8 @@ mod tests {
             ("[".repeat(10_000_000), "m.json:1:65: lists and objects stand in each other deeper than 64"),
             ("{\"a\":".repeat(1_000_000), "m.json:1:321: lists and objects"),
         ] {
-            let begin = std::time::Instant::now();
             let error = check(&text).unwrap_err();
             assert!(error.starts_with(message) && error.len() < 400, "{error}");
-            assert!(begin.elapsed().as_secs_f64() < 0.5, "it stops there");
         }
     }
 }
