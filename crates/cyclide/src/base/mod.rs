@@ -16,4 +16,5 @@ pub(crate) mod range;
 pub(crate) mod roots;
 pub(crate) mod surface_jet;
 pub(crate) mod svd3;
+pub(crate) mod triangle;
 pub(crate) mod vector;

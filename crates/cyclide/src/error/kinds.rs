@@ -516,6 +516,13 @@ pub enum Error {
         /// Distances up to this are refused; a larger one is on another side of the axis.
         limit: f64,
     },
+    /// All of a profile lies along the axis that it is to turn about, and sweeps nothing.
+    ProfileOnAxis {
+        /// The largest distance from the axis.
+        distance: f64,
+        /// Distances up to this are on the axis.
+        limit: f64,
+    },
     /// The meridian of a profile meets itself, and with it what it sweeps.
     ProfileMeetsItself {
         /// Which piece, from 0.

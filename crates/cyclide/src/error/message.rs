@@ -340,7 +340,12 @@ impl std::fmt::Display for Error {
                 ShortNumber(*min),
                 ShortNumber(*max)
             ),
-            Self::AngleOutOfRange { angle: 0.0, .. } => f.write_str("the angle is 0"),
+            Self::AngleOutOfRange { angle: 0.0, max, .. } => write!(
+                f,
+                "the angle is 0, and must be another one of up to {:#} radians ({} degrees)",
+                ShortNumber(*max),
+                ShortNumber(max.to_degrees())
+            ),
             Self::AngleOutOfRange { angle, min, max } => {
                 let [own, from, to] = [*angle, *min, *max].map(|radians| ShortNumber(radians.to_degrees()));
                 write!(
@@ -355,6 +360,12 @@ impl std::fmt::Display for Error {
                 f,
                 "piece {piece} of the profile meets the axis, or lies on another side of it than the pieces before (distance {}): cut it there, and turn one half, or each part for itself",
                 ShortNumber(*distance)
+            ),
+            Self::ProfileOnAxis { distance, limit } => write!(
+                f,
+                "the profile lies along the axis and sweeps nothing: it is {} off it at most, and up to {} are on it",
+                ShortNumber(*distance),
+                ShortNumber(*limit)
             ),
             Self::ProfileMeetsItself { first, second, radius, height } => write!(
                 f,
@@ -627,7 +638,7 @@ impl std::fmt::Display for Error {
             ),
             Self::InconsistentOrientation { vertices, triangles } => write!(
                 f,
-                "triangles {} and {} both run from vertex {} to vertex {}: one of them must be turned over",
+                "triangles {} and {} both run from vertex {} to vertex {}: one of them must be turned over, or left out if it is there twice",
                 triangles[0], triangles[1], vertices[0], vertices[1]
             ),
             Self::InBranch { branch, what, cause } => write!(f, "branch {branch}, {what}: {cause}"),

@@ -77,6 +77,7 @@ impl Error {
             Self::ToleranceNotPositive { .. } => "tolerance-not-positive",
             Self::SweepOutOfRange { .. } => "sweep-out-of-range",
             Self::CrossesAxis { .. } => "crosses-axis",
+            Self::ProfileOnAxis { .. } => "profile-on-axis",
             Self::ProfileMeetsItself { .. } => "profile-meets-itself",
             Self::AngleOutOfRange { .. } => "angle-out-of-range",
             Self::FoldedProfile { .. } => "folded-profile",

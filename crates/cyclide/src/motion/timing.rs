@@ -35,6 +35,16 @@ pub enum TimeLaw {
 
 /// A motion with a time law, measured once: the way is `∫ √(|v|² + a²|ω|²)` with the velocity of a point of the body, the angular
 /// velocity, and an arm `a`, the length by which a turn counts.
+///
+/// ```
+/// use cyclide::{Motion, Point3, Pose, Quat, RationalMotion, TimeLaw, TimedPose, Timing, Vec3};
+/// let at = |time: f64, x: f64| TimedPose { time, pose: Pose::new(Quat::ONE, Vec3::X * x).unwrap() };
+/// let motion = Motion::from(RationalMotion::spline(&[at(0.0, 0.0), at(2.0, 6.0)])?);
+/// let eased = Timing::new(&motion, TimeLaw::Eased, Point3::ORIGIN, 0.0)?;
+/// assert!((eased.way() - 6.0).abs() < 1e-12);
+/// assert!(motion.pose(eased.time_at(0.1)).translation().x < 0.06); // it starts slowly
+/// # Ok::<(), cyclide::Error>(())
+/// ```
 #[derive(Debug)]
 pub struct Timing<'a> {
     motion: &'a Motion,

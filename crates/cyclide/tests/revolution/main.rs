@@ -129,7 +129,8 @@ fn profiles_that_meet_the_axis_otherwise_are_refused() {
         refused(&[segment(p(1.0, 0.0), p(0.0, 1.0)), segment(p(0.0, 1.0), p(-1.0, 2.0))], false),
         "crosses-axis"
     );
-    assert_eq!(refused(&[segment(p(0.0, 0.0), p(0.0, 2.0))], false), "too-few-points");
+    assert_eq!(refused(&[segment(p(0.0, 0.0), p(0.0, 2.0))], false), "profile-on-axis");
+    assert_eq!(refused(&[], false), "too-few-points");
     assert_eq!(refused(&[segment(p(1.0, 0.0), p(2.0, 2.0)), segment(p(2.0, 3.0), p(1.0, 4.0))], false), "disconnected");
     // Across the axis and back.
     let there_and_back = [segment(p(1.0, 2.0), p(3.0, 2.0)), segment(p(3.0, 2.0), p(2.0, 2.0))];

@@ -105,6 +105,27 @@ fn the_number_of_divisions_grows_like_the_root_of_the_tolerance() {
     }
 }
 
+/// Round the corners of the border the lines of the surface bend within it, by an angle that does not fall with the size of the parts: in a
+/// plane only the border leaves the mesh, a circle here.
+#[test]
+fn what_bends_within_the_surface_needs_no_divisions() {
+    for corners in [5_u32, 7, 24] {
+        let at = |k: u32| (std::f64::consts::TAU * f64::from(k) / f64::from(corners)).sin_cos();
+        let rim = (0..corners).map(|k| Point3::new(at(k).1, at(k).0, 0.0));
+        let points: Vec<Point3> = std::iter::once(Point3::ORIGIN).chain(rim).collect();
+        let count = corners as usize;
+        let triangles: Vec<[usize; 3]> = (0..count).map(|k| [0, 1 + k, 1 + (k + 1) % count]).collect();
+        let disc = smooth(&(points, triangles));
+        for tolerance in [1e-2, 1e-3, 1e-4, 1e-5] {
+            let made = disc.tessellate_within(tolerance).unwrap();
+            // A chord of the circle is off it by 1 - cos of half its angle.
+            let sagitta = 1.0 - (std::f64::consts::PI / f64::from(corners) / made.divisions as f64).cos();
+            let (wide, most) = (1.25 * sagitta <= tolerance, (tolerance / sagitta).sqrt());
+            assert!(wide && (most < 1.6 || made.divisions == 1), "{corners} {tolerance}: {} {most}", made.divisions);
+        }
+    }
+}
+
 #[test]
 fn too_many_triangles_are_refused_before_they_are_made() {
     let surface = smooth(&shapes::icosahedron());

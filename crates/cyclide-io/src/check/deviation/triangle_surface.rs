@@ -3,7 +3,8 @@
 //!
 //! The plan says which triangle of the surface a cell belongs to, and its barycentric coordinates: each corner of the file has its own place,
 //! so nothing is searched. Corners are held against their places; from the middles of the sides, the centre and three places between the distance goes both
-//! ways, from the file's triangle to the surface with a few steps to the foot.
+//! ways, from the file's triangle to the surface with a few steps to the foot. Where lines of the surface bend within it, its places lie over
+//! triangles next to their own: those that are far from their own are held against the nearest of all.
 
 use super::facing::{NORMAL_LIMIT, facet_error};
 use super::matching::larger;
@@ -51,6 +52,7 @@ pub(super) fn deviation(
     plan: &BodyPlan,
 ) -> Result<f64, ReadError> {
     let (mut rest, mut largest, mut check) = (polygons, 0.0_f64, None::<Check<'_>>);
+    let mut all = AllTriangles { polygons, nearest: None };
     // Places of parts that have no polygon: rounding has made lines of them.
     let mut lost: Vec<Point3> = Vec::new();
     for cell in cells {
@@ -65,10 +67,10 @@ pub(super) fn deviation(
         let mut parts: Vec<Part> = at.parts().collect();
         if let ([only], [_, _]) = (own, parts.as_slice()) {
             let k = check.nearer(only, &parts);
-            largest = check.deviation(only, &parts.remove(k), largest)?;
+            largest = check.deviation(only, &parts.remove(k), &mut all, largest)?;
         } else if own.len() == parts.len() {
             for (polygon, part) in own.iter().zip(parts.drain(..)) {
-                largest = check.deviation(polygon, &part, largest)?;
+                largest = check.deviation(polygon, &part, &mut all, largest)?;
             }
         } else if !own.is_empty() {
             return Err(ReadError::NotCovered { object: body.label(), face: cell.source.face });
@@ -79,13 +81,25 @@ pub(super) fn deviation(
             }
         }
     }
-    if !lost.is_empty() {
-        let mut nearest = NearestTriangle::new(polygons.iter().flat_map(Polygon::triangles).collect());
-        for p in lost {
-            largest = larger(largest, nearest.distance(p, largest));
-        }
+    for p in lost {
+        largest = larger(largest, all.distance(p, largest));
     }
     Ok(largest)
+}
+
+/// The polygons of the surface in a file.
+struct AllTriangles<'a> {
+    polygons: &'a [Polygon<'a>],
+    /// Made when it is needed.
+    nearest: Option<NearestTriangle>,
+}
+
+impl AllTriangles<'_> {
+    /// Distance of a point from the nearest, or what is `enough` at most.
+    fn distance(&mut self, p: Point3, enough: f64) -> f64 {
+        let made = || NearestTriangle::new(self.polygons.iter().flat_map(Polygon::triangles).collect());
+        self.nearest.get_or_insert_with(made).distance(p, enough)
+    }
 }
 
 /// One triangle of the surface that polygons are held against.
@@ -143,7 +157,13 @@ impl<'a> Check<'a> {
     }
 
     /// The largest of a distance that is known and those between a polygon and its part.
-    fn deviation(&self, polygon: &Polygon<'_>, part: &Part, mut largest: f64) -> Result<f64, ReadError> {
+    fn deviation(
+        &self,
+        polygon: &Polygon<'_>,
+        part: &Part,
+        all: &mut AllTriangles<'_>,
+        mut largest: f64,
+    ) -> Result<f64, ReadError> {
         let (object, face) = (self.body.label(), self.face);
         let corners: Vec<Point3> = polygon.corners().collect();
         let Some(corners) = corners.first_chunk::<3>().filter(|_| corners.len() == 3) else {
@@ -166,8 +186,8 @@ impl<'a> Check<'a> {
         for weights in PLACES {
             let at = place(part, weights);
             let on_surface = self.point(at)?;
-            let foot = triangle.distance(on_surface);
-            largest = larger(largest, foot);
+            let own = triangle.distance(on_surface);
+            largest = larger(largest, if own <= largest { own } else { all.distance(on_surface, largest) });
             let sum = (0..3).fold(Vec3::ZERO, |sum, k| sum + (corners[k] - corners[0]) * (weights[k] / 6.0));
             let to_surface = self.to_surface(corners[0] + sum, (at, on_surface), (part, corners), largest)?;
             largest = larger(largest, to_surface);

@@ -57,12 +57,16 @@ impl Builder<'_> {
                 ShortNumber(*distance),
                 ShortNumber(*limit)
             ),
-            (cyclide::Error::CoincidentPoints { .. }, ObjectSpec::Ruled(_)) => {
-                "a piece of one curve is that of the other: there is no surface between".to_owned()
-            }
-            (cyclide::Error::CoincidentPoints { .. }, ObjectSpec::CircularSurface(_)) => {
-                "the curves meet: an arc joins different points".to_owned()
-            }
+            (cyclide::Error::CoincidentPoints { distance, limit, .. }, ObjectSpec::Ruled(_)) => format!(
+                "a piece of one curve is that of the other, {} apart at most: there is no surface between what is no more than {} apart",
+                ShortNumber(*distance),
+                ShortNumber(*limit)
+            ),
+            (cyclide::Error::CoincidentPoints { distance, limit, .. }, ObjectSpec::CircularSurface(_)) => format!(
+                "the curves meet, or are {} apart in one place, and an arc joins points that are more than {} apart",
+                ShortNumber(*distance),
+                ShortNumber(*limit)
+            ),
             (cyclide::Error::CrossingQuad { .. }, ObjectSpec::CyclidePatch(_)) => {
                 format!(
                     "{error}; corners are given row by row, (0,0), (1,0), (0,1), (1,1): are the last two exchanged?"

@@ -10,6 +10,16 @@
 //! # Ok::<(), cyclide::Error>(())
 //! ```
 //!
+//! # `profile-on-axis`
+//! All of a profile lies along the axis.
+//! ```
+//! use cyclide::{Arc, Point3, Revolution, Vec3};
+//! let turn = Revolution::new(Point3::ORIGIN, Vec3::Z, std::f64::consts::TAU)?;
+//! let profile = Arc::segment(Point3::ORIGIN, Point3::new(0.0, 0.0, 2.0))?;
+//! assert_eq!(turn.body(&[profile.into()], false).unwrap_err().reason(), "profile-on-axis");
+//! # Ok::<(), cyclide::Error>(())
+//! ```
+//!
 //! # `profile-meets-itself`
 //! A closed profile runs through itself, and the solid with it.
 //! ```

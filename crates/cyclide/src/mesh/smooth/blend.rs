@@ -12,11 +12,11 @@ impl Divided for SphereBlend {
     }
 
     fn deviation(&self, divisions: usize, _: Worst, _: f64) -> Result<Worst> {
-        deviation::of_patch(divisions, |at| self.point(at)).map(|farthest| Worst { triangle: 0, farthest })
+        deviation::of_patch(divisions, [true; 3], |at| self.point(at)).map(|farthest| Worst { triangle: 0, farthest })
     }
 
     fn halved(&self, worst: Worst) -> Result<Worst> {
-        let farthest = deviation::of_halves(worst.farthest, |at| self.point(at))?;
+        let farthest = deviation::of_halves(worst.farthest, [true; 3], |at| self.point(at))?;
         Ok(Worst { farthest, ..worst })
     }
 

@@ -83,6 +83,16 @@ impl SmoothMesh {
     }
 }
 
+impl SmoothMesh {
+    /// For each side of a triangle whether the surface ends there, or has a crease.
+    fn borders(&self, triangle: usize) -> [bool; 3] {
+        self.triangle_edges()[triangle].map(|edge| {
+            let edge = &self.edges()[edge];
+            edge.triangles().1.is_none() || edge.is_sharp()
+        })
+    }
+}
+
 impl TriangleSurface {
     /// A mesh of at most `most` triangles, as [`SmoothMesh::tessellate_within`].
     ///
@@ -123,7 +133,8 @@ impl Divided for SmoothMesh {
         let mut worst = Worst::default();
         for triangle in (before.triangle..self.triangle_count()).chain(0..before.triangle) {
             let Some(patch) = self.triangle(triangle) else { continue };
-            let farthest = deviation::of_patch(divisions, |at| patch.point(at)).map_err(|e| e.in_triangle(triangle))?;
+            let farthest = deviation::of_patch(divisions, self.borders(triangle), |at| patch.point(at));
+            let farthest = farthest.map_err(|e| e.in_triangle(triangle))?;
             if farthest.distance > worst.farthest.distance {
                 worst = Worst { triangle, farthest };
             }
@@ -136,7 +147,8 @@ impl Divided for SmoothMesh {
 
     fn halved(&self, Worst { triangle, farthest }: Worst) -> Result<Worst> {
         let Some(patch) = self.triangle(triangle) else { return Ok(Worst { triangle, farthest }) };
-        let farthest = deviation::of_halves(farthest, |at| patch.point(at)).map_err(|e| e.in_triangle(triangle))?;
+        let farthest = deviation::of_halves(farthest, self.borders(triangle), |at| patch.point(at));
+        let farthest = farthest.map_err(|e| e.in_triangle(triangle))?;
         Ok(Worst { triangle, farthest })
     }
 

@@ -51,6 +51,7 @@ const SMOOTH_LAW: BlendLaw = BlendLaw::Trigonometric { order: 2 };
 /// # Ok::<(), cyclide::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[non_exhaustive]
 pub enum VertexNormals<'a> {
     /// The mean of those of the triangles around a vertex, weighted by their angles there: the same however flat faces are cut into
     /// triangles. On a sphere it is exact by symmetry only, on regular meshes.

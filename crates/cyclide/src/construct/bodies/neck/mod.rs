@@ -80,6 +80,7 @@ pub enum NeckSide {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Deserialize), serde(rename_all = "kebab-case"))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema), schemars(description = "The arcs of a neck."))]
+#[non_exhaustive]
 pub enum NeckVariant {
     /// The envelope of the ball: a pipe surface of its radius.
     #[default]

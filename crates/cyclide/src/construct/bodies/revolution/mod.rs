@@ -116,7 +116,7 @@ impl Revolution {
     /// profile's direction × the turn's: to the axis where the profile runs up and the turn is positive.
     ///
     /// # Errors
-    /// `angle-out-of-range` (0), `too-few-points` (no piece off the axis), `disconnected`, `crosses-axis` (a piece meets the axis inside, or two lie on
+    /// `angle-out-of-range` (0), `too-few-points` (no piece), `profile-on-axis` (none off the axis), `disconnected`, `crosses-axis` (a piece meets the axis inside, or two lie on
     /// different sides of it; an open profile touches it between its ends, or, in a whole turn, a closed one more than once), `folded-profile` (in a plane across the axis, other than straight away from it or towards it), `profile-meets-itself` (of what
     /// would be a solid), `weight-not-positive`; as [`CyclidePatch::from_weights`](crate::CyclidePatch::from_weights).
     pub fn body(&self, profile: &[EdgeCurve], closed: bool) -> Result<Body> {

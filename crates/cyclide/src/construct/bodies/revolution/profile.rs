@@ -73,6 +73,16 @@ impl Limits {
     }
 }
 
+/// What is said of a profile of which no piece is off the axis.
+fn on_axis(turn: &Revolution, given: &[EdgeCurve], limit: f64) -> Error {
+    if given.is_empty() {
+        return Error::TooFewPoints { given: 0, needed: 1 };
+    }
+    let places = given.iter().flat_map(|piece| [0.0, 0.25, 0.5, 0.75, 1.0].map(|x| piece.point(x)));
+    let distance = places.map(|p| p.distance(turn.foot(p))).fold(0.0, f64::max);
+    Error::ProfileOnAxis { distance, limit }
+}
+
 impl Profile {
     pub(super) fn new(turn: &Revolution, given: &[EdgeCurve], closed: bool) -> Result<Self> {
         let limits = Limits::new(turn, given);
@@ -97,7 +107,7 @@ impl Profile {
             new.add(turn, &curve, ends)?;
         }
         if new.pieces.is_empty() {
-            return Err(Error::TooFewPoints { given: 0, needed: 1 });
+            return Err(on_axis(turn, given, limits.near));
         }
         let places = new.pieces.iter().flat_map(|piece| [0.0, 0.25, 0.5, 0.75, 1.0].map(|x| piece.curve.point(x)));
         new.size = Aabb::of_points(places).map_or(0.0, |b| b.diagonal());
