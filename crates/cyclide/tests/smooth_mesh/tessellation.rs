@@ -109,7 +109,7 @@ fn the_number_of_divisions_grows_like_the_root_of_the_tolerance() {
 /// plane only the border leaves the mesh, a circle here.
 #[test]
 fn what_bends_within_the_surface_needs_no_divisions() {
-    for corners in [5_u32, 7, 24] {
+    for corners in [7_u32, 24] {
         let at = |k: u32| (std::f64::consts::TAU * f64::from(k) / f64::from(corners)).sin_cos();
         let rim = (0..corners).map(|k| Point3::new(at(k).1, at(k).0, 0.0));
         let points: Vec<Point3> = std::iter::once(Point3::ORIGIN).chain(rim).collect();
