@@ -1,7 +1,7 @@
 //! Meshes of one sphere blend: rows of places, none shared with another triangle.
 
 use super::super::surface_mesh::{MeshCorner, MeshFace, SurfaceMesh};
-use super::{Divided, Place, cells, check_divisions, deviation, lambda, source};
+use super::{Divided, Place, Worst, cells, check_divisions, deviation, lambda, source};
 use crate::error::Result;
 use crate::mesh::MOST_PIECES;
 use crate::surface::SphereBlend;
@@ -11,8 +11,13 @@ impl Divided for SphereBlend {
         1
     }
 
-    fn deviation(&self, divisions: usize) -> Result<(f64, usize)> {
-        deviation::of_patch(divisions, |at| self.point(at)).map(|deviation| (deviation, 0))
+    fn deviation(&self, divisions: usize, _: Worst, _: f64) -> Result<Worst> {
+        deviation::of_patch(divisions, |at| self.point(at)).map(|farthest| Worst { triangle: 0, farthest })
+    }
+
+    fn halved(&self, worst: Worst) -> Result<Worst> {
+        let farthest = deviation::of_halves(worst.farthest, |at| self.point(at))?;
+        Ok(Worst { farthest, ..worst })
     }
 
     fn mesh(&self, n: usize) -> Result<SurfaceMesh> {

@@ -11,6 +11,7 @@ use super::MOST_PIECES;
 use super::surface_mesh::{MeshFace, MeshSource, SurfaceMesh};
 use crate::error::{Error, ErrorItem, Result, check_tolerance};
 use crate::surface::{SmoothMesh, TriangleSurface};
+use deviation::Farthest;
 use numbering::Numbering;
 
 /// Numbers of divisions grow by this more than the last deviation asks for, which saves most second tries.
@@ -78,7 +79,7 @@ impl SmoothMesh {
     /// As [`tessellate`](Self::tessellate).
     pub fn sampled_deviation(&self, divisions: usize) -> Result<f64> {
         check_divisions(self.triangles().len(), divisions, MOST_PIECES)?;
-        Divided::deviation(self, divisions).map(|(deviation, _)| deviation)
+        Divided::deviation(self, divisions, Worst::default(), f64::INFINITY).map(|worst| worst.farthest.distance)
     }
 }
 
@@ -95,11 +96,21 @@ impl TriangleSurface {
     }
 }
 
+/// The triangle of the surface whose mesh is farthest from it, and the place.
+#[derive(Debug, Clone, Copy, Default)]
+struct Worst {
+    triangle: usize,
+    farthest: Farthest,
+}
+
 /// What is cut into parts.
 trait Divided {
     fn triangle_count(&self) -> usize;
-    /// The largest one, and the triangle that has it.
-    fn deviation(&self, divisions: usize) -> Result<(f64, usize)>;
+    /// Where the mesh is farthest; the rest is not looked at once it is farther than `enough`. What was the worst triangle of
+    /// another mesh comes first.
+    fn deviation(&self, divisions: usize, before: Worst, enough: f64) -> Result<Worst>;
+    /// Where that with twice as many divisions is, next to that place.
+    fn halved(&self, worst: Worst) -> Result<Worst>;
     fn mesh(&self, divisions: usize) -> Result<SurfaceMesh>;
 }
 
@@ -108,17 +119,25 @@ impl Divided for SmoothMesh {
         self.triangles().len()
     }
 
-    fn deviation(&self, divisions: usize) -> Result<(f64, usize)> {
-        let mut largest = (0.0, 0);
-        for index in 0..self.triangles().len() {
-            let Some(triangle) = self.triangle(index) else { continue };
-            let own = deviation::of_patch(divisions, |at| triangle.point(at));
-            let own = own.map_err(|e| e.in_triangle(index))?;
-            if own > largest.0 {
-                largest = (own, index);
+    fn deviation(&self, divisions: usize, before: Worst, enough: f64) -> Result<Worst> {
+        let mut worst = Worst::default();
+        for triangle in (before.triangle..self.triangle_count()).chain(0..before.triangle) {
+            let Some(patch) = self.triangle(triangle) else { continue };
+            let farthest = deviation::of_patch(divisions, |at| patch.point(at)).map_err(|e| e.in_triangle(triangle))?;
+            if farthest.distance > worst.farthest.distance {
+                worst = Worst { triangle, farthest };
+            }
+            if worst.farthest.distance > enough {
+                break;
             }
         }
-        Ok(largest)
+        Ok(worst)
+    }
+
+    fn halved(&self, Worst { triangle, farthest }: Worst) -> Result<Worst> {
+        let Some(patch) = self.triangle(triangle) else { return Ok(Worst { triangle, farthest }) };
+        let farthest = deviation::of_halves(farthest, |at| patch.point(at)).map_err(|e| e.in_triangle(triangle))?;
+        Ok(Worst { triangle, farthest })
     }
 
     fn mesh(&self, divisions: usize) -> Result<SurfaceMesh> {
@@ -128,22 +147,45 @@ impl Divided for SmoothMesh {
 
 fn within(surface: &impl Divided, tolerance: f64, most: usize) -> Result<SmoothTessellation> {
     check_tolerance(tolerance)?;
-    let (count, mut divisions) = (surface.triangle_count(), 1);
+    let (count, mut divisions, mut worst) = (surface.triangle_count(), 1, Worst::default());
     check_count(count, 1.0, most)?;
+    let finest = (most as f64 / count.max(1) as f64).sqrt();
     loop {
-        let (deviation, worst) = surface.deviation(divisions)?;
+        // Deviations fall with the square of the divisions at best: a larger one than this is too large for the finest mesh.
+        let enough = tolerance / RESERVE * (finest / divisions as f64).powi(2);
+        worst = surface.deviation(divisions, worst, enough)?;
+        let deviation = worst.farthest.distance;
         let bound = RESERVE * deviation;
         if bound <= tolerance {
             let mesh = SurfaceMesh { bound, ..surface.mesh(divisions)? };
             return Ok(SmoothTessellation { mesh, divisions, deviation });
         }
-        // Deviations fall with the square of the divisions, once there are a few.
-        let wanted = (divisions as f64 * (bound / tolerance).sqrt() * MORE).ceil();
-        let wanted = if divisions < FEW { wanted.min(FEW as f64) } else { wanted };
+        let wanted = wanted(surface, worst, divisions, tolerance, finest)?;
         // All triangles are cut alike: the worst one decides.
-        check_count(count, wanted, most).map_err(|e| e.in_triangle(worst))?;
+        check_count(count, wanted, most).map_err(|e| e.in_triangle(worst.triangle))?;
         divisions = (divisions + 1).max(wanted as usize);
     }
+}
+
+/// The divisions that the worst triangle asks for. Where the surface folds or has a cusp its deviation falls slowly, or not at
+/// all: so its worst place is halved until it is near enough, and costly meshes are not tried in vain.
+fn wanted(surface: &impl Divided, mut worst: Worst, divisions: usize, tolerance: f64, finest: f64) -> Result<f64> {
+    let times_off = |worst: Worst| RESERVE * worst.farthest.distance / tolerance;
+    let least = (divisions as f64 * times_off(worst).sqrt() * MORE).ceil();
+    if divisions < FEW {
+        return Ok(least.min(FEW as f64));
+    }
+    let mut n = divisions as f64;
+    while 2.0 * n <= finest {
+        let halved = surface.halved(worst)?;
+        if times_off(halved) <= 1.0 {
+            // Between the two it falls with a power of the divisions.
+            let order = (times_off(worst) / times_off(halved)).log2();
+            return Ok((n * times_off(worst).powf(order.recip()) * MORE).ceil().min(2.0 * n).max(least));
+        }
+        (worst, n) = (halved, 2.0 * n);
+    }
+    Ok((n * times_off(worst).sqrt() * MORE).ceil().max(least))
 }
 
 fn check_divisions(triangles: usize, divisions: usize, most: usize) -> Result<()> {
@@ -195,4 +237,60 @@ fn source(triangle: usize, cell: [Place; 3], divisions: usize) -> MeshSource {
 /// Coordinates as a triangle takes them.
 fn lambda(at: Place) -> [f64; 3] {
     at.map(|v| v as f64)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::cell::RefCell;
+
+    /// Eight triangles whose deviation is so much for so many divisions, with the meshes that were measured whole.
+    struct Law(fn(f64) -> f64, RefCell<Vec<usize>>);
+
+    impl Divided for Law {
+        fn triangle_count(&self) -> usize {
+            8
+        }
+
+        fn deviation(&self, divisions: usize, _: Worst, _: f64) -> Result<Worst> {
+            self.1.borrow_mut().push(divisions);
+            let farthest = Farthest { distance: self.0(divisions as f64), divisions, ..Farthest::default() };
+            Ok(Worst { triangle: 3, farthest })
+        }
+
+        fn halved(&self, Worst { triangle, farthest }: Worst) -> Result<Worst> {
+            let divisions = 2 * farthest.divisions;
+            Ok(Worst { triangle, farthest: Farthest { distance: self.0(divisions as f64), divisions, ..farthest } })
+        }
+
+        fn mesh(&self, _: usize) -> Result<SurfaceMesh> {
+            Ok(SurfaceMesh::default())
+        }
+    }
+
+    /// A fold that stays as large in the finest mesh is refused before any mesh of many triangles was measured; a cusp that grows
+    /// smaller slowly, and a surface that is smooth, are not.
+    #[test]
+    fn folds_are_refused_before_they_cost_much() {
+        let of = |law: fn(f64) -> f64, tolerance: f64| {
+            let law = Law(law, RefCell::default());
+            let made = within(&law, tolerance, 8 * 400 * 400).map(|made| made.divisions);
+            (made, law.1.into_inner())
+        };
+        for tolerance in [0.5, 0.05, 5e-4, 5e-8] {
+            let (refused, measured) = of(|_| 1.0, tolerance);
+            let error = refused.unwrap_err();
+            assert_eq!((error.reason(), error.index()), ("too-many-pieces", Some(3)));
+            assert!(measured.iter().all(|&n| n <= FEW), "{tolerance}: {measured:?}");
+        }
+        for (law, tolerance, needed) in [
+            ((|n| n.powi(-2)) as fn(f64) -> f64, 1e-4, 112),
+            (|n| n.recip(), 5e-3, 250),
+            (|n| n.sqrt().recip(), 0.1, 157),
+        ] {
+            let (made, measured) = of(law, tolerance);
+            let made = made.unwrap();
+            assert!(made >= needed && made <= needed * 11 / 10 && measured.len() <= 6, "{made} {measured:?}");
+        }
+    }
 }
