@@ -1,6 +1,6 @@
 //! Rational faces that are no cyclides, through every format that holds surfaces.
 
-use cyclide::{Body, Model, Shell, SurfaceObject, Units};
+use cyclide::{Body, Model, RationalBezierSurface, Shell, SurfaceObject, Units};
 use cyclide_io::{ExportOptions, Exporter, FileReport, Format, StepEdges, read_back};
 use cyclide_testkit::rational_faces::{egg, smooth_pair};
 use std::path::Path;
@@ -43,6 +43,28 @@ fn every_format_holds_them_within_its_promise() {
                     assert!(deviation <= if exact { 1e-14 } else { report.bound }, "{format:?}: {report:?}");
                 }
             }
+        }
+    }
+}
+
+/// A plane face whose lines bend more inside than at its border: its mesh promises what the border is off, and a cell inside lies
+/// over the polygons of its neighbours, which is no deviation.
+#[test]
+fn what_bends_inside_a_plane_face_is_no_deviation() {
+    // Across, the lines at both ends are straight and those between bend by up to 0.3.
+    let place = |i: u8, j: u8| {
+        let aside = if (i, j) == (1, 1) { 1.2 } else { 0.0 };
+        [2.0 * f64::from(i) + aside, f64::from(j) + if i == 1 { 0.3 } else { 0.0 }, 0.0, 1.0]
+    };
+    let rows: Vec<[f64; 4]> = (0..3).flat_map(|i| (0..3).map(move |j| place(i, j))).collect();
+    let surface = RationalBezierSurface::new([2, 2], rows).unwrap();
+    let plane = model("plane", Body { outer: Shell::from_surface(surface).unwrap(), voids: Vec::new() });
+    for format in [Format::Glb, Format::Obj, Format::Stl] {
+        for tolerance in [3e-2, 3e-3] {
+            let options = ExportOptions { tolerance: Some(tolerance), ..ExportOptions::default() };
+            let (report, _) = report(&plane, format, &options);
+            let deviation = report.deviation.unwrap();
+            assert!(deviation <= report.bound && deviation > 0.1 * tolerance, "{format:?}: {report:?}");
         }
     }
 }

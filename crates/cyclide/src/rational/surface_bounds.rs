@@ -12,6 +12,10 @@
 //! where the derivatives of `P` and `w` lie in the hulls of differences of the rows. A product of a linear function of s and
 //! one of t makes the weights of the part even first: the surface is the same, and `w_s`, `w_t`, which go to zero with the
 //! part, then do so as its square, like the second derivatives. So the bounds tend to the derivatives themselves.
+//!
+//! In a long and narrow part `w_ss g` is the change of weights across it times the way along it, far more than it bends. A
+//! function that is linear in s and in t has no second derivatives: with the mean plane for `c`, `g` is as small as the part
+//! is off that, and the bounds are those of a part as short as it is wide.
 
 use super::bezier_surface::RationalBezierSurface;
 use crate::base::bounds::Aabb;
@@ -22,6 +26,8 @@ use std::collections::VecDeque;
 const BOX_EXCESS: f64 = 1e-9;
 /// Parts that are looked at for it, at most.
 const BOX_PARTS: usize = 4096;
+/// Bounds of which the change of weights makes more than this part are made from the mean plane, too.
+const LARGE_SHARE: f64 = 0.25;
 
 /// Bounds of the derivatives of a part by its own parameters in `[0, 1]²`.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -42,24 +48,57 @@ impl SecondDerivatives {
 impl RationalBezierSurface {
     /// Bounds of the second derivatives; infinite unless all weights are positive.
     pub(crate) fn second_derivatives(&self) -> SecondDerivatives {
-        let unknown = SecondDerivatives { ss: f64::INFINITY, st: f64::INFINITY, tt: f64::INFINITY };
         let local = self.seen_from(self.point(0.5, 0.5)).with_even_weights();
-        let least = local.rows().iter().map(|row| row[3]).fold(f64::INFINITY, f64::min);
+        let ([simple, by_weights], seen) = (local.bounds_of_derivatives(), SecondDerivatives::distance_from_triangles);
+        // Not `<=`: what is no number is not small either.
+        if seen(by_weights) < LARGE_SHARE * seen(simple) || !seen(simple).is_finite() {
+            return simple;
+        }
+        let [tilted, _] = local.seen_from_plane().bounds_of_derivatives();
+        if seen(tilted) < seen(simple) { tilted } else { simple }
+    }
+
+    /// Bounds of the second derivatives, and the part of them that comes from the change of weights.
+    fn bounds_of_derivatives(&self) -> [SecondDerivatives; 2] {
+        let least = self.rows().iter().map(|row| row[3]).fold(f64::INFINITY, f64::min);
         // Not `<=`: what is no number is not positive either.
         if !(least > 0.0) {
-            return unknown;
+            return [SecondDerivatives { ss: f64::INFINITY, st: f64::INFINITY, tt: f64::INFINITY }; 2];
         }
-        let size = local.rows().iter().map(|row| vector(row).length() / row[3]).fold(0.0, f64::max);
-        let bounds = |orders: [usize; 2]| local.difference_bounds(orders);
+        let size = self.rows().iter().map(|row| vector(row).length() / row[3]).fold(0.0, f64::max);
+        let bounds = |orders: [usize; 2]| self.difference_bounds(orders);
         let [first_s, first_t] = [bounds([1, 0]), bounds([0, 1])];
         let slope = |d: Hull| (d.vector + d.weight * size) / least;
         let (gs, gt) = (slope(first_s), slope(first_t));
         let (ss, st, tt) = (bounds([2, 0]), bounds([1, 1]), bounds([0, 2]));
-        SecondDerivatives {
-            ss: (ss.vector + 2.0 * first_s.weight * gs + ss.weight * size) / least,
-            st: (st.vector + first_s.weight * gt + first_t.weight * gs + st.weight * size) / least,
-            tt: (tt.vector + 2.0 * first_t.weight * gt + tt.weight * size) / least,
+        let by_weights = SecondDerivatives {
+            ss: (2.0 * first_s.weight * gs + ss.weight * size) / least,
+            st: (first_s.weight * gt + first_t.weight * gs + st.weight * size) / least,
+            tt: (2.0 * first_t.weight * gt + tt.weight * size) / least,
+        };
+        let all = SecondDerivatives {
+            ss: ss.vector / least + by_weights.ss,
+            st: st.vector / least + by_weights.st,
+            tt: tt.vector / least + by_weights.tt,
+        };
+        [all, by_weights]
+    }
+
+    /// What the surface, seen from its middle, is off the plane `c` through that with its mean slopes, of degrees one higher.
+    fn seen_from_plane(&self) -> Self {
+        let [p, q] = self.degrees();
+        let [a, b, c, d] = self.corners();
+        let slopes = [(b - a + (d - c)) * 0.5, (c - a + (d - b)) * 0.5];
+        let (even, rising) = ([1.0, 1.0], [-0.5, 0.5]);
+        let mut rows = self.times_linear(even, even);
+        for (slope, along) in slopes.into_iter().zip([[rising, even], [even, rising]]) {
+            for (row, [.., w]) in rows.iter_mut().zip(self.times_linear(along[0], along[1])) {
+                for (value, change) in row.iter_mut().zip(slope.to_array()) {
+                    *value -= w * change;
+                }
+            }
         }
+        Self::from_rows_unchecked([p + 1, q + 1], rows)
     }
 
     /// The same surface of degrees one higher, with weights whose means over opposite sides are equal.
@@ -72,6 +111,13 @@ impl RationalBezierSurface {
         };
         let along_s = [mean(&mut (0..=q).map(|j| at(0, j))), mean(&mut (0..=q).map(|j| at(p, j)))];
         let along_t = [mean(&mut (0..=p).map(|i| at(i, 0))), mean(&mut (0..=p).map(|i| at(i, q)))];
+        Self::from_rows_unchecked([p + 1, q + 1], self.times_linear(along_s, along_t))
+    }
+
+    /// The rows times a linear function of s and one of t, given at 0 and 1.
+    fn times_linear(&self, along_s: [f64; 2], along_t: [f64; 2]) -> Vec<[f64; 4]> {
+        let [p, q] = self.degrees();
+        let at = |i: usize, j: usize| i * (q + 1) + j;
         let scaled = |row: [f64; 4], by: f64| row.map(|v| v * by);
         // A Bézier form of degree n times a linear one: out[i] = ((n + 1 - i) l0 c[i] + i l1 c[i-1]) / (n + 1).
         let product = |n: usize, i: usize, [l0, l1]: [f64; 2], row: &dyn Fn(usize) -> [f64; 4]| {
@@ -85,7 +131,7 @@ impl RationalBezierSurface {
             let row = |j: usize| product(p, i, along_s, &|i| self.rows()[at(i, j)]);
             rows.extend((0..=q + 1).map(|j| product(q, j, along_t, &row)));
         }
-        Self::from_rows_unchecked([p + 1, q + 1], rows)
+        rows
     }
 
     /// The largest derivatives of these orders of rows and weights, by the hulls of their differences.
@@ -226,6 +272,31 @@ mod tests {
             [[0.0, 0.0], [0.0, 1.0], [2.0, 0.0], [2.0, 1.0]].map(|[x, y]| [x, y, 5.0, 1.0]).to_vec();
         let none = RationalBezierSurface::new([1, 1], flat).unwrap().second_derivatives();
         assert!(none.distance_from_triangles() < 1e-15);
+    }
+
+    /// A strip 0.003 wide and round across, whose weights change, along a parabola: what it bends counts, and not its length.
+    #[test]
+    fn long_and_narrow_parts_have_bounds_of_their_bends() {
+        let (radius, half) = (0.003, std::f64::consts::FRAC_PI_8);
+        let across = [[-half.sin(), half.cos(), 1.0], [0.0, 1.0, half.cos()], [half.sin(), half.cos(), 1.0]];
+        let rows = across.into_iter().flat_map(|[x, y, w]| {
+            let place = move |z: f64, bend: f64| [radius * x, radius * y + w * bend, w * z, w];
+            [place(0.0, 0.0), place(50.0, 0.0), place(100.0, 20.0)]
+        });
+        let strip = RationalBezierSurface::new([2, 2], rows.collect()).unwrap();
+        for length in [1.0, 0.1, 0.01] {
+            let part = strip.part([0.0, 1.0], [0.4, 0.4 + length * 0.6]);
+            let mut largest = [0.0_f64; 3];
+            for (i, j) in (0..=20).flat_map(|i| (0..=20).map(move |j| (i, j))) {
+                let jet = part.jet(f64::from(i) / 20.0, f64::from(j) / 20.0);
+                for (most, d) in largest.iter_mut().zip([jet.dss, jet.dst, jet.dtt]) {
+                    *most = most.max(d.length());
+                }
+            }
+            let found = SecondDerivatives { ss: largest[0], st: largest[1], tt: largest[2] }.distance_from_triangles();
+            let bound = part.second_derivatives().distance_from_triangles();
+            assert!(found <= bound && bound <= 2.0 * found, "{length}: {found:e} {bound:e}");
+        }
     }
 
     #[test]

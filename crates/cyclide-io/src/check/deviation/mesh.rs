@@ -2,7 +2,8 @@
 //! structure.
 //!
 //! Every polygon is held against its own cell, not against the nearest part of the surface: swapped, missing and
-//! doubled polygons are found out. From the cell 5 × 5 points are taken to the polygon, from the polygon its corners,
+//! doubled polygons are found out. On planes and cylinders a cell may lie over the polygons of its neighbours, and only what
+//! leaves the surface counts: there the polygons of a face are held against the face. From the cell 5 × 5 points are taken to the polygon, from the polygon its corners,
 //! the middles of its sides and its centre to the cell; the middle of a cell, where the distance is largest, is among
 //! them. Polygons look to the outer side of their face, normals are those of the surface (in STL of the triangle), and
 //! polygons share the sides that they share in the kernel's mesh.
@@ -19,8 +20,8 @@ use crate::export::parts::BodyOf;
 use crate::export::side_use::{SideUse, side_use};
 use crate::export::triangle_cells::are_whole;
 use cyclide::{
-    FaceGeometry as _, FaceSurface, MeshCorner, MeshFace, MeshSource, ParamSurface as _, Point3, ShellFace, SurfaceJet,
-    SurfaceMesh, TriangleSurface, Vec3,
+    FaceGeometry as _, FaceSurface, MeshCorner, MeshFace, MeshSource, ParamSurface as _, PatchKind, Point3, ShellFace,
+    SurfaceJet, SurfaceMesh, TriangleSurface, Vec3,
 };
 
 /// Points of a cell in each direction.
@@ -122,25 +123,31 @@ fn body_deviation(
     let mut triangles: Vec<Triangle> = Vec::new();
     let mut largest = 0.0_f64;
     let mut lost: Vec<&Cell> = Vec::new();
-    for cell in cells {
-        let (own, after) = rest.split_at(cell.polygons);
+    for cells in cells.chunk_by(|a, b| (a.source.shell, a.source.face) == (b.source.shell, b.source.face)) {
+        let (of_face, after) = rest.split_at(cells.iter().map(|cell| cell.polygons).sum());
         rest = after;
-        let Some((index, face)) = face(body, &cell.source) else { continue };
-        triangles.clear();
-        triangles.extend(own.iter().flat_map(Polygon::triangles));
-        if own.is_empty() {
-            lost.push(cell);
-            continue;
-        }
-        let samples = samples(&face.surface, &cell.source);
-        largest = cell_deviation(&face.surface, &cell.source, &samples, &triangles, largest);
-        let facing = Facing::new(face, &cell.source);
-        if !triangles.iter().all(|triangle| facing.is_outward(&triangle.corners)) {
-            return Err(ReadError::WrongSide { object: body.label(), face: index });
-        }
-        let off = own.iter().map(|polygon| normal_error(form, polygon, &facing, plan.moved)).fold(0.0, larger);
-        if !(off <= NORMAL_LIMIT) {
-            return Err(ReadError::Normal { object: body.label(), face: index, off, limit: NORMAL_LIMIT });
+        let Some((index, face)) = cells.first().and_then(|cell| face(body, &cell.source)) else { continue };
+        let mut whole = WholeFace::of(&face.surface, of_face);
+        let mut of_cells = of_face;
+        for cell in cells {
+            let (own, after) = of_cells.split_at(cell.polygons);
+            of_cells = after;
+            triangles.clear();
+            triangles.extend(own.iter().flat_map(Polygon::triangles));
+            if own.is_empty() {
+                lost.push(cell);
+                continue;
+            }
+            let samples = samples(&face.surface, &cell.source);
+            largest = cell_deviation(&face.surface, &cell.source, &samples, &triangles, whole.as_mut(), largest);
+            let facing = Facing::new(face, &cell.source);
+            if !triangles.iter().all(|triangle| facing.is_outward(&triangle.corners)) {
+                return Err(ReadError::WrongSide { object: body.label(), face: index });
+            }
+            let off = own.iter().map(|polygon| normal_error(form, polygon, &facing, plan.moved)).fold(0.0, larger);
+            if !(off <= NORMAL_LIMIT) {
+                return Err(ReadError::Normal { object: body.label(), face: index, off, limit: NORMAL_LIMIT });
+            }
         }
     }
     Ok(with_lost_cells(body, &lost, polygons, largest))
@@ -281,6 +288,7 @@ fn cell_deviation(
     source: &MeshSource,
     samples: &[Sample],
     triangles: &[Triangle],
+    mut whole: Option<&mut WholeFace<'_>>,
     mut largest: f64,
 ) -> f64 {
     for (_, _, p) in samples {
@@ -291,19 +299,45 @@ fn cell_deviation(
                 break;
             }
         }
+        if let Some(whole) = whole.as_mut().filter(|_| !(best <= largest)) {
+            best = whole.distance(*p, largest);
+        }
         largest = larger(largest, best);
     }
     let is_plane = surface.is_plane_quad();
+    let reach = if whole.is_some() { MeshSource { s: [0.0, 1.0], t: [0.0, 1.0], ..*source } } else { *source };
     for Triangle { corners: [a, b, c], .. } in triangles {
         let center = Point3::ORIGIN + (a.to_vec() + b.to_vec() + c.to_vec()) / 3.0;
         for p in [*a, *b, *c, a.midpoint(*b), b.midpoint(*c), c.midpoint(*a), center] {
             // Parts of planes are the triangles between their samples.
             let apart =
-                if is_plane { between_samples(samples, p).1 } else { to_cell(surface, source, samples, p, largest) };
+                if is_plane { between_samples(samples, p).1 } else { to_cell(surface, &reach, samples, p, largest) };
             largest = larger(largest, apart);
         }
     }
     largest
+}
+
+/// The polygons of a face on a plane or a cylinder.
+struct WholeFace<'a> {
+    polygons: &'a [Polygon<'a>],
+    /// Made when it is needed: most points are near the polygons of their own cell.
+    nearest: Option<NearestTriangle>,
+}
+
+impl<'a> WholeFace<'a> {
+    /// None of other surfaces, and of one cell.
+    fn of(surface: &FaceSurface, polygons: &'a [Polygon<'a>]) -> Option<Self> {
+        let FaceSurface::Rational(rational) = surface else { return None };
+        let rolls_out = matches!(rational.recognise(), PatchKind::Plane { .. } | PatchKind::Cylinder { .. });
+        (rolls_out && !surface.is_plane_quad() && polygons.len() > 2).then_some(Self { polygons, nearest: None })
+    }
+
+    /// Distance of a point from the nearest polygon, or what is `enough` at most.
+    fn distance(&mut self, p: Point3, enough: f64) -> f64 {
+        let made = || NearestTriangle::new(self.polygons.iter().flat_map(Polygon::triangles).collect());
+        self.nearest.get_or_insert_with(made).distance(p, enough)
+    }
 }
 
 /// Distance of a point from the cell. What is `enough` is not made smaller.
