@@ -100,17 +100,23 @@ def test_paths_are_exact_in_step(made):
     (wire,) = StepFile(folder / "path.step").wires
     spline = Spline(POSES)
     points = np.vstack([edge.points(200) for edge in wire.edges])
-    fine = np.array([spline.point(t, POINT) for t in np.linspace(0, 3, 20001)])
-    # Each point of the file is near the path: by the foot on the nearest chord, whose sagitta is 1e-7 here.
-    for point in points[::7]:
-        k = np.clip(np.argmin(np.linalg.norm(fine - point, axis=1)), 1, len(fine) - 2)
-        t = np.linspace(0, 3, 20001)[k]
-        step = 3 / 20000
-        for _ in range(30):
-            ahead, behind, here = (spline.point(t + e, POINT) for e in (1e-6, -1e-6, 0))
-            d1 = (ahead - behind) / 2e-6
-            t += np.clip(np.dot(point - here, d1) / np.dot(d1, d1), -step, step)
-        assert np.linalg.norm(spline.point(t, POINT) - point) < 1e-7
+    assert max(off(lambda t: spline.point(t, POINT), point, [(0.0, 3.0)]) for point in points[::7]) < 1e-9
+
+
+def off(at, point, ranges, grid=61):
+    """The distance of a point from a curve or surface: from the nearest place of a grid by the steps of Gauss and Newton."""
+    axes = [np.linspace(*r, grid if len(ranges) == 1 else 25) for r in ranges]
+    places = np.stack(np.meshgrid(*axes, indexing="ij"), -1).reshape(-1, len(ranges))
+    lows, highs = np.array(ranges).T
+    place = min(places, key=lambda x: np.linalg.norm(at(*x) - point))
+    for _ in range(60):
+        steps = 1e-5 * np.eye(len(ranges))
+        slopes = np.array([(at(*(place + e)) - at(*(place - e))) / 2e-5 for e in steps]).T
+        change = np.linalg.lstsq(slopes, point - at(*place), rcond=None)[0]
+        place = np.clip(place + change, lows, highs)
+        if np.abs(change).max() < 1e-14:
+            break
+    return np.linalg.norm(at(*place) - point)
 
 
 def test_swept_surfaces_are_valid_shells_in_step(made):
@@ -118,15 +124,64 @@ def test_swept_surfaces_are_valid_shells_in_step(made):
     step = StepFaces(folder / "run.step")
     assert step.exactly_valid
     spline, (a, b) = Spline(POSES), np.array(PROFILE)
-    # The area by the midpoint rule, with derivatives by differences.
-    total, count = 0.0, 120
-    for t in (np.arange(3 * count) + 0.5) / count:
-        for s in (np.arange(24) + 0.5) / 24:
-            x = a + (b - a) * s
-            across = spline.point(t, b) - spline.point(t, a)
-            along = (spline.point(t + 1e-5, x) - spline.point(t - 1e-5, x)) / 2e-5
-            total += np.linalg.norm(np.cross(across, along)) / count / 24
-    assert step.area() == pytest.approx(total, rel=2e-4)
+    generator = np.random.default_rng(5)
+    for face in step.faces:
+        for point in face.points(8, generator)[0]:
+            assert off(lambda t, s: spline.point(t, a + (b - a) * s), point, [(0.0, 3.0), (0.0, 1.0)]) < 1e-9
+    # The area by Gauss's rule, with derivatives by differences.
+    nodes, weights = np.polynomial.legendre.leggauss(16)
+    total = 0.0
+    for start, end in zip(spline.t, spline.t[1:]):
+        for t, dt in zip(start + (end - start) * (nodes + 1) / 2, weights * (end - start) / 2):
+            for s, ds in zip((nodes + 1) / 2, weights / 2):
+                x = a + (b - a) * s
+                across = spline.point(t, b) - spline.point(t, a)
+                along = (spline.point(t + 1e-5, x) - spline.point(t - 1e-5, x)) / 2e-5
+                total += np.linalg.norm(np.cross(across, along)) * dt * ds
+    # What differences of steps of 1e-5 leave.
+    assert step.area() == pytest.approx(total, rel=1e-7)
+
+
+# A bent rod: segments with rounded corners, in space.
+ROD, RADIUS = [[0.0, 0.0, 0.0], [60.0, 0.0, 0.0], [90.0, 60.0, 0.0], [90.0, 90.0, 70.0]], 15.0
+
+
+def carried(corners, radius, x):
+    """The paths of a body point along a rod, part by part, by the definition: along segments the body is not turned, round a corner it is
+    turned about the corner's axis with the rod."""
+    rotation, at = np.eye(3), np.array(corners[0])
+    corners = np.array(corners)
+    for before, corner, after in zip(corners, corners[1:], corners[2:]):
+        d0, d1 = ((v / np.linalg.norm(v)) for v in (corner - before, after - corner))
+        axis = np.cross(d0, d1)
+        angle = np.arctan2(np.linalg.norm(axis), np.dot(d0, d1))
+        axis /= np.linalg.norm(axis)
+        tangent = corner - radius * np.tan(angle / 2) * d0
+        centre = tangent + radius * np.cross(axis, d0)
+        yield lambda u, a=at, b=tangent, r=rotation: a + u * (b - a) + r @ x
+        yield lambda u, a=tangent, c=centre, k=axis, g=angle, r=rotation: c + turn(k, g * u) @ (a - c + r @ x)
+        rotation, at = turn(axis, angle) @ rotation, corner + radius * np.tan(angle / 2) * d1
+    yield lambda u, a=at, b=corners[-1], r=rotation: a + u * (b - a) + r @ x
+
+
+def turn(axis, angle):
+    k = np.array([[0, -axis[2], axis[1]], [axis[2], 0, -axis[0]], [-axis[1], axis[0], 0]])
+    return np.eye(3) + np.sin(angle) * k + (1 - np.cos(angle)) * k @ k
+
+
+def test_a_body_on_a_rod_turns_with_its_bends(program, tmp_path):
+    objects = {
+        "rod": {"type": "polyline", "points": ROD, "radius": RADIUS, "construction": True},
+        "m": {"type": "motion", "along": "rod", "construction": True},
+        "path": {"type": "trajectory", "of": "m", "point": [0, 12, 5]},
+    }
+    (tmp_path / "a.json").write_text(json.dumps({"cyclide": 1, "units": "mm", "objects": objects}))
+    program("build", tmp_path / "a.json", "-o", tmp_path / "a.step")
+    (wire,) = StepFile(tmp_path / "a.step").wires
+    paths = list(carried(ROD, RADIUS, np.array([0.0, 12.0, 5.0])))
+    points = np.vstack([edge.points(60) for edge in wire.edges])
+    assert np.linalg.norm(points[-1] - paths[-1](1.0)) < 1e-9
+    assert max(min(off(path, point, [(0.0, 1.0)]) for path in paths) for point in points) < 1e-9
 
 
 def chunks(path):

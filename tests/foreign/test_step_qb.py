@@ -1,6 +1,7 @@
 """Curves of quaternion pairs as OpenCASCADE reads them, against continued fractions of vector inversions: no quaternion, no B-spline."""
 
 import json
+import re
 
 import numpy as np
 import pytest
@@ -11,6 +12,7 @@ from OCP.TopExp import TopExp_Explorer
 from OCP.TopoDS import TopoDS
 
 import step_modelling as modelling
+from step_reader import StepFile
 
 FIVE = np.array([[0, 0, 0], [20, 30, 5], [45, 35, 20], [70, 15, 25], [80, -10, 10]], float)
 LOOP = np.array([[0, 0, 0], [35, 5, 4], [50, 35, 0], [30, 60, 10], [0, 50, 20], [-25, 60, 10], [-35, 25, 5]], float)
@@ -157,3 +159,42 @@ def test_points_are_those_of_the_continued_fraction(name, inverted, program, tmp
         p = line.Value(first + float(t) * (last - first))
         want = image(at(float(t)))
         assert np.linalg.norm(np.array([p.X(), p.Y(), p.Z()]) - want) < SAME, f"{name} at {t}"
+
+
+def track(count=400):
+    """A closed track with an elevation profile, metres."""
+    a = np.arange(count) * (2 * np.pi / count)
+    r = 700 + 150 * np.cos(3 * a) + 20 * np.sin(17 * a)
+    return np.stack([r * np.cos(a), r * np.sin(a), 20 * np.sin(a) + 5 * np.cos(9 * a)], axis=1)
+
+
+@pytest.mark.parametrize(
+    "fields",
+    [
+        {"type": "circle-spline", "order": 1, "variant": "rational"},
+        {"type": "circle-spline", "variant": "rational"},
+        {"type": "moebius-spline"},
+        {"type": "moebius-spline", "continuity": "g1"},
+    ],
+    ids=lambda fields: "-".join(map(str, fields.values())),
+)
+def test_a_closed_track_is_one_closed_smooth_b_spline(program, tmp_path, fields):
+    points = track()
+    np.savetxt(tmp_path / "track.csv", points, fmt="%.17g", delimiter=",", header="x,y,z", comments="")
+    objects = {"track": {**fields, "points": {"csv": "track.csv"}, "closed": True}}
+    (tmp_path / "t.json").write_text(json.dumps({"cyclide": 1, "units": "mm", "objects": objects}))
+    program("build", tmp_path / "t.json", "-o", tmp_path / "t.step")
+    text = (tmp_path / "t.step").read_text()
+    assert text.count("B_SPLINE_CURVE_WITH_KNOTS(") == 1
+    # The closed flag of the file.
+    assert re.search(r"B_SPLINE_CURVE\s*\(\s*\d+\s*,\s*\([^)]*\)\s*,\s*\.UNSPECIFIED\.\s*,\s*\.T\.", text)
+    (wire,) = StepFile(tmp_path / "t.step").wires
+    (edge,) = wire.edges
+    curve = edge.curve.BSpline()
+    assert curve.IsClosed() and edge.is_c1
+    # C1 knots at every point: nowhere the multiplicity of a corner.
+    inner = [curve.Multiplicity(i) for i in range(2, curve.NbKnots())]
+    assert len(inner) == len(points) - 1 and set(inner) == {curve.Degree() - 1}
+    at_knots = [curve.Value(curve.Knot(i)) for i in range(1, curve.NbKnots())]
+    at_knots = np.array([[p.X(), p.Y(), p.Z()] for p in at_knots])
+    assert np.linalg.norm(at_knots - points, axis=1).max() < 1e-9

@@ -18,7 +18,7 @@
 //! | surfaces over triangles, polyhedra | [`SmoothMeshSpec`] ([`NormalsSpec`], [`PolygonMeshFile`]), [`SphereBlendSpec`], [`SmoothPolyhedronSpec`] |
 //! | bodies made from curves | [`RevolutionSpec`], [`PipeSpec`], [`TubeSpec`] ([`RadiusLawSpec`]), [`PlateWithNeckSpec`] ([`PlateSpec`], [`DiskSpec`]), [`EllipseBridgeSpec`] ([`BridgeArcs`]), [`CircularSurfaceSpec`], [`RuledSpec`] |
 //! | tees and crossings | [`PipeTeeSpec`] ([`TeeMainSpec`], [`TeeBranchSpec`], [`TeeBlendSpec`], [`TeeLawSpec`], [`TeeRadiusSpec`]), [`PipeCrossingSpec`] ([`CrossingPipeSpec`]), [`ContactBlendSpec`] ([`BlendTubeSpec`]) |
-//! | motions of bodies | [`MotionSpec`] ([`MotionKind`], [`PoseSource`], [`PoseFile`], [`PoseSpec`]), [`TrajectorySpec`], [`SweptSurfaceSpec`], [`MotionReport`], [`sample_poses`] |
+//! | motions of bodies | [`MotionSpec`] ([`MotionKind`], [`PoseSource`], [`PoseFile`], [`PoseSpec`], [`StartSpec`]), [`TrajectorySpec`], [`SweptSurfaceSpec`], [`MotionReport`], [`sample_poses`] |
 //! | maps | [`TransformSpec`], [`RotationSpec`], [`ScaleSpec`], [`SphereSpec`], [`PlaneSpec`] |
 //! | lists of points | [`read_points`] ([`PointTable`], [`PointList`], [`PointRemark`], [`PointColumns`], [`ColumnUnit`], [`unit_of_columns`]) |
 //! | meshes | [`read_quad_grid`] ([`ObjGrid`]), [`MeshFormat`] |
@@ -59,7 +59,7 @@ pub use document::{
     NurbsSpec, ObjectSpec, OffsetSpec, PipeCrossingSpec, PipeSpec, PipeTeeSpec, PlaneSpec, PlateSpec,
     PlateWithNeckSpec, PointFile, PointSource, PolygonMeshFile, PolylineSpec, PoseFile, PoseSource, PoseSpec,
     RadiiSpec, RadiusLawSpec, RatePairs, Remark, RevolutionSpec, RotationSpec, RoundedPolyhedron, RuledSpec, ScaleSpec,
-    SmoothChoice, SmoothMeshSpec, SmoothPolyhedronSpec, SphereBlendSpec, SphereSpec, StepSpec, StraightWord,
+    SmoothChoice, SmoothMeshSpec, SmoothPolyhedronSpec, SphereBlendSpec, SphereSpec, StartSpec, StepSpec, StraightWord,
     SupportStructureSpec, SweptSurfaceSpec, TeeBlendSpec, TeeBranchSpec, TeeLawSpec, TeeMainSpec, TeeRadiusSpec,
     TorusCircleSpec, TorusKnotSpec, TorusMethod, TorusQuarticSpec, TorusSeamSpec, TorusSource, TorusSpec,
     TorusSplineSpec, TrajectorySpec, TransformSpec, TubeFacts, TubeSpec, TypeWord, UnrolledPlane, UnrolledSpec,

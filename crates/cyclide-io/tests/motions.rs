@@ -89,6 +89,24 @@ fn refusals_are_at_their_place() {
             "name a point that moves",
         ),
         (motion(&format!(r#""kind": "sclerp", {TWO}"#)) + r#", "t": {"type": "trajectory", "of": "m"}"#, "helices"),
+        (motion(&format!(r#""start": {{"rpy": [0, 0, 1]}}, {TWO}"#)), "`start` goes with `along`"),
+        (motion(r#""law": "eased""#), "one of both"),
+        (CABLE.to_owned() + &motion(&format!(r#""along": "cable", {TWO}"#)), "one of both"),
+        (CABLE.to_owned() + &motion(r#""along": "cable", "kind": "spline""#), "there is one way"),
+        (CABLE.to_owned() + &motion(r#""along": "cable", "start": {}"#), "`quaternion` or `rpy`"),
+        (CABLE.to_owned() + &motion(r#""along": "cable", "start": {"quaternion": [0, 0, 0, 0]}"#), "is zero"),
+        (CABLE.to_owned() + &motion(r#""along": "cabel""#), "did you mean `cable`"),
+        (motion(r#""along": "m""#), "made from itself"),
+        (
+            r#""f": {"type": "circle-spline", "points": [[0, 0], [4, 1], [5, 4]]}, "#.to_owned()
+                + &motion(r#""along": "f""#),
+            "does not turn a body",
+        ),
+        (
+            r#""c": {"type": "circle", "center": [0, 0], "radius": 2}, "r": {"type": "pipe", "of": "c", "radius": 1}, "#
+                .to_owned() + &motion(r#""along": "r""#),
+            "0 contours",
+        ),
         (
             motion(TWO) + r#", "t": {"type": "transform", "of": "m", "steps": [{"translation": [1, 0, 0]}]}"#,
             "placed by its poses",
@@ -111,6 +129,51 @@ fn refusals_are_at_their_place() {
     ] {
         let message = build_all(&motion(r#""poses": {"csv": "poses.csv"}"#), table).unwrap_err();
         assert!(message.contains(expected), "{message}");
+    }
+}
+
+const CABLE: &str = r#""cable": {"type": "moebius-spline", "points": [[0, 0, 0], [40, 10, 0], [50, 40, 10], [10, 30, 20]], "construction": true}, "#;
+
+#[test]
+fn a_curve_carries_a_body() {
+    let fields = r#""along": "cable", "start": {"rpy": [0, 0, {"degrees": 90}]}, "duration": 4"#;
+    let built = build_all(&(CABLE.to_owned() + &motion(fields)), "").unwrap();
+    let body = built[1].item.motion().unwrap();
+    let (cable, schedule) = (built[0].item.curves()[0].as_curve(), body.schedule().unwrap());
+    assert!((schedule.pose(0.0).rotation().rotate(Vec3::X) - Vec3::Y).length() < 1e-15);
+    assert!((body.duration() - 4.0).abs() < 1e-15);
+    for k in 0..=20 {
+        let pose = schedule.pose(f64::from(k) / 20.0);
+        let on = cyclide::closest_point(cable, cyclide::Point3::ORIGIN + pose.translation());
+        assert!(on.distance < 1e-12, "{}", on.distance);
+    }
+    // Arcs, segments and circles carry one as well; what is of another kind is refused.
+    for curve in [
+        r#"{"type": "polyline", "points": [[0, 0], [40, 0], [40, 30]]}"#,
+        r#"{"type": "arc-spline", "points": [[0, 0], [40, 0], [40, 30]]}"#,
+        r#"{"type": "circle", "center": [0, 0], "radius": 20}"#,
+        r#"{"type": "circle-spline", "order": 1, "variant": "rational", "points": [[0, 0], [40, 0], [40, 30]]}"#,
+        r#"{"type": "qb-interpolation", "points": [[0, 0], [40, 0], [40, 30], [20, 60], [0, 50]]}"#,
+    ] {
+        let built = build_all(&format!(r#""cable": {curve}, {}"#, motion(r#""along": "cable""#)), "").unwrap();
+        let length = cyclide::length(built[0].item.curves()[0].as_curve());
+        let way = built[1].item.motion().unwrap().schedule().unwrap().way();
+        assert!((way - length).abs() < 1e-9 * length, "{curve}: {way} {length}");
+        assert!((built[1].item.motion().unwrap().duration() - 1.0).abs() < 1e-15);
+    }
+}
+
+#[test]
+fn what_a_body_on_a_curve_makes_is_exact_in_files() {
+    let of_it = r#", "p": {"type": "trajectory", "of": "m", "point": [0, 5, 1]},
+        "blade": {"type": "polyline", "points": [[0, -4, 0], [0, 4, 0]], "construction": true},
+        "s": {"type": "swept-surface", "of": "m", "profile": "blade"}"#;
+    let model = model(&(CABLE.to_owned() + &motion(r#""along": "cable""#) + of_it));
+    let exporter = Exporter::new(&model).unwrap();
+    for format in [Format::Step, Format::Json, Format::Glb] {
+        let file = exporter.export(format, &ExportOptions::default()).unwrap();
+        exporter.check("f".as_ref(), format, &file).unwrap();
+        assert_eq!(file.exact, format != Format::Glb);
     }
 }
 

@@ -1,10 +1,13 @@
-//! How fast circle splines are made and evaluated: reads points (`x,y,z` per line) from a file, prints JSON.
+//! How fast circle splines and Möbius splines are made and evaluated: reads points (`x,y,z` per line) from a file, prints JSON.
 //!
 //! `cargo run --release --example spline_throughput -- points.csv 16` evaluates 16 points per segment. It is the half
 //! of `benches/compare_scipy.py` that runs our side.
 #![allow(clippy::print_stdout, reason = "an example program reports by printing")]
 
-use cyclide::{BlendVariant, CircleSpline, CircleSplineOptions, FairSplineOptions, ParamCurve, Point3};
+use cyclide::{
+    BlendVariant, CircleSpline, CircleSplineOptions, FairSplineOptions, MoebiusSplineOptions, ParamCurve, Point3,
+    QbSpline,
+};
 use std::error::Error;
 use std::time::Instant;
 
@@ -38,13 +41,15 @@ fn main() -> Result<(), Box<dyn Error>> {
     measure("circle spline, rational, order 2", circle(BlendVariant::Rational), &parameters, &mut out)?;
     measure("circle spline, trigonometric, order 2", circle(BlendVariant::Trigonometric), &parameters, &mut out)?;
     measure("fair spline", fair(&points), &parameters, &mut out)?;
-    measure("fair spline, planar", fair(&flat), &parameters, &mut out)
+    measure("fair spline, planar", fair(&flat), &parameters, &mut out)?;
+    let options = MoebiusSplineOptions { closed: true, ..Default::default() };
+    measure("Möbius spline", || QbSpline::through_points(&points, &options), &parameters, &mut out)
 }
 
 /// Prints the smallest times of construction and evaluation.
-fn measure(
+fn measure<C: ParamCurve>(
     name: &str,
-    make: impl Fn() -> cyclide::Result<CircleSpline>,
+    make: impl Fn() -> cyclide::Result<C>,
     parameters: &[f64],
     out: &mut [Point3],
 ) -> Result<(), Box<dyn Error>> {

@@ -13,7 +13,7 @@ const HEIGHTS: [f64; 2] = [220.0, 560.0];
 /// Margin about it.
 const MARGIN: f64 = 14.0;
 /// Length of the comb's tooth at the reference curvature.
-const TOOTH: f64 = 48.0;
+const TOOTH: f64 = 36.0;
 /// Teeth longer than so many reference lengths are cut.
 const LONGEST: f64 = 2.0;
 /// Places along each kind that the outline of its comb passes, and how many of them have a tooth.
@@ -41,8 +41,8 @@ impl Scale {
         // The axis of the least extent is the one that is looked along.
         let along = (0..3).rev().fold(2, |best, axis| if size[axis] < size[best] { axis } else { best });
         let axes = [[1, 2], [0, 2], [0, 1]][along];
-        // The comb of the calmest kind leaves this much at each side.
-        let room = 2.0 * (MARGIN + TOOTH);
+        // The longest tooth has room at each side.
+        let room = 2.0 * (MARGIN + LONGEST * TOOTH);
         let [wide, high] = axes.map(|axis| size[axis].max(f64::MIN_POSITIVE));
         let height = ((WIDTH - room) * (high / wide) + room).clamp(HEIGHTS[0], HEIGHTS[1]);
         let factor = ((WIDTH - room) / wide).min((height - room) / high).min(f64::MAX);

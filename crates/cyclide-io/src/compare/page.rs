@@ -60,8 +60,9 @@ header { padding-top: 2.5rem; padding-bottom: 1.25rem; }
 h1 { margin: 0; font-size: 1.9rem; font-weight: 650; letter-spacing: -0.02em; overflow-wrap: anywhere; }
 h2 { margin: 0; font-size: 1.15rem; font-weight: 620; }
 header p { max-width: 52rem; margin: 0.5rem 0 0; color: var(--soft); }
-main { display: grid; grid-template-columns: repeat(auto-fill, minmax(min(34rem, 100%), 1fr)); gap: 1.5rem; padding-bottom: 3rem; }
+main { display: grid; grid-template-columns: repeat(auto-fill, minmax(min(34rem, 100%), 1fr)); grid-auto-flow: dense; gap: 1.5rem; padding-bottom: 3rem; }
 .wide, .words { grid-column: 1 / -1; }
+article:not(:has(svg)) { grid-column: 1 / -1; }
 .wide { overflow-x: auto; background: var(--card); border: 1px solid var(--line); border-radius: 10px; }
 table { border-collapse: collapse; width: 100%; font-size: 0.9rem; font-variant-numeric: tabular-nums; }
 th, td { padding: 0.4rem 0.9rem; text-align: right; white-space: nowrap; border-top: 1px solid var(--line); }
@@ -93,12 +94,19 @@ svg text { fill: var(--soft); font: 11px system-ui, sans-serif; }
 @media print { body { background: none; } article, .wide { break-inside: avoid; } }
 ";
 
-const WORDS: [(&str, &str); 10] = [
-    ("longer", "than the polygon of the points. A calm curve is a little longer; much longer is a detour or a loop."),
+const WORDS: [(&str, &str); 11] = [
+    (
+        "longer",
+        "than the polygon of the points. A calm curve is a little longer; much longer is a detour or a loop, shorter is a fit that cuts corners.",
+    ),
     ("bending energy", "curvature squared over the length, what a thin rod stores. Corners are not counted."),
     (
         "variation",
         "how much the curvature changes: the square of its change over the length, times the cube of the length, so that the size of the curve does not matter. None where the curvature jumps.",
+    ),
+    (
+        "total variation",
+        "how much the curvature goes up and down in all, jumps included: to tell curves apart whose curvature jumps. Less is calmer.",
     ),
     ("changes of side", "from turning left to turning right or back; no curve has fewer than its points ask for."),
     ("largest curvature", "one over the least radius: what limits machines and vehicles, and the radius of pipes."),
@@ -117,7 +125,8 @@ type Row = (&'static str, bool, fn(&CurveMeasures, &str) -> Option<(f64, String)
 
 const ROWS: [Row; 13] = [
     ("length", false, |m, units| Some((m.length, format!("{} {units}", ShortNumber(m.length))))),
-    ("longer", true, |m, _| Some((m.longer, format!("{} %", ShortNumber(100.0 * m.longer))))),
+    // Neither more nor less is better: a fit that cuts corners is shorter than the polygon.
+    ("longer", false, |m, _| Some((m.longer, format!("{} %", ShortNumber(100.0 * m.longer))))),
     ("bending energy", true, |m, units| with_unit(m.bending_energy, &format!("1/{units}"))),
     ("variation", true, |m, _| with_unit(m.variation?, "")),
     ("total variation", true, |m, units| with_unit(m.total_variation, &format!("1/{units}"))),

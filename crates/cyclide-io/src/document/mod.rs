@@ -45,10 +45,10 @@ pub use spec::{
     MotionSpec, NormalsSpec, NurbsSpec, ObjectSpec, OffsetSpec, ParameterRule, ParametersSpec, PipeCrossingSpec,
     PipeSpec, PipeTeeSpec, PlaneSpec, PlateSpec, PlateWithNeckSpec, PolygonMeshFile, PolylineSpec, PoseFile,
     PoseSource, PoseSpec, QbInterpolationSpec, RadiiSpec, RadiusLawSpec, RatePairs, RevolutionSpec, RotationSpec,
-    RuledSpec, ScaleSpec, SmoothMeshSpec, SmoothPolyhedronSpec, SphereBlendSpec, SphereSpec, StepSpec, StraightWord,
-    SupportStructureSpec, SweptSurfaceSpec, TeeBlendSpec, TeeBranchSpec, TeeLawSpec, TeeMainSpec, TeeRadiusSpec,
-    TorusCircleSpec, TorusKnotSpec, TorusMethod, TorusQuarticSpec, TorusSeamSpec, TorusSource, TorusSpec,
-    TorusSplineSpec, TrajectorySpec, TransformSpec, TubeSpec, TypeWord, UnrolledSpec, WindingSpec,
+    RuledSpec, ScaleSpec, SmoothMeshSpec, SmoothPolyhedronSpec, SphereBlendSpec, SphereSpec, StartSpec, StepSpec,
+    StraightWord, SupportStructureSpec, SweptSurfaceSpec, TeeBlendSpec, TeeBranchSpec, TeeLawSpec, TeeMainSpec,
+    TeeRadiusSpec, TorusCircleSpec, TorusKnotSpec, TorusMethod, TorusQuarticSpec, TorusSeamSpec, TorusSource,
+    TorusSpec, TorusSplineSpec, TrajectorySpec, TransformSpec, TubeSpec, TypeWord, UnrolledSpec, WindingSpec,
 };
 
 /// The document version this crate reads.

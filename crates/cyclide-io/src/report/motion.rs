@@ -1,6 +1,6 @@
 //! What is reported of motions.
 
-use cyclide::{Motion, MotionJet, MovingBody, TimeLaw};
+use cyclide::{Motion, MotionJet, MovingBody, TimeLaw, Vec3};
 use serde::Serialize;
 
 use super::RangeReport;
@@ -44,6 +44,8 @@ pub struct MotionReport {
     pub jerk: f64,
     /// Largest jump of the velocity of the tool from span to span.
     pub velocity_jump: f64,
+    /// Largest jump of the angular velocity from span to span, radians per second.
+    pub angular_velocity_jump: f64,
 }
 
 impl MotionReport {
@@ -68,6 +70,7 @@ impl MotionReport {
             acceleration: 0.0,
             jerk: 0.0,
             velocity_jump: 0.0,
+            angular_velocity_jump: 0.0,
         };
         // The body was measured when it was made: what it cannot be measured by was refused.
         if let Ok(schedule) = body.schedule() {
@@ -99,8 +102,10 @@ impl MotionReport {
         let own = self.duration / (motion.domain()[1] - motion.domain()[0]);
         if body.law() == TimeLaw::AsGiven {
             for time in &motion.times()[1..self.spans] {
-                let [left, right] = [time.next_down(), *time].map(|t| motion.jet(t, body.tool()).point.d1);
-                self.velocity_jump = self.velocity_jump.max((right - left).length() / own);
+                let [left, right] = [time.next_down(), *time].map(|t| motion.jet(t, body.tool()));
+                let jump = |f: fn(&MotionJet) -> Vec3| (f(&right) - f(&left)).length() / own;
+                self.velocity_jump = self.velocity_jump.max(jump(|jet| jet.point.d1));
+                self.angular_velocity_jump = self.angular_velocity_jump.max(jump(|jet| jet.angular_velocity));
             }
         }
     }

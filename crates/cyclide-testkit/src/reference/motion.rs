@@ -87,7 +87,7 @@ fn qb_as_motion(case: &Case, check: &mut Check) -> Result<(), Fault> {
         row[0]
     };
     let by_paper = StudyPoint::from_paper(at(|pair| pair.d), at(|pair| pair.n))?.displace(x);
-    let motion = RationalMotion::along(&QbSpline::from_curve(curve.clone())?)?;
+    let motion = RationalMotion::along(&QbSpline::from_curve(curve.clone())?, curve.pairs()[0].d)?;
     for (field, point) in [("paper_action", by_paper), ("half_convention", motion.pose(t).apply(x))] {
         let allowed = relative(case, check, field, 0);
         check.vector(field, Some(&xyz(point)), &move |_| allowed);

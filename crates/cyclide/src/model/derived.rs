@@ -6,7 +6,7 @@ use super::object::CurveObject;
 use super::surface_object::SurfaceObject;
 use crate::conformal::mobius::{Conformal, Mobius};
 use crate::construct::{Pipe, Revolution};
-use crate::curve::{Arc, ArcPath, ParamCurve as _};
+use crate::curve::{Arc, ArcPath, ParamCurve as _, QbSpline};
 use crate::error::{Error, Result};
 use crate::surface::CyclidicNet;
 use crate::topology::{Body, EdgeCurve, Shell};
@@ -98,6 +98,24 @@ impl CurveObject {
             Self::TorusSpline(spline) => spline.pieces().iter().all(|piece| piece.degree() == 2),
             Self::Nurbs(curve) => curve.degree() == 1,
             Self::QbSpline(spline) => spline.spans().iter().all(|span| span.degree() == 1),
+        }
+    }
+
+    /// The chain of QB curves that it is, if it is one: of arcs and segments, a Möbius spline, an interpolant, or a circle spline of
+    /// order 1 in its rational variant.
+    ///
+    /// ```
+    /// use cyclide::{Circle, CurveObject, Point3, Vec3};
+    /// let circle = CurveObject::from(Circle::from_radius(Point3::ORIGIN, Vec3::Z, 1.0)?);
+    /// assert_eq!(circle.to_qb_spline().map(|chain| chain.degree()), Some(1));
+    /// # Ok::<(), cyclide::Error>(())
+    /// ```
+    #[must_use]
+    pub fn to_qb_spline(&self) -> Option<QbSpline> {
+        match self {
+            Self::QbSpline(spline) => Some(spline.clone()),
+            Self::CircleSpline(spline) => QbSpline::from_circle_spline(spline),
+            _ => self.spine(None).ok().map(|arcs| QbSpline::from_arcs(&arcs)),
         }
     }
 

@@ -4,35 +4,39 @@
 //! is `d + ε n/2`, on the quadric exactly because the curve is in three-space (`docs/math/motions.md#qb-curves-as-motions`; source: `003`,
 //! section 2, whose action moves the origin on −2 times the curve).
 
+use super::pose::Pose;
 use super::rational_motion::{MotionSpan, RationalMotion};
 use crate::base::quat::Quat;
-use crate::base::vector::Point3;
+use crate::base::vector::{Point3, Vec3};
 use crate::conformal::hpoint::HPoint;
 use crate::curve::{ParamCurve, QbCurve, QbSpline};
 use crate::error::Result;
 
 impl RationalMotion {
     /// The motion that a chain of QB curves carries: the origin of the body runs on the curve, at the times of its
-    /// [knots](QbSpline::knots), turned by its denominators. Those of each span but the first
-    /// are multiplied by a constant so that the body does not jump at joints; its angular velocity may. Of degree `n` of the spans: points run on curves of degree `2n`.
+    /// [knots](QbSpline::knots), turned by its denominators. Those of each span are multiplied by a constant from the right, so that the
+    /// body has the rotation `start` at the start (any length but zero; `Quat::ONE`: not turned) and does not jump at joints; its angular velocity may. Of degree `n` of the spans: points run
+    /// on curves of degree `2n`. Along an arc a direction of the body that is tangent stays so, and those across turn no more than they must; on other curves the
+    /// body turns in its own way.
     ///
     /// # Errors
-    /// `motion-through-exceptional-point` (the curve runs out to infinity, as near as rounding tells).
+    /// `not-finite`, `zero-rotation`, `motion-through-exceptional-point` (the curve runs out to infinity, as near as rounding tells).
     ///
     /// ```
-    /// use cyclide::{MoebiusSplineOptions, ParamCurve, Point3, QbSpline, RationalMotion};
+    /// use cyclide::{MoebiusSplineOptions, ParamCurve, Point3, QbSpline, Quat, RationalMotion};
     /// let points = [[0.0, 0.0, 0.0], [4.0, 1.0, 0.0], [5.0, 4.0, 1.0], [1.0, 3.0, 2.0]].map(Point3::from);
     /// let spline = QbSpline::through_points(&points, &MoebiusSplineOptions::default())?;
-    /// let motion = RationalMotion::along(&spline)?;
+    /// let motion = RationalMotion::along(&spline, Quat::ONE)?;
     /// let time = spline.knots()[1];
     /// assert!((motion.pose(time).translation() - points[1].to_vec()).length() < 1e-14);
     /// # Ok::<(), cyclide::Error>(())
     /// ```
-    pub fn along(spline: &QbSpline) -> Result<Self> {
+    pub fn along(spline: &QbSpline, start: Quat) -> Result<Self> {
+        let start = Pose::new(start, Vec3::ZERO)?.rotation();
         let (origin, times) = (spline.point(0.0), spline.knots().to_vec());
         let mut spans: Vec<Vec<HPoint>> = Vec::with_capacity(spline.spans().len());
         for span in spline.spans() {
-            let before = spans.last().and_then(|pairs| pairs.last()).map(|pair| pair.d);
+            let before = spans.last().and_then(|pairs| pairs.last()).map_or(start, |pair| pair.d);
             spans.push(gauged(span, origin, before));
         }
         // Dual parts are of the size of the real ones in this unit.
@@ -47,11 +51,11 @@ impl RationalMotion {
     }
 }
 
-/// The pairs of a span, multiplied from the right so that its first denominator is this one; as they are without.
-fn gauged(span: &QbCurve, origin: Point3, first: Option<Quat>) -> Vec<HPoint> {
+/// The pairs of a span, multiplied from the right so that its first denominator is this one.
+fn gauged(span: &QbCurve, origin: Point3, first: Quat) -> Vec<HPoint> {
     let pairs = span.pairs_about(origin);
     // A denominator of zero is a point at infinity, which the chain does not have.
-    let gauge = first.and_then(|first| Some(pairs[0].d.inverse()? * first)).unwrap_or(Quat::ONE);
+    let gauge = pairs[0].d.inverse().map_or(Quat::ONE, |inverse| inverse * first);
     pairs.iter().map(|pair| HPoint { n: pair.n * gauge, d: pair.d * gauge }).collect()
 }
 

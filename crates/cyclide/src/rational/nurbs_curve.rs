@@ -146,6 +146,11 @@ impl NurbsCurve {
             let last = piece + 1 == curves.len();
             knots.extend(std::iter::repeat_n(if last { 1.0 } else { sum / total }, degree + usize::from(last)));
         }
+        // Of a closed curve the scales multiply to 1, up to a rounding for each joint: where the end has the weight of the start, it has it to the bit.
+        let end = weights.len() - 1;
+        if (weights[end] - weights[0]).abs() <= 4.0 * f64::EPSILON * curves.len() as f64 * weights[0] {
+            weights[end] = weights[0];
+        }
         Self::new(degree, knots, points, weights)
     }
 

@@ -3,6 +3,7 @@
 
 #![allow(clippy::unwrap_used, reason = "what cannot be made fails the test")]
 
+mod along;
 mod cubics;
 mod data;
 mod frames;

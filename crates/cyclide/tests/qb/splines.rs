@@ -2,8 +2,8 @@
 
 use crate::data::{PARAMETERS, outside_inversion};
 use cyclide::{
-    CircleSpline, CircleSplineOptions, Conformal, MoebiusSplineOptions, NodeParameters, ParamCurve, Point3, QbSpline,
-    Vec3, bounds, joints,
+    CircleSpline, CircleSplineOptions, Conformal, CurveObject, Lower, MoebiusSplineOptions, NodeParameters, NurbsCurve,
+    ParamCurve, Point3, QbInterpolation, QbNode, QbSpline, Vec3, bounds, closest_point, joints,
 };
 use cyclide_testkit::generators::point;
 use proptest::prelude::*;
@@ -229,4 +229,55 @@ fn both_sides_of_a_corner_are_splines_of_their_own() {
     }
     let bad = MoebiusSplineOptions { corners: vec![9], ..Default::default() };
     assert_eq!(QbSpline::through_points(&points, &bad).unwrap_err().reason(), "parameter-out-of-range");
+}
+
+#[test]
+fn arcs_follow_a_curve_through_its_cusps() {
+    let at = |x: f64, y: f64| Point3::new(x, y, 0.0);
+    // At 1/2 and, cut unevenly, elsewhere: the control points of the cubic cross so that its velocity vanishes.
+    let points = [at(0.0, 0.0), at(40.0, 40.0), at(0.0, 40.0), at(40.0, 0.0)];
+    let cubic = NurbsCurve::new(3, [[0.0; 4], [1.0; 4]].concat(), points.to_vec(), vec![1.0; 4]).unwrap();
+    let (part, _) = cubic.split(0.83).unwrap();
+    let node = |point: Point3, derivatives: Vec<Vec3>, parameter: f64| QbNode { parameter, point, derivatives };
+    let nodes = [
+        node(at(0.0, 0.0), vec![], 0.0),
+        node(at(20.0, 30.0), vec![Vec3::ZERO, Vec3::Y * -400.0], 0.5),
+        node(at(40.0, 0.0), vec![], 1.0),
+    ];
+    let quotient = QbInterpolation::through_nodes(&nodes).unwrap().curve().clone();
+    let curves = [CurveObject::from(cubic), CurveObject::from(part), QbSpline::from_curve(quotient).unwrap().into()];
+    for curve in curves {
+        for tolerance in [1e-1, 1e-3, 1e-4] {
+            let arcs = curve.lower_to_arcs(tolerance).unwrap().form;
+            assert!(arcs.arcs().len() < 400, "{}", arcs.arcs().len());
+            for t in (0..=2000).map(|k| f64::from(k) / 2000.0) {
+                let off = closest_point(&arcs, curve.as_curve().point(t)).distance;
+                assert!(off <= tolerance, "{off} {tolerance} at {t}");
+            }
+            for t in (0..=2000).map(|k| f64::from(k) / 2000.0) {
+                let off = closest_point(curve.as_curve(), arcs.point(t)).distance;
+                assert!(off <= tolerance, "{off} {tolerance} of the arcs at {t}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_long_closed_chain_ends_with_the_weight_it_starts_with() {
+    // Readers bend the end of a curve that is called closed and is not; and the scales of a thousand spans round differently.
+    let place = |k: usize| {
+        let a = std::f64::consts::TAU * k as f64 / 1000.0;
+        let r = 700.0 + 150.0 * (3.0 * a).cos() + 20.0 * (17.0 * a).sin();
+        Point3::new(r * a.cos(), r * a.sin(), 20.0 * a.sin() + 5.0 * (9.0 * a).cos())
+    };
+    let points: Vec<Point3> = (0..1000).map(place).collect();
+    let spline = QbSpline::through_points(&points, &options(true)).unwrap();
+    let runs = spline.to_nurbs_runs().unwrap();
+    assert_eq!(runs.len(), 1);
+    let smooth = runs[0].with_c1_knots().unwrap();
+    for curve in [&runs[0], &smooth] {
+        assert_eq!(curve.weights().first(), curve.weights().last());
+        assert_eq!(curve.control_points().first(), curve.control_points().last());
+    }
+    assert!(smooth.knot_multiplicities()[1..1000].iter().all(|(_, m)| *m == smooth.degree() - 1));
 }

@@ -2,7 +2,7 @@
 
 use cyclide::{
     BodyMesh, CubicMotions, CurveObject, Motion, MovingBody, Pose, Quat, RationalMotion, ScrewMotion, SurfaceObject,
-    SweptSurface, TimedPose,
+    SweptSurface, TimedPose, Vec3,
 };
 
 use super::Builder;
@@ -10,7 +10,7 @@ use crate::document::angle::Angle;
 use crate::document::coordinates::Coordinates;
 use crate::document::locate::Step;
 use crate::document::spec::{
-    MotionKind, MotionSpec, ObjectSpec, PoseSource, PoseSpec, SweptSurfaceSpec, TrajectorySpec,
+    MotionKind, MotionSpec, ObjectSpec, PoseSource, PoseSpec, StartSpec, SweptSurfaceSpec, TrajectorySpec,
 };
 use crate::error::{Error, Result};
 use crate::input::points::read_poses;
@@ -25,11 +25,20 @@ impl Builder<'_> {
     }
 
     fn motion(&mut self, spec: &MotionSpec) -> Result<MovingBody> {
-        if spec.choice.is_some() && spec.kind != MotionKind::Cubic {
+        let kind = spec.kind.unwrap_or_default();
+        if spec.choice.is_some() && kind != MotionKind::Cubic {
             return Err(self.unfit("only a `cubic` has a `choice`: other motions are one"));
         }
-        let (poses, timed) = self.poses(&spec.poses)?;
-        let motion = match spec.kind {
+        let source = match (&spec.poses, &spec.along) {
+            (Some(source), None) => source,
+            (None, Some(curve)) => return self.along(spec, curve),
+            _ => return Err(self.unfit("a motion has `poses`, or a curve that it runs `along`: one of both")),
+        };
+        if spec.start.is_some() {
+            return Err(self.unfit("`start` goes with `along`: poses say how the body is turned"));
+        }
+        let (poses, timed) = self.poses(source)?;
+        let motion = match kind {
             MotionKind::Spline => RationalMotion::spline(&poses).map(Motion::from),
             MotionKind::Sclerp => ScrewMotion::new(&poses).map(Motion::from),
             MotionKind::Conic => RationalMotion::conic(&poses).map(Motion::from),
@@ -37,7 +46,43 @@ impl Builder<'_> {
             MotionKind::Cubic => return self.cubic(spec, &poses, timed),
         };
         let motion = motion.map_err(|e| self.pose_refused(&e))?;
-        self.body(spec, motion)
+        let [first, last] = motion.domain();
+        self.body(spec, motion, last - first)
+    }
+
+    /// The motion that a curve carries.
+    fn along(&mut self, spec: &MotionSpec, curve: &str) -> Result<MovingBody> {
+        if spec.kind.is_some() {
+            return Err(self.unfit("`kind` is how a body goes from pose to pose: `along` a curve there is one way"));
+        }
+        let contours = self.sources.first().map_or(&[][..], |source| source.item.curves());
+        let [contour] = contours else {
+            let message = format!("`{curve}` has {} contours: a motion runs along a curve of one", contours.len());
+            return Err(Error::Input(self.diagnostic(["along".into()], &message)));
+        };
+        let Some(chain) = contour.to_qb_spline() else {
+            let message = format!(
+                "`{curve}` does not turn a body: a motion runs along arcs and segments, a `moebius-spline`, a `qb-interpolation`, or a rational `circle-spline` of order 1"
+            );
+            return Err(Error::Input(self.diagnostic(["along".into()], &message)));
+        };
+        let start = match spec.start {
+            None => Quat::ONE,
+            Some(StartSpec { quaternion: Some(quaternion), rpy: None }) => Quat::from(quaternion),
+            Some(StartSpec { quaternion: None, rpy: Some(angles) }) => {
+                let turned = Pose::from_roll_pitch_yaw(Vec3::ZERO, angles.map(Angle::radians));
+                turned.map_err(|e| self.refused_at(["start".into()], &e))?.rotation()
+            }
+            Some(_) => {
+                let message = "`start` is a `quaternion` or `rpy`: one of both";
+                return Err(Error::Input(self.diagnostic(["start".into()], message)));
+            }
+        };
+        let motion = RationalMotion::along(&chain, start).map_err(|e| match e {
+            cyclide::Error::ZeroRotation { .. } => self.refused_at(["start".into()], &e),
+            _ => self.refused_at(["along".into()], &e),
+        })?;
+        self.body(spec, motion.into(), 1.0)
     }
 
     /// The motion of degree 3, at its own times between the first and the last.
@@ -62,15 +107,14 @@ impl Builder<'_> {
             let message = "a cubic sets the times of the two poses in the middle: those given for them are left aside";
             self.remark("times-not-taken", None, None, self.place_of([Step::from("poses")]), message.to_owned());
         }
-        self.body(spec, motion.into())
+        self.body(spec, motion.into(), ends[1] - ends[0])
     }
 
-    /// The body with its tool, law and shape.
-    fn body(&mut self, spec: &MotionSpec, motion: Motion) -> Result<MovingBody> {
+    /// The body with its tool, law and shape; it takes so long if the document does not say.
+    fn body(&mut self, spec: &MotionSpec, motion: Motion, duration: f64) -> Result<MovingBody> {
         let tool = spec.tool.unwrap_or_default().point();
-        let [first, last] = motion.domain();
         let made = MovingBody::new(motion).with_tool(tool, spec.arm.unwrap_or(0.0));
-        let made = made.and_then(|body| body.with_law(spec.law, spec.duration.unwrap_or(last - first)));
+        let made = made.and_then(|body| body.with_law(spec.law, spec.duration.unwrap_or(duration)));
         let made = made.map_err(|e| self.refused(&e, None))?;
         let Some(file) = &spec.mesh else { return Ok(made) };
         let (name, mesh) = self.mesh_of_file(file)?;
@@ -139,7 +183,7 @@ impl Builder<'_> {
 
     /// What the kernel refused of the poses, at the one it is about.
     fn pose_refused(&self, error: &cyclide::Error) -> Error {
-        let inline = matches!(self.spec, ObjectSpec::Motion(MotionSpec { poses: PoseSource::Inline(_), .. }));
+        let inline = matches!(self.spec, ObjectSpec::Motion(MotionSpec { poses: Some(PoseSource::Inline(_)), .. }));
         match error.index().filter(|_| inline) {
             Some(index) => self.refused_at(["poses".into(), index.into()], error),
             None => self.refused_at(["poses".into()], error),

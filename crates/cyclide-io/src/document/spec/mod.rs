@@ -42,7 +42,9 @@ pub use derived::{
 };
 pub use fair::{FairEndPair, FairEndSpec, FairEndWord, FairEndsSpec, FairSplineSpec, StraightWord};
 pub use interpolated::{MoebiusContinuity, MoebiusSplineSpec, ParameterRule, ParametersSpec, QbInterpolationSpec};
-pub use motions::{MotionKind, MotionSpec, PoseFile, PoseSource, PoseSpec, SweptSurfaceSpec, TrajectorySpec};
+pub use motions::{
+    MotionKind, MotionSpec, PoseFile, PoseSource, PoseSpec, StartSpec, SweptSurfaceSpec, TrajectorySpec,
+};
 pub use nets::{CyclideSpec, CyclidicNetSpec, FrameSpec, GridSource, MeshFile};
 pub use nurbs::NurbsSpec;
 pub use polygon_mesh_file::PolygonMeshFile;
@@ -167,7 +169,7 @@ pub enum ObjectSpec {
     CircularSurface(CircularSurfaceSpec),
     /// Straight lines between two curves.
     Ruled(RuledSpec),
-    /// A motion of a body through poses.
+    /// A motion of a body, through poses or along a curve.
     Motion(MotionSpec),
     /// The path of a point of a moving body.
     Trajectory(TrajectorySpec),

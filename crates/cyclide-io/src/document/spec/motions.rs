@@ -9,7 +9,7 @@ use super::{PolygonMeshFile, TypeWord};
 use crate::document::angle::Angle;
 use crate::document::coordinates::Coordinates;
 
-/// A motion of a rigid body through poses: where it is at which time. GLB files animate it, the command `sample` gives its poses, and
+/// A motion of a rigid body, through poses or along a curve: where it is at which time. GLB files animate it, the command `sample` gives its poses, and
 /// `trajectory` and `swept-surface` are made of it.
 ///
 /// ```
@@ -32,15 +32,19 @@ pub struct MotionSpec {
     /// Construction geometry: built and reported, not written to files.
     #[serde(default)]
     pub construction: bool,
-    /// How the body goes from pose to pose.
-    #[serde(default)]
-    pub kind: MotionKind,
-    /// The poses, or a file of them.
-    pub poses: PoseSource,
+    /// How the body goes from pose to pose. Default `spline`.
+    pub kind: Option<MotionKind>,
+    /// The poses, or a file of them; or `along` instead.
+    pub poses: Option<PoseSource>,
+    /// Name of a curve of one contour on which the origin of the body runs, turned by the quaternions of the curve: arcs, segments,
+    /// `moebius-spline`, `qb-interpolation`, or a rational `circle-spline` of order 1. It may be construction geometry.
+    pub along: Option<String>,
+    /// With `along`: how the body is turned at the start of the curve. Default: not turned.
+    pub start: Option<StartSpec>,
     /// How the body runs along the motion.
     #[serde(default)]
     pub law: TimeLaw,
-    /// How long the motion takes, in seconds. Default: from the first to the last time of the poses.
+    /// How long the motion takes, in seconds. Default: from the first to the last time of the poses; 1 along a curve.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub duration: Option<f64>,
     /// The point of the body that is measured, and along whose way laws go. Default: its origin.
@@ -59,8 +63,8 @@ impl MotionSpec {
     /// The files that it refers to.
     pub(in crate::document) fn files(&self) -> impl Iterator<Item = &str> {
         let poses = match &self.poses {
-            PoseSource::File(file) => Some(file.csv.as_str()),
-            PoseSource::Inline(_) => None,
+            Some(PoseSource::File(file)) => Some(file.csv.as_str()),
+            _ => None,
         };
         poses.into_iter().chain(self.mesh.as_ref().map(|file| file.path.as_str()))
     }
@@ -149,6 +153,23 @@ pub struct PoseSpec {
     /// Rotation and position as the rows of a matrix that is multiplied by columns of points: three, or four with `[0, 0, 0, 1]`.
     #[schemars(length(min = 3, max = 4))]
     pub matrix: Option<Vec<[f64; 4]>>,
+}
+
+/// How a body is turned at the start, in one of two notations.
+///
+/// ```
+/// use cyclide_io::StartSpec;
+/// let start: StartSpec = serde_json::from_str(r#"{"rpy": [0, 0, {"degrees": 90}]}"#)?;
+/// assert!(start.quaternion.is_none() && start.rpy.is_some());
+/// # Ok::<(), serde_json::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct StartSpec {
+    /// The rotation as a quaternion `[w, x, y, z]` of any length.
+    pub quaternion: Option<[f64; 4]>,
+    /// The rotation as roll, pitch and yaw, as those of poses.
+    pub rpy: Option<[Angle; 3]>,
 }
 
 /// The path of a point of a moving body: an exact rational curve.

@@ -9,6 +9,7 @@
 //! Degree 1 are the arcs of circles and straight segments.
 
 mod evaluate;
+mod from_arcs;
 mod from_blend;
 mod modify;
 mod rational;

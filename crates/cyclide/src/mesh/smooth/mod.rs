@@ -182,18 +182,22 @@ fn within(surface: &impl Divided, tolerance: f64, most: usize) -> Result<SmoothT
 /// The divisions that the worst triangle asks for. Where the surface folds or has a cusp its deviation falls slowly, or not at
 /// all: so its worst place is halved until it is near enough, and costly meshes are not tried in vain.
 fn wanted(surface: &impl Divided, mut worst: Worst, divisions: usize, tolerance: f64, finest: f64) -> Result<f64> {
-    let asked =
-        |worst: Worst, n: usize| (n as f64 * (RESERVE * worst.farthest.distance / tolerance).sqrt() * MORE).ceil();
-    let mut wanted = asked(worst, divisions);
+    let times_off = |worst: Worst| RESERVE * worst.farthest.distance / tolerance;
+    let least = (divisions as f64 * times_off(worst).sqrt() * MORE).ceil();
     if divisions < FEW {
-        return Ok(wanted.min(FEW as f64));
+        return Ok(least.min(FEW as f64));
     }
-    let mut n = divisions;
-    while RESERVE * worst.farthest.distance > tolerance && (2 * n) as f64 <= finest {
-        (worst, n) = (surface.halved(worst)?, 2 * n);
-        wanted = wanted.max(asked(worst, n));
+    let mut n = divisions as f64;
+    while 2.0 * n <= finest {
+        let halved = surface.halved(worst)?;
+        if times_off(halved) <= 1.0 {
+            // Between the two it falls with a power of the divisions.
+            let order = (times_off(worst) / times_off(halved)).log2();
+            return Ok((n * times_off(worst).powf(order.recip()) * MORE).ceil().min(2.0 * n).max(least));
+        }
+        (worst, n) = (halved, 2.0 * n);
     }
-    Ok(wanted)
+    Ok((n * times_off(worst).sqrt() * MORE).ceil().max(least))
 }
 
 fn check_divisions(triangles: usize, divisions: usize, most: usize) -> Result<()> {
