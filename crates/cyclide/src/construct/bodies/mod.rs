@@ -6,6 +6,7 @@ mod contact_blend;
 mod crossing_arcs;
 mod ellipse_bridge;
 mod ellipse_ring;
+mod halving;
 mod input_chain;
 mod kinks;
 mod neck;
