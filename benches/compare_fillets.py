@@ -220,6 +220,17 @@ def cases():
             for t in (1e-3, 1e-6)
         },
     )  # fmt: skip
+    pipes = [{"radius": 2, "ends": [-6, 6]}, {"radius": 1.5, "ends": [-6, 6]}]
+    yield (
+        "cylinders that pass each other",
+        [BRepPrimAPI_MakeCylinder(axis((-6, 0, 0), (1, 0, 0)), 2, 12).Shape(), BRepPrimAPI_MakeCylinder(axis((0, -6, 3), (0, 1, 0)), 1.5, 12).Shape()],
+        Quadric((0, 0, 0), (1, 0, 0), 2),
+        Quadric((0, 0, 3), (0, 1, 0), 1.5),
+        {
+            f"cyclide, radius to {t:.0e}": {"type": "pipe-crossing", "pipes": pipes, "distance": 3, "blend": RADIUS, "tolerance": t}
+            for t in (1e-3, 1e-6)
+        },
+    )  # fmt: skip
 
 
 def main():

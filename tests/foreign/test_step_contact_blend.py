@@ -138,6 +138,25 @@ def test_solids_of_every_pair_are_cut_rounded_and_sectioned(name, program, tmp_p
     assert len(section) > 0 and abs((section - 0.5 * (low + high)) @ [0.3, 1, 0.1]).max() < 1e-6
 
 
+RINGS = {
+    "plate": {"ring": {"radius": 30, "tube": 8, "height": 2}, "plate": {"radius": 60}, "thickness": 7, "blend": 3},
+    "sphere": {"ring": {"radius": 20, "tube": 6, "height": 18}, "sphere": 30, "blend": 2},
+}
+
+
+@pytest.mark.parametrize("name", RINGS)
+def test_rings_are_solids_of_analytic_surfaces_and_are_cut(name, program, tmp_path):
+    step, fields, report = made(program, tmp_path, RINGS[name])
+    _, users = structure(step, closed=True)
+    assert len(step.solids) == 1 and step.exactly_valid
+    kinds = {face.kind for face in step.faces}
+    assert kinds == ({"torus", "plane", "cylinder"} if name == "plate" else {"torus", "sphere"})
+    assert sum(face.volume() for face in step.faces) == pytest.approx(report["volume"], rel=1e-9)
+    # Smooth but for both circles of the rim of a plate, in quarters.
+    assert len(modelling.creases(users)) == (8 if name == "plate" else 0)
+    assert_cuts(step, report["volume"], modelling.slab, modelling.drill)
+
+
 def at_end(edge, fields):
     """Whether an edge lies in the plane of the tube's end."""
     through, way, _, _ = tube(fields)

@@ -6,6 +6,7 @@ use cyclide::{
     BlendBase, BlendTube, Body, CanalPatch, ContactBlend, ContactPartner, FaceSurface, NeckSide, PlateShape, Point3,
     RationalBezier, RationalBezierSurface, RollingBall, TeeEnds, Vec3, surface_joints,
 };
+use proptest::prelude::*;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 const SPHERE: BlendBase = BlendBase::Sphere { radius: 5.0 };
@@ -235,4 +236,60 @@ fn the_canal_of_contacts_touches_both_surfaces() {
     assert_eq!(CanalPatch::at_contacts(&contacts, &long, floor).unwrap_err().reason(), "parameter-out-of-range");
     let below = ContactPartner::Plane { normal: Vec3::Z, offset: 9.0 };
     assert_eq!(CanalPatch::at_contacts(&contacts, &normals, below).unwrap_err().reason(), "no-positive-radius");
+}
+
+/// A tube whose wall comes near to the sphere on the far side of its centre, with a small ball: the contacts are nearly one point, on nearly one plane.
+#[test]
+fn a_tube_that_all_but_touches_the_sphere_from_inside_is_blended() {
+    let through = Point3::new(0.43022944031001903, 0.0, 0.0);
+    let tube = BlendTube { through, direction: Vec3::Z, radius: 0.5697699655803016, taper: 0.0, length: 3.0 };
+    let blend = ContactBlend::new(tube, BlendBase::Sphere { radius: 1.0 }, 0.00023244757840035736).unwrap();
+    let made = blend.with_tolerance(2.3244757840035737e-05).and_then(|blend| blend.made()).unwrap();
+    assert!(made.body.is_solid());
+    check(&made.body, 0.0);
+}
+
+/// What may be refused of any blend of a tube with a sphere, all by name.
+const REFUSALS: [&str; 8] = [
+    "contact-loop-open",
+    "contact-loop-turns-back",
+    "contact-blend-folds",
+    "contact-tube-too-short",
+    "ball-does-not-fit",
+    "radius-not-positive",
+    "too-many-pieces",
+    "parallel-contact",
+];
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 48, ..ProptestConfig::default() })]
+
+    #[test]
+    fn tubes_near_the_wall_of_their_sphere_are_solids_or_refused_by_name(
+        radius in 0.02..0.98_f64,
+        gap in -9.0..-0.5_f64,
+        ball in -7.0..-0.5_f64,
+        tolerance in -3.0..-0.5_f64,
+        cone in prop::option::of(-0.6..0.6_f64),
+        inside: bool,
+    ) {
+        let away = 1.0 - radius - 10.0_f64.powf(gap);
+        let ball = 10.0_f64.powf(ball);
+        let taper = cone.unwrap_or(0.0);
+        let tube = BlendTube { through: Point3::new(0.0, away, 0.0), direction: Vec3::Z, radius, taper, length: 3.0 };
+        let side = if inside { NeckSide::Inside } else { NeckSide::Outside };
+        let blend = ContactBlend::new(tube, BlendBase::Sphere { radius: 1.0 }, ball).unwrap().with_side(side);
+        match blend.with_tolerance(ball * 10.0_f64.powf(tolerance)).unwrap().made() {
+            Ok(made) => {
+                prop_assert!(made.body.is_solid());
+                for joint in made.body.shells().flat_map(surface_joints) {
+                    prop_assert!(joint.gap < 1e-11, "{joint:?}");
+                }
+            }
+            Err(error) => {
+                prop_assert!(REFUSALS.contains(&error.reason()), "{error}");
+                prop_assert!(cone.is_some() || error.reason() != "contact-loop-turns-back", "{error}");
+            }
+        }
+    }
 }

@@ -3,8 +3,8 @@
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
 
 use cyclide::{
-    ArcLength, ArcPath, Ball, Body, Circle, CircleSpline, CircleSplineOptions, CurveObject, FairSplineOptions, Frame,
-    Lower as _, ParamSurface as _, Pipe, PipeEnds, Point2, Point3, RadiusLaw, Torus, TorusSpline, Tube, Vec3,
+    ArcLength, ArcPath, Ball, Body, Circle, CircleSpline, CircleSplineOptions, CurveObject, Error, FairSplineOptions,
+    Frame, Lower as _, ParamSurface as _, Pipe, PipeEnds, Point2, Point3, RadiusLaw, Torus, TorusSpline, Tube, Vec3,
     surface_joints,
 };
 use std::f64::consts::{PI, TAU};
@@ -300,4 +300,23 @@ fn bends_of_the_radius_fold() {
         assert_eq!(body(5.0 * (1.0 - less)).unwrap_err().reason(), "tube-folds", "{less}");
     }
     assert!(body(5.0 * (1.0 - 1e-4)).is_ok());
+}
+
+/// A way of 1e-8 between balls is known to as many digits as its length has beyond rounding, and their circles, as far from it as they are large, to fewer: the skin between cannot be
+/// sewn, and that is what is said.
+#[test]
+fn balls_too_near_to_be_told_apart_are_refused_as_such() {
+    let balls = [
+        ball([1.7317368563446265, 2.4497117096461842, 0.061535154442694084, 0.0023592777798586437]),
+        ball([1.8658253375525313, 2.349190458380712, 0.06712199898988698, 0.0023592777798586437]),
+        ball([1.8658253630720556, 2.3491904381120388, 0.06712200007619842, 0.0023592777798586437]),
+    ];
+    let error = Tube::through(&balls, false).and_then(|tube| tube.body()).unwrap_err();
+    let named = |error: &Error| match error {
+        Error::CoincidentPoints { first: 1, second: 2, distance, limit } => *distance < 4e-8 && distance < limit,
+        _ => false,
+    };
+    assert!(named(&error), "{error}");
+    let apart = [balls[0], balls[1], ball([1.87, 2.346, 0.0673, 0.0023592777798586437])];
+    assert!(Tube::through(&apart, false).and_then(|tube| tube.body()).is_ok());
 }

@@ -37,6 +37,41 @@ fn blends_are_solids_with_a_report() {
 }
 
 #[test]
+fn rings_are_solids_with_a_report() {
+    let ring = r#""ring": {"radius": 30, "tube": 8, "height": 2}"#;
+    let on = |rest: &str| surface(&blend(&format!("{ring}, {rest}")).unwrap());
+    let plate = on(r#""plate": {"radius": 60}, "thickness": 7, "blend": 3"#);
+    assert!(plate.closed && plate.bodies == 1 && plate.blends[0].radius.min.to_bits() == 3.0_f64.to_bits());
+    let sheet = on(r#""plate": {"radius": 60}, "blend": 3"#);
+    assert!(!sheet.closed);
+    let thicker = on(r#""plate": {"radius": 60}, "thickness": 8, "blend": 3"#);
+    let disk = std::f64::consts::PI * 3600.0;
+    assert!((thicker.volume.unwrap() - plate.volume.unwrap() - disk).abs() < 1e-9 * disk);
+    assert!(on(r#""sphere": 30, "blend": 3"#).closed);
+    for (fields, place, reason) in [
+        (
+            r#""ring": {"radius": 30, "tube": 8, "height": 20}, "plate": {"radius": 60}, "blend": 3"#,
+            "ring",
+            "[contact-loop-open]",
+        ),
+        (r#""ring": {"radius": 8, "tube": 8}, "plate": {"radius": 60}, "blend": 3"#, "ring", "[not-a-ring-torus]"),
+        (r#""ring": {"radius": 30, "tube": 8}, "plate": {"radius": 60}, "blend": 90"#, "blend", "[ball-does-not-fit]"),
+        (r#""ring": {"radius": 30, "tube": 8}, "plate": {"radius": 40}, "blend": 3"#, "plate", "[plate-too-small]"),
+        (r#""ring": {"radius": 30, "tube": 8}, "plate": [90, 90], "blend": 3"#, "", "round `plate`"),
+        (r#""ring": {"radius": 30, "tube": 8}, "sphere": 30, "wall": 1, "blend": 3"#, "", "leave out `side`"),
+        (r#""sphere": 30, "blend": 3"#, "", "a `tube` or a `ring`"),
+        (
+            r#""tube": {"radius": 10, "length": 90}, "ring": {"radius": 30, "tube": 8}, "sphere": 30, "blend": 3"#,
+            "",
+            "a `tube` or a `ring`",
+        ),
+    ] {
+        let error = blend(fields).unwrap_err();
+        assert!(error.contains(place) && error.contains(reason), "{reason}: {error}");
+    }
+}
+
+#[test]
 fn blends_that_are_none_are_refused_in_their_place() {
     for (fields, place, reason) in [
         (
@@ -54,6 +89,11 @@ fn blends_that_are_none_are_refused_in_their_place() {
             r#""tube": {"radius": 10, "direction": [2, 0, 1], "length": 400}, "plate": [900, 900], "blend": 60"#,
             "blend",
             "[contact-blend-folds]",
+        ),
+        (
+            r#""tube": {"through": [0.232, 0, -0.296], "radius": 0.763, "taper": -0.65, "length": 9}, "sphere": 1, "blend": 0.01"#,
+            "tube",
+            "take one that widens less towards its end",
         ),
         (r#""tube": {"radius": 10, "length": 40}, "plate": [30, 90], "blend": 6"#, "plate", "[plate-too-small]"),
         (

@@ -783,7 +783,7 @@ pub enum Error {
         /// What must be positive there: the rise of the tube's line over the plane, or the square of half the distance between both such balls on it.
         measured: f64,
     },
-    /// The contact of a blend with a plane or a sphere turns back, so that the rest of it would overlap.
+    /// The contact of the blend of a cone with a sphere turns back, so that the rest of the sphere would overlap.
     ContactLoopTurnsBack {
         /// The angle round the tube where that is.
         angle: f64,

@@ -64,7 +64,7 @@ impl std::fmt::Display for Error {
             Self::RadiusNotPositive { radius } => write!(f, "the radius {} is not positive", ShortNumber(*radius)),
             Self::BallDoesNotFit { radius, limit } => write!(
                 f,
-                "a ball of radius {} does not fit into the pipe: its radius must be below {}",
+                "a ball of radius {} does not fit into the pipe or the hole: its radius must be below {}",
                 ShortNumber(*radius),
                 ShortNumber(*limit)
             ),
@@ -208,7 +208,7 @@ impl std::fmt::Display for Error {
             ),
             Self::ContactLoopTurnsBack { angle } => write!(
                 f,
-                "the border of the blend on the plane or the sphere turns back at {} radians round the tube; take a smaller ball, or a tube that stands more upright",
+                "the border of the blend on the sphere turns back at {} radians round the cone; take one that widens less towards its end, or whose axis passes nearer to the centre of the sphere",
                 ShortNumber(*angle)
             ),
             Self::ContactBlendFolds { angle, left } => write!(

@@ -175,8 +175,8 @@ pub const ENTRIES: &[Entry] = &[
     },
     Entry {
         name: "contact_blend",
-        title: "Tubes on a sphere and on a plate",
-        text: "Blended by a ball of one radius: a hollow strut off the centre of a spherical node, a cone that leans on a plate, and a dished head with its knuckle, whose rim is rounded inside. Exact envelopes of balls, one solid each.",
+        title: "Tubes and a ring on a sphere and on plates",
+        text: "Blended by a ball of one radius: a hollow strut off the centre of a spherical node, a cone that leans on a plate, a ring on a round plate, and a dished head with its knuckle, whose rim is rounded inside. Exact envelopes of balls, one solid each.",
         document: example!("contact_blend.json"),
         inputs: &[],
         formats: SURFACES,

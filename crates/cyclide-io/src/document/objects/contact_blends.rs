@@ -1,18 +1,25 @@
-//! Tubes blended with a plate or a sphere.
+//! Tubes and rings blended with a plate or a sphere.
 
-use cyclide::{BlendBase, BlendTube, ContactBlend, NeckSide, PlateShape, SurfaceObject, TeeEnds, Vec3};
+use cyclide::{
+    BlendBase, BlendRing, BlendTube, ContactBlend, NeckSide, PlateShape, RingBlend, SurfaceObject, TeeEnds, Vec3,
+};
 
 use super::Builder;
 use crate::document::angle::Angle;
 use crate::document::coordinates::Coordinates;
-use crate::document::spec::{BlendTubeSpec, ContactBlendSpec, PlateSpec};
+use crate::document::spec::{BlendRingSpec, BlendTubeSpec, ContactBlendSpec, PlateSpec};
 use crate::error::Result;
 
 impl Builder<'_> {
-    /// A tube with its blend.
+    /// A tube or a ring with its blend.
     pub(super) fn contact_blend(&mut self, spec: &ContactBlendSpec) -> Result<Vec<SurfaceObject>> {
         self.check_contact_blend(spec)?;
-        let made = blend(spec).and_then(|blend| blend.made()).map_err(|e| self.refused(&e, None))?;
+        let made = match (spec.tube, spec.ring) {
+            (Some(tube), None) => tube_blend(spec, tube).and_then(|blend| blend.made()),
+            (None, Some(ring)) => self.ring_blend(spec, ring)?.made(),
+            _ => return Err(self.unfit("what is blended is a `tube` or a `ring`: give one of them")),
+        };
+        let made = made.map_err(|e| self.refused(&e, None))?;
         self.tee_blends = vec![made.blend];
         Ok(vec![SurfaceObject::Body(made.body)])
     }
@@ -20,7 +27,10 @@ impl Builder<'_> {
     /// Fields that have no meaning together.
     fn check_contact_blend(&self, spec: &ContactBlendSpec) -> Result<()> {
         let inside = spec.side == NeckSide::Inside;
-        let refusal = if spec.wall.is_some() && spec.ends == TeeEnds::Open {
+        let of_tubes = inside || spec.ends != TeeEnds::Flat || spec.wall.is_some() || spec.tolerance.is_some();
+        let refusal = if spec.ring.is_some() && of_tubes {
+            "a `ring` is filled, and its ball outside and of one radius: leave out `side`, `ends`, `wall` and `tolerance`"
+        } else if spec.wall.is_some() && spec.ends == TeeEnds::Open {
             "a `wall` makes a solid: its ends are `flat`, with a ring round the bore, or `closed`"
         } else if spec.sphere.is_some() && (spec.plate.is_some() || spec.thickness.is_some()) {
             "the tube is blended with a `sphere`, or with a `plate` of a `thickness`: leave out one of them"
@@ -37,10 +47,25 @@ impl Builder<'_> {
         };
         Err(self.unfit(refusal))
     }
+
+    fn ring_blend(&self, spec: &ContactBlendSpec, ring: BlendRingSpec) -> Result<RingBlend> {
+        let BlendRingSpec { radius, tube, height } = ring;
+        let ring = BlendRing { radius, tube, height };
+        let blend = match (spec.sphere, spec.plate) {
+            (Some(radius), _) => RingBlend::on_sphere(ring, radius, spec.blend),
+            (None, Some(PlateSpec::Disk(disk))) => RingBlend::on_plate(ring, disk.radius, spec.blend),
+            (None, _) => {
+                return Err(self.unfit("a `ring` stands on a `sphere`, or on a round `plate` such as {\"radius\": 60}"));
+            }
+        };
+        let blend =
+            blend.and_then(|blend| spec.thickness.map_or(Ok(blend), |thickness| blend.with_thickness(thickness)));
+        blend.map_err(|e| self.refused(&e, None))
+    }
 }
 
-fn blend(spec: &ContactBlendSpec) -> cyclide::Result<ContactBlend> {
-    let BlendTubeSpec { through, direction, radius, taper, length } = spec.tube;
+fn tube_blend(spec: &ContactBlendSpec, tube: BlendTubeSpec) -> cyclide::Result<ContactBlend> {
+    let BlendTubeSpec { through, direction, radius, taper, length } = tube;
     let direction = direction.map_or(Vec3::Z, Coordinates::vector);
     let taper = taper.map_or(0.0, Angle::radians);
     let tube = BlendTube { through: through.point(), direction, radius, taper, length };

@@ -9,7 +9,9 @@ use super::{Builder, Remark};
 use crate::document::angle::Angle;
 use crate::document::coordinates::Coordinates;
 use crate::document::locate::{Step, path_text, span_of};
-use crate::document::spec::{ArcSpec, FreeOr, ObjectSpec, PipeCrossingSpec, TorusSplineSpec, TubeSpec};
+use crate::document::spec::{
+    ArcSpec, ContactBlendSpec, FreeOr, ObjectSpec, PipeCrossingSpec, TorusSplineSpec, TubeSpec,
+};
 use crate::error::Error;
 use crate::text::place::Source;
 
@@ -227,7 +229,7 @@ fn blame(spec: &ObjectSpec, error: &cyclide::Error) -> Blame {
         _ if spec.is_on_torus() => blame_torus(spec, error),
         _ if matches!(spec, ObjectSpec::PipeTee(_)) => blame_tee(error),
         _ if let ObjectSpec::PipeCrossing(spec) = spec => blame_crossing(spec, error),
-        _ if matches!(spec, ObjectSpec::ContactBlend(_)) => blame_contact(error),
+        _ if let ObjectSpec::ContactBlend(spec) = spec => blame_contact(spec, error),
         _ if matches!(spec, ObjectSpec::Tube(_)) => blame_tube(spec, error),
         E::NotFinite { what: I::Tangent, index } | E::ZeroTangent { index } | E::TangentOpposesChord { index, .. } => {
             tangent(index)
@@ -318,8 +320,8 @@ fn blame_crossing(spec: &PipeCrossingSpec, error: &cyclide::Error) -> Blame {
     }
 }
 
-/// As [`blame`], of blends of a tube with a sphere or a plate.
-fn blame_contact(error: &cyclide::Error) -> Blame {
+/// As [`blame`], of blends of a tube or a ring with a sphere or a plate.
+fn blame_contact(spec: &ContactBlendSpec, error: &cyclide::Error) -> Blame {
     use cyclide::{Error as E, ErrorItem as I};
     match error {
         E::NotFinite { what: I::Radius, index: 1 } | E::ContactBlendFolds { .. } | E::BallDoesNotFit { .. } => {
@@ -328,7 +330,7 @@ fn blame_contact(error: &cyclide::Error) -> Blame {
         E::PlateTooSmall { .. } | E::RulingsCross { .. } => Blame::Field("plate"),
         E::ToleranceNotPositive { .. } | E::TooManyPieces { .. } => Blame::Field("tolerance"),
         E::ParameterOutOfRange { name: name @ (I::Wall | I::Thickness), .. } => Blame::Field(name.word()),
-        _ => Blame::Field("tube"),
+        _ => Blame::Field(if spec.ring.is_some() { "ring" } else { "tube" }),
     }
 }
 

@@ -1,4 +1,4 @@
-//! Tubes blended with a sphere or a plate, field by field.
+//! Tubes and rings blended with a sphere or a plate, field by field.
 
 use cyclide::{NeckSide, TeeEnds};
 use schemars::JsonSchema;
@@ -10,7 +10,7 @@ use crate::document::angle::Angle;
 use crate::document::coordinates::Coordinates;
 
 /// A cylinder or a cone blended with a `sphere` about the origin, or with a `plate` whose upper side is z = 0, by a ball that rolls round it: a strut on a node, a nozzle on a
-/// tank, a boss. Inside, the ball rolls in the rim of a tube that ends there: a rod with a domed end or, with a `wall`, a dished head.
+/// tank, a boss. Or a `ring`, a torus about the z axis, blended in the corner round it and in that of its hole. Inside, the ball rolls in the rim of a tube that ends there: a rod with a domed end or, with a `wall`, a dished head.
 ///
 /// ```
 /// use cyclide_io::Document;
@@ -23,6 +23,8 @@ use crate::document::coordinates::Coordinates;
 #[schemars(
     extend("allOf" = [
         {"if": {"properties": {"ends": {"const": "open"}}, "required": ["ends"]}, "then": {"properties": {"wall": false, "thickness": false}}},
+        {"oneOf": [{"required": ["tube"]}, {"required": ["ring"]}]},
+        {"if": {"required": ["ring"]}, "then": {"properties": {"side": {"const": "outside"}, "ends": {"const": "flat"}, "wall": false, "tolerance": false, "plate": {"type": "object"}}}},
         {"if": {"required": ["sphere"]}, "then": {"properties": {"plate": false, "thickness": false}}},
         {"if": {"required": ["wall"]}, "then": {"properties": {"thickness": false}}},
         {"if": {"properties": {"side": {"const": "inside"}}, "required": ["side"]},
@@ -41,8 +43,10 @@ pub struct ContactBlendSpec {
     /// Construction geometry: built and reported, not written to files.
     #[serde(default)]
     pub construction: bool,
-    /// The tube.
-    pub tube: BlendTubeSpec,
+    /// The tube; or instead a `ring`.
+    pub tube: Option<BlendTubeSpec>,
+    /// A torus about the z axis, on a sphere or a round plate. Its ball has exactly one radius.
+    pub ring: Option<BlendRingSpec>,
     /// Radius of the sphere about the origin that it is blended with. Without it that is the plane z = 0.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub sphere: Option<f64>,
@@ -86,4 +90,21 @@ pub struct BlendTubeSpec {
     pub taper: Option<Angle>,
     /// Where it ends: distance from the point along the axis.
     pub length: f64,
+}
+
+/// A torus about the z axis.
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(rename = "BlendRing")]
+#[non_exhaustive]
+pub struct BlendRingSpec {
+    /// Radius of the circle in the middle of its tube.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub radius: f64,
+    /// Radius of its tube, less than that.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub tube: f64,
+    /// Height of that circle above the origin. Default 0.
+    #[serde(default)]
+    pub height: f64,
 }

@@ -30,7 +30,7 @@ use serde::Deserialize;
 
 pub use circular::{BorderCurves, BorderSpec, BorderWord, MakeCircularOptions, MakeCircularSpec};
 pub use comment::Comment;
-pub use contact_blends::{BlendTubeSpec, ContactBlendSpec};
+pub use contact_blends::{BlendRingSpec, BlendTubeSpec, ContactBlendSpec};
 pub use crossings::{CrossingPipeSpec, PipeCrossingSpec};
 pub use curves::{
     ArcFitSpec, ArcSpec, ArcSplineSpec, BiarcSpec, CircleSpec, CircleSplineSpec, ClampedEnds, EndsSpec, FairFitSpec,

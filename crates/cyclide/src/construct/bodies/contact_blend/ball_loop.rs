@@ -4,13 +4,12 @@
 use super::piece::{Heights, Piece};
 use super::setup::{Base, Setup};
 use crate::base::vector::Vec3;
+use crate::construct::bodies::halving::Halving;
 use crate::error::{Error, Result};
 use crate::rational::Polynomial;
 
-/// Pieces of a loop at most.
-const MOST_PIECES: usize = 2048;
-/// A piece turns by more than this, in radians.
-const LEAST_TURN: f64 = 1e-6;
+/// Pieces of a loop at most, and the least turn of a span that is halved, in radians.
+const HALVING: Halving = Halving { what: "the blend", cap: 2048, least: 1e-6, remedy: "use a larger tolerance" };
 /// An arc of a circle in one face turns by no more than this, in radians; beyond half a turn its weights are not positive.
 const LARGEST_ARC: f64 = super::super::LARGEST_ARC;
 /// Bands of a blend side by side at most.
@@ -38,26 +37,12 @@ impl BallLoop {
         let turn = angles.first().map(|first| first + std::f64::consts::TAU);
         for ends in angles.iter().copied().chain(turn).collect::<Vec<_>>().windows(2) {
             made.starts.push(made.pieces.len());
-            let mut left = vec![[ends[0], ends[1]]];
-            while let Some([from, to]) = left.pop() {
-                let pieces = span(setup, [from, to])?;
-                if let Some([low, high]) = radii_within(setup, &pieces, tolerance) {
-                    made.radii = [made.radii[0].min(low), made.radii[1].max(high)];
-                    made.pieces.extend(pieces);
-                    continue;
-                }
-                let middle = 0.5 * (from + to);
-                if made.pieces.len() + 2 * left.len() + 4 > MOST_PIECES || to - from < LEAST_TURN {
-                    return Err(Error::TooManyPieces {
-                        what: "the blend",
-                        segment: None,
-                        needed: 2.0 * MOST_PIECES as f64,
-                        cap: MOST_PIECES,
-                        remedy: "use a larger tolerance",
-                    });
-                }
-                left.extend([[middle, to], [from, middle]]);
-            }
+            HALVING.extend(&mut made.pieces, [ends[0], ends[1]], |part| {
+                let pieces = span(setup, part)?;
+                let Some([low, high]) = radii_within(setup, &pieces, tolerance) else { return Ok(None) };
+                made.radii = [made.radii[0].min(low), made.radii[1].max(high)];
+                Ok(Some(pieces))
+            })?;
         }
         made.take_shorter_arcs();
         made.bands = made.bands_needed()?;

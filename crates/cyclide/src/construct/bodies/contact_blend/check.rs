@@ -1,7 +1,7 @@
 //! What is refused of a blend: balls that do not fit into the tube, blends that fold, tubes that end within them, contacts that turn back.
 
 use super::ball_loop::BallLoop;
-use super::setup::{Base, Setup};
+use super::setup::Setup;
 use crate::base::quat::Quat;
 use crate::base::vector::Vec3;
 use crate::error::{Error, Result};
@@ -83,12 +83,11 @@ pub(super) fn check_end(setup: &Setup, balls: &BallLoop, depth: f64, short: f64)
     if radius > 0.0 { Ok(()) } else { Err(Error::RadiusNotPositive { radius }) }
 }
 
-/// Refuses contacts that turn back seen from where the rest of the base goes to: great circles to a pole, or lines to a point, would cross.
+/// Refuses contacts with a sphere that turn back seen from the pole to which the rest of it goes: great circles to it would cross.
 ///
 /// # Errors
 /// `contact-loop-turns-back`.
-pub(super) fn check_turning(setup: &Setup, balls: &BallLoop, towards: Option<Quat>) -> Result<()> {
-    let Some(pole) = towards.filter(|_| matches!(setup.base, Base::Sphere { .. })) else { return Ok(()) };
+pub(super) fn check_turning(balls: &BallLoop, pole: Quat) -> Result<()> {
     let seen = |n: Vec3| pole.conj().rotate(n);
     let angle = |n: Vec3| n.y.atan2(n.x);
     let (mut sum, mut sign) = (0.0, 0.0);

@@ -317,7 +317,7 @@ impl Making<'_> {
         match (self.setup.base, &self.plate) {
             (Base::Sphere { e, r }, _) => {
                 let pole = pole_turn(self.balls.mean_normal() * -self.setup.sigma);
-                check::check_turning(&self.setup, &self.balls, Some(pole))?;
+                check::check_turning(&self.balls, pole)?;
                 skin.to_pole(bands, &rings.on_base, [e, r], pole)
             }
             (Base::Plane(_), Some((shape, nodes))) => {

@@ -148,8 +148,8 @@ impl Family<'_> {
             Heights::Level(z) => (self.level(*z), self.level_second(*z, &axes, &turn)),
             Heights::Quotient { z, d, normal } => (self.on_plane([z, d], *normal), self.to_plane(&turn, *normal)),
             Heights::Turning { z, sphere: [e, r] } => {
-                let (balls, [from_axis, up]) = self.on_sphere(z, [*e, *r]);
-                (balls, &axes * &self.mirrored(&from_axis, &up, Some(*e)))
+                let (balls, second) = self.on_sphere(z, [*e, *r]);
+                (balls, &axes * &second)
             }
         };
         let canal = CanalPatch::from_contact_frames(balls.center, balls.radius, &turn, balls.motion, second.clone());
@@ -179,8 +179,8 @@ impl Family<'_> {
         match setup.base {
             Base::Plane(normal) => self.to_plane(turn, normal),
             Base::Sphere { r, .. } => {
-                let from_axis = setup.rho + setup.tan * z - r * setup.sigma * setup.cos;
-                axes * &self.mirrored(&constant(from_axis), &constant(z + r * setup.sigma * setup.sin), None)
+                let from_axis = constant(setup.rho + setup.tan * z - r * setup.sigma * setup.cos);
+                axes * &self.mirrored([&from_axis, &from_axis], &constant(z + r * setup.sigma * setup.sin))
             }
         }
     }
@@ -197,17 +197,25 @@ impl Family<'_> {
         }
     }
 
-    /// The balls, and the distance from the axis and height, both times the weight, of the contact moved by the radius of the sphere along its normal.
-    fn on_sphere(&self, z: &Polynomial, [e, r]: [f64; 2]) -> (Balls, [Polynomial; 2]) {
-        let (setup, w, [ux, _]) = (self.setup, self.weight, self.across);
+    /// The balls, and the turn to the second normals in the axes of the tube.
+    ///
+    /// Where both surfaces nearly touch along the same plane, all depends on the small way `v` from the centre of the sphere to the contact moved by `r` along its normal:
+    /// its entries, `n·v` and `v²` are sums of its small parts, so that they agree to the last digits of their own and not of the radii.
+    fn on_sphere(&self, z: &Polynomial, [e, r]: [f64; 2]) -> (Balls, QuatPolynomial) {
+        let (setup, w) = (self.setup, self.weight);
         let (sigma, sin, cos) = (setup.sigma, setup.sin, setup.cos);
-        let from_axis = &(w * (setup.rho - r * sigma * cos)) + &(z * setup.tan);
+        // The distance of the moved contact from the axis where it is as high as the centre, less and plus that of the centre.
+        let level = setup.rho - r * sigma / cos;
+        let [near, far] = [level - e, level + e];
         let up = z + &(w * (r * sigma * sin));
-        // The normal times the way from the centre to that point, and the square of the way.
-        let apart = &(w * (sigma * cos * setup.rho - r)) - &(ux * (sigma * cos * e));
+        let rise = &up * setup.tan;
+        let [less, from_axis, more] = [near, level, far].map(|distance| &(w * distance) + &rise);
+        let [c, s] = [&self.half.0[0], &self.half.0[3]].map(|half| half * half);
+        // The normal times the way, and the square of the way.
+        let apart = &(&(&c * near) + &(&s * far)) * (sigma * cos);
         let square = {
-            let across = &(&from_axis * &from_axis) - &(&(&from_axis * ux) * (2.0 * e));
-            &(&across + &(&(w * w) * (e * e))) + &(&up * &up)
+            let bent = &(&(w * e) - &more) * (4.0 * e);
+            &(&(&more * &more) + &(&bent * &c)) + &(&up * &up)
         };
         // The weight is positive.
         let sign = if apart.value(0.5) < 0.0 { -1.0 } else { 1.0 };
@@ -219,7 +227,8 @@ impl Family<'_> {
         let radius = &(&square * w) * -1.0;
         let radius = &radius - &(&weight * r);
         let motion = [&(&wronskian(z, w) * &apart) * (1.0 / cos), &center_from_axis * (-sigma * self.rate)];
-        (Balls { center: self.row(&center_from_axis, height, weight), radius, motion }, [from_axis, up])
+        let second = self.mirrored([&less, &more], &up);
+        (Balls { center: self.row(&center_from_axis, height, weight), radius, motion }, second)
     }
 
     /// `(turn k - N turn) i`: the turn to the normal of the plane.
@@ -232,14 +241,13 @@ impl Family<'_> {
         &first + &second
     }
 
-    /// `v turn i` in the axes of the tube, with the way v to the moved contact from a point on the first axis.
-    fn mirrored(&self, from_axis: &Polynomial, up: &Polynomial, e: Option<f64>) -> QuatPolynomial {
-        let [i, k] = [Quat::new(0.0, 1.0, 0.0, 0.0), Quat::new(0.0, 0.0, 0.0, 1.0)].map(QuatPolynomial::constant);
-        let mut sum = &(&(self.half * &i) * from_axis) + &(&(&k * self.half) * up);
-        if let Some(e) = e {
-            sum = &sum + &(&(&i * self.half) * &(self.weight * -e));
-        }
-        &sum * &(&QuatPolynomial::constant(self.setup.contact_turn()) * &i)
+    /// `v turn i` in the axes of the tube, with the way v to the moved contact from a point on the first axis: the distance of the contact from the third axis less and plus that
+    /// of the point, and its height.
+    fn mirrored(&self, [less, more]: [&Polynomial; 2], up: &Polynomial) -> QuatPolynomial {
+        let [c, s] = [&self.half.0[0], &self.half.0[3]];
+        let sum = QuatPolynomial([&(s * up) * -1.0, less * c, more * s, up * c]);
+        let i = Quat::new(0.0, 1.0, 0.0, 0.0);
+        &sum * &QuatPolynomial::constant(self.setup.contact_turn() * i)
     }
 }
 

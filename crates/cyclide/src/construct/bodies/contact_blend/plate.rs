@@ -38,7 +38,7 @@ pub(super) fn equal_angles(count: usize) -> Vec<f64> {
 
 impl PlateNodes {
     /// # Errors
-    /// `plate-too-small`, `contact-loop-open`, `contact-loop-turns-back`.
+    /// `plate-too-small`, `contact-loop-open`, `radius-not-positive`.
     pub(super) fn new(setup: &Setup, shape: PlateShape) -> Result<Self> {
         let turn = Turn::new(setup)?;
         check_around(setup, shape, &turn)?;
@@ -96,7 +96,8 @@ impl PlateNodes {
     }
 }
 
-/// The azimuths of the contacts about the foot of the axis at equal angles round the tube, rising all the way.
+/// The azimuths of the contacts about the foot of the axis at equal angles round the tube, rising all the way: the contact is an ellipse, and the foot is inside it
+/// where the tube has a positive radius at its contact.
 struct Turn {
     azimuths: Vec<f64>,
 }
@@ -114,9 +115,6 @@ impl Turn {
                 continue;
             };
             let step = (azimuth - before + 0.5 * TAU).rem_euclid(TAU) - 0.5 * TAU;
-            if !(step > 0.0) {
-                return Err(Error::ContactLoopTurnsBack { angle });
-            }
             azimuths.push(before + step);
         }
         Ok(Self { azimuths })

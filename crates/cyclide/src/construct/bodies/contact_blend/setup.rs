@@ -87,8 +87,15 @@ impl Setup {
     /// The height of the contact of the ball with the tube at an angle, and its derivative by the angle.
     ///
     /// # Errors
-    /// `contact-loop-open` where no such ball touches both.
+    /// `contact-loop-open` where no such ball touches both, `radius-not-positive` where it does beyond the apex.
     pub(super) fn height(&self, angle: f64) -> Result<[f64; 2]> {
+        let height = self.height_on_lines(angle)?;
+        let radius = self.radius_at(0.0, height[0]);
+        if radius > 0.0 { Ok(height) } else { Err(Error::RadiusNotPositive { radius }) }
+    }
+
+    /// The same on lines that go on beyond the apex.
+    fn height_on_lines(&self, angle: f64) -> Result<[f64; 2]> {
         let ((s, c), open) = (angle.sin_cos(), |measured| Error::ContactLoopOpen { angle, measured });
         let (from_axis, down) = (self.center_at_origin(), self.ball * self.sigma * self.sin);
         match self.base {

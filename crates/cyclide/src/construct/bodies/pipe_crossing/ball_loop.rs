@@ -6,13 +6,14 @@
 use super::corners::Corners;
 use crate::base::frame::Frame;
 use crate::base::planar::{Point2, Vec2};
+use crate::construct::bodies::halving::Halving;
 use crate::construct::curves::{TorusSplineOptions, TorusTangent};
-use crate::error::{Error, Result};
+use crate::error::Result;
 use crate::rational::{Polynomial, QuatPolynomial};
 use crate::surface::{CanalPatch, RollingBall, SkewCylinders, Torus, TorusSpline};
 
-/// Pieces of a loop at most.
-const MOST_PIECES: usize = 2048;
+/// Pieces of half a loop at most.
+const HALVING: Halving = Halving { what: "half of the blend", cap: 1024, least: 0.0, remedy: "use a larger tolerance" };
 
 /// The balls of a piece, with their contacts.
 #[derive(Debug, Clone)]
@@ -55,25 +56,11 @@ impl BallLoop {
         let mut nodes = vec![0];
         let mut radii = [f64::INFINITY, f64::NEG_INFINITY];
         for ends in corners.bounds.windows(2) {
-            let mut left = vec![[ends[0], ends[1]]];
-            while let Some([from, to]) = left.pop() {
-                if let Some((pieces, [low, high])) = balls.span([from, to], tolerance)? {
-                    half.extend(pieces);
-                    radii = [radii[0].min(low), radii[1].max(high)];
-                    continue;
-                }
-                let middle = 0.5 * (from + to);
-                if 2 * (half.len() + 2 * left.len() + 4) > MOST_PIECES || !(from < middle && middle < to) {
-                    return Err(Error::TooManyPieces {
-                        what: "the blend",
-                        segment: None,
-                        needed: 2.0 * MOST_PIECES as f64,
-                        cap: MOST_PIECES,
-                        remedy: "use a larger tolerance",
-                    });
-                }
-                left.extend([[middle, to], [from, middle]]);
-            }
+            HALVING.extend(&mut half, [ends[0], ends[1]], |part| {
+                let Some((pieces, [low, high])) = balls.span(part, tolerance)? else { return Ok(None) };
+                radii = [radii[0].min(low), radii[1].max(high)];
+                Ok(Some(pieces))
+            })?;
             nodes.push(half.len());
         }
         let node = |(bound, turned): (usize, bool)| nodes[bound] + if turned { half.len() } else { 0 };

@@ -5,12 +5,18 @@ use super::crossing::Crossing;
 use super::equal;
 use super::law::{Law, SAME_ANGLE, check_radius};
 use super::loop_piece::LoopPiece;
+use crate::construct::bodies::halving::Halving;
 use crate::error::{Error, Result, check_tolerance};
 use crate::rational::Polynomial;
 use std::f64::consts::{FRAC_PI_4, TAU};
 
 /// Pieces of a loop at most.
-const MOST_PIECES: usize = 2048;
+const HALVING: Halving = Halving {
+    what: "the loop of the ball",
+    cap: 2048,
+    least: 0.0,
+    remedy: "use a larger tolerance, or a law that changes less",
+};
 /// A blend keeps to its law to this part of the radius where no tolerance is given.
 const DEFAULT_TOLERANCE: f64 = 1e-3;
 /// Places of a loop at which its least ball is looked for, and steps in which it is found.
@@ -140,27 +146,14 @@ fn along(crossing: &Crossing, law: &Law, tolerance: Option<f64>) -> Result<Loop>
         check_tolerance(tolerance)?;
     }
     let follow = Follow { crossing, law, tolerance };
-    let mut left = follow.spans();
     let mut made = Loop { pieces: Vec::new(), deviation: 0.0 };
-    while let Some(span) = left.pop() {
-        let [from, to] = span;
-        let pieces = LoopPiece::hermite(span, span.map(|angle| follow.node(angle)));
-        if let Some(deviation) = follow.deviation(&pieces) {
-            made.pieces.extend(pieces);
+    for span in follow.spans() {
+        HALVING.extend(&mut made.pieces, span, |part| {
+            let pieces = LoopPiece::hermite(part, part.map(|angle| follow.node(angle)));
+            let Some(deviation) = follow.deviation(&pieces) else { return Ok(None) };
             made.deviation = made.deviation.max(deviation);
-            continue;
-        }
-        let middle = 0.5 * (from + to);
-        if made.pieces.len() + 2 * left.len() + 4 > MOST_PIECES || !(from < middle && middle < to) {
-            return Err(Error::TooManyPieces {
-                what: "the loop of the ball",
-                segment: None,
-                needed: 2.0 * MOST_PIECES as f64,
-                cap: MOST_PIECES,
-                remedy: "use a larger tolerance, or a law that changes less",
-            });
-        }
-        left.extend([[middle, to], [from, middle]]);
+            Ok(Some(pieces.to_vec()))
+        })?;
     }
     Ok(made)
 }
@@ -178,7 +171,7 @@ impl Follow<'_> {
         self.tolerance.unwrap_or(DEFAULT_TOLERANCE * radius)
     }
 
-    /// The spans that are looked at first, the last one first: none across a value of the law.
+    /// The spans that are looked at first: none across a value of the law.
     fn spans(&self) -> Vec<[f64; 2]> {
         let mut angles: Vec<f64> =
             self.law.angles().map(|angle| self.crossing.boosted_angle(angle).rem_euclid(TAU)).collect();
@@ -190,7 +183,6 @@ impl Follow<'_> {
             let cut = |k: usize| ends[0] + (ends[1] - ends[0]) * k as f64 / count;
             spans.extend((0..count as usize).map(|k| [cut(k), cut(k + 1)]));
         }
-        spans.reverse();
         spans
     }
 

@@ -30,6 +30,9 @@ use skin::{Skin, Step};
 /// Width that a tube has left at the inner side of a bend, as part of its own: below, points there have lost their digits.
 const LEAST_LEFT: f64 = 1e-7;
 
+/// Circles of neighbouring balls are told apart by so many times what they are uncertain by.
+const LEAST_TOLD: f64 = 1e9;
+
 /// Places this near to those of another ring, radians, are the same.
 const SAME_PLACES: f64 = 1e-11;
 
@@ -192,11 +195,32 @@ impl Tube {
     /// The body. Outside is outwards; a solid unless the ends of an open tube are open.
     ///
     /// # Errors
-    /// `radius-not-positive` (between balls), `tube-folds` (a bend narrower than the tube, with its place), `pipe-meets-itself`, as
+    /// `radius-not-positive` (between balls), `coincident-points` (neighbouring balls so near that the way between them is rounding), `tube-folds` (a bend narrower than the tube, with its place), `pipe-meets-itself`, as
     /// [`CyclidePatch::from_corners_and_frame`](crate::CyclidePatch::from_corners_and_frame).
     pub fn body(&self) -> Result<Body> {
         self.check_arcs()?;
         meeting::check(self.course())?;
+        let not_told_apart = |error| match error {
+            Error::NotAShell { .. } => self.nearest_balls().unwrap_or(error),
+            other => other,
+        };
+        self.sewn().map_err(not_told_apart)
+    }
+
+    /// The balls, of those that a skin cannot be sewn between, that are nearest to each other for their size: where the way between two is known to its rounding only, their circles are
+    /// as well, and these have to be much nearer than the balls are.
+    fn nearest_balls(&self) -> Option<Error> {
+        let reach = |arc: &BallArc| {
+            let [a, b] = arc.ends.map(|ball| ball.center.to_vec().max_abs() + ball.radius);
+            let (distance, size) = (arc.ends[0].center.distance(arc.ends[1].center), a.max(b));
+            (distance, (LEAST_TOLD * f64::EPSILON * size * arc.radii()[1]).sqrt(), arc.source)
+        };
+        let nearest = self.arcs.iter().map(reach).min_by(|a, b| (a.0 / a.1).total_cmp(&(b.0 / b.1)));
+        let (distance, limit, first) = nearest.filter(|(distance, limit, _)| distance <= limit)?;
+        Some(Error::CoincidentPoints { first, second: first + 1, distance, limit })
+    }
+
+    fn sewn(&self) -> Result<Body> {
         let (rings, steps) = self.rings();
         let outer = Skin::new(&rings, &steps, 0.0)?;
         let Some(wall) = self.wall else {
