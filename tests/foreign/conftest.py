@@ -1,6 +1,8 @@
 """Builds every model once with the program as the tests build it and hands the files to the readers' tests."""
 
+import fcntl
 import json
+import os
 import subprocess
 from pathlib import Path
 
@@ -36,6 +38,19 @@ def program():
         return done.stdout
 
     return run
+
+
+def shared_folder(factory, name, make):
+    """A folder that one of the workers makes, and all use."""
+    base = factory.getbasetemp()
+    root = base.parent if "PYTEST_XDIST_WORKER" in os.environ else base
+    folder, done = root / name, root / f"{name}.done"
+    with open(root / f"{name}.lock", "w") as lock:
+        fcntl.flock(lock, fcntl.LOCK_EX)
+        if not done.exists():
+            make(folder)
+            done.touch()
+    return folder
 
 
 class Built:

@@ -1,5 +1,6 @@
 """The reference curves of every object of a model document, from the document and its point lists alone."""
 
+import functools
 import json
 from pathlib import Path
 
@@ -36,8 +37,9 @@ def read_contours(path, columns):
     return [(np.array(points), corners) for points, corners in contours if points]
 
 
+@functools.cache
 def load(document_path):
-    """Units and {name: Reference} of a document."""
+    """Units and {name: Reference} of a document; the equations of fair curves are solved once."""
     path = Path(document_path)
     document = json.loads(path.read_text())
     objects = {name: _object(spec, path.parent) for name, spec in document["objects"].items()}

@@ -9,7 +9,7 @@ import pytest
 import trimesh
 from PIL import Image
 
-from conftest import ROOT
+from conftest import ROOT, shared_folder
 from reference_objects import reported_area
 from step_reader import StepFile
 from test_mesh import validate
@@ -22,9 +22,7 @@ VOID = {"meta", "img", "link", "br"}
 
 @pytest.fixture(scope="session")
 def gallery(program, tmp_path_factory):
-    folder = tmp_path_factory.mktemp("gallery") / "made"
-    program("gallery", "-o", folder)
-    return folder
+    return shared_folder(tmp_path_factory, "gallery", lambda folder: program("gallery", "-o", folder))
 
 
 class Page(HTMLParser):
