@@ -1,5 +1,6 @@
 //! The spline of invariant spans.
 
+use super::invariant_span::check_finite;
 use super::nodes::{NodeVelocity, Nodes};
 use crate::base::vector::{Point3, Vec3};
 use crate::construct::curves::interpolation::{NodeParameters, node_steps};
@@ -127,7 +128,7 @@ fn span_between(nodes: &Nodes, i: usize, [v0, v1]: [Vec3; 2], warnings: &mut Vec
     let data = segment.span_data(speeds);
     data.check().map_err(|e| e.in_span(i))?;
     let span = QbCurve::from_span(&data);
-    span.check_finite().map_err(|e| e.in_span(i))?;
+    check_finite(&span, chord, [v0, v1]).map_err(|e| e.in_span(i))?;
     Ok(span)
 }
 
