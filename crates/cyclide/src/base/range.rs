@@ -58,6 +58,17 @@ pub(crate) fn check_distance(value: f64) -> Result<()> {
     }
 }
 
+/// Refuses a thickness that is not a length, or not above the smallest distance.
+pub(crate) fn check_thickness(value: f64) -> Result<()> {
+    if !value.is_finite() {
+        Err(Error::NotFinite { what: ErrorItem::Thickness, index: 0 })
+    } else if value < MIN_DISTANCE {
+        Err(Error::ParameterOutOfRange { name: ErrorItem::Thickness, value, min: MIN_DISTANCE, max: f64::MAX })
+    } else {
+        Ok(())
+    }
+}
+
 /// Roundings (of the largest coordinate) that a surface is across at least: points are off by half of one in each coordinate,
 /// 1.3e-5 of such a size in space. That is what files are within by default, so that smaller surfaces have no file, and
 /// their normals are known to no more than four digits. Far beyond it no edge differs from another. It leaves a tenth of

@@ -184,13 +184,7 @@ impl ContactBlend {
     /// # Errors
     /// `parameter-out-of-range`, `not-finite`.
     pub fn with_thickness(self, thickness: f64) -> Result<Self> {
-        if !thickness.is_finite() {
-            return Err(Error::NotFinite { what: ErrorItem::Thickness, index: 0 });
-        }
-        if !(thickness >= range::MIN_DISTANCE) {
-            let (min, max) = (range::MIN_DISTANCE, f64::MAX);
-            return Err(Error::ParameterOutOfRange { name: ErrorItem::Thickness, value: thickness, min, max });
-        }
+        range::check_thickness(thickness)?;
         Ok(Self { thickness: Some(thickness), ..self })
     }
 
