@@ -126,10 +126,11 @@ def assert_volume(step, expected):
     assert step.volume() == pytest.approx(expected, rel=READER_AREA_LIMIT)
 
 
-def assert_cuts(step, own, *tools):
+def assert_cuts(step, own, *tools, judged=True):
     """OpenCASCADE cuts the solid, of this volume, with each tool (a solid in its box), fuses and intersects it: valid shapes whose
-    volumes add up."""
-    assert modelling.faults(step.shape) == []
+    volumes add up. Whether its faces meet between their edges is judged too, which takes longest: for one solid of a kind."""
+    if judged:
+        assert modelling.faults(step.shape) == []
     for make_tool in tools:
         tool, volume, _ = make_tool(*modelling.box(step))
         found = {kind: make(step.shape, tool).Shape() for kind, make in modelling.OPERATIONS.items()}

@@ -96,7 +96,7 @@ def test_normals_of_the_strip_meet_in_centres_of_balls_that_touch_both(blend):
 
 def test_a_node_is_cut_fused_and_sectioned(program, tmp_path):
     step, fields, report = made(program, tmp_path, BLENDS["strut"])
-    assert_cuts(step, report["volume"], modelling.slab)
+    assert_cuts(step, report["volume"], modelling.slab, judged=False)
     # A plate into which the sphere sinks by 8.
     plate = BRepPrimAPI_MakeBox(gp_Pnt(-60, -50, -50), gp_Pnt(70, 60, -32)).Shape()
     fused = BRepAlgoAPI_Fuse(step.shape, plate).Shape()
@@ -120,7 +120,7 @@ PAIRS = {
 def test_solids_of_every_pair_are_cut_rounded_and_sectioned(name, program, tmp_path):
     step, _, report = made(program, tmp_path, PAIRS[name])
     assert len(step.solids) == 1 and step.exactly_valid
-    assert_cuts(step, report["volume"], modelling.slab, modelling.drill)
+    assert_cuts(step, report["volume"], modelling.slab, modelling.drill, judged=name != "cylinder and sphere")
     # The ends of tubes: all edges of one circle at once, as somebody would round them.
     _, users = structure(step, closed=True)
     rim = [edge for edge in modelling.creases(users) if at_end(edge, PAIRS[name])]

@@ -107,7 +107,7 @@ def test_solids_have_the_measures_of_steiner(name, rounded):
 def test_solids_are_at_their_radius_and_cut(name, rounded):
     step, report = rounded(name)
     assert_points(step, step.size(), located(*CUT[name]))
-    assert_cuts(step, report["volume"], modelling.slab, modelling.drill)
+    assert_cuts(step, report["volume"], modelling.slab, modelling.drill, judged=name == "small hull")
 
 
 def test_a_large_hull_has_the_measures_of_steiner(program, tmp_path):

@@ -104,7 +104,7 @@ def test_tees_are_one_closed_solid_and_tangent_along_contacts(tee):
 def test_equal_tees_are_cut_and_fused(name, program, tmp_path):
     branches, fields = TEES[name]
     step, _, report = made(program, tmp_path, MAIN, branches, fields)
-    assert_cuts(step, report["volume"], modelling.slab)
+    assert_cuts(step, report["volume"], modelling.slab, judged=False)
     fused = BRepAlgoAPI_Fuse(step.shape, BRepPrimAPI_MakeBox(gp_Pnt(-60, -50, -45), gp_Pnt(80, 50, -25)).Shape()).Shape()
     assert modelling.valid(fused) and modelling.volume(fused) > report["volume"]
 

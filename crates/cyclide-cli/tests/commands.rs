@@ -243,24 +243,3 @@ fn help_has_examples_and_exit_codes() {
     }
     assert!(folder.ok("--version").starts_with("cyclide 0."));
 }
-
-#[test]
-fn the_examples_build() {
-    let folder = Folder::with(&[]);
-    let examples = project("examples");
-    let mut found = 0;
-    for entry in std::fs::read_dir(&examples).unwrap() {
-        let path = entry.unwrap().path();
-        if path.extension().is_some_and(|e| e == "json") {
-            found += 1;
-            let mut command = folder.command();
-            // What has no exact form is written as a mesh.
-            let text = std::fs::read_to_string(&path).unwrap();
-            let exact = !text.contains("\"smooth-mesh\"") && !text.contains("\"sphere-blend\"");
-            command.arg("build").arg(&path).args(["-o", if exact { "e.step" } else { "e.stl" }, "--json"]);
-            let run = common::Run::new(command.output().unwrap());
-            assert_eq!(run.code, 0, "{}\n{}", path.display(), run.stderr);
-        }
-    }
-    assert!(found >= 4, "{found} examples");
-}

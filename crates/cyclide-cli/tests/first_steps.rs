@@ -74,7 +74,7 @@ fn builds_and_is_drawn(kind: &str) {
     // Of what has no exact form, meshes.
     let exact = !["smooth-mesh", "sphere-blend"].contains(&kind);
     let outputs = if exact { "-o m.step -o m.png -o m.svg" } else { "-o m.glb -o m.png -o m.stl" };
-    let run = folder.run(&format!("build m.json {outputs} --json"));
+    let run = folder.run(&format!("build m.json {outputs} --width 480 --json"));
     assert_eq!((run.code, run.stderr.as_str()), (0, ""), "{kind}");
     let report: Value = serde_json::from_str(&run.stdout).unwrap();
     let files = report["files"].as_array().unwrap();

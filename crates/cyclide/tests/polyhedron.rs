@@ -339,6 +339,26 @@ fn normals_that_nearly_agree_run_round_once() {
 }
 
 #[test]
+fn corners_given_several_times_but_for_rounding_are_one() {
+    let mut generator = 1_u64;
+    let mut noise = || {
+        generator = generator.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        ((generator >> 11) as f64 / (1_u64 << 53) as f64 - 0.5) * 2e-13
+    };
+    let corner = |k: usize| [k & 1, k >> 1 & 1, k >> 2 & 1].map(|v| v as f64);
+    let points: Vec<Point3> = (0..40).map(|k| Point3::from(corner(k).map(|v| v + noise()))).collect();
+    let cube = ConvexPolyhedron::hull(&points).unwrap();
+    assert_eq!((cube.faces().len(), cube.edges().count()), (6, 12));
+    assert!(cube.deviation() > 0.0 && cube.deviation() < 1e-12 && cube.warnings().is_empty());
+    let body = cube.offset(0.1).unwrap();
+    assert!(surface_joints(&body.outer).iter().all(|joint| joint.angle < 1e-9));
+    // Fewer than four that differ, and the same with a flatness given.
+    let few: Vec<Point3> = points.iter().enumerate().filter(|(k, _)| k % 8 < 3).map(|(_, p)| *p).collect();
+    assert_eq!(ConvexPolyhedron::hull(&few).unwrap_err().reason(), "flat-polyhedron");
+    assert_eq!(ConvexPolyhedron::hull_with_flatness(&points, 1e-10).unwrap().faces().len(), 6);
+}
+
+#[test]
 fn the_largest_plane_comes_first() {
     let mut points = cube();
     points[7] = Point3::new(1e5, 1e5, 1e5);

@@ -28,6 +28,15 @@ fn points() -> impl Strategy<Value = Vec<Vec3>> {
     prop_oneof![round, in_cube(5..25), thin, near_grid]
 }
 
+/// Area of a face as part of the square over its longest side.
+fn narrowness(polyhedron: &ConvexPolyhedron, corners: &[usize]) -> f64 {
+    let at = |k: usize| polyhedron.vertices()[corners[k % corners.len()]];
+    let count = corners.len();
+    let longest = (0..count).map(|k| at(k).distance(at(k + 1))).fold(0.0, f64::max);
+    let area = (1..count - 1).fold(Vec3::ZERO, |sum, k| sum + (at(k) - at(0)).cross(at(k + 1) - at(0)));
+    0.5 * area.length() / (longest * longest)
+}
+
 proptest! {
     /// Quadrature stops at 1e-12 of the sum of absolute values. The angles of edges that are rounding, and areas of thin
     /// faces, are known less well: 1e-9.
@@ -49,7 +58,12 @@ proptest! {
         let volume_off = (volume / polyhedron.offset_volume(radius) - 1.0).abs();
         let area_off = (area / polyhedron.offset_area(radius) - 1.0).abs();
         prop_assert!(volume_off < 1e-9 && area_off < 1e-9, "volume {volume_off:e} area {area_off:e}");
+        let shallow = polyhedron.warnings().iter().any(|warning| warning.reason() == "shallow-edges");
+        let is_narrow = polyhedron.faces().iter().any(|corners| narrowness(&polyhedron, corners) < 1e-6);
         for joint in surface_joints(&body.outer) {
+            // Round a vertex next to a shallow edge faces of spheres may be so narrow that their normals are rounding, and those of
+            // slivers of planes are.
+            prop_assert!(shallow || is_narrow || joint.angle <= 1e-7, "{joint:?}");
             prop_assert!(joint.gap <= 64.0 * f64::EPSILON * (2.0 * scale + radius), "{joint:?}");
         }
     }

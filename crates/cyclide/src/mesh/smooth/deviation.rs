@@ -15,7 +15,7 @@ const COARSE: usize = 2;
 /// The centre of a triangle, and three places between it and the corners.
 const INNER: [[usize; 3]; 4] = [[1, 1, 1], [4, 1, 1], [1, 4, 1], [1, 1, 4]];
 /// Parts of an edge of the surface from which on there are many.
-const MANY: usize = 8;
+const MANY: usize = 5;
 /// The steps from a vertex of the mesh to its neighbours, in the order in which they lie round it.
 const AROUND: [[isize; 3]; 6] = [[1, -1, 0], [1, 0, -1], [0, 1, -1], [-1, 1, 0], [-1, 0, 1], [0, -1, 1]];
 

@@ -2,6 +2,7 @@
 
 mod convex;
 mod deviation;
+mod distinct;
 mod faces;
 mod groups;
 mod hull;
@@ -18,11 +19,14 @@ use crate::base::vector::{Point3, Vec3};
 use crate::error::{Error, ErrorItem, Result};
 use crate::warning::Warning;
 use deviation::Surface;
+use distinct::Distinct;
 use faces::{FaceSide, Faces};
 use plane::area_vector;
 
 /// Corners are in the plane of their face, and faces in one plane, within this part of the diameter.
 const PLANAR: f64 = 1e-9;
+/// Points of a hull within this part of the flatness are one: what is left of it is for the planes.
+const TOGETHER: f64 = 0.5;
 /// Of points whose hull has no planes within that, it is raised so often by a factor: up to 6.6e-5 of the diameter.
 const RAISES: i32 = 8;
 const RAISE: f64 = 4.0;
@@ -124,7 +128,7 @@ impl ConvexPolyhedron {
     }
 
     /// The convex hull of points, each side one face. Points that are no corners of it stay in the list of vertices, without faces.
-    /// Sides are planar within 1e-9 of the diameter; of points of which no faces in planes are that near, as of rounded ones, within
+    /// Sides are planar within 1e-9 of the diameter, and points within half of that of each other are one; of points of which no faces in planes are that near, as of rounded ones, within
     /// the first of 4, 16, ... times that (at most 6.6e-5) at which they are, with a [warning](Self::warnings).
     ///
     /// # Errors
@@ -133,20 +137,31 @@ impl ConvexPolyhedron {
     pub fn hull(points: &[Point3]) -> Result<Self> {
         check_points(points)?;
         let diameter = Aabb::of_points(points.iter().copied()).map_or(0.0, Aabb::diagonal);
-        let triangles = hull::triangles(points)?;
         let asked = PLANAR * diameter;
-        let refused = match Self::with_flatness(points, &triangles, asked) {
+        let distinct = Distinct::new(points, TOGETHER * asked);
+        let triangles = distinct.hull(points)?;
+        let refused = match Self::of_hull(points, &triangles, asked, distinct.farthest) {
             Err(error) if !matches!(error, Error::FlatPolyhedron { .. }) => error,
             made => return made,
         };
-        Self::raised(points, &triangles, asked).ok_or(refused)
+        Self::raised(points, &triangles, asked, distinct.farthest).ok_or(refused)
+    }
+
+    /// From triangles over points of which others may be as far as `dropped`.
+    fn of_hull(points: &[Point3], triangles: &[Vec<usize>], flatness: f64, dropped: f64) -> Result<Self> {
+        let made = Self::with_flatness(points, triangles, flatness)?;
+        let deviation = made.deviation + dropped;
+        if dropped > 0.0 && deviation > flatness {
+            return Err(Error::PlanesMissPoint { vertex: 0, distance: deviation, limit: flatness });
+        }
+        Ok(Self { deviation, ..made })
     }
 
     /// With the first larger flatness that gives a polyhedron, or with one a little larger still that leaves no edges of rounding.
-    fn raised(points: &[Point3], triangles: &[Vec<usize>], asked: f64) -> Option<Self> {
+    fn raised(points: &[Point3], triangles: &[Vec<usize>], asked: f64, dropped: f64) -> Option<Self> {
         let flatness = (1..=RAISES).map(|k| asked * RAISE.powi(k));
         let mut made = flatness.filter_map(|used| {
-            let made = Self::with_flatness(points, triangles, used).ok()?;
+            let made = Self::of_hull(points, triangles, used, dropped).ok()?;
             Some(Self { raised: Some(Warning::FlatnessRaised { asked, used }), ..made })
         });
         let first = made.next()?;
@@ -162,8 +177,8 @@ impl ConvexPolyhedron {
     /// As [`hull`](Self::hull); as [`with_flatness`](Self::with_flatness) where no faces in planes are that near.
     pub fn hull_with_flatness(points: &[Point3], flatness: f64) -> Result<Self> {
         check_points(points)?;
-        let triangles = hull::triangles(points)?;
-        Self::with_flatness(points, &triangles, flatness)
+        let distinct = Distinct::new(points, TOGETHER * flatness);
+        Self::of_hull(points, &distinct.hull(points)?, flatness, distinct.farthest)
     }
 
     /// From loops of which no two are in one plane.
