@@ -88,13 +88,12 @@ impl QbCurve {
 
     /// From pairs whose numerators are measured from a point; finite, at least one, and in space by construction.
     pub(crate) fn from_local(origin: Point3, pairs: impl IntoIterator<Item = (Quat, Quat)>) -> Self {
-        let mut rows: Vec<Row> = pairs.into_iter().map(|(n, d)| to_row(n, d)).collect();
-        let largest = rows.iter().map(|row| denominator(row).norm()).fold(0.0, f64::max);
-        if !(DENOMINATOR_RANGE[0]..=DENOMINATOR_RANGE[1]).contains(&largest) && largest > 0.0 {
-            let factor = 2.0_f64.powi(-largest.log2().round() as i32);
-            rows.iter_mut().for_each(|row| *row = row.map(|x| x * factor));
-        }
-        Self::from_rows(origin, rows)
+        Self::from_rows(origin, scaled_rows(pairs))
+    }
+
+    /// The same, with ends that are known.
+    fn from_local_between(ends: [Point3; 2], origin: Point3, pairs: impl IntoIterator<Item = (Quat, Quat)>) -> Self {
+        Self { origin, rows: scaled_rows(pairs), ends: ends.map(Some) }
     }
 
     fn from_rows(origin: Point3, rows: Vec<Row>) -> Self {
@@ -161,6 +160,17 @@ impl QbCurve {
         let entry = |d: usize| Polynomial::new(self.rows.iter().map(|row| row[d]).collect());
         (QuatPolynomial([0, 1, 2, 3].map(entry)), QuatPolynomial([4, 5, 6, 7].map(entry)))
     }
+}
+
+/// The rows of pairs, scaled where squares would leave the range of doubles.
+fn scaled_rows(pairs: impl IntoIterator<Item = (Quat, Quat)>) -> Vec<Row> {
+    let mut rows: Vec<Row> = pairs.into_iter().map(|(n, d)| to_row(n, d)).collect();
+    let largest = rows.iter().map(|row| denominator(row).norm()).fold(0.0, f64::max);
+    if !(DENOMINATOR_RANGE[0]..=DENOMINATOR_RANGE[1]).contains(&largest) && largest > 0.0 {
+        let factor = 2.0_f64.powi(-largest.log2().round() as i32);
+        rows.iter_mut().for_each(|row| *row = row.map(|x| x * factor));
+    }
+    rows
 }
 
 fn to_row(n: Quat, d: Quat) -> Row {
