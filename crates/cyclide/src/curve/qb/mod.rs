@@ -14,12 +14,15 @@ mod from_blend;
 mod modify;
 mod rational;
 mod reach;
+mod rows;
 mod spline;
 mod spline_edit;
 
 pub(crate) use from_blend::SpanData;
 pub use reach::QbReach;
 pub use spline::QbSpline;
+
+use rows::Rows;
 
 use crate::base::quat::Quat;
 use crate::base::vector::Point3;
@@ -56,7 +59,7 @@ pub struct QbCurve {
     /// What the numerators are measured from.
     origin: Point3,
     /// Never empty.
-    rows: Vec<Row>,
+    rows: Rows,
     /// Both ends, known better than the rows; `None` at infinity.
     ends: [Option<Point3>; 2],
 }
@@ -96,7 +99,7 @@ impl QbCurve {
         Self { origin, rows: scaled_rows(pairs), ends: ends.map(Some) }
     }
 
-    fn from_rows(origin: Point3, rows: Vec<Row>) -> Self {
+    fn from_rows(origin: Point3, rows: Rows) -> Self {
         let end = |row: &Row| {
             let quotient = HPoint { n: numerator(row), d: denominator(row) }.quotient()?;
             Some(origin + quotient.vector()).filter(|p| p.is_finite())
@@ -163,8 +166,8 @@ impl QbCurve {
 }
 
 /// The rows of pairs, scaled where squares would leave the range of doubles.
-fn scaled_rows(pairs: impl IntoIterator<Item = (Quat, Quat)>) -> Vec<Row> {
-    let mut rows: Vec<Row> = pairs.into_iter().map(|(n, d)| to_row(n, d)).collect();
+fn scaled_rows(pairs: impl IntoIterator<Item = (Quat, Quat)>) -> Rows {
+    let mut rows: Rows = pairs.into_iter().map(|(n, d)| to_row(n, d)).collect();
     let largest = rows.iter().map(|row| denominator(row).norm()).fold(0.0, f64::max);
     if !(DENOMINATOR_RANGE[0]..=DENOMINATOR_RANGE[1]).contains(&largest) && largest > 0.0 {
         let factor = 2.0_f64.powi(-largest.log2().round() as i32);
