@@ -371,3 +371,86 @@ fn long_chains_of_objects_are_built() {
     };
     build(40_000);
 }
+
+/// A Möbius spline takes its own derivative where none is given.
+#[test]
+fn a_moebius_spline_has_free_tangents() {
+    let spline = |tangents: &str| {
+        build(&format!(r#""type": "moebius-spline", "knots": "uniform", "points": [[0,0],[1,0],[1,1]]{tangents}"#))
+    };
+    let point = |built: &BuiltObject| curve(built).point(0.3);
+    let (own, free) = (spline("").unwrap(), spline(r#", "tangents": ["free", "free", "free"]"#).unwrap());
+    assert_eq!(point(&own), point(&free));
+    let bent = spline(r#", "tangents": [[1, -1], "free", "free"]"#).unwrap();
+    assert!(
+        (curve(&bent).jet(0.0).d1.unit().unwrap() - cyclide::Vec3::new(0.5_f64.sqrt(), -(0.5_f64.sqrt()), 0.0))
+            .length()
+            < 1e-15
+    );
+    assert_eq!(curve(&bent).point(0.75), curve(&own).point(0.75));
+    let error = spline(r#", "tangents": [[1, -1], "fre", "free"]"#).unwrap_err();
+    assert!(error.contains("objects.a.tangents[1]") && error.contains("did you mean `free`"), "{error}");
+}
+
+/// A square whose sides are 1, closed, and a circle of circumference 1.
+const TO_CUT: &str = r#""square": {"type": "polyline", "closed": true, "points": [[0,0],[1,0],[1,1],[0,1]]},
+    "ring": {"type": "circle", "center": [0,0], "radius": 0.15915494309189535},
+    "two": {"type": "polyline", "points": [[[0,0],[1,0]],[[0,0],[3,0]]]},
+    "torus": {"type": "cyclide", "a": 3, "mu": 1}"#;
+
+/// The image of an object under steps, or what was refused.
+fn stepped(of: &str, steps: &str) -> Result<BuiltObject, String> {
+    let text = format!(
+        r#"{{"cyclide": 1, "objects": {{ {TO_CUT}, "a": {{"type": "transform", "of": "{of}", "steps": [{steps}]}}}}}}"#
+    );
+    let document = Document::parse("m.json", text.as_bytes()).map_err(|d| d.to_string())?;
+    document.build().map(|mut built| built.remove(4)).map_err(|e| e.to_string())
+}
+
+#[test]
+fn curves_are_run_backwards_and_cut() {
+    let part = |of: &str, steps: &str| stepped(of, steps).unwrap();
+    let back = part("square", "\"reverse\"");
+    assert!(curve(&back).is_closed() && near(curve(&back).point(0.25), [0.0, 1.0, 0.0]));
+    // Past the start, in the order of the steps: backwards the square goes up first.
+    let corner = part("square", r#"{"cut": {"stations": [3.5, 0.5]}}"#);
+    assert!(near(curve(&corner).point(0.0), [0.0, 0.5, 0.0]) && near(curve(&corner).point(1.0), [0.5, 0.0, 0.0]));
+    assert!((length(curve(&corner)) - 1.0).abs() < 1e-14 && !curve(&corner).is_closed());
+    let corner = part("square", r#""reverse", {"cut": {"stations": [3.5, 0.5]}}"#);
+    assert!(near(curve(&corner).point(0.0), [0.5, 0.0, 0.0]) && near(curve(&corner).point(1.0), [0.0, 0.5, 0.0]));
+    let arc = part("ring", r#"{"cut": {"parameters": [0.9, 0.2]}}, {"scale": {"factor": 10}}"#);
+    assert!((length(curve(&arc)) - 3.0).abs() < 1e-13);
+    let two = part("two", r#"{"cut": {"parameters": [0.5, 1]}}"#);
+    assert_eq!(two.item.curves().iter().map(|c| length(c.as_curve())).collect::<Vec<_>>(), [0.5, 1.5]);
+}
+
+#[test]
+fn what_cannot_be_cut_is_refused_at_its_step() {
+    for (of, steps, words) in [
+        (
+            "two",
+            r#"{"cut": {"stations": [0, 2]}}"#,
+            "objects.a.steps[0]: contour 0: there is no part between the stations 0 and 2: they are from 0 to 1,",
+        ),
+        (
+            "square",
+            r#""reverse", {"cut": {"stations": [1, 4.5]}}"#,
+            "objects.a.steps[1]: there is no part between the stations 1 and 4.5: they are from 0 to 4,",
+        ),
+        ("square", r#"{"cut": {"parameters": [0.5, 0.5]}}"#, "[parameter-out-of-range]"),
+        ("ring", r#"{"cut": {"parameters": [0, 1]}}"#, "[sweep-out-of-range]"),
+        (
+            "torus",
+            "\"reverse\"",
+            "objects.a.steps[0]: `torus` is of type `cyclide`: only curves are run backwards or cut",
+        ),
+        ("square", r#"{"cut": {"parameters": [0, 0.5], "stations": [0, 1]}}"#, "objects.a.steps[0].cut"),
+        ("square", r#"{"cut": [0, 1]}"#, "objects.a.steps[0]: a word, or a name in braces"),
+        ("square", r#"{"cut": {"parameter": [0, 1]}}"#, "did you mean `parameters`"),
+        ("square", "\"revers\"", "did you mean `reverse`"),
+        ("square", r#"{"reverse": true}"#, "objects.a.steps[0]"),
+    ] {
+        let error = stepped(of, steps).unwrap_err();
+        assert!(error.contains(words), "{steps}: {error}");
+    }
+}

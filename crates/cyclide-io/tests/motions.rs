@@ -67,7 +67,7 @@ fn refusals_are_at_their_place() {
         (motion(r#""poses": [{"position": [0, 0]}]"#), "1 poses given, 2 or more needed"),
         (
             motion(r#""poses": [{"position": [0, 0]}, {"position": [1, 0], "quaternion": [0, 0, 0, 0]}]"#),
-            "rotation 0 is zero",
+            "rotation 1 is zero",
         ),
         (motion(r#""poses": [{"position": [0, 0], "time": 0}, {"position": [1, 0]}]"#), "this pose has no `time`"),
         (motion(r#""poses": [{"position": [0, 0], "time": 1}, {"position": [1, 0], "time": 0}]"#), "do not rise"),
@@ -260,4 +260,35 @@ fn a_swept_surface_is_a_shell_in_files() {
         exporter.check("f".as_ref(), format, &file).unwrap();
         assert_eq!(file.exact, matches!(format, Format::Step | Format::Json));
     }
+}
+
+/// Degrees written as radians, and a rotation of zero, are said where they are.
+#[test]
+fn doubtful_rotations_are_named_at_their_pose() {
+    let wide = build(&motion(r#""poses": [{"position": [0, 0]}, {"position": [1, 0], "rpy": [0, 0, 90]}]"#)).unwrap();
+    assert_eq!((wide.remarks.len(), wide.remarks[0].reason), (1, "more-than-a-turn"));
+    assert_eq!(wide.remarks[0].place.as_deref(), Some("objects.m.poses[1].rpy[2]"));
+    assert!(wide.remarks[0].message.contains("write `{\"degrees\": 90}`"), "{}", wide.remarks[0].message);
+    let table = |header: &str| {
+        let text = format!("x,y,z,{header}\n0,0,0,0,0,0\n1,0,0,0,0,90\n");
+        build_all(&motion(r#""poses": {"csv": "poses.csv"}"#), &text).unwrap().pop().unwrap().remarks
+    };
+    let remarks = table("roll,pitch,yaw");
+    assert_eq!((remarks[0].reason, remarks[0].place.as_deref()), ("more-than-a-turn", Some("poses.csv:3")));
+    assert!(table("roll_deg,pitch_deg,yaw_deg").is_empty());
+    let zero = r#""poses": [{"position": [0, 0]}, {"position": [1, 0], "quaternion": [0, 0, 0, 0]}]"#;
+    let error = build(&motion(zero)).unwrap_err();
+    assert!(error.contains("objects.m.poses[1]: rotation 1 is zero"), "{error}");
+}
+
+/// A point on the axis of a turn has no path, at the origin and elsewhere.
+#[test]
+fn a_point_at_rest_has_no_path() {
+    let turn = motion(r#""poses": [{"position": [0, 0]}, {"position": [0, 0], "rpy": [0, 0, 1]}]"#);
+    for point in ["[0, 0, 0]", "[0, 0, 7]"] {
+        let path = format!(r#""t": {{"type": "trajectory", "of": "m", "point": {point}}}"#);
+        let error = build(&format!("{turn}, {path}")).unwrap_err();
+        assert!(error.contains("objects.t.point: the point rests") && error.contains("[motion-at-rest]"), "{error}");
+    }
+    assert!(build(&format!(r#"{turn}, "t": {{"type": "trajectory", "of": "m", "point": [1e-9, 0, 7]}}"#)).is_ok());
 }

@@ -7,7 +7,7 @@ use cyclide::{
 
 use super::construct::{Contour, Made, corners};
 use super::coordinates::Coordinates;
-use super::spec::{MoebiusContinuity, MoebiusSplineSpec, ParameterRule, ParametersSpec, QbInterpolationSpec};
+use super::spec::{FreeOr, MoebiusContinuity, MoebiusSplineSpec, ParameterRule, ParametersSpec, QbInterpolationSpec};
 
 /// What is known of a curve of lowest degree through points.
 ///
@@ -113,7 +113,7 @@ fn tangents(spec: &MoebiusSplineSpec, at: &Contour<'_>) -> cyclide::Result<Vec<O
     if given.len() != needed {
         return Err(cyclide::Error::CountDiffers { what: ErrorItem::Tangent, given: given.len(), needed });
     }
-    Ok(at.kept.iter().filter_map(|&i| given.get(i)).map(|t| t.map(Coordinates::vector)).collect())
+    Ok(at.kept.iter().filter_map(|&i| given.get(i)).map(|FreeOr(t)| t.map(Coordinates::vector)).collect())
 }
 
 fn vectors(list: &[Coordinates]) -> Vec<Vec3> {

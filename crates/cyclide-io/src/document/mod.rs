@@ -39,7 +39,7 @@ pub use schema::document_schema;
 pub use spec::{
     AnglePairs, ArcFitSpec, ArcSpec, ArcSplineSpec, BiarcSpec, BlendRingSpec, BlendTubeSpec, BorderCurves, BorderSpec,
     BorderWord, BridgeArcs, CircleSpec, CircleSplineSpec, CircularSurfaceSpec, ClampedEnds, Comment, ContactBlendSpec,
-    CrossingPipeSpec, CyclidePatchSpec, CyclideSpec, CyclidicNetSpec, DiskSpec, EllipseBridgeSpec, EndsSpec,
+    CrossingPipeSpec, CutSpec, CyclidePatchSpec, CyclideSpec, CyclidicNetSpec, DiskSpec, EllipseBridgeSpec, EndsSpec,
     FairEndPair, FairEndSpec, FairEndWord, FairEndsSpec, FairFitSpec, FairSplineSpec, FamilySpec, FrameSpec, FreeOr,
     GridSource, MakeCircularOptions, MakeCircularSpec, MeshFile, MoebiusContinuity, MoebiusSplineSpec, MotionKind,
     MotionSpec, NormalsSpec, NurbsSpec, ObjectSpec, OffsetSpec, ParameterRule, ParametersSpec, PipeCrossingSpec,
@@ -252,6 +252,8 @@ fn one_value_too_many(source: Source<'_>, path: &[Step], offset: usize, message:
     let list = locate::members_around(source.text, path, offset)?;
     let message = if list.is_list {
         wrong_count(list.count, list.before)
+    } else if list.count == 1 {
+        "a word, or a name in braces with what belongs to it, `{\"name\": …}`, is needed behind this name".to_owned()
     } else {
         "one name is needed here: give each its own braces `{…}`".to_owned()
     };

@@ -123,9 +123,8 @@ pub(super) fn other_word_for(kind: &str) -> String {
         "polyhedron" | "hull" | "convex-hull" | "polytope" | "box" | "cube" => {
             "a convex polyhedron with rounded edges is a `smooth-polyhedron`"
         }
-        "mirror" | "rotation" | "translation" | "scale" | "inversion" | "move" | "rotate" => {
-            "it is a step of a `transform`"
-        }
+        "mirror" | "rotation" | "translation" | "scale" | "inversion" | "move" | "rotate" | "reverse" | "cut"
+        | "trim" | "split" => "it is a step of a `transform`",
         "beams" | "edges" | "support" => "the edges of a surface are its `support-structure`",
         _ => return String::new(),
     };

@@ -55,7 +55,7 @@ fn spline(random: &mut Random) -> Value {
     }
     if random.chance(0.3) {
         let one = |random: &mut Random| match random.chance(0.5) {
-            true => Value::Null,
+            true => json!("free"),
             false => json!(random.vector().map(|v| v * random.decades(-2.0, 2.0))),
         };
         object["tangents"] = json!((0..n).map(|_| one(random)).collect::<Vec<_>>());

@@ -33,6 +33,19 @@ pub(crate) fn check_interval(t0: f64, t1: f64) -> Result<()> {
     }
 }
 
+/// Checks an interval of parameters that leads past the start of a closed curve, `0 < t1 < t0 < 1`.
+///
+/// # Errors
+/// `parameter-out-of-range`, also for every interval of an open curve.
+pub(crate) fn check_past_start(closed: bool, t0: f64, t1: f64) -> Result<()> {
+    if closed && t1 < t0 && t1 > 0.0 && t0 < 1.0 {
+        Ok(())
+    } else {
+        let max = if closed { t0.min(1.0) } else { 0.0 };
+        Err(Error::ParameterOutOfRange { name: ErrorItem::T1, value: t1, min: 0.0, max })
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

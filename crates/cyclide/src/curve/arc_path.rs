@@ -7,7 +7,7 @@ use super::param_curve::ParamCurve;
 use super::piece_form::PieceForm;
 use super::piece_hull::PieceHull;
 use crate::base::bounds::Aabb;
-use crate::base::cut::{check_interval, place_of_cut};
+use crate::base::cut::{check_interval, check_past_start, place_of_cut};
 use crate::base::jet::CurveJet;
 use crate::base::vector::Point3;
 use crate::conformal::mobius::{Conformal, Mobius};
@@ -103,6 +103,17 @@ impl ArcPath {
             *arc = arc.split(inside)?.1.with_start(self.arcs[first].point(s0));
         }
         Self::new(arcs, false)
+    }
+
+    /// The part of a closed path from a global parameter past its start to a smaller one, `0 < t1 < t0 < 1`, as an open path.
+    ///
+    /// # Errors
+    /// `parameter-out-of-range`.
+    pub fn restricted_past_start(&self, t0: f64, t1: f64) -> Result<Self> {
+        check_past_start(self.closed, t0, t1)?;
+        let (mut before, after) = (self.restricted(t0, 1.0)?, self.restricted(0.0, t1)?);
+        before.arcs.extend(after.arcs);
+        Ok(before)
     }
 
     /// The two parts before and after a global parameter in `(0, 1)`, as open paths that meet in the same doubles.

@@ -6,7 +6,7 @@ use super::param_curve::ParamCurve;
 use super::piece_form::PieceForm;
 use super::piece_hull::PieceHull;
 use crate::base::bounds::Aabb;
-use crate::base::cut::{check_interval, place_of_cut};
+use crate::base::cut::{check_interval, check_past_start, place_of_cut};
 use crate::base::jet::CurveJet;
 use crate::base::range;
 use crate::base::vector::{Point3, Vec3};
@@ -192,8 +192,22 @@ impl Circle {
     /// `parameter-out-of-range`, `sweep-out-of-range` (the whole circle).
     pub fn restricted(&self, t0: f64, t1: f64) -> Result<Arc> {
         check_interval(t0, t1)?;
+        self.part([t0, t1], t1 - t0)
+    }
+
+    /// The part from a parameter past the start to a smaller one, `0 < t1 < t0 < 1`, at the arc's own parameter.
+    ///
+    /// # Errors
+    /// `parameter-out-of-range`, `sweep-out-of-range` (all but rounding of the circle).
+    pub fn restricted_past_start(&self, t0: f64, t1: f64) -> Result<Arc> {
+        check_past_start(true, t0, t1)?;
+        self.part([t0, t1], (1.0 - t0) + t1)
+    }
+
+    /// The arc from one parameter to another that is this part of the circle.
+    fn part(&self, [t0, t1]: [f64; 2], share: f64) -> Result<Arc> {
         let (start, end) = (self.piece_point(0, t0), self.piece_point(0, t1));
-        let arc = Arc::from_center(self.center, self.normal, start, std::f64::consts::TAU * (t1 - t0))?;
+        let arc = Arc::from_center(self.center, self.normal, start, std::f64::consts::TAU * share)?;
         Ok(arc.with_start(start).with_end(end))
     }
 

@@ -101,6 +101,7 @@ items! {
     Side => "side",
     Similarity => "similarity",
     Start => "start",
+    Station => "station",
     Surface => "surface",
     T => "t",
     T1 => "t1",

@@ -261,7 +261,7 @@ impl std::fmt::Display for Error {
             ),
             Self::DegreeTooHigh { degree, limit } => write!(
                 f,
-                "the surface would have the degree {degree}, limit {limit}: take curves of lower degrees (segments have 1, arcs 2, fair splines 4)"
+                "the degree would be {degree}, limit {limit}: take fewer points, or curves of lower degrees (segments have 1, arcs 2, fair splines 4)"
             ),
             Self::DegenerateCircle { sine, limit } => write!(
                 f,

@@ -12,6 +12,12 @@ use crate::error::{Error, Result, check_tolerance};
 
 /// Intervals on which the density of vertices of a piece is sampled.
 const DENSITY_SCAN: usize = 24;
+/// Intervals that ask for more chords than this are looked at in the middle, and halved where the density there is less than a quarter of the
+/// mean of the ends, or more than four times that: next to a sharp bend, or the turn of a swing, an interval has all of its chords in a
+/// tiny part.
+const CHORDS_UNSEEN: f64 = 64.0;
+const UNEVEN: f64 = 4.0;
+const SCAN_DEPTH: u32 = 48;
 /// More chords than the scan asks for, so that its errors do not make every other chord fail its check by a hair.
 const MARGIN: f64 = 1.03;
 /// Halvings of one chord without proof; beyond, the part is shorter than rounding.
@@ -198,31 +204,27 @@ impl Free<'_> {
     /// Appends the inner vertices of the piece.
     fn flatten(&mut self, vertex: &mut impl FnMut(CurvePlace, Point3) -> usize) -> Result<()> {
         // Chords by the integral of sqrt(k) by arc length, its density taken as linear between the places of the scan.
-        let step = 1.0 / DENSITY_SCAN as f64;
-        let mut density = [0.0; DENSITY_SCAN + 1];
-        for (i, d) in density.iter_mut().enumerate() {
-            *d = self.density(i as f64 * step);
-        }
-        let total: f64 = density.windows(2).map(|d| 0.5 * (d[0] + d[1]) * step).sum();
-        // A part of curvature k reaches the tolerance at the length sqrt(8 tolerance/k).
-        let chords = MARGIN * total / (8.0 * self.tolerance).sqrt();
+        let scan = self.scan();
+        let inside = |interval: usize| {
+            let [[a, da], [b, db]] = [scan[interval], scan[interval + 1]];
+            0.5 * (da + db) * (b - a)
+        };
+        let intervals = scan.len() - 1;
+        let total: f64 = (0..intervals).map(inside).sum();
+        let chords = MARGIN * total * self.chords_per_density();
         let m = count(chords.ceil().max(1.0), self.have, self.most, self.piece)?;
         let (mut s, mut point) = (0.0, self.curve.piece_point(self.piece, 0.0));
         // The interval of the scan and the integral up to its start.
         let (mut interval, mut before) = (0, 0.0);
         for j in 1..=m {
             let goal = total * j as f64 / m as f64;
-            let mut inside = 0.5 * (density[interval] + density[interval + 1]) * step;
-            while interval + 1 < DENSITY_SCAN && before + inside < goal {
-                before += inside;
+            while interval + 1 < intervals && before + inside(interval) < goal {
+                before += inside(interval);
                 interval += 1;
-                inside = 0.5 * (density[interval] + density[interval + 1]) * step;
             }
-            let next = if j == m {
-                1.0
-            } else {
-                step * (interval as f64 + fraction(&density[interval..], (goal - before) / step))
-            };
+            let [[from, d0], [to, d1]] = [scan[interval], scan[interval + 1]];
+            let next =
+                if j == m { 1.0 } else { from + (to - from) * fraction([d0, d1], (goal - before) / (to - from)) };
             let next_point = self.curve.piece_point(self.piece, next);
             self.check(s, point, next, next_point, DEPTH, vertex)?;
             if j < m {
@@ -231,6 +233,38 @@ impl Free<'_> {
             (s, point) = (next, next_point);
         }
         Ok(())
+    }
+
+    /// A part of curvature `k` reaches the tolerance at the length `sqrt(8 tolerance/k)`.
+    fn chords_per_density(&self) -> f64 {
+        1.0 / (8.0 * self.tolerance).sqrt()
+    }
+
+    /// Places from 0 to 1 with the density at each.
+    fn scan(&self) -> Vec<[f64; 2]> {
+        let at = |s: f64| [s, self.density(s)];
+        let mut scan = Vec::with_capacity(DENSITY_SCAN + 1);
+        scan.push(at(0.0));
+        for i in 1..=DENSITY_SCAN {
+            self.scan_to(at(i as f64 * (1.0 / DENSITY_SCAN as f64)), SCAN_DEPTH, &mut scan);
+        }
+        scan
+    }
+
+    /// Adds a place to the scan, and places before it where the density is uneven.
+    fn scan_to(&self, [b, db]: [f64; 2], depth: u32, scan: &mut Vec<[f64; 2]>) {
+        if let Some(&[a, da]) = scan.last() {
+            let (middle, mean) = (0.5 * (a + b), 0.5 * (da + db));
+            if depth > 0 && mean * (b - a) * self.chords_per_density() > CHORDS_UNSEEN {
+                let density = self.density(middle);
+                if density * UNEVEN < mean || density > UNEVEN * mean {
+                    self.scan_to([middle, density], depth - 1, scan);
+                    self.scan_to([b, db], depth - 1, scan);
+                    return;
+                }
+            }
+        }
+        scan.push([b, db]);
     }
 
     /// Vertices per parameter up to a factor: `sqrt(k) |x'|`, 0 where there is no tangent.
@@ -279,7 +313,7 @@ impl Free<'_> {
 }
 
 /// The `x` in `[0, 1]` at which the integral of the linear function from `d[0]` at 0 to `d[1]` at 1 is `goal`.
-fn fraction(d: &[f64], goal: f64) -> f64 {
+fn fraction(d: [f64; 2], goal: f64) -> f64 {
     let root = (d[0] * d[0] + 2.0 * (d[1] - d[0]) * goal).max(0.0).sqrt();
     let x = 2.0 * goal / (d[0] + root);
     if x >= 0.0 { x.min(1.0) } else { 1.0 }

@@ -7,6 +7,7 @@ mod lower;
 mod named;
 mod nurbs;
 mod object;
+mod part;
 mod qb_spline;
 mod surface_object;
 mod torus_spline;

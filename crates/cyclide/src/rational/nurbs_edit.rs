@@ -3,7 +3,7 @@
 use super::nurbs_curve::{
     NurbsCurve, check_multiplicities, check_numbers, homogeneous_rows, insert_knot, multiplicity,
 };
-use crate::base::cut::{check_interval, place_of_cut};
+use crate::base::cut::{check_interval, check_past_start, place_of_cut};
 use crate::base::vector::Point3;
 use crate::conformal::mobius::Mobius;
 use crate::error::{Error, ErrorItem, Result};
@@ -126,6 +126,25 @@ impl NurbsCurve {
         let left = if t1 < 1.0 { self.split(t1)?.0 } else { self.clone() };
         // The knot domain is kept, so the place of the first cut is still the same number.
         if t0 > 0.0 { Ok(left.split_at_knot(self.knot_of_cut(t0)?)?.1) } else { Ok(left) }
+    }
+
+    /// The part of a closed curve from a global parameter past its start to a smaller one, `0 < t1 < t0 < 1`, exact: the knots go on past the last one,
+    /// which stands as often as the degree, and the weights after it are scaled to meet those before.
+    ///
+    /// # Errors
+    /// `parameter-out-of-range`; `weight-not-positive` if a weight overflows.
+    pub fn restricted_past_start(&self, t0: f64, t1: f64) -> Result<Self> {
+        let (first, last) = (self.control_points()[0], self.control_points()[self.control_points().len() - 1]);
+        check_past_start(first == last, t0, t1)?;
+        let (before, after) = (self.restricted(t0, 1.0)?, self.restricted(0.0, t1)?);
+        let (degree, (start, end)) = (self.degree(), self.domain());
+        let joint = before.knots().len() - 1;
+        let moved = after.knots()[degree + 1..].iter().map(|knot| end + (knot - start));
+        let knots = before.knots()[..joint].iter().copied().chain(moved).collect();
+        let points = [before.control_points(), &after.control_points()[1..]].concat();
+        let scale = before.weights()[before.weights().len() - 1] / after.weights()[0];
+        let weights = before.weights().iter().copied().chain(after.weights()[1..].iter().map(|w| w * scale)).collect();
+        Self::new(degree, knots, points, weights)
     }
 
     /// The knot-domain parameter of a global parameter in `(0, 1)`.

@@ -2,8 +2,9 @@
 
 use crate::curves::{circle_spline, point, rational_cubic, stadium};
 use cyclide::{
-    Arc, BlendVariant, ChainPiece, Circle, CircleSplineOptions, Conformal, CurveChain, CurveIndex, Mobius,
-    MoebiusSplineOptions, NodeParameters, ParamCurve, QbInterpolation, QbSpline, Quat, Vec3, length,
+    Arc, BlendVariant, ChainPiece, Circle, CircleSplineOptions, Conformal, CurveChain, CurveIndex, Frame, Mobius,
+    MoebiusSplineOptions, NodeParameters, ParamCurve, Point2, QbInterpolation, QbSpline, Quat, Torus, TorusSpline,
+    Vec3, length,
 };
 
 /// A similarity and a reflection after it.
@@ -136,6 +137,14 @@ fn qb_splines() {
     }
     let through = QbInterpolation::through_points(&points, &NodeParameters::Chord).unwrap();
     check!("QB curve", through.curve().clone(), transformed);
+}
+
+#[test]
+fn torus_splines() {
+    let torus = Torus::new(Frame::WORLD, 2.0, 0.7).unwrap();
+    check!("knot", TorusSpline::knot(&torus, [2, 3], Point2::new(0.1, 0.2)).unwrap(), similar);
+    let places = [[0.0, 0.1], [0.9, 0.8], [1.6, 0.2], [2.2, -0.9]].map(Point2::from);
+    check!("seam", TorusSpline::through_places(&torus, &places, &Default::default()).unwrap(), similar);
 }
 
 #[test]

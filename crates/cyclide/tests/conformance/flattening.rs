@@ -2,8 +2,8 @@
 
 use super::{each, segment_distance};
 use cyclide::{
-    BlendVariant, CircleSpline, CircleSplineOptions, CurveJet, NurbsCurve, ParamCurve, PieceForm, PieceHull, Point3,
-    Result, flatten,
+    BlendVariant, CircleSpline, CircleSplineOptions, CurveJet, MoebiusSplineOptions, NurbsCurve, ParamCurve, PieceForm,
+    PieceHull, Point3, QbSpline, Result, flatten,
 };
 use proptest::prelude::*;
 
@@ -127,6 +127,26 @@ fn a_heavy_middle_is_not_missed() {
             });
         }
     });
+}
+
+/// A Möbius spline through points that turn back by half a turn but for a billionth: it swings far out, and bends most in a tiny part of an
+/// interval between two samples of its density, which asked for 8e8 vertices.
+#[test]
+fn a_sharp_bend_does_not_flood_its_piece() {
+    let points = [[0.0, 0.0, 0.0], [2.0, 0.02, 0.0], [0.0, -1e-9, -1e-9], [2.3, 1.6e-3, -1.6e-9]].map(Point3::from);
+    let spline = QbSpline::through_points(&points, &MoebiusSplineOptions::default()).unwrap();
+    let size = cyclide::bounds(&spline).diagonal();
+    for relative in [1e-3, 1e-5, 1e-7] {
+        let vertices = flatten(&spline, relative * size).unwrap();
+        // What even chords of a circle of that size would be, for two swings, and what the sharp bends take besides.
+        let circle = std::f64::consts::PI / (2.0 * relative).sqrt();
+        assert!((vertices.len() as f64) < 3.0 * circle + 200.0, "{relative:e}: {}", vertices.len());
+        for (t, p) in (0..=4000).map(|k| f64::from(k) / 4000.0).map(|t| (t, spline.point(t))) {
+            let after = vertices.partition_point(|(at, _)| *at <= t).clamp(1, vertices.len() - 1);
+            let distance = segment_distance(p, vertices[after - 1].1, vertices[after].1);
+            assert!(distance <= relative * size * (1.0 + 1e-9), "{relative:e} at {t}: {distance:e}");
+        }
+    }
 }
 
 #[test]

@@ -9,6 +9,7 @@ mod curves;
 mod edits;
 mod flattening;
 mod known_shapes;
+mod parts;
 
 use curves::{Case, cases};
 use cyclide::{

@@ -184,7 +184,8 @@ fn refined(a: &Track<'_>, b: &Track<'_>, worst: &Worst) -> f64 {
 mod tests {
     use super::*;
     use cyclide::{
-        Arc, ArcPath, CircleSpline, CircleSplineOptions, CurveChain, HPoint, Lower as _, Lowered, QbCurve, Quat, Vec3,
+        Arc, ArcPath, CircleSpline, CircleSplineOptions, CurveChain, HPoint, Lower as _, Lowered, QbCurve,
+        QbInterpolation, QbNode, Quat, Vec3,
     };
 
     /// Two half circles and two sides, with the arcs in some order.
@@ -240,6 +241,25 @@ mod tests {
         let (first, last) = (weight(0.0), weight(1.0));
         let pairs = [(rise, first), (rise + first * 0.5, (first + last) * 0.5), (rise + last, last)];
         QbCurve::new(&pairs.map(|(n, d)| HPoint { n: Quat::new(0.0, 1.0, 0.0, 0.0) * n, d })).unwrap()
+    }
+
+    /// A curve that stops in the origin has no direction there, and its exact form, whose control points are rounded, has any.
+    #[test]
+    fn a_stop_in_the_origin_is_no_maze() {
+        let node = |parameter: f64, x: f64, y: f64, derivatives: &[Vec3]| QbNode {
+            parameter,
+            point: Point3::new(x, y, 0.0),
+            derivatives: derivatives.to_vec(),
+        };
+        // The first is the centripetal parameter.
+        for t in [1.0 / (1.0 + 2.0_f64.powf(0.25)), 0.4, 0.6] {
+            let nodes = [node(0.0, 0.0, 0.0, &[Vec3::ZERO]), node(t, 1.0, 0.0, &[]), node(1.0, 0.0, 1.0, &[Vec3::Y])];
+            let through = QbInterpolation::through_nodes(&nodes).unwrap();
+            let curve = cyclide::QbSpline::from_curve(through.curve().clone()).unwrap();
+            let Lowered { form, correspondence, .. } = curve.lower_to_chain(1e-3).unwrap();
+            // The weights of the form differ by a thousand: so many roundings of its coordinates.
+            assert!(apart(&curve, &form, &correspondence, false) < 1e-12, "{t}");
+        }
     }
 
     /// Ends, tangents and speeds of a stretch say nothing of a loop between them.

@@ -16,7 +16,8 @@ const WINDOW_SPEEDS: f64 = 4.0;
 const CHORD_SPEEDS: f64 = 1.5;
 /// Where the hull of a piece is an approximation, it is within this part of the distance of its ends.
 const HULL_TOLERANCE: f64 = 1e-3;
-/// Windows below this part of their coordinates are not cut any further.
+/// Windows below this part of the coordinates of their piece are not cut any further: at the origin, too, where a curve with a stop
+/// says nothing of its direction, however near.
 const UNSEEN: f64 = 1e-13;
 /// Halvings of a window at most, and windows of a part. An arc that passes near infinity runs nearly all of its way in a
 /// tiny range of its parameter.
@@ -70,12 +71,14 @@ pub(super) struct Track<'a> {
     hull: Option<(usize, PieceHull)>,
     /// The windows of the part, in order; never empty once there is a part.
     pub(super) windows: Vec<Window>,
+    /// The length below which nothing is seen of the piece that is being cut.
+    unseen: f64,
 }
 
 impl<'a> Track<'a> {
     /// The curve in space or in the plan view.
     pub(super) fn new(curve: &'a dyn ParamCurve, plan: bool) -> Self {
-        Self { curve, plan, balanced: Vec::new(), hull: None, windows: Vec::new() }
+        Self { curve, plan, balanced: Vec::new(), hull: None, windows: Vec::new(), unseen: 0.0 }
     }
 
     /// Takes the part between two places, which may be one.
@@ -131,12 +134,12 @@ impl<'a> Track<'a> {
         if range[1] - range[0] < SHORT_PART {
             first = 1;
         }
-        let mut start = self.node(piece, balanced, range[0]);
-        for k in 1..=first {
-            let s = if k == first { range[1] } else { range[0] + (range[1] - range[0]) * (k as f64 / first as f64) };
-            let end = self.node(piece, balanced, s);
-            self.cut(piece, balanced, start, end, WINDOW_DEPTH);
-            start = end;
+        let place =
+            |k: usize| if k == first { range[1] } else { range[0] + (range[1] - range[0]) * (k as f64 / first as f64) };
+        let nodes: Vec<Node> = (0..=first).map(|k| self.node(piece, balanced, place(k))).collect();
+        self.unseen = UNSEEN * nodes.iter().map(|node| node.point.to_vec().max_abs()).fold(0.0, f64::max);
+        for ends in nodes.windows(2) {
+            self.cut(piece, balanced, ends[0], ends[1], WINDOW_DEPTH);
         }
     }
 
@@ -204,7 +207,7 @@ impl<'a> Track<'a> {
 
     /// Adds a window, halved until it is tame.
     fn cut(&mut self, piece: usize, balanced: Option<usize>, start: Node, end: Node, depth: u32) {
-        let tame = is_unseen(&start, &end) || (is_tame(&start, &end) && self.advances(piece, &start, &end));
+        let tame = self.is_unseen(&start, &end) || (is_tame(&start, &end) && self.advances(piece, &start, &end));
         let middle = 0.5 * (start.s + end.s);
         let last = depth == 0 || self.windows.len() >= WINDOW_CAP || !(start.s < middle && middle < end.s);
         if tame || last {
@@ -218,6 +221,12 @@ impl<'a> Track<'a> {
         let middle = self.node(piece, balanced, middle);
         self.cut(piece, balanced, start, middle, depth - 1);
         self.cut(piece, balanced, middle, end, depth - 1);
+    }
+
+    /// True if a window is too small to see, and to be cut.
+    fn is_unseen(&self, start: &Node, end: &Node) -> bool {
+        let way = 0.5 * (start.d1.length() + end.d1.length()) * (end.s - start.s);
+        way.max(start.point.distance(end.point)) <= self.unseen.max(UNSEEN * start.point.to_vec().max_abs())
     }
 
     /// Makes the hull of a piece without a closed form; parts of one piece follow each other.
@@ -259,12 +268,6 @@ fn with_even_weights(arc: &Arc) -> Option<(Arc, f64)> {
     let tame = (1.0 / WEIGHT_RATIO..=WEIGHT_RATIO).contains(&size);
     // A positive factor of one weight moves the points along the arc.
     if tame { None } else { Some((Arc::from_weight_ratio(arc.start(), arc.end(), ratio * (1.0 / size)).ok()?, size)) }
-}
-
-/// True if a window is too small to see, and to be cut.
-fn is_unseen(start: &Node, end: &Node) -> bool {
-    let way = 0.5 * (start.d1.length() + end.d1.length()) * (end.s - start.s);
-    way.max(start.point.distance(end.point)) <= UNSEEN * start.point.to_vec().max_abs()
 }
 
 /// True if the tangents at both ends and the chord agree in direction, and the speeds with each other and with the

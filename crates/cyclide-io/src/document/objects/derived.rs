@@ -10,7 +10,7 @@ use super::{Builder, BuiltObject};
 use crate::document::angle::Angle;
 use crate::document::coordinates::Coordinates;
 use crate::document::locate::Step;
-use crate::document::spec::{OffsetSpec, PipeSpec, RevolutionSpec, RotationSpec, StepSpec, TransformSpec};
+use crate::document::spec::{CutSpec, OffsetSpec, PipeSpec, RevolutionSpec, RotationSpec, StepSpec, TransformSpec};
 use crate::error::{Error, Result};
 
 impl Builder<'_> {
@@ -97,9 +97,15 @@ impl Builder<'_> {
     /// The images of curves.
     pub(super) fn mapped_curves(&self, spec: &TransformSpec) -> Result<Vec<CurveObject>> {
         let curves = self.sources.first().map_or(&[][..], |source| source.item.curves());
-        let image = |curve: &CurveObject, map: &Mobius| {
-            check_far_from_pole(curve, map)?;
-            curve.transformed(map)
+        let image = |curve: &CurveObject, step: &StepSpec| match step {
+            StepSpec::Reverse => Ok(curve.reversed()),
+            StepSpec::Cut(CutSpec::Parameters([from, to])) => curve.restricted(*from, *to),
+            StepSpec::Cut(CutSpec::Stations([from, to])) => curve.restricted_to_stations(*from, *to),
+            _ => {
+                let map = map_of(step)?;
+                check_far_from_pole(curve, &map)?;
+                curve.transformed(&map)
+            }
         };
         let kept = "circles, circle splines and curves on tori are moved, turned, scaled and mirrored only; arcs and chains of arcs take inversions too";
         self.mapped(spec, curves, image, kept)
@@ -112,7 +118,13 @@ impl Builder<'_> {
         }
         let surfaces = self.sources.first().map_or(&[][..], |source| source.item.surfaces());
         let kept = "surfaces with rational faces, as those of tees, seams and profiles that are no arcs, and surfaces over triangles are moved, turned, scaled and mirrored only; patches whose parameter lines are circles take inversions too";
-        self.mapped(spec, surfaces, |surface, map| surface.transformed(map), kept)
+        let of_curves = |step: &StepSpec| matches!(step, StepSpec::Reverse | StepSpec::Cut(_));
+        if let Some(index) = spec.steps.iter().position(of_curves).filter(|_| !surfaces.is_empty()) {
+            return Err(
+                self.wrong_source_at([Step::from("steps"), Step::from(index)], "only curves are run backwards or cut")
+            );
+        }
+        self.mapped(spec, surfaces, |surface, step| surface.transformed(&map_of(step)?), kept)
     }
 
     /// Applies the steps one by one, so that a message can show the step at fault; `kept` says what other maps are for.
@@ -120,20 +132,26 @@ impl Builder<'_> {
         &self,
         spec: &TransformSpec,
         objects: &[T],
-        image: impl Fn(&T, &Mobius) -> cyclide::Result<T>,
+        image: impl Fn(&T, &StepSpec) -> cyclide::Result<T>,
         kept: &str,
     ) -> Result<Vec<T>> {
         let mut objects = objects.to_vec();
         for (index, step) in spec.steps.iter().enumerate() {
-            let refused = |e: &cyclide::Error| self.refused_at([Step::from("steps"), Step::from(index)], e);
-            let map = map_of(step).map_err(|e| refused(&e))?;
-            for object in &mut objects {
-                *object = image(object, &map).map_err(|e| match e {
-                    cyclide::Error::NotASimilarity { .. } => {
-                        let place = [Step::from("steps"), Step::from(index)];
-                        self.refused_in_words(place, e.reason(), format!("{e}: {kept}"))
+            let several = objects.len() > 1;
+            for (contour, object) in objects.iter_mut().enumerate() {
+                *object = image(object, step).map_err(|e| {
+                    let place = [Step::from("steps"), Step::from(index)];
+                    match (step, &e) {
+                        (_, cyclide::Error::NotASimilarity { .. }) => {
+                            self.refused_in_words(place, e.reason(), format!("{e}: {kept}"))
+                        }
+                        (StepSpec::Cut(cut), cyclide::Error::ParameterOutOfRange { max, .. }) => {
+                            // Contours differ in length.
+                            let which = if several { format!("contour {contour}: ") } else { String::new() };
+                            self.refused_in_words(place, e.reason(), which + &no_part(cut, *max))
+                        }
+                        _ => self.refused_at(place, &e),
                     }
-                    _ => refused(&e),
                 })?;
             }
         }
@@ -174,11 +192,8 @@ impl Builder<'_> {
             }
             let steps = ["steps".into(), index.into(), "rotation".into(), "angle".into()];
             let place = self.place_of(steps);
-            let [turns, radians] = [angle / std::f64::consts::TAU, angle.to_radians()].map(ShortNumber);
-            let message = format!(
-                "the angle {angle} is taken as radians, {turns} turns: if degrees are meant, write `{{\"degrees\": {angle}}}` or {radians}"
-            );
-            self.remark("more-than-a-turn", None, None, place, message);
+            let radians = ShortNumber(angle.to_radians());
+            self.ask_about_turns(angle, place, &format!("write `{{\"degrees\": {angle}}}` or {radians}"));
         }
     }
 
@@ -192,9 +207,14 @@ impl Builder<'_> {
 
     /// The message that the source is of the wrong kind.
     pub(super) fn wrong_source(&self, needed: &str) -> Error {
+        self.wrong_source_at([Step::from("of")], needed)
+    }
+
+    /// The same, at what asks for another kind.
+    fn wrong_source_at(&self, place: impl IntoIterator<Item = Step>, needed: &str) -> Error {
         let source = self.sources.first().map(|s| format!("`{}` is of type `{}`", s.item.name, s.provenance.kind));
         let message = format!("{}: {needed}", source.unwrap_or_default());
-        Error::Input(self.diagnostic([Step::from("of")], &message))
+        Error::Input(self.diagnostic(place, &message))
     }
 }
 
@@ -224,7 +244,19 @@ fn check_far_from_pole(curve: &CurveObject, map: &Mobius) -> cyclide::Result<()>
     }
 }
 
-/// The map of one step.
+/// What is wrong with the places of a cut, of which stations are `length` at most.
+fn no_part(cut: &CutSpec, length: f64) -> String {
+    let (what, [from, to], most) = match cut {
+        CutSpec::Parameters(ends) => ("parameters", ends, 1.0),
+        CutSpec::Stations(ends) => ("stations", ends, length),
+    };
+    let most = ShortNumber(most);
+    format!(
+        "there is no part between the {what} {from} and {to}: they are from 0 to {most}, and the second is larger, of a closed curve not the same"
+    )
+}
+
+/// The map of one step; what is no map moves nothing.
 fn map_of(step: &StepSpec) -> cyclide::Result<Mobius> {
     let origin = |given: Option<Coordinates>| given.unwrap_or_default().point();
     match step {
@@ -242,5 +274,6 @@ fn map_of(step: &StepSpec) -> cyclide::Result<Mobius> {
             let [[a, b], [c, e]] = rows.map(|row| row.map(|[w, x, y, z]| Quat::new(w, x, y, z)));
             Mobius::from_matrix(a, b, c, e)
         }
+        StepSpec::Reverse | StepSpec::Cut(_) => Mobius::translation(Vec3::ZERO),
     }
 }

@@ -1,8 +1,8 @@
 //! Motions of bodies, paths of their points, and what their curves run over.
 
 use cyclide::{
-    BodyMesh, CubicMotions, CurveObject, Motion, MovingBody, Pose, Quat, RationalMotion, ScrewMotion, SurfaceObject,
-    SweptSurface, TimedPose, Vec3,
+    BodyMesh, CubicMotions, CurveObject, Motion, MovingBody, Pose, Quat, RationalMotion, ScrewMotion, ShortNumber,
+    SurfaceObject, SweptSurface, TimedPose, Vec3, bounds,
 };
 
 use super::Builder;
@@ -14,6 +14,10 @@ use crate::document::spec::{
 };
 use crate::error::{Error, Result};
 use crate::input::points::read_poses;
+use std::f64::consts::TAU;
+
+/// Roundings of the largest coordinate within which the path of a point is one point: of the products with the rotation and their sums.
+const AT_REST: f64 = 64.0 * f64::EPSILON;
 
 impl Builder<'_> {
     /// The moving body of an object that is one.
@@ -131,17 +135,33 @@ impl Builder<'_> {
     }
 
     /// The poses, and whether times were given for them.
-    fn poses(&self, source: &PoseSource) -> Result<(Vec<TimedPose>, bool)> {
+    fn poses(&mut self, source: &PoseSource) -> Result<(Vec<TimedPose>, bool)> {
         let made: Vec<(Option<f64>, Pose)> = match source {
-            PoseSource::Inline(list) => list
-                .iter()
-                .enumerate()
-                .map(|(i, pose)| self.pose(i, pose).map(|made| (pose.time, made)))
-                .collect::<Result<_>>()?,
+            PoseSource::Inline(list) => {
+                let angles = list.iter().enumerate().filter_map(|(i, pose)| pose.rpy.map(|angles| (i, angles)));
+                let wide =
+                    angles.flat_map(|(i, angles)| (0..3).map(move |k| (i, k, angles[k]))).find_map(|at| match at {
+                        (i, k, Angle::Radians(angle)) if angle.abs() > TAU => Some((i, k, angle)),
+                        _ => None,
+                    });
+                if let Some((i, k, angle)) = wide {
+                    let place = self.place_of(["poses".into(), i.into(), "rpy".into(), k.into()]);
+                    self.ask_about_turns(angle, place, &format!("write `{{\"degrees\": {angle}}}`"));
+                }
+                let made = list.iter().enumerate().map(|(i, pose)| self.pose(i, pose).map(|made| (pose.time, made)));
+                made.collect::<Result<_>>()?
+            }
             PoseSource::File(file) => {
                 let (name, bytes) = self.file(&file.csv, ["poses", "csv"])?;
                 let table = read_poses(&name, &bytes).map_err(Error::Input)?;
-                table.into_iter().map(|row| (row.time, row.pose)).collect()
+                if let Some((line, angle)) = table.more_than_a_turn {
+                    self.ask_about_turns(
+                        angle,
+                        Some(format!("{name}:{line}")),
+                        "name the columns roll_deg, pitch_deg, yaw_deg",
+                    );
+                }
+                table.poses.into_iter().map(|row| (row.time, row.pose)).collect()
             }
         };
         let given = made.iter().filter(|(time, _)| time.is_some()).count();
@@ -178,7 +198,12 @@ impl Builder<'_> {
                 return Err(Error::Input(self.diagnostic(steps(), message)));
             }
         };
-        made.map_err(|e| self.refused_at(steps(), &e))
+        made.map_err(|e| {
+            // The kernel sees one pose at a time.
+            let e =
+                if let cyclide::Error::ZeroRotation { .. } = e { cyclide::Error::ZeroRotation { index } } else { e };
+            self.refused_at(steps(), &e)
+        })
     }
 
     /// What the kernel refused of the poses, at the one it is about.
@@ -201,7 +226,23 @@ impl Builder<'_> {
         let body = self.motion_source()?;
         let point = spec.point.map_or(body.tool(), Coordinates::point);
         let made = body.motion().rational().and_then(|motion| motion.trajectory(point));
-        made.map(CurveObject::Nurbs).map_err(|e| self.refused_at(["of".into()], &e))
+        let path = made.map_err(|e| self.refused_at(["of".into()], &e))?;
+        let range = bounds(&path);
+        let (length, limit) = (range.diagonal(), AT_REST * range.max_abs());
+        if length <= limit {
+            let error = cyclide::Error::MotionAtRest { length, limit };
+            let place = if spec.point.is_some() { "point" } else { "of" };
+            return Err(self.refused_in_words(
+                [place.into()],
+                error.reason(),
+                format!(
+                    "the point rests: its path is {} long, which must be above {}",
+                    ShortNumber(length),
+                    ShortNumber(limit)
+                ),
+            ));
+        }
+        Ok(CurveObject::Nurbs(path))
     }
 
     /// What the contours of a curve run over.

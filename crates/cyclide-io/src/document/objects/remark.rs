@@ -1,6 +1,6 @@
 //! What the user should know of an object: warnings of the kernel with their place, and what reading and making it remarked.
 
-use cyclide::Warning;
+use cyclide::{ShortNumber, Warning};
 
 use super::Builder;
 use crate::document::locate::{Step, path_text};
@@ -54,6 +54,13 @@ impl Builder<'_> {
         message: String,
     ) {
         self.remarks.push(Remark { reason, contour, index, place, message, warning: None });
+    }
+
+    /// Asks whether an angle of more than a turn is meant in degrees, and says how these are written.
+    pub(super) fn ask_about_turns(&mut self, angle: f64, place: Option<String>, remedy: &str) {
+        let turns = ShortNumber(angle / std::f64::consts::TAU);
+        let message = format!("the angle {angle} is taken as radians, {turns} turns: if degrees are meant, {remedy}");
+        self.remark("more-than-a-turn", None, None, place, message);
     }
 
     /// Adds a warning about a field.

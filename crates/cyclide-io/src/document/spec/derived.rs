@@ -42,7 +42,7 @@ pub struct OffsetSpec {
     pub thick: bool,
 }
 
-/// The image of another object under a chain of maps.
+/// The image of another object under a chain of maps; a curve may be run backwards and cut between them.
 ///
 /// ```
 /// use cyclide_io::Document;
@@ -66,12 +66,13 @@ pub struct TransformSpec {
     pub construction: bool,
     /// Name of the object.
     pub of: String,
-    /// The maps, the first one first.
+    /// The maps, and what else is done to curves, the first one first.
     #[schemars(length(min = 1))]
     pub steps: Vec<StepSpec>,
 }
 
-/// One map. Inversions and matrices keep arcs and surfaces; full circles and circle splines take the others only.
+/// One map, or one cut or turn-round of curves. Inversions and matrices keep arcs and surfaces; full circles and circle splines take the other
+/// maps only.
 ///
 /// ```
 /// use cyclide_io::Document;
@@ -97,6 +98,30 @@ pub enum StepSpec {
     Mirror(PlaneSpec),
     /// The map `x -> (A x + B)(C x + E)^-1` with quaternions `[w, x, y, z]`, rows `[A, B]`, `[C, E]`.
     Matrix([[[f64; 4]; 2]; 2]),
+    /// Curves run backwards: the word alone, `"reverse"`. A closed curve starts at the same point.
+    Reverse,
+    /// The part of curves between two places. Of a closed curve the second may come before the first: then the part leads past the start.
+    Cut(CutSpec),
+}
+
+/// Between which places a curve is cut, in one of two measures.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"c": {"type": "circle", "center": [0, 0], "radius": 2}, "t": {"type": "transform", "of": "c", "steps": ["reverse", {"cut": {"parameters": [0.5, 0.25]}}]}}}"#.parse()?;
+/// let built = document.build()?;
+/// assert!((cyclide::length(built[1].item.curves()[0].as_curve()) - 3.0 * std::f64::consts::PI).abs() < 1e-12);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+#[schemars(rename = "Cut")]
+#[non_exhaustive]
+pub enum CutSpec {
+    /// Parameters from 0 to 1, of which each smooth piece of the curve has an equal share (`cyclide sample` shows them).
+    Parameters([f64; 2]),
+    /// Lengths along the curve from its start.
+    Stations([f64; 2]),
 }
 
 /// What a curve sweeps when it turns about an axis.

@@ -5,8 +5,8 @@ use serde::de::{Deserializer, SeqAccess, Visitor};
 use serde::{Deserialize, Serialize};
 use std::fmt;
 
-use super::TypeWord;
 use super::comment::Comment;
+use super::{FreeOr, TypeWord};
 use crate::document::angle::Angle;
 use crate::document::coordinates::{Coordinates, PointSource};
 
@@ -74,8 +74,8 @@ pub struct MoebiusSplineSpec {
     /// Of `c1`: the parameters at which the curve passes its points. A list increases, and has one number more for a closed curve.
     #[serde(default)]
     pub knots: ParametersSpec,
-    /// Of `c1`: derivatives by the knots, one per point, `null` for those of the circles. Default: those of the circles everywhere.
-    pub tangents: Option<Vec<Option<Coordinates>>>,
+    /// Of `c1`: derivatives by the knots, one per point, the word `free` for those of the circles. Default: those of the circles everywhere.
+    pub tangents: Option<Vec<FreeOr<Coordinates>>>,
     /// Turns of the points above this angle are kept as corners. Default: none are (a column `corner` of a file of points marks
     /// corners too).
     #[schemars(extend("exclusiveMinimum" = 0, "maximum" = std::f64::consts::PI))]

@@ -15,6 +15,13 @@ pub(crate) struct TablePose {
     pub(crate) pose: Pose,
 }
 
+/// The poses of a table.
+pub(crate) struct PoseTable {
+    pub(crate) poses: Vec<TablePose>,
+    /// The first angle in radians of more than a turn, with its line: degrees may be meant.
+    pub(crate) more_than_a_turn: Option<(usize, f64)>,
+}
+
 /// How a table says rotations.
 enum RotationColumns {
     /// Columns of the quaternion.
@@ -29,7 +36,7 @@ enum RotationColumns {
 ///
 /// # Errors
 /// A message with file, line and column: no header, a missing column, a field that is no finite number, a rotation of zero.
-pub(crate) fn read_poses(name: &str, bytes: &[u8]) -> Result<Vec<TablePose>, Box<Diagnostic>> {
+pub(crate) fn read_poses(name: &str, bytes: &[u8]) -> Result<PoseTable, Box<Diagnostic>> {
     let source = Source { name, text: decode(name, bytes)? };
     let table = Table::parse(source, &["qw".to_owned(), "yaw".to_owned(), "t".to_owned()])?;
     if table.header.is_empty() {
@@ -68,7 +75,7 @@ pub(crate) fn read_poses(name: &str, bytes: &[u8]) -> Result<Vec<TablePose>, Box
         ));
     }
     let mut decimals = Decimals::default();
-    let mut poses = Vec::new();
+    let (mut poses, mut more_than_a_turn) = (Vec::new(), None);
     table.for_each_row(|row| {
         if poses.len() == MOST_POSES {
             return Err(row.fields[0].refused(source, format!("the file has more than {MOST_POSES} poses")));
@@ -80,15 +87,19 @@ pub(crate) fn read_poses(name: &str, bytes: &[u8]) -> Result<Vec<TablePose>, Box
             RotationColumns::Quaternion([w, x, y, z]) => {
                 Pose::new(Quat::new(value(*w)?, value(*x)?, value(*y)?, value(*z)?), translation)
             }
-            RotationColumns::Angles([roll, pitch, yaw], unit) => Pose::from_roll_pitch_yaw(
-                translation,
-                [value(*roll)? * unit, value(*pitch)? * unit, value(*yaw)? * unit],
-            ),
+            RotationColumns::Angles([roll, pitch, yaw], unit) => {
+                let angles = [value(*roll)?, value(*pitch)?, value(*yaw)?];
+                let wide = angles.into_iter().find(|angle| *unit >= 1.0 && angle.abs() > std::f64::consts::TAU);
+                if let (Some(angle), None) = (wide, more_than_a_turn) {
+                    more_than_a_turn = Some((source.line_of(row.fields[0].start), angle));
+                }
+                Pose::from_roll_pitch_yaw(translation, angles.map(|angle| angle * unit))
+            }
             RotationColumns::None => Pose::new(Quat::ONE, translation),
         };
         let pose = made.map_err(|e| row.fields[0].refused(source, e.to_string()).with_reason(e.reason()))?;
         poses.push(TablePose { time, pose });
         Ok(())
     })?;
-    Ok(poses)
+    Ok(PoseTable { poses, more_than_a_turn })
 }

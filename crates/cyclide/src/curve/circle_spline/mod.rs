@@ -13,7 +13,7 @@ mod modify;
 
 pub use build::corners_by_angle;
 pub(crate) use build::{SHARP_TURN, chords_between, corner_nodes, inspect_node, rounded_directions};
-pub(super) use modify::renumbered;
+pub(super) use modify::{kinks_past_start, renumbered, warnings_past_start};
 
 use super::blend::{BlendLaw, BlendSegment, BlendVariant};
 use super::param_curve::ParamCurve;

@@ -1,7 +1,7 @@
 //! Circle splines reversed, cut and moved: the result is a circle spline again, segment by segment.
 
 use super::CircleSpline;
-use crate::base::cut::{check_interval, place_of_cut};
+use crate::base::cut::{check_interval, check_past_start, place_of_cut};
 use crate::conformal::mobius::Mobius;
 use crate::error::{Error, ErrorItem, Result};
 use crate::warning::Warning;
@@ -65,6 +65,21 @@ impl CircleSpline {
         Ok(Self { segments, closed: false, kinks, warnings: warnings.collect() })
     }
 
+    /// The part of a closed curve from a global parameter past its start to a smaller one, `0 < t1 < t0 < 1`, as an open curve of the
+    /// same points.
+    ///
+    /// # Errors
+    /// `parameter-out-of-range`.
+    pub fn restricted_past_start(&self, t0: f64, t1: f64) -> Result<Self> {
+        check_past_start(self.closed, t0, t1)?;
+        let (mut before, after) = (self.restricted(t0, 1.0)?, self.restricted(0.0, t1)?);
+        let n = before.segments.len();
+        before.kinks.extend(kinks_past_start(&self.kinks, &after.kinks, n));
+        before.warnings = warnings_past_start(&self.warnings, before.warnings, &after.warnings, n);
+        before.segments.extend(after.segments);
+        Ok(before)
+    }
+
     /// The two parts before and after a global parameter in `(0, 1)`, as open curves. Exact: no approximation, and
     /// they meet in the same doubles.
     ///
@@ -98,4 +113,32 @@ pub(crate) fn renumbered(
         _ => {}
     }
     Some(warning)
+}
+
+/// The kinks of what comes after `n` pieces that end in the start of a closed curve: one there, if the curve has one, and those `after`.
+pub(in crate::curve) fn kinks_past_start<'a>(
+    whole: &[usize],
+    after: &'a [usize],
+    n: usize,
+) -> impl Iterator<Item = usize> + use<'a> {
+    let at_start = whole.first() == Some(&0);
+    at_start.then_some(n).into_iter().chain(after.iter().map(move |kink| kink + n))
+}
+
+/// The warnings of the `n` pieces `before` the start of a closed curve, of the start and of the pieces `after`, each once.
+pub(in crate::curve) fn warnings_past_start(
+    whole: &[Warning],
+    before: Vec<Warning>,
+    after: &[Warning],
+    n: usize,
+) -> Vec<Warning> {
+    let at_start = whole.iter().filter_map(|w| renumbered(w, |node| (node == 0).then_some(n), |_| None));
+    let after = after.iter().filter_map(|w| renumbered(w, |node| Some(node + n), |segment| Some(segment + n)));
+    let mut all = before;
+    for warning in at_start.chain(after) {
+        if !all.contains(&warning) {
+            all.push(warning);
+        }
+    }
+    all
 }

@@ -57,7 +57,7 @@ impl QbCurve {
             (Quat::from(tangent * (0.5 * s0 * length)), middle),
             (Quat::from(unit * length) * last, last),
         ];
-        Self::from_local(ends[0], pairs).with_ends(Some(ends[0]), Some(ends[1]))
+        Self::from_local_between(ends, ends[0], pairs)
     }
 
     /// The blend of two circles as a QB curve, with the speeds at its ends in chords: its own are 1 and 1. `None` if it is not of the

@@ -14,12 +14,15 @@ mod from_blend;
 mod modify;
 mod rational;
 mod reach;
+mod rows;
 mod spline;
 mod spline_edit;
 
 pub(crate) use from_blend::SpanData;
 pub use reach::QbReach;
 pub use spline::QbSpline;
+
+use rows::Rows;
 
 use crate::base::quat::Quat;
 use crate::base::vector::Point3;
@@ -56,7 +59,7 @@ pub struct QbCurve {
     /// What the numerators are measured from.
     origin: Point3,
     /// Never empty.
-    rows: Vec<Row>,
+    rows: Rows,
     /// Both ends, known better than the rows; `None` at infinity.
     ends: [Option<Point3>; 2],
 }
@@ -88,16 +91,15 @@ impl QbCurve {
 
     /// From pairs whose numerators are measured from a point; finite, at least one, and in space by construction.
     pub(crate) fn from_local(origin: Point3, pairs: impl IntoIterator<Item = (Quat, Quat)>) -> Self {
-        let mut rows: Vec<Row> = pairs.into_iter().map(|(n, d)| to_row(n, d)).collect();
-        let largest = rows.iter().map(|row| denominator(row).norm()).fold(0.0, f64::max);
-        if !(DENOMINATOR_RANGE[0]..=DENOMINATOR_RANGE[1]).contains(&largest) && largest > 0.0 {
-            let factor = 2.0_f64.powi(-largest.log2().round() as i32);
-            rows.iter_mut().for_each(|row| *row = row.map(|x| x * factor));
-        }
-        Self::from_rows(origin, rows)
+        Self::from_rows(origin, scaled_rows(pairs))
     }
 
-    fn from_rows(origin: Point3, rows: Vec<Row>) -> Self {
+    /// The same, with ends that are known.
+    fn from_local_between(ends: [Point3; 2], origin: Point3, pairs: impl IntoIterator<Item = (Quat, Quat)>) -> Self {
+        Self { origin, rows: scaled_rows(pairs), ends: ends.map(Some) }
+    }
+
+    fn from_rows(origin: Point3, rows: Rows) -> Self {
         let end = |row: &Row| {
             let quotient = HPoint { n: numerator(row), d: denominator(row) }.quotient()?;
             Some(origin + quotient.vector()).filter(|p| p.is_finite())
@@ -161,6 +163,17 @@ impl QbCurve {
         let entry = |d: usize| Polynomial::new(self.rows.iter().map(|row| row[d]).collect());
         (QuatPolynomial([0, 1, 2, 3].map(entry)), QuatPolynomial([4, 5, 6, 7].map(entry)))
     }
+}
+
+/// The rows of pairs, scaled where squares would leave the range of doubles.
+fn scaled_rows(pairs: impl IntoIterator<Item = (Quat, Quat)>) -> Rows {
+    let mut rows: Rows = pairs.into_iter().map(|(n, d)| to_row(n, d)).collect();
+    let largest = rows.iter().map(|row| denominator(row).norm()).fold(0.0, f64::max);
+    if !(DENOMINATOR_RANGE[0]..=DENOMINATOR_RANGE[1]).contains(&largest) && largest > 0.0 {
+        let factor = 2.0_f64.powi(-largest.log2().round() as i32);
+        rows.iter_mut().for_each(|row| *row = row.map(|x| x * factor));
+    }
+    rows
 }
 
 fn to_row(n: Quat, d: Quat) -> Row {

@@ -19,7 +19,7 @@ impl QbCurve {
         }
         let (left, right) = bernstein::split(&self.rows, t);
         let middle = Some(self.point(t)).filter(|p| p.is_finite());
-        let part = |rows, ends| Self { origin: self.origin, rows, ends };
+        let part = |rows: Vec<Row>, ends| Self { origin: self.origin, rows: rows.into(), ends };
         Ok((part(left, [self.ends[0], middle]), part(right, [middle, self.ends[1]])))
     }
 

@@ -50,7 +50,7 @@ impl QbCurve {
 
     pub(crate) fn positive_parts(&self) -> Result<Vec<RationalPart>> {
         let mut parts = Vec::new();
-        let mut ahead = vec![(self.rows.clone(), 0.0, 1.0, HALVINGS)];
+        let mut ahead = vec![(self.rows.to_vec(), 0.0, 1.0, HALVINGS)];
         while let Some((rows, from, to, halvings)) = ahead.pop() {
             let curve = self.bezier_of(&rows);
             if is_positive(&curve) {
@@ -75,7 +75,7 @@ impl QbCurve {
 
     /// The rational form of pairs that have the origin of this curve; of degree 1 at least.
     fn bezier_of(&self, rows: &[Row]) -> RationalBezier {
-        let part = Self { origin: self.origin, rows: rows.to_vec(), ends: [None; 2] };
+        let part = Self { origin: self.origin, rows: rows.iter().copied().collect(), ends: [None; 2] };
         let (num, den) = part.polynomials();
         let (weight, product) = (den.dot(&den), &num * &den.conj());
         let degree = weight.degree().max(1);

@@ -88,7 +88,7 @@ impl QbCurve {
     pub fn excursions(&self, center: Point3, radius: f64) -> Vec<[f64; 2]> {
         let curve = self.about(center);
         let mut found: Vec<[f64; 2]> = Vec::new();
-        let mut ahead = vec![(curve.rows.clone(), 0.0, 1.0, HALVINGS)];
+        let mut ahead = vec![(curve.rows.to_vec(), 0.0, 1.0, HALVINGS)];
         let mut left = MOST_PARTS;
         while let Some((rows, from, to, halvings)) = ahead.pop() {
             let (w, z) = Self::forms(&rows, radius);
@@ -169,7 +169,7 @@ impl QbCurve {
             return None;
         }
         let rows = bernstein::divided(&self.rows, t)?;
-        Some((t, Self { rows, ..self.clone() }))
+        Some((t, Self { rows: rows.into(), ..self.clone() }))
     }
 }
 

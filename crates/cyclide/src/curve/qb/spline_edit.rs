@@ -2,9 +2,9 @@
 
 use super::QbCurve;
 use super::spline::QbSpline;
-use crate::base::cut::{check_interval, place_of_cut};
+use crate::base::cut::{check_interval, check_past_start, place_of_cut};
 use crate::conformal::mobius::{Conformal, Mobius};
-use crate::curve::circle_spline::renumbered;
+use crate::curve::circle_spline::{kinks_past_start, renumbered, warnings_past_start};
 use crate::error::{Error, ErrorItem, Result};
 
 impl QbSpline {
@@ -57,6 +57,26 @@ impl QbSpline {
         let span = |i: usize| (i >= first && i <= last).then(|| i - first);
         let warnings = self.warnings.iter().filter_map(|w| renumbered(w, joint, span)).collect();
         Ok(Self::from_parts(spans, knots, false, kinks, warnings))
+    }
+
+    /// The part of a closed chain from a global parameter past its start to a smaller one, `0 < t1 < t0 < 1`, as an open chain of the same
+    /// points; its knots go on past the last one.
+    ///
+    /// # Errors
+    /// `parameter-out-of-range`.
+    pub fn restricted_past_start(&self, t0: f64, t1: f64) -> Result<Self> {
+        check_past_start(self.closed, t0, t1)?;
+        let (mut before, after) = (self.restricted(t0, 1.0)?, self.restricted(0.0, t1)?);
+        let n = before.spans.len();
+        let (end, start) = (before.knots[n], after.knots[0]);
+        before.knots.extend(after.knots[1..].iter().map(|knot| end + (knot - start)));
+        if before.knots.windows(2).any(|w| w[0] >= w[1]) {
+            return Err(Error::ParameterOutOfRange { name: ErrorItem::T1, value: t1, min: 0.0, max: t0 });
+        }
+        before.kinks.extend(kinks_past_start(&self.kinks, &after.kinks, n));
+        before.warnings = warnings_past_start(&self.warnings, before.warnings, &after.warnings, n);
+        before.spans.extend(after.spans);
+        Ok(before)
     }
 
     /// The two parts before and after a global parameter in `(0, 1)`, as open chains that meet in the same doubles.

@@ -93,7 +93,11 @@ pub(in crate::construct::curves) fn node_steps(
             Err(Error::CoincidentPoints { first, second, distance, limit: 0.0 })
         }
     };
-    (0..count).map(step).collect()
+    let mut steps = Vec::with_capacity(count);
+    for first in 0..count {
+        steps.push(step(first)?);
+    }
+    Ok(steps)
 }
 
 /// True of points in one plane but not on one line, where chord lengths give the line itself.
@@ -103,7 +107,8 @@ fn is_planar(points: &[Point3]) -> bool {
     let Some(&first) = points.first() else { return false };
     let offsets = || points.iter().map(|p| *p - first);
     let farthest = |measure: &dyn Fn(Vec3) -> f64| {
-        offsets().max_by(|a, b| measure(*a).total_cmp(&measure(*b))).unwrap_or(Vec3::ZERO)
+        let measured = offsets().map(|v| (measure(v), v));
+        measured.max_by(|a, b| a.0.total_cmp(&b.0)).map_or(Vec3::ZERO, |(_, v)| v)
     };
     let Some(along) = farthest(&|v| v.length()).unit() else { return false };
     let height = |v: Vec3| v.cross(along).length();

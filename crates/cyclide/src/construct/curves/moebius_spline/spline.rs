@@ -7,7 +7,6 @@ use crate::construct::curves::interpolation::{NodeParameters, node_steps};
 use crate::curve::{BlendLaw, BlendSegment, BlendTangents, Chord, QbCurve, QbSpline, inspect_node, rounded_directions};
 use crate::error::{Error, ErrorItem, Result};
 use crate::warning::Warning;
-use std::ops::RangeInclusive;
 
 /// How [`QbSpline::through_points`] makes its curve.
 ///
@@ -53,14 +52,17 @@ impl QbSpline {
             return Err(Error::CountDiffers { what: ErrorItem::Tangent, given: options.tangents.len(), needed: n });
         }
         let mut warnings = Vec::from_iter(rounded_directions(points, &nodes.chords));
-        let velocities: Vec<NodeVelocity> =
-            (0..n).map(|i| velocity(&nodes, options, i, &mut warnings)).collect::<Result<_>>()?;
+        // Not collected: results do not say how many they are, and vectors that grow are half of the work.
+        let mut velocities = Vec::with_capacity(n);
+        for i in 0..n {
+            velocities.push(velocity(&nodes, options, i, &mut warnings)?);
+        }
         let kinks = (0..n).filter(|i| velocities[*i].is_cusp).collect();
-        let span = |i: usize| {
-            let ends = [velocities[i].leaving, velocities[(i + 1) % n].arriving];
-            span_between(&nodes, i, ends, &mut warnings)
-        };
-        let spans = (0..nodes.chords.len()).map(span).collect::<Result<Vec<_>>>()?;
+        let mut spans = Vec::with_capacity(nodes.chords.len());
+        for i in 0..nodes.chords.len() {
+            let ends = [velocities[i].leaving, velocities[if i + 1 < n { i + 1 } else { 0 }].arriving];
+            spans.push(span_between(&nodes, i, ends, &mut warnings)?);
+        }
         Ok(Self::from_parts(spans, knots, closed, kinks, warnings))
     }
 }
@@ -134,14 +136,16 @@ fn span_between(nodes: &Nodes, i: usize, [v0, v1]: [Vec3; 2], warnings: &mut Vec
 
 /// Largest coordinate over shortest chord of the points behind the tangents of a span.
 fn magnification(nodes: &Nodes, i: usize) -> f64 {
-    let near = |offsets: RangeInclusive<isize>, count: usize| {
-        let count = count as isize;
-        let places = offsets.map(move |o| i as isize + o);
-        let wrapped = places.map(move |k| if nodes.closed { k.rem_euclid(count) } else { k });
-        wrapped.filter(move |k| (0..count).contains(k)).map(|k| k as usize)
+    // The place `k - 1` behind `i`, in the circle, or on an open curve the nearest one that there is.
+    let near = |k: usize, count: usize| match (i + k).checked_sub(1) {
+        Some(place) if place < count => place,
+        Some(place) if nodes.closed => place - count,
+        Some(_) => count - 1,
+        None if nodes.closed => count - 1,
+        None => 0,
     };
-    let size = |k: usize| nodes.points[k].to_vec().max_abs();
-    let largest = near(-1..=2, nodes.points.len()).map(size).fold(0.0, f64::max);
-    let lengths = near(-1..=1, nodes.chords.len()).map(|k| nodes.chords[k].length);
-    largest / lengths.fold(f64::INFINITY, f64::min)
+    let size = |k: usize| nodes.points[near(k, nodes.points.len())].to_vec().max_abs();
+    let length = |k: usize| nodes.chords[near(k, nodes.chords.len())].length;
+    let largest = size(0).max(size(1)).max(size(2)).max(size(3));
+    largest / length(0).min(length(1)).min(length(2))
 }
