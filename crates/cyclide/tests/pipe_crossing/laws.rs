@@ -103,7 +103,7 @@ impl Pair {
             }
             // What the contacts cut from both pipes, by Green's theorem.
             let ends = [angle - 0.5 * step, angle + 0.5 * step].map(|angle| self.ball(angle, law(angle)));
-            for pipe in 0..2 {
+            for (pipe, hole) in holes.iter_mut().enumerate() {
                 let (r, turn) = (self.radii[pipe], self.degrees.to_radians());
                 let second = Vec3::new(turn.cos(), turn.sin(), 0.0);
                 let across = Vec3::new(turn.sin(), -turn.cos(), 0.0);
@@ -120,7 +120,7 @@ impl Pair {
                 let z = if pipe == 0 { r * middle.cos() } else { self.distance - r * middle.cos() };
                 let nz = if pipe == 0 { middle.cos() } else { -middle.cos() };
                 let way = if pipe == 0 { 1.0 } else { -1.0 };
-                holes[pipe] += way * 0.5 * (a0 + a1) * (f1 - f0) * r * z * nz;
+                *hole += way * 0.5 * (a0 + a1) * (f1 - f0) * r * z * nz;
             }
         }
         let pipes = self.radii.map(|r| PI * r * r * length);

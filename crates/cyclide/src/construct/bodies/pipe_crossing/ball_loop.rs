@@ -36,11 +36,12 @@ pub(super) struct LoopPiece {
 }
 
 /// What a piece is made from.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 enum Way {
     /// In the plane of the torus: balls on one side of both pipes.
     Torus(TorusPiece),
-    Mixed(MixedPiece),
+    /// It holds the frames of its pair.
+    Mixed(Box<MixedPiece>),
 }
 
 /// Where a ball touches both pipes: its place along each and the angle round it, counted from where the other pipe is nearest, and the rates of these by the angle
@@ -224,7 +225,7 @@ impl Balls<'_> {
             let contacts = [self.contacts(ends[0])?, self.contacts(ends[1])?];
             return Ok(mixed
                 .span(&contacts, ends.map(|angle| self.law.at(angle)))
-                .map(|pieces| pieces.map(Way::Mixed).to_vec()));
+                .map(|pieces| pieces.map(|piece| Way::Mixed(Box::new(piece))).to_vec()));
         }
         let ball = |angle: f64| self.pair.towards(self.law.at(angle).map(|x| self.side.sign() * x), angle);
         let balls = [ball(ends[0])?, ball(ends[1])?];
@@ -237,9 +238,12 @@ impl Balls<'_> {
     }
 
     fn piece(&self, way: Way) -> Result<LoopPiece> {
-        match way {
-            Way::Mixed(piece) => Ok(LoopPiece::upright(way, piece.forms())),
-            Way::Torus(piece) => LoopPiece::on_torus(self.pair, piece),
+        match &way {
+            Way::Mixed(piece) => {
+                let forms = piece.forms();
+                Ok(LoopPiece::upright(way, forms))
+            }
+            Way::Torus(piece) => LoopPiece::on_torus(self.pair, *piece),
         }
     }
 
@@ -287,7 +291,7 @@ impl Way {
     fn halves(&self) -> [Self; 2] {
         match self {
             Self::Torus(piece) => [piece.part(0.0, 0.5), piece.part(0.5, 1.0)].map(Self::Torus),
-            Self::Mixed(piece) => piece.halves().map(Self::Mixed),
+            Self::Mixed(piece) => piece.halves().map(|half| Self::Mixed(Box::new(half))),
         }
     }
 }
