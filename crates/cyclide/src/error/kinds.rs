@@ -751,11 +751,11 @@ pub enum Error {
         /// Half of the room between the pipes where the common normal of their axes goes through: it must be below this.
         limit: f64,
     },
-    /// Pipes of which one is to be cut by the other do not meet.
+    /// Pipes of which one is to be cut by the other do not meet, or hardly.
     CrossingPipesApart {
         /// The distance of their axes.
         distance: f64,
-        /// The sum of their radii: it must be below this.
+        /// The sum of their radii less a thousandth of it: it must be below this.
         limit: f64,
     },
     /// A pipe of a crossing ends within the blend.

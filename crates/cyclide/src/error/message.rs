@@ -190,7 +190,7 @@ impl std::fmt::Display for Error {
             ),
             Self::CrossingPipesApart { distance, limit } => write!(
                 f,
-                "the pipes do not meet, and neither cuts the other: their axes are {} apart, which must be below the sum of the radii, {}",
+                "the pipes do not meet, or hardly, and neither cuts the other: their axes are {} apart, which must be below the sum of the radii less a thousandth, {}",
                 ShortNumber(*distance),
                 ShortNumber(*limit)
             ),

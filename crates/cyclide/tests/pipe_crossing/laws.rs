@@ -334,4 +334,8 @@ fn points_of_a_lens_are_in_both_pipes_and_of_a_notch_in_one() {
     assert!(cut > 0);
     let apart = Pair { distance: 4.2, ..notch }.whole(0.3).made().expect_err("they do not meet");
     assert_eq!(apart.reason(), "crossing-pipes-apart");
+    // Hardly in each other: the shallowest notch that is cut is a solid.
+    let shallow = |distance: f64| Pair { distance, ..notch }.whole(1e-4).made();
+    assert!(shallow(3.9959).expect("a notch").body.is_solid());
+    assert_eq!(shallow(3.9961).expect_err("too shallow").reason(), "crossing-pipes-apart");
 }
