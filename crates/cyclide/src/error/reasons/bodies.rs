@@ -309,8 +309,8 @@
 //! The blend of two pipes that pass each other askew, with a large ball, meets a pipe in a line that turns back along it.
 //! ```
 //! use cyclide::{CrossingPipe, PipeCrossing};
-//! let pipes = [1.0, 0.9635].map(|radius| CrossingPipe { radius, ends: [-12.0, 12.0] });
-//! let crossing = PipeCrossing::new(pipes, 0.7793, 1.8352)?.with_angle(64.68_f64.to_radians())?;
+//! let pipes = [1.0, 0.92].map(|radius| CrossingPipe { radius, ends: [-12.0, 12.0] });
+//! let crossing = PipeCrossing::new(pipes, 0.65, 1.95)?.with_angle(59_f64.to_radians())?;
 //! assert_eq!(crossing.made().unwrap_err().reason(), "crossing-hole-turns-back");
 //! # Ok::<(), cyclide::Error>(())
 //! ```
