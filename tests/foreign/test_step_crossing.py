@@ -1,4 +1,4 @@
-"""Crossings of pipes as OpenCASCADE reads them: solids, tangency, and the blend against the envelope of balls that touch both pipes."""
+"""Crossings of pipes as OpenCASCADE reads them: solids, tangency, and the blend against the envelope of balls that touch both pipes, outside, inside and mixed."""
 
 import json
 
@@ -22,6 +22,12 @@ CROSSINGS = {
     "deep": ([20, 20], 8, 4, {}),
     "askew": ([20, 15], 24, 4, {"wall": 2, "angle": {"degrees": 50}}),
     "acute": ([20, 20], 30, 3, {"angle": {"degrees": 150}}),
+    "two radii": ([20, 15], 27, {"first": 5, "second": 8}, {"wall": 2, "angle": {"degrees": 75}}),
+    "law": ([20, 20], 30, {"values": [{"angle": a, "radius": r} for a, r in ((0.3, 8), (1.6, 5), (2.9, 6), (4.6, 10))]}, {}),
+    "lens with a law": ([20, 15], 21, {"first": 4, "second": 2.5}, {"side": "inside", "angle": {"degrees": 70}}),
+    "hollow lens": ([28, 20], 24, 5, {"side": "inside", "wall": 2}),
+    "notch with a law": ([15, 20], 20, {"first": 2.5, "second": 4}, {"side": "mixed", "angle": {"degrees": 70}}),
+    "notched tube": ([20, 25], 36, 4, {"side": "mixed", "wall": 2}),
 }
 
 
@@ -49,6 +55,28 @@ def axes(spec):
     )
 
 
+def envelope(spec, radius):
+    """Both pipes with the range of signed radii, for which balls x + R n are R and the pipe's radius off each axis, n the outer normal: in the material R is negative, and so is
+    the radius of a pipe that is not."""
+    first, second = axes(spec)
+    if "side" not in spec:
+        return (first, second), radius
+    point, way, r, taper = first
+    cut = (point, way, -r if spec["side"] == "mixed" else r, taper)
+    return (cut, second), {"min": -radius["max"], "max": -radius["min"]}
+
+
+def law(spec):
+    """Radii by the angles of the ball about the upward normal."""
+    blend, turn = spec["blend"], axes(spec)[1][1]
+    if not isinstance(blend, dict):
+        return [(0.0, blend)]
+    if "values" in blend:
+        return [(value["angle"], value["radius"]) for value in blend["values"]]
+    angle = np.arctan2(turn[1], turn[0])
+    return [(0.0, blend["first"]), (angle, blend["second"]), (np.pi, blend["first"]), (np.pi + angle, blend["second"])]
+
+
 def is_blend(face):
     return face.rational is not None and sorted(face.rational.degrees) in ([2, 12], [2, 14])
 
@@ -57,9 +85,32 @@ def test_blends_are_envelopes_of_balls_that_touch_both_pipes(crossing):
     step, spec, report = crossing
     [blend], wall = report["blends"], spec.get("wall", 0.0)
     # The default tolerance: a thousandth of the radius.
-    assert 0.999 * spec["blend"] <= blend["radius"]["min"] <= blend["radius"]["max"] <= 1.001 * spec["blend"]
-    faces = check_envelopes(step, is_blend, [(axes(spec), blend["radius"])], wall)
+    radii = [radius for _, radius in law(spec)]
+    assert 0.999 * min(radii) <= blend["radius"]["min"] <= 1.001 * min(radii)
+    assert 0.999 * max(radii) <= blend["radius"]["max"] <= 1.001 * max(radii)
+    faces = check_envelopes(step, is_blend, [envelope(spec, blend["radius"])], wall)
     assert faces == (2 if wall else 1) * blend["pieces"]
+
+
+@pytest.mark.parametrize("name", ["law", "lens with a law", "notch with a law"])
+def test_balls_have_the_radii_of_the_law_in_their_directions(program, tmp_path, name):
+    step, spec, _ = made(program, tmp_path, *CROSSINGS[name])
+    radii = {}
+    for face in filter(is_blend, step.faces):
+        # Both ends of each arc at the ends of the piece, and from these the ball: x + R n is one centre.
+        corners = [(s, t) for s in (0.0, 1.0) for t in (0.0, 1.0)]
+        points, normals = face.at_all(*face.rational.scaled(*np.array(corners).T))
+        normals = normals / np.linalg.norm(normals, axis=-1, keepdims=True)
+        pairs = ((0, 2), (1, 3)) if face.rational.degrees[0] == 2 else ((0, 1), (2, 3))
+        for k, j in pairs:
+            turn = normals[k] - normals[j]
+            radius = (points[j] - points[k]) @ turn / (turn @ turn)
+            x, y, _ = points[k] + radius * normals[k]
+            radii[np.arctan2(y, x) % (2 * np.pi)] = abs(radius)
+    for asked, radius in law(spec):
+        off = min(radii, key=lambda at: abs((at - asked + np.pi) % (2 * np.pi) - np.pi))
+        assert abs((off - asked + np.pi) % (2 * np.pi) - np.pi) < 1e-7
+        assert radii[off] == pytest.approx(radius, rel=1e-7)
 
 
 def test_crossings_are_one_closed_solid_and_tangent_along_contacts(crossing):
@@ -68,11 +119,12 @@ def test_crossings_are_one_closed_solid_and_tangent_along_contacts(crossing):
     assert len(step.solids) == 1 and step.exactly_valid
     assert all(is_blend(face) or face.kind in ("cylinder", "plane") for face in step.faces)
     assert max(gap for gap, _ in modelling.departures(step)) <= 1e-12 * step.size()
-    assert len(step.shells) == (2 if spec.get("ends") == "closed" else 1)
+    lens = spec.get("side") == "inside"
+    assert len(step.shells) == (2 if spec.get("ends") == "closed" or (lens and spec.get("wall")) else 1)
     assert step.volume() == pytest.approx(report["volume"], rel=1e-7)
     assert sum(face.volume() for face in step.faces) == pytest.approx(report["volume"], rel=1e-9)
     smooth, contacts, creases = smooth_edges(users, is_blend)
-    assert contacts == 2 * (2 if spec.get("wall") else 1) * report["blends"][0]["pieces"] and creases > 0
+    assert contacts == 2 * (2 if spec.get("wall") else 1) * report["blends"][0]["pieces"] and (creases == 0 if lens else creases > 0)
     assert smooth <= TANGENT
 
 
@@ -88,6 +140,13 @@ def test_a_crossing_is_cut_fused_and_sectioned(program, tmp_path):
     assert modelling.volume(fused) == pytest.approx(report["volume"] + 130 * 100 * 25 - common, rel=1e-6)
     section = modelling.wire_points(modelling.section(step.shape, (0, 0, 0), (0, 1, 0)))
     assert len(section) > 0 and np.abs(section[:, 1]).max() < 1e-6
+
+
+@pytest.mark.parametrize("name", ["lens with a law", "notch with a law"])
+def test_what_is_rounded_outside_is_cut(program, tmp_path, name):
+    radii, distance, blend, fields = CROSSINGS[name]
+    step, _, report = made(program, tmp_path, radii, distance, blend, {**fields, "tolerance": 0.1})
+    assert_cuts(step, report["volume"], modelling.slab)
 
 
 def test_random_crossings_are_valid(program, tmp_path):

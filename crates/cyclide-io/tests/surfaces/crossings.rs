@@ -43,8 +43,54 @@ fn crossings_that_are_none_are_refused_in_their_place() {
         ([15.0, 12.0], r#""distance": 24, "blend": 9, "angle": {"degrees": 40}"#, "blend", "[crossing-folds]"),
         ([15.0, -12.0], r#""distance": 24, "blend": 4"#, "pipes[1]", "[radius-not-positive]"),
         ([15.0, 12.0], r#""distance": 24, "blend": 4, "wall": 1, "ends": "open""#, "", "`wall` makes a solid"),
+        ([15.0, 12.0], r#""distance": 24, "blend": {"first": 4}"#, "", "`first` with `second`"),
+        ([15.0, 12.0], r#""distance": 24, "blend": {"first": 4, "second": -3}"#, "blend", "[radius-not-positive]"),
+        ([15.0, 12.0], r#""distance": 24, "blend": {"values": []}"#, "blend", "[too-few-points]"),
+        ([15.0, 12.0], r#""distance": 24, "blend": 1.5, "side": "inside""#, "blend", "[crossing-ball-too-large]"),
+        ([15.0, 12.0], r#""distance": 30, "blend": 1, "side": "inside""#, "blend", "nothing in common"),
+        ([15.0, 12.0], r#""distance": 30, "blend": 1, "side": "mixed""#, "distance", "[crossing-pipes-apart]"),
+        ([15.0, 12.0], r#""distance": 24, "blend": 11, "side": "mixed""#, "blend", "[crossing-ball-too-large]"),
+        (
+            [15.0, 12.0],
+            r#""distance": 24, "blend": 1, "side": "inside", "wall": 1"#,
+            "wall",
+            "[parameter-out-of-range]",
+        ),
     ] {
         let error = crossing(&pipes(radii, rest)).unwrap_err();
         assert!(error.contains(place) && error.contains(reason), "{reason}: {error}");
     }
+}
+
+#[test]
+fn laws_of_the_radius_are_followed_and_reported() {
+    let rest = |blend: &str| format!(r#""distance": 24, "blend": {blend}, "tolerance": 0.01"#);
+    let found = surface(&crossing(&pipes([15.0, 12.0], &rest(r#"{"first": 4, "second": 6.5}"#))).unwrap());
+    let [blend] = &found.blends[..] else { panic!("one blend: {:?}", found.blends) };
+    assert!((blend.radius.min - 4.0).abs() <= 0.01 && (blend.radius.max - 6.5).abs() <= 0.01, "{blend:?}");
+    assert!(blend.deviation > 0.0 && blend.deviation <= 0.01);
+    // The same as values.
+    let values = r#"{"values": [{"angle": {"degrees": 90}, "radius": 6.5}, {"angle": 0, "radius": 4}, {"angle": {"degrees": -90}, "radius": 6.5}, {"angle": {"degrees": 180}, "radius": 4}]}"#;
+    let same = surface(&crossing(&pipes([15.0, 12.0], &rest(values))).unwrap());
+    assert!((same.volume.unwrap() / found.volume.unwrap() - 1.0).abs() < 1e-9);
+}
+
+#[test]
+fn inside_is_what_both_pipes_have_in_common() {
+    let rest = r#""distance": 20, "blend": 0.01, "side": "inside""#;
+    let lens = surface(&crossing(&pipes([15.0, 15.0], rest)).unwrap());
+    assert!(lens.closed && lens.bodies == 1);
+    // Half of the overlap of 10 is what a ball has room in; below, over the height the product of two chords.
+    let chord = |z: f64| 2.0 * (225.0 - z * z).max(0.0).sqrt();
+    let steps = 20_000;
+    let slices = (0..steps).map(|k| 5.0 + 10.0 * (f64::from(k) + 0.5) / f64::from(steps));
+    let both: f64 = slices.map(|z| chord(z) * chord(z - 20.0) * 10.0 / f64::from(steps)).sum();
+    assert!((lens.volume.unwrap() / both - 1.0).abs() < 1e-4, "{:?} {both}", lens.volume);
+    let hollow =
+        surface(&crossing(&pipes([15.0, 15.0], r#""distance": 20, "blend": 2, "side": "inside", "wall": 1"#)).unwrap());
+    assert!(hollow.closed);
+    // The second pipe less what both have in common.
+    let notched = surface(&crossing(&pipes([15.0, 15.0], &rest.replace("inside", "mixed"))).unwrap());
+    let less = std::f64::consts::PI * 225.0 * 130.0 - notched.volume.unwrap();
+    assert!(notched.closed && (less / both - 1.0).abs() < 1e-4, "{less} {both}");
 }

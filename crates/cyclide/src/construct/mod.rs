@@ -6,9 +6,9 @@ mod circular_mesh;
 mod curves;
 
 pub use bodies::{
-    Ball, ConvexPolyhedron, CrossingPipe, EllipseBridge, MadeCrossing, MadeTee, NeckBlend, NeckBody, NeckSide,
-    NeckVariant, Pipe, PipeCrossing, PipeEnds, PipeTee, PlateShape, PolyhedronEdge, RadiusLaw, RailSurface, Revolution,
-    SphericalPolygon, SweptSurface, TeeBlend, TeeBlendFacts, TeeBranch, TeeEnds, TeeMain, TorusSeam, Tube,
+    Ball, ConvexPolyhedron, CrossingPipe, CrossingSide, EllipseBridge, MadeCrossing, MadeTee, NeckBlend, NeckBody,
+    NeckSide, NeckVariant, Pipe, PipeCrossing, PipeEnds, PipeTee, PlateShape, PolyhedronEdge, RadiusLaw, RailSurface,
+    Revolution, SphericalPolygon, SweptSurface, TeeBlend, TeeBlendFacts, TeeBranch, TeeEnds, TeeMain, TorusSeam, Tube,
 };
 pub use bodies::{BlendBase, BlendRing, BlendTube, ContactBlend, MadeContactBlend, RingBlend};
 #[cfg(feature = "circular-mesh")]

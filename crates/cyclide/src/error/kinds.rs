@@ -744,6 +744,20 @@ pub enum Error {
         /// What the radii differ: it must be above this.
         limit: f64,
     },
+    /// A ball is too large for the edge of a crossing: of what both pipes have in common, or of one less the other.
+    CrossingBallTooLarge {
+        /// Its radius.
+        radius: f64,
+        /// Half of the room between the pipes where the common normal of their axes goes through: it must be below this.
+        limit: f64,
+    },
+    /// Pipes of which one is to be cut by the other do not meet, or hardly.
+    CrossingPipesApart {
+        /// The distance of their axes.
+        distance: f64,
+        /// The sum of their radii less a thousandth of it: it must be below this.
+        limit: f64,
+    },
     /// A pipe of a crossing ends within the blend.
     CrossingPipeTooShort {
         /// Which pipe, from 0.

@@ -177,6 +177,23 @@ impl std::fmt::Display for Error {
                 ShortNumber(*distance),
                 ShortNumber(*limit)
             ),
+            Self::CrossingBallTooLarge { limit, .. } if *limit <= 0.0 => write!(
+                f,
+                "the pipes have nothing in common whose edge could be rounded: they are {} apart",
+                ShortNumber(-2.0 * *limit)
+            ),
+            Self::CrossingBallTooLarge { radius, limit } => write!(
+                f,
+                "a ball of radius {} does not roll along the edge: it must be below {}, half of the room that the pipes leave it",
+                ShortNumber(*radius),
+                ShortNumber(*limit)
+            ),
+            Self::CrossingPipesApart { distance, limit } => write!(
+                f,
+                "the pipes do not meet, or hardly, and neither cuts the other: their axes are {} apart, which must be below the sum of the radii less a thousandth, {}",
+                ShortNumber(*distance),
+                ShortNumber(*limit)
+            ),
             Self::CrossingPipeTooShort { pipe, end, needed } => write!(
                 f,
                 "pipe {pipe} ends within the blend: at {}, which must be beyond {}",

@@ -46,6 +46,8 @@ impl Error {
             Self::TeeHoleFolds { .. } => "tee-hole-folds",
             Self::PipeEndsReversed { .. } => "pipe-ends-reversed",
             Self::CrossingAxesTooNear { .. } => "crossing-axes-too-near",
+            Self::CrossingBallTooLarge { .. } => "crossing-ball-too-large",
+            Self::CrossingPipesApart { .. } => "crossing-pipes-apart",
             Self::CrossingPipeTooShort { .. } => "crossing-pipe-too-short",
             Self::CrossingHoleTooWide { .. } => "crossing-hole-too-wide",
             Self::CrossingHoleTurnsBack { .. } => "crossing-hole-turns-back",

@@ -174,6 +174,15 @@ pub const ENTRIES: &[Entry] = &[
         camera: "0,28",
     },
     Entry {
+        name: "crossing_laws",
+        title: "Balls that change as they roll",
+        text: "A bridge of two pipes by balls of a closed spline through four of them, two bores with a ball that is larger at the sides, a notch with a rounded edge, and what two pipes have in common.",
+        document: example!("crossing_laws.json"),
+        inputs: &[],
+        formats: SURFACES,
+        camera: "",
+    },
+    Entry {
         name: "contact_blend",
         title: "Tubes and a ring on a sphere and on plates",
         text: "Blended by a ball of one radius: a hollow strut off the centre of a spherical node, a cone that leans on a plate, a ring on a round plate, and a dished head with its knuckle, whose rim is rounded inside. Exact envelopes of balls, one solid each.",

@@ -304,6 +304,9 @@ fn blame_crossing(spec: &PipeCrossingSpec, error: &cyclide::Error) -> Blame {
         | E::CrossingHoleTurnsBack { pipe, .. } => Blame::Entry("pipes", *pipe),
         E::NotFinite { what: I::Radius, index } if *index < 2 => Blame::Entry("pipes", *index),
         E::RadiusTooSmall { .. }
+        | E::CrossingBallTooLarge { .. }
+        | E::CoincidentPoints { .. }
+        | E::TooFewPoints { .. }
         | E::BelowRoundingOfPlace { .. }
         | E::CrossingFolds { .. }
         | E::NotFinite { what: I::Radius, .. } => Blame::Field("blend"),
@@ -311,9 +314,10 @@ fn blame_crossing(spec: &PipeCrossingSpec, error: &cyclide::Error) -> Blame {
             Some(pipe) => Blame::Entry("pipes", pipe),
             None => Blame::Field("blend"),
         },
-        E::CrossingAxesTooNear { .. } | E::NotTimelikePair { .. } | E::NotFinite { what: I::Distance, .. } => {
-            Blame::Field("distance")
-        }
+        E::CrossingAxesTooNear { .. }
+        | E::CrossingPipesApart { .. }
+        | E::NotTimelikePair { .. }
+        | E::NotFinite { what: I::Distance, .. } => Blame::Field("distance"),
         E::ToleranceNotPositive { .. } | E::TooManyPieces { .. } => Blame::Field("tolerance"),
         E::ParameterOutOfRange { name: name @ (I::Wall | I::Angle), .. } => Blame::Field(name.word()),
         _ => Blame::Field("pipes"),

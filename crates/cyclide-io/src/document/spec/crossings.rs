@@ -1,14 +1,16 @@
 //! Crossings of pipes, field by field.
 
-use cyclide::TeeEnds;
+use cyclide::{CrossingSide, TeeEnds};
 use schemars::JsonSchema;
 use serde::Deserialize;
 
 use super::TypeWord;
 use super::comment::Comment;
+use super::radius_laws::{RadiusOr, radius_or};
+use super::tees::TeeRadiusSpec;
 use crate::document::angle::Angle;
 
-/// Two pipes that pass each other, blended by a ball that rolls between them: the first about the x axis, the second `distance` above it, at an `angle` to it; solid, or with a `wall` and one bore. Where they do not touch the blend is a bridge between them.
+/// Two pipes that pass each other, blended by a ball that rolls between them: the first about the x axis, the second `distance` above it, at an `angle` to it; solid, or with a `wall` and one bore. Where they do not touch the blend is a bridge between them. With the `side` `inside` what both have in common, with `mixed` the second without the first, the edge rounded.
 ///
 /// ```
 /// use cyclide_io::Document;
@@ -41,16 +43,18 @@ pub struct PipeCrossingSpec {
     pub distance: f64,
     /// Angle of the second axis from the first, about the upward normal, between 0 and 180 degrees. Default: a right angle.
     pub angle: Option<Angle>,
-    /// The radius of the ball; of pipes that do not touch more than half the gap.
-    #[schemars(extend("exclusiveMinimum" = 0))]
-    pub blend: f64,
-    /// Largest difference from that one radius, which no rational blend has exactly. Default: a thousandth of it.
+    /// The radius of the ball, or a law of it; of pipes that do not touch more than half the gap.
+    pub blend: CrossingBlendSpec,
+    /// The sides of the pipes on which the ball rolls. Default: outside both.
+    #[serde(default)]
+    pub side: CrossingSide,
+    /// Largest difference from that radius or law, which no rational blend has exactly. Default: a thousandth of the radius.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub tolerance: Option<f64>,
-    /// Thickness of the wall of both pipes, also within the blend: one bore. Default: the crossing is filled.
+    /// Thickness of the wall of both pipes, also within the blend: one bore, of what both have in common a hollow. Default: the crossing is filled.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub wall: Option<f64>,
-    /// How the pipes end. `open` leaves a surface, and goes without a wall.
+    /// How the pipes end. `open` leaves a surface, and goes without a wall. What both have in common has no ends.
     #[serde(default)]
     pub ends: TeeEnds,
 }
@@ -75,4 +79,63 @@ pub struct CrossingPipeSpec {
     pub radius: f64,
     /// Where it ends along its axis, counted from where the axes are nearest; the lower place first.
     pub ends: [f64; 2],
+}
+
+/// The radius of the ball of a crossing, or a law of it.
+///
+/// ```
+/// use cyclide_io::{CrossingBlendSpec, Document};
+/// let document: Document = r#"{"cyclide": 1, "objects": {"c": {"type": "pipe-crossing", "pipes": [{"radius": 10, "ends": [-40, 40]}, {"radius": 8, "ends": [-35, 35]}], "distance": 12, "blend": 4}}}"#.parse()?;
+/// let cyclide_io::ObjectSpec::PipeCrossing(spec) = &document.objects[0].1 else { unreachable!("by its type") };
+/// assert_eq!(spec.blend, CrossingBlendSpec::Radius(4.0));
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, JsonSchema)]
+#[schemars(untagged, rename = "CrossingBlend")]
+#[non_exhaustive]
+pub enum CrossingBlendSpec {
+    /// One radius.
+    Radius(#[schemars(extend("exclusiveMinimum" = 0))] f64),
+    /// A law.
+    Law(CrossingLawSpec),
+}
+
+/// A law of the radius of the ball of a crossing: `first` with `second`, or `values`. Between what is given it changes smoothly, passing none of it.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"c": {"type": "pipe-crossing", "pipes": [{"radius": 10, "ends": [-40, 40]}, {"radius": 8, "ends": [-35, 35]}], "distance": 12, "blend": {"first": 3, "second": 4.5}}}}"#.parse()?;
+/// let built = document.build()?;
+/// let [least, most] = built[0].tee_blends[0].radii;
+/// assert!((least - 3.0).abs() < 0.01 && (most - 4.5).abs() < 0.01);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Default, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(
+    rename = "CrossingLaw",
+    extend("oneOf" = [{"required": ["first", "second"]}, {"required": ["values"]}]),
+    extend("dependentRequired" = {"first": ["second"], "second": ["first"]})
+)]
+#[non_exhaustive]
+pub struct CrossingLawSpec {
+    /// The radius where the ball is in the direction of the first axis, on both sides.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub first: Option<f64>,
+    /// The radius where it is in the direction of the second axis, on both sides.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub second: Option<f64>,
+    /// Radii at angles of the ball about the upward normal.
+    #[schemars(length(min = 1))]
+    pub values: Option<Vec<TeeRadiusSpec>>,
+}
+
+impl<'de> Deserialize<'de> for CrossingBlendSpec {
+    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let read = radius_or(deserializer, "a radius, or a law such as `{\"first\": 8, \"second\": 5}`")?;
+        Ok(match read {
+            RadiusOr::Radius(radius) => Self::Radius(radius),
+            RadiusOr::Law(law) => Self::Law(law),
+        })
+    }
 }

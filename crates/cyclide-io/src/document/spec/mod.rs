@@ -14,6 +14,7 @@ mod nurbs;
 mod polygon_mesh_file;
 mod polyhedra;
 mod radii;
+mod radius_laws;
 mod smooth;
 mod surfaces;
 mod swept;
@@ -31,7 +32,7 @@ use serde::Deserialize;
 pub use circular::{BorderCurves, BorderSpec, BorderWord, MakeCircularOptions, MakeCircularSpec};
 pub use comment::Comment;
 pub use contact_blends::{BlendRingSpec, BlendTubeSpec, ContactBlendSpec};
-pub use crossings::{CrossingPipeSpec, PipeCrossingSpec};
+pub use crossings::{CrossingBlendSpec, CrossingLawSpec, CrossingPipeSpec, PipeCrossingSpec};
 pub use curves::{
     ArcFitSpec, ArcSpec, ArcSplineSpec, BiarcSpec, CircleSpec, CircleSplineSpec, ClampedEnds, EndsSpec, FairFitSpec,
     PolylineSpec,

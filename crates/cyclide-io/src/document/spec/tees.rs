@@ -6,6 +6,7 @@ use serde::Deserialize;
 
 use super::TypeWord;
 use super::comment::Comment;
+use super::radius_laws::{RadiusOr, radius_or};
 use crate::document::angle::Angle;
 
 /// A main pipe about the x axis with branches, each blended by a ball that rolls round it; solid, or with a `wall`. Branches are thinner than the
@@ -187,7 +188,7 @@ pub struct TeeLawSpec {
 #[schemars(rename = "TeeRadius")]
 #[non_exhaustive]
 pub struct TeeRadiusSpec {
-    /// Angle round the branch: 0 on the side of the end of the main pipe.
+    /// Angle round a branch: 0 on the side of the end of the main pipe. Of a crossing that of the ball about the upward normal, 0 in the direction of the first axis.
     pub angle: Angle,
     /// The radius there.
     #[schemars(extend("exclusiveMinimum" = 0))]
@@ -196,25 +197,10 @@ pub struct TeeRadiusSpec {
 
 impl<'de> Deserialize<'de> for TeeBlendSpec {
     fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        struct BlendVisitor;
-        impl<'de> serde::de::Visitor<'de> for BlendVisitor {
-            type Value = TeeBlendSpec;
-            fn expecting(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-                f.write_str("a radius, or a law such as `{\"crotch\": 8, \"flank\": 5}`")
-            }
-            fn visit_f64<E>(self, radius: f64) -> Result<TeeBlendSpec, E> {
-                Ok(TeeBlendSpec::Radius(radius))
-            }
-            fn visit_u64<E>(self, radius: u64) -> Result<TeeBlendSpec, E> {
-                Ok(TeeBlendSpec::Radius(radius as f64))
-            }
-            fn visit_i64<E>(self, radius: i64) -> Result<TeeBlendSpec, E> {
-                Ok(TeeBlendSpec::Radius(radius as f64))
-            }
-            fn visit_map<A: serde::de::MapAccess<'de>>(self, map: A) -> Result<TeeBlendSpec, A::Error> {
-                TeeLawSpec::deserialize(serde::de::value::MapAccessDeserializer::new(map)).map(TeeBlendSpec::Law)
-            }
-        }
-        deserializer.deserialize_any(BlendVisitor)
+        let read = radius_or(deserializer, "a radius, or a law such as `{\"crotch\": 8, \"flank\": 5}`")?;
+        Ok(match read {
+            RadiusOr::Radius(radius) => Self::Radius(radius),
+            RadiusOr::Law(law) => Self::Law(law),
+        })
     }
 }

@@ -1,5 +1,6 @@
 //! Bodies and sheets: revolutions, pipes, necks, bridges, surfaces between two curves, rounded polyhedra.
 
+mod angle_law;
 mod bands;
 mod circular_surface;
 mod contact_blend;
@@ -33,7 +34,7 @@ pub use contact_blend::{BlendBase, BlendTube, ContactBlend, MadeContactBlend};
 pub use ellipse_bridge::EllipseBridge;
 pub use neck::{NeckBlend, NeckBody, NeckSide, NeckVariant, PlateShape};
 pub use pipe::{Pipe, PipeEnds};
-pub use pipe_crossing::{CrossingPipe, MadeCrossing, PipeCrossing};
+pub use pipe_crossing::{CrossingPipe, CrossingSide, MadeCrossing, PipeCrossing};
 pub use polyhedron::{ConvexPolyhedron, PolyhedronEdge, SphericalPolygon};
 pub use rail_surface::RailSurface;
 pub use revolution::Revolution;

@@ -266,6 +266,26 @@
 //! # Ok::<(), cyclide::Error>(())
 //! ```
 //!
+//! # `crossing-ball-too-large`
+//! A ball that is to round the edge of what two pipes have in common is larger than half of what they overlap.
+//! ```
+//! use cyclide::{CrossingPipe, CrossingSide, PipeCrossing};
+//! let pipe = CrossingPipe { radius: 2.0, ends: [-9.0, 9.0] };
+//! let crossing = PipeCrossing::new([pipe, pipe], 3.0, 0.5)?.with_side(CrossingSide::Inside);
+//! assert_eq!(crossing.made().unwrap_err().reason(), "crossing-ball-too-large");
+//! # Ok::<(), cyclide::Error>(())
+//! ```
+//!
+//! # `crossing-pipes-apart`
+//! One of two pipes is to be cut by the other, which passes it without meeting it.
+//! ```
+//! use cyclide::{CrossingPipe, CrossingSide, PipeCrossing};
+//! let pipe = CrossingPipe { radius: 2.0, ends: [-9.0, 9.0] };
+//! let crossing = PipeCrossing::new([pipe, pipe], 4.5, 0.5)?.with_side(CrossingSide::Mixed);
+//! assert_eq!(crossing.made().unwrap_err().reason(), "crossing-pipes-apart");
+//! # Ok::<(), cyclide::Error>(())
+//! ```
+//!
 //! # `crossing-pipe-too-short`
 //! A pipe of a crossing ends within the blend.
 //! ```
@@ -289,8 +309,8 @@
 //! The blend of two pipes that pass each other askew, with a large ball, meets a pipe in a line that turns back along it.
 //! ```
 //! use cyclide::{CrossingPipe, PipeCrossing};
-//! let pipes = [1.0, 0.9635].map(|radius| CrossingPipe { radius, ends: [-12.0, 12.0] });
-//! let crossing = PipeCrossing::new(pipes, 0.7793, 1.8352)?.with_angle(64.68_f64.to_radians())?;
+//! let pipes = [1.0, 0.92].map(|radius| CrossingPipe { radius, ends: [-12.0, 12.0] });
+//! let crossing = PipeCrossing::new(pipes, 0.65, 1.95)?.with_angle(59_f64.to_radians())?;
 //! assert_eq!(crossing.made().unwrap_err().reason(), "crossing-hole-turns-back");
 //! # Ok::<(), cyclide::Error>(())
 //! ```

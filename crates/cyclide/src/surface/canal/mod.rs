@@ -7,6 +7,7 @@ mod natural_quadric;
 mod patch;
 mod quadric_pair;
 mod skew_cylinders;
+mod skew_directions;
 mod skew_patch;
 
 pub use ball::RollingBall;

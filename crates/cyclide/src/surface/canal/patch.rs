@@ -106,6 +106,12 @@ impl CanalPatch {
         self
     }
 
+    /// The same from the second contact to the first.
+    pub(crate) fn exchanged(mut self) -> Self {
+        self.turns.swap(0, 1);
+        self
+    }
+
     /// The same elsewhere.
     pub(crate) fn moved(mut self, by: Vec3) -> Self {
         let [x, y, z, w] = self.center.0;

@@ -171,7 +171,7 @@ impl TorusPiece {
     }
 
     /// The part between two parameters of the piece, `0 <= s0 < s1 <= 1`.
-    pub(super) fn part(&self, s0: f64, s1: f64) -> Self {
+    pub(crate) fn part(&self, s0: f64, s1: f64) -> Self {
         let units = std::array::from_fn(|i| {
             let z = self.units[i] * self.courses[i].at(s0);
             z * (1.0 / z.norm())

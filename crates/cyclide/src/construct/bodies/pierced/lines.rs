@@ -40,6 +40,14 @@ pub(in crate::construct::bodies) struct HolePiece {
     pub(in crate::construct::bodies) weight: Polynomial,
 }
 
+impl HolePiece {
+    /// The same run backwards.
+    pub(in crate::construct::bodies) fn reversed(self) -> Self {
+        let Self { half, along, weight } = self;
+        Self { half: half.map(|p| p.reversed()), along: along.reversed(), weight: weight.reversed() }
+    }
+}
+
 /// A hole in a pipe, whose border has been sewn: from its corner at the end of the pipe and low angles on towards higher angles.
 pub(in crate::construct::bodies) struct Hole {
     pub(in crate::construct::bodies) cylinder: Cylinder,

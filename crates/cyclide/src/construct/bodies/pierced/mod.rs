@@ -1,6 +1,7 @@
-//! Pipes with holes in them: the faces round a hole whose border is a rational curve, the rings at the ends, and what closes them. All of it
+//! Pipes with holes in them: the faces round a hole whose border is a rational curve, or within it, the rings at the ends, and what closes them. All of it
 //! is exact, of four-sided faces that share edges (`docs/math/pipe-tees.md#faces`).
 
+mod cap;
 mod cylinder;
 mod ends;
 mod lines;

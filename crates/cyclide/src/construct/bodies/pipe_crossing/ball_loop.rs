@@ -1,23 +1,32 @@
-//! The loop of balls between two pipes that pass each other: pieces of the plane of the torus through balls of one radius, refined until the
-//! radius is within its tolerance (`docs/math/pipe-crossings.md#the-loop`).
-//!
-//! A half turn about the common normal of the axes leaves both pipes where they are, so half of the loop says all.
+//! The loop of balls between two pipes that pass each other: pieces of the plane of the torus through balls whose radius follows a law, refined
+//! until it does within its tolerance (`docs/math/pipe-crossings.md#the-loop`).
 
+use super::CrossingSide;
 use super::corners::Corners;
+use super::mixed::{MixedPair, MixedPiece};
 use crate::base::frame::Frame;
-use crate::base::planar::{Point2, Vec2};
+use crate::construct::bodies::angle_law::Law;
 use crate::construct::bodies::halving::Halving;
+use crate::construct::bodies::pierced::{HolePiece, Node};
 use crate::construct::curves::{TorusSplineOptions, TorusTangent};
 use crate::error::Result;
 use crate::rational::{Polynomial, QuatPolynomial};
-use crate::surface::{CanalPatch, RollingBall, SkewCylinders, Torus, TorusSpline};
+use crate::surface::{CanalPatch, SkewCylinders, Torus, TorusPiece, TorusSpline};
 
-/// Pieces of half a loop at most.
-const HALVING: Halving = Halving { what: "half of the blend", cap: 1024, least: 0.0, remedy: "use a larger tolerance" };
+/// Pieces of a loop at most. Shorter spans, in radians, are not halved: where a law leaps no blend follows it.
+const HALVING: Halving =
+    Halving { what: "the blend", cap: 2048, least: 1e-6, remedy: "use a larger tolerance, or a law that changes less" };
+/// A blend keeps to its law to this part of the radius where no tolerance is given.
+const DEFAULT_TOLERANCE: f64 = 1e-3;
+/// Places of a piece at which its radius is compared with the law.
+const PLACES: u32 = 8;
+/// Halvings of pieces at most, until as many are on both sides beside each hole.
+const EVENINGS: usize = 512;
 
 /// The balls of a piece, with their contacts.
 #[derive(Debug, Clone)]
 pub(super) struct LoopPiece {
+    way: Way,
     /// The canal of the outer skin, with even arcs at both ends.
     pub(super) patch: CanalPatch,
     /// Half directions of the contacts round both pipes.
@@ -26,13 +35,66 @@ pub(super) struct LoopPiece {
     pub(super) along: [Polynomial; 2],
 }
 
+/// What a piece is made from.
+#[derive(Debug, Clone)]
+enum Way {
+    /// In the plane of the torus: balls on one side of both pipes.
+    Torus(TorusPiece),
+    /// It holds the frames of its pair.
+    Mixed(Box<MixedPiece>),
+}
+
+/// Where a ball touches both pipes: its place along each and the angle round it, counted from where the other pipe is nearest, and the rates of these by the angle
+/// of the ball about the common normal.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Contacts {
+    pub(super) at: [[f64; 2]; 2],
+    pub(super) rates: [[f64; 2]; 2],
+}
+
+impl Contacts {
+    /// Half a turn about the common normal on.
+    pub(super) fn turned(&self) -> Self {
+        let back = |pairs: [[f64; 2]; 2]| pairs.map(|pair| pair.map(|x| -x));
+        Self { at: back(self.at), rates: back(self.rates) }
+    }
+}
+
+/// Canal, half directions and places of a piece.
+pub(super) struct PieceForms {
+    pub(super) patch: CanalPatch,
+    pub(super) halves: [[Polynomial; 2]; 2],
+    pub(super) along: [Polynomial; 2],
+}
+
+impl PieceForms {
+    /// Half a turn about the common normal on.
+    pub(super) fn turned(&self) -> Self {
+        let mut center = self.patch.center().clone();
+        for axis in [0, 1] {
+            center.0[axis] = &center.0[axis] * -1.0;
+        }
+        let turns = self
+            .patch
+            .turns()
+            .each_ref()
+            .map(|QuatPolynomial([w, x, y, z])| QuatPolynomial([w.clone(), x * -1.0, y * -1.0, z.clone()]));
+        let halves = self.halves.each_ref().map(|[cos, sin]| [cos.clone(), sin * -1.0]);
+        let along = self.along.each_ref().map(|along| along * -1.0);
+        Self { patch: CanalPatch::from_turns(center, self.patch.radius().clone(), turns), halves, along }
+    }
+}
+
 /// The whole loop, once round the common normal.
 pub(super) struct BallLoop {
     pub(super) pieces: Vec<LoopPiece>,
-    /// For both pipes the numbers of the nodes that are corners of its hole: those towards its end, at low and at high angles. The others are half the loop from these.
-    pub(super) corners: [[usize; 2]; 2],
+    /// For both pipes the numbers of the nodes that are corners of its hole: those towards its end, at low and at high angles, then those towards its start, at
+    /// high and at low angles.
+    pub(super) corners: [[usize; 4]; 2],
     /// The least and the largest radius, proved.
     pub(super) radii: [f64; 2],
+    /// The largest difference from the law.
+    pub(super) deviation: f64,
 }
 
 /// The border of the hole of a pipe as a way round it: from the corner at the end of the pipe and low angles on towards high ones.
@@ -49,127 +111,229 @@ pub(super) struct HoleOrder {
 impl BallLoop {
     /// # Errors
     /// `too-many-pieces`; as [`CanalPatch::along`].
-    pub(super) fn new(pair: &SkewCylinders, radius: f64, tolerance: f64) -> Result<Self> {
-        let balls = Balls { pair, radius };
-        let corners = Corners::new(&balls)?;
-        let mut half: Vec<LoopPiece> = Vec::new();
+    pub(super) fn new(balls: &Balls<'_>) -> Result<Self> {
+        let corners = Corners::new(balls)?;
+        let mut made = Self {
+            pieces: Vec::new(),
+            corners: [[0; 4]; 2],
+            radii: [f64::INFINITY, f64::NEG_INFINITY],
+            deviation: 0.0,
+        };
         let mut nodes = vec![0];
-        let mut radii = [f64::INFINITY, f64::NEG_INFINITY];
         for ends in corners.bounds.windows(2) {
-            HALVING.extend(&mut half, [ends[0], ends[1]], |part| {
-                let Some((pieces, [low, high])) = balls.span(part, tolerance)? else { return Ok(None) };
-                radii = [radii[0].min(low), radii[1].max(high)];
-                Ok(Some(pieces))
+            HALVING.extend(&mut made.pieces, [ends[0], ends[1]], |part| {
+                let Some(span) = balls.span(part)? else { return Ok(None) };
+                made.radii = [made.radii[0].min(span.radii[0]), made.radii[1].max(span.radii[1])];
+                made.deviation = made.deviation.max(span.deviation);
+                Ok(Some(span.pieces))
             })?;
-            nodes.push(half.len());
+            nodes.push(made.pieces.len());
         }
-        let node = |(bound, turned): (usize, bool)| nodes[bound] + if turned { half.len() } else { 0 };
-        let corners = corners.of_pipes.map(|corners| corners.map(node));
-        let pieces = half.iter().cloned().chain(half.iter().map(LoopPiece::turned)).collect();
-        Ok(Self { pieces, corners, radii })
+        made.corners = corners.of_pipes.map(|corners| corners.map(|bound| nodes[bound]));
+        made.even_sides(balls)?;
+        Ok(made)
+    }
+
+    /// Halves pieces until each hole has as many on one side of it as on the other: the lines behind it join their nodes one by one.
+    fn even_sides(&mut self, balls: &Balls<'_>) -> Result<()> {
+        for _ in 0..EVENINGS {
+            let orders = [0, 1].map(|pipe: usize| self.hole_order(pipe));
+            // By how many pieces the first side of each hole has more, and what a piece adds to that.
+            let more = [0, 1].map(|pipe: usize| {
+                let [_, front, back, rear, count] = orders[pipe].sides;
+                if balls.side.leaves(pipe) { (back - front) as i64 - (count - rear) as i64 } else { 0 }
+            });
+            if more == [0, 0] {
+                break;
+            }
+            let mut adds = vec![[0_i64; 2]; self.pieces.len()];
+            for (pipe, HoleOrder { pieces, sides: [_, front, back, rear, count], .. }) in
+                orders.iter().enumerate().filter(|(pipe, _)| balls.side.leaves(*pipe))
+            {
+                pieces[*front..*back].iter().for_each(|&k| adds[k][pipe] = 1);
+                pieces[*rear..*count].iter().for_each(|&k| adds[k][pipe] = -1);
+            }
+            // The one that leaves least, of these the largest.
+            let left =
+                |k: usize| [0, 1].map(|pipe: usize| more[pipe] + adds[k][pipe]).into_iter().map(|d| d * d).sum::<i64>();
+            let size = |k: usize| self.pieces[k].way.size();
+            let better = |a: &usize, b: &usize| left(*b).cmp(&left(*a)).then(size(*a).total_cmp(&size(*b)));
+            let Some(best) = (0..self.pieces.len()).max_by(better) else { break };
+            let [first, second] = self.pieces[best].way.halves();
+            let halves = [balls.piece(first)?, balls.piece(second)?];
+            self.pieces.splice(best..=best, halves);
+            for corner in self.corners.iter_mut().flatten() {
+                *corner += usize::from(*corner > best);
+            }
+        }
+        Ok(())
     }
 
     /// The way round the hole of a pipe. Seen from the first pipe the loop turns as angles do, seen from the second the other way.
     pub(super) fn hole_order(&self, pipe: usize) -> HoleOrder {
-        let (count, [first, second], ahead) = (self.pieces.len(), self.corners[pipe], pipe == 0);
+        let (count, corners, ahead) = (self.pieces.len(), self.corners[pipe], pipe == 0);
+        let first = corners[0];
         let nodes: Vec<usize> = (0..count).map(|j| if ahead { first + j } else { first + count - j } % count).collect();
         let pieces = nodes.iter().map(|&node| if ahead { node } else { (node + count - 1) % count }).collect();
-        let front = if ahead { second + count - first } else { first + count - second } % count;
-        let half = count / 2;
-        HoleOrder { nodes, pieces, ahead, sides: [0, front.min(half), half, half + front.min(half), count] }
+        let from_first = |corner: usize| if ahead { corner + count - first } else { first + count - corner } % count;
+        let [_, front, back, rear] = corners.map(from_first);
+        HoleOrder { nodes, pieces, ahead, sides: [0, front, back, rear, count] }
     }
 
     /// How far the contact with a pipe reaches along it.
-    pub(super) fn reach(&self, pipe: usize) -> f64 {
+    pub(super) fn reach(&self, pipe: usize) -> [f64; 2] {
         let places = self.pieces.iter().flat_map(|piece| (0..=16).map(|k| piece.along_at(pipe, f64::from(k) / 16.0)));
-        places.fold(0.0, |most: f64, at| most.max(at.abs()))
+        places.fold([0.0_f64; 2], |[low, high], at| [low.min(at), high.max(at)])
     }
 }
 
-/// Balls of one radius, by an angle.
+/// Balls whose radius follows a law, by the angle of their direction from the common normal of the axes.
 pub(super) struct Balls<'a> {
-    pair: &'a SkewCylinders,
-    radius: f64,
+    pub(super) pair: &'a SkewCylinders,
+    pub(super) mixed: Option<MixedPair>,
+    pub(super) law: &'a Law,
+    pub(super) tolerance: Option<f64>,
+    pub(super) side: CrossingSide,
+}
+
+/// Pieces between two angles, with the bounds of their radius and what it is off the law.
+struct Span {
+    pieces: Vec<LoopPiece>,
+    radii: [f64; 2],
+    deviation: f64,
 }
 
 impl Balls<'_> {
-    fn place(&self, theta: f64) -> Result<Point2> {
-        self.pair.place_of_radius(self.radius, theta)
+    /// Where the ball in a direction touches both pipes.
+    pub(super) fn contacts(&self, angle: f64) -> Result<Contacts> {
+        let asked = self.law.at(angle);
+        if let Some(mixed) = &self.mixed {
+            return mixed.towards(asked, angle);
+        }
+        let ball = self.pair.towards(asked.map(|x| self.side.sign() * x), angle)?;
+        Ok(Contacts { at: ball.contacts, rates: ball.contact_rates })
     }
 
-    pub(super) fn ball(&self, theta: f64) -> Result<RollingBall> {
-        self.pair.ball(self.place(theta)?)
+    /// What the radius may be off one that is asked for.
+    fn allowed(&self, radius: f64) -> f64 {
+        self.tolerance.unwrap_or(DEFAULT_TOLERANCE * radius)
     }
 
-    pub(super) fn pair(&self) -> &SkewCylinders {
-        self.pair
-    }
-
-    /// The derivative of the place: of `sin A = a cos θ`, `cos B = -b sin θ`.
-    fn rate(&self, place: Point2, theta: f64) -> Vec2 {
-        let (sin, cos) = theta.sin_cos();
-        let excess = self.radius - self.pair.smallest_radius();
-        let [p, q] = self.pair.radii().map(|r| (excess / (r + self.radius)).sqrt());
-        Vec2::new(-q * sin / place.x.cos(), p * cos / place.y.sin())
-    }
-
-    /// The pieces between two angles with the bounds of their radius, if that is within the tolerance and weights are positive.
-    fn span(&self, ends: [f64; 2], tolerance: f64) -> Result<Option<(Vec<LoopPiece>, [f64; 2])>> {
-        let places = [self.place(ends[0])?, self.place(ends[1])?];
-        let tangents = [0, 1].map(|k: usize| TorusTangent::Rate(self.rate(places[k], ends[k])));
+    /// What pieces between two angles are made from, with balls and directions of the law at both.
+    fn ways(&self, ends: [f64; 2]) -> Result<Option<Vec<Way>>> {
+        if let Some(mixed) = &self.mixed {
+            let contacts = [self.contacts(ends[0])?, self.contacts(ends[1])?];
+            return Ok(mixed
+                .span(&contacts, ends.map(|angle| self.law.at(angle)))
+                .map(|pieces| pieces.map(|piece| Way::Mixed(Box::new(piece))).to_vec()));
+        }
+        let ball = |angle: f64| self.pair.towards(self.law.at(angle).map(|x| self.side.sign() * x), angle);
+        let balls = [ball(ends[0])?, ball(ends[1])?];
+        let tangents = balls.map(|ball| TorusTangent::Rate(ball.rate));
         let options = TorusSplineOptions { tangents: tangents.to_vec(), knots: ends.to_vec(), ..Default::default() };
         // Places are all that counts: any torus will do.
-        let spline = TorusSpline::through_places(&Torus::new(Frame::WORLD, 2.0, 1.0)?, &places, &options)?;
-        let mut radii = [f64::INFINITY, f64::NEG_INFINITY];
-        let mut pieces = Vec::new();
-        for piece in spline.pieces() {
-            let halves = CanalPatch::half_directions(self.pair, piece)?;
-            let made = LoopPiece::new(self.pair, CanalPatch::along(self.pair, piece)?, halves);
-            let Some([low, high]) = made.patch.radius_bounds() else { return Ok(None) };
-            let near = low >= self.radius - tolerance && high <= self.radius + tolerance;
-            if !(near && made.patch.to_rational()?.has_positive_weights()) {
+        let torus = Torus::new(Frame::WORLD, 2.0, 1.0)?;
+        let spline = TorusSpline::through_places(&torus, &balls.map(|ball| ball.place), &options)?;
+        Ok(Some(spline.pieces().iter().copied().map(Way::Torus).collect()))
+    }
+
+    fn piece(&self, way: Way) -> Result<LoopPiece> {
+        match &way {
+            Way::Mixed(piece) => {
+                let forms = piece.forms();
+                Ok(LoopPiece::upright(way, forms))
+            }
+            Way::Torus(piece) => LoopPiece::on_torus(self.pair, *piece),
+        }
+    }
+
+    /// The pieces between two angles, no value of the law between them, if the radius keeps to the law and weights are positive.
+    fn span(&self, ends: [f64; 2]) -> Result<Option<Span>> {
+        let Some(ways) = self.ways(ends)? else { return Ok(None) };
+        let asked = ends.map(|angle| self.law.at(angle)[0]);
+        let (low, high) = (asked[0].min(asked[1]), asked[0].max(asked[1]));
+        let mut span = Span { pieces: Vec::new(), radii: [f64::INFINITY, f64::NEG_INFINITY], deviation: 0.0 };
+        for way in ways {
+            let made = self.piece(way)?;
+            let Some(bounds) = made.patch.radius_bounds() else { return Ok(None) };
+            let [least, most] = if self.side.sign() > 0.0 { bounds } else { [-bounds[1], -bounds[0]] };
+            let beyond = (low - least).max(most - high);
+            if !(least > 0.0 && beyond <= self.allowed(low) && made.patch.to_rational()?.has_positive_weights()) {
                 return Ok(None);
             }
-            radii = [radii[0].min(low), radii[1].max(high)];
-            pieces.push(made);
+            span.deviation = span.deviation.max(beyond);
+            for k in 1..PLACES {
+                let (center, radius) = made.patch.ball(f64::from(k) / f64::from(PLACES));
+                let [asked, _] = self.law.at(center.y.atan2(center.x));
+                let off = (self.side.sign() * radius - asked).abs();
+                if !(off <= self.allowed(asked)) {
+                    return Ok(None);
+                }
+                span.deviation = span.deviation.max(off);
+            }
+            span.radii = [span.radii[0].min(least), span.radii[1].max(most)];
+            span.pieces.push(made);
         }
-        Ok(Some((pieces, radii)))
+        Ok(Some(span))
+    }
+}
+
+impl Way {
+    /// How far it goes.
+    fn size(&self) -> f64 {
+        match self {
+            Self::Torus(piece) => piece.step().length(),
+            Self::Mixed(piece) => piece.size(),
+        }
+    }
+
+    /// The same in two parts.
+    fn halves(&self) -> [Self; 2] {
+        match self {
+            Self::Torus(piece) => [piece.part(0.0, 0.5), piece.part(0.5, 1.0)].map(Self::Torus),
+            Self::Mixed(piece) => piece.halves().map(|half| Self::Mixed(Box::new(half))),
+        }
     }
 }
 
 impl LoopPiece {
-    fn new(pair: &SkewCylinders, patch: CanalPatch, [first, [c, s]]: [[Polynomial; 2]; 2]) -> Self {
-        // The second pipe is seen from the first: from below, where its normals have the angle π.
-        let second = [s, c];
-        let upright = |[c, s]: [Polynomial; 2]| if c.value(0.5) < 0.0 { [&c * -1.0, &s * -1.0] } else { [c, s] };
+    fn on_torus(pair: &SkewCylinders, way: TorusPiece) -> Result<Self> {
+        let patch = CanalPatch::along(pair, &way)?;
+        let [first, [c, s]] = CanalPatch::half_directions(pair, &way)?;
         let [x, y, _, _] = &patch.center().0;
-        let [way, _] = pair.second_axis();
-        let along = [x.clone(), &(x * way.x) + &(y * way.y)];
-        Self { patch: patch.with_even_ends(), halves: [upright(first), upright(second)], along }
+        let [direction, _] = pair.second_axis();
+        let along = [x.clone(), &(x * direction.x) + &(y * direction.y)];
+        // The second pipe is seen from the first: from below, where its normals have the angle π.
+        let forms = PieceForms { patch: patch.with_even_ends(), halves: [first, [s, c]], along };
+        Ok(Self::upright(Way::Torus(way), forms))
+    }
+
+    /// With half directions of angles between -π and π.
+    fn upright(way: Way, PieceForms { patch, halves, along }: PieceForms) -> Self {
+        let upright = |[c, s]: [Polynomial; 2]| if c.value(0.5) < 0.0 { [&c * -1.0, &s * -1.0] } else { [c, s] };
+        Self { way, patch, halves: halves.map(upright), along }
     }
 
     pub(super) fn along_at(&self, pipe: usize, s: f64) -> f64 {
         self.along[pipe].value(s) / self.patch.center().weight().value(s)
     }
 
+    /// Where it starts on a pipe.
+    pub(super) fn node(&self, pipe: usize) -> Node {
+        let [c, s] = self.halves[pipe].each_ref().map(|p| p.value(0.0));
+        let length = c.hypot(s);
+        Node { half: [c / length, s / length], along: self.along_at(pipe, 0.0) }
+    }
+
+    /// Its contact with a pipe.
+    pub(super) fn border(&self, pipe: usize) -> HolePiece {
+        let weight = self.patch.center().weight().clone();
+        HolePiece { half: self.halves[pipe].clone(), along: self.along[pipe].clone(), weight }
+    }
+
     /// The angle round a pipe.
     pub(super) fn angle_at(&self, pipe: usize, s: f64) -> f64 {
         let [cos, sin] = self.halves[pipe].each_ref().map(|p| p.value(s));
         2.0 * sin.atan2(cos)
-    }
-
-    /// The same half a turn about the common normal on.
-    fn turned(&self) -> Self {
-        let mut center = self.patch.center().clone();
-        for axis in [0, 1] {
-            center.0[axis] = &center.0[axis] * -1.0;
-        }
-        let turns = self.patch.turns().each_ref().map(|QuatPolynomial(parts)| {
-            let signs = [1.0, -1.0, -1.0, 1.0];
-            QuatPolynomial(std::array::from_fn(|k| &parts[k] * signs[k]))
-        });
-        let halves = self.halves.each_ref().map(|[cos, sin]| [cos.clone(), sin * -1.0]);
-        let along = self.along.each_ref().map(|along| along * -1.0);
-        Self { patch: CanalPatch::from_turns(center, self.patch.radius().clone(), turns), halves, along }
     }
 }

@@ -1,8 +1,8 @@
 //! What is refused of a crossing: blends that fold, holes that go too far round a pipe.
 
-use super::ball_loop::BallLoop;
+use super::ball_loop::{BallLoop, Balls};
+use crate::construct::bodies::pierced::Node;
 use crate::error::{Error, Result};
-use crate::surface::SkewCylinders;
 use std::f64::consts::TAU;
 
 /// Places of a piece at which folds are looked for.
@@ -48,18 +48,15 @@ pub(super) fn check_folds(balls: &BallLoop, depth: f64) -> Result<TightPlace> {
     }
 }
 
-/// Refuses holes that go too far round by balls of one radius, before there is a loop, which would take too many pieces.
+/// Refuses holes that go too far round by their balls, before there is a loop, which would take too many pieces.
 ///
 /// # Errors
-/// `crossing-hole-too-wide`; as [`SkewCylinders::ball`].
-pub(super) fn check_reach_round(pair: &SkewCylinders, radius: f64) -> Result<()> {
-    let [_, across] = pair.second_axis();
+/// `crossing-hole-too-wide`; as [`SkewCylinders::ball`](crate::SkewCylinders::ball).
+pub(super) fn check_reach_round(balls: &Balls<'_>) -> Result<()> {
     let mut farthest = [0.0_f64; 2];
     for k in 0..ROUND {
-        let theta = TAU * f64::from(k) / f64::from(ROUND);
-        let [first, second] = pair.ball(pair.place_of_radius(radius, theta)?)?.normals;
-        let angles = [first.y.atan2(first.z), second.dot(across).atan2(-second.z)];
-        farthest = [0, 1].map(|pipe: usize| farthest[pipe].max(angles[pipe].abs()));
+        let contacts = balls.contacts(TAU * f64::from(k) / f64::from(ROUND))?.at;
+        farthest = [0, 1].map(|pipe: usize| farthest[pipe].max(contacts[pipe][1].abs()));
     }
     match farthest.iter().position(|angle| *angle > FARTHEST) {
         Some(pipe) => Err(Error::CrossingHoleTooWide { pipe, angle: farthest[pipe], limit: FARTHEST }),
@@ -67,37 +64,68 @@ pub(super) fn check_reach_round(pair: &SkewCylinders, radius: f64) -> Result<()>
     }
 }
 
-/// Refuses holes that go too far round, and those whose border turns back: parts of the pipe would overlap.
+/// Refuses a hole that goes too far round, and one whose border turns back: parts of the pipe would overlap.
 ///
 /// # Errors
 /// `crossing-hole-too-wide`, `crossing-hole-turns-back`.
-pub(super) fn check_holes(balls: &BallLoop) -> Result<()> {
-    let places = || (0..=PLACES).map(|k| f64::from(k) / f64::from(PLACES));
-    for pipe in 0..2 {
-        let angles = balls.pieces.iter().flat_map(|piece| places().map(move |s| piece.angle_at(pipe, s).abs()));
-        let angle = angles.fold(0.0, f64::max);
-        if !(angle <= FARTHEST) {
-            return Err(Error::CrossingHoleTooWide { pipe, angle, limit: FARTHEST });
+pub(super) fn check_hole(balls: &BallLoop, pipe: usize) -> Result<()> {
+    check_width(balls, pipe)?;
+    let order = balls.hole_order(pipe);
+    let ahead = if order.ahead { 1.0 } else { -1.0 };
+    // Towards both ends of the pipe by the angle, beside the hole by the place.
+    for (side, sign) in [(0, ahead), (1, -ahead), (2, -ahead), (3, ahead)] {
+        let pieces = &order.pieces[order.sides[side]..order.sides[side + 1]];
+        let value = |k: usize, s: f64| {
+            let piece = &balls.pieces[k];
+            if side % 2 == 0 { piece.angle_at(pipe, s) } else { piece.along_at(pipe, s) }
+        };
+        let turns = |&k: &usize| {
+            let back = |pair: &[f64]| !((value(k, pair[1]) - value(k, pair[0])) * sign > 0.0);
+            let places: Vec<f64> = places().collect();
+            places.windows(2).find(|pair| back(pair)).map(|pair| balls.pieces[k].along_at(pipe, pair[0]))
+        };
+        let missing = || pieces.is_empty().then(|| balls.pieces[order.pieces[0]].along_at(pipe, 0.0));
+        if let Some(along) = pieces.iter().find_map(turns).or_else(missing) {
+            return Err(Error::CrossingHoleTurnsBack { pipe, along });
         }
-        let order = balls.hole_order(pipe);
-        let ahead = if order.ahead { 1.0 } else { -1.0 };
-        // Towards both ends of the pipe by the angle, beside the hole by the place; the other two sides are half a turn from these.
-        for (side, sign) in [(0, ahead), (1, -ahead)] {
-            let pieces = &order.pieces[order.sides[side]..order.sides[side + 1]];
-            let value = |k: usize, s: f64| {
-                let piece = &balls.pieces[k];
-                if side == 0 { piece.angle_at(pipe, s) } else { piece.along_at(pipe, s) }
-            };
-            let turns = |&k: &usize| {
-                let back = |pair: &[f64]| !((value(k, pair[1]) - value(k, pair[0])) * sign > 0.0);
-                let places: Vec<f64> = places().collect();
-                places.windows(2).find(|pair| back(pair)).map(|pair| balls.pieces[k].along_at(pipe, pair[0]))
-            };
-            let missing = || pieces.is_empty().then(|| balls.pieces[order.pieces[0]].along_at(pipe, 0.0));
-            if let Some(along) = pieces.iter().find_map(turns).or_else(missing) {
-                return Err(Error::CrossingHoleTurnsBack { pipe, along });
-            }
+    }
+    let [_, front, back, rear, count] = order.sides;
+    if back - front != count - rear {
+        return Err(Error::CrossingHoleTurnsBack {
+            pipe,
+            along: balls.pieces[order.pieces[front]].along_at(pipe, 0.0),
+        });
+    }
+    Ok(())
+}
+
+fn check_width(balls: &BallLoop, pipe: usize) -> Result<()> {
+    let angles = balls.pieces.iter().flat_map(|piece| places().map(move |s| piece.angle_at(pipe, s).abs()));
+    let angle = angles.fold(0.0, f64::max);
+    if angle <= FARTHEST { Ok(()) } else { Err(Error::CrossingHoleTooWide { pipe, angle, limit: FARTHEST }) }
+}
+
+/// Refuses a cap that is to be filled from a point in its middle and is not seen from there all round.
+///
+/// # Errors
+/// `crossing-hole-too-wide`, `crossing-hole-turns-back`.
+pub(super) fn check_cap(balls: &BallLoop, pipe: usize) -> Result<()> {
+    check_width(balls, pipe)?;
+    let order = balls.hole_order(pipe);
+    let nodes = balls.pieces.iter().map(|piece| piece.node(pipe)).collect::<Vec<_>>();
+    let middle = Node::between(&nodes);
+    let ahead = if order.ahead { 1.0 } else { -1.0 };
+    for piece in &balls.pieces {
+        let border = piece.border(pipe);
+        let overlaps = |s: &f64| border.turns_about(middle, *s).iter().any(|turn| !(ahead * turn > 0.0));
+        if let Some(s) = places().find(overlaps) {
+            return Err(Error::CrossingHoleTurnsBack { pipe, along: piece.along_at(pipe, s) });
         }
     }
     Ok(())
+}
+
+/// Places of a piece from its start to its end.
+fn places() -> impl Iterator<Item = f64> {
+    (0..=PLACES).map(|k| f64::from(k) / f64::from(PLACES))
 }

@@ -2,100 +2,121 @@
 
 use super::ball_loop::Balls;
 use crate::error::Result;
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::TAU;
 
 /// Angles at which a corner is looked for first, and steps in which it is then narrowed down.
 const PLACES: u32 = 128;
 const STEPS: u32 = 60;
-/// Corners of both holes nearer to each other than this, in angles of balls, are one node.
+/// Corners of both holes, and angles of the law, nearer to each other than this are one node.
 const NEAR: f64 = 0.1;
 
-/// Where half of a loop of balls is parted.
+/// Where a loop of balls is parted: at the corners of both holes, and at the values of the law.
 pub(super) struct Corners {
-    /// Angles from the start of the half to its end, half a turn on.
+    /// Angles in rising order, the last once round from the first.
     pub(super) bounds: Vec<f64>,
-    /// For both pipes the corners towards its end, at low and at high angles: the number of the bound, and whether it is that half a turn on.
-    pub(super) of_pipes: [[(usize, bool); 2]; 2],
+    /// For both pipes the corners towards its end, at low and at high angles, and towards its start, at high and at low angles: the number of the bound.
+    pub(super) of_pipes: [[usize; 4]; 2],
 }
 
-/// A corner: the angle of its ball in the half turn, and whether it is in the other half.
+/// What parts a loop.
 #[derive(Debug, Clone, Copy)]
-struct Mark {
-    pipe: usize,
-    high: usize,
-    at: f64,
-    turned: bool,
+enum Mark {
+    Corner { pipe: usize, which: usize },
+    Value,
+}
+
+/// Marks that are one bound: at most one corner of each pipe, and one value.
+#[derive(Debug, Clone, Copy)]
+struct Bound {
+    from: f64,
+    corners: [Option<(usize, f64)>; 2],
+    value: Option<f64>,
+}
+
+impl Bound {
+    fn takes(&self, mark: Mark, at: f64) -> bool {
+        let free = match mark {
+            Mark::Corner { pipe, .. } => self.corners[pipe].is_none(),
+            Mark::Value => self.value.is_none(),
+        };
+        free && at - self.from < NEAR
+    }
+
+    fn add(&mut self, mark: Mark, at: f64) {
+        match mark {
+            Mark::Corner { pipe, which } => self.corners[pipe] = Some((which, at)),
+            Mark::Value => self.value = Some(at),
+        }
+    }
+
+    /// The law is met at its values; a corner may be a little off.
+    fn at(&self) -> f64 {
+        let corners: Vec<f64> = self.corners.iter().flatten().map(|(_, at)| *at).collect();
+        self.value.unwrap_or_else(|| corners.iter().sum::<f64>() / corners.len() as f64)
+    }
 }
 
 impl Corners {
     /// # Errors
     /// As [`SkewCylinders::ball`](crate::SkewCylinders::ball).
     pub(super) fn new(balls: &Balls<'_>) -> Result<Self> {
-        let mut marks = Vec::with_capacity(4);
-        for (pipe, high) in [(0, 0), (0, 1), (1, 0), (1, 1)] {
-            let angle = corner(balls, pipe, high)?;
-            marks.push(Mark { pipe, high, at: angle % PI, turned: angle >= PI });
+        let mut marks = Vec::new();
+        for (pipe, which) in (0..2).flat_map(|pipe| (0..4).map(move |which| (pipe, which))) {
+            marks.push((corner(balls, pipe, which)?, Mark::Corner { pipe, which }));
         }
-        marks.sort_by(|a, b| a.at.total_cmp(&b.at));
-        // Half of the loop starts in the middle of the widest gap, which may be that round the end of the half turn.
-        let gap = |k: usize| if k == 0 { marks[0].at + PI - marks[3].at } else { marks[k].at - marks[k - 1].at };
-        let widest = (0..4).max_by(|&a, &b| gap(a).total_cmp(&gap(b))).unwrap_or(0);
-        let start = marks[widest].at - 0.5 * gap(widest);
+        let values: Vec<f64> = balls.law.angles().collect();
+        if values.len() > 1 {
+            marks.extend(values.into_iter().map(|at| (at, Mark::Value)));
+        }
+        marks.sort_by(|a, b| a.0.total_cmp(&b.0));
+        // Marks are put together from the widest gap on.
+        let count = marks.len();
+        let gap = |k: usize| if k == 0 { marks[0].0 + TAU - marks[count - 1].0 } else { marks[k].0 - marks[k - 1].0 };
+        let widest = (0..count).max_by(|&a, &b| gap(a).total_cmp(&gap(b))).unwrap_or(0);
         marks.rotate_left(widest);
-        for (k, mark) in marks.iter_mut().enumerate() {
-            if k >= 4 - widest {
-                // Half a turn on it is the opposite corner.
-                (mark.at, mark.turned) = (mark.at + PI, !mark.turned);
+        let turned =
+            marks.iter().enumerate().map(|(k, &(at, mark))| (if k + widest >= count { at + TAU } else { at }, mark));
+        let mut bounds: Vec<Bound> = Vec::new();
+        for (at, mark) in turned {
+            if !bounds.last().is_some_and(|bound| bound.takes(mark, at)) {
+                bounds.push(Bound { from: at, corners: [None; 2], value: None });
+            }
+            if let Some(bound) = bounds.last_mut() {
+                bound.add(mark, at);
             }
         }
-        let mut corners = Self { bounds: vec![start], of_pipes: [[(0, false); 2]; 2] };
-        let mut nodes: Vec<Vec<Mark>> = Vec::new();
-        for mark in marks {
-            match nodes.last_mut() {
-                Some(node) if node.len() == 1 && node[0].pipe != mark.pipe && mark.at - node[0].at < NEAR => {
-                    node.push(mark);
+        let mut corners = Self { bounds: Vec::new(), of_pipes: [[0; 4]; 2] };
+        for (k, bound) in bounds.iter().enumerate() {
+            for (pipe, corner) in bound.corners.iter().enumerate() {
+                if let Some((which, _)) = corner {
+                    corners.of_pipes[pipe][*which] = k;
                 }
-                _ => nodes.push(vec![mark]),
             }
+            corners.bounds.push(bound.at());
         }
-        for node in nodes {
-            for mark in &node {
-                corners.of_pipes[mark.pipe][mark.high] = (corners.bounds.len(), mark.turned);
-            }
-            corners.bounds.push(node.iter().map(|mark| mark.at).sum::<f64>() / node.len() as f64);
-        }
-        corners.bounds.push(start + PI);
+        corners.bounds.push(corners.bounds[0] + TAU);
         Ok(corners)
     }
 }
 
-/// The angle of the ball whose contact is farthest towards the end of a pipe and, at 45 degrees to that, towards low or high angles.
-fn corner(balls: &Balls<'_>, pipe: usize, high: usize) -> Result<f64> {
-    let pair = balls.pair();
-    let [way, across] = pair.second_axis();
-    let round = pair.radii()[pipe] * if high == 0 { -1.0 } else { 1.0 };
-    let lead = |theta: f64| {
-        let ball = balls.ball(theta)?;
-        let (center, normal) = (ball.center.to_vec(), ball.normals[pipe]);
-        Ok(if pipe == 0 {
-            center.x + round * normal.y.atan2(normal.z)
-        } else {
-            center.dot(way) + round * normal.dot(across).atan2(-normal.z)
-        })
-    };
+/// The angle of the ball whose contact is farthest towards an end of a pipe and, at 45 degrees to that, towards low or high angles.
+fn corner(balls: &Balls<'_>, pipe: usize, which: usize) -> Result<f64> {
+    let along = if which < 2 { 1.0 } else { -1.0 };
+    let round = balls.pair.radii()[pipe] * if which == 0 || which == 3 { -1.0 } else { 1.0 };
+    let lead = |[a, f]: [f64; 2]| along * a + round * f;
     let step = TAU / f64::from(PLACES);
     let mut best = (0.0, f64::NEG_INFINITY);
     for k in 0..PLACES {
-        let theta = step * f64::from(k);
-        let value = lead(theta)?;
+        let angle = step * f64::from(k);
+        let value = lead(balls.contacts(angle)?.at[pipe]);
         if value > best.1 {
-            best = (theta, value);
+            best = (angle, value);
         }
     }
     let (mut low, mut high) = (best.0 - step, best.0 + step);
     for _ in 0..STEPS {
-        let thirds = [low + (high - low) / 3.0, high - (high - low) / 3.0];
-        if lead(thirds[0])? < lead(thirds[1])? { low = thirds[0] } else { high = thirds[1] }
+        let middle = 0.5 * (low + high);
+        if lead(balls.contacts(middle)?.rates[pipe]) > 0.0 { low = middle } else { high = middle }
     }
     Ok((0.5 * (low + high)).rem_euclid(TAU) % TAU)
 }

@@ -1,4 +1,4 @@
-//! Pipes that pass each other, blended by a ball that rolls between them (`docs/math/pipe-crossings.md`).
+//! Pipes that pass each other, blended by a ball that rolls between them, or what they have in common with its edge rounded (`docs/math/pipe-crossings.md`).
 //!
 //! The distance of the axes is more than the radii differ: the case of `002`, section 4 (*timelike*), in which the balls that touch both pipes
 //! are those of a torus. The loop of balls goes round neither pipe, so each has a hole in its side; where the pipes do not touch, the blend
@@ -7,8 +7,10 @@
 mod ball_loop;
 mod check;
 mod corners;
+mod mixed;
 mod skin;
 
+use super::angle_law::Law;
 use super::pierced::{Ring, Skin};
 use super::tee::{TeeBlendFacts, TeeEnds};
 use crate::base::range;
@@ -16,10 +18,8 @@ use crate::base::vector::{Point3, Vec3};
 use crate::error::{Error, ErrorItem, Result};
 use crate::surface::SkewCylinders;
 use crate::topology::{Body, Sewing};
-use ball_loop::BallLoop;
-
-/// The ball keeps its radius to this part of it where no tolerance is given.
-const DEFAULT_TOLERANCE: f64 = 1e-3;
+use ball_loop::{BallLoop, Balls};
+use mixed::MixedPair;
 
 /// A pipe that passes another.
 ///
@@ -52,14 +52,73 @@ pub struct CrossingPipe {
 /// assert!(made.blend.radii[0] >= 5.994 && made.blend.radii[1] <= 6.006);
 /// # Ok::<(), cyclide::Error>(())
 /// ```
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct PipeCrossing {
     pipes: [CrossingPipe; 2],
     pair: SkewCylinders,
-    blend: f64,
-    tolerance: f64,
+    law: Law,
+    side: CrossingSide,
+    tolerance: Option<f64>,
     wall: Option<f64>,
     ends: TeeEnds,
+}
+
+/// The sides of the pipes on which the ball of a crossing rolls.
+///
+/// ```
+/// use cyclide::{CrossingPipe, CrossingSide, PipeCrossing};
+/// let pipe = CrossingPipe { radius: 2.0, ends: [-9.0, 9.0] };
+/// // Axes 2 apart: a lens 2 thick.
+/// let lens = PipeCrossing::new([pipe, pipe], 2.0, 0.3)?.with_side(CrossingSide::Inside).made()?.body;
+/// assert!(lens.is_solid() && (lens.bounds().max.z - lens.bounds().min.z - 2.0).abs() < 0.1);
+/// # Ok::<(), cyclide::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Deserialize), serde(rename_all = "kebab-case"))]
+#[cfg_attr(
+    feature = "schema",
+    derive(schemars::JsonSchema),
+    schemars(inline, description = "The sides of the pipes on which the ball rolls.")
+)]
+pub enum CrossingSide {
+    /// Outside: both pipes, the corner between them filled.
+    #[default]
+    Outside,
+    /// Inside: what both pipes have in common, its edge rounded.
+    Inside,
+    /// Outside the first pipe and inside the second: what the second is without the first, the edge of the notch rounded.
+    Mixed,
+}
+
+impl CrossingSide {
+    /// The sign of the radii of its balls.
+    fn sign(self) -> f64 {
+        if self == Self::Inside { -1.0 } else { 1.0 }
+    }
+
+    /// Whether the balls are in the material, at a convex edge.
+    fn is_in_material(self) -> bool {
+        self != Self::Outside
+    }
+
+    /// Whether a pipe with a hole is left, not a cap of it.
+    fn leaves(self, pipe: usize) -> bool {
+        match self {
+            Self::Outside => true,
+            Self::Inside => false,
+            Self::Mixed => pipe == 1,
+        }
+    }
+
+    /// Whether a skin below the outer one has a smaller pipe, 1, or a larger one, -1.
+    fn depth_sign(self, pipe: usize) -> f64 {
+        if self == Self::Mixed && pipe == 0 { -1.0 } else { 1.0 }
+    }
+
+    /// The same of the signed radii of its balls.
+    fn ball_depth_sign(self) -> f64 {
+        if self == Self::Mixed { -1.0 } else { 1.0 }
+    }
 }
 
 /// A crossing as it was made.
@@ -83,8 +142,7 @@ impl PipeCrossing {
     /// A solid crossing at right angles: the distance of the axes, and the radius of the ball, to a thousandth of it.
     ///
     /// # Errors
-    /// `not-finite`, `radius-not-positive`, `parameter-out-of-range`, `pipe-ends-reversed`; `crossing-axes-too-near` unless the distance is more than the radii differ;
-    /// `radius-too-small` (of pipes that do not touch: the ball is above half the gap).
+    /// `not-finite`, `radius-not-positive`, `parameter-out-of-range`, `pipe-ends-reversed`; `crossing-axes-too-near` unless the distance is more than the radii differ.
     pub fn new(pipes: [CrossingPipe; 2], distance: f64, blend: f64) -> Result<Self> {
         for (index, radius) in pipes.iter().map(|pipe| pipe.radius).chain([blend]).enumerate() {
             if !radius.is_finite() {
@@ -108,11 +166,34 @@ impl PipeCrossing {
             return Err(Error::CrossingAxesTooNear { distance, limit });
         }
         let pair = SkewCylinders::new(pipes.map(|pipe| pipe.radius), 0.5 * distance)?;
-        let limit = pair.smallest_radius();
-        if !(blend > limit) {
-            return Err(Error::RadiusTooSmall { radius: blend, limit });
-        }
-        Ok(Self { pipes, pair, blend, tolerance: DEFAULT_TOLERANCE * blend, wall: None, ends: TeeEnds::Flat })
+        let (law, side) = (Law::new(&[[0.0, blend]])?, CrossingSide::Outside);
+        Ok(Self { pipes, pair, law, side, tolerance: None, wall: None, ends: TeeEnds::Flat })
+    }
+
+    /// The same with a ball that has these radii in these directions, pairs of an angle and the radius there in any order, and changes smoothly from one to
+    /// the next without passing either. Angles are those of the ball about the common normal of the axes, from the first axis towards y.
+    ///
+    /// ```
+    /// use cyclide::{CrossingPipe, PipeCrossing};
+    /// let pipe = CrossingPipe { radius: 2.0, ends: [-9.0, 9.0] };
+    /// let crossing = PipeCrossing::new([pipe, pipe], 3.0, 0.5)?.with_radii(&[[0.0, 0.4], [2.0, 0.8]])?;
+    /// let [least, most] = crossing.made()?.blend.radii;
+    /// assert!((least - 0.4).abs() < 4e-4 && (most - 0.8).abs() < 8e-4);
+    /// # Ok::<(), cyclide::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// `too-few-points`, `not-finite`, `radius-not-positive`, `parameter-out-of-range`, `coincident-points`.
+    pub fn with_radii(self, values: &[[f64; 2]]) -> Result<Self> {
+        let law = Law::new(values)?;
+        values.iter().try_for_each(|[_, radius]| range::check_distance(*radius))?;
+        Ok(Self { law, ..self })
+    }
+
+    /// The same with the ball on other sides of the pipes.
+    #[must_use]
+    pub fn with_side(self, side: CrossingSide) -> Self {
+        Self { side, ..self }
     }
 
     /// The same with the second pipe along `(cos angle, sin angle, 0)`, radians.
@@ -123,7 +204,7 @@ impl PipeCrossing {
         Ok(Self { pair: self.pair.with_angle(angle)?, ..self })
     }
 
-    /// The same with another tolerance of the radius.
+    /// The same with another tolerance of the radius, a thousandth of it by default.
     ///
     /// # Errors
     /// `tolerance-not-positive`.
@@ -131,10 +212,10 @@ impl PipeCrossing {
         if !(tolerance > 0.0) {
             return Err(Error::ToleranceNotPositive { tolerance });
         }
-        Ok(Self { tolerance, ..self })
+        Ok(Self { tolerance: Some(tolerance), ..self })
     }
 
-    /// The same with one bore through both pipes that leaves this thickness of the wall, also in the blend.
+    /// The same with one bore through both pipes that leaves this thickness of the wall, also in the blend; inside a hollow without an opening, mixed the bore of the second pipe round the notch.
     ///
     /// # Errors
     /// `parameter-out-of-range` unless the wall is thinner than the thinner pipe.
@@ -155,20 +236,44 @@ impl PipeCrossing {
     /// The body, with what is known of its blend.
     ///
     /// # Errors
-    /// `below-rounding-of-place`, `too-many-pieces` (the tolerance), `crossing-folds`, `crossing-hole-too-wide`, `crossing-hole-turns-back`, `crossing-pipe-too-short`.
+    /// `radius-too-small` (outside, of pipes that do not touch: a ball is no larger than half the gap), `crossing-ball-too-large` (inside and mixed: than half of the room there is), `crossing-pipes-apart` (mixed),
+    /// `below-rounding-of-place`, `too-many-pieces` (the tolerance), `crossing-folds`, `crossing-hole-too-wide`, `crossing-hole-turns-back`,
+    /// `crossing-pipe-too-short`, `parameter-out-of-range` (inside, a wall as thick as the radius of a ball).
     pub fn made(&self) -> Result<MadeCrossing> {
         let ends = self.pipes.iter().flat_map(|pipe| pipe.ends);
         let place = ends.fold(2.0 * self.pair.half_gap(), |most, end| most.max(end.abs()));
-        range::check_size_in_place(ErrorItem::Blend, self.blend, place, range::SMALLEST_IN_PLACE)?;
-        check::check_reach_round(&self.pair, self.blend)?;
-        let balls = BallLoop::new(&self.pair, self.blend, self.tolerance)?;
+        let [least, most] = self.law.range();
+        range::check_size_in_place(ErrorItem::Blend, least, place, range::SMALLEST_IN_PLACE)?;
+        let limit = self.pair.smallest_radius();
         let depth = self.wall.unwrap_or(0.0);
-        check::check_holes(&balls)?;
-        let tight = check::check_folds(&balls, depth)?;
+        let mixed = match self.side {
+            CrossingSide::Mixed => Some(MixedPair::new(&self.pair)?),
+            _ => None,
+        };
+        if self.side.is_in_material() {
+            let limit = mixed.as_ref().map_or(-limit, MixedPair::largest_radius);
+            if !(most < limit) {
+                return Err(Error::CrossingBallTooLarge { radius: most, limit });
+            }
+            if depth >= least {
+                return Err(Error::ParameterOutOfRange { name: ErrorItem::Wall, value: depth, min: 0.0, max: least });
+            }
+        } else if !(least > limit) {
+            return Err(Error::RadiusTooSmall { radius: least, limit });
+        }
+        let balls = Balls { pair: &self.pair, mixed, law: &self.law, tolerance: self.tolerance, side: self.side };
+        check::check_reach_round(&balls)?;
+        let balls = BallLoop::new(&balls)?;
+        for pipe in 0..2 {
+            if self.side.leaves(pipe) { check::check_hole(&balls, pipe)? } else { check::check_cap(&balls, pipe)? }
+        }
+        // The larger balls are those of the inner skin, in the material those of the outer one.
+        let larger = if self.side.is_in_material() { 0.0 } else { depth };
+        let tight = check::check_folds(&balls, larger)?;
         self.check_room(&balls)?;
         let blend = TeeBlendFacts {
             radii: balls.radii,
-            deviation: balls.radii.map(|radius| (radius - self.blend).abs()).into_iter().fold(0.0, f64::max),
+            deviation: balls.deviation,
             pieces: balls.pieces.len(),
             tightest: tight.left,
             tightest_at: tight.angle,
@@ -180,7 +285,8 @@ impl PipeCrossing {
     fn sewn(&self, balls: &BallLoop) -> Result<Body> {
         let mut sewing = Sewing::default();
         let outer = self.skin(&mut sewing, balls, [0.0; 2])?;
-        match (self.wall, self.ends) {
+        let ends = if self.side == CrossingSide::Inside { TeeEnds::Closed } else { self.ends };
+        match (self.wall, ends) {
             (None, TeeEnds::Open) => {}
             (None, _) => self.disks(&mut sewing, &outer, [0.0; 2])?,
             (Some(wall), TeeEnds::Closed) => {
@@ -201,8 +307,8 @@ impl PipeCrossing {
         Ok(Body { outer: sewing.finish()?, voids: Vec::new() })
     }
 
-    /// The centres of the ends, and the directions out of them: of the first pipe, then of the second.
-    fn openings(&self, short: f64) -> [(Point3, Vec3); 4] {
+    /// The centres of the ends, and the directions out of them: of the first pipe, then of the second, if they are left.
+    fn openings(&self, short: f64) -> Vec<(Point3, Vec3)> {
         let end = |pipe: usize, side: usize| {
             let axis = skin::axis(&self.pair, pipe);
             let (way, at) = if side == 0 {
@@ -212,7 +318,7 @@ impl PipeCrossing {
             };
             (axis.centre(at), axis.along * way)
         };
-        [end(0, 0), end(0, 1), end(1, 0), end(1, 1)]
+        (0..2).filter(|&pipe| self.side.leaves(pipe)).flat_map(|pipe| [end(pipe, 0), end(pipe, 1)]).collect()
     }
 
     fn disks(&self, sewing: &mut Sewing, rings: &[Ring], [depth, short]: [f64; 2]) -> Result<()> {
@@ -227,15 +333,19 @@ impl PipeCrossing {
     fn skin(&self, sewing: &mut Sewing, balls: &BallLoop, [depth, short]: [f64; 2]) -> Result<Vec<Ring>> {
         let mut skin = Skin { sewing, depth, inner: depth > 0.0 };
         let stretches = self.pipes.map(|pipe| [pipe.ends[0] + short, pipe.ends[1] - short]);
-        skin.crossing(&self.pair, balls, stretches)
+        skin.crossing(&self.pair, balls, stretches, self.side)
     }
 
     /// Refuses pipes that end within the blend.
     fn check_room(&self, balls: &BallLoop) -> Result<()> {
         let short = if self.ends == TeeEnds::Closed { self.wall.unwrap_or(0.0) } else { 0.0 };
         for (pipe, CrossingPipe { radius, ends }) in self.pipes.into_iter().enumerate() {
-            let needed = balls.reach(pipe) + check::LEAST_REST * radius + short;
-            for (end, needed, fits) in [(ends[0], -needed, ends[0] < -needed), (ends[1], needed, ends[1] > needed)] {
+            let rest = check::LEAST_REST * radius + short;
+            let [low, high] = balls.reach(pipe);
+            let needed = [low - rest, high + rest];
+            for (end, needed, fits) in
+                [(ends[0], needed[0], ends[0] < needed[0]), (ends[1], needed[1], ends[1] > needed[1])]
+            {
                 if !fits {
                     return Err(Error::CrossingPipeTooShort { pipe, end, needed });
                 }

@@ -1,9 +1,10 @@
 //! A skin of a crossing, outer or inner: the blend, and both pipes round their holes.
 
+use super::CrossingSide;
 use super::ball_loop::{BallLoop, LoopPiece};
 use crate::base::quat::Quat;
 use crate::base::vector::{Point3, Vec3};
-use crate::construct::bodies::pierced::{Cylinder, Hole, HolePiece, Node, Ring, Skin};
+use crate::construct::bodies::pierced::{Cylinder, Hole, Node, Ring, Skin};
 use crate::error::Result;
 use crate::rational::RationalBezier;
 use crate::surface::SkewCylinders;
@@ -28,27 +29,35 @@ struct Contacts {
 }
 
 impl Skin<'_> {
-    /// The faces of a crossing whose pipes go from place to place, and the rings at their ends: both of the first pipe, both of the second.
+    /// The faces of a crossing whose pipes go from place to place, and the rings at their ends: both of the first pipe, both of the second; of a pipe
+    /// that leaves only a cap none.
     pub(super) fn crossing(
         &mut self,
         pair: &SkewCylinders,
         balls: &BallLoop,
         stretches: [[f64; 2]; 2],
+        side: CrossingSide,
     ) -> Result<Vec<Ring>> {
         let contacts = [0, 1].map(|pipe: usize| {
             let cylinder = axis(pair, pipe);
-            self.contacts(Cylinder { radius: cylinder.radius - self.depth, ..cylinder }, &balls.pieces, pipe)
+            let radius = cylinder.radius - self.depth * side.depth_sign(pipe);
+            self.contacts(Cylinder { radius, ..cylinder }, &balls.pieces, pipe)
         });
-        self.strip(pair, balls, &contacts)?;
+        self.strip(pair, balls, &contacts, side)?;
         let mut rings = Vec::new();
         for (pipe, contacts) in contacts.into_iter().enumerate() {
-            rings.extend(self.stretch(&hole(balls, contacts, pipe, stretches[pipe]))?);
+            let hole = hole(balls, contacts, pipe, stretches[pipe]);
+            if side.leaves(pipe) {
+                rings.extend(self.stretch(&hole)?);
+            } else {
+                self.cap(&hole, side.depth_sign(pipe) > 0.0)?;
+            }
         }
         Ok(rings)
     }
 
     fn contacts(&mut self, cylinder: Cylinder, pieces: &[LoopPiece], pipe: usize) -> Contacts {
-        let nodes: Vec<Node> = pieces.iter().map(|piece| node(piece, pipe)).collect();
+        let nodes: Vec<Node> = pieces.iter().map(|piece| piece.node(pipe)).collect();
         let vertices: Vec<usize> =
             nodes.iter().map(|node| self.sewing.vertex(cylinder.point(node.half, node.along))).collect();
         let edges = pieces.iter().enumerate().map(|(k, piece)| {
@@ -59,7 +68,13 @@ impl Skin<'_> {
         Contacts { cylinder, nodes, vertices, edges }
     }
 
-    fn strip(&mut self, pair: &SkewCylinders, balls: &BallLoop, [first, second]: &[Contacts; 2]) -> Result<()> {
+    fn strip(
+        &mut self,
+        pair: &SkewCylinders,
+        balls: &BallLoop,
+        [first, second]: &[Contacts; 2],
+        side: CrossingSide,
+    ) -> Result<()> {
         let count = balls.pieces.len();
         let mut circles = Vec::with_capacity(count);
         for (k, piece) in balls.pieces.iter().enumerate() {
@@ -71,9 +86,10 @@ impl Skin<'_> {
         for (k, piece) in balls.pieces.iter().enumerate() {
             let next = (k + 1) % count;
             let corners = [first.vertices[k], first.vertices[next], second.vertices[k], second.vertices[next]];
-            let canal = piece.patch.offset(self.depth).moved(up);
+            let canal = piece.patch.offset(self.depth * side.ball_depth_sign()).moved(up);
             let surface = canal.to_rational()?.with_corners(corners.map(|v| self.sewing.vertices[v]));
-            let outwards = canal.ball(0.5).0 - surface.point(0.5, 0.5);
+            let towards_centre = canal.ball(0.5).0 - surface.point(0.5, 0.5);
+            let outwards = if side.is_in_material() { -towards_centre } else { towards_centre };
             let starts = [first.vertices[k], second.vertices[k], first.vertices[k], first.vertices[next]];
             self.face(surface, [first.edges[k], second.edges[k], circles[k], circles[next]], starts, outwards);
         }
@@ -81,28 +97,19 @@ impl Skin<'_> {
     }
 }
 
-/// Where a piece starts on a pipe.
-fn node(piece: &LoopPiece, pipe: usize) -> Node {
-    let [c, s] = piece.halves[pipe].each_ref().map(|p| p.value(0.0));
-    let length = c.hypot(s);
-    Node { half: [c / length, s / length], along: piece.along_at(pipe, 0.0) }
-}
-
 /// The hole of a pipe, from its corner on.
 fn hole(balls: &BallLoop, contacts: Contacts, pipe: usize, stretch: [f64; 2]) -> Hole {
     let order = balls.hole_order(pipe);
     let piece = |&k: &usize| {
-        let piece = &balls.pieces[k];
-        let entries =
-            [&piece.halves[pipe][0], &piece.halves[pipe][1], &piece.along[pipe], piece.patch.center().weight()];
-        let [c, s, along, weight] = entries.map(|p| if order.ahead { p.clone() } else { p.reversed() });
-        HolePiece { half: [c, s], along, weight }
+        let border = balls.pieces[k].border(pipe);
+        if order.ahead { border } else { border.reversed() }
     };
     let nodes: Vec<Node> = order.nodes.iter().map(|&node| contacts.nodes[node]).collect();
-    // The corners beside the hole at high angles, which an upright hole has at one angle.
-    let [high, back] = [1, 2].map(|side: usize| nodes[order.sides[side] % nodes.len()]);
+    // The corners on both sides of the hole, which an upright hole has at one angle.
+    let [low, high, back_high, back_low] = [0, 1, 2, 3].map(|side: usize| nodes[order.sides[side] % nodes.len()]);
     let angle = |node: Node| 2.0 * node.half[1].atan2(node.half[0]);
-    let slant = (angle(high) - angle(back)) / (high.along - back.along);
+    let slope = |front: Node, back: Node| (angle(front) - angle(back)) / (front.along - back.along);
+    let slant = 0.5 * (slope(high, back_high) + slope(low, back_low));
     Hole {
         cylinder: contacts.cylinder,
         pieces: order.pieces.iter().map(piece).collect(),
@@ -111,7 +118,7 @@ fn hole(balls: &BallLoop, contacts: Contacts, pipe: usize, stretch: [f64; 2]) ->
         edges: order.pieces.iter().map(|&piece| contacts.edges[piece]).collect(),
         sides: order.sides,
         // What is rounding is none.
-        slant: if (slant * (high.along - back.along)).abs() < 1e-9 { 0.0 } else { slant },
+        slant: if (slant * (high.along - back_high.along)).abs() < 1e-9 { 0.0 } else { slant },
         stretch,
     }
 }

@@ -10,29 +10,29 @@ use crate::surface::CanalPatch;
 use std::f64::consts::FRAC_PI_2;
 
 /// The canal of a piece: its balls, and the turns of the third axis into the normals at both contacts.
-pub(super) struct Canal<'a> {
+pub(in crate::construct::bodies) struct Canal<'a> {
     crossing: &'a Crossing,
     /// How far below the outer skin: radii of pipes are smaller by that, radii of balls larger.
     depth: f64,
-    pub(super) forms: PieceForms,
+    pub(in crate::construct::bodies) forms: PieceForms,
     patch: CanalPatch,
 }
 
 /// A ball where it touches both pipes.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Ball {
+pub(in crate::construct::bodies) struct Ball {
     /// Cosine and sine of half the angle of its contact round the branch, of length 1.
-    pub(super) on_branch: [f64; 2],
+    pub(in crate::construct::bodies) on_branch: [f64; 2],
     /// The same round the main pipe, from `up` towards `sideways`.
-    pub(super) on_main: [f64; 2],
+    pub(in crate::construct::bodies) on_main: [f64; 2],
     /// Place of the contact along the branch, from its foot.
-    pub(super) height: f64,
+    pub(in crate::construct::bodies) height: f64,
     /// Place of the contact along the main pipe.
-    pub(super) along: f64,
+    pub(in crate::construct::bodies) along: f64,
 }
 
 impl<'a> Canal<'a> {
-    pub(super) fn new(crossing: &'a Crossing, piece: &LoopPiece, depth: f64) -> Self {
+    pub(in crate::construct::bodies) fn new(crossing: &'a Crossing, piece: &LoopPiece, depth: f64) -> Self {
         let forms = crossing.forms(piece);
         let (lean_sin, lean_cos) = crossing.half_lean().sin_cos();
         let [k0, k3] = forms.factor.clone();
@@ -57,28 +57,33 @@ impl<'a> Canal<'a> {
         Self { crossing, depth, forms, patch }
     }
 
+    /// The patch of its balls, from the contact with the branch to that with the main pipe.
+    pub(in crate::construct::bodies) fn into_patch(self) -> CanalPatch {
+        self.patch
+    }
+
     /// The surface: s along the loop, t from the branch to the main pipe.
-    pub(super) fn surface(&self) -> Result<RationalBezierSurface> {
+    pub(in crate::construct::bodies) fn surface(&self) -> Result<RationalBezierSurface> {
         self.patch.to_rational()
     }
 
     /// The radius of the balls times the weight.
-    pub(super) fn radius(&self) -> &Polynomial {
+    pub(in crate::construct::bodies) fn radius(&self) -> &Polynomial {
         self.patch.radius()
     }
 
     /// The ratio of the weights of the arc between the contacts at an end of the piece.
-    pub(super) fn arc_ratio(&self, end: f64) -> Option<Quat> {
+    pub(in crate::construct::bodies) fn arc_ratio(&self, end: f64) -> Option<Quat> {
         self.patch.arc_ratio(end)
     }
 
     /// The place of the contact along the branch, times the weight.
-    pub(super) fn height(&self) -> Polynomial {
+    pub(in crate::construct::bodies) fn height(&self) -> Polynomial {
         &self.forms.height + &(self.radius() * -self.crossing.taper.sin())
     }
 
     /// The contact with the branch, of degree 6.
-    pub(super) fn on_branch(&self) -> PolynomialRow {
+    pub(in crate::construct::bodies) fn on_branch(&self) -> PolynomialRow {
         let (forms, height) = (&self.forms, self.height());
         let [c, s] = &forms.on_branch;
         let foot = self.crossing.branch_radius(self.depth, 0.0);
@@ -89,7 +94,7 @@ impl<'a> Canal<'a> {
     }
 
     /// A circle of the branch at a place along it, below the contact, with its parameter and its weights.
-    pub(super) fn beside_branch(&self, height: f64) -> PolynomialRow {
+    pub(in crate::construct::bodies) fn beside_branch(&self, height: f64) -> PolynomialRow {
         let forms = &self.forms;
         let [c, s] = &forms.on_branch;
         let radius = self.crossing.branch_radius(self.depth, height);
@@ -100,7 +105,7 @@ impl<'a> Canal<'a> {
     }
 
     /// The ball at the start.
-    pub(super) fn ball(&self) -> Ball {
+    pub(in crate::construct::bodies) fn ball(&self) -> Ball {
         let forms = &self.forms;
         let unit = |half: &[Polynomial; 2]| {
             let [c, s] = half.each_ref().map(|p| p.value(0.0));
@@ -117,12 +122,12 @@ impl<'a> Canal<'a> {
     }
 
     /// The centres of the balls.
-    pub(super) fn centres(&self) -> RationalBezier {
+    pub(in crate::construct::bodies) fn centres(&self) -> RationalBezier {
         RationalBezier::from_polynomial_row(self.patch.center())
     }
 
     /// The radii of the balls as a curve along x.
-    pub(super) fn radii(&self) -> RationalBezier {
+    pub(in crate::construct::bodies) fn radii(&self) -> RationalBezier {
         let zero = Polynomial::constant(0.0);
         RationalBezier::from_polynomial_row(&PolynomialRow([
             self.radius().clone(),

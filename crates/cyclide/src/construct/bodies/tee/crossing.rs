@@ -21,32 +21,32 @@ const LEAST_ROOM: f64 = 1e-4;
 /// Two pipes in their place: the main pipe, a cylinder about the x axis, and the branch, a cylinder or a cone thinner than it, its axis passing that of the main pipe
 /// nearer than their radii differ.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Crossing {
+pub(in crate::construct::bodies) struct Crossing {
     /// Which branch, from 0, for what is refused of it.
-    pub(super) branch: usize,
-    /// Radii of branch and main pipe, that of the branch at its foot.
-    pub(super) radii: [f64; 2],
+    pub(in crate::construct::bodies) branch: usize,
+    /// Radii of branch and main pipe, that of the branch at its foot; negative where balls touch from inside.
+    pub(in crate::construct::bodies) radii: [f64; 2],
     /// The angle by which the branch grows thinner.
-    pub(super) taper: f64,
+    pub(in crate::construct::bodies) taper: f64,
     /// Whether both are of one radius and their axes meet: the balls are on two ellipses (`docs/math/pipe-tees.md#equal-pipes`).
-    pub(super) equal: bool,
+    pub(in crate::construct::bodies) equal: bool,
     /// Of the contacts round branch and main pipe.
-    pub(super) boosts: [Boost; 2],
+    pub(in crate::construct::bodies) boosts: [Boost; 2],
     /// What balls at infinity are told by: the weight of a ball is `(A q - B c²)(C q - D s²)/unit`.
-    pub(super) infinite: [[f64; 2]; 2],
-    pub(super) unit: f64,
+    pub(in crate::construct::bodies) infinite: [[f64; 2]; 2],
+    pub(in crate::construct::bodies) unit: f64,
     /// Sine and cosine of the angle between the axes.
-    pub(super) sin: f64,
-    pub(super) cos: f64,
+    pub(in crate::construct::bodies) sin: f64,
+    pub(in crate::construct::bodies) cos: f64,
     /// The foot on the axis of the main pipe, as its place along it.
-    pub(super) at: f64,
+    pub(in crate::construct::bodies) at: f64,
     /// The foot on the axis of the branch.
-    pub(super) foot: Point3,
+    pub(in crate::construct::bodies) foot: Point3,
     /// Across the main pipe: sideways and towards the branch.
-    pub(super) sideways: Vec3,
-    pub(super) up: Vec3,
+    pub(in crate::construct::bodies) sideways: Vec3,
+    pub(in crate::construct::bodies) up: Vec3,
     /// Across the branch, the first nearest to the direction of the main pipe; its own direction last.
-    pub(super) axes: [Vec3; 3],
+    pub(in crate::construct::bodies) axes: [Vec3; 3],
 }
 
 /// The boosts of branch and main pipe, from the form that both have in common (`docs/math/pipe-tees.md#tapered-branches`).
@@ -92,18 +92,18 @@ struct FactorForm {
 }
 
 /// What a piece of the loop says about its balls, as polynomials over it.
-pub(super) struct PieceForms {
+pub(in crate::construct::bodies) struct PieceForms {
     /// Weight, and times it: coordinates of the centre across the branch, along the branch from the foot, along the main pipe from the foot, and the radius.
-    pub(super) weight: Polynomial,
-    pub(super) across: [Polynomial; 2],
-    pub(super) height: Polynomial,
-    pub(super) along: Polynomial,
-    pub(super) radius: Polynomial,
+    pub(in crate::construct::bodies) weight: Polynomial,
+    pub(in crate::construct::bodies) across: [Polynomial; 2],
+    pub(in crate::construct::bodies) height: Polynomial,
+    pub(in crate::construct::bodies) along: Polynomial,
+    pub(in crate::construct::bodies) radius: Polynomial,
     /// Cosine and sine of half the angles of the contacts, up to a factor.
-    pub(super) on_branch: [Polynomial; 2],
-    pub(super) on_main: [Polynomial; 2],
+    pub(in crate::construct::bodies) on_branch: [Polynomial; 2],
+    pub(in crate::construct::bodies) on_main: [Polynomial; 2],
     /// First and last component of the factor that takes one contact to the other.
-    pub(super) factor: [Polynomial; 2],
+    pub(in crate::construct::bodies) factor: [Polynomial; 2],
 }
 
 impl Crossing {
@@ -112,7 +112,7 @@ impl Crossing {
     /// # Errors
     /// `angle-out-of-range` (a line of the branch along the main pipe), `radius-not-positive` (a branch that comes to an end before its own),
     /// `tee-branch-too-wide`, `tee-pipe-too-short` (it comes to an end inside the main pipe).
-    pub(super) fn new(index: usize, main: f64, branch: &TeeBranch, wall: f64) -> Result<Self> {
+    pub(in crate::construct::bodies) fn new(index: usize, main: f64, branch: &TeeBranch, wall: f64) -> Result<Self> {
         let (sin, cos) = branch.angle.sin_cos();
         let taper_cos = branch.taper.cos();
         let least = SMALLEST_SINE.asin() + branch.taper.abs();
@@ -157,7 +157,7 @@ impl Crossing {
     }
 
     /// A row in the axes of the branch, from its foot.
-    pub(super) fn placed(&self, [x, y, z]: [Polynomial; 3], weight: Polynomial) -> PolynomialRow {
+    pub(in crate::construct::bodies) fn placed(&self, [x, y, z]: [Polynomial; 3], weight: Polynomial) -> PolynomialRow {
         let (foot, [ex, ey, ez]) = (self.foot.to_vec(), self.axes);
         let along =
             |ex: f64, ey: f64, ez: f64, foot: f64| &(&(&x * ex) + &(&y * ey)) + &(&(&z * ez) + &(&weight * foot));
@@ -167,24 +167,49 @@ impl Crossing {
     }
 
     /// The rotation from the axes of space to those of the branch.
-    pub(super) fn turn(&self) -> Quat {
+    pub(in crate::construct::bodies) fn turn(&self) -> Quat {
         Frame::of_axes(self.foot, self.axes).rotation()
     }
 
     /// A skin of the main pipe.
-    pub(super) fn main_pipe(&self, depth: f64) -> Cylinder {
+    pub(in crate::construct::bodies) fn main_pipe(&self, depth: f64) -> Cylinder {
         let radius = self.radii[1] - depth;
         Cylinder { radius, origin: Point3::ORIGIN, along: Vec3::X, sideways: self.sideways, up: self.up }
     }
 
     /// The boosted angle of a contact round the branch at the true angle.
-    pub(super) fn boosted_angle(&self, angle: f64) -> f64 {
+    pub(in crate::construct::bodies) fn boosted_angle(&self, angle: f64) -> f64 {
         self.boosts[0].boosted_angle(angle)
     }
 
     /// The true angle of a boosted one round the branch, in `[0, 2π)`.
-    pub(super) fn true_angle(&self, boosted: f64) -> f64 {
+    pub(in crate::construct::bodies) fn true_angle(&self, boosted: f64) -> f64 {
         self.boosts[0].true_angle(boosted).rem_euclid(TAU) % TAU
+    }
+
+    /// Pipes, branch and main, that pass each other at a distance below the sum of their radii, of which that one has a negative radius that balls are inside.
+    pub(in crate::construct::bodies) fn passing(radii: [f64; 2], distance: f64, angle: f64) -> Self {
+        let delta = radii[1] - radii[0];
+        let boosts = [Boost::new(-distance / delta.abs(), [delta.signum(), 0.0]); 2];
+        let branch = TeeBranch { angle, ..TeeBranch::upright(radii[0], 0.0, 0.0) };
+        let (sin, cos) = angle.sin_cos();
+        let (along, sideways, up) = (Vec3::X, Vec3::Z, -Vec3::Y);
+        Self {
+            branch: 0,
+            radii,
+            taper: 0.0,
+            equal: false,
+            boosts,
+            infinite: infinite_balls(&branch, &boosts),
+            unit: delta,
+            sin,
+            cos,
+            at: 0.0,
+            foot: Point3::ORIGIN + sideways * distance,
+            sideways,
+            up,
+            axes: [along * sin - up * cos, sideways, along * cos + up * sin],
+        }
     }
 
     /// The sum of the forms of five coordinates from which the radius of a ball and that of the branch come, `R + r cos w`: `cos w L + sin w h`, of
@@ -222,17 +247,23 @@ impl Crossing {
     }
 
     /// Whether there is a loop at all: the apex of a branch that grows thinner is outside the main pipe.
-    pub(super) fn has_balls(&self) -> bool {
+    pub(in crate::construct::bodies) fn has_balls(&self) -> bool {
         let form = self.factor_form(FRAC_PI_4);
         self.reach_of_branch() * form.weight[2] > form.reach[2]
     }
 
     /// The factor k of the loop at a boosted angle for a ball of this radius, with its derivative.
-    pub(super) fn factor_of_radius(&self, boosted: f64, radius: f64, derivative: f64) -> [f64; 2] {
+    pub(in crate::construct::bodies) fn factor_of_radius(
+        &self,
+        boosted: f64,
+        radius: f64,
+        derivative: f64,
+    ) -> [f64; 2] {
         let form = self.factor_form(boosted);
         let reach = radius + self.reach_of_branch();
         let [a0, a1, a2] = std::array::from_fn(|k| reach * form.weight[k] - form.reach[k]);
-        let root = (a1 * a1 - 4.0 * a2 * a0).sqrt();
+        // The root of larger size: of balls inside one pipe only both are negative.
+        let root = -(a1 * a1 - 4.0 * a2 * a0).sqrt().copysign(a1);
         let factor = (root - a1) / (2.0 * a2);
         let by_angle =
             |k: usize| derivative * form.weight[k] + reach * form.weight_by_angle[k] - form.reach_by_angle[k];
@@ -240,7 +271,7 @@ impl Crossing {
     }
 
     /// The radius of the ball at a boosted angle of a loop with this factor.
-    pub(super) fn radius_of_factor(&self, boosted: f64, factor: f64) -> f64 {
+    pub(in crate::construct::bodies) fn radius_of_factor(&self, boosted: f64, factor: f64) -> f64 {
         let (sin, cos) = (0.5 * boosted).sin_cos();
         let [[a, b], [c, d]] = self.infinite;
         // As a product, without the difference of nearly equal numbers.
@@ -250,13 +281,13 @@ impl Crossing {
     }
 
     /// The factor above which all balls of a loop are finite.
-    pub(super) fn least_factor(&self) -> f64 {
+    pub(in crate::construct::bodies) fn least_factor(&self) -> f64 {
         let [[a, b], [c, d]] = self.infinite;
         (b / a).max(d / c)
     }
 
     /// The radius of the branch at a height, of a skin below the outer one by a depth.
-    pub(super) fn branch_radius(&self, depth: f64, height: f64) -> f64 {
+    pub(in crate::construct::bodies) fn branch_radius(&self, depth: f64, height: f64) -> f64 {
         if self.taper == 0.0 {
             return self.radii[0] - depth;
         }
@@ -264,13 +295,13 @@ impl Crossing {
     }
 
     /// The point of a skin of the branch at a half angle of length 1 and a place along it.
-    pub(super) fn branch_point(&self, depth: f64, [c, s]: [f64; 2], height: f64) -> Point3 {
+    pub(in crate::construct::bodies) fn branch_point(&self, depth: f64, [c, s]: [f64; 2], height: f64) -> Point3 {
         let ([x, y, z], radius) = (self.axes, self.branch_radius(depth, height));
         self.foot + x * (radius * (c - s) * (c + s)) + y * (radius * 2.0 * c * s) + z * height
     }
 
     /// The polynomials of a piece.
-    pub(super) fn forms(&self, piece: &LoopPiece) -> PieceForms {
+    pub(in crate::construct::bodies) fn forms(&self, piece: &LoopPiece) -> PieceForms {
         if self.equal {
             return equal::forms(self, piece);
         }
@@ -279,11 +310,13 @@ impl Crossing {
         let (ss, sc, cc, q) = (&s * &s, &s * &c, &c * &c, piece.value());
         let [[a, b], [e, d]] = self.infinite;
         let (beyond_c, beyond_s) = (minus(&(&q * a), &(&cc * b)), minus(&(&q * e), &(&ss * d)));
-        let weight = &(&beyond_c * &beyond_s) * (1.0 / self.unit);
-        let y = &sc * &q;
-        let first = [&(&minus(&cc, &ss) * &q) * 0.5, y.clone(), &(&(&ss + &cc) * &q) * 0.5];
+        // Coordinates of balls are projective: weights are positive.
+        let sign = self.unit.signum();
+        let weight = &(&beyond_c * &beyond_s) * (sign / self.unit);
+        let y = &(&sc * &q) * sign;
+        let first = [&(&minus(&cc, &ss) * &q) * (0.5 * sign), y.clone(), &(&(&ss + &cc) * &q) * (0.5 * sign)];
         let (qq, square) = (&q * &q, &sc * &sc);
-        let second = [&minus(&qq, &square) * 0.5, y, &(&qq + &square) * 0.5];
+        let second = [&minus(&qq, &square) * (0.5 * sign), y, &(&qq + &square) * (0.5 * sign)];
         let along = |row: [f64; 3], [m, y, n]: &[Polynomial; 3]| &(&(m * row[0]) + &(y * row[1])) + &(n * row[2]);
         let [x_row, y_row, l_row] = self.boosts[0].rows();
         let across = [x_row, y_row].map(|row| along(row, &first));
@@ -297,7 +330,8 @@ impl Crossing {
             along: &(&across[0] + &(&up * self.cos)) * (1.0 / self.sin),
             on_branch: self.boosts[0].halves([&c, &s]),
             on_main: self.boosts[1].halves([&q, &sc]),
-            factor: [&beyond_c * &by_c, &beyond_s * &by_s],
+            // Of balls inside the main pipe only, the root that it comes from is the other one.
+            factor: [&beyond_c * &by_c, &(&beyond_s * &by_s) * self.radii[1].signum()],
             height,
             across,
             radius,
@@ -306,7 +340,7 @@ impl Crossing {
     }
 
     /// Half the angle by which the main pipe leans from a right angle to the branch.
-    pub(super) fn half_lean(&self) -> f64 {
+    pub(in crate::construct::bodies) fn half_lean(&self) -> f64 {
         0.5 * (-self.cos).atan2(self.sin)
     }
 }

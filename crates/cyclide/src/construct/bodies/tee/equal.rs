@@ -3,9 +3,9 @@
 
 use super::TeeBlend;
 use super::crossing::{Crossing, PieceForms};
-use super::law::check_radius;
 use super::loop_piece::LoopPiece;
 use super::radius_law::Loop;
+use crate::construct::bodies::angle_law::check_radius;
 use crate::error::{Error, Result, check_tolerance};
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 

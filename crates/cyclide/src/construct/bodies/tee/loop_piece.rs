@@ -5,21 +5,21 @@ use crate::rational::Polynomial;
 
 /// A piece of the loop between two boosted angles, less than half a turn apart.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct LoopPiece {
-    pub(super) from: f64,
-    pub(super) to: f64,
+pub(in crate::construct::bodies) struct LoopPiece {
+    pub(in crate::construct::bodies) from: f64,
+    pub(in crate::construct::bodies) to: f64,
     /// The form by its coefficients in the coordinates along both end directions: those of short pieces keep their digits so.
     form: [f64; 3],
 }
 
 impl LoopPiece {
     /// A piece with one factor all along.
-    pub(super) fn constant(from: f64, to: f64, factor: f64) -> Self {
+    pub(in crate::construct::bodies) fn constant(from: f64, to: f64, factor: f64) -> Self {
         Self { from, to, form: [factor, factor * (0.5 * (to - from)).cos(), factor] }
     }
 
     /// The form with these values and slopes at both ends and in C1 at the middle: two pieces.
-    pub(super) fn hermite([from, to]: [f64; 2], ends: [[f64; 2]; 2]) -> [Self; 2] {
+    pub(in crate::construct::bodies) fn hermite([from, to]: [f64; 2], ends: [[f64; 2]; 2]) -> [Self; 2] {
         let middle = 0.5 * (from + to);
         let (sin, cos) = (0.5 * (middle - from)).sin_cos();
         let first = ends[0][0] * cos + ends[0][1] * sin;
@@ -32,18 +32,18 @@ impl LoopPiece {
     }
 
     /// Sine and cosine of half the angle as linear polynomials, of length 1 at both ends.
-    pub(super) fn halves(&self) -> [Polynomial; 2] {
+    pub(in crate::construct::bodies) fn halves(&self) -> [Polynomial; 2] {
         let ([s0, c0], [s1, c1]) = (half(self.from), half(self.to));
         [Polynomial::new(vec![s0, s1]), Polynomial::new(vec![c0, c1])]
     }
 
     /// The form as a polynomial.
-    pub(super) fn value(&self) -> Polynomial {
+    pub(in crate::construct::bodies) fn value(&self) -> Polynomial {
         Polynomial::new(self.form.to_vec())
     }
 
     /// Half its derivatives by the sine and by the cosine, linear.
-    pub(super) fn gradient(&self) -> [Polynomial; 2] {
+    pub(in crate::construct::bodies) fn gradient(&self) -> [Polynomial; 2] {
         let ([s0, c0], [s1, c1]) = (half(self.from), half(self.to));
         let d = (0.5 * (self.from - self.to)).sin();
         let [b0, b1, b2] = self.form;
@@ -55,12 +55,12 @@ impl LoopPiece {
     }
 
     /// The value of the form at an angle, which is the factor there.
-    pub(super) fn factor(&self, angle: f64) -> f64 {
+    pub(in crate::construct::bodies) fn factor(&self, angle: f64) -> f64 {
         self.mixed([angle, angle])
     }
 
     /// The part between two angles: the same form.
-    pub(super) fn part(&self, from: f64, to: f64) -> Self {
+    pub(in crate::construct::bodies) fn part(&self, from: f64, to: f64) -> Self {
         Self { from, to, form: [[from, from], [from, to], [to, to]].map(|pair| self.mixed(pair)) }
     }
 
@@ -73,7 +73,7 @@ impl LoopPiece {
     }
 
     /// The angle at a parameter of the piece.
-    pub(super) fn angle(&self, t: f64) -> f64 {
+    pub(in crate::construct::bodies) fn angle(&self, t: f64) -> f64 {
         // The chord between the half directions is cut at t.
         let half = 0.5 * (self.to - self.from);
         self.from + half + 2.0 * (2.0 * (t - 0.5) * (0.5 * half).tan()).atan()

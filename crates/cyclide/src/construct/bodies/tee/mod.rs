@@ -16,12 +16,14 @@ mod check;
 mod crossing;
 mod equal;
 mod join;
-mod law;
 mod loop_piece;
 mod partition;
 mod radius_law;
 mod skin;
 
+pub(super) use canal::Canal;
+pub(super) use crossing::Crossing;
+pub(super) use loop_piece::LoopPiece;
 use radius_law::Loop;
 pub use radius_law::TeeBlend;
 
@@ -31,7 +33,6 @@ use crate::construct::bodies::pierced::{Ring, Skin};
 use crate::error::{Error, ErrorItem, Result};
 use crate::topology::{Body, Sewing};
 use check::TightPlace;
-use crossing::Crossing;
 use partition::Partition;
 use skin::{Branch, Rings};
 

@@ -3,8 +3,8 @@
 use super::canal::Canal;
 use super::crossing::Crossing;
 use super::equal;
-use super::law::{Law, SAME_ANGLE, check_radius};
 use super::loop_piece::LoopPiece;
+use crate::construct::bodies::angle_law::{Law, SAME_ANGLE, check_radius};
 use crate::construct::bodies::halving::Halving;
 use crate::error::{Error, Result, check_tolerance};
 use crate::rational::Polynomial;

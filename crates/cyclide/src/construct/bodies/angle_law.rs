@@ -1,12 +1,12 @@
-//! The law of a radius through values at angles: no rational loop has it exactly, so loops follow it within a tolerance.
+//! The law of a radius through values at angles, once round: no rational loop of balls has it exactly, so loops follow it within a tolerance.
 
 use crate::error::{Error, ErrorItem, Result};
 use std::f64::consts::TAU;
 
 /// Angles nearer to each other than this are one.
-pub(super) const SAME_ANGLE: f64 = 1e-9;
+pub(in crate::construct::bodies) const SAME_ANGLE: f64 = 1e-9;
 
-pub(super) fn check_radius(radius: f64, index: usize) -> Result<()> {
+pub(in crate::construct::bodies) fn check_radius(radius: f64, index: usize) -> Result<()> {
     if !radius.is_finite() {
         return Err(Error::NotFinite { what: ErrorItem::Radius, index });
     }
@@ -17,7 +17,8 @@ pub(super) fn check_radius(radius: f64, index: usize) -> Result<()> {
 }
 
 /// A law through values at angles: cubic between them, flat at least and largest values, so that it passes none of them.
-pub(super) struct Law {
+#[derive(Debug, Clone, PartialEq)]
+pub(in crate::construct::bodies) struct Law {
     /// Angle in `[0, 2π)`, radius, slope; ascending.
     values: Vec<[f64; 3]>,
 }
@@ -25,7 +26,7 @@ pub(super) struct Law {
 impl Law {
     /// # Errors
     /// `too-few-points`, `not-finite`, `radius-not-positive`, `coincident-points`.
-    pub(super) fn new(given: &[[f64; 2]]) -> Result<Self> {
+    pub(in crate::construct::bodies) fn new(given: &[[f64; 2]]) -> Result<Self> {
         if given.is_empty() {
             return Err(Error::TooFewPoints { given: 0, needed: 1 });
         }
@@ -65,8 +66,14 @@ impl Law {
     }
 
     /// The angles of its values.
-    pub(super) fn angles(&self) -> impl Iterator<Item = f64> {
+    pub(in crate::construct::bodies) fn angles(&self) -> impl Iterator<Item = f64> {
         self.values.iter().map(|[angle, _, _]| *angle)
+    }
+
+    /// The least of its radii, and the largest.
+    pub(in crate::construct::bodies) fn range(&self) -> [f64; 2] {
+        let range = [f64::INFINITY, f64::NEG_INFINITY];
+        self.values.iter().fold(range, |[low, high], [_, radius, _]| [low.min(*radius), high.max(*radius)])
     }
 
     /// The values before and behind an angle.
@@ -78,13 +85,13 @@ impl Law {
     }
 
     /// From the value before an angle to that behind it the rise of the radius, and the smaller radius.
-    pub(super) fn rise(&self, angle: f64) -> (f64, f64) {
+    pub(in crate::construct::bodies) fn rise(&self, angle: f64) -> (f64, f64) {
         let [[_, r0, _], [_, r1, _]] = self.around(angle);
         (r1 - r0, r0.min(r1))
     }
 
     /// Radius and slope at an angle.
-    pub(super) fn at(&self, angle: f64) -> [f64; 2] {
+    pub(in crate::construct::bodies) fn at(&self, angle: f64) -> [f64; 2] {
         let [[a0, r0, s0], [a1, r1, s1]] = self.around(angle);
         let mut gap = (a1 - a0).rem_euclid(TAU);
         if gap == 0.0 {
