@@ -247,6 +247,8 @@ fn samples_are_poses_and_matrices() {
     let text: serde_json::Value = serde_json::from_str(&sample_poses(&built, 3).unwrap()).unwrap();
     let again = build(&motion(&format!(r#""poses": {}"#, text["poses"]))).unwrap();
     assert!(end(&again).angle_to(end(&built)) < 1e-14);
+    let again = build_all(&motion(r#""poses": {"csv": "poses.csv"}"#), &rows).unwrap().pop().unwrap();
+    assert!(end(&again).angle_to(end(&built)) < 1e-14);
 }
 
 #[test]

@@ -185,8 +185,12 @@ fn few_digits_give_planes_with_the_flatness_of_these_digits() {
     let turn = Quat::from_axis_angle(Vec3::new(1.0, 2.0, 3.0).unit().unwrap(), 1.0);
     let exact: Vec<Point3> = dodecahedron().iter().map(|p| Point3::ORIGIN + turn.rotate(p.to_vec())).collect();
     let points: Vec<Point3> = exact.iter().map(single).collect();
-    let coarse = ConvexPolyhedron::hull(&points).unwrap();
+    let coarse = ConvexPolyhedron::hull_with_flatness(&points, 3e-9).unwrap();
     assert!(coarse.faces().len() > 12);
+    // By itself the hull takes that of the digits, and says so.
+    let by_itself = ConvexPolyhedron::hull(&points).unwrap();
+    let warnings = by_itself.warnings();
+    assert!(by_itself.faces().len() == 12 && warnings.len() == 1 && warnings[0].reason() == "flatness-raised");
     let polyhedron = ConvexPolyhedron::hull_with_flatness(&points, 5e-7).unwrap();
     assert_eq!((polyhedron.faces().len(), polyhedron.corner_count()), (12, 20));
     for (p, q) in polyhedron.vertices().iter().zip(&points) {
@@ -356,6 +360,39 @@ fn corners_given_several_times_but_for_rounding_are_one() {
     let few: Vec<Point3> = points.iter().enumerate().filter(|(k, _)| k % 8 < 3).map(|(_, p)| *p).collect();
     assert_eq!(ConvexPolyhedron::hull(&few).unwrap_err().reason(), "flat-polyhedron");
     assert_eq!(ConvexPolyhedron::hull_with_flatness(&points, 1e-10).unwrap().faces().len(), 6);
+}
+
+#[test]
+fn boxes_of_six_digits_have_six_sides() {
+    for turn in 0..25 {
+        let axis = Vec3::new(1.0, 2.0 - f64::from(turn % 5), 3.0 - f64::from(turn % 7)).unit().unwrap();
+        let half = 0.1 + 0.11 * f64::from(turn);
+        let rotor = Quat::from_parts(half.cos(), axis * half.sin());
+        for digits in [6, 7, 8, 10] {
+            let rounded = |v: f64| (v * 10.0_f64.powi(digits)).round() / 10.0_f64.powi(digits);
+            let corner = |k: usize| Vec3::new((k & 1) as f64 * 20.0, (k >> 1 & 1) as f64 * 10.0, (k >> 2) as f64 * 5.0);
+            let points = (0..8).map(|k| Point3::from(rotor.rotate(corner(k)).to_array().map(rounded)));
+            let made = ConvexPolyhedron::hull(&points.collect::<Vec<_>>()).unwrap();
+            assert_eq!((made.faces().len(), made.edges().count()), (6, 12), "{turn} {digits}");
+            let body = made.offset(1.0).unwrap();
+            assert!(surface_joints(&body.outer).iter().all(|joint| joint.angle < 1e-7), "{turn} {digits}");
+        }
+    }
+}
+
+/// Points inside have no part in it, however near to each other.
+#[test]
+fn equal_points_inside_change_nothing() {
+    let corner = |k: usize| [k & 1, k >> 1 & 1, k >> 2].map(|v| 10.0 * v as f64);
+    let mut points: Vec<Point3> = (0..8).map(|k| Point3::from(corner(k))).collect();
+    points.extend([Point3::new(5.0, 5.0, 12.0), Point3::new(5.0, 5.0, 5.0), Point3::new(5.0045, 5.0, 5.0)]);
+    let (all, without) =
+        [&points[..], &points[..9]].map(|points| ConvexPolyhedron::hull_with_flatness(points, 0.01).unwrap()).into();
+    assert_eq!((all.deviation(), all.faces()), (without.deviation(), without.faces()));
+    // Outside they count: what is left out is farther than half the flatness from nothing.
+    points.push(Point3::new(5.0, 5.0, 12.004));
+    let off = ConvexPolyhedron::hull_with_flatness(&points, 0.01).unwrap().deviation();
+    assert!((off - 0.004).abs() < 1e-12, "{off}");
 }
 
 #[test]

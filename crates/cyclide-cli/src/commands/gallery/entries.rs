@@ -180,7 +180,7 @@ pub const ENTRIES: &[Entry] = &[
         document: example!("crossing_laws.json"),
         inputs: &[],
         formats: SURFACES,
-        camera: "",
+        camera: "0,35",
     },
     Entry {
         name: "contact_blend",

@@ -3,7 +3,7 @@
 use super::curves;
 use super::cylinder_curves::CylinderCurve;
 use super::data::{Data, logical, push_list, push_reference, references, string};
-use super::integration::is_integrable;
+use super::integration::Integration;
 use super::parameter_curves::ParameterCurve;
 use super::surfaces;
 use crate::export::face_plan::ShellPlan;
@@ -85,9 +85,8 @@ const MOST_HALVINGS: usize = 8;
 fn cut(shell: &Shell, size: f64, edges: StepEdges) -> Result<CutShell> {
     let good = CutShell::from(shell.clone()).with_regular_faces()?.with_positive_weights()?;
     let is_rational = |shell: &Shell, face: &ShellFace| surfaces::kind(shell, face, size, edges) == PatchKind::Cyclide;
-    let is_bad = |shell: &Shell, face: &ShellFace| {
-        face.surface.patch().is_some_and(|patch| !is_integrable(patch)) && is_rational(shell, face)
-    };
+    let integration = Integration::default();
+    let is_bad = |shell: &Shell, face: &ShellFace| !integration.is_good(&face.surface) && is_rational(shell, face);
     good.halved(|shell, face| [is_bad(shell, face), false], MOST_HALVINGS)
 }
 

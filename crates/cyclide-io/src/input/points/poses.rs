@@ -62,7 +62,13 @@ pub(crate) fn read_poses(name: &str, bytes: &[u8]) -> Result<PoseTable, Box<Diag
     let mut read = position.to_vec();
     read.extend(time);
     match &rotation {
-        RotationColumns::Quaternion(columns) => read.extend(columns),
+        RotationColumns::Quaternion(columns) => {
+            read.extend(columns);
+            // Our own tables have the matrix of the pose beside it.
+            let is_entry =
+                |name: &str| (1..=3).any(|i| (1..=4).any(|j| name.eq_ignore_ascii_case(&format!("m{i}{j}"))));
+            read.extend((0..table.header.len()).filter(|&column| is_entry(table.header[column].text)));
+        }
         RotationColumns::Angles(columns, _) => read.extend(columns),
         RotationColumns::None => {}
     }

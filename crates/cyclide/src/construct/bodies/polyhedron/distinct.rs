@@ -9,18 +9,17 @@ use std::collections::HashMap;
 /// Cells are not smaller than this part of the size of all points: places in them are integers.
 const SMALLEST_CELL: f64 = 1e-15;
 
-/// The points that are farther from each other than a distance.
+/// The points that are farther from each other than a distance, and the others.
 pub(super) struct Distinct {
     kept: Vec<usize>,
-    within: f64,
-    /// The largest distance of another point from one that is kept.
-    pub(super) farthest: f64,
+    /// Points that are left out, each with one that is kept and within the distance.
+    pub(super) dropped: Vec<[usize; 2]>,
 }
 
 impl Distinct {
     /// The first of all points that are within a distance of one that is kept, so that no two of these are.
     pub(super) fn new(points: &[Point3], within: f64) -> Self {
-        let mut distinct = Self { kept: Vec::with_capacity(points.len()), within, farthest: 0.0 };
+        let mut distinct = Self { kept: Vec::with_capacity(points.len()), dropped: Vec::new() };
         let Some(bounds) = Aabb::of_points(points.iter().copied()) else { return distinct };
         let size = within.max(SMALLEST_CELL * bounds.diagonal());
         let mut cells: HashMap<[i64; 3], Vec<usize>> = HashMap::with_capacity(points.len());
@@ -31,12 +30,13 @@ impl Distinct {
                 let [x, y, z] = [0, 1, 2].map(|c| cell[c].saturating_add(step[c]));
                 cells.get(&[x, y, z])
             });
-            let nearest = near.flatten().map(|&k| points[k].distance(p)).fold(f64::INFINITY, f64::min);
-            if nearest <= within {
-                distinct.farthest = distinct.farthest.max(nearest);
-            } else {
-                cells.entry(cell).or_default().push(index);
-                distinct.kept.push(index);
+            let nearest = near.flatten().map(|&k| (points[k].distance(p), k)).min_by(|a, b| a.0.total_cmp(&b.0));
+            match nearest {
+                Some((distance, other)) if distance <= within => distinct.dropped.push([index, other]),
+                _ => {
+                    cells.entry(cell).or_default().push(index);
+                    distinct.kept.push(index);
+                }
             }
         }
         distinct
@@ -47,8 +47,9 @@ impl Distinct {
     /// # Errors
     /// `flat-polyhedron`.
     pub(super) fn hull(&self, points: &[Point3]) -> Result<Vec<Vec<usize>>> {
+        // Of fewer than four places all are in one plane.
         if self.kept.len() < 4 {
-            return Err(Error::FlatPolyhedron { thickness: self.farthest, limit: self.within });
+            return Err(Error::FlatPolyhedron { thickness: 0.0, limit: 0.0 });
         }
         let kept: Vec<Point3> = self.kept.iter().map(|&k| points[k]).collect();
         let triangles = hull::triangles(&kept)?;

@@ -30,6 +30,8 @@ const TOGETHER: f64 = 0.5;
 /// Of points whose hull has no planes within that, it is raised so often by a factor: up to 6.6e-5 of the diameter.
 const RAISES: i32 = 8;
 const RAISE: f64 = 4.0;
+/// So often where it has planes, but edges that hardly bend: up to 1e-6, six digits.
+const RAISES_OF_DIGITS: i32 = 5;
 /// So many more are tried where the first one leaves shallow edges.
 const TRIED_ON: usize = 2;
 /// Edges that bend by less, radians, speak of few digits.
@@ -128,8 +130,9 @@ impl ConvexPolyhedron {
     }
 
     /// The convex hull of points, each side one face. Points that are no corners of it stay in the list of vertices, without faces.
-    /// Sides are planar within 1e-9 of the diameter, and points within half of that of each other are one; of points of which no faces in planes are that near, as of rounded ones, within
-    /// the first of 4, 16, ... times that (at most 6.6e-5) at which they are, with a [warning](Self::warnings).
+    /// Sides are planar within 1e-9 of the diameter, and points within half of that of each other are one. Of points of which no faces
+    /// in planes are that near, as of rounded ones, within the first of 4, 16, ... times that (at most 6.6e-5) at which they are, with a
+    /// [warning](Self::warnings); so too, up to 1e-6, where there are edges that hardly bend and a larger flatness has none.
     ///
     /// # Errors
     /// `too-few-points`, `not-finite`, `parameter-out-of-range`, `below-rounding-of-place`, `flat-polyhedron`; as
@@ -140,29 +143,45 @@ impl ConvexPolyhedron {
         let asked = PLANAR * diameter;
         let distinct = Distinct::new(points, TOGETHER * asked);
         let triangles = distinct.hull(points)?;
-        let refused = match Self::of_hull(points, &triangles, asked, distinct.farthest) {
-            Err(error) if !matches!(error, Error::FlatPolyhedron { .. }) => error,
-            made => return made,
-        };
-        Self::raised(points, &triangles, asked, distinct.farthest).ok_or(refused)
+        let made = |flatness| Self::of_hull(points, &triangles, flatness, &distinct.dropped);
+        match made(asked) {
+            Err(error) if !matches!(error, Error::FlatPolyhedron { .. }) => {
+                Self::raised(made, asked, RAISES).ok_or(error)
+            }
+            // Edges that hardly bend speak of rounded points, unless no flatness of their digits is rid of them.
+            Ok(first) if first.shallow_edges().is_some() => {
+                let raised = Self::raised(made, asked, RAISES_OF_DIGITS);
+                Ok(raised.filter(|raised| raised.shallow_edges().is_none()).unwrap_or(first))
+            }
+            first => first,
+        }
     }
 
-    /// From triangles over points of which others may be as far as `dropped`.
-    fn of_hull(points: &[Point3], triangles: &[Vec<usize>], flatness: f64, dropped: f64) -> Result<Self> {
+    /// From triangles over points; of others, `dropped` for one of these, it is measured how far they are outside.
+    fn of_hull(points: &[Point3], triangles: &[Vec<usize>], flatness: f64, dropped: &[[usize; 2]]) -> Result<Self> {
         let made = Self::with_flatness(points, triangles, flatness)?;
-        let deviation = made.deviation + dropped;
-        if dropped > 0.0 && deviation > flatness {
-            return Err(Error::PlanesMissPoint { vertex: 0, distance: deviation, limit: flatness });
+        let off = dropped.iter().map(|&[vertex, kept]| (vertex, made.off_outside(points[vertex], kept)));
+        let (vertex, distance) = off.fold((0, made.deviation), |far, at| if at.1 > far.1 { at } else { far });
+        let limit = flatness.max(plane::rounding(points));
+        if !(distance <= limit) {
+            return Err(Error::PlanesMissPoint { vertex, distance, limit });
         }
-        Ok(Self { deviation, ..made })
+        Ok(Self { deviation: distance, ..made })
+    }
+
+    /// How far a point outside is from the surface, at most: from its face, or from the vertex beside it. 0 inside.
+    fn off_outside(&self, p: Point3, beside: usize) -> f64 {
+        let planes = self.faces().iter().zip(&self.normals);
+        let heights = planes.map(|(corners, n)| corners.first().map_or(0.0, |&v| (p - self.vertices[v]).dot(*n)));
+        let outside = heights.fold(0.0, f64::max);
+        if outside > 0.0 && !self.fans[beside].is_empty() { p.distance(self.vertices[beside]) } else { outside }
     }
 
     /// With the first larger flatness that gives a polyhedron, or with one a little larger still that leaves no edges of rounding.
-    fn raised(points: &[Point3], triangles: &[Vec<usize>], asked: f64, dropped: f64) -> Option<Self> {
-        let flatness = (1..=RAISES).map(|k| asked * RAISE.powi(k));
+    fn raised(made: impl Fn(f64) -> Result<Self>, asked: f64, raises: i32) -> Option<Self> {
+        let flatness = (1..=raises).map(|k| asked * RAISE.powi(k));
         let mut made = flatness.filter_map(|used| {
-            let made = Self::of_hull(points, triangles, used, dropped).ok()?;
-            Some(Self { raised: Some(Warning::FlatnessRaised { asked, used }), ..made })
+            Some(Self { raised: Some(Warning::FlatnessRaised { asked, used }), ..made(used).ok()? })
         });
         let first = made.next()?;
         if first.shallow_edges().is_none() {
@@ -178,7 +197,7 @@ impl ConvexPolyhedron {
     pub fn hull_with_flatness(points: &[Point3], flatness: f64) -> Result<Self> {
         check_points(points)?;
         let distinct = Distinct::new(points, TOGETHER * flatness);
-        Self::of_hull(points, &distinct.hull(points)?, flatness, distinct.farthest)
+        Self::of_hull(points, &distinct.hull(points)?, flatness, &distinct.dropped)
     }
 
     /// From loops of which no two are in one plane.
