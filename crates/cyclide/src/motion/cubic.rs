@@ -8,7 +8,7 @@
 use super::odd_poses::{array, check_attained, lagrange_rows, plain_factors};
 use super::pose::Pose;
 use super::rational_motion::RationalMotion;
-use super::study_form::{VANISHED, forms, largest, over_times};
+use super::study_form::{forms, largest, over_times};
 use super::timed_pose::{Prepared, TimedPose};
 use crate::error::{Error, Result};
 
@@ -42,10 +42,10 @@ impl CubicMotions {
         let timed: Vec<TimedPose> =
             poses.iter().enumerate().map(|(i, pose)| TimedPose { time: i as f64, pose: *pose }).collect();
         let prepared = Prepared::of_count::<4>(&timed)?;
-        let b = forms(&array::<_, 4>(&prepared.poses));
+        let (b, limit) = (forms(&array::<_, 4>(&prepared.poses)), prepared.vanished);
         let size = largest(&b);
-        if size <= VANISHED {
-            return Err(Error::StudyFormVanishes { measured: size, limit: VANISHED });
+        if size <= limit {
+            return Err(Error::StudyFormVanishes { measured: size, limit });
         }
         let b = b.map(|row| row.map(|v| v / size));
         let [p, q, r] = [b[0][1] * b[2][3], b[0][2] * b[1][3], b[0][3] * b[1][2]];

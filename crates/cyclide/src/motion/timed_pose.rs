@@ -2,6 +2,7 @@
 
 use super::dual_quat::DualQuat;
 use super::pose::Pose;
+use super::study_form::vanished;
 use crate::base::quat::Quat;
 use crate::base::vector::Vec3;
 use crate::error::{Error, ErrorItem, Result};
@@ -39,6 +40,8 @@ pub(super) struct Prepared {
     pub(super) centre: Vec3,
     /// Length of the largest dual part before it was taken as unit; 1 if all vanish.
     pub(super) unit: f64,
+    /// Study forms between the poses up to this are zero.
+    pub(super) vanished: f64,
 }
 
 /// How the times of a construction may be ordered.
@@ -89,7 +92,8 @@ impl Prepared {
                 poses[pair[1]] = poses[pair[1]] * -1.0;
             }
         }
-        Ok(Self { domain, places, poses, centre, unit })
+        let farthest = given.iter().map(|p| p.pose.translation().max_abs()).fold(0.0, f64::max);
+        Ok(Self { domain, places, poses, centre, unit, vanished: vanished(farthest, unit) })
     }
 }
 

@@ -1,7 +1,7 @@
 //! Motions of planar poses: any factors put them on the quadric, so the rule decides, and not the list, the place or rounding.
 
 use crate::data::apart;
-use cyclide::{Pose, Quat, RationalMotion, TimedPose, Vec3};
+use cyclide::{CubicMotions, Pose, Quat, RationalMotion, TimedPose, Vec3};
 
 /// Poses in a plane, at times 0, 1, 2, ..., that turn by up to 100 degrees from one to the next.
 fn planar() -> Vec<TimedPose> {
@@ -13,6 +13,12 @@ fn planar() -> Vec<TimedPose> {
             TimedPose { time: k as f64, pose: Pose::new(turn, Vec3::new(x, y, 0.0)).unwrap() }
         })
         .collect()
+}
+
+/// The poses with their plane tilted and put at a place.
+fn placed(poses: &[TimedPose], place: Vec3) -> Vec<TimedPose> {
+    let frame = Pose::new(Quat::new(0.8, 0.1, 0.3, 0.5), place).unwrap();
+    poses.iter().map(|p| TimedPose { pose: frame.after(p.pose), ..*p }).collect()
 }
 
 /// The largest distance between two motions over the same times.
@@ -44,4 +50,19 @@ fn the_order_of_the_list_does_not_matter() {
     // It goes on the way of the shorter turns, 200 degrees in all.
     let steps = (0..100).map(|k| conic.pose(0.02 * f64::from(k)).angle_to(conic.pose(0.02 * f64::from(k + 1))));
     assert!((steps.sum::<f64>() - 200_f64.to_radians()).abs() < 1e-12);
+}
+
+#[test]
+fn the_place_does_not_matter() {
+    let place = Vec3::new(1.0e6, -0.7e6, 0.3e6);
+    let [near, far] = [Vec3::ZERO, place].map(|place| placed(&planar(), place));
+    // Coordinates of a million are rounded to 1e-10.
+    for (make, count) in [(RationalMotion::conic as fn(&[TimedPose]) -> _, 3), (RationalMotion::quartic, 5)] {
+        let [a, b] = [&near, &far].map(|poses| make(&poses[..count]).unwrap());
+        assert!(between(&a, &b, place) < 1e-8, "{count}: {}", between(&a, &b, place));
+    }
+    for poses in [near, far] {
+        let poses: Vec<Pose> = poses[..4].iter().map(|p| p.pose).collect();
+        assert_eq!(CubicMotions::new(&poses).unwrap_err().reason(), "study-form-vanishes");
+    }
 }
