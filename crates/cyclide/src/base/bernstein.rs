@@ -1,5 +1,16 @@
 //! Polynomials in Bernstein form: products, de Casteljau, degree elevation.
 
+/// Weights are above this part of the smaller one at the ends.
+const LEAST_WEIGHT: f64 = 1e-3;
+
+/// Whether the coefficients of a positive polynomial will do as the weights of a rational curve: next to zero they would put control points
+/// far out, and cost the digits between.
+#[must_use]
+pub(crate) fn are_weights(coefficients: &[f64]) -> bool {
+    let ends = coefficients[0].min(coefficients[coefficients.len() - 1]);
+    ends > 0.0 && coefficients.iter().all(|w| *w > LEAST_WEIGHT * ends)
+}
+
 /// The binomial coefficients `C(n, 0..=n)` as floats (exact up to `n = 57`).
 fn binomials(n: usize) -> impl Iterator<Item = f64> {
     let mut value = 1.0;

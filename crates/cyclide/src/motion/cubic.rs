@@ -8,9 +8,12 @@
 use super::odd_poses::{array, check_attained, lagrange_rows, plain_factors};
 use super::pose::Pose;
 use super::rational_motion::RationalMotion;
-use super::study_form::{VANISHED, forms, largest, over_times};
+use super::study_form::{forms, largest, over_times};
 use super::timed_pose::{Prepared, TimedPose};
 use crate::error::{Error, Result};
+
+/// Cross-ratios as near as this to 0 and 1, where two times are one, are there.
+const COINCIDENT: f64 = 1e-12;
 
 /// The cross-ratios of the times at which motions of degree 3 take four poses, and these motions.
 ///
@@ -37,18 +40,23 @@ impl CubicMotions {
     ///
     /// # Errors
     /// `wrong-pose-count`, `not-finite`; `study-form-vanishes`: all poses are planar, spherical or translated against each other, and every
-    /// cross-ratio will do.
+    /// cross-ratio will do; or so many of them are that no cross-ratio is told from another.
     pub fn new(poses: &[Pose]) -> Result<Self> {
         let timed: Vec<TimedPose> =
             poses.iter().enumerate().map(|(i, pose)| TimedPose { time: i as f64, pose: *pose }).collect();
         let prepared = Prepared::of_count::<4>(&timed)?;
-        let b = forms(&array::<_, 4>(&prepared.poses));
+        let (b, limit) = (forms(&array::<_, 4>(&prepared.poses)), prepared.vanished);
         let size = largest(&b);
-        if size <= VANISHED {
-            return Err(Error::StudyFormVanishes { measured: size, limit: VANISHED });
+        if size <= limit {
+            return Err(Error::StudyFormVanishes { measured: size, limit });
         }
-        let b = b.map(|row| row.map(|v| v / size));
+        // What is zero but for rounding would make roots of rounding.
+        let b = b.map(|row| row.map(|v| if v.abs() <= limit { 0.0 } else { v / size }));
         let [p, q, r] = [b[0][1] * b[2][3], b[0][2] * b[1][3], b[0][3] * b[1][2]];
+        let products = p.abs().max(q.abs()).max(r.abs());
+        if products <= 0.0 {
+            return Err(Error::StudyFormVanishes { measured: products, limit });
+        }
         let (roots, discriminant) = quadratic(q, r - p - q, p);
         Ok(Self { poses: array(poses), roots, discriminant })
     }
@@ -62,7 +70,7 @@ impl CubicMotions {
     /// Those between 0 and 1, at which the poses are taken one after the other.
     #[must_use]
     pub fn admissible(&self) -> Vec<f64> {
-        self.roots.iter().copied().filter(|x| *x > 0.0 && *x < 1.0).collect()
+        self.roots.iter().copied().filter(|x| x.min(1.0 - x) > COINCIDENT).collect()
     }
 
     /// The motion of degree 3 over the times `[first, last]` at an admissible cross-ratio: it takes the poses at the parts 0, a,

@@ -7,7 +7,7 @@
 
 use super::dual_quat::DualQuat;
 use super::rational_motion::{MotionSpan, RationalMotion};
-use super::study_form::{VANISHED, forms, largest, over_times, pfaffian};
+use super::study_form::{forms, largest, over_times, pfaffian};
 use super::timed_pose::{Prepared, TimeOrder, TimedPose};
 use crate::base::bernstein;
 use crate::error::{Error, Result};
@@ -29,7 +29,7 @@ impl RationalMotion {
     /// `wrong-pose-count`, `not-finite`, `repeated-parameter`, `unattainable-pose`, `motion-through-exceptional-point`.
     pub fn conic(poses: &[TimedPose]) -> Result<Self> {
         let prepared = Prepared::of_count::<3>(poses)?;
-        let rows = conic_rows(&array(&prepared.poses), &array(&prepared.places))?;
+        let rows = conic_rows(&array(&prepared.poses), &array(&prepared.places), prepared.vanished)?;
         prepared.single(rows)
     }
 
@@ -42,7 +42,7 @@ impl RationalMotion {
         let prepared = Prepared::of_count::<5>(poses)?;
         let (displacements, times) = (array(&prepared.poses), array(&prepared.places));
         let all = forms(&displacements);
-        if largest(&all) <= VANISHED {
+        if largest(&all) <= prepared.vanished {
             return prepared.single(lagrange_rows(&displacements, &plain_factors(&times), &times));
         }
         let m = over_times(&all, &times);
@@ -52,7 +52,7 @@ impl RationalMotion {
         });
         let size = largest(&m);
         let rows = if factors.iter().all(|f| f.abs() <= RANK_TWO * size * size) {
-            conic_of_five(&displacements, &times, &m)?
+            conic_of_five(&displacements, &times, &m, prepared.vanished)?
         } else {
             check_attained(&factors)?;
             lagrange_rows(&displacements, &factors, &times)
@@ -97,9 +97,10 @@ fn others(left_out: usize) -> [usize; 4] {
     std::array::from_fn(|k| if k < left_out { k } else { k + 1 })
 }
 
-fn conic_rows(poses: &[DualQuat; 3], times: &[f64; 3]) -> Result<Vec<[f64; 8]>> {
+/// The conic of poses whose Study forms up to `vanished` are zero.
+fn conic_rows(poses: &[DualQuat; 3], times: &[f64; 3], vanished: f64) -> Result<Vec<[f64; 8]>> {
     let all = forms(poses);
-    if largest(&all) <= VANISHED {
+    if largest(&all) <= vanished {
         return Ok(lagrange_rows(poses, &plain_factors(times), times));
     }
     let m = over_times(&all, times);
@@ -109,9 +110,10 @@ fn conic_rows(poses: &[DualQuat; 3], times: &[f64; 3]) -> Result<Vec<[f64; 8]>> 
 }
 
 /// Five poses on one conic motion.
-fn conic_of_five(poses: &[DualQuat; 5], times: &[f64; 5], m: &[[f64; 5]; 5]) -> Result<Vec<[f64; 8]>> {
+fn conic_of_five(poses: &[DualQuat; 5], times: &[f64; 5], m: &[[f64; 5]; 5], vanished: f64) -> Result<Vec<[f64; 8]>> {
     for triple in TRIPLES {
-        let Ok(rows) = conic_rows(&triple.map(|i| poses[i]), &triple.map(|i| times[i])) else { continue };
+        let rows = conic_rows(&triple.map(|i| poses[i]), &triple.map(|i| times[i]), vanished);
+        let Ok(rows) = rows else { continue };
         if first_missed(&rows, poses, times).is_none() {
             return Ok(rows);
         }

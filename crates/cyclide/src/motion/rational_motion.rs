@@ -13,7 +13,7 @@ use crate::base::quat::Quat;
 use crate::base::vector::{Point3, Vec3};
 use crate::rational::{Polynomial, PolynomialRow, QuatPolynomial, jet_of_homogeneous};
 
-/// A span is halved so often at most until its weights are positive; `|p|²` is nowhere zero, so a few halvings do.
+/// A span is halved so often at most until its weights are good; `|p|²` is nowhere zero, so a few halvings do.
 const HALVINGS: u32 = 60;
 
 /// A motion over rising times, in spans each of which is polynomial in the coefficients of a dual quaternion.
@@ -126,7 +126,7 @@ impl RationalMotion {
         (span, ((time - from) / (to - from)).clamp(0.0, 1.0))
     }
 
-    /// The same motion with spans cut where `|p|²` has Bernstein coefficients that are not positive: then every curve and surface made of
+    /// The same motion with spans cut where `|p|²` has Bernstein coefficients that are no [weights](bernstein::are_weights): then every curve and surface made of
     /// a span has positive weights, if what is moved has.
     #[must_use]
     pub(crate) fn with_positive_weights(&self) -> Self {
@@ -156,12 +156,12 @@ impl RationalMotion {
 }
 
 impl MotionSpan {
-    /// Hands on the parts of a span over which `|p|²` has positive coefficients, each with the time of its end.
+    /// Hands on the parts of a span over which the coefficients of `|p|²` are good weights, each with the time of its end.
     fn positive_parts(&self, [from, to]: [f64; 2], halvings: u32, take: &mut impl FnMut(Self, f64)) {
         let column = |d: usize| Polynomial::new(self.0.iter().map(|row| row[d]).collect());
         let p = QuatPolynomial(std::array::from_fn(column));
         let middle = 0.5 * (from + to);
-        if halvings == 0 || !(middle > from && middle < to) || p.dot(&p).coefficients().iter().all(|w| *w > 0.0) {
+        if halvings == 0 || !(middle > from && middle < to) || bernstein::are_weights(p.dot(&p).coefficients()) {
             return take(self.clone(), to);
         }
         let (left, right) = bernstein::split(&self.0, 0.5);

@@ -2,6 +2,7 @@
 
 use super::dual_quat::DualQuat;
 use super::pose::Pose;
+use super::study_form::vanished;
 use crate::base::quat::Quat;
 use crate::base::vector::Vec3;
 use crate::error::{Error, ErrorItem, Result};
@@ -24,7 +25,7 @@ pub struct TimedPose {
 /// Rotations at an angle of more than half a turn have a product below this: at exactly half a turn its sign is rounding.
 const OPPOSITE: f64 = -1e-12;
 
-/// Poses as dual quaternions, made ready: about their centroid, in units of their size, neighbours on the same side.
+/// Poses as dual quaternions, made ready: about their centroid, in units of their size, neighbours in time on the same side.
 ///
 /// Both are a change of frame and of unit, which the constructions commute with; they cost fewer digits there.
 #[derive(Debug)]
@@ -39,6 +40,8 @@ pub(super) struct Prepared {
     pub(super) centre: Vec3,
     /// Length of the largest dual part before it was taken as unit; 1 if all vanish.
     pub(super) unit: f64,
+    /// Study forms between the poses up to this are zero.
+    pub(super) vanished: f64,
 }
 
 /// How the times of a construction may be ordered.
@@ -78,13 +81,19 @@ impl Prepared {
         }
         let largest = poses.iter().map(|d| d.dual.norm()).fold(0.0, f64::max);
         let unit = if largest > 0.0 { largest } else { 1.0 };
-        for i in 0..poses.len() {
-            poses[i].dual = Quat::from(poses[i].dual.to_array().map(|v| v / unit));
-            if i > 0 && poses[i].real.dot(poses[i - 1].real) < OPPOSITE {
-                poses[i] = poses[i] * -1.0;
+        for pose in &mut poses {
+            pose.dual = Quat::from(pose.dual.to_array().map(|v| v / unit));
+        }
+        // Neighbours in time, whatever the order of the list: the motion is the same for all.
+        let mut by_time: Vec<usize> = (0..poses.len()).collect();
+        by_time.sort_by(|a, b| places[*a].total_cmp(&places[*b]));
+        for pair in by_time.windows(2) {
+            if poses[pair[1]].real.dot(poses[pair[0]].real) < OPPOSITE {
+                poses[pair[1]] = poses[pair[1]] * -1.0;
             }
         }
-        Ok(Self { domain, places, poses, centre, unit })
+        let farthest = given.iter().map(|p| p.pose.translation().max_abs()).fold(0.0, f64::max);
+        Ok(Self { domain, places, poses, centre, unit, vanished: vanished(farthest, unit) })
     }
 }
 

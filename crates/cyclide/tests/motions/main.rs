@@ -8,6 +8,7 @@ mod cubics;
 mod data;
 mod frames;
 mod jets;
+mod planar;
 mod refusals;
 mod swept;
 mod timing;

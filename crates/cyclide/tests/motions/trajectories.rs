@@ -1,7 +1,7 @@
 //! Paths of points: the exact rational form is the path.
 
 use crate::data::{motions, timed};
-use cyclide::{Motion, Point3, RationalMotion, TimedPose, Vec3};
+use cyclide::{Motion, Point3, Pose, Quat, RationalMotion, TimedPose, Vec3};
 use proptest::prelude::*;
 
 proptest! {
@@ -39,9 +39,27 @@ fn a_path_through_the_origin_has_joints() {
     // At the joint the body's origin is at the origin of the world, up to rounding.
     let at = |time: f64, x: [f64; 3], w: f64| TimedPose {
         time,
-        pose: cyclide::Pose::new([w, 0.1, 0.7, 0.3].into(), Vec3::from(x)).unwrap(),
+        pose: Pose::new([w, 0.1, 0.7, 0.3].into(), Vec3::from(x)).unwrap(),
     };
     let poses = [at(0.0, [-100.0, 3.0, 7.0], 1.0), at(1.0, [0.0; 3], 0.8), at(2.5, [120.0, -3.0, 1.0], 0.1)];
     let path = RationalMotion::spline(&poses).unwrap().trajectory(Point3::ORIGIN).unwrap();
     assert!(path.point_at_knot(0.4).to_vec().length() < 1e-12);
+}
+
+#[test]
+fn weights_next_to_zero_are_halved_away() {
+    // A whole turn in one span: a coefficient of |p|² vanishes but for rounding, and its control point was 1e17 away.
+    let at = |degrees: f64, x: f64, y: f64| TimedPose {
+        time: x,
+        pose: Pose::new(Quat::from_axis_angle(Vec3::Z, degrees.to_radians()), Vec3::new(x, y, 0.0)).unwrap(),
+    };
+    let motion = RationalMotion::conic(&[at(-180.0, 0.0, 0.0), at(0.0, 10.0, 2.0), at(180.0, 20.0, 0.0)]).unwrap();
+    let point = Point3::new(5.0, 0.0, 0.0);
+    let path = motion.trajectory(point).unwrap();
+    let far = path.control_points().iter().map(|p| p.to_vec().length()).fold(0.0, f64::max);
+    assert!(far < 100.0, "{far:e}");
+    for k in 0..=40 {
+        let part = f64::from(k) / 40.0;
+        assert!(path.point_at_knot(part).distance(motion.pose(20.0 * part).apply(point)) < 1e-13 * 25.0, "{part}");
+    }
 }

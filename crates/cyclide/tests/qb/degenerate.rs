@@ -129,3 +129,17 @@ fn far_from_the_origin_curves_keep_the_digits_of_their_coordinates() {
         assert!((c.jet(t).d1 - d.jet(t).d1).length() < 1e-8);
     }
 }
+
+#[test]
+fn knots_that_rounding_makes_equal_are_parted_in_reverse() {
+    let points = &five()[..4];
+    for knots in [[0.0, 1e-18, 0.5, 1.0], [0.0, 1e-18, 2e-18, 1.0], [-1e-18, 0.0, 1e-18, 1.0]] {
+        let options = MoebiusSplineOptions { knots: NodeParameters::Given(knots.to_vec()), ..Default::default() };
+        let back = QbSpline::through_points(points, &options).unwrap().reversed();
+        assert!(back.knots().windows(2).all(|w| w[0] < w[1]), "{:?}", back.knots());
+        assert_eq!([back.knots()[0], back.knots()[3]], [knots[0], knots[3]]);
+        for (i, point) in points.iter().rev().enumerate() {
+            assert!(back.jet_at_knot(back.knots()[i]).point.distance(*point) < 1e-12);
+        }
+    }
+}

@@ -18,9 +18,6 @@ use crate::curve::piece_hull::PieceHull;
 use crate::error::{Error, Result};
 use crate::rational::{Polynomial, RationalBezier};
 
-/// Weights up to this part of the smaller one at the ends of their part are halved away.
-const LEAST_WEIGHT: f64 = 1e-3;
-
 /// Halvings of a curve until its weights are positive; what is left then is next to infinity.
 const HALVINGS: u32 = 50;
 
@@ -53,7 +50,8 @@ impl QbCurve {
         let mut ahead = vec![(self.rows.to_vec(), 0.0, 1.0, HALVINGS)];
         while let Some((rows, from, to, halvings)) = ahead.pop() {
             let curve = self.bezier_of(&rows);
-            if is_positive(&curve) {
+            let weights: Vec<f64> = curve.rows().iter().map(|row| row[3]).collect();
+            if bernstein::are_weights(&weights) {
                 parts.push(RationalPart { curve, from, to });
                 continue;
             }
@@ -97,12 +95,6 @@ impl QbCurve {
         let [start, end] = self.ends;
         Arc::from_start_tangent(start?, end?, self.jet(0.0).d1).ok()
     }
-}
-
-fn is_positive(curve: &RationalBezier) -> bool {
-    let rows = curve.rows();
-    let ends = rows[0][3].min(rows[rows.len() - 1][3]);
-    ends > 0.0 && rows.iter().all(|row| row[3] > LEAST_WEIGHT * ends)
 }
 
 impl ParamCurve for QbCurve {

@@ -21,6 +21,7 @@ impl QbSpline {
         };
         let mut knots: Vec<f64> = self.knots.iter().enumerate().map(mirrored).collect();
         knots.reverse();
+        keep_increasing(&mut knots);
         let joint = |i: &usize| if self.closed { (n - i) % n } else { n - i };
         let mut kinks: Vec<usize> = self.kinks.iter().map(joint).collect();
         kinks.sort_unstable();
@@ -85,6 +86,17 @@ impl QbSpline {
     /// `parameter-out-of-range`.
     pub fn split(&self, t: f64) -> Result<(Self, Self)> {
         Ok((self.restricted(0.0, t)?, self.restricted(t, 1.0)?))
+    }
+}
+
+/// Parts knots that rounding has made equal, by as little as there is; the first and the last stay.
+fn keep_increasing(knots: &mut [f64]) {
+    let last = knots.len() - 1;
+    for i in 1..last {
+        knots[i] = knots[i].max(knots[i - 1].next_up());
+    }
+    for i in (1..last).rev() {
+        knots[i] = knots[i].min(knots[i + 1].next_down());
     }
 }
 
