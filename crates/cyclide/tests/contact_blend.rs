@@ -226,6 +226,36 @@ fn balls_up_to_the_bend_of_their_way_are_accepted_and_others_fold() {
     }
 }
 
+/// Cones with the ball inside, and the limit that is named: just below it the ball fits, unless something else is in its way.
+#[test]
+fn the_limit_of_a_ball_inside_a_cone_is_that_of_the_ball_that_touches_it_all_round() {
+    let cone = |direction: [f64; 3], radius: f64, taper: f64| tube([0.0; 3], direction, radius, taper);
+    let off_centre = tube([0.3, 0.0, 0.0], [0.0, 0.0, 1.0], 1.0, 0.2);
+    // On a plane, at the height z on the axis: n z = R, n the rise of the axis.
+    let on_plane = |radius: f64, taper: f64, rise: f64| rise * radius * taper.cos() / (rise + taper.sin());
+    for (tube, base, ball, wanted) in [
+        (BlendTube { length: 18.0, ..cone([0.0, 0.0, 1.0], 10.0, 0.45) }, PLATE, 12.0, Some(on_plane(10.0, 0.45, 1.0))),
+        (
+            BlendTube { length: 18.0, ..cone([0.0, 0.3, 1.0], 10.0, 0.3) },
+            PLATE,
+            12.0,
+            Some(on_plane(10.0, 0.3, 1.0 / 1.09_f64.sqrt())),
+        ),
+        (cone([0.0, 0.4, 1.0], 2.0, 0.0), PLATE, 3.0, Some(2.0)),
+        (BlendTube { length: 3.0, ..off_centre }, SPHERE, 2.2, None),
+    ] {
+        let made = |ball| ContactBlend::new(tube, base, ball).unwrap().with_side(NeckSide::Inside).made();
+        let Err(Error::BallDoesNotFit { limit, radius }) = made(ball) else {
+            panic!("{tube:?}: {:?}", made(ball).err())
+        };
+        assert!((radius - ball).abs() < 1e-15 && limit < ball);
+        assert!(wanted.is_none_or(|wanted| (limit - wanted).abs() < 1e-12), "{limit} {wanted:?}");
+        let refused = |part: f64| made(part * limit).map(|_| "made").unwrap_or_else(|error| error.reason());
+        assert_eq!(refused(1.0 + 1e-6), "ball-does-not-fit", "{tube:?}: {limit}");
+        assert_ne!(refused(1.0 - 1e-6), "ball-does-not-fit", "{tube:?}: {limit}");
+    }
+}
+
 /// The generic canal over a strip of contacts is that of the blend.
 #[test]
 fn the_canal_of_contacts_touches_both_surfaces() {

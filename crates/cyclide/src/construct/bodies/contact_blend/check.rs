@@ -36,7 +36,7 @@ pub(super) fn check_folds(setup: &Setup, balls: &BallLoop, depth: f64) -> Result
 /// Refuses a ball that does not fit into the tube, or whose contact is beyond the apex.
 ///
 /// # Errors
-/// `ball-does-not-fit`, `radius-not-positive`.
+/// `ball-does-not-fit`, `contact-loop-open` (no ball does), `radius-not-positive`.
 pub(super) fn check_tube(setup: &Setup, balls: &BallLoop, depth: f64) -> Result<()> {
     for piece in &balls.pieces {
         for s in places() {
@@ -46,9 +46,13 @@ pub(super) fn check_tube(setup: &Setup, balls: &BallLoop, depth: f64) -> Result<
             if !(radius > 0.0 && rest > 0.0) {
                 return Err(Error::RadiusNotPositive { radius: radius.min(rest) });
             }
-            let limit = radius / setup.cos;
-            if setup.sigma < 0.0 && !(setup.ball < limit) {
-                return Err(Error::BallDoesNotFit { radius: setup.ball, limit });
+            // How far on this side of the axis the centre is.
+            let measured = radius - setup.ball * setup.cos;
+            if setup.sigma < 0.0 && !(measured > 0.0) {
+                return Err(match setup.ball_on_axis().filter(|limit| *limit > 0.0 && *limit <= setup.ball) {
+                    Some(limit) => Error::BallDoesNotFit { radius: setup.ball, limit },
+                    None => Error::ContactLoopOpen { angle: piece.angle_at(s).rem_euclid(TAU), measured },
+                });
             }
         }
     }
