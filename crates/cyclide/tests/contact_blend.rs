@@ -3,8 +3,8 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
 use cyclide::{
-    BlendBase, BlendTube, Body, CanalPatch, ContactBlend, ContactPartner, FaceSurface, NeckSide, PlateShape, Point3,
-    RationalBezier, RationalBezierSurface, RollingBall, TeeEnds, Vec3, surface_joints,
+    BlendBase, BlendTube, Body, CanalPatch, ContactBlend, ContactPartner, Error, FaceSurface, NeckSide, PlateShape,
+    Point3, RationalBezier, RationalBezierSurface, RollingBall, TeeEnds, Vec3, surface_joints,
 };
 use proptest::prelude::*;
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -200,6 +200,62 @@ fn an_upright_boss_has_the_volume_of_its_profile() {
     assert!((blend.made().unwrap().body.outer.volume() / wanted - 1.0).abs() < 1e-10);
 }
 
+/// Over a plane the centres are on an ellipse with the half axes `L/sin α` and L about the tube, L = r + R: it bends with the radius `L sin α` at its ends, where the arc
+/// passes the direction towards the tube, between the places of any grid.
+#[test]
+fn balls_up_to_the_bend_of_their_way_are_accepted_and_others_fold() {
+    let plate = BlendBase::Plane(PlateShape::Rectangle([4000.0, 4000.0]));
+    for degrees in [25.0_f64, 35.0, 40.0] {
+        let (sin, cos) = degrees.to_radians().sin_cos();
+        let direction = Vec3::new(cos, 0.0, sin);
+        let tube = BlendTube { through: Point3::ORIGIN, direction, radius: 10.0, taper: 0.0, length: 3000.0 };
+        let limit = 10.0 * sin / (1.0 - sin);
+        let made = |part: f64| {
+            let ball = part * limit;
+            let blend = ContactBlend::new(tube, plate, ball).and_then(|blend| blend.with_thickness(5.0)).unwrap();
+            (blend.made(), 1.0 - ball / ((10.0 + ball) * sin))
+        };
+        for part in [0.5, 0.999] {
+            let (made, left) = made(part);
+            let facts = made.unwrap().blend;
+            assert!((facts.tightest - left).abs() < 1e-9, "{degrees} {part}: {} {left}", facts.tightest);
+        }
+        let (made, left) = made(1.001);
+        let Err(Error::ContactBlendFolds { left: found, .. }) = made else { panic!("{degrees}: it folds") };
+        assert!((found - left).abs() < 1e-9 && found < 0.0, "{degrees}: {found} {left}");
+    }
+}
+
+/// Cones with the ball inside, and the limit that is named: just below it the ball fits, unless something else is in its way.
+#[test]
+fn the_limit_of_a_ball_inside_a_cone_is_that_of_the_ball_that_touches_it_all_round() {
+    let cone = |direction: [f64; 3], radius: f64, taper: f64| tube([0.0; 3], direction, radius, taper);
+    let off_centre = tube([0.3, 0.0, 0.0], [0.0, 0.0, 1.0], 1.0, 0.2);
+    // On a plane, at the height z on the axis: n z = R, n the rise of the axis.
+    let on_plane = |radius: f64, taper: f64, rise: f64| rise * radius * taper.cos() / (rise + taper.sin());
+    for (tube, base, ball, wanted) in [
+        (BlendTube { length: 18.0, ..cone([0.0, 0.0, 1.0], 10.0, 0.45) }, PLATE, 12.0, Some(on_plane(10.0, 0.45, 1.0))),
+        (
+            BlendTube { length: 18.0, ..cone([0.0, 0.3, 1.0], 10.0, 0.3) },
+            PLATE,
+            12.0,
+            Some(on_plane(10.0, 0.3, 1.0 / 1.09_f64.sqrt())),
+        ),
+        (cone([0.0, 0.4, 1.0], 2.0, 0.0), PLATE, 3.0, Some(2.0)),
+        (BlendTube { length: 3.0, ..off_centre }, SPHERE, 2.2, None),
+    ] {
+        let made = |ball| ContactBlend::new(tube, base, ball).unwrap().with_side(NeckSide::Inside).made();
+        let Err(Error::BallDoesNotFit { limit, radius }) = made(ball) else {
+            panic!("{tube:?}: {:?}", made(ball).err())
+        };
+        assert!((radius - ball).abs() < 1e-15 && limit < ball);
+        assert!(wanted.is_none_or(|wanted| (limit - wanted).abs() < 1e-12), "{limit} {wanted:?}");
+        let refused = |part: f64| made(part * limit).map(|_| "made").unwrap_or_else(|error| error.reason());
+        assert_eq!(refused(1.0 + 1e-6), "ball-does-not-fit", "{tube:?}: {limit}");
+        assert_ne!(refused(1.0 - 1e-6), "ball-does-not-fit", "{tube:?}: {limit}");
+    }
+}
+
 /// The generic canal over a strip of contacts is that of the blend.
 #[test]
 fn the_canal_of_contacts_touches_both_surfaces() {
@@ -225,6 +281,10 @@ fn the_canal_of_contacts_touches_both_surfaces() {
             for (t, contact) in [(0.0, ball.contacts[0]), (1.0, ball.contacts[1])] {
                 assert!(patch.point(s, t).distance(contact) < 1e-9);
             }
+            // The least Jacobian is one of the arc, and no place of it is below: places are 1e-3 apart, least ones flat.
+            let along_arc = (0..=1000).map(|j| patch.jacobian(s, f64::from(j) / 1000.0)).fold(f64::INFINITY, f64::min);
+            let (least, scale) = (patch.least_jacobian(s), 1.0 + along_arc.abs());
+            assert!(least <= along_arc + 1e-12 * scale && least > along_arc - 1e-4 * scale, "{least} {along_arc}");
             for t in [0.2, 0.5, 0.9] {
                 // On the characteristic circle: n·m' = R'. Differences are good to 1e-8.
                 assert!((patch.unit_normal(s, t).dot(motion) - growth).abs() < 1e-7 * motion.length());

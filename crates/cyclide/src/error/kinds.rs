@@ -614,7 +614,7 @@ pub enum Error {
     BallDoesNotFit {
         /// Radius of the ball.
         radius: f64,
-        /// Radius of the pipe.
+        /// The radius of the ball that touches the pipe all round: those that fit are smaller.
         limit: f64,
     },
     /// A solid with the neck of a ball larger than the bends of its way: its surface would run through itself.
@@ -794,7 +794,7 @@ pub enum Error {
     ContactLoopOpen {
         /// The angle round the tube.
         angle: f64,
-        /// What must be positive there: the rise of the tube's line over the plane, or the square of half the distance between both such balls on it.
+        /// What must be positive there: the rise of the tube's line over the plane, the square of half the distance between both such balls on it, or, inside, how far from the axis the centre of the ball is on the side of the contact.
         measured: f64,
     },
     /// The contact of the blend of a cone with a sphere turns back, so that the rest of the sphere would overlap.

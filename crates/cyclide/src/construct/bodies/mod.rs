@@ -26,6 +26,7 @@ mod ruled;
 mod rulings;
 mod swept;
 mod tee;
+mod tight_place;
 mod torus_seam;
 mod tube;
 mod turned_patch;

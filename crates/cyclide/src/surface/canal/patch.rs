@@ -8,6 +8,7 @@
 //! ```
 
 use crate::base::quat::Quat;
+use crate::base::roots::projective_quadratic;
 use crate::base::vector::{Point3, Vec3};
 use crate::error::Result;
 use crate::rational::{Polynomial, PolynomialRow, QuatPolynomial, RationalBezierSurface};
@@ -154,12 +155,20 @@ impl CanalPatch {
         })
     }
 
-    /// A bound from below over the circle at `s` of the [Jacobian](Self::jacobian).
+    /// The least [Jacobian](Self::jacobian) over the arc at `s`.
     #[must_use]
     pub fn least_jacobian(&self, s: f64) -> f64 {
         let [a, b] = self.turns.each_ref().map(|turn| turn.value(s));
-        // A quotient of quadratics in t: between its coefficients.
-        self.jacobian_of(s, [[a, a], [a, b], [b, b]])
+        let [f, g] = self.jacobian_rows(s, [[a, a], [a, b], [b, b]]);
+        // A quotient of quadratics in t: least at an end, or where its derivative, a quadratic over a square, is zero.
+        let minor = |i: usize, j: usize| f[j] * g[i] - f[i] * g[j];
+        let (start, half, end) = (minor(0, 1), 0.5 * minor(0, 2), minor(1, 2));
+        let root = (half * half - start * end).max(0.0).sqrt();
+        let inside = projective_quadratic(start, half, end, root).into_iter().flatten().map(|t| {
+            let value = |c: [f64; 3]| (c[0] * (1.0 - t) + 2.0 * c[1] * t) * (1.0 - t) + c[2] * t * t;
+            value(f) / value(g)
+        });
+        inside.fold((f[0] / g[0]).min(f[2] / g[2]), f64::min)
     }
 
     /// The Jacobian of the canal, `|m'|² - R'² - R R'' + R n·m''`, over `|m'|²`: the surface is regular where it is positive, and has turned inside out where it is
@@ -168,11 +177,12 @@ impl CanalPatch {
     pub fn jacobian(&self, s: f64, t: f64) -> f64 {
         let [a, b] = self.turns.each_ref().map(|turn| turn.value(s));
         let q = a * (1.0 - t) + b * t;
-        self.jacobian_of(s, [[q, q]])
+        let [[f], [g]] = self.jacobian_rows(s, [[q, q]]);
+        f / g
     }
 
-    /// The least of the Jacobian's coefficients for pairs of turns.
-    fn jacobian_of<const N: usize>(&self, s: f64, pairs: [[Quat; 2]; N]) -> f64 {
+    /// Numerators and denominators of the Jacobian, both bilinear in pairs of turns.
+    fn jacobian_rows<const N: usize>(&self, s: f64, pairs: [[Quat; 2]; N]) -> [[f64; N]; 2] {
         let h: [[f64; 3]; 4] = self.center.0.each_ref().map(|entry| entry.jet::<3>(s));
         let [w, dw, ddw] = h[3];
         let quotient = |[x, dx, ddx]: [f64; 3]| {
@@ -184,16 +194,16 @@ impl CanalPatch {
         let [x, y, z] = [h[0], h[1], h[2]].map(quotient);
         let [motion, bend] = [1, 2].map(|k: usize| Vec3::new(x[k], y[k], z[k]));
         let square = motion.length_squared();
+        let denominators = pairs.map(|[p, q]| p.dot(q));
         if square == 0.0 {
-            return 0.0;
+            return [[0.0; N], denominators];
         }
         let k = Quat::new(0.0, 0.0, 0.0, 1.0);
         let at = |p: Quat, q: Quat| {
             let turned = (p * k * q.conj()).vector();
-            ((square - dr * dr - r * ddr) * p.dot(q) + r * turned.dot(bend), p.dot(q))
+            ((square - dr * dr - r * ddr) * p.dot(q) + r * turned.dot(bend)) / square
         };
-        let values = pairs.into_iter().map(|[p, q]| at(p, q)).map(|(value, weight)| value / weight);
-        values.fold(f64::INFINITY, f64::min) / square
+        [pairs.map(|[p, q]| at(p, q)), denominators]
     }
 
     /// Centre and radius of the ball at `s`.

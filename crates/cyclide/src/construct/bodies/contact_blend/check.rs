@@ -4,22 +4,14 @@ use super::ball_loop::BallLoop;
 use super::setup::Setup;
 use crate::base::quat::Quat;
 use crate::base::vector::Vec3;
+use crate::construct::bodies::tight_place::TightPlace;
 use crate::error::{Error, Result};
 use std::f64::consts::TAU;
 
-/// Places of a piece, and of an arc, that are looked at.
+/// Places of a piece that are looked at.
 const PLACES: u32 = 12;
 /// The part of the tube beyond the blend is longer than this part of its radius.
 const LEAST_REST: f64 = 1e-3;
-
-/// Where a blend comes nearest to folding.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct TightPlace {
-    /// What is left there: 1 where the way of the ball is straight, 0 where the blend folds.
-    pub(super) left: f64,
-    /// The angle round the tube.
-    pub(super) angle: f64,
-}
 
 fn places() -> impl Iterator<Item = f64> + Clone {
     (0..=PLACES).map(|k| f64::from(k) / f64::from(PLACES))
@@ -30,16 +22,10 @@ fn places() -> impl Iterator<Item = f64> + Clone {
 /// # Errors
 /// `contact-blend-folds`.
 pub(super) fn check_folds(setup: &Setup, balls: &BallLoop, depth: f64) -> Result<TightPlace> {
-    let mut tightest = TightPlace { left: f64::INFINITY, angle: 0.0 };
-    for piece in &balls.pieces {
+    let tightest = balls.pieces.iter().fold(TightPlace::NONE, |tightest, piece| {
         let canal = piece.canal.offset((setup.sigma * depth).max(0.0));
-        for s in places() {
-            let left = places().map(|t| canal.jacobian(s, t)).fold(f64::INFINITY, f64::min);
-            if left < tightest.left {
-                tightest = TightPlace { left, angle: piece.angle_at(s).rem_euclid(TAU) % TAU };
-            }
-        }
-    }
+        tightest.or_of_piece(|s| canal.least_jacobian(s), |s| piece.angle_at(s).rem_euclid(TAU) % TAU)
+    });
     if tightest.left > 0.0 {
         Ok(tightest)
     } else {
@@ -50,7 +36,7 @@ pub(super) fn check_folds(setup: &Setup, balls: &BallLoop, depth: f64) -> Result
 /// Refuses a ball that does not fit into the tube, or whose contact is beyond the apex.
 ///
 /// # Errors
-/// `ball-does-not-fit`, `radius-not-positive`.
+/// `ball-does-not-fit`, `contact-loop-open` (no ball does), `radius-not-positive`.
 pub(super) fn check_tube(setup: &Setup, balls: &BallLoop, depth: f64) -> Result<()> {
     for piece in &balls.pieces {
         for s in places() {
@@ -60,9 +46,13 @@ pub(super) fn check_tube(setup: &Setup, balls: &BallLoop, depth: f64) -> Result<
             if !(radius > 0.0 && rest > 0.0) {
                 return Err(Error::RadiusNotPositive { radius: radius.min(rest) });
             }
-            let limit = radius / setup.cos;
-            if setup.sigma < 0.0 && !(setup.ball < limit) {
-                return Err(Error::BallDoesNotFit { radius: setup.ball, limit });
+            // How far on this side of the axis the centre is.
+            let measured = radius - setup.ball * setup.cos;
+            if setup.sigma < 0.0 && !(measured > 0.0) {
+                return Err(match setup.ball_on_axis().filter(|limit| *limit > 0.0 && *limit <= setup.ball) {
+                    Some(limit) => Error::BallDoesNotFit { radius: setup.ball, limit },
+                    None => Error::ContactLoopOpen { angle: piece.angle_at(s).rem_euclid(TAU), measured },
+                });
             }
         }
     }

@@ -123,6 +123,21 @@ impl Setup {
         }
     }
 
+    /// The radius of the ball that touches the tube all round from inside, and the plane or the sphere: larger ones do not fit.
+    pub(super) fn ball_on_axis(&self) -> Option<f64> {
+        // A ball with its centre at the height z on the axis touches the tube with the radius `level + z sin`.
+        let level = self.rho * self.cos;
+        let height = match self.base {
+            Base::Plane([_, n1]) => level / (n1 - self.sin),
+            Base::Sphere { e, r } => {
+                let reach = level + r;
+                let square = reach * reach - e * e * self.cos * self.cos;
+                (reach * self.sin - square.sqrt()) / (self.cos * self.cos)
+            }
+        };
+        Some(level + height * self.sin).filter(|radius| radius.is_finite())
+    }
+
     /// The radius of the tube at a depth below its surface and a height.
     pub(super) fn radius_at(&self, depth: f64, height: f64) -> f64 {
         self.rho + height * self.tan - depth / self.cos

@@ -2,10 +2,11 @@
 
 use super::ball_loop::{BallLoop, Balls};
 use crate::construct::bodies::pierced::Node;
+use crate::construct::bodies::tight_place::TightPlace;
 use crate::error::{Error, Result};
 use std::f64::consts::TAU;
 
-/// Places of a piece at which folds are looked for.
+/// Places of a piece that are looked at.
 const PLACES: u32 = 12;
 /// Balls of a loop whose contacts are looked at first.
 const ROUND: u32 = 64;
@@ -14,33 +15,19 @@ pub(super) const LEAST_REST: f64 = 1e-3;
 /// A hole reaches so far round its pipe, to either side, at most.
 const FARTHEST: f64 = 2.6;
 
-/// Where a blend comes nearest to folding.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct TightPlace {
-    /// What is left there: 1 where the way of the ball is straight, 0 where the blend folds.
-    pub(super) left: f64,
-    /// The angle of the ball about the common normal.
-    pub(super) angle: f64,
-}
-
 /// Refuses a blend that folds, by the larger balls of the inner skin.
 ///
 /// # Errors
 /// `crossing-folds`.
 pub(super) fn check_folds(balls: &BallLoop, depth: f64) -> Result<TightPlace> {
-    let mut tightest = TightPlace { left: f64::INFINITY, angle: 0.0 };
-    for piece in &balls.pieces {
+    let tightest = balls.pieces.iter().fold(TightPlace::NONE, |tightest, piece| {
         let canal = piece.patch.offset(depth);
-        for k in 0..=PLACES {
-            let s = f64::from(k) / f64::from(PLACES);
-            let across = (0..=PLACES).map(|j| canal.jacobian(s, f64::from(j) / f64::from(PLACES)));
-            let left = across.fold(f64::INFINITY, f64::min);
-            if left < tightest.left {
-                let (center, _) = canal.ball(s);
-                tightest = TightPlace { left, angle: center.y.atan2(center.x).rem_euclid(TAU) % TAU };
-            }
-        }
-    }
+        let angle = |s: f64| {
+            let (center, _) = canal.ball(s);
+            center.y.atan2(center.x).rem_euclid(TAU) % TAU
+        };
+        tightest.or_of_piece(|s| canal.least_jacobian(s), angle)
+    });
     if tightest.left > 0.0 {
         Ok(tightest)
     } else {

@@ -6,21 +6,11 @@ use super::loop_piece::LoopPiece;
 use super::partition::Partition;
 use super::{PipeTee, Placed};
 use crate::base::bernstein;
+use crate::construct::bodies::tight_place::TightPlace;
 use crate::error::{Error, ErrorItem, Result};
 
-/// Places of a piece, and of an arc, at which folds are looked for.
-const PLACES: usize = 12;
 /// A part of a pipe beyond a blend is longer than this part of its radius.
 const LEAST_REST: f64 = 1e-3;
-
-/// Where a blend comes nearest to folding.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct TightPlace {
-    /// What is left there: 1 where the way of the ball is straight, 0 where the blend folds.
-    pub(super) left: f64,
-    /// The angle round the branch.
-    pub(super) angle: f64,
-}
 
 /// Refuses a blend that folds. With centres m, radii R and the unit normal N of the canal towards the outside of the balls, the derivative along the loop
 /// across the circles has, up to a positive factor, the part `|m'|² - R'² - R R'' - R N·m''`: it must stay positive.
@@ -28,27 +18,19 @@ pub(super) struct TightPlace {
 /// # Errors
 /// `tee-blend-folds`.
 pub(super) fn check_folds(crossing: &Crossing, pieces: &[LoopPiece], depth: f64) -> Result<TightPlace> {
-    let mut tightest = TightPlace { left: f64::INFINITY, angle: 0.0 };
-    for piece in pieces {
+    let tightest = pieces.iter().fold(TightPlace::NONE, |tightest, piece| {
         // The larger balls of the inner skin fold first.
         let canal = Canal::new(crossing, piece, depth);
         let (centres, radii) = (canal.centres(), canal.radii());
-        let surface = canal.surface()?;
-        for k in 0..=PLACES {
-            let t = k as f64 / PLACES as f64;
-            let (m, r) = (centres.jet(t), radii.jet(t));
-            let speed = m.d1.dot(m.d1) - r.d1.x * r.d1.x;
-            for j in 0..=PLACES {
-                let on = surface.point(t, j as f64 / PLACES as f64);
-                let way = on - m.point;
-                let radius = r.point.x;
-                let left = 1.0 - (radius * r.d2.x + way.dot(m.d2)) / speed;
-                if left < tightest.left {
-                    tightest = TightPlace { left, angle: crossing.true_angle(piece.angle(t)) };
-                }
-            }
-        }
-    }
+        let canal = canal.into_patch();
+        let left = |s: f64| {
+            let (motion, growth) = (centres.jet(s).d1, radii.jet(s).d1.x);
+            // The Jacobian is the part of the square of the motion.
+            let square = motion.length_squared();
+            canal.least_jacobian(s) * square / (square - growth * growth)
+        };
+        tightest.or_of_piece(left, |s| crossing.true_angle(piece.angle(s)))
+    });
     if tightest.left > 0.0 {
         return Ok(tightest);
     }

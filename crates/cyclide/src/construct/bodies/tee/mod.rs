@@ -32,7 +32,6 @@ use crate::base::vector::{Point3, Vec3};
 use crate::construct::bodies::pierced::{Ring, Skin};
 use crate::error::{Error, ErrorItem, Result};
 use crate::topology::{Body, Sewing};
-use check::TightPlace;
 use partition::Partition;
 use skin::{Branch, Rings};
 
@@ -283,7 +282,7 @@ impl PipeTee {
         let in_blend = |error: Error| error.in_branch(index, ErrorItem::Blend);
         let Loop { pieces, deviation } = branch.blend.pieces(&crossing).map_err(in_blend)?;
         let depth = self.wall.unwrap_or(0.0);
-        let tight: TightPlace = check::check_folds(&crossing, &pieces, depth)?;
+        let tight = check::check_folds(&crossing, &pieces, depth)?;
         let partition = Partition::new(&crossing, &pieces)?;
         let radii = pieces.iter().map(|piece| radius_law::radii_of(&crossing, piece));
         let radii = radii.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], [c, d]| [a.min(c), b.max(d)]);
