@@ -40,8 +40,7 @@ pub(super) fn from_some(
                 return match check(&curve) {
                     Ok(()) => Ok(curve),
                     Err(Error::UnattainablePoint { points, measured, limit })
-                        if curve.degree() + points.len() <= degree
-                            && curve.degree() + conditions(&points) <= degree =>
+                        if curve.degree() + conditions(&points) <= degree =>
                     {
                         Err(Error::UnattainablePoint { points, measured, limit })
                     }
