@@ -424,6 +424,58 @@ fn curves_are_run_backwards_and_cut() {
     assert_eq!(two.item.curves().iter().map(|c| length(c.as_curve())).collect::<Vec<_>>(), [0.5, 1.5]);
 }
 
+/// A spline of degree 3, and its image under steps.
+fn mapped_nurbs(steps: &str) -> [BuiltObject; 2] {
+    let text = format!(
+        r#"{{"cyclide": 1, "objects": {{"s": {{"type": "nurbs", "degree": 3, "knots": [0, 0, 0, 0, 0.4, 1, 1, 1, 1], "weights": [1, 1, 1.6, 1, 0.8],
+        "control_points": [[0, 0, 1], [8, 24], [30, 34, 5], [55, 20], [78, 8]]}},
+        "t": {{"type": "transform", "of": "s", "steps": [{steps}]}}}}}}"#
+    );
+    let document = Document::parse("m.json", text.as_bytes()).unwrap();
+    document.build().unwrap().try_into().unwrap()
+}
+
+#[test]
+fn maps_that_follow_each_other_are_one_map() {
+    let degree = |built: &BuiltObject| match &built.item.curves()[0] {
+        CurveObject::Nurbs(spline) => spline.degree(),
+        other => panic!("{other:?}"),
+    };
+    let sphere = r#"{"inversion": {"center": [30, -20, 10], "radius": 40}}"#;
+    // Four times, which one by one is of degree 48 and refused, is nothing.
+    for count in [2, 4] {
+        let [spline, image] = mapped_nurbs(&vec![sphere; count].join(", "));
+        assert_eq!((degree(&spline), degree(&image)), (3, 3));
+        // A few roundings of 80.
+        for t in [0.0, 0.1, 0.35, 0.7, 1.0] {
+            assert!(curve(&image).point(t).distance(curve(&spline).point(t)) < 1e-12);
+        }
+    }
+    let steps = format!(r#"{sphere}, {{"translation": [5, 0, 0]}}, {sphere}"#);
+    let [spline, image] = mapped_nurbs(&steps);
+    assert_eq!(degree(&image), 6);
+    let ends = [curve(&spline).point(0.0), curve(&spline).point(1.0)].map(|p| {
+        let center = Point3::new(30.0, -20.0, 10.0);
+        let invert = |p: Point3| center + (p - center) * (1600.0 / (p - center).length_squared());
+        invert(invert(p) + cyclide::Vec3::X * 5.0)
+    });
+    assert!(curve(&image).point(0.0).distance(ends[0]) < 1e-12 && curve(&image).point(1.0).distance(ends[1]) < 1e-12);
+    // Not across a step that is no map.
+    assert_eq!(degree(&mapped_nurbs(&format!(r#"{sphere}, "reverse", {sphere}"#))[1]), 12);
+}
+
+#[test]
+fn a_step_of_several_maps_is_refused_at_its_place() {
+    let sphere = r#"{"inversion": {"center": [5, 5], "radius": 1}}"#;
+    for (steps, place) in [
+        (format!(r#"{sphere}, {sphere}, {{"inversion": {{"center": [5, 5], "radius": -1}}}}"#), "steps[2]"),
+        (format!(r#"{sphere}, {sphere}, {{"inversion": {{"center": [0.5, 0], "radius": 1}}}}"#), "steps[2]"),
+    ] {
+        let error = stepped("square", &steps).unwrap_err();
+        assert!(error.contains(place), "{error}");
+    }
+}
+
 #[test]
 fn what_cannot_be_cut_is_refused_at_its_step() {
     for (of, steps, words) in [

@@ -5,7 +5,10 @@
 use std::path::Path;
 
 use cyclide::{Model, Pose, Units, Vec3};
-use cyclide_io::{BuiltObject, Document, ExportOptions, Exporter, Format, ModelBuilder, Spacing, sample, sample_poses};
+use cyclide_io::{
+    BuiltObject, Document, ExportOptions, Exporter, Format, GeometryReport, ModelBuilder, MotionReport, Report,
+    Spacing, sample, sample_poses,
+};
 
 /// Builds all objects; `poses.csv` and `box.obj` are files.
 fn build_all(objects: &str, table: &str) -> Result<Vec<BuiltObject>, String> {
@@ -200,6 +203,38 @@ fn animations_are_what_they_promise() {
             }
         }
     }
+}
+
+/// What is reported of a motion, and its lines.
+fn reported(fields: &str) -> (MotionReport, String) {
+    let report = Report::new(Units::Millimetre, &[build(&motion(fields)).unwrap()], None);
+    let GeometryReport::Motion(found) = &report.objects[0].geometry else { panic!("{report:?}") };
+    let found = (**found).clone();
+    (found, report.to_string())
+}
+
+#[test]
+fn jumps_at_poses_are_reported() {
+    // Straight on for a second, then up at twice the speed.
+    let poses = r#""poses": [{"position": [0, 0], "time": 0}, {"position": [30, 0], "time": 1}, {"position": [30, 60], "time": 2}]"#;
+    let (found, text) = reported(&format!(r#""kind": "sclerp", {poses}"#));
+    assert!((found.velocity_jump - 30.0 * 5.0_f64.sqrt()).abs() < 1e-9);
+    assert!(text.contains("jumps") && text.contains("velocity 67.082 mm/s"), "{text}");
+    // At constant speed, 45 everywhere, the direction still turns by a right angle.
+    let (found, _) = reported(&format!(r#""kind": "sclerp", "law": "constant-speed", "duration": 2, {poses}"#));
+    assert!((found.velocity_jump - 45.0 * 2.0_f64.sqrt()).abs() < 1e-6);
+    // A spline is C1: its velocity is continuous, its acceleration is not.
+    let poses = r#""poses": [{"position": [0, 0]}, {"position": [30, 0]}, {"position": [30, 60]}, {"position": [-20, 70, 9], "rpy": [0, 1, 0]}]"#;
+    for law in ["as-given", "constant-speed", "eased"] {
+        let (found, text) = reported(&format!(r#""law": "{law}", "duration": 2, {poses}"#));
+        assert!(found.velocity_jump < 1e-6 * found.speed.max, "{law}: {found:?}");
+        assert!(found.acceleration_jump > 1e-2 * found.acceleration, "{law}: {found:?}");
+        assert!(text.contains("between poses"), "{text}");
+    }
+    // From pose to pose there is nothing to jump at.
+    let (found, text) = reported(TWO);
+    assert_eq!([found.velocity_jump, found.acceleration_jump, found.angular_velocity_jump], [0.0; 3]);
+    assert!(!text.contains("jumps"), "{text}");
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! What is reported of motions.
 
-use cyclide::{Motion, MotionJet, MovingBody, TimeLaw, Vec3};
+use cyclide::{Motion, MotionJet, MovingBody, Vec3};
 use serde::Serialize;
 
 use super::RangeReport;
@@ -38,12 +38,14 @@ pub struct MotionReport {
     pub speed: RangeReport,
     /// Angular speed, radians per second.
     pub angular_speed: RangeReport,
-    /// Largest acceleration of the tool.
+    /// Largest acceleration of the tool between poses.
     pub acceleration: f64,
-    /// Largest jerk of the tool.
+    /// Largest jerk of the tool between poses.
     pub jerk: f64,
-    /// Largest jump of the velocity of the tool from span to span.
+    /// Largest jump of the velocity of the tool from span to span: where there is one, the acceleration has no bound.
     pub velocity_jump: f64,
+    /// Largest jump of the acceleration of the tool from span to span: where there is one, the jerk has no bound.
+    pub acceleration_jump: f64,
     /// Largest jump of the angular velocity from span to span, radians per second.
     pub angular_velocity_jump: f64,
 }
@@ -70,16 +72,18 @@ impl MotionReport {
             acceleration: 0.0,
             jerk: 0.0,
             velocity_jump: 0.0,
+            acceleration_jump: 0.0,
             angular_velocity_jump: 0.0,
         };
         // The body was measured when it was made: what it cannot be measured by was refused.
         if let Ok(schedule) = body.schedule() {
-            report.measure(motion, |fraction| schedule.jet(fraction), body);
+            report.measure(motion, |fraction| schedule.jet(fraction), |fraction| schedule.timing().time_at(fraction));
         }
         report
     }
 
-    fn measure(&mut self, motion: &Motion, at: impl Fn(f64) -> MotionJet, body: &MovingBody) {
+    /// Measures what the body does when a part of the duration is over, and what time of the motion it is then.
+    fn measure(&mut self, motion: &Motion, at: impl Fn(f64) -> MotionJet, own_time: impl Fn(f64) -> f64) {
         let count = PLACES * self.spans;
         let step = self.duration / count as f64;
         let mut before: Option<MotionJet> = None;
@@ -99,14 +103,12 @@ impl MotionReport {
             }
             before = Some(jet);
         }
-        let own = self.duration / (motion.domain()[1] - motion.domain()[0]);
-        if body.law() == TimeLaw::AsGiven {
-            for time in &motion.times()[1..self.spans] {
-                let [left, right] = [time.next_down(), *time].map(|t| motion.jet(t, body.tool()));
-                let jump = |f: fn(&MotionJet) -> Vec3| (f(&right) - f(&left)).length() / own;
-                self.velocity_jump = self.velocity_jump.max(jump(|jet| jet.point.d1));
-                self.angular_velocity_jump = self.angular_velocity_jump.max(jump(|jet| jet.angular_velocity));
-            }
+        for time in &motion.times()[1..self.spans] {
+            let [left, right] = beside(|fraction| own_time(fraction) < *time).map(&at);
+            let jump = |f: fn(&MotionJet) -> Vec3| (f(&right) - f(&left)).length();
+            self.velocity_jump = self.velocity_jump.max(jump(|jet| jet.point.d1));
+            self.acceleration_jump = self.acceleration_jump.max(jump(|jet| jet.point.d2));
+            self.angular_velocity_jump = self.angular_velocity_jump.max(jump(|jet| jet.angular_velocity));
         }
     }
 
@@ -121,10 +123,36 @@ impl MotionReport {
         let speed = super::text::range(&self.speed);
         line("speed", format!("{speed} {units}/s, angular {} rad/s", super::text::range(&self.angular_speed)))?;
         let (acceleration, jerk) = (short(self.acceleration), short(self.jerk));
-        line("at most", format!("acceleration {acceleration} {units}/s², jerk {jerk} {units}/s³"))?;
+        let between = if self.spans > 1 { " between poses" } else { "" };
+        line("at most", format!("acceleration {acceleration} {units}/s², jerk {jerk} {units}/s³{between}"))?;
+        if self.spans > 1 {
+            let [velocity, acceleration] = [self.velocity_jump, self.acceleration_jump].map(short);
+            let angular = short(self.angular_velocity_jump);
+            line(
+                "jumps",
+                format!(
+                    "velocity {velocity} {units}/s, angular {angular} rad/s, acceleration {acceleration} {units}/s² at poses"
+                ),
+            )?;
+        }
         if let Some(degree) = self.degree {
             line("degree", format!("{degree} of the paths of points, exact"))?;
         }
         Ok(())
     }
+}
+
+/// The parts of the duration next to where something ends that holds from 0 on: the last with it, the first without.
+fn beside(holds: impl Fn(f64) -> bool) -> [f64; 2] {
+    // Positive numbers are in the order of their bits.
+    let (mut with, mut without) = (0.0_f64.to_bits(), 1.0_f64.to_bits());
+    while without - with > 1 {
+        let middle = with + (without - with) / 2;
+        if holds(f64::from_bits(middle)) {
+            with = middle;
+        } else {
+            without = middle;
+        }
+    }
+    [with, without].map(f64::from_bits)
 }

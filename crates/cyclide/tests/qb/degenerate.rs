@@ -2,8 +2,8 @@
 
 use crate::data::PARAMETERS;
 use cyclide::{
-    HPoint, MoebiusSplineOptions, NodeParameters, ParamCurve, Point3, QbCurve, QbInterpolation, QbNode, QbSpline, Quat,
-    Vec3, circle_tangents,
+    Error, HPoint, MoebiusSplineOptions, NodeParameters, ParamCurve, Point3, QbCurve, QbInterpolation, QbNode,
+    QbSpline, Quat, Vec3, circle_tangents,
 };
 
 fn five() -> [Point3; 5] {
@@ -47,16 +47,68 @@ fn interpolation_names_what_is_wrong() {
     }
 }
 
+/// Points in space that are on no curve of low degree.
+fn wild(count: u32) -> Vec<Point3> {
+    let noise = |x: f64| (x * 78.233).sin() * 43_758.545;
+    let coordinate = |k: u32| noise(f64::from(k) + 0.37).fract();
+    (0..count).map(|i| Point3::new(coordinate(3 * i), coordinate(3 * i + 1), coordinate(3 * i + 2))).collect()
+}
+
 #[test]
 fn high_degrees_are_refused() {
-    let points: Vec<Point3> = (0..41)
-        .map(|i| {
-            let x = f64::from(i);
-            Point3::new((7.0 * x).sin(), (5.0 * x * x).cos(), (3.0 * x + 1.0).sin())
-        })
+    for count in [27, 41, 101, 401, 2001] {
+        for parameters in [NodeParameters::Uniform, NodeParameters::Chord] {
+            let error = QbInterpolation::through_points(&wild(count), &parameters).unwrap_err();
+            assert_eq!(error, Error::DegreeTooHigh { degree: count as usize / 2, limit: 12 });
+        }
+    }
+    let node = |(k, point): (usize, &Point3)| QbNode {
+        parameter: k as f64 / 40.0,
+        point: *point,
+        derivatives: vec![Vec3::X; usize::from(k % 2 == 0) * 2],
+    };
+    let nodes: Vec<QbNode> = wild(41).iter().enumerate().map(node).collect();
+    let error = QbInterpolation::through_nodes(&nodes).unwrap_err();
+    assert_eq!(error, Error::DegreeTooHigh { degree: (41 + 42) / 2, limit: 12 });
+}
+
+/// A curve that is not plane, of degree 2, and its parameters.
+fn quadratic(count: usize) -> (QbCurve, Vec<f64>) {
+    let found = QbInterpolation::through_points(&five(), &NodeParameters::Chord).unwrap();
+    (found.curve().clone(), (0..count).map(|k| k as f64 / (count - 1) as f64).collect())
+}
+
+#[test]
+fn many_points_on_a_curve_of_low_degree_give_it() {
+    let (curve, t) = quadratic(401);
+    let points: Vec<Point3> = t.iter().map(|t| curve.point(*t)).collect();
+    let found = QbInterpolation::through_points(&points, &NodeParameters::Given(t.clone())).unwrap();
+    assert_eq!((found.curve().degree(), found.attainability().len()), (2, 401));
+    assert!(found.warnings().is_empty());
+    let nodes: Vec<QbNode> = t
+        .iter()
+        .map(|t| QbNode { parameter: *t, point: curve.point(*t), derivatives: curve.derivatives(*t, 2) })
         .collect();
-    let error = QbInterpolation::through_points(&points, &NodeParameters::Uniform).unwrap_err();
-    assert!(["degree-too-high", "unattainable-point"].contains(&error.reason()), "{error}");
+    let jets = QbInterpolation::through_nodes(&nodes).unwrap();
+    assert_eq!(jets.curve().degree(), 2);
+    // Five points among 25 of a curve of size 6: a few roundings, as of five points alone.
+    for t in PARAMETERS {
+        assert!(found.curve().point(t).distance(curve.point(t)) < 1e-11);
+        assert!(jets.curve().point(t).distance(curve.point(t)) < 1e-11);
+    }
+}
+
+#[test]
+fn a_few_points_off_a_curve_of_low_degree_are_named() {
+    let (curve, t) = quadratic(401);
+    let mut points: Vec<Point3> = t.iter().map(|t| curve.point(*t)).collect();
+    // One of those that make the curve, and one that does not.
+    for off in [0, 123] {
+        points[off] = points[off] + Vec3::new(0.0, 0.1, 0.2);
+    }
+    let error = QbInterpolation::through_points(&points, &NodeParameters::Given(t)).unwrap_err();
+    let Error::UnattainablePoint { points, .. } = error else { panic!("{error}") };
+    assert_eq!(points, [0, 123]);
 }
 
 #[test]

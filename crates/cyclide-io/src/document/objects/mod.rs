@@ -23,6 +23,7 @@ mod surfaces;
 mod swept;
 mod tees;
 mod torus;
+mod transform;
 mod tubes;
 
 use std::io;

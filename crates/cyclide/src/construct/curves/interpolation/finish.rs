@@ -5,7 +5,7 @@ use crate::base::bernstein;
 use crate::base::quat::Quat;
 use crate::base::vector::Point3;
 use crate::curve::QbCurve;
-use crate::error::{Error, Result};
+use crate::error::Result;
 use crate::warning::Warning;
 
 /// Nodes of whose weight less is left than this are not attained.
@@ -24,7 +24,7 @@ const FAR: f64 = 3.0;
 const GAUGE: f64 = 1e-3;
 
 /// Largest degree made: control points of higher ones have lost their digits.
-const MOST_DEGREE: usize = 12;
+pub(super) const MOST_DEGREE: usize = 12;
 
 /// A QB curve through points, with what is known of it.
 ///
@@ -81,16 +81,13 @@ impl QbInterpolation {
     /// The curve that data in their frame have: looked at for poles and far runs.
     ///
     /// # Errors
-    /// `degree-too-high`, `curve-through-infinity`.
+    /// `curve-through-infinity`.
     pub(super) fn finish(
         curve: QbCurve,
         frame: DataFrame,
         parameters: Vec<f64>,
         attainability: Vec<f64>,
     ) -> Result<Self> {
-        if curve.degree() > MOST_DEGREE {
-            return Err(Error::DegreeTooHigh { degree: curve.degree(), limit: MOST_DEGREE });
-        }
         curve.check_reach(frame.center, frame.radius)?;
         let mut warnings = Vec::new();
         let mut needle = |(point, width): (usize, &f64)| {

@@ -8,9 +8,10 @@
 //! (`docs/math/qb-interpolation.md#derivatives`; own derivation).
 
 use super::elimination::null_vector;
-use super::finish::{ATTAINED, MISSED, QbInterpolation, end_points, one_point, placed};
+use super::finish::{MISSED, QbInterpolation, end_points, one_point, placed};
 use super::frame::DataFrame;
-use super::loewner::check_parameters;
+use super::loewner::{check_attained, check_parameters, in_order};
+use super::overdetermined::{MOST_CONDITIONS, from_some};
 use crate::base::quat::Quat;
 use crate::base::range;
 use crate::base::vector::{Point3, Vec3};
@@ -44,7 +45,8 @@ struct Jet {
 }
 
 impl QbInterpolation {
-    /// The curve through nodes in any order; points and derivatives are an odd number together, `2n + 1` for a curve of degree `n`.
+    /// The curve through nodes in any order; points and derivatives are an odd number together, `2n + 1` for a curve of degree `n`. Of more than
+    /// 25 of them 25 make the curve, as of [points](Self::through_points).
     ///
     /// # Errors
     /// `even-point-count`, `not-finite`, `parameter-out-of-range`, `repeated-parameter`, `unattainable-point`, `degree-too-high`
@@ -71,25 +73,44 @@ impl QbInterpolation {
             return Self::finish(one_point(points[0]), frame, t, vec![1.0; nodes.len()]);
         }
         let jets: Vec<Jet> = nodes.iter().map(|node| jet_of(node, frame)).collect();
-        let degree = conditions / 2;
-        let solved = null_vector(rows_of(&jets, degree), 2 * degree + 2);
-        let found = pairs_of(&solved.entries);
-        let general = placed(found.clone(), DataFrame { radius: 1.0, ..frame }, [None; 2]);
-        let attainability: Vec<f64> = t.iter().map(|t| size_at(&general, *t)).collect();
-        let failing: Vec<usize> = (0..t.len()).filter(|k| attainability[*k] <= ATTAINED).collect();
-        if let Some(&first) = failing.first() {
-            return Err(Error::UnattainablePoint { points: failing, measured: attainability[first], limit: ATTAINED });
-        }
-        let lower = solved.rank.saturating_sub(degree + 1);
-        let pairs =
-            if lower < degree { pairs_of(&null_vector(rows_of(&jets, lower), 2 * lower + 2).entries) } else { found };
-        let curve = placed(pairs, frame, [None; 2]);
-        check_met(&curve, &jets, frame, spread)?;
+        let check = |curve: &QbCurve| check_met(curve, &jets, frame, spread);
+        let (curve, attainability) = if conditions <= MOST_CONDITIONS {
+            let found = through(&jets, frame)?;
+            check(&found.0)?;
+            found
+        } else {
+            let owners: Vec<usize> =
+                in_order(&t).into_iter().flat_map(|k| std::iter::repeat_n(k, jets[k].taylor.len())).collect();
+            let first = |&(k, count): &(usize, usize)| Jet { t: t[k], taylor: jets[k].taylor[..count].to_vec() };
+            let through_some = |chosen: &[(usize, usize)]| {
+                through(&chosen.iter().map(first).collect::<Vec<_>>(), frame).map(|(curve, _)| curve)
+            };
+            let curve = from_some(&owners, through_some, check)?;
+            let attainability = t.iter().map(|t| size_at(&curve, *t)).collect();
+            (curve, attainability)
+        };
         let [start, end] = end_points(&t, &points);
         // How far the curve runs is measured by its points, where there are several.
         let seen = if spread > 0.0 { DataFrame { radius: spread, ..frame } } else { frame };
         Self::finish(curve.with_ends(start, end), seen, t, attainability)
     }
+}
+
+/// The curve that jets ask for in the frame of the data, before it is looked at, and what is left of its weight at each.
+///
+/// # Errors
+/// `unattainable-point`.
+fn through(jets: &[Jet], frame: DataFrame) -> Result<(QbCurve, Vec<f64>)> {
+    let degree = jets.iter().map(|jet| jet.taylor.len()).sum::<usize>() / 2;
+    let solved = null_vector(rows_of(jets, degree), 2 * degree + 2);
+    let found = pairs_of(&solved.entries);
+    let general = placed(found.clone(), DataFrame { radius: 1.0, ..frame }, [None; 2]);
+    let attainability: Vec<f64> = jets.iter().map(|jet| size_at(&general, jet.t)).collect();
+    check_attained(&attainability)?;
+    let lower = solved.rank.saturating_sub(degree + 1);
+    let pairs =
+        if lower < degree { pairs_of(&null_vector(rows_of(jets, lower), 2 * lower + 2).entries) } else { found };
+    Ok((placed(pairs, frame, [None; 2]), attainability))
 }
 
 fn factorials() -> impl Iterator<Item = f64> {

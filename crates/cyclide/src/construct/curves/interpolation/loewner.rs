@@ -12,6 +12,7 @@
 use super::elimination::{NullVector, null_vector};
 use super::finish::{ATTAINED, MISSED, QbInterpolation, end_points, one_point, placed, with_roots};
 use super::frame::DataFrame;
+use super::overdetermined::{MOST_CONDITIONS, from_some};
 use super::parameters::NodeParameters;
 use crate::base::quat::Quat;
 use crate::base::range;
@@ -21,7 +22,8 @@ use crate::error::{Error, ErrorItem, Result};
 
 impl QbInterpolation {
     /// The curve through an odd number of points, in their order, at their parameters; those given have to be in `[0, 1]` and differ, in any
-    /// order. Through `2n + 1` points it has the degree `n`, or less where they lie on a curve of lower degree.
+    /// order. Through `2n + 1` points it has the degree `n`, or less where they lie on a curve of lower degree. Of more than 25 points, which
+    /// ask for a degree above 12, 25 that are spread over all make the curve, and the others have to be on it.
     ///
     /// # Errors
     /// `count-differs`, `even-point-count`, `not-finite`, `parameter-out-of-range`, `coincident-points` (of parameters by distance),
@@ -46,19 +48,53 @@ impl QbInterpolation {
             return Self::finish(one_point(points[0]), frame, t, vec![1.0; points.len()]);
         }
         let local: Vec<Quat> = points.iter().map(|p| frame.local(*p)).collect();
-        let (solved, n) = (solve(&t, &local), points.len() / 2);
-        let attainability = solved.attainability(&t);
-        let failing: Vec<usize> = (0..t.len()).filter(|k| attainability[*k] <= ATTAINED).collect();
-        if let Some(&first) = failing.first() {
-            return Err(Error::UnattainablePoint { points: failing, measured: attainability[first], limit: ATTAINED });
-        }
-        let pairs =
-            if solved.rank < n { drop_degree(&t, &local, solved.rank) } else { pairs_of(&t, &local, &solved.entries) };
-        let curve = placed(pairs, frame, [None; 2]);
-        check_met(&curve, &t, &local, frame)?;
+        let check = |curve: &QbCurve| check_met(curve, &t, &local, frame);
+        let (curve, attainability) = if t.len() <= MOST_CONDITIONS {
+            let found = through(&t, &local, frame)?;
+            check(&found.0)?;
+            found
+        } else {
+            let through_some = |chosen: &[(usize, usize)]| {
+                let (s, a): (Vec<f64>, Vec<Quat>) = chosen.iter().map(|(k, _)| (t[*k], local[*k])).unzip();
+                through(&s, &a, frame).map(|(curve, _)| curve)
+            };
+            let curve = from_some(&in_order(&t), through_some, check)?;
+            let attainability = t.iter().map(|t| curve.weight_at(*t)).collect();
+            (curve, attainability)
+        };
         let [start, end] = end_points(&t, points);
         Self::finish(curve.with_ends(start, end), frame, t, attainability)
     }
+}
+
+/// The curve through points in the frame of the data, before it is looked at, and what is left of its weight at each.
+///
+/// # Errors
+/// `unattainable-point`.
+fn through(t: &[f64], a: &[Quat], frame: DataFrame) -> Result<(QbCurve, Vec<f64>)> {
+    let (solved, n) = (solve(t, a), t.len() / 2);
+    let attainability = solved.attainability(t);
+    check_attained(&attainability)?;
+    let pairs = if solved.rank < n { drop_degree(t, a, solved.rank) } else { pairs_of(t, a, &solved.entries) };
+    Ok((placed(pairs, frame, [None; 2]), attainability))
+}
+
+/// Refuses nodes of whose weight too little is left.
+pub(super) fn check_attained(attainability: &[f64]) -> Result<()> {
+    let failing: Vec<usize> = (0..attainability.len()).filter(|k| attainability[*k] <= ATTAINED).collect();
+    match failing.first() {
+        Some(&first) => {
+            Err(Error::UnattainablePoint { points: failing, measured: attainability[first], limit: ATTAINED })
+        }
+        None => Ok(()),
+    }
+}
+
+/// The nodes as their parameters follow each other.
+pub(super) fn in_order(t: &[f64]) -> Vec<usize> {
+    let mut order: Vec<usize> = (0..t.len()).collect();
+    order.sort_by(|a, b| t[*a].total_cmp(&t[*b]));
+    order
 }
 
 /// Refuses parameters outside `[0, 1]` and equal ones.
@@ -66,9 +102,7 @@ pub(super) fn check_parameters(t: &[f64]) -> Result<()> {
     if let Some(value) = t.iter().find(|t| !(0.0..=1.0).contains(*t)) {
         return Err(Error::ParameterOutOfRange { name: ErrorItem::Parameter, value: *value, min: 0.0, max: 1.0 });
     }
-    let mut order: Vec<usize> = (0..t.len()).collect();
-    order.sort_by(|a, b| t[*a].total_cmp(&t[*b]));
-    match order.windows(2).find(|w| t[w[0]] - t[w[1]] == 0.0) {
+    match in_order(t).windows(2).find(|w| t[w[0]] - t[w[1]] == 0.0) {
         Some(w) => {
             let [first, second] = [w[0].min(w[1]), w[0].max(w[1])];
             Err(Error::RepeatedParameter { first, second, value: t[first] })
@@ -100,8 +134,7 @@ impl NullVector {
 
 /// The curve of lower degree through all points, from so many of them that are spread.
 fn drop_degree(t: &[f64], a: &[Quat], degree: usize) -> Vec<(Quat, Quat)> {
-    let mut order: Vec<usize> = (0..t.len()).collect();
-    order.sort_by(|x, y| t[*x].total_cmp(&t[*y]));
+    let order = in_order(t);
     let last = t.len() - 1;
     let chosen: Vec<usize> =
         (0..=2 * degree).map(|k| order[if degree > 0 { k * last / (2 * degree) } else { 0 }]).collect();

@@ -10,6 +10,7 @@ mod finish;
 mod frame;
 mod hermite;
 mod loewner;
+mod overdetermined;
 mod parameters;
 mod three_points;
 

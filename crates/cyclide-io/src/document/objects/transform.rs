@@ -1,0 +1,193 @@
+//! Images of other objects under chains of maps.
+
+use std::ops::Range;
+
+use cyclide::{
+    Conformal as _, CurveObject, ErrorItem, HPoint, Mobius, Point3, Quat, ShortNumber, SurfaceObject, Vec3, bounds,
+    closest_point,
+};
+
+use super::Builder;
+use crate::document::angle::Angle;
+use crate::document::coordinates::Coordinates;
+use crate::document::locate::Step;
+use crate::document::spec::{CutSpec, RotationSpec, StepSpec, TransformSpec};
+use crate::error::Result;
+
+impl Builder<'_> {
+    /// The images of curves.
+    pub(super) fn mapped_curves(&self, spec: &TransformSpec) -> Result<Vec<CurveObject>> {
+        let curves = self.sources.first().map_or(&[][..], |source| source.item.curves());
+        let image = |curve: &CurveObject, step: &StepSpec| match step {
+            StepSpec::Reverse => Ok(curve.reversed()),
+            StepSpec::Cut(CutSpec::Parameters([from, to])) => curve.restricted(*from, *to),
+            StepSpec::Cut(CutSpec::Stations([from, to])) => curve.restricted_to_stations(*from, *to),
+            _ => image_of_curve(curve, &map_of(step)?),
+        };
+        let kept = "circles, circle splines and curves on tori are moved, turned, scaled and mirrored only; arcs and chains of arcs take inversions too";
+        let mut curves = curves.to_vec();
+        for run in runs(&spec.steps) {
+            let at_once = composed(&spec.steps[run.clone()]).and_then(|map| {
+                curves.iter().map(|curve| image_of_curve(curve, &map)).collect::<cyclide::Result<Vec<_>>>().ok()
+            });
+            curves = match at_once {
+                Some(images) => images,
+                None => self.mapped(spec, run, &curves, image, kept)?,
+            };
+        }
+        Ok(curves)
+    }
+
+    /// The images of surfaces.
+    pub(super) fn mapped_surfaces(&self, spec: &TransformSpec) -> Result<Vec<SurfaceObject>> {
+        if self.sources.first().is_some_and(|source| source.item.motion().is_some()) {
+            return Err(self.wrong_source("a motion is placed by its poses, not by a `transform`"));
+        }
+        let surfaces = self.sources.first().map_or(&[][..], |source| source.item.surfaces());
+        let kept = "surfaces with rational faces, as those of tees, seams and profiles that are no arcs, and surfaces over triangles are moved, turned, scaled and mirrored only; patches whose parameter lines are circles take inversions too";
+        let of_curves = |step: &StepSpec| matches!(step, StepSpec::Reverse | StepSpec::Cut(_));
+        if let Some(index) = spec.steps.iter().position(of_curves).filter(|_| !surfaces.is_empty()) {
+            return Err(
+                self.wrong_source_at([Step::from("steps"), Step::from(index)], "only curves are run backwards or cut")
+            );
+        }
+        self.mapped(spec, 0..spec.steps.len(), surfaces, |surface, step| surface.transformed(&map_of(step)?), kept)
+    }
+
+    /// Applies some of the steps one by one, so that a message can show the step at fault; `kept` says what other maps are for.
+    fn mapped<T: Clone>(
+        &self,
+        spec: &TransformSpec,
+        steps: Range<usize>,
+        objects: &[T],
+        image: impl Fn(&T, &StepSpec) -> cyclide::Result<T>,
+        kept: &str,
+    ) -> Result<Vec<T>> {
+        let mut objects = objects.to_vec();
+        for index in steps {
+            let step = &spec.steps[index];
+            let several = objects.len() > 1;
+            for (contour, object) in objects.iter_mut().enumerate() {
+                *object = image(object, step).map_err(|e| {
+                    let place = [Step::from("steps"), Step::from(index)];
+                    match (step, &e) {
+                        (_, cyclide::Error::NotASimilarity { .. }) => {
+                            self.refused_in_words(place, e.reason(), format!("{e}: {kept}"))
+                        }
+                        (StepSpec::Cut(cut), cyclide::Error::ParameterOutOfRange { max, .. }) => {
+                            // Contours differ in length.
+                            let which = if several { format!("contour {contour}: ") } else { String::new() };
+                            self.refused_in_words(place, e.reason(), which + &no_part(cut, *max))
+                        }
+                        _ => self.refused_at(place, &e),
+                    }
+                })?;
+            }
+        }
+        Ok(objects)
+    }
+
+    /// Warns of rotations by more than a turn whose numbers may be meant as degrees.
+    pub(super) fn warn_of_many_turns(&mut self, spec: &TransformSpec) {
+        for (index, step) in spec.steps.iter().enumerate() {
+            let StepSpec::Rotation(RotationSpec { angle: Angle::Radians(angle), .. }) = *step else { continue };
+            if angle.abs() <= std::f64::consts::TAU {
+                continue;
+            }
+            let steps = ["steps".into(), index.into(), "rotation".into(), "angle".into()];
+            let place = self.place_of(steps);
+            let radians = ShortNumber(angle.to_radians());
+            self.ask_about_turns(angle, place, &format!("write `{{\"degrees\": {angle}}}` or {radians}"));
+        }
+    }
+}
+
+/// Smallest distance of a curve from the point that goes to infinity, relative to the coordinates of both: they are rounded by
+/// 1e-16 of them, and the image of a point next to it by that part of a distance that is so small.
+const SMALLEST_DISTANCE: f64 = 5e-11;
+
+/// Refuses a curve so near the point that goes to infinity that its image has lost its digits.
+///
+/// # Errors
+/// `point-at-infinity`.
+fn check_far_from_pole(curve: &CurveObject, map: &Mobius) -> cyclide::Result<()> {
+    if map.is_similarity() {
+        return Ok(());
+    }
+    let infinity = HPoint { n: Quat::ONE, d: Quat::ZERO };
+    let Some(pole) = map.inverse().map_pair(infinity).quotient().map(|q| Point3::ORIGIN + q.vector()) else {
+        return Ok(());
+    };
+    let curve = curve.as_curve();
+    let limit = SMALLEST_DISTANCE * bounds(curve).including(pole).max_abs();
+    let distance = closest_point(curve, pole).distance;
+    if distance < limit {
+        Err(cyclide::Error::PointAtInfinity { what: ErrorItem::Curve, index: 0, distance, limit })
+    } else {
+        Ok(())
+    }
+}
+
+/// The image of a curve under one map.
+fn image_of_curve(curve: &CurveObject, map: &Mobius) -> cyclide::Result<CurveObject> {
+    check_far_from_pole(curve, map)?;
+    curve.transformed(map)
+}
+
+/// The steps in runs of maps, and of what else is done to curves.
+fn runs(steps: &[StepSpec]) -> Vec<Range<usize>> {
+    let mut end = 0;
+    let of_length = |run: &[StepSpec]| {
+        let start = end;
+        end += run.len();
+        start..end
+    };
+    steps.chunk_by(|a, b| is_map(a) == is_map(b)).map(of_length).collect()
+}
+
+fn is_map(step: &StepSpec) -> bool {
+    !matches!(step, StepSpec::Reverse | StepSpec::Cut(_))
+}
+
+/// The one map that a run of maps is, where more than one of them is no similarity: each of those doubles the degree of a rational curve, all
+/// of them together double it once, or not at all. `None` of other runs, and where a step is no map.
+fn composed(run: &[StepSpec]) -> Option<Mobius> {
+    let maps: Vec<Mobius> =
+        run.iter().filter(|step| is_map(step)).map(|step| map_of(step).ok()).collect::<Option<_>>()?;
+    let several = maps.iter().filter(|map| !map.is_similarity()).count() > 1;
+    several.then(|| maps.iter().fold(Mobius::IDENTITY, |before, map| map.after(&before)))
+}
+
+/// What is wrong with the places of a cut, of which stations are `length` at most.
+fn no_part(cut: &CutSpec, length: f64) -> String {
+    let (what, [from, to], most) = match cut {
+        CutSpec::Parameters(ends) => ("parameters", ends, 1.0),
+        CutSpec::Stations(ends) => ("stations", ends, length),
+    };
+    let most = ShortNumber(most);
+    format!(
+        "there is no part between the {what} {from} and {to}: they are from 0 to {most}, and the second is larger, of a closed curve not the same"
+    )
+}
+
+/// The map of one step; what is no map moves nothing.
+fn map_of(step: &StepSpec) -> cyclide::Result<Mobius> {
+    let origin = |given: Option<Coordinates>| given.unwrap_or_default().point();
+    match step {
+        StepSpec::Inversion(s) => Mobius::inversion(s.center.point(), s.radius),
+        StepSpec::Translation(v) => Mobius::translation(v.vector()),
+        StepSpec::Rotation(s) => {
+            Mobius::rotation(origin(s.center), s.axis.map_or(Vec3::Z, Coordinates::vector), s.angle.turn())
+        }
+        StepSpec::Scale(s) => {
+            let center = origin(s.center).to_vec();
+            Mobius::similarity(Quat::ONE, s.factor, center * (1.0 - s.factor))
+        }
+        StepSpec::Mirror(s) => Mobius::reflection(origin(s.origin), s.normal.vector()),
+        StepSpec::Matrix(rows) => {
+            let [[a, b], [c, e]] = rows.map(|row| row.map(|[w, x, y, z]| Quat::new(w, x, y, z)));
+            Mobius::from_matrix(a, b, c, e)
+        }
+        StepSpec::Reverse | StepSpec::Cut(_) => Mobius::translation(Vec3::ZERO),
+    }
+}
