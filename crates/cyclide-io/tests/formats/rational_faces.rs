@@ -77,9 +77,12 @@ fn step_has_the_rational_surfaces_and_edges_themselves() {
             let (_, bytes) = report(&model, Format::Step, &options);
             let text = String::from_utf8(bytes.clone()).unwrap();
             let SurfaceObject::Body(body) = &model.items[0].surfaces()[0] else { unreachable!() };
-            let faces: usize = body.shells().map(|shell| shell.faces().len()).sum();
+            // The egg is halved between its poles: readers do not integrate its faces as they are.
+            let halved = |shell: &Shell| shell.halved(|_, _| [shell.is_closed(), false], 1).unwrap();
+            let shells: Vec<Shell> = body.shells().map(halved).collect();
+            let faces: usize = shells.iter().map(|shell| shell.faces().len()).sum();
             assert_eq!(text.matches("B_SPLINE_SURFACE_WITH_KNOTS").count(), faces);
-            let edges: usize = body.shells().map(|shell| shell.edges().len()).sum();
+            let edges: usize = shells.iter().map(|shell| shell.edges().len()).sum();
             assert_eq!(text.matches("B_SPLINE_CURVE_WITH_KNOTS").count(), edges, "shared edges are written once");
             let content = read_back(Format::Step, &bytes).unwrap();
             assert_eq!(content.bodies[0].solid, body.shells().all(Shell::is_closed));
@@ -92,12 +95,14 @@ fn step_has_the_rational_surfaces_and_edges_themselves() {
 fn a_moved_control_point_is_found() {
     let [egg, _] = models();
     let exporter = Exporter::new(&egg).unwrap();
-    for format in [Format::Step, Format::Json] {
+    for (format, height, moved) in
+        [(Format::Step, "-0.5186046511627906", "-0.5186076511627906"), (Format::Json, "1.3", "1.300003")]
+    {
         let mut file = exporter.export(format, &ExportOptions::default()).unwrap();
         assert!(exporter.deviation(format, &file).unwrap() < 1e-14);
         let text = String::from_utf8(file.bytes.clone()).unwrap();
-        assert!(text.contains("1.3"), "the height of a control point");
-        file.bytes = text.replacen("1.3", "1.300003", 1).into_bytes();
+        assert!(text.contains(height), "the height of a control point");
+        file.bytes = text.replacen(height, moved, 1).into_bytes();
         let deviation = exporter.deviation(format, &file);
         assert!(deviation.as_ref().map_or(true, |d| *d > 1e-7), "{format:?}: {deviation:?}");
     }
