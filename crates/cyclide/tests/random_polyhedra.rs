@@ -59,10 +59,13 @@ proptest! {
         let area_off = (area / polyhedron.offset_area(radius) - 1.0).abs();
         prop_assert!(volume_off < 1e-9 && area_off < 1e-9, "volume {volume_off:e} area {area_off:e}");
         let shallow = polyhedron.warnings().iter().any(|warning| warning.reason() == "shallow-edges");
-        let is_narrow = polyhedron.faces().iter().any(|corners| narrowness(&polyhedron, corners) < 1e-6);
+        let lengths = || polyhedron.edges().map(|edge| edge.length);
+        let [shortest, longest] = [lengths().fold(f64::INFINITY, f64::min), lengths().fold(0.0, f64::max)];
+        let is_narrow = shortest < 1e-6 * longest
+            || polyhedron.faces().iter().any(|corners| narrowness(&polyhedron, corners) < 1e-6);
         for joint in surface_joints(&body.outer) {
-            // Round a vertex next to a shallow edge faces of spheres may be so narrow that their normals are rounding, and those of
-            // slivers of planes are.
+            // Round a vertex next to a shallow edge faces of spheres may be so narrow that their normals are rounding; those of slivers
+            // of planes are, and of faces along edges next to the distance below which points are one.
             prop_assert!(shallow || is_narrow || joint.angle <= 1e-7, "{joint:?}");
             prop_assert!(joint.gap <= 64.0 * f64::EPSILON * (2.0 * scale + radius), "{joint:?}");
         }
