@@ -79,8 +79,9 @@
 //! | measures of curves | [`length()`], [`resample`], [`ArcLength`], [`closest_point`] ([`ClosestPoint`]), [`CurveIndex`], [`bounds()`] |
 //! | frames along curves | [`CurveFrames`] ([`FrameRule`], [`ClosedTwist`], [`CurveFrame`]) |
 //! | continuity and fairness | [`joints`] ([`Joint`]), [`extreme_curvature`] ([`ExtremeCurvature`]), [`bending_energy`], [`tight_places`] ([`TightPlace`]), [`plane_normal`], [`curvature_comb`], [`fairness()`] ([`Fairness`]), [`wavering()`] ([`Wavering`], [`RoundedTurns`], [`CORNER_ANGLE`]) |
-//! | exact rational forms | [`NurbsCurve`], [`RationalBezier`], [`RationalBezierSurface`], [`RationalRun`] |
+//! | exact rational forms | [`NurbsCurve`], [`RationalBezier`], [`RationalBezierSurface`], [`RationalBezierVolume`], [`RationalRun`] |
 //! | patches, nets, whole cyclides | [`CyclidePatch`] ([`PatchKind`], [`ImplicitForm`], [`PatchRow`], [`PatchLocation`]), [`CyclidicNet`] ([`NetFrame`], [`SingularPatch`]), [`DupinCyclide`] ([`CyclideKind`]), [`QuadGrid`], [`Seam`] ([`SeamMeasure`]) |
+//! | volumes | [`CyclideVolume`] ([`VolumeFrame`], [`FoldVerdict`], [`VolumeLocation`], [`VolumeMeasure`]), [`SphericalCube`], [`miquel_point`], [`ParamVolume`], [`VolumeJet`] |
 //! | quads made circular | `make_circular`, with the feature `circular-mesh`: `CircularMesh`, `CircularMeshOptions`, `Border`, `CircularMeshStep`, `CircularMeshReport`, `LineAngles`, `VertexMoves` |
 //! | tori and curves on them | [`Torus`], [`TorusSpline`] (through points, torus knots, closed quartics, circles: [`TorusSplineOptions`], [`TorusTangent`], [`TorusWinding`]), laid flat ([`TorusMap`], [`UnrollOptions`], [`UnrolledSpline`]), [`TorusSeam`], [`TorusPiece`], [`TorusSegment`], [`TorusJunction`], [`TorusClasses`], [`CircleFamily`], [`QuarticType`], [`SegmentMethod`], [`ProjectiveBiarc`], [`TwoTypeBiarc`] |
 //! | rolling balls, canal surfaces | [`SkewCylinders`], [`NaturalQuadric`], [`QuadricPair`] ([`PairKind`]), [`RollingBall`] ([`ContactPartner`]), [`CanalPatch`] ([`CanalPart`], [`CharacteristicCircle`]) |
@@ -107,6 +108,7 @@ mod shape_change;
 mod short_number;
 mod surface;
 mod topology;
+mod volume;
 mod warning;
 
 pub use base::bounds::Aabb;
@@ -116,6 +118,7 @@ pub use base::planar::{Point2, Vec2};
 pub use base::quat::Quat;
 pub use base::surface_jet::SurfaceJet;
 pub use base::vector::{Point3, Vec3};
+pub use base::volume_jet::VolumeJet;
 pub use conformal::hpoint::HPoint;
 pub use conformal::mobius::{Conformal, Mobius};
 pub use conformal::sphere::Sphere;
@@ -165,7 +168,7 @@ pub use motion::{
     BodyMesh, CubicMotions, DualQuat, Motion, MotionJet, MovingBody, Pose, RationalMotion, Schedule, ScrewMotion,
     StudyPoint, TimeLaw, TimedPose, Timing,
 };
-pub use rational::{NurbsCurve, RationalBezier, RationalBezierSurface};
+pub use rational::{NurbsCurve, RationalBezier, RationalBezierSurface, RationalBezierVolume};
 pub use shape_change::ShapeChange;
 pub use short_number::ShortNumber;
 pub use surface::{CanalPart, CanalPatch, CharacteristicCircle, ContactPartner, RollingBall, SkewCylinders};
@@ -187,4 +190,7 @@ pub use topology::{
     ShellEdge, ShellFace, Side,
 };
 pub use topology::{SurfaceJoint, surface_joints};
+pub use volume::{
+    CyclideVolume, FoldVerdict, ParamVolume, SphericalCube, VolumeFrame, VolumeLocation, VolumeMeasure, miquel_point,
+};
 pub use warning::Warning;

@@ -127,6 +127,14 @@ fn patches_and_nets() {
 }
 
 #[test]
+fn spherical_cubes_and_volumes() {
+    all_pass(
+        include_str!("reference/20-cyclides.json"),
+        &[("miquel-point", 9), ("cyclide-volume", 9), ("spherical-cube", 10)],
+    );
+}
+
+#[test]
 fn motions() {
     all_pass(
         include_str!("reference/40-interpolation.json"),

@@ -38,8 +38,12 @@ pub const KERNEL: House = House {
         ("curve", &["base", "conformal", "rational", "batch", "error", "warning"]),
         ("motion", &["base", "conformal", "rational", "curve", "error", "warning"]),
         ("surface", &["base", "conformal", "rational", "batch", "curve", "error", "warning"]),
-        ("topology", &["base", "conformal", "rational", "batch", "curve", "surface", "error", "warning"]),
-        ("mesh", &["base", "conformal", "rational", "batch", "curve", "surface", "topology", "error", "warning"]),
+        ("volume", &["base", "conformal", "rational", "batch", "curve", "surface", "error", "warning"]),
+        ("topology", &["base", "conformal", "rational", "batch", "curve", "surface", "volume", "error", "warning"]),
+        (
+            "mesh",
+            &["base", "conformal", "rational", "batch", "curve", "surface", "volume", "topology", "error", "warning"],
+        ),
         (
             "construct",
             &[
@@ -49,6 +53,7 @@ pub const KERNEL: House = House {
                 "batch",
                 "curve",
                 "surface",
+                "volume",
                 "motion",
                 "topology",
                 "error",
@@ -65,6 +70,7 @@ pub const KERNEL: House = House {
                 "batch",
                 "curve",
                 "surface",
+                "volume",
                 "motion",
                 "topology",
                 "construct",

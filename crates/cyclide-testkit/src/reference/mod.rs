@@ -25,6 +25,7 @@ mod report;
 mod revolution;
 mod torus;
 mod triangle;
+mod volume;
 
 pub use case::{Case, Fault};
 pub use check::Check;
@@ -95,7 +96,7 @@ pub const CURVE_CONSTRUCTS: [&str; 54] = [
 
 /// The constructs about canal surfaces, surfaces of revolution, circular surfaces, offsets of polyhedra, patches over triangles, patches and nets
 /// of Dupin cyclides: `--surfaces` of the command.
-pub const SURFACE_CONSTRUCTS: [&str; 23] = [
+pub const SURFACE_CONSTRUCTS: [&str; 26] = [
     "revolution",
     "revolution-angle",
     "neck-blend",
@@ -110,6 +111,9 @@ pub const SURFACE_CONSTRUCTS: [&str; 23] = [
     "cyclide-implicit",
     "cyclide-moebius",
     "circular-net-frames",
+    "miquel-point",
+    "spherical-cube",
+    "cyclide-volume",
     "sphere-blend",
     "blend-patch",
     "torus-eval",
@@ -140,6 +144,7 @@ fn handler(construct: &str) -> Option<Handler> {
         qb::handler,
         interpolation::handler,
         moebius_spline::handler,
+        volume::handler,
     ]
     .iter()
     .find_map(|topic| topic(construct))

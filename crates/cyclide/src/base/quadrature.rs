@@ -27,6 +27,15 @@ pub(crate) fn unit_rule2() -> [(f64, f64); 2] {
     [(-x, w), (x, w)].map(|(x, w)| (0.5 * (1.0 + x), 0.5 * w))
 }
 
+/// Nodes and weights of the 8-point rule on `[0, 1]`.
+#[must_use]
+pub(crate) fn unit_rule8() -> [(f64, f64); 8] {
+    std::array::from_fn(|k| {
+        let ((x, w), sign) = (NODES_8[k / 2], if k % 2 == 0 { -1.0 } else { 1.0 });
+        (0.5 * (1.0 + sign * x), 0.5 * w)
+    })
+}
+
 /// The 8-point rule on one interval, exact for degree 15.
 #[must_use]
 pub(crate) fn gauss8(f: &mut impl FnMut(f64) -> f64, a: f64, b: f64) -> f64 {

@@ -1248,7 +1248,40 @@ pub enum Error {
         /// Lengths up to this are refused.
         limit: f64,
     },
+    // Volumes.
+    /// The first corner of a spherical cube and its three neighbours are on one circle: the eighth corner is not determined.
+    ConcircularCube {
+        /// Twice the area of the triangle of the neighbours, inverted at the first corner.
+        measured: f64,
+        /// Areas up to this are zero.
+        limit: f64,
+    },
+    /// A face of a volume crosses itself: one of its sides runs backwards.
+    CrossingFace {
+        /// Direction of the side: 0, 1, 2 for s, t, u.
+        axis: usize,
+        /// Where it is: its places in the two other directions, in order, each 0 or 1.
+        at: [f64; 2],
+        /// Speed of the side, a length.
+        speed: f64,
+        /// Speeds are above this.
+        limit: f64,
+    },
+    /// A volume contains the point at infinity.
+    VolumeThroughInfinity {
+        /// Where: s, t, u.
+        at: [f64; 3],
+    },
     // What failed in a part of the input.
+    /// One face of a volume failed; the cause says why.
+    InFaceOfVolume {
+        /// The direction across the face: 0, 1, 2 for s, t, u.
+        axis: usize,
+        /// Its place in this direction: 0 or 1.
+        end: usize,
+        /// What went wrong in it.
+        cause: Box<Error>,
+    },
     /// One quad of a net failed; the cause says why.
     InQuad {
         /// Which quad, from 0, s fastest.

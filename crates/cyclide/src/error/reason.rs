@@ -129,7 +129,11 @@ impl Error {
             Self::NoSuchVertex { .. } => "no-such-vertex",
             Self::NonManifoldEdge { .. } => "non-manifold-edge",
             Self::InconsistentOrientation { .. } => "inconsistent-orientation",
+            Self::ConcircularCube { .. } => "concircular-cube",
+            Self::CrossingFace { .. } => "crossing-face",
+            Self::VolumeThroughInfinity { .. } => "volume-through-infinity",
             Self::InQuad { cause, .. }
+            | Self::InFaceOfVolume { cause, .. }
             | Self::InBranch { cause, .. }
             | Self::InTriangle { cause, .. }
             | Self::InSpan { cause, .. } => cause.reason(),
@@ -237,6 +241,11 @@ impl Error {
     #[must_use]
     pub fn in_quad(self, quad: usize) -> Self {
         Self::InQuad { quad, cause: Box::new(self) }
+    }
+
+    /// Wraps the error as the failure of one face of a volume.
+    pub(crate) fn in_face_of_volume(self, axis: usize, end: usize) -> Self {
+        Self::InFaceOfVolume { axis, end, cause: Box::new(self) }
     }
 
     /// Wraps the error as the failure of a number of one branch of a tee.

@@ -2,6 +2,7 @@
 
 mod bezier_curve;
 mod bezier_surface;
+mod bezier_volume;
 mod nurbs_curve;
 mod nurbs_edit;
 mod nurbs_mobius;
@@ -14,6 +15,7 @@ pub use bezier_curve::RationalBezier;
 pub(crate) use bezier_curve::jet_of_homogeneous;
 pub(crate) use bezier_surface::FirstJets;
 pub use bezier_surface::RationalBezierSurface;
+pub use bezier_volume::RationalBezierVolume;
 pub use nurbs_curve::NurbsCurve;
 pub(crate) use polynomial::{Polynomial, PolynomialRow};
 pub(crate) use quaternion_polynomial::QuatPolynomial;

@@ -17,6 +17,7 @@ mod side;
 mod split;
 mod thick;
 mod transform;
+mod volume;
 
 pub use cut_shell::CutShell;
 pub use edge_curve::EdgeCurve;

@@ -11,6 +11,7 @@
 //! | [`bodies`] | revolutions, pipes, necks, bridges, surfaces between two curves, polyhedra |
 //! | [`meshes`] | triangles and meshes of them |
 //! | [`tori`] | tori, points and curves on them |
+//! | [`volumes`] | cubes with concircular faces and the blocks in them |
 //! | [`motions`] | displacements, motions and what is made of them |
 
 pub mod bodies;
@@ -20,6 +21,7 @@ pub mod motions;
 pub mod numbers;
 pub mod patches;
 pub mod tori;
+pub mod volumes;
 
 #[cfg(test)]
 mod tests {
@@ -38,6 +40,7 @@ mod tests {
             include_str!("meshes.rs"),
             include_str!("tori.rs"),
             include_str!("motions.rs"),
+            include_str!("volumes.rs"),
         ];
         let table = include_str!("../reason.rs").split("pub fn reason").nth(1).and_then(|t| t.split("pub fn").next());
         let reasons: Vec<&str> = quoted(table.unwrap()).collect();

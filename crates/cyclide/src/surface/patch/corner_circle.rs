@@ -91,6 +91,14 @@ pub(super) fn corner_circle(corners: &[Point3; 4], scale: f64) -> Result<CornerC
     }
 }
 
+/// The last corner of a quad, moved onto the circle of the others.
+///
+/// # Errors
+/// `parameter-out-of-range`, `coincident-points`, `not-concircular`, `crossing-quad`.
+pub(crate) fn on_corner_circle(corners: &[Point3; 4]) -> Result<Point3> {
+    Ok(corner_circle(corners, distinct(corners)?)?.corner)
+}
+
 /// Refuses a quad of a net unless its corners are distinct and on one circle, strictly in order.
 ///
 /// # Errors

@@ -27,8 +27,9 @@ mod rows;
 mod singular;
 mod transform;
 
-pub(super) use construct::orthonormal;
+pub(crate) use construct::orthonormal;
 pub(super) use corner_circle::check_quad;
+pub(crate) use corner_circle::on_corner_circle;
 
 use super::param_surface::ParamSurface;
 use crate::base::quat::Quat;

@@ -1,39 +1,13 @@
 //! The exact rational biquadratic form (`docs/math/patches.md#exact-rational-form`).
 
 use super::CyclidePatch;
+use crate::base::multilinear::biquadratic;
 use crate::base::quat::Quat;
 use crate::rational::RationalBezierSurface;
 
-/// Corners as bits of s and t.
-const BITS: [(usize, usize); 4] = [(0, 0), (1, 0), (0, 1), (1, 1)];
-
-/// Binomials of degree 2.
-const CHOOSE: [f64; 3] = [1.0, 2.0, 1.0];
-
-/// The Bernstein coefficients `[i][j]`, i along s, of a biquadratic given by its sixteen products of corners.
-fn symmetrised<const D: usize>(product: impl Fn(usize, usize) -> [f64; D]) -> [[[f64; D]; 3]; 3] {
-    let mut sum = [[[0.0; D]; 3]; 3];
-    for (k, (si, ti)) in BITS.into_iter().enumerate() {
-        for (l, (sj, tj)) in BITS.into_iter().enumerate() {
-            let value = product(k, l);
-            for (sum, value) in sum[si + sj][ti + tj].iter_mut().zip(value) {
-                *sum += value;
-            }
-        }
-    }
-    for (i, row) in sum.iter_mut().enumerate() {
-        for (j, entry) in row.iter_mut().enumerate() {
-            for v in entry {
-                *v /= CHOOSE[i] * CHOOSE[j];
-            }
-        }
-    }
-    sum
-}
-
 /// The nine real weights: Bernstein coefficients of `|D|²`.
 pub(super) fn real_weights(w: &[Quat; 4]) -> [[f64; 3]; 3] {
-    symmetrised(|k, l| [w[k].dot(w[l])]).map(|row| row.map(|[v]| v))
+    biquadratic(|k, l| [w[k].dot(w[l])]).map(|row| row.map(|[v]| v))
 }
 
 impl CyclidePatch {
@@ -52,7 +26,7 @@ impl CyclidePatch {
         let w = self.real_weights();
         let origin = self.corners[0];
         // Numerators are relative to the first corner, whose multiple of the weight is added at the end.
-        let x = symmetrised(|k, l| {
+        let x = biquadratic(|k, l| {
             let v = (self.n[k] * self.weights[l].conj()).vector() * self.scale;
             v.to_array()
         });

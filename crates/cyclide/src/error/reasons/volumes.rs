@@ -1,0 +1,34 @@
+//! Reasons of spherical cubes and volumes.
+//!
+//! # `concircular-cube`
+//! The first corner and its three neighbours are on one circle: no eighth corner follows.
+//! ```
+//! use cyclide::{Error, Point3, SphericalCube};
+//! let flat = [[0., 0., 0.], [2., 0., 0.], [0., 3., 0.], [2., 3., 0.]].map(Point3::from);
+//! let error = SphericalCube::from_positions(flat, [0.5; 3]).unwrap_err();
+//! assert_eq!(error.reason(), "concircular-cube");
+//! assert!(matches!(error, Error::ConcircularCube { measured, limit } if measured <= limit));
+//! ```
+//!
+//! # `crossing-face`
+//! A face of a volume crosses itself: here the last corner is outside the triangle of the neighbours of the first.
+//! ```
+//! use cyclide::{CyclideVolume, Error, Point3, SphericalCube, VolumeFrame};
+//! let corners = [[0., 0., 0.], [1., 0., 0.], [0., 1., 0.], [0., 0., 1.]].map(Point3::from);
+//! let cube = SphericalCube::from_positions(corners, [0.9, 0.9, 0.5])?;
+//! let error = CyclideVolume::new(&cube, VolumeFrame::Auto).unwrap_err();
+//! assert_eq!(error.reason(), "crossing-face");
+//! assert!(matches!(error, Error::CrossingFace { speed, limit, .. } if speed < limit));
+//! # Ok::<(), cyclide::Error>(())
+//! ```
+//!
+//! # `volume-through-infinity`
+//! An inversion about a point inside a block takes that point to infinity.
+//! ```
+//! use cyclide::{Conformal, CyclideVolume, Mobius, Point3, SphericalCube, Vec3, VolumeFrame};
+//! let cube = SphericalCube::cuboid(Point3::ORIGIN, [Vec3::X, Vec3::Y, Vec3::Z])?;
+//! let block = CyclideVolume::new(&cube, VolumeFrame::Auto)?;
+//! let map = Mobius::inversion(Point3::new(0.3, 0.4, 0.6), 1.0)?;
+//! assert_eq!(block.transformed(&map).unwrap_err().reason(), "volume-through-infinity");
+//! # Ok::<(), cyclide::Error>(())
+//! ```

@@ -1,0 +1,40 @@
+//! Folds: where a speed is not positive (`docs/math/volumes.md#folds`).
+
+use super::super::fold::{FoldVerdict, Sign, sign};
+use super::{CyclideVolume, others};
+
+/// Rounding of a speed in units of the products it is a sum of.
+const ROUNDING: f64 = 64.0 * f64::EPSILON;
+
+impl CyclideVolume {
+    /// Whether the volume folds: it does not if its three speeds are positive, which their Bernstein coefficients prove, those of quarters
+    /// where those of the whole do not. Random frames fold most blocks, that of [`VolumeFrame::Auto`](super::VolumeFrame::Auto) few.
+    #[must_use]
+    pub fn folds(&self) -> FoldVerdict {
+        let mut undecided = None;
+        for axis in 0..3 {
+            // The speed does not depend on its own parameter: the middle of the line.
+            let place = |[x, y]: [f64; 2]| {
+                let mut at = [0.5; 3];
+                let [i, j] = others(axis);
+                (at[i], at[j]) = (x, y);
+                at
+            };
+            match sign(&self.speeds[axis], self.speed_rounding()) {
+                Sign::Positive => {}
+                Sign::NotPositive(at) => return FoldVerdict::Folded { at: place(at) },
+                Sign::Undecided(at, depth) => {
+                    undecided = undecided.or(Some(FoldVerdict::Undecided { at: place(at), depth }));
+                }
+            }
+        }
+        undecided.unwrap_or(FoldVerdict::Regular)
+    }
+
+    /// Rounding of the speeds: of the products `~w_i (a_j - a_i) w_j`, of rounded corners and weights.
+    pub(super) fn speed_rounding(&self) -> f64 {
+        let weight = self.weights.iter().map(|w| w.norm_squared()).fold(0.0, f64::max);
+        let place = self.corners.iter().map(|p| p.to_vec().max_abs()).fold(self.scale, f64::max);
+        ROUNDING * weight * place
+    }
+}

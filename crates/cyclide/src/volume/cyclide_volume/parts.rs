@@ -1,0 +1,173 @@
+//! Coordinate surfaces as patches, parameter lines as arcs, sub-volumes, other orders of the parameters.
+
+use super::{CyclideVolume, corners_at_start, others, trilinear};
+use crate::base::quat::Quat;
+use crate::base::vector::{Point3, Vec3};
+use crate::curve::Arc;
+use crate::error::{Error, ErrorItem, Result};
+use crate::surface::CyclidePatch;
+
+/// Words for the parameters.
+const PARAMETERS: [ErrorItem; 3] = [ErrorItem::S, ErrorItem::T, ErrorItem::U];
+
+impl CyclideVolume {
+    /// The coordinate surface at `x` in direction `axis` (0, 1, 2 for s, t, u), with the two other parameters in order: exact, with the same
+    /// parameters.
+    ///
+    /// # Errors
+    /// `parameter-out-of-range` unless `x` is from 0 to 1.
+    ///
+    /// # Panics
+    /// If `axis` is above 2.
+    pub fn surface(&self, axis: usize, x: f64) -> Result<CyclidePatch> {
+        check_range(axis, [x, x])?;
+        let [i, j] = others(axis);
+        let places: [[f64; 3]; 4] = std::array::from_fn(|k| {
+            let mut at = [0.0; 3];
+            (at[axis], at[i], at[j]) = (x, (k & 1) as f64, (k >> 1) as f64);
+            at
+        });
+        let (corners, weights) = (places.map(|at| self.corner_point(at)), places.map(|at| self.denominator(at)));
+        Ok(CyclidePatch::from_weights_unchecked(corners, weights, self.v[i], self.v[j]))
+    }
+
+    /// The six faces: s = 0, s = 1, t = 0, t = 1, u = 0, u = 1.
+    #[must_use]
+    pub fn faces(&self) -> [CyclidePatch; 6] {
+        std::array::from_fn(|k| {
+            let (axis, end) = (k / 2, (k % 2) << (k / 2));
+            let [i, j] = others(axis);
+            let at = corners_at_start(axis).map(|corner| corner | end);
+            CyclidePatch::from_weights_unchecked(
+                at.map(|c| self.corners[c]),
+                at.map(|c| self.weights[c]),
+                self.v[i],
+                self.v[j],
+            )
+        })
+    }
+
+    /// The corner at `end` of direction `axis`, at place `k` of the two other directions in binary order.
+    pub(crate) fn corner_of(axis: usize, end: usize, k: usize) -> usize {
+        corners_at_start(axis)[k] | (end << axis)
+    }
+
+    /// The parameter line in direction `axis` through the places `x`, `y` of the two other directions in order, as an arc with the same
+    /// parameter.
+    ///
+    /// # Errors
+    /// `parameter-out-of-range`; `coincident-points` where the line is one point.
+    ///
+    /// # Panics
+    /// If `axis` is above 2.
+    pub fn line(&self, axis: usize, [x, y]: [f64; 2]) -> Result<Arc> {
+        let [i, j] = others(axis);
+        check_range(i, [x, x])?;
+        check_range(j, [y, y])?;
+        let place = |end: f64| {
+            let mut at = [end; 3];
+            (at[i], at[j]) = (x, y);
+            at
+        };
+        let (from, to) = (place(0.0), place(1.0));
+        let inverse = self.denominator(from).inverse().ok_or(Error::ZeroWeight { index: 0 })?;
+        Arc::from_ratio_across(self.corner_point(from), self.corner_point(to), self.denominator(to) * inverse)
+    }
+
+    /// The part over these ranges of s, t and u as a volume of its own: exact.
+    ///
+    /// # Errors
+    /// `parameter-out-of-range` unless they are rising, within `[0, 1]`.
+    pub fn restricted(&self, ranges: [[f64; 2]; 3]) -> Result<Self> {
+        for (axis, range) in ranges.into_iter().enumerate() {
+            check_range(axis, range)?;
+            if !(range[0] < range[1]) {
+                return Err(Error::ParameterOutOfRange {
+                    name: PARAMETERS[axis],
+                    value: range[1],
+                    min: range[0],
+                    max: 1.0,
+                });
+            }
+        }
+        let places: [[f64; 3]; 8] = std::array::from_fn(|k| std::array::from_fn(|axis| ranges[axis][k >> axis & 1]));
+        let weights: [Quat; 8] = places.map(|at| trilinear(&self.weights, at));
+        Ok(Self::from_weights_unchecked(places.map(|at| self.corner_point(at)), weights, self.v))
+    }
+
+    /// The two parts on both sides of `x` in direction `axis`.
+    ///
+    /// # Errors
+    /// As [`restricted`](Self::restricted).
+    ///
+    /// # Panics
+    /// If `axis` is above 2.
+    pub fn split(&self, axis: usize, x: f64) -> Result<[Self; 2]> {
+        let mut ranges = [[0.0, 1.0]; 3];
+        ranges[axis] = [0.0, x];
+        let first = self.restricted(ranges)?;
+        ranges[axis] = [x, 1.0];
+        Ok([first, self.restricted(ranges)?])
+    }
+
+    /// The same block with the parameter of direction `axis` running the other way: of the other handedness.
+    ///
+    /// # Panics
+    /// If `axis` is above 2.
+    #[must_use]
+    pub fn reversed(&self, axis: usize) -> Self {
+        let mut v = self.v;
+        v[axis] = -v[axis];
+        self.rearranged(|k| k ^ (1 << axis), v)
+    }
+
+    /// The same block with its directions in another order: the first parameter is that of direction `order[0]` before, and so on. Of the
+    /// other handedness after an odd permutation.
+    ///
+    /// # Errors
+    /// `parameter-out-of-range` unless the order has each of 0, 1, 2 once.
+    pub fn permuted(&self, order: [usize; 3]) -> Result<Self> {
+        if let Some(axis) = (0..3).find(|axis| !order.contains(axis)) {
+            let value = order.iter().find(|k| **k > 2).copied().unwrap_or(axis) as f64;
+            return Err(Error::ParameterOutOfRange { name: ErrorItem::Axis, value, min: 0.0, max: 2.0 });
+        }
+        let before = |k: usize| (0..3).map(|axis| (k >> axis & 1) << order[axis]).sum();
+        Ok(self.rearranged(before, order.map(|axis| self.v[axis])))
+    }
+
+    /// The block as a right-handed one: with s and t exchanged where it is left-handed.
+    #[must_use]
+    pub fn right_handed(&self) -> Self {
+        if self.is_right_handed() {
+            return *self;
+        }
+        self.rearranged(|k| (k & 4) | (k & 1) << 1 | (k & 2) >> 1, [self.v[1], self.v[0], self.v[2]])
+    }
+
+    /// Corners and weights from their places before.
+    fn rearranged(&self, before: impl Fn(usize) -> usize, v: [Vec3; 3]) -> Self {
+        let (corners, weights) =
+            (std::array::from_fn(|k| self.corners[before(k)]), std::array::from_fn(|k| self.weights[before(k)]));
+        Self::from_weights_unchecked(corners, weights, v)
+    }
+
+    /// The point, and at a corner the corner itself.
+    fn corner_point(&self, at: [f64; 3]) -> Point3 {
+        let bit = |x: f64| match x {
+            0.0 => Some(0),
+            1.0 => Some(1),
+            _ => None,
+        };
+        match at.map(bit) {
+            [Some(i), Some(j), Some(k)] => self.corners[i + 2 * j + 4 * k],
+            _ => self.quotient(at, self.denominator(at)),
+        }
+    }
+}
+
+fn check_range(axis: usize, ends: [f64; 2]) -> Result<()> {
+    match ends.into_iter().find(|x| !(0.0..=1.0).contains(x)) {
+        Some(value) => Err(Error::ParameterOutOfRange { name: PARAMETERS[axis], value, min: 0.0, max: 1.0 }),
+        None => Ok(()),
+    }
+}

@@ -1,0 +1,46 @@
+//! No denominator vanishes: proved by the real weights of sub-volumes.
+
+use super::rational::real_weights;
+use super::{CyclideVolume, trilinear};
+use crate::base::quat::Quat;
+use crate::error::{Error, Result};
+
+/// Cells are halved in all directions this often before their centre is called a pole.
+const HALVINGS: u32 = 16;
+
+impl CyclideVolume {
+    /// Refuses a volume that passes through infinity: `|D|²` is triquadratic and has no zero where all its 27 Bernstein coefficients are
+    /// positive; other cells are cut into eight, whose corner weights are values of `D`, exactly.
+    ///
+    /// # Errors
+    /// `volume-through-infinity`.
+    pub(super) fn check_no_pole(&self) -> Result<()> {
+        match pole(&self.weights, [0.0; 3], HALVINGS) {
+            None => Ok(()),
+            Some(at) => Err(Error::VolumeThroughInfinity { at }),
+        }
+    }
+}
+
+/// A place near which the denominator vanishes.
+fn pole(w: &[Quat; 8], from: [f64; 3], depth: u32) -> Option<[f64; 3]> {
+    if real_weights(w).iter().all(|&v| v > 0.0) {
+        return None;
+    }
+    let size = 0.5f64.powi((HALVINGS - depth) as i32);
+    if depth == 0 {
+        return Some(from.map(|x| x + 0.5 * size));
+    }
+    (0..8).find_map(|octant| pole(&part(w, octant), at_octant(from, 0.5 * size, octant), depth - 1))
+}
+
+/// The corner weights of one of the eight parts.
+pub(super) fn part(w: &[Quat; 8], octant: usize) -> [Quat; 8] {
+    let bit = |k: usize, axis: usize| (k >> axis & 1) as f64;
+    std::array::from_fn(|k| trilinear(w, std::array::from_fn(|axis| 0.5 * (bit(octant, axis) + bit(k, axis)))))
+}
+
+/// The first corner of one of the eight parts of this size.
+pub(super) fn at_octant(from: [f64; 3], size: f64, octant: usize) -> [f64; 3] {
+    std::array::from_fn(|axis| from[axis] + size * (octant >> axis & 1) as f64)
+}

@@ -1,0 +1,56 @@
+//! The exact rational triquadratic form (`docs/math/volumes.md#exact-rational-form`).
+
+use super::{CyclideVolume, pole};
+use crate::base::multilinear::triquadratic;
+use crate::base::quat::Quat;
+use crate::error::{Error, Result};
+use crate::rational::RationalBezierVolume;
+
+/// Parts of a volume with positive weights are at most this often halved out of it.
+const HALVINGS: u32 = 8;
+
+/// The 27 real weights: Bernstein coefficients of `|D|²`.
+pub(super) fn real_weights(w: &[Quat; 8]) -> [f64; 27] {
+    triquadratic(|k, l| [w[k].dot(w[l])]).map(|[v]| v)
+}
+
+impl CyclideVolume {
+    /// The rational triquadratic with the same parameters, homogeneous rows `[wx, wy, wz, w]`. Weights are zero or negative beside sides of
+    /// half a circle and more: see [`to_rational_parts`](Self::to_rational_parts).
+    #[must_use]
+    pub fn to_rational(&self) -> RationalBezierVolume {
+        let w = real_weights(&self.weights);
+        let origin = self.corners[0];
+        // Numerators are relative to the first corner, whose multiple of the weight is added at the end.
+        let x = triquadratic(|k, l| ((self.n[k] * self.weights[l].conj()).vector() * self.scale).to_array());
+        let row = |(v, w): ([f64; 3], f64)| [v[0] + w * origin.x, v[1] + w * origin.y, v[2] + w * origin.z, w];
+        RationalBezierVolume::from_rows_unchecked([2; 3], x.into_iter().zip(w).map(row).collect())
+    }
+
+    /// The volume as parts with positive weights only, each with its place `[from, to]` in the three parameters: one where that is
+    /// possible, otherwise those of halves in all directions.
+    ///
+    /// # Errors
+    /// `volume-through-infinity` where parts of a 256th of the range are not small enough.
+    pub fn to_rational_parts(&self) -> Result<Vec<([[f64; 2]; 3], RationalBezierVolume)>> {
+        let mut parts = Vec::new();
+        self.add_positive(&self.weights, [0.0; 3], HALVINGS, &mut parts)?;
+        parts.into_iter().map(|place| Ok((place, self.restricted(place)?.to_rational()))).collect()
+    }
+
+    fn add_positive(&self, w: &[Quat; 8], from: [f64; 3], depth: u32, parts: &mut Vec<[[f64; 2]; 3]>) -> Result<()> {
+        let size = 0.5f64.powi((HALVINGS - depth) as i32);
+        if real_weights(w).iter().all(|&v| v > 0.0) {
+            parts.push(from.map(|x| [x, x + size]));
+            return Ok(());
+        }
+        if depth == 0 {
+            return Err(Error::VolumeThroughInfinity { at: from.map(|x| x + 0.5 * size) });
+        }
+        for octant in 0..8 {
+            let at = pole::at_octant(from, 0.5 * size, octant);
+            self.add_positive(&pole::part(w, octant), at, depth - 1, parts)?;
+        }
+        Ok(())
+    }
+}

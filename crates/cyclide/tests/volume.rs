@@ -1,0 +1,287 @@
+//! Laws of volumes: three orthogonal families of cyclides, Möbius maps, parts, folds, measures (`docs/math/volumes.md`).
+
+use cyclide::{
+    Conformal, CyclideVolume, Error, FoldVerdict, Mobius, ParamSurface, ParamVolume, Point3, Quat, SphericalCube, Vec3,
+    VolumeFrame, VolumeJet,
+};
+use proptest::prelude::*;
+use proptest::test_runner::RngSeed;
+
+/// The same cases in every run.
+fn config(cases: u32) -> ProptestConfig {
+    ProptestConfig { cases, rng_seed: RngSeed::Fixed(1), ..ProptestConfig::default() }
+}
+
+fn vector(size: f64) -> impl Strategy<Value = Vec3> {
+    (-size..size, -size..size, -size..size).prop_map(|(x, y, z)| Vec3::new(x, y, z))
+}
+
+/// Embedded cubes near boxes, of any size and place.
+fn cube() -> impl Strategy<Value = SphericalCube> {
+    let sides = (vector(0.3), vector(0.3), vector(0.3));
+    let inside = (0.5..2.0, 0.5..2.0, 0.5..2.0);
+    (sides, inside, 0.0..=1.0, -6..6, vector(10.0)).prop_filter_map(
+        "a cube",
+        |((a, b, c), (x, y, z), turn, exponent, place)| {
+            let size = 10f64.powi(exponent);
+            let at = |v: Vec3| Point3::ORIGIN + (place + v) * size;
+            let corners = [at(Vec3::ZERO), at(Vec3::X + a), at(Vec3::Y + b), at(Vec3::Z + c)];
+            SphericalCube::from_barycentric(corners, [x, y, z], turn).ok()
+        },
+    )
+}
+
+fn places() -> impl Iterator<Item = [f64; 3]> {
+    let steps = [0.0, 0.3, 0.71, 1.0];
+    steps.into_iter().flat_map(move |s| steps.into_iter().flat_map(move |t| steps.into_iter().map(move |u| [s, t, u])))
+}
+
+/// Largest size of the points of a block: what rounding of its coordinates is relative to.
+fn place_of(block: &CyclideVolume) -> f64 {
+    block.corners().iter().map(|p| p.to_vec().max_abs()).fold(block.size(), f64::max)
+}
+
+proptest! {
+    #![proptest_config(config(200))]
+
+    /// Barycentric cubes are embedded, all their faces concircular: twelve points on six circles, on one sphere.
+    #[test]
+    fn cubes_are_spherical(cube in cube()) {
+        prop_assert!(cube.is_embedded());
+        let a = cube.corners();
+        let size = a.iter().map(|p| p.distance(a[0])).fold(0.0, f64::max);
+        for face in [[0, 1, 2, 3], [4, 5, 6, 7], [0, 1, 4, 5], [2, 3, 6, 7], [0, 2, 4, 6], [1, 3, 5, 7]] {
+            let [p, q, r, s] = face.map(|k| a[k]);
+            // The imaginary part of a cross-ratio vanishes for points on a circle.
+            let quat = |v: Vec3| Quat::from(v);
+            let ratio = quat(p - q) * quat(q - s).inverse().unwrap() * quat(s - r) * quat(r - p).inverse().unwrap();
+            let rounding = a.iter().map(|p| p.to_vec().max_abs()).fold(size, f64::max) / size;
+            prop_assert!(ratio.vector().length() <= 1e-11 * rounding * ratio.norm().max(1.0), "{face:?}: {ratio:?}");
+            prop_assert!(ratio.w < 0.0, "the sides of {face:?} cross");
+        }
+    }
+
+    /// Parameter lines cross at right angles, derivatives are those of differences, the Jacobian is its closed form.
+    #[test]
+    fn coordinates_are_orthogonal(cube in cube()) {
+        let block = CyclideVolume::new(&cube, VolumeFrame::Auto);
+        prop_assume!(block.is_ok());
+        let block = block.unwrap();
+        let rounding = place_of(&block) / block.size();
+        for at in places() {
+            let jet = block.jet(at);
+            prop_assert!(jet.orthogonality() < 1e-13 * rounding, "{}", jet.orthogonality());
+            prop_assert!(block.real_residual(at) < 1e-12 * rounding * block.size());
+            let closed = block.jacobian(at);
+            prop_assert!((jet.jacobian() - closed).abs() <= 1e-12 * closed.abs());
+            check_differences(&block, at, &jet)?;
+        }
+    }
+
+    /// The six faces and all coordinate surfaces are the patches of their corners and frames, and they have the lines of the block.
+    #[test]
+    fn coordinate_surfaces_are_patches(cube in cube(), x in 0.0..1.0) {
+        let block = CyclideVolume::new(&cube, VolumeFrame::Auto);
+        prop_assume!(block.is_ok());
+        let block = block.unwrap();
+        let limit = 1e-12 * place_of(&block);
+        for axis in 0..3 {
+            let surface = block.surface(axis, x).unwrap();
+            for (p, q) in [(0.0, 0.0), (0.2, 0.9), (1.0, 0.6)] {
+                let at = match axis { 0 => [x, p, q], 1 => [p, x, q], _ => [p, q, x] };
+                prop_assert!(surface.point(p, q).distance(block.point(at)) < limit);
+                // The normal of one family is the direction of the lines across.
+                let across = block.moving_frame(at)[axis];
+                prop_assert!(surface.unit_normal(p, q).cross(across).length() < 1e-12);
+                let arc = block.line(axis, [p, q]).unwrap();
+                prop_assert!(arc.point(x).distance(block.point(at)) < limit);
+            }
+        }
+        let inner = block.surface(0, 1.0).unwrap();
+        prop_assert_eq!(inner, block.faces()[1]);
+    }
+
+    /// Möbius images have the same parameters and stay orthogonal.
+    #[test]
+    fn moebius_maps_keep_volumes(cube in cube(), centre in vector(1.0)) {
+        let block = CyclideVolume::new(&cube, VolumeFrame::Auto);
+        prop_assume!(block.is_ok());
+        let block = block.unwrap();
+        let centre = block.corners()[0] + centre.unit().unwrap_or(Vec3::X) * (3.0 * block.size());
+        let inversion = Mobius::inversion(centre, 2.0 * block.size()).unwrap();
+        let mirror = Mobius::reflection(centre, Vec3::new(1.0, 2.0, -2.0)).unwrap();
+        for map in [inversion, mirror, mirror.after(&inversion)] {
+            let image = block.transformed(&map).unwrap();
+            prop_assert_eq!(image.is_right_handed(), map.determinant() > 0.0);
+            for at in places() {
+                let wanted = map.map_point(block.point(at)).unwrap();
+                prop_assert!(image.point(at).distance(wanted) < 1e-11 * (place_of(&block) + place_of(&image)));
+            }
+            prop_assert_eq!(image.folds() == FoldVerdict::Regular, block.folds() == FoldVerdict::Regular);
+        }
+    }
+
+    /// Parts, reversals and permutations are the same points; the exact form is the block.
+    #[test]
+    fn parts_and_forms_are_the_block(cube in cube(), x in 0.1..0.9) {
+        let block = CyclideVolume::new(&cube, VolumeFrame::Auto);
+        prop_assume!(block.is_ok());
+        let block = block.unwrap();
+        let limit = 1e-12 * place_of(&block);
+        let [left, right] = block.split(1, x).unwrap();
+        let (reversed, permuted) = (block.reversed(2), block.permuted([2, 0, 1]).unwrap());
+        prop_assert!(block.is_right_handed() && !reversed.is_right_handed() && permuted.is_right_handed());
+        let exact = block.to_rational_parts().unwrap();
+        for [s, t, u] in places() {
+            let p = block.point([s, t, u]);
+            prop_assert!(left.point([s, t / x, u]).distance(p) < limit || t > x);
+            prop_assert!(right.point([s, (t - x) / (1.0 - x), u]).distance(p) < limit || t < x);
+            prop_assert!(reversed.point([s, t, 1.0 - u]).distance(p) < limit);
+            prop_assert!(permuted.point([u, s, t]).distance(p) < limit);
+            let jet = permuted.jet([u, s, t]);
+            prop_assert!((jet.jacobian() - block.jacobian([s, t, u])).abs() <= 1e-11 * jet.jacobian().abs());
+        }
+        for (ranges, form) in exact {
+            prop_assert!(form.has_positive_weights());
+            for at in places() {
+                let place = std::array::from_fn(|k| ranges[k][0] + (ranges[k][1] - ranges[k][0]) * at[k]);
+                prop_assert!(form.point(at).distance(block.point(place)) < limit);
+            }
+        }
+    }
+
+    /// The place of a point of the block is found; the solid has the volume and the centroid of the quadrature.
+    #[test]
+    fn places_and_measures(cube in cube(), at in (0.0..1.0, 0.0..1.0, 0.0..1.0)) {
+        let block = CyclideVolume::new(&cube, VolumeFrame::Auto);
+        prop_assume!(block.as_ref().is_ok_and(|block| block.folds() == FoldVerdict::Regular));
+        let block = block.unwrap();
+        let at = [at.0, at.1, at.2];
+        let found = block.locate(block.point(at));
+        prop_assert!(found.distance < 1e-11 * place_of(&block), "{found:?} {at:?}");
+        let measure = block.measure();
+        let body = block.to_body().unwrap();
+        prop_assert!(body.is_solid());
+        // Coordinates are rounded: the volume is known to that times the surface.
+        let limit = 1e-11 * measure.volume + 1e-15 * place_of(&block) * block.size().powi(2);
+        prop_assert!((body.outer.volume() - measure.volume).abs() < limit, "{} {}", body.outer.volume(), measure.volume);
+        let (whole, parts) = (measure, block.split(0, 0.4).unwrap().map(|part| part.measure()));
+        let sum = parts[0].volume + parts[1].volume;
+        prop_assert!((sum - whole.volume).abs() < limit);
+        let first = block.corners()[0];
+        let mean = ((parts[0].centroid - first) * parts[0].volume + (parts[1].centroid - first) * parts[1].volume) / sum;
+        prop_assert!((mean - (whole.centroid - first)).length() < 1e-11 * place_of(&block));
+    }
+}
+
+/// Derivatives against central differences, to the square of the step and rounding over it.
+fn check_differences(block: &CyclideVolume, at: [f64; 3], jet: &VolumeJet) -> Result<(), TestCaseError> {
+    let step = 1e-4;
+    // Beyond the ends the formula goes on.
+    let moved = |axis: usize, by: f64| {
+        let mut to = at;
+        to[axis] += by;
+        block.jet(to)
+    };
+    let pairs = [[0, 1, 2], [1, 3, 4], [2, 4, 5]];
+    for axis in 0..3 {
+        let (before, after) = (moved(axis, -step), moved(axis, step));
+        let slope = (after.point - before.point) / (2.0 * step);
+        let size = jet.first.iter().map(|v| v.length()).fold(block.size(), f64::max);
+        let rounding = 1e-11 * place_of(block);
+        prop_assert!(
+            (slope - jet.first[axis]).length() < 1e-5 * size + rounding,
+            "{axis}: {slope:?} {:?}",
+            jet.first[axis]
+        );
+        for other in 0..3 {
+            let slope = (after.first[other] - before.first[other]) / (2.0 * step);
+            let second = jet.second[pairs[axis][other]];
+            prop_assert!(
+                (slope - second).length() < 1e-4 * (size + second.length()) + rounding,
+                "{axis}{other}: {slope:?} {second:?}"
+            );
+        }
+    }
+    Ok(())
+}
+
+#[test]
+fn a_cuboid_with_its_own_frame_is_trilinear() {
+    let cube = SphericalCube::cuboid(Point3::new(1.0, 2.0, 3.0), [Vec3::X * 2.0, Vec3::Y * 3.0, Vec3::Z]).unwrap();
+    let block = CyclideVolume::new(&cube, VolumeFrame::Auto).unwrap();
+    for [s, t, u] in places() {
+        assert!(block.point([s, t, u]).distance(Point3::new(1.0 + 2.0 * s, 2.0 + 3.0 * t, 3.0 + u)) < 1e-14); // a few roundings of 5
+    }
+    assert!((block.measure().volume - 6.0).abs() < 1e-13); // a sum of 4096 terms
+}
+
+#[test]
+fn a_spherical_shell_has_its_volume() {
+    // Between the spheres of radius 1 and 2, longitudes and latitudes from 0 to 0.8: r by u.
+    let at = |radius: f64, long: f64, lat: f64| {
+        Point3::new(radius * lat.cos() * long.cos(), radius * lat.cos() * long.sin(), radius * lat.sin())
+    };
+    let corners = [
+        (1.0, 0.0, 0.0),
+        (1.0, 0.8, 0.0),
+        (1.0, 0.0, 0.8),
+        (1.0, 0.8, 0.8),
+        (2.0, 0.0, 0.0),
+        (2.0, 0.8, 0.0),
+        (2.0, 0.0, 0.8),
+    ];
+    let cube = SphericalCube::new(corners.map(|(r, a, b)| at(r, a, b))).unwrap();
+    assert!(cube.corners()[7].distance(at(2.0, 0.8, 0.8)) < 1e-14);
+    let block = CyclideVolume::new(&cube, VolumeFrame::First(Vec3::Y, Vec3::Z)).unwrap();
+    assert_eq!(block.folds(), FoldVerdict::Regular);
+    let volume = 7.0 / 3.0 * 0.8 * 0.8_f64.sin();
+    let measure = block.measure();
+    assert!((measure.volume - volume).abs() < 1e-13, "{} {volume}", measure.volume);
+    assert!((block.to_body().unwrap().outer.volume() - volume).abs() < 1e-12);
+    for [s, t, u] in places() {
+        let p = block.point([s, t, u]).to_vec();
+        assert!((p.length() - block.point([0.0, 0.0, u]).to_vec().length()).abs() < 1e-14);
+    }
+}
+
+#[test]
+fn left_handed_corners_make_left_handed_blocks() {
+    let sides = [Vec3::Y, Vec3::X, Vec3::Z];
+    let cube = SphericalCube::cuboid(Point3::ORIGIN, sides).unwrap();
+    let block = CyclideVolume::new(&cube, VolumeFrame::Auto).unwrap();
+    assert!(!block.is_right_handed() && block.jacobian([0.5; 3]) < 0.0);
+    let turned = block.right_handed();
+    assert!(turned.is_right_handed() && turned.jacobian([0.5; 3]) > 0.0);
+    assert_eq!(turned.point([0.2, 0.7, 0.1]), block.point([0.7, 0.2, 0.1]));
+    // A frame that is bent away from the sides works as well on both.
+    let corners = [[0.0, 0.0, 0.0], [-0.2, 1.0, 0.1], [1.0, 0.2, -0.1], [0.1, -0.1, 0.9]].map(Point3::from);
+    let cube = SphericalCube::from_barycentric(corners, [1.0, 0.8, 1.3], 0.4).unwrap();
+    let block = CyclideVolume::new(&cube, VolumeFrame::Auto).unwrap();
+    for at in places() {
+        assert!(block.jet(at).orthogonality() < 1e-14 && block.real_residual(at) < 1e-14 && block.jacobian(at) < 0.0);
+    }
+}
+
+#[test]
+fn what_has_no_volume_is_named() {
+    let reason = |points: [[f64; 3]; 7]| SphericalCube::new(points.map(Point3::from)).unwrap_err().reason();
+    let mut cuboid = [[0., 0., 0.], [2., 0., 0.], [0., 3., 0.], [2., 3., 0.], [0., 0., 1.], [2., 0., 1.], [0., 3., 1.]];
+    assert!(SphericalCube::new(cuboid.map(Point3::from)).is_ok());
+    cuboid[1] = [0.0, 0.0, 0.0];
+    assert_eq!(reason(cuboid), "coincident-points");
+    cuboid[1] = [f64::NAN, 0.0, 0.0];
+    assert_eq!(reason(cuboid), "not-finite");
+    cuboid[1] = [2.0, 0.0, 0.3];
+    assert_eq!(reason(cuboid), "not-concircular");
+    let flat =
+        [[0., 0., 0.], [2., 0., 0.], [0., 3., 0.], [2.5, 2.5, 0.], [2., 3., 0.], [2.5, 0.5, 0.], [-0.5, 2.5, 0.]];
+    assert_eq!(reason(flat), "concircular-cube");
+    // Faces away from the first corner may cross: the positions of a twisted cube.
+    let corners = [[0., 0., 0.], [1., 0., 0.], [0., 1., 0.], [0., 0., 1.]].map(Point3::from);
+    let twisted = SphericalCube::from_positions(corners, [0.9, 0.9, 0.5]).unwrap();
+    assert!(!twisted.is_embedded());
+    let error = CyclideVolume::new(&twisted, VolumeFrame::Auto).unwrap_err();
+    assert_eq!(error.reason(), "crossing-face");
+    assert!(matches!(error, Error::CrossingFace { speed, limit, .. } if speed < limit));
+}
