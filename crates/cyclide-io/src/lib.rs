@@ -14,6 +14,7 @@
 //! | curves | [`ArcSpec`], [`BiarcSpec`], [`CircleSpec`], [`PolylineSpec`], [`ArcSplineSpec`], [`CircleSplineSpec`] ([`EndsSpec`], [`ClampedEnds`]), [`FairSplineSpec`] ([`FairEndsSpec`], [`FairEndPair`], [`FairEndSpec`], [`FairEndWord`], [`StraightWord`]), [`ArcFitSpec`], [`FairFitSpec`], [`NurbsSpec`] |
 //! | quaternionic curves through points | [`QbInterpolationSpec`] ([`ParametersSpec`], [`ParameterRule`]), [`MoebiusSplineSpec`] ([`MoebiusContinuity`]), [`InterpolationFacts`], [`QbReport`] |
 //! | curves on a torus | [`TorusSplineSpec`] ([`TorusMethod`], [`WindingSpec`]), [`TorusKnotSpec`], [`TorusQuarticSpec`], [`TorusCircleSpec`] ([`FamilySpec`]), [`TorusSource`] ([`TorusSpec`]), [`UnrolledSpec`], [`TorusSeamSpec`] |
+//! | volumes | [`CyclideVolumeSpec`], [`VolumeReport`] ([`FoldsReport`]) |
 //! | patches and nets | [`CyclidePatchSpec`], [`CyclideSpec`], [`CyclidicNetSpec`] ([`GridSource`], [`MeshFile`], [`FrameSpec`]), [`MakeCircularSpec`] ([`MakeCircularOptions`], [`BorderSpec`], [`BorderWord`], [`BorderCurves`]), [`OffsetSpec`], [`SupportStructureSpec`] |
 //! | surfaces over triangles, polyhedra | [`SmoothMeshSpec`] ([`NormalsSpec`], [`PolygonMeshFile`]), [`SphereBlendSpec`], [`SmoothPolyhedronSpec`] |
 //! | bodies made from curves | [`RevolutionSpec`], [`PipeSpec`], [`TubeSpec`] ([`RadiusLawSpec`]), [`PlateWithNeckSpec`] ([`PlateSpec`], [`DiskSpec`]), [`EllipseBridgeSpec`] ([`BridgeArcs`]), [`CircularSurfaceSpec`], [`RuledSpec`] |
@@ -44,7 +45,7 @@ mod measure;
 mod report;
 mod text;
 
-pub use check::bodies::{FileBody, FileEdge, FileFace, FilePatch, FileShell, FileSurface};
+pub use check::bodies::{FileBody, FileEdge, FileFace, FilePatch, FileShell, FileSurface, FileVolume};
 pub use check::file_content::{FileContent, ReadError};
 pub use check::file_sample::FileSample;
 pub use check::labels::{FileLabels, FileName};
@@ -53,17 +54,18 @@ pub use document::{
     Angle, AnglePairs, ArcFitSpec, ArcSpec, ArcSplineSpec, BiarcSpec, BlendRingSpec, BlendTubeSpec, BorderCurves,
     BorderSpec, BorderWord, BridgeArcs, BuiltObject, CircleSpec, CircleSplineSpec, CircularSurfaceSpec, ClampedEnds,
     Comment, ContactBlendSpec, ContourFacts, Coordinates, CrossingBlendSpec, CrossingLawSpec, CrossingPipeSpec,
-    CutSpec, CyclidePatchSpec, CyclideSpec, CyclidicNetSpec, DOCUMENT_VERSION, Directions, DiskSpec, Document,
-    EllipseBridgeSpec, EndsSpec, FairEndPair, FairEndSpec, FairEndWord, FairEndsSpec, FairFitSpec, FairSplineSpec,
-    FamilySpec, Fitted, FrameSpec, FreeOr, GridSource, Lists, MakeCircularOptions, MakeCircularSpec, MeshFile,
-    ModelBuilder, MotionKind, MotionSpec, NO_EFFECT, NormalsSpec, NurbsSpec, ObjectSpec, OffsetSpec, PipeCrossingSpec,
-    PipeSpec, PipeTeeSpec, PlaneSpec, PlateSpec, PlateWithNeckSpec, PointFile, PointSource, PolygonMeshFile,
-    PolylineSpec, PoseFile, PoseSource, PoseSpec, RadiiSpec, RadiusLawSpec, RatePairs, Remark, RevolutionSpec,
-    RotationSpec, RoundedPolyhedron, RuledSpec, ScaleSpec, SmoothChoice, SmoothMeshSpec, SmoothPolyhedronSpec,
-    SphereBlendSpec, SphereSpec, StartSpec, StepSpec, StraightWord, SupportStructureSpec, SweptSurfaceSpec,
-    TeeBlendSpec, TeeBranchSpec, TeeLawSpec, TeeMainSpec, TeeRadiusSpec, TorusCircleSpec, TorusKnotSpec, TorusMethod,
-    TorusQuarticSpec, TorusSeamSpec, TorusSource, TorusSpec, TorusSplineSpec, TrajectorySpec, TransformSpec, TubeFacts,
-    TubeSpec, TypeWord, UnrolledPlane, UnrolledSpec, WindingSpec, document_schema,
+    CutSpec, CyclidePatchSpec, CyclideSpec, CyclideVolumeSpec, CyclidicNetSpec, DOCUMENT_VERSION, Directions, DiskSpec,
+    Document, EllipseBridgeSpec, EndsSpec, FairEndPair, FairEndSpec, FairEndWord, FairEndsSpec, FairFitSpec,
+    FairSplineSpec, FamilySpec, Fitted, FrameSpec, FreeOr, GridSource, Lists, MakeCircularOptions, MakeCircularSpec,
+    MeshFile, ModelBuilder, MotionKind, MotionSpec, NO_EFFECT, NormalsSpec, NurbsSpec, ObjectSpec, OffsetSpec,
+    PipeCrossingSpec, PipeSpec, PipeTeeSpec, PlaneSpec, PlateSpec, PlateWithNeckSpec, PointFile, PointSource,
+    PolygonMeshFile, PolylineSpec, PoseFile, PoseSource, PoseSpec, RadiiSpec, RadiusLawSpec, RatePairs, Remark,
+    RevolutionSpec, RotationSpec, RoundedPolyhedron, RuledSpec, ScaleSpec, SmoothChoice, SmoothMeshSpec,
+    SmoothPolyhedronSpec, SphereBlendSpec, SphereSpec, StartSpec, StepSpec, StraightWord, SupportStructureSpec,
+    SweptSurfaceSpec, TeeBlendSpec, TeeBranchSpec, TeeLawSpec, TeeMainSpec, TeeRadiusSpec, TorusCircleSpec,
+    TorusKnotSpec, TorusMethod, TorusQuarticSpec, TorusSeamSpec, TorusSource, TorusSpec, TorusSplineSpec,
+    TrajectorySpec, TransformSpec, TubeFacts, TubeSpec, TypeWord, UnrolledPlane, UnrolledSpec, WindingSpec,
+    document_schema,
 };
 pub use document::{
     InterpolationFacts, MoebiusContinuity, MoebiusSplineSpec, ParameterRule, ParametersSpec, QbInterpolationSpec,
@@ -88,11 +90,11 @@ pub use input::points::{ColumnUnit, PointColumns, PointList, PointRemark, PointT
 pub use measure::joints::SurfaceJointReport;
 pub use report::{
     CheckError, CircularReport, ComparisonReport, ContourSamples, CurvatureRangeReport, CurvatureReport, CurveSample,
-    CurveSamples, CurvesReport, FairnessReport, FileReport, FitPieces, FitReport, GeometryReport, JointReport,
-    MotionReport, ObjectReport, PartReport, PatchPlace, PolyhedronReport, QbReport, RangeReport, Report, SampleOptions,
-    SamplePlaces, SeamReport, SegmentCounts, ShapeReport, SingularPatchReport, SmoothReport, Spacing, SurfaceReport,
-    TIGHTER_THAN_RADIUS, TeeBlendReport, TightPlaceReport, TightReport, TorusReport, TubeReport, UnrolledReport,
-    WarningReport, sample, sample_poses,
+    CurveSamples, CurvesReport, FairnessReport, FileReport, FitPieces, FitReport, FoldsReport, GeometryReport,
+    JointReport, MotionReport, ObjectReport, PartReport, PatchPlace, PolyhedronReport, QbReport, RangeReport, Report,
+    SampleOptions, SamplePlaces, SeamReport, SegmentCounts, ShapeReport, SingularPatchReport, SmoothReport, Spacing,
+    SurfaceReport, TIGHTER_THAN_RADIUS, TeeBlendReport, TightPlaceReport, TightReport, TorusReport, TubeReport,
+    UnrolledReport, VolumeReport, WarningReport, sample, sample_poses,
 };
 pub use text::place::{Diagnostic, Source, decode};
 pub use text::suggest::{did_you_mean, similar};

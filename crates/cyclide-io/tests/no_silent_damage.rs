@@ -22,7 +22,7 @@ fn last_of(objects: &str) -> Result<BuiltObject, String> {
 fn surface(built: &BuiltObject) -> SurfaceReport {
     match ObjectReport::new(built, None).geometry {
         GeometryReport::Surface(report) => report,
-        GeometryReport::Curves(_) | GeometryReport::Smooth(_) | GeometryReport::Motion(_) => unreachable!(),
+        _ => unreachable!("it is of surfaces"),
     }
 }
 

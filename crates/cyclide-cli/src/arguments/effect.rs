@@ -92,7 +92,7 @@ pub fn refuse_options_of_other_kinds(args: &CurveArgs, kind: Kind) -> Result<(),
 pub fn without_effect(plan: &MakePlan, model: &Model, report: &Report) -> Vec<String> {
     let options = &plan.options;
     let curves = || model.items.iter().flat_map(|item| item.curves());
-    let no_surface = model.items.iter().all(|item| item.surfaces().is_empty());
+    let no_surface = model.items.iter().all(|item| item.surfaces().is_empty() && item.volumes().is_empty());
     let bent = |geometry: &GeometryReport| matches!(geometry, GeometryReport::Curves(c) if c.curvature.max > 0.0);
     // The trigonometric curve is no spline either: it becomes one within the tolerance.
     let no_spline = curves().all(CurveObject::is_of_arcs);

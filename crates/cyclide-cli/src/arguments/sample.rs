@@ -25,6 +25,7 @@ normal_z and binormal_x to binormal_z, with a column 'contour' in front if the o
 from the start; signed curvature is positive to the left, of plane curves only. Each contour gets its own samples, both ends included.
 Surfaces: columns patch,s,t,x,y,z,normal_x,normal_y,normal_z,curvature_s,curvature_t on a grid of N by N places of every
 patch, edges included, with a column 'body' in front if the object has several.
+Volumes: columns s,t,u,x,y,z,jacobian on a grid of N by N by N places of every block, with a column 'block' in front if the object has several.
 Motions: columns time,x,y,z,qw,qx,qy,qz,m11 to m34 (a quaternion, and the rows of the matrix) at equal steps of time; JSON has poses as a
 document takes them.";
 
@@ -35,7 +36,7 @@ pub struct SampleArgs {
     /// Name of the object; may be left out if there is only one.
     #[arg(long, value_name = "NAME")]
     pub object: Option<String>,
-    /// Samples per contour of a curve, N by N per patch of a surface, or of a motion; at least 2.
+    /// Samples per contour of a curve, N by N per patch of a surface, N by N by N per block of a volume, or of a motion; at least 2.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(2..=10_000_000), required_unless_present = "step")]
     pub count: Option<u32>,
     /// Curves: a sample every D of arc length, and the end.

@@ -35,6 +35,7 @@ pub fn run(plan: &SamplePlan) -> Result<(), Failure> {
     let text = match &object.item.geometry {
         Geometry::Curves(_) => curves(plan, &object)?,
         Geometry::Surfaces(_) => surface(plan, &object)?,
+        Geometry::Volumes(blocks) => volume(plan, &object, blocks.len())?,
         Geometry::Motion(_) => motion(plan, &object)?,
     };
     match &plan.output {
@@ -59,6 +60,15 @@ fn surface(plan: &SamplePlan, object: &BuiltObject) -> Result<String, Failure> {
     }
     let patches: usize = object.bodies.iter().flat_map(Body::shells).map(|shell| shell.faces().len()).sum();
     refuse_many(&format!("--count {count}"), patches as f64 * (count as f64).powi(2), patches, "patches")?;
+    Ok(cyclide_io::sample(object, count, Spacing::Parameter))
+}
+
+fn volume(plan: &SamplePlan, object: &BuiltObject, blocks: usize) -> Result<String, Failure> {
+    let count = count_alone(plan, "a volume")?;
+    if plan.json {
+        return Err(Failure::Usage("--json is for curves and motions, the object is a volume".to_owned()));
+    }
+    refuse_many(&format!("--count {count}"), blocks as f64 * (count as f64).powi(3), blocks, "blocks")?;
     Ok(cyclide_io::sample(object, count, Spacing::Parameter))
 }
 

@@ -1,6 +1,6 @@
 //! Bodies as a file holds them.
 
-use cyclide::{ChainPiece, NurbsCurve, PatchKind, Point3, RationalBezierSurface};
+use cyclide::{ChainPiece, NurbsCurve, PatchKind, Point3, RationalBezierSurface, RationalBezierVolume};
 
 /// A rational patch of a file of surfaces.
 ///
@@ -24,6 +24,25 @@ pub struct FilePatch {
     pub outward: bool,
     /// The patch, over [0, 1] in both parameters.
     pub surface: RationalBezierSurface,
+}
+
+/// A rational volume of a file.
+///
+/// ```
+/// use cyclide::{CyclideVolume, Model, Point3, SphericalCube, Vec3, VolumeFrame};
+/// use cyclide_io::{ExportOptions, Format, export, read_back};
+/// let cube = SphericalCube::cuboid(Point3::ORIGIN, [Vec3::X, Vec3::Y, Vec3::Z])?;
+/// let model = Model::default().with_volume("block", CyclideVolume::new(&cube, VolumeFrame::Auto)?);
+/// let content = read_back(Format::Vtu, &export(&model, Format::Vtu, &ExportOptions::default())?.bytes)?;
+/// assert!(content.volumes.len() == 1 && content.patches.is_empty());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct FileVolume {
+    /// The body that it is of, from 0, those of all objects counted through.
+    pub body: usize,
+    /// The volume, over [0, 1] in its three parameters.
+    pub volume: RationalBezierVolume,
 }
 
 /// A body of a file: a solid, or one or more shells.

@@ -1,6 +1,6 @@
 //! What a file of ours holds when it is read back, and why it may not be readable.
 
-use crate::check::bodies::{FileBody, FilePatch};
+use crate::check::bodies::{FileBody, FilePatch, FileVolume};
 use crate::check::file_sample::FileSample;
 use crate::check::labels::FileLabels;
 use crate::text::place::quoted;
@@ -26,8 +26,10 @@ pub struct FileContent {
     pub bodies: Vec<FileBody>,
     /// The meshes of formats that have them: one per body, in file order; in STL one for all.
     pub meshes: Vec<SurfaceMesh>,
-    /// The rational patches of JSON, in file order.
+    /// The rational patches of JSON and VTU, in file order.
     pub patches: Vec<FilePatch>,
+    /// The rational volumes of VTU, in file order.
+    pub volumes: Vec<FileVolume>,
     /// The lines that stand for surfaces in a drawing, in file order.
     pub lines: Vec<CurveChain>,
     /// What tables say beside the points of each curve, in file order.
@@ -205,6 +207,14 @@ pub enum ReadError {
     Patch {
         /// Which patch, from 0.
         patch: usize,
+        /// What differs.
+        detail: &'static str,
+    },
+    /// A rational volume of the file is not that of the model.
+    #[error("volume {volume}: {detail}")]
+    Volume {
+        /// Which volume, from 0.
+        volume: usize,
         /// What differs.
         detail: &'static str,
     },

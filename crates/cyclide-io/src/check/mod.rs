@@ -7,4 +7,6 @@ pub(crate) mod file_sample;
 pub(crate) mod labels;
 pub(crate) mod made;
 pub(crate) mod polyline;
+pub(crate) mod rational_patches;
+pub(crate) mod rational_volumes;
 pub(crate) mod tiles;

@@ -57,7 +57,7 @@ impl Contour<'_> {
     }
 }
 
-/// The bodies of a model's surfaces in the order in which every format writes them.
+/// The bodies of a model's surfaces and volumes in the order in which every format writes them.
 pub(crate) fn bodies(model: &Model) -> Result<Vec<BodyOf<'_>>, ExportError> {
     let mut bodies = Vec::new();
     for (item, it) in model.items.iter().enumerate() {
@@ -68,6 +68,12 @@ pub(crate) fn bodies(model: &Model) -> Result<Vec<BodyOf<'_>>, ExportError> {
                 own.push((index, Shape::of_triangles(triangles).map_err(lowered)?));
             }
             own.extend(surface.to_bodies().map_err(lowered)?.into_iter().map(|body| (index, body.into())));
+        }
+        for (index, volume) in it.volumes().iter().enumerate() {
+            let body = volume.to_body();
+            let body =
+                body.map_err(|source| ExportError::Surface { object: it.name.clone(), surface: index, source })?;
+            own.push((index, body.into()));
         }
         let count = own.len();
         let named = |(index, (surface, body))| BodyOf { object: &it.name, item, surface, index, count, body };

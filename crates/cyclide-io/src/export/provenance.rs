@@ -57,6 +57,7 @@ fn kind_of(item: &Item) -> &'static str {
     match &item.geometry {
         Geometry::Curves(contours) => contours.first().map_or("", kind_of_curve),
         Geometry::Surfaces(surfaces) => surfaces.first().map_or("", kind_of_surface),
+        Geometry::Volumes(_) => "cyclide-volume",
         Geometry::Motion(_) => "motion",
     }
 }

@@ -133,6 +133,7 @@ fn left_out(model: &Model, format: &Entry) -> Result<Option<String>, ExportError
         Geometry::Surfaces(surfaces) if format.lacks == Some(Kind::Surfaces) && !surfaces.is_empty() => {
             Some("surfaces")
         }
+        Geometry::Volumes(volumes) if format.lacks == Some(Kind::Surfaces) && !volumes.is_empty() => Some("volumes"),
         Geometry::Motion(_) if !format.animates => Some("motions"),
         _ => None,
     };
@@ -144,6 +145,7 @@ fn left_out(model: &Model, format: &Entry) -> Result<Option<String>, ExportError
     let is_empty = |item: &Item| match &item.geometry {
         Geometry::Curves(contours) => contours.is_empty(),
         Geometry::Surfaces(surfaces) => surfaces.is_empty(),
+        Geometry::Volumes(volumes) => volumes.is_empty(),
         Geometry::Motion(_) => false,
     };
     if !model.items.iter().any(|item| what(item).is_none() && !is_empty(item)) {
@@ -151,7 +153,8 @@ fn left_out(model: &Model, format: &Entry) -> Result<Option<String>, ExportError
     }
     let of_kind =
         |kind: &str| lost.iter().filter(|(own, _)| *own == kind).map(|(_, name)| *name).collect::<Vec<_>>().join(", ");
-    let kinds = ["curves", "surfaces", "motions"].into_iter().filter(|kind| lost.iter().any(|(own, _)| own == kind));
+    let kinds =
+        ["curves", "surfaces", "volumes", "motions"].into_iter().filter(|kind| lost.iter().any(|(own, _)| own == kind));
     let notes = kinds.map(|kind| format!("{kind} are left out ({} cannot hold them): {}", format.title, of_kind(kind)));
     Ok(Some(notes.collect::<Vec<_>>().join("; ")))
 }

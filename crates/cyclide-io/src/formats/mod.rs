@@ -18,6 +18,7 @@ mod read_back;
 mod step;
 mod stl;
 mod svg;
+mod vtu;
 
 use entry::Entry;
 
@@ -78,4 +79,6 @@ formats! {
     Obj: obj,
     /// Binary STL: 3D printing.
     Stl: stl,
+    /// VTK XML unstructured grid of rational Bézier cells: ParaView, analysis.
+    Vtu: vtu,
 }

@@ -17,6 +17,7 @@ mod text;
 mod tight;
 mod torus;
 mod tube;
+mod volume;
 
 use cyclide::{Geometry, SurfaceObject, Units};
 use indexmap::IndexMap;
@@ -39,6 +40,7 @@ pub use tee::TeeBlendReport;
 pub use tight::{TIGHTER_THAN_RADIUS, TightPlaceReport, TightReport};
 pub use torus::{SegmentCounts, TorusReport, UnrolledReport};
 pub use tube::TubeReport;
+pub use volume::{FoldsReport, VolumeReport};
 
 /// The report on a model and the files made of it. As JSON, values that are not finite are `null`.
 ///
@@ -79,7 +81,7 @@ pub struct ObjectReport {
     /// True for construction geometry, which is in no file.
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     pub construction: bool,
-    /// Its curves, its surfaces or its motion.
+    /// Its curves, its surfaces, its volumes or its motion.
     #[serde(flatten)]
     pub geometry: GeometryReport,
     /// What the user should know.
@@ -106,6 +108,8 @@ pub enum GeometryReport {
     Surface(SurfaceReport),
     /// A smooth surface over triangles.
     Smooth(SmoothReport),
+    /// Volumes.
+    Volume(Box<VolumeReport>),
     /// A motion.
     Motion(Box<MotionReport>),
 }
@@ -195,6 +199,7 @@ impl ObjectReport {
                 Some(triangles) => GeometryReport::Smooth(SmoothReport::new(built, triangles)),
                 None => GeometryReport::Surface(SurfaceReport::new(built)),
             },
+            Geometry::Volumes(volumes) => GeometryReport::Volume(Box::new(VolumeReport::new(volumes))),
             Geometry::Motion(body) => GeometryReport::Motion(Box::new(MotionReport::new(body))),
         };
         let warnings = built.remarks.iter().map(WarningReport::from).collect();

@@ -2,7 +2,8 @@
 //! curvatures on surfaces.
 
 use cyclide::{
-    Body, FaceGeometry as _, Geometry, MovingBody, ParamSurface as _, Quat, ShellFace, SurfaceObject, TriangleSurface,
+    Body, CyclideVolume, FaceGeometry as _, Geometry, MovingBody, ParamSurface as _, ParamVolume as _, Quat, ShellFace,
+    SurfaceObject, TriangleSurface,
 };
 use serde_json::json;
 
@@ -40,6 +41,9 @@ pub enum Spacing {
 /// Smooth surfaces over triangles: columns `triangle,a,b,x,y,z,normal_x,normal_y,normal_z` with triangles from 0, the first two
 /// barycentric coordinates, `count` places along each side.
 ///
+/// Volumes: columns `s,t,u,x,y,z,jacobian` with s fastest, `count` by `count` by `count` per block; a column `block` (from 0) in front if there
+/// are several.
+///
 /// Motions: columns `time,x,y,z,qw,qx,qy,qz` and the first three rows `m11` to `m34` of the matrix of each pose (the fourth is `0 0 0 1`), at equal
 /// steps of time; neighbouring quaternions are on the same side.
 ///
@@ -66,6 +70,7 @@ pub fn sample(built: &BuiltObject, count: usize, spacing: Spacing) -> String {
             Some(surface) => triangles(surface, count),
             None => surfaces(&built.bodies, count),
         },
+        Geometry::Volumes(blocks) => volumes(blocks, count),
         Geometry::Motion(body) => motion(body, count),
     }
 }
@@ -96,6 +101,28 @@ pub fn sample_poses(built: &BuiltObject, count: usize) -> Option<String> {
     }
     let text = json!({"poses": poses, "matrices": matrices}).to_string();
     Some(text + "\n")
+}
+
+fn volumes(blocks: &[CyclideVolume], count: usize) -> String {
+    let several = blocks.len() > 1;
+    let mut out = format!("{}s,t,u,x,y,z,jacobian\n", if several { "block," } else { "" });
+    for (index, block) in blocks.iter().enumerate() {
+        for u in fractions(count) {
+            for t in fractions(count) {
+                for s in fractions(count) {
+                    if several {
+                        out += &format!("{index},");
+                    }
+                    push_plain(&mut out, s);
+                    let at = [s, t, u];
+                    let numbers = [t, u].into_iter().chain(block.point(at).to_array()).chain([block.jacobian(at)]);
+                    numbers.for_each(|value| push_field(&mut out, Some(value)));
+                    out.push('\n');
+                }
+            }
+        }
+    }
+    out
 }
 
 fn motion(body: &MovingBody, count: usize) -> String {

@@ -59,6 +59,7 @@ impl ObjectReport {
             GeometryReport::Curves(curves) => curves.facts(&mut facts),
             GeometryReport::Surface(surface) => surface.facts(&mut facts),
             GeometryReport::Smooth(surface) => surface.facts(&mut facts),
+            GeometryReport::Volume(volume) => volume.facts(&mut facts),
             GeometryReport::Motion(motion) => motion.facts(&mut facts),
         }
         if self.construction {
@@ -70,6 +71,7 @@ impl ObjectReport {
             GeometryReport::Curves(curves) => curves.lines(units, &mut line)?,
             GeometryReport::Surface(surface) => surface.lines(units, &mut line)?,
             GeometryReport::Smooth(surface) => surface.lines(units, &mut line)?,
+            GeometryReport::Volume(volume) => volume.lines(units, &mut line)?,
             GeometryReport::Motion(motion) => motion.lines(units, &mut line)?,
         }
         if !self.warnings.is_empty() {

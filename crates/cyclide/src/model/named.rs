@@ -8,6 +8,7 @@ use crate::motion::MovingBody;
 use crate::rational::NurbsCurve;
 use crate::surface::{CyclidePatch, CyclidicNet, SmoothMesh, SphereBlend, TorusSpline, TriangleSurface};
 use crate::topology::{Body, Shell};
+use crate::volume::CyclideVolume;
 
 impl Model {
     /// A model without objects.
@@ -34,6 +35,12 @@ impl Model {
     #[must_use]
     pub fn with_surface(self, name: impl Into<String>, surface: impl Into<SurfaceObject>) -> Self {
         self.with(Item::new(name, vec![surface.into()]))
+    }
+
+    /// The model with one more object, a block.
+    #[must_use]
+    pub fn with_volume(self, name: impl Into<String>, volume: impl Into<CyclideVolume>) -> Self {
+        self.with(Item::new(name, vec![volume.into()]))
     }
 
     /// The model with one more object, a moving body.

@@ -8,6 +8,7 @@ use crate::error::Result;
 use crate::motion::MovingBody;
 use crate::rational::NurbsCurve;
 use crate::surface::TorusSpline;
+use crate::volume::CyclideVolume;
 
 /// What one unit of the coordinates means. Coordinates are never rescaled; units label them.
 ///
@@ -140,9 +141,9 @@ impl Lower for CurveObject {
     }
 }
 
-/// What an object is made of: curves, surfaces or a motion, never two of them. A construction that makes both makes two objects.
+/// What an object is made of: curves, surfaces, volumes or a motion, never two of them. A construction that makes both makes two objects.
 ///
-/// The list is closed on purpose: objects of another kind (volumes) are a new variant, and the compiler then names
+/// The list is closed on purpose: objects of another kind are a new variant, and the compiler then names
 /// every writer, check and report that has to think of them.
 ///
 /// ```
@@ -158,6 +159,8 @@ pub enum Geometry {
     Curves(Vec<CurveObject>),
     /// Surfaces, each one body, or several where it hangs together in points only.
     Surfaces(Vec<SurfaceObject>),
+    /// Volumes: blocks.
+    Volumes(Vec<CyclideVolume>),
     /// A moving body.
     Motion(Box<MovingBody>),
 }
@@ -181,6 +184,12 @@ impl From<Vec<SurfaceObject>> for Geometry {
     }
 }
 
+impl From<Vec<CyclideVolume>> for Geometry {
+    fn from(volumes: Vec<CyclideVolume>) -> Self {
+        Self::Volumes(volumes)
+    }
+}
+
 impl From<MovingBody> for Geometry {
     fn from(body: MovingBody) -> Self {
         Self::Motion(Box::new(body))
@@ -201,12 +210,12 @@ impl From<MovingBody> for Geometry {
 pub struct Item {
     /// Name, unique in the model.
     pub name: String,
-    /// Its curves, its surfaces or its motion.
+    /// Its curves, its surfaces, its volumes or its motion.
     pub geometry: Geometry,
 }
 
 impl Item {
-    /// An object of curves, of surfaces or of a motion. Names tell objects apart in files: give each its own.
+    /// An object of curves, of surfaces, of volumes or of a motion. Names tell objects apart in files: give each its own.
     #[must_use]
     pub fn new(name: impl Into<String>, geometry: impl Into<Geometry>) -> Self {
         Self { name: name.into(), geometry: geometry.into() }
@@ -217,7 +226,7 @@ impl Item {
     pub fn curves(&self) -> &[CurveObject] {
         match &self.geometry {
             Geometry::Curves(contours) => contours,
-            Geometry::Surfaces(_) | Geometry::Motion(_) => &[],
+            Geometry::Surfaces(_) | Geometry::Volumes(_) | Geometry::Motion(_) => &[],
         }
     }
 
@@ -234,8 +243,17 @@ impl Item {
     #[must_use]
     pub fn surfaces(&self) -> &[SurfaceObject] {
         match &self.geometry {
-            Geometry::Curves(_) | Geometry::Motion(_) => &[],
+            Geometry::Curves(_) | Geometry::Volumes(_) | Geometry::Motion(_) => &[],
             Geometry::Surfaces(surfaces) => surfaces,
+        }
+    }
+
+    /// Its blocks; none of an object of another kind.
+    #[must_use]
+    pub fn volumes(&self) -> &[CyclideVolume] {
+        match &self.geometry {
+            Geometry::Volumes(volumes) => volumes,
+            Geometry::Curves(_) | Geometry::Surfaces(_) | Geometry::Motion(_) => &[],
         }
     }
 }

@@ -442,4 +442,16 @@ pub enum Warning {
         /// How many corners there are.
         count: usize,
     },
+    /// A block folds: the parameter lines of one direction run backwards in a part of it.
+    VolumeFolds {
+        /// A place in that part: s, t, u.
+        at: [f64; 3],
+    },
+    /// Whether a block folds is not proved: parameter lines of one direction come to a stand near a place, or nearly so.
+    VolumeFoldUndecided {
+        /// The place: s, t, u.
+        at: [f64; 3],
+        /// How often squares of parameters about it were quartered.
+        depth: u32,
+    },
 }

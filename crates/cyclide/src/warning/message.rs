@@ -335,6 +335,20 @@ impl std::fmt::Display for Warning {
                 f,
                 "{count} normal(s) point to the back of a triangle beside them, first that of vertex {vertex} in triangle {triangle}: the surface folds over there; turn the normals or the triangles, or refine the mesh"
             ),
+            Self::VolumeFolds { at: [s, t, u] } => write!(
+                f,
+                "the block folds near s = {}, t = {}, u = {}: its parameter lines run backwards there, and cells have a negative volume; take a frame nearer to its sides, or corners nearer to those of a box",
+                ShortNumber(*s),
+                ShortNumber(*t),
+                ShortNumber(*u)
+            ),
+            Self::VolumeFoldUndecided { at: [s, t, u], depth } => write!(
+                f,
+                "whether the block folds near s = {}, t = {}, u = {} is not decided after {depth} quarterings: cells are flat there at best",
+                ShortNumber(*s),
+                ShortNumber(*t),
+                ShortNumber(*u)
+            ),
         }
     }
 }

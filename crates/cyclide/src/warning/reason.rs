@@ -58,6 +58,8 @@ impl Warning {
             Self::KinksAtJoints { .. } => "kinks-at-joints",
             Self::NearlyFullArcs { .. } => "nearly-full-arcs",
             Self::SpheresNearlyOpposite { .. } => "spheres-nearly-opposite",
+            Self::VolumeFolds { .. } => "volume-folds",
+            Self::VolumeFoldUndecided { .. } => "volume-fold-undecided",
             Self::NormalFacesBackward { .. } => "normal-faces-backward",
         }
     }
@@ -115,6 +117,8 @@ impl Warning {
             | Self::OpenProfile { .. }
             | Self::Pinched { .. }
             | Self::SpheresNearlyOpposite { .. }
+            | Self::VolumeFolds { .. }
+            | Self::VolumeFoldUndecided { .. }
             | Self::FlatRevolution => None,
         }
     }

@@ -98,18 +98,27 @@ fn figures(report: &Report) -> Vec<(&'static str, String)> {
     let named = report.objects.iter().filter(|(_, object)| !object.construction);
     let named = named.filter_map(|(name, object)| match &object.geometry {
         GeometryReport::Surface(surface) => Some((name.as_str(), surface)),
-        GeometryReport::Curves(_) | GeometryReport::Smooth(_) | GeometryReport::Motion(_) => None,
+        GeometryReport::Curves(_)
+        | GeometryReport::Smooth(_)
+        | GeometryReport::Volume(_)
+        | GeometryReport::Motion(_) => None,
     });
     let (names, surfaces): (Vec<&str>, Vec<&SurfaceReport>) = named.unzip();
     let curves = || {
         shown().filter_map(|object| match &object.geometry {
             GeometryReport::Curves(curves) => Some(curves),
-            GeometryReport::Surface(_) | GeometryReport::Smooth(_) | GeometryReport::Motion(_) => None,
+            GeometryReport::Surface(_)
+            | GeometryReport::Smooth(_)
+            | GeometryReport::Volume(_)
+            | GeometryReport::Motion(_) => None,
         })
     };
     for smooth in shown().filter_map(|object| match &object.geometry {
         GeometryReport::Smooth(smooth) => Some(smooth),
-        GeometryReport::Surface(_) | GeometryReport::Curves(_) | GeometryReport::Motion(_) => None,
+        GeometryReport::Surface(_)
+        | GeometryReport::Curves(_)
+        | GeometryReport::Volume(_)
+        | GeometryReport::Motion(_) => None,
     }) {
         figures.push(("triangles", smooth.triangles.to_string()));
         figures.push(("area", format!("{} {units}²", ShortNumber(smooth.area))));
@@ -120,6 +129,11 @@ fn figures(report: &Report) -> Vec<(&'static str, String)> {
         }
     }
     for object in shown() {
+        if let GeometryReport::Volume(volume) = &object.geometry {
+            figures.push(("blocks", volume.blocks.to_string()));
+            figures.push(("volume", format!("{} {units}³", ShortNumber(volume.volume))));
+            figures.push(("lines", format!("cross at right angles to {}", ShortNumber(volume.orthogonality))));
+        }
         if let GeometryReport::Motion(motion) = &object.geometry {
             let [duration, most] = [motion.duration, motion.speed.max].map(ShortNumber);
             figures.push(("motion", format!("{duration} s, up to {most} {units}/s")));
@@ -156,7 +170,10 @@ fn figures(report: &Report) -> Vec<(&'static str, String)> {
         let lengths = report.objects.iter().filter(|(_, object)| !object.construction);
         let lengths = lengths.filter_map(|(name, object)| match &object.geometry {
             GeometryReport::Curves(curves) => Some((name.clone(), curves.length)),
-            GeometryReport::Surface(_) | GeometryReport::Smooth(_) | GeometryReport::Motion(_) => None,
+            GeometryReport::Surface(_)
+            | GeometryReport::Smooth(_)
+            | GeometryReport::Volume(_)
+            | GeometryReport::Motion(_) => None,
         });
         figures.push(("length", each(&lengths.collect::<Vec<_>>(), units)));
         // How evenly the curves bend says something of each alone, and of those without jumps of the curvature.

@@ -25,13 +25,14 @@ mod tees;
 mod torus;
 mod transform;
 mod tubes;
+mod volumes;
 
 use std::io;
 use std::path::{Path, PathBuf};
 
 #[cfg(feature = "circular-mesh")]
 use cyclide::CircularMeshReport;
-use cyclide::{Body, Geometry, Item, Point3, Seam, SurfaceObject, TeeBlendFacts};
+use cyclide::{Body, CyclideVolume, Geometry, Item, Point3, Seam, SurfaceObject, TeeBlendFacts};
 
 use super::Document;
 use super::construct::ContourFacts;
@@ -251,9 +252,12 @@ impl Builder<'_> {
     fn build(mut self) -> Result<BuiltObject> {
         let (curves, contours) = self.curves()?.into_iter().unzip();
         let surfaces = self.surfaces()?;
+        let volumes = self.volumes()?;
         let moving = self.moving_body()?;
         let bodies = surfaces.iter().map(SurfaceObject::to_bodies).collect::<cyclide::Result<Vec<_>>>();
-        let bodies: Vec<Body> = bodies.map_err(|e| self.refused(&e, None))?.into_iter().flatten().collect();
+        let blocks = volumes.iter().map(CyclideVolume::to_body).collect::<cyclide::Result<Vec<_>>>();
+        let mut bodies: Vec<Body> = bodies.map_err(|e| self.refused(&e, None))?.into_iter().flatten().collect();
+        bodies.extend(blocks.map_err(|e| self.refused(&e, None))?);
         match self.spec {
             ObjectSpec::CyclidicNet(net) => {
                 self.warn_of_folds(net, &surfaces, &bodies);
@@ -268,9 +272,10 @@ impl Builder<'_> {
             ObjectSpec::FairFit(s) => Some(s.tolerance),
             _ => None,
         };
-        // A type makes curves, surfaces or a motion, and an image is of the kind of its object.
+        // A type makes curves, surfaces, volumes or a motion, and an image is of the kind of its object.
         let geometry = match moving {
             Some(body) => body.into(),
+            None if !volumes.is_empty() => Geometry::Volumes(volumes),
             None if surfaces.is_empty() => Geometry::Curves(curves),
             None => Geometry::Surfaces(surfaces),
         };

@@ -55,7 +55,7 @@ impl Builder<'_> {
     }
 
     /// Applies some of the steps one by one, so that a message can show the step at fault; `kept` says what other maps are for.
-    fn mapped<T: Clone>(
+    pub(super) fn mapped<T: Clone>(
         &self,
         spec: &TransformSpec,
         steps: Range<usize>,
@@ -171,7 +171,7 @@ fn no_part(cut: &CutSpec, length: f64) -> String {
 }
 
 /// The map of one step; what is no map moves nothing.
-fn map_of(step: &StepSpec) -> cyclide::Result<Mobius> {
+pub(super) fn map_of(step: &StepSpec) -> cyclide::Result<Mobius> {
     let origin = |given: Option<Coordinates>| given.unwrap_or_default().point();
     match step {
         StepSpec::Inversion(s) => Mobius::inversion(s.center.point(), s.radius),

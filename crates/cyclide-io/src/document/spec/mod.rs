@@ -22,6 +22,7 @@ mod tees;
 mod torus;
 mod torus_numbers;
 mod tubes;
+mod volumes;
 
 use std::collections::BTreeMap;
 
@@ -63,6 +64,7 @@ pub use torus::{
 };
 pub use torus_numbers::{AnglePairs, FreeOr, RatePairs};
 pub use tubes::{RadiusLawSpec, TubeSpec};
+pub use volumes::CyclideVolumeSpec;
 
 /// A cyclide model: named curves and surfaces made of circles. Lengths are in the document's units and are never rescaled,
 /// angles are in radians or say `degrees`.
@@ -142,6 +144,8 @@ pub enum ObjectSpec {
     Cyclide(CyclideSpec),
     /// A smooth surface of patches over a grid of points.
     CyclidicNet(CyclidicNetSpec),
+    /// A block whose coordinate surfaces are cyclides that cross at right angles.
+    CyclideVolume(CyclideVolumeSpec),
     /// A convex polyhedron with its edges and corners rounded.
     SmoothPolyhedron(SmoothPolyhedronSpec),
     /// A smooth surface through the vertices of a triangle mesh.
@@ -273,6 +277,7 @@ object_types! {
     "cyclide-patch" => CyclidePatch,
     "cyclide" => Cyclide,
     "cyclidic-net" => CyclidicNet,
+    "cyclide-volume" => CyclideVolume,
     "smooth-polyhedron" => SmoothPolyhedron,
     "smooth-mesh" => SmoothMesh,
     "sphere-blend" => SphereBlend,

@@ -26,6 +26,7 @@ use crate::check::deviation::{Deviations, View};
 use crate::check::file_content::ReadError;
 use crate::check::labels::{FileLabels, FileName};
 use crate::check::made::Made;
+use crate::check::rational_patches::patches_deviation;
 use crate::export::error::ExportError;
 use crate::export::exported::{Exported, PieceNotes, Promise, Written, WrittenCurve};
 use crate::export::job::Job;
@@ -75,7 +76,8 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
             written.shells.push(surfaces::push_body(&mut out, body)?);
             written.bodies.push(Promise::EXACT);
         }
-        out.push_str(if item.surfaces().is_empty() { "}" } else { "\n]}" });
+        let has_bodies = job.bodies.iter().any(|body| body.item == index);
+        out.push_str(if has_bodies { "\n]}" } else { "}" });
     }
     out.push_str("\n}\n}\n");
     Ok(written.exported(out.into_bytes(), Vec::new()))
@@ -87,7 +89,8 @@ fn compare(made: &Made<'_>) -> Result<Deviations, ReadError> {
     let bodies = &made.ready.bodies;
     let labels = labels(made.ready, &made.file.written);
     let curves = made.curves(&content, View::Space)?;
-    let bodies = surfaces::deviation(bodies, &made.file.written.shells, &content.patches)?;
+    let bodies: Vec<_> = bodies.iter().collect();
+    let bodies = patches_deviation(&bodies, &made.file.written.shells, &content.patches)?;
     content.labels.check(&labels)?;
     Ok(Deviations { curves, bodies, ..Deviations::default() })
 }

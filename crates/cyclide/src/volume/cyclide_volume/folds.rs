@@ -2,6 +2,7 @@
 
 use super::super::fold::{FoldVerdict, Sign, sign};
 use super::{CyclideVolume, others};
+use crate::warning::Warning;
 
 /// Rounding of a speed in units of the products it is a sum of.
 const ROUNDING: f64 = 64.0 * f64::EPSILON;
@@ -29,6 +30,16 @@ impl CyclideVolume {
             }
         }
         undecided.unwrap_or(FoldVerdict::Regular)
+    }
+
+    /// What should be known of it: `volume-folds`, `volume-fold-undecided`.
+    #[must_use]
+    pub fn warnings(&self) -> Vec<Warning> {
+        match self.folds() {
+            FoldVerdict::Regular => Vec::new(),
+            FoldVerdict::Folded { at } => vec![Warning::VolumeFolds { at }],
+            FoldVerdict::Undecided { at, depth } => vec![Warning::VolumeFoldUndecided { at, depth }],
+        }
     }
 
     /// Rounding of the speeds: of the products `~w_i (a_j - a_i) w_j`, of rounded corners and weights.

@@ -1,0 +1,80 @@
+//! Volumes: from corners and a frame to the kernel's blocks.
+
+use cyclide::{Conformal as _, CyclideVolume, Point3, SphericalCube, VolumeFrame};
+
+use super::Builder;
+use super::surfaces::direction;
+use super::transform::map_of;
+use crate::document::locate::Step;
+use crate::document::spec::{CyclideVolumeSpec, FrameSpec, ObjectSpec, StepSpec, TransformSpec};
+use crate::error::Result;
+
+/// How far a last corner that is given may be from the one that follows, relative to the size.
+const LAST_CORNER: f64 = 1e-9;
+
+impl Builder<'_> {
+    /// The blocks of an object that has some.
+    pub(super) fn volumes(&mut self) -> Result<Vec<CyclideVolume>> {
+        let (volumes, field) = match self.spec {
+            ObjectSpec::CyclideVolume(spec) => (vec![self.block(spec)?], "frame"),
+            ObjectSpec::Transform(spec) => (self.mapped_volumes(spec)?, "of"),
+            _ => return Ok(Vec::new()),
+        };
+        for warning in volumes.iter().flat_map(CyclideVolume::warnings) {
+            self.warn_at(field, None, warning);
+        }
+        Ok(volumes)
+    }
+
+    fn block(&self, spec: &CyclideVolumeSpec) -> Result<CyclideVolume> {
+        let corners: Vec<Point3> = spec.corners.iter().map(|c| c.point()).collect();
+        let for_four = [("inside", spec.inside.is_some()), ("turn", spec.turn.is_some())];
+        if let Some((field, _)) = for_four.into_iter().find(|(_, given)| *given && corners.len() != 4) {
+            return Err(self.unfit(&format!("`{field}` goes with four corners: others determine the block")));
+        }
+        let refused = |e: cyclide::Error| self.refused(&e, None);
+        let cube = match *corners.as_slice() {
+            [a0, a1, a2, a3] => {
+                let (inside, turn) = (spec.inside.unwrap_or([1.0; 3]), spec.turn.unwrap_or(0.5));
+                SphericalCube::from_barycentric([a0, a1, a2, a3], inside, turn).map_err(refused)?
+            }
+            [a, b, c, d, e, f, g] => SphericalCube::new([a, b, c, d, e, f, g]).map_err(refused)?,
+            [a, b, c, d, e, f, g, last] => {
+                let cube = SphericalCube::new([a, b, c, d, e, f, g]).map_err(refused)?;
+                let follows = cube.corners()[7];
+                let size = cube.corners().iter().map(|p| p.distance(a)).fold(0.0, f64::max);
+                let distance = follows.distance(last);
+                if !(distance <= LAST_CORNER * size) {
+                    let [x, y, z] = follows.to_array();
+                    let words = format!(
+                        "the last corner is {distance:.3e} from ({x}, {y}, {z}), the only one that is on the circles of its three faces: leave it out"
+                    );
+                    let place = [Step::from("corners"), Step::from(7)];
+                    return Err(self.refused_in_words(place, "not-concircular", words));
+                }
+                cube
+            }
+            _ => return Err(self.unfit("`corners` are 4, 7 or 8")),
+        };
+        let frame = match spec.frame {
+            FrameSpec::Auto => VolumeFrame::Auto,
+            FrameSpec::First(given) => {
+                let [v1, v2] = given.map(direction);
+                VolumeFrame::First(v1, v2)
+            }
+        };
+        CyclideVolume::new(&cube, frame).map_err(refused)
+    }
+
+    /// The images of blocks.
+    fn mapped_volumes(&self, spec: &TransformSpec) -> Result<Vec<CyclideVolume>> {
+        let volumes = self.sources.first().map_or(&[][..], |source| source.item.volumes());
+        let of_curves = |step: &StepSpec| matches!(step, StepSpec::Reverse | StepSpec::Cut(_));
+        if let Some(index) = spec.steps.iter().position(of_curves).filter(|_| !volumes.is_empty()) {
+            return Err(
+                self.wrong_source_at([Step::from("steps"), Step::from(index)], "only curves are run backwards or cut")
+            );
+        }
+        self.mapped(spec, 0..spec.steps.len(), volumes, |volume, step| volume.transformed(&map_of(step)?), "")
+    }
+}

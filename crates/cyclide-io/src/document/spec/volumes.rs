@@ -1,0 +1,49 @@
+//! Volumes, field by field.
+
+use schemars::JsonSchema;
+use serde::Deserialize;
+
+use super::TypeWord;
+use super::comment::Comment;
+use super::nets::FrameSpec;
+use crate::document::coordinates::Coordinates;
+
+/// A block whose six faces are patches of Dupin cyclides, and so are all surfaces on which one of its three parameters is constant: they
+/// cross at right angles everywhere.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let corners = "[[0,0,0], [1,0.2,-0.1], [-0.2,1,0.1], [0.1,-0.1,0.9]]";
+/// let text = format!(r#"{{"cyclide": 1, "objects": {{"b": {{"type": "cyclide-volume", "corners": {corners}}}}}}}"#);
+/// let built = text.parse::<Document>()?.build()?;
+/// assert!(built[0].item.volumes().len() == 1 && built[0].bodies[0].is_solid());
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[non_exhaustive]
+pub struct CyclideVolumeSpec {
+    /// The word `cyclide-volume`.
+    #[schemars(with = "String", extend("const" = "cyclide-volume"))]
+    pub r#type: TypeWord,
+    /// What the author remarks; read and left aside.
+    #[serde(default)]
+    pub comment: Comment,
+    /// Construction geometry: built and reported, not written to files.
+    #[serde(default)]
+    pub construction: bool,
+    /// Eight corners at (s, t, u) = 000, 100, 010, 110, 001, 101, 011, 111, of which the last may be left out, as it follows from the others: the
+    /// four of each face on one circle. Or four: the first and its neighbours along s, t and u; the others are then found.
+    #[schemars(length(min = 4, max = 8))]
+    pub corners: Vec<Coordinates>,
+    /// With four corners: where the last one is among the three neighbours of the first, as positive weights of these. Default `[1, 1, 1]`.
+    #[schemars(inner(range(min = 0.0)))]
+    pub inside: Option<[f64; 3]>,
+    /// With four corners: how far the corners between the neighbours are turned, from 0 to 1. Default 0.5.
+    #[schemars(range(min = 0.0, max = 1.0))]
+    pub turn: Option<f64>,
+    /// The directions of growing s and t at the first corner, perpendicular and of any length; that of u is their cross product. `"auto"`, the
+    /// default, takes the frame nearest to the three sides.
+    #[serde(default)]
+    pub frame: FrameSpec,
+}

@@ -1,0 +1,180 @@
+//! What is reported of volumes.
+
+use cyclide::{CyclideVolume, FoldVerdict, ParamVolume as _, Point3, Shell, Vec3};
+use serde::Serialize;
+
+use super::RangeReport;
+use super::text::{Line, measure, plural, range, short};
+
+/// Places per direction at which cells are measured.
+const PLACES: usize = 9;
+
+/// The report on an object of volumes. Lengths are in the document's units.
+///
+/// ```
+/// use cyclide_io::{Document, GeometryReport, ObjectReport};
+/// let corners = "[[0,0,0], [2,0,0], [0,3,0], [2,3,0], [0,0,1], [2,0,1], [0,3,1]]";
+/// let text = format!(r#"{{"cyclide": 1, "objects": {{"b": {{"type": "cyclide-volume", "corners": {corners}}}}}}}"#);
+/// let document: Document = text.parse()?;
+/// let report = ObjectReport::new(&document.build()?[0], None);
+/// let GeometryReport::Volume(found) = report.geometry else { unreachable!("by its type") };
+/// assert!((found.volume - 6.0).abs() < 1e-12 && (found.area - 22.0).abs() < 1e-12);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
+pub struct VolumeReport {
+    /// Blocks.
+    pub blocks: usize,
+    /// Volume of all blocks together: of one that folds, parts that run backwards count too.
+    pub volume: f64,
+    /// Centroid of all blocks together.
+    pub centroid: [f64; 3],
+    /// Area of all faces of all blocks.
+    pub area: f64,
+    /// Whether blocks fold: the worst of them.
+    pub folds: FoldsReport,
+    /// The determinant of the derivatives by the parameters, at 9 x 9 x 9 places of each block: negative where it is left-handed or folds.
+    pub jacobian: RangeReport,
+    /// Largest cosine between two parameter lines at these places: zero, up to rounding.
+    pub orthogonality: f64,
+    /// Largest quotient of the speeds of two parameter lines at these places.
+    pub aspect_ratio: f64,
+    /// Length of the shortest side of a block.
+    pub shortest_side: f64,
+    /// The 27 real weights of every block, before blocks are cut so that all are positive.
+    pub weights: RangeReport,
+    /// Parts with positive weights: hexahedra in files that hold volumes.
+    pub parts: Option<usize>,
+    /// Largest real part of the quaternion quotient, a length: how far rounding takes blocks out of three-space.
+    pub residual: f64,
+}
+
+/// Whether a block folds, and where.
+///
+/// ```
+/// use cyclide_io::FoldsReport;
+/// let text = serde_json::to_string(&FoldsReport::Folded { block: 0, at: [0.5, 0.0, 1.0] });
+/// assert_eq!(text.expect("it is plain"), r#"{"verdict":"folded","block":0,"at":[0.5,0.0,1.0]}"#);
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[serde(tag = "verdict", rename_all = "kebab-case")]
+pub enum FoldsReport {
+    /// No block folds, proved.
+    Regular,
+    /// One does.
+    Folded {
+        /// Which block, from 0.
+        block: usize,
+        /// Where: s, t, u.
+        at: [f64; 3],
+    },
+    /// It is not decided of one, and none is known to.
+    Undecided {
+        /// Which block, from 0.
+        block: usize,
+        /// Where: s, t, u.
+        at: [f64; 3],
+    },
+}
+
+impl FoldsReport {
+    fn new(volumes: &[CyclideVolume]) -> Self {
+        let mut found = Self::Regular;
+        for (block, volume) in volumes.iter().enumerate() {
+            match volume.folds() {
+                FoldVerdict::Folded { at } => return Self::Folded { block, at },
+                FoldVerdict::Undecided { at, .. } if found == Self::Regular => found = Self::Undecided { block, at },
+                _ => {}
+            }
+        }
+        found
+    }
+
+    fn text(&self) -> String {
+        let place = |block: usize, at: [f64; 3]| {
+            let [s, t, u] = at.map(short);
+            format!("block {block} near s = {s}, t = {t}, u = {u}")
+        };
+        match *self {
+            Self::Regular => "none, proved".to_owned(),
+            Self::Folded { block, at } => place(block, at),
+            Self::Undecided { block, at } => format!("not decided: {}", place(block, at)),
+        }
+    }
+}
+
+impl VolumeReport {
+    /// Measures volumes.
+    #[must_use]
+    pub fn new(volumes: &[CyclideVolume]) -> Self {
+        let origin = volumes.first().map_or(Point3::ORIGIN, |volume| volume.corners()[0]);
+        let mut report = Self {
+            blocks: volumes.len(),
+            volume: 0.0,
+            centroid: origin.to_array(),
+            area: 0.0,
+            folds: FoldsReport::new(volumes),
+            jacobian: RangeReport::EMPTY,
+            orthogonality: 0.0,
+            aspect_ratio: 1.0,
+            shortest_side: f64::INFINITY,
+            weights: RangeReport::EMPTY,
+            parts: Some(0),
+            residual: 0.0,
+        };
+        let mut moment = Vec3::ZERO;
+        for volume in volumes {
+            let measured = volume.measure();
+            report.volume += measured.volume;
+            moment = moment + (measured.centroid - origin) * measured.volume;
+            let shells = volume.faces().into_iter().filter_map(|face| Shell::from_surface(face).ok());
+            report.area += shells.map(|shell| shell.area()).sum::<f64>();
+            report.measure_cells(volume);
+            for row in volume.to_rational().rows() {
+                report.weights = report.weights.with(row[3], row[3]);
+            }
+            let parts = volume.to_rational_parts().ok().map(|parts| parts.len());
+            report.parts = report.parts.zip(parts).map(|(sum, parts)| sum + parts);
+        }
+        if report.volume > 0.0 {
+            report.centroid = (origin + moment / report.volume).to_array();
+        }
+        report
+    }
+
+    fn measure_cells(&mut self, volume: &CyclideVolume) {
+        let step = |k: usize| k as f64 / (PLACES - 1) as f64;
+        for k in 0..PLACES.pow(3) {
+            let at = [step(k % PLACES), step(k / PLACES % PLACES), step(k / PLACES / PLACES)];
+            let jet = volume.jet(at);
+            let jacobian = volume.jacobian(at);
+            self.jacobian = self.jacobian.with(jacobian, jacobian);
+            self.orthogonality = self.orthogonality.max(jet.orthogonality());
+            self.residual = self.residual.max(volume.real_residual(at));
+            let speeds = jet.first.map(Vec3::length);
+            let (least, most) = speeds.iter().fold((f64::INFINITY, 0.0_f64), |(lo, hi), v| (lo.min(*v), hi.max(*v)));
+            self.aspect_ratio = self.aspect_ratio.max(most / least);
+        }
+        let ends = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [1.0, 1.0]];
+        let sides = (0..3).flat_map(|axis| ends.map(|at| volume.line(axis, at)));
+        let lengths = sides.map(|side| side.map_or(0.0, |arc| arc.length()));
+        self.shortest_side = lengths.fold(self.shortest_side, f64::min);
+    }
+
+    pub(super) fn facts(&self, facts: &mut Vec<String>) {
+        facts.push(plural(self.blocks, "block"));
+    }
+
+    pub(super) fn lines(&self, units: &str, line: Line<'_>) -> std::fmt::Result {
+        line("volume", measure(self.volume, units, "³"))?;
+        line("area", measure(self.area, units, "²"))?;
+        line("centroid", self.centroid.map(short).join(", "))?;
+        line("folds", self.folds.text())?;
+        line("cells", format!("Jacobian {}, aspect ratio up to {}", range(&self.jacobian), short(self.aspect_ratio)))?;
+        line("lines", format!("cross at right angles to {} (cosine)", short(self.orthogonality)))?;
+        line("sides", format!("from {} {units}", short(self.shortest_side)))?;
+        let parts = self.parts.map_or(String::new(), |parts| format!(", positive in {}", plural(parts, "part")));
+        line("weights", range(&self.weights) + &parts)
+    }
+}
