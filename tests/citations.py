@@ -1,4 +1,4 @@
-"""Every place of the documentation that the sources and documents lead to exists.
+"""Every place of the documentation that the sources and documents lead to exists, and every public type has an example.
 
 Comments cite `docs/math/PAGE.md#heading`, documents link to each other; the pages of `docs/math` name files, functions and
 tests. All of these are looked up. Marks of derivations that have no page here lead nowhere and are faults too.
@@ -134,22 +134,50 @@ def check_itself(places):
     lines = {int(fault.split(":")[1]) for fault in faults}
     if lines != set(range(1, len(wrong) + 1)):
         raise AssertionError(f"faults found in lines {sorted(lines)} of {len(wrong)} wrong ones: {faults}")
+    shown = "/// Shown.\n///\n/// ```\n/// ```\n#[derive(\n    Debug\n)]\npub struct A;\n\n/// Not shown.\npub enum B {\n}\n"
+    if without_example("sample.rs", shown, {"A", "B"}) != ["sample.rs:11: `B` has no example"]:
+        raise AssertionError("a type without an example is not found")
 
 
 # The crates with an index by topic, and how many public names they have at least.
 INDEXED = {"crates/cyclide/src/lib.rs": 150, "crates/cyclide-io/src/lib.rs": 150}
 
 
-def not_in_index(library, at_least):
+def not_in_index(library, names):
     """Public names of a crate that its index by topic lacks."""
     text = (ROOT / library).read_text(encoding="utf-8")
     index = text.partition("# By topic")[2].partition("\nmod ")[0]
     listed = set(re.findall(r"`(\w+)", index))
+    return [f"{library}: `{name}` is not in the index by topic" for name in sorted(names - listed)]
+
+
+NOUN = re.compile(r"pub (?:struct|enum|trait|type) (\w+)")
+
+
+def public_names(library, at_least):
+    """The names that a crate exports."""
+    text = (ROOT / library).read_text(encoding="utf-8")
     lists = re.findall(r"^pub use \w+(?:::\w+)*(?:::\{([^}]*)\}|::(\w+));", text, re.MULTILINE)
     names = {name.strip() for several, one in lists for name in (several or one).split(",") if name.strip()}
     if len(names) < at_least:
         raise AssertionError(f"the public names of {library} were not found: {sorted(names)}")
-    return [f"{library}: `{name}` is not in the index by topic" for name in sorted(names - listed)]
+    return names
+
+
+def without_example(path, text, names):
+    """Public types and traits in a source file whose documentation has no example."""
+    lines, faults = text.splitlines(), []
+    for number, line in enumerate(lines):
+        noun = NOUN.match(line)
+        if noun is None or noun.group(1) not in names:
+            continue
+        above = number
+        # Comments and attributes, of several lines too: up to the last line that ends an item, or to a blank one.
+        while above > 0 and lines[above - 1].strip() and lines[above - 1].rstrip() != "}":
+            above -= 1
+        if not any(line.startswith("/// ```") for line in lines[above:number]):
+            faults.append(f"{path}:{number + 1}: `{noun.group(1)}` has no example")
+    return faults
 
 
 def main():
@@ -170,7 +198,10 @@ def main():
         if page.name != "README.md" and f"({page.name})" not in index:
             faults.append(f"docs/math/{page.name} is not in the index")
     for library, at_least in INDEXED.items():
-        faults += not_in_index(library, at_least)
+        names = public_names(library, at_least)
+        faults += not_in_index(library, names)
+        for path in (path for path in files if path.suffix == ".rs" and path.is_relative_to(Path(library).parent)):
+            faults += without_example(path, (ROOT / path).read_text(encoding="utf-8"), names)
     print("\n".join(faults) or f"{looked} citations and links lead somewhere; sources cite {len(pages)} pages")
     return 1 if faults or not looked else 0
 

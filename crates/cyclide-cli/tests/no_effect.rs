@@ -12,6 +12,8 @@ const BEND: &str = "0,0\n10,0\n20,0\n30,10\n40,0\n47,-20\n";
 const CORNER: &str = "0,0\n10,0\n20,0\n30,0\n30,10\n30,20\n30,30\n";
 const LINE: &str = "0,0\n10,0\n20,0\n35,0\n";
 const CIRCLE: &str = r#"{"cyclide": 1, "objects": {"c": {"type": "circle", "center": [0, 0], "radius": 1}}}"#;
+const OPEN: &str =
+    r#"{"cyclide": 1, "objects": {"l": {"type": "circle-spline", "points": [[0, 0, 0], [2, 1, 0], [3, 3, 1]]}}}"#;
 const TORUS: &str = r#"{"cyclide": 1, "objects": {"t": {"type": "cyclide", "a": 3, "mu": 1}}}"#;
 
 fn folder() -> Folder {
@@ -21,6 +23,7 @@ fn folder() -> Folder {
         ("line.csv", LINE),
         ("c.json", CIRCLE),
         ("t.json", TORUS),
+        ("l.json", OPEN),
     ])
 }
 
@@ -58,7 +61,7 @@ fn what_the_command_line_tells_is_an_error() {
         let error = folder.fails(2, &format!("curve bend.csv -o a.step {options}"));
         assert!(error.contains(message), "{options}: {error}");
     }
-    assert_eq!(folder.count(), 5, "nothing was written");
+    assert_eq!(folder.count(), 6, "nothing was written");
 }
 
 #[test]
@@ -84,6 +87,16 @@ fn what_the_model_tells_is_a_warning() {
         ("build t.json -o a.step --step-products one", &["--step-products has no effect: one object is one product"]),
         ("curve line.csv -o a.svg --svg-comb", &["--svg-comb has no effect: no curve is bent"]),
         ("build c.json -o a.svg --svg-points", &["--svg-points has no effect: no curve has joints or ends"]),
+        ("report t.json --min-radius 2", &["--min-radius has no effect: there are no curves"]),
+        ("build t.json -o a.step --min-radius 2", &["--min-radius has no effect: there are no curves"]),
+        (
+            "sample l.json --count 3 --frames rotation-minimizing --spread-twist",
+            &["--spread-twist has no effect: no curve is closed"],
+        ),
+        (
+            "sample c.json --count 3 --frames rotation-minimizing --spread-twist",
+            &["--spread-twist has no effect: carried once round, the frame comes back as it was"],
+        ),
     ] {
         let run = folder.run(command);
         assert_eq!(run.code, 0, "{command}\n{}", run.stderr);
@@ -110,6 +123,7 @@ fn options_with_an_effect_are_quiet() {
         "curve bend.csv -o a.svg --svg-comb --svg-points",
         "build c.json -o a.png --width 300 --axes --camera iso",
         "build t.json -o a.step -o a.glb --step-edges rational --glb-edges",
+        "report c.json --min-radius 2",
     ] {
         let run = folder.run(command);
         assert_eq!((run.code, run.stderr.contains("no-effect")), (0, false), "{command}\n{}", run.stderr);

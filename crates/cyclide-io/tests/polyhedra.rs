@@ -256,6 +256,10 @@ fn points_of_few_digits_are_told_what_to_give() {
     let [remark] = &built.remarks[..] else { panic!("{:?}", built.remarks) };
     assert!(remark.reason == "shallow-edges" && remark.message.contains("`flatness`"), "{remark:?}");
     assert_eq!(remark.place.as_deref(), Some("objects.p.points"));
+    // The flatness that it names does.
+    let named = remark.message.split("`flatness`, about ").nth(1).and_then(|rest| rest.split(';').next()).unwrap();
+    let built = build(&format!("{fields}, \"flatness\": {named}")).unwrap();
+    assert!(built.remarks.is_empty() && built.polyhedron.unwrap().polyhedron.faces().len() == 12, "{named}");
     let built = build(&format!("{fields}, \"flatness\": 0.001")).unwrap();
     assert!(built.remarks.is_empty() && built.polyhedron.unwrap().polyhedron.faces().len() == 12);
     // Four planes of a sharp tip that meet outside it by more than the flatness: refused, with the distance.

@@ -1,6 +1,8 @@
 //! `build` and `curve`: all files are made and checked before the first is written.
 
-use cyclide_io::{CheckError, ExportError, Exporter, Report, TIGHTER_THAN_RADIUS};
+use cyclide_io::{
+    CheckError, ExportError, Exporter, GeometryReport, NO_EFFECT, ObjectReport, Report, TIGHTER_THAN_RADIUS,
+};
 
 use crate::arguments::effect;
 use crate::arguments::plan::{Input, MakePlan, refuse_overwriting};
@@ -83,6 +85,10 @@ pub fn with_tight_places(report: Report, loaded: &Loaded, radius: Option<f64>) -
     let report = report
         .with_min_radius(&loaded.objects, radius)
         .map_err(|error| Failure::Refused(format!("--min-radius: {error} [{}]", error.reason())))?;
+    let has_curves = |object: &ObjectReport| matches!(object.geometry, GeometryReport::Curves(_));
+    if !report.objects.values().any(has_curves) {
+        terminal::warning(&format!("--min-radius has no effect: there are no curves [{NO_EFFECT}]"));
+    }
     for (name, object) in &report.objects {
         let count = object.warnings.iter().filter(|warning| warning.reason == TIGHTER_THAN_RADIUS).count();
         if count > 0 {

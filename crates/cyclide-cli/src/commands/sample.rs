@@ -2,7 +2,7 @@
 
 use cyclide::{Body, CurveObject, Geometry, length};
 use cyclide_io::{
-    BuiltObject, CurveSamples, SampleOptions, SamplePlaces, Spacing, did_you_mean, sample_poses, write_file,
+    BuiltObject, CurveSamples, NO_EFFECT, SampleOptions, SamplePlaces, Spacing, did_you_mean, sample_poses, write_file,
 };
 
 use crate::arguments::plan::refuse_overwriting;
@@ -99,6 +99,9 @@ fn curves(plan: &SamplePlan, object: &BuiltObject) -> Result<String, Failure> {
         .map_err(|error| Failure::Refused(format!("{}: {error} [{}]", object.item.name, error.reason())))?;
     for note in samples.notes() {
         terminal::warning(&note);
+    }
+    if let Some(why) = samples.spread_without_effect() {
+        terminal::warning(&format!("--spread-twist has no effect: {why} [{NO_EFFECT}]"));
     }
     Ok(if plan.json { samples.json() } else { samples.csv() })
 }

@@ -223,6 +223,19 @@ impl CurveSamples {
         serde_json::to_string_pretty(self).unwrap_or_default() + "\n"
     }
 
+    /// Why it changes nothing that the twist of frames is spread over closed curves; `None` where it does, or is not asked for.
+    #[must_use]
+    pub fn spread_without_effect(&self) -> Option<&'static str> {
+        let mut turned = self.contours.iter().filter_map(|samples| samples.holonomy).peekable();
+        if !self.spread {
+            None
+        } else if turned.peek().is_none() {
+            Some("no curve is closed")
+        } else {
+            turned.all(|angle| angle.abs() <= 1e-6).then_some("carried once round, the frame comes back as it was")
+        }
+    }
+
     /// What should be known of the frames: places that have none, and by how much those of a closed curve come back turned.
     #[must_use]
     pub fn notes(&self) -> Vec<String> {

@@ -82,7 +82,7 @@ fn nets_with_their_skins_and_edges() {
         let again = format!(r#"{}, "m": {{"type": "offset", "of": "t", "distance": 1}}"#, thick(distance));
         let error = build(&again).unwrap_err();
         assert!(
-            error.contains("`t` is of type `offset`: only patches, nets and cyclides that are not thick"),
+            error.contains("`t` is of type `offset`: only these have an exact offset") && error.contains("not `thick`"),
             "{error}"
         );
     }

@@ -96,3 +96,19 @@ fn offsets_beyond_the_focal_set_and_on_it() {
         assert!(message.contains(&format!(": objects.k.distance: {words}")), "{message}");
     }
 }
+
+/// What takes offsets is named, and what was given.
+#[test]
+fn offsets_of_other_surfaces_say_which_have_one() {
+    let line = r#""p": {"type": "polyline", "points": [[3, 0, 0], [5, 0, 1]], "construction": true}"#;
+    for other in [r#"{"type": "revolution", "of": "p"}"#, r#"{"type": "pipe", "of": "p", "radius": 1}"#] {
+        let error = build(&format!(
+            "{line}, \"s\": {other}, \"o\": {{\"type\": \"offset\", \"of\": \"s\", \"distance\": 0.1}}"
+        ));
+        let error = error.unwrap_err();
+        assert!(error.contains("objects.o.of") && error.contains("`s` is of type `"), "{error}");
+        for word in ["`cyclide`", "`cyclide-patch`", "`cyclidic-net`", "`offset`", "`transform`"] {
+            assert!(error.contains(word), "{word}: {error}");
+        }
+    }
+}

@@ -61,3 +61,26 @@ fn revolutions_that_are_none_are_refused_in_their_place() {
         build(r#""t": {"type": "cyclide", "a": 3, "mu": 1}, "v": {"type": "revolution", "of": "t"}"#).unwrap_err();
     assert!(error.to_string().contains("only curves sweep a surface of revolution"), "{error}");
 }
+
+/// A whole turn typed in radians leaves a slit, which is asked about with its width; degrees, parts of a turn and the turn itself are meant.
+#[test]
+fn turns_that_are_nearly_whole_are_asked_about() {
+    let remarks = |angle: &str| {
+        let profile = r#""p": {"type": "polyline", "points": [[3, 0, 0], [5, 0, 1], [4, 0, 2]], "construction": true}"#;
+        let built =
+            build(&format!(r#"{profile}, "v": {{"type": "revolution", "of": "p", "angle": {angle}}}"#)).unwrap();
+        let slit = built.remarks.into_iter().find(|remark| remark.reason == "nearly-full-turn");
+        slit.map(|remark| (remark.message, remark.place.unwrap_or_default()))
+    };
+    // At the radius 5 of the profile's farthest corner.
+    for (angle, open, wide) in
+        [("6.2831853", "7.18e-9", "3.59e-8"), ("-6.2831853", "7.18e-9", "3.59e-8"), ("6.28", "0.0031853", "0.015927")]
+    {
+        let (message, place) = remarks(angle).unwrap();
+        assert!(message.contains(open) && message.contains(wide) && message.contains("leave `angle` out"), "{message}");
+        assert_eq!(place, "objects.v.angle");
+    }
+    for angle in ["6.283185307179586", "6.27", "3", r#"{"degrees": 359.9}"#, r#"{"degrees": 360}"#] {
+        assert_eq!(remarks(angle), None, "{angle}");
+    }
+}

@@ -901,11 +901,11 @@ pub enum Error {
         /// How many there are.
         edges: usize,
     },
-    /// Points that bound no body.
+    /// Points in one plane, which bound no body.
     FlatPolyhedron {
-        /// How far they are from it.
+        /// How far they are from it, at most.
         thickness: f64,
-        /// Largest distance that counts as being in it.
+        /// Largest distance that counts as being in it: the flatness, half of it where points that near are one, or rounding.
         limit: f64,
     },
     /// Directions that are not the corners of a convex polygon in an open half of the sphere.
@@ -1089,7 +1089,7 @@ pub enum Error {
         /// Steps must be below this.
         limit: f64,
     },
-    /// An interval of the parameter without length, or with one that is lost beside the whole.
+    /// An interval of a curve's parameter without length, or with one that is lost beside the whole: knots that repeat or go back.
     EmptyInterval {
         /// Which interval, from 0.
         index: usize,
@@ -1189,7 +1189,7 @@ pub enum Error {
         /// True if more will do.
         or_more: bool,
     },
-    /// A parameter is not after the one before it.
+    /// A pose is not after the one before it in time.
     ParametersNotIncreasing {
         /// Which parameter, from 0.
         index: usize,

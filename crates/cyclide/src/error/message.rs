@@ -425,7 +425,7 @@ impl std::fmt::Display for Error {
             ),
             Self::FlatPolyhedron { thickness, limit } => write!(
                 f,
-                "the points are in one plane, within {}, limit {}",
+                "the points bound no body: all are within {} of one plane, and what is within {} of a plane is taken for it",
                 ShortNumber(*thickness),
                 ShortNumber(*limit)
             ),

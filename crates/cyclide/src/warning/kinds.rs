@@ -340,6 +340,25 @@ pub enum Warning {
         /// How far the corners of one face are off the plane of the other one at most.
         off: f64,
     },
+    /// Faces of a hull in planes within the distance asked for made no convex body, and a smaller one was taken: planes that are nearly one
+    /// meet far from the points.
+    FlatnessLowered {
+        /// The distance asked for.
+        asked: f64,
+        /// The distance taken.
+        used: f64,
+    },
+    /// Edges of a polyhedron so short that their directions are rounding: their ends are one point given twice.
+    ShortEdges {
+        /// Ends of the shortest one.
+        ends: [usize; 2],
+        /// How many there are.
+        count: usize,
+        /// Length of the shortest one.
+        length: f64,
+        /// Lengths up to this are reported: of a hull points that near are one.
+        limit: f64,
+    },
     /// Edges of a mesh at which the smooth surface runs backwards: faces are too thin or too long for their normals, or the points noisy.
     FoldsBack {
         /// Ends of the edge at which it turns most.

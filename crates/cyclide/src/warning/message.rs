@@ -11,6 +11,10 @@ const SCATTER: f64 = 0.15;
 /// Neighbouring chords that differ by this factor are no uneven spacing: the shorter one joins a point to itself.
 const NEARLY_REPEATED: f64 = 1000.0;
 
+/// Times the distance of corners from the plane beside them, a flatness with which faces of rounded points are in one plane: of a box of
+/// points whose digits are cut, with 99 of 100.
+const IN_ONE_PLANE: f64 = 4.0;
+
 impl std::fmt::Display for Warning {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
@@ -255,11 +259,24 @@ impl std::fmt::Display for Warning {
                 ShortNumber(*asked),
                 ShortNumber(*used)
             ),
+            Self::FlatnessLowered { asked, used } => write!(
+                f,
+                "faces in planes within {} make no convex body, which is hardly thicker there; within {} they do, and that was taken",
+                ShortNumber(*asked),
+                ShortNumber(*used)
+            ),
+            Self::ShortEdges { ends: [first, second], count, length, limit } => write!(
+                f,
+                "{count} edge(s) are not longer than {}, where points are one but for rounding, the shortest that between the points {first} and {second}, of length {}: make their ends one point, or take the hull, which does",
+                ShortNumber(*limit),
+                ShortNumber(*length)
+            ),
             Self::ShallowEdges { ends: [first, second], count, angle, limit, off } => write!(
                 f,
-                "{count} edge(s) bend by less than {} radians, least of all that between the points {first} and {second}, by {}: where their faces are meant to be in one plane, give the rounding of the points as `flatness`; corners are up to {} off the plane beside them",
+                "{count} edge(s) bend by less than {} radians, least of all that between the points {first} and {second}, by {}: where their faces are meant to be in one plane, give the rounding of the points as `flatness`, about {}; corners are up to {} off the plane beside them",
                 ShortNumber(*limit),
                 ShortNumber(*angle),
+                ShortNumber(IN_ONE_PLANE * off),
                 ShortNumber(*off)
             ),
             Self::EllipsesCross { along_x, along_y } => write!(

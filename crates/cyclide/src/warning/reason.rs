@@ -49,6 +49,8 @@ impl Warning {
             Self::FoldsBack { .. } => "folds-back",
             Self::SharpEdgesSmoothed { .. } => "sharp-edges-smoothed",
             Self::FlatnessRaised { .. } => "flatness-raised",
+            Self::FlatnessLowered { .. } => "flatness-lowered",
+            Self::ShortEdges { .. } => "short-edges",
             Self::ShallowEdges { .. } => "shallow-edges",
             Self::EllipsesCross { .. } => "ellipses-cross",
             Self::MovedToAxis { .. } => "moved-to-axis",
@@ -109,6 +111,8 @@ impl Warning {
             | Self::SharpEdgesSmoothed { .. }
             | Self::LooseBorders { .. }
             | Self::FlatnessRaised { .. }
+            | Self::FlatnessLowered { .. }
+            | Self::ShortEdges { .. }
             | Self::ShallowEdges { .. }
             | Self::NeckFolds { .. }
             | Self::EllipsesCross { .. }

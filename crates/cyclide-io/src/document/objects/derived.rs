@@ -13,11 +13,16 @@ use crate::document::locate::Step;
 use crate::document::spec::{OffsetSpec, PipeSpec, RevolutionSpec};
 use crate::error::{Error, Result};
 
+/// An angle in radians that leaves less of a whole turn than this may be one, typed with three digits or more.
+const NEARLY_WHOLE: f64 = 5e-3;
+/// Places of a curve that are looked at for its distance from the axis, which is only told.
+const PLACES: u32 = 256;
+
 impl Builder<'_> {
     /// The parallel surfaces, or the solids between.
     pub(super) fn offset(&self, spec: &OffsetSpec) -> Result<Vec<SurfaceObject>> {
         let source = self.surface_source("only surfaces have an offset")?;
-        let other = "only patches, nets and cyclides that are not thick already have an exact offset; what is made of curves or meshes gets its wall from them: both sides of a profile, the `wall` of a pipe, a larger `radius`";
+        let other = "only these have an exact offset: `cyclide`, `cyclide-patch`, `cyclidic-net`, and an `offset` or `transform` of one that is not `thick`; what is made of curves or meshes gets its wall from them: both sides of a profile, the `wall` of a pipe, a larger `radius`";
         let made = source.item.surfaces().iter().map(|surface| {
             let made = if spec.thick { surface.thick(spec.distance) } else { surface.offset(spec.distance) };
             made.ok_or_else(|| self.wrong_source(other))?.map_err(|e| self.refused(&e, None))
@@ -39,10 +44,35 @@ impl Builder<'_> {
         let profiles = curves.iter().map(CurveObject::exact_pieces).collect::<cyclide::Result<Vec<_>>>();
         let profiles = profiles.map_err(|e| self.refused(&e, None))?;
         let bodies = turn.bodies(&profiles).map_err(|e| self.refused(&e, None))?;
+        if let Some(Angle::Radians(angle)) = spec.angle
+            && !turn.is_whole()
+        {
+            let axis = axis.unit().unwrap_or_default();
+            let way = |t: f64, curve: &CurveObject| curve.as_curve().point(t) - center;
+            let places =
+                curves.iter().flat_map(|curve| (0..=PLACES).map(move |k| way(f64::from(k) / f64::from(PLACES), curve)));
+            let radius = places.map(|way| way.cross(axis).length()).fold(0.0, f64::max);
+            self.ask_about_slit(angle, radius);
+        }
         for (contour, warning) in turn.warnings(&profiles).map_err(|e| self.refused(&e, None))? {
             self.warn_at("of", several.then_some(contour), warning);
         }
         Ok(bodies.into_iter().map(SurfaceObject::Body).collect())
+    }
+
+    /// Asks whether a whole turn is meant by one that is nearly so, as by 6.2831853 radians.
+    fn ask_about_slit(&mut self, angle: f64, radius: f64) {
+        let open = std::f64::consts::TAU - angle.abs();
+        if open > NEARLY_WHOLE {
+            return;
+        }
+        let message = format!(
+            "the angle {angle} is a whole turn but for {} radians, and leaves a slit about {} wide where the curve is farthest from the axis: if a whole turn is meant, leave `angle` out",
+            ShortNumber(open),
+            ShortNumber(open * radius)
+        );
+        let place = self.place_of([Step::from("angle")]);
+        self.remark("nearly-full-turn", None, None, place, message);
     }
 
     /// The tubes about the curves of another object.

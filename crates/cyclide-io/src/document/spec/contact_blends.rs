@@ -73,6 +73,16 @@ pub struct ContactBlendSpec {
 }
 
 /// A cylinder, or with a taper a cone.
+///
+/// ```
+/// use cyclide_io::{Document, ObjectSpec};
+/// let document: Document = r#"{"cyclide": 1, "objects": {"n": {"type": "contact-blend", "tube": {"radius": 10, "taper": {"degrees": 5}, "length": 90}, "sphere": 40, "blend": 6}}}"#.parse()?;
+/// let ObjectSpec::ContactBlend(spec) = &document.objects[0].1 else { panic!("it is one") };
+/// let tube = spec.tube.as_ref().expect("it has one");
+/// assert!(tube.radius == 10.0 && tube.direction.is_none());
+/// assert!((tube.taper.expect("a cone").radians() - 5.0_f64.to_radians()).abs() < 1e-15);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(rename = "BlendTube")]
@@ -93,6 +103,16 @@ pub struct BlendTubeSpec {
 }
 
 /// A torus about the z axis.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"n": {"type": "contact-blend", "ring": {"radius": 30, "tube": 8, "height": 5}, "plate": {"radius": 60}, "thickness": 4, "blend": 3}}}"#.parse()?;
+/// let built = document.build()?;
+/// // From below the plate to the top of the tube.
+/// let bounds = built[0].bodies[0].bounds();
+/// assert!((bounds.max.z - 13.0).abs() < 1e-9 && (bounds.min.z + 4.0).abs() < 1e-9);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(rename = "BlendRing")]

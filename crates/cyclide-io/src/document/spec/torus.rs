@@ -125,6 +125,16 @@ pub struct TorusKnotSpec {
 }
 
 /// A closed quartic of a torus of one of its six types: it runs once round two families of circles, along both at once.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let document: Document = r#"{"cyclide": 1, "objects": {"q": {"type": "torus-quartic", "torus": {"major_radius": 40, "minor_radius": 15}, "families": ["parallel", "meridian"], "ratio": 3}}}"#.parse()?;
+/// let built = document.build()?;
+/// let curve = built[0].item.curves()[0].as_curve();
+/// // From the outer side of the tube, and back to it.
+/// assert!(curve.is_closed() && (curve.point(0.0).to_vec().length() - 55.0).abs() < 1e-12);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct TorusQuarticSpec {

@@ -488,11 +488,13 @@
 //! ```
 //!
 //! # `flat-polyhedron`
-//! Points in one plane bound no body.
+//! Points in one plane, or within the flatness of one, bound no body.
 //! ```
-//! use cyclide::{ConvexPolyhedron, Point3};
-//! let flat = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 1.0, 0.0]].map(Point3::from);
-//! assert_eq!(ConvexPolyhedron::hull(&flat).unwrap_err().reason(), "flat-polyhedron");
+//! use cyclide::{ConvexPolyhedron, Error, Point3};
+//! let flat = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 1.0, 0.5]].map(Point3::from);
+//! let error = ConvexPolyhedron::hull_with_flatness(&flat, 0.6).unwrap_err();
+//! assert_eq!(error.reason(), "flat-polyhedron");
+//! assert!(matches!(error, Error::FlatPolyhedron { thickness, limit } if thickness <= 0.25 && limit == 0.6));
 //! ```
 //!
 //! # `not-in-open-hemisphere`

@@ -62,7 +62,9 @@
 //! ```
 //!
 //! # `empty-interval`
-//! An interval of the parameter has no length.
+//! An interval of a curve's parameter has no length, or one that is lost beside the whole: a length that is given is not positive, or knots
+//! or places repeat or go back. It is counted by intervals; of poses, which are counted themselves, see
+//! [`parameters-not-increasing`](super::motions#parameters-not-increasing).
 //! ```
 //! use cyclide::ProjectiveBiarc;
 //! let error = ProjectiveBiarc::new(0.0, 1.0, [1.0, 1.0], [0.0, 1.0]).unwrap_err();

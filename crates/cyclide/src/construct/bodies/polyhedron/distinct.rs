@@ -14,12 +14,14 @@ pub(super) struct Distinct {
     kept: Vec<usize>,
     /// Points that are left out, each with one that is kept and within the distance.
     pub(super) dropped: Vec<[usize; 2]>,
+    /// The distance.
+    within: f64,
 }
 
 impl Distinct {
     /// The first of all points that are within a distance of one that is kept, so that no two of these are.
     pub(super) fn new(points: &[Point3], within: f64) -> Self {
-        let mut distinct = Self { kept: Vec::with_capacity(points.len()), dropped: Vec::new() };
+        let mut distinct = Self { kept: Vec::with_capacity(points.len()), dropped: Vec::new(), within };
         let Some(bounds) = Aabb::of_points(points.iter().copied()) else { return distinct };
         let size = within.max(SMALLEST_CELL * bounds.diagonal());
         let mut cells: HashMap<[i64; 3], Vec<usize>> = HashMap::with_capacity(points.len());
@@ -47,9 +49,10 @@ impl Distinct {
     /// # Errors
     /// `flat-polyhedron`.
     pub(super) fn hull(&self, points: &[Point3]) -> Result<Vec<Vec<usize>>> {
-        // Of fewer than four places all are in one plane.
+        // Of fewer than four places all are in one plane, and the others as near to it as to them.
         if self.kept.len() < 4 {
-            return Err(Error::FlatPolyhedron { thickness: 0.0, limit: 0.0 });
+            let off = self.dropped.iter().map(|&[index, other]| points[index].distance(points[other]));
+            return Err(Error::FlatPolyhedron { thickness: off.fold(0.0, f64::max), limit: self.within });
         }
         let kept: Vec<Point3> = self.kept.iter().map(|&k| points[k]).collect();
         let triangles = hull::triangles(&kept)?;

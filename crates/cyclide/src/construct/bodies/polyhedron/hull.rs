@@ -4,8 +4,9 @@
 //! the plane of a triangle are not outside it, and the triangles of a flat side are made one afterwards.
 
 use super::faces::FaceSide;
+use super::plane::{flat, rounding};
 use crate::base::vector::{Point3, Vec3};
-use crate::error::{Error, Result};
+use crate::error::Result;
 use robust::{Coord3D, orient3d};
 
 /// The triangles of the hull, counter-clockwise from outside.
@@ -16,8 +17,9 @@ pub(super) fn triangles(points: &[Point3]) -> Result<Vec<Vec<usize>>> {
     let largest = points.iter().map(|p| p.to_vec().max_abs()).fold(0.0, f64::max);
     // Times a power of two, which is exact: products of four coordinates stay in range.
     let scale = if largest > 0.0 { (-largest.log2().floor()).exp2() } else { 1.0 };
-    let points: Vec<Point3> = points.iter().map(|p| Point3::ORIGIN + p.to_vec() * scale).collect();
-    let mut hull = Hull::around_four(&points)?;
+    let scaled: Vec<Point3> = points.iter().map(|p| Point3::ORIGIN + p.to_vec() * scale).collect();
+    let four = four_apart(&scaled).map_err(|normal| flat(points.iter().copied(), normal, rounding(points)))?;
+    let mut hull = Hull::around_four(&scaled, four);
     while let Some(triangle) = hull.open.pop() {
         if hull.triangles[triangle].is_kept {
             hull.add_farthest(triangle);
@@ -51,8 +53,7 @@ struct Hull<'a> {
 
 impl<'a> Hull<'a> {
     /// Of four points that are far apart.
-    fn around_four(points: &'a [Point3]) -> Result<Self> {
-        let corners = four_apart(points)?;
+    fn around_four(points: &'a [Point3], corners: [usize; 4]) -> Self {
         let mut hull = Self { points, triangles: Vec::new(), open: Vec::new() };
         let [a, b, c, d] = corners;
         for (corners, across) in [
@@ -65,7 +66,7 @@ impl<'a> Hull<'a> {
         }
         let rest = (0..points.len()).filter(|k| !corners.contains(k)).collect();
         hull.hand_out(rest, 0);
-        Ok(hull)
+        hull
     }
 
     fn push(&mut self, corners: [usize; 3], across: [FaceSide; 3]) {
@@ -156,8 +157,9 @@ fn height(points: &[Point3], corners: [usize; 3], k: usize) -> f64 {
     (b - a).cross(c - a).dot(points[k] - a)
 }
 
-/// Four points that are not in one plane, far apart, of which the first three are clockwise from the fourth.
-fn four_apart(points: &[Point3]) -> Result<[usize; 4]> {
+/// Four points that are not in one plane, far apart, of which the first three are clockwise from the fourth; the normal of the plane that
+/// all are in, if there are none.
+fn four_apart(points: &[Point3]) -> std::result::Result<[usize; 4], Vec3> {
     let farthest = |measure: &dyn Fn(Point3) -> f64| {
         (0..points.len()).max_by(|&i, &j| measure(points[i]).total_cmp(&measure(points[j]))).unwrap_or(0)
     };
@@ -168,10 +170,9 @@ fn four_apart(points: &[Point3]) -> Result<[usize; 4]> {
     let normal: Vec3 = chord.cross(points[c] - points[a]);
     let d = farthest(&|p| (p - points[a]).dot(normal).abs());
     let sign = side(points[a], points[b], points[c], points[d]);
-    let thickness = (points[d] - points[a]).dot(normal.unit().unwrap_or_default()).abs();
     match sign {
         s if s < 0.0 => Ok([a, b, c, d]),
         s if s > 0.0 => Ok([b, a, c, d]),
-        _ => Err(Error::FlatPolyhedron { thickness, limit: 0.0 }),
+        _ => Err(normal),
     }
 }

@@ -1,6 +1,7 @@
 //! Faces in one plane made one: of a triangulated mesh, the sides of the polyhedron.
 
 use super::faces::{FaceSide, Faces};
+use super::plane::{self, area_vector};
 use crate::base::vector::Point3;
 use crate::error::{Error, ErrorItem, Result};
 
@@ -11,10 +12,8 @@ use crate::error::{Error, ErrorItem, Result};
 /// `flat-polyhedron` (all in one plane), `not-convex`, `not-a-shell` (faces in one plane round a hole).
 pub(super) fn merged(points: &[Point3], faces: &Faces, group: &[usize], within: f64) -> Result<Vec<Vec<usize>>> {
     let count = group.iter().map(|g| g + 1).max().unwrap_or(0);
-    if count < 4 {
-        return Err(Error::FlatPolyhedron { thickness: within, limit: within });
-    }
-    let outline = outlines(points, faces, group, count)?;
+    let outline = if count < 4 { None } else { outlines(points, faces, group, count)? };
+    let outline = outline.ok_or_else(|| flat_within(points, faces, within))?;
     // Vertices inside a face are on no outline, those of two faces are on a straight edge of both.
     let fans = faces.fans(points.len())?;
     let is_corner = |vertex: usize| {
@@ -26,8 +25,15 @@ pub(super) fn merged(points: &[Point3], faces: &Faces, group: &[usize], within: 
     Ok(outline.into_iter().map(|corners| corners.into_iter().filter(|&v| is_corner(v)).collect()).collect())
 }
 
-/// The outline of each group.
-fn outlines(points: &[Point3], faces: &Faces, group: &[usize], count: usize) -> Result<Vec<Vec<usize>>> {
+/// What is to be said where hardly any planes are left, measured across the largest face.
+fn flat_within(points: &[Point3], faces: &Faces, within: f64) -> Error {
+    let areas = faces.loops().iter().map(|corners| area_vector(points, corners));
+    let largest = areas.max_by(|a, b| a.length_squared().total_cmp(&b.length_squared())).unwrap_or_default();
+    plane::flat(faces.loops().iter().flatten().map(|&v| points[v]), largest, within)
+}
+
+/// The outline of each group; none if one has no border.
+fn outlines(points: &[Point3], faces: &Faces, group: &[usize], count: usize) -> Result<Option<Vec<Vec<usize>>>> {
     let mut border: Vec<Vec<FaceSide>> = vec![Vec::new(); count];
     for at in faces.sides() {
         if group[faces.across(at).face] != group[at.face] {
@@ -43,9 +49,7 @@ fn outlines(points: &[Point3], faces: &Faces, group: &[usize], count: usize) -> 
             let [from, to] = faces.ends(at);
             pinched |= leaving[from].replace(to).is_some();
         }
-        let Some(&first) = sides.first() else {
-            return Err(Error::FlatPolyhedron { thickness: 0.0, limit: 0.0 });
-        };
+        let Some(&first) = sides.first() else { return Ok(None) };
         let start = faces.ends(first)[0];
         let mut outline = vec![start];
         while let Some(next) = leaving[outline[outline.len() - 1]].filter(|&next| next != start) {
@@ -67,5 +71,5 @@ fn outlines(points: &[Point3], faces: &Faces, group: &[usize], count: usize) -> 
         }
         outlines.push(outline);
     }
-    Ok(outlines)
+    Ok(Some(outlines))
 }

@@ -7,6 +7,7 @@ mod faces;
 mod groups;
 mod hull;
 mod merge;
+mod of_points;
 mod offset;
 mod plane;
 mod spherical_polygon;
@@ -19,21 +20,13 @@ use crate::base::vector::{Point3, Vec3};
 use crate::error::{Error, ErrorItem, Result};
 use crate::warning::Warning;
 use deviation::Surface;
-use distinct::Distinct;
 use faces::{FaceSide, Faces};
 use plane::area_vector;
 
 /// Corners are in the plane of their face, and faces in one plane, within this part of the diameter.
 const PLANAR: f64 = 1e-9;
-/// Points of a hull within this part of the flatness are one: what is left of it is for the planes.
+/// Points within this part of the flatness are one in a hull: what is left of it is for the planes.
 const TOGETHER: f64 = 0.5;
-/// Of points whose hull has no planes within that, it is raised so often by a factor: up to 6.6e-5 of the diameter.
-const RAISES: i32 = 8;
-const RAISE: f64 = 4.0;
-/// So often where it has planes, but edges that hardly bend: up to 1e-6, six digits.
-const RAISES_OF_DIGITS: i32 = 5;
-/// So many more are tried where the first one leaves shallow edges.
-const TRIED_ON: usize = 2;
 /// Edges that bend by less, radians, speak of few digits.
 const SHALLOW: f64 = 1e-3;
 
@@ -59,7 +52,8 @@ pub struct ConvexPolyhedron {
     /// Within which corners are in one plane.
     flatness: f64,
     deviation: f64,
-    raised: Option<Warning>,
+    /// What was remarked of it when it was made.
+    remarked: Option<Warning>,
 }
 
 /// An edge of a polyhedron.
@@ -104,6 +98,13 @@ impl ConvexPolyhedron {
     /// `planes-miss-point` (the planes leave a point farther than the flatness), `flat-polyhedron`, `not-convex` (an edge is reflex, or faces are clockwise from outside), `not-in-open-hemisphere` (faces
     /// wind round a vertex).
     pub fn with_flatness(vertices: &[Point3], faces: &[Vec<usize>], flatness: f64) -> Result<Self> {
+        let made = Self::of_faces(vertices, faces, flatness)?;
+        let short = made.short_edges();
+        Ok(Self { remarked: made.remarked.or(short), ..made })
+    }
+
+    /// As [`with_flatness`](Self::with_flatness), without a word about short edges: of hulls points that near are one.
+    fn of_faces(vertices: &[Point3], faces: &[Vec<usize>], flatness: f64) -> Result<Self> {
         check_points(vertices)?;
         if !(flatness >= 0.0 && flatness.is_finite()) {
             return Err(Error::ParameterOutOfRange {
@@ -129,77 +130,6 @@ impl ConvexPolyhedron {
         Ok(Self { deviation, ..made })
     }
 
-    /// The convex hull of points, each side one face. Points that are no corners of it stay in the list of vertices, without faces.
-    /// Sides are planar within 1e-9 of the diameter, and points within half of that of each other are one. Of points of which no faces
-    /// in planes are that near, as of rounded ones, within the first of 4, 16, ... times that (at most 6.6e-5) at which they are, with a
-    /// [warning](Self::warnings); so too, up to 1e-6, where there are edges that hardly bend and a larger flatness has none.
-    ///
-    /// # Errors
-    /// `too-few-points`, `not-finite`, `parameter-out-of-range`, `below-rounding-of-place`, `flat-polyhedron`; as
-    /// [`hull_with_flatness`](Self::hull_with_flatness) where no multiple does.
-    pub fn hull(points: &[Point3]) -> Result<Self> {
-        check_points(points)?;
-        let diameter = Aabb::of_points(points.iter().copied()).map_or(0.0, Aabb::diagonal);
-        let asked = PLANAR * diameter;
-        let distinct = Distinct::new(points, TOGETHER * asked);
-        let triangles = distinct.hull(points)?;
-        let made = |flatness| Self::of_hull(points, &triangles, flatness, &distinct.dropped);
-        match made(asked) {
-            Err(error) if !matches!(error, Error::FlatPolyhedron { .. }) => {
-                Self::raised(made, asked, RAISES).ok_or(error)
-            }
-            // Edges that hardly bend speak of rounded points, unless no flatness of their digits is rid of them.
-            Ok(first) if first.shallow_edges().is_some() => {
-                let raised = Self::raised(made, asked, RAISES_OF_DIGITS);
-                Ok(raised.filter(|raised| raised.shallow_edges().is_none()).unwrap_or(first))
-            }
-            first => first,
-        }
-    }
-
-    /// From triangles over points; of others, `dropped` for one of these, it is measured how far they are outside.
-    fn of_hull(points: &[Point3], triangles: &[Vec<usize>], flatness: f64, dropped: &[[usize; 2]]) -> Result<Self> {
-        let made = Self::with_flatness(points, triangles, flatness)?;
-        let off = dropped.iter().map(|&[vertex, kept]| (vertex, made.off_outside(points[vertex], kept)));
-        let (vertex, distance) = off.fold((0, made.deviation), |far, at| if at.1 > far.1 { at } else { far });
-        let limit = flatness.max(plane::rounding(points));
-        if !(distance <= limit) {
-            return Err(Error::PlanesMissPoint { vertex, distance, limit });
-        }
-        Ok(Self { deviation: distance, ..made })
-    }
-
-    /// How far a point outside is from the surface, at most: from its face, or from the vertex beside it. 0 inside.
-    fn off_outside(&self, p: Point3, beside: usize) -> f64 {
-        let planes = self.faces().iter().zip(&self.normals);
-        let heights = planes.map(|(corners, n)| corners.first().map_or(0.0, |&v| (p - self.vertices[v]).dot(*n)));
-        let outside = heights.fold(0.0, f64::max);
-        if outside > 0.0 && !self.fans[beside].is_empty() { p.distance(self.vertices[beside]) } else { outside }
-    }
-
-    /// With the first larger flatness that gives a polyhedron, or with one a little larger still that leaves no edges of rounding.
-    fn raised(made: impl Fn(f64) -> Result<Self>, asked: f64, raises: i32) -> Option<Self> {
-        let flatness = (1..=raises).map(|k| asked * RAISE.powi(k));
-        let mut made = flatness.filter_map(|used| {
-            Some(Self { raised: Some(Warning::FlatnessRaised { asked, used }), ..made(used).ok()? })
-        });
-        let first = made.next()?;
-        if first.shallow_edges().is_none() {
-            return Some(first);
-        }
-        Some(made.take(TRIED_ON).find(|more| more.shallow_edges().is_none()).unwrap_or(first))
-    }
-
-    /// As [`hull`](Self::hull), with the distance within which corners are in one plane, which is not raised.
-    ///
-    /// # Errors
-    /// As [`hull`](Self::hull); as [`with_flatness`](Self::with_flatness) where no faces in planes are that near.
-    pub fn hull_with_flatness(points: &[Point3], flatness: f64) -> Result<Self> {
-        check_points(points)?;
-        let distinct = Distinct::new(points, TOGETHER * flatness);
-        Self::of_hull(points, &distinct.hull(points)?, flatness, &distinct.dropped)
-    }
-
     /// From loops of which no two are in one plane.
     fn of_sides(vertices: &[Point3], loops: Vec<Vec<usize>>, flatness: f64) -> Result<Self> {
         let faces = Faces::new(loops, vertices.len())?;
@@ -213,7 +143,7 @@ impl ConvexPolyhedron {
         convex::check_faces(&vertices, &faces, &normals, flatness)?;
         let fans = faces.fans(vertices.len())?;
         let cones = convex::normal_polygons(&vertices, &faces, &fans, &normals)?;
-        Ok(Self { vertices, faces, normals, fans, cones, flatness, deviation: 0.0, raised: None })
+        Ok(Self { vertices, faces, normals, fans, cones, flatness, deviation: 0.0, remarked: None })
     }
 
     /// The distance within which corners count as in one plane.
@@ -229,10 +159,10 @@ impl ConvexPolyhedron {
         self.deviation
     }
 
-    /// What should be known of it: `flatness-raised`, `shallow-edges`.
+    /// What should be known of it: `flatness-raised`, `flatness-lowered`, `short-edges`, `shallow-edges`.
     #[must_use]
     pub fn warnings(&self) -> Vec<Warning> {
-        self.raised.iter().cloned().chain(self.shallow_edges()).collect()
+        self.remarked.iter().cloned().chain(self.shallow_edges()).collect()
     }
 
     /// Edges at which hardly any angle is left.
@@ -241,6 +171,14 @@ impl ConvexPolyhedron {
         let least = shallow.iter().min_by(|a, b| a.angle.total_cmp(&b.angle))?;
         let off = shallow.iter().map(|edge| self.off_neighbour(edge)).fold(0.0, f64::max);
         Some(Warning::ShallowEdges { ends: least.ends, count: shallow.len(), angle: least.angle, limit: SHALLOW, off })
+    }
+
+    /// Edges so short that they are one point of a hull.
+    fn short_edges(&self) -> Option<Warning> {
+        let limit = (TOGETHER * self.flatness).max(plane::rounding(&self.vertices));
+        let short: Vec<PolyhedronEdge> = self.edges().filter(|edge| edge.length <= limit).collect();
+        let least = short.iter().min_by(|a, b| a.length.total_cmp(&b.length))?;
+        Some(Warning::ShortEdges { ends: least.ends, count: short.len(), length: least.length, limit })
     }
 
     /// How far the corners of the smaller face of an edge are below the plane of the other one: the less of both ways.

@@ -40,11 +40,31 @@ impl Plane {
 }
 
 /// Newell's normal, twice the area long: the sum of the cross products about the first corner, which loses no digits far from
-/// the origin.
+/// the origin, nor along faces that are a millionth as wide as long (`docs/math/polyhedron-offsets.md#polyhedron`).
 pub(super) fn area_vector(points: &[Point3], corners: &[usize]) -> Vec3 {
     let Some((&first, rest)) = corners.split_first() else { return Vec3::ZERO };
     let way = |v: usize| points[v] - points[first];
-    rest.windows(2).fold(Vec3::ZERO, |sum, w| sum + way(w[0]).cross(way(w[1])))
+    rest.windows(2).fold(Vec3::ZERO, |sum, w| sum + cross(way(w[0]), way(w[1])))
+}
+
+/// The cross product of vectors that may be nearly parallel, each coordinate to its last digits (W. Kahan's difference of two
+/// products). That of rounded products is off in every direction, along the vectors too.
+fn cross(a: Vec3, b: Vec3) -> Vec3 {
+    let difference = |a: f64, b: f64, c: f64, d: f64| {
+        let cd = c * d;
+        a.mul_add(b, -cd) - c.mul_add(d, -cd)
+    };
+    Vec3::new(difference(a.y, b.z, a.z, b.y), difference(a.z, b.x, a.x, b.z), difference(a.x, b.y, a.y, b.x))
+}
+
+/// What is to be said of points that bound no body: how far they are from the plane in their middle across a normal; points on a line,
+/// which have none, are in one.
+pub(super) fn flat(points: impl Iterator<Item = Point3>, normal: Vec3, limit: f64) -> Error {
+    let (mut points, normal) = (points.peekable(), normal.unit().unwrap_or_default());
+    let first = points.peek().copied().unwrap_or_default();
+    let heights = points.map(|p| (p - first).dot(normal));
+    let [low, high] = heights.fold([0.0_f64; 2], |[low, high], height| [low.min(height), high.max(height)]);
+    Error::FlatPolyhedron { thickness: 0.5 * (high - low), limit }
 }
 
 /// Refuses faces with a corner farther from their plane than the limit.
