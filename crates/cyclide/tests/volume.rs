@@ -1,8 +1,8 @@
 //! Laws of volumes: three orthogonal families of cyclides, Möbius maps, parts, folds, measures (`docs/math/volumes.md`).
 
 use cyclide::{
-    Conformal, CyclideVolume, Error, FoldVerdict, Mobius, ParamSurface, ParamVolume, Point3, Quat, SphericalCube, Vec3,
-    VolumeFrame, VolumeJet,
+    Conformal, CyclideGrid, CyclideVolume, DupinCyclide, Error, FoldVerdict, Mobius, ParamSurface, ParamVolume, Point3,
+    Quat, SphericalCube, Vec3, VolumeFrame, VolumeJet,
 };
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
@@ -284,4 +284,83 @@ fn what_has_no_volume_is_named() {
     let error = CyclideVolume::new(&twisted, VolumeFrame::Auto).unwrap_err();
     assert_eq!(error.reason(), "crossing-face");
     assert!(matches!(error, Error::CrossingFace { speed, limit, .. } if speed < limit));
+}
+
+/// Blocks side by side agree on their common face, point by point.
+fn check_shared(grid: &CyclideGrid, limit: f64) {
+    let [m, n, l] = grid.size();
+    for (i, j, k) in (0..l).flat_map(|k| (0..n).flat_map(move |j| (0..m).map(move |i| (i, j, k)))) {
+        let block = grid.block([i, j, k]);
+        for (x, y) in [(0.0, 0.0), (0.3, 0.8), (1.0, 0.5)] {
+            let near = |axis: usize, end: f64| match axis {
+                0 => [end, x, y],
+                1 => [x, end, y],
+                _ => [x, y, end],
+            };
+            for (axis, size) in grid.size().into_iter().enumerate() {
+                let mut next = [i, j, k];
+                next[axis] += 1;
+                if next[axis] < size {
+                    let other = grid.block(next);
+                    assert!(block.point(near(axis, 1.0)).distance(other.point(near(axis, 0.0))) <= limit);
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn layers_of_a_ring_cyclide_close_and_are_orthogonal() {
+    let ring = DupinCyclide::new(4.0, 1.0, 2.0).unwrap().nets([6, 6]).unwrap().remove(0);
+    let distances = [-0.8, -0.3, 0.0, 0.4];
+    let grid = CyclideGrid::layers(&ring, &distances).unwrap();
+    assert_eq!(grid.size(), [6, 6, 3]);
+    check_shared(&grid, 0.0);
+    let mut sum = 0.0;
+    for (number, block) in grid.blocks().enumerate() {
+        assert_eq!(block.folds(), FoldVerdict::Regular);
+        let (quad, layer) = (number % 36, number / 36);
+        let patch = ring.patch(quad % 6, quad / 6);
+        for [s, t, u] in places() {
+            assert!(block.jet([s, t, u]).orthogonality() < 1e-13);
+            let h = distances[layer] + u * (distances[layer + 1] - distances[layer]);
+            let offset = patch.point(s, t) + patch.unit_normal(s, t) * h;
+            assert!(block.point([s, t, u]).distance(offset) < 1e-13);
+        }
+        sum += block.measure().volume;
+    }
+    // Between the solids of the offsets.
+    let solid = |h: f64| ring.offset(h).unwrap().to_shell().unwrap().volume();
+    let between = solid(0.4) - solid(-0.8);
+    assert!((sum - between.abs()).abs() < 1e-10 * sum, "{sum} {between}");
+}
+
+#[test]
+fn grids_follow_from_their_coordinate_planes() {
+    // A grid of boxes of uneven sizes, inverted: the last corner of every cube is the image of that of the box.
+    let (x, y, z) = ([0.0, 1.0, 1.5, 2.5], [0.0, 0.7, 1.9], [0.0, 0.5, 1.2]);
+    let map = Mobius::inversion(Point3::new(-1.0, 2.5, 3.5), 2.0).unwrap();
+    let image = |[i, j, k]: [usize; 3]| map.map_point(Point3::new(x[i], y[j], z[k])).unwrap();
+    // The map reverses orientation: of two directions pushed forward the third is against theirs.
+    let [v1, v2] = [Vec3::X, Vec3::Y].map(|v| map.push_forward(Point3::ORIGIN, v).unwrap());
+    let turned = |[i, j, k]: [usize; 3]| image([j, i, k]);
+    let grid = CyclideGrid::from_coordinate_planes([2, 3, 2], turned, v2, v1).unwrap();
+    check_shared(&grid, 1e-14);
+    for (number, p) in grid.points().iter().enumerate() {
+        let at = [number % 3, number / 3 % 4, number / 12];
+        assert!(p.distance(turned(at)) < 1e-13, "{at:?}");
+    }
+    for block in grid.blocks() {
+        assert_eq!(block.folds(), FoldVerdict::Regular);
+        for at in places() {
+            assert!(block.real_residual(at) < 1e-13 && block.jet(at).orthogonality() < 1e-12);
+        }
+    }
+    assert_eq!(CyclideGrid::from_coordinate_planes([2, 0, 2], turned, v2, v1).unwrap_err().reason(), "too-few-points");
+    let off = |at: [usize; 3]| turned(at) + if at == [2, 1, 0] { Vec3::new(0.0, 0.0, 0.1) } else { Vec3::ZERO };
+    let error = CyclideGrid::from_coordinate_planes([2, 3, 2], off, v2, v1).unwrap_err();
+    assert_eq!((error.reason(), error.index()), ("not-concircular", Some(1)));
+    let ring = DupinCyclide::new(4.0, 1.0, 2.0).unwrap().nets([6, 6]).unwrap().remove(0);
+    assert_eq!(CyclideGrid::layers(&ring, &[0.0]).unwrap_err().reason(), "too-few-points");
+    assert_eq!(CyclideGrid::layers(&ring, &[0.0, 0.0]).unwrap_err().reason(), "parameters-not-increasing");
 }

@@ -1273,6 +1273,13 @@ pub enum Error {
         at: [f64; 3],
     },
     // What failed in a part of the input.
+    /// One block of a grid failed; the cause says why.
+    InBlock {
+        /// Which block, from 0, s fastest, then t.
+        block: usize,
+        /// What went wrong in it.
+        cause: Box<Error>,
+    },
     /// One face of a volume failed; the cause says why.
     InFaceOfVolume {
         /// The direction across the face: 0, 1, 2 for s, t, u.

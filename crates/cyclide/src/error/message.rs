@@ -604,6 +604,7 @@ impl std::fmt::Display for Error {
                 ShortNumber(*t),
                 ShortNumber(*u)
             ),
+            Self::InBlock { block, cause } => write!(f, "block {block}: {cause}"),
             Self::InFaceOfVolume { axis, end, cause } => {
                 write!(f, "the face at {} = {end}: {cause}", axis_words(*axis)[0])
             }

@@ -27,6 +27,7 @@ impl std::error::Error for Error {
     fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
         match self {
             Self::InQuad { cause, .. }
+            | Self::InBlock { cause, .. }
             | Self::InFaceOfVolume { cause, .. }
             | Self::InBranch { cause, .. }
             | Self::InTriangle { cause, .. }

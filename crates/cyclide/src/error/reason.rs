@@ -133,6 +133,7 @@ impl Error {
             Self::CrossingFace { .. } => "crossing-face",
             Self::VolumeThroughInfinity { .. } => "volume-through-infinity",
             Self::InQuad { cause, .. }
+            | Self::InBlock { cause, .. }
             | Self::InFaceOfVolume { cause, .. }
             | Self::InBranch { cause, .. }
             | Self::InTriangle { cause, .. }
@@ -215,6 +216,7 @@ impl Error {
             Self::InSpan { span, .. } => Some(span),
             Self::NotAShell { index, .. } => Some(index),
             Self::InQuad { quad, .. } => Some(quad),
+            Self::InBlock { block, .. } => Some(block),
             Self::InBranch { branch, .. } => Some(branch),
             Self::InTriangle { triangle, .. }
             | Self::NoSuchVertex { triangle, .. }
@@ -241,6 +243,11 @@ impl Error {
     #[must_use]
     pub fn in_quad(self, quad: usize) -> Self {
         Self::InQuad { quad, cause: Box::new(self) }
+    }
+
+    /// Wraps the error as the failure of one block of a grid.
+    pub(crate) fn in_block(self, block: usize) -> Self {
+        Self::InBlock { block, cause: Box::new(self) }
     }
 
     /// Wraps the error as the failure of one face of a volume.

@@ -1,10 +1,12 @@
 //! Volumes: the trait, and blocks whose three families of coordinate surfaces are Dupin cyclides that cross at right angles.
 
+mod cyclide_grid;
 mod cyclide_volume;
 mod fold;
 mod param_volume;
 mod spherical_cube;
 
+pub use cyclide_grid::CyclideGrid;
 pub use cyclide_volume::{CyclideVolume, VolumeFrame, VolumeLocation, VolumeMeasure};
 pub use fold::FoldVerdict;
 pub use param_volume::ParamVolume;

@@ -135,6 +135,7 @@ impl ObjectSpec {
         let of = |name| vec![(vec![Step::from("of")], name)];
         match self {
             Self::Offset(s) => of(s.of.as_str()),
+            Self::Layers(s) => of(s.of.as_str()),
             Self::Transform(s) => of(s.of.as_str()),
             Self::Revolution(s) => of(s.of.as_str()),
             Self::Pipe(s) => of(s.of.as_str()),

@@ -1,12 +1,14 @@
 //! Volumes: from corners and a frame to the kernel's blocks.
 
-use cyclide::{Conformal as _, CyclideVolume, Point3, SphericalCube, VolumeFrame};
+use cyclide::{
+    Conformal as _, CyclideGrid, CyclideVolume, CyclidicNet, Point3, SphericalCube, SurfaceObject, VolumeFrame,
+};
 
 use super::Builder;
 use super::surfaces::direction;
 use super::transform::map_of;
 use crate::document::locate::Step;
-use crate::document::spec::{CyclideVolumeSpec, FrameSpec, ObjectSpec, StepSpec, TransformSpec};
+use crate::document::spec::{CyclideVolumeSpec, FrameSpec, LayersSpec, ObjectSpec, StepSpec, TransformSpec};
 use crate::error::Result;
 
 /// How far a last corner that is given may be from the one that follows, relative to the size.
@@ -17,10 +19,12 @@ impl Builder<'_> {
     pub(super) fn volumes(&mut self) -> Result<Vec<CyclideVolume>> {
         let (volumes, field) = match self.spec {
             ObjectSpec::CyclideVolume(spec) => (vec![self.block(spec)?], "frame"),
+            ObjectSpec::Layers(spec) => (self.layers(spec)?, "of"),
             ObjectSpec::Transform(spec) => (self.mapped_volumes(spec)?, "of"),
             _ => return Ok(Vec::new()),
         };
-        for warning in volumes.iter().flat_map(CyclideVolume::warnings) {
+        // Of many blocks that fold one is enough to know.
+        if let Some(warning) = volumes.iter().find_map(|volume| volume.warnings().into_iter().next()) {
             self.warn_at(field, None, warning);
         }
         Ok(volumes)
@@ -64,6 +68,46 @@ impl Builder<'_> {
             }
         };
         CyclideVolume::new(&cube, frame).map_err(refused)
+    }
+
+    /// Blocks between the offsets of nets.
+    fn layers(&self, spec: &LayersSpec) -> Result<Vec<CyclideVolume>> {
+        let distances = match (&spec.distances, spec.first, spec.count) {
+            (Some(distances), None, None) if spec.growth.is_none() => distances.clone(),
+            (None, Some(first), Some(count)) => {
+                let growth = spec.growth.unwrap_or(1.0);
+                if !(growth > 0.0 && growth.is_finite()) {
+                    return Err(self.unfit("`growth` is above 0"));
+                }
+                let mut distances = vec![0.0];
+                let (mut sum, mut height) = (0.0, first);
+                for _ in 0..count {
+                    sum += height;
+                    height *= growth;
+                    distances.push(sum);
+                }
+                // Layers on the other side, from the farthest to the surface.
+                if first < 0.0 {
+                    distances.reverse();
+                }
+                distances
+            }
+            _ => return Err(self.unfit("give either `distances`, or `first` and `count` with or without `growth`")),
+        };
+        let source = self.surface_source("only surfaces have layers")?;
+        let mut volumes = Vec::new();
+        for surface in source.item.surfaces() {
+            let net = match surface {
+                SurfaceObject::Patch(patch) => CyclidicNet::from(*patch),
+                SurfaceObject::Net(net) => net.clone(),
+                _ => {
+                    return Err(self.wrong_source("only a `cyclide-patch`, a `cyclidic-net` or a `cyclide` has layers"));
+                }
+            };
+            let grid = CyclideGrid::layers(&net, &distances).map_err(|e| self.refused(&e, None))?;
+            volumes.extend(grid.blocks());
+        }
+        Ok(volumes)
     }
 
     /// The images of blocks.

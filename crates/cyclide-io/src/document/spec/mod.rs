@@ -64,7 +64,7 @@ pub use torus::{
 };
 pub use torus_numbers::{AnglePairs, FreeOr, RatePairs};
 pub use tubes::{RadiusLawSpec, TubeSpec};
-pub use volumes::CyclideVolumeSpec;
+pub use volumes::{CyclideVolumeSpec, LayersSpec};
 
 /// A cyclide model: named curves and surfaces made of circles. Lengths are in the document's units and are never rescaled,
 /// angles are in radians or say `degrees`.
@@ -146,6 +146,8 @@ pub enum ObjectSpec {
     CyclidicNet(CyclidicNetSpec),
     /// A block whose coordinate surfaces are cyclides that cross at right angles.
     CyclideVolume(CyclideVolumeSpec),
+    /// Blocks in layers over a net.
+    Layers(LayersSpec),
     /// A convex polyhedron with its edges and corners rounded.
     SmoothPolyhedron(SmoothPolyhedronSpec),
     /// A smooth surface through the vertices of a triangle mesh.
@@ -278,6 +280,7 @@ object_types! {
     "cyclide" => Cyclide,
     "cyclidic-net" => CyclidicNet,
     "cyclide-volume" => CyclideVolume,
+    "layers" => Layers,
     "smooth-polyhedron" => SmoothPolyhedron,
     "smooth-mesh" => SmoothMesh,
     "sphere-blend" => SphereBlend,

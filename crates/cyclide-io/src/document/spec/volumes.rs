@@ -47,3 +47,40 @@ pub struct CyclideVolumeSpec {
     #[serde(default)]
     pub frame: FrameSpec,
 }
+
+/// Blocks in layers over a net: the spaces between its offsets, with lines across that are normal to all layers.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let objects = r#""ring": {"type": "cyclide", "a": 3, "mu": 1}, "wall": {"type": "layers", "of": "ring", "distances": [-0.5, -0.1, 0]}"#;
+/// let built = format!(r#"{{"cyclide": 1, "objects": {{{objects}}}}}"#).parse::<Document>()?.build()?;
+/// assert_eq!(built[1].item.volumes().len(), 32);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[non_exhaustive]
+pub struct LayersSpec {
+    /// The word `layers`.
+    #[schemars(with = "String", extend("const" = "layers"))]
+    pub r#type: TypeWord,
+    /// What the author remarks; read and left aside.
+    #[serde(default)]
+    pub comment: Comment,
+    /// Construction geometry: built and reported, not written to files.
+    #[serde(default)]
+    pub construction: bool,
+    /// Name of a patch, net or cyclide.
+    pub of: String,
+    /// Distances of the surfaces between layers along the normals, rising; 0 is the surface itself. Or `first`.
+    #[schemars(length(min = 2))]
+    pub distances: Option<Vec<f64>>,
+    /// Height of the first layer, next to the surface; negative: layers on the other side. With `count`.
+    pub first: Option<f64>,
+    /// Each layer is so many times as high as the one before. Default 1.
+    #[schemars(extend("exclusiveMinimum" = 0))]
+    pub growth: Option<f64>,
+    /// Number of layers.
+    #[schemars(range(min = 1, max = 4096))]
+    pub count: Option<u32>,
+}

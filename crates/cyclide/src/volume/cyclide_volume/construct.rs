@@ -88,7 +88,7 @@ impl CyclideVolume {
     }
 
     /// Refuses a volume of which a side runs backwards: the two faces that share it cross themselves.
-    fn check_sides(&self) -> Result<()> {
+    pub(in crate::volume) fn check_sides(&self) -> Result<()> {
         for axis in 0..3 {
             let q = &self.speeds[axis];
             for [i, j] in [[0, 0], [1, 0], [0, 1], [1, 1]] {

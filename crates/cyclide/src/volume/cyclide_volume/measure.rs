@@ -1,12 +1,12 @@
 //! Volume, centroid and surface by quadrature, with error control by halving.
 
 use super::CyclideVolume;
-use crate::base::quadrature::unit_rule8;
+use crate::base::quadrature::{unit_rule4, unit_rule8};
 use crate::base::vector::{Point3, Vec3};
 use crate::volume::ParamVolume as _;
 
-/// The rule on a cell and on its eight parts agree to this part of the whole.
-const AGREEMENT: f64 = 1e-12;
+/// Two rules agree to this part of the largest cell's integral: the better one, exact for twice the degree, is better by orders of magnitude.
+const AGREEMENT: f64 = 1e-8;
 /// Cells at most.
 const CELLS: usize = 4096;
 
@@ -25,34 +25,27 @@ pub struct VolumeMeasure {
     pub volume: f64,
     /// The centroid.
     pub centroid: Point3,
-    /// How far the last two rules disagree, a volume.
+    /// How far the last two rules disagree, a volume: the better one is off by far less.
     pub error: f64,
 }
 
 impl CyclideVolume {
-    /// Volume and centroid by Gauss rules of 8 x 8 x 8 places, on parts where the integrand asks for it, to about 1e-12 of the volume.
-    /// Its [faces](Self::faces) give the area of its surface.
+    /// Volume and centroid by Gauss rules of 8 x 8 x 8 places, on parts where that of 4 x 4 x 4 does not agree, to about 1e-12 of the
+    /// volume. Its [faces](Self::faces) give the area of its surface.
     #[must_use]
     pub fn measure(&self) -> VolumeMeasure {
-        let unit = [0.0; 3];
-        let first = self.moments(unit, 1.0);
-        let mut open = vec![(unit, 1.0, first)];
+        let mut open = vec![([0.0; 3], 1.0)];
         let (mut sum, mut error, mut cells) = ([0.0; 4], 0.0, 1);
-        while let Some((from, size, whole)) = open.pop() {
-            let half = 0.5 * size;
-            let parts: Vec<_> = (0..8)
-                .map(|octant| {
-                    let at = super::pole::at_octant(from, half, octant);
-                    (at, half, self.moments(at, half))
-                })
-                .collect();
-            let together = parts.iter().fold([0.0; 4], |sum, (.., part)| std::array::from_fn(|k| sum[k] + part[k]));
-            let off = (together[0] - whole[0]).abs();
-            if off > AGREEMENT * first[0].max(sum[0]) && cells + 8 <= CELLS {
+        let mut whole = 0.0;
+        while let Some((from, size)) = open.pop() {
+            let fine = self.moments(&unit_rule8(), from, size);
+            let off = (fine[0] - self.moments(&unit_rule4(), from, size)[0]).abs();
+            whole = fine[0].max(whole);
+            if off > AGREEMENT * whole && cells + 8 <= CELLS {
                 cells += 8;
-                open.extend(parts);
+                open.extend((0..8).map(|octant| (super::pole::at_octant(from, 0.5 * size, octant), 0.5 * size)));
             } else {
-                sum = std::array::from_fn(|k| sum[k] + together[k]);
+                sum = std::array::from_fn(|k| sum[k] + fine[k]);
                 error += off;
             }
         }
@@ -61,12 +54,11 @@ impl CyclideVolume {
     }
 
     /// Volume and first moments about the first corner of a cube of parameters.
-    fn moments(&self, from: [f64; 3], size: f64) -> [f64; 4] {
-        let rule = unit_rule8();
+    fn moments(&self, rule: &[(f64, f64)], from: [f64; 3], size: f64) -> [f64; 4] {
         let mut sum = [0.0; 4];
-        for (x, wx) in rule {
-            for (y, wy) in rule {
-                for (z, wz) in rule {
+        for &(x, wx) in rule {
+            for &(y, wy) in rule {
+                for &(z, wz) in rule {
                     let at = [from[0] + size * x, from[1] + size * y, from[2] + size * z];
                     let element = self.jacobian(at).abs() * wx * wy * wz * size * size * size;
                     let way = self.point(at) - self.corners[0];

@@ -53,7 +53,7 @@ pub struct CyclideVolume {
 
 impl CyclideVolume {
     /// The volume of given weights and constant frame, valid by construction.
-    fn from_weights_unchecked(corners: [Point3; 8], weights: [Quat; 8], v: [Vec3; 3]) -> Self {
+    pub(in crate::volume) fn from_weights_unchecked(corners: [Point3; 8], weights: [Quat; 8], v: [Vec3; 3]) -> Self {
         let scale = corners.iter().map(|p| p.distance(corners[0])).fold(0.0, f64::max);
         let n = std::array::from_fn(|k| Quat::from((corners[k] - corners[0]) / scale) * weights[k]);
         let speeds = std::array::from_fn(|axis| speed(&corners, &weights, axis, v[axis]));

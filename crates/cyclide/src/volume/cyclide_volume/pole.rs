@@ -14,7 +14,7 @@ impl CyclideVolume {
     ///
     /// # Errors
     /// `volume-through-infinity`.
-    pub(super) fn check_no_pole(&self) -> Result<()> {
+    pub(in crate::volume) fn check_no_pole(&self) -> Result<()> {
         match pole(&self.weights, [0.0; 3], HALVINGS) {
             None => Ok(()),
             Some(at) => Err(Error::VolumeThroughInfinity { at }),

@@ -1,0 +1,181 @@
+//! Blocks over a grid of vertices: neighbours share faces, vertices and weights bit for bit.
+//!
+//! A vertex with point `a` and weight `w` stands for the pair `(a w, w)`, as of a [net](crate::CyclidicNet); a block is that of its eight pairs
+//! (`docs/math/volumes.md#grids`).
+
+use super::cyclide_volume::CyclideVolume;
+use super::spherical_cube::miquel_point;
+use crate::base::quat::Quat;
+use crate::base::range;
+use crate::base::vector::{Point3, Vec3};
+use crate::error::{Error, ErrorItem, Result};
+use crate::surface::{CyclidicNet, orthonormal};
+
+/// Blocks in a regular grid, whose coordinate surfaces run on smoothly from block to block.
+///
+/// ```
+/// use cyclide::{CyclideGrid, DupinCyclide, FoldVerdict};
+/// let torus = DupinCyclide::new(3.0, 0.0, 1.0)?.nets([4, 4])?.remove(0);
+/// let wall = CyclideGrid::layers(&torus, &[-0.5, -0.1, 0.0])?; // two layers below the skin of the tube
+/// assert_eq!(wall.size(), [4, 4, 2]);
+/// let volume: f64 = wall.blocks().map(|block| block.measure().volume).sum();
+/// assert!((volume - 1.5 * std::f64::consts::PI.powi(2) * 3.0).abs() < 1e-9); // 2 pi R (pi - pi/4)
+/// # Ok::<(), cyclide::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct CyclideGrid {
+    /// Blocks along s, t and u.
+    size: [usize; 3],
+    /// Vertices, one more than blocks in every direction, s fastest; closed directions repeat their first ones.
+    points: Vec<Point3>,
+    weights: Vec<Quat>,
+    v: [Vec3; 3],
+}
+
+impl CyclideGrid {
+    /// Layers over a net: the blocks between its offsets at these distances along its normals, which rise. All lines across are straight and
+    /// normal to all layers. Of a closed net they close.
+    ///
+    /// # Errors
+    /// `too-few-points` (fewer than two distances), `not-finite`, `parameters-not-increasing`, `offset-on-focal-set` with the quad where an
+    /// offset shrinks to a curve or a point; `volume-through-infinity`.
+    pub fn layers(net: &CyclidicNet, distances: &[f64]) -> Result<Self> {
+        if distances.len() < 2 {
+            return Err(Error::TooFewPoints { given: distances.len(), needed: 2 });
+        }
+        if let Some(index) = distances.iter().position(|h| !h.is_finite()) {
+            return Err(Error::NotFinite { what: ErrorItem::OffsetDistance, index });
+        }
+        if let Some(k) = (1..distances.len()).find(|&k| !(distances[k] > distances[k - 1])) {
+            return Err(Error::ParametersNotIncreasing { index: k, value: distances[k], before: distances[k - 1] });
+        }
+        let [m, n] = net.size();
+        let skins = distances.iter().map(|&h| net.offset(h)).collect::<Result<Vec<_>>>()?;
+        let vertices = || (0..=n).flat_map(|j| (0..=m).map(move |i| (i, j)));
+        let points = skins.iter().flat_map(|skin| vertices().map(|(i, j)| skin.grid().point(i, j))).collect();
+        // Offsets have the weights of their net.
+        let weights = distances.iter().flat_map(|_| vertices().map(|(i, j)| net.weight(i, j))).collect();
+        Self { size: [m, n, distances.len() - 1], points, weights, v: net.frame() }.checked()
+    }
+
+    /// The grid of its three coordinate planes and the frame at its first vertex: `point(i, j, k)` is asked where one of the indices is 0, from 0 to
+    /// `size` in each direction, and there quads have circles; all other vertices follow, each as the last corner of a [cube](crate::SphericalCube).
+    ///
+    /// # Errors
+    /// `too-few-points` (a direction without a block), `not-finite`, `frame-not-orthonormal`; what [`SphericalCube::new`](crate::SphericalCube::new) refuses,
+    /// with the block; `crossing-face`, `volume-through-infinity`.
+    pub fn from_coordinate_planes(
+        size: [usize; 3],
+        point: impl Fn([usize; 3]) -> Point3,
+        v1: Vec3,
+        v2: Vec3,
+    ) -> Result<Self> {
+        if let Some(&given) = size.iter().find(|n| **n == 0) {
+            return Err(Error::TooFewPoints { given: given + 1, needed: 2 });
+        }
+        let (v1, v2) = orthonormal(v1, v2)?;
+        let mut grid = Self { size, points: Vec::new(), weights: Vec::new(), v: [v1, v2, v1.cross(v2)] };
+        for at in grid.vertices() {
+            let made = if at.contains(&0) {
+                point(at)
+            } else {
+                let before =
+                    |bits: usize| grid.points[grid.index(std::array::from_fn(|d| at[d] - 1 + (bits >> d & 1)))];
+                miquel_point(std::array::from_fn(before))
+                    .map_err(|e| e.in_block(grid.block_index(at.map(|x| x - 1))))?
+            };
+            range::check_point(grid.points.len(), made.to_vec())?;
+            grid.points.push(made);
+        }
+        for at in grid.vertices() {
+            let weight = grid.next_weight(at)?;
+            grid.weights.push(weight);
+        }
+        for (index, block) in grid.blocks().enumerate() {
+            block.check_sides().map_err(|e| e.in_block(index))?;
+        }
+        grid.checked()
+    }
+
+    /// The weight of a vertex from those before it: along a side for the direction, over a face for the length.
+    fn next_weight(&self, at: [usize; 3]) -> Result<Quat> {
+        let back = |axis: usize| {
+            let mut before = at;
+            before[axis] -= 1;
+            before
+        };
+        let axes: Vec<usize> = (0..3).filter(|&axis| at[axis] > 0).collect();
+        let known = |at: [usize; 3]| (self.points[self.index(at)], self.weights[self.index(at)]);
+        let here = self.points[self.index(at)];
+        let [axis, ..] = *axes else { return Ok(Quat::ONE) };
+        let (a1, w1) = known(back(axis));
+        let chord = (here - a1).unit().ok_or(Error::CoincidentPoints {
+            first: self.index(back(axis)),
+            second: self.index(at),
+            distance: 0.0,
+            limit: 0.0,
+        })?;
+        let turned = Quat::from(-chord) * w1 * Quat::from(self.v[axis]);
+        let Some(&other) = axes.get(1) else { return Ok(turned * (w1.norm() / turned.norm())) };
+        // The face of this vertex, its two neighbours and the one opposite.
+        let (a2, w2) = known(back(other));
+        let mut opposite = back(axis);
+        opposite[other] -= 1;
+        let (a0, w0) = known(opposite);
+        let length = w1.norm() * w2.norm() / w0.norm() * (a1.distance(a2) / a0.distance(here));
+        range::check_weight_ratio(length)?;
+        Ok(turned * (length / turned.norm()))
+    }
+
+    fn checked(self) -> Result<Self> {
+        for (index, block) in self.blocks().enumerate() {
+            block.check_no_pole().map_err(|e| e.in_block(index))?;
+        }
+        Ok(self)
+    }
+
+    /// Blocks along s, t and u.
+    #[must_use]
+    pub fn size(&self) -> [usize; 3] {
+        self.size
+    }
+
+    /// All vertices, s fastest, one more than blocks in every direction.
+    #[must_use]
+    pub fn points(&self) -> &[Point3] {
+        &self.points
+    }
+
+    /// The block with these indices.
+    ///
+    /// # Panics
+    /// If there is no such block.
+    #[must_use]
+    pub fn block(&self, at: [usize; 3]) -> CyclideVolume {
+        assert!((0..3).all(|d| at[d] < self.size[d]), "block {at:?} of a grid of {:?}", self.size);
+        let corner = |bits: usize| self.index(std::array::from_fn(|d| at[d] + (bits >> d & 1)));
+        let corners: [usize; 8] = std::array::from_fn(corner);
+        CyclideVolume::from_weights_unchecked(corners.map(|k| self.points[k]), corners.map(|k| self.weights[k]), self.v)
+    }
+
+    /// All blocks, s fastest.
+    pub fn blocks(&self) -> impl Iterator<Item = CyclideVolume> {
+        let [m, n, l] = self.size;
+        (0..m * n * l).map(move |k| self.block([k % m, k / m % n, k / m / n]))
+    }
+
+    fn vertices(&self) -> impl Iterator<Item = [usize; 3]> + use<> {
+        let [m, n, l] = self.size.map(|n| n + 1);
+        (0..m * n * l).map(move |k| [k % m, k / m % n, k / m / n])
+    }
+
+    fn index(&self, [i, j, k]: [usize; 3]) -> usize {
+        let [m, n, _] = self.size;
+        i + (j + k * (n + 1)) * (m + 1)
+    }
+
+    fn block_index(&self, [i, j, k]: [usize; 3]) -> usize {
+        let [m, n, _] = self.size;
+        i + (j + k * n) * m
+    }
+}
