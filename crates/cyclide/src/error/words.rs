@@ -6,7 +6,7 @@ use crate::short_number::ShortNumber;
 /// In words, that a value is outside its interval, and whether the ends of that are excluded: they are where the value is one of
 /// them, and of what can never be as small or as large.
 pub(super) fn outside(name: ErrorItem, value: f64, [min, max]: [f64; 2]) -> String {
-    let is = |end: f64| value <= end && value >= end;
+    let is = |end: f64| (value - end).abs() <= 0.0;
     let open = matches!(name, ErrorItem::Duration | ErrorItem::Height | ErrorItem::Wall);
     let (low, high) = (ShortNumber(min), ShortNumber(max));
     if max >= f64::MAX {
