@@ -47,6 +47,22 @@ class Page(HTMLParser):
         assert self.open.pop() == tag
 
 
+def test_every_type_of_curve_has_a_picture():
+    """The types of the documentation's table of curves: those on a torus in the models of a torus, all others in one model."""
+    curves = (ROOT / "docs" / "document.md").read_text().split("\n## Curves\n\n")[1].split("\n\n")[0]
+    rows = [re.findall("`([a-z-]+)`", row.split("|")[1]) for row in curves.splitlines()[2:]]
+    on_a_torus = next(row for row in rows if "torus-spline" in row)
+    off_a_torus = {kind for row in rows if row is not on_a_torus for kind in row}
+    assert len(off_a_torus) > 8
+
+    def shown(*names):
+        documents = [json.loads((ROOT / "examples" / f"{name}.json").read_text()) for name in names]
+        return {spec["type"] for document in documents for spec in document["objects"].values()}
+
+    assert off_a_torus <= shown("gallery")
+    assert set(on_a_torus) <= shown(*EXAMPLES)
+
+
 def test_the_page_leads_to_every_file(gallery):
     text = (gallery / "index.html").read_text()
     page = Page(text)

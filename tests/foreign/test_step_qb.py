@@ -12,6 +12,7 @@ from OCP.TopExp import TopExp_Explorer
 from OCP.TopoDS import TopoDS
 
 import step_modelling as modelling
+from conftest import ROOT
 from step_reader import StepFile
 
 FIVE = np.array([[0, 0, 0], [20, 30, 5], [45, 35, 20], [70, 15, 25], [80, -10, 10]], float)
@@ -191,10 +192,61 @@ def test_a_closed_track_is_one_closed_smooth_b_spline(program, tmp_path, fields)
     (wire,) = StepFile(tmp_path / "t.step").wires
     (edge,) = wire.edges
     curve = edge.curve.BSpline()
-    assert curve.IsClosed() and edge.is_c1
+    assert curve.IsClosed() and edge.is_c1()
     # C1 knots at every point: nowhere the multiplicity of a corner.
     inner = [curve.Multiplicity(i) for i in range(2, curve.NbKnots())]
     assert len(inner) == len(points) - 1 and set(inner) == {curve.Degree() - 1}
     at_knots = [curve.Value(curve.Knot(i)) for i in range(1, curve.NbKnots())]
     at_knots = np.array([[p.X(), p.Y(), p.Z()] for p in at_knots])
     assert np.linalg.norm(at_knots - points, axis=1).max() < 1e-9
+
+
+def distances(first, last):
+    return np.linalg.norm(np.asarray(first) - last, axis=1)
+
+
+def as_rows(curve, parameters):
+    points = [curve.Value(float(u)) for u in parameters]
+    return np.array([[p.X(), p.Y(), p.Z()] for p in points]) / 1000  # of metres
+
+
+HILLS = ROOT / "examples" / "track3d.csv"
+# Points that are pushed aside, and marked.
+CORNERS = [10, 40]
+
+
+@pytest.mark.parametrize("corners", [[], CORNERS[:1], CORNERS], ids=["smooth", "one corner", "two corners"])
+def test_the_track_with_hills_is_one_b_spline_from_corner_to_corner(program, tmp_path, corners):
+    """A curve of degree d is C1 at a knot of multiplicity d - 1: no knot has the multiplicity d of a corner; at corners one B-spline ends and the next begins."""
+    points = np.loadtxt(HILLS, delimiter=",", skiprows=1)
+    for i in corners:
+        aside = points[i] - (points[i - 1] + points[i + 1]) / 2
+        points[i] += 25 * aside / np.linalg.norm(aside)
+    rows = np.c_[points, np.isin(np.arange(len(points)), corners)]
+    np.savetxt(tmp_path / "hills.csv", rows, fmt="%.17g", delimiter=",", header="x_m,y_m,z_m,corner", comments="")
+    step = tmp_path / "hills.step"
+    options = ("--kind", "moebius-spline", "--closed", "--units", "m", "-o", step)
+    program("curve", tmp_path / "hills.csv", *options)
+    (wire,) = StepFile(step).wires
+    assert wire.closed and len(wire.edges) == max(1, len(corners))
+    start = corners[0] if corners else 0
+    ends = [*corners, start + len(points)] if corners else [0, len(points)]
+    runs = [np.take(points, range(a, b + 1), axis=0, mode="wrap") for a, b in zip(ends, ends[1:])]
+    for run in runs:
+        # A chain without corners is closed, its first point not repeated.
+        expected = chain(run, False) if corners else chain(points, True)
+        knots = np.r_[0.0, np.cumsum(np.linalg.norm(np.diff(run, axis=0), axis=1))]
+        gaps = []
+        for edge in wire.edges:
+            curve = edge.curve.BSpline()
+            gaps.append((np.linalg.norm(as_rows(curve, [curve.FirstParameter()])[0] - run[0]), curve, edge))
+        _, curve, edge = min(gaps, key=lambda gap: gap[0])
+        assert edge.is_c1() and curve.IsClosed() == (len(corners) < 2)
+        assert curve.Degree() == 7 and curve.NbKnots() == len(run)
+        assert {curve.Multiplicity(i) for i in range(2, curve.NbKnots())} == {curve.Degree() - 1}
+        assert distances(as_rows(curve, [curve.Knot(i) for i in range(1, len(run) + 1)]), run).max() < 1e-9
+        # Of 700 m: 16 places of every span.
+        places = np.linspace(0.0, 1.0, 16 * len(knots))
+        first, last = curve.FirstParameter(), curve.LastParameter()
+        read = as_rows(curve, first + places * (last - first))
+        assert distances(read, [expected(t) for t in places]).max() < 1e-9

@@ -208,6 +208,11 @@ fn kinds_are_compared_on_one_page() {
     );
     assert!(of("arc-spline", "jumps") > 0.0 && of("fair-spline", "jumps") == 0.0);
     assert!(of("fair-spline", "off_points") < 1e-12);
+    // The table that is printed has what the page has to choose by; curves in space have no sides to change.
+    let columns = ["length", "bending", "variation", "changes of side", "largest curvature", "overshoot"];
+    assert!(columns.iter().all(|column| text.lines().next().unwrap().contains(column)), "{text}");
+    folder.write("space.csv", "0,0,0\n4,1,2\n5,4,1\n2,6,3\n");
+    assert!(folder.ok("compare space.csv").lines().nth(1).unwrap().contains(" – "));
     // What cannot be closed says so.
     assert!(page.contains("this kind cannot be closed") && named("qb-interpolation").is_null());
     // A smooth closed curve of one turn bends by more than a circle of its length.

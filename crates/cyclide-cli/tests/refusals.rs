@@ -13,6 +13,57 @@ const CIRCLE: &str = r#"{"cyclide": 1, "objects": {"c": {"type": "circle", "cent
 const POINTS: &str = "x,y\n0,0\n1,0\n1,1\n";
 
 #[test]
+fn limits_say_whether_they_are_excluded_and_what_to_do_instead() {
+    let folder = Folder::with(&[]);
+    let run = r#""r": {"type": "polyline", "points": [[0, 0, 0], [400, 0, 0], [400, 250, 0]], "radius": 60, "construction": true}"#;
+    let plate =
+        r#""type": "plate-with-neck", "pipe_radius": 20, "ball_radius": 5, "plate": {"radius": 60}, "thickness": 4"#;
+    let motion = r#""type": "motion", "poses": [{"position": [0, 0]}, {"position": [1, 0]}]"#;
+    let circle = r#""c": {"type": "circle", "center": [0, 0], "radius": 5}"#;
+    let fair = r#""c": {"type": "fair-spline", "points": [[0, 0], [5, 1], [7, 5], [4, 9]]}"#;
+    for (objects, message) in [
+        (
+            format!(r#"{run}, "t": {{"type": "pipe", "of": "r", "radius": 21.3, "wall": 21.3}}"#),
+            "wall = 21.3 is outside 0 to 21.3, the ends excluded",
+        ),
+        (format!(r#""n": {{{plate}, "height": 5}}"#), "height = 5 is out of range: more than 5 "),
+        (format!(r#""n": {{{plate}, "height": -5}}"#), "height = -5 is out of range: more than 5 "),
+        (format!(r#""m": {{{motion}, "duration": 0}}"#), "duration = 0 is out of range: more than 0 "),
+        (format!(r#""m": {{{motion}, "duration": -2}}"#), "duration = -2 is out of range: more than 0 "),
+        (
+            format!(
+                r#"{circle}, "t": {{"type": "transform", "of": "c", "steps": [{{"cut": {{"parameters": [0.2, 1.2]}}}}]}}"#
+            ),
+            "there is no part between the parameters 0.2 and 1.2",
+        ),
+        (
+            format!(
+                r#"{circle}, "t": {{"type": "transform", "of": "c", "steps": [{{"cut": {{"parameters": [0, 1]}}}}]}}"#
+            ),
+            "the cut keeps the whole circle, and an arc is less than one: leave the cut out",
+        ),
+        (
+            format!(
+                r#"{fair}, "t": {{"type": "transform", "of": "c", "steps": [{{"inversion": {{"center": [0, -9], "radius": 6}}}}]}}"#
+            ),
+            "steps[0]: the map is not a similarity: fair and circle splines are moved, turned, scaled and mirrored only; a `moebius-spline`",
+        ),
+        (
+            r#""q": {"type": "qb-interpolation", "points": [[1, 2]]}"#.to_owned(),
+            "too few points: 1 given, at least 3 needed",
+        ),
+        (
+            r#""q": {"type": "qb-interpolation", "points": [[1, 2], [1, 2], [3, 4]]}"#.to_owned(),
+            "points 0 and 1 coincide [coincident-points]",
+        ),
+    ] {
+        folder.write("m.json", &format!(r#"{{"cyclide": 1, "objects": {{{objects}}}}}"#));
+        let error = folder.fails(1, "report m.json");
+        assert!(error.contains(message), "{message}\n{error}");
+    }
+}
+
+#[test]
 fn refused_input_shows_file_line_and_column() {
     let folder = Folder::with(&[
         ("json.json", "{\"cyclide\": 1,\n \"objects\": {\n}"),

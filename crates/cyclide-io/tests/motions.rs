@@ -43,6 +43,7 @@ fn poses_in_every_notation_are_one() {
     let list = |last: &str| motion(&format!(r#""poses": [{{"position": [0, 0]}}, {last}]"#));
     let cases = [
         list(r#"{"position": [30, 0, 10], "rpy": [0, 0, {"degrees": 90}]}"#),
+        list(r#"{"position": [30, 0, 10], "rpy": {"degrees": [0, 0, 90]}}"#),
         list(&format!(r#"{{"position": [30, 0, 10], "quaternion": [{half}, 0, 0, {half}]}}"#)),
         list(r#"{"position": [30, 0, 10], "quaternion": [-2, 0, 0, -2]}"#),
         list(r#"{"matrix": [[0, -1, 0, 30], [1, 0, 0, 0], [0, 0, 1, 10]]}"#),
@@ -52,6 +53,9 @@ fn poses_in_every_notation_are_one() {
         "t,x,y,z,qw,qx,qy,qz\n0,0,0,0,1,0,0,0\n1,30,0,10,1,0,0,1\n",
         "x;y;z;roll_deg;pitch_deg;yaw_deg\n0;0;0;0;0;0\n30;0;10;0;0;90\n",
         "x y z roll pitch yaw\n0 0 0 0 0 0\n30 0 10 0 0 1.5707963267948966\n",
+        "time [s],x_mm,y_mm,z_mm,roll [deg],pitch [deg],yaw [deg]\n5,0,0,0,0,0,0\n6,30,0,10,0,0,90\n",
+        "t_ms;pos_x;pos_y;pos_z;q_w;q_x;q_y;q_z\n0;0;0;0;1;0;0;0\n1000;30;0;10;1;0;0;1\n",
+        "px,py,pz,roll (°),pitch (°),yaw (°)\n0,0,0,0,0,0\n30,0,10,0,0,90\n",
     ];
     let read = |table: &str| build_all(&motion(r#""poses": {"csv": "poses.csv"}"#), table).unwrap().pop().unwrap();
     let all = cases.iter().map(|case| build(case).unwrap()).chain(tables.into_iter().map(read));
@@ -128,7 +132,15 @@ fn refusals_are_at_their_place() {
         ("0,0,0\n1,1,1\n", "needs a header line"),
         ("t,x,y\n0,0,0\n1,1,1\n", "no column is named `z`"),
         ("x,y,z,qw,qx,qy,qz\n0,0,0,1,0,0,0\n0,0,0,0,0,0,0\n", "is zero"),
-        ("x,y,z,speed\n0,0,0,1\n1,0,0,1\n", "`speed` is no column of poses"),
+        ("x,y,z,speed\n0,0,0,1\n1,0,0,1\n", "`speed` is no column of poses, which are t or time, x, y, z"),
+        ("x,y,z,rol\n0,0,0,1\n1,0,0,1\n", "`roll_deg`; did you mean `roll`?"),
+        ("x,y,z,time [h]\n0,0,0,1\n1,0,0,1\n", "`time [h]` is no column of poses"),
+        ("x,y,z,t,time\n0,0,0,1,1\n1,0,0,1,1\n", "several columns are the time: t, time"),
+        ("x_m,y_mm,z_mm\n0,0,0\n1,0,0\n", "the columns x_m, y_mm, z_mm speak of different units"),
+        ("x,y,z,roll_deg,pitch,yaw\n0,0,0,0,0,0\n1,0,0,0,0,0\n", "roll_deg, pitch, yaw speak of different units"),
+        ("x,y,z,roll,pitch\n0,0,0,0,0\n1,0,0,0,0\n", "no column is named `yaw`"),
+        ("x,y,z,qw,qx,qy,qz,yaw\n0,0,0,1,0,0,0,0\n1,0,0,1,0,0,0,0\n", "twice, as quaternions and as angles"),
+        ("x,y,z,m11\n0,0,0,1\n1,0,0,1\n", "beside a quaternion only"),
     ] {
         let message = build_all(&motion(r#""poses": {"csv": "poses.csv"}"#), table).unwrap_err();
         assert!(message.contains(expected), "{message}");
@@ -136,6 +148,20 @@ fn refusals_are_at_their_place() {
 }
 
 const CABLE: &str = r#""cable": {"type": "moebius-spline", "points": [[0, 0, 0], [40, 10, 0], [50, 40, 10], [10, 30, 20]], "construction": true}, "#;
+
+#[test]
+fn units_of_columns_are_told_and_not_applied() {
+    let remarks = |table: &str| {
+        let built = build_all(&motion(r#""poses": {"csv": "poses.csv"}"#), table).unwrap().pop().unwrap();
+        assert!((end(&built).translation() - Vec3::new(30.0, 0.0, 10.0)).length() < 1e-13);
+        built.remarks.iter().map(|remark| (remark.reason, remark.message.clone())).collect::<Vec<_>>()
+    };
+    assert!(remarks("x_mm,y_mm,z_mm\n0,0,0\n30,0,10\n").is_empty());
+    let [(reason, message)] = &remarks("x_m,y_m,z_m\n0,0,0\n30,0,10\n")[..] else { panic!("one remark") };
+    assert!(*reason == "units-differ" && message.contains("x_m, y_m, z_m speak of m, the model says mm"), "{message}");
+    let [(reason, message)] = &remarks("x_um,y_um,z_um\n0,0,0\n30,0,10\n")[..] else { panic!("one remark") };
+    assert!(*reason == "unit-not-applied" && message.contains("it is not applied"), "{message}");
+}
 
 #[test]
 fn a_curve_carries_a_body() {

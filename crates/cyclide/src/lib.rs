@@ -76,7 +76,7 @@
 //! | quotients of quaternion polynomials | [`QbCurve`] ([`QbReach`]), [`QbSpline`] |
 //! | curves near points | [`ArcFit`] (fewest arcs: [`ArcFitOptions`], [`FitTarget`], [`Effort`], [`FitCertificate`]), [`FairFit`] (fairest curve: [`FairFitOptions`], [`FairFitCertificate`]), [`certify_arc`] ([`ArcCertificate`]), [`feasible_bulges`] ([`BulgeIntervals`]), [`curvature_intervals`] |
 //! | evaluation | [`ParamCurve::point`], [`ParamCurve::jet`], [`ParamSurface::point`], [`ParamSurface::jet`], [`CurveJet`], [`SurfaceJet`]; what a piece is: [`PieceForm`], [`PieceHull`] |
-//! | measures of curves | [`length()`], [`resample`], [`ArcLength`], [`closest_point`] ([`ClosestPoint`]), [`CurveIndex`], [`bounds()`] |
+//! | measures of curves | [`length()`], [`resample`], [`ArcLength`], [`closest_point`] ([`ClosestPoint`]), [`CurveIndex`], [`farthest_point`] ([`FarthestPoint`]), [`bounds()`] |
 //! | frames along curves | [`CurveFrames`] ([`FrameRule`], [`ClosedTwist`], [`CurveFrame`]) |
 //! | continuity and fairness | [`joints`] ([`Joint`]), [`extreme_curvature`] ([`ExtremeCurvature`]), [`bending_energy`], [`tight_places`] ([`TightPlace`]), [`plane_normal`], [`curvature_comb`], [`fairness()`] ([`Fairness`]), [`wavering()`] ([`Wavering`], [`RoundedTurns`], [`CORNER_ANGLE`]) |
 //! | exact rational forms | [`NurbsCurve`], [`RationalBezier`], [`RationalBezierSurface`], [`RationalBezierVolume`], [`RationalRun`] |
@@ -153,6 +153,7 @@ pub use curve::{
 pub use curve::{CORNER_ANGLE, Fairness, RoundedTurns, Wavering, fairness, plane_normal, wavering};
 pub use curve::{ClosedTwist, CurveFrame, CurveFrames, FrameRule, TightPlace, bending_energy, tight_places};
 pub use curve::{Correspondence, CurvePlace, Span};
+pub use curve::{FarthestPoint, farthest_point};
 pub use curve::{QbCurve, QbReach, QbSpline};
 pub use curve::{bounds, closest_point, curvature_comb, extreme_curvature, joints, length, resample};
 pub use error::{Error, ErrorItem, Result, reasons};

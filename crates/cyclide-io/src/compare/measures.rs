@@ -1,15 +1,12 @@
 //! What curves are compared by.
 
 use cyclide::{
-    ArcPath, CurveIndex, CurveObject, Exactness, Lower as _, ParamCurve, Point3, bending_energy, extreme_curvature,
-    fairness, length,
+    ArcPath, CurveIndex, CurveObject, Exactness, Lower as _, ParamCurve, bending_energy, extreme_curvature, fairness,
+    farthest_point, length,
 };
 use serde::Serialize;
 
 use crate::document::BuiltObject;
-
-/// Places of each smooth piece whose distance from the polygon is looked at.
-const PLACES: u32 = 32;
 
 /// The measures of one kind of curve, over all contours.
 ///
@@ -48,7 +45,7 @@ pub struct CurveMeasures {
     pub max_curvature: f64,
     /// Where it is.
     pub max_curvature_point: [f64; 3],
-    /// Overshoot: the largest distance of the curve from the polygon of the points, looked at in 33 places of each piece.
+    /// Overshoot: the largest distance of the curve from the polygon of the points.
     pub overshoot: f64,
     /// Where it is.
     pub overshoot_point: [f64; 3],
@@ -71,8 +68,8 @@ impl CurveMeasures {
         let each = || curves.iter().map(CurveObject::as_curve);
         let fair: Vec<_> = each().map(fairness).collect();
         let tightest = each().map(extreme_curvature).max_by(|a, b| a.max.total_cmp(&b.max));
-        let far = curves.iter().zip(polygon).map(|(curve, sides)| overshoot(curve.as_curve(), sides.as_curve()));
-        let far = far.max_by(|a, b| a.0.total_cmp(&b.0)).unwrap_or((0.0, Point3::ORIGIN));
+        let far = curves.iter().zip(polygon).map(|(curve, sides)| farthest_point(curve.as_curve(), sides.as_curve()));
+        let far = far.max_by(|a, b| a.distance.total_cmp(&b.distance));
         let own = each().map(length).sum::<f64>();
         let sides = polygon.iter().map(|side| length(side.as_curve())).sum::<f64>();
         let arcs: Option<Vec<(ArcPath, Exactness)>> =
@@ -90,8 +87,8 @@ impl CurveMeasures {
             corners: fair.iter().map(|f| f.corners + f.cusps).sum(),
             max_curvature: tightest.map_or(0.0, |t| t.max),
             max_curvature_point: tightest.map_or([0.0; 3], |t| t.point.to_array()),
-            overshoot: far.0,
-            overshoot_point: far.1.to_array(),
+            overshoot: far.map_or(0.0, |far| far.distance),
+            overshoot_point: far.map_or([0.0; 3], |far| far.point.to_array()),
             off_points: curves
                 .iter()
                 .zip(polygon)
@@ -103,15 +100,6 @@ impl CurveMeasures {
             arcs: arcs.map(|all| all.iter().map(|(path, _)| path.arcs().len()).sum()),
         }
     }
-}
-
-/// The place of a curve farthest from a polygon, by its distance.
-fn overshoot(curve: &dyn ParamCurve, polygon: &dyn ParamCurve) -> (f64, Point3) {
-    let index = CurveIndex::new(polygon);
-    let places =
-        (0..curve.piece_count()).flat_map(|piece| (0..=PLACES).map(move |i| (piece, f64::from(i) / f64::from(PLACES))));
-    let far = places.map(|(piece, s)| curve.piece_point(piece, s)).map(|p| (index.closest_point(p).distance, p));
-    far.fold((0.0, curve.piece_point(0, 0.0)), |best, next| if next.0 > best.0 { next } else { best })
 }
 
 /// The largest distance of a vertex of the polygon from a curve.

@@ -112,7 +112,10 @@ const WORDS: [(&str, &str); 11] = [
     ("largest curvature", "one over the least radius: what limits machines and vehicles, and the radius of pipes."),
     ("jumps", "joints where the curvature jumps: seen in reflections, felt as a jerk."),
     ("corners", "joints that turn, and cusps."),
-    ("overshoot", "the largest distance of the curve from the polygon of the points."),
+    (
+        "overshoot",
+        "the largest distance of the curve from the polygon of the points: found to rounding, by where the distance stops to grow.",
+    ),
     ("off the points", "the largest distance of a point from the curve: rounding of curves that pass through them."),
     (
         "comb",

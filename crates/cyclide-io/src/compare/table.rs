@@ -54,7 +54,8 @@ pub(super) fn csv(comparison: &Comparison) -> String {
 /// The most telling columns, aligned; what could not be made has none.
 pub(super) fn text(comparison: &Comparison) -> String {
     let units = comparison.units;
-    let heads = ["", "length", "bending", "variation", "largest curvature", "jumps", "overshoot", "pieces"];
+    let heads =
+        ["", "length", "bending", "variation", "changes of side", "largest curvature", "jumps", "overshoot", "pieces"];
     let mut rows = vec![heads.map(str::to_owned)];
     for kind in &comparison.kinds {
         let Some(m) = &kind.measures else { continue };
@@ -64,6 +65,8 @@ pub(super) fn text(comparison: &Comparison) -> String {
             format!("{} {units}", short(m.length)),
             format!("{} 1/{units}", short(m.bending_energy)),
             variation,
+            // In space a curve has no sides.
+            m.sign_changes.map_or("–".to_owned(), |changes| changes.to_string()),
             format!("{} 1/{units}", short(m.max_curvature)),
             m.jumps.to_string(),
             format!("{} {units}", short(m.overshoot)),
@@ -72,7 +75,7 @@ pub(super) fn text(comparison: &Comparison) -> String {
     }
     let width = |column: usize| rows.iter().map(|row| row[column].chars().count()).max().unwrap_or(0);
     let widths: Vec<usize> = (0..heads.len()).map(width).collect();
-    let line = |row: &[String; 8]| {
+    let line = |row: &[String; 9]| {
         let cells = row.iter().zip(&widths).enumerate();
         let cells =
             cells.map(|(i, (cell, &width))| if i == 0 { format!("{cell:width$}") } else { format!("{cell:>width$}") });

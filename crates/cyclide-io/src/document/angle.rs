@@ -5,8 +5,8 @@ use std::fmt;
 
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::Deserialize;
-use serde::de::value::MapAccessDeserializer;
-use serde::de::{Deserializer, MapAccess, Visitor};
+use serde::de::value::{MapAccessDeserializer, SeqAccessDeserializer};
+use serde::de::{Deserializer, MapAccess, SeqAccess, Visitor};
 
 /// An angle as it is written: `1.5708` or `{"degrees": 90}`.
 ///
@@ -39,6 +39,65 @@ impl Angle {
             Self::Radians(angle) => angle,
             Self::Degrees(angle) => (angle % 360.0).to_radians(),
         }
+    }
+}
+
+/// Three angles, each with its unit or all in degrees: `[0, 0, {"degrees": 90}]`, `{"degrees": [0, 0, 90]}`.
+pub(super) struct ThreeAngles([Angle; 3]);
+
+/// Reads the angles of a field that may be left out.
+pub(super) fn three_angles<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Option<[Angle; 3]>, D::Error> {
+    Option::<ThreeAngles>::deserialize(deserializer).map(|angles| angles.map(|ThreeAngles(angles)| angles))
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct AllInDegrees {
+    degrees: [f64; 3],
+}
+
+impl<'de> Deserialize<'de> for ThreeAngles {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        struct AnglesVisitor;
+        impl<'de> Visitor<'de> for AnglesVisitor {
+            type Value = ThreeAngles;
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str("a list of three angles, or `{\"degrees\": [0, 0, 90]}`")
+            }
+            fn visit_seq<A: SeqAccess<'de>>(self, seq: A) -> Result<ThreeAngles, A::Error> {
+                <[Angle; 3]>::deserialize(SeqAccessDeserializer::new(seq)).map(ThreeAngles)
+            }
+            fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<ThreeAngles, A::Error> {
+                let all = AllInDegrees::deserialize(MapAccessDeserializer::new(map))?;
+                Ok(ThreeAngles(all.degrees.map(Angle::Degrees)))
+            }
+        }
+        deserializer.deserialize_any(AnglesVisitor)
+    }
+}
+
+impl JsonSchema for ThreeAngles {
+    fn schema_name() -> Cow<'static, str> {
+        "ThreeAngles".into()
+    }
+    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
+        json_schema!({
+            "description": "Three angles: each a number of radians or degrees with their name, or all in degrees.",
+            "anyOf": [
+                { "type": "array", "items": generator.subschema_for::<Angle>(), "minItems": 3, "maxItems": 3 },
+                {
+                    "type": "object",
+                    "properties": {
+                        "degrees": {
+                            "type": "array", "items": { "type": "number" }, "minItems": 3, "maxItems": 3,
+                            "description": "The angles in degrees."
+                        }
+                    },
+                    "required": ["degrees"],
+                    "additionalProperties": false
+                }
+            ]
+        })
     }
 }
 
@@ -105,6 +164,19 @@ mod tests {
         assert_eq!(parse("{\"degrees\": 90}").map(Angle::radians), Ok(std::f64::consts::FRAC_PI_2));
         let turns = [360e9 + 90.0, -450.0].map(|degrees| Angle::Degrees(degrees).turn().to_bits());
         assert_eq!(turns, [90.0_f64, -90.0].map(|degrees| degrees.to_radians().to_bits()));
+        let three = |text: &str| serde_json::from_str::<ThreeAngles>(text).map(|ThreeAngles(angles)| angles);
+        let all = [0.0, 45.0, 90.0].map(Angle::Degrees);
+        assert_eq!(three("{\"degrees\": [0, 45, 90]}").unwrap(), all);
+        assert_eq!(three("[1, {\"degrees\": 45}, 2]").unwrap(), [Angle::Radians(1.0), all[1], Angle::Radians(2.0)]);
+        for (text, message) in [
+            ("90", "expected a list of three angles, or `{\"degrees\": [0, 0, 90]}`"),
+            ("[1, 2]", "invalid length 2, expected an array of length 3"),
+            ("{\"degrees\": 90}", "invalid type: integer `90`, expected an array of length 3"),
+            ("{\"radians\": [1, 2, 3]}", "unknown field `radians`"),
+        ] {
+            let error = three(text).unwrap_err().to_string();
+            assert!(error.contains(message), "{text}: {error}");
+        }
         for (text, message) in [
             ("\"90deg\"", "expected a number of radians, or `{\"degrees\": 90}`"),
             ("[90]", "expected a number of radians"),

@@ -33,6 +33,10 @@ pub struct InterpolationFacts {
 
 pub(super) fn qb_interpolation(spec: &QbInterpolationSpec, at: &Contour<'_>) -> Made {
     let points = &at.list.points;
+    // One point is a curve of degree 0, which goes nowhere.
+    if points.len() < 3 && spec.derivatives.is_none() {
+        return Err(cyclide::Error::TooFewPoints { given: points.len(), needed: 3 });
+    }
     let parameters = node_parameters(&spec.parameters, at, 0);
     let found = match &spec.derivatives {
         None => QbInterpolation::through_points(points, &parameters)?,

@@ -12,6 +12,9 @@ impl std::fmt::Display for Error {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
             Self::NotFinite { what, index } => write!(f, "{what} {index} is not a finite number"),
+            Self::CoincidentPoints { first, second, limit: ..=0.0, .. } => {
+                write!(f, "points {first} and {second} coincide")
+            }
             Self::CoincidentPoints { first, second, distance, limit } => write!(
                 f,
                 "points {first} and {second} coincide (distance {}, at most {} is allowed to be called equal)",
@@ -352,7 +355,7 @@ impl std::fmt::Display for Error {
             }
             Self::SweepOutOfRange { sweep, min, max } => write!(
                 f,
-                "the swept angle {:#} is outside {:#} to {:#} radians",
+                "the swept angle {:#} is outside {:#} to {:#} radians, the ends excluded",
                 ShortNumber(*sweep),
                 ShortNumber(*min),
                 ShortNumber(*max)
@@ -471,7 +474,7 @@ impl std::fmt::Display for Error {
                 ShortNumber(*width)
             ),
             Self::ParameterOutOfRange { name, value, min, max } => {
-                write!(f, "{name} = {:#} is {}", ShortNumber(*value), outside(*min, *max))
+                write!(f, "{name} = {:#} is {}", ShortNumber(*value), outside(*name, *value, [*min, *max]))
             }
             Self::NoG1SplineInTube { vertex, tolerance } => {
                 write!(f, "no G1 arc spline within {} of the polyline near vertex {vertex}", ShortNumber(*tolerance))

@@ -3,13 +3,31 @@
 use super::ErrorItem;
 use crate::short_number::ShortNumber;
 
-/// In words, that a value is outside its interval.
-pub(super) fn outside(min: f64, max: f64) -> String {
+/// In words, that a value is outside its interval, and whether the ends of that are excluded: they are where the value is one of
+/// them, and of what can never be as small or as large.
+pub(super) fn outside(name: ErrorItem, value: f64, [min, max]: [f64; 2]) -> String {
+    let is = |end: f64| (value - end).abs() <= 0.0;
+    let open = matches!(name, ErrorItem::Duration | ErrorItem::Height | ErrorItem::Wall);
+    let (low, high) = (ShortNumber(min), ShortNumber(max));
     if max >= f64::MAX {
-        return format!("out of range: at least {:#}", ShortNumber(min));
+        // A limit next to nothing says no more than that there is one.
+        return match (open || is(min), value <= 0.0 && min > 0.0 && min <= SMALLEST) {
+            (_, true) => "out of range: more than 0".to_owned(),
+            (true, _) => format!("out of range: more than {low:#}"),
+            (false, _) => format!("out of range: at least {low:#}"),
+        };
     }
-    format!("outside {:#} to {:#}", ShortNumber(min), ShortNumber(max))
+    let excluded = match (open, is(min), is(max)) {
+        (true, ..) => ", the ends excluded".to_owned(),
+        (_, true, _) => format!(", {low:#} excluded"),
+        (_, _, true) => format!(", {high:#} excluded"),
+        _ => String::new(),
+    };
+    format!("outside {low:#} to {high:#}{excluded}")
 }
+
+/// Limits up to here are there for the sake of the arithmetic.
+const SMALLEST: f64 = 1e-150;
 
 /// What it means if all edges of a polyhedron are reflex.
 pub(super) fn clockwise(reflex: usize, edges: usize) -> &'static str {

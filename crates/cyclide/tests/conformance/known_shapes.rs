@@ -3,7 +3,7 @@
 use crate::curves::{point, stadium};
 use cyclide::{
     Arc, ArcPath, Circle, CurveIndex, NurbsCurve, ParamCurve, Point3, Vec3, bounds, curvature_comb, extreme_curvature,
-    joints, length,
+    farthest_point, joints, length,
 };
 
 /// The parabola `(x, x²)` over `[-1, 2]` as one Bézier piece.
@@ -169,4 +169,33 @@ fn a_spline_of_one_point_is_measured_without_trouble() {
     assert_eq!(cyclide::flatten(&c, 1.0).unwrap().len(), 2);
     let ts = cyclide::ArcLength::new(&c).uniform(5);
     assert!(ts.windows(2).all(|w| w[0] <= w[1]) && ts[4] == 1.0, "{ts:?}");
+}
+
+#[test]
+fn the_farthest_point_is_where_the_distance_stops_to_grow() {
+    // From the chord y = x + 2 of y = x² over [-1, 2] the parabola is farthest where its slope is 1: x = 1/2, by (2.5 - 0.25)/√2.
+    let chord = Arc::segment(point(-1.0, 1.0, 0.0), point(2.0, 4.0, 0.0)).unwrap();
+    let found = farthest_point(&parabola(), &chord);
+    assert!((found.distance - 2.25 / 2.0_f64.sqrt()).abs() < 1e-15 && (found.t - 0.5).abs() < 1e-12, "{found:?}");
+    // From a short chord at its start it is farthest at its other end, to which the start of the chord is nearest.
+    let short = Arc::segment(point(-1.0, 1.0, 0.0), point(-0.5, 0.25, 0.0)).unwrap();
+    let found = farthest_point(&parabola(), &short);
+    assert!((found.distance - 18.0_f64.sqrt()).abs() < 1e-14 && found.t == 1.0, "{found:?}");
+    // Between two sides the distance has a corner, where both are equally near: at x = 0, a third of the way.
+    let sides =
+        ArcPath::rounded_polyline(&[point(-2.0, 2.0, 0.0), Point3::ORIGIN, point(4.0, 4.0, 0.0)], false, &[0.0; 3]);
+    let across = Arc::segment(point(-1.0, 1.0, 0.0), point(2.0, 2.0, 0.0)).unwrap();
+    let found = farthest_point(&across, &sides.unwrap());
+    assert!((found.distance - 8.0_f64.sqrt() / 3.0).abs() < 1e-13 && (found.t - 1.0 / 3.0).abs() < 1e-12, "{found:?}");
+    // A curve on the other one is at no distance from it.
+    let part = Arc::segment(point(0.0, 2.0, 0.0), point(1.0, 3.0, 0.0)).unwrap();
+    assert_eq!(farthest_point(&part, &chord).distance, 0.0);
+    // However large or small all of it is.
+    for size in [1e-140, 1e140] {
+        let scaled = |p: [f64; 2]| point(p[0] * size, p[1] * size, 0.0);
+        let [a, b, c] = [[1.0, 0.0], [0.0, 1.0], [-1.0, 0.0]].map(scaled);
+        let arc = Arc::from_three_points(a, b, c).unwrap();
+        let found = farthest_point(&arc, &Arc::segment(a, c).unwrap());
+        assert!((found.distance / size - 1.0).abs() < 1e-15, "{found:?}");
+    }
 }

@@ -14,7 +14,7 @@ mod parts;
 use curves::{Case, cases};
 use cyclide::{
     ArcLength, Circle, CurveIndex, CurveJet, ParamCurve, Point3, Vec3, bounds, closest_point, extreme_curvature,
-    flatten, joints, length, resample,
+    farthest_point, flatten, joints, length, resample,
 };
 
 /// Runs a law on every curve of the list.
@@ -161,6 +161,24 @@ fn bounds_contain_the_curve_and_touch_it() {
             assert!(b.min[axis] >= sampled.min[axis] - sagitta - rounding, "{} axis {axis}", case.name);
             assert!(b.max[axis] <= sampled.max[axis] + sagitta + rounding, "{} axis {axis}", case.name);
         }
+    });
+}
+
+#[test]
+fn no_sample_is_farther_than_the_farthest_point() {
+    each(|case, curve| {
+        let b = bounds(curve);
+        let across = cyclide::Arc::segment(b.min, b.max).unwrap();
+        let found = farthest_point(curve, &across);
+        let n = 200 * curve.piece_count();
+        let distance = |p: Point3| closest_point(&across, p).distance;
+        let sampled = (0..=n).map(|i| distance(curve.point(i as f64 / n as f64))).fold(0.0, f64::max);
+        let rounding = 1e-12 * case.size + 4.0 * f64::EPSILON * case.reach;
+        assert!(found.distance >= sampled - rounding, "{}: {found:?} {sampled}", case.name);
+        assert!((distance(curve.point(found.t)) - found.distance).abs() <= rounding, "{}: {found:?}", case.name);
+        // The parameter is rounded, and some curves run fast.
+        let moved = rounding + 4.0 * f64::EPSILON * curve.jet(found.t).speed();
+        assert!(curve.point(found.t).distance(found.point) <= moved, "{}: {found:?}", case.name);
     });
 }
 

@@ -356,7 +356,7 @@ pub const ENTRIES: &[Entry] = &[
     Entry {
         name: "gallery",
         title: "Every kind of curve",
-        text: "Arcs, biarcs, arc splines, fits, fair and circle splines: an object of every type; one wave as a circle spline, which wavers, and fair.",
+        text: "Arcs, bends, biarcs, splines and fits of arcs, fair, circle and Möbius splines, NURBS, quotients of quaternions: every type but those on a torus, which have pictures of their own; one wave as a circle spline, which wavers, and fair; a spline and its inversion.",
         document: example!("gallery.json"),
         inputs: &[],
         formats: CURVES,

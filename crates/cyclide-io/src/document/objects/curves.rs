@@ -317,18 +317,7 @@ impl Builder<'_> {
         }
         let columns = PointColumns { coordinates: file.columns.clone(), contour: file.contour.clone() };
         let table = read_points(&name, &bytes, &columns)?;
-        let units = self.document.units;
-        let mut other = table.unit_hints.iter().filter(|(_, hint)| *hint != units);
-        let names: Vec<&str> = other.clone().map(|(name, _)| name.as_str()).collect();
-        if let Some((_, hint)) = other.next() {
-            let message = format!(
-                "the columns {} speak of {}, the model says {}; coordinates are taken as they are",
-                names.join(", "),
-                hint.symbol(),
-                units.symbol()
-            );
-            self.remark("units-differ", None, None, Some(name.clone()), message);
-        }
+        self.remark_units(&name, &table.unit_hints);
         for remark in table.remarks {
             self.remark(remark.reason, None, None, Some(name.clone()), remark.message);
         }

@@ -154,6 +154,10 @@ impl Builder<'_> {
             PoseSource::File(file) => {
                 let (name, bytes) = self.file(&file.csv, ["poses", "csv"])?;
                 let table = read_poses(&name, &bytes).map_err(Error::Input)?;
+                self.remark_units(&name, &table.unit_hints);
+                if let Some(message) = table.unit_not_applied {
+                    self.remark("unit-not-applied", None, None, Some(name.clone()), message);
+                }
                 if let Some((line, angle)) = table.more_than_a_turn {
                     self.ask_about_turns(
                         angle,

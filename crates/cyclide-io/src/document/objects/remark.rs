@@ -1,6 +1,6 @@
 //! What the user should know of an object: warnings of the kernel with their place, and what reading and making it remarked.
 
-use cyclide::{ShortNumber, Warning};
+use cyclide::{ShortNumber, Units, Warning};
 
 use super::Builder;
 use crate::document::locate::{Step, path_text};
@@ -61,6 +61,22 @@ impl Builder<'_> {
         let turns = ShortNumber(angle / std::f64::consts::TAU);
         let message = format!("the angle {angle} is taken as radians, {turns} turns: if degrees are meant, {remedy}");
         self.remark("more-than-a-turn", None, None, place, message);
+    }
+
+    /// Warns of columns whose names speak of another unit than that of the model.
+    pub(super) fn remark_units(&mut self, file: &str, hints: &[(String, Units)]) {
+        let units = self.document.units;
+        let mut other = hints.iter().filter(|(_, hint)| *hint != units);
+        let names: Vec<&str> = other.clone().map(|(name, _)| name.as_str()).collect();
+        if let Some((_, hint)) = other.next() {
+            let message = format!(
+                "the columns {} speak of {}, the model says {}; coordinates are taken as they are",
+                names.join(", "),
+                hint.symbol(),
+                units.symbol()
+            );
+            self.remark("units-differ", None, None, Some(file.to_owned()), message);
+        }
     }
 
     /// Adds a warning about a field.

@@ -24,7 +24,8 @@ impl Builder<'_> {
             StepSpec::Cut(CutSpec::Stations([from, to])) => curve.restricted_to_stations(*from, *to),
             _ => image_of_curve(curve, &map_of(step)?),
         };
-        let kept = "circles, circle splines and curves on tori are moved, turned, scaled and mirrored only; arcs and chains of arcs take inversions too";
+        let of_circles = curves.iter().any(|curve| matches!(curve, CurveObject::CircleSpline(_)));
+        let kept = if of_circles { OF_CIRCLE_SPLINES } else { OF_CURVES };
         let mut curves = curves.to_vec();
         for run in runs(&spec.steps) {
             let at_once = composed(&spec.steps[run.clone()]).and_then(|map| {
@@ -71,8 +72,12 @@ impl Builder<'_> {
                 *object = image(object, step).map_err(|e| {
                     let place = [Step::from("steps"), Step::from(index)];
                     match (step, &e) {
-                        (_, cyclide::Error::NotASimilarity { .. }) => {
-                            self.refused_in_words(place, e.reason(), format!("{e}: {kept}"))
+                        // Whichever of its spans was looked at first.
+                        _ if e.reason() == "not-a-similarity" => {
+                            self.refused_in_words(place, e.reason(), format!("the map is not a similarity: {kept}"))
+                        }
+                        (StepSpec::Cut(_), cyclide::Error::SweepOutOfRange { .. }) => {
+                            self.refused_in_words(place, e.reason(), WHOLE_CIRCLE.to_owned())
                         }
                         (StepSpec::Cut(cut), cyclide::Error::ParameterOutOfRange { max, .. }) => {
                             // Contours differ in length.
@@ -101,6 +106,14 @@ impl Builder<'_> {
         }
     }
 }
+
+/// What other maps than similarities are for.
+const OF_CURVES: &str = "circles and curves on tori are moved, turned, scaled and mirrored only; arcs, chains of arcs, Möbius splines, QB and NURBS curves take inversions too";
+const OF_CIRCLE_SPLINES: &str = "fair and circle splines are moved, turned, scaled and mirrored only; a `moebius-spline` or an `arc-spline` through the same points takes inversions, exactly";
+
+/// What a cut from a place of a circle to the same place would be.
+const WHOLE_CIRCLE: &str =
+    "the cut keeps the whole circle, and an arc is less than one: leave the cut out, or make two cuts of it";
 
 /// Smallest distance of a curve from the point that goes to infinity, relative to the coordinates of both: they are rounded by
 /// 1e-16 of them, and the image of a point next to it by that part of a distance that is so small.

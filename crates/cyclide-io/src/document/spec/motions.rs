@@ -6,7 +6,7 @@ use serde::Deserialize;
 
 use super::comment::Comment;
 use super::{PolygonMeshFile, TypeWord};
-use crate::document::angle::Angle;
+use crate::document::angle::{Angle, ThreeAngles, three_angles};
 use crate::document::coordinates::Coordinates;
 
 /// A motion of a rigid body, through poses or along a curve: where it is at which time. GLB files animate it, the command `sample` gives its poses, and
@@ -111,7 +111,7 @@ pub enum PoseSource {
 }
 
 /// A file of poses: delimited text with a header line. Columns `x`, `y`, `z`; `qw`, `qx`, `qy`, `qz` or `roll`, `pitch`, `yaw` (radians; in degrees
-/// `roll_deg`, `pitch_deg`, `yaw_deg`); `t` or `time`, if not left out.
+/// `roll_deg`, `pitch_deg`, `yaw_deg`); `t` or `time`, if not left out. Names may have units: `x_mm`, `time [s]`, `yaw (deg)`.
 ///
 /// ```
 /// use cyclide_io::{Document, ModelBuilder};
@@ -148,7 +148,9 @@ pub struct PoseSpec {
     /// The rotation as a quaternion `[w, x, y, z]` of any length.
     pub quaternion: Option<[f64; 4]>,
     /// The rotation as roll, pitch and yaw: about the fixed axes x by the first angle, then y, then z (the same as yaw, pitch and roll about the
-    /// moved axes z, y', x'').
+    /// moved axes z, y', x''): `[0, 0, {"degrees": 90}]`, or `{"degrees": [0, 0, 90]}`.
+    #[serde(default, deserialize_with = "three_angles")]
+    #[schemars(with = "Option<ThreeAngles>")]
     pub rpy: Option<[Angle; 3]>,
     /// Rotation and position as the rows of a matrix that is multiplied by columns of points: three, or four with `[0, 0, 0, 1]`.
     #[schemars(length(min = 3, max = 4))]
@@ -169,6 +171,8 @@ pub struct StartSpec {
     /// The rotation as a quaternion `[w, x, y, z]` of any length.
     pub quaternion: Option<[f64; 4]>,
     /// The rotation as roll, pitch and yaw, as those of poses.
+    #[serde(default, deserialize_with = "three_angles")]
+    #[schemars(with = "Option<ThreeAngles>")]
     pub rpy: Option<[Angle; 3]>,
 }
 

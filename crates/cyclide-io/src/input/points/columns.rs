@@ -148,7 +148,7 @@ impl Chosen {
     }
 
     /// Refuses coordinates in several units: no model has them.
-    fn refuse_several_units(&self, table: &Table<'_>) -> Result<(), Box<Diagnostic>> {
+    pub(super) fn refuse_several_units(&self, table: &Table<'_>) -> Result<(), Box<Diagnostic>> {
         let words = self.unit_words(table);
         if words.windows(2).all(|pair| pair[0].1 == pair[1].1) {
             return Ok(());
@@ -249,7 +249,7 @@ fn taken_columns(table: &Table<'_>, columns: &[usize]) -> String {
 }
 
 /// How a column's name speaks of an axis: `x` (0), `x_m` or `x coordinate` (1), `x_left` (2), `point_x` (3).
-fn axis_kind(letter: &str, field: &Field<'_>) -> Option<usize> {
+pub(super) fn axis_kind(letter: &str, field: &Field<'_>) -> Option<usize> {
     let (words, unit) = words_of(field.text);
     let beside = |word: &String| BESIDE.contains(&word.as_str());
     let joined = |word: &str| BESIDE.iter().any(|b| word == format!("{letter}{b}") || word == format!("{b}{letter}"));
@@ -283,7 +283,7 @@ fn axis(table: &Table<'_>, letter: &str) -> Result<Option<usize>, Box<Diagnostic
 }
 
 /// The words of a column's name in small letters, and whether the last is a unit.
-fn words_of(name: &str) -> (Vec<String>, bool) {
+pub(super) fn words_of(name: &str) -> (Vec<String>, bool) {
     let words = name.split(|c: char| !c.is_alphanumeric()).filter(|w| !w.is_empty()).map(str::to_lowercase);
     let words: Vec<String> = words.collect();
     let unit = words.len() > 1 && unit_in_name(name).is_some();

@@ -12,6 +12,7 @@
 mod columns;
 mod decimals;
 mod merge;
+mod pose_columns;
 mod poses;
 mod table;
 mod unit;

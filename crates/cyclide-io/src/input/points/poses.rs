@@ -1,10 +1,11 @@
 //! Tables of poses: columns by their names.
 
-use cyclide::{Pose, Quat, Vec3};
+use cyclide::{Pose, Quat, Units, Vec3};
 
 use super::decimals::Decimals;
+use super::pose_columns::{NAMES, PoseColumns, RotationColumns};
 use super::table::Table;
-use crate::text::place::{Diagnostic, Source, decode, quoted};
+use crate::text::place::{Diagnostic, Source, decode};
 
 /// Most poses that are read.
 const MOST_POSES: usize = 1_000_000;
@@ -20,16 +21,10 @@ pub(crate) struct PoseTable {
     pub(crate) poses: Vec<TablePose>,
     /// The first angle in radians of more than a turn, with its line: degrees may be meant.
     pub(crate) more_than_a_turn: Option<(usize, f64)>,
-}
-
-/// How a table says rotations.
-enum RotationColumns {
-    /// Columns of the quaternion.
-    Quaternion([usize; 4]),
-    /// Columns of roll, pitch and yaw, and what they are multiplied by.
-    Angles([usize; 3], f64),
-    /// No column: not turned.
-    None,
+    /// Units that the names of the coordinates speak of.
+    pub(crate) unit_hints: Vec<(String, Units)>,
+    /// The sentence about names that speak of a unit which no model has.
+    pub(crate) unit_not_applied: Option<String>,
 }
 
 /// Reads a table of poses.
@@ -40,55 +35,21 @@ pub(crate) fn read_poses(name: &str, bytes: &[u8]) -> Result<PoseTable, Box<Diag
     let source = Source { name, text: decode(name, bytes)? };
     let table = Table::parse(source, &["qw".to_owned(), "yaw".to_owned(), "t".to_owned()])?;
     if table.header.is_empty() {
-        return Err(table.refused(
-            "a table of poses needs a header line with the names of its columns: t, x, y, z, and qw, qx, qy, qz or roll, pitch, yaw \
-             (roll_deg, pitch_deg, yaw_deg in degrees)",
-        ));
+        return Err(
+            table.refused(format!("a table of poses needs a header line with the names of its columns: {NAMES}"))
+        );
     }
-    let column = |name: &str| table.header.iter().position(|field| field.text.eq_ignore_ascii_case(name));
-    let needed = |name: &str| column(name).ok_or_else(|| table.no_column(name));
-    let position = [needed("x")?, needed("y")?, needed("z")?];
-    let time = column("t").or_else(|| column("time"));
-    let rotation = if column("qw").is_some() {
-        RotationColumns::Quaternion([needed("qw")?, needed("qx")?, needed("qy")?, needed("qz")?])
-    } else if column("roll_deg").is_some() {
-        let degrees = std::f64::consts::PI / 180.0;
-        RotationColumns::Angles([needed("roll_deg")?, needed("pitch_deg")?, needed("yaw_deg")?], degrees)
-    } else if column("roll").is_some() {
-        RotationColumns::Angles([needed("roll")?, needed("pitch")?, needed("yaw")?], 1.0)
-    } else {
-        RotationColumns::None
-    };
-    let mut read = position.to_vec();
-    read.extend(time);
-    match &rotation {
-        RotationColumns::Quaternion(columns) => {
-            read.extend(columns);
-            // Our own tables have the matrix of the pose beside it.
-            let is_entry =
-                |name: &str| (1..=3).any(|i| (1..=4).any(|j| name.eq_ignore_ascii_case(&format!("m{i}{j}"))));
-            read.extend((0..table.header.len()).filter(|&column| is_entry(table.header[column].text)));
-        }
-        RotationColumns::Angles(columns, _) => read.extend(columns),
-        RotationColumns::None => {}
-    }
-    // What is not read could be what was meant.
-    if let Some(other) = (0..table.header.len()).find(|column| !read.contains(column)) {
-        let name = quoted(table.header[other].text);
-        return Err(table.header[other].refused(
-            source,
-            format!("`{name}` is no column of poses: t or time, x, y, z, and qw, qx, qy, qz or roll, pitch, yaw (with _deg in degrees)"),
-        ));
-    }
+    let PoseColumns { position, time, rotation } = PoseColumns::new(source, &table)?;
     let mut decimals = Decimals::default();
     let (mut poses, mut more_than_a_turn) = (Vec::new(), None);
+    let [x, y, z] = [0, 1, 2].map(|axis| position.coordinates[axis]);
     table.for_each_row(|row| {
         if poses.len() == MOST_POSES {
             return Err(row.fields[0].refused(source, format!("the file has more than {MOST_POSES} poses")));
         }
         let mut value = |column: usize| decimals.read(source, &row.field(source, column, "number")?);
-        let translation = Vec3::new(value(position[0])?, value(position[1])?, value(position[2])?);
-        let time = time.map(&mut value).transpose()?;
+        let translation = Vec3::new(value(x)?, value(y)?, value(z)?);
+        let time = time.map(|(column, seconds)| value(column).map(|time| time * seconds)).transpose()?;
         let made = match &rotation {
             RotationColumns::Quaternion([w, x, y, z]) => {
                 Pose::new(Quat::new(value(*w)?, value(*x)?, value(*y)?, value(*z)?), translation)
@@ -107,5 +68,6 @@ pub(crate) fn read_poses(name: &str, bytes: &[u8]) -> Result<PoseTable, Box<Diag
         poses.push(TablePose { time, pose });
         Ok(())
     })?;
-    Ok(PoseTable { poses, more_than_a_turn })
+    let (unit_hints, unit_not_applied) = (position.unit_hints(&table), position.unit_not_applied(&table));
+    Ok(PoseTable { poses, more_than_a_turn, unit_hints, unit_not_applied })
 }

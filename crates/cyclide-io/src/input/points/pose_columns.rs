@@ -1,0 +1,202 @@
+//! Which columns of a table of poses are what, by their names: units stand beside them as in tables of points.
+
+use super::columns::{Chosen, axis_kind, words_of};
+use super::table::{Field, Table};
+use crate::text::place::{Diagnostic, Source, quoted};
+use crate::text::suggest::did_you_mean;
+
+/// The columns of a table of poses.
+pub(super) struct PoseColumns {
+    /// Those of the position, as the coordinates of points are.
+    pub(super) position: Chosen,
+    /// That of the time, and the seconds of its unit.
+    pub(super) time: Option<(usize, f64)>,
+    pub(super) rotation: RotationColumns,
+}
+
+/// How a table says rotations.
+pub(super) enum RotationColumns {
+    /// Columns of the quaternion.
+    Quaternion([usize; 4]),
+    /// Columns of roll, pitch and yaw, and what they are multiplied by.
+    Angles([usize; 3], f64),
+    /// No column: not turned.
+    None,
+}
+
+/// What a column is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Meaning {
+    /// The time, with the seconds of its unit.
+    Time(f64),
+    /// A coordinate of the position.
+    Position(usize),
+    /// A coordinate of the quaternion.
+    Quaternion(usize),
+    /// Roll, pitch or yaw, with the radians of its unit.
+    Angle(usize, f64),
+    /// An entry of the matrix, which our own tables have beside the quaternion.
+    Matrix,
+}
+
+const POSITION: [&str; 3] = ["x", "y", "z"];
+const QUATERNION: [&str; 4] = ["qw", "qx", "qy", "qz"];
+const ANGLES: [&str; 3] = ["roll", "pitch", "yaw"];
+const DEGREES: [&str; 3] = ["roll_deg", "pitch_deg", "yaw_deg"];
+
+/// The names, for messages.
+pub(super) const NAMES: &str = "t or time, x, y, z, and qw, qx, qy, qz or roll, pitch, yaw (radians), with a unit as in `x_mm`, `time [s]`, `roll_deg`";
+
+const DEGREE: f64 = std::f64::consts::PI / 180.0;
+
+impl PoseColumns {
+    pub(super) fn new(source: Source<'_>, table: &Table<'_>) -> Result<Self, Box<Diagnostic>> {
+        let meanings: Vec<Option<Meaning>> = table.header.iter().map(meaning).collect();
+        // What is not read could be what was meant.
+        if let Some(other) = meanings.iter().position(Option::is_none) {
+            let field = &table.header[other];
+            let known = ["t", "time"].into_iter().chain(POSITION).chain(QUATERNION).chain(ANGLES).chain(DEGREES);
+            let hint = did_you_mean(field.text, known);
+            let message = format!("`{}` is no column of poses, which are {NAMES}{hint}", quoted(field.text));
+            return Err(field.refused(source, message));
+        }
+        let only = |what: &str, fits: &dyn Fn(Meaning) -> bool| -> Result<Option<usize>, Box<Diagnostic>> {
+            let all: Vec<usize> = (0..meanings.len()).filter(|&i| meanings[i].is_some_and(fits)).collect();
+            match all.as_slice() {
+                [] => Ok(None),
+                [column] => Ok(Some(*column)),
+                several => {
+                    let names = table.names(several.iter().copied());
+                    Err(table.header_refused(format!("several columns are {what}: {names}: leave one of them")))
+                }
+            }
+        };
+        let needed = |name: &str, m: &dyn Fn(Meaning) -> bool| only(name, m)?.ok_or_else(|| table.no_column(name));
+        let position = |i: usize| needed(POSITION[i], &|m| m == Meaning::Position(i));
+        let position = Chosen {
+            coordinates: vec![position(0)?, position(1)?, position(2)?],
+            contour: None,
+            corner: None,
+            remark: None,
+        };
+        position.refuse_several_units(table)?;
+        let time = only("the time", &|m| matches!(m, Meaning::Time(_)))?;
+        let time = time.and_then(|column| match meanings[column] {
+            Some(Meaning::Time(seconds)) => Some((column, seconds)),
+            _ => None,
+        });
+        let any = |fits: &dyn Fn(Meaning) -> bool| meanings.iter().flatten().any(|m| fits(*m));
+        let is_quaternion = |m| matches!(m, Meaning::Quaternion(_));
+        let is_angle = |m| matches!(m, Meaning::Angle(..));
+        let rotation = match (any(&is_quaternion), any(&is_angle)) {
+            (true, true) => {
+                return Err(table.header_refused(
+                    "the rotations are there twice, as quaternions and as angles: leave the columns of one of them",
+                ));
+            }
+            (true, false) => {
+                let column = |i: usize| needed(QUATERNION[i], &|m| m == Meaning::Quaternion(i));
+                RotationColumns::Quaternion([column(0)?, column(1)?, column(2)?, column(3)?])
+            }
+            (false, true) => {
+                let column = |i: usize| needed(ANGLES[i], &|m| matches!(m, Meaning::Angle(own, _) if own == i));
+                let columns = [column(0)?, column(1)?, column(2)?];
+                let units = columns.map(|column| match meanings[column] {
+                    Some(Meaning::Angle(_, unit)) => unit,
+                    _ => 1.0,
+                });
+                if units.iter().any(|unit| unit.total_cmp(&units[0]).is_ne()) {
+                    let names = table.names(columns);
+                    let message =
+                        format!("the columns {names} speak of different units (without one they are radians)");
+                    return Err(table.header_refused(message));
+                }
+                RotationColumns::Angles(columns, units[0])
+            }
+            (false, false) => RotationColumns::None,
+        };
+        if let (Some(entry), false) = (meanings.iter().position(|m| *m == Some(Meaning::Matrix)), any(&is_quaternion)) {
+            let message = "entries of a matrix are read beside a quaternion only: name the rotations qw, qx, qy, qz or roll, pitch, yaw";
+            return Err(table.header[entry].refused(source, message));
+        }
+        Ok(Self { position, time, rotation })
+    }
+}
+
+/// What a column is, by its name.
+fn meaning(field: &Field<'_>) -> Option<Meaning> {
+    // `x_left` may be anything.
+    let is_axis = |letter: &str| axis_kind(letter, field).is_some_and(|kind| kind != 2);
+    if let Some(axis) = POSITION.iter().position(|letter| is_axis(letter)) {
+        return Some(Meaning::Position(axis));
+    }
+    let (words, _) = words_of(field.text);
+    let words: Vec<&str> = words.iter().map(String::as_str).collect();
+    // The sign is no letter, and not among the words.
+    let degrees = field.text.contains('\u{b0}');
+    let (first, beside) = words.split_first()?;
+    if let Some(angle) = ANGLES.iter().position(|name| name == first) {
+        let unit = match beside {
+            [] if degrees => DEGREE,
+            ["deg" | "degs" | "degree" | "degrees" | "\u{ba}"] => DEGREE,
+            [] | ["rad" | "rads" | "radian" | "radians"] => 1.0,
+            _ => return None,
+        };
+        return Some(Meaning::Angle(angle, unit));
+    }
+    if ["t", "time"].contains(first) {
+        return match beside {
+            [] | ["s" | "sec" | "secs" | "second" | "seconds"] => Some(Meaning::Time(1.0)),
+            ["ms" | "msec" | "millisecond" | "milliseconds"] => Some(Meaning::Time(1e-3)),
+            _ => None,
+        };
+    }
+    let quaternion = match words.as_slice() {
+        [only] => QUATERNION.iter().position(|name| name == only),
+        ["q" | "quat" | "quaternion", letter] => ["w", "x", "y", "z"].iter().position(|name| name == letter),
+        _ => None,
+    };
+    if let Some(coordinate) = quaternion {
+        return Some(Meaning::Quaternion(coordinate));
+    }
+    let is_entry = |name: &str| (1..=3).any(|i| (1..=4).any(|j| name == format!("m{i}{j}")));
+    matches!(words.as_slice(), [only] if is_entry(only)).then_some(Meaning::Matrix)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn columns_are_known_by_their_names() {
+        let meaning_of = |text: &'static str| meaning(&Field { text, start: 0 });
+        for (name, expected) in [
+            ("x_mm", Some(Meaning::Position(0))),
+            ("Y [m]", Some(Meaning::Position(1))),
+            ("pos_z", Some(Meaning::Position(2))),
+            ("position.x", Some(Meaning::Position(0))),
+            ("px", Some(Meaning::Position(0))),
+            ("time [s]", Some(Meaning::Time(1.0))),
+            ("t", Some(Meaning::Time(1.0))),
+            ("T_ms", Some(Meaning::Time(1e-3))),
+            ("time (h)", None),
+            ("q_w", Some(Meaning::Quaternion(0))),
+            ("quat.x", Some(Meaning::Quaternion(1))),
+            ("QZ", Some(Meaning::Quaternion(3))),
+            ("roll", Some(Meaning::Angle(0, 1.0))),
+            ("pitch [rad]", Some(Meaning::Angle(1, 1.0))),
+            ("yaw_deg", Some(Meaning::Angle(2, DEGREE))),
+            ("yaw (°)", Some(Meaning::Angle(2, DEGREE))),
+            ("yaw [º]", Some(Meaning::Angle(2, DEGREE))),
+            ("roll_grad", None),
+            ("m34", Some(Meaning::Matrix)),
+            ("m44", None),
+            ("x_left", None),
+            ("x_deg", None),
+            ("speed", None),
+            ("", None),
+        ] {
+            assert_eq!(meaning_of(name), expected, "{name}");
+        }
+    }
+}

@@ -1,0 +1,67 @@
+//! The place of a curve farthest from another one.
+
+use super::closest::CurveIndex;
+use super::maximum::maximum;
+use crate::base::vector::Point3;
+use crate::curve::ParamCurve;
+
+/// Roundings of the largest coordinate up to which a point lies on the other curve: of both points and their difference.
+const ON_IT: f64 = 16.0 * f64::EPSILON;
+
+/// The place of a curve that is farthest from another one.
+///
+/// ```
+/// use cyclide::{Arc, Point3, farthest_point};
+/// let [a, b, c] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0]].map(Point3::from);
+/// let (arc, chord) = (Arc::from_three_points(a, b, c)?, Arc::segment(a, c)?);
+/// let found = farthest_point(&arc, &chord);
+/// assert!((found.distance - 1.0).abs() < 1e-15 && found.point.distance(b) < 1e-12);
+/// # Ok::<(), cyclide::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
+pub struct FarthestPoint {
+    /// Parameter in `[0, 1]`, the first such place.
+    pub t: f64,
+    /// The point there.
+    pub point: Point3,
+    /// Its distance from the nearest point of the other curve.
+    pub distance: f64,
+}
+
+/// The place of `curve` that is farthest from `other`, each place measured to the point of `other` nearest to it: maxima of the distance are
+/// bracketed by an adaptive scan of each piece and refined to rounding; a distance of a few roundings is 0.
+///
+/// With `q` the point nearest to `x`, the derivative of the distance is `(x - q)·x'/|x - q|`: that `q` moves changes it in second order only.
+///
+/// ```
+/// use cyclide::{ArcPath, NurbsCurve, Point3, farthest_point};
+/// let points = [[0.0, 0.0, 0.0], [1.0, 2.0, 0.0], [2.0, 0.0, 0.0]].map(Point3::from);
+/// let parabola = NurbsCurve::new(2, vec![0.0, 0.0, 0.0, 1.0, 1.0, 1.0], points.to_vec(), vec![1.0; 3])?;
+/// let legs = ArcPath::rounded_polyline(&points, false, &[0.0; 3])?;
+/// assert!((farthest_point(&legs, &parabola).distance - 1.0).abs() < 1e-12); // the corner
+/// # Ok::<(), cyclide::Error>(())
+/// ```
+#[must_use]
+pub fn farthest_point(curve: &dyn ParamCurve, other: &dyn ParamCurve) -> FarthestPoint {
+    let index = CurveIndex::new(other);
+    let (mut place, mut distance) = ((0, 0.0), -1.0);
+    for piece in 0..curve.piece_count() {
+        let (s, most) = maximum(&mut |s| {
+            let jet = curve.piece_jet(piece, s);
+            let nearest = index.closest_point(jet.point);
+            let d = nearest.distance;
+            if d <= ON_IT * jet.point.to_vec().max_abs() {
+                return (0.0, 0.0);
+            }
+            let slope = (jet.point - nearest.point).dot(jet.d1) / d;
+            (d, if slope.is_finite() { slope } else { 0.0 })
+        });
+        if most > distance {
+            (place, distance) = ((piece, s), most);
+        }
+    }
+    let (piece, s) = place;
+    let t = (piece as f64 + s) / curve.piece_count() as f64;
+    FarthestPoint { t, point: curve.piece_point(piece, s), distance }
+}
