@@ -14,7 +14,7 @@
 //! | curves | [`ArcSpec`], [`BiarcSpec`], [`CircleSpec`], [`PolylineSpec`], [`ArcSplineSpec`], [`CircleSplineSpec`] ([`EndsSpec`], [`ClampedEnds`]), [`FairSplineSpec`] ([`FairEndsSpec`], [`FairEndPair`], [`FairEndSpec`], [`FairEndWord`], [`StraightWord`]), [`ArcFitSpec`], [`FairFitSpec`], [`NurbsSpec`] |
 //! | quaternionic curves through points | [`QbInterpolationSpec`] ([`ParametersSpec`], [`ParameterRule`]), [`MoebiusSplineSpec`] ([`MoebiusContinuity`]), [`InterpolationFacts`], [`QbReport`] |
 //! | curves on a torus | [`TorusSplineSpec`] ([`TorusMethod`], [`WindingSpec`]), [`TorusKnotSpec`], [`TorusQuarticSpec`], [`TorusCircleSpec`] ([`FamilySpec`]), [`TorusSource`] ([`TorusSpec`]), [`UnrolledSpec`], [`TorusSeamSpec`] |
-//! | volumes | [`CyclideVolumeSpec`], [`LayersSpec`], [`VolumeReport`] ([`FoldsReport`]) |
+//! | volumes | [`CyclideVolumeSpec`], [`LayersSpec`], [`CoordinateSurfacesSpec`], [`VolumeReport`] ([`FoldsReport`]) |
 //! | patches and nets | [`CyclidePatchSpec`], [`CyclideSpec`], [`CyclidicNetSpec`] ([`GridSource`], [`MeshFile`], [`FrameSpec`]), [`MakeCircularSpec`] ([`MakeCircularOptions`], [`BorderSpec`], [`BorderWord`], [`BorderCurves`]), [`OffsetSpec`], [`SupportStructureSpec`] |
 //! | surfaces over triangles, polyhedra | [`SmoothMeshSpec`] ([`NormalsSpec`], [`PolygonMeshFile`]), [`SphereBlendSpec`], [`SmoothPolyhedronSpec`] |
 //! | bodies made from curves | [`RevolutionSpec`], [`PipeSpec`], [`TubeSpec`] ([`RadiusLawSpec`]), [`PlateWithNeckSpec`] ([`PlateSpec`], [`DiskSpec`]), [`EllipseBridgeSpec`] ([`BridgeArcs`]), [`CircularSurfaceSpec`], [`RuledSpec`] |
@@ -53,19 +53,19 @@ pub use compare::{ComparedKind, Comparison, CurveMeasures};
 pub use document::{
     Angle, AnglePairs, ArcFitSpec, ArcSpec, ArcSplineSpec, BiarcSpec, BlendRingSpec, BlendTubeSpec, BorderCurves,
     BorderSpec, BorderWord, BridgeArcs, BuiltObject, CircleSpec, CircleSplineSpec, CircularSurfaceSpec, ClampedEnds,
-    Comment, ContactBlendSpec, ContourFacts, Coordinates, CrossingBlendSpec, CrossingLawSpec, CrossingPipeSpec,
-    CutSpec, CyclidePatchSpec, CyclideSpec, CyclideVolumeSpec, CyclidicNetSpec, DOCUMENT_VERSION, Directions, DiskSpec,
-    Document, EllipseBridgeSpec, EndsSpec, FairEndPair, FairEndSpec, FairEndWord, FairEndsSpec, FairFitSpec,
-    FairSplineSpec, FamilySpec, Fitted, FrameSpec, FreeOr, GridSource, LayersSpec, Lists, MakeCircularOptions,
-    MakeCircularSpec, MeshFile, ModelBuilder, MotionKind, MotionSpec, NO_EFFECT, NormalsSpec, NurbsSpec, ObjectSpec,
-    OffsetSpec, PipeCrossingSpec, PipeSpec, PipeTeeSpec, PlaneSpec, PlateSpec, PlateWithNeckSpec, PointFile,
-    PointSource, PolygonMeshFile, PolylineSpec, PoseFile, PoseSource, PoseSpec, RadiiSpec, RadiusLawSpec, RatePairs,
-    Remark, RevolutionSpec, RotationSpec, RoundedPolyhedron, RuledSpec, ScaleSpec, SmoothChoice, SmoothMeshSpec,
-    SmoothPolyhedronSpec, SphereBlendSpec, SphereSpec, StartSpec, StepSpec, StraightWord, SupportStructureSpec,
-    SweptSurfaceSpec, TeeBlendSpec, TeeBranchSpec, TeeLawSpec, TeeMainSpec, TeeRadiusSpec, TorusCircleSpec,
-    TorusKnotSpec, TorusMethod, TorusQuarticSpec, TorusSeamSpec, TorusSource, TorusSpec, TorusSplineSpec,
-    TrajectorySpec, TransformSpec, TubeFacts, TubeSpec, TypeWord, UnrolledPlane, UnrolledSpec, WindingSpec,
-    document_schema,
+    Comment, ContactBlendSpec, ContourFacts, CoordinateSurfacesSpec, Coordinates, CrossingBlendSpec, CrossingLawSpec,
+    CrossingPipeSpec, CutSpec, CyclidePatchSpec, CyclideSpec, CyclideVolumeSpec, CyclidicNetSpec, DOCUMENT_VERSION,
+    Directions, DiskSpec, Document, EllipseBridgeSpec, EndsSpec, FairEndPair, FairEndSpec, FairEndWord, FairEndsSpec,
+    FairFitSpec, FairSplineSpec, FamilySpec, Fitted, FrameSpec, FreeOr, GridSource, LayersSpec, Lists,
+    MakeCircularOptions, MakeCircularSpec, MeshFile, ModelBuilder, MotionKind, MotionSpec, NO_EFFECT, NormalsSpec,
+    NurbsSpec, ObjectSpec, OffsetSpec, PipeCrossingSpec, PipeSpec, PipeTeeSpec, PlaneSpec, PlateSpec,
+    PlateWithNeckSpec, PointFile, PointSource, PolygonMeshFile, PolylineSpec, PoseFile, PoseSource, PoseSpec,
+    RadiiSpec, RadiusLawSpec, RatePairs, Remark, RevolutionSpec, RotationSpec, RoundedPolyhedron, RuledSpec, ScaleSpec,
+    SmoothChoice, SmoothMeshSpec, SmoothPolyhedronSpec, SphereBlendSpec, SphereSpec, StartSpec, StepSpec, StraightWord,
+    SupportStructureSpec, SweptSurfaceSpec, TeeBlendSpec, TeeBranchSpec, TeeLawSpec, TeeMainSpec, TeeRadiusSpec,
+    TorusCircleSpec, TorusKnotSpec, TorusMethod, TorusQuarticSpec, TorusSeamSpec, TorusSource, TorusSpec,
+    TorusSplineSpec, TrajectorySpec, TransformSpec, TubeFacts, TubeSpec, TypeWord, UnrolledPlane, UnrolledSpec,
+    WindingSpec, document_schema,
 };
 pub use document::{
     InterpolationFacts, MoebiusContinuity, MoebiusSplineSpec, ParameterRule, ParametersSpec, QbInterpolationSpec,

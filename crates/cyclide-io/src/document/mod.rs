@@ -39,17 +39,17 @@ pub use schema::document_schema;
 pub use spec::{
     AnglePairs, ArcFitSpec, ArcSpec, ArcSplineSpec, BiarcSpec, BlendRingSpec, BlendTubeSpec, BorderCurves, BorderSpec,
     BorderWord, BridgeArcs, CircleSpec, CircleSplineSpec, CircularSurfaceSpec, ClampedEnds, Comment, ContactBlendSpec,
-    CrossingBlendSpec, CrossingLawSpec, CrossingPipeSpec, CutSpec, CyclidePatchSpec, CyclideSpec, CyclideVolumeSpec,
-    CyclidicNetSpec, DiskSpec, EllipseBridgeSpec, EndsSpec, FairEndPair, FairEndSpec, FairEndWord, FairEndsSpec,
-    FairFitSpec, FairSplineSpec, FamilySpec, FrameSpec, FreeOr, GridSource, LayersSpec, MakeCircularOptions,
-    MakeCircularSpec, MeshFile, MoebiusContinuity, MoebiusSplineSpec, MotionKind, MotionSpec, NormalsSpec, NurbsSpec,
-    ObjectSpec, OffsetSpec, ParameterRule, ParametersSpec, PipeCrossingSpec, PipeSpec, PipeTeeSpec, PlaneSpec,
-    PlateSpec, PlateWithNeckSpec, PolygonMeshFile, PolylineSpec, PoseFile, PoseSource, PoseSpec, QbInterpolationSpec,
-    RadiiSpec, RadiusLawSpec, RatePairs, RevolutionSpec, RotationSpec, RuledSpec, ScaleSpec, SmoothMeshSpec,
-    SmoothPolyhedronSpec, SphereBlendSpec, SphereSpec, StartSpec, StepSpec, StraightWord, SupportStructureSpec,
-    SweptSurfaceSpec, TeeBlendSpec, TeeBranchSpec, TeeLawSpec, TeeMainSpec, TeeRadiusSpec, TorusCircleSpec,
-    TorusKnotSpec, TorusMethod, TorusQuarticSpec, TorusSeamSpec, TorusSource, TorusSpec, TorusSplineSpec,
-    TrajectorySpec, TransformSpec, TubeSpec, TypeWord, UnrolledSpec, WindingSpec,
+    CoordinateSurfacesSpec, CrossingBlendSpec, CrossingLawSpec, CrossingPipeSpec, CutSpec, CyclidePatchSpec,
+    CyclideSpec, CyclideVolumeSpec, CyclidicNetSpec, DiskSpec, EllipseBridgeSpec, EndsSpec, FairEndPair, FairEndSpec,
+    FairEndWord, FairEndsSpec, FairFitSpec, FairSplineSpec, FamilySpec, FrameSpec, FreeOr, GridSource, LayersSpec,
+    MakeCircularOptions, MakeCircularSpec, MeshFile, MoebiusContinuity, MoebiusSplineSpec, MotionKind, MotionSpec,
+    NormalsSpec, NurbsSpec, ObjectSpec, OffsetSpec, ParameterRule, ParametersSpec, PipeCrossingSpec, PipeSpec,
+    PipeTeeSpec, PlaneSpec, PlateSpec, PlateWithNeckSpec, PolygonMeshFile, PolylineSpec, PoseFile, PoseSource,
+    PoseSpec, QbInterpolationSpec, RadiiSpec, RadiusLawSpec, RatePairs, RevolutionSpec, RotationSpec, RuledSpec,
+    ScaleSpec, SmoothMeshSpec, SmoothPolyhedronSpec, SphereBlendSpec, SphereSpec, StartSpec, StepSpec, StraightWord,
+    SupportStructureSpec, SweptSurfaceSpec, TeeBlendSpec, TeeBranchSpec, TeeLawSpec, TeeMainSpec, TeeRadiusSpec,
+    TorusCircleSpec, TorusKnotSpec, TorusMethod, TorusQuarticSpec, TorusSeamSpec, TorusSource, TorusSpec,
+    TorusSplineSpec, TrajectorySpec, TransformSpec, TubeSpec, TypeWord, UnrolledSpec, WindingSpec,
 };
 
 /// The document version this crate reads.

@@ -36,6 +36,8 @@ macro_rules! input {
 
 const CURVES: &[Format] = &[Format::Step, Format::Svg, Format::Png];
 const SURFACES: &[Format] = &[Format::Step, Format::Glb, Format::Png];
+/// Of blocks.
+const VOLUMES: &[Format] = &[Format::Vtu, Format::Step, Format::Png];
 /// Of surfaces without an exact form.
 const MESHES: &[Format] = &[Format::Glb, Format::Stl, Format::Png];
 
@@ -225,6 +227,24 @@ pub const ENTRIES: &[Entry] = &[
         document: example!("volume_faces.json"),
         inputs: &[],
         formats: SURFACES,
+        camera: "",
+    },
+    Entry {
+        name: "block",
+        title: "Three families in a block",
+        text: "A block of four corners: its coordinate surfaces are patches of Dupin cyclides, cross at right angles everywhere, and all lines are circles.",
+        document: example!("block.json"),
+        inputs: &[],
+        formats: SURFACES,
+        camera: "",
+    },
+    Entry {
+        name: "boundary_layers",
+        title: "Layers over a wall",
+        text: "Eight blocks between offsets of a patch, each higher than the one below: an orthogonal grid for flow or heat, exact in VTU.",
+        document: example!("boundary_layers.json"),
+        inputs: &[],
+        formats: VOLUMES,
         camera: "",
     },
     Entry {

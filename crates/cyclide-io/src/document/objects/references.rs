@@ -136,6 +136,7 @@ impl ObjectSpec {
         match self {
             Self::Offset(s) => of(s.of.as_str()),
             Self::Layers(s) => of(s.of.as_str()),
+            Self::CoordinateSurfaces(s) => of(s.of.as_str()),
             Self::Transform(s) => of(s.of.as_str()),
             Self::Revolution(s) => of(s.of.as_str()),
             Self::Pipe(s) => of(s.of.as_str()),

@@ -8,7 +8,9 @@ use super::Builder;
 use super::surfaces::direction;
 use super::transform::map_of;
 use crate::document::locate::Step;
-use crate::document::spec::{CyclideVolumeSpec, FrameSpec, LayersSpec, ObjectSpec, StepSpec, TransformSpec};
+use crate::document::spec::{
+    CoordinateSurfacesSpec, CyclideVolumeSpec, FrameSpec, LayersSpec, ObjectSpec, StepSpec, TransformSpec,
+};
 use crate::error::Result;
 
 /// How far a last corner that is given may be from the one that follows, relative to the size.
@@ -108,6 +110,32 @@ impl Builder<'_> {
             volumes.extend(grid.blocks());
         }
         Ok(volumes)
+    }
+
+    /// Surfaces inside blocks on which one parameter is constant.
+    pub(super) fn coordinate_surfaces(&self, spec: &CoordinateSurfacesSpec) -> Result<Vec<SurfaceObject>> {
+        let volumes = self.sources.first().map_or(&[][..], |source| source.item.volumes());
+        if volumes.is_empty() {
+            return Err(
+                self.wrong_source("only a `cyclide-volume`, `layers` and their images have coordinate surfaces")
+            );
+        }
+        let lists = [("s", &spec.s), ("t", &spec.t), ("u", &spec.u)];
+        if lists.iter().all(|(_, values)| values.is_empty()) {
+            return Err(self.unfit("`s`, `t` or `u` says which surfaces"));
+        }
+        let mut surfaces = Vec::new();
+        for volume in volumes {
+            for (axis, (field, values)) in lists.iter().enumerate() {
+                for (index, x) in values.iter().enumerate() {
+                    let patch = volume
+                        .surface(axis, *x)
+                        .map_err(|e| self.refused_at([Step::from(*field), Step::from(index)], &e))?;
+                    surfaces.push(SurfaceObject::Patch(patch));
+                }
+            }
+        }
+        Ok(surfaces)
     }
 
     /// The images of blocks.

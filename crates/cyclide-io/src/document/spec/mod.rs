@@ -64,7 +64,7 @@ pub use torus::{
 };
 pub use torus_numbers::{AnglePairs, FreeOr, RatePairs};
 pub use tubes::{RadiusLawSpec, TubeSpec};
-pub use volumes::{CyclideVolumeSpec, LayersSpec};
+pub use volumes::{CoordinateSurfacesSpec, CyclideVolumeSpec, LayersSpec};
 
 /// A cyclide model: named curves and surfaces made of circles. Lengths are in the document's units and are never rescaled,
 /// angles are in radians or say `degrees`.
@@ -148,6 +148,8 @@ pub enum ObjectSpec {
     CyclideVolume(CyclideVolumeSpec),
     /// Blocks in layers over a net.
     Layers(LayersSpec),
+    /// Surfaces inside blocks.
+    CoordinateSurfaces(CoordinateSurfacesSpec),
     /// A convex polyhedron with its edges and corners rounded.
     SmoothPolyhedron(SmoothPolyhedronSpec),
     /// A smooth surface through the vertices of a triangle mesh.
@@ -281,6 +283,7 @@ object_types! {
     "cyclidic-net" => CyclidicNet,
     "cyclide-volume" => CyclideVolume,
     "layers" => Layers,
+    "coordinate-surfaces" => CoordinateSurfaces,
     "smooth-polyhedron" => SmoothPolyhedron,
     "smooth-mesh" => SmoothMesh,
     "sphere-blend" => SphereBlend,

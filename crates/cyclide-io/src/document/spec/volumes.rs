@@ -84,3 +84,42 @@ pub struct LayersSpec {
     #[schemars(range(min = 1, max = 4096))]
     pub count: Option<u32>,
 }
+
+/// Surfaces inside blocks on which one parameter is constant, as patches.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let block = r#""b": {"type": "cyclide-volume", "corners": [[0,0,0], [1,0.2,-0.1], [-0.2,1,0.1], [0.1,-0.1,0.9]]}"#;
+/// let middle = r#""m": {"type": "coordinate-surfaces", "of": "b", "s": [0.5], "u": [0, 0.5]}"#;
+/// let built = format!(r#"{{"cyclide": 1, "objects": {{{block}, {middle}}}}}"#).parse::<Document>()?.build()?;
+/// assert_eq!(built[1].item.surfaces().len(), 3);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[non_exhaustive]
+pub struct CoordinateSurfacesSpec {
+    /// The word `coordinate-surfaces`.
+    #[schemars(with = "String", extend("const" = "coordinate-surfaces"))]
+    pub r#type: TypeWord,
+    /// What the author remarks; read and left aside.
+    #[serde(default)]
+    pub comment: Comment,
+    /// Construction geometry: built and reported, not written to files.
+    #[serde(default)]
+    pub construction: bool,
+    /// Name of an object of blocks.
+    pub of: String,
+    /// Values of s, from 0 to 1 in each block.
+    #[serde(default)]
+    #[schemars(inner(range(min = 0.0, max = 1.0)))]
+    pub s: Vec<f64>,
+    /// Values of t.
+    #[serde(default)]
+    #[schemars(inner(range(min = 0.0, max = 1.0)))]
+    pub t: Vec<f64>,
+    /// Values of u.
+    #[serde(default)]
+    #[schemars(inner(range(min = 0.0, max = 1.0)))]
+    pub u: Vec<f64>,
+}
