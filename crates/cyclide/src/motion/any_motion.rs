@@ -78,13 +78,14 @@ impl Motion {
     /// coordinates: by so much the body does not close. `None` of other motions.
     ///
     /// ```
-    /// use cyclide::{MoebiusSplineOptions, Motion, Point3, QbSpline, Quat, RationalMotion};
-    /// let corners = [[0.0, 0.0, 0.0], [4.0, 0.0, 1.0], [4.0, 4.0, 0.0], [0.0, 4.0, 2.0]].map(Point3::from);
+    /// use cyclide::{ArcPath, ArcSplineOptions, Motion, Point3, QbSpline, Quat, RationalMotion};
+    /// let corners = [[4.0, 0.0, 0.0], [2.0, 3.0, 2.0], [-2.0, 3.0, -1.0], [-4.0, 1.0, 0.5], [0.0, -3.0, 1.5]].map(Point3::from);
     /// let turn = |closed: bool| {
-    ///     let curve = QbSpline::through_points(&corners, &MoebiusSplineOptions { closed, ..Default::default() })?;
-    ///     Ok::<_, cyclide::Error>(Motion::from(RationalMotion::along(&curve, Quat::ONE)?).closing_turn())
+    ///     let curve = ArcPath::spline(&corners, &ArcSplineOptions { closed, ..Default::default() })?;
+    ///     let motion = RationalMotion::along(&QbSpline::from_arcs(&curve), Quat::ONE)?;
+    ///     Ok::<_, cyclide::Error>(Motion::from(motion).closing_turn())
     /// };
-    /// assert!(turn(true)?.is_some_and(|turn| turn > 0.1) && turn(false)?.is_none());
+    /// assert!(turn(true)?.is_some_and(|turn| turn > 0.01) && turn(false)?.is_none());
     /// # Ok::<(), cyclide::Error>(())
     /// ```
     #[must_use]
