@@ -264,6 +264,52 @@ fn jumps_at_poses_are_reported() {
     assert!(!text.contains("jumps"), "{text}");
 }
 
+/// Way and turn are those of the motion whatever its times and its law, and every figure is a number.
+#[test]
+fn figures_are_of_the_spans_and_not_across_them() {
+    // Slowly for a unit, then a hundred in no time, then none at all, at very uneven times; on a straight line.
+    let poses = r#""poses": [{"position": [0, 0], "time": 0}, {"position": [1, 0], "time": 10}, {"position": [101, 0], "time": 10.001},
+        {"position": [101, 0], "rpy": [0, 0, 1], "time": 11}, {"position": [102, 0], "rpy": [0, 0, 1], "time": 12}]"#;
+    for law in ["as-given", "constant-speed", "eased"] {
+        let (found, text) = reported(&format!(r#""kind": "sclerp", "law": "{law}", "duration": 2, {poses}"#));
+        assert!((found.length - 102.0).abs() < 1e-10 && (found.turn - 1.0).abs() < 1e-12, "{law}: {found:?}");
+        let figures = [found.speed.min, found.speed.max, found.angular_speed.max, found.acceleration, found.jerk];
+        let jumps = [found.velocity_jump, found.acceleration_jump, found.angular_velocity_jump];
+        assert!(figures.iter().chain(&jumps).all(|v| v.is_finite()), "{law}: {found:?}");
+        assert!(!text.contains("NaN") && !text.contains("inf"), "{text}");
+        match law {
+            // One pose after the other on a line, all at one speed; no law makes a jerk of that.
+            "constant-speed" => {
+                assert!((found.speed.min - 51.0).abs() < 1e-9 && (found.speed.max - 51.0).abs() < 1e-9, "{found:?}");
+                assert!(found.jerk < 1e-6 && found.acceleration < 1e-6, "{found:?}");
+            }
+            // 60 of the way over the duration cubed, at both ends: between, the law has less.
+            "eased" => {
+                assert!((found.speed.max - 51.0 * 1.875).abs() < 1e-2, "{found:?}");
+                assert!((found.jerk - 60.0 * 102.0 / 8.0).abs() < 1e-6, "{found:?}");
+            }
+            _ => assert!((found.speed.max - 100.0 / 0.001 * 6.0).abs() < 1e-4, "{found:?}"),
+        }
+    }
+}
+
+#[test]
+fn closed_curves_report_by_how_much_the_body_does_not_close() {
+    let of = |closed: bool| {
+        let curve = format!(
+            r#""cable": {{"type": "arc-spline", "closed": {closed}, "points": [[40, 0, 0], [20, 30, 20], [-20, 30, -10], [-40, 10, 5], [0, -30, 15]]}}, "#
+        );
+        let built = build_all(&(curve + &motion(r#""along": "cable""#)), "").unwrap();
+        let report = Report::new(Units::Millimetre, &built, None);
+        let GeometryReport::Motion(found) = report.objects[1].geometry.clone() else { panic!("{report:?}") };
+        (found.closing_turn, report.to_string())
+    };
+    let (open, text) = of(false);
+    assert!(open.is_none() && !text.contains("closes"), "{text}");
+    let (closed, text) = of(true);
+    assert!(closed.unwrap() > 1e-3 && text.contains("closes") && text.contains("against how it began"), "{text}");
+}
+
 #[test]
 fn a_damaged_animation_is_found() {
     let model = model(&motion(TWO));

@@ -7,6 +7,7 @@ use cyclide::{
     closest_point, length,
 };
 use proptest::prelude::*;
+use proptest::test_runner::RngSeed;
 
 /// Cox and de Boor's definition, basis function by basis function, as an independent judge.
 fn basis(knots: &[f64], i: usize, degree: usize, u: f64, last: f64) -> f64 {
@@ -235,4 +236,64 @@ fn spans_without_extent_are_left_out_of_arcs() {
     assert_eq!(lowered.correspondence.piece_count(), lowered.form.arcs().len());
     assert!(lowered.correspondence.spans.iter().any(|span| span.pieces == 0));
     assert!((length(&lowered.form) - length(&curve)).abs() < 1e-3);
+}
+
+fn similarity() -> impl Strategy<Value = Mobius> {
+    let unit = || -1.0..1.0_f64;
+    (prop::array::uniform4(unit()), -1.0..1.0_f64, prop::array::uniform3(unit()), 0.0..6.0_f64)
+        .prop_filter("a rotation", |(q, ..)| Quat::from(*q).norm() > 0.1)
+        .prop_map(|(q, scale, shift, far)| {
+            Mobius::similarity(Quat::from(q), 10_f64.powf(scale), Vec3::from(shift) * 10_f64.powf(far)).unwrap()
+        })
+}
+
+/// A center some way off, and a radius of up to ten times its distance, and down to a tenth.
+fn sphere() -> impl Strategy<Value = (Point3, f64)> {
+    (prop::array::uniform3(-1.0..1.0_f64), 0.5..6.0_f64, -1.0..1.0_f64)
+        .prop_filter("outside", |(d, ..)| Vec3::from(*d).length() > 0.4)
+        .prop_map(|(d, far, radius)| {
+            (Point3::ORIGIN + Vec3::from(d) * (10.0 * 10_f64.powf(far)), 10_f64.powf(1.0 + far + radius))
+        })
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { rng_seed: RngSeed::Fixed(1), failure_persistence: None, ..ProptestConfig::default() })]
+
+    /// Inversions in a sphere and in its image undo each other but for rounding: what is left is the similarity, which keeps the degree.
+    #[test]
+    fn maps_that_are_similarities_but_for_rounding_keep_the_degree((center, radius) in sphere(), map in similarity(), other in similarity()) {
+        let inversion = Mobius::inversion(center, radius).unwrap();
+        let image = Mobius::inversion(map.map_point(center).unwrap(), radius * map.determinant()).unwrap();
+        let chains = [
+            image.after(&map.after(&inversion)),
+            inversion.inverse().after(&inversion),
+            other.after(&inversion).inverse().after(&other.after(&inversion)),
+            inversion.after(&other).inverse().after(&inversion.after(&other)),
+        ];
+        let expected = [map, Mobius::IDENTITY, Mobius::IDENTITY, Mobius::IDENTITY];
+        for (k, (chain, expected)) in chains.iter().zip(&expected).enumerate() {
+            prop_assert!(chain.is_similarity(), "{k}: {chain:?}");
+            let image = circle().transformed(chain).unwrap();
+            prop_assert_eq!(image.degree(), 2);
+            for i in 0..=8 {
+                let p = circle().point(f64::from(i) / 8.0);
+                let (a, b) = (chain.map_point(p).unwrap(), expected.map_point(p).unwrap());
+                // Images between are as far as the centers, where they are rounded; back from there they are magnified by up to the square of the distance over the radius.
+                let between = [center.to_vec(), inversion.map_point(p).unwrap().to_vec()].map(Vec3::length).into_iter().fold(1.0, f64::max);
+                let magnified = 1.0 + (p.distance(center) / radius).powi(2);
+                let scale = map.determinant().max(1.0) + other.determinant() + 1.0 / other.determinant();
+                let shift = map.map_point(Point3::ORIGIN).unwrap().to_vec().length() + other.map_point(Point3::ORIGIN).unwrap().to_vec().length() + 1.0;
+                prop_assert!(a.distance(b) < 64.0 * f64::EPSILON * (between * scale + shift * scale) * magnified, "{k}: {a:?} {b:?}");
+            }
+        }
+    }
+
+    /// Centers that differ by more than rounding make another map, however little more.
+    #[test]
+    fn maps_next_to_similarities_are_none((center, radius) in sphere(), off in -12.0..-3.0_f64) {
+        let inversion = Mobius::inversion(center, radius).unwrap();
+        let moved = Mobius::inversion(center + Vec3::new(0.6, 0.0, 0.8) * (radius * 10_f64.powf(off)), radius).unwrap();
+        let chain = moved.after(&inversion);
+        prop_assert!(!chain.is_similarity());
+    }
 }

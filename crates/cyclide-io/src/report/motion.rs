@@ -1,15 +1,15 @@
 //! What is reported of motions.
 
-use cyclide::{Motion, MotionJet, MovingBody, Vec3};
+use cyclide::{Motion, MotionJet, MovingBody, Schedule, Vec3};
 use serde::Serialize;
 
 use super::RangeReport;
 use super::text::{Line, plural, short};
 
-/// Places looked at on each span.
+/// Steps between the places looked at on each span.
 const PLACES: usize = 128;
 
-/// The report on a motion: measured at 129 places of each span, ends included. Lengths are in the document's units, times in
+/// The report on a motion: way and turn to rounding, the others measured at 129 places of each span, ends included. Lengths are in the document's units, times in
 /// seconds.
 ///
 /// ```
@@ -34,6 +34,9 @@ pub struct MotionReport {
     pub length: f64,
     /// The angle by which the body turns in all, radians.
     pub turn: f64,
+    /// By which angle the body is turned in the end against how it began, radians, if its origin comes back to where it began.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub closing_turn: Option<f64>,
     /// Speed of the tool.
     pub speed: RangeReport,
     /// Angular speed, radians per second.
@@ -65,8 +68,9 @@ impl MotionReport {
             degree,
             spans,
             duration: body.duration(),
-            length: 0.0,
-            turn: 0.0,
+            length: motion.way(body.tool()),
+            turn: motion.turn(),
+            closing_turn: motion.closing_turn(),
             speed: RangeReport::EMPTY,
             angular_speed: RangeReport::EMPTY,
             acceleration: 0.0,
@@ -77,38 +81,38 @@ impl MotionReport {
         };
         // The body was measured when it was made: what it cannot be measured by was refused.
         if let Ok(schedule) = body.schedule() {
-            report.measure(motion, |fraction| schedule.jet(fraction), |fraction| schedule.timing().time_at(fraction));
+            report.measure(&schedule);
         }
         report
     }
 
-    /// Measures what the body does when a part of the duration is over, and what time of the motion it is then.
-    fn measure(&mut self, motion: &Motion, at: impl Fn(f64) -> MotionJet, own_time: impl Fn(f64) -> f64) {
-        let count = PLACES * self.spans;
-        let step = self.duration / count as f64;
-        let mut before: Option<MotionJet> = None;
-        for k in 0..=count {
-            let jet = at(k as f64 / count as f64);
-            let (speed, turning) = (jet.point.speed(), jet.angular_velocity.length());
-            self.speed = self.speed.with(speed, speed);
-            self.angular_speed = self.angular_speed.with(turning, turning);
-            self.acceleration = self.acceleration.max(jet.point.d2.length());
-            self.jerk = self.jerk.max(jet.point.d3.length());
-            if let Some(before) = before {
-                // Simpson's rule over the step, with the middle looked at too.
-                let middle = at((k as f64 - 0.5) / count as f64);
-                let mean = |f: fn(&MotionJet) -> f64| (f(&before) + 4.0 * f(&middle) + f(&jet)) / 6.0 * step;
-                self.length += mean(|jet| jet.point.speed());
-                self.turn += mean(|jet| jet.angular_velocity.length());
+    /// Looks at what the body does on each span, one after the other: at a joint all but its place may jump.
+    fn measure(&mut self, schedule: &Schedule<'_>) {
+        let mut arrived: Option<MotionJet> = None;
+        for (span, ends) in schedule.timing().joints().windows(2).enumerate() {
+            // A law that goes by the way has no time for a span without one.
+            if ends[1] <= ends[0] {
+                continue;
             }
-            before = Some(jet);
-        }
-        for time in &motion.times()[1..self.spans] {
-            let [left, right] = beside(|fraction| own_time(fraction) < *time).map(&at);
-            let jump = |f: fn(&MotionJet) -> Vec3| (f(&right) - f(&left)).length();
-            self.velocity_jump = self.velocity_jump.max(jump(|jet| jet.point.d1));
-            self.acceleration_jump = self.acceleration_jump.max(jump(|jet| jet.point.d2));
-            self.angular_velocity_jump = self.angular_velocity_jump.max(jump(|jet| jet.angular_velocity));
+            for k in 0..=PLACES {
+                let part = k as f64 / PLACES as f64;
+                let fraction = if k < PLACES { ends[0] + (ends[1] - ends[0]) * part } else { ends[1] };
+                let jet = schedule.jet_in_span(span, fraction);
+                if let Some(before) = arrived.as_ref().filter(|_| k == 0) {
+                    let jump = |f: fn(&MotionJet) -> Vec3| (f(&jet) - f(before)).length();
+                    self.velocity_jump = larger(self.velocity_jump, jump(|jet| jet.point.d1));
+                    self.acceleration_jump = larger(self.acceleration_jump, jump(|jet| jet.point.d2));
+                    self.angular_velocity_jump = larger(self.angular_velocity_jump, jump(|jet| jet.angular_velocity));
+                }
+                let (speed, turning) = (jet.point.speed(), jet.angular_velocity.length());
+                if speed.is_finite() && turning.is_finite() {
+                    self.speed = self.speed.with(speed, speed);
+                    self.angular_speed = self.angular_speed.with(turning, turning);
+                }
+                self.acceleration = larger(self.acceleration, jet.point.d2.length());
+                self.jerk = larger(self.jerk, jet.point.d3.length());
+                arrived = Some(jet);
+            }
         }
     }
 
@@ -120,6 +124,9 @@ impl MotionReport {
     pub(super) fn lines(&self, units: &str, line: Line<'_>) -> std::fmt::Result {
         line("duration", format!("{} s", short(self.duration)))?;
         line("way", format!("{} {units}, turns by {} rad", short(self.length), short(self.turn)))?;
+        if let Some(turn) = self.closing_turn {
+            line("closes", format!("turned by {} rad against how it began", short(turn)))?;
+        }
         let speed = super::text::range(&self.speed);
         line("speed", format!("{speed} {units}/s, angular {} rad/s", super::text::range(&self.angular_speed)))?;
         let (acceleration, jerk) = (short(self.acceleration), short(self.jerk));
@@ -142,17 +149,7 @@ impl MotionReport {
     }
 }
 
-/// The parts of the duration next to where something ends that holds from 0 on: the last with it, the first without.
-fn beside(holds: impl Fn(f64) -> bool) -> [f64; 2] {
-    // Positive numbers are in the order of their bits.
-    let (mut with, mut without) = (0.0_f64.to_bits(), 1.0_f64.to_bits());
-    while without - with > 1 {
-        let middle = with + (without - with) / 2;
-        if holds(f64::from_bits(middle)) {
-            with = middle;
-        } else {
-            without = middle;
-        }
-    }
-    [with, without].map(f64::from_bits)
+/// The larger one. What is not finite is no figure: a law that goes by the way passes no place in no time where the way stands still.
+fn larger(most: f64, value: f64) -> f64 {
+    if value.is_finite() { most.max(value) } else { most }
 }

@@ -21,13 +21,22 @@ pub(crate) fn place_of_cut(t: f64, n: usize) -> Result<(usize, f64)> {
     }
 }
 
-/// Checks an interval of parameters, `0 <= t0 < t1 <= 1`.
+/// Parameters up to this far from an end of the curve are the end: a few roundings, as sums and quotients of them have. A sliver is never meant.
+const AT_END: f64 = 4.0 * f64::EPSILON;
+
+/// A parameter, the end of the curve if it is one but for rounding.
+pub(crate) fn at_end(t: f64) -> f64 {
+    [0.0, 1.0].into_iter().find(|end| (t - end).abs() <= AT_END).unwrap_or(t)
+}
+
+/// An interval of parameters, `0 <= t0 < t1 <= 1`, what is an end of the curve but for rounding taken for it.
 ///
 /// # Errors
 /// `parameter-out-of-range`.
-pub(crate) fn check_interval(t0: f64, t1: f64) -> Result<()> {
+pub(crate) fn interval(t0: f64, t1: f64) -> Result<[f64; 2]> {
+    let [t0, t1] = [t0, t1].map(at_end);
     if t0 < t1 && t0 >= 0.0 && t1 <= 1.0 {
-        Ok(())
+        Ok([t0, t1])
     } else {
         Err(Error::ParameterOutOfRange { name: ErrorItem::T1, value: t1, min: t0.max(0.0), max: 1.0 })
     }
@@ -49,6 +58,25 @@ pub(crate) fn check_past_start(closed: bool, t0: f64, t1: f64) -> Result<()> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn ends_are_recognised() {
+        let exact = |ends: [f64; 2]| ends.map(f64::to_bits);
+        for off in [-3.0 * f64::EPSILON, -1e-300, 0.0, 1e-17, 4.0 * f64::EPSILON] {
+            assert_eq!(exact(interval(off, 0.5).unwrap()), exact([0.0, 0.5]), "{off:e}");
+            assert_eq!(exact(interval(0.5, 1.0 + off).unwrap()), exact([0.5, 1.0]), "{off:e}");
+        }
+        assert_eq!(exact(interval(1e-15, 1.0 - 1e-15).unwrap()), exact([1e-15, 1.0 - 1e-15]));
+        for (t0, t1) in
+            [(0.0, 1e-17), (1.0 - 1e-16, 1.0), (-1e-15, 0.5), (0.5, 1.0 + 1e-15), (f64::NAN, 0.5), (0.5, 0.5)]
+        {
+            assert_eq!(interval(t0, t1).unwrap_err().reason(), "parameter-out-of-range", "{t0:e} {t1:e}");
+        }
+        // What is left is taken by every count of pieces.
+        for n in 1..2000_usize {
+            assert!(place_of_cut(1.0 - 5.0 * f64::EPSILON, n).is_ok(), "{n}");
+        }
+    }
 
     #[test]
     fn joints_are_recognised_for_every_count() {

@@ -143,8 +143,14 @@ pub(crate) fn cells(f: &mut impl FnMut(f64) -> f64, a: f64, b: f64) -> Vec<Cell>
 /// bracket. One 8-point rule must give the integral over the cell.
 #[must_use]
 pub(crate) fn invert(f: &mut impl FnMut(f64) -> f64, [a, b]: [f64; 2], whole: f64, rest: f64) -> f64 {
+    invert_from(f, [a, b], rest, a + (b - a) * (rest / whole))
+}
+
+/// As [`invert`], from a place that is better than that by the part of the whole.
+#[must_use]
+pub(crate) fn invert_from(f: &mut impl FnMut(f64) -> f64, [a, b]: [f64; 2], rest: f64, start: f64) -> f64 {
     let (mut low, mut high) = (a, b);
-    let mut s = a + (b - a) * (rest / whole);
+    let mut s = start;
     for _ in 0..64 {
         let error = gauss8(f, a, s) - rest;
         if error < 0.0 {

@@ -22,6 +22,10 @@ const DEFECT_LIMIT: f64 = 1e-9;
 /// Parts of a determinant, relative to its terms, that are nothing but their rounding.
 const SINGULAR_LIMIT: f64 = 8.0 * f64::EPSILON;
 
+/// Part of its terms up to which the entry that takes a place to infinity is their rounding: those of two products of quaternions, one of them
+/// with a sum, and of what went into their factors.
+const NOT_A_POLE: f64 = 8.0 * f64::EPSILON;
+
 /// A Möbius transformation of three-space and the point at infinity.
 ///
 /// ```
@@ -175,12 +179,17 @@ impl Mobius {
         // From the target of the first to the source of this one.
         let between = Quat::from(first.target - self.source);
         let (b, d) = (self.a * between + self.b, self.c * between + self.d);
+        let c = self.c * first.a + d * first.c;
+        // What is left of terms that cancel, and of origins that are rounded, is no place that goes to infinity: the map is a similarity.
+        let reach = first.target.to_vec().length() + self.source.to_vec().length();
+        let terms = self.c.norm() * first.a.norm() + (self.c.norm() * reach + self.d.norm()) * first.c.norm();
+        let c = if c.norm() <= NOT_A_POLE * terms { Quat::ZERO } else { c };
         Self {
             source: first.source,
             target: self.target,
             a: self.a * first.a + b * first.c,
             b: self.a * first.b + b * first.d,
-            c: self.c * first.a + d * first.c,
+            c,
             d: self.c * first.b + d * first.d,
             determinant: self.determinant * first.determinant,
         }

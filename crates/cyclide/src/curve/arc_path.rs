@@ -7,7 +7,7 @@ use super::param_curve::ParamCurve;
 use super::piece_form::PieceForm;
 use super::piece_hull::PieceHull;
 use crate::base::bounds::Aabb;
-use crate::base::cut::{check_interval, check_past_start, place_of_cut};
+use crate::base::cut::{check_past_start, interval, place_of_cut};
 use crate::base::jet::CurveJet;
 use crate::base::vector::Point3;
 use crate::conformal::mobius::{Conformal, Mobius};
@@ -89,7 +89,7 @@ impl ArcPath {
     /// # Errors
     /// `parameter-out-of-range`.
     pub fn restricted(&self, t0: f64, t1: f64) -> Result<Self> {
-        check_interval(t0, t1)?;
+        let [t0, t1] = interval(t0, t1)?;
         let n = self.arcs.len();
         let (first, s0) = if t0 > 0.0 { place_of_cut(t0, n)? } else { (0, 0.0) };
         let (end, s1) = if t1 < 1.0 { place_of_cut(t1, n)? } else { (n, 0.0) };

@@ -6,7 +6,7 @@ use super::param_curve::ParamCurve;
 use super::piece_form::PieceForm;
 use super::piece_hull::PieceHull;
 use crate::base::bounds::Aabb;
-use crate::base::cut::{check_interval, check_past_start, place_of_cut};
+use crate::base::cut::{check_past_start, interval, place_of_cut};
 use crate::base::jet::CurveJet;
 use crate::base::range;
 use crate::base::vector::{Point3, Vec3};
@@ -191,7 +191,7 @@ impl Circle {
     /// # Errors
     /// `parameter-out-of-range`, `sweep-out-of-range` (the whole circle).
     pub fn restricted(&self, t0: f64, t1: f64) -> Result<Arc> {
-        check_interval(t0, t1)?;
+        let [t0, t1] = interval(t0, t1)?;
         self.part([t0, t1], t1 - t0)
     }
 

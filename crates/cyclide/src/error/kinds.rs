@@ -1213,7 +1213,10 @@ pub enum Error {
         time: f64,
         /// The share `|p|²/(|p|² + |r|²)` there, with lengths in units of the size of the poses.
         share: f64,
-        /// Shares up to this are refused.
+        /// What is left of the dual quaternion there, squared, against the sum of the lengths of what it is summed of: 0 where both of its parts
+        /// vanish.
+        remainder: f64,
+        /// Shares and remainders up to this are refused.
         limit: f64,
     },
     /// Between two poses the rotation is so large that its direction is lost.

@@ -37,11 +37,18 @@ pub(super) fn of_motion(error: &Error) -> String {
             ShortNumber(*share),
             ShortNumber(*limit)
         ),
-        Error::MotionThroughExceptionalPoint { time, share, limit } => format!(
+        Error::MotionThroughExceptionalPoint { time, share, remainder: _, limit } if share <= limit => format!(
             "the motion of least degree runs out to infinity at {}: the share of the rotation there is {}, limit {}; take a spline, or \
              other times",
             ShortNumber(*time),
             ShortNumber(*share),
+            ShortNumber(*limit)
+        ),
+        Error::MotionThroughExceptionalPoint { time, share: _, remainder, limit } => format!(
+            "the motion of least degree has no pose at {}: its terms cancel there, what is left of them is {} of their squares, limit {}; \
+             take a spline, or other times",
+            ShortNumber(*time),
+            ShortNumber(*remainder),
             ShortNumber(*limit)
         ),
         Error::RotationTooLarge { span, length, limit } => format!(

@@ -1,6 +1,7 @@
 //! Curves of any kind run backwards and cut, exactly: by parameter, or by station.
 
 use super::object::CurveObject;
+use crate::base::cut::at_end;
 use crate::curve::ArcLength;
 use crate::error::{Error, ErrorItem, Result};
 
@@ -44,6 +45,7 @@ impl CurveObject {
     /// # Errors
     /// `parameter-out-of-range`; `sweep-out-of-range` (the whole of a circle).
     pub fn restricted(&self, t0: f64, t1: f64) -> Result<Self> {
+        let [t0, t1] = [t0, t1].map(at_end);
         if !(t1 < t0 && t1 >= 0.0 && t0 <= 1.0 && self.as_curve().is_closed()) {
             return self.inside(t0, t1);
         }

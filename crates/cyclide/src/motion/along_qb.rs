@@ -39,9 +39,9 @@ impl RationalMotion {
             let before = spans.last().and_then(|pairs| pairs.last()).map_or(start, |pair| pair.d);
             spans.push(gauged(span, origin, before));
         }
-        // Dual parts are of the size of the real ones in this unit.
-        let largest = |part: fn(&HPoint) -> Quat| spans.iter().flatten().map(|p| part(p).norm()).fold(0.0, f64::max);
-        let unit = Some(largest(|p| p.n) / largest(|p| p.d)).filter(|unit| unit.is_normal()).unwrap_or(1.0);
+        // In the size of the curve, which weights do not change.
+        let reached = (0..=4 * spans.len()).map(|k| spline.point(k as f64 / (4 * spans.len()) as f64).distance(origin));
+        let unit = Some(reached.fold(0.0, f64::max)).filter(|unit| unit.is_normal()).unwrap_or(1.0);
         let rows = |pairs: &Vec<HPoint>| MotionSpan(pairs.iter().map(|pair| row(pair, unit)).collect());
         let spans: Vec<MotionSpan> = spans.iter().map(rows).collect();
         for (span, domain) in spans.iter().zip(times.windows(2)) {

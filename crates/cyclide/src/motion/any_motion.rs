@@ -4,8 +4,11 @@ use super::motion_jet::MotionJet;
 use super::pose::Pose;
 use super::rational_motion::RationalMotion;
 use super::screw_motion::ScrewMotion;
-use crate::base::vector::Point3;
+use crate::base::vector::{Point3, Vec3};
 use crate::error::{Error, Result};
+
+/// Places that differ by up to this part of their coordinates are one.
+const SAME_PLACE: f64 = 1e-12;
 
 /// Any motion of a rigid body over rising times.
 ///
@@ -58,6 +61,39 @@ impl Motion {
             Self::Rational(motion) => motion.jet(time, point),
             Self::Screw(motion) => motion.jet(time, point),
         }
+    }
+
+    /// Velocity of a point of the body, and the angular velocity, at a time.
+    pub(super) fn velocities(&self, time: f64, point: Point3) -> [Vec3; 2] {
+        match self {
+            Self::Rational(motion) => motion.velocities(time, point),
+            Self::Screw(motion) => {
+                let jet = motion.jet(time, point);
+                [jet.point.d1, jet.angular_velocity]
+            }
+        }
+    }
+
+    /// The angle from the first pose to the last, 0 to π, if the origin of the body moves and comes back to where it began, to 1e-12 of the
+    /// coordinates: by so much the body does not close. `None` of other motions.
+    ///
+    /// ```
+    /// use cyclide::{ArcPath, ArcSplineOptions, Motion, Point3, QbSpline, Quat, RationalMotion};
+    /// let corners = [[4.0, 0.0, 0.0], [2.0, 3.0, 2.0], [-2.0, 3.0, -1.0], [-4.0, 1.0, 0.5], [0.0, -3.0, 1.5]].map(Point3::from);
+    /// let turn = |closed: bool| {
+    ///     let curve = ArcPath::spline(&corners, &ArcSplineOptions { closed, ..Default::default() })?;
+    ///     let motion = RationalMotion::along(&QbSpline::from_arcs(&curve), Quat::ONE)?;
+    ///     Ok::<_, cyclide::Error>(Motion::from(motion).closing_turn())
+    /// };
+    /// assert!(turn(true)?.is_some_and(|turn| turn > 0.01) && turn(false)?.is_none());
+    /// # Ok::<(), cyclide::Error>(())
+    /// ```
+    #[must_use]
+    pub fn closing_turn(&self) -> Option<f64> {
+        let [first, last] = self.domain().map(|time| self.pose(time));
+        let size = self.times().iter().map(|t| self.pose(*t).translation().max_abs()).fold(0.0, f64::max);
+        let comes_back = (last.translation() - first.translation()).length() <= SAME_PLACE * size;
+        (comes_back && self.way(Point3::ORIGIN) > SAME_PLACE * size).then(|| first.angle_to(last))
     }
 
     /// The motion as one whose points run on rational curves.

@@ -29,4 +29,6 @@ pub struct MotionJet {
     pub angular_velocity: Vec3,
     /// Angular acceleration in the world.
     pub angular_acceleration: Vec3,
+    /// Derivative of the angular acceleration, in the world.
+    pub angular_jerk: Vec3,
 }

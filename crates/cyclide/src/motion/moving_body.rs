@@ -5,11 +5,8 @@ use super::motion_jet::MotionJet;
 use super::pose::Pose;
 use super::timing::{TimeLaw, Timing};
 use crate::base::jet::CurveJet;
-use crate::base::vector::{Point3, Vec3};
+use crate::base::vector::Point3;
 use crate::error::{Error, ErrorItem, Result};
-
-/// Step of the difference that gives the second derivative of the speed of the way, as part of the duration.
-const STEP: f64 = 1e-5;
 
 /// A moving body: what a motion is with a tool, a time law and a duration.
 ///
@@ -207,27 +204,56 @@ impl Schedule<'_> {
         self.body.motion.pose(self.timing.time_at(fraction))
     }
 
-    /// What the body and its tool do then, by the time that the body takes. Not finite where a law goes by a way that stands
-    /// still.
+    /// What the body and its tool do then, by the time that the body takes; at a joint, on the span that starts there. Not finite where a law
+    /// goes by a way that stands still.
     #[must_use]
     pub fn jet(&self, fraction: f64) -> MotionJet {
+        self.jet_at(self.timing.time_at(fraction), fraction)
+    }
+
+    /// As [`jet`](Self::jet) on a span of the motion, of which the part is one of those from where it starts to where it ends: at its end as the
+    /// body arrives there.
+    ///
+    /// ```
+    /// use cyclide::{MovingBody, Pose, Quat, ScrewMotion, TimedPose, Vec3};
+    /// let at = |time: f64, x: f64| TimedPose { time, pose: Pose::new(Quat::ONE, Vec3::X * x).unwrap() };
+    /// let body = MovingBody::new(ScrewMotion::new(&[at(0.0, 0.0), at(1.0, 8.0), at(4.0, 2.0)])?.into());
+    /// let schedule = body.schedule()?;
+    /// assert_eq!(schedule.timing().joints(), [0.0, 0.25, 1.0]);
+    /// let [arrives, leaves] = [0, 1].map(|span| schedule.jet_in_span(span, 0.25).point.d1.x);
+    /// assert!((arrives - 8.0).abs() < 1e-14 && (leaves + 2.0).abs() < 1e-14);
+    /// # Ok::<(), cyclide::Error>(())
+    /// ```
+    ///
+    /// # Panics
+    /// If there is no such span.
+    #[must_use]
+    pub fn jet_in_span(&self, span: usize, fraction: f64) -> MotionJet {
+        let times = self.body.motion.times();
+        let (from, to) = (times[span], times[span + 1]);
+        // A joint belongs to the span that starts there.
+        let end = if span + 2 == times.len() { to } else { to.next_down().max(from) };
+        self.jet_at(self.timing.time_at(fraction).clamp(from, end), fraction)
+    }
+
+    /// What they do at a time of the motion, which is there when the part of the duration is over.
+    fn jet_at(&self, time: f64, fraction: f64) -> MotionJet {
         let MovingBody { motion, tool, law, duration, .. } = self.body;
-        let time = self.timing.time_at(fraction);
         let own = motion.jet(time, *tool);
         let [first, last] = motion.domain();
         let [u1, u2, u3] = match law {
             TimeLaw::AsGiven => [(last - first) / duration, 0.0, 0.0],
-            TimeLaw::ConstantSpeed => self.rates(&own, time, [1.0, 0.0, 0.0]),
+            TimeLaw::ConstantSpeed => self.rates(&own, [1.0, 0.0, 0.0]),
             TimeLaw::Eased => {
                 let x = fraction.clamp(0.0, 1.0);
                 let first = 30.0 * x * x * (1.0 - x) * (1.0 - x);
                 let second = 60.0 * x * (1.0 - x) * (1.0 - 2.0 * x);
                 let third = 60.0 * (1.0 - 6.0 * x * (1.0 - x));
-                self.rates(&own, time, [first, second, third])
+                self.rates(&own, [first, second, third])
             }
         };
         let CurveJet { point, d1, d2, d3 } = own.point;
-        let (omega, alpha) = (own.angular_velocity, own.angular_acceleration);
+        let (omega, alpha, beta) = (own.angular_velocity, own.angular_acceleration, own.angular_jerk);
         MotionJet {
             pose: own.pose,
             point: CurveJet {
@@ -238,24 +264,22 @@ impl Schedule<'_> {
             },
             angular_velocity: omega * u1,
             angular_acceleration: alpha * (u1 * u1) + omega * u2,
+            angular_jerk: beta * (u1 * u1 * u1) + alpha * (3.0 * u1 * u2) + omega * u3,
         }
     }
 
-    /// The derivatives of the motion's time by the body's, from those of the part of the way that is done.
-    fn rates(&self, own: &MotionJet, time: f64, law: [f64; 3]) -> [f64; 3] {
-        let MovingBody { motion, tool, arm, duration, .. } = self.body;
+    /// The derivatives of the motion's time by the body's, from those of the part of the way that is done: with the speed `g` of the way,
+    /// `g² = |v|² + a²|ω|²` has the derivatives `2 g g'` and `2 (g'² + g g″)`.
+    fn rates(&self, own: &MotionJet, law: [f64; 3]) -> [f64; 3] {
+        let MovingBody { arm, duration, .. } = self.body;
         let [s1, s2, s3] = [1, 2, 3].map(|k| law[k as usize - 1] * self.way() / duration.powi(k));
-        let speed = |jet: &MotionJet| jet.point.speed().hypot(arm * jet.angular_velocity.length());
-        let slope = |jet: &MotionJet| {
-            let product = |v: Vec3, a: Vec3| v.dot(a);
-            let turning = product(jet.angular_velocity, jet.angular_acceleration) * arm * arm;
-            (product(jet.point.d1, jet.point.d2) + turning) / speed(jet)
-        };
-        let [first, last] = motion.domain();
-        let h = STEP * (last - first);
-        let at = |t: f64| slope(&motion.jet(t.clamp(first, last), *tool));
-        let (from, to) = ((time - h).max(first), (time + h).min(last));
-        let (g, g1, g2) = (speed(own), slope(own), (at(to) - at(from)) / (to - from));
+        let CurveJet { d1, d2, d3, .. } = own.point;
+        let turns = [own.angular_velocity, own.angular_acceleration, own.angular_jerk];
+        let [omega, alpha, beta] = turns.map(|v| v * *arm);
+        let g = d1.length().hypot(omega.length());
+        let g1 = (d1.dot(d2) + omega.dot(alpha)) / g;
+        let second = d2.dot(d2) + d1.dot(d3) + alpha.dot(alpha) + omega.dot(beta);
+        let g2 = (second - g1 * g1) / g;
         let u1 = s1 / g;
         let u2 = (s2 - g1 * u1 * u1) / g;
         let u3 = (s3 - g2 * u1 * u1 * u1 - 3.0 * g1 * u1 * u2) / g;

@@ -14,10 +14,14 @@ use crate::error::{Error, Result};
 
 /// A pose whose factor is below this part of the largest is not taken.
 pub(super) const UNATTAINED: f64 = 1e-10;
-/// Pfaffians up to this part of the squared entries are zero: the matrix has rank 2.
+/// Pfaffians up to this part of the squared entries are zero, or up to what rounded entries make: the matrix has rank 2.
 const RANK_TWO: f64 = 1e-12;
+/// Products with an entry that is off, of which a Pfaffian is summed: three of two.
+const PRODUCTS: f64 = 6.0;
 /// Poses are met to this part of the size, and in the coefficients of their rotations.
 const MET: f64 = 1e-9;
+/// A motion of degree 2 through three of five poses may miss the others by so many times what the poses are off.
+const CARRIED: f64 = 1e3;
 /// Triples of five poses, the most even one first.
 const TRIPLES: [[usize; 3]; 10] =
     [[0, 2, 4], [0, 1, 4], [0, 3, 4], [0, 1, 3], [1, 2, 4], [0, 2, 3], [1, 3, 4], [0, 1, 2], [1, 2, 3], [2, 3, 4]];
@@ -51,13 +55,12 @@ impl RationalMotion {
             sign * pfaffian(&m, others(i))
         });
         let size = largest(&m);
-        let rows = if factors.iter().all(|f| f.abs() <= RANK_TWO * size * size) {
-            conic_of_five(&displacements, &times, &m, prepared.vanished)?
-        } else {
-            check_attained(&factors)?;
-            lagrange_rows(&displacements, &factors, &times)
-        };
-        prepared.single(rows)
+        let rank_two = (RANK_TWO * size * size).max(PRODUCTS * size * prepared.rounding / least_step(&times));
+        if factors.iter().all(|f| f.abs() <= rank_two) {
+            return prepared.conic_of_five(&displacements, &times, &m);
+        }
+        check_attained(&factors)?;
+        prepared.single(lagrange_rows(&displacements, &factors, &times))
     }
 }
 
@@ -78,13 +81,39 @@ impl Prepared {
     /// # Errors
     /// `unattainable-pose`, `motion-through-exceptional-point`.
     pub(super) fn single(&self, rows: Vec<[f64; 8]>) -> Result<RationalMotion> {
+        self.taking(rows, MET)
+    }
+
+    /// As [`single`](Self::single), of a motion that takes poses within this limit.
+    fn taking(&self, rows: Vec<[f64; 8]>, limit: f64) -> Result<RationalMotion> {
         let span = MotionSpan(rows);
         span.check_share(self.domain)?;
-        if let Some((index, share)) = first_missed(&span.0, &self.poses, &self.places) {
-            return Err(Error::UnattainablePose { index, share, limit: MET });
+        if let Some((index, share)) = first_missed(&span.0, &self.poses, &self.places, limit) {
+            return Err(Error::UnattainablePose { index, share, limit });
         }
         Ok(RationalMotion::of_spans(self.domain.to_vec(), vec![span], self.centre, self.unit))
     }
+
+    /// The conic motion that five poses are on, with the matrix of rank 2 of their forms: through three of them. What those are off carries
+    /// over to the others.
+    fn conic_of_five(&self, poses: &[DualQuat; 5], times: &[f64; 5], m: &[[f64; 5]; 5]) -> Result<RationalMotion> {
+        let limit = MET.max(CARRIED * self.rounding);
+        for triple in TRIPLES {
+            let rows = conic_rows(&triple.map(|i| poses[i]), &triple.map(|i| times[i]), self.vanished);
+            let Ok(rows) = rows else { continue };
+            if first_missed(&rows, poses, times, limit).is_none() {
+                return self.taking(rows, limit);
+            }
+        }
+        let (index, share) = vanishing_coordinate(m);
+        Err(Error::UnattainablePose { index, share, limit: UNATTAINED })
+    }
+}
+
+/// The shortest step between two of the times.
+fn least_step(times: &[f64]) -> f64 {
+    let steps = times.iter().enumerate().flat_map(|(i, a)| times[..i].iter().map(move |b| (a - b).abs()));
+    steps.fold(f64::INFINITY, f64::min)
 }
 
 /// The first so many of a list.
@@ -107,19 +136,6 @@ fn conic_rows(poses: &[DualQuat; 3], times: &[f64; 3], vanished: f64) -> Result<
     let factors = [m[1][2], -m[0][2], m[0][1]];
     check_attained(&factors)?;
     Ok(lagrange_rows(poses, &factors, times))
-}
-
-/// Five poses on one conic motion.
-fn conic_of_five(poses: &[DualQuat; 5], times: &[f64; 5], m: &[[f64; 5]; 5], vanished: f64) -> Result<Vec<[f64; 8]>> {
-    for triple in TRIPLES {
-        let rows = conic_rows(&triple.map(|i| poses[i]), &triple.map(|i| times[i]), vanished);
-        let Ok(rows) = rows else { continue };
-        if first_missed(&rows, poses, times).is_none() {
-            return Ok(rows);
-        }
-    }
-    let (index, share) = vanishing_coordinate(m);
-    Err(Error::UnattainablePose { index, share, limit: UNATTAINED })
 }
 
 /// The coordinate that vanishes on the kernel of a matrix of rank 2 (that is in the plane of its rows), and how much of it is left.
@@ -175,7 +191,7 @@ pub(super) fn lagrange_rows<const N: usize>(
 }
 
 /// The first pose that a span does not take at its time, and by how much it misses it.
-fn first_missed(rows: &[[f64; 8]], poses: &[DualQuat], times: &[f64]) -> Option<(usize, f64)> {
+fn first_missed(rows: &[[f64; 8]], poses: &[DualQuat], times: &[f64], limit: f64) -> Option<(usize, f64)> {
     poses.iter().zip(times).enumerate().find_map(|(i, (pose, t))| {
         let at = DualQuat::from_array(bernstein::eval(rows, *t));
         let length = at.real.norm() * at.real.dot(pose.real).signum();
@@ -183,6 +199,6 @@ fn first_missed(rows: &[[f64; 8]], poses: &[DualQuat], times: &[f64]) -> Option<
         let off = (at.real - pose.real).norm();
         let apart = (at.translation().unwrap_or_default() - pose.translation().unwrap_or_default()).length();
         let miss = off.max(apart);
-        (miss.is_nan() || miss > MET).then_some((i, miss))
+        (miss.is_nan() || miss > limit).then_some((i, miss))
     })
 }

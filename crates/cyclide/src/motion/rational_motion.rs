@@ -110,14 +110,33 @@ impl RationalMotion {
         });
         let mut jet = jet_of_homogeneous(homogeneous).scaled(1.0 / duration);
         jet.point = jet.point + self.centre;
-        // ω = 2 Im(p' p⁻¹), and its derivative; p has length 1 here.
-        let (first, second) = (p[1] * p[0].conj(), p[2] * p[0].conj());
+        // With F_k = p⁽ᵏ⁾ p⁻¹: ω = 2 Im F_1, and F_1' = F_2 − F_1², F_1″ = F_3 − F_2 F_1 − F_1' F_1 − F_1 F_1'; p has length 1 here.
+        let [first, second, third] = [1, 2, 3].map(|k| p[k] * p[0].conj());
+        let turning = second - first * first;
         MotionJet {
             pose: self.span_pose(span, s),
             point: jet,
             angular_velocity: first.vector() * (2.0 / duration),
-            angular_acceleration: (second - first * first).vector() * (2.0 / (duration * duration)),
+            angular_acceleration: turning.vector() * (2.0 / (duration * duration)),
+            angular_jerk: (third - second * first - turning * first - first * turning).vector()
+                * (2.0 / duration.powi(3)),
         }
+    }
+
+    /// Velocity of a point of the body, and the angular velocity: as [`jet`](Self::jet), for less.
+    pub(super) fn velocities(&self, time: f64, point: Point3) -> [Vec3; 2] {
+        let (span, s) = self.place_of(time);
+        let per_time = 1.0 / (self.times[span + 1] - self.times[span]);
+        let rows: [[f64; 8]; 2] = bernstein::derivatives(&self.spans[span].0, s);
+        let [at, by] = rows.map(DualQuat::from_array);
+        let scale = 1.0 / at.real.norm();
+        let back = at.real.conj() * scale;
+        // With |p| = 1: ω = 2 Im q of q = p' p̄, and (r p⁻¹)' = r' p̄ − r p̄ q.
+        let q = by.real * back * scale;
+        let slide = by.dual * back * scale - at.dual * back * scale * q;
+        let omega = q.vector() * (2.0 * per_time);
+        let arm = (at.real * scale).rotate(point.to_vec());
+        [slide.vector() * (2.0 * self.unit * per_time) + omega.cross(arm), omega]
     }
 
     fn place_of(&self, time: f64) -> (usize, f64) {
@@ -141,14 +160,24 @@ impl RationalMotion {
     }
 
     /// Over each span the homogeneous path, of twice the degree, of a point of the body in homogeneous coordinates `[wx, wy, wz, w]`.
-    pub(crate) fn homogeneous_paths(&self, [x, y, z, w]: [f64; 4]) -> impl Iterator<Item = PolynomialRow> {
+    pub(crate) fn homogeneous_paths(&self, row: [f64; 4]) -> impl Iterator<Item = PolynomialRow> {
+        self.homogeneous_paths_about_centre(row).map(|path| path.moved(self.centre))
+    }
+
+    /// What the motion is about: the paths of points near the body's origin are near it.
+    pub(super) fn centre(&self) -> Vec3 {
+        self.centre
+    }
+
+    /// As [`homogeneous_paths`](Self::homogeneous_paths), in coordinates from the [centre](Self::centre): a product with it would cost, far from
+    /// the origin, the digits that a weight is smaller than the squares it is summed of.
+    pub(super) fn homogeneous_paths_about_centre(&self, [x, y, z, w]: [f64; 4]) -> impl Iterator<Item = PolynomialRow> {
         let point = QuatPolynomial::constant(Quat::new(0.0, x, y, z));
         self.spans.iter().map(move |span| {
             let column = |d: usize| Polynomial::new(span.0.iter().map(|row| row[d]).collect());
             let p = QuatPolynomial(std::array::from_fn(column));
             let r = QuatPolynomial(std::array::from_fn(|d| &column(d + 4) * (2.0 * self.unit * w)));
-            let centre = QuatPolynomial::constant(Quat::from(self.centre * w));
-            let moved = &r + &(&(&centre * &p) + &(&p * &point));
+            let moved = &r + &(&p * &point);
             let QuatPolynomial([_, x, y, z]) = &moved * &p.conj();
             PolynomialRow([x, y, z, &p.dot(&p) * w])
         })

@@ -150,6 +150,7 @@ impl Screw {
             point: CurveJet { point: pose.apply(point), d1: world(d1), d2: world(d2), d3: world(d3) },
             angular_velocity: world(turn),
             angular_acceleration: Vec3::ZERO,
+            angular_jerk: Vec3::ZERO,
         }
     }
 }

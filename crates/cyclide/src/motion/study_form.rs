@@ -7,10 +7,15 @@ const VANISHED: f64 = 1e-12;
 /// Roundings of the largest coordinate that a form may consist of: its translations are rounded when given and when taken about the centroid.
 const ROUNDINGS: f64 = 8.0;
 
-/// Forms up to this are zero between poses in this unit, the largest coordinate of whose translations is `farthest`: far from the origin
-/// coordinates have lost digits that no change of frame brings back.
-pub(super) fn vanished(farthest: f64, unit: f64) -> f64 {
-    VANISHED.max(ROUNDINGS * f64::EPSILON * (farthest / unit))
+/// Forms up to this are zero where they may be off by a [rounding]: far from the origin coordinates have lost digits that no change of frame
+/// brings back.
+pub(super) fn vanished(rounding: f64) -> f64 {
+    VANISHED.max(rounding)
+}
+
+/// What a form may be off by between poses in this unit, the largest coordinate of whose translations is `farthest`.
+pub(super) fn rounding(farthest: f64, unit: f64) -> f64 {
+    ROUNDINGS * f64::EPSILON * (farthest / unit)
 }
 
 /// `B_ij = p_i·r_j + r_i·p_j` of all pairs; zero on the diagonal.

@@ -2,7 +2,7 @@
 
 use super::dual_quat::DualQuat;
 use super::pose::Pose;
-use super::study_form::vanished;
+use super::study_form::{rounding, vanished};
 use crate::base::quat::Quat;
 use crate::base::vector::Vec3;
 use crate::error::{Error, ErrorItem, Result};
@@ -40,6 +40,8 @@ pub(super) struct Prepared {
     pub(super) centre: Vec3,
     /// Length of the largest dual part before it was taken as unit; 1 if all vanish.
     pub(super) unit: f64,
+    /// Study forms between the poses may be off by this: their coordinates are rounded.
+    pub(super) rounding: f64,
     /// Study forms between the poses up to this are zero.
     pub(super) vanished: f64,
 }
@@ -93,7 +95,8 @@ impl Prepared {
             }
         }
         let farthest = given.iter().map(|p| p.pose.translation().max_abs()).fold(0.0, f64::max);
-        Ok(Self { domain, places, poses, centre, unit, vanished: vanished(farthest, unit) })
+        let rounding = rounding(farthest, unit);
+        Ok(Self { domain, places, poses, centre, unit, rounding, vanished: vanished(rounding) })
     }
 }
 

@@ -1,7 +1,7 @@
 //! Paths of points of a body under a rational motion: exact rational curves of twice the degree.
 
 use super::rational_motion::RationalMotion;
-use crate::base::vector::Point3;
+use crate::base::vector::{Point3, Vec3};
 use crate::error::{Error, ErrorItem, Result};
 use crate::rational::{NurbsCurve, RationalBezier};
 
@@ -20,7 +20,7 @@ impl RationalMotion {
         }
         let motion = self.with_positive_weights();
         let mut curves: Vec<RationalBezier> = Vec::new();
-        for row in motion.homogeneous_paths([point.x, point.y, point.z, 1.0]) {
+        for row in motion.homogeneous_paths_about_centre([point.x, point.y, point.z, 1.0]) {
             let curve = RationalBezier::new(RationalBezier::from_polynomial_row(&row).rows().to_vec())?;
             // One point for both, also where rounding is more than the coordinates, near the origin.
             let start = curves.last().map(|before| before.point(1.0));
@@ -28,7 +28,7 @@ impl RationalMotion {
         }
         let degree = curves.iter().map(RationalBezier::degree).max().unwrap_or(1);
         let curves: Vec<RationalBezier> = curves.iter().map(|curve| raised(curve, degree)).collect();
-        joined(&curves, motion.times())
+        joined(&curves, motion.times(), motion.centre())
     }
 }
 
@@ -40,9 +40,9 @@ fn raised(curve: &RationalBezier, degree: usize) -> RationalBezier {
     }
 }
 
-/// The curves as one B-spline over `[0, 1]`. A joint at which the homogeneous forms meet C1 lies between its neighbours: it is left out, and
+/// The curves as one B-spline over `[0, 1]`, moved by a vector. A joint at which the homogeneous forms meet C1 lies between its neighbours: it is left out, and
 /// the knot is there once less.
-fn joined(curves: &[RationalBezier], times: &[f64]) -> Result<NurbsCurve> {
+fn joined(curves: &[RationalBezier], times: &[f64], by: Vec3) -> Result<NurbsCurve> {
     let degree = curves[0].degree();
     let duration = times[times.len() - 1] - times[0];
     let mut knots = vec![0.0; degree + 1];
@@ -61,7 +61,7 @@ fn joined(curves: &[RationalBezier], times: &[f64]) -> Result<NurbsCurve> {
         }
         knots.extend(std::iter::repeat_n(end, degree - usize::from(smooth)));
     }
-    let points = rows.iter().map(|[x, y, z, w]| Point3::new(x / w, y / w, z / w)).collect();
+    let points = rows.iter().map(|[x, y, z, w]| Point3::new(x / w, y / w, z / w) + by).collect();
     NurbsCurve::new(degree, knots, points, rows.iter().map(|row| row[3]).collect())
 }
 

@@ -3,7 +3,7 @@
 use super::nurbs_curve::{
     NurbsCurve, check_multiplicities, check_numbers, homogeneous_rows, insert_knot, multiplicity,
 };
-use crate::base::cut::{check_interval, check_past_start, place_of_cut};
+use crate::base::cut::{check_past_start, interval, place_of_cut};
 use crate::base::vector::Point3;
 use crate::conformal::mobius::Mobius;
 use crate::error::{Error, ErrorItem, Result};
@@ -122,7 +122,7 @@ impl NurbsCurve {
     /// # Errors
     /// `parameter-out-of-range`.
     pub fn restricted(&self, t0: f64, t1: f64) -> Result<Self> {
-        check_interval(t0, t1)?;
+        let [t0, t1] = interval(t0, t1)?;
         let left = if t1 < 1.0 { self.split(t1)?.0 } else { self.clone() };
         // The knot domain is kept, so the place of the first cut is still the same number.
         if t0 > 0.0 { Ok(left.split_at_knot(self.knot_of_cut(t0)?)?.1) } else { Ok(left) }

@@ -3,6 +3,7 @@
 
 use super::RationalBezierSurface;
 use crate::base::bernstein;
+use crate::base::vector::Vec3;
 use crate::error::Result;
 use std::ops::{Add, Mul, Sub};
 
@@ -115,6 +116,13 @@ impl PolynomialRow {
 
     pub(crate) fn weight(&self) -> &Polynomial {
         &self.0[3]
+    }
+
+    /// The row of the points moved by a vector.
+    pub(crate) fn moved(self, by: Vec3) -> Self {
+        let Self([x, y, z, w]) = self;
+        let (x, y, z) = (&x + &(&w * by.x), &y + &(&w * by.y), &z + &(&w * by.z));
+        Self([x, y, z, w])
     }
 }
 

@@ -1,7 +1,7 @@
 //! Curves of quaternions as motions.
 
 use cyclide::{
-    Arc, ArcPath, ArcSplineOptions, CurveObject, MoebiusSplineOptions, ParamCurve, Point3, QbSpline, Quat,
+    Arc, ArcPath, ArcSplineOptions, CurveObject, MoebiusSplineOptions, ParamCurve, Point3, QbCurve, QbSpline, Quat,
     RationalMotion, Vec3, bounds,
 };
 use cyclide_testkit::generators::point;
@@ -146,4 +146,54 @@ fn a_rotation_that_is_none_is_refused() {
     let reason = |start: Quat| RationalMotion::along(&QbSpline::from_arcs(&path), start).unwrap_err().reason();
     assert_eq!(reason(Quat::ZERO), "zero-rotation");
     assert_eq!(reason(Quat::new(f64::NAN, 0.0, 0.0, 0.0)), "not-finite");
+}
+
+/// Weights that fall by many orders along a span are no place at infinity, nor one where nothing is left.
+#[test]
+fn uneven_weights_are_taken() {
+    let ends = [Point3::new(1.0, 2.0, 0.5), Point3::new(3.0, 3.0, 1.0)];
+    let span = QbCurve::invariant_span(ends, [Vec3::new(1.0, 0.5, 0.3), Vec3::new(0.2, 1.0, -0.4)]).unwrap();
+    let plain = RationalMotion::along(&QbSpline::from_curve(span.clone()).unwrap(), Quat::ONE).unwrap();
+    for c in [1e-10, 1e-5, 0.1, 1e5, 1e10] {
+        let chain = QbSpline::from_curve(span.reparametrized(c).unwrap()).unwrap();
+        let motion = RationalMotion::along(&chain, Quat::ONE).unwrap();
+        for k in 0..=20 {
+            let s = 0.05 * f64::from(k);
+            // What is at s is where t/(1 − t) is s/(1 − s) over c.
+            let t = s / (s + c * (1.0 - s));
+            let [a, b] = [motion.pose(t), plain.pose(s)];
+            // t is rounded, and s moves with it.
+            let moved = if t > 0.0 && t < 1.0 { 4.0 * f64::EPSILON * s * (1.0 - s) / (t * (1.0 - t)) } else { 0.0 };
+            let limit = 1e-13 + moved;
+            assert!((a.translation() - b.translation()).length() < 4.0 * limit, "{c:e} {s}");
+            assert!(a.angle_to(b) < 4.0 * limit, "{c:e} {s}: {:e}", a.angle_to(b));
+        }
+    }
+}
+
+/// A frame that comes back says by how much it does not close.
+#[test]
+fn closed_curves_say_by_which_angle_the_body_does_not_close() {
+    // On a plane curve the body turns about the normal, by whole turns.
+    let ring = [[4.0, 0.0, 0.0], [0.0, 3.0, 0.0], [-4.0, 1.0, 0.0], [0.0, -3.0, 0.0]].map(Point3::from);
+    let options = MoebiusSplineOptions { closed: true, ..Default::default() };
+    let arcs = ArcSplineOptions { closed: true, ..Default::default() };
+    let turn =
+        |chain: &QbSpline| cyclide::Motion::from(RationalMotion::along(chain, Quat::ONE).unwrap()).closing_turn();
+    let plane = turn(&QbSpline::from_arcs(&ArcPath::spline(&ring, &arcs).unwrap())).unwrap();
+    assert!(plane < 1e-9, "{plane}");
+    // Along arcs the frame turns no more than the tangent: the angle is the holonomy of the frame with the least rotation.
+    // (Five points: through four it is on a sphere, and closes.)
+    let lifted =
+        [[4.0, 0.0, 0.0], [2.0, 3.0, 2.0], [-2.0, 3.0, -1.0], [-4.0, 1.0, 0.5], [0.0, -3.0, 1.5]].map(Point3::from);
+    let path = ArcPath::spline(&lifted, &arcs).unwrap();
+    let found = turn(&QbSpline::from_arcs(&path)).unwrap();
+    let closed = cyclide::ClosedTwist::Leave;
+    let rule = cyclide::FrameRule::RotationMinimizing { start: None, closed, tolerance: 1e-9 };
+    let frames = cyclide::CurveFrames::new(&path, &rule).unwrap();
+    let holonomy = frames.holonomy().unwrap().abs();
+    assert!(found > 0.01 && (found - holonomy).abs() < 1e-7, "{found} {holonomy}");
+    // An open curve, and a body that only turns, have none.
+    assert!(turn(&QbSpline::through_points(&lifted, &MoebiusSplineOptions::default()).unwrap()).is_none());
+    assert!(turn(&QbSpline::through_points(&lifted, &options).unwrap()).is_some());
 }

@@ -27,6 +27,7 @@ proptest! {
                 prop_assert!((difference(|j| j.point.point.to_vec()) - jet.point.d1).length() < limit);
                 prop_assert!((difference(|j| j.point.d1) - jet.point.d2).length() < limit);
                 prop_assert!((difference(|j| j.angular_velocity) - jet.angular_acceleration).length() < limit);
+                prop_assert!((difference(|j| j.angular_acceleration) - jet.angular_jerk).length() < 1e2 * limit);
             }
         }
     }

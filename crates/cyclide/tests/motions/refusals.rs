@@ -3,6 +3,7 @@
 use crate::data::{apart, timed};
 use cyclide::{DualQuat, Pose, Quat, RationalMotion, ScrewMotion, StudyPoint, TimedPose, Vec3};
 use proptest::prelude::*;
+use proptest::test_runner::RngSeed;
 
 proptest! {
     #[test]
@@ -49,6 +50,38 @@ proptest! {
         for k in 0..=20 {
             let time = times[0] + (times[2] - times[0]) * 0.05 * f64::from(k);
             prop_assert!(apart(again.pose(time), conic.pose(time)) < 1e-4);
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { rng_seed: RngSeed::Fixed(1), failure_persistence: None, ..ProptestConfig::default() })]
+    /// Five poses of a motion of degree 2 give that one, also where their coordinates have lost digits.
+    #[test]
+    fn far_poses_of_a_conic_give_the_conic(poses in timed(3), parts in prop::array::uniform2(0.2..0.8_f64), far in 0.0..7.0_f64) {
+        let Ok(conic) = RationalMotion::conic(&poses) else { return Ok(()) };
+        if crate::data::reach(&conic.clone().into()) > 100.0 {
+            return Ok(());
+        }
+        let times = [poses[0].time, poses[1].time, poses[2].time];
+        let more = [times[0] + (times[1] - times[0]) * parts[0], times[1] + (times[2] - times[1]) * parts[1]];
+        let place = Vec3::new(0.6, -0.8, 0.5) * 10_f64.powf(far);
+        let five: Vec<TimedPose> = [times[0], more[0], times[1], more[1], times[2]]
+            .into_iter()
+            .map(|time| {
+                let pose = conic.pose(time);
+                TimedPose { time, pose: Pose::new(pose.rotation(), pose.translation() + place).unwrap() }
+            })
+            .collect();
+        let again = RationalMotion::quartic(&five);
+        prop_assert!(again.is_ok(), "{again:?}");
+        let again = again.unwrap();
+        prop_assert_eq!(again.degree(), 2);
+        for k in 0..=20 {
+            let time = times[0] + (times[2] - times[0]) * 0.05 * f64::from(k);
+            let back = Pose::new(again.pose(time).rotation(), again.pose(time).translation() - place).unwrap();
+            let by = apart(back, conic.pose(time));
+            prop_assert!(by < 1e-8 + 1e4 * f64::EPSILON * place.max_abs(), "{by:e} at {:e}", place.max_abs());
         }
     }
 }

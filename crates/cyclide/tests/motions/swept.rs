@@ -92,3 +92,23 @@ fn what_moves_along_itself_is_refused_or_said() {
     let swept = SweptSurface::new(&[blade.into()], false, &RationalMotion::spline(&poses).unwrap()).unwrap();
     assert_eq!(swept.warnings().iter().map(|w| w.reason()).collect::<Vec<_>>(), ["swept-surface-folds"]);
 }
+
+/// Far from the origin faces are those near it, moved: to a few roundings of the coordinates, whatever the weights.
+#[test]
+fn faces_far_from_the_origin_are_those_near_it() {
+    let place = Vec3::new(1.0, -0.75, 0.5) * 2_f64.powi(20);
+    let swept = |by: Vec3| {
+        let at = |time: f64, degrees: f64, x: [f64; 3]| turned(time, degrees, (Vec3::from(x) + by).to_array());
+        // Nothing is rounded when the place is added.
+        let poses = [at(0.0, 0.0, [0.5, 0.0, 0.0]), at(1.0, 170.0, [0.0, 1.25, 2.0]), at(1.5, 340.0, [1.0, 0.75, 3.0])];
+        SweptSurface::new(&[arc()], false, &RationalMotion::spline(&poses).unwrap()).unwrap()
+    };
+    let (near, far) = (swept(Vec3::ZERO), swept(place));
+    assert_eq!(near.body().outer.faces().len(), far.body().outer.faces().len());
+    for (a, b) in near.body().outer.faces().iter().zip(far.body().outer.faces()) {
+        for (s, t) in [(0.0, 0.3), (0.25, 0.5), (0.7, 0.9), (1.0, 0.1), (0.4, 1.0)] {
+            let gap = (b.surface.point(s, t) - (a.surface.point(s, t) + place)).max_abs();
+            assert!(gap <= 4.0 * f64::EPSILON * place.max_abs(), "{gap:e} at {s} {t}");
+        }
+    }
+}

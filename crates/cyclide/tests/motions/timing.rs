@@ -1,7 +1,9 @@
 //! Time laws: constant speed is constant, eased motions begin and end at rest.
 
 use crate::data::{motions, timed};
-use cyclide::{MovingBody, Point3, TimeLaw, Timing};
+use cyclide::{
+    Motion, MotionJet, MovingBody, Point3, Pose, Quat, RationalMotion, ScrewMotion, TimeLaw, TimedPose, Timing, Vec3,
+};
 use proptest::prelude::*;
 
 proptest! {
@@ -56,18 +58,19 @@ proptest! {
                     continue;
                 }
                 let steep = [&before, &jet, &after].map(|j| j.point.d3.length()).into_iter().fold(1.0, f64::max);
-                let difference = |f: fn(&cyclide::MotionJet) -> cyclide::Vec3| (f(&after) - f(&before)) / (2.0 * h * 3.0);
+                let difference = |f: fn(&MotionJet) -> Vec3| (f(&after) - f(&before)) / (2.0 * h * 3.0);
                 let limit = 1e-5 * steep * steep;
                 prop_assert!((difference(|j| j.point.point.to_vec()) - jet.point.d1).length() < limit);
                 prop_assert!((difference(|j| j.point.d1) - jet.point.d2).length() < limit);
                 prop_assert!((difference(|j| j.point.d2) - jet.point.d3).length() < 1e2 * limit);
                 prop_assert!((difference(|j| j.angular_velocity) - jet.angular_acceleration).length() < limit);
+                prop_assert!((difference(|j| j.angular_acceleration) - jet.angular_jerk).length() < 1e2 * limit);
             }
         }
     }
 }
 
-fn way(motion: &cyclide::Motion, x: Point3, arm: f64, [from, to]: [f64; 2]) -> f64 {
+fn way(motion: &Motion, x: Point3, arm: f64, [from, to]: [f64; 2]) -> f64 {
     let mut ends = vec![from];
     ends.extend(motion.times().iter().copied().filter(|t| *t > from && *t < to));
     ends.push(to);
@@ -85,11 +88,56 @@ fn way(motion: &cyclide::Motion, x: Point3, arm: f64, [from, to]: [f64; 2]) -> f
 
 #[test]
 fn arms_that_are_none_are_refused() {
-    let poses = [0.0, 1.0].map(|time| cyclide::TimedPose { time, pose: cyclide::Pose::IDENTITY });
-    let motion = cyclide::ScrewMotion::new(&poses).unwrap().into();
+    let poses = [0.0, 1.0].map(|time| TimedPose { time, pose: Pose::IDENTITY });
+    let motion = ScrewMotion::new(&poses).unwrap().into();
     for arm in [-1.0, f64::NAN, f64::INFINITY] {
         let error = Timing::new(&motion, TimeLaw::AsGiven, Point3::ORIGIN, arm).unwrap_err();
         assert_eq!(error.reason(), "parameter-out-of-range");
     }
     assert_eq!(Timing::new(&motion, TimeLaw::Eased, Point3::ORIGIN, 1.0).unwrap_err().reason(), "motion-at-rest");
+}
+
+fn slide(time: f64, x: f64, angle: f64) -> TimedPose {
+    TimedPose { time, pose: Pose::new(Quat::from_axis_angle(Vec3::Z, angle), Vec3::X * x).unwrap() }
+}
+
+/// Derivatives next to a joint are those of the span, not differences across it: on a straight way at constant speed there is no jerk at all.
+#[test]
+fn nothing_is_differenced_across_a_joint() {
+    let poses = [slide(0.0, 0.0, 0.0), slide(1.0, 2.0, 0.0), slide(1.5, 3.2, 0.0), slide(3.0, 6.0, 0.0)];
+    for motion in [Motion::from(RationalMotion::spline(&poses).unwrap()), ScrewMotion::new(&poses).unwrap().into()] {
+        let body = MovingBody::new(motion).with_law(TimeLaw::ConstantSpeed, 3.0).unwrap();
+        let schedule = body.schedule().unwrap();
+        // The way is x where it is monotone, as here.
+        assert!((schedule.way() - 6.0).abs() < 1e-12);
+        let joints = schedule.timing().joints();
+        for (joint, x) in joints.iter().zip([0.0, 2.0, 3.2, 6.0]) {
+            assert!((joint * 6.0 - x).abs() < 1e-12, "{joint}");
+        }
+        for (span, ends) in joints.windows(2).enumerate() {
+            for k in 0..=50 {
+                let jet = schedule.jet_in_span(span, ends[0] + (ends[1] - ends[0]) * 0.02 * f64::from(k));
+                assert!((jet.point.d1 - Vec3::X * 2.0).length() < 1e-12, "{:?}", jet.point.d1);
+                // Differences of numbers of about 10, of which the law makes 0.
+                assert!(jet.point.d2.length() < 1e-12 && jet.point.d3.length() < 1e-11, "{:?}", jet.point);
+            }
+        }
+    }
+}
+
+/// A span without a way takes no time under a law that goes by the way, and the others are measured.
+#[test]
+fn spans_at_rest_take_no_time() {
+    let poses = [slide(0.0, 0.0, 0.0), slide(1.0, 3.0, 0.0), slide(2.0, 3.0, 1.5), slide(3.0, 4.0, 1.5)];
+    let motion = Motion::from(ScrewMotion::new(&poses).unwrap());
+    for law in [TimeLaw::ConstantSpeed, TimeLaw::Eased] {
+        let timing = Timing::new(&motion, law, Point3::ORIGIN, 0.0).unwrap();
+        let joints = timing.joints();
+        assert!(
+            joints[1] > 0.5 && joints[1].to_bits() == joints[2].to_bits() && joints[3].to_bits() == 1_f64.to_bits(),
+            "{joints:?}"
+        );
+        assert!((timing.way() - 4.0).abs() < 1e-13);
+    }
+    assert!((motion.turn() - 1.5).abs() < 1e-13 && (motion.way(Point3::ORIGIN) - 4.0).abs() < 1e-13);
 }

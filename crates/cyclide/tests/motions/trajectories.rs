@@ -63,3 +63,34 @@ fn weights_next_to_zero_are_halved_away() {
         assert!(path.point_at_knot(part).distance(motion.pose(20.0 * part).apply(point)) < 1e-13 * 25.0, "{part}");
     }
 }
+
+/// A motion of a body of size 1 a million units from the origin: what its paths lose is the rounding of their control points.
+#[test]
+fn paths_far_from_the_origin_are_those_near_it() {
+    let at = |time: f64, place: Vec3, q: [f64; 4], x: [f64; 3]| TimedPose {
+        time,
+        pose: Pose::new(q.into(), place + Vec3::from(x)).unwrap(),
+    };
+    // Nothing is rounded when the places are added.
+    let poses = |place: Vec3| {
+        [
+            at(0.0, place, [1.0, 0.0, 0.1, -0.9], [0.0, 0.5, 0.25]),
+            at(1.0, place, [0.1, 0.9, 0.4, 0.5], [1.0, 0.75, -0.5]),
+            at(1.5, place, [-0.3, 0.2, 0.9, -0.6], [0.5, -1.0, 0.25]),
+            at(3.0, place, [0.8, -0.7, 0.1, 0.4], [-0.5, 0.75, 1.0]),
+        ]
+    };
+    let point = Point3::new(0.25, -0.5, 0.75);
+    for far in [1e3_f64, 1e6, 1e9] {
+        let place = Vec3::new(1.0, -0.75, 0.5) * 2_f64.powi(far.log2().round() as i32);
+        let path = |poses: &[TimedPose]| RationalMotion::spline(poses).unwrap().trajectory(point).unwrap();
+        let (near, far) = (path(&poses(Vec3::ZERO)), path(&poses(place)));
+        assert_eq!(near.knots(), far.knots());
+        // One rounding of a sum of the size of the place.
+        let limit = 0.75 * f64::EPSILON * place.max_abs();
+        for (a, b) in near.control_points().iter().zip(far.control_points()) {
+            let gap = (*b - (*a + place)).max_abs();
+            assert!(gap <= limit, "{gap:e} {limit:e}");
+        }
+    }
+}

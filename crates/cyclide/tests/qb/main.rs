@@ -8,4 +8,5 @@ mod curves;
 mod data;
 mod degenerate;
 mod interpolation;
+mod kept_shapes;
 mod splines;

@@ -281,3 +281,64 @@ fn a_long_closed_chain_ends_with_the_weight_it_starts_with() {
     }
     assert!(smooth.knot_multiplicities()[1..1000].iter().all(|(_, m)| *m == smooth.degree() - 1));
 }
+
+/// An end that sums and quotients have left next to 0 or 1 is the end, whatever the number of spans; also of a part past the start.
+#[test]
+fn cuts_next_to_an_end_are_at_the_end() {
+    let points: Vec<Point3> =
+        (0..7).map(|k| Point3::new(f64::from(k).cos(), f64::from(k).sin(), 0.1 * f64::from(k))).collect();
+    for closed in [false, true] {
+        for n in 3..=7 {
+            let spline = QbSpline::through_points(&points[..n], &options(closed)).unwrap();
+            let arcs =
+                cyclide::ArcPath::spline(&points[..n], &cyclide::ArcSplineOptions { closed, ..Default::default() })
+                    .unwrap();
+            let circles =
+                CircleSpline::from_points(&points[..n], &CircleSplineOptions { closed, ..Default::default() }).unwrap();
+            let nurbs = spline.to_nurbs_runs().unwrap().remove(0);
+            for curve in [CurveObject::from(spline), arcs.into(), circles.into(), nurbs.into()] {
+                let whole = curve.restricted(0.0, 1.0).unwrap();
+                for ulps in 1..=4 {
+                    let off = 0.5 * f64::from(ulps) * f64::EPSILON;
+                    assert_eq!(curve.restricted(off, 1.0 - off).unwrap(), whole, "{closed} {n} {ulps}");
+                    let (a, b) = (curve.restricted(0.3, 1.0 - off).unwrap(), curve.restricted(0.3, 1.0).unwrap());
+                    assert_eq!(a, b);
+                    if closed {
+                        assert_eq!(curve.restricted(1.0 - off, 0.3).unwrap(), curve.restricted(0.0, 0.3).unwrap());
+                        assert_eq!(curve.restricted(0.3, off).unwrap(), b);
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// Chords that are lost in the sum of those before them get knots of their own all the same.
+#[test]
+fn circle_splines_have_increasing_knots() {
+    let points =
+        [[0.0, 0.0, 0.0], [1e-4, 1e-4, 0.0], [2e-4, 0.0, 0.0], [1e13, 1.0, 0.0], [1e13, 1.01, 0.0], [1e13, 1.02, 0.0]];
+    for closed in [false, true] {
+        let made = CircleSpline::from_points(
+            &points.map(Point3::from),
+            &CircleSplineOptions { closed, order: 1, ..Default::default() },
+        );
+        let Ok(circles) = made else { continue };
+        let spline = QbSpline::from_circle_spline(&circles).unwrap();
+        assert!(spline.knots().windows(2).all(|w| w[0] < w[1]), "{:?}", spline.knots());
+        assert_eq!(spline.spans().len(), circles.segments().len());
+        for u in spline.knots() {
+            assert!(spline.jet_at_knot(*u).point.is_finite());
+        }
+    }
+    // A part of next to nothing at the end of a long curve.
+    let circles = CircleSpline::from_points(
+        &[[0.0, 0.0, 0.0], [4.0, 1.0, 0.0], [5.0, 4.0, 1.0], [1.0, 3.0, 2.0]].map(Point3::from),
+        &CircleSplineOptions { order: 1, ..Default::default() },
+    )
+    .unwrap();
+    let part = circles.restricted(0.0, (2.0 + 2e-15) / 3.0).unwrap();
+    let spline = QbSpline::from_circle_spline(&part).unwrap();
+    assert_eq!(spline.spans().len(), 3);
+    assert!(spline.knots().windows(2).all(|w| w[0] < w[1]), "{:?}", spline.knots());
+}

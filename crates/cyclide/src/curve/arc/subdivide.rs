@@ -1,6 +1,7 @@
 //! Cutting arcs: exact split, midpoint, uniform points by the bulge vector, rational pieces with positive weights.
 
 use super::Arc;
+use crate::base::cut::interval;
 use crate::base::vector::{Point3, Vec3};
 use crate::error::{Error, ErrorItem, Result};
 use crate::rational::NurbsCurve;
@@ -40,9 +41,7 @@ impl Arc {
     /// # Errors
     /// `parameter-out-of-range`.
     pub fn restricted(&self, t0: f64, t1: f64) -> Result<Self> {
-        if !(t0 < t1 && t0 >= 0.0 && t1 <= 1.0) {
-            return Err(Error::ParameterOutOfRange { name: ErrorItem::T1, value: t1, min: t0, max: 1.0 });
-        }
+        let [t0, t1] = interval(t0, t1)?;
         let left = if t1 < 1.0 { self.split(t1)?.0 } else { *self };
         if t0 > 0.0 { Ok(left.split(t0 / t1)?.1) } else { Ok(left) }
     }

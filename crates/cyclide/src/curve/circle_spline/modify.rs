@@ -1,7 +1,7 @@
 //! Circle splines reversed, cut and moved: the result is a circle spline again, segment by segment.
 
 use super::CircleSpline;
-use crate::base::cut::{check_interval, check_past_start, place_of_cut};
+use crate::base::cut::{check_past_start, interval, place_of_cut};
 use crate::conformal::mobius::Mobius;
 use crate::error::{Error, ErrorItem, Result};
 use crate::warning::Warning;
@@ -43,7 +43,7 @@ impl CircleSpline {
     /// # Errors
     /// `parameter-out-of-range`.
     pub fn restricted(&self, t0: f64, t1: f64) -> Result<Self> {
-        check_interval(t0, t1)?;
+        let [t0, t1] = interval(t0, t1)?;
         let n = self.segments.len();
         let (first, l0) = if t0 > 0.0 { place_of_cut(t0, n)? } else { (0, 0.0) };
         let (end, l1) = if t1 < 1.0 { place_of_cut(t1, n)? } else { (n, 0.0) };

@@ -1,6 +1,7 @@
 //! Arcs and segments as QB curves: an arc has the pairs `(a0, 1)` and `(a1 w, w)` with its weight ratio `w`
 //! (`docs/math/arcs.md#the-linear-fraction`).
 
+use super::spline::knots_over;
 use super::{QbCurve, QbSpline};
 use crate::base::quat::Quat;
 use crate::curve::arc::Arc;
@@ -25,12 +26,7 @@ impl QbSpline {
     /// ```
     #[must_use]
     pub fn from_arcs(path: &ArcPath) -> Self {
-        let mut knots = vec![0.0_f64];
-        for arc in path.arcs() {
-            let last = knots[knots.len() - 1];
-            // An arc may be lost in the length of those before it.
-            knots.push((last + arc.length()).max(last.next_up()));
-        }
+        let knots = knots_over(path.arcs().iter().map(Arc::length));
         let kinks = joints(path).into_iter().filter(|joint| joint.angle > KINK).map(|joint| joint.next);
         let mut kinks: Vec<usize> = kinks.collect();
         kinks.sort_unstable();

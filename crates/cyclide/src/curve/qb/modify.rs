@@ -2,7 +2,7 @@
 
 use super::{QbCurve, Row, denominator, numerator};
 use crate::base::bernstein;
-use crate::base::cut::check_interval;
+use crate::base::cut::interval;
 use crate::base::quat::Quat;
 use crate::base::vector::Point3;
 use crate::conformal::mobius::{Conformal, Mobius};
@@ -28,7 +28,7 @@ impl QbCurve {
     /// # Errors
     /// `parameter-out-of-range`.
     pub fn restricted(&self, t0: f64, t1: f64) -> Result<Self> {
-        check_interval(t0, t1)?;
+        let [t0, t1] = interval(t0, t1)?;
         let mut rows = self.rows.clone();
         bernstein::restrict(&mut rows, [t0, t1]);
         let end = |t: f64| Some(self.point(t)).filter(|p| p.is_finite());

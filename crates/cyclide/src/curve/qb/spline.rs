@@ -79,11 +79,10 @@ impl QbSpline {
     pub fn from_circle_spline(spline: &CircleSpline) -> Option<Self> {
         let spans: Vec<QbCurve> =
             spline.segments().iter().map(|s| QbCurve::from_blend(s, [1.0; 2])).collect::<Option<_>>()?;
-        let mut knots = vec![0.0];
-        for segment in spline.segments() {
+        let knots = knots_over(spline.segments().iter().map(|segment| {
             let [from, to] = segment.range();
-            knots.push(knots[knots.len() - 1] + segment.chord_length() * (to - from));
-        }
+            segment.chord_length() * (to - from)
+        }));
         let (kinks, warnings) = (spline.kinks().to_vec(), spline.warnings().to_vec());
         Some(Self::from_parts(spans, knots, spline.is_closed(), kinks, warnings))
     }
@@ -191,6 +190,16 @@ impl QbSpline {
         let first = self.smooth_runs().first().map_or(0, |run| run.start);
         Correspondence { start: CurvePlace::new(first, 0.0), spans: Vec::with_capacity(self.spans.len()) }
     }
+}
+
+/// Increasing knots from 0 over these lengths. One that is lost in the sum of those before it gets the least step there is.
+pub(super) fn knots_over(lengths: impl Iterator<Item = f64>) -> Vec<f64> {
+    let mut knots = vec![0.0_f64];
+    for length in lengths {
+        let last = knots[knots.len() - 1];
+        knots.push((last + length).max(last.next_up()));
+    }
+    knots
 }
 
 impl ParamCurve for QbSpline {

@@ -2,7 +2,7 @@
 
 use super::QbCurve;
 use super::spline::QbSpline;
-use crate::base::cut::{check_interval, check_past_start, place_of_cut};
+use crate::base::cut::{check_past_start, interval, place_of_cut};
 use crate::conformal::mobius::{Conformal, Mobius};
 use crate::curve::circle_spline::{kinks_past_start, renumbered, warnings_past_start};
 use crate::error::{Error, ErrorItem, Result};
@@ -36,7 +36,7 @@ impl QbSpline {
     /// # Errors
     /// `parameter-out-of-range`.
     pub fn restricted(&self, t0: f64, t1: f64) -> Result<Self> {
-        check_interval(t0, t1)?;
+        let [t0, t1] = interval(t0, t1)?;
         let n = self.spans.len();
         let (first, s0) = if t0 > 0.0 { place_of_cut(t0, n)? } else { (0, 0.0) };
         let (end, s1) = if t1 < 1.0 { place_of_cut(t1, n)? } else { (n, 0.0) };

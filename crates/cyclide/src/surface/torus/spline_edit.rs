@@ -1,7 +1,7 @@
 //! Splines on a torus run backwards, cut and moved.
 
 use super::spline::{TorusSegment, TorusSpline};
-use crate::base::cut::{check_interval, check_past_start, place_of_cut};
+use crate::base::cut::{check_past_start, interval, place_of_cut};
 use crate::base::planar::Point2;
 use crate::base::vector::Vec3;
 use crate::conformal::mobius::Mobius;
@@ -50,7 +50,7 @@ impl TorusSpline {
     /// # Errors
     /// `parameter-out-of-range`.
     pub fn restricted(&self, t0: f64, t1: f64) -> Result<Self> {
-        check_interval(t0, t1)?;
+        let [t0, t1] = interval(t0, t1)?;
         let n = self.pieces.len();
         let (first, s0) = if t0 > 0.0 { place_of_cut(t0, n)? } else { (0, 0.0) };
         let (end, s1) = if t1 < 1.0 { place_of_cut(t1, n)? } else { (n, 0.0) };
