@@ -245,7 +245,7 @@ pub const ENTRIES: &[Entry] = &[
         document: example!("boundary_layers.json"),
         inputs: &[],
         formats: VOLUMES,
-        camera: "",
+        camera: "20,16",
     },
     Entry {
         name: "trefoil",
