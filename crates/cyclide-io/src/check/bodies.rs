@@ -124,6 +124,7 @@ pub struct FileFace {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub enum FileSurface {
     /// A rational Bézier surface.
     Rational(RationalBezierSurface),

@@ -68,6 +68,7 @@ macro_rules! mesh_formats {
         /// assert_eq!(words, ["obj", "stl", "ply", "glb"]);
         /// ```
         #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+        #[non_exhaustive]
         pub enum MeshFormat {
             $($(#[$doc])* $format,)*
         }

@@ -42,6 +42,7 @@ macro_rules! formats {
         /// # Ok::<(), cyclide_io::ExportError>(())
         /// ```
         #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+        #[non_exhaustive]
         pub enum Format {
             $($(#[cfg(feature = $feature)])? $(#[$doc])* $format,)*
         }

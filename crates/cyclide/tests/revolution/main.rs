@@ -172,6 +172,11 @@ fn profiles_that_meet_themselves_are_no_solids() {
         |points: &[[f64; 2]], closed| whole().body(&chain(points, closed), closed).map_err(|e| e.reason()).err();
     let eight = [[10.0, 0.0], [30.0, 30.0], [30.0, 0.0], [10.0, 30.0]];
     assert_eq!(reason(&eight, true), Some("profile-meets-itself"));
+    // Where the two lines cross.
+    let Err(Error::ProfileMeetsItself { radius, height, .. }) = whole().body(&chain(&eight, true), true) else {
+        panic!("it is no solid")
+    };
+    assert!((radius - 20.0).abs() < 1e-12 && (height - 15.0).abs() < 1e-12, "{radius} {height}");
     assert_eq!(reason(&[[0.0, 0.0], [20.0, 10.0], [20.0, 0.0], [0.0, 10.0]], false), Some("profile-meets-itself"));
     let spike = [[10.0, 0.0], [30.0, 0.0], [30.0, 30.0], [30.0, 0.0], [30.0, -20.0], [10.0, -20.0]];
     assert_eq!(reason(&spike, true), Some("profile-meets-itself"));

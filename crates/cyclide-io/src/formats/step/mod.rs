@@ -37,7 +37,7 @@ use crate::export::lowered::Forms;
 use crate::export::options::StepProducts;
 use crate::export::parts::Contour;
 use crate::formats::entry::{Entry, Reading};
-use cyclide::{ChainPiece, CurveChain, CurveObject, Lowered, ShortNumber, Units};
+use cyclide::{ChainPiece, CurveChain, CurveObject, Lowered, Shell, ShortNumber, Units};
 use data::Data;
 use structure::Part;
 use topology::Entity;
@@ -97,12 +97,20 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
         // What has none was refused.
         let Some(faces) = body.body.faces() else { continue };
         written.bodies.push(Promise::EXACT);
+        let too_short = |length: f64| {
+            let (object, length) = (body.label(), length * job.units().in_millimetres());
+            ExportError::EdgeTooShort { object, format: ENTRY.name, length, limit: ONE_POINT }
+        };
+        // Before faces are cut, which beside an edge that is next to nothing they are into many.
+        let edges = faces.shells().flat_map(Shell::edges).map(|edge| edge.curve.length());
+        let least = edges.fold(f64::INFINITY, f64::min);
+        if least * job.units().in_millimetres() < ONE_POINT {
+            return Err(too_short(least));
+        }
         let as_written =
             topology::body(&mut data, &body.label(), faces, job.size(), job.options.step_edges).map_err(lowered)?;
-        let length = as_written.shortest * job.units().in_millimetres();
-        if length < ONE_POINT {
-            let object = body.label();
-            return Err(ExportError::EdgeTooShort { object, format: ENTRY.name, length, limit: ONE_POINT });
+        if as_written.shortest * job.units().in_millimetres() < ONE_POINT {
+            return Err(too_short(as_written.shortest));
         }
         shortest = shortest.min(as_written.shortest);
         if as_written.touches_itself {

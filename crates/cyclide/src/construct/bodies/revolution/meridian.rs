@@ -113,12 +113,23 @@ fn find_meeting(mut chords: Vec<Chord<'_>>, size: f64, meet: impl Fn(&Chord<'_>,
         for b in chords[i + 1..].iter().take_while(|b| low(b) <= high(a) + ONE_PLACE * size) {
             if meet(a, b) {
                 let (first, second) = if (a.piece, a.order) < (b.piece, b.order) { (a, b) } else { (b, a) };
-                let [radius, height] = first.ends[1];
+                let [radius, height] = meeting_place(turn, first, second);
                 return Err(Error::ProfileMeetsItself { first: first.piece, second: second.piece, radius, height });
             }
         }
     }
     Ok(())
+}
+
+/// Where two curves meet, by their chords: where these cross, or the end of the first where they run along each other.
+fn meeting_place(turn: &Revolution, first: &Chord<'_>, second: &Chord<'_>) -> Plane {
+    let [u, v] = [first, second].map(|chord| minus(chord.ends[1], chord.ends[0]));
+    let sine = cross_product(u, v);
+    if sine.abs() <= BACK * u[0].hypot(u[1]) * v[0].hypot(v[1]) {
+        return first.ends[1];
+    }
+    let along = (cross_product(minus(second.ends[0], first.ends[0]), v) / sine).clamp(0.0, 1.0);
+    meridian(turn, first.curve.point(first.part[0] + along * (first.part[1] - first.part[0])))
 }
 
 /// The chords of a profile, whose pieces are counted from a number on.
