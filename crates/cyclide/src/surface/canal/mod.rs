@@ -1,6 +1,7 @@
 //! Balls that roll between two surfaces, and the canal surfaces that they envelop (`docs/math/canal-blends.md`).
 
 mod ball;
+mod ball_space;
 mod contact;
 mod contact_patch;
 mod natural_quadric;
@@ -8,11 +9,14 @@ mod patch;
 mod quadric_pair;
 mod skew_cylinders;
 mod skew_directions;
+mod skew_lines;
 mod skew_patch;
 
 pub use ball::RollingBall;
+pub(crate) use ball_space::BallVector;
 pub use contact::ContactPartner;
 pub use natural_quadric::NaturalQuadric;
 pub use patch::{CanalPart, CanalPatch, CharacteristicCircle};
 pub use quadric_pair::{PairKind, QuadricPair};
 pub use skew_cylinders::SkewCylinders;
+pub(crate) use skew_lines::{BallLine, SkewLines};
