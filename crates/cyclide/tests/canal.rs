@@ -268,8 +268,8 @@ fn strips_between_cylinders_and_cones_are_envelopes_of_balls_that_touch_both() {
         }
     }
     assert!(strips > 60 && cones > 60 && inside > 3 && patches < 80 * strips, "{strips} {cones} {inside} {patches}");
-    // Some hundred roundings.
-    assert!(worst.iter().all(|off| *off < 1e-12), "{worst:?}");
+    // Some hundred roundings; the way that a ball takes at a joint is known as well as the length of its piece.
+    assert!(worst[..4].iter().all(|off| *off < 1e-12) && worst[4] < 1e-10, "{worst:?}");
 }
 
 #[test]

@@ -3,9 +3,9 @@
 //!
 //! Each surface has three linear forms `X`, `Y`, `L` of `(1, center, radius)` with `X² + Y² = L²` for the balls that touch it. The spans of both triples
 //! meet in one form `l = a·(X1, Y1, L1) = b·(X2, Y2, L2)`, whose norm `N = aX² + aY² - aL²` is the same for both. Where it is negative the pair is the image of two
-//! skew lines under a motion of the space of balls: the balls form a torus.
+//! skew cylinders under a motion of the space of balls: the balls form a torus.
 
-use super::skew_lines::{BallLine, SkewLines};
+use super::moved_cylinders::{BallLine, MovedCylinders};
 use super::{CanalPatch, NaturalQuadric, RollingBall};
 use crate::base::elimination::null_vector;
 use crate::base::planar::Point2;
@@ -50,7 +50,7 @@ pub struct QuadricPair {
     surfaces: [NaturalQuadric; 2],
     norm_ratio: f64,
     /// Of a timelike pair.
-    lines: Option<SkewLines>,
+    moved: Option<MovedCylinders>,
 }
 
 impl QuadricPair {
@@ -77,12 +77,12 @@ impl QuadricPair {
         if !(norm_ratio.abs() > DEGENERATE) {
             return Err(degenerate);
         }
-        let lines = if norm_ratio < 0.0 {
-            Some(SkewLines::new([0, 1].map(|i: usize| BallLine::of_quadric(&surfaces[i]))).ok_or(degenerate)?)
+        let moved = if norm_ratio < 0.0 {
+            Some(MovedCylinders::new([0, 1].map(|i: usize| BallLine::of_quadric(&surfaces[i]))).ok_or(degenerate)?)
         } else {
             None
         };
-        Ok(Self { surfaces, norm_ratio, lines })
+        Ok(Self { surfaces, norm_ratio, moved })
     }
 
     /// The surfaces.
@@ -114,7 +114,7 @@ impl QuadricPair {
         if !place.is_finite() {
             return Err(Error::NotFinite { what: ErrorItem::Angle, index: 0 });
         }
-        self.lines()?.ball(place)
+        self.moved()?.ball(place)
     }
 
     /// The radius of the smallest ball outside both, negative where they overlap: of cylinders half the gap.
@@ -132,7 +132,7 @@ impl QuadricPair {
     /// # Errors
     /// `not-timelike-pair`; `sphere-at-infinity` (cones that overlap without end).
     pub fn smallest_radius(&self) -> Result<f64> {
-        self.lines()?.smallest_radius().ok_or(Error::SphereAtInfinity { measured: -1.0, limit: 0.0 })
+        self.moved()?.smallest_radius().ok_or(Error::SphereAtInfinity { measured: -1.0, limit: 0.0 })
     }
 
     /// The place of a ball of a given radius, at an angle `theta` of the closed curve of all such balls
@@ -156,11 +156,11 @@ impl QuadricPair {
                 return Err(Error::NotFinite { what, index: 0 });
             }
         }
-        Ok(self.lines()?.radius_loop(radius)?.place(theta))
+        Ok(self.moved()?.radius_loop(radius)?.place(theta))
     }
 
-    fn lines(&self) -> Result<SkewLines> {
-        self.lines.ok_or(Error::NotTimelikePair { measured: self.norm_ratio, limit: 0.0 })
+    fn moved(&self) -> Result<MovedCylinders> {
+        self.moved.ok_or(Error::NotTimelikePair { measured: self.norm_ratio, limit: 0.0 })
     }
 }
 
@@ -188,7 +188,7 @@ impl CanalPatch {
     /// # Errors
     /// `not-timelike-pair`; as [`along`](Self::along).
     pub fn between_quadrics(pair: &QuadricPair, piece: &TorusPiece) -> Result<Self> {
-        let [patch, _] = pair.lines()?.patches(piece)?;
+        let [patch, _] = pair.moved()?.patches(piece)?;
         Ok(patch)
     }
 }

@@ -77,7 +77,7 @@ impl SkewCylinders {
             return Err(Error::NotFinite { what: ErrorItem::Distance, index: 0 });
         }
         range::check_distance(half_gap)?;
-        Ok(Self::of_lines(half_gap, 0.0))
+        Ok(Self::unchecked([0.0; 2], half_gap, 0.0))
     }
 
     /// The same with these radii.
@@ -88,9 +88,9 @@ impl SkewCylinders {
         Ok(Self { lean: self.lean, ..Self::new(radii, self.half_gap)? })
     }
 
-    /// Of radius zero, with an angle of the axes that is a right one and this much more.
-    pub(super) fn of_lines(half_gap: f64, lean: f64) -> Self {
-        Self { radii: [0.0; 2], half_gap, lean }
+    /// Of any radii, zero as well, with an angle of the axes that is a right one and this much more.
+    pub(super) fn unchecked(radii: [f64; 2], half_gap: f64, lean: f64) -> Self {
+        Self { radii, half_gap, lean }
     }
 
     /// The same with the second axis along `(cos angle, sin angle, 0)`, for an angle in radians.
@@ -154,8 +154,14 @@ impl SkewCylinders {
         self.radii[1] - self.radii[0]
     }
 
+    /// `E`.
+    pub(crate) fn width(&self) -> f64 {
+        let [plus, minus] = self.sides();
+        plus.sqrt() * minus.sqrt()
+    }
+
     /// `2h + d` and `2h - d`.
-    pub(super) fn sides(&self) -> [f64; 2] {
+    pub(crate) fn sides(&self) -> [f64; 2] {
         let (gap, d) = (2.0 * self.half_gap, self.difference());
         [gap + d, gap - d]
     }

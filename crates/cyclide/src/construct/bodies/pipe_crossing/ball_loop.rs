@@ -10,7 +10,7 @@ use crate::construct::bodies::angle_law::Law;
 use crate::construct::bodies::halving::Halving;
 use crate::construct::bodies::pierced::{HolePiece, Mantle, Node};
 use crate::construct::curves::{TorusSplineOptions, TorusTangent};
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::rational::{Polynomial, QuatPolynomial};
 use crate::surface::{CanalPatch, Torus, TorusPiece, TorusSpline};
 
@@ -136,7 +136,17 @@ impl BallLoop {
     }
 
     /// Halves pieces until each hole has as many on one side of it as on the other: the lines behind it join their nodes one by one.
+    ///
+    /// # Errors
+    /// `crossing-hole-turns-back` (corners that do not follow each other).
     fn even_sides(&mut self, balls: &Balls<'_>) -> Result<()> {
+        for pipe in (0..2).filter(|pipe| balls.side.leaves(*pipe)) {
+            let order = self.hole_order(pipe);
+            if !order.sides.is_sorted() {
+                let along = self.pieces[order.pieces[0]].along_at(pipe, 0.0);
+                return Err(Error::CrossingHoleTurnsBack { pipe, along });
+            }
+        }
         for _ in 0..EVENINGS {
             let orders = [0, 1].map(|pipe: usize| self.hole_order(pipe));
             // By how many pieces the first side of each hole has more, and what a piece adds to that.

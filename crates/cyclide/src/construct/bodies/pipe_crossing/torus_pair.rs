@@ -10,10 +10,10 @@ use crate::rational::Polynomial;
 use crate::surface::{CanalPatch, SkewCylinders, TorusPiece};
 
 /// Two cylinders, or cones, one at least.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub(super) enum TorusPair {
     Cylinders(SkewCylinders),
-    Cones(ConePair),
+    Cones(Box<ConePair>),
 }
 
 impl TorusPair {
@@ -23,7 +23,7 @@ impl TorusPair {
     /// `crossing-axes-too-near`; of cones `angle-out-of-range`.
     pub(super) fn new(pipes: &[CrossingPipe; 2], axes: &SkewCylinders, mantles: &[Mantle; 2]) -> Result<Self> {
         if pipes.iter().any(|pipe| pipe.taper != 0.0) {
-            return ConePair::new(axes, mantles).map(Self::Cones);
+            return ConePair::new(axes, mantles).map(|pair| Self::Cones(Box::new(pair)));
         }
         let radii = pipes.map(|pipe| pipe.radius);
         let (distance, limit) = (2.0 * axes.half_gap(), (radii[0] - radii[1]).abs());

@@ -1,16 +1,18 @@
-//! Two cylinders or cones as lines of the space of balls, and the motion of this space from two lines of ordinary space to them
+//! Two cylinders or cones as lines of the space of balls, and the motion of this space from two skew cylinders to them
 //! (`docs/math/canal-blends.md#cylinders-and-cones-in-any-position`).
 //!
 //! The balls in a cylinder or cone with their centres on the axis, radii counted negative, are a line; a ball touches from outside where it is at a null distance from
-//! that. Two lines with a common perpendicular that is spacelike, in a plane of directions that is too, are moved to lines of ordinary space: cylinders
-//! of radius zero, at an angle `w`, `2h` apart. The radius of a ball is then a linear form of their balls, and those of one radius are
+//! that. Two lines with directions in a spacelike plane, and a common perpendicular that is spacelike too, are moved to the axes of two cylinders. With the part of the axis of
+//! radii across both directions for the axis of their radii cylinders do not change, and cones lose no more digits than their tapers take. The radius of a ball is a linear form
+//! of the ball of these cylinders, and those of one radius are
 //! ```text
-//! a sin²(A - A1) + b sin²(B - B1) = (a + b - 2h g)/2
+//! a sin²(A - A1) + b sin²(B - B1) = (a + b - c)/2
 //! ```
 
 use super::ball_space::{BallMotion, BallVector};
 use super::{CanalPatch, NaturalQuadric, RollingBall, SkewCylinders};
 use crate::base::planar::{Point2, Vec2};
+use crate::base::vector::Vec3;
 use crate::error::{Error, Result};
 use crate::surface::TorusPiece;
 use std::f64::consts::PI;
@@ -31,10 +33,10 @@ impl BallLine {
     }
 }
 
-/// Two lines of the space of balls as the image of two skew lines.
+/// Two lines of the space of balls as the image of two skew cylinders, whose radii may be zero or negative.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct SkewLines {
-    lines: SkewCylinders,
+pub(crate) struct MovedCylinders {
+    still: SkewCylinders,
     motion: BallMotion,
 }
 
@@ -61,33 +63,38 @@ impl RadiusLoop {
     }
 }
 
-impl SkewLines {
+impl MovedCylinders {
     /// `None` unless the plane of their directions and their common perpendicular are spacelike.
     pub(crate) fn new([first, second]: [BallLine; 2]) -> Option<Self> {
         let e1 = first.direction.spacelike_unit()?;
         let along = e1.dot(second.direction);
         let e2 = (second.direction - e1 * along).spacelike_unit()?;
         let across = e2.dot(second.direction);
+        // The square of what is left of the axis of radii is -1 or below.
+        let time = BallVector { center: Vec3::ZERO, radius: 1.0 };
+        let ahead = time - e1 * e1.dot(time) - e2 * e2.dot(time);
+        let g = ahead * (1.0 / (-ahead.dot(ahead)).sqrt());
         let between = second.through - first.through;
         let [p, q] = [e1, e2].map(|e| e.dot(between));
-        let gap = between - e1 * p - e2 * q;
+        let perpendicular = between - e1 * p - e2 * q;
+        let growth = -g.dot(perpendicular);
+        let gap = perpendicular - g * growth;
         let e3 = gap.spacelike_unit()?;
-        // What is left of the axis of radii, whose square is -1 or below.
-        let time = BallVector { center: crate::base::vector::Vec3::ZERO, radius: 1.0 };
-        let ahead = [e1, e2, e3].into_iter().fold(time, |rest, e| rest - e * e.dot(time));
-        let g = ahead * (1.0 / (-ahead.dot(ahead)).sqrt());
         let half_gap = 0.5 * e3.dot(gap);
-        let foot = first.through + e1 * (p - q / across * along);
-        let motion = BallMotion::new(foot + gap * 0.5, [e1, e2, e3, g]);
+        let middle = first.through + e1 * (p - q / across * along) + perpendicular * 0.5;
+        // From the balls of radius zero on.
+        let reach = -middle.radius / g.radius;
+        let motion = BallMotion::new(middle + g * reach, [e1, e2, e3, g]);
         // The first axis may have been turned about.
         let cosine = motion.axes[0].dot(second.direction);
-        let lines = SkewCylinders::of_lines(half_gap, (-cosine).atan2(across));
-        (half_gap.is_finite() && half_gap > 0.0).then_some(Self { lines, motion })
+        let radii = [reach + 0.5 * growth, reach - 0.5 * growth];
+        let still = SkewCylinders::unchecked(radii, half_gap, (-cosine).atan2(across));
+        (half_gap.is_finite() && still.sides().into_iter().all(|side| side > 0.0)).then_some(Self { still, motion })
     }
 
-    /// The skew lines in ordinary space.
-    pub(crate) fn lines(&self) -> &SkewCylinders {
-        &self.lines
+    /// The cylinders before the motion.
+    pub(crate) fn still(&self) -> &SkewCylinders {
+        &self.still
     }
 
     /// The motion from their balls to those of the pair.
@@ -102,34 +109,32 @@ impl SkewLines {
     }
 
     pub(super) fn ball(&self, place: Point2) -> Result<RollingBall> {
-        Ok(self.motion.ball(&self.lines.ball(place)?))
+        Ok(self.motion.ball(&self.still.ball(place)?))
     }
 
     /// The canal along a piece, and the same before the motion.
     pub(crate) fn patches(&self, piece: &TorusPiece) -> Result<[CanalPatch; 2]> {
-        let still = CanalPatch::along(&self.lines, piece)?;
+        let still = CanalPatch::along(&self.still, piece)?;
         Ok([self.motion.patch(&still), still])
     }
 
-    /// `2h g`, and the coefficients of the sines of 2A and 2B and the shift along the gap in `X0 (R - r)`, r that of the origin.
-    fn radius_form(&self) -> [f64; 4] {
-        let ([e1, e2, e3, g], gap) = (self.motion.axes.map(|e| e.radius), 2.0 * self.lines.half_gap());
-        let (sin, cos) = self.lines.angle().sin_cos();
-        [gap * g, gap * (e2 + e1 * cos / sin), gap * e1 / sin, 0.5 * gap * e3]
+    fn radius_form(&self) -> RadiusForm {
+        let ([e1, e2, e3, g], width) = (self.motion.axes.map(|e| e.radius), self.still.width());
+        let ([first, second], (sin, cos)) = (self.still.radii(), self.still.angle().sin_cos());
+        let (gap, d) = (2.0 * self.still.half_gap(), second - first);
+        RadiusForm {
+            c: gap * g - e3 * d,
+            s: width * (e2 + e1 * cos / sin),
+            t: width * e1 / sin,
+            z: 0.5 * (gap * e3 - g * d),
+            shift: 0.5 * g * (first + second) - self.motion.origin.radius,
+        }
     }
 
     /// The radius of the smallest ball outside both; negative where the surfaces overlap. `None` where there is none: they do so without end.
-    ///
-    /// With `x = R - r` it is where `|(x - z, s)| + |(x + z, t)| = c`, a quadratic in x.
     pub(crate) fn smallest_radius(&self) -> Option<f64> {
-        let [c, s, t, z] = self.radius_form();
-        let (k, cc) = (s * s - t * t, c * c);
-        let square = (c - 2.0 * z) * (c + 2.0 * z);
-        let linear = k * z;
-        let constant = (z * z + 0.5 * (s * s + t * t) - 0.25 * cc) * cc - 0.25 * k * k;
-        let discriminant = linear * linear - square * constant;
-        (square > 0.0 && discriminant >= 0.0)
-            .then(|| self.motion.origin.radius + (discriminant.sqrt() - linear) / square)
+        let form = self.radius_form();
+        form.smallest().map(|x| x - form.shift)
     }
 
     /// The loop of the balls of a radius.
@@ -137,13 +142,17 @@ impl SkewLines {
     /// # Errors
     /// `radius-too-small`, `sphere-at-infinity` (it is not closed).
     pub(crate) fn radius_loop(&self, radius: f64) -> Result<RadiusLoop> {
-        let limit = self.smallest_radius().ok_or(Error::SphereAtInfinity { measured: -1.0, limit: 0.0 })?;
+        let form = self.radius_form();
+        let smallest = form.smallest().ok_or(Error::SphereAtInfinity { measured: -1.0, limit: 0.0 })?;
+        let (limit, x) = (smallest - form.shift, radius + form.shift);
         if !(radius >= limit) {
             return Err(Error::RadiusTooSmall { radius, limit });
         }
-        let ([c, s, t, z], x) = (self.radius_form(), radius - self.motion.origin.radius);
-        let (a, b) = (s.hypot(x - z), t.hypot(x + z));
-        let excess = (0.5 * (a + b - c)).max(0.0);
+        let RadiusForm { s, t, z, .. } = form;
+        let ([a, b], [a0, b0]) = (form.sides(x), form.sides(smallest));
+        // (a + b - c)/2 by differences of squares.
+        let excess =
+            0.5 * (radius - limit) * ((x + smallest - 2.0 * z) / (a + a0) + (x + smallest + 2.0 * z) / (b + b0));
         let left = 1.0 - excess / a.min(b);
         if !(left > 0.0) {
             return Err(Error::SphereAtInfinity { measured: left, limit: 0.0 });
@@ -151,7 +160,34 @@ impl SkewLines {
         let middle = 0.5 * (-t).atan2(-z - x);
         Ok(RadiusLoop {
             middle: Point2::new(0.5 * (-s).atan2(x - z), if middle < 0.0 { middle + PI } else { middle }),
-            reach: [a, b].map(|of| (excess / of).sqrt()),
+            reach: [a, b].map(|of| (excess.max(0.0) / of).sqrt()),
         })
+    }
+}
+
+/// `X0 (R + shift) = c + z (cos 2A + cos 2B) + s sin 2A + t sin 2B` for the radius R of a ball.
+#[derive(Debug, Clone, Copy)]
+struct RadiusForm {
+    c: f64,
+    s: f64,
+    t: f64,
+    z: f64,
+    shift: f64,
+}
+
+impl RadiusForm {
+    /// `a` and `b` for `x = R + shift`.
+    fn sides(&self, x: f64) -> [f64; 2] {
+        [self.s.hypot(x - self.z), self.t.hypot(x + self.z)]
+    }
+
+    /// Where `a + b = c`, a quadratic in x.
+    fn smallest(&self) -> Option<f64> {
+        let Self { c, s, t, z, .. } = *self;
+        let (k, cc) = (s * s - t * t, c * c);
+        let square = (c - 2.0 * z) * (c + 2.0 * z);
+        let constant = (z * z + 0.5 * (s * s + t * t) - 0.25 * cc) * cc - 0.25 * k * k;
+        let discriminant = k * z * (k * z) - square * constant;
+        (square > 0.0 && discriminant >= 0.0).then(|| (discriminant.sqrt() - k * z) / square)
     }
 }
