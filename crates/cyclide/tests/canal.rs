@@ -185,7 +185,7 @@ fn outside(surface: &NaturalQuadric, p: Point3) -> (f64, Vec3) {
     let (way, (sin, cos)) = (p - surface.origin(), surface.half_angle().sin_cos());
     let height = way.dot(surface.axis());
     let across = way - surface.axis() * height;
-    let normal = across.unit().unwrap() * cos - surface.axis() * sin;
+    let normal = across.unit().unwrap_or_default() * cos - surface.axis() * sin;
     ((across.length() - surface.radius()) * cos - height * sin, normal)
 }
 

@@ -218,20 +218,16 @@ impl<'a> Writer<'a> {
         })
     }
 
-    /// Whether a face along an edge has weights far from each other, or a side that is one point. From the first OpenCASCADE takes its surface for so fast that it
+    /// Whether a face along an edge has weights far from each other. From these OpenCASCADE takes its surface for so fast that it
     /// holds the rounding of curves in the parameters, where it has to find them itself, for gaps, and closes these with edges
-    /// that are points: loops which it reads as crossing themselves. At the second it finds the end of such a curve to 1e-8 only.
+    /// that are points: loops which it reads as crossing themselves.
     fn has_uneven_face(&self, index: usize) -> bool {
-        let uneven = |&(face, _): &(usize, Side)| {
-            let face_along = &self.shell.faces()[face];
-            match &face_along.surface {
-                FaceSurface::Rational(surface) if self.kinds[face] == PatchKind::Cyclide => {
-                    let weights = || surface.rows().iter().map(|row| row[3]);
-                    weights().fold(0.0, f64::max) > UNEVEN * weights().fold(f64::INFINITY, f64::min)
-                        || Side::ALL.into_iter().any(|side| face_along.side(side).is_none())
-                }
-                _ => false,
+        let uneven = |&(face, _): &(usize, Side)| match &self.shell.faces()[face].surface {
+            FaceSurface::Rational(surface) if self.kinds[face] == PatchKind::Cyclide => {
+                let weights = || surface.rows().iter().map(|row| row[3]);
+                weights().fold(0.0, f64::max) > UNEVEN * weights().fold(f64::INFINITY, f64::min)
             }
+            _ => false,
         };
         self.users[index].iter().any(uneven)
     }

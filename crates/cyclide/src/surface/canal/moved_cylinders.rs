@@ -17,6 +17,9 @@ use crate::error::{Error, Result};
 use crate::surface::TorusPiece;
 use std::f64::consts::PI;
 
+/// A loop that is not closed by less than this, in parts of its size, is one that reaches all round but for rounding.
+const ROUNDING: f64 = 1e-12;
+
 /// The balls in a cylinder or a cone: one of them, and the difference to others.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct BallLine {
@@ -154,13 +157,13 @@ impl MovedCylinders {
         let excess =
             0.5 * (radius - limit) * ((x + smallest - 2.0 * z) / (a + a0) + (x + smallest + 2.0 * z) / (b + b0));
         let left = 1.0 - excess / a.min(b);
-        if !(left > 0.0) {
+        if !(left > -ROUNDING) {
             return Err(Error::SphereAtInfinity { measured: left, limit: 0.0 });
         }
         let middle = 0.5 * (-t).atan2(-z - x);
         Ok(RadiusLoop {
             middle: Point2::new(0.5 * (-s).atan2(x - z), if middle < 0.0 { middle + PI } else { middle }),
-            reach: [a, b].map(|of| (excess.max(0.0) / of).sqrt()),
+            reach: [a, b].map(|of| (excess / of).clamp(0.0, 1.0).sqrt()),
         })
     }
 }
