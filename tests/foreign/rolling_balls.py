@@ -25,11 +25,14 @@ def off_pipe(points, pipe):
 
 
 def ball(points, normals, axis, depth):
-    """The radius of the ball that touches a pipe and has a point with this normal: |P + R N| = r + R across the axis."""
-    v, n = off_axis(points, axis), normals - (normals @ axis[1])[..., None] * axis[1]
-    r = axis[2] - depth
-    # (n.n - 1) R^2 + 2 (v.n - r) R + v.v - r^2 = 0; stable for n.n near 1.
-    a, b, c = np.sum(n * n, -1) - 1, np.sum(v * n, -1) - r, np.sum(v * v, -1) - r * r
+    """The radius of the ball that touches a pipe and has a point with this normal: |P + R N| = r + R across the axis, of a cone a linear form q + p R."""
+    origin, way, r, taper = axis
+    rise = normals @ way
+    v, n = off_axis(points, axis), normals - rise[..., None] * way
+    p = (1 - rise * math.sin(taper)) / math.cos(taper)
+    q = r - (depth + (points - origin) @ way * math.sin(taper)) / math.cos(taper)
+    # (n.n - p^2) R^2 + 2 (v.n - p q) R + v.v - q^2 = 0; stable for n.n near p^2.
+    a, b, c = np.sum(n * n, -1) - p * p, np.sum(v * n, -1) - p * q, np.sum(v * v, -1) - q * q
     root = np.sqrt(np.maximum(b * b - a * c, 0))
     first, second = -c / (b - root), -c / (b + root)
     return first, second

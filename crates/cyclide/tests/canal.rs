@@ -179,3 +179,119 @@ fn perpendicular_cylinders_are_a_pair() {
     let ball = pair.ball(Point2::new(0.2, 1.3)).unwrap();
     assert!(faults(&ball, [r1, r2], h, std::f64::consts::FRAC_PI_2) < 1e-12);
 }
+
+/// How far a point is outside a cylinder, or a nappe of a cone, and the outer normal of that beside it.
+fn outside(surface: &NaturalQuadric, p: Point3) -> (f64, Vec3) {
+    let (way, (sin, cos)) = (p - surface.origin(), surface.half_angle().sin_cos());
+    let height = way.dot(surface.axis());
+    let across = way - surface.axis() * height;
+    let normal = across.unit().unwrap_or_default() * cos - surface.axis() * sin;
+    ((across.length() - surface.radius()) * cos - height * sin, normal)
+}
+
+#[test]
+fn strips_between_cylinders_and_cones_are_envelopes_of_balls_that_touch_both() {
+    let mut rng = Random::new(5, 0);
+    let direction =
+        |rng: &mut Random| Vec3::new(rng.between(-1.0, 1.0), rng.between(-1.0, 1.0), rng.between(-1.0, 1.0));
+    let torus = Torus::new(Frame::WORLD, 2.0, 1.0).unwrap();
+    let options = TorusSplineOptions { closed: true, ..Default::default() };
+    let (mut strips, mut cones, mut patches, mut inside) = (0, 0, 0, 0);
+    // In parts of the size: balls off both surfaces, contacts, normals, points off their circle, joints.
+    let mut worst = [0.0_f64; 5];
+    for _ in 0..450 {
+        let mut surface = |part: f64| {
+            let (origin, axis) = (Point3::ORIGIN + direction(&mut rng) * 2.0, direction(&mut rng));
+            if rng.chance(part) {
+                NaturalQuadric::cone(origin, axis, rng.between(0.05, 0.6)).unwrap()
+            } else {
+                NaturalQuadric::cylinder(origin, axis, rng.between(0.2, 1.0)).unwrap()
+            }
+        };
+        let pair = QuadricPair::new([surface(0.5), surface(0.8)]).unwrap();
+        // Spacelike pairs, and cones that overlap without end.
+        let least = match pair.smallest_radius() {
+            Ok(least) => least,
+            Err(error) => {
+                let timelike = pair.kind() == cyclide::PairKind::Timelike;
+                assert_eq!(error.reason(), if timelike { "sphere-at-infinity" } else { "not-timelike-pair" });
+                continue;
+            }
+        };
+        let radius = least + rng.between(0.05, 1.0);
+        let Ok(places) =
+            (0..24).map(|k| pair.place_of_radius(radius, 0.2618 * f64::from(k))).collect::<Result<Vec<_>, _>>()
+        else {
+            continue;
+        };
+        // Balls of large radius touch beyond the apex, where the other nappe is; loops of nearly parallel lines go far out.
+        let on_nappe = |place: &Point2| {
+            let ball = pair.ball(*place).unwrap();
+            if ball.center.to_vec().length() > 50.0 {
+                return false;
+            }
+            let height = |k: usize| (ball.contacts[k] - pair.surfaces()[k].origin()).dot(pair.surfaces()[k].axis());
+            (0..2).all(|k| pair.surfaces()[k].half_angle() == 0.0 || height(k) > 0.1)
+        };
+        if !places.iter().all(on_nappe) {
+            continue;
+        }
+        strips += 1;
+        inside += usize::from(radius < 0.0);
+        cones += pair.surfaces().iter().filter(|surface| surface.half_angle() > 0.0).count();
+        let spline = TorusSpline::through_places(&torus, &places, &options).unwrap();
+        let strip: Vec<CanalPatch> =
+            spline.pieces().iter().map(|piece| CanalPatch::between_quadrics(&pair, piece).unwrap()).collect();
+        for (patch, next) in strip.iter().zip(strip.iter().cycle().skip(1)) {
+            patches += 1;
+            let size = 1.0 + patch.ball(0.5).0.to_vec().length() + patch.ball(0.5).1.abs();
+            for s in [0.0, 0.3, 0.8] {
+                let ((center, r), circle) = (patch.ball(s), patch.characteristic_circle(s));
+                for (k, surface) in pair.surfaces().iter().enumerate() {
+                    let (off, normal) = outside(surface, center);
+                    worst[0] = worst[0].max((off - r).abs() / size);
+                    let contact = patch.point(s, k as f64);
+                    worst[1] = worst[1].max(outside(surface, contact).0.abs() / size);
+                    worst[2] = worst[2].max((patch.unit_normal(s, k as f64) - normal).length());
+                }
+                for t in [0.25, 0.6, 1.0] {
+                    let way = patch.point(s, t) - circle.center;
+                    worst[3] =
+                        worst[3].max((way.length() - circle.radius).abs().max(way.dot(circle.axis).abs()) / size);
+                }
+            }
+            let (end, start) = (patch.characteristic_circle(1.0), next.characteristic_circle(0.0));
+            worst[4] = worst[4].max(end.center.distance(start.center) / size).max((end.axis - start.axis).length());
+            let rational = patch.rational_parts().unwrap();
+            assert!(rational.iter().all(|part| part.surface.has_positive_weights()));
+            assert!(rational.iter().all(|part| part.surface.degrees()[0] <= 14));
+        }
+    }
+    assert!(strips > 60 && cones > 60 && inside > 3 && patches < 80 * strips, "{strips} {cones} {inside} {patches}");
+    // Some hundred roundings; the way that a ball takes at a joint is known as well as the length of its piece.
+    assert!(worst[..4].iter().all(|off| *off < 1e-12) && worst[4] < 1e-10, "{worst:?}");
+}
+
+#[test]
+fn kinds_without_a_strip_have_their_names() {
+    let pipe = NaturalQuadric::cylinder(Point3::ORIGIN, Vec3::X, 2.0).unwrap();
+    // A cone that enters the pipe.
+    let branch = NaturalQuadric::cone(Point3::new(0.0, 0.0, 9.0), -Vec3::Z, 0.1).unwrap();
+    let pair = QuadricPair::new([pipe, branch]).unwrap();
+    assert_eq!(pair.kind(), cyclide::PairKind::Spacelike);
+    let reasons = [pair.smallest_radius().map(|_| ()), pair.place_of_radius(0.5, 0.0).map(|_| ())];
+    assert!(reasons.iter().all(|result| result.as_ref().unwrap_err().reason() == "not-timelike-pair"));
+    // Axes that meet, with a ball that is in both.
+    let degenerate = NaturalQuadric::cylinder(Point3::ORIGIN, Vec3::Y, 2.0).unwrap();
+    assert_eq!(QuadricPair::new([pipe, degenerate]).unwrap_err().reason(), "degenerate-pair");
+    let above = NaturalQuadric::cone(Point3::new(0.0, -9.0, 5.0), Vec3::Y, 0.1).unwrap();
+    let pair = QuadricPair::new([pipe, above]).unwrap();
+    let least = pair.smallest_radius().unwrap();
+    assert_eq!(pair.place_of_radius(0.9 * least, 0.0).unwrap_err().reason(), "radius-too-small");
+    assert_eq!(pair.place_of_radius(f64::NAN, 0.0).unwrap_err().reason(), "not-finite");
+    // The smallest ball is that of the smallest gap.
+    for theta in [0.0, 2.0, 4.0] {
+        let ball = pair.ball(pair.place_of_radius(least, theta).unwrap()).unwrap();
+        assert!((ball.normals[0] + ball.normals[1]).length() < 1e-6 && (ball.radius - least).abs() < 1e-12);
+    }
+}

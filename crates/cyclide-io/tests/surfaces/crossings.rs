@@ -63,6 +63,49 @@ fn crossings_that_are_none_are_refused_in_their_place() {
 }
 
 #[test]
+fn pipes_with_a_taper_are_cones() {
+    let cones = |first: &str, second: &str, rest: &str| {
+        let pipe = |taper: &str| format!(r#"{{"radius": 15, "taper": {taper}, "ends": [-60, 70]}}"#);
+        crossing(&format!(r#""pipes": [{}, {}], {rest}"#, pipe(first), pipe(second)))
+    };
+    let rest = r#""distance": 24, "blend": 0.01, "tolerance": 0.001"#;
+    let built = surface(&cones(r#"{"degrees": 5}"#, "-0.06", rest).unwrap());
+    assert!(built.closed && built.bodies == 1);
+    // Frusta, less what both have in common: over places along both axes the heights of both over each other.
+    let tapers = [5_f64.to_radians().tan(), (-0.06_f64).tan()];
+    let frusta = tapers.iter().map(|t| {
+        let [a, b] = [15.0 + 60.0 * t, 15.0 - 70.0 * t];
+        std::f64::consts::PI / 3.0 * 130.0 * (a * a + a * b + b * b)
+    });
+    let steps = 1000;
+    let place = |k: i32| 40.0 * ((f64::from(k) + 0.5) / f64::from(steps) - 0.5);
+    let height = |radius: f64, side: f64| (radius * radius - side * side).max(0.0).sqrt();
+    let column = |x: f64, y: f64| {
+        let [first, second] = [height(15.0 - tapers[0] * x, y), height(15.0 - tapers[1] * y, x)];
+        if first > 0.0 && second > 0.0 { (first + second - 24.0).max(0.0) } else { 0.0 }
+    };
+    let cell = 40.0 / f64::from(steps);
+    let common: f64 = (0..steps * steps).map(|k| column(place(k % steps), place(k / steps)) * cell * cell).sum();
+    let expected = frusta.sum::<f64>() - common;
+    // The rounded edge adds of its square.
+    assert!((built.volume.unwrap() / expected - 1.0).abs() < 1e-6, "{:?} {expected}", built.volume);
+    for (first, second, rest, place, reason) in [
+        (r#"{"degrees": 13}"#, "0", rest, "pipes[0]", "[radius-not-positive]"),
+        ("0.1", "0.1", r#""distance": 24, "blend": 4, "wall": 9"#, "pipes[0]", "[radius-not-positive]"),
+        ("0", r#"{"degrees": 100}"#, rest, "pipes[1]", "[radius-not-positive]"),
+        ("0.1", "0.1", r#""distance": 24, "blend": 4, "angle": {"degrees": 11}"#, "angle", "[angle-out-of-range]"),
+        ("0.1", "0", r#""distance": 24, "blend": 4, "side": "mixed""#, "side", "[crossing-needs-cylinders]"),
+        ("0", "0.1", r#""distance": 24, "blend": {"first": 4, "second": 3}"#, "blend", "[crossing-needs-cylinders]"),
+        ("0.1", "-0.1", r#""distance": 40, "blend": 4"#, "blend", "[radius-too-small]"),
+        ("0.1", "0.1", r#""distance": 24, "blend": -4"#, "blend", "[radius-not-positive]"),
+        ("0.05", "0.19", r#""distance": 0.1, "blend": 1"#, "distance", "[crossing-axes-too-near]"),
+    ] {
+        let error = cones(first, second, rest).unwrap_err();
+        assert!(error.contains(place) && error.contains(reason), "{reason}: {error}");
+    }
+}
+
+#[test]
 fn laws_of_the_radius_are_followed_and_reported() {
     let rest = |blend: &str| format!(r#""distance": 24, "blend": {blend}, "tolerance": 0.01"#);
     let found = surface(&crossing(&pipes([15.0, 12.0], &rest(r#"{"first": 4, "second": 6.5}"#))).unwrap());

@@ -36,6 +36,16 @@ pub(super) fn surface(random: &mut Random) -> Objects {
     if random.chance(0.3) {
         object["ends"] = json!(["flat", "closed", "open"][random.below(3)]);
     }
+    // Cones, most of which reach their ends before their apex.
+    if random.chance(0.35) {
+        let most = if wild { 1.3 } else { 0.9 };
+        for pipe in object["pipes"].as_array_mut().into_iter().flatten() {
+            let number = |value: &serde_json::Value| value.as_f64().unwrap_or(0.0);
+            let reach = number(&pipe["ends"][1]).max(-number(&pipe["ends"][0]));
+            let taper = (number(&pipe["radius"]) / reach).atan() * random.between(-most, most);
+            pipe["taper"] = json!(if random.chance(0.3) { 0.0 } else { taper });
+        }
+    }
     // Finer meshes of long pipes have a million triangles.
     let tolerance = Some(first.max(second) * random.decades(-4.0, -1.0));
     Objects { tolerance, ..Objects::surface(object) }

@@ -741,7 +741,7 @@ pub enum Error {
     CrossingAxesTooNear {
         /// Their distance.
         distance: f64,
-        /// What the radii differ: it must be above this.
+        /// What the radii differ, of cones where they are nearest: it must be above this.
         limit: f64,
     },
     /// A ball is too large for the edge of a crossing: of what both pipes have in common, or of one less the other.
@@ -757,6 +757,15 @@ pub enum Error {
         distance: f64,
         /// The sum of their radii less a thousandth of it: it must be below this.
         limit: f64,
+    },
+    /// A crossing of a pipe with a taper that is made of cylinders only.
+    CrossingNeedsCylinders {
+        /// What needs them: the side of the ball, or the law of its radius.
+        what: ErrorItem,
+        /// Which pipe has a taper, from 0.
+        pipe: usize,
+        /// The taper, in radians.
+        taper: f64,
     },
     /// A pipe of a crossing ends within the blend.
     CrossingPipeTooShort {

@@ -197,6 +197,12 @@ impl std::fmt::Display for Error {
                 ShortNumber(*distance),
                 ShortNumber(*limit)
             ),
+            Self::CrossingNeedsCylinders { what, pipe, taper } => write!(
+                f,
+                "pipe {pipe} has a taper of {} radians, and such pipes are crossed by a ball of one radius outside or inside both: the {} asks for cylinders",
+                ShortNumber(*taper),
+                what.word()
+            ),
             Self::CrossingPipeTooShort { pipe, end, needed } => write!(
                 f,
                 "pipe {pipe} ends within the blend: at {}, which must be beyond {}",

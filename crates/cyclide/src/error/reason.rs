@@ -48,6 +48,7 @@ impl Error {
             Self::CrossingAxesTooNear { .. } => "crossing-axes-too-near",
             Self::CrossingBallTooLarge { .. } => "crossing-ball-too-large",
             Self::CrossingPipesApart { .. } => "crossing-pipes-apart",
+            Self::CrossingNeedsCylinders { .. } => "crossing-needs-cylinders",
             Self::CrossingPipeTooShort { .. } => "crossing-pipe-too-short",
             Self::CrossingHoleTooWide { .. } => "crossing-hole-too-wide",
             Self::CrossingHoleTurnsBack { .. } => "crossing-hole-turns-back",

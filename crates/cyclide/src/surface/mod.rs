@@ -15,6 +15,7 @@ mod sphere_blend;
 mod torus;
 mod triangle_surface;
 
+pub(crate) use canal::{BallLine, BallVector, MovedCylinders};
 pub use canal::{CanalPart, CanalPatch, CharacteristicCircle, ContactPartner, RollingBall, SkewCylinders};
 pub use canal::{NaturalQuadric, PairKind, QuadricPair};
 pub use dupin::{CyclideKind, DupinCyclide};

@@ -277,7 +277,7 @@ fn a_law_of_one_radius_is_that_radius_and_half_turns_take_laws_with_them() {
     assert!((volume(pair().and_then(|c| c.with_radii(&[[1.0, 0.6], [4.0, 0.6]]))) / one - 1.0).abs() < 1e-6);
     // Pipes as long on both sides; the half turn about the common normal takes each to itself.
     let symmetric = |values: &[[f64; 2]]| {
-        let pipes = [2.0, 3.0].map(|radius| cyclide::CrossingPipe { radius, ends: [-12.0, 12.0] });
+        let pipes = [2.0, 3.0].map(|radius| cyclide::CrossingPipe { radius, taper: 0.0, ends: [-12.0, 12.0] });
         volume(PipeCrossing::new(pipes, 3.5, 0.6).and_then(|c| c.with_angle(1.2)).and_then(|c| c.with_radii(values)))
     };
     let values = [[0.3, 0.5], [1.5, 0.7], [4.0, 0.6]];

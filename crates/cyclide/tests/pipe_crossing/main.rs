@@ -2,6 +2,7 @@
 
 #![allow(clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
 
+mod cones;
 mod laws;
 
 use cyclide::{
@@ -13,7 +14,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 const END: f64 = 12.0;
 
 fn crossing(radii: [f64; 2], distance: f64, blend: f64) -> Result<PipeCrossing, Error> {
-    PipeCrossing::new(radii.map(|radius| CrossingPipe { radius, ends: [-END, END + 1.0] }), distance, blend)
+    PipeCrossing::new(radii.map(|radius| CrossingPipe { radius, taper: 0.0, ends: [-END, END + 1.0] }), distance, blend)
 }
 
 /// Degrees between the axes.
@@ -169,7 +170,8 @@ fn a_small_blend_leaves_the_volume_of_both_pipes() {
 #[test]
 fn scale_changes_nothing_else_and_pipes_may_change_places() {
     let volume = |scale: f64, radii: [f64; 2], ends: [[f64; 2]; 2]| {
-        let pipe = |k: usize| CrossingPipe { radius: scale * radii[k], ends: ends[k].map(|end| scale * end) };
+        let pipe =
+            |k: usize| CrossingPipe { radius: scale * radii[k], taper: 0.0, ends: ends[k].map(|end| scale * end) };
         let crossing = PipeCrossing::new([pipe(0), pipe(1)], 3.5 * scale, 0.6 * scale).and_then(|c| c.with_angle(1.2));
         crossing.and_then(|c| c.made()).expect("a crossing").body.outer.volume() / scale.powi(3)
     };
@@ -210,7 +212,7 @@ fn what_is_no_crossing_is_refused_with_its_measures() {
     assert_eq!(refused([2.0, -2.0], 3.0, 0.5).reason(), "radius-not-positive");
     assert_eq!(refused([2.0, 2.0], f64::NAN, 0.5).reason(), "not-finite");
     // Contacts with the first pipe go as far as the second is wide, and farther.
-    let pipe = |radius, start| CrossingPipe { radius, ends: [start, END] };
+    let pipe = |radius, start| CrossingPipe { radius, taper: 0.0, ends: [start, END] };
     let short = PipeCrossing::new([pipe(2.0, -2.4), pipe(3.0, -END)], 3.5, 0.6).and_then(|c| c.made());
     let Err(Error::CrossingPipeTooShort { pipe: 0, end, needed }) = short else { panic!("too short: {short:?}") };
     assert!((end + 2.4).abs() < 1e-15 && needed < -2.5 && needed > -3.6, "{needed}");
@@ -227,13 +229,13 @@ fn what_is_no_crossing_is_refused_with_its_measures() {
 #[test]
 fn long_pipes_and_the_smallest_balls() {
     // What is rounding is that of the hole, however long the pipes.
-    let long = [20.0, 15.0].map(|radius| CrossingPipe { radius, ends: [-1e7, 1e7] });
+    let long = [20.0, 15.0].map(|radius| CrossingPipe { radius, taper: 0.0, ends: [-1e7, 1e7] });
     assert!(PipeCrossing::new(long, 30.0, 6.0).expect("a crossing").made().expect("a solid").body.is_solid());
-    let pipes = [20.0, 15.0].map(|radius| CrossingPipe { radius, ends: [-80.0, 80.0] });
+    let pipes = [20.0, 15.0].map(|radius| CrossingPipe { radius, taper: 0.0, ends: [-80.0, 80.0] });
     let tiny = PipeCrossing::new(pipes, 34.999_999_999_9, 1e-10).expect("a pair").made().expect_err("rounding");
     assert_eq!(tiny.reason(), "below-rounding-of-place");
     // Pipes nearly on one axis: the hole is what is wrong, not the tolerance.
-    let equal = [20.0, 20.0].map(|radius| CrossingPipe { radius, ends: [-80.0, 80.0] });
+    let equal = [20.0, 20.0].map(|radius| CrossingPipe { radius, taper: 0.0, ends: [-80.0, 80.0] });
     let wide = PipeCrossing::new(equal, 0.01, 1.0).expect("a pair").made().expect_err("too wide");
     assert_eq!(wide.reason(), "crossing-hole-too-wide");
 }

@@ -40,7 +40,11 @@ impl Builder<'_> {
 }
 
 fn crossing(spec: &PipeCrossingSpec, values: &[[f64; 2]]) -> cyclide::Result<PipeCrossing> {
-    let pipes = spec.pipes.map(|pipe| CrossingPipe { radius: pipe.radius, ends: pipe.ends });
+    let pipes = spec.pipes.map(|pipe| CrossingPipe {
+        radius: pipe.radius,
+        taper: pipe.taper.map_or(0.0, Angle::radians),
+        ends: pipe.ends,
+    });
     // One radius stands for the law until that is read.
     let first = values.first().map_or(1.0, |[_, radius]| *radius);
     let crossing = PipeCrossing::new(pipes, spec.distance, first)?.with_ends(spec.ends).with_side(spec.side);

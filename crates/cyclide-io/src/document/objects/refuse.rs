@@ -303,6 +303,9 @@ fn blame_crossing(spec: &PipeCrossingSpec, error: &cyclide::Error) -> Blame {
         | E::CrossingHoleTooWide { pipe, .. }
         | E::CrossingHoleTurnsBack { pipe, .. } => Blame::Entry("pipes", *pipe),
         E::NotFinite { what: I::Radius, index } if *index < 2 => Blame::Entry("pipes", *index),
+        E::NotFinite { what: I::Taper, index } => Blame::Entry("pipes", *index),
+        E::CrossingNeedsCylinders { what, .. } => Blame::Field(what.word()),
+        E::AngleOutOfRange { .. } if spec.angle.is_some() => Blame::Field(I::Angle.word()),
         E::RadiusTooSmall { .. }
         | E::CrossingBallTooLarge { .. }
         | E::CoincidentPoints { .. }
@@ -310,7 +313,7 @@ fn blame_crossing(spec: &PipeCrossingSpec, error: &cyclide::Error) -> Blame {
         | E::BelowRoundingOfPlace { .. }
         | E::CrossingFolds { .. }
         | E::NotFinite { what: I::Radius, .. } => Blame::Field("blend"),
-        E::RadiusNotPositive { .. } => match spec.pipes.iter().position(|pipe| pipe.radius <= 0.0) {
+        E::RadiusNotPositive { .. } => match spec.pipes.iter().position(|pipe| !pipe.is_round_throughout(spec.wall)) {
             Some(pipe) => Blame::Entry("pipes", pipe),
             None => Blame::Field("blend"),
         },

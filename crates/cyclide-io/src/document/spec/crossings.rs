@@ -10,7 +10,7 @@ use super::radius_laws::{RadiusOr, radius_or};
 use super::tees::TeeRadiusSpec;
 use crate::document::angle::Angle;
 
-/// Two pipes that pass each other, blended by a ball that rolls between them: the first about the x axis, the second `distance` above it, at an `angle` to it; solid, or with a `wall` and one bore. Where they do not touch the blend is a bridge between them. With the `side` `inside` what both have in common, with `mixed` the second without the first, the edge rounded.
+/// Two pipes that pass each other, cylinders or cones, blended by a ball that rolls between them: the first about the x axis, the second `distance` above it, at an `angle` to it; solid, or with a `wall` and one bore. Where they do not touch the blend is a bridge between them. With the `side` `inside` what both have in common, with `mixed` the second without the first, the edge rounded.
 ///
 /// ```
 /// use cyclide_io::Document;
@@ -41,11 +41,11 @@ pub struct PipeCrossingSpec {
     /// Distance of the axes, more than the radii differ.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub distance: f64,
-    /// Angle of the second axis from the first, about the upward normal, between 0 and 180 degrees. Default: a right angle.
+    /// Angle of the second axis from the first, about the upward normal, between 0 and 180 degrees, off both by more than the tapers together. Default: a right angle.
     pub angle: Option<Angle>,
-    /// The radius of the ball, or a law of it; of pipes that do not touch more than half the gap.
+    /// The radius of the ball, or of cylinders a law of it; of pipes that do not touch more than half the gap.
     pub blend: CrossingBlendSpec,
-    /// The sides of the pipes on which the ball rolls. Default: outside both.
+    /// The sides of the pipes on which the ball rolls; `mixed` of cylinders. Default: outside both.
     #[serde(default)]
     pub side: CrossingSide,
     /// Largest difference from that radius or law, which no rational blend has exactly. Default: a thousandth of the radius.
@@ -74,11 +74,22 @@ pub struct PipeCrossingSpec {
 #[schemars(rename = "CrossingPipe")]
 #[non_exhaustive]
 pub struct CrossingPipeSpec {
-    /// Its outer radius.
+    /// Its outer radius; with a `taper` that where the axes are nearest.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub radius: f64,
+    /// Half the angle of the cone that it is: above zero it grows thinner along its axis, below wider. Default: a cylinder.
+    pub taper: Option<Angle>,
     /// Where it ends along its axis, counted from where the axes are nearest; the lower place first.
     pub ends: [f64; 2],
+}
+
+impl CrossingPipeSpec {
+    /// Whether its radius, within a wall, is positive from end to end.
+    pub(crate) fn is_round_throughout(&self, wall: Option<f64>) -> bool {
+        let (sin, cos) = self.taper.map_or(0.0, Angle::radians).sin_cos();
+        let radius_at = |end: f64| self.radius - (end * sin + wall.unwrap_or(0.0)) / cos;
+        self.radius > 0.0 && cos > 0.0 && self.ends.into_iter().all(|end| radius_at(end) > 0.0)
+    }
 }
 
 /// The radius of the ball of a crossing, or a law of it.

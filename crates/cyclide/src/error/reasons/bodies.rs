@@ -261,7 +261,7 @@
 //! The axes of two pipes that are to pass each other are no farther apart than their radii differ.
 //! ```
 //! use cyclide::{CrossingPipe, PipeCrossing};
-//! let pipe = CrossingPipe { radius: 2.0, ends: [-9.0, 9.0] };
+//! let pipe = CrossingPipe { radius: 2.0, taper: 0.0, ends: [-9.0, 9.0] };
 //! assert_eq!(PipeCrossing::new([pipe, pipe], 0.0, 0.5).unwrap_err().reason(), "crossing-axes-too-near");
 //! # Ok::<(), cyclide::Error>(())
 //! ```
@@ -270,7 +270,7 @@
 //! A ball that is to round the edge of what two pipes have in common is larger than half of what they overlap.
 //! ```
 //! use cyclide::{CrossingPipe, CrossingSide, PipeCrossing};
-//! let pipe = CrossingPipe { radius: 2.0, ends: [-9.0, 9.0] };
+//! let pipe = CrossingPipe { radius: 2.0, taper: 0.0, ends: [-9.0, 9.0] };
 //! let crossing = PipeCrossing::new([pipe, pipe], 3.0, 0.5)?.with_side(CrossingSide::Inside);
 //! assert_eq!(crossing.made().unwrap_err().reason(), "crossing-ball-too-large");
 //! # Ok::<(), cyclide::Error>(())
@@ -280,9 +280,19 @@
 //! One of two pipes is to be cut by the other, which passes it without meeting it.
 //! ```
 //! use cyclide::{CrossingPipe, CrossingSide, PipeCrossing};
-//! let pipe = CrossingPipe { radius: 2.0, ends: [-9.0, 9.0] };
+//! let pipe = CrossingPipe { radius: 2.0, taper: 0.0, ends: [-9.0, 9.0] };
 //! let crossing = PipeCrossing::new([pipe, pipe], 4.5, 0.5)?.with_side(CrossingSide::Mixed);
 //! assert_eq!(crossing.made().unwrap_err().reason(), "crossing-pipes-apart");
+//! # Ok::<(), cyclide::Error>(())
+//! ```
+//!
+//! # `crossing-needs-cylinders`
+//! Of pipes with a taper the ball of a crossing has one radius, and rolls outside or inside both.
+//! ```
+//! use cyclide::{CrossingPipe, CrossingSide, PipeCrossing};
+//! let pipe = CrossingPipe { radius: 2.0, taper: 0.1, ends: [-9.0, 9.0] };
+//! let crossing = PipeCrossing::new([pipe, pipe], 3.0, 0.5)?.with_side(CrossingSide::Mixed);
+//! assert_eq!(crossing.made().unwrap_err().reason(), "crossing-needs-cylinders");
 //! # Ok::<(), cyclide::Error>(())
 //! ```
 //!
@@ -290,7 +300,7 @@
 //! A pipe of a crossing ends within the blend.
 //! ```
 //! use cyclide::{CrossingPipe, PipeCrossing};
-//! let pipe = CrossingPipe { radius: 2.0, ends: [-2.2, 9.0] };
+//! let pipe = CrossingPipe { radius: 2.0, taper: 0.0, ends: [-2.2, 9.0] };
 //! let crossing = PipeCrossing::new([pipe, pipe], 3.0, 0.5)?;
 //! assert_eq!(crossing.made().unwrap_err().reason(), "crossing-pipe-too-short");
 //! # Ok::<(), cyclide::Error>(())
@@ -300,7 +310,7 @@
 //! A thin pipe lies so deep in a thick one that the blend goes nearly all round it.
 //! ```
 //! use cyclide::{CrossingPipe, PipeCrossing};
-//! let pipes = [6.0, 1.0].map(|radius| CrossingPipe { radius, ends: [-12.0, 12.0] });
+//! let pipes = [6.0, 1.0].map(|radius| CrossingPipe { radius, taper: 0.0, ends: [-12.0, 12.0] });
 //! assert_eq!(PipeCrossing::new(pipes, 5.02, 0.3)?.made().unwrap_err().reason(), "crossing-hole-too-wide");
 //! # Ok::<(), cyclide::Error>(())
 //! ```
@@ -309,7 +319,7 @@
 //! The blend of two pipes that pass each other askew, with a large ball, meets a pipe in a line that turns back along it.
 //! ```
 //! use cyclide::{CrossingPipe, PipeCrossing};
-//! let pipes = [1.0, 0.92].map(|radius| CrossingPipe { radius, ends: [-12.0, 12.0] });
+//! let pipes = [1.0, 0.92].map(|radius| CrossingPipe { radius, taper: 0.0, ends: [-12.0, 12.0] });
 //! let crossing = PipeCrossing::new(pipes, 0.65, 1.95)?.with_angle(59_f64.to_radians())?;
 //! assert_eq!(crossing.made().unwrap_err().reason(), "crossing-hole-turns-back");
 //! # Ok::<(), cyclide::Error>(())
@@ -319,7 +329,7 @@
 //! The ball of a crossing is too large to roll between its pipes, and the blend runs through itself.
 //! ```
 //! use cyclide::{CrossingPipe, PipeCrossing};
-//! let pipe = CrossingPipe { radius: 2.0, ends: [-12.0, 12.0] };
+//! let pipe = CrossingPipe { radius: 2.0, taper: 0.0, ends: [-12.0, 12.0] };
 //! assert_eq!(PipeCrossing::new([pipe, pipe], 3.0, 9.0)?.made().unwrap_err().reason(), "crossing-folds");
 //! # Ok::<(), cyclide::Error>(())
 //! ```

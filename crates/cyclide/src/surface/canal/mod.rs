@@ -1,8 +1,10 @@
 //! Balls that roll between two surfaces, and the canal surfaces that they envelop (`docs/math/canal-blends.md`).
 
 mod ball;
+mod ball_space;
 mod contact;
 mod contact_patch;
+mod moved_cylinders;
 mod natural_quadric;
 mod patch;
 mod quadric_pair;
@@ -11,7 +13,9 @@ mod skew_directions;
 mod skew_patch;
 
 pub use ball::RollingBall;
+pub(crate) use ball_space::BallVector;
 pub use contact::ContactPartner;
+pub(crate) use moved_cylinders::{BallLine, MovedCylinders};
 pub use natural_quadric::NaturalQuadric;
 pub use patch::{CanalPart, CanalPatch, CharacteristicCircle};
 pub use quadric_pair::{PairKind, QuadricPair};

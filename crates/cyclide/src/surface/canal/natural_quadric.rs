@@ -85,12 +85,6 @@ impl NaturalQuadric {
         let distance = [height[0] + self.radius, height[1], height[2], height[3], 1.0 / cos];
         [across(f.x()), across(f.y()), distance]
     }
-
-    /// Unit normal at the contact of a ball whose centre is in the direction `[cos, sin]` across the axis.
-    pub(super) fn normal(&self, [x, y]: [f64; 2]) -> Vec3 {
-        let (sin, cos) = self.half_angle.sin_cos();
-        (self.frame.x() * x + self.frame.y() * y) * cos - self.frame.z() * sin
-    }
 }
 
 fn placed(point: Point3, axis: Vec3) -> Result<Frame> {

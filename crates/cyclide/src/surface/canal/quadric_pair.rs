@@ -2,27 +2,21 @@
 //! (`docs/math/canal-blends.md#cylinders-and-cones-in-any-position`).
 //!
 //! Each surface has three linear forms `X`, `Y`, `L` of `(1, center, radius)` with `X² + Y² = L²` for the balls that touch it. The spans of both triples
-//! meet in one form `l = a·(X1, Y1, L1) = b·(X2, Y2, L2)`, whose norm `N = aX² + aY² - aL²` is the same for both. Where it is negative, with
-//! `E² = -N`, `r² = aX² + aY²`,
-//! ```text
-//! y0 = l,   y1 = (aL aX X + aL aY Y)/r + r L,   y2 = E (aX Y - aY X)/r
-//! ```
-//! satisfy `y1² + y2² = y0²`, and so do `y3`, `y4` of the second surface: the balls form a torus.
+//! meet in one form `l = a·(X1, Y1, L1) = b·(X2, Y2, L2)`, whose norm `N = aX² + aY² - aL²` is the same for both. Where it is negative the pair is the image of two
+//! skew cylinders under a motion of the space of balls: the balls form a torus.
 
-use super::{NaturalQuadric, RollingBall};
-use crate::base::elimination::{inverse, null_vector};
+use super::moved_cylinders::{BallLine, MovedCylinders};
+use super::{CanalPatch, NaturalQuadric, RollingBall};
+use crate::base::elimination::null_vector;
 use crate::base::planar::Point2;
-use crate::base::vector::Point3;
 use crate::error::{Error, ErrorItem, Result};
+use crate::surface::TorusPiece;
 
 /// Norm ratios of this size or less are those of a degenerate pair.
 const DEGENERATE: f64 = 1e-10;
 
 /// Smallest pivot over the largest below which the spans have more than one form in common.
 const MANY_FORMS: f64 = 1e-10;
-
-/// Weights of a ball below this part of its terms are rounding of zero.
-const AT_INFINITY: f64 = 1e-14;
 
 /// The kind of a pair of cylinders and cones, by the sign of the norm of their common form.
 ///
@@ -55,15 +49,8 @@ pub enum PairKind {
 pub struct QuadricPair {
     surfaces: [NaturalQuadric; 2],
     norm_ratio: f64,
-    balls: Option<BallMatrix>,
-}
-
-/// From the five numbers of a place to `(1, center, radius)`, in a unit of length about an origin.
-#[derive(Debug, Clone, Copy, PartialEq)]
-struct BallMatrix {
-    origin: Point3,
-    unit: f64,
-    rows: [[f64; 5]; 5],
+    /// Of a timelike pair.
+    moved: Option<MovedCylinders>,
 }
 
 impl QuadricPair {
@@ -83,29 +70,19 @@ impl QuadricPair {
         if !(pivot > MANY_FORMS) {
             return Err(Error::DegeneratePair { measured: pivot, limit: MANY_FORMS });
         }
-        // Balls of the torus touch the first surface from outside.
-        let sign = if v[2] < 0.0 { -1.0 } else { 1.0 };
-        let parts = [[v[0], v[1], v[2]], [v[3], v[4], v[5]]].map(|part| part.map(|x| sign * x));
-        let gradient: f64 = (1..5).map(|k| combined(&forms[0], parts[0])[k].powi(2)).sum();
-        let [x, y, l] = parts[0];
-        let norm = x * x + y * y - l * l;
-        let norm_ratio = norm / gradient;
+        let [x, y, l] = [v[0], v[1], v[2]];
+        let gradient: f64 = (1..5).map(|k| (0..3).map(|i| v[i] * forms[0][i][k]).sum::<f64>().powi(2)).sum();
+        let norm_ratio = (x * x + y * y - l * l) / gradient;
+        let degenerate = Error::DegeneratePair { measured: norm_ratio, limit: DEGENERATE };
         if !(norm_ratio.abs() > DEGENERATE) {
-            return Err(Error::DegeneratePair { measured: norm_ratio, limit: DEGENERATE });
+            return Err(degenerate);
         }
-        let balls = if norm_ratio < 0.0 {
-            let e = (-norm).sqrt();
-            let [first, second] = [0, 1].map(|i| torus_forms(&forms[i], parts[i], e));
-            let rows = [combined(&forms[0], parts[0]), first[0], first[1], second[0], second[1]];
-            let (rows, pivot) = inverse(rows).ok_or(Error::DegeneratePair { measured: 0.0, limit: MANY_FORMS })?;
-            if !(pivot > f64::EPSILON) {
-                return Err(Error::DegeneratePair { measured: pivot, limit: f64::EPSILON });
-            }
-            Some(BallMatrix { origin, unit, rows })
+        let moved = if norm_ratio < 0.0 {
+            Some(MovedCylinders::new([0, 1].map(|i: usize| BallLine::of_quadric(&surfaces[i]))).ok_or(degenerate)?)
         } else {
             None
         };
-        Ok(Self { surfaces, norm_ratio, balls })
+        Ok(Self { surfaces, norm_ratio, moved })
     }
 
     /// The surfaces.
@@ -127,59 +104,95 @@ impl QuadricPair {
         self.norm_ratio
     }
 
-    /// The ball of a place `(A, B)` of the plane of a torus, radians, each modulo pi. Its radius may be negative: a ball inside both.
+    /// The ball of a place `(A, B)` of the plane of a torus, radians, each modulo pi, inside the diamond of [`SkewCylinders`](super::SkewCylinders). Its radius may
+    /// be negative: a ball inside both.
     ///
     /// # Errors
-    /// `not-finite`; `not-timelike-pair`; `sphere-at-infinity`; `wrong-side` (it touches one surface from the other side, or the other
-    /// nappe of a cone).
+    /// `not-finite`; `not-timelike-pair`; `sphere-at-infinity` (on the border of the diamond); `wrong-side` (outside: it touches from the other side, or the
+    /// other nappe of a cone).
     pub fn ball(&self, place: Point2) -> Result<RollingBall> {
         if !place.is_finite() {
             return Err(Error::NotFinite { what: ErrorItem::Angle, index: 0 });
         }
-        let Some(BallMatrix { origin, unit, rows }) = self.balls else {
-            return Err(Error::NotTimelikePair { measured: self.norm_ratio, limit: 0.0 });
-        };
-        let ((s1, c1), (s2, c2)) = ((2.0 * place.x).sin_cos(), (2.0 * place.y).sin_cos());
-        let y = [1.0, c1, s1, c2, s2];
-        let [w, mx, my, mz, radius] = rows.map(|row| row.iter().zip(y).map(|(a, b)| a * b).sum::<f64>());
-        let terms: f64 = rows[0].iter().zip(y).map(|(a, b)| (a * b).abs()).sum();
-        if w.abs() <= AT_INFINITY * terms {
-            return Err(Error::SphereAtInfinity { measured: w.abs(), limit: AT_INFINITY * terms });
-        }
-        let center = origin + Point3::new(mx, my, mz).to_vec() * (unit / w);
-        self.touching(center, radius * unit / w)
+        self.moved()?.ball(place)
     }
 
-    /// The ball with its contacts, if it touches both surfaces from their outer sides.
-    fn touching(&self, center: Point3, radius: f64) -> Result<RollingBall> {
-        let mut normals = [center.to_vec(); 2];
-        for (surface, normal) in normals.iter_mut().enumerate() {
-            let [x, y, distance] = self.surfaces[surface].forms(center).map(|form| form[0] + form[4] * radius);
-            if !(distance > 0.0) {
-                return Err(Error::WrongSide { surface, measured: distance });
+    /// The radius of the smallest ball outside both, negative where they overlap: of cylinders half the gap.
+    ///
+    /// ```
+    /// use cyclide::{NaturalQuadric, Point3, QuadricPair, Vec3};
+    /// let pipe = NaturalQuadric::cylinder(Point3::ORIGIN, Vec3::X, 1.0)?;
+    /// let cone = NaturalQuadric::cone(Point3::new(0.0, -4.0, 3.0), Vec3::Y, 0.2)?;
+    /// let radius = QuadricPair::new([pipe, cone])?.smallest_radius()?;
+    /// // The height between both over the origin is 2 less 4 tan 0.2; the gap is least where the cone is thicker.
+    /// assert!(radius < 1.0 - 2.0 * 0.2_f64.tan() && radius > 0.4);
+    /// # Ok::<(), cyclide::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// `not-timelike-pair`; `sphere-at-infinity` (cones that overlap without end).
+    pub fn smallest_radius(&self) -> Result<f64> {
+        self.moved()?.smallest_radius().ok_or(Error::SphereAtInfinity { measured: -1.0, limit: 0.0 })
+    }
+
+    /// The place of a ball of a given radius, at an angle `theta` of the closed curve of all such balls
+    /// (`docs/math/canal-blends.md#cylinders-and-cones-in-any-position`). This curve is not rational.
+    ///
+    /// ```
+    /// use cyclide::{NaturalQuadric, Point3, QuadricPair, Vec3};
+    /// let pipe = NaturalQuadric::cylinder(Point3::ORIGIN, Vec3::X, 1.0)?;
+    /// let cone = NaturalQuadric::cone(Point3::new(0.0, -4.0, 3.0), Vec3::Y, 0.2)?;
+    /// let pair = QuadricPair::new([pipe, cone])?;
+    /// let ball = pair.ball(pair.place_of_radius(0.9, 1.0)?)?;
+    /// assert!((ball.radius - 0.9).abs() < 1e-14);
+    /// # Ok::<(), cyclide::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// `not-finite`, `not-timelike-pair`, `radius-too-small`, `sphere-at-infinity` (the curve is not closed).
+    pub fn place_of_radius(&self, radius: f64, theta: f64) -> Result<Point2> {
+        for (what, value) in [(ErrorItem::Radius, radius), (ErrorItem::Angle, theta)] {
+            if !value.is_finite() {
+                return Err(Error::NotFinite { what, index: 0 });
             }
-            // The length of (x, y) and the distance are equal up to rounding.
-            let length = x.hypot(y);
-            *normal = self.surfaces[surface].normal([x / length, y / length]);
         }
-        Ok(RollingBall { center, radius, contacts: normals.map(|n| center - n * radius), normals })
+        Ok(self.moved()?.radius_loop(radius)?.place(theta))
+    }
+
+    fn moved(&self) -> Result<MovedCylinders> {
+        self.moved.ok_or(Error::NotTimelikePair { measured: self.norm_ratio, limit: 0.0 })
+    }
+}
+
+impl CanalPatch {
+    /// The patch between two cylinders or cones in any position along a piece of a spline in the plane of their balls, inside the diamond. Its degrees are those
+    /// [between two skew cylinders](Self::between_skew_cylinders).
+    ///
+    /// ```
+    /// use cyclide::{
+    ///     CanalPatch, Frame, NaturalQuadric, Point3, QuadricPair, Torus, TorusSpline, TorusSplineOptions, Vec3,
+    /// };
+    /// let pipe = NaturalQuadric::cylinder(Point3::ORIGIN, Vec3::X, 1.0)?;
+    /// let cone = NaturalQuadric::cone(Point3::new(0.0, -4.0, 2.0), Vec3::Y, 0.2)?;
+    /// let pair = QuadricPair::new([pipe, cone])?;
+    /// let places = (0..8).map(|k| pair.place_of_radius(0.5, 0.785 * f64::from(k))).collect::<Result<Vec<_>, _>>()?;
+    /// // The plane of any torus serves: places are all that counts.
+    /// let options = TorusSplineOptions { closed: true, ..Default::default() };
+    /// let spline = TorusSpline::through_places(&Torus::new(Frame::WORLD, 2.0, 1.0)?, &places, &options)?;
+    /// let patch = CanalPatch::between_quadrics(&pair, &spline.pieces()[0])?;
+    /// let on_pipe = patch.point(0.3, 0.0);
+    /// assert!((on_pipe.y.hypot(on_pipe.z) - 1.0).abs() < 1e-14);
+    /// # Ok::<(), cyclide::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// `not-timelike-pair`; as [`along`](Self::along).
+    pub fn between_quadrics(pair: &QuadricPair, piece: &TorusPiece) -> Result<Self> {
+        let [patch, _] = pair.moved()?.patches(piece)?;
+        Ok(patch)
     }
 }
 
 fn in_unit(first: f64, [a, b, c, d]: [f64; 4]) -> [f64; 5] {
     [first, a, b, c, d]
-}
-
-/// The sum of forms with factors.
-fn combined(forms: &[[f64; 5]; 3], factors: [f64; 3]) -> [f64; 5] {
-    std::array::from_fn(|k| (0..3).map(|i| factors[i] * forms[i][k]).sum())
-}
-
-/// `y1`, `y2` of one surface.
-fn torus_forms(forms: &[[f64; 5]; 3], [x, y, l]: [f64; 3], e: f64) -> [[f64; 5]; 2] {
-    let r = x.hypot(y);
-    if r == 0.0 {
-        return [combined(forms, [l, 0.0, 0.0]), combined(forms, [0.0, e, 0.0])];
-    }
-    [combined(forms, [l * x / r, l * y / r, r]), combined(forms, [-e * y / r, e * x / r, 0.0])]
 }

@@ -68,6 +68,31 @@ impl SkewCylinders {
         Ok(Self { radii, half_gap, lean: 0.0 })
     }
 
+    /// Of radius zero, perpendicular.
+    ///
+    /// # Errors
+    /// `not-finite`, `parameter-out-of-range` (half the distance beyond 1e-150 to 1e150).
+    pub(crate) fn axes(half_gap: f64) -> Result<Self> {
+        if !half_gap.is_finite() {
+            return Err(Error::NotFinite { what: ErrorItem::Distance, index: 0 });
+        }
+        range::check_distance(half_gap)?;
+        Ok(Self::unchecked([0.0; 2], half_gap, 0.0))
+    }
+
+    /// The same with these radii.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new).
+    pub(crate) fn with_radii(self, radii: [f64; 2]) -> Result<Self> {
+        Ok(Self { lean: self.lean, ..Self::new(radii, self.half_gap)? })
+    }
+
+    /// Of any radii, zero as well, with an angle of the axes that is a right one and this much more.
+    pub(super) fn unchecked(radii: [f64; 2], half_gap: f64, lean: f64) -> Self {
+        Self { radii, half_gap, lean }
+    }
+
     /// The same with the second axis along `(cos angle, sin angle, 0)`, for an angle in radians.
     ///
     /// ```
@@ -129,8 +154,14 @@ impl SkewCylinders {
         self.radii[1] - self.radii[0]
     }
 
+    /// `E`.
+    pub(crate) fn width(&self) -> f64 {
+        let [plus, minus] = self.sides();
+        plus.sqrt() * minus.sqrt()
+    }
+
     /// `2h + d` and `2h - d`.
-    pub(super) fn sides(&self) -> [f64; 2] {
+    pub(crate) fn sides(&self) -> [f64; 2] {
         let (gap, d) = (2.0 * self.half_gap, self.difference());
         [gap + d, gap - d]
     }

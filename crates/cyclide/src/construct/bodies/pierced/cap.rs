@@ -1,7 +1,7 @@
 //! What is within the border of a hole, as a part of the pipe: faces from each piece of the border to a point in its middle, exact.
 
-use super::cylinder::Border;
 use super::lines::{Hole, HolePiece, Node};
+use super::mantle::Border;
 use super::skin::Skin;
 use crate::base::vector::Vec3;
 use crate::error::Result;
@@ -45,13 +45,13 @@ impl Skin<'_> {
     /// # Errors
     /// As [`RationalBezierSurface::new`](crate::RationalBezierSurface::new).
     pub(in crate::construct::bodies) fn cap(&mut self, hole: &Hole, away: bool) -> Result<()> {
-        let (cylinder, count) = (hole.cylinder, hole.pieces.len());
+        let (mantle, count) = (hole.mantle, hole.pieces.len());
         let middle = Node::between(&hole.nodes);
-        let centre = self.sewing.vertex(cylinder.point(middle.half, middle.along));
+        let centre = self.sewing.vertex(mantle.point(middle.half, middle.along));
         let mut spokes = Vec::with_capacity(count);
         for (node, &vertex) in hole.nodes.iter().zip(&hole.contacts) {
             let ends = [vertex, centre].map(|v| self.sewing.vertices[v]);
-            let curve = cylinder.across(ends, [node.half, middle.half], [node.along, middle.along])?;
+            let curve = mantle.across(ends, [node.half, middle.half], [node.along, middle.along])?;
             spokes.push(self.edge([vertex, centre], curve));
         }
         for (k, piece) in hole.pieces.iter().enumerate() {
@@ -64,10 +64,9 @@ impl Skin<'_> {
             let border = Border { half: piece.half.clone(), along: piece.along.clone() };
             let point = Border { half: middle.half.map(|x| &even * x), along: &piece.weight * middle.along };
             let vertices = [hole.contacts[k], hole.contacts[next], centre, centre];
-            let surface = cylinder.between(&piece.weight, &border, &point)?;
+            let surface = mantle.between(&piece.weight, &border, &point)?;
             let surface = surface.with_corners(vertices.map(|v| self.sewing.vertices[v]));
-            let outwards: Vec3 =
-                cylinder.off_axis(surface.point(0.5, 0.5)) * if away != self.inner { 1.0 } else { -1.0 };
+            let outwards: Vec3 = mantle.off_axis(surface.point(0.5, 0.5)) * if away != self.inner { 1.0 } else { -1.0 };
             let sides = [(hole.edges[k], vertices[0]), (spokes[k], vertices[0]), (spokes[next], vertices[1])];
             self.plane_face(surface, [Some(sides[0]), None, Some(sides[1]), Some(sides[2])], outwards);
         }

@@ -1,6 +1,6 @@
 //! The stretch of a pipe round a hole: rulings to its ends, arcs beside it, and what is behind (`docs/math/pipe-tees.md#faces`).
 
-use super::cylinder::{Border, Cylinder};
+use super::mantle::{Border, Mantle};
 use super::skin::{Ring, Skin};
 use crate::curve::Arc;
 use crate::error::Result;
@@ -50,7 +50,7 @@ impl HolePiece {
 
 /// A hole in a pipe, whose border has been sewn: from its corner at the end of the pipe and low angles on towards higher angles.
 pub(in crate::construct::bodies) struct Hole {
-    pub(in crate::construct::bodies) cylinder: Cylinder,
+    pub(in crate::construct::bodies) mantle: Mantle,
     pub(in crate::construct::bodies) pieces: Vec<HolePiece>,
     /// The starts of the pieces, their vertices, and the edges from each to the next.
     pub(in crate::construct::bodies) nodes: Vec<Node>,
@@ -81,7 +81,7 @@ impl Skin<'_> {
             let ring = &mut ring_sides[side];
             for k in nodes.start..=nodes.end {
                 let half = hole.nodes[node(k)].half;
-                ring.vertices.push(lines.skin.sewing.vertex(lines.cylinder.point(half, at)));
+                ring.vertices.push(lines.skin.sewing.vertex(lines.mantle.point(half, at)));
                 ring.halves.push(half);
             }
             let mut rulings = Vec::new();
@@ -113,7 +113,7 @@ impl Skin<'_> {
 /// The lines beside and behind a hole.
 struct Lines<'a, 'b> {
     skin: &'a mut Skin<'b>,
-    cylinder: Cylinder,
+    mantle: Mantle,
     stretch: [f64; 2],
     /// Vertices along both lines from the start to the end of the stretch, with their places and angles as they are reached from the hole, and edges between
     /// them.
@@ -139,7 +139,7 @@ impl<'a, 'b> Lines<'a, 'b> {
         let (middle, behind) = (0.5 * (low + high), behind(0.5 * (high - low)));
         let mut lines = Self {
             skin,
-            cylinder: hole.cylinder,
+            mantle: hole.mantle,
             stretch: hole.stretch,
             vertices: [Vec::new(), Vec::new()],
             places: [Vec::new(), Vec::new()],
@@ -160,7 +160,7 @@ impl<'a, 'b> Lines<'a, 'b> {
             let last = nodes.len();
             let upright = if line == 0 { middle + behind } else { middle - behind };
             let angles: Vec<f64> = (0..places.len()).map(|k| upright + hole.slant * places[k.clamp(1, last)]).collect();
-            let points = places.iter().zip(&angles).map(|(&at, &angle)| lines.cylinder.point(half(angle), at));
+            let points = places.iter().zip(&angles).map(|(&at, &angle)| lines.mantle.point(half(angle), at));
             let vertices: Vec<usize> = points.map(|p| lines.skin.sewing.vertex(p)).collect();
             for k in 0..=last {
                 let ends = [vertices[k], vertices[k + 1]];
@@ -169,7 +169,7 @@ impl<'a, 'b> Lines<'a, 'b> {
                 } else {
                     let along = Polynomial::new(vec![places[k], places[k + 1]]);
                     let border = between([half(angles[k]), half(angles[k + 1])]);
-                    let row = lines.cylinder.border(&border, &along, &Polynomial::constant(1.0));
+                    let row = lines.mantle.border(&border, &along, &Polynomial::constant(1.0));
                     lines.skin.edge(ends, RationalBezier::from_polynomial_row(&row).into())
                 };
                 lines.edges[line].push(edge);
@@ -177,7 +177,7 @@ impl<'a, 'b> Lines<'a, 'b> {
             for (j, &k) in nodes.iter().enumerate() {
                 let (contact, vertex) = (hole.contacts[k % count], vertices[j + 1]);
                 let ends = [contact, vertex].map(|v| lines.skin.sewing.vertices[v]);
-                let arc = lines.cylinder.arc(ends, hole.nodes[k % count].half, half(angles[j + 1]))?;
+                let arc = lines.mantle.arc(ends, hole.nodes[k % count].half, half(angles[j + 1]))?;
                 let edge = lines.skin.sewing.edge(contact, vertex, arc);
                 lines.arcs[line].push(edge);
             }
@@ -192,7 +192,7 @@ impl<'a, 'b> Lines<'a, 'b> {
         let corners = vertices.map(|v| self.skin.sewing.vertices[v]);
         let surface = surface.with_corners(corners);
         let middle = surface.point(0.5, 0.5);
-        let outwards = self.cylinder.off_axis(middle);
+        let outwards = self.mantle.off_axis(middle);
         let starts = [vertices[0], vertices[2], vertices[0], vertices[1]];
         self.skin.face(surface, edges, starts, outwards);
     }
@@ -211,12 +211,12 @@ impl<'a, 'b> Lines<'a, 'b> {
     ) -> Result<()> {
         let ends = [ring.vertices[j], ring.vertices[j + 1]];
         let end_edge =
-            self.skin.edge(ends, RationalBezier::from_polynomial_row(&self.cylinder.circle(&piece.half, at)).into());
+            self.skin.edge(ends, RationalBezier::from_polynomial_row(&self.mantle.circle(&piece.half, at)).into());
         ring.edges.push(end_edge);
         ring.along.push(piece.half.clone());
         let rows: [PolynomialRow; 2] = [
-            self.cylinder.border(&piece.half, &piece.along, &piece.weight),
-            self.cylinder.border(&piece.half, &(&piece.weight * at), &piece.weight),
+            self.mantle.border(&piece.half, &piece.along, &piece.weight),
+            self.mantle.border(&piece.half, &(&piece.weight * at), &piece.weight),
         ];
         let surface = RationalBezierSurface::from_polynomial_rows(&rows)?;
         self.add(surface, [contacts[0], contacts[1], ends[0], ends[1]], [edge, end_edge, rulings[j], rulings[j + 1]]);
@@ -245,7 +245,7 @@ impl<'a, 'b> Lines<'a, 'b> {
                 half: between(targets).map(|coordinate| &coordinate * &even),
                 along: &straight * &piece.weight,
             };
-            let surface = self.cylinder.between(&piece.weight, &first, &second)?;
+            let surface = self.mantle.between(&piece.weight, &first, &second)?;
             let arcs = [start, end].map(|p| self.arcs[line][p]);
             let segment = self.edges[line][start.min(end) + 1];
             self.add(
@@ -268,8 +268,7 @@ impl<'a, 'b> Lines<'a, 'b> {
         let last = self.places[0].len() - 1;
         // Of the hole, not of the stretch, which may be long.
         let [from, to] = [self.places[0][1], self.places[0][last - 1]];
-        let rounding =
-            1e-13 * (self.cylinder.radius + (to - from).abs()) + 8.0 * f64::EPSILON * from.abs().max(to.abs());
+        let rounding = 1e-13 * (self.mantle.radius + (to - from).abs()) + 8.0 * f64::EPSILON * from.abs().max(to.abs());
         for k in 0..=last {
             let ends = [0, 1].map(|line: usize| self.vertices[line][k]);
             let points = ends.map(|v| self.skin.sewing.vertices[v]);
@@ -278,7 +277,7 @@ impl<'a, 'b> Lines<'a, 'b> {
             if (along[0] - along[1]).abs() <= rounding {
                 along[1] = along[0];
             }
-            let curve = self.cylinder.across(points, self.behind_at(k), along)?;
+            let curve = self.mantle.across(points, self.behind_at(k), along)?;
             let edge = self.skin.edge(ends, curve);
             self.across.push(edge);
         }
@@ -288,7 +287,7 @@ impl<'a, 'b> Lines<'a, 'b> {
                 half: between([starts[line], ends[line]]),
                 along: Polynomial::new(vec![self.places[line][k], self.places[line][k + 1]]),
             };
-            let surface = self.cylinder.between(&one, &border(0), &border(1))?;
+            let surface = self.mantle.between(&one, &border(0), &border(1))?;
             let [a, b] = [0, 1].map(|line: usize| [self.vertices[line][k], self.vertices[line][k + 1]]);
             let edges = [self.edges[0][k], self.edges[1][k], self.across[k], self.across[k + 1]];
             self.add(surface, [a[0], a[1], b[0], b[1]], edges);
@@ -320,7 +319,7 @@ impl<'a, 'b> Lines<'a, 'b> {
             };
             let behind = self.vertices[line][place];
             let ends = [vertex, behind].map(|v| self.skin.sewing.vertices[v]);
-            let arc: Arc = self.cylinder.arc(ends, from, target)?;
+            let arc: Arc = self.mantle.arc(ends, from, target)?;
             let edge = self.skin.sewing.edge(vertex, behind, arc);
             let beside = self.vertices[line][if side == 0 { 1 } else { last - 1 }];
             let segment = self.edges[line][if side == 0 { 0 } else { last - 1 }];
@@ -329,7 +328,7 @@ impl<'a, 'b> Lines<'a, 'b> {
                 half: half.map(Polynomial::constant),
                 along: Polynomial::new(places.clone()),
             };
-            let surface = self.cylinder.between(&one, &border(from), &border(target))?;
+            let surface = self.mantle.between(&one, &border(from), &border(target))?;
             let edges = [ruling, segment, self.arcs[line][inside], edge];
             self.add(surface, [contact, vertex, beside, behind], edges);
             corner_edges.push((edge, from));

@@ -2,11 +2,11 @@
 //! is exact, of four-sided faces that share edges (`docs/math/pipe-tees.md#faces`).
 
 mod cap;
-mod cylinder;
 mod ends;
 mod lines;
+mod mantle;
 mod skin;
 
-pub(super) use cylinder::{Border, Cylinder};
 pub(super) use lines::{Hole, HolePiece, Node};
+pub(super) use mantle::{Border, Mantle};
 pub(super) use skin::{Ring, Skin};

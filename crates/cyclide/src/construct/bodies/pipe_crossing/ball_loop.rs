@@ -4,14 +4,15 @@
 use super::CrossingSide;
 use super::corners::Corners;
 use super::mixed::{MixedPair, MixedPiece};
+use super::torus_pair::TorusPair;
 use crate::base::frame::Frame;
 use crate::construct::bodies::angle_law::Law;
 use crate::construct::bodies::halving::Halving;
-use crate::construct::bodies::pierced::{HolePiece, Node};
+use crate::construct::bodies::pierced::{HolePiece, Mantle, Node};
 use crate::construct::curves::{TorusSplineOptions, TorusTangent};
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::rational::{Polynomial, QuatPolynomial};
-use crate::surface::{CanalPatch, SkewCylinders, Torus, TorusPiece, TorusSpline};
+use crate::surface::{CanalPatch, Torus, TorusPiece, TorusSpline};
 
 /// Pieces of a loop at most. Shorter spans, in radians, are not halved: where a law leaps no blend follows it.
 const HALVING: Halving =
@@ -135,7 +136,17 @@ impl BallLoop {
     }
 
     /// Halves pieces until each hole has as many on one side of it as on the other: the lines behind it join their nodes one by one.
+    ///
+    /// # Errors
+    /// `crossing-hole-turns-back` (corners that do not follow each other).
     fn even_sides(&mut self, balls: &Balls<'_>) -> Result<()> {
+        for pipe in (0..2).filter(|pipe| balls.side.leaves(*pipe)) {
+            let order = self.hole_order(pipe);
+            if !order.sides.is_sorted() {
+                let along = self.pieces[order.pieces[0]].along_at(pipe, 0.0);
+                return Err(Error::CrossingHoleTurnsBack { pipe, along });
+            }
+        }
         for _ in 0..EVENINGS {
             let orders = [0, 1].map(|pipe: usize| self.hole_order(pipe));
             // By how many pieces the first side of each hole has more, and what a piece adds to that.
@@ -187,9 +198,12 @@ impl BallLoop {
     }
 }
 
-/// Balls whose radius follows a law, by the angle of their direction from the common normal of the axes.
+/// Balls whose radius follows a law, by the angle of their direction from the common normal of the axes; of cones, which have one radius, by the angle of their
+/// loop.
 pub(super) struct Balls<'a> {
-    pub(super) pair: &'a SkewCylinders,
+    pub(super) pair: TorusPair,
+    /// Both pipes.
+    pub(super) mantles: [Mantle; 2],
     pub(super) mixed: Option<MixedPair>,
     pub(super) law: &'a Law,
     pub(super) tolerance: Option<f64>,
@@ -210,8 +224,7 @@ impl Balls<'_> {
         if let Some(mixed) = &self.mixed {
             return mixed.towards(asked, angle);
         }
-        let ball = self.pair.towards(asked.map(|x| self.side.sign() * x), angle)?;
-        Ok(Contacts { at: ball.contacts, rates: ball.contact_rates })
+        self.pair.contacts(asked.map(|x| self.side.sign() * x), angle)
     }
 
     /// What the radius may be off one that is asked for.
@@ -227,24 +240,22 @@ impl Balls<'_> {
                 .span(&contacts, ends.map(|angle| self.law.at(angle)))
                 .map(|pieces| pieces.map(|piece| Way::Mixed(Box::new(piece))).to_vec()));
         }
-        let ball = |angle: f64| self.pair.towards(self.law.at(angle).map(|x| self.side.sign() * x), angle);
-        let balls = [ball(ends[0])?, ball(ends[1])?];
-        let tangents = balls.map(|ball| TorusTangent::Rate(ball.rate));
+        let place = |angle: f64| self.pair.place(self.law.at(angle).map(|x| self.side.sign() * x), angle);
+        let places = [place(ends[0])?, place(ends[1])?];
+        let tangents = places.map(|(_, rate)| TorusTangent::Rate(rate));
         let options = TorusSplineOptions { tangents: tangents.to_vec(), knots: ends.to_vec(), ..Default::default() };
         // Places are all that counts: any torus will do.
         let torus = Torus::new(Frame::WORLD, 2.0, 1.0)?;
-        let spline = TorusSpline::through_places(&torus, &balls.map(|ball| ball.place), &options)?;
+        let spline = TorusSpline::through_places(&torus, &places.map(|(place, _)| place), &options)?;
         Ok(Some(spline.pieces().iter().copied().map(Way::Torus).collect()))
     }
 
     fn piece(&self, way: Way) -> Result<LoopPiece> {
-        match &way {
-            Way::Mixed(piece) => {
-                let forms = piece.forms();
-                Ok(LoopPiece::upright(way, forms))
-            }
-            Way::Torus(piece) => LoopPiece::on_torus(self.pair, *piece),
-        }
+        let forms = match &way {
+            Way::Mixed(piece) => piece.forms(),
+            Way::Torus(piece) => self.pair.forms(piece)?,
+        };
+        Ok(LoopPiece::upright(way, forms))
     }
 
     /// The pieces between two angles, no value of the law between them, if the radius keeps to the law and weights are positive.
@@ -297,17 +308,6 @@ impl Way {
 }
 
 impl LoopPiece {
-    fn on_torus(pair: &SkewCylinders, way: TorusPiece) -> Result<Self> {
-        let patch = CanalPatch::along(pair, &way)?;
-        let [first, [c, s]] = CanalPatch::half_directions(pair, &way)?;
-        let [x, y, _, _] = &patch.center().0;
-        let [direction, _] = pair.second_axis();
-        let along = [x.clone(), &(x * direction.x) + &(y * direction.y)];
-        // The second pipe is seen from the first: from below, where its normals have the angle π.
-        let forms = PieceForms { patch: patch.with_even_ends(), halves: [first, [s, c]], along };
-        Ok(Self::upright(Way::Torus(way), forms))
-    }
-
     /// With half directions of angles between -π and π.
     fn upright(way: Way, PieceForms { patch, halves, along }: PieceForms) -> Self {
         let upright = |[c, s]: [Polynomial; 2]| if c.value(0.5) < 0.0 { [&c * -1.0, &s * -1.0] } else { [c, s] };

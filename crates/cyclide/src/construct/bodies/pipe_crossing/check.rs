@@ -38,7 +38,7 @@ pub(super) fn check_folds(balls: &BallLoop, depth: f64) -> Result<TightPlace> {
 /// Refuses holes that go too far round by their balls, before there is a loop, which would take too many pieces.
 ///
 /// # Errors
-/// `crossing-hole-too-wide`; as [`SkewCylinders::ball`](crate::SkewCylinders::ball).
+/// `crossing-hole-too-wide`; as those of a place of the loop.
 pub(super) fn check_reach_round(balls: &Balls<'_>) -> Result<()> {
     let mut farthest = [0.0_f64; 2];
     for k in 0..ROUND {

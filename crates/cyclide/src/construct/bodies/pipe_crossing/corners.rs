@@ -58,7 +58,7 @@ impl Bound {
 
 impl Corners {
     /// # Errors
-    /// As [`SkewCylinders::ball`](crate::SkewCylinders::ball).
+    /// As those of a place of the loop.
     pub(super) fn new(balls: &Balls<'_>) -> Result<Self> {
         let mut marks = Vec::new();
         for (pipe, which) in (0..2).flat_map(|pipe| (0..4).map(move |which| (pipe, which))) {
@@ -102,7 +102,7 @@ impl Corners {
 /// The angle of the ball whose contact is farthest towards an end of a pipe and, at 45 degrees to that, towards low or high angles.
 fn corner(balls: &Balls<'_>, pipe: usize, which: usize) -> Result<f64> {
     let along = if which < 2 { 1.0 } else { -1.0 };
-    let round = balls.pair.radii()[pipe] * if which == 0 || which == 3 { -1.0 } else { 1.0 };
+    let round = balls.mantles[pipe].radius * if which == 0 || which == 3 { -1.0 } else { 1.0 };
     let lead = |[a, f]: [f64; 2]| along * a + round * f;
     let step = TAU / f64::from(PLACES);
     let mut best = (0.0, f64::NEG_INFINITY);

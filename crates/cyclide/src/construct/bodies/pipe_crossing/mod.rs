@@ -1,17 +1,19 @@
 //! Pipes that pass each other, blended by a ball that rolls between them, or what they have in common with its edge rounded (`docs/math/pipe-crossings.md`).
 //!
 //! The distance of the axes is more than the radii differ: the case of `002`, section 4 (*timelike*), in which the balls that touch both pipes
-//! are those of a torus. The loop of balls goes round neither pipe, so each has a hole in its side; where the pipes do not touch, the blend
+//! are those of a torus. So it is of cones. The loop of balls goes round neither pipe, so each has a hole in its side; where the pipes do not touch, the blend
 //! is a bridge between them. All faces are exact; what is approximated is the radius, to a tolerance.
 
 mod ball_loop;
 mod check;
+mod cones;
 mod corners;
 mod mixed;
 mod skin;
+mod torus_pair;
 
 use super::angle_law::Law;
-use super::pierced::{Ring, Skin};
+use super::pierced::{Mantle, Ring, Skin};
 use super::tee::{TeeBlendFacts, TeeEnds};
 use crate::base::range;
 use crate::base::vector::{Point3, Vec3};
@@ -20,18 +22,21 @@ use crate::surface::SkewCylinders;
 use crate::topology::{Body, Sewing};
 use ball_loop::{BallLoop, Balls};
 use mixed::MixedPair;
+use torus_pair::TorusPair;
 
-/// A pipe that passes another.
+/// A pipe that passes another, a cylinder or a cone.
 ///
 /// ```
 /// use cyclide::CrossingPipe;
-/// let pipe = CrossingPipe { radius: 20.0, ends: [-80.0, 80.0] };
-/// assert!(pipe.ends[0] < pipe.ends[1]);
+/// let pipe = CrossingPipe { radius: 20.0, taper: 0.1, ends: [-80.0, 80.0] };
+/// assert!(pipe.ends[0] < pipe.ends[1] && pipe.radius > pipe.ends[1] * pipe.taper.tan());
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct CrossingPipe {
-    /// Its outer radius.
+    /// Its outer radius; with a taper that where the axes are nearest.
     pub radius: f64,
+    /// Half the angle of the cone that it is: above zero it grows thinner along its axis, below wider, 0 is a cylinder.
+    pub taper: f64,
     /// Where it ends: places along its axis, from the common normal of both axes on.
     pub ends: [f64; 2],
 }
@@ -44,7 +49,7 @@ pub struct CrossingPipe {
 ///
 /// ```
 /// use cyclide::{CrossingPipe, PipeCrossing};
-/// let pipe = |radius| CrossingPipe { radius, ends: [-80.0, 80.0] };
+/// let pipe = |radius| CrossingPipe { radius, taper: 0.0, ends: [-80.0, 80.0] };
 /// // Axes 30 apart: the pipes overlap by 10.
 /// let crossing = PipeCrossing::new([pipe(20.0), pipe(20.0)], 30.0, 6.0)?.with_wall(3.0)?;
 /// let made = crossing.made()?;
@@ -55,7 +60,8 @@ pub struct CrossingPipe {
 #[derive(Debug, Clone, PartialEq)]
 pub struct PipeCrossing {
     pipes: [CrossingPipe; 2],
-    pair: SkewCylinders,
+    /// As cylinders of radius zero.
+    axes: SkewCylinders,
     law: Law,
     side: CrossingSide,
     tolerance: Option<f64>,
@@ -67,7 +73,7 @@ pub struct PipeCrossing {
 ///
 /// ```
 /// use cyclide::{CrossingPipe, CrossingSide, PipeCrossing};
-/// let pipe = CrossingPipe { radius: 2.0, ends: [-9.0, 9.0] };
+/// let pipe = CrossingPipe { radius: 2.0, taper: 0.0, ends: [-9.0, 9.0] };
 /// // Axes 2 apart: a lens 2 thick.
 /// let lens = PipeCrossing::new([pipe, pipe], 2.0, 0.3)?.with_side(CrossingSide::Inside).made()?.body;
 /// assert!(lens.is_solid() && (lens.bounds().max.z - lens.bounds().min.z - 2.0).abs() < 0.1);
@@ -125,7 +131,7 @@ impl CrossingSide {
 ///
 /// ```
 /// use cyclide::{CrossingPipe, PipeCrossing};
-/// let pipe = CrossingPipe { radius: 2.0, ends: [-9.0, 9.0] };
+/// let pipe = CrossingPipe { radius: 2.0, taper: 0.0, ends: [-9.0, 9.0] };
 /// let made = PipeCrossing::new([pipe, pipe], 3.0, 0.5)?.made()?;
 /// assert!(made.body.is_solid() && made.blend.tightest > 0.0);
 /// # Ok::<(), cyclide::Error>(())
@@ -142,7 +148,7 @@ impl PipeCrossing {
     /// A solid crossing at right angles: the distance of the axes, and the radius of the ball, to a thousandth of it.
     ///
     /// # Errors
-    /// `not-finite`, `radius-not-positive`, `parameter-out-of-range`, `pipe-ends-reversed`; `crossing-axes-too-near` unless the distance is more than the radii differ.
+    /// `not-finite`, `radius-not-positive`, `parameter-out-of-range`, `pipe-ends-reversed`, `crossing-axes-too-near` (a distance not above 0).
     pub fn new(pipes: [CrossingPipe; 2], distance: f64, blend: f64) -> Result<Self> {
         for (index, radius) in pipes.iter().map(|pipe| pipe.radius).chain([blend]).enumerate() {
             if !radius.is_finite() {
@@ -156,18 +162,21 @@ impl PipeCrossing {
         if let Some(index) = pipes.iter().flat_map(|pipe| pipe.ends).position(|end| !end.is_finite()) {
             return Err(Error::NotFinite { what: ErrorItem::Coordinate, index });
         }
+        if let Some(index) = pipes.iter().position(|pipe| !pipe.taper.is_finite()) {
+            return Err(Error::NotFinite { what: ErrorItem::Taper, index });
+        }
         for (pipe, CrossingPipe { ends: [start, end], .. }) in pipes.into_iter().enumerate() {
             if start >= end {
                 return Err(Error::PipeEndsReversed { pipe, start, end });
             }
         }
-        let limit = (pipes[0].radius - pipes[1].radius).abs();
-        if distance <= limit {
+        if distance <= 0.0 {
+            let limit = (pipes[0].radius - pipes[1].radius).abs();
             return Err(Error::CrossingAxesTooNear { distance, limit });
         }
-        let pair = SkewCylinders::new(pipes.map(|pipe| pipe.radius), 0.5 * distance)?;
+        let axes = SkewCylinders::axes(0.5 * distance)?;
         let (law, side) = (Law::new(&[[0.0, blend]])?, CrossingSide::Outside);
-        Ok(Self { pipes, pair, law, side, tolerance: None, wall: None, ends: TeeEnds::Flat })
+        Ok(Self { pipes, axes, law, side, tolerance: None, wall: None, ends: TeeEnds::Flat })
     }
 
     /// The same with a ball that has these radii in these directions, pairs of an angle and the radius there in any order, and changes smoothly from one to
@@ -175,7 +184,7 @@ impl PipeCrossing {
     ///
     /// ```
     /// use cyclide::{CrossingPipe, PipeCrossing};
-    /// let pipe = CrossingPipe { radius: 2.0, ends: [-9.0, 9.0] };
+    /// let pipe = CrossingPipe { radius: 2.0, taper: 0.0, ends: [-9.0, 9.0] };
     /// let crossing = PipeCrossing::new([pipe, pipe], 3.0, 0.5)?.with_radii(&[[0.0, 0.4], [2.0, 0.8]])?;
     /// let [least, most] = crossing.made()?.blend.radii;
     /// assert!((least - 0.4).abs() < 4e-4 && (most - 0.8).abs() < 8e-4);
@@ -201,7 +210,7 @@ impl PipeCrossing {
     /// # Errors
     /// As [`SkewCylinders::with_angle`].
     pub fn with_angle(self, angle: f64) -> Result<Self> {
-        Ok(Self { pair: self.pair.with_angle(angle)?, ..self })
+        Ok(Self { axes: self.axes.with_angle(angle)?, ..self })
     }
 
     /// The same with another tolerance of the radius, a thousandth of it by default.
@@ -236,18 +245,22 @@ impl PipeCrossing {
     /// The body, with what is known of its blend.
     ///
     /// # Errors
-    /// `radius-too-small` (outside, of pipes that do not touch: a ball is no larger than half the gap), `crossing-ball-too-large` (inside and mixed: than half of the room there is), `crossing-pipes-apart` (mixed),
+    /// `crossing-axes-too-near` (unless their distance is more than the radii differ), `radius-too-small` (outside, of pipes that do not touch: a ball is no larger than half the gap), `crossing-ball-too-large` (inside and mixed: than half of the room there is), `crossing-pipes-apart` (mixed),
     /// `below-rounding-of-place`, `too-many-pieces` (the tolerance), `crossing-folds`, `crossing-hole-too-wide`, `crossing-hole-turns-back`,
-    /// `crossing-pipe-too-short`, `parameter-out-of-range` (inside, a wall as thick as the radius of a ball).
+    /// `crossing-pipe-too-short`, `parameter-out-of-range` (inside, a wall as thick as the radius of a ball). Of pipes with a taper also `radius-not-positive` (one that comes to an end before its own),
+    /// `angle-out-of-range` (the angle of the axes, or its supplement, is not above the sum of the tapers), `crossing-needs-cylinders` (mixed, or a radius that changes).
     pub fn made(&self) -> Result<MadeCrossing> {
+        self.check_tapers()?;
+        let mantles = [0, 1].map(|pipe: usize| skin::mantle(&self.axes, pipe, &self.pipes[pipe]));
+        let pair = TorusPair::new(&self.pipes, &self.axes, &mantles)?;
         let ends = self.pipes.iter().flat_map(|pipe| pipe.ends);
-        let place = ends.fold(2.0 * self.pair.half_gap(), |most, end| most.max(end.abs()));
+        let place = ends.fold(2.0 * self.axes.half_gap(), |most, end| most.max(end.abs()));
         let [least, most] = self.law.range();
         range::check_size_in_place(ErrorItem::Blend, least, place, range::SMALLEST_IN_PLACE)?;
-        let limit = self.pair.smallest_radius();
+        let limit = pair.smallest_radius();
         let depth = self.wall.unwrap_or(0.0);
-        let mixed = match self.side {
-            CrossingSide::Mixed => Some(MixedPair::new(&self.pair)?),
+        let mixed = match (self.side, &pair) {
+            (CrossingSide::Mixed, TorusPair::Cylinders(pair)) => Some(MixedPair::new(pair)?),
             _ => None,
         };
         if self.side.is_in_material() {
@@ -261,7 +274,7 @@ impl PipeCrossing {
         } else if !(least > limit) {
             return Err(Error::RadiusTooSmall { radius: least, limit });
         }
-        let balls = Balls { pair: &self.pair, mixed, law: &self.law, tolerance: self.tolerance, side: self.side };
+        let balls = Balls { pair, mantles, mixed, law: &self.law, tolerance: self.tolerance, side: self.side };
         check::check_reach_round(&balls)?;
         let balls = BallLoop::new(&balls)?;
         for pipe in 0..2 {
@@ -278,28 +291,28 @@ impl PipeCrossing {
             tightest: tight.left,
             tightest_at: tight.angle,
         };
-        Ok(MadeCrossing { body: self.sewn(&balls)?, blend })
+        Ok(MadeCrossing { body: self.sewn(&mantles, &balls)?, blend })
     }
 
     /// The faces of all skins, closed as asked.
-    fn sewn(&self, balls: &BallLoop) -> Result<Body> {
+    fn sewn(&self, mantles: &[Mantle; 2], balls: &BallLoop) -> Result<Body> {
         let mut sewing = Sewing::default();
-        let outer = self.skin(&mut sewing, balls, [0.0; 2])?;
+        let outer = self.skin(&mut sewing, mantles, balls, [0.0; 2])?;
         let ends = if self.side == CrossingSide::Inside { TeeEnds::Closed } else { self.ends };
         match (self.wall, ends) {
             (None, TeeEnds::Open) => {}
-            (None, _) => self.disks(&mut sewing, &outer, [0.0; 2])?,
+            (None, _) => self.disks(&mut sewing, mantles, &outer, [0.0; 2])?,
             (Some(wall), TeeEnds::Closed) => {
-                self.disks(&mut sewing, &outer, [0.0; 2])?;
+                self.disks(&mut sewing, mantles, &outer, [0.0; 2])?;
                 let mut inside = Sewing::default();
-                let inner = self.skin(&mut inside, balls, [wall; 2])?;
-                self.disks(&mut inside, &inner, [wall; 2])?;
+                let inner = self.skin(&mut inside, mantles, balls, [wall; 2])?;
+                self.disks(&mut inside, mantles, &inner, [wall; 2])?;
                 return Ok(Body { outer: sewing.finish()?, voids: vec![inside.finish()?] });
             }
             (Some(wall), _) => {
-                let inner = self.skin(&mut sewing, balls, [wall, 0.0])?;
+                let inner = self.skin(&mut sewing, mantles, balls, [wall, 0.0])?;
                 let mut skin = Skin { sewing: &mut sewing, depth: 0.0, inner: false };
-                for ((outer, inner), (_, outwards)) in outer.iter().zip(&inner).zip(self.openings(0.0)) {
+                for ((outer, inner), (_, outwards)) in outer.iter().zip(&inner).zip(self.openings(mantles, 0.0)) {
                     skin.between_rings(outer, inner, outwards)?;
                 }
             }
@@ -308,39 +321,71 @@ impl PipeCrossing {
     }
 
     /// The centres of the ends, and the directions out of them: of the first pipe, then of the second, if they are left.
-    fn openings(&self, short: f64) -> Vec<(Point3, Vec3)> {
+    fn openings(&self, mantles: &[Mantle; 2], short: f64) -> Vec<(Point3, Vec3)> {
         let end = |pipe: usize, side: usize| {
-            let axis = skin::axis(&self.pair, pipe);
+            let mantle = &mantles[pipe];
             let (way, at) = if side == 0 {
                 (-1.0, self.pipes[pipe].ends[0] + short)
             } else {
                 (1.0, self.pipes[pipe].ends[1] - short)
             };
-            (axis.centre(at), axis.along * way)
+            (mantle.centre(at), mantle.along * way)
         };
         (0..2).filter(|&pipe| self.side.leaves(pipe)).flat_map(|pipe| [end(pipe, 0), end(pipe, 1)]).collect()
     }
 
-    fn disks(&self, sewing: &mut Sewing, rings: &[Ring], [depth, short]: [f64; 2]) -> Result<()> {
+    fn disks(
+        &self,
+        sewing: &mut Sewing,
+        mantles: &[Mantle; 2],
+        rings: &[Ring],
+        [depth, short]: [f64; 2],
+    ) -> Result<()> {
         let mut skin = Skin { sewing, depth, inner: depth > 0.0 };
-        for (ring, (centre, outwards)) in rings.iter().zip(self.openings(short)) {
+        for (ring, (centre, outwards)) in rings.iter().zip(self.openings(mantles, short)) {
             skin.disk(ring, centre, if depth > 0.0 { -outwards } else { outwards })?;
         }
         Ok(())
     }
 
     /// The faces of a skin at a depth, with pipes shorter by a length at both ends, and its rings in the order of [`openings`](Self::openings).
-    fn skin(&self, sewing: &mut Sewing, balls: &BallLoop, [depth, short]: [f64; 2]) -> Result<Vec<Ring>> {
+    fn skin(
+        &self,
+        sewing: &mut Sewing,
+        mantles: &[Mantle; 2],
+        balls: &BallLoop,
+        [depth, short]: [f64; 2],
+    ) -> Result<Vec<Ring>> {
         let mut skin = Skin { sewing, depth, inner: depth > 0.0 };
         let stretches = self.pipes.map(|pipe| [pipe.ends[0] + short, pipe.ends[1] - short]);
-        skin.crossing(&self.pair, balls, stretches, self.side)
+        skin.crossing(mantles, balls, stretches, self.side)
+    }
+
+    /// Refuses cones that come to an end before their own, and what is made of cylinders only.
+    fn check_tapers(&self) -> Result<()> {
+        let Some(pipe) = self.pipes.iter().position(|pipe| pipe.taper != 0.0) else { return Ok(()) };
+        let [least, most] = self.law.range();
+        let needing = [(self.side == CrossingSide::Mixed, ErrorItem::Side), (least < most, ErrorItem::Blend)];
+        if let Some((_, what)) = needing.into_iter().find(|(needs, _)| *needs) {
+            return Err(Error::CrossingNeedsCylinders { what, pipe, taper: self.pipes[pipe].taper });
+        }
+        let depth = self.wall.unwrap_or(0.0);
+        for CrossingPipe { radius, taper, ends } in self.pipes {
+            let (sin, cos) = taper.sin_cos();
+            let thinnest = ends.map(|end| radius - (end * sin + depth) / cos).into_iter().fold(radius, f64::min);
+            if !(cos > 0.0 && thinnest > 0.0) {
+                return Err(Error::RadiusNotPositive { radius: thinnest });
+            }
+        }
+        Ok(())
     }
 
     /// Refuses pipes that end within the blend.
     fn check_room(&self, balls: &BallLoop) -> Result<()> {
         let short = if self.ends == TeeEnds::Closed { self.wall.unwrap_or(0.0) } else { 0.0 };
-        for (pipe, CrossingPipe { radius, ends }) in self.pipes.into_iter().enumerate() {
-            let rest = check::LEAST_REST * radius + short;
+        for (pipe, CrossingPipe { radius, taper, ends }) in self.pipes.into_iter().enumerate() {
+            // The hole of the inner skin is moved along a cone.
+            let rest = check::LEAST_REST * radius + short + self.wall.unwrap_or(0.0) * taper.sin().abs();
             let [low, high] = balls.reach(pipe);
             let needed = [low - rest, high + rest];
             for (end, needed, fits) in

@@ -1,28 +1,27 @@
 //! A skin of a crossing, outer or inner: the blend, and both pipes round their holes.
 
-use super::CrossingSide;
 use super::ball_loop::{BallLoop, LoopPiece};
+use super::{CrossingPipe, CrossingSide};
 use crate::base::quat::Quat;
 use crate::base::vector::{Point3, Vec3};
-use crate::construct::bodies::pierced::{Cylinder, Hole, Node, Ring, Skin};
+use crate::construct::bodies::pierced::{Hole, Mantle, Node, Ring, Skin};
 use crate::error::Result;
 use crate::rational::RationalBezier;
 use crate::surface::SkewCylinders;
 
 /// The first pipe about the x axis, the second above it, each seen from the other one.
-pub(super) fn axis(pair: &SkewCylinders, pipe: usize) -> Cylinder {
-    let radius = pair.radii()[pipe];
+pub(super) fn mantle(axes: &SkewCylinders, pipe: usize, &CrossingPipe { radius, taper, .. }: &CrossingPipe) -> Mantle {
     if pipe == 0 {
-        return Cylinder { radius, origin: Point3::ORIGIN, along: Vec3::X, sideways: Vec3::Y, up: Vec3::Z };
+        return Mantle { radius, taper, origin: Point3::ORIGIN, along: Vec3::X, sideways: Vec3::Y, up: Vec3::Z };
     }
-    let origin = Point3::new(0.0, 0.0, 2.0 * pair.half_gap());
-    let [along, sideways] = pair.second_axis();
-    Cylinder { radius, origin, along, sideways, up: -Vec3::Z }
+    let origin = Point3::new(0.0, 0.0, 2.0 * axes.half_gap());
+    let [along, sideways] = axes.second_axis();
+    Mantle { radius, taper, origin, along, sideways, up: -Vec3::Z }
 }
 
 /// What has been sewn of the contacts with a pipe, in the order of the loop.
 struct Contacts {
-    cylinder: Cylinder,
+    mantle: Mantle,
     nodes: Vec<Node>,
     vertices: Vec<usize>,
     edges: Vec<usize>,
@@ -33,20 +32,19 @@ impl Skin<'_> {
     /// that leaves only a cap none.
     pub(super) fn crossing(
         &mut self,
-        pair: &SkewCylinders,
+        mantles: &[Mantle; 2],
         balls: &BallLoop,
         stretches: [[f64; 2]; 2],
         side: CrossingSide,
     ) -> Result<Vec<Ring>> {
-        let contacts = [0, 1].map(|pipe: usize| {
-            let cylinder = axis(pair, pipe);
-            let radius = cylinder.radius - self.depth * side.depth_sign(pipe);
-            self.contacts(Cylinder { radius, ..cylinder }, &balls.pieces, pipe)
-        });
-        self.strip(pair, balls, &contacts, side)?;
+        let depths = [0, 1].map(|pipe: usize| self.depth * side.depth_sign(pipe));
+        let contacts = [0, 1].map(|pipe: usize| self.contacts(mantles[pipe].below(depths[pipe]), &balls.pieces, pipe));
+        self.strip(mantles[0].origin.midpoint(mantles[1].origin).to_vec(), balls, &contacts, side)?;
         let mut rings = Vec::new();
         for (pipe, contacts) in contacts.into_iter().enumerate() {
-            let hole = hole(balls, contacts, pipe, stretches[pipe]);
+            // Places of a skin below are counted from a moved origin.
+            let stretch = stretches[pipe].map(|at| at + depths[pipe] * mantles[pipe].taper.sin());
+            let hole = hole(balls, contacts, pipe, stretch);
             if side.leaves(pipe) {
                 rings.extend(self.stretch(&hole)?);
             } else {
@@ -56,21 +54,22 @@ impl Skin<'_> {
         Ok(rings)
     }
 
-    fn contacts(&mut self, cylinder: Cylinder, pieces: &[LoopPiece], pipe: usize) -> Contacts {
+    fn contacts(&mut self, mantle: Mantle, pieces: &[LoopPiece], pipe: usize) -> Contacts {
         let nodes: Vec<Node> = pieces.iter().map(|piece| piece.node(pipe)).collect();
         let vertices: Vec<usize> =
-            nodes.iter().map(|node| self.sewing.vertex(cylinder.point(node.half, node.along))).collect();
+            nodes.iter().map(|node| self.sewing.vertex(mantle.point(node.half, node.along))).collect();
         let edges = pieces.iter().enumerate().map(|(k, piece)| {
-            let row = cylinder.border(&piece.halves[pipe], &piece.along[pipe], piece.patch.center().weight());
+            let row = mantle.border(&piece.halves[pipe], &piece.along[pipe], piece.patch.center().weight());
             self.edge([vertices[k], vertices[(k + 1) % pieces.len()]], RationalBezier::from_polynomial_row(&row).into())
         });
         let edges = edges.collect();
-        Contacts { cylinder, nodes, vertices, edges }
+        Contacts { mantle, nodes, vertices, edges }
     }
 
+    /// The blend, whose balls are counted from the middle between the axes.
     fn strip(
         &mut self,
-        pair: &SkewCylinders,
+        middle: Vec3,
         balls: &BallLoop,
         [first, second]: &[Contacts; 2],
         side: CrossingSide,
@@ -81,12 +80,10 @@ impl Skin<'_> {
             let ratio = piece.patch.arc_ratio(0.0).unwrap_or(Quat::ONE);
             circles.push(self.sewing.arc(first.vertices[k], second.vertices[k], ratio)?);
         }
-        // Balls are counted from the middle between the axes.
-        let up = Vec3::Z * pair.half_gap();
         for (k, piece) in balls.pieces.iter().enumerate() {
             let next = (k + 1) % count;
             let corners = [first.vertices[k], first.vertices[next], second.vertices[k], second.vertices[next]];
-            let canal = piece.patch.offset(self.depth * side.ball_depth_sign()).moved(up);
+            let canal = piece.patch.offset(self.depth * side.ball_depth_sign()).moved(middle);
             let surface = canal.to_rational()?.with_corners(corners.map(|v| self.sewing.vertices[v]));
             let towards_centre = canal.ball(0.5).0 - surface.point(0.5, 0.5);
             let outwards = if side.is_in_material() { -towards_centre } else { towards_centre };
@@ -111,7 +108,7 @@ fn hole(balls: &BallLoop, contacts: Contacts, pipe: usize, stretch: [f64; 2]) ->
     let slope = |front: Node, back: Node| (angle(front) - angle(back)) / (front.along - back.along);
     let slant = 0.5 * (slope(high, back_high) + slope(low, back_low));
     Hole {
-        cylinder: contacts.cylinder,
+        mantle: contacts.mantle,
         pieces: order.pieces.iter().map(piece).collect(),
         nodes,
         contacts: order.nodes.iter().map(|&node| contacts.vertices[node]).collect(),

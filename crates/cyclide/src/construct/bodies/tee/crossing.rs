@@ -8,7 +8,7 @@ use super::loop_piece::LoopPiece;
 use crate::base::frame::Frame;
 use crate::base::quat::Quat;
 use crate::base::vector::{Point3, Vec3};
-use crate::construct::bodies::pierced::Cylinder;
+use crate::construct::bodies::pierced::Mantle;
 use crate::error::{Error, ErrorItem, Result};
 use crate::rational::{Polynomial, PolynomialRow};
 use std::f64::consts::{FRAC_PI_4, PI, TAU};
@@ -172,9 +172,9 @@ impl Crossing {
     }
 
     /// A skin of the main pipe.
-    pub(in crate::construct::bodies) fn main_pipe(&self, depth: f64) -> Cylinder {
+    pub(in crate::construct::bodies) fn main_pipe(&self, depth: f64) -> Mantle {
         let radius = self.radii[1] - depth;
-        Cylinder { radius, origin: Point3::ORIGIN, along: Vec3::X, sideways: self.sideways, up: self.up }
+        Mantle { radius, taper: 0.0, origin: Point3::ORIGIN, along: Vec3::X, sideways: self.sideways, up: self.up }
     }
 
     /// The boosted angle of a contact round the branch at the true angle.

@@ -3,7 +3,7 @@
 
 use super::crossing::Crossing;
 use crate::base::vector::Vec3;
-use crate::construct::bodies::pierced::{Border, Cylinder, Ring, Skin};
+use crate::construct::bodies::pierced::{Border, Mantle, Ring, Skin};
 use crate::error::Result;
 use crate::rational::Polynomial;
 use std::f64::consts::{PI, TAU};
@@ -82,7 +82,7 @@ impl Skin<'_> {
     /// As [`RationalBezierSurface::new`](crate::RationalBezierSurface::new).
     pub(super) fn join(&mut self, crossings: [&Crossing; 2], rings: [&Ring; 2]) -> Result<()> {
         let [a, b] = crossings;
-        let cylinder = a.main_pipe(self.depth);
+        let mantle = a.main_pipe(self.depth);
         let turn = b.up.dot(a.sideways).atan2(b.up.dot(a.up));
         let from = Walk::new(rings[0], 0.0, None);
         let to = Walk::new(rings[1], 0.5 * turn, Some(from.angles[0]));
@@ -90,7 +90,7 @@ impl Skin<'_> {
         let places = [place(self, &from), place(self, &to)];
         let (mut i, mut j) = (0, 0);
         let (last_i, last_j) = (from.angles.len() - 1, to.angles.len() - 1);
-        let first = self.link(&cylinder, [&from, &to], [0, 0], places)?;
+        let first = self.link(&mantle, [&from, &to], [0, 0], places)?;
         let mut before = first;
         while i < last_i || j < last_j {
             let step = |walk: &Walk, k: usize, last: usize| if k < last { walk.angles[k + 1] } else { f64::INFINITY };
@@ -109,7 +109,7 @@ impl Skin<'_> {
             let behind = if end_i == last_i && end_j == last_j {
                 first
             } else {
-                self.link(&cylinder, [&from, &to], [end_i, end_j], places)?
+                self.link(&mantle, [&from, &to], [end_i, end_j], places)?
             };
             let half = |walk: &Walk, k: usize, moves: usize| {
                 if moves == 1 { walk.along(k) } else { walk.half(k).map(Polynomial::constant) }
@@ -117,7 +117,7 @@ impl Skin<'_> {
             let [first_border, second_border] = [(&from, i, di, places[0]), (&to, j, dj, places[1])]
                 .map(|(walk, k, moves, at)| Border { half: half(walk, k, moves), along: Polynomial::constant(at) });
             let one = Polynomial::constant(1.0);
-            let surface = cylinder.between(&one, &first_border, &second_border)?;
+            let surface = mantle.between(&one, &first_border, &second_border)?;
             let vertices = [from.vertex(i), from.vertex(end_i), to.vertex(j), to.vertex(end_j)];
             let surface = surface.with_corners(vertices.map(|v| self.sewing.vertices[v]));
             let middle = surface.point(0.5, 0.5);
@@ -134,20 +134,14 @@ impl Skin<'_> {
     }
 
     /// The edge between a vertex of one ring and one of the other.
-    fn link(
-        &mut self,
-        cylinder: &Cylinder,
-        [from, to]: [&Walk; 2],
-        [i, j]: [usize; 2],
-        places: [f64; 2],
-    ) -> Result<usize> {
+    fn link(&mut self, mantle: &Mantle, [from, to]: [&Walk; 2], [i, j]: [usize; 2], places: [f64; 2]) -> Result<usize> {
         debug_assert!((from.angles[i] - to.angles[j]).abs() < PI);
         let ends = [from.vertex(i), to.vertex(j)];
         if (from.angles[i] - to.angles[j]).abs() <= 1e-12 {
             return self.sewing.segment(ends[0], ends[1]);
         }
         let points = ends.map(|v| self.sewing.vertices[v]);
-        let curve = cylinder.across(points, [from.half(i), to.half(j)], places)?;
+        let curve = mantle.across(points, [from.half(i), to.half(j)], places)?;
         Ok(self.edge(ends, curve))
     }
 }

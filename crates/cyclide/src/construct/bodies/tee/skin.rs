@@ -43,10 +43,10 @@ impl Skin<'_> {
     fn blend(&mut self, branch: &Branch, canals: &[Canal], balls: &[Ball]) -> Result<(Hole, [Vec<usize>; 2])> {
         let crossing = branch.crossing;
         let count = canals.len();
-        let cylinder = crossing.main_pipe(self.depth);
+        let mantle = crossing.main_pipe(self.depth);
         let upper: Vec<Point3> =
             balls.iter().map(|ball| crossing.branch_point(self.depth, ball.on_branch, ball.height)).collect();
-        let lower: Vec<Point3> = balls.iter().map(|ball| cylinder.point(ball.on_main, ball.along)).collect();
+        let lower: Vec<Point3> = balls.iter().map(|ball| mantle.point(ball.on_main, ball.along)).collect();
         let contacts: Vec<usize> = lower.iter().map(|&p| self.sewing.vertex(p)).collect();
         // At the flanks of equal pipes both contacts are one point.
         let points: Vec<bool> =
@@ -59,8 +59,7 @@ impl Skin<'_> {
         for (k, canal) in canals.iter().enumerate() {
             let next = (k + 1) % count;
             let piece = on_main(crossing, canal);
-            let contact =
-                RationalBezier::from_polynomial_row(&cylinder.border(&piece.half, &piece.along, &piece.weight));
+            let contact = RationalBezier::from_polynomial_row(&mantle.border(&piece.half, &piece.along, &piece.weight));
             let top = RationalBezier::from_polynomial_row(&canal.on_branch());
             top_edges.push(self.edge([tops[k], tops[next]], top.into()));
             edges.push(self.edge([contacts[k], contacts[next]], contact.into()));
@@ -82,7 +81,7 @@ impl Skin<'_> {
         }
         let nodes = balls.iter().map(|ball| Node { half: ball.on_main, along: ball.along }).collect();
         let hole = Hole {
-            cylinder,
+            mantle,
             pieces,
             nodes,
             contacts,

@@ -1,7 +1,8 @@
 //! Parts of a pipe between two borders: rulings, arcs and what is between, all exact.
 //!
 //! A half direction `V` with the angle g is turned to the point at g by `(C² - S², 2 S C)/(C² + S²)`; between two half directions it runs linearly, and the
-//! place along the pipe too. So the part is rational, of degree 2 across where the borders are at equal places, of degree 3 otherwise.
+//! place along the pipe too. So the part is rational, of degree 2 across where the borders are at equal places, of degree 3 otherwise; of a cone no
+//! more, since its radius is linear in the place.
 
 use crate::base::quat::Quat;
 use crate::base::vector::{Point3, Vec3};
@@ -16,22 +17,36 @@ pub(in crate::construct::bodies) struct Border {
     pub(in crate::construct::bodies) along: Polynomial,
 }
 
-/// A skin of a pipe. Angles are counted from `up` towards `sideways`, places along the axis from the origin; the three directions are a
+/// A skin of a pipe, a cylinder or a cone. Angles are counted from `up` towards `sideways`, places along the axis from the origin; the three directions are a
 /// right-handed frame in the order along, sideways, up.
 #[derive(Debug, Clone, Copy)]
-pub(in crate::construct::bodies) struct Cylinder {
+pub(in crate::construct::bodies) struct Mantle {
+    /// At the origin.
     pub(in crate::construct::bodies) radius: f64,
+    /// Half the angle of the cone: above zero it grows thinner along it.
+    pub(in crate::construct::bodies) taper: f64,
     pub(in crate::construct::bodies) origin: Point3,
     pub(in crate::construct::bodies) along: Vec3,
     pub(in crate::construct::bodies) sideways: Vec3,
     pub(in crate::construct::bodies) up: Vec3,
 }
 
-impl Cylinder {
+impl Mantle {
     /// What a point is off the axis.
     pub(in crate::construct::bodies) fn off_axis(&self, p: Point3) -> Vec3 {
         let way = p - self.origin;
         way - self.along * way.dot(self.along)
+    }
+
+    /// The radius at a place.
+    pub(in crate::construct::bodies) fn radius_at(&self, along: f64) -> f64 {
+        self.radius - self.taper.tan() * along
+    }
+
+    /// Each point of it this far below, against its normal, at the same angle and the same place, which is counted from a moved origin.
+    pub(in crate::construct::bodies) fn below(&self, depth: f64) -> Self {
+        let (sin, cos) = self.taper.sin_cos();
+        Self { radius: self.radius - depth * cos, origin: self.origin - self.along * (depth * sin), ..*self }
     }
 
     /// The centre of its circle at a place.
@@ -45,13 +60,14 @@ impl Cylinder {
     }
 
     pub(in crate::construct::bodies) fn point(&self, half: [f64; 2], along: f64) -> Point3 {
-        self.centre(along) + self.direction(half) * self.radius
+        self.centre(along) + self.direction(half) * self.radius_at(along)
     }
 
     /// A circle at a place, of degree twice that of its half direction.
     pub(in crate::construct::bodies) fn circle(&self, [c, s]: &[Polynomial; 2], along: f64) -> PolynomialRow {
         let (cc, ss, sc) = (c * c, s * s, c * s);
-        self.row(&(&cc + &(&ss * -1.0)), &(&sc * 2.0), &(&cc + &ss), &(&(&cc + &ss) * along))
+        let (radius, norm) = (self.radius_at(along), &cc + &ss);
+        self.row(&(&(&cc + &(&ss * -1.0)) * radius), &(&sc * (2.0 * radius)), &norm, &(&norm * along))
     }
 
     /// The curve of a border, with its weight.
@@ -63,13 +79,19 @@ impl Cylinder {
     ) -> PolynomialRow {
         let (cc, ss, sc) = (c * c, s * s, c * s);
         let norm = &cc + &ss;
-        let (cos, sin) = (&(&cc + &(&ss * -1.0)) * weight, &(&sc * 2.0) * weight);
-        self.row(&cos, &sin, &(&norm * weight), &(&norm * along))
+        let reach = self.reach(weight, along);
+        let (up, side) = (&(&cc + &(&ss * -1.0)) * &reach, &(&sc * 2.0) * &reach);
+        self.row(&up, &side, &(&norm * weight), &(&norm * along))
+    }
+
+    /// The radius at a place along, times the weight as that is.
+    fn reach(&self, weight: &Polynomial, along: &Polynomial) -> Polynomial {
+        // A cylinder takes no terms that only add rounding.
+        if self.taper == 0.0 { weight * self.radius } else { &(weight * self.radius) + &(along * -self.taper.tan()) }
     }
 
     fn row(&self, cos: &Polynomial, sin: &Polynomial, weight: &Polynomial, along: &Polynomial) -> PolynomialRow {
-        let (o, w) = (self.origin, self.along);
-        let (u, v) = (self.up * self.radius, self.sideways * self.radius);
+        let (o, u, v, w) = (self.origin, self.up, self.sideways, self.along);
         let entry = |u: f64, v: f64, w: f64, o: f64| &(&(cos * u) + &(sin * v)) + &(&(along * w) + &(weight * o));
         let [x, y, z] =
             [(u.x, v.x, w.x, o.x), (u.y, v.y, w.y, o.y), (u.z, v.z, w.z, o.z)].map(|(u, v, w, o)| entry(u, v, w, o));
@@ -103,9 +125,10 @@ impl Cylinder {
         let sin = [&(c0 * s0) * 2.0, &(c0 * s1) + &(s0 * c1), &(c1 * s1) * 2.0];
         let norm = [&(c0 * c0) + &(s0 * s0), &(c0 * c1) + &(s0 * s1), &(c1 * c1) + &(s1 * s1)];
         let rows: Vec<PolynomialRow> = if first.along == second.along {
+            let reach = self.reach(weight, &first.along);
             (0..3)
                 .map(|k| {
-                    self.row(&(&cos[k] * weight), &(&sin[k] * weight), &(&norm[k] * weight), &(&norm[k] * &first.along))
+                    self.row(&(&cos[k] * &reach), &(&sin[k] * &reach), &(&norm[k] * weight), &(&norm[k] * &first.along))
                 })
                 .collect()
         } else {
@@ -119,7 +142,9 @@ impl Cylinder {
                     &a[2] * b[1],
                 ]
             };
-            let [cos, sin, weights] = [&cos, &sin, &norm].map(|a| raised(a, [weight, weight]));
+            let [reach, far] = [first, second].map(|border| self.reach(weight, &border.along));
+            let [cos, sin] = [&cos, &sin].map(|a| raised(a, [&reach, &far]));
+            let weights = raised(&norm, [weight, weight]);
             let along = raised(&norm, [&first.along, &second.along]);
             (0..4).map(|k| self.row(&cos[k], &sin[k], &weights[k], &along[k])).collect()
         };
