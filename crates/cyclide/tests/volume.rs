@@ -184,7 +184,7 @@ fn check_differences(block: &CyclideVolume, at: [f64; 3], jet: &VolumeJet) -> Re
         block.jet(to)
     };
     let pairs = [[0, 1, 2], [1, 3, 4], [2, 4, 5]];
-    for axis in 0..3 {
+    for (axis, mixed) in pairs.into_iter().enumerate() {
         let (before, after) = (moved(axis, -step), moved(axis, step));
         let slope = (after.point - before.point) / (2.0 * step);
         let size = jet.first.iter().map(|v| v.length()).fold(block.size(), f64::max);
@@ -194,9 +194,9 @@ fn check_differences(block: &CyclideVolume, at: [f64; 3], jet: &VolumeJet) -> Re
             "{axis}: {slope:?} {:?}",
             jet.first[axis]
         );
-        for other in 0..3 {
+        for (other, place) in mixed.into_iter().enumerate() {
             let slope = (after.first[other] - before.first[other]) / (2.0 * step);
-            let second = jet.second[pairs[axis][other]];
+            let second = jet.second[place];
             prop_assert!(
                 (slope - second).length() < 1e-4 * (size + second.length()) + rounding,
                 "{axis}{other}: {slope:?} {second:?}"

@@ -127,7 +127,7 @@ impl VolumeReport {
         for volume in volumes {
             let measured = volume.measure();
             report.volume += measured.volume;
-            moment = moment + (measured.centroid - origin) * measured.volume;
+            moment += (measured.centroid - origin) * measured.volume;
             let shells = volume.faces().into_iter().filter_map(|face| Shell::from_surface(face).ok());
             report.area += shells.map(|shell| shell.area()).sum::<f64>();
             report.measure_cells(volume);

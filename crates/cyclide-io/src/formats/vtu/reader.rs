@@ -18,8 +18,10 @@ pub(super) const POINTS: &str = "Points";
 pub(super) const CONNECTIVITY: &str = "connectivity";
 pub(super) const OFFSETS: &str = "offsets";
 pub(super) const TYPES: &str = "types";
+/// A name with what it is said of a cell.
+type Tag = (&'static str, fn(&Tags) -> usize);
 /// What is said of each cell.
-pub(super) const TAGS: [(&str, fn(&Tags) -> usize); 4] = [
+pub(super) const TAGS: [Tag; 4] = [
     ("object", |tags| tags.object),
     ("part", |tags| tags.part),
     ("shell", |tags| tags.shell),

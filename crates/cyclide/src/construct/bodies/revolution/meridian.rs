@@ -52,7 +52,7 @@ pub(super) fn check(turn: &Revolution, pieces: &[Piece], size: f64) -> Result<()
     let count = chords.len();
     let ring =
         chords.first().zip(chords.last()).is_some_and(|(a, b)| distance(a.ends[0], b.ends[1]) <= ONE_PLACE * size);
-    find_meeting(chords, size, |a, b| {
+    find_meeting(turn, chords, size, |a, b| {
         let (first, second) = if a.order < b.order { (a, b) } else { (b, a) };
         let follows = second.order - first.order == 1;
         let closes = ring && first.order == 0 && second.order == count - 1;
@@ -78,7 +78,7 @@ pub(super) fn check_apart(turn: &Revolution, profiles: &[&[Piece]], size: f64) -
         all.extend(chords(turn, profile, count, pieces));
         count += pieces.len();
     }
-    find_meeting(all, size, |a, b| a.profile != b.profile && cross(turn, a, b, size))
+    find_meeting(turn, all, size, |a, b| a.profile != b.profile && cross(turn, a, b, size))
 }
 
 /// True if the meridian of a solid goes round that of another, from which it is apart: a ray along the axis from a place of the other
@@ -105,7 +105,12 @@ pub(super) fn all_around(turn: &Revolution, profiles: &[&[Piece]]) -> Vec<Vec<us
 }
 
 /// Refuses chords of which two meet; those beside each other in height are looked at.
-fn find_meeting(mut chords: Vec<Chord<'_>>, size: f64, meet: impl Fn(&Chord<'_>, &Chord<'_>) -> bool) -> Result<()> {
+fn find_meeting(
+    turn: &Revolution,
+    mut chords: Vec<Chord<'_>>,
+    size: f64,
+    meet: impl Fn(&Chord<'_>, &Chord<'_>) -> bool,
+) -> Result<()> {
     let low = |chord: &Chord<'_>| chord.ends[0][1].min(chord.ends[1][1]) - chord.leaves;
     let high = |chord: &Chord<'_>| chord.ends[0][1].max(chord.ends[1][1]) + chord.leaves;
     chords.sort_by(|a, b| low(a).total_cmp(&low(b)));
