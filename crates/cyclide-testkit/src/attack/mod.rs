@@ -30,6 +30,7 @@ mod tees;
 mod tori;
 mod triangles;
 mod tubes;
+mod volumes;
 
 pub use random::Random;
 
@@ -114,6 +115,9 @@ const CLASSES: &[Class] = &[
     ("trajectories", 2, motions::trajectory),
     ("swept surfaces", 2, motions::swept),
     ("quotients", 3, quotients::curve),
+    ("volumes", 1, volumes::block),
+    ("layers", 1, volumes::layers),
+    ("in volumes", 1, volumes::derived),
 ];
 
 /// Document `number` of the attack with this seed.

@@ -55,7 +55,7 @@ impl Outcome {
 /// Formats with geometry of an object with surfaces, and of curves, with the options that make them.
 #[must_use]
 pub fn formats(attack: &Attack) -> Vec<&'static str> {
-    let mut formats = vec!["step", "svg", "json", "glb", "obj"];
+    let mut formats = vec!["step", "svg", "json", "glb", "obj", "vtu"];
     formats.extend(if attack.has_surfaces { vec!["stl"] } else { vec!["dxf", "csv"] });
     formats
 }
