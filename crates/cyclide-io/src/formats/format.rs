@@ -78,7 +78,7 @@ mod tests {
             ("a.qqqq", ""),
         ] {
             let message = Format::from_path(Path::new(path)).unwrap_err().to_string();
-            assert!(message.ends_with(&format!(".glb .obj .stl{hint}")), "{message}");
+            assert!(message.ends_with(&format!(".glb .obj .stl .vtu{hint}")), "{message}");
         }
     }
 }

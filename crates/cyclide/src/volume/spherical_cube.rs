@@ -25,7 +25,7 @@ const FIRST_FACES: [([usize; 4], usize); 3] = [([0, 1, 2, 3], 2), ([0, 1, 4, 5],
 /// ```
 /// use cyclide::{Point3, SphericalCube};
 /// let corners = [[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [0.0, 3.0, 0.0], [0.0, 0.0, 1.0]].map(Point3::from);
-/// let cube = SphericalCube::from_positions(corners, [4.0 / 13.0, 0.8, 0.9])?; // the cuboid of these sides
+/// let cube = SphericalCube::from_positions(corners, [9.0 / 13.0, 0.2, 0.1])?; // the cuboid of these sides
 /// assert!(cube.corners()[7].distance(Point3::new(2.0, 3.0, 1.0)) < 1e-14 && cube.is_embedded());
 /// # Ok::<(), cyclide::Error>(())
 /// ```
