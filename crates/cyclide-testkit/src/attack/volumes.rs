@@ -50,7 +50,8 @@ fn cyclide_volume(random: &mut Random) -> Value {
     let corners = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(&mut corner);
     let mut object = json!({"type": "cyclide-volume", "corners": corners});
     if random.chance(0.5) {
-        object["inside"] = json!([0, 1, 2].map(|_| random.decades(-3.0, 3.0)));
+        let inside = [0.0; 3].map(|_: f64| random.decades(-3.0, 3.0));
+        object["inside"] = json!(inside);
     }
     if random.chance(0.5) {
         object["turn"] = json!(random.pick(&[0.0, 1.0, 0.5, 0.2]));
@@ -59,7 +60,8 @@ fn cyclide_volume(random: &mut Random) -> Value {
         let (u, v) = (random.vector(), random.vector());
         let dot = |a: &[f64; 3], b: &[f64; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
         let part = dot(&u, &v) / dot(&u, &u);
-        object["frame"] = json!([u, [0, 1, 2].map(|i| v[i] - part * u[i])]);
+        let across = [0, 1, 2].map(|i| v[i] - part * u[i]);
+        object["frame"] = json!([u, across]);
     }
     object
 }
