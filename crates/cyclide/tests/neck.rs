@@ -202,6 +202,20 @@ fn solids_of_leaning_pipes_differ_by_the_bore_and_the_plate() {
     }
 }
 
+/// Points of a small torus and of the neck of a pipe that hardly leans differ by less than what tells patches; their arcs do by more than a shell allows.
+#[test]
+fn small_balls_and_hardly_leaning_pipes_are_made() {
+    for (ball, slope) in [-3, -4, -5, -6].into_iter().flat_map(|ball| (-12..-5).map(move |slope| (ball, slope))) {
+        for (side, variant) in SIDES.into_iter().flat_map(|side| VARIANTS.map(|variant| (side, variant))) {
+            let neck =
+                NeckBlend::new(1.0, 2.1 * 10.0_f64.powi(ball), 1.5 * 10.0_f64.powi(slope), side, variant).unwrap();
+            let plate = Some(PlateShape::Disk(3.0)).filter(|_| side == NeckSide::Outside);
+            let body = neck.body(&made(3.0, plate, Some(0.5), None)).unwrap();
+            assert!(body.is_solid() && surface_joints(&body.outer).iter().all(|joint| joint.gap < 1e-12));
+        }
+    }
+}
+
 #[test]
 fn similar_data_give_similar_bodies() {
     let plate = |scale: f64| Some(PlateShape::Rectangle([20.0 * scale, 18.0 * scale]));

@@ -1,7 +1,9 @@
 //! What makes vertices, edges and faces a shell.
 
 use super::{EdgeCurve, FaceEdge, FaceGeometry as _, FaceSurface, Shell, ShellFace, Side};
+use crate::base::quat::Quat;
 use crate::base::vector::Point3;
+use crate::curve::Arc;
 use crate::error::{Error, ErrorItem, Result};
 
 /// Largest relative difference of the weight ratios of a side and of its edge.
@@ -12,6 +14,12 @@ const ROUNDINGS: f64 = 32.0;
 /// True if two points are one: bit for bit (`exact`), or as near as the quotients of a rational form are.
 pub(super) fn same_point(exact: bool, a: Point3, b: Point3) -> bool {
     a == b || !exact && a.distance(b) <= ROUNDINGS * f64::EPSILON * a.to_vec().max_abs().max(b.to_vec().max_abs())
+}
+
+/// Whether an arc has this ratio of weights: of points with rounded coordinates it is known as well as the chord.
+pub(crate) fn has_ratio(arc: &Arc, ratio: Quat) -> bool {
+    let rounding = ROUNDINGS * f64::EPSILON * arc.start().to_vec().max_abs() / arc.chord().length();
+    (arc.weight_ratio() - ratio).norm() <= (RATIO_LIMIT + rounding) * arc.weight_ratio().norm()
 }
 
 impl Shell {
@@ -86,10 +94,7 @@ impl Shell {
         let edge = &self.edges[place.edge].curve;
         let Ok(line) = side.curve_of(surface) else { return false };
         if let (EdgeCurve::Arc(line), EdgeCurve::Arc(arc)) = (&line, edge) {
-            let want = if place.forward { *arc } else { arc.reversed() }.weight_ratio();
-            // Of points with rounded coordinates the ratio is known as well as the chord.
-            let rounding = ROUNDINGS * f64::EPSILON * arc.start().to_vec().max_abs() / arc.chord().length();
-            return (line.weight_ratio() - want).norm() <= (RATIO_LIMIT + rounding) * want.norm();
+            return has_ratio(&if place.forward { *arc } else { arc.reversed() }, line.weight_ratio());
         }
         // Two rational curves are one, with one parameter, if they agree at more places than their degrees together.
         let degree = |curve: &EdgeCurve| match curve {

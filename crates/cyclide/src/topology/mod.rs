@@ -19,6 +19,7 @@ mod thick;
 mod transform;
 mod volume;
 
+pub(crate) use check::has_ratio;
 pub use cut_shell::CutShell;
 pub use edge_curve::EdgeCurve;
 pub use face_geometry::{CellDistances, FaceGeometry, LineBends};

@@ -11,6 +11,7 @@ use crate::base::vector::{Point3, Vec3};
 use crate::curve::Arc;
 use crate::rational::RationalBezierSurface;
 use crate::surface::{CyclidePatch, ParamSurface as _};
+use crate::topology::has_ratio;
 
 /// Points of a patch and of a face that are the same differ by rounding: by less than this part of the face and of the coordinates.
 const SAME: f64 = 1e-13;
@@ -29,6 +30,11 @@ pub(super) fn turned_patch(
 ) -> Option<CyclidePatch> {
     let (first, left) = (along_s[0].or(along_s[1])?, along_t[0].or(along_t[1])?);
     let (u, w) = (first.weight_ratio(), left.weight_ratio());
+    // Of short arcs beside long ones the points alone do not tell: shells want the ratios of their edges.
+    let far = [(along_s, u), (along_t, u * w * u.inverse()?)];
+    if far.iter().any(|(edges, ratio)| matches!(edges, [Some(_), Some(far)] if !has_ratio(far, *ratio))) {
+        return None;
+    }
     let (v1, v2) = (first.start_tangent()?, left.start_tangent()?);
     let patch = CyclidePatch::from_weights(corners, [Quat::ONE, u, w, u * w], v1, across(v1, v2)?).ok()?;
     let size = corners.iter().map(|p| p.distance(corners[0])).fold(0.0, f64::max);
