@@ -7,8 +7,8 @@ use crate::volume::ParamVolume as _;
 
 /// Two rules agree to this part of the largest cell's integral: the better one, exact for twice the degree, is better by orders of magnitude.
 const AGREEMENT: f64 = 1e-8;
-/// Cells at most.
-const CELLS: usize = 4096;
+/// Cells at most: a block that folds has a kink along which halving never ends.
+const CELLS: usize = 256;
 
 /// Measures of a volume.
 ///
