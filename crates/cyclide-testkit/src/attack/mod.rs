@@ -115,19 +115,22 @@ const CLASSES: &[Class] = &[
     ("trajectories", 2, motions::trajectory),
     ("swept surfaces", 2, motions::swept),
     ("quotients", 3, quotients::curve),
-    ("volumes", 1, volumes::block),
-    ("layers", 1, volumes::layers),
-    ("in volumes", 1, volumes::derived),
 ];
+
+/// Classes of blocks.
+const BLOCKS: &[Class] =
+    &[("volumes", 1, volumes::block), ("layers", 1, volumes::layers), ("in volumes", 1, volumes::derived)];
 
 /// Document `number` of the attack with this seed.
 #[must_use]
 pub fn document(seed: u64, number: u64) -> Attack {
     let mut random = Random::new(seed, number);
-    let total: u32 = CLASSES.iter().map(|class| class.1).sum();
+    // Every sixteenth document is of blocks: so the others are what they were before there were any.
+    let classes = if number % 16 == 7 { BLOCKS } else { CLASSES };
+    let total: u32 = classes.iter().map(|class| class.1).sum();
     let mut pick = random.below(total as usize) as u32;
-    let mut chosen = CLASSES[0];
-    for &class in CLASSES {
+    let mut chosen = classes[0];
+    for &class in classes {
         if pick < class.1 {
             chosen = class;
             break;

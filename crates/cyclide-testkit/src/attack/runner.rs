@@ -55,8 +55,9 @@ impl Outcome {
 /// Formats with geometry of an object with surfaces, and of curves, with the options that make them.
 #[must_use]
 pub fn formats(attack: &Attack) -> Vec<&'static str> {
-    let mut formats = vec!["step", "svg", "json", "glb", "obj", "vtu"];
+    let mut formats = vec!["step", "svg", "json", "glb", "obj"];
     formats.extend(if attack.has_surfaces { vec!["stl"] } else { vec!["dxf", "csv"] });
+    formats.push("vtu");
     formats
 }
 
