@@ -239,6 +239,8 @@ fn good_shells_stay_as_they_are() {
 }
 
 proptest! {
+    // The same cases in every run.
+    #![proptest_config(ProptestConfig { rng_seed: proptest::test_runner::RngSeed::Fixed(1), ..ProptestConfig::default() })]
     #[test]
     fn random_patches_are_cut_into_good_faces(
         angles in prop::array::uniform4(0.0..2.0 * PI),
