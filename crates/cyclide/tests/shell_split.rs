@@ -261,8 +261,8 @@ proptest! {
         // Patches through infinity are refused; those near it have weights that magnify rounding beyond the test's.
         prop_assume!(patch.is_ok());
         let patch = patch.unwrap();
-        let far = (0..121).map(|k| patch.point(f64::from(k % 11) / 10.0, f64::from(k / 11) / 10.0).to_vec().length());
-        prop_assume!(far.fold(0.0, f64::max) < 30.0);
+        // The box is exact: places between others would miss a peak that is narrow.
+        prop_assume!(patch.bounds().max_abs() < 30.0);
         exported(patch);
     }
 }
