@@ -11,6 +11,7 @@ pub(crate) mod frame;
 pub(crate) mod jet;
 pub(crate) mod multilinear;
 pub(crate) mod planar;
+pub(crate) mod quadratic;
 pub(crate) mod quadrature;
 pub(crate) mod quat;
 pub(crate) mod range;

@@ -2,5 +2,6 @@
 
 pub(crate) mod hpoint;
 pub(crate) mod lie_sphere;
+pub(crate) mod mapped_pairs;
 pub(crate) mod mobius;
 pub(crate) mod sphere;

@@ -1,6 +1,7 @@
 //! What an error says: plain sentences with the item, the measure and the limit.
 
 use super::motion_message::of_motion;
+use super::volume_message::of_volume;
 use super::words::{
     at_infinity, at_least, clockwise, count_differs, numbered, opposed, outside, points_in_words, size_in_place,
     speed_ratio, through_infinity, zero_axis,
@@ -589,34 +590,6 @@ impl std::fmt::Display for Error {
                 ShortNumber(*length),
                 ShortNumber(*limit)
             ),
-            Self::ConcircularCube { measured, limit } => write!(
-                f,
-                "the first corner and its three neighbours are on one circle, so that the eighth corner is not determined: the triangle of the neighbours, inverted at the first corner, has the area {}, limit {}",
-                ShortNumber(*measured),
-                ShortNumber(*limit)
-            ),
-            Self::CrossingFace { axis, at, speed, limit } => {
-                let [name, first, second] = axis_words(*axis);
-                write!(
-                    f,
-                    "two faces cross themselves: their common side along {name} at {first} = {}, {second} = {} runs backwards (speed {}, limit {}); move the corners nearer to those of a box",
-                    ShortNumber(at[0]),
-                    ShortNumber(at[1]),
-                    ShortNumber(*speed),
-                    ShortNumber(*limit)
-                )
-            }
-            Self::VolumeThroughInfinity { at: [s, t, u] } => write!(
-                f,
-                "the volume passes through infinity near s = {}, t = {}, u = {}: its sides are arcs of nearly whole circles there",
-                ShortNumber(*s),
-                ShortNumber(*t),
-                ShortNumber(*u)
-            ),
-            Self::InBlock { block, cause } => write!(f, "block {block}: {cause}"),
-            Self::InFaceOfVolume { axis, end, cause } => {
-                write!(f, "the face at {} = {end}: {cause}", axis_words(*axis)[0])
-            }
             Self::InQuad { quad, cause } => write!(f, "quad {quad}: {cause}"),
             Self::CollapsedOnCurve { first, second } => write!(
                 f,
@@ -804,6 +777,11 @@ impl std::fmt::Display for Error {
             | Self::StudyFormVanishes { .. }
             | Self::MotionNotRational
             | Self::MotionAtRest { .. } => f.write_str(&of_motion(self)),
+            Self::ConcircularCube { .. }
+            | Self::CrossingFace { .. }
+            | Self::VolumeThroughInfinity { .. }
+            | Self::InBlock { .. }
+            | Self::InFaceOfVolume { .. } => f.write_str(&of_volume(self)),
         }
     }
 }
@@ -812,14 +790,5 @@ impl std::fmt::Display for Error {
 impl std::fmt::Debug for Error {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         write!(f, "{self} [{}]", self.reason())
-    }
-}
-
-/// The parameter of a direction, and the other two in order.
-const fn axis_words(axis: usize) -> [char; 3] {
-    match axis {
-        0 => ['s', 't', 'u'],
-        1 => ['t', 's', 'u'],
-        _ => ['u', 's', 't'],
     }
 }

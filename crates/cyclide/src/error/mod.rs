@@ -9,6 +9,7 @@ mod message;
 mod motion_message;
 mod reason;
 pub mod reasons;
+mod volume_message;
 mod words;
 
 pub use item::ErrorItem;

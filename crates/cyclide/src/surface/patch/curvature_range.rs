@@ -1,8 +1,8 @@
 //! Extremes of the principal curvatures over a patch, in closed form.
 
 use super::CyclidePatch;
-use super::polar::quadratic;
 use super::singular::{POLE_LIMIT, roots};
+use crate::base::quadratic::value as quadratic;
 
 impl CyclidePatch {
     /// Smallest and largest value of the principal curvature along the s-lines, [`k1`](Self::k1), over the patch. Towards

@@ -6,6 +6,7 @@
 //! Bernstein coefficients from `K_ij = ~w_i (a_j - a_i) w_j` (`docs/math/patches.md#speeds-and-moving-frame`).
 //! They are multiples of `V1` and `V2` all together: the proof is at [`PatchRow`](super::PatchRow).
 
+use crate::base::quadratic;
 use crate::base::quat::Quat;
 use crate::base::vector::{Point3, Vec3};
 
@@ -36,11 +37,11 @@ impl Polar {
     }
 
     pub(super) fn q1_at(&self, t: f64) -> f64 {
-        quadratic(&self.q1, t)
+        quadratic::value(&self.q1, t)
     }
 
     pub(super) fn q2_at(&self, s: f64) -> f64 {
-        quadratic(&self.q2, s)
+        quadratic::value(&self.q2, s)
     }
 
     /// `m·V2` for the given `V2`: `q1 + 2h m·V2` is the speed of the offset, `-2 m·V2/q1` the curvature of the s-lines.
@@ -54,7 +55,7 @@ impl Polar {
     }
 
     pub(super) fn q1_derivative(&self, t: f64) -> f64 {
-        2.0 * ((1.0 - t) * (self.q1[1] - self.q1[0]) + t * (self.q1[2] - self.q1[1]))
+        quadratic::derivative(&self.q1, t)
     }
 
     pub(super) fn m_at(&self, t: f64) -> Vec3 {
@@ -64,11 +65,6 @@ impl Polar {
     pub(super) fn m_star_at(&self, s: f64) -> Vec3 {
         quadratic_vector(&self.m_star, s)
     }
-}
-
-pub(super) fn quadratic(c: &[f64; 3], t: f64) -> f64 {
-    let u = 1.0 - t;
-    u * (u * c[0] + 2.0 * t * c[1]) + t * t * c[2]
 }
 
 /// The value at 1/2.
@@ -82,7 +78,7 @@ const VANISHING: f64 = 1e-13;
 /// True where a speed with these Bernstein coefficients is negative. At a double zero rounding has any sign, and the speeds on
 /// both sides that of the middle.
 pub(super) fn runs_backwards(c: &[f64; 3], at: f64) -> bool {
-    let (q, largest) = (quadratic(c, at), c.iter().fold(0.0, |m: f64, c| m.max(c.abs())));
+    let (q, largest) = (quadratic::value(c, at), c.iter().fold(0.0, |m: f64, c| m.max(c.abs())));
     if q.abs() <= VANISHING * largest { at_half(c) < 0.0 } else { q < 0.0 }
 }
 

@@ -1,7 +1,8 @@
 //! Where a parameter line shrinks to a point.
 
 use super::CyclidePatch;
-use super::polar::{at_half, quadratic, runs_backwards};
+use super::polar::{at_half, runs_backwards};
+use crate::base::quadratic::value as quadratic;
 
 impl CyclidePatch {
     /// The parameters t in (0, 1) whose s-line is one point: the zeros of `q1`. Sorted.

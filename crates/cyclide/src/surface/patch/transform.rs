@@ -1,13 +1,9 @@
 //! Möbius maps of patches: the homogeneous pairs map linearly, so the image is a patch with the same parameters.
 
 use super::CyclidePatch;
-use crate::base::range;
+use crate::conformal::mapped_pairs::MappedPairs;
 use crate::conformal::mobius::{Conformal, Mobius};
-use crate::error::{Error, ErrorItem, Result};
-
-/// Rounding of the real weights of a rational form, relative to the largest: they are products of two weights, which are
-/// in the image as the distances of the corners from the point that goes to infinity.
-const WEIGHT_ROUNDING: f64 = 16.0 * f64::EPSILON;
+use crate::error::Result;
 
 impl Conformal for CyclidePatch {
     /// The image under a Möbius map `y -> (a y + b)(c y + d)^-1`, with the same parameters: corners by the map, weights
@@ -33,25 +29,7 @@ impl CyclidePatch {
     /// # Errors
     /// As [`transformed`](Self::transformed), but for `below-rounding-of-place`.
     pub(crate) fn image(&self, map: &Mobius) -> Result<Self> {
-        let mut corners = self.corners;
-        let mut weights = self.weights;
-        let mut size = 1.0;
-        let lost = |corner| Error::at_infinity(ErrorItem::Corner, corner);
-        for k in 0..4 {
-            let (image, factor) = map.map_weighted(self.corners[k]).ok_or_else(|| lost(k))?;
-            // The factor is c times the distance from the point that goes to infinity.
-            let nearest = map.matrix()[2].norm() * self.scale;
-            if factor.norm_squared() <= WEIGHT_ROUNDING * nearest * nearest {
-                return Err(lost(k));
-            }
-            range::check_point(k, image.to_vec())?;
-            if k == 0 {
-                size = factor.norm();
-            }
-            corners[k] = image;
-            // Lengths near those before: a gauge, the same for all corners.
-            weights[k] = factor * (1.0 / size) * self.weights[k];
-        }
+        let MappedPairs { corners, weights, size } = map.map_pairs(self.corners, self.weights, self.scale)?;
         let lambda = map.determinant();
         let sign = 1.0_f64.copysign(lambda);
         let mut image = Self::from_weights_unchecked(corners, weights, self.v[0] * sign, self.v[1] * sign);

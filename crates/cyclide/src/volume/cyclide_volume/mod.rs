@@ -18,6 +18,7 @@ mod transform;
 
 use super::param_volume::ParamVolume;
 use crate::base::multilinear::biquadratic;
+use crate::base::quadratic;
 use crate::base::quat::Quat;
 use crate::base::vector::{Point3, Vec3};
 use crate::base::volume_jet::VolumeJet;
@@ -212,23 +213,14 @@ fn derivative(w: &[Quat; 8], axis: usize, at: [f64; 3]) -> Quat {
     line(line(across(0), across(1), x), line(across(2), across(3), x), y)
 }
 
-fn quadratic(c: [f64; 3], t: f64) -> f64 {
-    let u = 1.0 - t;
-    u * (u * c[0] + 2.0 * t * c[1]) + t * t * c[2]
-}
-
 fn biquadratic_at(q: &[[f64; 3]; 3], x: f64, y: f64) -> f64 {
-    quadratic(q.map(|row| quadratic(row, y)), x)
-}
-
-fn quadratic_derivative(c: [f64; 3], t: f64) -> f64 {
-    2.0 * ((1.0 - t) * (c[1] - c[0]) + t * (c[2] - c[1]))
+    quadratic::value(&q.map(|row| quadratic::value(&row, y)), x)
 }
 
 fn outer_derivative(q: &[[f64; 3]; 3], x: f64, y: f64) -> f64 {
-    quadratic_derivative(q.map(|row| quadratic(row, y)), x)
+    quadratic::derivative(&q.map(|row| quadratic::value(&row, y)), x)
 }
 
 fn inner_derivative(q: &[[f64; 3]; 3], x: f64, y: f64) -> f64 {
-    quadratic(q.map(|row| quadratic_derivative(row, y)), x)
+    quadratic::value(&q.map(|row| quadratic::derivative(&row, y)), x)
 }
