@@ -215,9 +215,9 @@ class Face:
         return np.mean([vector(BRep_Tool.Pnt_s(TopoDS.Vertex(v))) for v in distinct(self.shape, TopAbs_VERTEX)], axis=0)
 
     def area(self):
-        """Own quadrature; in a plane and on a cylinder along the edges."""
-        if self.kind == "cylinder":
-            return self._cylinder_integrals[0]
+        """Own quadrature; in a plane, on a cylinder and on a cone along the edges."""
+        if self.kind in ("cylinder", "cone"):
+            return self._round_integrals[0]
         return self._plane_area() if self.kind == "plane" else self._integrals[0]
 
     def volume(self):
@@ -225,16 +225,18 @@ class Face:
         if self.kind == "plane":
             p, n = self.at(self.box[0], self.box[2])
             return float(np.dot(p, n) / np.linalg.norm(n)) * self._plane_area() / 3
-        return self._cylinder_integrals[1] if self.kind == "cylinder" else self._integrals[1]
+        return self._round_integrals[1] if self.kind in ("cylinder", "cone") else self._integrals[1]
 
     @functools.cached_property
-    def _cylinder_integrals(self):
-        """Area and volume of any part of a cylinder: with height v and angle u about the axis, the integrals of r v du and of
-        r (c.e + r) v du / 3 round the face, c the origin of the axis and e the direction off it."""
-        cylinder = self.surface.Cylinder()
-        axis = cylinder.Axis()
+    def _round_integrals(self):
+        """Area and volume of any part of a cylinder or cone: with height v and angle u about the axis and the radius r + v tan a, the integrals
+        of R du / cos a and of R (c.e + r - c.z tan a) du / 3 round the face, R = r v + v² tan a / 2, c the origin of the axis z and e the direction off it."""
+        is_cone = self.kind == "cone"
+        surface = self.surface.Cone() if is_cone else self.surface.Cylinder()
+        radius, slope = (surface.RefRadius(), math.tan(surface.SemiAngle())) if is_cone else (surface.Radius(), 0.0)
+        axis = surface.Axis()
         origin, z = vector(axis.Location()), vector(axis.Direction())
-        radius, area, volume = cylinder.Radius(), 0.0, 0.0
+        area, volume = 0.0, 0.0
         places = np.concatenate([0.25 + 0.25 * _NODES, 0.75 + 0.25 * _NODES])
         weights = 0.25 * np.concatenate([_WEIGHTS, _WEIGHTS])
         for edge in self.edges:
@@ -243,9 +245,10 @@ class Face:
             v = points - origin
             height = v @ z
             off = v - height[:, None] * z
-            steps = sign * radius * weights * height * (cross(off, ways) @ z) / np.sum(off * off, -1)
-            area += steps.sum()
-            volume += np.sum(steps * ((off @ origin) / radius + radius)) / 3
+            inside = radius * height + 0.5 * slope * height**2
+            steps = sign * weights * inside * (cross(off, ways) @ z) / np.sum(off * off, -1)
+            area += math.hypot(1.0, slope) * steps.sum()
+            volume += np.sum(steps * (off @ origin / np.linalg.norm(off, axis=-1) + radius - slope * (origin @ z))) / 3
         p, n = self.at(self.box[0], self.box[2])
         v = p - origin
         outward = np.dot(n, v - (v @ z) * z) > 0

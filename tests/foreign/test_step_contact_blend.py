@@ -120,6 +120,8 @@ PAIRS = {
 def test_solids_of_every_pair_are_cut_rounded_and_sectioned(name, program, tmp_path):
     step, _, report = made(program, tmp_path, PAIRS[name])
     assert len(step.solids) == 1 and step.exactly_valid
+    tube = {face.kind for face in step.faces if face.kind in ("cylinder", "cone")}
+    assert tube == {name.split()[0]}
     assert_cuts(step, report["volume"], modelling.slab, modelling.drill, judged=name != "cylinder and sphere")
     # The ends of tubes: all edges of one circle at once, as somebody would round them.
     _, users = structure(step, closed=True)

@@ -1,9 +1,9 @@
-//! Rational surfaces on planes and cylinders are found, however they are placed, and what is near one only is not.
+//! Rational surfaces on planes, cylinders and cones are found, however they are placed, and what is near one only is not.
 #![allow(clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
 
 use cyclide::{
-    Conformal as _, FaceSurface, Mobius, PatchKind, PipeTee, Point3, Quat, RationalBezierSurface, Shell, TeeBranch,
-    TeeMain, Vec3,
+    BlendBase, BlendTube, Conformal as _, ContactBlend, FaceSurface, Mobius, PatchKind, PipeTee, Point3, Quat,
+    RationalBezierSurface, Shell, TeeBranch, TeeMain, Vec3,
 };
 
 /// The shell of a tee: canals of degree (12, 2), planes, and parts of both cylinders of all degrees.
@@ -100,4 +100,63 @@ fn planes_are_planes_and_weights_have_to_be_positive() {
     assert!(matches!(flat.recognise(), PatchKind::Plane { .. }));
     // More than half a turn: the middle weight is negative.
     assert_eq!(strip(2.0, 2.0, 1.0, 3.5).recognise(), PatchKind::Cyclide);
+}
+
+/// A conical strut on a ball: parts of a cone between a contact of high degree and a circle, and canals.
+fn strut(taper: f64) -> Shell {
+    let tube = BlendTube { through: Point3::new(0.0, 5.0, 0.0), direction: Vec3::Z, radius: 8.0, taper, length: 40.0 };
+    let made = ContactBlend::new(tube, BlendBase::Sphere { radius: 20.0 }, 4.0).and_then(|blend| blend.made());
+    made.expect("a strut").body.outer
+}
+
+#[test]
+fn parts_of_cones_are_cones_wherever_they_are() {
+    let turn = Quat::new(1.0, 2.0, -1.0, 0.5);
+    let map = |scale, by| Mobius::similarity(turn, scale, by).expect("a similarity");
+    for taper in [0.15, 0.03, -0.4] {
+        let shell = strut(taper);
+        let turned = (turn * (1.0 / turn.norm())).rotate(Vec3::Z);
+        for (map, scale, up) in [
+            (Mobius::IDENTITY, 1.0, Vec3::Z),
+            (map(1e-9, Vec3::ZERO), 1e-9, turned),
+            (map(1e9, Vec3::ZERO), 1e9, turned),
+            (map(1.0, Vec3::new(1e4, -2e4, 5e3)), 1.0, turned),
+        ] {
+            let placed = shell.transformed(&map).expect("an image");
+            let mut found = 0;
+            for surface in rational(&placed).filter(|surface| surface.degrees()[1] == 1) {
+                let kind = surface.recognise();
+                let PatchKind::Cone { frame, radius, half_angle, outward } = kind else { continue };
+                found += 1;
+                // Angles of strips that turn by tenths lose the square of that of the digits of their coordinates.
+                assert!((half_angle - taper.abs()).abs() < 1e-7, "{half_angle}");
+                assert!((frame.z().dot(up) + taper.signum()).abs() < 1e-9, "away from the tip");
+                for k in 0..=100 {
+                    let (s, t) = (0.1 * f64::from(k % 11), 0.1 * f64::from(k / 11));
+                    let p = surface.point(s, t);
+                    // What is promised: 1e-13 of the size of a face, which is below 70, and the rounding of coordinates and radius.
+                    let limit = 7e-12 * scale + 64.0 * f64::EPSILON * (p.to_vec().max_abs() + radius);
+                    assert!(kind.distance(p).is_some_and(|off| off <= limit), "{kind:?}");
+                    let v = p - frame.origin();
+                    let away = v - frame.z() * v.dot(frame.z());
+                    assert_eq!(surface.unit_normal(s, t).dot(away) > 0.0, outward);
+                    assert!(frame.to_local(p).0.x < 0.0, "the seam is far from the face");
+                }
+            }
+            assert!(found >= 16, "{taper} {scale}: {found}");
+        }
+    }
+}
+
+#[test]
+fn what_is_near_a_cone_only_is_none() {
+    let is_cone = |surface: &RationalBezierSurface| matches!(surface.recognise(), PatchKind::Cone { .. });
+    assert!(is_cone(&strip(2.0, 2.0, 1.5, 2.5)) && is_cone(&strip(2.0, 2.0, 0.5, 2.5)));
+    for off in [1e-9, 1e-6, 0.1] {
+        assert!(!is_cone(&strip(2.0, 2.0 * (1.0 + off), 1.5, 2.5)), "elliptic, {off}");
+    }
+    // As far as the tip, and beyond.
+    assert!(!is_cone(&strip(2.0, 2.0, 0.0, 2.5)) && !is_cone(&strip(2.0, 2.0, -0.5, 2.5)));
+    // Its axis is not determined.
+    assert!(!is_cone(&strip(2.0, 2.0, 1.5, 5e-4)));
 }

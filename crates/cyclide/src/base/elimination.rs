@@ -4,7 +4,7 @@
 /// vectors. `None` if a pivot is zero or not finite. `C = R + 1`.
 pub(crate) fn null_vector<const R: usize, const C: usize>(rows: [[f64; C]; R]) -> Option<([f64; C], f64)> {
     let mut work = rows;
-    let (columns, ratio) = reduce(&mut work)?;
+    let (columns, ratio) = reduce(&mut work, C)?;
     let free = (0..C).find(|column| !columns.contains(column))?;
     let mut out = [0.0; C];
     out[free] = 1.0;
@@ -15,11 +15,24 @@ pub(crate) fn null_vector<const R: usize, const C: usize>(rows: [[f64; C]; R]) -
     Some((out.map(|x| x / largest), ratio))
 }
 
-/// Makes the columns of the pivots unit columns; the column of the pivot of each row, and the smallest pivot over the largest.
-fn reduce<const R: usize, const C: usize>(work: &mut [[f64; C]; R]) -> Option<([usize; R], f64)> {
+/// The solution of `A x = b` from the rows `[A | b]`, `C = R + 1`. `None` if a pivot is zero or not finite.
+pub(crate) fn solution<const R: usize, const C: usize>(rows: [[f64; C]; R]) -> Option<[f64; R]> {
+    let mut work = rows;
+    let (columns, _) = reduce(&mut work, R)?;
+    let mut out = [0.0; R];
+    for (row, column) in work.iter().zip(columns) {
+        out[column] = row[R];
+    }
+    Some(out)
+}
+
+/// Makes the columns of the pivots, which are among the first ones, unit columns; the column of the pivot of each row, and the smallest
+/// pivot over the largest.
+fn reduce<const R: usize, const C: usize>(work: &mut [[f64; C]; R], first: usize) -> Option<([usize; R], f64)> {
     let (mut columns, mut pivots) = ([C; R], [0.0; R]);
     for step in 0..R {
-        let open = (step..R).flat_map(|i| (0..C).map(move |j| (i, j))).filter(|(_, j)| !columns[..step].contains(j));
+        let open =
+            (step..R).flat_map(|i| (0..first).map(move |j| (i, j))).filter(|(_, j)| !columns[..step].contains(j));
         let (i, j) = open.max_by(|a, b| work[a.0][a.1].abs().total_cmp(&work[b.0][b.1].abs()))?;
         work.swap(step, i);
         let pivot = work[step][j];
@@ -49,5 +62,12 @@ mod tests {
             assert!(row.iter().zip(v).map(|(a, b)| a * b).sum::<f64>().abs() < 1e-15);
         }
         assert!(null_vector([[1.0, 2.0, 3.0], [2.0, 4.0, 6.0]]).is_none_or(|(_, ratio)| ratio < 1e-15));
+    }
+
+    #[test]
+    fn solutions() {
+        // A large right side is no pivot.
+        assert_eq!(solution([[0.0, 2.0, 4e9], [1.0, 1.0, 3e9]]), Some([1e9, 2e9]));
+        assert_eq!(solution([[1.0, 2.0, 1.0], [2.0, 4.0, 0.0]]), None);
     }
 }

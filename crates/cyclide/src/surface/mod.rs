@@ -8,6 +8,7 @@ mod net;
 mod param_surface;
 mod patch;
 mod quad_grid;
+mod rational_cone;
 mod rational_kind;
 mod seam;
 mod smooth;

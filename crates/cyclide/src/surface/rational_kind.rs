@@ -1,6 +1,7 @@
-//! Which rational surfaces are parts of planes and of cylinders of revolution (`docs/math/patches.md#rational-surfaces`).
+//! Which rational surfaces are parts of planes and of cylinders and cones of revolution (`docs/math/patches.md#rational-surfaces`).
 
 use super::patch::PatchKind;
+use super::rational_cone::ConeFit;
 use crate::base::bernstein;
 use crate::base::bounds::Aabb;
 use crate::base::frame::Frame;
@@ -9,17 +10,17 @@ use crate::rational::RationalBezierSurface;
 
 /// Places per parameter whose normals give the axis.
 const PLACES: u32 = 5;
-/// Normals of a cylinder are at right angles to its axis to this; it only keeps other surfaces from the proof.
-const ACROSS: f64 = 1e-8;
+/// Normals are at one angle to the axis to this, a right one of cylinders; it only keeps other surfaces from the proof.
+pub(super) const ACROSS: f64 = 1e-8;
 /// Sine of the angle between the normals that are farthest apart: below it the axis is undetermined.
 const SMALLEST_TURN: f64 = 1e-3;
 /// How far the surface may leave the cylinder: the first of its own size, the second, rounding, of coordinates and radius.
 const LIMIT: (f64, f64) = (1e-13, 64.0 * f64::EPSILON);
 
 impl RationalBezierSurface {
-    /// The plane or the cylinder of revolution on which the surface lies, proved by its coefficients: no point is farther from
-    /// it than 1e-13 of the size of the surface and the rounding of coordinates and radius. [`PatchKind::Cyclide`] stands
-    /// for all else, for weights that are not all positive and for strips of a cylinder that turn by less than 0.001.
+    /// The plane, or the cylinder or cone of revolution, on which the surface lies, proved by its coefficients: no point is farther
+    /// from it than 1e-13 of the size of the surface and the rounding of coordinates and radius. [`PatchKind::Cyclide`] stands
+    /// for all else, for weights that are not all positive, for strips that turn by less than 0.001, and for cones as far as their tip.
     /// Source: own, see `docs/math/patches.md#rational-surfaces`.
     ///
     /// ```
@@ -40,25 +41,55 @@ impl RationalBezierSurface {
         if let Some(frame) = self.plane() {
             return PatchKind::Plane { frame };
         }
-        self.cylinder().unwrap_or(PatchKind::Cyclide)
-    }
-
-    /// The cylinder that points and normals of some places suggest, if the surface lies on it.
-    fn cylinder(&self) -> Option<PatchKind> {
         let place = |i: u32| f64::from(i) / f64::from(PLACES - 1);
         let places = (0..PLACES * PLACES).map(|k| (place(k / PLACES), place(k % PLACES)));
         let (points, normals): (Vec<Point3>, Vec<Vec3>) =
             places.map(|(s, t)| (self.point(s, t), self.unit_normal(s, t))).unzip();
-        let axis = axis(&normals)?;
-        let (radius, origin) = radius_and_centre(&points, &normals);
+        let found = self.cylinder(&points, &normals).or_else(|| self.cone(&points, &normals));
+        found.unwrap_or(PatchKind::Cyclide)
+    }
+
+    /// The cylinder that points and normals of some places suggest, if the surface lies on it.
+    fn cylinder(&self, points: &[Point3], normals: &[Vec3]) -> Option<PatchKind> {
+        let axis = axis(normals)?;
+        let (radius, origin) = radius_and_centre(points, normals);
         let middle = self.point(0.5, 0.5);
         let origin = origin + axis * (middle - origin).dot(axis);
         let frame = Frame::from_normal(origin, axis, origin - middle).ok()?;
-        let bounds = Aabb::of_points(points)?;
-        let rounding = LIMIT.1 * (bounds.max_abs() + radius.abs());
-        let limit = LIMIT.0 * bounds.diagonal() + rounding;
+        let limit = limit(points, radius.abs())?;
         let found = PatchKind::Cylinder { frame, radius: radius.abs(), outward: radius > 0.0 };
         self.is_on_cylinder(&frame, radius.abs(), limit).then_some(found)
+    }
+
+    /// The cone that they suggest, likewise.
+    fn cone(&self, points: &[Point3], normals: &[Vec3]) -> Option<PatchKind> {
+        let middle = points.len() / 2;
+        let ConeFit { frame, radius, slope } = ConeFit::of(points, normals, middle)?;
+        let (origin, axis) = (frame.origin(), frame.z());
+        let frame = Frame::from_normal(origin, axis, origin - points[middle]).ok()?;
+        let outward = normals[middle].dot(points[middle] - origin) > 0.0;
+        let found = PatchKind::Cone { frame, radius, half_angle: slope.atan(), outward };
+        self.is_on_cone(&frame, [radius, slope], limit(points, radius)?).then_some(found)
+    }
+
+    /// Whether no point is farther than the limit from the cone about the third axis, with positive weights: as for the cylinder, with
+    /// `L = r W + z tan` in place of `r W`, which has to be positive, and `|ρ - L| cos` for the distance.
+    fn is_on_cone(&self, frame: &Frame, [radius, slope]: [f64; 2], limit: f64) -> bool {
+        let local = self.seen_from(frame.origin());
+        let along = |v: Vec3| local.rows().iter().map(|[x, y, z, _]| Vec3::new(*x, *y, *z).dot(v)).collect::<Vec<_>>();
+        let weights: Vec<f64> = local.rows().iter().map(|row| row[3]).collect();
+        let from_axis: Vec<f64> =
+            weights.iter().zip(along(frame.z())).map(|(w, height)| radius * w + slope * height).collect();
+        let least = from_axis.iter().zip(&weights).map(|(l, w)| l / w).fold(f64::INFINITY, f64::min);
+        if !(least > 0.0) {
+            return false;
+        }
+        let square = |row: &[f64]| bernstein::product_of_two((row, self.degrees()), (row, self.degrees())).0;
+        let (xx, yy) = (square(&along(frame.x())), square(&along(frame.y())));
+        let (ll, ww) = (square(&from_axis), square(&weights));
+        let cos = 1.0 / slope.hypot(1.0);
+        let mut off = (0..ww.len()).map(|k| (xx[k] + yy[k] - ll[k]).abs() / ww[k] * (cos / least));
+        off.all(|off| off <= limit)
     }
 
     /// Whether no point is farther than the limit from the cylinder about the third axis, with positive weights: with rows
@@ -73,6 +104,12 @@ impl RationalBezierSurface {
         let mut off = xx.iter().zip(&yy).zip(&ww).map(|((x, y), w)| ((x + y) / w - radius * radius).abs() / radius);
         off.all(|off| off <= limit)
     }
+}
+
+/// How far a surface through these points may leave the one that it lies on.
+fn limit(points: &[Point3], radius: f64) -> Option<f64> {
+    let bounds = Aabb::of_points(points.iter().copied())?;
+    Some(LIMIT.0 * bounds.diagonal() + LIMIT.1 * (bounds.max_abs() + radius))
 }
 
 /// The direction at right angles to all normals, from two that are far apart, up as far as it is decided.

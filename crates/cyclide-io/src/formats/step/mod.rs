@@ -8,19 +8,19 @@
 //! Bodies are `SHELL_BASED_SURFACE_MODEL`s of open shells, or `MANIFOLD_SOLID_BREP`s. Every shared edge is one
 //! `EDGE_CURVE`, every shared corner one `VERTEX_POINT`; a side that is one point is left out of its loop. Circles and
 //! lines on rational faces carry their curves in the faces' parameters, which readers cannot find exactly, as rational edges
-//! on cylinders do; with rational edges there are none, and all faces but planes are rational. All weights are positive: faces are halved until they
+//! on cylinders and cones do; with rational edges there are none, and all faces but planes are rational. All weights are positive: faces are halved until they
 //! are.
 //!
 //! Every object has its colours and its layer, and is a product of its own if not asked otherwise.
 
 mod body_check;
 mod curves;
-mod cylinder_curves;
 mod data;
 mod integration;
 mod labels;
 mod parameter_curves;
 mod part21;
+mod polar_curves;
 mod reader;
 mod structure;
 mod styles;

@@ -1,4 +1,4 @@
-//! The surfaces of faces: planes, cylinders, cones, spheres and tori where the patch lies on one, planes and cylinders where
+//! The surfaces of faces: planes, cylinders, cones, spheres and tori where the patch lies on one, planes, cylinders and cones where
 //! a rational face does, else exact rational surfaces of one Bézier span.
 //!
 //! A face of a sphere is written as `SPHERICAL_SURFACE` only if its edges are meridians and parallels about one axis,
@@ -6,11 +6,11 @@
 //! parameters lose digits there (an octant with its poles elsewhere: parameter curves off by 3e-7 of the size, area by
 //! 6e-9). The other faces of spheres, whose circles belong to two elliptic and hyperbolic pencils, stay rational, and
 //! so do tori without a hole: `TOROIDAL_SURFACE` is for a smaller radius of the tube. The edges of patches of
-//! all other kinds are lines of the parameters anyway; those of rational faces on cylinders are written with their curves.
+//! all other kinds are lines of the parameters anyway; those of rational faces on cylinders and cones are written with their curves.
 //! The seam is turned to the side away from the face.
 
-use super::cylinder_curves::CylinderCurve;
 use super::data::{Data, push_list, push_reference};
+use super::polar_curves::PolarCurve;
 use crate::export::options::StepEdges;
 use crate::text::number::push_step;
 use cyclide::{
@@ -29,8 +29,8 @@ const SMALLEST_HOLE: f64 = 1e-6;
 /// Angle up to which circles of a sphere are parallel to, or contain, an axis.
 const AXIS_LIMIT: f64 = 1e-10;
 
-/// The surface of a face as it is written: the kind with its placement, of a rational face a plane, a cylinder or the general
-/// one. Where rational edges are asked for, all but planes is rational: only there do rational edges have exact parameter curves.
+/// The surface of a face as it is written: the kind with its placement, of a rational face a plane, a cylinder, a cone or the
+/// general one. Where rational edges are asked for, all but planes is rational: only there do rational edges have exact parameter curves.
 pub(super) fn kind(shell: &Shell, face: &ShellFace, size: f64, edges: StepEdges) -> PatchKind {
     let patch = match &face.surface {
         FaceSurface::Cyclide(patch) => patch,
@@ -40,11 +40,7 @@ pub(super) fn kind(shell: &Shell, face: &ShellFace, size: f64, edges: StepEdges)
     let keep = match kind {
         PatchKind::Plane { .. } => true,
         _ if edges == StepEdges::Rational => false,
-        PatchKind::Cylinder { radius, .. } => radius <= LARGEST_RADIUS * size,
-        PatchKind::Cone { radius, half_angle, .. } => {
-            let steep = std::f64::consts::FRAC_PI_2 - half_angle;
-            radius <= LARGEST_RADIUS * size && half_angle >= SMALLEST_CONE_ANGLE && steep >= SMALLEST_CONE_ANGLE
-        }
+        PatchKind::Cylinder { .. } | PatchKind::Cone { .. } => has_good_radius(&kind, size),
         // A torus that crosses itself has another entity, which few systems read, and whose two parts they confuse; one
         // that meets itself is such a torus or not by rounding.
         PatchKind::Torus { major_radius, minor_radius, .. } => {
@@ -62,8 +58,20 @@ pub(super) fn kind(shell: &Shell, face: &ShellFace, size: f64, edges: StepEdges)
     if keep { kind } else { PatchKind::Cyclide }
 }
 
-/// The same of a rational face. One on a cylinder is written so only if all its rational edges have curves in the cylinder's
-/// parameters: readers do not find these well enough.
+/// Whether a cylinder or cone is neither too large to keep its digits nor too near to another kind.
+fn has_good_radius(kind: &PatchKind, size: f64) -> bool {
+    match kind {
+        PatchKind::Cylinder { radius, .. } => *radius <= LARGEST_RADIUS * size,
+        PatchKind::Cone { radius, half_angle, .. } => {
+            let steep = std::f64::consts::FRAC_PI_2 - half_angle;
+            *radius <= LARGEST_RADIUS * size && *half_angle >= SMALLEST_CONE_ANGLE && steep >= SMALLEST_CONE_ANGLE
+        }
+        _ => false,
+    }
+}
+
+/// The same of a rational face. One on a cylinder or cone is written so only if all its rational edges have curves in the parameters of
+/// that: readers do not find these well enough.
 fn rational_kind(
     shell: &Shell,
     face: &ShellFace,
@@ -75,13 +83,15 @@ fn rational_kind(
         StepEdges::Rational => surface.plane().map_or(PatchKind::Cyclide, |frame| PatchKind::Plane { frame }),
         StepEdges::Circles => surface.recognise(),
     };
-    let PatchKind::Cylinder { frame, radius, .. } = kind else { return kind };
+    if matches!(kind, PatchKind::Plane { .. }) {
+        return kind;
+    }
     let is_followed = |curve: &EdgeCurve| match curve {
         EdgeCurve::Arc(_) => true,
-        EdgeCurve::Rational(curve) => CylinderCurve::of(curve, (&frame, radius), size).is_some(),
+        EdgeCurve::Rational(curve) => PolarCurve::of(curve, &kind, size).is_some(),
     };
     let mut curves = face.sides.iter().flatten().map(|side| &shell.edges()[side.edge].curve);
-    if radius <= LARGEST_RADIUS * size && curves.all(is_followed) { kind } else { PatchKind::Cyclide }
+    if has_good_radius(&kind, size) && curves.all(is_followed) { kind } else { PatchKind::Cyclide }
 }
 
 /// The axis about which the edges of a spherical face are meridians and parallels, if there is one.

@@ -1,10 +1,10 @@
 //! Bodies: vertices, edges, loops and faces, all shared, in open and closed shells.
 
 use super::curves;
-use super::cylinder_curves::CylinderCurve;
 use super::data::{Data, logical, push_list, push_reference, references, string};
 use super::integration::Integration;
 use super::parameter_curves::ParameterCurve;
+use super::polar_curves::PolarCurve;
 use super::surfaces;
 use crate::export::face_plan::ShellPlan;
 use crate::export::options::StepEdges;
@@ -233,22 +233,22 @@ impl<'a> Writer<'a> {
     }
 
     /// A curve over `[0, range]` with the curves in the parameters of its faces that readers cannot find exactly: on rational
-    /// surfaces `along`, and of rational edges on cylinders. Circles and lines are parameter lines of analytic surfaces, which they
+    /// surfaces `along`, and of rational edges on cylinders and cones. Circles and lines are parameter lines of analytic surfaces, which they
     /// can.
     fn on_faces(&mut self, index: usize, curve: usize, along: Option<&ParameterCurve>, range: f64) -> Result<usize> {
         let mut found = Vec::with_capacity(2);
         for (face, side) in self.users[index].clone() {
             let Some(edge) = self.shell.faces()[face].side(side) else { continue };
             let along = along.filter(|_| self.kinds[face] == PatchKind::Cyclide);
-            let on_cylinder = self.on_cylinder(index, face);
-            if along.is_none() && on_cylinder.is_none() {
+            let round_axis = self.round_axis(index, face);
+            if along.is_none() && round_axis.is_none() {
                 continue;
             }
             // Before what refers to it.
             let (surface, _) = self.surface(face)?;
-            let on_face = match (along, on_cylinder) {
+            let on_face = match (along, round_axis) {
                 (Some(along), _) => along.write(self.data, side, edge, range),
-                (None, Some(on_cylinder)) => on_cylinder.write(self.data),
+                (None, Some(round_axis)) => round_axis.write(self.data),
                 (None, None) => continue,
             };
             found.push(self.data.parameter_curve(surface, on_face));
@@ -263,13 +263,11 @@ impl<'a> Writer<'a> {
         }))
     }
 
-    /// The curve of a rational edge in the parameters of a face that is written as a cylinder.
-    fn on_cylinder(&self, edge: usize, face: usize) -> Option<CylinderCurve> {
-        match (&self.kinds[face], &self.shell.edges()[edge].curve) {
-            (PatchKind::Cylinder { frame, radius, .. }, EdgeCurve::Rational(edge)) => {
-                CylinderCurve::of(edge, (frame, *radius), self.size)
-            }
-            _ => None,
+    /// The curve of a rational edge in the parameters of a face that is written as a cylinder or a cone.
+    fn round_axis(&self, edge: usize, face: usize) -> Option<PolarCurve> {
+        match &self.shell.edges()[edge].curve {
+            EdgeCurve::Rational(edge) => PolarCurve::of(edge, &self.kinds[face], self.size),
+            EdgeCurve::Arc(_) => None,
         }
     }
 

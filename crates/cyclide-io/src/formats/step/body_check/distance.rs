@@ -146,20 +146,23 @@ pub(super) fn check_parameters(
     require(apart <= limit || (short && apart <= arc.length()), "an edge leaves its face at equal parameters")
 }
 
-/// The same of an analytic surface: rational edges have curves in the parameters of cylinders; others readers find, as
+/// The same of an analytic surface: rational edges have curves in the parameters of cylinders and cones; others readers find, as
 /// circles and lines are parameter lines.
 pub(super) fn check_on_analytic(kind: &PatchKind, edge: &FileEdge, size: f64) -> Result<(), Mismatch> {
-    match (kind, &edge.curve, &edge.parameter_curve) {
-        (PatchKind::Cylinder { frame, radius, .. }, ChainPiece::Spline(curve), Some(on_face)) => {
-            let on_cylinder = |at: Point3| {
-                let (sin, cos) = at.x.sin_cos();
-                frame.to_world(Point2::new(radius * cos, radius * sin)) + frame.z() * at.y
-            };
-            check_where(on_cylinder, curve, on_face, size)
-        }
-        (_, _, None) => Ok(()),
-        _ => Err(Mismatch("a curve in the parameters of a surface that needs none")),
-    }
+    let (ChainPiece::Spline(curve), Some(on_face)) = (&edge.curve, &edge.parameter_curve) else {
+        return require(edge.parameter_curve.is_none(), "a curve in the parameters of a surface that needs none");
+    };
+    let (frame, radius, slope) = match kind {
+        PatchKind::Cylinder { frame, radius, .. } => (frame, *radius, 0.0),
+        PatchKind::Cone { frame, radius, half_angle, .. } => (frame, *radius, half_angle.tan()),
+        _ => return Err(Mismatch("a curve in the parameters of a surface that needs none")),
+    };
+    // Angle and height along the axis.
+    let round_axis = |at: Point3| {
+        let ((sin, cos), from_axis) = (at.x.sin_cos(), radius + slope * at.y);
+        frame.to_world(Point2::new(from_axis * cos, from_axis * sin)) + frame.z() * at.y
+    };
+    check_where(round_axis, curve, on_face, size)
 }
 
 /// Holds a rational edge against its face's rational surface where the file says that it runs.

@@ -164,24 +164,30 @@ fn lobes_are_shells_of_their_own() {
     assert_eq!(solid, Err("body 0: it is a solid in one of file and model only".to_owned()));
 }
 
-/// Rational edges on cylinders: their curves in the parameters, of which readers take the one that is told.
+/// Rational edges on cylinders and cones: their curves in the parameters, of which readers take the one that is told.
 #[test]
-fn curves_on_cylinders_are_held_against_their_edges() {
-    let main = TeeMain { radius: 3.0, ends: [-10.0, 10.0] };
-    let tee = PipeTee::new(main, vec![TeeBranch::upright(2.0, 9.0, 0.5)]).unwrap().made().unwrap();
-    let model = model(SurfaceObject::Body(tee.body));
-    let on_cylinder = |bodies: &mut Vec<FileBody>, change: fn(Point3) -> Point3| {
-        let is_cylinder =
-            |face: &&mut FileFace| matches!(face.surface, FileSurface::Analytic(PatchKind::Cylinder { .. }));
-        let edges = bodies[0].shells[0].faces.iter_mut().filter(is_cylinder).flat_map(|face| &mut face.edges);
-        let curve = edges.filter_map(|edge| edge.parameter_curve.as_mut()).next().unwrap();
-        let points = curve.control_points().iter().map(|&p| change(p)).collect();
-        *curve = NurbsCurve::new(curve.degree(), curve.knots().to_vec(), points, curve.weights().to_vec()).unwrap();
-    };
-    assert!(checked(&model, |_, bodies| on_cylinder(bodies, |p| p)).unwrap() < SMALL);
-    // A hundred-millionth of a turn, and of the height.
-    for change in [|p| p + Vec3::X * 1e-8, |p| p + Vec3::Y * 1e-8] as [fn(Point3) -> Point3; 2] {
-        let moved = checked(&model, |_, bodies| on_cylinder(bodies, change));
-        assert_eq!(moved, Err("body 0: an edge leaves its face at equal parameters".to_owned()));
+fn curves_on_cylinders_and_cones_are_held_against_their_edges() {
+    for taper in [0.0, 0.1, -0.1] {
+        let main = TeeMain { radius: 3.0, ends: [-10.0, 10.0] };
+        let branch = TeeBranch { taper, ..TeeBranch::upright(2.0, 9.0, 0.5) };
+        let tee = PipeTee::new(main, vec![branch]).unwrap().made().unwrap();
+        let model = model(SurfaceObject::Body(tee.body));
+        let is_branch = |face: &&mut FileFace| match face.surface {
+            FileSurface::Analytic(PatchKind::Cylinder { radius, .. }) => taper == 0.0 && radius < 2.5,
+            FileSurface::Analytic(PatchKind::Cone { half_angle, .. }) => (half_angle - taper.abs()).abs() < 1e-10,
+            _ => false,
+        };
+        let on_branch = |bodies: &mut Vec<FileBody>, change: fn(Point3) -> Point3| {
+            let edges = bodies[0].shells[0].faces.iter_mut().filter(is_branch).flat_map(|face| &mut face.edges);
+            let curve = edges.filter_map(|edge| edge.parameter_curve.as_mut()).next().unwrap();
+            let points = curve.control_points().iter().map(|&p| change(p)).collect();
+            *curve = NurbsCurve::new(curve.degree(), curve.knots().to_vec(), points, curve.weights().to_vec()).unwrap();
+        };
+        assert!(checked(&model, |_, bodies| on_branch(bodies, |p| p)).unwrap() < SMALL);
+        // A hundred-millionth of a turn, and of the height.
+        for change in [|p| p + Vec3::X * 1e-8, |p| p + Vec3::Y * 1e-8] as [fn(Point3) -> Point3; 2] {
+            let moved = checked(&model, |_, bodies| on_branch(bodies, change));
+            assert_eq!(moved, Err("body 0: an edge leaves its face at equal parameters".to_owned()));
+        }
     }
 }

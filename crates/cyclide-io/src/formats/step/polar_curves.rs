@@ -1,4 +1,4 @@
-//! Curves in the parameters of cylinders, for rational edges that are neither parallels nor rulings of theirs.
+//! Curves in the parameters of cylinders and cones, for rational edges that are neither parallels nor rulings of theirs.
 //!
 //! Left alone, OpenCASCADE interpolates such a curve at some places and misses its own tolerance between them (8e-7 on a tee
 //! of size 240: not valid by its exact check). The angle about the axis is no rational function of the edge's parameter. So
@@ -8,7 +8,7 @@
 
 use super::data::Data;
 use super::parameter_curves::{LARGEST_DEGREE, bernstein, degree, series, spline};
-use cyclide::{Frame, Point3, RationalBezier};
+use cyclide::{Frame, PatchKind, Point3, RationalBezier};
 use std::f64::consts::TAU;
 
 /// Part of the model's size by which the curve in the parameters may leave the edge.
@@ -16,20 +16,28 @@ const LARGEST_ERROR: f64 = 1e-13;
 /// Roundings of a coordinate that are no error of a curve.
 const ROUNDING: f64 = 8.0 * f64::EPSILON;
 
-/// Angle about the axis of a cylinder and height along it, over the parameter of an edge.
+/// Angle about the axis of a cylinder or cone and height along it, over the parameter of an edge.
+///
+/// The height of a cone is that of STEP, along its axis; readers that count along rulings divide it by a constant.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct CylinderCurve {
+pub(super) struct PolarCurve {
     /// Bernstein coefficients, of one degree.
     places: Vec<[f64; 2]>,
 }
 
-impl CylinderCurve {
-    /// The curve of a rational edge on the cylinder about the third axis of a frame, whose first axis is on the other side;
-    /// `None` if no polynomial of the readers' degrees is near enough for a model of this size.
-    pub(super) fn of(edge: &RationalBezier, (frame, radius): (&Frame, f64), size: f64) -> Option<Self> {
+impl PolarCurve {
+    /// The curve of a rational edge on a cylinder or cone about the third axis of its frame, whose first axis is on the other side;
+    /// `None` on other surfaces, and if no polynomial of the readers' degrees is near enough for a model of this size.
+    pub(super) fn of(edge: &RationalBezier, kind: &PatchKind, size: f64) -> Option<Self> {
+        let (frame, radius, cos) = match kind {
+            PatchKind::Cylinder { frame, radius, .. } => (frame, *radius, 1.0),
+            PatchKind::Cone { frame, half_angle, .. } => (frame, largest_radius(frame, edge), half_angle.cos()),
+            _ => return None,
+        };
         let place = |x: f64| place_on(frame, edge.point(x));
         let limit = LARGEST_ERROR * size + ROUNDING * (edge.point(0.0).to_vec().max_abs() + radius);
-        let curves = [limit / radius, limit].into_iter().enumerate().map(|(k, limit)| (series(|x| place(x)[k]), limit));
+        let limits = [limit / radius, limit * cos];
+        let curves = limits.into_iter().enumerate().map(|(k, limit)| (series(|x| place(x)[k]), limit));
         let curves: Vec<(Vec<f64>, f64)> = curves.collect();
         let degree = curves.iter().map(|(terms, limit)| degree(terms, *limit)).max()?;
         if degree > LARGEST_DEGREE {
@@ -48,6 +56,15 @@ impl CylinderCurve {
     }
 }
 
+/// The distance from the third axis of a frame that no point of the edge, whose weights are positive, exceeds.
+fn largest_radius(frame: &Frame, edge: &RationalBezier) -> f64 {
+    let from_axis = |[x, y, z, w]: &[f64; 4]| {
+        let (flat, _) = frame.to_local(Point3::new(x / w, y / w, z / w));
+        flat.x.hypot(flat.y)
+    };
+    edge.rows().iter().map(from_axis).fold(0.0, f64::max)
+}
+
 /// Angle from the first axis of a frame, in `[0, 2π)`, and height.
 fn place_on(frame: &Frame, p: Point3) -> [f64; 2] {
     let (flat, height) = frame.to_local(p);
@@ -61,6 +78,10 @@ mod tests {
     use cyclide::{NurbsCurve, Vec3};
 
     const RADIUS: f64 = 2.0;
+
+    fn cylinder(frame: Frame) -> PatchKind {
+        PatchKind::Cylinder { frame, radius: RADIUS, outward: true }
+    }
 
     /// Where a plane that leans by a slope cuts the cylinder, over an angle about the middle of the face's side.
     fn cut(angle: f64, slope: f64) -> RationalBezier {
@@ -76,7 +97,7 @@ mod tests {
         for size in [1.0, 100.0] {
             for (angle, slope) in [(0.3, 0.0), (1.0, 0.5), (1.6, 3.0), (2.0, -1.0)] {
                 let edge = cut(angle, slope);
-                let curve = CylinderCurve::of(&edge, (&Frame::WORLD, RADIUS), size).unwrap();
+                let curve = PolarCurve::of(&edge, &cylinder(Frame::WORLD), size).unwrap();
                 let n = curve.places.len();
                 let points = curve.places.iter().map(|&[u, v]| Point3::new(u, v, 0.0)).collect();
                 let knots = [vec![0.0; n], vec![1.0; n]].concat();
@@ -100,6 +121,6 @@ mod tests {
     #[test]
     fn edges_through_the_seam_have_none() {
         let seam = Frame::from_normal(Point3::ORIGIN, Vec3::Z, -Vec3::X).unwrap();
-        assert_eq!(CylinderCurve::of(&cut(1.0, 0.5), (&seam, RADIUS), 1.0), None);
+        assert_eq!(PolarCurve::of(&cut(1.0, 0.5), &cylinder(seam), 1.0), None);
     }
 }
