@@ -256,17 +256,62 @@ fn the_limit_of_a_ball_inside_a_cone_is_that_of_the_ball_that_touches_it_all_rou
     }
 }
 
+/// A quarter turn on the cylinder of radius 2 about the z axis, rising from 1 to 3: contacts and normals.
+fn on_a_cylinder() -> [RationalBezier; 2] {
+    let contacts = vec![[2.0, 0.0, 1.0, 1.0], [2.0, 2.0, 2.0, 1.0], [0.0, 4.0, 6.0, 2.0]];
+    let normals = vec![[1.0, 0.0, 0.0, 1.0], [1.0, 1.0, 0.0, 1.0], [0.0, 2.0, 0.0, 2.0]];
+    [contacts, normals].map(|rows| RationalBezier::new(rows).unwrap())
+}
+
+/// A quartic on the outer side of a torus, off the axis of all partners, that runs round both its circles at once.
+fn on_a_torus() -> [RationalBezier; 2] {
+    let (major, minor, place) = (4.0, 1.5, Vec3::new(-0.6, 0.3, 2.5));
+    // Cosines, sines and weights of an angle between two others.
+    let turning = |from: f64, to: f64| {
+        let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
+        [from.cos(), middle.cos(), to.cos(), from.sin(), middle.sin(), to.sin(), 1.0, half.cos(), 1.0]
+    };
+    let (round, across) = (turning(0.1, 1.2), turning(-0.7, 0.4));
+    let part = |row: &[f64; 9], k: usize| [row[3 * k], row[3 * k + 1], row[3 * k + 2]];
+    let product = |a: [f64; 3], b: [f64; 3]| {
+        let middle = (a[0] * b[2] + 4.0 * a[1] * b[1] + a[2] * b[0]) / 6.0;
+        [a[0] * b[0], 0.5 * (a[0] * b[1] + a[1] * b[0]), middle, 0.5 * (a[1] * b[2] + a[2] * b[1]), a[2] * b[2]]
+    };
+    let [cos, sin, weight] = [0, 1, 2].map(|k: usize| part(&round, k));
+    let [out, up, other_weight] = [0, 1, 2].map(|k: usize| part(&across, k));
+    let from_axis: [f64; 3] = std::array::from_fn(|i| major * other_weight[i] + minor * out[i]);
+    let w = product(weight, other_weight);
+    let rows = |x: [f64; 5], y: [f64; 5], z: [f64; 5], shift: Vec3| {
+        let row = |i: usize| [x[i] + shift.x * w[i], y[i] + shift.y * w[i], z[i] + shift.z * w[i], w[i]];
+        RationalBezier::new((0..5).map(row).collect()).unwrap()
+    };
+    let height = product(weight, up);
+    [
+        rows(product(cos, from_axis), product(sin, from_axis), height.map(|z| minor * z), place),
+        rows(product(cos, out), product(sin, out), height, Vec3::ZERO),
+    ]
+}
+
 /// The generic canal over a strip of contacts is that of the blend.
 #[test]
 fn the_canal_of_contacts_touches_both_surfaces() {
-    let contacts = RationalBezier::new(vec![[2.0, 0.0, 1.0, 1.0], [2.0, 2.0, 2.0, 1.0], [0.0, 4.0, 6.0, 2.0]]).unwrap();
-    let normals = RationalBezier::new(vec![[1.0, 0.0, 0.0, 1.0], [1.0, 1.0, 0.0, 1.0], [0.0, 2.0, 0.0, 2.0]]).unwrap();
-    let center = Point3::new(3.0, 4.0, -1.0);
+    assert_touches_both(&on_a_cylinder(), Point3::new(3.0, 4.0, -1.0));
+    assert_touches_both(&on_a_torus(), Point3::new(6.5, 5.5, 1.5));
+    let [contacts, normals] = on_a_cylinder();
+    let long = RationalBezier::new(vec![[1.1, 0.0, 0.0, 1.0], [0.0, 1.0, 0.0, 1.0]]).unwrap();
+    let floor = ContactPartner::Plane { normal: Vec3::Z, offset: -1.0 };
+    assert_eq!(CanalPatch::at_contacts(&contacts, &long, floor).unwrap_err().reason(), "parameter-out-of-range");
+    let below = ContactPartner::Plane { normal: Vec3::Z, offset: 9.0 };
+    assert_eq!(CanalPatch::at_contacts(&contacts, &normals, below).unwrap_err().reason(), "no-positive-radius");
+}
+
+/// Over a plane below, and over a sphere of radius 2 about this centre.
+fn assert_touches_both([contacts, normals]: &[RationalBezier; 2], center: Point3) {
     for partner in [
         ContactPartner::Plane { normal: Vec3::new(0.2, -0.1, 3.0), offset: -1.0 },
         ContactPartner::Sphere { center, radius: 2.0 },
     ] {
-        let patch = CanalPatch::at_contacts(&contacts, &normals, partner).unwrap();
+        let patch = CanalPatch::at_contacts(contacts, normals, partner).unwrap();
         for part in patch.rational_parts().unwrap() {
             assert!(part.surface.has_positive_weights());
         }
@@ -291,11 +336,6 @@ fn the_canal_of_contacts_touches_both_surfaces() {
             }
         }
     }
-    let long = RationalBezier::new(vec![[1.1, 0.0, 0.0, 1.0], [0.0, 1.0, 0.0, 1.0]]).unwrap();
-    let floor = ContactPartner::Plane { normal: Vec3::Z, offset: -1.0 };
-    assert_eq!(CanalPatch::at_contacts(&contacts, &long, floor).unwrap_err().reason(), "parameter-out-of-range");
-    let below = ContactPartner::Plane { normal: Vec3::Z, offset: 9.0 };
-    assert_eq!(CanalPatch::at_contacts(&contacts, &normals, below).unwrap_err().reason(), "no-positive-radius");
 }
 
 /// A tube whose wall comes near to the sphere on the far side of its centre, with a small ball: the contacts are nearly one point, on nearly one plane.
