@@ -80,6 +80,28 @@ pub enum StepProducts {
     One,
 }
 
+/// How the numbers of VTU are written.
+///
+/// ```
+/// use cyclide::{Arc, Model, Point3};
+/// use cyclide_io::{ExportOptions, Format, VtuEncoding, export};
+/// let segment = Arc::segment(Point3::ORIGIN, Point3::new(3.0, 4.0, 0.0))?;
+/// let model = Model::default().with_curve("line", segment);
+/// let options = ExportOptions { vtu_encoding: VtuEncoding::Base64, ..ExportOptions::default() };
+/// let text = String::from_utf8(export(&model, Format::Vtu, &options)?.bytes)?;
+/// assert!(text.contains("<AppendedData encoding=\"base64\">"));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum VtuEncoding {
+    /// Numbers in digits, that every program reads and people too: the default.
+    #[default]
+    Ascii,
+    /// The bytes of the numbers, appended as base64: smaller and read faster.
+    Base64,
+}
+
 /// Most pieces of one file of a small model if nothing else is asked for: about half a gigabyte of memory and a minute.
 ///
 /// ```
@@ -127,6 +149,8 @@ pub struct ExportOptions {
     pub svg_comb: bool,
     /// SVG: draw the joints of the curves as dots.
     pub svg_points: bool,
+    /// VTU: how its numbers are written.
+    pub vtu_encoding: VtuEncoding,
     /// PNG: leave out what is not the model: comb, title, unit, scale bar, legend, names and axes.
     pub png_plain: bool,
     /// PNG: width in pixels, 200 to 10000; `None` is 1600.
