@@ -23,7 +23,7 @@ pub(crate) fn push(out: &mut String, bytes: &[u8]) {
 /// The bytes of a text; `None` if it is none of bytes.
 pub(crate) fn bytes_of(text: &str) -> Option<Vec<u8>> {
     let text = text.as_bytes();
-    if text.len() % 4 != 0 {
+    if !text.len().is_multiple_of(4) {
         return None;
     }
     let whole = text.strip_suffix(b"==").or_else(|| text.strip_suffix(b"=")).unwrap_or(text);
