@@ -251,7 +251,7 @@ mod tests {
         }
     }
 
-    /// Two patches round a ring would have two edges each between the same corners: they stay apart.
+    /// Two patches round a ring would have two edges each between the same corners: they stay apart, with all four sides of each where the other's are.
     #[test]
     fn what_corners_alone_cannot_tell_stays_apart() {
         let sheet = |points: [[f64; 3]; 4]| -> SplinePatch {
@@ -261,6 +261,6 @@ mod tests {
         let [a, b] = [[1.0, 0.0, 0.0], [1.0, 0.0, 1.0]];
         let [c, d] = [[-1.0, 0.0, 0.0], [-1.0, 0.0, 1.0]];
         let topology = Topology::of(&[sheet([a, b, c, d]), sheet([c, d, a, b])]);
-        assert_eq!((topology.vertices, topology.boundary.len(), topology.apart), (8, 8, 4));
+        assert_eq!((topology.vertices, topology.boundary.len(), topology.apart), (8, 8, 8));
     }
 }
