@@ -25,6 +25,7 @@ use crate::base::vector::{Point3, Vec3};
 use crate::base::volume_jet::VolumeJet;
 
 pub use construct::VolumeFrame;
+pub(super) use construct::frame_at;
 pub use locate::VolumeLocation;
 pub use measure::VolumeMeasure;
 pub use rows::VolumeRow;

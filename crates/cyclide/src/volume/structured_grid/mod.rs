@@ -53,19 +53,7 @@ impl StructuredGrid {
         if blocks.is_empty() {
             return Err(Error::TooFewPoints { given: 0, needed: 1 });
         }
-        for (places, name) in places.iter().zip([ErrorItem::S, ErrorItem::T, ErrorItem::U]) {
-            check_places(places, name)?;
-        }
-        let cells = places.iter().map(|places| (places.len() - 1) as f64).product::<f64>() * blocks.len() as f64;
-        if cells > MOST_CELLS as f64 {
-            return Err(Error::TooManyPieces {
-                what: "the grid of cells",
-                segment: None,
-                needed: cells,
-                cap: MOST_CELLS,
-                remedy: "divide it less often",
-            });
-        }
+        Self::check_size(blocks.len(), &places)?;
         let mut shared = SharedNodes::new(places.each_ref().map(Vec::len));
         let mut grid =
             Self { blocks: blocks.to_vec(), places, nodes: Vec::new(), index: Vec::new(), jacobians: Vec::new() };
@@ -76,6 +64,27 @@ impl StructuredGrid {
             shared.add(block, &points, &mut grid.nodes, &mut grid.index);
         }
         Ok(grid)
+    }
+
+    /// Refuses parameters, and with so many blocks more cells than are made, as [`new`](Self::new) does.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new).
+    pub fn check_size(blocks: usize, places: &[Vec<f64>; 3]) -> Result<()> {
+        for (places, name) in places.iter().zip([ErrorItem::S, ErrorItem::T, ErrorItem::U]) {
+            check_places(places, name)?;
+        }
+        let cells = places.iter().map(|places| (places.len() - 1) as f64).product::<f64>() * blocks as f64;
+        if cells <= MOST_CELLS as f64 {
+            return Ok(());
+        }
+        Err(Error::TooManyPieces {
+            what: "the grid of cells",
+            segment: None,
+            needed: cells,
+            cap: MOST_CELLS,
+            remedy: "divide it less often",
+        })
     }
 
     /// The points of a block at its nodes; its Jacobians are kept.
@@ -197,7 +206,12 @@ impl StructuredGrid {
         std::array::from_fn(|k| first + (k & 1) + m * ((k >> 1 & 1) + n * (k >> 2)))
     }
 
-    fn cell(&self, cell: usize) -> [usize; 8] {
+    /// The eight nodes of the cell with this number, as of [`cells`](Self::cells).
+    ///
+    /// # Panics
+    /// If there is no such cell.
+    #[must_use]
+    pub fn cell(&self, cell: usize) -> [usize; 8] {
         let corners = self.corners(cell);
         let exchanged = [0, 2, 1, 3, 4, 6, 5, 7];
         let right = self.blocks[self.cell_place(cell).0].is_right_handed();

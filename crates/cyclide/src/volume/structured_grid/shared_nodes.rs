@@ -1,7 +1,7 @@
 //! Nodes that neighbouring blocks have in common: corners bit for bit, and between common corners the nodes of sides and faces.
 //!
 //! A side is known by its direction and its two corners, a face by the direction across and its four, in order: two blocks that have them
-//! run over them with the same parameters, if they are the same at all. Two arcs may have the same ends (a ring of two blocks), so their middles are
+//! run over them with the same parameters, if they are the same at all. Two arcs may have the same ends (a ring of two blocks), so a place inside is
 //! compared as well, within the rounding that blocks differ by.
 
 use crate::base::vector::Point3;
@@ -9,7 +9,9 @@ use crate::volume::ParamVolume as _;
 use crate::volume::cyclide_volume::CyclideVolume;
 use std::collections::HashMap;
 
-/// Middles of what two blocks share are at most so far apart, relative to the larger block, and in roundings of the coordinates.
+/// Where sides and faces are compared: no place that symmetry makes the same, as it does insides.
+const INSIDE: [f64; 2] = [0.37, 0.61];
+/// Places on what two blocks share are at most so far apart, relative to the larger block, and in roundings of the coordinates.
 const SAME: f64 = 1e-9;
 const ROUNDINGS: f64 = 64.0;
 
@@ -31,7 +33,7 @@ impl Run {
     }
 }
 
-/// A side or face that was met, with its middle.
+/// A side or face that was met, with a place inside.
 type Met<const N: usize> = HashMap<(usize, [u32; N]), Vec<(Point3, Run)>>;
 
 /// Nodes by the corners between which they are.
@@ -77,12 +79,13 @@ impl SharedNodes {
                 let inner =
                     |x: usize| place(std::array::from_fn(|d| if d == axis { x } else { (k >> d & 1) * last[d] }));
                 let places: Vec<usize> = (1..last[axis]).map(inner).collect();
-                let middle = block.point(std::array::from_fn(|d| if d == axis { 0.5 } else { (k >> d & 1) as f64 }));
-                let one = ends[0] == ends[1] && middle.distance(block.corners()[k]) <= near;
+                let inside =
+                    block.point(std::array::from_fn(|d| if d == axis { INSIDE[0] } else { (k >> d & 1) as f64 }));
+                let one = ends[0] == ends[1] && inside.distance(block.corners()[k]) <= near;
                 let met = self.sides.entry((axis, ends)).or_default();
-                let run = found(met, middle, near).unwrap_or_else(|| {
+                let run = found(met, inside, near).unwrap_or_else(|| {
                     let run = if one { Run::One(ends[0]) } else { new_run(nodes, points, &places) };
-                    met.push((middle, run));
+                    met.push((inside, run));
                     run
                 });
                 places.iter().enumerate().for_each(|(k, at)| index[start + at] = run.node(k));
@@ -98,13 +101,13 @@ impl SharedNodes {
                 };
                 let places: Vec<usize> =
                     (1..last[j]).flat_map(|y| (1..last[i]).map(move |x| (x, y))).map(inner).collect();
-                let mut middle = [0.5; 3];
-                middle[axis] = end as f64;
-                let middle = block.point(middle);
+                let mut inside = [end as f64; 3];
+                (inside[i], inside[j]) = (INSIDE[0], INSIDE[1]);
+                let inside = block.point(inside);
                 let met = self.faces.entry((axis, around)).or_default();
-                let run = found(met, middle, near).unwrap_or_else(|| {
+                let run = found(met, inside, near).unwrap_or_else(|| {
                     let run = new_run(nodes, points, &places);
-                    met.push((middle, run));
+                    met.push((inside, run));
                     run
                 });
                 places.iter().enumerate().for_each(|(k, at)| index[start + at] = run.node(k));
@@ -118,8 +121,8 @@ impl SharedNodes {
     }
 }
 
-fn found(met: &[(Point3, Run)], middle: Point3, near: f64) -> Option<Run> {
-    met.iter().find(|(p, _)| p.distance(middle) <= near).map(|(_, run)| *run)
+fn found(met: &[(Point3, Run)], inside: Point3, near: f64) -> Option<Run> {
+    met.iter().find(|(p, _)| p.distance(inside) <= near).map(|(_, run)| *run)
 }
 
 fn new_run(nodes: &mut Vec<Point3>, points: &[Point3], places: &[usize]) -> Run {
