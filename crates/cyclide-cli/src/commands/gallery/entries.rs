@@ -250,7 +250,7 @@ pub const ENTRIES: &[Entry] = &[
     Entry {
         name: "tube_grid",
         title: "A grid in the wall of a bent tube",
-        text: "The outer boundary of 48 blocks between two Dupin cyclides, closed both ways; in the document each has 160 cells for solvers, fine at both walls.",
+        text: "The inner skin and the walls between 96 blocks, which fill the space between two Dupin cyclides without a gap: all of them cross at right angles. Each has 160 cells for solvers.",
         document: example!("tube_grid.json"),
         inputs: &[],
         formats: SURFACES,
