@@ -1,5 +1,7 @@
 //! Laws of structured grids: rows agree with places one by one, neighbours share nodes, cells are right (`docs/math/volumes.md#structured-grids`).
 
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
+
 use cyclide::{
     CyclideGrid, CyclideVolume, DupinCyclide, FineEnd, Grading, ParamVolume, Point3, SphericalCube, StructuredGrid,
     Vec3, VolumeFrame,

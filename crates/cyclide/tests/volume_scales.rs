@@ -2,6 +2,8 @@
 //!
 //! Corners are rounded where they are: limits are relative to the largest coordinate, times how much the shape magnifies.
 
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
+
 use cyclide::{
     Conformal, CyclideVolume, Error, FoldVerdict, Mobius, ParamSurface, ParamVolume, Point3, Quat, SphericalCube, Vec3,
     VolumeFrame, miquel_point,

@@ -51,10 +51,10 @@ impl CyclideGrid {
             return Err(Error::ParametersNotIncreasing { index: k, value: distances[k], before: distances[k - 1] });
         }
         let [m, n] = net.size();
-        let [lowest, .., highest] = *distances else { unreachable!("there are two") };
+        let ends = [distances[0], distances[distances.len() - 1]];
         for (quad, patch) in net.patches().enumerate() {
             // What is regular as far as the outermost skins is so between.
-            for h in [lowest, highest].into_iter().filter(|&h| h != 0.0 && !patch.offset_is_regular(h)) {
+            if let Some(h) = ends.into_iter().find(|&h| h != 0.0 && !patch.offset_is_regular(h)) {
                 let limit = if patch.offset_is_regular(0.0) { patch.offset_limit(h) } else { 0.0 };
                 return Err(Error::OffsetNotRegular { distance: h, limit }.in_quad(quad));
             }

@@ -1,6 +1,6 @@
 //! Grids of blocks, and the places of their cells.
 
-use cyclide::{CyclideGrid, CyclideVolume, DupinCyclide, FineEnd, Grading, Point3, StructuredGrid, VolumeFrame};
+use cyclide::{CyclideGrid, CyclideVolume, DupinCyclide, FineEnd, Grading, StructuredGrid, VolumeFrame};
 
 use super::Builder;
 use super::nets::{SEGMENTS, frame_of_axes};
@@ -58,31 +58,23 @@ impl Builder<'_> {
                 return Err(Error::Input(self.diagnostic(["planes".into(), name.into()], &message)));
             }
         }
-        if m == 0 {
+        if [m, n, l].contains(&0) {
             return Err(self.unfit("the planes have no points"));
         }
         // Lines that are of two planes.
         let first = st[0][0].point();
         let all = [st, su, tu].into_iter().flatten().flatten();
         let size = all.map(|p| p.point().distance(first)).fold(0.0, f64::max);
-        let same =
-            |name: &'static str, rows: &[Vec<Coordinates>], row: usize, column: usize, wanted: Point3, of: &str| {
-                let distance = rows[row][column].point().distance(wanted);
-                if distance <= ONE_POINT * size {
-                    return Ok(());
-                }
+        let along_s = st[0].iter().zip(&su[0]).enumerate().map(|(i, (p, q))| ("su", 0, i, p, q, "st"));
+        let along_t = st.iter().zip(&tu[0]).enumerate().map(|(j, (row, q))| ("tu", 0, j, &row[0], q, "st"));
+        let along_u = su.iter().zip(tu).enumerate().map(|(k, (p, q))| ("tu", k, 0, &p[0], &q[0], "su"));
+        for (name, row, column, wanted, given, of) in along_s.chain(along_t).chain(along_u) {
+            let distance = given.point().distance(wanted.point());
+            if !(distance <= ONE_POINT * size) {
                 let message = format!("this point is {distance:.3e} from that of `{of}`, with which it is one");
                 let place = ["planes".into(), name.into(), row.into(), column.into()];
-                Err(self.refused_in_words(place, "not-concircular", message))
-            };
-        for i in 0..m {
-            same("su", su, 0, i, st[0][i].point(), "st")?;
-        }
-        for j in 0..n {
-            same("tu", tu, 0, j, st[j][0].point(), "st")?;
-        }
-        for k in 0..l {
-            same("tu", tu, k, 0, su[k][0].point(), "su")?;
+                return Err(self.refused_in_words(place, "not-concircular", message));
+            }
         }
         let point = |[i, j, k]: [usize; 3]| match [i, j, k] {
             [i, j, 0] => st[j][i].point(),

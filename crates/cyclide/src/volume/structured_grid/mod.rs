@@ -223,7 +223,8 @@ impl StructuredGrid {
 fn check_places(places: &[f64], name: ErrorItem) -> Result<()> {
     let [first, .., last] = *places else { return Err(Error::TooFewPoints { given: places.len(), needed: 2 }) };
     for (value, wanted) in [(first, 0.0), (last, 1.0)] {
-        if value != wanted {
+        // Exactly: neighbours share what is at the ends.
+        if value.to_bits() != f64::to_bits(wanted) {
             return Err(Error::ParameterOutOfRange { name, value, min: wanted, max: wanted });
         }
     }
