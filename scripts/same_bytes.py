@@ -27,7 +27,7 @@ FORMATS = {
     "stl": [[]],
     "ply": [[]],
     "3mf": [[]],
-    "vtu": [[], ["--vtu-encoding", "base64"]],
+    "vtu": [[], ["--vtu-encoding", "base64"], ["--vtu-cells", "linear"]],
     "mesh": [[]],
     "xml": [[]],
 }

@@ -80,6 +80,30 @@ pub enum StepProducts {
     One,
 }
 
+/// The cells of VTU.
+///
+/// ```
+/// use cyclide::{CyclideVolume, Grading, Model, Point3, SphericalCube, Vec3, VolumeFrame};
+/// use cyclide_io::{ExportOptions, Exporter, Format, Provenance, VtuCells};
+/// let cube = SphericalCube::cuboid(Point3::ORIGIN, [Vec3::X, Vec3::Y, Vec3::Z])?;
+/// let model = Model::default().with_volume("block", CyclideVolume::new(&cube, VolumeFrame::Auto)?);
+/// let halves = Grading::Uniform.places(2)?;
+/// let divided = [Provenance { kind: "cyclide-volume", places: Some([halves.clone(), halves.clone(), halves]), ..Provenance::default() }];
+/// let options = ExportOptions { vtu_cells: VtuCells::Linear, ..ExportOptions::default() };
+/// let file = Exporter::with_provenance(&model, &divided)?.export(Format::Vtu, &options)?;
+/// assert!(String::from_utf8(file.bytes)?.contains("NumberOfPoints=\"27\" NumberOfCells=\"8\""));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum VtuCells {
+    /// Exact rational Bézier cells: the default.
+    #[default]
+    Bezier,
+    /// Plain hexahedra with straight sides, of objects with blocks that are divided into cells.
+    Linear,
+}
+
 /// How the numbers of VTU are written.
 ///
 /// ```
@@ -149,6 +173,8 @@ pub struct ExportOptions {
     pub svg_comb: bool,
     /// SVG: draw the joints of the curves as dots.
     pub svg_points: bool,
+    /// VTU: its cells.
+    pub vtu_cells: VtuCells,
     /// VTU: how its numbers are written.
     pub vtu_encoding: VtuEncoding,
     /// PNG: leave out what is not the model: comb, title, unit, scale bar, legend, names and axes.

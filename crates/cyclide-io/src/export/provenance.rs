@@ -49,7 +49,6 @@ impl<'a> Provenances<'a> {
     }
 
     /// The parameters of the cells of an object's blocks, if it divides them.
-    #[allow(dead_code, reason = "writers of cells ask for it")]
     pub(crate) fn places(&self, item: usize) -> Option<&'a [Vec<f64>; 3]> {
         self.given.get(item)?.places.as_ref()
     }

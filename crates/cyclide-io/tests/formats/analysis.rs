@@ -3,10 +3,12 @@
 use crate::damage::Damage;
 use crate::models::{annulus, curve_and_surfaces, mixed, octant, space_chain, splines, surfaces, tilted, torus_part};
 use cyclide::{
-    CurveObject, CyclideGrid, CyclideVolume, DupinCyclide, Geometry, Item, Model, Point3, RationalBezierSurface, Shell,
-    SphericalCube, Units, Vec3, VolumeFrame,
+    CurveObject, CyclideGrid, CyclideVolume, DupinCyclide, Geometry, Grading, Item, Model, Point3,
+    RationalBezierSurface, Shell, SphericalCube, Units, Vec3, VolumeFrame,
 };
-use cyclide_io::{ExportOptions, Format, VtuEncoding, export, file_deviation, read_back};
+use cyclide_io::{
+    ExportOptions, Exporter, Format, Provenance, VtuCells, VtuEncoding, export, file_deviation, read_back,
+};
 
 const FORMATS: [Format; 3] = [Format::Vtu, Format::Mfem, Format::Gismo];
 
@@ -224,4 +226,40 @@ fn damage_is_found_out() {
         });
         assert!(moved.is_err() || moved.is_ok_and(|off| off > 1e-3));
     }
+}
+
+/// Cells of a grid whose nodes neighbours share, in place of blocks: off by less, the more there are.
+#[test]
+fn divided_blocks_are_plain_hexahedra() {
+    let (model, options) = (layers(), ExportOptions { vtu_cells: VtuCells::Linear, ..ExportOptions::default() });
+    let mut before = f64::INFINITY;
+    for n in [2, 4] {
+        let places = Grading::Uniform.places(n).unwrap();
+        let places = Some([places.clone(), places, vec![0.0, 0.25, 1.0]]);
+        let divided = [Provenance { kind: "layers", places, ..Provenance::default() }];
+        let exporter = Exporter::with_provenance(&model, &divided).unwrap();
+        let file = exporter.export(Format::Vtu, &options).unwrap();
+        let text = String::from_utf8(file.bytes.clone()).unwrap();
+        // 4 n cells round and round, 2 through each of 2 layers.
+        let counts =
+            format!("NumberOfPoints=\"{}\" NumberOfCells=\"{}\"", (4 * n) * (4 * n) * 5, (4 * n) * (4 * n) * 4);
+        assert!(text.contains(&counts), "{}", &text[..600]);
+        let off = exporter.deviation(Format::Vtu, &file).unwrap();
+        assert!(
+            !file.exact && file.sampled && off <= file.bound && off > 0.5 * file.bound,
+            "{off:e} of {:e}",
+            file.bound
+        );
+        // Halves are off by a quarter.
+        assert!(off < 0.35 * before);
+        before = off;
+        let content = read_back(Format::Vtu, &file.bytes).unwrap();
+        assert!(content.volumes.iter().all(|own| own.volume.degrees() == [1; 3]));
+        let mut wrong = file.clone();
+        wrong.bytes = text.replacen(" 0 1 ", " 1 0 ", 1).into_bytes();
+        assert!(wrong.bytes != file.bytes && exporter.deviation(Format::Vtu, &wrong).is_err());
+    }
+    let message = |model: &Model| export(model, Format::Vtu, &options).unwrap_err().to_string();
+    assert!(message(&layers()).contains("its blocks are not divided into cells: give it `cells`"));
+    assert!(message(&curve_and_surfaces()).contains("plain cells are those of blocks"));
 }

@@ -5,6 +5,7 @@
 //! each cell belongs to is cell data, as is the quality of blocks; the names of the objects and the unit are field data.
 
 mod arrays;
+mod linear;
 mod order;
 mod quality;
 mod reader;
@@ -18,6 +19,7 @@ use crate::export::error::ExportError;
 use crate::export::exported::{Exported, PieceNotes, Promise, Written, WrittenCurve};
 use crate::export::job::Job;
 use crate::export::lowered::Forms;
+use crate::export::options::VtuCells;
 use crate::export::parts::Contour;
 use crate::export::rational_cells::{Halving, Node, RationalCell, Tags, push_bodies};
 use crate::export::ready::ReadyModel;
@@ -26,7 +28,7 @@ use arrays::{Arrays, Number};
 use cyclide::{ChainPiece, CurveChain, DEFAULT_PIECE_ANGLE, Lowered, NurbsCurve, ParamCurve as _, RationalBezier};
 use order::nodes;
 use quality::{NAMES, qualities};
-use reader::{TAGS, read};
+use reader::{Cells, TAGS, read};
 
 /// VTK's numbers for Bézier curves, quadrilaterals and hexahedra.
 const KINDS: [u8; 3] = [75, 77, 79];
@@ -46,16 +48,18 @@ pub(super) static ENTRY: Entry = Entry {
 
 /// Writes the model.
 fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
+    if job.options.vtu_cells == VtuCells::Linear {
+        return linear::write(job);
+    }
     let (mut written, mut cells) = (Written::default(), Vec::new());
     for contour in job.contours() {
         let lowered = job.chain(&contour)?;
         written.curves.push(contour.lowered(push_contour(&mut cells, &contour, lowered))?);
     }
     push_bodies(job, None, Halving::WhereNeeded, &mut cells, &mut written)?;
-    let names: Vec<&str> = job.model.items.iter().map(|item| item.name.as_str()).collect();
     let mut arrays = Arrays::new(job.options.vtu_encoding);
     let of_blocks = qualities(job.model, job.bodies, &written.volumes);
-    let head = text(&mut arrays, &cells, &of_blocks, job.units().symbol(), &names);
+    let head = text(&mut arrays, &cells, &of_blocks, job);
     Ok(written.exported(arrays.finish(head), Vec::new()))
 }
 
@@ -87,19 +91,26 @@ fn push_contour(
     Ok(notes.of(promise, correspondence))
 }
 
-/// The file but for what is appended.
-fn text(arrays: &mut Arrays, cells: &[RationalCell], of_blocks: &[[f64; 3]], units: &str, names: &[&str]) -> String {
-    let points: usize = cells.iter().map(|cell| cell.nodes.len()).sum();
-    let mut out = String::with_capacity(arrays.text_of(points));
-    out.push_str("<?xml version=\"1.0\"?>\n");
+/// The file up to its arrays.
+fn head(job: &Job<'_>, points: usize, cells: usize) -> String {
+    let mut out = "<?xml version=\"1.0\"?>\n".to_owned();
     // Before version 2.1 readers permute the nodes of hexahedra.
     out.push_str(
         "<VTKFile type=\"UnstructuredGrid\" version=\"2.2\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n",
     );
     out.push_str("<UnstructuredGrid>\n<FieldData>\n");
-    arrays::push_strings(&mut out, reader::UNITS, &[units]);
-    arrays::push_strings(&mut out, reader::OBJECTS, names);
-    out.push_str(&format!("</FieldData>\n<Piece NumberOfPoints=\"{points}\" NumberOfCells=\"{}\">\n", cells.len()));
+    let names: Vec<&str> = job.model.items.iter().map(|item| item.name.as_str()).collect();
+    arrays::push_strings(&mut out, reader::UNITS, &[job.units().symbol()]);
+    arrays::push_strings(&mut out, reader::OBJECTS, &names);
+    out.push_str(&format!("</FieldData>\n<Piece NumberOfPoints=\"{points}\" NumberOfCells=\"{cells}\">\n"));
+    out
+}
+
+/// The file but for what is appended.
+fn text(arrays: &mut Arrays, cells: &[RationalCell], of_blocks: &[[f64; 3]], job: &Job<'_>) -> String {
+    let points: usize = cells.iter().map(|cell| cell.nodes.len()).sum();
+    let mut out = head(job, points, cells.len());
+    out.reserve(arrays.text_of(points));
     let ordered = |cell: &RationalCell| nodes(cell.degrees).into_iter().map(|at| cell.node(at)).collect::<Vec<_>>();
     let all: Vec<Node> = cells.iter().flat_map(ordered).collect();
     out.push_str("<PointData RationalWeights=\"RationalWeights\">\n");
@@ -136,16 +147,25 @@ fn text(arrays: &mut Arrays, cells: &[RationalCell], of_blocks: &[[f64; 3]], uni
 
 /// Reads a file of a model and holds it against this.
 fn compare(made: &Made<'_>) -> Result<Deviations, ReadError> {
-    let (content, of_blocks) = read(&made.file.bytes)?;
+    let (content, cells) = read(&made.file.bytes)?;
     let ReadyModel { model, bodies, .. } = made.ready;
     let names = model.items.iter().map(|item| FileName::new(reader::OBJECTS, item.name.as_str(), 1)).collect();
     content.labels.check(&FileLabels::new(model.units, names))?;
-    if of_blocks != qualities(model, bodies, &made.file.written.volumes) {
-        return Err(ReadError::syntax("CellData", "the quality of a cell is not that of its block"));
+    let written = &made.file.written;
+    match cells {
+        Cells::Plain(plain) if written.plain_cells => {
+            Ok(Deviations { bodies: linear::deviations(made, &content, &plain)?, ..Deviations::default() })
+        }
+        Cells::Bezier(of_blocks) if !written.plain_cells => {
+            if of_blocks != qualities(model, bodies, &written.volumes) {
+                return Err(ReadError::syntax("CellData", "the quality of a cell is not that of its block"));
+            }
+            let curves = made.curves(&content, View::Space)?;
+            let bodies = bodies_deviation(made, &content, None)?;
+            Ok(Deviations { curves, bodies, ..Deviations::default() })
+        }
+        _ => Err(ReadError::syntax(reader::TYPES, "cells of another kind than were written")),
     }
-    let curves = made.curves(&content, View::Space)?;
-    let bodies = bodies_deviation(made, &content, None)?;
-    Ok(Deviations { curves, bodies, ..Deviations::default() })
 }
 
 /// A span as a curve over [0, 1].

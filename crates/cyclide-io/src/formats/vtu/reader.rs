@@ -1,15 +1,17 @@
 //! Our own VTU back from the bytes.
 
 use super::arrays::{Number, appended as appended_at};
+use super::linear::{KIND, ORDER};
 use super::order::nodes;
 use super::quality::NAMES;
 use super::{KINDS, spline_of};
+use crate::check::bodies::FileVolume;
 use crate::check::file_content::{FileContent, ReadError};
 use crate::check::labels::{FileLabels, FileName};
 use crate::check::rational_cells::{add_bodies, add_curves};
 use crate::export::rational_cells::{Degrees, RationalCell, Tags};
 use crate::text::xml::attribute;
-use cyclide::{RationalBezier, Units};
+use cyclide::{RationalBezier, RationalBezierVolume, Units};
 use std::collections::HashMap;
 
 /// Names of the arrays.
@@ -23,28 +25,42 @@ pub(super) const OFFSETS: &str = "offsets";
 pub(super) const TYPES: &str = "types";
 /// What stands before the arrays that are appended.
 const APPENDED: &str = "<AppendedData encoding=\"base64\">";
+pub(super) const OBJECT: &str = "object";
+pub(super) const PART: &str = "part";
 /// A name with what it is said of a cell.
 type Tag = (&'static str, fn(&Tags) -> usize);
 /// What is said of each cell.
-pub(super) const TAGS: [Tag; 4] = [
-    ("object", |tags| tags.object),
-    ("part", |tags| tags.part),
-    ("shell", |tags| tags.shell),
-    ("flag", |tags| tags.flag),
-];
+pub(super) const TAGS: [Tag; 4] =
+    [(OBJECT, |tags| tags.object), (PART, |tags| tags.part), ("shell", |tags| tags.shell), ("flag", |tags| tags.flag)];
 
 /// Largest degree: far above ours, far below what overflows.
 const MOST_DEGREE: usize = 1000;
 
-/// Reads curves, patches and volumes, and the qualities of these.
-pub(super) fn read(bytes: &[u8]) -> Result<(FileContent, Vec<[f64; 3]>), ReadError> {
+/// What the cells of a file say besides their geometry.
+pub(super) enum Cells {
+    /// The qualities of blocks.
+    Bezier(Vec<[f64; 3]>),
+    Plain(Plain),
+}
+
+/// Plain hexahedra.
+pub(super) struct Plain {
+    /// Their nodes in VTK's order.
+    pub(super) connectivity: Vec<usize>,
+    pub(super) qualities: Vec<[f64; 3]>,
+    /// Object and block of each.
+    pub(super) tags: Vec<[usize; 2]>,
+}
+
+/// Reads curves, patches and volumes, and what their cells say.
+pub(super) fn read(bytes: &[u8]) -> Result<(FileContent, Cells), ReadError> {
     let text =
         std::str::from_utf8(bytes).map_err(|e| ReadError::syntax(format!("byte {}", e.valid_up_to()), "not text"))?;
-    for (place, attribute) in [("VTKFile", "version=\"2.2\""), ("PointData", "RationalWeights=\"RationalWeights\"")] {
-        if !text.contains(attribute) {
-            return Err(ReadError::syntax(place, format!("expected {attribute}")));
-        }
-    }
+    let expected = |place: &str, attribute: &str| {
+        let missing = || ReadError::syntax(place, format!("expected {attribute}"));
+        if text.contains(attribute) { Ok(()) } else { Err(missing()) }
+    };
+    expected("VTKFile", "version=\"2.2\"")?;
     let arrays = arrays(text)?;
     let names = strings(&arrays, OBJECTS)?;
     let unit = match strings(&arrays, UNITS)?.as_slice() {
@@ -55,6 +71,11 @@ pub(super) fn read(bytes: &[u8]) -> Result<(FileContent, Vec<[f64; 3]>), ReadErr
     };
     let labels =
         FileLabels { unit: Some(unit), names: names.into_iter().map(|name| FileName::new(OBJECTS, name, 1)).collect() };
+    let kinds = whole(&arrays, TYPES)?;
+    if !kinds.is_empty() && kinds.iter().all(|kind| *kind == usize::from(KIND)) {
+        return plain(&arrays, labels);
+    }
+    expected("PointData", "RationalWeights=\"RationalWeights\"")?;
     let cells = cells(&arrays)?;
     let of_blocks = qualities(&arrays, &cells)?;
     let mut content = FileContent { labels, ..FileContent::default() };
@@ -70,7 +91,44 @@ pub(super) fn read(bytes: &[u8]) -> Result<(FileContent, Vec<[f64; 3]>), ReadErr
     }
     add_curves(&mut content, curves)?;
     add_bodies(&mut content, bodies)?;
-    Ok((content, of_blocks))
+    Ok((content, Cells::Bezier(of_blocks)))
+}
+
+/// Reads plain hexahedra, as volumes of degree 1.
+fn plain(arrays: &HashMap<&str, Vec<f64>>, labels: FileLabels) -> Result<(FileContent, Cells), ReadError> {
+    let connectivity = whole(arrays, CONNECTIVITY)?;
+    let (points, ends) = (array(arrays, POINTS)?, whole(arrays, OFFSETS)?);
+    let (objects, parts) = (whole(arrays, OBJECT)?, whole(arrays, PART)?);
+    let qualities = NAMES.map(|name| array(arrays, name));
+    let [Ok(first), Ok(second), Ok(third)] = qualities else {
+        return Err(ReadError::syntax("CellData", "expected the quality of the cells"));
+    };
+    let count = ends.len();
+    let lengths = [objects.len(), parts.len(), first.len(), second.len(), third.len(), connectivity.len() / 8];
+    if lengths.iter().any(|own| *own != count) || !ends.iter().enumerate().all(|(k, end)| *end == 8 * (k + 1)) {
+        return Err(ReadError::syntax(TYPES, "arrays of cells differ in length"));
+    }
+    let mut content = FileContent { labels, ..FileContent::default() };
+    let mut met: Vec<[usize; 2]> = Vec::new();
+    let tags: Vec<[usize; 2]> = objects.into_iter().zip(parts).map(|(object, part)| [object, part]).collect();
+    for (number, (corners, tag)) in connectivity.chunks_exact(8).zip(&tags).enumerate() {
+        let place = || format!("cell {number}");
+        let mut rows = vec![[0.0; 4]; 8];
+        for (corner, node) in ORDER.into_iter().zip(corners) {
+            let own =
+                points.get(3 * node..3 * node + 3).ok_or_else(|| ReadError::syntax(place(), "it has no such node"))?;
+            // The first parameter is the fastest of corners, the last of rows.
+            rows[(corner & 1) << 2 | (corner & 2) | corner >> 2] = [own[0], own[1], own[2], 1.0];
+        }
+        let volume = RationalBezierVolume::new([1; 3], rows);
+        let volume = volume.map_err(|source| ReadError::Geometry { place: place(), source })?;
+        if met.last() != Some(tag) {
+            met.push(*tag);
+        }
+        content.volumes.push(FileVolume { body: met.len() - 1, volume });
+    }
+    let qualities = (0..count).map(|k| [first[k], second[k], third[k]]).collect();
+    Ok((content, Cells::Plain(Plain { connectivity, qualities, tags })))
 }
 
 /// The qualities of the hexahedra; those of other cells are 0.
