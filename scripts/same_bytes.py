@@ -25,6 +25,11 @@ FORMATS = {
     "glb": [[], ["--glb-edges"]],
     "obj": [[]],
     "stl": [[]],
+    "ply": [[]],
+    "3mf": [[]],
+    "vtu": [[], ["--vtu-encoding", "base64"], ["--vtu-cells", "linear"]],
+    "mesh": [[]],
+    "xml": [[]],
 }
 
 

@@ -1,4 +1,4 @@
-"""Meshes as trimesh sees them, GLB files as the Khronos validator sees them."""
+"""Meshes as trimesh and, of 3MF, lib3mf see them, GLB files as the Khronos validator sees them."""
 
 import json
 import subprocess
@@ -19,7 +19,7 @@ PATCH = {
     "frame": [[8, -1, 4], [-1, 4, 3]],
 }
 ARC = {"type": "arc", "from": [0, 0, 50], "to": [10, 0, 50], "tangent": [1, 1, 0]}
-SUFFIXES = ["glb", "obj", "stl"]
+SUFFIXES = ["glb", "obj", "stl", "ply", "3mf"]
 NET = form.turned_net()
 NET_OBJECT = form.net_document(*NET)
 # All round a ring, both directions closed.
@@ -91,8 +91,31 @@ def build(program, tmp_path_factory):
     return run
 
 
+def read_3mf(path):
+    """The model of a 3MF file, without a single warning in strict mode, and its meshes."""
+    import lib3mf
+
+    model = lib3mf.get_wrapper().CreateModel()
+    reader = model.QueryReader("3mf")
+    reader.SetStrictModeActive(True)
+    reader.ReadFromFile(str(path))
+    assert reader.GetWarningCount() == 0
+    listed, objects = model.GetMeshObjects(), []
+    while listed.MoveNext():
+        objects.append(listed.GetCurrentMeshObject())
+    return model, objects
+
+
 def load(path):
     """All triangles of a file in one mesh, vertices that are equal to the bit being one, and its curves."""
+    if path.suffix == ".3mf":
+        _, objects = read_3mf(path)
+        assert all(own.IsManifoldAndOriented() for own in objects)
+        meshes = [
+            trimesh.Trimesh([p.Coordinates[:] for p in own.GetVertices()], [t.Indices[:] for t in own.GetTriangleIndices()], process=False)
+            for own in objects
+        ]
+        return trimesh.util.concatenate(meshes), []
     placed = trimesh.load_scene(path, process=False).dump()
     curves = [g for g in placed if isinstance(g, trimesh.path.Path3D)]
     meshes = [g for g in placed if isinstance(g, trimesh.Trimesh)]
@@ -134,12 +157,45 @@ def test_a_body_is_watertight_with_its_volume(build, suffix, name):
     assert report["bound"] <= 1.001e-4 * size
 
 
-@pytest.mark.parametrize("suffix", SUFFIXES)
+@pytest.mark.parametrize("suffix", [suffix for suffix in SUFFIXES if suffix != "3mf"])
 def test_an_open_surface_has_one_border(build, suffix):
     path, _ = build("patch", suffix, {"patch": PATCH}, "--tolerance", 0.05)
     mesh, _ = load(path)
     assert mesh.is_winding_consistent and not mesh.is_watertight
     assert mesh.euler_number == 1, "a disc"
+
+
+def test_3mf_has_unit_names_and_dates_that_never_change(build):
+    import zipfile
+
+    objects = {"tube <1>": RING, "other": {"type": "cyclide", "a": 5, "mu": 2}}
+    path, _ = build("printed", "3mf", objects, "--tolerance", 0.5, units="in")
+    model, meshes = read_3mf(path)
+    assert model.GetUnit().name == "Inch" and [own.GetName() for own in meshes] == list(objects)
+    items, built = model.GetBuildItems(), 0
+    while items.MoveNext():
+        built += 1
+    assert built == len(objects)
+    with zipfile.ZipFile(path) as archive:
+        assert archive.testzip() is None and [entry.date_time for entry in archive.infolist()] == [(1980, 1, 1, 0, 0, 0)] * 3
+
+
+def test_ply_says_of_each_vertex_whose_it_is(build):
+    path, _ = build("torus-quads", "ply", {"torus": {"type": "cyclide", "a": 5, "mu": 2}, "patch": PATCH}, "--tolerance", 0.05)
+    head, body = path.read_bytes().split(b"end_header\n")
+    words = head.decode().split()
+    vertices, faces = (int(words[words.index(name) + 1]) for name in ("vertex", "face"))
+    vertex = np.dtype([("place", "<f8", 3), ("normal", "<f4", 3), ("object", "<i4")])
+    own = np.frombuffer(body, vertex, vertices)
+    quads = np.frombuffer(body, np.dtype([("count", "u1"), ("corners", "<i4", 4)]), faces, vertices * vertex.itemsize)
+    assert len(body) == vertices * vertex.itemsize + faces * quads.itemsize
+    assert set(quads["count"]) == {4} and set(own["object"]) == {0, 1} and (np.diff(own["object"]) >= 0).all()
+    assert "object 0: torus" in head.decode() and "units mm" in head.decode()
+    # The normal is the way from the middle line of the tube, to single precision.
+    torus = own[own["object"] == 0]
+    middle = torus["place"] * [1, 1, 0]
+    middle *= 5 / np.linalg.norm(middle, axis=1)[:, None]
+    assert np.abs((torus["place"] - middle) / 2 - torus["normal"]).max() < 1e-7
 
 
 def test_obj_has_quads(build):

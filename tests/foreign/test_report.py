@@ -35,8 +35,8 @@ def test_deviation_of_the_file_keeps_the_promise(built, suffix):
     assert 0.0 <= entry["deviation"] <= entry["bound"] + rounding
 
 
-CURVE_SUFFIXES = ("step", "dxf", "svg", "csv", "json", "png")
-SURFACE_SUFFIXES = ("step", "glb", "obj", "stl", "png", "svg", "json")
+CURVE_SUFFIXES = ("step", "dxf", "svg", "csv", "json", "png", "vtu", "mesh", "xml")
+SURFACE_SUFFIXES = ("step", "glb", "obj", "stl", "ply", "png", "svg", "json", "vtu", "mesh", "xml")
 SAME = {name: CURVE_SUFFIXES for name in ("track", "logo", "cable")} | {name: SURFACE_SUFFIXES for name in ("handle", "roof")}
 
 

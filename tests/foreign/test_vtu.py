@@ -165,3 +165,32 @@ def test_what_readers_need_stands_in_the_file(built):
     text = path.read_text()
     assert 'version="2.2"' in text and 'RationalWeights="RationalWeights"' in text
     assert 'HigherOrderDegrees="HigherOrderDegrees"' in text
+
+
+def test_divided_blocks_are_plain_hexahedra_of_one_mesh(program, tmp_path):
+    """The wall of a torus in cells: VTK's own volumes of them, and no node twice."""
+    from vtkmodules.util.numpy_support import vtk_to_numpy
+
+    torus = {"type": "cyclide", "a": 3, "mu": 1, "construction": True}
+    layers = {"type": "layers", "of": "torus", "distances": [-0.5, 0], "cells": [8, 8, 3]}
+    model = tmp_path / "wall.json"
+    model.write_text(json.dumps({"cyclide": 1, "units": "mm", "objects": {"torus": torus, "wall": layers}}))
+    for encoding in ("ascii", "base64"):
+        path = tmp_path / f"{encoding}.vtu"
+        program("build", model, "-o", path, "--vtu-cells", "linear", "--vtu-encoding", encoding)
+        grid = vtk_grid(path)
+        cells = grid.GetNumberOfCells()
+        points = vtk_to_numpy(grid.GetPoints().GetData())
+        assert {grid.GetCellType(k) for k in range(cells)} == {12}
+        assert len(np.unique(points, axis=0)) == len(points) == cells // 3 * 4
+        nodes = vtk_to_numpy(grid.GetCells().GetConnectivityArray()).reshape(-1, 8)
+        # Nodes are on circles round the middle line of the tube, from the inner skin to the outer one.
+        radius = np.hypot(np.hypot(points[:, 0], points[:, 1]) - 3, points[:, 2])
+        assert radius.min() > 0.5 - 1e-14 and radius.max() < 1 + 1e-14
+        a = points[nodes]
+        # Six tetrahedra a cell, by the diagonal; the wall is 2 pi 3 (pi - pi/4), chords are within the tube by 2 (pi/32)^2/3 and so on.
+        ways = [(1, 2), (2, 3), (3, 7), (7, 4), (4, 5), (5, 1)]
+        volume = sum(np.einsum("ij,ij", a[:, i] - a[:, 0], np.cross(a[:, j] - a[:, 0], a[:, 6] - a[:, 0])) for i, j in ways) / 6
+        assert abs(volume / (6 * np.pi * 0.75 * np.pi) - 1) < 0.02
+        quality = {name: vtk_to_numpy(grid.GetCellData().GetArray(name)) for name in ("orthogonality", "scaled_jacobian", "aspect_ratio")}
+        assert quality["orthogonality"].max() < 1e-13 and quality["scaled_jacobian"].min() > 0.9 and quality["aspect_ratio"].min() > 1

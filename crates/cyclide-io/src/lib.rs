@@ -14,16 +14,16 @@
 //! | curves | [`ArcSpec`], [`BiarcSpec`], [`CircleSpec`], [`PolylineSpec`], [`ArcSplineSpec`], [`CircleSplineSpec`] ([`EndsSpec`], [`ClampedEnds`]), [`FairSplineSpec`] ([`FairEndsSpec`], [`FairEndPair`], [`FairEndSpec`], [`FairEndWord`], [`StraightWord`]), [`ArcFitSpec`], [`FairFitSpec`], [`NurbsSpec`] |
 //! | quaternionic curves through points | [`QbInterpolationSpec`] ([`ParametersSpec`], [`ParameterRule`]), [`MoebiusSplineSpec`] ([`MoebiusContinuity`]), [`InterpolationFacts`], [`QbReport`] |
 //! | curves on a torus | [`TorusSplineSpec`] ([`TorusMethod`], [`WindingSpec`]), [`TorusKnotSpec`], [`TorusQuarticSpec`], [`TorusCircleSpec`] ([`FamilySpec`]), [`TorusSource`] ([`TorusSpec`]), [`UnrolledSpec`], [`TorusSeamSpec`] |
-//! | volumes | [`CyclideVolumeSpec`], [`LayersSpec`], [`CoordinateSurfacesSpec`], [`VolumeReport`] ([`FoldsReport`]) |
+//! | volumes | [`CyclideVolumeSpec`], [`CyclideGridSpec`] ([`CoordinatePlanesSpec`], [`WholeCyclideSpec`]), [`LayersSpec`], [`CoordinateSurfacesSpec`], cells [`CellsSpec`] ([`CellsAlongSpec`], [`GradedCellsSpec`], [`CellLaw`]), [`VolumeReport`] ([`FoldsReport`], [`CellsReport`], [`CellPlace`]) |
 //! | patches and nets | [`CyclidePatchSpec`], [`CyclideSpec`], [`CyclidicNetSpec`] ([`GridSource`], [`MeshFile`], [`FrameSpec`]), [`MakeCircularSpec`] ([`MakeCircularOptions`], [`BorderSpec`], [`BorderWord`], [`BorderCurves`]), [`OffsetSpec`], [`SupportStructureSpec`] |
 //! | surfaces over triangles, polyhedra | [`SmoothMeshSpec`] ([`NormalsSpec`], [`PolygonMeshFile`]), [`SphereBlendSpec`], [`SmoothPolyhedronSpec`] |
 //! | bodies made from curves | [`RevolutionSpec`], [`PipeSpec`], [`TubeSpec`] ([`RadiusLawSpec`]), [`PlateWithNeckSpec`] ([`PlateSpec`], [`DiskSpec`]), [`EllipseBridgeSpec`] ([`BridgeArcs`]), [`CircularSurfaceSpec`], [`RuledSpec`] |
 //! | tees and crossings | [`PipeTeeSpec`] ([`TeeMainSpec`], [`TeeBranchSpec`], [`TeeBlendSpec`], [`TeeLawSpec`], [`TeeRadiusSpec`]), [`PipeCrossingSpec`] ([`CrossingPipeSpec`], [`CrossingBlendSpec`], [`CrossingLawSpec`]), [`ContactBlendSpec`] ([`BlendTubeSpec`], [`BlendRingSpec`]) |
-//! | motions of bodies | [`MotionSpec`] ([`MotionKind`], [`PoseSource`], [`PoseFile`], [`PoseSpec`], [`StartSpec`]), [`TrajectorySpec`], [`SweptSurfaceSpec`], [`MotionReport`], [`sample_poses`] |
+//! | motions of bodies | [`MotionSpec`] ([`MotionKind`], [`PoseSource`], [`PoseFile`], [`PoseSpec`], [`StartSpec`]), [`TrajectorySpec`], [`SweptSurfaceSpec`], [`MotionReport`], [`sample_cells`], [`sample_poses`] |
 //! | maps | [`TransformSpec`], [`RotationSpec`], [`ScaleSpec`], [`SphereSpec`], [`PlaneSpec`] |
 //! | lists of points | [`read_points`] ([`PointTable`], [`PointList`], [`PointRemark`], [`PointColumns`], [`ColumnUnit`], [`unit_of_columns`]) |
 //! | meshes | [`read_quad_grid`] ([`ObjGrid`]), [`MeshFormat`] |
-//! | formats | [`Format`], [`InputKind`], [`Exporter`], [`export()`], [`Exported`], [`ExportOptions`] ([`DxfVersion`], [`StepEdges`], [`StepProducts`], [`Camera`], [`DEFAULT_MOST_PIECES`]), [`Provenance`] |
+//! | formats | [`Format`], [`InputKind`], [`Exporter`], [`export()`], [`Exported`], [`ExportOptions`] ([`DxfVersion`], [`StepEdges`], [`StepProducts`], [`VtuCells`], [`VtuEncoding`], [`Camera`], [`DEFAULT_MOST_PIECES`]), [`Provenance`] |
 //! | files read back | [`read_back`], [`FileContent`] ([`FileBody`], [`FileShell`], [`FileFace`], [`FileSurface`], [`FilePatch`], [`FileVolume`], [`FileEdge`], [`FileSample`], [`FileLabels`], [`FileName`]), [`file_deviation`] |
 //! | reports | [`Report`] ([`ObjectReport`], [`GeometryReport`], [`FileReport`], [`WarningReport`], [`RangeReport`], [`JointReport`], [`PartReport`], [`ShapeReport`], [`CheckError`]), of curves [`CurvesReport`] ([`CurvatureReport`], [`FairnessReport`], [`FitReport`], [`FitPieces`], [`TorusReport`], [`SegmentCounts`], [`UnrolledReport`], [`TightReport`] ([`TightPlaceReport`], [`TIGHTER_THAN_RADIUS`])), of surfaces [`SurfaceReport`] ([`CurvatureRangeReport`], [`SurfaceJointReport`], [`SeamReport`], [`SingularPatchReport`], [`PatchPlace`], [`CircularReport`], [`PolyhedronReport`], [`TeeBlendReport`], [`TubeReport`]), of meshes made smooth [`SmoothReport`] ([`ComparisonReport`]) |
 //! | samples | [`sample`] ([`SampleOptions`], [`SamplePlaces`], [`Spacing`]), [`CurveSamples`] ([`ContourSamples`], [`CurveSample`]) |
@@ -52,11 +52,12 @@ pub use check::labels::{FileLabels, FileName};
 pub use compare::{ComparedKind, Comparison, CurveMeasures};
 pub use document::{
     Angle, AnglePairs, ArcFitSpec, ArcSpec, ArcSplineSpec, BiarcSpec, BlendRingSpec, BlendTubeSpec, BorderCurves,
-    BorderSpec, BorderWord, BridgeArcs, BuiltObject, CircleSpec, CircleSplineSpec, CircularSurfaceSpec, ClampedEnds,
-    Comment, ContactBlendSpec, ContourFacts, CoordinateSurfacesSpec, Coordinates, CrossingBlendSpec, CrossingLawSpec,
-    CrossingPipeSpec, CutSpec, CyclidePatchSpec, CyclideSpec, CyclideVolumeSpec, CyclidicNetSpec, DOCUMENT_VERSION,
-    Directions, DiskSpec, Document, EllipseBridgeSpec, EndsSpec, FairEndPair, FairEndSpec, FairEndWord, FairEndsSpec,
-    FairFitSpec, FairSplineSpec, FamilySpec, Fitted, FrameSpec, FreeOr, GridSource, LayersSpec, Lists,
+    BorderSpec, BorderWord, BridgeArcs, BuiltObject, CellLaw, CellsAlongSpec, CellsSpec, CircleSpec, CircleSplineSpec,
+    CircularSurfaceSpec, ClampedEnds, Comment, ContactBlendSpec, ContourFacts, CoordinatePlanesSpec,
+    CoordinateSurfacesSpec, Coordinates, CrossingBlendSpec, CrossingLawSpec, CrossingPipeSpec, CutSpec,
+    CyclideGridSpec, CyclidePatchSpec, CyclideSpec, CyclideVolumeSpec, CyclidicNetSpec, DOCUMENT_VERSION, Directions,
+    DiskSpec, Document, EllipseBridgeSpec, EndsSpec, FairEndPair, FairEndSpec, FairEndWord, FairEndsSpec, FairFitSpec,
+    FairSplineSpec, FamilySpec, Fitted, FrameSpec, FreeOr, GradedCellsSpec, GridSource, LayersSpec, Lists,
     MakeCircularOptions, MakeCircularSpec, MeshFile, ModelBuilder, MotionKind, MotionSpec, NO_EFFECT, NormalsSpec,
     NurbsSpec, ObjectSpec, OffsetSpec, PipeCrossingSpec, PipeSpec, PipeTeeSpec, PlaneSpec, PlateSpec,
     PlateWithNeckSpec, PointFile, PointSource, PolygonMeshFile, PolylineSpec, PoseFile, PoseSource, PoseSpec,
@@ -65,7 +66,7 @@ pub use document::{
     SupportStructureSpec, SweptSurfaceSpec, TeeBlendSpec, TeeBranchSpec, TeeLawSpec, TeeMainSpec, TeeRadiusSpec,
     TorusCircleSpec, TorusKnotSpec, TorusMethod, TorusQuarticSpec, TorusSeamSpec, TorusSource, TorusSpec,
     TorusSplineSpec, TrajectorySpec, TransformSpec, TubeFacts, TubeSpec, TypeWord, UnrolledPlane, UnrolledSpec,
-    WindingSpec, document_schema,
+    WholeCyclideSpec, WindingSpec, document_schema,
 };
 pub use document::{
     InterpolationFacts, MoebiusContinuity, MoebiusSplineSpec, ParameterRule, ParametersSpec, QbInterpolationSpec,
@@ -74,7 +75,9 @@ pub use error::{Error, Result};
 pub use export::camera::Camera;
 pub use export::error::ExportError;
 pub use export::exported::Exported;
-pub use export::options::{DEFAULT_MOST_PIECES, DxfVersion, ExportOptions, StepEdges, StepProducts};
+pub use export::options::{
+    DEFAULT_MOST_PIECES, DxfVersion, ExportOptions, StepEdges, StepProducts, VtuCells, VtuEncoding,
+};
 pub use export::provenance::Provenance;
 #[cfg(feature = "files")]
 pub use file::{
@@ -89,12 +92,13 @@ pub use input::file::{MOST_INPUT_BYTES, read_head, read_input, read_standard_inp
 pub use input::points::{ColumnUnit, PointColumns, PointList, PointRemark, PointTable, read_points, unit_of_columns};
 pub use measure::joints::SurfaceJointReport;
 pub use report::{
-    CheckError, CircularReport, ComparisonReport, ContourSamples, CurvatureRangeReport, CurvatureReport, CurveSample,
-    CurveSamples, CurvesReport, FairnessReport, FileReport, FitPieces, FitReport, FoldsReport, GeometryReport,
-    JointReport, MotionReport, ObjectReport, PartReport, PatchPlace, PolyhedronReport, QbReport, RangeReport, Report,
-    SampleOptions, SamplePlaces, SeamReport, SegmentCounts, ShapeReport, SingularPatchReport, SmoothReport, Spacing,
-    SurfaceReport, TIGHTER_THAN_RADIUS, TeeBlendReport, TightPlaceReport, TightReport, TorusReport, TubeReport,
-    UnrolledReport, VolumeReport, WarningReport, sample, sample_poses,
+    CellPlace, CellsReport, CheckError, CircularReport, ComparisonReport, ContourSamples, CurvatureRangeReport,
+    CurvatureReport, CurveSample, CurveSamples, CurvesReport, FairnessReport, FileReport, FitPieces, FitReport,
+    FoldsReport, GeometryReport, JointReport, MotionReport, ObjectReport, PartReport, PatchPlace, PolyhedronReport,
+    QbReport, RangeReport, Report, SampleOptions, SamplePlaces, SeamReport, SegmentCounts, ShapeReport,
+    SingularPatchReport, SmoothReport, Spacing, SurfaceReport, TIGHTER_THAN_RADIUS, TeeBlendReport, TightPlaceReport,
+    TightReport, TorusReport, TubeReport, UnrolledReport, VolumeReport, WarningReport, sample, sample_cells,
+    sample_poses,
 };
 pub use text::place::{Diagnostic, Source, decode};
 pub use text::suggest::{did_you_mean, similar};

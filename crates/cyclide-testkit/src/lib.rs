@@ -11,3 +11,4 @@ pub mod reference;
 pub mod roof;
 pub mod scan;
 pub mod torus_splines;
+pub mod volumes;

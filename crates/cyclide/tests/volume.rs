@@ -4,32 +4,8 @@ use cyclide::{
     Conformal, CyclideGrid, CyclideVolume, DupinCyclide, Error, FoldVerdict, Mobius, ParamSurface, ParamVolume, Point3,
     Quat, SphericalCube, Vec3, VolumeFrame, VolumeJet,
 };
+use cyclide_testkit::volumes::{cube, deterministic, vector};
 use proptest::prelude::*;
-use proptest::test_runner::RngSeed;
-
-/// The same cases in every run.
-fn config(cases: u32) -> ProptestConfig {
-    ProptestConfig { cases, rng_seed: RngSeed::Fixed(1), ..ProptestConfig::default() }
-}
-
-fn vector(size: f64) -> impl Strategy<Value = Vec3> {
-    (-size..size, -size..size, -size..size).prop_map(|(x, y, z)| Vec3::new(x, y, z))
-}
-
-/// Embedded cubes near boxes, of any size and place.
-fn cube() -> impl Strategy<Value = SphericalCube> {
-    let sides = (vector(0.3), vector(0.3), vector(0.3));
-    let inside = (0.5..2.0, 0.5..2.0, 0.5..2.0);
-    (sides, inside, 0.0..=1.0, -6..6, vector(10.0)).prop_filter_map(
-        "a cube",
-        |((a, b, c), (x, y, z), turn, exponent, place)| {
-            let size = 10f64.powi(exponent);
-            let at = |v: Vec3| Point3::ORIGIN + (place + v) * size;
-            let corners = [at(Vec3::ZERO), at(Vec3::X + a), at(Vec3::Y + b), at(Vec3::Z + c)];
-            SphericalCube::from_barycentric(corners, [x, y, z], turn).ok()
-        },
-    )
-}
 
 fn places() -> impl Iterator<Item = [f64; 3]> {
     let steps = [0.0, 0.3, 0.71, 1.0];
@@ -42,7 +18,7 @@ fn place_of(block: &CyclideVolume) -> f64 {
 }
 
 proptest! {
-    #![proptest_config(config(200))]
+    #![proptest_config(deterministic(200))]
 
     /// Barycentric cubes are embedded, all their faces concircular: twelve points on six circles, on one sphere.
     #[test]
@@ -344,7 +320,7 @@ fn grids_follow_from_their_coordinate_planes() {
     // The map reverses orientation: of two directions pushed forward the third is against theirs.
     let [v1, v2] = [Vec3::X, Vec3::Y].map(|v| map.push_forward(Point3::ORIGIN, v).unwrap());
     let turned = |[i, j, k]: [usize; 3]| image([j, i, k]);
-    let grid = CyclideGrid::from_coordinate_planes([2, 3, 2], turned, v2, v1).unwrap();
+    let grid = CyclideGrid::from_coordinate_planes([2, 3, 2], turned, VolumeFrame::First(v2, v1)).unwrap();
     check_shared(&grid, 1e-14);
     for (number, p) in grid.points().iter().enumerate() {
         let at = [number % 3, number / 3 % 4, number / 12];
@@ -356,9 +332,21 @@ fn grids_follow_from_their_coordinate_planes() {
             assert!(block.real_residual(at) < 1e-13 && block.jet(at).orthogonality() < 1e-12);
         }
     }
-    assert_eq!(CyclideGrid::from_coordinate_planes([2, 0, 2], turned, v2, v1).unwrap_err().reason(), "too-few-points");
+    // Left-handed grids have left-handed frames.
+    let left = CyclideGrid::from_coordinate_planes([3, 2, 2], image, VolumeFrame::Auto).unwrap();
+    check_shared(&left, 1e-14);
+    for block in left.blocks() {
+        assert!(!block.is_right_handed());
+        for at in places() {
+            assert!(block.real_residual(at) < 1e-13 && block.jet(at).orthogonality() < 1e-12);
+        }
+    }
+    assert_eq!(
+        CyclideGrid::from_coordinate_planes([2, 0, 2], turned, VolumeFrame::First(v2, v1)).unwrap_err().reason(),
+        "too-few-points"
+    );
     let off = |at: [usize; 3]| turned(at) + if at == [2, 1, 0] { Vec3::new(0.0, 0.0, 0.1) } else { Vec3::ZERO };
-    let error = CyclideGrid::from_coordinate_planes([2, 3, 2], off, v2, v1).unwrap_err();
+    let error = CyclideGrid::from_coordinate_planes([2, 3, 2], off, VolumeFrame::First(v2, v1)).unwrap_err();
     assert_eq!((error.reason(), error.index()), ("not-concircular", Some(1)));
     let ring = DupinCyclide::new(4.0, 1.0, 2.0).unwrap().nets([6, 6]).unwrap().remove(0);
     assert_eq!(CyclideGrid::layers(&ring, &[0.0]).unwrap_err().reason(), "too-few-points");

@@ -3,7 +3,9 @@
 use std::path::PathBuf;
 
 use cyclide::{BiarcRule, BlendVariant, Effort, FitTarget, Units};
-use cyclide_io::{Camera, DxfVersion, FairEndWord, Format, StepEdges, StepProducts, StraightWord, WriteOptions};
+use cyclide_io::{
+    Camera, DxfVersion, FairEndWord, Format, StepEdges, StepProducts, StraightWord, VtuCells, VtuEncoding, WriteOptions,
+};
 
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{ArgAction, Args as ClapArgs, Parser, Subcommand, ValueEnum};
@@ -232,6 +234,12 @@ pub struct OutputArgs {
     /// GLB: draw the edges of the patches as lines on the surfaces.
     #[arg(long, help_heading = "Formats")]
     pub glb_edges: bool,
+    /// VTU: the cells of the file [default: bezier].
+    #[arg(long, value_name = "CELLS", value_parser = word::<VtuCells>(), help_heading = "Formats")]
+    pub vtu_cells: Option<VtuCells>,
+    /// VTU: how numbers are written [default: ascii].
+    #[arg(long, value_name = "ENCODING", value_parser = word::<VtuEncoding>(), help_heading = "Formats")]
+    pub vtu_encoding: Option<VtuEncoding>,
     /// PNG: the model alone, without curvature comb (pictures of surfaces have none), title, unit, scale bar, legend, names
     /// and axes.
     #[arg(long, help_heading = "Pictures")]

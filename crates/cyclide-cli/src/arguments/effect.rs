@@ -23,6 +23,8 @@ pub fn refuse_formats_not_written(args: &OutputArgs, outputs: &[(PathBuf, Format
         ("--svg-comb", args.svg_comb, Format::Svg),
         ("--svg-points", args.svg_points, Format::Svg),
         ("--glb-edges", args.glb_edges, Format::Glb),
+        ("--vtu-cells", args.vtu_cells.is_some(), Format::Vtu),
+        ("--vtu-encoding", args.vtu_encoding.is_some(), Format::Vtu),
         ("--png-plain", args.png_plain, Format::Png),
         ("--width", args.width.is_some(), Format::Png),
         ("--camera", args.camera.is_some(), Format::Png),

@@ -155,6 +155,8 @@ impl OutputArgs {
             glb_edges: self.glb_edges,
             svg_comb: self.svg_comb,
             svg_points: self.svg_points,
+            vtu_cells: self.vtu_cells.unwrap_or_default(),
+            vtu_encoding: self.vtu_encoding.unwrap_or_default(),
             png_plain: self.png_plain,
             png_width: self.width,
             png_axes: self.axes,

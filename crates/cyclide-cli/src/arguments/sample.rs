@@ -37,11 +37,14 @@ pub struct SampleArgs {
     #[arg(long, value_name = "NAME")]
     pub object: Option<String>,
     /// Samples per contour of a curve, N by N per patch of a surface, N by N by N per block of a volume, or of a motion; at least 2.
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(2..=10_000_000), required_unless_present = "step")]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(2..=10_000_000), required_unless_present_any = ["step", "cells"])]
     pub count: Option<u32>,
     /// Curves: a sample every D of arc length, and the end.
     #[arg(long, value_name = "D", value_parser = positive, allow_negative_numbers = true, conflicts_with = "count")]
     pub step: Option<f64>,
+    /// Volumes: the nodes of the cells that the document divides blocks into.
+    #[arg(long, conflicts_with_all = ["count", "step"])]
+    pub cells: bool,
     /// Curves: equal steps of arc length instead of the parameter.
     #[arg(long, conflicts_with = "step")]
     pub equal_length: bool,
@@ -86,6 +89,8 @@ pub struct SamplePlan {
     pub object: Option<String>,
     pub places: SamplePlaces,
     pub frames: Option<FrameRule>,
+    /// The nodes of cells, not places.
+    pub cells: bool,
     pub json: bool,
     /// `None` is standard output.
     pub output: Option<PathBuf>,
@@ -107,7 +112,7 @@ impl SampleArgs {
             (None, count) => SamplePlaces::Count { count: count.unwrap_or(2) as usize, spacing },
         };
         let (input, write) = (Input::File(self.model), self.write.options());
-        Ok(SamplePlan { input, object: self.object, places, frames, json, output, write })
+        Ok(SamplePlan { input, object: self.object, places, frames, cells: self.cells, json, output, write })
     }
 
     fn frame_rule(&self) -> Result<Option<FrameRule>, Failure> {

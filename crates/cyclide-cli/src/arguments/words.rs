@@ -25,7 +25,7 @@ fn possible_value(variant: &Value) -> Option<PossibleValue> {
 mod tests {
     use super::*;
     use cyclide::{BiarcRule, BlendVariant, Effort, FitTarget, Units};
-    use cyclide_io::{DxfVersion, FairEndWord, StepEdges, StepProducts, StraightWord};
+    use cyclide_io::{DxfVersion, FairEndWord, StepEdges, StepProducts, StraightWord, VtuCells, VtuEncoding};
 
     /// The words of an enum, each read back and explained.
     fn words<T: DeserializeOwned + JsonSchema + Clone + Send + Sync + 'static>() -> Vec<String> {
@@ -47,5 +47,7 @@ mod tests {
         assert_eq!(words::<DxfVersion>(), ["r2000", "r12"]);
         assert_eq!(words::<StepEdges>(), ["circle", "rational"]);
         assert_eq!(words::<StepProducts>(), ["auto", "assembly", "one"]);
+        assert_eq!(words::<VtuCells>(), ["bezier", "linear"]);
+        assert_eq!(words::<VtuEncoding>(), ["ascii", "base64"]);
     }
 }

@@ -32,6 +32,9 @@ pub fn run(plan: &SamplePlan) -> Result<(), Failure> {
         refuse_overwriting(plan.output.as_deref(), &input)?;
     }
     let object = load::build_one(&document, &folder, index, &inputs, &Progress::new(1))?;
+    if plan.cells && object.item.volumes().is_empty() {
+        return Err(Failure::Usage("--cells is for volumes, which the object is not".to_owned()));
+    }
     let text = match &object.item.geometry {
         Geometry::Curves(_) => curves(plan, &object)?,
         Geometry::Surfaces(_) => surface(plan, &object)?,
@@ -67,6 +70,12 @@ fn volume(plan: &SamplePlan, object: &BuiltObject, blocks: usize) -> Result<Stri
     let count = count_alone(plan, "a volume")?;
     if plan.json {
         return Err(Failure::Usage("--json is for curves and motions, the object is a volume".to_owned()));
+    }
+    if plan.cells {
+        let places = object.provenance.places.iter().flatten().map(|places| places.len() as f64);
+        refuse_many("--cells", blocks as f64 * places.product::<f64>(), blocks, "blocks")?;
+        let none = "--cells: the document does not divide the object into cells (`cells`); --count takes even places";
+        return cyclide_io::sample_cells(object).ok_or_else(|| Failure::Usage(none.to_owned()));
     }
     refuse_many(&format!("--count {count}"), blocks as f64 * (count as f64).powi(3), blocks, "blocks")?;
     Ok(cyclide_io::sample(object, count, Spacing::Parameter))

@@ -24,11 +24,11 @@ pub struct FileContent {
     pub curves: Vec<CurveChain>,
     /// The bodies of formats that have them, in file order.
     pub bodies: Vec<FileBody>,
-    /// The meshes of formats that have them: one per body, in file order; in STL one for all.
+    /// The meshes of formats that have them: one per body, in file order; in STL and PLY one for all.
     pub meshes: Vec<SurfaceMesh>,
-    /// The rational patches of JSON and VTU, in file order.
+    /// The rational patches of JSON, VTU, MFEM and G+Smo, in file order.
     pub patches: Vec<FilePatch>,
-    /// The rational volumes of VTU, in file order.
+    /// The rational volumes of VTU, MFEM and G+Smo, in file order.
     pub volumes: Vec<FileVolume>,
     /// The lines that stand for surfaces in a drawing, in file order.
     pub lines: Vec<CurveChain>,

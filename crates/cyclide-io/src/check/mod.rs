@@ -7,6 +7,8 @@ pub(crate) mod file_sample;
 pub(crate) mod labels;
 pub(crate) mod made;
 pub(crate) mod polyline;
+pub(crate) mod rational_cells;
 pub(crate) mod rational_patches;
 pub(crate) mod rational_volumes;
+pub(crate) mod spline_patches;
 pub(crate) mod tiles;

@@ -38,10 +38,11 @@ use plain_words::{in_plain_words, other_word_for, syntax_in_plain_words, wrong_c
 pub use schema::document_schema;
 pub use spec::{
     AnglePairs, ArcFitSpec, ArcSpec, ArcSplineSpec, BiarcSpec, BlendRingSpec, BlendTubeSpec, BorderCurves, BorderSpec,
-    BorderWord, BridgeArcs, CircleSpec, CircleSplineSpec, CircularSurfaceSpec, ClampedEnds, Comment, ContactBlendSpec,
-    CoordinateSurfacesSpec, CrossingBlendSpec, CrossingLawSpec, CrossingPipeSpec, CutSpec, CyclidePatchSpec,
-    CyclideSpec, CyclideVolumeSpec, CyclidicNetSpec, DiskSpec, EllipseBridgeSpec, EndsSpec, FairEndPair, FairEndSpec,
-    FairEndWord, FairEndsSpec, FairFitSpec, FairSplineSpec, FamilySpec, FrameSpec, FreeOr, GridSource, LayersSpec,
+    BorderWord, BridgeArcs, CellLaw, CellsAlongSpec, CellsSpec, CircleSpec, CircleSplineSpec, CircularSurfaceSpec,
+    ClampedEnds, Comment, ContactBlendSpec, CoordinatePlanesSpec, CoordinateSurfacesSpec, CrossingBlendSpec,
+    CrossingLawSpec, CrossingPipeSpec, CutSpec, CyclideGridSpec, CyclidePatchSpec, CyclideSpec, CyclideVolumeSpec,
+    CyclidicNetSpec, DiskSpec, EllipseBridgeSpec, EndsSpec, FairEndPair, FairEndSpec, FairEndWord, FairEndsSpec,
+    FairFitSpec, FairSplineSpec, FamilySpec, FrameSpec, FreeOr, GradedCellsSpec, GridSource, LayersSpec,
     MakeCircularOptions, MakeCircularSpec, MeshFile, MoebiusContinuity, MoebiusSplineSpec, MotionKind, MotionSpec,
     NormalsSpec, NurbsSpec, ObjectSpec, OffsetSpec, ParameterRule, ParametersSpec, PipeCrossingSpec, PipeSpec,
     PipeTeeSpec, PlaneSpec, PlateSpec, PlateWithNeckSpec, PolygonMeshFile, PolylineSpec, PoseFile, PoseSource,
@@ -49,7 +50,7 @@ pub use spec::{
     ScaleSpec, SmoothMeshSpec, SmoothPolyhedronSpec, SphereBlendSpec, SphereSpec, StartSpec, StepSpec, StraightWord,
     SupportStructureSpec, SweptSurfaceSpec, TeeBlendSpec, TeeBranchSpec, TeeLawSpec, TeeMainSpec, TeeRadiusSpec,
     TorusCircleSpec, TorusKnotSpec, TorusMethod, TorusQuarticSpec, TorusSeamSpec, TorusSource, TorusSpec,
-    TorusSplineSpec, TrajectorySpec, TransformSpec, TubeSpec, TypeWord, UnrolledSpec, WindingSpec,
+    TorusSplineSpec, TrajectorySpec, TransformSpec, TubeSpec, TypeWord, UnrolledSpec, WholeCyclideSpec, WindingSpec,
 };
 
 /// The document version this crate reads.

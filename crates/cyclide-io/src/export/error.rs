@@ -85,7 +85,7 @@ pub enum ExportError {
     /// A surface has no exact form, and the format holds exact forms only. What an approximation by patches would be off could be
     /// sampled, not proved.
     #[error(
-        "object {object}: {format} holds exact surfaces, and this one has no exact form: write GLB, OBJ or STL, which hold a mesh \
+        "object {object}: {format} holds exact surfaces, and this one has no exact form: write GLB, OBJ, PLY or STL, which hold a mesh \
          within the tolerance, or leave it out with `\"construction\": true`"
     )]
     NoExactForm {

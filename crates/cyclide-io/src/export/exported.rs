@@ -50,6 +50,8 @@ pub(crate) struct Written {
     pub(crate) shells: Vec<Vec<ShellPlan>>,
     /// The parts of blocks that the hexahedra of each body stand for, in file order, in formats that hold volumes.
     pub(crate) volumes: Vec<Vec<[[f64; 2]; 3]>>,
+    /// True if blocks are divided into plain cells.
+    pub(crate) plain_cells: bool,
     /// What the polygons of a mesh stand for.
     pub(crate) mesh: MeshPlan,
     /// True if the edges of the patches are drawn on the meshes.

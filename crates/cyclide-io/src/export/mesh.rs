@@ -7,7 +7,7 @@ use crate::export::mesh_plan::{BodyPlan, Cell, MeshPlan};
 use crate::export::parts::{BodyOf, Contour};
 use crate::export::side_use::side_use;
 use cyclide::{Correspondence, CurvePlace, MeshCorner, MeshFace, MeshSource, Point3, SurfaceMesh, Vec3};
-use std::collections::HashSet;
+use std::collections::{HashMap, HashSet};
 use std::hash::Hash;
 
 /// Single precision is used between these sizes: products of two numbers must neither vanish nor overflow.
@@ -46,6 +46,15 @@ impl BodyMesh<'_> {
         let merged = self.merged(|position| position);
         plan.bodies.push(BodyPlan { sides: side_use(polygons), merged, moved: self.mesh.gap });
         plan.cells.extend(self.cells(|_| 1));
+    }
+
+    /// Notes what the file is checked against, where vertices are known by their places and faces are written whole, or in triangles.
+    pub(crate) fn plan_places(&self, in_triangles: bool, plan: &mut MeshPlan) {
+        let bits = |position: usize| self.mesh.positions[position].to_array().map(|x| (x + 0.0).to_bits());
+        let polygons = self.mesh.faces.iter().flat_map(|face| polygons(face, in_triangles));
+        let sides = side_use(polygons.map(|polygon| polygon.into_iter().map(|corner| bits(corner.position))));
+        plan.bodies.push(BodyPlan { sides, merged: self.merged(bits), moved: self.mesh.gap });
+        plan.cells.extend(self.cells(|face| if in_triangles { triangles(face).len() } else { 1 }));
     }
 
     /// Notes what the file is checked against, where faces are cut into triangles and vertices known by the bits of
@@ -101,6 +110,32 @@ pub(crate) fn triangles(face: &MeshFace) -> &'static [[usize; 3]] {
     match face {
         MeshFace::Triangle(_) => &[[0, 1, 2]],
         MeshFace::Quad(_) => &[[0, 1, 2], [0, 2, 3]],
+    }
+}
+
+/// The corners of a mesh that have a vertex of their own, a place with a normal, in the order in which they are met.
+#[derive(Default)]
+pub(crate) struct MeshVertices {
+    pub(crate) corners: Vec<MeshCorner>,
+    index: HashMap<MeshCorner, usize>,
+}
+
+impl MeshVertices {
+    pub(crate) fn index(&mut self, corner: MeshCorner) -> usize {
+        *self.index.entry(corner).or_insert_with(|| {
+            self.corners.push(corner);
+            self.corners.len() - 1
+        })
+    }
+}
+
+/// A face as it is, or its triangles.
+pub(crate) fn polygons(face: &MeshFace, in_triangles: bool) -> Vec<Vec<MeshCorner>> {
+    let corners = face.corners();
+    if in_triangles {
+        triangles(face).iter().map(|t| t.iter().map(|i| corners[*i]).collect()).collect()
+    } else {
+        vec![corners.to_vec()]
     }
 }
 

@@ -2,6 +2,7 @@
 //! made.
 
 pub(crate) mod camera;
+pub(crate) mod collapsed;
 pub(crate) mod drawn_line;
 pub(crate) mod error;
 pub(crate) mod exported;
@@ -13,9 +14,13 @@ pub(crate) mod mesh_plan;
 pub(crate) mod moving;
 pub(crate) mod options;
 pub(crate) mod parts;
+pub(crate) mod patch_joints;
 pub(crate) mod pieces;
 pub(crate) mod provenance;
+pub(crate) mod rational_cells;
 pub(crate) mod ready;
 pub(crate) mod shape;
 pub(crate) mod side_use;
+pub(crate) mod single_mesh;
+pub(crate) mod spline_patches;
 pub(crate) mod triangle_cells;

@@ -80,6 +80,52 @@ pub enum StepProducts {
     One,
 }
 
+/// The cells of VTU.
+///
+/// ```
+/// use cyclide::{CyclideVolume, Grading, Model, Point3, SphericalCube, Vec3, VolumeFrame};
+/// use cyclide_io::{ExportOptions, Exporter, Format, Provenance, VtuCells};
+/// let cube = SphericalCube::cuboid(Point3::ORIGIN, [Vec3::X, Vec3::Y, Vec3::Z])?;
+/// let model = Model::default().with_volume("block", CyclideVolume::new(&cube, VolumeFrame::Auto)?);
+/// let halves = Grading::Uniform.places(2)?;
+/// let divided = [Provenance { kind: "cyclide-volume", places: Some([halves.clone(), halves.clone(), halves]), ..Provenance::default() }];
+/// let options = ExportOptions { vtu_cells: VtuCells::Linear, ..ExportOptions::default() };
+/// let file = Exporter::with_provenance(&model, &divided)?.export(Format::Vtu, &options)?;
+/// assert!(String::from_utf8(file.bytes)?.contains("NumberOfPoints=\"27\" NumberOfCells=\"8\""));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum VtuCells {
+    /// Exact rational Bézier cells: the default.
+    #[default]
+    Bezier,
+    /// Plain hexahedra with straight sides, of objects with blocks that are divided into cells.
+    Linear,
+}
+
+/// How the numbers of VTU are written.
+///
+/// ```
+/// use cyclide::{Arc, Model, Point3};
+/// use cyclide_io::{ExportOptions, Format, VtuEncoding, export};
+/// let segment = Arc::segment(Point3::ORIGIN, Point3::new(3.0, 4.0, 0.0))?;
+/// let model = Model::default().with_curve("line", segment);
+/// let options = ExportOptions { vtu_encoding: VtuEncoding::Base64, ..ExportOptions::default() };
+/// let text = String::from_utf8(export(&model, Format::Vtu, &options)?.bytes)?;
+/// assert!(text.contains("<AppendedData encoding=\"base64\">"));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum VtuEncoding {
+    /// Numbers in digits, that every program reads and people too: the default.
+    #[default]
+    Ascii,
+    /// The bytes of the numbers, appended as base64: smaller and read faster.
+    Base64,
+}
+
 /// Most pieces of one file of a small model if nothing else is asked for: about half a gigabyte of memory and a minute.
 ///
 /// ```
@@ -127,6 +173,10 @@ pub struct ExportOptions {
     pub svg_comb: bool,
     /// SVG: draw the joints of the curves as dots.
     pub svg_points: bool,
+    /// VTU: its cells.
+    pub vtu_cells: VtuCells,
+    /// VTU: how its numbers are written.
+    pub vtu_encoding: VtuEncoding,
     /// PNG: leave out what is not the model: comb, title, unit, scale bar, legend, names and axes.
     pub png_plain: bool,
     /// PNG: width in pixels, 200 to 10000; `None` is 1600.

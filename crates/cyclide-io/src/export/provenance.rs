@@ -9,7 +9,7 @@ use cyclide::{BlendLaw, CurveObject, Geometry, Item, Model, Point3, SurfaceObjec
 /// use cyclide_io::{ExportOptions, Exporter, Format, Provenance};
 /// let rim = Circle::from_radius(Point3::ORIGIN, Vec3::Z, 30.0)?;
 /// let model = Model::new(Units::Millimetre).with_curve("rim", rim);
-/// let mirrored = [Provenance { kind: "transform", data: Vec::new() }];
+/// let mirrored = [Provenance { kind: "transform", ..Provenance::default() }];
 /// let exporter = Exporter::with_provenance(&model, &mirrored)?;
 /// let file = exporter.export(Format::Json, &ExportOptions::default())?;
 /// assert!(String::from_utf8(file.bytes)?.contains(r#""type": "transform""#));
@@ -21,6 +21,9 @@ pub struct Provenance {
     pub kind: &'static str,
     /// The points that a fit was made near; empty for what passes through its points.
     pub data: Vec<Point3>,
+    /// The parameters along s, t and u at which the cells end that blocks are divided into, if they are: of a
+    /// [`StructuredGrid`](cyclide::StructuredGrid).
+    pub places: Option<[Vec<f64>; 3]>,
 }
 
 /// The objects of a model with how they came about, where that is known.
@@ -43,6 +46,11 @@ impl<'a> Provenances<'a> {
             (None, Some(item)) => kind_of(item),
             (None, None) => "",
         }
+    }
+
+    /// The parameters of the cells of an object's blocks, if it divides them.
+    pub(crate) fn places(&self, item: usize) -> Option<&'a [Vec<f64>; 3]> {
+        self.given.get(item)?.places.as_ref()
     }
 
     /// The points that the objects were made near.
@@ -98,7 +106,7 @@ mod tests {
         let circle = Circle::from_radius(Point3::ORIGIN, Vec3::Z, 1.0).unwrap();
         let mut model = Model::new(Units::Metre).with_curve("a", circle).with_curve("b", circle);
         model.items.push(Item::new("c", Geometry::default()));
-        let given = [Provenance { kind: "transform", data: vec![Point3::ORIGIN] }];
+        let given = [Provenance { kind: "transform", data: vec![Point3::ORIGIN], ..Provenance::default() }];
         let known = Provenances::new(&model, &given);
         assert_eq!([0, 1, 2, 3].map(|item| known.kind(item)), ["transform", "circle", "", ""]);
         assert_eq!(known.data().collect::<Vec<_>>(), [Point3::ORIGIN]);

@@ -38,11 +38,20 @@ const FOREIGN: &[Foreign] = &[
     },
     Foreign { suffixes: &["gltf"], reading: Some(OTHER_MESH), writing: Some(".glb is the same in one file") },
     Foreign {
-        suffixes: &["3mf", "off", "fbx", "dae", "blend", "usd", "usdz"],
+        suffixes: &["off", "fbx", "dae", "blend", "usd", "usdz"],
         reading: Some(OTHER_MESH),
-        writing: Some(".glb, .obj and .stl are meshes"),
+        writing: Some(".glb, .obj, .ply, .stl and .3mf are meshes"),
     },
-    Foreign { suffixes: &["ply"], reading: None, writing: Some(".glb, .obj and .stl are meshes") },
+    Foreign {
+        suffixes: &["vtk", "vtp", "vts", "vtm", "pvtu", "vtkhdf", "exo"],
+        reading: None,
+        writing: Some(".vtu is what ParaView and VTK read"),
+    },
+    Foreign {
+        suffixes: &["msh", "cgns", "p3d", "inp", "bdf"],
+        reading: None,
+        writing: Some(".vtu holds blocks exactly, .mesh (MFEM) and .xml (G+Smo) are for analysis"),
+    },
     Foreign {
         suffixes: &["nc", "ngc", "tap", "gcode", "cnc"],
         reading: None,

@@ -73,12 +73,13 @@ mod tests {
             ("a.PDF", "; .svg is a drawing at true size, to print or convert"),
             ("a.setp", "; did you mean `step` or `stp`?"),
             ("a.dfx", "; did you mean `dxf`?"),
+            ("a.msh", "; .vtu holds blocks exactly, .mesh (MFEM) and .xml (G+Smo) are for analysis"),
             ("a.nc", "; .dxf holds arcs, from which CAM makes the machine's code"),
             ("a", ""),
             ("a.qqqq", ""),
         ] {
             let message = Format::from_path(Path::new(path)).unwrap_err().to_string();
-            assert!(message.ends_with(&format!(".glb .obj .stl .vtu{hint}")), "{message}");
+            assert!(message.ends_with(&format!(".glb .obj .stl .ply .3mf .vtu .mesh .xml{hint}")), "{message}");
         }
     }
 }

@@ -39,6 +39,9 @@ const HEAD: usize = 4096;
 /// Lines that are looked at.
 const LINES: usize = 20;
 
+/// The part of a 3MF file with the model.
+const MODEL: &[u8] = b"3D/3dmodel.model";
+
 impl InputKind {
     /// By the suffix; `None` for an unknown one.
     #[must_use]
@@ -80,6 +83,10 @@ impl InputKind {
             (b"%PDF", Self::foreign(DRAWING)),
             (b"PK\x03\x04", Self::Foreign("an archive or a spreadsheet", "unpack it, or save it as CSV")),
         ];
+        // Spreadsheets are archives too: 3MF is told by the name of its model.
+        if head.starts_with(b"PK\x03\x04") && head.windows(MODEL.len()).any(|own| own == MODEL) {
+            return Some(Self::written(Format::ThreeMf));
+        }
         if let Some((_, found)) = magic.iter().find(|(start, _)| head.starts_with(start)) {
             return Some(*found);
         }
@@ -89,7 +96,16 @@ impl InputKind {
             b'{' if text.contains("\"cyclide\"") => Some(Self::Document),
             b'{' => text.contains("\"cyclide-nurbs\"").then(|| Self::written(Format::Json)),
             b'[' => text[1..].trim_start().starts_with('[').then_some(Self::PointsJson),
-            b'<' => text.contains("<svg").then(|| Self::written(Format::Svg)),
+            b'<' => {
+                let words = [
+                    ("<svg", Format::Svg),
+                    ("<VTKFile", Format::Vtu),
+                    ("<Geometry ", Format::Gismo),
+                    ("<MultiPatch ", Format::Gismo),
+                ];
+                words.into_iter().find(|(word, _)| text.contains(word)).map(|(_, format)| Self::written(format))
+            }
+            b'M' if text.starts_with("MFEM ") => Some(Self::written(Format::Mfem)),
             _ if text.starts_with("ISO-10303-21") => Some(Self::written(Format::Step)),
             _ if text.starts_with("0\nSECTION") || text.starts_with("0\r\nSECTION") => Some(Self::written(Format::Dxf)),
             _ => MeshFormat::of_start(text).map(Self::of_mesh).or_else(|| Self::of_lines(text)),
@@ -158,6 +174,14 @@ mod tests {
             (b"ISO-10303-21;\nHEADER;", Some(InputKind::Written("STEP"))),
             (b"  0\nSECTION\n  2\nHEADER", Some(InputKind::Written("DXF"))),
             (b"<?xml version=\"1.0\"?>\n<svg>", Some(InputKind::Written("SVG"))),
+            (b"<?xml version=\"1.0\"?>\n<VTKFile>", Some(InputKind::Written("VTU"))),
+            (b"<xml>\n<MultiPatch parDim=\"3\">", Some(InputKind::Written("G+Smo XML"))),
+            (b"PK\x03\x04 ... 3D/3dmodel.model", Some(InputKind::Written("3MF"))),
+            (
+                b"PK\x03\x04 ... xl/workbook.xml",
+                Some(InputKind::Foreign("an archive or a spreadsheet", "unpack it, or save it as CSV")),
+            ),
+            (b"MFEM NURBS mesh v1.0\n", Some(InputKind::Written("MFEM"))),
             (b"# roof\nv 0 0 0\nv 1 0 0\n", Some(InputKind::Mesh)),
             (b"mtllib a.mtl\no roof\n", Some(InputKind::Mesh)),
             (b"# lone carriage returns\rv 0 0 0\r", Some(InputKind::Mesh)),

@@ -6,10 +6,12 @@ mod entry;
 mod exporter;
 mod foreign;
 mod format;
+mod gismo;
 mod glb;
 mod input_kind;
 mod json;
 mod mesh_format;
+mod mfem;
 mod obj;
 mod ply;
 #[cfg(feature = "png")]
@@ -18,6 +20,7 @@ mod read_back;
 mod step;
 mod stl;
 mod svg;
+mod three_mf;
 mod vtu;
 
 use entry::Entry;
@@ -80,6 +83,14 @@ formats! {
     Obj: obj,
     /// Binary STL: 3D printing.
     Stl: stl,
+    /// PLY: meshes with quads and normals.
+    Ply: ply,
+    /// 3MF: 3D printing, with the unit.
+    ThreeMf: three_mf,
     /// VTK XML unstructured grid of rational Bézier cells: ParaView, analysis.
     Vtu: vtu,
+    /// MFEM NURBS mesh: finite elements.
+    Mfem: mfem,
+    /// G+Smo XML: isogeometric analysis.
+    Gismo: gismo,
 }

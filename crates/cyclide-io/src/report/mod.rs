@@ -32,7 +32,7 @@ pub use file::{CheckError, FileReport};
 pub use motion::MotionReport;
 pub use polyhedron::PolyhedronReport;
 pub use qb::QbReport;
-pub use sample::{Spacing, sample, sample_poses};
+pub use sample::{Spacing, sample, sample_cells, sample_poses};
 pub use seam::SeamReport;
 pub use smooth::{ComparisonReport, SmoothReport};
 pub use surface::{CircularReport, PartReport, PatchPlace, ShapeReport, SingularPatchReport, SurfaceReport};
@@ -40,7 +40,7 @@ pub use tee::TeeBlendReport;
 pub use tight::{TIGHTER_THAN_RADIUS, TightPlaceReport, TightReport};
 pub use torus::{SegmentCounts, TorusReport, UnrolledReport};
 pub use tube::TubeReport;
-pub use volume::{FoldsReport, VolumeReport};
+pub use volume::{CellPlace, CellsReport, FoldsReport, VolumeReport};
 
 /// The report on a model and the files made of it. As JSON, values that are not finite are `null`.
 ///
@@ -199,7 +199,9 @@ impl ObjectReport {
                 Some(triangles) => GeometryReport::Smooth(SmoothReport::new(built, triangles)),
                 None => GeometryReport::Surface(SurfaceReport::new(built)),
             },
-            Geometry::Volumes(volumes) => GeometryReport::Volume(Box::new(VolumeReport::new(volumes))),
+            Geometry::Volumes(volumes) => {
+                GeometryReport::Volume(Box::new(VolumeReport::new(volumes, built.provenance.places.as_ref())))
+            }
             Geometry::Motion(body) => GeometryReport::Motion(Box::new(MotionReport::new(body))),
         };
         let warnings = built.remarks.iter().map(WarningReport::from).collect();

@@ -2,8 +2,8 @@
 //! curvatures on surfaces.
 
 use cyclide::{
-    Body, CyclideVolume, FaceGeometry as _, Geometry, MovingBody, ParamSurface as _, ParamVolume as _, Quat, ShellFace,
-    SurfaceObject, TriangleSurface,
+    Body, CyclideVolume, FaceGeometry as _, Geometry, MovingBody, ParamSurface as _, Quat, ShellFace, SurfaceObject,
+    TriangleSurface,
 };
 use serde_json::json;
 
@@ -70,7 +70,10 @@ pub fn sample(built: &BuiltObject, count: usize, spacing: Spacing) -> String {
             Some(surface) => triangles(surface, count),
             None => surfaces(&built.bodies, count),
         },
-        Geometry::Volumes(blocks) => volumes(blocks, count),
+        Geometry::Volumes(blocks) => {
+            let along = || fractions(count).collect();
+            volumes(blocks, &[along(), along(), along()])
+        }
         Geometry::Motion(body) => motion(body, count),
     }
 }
@@ -103,20 +106,41 @@ pub fn sample_poses(built: &BuiltObject, count: usize) -> Option<String> {
     Some(text + "\n")
 }
 
-fn volumes(blocks: &[CyclideVolume], count: usize) -> String {
+/// The nodes of the cells that blocks are divided into, as [`sample`] has volumes; `None` of an object without cells.
+///
+/// ```
+/// use cyclide_io::Document;
+/// let corners = "[[0,0,0], [2,0,0], [0,3,0], [2,3,0], [0,0,1], [2,0,1], [0,3,1]]";
+/// let cells = r#"[1, 1, {"count": 2, "ratio": 3}]"#;
+/// let text = format!(r#"{{"cyclide": 1, "objects": {{"b": {{"type": "cyclide-volume", "corners": {corners}, "cells": {cells}}}}}}}"#);
+/// let rows = cyclide_io::sample_cells(&text.parse::<Document>()?.build()?[0]).ok_or("it has cells")?;
+/// assert_eq!(rows.lines().count(), 1 + 2 * 2 * 3);
+/// assert!(rows.contains("0,0,0.25,0,0,0.25,6"));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[must_use]
+pub fn sample_cells(built: &BuiltObject) -> Option<String> {
+    let blocks = built.item.volumes();
+    built.provenance.places.as_ref().filter(|_| !blocks.is_empty()).map(|places| volumes(blocks, places))
+}
+
+/// The points of blocks at these parameters, row by row.
+fn volumes(blocks: &[CyclideVolume], [s, t, u]: &[Vec<f64>; 3]) -> String {
     let several = blocks.len() > 1;
+    let [mut x, mut y, mut z, mut jacobians] = [(); 4].map(|()| vec![0.0; s.len()]);
     let mut out = format!("{}s,t,u,x,y,z,jacobian\n", if several { "block," } else { "" });
     for (index, block) in blocks.iter().enumerate() {
-        for u in fractions(count) {
-            for t in fractions(count) {
-                for s in fractions(count) {
+        for &u in u {
+            for &t in t {
+                block.row([t, u]).points_and_jacobians(s, [&mut x, &mut y, &mut z], &mut jacobians);
+                for (k, s) in s.iter().enumerate() {
                     if several {
                         out += &format!("{index},");
                     }
-                    push_plain(&mut out, s);
-                    let at = [s, t, u];
-                    let numbers = [t, u].into_iter().chain(block.point(at).to_array()).chain([block.jacobian(at)]);
-                    numbers.for_each(|value| push_field(&mut out, Some(value)));
+                    push_plain(&mut out, *s);
+                    for value in [t, u, x[k], y[k], z[k], jacobians[k]] {
+                        push_field(&mut out, Some(value));
+                    }
                     out.push('\n');
                 }
             }

@@ -1,6 +1,6 @@
 //! What is reported of volumes.
 
-use cyclide::{CyclideVolume, FoldVerdict, ParamVolume as _, Point3, Shell, Vec3};
+use cyclide::{CyclideVolume, FoldVerdict, ParamVolume as _, Point3, Shell, StructuredGrid, Vec3};
 use serde::Serialize;
 
 use super::RangeReport;
@@ -44,6 +44,8 @@ pub struct VolumeReport {
     pub shortest_side: f64,
     /// The 27 real weights of every block, before blocks are cut so that all are positive.
     pub weights: RangeReport,
+    /// The cells that blocks are divided into, if they are.
+    pub cells: Option<CellsReport>,
     /// Parts with positive weights: hexahedra in files that hold volumes.
     pub parts: Option<usize>,
     /// Largest real part of the quaternion quotient, a length: how far rounding takes blocks out of three-space.
@@ -104,10 +106,118 @@ impl FoldsReport {
     }
 }
 
+/// The cells that blocks are divided into: hexahedra between the nodes of a structured grid. Counts and the worst of each figure.
+///
+/// ```
+/// use cyclide_io::{Document, GeometryReport, ObjectReport};
+/// let corners = "[[0,0,0], [2,0,0], [0,3,0], [2,3,0], [0,0,1], [2,0,1], [0,3,1]]";
+/// let text = format!(r#"{{"cyclide": 1, "objects": {{"b": {{"type": "cyclide-volume", "corners": {corners}, "cells": 4}}}}}}"#);
+/// let document: Document = text.parse()?;
+/// let GeometryReport::Volume(found) = ObjectReport::new(&document.build()?[0], None).geometry else { unreachable!("by its type") };
+/// let cells = found.cells.ok_or("it has cells")?;
+/// assert!((cells.count, cells.nodes, cells.inverted) == (64, 125, 0) && (cells.scaled_jacobian - 1.0).abs() < 1e-14);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[non_exhaustive]
+pub struct CellsReport {
+    /// Cells of every block along s, t and u.
+    pub divisions: [usize; 3],
+    /// All cells.
+    pub count: usize,
+    /// Nodes, each once.
+    pub nodes: usize,
+    /// Largest cosine between two parameter lines at a node: zero, up to rounding.
+    pub orthogonality: f64,
+    /// Least scaled Jacobian of the hexahedra with straight sides: 1 for boxes, not positive if one is inverted.
+    pub scaled_jacobian: f64,
+    /// The cell that has it.
+    pub worst: CellPlace,
+    /// Longest side over shortest, at most.
+    pub aspect_ratio: f64,
+    /// The shortest side that is no point.
+    pub shortest_side: f64,
+    /// Inverted cells: the scaled Jacobian, or that of the block at a node, is not positive.
+    pub inverted: usize,
+    /// The first of these.
+    pub first_inverted: Option<CellPlace>,
+    /// Cells with a side of one point.
+    pub collapsed: usize,
+}
+
+/// Which cell of a structured grid.
+///
+/// ```
+/// use cyclide_io::CellPlace;
+/// let text = serde_json::to_string(&CellPlace { block: 3, at: [0, 7, 1] });
+/// assert_eq!(text.expect("it is plain"), r#"{"block":3,"at":[0,7,1]}"#);
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+pub struct CellPlace {
+    /// Its block, from 0.
+    pub block: usize,
+    /// Its place in the block along s, t and u, from 0.
+    pub at: [usize; 3],
+}
+
+impl CellPlace {
+    fn text(&self) -> String {
+        let [i, j, k] = self.at;
+        format!("block {}, cell {i}, {j}, {k}", self.block)
+    }
+}
+
+impl CellsReport {
+    fn new(volumes: &[CyclideVolume], places: &[Vec<f64>; 3]) -> Option<Self> {
+        let grid = StructuredGrid::new(volumes, places.clone()).ok()?;
+        let quality = grid.quality();
+        let place = |cell: usize| {
+            let (block, at) = grid.cell_place(cell);
+            CellPlace { block, at }
+        };
+        Some(Self {
+            divisions: grid.divisions(),
+            count: grid.cell_count(),
+            nodes: grid.nodes().len(),
+            orthogonality: quality.orthogonality,
+            scaled_jacobian: quality.scaled_jacobian,
+            worst: place(quality.worst_cell),
+            aspect_ratio: quality.aspect_ratio,
+            shortest_side: quality.shortest_side,
+            inverted: quality.inverted,
+            first_inverted: quality.first_inverted.map(place),
+            collapsed: quality.collapsed,
+        })
+    }
+
+    fn lines(&self, units: &str, line: Line<'_>) -> std::fmt::Result {
+        let [i, j, k] = self.divisions;
+        line(
+            "grid",
+            format!("{} ({i} x {j} x {k} a block), {}", plural(self.count, "cell"), plural(self.nodes, "node")),
+        )?;
+        let mut text = format!(
+            "scaled Jacobian from {} ({}), aspect ratio up to {}, sides from {} {units}, right angles at nodes to {} (cosine)",
+            short(self.scaled_jacobian),
+            self.worst.text(),
+            short(self.aspect_ratio),
+            short(self.shortest_side),
+            short(self.orthogonality),
+        );
+        if let Some(first) = &self.first_inverted {
+            text += &format!(", {} inverted (first: {})", self.inverted, first.text());
+        }
+        if self.collapsed > 0 {
+            text += &format!(", {} with a side of one point", self.collapsed);
+        }
+        line("quality", text)
+    }
+}
+
 impl VolumeReport {
-    /// Measures volumes.
+    /// Measures volumes, and the cells at these parameters.
     #[must_use]
-    pub fn new(volumes: &[CyclideVolume]) -> Self {
+    pub fn new(volumes: &[CyclideVolume], places: Option<&[Vec<f64>; 3]>) -> Self {
         let origin = volumes.first().map_or(Point3::ORIGIN, |volume| volume.corners()[0]);
         let mut report = Self {
             blocks: volumes.len(),
@@ -120,6 +230,7 @@ impl VolumeReport {
             aspect_ratio: 1.0,
             shortest_side: f64::INFINITY,
             weights: RangeReport::EMPTY,
+            cells: places.and_then(|places| CellsReport::new(volumes, places)),
             parts: Some(0),
             residual: 0.0,
         };
@@ -174,6 +285,9 @@ impl VolumeReport {
         line("cells", format!("Jacobian {}, aspect ratio up to {}", range(&self.jacobian), short(self.aspect_ratio)))?;
         line("lines", format!("cross at right angles to {} (cosine)", short(self.orthogonality)))?;
         line("sides", format!("from {} {units}", short(self.shortest_side)))?;
+        if let Some(cells) = &self.cells {
+            cells.lines(units, line)?;
+        }
         let parts = self.parts.map_or(String::new(), |parts| format!(", positive in {}", plural(parts, "part")));
         line("weights", range(&self.weights) + &parts)
     }

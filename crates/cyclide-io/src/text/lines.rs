@@ -17,6 +17,17 @@ pub(crate) fn lines(text: &str) -> impl Iterator<Item = (usize, &str)> {
     })
 }
 
+/// A name as it stands on a line of its own: nothing in it ends the line.
+pub(crate) fn on_a_line(name: &str) -> String {
+    let name: String = name.chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
+    name.trim().to_owned()
+}
+
+/// Printable ASCII, a `?` for every other byte.
+pub(crate) fn printable(text: &str) -> String {
+    text.bytes().map(|b| if (0x20..0x7F).contains(&b) { char::from(b) } else { '?' }).collect()
+}
+
 /// Number of line ends in a text. A `\r` at its end counts.
 pub(crate) fn line_ends(text: &str) -> usize {
     let bytes = text.as_bytes();

@@ -19,6 +19,16 @@ pub(crate) fn push_plain(out: &mut String, v: f64) {
     };
 }
 
+/// Shortest texts with blanks between them.
+pub(crate) fn push_spaced(out: &mut String, numbers: impl IntoIterator<Item = f64>) {
+    for (k, number) in numbers.into_iter().enumerate() {
+        if k > 0 {
+            out.push(' ');
+        }
+        push_plain(out, number);
+    }
+}
+
 /// What is said of a number that [`vanishes`].
 pub(crate) const NEARER_TO_ZERO: &str = "is nearer to 0 than any number that can be read: write 0 if that is meant";
 

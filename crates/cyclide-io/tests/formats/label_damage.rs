@@ -209,11 +209,17 @@ fn names_of_any_letters_are_right() {
         .iter()
         .flat_map(|name| copies.iter().map(|item| cyclide::Item { name: (*name).to_owned(), ..item.clone() }))
         .collect();
+    let ring = cyclide::DupinCyclide::new(3.0, 0.0, 1.0).unwrap().nets([4, 4]).unwrap().remove(0);
+    let solids = names.iter().fold(Model::default(), |model, name| model.with_surface(*name, ring.clone()));
     for title in [None, Some("円, \"t\" ".to_owned()), Some(long.clone())] {
         let options = ExportOptions { tolerance: Some(0.3), title, ..ExportOptions::default() };
         for format in Format::ALL.iter().copied().filter(|format| format.has_geometry()) {
             // In JSON objects are told apart by their names.
-            let model = if matches!(format, Format::Dxf | Format::Csv | Format::Json) { &curves } else { &meshes };
+            let model = match format {
+                Format::Dxf | Format::Csv | Format::Json => &curves,
+                Format::ThreeMf => &solids,
+                _ => &meshes,
+            };
             let _ = Damage::with(model.clone(), format, &options);
         }
         let r12 = ExportOptions { dxf_version: DxfVersion::R12, ..options.clone() };

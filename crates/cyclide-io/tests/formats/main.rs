@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used, reason = "what cannot be made or read fails the test")]
 #![allow(clippy::float_cmp, reason = "numbers of a file are the same doubles")]
 
+mod analysis;
 mod content_damage;
 mod damage;
 mod drawings;
@@ -17,6 +18,7 @@ mod models;
 mod part_limits;
 #[cfg(feature = "png")]
 mod pictures;
+mod printing;
 mod rational_faces;
 mod right_files;
 mod round_trip;

@@ -2,8 +2,9 @@
 
 use crate::models::{coil, flat, mixed, model, space_chain};
 use cyclide::{CurveObject, Model};
-use cyclide_io::{DxfVersion, ExportOptions, Format, export, read_back};
+use cyclide_io::{DxfVersion, ExportOptions, Format, VtuEncoding, export, read_back};
 use proptest::prelude::*;
+use std::sync::OnceLock;
 
 /// Files of every kind of entity.
 fn files() -> Vec<(Format, Vec<u8>)> {
@@ -15,18 +16,38 @@ fn files() -> Vec<(Format, Vec<u8>)> {
     let file = |m: &Model, format, options: &ExportOptions| (format, export(m, format, options).unwrap().bytes);
     let mut files = Vec::new();
     for m in [mixed(flat), spatial] {
-        for format in [Format::Step, Format::Dxf, Format::Svg, Format::Csv, Format::Json] {
+        for format in [
+            Format::Step,
+            Format::Dxf,
+            Format::Svg,
+            Format::Csv,
+            Format::Json,
+            Format::Vtu,
+            Format::Mfem,
+            Format::Gismo,
+        ] {
             files.push(file(&m, format, &exact));
         }
         files.push(file(&m, Format::Dxf, &r12));
     }
     let meshes = crate::models::curve_and_surfaces();
-    for format in [Format::Glb, Format::Obj, Format::Stl] {
+    for format in [Format::Glb, Format::Obj, Format::Stl, Format::Ply, Format::Vtu, Format::Mfem, Format::Gismo] {
         let coarse = ExportOptions { tolerance: Some(0.3), glb_edges: true, ..ExportOptions::default() };
         files.push(file(&meshes, format, &coarse));
     }
+    let cube =
+        cyclide::SphericalCube::cuboid(cyclide::Point3::ORIGIN, [cyclide::Vec3::X, cyclide::Vec3::Y, cyclide::Vec3::Z]);
+    let block = cyclide::CyclideVolume::new(&cube.unwrap(), cyclide::VolumeFrame::Auto).unwrap();
+    let blocks = Model::default().with_volume("block", block);
+    for format in [Format::Vtu, Format::Mfem, Format::Gismo, Format::ThreeMf] {
+        let appended = ExportOptions { vtu_encoding: VtuEncoding::Base64, ..ExportOptions::default() };
+        files.push(file(&blocks, format, &appended));
+    }
     files
 }
+
+/// Those, made once.
+static FILES: OnceLock<Vec<(Format, Vec<u8>)>> = OnceLock::new();
 
 /// What happens to a file: some bytes replaced, a part cut out, a part repeated.
 #[derive(Debug, Clone)]
@@ -79,15 +100,15 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(400))]
     #[test]
     fn damaged_files_do_not_panic(damage in damage()) {
-        for (format, bytes) in files() {
-            let _ = read_back(format, &damaged(&bytes, &damage));
+        for (format, bytes) in FILES.get_or_init(files) {
+            let _ = read_back(*format, &damaged(bytes, &damage));
         }
     }
 }
 
 #[test]
 fn what_is_wrong_is_said_with_its_place() {
-    let cases: [(Format, &[u8], &str); 13] = [
+    let cases: [(Format, &[u8], &str); 20] = [
         (Format::Step, b"", "no DATA section"),
         (Format::Step, b"DATA;#1=A(;ENDSEC;", "expected a name"),
         (Format::Step, b"DATA;#1=A();#1=B();ENDSEC;", "#1 is defined twice"),
@@ -101,6 +122,13 @@ fn what_is_wrong_is_said_with_its_place() {
         (Format::Obj, b"v 1 2\n", "line 1"),
         (Format::Obj, b"v 1 2 3\nvn 0 0 1\nf 1//1 1//1 2//1\n", "line 3"),
         (Format::Stl, &[b'x'; 90], "byte 80"),
+        (Format::Ply, b"ply\nformat ascii 1.0\nend_header\n", "another list of elements"),
+        (Format::ThreeMf, b"PK\x03\x04", "the archive ends before it"),
+        (Format::Vtu, b"<VTKFile>", "version"),
+        (Format::Mfem, b"MFEM NURBS mesh v1.0\ndimension\n4\n", "line 3"),
+        (Format::Mfem, b"MFEM mesh v1.0\n", "the head"),
+        (Format::Gismo, b"<xml><Geometry type=\"Nurbs\">", "what it belongs to"),
+        (Format::Gismo, b"<svg>", "expected <xml>"),
     ];
     for (format, bytes, part) in cases {
         let message = read_back(format, bytes).unwrap_err().to_string();

@@ -5,7 +5,7 @@ use cyclide::{CurveObject, DupinCyclide, Item, MeshFace, Model, Point3, SurfaceM
 use cyclide_io::{ExportOptions, Format, export, file_deviation, read_back};
 use std::collections::HashMap;
 
-const FORMATS: [Format; 3] = [Format::Glb, Format::Obj, Format::Stl];
+const FORMATS: [Format; 4] = [Format::Glb, Format::Obj, Format::Stl, Format::Ply];
 
 fn with_tolerance(tolerance: f64) -> ExportOptions {
     ExportOptions { tolerance: Some(tolerance), glb_edges: true, ..ExportOptions::default() }
@@ -187,7 +187,8 @@ fn formats_without_a_kind_say_what_is_left_out() {
     }
     let (curves, surfaces) = (m.items[..1].to_vec(), m.items[1..].to_vec());
     for (items, format, what) in [
-        (curves, Format::Stl, "object slot: STL cannot hold this: curves"),
+        (curves.clone(), Format::Stl, "object slot: STL cannot hold this: curves"),
+        (curves, Format::Ply, "object slot: PLY cannot hold this: curves"),
         (surfaces.clone(), Format::Dxf, "object s0: DXF cannot hold this: surfaces"),
         (surfaces, Format::Csv, "object s0: CSV cannot hold this: surfaces"),
     ] {

@@ -11,6 +11,9 @@ const FORMATS: &[Format] = &[
     Format::Glb,
     Format::Obj,
     Format::Stl,
+    Format::Ply,
+    Format::Vtu,
+    Format::Gismo,
     Format::Svg,
     #[cfg(feature = "png")]
     Format::Png,
@@ -37,7 +40,7 @@ fn every_format_holds_them_within_its_promise() {
         for &format in FORMATS {
             for tolerance in [None, Some(1e-2)] {
                 let (report, _) = report(&model, format, &ExportOptions { tolerance, ..ExportOptions::default() });
-                let exact = matches!(format, Format::Step | Format::Json);
+                let exact = matches!(format, Format::Step | Format::Json | Format::Vtu | Format::Gismo);
                 assert_eq!(report.exact, exact, "{format:?}: {report:?}");
                 if let Some(deviation) = report.deviation {
                     assert!(deviation <= if exact { 1e-14 } else { report.bound }, "{format:?}: {report:?}");

@@ -16,6 +16,7 @@ mod revolutions;
 mod tees;
 mod tori;
 mod tubes;
+mod volumes;
 
 use std::path::Path;
 

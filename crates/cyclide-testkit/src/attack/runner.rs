@@ -57,8 +57,14 @@ impl Outcome {
 pub fn formats(attack: &Attack) -> Vec<&'static str> {
     let mut formats = vec!["step", "svg", "json", "glb", "obj"];
     formats.extend(if attack.has_surfaces { vec!["stl"] } else { vec!["dxf", "csv"] });
-    formats.push("vtu");
+    formats.extend(later_formats(attack));
     formats
+}
+
+/// Those that came later, at the end of the others: which of these a document is tried in does not change by them.
+#[must_use]
+pub fn later_formats(attack: &Attack) -> &'static [&'static str] {
+    if attack.has_surfaces { &["vtu", "mesh", "xml", "ply", "3mf"] } else { &["vtu", "mesh", "xml"] }
 }
 
 /// Reports in words give five digits.

@@ -5,4 +5,4 @@
 
 mod rows;
 
-pub(crate) use rows::{points, points_and_directions};
+pub(crate) use rows::{points, points_and_directions, points_and_products};

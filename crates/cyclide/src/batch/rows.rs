@@ -54,3 +54,26 @@ pub(crate) fn points_and_directions(
         *w = at(direction[2]) * inverse;
     }
 }
+
+/// As [`points`], with the product of two more quadratics and a factor over the third power of the denominator.
+#[multiversion(targets("x86_64+avx512f+avx512vl+avx512dq+fma", "x86_64+avx2+fma"))]
+pub(crate) fn points_and_products(
+    numerators: &[Quadratic; 3],
+    (factor, factors): (f64, [Quadratic; 2]),
+    denominator: Quadratic,
+    origin: [f64; 3],
+    s: &[f64],
+    points: [&mut [f64]; 3],
+    products: &mut [f64],
+) {
+    let n = trimmed(s, &points).min(products.len());
+    let ([x, y, z], products) = (points.map(|lane| &mut lane[..n]), &mut products[..n]);
+    for ((((s, x), y), z), product) in s[..n].iter().zip(x).zip(y).zip(z).zip(products) {
+        let at = |c: Quadratic| c[0] + s * (c[1] + s * c[2]);
+        let inverse = 1.0 / at(denominator);
+        *x = origin[0] + at(numerators[0]) * inverse;
+        *y = origin[1] + at(numerators[1]) * inverse;
+        *z = origin[2] + at(numerators[2]) * inverse;
+        *product = (factor * inverse) * (at(factors[0]) * inverse) * (at(factors[1]) * inverse);
+    }
+}

@@ -3,13 +3,13 @@
 //! A vertex with point `a` and weight `w` stands for the pair `(a w, w)`, as of a [net](crate::CyclidicNet); a block is that of its eight pairs
 //! (`docs/math/volumes.md#grids`).
 
-use super::cyclide_volume::CyclideVolume;
-use super::spherical_cube::miquel_point;
+use super::cyclide_volume::{CyclideVolume, VolumeFrame, frame_at};
+use super::spherical_cube::{SphericalCube, miquel_point};
 use crate::base::quat::Quat;
 use crate::base::range;
 use crate::base::vector::{Point3, Vec3};
 use crate::error::{Error, ErrorItem, Result};
-use crate::surface::{CyclidicNet, orthonormal};
+use crate::surface::{CyclidicNet, DupinCyclide};
 
 /// Blocks in a regular grid, whose coordinate surfaces run on smoothly from block to block.
 ///
@@ -37,8 +37,9 @@ impl CyclideGrid {
     /// normal to all layers. Of a closed net they close.
     ///
     /// # Errors
-    /// `too-few-points` (fewer than two distances), `not-finite`, `parameters-not-increasing`, `offset-on-focal-set` with the quad where an
-    /// offset shrinks to a curve or a point; `volume-through-infinity`.
+    /// `too-few-points` (fewer than two distances), `not-finite`, `parameters-not-increasing`; with the quad `offset-on-focal-set` where an offset shrinks
+    /// to a curve or a point, and `offset-not-regular` where layers reach a centre of curvature, at which they would fold, with its distance;
+    /// `volume-through-infinity`.
     pub fn layers(net: &CyclidicNet, distances: &[f64]) -> Result<Self> {
         if distances.len() < 2 {
             return Err(Error::TooFewPoints { given: distances.len(), needed: 2 });
@@ -50,6 +51,14 @@ impl CyclideGrid {
             return Err(Error::ParametersNotIncreasing { index: k, value: distances[k], before: distances[k - 1] });
         }
         let [m, n] = net.size();
+        let ends = [distances[0], distances[distances.len() - 1]];
+        for (quad, patch) in net.patches().enumerate() {
+            // What is regular as far as the outermost skins is so between.
+            if let Some(h) = ends.into_iter().find(|&h| h != 0.0 && !patch.offset_is_regular(h)) {
+                let limit = if patch.offset_is_regular(0.0) { patch.offset_limit(h) } else { 0.0 };
+                return Err(Error::OffsetNotRegular { distance: h, limit }.in_quad(quad));
+            }
+        }
         let skins = distances.iter().map(|&h| net.offset(h)).collect::<Result<Vec<_>>>()?;
         let vertices = || (0..=n).flat_map(|j| (0..=m).map(move |i| (i, j)));
         let points = skins.iter().flat_map(|skin| vertices().map(|(i, j)| skin.grid().point(i, j))).collect();
@@ -58,23 +67,42 @@ impl CyclideGrid {
         Self { size: [m, n, distances.len() - 1], points, weights, v: net.frame() }.checked()
     }
 
-    /// The grid of its three coordinate planes and the frame at its first vertex: `point(i, j, k)` is asked where one of the indices is 0, from 0 to
-    /// `size` in each direction, and there quads have circles; all other vertices follow, each as the last corner of a [cube](crate::SphericalCube).
+    /// Layers over a whole cyclide between parallel ones: one grid, closed in both directions, of a ring; of a horn or a spindle one over its outer
+    /// part, closed round the tube or round the hole, from node to node. With one distance below 0 and 0 it is the wall of the tube.
+    ///
+    /// ```
+    /// use cyclide::{CyclideGrid, DupinCyclide};
+    /// let ring = DupinCyclide::new(4.0, 1.0, 2.0)?;
+    /// let wall = CyclideGrid::of_cyclide(&ring, [8, 6], &[-0.5, 0.0])?; // between mu = 1.5 and mu = 2
+    /// assert_eq!(wall.size(), [8, 6, 1]);
+    /// # Ok::<(), cyclide::Error>(())
+    /// ```
     ///
     /// # Errors
-    /// `too-few-points` (a direction without a block), `not-finite`, `frame-not-orthonormal`; what [`SphericalCube::new`](crate::SphericalCube::new) refuses,
+    /// As [`DupinCyclide::nets`] and [`layers`](Self::layers).
+    pub fn of_cyclide(cyclide: &DupinCyclide, segments: [usize; 2], distances: &[f64]) -> Result<Self> {
+        let nets = cyclide.nets(segments)?;
+        // Of two parts the outer one is the last.
+        let Some(net) = nets.last() else { return Err(Error::TooFewPoints { given: 0, needed: 1 }) };
+        Self::layers(net, distances)
+    }
+
+    /// The grid of its three coordinate planes and the frame at its first vertex: `point(i, j, k)` is asked where one of the indices is 0, from 0 to
+    /// `size` in each direction, and there quads have circles; all other vertices follow, each as the last corner of a [cube](crate::SphericalCube).
+    /// [`VolumeFrame::Auto`] is the frame nearest to the sides there.
+    ///
+    /// # Errors
+    /// `too-few-points` (a direction without a block), `not-finite`, `frame-not-orthonormal`, `ambiguous-frame`; what [`SphericalCube::new`](crate::SphericalCube::new) refuses,
     /// with the block; `crossing-face`, `volume-through-infinity`.
     pub fn from_coordinate_planes(
         size: [usize; 3],
         point: impl Fn([usize; 3]) -> Point3,
-        v1: Vec3,
-        v2: Vec3,
+        frame: VolumeFrame,
     ) -> Result<Self> {
         if let Some(&given) = size.iter().find(|n| **n == 0) {
             return Err(Error::TooFewPoints { given: given + 1, needed: 2 });
         }
-        let (v1, v2) = orthonormal(v1, v2)?;
-        let mut grid = Self { size, points: Vec::new(), weights: Vec::new(), v: [v1, v2, v1.cross(v2)] };
+        let mut grid = Self { size, points: Vec::new(), weights: Vec::new(), v: [Vec3::ZERO; 3] };
         for at in grid.vertices() {
             let made = if at.contains(&0) {
                 point(at)
@@ -87,6 +115,9 @@ impl CyclideGrid {
             range::check_point(grid.points.len(), made.to_vec())?;
             grid.points.push(made);
         }
+        let corner = |bits: usize| grid.points[grid.index(std::array::from_fn(|d| bits >> d & 1))];
+        let first = SphericalCube::new(std::array::from_fn(corner)).map_err(|e| e.in_block(0))?;
+        grid.v = frame_at(&first, frame)?;
         for at in grid.vertices() {
             let weight = grid.next_weight(at)?;
             grid.weights.push(weight);

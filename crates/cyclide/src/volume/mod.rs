@@ -3,11 +3,15 @@
 mod cyclide_grid;
 mod cyclide_volume;
 mod fold;
+mod grading;
 mod param_volume;
 mod spherical_cube;
+mod structured_grid;
 
 pub use cyclide_grid::CyclideGrid;
-pub use cyclide_volume::{CyclideVolume, VolumeFrame, VolumeLocation, VolumeMeasure};
+pub use cyclide_volume::{CyclideVolume, VolumeFrame, VolumeLocation, VolumeMeasure, VolumeRow};
 pub use fold::FoldVerdict;
+pub use grading::{FineEnd, Grading};
 pub use param_volume::ParamVolume;
 pub use spherical_cube::{SphericalCube, miquel_point};
+pub use structured_grid::{CellQuality, GridQuality, MOST_CELLS, StructuredGrid};

@@ -248,6 +248,15 @@ pub const ENTRIES: &[Entry] = &[
         camera: "20,16",
     },
     Entry {
+        name: "tube_grid",
+        title: "A grid in the wall of a bent tube",
+        text: "The inner skin and the walls between 96 blocks, which fill the space between two Dupin cyclides without a gap: all of them cross at right angles. Each has 160 cells for solvers.",
+        document: example!("tube_grid.json"),
+        inputs: &[],
+        formats: SURFACES,
+        camera: "20,30",
+    },
+    Entry {
         name: "trefoil",
         title: "A trefoil on a torus",
         text: "The torus knot of two turns round the axis and three round the tube, exactly on the torus, with a rod about it, and a thicker rod alone; two Villarceau circles through one point.",

@@ -31,11 +31,18 @@ const STEPS: usize = 16;
 /// Parameter lines are orthogonal below the first square of a cosine, and nearly one line above the second.
 const ORTHOGONAL: f64 = 1e-6;
 const ONE_LINE: f64 = 1.0 - 1e-8;
+/// The normals that a format has.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Normals {
+    None,
+    OfTriangles,
+    OfSurface,
+}
+
 /// How a format writes meshes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct MeshForm {
-    /// Normals are those of the triangles, not those of the surface.
-    pub(crate) has_facet_normals: bool,
+    pub(crate) normals: Normals,
     /// Vertices are known by their numbers, not by their places.
     pub(crate) numbers_vertices: bool,
 }
@@ -173,16 +180,20 @@ fn with_lost_cells(body: &BodyOf<'_>, lost: &[&Cell], polygons: &[Polygon<'_>], 
 fn normal_error(form: MeshForm, polygon: &Polygon<'_>, facing: &Facing<'_>, moved: f64) -> f64 {
     let corners = polygon.face.corners();
     let normal = |corner: &MeshCorner| polygon.mesh.normals[corner.normal];
-    if form.has_facet_normals {
-        let facet = corners.first().map(normal).unwrap_or_default();
-        return polygon.triangles().map(|triangle| facet_error(&triangle.corners, facet)).fold(0.0, larger);
+    match form.normals {
+        Normals::None => return 0.0,
+        Normals::OfTriangles => {
+            let facet = corners.first().map(normal).unwrap_or_default();
+            return polygon.triangles().map(|triangle| facet_error(&triangle.corners, facet)).fold(0.0, larger);
+        }
+        Normals::OfSurface => {}
     }
     let errors = corners.iter().map(|corner| facing.normal_error(polygon.point(corner), normal(corner), moved));
     errors.fold(0.0, larger)
 }
 
-/// Polygons share the sides that cells share in the shell: all but those on edges of one face alone. In OBJ vertices are
-/// shared by number; GLB has one per normal and STL none, so that readers know them by equal bits.
+/// Polygons share the sides that cells share in the shell: all but those on edges of one face alone. In OBJ and 3MF vertices are
+/// shared by number; GLB and PLY have one per normal and STL none, so that readers know them by equal bits.
 ///
 /// Where rounding has made one of several vertices, sides vanish or lie on each other, and what is left of them is known
 /// from the mesh that was written only.
@@ -424,7 +435,7 @@ mod tests {
     }
 
     fn measured(body: BodyOf<'_>, mesh: SurfaceMesh, plan: &MeshPlan) -> Result<f64, ReadError> {
-        Ok(mesh_deviation(MeshForm { has_facet_normals: false, numbers_vertices: true }, &[body], &[mesh], plan)?[0])
+        Ok(mesh_deviation(MeshForm { normals: Normals::OfSurface, numbers_vertices: true }, &[body], &[mesh], plan)?[0])
     }
 
     #[test]

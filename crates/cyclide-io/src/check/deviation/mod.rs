@@ -35,7 +35,7 @@ pub(crate) use drawn::lines_deviation;
 pub(crate) use limits::{Beyond, Deviations, READ_BACK_ROUNDING};
 use matching::apart;
 pub(crate) use matching::larger;
-pub(crate) use mesh::{MeshForm, mesh_deviation};
+pub(crate) use mesh::{MeshForm, Normals, mesh_deviation};
 pub(crate) use mesh_edges::check_mesh_edges;
 pub(crate) use samples::SampleCheck;
 

@@ -8,7 +8,7 @@
 
 use super::facing::{NORMAL_LIMIT, facet_error};
 use super::matching::larger;
-use super::mesh::{MeshForm, Polygon};
+use super::mesh::{MeshForm, Normals, Polygon};
 use super::nearest::NearestTriangle;
 use super::triangle::Triangle;
 use crate::check::file_content::ReadError;
@@ -232,8 +232,11 @@ impl<'a> Check<'a> {
 
     /// How far the normals of a polygon are off: in STL that of the triangle, elsewhere those of the surface at the corners.
     fn normal_error(&self, polygon: &Polygon<'_>, part: &Part, corners: &[Point3; 3]) -> f64 {
+        if self.form.normals == Normals::None {
+            return 0.0;
+        }
         let mut normals = polygon.normals();
-        if self.form.has_facet_normals {
+        if self.form.normals == Normals::OfTriangles {
             return normals.next().map_or(f64::NAN, |facet| facet_error(corners, facet));
         }
         part.iter().zip(normals).map(|(at, normal)| (normal - self.corner(*at).1).length()).fold(0.0, larger)

@@ -6,6 +6,7 @@ mod contact_blends;
 mod crossings;
 mod curves;
 mod derived;
+mod grids;
 mod idle;
 mod motions;
 mod net_hints;
@@ -253,6 +254,7 @@ impl Builder<'_> {
         let (curves, contours) = self.curves()?.into_iter().unzip();
         let surfaces = self.surfaces()?;
         let volumes = self.volumes()?;
+        let places = self.places(&volumes)?;
         let moving = self.moving_body()?;
         let bodies = surfaces.iter().map(SurfaceObject::to_bodies).collect::<cyclide::Result<Vec<_>>>();
         let blocks = volumes.iter().map(CyclideVolume::to_body).collect::<cyclide::Result<Vec<_>>>();
@@ -282,7 +284,7 @@ impl Builder<'_> {
         let item = Item::new(self.name, geometry);
         let construction = self.spec.is_construction();
         let Self { data, seams, polyhedron, tee_blends, tubes, smooth, unrolled, remarks, .. } = self;
-        let provenance = Provenance { kind: self.spec.type_word(), data };
+        let provenance = Provenance { kind: self.spec.type_word(), data, places };
         Ok(BuiltObject {
             item,
             provenance,

@@ -18,7 +18,7 @@ use crate::measure::joints::SurfaceJointReport;
 use crate::measure::seams::measured_seams;
 
 /// Patches of a whole cyclide round the hole and round the tube.
-const SEGMENTS: [u32; 2] = [4, 4];
+pub(super) const SEGMENTS: [u32; 2] = [4, 4];
 
 /// What crossing sides often come from.
 pub(super) const ROW_BY_ROW: &str = "points are given row by row, all rows in the same direction";

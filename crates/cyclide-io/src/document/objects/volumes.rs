@@ -21,6 +21,7 @@ impl Builder<'_> {
     pub(super) fn volumes(&mut self) -> Result<Vec<CyclideVolume>> {
         let (volumes, field) = match self.spec {
             ObjectSpec::CyclideVolume(spec) => (vec![self.block(spec)?], "frame"),
+            ObjectSpec::CyclideGrid(spec) => (self.cyclide_grid(spec)?, "type"),
             ObjectSpec::Layers(spec) => (self.layers(spec)?, "of"),
             ObjectSpec::Transform(spec) => (self.mapped_volumes(spec)?, "of"),
             _ => return Ok(Vec::new()),
@@ -96,6 +97,7 @@ impl Builder<'_> {
             }
             _ => return Err(self.unfit("give either `distances`, or `first` and `count` with or without `growth`")),
         };
+        let field = if spec.distances.is_some() { "distances" } else { "first" };
         let source = self.surface_source("only surfaces have layers")?;
         let mut volumes = Vec::new();
         for surface in source.item.surfaces() {
@@ -106,7 +108,8 @@ impl Builder<'_> {
                     return Err(self.wrong_source("only a `cyclide-patch`, a `cyclidic-net` or a `cyclide` has layers"));
                 }
             };
-            let grid = CyclideGrid::layers(&net, &distances).map_err(|e| self.refused(&e, None))?;
+            let refused = |e: cyclide::Error| self.refused_at([Step::from(field)], &e);
+            let grid = CyclideGrid::layers(&net, &distances).map_err(refused)?;
             volumes.extend(grid.blocks());
         }
         Ok(volumes)
@@ -116,13 +119,20 @@ impl Builder<'_> {
     pub(super) fn coordinate_surfaces(&self, spec: &CoordinateSurfacesSpec) -> Result<Vec<SurfaceObject>> {
         let volumes = self.sources.first().map_or(&[][..], |source| source.item.volumes());
         if volumes.is_empty() {
-            return Err(
-                self.wrong_source("only a `cyclide-volume`, `layers` and their images have coordinate surfaces")
-            );
+            return Err(self.wrong_source(
+                "only a `cyclide-volume`, a `cyclide-grid`, `layers` and their images have coordinate surfaces",
+            ));
+        }
+        if spec.outer {
+            if ![&spec.s, &spec.t, &spec.u].into_iter().all(Vec::is_empty) {
+                return Err(self.unfit("`outer` is the boundary of all blocks: leave out `s`, `t` and `u`"));
+            }
+            let bodies = CyclideVolume::outer_bodies(volumes).map_err(|e| self.refused(&e, None))?;
+            return Ok(bodies.into_iter().map(SurfaceObject::Body).collect());
         }
         let lists = [("s", &spec.s), ("t", &spec.t), ("u", &spec.u)];
         if lists.iter().all(|(_, values)| values.is_empty()) {
-            return Err(self.unfit("`s`, `t` or `u` says which surfaces"));
+            return Err(self.unfit("`s`, `t` or `u` says which surfaces, `outer` asks for the boundary"));
         }
         let mut surfaces = Vec::new();
         for volume in volumes {

@@ -7,6 +7,7 @@ mod crossings;
 mod curves;
 mod derived;
 mod fair;
+mod grids;
 mod interpolated;
 mod motions;
 mod nets;
@@ -43,6 +44,9 @@ pub use derived::{
     SupportStructureSpec, TransformSpec,
 };
 pub use fair::{FairEndPair, FairEndSpec, FairEndWord, FairEndsSpec, FairSplineSpec, StraightWord};
+pub use grids::{
+    CellLaw, CellsAlongSpec, CellsSpec, CoordinatePlanesSpec, CyclideGridSpec, GradedCellsSpec, WholeCyclideSpec,
+};
 pub use interpolated::{MoebiusContinuity, MoebiusSplineSpec, ParameterRule, ParametersSpec, QbInterpolationSpec};
 pub use motions::{
     MotionKind, MotionSpec, PoseFile, PoseSource, PoseSpec, StartSpec, SweptSurfaceSpec, TrajectorySpec,
@@ -146,6 +150,8 @@ pub enum ObjectSpec {
     CyclidicNet(CyclidicNetSpec),
     /// A block whose coordinate surfaces are cyclides that cross at right angles.
     CyclideVolume(CyclideVolumeSpec),
+    /// Blocks in a grid.
+    CyclideGrid(CyclideGridSpec),
     /// Blocks in layers over a net.
     Layers(LayersSpec),
     /// Surfaces inside blocks.
@@ -282,6 +288,7 @@ object_types! {
     "cyclide" => Cyclide,
     "cyclidic-net" => CyclidicNet,
     "cyclide-volume" => CyclideVolume,
+    "cyclide-grid" => CyclideGrid,
     "layers" => Layers,
     "coordinate-surfaces" => CoordinateSurfaces,
     "smooth-polyhedron" => SmoothPolyhedron,

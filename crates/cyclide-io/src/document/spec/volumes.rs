@@ -5,6 +5,7 @@ use serde::Deserialize;
 
 use super::TypeWord;
 use super::comment::Comment;
+use super::grids::CellsSpec;
 use super::nets::FrameSpec;
 use crate::document::coordinates::Coordinates;
 
@@ -46,6 +47,8 @@ pub struct CyclideVolumeSpec {
     /// default, takes the frame nearest to the three sides.
     #[serde(default)]
     pub frame: FrameSpec,
+    /// How the block is divided into cells: for VTU of cells, `report` and `sample`.
+    pub cells: Option<CellsSpec>,
 }
 
 /// Blocks in layers over a net: the spaces between its offsets, with lines across that are normal to all layers.
@@ -83,9 +86,11 @@ pub struct LayersSpec {
     /// Number of layers.
     #[schemars(range(min = 1, max = 4096))]
     pub count: Option<u32>,
+    /// How every block is divided into cells: for VTU of cells, `report` and `sample`.
+    pub cells: Option<CellsSpec>,
 }
 
-/// Surfaces inside blocks on which one parameter is constant, as patches.
+/// Surfaces inside blocks on which one parameter is constant, as patches; or the outer boundary of all blocks as a solid.
 ///
 /// ```
 /// use cyclide_io::Document;
@@ -122,4 +127,7 @@ pub struct CoordinateSurfacesSpec {
     #[serde(default)]
     #[schemars(inner(range(min = 0.0, max = 1.0)))]
     pub u: Vec<f64>,
+    /// The outer boundary of all blocks, instead: the faces that belong to one block only, sewn to solids.
+    #[serde(default)]
+    pub outer: bool,
 }

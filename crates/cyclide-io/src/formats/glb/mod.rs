@@ -17,7 +17,7 @@ mod material;
 mod reader;
 mod track;
 
-use crate::check::deviation::{Deviations, MeshForm, View, check_mesh_edges};
+use crate::check::deviation::{Deviations, MeshForm, Normals, View, check_mesh_edges};
 use crate::check::file_content::ReadError;
 use crate::check::labels::{FileLabels, FileName, Named, push_counted};
 use crate::check::made::Made;
@@ -27,7 +27,9 @@ use crate::export::error::ExportError;
 use crate::export::exported::{Exported, Promise, Written};
 use crate::export::job::Job;
 use crate::export::lowered::Forms;
-use crate::export::mesh::{BodyMesh, Single, between, body_meshes, check_single, polyline, single, triangles};
+use crate::export::mesh::{
+    BodyMesh, MeshVertices, Single, between, body_meshes, check_single, polyline, single, triangles,
+};
 use crate::export::parts::{BodyOf, Contour};
 use crate::export::shape::Shape;
 use crate::formats::entry::{Entry, Reading};
@@ -36,7 +38,6 @@ use buffer::Buffer;
 use cyclide::{Aabb, Item, MeshCorner, MovingBody, Point3, SurfaceMesh, bounds};
 use material::{Look, UNLIT};
 use serde_json::{Value, json};
-use std::collections::HashMap;
 
 use foreign::read_scene;
 pub(crate) use reader::read;
@@ -70,7 +71,7 @@ fn compare(made: &Made<'_>) -> Result<Deviations, ReadError> {
     let content = read(&made.file.bytes)?;
     let (bodies, written) = (&made.ready.bodies, &made.file.written);
     let curves = made.curves(&content, View::Points)?;
-    let form = MeshForm { has_facet_normals: false, numbers_vertices: false };
+    let form = MeshForm { normals: Normals::OfSurface, numbers_vertices: false };
     let off = made.meshes(&content, form)?;
     check_mesh_edges(bodies, &content.meshes, &content.mesh_lines, &written.mesh, written.mesh_edges)?;
     content.labels.check(&labels(made.named(), bodies, &content.mesh_lines))?;
@@ -236,10 +237,10 @@ impl File {
     ) {
         let mesh = &body.mesh;
         let mut rounding = Single::new(center);
-        let mut vertices = Vertices::default();
+        let mut vertices = MeshVertices::default();
         let mut indices = Vec::new();
         for face in &mesh.faces {
-            let corners: Vec<u32> = face.corners().iter().map(|corner| vertices.index(*corner)).collect();
+            let corners: Vec<u32> = face.corners().iter().map(|corner| vertices.index(*corner) as u32).collect();
             for triangle in triangles(face) {
                 indices.extend(triangle.map(|i| corners[i]));
             }
@@ -299,7 +300,7 @@ impl File {
 }
 
 /// The edges of the patches of a mesh, parts of one plane as one, as pairs of vertices, where those with the same rounded position are one.
-fn edges(body: &Shape<'_>, mesh: &SurfaceMesh, rounded: &[[f32; 3]], vertices: &mut Vertices) -> Vec<u32> {
+fn edges(body: &Shape<'_>, mesh: &SurfaceMesh, rounded: &[[f32; 3]], vertices: &mut MeshVertices) -> Vec<u32> {
     let regions: Vec<Vec<usize>> = body.shells().map(plane_regions).collect();
     let faces = mesh.faces.iter().zip(&mesh.sources);
     let of_patch = faces.flat_map(|(face, source)| {
@@ -312,22 +313,5 @@ fn edges(body: &Shape<'_>, mesh: &SurfaceMesh, rounded: &[[f32; 3]], vertices: &
     let bits = |corner: MeshCorner| rounded[corner.position].map(f32::to_bits);
     let sides = patch_edges(triangles.iter().map(|(patch, corners)| (*patch, corners.map(bits))));
     let ends = |(triangle, from): (usize, usize)| [from, (from + 1) % 3].map(|i| triangles[triangle].1[i]);
-    sides.into_iter().flat_map(ends).map(|corner| vertices.index(corner)).collect()
-}
-
-/// The corners of a mesh that have a vertex of their own, in the order in which they are met.
-#[derive(Default)]
-struct Vertices {
-    corners: Vec<MeshCorner>,
-    index: HashMap<MeshCorner, u32>,
-}
-
-impl Vertices {
-    fn index(&mut self, corner: MeshCorner) -> u32 {
-        *self.index.entry(corner).or_insert_with(|| {
-            self.corners.push(corner);
-            // Beyond 4 GiB of indices the container is refused.
-            (self.corners.len() - 1) as u32
-        })
-    }
+    sides.into_iter().flat_map(ends).map(|corner| vertices.index(corner) as u32).collect()
 }

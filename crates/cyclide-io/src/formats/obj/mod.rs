@@ -6,7 +6,7 @@ mod quad_grid;
 mod read_back;
 mod writer;
 
-use crate::check::deviation::{Deviations, MeshForm, View};
+use crate::check::deviation::{Deviations, MeshForm, Normals, View};
 use crate::check::file_content::ReadError;
 use crate::check::made::Made;
 use crate::export::lowered::Forms;
@@ -72,7 +72,7 @@ fn is_start(text: &str) -> bool {
 fn compare(made: &Made<'_>) -> Result<Deviations, ReadError> {
     let content = read_back(&made.file.bytes)?;
     let curves = made.curves(&content, View::Points)?;
-    let bodies = made.meshes(&content, MeshForm { has_facet_normals: false, numbers_vertices: true })?;
+    let bodies = made.meshes(&content, MeshForm { normals: Normals::OfSurface, numbers_vertices: true })?;
     content.labels.check(&labels(made.ready.model, &made.ready.bodies))?;
     Ok(Deviations { curves, bodies, ..Deviations::default() })
 }

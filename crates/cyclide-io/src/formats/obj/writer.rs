@@ -10,6 +10,7 @@ use crate::export::exported::{Exported, Promise, Written};
 use crate::export::job::Job;
 use crate::export::mesh::{BodyMesh, between, body_meshes, polyline};
 use crate::export::parts::{BodyOf, contours_of};
+use crate::text::lines::on_a_line;
 use crate::text::number::push_plain;
 use cyclide::{CurvePlace, Model, Point3, SurfaceMesh};
 use std::fmt::Write as _;
@@ -42,12 +43,6 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
         }
     }
     Ok(written.exported(file.text.into_bytes(), Vec::new()))
-}
-
-/// The name as it stands on its line.
-fn on_a_line(name: &str) -> String {
-    let name: String = name.chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
-    name.trim().to_owned()
 }
 
 /// The labels of a file of the model.

@@ -1,3 +1,5 @@
+//! PLY: meshes of surfaces out, polygons in.
+//!
 //! Polygons of PLY files of any program: text, and binary of either byte order.
 //!
 //! Read are the element `vertex` with `x`, `y`, `z` (and `nx`, `ny`, `nz`) of any type of number, and the element `face` with its
@@ -5,10 +7,17 @@
 //! refused: without them the mesh would have holes. Numbers of single precision are taken as they are.
 
 mod header;
+mod read_back;
 mod values;
+mod writer;
 
 use cyclide::{Point3, Vec3};
 
+use crate::check::deviation::{Deviations, MeshForm, Normals};
+use crate::check::file_content::ReadError;
+use crate::check::made::Made;
+use crate::export::lowered::Forms;
+use crate::formats::entry::{Entry, Kind, Reading};
 use crate::formats::mesh_format::{MeshEntry, NO_NORMAL_OF_A_CORNER, ReadMesh};
 use crate::input::points::MOST_POINTS;
 use crate::input::polygon_mesh::PolygonMesh;
@@ -16,7 +25,7 @@ use crate::text::place::{Diagnostic, Source};
 use header::{Element, Encoding, Header, Property};
 use values::{Binary, Text, Values};
 
-/// What there is to know of the format.
+/// What there is to know of meshes in it.
 pub(super) const MESH_ENTRY: MeshEntry = MeshEntry {
     word: "ply",
     field: "Path of a PLY file, binary or text, relative to the document.",
@@ -27,6 +36,31 @@ pub(super) const MESH_ENTRY: MeshEntry = MeshEntry {
     shares_vertices: true,
     without_normals: NO_NORMAL_OF_A_CORNER,
 };
+
+/// What there is to know of the format.
+pub(super) static ENTRY: Entry = Entry {
+    name: "ply",
+    title: "PLY",
+    suffixes: &["ply"],
+    lacks: Some(Kind::Curves),
+    animates: false,
+    holds_exact_only: false,
+    forms: |_| Forms::NONE,
+    write: writer::write,
+    reading: Some(Reading { read: read_back::read, compare, rounds_by_model: false }),
+};
+
+/// What stands before the unit in a comment; the property of a face, and what stands before the names.
+const UNITS: &str = "cyclide, units ";
+const OBJECT: &str = "object";
+
+/// Reads a file of a model and holds it against this.
+fn compare(made: &Made<'_>) -> Result<Deviations, ReadError> {
+    let content = read_back::read(&made.file.bytes)?;
+    let bodies = made.meshes(&content, MeshForm { normals: Normals::OfSurface, numbers_vertices: false })?;
+    content.labels.check(&writer::labels(made.ready.model, &made.ready.bodies))?;
+    Ok(Deviations { bodies, ..Deviations::default() })
+}
 
 /// Most corners of a face.
 const MOST_CORNERS: usize = 4096;

@@ -4,25 +4,24 @@
 //! single precision, little-endian. Coordinates are the model's own (readers take them for millimetres), rounded; equal
 //! vertices are equal bits. The promised bound is that of the mesh and the rounding, which must not exceed the tolerance.
 
-mod collapsed;
 mod reader;
 mod triangles;
 
-use crate::check::deviation::{Deviations, MeshForm};
+use crate::check::deviation::{Deviations, MeshForm, Normals};
 use crate::check::file_content::ReadError;
 use crate::check::labels::{FileLabels, FileName, Named};
 use crate::check::made::Made;
+use crate::export::collapsed::Triangle;
 use crate::export::error::ExportError;
 use crate::export::exported::{Exported, Written};
 use crate::export::job::Job;
 use crate::export::lowered::Forms;
-use crate::export::mesh::{Single, body_meshes, check_single, single, triangles};
-use crate::export::parts::BodyOf;
+use crate::export::mesh::{body_meshes, check_single, single};
+use crate::export::single_mesh::SingleMesh;
 use crate::formats::entry::{Entry, Kind, Reading};
 use crate::formats::mesh_format::{MeshEntry, ReadMesh};
+use crate::text::lines::printable;
 use cyclide::{Point3, Units};
-
-use collapsed::{Triangle, is_whole, reach};
 
 use reader::read;
 use triangles::read_triangles;
@@ -58,9 +57,6 @@ const RECORD: usize = 50;
 /// How the head starts, before the unit, and what stands between the unit and the title.
 const UNITS: &str = "cyclide, units ";
 const SEPARATOR: &str = ", ";
-/// Why a body is refused that is thinner than the steps of single precision at its place.
-const NOTHING_LEFT: &str = "single precision leaves nothing of one of its bodies: write OBJ or GLB, which counts from the middle of each object";
-const PART_LEFT_OUT: &str = "single precision leaves nothing of a part of one of its bodies: write OBJ or GLB, which counts from the middle of each object";
 /// What the name is that of.
 const TITLE: &str = "title";
 
@@ -70,32 +66,11 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
     let (mut records, mut written) = (Vec::new(), Written::default());
     let mut count = 0_usize;
     for body in body_meshes(job)? {
-        let mesh = &body.mesh;
-        let mut rounding = Single::new(Point3::ORIGIN);
-        let points: Vec<[f32; 3]> = mesh.positions.iter().map(|p| rounding.point(*p)).collect();
-        check_rounding(job, body.body, rounding.moved)?;
-        let of_face = |face: &cyclide::MeshFace| -> Vec<Triangle> {
-            let corners = face.corners();
-            triangles(face).iter().map(|t| t.map(|i| points[corners[i].position])).collect()
-        };
-        let (mut own, mut collapsed, mut counts) = (Vec::new(), Vec::new(), Vec::with_capacity(mesh.faces.len()));
-        for face in &mesh.faces {
-            let before = own.len();
-            for triangle in of_face(face) {
-                if is_whole(&triangle) { own.push(triangle) } else { collapsed.push(triangle) }
-            }
-            counts.push(own.len() - before);
-        }
-        let moved = rounding.moved + reach(&own, &collapsed);
-        if !(moved <= job.mesh_tolerance) {
-            let detail = if own.is_empty() { NOTHING_LEFT } else { PART_LEFT_OUT };
-            return Err(ExportError::NotInFormat { object: body.body.object.to_owned(), format: "STL", detail });
-        }
-        let mut counts = counts.into_iter();
-        body.plan_triangles(&points, rounding.moved, |_| counts.next().unwrap_or(0), &mut written.mesh);
-        own.iter().for_each(|triangle| push_triangle(&mut records, triangle));
-        count += own.len();
-        written.bodies.push(body.promise(moved));
+        let own = SingleMesh::of(job, &body, "STL")?;
+        own.plan(&body, &mut written.mesh);
+        own.triangles.iter().for_each(|triangle| push_triangle(&mut records, triangle));
+        count += own.triangles.len();
+        written.bodies.push(body.promise(own.moved));
     }
     let Ok(count) = u32::try_from(count) else {
         let object = job.bodies.first().map(|b| b.object.to_owned()).unwrap_or_default();
@@ -114,23 +89,6 @@ pub(crate) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
     Ok(written.exported(bytes, notes))
 }
 
-/// Refuses coordinates that single precision rounds by more than the tolerance.
-fn check_rounding(job: &Job<'_>, body: &BodyOf<'_>, rounding: f64) -> Result<(), ExportError> {
-    if rounding <= job.mesh_tolerance {
-        return Ok(());
-    }
-    let (bounds, half) = (body.body.bounds(), 0.5 * job.size());
-    let largest = bounds.max_abs();
-    // About the origin coordinates would not be larger than half the size, and rounded by so much less.
-    let hint = if rounding * half <= job.mesh_tolerance * largest {
-        "move the model to the origin, or write OBJ, or GLB, which counts from the middle of each object"
-    } else {
-        "allow a larger tolerance or write OBJ"
-    };
-    let object = body.object.to_owned();
-    Err(ExportError::Rounding { object, format: "STL", largest, rounding, tolerance: job.mesh_tolerance, hint })
-}
-
 /// The head: program, unit and title as far as they fit, padded with spaces.
 fn head(job: &Job<'_>) -> Vec<u8> {
     let mut head = format!("{UNITS}{}{SEPARATOR}{}", job.units().symbol(), printable(job.title())).into_bytes();
@@ -138,15 +96,10 @@ fn head(job: &Job<'_>) -> Vec<u8> {
     head
 }
 
-/// Printable ASCII, a `?` for every other byte.
-fn printable(text: &str) -> String {
-    text.bytes().map(|b| if (0x20..0x7F).contains(&b) { char::from(b) } else { '?' }).collect()
-}
-
 /// Reads a file of a model and holds it against this.
 fn compare(made: &Made<'_>) -> Result<Deviations, ReadError> {
     let content = read(&made.file.bytes)?;
-    let bodies = made.meshes(&content, MeshForm { has_facet_normals: true, numbers_vertices: false })?;
+    let bodies = made.meshes(&content, MeshForm { normals: Normals::OfTriangles, numbers_vertices: false })?;
     content.labels.check(&labels(made.named()))?;
     Ok(Deviations { bodies, ..Deviations::default() })
 }

@@ -26,6 +26,7 @@ use crate::export::lowered::Forms;
 use crate::export::parts::Contour;
 use crate::formats::entry::{Entry, Reading};
 use crate::text::number::push_plain;
+use crate::text::xml::escaped;
 use cyclide::{Aabb, Arc, Correspondence, CurvePlace, Lowered, Point3, Units, Vec3};
 use path::Path;
 use plan::Plan;
@@ -335,22 +336,6 @@ fn three_digits(v: f64) -> f64 {
     format!("{v:.2e}").parse().unwrap_or(v)
 }
 
-/// Text of an element: markup escaped, characters that XML does not allow replaced.
-fn escaped(text: &str) -> String {
-    let mut out = String::new();
-    for c in text.chars() {
-        match c {
-            '&' => out.push_str("&amp;"),
-            '<' => out.push_str("&lt;"),
-            '>' => out.push_str("&gt;"),
-            '\u{FFFE}' | '\u{FFFF}' => out.push('\u{FFFD}'),
-            c if c.is_control() => out.push(' '),
-            c => out.push(c),
-        }
-    }
-    out
-}
-
 /// Names of the groups that the drawing itself has.
 const GROUPS: [&str; 4] = ["comb", "joints", "edges", "circles"];
 
@@ -389,6 +374,5 @@ mod tests {
         assert_eq!(unique_id("a_b", &mut taken), "a_b_2");
         assert_eq!(unique_id("5°", &mut taken), "_5_");
         assert_eq!(unique_id("comb", &mut taken), "comb_2");
-        assert_eq!(escaped("<&>\u{1}\""), "&lt;&amp;&gt; \"");
     }
 }

@@ -2,8 +2,7 @@
 //!
 //! Corners first, then the insides of edges, of faces, and the inside; compared entry by entry with VTK's own index functions.
 
-/// A cell's degrees along its parameters; the third is 0 of a quadrilateral, the last two of a curve.
-pub(super) type Degrees = [usize; 3];
+use crate::export::rational_cells::Degrees;
 
 /// The indices `[i, j, k]` of the control points of a cell in the order of its nodes.
 pub(super) fn nodes([p, q, r]: Degrees) -> Vec<[usize; 3]> {

@@ -1,12 +1,17 @@
 //! Our own VTU back from the bytes.
 
-use super::cells::{CURVE, Cell, HEXAHEDRON, QUADRILATERAL, Tags};
-use super::order::Degrees;
-use super::spline_of;
-use crate::check::bodies::{FilePatch, FileVolume};
+use super::arrays::{Number, appended as appended_at};
+use super::linear::{KIND, ORDER};
+use super::order::nodes;
+use super::quality::NAMES;
+use super::{KINDS, spline_of};
+use crate::check::bodies::FileVolume;
 use crate::check::file_content::{FileContent, ReadError};
 use crate::check::labels::{FileLabels, FileName};
-use cyclide::{ChainPiece, CurveChain, RationalBezier, RationalBezierSurface, RationalBezierVolume, Units};
+use crate::check::rational_cells::{add_bodies, add_curves};
+use crate::export::rational_cells::{Degrees, RationalCell, Tags};
+use crate::text::xml::attribute;
+use cyclide::{RationalBezier, RationalBezierVolume, Units};
 use std::collections::HashMap;
 
 /// Names of the arrays.
@@ -18,30 +23,44 @@ pub(super) const POINTS: &str = "Points";
 pub(super) const CONNECTIVITY: &str = "connectivity";
 pub(super) const OFFSETS: &str = "offsets";
 pub(super) const TYPES: &str = "types";
+/// What stands before the arrays that are appended.
+const APPENDED: &str = "<AppendedData encoding=\"base64\">";
+pub(super) const OBJECT: &str = "object";
+pub(super) const PART: &str = "part";
 /// A name with what it is said of a cell.
 type Tag = (&'static str, fn(&Tags) -> usize);
 /// What is said of each cell.
-pub(super) const TAGS: [Tag; 4] = [
-    ("object", |tags| tags.object),
-    ("part", |tags| tags.part),
-    ("shell", |tags| tags.shell),
-    ("flag", |tags| tags.flag),
-];
+pub(super) const TAGS: [Tag; 4] =
+    [(OBJECT, |tags| tags.object), (PART, |tags| tags.part), ("shell", |tags| tags.shell), ("flag", |tags| tags.flag)];
 
-/// Gap allowed between the pieces of a contour, relative to its largest coordinate: they share their end points.
-const GAP: f64 = 1e-12;
 /// Largest degree: far above ours, far below what overflows.
 const MOST_DEGREE: usize = 1000;
 
-/// Reads curves, patches and volumes.
-pub(super) fn read(bytes: &[u8]) -> Result<FileContent, ReadError> {
+/// What the cells of a file say besides their geometry.
+pub(super) enum Cells {
+    /// The qualities of blocks.
+    Bezier(Vec<[f64; 3]>),
+    Plain(Plain),
+}
+
+/// Plain hexahedra.
+pub(super) struct Plain {
+    /// Their nodes in VTK's order.
+    pub(super) connectivity: Vec<usize>,
+    pub(super) qualities: Vec<[f64; 3]>,
+    /// Object and block of each.
+    pub(super) tags: Vec<[usize; 2]>,
+}
+
+/// Reads curves, patches and volumes, and what their cells say.
+pub(super) fn read(bytes: &[u8]) -> Result<(FileContent, Cells), ReadError> {
     let text =
         std::str::from_utf8(bytes).map_err(|e| ReadError::syntax(format!("byte {}", e.valid_up_to()), "not text"))?;
-    for (place, attribute) in [("VTKFile", "version=\"2.2\""), ("PointData", "RationalWeights=\"RationalWeights\"")] {
-        if !text.contains(attribute) {
-            return Err(ReadError::syntax(place, format!("expected {attribute}")));
-        }
-    }
+    let expected = |place: &str, attribute: &str| {
+        let missing = || ReadError::syntax(place, format!("expected {attribute}"));
+        if text.contains(attribute) { Ok(()) } else { Err(missing()) }
+    };
+    expected("VTKFile", "version=\"2.2\"")?;
     let arrays = arrays(text)?;
     let names = strings(&arrays, OBJECTS)?;
     let unit = match strings(&arrays, UNITS)?.as_slice() {
@@ -52,70 +71,114 @@ pub(super) fn read(bytes: &[u8]) -> Result<FileContent, ReadError> {
     };
     let labels =
         FileLabels { unit: Some(unit), names: names.into_iter().map(|name| FileName::new(OBJECTS, name, 1)).collect() };
+    let kinds = whole(&arrays, TYPES)?;
+    if !kinds.is_empty() && kinds.iter().all(|kind| *kind == usize::from(KIND)) {
+        return plain(&arrays, labels);
+    }
+    expected("PointData", "RationalWeights=\"RationalWeights\"")?;
     let cells = cells(&arrays)?;
+    let of_blocks = qualities(&arrays, &cells)?;
     let mut content = FileContent { labels, ..FileContent::default() };
-    let mut contours: Vec<(Tags, Vec<ChainPiece>)> = Vec::new();
-    let mut bodies: Vec<(usize, usize)> = Vec::new();
-    let mut blocks: Vec<(usize, usize)> = Vec::new();
+    let (mut curves, mut bodies) = (Vec::new(), Vec::new());
     for (number, cell) in cells.into_iter().enumerate() {
         let place = format!("cell {number}");
-        let geometry = |source| ReadError::Geometry { place: place.clone(), source };
-        let [p, q, _] = cell.degrees;
-        let key = (cell.tags.object, cell.tags.part);
-        match cell.kind {
-            CURVE => {
-                let span = RationalBezier::new(cell.rows()).and_then(spline_of).map_err(geometry)?;
-                match contours.last_mut() {
-                    Some((tags, pieces)) if *tags == cell.tags => pieces.push(ChainPiece::Spline(span)),
-                    _ => contours.push((cell.tags, vec![ChainPiece::Spline(span)])),
-                }
-            }
-            QUADRILATERAL => {
-                let surface = RationalBezierSurface::new([p, q], cell.rows()).map_err(geometry)?;
-                let body = number_of(&mut bodies, key);
-                content.patches.push(FilePatch { body, shell: cell.tags.shell, outward: cell.tags.flag == 1, surface });
-            }
-            _ => {
-                let volume = RationalBezierVolume::new(cell.degrees, cell.rows()).map_err(geometry)?;
-                content.volumes.push(FileVolume { body: number_of(&mut blocks, key), volume });
-            }
+        if cell.dimension() == 1 {
+            let span = RationalBezier::new(cell.rows()).and_then(spline_of);
+            curves.push((cell.tags, span.map_err(|source| ReadError::Geometry { place, source })?));
+        } else {
+            bodies.push((place, cell));
         }
     }
-    for (number, (tags, pieces)) in contours.into_iter().enumerate() {
-        let ends = pieces.iter().flat_map(|piece| [piece.start(), piece.end()]);
-        let size = ends.map(|p| p.to_vec().max_abs()).fold(0.0, f64::max);
-        let chain = CurveChain::new(pieces, tags.flag == 1, GAP * size);
-        content.curves.push(chain.map_err(|source| ReadError::Geometry { place: format!("curve {number}"), source })?);
-    }
-    Ok(content)
+    add_curves(&mut content, curves)?;
+    add_bodies(&mut content, bodies)?;
+    Ok((content, Cells::Bezier(of_blocks)))
 }
 
-/// The number of a key among those that were met, in their order.
-fn number_of(met: &mut Vec<(usize, usize)>, key: (usize, usize)) -> usize {
-    match met.last() {
-        Some(last) if *last == key => met.len() - 1,
-        _ => {
-            met.push(key);
-            met.len() - 1
+/// Reads plain hexahedra, as volumes of degree 1.
+fn plain(arrays: &HashMap<&str, Vec<f64>>, labels: FileLabels) -> Result<(FileContent, Cells), ReadError> {
+    let connectivity = whole(arrays, CONNECTIVITY)?;
+    let (points, ends) = (array(arrays, POINTS)?, whole(arrays, OFFSETS)?);
+    let (objects, parts) = (whole(arrays, OBJECT)?, whole(arrays, PART)?);
+    let qualities = NAMES.map(|name| array(arrays, name));
+    let [Ok(first), Ok(second), Ok(third)] = qualities else {
+        return Err(ReadError::syntax("CellData", "expected the quality of the cells"));
+    };
+    let count = ends.len();
+    let lengths = [objects.len(), parts.len(), first.len(), second.len(), third.len(), connectivity.len() / 8];
+    if lengths.iter().any(|own| *own != count) || !ends.iter().enumerate().all(|(k, end)| *end == 8 * (k + 1)) {
+        return Err(ReadError::syntax(TYPES, "arrays of cells differ in length"));
+    }
+    let mut content = FileContent { labels, ..FileContent::default() };
+    let mut met: Vec<[usize; 2]> = Vec::new();
+    let tags: Vec<[usize; 2]> = objects.into_iter().zip(parts).map(|(object, part)| [object, part]).collect();
+    for (number, (corners, tag)) in connectivity.chunks_exact(8).zip(&tags).enumerate() {
+        let place = || format!("cell {number}");
+        let mut rows = vec![[0.0; 4]; 8];
+        for (corner, node) in ORDER.into_iter().zip(corners) {
+            let own =
+                points.get(3 * node..3 * node + 3).ok_or_else(|| ReadError::syntax(place(), "it has no such node"))?;
+            // The first parameter is the fastest of corners, the last of rows.
+            rows[(corner & 1) << 2 | (corner & 2) | corner >> 2] = [own[0], own[1], own[2], 1.0];
+        }
+        let volume = RationalBezierVolume::new([1; 3], rows);
+        let volume = volume.map_err(|source| ReadError::Geometry { place: place(), source })?;
+        if met.last() != Some(tag) {
+            met.push(*tag);
+        }
+        content.volumes.push(FileVolume { body: met.len() - 1, volume });
+    }
+    let qualities = (0..count).map(|k| [first[k], second[k], third[k]]).collect();
+    Ok((content, Cells::Plain(Plain { connectivity, qualities, tags })))
+}
+
+/// The qualities of the hexahedra; those of other cells are 0.
+fn qualities(arrays: &HashMap<&str, Vec<f64>>, cells: &[RationalCell]) -> Result<Vec<[f64; 3]>, ReadError> {
+    let blocks = cells.iter().filter(|cell| cell.dimension() == 3).count();
+    let mut qualities = vec![[0.0; 3]; blocks];
+    for (k, name) in NAMES.into_iter().enumerate().filter(|_| blocks > 0) {
+        let values = array(arrays, name)?;
+        if values.len() != cells.len() {
+            return Err(ReadError::syntax(name, "expected one value for each cell"));
+        }
+        let mut own = qualities.iter_mut();
+        for (cell, value) in cells.iter().zip(values) {
+            match (cell.dimension() == 3).then(|| own.next()).flatten() {
+                Some(quality) => quality[k] = *value,
+                None if value.abs() <= 0.0 => {}
+                None => return Err(ReadError::syntax(name, "a cell that is no block has a quality")),
+            }
         }
     }
+    Ok(qualities)
 }
 
 /// The arrays of the file by their names.
 fn arrays(text: &str) -> Result<HashMap<&str, Vec<f64>>, ReadError> {
     let mut arrays = HashMap::new();
+    let (text, appended) = match text.split_once(APPENDED) {
+        Some((text, rest)) => (text, rest.trim_start().strip_prefix('_')),
+        None => (text, None),
+    };
     for (number, part) in text.split("<DataArray ").skip(1).enumerate() {
         let place = || format!("array {number}");
         let wrong = |detail: &str| ReadError::syntax(place(), detail);
         let (head, rest) = part.split_once('>').ok_or_else(|| wrong("its tag has no end"))?;
-        let (values, _) = rest.split_once("</DataArray>").ok_or_else(|| wrong("it has no end"))?;
-        let name = head.split_once("Name=\"").and_then(|(_, name)| name.split_once('"'));
-        let (name, _) = name.ok_or_else(|| wrong("it has no name"))?;
-        if !head.contains("format=\"ascii\"") {
-            return Err(ReadError::unsupported("an encoding other than ascii", place()));
-        }
-        let numbers = values.split_ascii_whitespace().map(str::parse).collect::<Result<Vec<f64>, _>>();
-        let numbers = numbers.map_err(|_| wrong("a value is no number"))?;
+        let name = attribute(head, "Name").ok_or_else(|| wrong("it has no name"))?;
+        let numbers = match attribute(head, "format") {
+            Some("ascii") => {
+                let (values, _) = rest.split_once("</DataArray>").ok_or_else(|| wrong("it has no end"))?;
+                let numbers = values.split_ascii_whitespace().map(str::parse).collect::<Result<Vec<f64>, _>>();
+                numbers.map_err(|_| wrong("a value is no number"))?
+            }
+            Some("appended") => {
+                let offset = attribute(head, "offset").and_then(|offset| offset.parse::<usize>().ok());
+                let kind = attribute(head, "type").and_then(Number::of_word);
+                let own = appended.zip(offset).and_then(|(all, offset)| appended_at(all.get(offset..)?));
+                let numbers = kind.zip(own).and_then(|(kind, bytes)| kind.values(&bytes));
+                numbers.ok_or_else(|| wrong("what is appended for it is no list of its numbers"))?
+            }
+            _ => return Err(ReadError::unsupported("an encoding other than ascii and appended", place())),
+        };
         if numbers.iter().any(|v| !v.is_finite()) || arrays.insert(name, numbers).is_some() {
             return Err(wrong("a value is not finite, or its name is there twice"));
         }
@@ -145,7 +208,7 @@ fn strings(arrays: &HashMap<&str, Vec<f64>>, name: &str) -> Result<Vec<String>, 
     bytes.split(|byte| *byte == 0).map(string).collect()
 }
 
-fn cells(arrays: &HashMap<&str, Vec<f64>>) -> Result<Vec<Cell>, ReadError> {
+fn cells(arrays: &HashMap<&str, Vec<f64>>) -> Result<Vec<RationalCell>, ReadError> {
     let (kinds, ends, degrees) = (whole(arrays, TYPES)?, whole(arrays, OFFSETS)?, whole(arrays, DEGREES)?);
     let (points, weights) = (array(arrays, POINTS)?, array(arrays, WEIGHTS)?);
     let tags = TAGS.map(|(name, _)| whole(arrays, name));
@@ -163,12 +226,8 @@ fn cells(arrays: &HashMap<&str, Vec<f64>>) -> Result<Vec<Cell>, ReadError> {
     for (number, kind) in kinds.into_iter().enumerate() {
         let wrong = |detail: &str| ReadError::syntax(format!("cell {number}"), detail);
         let degrees: Degrees = [degrees[3 * number], degrees[3 * number + 1], degrees[3 * number + 2]];
-        let fits = match (u8::try_from(kind), degrees) {
-            (Ok(CURVE), [p, 0, 0]) => p > 0,
-            (Ok(QUADRILATERAL), [p, q, 0]) => p > 0 && q > 0,
-            (Ok(HEXAHEDRON), [p, q, r]) => p > 0 && q > 0 && r > 0,
-            _ => false,
-        };
+        let dimension = KINDS.iter().position(|own| usize::from(*own) == kind).map(|k| k + 1);
+        let fits = dimension.is_some_and(|d| (0..3).all(|axis| (degrees[axis] > 0) == (axis < d)));
         if !fits || degrees.iter().any(|d| *d > MOST_DEGREE) {
             return Err(wrong("its degrees do not fit its type"));
         }
@@ -177,9 +236,13 @@ fn cells(arrays: &HashMap<&str, Vec<f64>>) -> Result<Vec<Cell>, ReadError> {
         if own.len() != degrees.iter().map(|d| d + 1).product::<usize>() || own.iter().any(|w| !(*w > 0.0)) {
             return Err(wrong("expected as many nodes as its degrees say, with positive weights"));
         }
-        let node = |k: usize| ([points[3 * k], points[3 * k + 1], points[3 * k + 2]], weights[k]);
         let tags = Tags { object: objects[number], part: parts[number], shell: shells[number], flag: flags[number] };
-        cells.push(Cell { kind: kind as u8, degrees, nodes: (from..to).map(node).collect(), tags });
+        let mut cell = RationalCell { degrees, nodes: vec![([0.0; 3], 1.0); to - from], tags };
+        for (k, at) in (from..to).zip(nodes(degrees)) {
+            let index = cell.index(at);
+            cell.nodes[index] = ([points[3 * k], points[3 * k + 1], points[3 * k + 2]], weights[k]);
+        }
+        cells.push(cell);
         from = to;
     }
     if from == weights.len() { Ok(cells) } else { Err(ReadError::syntax(OFFSETS, "nodes are left over")) }

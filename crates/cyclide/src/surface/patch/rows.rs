@@ -1,6 +1,7 @@
 //! Many points of one s-line at once, into the caller's buffers.
 
 use super::{CyclidePatch, line};
+use crate::base::quadratic::powers;
 use crate::base::quat::Quat;
 use crate::batch;
 
@@ -61,11 +62,6 @@ pub struct PatchRow {
     normals: [[f64; 3]; 3],
     denominator: [f64; 3],
     origin: [f64; 3],
-}
-
-/// Coefficients by powers of s of `a (1-s)² + b s(1-s) + c s²`.
-fn powers(a: f64, b: f64, c: f64) -> [f64; 3] {
-    [a, b - 2.0 * a, a - b + c]
 }
 
 impl CyclidePatch {

@@ -51,18 +51,7 @@ impl CyclideVolume {
     }
 
     fn of_frame(cube: &SphericalCube, frame: VolumeFrame) -> Result<Self> {
-        let v = match frame {
-            VolumeFrame::First(v1, v2) => {
-                for (index, v) in [v1, v2].into_iter().enumerate() {
-                    if !v.is_finite() {
-                        return Err(Error::NotFinite { what: ErrorItem::FrameVector, index });
-                    }
-                }
-                let (v1, v2) = orthonormal(v1, v2)?;
-                [v1, v2, v1.cross(v2)]
-            }
-            VolumeFrame::Auto => nearest_frame(cube)?,
-        };
+        let v = frame_at(cube, frame)?;
         let (b, last) = cube.inverted();
         let q = Quat::from;
         let [v1, v2, v3] = v.map(Quat::from);
@@ -99,6 +88,25 @@ impl CyclideVolume {
             }
         }
         Ok(())
+    }
+}
+
+/// The frame at the first corner, orthonormal.
+///
+/// # Errors
+/// As [`CyclideVolume::new`].
+pub(in crate::volume) fn frame_at(cube: &SphericalCube, frame: VolumeFrame) -> Result<[Vec3; 3]> {
+    match frame {
+        VolumeFrame::First(v1, v2) => {
+            for (index, v) in [v1, v2].into_iter().enumerate() {
+                if !v.is_finite() {
+                    return Err(Error::NotFinite { what: ErrorItem::FrameVector, index });
+                }
+            }
+            let (v1, v2) = orthonormal(v1, v2)?;
+            Ok([v1, v2, v1.cross(v2)])
+        }
+        VolumeFrame::Auto => nearest_frame(cube),
     }
 }
 

@@ -14,6 +14,7 @@ mod measure;
 mod parts;
 mod pole;
 mod rational;
+mod rows;
 mod transform;
 
 use super::param_volume::ParamVolume;
@@ -24,8 +25,10 @@ use crate::base::vector::{Point3, Vec3};
 use crate::base::volume_jet::VolumeJet;
 
 pub use construct::VolumeFrame;
+pub(super) use construct::frame_at;
 pub use locate::VolumeLocation;
 pub use measure::VolumeMeasure;
+pub use rows::VolumeRow;
 
 /// A block over `[0, 1]³` whose six faces are cyclide patches and whose parameter lines are circles that cross at right angles.
 ///

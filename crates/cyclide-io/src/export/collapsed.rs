@@ -9,18 +9,18 @@ use std::cmp::Reverse;
 use std::collections::{BinaryHeap, HashMap, HashSet};
 
 /// Corners in single precision; equal places have equal bits.
-pub(super) type Triangle = [[f32; 3]; 3];
+pub(crate) type Triangle = [[f32; 3]; 3];
 type Key = [u32; 3];
 
 /// True if the triangle is neither a line nor a point; of zeros there is one only, the positive.
-pub(super) fn is_whole(triangle: &Triangle) -> bool {
+pub(crate) fn is_whole(triangle: &Triangle) -> bool {
     let [a, b, c] = triangle.map(key);
     a != b && b != c && c != a
 }
 
 /// A distance that no point of the collapsed triangles is farther from the whole ones than, along their sides: 0 where
 /// these close the gaps, infinite where a part has no whole triangle at all.
-pub(super) fn reach(whole: &[Triangle], collapsed: &[Triangle]) -> f64 {
+pub(crate) fn reach(whole: &[Triangle], collapsed: &[Triangle]) -> f64 {
     let lines: HashSet<[Key; 2]> = collapsed.iter().flat_map(sides).filter(|[a, b]| a != b).collect();
     let mut ways: HashMap<Key, Vec<Key>> = HashMap::new();
     for &[a, b] in &lines {

@@ -1,0 +1,154 @@
+//! Grids of blocks, and the places of their cells.
+
+use cyclide::{CyclideGrid, CyclideVolume, DupinCyclide, FineEnd, Grading, StructuredGrid, VolumeFrame};
+
+use super::Builder;
+use super::nets::{SEGMENTS, frame_of_axes};
+use super::surfaces::direction;
+use crate::document::coordinates::Coordinates;
+use crate::document::locate::Step;
+use crate::document::spec::{
+    CellLaw, CellsAlongSpec, CellsSpec, CoordinatePlanesSpec, CyclideGridSpec, FrameSpec, GradedCellsSpec, ObjectSpec,
+    WholeCyclideSpec,
+};
+use crate::error::{Error, Result};
+
+/// Points of two planes that are one may be so far apart, relative to the size of the grid.
+const ONE_POINT: f64 = 1e-9;
+
+impl Builder<'_> {
+    /// The blocks of a grid.
+    pub(super) fn cyclide_grid(&self, spec: &CyclideGridSpec) -> Result<Vec<CyclideVolume>> {
+        let grid = match (&spec.planes, &spec.whole) {
+            (Some(planes), None) => self.grid_of_planes(planes, spec.frame.unwrap_or_default())?,
+            (None, Some(whole)) if spec.frame.is_none() => self.grid_of_cyclide(whole)?,
+            (None, Some(_)) => return Err(self.unfit("`frame` goes with `planes`: a cyclide has its own")),
+            _ => return Err(self.unfit("give either `planes` or `whole`")),
+        };
+        Ok(grid.blocks().collect())
+    }
+
+    fn grid_of_cyclide(&self, spec: &WholeCyclideSpec) -> Result<CyclideGrid> {
+        let [.., outer] = *spec.mu.as_slice() else {
+            return Err(self.unfit("`mu` of `whole` has the radii of two tubes at least"));
+        };
+        let made = || {
+            let frame = frame_of_axes(spec.center, spec.axis, spec.x_direction)?;
+            let segments = spec.segments.unwrap_or(SEGMENTS).map(|n| n as usize);
+            let cyclide = DupinCyclide::new(spec.a, spec.c, outer)?.placed(frame);
+            let distances: Vec<f64> = spec.mu.iter().map(|mu| mu - outer).collect();
+            CyclideGrid::of_cyclide(&cyclide, segments, &distances)
+        };
+        made().map_err(|e| self.refused_at([Step::from("whole")], &e))
+    }
+
+    fn grid_of_planes(&self, planes: &CoordinatePlanesSpec, frame: FrameSpec) -> Result<CyclideGrid> {
+        let (st, su, tu) = (&planes.st, &planes.su, &planes.tu);
+        let columns = |rows: &[Vec<Coordinates>]| rows.first().map_or(0, Vec::len);
+        let [m, n, l] = [columns(st), st.len(), su.len()];
+        for (name, rows, wanted) in [("st", st, [m, n]), ("su", su, [m, l]), ("tu", tu, [n, l])] {
+            let odd = rows.iter().position(|row| row.len() != wanted[0]);
+            if odd.is_some() || rows.len() != wanted[1] {
+                let row = odd.unwrap_or(0);
+                let message = format!(
+                    "the planes have {m} points along s, {n} along t and {l} along u: `{name}` has {} rows, row {row} of {} points",
+                    rows.len(),
+                    rows.get(row).map_or(0, Vec::len),
+                );
+                return Err(Error::Input(self.diagnostic(["planes".into(), name.into()], &message)));
+            }
+        }
+        if [m, n, l].contains(&0) {
+            return Err(self.unfit("the planes have no points"));
+        }
+        // Lines that are of two planes.
+        let first = st[0][0].point();
+        let all = [st, su, tu].into_iter().flatten().flatten();
+        let size = all.map(|p| p.point().distance(first)).fold(0.0, f64::max);
+        let along_s = st[0].iter().zip(&su[0]).enumerate().map(|(i, (p, q))| ("su", 0, i, p, q, "st"));
+        let along_t = st.iter().zip(&tu[0]).enumerate().map(|(j, (row, q))| ("tu", 0, j, &row[0], q, "st"));
+        let along_u = su.iter().zip(tu).enumerate().map(|(k, (p, q))| ("tu", k, 0, &p[0], &q[0], "su"));
+        for (name, row, column, wanted, given, of) in along_s.chain(along_t).chain(along_u) {
+            let distance = given.point().distance(wanted.point());
+            if !(distance <= ONE_POINT * size) {
+                let message = format!("this point is {distance:.3e} from that of `{of}`, with which it is one");
+                let place = ["planes".into(), name.into(), row.into(), column.into()];
+                return Err(self.refused_in_words(place, "not-concircular", message));
+            }
+        }
+        let point = |[i, j, k]: [usize; 3]| match [i, j, k] {
+            [i, j, 0] => st[j][i].point(),
+            [i, 0, k] => su[k][i].point(),
+            [_, j, k] => tu[k][j].point(),
+        };
+        let frame = match frame {
+            FrameSpec::Auto => VolumeFrame::Auto,
+            FrameSpec::First(given) => {
+                let [v1, v2] = given.map(direction);
+                VolumeFrame::First(v1, v2)
+            }
+        };
+        let size = [m, n, l].map(|points| points.saturating_sub(1));
+        CyclideGrid::from_coordinate_planes(size, point, frame).map_err(|e| self.refused_at([Step::from("planes")], &e))
+    }
+
+    /// The parameters of the cells of blocks, of an object that divides them, or whose source did.
+    pub(super) fn places(&self, volumes: &[CyclideVolume]) -> Result<Option<[Vec<f64>; 3]>> {
+        let cells = match self.spec {
+            ObjectSpec::CyclideVolume(spec) => &spec.cells,
+            ObjectSpec::Layers(spec) => &spec.cells,
+            ObjectSpec::CyclideGrid(spec) => &spec.cells,
+            ObjectSpec::Transform(_) => {
+                return Ok(self.sources.first().and_then(|source| source.provenance.places.clone()));
+            }
+            _ => return Ok(None),
+        };
+        let along = match cells {
+            None => return Ok(None),
+            Some(CellsSpec::Count(count)) => [CellsAlongSpec::Count(*count); 3],
+            Some(CellsSpec::Along(along)) => **along,
+        };
+        let mut places = [Vec::new(), Vec::new(), Vec::new()];
+        for (axis, (spec, places)) in along.iter().zip(&mut places).enumerate() {
+            let (count, law) = match spec {
+                CellsAlongSpec::Count(count) => (*count, Grading::Uniform),
+                CellsAlongSpec::Graded(spec) => (spec.count, self.law(volumes, axis, spec)?),
+            };
+            *places = law.places(count as usize).map_err(|e| self.refused_at(place_of(axis), &e))?;
+        }
+        StructuredGrid::check_size(volumes.len(), &places).map_err(|e| self.refused_at([Step::from("cells")], &e))?;
+        Ok(Some(places))
+    }
+
+    /// The law of the cells along a direction.
+    fn law(&self, volumes: &[CyclideVolume], axis: usize, spec: &GradedCellsSpec) -> Result<Grading> {
+        let (count, fine) = (spec.count as usize, spec.fine);
+        let refused = |e: cyclide::Error| self.refused_at(place_of(axis), &e);
+        let share = |first: f64| {
+            let [at_start, at_end] = [fine != FineEnd::End, fine != FineEnd::Start];
+            let of = |at_end: bool| StructuredGrid::share_of_height(volumes, axis, at_end, first);
+            let start = if at_start { of(false)? } else { 1.0 };
+            let end = if at_end { of(true)? } else { 1.0 };
+            cyclide::Result::Ok(start.min(end))
+        };
+        match (spec.law, spec.ratio, spec.stretch, spec.first) {
+            (None | Some(CellLaw::Uniform), None, None, None) => Ok(Grading::Uniform),
+            (None | Some(CellLaw::Geometric), Some(ratio), None, None) => Ok(Grading::Geometric { ratio, fine }),
+            (None | Some(CellLaw::Tanh), None, Some(stretch), None) => Ok(Grading::Tanh { stretch, fine }),
+            (None | Some(CellLaw::Geometric), None, None, Some(first)) => {
+                share(first).and_then(|share| Grading::geometric_from_first(share, count, fine)).map_err(refused)
+            }
+            (Some(CellLaw::Tanh), None, None, Some(first)) => {
+                share(first).and_then(|share| Grading::tanh_from_first(share, count, fine)).map_err(refused)
+            }
+            _ => {
+                let message = "of graded cells give one of `ratio` (law `geometric`), `stretch` (`tanh`) and `first` (either); `uniform` has none";
+                Err(Error::Input(self.diagnostic(place_of(axis), message)))
+            }
+        }
+    }
+}
+
+fn place_of(axis: usize) -> [Step; 2] {
+    [Step::from("cells"), Step::from(axis)]
+}

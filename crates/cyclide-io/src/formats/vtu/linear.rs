@@ -1,0 +1,177 @@
+//! Blocks as plain hexahedra with straight sides, for readers that have no Bézier cells: cells of type 12, whose nodes are points of the blocks and are shared.
+
+use super::arrays::{Arrays, Number};
+use super::quality::NAMES;
+use super::reader;
+use crate::check::deviation::larger;
+use crate::check::file_content::{FileContent, ReadError};
+use crate::check::made::Made;
+use crate::export::error::ExportError;
+use crate::export::exported::{Exported, Promise, Written};
+use crate::export::job::Job;
+use crate::export::provenance::Provenances;
+use crate::export::rational_cells::block_of;
+use cyclide::{CellQuality, Model, ParamVolume as _, Point3, StructuredGrid, Vec3};
+use std::collections::HashMap;
+
+/// VTK's number for plain hexahedra, and their corners in binary order.
+pub(super) const KIND: u8 = 12;
+pub(super) const ORDER: [usize; 8] = [0, 1, 3, 2, 4, 5, 7, 6];
+
+const NO_BLOCKS: &str = "plain cells are those of blocks, and there are none: write Bézier cells";
+const NOT_DIVIDED: &str = "its blocks are not divided into cells: give it `cells`, or write Bézier cells";
+/// Between the places that are measured a quarter more.
+const RESERVE: f64 = 1.25;
+/// Places along each parameter of a cell, between whose corners it is measured.
+const PLACES: usize = 3;
+
+/// The grids of all objects with blocks, with the number of each object.
+fn grids(model: &Model, provenances: &Provenances<'_>) -> Result<Vec<(usize, StructuredGrid)>, ExportError> {
+    let mut grids = Vec::new();
+    for (index, item) in model.items.iter().enumerate().filter(|(_, item)| !item.volumes().is_empty()) {
+        let Some(places) = provenances.places(index) else {
+            return Err(ExportError::NotInFormat { object: item.name.clone(), format: "VTU", detail: NOT_DIVIDED });
+        };
+        let made = StructuredGrid::new(item.volumes(), places.clone());
+        let refused = |source| ExportError::Surface { object: item.name.clone(), surface: 0, source };
+        grids.push((index, made.map_err(refused)?));
+    }
+    if grids.is_empty() {
+        let object = model.items.first().map(|item| item.name.clone()).unwrap_or_default();
+        return Err(ExportError::NotInFormat { object, format: "VTU", detail: NO_BLOCKS });
+    }
+    Ok(grids)
+}
+
+/// Writes the blocks of a model.
+pub(super) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
+    let grids = grids(job.model, &job.provenances)?;
+    let mut written = Written { plain_cells: true, ..Written::default() };
+    for body in job.bodies {
+        let own = grids.iter().find(|(item, _)| *item == body.item && block_of(job.model, body).is_some());
+        written.bodies.push(own.map_or(Promise::EXACT, |(_, grid)| {
+            let [m, n, l] = grid.divisions();
+            let first = body.surface * m * n * l;
+            let off = (first..first + m * n * l).map(|cell| off_by(grid, cell, &corners(grid, cell)));
+            Promise::sampled(RESERVE * off.fold(0.0, f64::max))
+        }));
+    }
+    let others = job.model.items.iter().filter(|item| !item.curves().is_empty() || !item.surfaces().is_empty());
+    let names: Vec<&str> = others.map(|item| item.name.as_str()).collect();
+    let note = format!("only blocks are in the file (plain cells are theirs), without: {}", names.join(", "));
+    let notes = if names.is_empty() { Vec::new() } else { vec![note] };
+    let mut arrays = Arrays::new(job.options.vtu_encoding);
+    let text = text(&mut arrays, &grids, job);
+    Ok(written.exported(arrays.finish(text), notes))
+}
+
+fn text(arrays: &mut Arrays, grids: &[(usize, StructuredGrid)], job: &Job<'_>) -> String {
+    let points: usize = grids.iter().map(|(_, grid)| grid.nodes().len()).sum();
+    let cells: usize = grids.iter().map(|(_, grid)| grid.cell_count()).sum();
+    let mut out = super::head(job, points, cells);
+    out.push_str("<CellData>\n");
+    let objects = grids.iter().flat_map(|(item, grid)| (0..grid.cell_count()).map(|_| *item as f64));
+    arrays.push(&mut out, Number::Int32, reader::OBJECT, 1, objects);
+    let blocks = grids.iter().flat_map(|(_, grid)| (0..grid.cell_count()).map(|cell| grid.cell_place(cell).0 as f64));
+    arrays.push(&mut out, Number::Int32, reader::PART, 1, blocks);
+    let of_cells = qualities(grids);
+    for (k, name) in NAMES.into_iter().enumerate() {
+        arrays.push(&mut out, Number::Float64, name, 1, of_cells.iter().map(|quality| quality[k]));
+    }
+    out.push_str("</CellData>\n<Points>\n");
+    let places = grids.iter().flat_map(|(_, grid)| grid.nodes()).flat_map(|p| p.to_array());
+    arrays.push(&mut out, Number::Float64, reader::POINTS, 3, places);
+    out.push_str("</Points>\n<Cells>\n");
+    arrays.push(&mut out, Number::Int64, reader::CONNECTIVITY, 1, connectivity(grids).into_iter().map(|k| k as f64));
+    arrays.push(&mut out, Number::Int64, reader::OFFSETS, 1, (1..=cells).map(|k| (8 * k) as f64));
+    arrays.push(&mut out, Number::UInt8, reader::TYPES, 1, (0..cells).map(|_| f64::from(KIND)));
+    out.push_str("</Cells>\n</Piece>\n</UnstructuredGrid>\n");
+    out
+}
+
+/// The nodes of all cells in VTK's order.
+fn connectivity(grids: &[(usize, StructuredGrid)]) -> Vec<usize> {
+    let mut first = 0;
+    let mut all = Vec::new();
+    for (_, grid) in grids {
+        all.extend(grid.cells().flat_map(|cell| ORDER.map(|corner| first + cell[corner])));
+        first += grid.nodes().len();
+    }
+    all
+}
+
+/// As of Bézier cells.
+fn qualities(grids: &[(usize, StructuredGrid)]) -> Vec<[f64; 3]> {
+    let of = |quality: CellQuality| [quality.orthogonality, quality.scaled_jacobian, quality.aspect_ratio];
+    grids.iter().flat_map(|(_, grid)| grid.cell_qualities()).map(of).collect()
+}
+
+/// The corners of a cell, binary order.
+fn corners(grid: &StructuredGrid, cell: usize) -> [Point3; 8] {
+    grid.cell(cell).map(|node| grid.nodes()[node])
+}
+
+/// How far a hexahedron with these corners is from its cell of the block, at places of equal parameters.
+fn off_by(grid: &StructuredGrid, cell: usize, corners: &[Point3; 8]) -> f64 {
+    let (block, at) = grid.cell_place(cell);
+    let block = &grid.blocks()[block];
+    let mut largest = 0.0_f64;
+    for k in 0..PLACES.pow(3) {
+        let own = [k % PLACES, k / PLACES % PLACES, k / PLACES / PLACES].map(|k| k as f64 / (PLACES - 1) as f64);
+        // Of a left-handed block s and t are exchanged.
+        let [a, b, c] = own;
+        let along = if block.is_right_handed() { own } else { [b, a, c] };
+        let place = std::array::from_fn(|axis| {
+            let places = &grid.places()[axis];
+            places[at[axis]] + (places[at[axis] + 1] - places[at[axis]]) * along[axis]
+        });
+        let weight = |corner: usize| {
+            (0..3).map(|axis| if corner >> axis & 1 == 0 { 1.0 - own[axis] } else { own[axis] }).product::<f64>()
+        };
+        let way =
+            (0..8).map(|corner| (corners[corner] - corners[0]) * weight(corner)).fold(Vec3::ZERO, |sum, v| sum + v);
+        largest = largest.max((corners[0] + way).distance(block.point(place)));
+    }
+    largest
+}
+
+/// Holds what was read against the model: the distance of each body.
+pub(super) fn deviations(made: &Made<'_>, content: &FileContent, read: &reader::Plain) -> Result<Vec<f64>, ReadError> {
+    let (model, bodies) = (made.ready.model, &made.ready.bodies);
+    let grids =
+        grids(model, &made.ready.provenances).map_err(|error| ReadError::syntax("the model", error.to_string()))?;
+    let count: usize = grids.iter().map(|(_, grid)| grid.cell_count()).sum();
+    if content.volumes.len() != count || read.connectivity != connectivity(&grids) {
+        return Err(ReadError::syntax(reader::CONNECTIVITY, "its cells are not those of the blocks"));
+    }
+    if read.qualities != qualities(&grids) {
+        return Err(ReadError::syntax("CellData", "the quality of a cell is not that of its block"));
+    }
+    let of_blocks: HashMap<(usize, usize), usize> =
+        bodies.iter().enumerate().map(|(index, body)| ((body.item, body.surface), index)).collect();
+    let mut deviations = vec![0.0; bodies.len()];
+    let mut first = 0;
+    for (item, grid) in &grids {
+        for cell in 0..grid.cell_count() {
+            let (block, _) = grid.cell_place(cell);
+            if read.tags[first + cell] != [*item, block] {
+                return Err(ReadError::Volume {
+                    volume: first + cell,
+                    detail: "it says that it belongs to another block",
+                });
+            }
+            let rows = content.volumes[first + cell].volume.rows();
+            // The last parameter is the fastest of rows, the first of corners.
+            let corner = |k: usize| {
+                let [x, y, z, _] = rows[(k & 1) << 2 | (k & 2) | k >> 2];
+                Point3::new(x, y, z)
+            };
+            let off = off_by(grid, cell, &std::array::from_fn(corner));
+            if let Some(body) = of_blocks.get(&(*item, block)) {
+                deviations[*body] = larger(deviations[*body], off);
+            }
+        }
+        first += grid.cell_count();
+    }
+    Ok(deviations)
+}

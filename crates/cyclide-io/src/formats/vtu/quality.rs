@@ -1,0 +1,42 @@
+//! How good the cells of blocks are, as solvers ask: right angles, their Jacobian, and how long they are.
+
+use crate::export::parts::BodyOf;
+use crate::export::rational_cells::block_of;
+use cyclide::{CyclideVolume, Model, ParamVolume as _, Vec3};
+
+/// Names of the three numbers.
+pub(super) const NAMES: [&str; 3] = ["orthogonality", "scaled_jacobian", "aspect_ratio"];
+
+/// Places along each parameter of a cell, its ends among them.
+const PLACES: usize = 3;
+
+/// The quality of all parts of blocks, in file order: the largest cosine between parameter lines, the least Jacobian over the product of the lengths of
+/// the three derivatives (1 where lines cross at right angles, negative beyond a fold), and the largest ratio of two of these lengths at one place.
+pub(super) fn qualities(model: &Model, bodies: &[BodyOf<'_>], parts: &[Vec<[[f64; 2]; 3]>]) -> Vec<[f64; 3]> {
+    let of_body = |(body, parts): (&BodyOf<'_>, &Vec<[[f64; 2]; 3]>)| {
+        let block = block_of(model, body).map(CyclideVolume::right_handed);
+        parts.iter().filter_map(|part| block.map(|block| quality(&block, part))).collect::<Vec<_>>()
+    };
+    bodies.iter().zip(parts).flat_map(of_body).collect()
+}
+
+fn quality(block: &CyclideVolume, part: &[[f64; 2]; 3]) -> [f64; 3] {
+    let step = |k: usize| k as f64 / (PLACES - 1) as f64;
+    let mut found = [0.0_f64, f64::INFINITY, 1.0_f64];
+    for k in 0..PLACES.pow(3) {
+        let own = [step(k % PLACES), step(k / PLACES % PLACES), step(k / PLACES / PLACES)];
+        let at = std::array::from_fn(|axis| part[axis][0] + (part[axis][1] - part[axis][0]) * own[axis]);
+        let jet = block.jet(at);
+        let sides: [Vec3; 3] = std::array::from_fn(|axis| jet.first[axis] * (part[axis][1] - part[axis][0]));
+        let lengths = sides.map(Vec3::length);
+        let (least, most) = lengths.iter().fold((f64::INFINITY, 0.0_f64), |(lo, hi), v| (lo.min(*v), hi.max(*v)));
+        let scaled = match sides.map(|side| side.unit()) {
+            [Some(a), Some(b), Some(c)] => a.cross(b).dot(c),
+            _ => 0.0,
+        };
+        let ratio = if least > 0.0 { (most / least).min(f64::MAX) } else { f64::MAX };
+        found = [found[0].max(jet.orthogonality()), found[1].min(scaled), found[2].max(ratio)];
+    }
+    // Numbers of a file are finite.
+    found.map(|v| if v.is_finite() { v } else { f64::MAX })
+}

@@ -1,0 +1,265 @@
+//! Exact patches and cells for analysis programs: VTU, MFEM, G+Smo.
+
+use crate::damage::Damage;
+use crate::models::{annulus, curve_and_surfaces, mixed, octant, space_chain, splines, surfaces, tilted, torus_part};
+use cyclide::{
+    CurveObject, CyclideGrid, CyclideVolume, DupinCyclide, Geometry, Grading, Item, Model, Point3,
+    RationalBezierSurface, Shell, SphericalCube, Units, Vec3, VolumeFrame,
+};
+use cyclide_io::{
+    ExportOptions, Exporter, Format, Provenance, VtuCells, VtuEncoding, export, file_deviation, read_back,
+};
+
+const FORMATS: [Format; 3] = [Format::Vtu, Format::Mfem, Format::Gismo];
+
+/// Layers round a whole torus: every block has neighbours on four sides.
+fn layers() -> Model {
+    let torus = DupinCyclide::new(3.0, 0.0, 1.0).unwrap().nets([4, 4]).unwrap().remove(0);
+    let wall = CyclideGrid::layers(&torus, &[-0.5, -0.1, 0.0]).unwrap();
+    let blocks = Geometry::Volumes(wall.blocks().collect());
+    Model { items: vec![Item::new("wall", blocks)], units: Units::Inch }
+}
+
+/// A block over half a ring, whose weights are not all positive: it is cut.
+fn half_ring() -> CyclideVolume {
+    let at = |x: f64, z: f64| Point3::new(x, 0.0, z);
+    let corners =
+        [at(10.0, 0.0), at(-10.0, 0.0), at(10.0, 5.0), at(-10.0, 5.0), at(20.0, 0.0), at(-20.0, 0.0), at(20.0, 5.0)];
+    CyclideVolume::new(&SphericalCube::new(corners).unwrap(), VolumeFrame::First(Vec3::Y, Vec3::Z)).unwrap()
+}
+
+fn box_of(origin: Point3) -> CyclideVolume {
+    let cube = SphericalCube::cuboid(origin, [Vec3::X, Vec3::Y * 2.0, Vec3::Z]).unwrap();
+    CyclideVolume::new(&cube, VolumeFrame::Auto).unwrap()
+}
+
+fn models() -> Vec<Model> {
+    let mut models = vec![
+        surfaces(&[octant(), annulus(), torus_part(Point3::new(5.0, -3.0, 9.0))]),
+        mixed(tilted),
+        crate::models::model(vec![("s", vec![CurveObject::ArcPath(space_chain())])]),
+        layers(),
+        Model::default().with_volume("half", half_ring()),
+    ];
+    models.extend(splines().into_iter().map(|(_, model)| model));
+    models
+}
+
+#[test]
+fn files_are_exact_and_the_same_every_time() {
+    for model in models() {
+        for format in FORMATS {
+            // Circle splines of the trigonometric kind have no exact form: their promise is the tolerance.
+            let file = match export(&model, format, &ExportOptions::default()) {
+                // Splines of the trigonometric kind may have a higher degree than MFEM takes.
+                Err(error) if format == Format::Mfem && error.reason() == "not-in-format" => continue,
+                other => other.unwrap(),
+            };
+            let off = file_deviation(&model, format, &file).unwrap();
+            // Rounding of coordinates up to 100.
+            assert!(off <= file.bound + 1e-12, "{format:?}: {off:e} of {:e}", file.bound);
+            assert_eq!(file.bytes, export(&model, format, &ExportOptions::default()).unwrap().bytes);
+        }
+    }
+}
+
+/// A contour of arcs is one patch, not one for each.
+#[test]
+fn arcs_that_follow_each_other_are_one_curve() {
+    let model = crate::models::model(vec![("s", vec![CurveObject::ArcPath(space_chain())])]);
+    for format in [Format::Mfem, Format::Gismo] {
+        let content = read_back(format, &export(&model, format, &ExportOptions::default()).unwrap().bytes).unwrap();
+        assert_eq!(content.curves[0].pieces().len(), 1, "{format:?}");
+    }
+}
+
+#[test]
+fn neighbours_are_joined_and_what_differs_is_said() {
+    let text = |model: &Model, format| {
+        let file = export(model, format, &ExportOptions::default()).unwrap();
+        (String::from_utf8(file.bytes).unwrap(), file.notes.join(" "))
+    };
+    // 4 by 4 by 2 blocks: 16 by 3 corners; only the inner skin and the outer one are free.
+    let (mesh, note) = text(&layers(), Format::Mfem);
+    assert!(
+        mesh.contains("\nelements\n32\n") && mesh.contains("\nboundary\n32\n") && mesh.contains("\nvertices\n48\n")
+    );
+    assert!(note.is_empty());
+    let (xml, _) = text(&layers(), Format::Gismo);
+    let inside =
+        |name: &str| xml.split_once(&format!("<{name}>")).unwrap().1.split_once('<').unwrap().0.lines().count();
+    // A line end before each line.
+    assert_eq!((inside("interfaces") - 1, inside("boundary") - 1), (80, 32));
+    // Two boxes that touch: whole faces are joined over objects. Of the half ring all parts are halved alike.
+    let two =
+        Model::default().with_volume("a", box_of(Point3::ORIGIN)).with_volume("b", box_of(Point3::new(1.0, 0.0, 0.0)));
+    assert!(text(&two, Format::Mfem).0.contains("\nvertices\n12\n"));
+    let half = Model::default().with_volume("half", half_ring());
+    let (mesh, note) = text(&half, Format::Mfem);
+    assert!(mesh.contains("\nelements\n8\n") && mesh.contains("\nvertices\n27\n") && note.is_empty());
+    // A box upside down: its parameters run another way on the face that is shared.
+    let mut turned = two;
+    let flipped = box_of(Point3::new(1.0, 0.0, 0.0)).permuted([0, 2, 1]).unwrap().reversed(1);
+    turned.items[1].geometry = Geometry::Volumes(vec![flipped]);
+    for (format, words) in [(Format::Mfem, "are not joined to them"), (Format::Gismo, "are no interfaces")] {
+        let (_, note) = text(&turned, format);
+        assert!(note.starts_with("2 sides of patches touch others") && note.contains(words), "{note}");
+    }
+}
+
+#[test]
+fn a_mesh_has_one_dimension_and_names_what_is_left_out() {
+    let file = export(&curve_and_surfaces(), Format::Mfem, &ExportOptions::default()).unwrap();
+    let note = "only surfaces are in the file (an MFEM mesh has one dimension), without: slot";
+    assert_eq!(file.notes, [note]);
+    assert!(String::from_utf8(file.bytes).unwrap().contains("\ndimension\n2\n"));
+    let mut model = curve_and_surfaces().with_volume("block", box_of(Point3::ORIGIN));
+    model.items.rotate_right(1);
+    let file = export(&model, Format::Mfem, &ExportOptions::default()).unwrap();
+    assert!(file.notes[0].starts_with("only volumes") && file.notes[0].ends_with("without: slot, s0, s1"));
+    assert!(file_deviation(&model, Format::Mfem, &file).unwrap() < 1e-14);
+    // G+Smo and VTU hold all of them, G+Smo the volume first.
+    let content =
+        read_back(Format::Gismo, &export(&model, Format::Gismo, &ExportOptions::default()).unwrap().bytes).unwrap();
+    assert_eq!((content.volumes.len(), content.patches.len(), content.curves.len()), (1, 2, 1));
+}
+
+#[test]
+fn degrees_that_mfem_reads_wrongly_are_refused() {
+    let face = |degree: usize| {
+        let rows = (0..=degree).flat_map(|i| (0..2).map(move |j| [i as f64, j as f64, 0.1 * (i * i) as f64, 1.0]));
+        let surface = RationalBezierSurface::new([degree, 1], rows.collect()).unwrap();
+        Model::default().with_surface("face", Shell::from_surface(surface).unwrap())
+    };
+    assert!(export(&face(10), Format::Mfem, &ExportOptions::default()).is_ok());
+    let error = export(&face(11), Format::Mfem, &ExportOptions::default()).unwrap_err();
+    assert_eq!(error.reason(), "not-in-format");
+    let start = "object face: MFEM cannot hold this: a degree above 10, which MFEM reads wrongly";
+    assert!(error.to_string().starts_with(start), "{error}");
+    for format in [Format::Vtu, Format::Gismo] {
+        let file = export(&face(11), format, &ExportOptions::default()).unwrap();
+        assert!(file_deviation(&face(11), format, &file).unwrap() < 1e-13);
+    }
+}
+
+/// The bytes of the numbers in place of their digits: the same content.
+#[test]
+fn appended_bytes_hold_what_digits_hold() {
+    let appended = ExportOptions { vtu_encoding: VtuEncoding::Base64, ..ExportOptions::default() };
+    for model in [layers(), curve_and_surfaces()] {
+        let [digits, bytes] =
+            [&ExportOptions::default(), &appended].map(|options| export(&model, Format::Vtu, options).unwrap());
+        assert!(bytes.bytes != digits.bytes);
+        assert!(file_deviation(&model, Format::Vtu, &bytes).unwrap() < 1e-13);
+        assert_eq!(read_back(Format::Vtu, &bytes.bytes), read_back(Format::Vtu, &digits.bytes));
+    }
+    let damage = Damage::with(layers(), Format::Vtu, &appended);
+    let lost = damage.bytes(|bytes| bytes.truncate(bytes.len() / 2));
+    assert!(lost.unwrap_err().to_string().contains("appended"));
+}
+
+#[test]
+fn qualities_are_those_of_the_blocks() {
+    let file = export(&layers(), Format::Vtu, &ExportOptions::default()).unwrap();
+    let text = String::from_utf8(file.bytes).unwrap();
+    let values = |name: &str| -> Vec<f64> {
+        let rest = text.split_once(&format!("Name=\"{name}\"")).unwrap().1;
+        let (_, rest) = rest.split_once('>').unwrap();
+        rest.split_once('<').unwrap().0.split_whitespace().map(|word| word.parse().unwrap()).collect()
+    };
+    // Lines cross at right angles, to rounding.
+    assert!(values("orthogonality").iter().all(|v| *v < 1e-14));
+    assert!(values("scaled_jacobian").iter().all(|v| (v - 1.0).abs() < 1e-14));
+    // The upper layer is 0.1 high; round the axis a block is a quarter of up to 2 pi 4 long, in its parameter up to twice as fast as even.
+    let ratios = values("aspect_ratio");
+    assert!(
+        ratios.len() == 32 && ratios.iter().all(|v| *v > 1.0) && ratios[16..].iter().any(|v| *v > 40.0),
+        "{ratios:?}"
+    );
+    // Faces and curves have none.
+    let mixed = curve_and_surfaces().with_volume("block", box_of(Point3::ORIGIN));
+    let text = String::from_utf8(export(&mixed, Format::Vtu, &ExportOptions::default()).unwrap().bytes).unwrap();
+    let row = text.split_once("Name=\"aspect_ratio\"").unwrap().1.split_once(">\n").unwrap().1;
+    assert!(row.starts_with("0 ") && row.split_once('\n').unwrap().0.ends_with(" 2"), "{row}");
+    let damage = Damage::new(layers(), Format::Vtu);
+    let one = format!("{}", values("aspect_ratio")[0]);
+    assert!(damage.refused(&[(one.as_str(), "7")]).contains("quality"));
+}
+
+#[test]
+fn damage_is_found_out() {
+    let unit = "a unit of the file is 1 mm long, one of the model 25.4 mm";
+    let mesh = Damage::new(layers(), Format::Mfem);
+    assert_eq!(mesh.refused(&[("units in", "units mm")]), unit);
+    assert_eq!(
+        mesh.refused(&[("attribute 1: wall", "attribute 1: roof")]),
+        "attribute 0 is `roof` in the file, `wall` in the model"
+    );
+    // Corners that are not those of the patches, and a side of the boundary with the attribute of another.
+    assert!(
+        mesh.refused(&[("\n1 5 0 1 3 2 4 5 7 6\n", "\n1 5 1 0 3 2 4 5 7 6\n")]).contains("not those of the patches")
+    );
+    assert!(mesh.refused(&[("\n5 3 ", "\n6 3 ")]).contains("not those of the patches"));
+    assert!(
+        mesh.refused(&[("\nknotvectors\n3\n2 3 0 0 0 1 1 1\n", "\nknotvectors\n3\n2 3 0 0 0 2 2 2\n")])
+            .contains("knots")
+    );
+    let xml = Damage::new(layers(), Format::Gismo);
+    assert_eq!(xml.refused(&[("units in", "units mm")]), unit);
+    assert_eq!(
+        xml.refused(&[("object 0: wall", "object 0: roof")]),
+        "object 0 is `roof` in the file, `wall` in the model"
+    );
+    assert!(xml.refused(&[("10 2 11 1 0 1 2 1 1 1", "10 2 11 1 1 0 2 1 1 1")]).contains("interfaces and boundary"));
+    for damage in [mesh, xml] {
+        // A control point moved by a tenth: no longer that of its neighbour, or off.
+        let text = String::from_utf8(damage.file.bytes.clone()).unwrap();
+        let moved = damage.bytes(|bytes| {
+            let number = text
+                .split_ascii_whitespace()
+                .rev()
+                .find(|word| word.len() > 15 && !word.contains('e') && word.contains('.'))
+                .unwrap();
+            let at = text.rfind(number).unwrap();
+            let digit = at + number.find('.').unwrap() + 1;
+            bytes[digit] = if bytes[digit] == b'1' { b'2' } else { b'1' };
+        });
+        assert!(moved.is_err() || moved.is_ok_and(|off| off > 1e-3));
+    }
+}
+
+/// Cells of a grid whose nodes neighbours share, in place of blocks: off by less, the more there are.
+#[test]
+fn divided_blocks_are_plain_hexahedra() {
+    let (model, options) = (layers(), ExportOptions { vtu_cells: VtuCells::Linear, ..ExportOptions::default() });
+    let mut before = f64::INFINITY;
+    for n in [2, 4] {
+        let places = Grading::Uniform.places(n).unwrap();
+        let places = Some([places.clone(), places, vec![0.0, 0.25, 1.0]]);
+        let divided = [Provenance { kind: "layers", places, ..Provenance::default() }];
+        let exporter = Exporter::with_provenance(&model, &divided).unwrap();
+        let file = exporter.export(Format::Vtu, &options).unwrap();
+        let text = String::from_utf8(file.bytes.clone()).unwrap();
+        // 4 n cells round and round, 2 through each of 2 layers.
+        let counts =
+            format!("NumberOfPoints=\"{}\" NumberOfCells=\"{}\"", (4 * n) * (4 * n) * 5, (4 * n) * (4 * n) * 4);
+        assert!(text.contains(&counts), "{}", &text[..600]);
+        let off = exporter.deviation(Format::Vtu, &file).unwrap();
+        assert!(
+            !file.exact && file.sampled && off <= file.bound && off > 0.5 * file.bound,
+            "{off:e} of {:e}",
+            file.bound
+        );
+        // Halves are off by a quarter.
+        assert!(off < 0.35 * before);
+        before = off;
+        let content = read_back(Format::Vtu, &file.bytes).unwrap();
+        assert!(content.volumes.iter().all(|own| own.volume.degrees() == [1; 3]));
+        let mut wrong = file.clone();
+        wrong.bytes = text.replacen(" 0 1 ", " 1 0 ", 1).into_bytes();
+        assert!(wrong.bytes != file.bytes && exporter.deviation(Format::Vtu, &wrong).is_err());
+    }
+    let message = |model: &Model| export(model, Format::Vtu, &options).unwrap_err().to_string();
+    assert!(message(&layers()).contains("its blocks are not divided into cells: give it `cells`"));
+    assert!(message(&curve_and_surfaces()).contains("plain cells are those of blocks"));
+}

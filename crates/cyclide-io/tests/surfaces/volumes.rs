@@ -1,0 +1,128 @@
+//! Volumes: grids of blocks, layers, cells, the outer boundary, and what is refused of them.
+
+use cyclide_io::{GeometryReport, ObjectReport, VolumeReport, sample_cells};
+
+use super::build;
+
+/// Three planes of an uneven box of 2 by 1 by 2 blocks, with one point of the plane t = 0 moved.
+fn planes(moved: f64) -> String {
+    let (x, y, z) = ([0.0, 1.0, 3.0], [0.0, 2.0], [0.0, 0.5, 1.5]);
+    let rows = |outer: &[f64], inner: &[f64], point: &dyn Fn(f64, f64) -> [f64; 3]| -> Vec<Vec<[f64; 3]>> {
+        outer.iter().map(|o| inner.iter().map(|i| point(*i, *o)).collect()).collect()
+    };
+    let st = rows(&y, &x, &|x, y| [x, y, 0.0]);
+    let mut su = rows(&z, &x, &|x, z| [x, 0.0, z]);
+    su[2][2][0] += moved;
+    let tu = rows(&z, &y, &|y, z| [0.0, y, z]);
+    format!(r#""planes": {{"st": {st:?}, "su": {su:?}, "tu": {tu:?}}}"#)
+}
+
+fn report(objects: &str) -> VolumeReport {
+    match ObjectReport::new(&build(objects).unwrap(), None).geometry {
+        GeometryReport::Volume(report) => *report,
+        other => panic!("no volume: {other:?}"),
+    }
+}
+
+/// The reason of a refusal, and all that is said.
+fn refused(objects: &str) -> (Option<String>, String) {
+    let message = build(objects).unwrap_err();
+    let reason = message.lines().next().and_then(|line| line.rsplit_once(" [")).map(|(_, word)| word.replace(']', ""));
+    (reason, message)
+}
+
+#[test]
+fn grids_come_from_three_planes() {
+    let grid = format!(r#""g": {{"type": "cyclide-grid", {}, "cells": [2, 3, 4]}}"#, planes(0.0));
+    let found = report(&grid);
+    assert!(found.blocks == 4 && (found.volume - 9.0).abs() < 1e-12);
+    let cells = found.cells.unwrap();
+    // (2 x 2 + 1) (1 x 3 + 1) (2 x 4 + 1) nodes: neighbours share theirs.
+    assert_eq!((cells.count, cells.nodes, cells.inverted), (96, 5 * 4 * 9, 0));
+    assert!((cells.scaled_jacobian - 1.0).abs() < 1e-14 && (cells.shortest_side - 0.125).abs() < 1e-14);
+    let (reason, message) = refused(&format!(r#""g": {{"type": "cyclide-grid", {}}}"#, planes(0.1)));
+    assert_eq!(reason.as_deref(), Some("not-concircular"));
+    assert!(message.contains("block 3"), "{message}");
+    let both = format!(r#""g": {{"type": "cyclide-grid", {}, "whole": {{"a": 3, "mu": [0.5, 1]}}}}"#, planes(0.0));
+    assert!(refused(&both).1.contains("either `planes` or `whole`"));
+}
+
+#[test]
+fn planes_agree_on_their_common_lines() {
+    let text = planes(0.0).replace(r#""tu": [[[0.0, 0.0, 0.0]"#, r#""tu": [[[0.0, 0.1, 0.0]"#);
+    let (reason, message) = refused(&format!(r#""g": {{"type": "cyclide-grid", {text}}}"#));
+    assert!(reason.as_deref() == Some("not-concircular") && message.contains("from that of `st`"), "{message}");
+    let text = planes(0.0).replace(r#""st": [[[0.0, 0.0, 0.0], "#, r#""st": [["#);
+    assert!(refused(&format!(r#""g": {{"type": "cyclide-grid", {text}}}"#)).1.contains("points along s"));
+}
+
+#[test]
+fn whole_cyclides_close_and_their_skin_is_one_solid() {
+    let whole = r#""w": {"type": "cyclide-grid", "whole": {"a": 4, "c": 1, "mu": [1.2, 1.5, 2], "segments": [6, 4]}, "cells": 2}"#;
+    let found = report(whole);
+    let cells = found.cells.unwrap();
+    assert_eq!((found.blocks, cells.nodes), (48, 12 * 8 * 5));
+    let skin =
+        build(&format!(r#"{whole}, "skin": {{"type": "coordinate-surfaces", "of": "w", "outer": true}}"#)).unwrap();
+    let [body] = skin.bodies.as_slice() else { panic!("{} bodies", skin.bodies.len()) };
+    let volume: f64 = body.shells().map(cyclide::Shell::volume).sum();
+    assert!(body.voids.len() == 1 && (volume - found.volume).abs() < 1e-9 * volume);
+    // An image has the cells of its object.
+    let steps = r#"[{"scale": {"factor": 2}}]"#;
+    let moved = format!(r#"{whole}, "m": {{"type": "transform", "of": "w", "steps": {steps}}}"#);
+    let moved = report(&moved).cells.unwrap();
+    assert!(moved.nodes == cells.nodes && (moved.shortest_side - 2.0 * cells.shortest_side).abs() < 1e-12);
+    let falling = whole.replace("[1.2, 1.5, 2]", "[1.2, 1.7, 1.5]");
+    assert_eq!(refused(&falling).0.as_deref(), Some("parameters-not-increasing"));
+    let folded = whole.replace("[1.2, 1.5, 2]", "[0.5, 2]");
+    assert_eq!(refused(&folded).0.as_deref(), Some("offset-not-regular"));
+}
+
+#[test]
+fn layers_fold_nowhere() {
+    let wall = r#""w": {"type": "cyclide", "a": 4, "c": 1, "mu": 2}"#;
+    let layers = |fields: &str| format!(r#"{wall}, "l": {{"type": "layers", "of": "w", {fields}}}"#);
+    // To the nearest centre of curvature it is mu - c = 1 inwards.
+    assert_eq!(report(&layers(r#""first": -0.1, "growth": 1.5, "count": 4"#)).blocks, 64); // 0.81 together
+    for fields in [r#""first": -0.1, "growth": 1.5, "count": 5"#, r#""distances": [-1.2, 0]"#] {
+        let (reason, message) = refused(&layers(fields));
+        assert_eq!(reason.as_deref(), Some("offset-not-regular"), "{message}");
+        let field = if fields.contains("count") { "first" } else { "distances" };
+        assert!(message.contains(field), "{message}");
+    }
+    assert_eq!(refused(&layers(r#""distances": [0, 0.2, 0.1]"#)).0.as_deref(), Some("parameters-not-increasing"));
+    assert_eq!(refused(&layers(r#""first": 0, "count": 3"#)).0.as_deref(), Some("parameters-not-increasing"));
+    assert_eq!(refused(&layers(r#""first": 1e300, "growth": 1e10, "count": 9"#)).0.as_deref(), Some("not-finite"));
+}
+
+#[test]
+fn cells_have_a_law_that_fits() {
+    let wall = |cells: &str| {
+        format!(r#""w": {{"type": "cyclide-grid", "whole": {{"a": 3, "mu": [0.5, 1]}}, "cells": {cells}}}"#)
+    };
+    let graded = wall(r#"[1, 1, {"count": 10, "law": "tanh", "first": 0.01, "fine": "both"}]"#);
+    let rows = sample_cells(&build(&graded).unwrap()).unwrap();
+    assert_eq!(rows.lines().count(), 1 + 16 * 4 * 11);
+    // The first line across of the first block: the inner equator, from the radius 2.5 of the inner skin to 2.
+    let first = rows.lines().skip(1).step_by(4).take(11);
+    let across: Vec<f64> = first.map(|row| row.split(',').nth(4).unwrap().parse().unwrap()).collect();
+    // The stretch is found to 1e-9 of the first cell.
+    let wanted = [(0, 2.5), (1, 2.49), (5, 2.25), (9, 2.01), (10, 2.0)];
+    assert!(wanted.iter().all(|(k, x)| (across[*k] - x).abs() < 1e-10), "{across:?}");
+    for (cells, word) in [
+        (r#"[1, 1, {"count": 4, "ratio": 1.2, "first": 0.1}]"#, "give one of"),
+        (r#"[1, 1, {"count": 4, "law": "uniform", "ratio": 1.2}]"#, "give one of"),
+        (r#"[1, 1, {"count": 4, "law": "tanh"}]"#, "give one of"),
+        (r#"[1, 1, {"count": 4, "first": 0.6}]"#, "first cell"),
+        (r#"[1, 1, {"count": 4, "law": "tanh", "first": 0.3}]"#, "first cell"),
+        (r#"[1, 1, {"count": 4, "ratio": 0}]"#, "ratio"),
+        (r#"[1, 1, {"count": 0}]"#, "number of cells"),
+        ("0", "number of cells"),
+        ("[1, 1]", "three"),
+        ("-1", "a number of cells"),
+        ("[4096, 4096, 2]", "grid of cells"),
+    ] {
+        let message = refused(&wall(cells)).1;
+        assert!(message.contains(word), "{cells}: {message}");
+    }
+}
