@@ -78,7 +78,7 @@
 //! | evaluation | [`ParamCurve::point`], [`ParamCurve::jet`], [`ParamSurface::point`], [`ParamSurface::jet`], [`CurveJet`], [`SurfaceJet`]; what a piece is: [`PieceForm`], [`PieceHull`] |
 //! | measures of curves | [`length()`], [`resample`], [`ArcLength`], [`closest_point`] ([`ClosestPoint`]), [`CurveIndex`], [`farthest_point`] ([`FarthestPoint`]), [`bounds()`] |
 //! | frames along curves | [`CurveFrames`] ([`FrameRule`], [`ClosedTwist`], [`CurveFrame`]) |
-//! | continuity and fairness | [`joints`] ([`Joint`]), [`extreme_curvature`] ([`ExtremeCurvature`]), [`bending_energy`], [`tight_places`] ([`TightPlace`]), [`plane_normal`], [`curvature_comb`], [`fairness()`] ([`Fairness`]), [`wavering()`] ([`Wavering`], [`RoundedTurns`], [`CORNER_ANGLE`]) |
+//! | continuity and fairness | [`joints`] ([`Joint`]), [`extreme_curvature`] ([`ExtremeCurvature`]), [`bending_energy`], [`tight_places`] ([`TightPlace`]), [`cusps`] ([`CurveCusp`]), [`plane_normal`], [`curvature_comb`], [`fairness()`] ([`Fairness`]), [`wavering()`] ([`Wavering`], [`RoundedTurns`], [`CORNER_ANGLE`]) |
 //! | exact rational forms | [`NurbsCurve`], [`RationalBezier`], [`RationalBezierSurface`], [`RationalBezierVolume`], [`RationalRun`] |
 //! | patches, nets, whole cyclides | [`CyclidePatch`] ([`PatchKind`], [`ImplicitForm`], [`PatchRow`], [`PatchLocation`]), [`CyclidicNet`] ([`NetFrame`], [`SingularPatch`]), [`DupinCyclide`] ([`CyclideKind`]), [`QuadGrid`], [`Seam`] ([`SeamMeasure`]) |
 //! | volumes | [`CyclideGrid`], [`CyclideVolume`] ([`VolumeFrame`], [`FoldVerdict`], [`VolumeLocation`], [`VolumeMeasure`]), [`SphericalCube`], [`miquel_point`], [`ParamVolume`], [`VolumeJet`] |
@@ -151,7 +151,9 @@ pub use curve::{
     BlendLaw, BlendSegment, BlendVariant, CircleSpline, CircleSplineOptions, SplineEnds, corners_by_angle,
 };
 pub use curve::{CORNER_ANGLE, Fairness, RoundedTurns, Wavering, fairness, plane_normal, wavering};
-pub use curve::{ClosedTwist, CurveFrame, CurveFrames, FrameRule, TightPlace, bending_energy, tight_places};
+pub use curve::{
+    ClosedTwist, CurveCusp, CurveFrame, CurveFrames, FrameRule, TightPlace, bending_energy, cusps, tight_places,
+};
 pub use curve::{Correspondence, CurvePlace, Span};
 pub use curve::{FarthestPoint, farthest_point};
 pub use curve::{QbCurve, QbReach, QbSpline};
