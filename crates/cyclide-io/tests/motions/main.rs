@@ -4,6 +4,7 @@
 
 mod animations;
 mod extremes;
+mod sources;
 
 use std::path::Path;
 
@@ -143,7 +144,7 @@ fn refusals_are_at_their_place() {
         ("x,y,z,roll_deg,pitch,yaw\n0,0,0,0,0,0\n1,0,0,0,0,0\n", "roll_deg, pitch, yaw speak of different units"),
         ("x,y,z,roll,pitch\n0,0,0,0,0\n1,0,0,0,0\n", "no column is named `yaw`"),
         ("x,y,z,qw,qx,qy,qz,yaw\n0,0,0,1,0,0,0,0\n1,0,0,1,0,0,0,0\n", "twice, as quaternions and as angles"),
-        ("x,y,z,m11\n0,0,0,1\n1,0,0,1\n", "beside a quaternion only"),
+        ("x,y,z,m11\n0,0,0,1\n1,0,0,1\n", "no column is named `m12`"),
     ] {
         let message = build_all(&motion(r#""poses": {"csv": "poses.csv"}"#), table).unwrap_err();
         assert!(message.contains(expected), "{message}");
