@@ -14,12 +14,12 @@
 //! | curves | [`ArcSpec`], [`BiarcSpec`], [`CircleSpec`], [`PolylineSpec`], [`ArcSplineSpec`], [`CircleSplineSpec`] ([`EndsSpec`], [`ClampedEnds`]), [`FairSplineSpec`] ([`FairEndsSpec`], [`FairEndPair`], [`FairEndSpec`], [`FairEndWord`], [`StraightWord`]), [`ArcFitSpec`], [`FairFitSpec`], [`NurbsSpec`] |
 //! | quaternionic curves through points | [`QbInterpolationSpec`] ([`ParametersSpec`], [`ParameterRule`]), [`MoebiusSplineSpec`] ([`MoebiusContinuity`]), [`InterpolationFacts`], [`QbReport`] |
 //! | curves on a torus | [`TorusSplineSpec`] ([`TorusMethod`], [`WindingSpec`]), [`TorusKnotSpec`], [`TorusQuarticSpec`], [`TorusCircleSpec`] ([`FamilySpec`]), [`TorusSource`] ([`TorusSpec`]), [`UnrolledSpec`], [`TorusSeamSpec`] |
-//! | volumes | [`CyclideVolumeSpec`], [`CyclideGridSpec`] ([`CoordinatePlanesSpec`], [`WholeCyclideSpec`]), [`LayersSpec`], [`CoordinateSurfacesSpec`], cells [`CellsSpec`] ([`CellsAlongSpec`], [`GradedCellsSpec`], [`CellLaw`]), [`VolumeReport`] ([`FoldsReport`], [`CellsReport`], [`CellPlace`]) |
+//! | volumes | [`CyclideVolumeSpec`], [`CyclideGridSpec`] ([`CoordinatePlanesSpec`], [`WholeCyclideSpec`]), [`LayersSpec`], [`CoordinateSurfacesSpec`], cells [`CellsSpec`] ([`CellsAlongSpec`], [`GradedCellsSpec`], [`CellLaw`]), [`VolumeReport`] ([`FoldsReport`], [`CellsReport`], [`CellPlace`]), [`sample_cells`] |
 //! | patches and nets | [`CyclidePatchSpec`], [`CyclideSpec`], [`CyclidicNetSpec`] ([`GridSource`], [`MeshFile`], [`FrameSpec`]), [`MakeCircularSpec`] ([`MakeCircularOptions`], [`BorderSpec`], [`BorderWord`], [`BorderCurves`]), [`OffsetSpec`], [`SupportStructureSpec`] |
 //! | surfaces over triangles, polyhedra | [`SmoothMeshSpec`] ([`NormalsSpec`], [`PolygonMeshFile`]), [`SphereBlendSpec`], [`SmoothPolyhedronSpec`] |
 //! | bodies made from curves | [`RevolutionSpec`], [`PipeSpec`], [`TubeSpec`] ([`RadiusLawSpec`]), [`PlateWithNeckSpec`] ([`PlateSpec`], [`DiskSpec`]), [`EllipseBridgeSpec`] ([`BridgeArcs`]), [`CircularSurfaceSpec`], [`RuledSpec`] |
 //! | tees and crossings | [`PipeTeeSpec`] ([`TeeMainSpec`], [`TeeBranchSpec`], [`TeeBlendSpec`], [`TeeLawSpec`], [`TeeRadiusSpec`]), [`PipeCrossingSpec`] ([`CrossingPipeSpec`], [`CrossingBlendSpec`], [`CrossingLawSpec`]), [`ContactBlendSpec`] ([`BlendTubeSpec`], [`BlendRingSpec`]) |
-//! | motions of bodies | [`MotionSpec`] ([`MotionKind`], [`PoseSource`], [`PoseFile`], [`PoseSpec`], [`StartSpec`]), [`TrajectorySpec`], [`SweptSurfaceSpec`], [`MotionReport`], [`sample_cells`], [`sample_poses`] |
+//! | motions of bodies | [`MotionSpec`] ([`MotionKind`], [`PoseSource`], [`PoseFile`], [`PoseSpec`], [`StartSpec`]), [`TrajectorySpec`], [`SweptSurfaceSpec`], [`MotionReport`] ([`PeakReport`]), [`sample_poses`] |
 //! | maps | [`TransformSpec`], [`RotationSpec`], [`ScaleSpec`], [`SphereSpec`], [`PlaneSpec`] |
 //! | lists of points | [`read_points`] ([`PointTable`], [`PointList`], [`PointRemark`], [`PointColumns`], [`ColumnUnit`], [`unit_of_columns`]) |
 //! | meshes | [`read_quad_grid`] ([`ObjGrid`]), [`MeshFormat`] |
@@ -94,11 +94,11 @@ pub use measure::joints::SurfaceJointReport;
 pub use report::{
     CellPlace, CellsReport, CheckError, CircularReport, ComparisonReport, ContourSamples, CurvatureRangeReport,
     CurvatureReport, CurveSample, CurveSamples, CurvesReport, FairnessReport, FileReport, FitPieces, FitReport,
-    FoldsReport, GeometryReport, JointReport, MotionReport, ObjectReport, PartReport, PatchPlace, PolyhedronReport,
-    QbReport, RangeReport, Report, SampleOptions, SamplePlaces, SeamReport, SegmentCounts, ShapeReport,
-    SingularPatchReport, SmoothReport, Spacing, SurfaceReport, TIGHTER_THAN_RADIUS, TeeBlendReport, TightPlaceReport,
-    TightReport, TorusReport, TubeReport, UnrolledReport, VolumeReport, WarningReport, sample, sample_cells,
-    sample_poses,
+    FoldsReport, GeometryReport, JointReport, MotionReport, ObjectReport, PartReport, PatchPlace, PeakReport,
+    PolyhedronReport, QbReport, RangeReport, Report, SampleOptions, SamplePlaces, SeamReport, SegmentCounts,
+    ShapeReport, SingularPatchReport, SmoothReport, Spacing, SurfaceReport, TIGHTER_THAN_RADIUS, TeeBlendReport,
+    TightPlaceReport, TightReport, TorusReport, TubeReport, UnrolledReport, VolumeReport, WarningReport, sample,
+    sample_cells, sample_poses,
 };
 pub use text::place::{Diagnostic, Source, decode};
 pub use text::suggest::{did_you_mean, similar};

@@ -78,7 +78,7 @@
 //! | evaluation | [`ParamCurve::point`], [`ParamCurve::jet`], [`ParamSurface::point`], [`ParamSurface::jet`], [`CurveJet`], [`SurfaceJet`]; what a piece is: [`PieceForm`], [`PieceHull`] |
 //! | measures of curves | [`length()`], [`resample`], [`ArcLength`], [`closest_point`] ([`ClosestPoint`]), [`CurveIndex`], [`farthest_point`] ([`FarthestPoint`]), [`bounds()`] |
 //! | frames along curves | [`CurveFrames`] ([`FrameRule`], [`ClosedTwist`], [`CurveFrame`]) |
-//! | continuity and fairness | [`joints`] ([`Joint`]), [`extreme_curvature`] ([`ExtremeCurvature`]), [`bending_energy`], [`tight_places`] ([`TightPlace`]), [`plane_normal`], [`curvature_comb`], [`fairness()`] ([`Fairness`]), [`wavering()`] ([`Wavering`], [`RoundedTurns`], [`CORNER_ANGLE`]) |
+//! | continuity and fairness | [`joints`] ([`Joint`]), [`extreme_curvature`] ([`ExtremeCurvature`]), [`bending_energy`], [`tight_places`] ([`TightPlace`]), [`cusps`] ([`CurveCusp`]), [`plane_normal`], [`curvature_comb`], [`fairness()`] ([`Fairness`]), [`wavering()`] ([`Wavering`], [`RoundedTurns`], [`CORNER_ANGLE`]) |
 //! | exact rational forms | [`NurbsCurve`], [`RationalBezier`], [`RationalBezierSurface`], [`RationalBezierVolume`], [`RationalRun`] |
 //! | patches, nets, whole cyclides | [`CyclidePatch`] ([`PatchKind`], [`ImplicitForm`], [`PatchRow`], [`PatchLocation`]), [`CyclidicNet`] ([`NetFrame`], [`SingularPatch`]), [`DupinCyclide`] ([`CyclideKind`]), [`QuadGrid`], [`Seam`] ([`SeamMeasure`]) |
 //! | volumes | [`CyclideGrid`], [`CyclideVolume`] ([`VolumeFrame`], [`FoldVerdict`], [`VolumeLocation`], [`VolumeMeasure`], [`VolumeRow`]), [`StructuredGrid`] ([`Grading`], [`FineEnd`], [`CellQuality`], [`GridQuality`], [`MOST_CELLS`]), [`SphericalCube`], [`miquel_point`], [`ParamVolume`], [`VolumeJet`] |
@@ -87,7 +87,7 @@
 //! | rolling balls, canal surfaces | [`SkewCylinders`], [`NaturalQuadric`], [`QuadricPair`] ([`PairKind`]), [`RollingBall`] ([`ContactPartner`]), [`CanalPatch`] ([`CanalPart`], [`CharacteristicCircle`]) |
 //! | surfaces over triangles | [`SmoothMesh`] ([`VertexNormals`], [`NormalWeights`], [`SmoothEdge`], [`SmoothMeasure`], [`SmoothComparison`]), [`SmoothTriangle`], [`SphereBlend`], [`TriangleSurface`], [`TrianglePatch`], [`SideLine`] |
 //! | bodies made from curves | [`Revolution`], [`Pipe`] ([`PipeEnds`]), [`Tube`] ([`Ball`], [`RadiusLaw`]), [`NeckBlend`] ([`NeckBody`], [`NeckSide`], [`NeckVariant`], [`PlateShape`]), [`PipeTee`] ([`TeeMain`], [`TeeBranch`], [`TeeBlend`], [`TeeEnds`], [`MadeTee`], [`TeeBlendFacts`]), [`PipeCrossing`] ([`CrossingPipe`], [`CrossingSide`], [`MadeCrossing`]), [`ContactBlend`] ([`BlendTube`], [`BlendBase`], [`MadeContactBlend`]), [`RingBlend`] ([`BlendRing`]), [`EllipseBridge`], [`Body::ruled`], [`Body::circular`], [`RailSurface`] |
-//! | motions | [`Motion`], [`RationalMotion`], [`CubicMotions`], [`ScrewMotion`], [`TimedPose`], [`Pose`], [`DualQuat`], [`StudyPoint`], [`MotionJet`], [`Timing`] ([`TimeLaw`]), [`MovingBody`] ([`Schedule`], [`BodyMesh`]), [`SweptSurface`] |
+//! | motions | [`Motion`], [`RationalMotion`], [`CubicMotions`], [`ScrewMotion`], [`TimedPose`], [`Pose`], [`DualQuat`], [`StudyPoint`], [`MotionJet`], [`MotionExtremes`] ([`SpeedPeak`]), [`Timing`] ([`TimeLaw`]), [`MovingBody`] ([`Schedule`], [`BodyMesh`]), [`SweptSurface`] |
 //! | bodies made from solids | [`ConvexPolyhedron`] ([`PolyhedronEdge`]), [`SphericalPolygon`] |
 //! | topology | [`Body`], [`Shell`], [`ShellFace`], [`ShellEdge`], [`FaceEdge`], [`Side`], [`CutShell`], [`FacePart`], [`FaceSurface`], [`FaceGeometry`] ([`CellDistances`], [`LineBends`]), [`EdgeCurve`], [`surface_joints`] ([`SurfaceJoint`]) |
 //! | polylines and meshes | [`flatten`], [`flatten_into`], [`flatten_places`], [`flatten_within`], [`tessellate`], [`tessellate_all`], [`tessellate_within`], [`SurfaceMesh`] ([`MeshFace`], [`MeshCorner`], [`MeshSource`]), [`SmoothTessellation`], [`parameter_lines`] ([`ParameterLine`], [`LineKind`]), [`MOST_PIECES`] |
@@ -151,7 +151,9 @@ pub use curve::{
     BlendLaw, BlendSegment, BlendVariant, CircleSpline, CircleSplineOptions, SplineEnds, corners_by_angle,
 };
 pub use curve::{CORNER_ANGLE, Fairness, RoundedTurns, Wavering, fairness, plane_normal, wavering};
-pub use curve::{ClosedTwist, CurveFrame, CurveFrames, FrameRule, TightPlace, bending_energy, tight_places};
+pub use curve::{
+    ClosedTwist, CurveCusp, CurveFrame, CurveFrames, FrameRule, TightPlace, bending_energy, cusps, tight_places,
+};
 pub use curve::{Correspondence, CurvePlace, Span};
 pub use curve::{FarthestPoint, farthest_point};
 pub use curve::{QbCurve, QbReach, QbSpline};
@@ -166,8 +168,8 @@ pub use model::{
     ChainPiece, CurveChain, CurveObject, Exactness, Geometry, Item, Lower, Lowered, Model, SurfaceObject, Units,
 };
 pub use motion::{
-    BodyMesh, CubicMotions, DualQuat, Motion, MotionJet, MovingBody, Pose, RationalMotion, Schedule, ScrewMotion,
-    StudyPoint, TimeLaw, TimedPose, Timing,
+    BodyMesh, CubicMotions, DualQuat, Motion, MotionExtremes, MotionJet, MovingBody, Pose, RationalMotion, Schedule,
+    ScrewMotion, SpeedPeak, StudyPoint, TimeLaw, TimedPose, Timing,
 };
 pub use rational::{NurbsCurve, RationalBezier, RationalBezierSurface, RationalBezierVolume};
 pub use shape_change::ShapeChange;

@@ -47,6 +47,11 @@ pub(super) fn qb_interpolation(spec: &QbInterpolationSpec, at: &Contour<'_>) -> 
                 let what = ErrorItem::Tangent;
                 return Err(cyclide::Error::CountDiffers { what, given: given.len(), needed: points.len() });
             }
+            // Points and derivatives are the conditions: a single one is a point, and no curve.
+            let conditions = points.len() + given.iter().map(Vec::len).sum::<usize>();
+            if conditions < 2 {
+                return Err(cyclide::Error::TooFewPoints { given: conditions, needed: 3 });
+            }
             let parameters = parameters.of(points)?;
             let node = |i: usize| QbNode { parameter: parameters[i], point: points[i], derivatives: given[i].clone() };
             QbInterpolation::through_nodes(&(0..points.len()).map(node).collect::<Vec<_>>())?

@@ -129,6 +129,40 @@ pub enum ExportError {
         /// Shorter ones are refused.
         limit: f64,
     },
+    /// A motion lasts longer or shorter than the numbers of the format tell.
+    #[error(
+        "object {object}: GLB has times and speeds of single precision, for motions of {} to {} seconds, and this one takes {}: give it another `duration`",
+        ShortNumber(*.min), ShortNumber(*.max), ShortNumber(*.seconds)
+    )]
+    Duration {
+        /// Name of the object.
+        object: String,
+        /// How long it lasts.
+        seconds: f64,
+        /// Shortest.
+        min: f64,
+        /// Longest.
+        max: f64,
+    },
+    /// Keys of an animation do not keep the tolerance, however many: the motion is too fast for the times that the format has, or so fine that
+    /// there would be too many.
+    #[error(
+        "object {object}: {keys} keys of the animation leave the body {} off at {} seconds, more than the tolerance {}: its motion is too fast there; give it a \
+         `law` that goes by the way, other times, or take a larger tolerance",
+        ShortNumber(*.off), ShortNumber(*.seconds), ShortNumber(*.tolerance)
+    )]
+    Keyframes {
+        /// Name of the object.
+        object: String,
+        /// How far a point of the body is off.
+        off: f64,
+        /// The tolerance.
+        tolerance: f64,
+        /// When.
+        seconds: f64,
+        /// How many keys there are.
+        keys: usize,
+    },
     /// The picture could not be encoded.
     #[error("the picture could not be encoded: {detail}")]
     Picture {
@@ -159,6 +193,8 @@ impl ExportError {
             Self::NoExactForm { .. } => "no-exact-form",
             Self::Rounding { .. } => "rounding-above-tolerance",
             Self::EdgeTooShort { .. } => "edge-too-short",
+            Self::Duration { .. } => "duration-out-of-range",
+            Self::Keyframes { .. } => "animation-above-tolerance",
             Self::Picture { .. } => "picture",
         }
     }

@@ -10,7 +10,11 @@ pub(crate) fn way(body: &MovingBody) -> Aabb {
     let times = motion.times();
     let places =
         times.windows(2).flat_map(|ends| (0..=32).map(move |k| ends[0] + (ends[1] - ends[0]) * f64::from(k) / 32.0));
-    let points = places.map(|time| Point3::ORIGIN + motion.pose(time).translation());
+    // Where it does much in a moment the motion has cells.
+    let cells =
+        body.schedule().map(|schedule| schedule.breaks().into_iter().map(|x| schedule.timing().time_at(x)).collect());
+    let cells: Vec<f64> = cells.unwrap_or_default();
+    let points = places.chain(cells).map(|time| Point3::ORIGIN + motion.pose(time).translation());
     points.fold(Aabb::of_point(Point3::ORIGIN + motion.pose(times[0]).translation()), Aabb::including)
 }
 

@@ -1,16 +1,18 @@
 //! What is reported of motions.
 
-use cyclide::{Motion, MotionJet, MovingBody, Schedule, Vec3};
+use cyclide::{Motion, MotionJet, MovingBody, Schedule, SpeedPeak, Vec3};
 use serde::Serialize;
 
 use super::RangeReport;
 use super::text::{Line, plural, short};
 
-/// Steps between the places looked at on each span.
-const PLACES: usize = 128;
+/// Where a law gives no velocity at a joint, that so far beside it is taken, in parts of the span: nearer to it the terms of accelerations cancel.
+const BESIDE: f64 = 1e-4;
+/// Turns up to this, in radians, close a motion.
+const CLOSES: f64 = 1e-9;
 
-/// The report on a motion: way and turn to rounding, the others measured at 129 places of each span, ends included. Lengths are in the document's units, times in
-/// seconds.
+/// The report on a motion: way and turn to rounding, extremes to 1e-6 of themselves ([`Schedule::extremes`]; what grows beyond every bound is infinite, `null` in JSON).
+/// Lengths are in the document's units, times in seconds.
 ///
 /// ```
 /// use cyclide_io::{Document, GeometryReport, ObjectReport};
@@ -45,12 +47,37 @@ pub struct MotionReport {
     pub acceleration: f64,
     /// Largest jerk of the tool between poses.
     pub jerk: f64,
+    /// Where the speed of the tool, or the angular speed, is the most times as large as on average over the same span.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub peak: Option<PeakReport>,
     /// Largest jump of the velocity of the tool from span to span: where there is one, the acceleration has no bound.
     pub velocity_jump: f64,
     /// Largest jump of the acceleration of the tool from span to span: where there is one, the jerk has no bound.
     pub acceleration_jump: f64,
     /// Largest jump of the angular velocity from span to span, radians per second.
     pub angular_velocity_jump: f64,
+}
+
+/// Where a body is fast against the average of the span.
+///
+/// ```
+/// use cyclide_io::{Document, GeometryReport, ObjectReport};
+/// let document: Document = r#"{"cyclide": 1, "objects": {"m": {"type": "motion", "law": "eased", "poses": [{"position": [0, 0]}, {"position": [30, 0]}]}}}"#.parse()?;
+/// let GeometryReport::Motion(found) = ObjectReport::new(&document.build()?[0], None).geometry else { unreachable!("by its type") };
+/// let peak = found.peak.expect("it moves");
+/// assert!((peak.time - 0.5).abs() < 1e-6 && (peak.ratio - 1.875).abs() < 1e-9 && !peak.turning);
+/// # Ok::<(), cyclide_io::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct PeakReport {
+    /// The span, from 0.
+    pub span: usize,
+    /// Seconds from the start.
+    pub time: f64,
+    /// How many times as fast as on average.
+    pub ratio: f64,
+    /// True of the angular speed.
+    pub turning: bool,
 }
 
 impl MotionReport {
@@ -75,6 +102,7 @@ impl MotionReport {
             angular_speed: RangeReport::EMPTY,
             acceleration: 0.0,
             jerk: 0.0,
+            peak: None,
             velocity_jump: 0.0,
             acceleration_jump: 0.0,
             angular_velocity_jump: 0.0,
@@ -86,33 +114,34 @@ impl MotionReport {
         report
     }
 
-    /// Looks at what the body does on each span, one after the other: at a joint all but its place may jump.
+    /// The extremes, and at the ends of each span, one after the other, the jumps: at a joint all but the place may jump.
     fn measure(&mut self, schedule: &Schedule<'_>) {
+        let found = schedule.extremes();
+        let range = |[min, max]: [f64; 2]| RangeReport { min, max };
+        self.speed = range(found.speed);
+        self.angular_speed = range(found.angular_speed);
+        (self.acceleration, self.jerk) = (found.acceleration, found.jerk);
+        self.peak =
+            found.peak.map(|SpeedPeak { span, time, ratio, turning, .. }| PeakReport { span, time, ratio, turning });
         let mut arrived: Option<MotionJet> = None;
         for (span, ends) in schedule.timing().joints().windows(2).enumerate() {
             // A law that goes by the way has no time for a span without one.
             if ends[1] <= ends[0] {
                 continue;
             }
-            for k in 0..=PLACES {
-                let part = k as f64 / PLACES as f64;
-                let fraction = if k < PLACES { ends[0] + (ends[1] - ends[0]) * part } else { ends[1] };
+            let length = ends[1] - ends[0];
+            let [starts, ends] = [(ends[0], BESIDE), (ends[1], -BESIDE)].map(|(fraction, beside)| {
                 let jet = schedule.jet_in_span(span, fraction);
-                if let Some(before) = arrived.as_ref().filter(|_| k == 0) {
-                    let jump = |f: fn(&MotionJet) -> Vec3| (f(&jet) - f(before)).length();
-                    self.velocity_jump = larger(self.velocity_jump, jump(|jet| jet.point.d1));
-                    self.acceleration_jump = larger(self.acceleration_jump, jump(|jet| jet.point.d2));
-                    self.angular_velocity_jump = larger(self.angular_velocity_jump, jump(|jet| jet.angular_velocity));
-                }
-                let (speed, turning) = (jet.point.speed(), jet.angular_velocity.length());
-                if speed.is_finite() && turning.is_finite() {
-                    self.speed = self.speed.with(speed, speed);
-                    self.angular_speed = self.angular_speed.with(turning, turning);
-                }
-                self.acceleration = larger(self.acceleration, jet.point.d2.length());
-                self.jerk = larger(self.jerk, jet.point.d3.length());
-                arrived = Some(jet);
+                // A law that goes by the way knows no velocity where the way turns back, but next to it.
+                if jet.point.d1.is_finite() { jet } else { schedule.jet_in_span(span, fraction + beside * length) }
+            });
+            if let Some(before) = &arrived {
+                let jump = |f: fn(&MotionJet) -> Vec3| (f(&starts) - f(before)).length();
+                self.velocity_jump = larger(self.velocity_jump, jump(|jet| jet.point.d1));
+                self.acceleration_jump = larger(self.acceleration_jump, jump(|jet| jet.point.d2));
+                self.angular_velocity_jump = larger(self.angular_velocity_jump, jump(|jet| jet.angular_velocity));
             }
+            arrived = Some(ends);
         }
     }
 
@@ -125,11 +154,21 @@ impl MotionReport {
         line("duration", format!("{} s", short(self.duration)))?;
         line("way", format!("{} {units}, turns by {} rad", short(self.length), short(self.turn)))?;
         if let Some(turn) = self.closing_turn {
-            line("closes", format!("turned by {} rad against how it began", short(turn)))?;
+            let (word, text) = match turn {
+                turn if turn <= CLOSES => ("closes", "as it began".to_owned()),
+                turn => {
+                    ("comes back", format!("its origin, the body turned by {} rad against how it began", short(turn)))
+                }
+            };
+            line(word, text)?;
         }
-        let speed = super::text::range(&self.speed);
-        line("speed", format!("{speed} {units}/s, angular {} rad/s", super::text::range(&self.angular_speed)))?;
-        let (acceleration, jerk) = (short(self.acceleration), short(self.jerk));
+        let [speed, turning] = [&self.speed, &self.angular_speed].map(|range| match range {
+            RangeReport { min, max } if max.is_infinite() => format!("{} to no bound,", short(*min)),
+            range => super::text::range(range),
+        });
+        line("speed", format!("{speed} {units}/s, angular {turning} rad/s"))?;
+        let [acceleration, jerk] = [self.acceleration, self.jerk]
+            .map(|value| if value.is_infinite() { "without bound,".to_owned() } else { short(value) });
         let between = if self.spans > 1 { " between poses" } else { "" };
         line("at most", format!("acceleration {acceleration} {units}/s², jerk {jerk} {units}/s³{between}"))?;
         if self.spans > 1 {

@@ -79,7 +79,7 @@ pub(super) fn of_motion(error: &Error) -> String {
             "the points of a screw motion run on helices, which no rational curve is; take a spline".to_owned()
         }
         Error::MotionAtRest { length, limit } => format!(
-            "the way that should be gone at constant speed is {} long, which must be above {}: name a point that moves, or an arm",
+            "the motion is at rest: the way that should be gone is {} long, which must be above {}: name a point that moves, or an arm",
             ShortNumber(*length),
             ShortNumber(*limit)
         ),

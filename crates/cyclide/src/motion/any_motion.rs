@@ -6,9 +6,13 @@ use super::rational_motion::RationalMotion;
 use super::screw_motion::ScrewMotion;
 use crate::base::vector::{Point3, Vec3};
 use crate::error::{Error, Result};
+use crate::warning::Warning;
 
 /// Places that differ by up to this part of their coordinates are one.
 const SAME_PLACE: f64 = 1e-12;
+
+/// Ends of a way that comes back are not farther apart than this part of it.
+const SAME_END: f64 = 1e-6;
 
 /// Any motion of a rigid body over rising times.
 ///
@@ -75,7 +79,7 @@ impl Motion {
     }
 
     /// The angle from the first pose to the last, 0 to π, if the origin of the body moves and comes back to where it began, to 1e-12 of the
-    /// coordinates: by so much the body does not close. `None` of other motions.
+    /// coordinates and a millionth of its way: by so much the body does not close. `None` of other motions.
     ///
     /// ```
     /// use cyclide::{ArcPath, ArcSplineOptions, Motion, Point3, QbSpline, Quat, RationalMotion};
@@ -92,8 +96,22 @@ impl Motion {
     pub fn closing_turn(&self) -> Option<f64> {
         let [first, last] = self.domain().map(|time| self.pose(time));
         let size = self.times().iter().map(|t| self.pose(*t).translation().max_abs()).fold(0.0, f64::max);
-        let comes_back = (last.translation() - first.translation()).length() <= SAME_PLACE * size;
-        (comes_back && self.way(Point3::ORIGIN) > SAME_PLACE * size).then(|| first.angle_to(last))
+        let apart = (last.translation() - first.translation()).length();
+        // Far from the origin a short way is next to the rounding of its ends: those of one that goes on are no small part of it.
+        let comes_back = apart <= SAME_PLACE * size && {
+            let way = self.way(Point3::ORIGIN);
+            way > SAME_PLACE * size && apart <= SAME_END * way
+        };
+        comes_back.then(|| first.angle_to(last))
+    }
+
+    /// What should be known of it, as where poses were taken for planar ones (`poses-rounded`).
+    #[must_use]
+    pub fn warnings(&self) -> Vec<Warning> {
+        match self {
+            Self::Rational(motion) => motion.warnings(),
+            Self::Screw(_) => Vec::new(),
+        }
     }
 
     /// The motion as one whose points run on rational curves.

@@ -1,12 +1,19 @@
 //! A body on its way: a motion with a point of the body, a time law and a duration.
 
 use super::any_motion::Motion;
+use super::extremes::SpeedPeak;
 use super::motion_jet::MotionJet;
 use super::pose::Pose;
 use super::timing::{TimeLaw, Timing};
 use crate::base::jet::CurveJet;
-use crate::base::vector::Point3;
+use crate::base::vector::{Point3, Vec3};
 use crate::error::{Error, ErrorItem, Result};
+use crate::warning::Warning;
+
+/// How long a motion may take: the cube of it divides a jerk.
+const DURATIONS: [f64; 2] = [1e-90, 1e90];
+/// A body that gets so many times as fast as on average over the same span is told of.
+const PEAK: f64 = 30.0;
 
 /// A moving body: what a motion is with a tool, a time law and a duration.
 ///
@@ -98,11 +105,11 @@ impl MovingBody {
     /// With a time law, and how long the motion takes.
     ///
     /// # Errors
-    /// `parameter-out-of-range` (a duration that is not positive); as [`Timing::new`].
+    /// `parameter-out-of-range` (a duration that is not positive, or beyond 1e-90 to 1e90, where a jerk is no number); as [`Timing::new`].
     pub fn with_law(self, law: TimeLaw, duration: f64) -> Result<Self> {
-        if !(duration > 0.0 && duration.is_finite()) {
-            let name = ErrorItem::Duration;
-            return Err(Error::ParameterOutOfRange { name, value: duration, min: f64::MIN_POSITIVE, max: f64::MAX });
+        let [min, max] = DURATIONS;
+        if !(duration > min && duration < max) {
+            return Err(Error::ParameterOutOfRange { name: ErrorItem::Duration, value: duration, min, max });
         }
         Self { law, duration, ..self }.checked()
     }
@@ -152,6 +159,17 @@ impl MovingBody {
     #[must_use]
     pub fn arm(&self) -> f64 {
         self.arm
+    }
+
+    /// What should be known of it: of its [motion](Motion::warnings), and where it gets more than 30 times as fast as on average over the same span
+    /// (`speed-spike`).
+    #[must_use]
+    pub fn warnings(&self) -> Vec<Warning> {
+        let peak = self.schedule().ok().and_then(|schedule| schedule.extremes().peak);
+        let spike = peak.filter(|peak| peak.ratio > PEAK).map(|SpeedPeak { span, time, ratio, turning }| {
+            Warning::SpeedSpike { span, time, ratio, turning, limit: PEAK }
+        });
+        self.motion.warnings().into_iter().chain(spike).collect()
     }
 
     /// The way measured, for poses at times.
@@ -229,29 +247,22 @@ impl Schedule<'_> {
     /// If there is no such span.
     #[must_use]
     pub fn jet_in_span(&self, span: usize, fraction: f64) -> MotionJet {
+        self.jet_at(self.time_in_span(span, fraction), fraction)
+    }
+
+    /// The time of the motion on a span.
+    fn time_in_span(&self, span: usize, fraction: f64) -> f64 {
         let times = self.body.motion.times();
         let (from, to) = (times[span], times[span + 1]);
         // A joint belongs to the span that starts there.
         let end = if span + 2 == times.len() { to } else { to.next_down().max(from) };
-        self.jet_at(self.timing.time_at(fraction).clamp(from, end), fraction)
+        self.timing.time_at(fraction).clamp(from, end)
     }
 
     /// What they do at a time of the motion, which is there when the part of the duration is over.
     fn jet_at(&self, time: f64, fraction: f64) -> MotionJet {
-        let MovingBody { motion, tool, law, duration, .. } = self.body;
-        let own = motion.jet(time, *tool);
-        let [first, last] = motion.domain();
-        let [u1, u2, u3] = match law {
-            TimeLaw::AsGiven => [(last - first) / duration, 0.0, 0.0],
-            TimeLaw::ConstantSpeed => self.rates(&own, [1.0, 0.0, 0.0]),
-            TimeLaw::Eased => {
-                let x = fraction.clamp(0.0, 1.0);
-                let first = 30.0 * x * x * (1.0 - x) * (1.0 - x);
-                let second = 60.0 * x * (1.0 - x) * (1.0 - 2.0 * x);
-                let third = 60.0 * (1.0 - 6.0 * x * (1.0 - x));
-                self.rates(&own, [first, second, third])
-            }
-        };
+        let own = self.body.motion.jet(time, self.body.tool);
+        let [u1, u2, u3] = self.rates(&own, fraction);
         let CurveJet { point, d1, d2, d3 } = own.point;
         let (omega, alpha, beta) = (own.angular_velocity, own.angular_acceleration, own.angular_jerk);
         MotionJet {
@@ -268,9 +279,49 @@ impl Schedule<'_> {
         }
     }
 
-    /// The derivatives of the motion's time by the body's, from those of the part of the way that is done: with the speed `g` of the way,
-    /// `g² = |v|² + a²|ω|²` has the derivatives `2 g g'` and `2 (g'² + g g″)`.
-    fn rates(&self, own: &MotionJet, law: [f64; 3]) -> [f64; 3] {
+    /// The lengths of the terms that acceleration and jerk of the tool are summed of in [`jet_in_span`](Self::jet_in_span).
+    pub(super) fn sizes_of_terms(&self, span: usize, fraction: f64) -> [f64; 2] {
+        let own = self.body.motion.jet(self.time_in_span(span, fraction), self.body.tool);
+        let [u1, u2, u3] = self.rates(&own, fraction);
+        let [d1, d2, d3] = [own.point.d1, own.point.d2, own.point.d3].map(Vec3::length);
+        let first = d2 * u1 * u1 + d1 * u2.abs();
+        [first, d3 * u1.abs().powi(3) + 3.0 * d2 * (u1 * u2).abs() + d1 * u3.abs()]
+    }
+
+    /// How long the body takes.
+    pub(super) fn duration(&self) -> f64 {
+        self.body.duration
+    }
+
+    /// The motion that it runs along.
+    pub(super) fn motion(&self) -> &Motion {
+        &self.body.motion
+    }
+
+    /// The point that is measured.
+    pub(super) fn tool(&self) -> Point3 {
+        self.body.tool
+    }
+
+    /// The derivatives of the motion's time by the body's.
+    fn rates(&self, own: &MotionJet, fraction: f64) -> [f64; 3] {
+        let [first, last] = self.body.motion.domain();
+        match self.body.law {
+            TimeLaw::AsGiven => [(last - first) / self.body.duration, 0.0, 0.0],
+            TimeLaw::ConstantSpeed => self.rates_by_way(own, [1.0, 0.0, 0.0]),
+            TimeLaw::Eased => {
+                let x = fraction.clamp(0.0, 1.0);
+                let first = 30.0 * x * x * (1.0 - x) * (1.0 - x);
+                let second = 60.0 * x * (1.0 - x) * (1.0 - 2.0 * x);
+                let third = 60.0 * (1.0 - 6.0 * x * (1.0 - x));
+                self.rates_by_way(own, [first, second, third])
+            }
+        }
+    }
+
+    /// They, from the derivatives of the part of the way that is done: with the speed `g` of the way, `g² = |v|² + a²|ω|²` has the derivatives
+    /// `2 g g'` and `2 (g'² + g g″)`.
+    fn rates_by_way(&self, own: &MotionJet, law: [f64; 3]) -> [f64; 3] {
         let MovingBody { arm, duration, .. } = self.body;
         let [s1, s2, s3] = [1, 2, 3].map(|k| law[k as usize - 1] * self.way() / duration.powi(k));
         let CurveJet { d1, d2, d3, .. } = own.point;

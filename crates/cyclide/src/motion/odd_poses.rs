@@ -7,7 +7,7 @@
 
 use super::dual_quat::DualQuat;
 use super::rational_motion::{MotionSpan, RationalMotion};
-use super::study_form::{forms, largest, over_times, pfaffian};
+use super::study_form::{ROUNDED, forms, largest, over_times, pfaffian};
 use super::timed_pose::{Prepared, TimeOrder, TimedPose};
 use crate::base::bernstein;
 use crate::error::{Error, Result};
@@ -33,8 +33,9 @@ impl RationalMotion {
     /// `wrong-pose-count`, `not-finite`, `repeated-parameter`, `unattainable-pose`, `motion-through-exceptional-point`.
     pub fn conic(poses: &[TimedPose]) -> Result<Self> {
         let prepared = Prepared::of_count::<3>(poses)?;
-        let rows = conic_rows(&array(&prepared.poses), &array(&prepared.places), prepared.vanished)?;
-        prepared.single(rows)
+        let displacements = array::<_, 3>(&prepared.poses);
+        let rows = conic_rows(&displacements, &array(&prepared.places), prepared.vanished.max(ROUNDED))?;
+        Ok(prepared.single(rows)?.leaving_out(prepared.left_out(largest(&forms(&displacements)))))
     }
 
     /// The motion of degree 4 that takes five poses at given times, in any order: it has no freedom, and may swing. Five poses of a motion of
@@ -46,18 +47,27 @@ impl RationalMotion {
         let prepared = Prepared::of_count::<5>(poses)?;
         let (displacements, times) = (array(&prepared.poses), array(&prepared.places));
         let all = forms(&displacements);
-        if largest(&all) <= prepared.vanished {
-            return prepared.single(lagrange_rows(&displacements, &plain_factors(&times), &times));
+        let size = largest(&all);
+        if size <= prepared.vanished.max(ROUNDED) {
+            let motion = prepared.single(lagrange_rows(&displacements, &plain_factors(&times), &times))?;
+            return Ok(motion.leaving_out(prepared.left_out(size)));
         }
         let m = over_times(&all, &times);
         let factors: [f64; 5] = std::array::from_fn(|i| {
             let sign = if i % 2 == 0 { 1.0 } else { -1.0 };
             sign * pfaffian(&m, others(i))
         });
-        let size = largest(&m);
-        let rank_two = (RANK_TWO * size * size).max(PRODUCTS * size * prepared.rounding / least_step(&times));
+        let entry = largest(&m);
+        let rank_two = (RANK_TWO * entry * entry).max(PRODUCTS * entry * prepared.rounding / least_step(&times));
         if factors.iter().all(|f| f.abs() <= rank_two) {
-            return prepared.conic_of_five(&displacements, &times, &m);
+            let conic = prepared.conic_of_five(&displacements, &times, &m);
+            return conic.or_else(|refused| prepared.beside_conic(&displacements, &times).unwrap_or(Err(refused)));
+        }
+        let rounded = PRODUCTS * entry * ROUNDED / least_step(&times);
+        if factors.iter().all(|f| f.abs() <= rounded)
+            && let Some(motion) = prepared.beside_conic(&displacements, &times)
+        {
+            return motion;
         }
         check_attained(&factors)?;
         prepared.single(lagrange_rows(&displacements, &factors, &times))
@@ -107,6 +117,29 @@ impl Prepared {
         }
         let (index, share) = vanishing_coordinate(m);
         Err(Error::UnattainablePose { index, share, limit: UNATTAINED })
+    }
+
+    /// The motion through five poses that are on one of degree 2 but for the digits they are written with, if they are: each pose gets the length that the
+    /// dual quaternion of that motion has at its time. It is met, and the motion differs from that of degree 2 by what the poses do.
+    fn beside_conic(&self, poses: &[DualQuat; 5], times: &[f64; 5]) -> Option<Result<RationalMotion>> {
+        let limit = CARRIED * ROUNDED;
+        TRIPLES.into_iter().find_map(|triple| {
+            let rows = conic_rows(&triple.map(|i| poses[i]), &triple.map(|i| times[i]), ROUNDED).ok()?;
+            let missed: [f64; 5] = std::array::from_fn(|i| miss(&rows, poses[i], times[i]));
+            let most = missed.into_iter().fold(0.0, f64::max);
+            if !missed.iter().all(|miss| *miss <= limit) {
+                return None;
+            }
+            let plain = plain_factors(times);
+            let factors: [f64; 5] = std::array::from_fn(|i| length_beside(&rows, poses[i], times[i]) * plain[i]);
+            let motion = self.single(lagrange_rows(poses, &factors, times));
+            Some(motion.map(|motion| motion.leaving_out(most)))
+        })
+    }
+
+    /// What is left out where forms of this size were taken for zero: nothing, if they are the rounding of doubles.
+    fn left_out(&self, form: f64) -> f64 {
+        if form > self.vanished && form <= ROUNDED { form } else { 0.0 }
     }
 }
 
@@ -193,12 +226,22 @@ pub(super) fn lagrange_rows<const N: usize>(
 /// The first pose that a span does not take at its time, and by how much it misses it.
 fn first_missed(rows: &[[f64; 8]], poses: &[DualQuat], times: &[f64], limit: f64) -> Option<(usize, f64)> {
     poses.iter().zip(times).enumerate().find_map(|(i, (pose, t))| {
-        let at = DualQuat::from_array(bernstein::eval(rows, *t));
-        let length = at.real.norm() * at.real.dot(pose.real).signum();
-        let at = at * (1.0 / length);
-        let off = (at.real - pose.real).norm();
-        let apart = (at.translation().unwrap_or_default() - pose.translation().unwrap_or_default()).length();
-        let miss = off.max(apart);
+        let miss = miss(rows, *pose, *t);
         (miss.is_nan() || miss > limit).then_some((i, miss))
     })
+}
+
+/// By how much a span misses a pose at a time.
+fn miss(rows: &[[f64; 8]], pose: DualQuat, t: f64) -> f64 {
+    let at = DualQuat::from_array(bernstein::eval(rows, t));
+    let at = at * (1.0 / length_beside(rows, pose, t));
+    let off = (at.real - pose.real).norm();
+    let apart = (at.translation().unwrap_or_default() - pose.translation().unwrap_or_default()).length();
+    if off.is_nan() { off } else { off.max(apart) }
+}
+
+/// The length of the real part of a span at a time, negative if it is on the other side than that of a pose.
+fn length_beside(rows: &[[f64; 8]], pose: DualQuat, t: f64) -> f64 {
+    let at = DualQuat::from_array(bernstein::eval(rows, t));
+    at.real.norm() * at.real.dot(pose.real).signum()
 }

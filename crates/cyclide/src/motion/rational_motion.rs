@@ -8,10 +8,12 @@ use super::dual_quat::DualQuat;
 use super::motion_jet::MotionJet;
 use super::pose::Pose;
 use super::span_of;
+use super::study_form::ROUNDED;
 use crate::base::bernstein;
 use crate::base::quat::Quat;
 use crate::base::vector::{Point3, Vec3};
 use crate::rational::{Polynomial, PolynomialRow, QuatPolynomial, jet_of_homogeneous};
+use crate::warning::Warning;
 
 /// A span is halved so often at most until its weights are good; `|p|²` is nowhere zero, so a few halvings do.
 const HALVINGS: u32 = 60;
@@ -41,6 +43,8 @@ pub struct RationalMotion {
     centre: Vec3,
     /// What the dual parts are multiplied by.
     unit: f64,
+    /// What its poses are off, in their size, to be of the kind that they were taken for; 0 if nothing was left out.
+    left_out: f64,
 }
 
 /// The Bernstein coefficients of one span: real part, then dual part.
@@ -50,7 +54,20 @@ pub(super) struct MotionSpan(pub(super) Vec<[f64; 8]>);
 impl RationalMotion {
     /// The motion of these spans, about a centre and in a unit. Real parts vanish nowhere.
     pub(super) fn of_spans(times: Vec<f64>, spans: Vec<MotionSpan>, centre: Vec3, unit: f64) -> Self {
-        Self { times, spans, centre, unit }
+        Self { times, spans, centre, unit, left_out: 0.0 }
+    }
+
+    /// The same, with what was left out of the poses for rounding.
+    pub(super) fn leaving_out(self, off: f64) -> Self {
+        Self { left_out: off, ..self }
+    }
+
+    /// What should be known of it: that its poses are planar, spherical, translated or of one motion of degree 2 but for the digits they are
+    /// written with, and were taken for that (`poses-rounded`).
+    #[must_use]
+    pub fn warnings(&self) -> Vec<Warning> {
+        let rounded = (self.left_out > 0.0).then_some(Warning::PosesRounded { off: self.left_out, limit: ROUNDED });
+        rounded.into_iter().collect()
     }
 
     /// The times at which spans start, and the end.
@@ -156,7 +173,7 @@ impl RationalMotion {
                 times.push(end);
             });
         }
-        Self { times, spans, centre: self.centre, unit: self.unit }
+        Self { times, spans, ..*self }
     }
 
     /// Over each span the homogeneous path, of twice the degree, of a point of the body in homogeneous coordinates `[wx, wy, wz, w]`.

@@ -129,6 +129,32 @@ impl<'a> Timing<'a> {
         }
     }
 
+    /// The part of the duration that is over at a time of the motion, clamped to those of it: the inverse of [`time_at`](Self::time_at), but on a span
+    /// without a way under a law that goes by the way, which takes no time.
+    #[must_use]
+    pub fn fraction_at(&self, time: f64) -> f64 {
+        let [first, last] = self.motion.domain();
+        let time = time.clamp(first, last);
+        let done = || {
+            let index = self.cells.partition_point(|part| part.cell.b <= time);
+            let Some(WayCell { cell, end, .. }) = self.cells.get(index) else { return 1.0 };
+            let mut speed = |time: f64| way_speed(self.motion.velocities(time, self.point), self.arm);
+            let rest = if time > cell.a { quadrature::gauss8(&mut speed, cell.a, time) } else { 0.0 };
+            ((end - cell.integral + rest) / self.total).clamp(0.0, 1.0)
+        };
+        match self.law {
+            TimeLaw::AsGiven => (time - first) / (last - first),
+            TimeLaw::ConstantSpeed => done(),
+            TimeLaw::Eased => part_of_eased(done()),
+        }
+    }
+
+    /// Where in a span with these ends the parts start over which one quadrature rule gives the way.
+    pub(super) fn cell_starts(&self, from: f64, to: f64) -> impl Iterator<Item = f64> {
+        let first = self.cells.partition_point(|part| part.cell.a < from);
+        self.cells[first..].iter().map(|part| part.cell.a).take_while(move |start| *start < to)
+    }
+
     /// The parts of the duration at which the spans of the motion start, and 1: rising, two of them the same where a law goes by the way and a
     /// span has none.
     #[must_use]

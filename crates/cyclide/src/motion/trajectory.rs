@@ -5,6 +5,10 @@ use crate::base::vector::{Point3, Vec3};
 use crate::error::{Error, ErrorItem, Result};
 use crate::rational::{NurbsCurve, RationalBezier};
 
+/// Ends that differ by up to this part of the coordinates are one, if they also do
+const SAME_PLACE: f64 = 1e-12;
+/// by this part of the extent of the path: far from the origin all of a short path is rounding.
+const SAME_END: f64 = 1e-6;
 /// Slopes of homogeneous coordinates that differ by less than this part of the largest are one.
 const SAME_SLOPE: f64 = 1e-12;
 
@@ -25,6 +29,18 @@ impl RationalMotion {
             // One point for both, also where rounding is more than the coordinates, near the origin.
             let start = curves.last().map(|before| before.point(1.0));
             curves.push(curve.with_ends(start, None));
+        }
+        // A motion that comes back to rounding closes the path.
+        if let (Some(first), Some(last)) = (curves.first(), curves.last()) {
+            let (start, end) = (first.point(0.0), last.point(1.0));
+            let extent = curves.iter().map(|curve| curve.point(0.5).distance(start)).fold(0.0, f64::max);
+            let size = (start.to_vec() + motion.centre()).max_abs().max(extent);
+            let apart = start.distance(end);
+            if apart <= SAME_PLACE * size && apart <= SAME_END * extent {
+                let closed = last.clone().with_ends(None, Some(start));
+                curves.pop();
+                curves.push(closed);
+            }
         }
         let degree = curves.iter().map(RationalBezier::degree).max().unwrap_or(1);
         let curves: Vec<RationalBezier> = curves.iter().map(|curve| raised(curve, degree)).collect();

@@ -92,6 +92,37 @@ pub enum Warning {
         /// Values above this are reported.
         limit: f64,
     },
+    /// The motion gets very fast within a span: a body on a motion of least degree runs near infinity there, or turns over in a moment.
+    SpeedSpike {
+        /// The span, from 0.
+        span: usize,
+        /// The time from the start of the motion.
+        time: f64,
+        /// How many times as fast as on average over the span.
+        ratio: f64,
+        /// True of the angular speed, false of the speed of the tool.
+        turning: bool,
+        /// Ratios above this are reported.
+        limit: f64,
+    },
+    /// Poses that are planar, spherical, translated or of one motion of degree 2 but for the digits they are written with were taken for that.
+    PosesRounded {
+        /// What they are off, in their size.
+        off: f64,
+        /// Study forms up to this are taken for rounding.
+        limit: f64,
+    },
+    /// The velocity of a curve vanishes within a piece or at a joint, and its direction jumps there.
+    CuspInside {
+        /// How many such places there are.
+        count: usize,
+        /// The parameter of the first, from 0 to 1.
+        t: f64,
+        /// The point there.
+        at: [f64; 3],
+        /// The turn there, radians: half a turn within a piece.
+        angle: f64,
+    },
     /// A corner of the input was kept as a corner.
     CornerKept {
         /// Index of the point.
@@ -308,10 +339,12 @@ pub enum Warning {
     },
     /// A swept surface whose curve comes to move along itself: the surface turns back there, with an edge where it does.
     SweptSurfaceFolds {
-        /// Faces in which it does.
+        /// Faces in which it does, or at whose border to the one before.
         count: usize,
         /// The first of them.
         face: usize,
+        /// How many of them do at their border only.
+        borders: usize,
     },
     /// The neck of a ball that is larger than the bends of its way: it runs through itself.
     NeckFolds {

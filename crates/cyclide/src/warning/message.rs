@@ -79,6 +79,30 @@ impl std::fmt::Display for Warning {
                 ShortNumber(*reach),
                 ShortNumber(*limit)
             ),
+            Self::SpeedSpike { span, time, ratio, turning, .. } => write!(
+                f,
+                "span {span}: {} seconds from its start the body {} {} times as fast as on average over the span: the motion has a spike there; take a \
+                 spline, or other times",
+                ShortNumber(*time),
+                if *turning { "turns" } else { "runs" },
+                ShortNumber(*ratio)
+            ),
+            Self::PosesRounded { off, limit } => write!(
+                f,
+                "but for {} of their size the poses are planar, spherical, moved without a turn or of one motion of degree 2, and are taken for that (Study \
+                 forms of up to {} count as rounded digits)",
+                ShortNumber(*off),
+                ShortNumber(*limit)
+            ),
+            Self::CuspInside { count, t, at: [x, y, z], angle } => write!(
+                f,
+                "the curve comes to a stand and turns by {} degrees in {count} place(s), the first is t = {}, point {}, {}, {} (cusp)",
+                degrees(*angle),
+                ShortNumber(*t),
+                ShortNumber(*x),
+                ShortNumber(*y),
+                ShortNumber(*z)
+            ),
             Self::CornerKept { vertex, angle } => {
                 write!(f, "point {vertex}: corner of {:.1} degrees kept", angle.to_degrees())
             }
@@ -334,9 +358,14 @@ impl std::fmt::Display for Warning {
                 ShortNumber(*distance),
                 ShortNumber(rounded_down(*radius))
             ),
-            Self::SweptSurfaceFolds { count, face } => write!(
+            Self::SweptSurfaceFolds { count, face, borders: 0 } => write!(
                 f,
                 "the surface folds back in {count} face(s), the first is face {face}: there the curve comes to move along itself"
+            ),
+            Self::SweptSurfaceFolds { count, face, borders } => write!(
+                f,
+                "the surface folds back in {count} face(s), {borders} of them at the border to the face before, the first is face {face}: there the curve comes to \
+                 move along itself or back, and the surface lies on itself"
             ),
             Self::FoldedNet { singular, first, creases, angle } => {
                 if let Some(first) = first {

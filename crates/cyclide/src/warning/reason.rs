@@ -17,6 +17,9 @@ impl Warning {
             Self::UnevenSpacing { .. } => "uneven-spacing",
             Self::SpikeNearPoint { .. } => "spike-near-point",
             Self::LargeExcursion { .. } => "large-excursion",
+            Self::SpeedSpike { .. } => "speed-spike",
+            Self::PosesRounded { .. } => "poses-rounded",
+            Self::CuspInside { .. } => "cusp",
             Self::CornerKept { .. } => "corner-kept",
             Self::SamplesTooCoarse { .. } => "samples-too-coarse",
             Self::ToleranceBelowNoise { .. } => "tolerance-below-noise",
@@ -91,7 +94,10 @@ impl Warning {
             Self::KinksAtJoints { joint, .. } => Some(joint),
             Self::SweptSurfaceFolds { face, .. } => Some(face),
             Self::NormalFacesBackward { triangle, .. } | Self::FoldsBack { triangle, .. } => Some(triangle),
+            Self::SpeedSpike { span, .. } => Some(span),
             Self::LargeExcursion { .. }
+            | Self::PosesRounded { .. }
+            | Self::CuspInside { .. }
             | Self::SamplesTooCoarse { .. }
             | Self::ToleranceBelowNoise { .. }
             | Self::Wavers { .. }

@@ -10,6 +10,7 @@ mod frames;
 mod jets;
 mod planar;
 mod refusals;
+mod rounded;
 mod swept;
 mod timing;
 mod trajectories;

@@ -1,7 +1,9 @@
 //! Swept surfaces: every point is that of the moved curve; closed ones are watertight.
 
 use crate::data::timed;
-use cyclide::{Arc, EdgeCurve, ParamSurface, Point3, Pose, Quat, RationalMotion, SweptSurface, TimedPose, Vec3};
+use cyclide::{
+    Arc, EdgeCurve, ParamSurface, Point3, Pose, Quat, RationalMotion, SweptSurface, TimedPose, Vec3, Warning,
+};
 use proptest::prelude::*;
 
 fn arc() -> EdgeCurve {
@@ -91,6 +93,35 @@ fn what_moves_along_itself_is_refused_or_said() {
     let poses = [turned(0.0, 0.0, [0.0; 3]), turned(1.0, 120.0, [0.0, -6.0, 0.0])];
     let swept = SweptSurface::new(&[blade.into()], false, &RationalMotion::spline(&poses).unwrap()).unwrap();
     assert_eq!(swept.warnings().iter().map(|w| w.reason()).collect::<Vec<_>>(), ["swept-surface-folds"]);
+}
+
+/// What turns back exactly at a pose folds at the border of its faces, where none of them has a place that tells.
+#[test]
+fn what_turns_back_at_a_pose_is_said() {
+    let warned = |motion: &[TimedPose], profile: &[EdgeCurve], closed: bool| {
+        let swept = SweptSurface::new(profile, closed, &RationalMotion::spline(motion).unwrap()).unwrap();
+        swept.warnings().to_vec()
+    };
+    let up = [turned(0.0, 0.0, [0.0; 3]), turned(1.0, 0.0, [0.0, 0.0, 5.0]), turned(2.0, 0.0, [0.0; 3])];
+    // There and back: the tube is closed and has no volume.
+    let Some(Warning::SweptSurfaceFolds { count, face, borders }) = warned(&up, &square(), true).first().cloned()
+    else {
+        panic!()
+    };
+    assert_eq!((count, face, borders), (8, 0, 8));
+    // Up, and half of the way back; in uneven times it turns back between them.
+    let part = |time: f64| [up[0], up[1], turned(time, 0.0, [0.0, 0.0, 2.0])];
+    for time in [1.5, 2.0, 7.0] {
+        assert_eq!(warned(&part(time), &[arc()], false).len(), 1, "{time}");
+    }
+    // On, with a stop and without, and round a corner of the profile: nothing folds.
+    let on = [up[0], up[1], turned(2.0, 0.0, [0.0, 0.0, 9.0]), turned(3.0, 40.0, [0.0, 0.0, 20.0])];
+    for profile in [&square()[..], &square()[..2]] {
+        assert!(warned(&on, profile, profile.len() == 4).is_empty());
+    }
+    let rest = [up[0], turned(1.0, 0.0, [0.0; 3])];
+    let error = SweptSurface::new(&square(), true, &RationalMotion::spline(&rest).unwrap()).unwrap_err();
+    assert_eq!(error.reason(), "motion-at-rest");
 }
 
 /// Far from the origin faces are those near it, moved: to a few roundings of the coordinates, whatever the weights.

@@ -66,7 +66,7 @@ impl Builder<'_> {
         };
         let Some(chain) = contour.to_qb_spline() else {
             let message = format!(
-                "`{curve}` does not turn a body: a motion runs along arcs and segments, a `moebius-spline`, a `qb-interpolation`, or a rational `circle-spline` of order 1"
+                "`{curve}` does not turn a body: a motion runs along arcs and segments, a `moebius-spline`, a `qb-interpolation`, a `fair-spline` of tension 0, or a rational `circle-spline` of order 1"
             );
             return Err(Error::Input(self.diagnostic(["along".into()], &message)));
         };
@@ -120,6 +120,9 @@ impl Builder<'_> {
         let made = MovingBody::new(motion).with_tool(tool, spec.arm.unwrap_or(0.0));
         let made = made.and_then(|body| body.with_law(spec.law, spec.duration.unwrap_or(duration)));
         let made = made.map_err(|e| self.refused(&e, None))?;
+        for warning in made.warnings() {
+            self.warn_at(if spec.along.is_some() { "along" } else { "poses" }, None, warning);
+        }
         let Some(file) = &spec.mesh else { return Ok(made) };
         let (name, mesh) = self.mesh_of_file(file)?;
         if mesh.faces.iter().any(|face| face.len() > 4) {
@@ -261,7 +264,17 @@ impl Builder<'_> {
         let mut made = Vec::with_capacity(contours.len());
         for (contour, curve) in contours.iter().enumerate() {
             let swept = curve.exact_pieces().and_then(|(pieces, closed)| SweptSurface::new(&pieces, closed, motion));
-            let swept = swept.map_err(|e| self.refused_at(["profile".into()], &e))?;
+            let swept = swept.map_err(|e| match e {
+                cyclide::Error::MotionAtRest { length, limit } => {
+                    let words = format!(
+                        "the motion is at rest: the profile moves by {}, which must be above {}, and runs over no surface",
+                        ShortNumber(length),
+                        ShortNumber(limit)
+                    );
+                    self.refused_in_words(["of".into()], e.reason(), words)
+                }
+                e => self.refused_at(["profile".into()], &e),
+            })?;
             for warning in swept.warnings() {
                 self.warn_at("profile", (contours.len() > 1).then_some(contour), warning.clone());
             }

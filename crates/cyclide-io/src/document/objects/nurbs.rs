@@ -1,6 +1,6 @@
 //! Rational B-splines of documents.
 
-use cyclide::{CurveObject, NurbsCurve, Point3, ShortNumber};
+use cyclide::{CurveCusp, CurveObject, NurbsCurve, Point3, ShortNumber, Warning, cusps};
 
 use super::Builder;
 use super::refuse::Blame;
@@ -27,6 +27,11 @@ impl Builder<'_> {
             );
             let place = self.place_of([Step::from("knots")]);
             self.remark("knots-clamped", None, None, place, message);
+        }
+        let found = cusps(&curve);
+        if let Some(&CurveCusp { t, point, angle, .. }) = found.first() {
+            let cusp = Warning::CuspInside { count: found.len(), t, at: point.to_array(), angle };
+            self.warn_at("control_points", None, cusp);
         }
         Ok(curve.into())
     }

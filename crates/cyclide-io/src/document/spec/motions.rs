@@ -37,7 +37,7 @@ pub struct MotionSpec {
     /// The poses, or a file of them; or `along` instead.
     pub poses: Option<PoseSource>,
     /// Name of a curve of one contour on which the origin of the body runs, turned by the quaternions of the curve: arcs, segments,
-    /// `moebius-spline`, `qb-interpolation`, or a rational `circle-spline` of order 1. It may be construction geometry.
+    /// `moebius-spline`, `qb-interpolation`, a `fair-spline` of tension 0, or a rational `circle-spline` of order 1. It may be construction geometry.
     pub along: Option<String>,
     /// With `along`: how the body is turned at the start of the curve. Default: not turned.
     pub start: Option<StartSpec>,
@@ -111,7 +111,7 @@ pub enum PoseSource {
 }
 
 /// A file of poses: delimited text with a header line. Columns `x`, `y`, `z`; `qw`, `qx`, `qy`, `qz` or `roll`, `pitch`, `yaw` (radians; in degrees
-/// `roll_deg`, `pitch_deg`, `yaw_deg`); `t` or `time`, if not left out. Names may have units: `x_mm`, `time [s]`, `yaw (deg)`.
+/// `roll_deg`, `pitch_deg`, `yaw_deg`), or the entries `m11` to `m34` of a matrix, row by row, which may stand for the position as well; `t` or `time`, if not left out. Names may have units: `x_mm`, `time [s]`, `yaw (deg)`.
 ///
 /// ```
 /// use cyclide_io::{Document, ModelBuilder};

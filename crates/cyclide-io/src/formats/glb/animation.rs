@@ -3,17 +3,18 @@
 use super::buffer::Buffer;
 use super::material::Look;
 use super::reader::File as Read;
-use super::track::{Carried, Track};
+use super::track::{Carried, Track, TrackFault};
 use super::{LINES, TRIANGLES};
 use crate::check::file_content::ReadError;
+use crate::export::error::ExportError;
 use crate::export::exported::Promise;
 use crate::export::mesh::single;
 use crate::export::moving::{reach, way};
-use cyclide::{BodyMesh, Item, Model, MovingBody, Point3, TimeLaw, Vec3};
+use cyclide::{BodyMesh, Item, Model, MovingBody, Point3, Schedule, Vec3};
 use serde_json::{Value, json};
 
-/// Places looked at between two keys when they are chosen, and when the file is checked.
-const PLACES: [u32; 2] = [9, 7];
+/// Seconds that a motion may last, so that its times and speeds are numbers of single precision, whose exponents end at 38.
+const DURATIONS: [f64; 2] = [1e-20, 1e20];
 
 /// What an animated body adds to a file.
 pub(super) struct Animated {
@@ -25,7 +26,10 @@ pub(super) struct Animated {
     pub(super) promise: Promise,
 }
 
-/// The parts of a body in motion; the animation is of the node with this number. `None` if single precision does not tell its times apart.
+/// The parts of a body in motion; the animation is of the node with this number.
+///
+/// # Errors
+/// [`ExportError`] if it lasts longer or shorter than single precision tells, or no keys keep the tolerance.
 pub(super) fn animated(
     item: &Item,
     body: &MovingBody,
@@ -33,13 +37,20 @@ pub(super) fn animated(
     first_material: usize,
     tolerance: f64,
     buffer: &mut Buffer,
-) -> Option<Animated> {
+) -> Result<Animated, ExportError> {
+    let (object, seconds) = (|| item.name.clone(), body.duration());
+    let [min, max] = DURATIONS;
+    if !(min..=max).contains(&seconds) {
+        return Err(ExportError::Duration { object: object(), seconds, min, max });
+    }
     let box_of_way = way(body);
     let center = box_of_way.min.midpoint(box_of_way.max);
-    let schedule = body.schedule().ok()?;
-    let carried = Carried { schedule: &schedule, duration: body.duration(), center, reach: reach(body) };
-    let track = carried.track(&fractions(body), tolerance)?;
-    let promise = Promise::sampled(carried.deviation(&track, PLACES[0]).max(tolerance));
+    let schedule = body.schedule().map_err(|source| ExportError::Lowering { object: object(), contour: 0, source })?;
+    let carried = carried(body, &schedule, center);
+    let (track, off) = carried.track(tolerance).map_err(|TrackFault::Off { keys, off, seconds }| {
+        ExportError::Keyframes { object: object(), off, tolerance, seconds, keys }
+    })?;
+    let promise = Promise::sampled(off.max(tolerance));
     let (primitives, materials) = match body.mesh() {
         Some(mesh) => shape(mesh, first_material, item, buffer),
         None => axes(reach(body), first_material, item, buffer),
@@ -55,19 +66,13 @@ pub(super) fn animated(
         "channels": [channel(0, "translation"), channel(1, "rotation")],
     });
     let first = json!({"translation": track.translations[0][1], "rotation": track.rotations[0][1]});
-    Some(Animated { center, first, primitives, materials, animation, promise })
+    Ok(Animated { center, first, primitives, materials, animation, promise })
 }
 
-/// The fractions of the duration at which the track has keys at least: where spans meet, as far as that is known.
-fn fractions(body: &MovingBody) -> Vec<f64> {
-    let (times, [first, last]) = (body.motion().times(), body.motion().domain());
-    match body.law() {
-        TimeLaw::AsGiven => times.iter().map(|time| (time - first) / (last - first)).collect(),
-        TimeLaw::ConstantSpeed | TimeLaw::Eased => {
-            let count = 2 * times.len();
-            (0..=count).map(|k| k as f64 / count as f64).collect()
-        }
-    }
+/// What keys of a body are held against.
+fn carried<'a>(body: &MovingBody, schedule: &'a Schedule<'a>, center: Point3) -> Carried<'a> {
+    let radius = way(body).diagonal();
+    Carried { schedule, duration: body.duration(), center, reach: reach(body), radius, breaks: schedule.breaks() }
 }
 
 /// Three lines along the axes of the body: red, green and blue.
@@ -120,13 +125,12 @@ pub(super) fn deviations(bytes: &[u8], model: &Model) -> Result<Vec<f64>, ReadEr
             }
             let schedule =
                 body.schedule().map_err(|source| ReadError::Geometry { place: item.name.clone(), source })?;
-            let (duration, reach) = (body.duration(), reach(body));
-            let carried = Carried { schedule: &schedule, duration, center: read.center, reach };
+            let (duration, carried) = (body.duration(), carried(body, &schedule, read.center));
             let last = f64::from(read.track.times.last().copied().unwrap_or_default());
             if !((last - duration).abs() <= 1e-6 * duration) {
                 return Err(wrong("an animation does not last as long as its motion"));
             }
-            Ok(carried.deviation(&read.track, PLACES[1]))
+            Ok(carried.deviation(&read.track).0)
         })
         .collect()
 }

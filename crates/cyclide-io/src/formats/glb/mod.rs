@@ -203,11 +203,7 @@ impl File {
     fn motion(&mut self, job: &Job<'_>, item: &Item, body: &MovingBody) -> Result<(), ExportError> {
         let (parent, node) = (self.nodes.len(), self.nodes.len() + 1);
         let first_material = self.materials.len();
-        let made = animation::animated(item, body, node, first_material, job.tolerance, &mut self.buffer);
-        let Some(made) = made else {
-            let detail = "its poses follow each other faster than numbers of single precision tell";
-            return Err(ExportError::NotInFormat { object: item.name.clone(), format: "GLB", detail });
-        };
+        let made = animation::animated(item, body, node, first_material, job.tolerance, &mut self.buffer)?;
         self.materials.extend(made.materials.iter().map(Look::to_json));
         self.children.push(parent);
         self.nodes.push(json!({"name": item.name, "translation": made.center.to_array(), "children": [node]}));

@@ -2,6 +2,10 @@
 //!
 //! Translation and quaternion are Hermite cubics between keys, the quaternion made of length 1 afterwards. That is no rational motion of
 //! ours, so keys are set closer until the body is within the tolerance; how far it is, is measured on the rounded numbers.
+//!
+//! Keys stand at times that single precision has, and poses are taken at these: a body that runs fast is not off by the rounding of a time.
+//! Between two keys the body is looked at in places evenly apart, and where the motion has its cells (`Schedule::breaks`), which lie close where it
+//! does much in a moment.
 
 use crate::export::mesh::single;
 use cyclide::{Point3, Pose, Quat, Schedule, Vec3};
@@ -10,10 +14,14 @@ use cyclide::{Point3, Pose, Quat, Schedule, Vec3};
 const SHARE: f64 = 0.5;
 /// Places looked at between two keys while they are chosen.
 const PLACES: u32 = 5;
-/// Halvings of a part of the motion.
-const HALVINGS: u32 = 12;
+/// The same when the track is made, and when a file is read.
+const CHECKED: u32 = 9;
+/// Most keys of a track: 18 MB of them.
+const MOST_KEYS: usize = 200_000;
 /// Tangents at a key are those this part of the interval inside: at a joint they jump.
 const INSIDE: f64 = 1e-9;
+/// What rounding to single precision may move a point by, in parts of its distance: of the place and the tangents of two keys, and of the turn.
+const ROUNDING: f64 = 6e-7;
 
 /// Keys with what a file says of them.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -37,6 +45,9 @@ struct Moving {
 
 /// Two keys with one-sided derivatives.
 struct Interval {
+    /// Times of single precision.
+    times: [f32; 2],
+    /// The parts of the duration there.
     ends: [f64; 2],
     from: Moving,
     to: Moving,
@@ -48,15 +59,35 @@ pub(super) struct Carried<'a> {
     pub(super) duration: f64,
     pub(super) center: Point3,
     pub(super) reach: f64,
+    /// How far its origin gets from the centre.
+    pub(super) radius: f64,
+    /// Where the motion has its cells.
+    pub(super) breaks: Vec<f64>,
+}
+
+/// Why there is no track within a tolerance.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum TrackFault {
+    /// So many keys are too few, or single precision has no times between two of them: at these seconds the body is that far off.
+    Off { keys: usize, off: f64, seconds: f64 },
 }
 
 impl Carried<'_> {
-    /// The track within a tolerance, where that can be had, with keys at these fractions of the duration among others; `None` if the keys come closer
-    /// than single precision tells.
-    pub(super) fn track(&self, fractions: &[f64], tolerance: f64) -> Option<Track> {
+    /// The track within a tolerance and the rounding of single precision, with keys where spans start.
+    ///
+    /// # Errors
+    /// [`TrackFault`].
+    pub(super) fn track(&self, tolerance: f64) -> Result<(Track, f64), TrackFault> {
+        let joints = self.schedule.timing().joints();
         let mut intervals = Vec::new();
-        for ends in fractions.windows(2) {
-            self.cut([ends[0], ends[1]], SHARE * tolerance, HALVINGS, &mut intervals);
+        let mut start = 0.0_f32;
+        for (k, span) in joints.windows(2).enumerate() {
+            let end = single(span[1] * self.duration);
+            // A span that is shorter than single precision tells is passed over; the next one is held against what is left out.
+            if end > start || (k + 2 == joints.len() && intervals.is_empty()) {
+                self.cut([start, end], [span[0], span[1]], SHARE * tolerance, &mut intervals)?;
+                start = end;
+            }
         }
         let mut track = Track::default();
         let mut before: Option<Quat> = None;
@@ -70,32 +101,54 @@ impl Carried<'_> {
             } else {
                 track.set_out(from, self.duration);
             }
-            track.push(interval.ends[1] * self.duration, to, Some(to), None, self.duration);
+            track.push(interval.times[1], to, Some(to), None, self.duration);
             before = Some(to.rotation);
         }
-        track.times.windows(2).all(|pair| pair[0] < pair[1]).then_some(track)
+        let (off, seconds) = self.deviation(&track);
+        let limit = tolerance + ROUNDING * (self.radius + self.reach);
+        if off <= limit { Ok((track, off)) } else { Err(TrackFault::Off { keys: track.times.len(), off, seconds }) }
     }
 
-    fn cut(&self, ends: [f64; 2], tolerance: f64, halvings: u32, out: &mut Vec<Interval>) {
-        let interval = self.interval(ends);
-        let within = (1..=PLACES).all(|k| {
-            let s = f64::from(k) / f64::from(PLACES + 1);
-            let (translation, rotation) = interval.at(s);
-            self.off(ends[0] + (ends[1] - ends[0]) * s, translation, rotation) <= tolerance
-        });
-        if within || halvings == 0 {
-            return out.push(interval);
+    fn cut(&self, times: [f32; 2], span: [f64; 2], tolerance: f64, out: &mut Vec<Interval>) -> Result<(), TrackFault> {
+        let interval = self.interval(times, span);
+        let [a, b] = interval.ends;
+        let off = |x: f64| {
+            let (translation, rotation) = interval.at((x - a) / (b - a));
+            self.off(x, translation, rotation)
+        };
+        let even = (1..=PLACES).map(|k| a + (b - a) * f64::from(k) / f64::from(PLACES + 1));
+        let worst = even.chain(self.cells_between([a, b])).map(|x| (off(x), x)).find(|(off, _)| !(*off <= tolerance));
+        let Some((off, place)) = worst else {
+            out.push(interval);
+            return Ok(());
+        };
+        let middle = single(0.5 * (f64::from(times[0]) + f64::from(times[1])));
+        if middle <= times[0] || middle >= times[1] {
+            // Nearer than this no keys are told apart; the whole track is measured in the end.
+            out.push(interval);
+            return Ok(());
         }
-        let middle = 0.5 * (ends[0] + ends[1]);
-        self.cut([ends[0], middle], tolerance, halvings - 1, out);
-        self.cut([middle, ends[1]], tolerance, halvings - 1, out);
+        if out.len() >= MOST_KEYS {
+            return Err(TrackFault::Off { keys: out.len(), off, seconds: place * self.duration });
+        }
+        self.cut([times[0], middle], span, tolerance, out)?;
+        self.cut([middle, times[1]], span, tolerance, out)
     }
 
-    fn interval(&self, ends: [f64; 2]) -> Interval {
+    /// Where cells of the motion meet within an interval, and the middles between these.
+    fn cells_between(&self, [a, b]: [f64; 2]) -> impl Iterator<Item = f64> {
+        let first = self.breaks.partition_point(|x| *x <= a).saturating_sub(1);
+        let near = self.breaks[first..].windows(2).take_while(move |pair| pair[0] < b);
+        near.flat_map(|pair| [pair[0], 0.5 * (pair[0] + pair[1])]).filter(move |x| *x > a && *x < b)
+    }
+
+    /// Two keys at times within a span with these ends, or next to them but for rounding.
+    fn interval(&self, times: [f32; 2], span: [f64; 2]) -> Interval {
+        let ends = times.map(|time| (f64::from(time) / self.duration).min(1.0));
         let step = INSIDE * (ends[1] - ends[0]);
-        let from = self.moving(ends[0], ends[0] + step);
-        let to = self.moving(ends[1], ends[1] - step).beside(Some(from.rotation));
-        Interval { ends, from, to }
+        let from = self.moving(ends[0], ends[0].max(span[0]) + step);
+        let to = self.moving(ends[1], ends[1].min(span[1]) - step).beside(Some(from.rotation));
+        Interval { times, ends, from, to }
     }
 
     /// The pose at a fraction with the derivatives at another one next to it; those that are not finite are 0.
@@ -124,16 +177,20 @@ impl Carried<'_> {
         (exact.translation() - self.center.to_vec() - translation).length() + turned * self.reach
     }
 
-    /// How far the body of a track is off, at so many places between two keys.
-    pub(super) fn deviation(&self, track: &Track, places: u32) -> f64 {
-        let mut most = 0.0_f64;
+    /// How far the body of a track is off at most, and when, in seconds.
+    pub(super) fn deviation(&self, track: &Track) -> (f64, f64) {
+        let mut most = (0.0_f64, 0.0_f64);
         for k in 1..track.times.len() {
             let [a, b] = [track.times[k - 1], track.times[k]].map(f64::from);
-            for place in 0..=places {
-                let s = f64::from(place) / f64::from(places);
+            let even = (0..=CHECKED).map(|place| f64::from(place) / f64::from(CHECKED));
+            let cells = self.cells_between([a / self.duration, b / self.duration]);
+            for s in even.chain(cells.map(|x| (x * self.duration - a) / (b - a))) {
                 let (translation, rotation) = track.at(k, s);
-                let off = self.off((a + (b - a) * s) / self.duration, translation, rotation);
-                most = if off.is_nan() { f64::INFINITY } else { most.max(off) };
+                let seconds = a + (b - a) * s;
+                let off = self.off(seconds / self.duration, translation, rotation);
+                if !(off <= most.0) {
+                    most = (if off.is_nan() { f64::INFINITY } else { off }, seconds);
+                }
             }
         }
         most
@@ -168,11 +225,11 @@ fn hermite(s: f64) -> [f64; 4] {
 }
 
 impl Track {
-    fn push(&mut self, time: f64, key: Moving, before: Option<Moving>, after: Option<Moving>, duration: f64) {
+    fn push(&mut self, time: f32, key: Moving, before: Option<Moving>, after: Option<Moving>, duration: f64) {
         let by_second =
             |moving: Option<Moving>| moving.map_or(([0.0; 3], [0.0; 4]), |moving| derivatives(moving, duration));
         let ((v0, q0), (v1, q1)) = (by_second(before), by_second(after));
-        self.times.push(single(time));
+        self.times.push(time);
         self.translations.push([v0, key.translation.to_array().map(single), v1]);
         self.rotations.push([q0, xyzw(key.rotation), q1]);
     }

@@ -20,6 +20,8 @@ pub(super) enum RotationColumns {
     Quaternion([usize; 4]),
     /// Columns of roll, pitch and yaw, and what they are multiplied by.
     Angles([usize; 3], f64),
+    /// Columns of the entries of a matrix: the rotation row by row, and the last row `0 0 0 1`, where it is given.
+    Matrix([[usize; 3]; 3], [Option<usize>; 4]),
     /// No column: not turned.
     None,
 }
@@ -35,8 +37,8 @@ enum Meaning {
     Quaternion(usize),
     /// Roll, pitch or yaw, with the radians of its unit.
     Angle(usize, f64),
-    /// An entry of the matrix, which our own tables have beside the quaternion.
-    Matrix,
+    /// An entry of the matrix, by row and column from 0; our own tables have it beside the quaternion.
+    Matrix(usize, usize),
 }
 
 const POSITION: [&str; 3] = ["x", "y", "z"];
@@ -45,7 +47,7 @@ const ANGLES: [&str; 3] = ["roll", "pitch", "yaw"];
 const DEGREES: [&str; 3] = ["roll_deg", "pitch_deg", "yaw_deg"];
 
 /// The names, for messages.
-pub(super) const NAMES: &str = "t or time, x, y, z, and qw, qx, qy, qz or roll, pitch, yaw (radians), with a unit as in `x_mm`, `time [s]`, `roll_deg`";
+pub(super) const NAMES: &str = "t or time, x, y, z, and qw, qx, qy, qz or roll, pitch, yaw (radians), or m11 to m34 (a matrix, row by row), with a unit as in `x_mm`, `time [s]`, `roll_deg`";
 
 const DEGREE: f64 = std::f64::consts::PI / 180.0;
 
@@ -72,7 +74,23 @@ impl PoseColumns {
             }
         };
         let needed = |name: &str, m: &dyn Fn(Meaning) -> bool| only(name, m)?.ok_or_else(|| table.no_column(name));
-        let position = |i: usize| needed(POSITION[i], &|m| m == Meaning::Position(i));
+        let any = |fits: &dyn Fn(Meaning) -> bool| meanings.iter().flatten().any(|m| fits(*m));
+        let is_quaternion = |m| matches!(m, Meaning::Quaternion(_));
+        let is_angle = |m| matches!(m, Meaning::Angle(..));
+        let is_matrix = |m| matches!(m, Meaning::Matrix(..));
+        let entry = |i: usize, j: usize| needed(&format!("m{}{}", i + 1, j + 1), &|m| m == Meaning::Matrix(i, j));
+        // Beside a quaternion a matrix says the same again.
+        let by_matrix = any(&is_matrix) && !any(&is_quaternion);
+        let placed = any(&|m| matches!(m, Meaning::Position(_)));
+        if by_matrix && placed && any(&|m| matches!(m, Meaning::Matrix(0..=2, 3))) {
+            return Err(table.header_refused(
+                "the positions are there twice, as x, y, z and as m14, m24, m34: leave the columns of one of them",
+            ));
+        }
+        let position = |i: usize| match by_matrix && !placed {
+            true => entry(i, 3),
+            false => needed(POSITION[i], &|m| m == Meaning::Position(i)),
+        };
         let position = Chosen {
             coordinates: vec![position(0)?, position(1)?, position(2)?],
             contour: None,
@@ -85,13 +103,15 @@ impl PoseColumns {
             Some(Meaning::Time(seconds)) => Some((column, seconds)),
             _ => None,
         });
-        let any = |fits: &dyn Fn(Meaning) -> bool| meanings.iter().flatten().any(|m| fits(*m));
-        let is_quaternion = |m| matches!(m, Meaning::Quaternion(_));
-        let is_angle = |m| matches!(m, Meaning::Angle(..));
         let rotation = match (any(&is_quaternion), any(&is_angle)) {
             (true, true) => {
                 return Err(table.header_refused(
                     "the rotations are there twice, as quaternions and as angles: leave the columns of one of them",
+                ));
+            }
+            (false, true) if by_matrix => {
+                return Err(table.header_refused(
+                    "the rotations are there twice, as angles and as a matrix: leave the columns of one of them",
                 ));
             }
             (true, false) => {
@@ -113,12 +133,13 @@ impl PoseColumns {
                 }
                 RotationColumns::Angles(columns, units[0])
             }
+            (false, false) if by_matrix => {
+                let row = |i: usize| Ok::<_, Box<Diagnostic>>([entry(i, 0)?, entry(i, 1)?, entry(i, 2)?]);
+                let last = |j: usize| only(&format!("m4{}", j + 1), &|m| m == Meaning::Matrix(3, j));
+                RotationColumns::Matrix([row(0)?, row(1)?, row(2)?], [last(0)?, last(1)?, last(2)?, last(3)?])
+            }
             (false, false) => RotationColumns::None,
         };
-        if let (Some(entry), false) = (meanings.iter().position(|m| *m == Some(Meaning::Matrix)), any(&is_quaternion)) {
-            let message = "entries of a matrix are read beside a quaternion only: name the rotations qw, qx, qy, qz or roll, pitch, yaw";
-            return Err(table.header[entry].refused(source, message));
-        }
         Ok(Self { position, time, rotation })
     }
 }
@@ -159,8 +180,10 @@ fn meaning(field: &Field<'_>) -> Option<Meaning> {
     if let Some(coordinate) = quaternion {
         return Some(Meaning::Quaternion(coordinate));
     }
-    let is_entry = |name: &str| (1..=3).any(|i| (1..=4).any(|j| name == format!("m{i}{j}")));
-    matches!(words.as_slice(), [only] if is_entry(only)).then_some(Meaning::Matrix)
+    let [only] = words.as_slice() else { return None };
+    (0..4)
+        .flat_map(|i| (0..4).map(move |j| (i, j)))
+        .find_map(|(i, j)| (*only == format!("m{}{}", i + 1, j + 1)).then_some(Meaning::Matrix(i, j)))
 }
 
 #[cfg(test)]
@@ -189,8 +212,9 @@ mod tests {
             ("yaw (°)", Some(Meaning::Angle(2, DEGREE))),
             ("yaw [º]", Some(Meaning::Angle(2, DEGREE))),
             ("roll_grad", None),
-            ("m34", Some(Meaning::Matrix)),
-            ("m44", None),
+            ("m34", Some(Meaning::Matrix(2, 3))),
+            ("m44", Some(Meaning::Matrix(3, 3))),
+            ("m54", None),
             ("x_left", None),
             ("x_deg", None),
             ("speed", None),

@@ -62,6 +62,18 @@ pub(crate) fn read_poses(name: &str, bytes: &[u8]) -> Result<PoseTable, Box<Diag
                 }
                 Pose::from_roll_pitch_yaw(translation, angles.map(|angle| angle * unit))
             }
+            RotationColumns::Matrix(rows, last) => {
+                let mut matrix = [[0.0, 0.0, 0.0, 1.0]; 4];
+                for ((to, columns), at) in matrix.iter_mut().zip(rows).zip(translation.to_array()) {
+                    *to = [value(columns[0])?, value(columns[1])?, value(columns[2])?, at];
+                }
+                for (to, column) in matrix[3].iter_mut().zip(last) {
+                    if let Some(column) = column {
+                        *to = value(*column)?;
+                    }
+                }
+                Pose::from_matrix(matrix)
+            }
             RotationColumns::None => Pose::new(Quat::ONE, translation),
         };
         let pose = made.map_err(|e| row.fields[0].refused(source, e.to_string()).with_reason(e.reason()))?;

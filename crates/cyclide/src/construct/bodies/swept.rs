@@ -7,6 +7,7 @@
 
 use super::bands::{Bands, Ring, rows_of};
 use super::rails::{RailPiece, rail_pieces};
+use crate::base::surface_jet::SurfaceJet;
 use crate::base::vector::{Point3, Vec3};
 use crate::conformal::mobius::Mobius;
 use crate::error::{Error, ErrorItem, Result};
@@ -21,6 +22,13 @@ const LARGEST_DEGREE: usize = 25;
 const SAME: f64 = 1e-12;
 /// Parts of a face in each direction whose normals are looked at.
 const PLACES: usize = 12;
+/// Besides, so far inside its borders: where the curve comes to a stand at a border it has no normal, and next to it one.
+const INSIDE: f64 = 1e-6;
+/// Normals on both sides of a border that are this near to being opposite, as the cosine of their angle, fold: a sharper corner of 10 degrees is
+/// no less a fold than it.
+const BACK: f64 = -0.985;
+/// Paths of points up to this part of their coordinates are points: roundings of the products with the rotation and their sums.
+const AT_REST: f64 = 64.0 * f64::EPSILON;
 /// A face is a curve where the product of its derivatives is below this part of that of their lengths, everywhere.
 const FLAT: f64 = 1e-9;
 
@@ -47,19 +55,21 @@ impl SweptSurface {
     /// than a third of a turn are cut.
     ///
     /// # Errors
-    /// `too-few-points` (no piece), `disconnected`, `weight-not-positive`; `degree-too-high`; `not-a-shell` (a piece runs along itself, or
+    /// `too-few-points` (no piece), `disconnected`, `weight-not-positive`; `degree-too-high`; `motion-at-rest`; `not-a-shell` (a piece runs along itself, or
     /// stands still).
     pub fn new(profile: &[EdgeCurve], closed: bool, motion: &RationalMotion) -> Result<Self> {
         let pieces: Vec<EdgeCurve> = rail_pieces([profile, profile], closed)?.into_iter().map(first_curve).collect();
         let motion = motion.with_positive_weights();
+        check_moves(&pieces, &motion)?;
         let degree = pieces.iter().map(|piece| rows_of(piece).len() - 1).max().unwrap_or(0).max(2 * motion.degree());
         if degree > LARGEST_DEGREE {
             return Err(Error::DegreeTooHigh { degree, limit: LARGEST_DEGREE });
         }
         let faces: Vec<Vec<RationalBezierSurface>> =
             pieces.iter().map(|piece| surfaces(piece, &motion)).collect::<Result<_>>()?;
-        let folds = folds(&faces)?;
-        let body = sewn(&pieces, closed, &motion, &faces)?;
+        let comes_back = comes_back(&pieces, &motion);
+        let folds = folds(&faces, closed, comes_back)?;
+        let body = sewn(&pieces, closed, &motion, &faces, comes_back)?;
         Ok(Self { body, warnings: folds.into_iter().collect() })
     }
 
@@ -106,10 +116,10 @@ fn sewn(
     closed: bool,
     motion: &RationalMotion,
     faces: &[Vec<RationalBezierSurface>],
+    comes_back: bool,
 ) -> Result<Body> {
     let times = motion.times();
     let poses: Vec<Pose> = times.iter().map(|time| motion.pose(*time)).collect();
-    let comes_back = is_same(poses[0], poses[times.len() - 1], pieces) && times.len() > 2;
     let mut bands = Bands::default();
     let mut rings: Vec<Ring> = Vec::with_capacity(times.len());
     for (k, pose) in poses.iter().enumerate() {
@@ -149,13 +159,50 @@ fn is_same(first: Pose, last: Pose, pieces: &[EdgeCurve]) -> bool {
     })
 }
 
-/// The warning of faces whose normals turn back from one place to the next.
+/// Whether the motion brings the pieces back to where they began.
+fn comes_back(pieces: &[EdgeCurve], motion: &RationalMotion) -> bool {
+    let times = motion.times();
+    let [first, last] = [times[0], times[times.len() - 1]].map(|time| motion.pose(time));
+    is_same(first, last, pieces) && times.len() > 2
+}
+
+/// Refuses a motion that moves no point of the pieces.
+///
+/// # Errors
+/// `motion-at-rest`.
+fn check_moves(pieces: &[EdgeCurve], motion: &RationalMotion) -> Result<()> {
+    let points = || pieces.iter().flat_map(|piece| [piece.start(), piece.point(0.3), piece.point(0.5), piece.end()]);
+    let first = motion.pose(motion.times()[0]);
+    let places =
+        || motion.times().windows(2).flat_map(|ends| [0.3, 0.6, 1.0].map(|s| ends[0] + (ends[1] - ends[0]) * s));
+    let moved = |pose: Pose| points().map(move |p| (pose.apply(p).distance(first.apply(p)), pose.apply(p)));
+    let all = || places().flat_map(|time| moved(motion.pose(time)));
+    let length = all().map(|(length, _)| length).fold(0.0, f64::max);
+    let limit = AT_REST * all().map(|(_, p)| p.to_vec().max_abs()).fold(0.0, f64::max);
+    if length > limit { Ok(()) } else { Err(Error::MotionAtRest { length, limit }) }
+}
+
+/// The warning of faces whose normals turn back from one place to the next, or over the border to the face before.
 ///
 /// # Errors
 /// `not-a-shell` for a face that is a curve.
-fn folds(faces: &[Vec<RationalBezierSurface>]) -> Result<Option<Warning>> {
-    let (mut count, mut first) = (0, None);
-    let spans = faces.first().map_or(0, Vec::len);
+fn folds(faces: &[Vec<RationalBezierSurface>], closed: bool, comes_back: bool) -> Result<Option<Warning>> {
+    let (mut count, mut borders, mut first) = (0, 0, None);
+    let (pieces, spans) = (faces.len(), faces.first().map_or(0, Vec::len));
+    let before = |index: usize, count: usize, round: bool| match index {
+        0 if round && count > 1 => Some(count - 1),
+        0 => None,
+        _ => Some(index - 1),
+    };
+    let turns_back = |face: usize| {
+        let (k, i) = (face / pieces, face % pieces);
+        let own = &faces[i][k];
+        let over_span = before(k, spans, comes_back).map(|k| &faces[i][k]);
+        let over_piece = before(i, pieces, closed).map(|i| &faces[i][k]);
+        over_span.is_some_and(|other| fold_at_border(|s, off| other.jet(s, 1.0 - off), |s, off| own.jet(s, off)))
+            || over_piece
+                .is_some_and(|other| fold_at_border(|t, off| other.jet(1.0 - off, t), |t, off| own.jet(off, t)))
+    };
     for (face, surface) in (0..spans).flat_map(|k| faces.iter().map(move |of_piece| &of_piece[k])).enumerate() {
         match shape(surface) {
             FaceShape::Curve => {
@@ -166,10 +213,45 @@ fn folds(faces: &[Vec<RationalBezierSurface>]) -> Result<Option<Warning>> {
                 count += 1;
                 first = first.or(Some(face));
             }
+            FaceShape::Regular if turns_back(face) => {
+                count += 1;
+                borders += 1;
+                first = first.or(Some(face));
+            }
             FaceShape::Regular => {}
         }
     }
-    Ok(first.map(|face| Warning::SweptSurfaceFolds { count, face }))
+    Ok(first.map(|face| Warning::SweptSurfaceFolds { count, face, borders }))
+}
+
+/// Whether two faces lie on each other beside a common border: their normals there, a little inside, point against each other.
+fn fold_at_border(before: impl Fn(f64, f64) -> SurfaceJet, after: impl Fn(f64, f64) -> SurfaceJet) -> bool {
+    (0..PLACES).map(place).any(|along| {
+        let [a, b] = [before(along, INSIDE), after(along, INSIDE)].map(|jet| Normal::of(&jet));
+        a.counts() && b.counts() && a.product.dot(b.product) <= BACK * a.product.length() * b.product.length()
+    })
+}
+
+/// The middle of a part of a face.
+fn place(k: usize) -> f64 {
+    (k as f64 + 0.5) / PLACES as f64
+}
+
+/// The product of the derivatives at a place, and that of their lengths.
+struct Normal {
+    product: Vec3,
+    lengths: f64,
+}
+
+impl Normal {
+    fn of(jet: &SurfaceJet) -> Self {
+        Self { product: jet.ds.cross(jet.dt), lengths: jet.ds.length() * jet.dt.length() }
+    }
+
+    /// False where the derivatives have one direction but for rounding: then the product has none.
+    fn counts(&self) -> bool {
+        self.product.length() > FLAT * self.lengths
+    }
 }
 
 /// What the normals of a face say.
@@ -180,23 +262,19 @@ enum FaceShape {
 }
 
 fn shape(surface: &RationalBezierSurface) -> FaceShape {
-    let place = |k: usize| (k as f64 + 0.5) / PLACES as f64;
-    let products: Vec<Vec<(Vec3, f64)>> = (0..PLACES)
-        .map(|i| {
-            (0..PLACES)
-                .map(|j| {
-                    let jet = surface.jet(place(i), place(j));
-                    (jet.ds.cross(jet.dt), jet.ds.length() * jet.dt.length())
-                })
-                .collect()
-        })
-        .collect();
-    let most = products.iter().flatten().map(|(_, size)| *size).fold(0.0, f64::max);
-    if products.iter().flatten().all(|(product, _)| product.length() <= FLAT * most) {
+    let places: Vec<f64> = [INSIDE].into_iter().chain((0..PLACES).map(place)).chain([1.0 - INSIDE]).collect();
+    let rows: Vec<Vec<Normal>> =
+        places.iter().map(|s| places.iter().map(|t| Normal::of(&surface.jet(*s, *t))).collect()).collect();
+    let most = rows.iter().flatten().map(|normal| normal.lengths).fold(0.0, f64::max);
+    if rows.iter().flatten().all(|normal| normal.product.length() <= FLAT * most) {
         return FaceShape::Curve;
     }
-    let turned = |a: &(Vec3, f64), b: &(Vec3, f64)| a.0.dot(b.0) < 0.0;
-    let across = (1..PLACES).any(|i| (0..PLACES).any(|j| turned(&products[i - 1][j], &products[i][j])));
-    let along = products.iter().any(|row| row.windows(2).any(|pair| turned(&pair[0], &pair[1])));
+    // A place without a normal may be the very place where it turns: those beside it are compared.
+    let turns = |line: &mut dyn Iterator<Item = &Normal>| {
+        let told: Vec<&Normal> = line.filter(|normal| normal.counts()).collect();
+        told.windows(2).any(|pair| pair[0].product.dot(pair[1].product) < 0.0)
+    };
+    let along = rows.iter().any(|row| turns(&mut row.iter()));
+    let across = (0..places.len()).any(|j| turns(&mut rows.iter().map(|row| &row[j])));
     if across || along { FaceShape::Folded } else { FaceShape::Regular }
 }

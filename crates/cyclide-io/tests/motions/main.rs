@@ -2,6 +2,10 @@
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
+mod animations;
+mod extremes;
+mod sources;
+
 use std::path::Path;
 
 use cyclide::{Model, Pose, Units, Vec3};
@@ -140,7 +144,7 @@ fn refusals_are_at_their_place() {
         ("x,y,z,roll_deg,pitch,yaw\n0,0,0,0,0,0\n1,0,0,0,0,0\n", "roll_deg, pitch, yaw speak of different units"),
         ("x,y,z,roll,pitch\n0,0,0,0,0\n1,0,0,0,0\n", "no column is named `yaw`"),
         ("x,y,z,qw,qx,qy,qz,yaw\n0,0,0,1,0,0,0,0\n1,0,0,1,0,0,0,0\n", "twice, as quaternions and as angles"),
-        ("x,y,z,m11\n0,0,0,1\n1,0,0,1\n", "beside a quaternion only"),
+        ("x,y,z,m11\n0,0,0,1\n1,0,0,1\n", "no column is named `m12`"),
     ] {
         let message = build_all(&motion(r#""poses": {"csv": "poses.csv"}"#), table).unwrap_err();
         assert!(message.contains(expected), "{message}");
@@ -307,7 +311,7 @@ fn closed_curves_report_by_how_much_the_body_does_not_close() {
     let (open, text) = of(false);
     assert!(open.is_none() && !text.contains("closes"), "{text}");
     let (closed, text) = of(true);
-    assert!(closed.unwrap() > 1e-3 && text.contains("closes") && text.contains("against how it began"), "{text}");
+    assert!(closed.unwrap() > 1e-3 && text.contains("comes back") && text.contains("against how it began"), "{text}");
 }
 
 #[test]
