@@ -20,6 +20,8 @@ const RANK_TWO: f64 = 1e-12;
 const PRODUCTS: f64 = 6.0;
 /// Poses are met to this part of the size, and in the coefficients of their rotations.
 const MET: f64 = 1e-9;
+/// What entries of a form may be off where five poses are on a motion of degree 2 but for their digits. Pfaffians are products, and six decimals do.
+const DIGITS: f64 = 1e-8;
 /// A motion of degree 2 through three of five poses may miss the others by so many times what the poses are off.
 const CARRIED: f64 = 1e3;
 /// Triples of five poses, the most even one first.
@@ -63,7 +65,7 @@ impl RationalMotion {
             let conic = prepared.conic_of_five(&displacements, &times, &m);
             return conic.or_else(|refused| prepared.beside_conic(&displacements, &times).unwrap_or(Err(refused)));
         }
-        let rounded = PRODUCTS * entry * ROUNDED / least_step(&times);
+        let rounded = PRODUCTS * entry * DIGITS / least_step(&times);
         if factors.iter().all(|f| f.abs() <= rounded)
             && let Some(motion) = prepared.beside_conic(&displacements, &times)
         {
@@ -122,7 +124,7 @@ impl Prepared {
     /// The motion through five poses that are on one of degree 2 but for the digits they are written with, if they are: each pose gets the length that the
     /// dual quaternion of that motion has at its time. It is met, and the motion differs from that of degree 2 by what the poses do.
     fn beside_conic(&self, poses: &[DualQuat; 5], times: &[f64; 5]) -> Option<Result<RationalMotion>> {
-        let limit = CARRIED * ROUNDED;
+        let limit = CARRIED * DIGITS;
         TRIPLES.into_iter().find_map(|triple| {
             let rows = conic_rows(&triple.map(|i| poses[i]), &triple.map(|i| times[i]), ROUNDED).ok()?;
             let missed: [f64; 5] = std::array::from_fn(|i| miss(&rows, poses[i], times[i]));

@@ -4,8 +4,8 @@ use super::dual_quat::DualQuat;
 
 /// Forms up to this part of the size of the poses are zero: all relative displacements are rotations or translations.
 const VANISHED: f64 = 1e-12;
-/// Forms up to this are zero of poses that are written with nine decimals: each of the eight products of a form is off by half a unit of the last one.
-pub(super) const ROUNDED: f64 = 1e-8;
+/// Forms up to this are zero of poses that are written with six decimals: each of the eight products of a form is off by half a unit of the last one.
+pub(super) const ROUNDED: f64 = 5e-6;
 /// Roundings of the largest coordinate that a form may consist of: its translations are rounded when given and when taken about the centroid.
 const ROUNDINGS: f64 = 8.0;
 
