@@ -1,6 +1,6 @@
 //! Grids of blocks, and the places of their cells.
 
-use cyclide::{CyclideGrid, CyclideVolume, DupinCyclide, FineEnd, Grading, StructuredGrid, VolumeFrame};
+use cyclide::{CyclideGrid, CyclideVolume, DupinCyclide, ErrorItem, FineEnd, Grading, StructuredGrid, VolumeFrame};
 
 use super::Builder;
 use super::nets::{SEGMENTS, frame_of_axes};
@@ -114,7 +114,10 @@ impl Builder<'_> {
                 CellsAlongSpec::Count(count) => (*count, Grading::Uniform),
                 CellsAlongSpec::Graded(spec) => (spec.count, self.law(volumes, axis, spec)?),
             };
-            *places = law.places(count as usize).map_err(|e| self.refused_at(place_of(axis), &e))?;
+            // One number for all directions stands alone.
+            let alone = matches!(cells, Some(CellsSpec::Count(_)));
+            let place = place_of(axis).into_iter().take(if alone { 1 } else { 2 });
+            *places = law.places(count as usize).map_err(|e| self.refused_at(place, &e))?;
         }
         StructuredGrid::check_size(volumes.len(), &places).map_err(|e| self.refused_at([Step::from("cells")], &e))?;
         Ok(Some(places))
@@ -124,28 +127,45 @@ impl Builder<'_> {
     fn law(&self, volumes: &[CyclideVolume], axis: usize, spec: &GradedCellsSpec) -> Result<Grading> {
         let (count, fine) = (spec.count as usize, spec.fine);
         let refused = |e: cyclide::Error| self.refused_at(place_of(axis), &e);
-        let share = |first: f64| {
-            let [at_start, at_end] = [fine != FineEnd::End, fine != FineEnd::Start];
-            let of = |at_end: bool| StructuredGrid::share_of_height(volumes, axis, at_end, first);
-            let start = if at_start { of(false)? } else { 1.0 };
-            let end = if at_end { of(true)? } else { 1.0 };
-            cyclide::Result::Ok(start.min(end))
+        let by = |first: f64, law: fn(f64, usize, FineEnd) -> cyclide::Result<Grading>| {
+            let share = share(volumes, axis, first, fine)?;
+            // What is said of shares is meant of lengths.
+            law(share, count, fine).map_err(|e| in_lengths(e, first / share))
         };
         match (spec.law, spec.ratio, spec.stretch, spec.first) {
             (None | Some(CellLaw::Uniform), None, None, None) => Ok(Grading::Uniform),
             (None | Some(CellLaw::Geometric), Some(ratio), None, None) => Ok(Grading::Geometric { ratio, fine }),
             (None | Some(CellLaw::Tanh), None, Some(stretch), None) => Ok(Grading::Tanh { stretch, fine }),
             (None | Some(CellLaw::Geometric), None, None, Some(first)) => {
-                share(first).and_then(|share| Grading::geometric_from_first(share, count, fine)).map_err(refused)
+                by(first, Grading::geometric_from_first).map_err(refused)
             }
-            (Some(CellLaw::Tanh), None, None, Some(first)) => {
-                share(first).and_then(|share| Grading::tanh_from_first(share, count, fine)).map_err(refused)
-            }
+            (Some(CellLaw::Tanh), None, None, Some(first)) => by(first, Grading::tanh_from_first).map_err(refused),
             _ => {
                 let message = "of graded cells give one of `ratio` (law `geometric`), `stretch` (`tanh`) and `first` (either); `uniform` has none";
                 Err(Error::Input(self.diagnostic(place_of(axis), message)))
             }
         }
+    }
+}
+
+/// The share of a direction that a cell of this length has at the fine end, where sides are shortest at both.
+fn share(volumes: &[CyclideVolume], axis: usize, first: f64, fine: FineEnd) -> cyclide::Result<f64> {
+    let of = |at_end: bool| StructuredGrid::share_of_height(volumes, axis, at_end, first);
+    match fine {
+        FineEnd::Start => of(false),
+        FineEnd::End => of(true),
+        FineEnd::Both => Ok(of(false)?.min(of(true)?)),
+    }
+}
+
+/// An error about the share of a first cell in units of length.
+fn in_lengths(error: cyclide::Error, length: f64) -> cyclide::Error {
+    match error {
+        cyclide::Error::ParameterOutOfRange { name: ErrorItem::FirstCell, value, min, max } => {
+            let [value, min, max] = [value, min, max].map(|share| share * length);
+            cyclide::Error::ParameterOutOfRange { name: ErrorItem::FirstCell, value, min, max }
+        }
+        other => other,
     }
 }
 
