@@ -216,7 +216,7 @@ class Face:
 
     def area(self):
         """Own quadrature; in a plane, on a cylinder and on a cone along the edges."""
-        if self.kind in ("cylinder", "cone"):
+        if self._is_round:
             return self._round_integrals[0]
         return self._plane_area() if self.kind == "plane" else self._integrals[0]
 
@@ -225,7 +225,14 @@ class Face:
         if self.kind == "plane":
             p, n = self.at(self.box[0], self.box[2])
             return float(np.dot(p, n) / np.linalg.norm(n)) * self._plane_area() / 3
-        return self._round_integrals[1] if self.kind in ("cylinder", "cone") else self._integrals[1]
+        return self._round_integrals[1] if self._is_round else self._integrals[1]
+
+    @functools.cached_property
+    def _is_round(self):
+        """A part of a cylinder, or one of a cone between other lines than those of its parameters, which never reaches the tip."""
+        edges = [Edge(edge) for edge in self.edges if not BRep_Tool.Degenerated_s(edge)]
+        straight = all(edge.curve.GetType() in (Curve.GeomAbs_Line, Curve.GeomAbs_Circle) for edge in edges)
+        return self.kind == "cylinder" or (self.kind == "cone" and not straight)
 
     @functools.cached_property
     def _round_integrals(self):

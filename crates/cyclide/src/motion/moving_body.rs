@@ -107,8 +107,10 @@ impl MovingBody {
     /// # Errors
     /// `parameter-out-of-range` (a duration that is not positive, or beyond 1e-90 to 1e90, where a jerk is no number); as [`Timing::new`].
     pub fn with_law(self, law: TimeLaw, duration: f64) -> Result<Self> {
-        let [min, max] = DURATIONS;
-        if !(duration > min && duration < max) {
+        let [least, most] = DURATIONS;
+        if !(duration > least && duration < most) {
+            // What is no duration at all is told so.
+            let [min, max] = if duration > 0.0 { DURATIONS } else { [0.0, f64::MAX] };
             return Err(Error::ParameterOutOfRange { name: ErrorItem::Duration, value: duration, min, max });
         }
         Self { law, duration, ..self }.checked()
