@@ -8,6 +8,7 @@ pub(crate) mod cut;
 pub(crate) mod elimination;
 pub(crate) mod euclidean;
 pub(crate) mod frame;
+pub(crate) mod golden_section;
 pub(crate) mod jet;
 pub(crate) mod multilinear;
 pub(crate) mod planar;

@@ -5,6 +5,7 @@
 //! (`docs/math/motions.md#extremes`).
 
 use super::moving_body::Schedule;
+use crate::base::golden_section::GoldenSection;
 use crate::base::quadrature;
 
 /// Even parts of a cell: on it one 8-point rule gives the integral to 1e-13, so that it bends little.
@@ -188,24 +189,13 @@ impl Schedule<'_> {
     /// The highest place of a bracket, and how high it is: infinitely, if it still grows where it should have been reached.
     fn highest(&self, figure: Figure, bracket: Bracket) -> (f64, f64) {
         let value = |x: f64| self.figures(bracket.span, x)[figure as usize];
-        let ratio = 0.5 * (5.0_f64.sqrt() - 1.0);
-        let [mut low, mut high] = bracket.ends;
-        let [mut x, mut y] = [high - ratio * (high - low), low + ratio * (high - low)];
-        let [mut at_x, mut at_y] = [value(x), value(y)];
+        let mut search = GoldenSection::new(|x| -value(x), bracket.ends);
         let (mut best, mut reached) = ((bracket.at, bracket.value), bracket.value);
         for section in 0..SECTIONS {
-            if at_x > at_y {
-                (high, y, at_y) = (y, x, at_x);
-                x = high - ratio * (high - low);
-                at_x = value(x);
-            } else {
-                (low, x, at_x) = (x, y, at_y);
-                y = low + ratio * (high - low);
-                at_y = value(y);
-            }
-            for (place, value) in [(x, at_x), (y, at_y)] {
-                if value > best.1 {
-                    best = (place, value);
+            search.section();
+            for (place, lowered) in search.inside() {
+                if -lowered > best.1 {
+                    best = (place, -lowered);
                 }
             }
             if section == REACHED {

@@ -1,5 +1,7 @@
 //! Where a blend comes nearest to folding, over the pieces of its loop of balls (`docs/math/canal-blends.md#the-canal-patch`).
 
+use crate::base::golden_section::GoldenSection;
+
 /// Places of a piece at which folds are looked for first.
 const PLACES: u32 = 24;
 /// Sections of the two intervals beside the least value: to 1e-9 of the piece.
@@ -46,27 +48,9 @@ fn least_below(known: f64, value: impl Fn(f64) -> f64) -> (f64, f64) {
         // A convex function goes no lower between three places; one end has no neighbour to tell.
         let within_reach = before.is_none() || after.is_none() || 2.0 * middle - beside < best;
         if lowest && within_reach {
-            let s = lowest_between(&value, [at(k.saturating_sub(1)), at((k + 1).min(PLACES))]);
+            let s = GoldenSection::lowest(&value, [at(k.saturating_sub(1)), at((k + 1).min(PLACES))], SECTIONS);
             improve(s, value(s));
         }
     }
     least
-}
-
-fn lowest_between(value: &impl Fn(f64) -> f64, [mut low, mut high]: [f64; 2]) -> f64 {
-    let ratio = 0.5 * (5.0_f64.sqrt() - 1.0);
-    let [mut x, mut y] = [high - ratio * (high - low), low + ratio * (high - low)];
-    let [mut at_x, mut at_y] = [value(x), value(y)];
-    for _ in 0..SECTIONS {
-        if at_x < at_y {
-            (high, y, at_y) = (y, x, at_x);
-            x = high - ratio * (high - low);
-            at_x = value(x);
-        } else {
-            (low, x, at_x) = (x, y, at_y);
-            y = low + ratio * (high - low);
-            at_y = value(y);
-        }
-    }
-    0.5 * (low + high)
 }

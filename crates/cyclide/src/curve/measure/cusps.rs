@@ -3,6 +3,7 @@
 //! The speed of a smooth piece has a kink at a cusp, at which quadrature halves its cells. A place of a cell that is slower than its neighbours
 //! is searched by sections in the golden ratio; it is a cusp if hardly a speed is left there and the tangents on both sides point against each other.
 
+use crate::base::golden_section::GoldenSection;
 use crate::base::quadrature;
 use crate::base::vector::{Point3, Vec3};
 use crate::curve::ParamCurve;
@@ -107,22 +108,7 @@ fn cusp_between(
     [a, b]: [f64; 2],
     speed: &mut impl FnMut(f64) -> f64,
 ) -> Option<(f64, f64)> {
-    let ratio = 0.5 * (5.0_f64.sqrt() - 1.0);
-    let (mut low, mut high) = (a, b);
-    let [mut x, mut y] = [high - ratio * (high - low), low + ratio * (high - low)];
-    let [mut at_x, mut at_y] = [speed(x), speed(y)];
-    for _ in 0..SECTIONS {
-        if at_x < at_y {
-            (high, y, at_y) = (y, x, at_x);
-            x = high - ratio * (high - low);
-            at_x = speed(x);
-        } else {
-            (low, x, at_x) = (x, y, at_y);
-            y = low + ratio * (high - low);
-            at_y = speed(y);
-        }
-    }
-    let s = 0.5 * (low + high);
+    let s = GoldenSection::lowest(&mut *speed, [a, b], SECTIONS);
     let step = (BESIDE * (b - a)).max(LEAST_STEP);
     let [before, after] = [(s - step).max(0.0), (s + step).min(1.0)];
     if speed(s) > NO_SPEED * speed(before).min(speed(after)) {

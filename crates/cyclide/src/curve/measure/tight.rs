@@ -5,6 +5,7 @@ use super::curvature::curvature_and_slope;
 use super::fairness::CORNER_ANGLE;
 use super::length::ArcLength;
 use super::maximum::maximum;
+use crate::base::golden_section::GoldenSection;
 use crate::base::roots::bracketed;
 use crate::base::vector::Point3;
 use crate::curve::{ParamCurve, PieceForm};
@@ -169,17 +170,12 @@ fn parts_of_free_piece(curve: &dyn ParamCurve, piece: usize, limit: f64) -> Vec<
 
 /// Moves the tightest place of a part from the grid to the maximum beside it, by golden sections.
 fn refine(part: &mut Part, grid: &[f64], curvature: &dyn Fn(f64) -> f64) {
-    const GOLDEN: f64 = 0.618_033_988_749_895;
     if !part.curvature.is_finite() {
         return;
     }
     let at = grid.partition_point(|s| *s < part.tightest.1);
-    let (mut a, mut b) = (grid[at.saturating_sub(1)], grid[(at + 1).min(grid.len() - 1)]);
-    for _ in 0..GOLDEN_STEPS {
-        let (c, d) = (b - GOLDEN * (b - a), a + GOLDEN * (b - a));
-        if curvature(c) >= curvature(d) { b = d } else { a = c }
-    }
-    let s = 0.5 * (a + b);
+    let ends = [grid[at.saturating_sub(1)], grid[(at + 1).min(grid.len() - 1)]];
+    let s = GoldenSection::lowest(|s| -curvature(s), ends, GOLDEN_STEPS);
     let found = curvature(s);
     if found > part.curvature {
         (part.tightest.1, part.curvature) = (s, found);

@@ -1,13 +1,14 @@
 //! On which side of the axis a profile lies.
 
 use super::{PLACES, Revolution};
+use crate::base::golden_section::GoldenSection;
 use crate::base::vector::Vec3;
 use crate::curve::ParamCurve as _;
 use crate::error::{Error, Result};
 use crate::topology::EdgeCurve;
 
 /// Sections for the place nearest to the axis: half of the digits, as a least value has them.
-const SECTIONS: usize = 40;
+const SECTIONS: u32 = 40;
 /// Directions off the axis are in one plane with it if the sine between them is below this.
 const ONE_PLANE: f64 = 1e-9;
 
@@ -67,12 +68,7 @@ fn leaves_backwards(turn: &Revolution, curve: &EdgeCurve, pole: f64, way: Vec3) 
 fn least_along(turn: &Revolution, curve: &EdgeCurve, k: u32, way: Vec3) -> f64 {
     let Some(along) = way.unit() else { return 0.0 };
     let off = |x: f64| turn.way_off_axis(curve.point(x));
-    let ratio = 0.5 * (5.0_f64.sqrt() - 1.0);
-    let [mut low, mut high] = [k - 1, k + 1].map(|k| f64::from(k) / f64::from(PLACES));
-    for _ in 0..SECTIONS {
-        let (x, y) = (high - ratio * (high - low), low + ratio * (high - low));
-        if off(x).dot(along) < off(y).dot(along) { high = y } else { low = x }
-    }
-    let least = off(0.5 * (low + high));
+    let ends = [k - 1, k + 1].map(|k| f64::from(k) / f64::from(PLACES));
+    let least = off(GoldenSection::lowest(|x| off(x).dot(along), ends, SECTIONS));
     if least.cross(along).length() <= ONE_PLANE * way.length() { least.dot(along) } else { least.length() }
 }
