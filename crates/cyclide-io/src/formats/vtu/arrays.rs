@@ -1,8 +1,9 @@
 //! The arrays of a VTU file, as numbers in digits or appended as base64.
 
 use crate::export::options::VtuEncoding;
-use crate::text::base64;
 use crate::text::number::push_plain;
+use base64::Engine as _;
+use base64::engine::general_purpose::STANDARD;
 
 /// Length of a point with its weight in digits, about: a text that grows is twice there while it moves.
 const POINT: usize = 110;
@@ -107,7 +108,7 @@ impl Arrays {
                 values.for_each(|value| number.push(&mut bytes, value));
                 let count = (bytes.len() - HEADER) as u64;
                 bytes[..HEADER].copy_from_slice(&count.to_le_bytes());
-                base64::push(&mut self.appended, &bytes);
+                STANDARD.encode_string(&bytes, &mut self.appended);
             }
         }
     }
@@ -130,11 +131,11 @@ const HEADER: usize = 8;
 /// The bytes of an array that begins a text; `None` if it is none.
 pub(super) fn appended(text: &str) -> Option<Vec<u8>> {
     // Twelve letters have the number of bytes.
-    let head = base64::bytes_of(text.get(..base64::text_length(HEADER))?)?;
+    let head = STANDARD.decode(text.get(..base64::encoded_len(HEADER, true)?)?).ok()?;
     let count = u64::from_le_bytes(*head.first_chunk()?);
     let bytes = usize::try_from(count).ok()?.checked_add(HEADER).filter(|bytes| *bytes <= text.len())?;
-    let whole = base64::text_length(bytes);
-    let bytes = base64::bytes_of(text.get(..whole)?)?;
+    let whole = base64::encoded_len(bytes, true)?;
+    let bytes = STANDARD.decode(text.get(..whole)?).ok()?;
     let (_, own) = bytes.split_at_checked(HEADER)?;
     (own.len() as u64 == count).then(|| own.to_vec())
 }
