@@ -3,27 +3,14 @@
 //! `cargo run --release --example surface_throughput`. It is the half of `benches/compare_surfaces.py` that runs our side.
 #![allow(clippy::print_stdout, reason = "an example program reports by printing")]
 
+mod timing;
 mod torus_grid;
 
 use cyclide::{ParamSurface, Result};
-use std::time::Instant;
+use timing::smallest;
 
 /// Parameters in each direction.
 const COUNT: usize = 1000;
-/// Repetitions; the smallest time is printed.
-const REPETITIONS: usize = 15;
-
-/// Smallest seconds of a run; its result counts, so that nothing can be left out.
-fn smallest(mut run: impl FnMut() -> f64) -> f64 {
-    let mut least = f64::INFINITY;
-    for _ in 0..REPETITIONS {
-        let start = Instant::now();
-        let some_number = std::hint::black_box(run());
-        least = least.min(start.elapsed().as_secs_f64());
-        assert!(some_number.is_finite(), "points are finite");
-    }
-    least
-}
 
 fn main() -> Result<()> {
     let (patch, s) = (torus_grid::patch()?, torus_grid::parameters(COUNT));
