@@ -4,6 +4,7 @@ use crate::check::bodies::FileVolume;
 use crate::check::deviation::larger;
 use crate::check::file_content::ReadError;
 use cyclide::{CyclideVolume, ParamVolume as _};
+use std::collections::HashMap;
 
 /// Places per parameter at which volumes are compared.
 const PLACES: u32 = 5;
@@ -35,15 +36,43 @@ pub(crate) fn volume_deviation(
             deviation = larger(deviation, found.volume.point(own).distance(block.point(place)));
         }
     }
-    // Parts are halves of halves: their sizes are exact, and those that overlap leave others out.
-    let size = |part: &VolumePart| part.iter().map(|[a, b]| b - a).product::<f64>();
-    let apart =
-        |p: &VolumePart, q: &VolumePart| (0..3).any(|axis| p[axis][1] <= q[axis][0] || q[axis][1] <= p[axis][0]);
-    let disjoint = parts.iter().enumerate().all(|(k, p)| parts[..k].iter().all(|q| apart(p, q)));
-    let whole = parts.iter().map(size).sum::<f64>();
-    if disjoint && whole >= 1.0 && whole <= 1.0 {
-        Ok(deviation)
-    } else {
-        Err(wrong("its parts are not its block, each once"))
+    if tile(parts) { Ok(deviation) } else { Err(wrong("its parts are not its block, each once")) }
+}
+
+/// True if each place of the block is in one part. With a sign for each corner of a box, how many boxes there are at a place is the sum of the corners
+/// below it: so the corners of all parts and those of the block cancel each other if and only if there is one part everywhere.
+fn tile(parts: &[VolumePart]) -> bool {
+    let block = [[0.0, 1.0]; 3];
+    let mut corners: HashMap<[u64; 3], i32> = HashMap::new();
+    for (part, sign) in parts.iter().map(|part| (part, 1)).chain([(&block, -1)]) {
+        if !part.iter().all(|[a, b]| 0.0 <= *a && a < b && *b <= 1.0) {
+            return false;
+        }
+        for corner in 0..8_usize {
+            // A zero has one sign: parameters that are equal have the same bits.
+            let place = std::array::from_fn(|axis| (part[axis][corner >> axis & 1] + 0.0).to_bits());
+            *corners.entry(place).or_default() += if corner.count_ones() % 2 == 0 { sign } else { -sign };
+        }
+    }
+    corners.values().all(|sum| *sum == 0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn parts_are_the_block_each_once() {
+        let range = [[0.0, 0.3], [0.3, 1.0]];
+        let octants: Vec<VolumePart> = (0..8_usize).map(|k| [range[k & 1], range[k >> 1 & 1], range[k >> 2]]).collect();
+        assert!(tile(&octants) && tile(&[[[0.0, 1.0]; 3]]));
+        // One of them in halves, beside neighbours that are whole.
+        let [s, t, u] = octants[5];
+        let halves = [[[s[0], 0.6], t, u], [[0.6, s[1]], t, u]];
+        let with = |other: &[VolumePart]| [&octants[..5], &octants[6..], other].concat();
+        assert!(tile(&with(&halves)));
+        assert!(!tile(&with(&halves[..1])) && !tile(&with(&[halves[0]; 2])) && !tile(&with(&[])));
+        assert!(!tile(&with(&[octants[5], halves[0]])) && !tile(&with(&[octants[4]])));
+        assert!(!tile(&[[[0.0, 1.5], [0.0, 1.0], [0.0, 1.0]]]) && !tile(&[]));
     }
 }

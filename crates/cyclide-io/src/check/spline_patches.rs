@@ -20,11 +20,12 @@ pub(crate) fn add_patches(content: &mut FileContent, patches: Vec<SplinePatch>) 
             curves.push((patch.net.tags, curve.map_err(|source| ReadError::Geometry { place, source })?));
             continue;
         }
-        let spans = patch.net.degrees.iter().zip(&patch.knots);
-        if !spans.clone().all(|(degree, knots)| *knots == Knots::of_span(*degree)) {
-            return Err(ReadError::syntax(place, "its knots are not those of one Bézier span"));
+        let from_0_to_1 = |own: &Knots| own.knots.first() == Some(&0.0) && own.knots.last() == Some(&1.0);
+        if !patch.knots.iter().all(from_0_to_1) {
+            return Err(ReadError::syntax(place, "its knots do not run from 0 to 1"));
         }
-        cells.push((place, patch.net));
+        let spans = patch.spans().map_err(|source| ReadError::Geometry { place: place.clone(), source })?;
+        cells.extend(spans.into_iter().map(|span| (place.clone(), span)));
     }
     add_curves(content, curves)?;
     add_bodies(content, cells)

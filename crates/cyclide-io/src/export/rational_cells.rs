@@ -44,7 +44,7 @@ pub(crate) struct RationalCell {
 
 impl RationalCell {
     /// The cell of homogeneous rows with positive weights.
-    fn of_rows(degrees: Degrees, rows: &[[f64; 4]], tags: Tags) -> Self {
+    pub(crate) fn of_rows(degrees: Degrees, rows: &[[f64; 4]], tags: Tags) -> Self {
         Self { degrees, nodes: rows.iter().map(|[x, y, z, w]| ([x / w, y / w, z / w], *w)).collect(), tags }
     }
 
@@ -119,7 +119,11 @@ pub(crate) fn push_bodies(
         let (mut shells, mut volumes) = (Vec::new(), Vec::new());
         match block_of(job.model, body) {
             Some(block) if only.is_none_or(|d| d == 3) => {
-                let pushed = push_block(cells, body, block, depths.get(body.item).copied().flatten());
+                let division = match halving {
+                    Halving::WhereNeeded => Division::Cells(cells_of(job, body)),
+                    Halving::Evenly => Division::Halves(depths.get(body.item).copied().flatten()),
+                };
+                let pushed = push_block(cells, body, block, division);
                 volumes = pushed.map_err(|source| body.unfit(source))?;
             }
             None if only.is_none_or(|d| d == 2) => {
@@ -148,24 +152,66 @@ fn push_faces(cells: &mut Vec<RationalCell>, body: &BodyOf<'_>) -> cyclide::Resu
     Ok(plans)
 }
 
-/// Adds a block, right-handed, in parts with positive weights: those of a depth, or as many as it needs.
+/// The parameters along s, t and u at which the cells of a block end, as those of the [right-handed](CyclideVolume::right_handed) one: none of a block
+/// that is not divided.
+pub(crate) fn cells_of(job: &Job<'_>, body: &BodyOf<'_>) -> Option<[Vec<f64>; 3]> {
+    let block = block_of(job.model, body)?;
+    let [s, t, u] = job.provenances.places(body.item)?.clone();
+    Some(if block.is_right_handed() { [s, t, u] } else { [t, s, u] })
+}
+
+/// Into which parts a block goes.
+enum Division {
+    /// Its cells, if it has some, each with as many halvings as it needs.
+    Cells(Option<[Vec<f64>; 3]>),
+    /// All of one depth; without one, as many as it needs.
+    Halves(Option<u32>),
+}
+
+/// Adds a block, right-handed, in parts with positive weights.
 fn push_block(
     cells: &mut Vec<RationalCell>,
     body: &BodyOf<'_>,
     block: &CyclideVolume,
-    depth: Option<u32>,
+    division: Division,
 ) -> cyclide::Result<Vec<[[f64; 2]; 3]>> {
     let tags = Tags { object: body.item, part: body.index, shell: 0, flag: 1 };
     let block = block.right_handed();
-    let parts = match depth {
-        None => block.to_rational_parts()?,
-        Some(depth) => {
-            let part = |place| Ok((place, block.restricted(place)?.to_rational()));
-            octants(depth).map(part).collect::<cyclide::Result<Vec<_>>>()?
-        }
+    let mut parts = Vec::new();
+    let mut push = |place, part: &RationalBezierVolume| {
+        cells.push(RationalCell::of_volume(part, tags));
+        parts.push(place);
     };
-    cells.extend(parts.iter().map(|(_, part)| RationalCell::of_volume(part, tags)));
-    Ok(parts.into_iter().map(|(place, _)| place).collect())
+    match division {
+        Division::Halves(Some(depth)) => {
+            for place in octants(depth) {
+                push(place, &block.restricted(place)?.to_rational());
+            }
+        }
+        Division::Halves(None) | Division::Cells(None) => {
+            block.to_rational_parts()?.iter().for_each(|(place, part)| push(*place, part));
+        }
+        Division::Cells(Some(ends)) => {
+            for cell in boxes_between(&ends) {
+                for (own, part) in block.restricted(cell)?.to_rational_parts()? {
+                    push(std::array::from_fn(|axis| own[axis].map(|x| between(cell[axis], x))), &part);
+                }
+            }
+        }
+    }
+    Ok(parts)
+}
+
+/// The place of a share of a range: its ends exactly.
+fn between([a, b]: [f64; 2], share: f64) -> f64 {
+    if share < 1.0 { a + (b - a) * share } else { b }
+}
+
+/// The boxes between rising parameters along s, t and u, s fastest.
+pub(crate) fn boxes_between(ends: &[Vec<f64>; 3]) -> impl Iterator<Item = [[f64; 2]; 3]> {
+    let [m, n, l] = ends.each_ref().map(|ends| ends.len() - 1);
+    let range = |axis: usize, k: usize| [ends[axis][k], ends[axis][k + 1]];
+    (0..m * n * l).map(move |k| [range(0, k % m), range(1, k / m % n), range(2, k / (m * n))])
 }
 
 /// How often all blocks are to be halved so that every part has positive weights.

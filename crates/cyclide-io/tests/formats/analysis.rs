@@ -28,6 +28,10 @@ fn half_ring() -> CyclideVolume {
     CyclideVolume::new(&SphericalCube::new(corners).unwrap(), VolumeFrame::First(Vec3::Y, Vec3::Z)).unwrap()
 }
 
+fn of_block(block: CyclideVolume) -> Model {
+    Model::default().with_volume("block", block)
+}
+
 fn box_of(origin: Point3) -> CyclideVolume {
     let cube = SphericalCube::cuboid(origin, [Vec3::X, Vec3::Y * 2.0, Vec3::Z]).unwrap();
     CyclideVolume::new(&cube, VolumeFrame::Auto).unwrap()
@@ -225,6 +229,48 @@ fn damage_is_found_out() {
             bytes[digit] = if bytes[digit] == b'1' { b'2' } else { b'1' };
         });
         assert!(moved.is_err() || moved.is_ok_and(|off| off > 1e-3));
+    }
+}
+
+/// Every cell of divided blocks is an exact cell, or stands between knots: the same blocks, whatever else they are cut for.
+#[test]
+fn divided_blocks_are_exact_cells() {
+    let [s, t, u] = [vec![0.0, 0.2, 0.5, 1.0], vec![0.0, 0.7, 1.0], vec![0.0, 0.1, 0.3, 0.6, 1.0]];
+    let mirrored = half_ring().permuted([1, 0, 2]).unwrap();
+    assert_ne!(mirrored.is_right_handed(), half_ring().is_right_handed());
+    let models = [layers(), of_block(half_ring()), of_block(mirrored)];
+    for (number, model) in models.iter().enumerate() {
+        let places = Some([s.clone(), t.clone(), u.clone()]);
+        let divided = [Provenance { kind: "layers", places, ..Provenance::default() }];
+        let exporter = Exporter::with_provenance(model, &divided).unwrap();
+        let blocks = model.items[0].volumes().len();
+        for format in FORMATS {
+            let file = exporter.export(format, &ExportOptions::default()).unwrap();
+            // Rounding of coordinates up to 20.
+            assert!(file.exact && exporter.deviation(format, &file).unwrap() < 1e-13, "{number} {format:?}");
+            let content = read_back(format, &file.bytes).unwrap();
+            assert!(content.volumes.iter().all(|own| own.volume.degrees() == [2; 3]));
+            // 3 by 2 by 4 cells; those of the half ring are cut in halves besides, where their weights ask for it or all of them.
+            let cells = content.volumes.len();
+            match (number, format) {
+                (0, _) => assert_eq!(cells, 24 * blocks),
+                // Cuts at 0.5, which one list of knots has already.
+                (_, Format::Mfem | Format::Gismo) => assert_eq!(cells, 3 * 3 * 5),
+                (_, _) => assert!(cells >= 24, "{cells}"),
+            }
+        }
+        let mesh = String::from_utf8(exporter.export(Format::Mfem, &ExportOptions::default()).unwrap().bytes).unwrap();
+        if number == 0 {
+            // As many patches as blocks, joined as they were; knots along s and t of each ring are the same on both sides.
+            assert!(mesh.contains("\nelements\n32\n") && mesh.contains("\nvertices\n48\n"));
+            assert!(mesh.contains("\n2 5 0 0 0 0.2 0.5 1 1 1\n") && mesh.contains("\n2 6 0 0 0 0.1 0.3 0.6 1 1 1\n"));
+        }
+        let mut wrong = exporter.export(Format::Mfem, &ExportOptions::default()).unwrap();
+        wrong.bytes =
+            mesh.replacen(" 0.7 1 1 1\n", " 0.75 1 1 1\n", 1).replacen(" 0.6 1 1 1\n", " 0.65 1 1 1\n", 1).into_bytes();
+        assert!(
+            wrong.bytes != mesh.as_bytes() && exporter.deviation(Format::Mfem, &wrong).map_or(true, |off| off > 1e-3)
+        );
     }
 }
 

@@ -15,9 +15,9 @@ use crate::export::exported::{Exported, Written};
 use crate::export::job::Job;
 use crate::export::lowered::Forms;
 use crate::export::patch_joints::Joints;
-use crate::export::rational_cells::{Halving, Tags, push_bodies};
+use crate::export::rational_cells::Tags;
 use crate::export::ready::ReadyModel;
-use crate::export::spline_patches::{Knots, SplinePatch, push_curves};
+use crate::export::spline_patches::{Knots, SplinePatch, push_curves, push_surfaces_and_volumes};
 use crate::formats::entry::{Entry, Reading};
 use crate::text::number::{push_plain, push_spaced};
 use crate::text::xml::escaped_in_comment;
@@ -48,10 +48,9 @@ const CONTROL_POINT: usize = 80;
 
 /// Writes the model.
 fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
-    let (mut written, mut patches, mut cells) = (Written::default(), Vec::new(), Vec::new());
+    let (mut written, mut patches) = (Written::default(), Vec::new());
     push_curves(job, &mut patches, &mut written)?;
-    push_bodies(job, None, Halving::Evenly, &mut cells, &mut written)?;
-    patches.extend(cells.into_iter().map(SplinePatch::from));
+    push_surfaces_and_volumes(job, None, &mut patches, &mut written)?;
     // Readers that take one multi-patch take the first: that of the highest dimension.
     patches.sort_by_key(|patch| std::cmp::Reverse(patch.dimension()));
     let multi_patches = MultiPatch::all(&patches);

@@ -16,9 +16,9 @@ use crate::export::error::ExportError;
 use crate::export::exported::{Exported, Written};
 use crate::export::job::Job;
 use crate::export::lowered::Forms;
-use crate::export::rational_cells::{Halving, Tags, push_bodies};
+use crate::export::rational_cells::Tags;
 use crate::export::ready::ReadyModel;
-use crate::export::spline_patches::{SplinePatch, push_curves};
+use crate::export::spline_patches::{SplinePatch, push_curves, push_surfaces_and_volumes};
 use crate::formats::entry::{Entry, Reading};
 use crate::text::lines::on_a_line;
 use crate::text::number::push_spaced;
@@ -59,12 +59,11 @@ const CONTROL_POINT: usize = 80;
 /// Writes the model.
 fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
     let dimension = dimension_of(job.model);
-    let (mut written, mut patches, mut cells) = (Written::default(), Vec::new(), Vec::new());
+    let (mut written, mut patches) = (Written::default(), Vec::new());
     if dimension == 1 {
         push_curves(job, &mut patches, &mut written)?;
     }
-    push_bodies(job, Some(dimension), Halving::Evenly, &mut cells, &mut written)?;
-    patches.extend(cells.into_iter().map(SplinePatch::from));
+    push_surfaces_and_volumes(job, Some(dimension), &mut patches, &mut written)?;
     for patch in &patches {
         if patch.knots.iter().any(|knots| knots.degree > MOST_DEGREE) {
             let object = job.model.items.get(patch.net.tags.object).map_or_else(String::new, |item| item.name.clone());

@@ -26,26 +26,21 @@ pub(super) struct Topology {
 impl Topology {
     pub(super) fn of(patches: &[SplinePatch]) -> Self {
         let mut joints = Joints::of(patches);
-        loop {
-            match Self::joined(patches, &joints) {
-                Ok(topology) => return topology,
-                // What hangs together with that patch stays apart.
-                Err(patch) => {
-                    let groups = groups(patches.len(), &joints);
-                    let before = joints.pairs.len();
-                    joints.pairs.retain(|[(first, _), _]| groups[*first] != groups[patch]);
-                    joints.touching += 2 * (before - joints.pairs.len());
-                    if joints.pairs.len() == before {
-                        // Nothing was joined there: corners of one patch are never one.
-                        joints.pairs.clear();
-                    }
-                }
-            }
+        let (topology, faults) = Self::joined(patches, &joints);
+        if faults.is_empty() {
+            return topology;
         }
+        // What hangs together with such a patch stays apart; nothing else has to do with it.
+        let groups = groups(patches.len(), &joints);
+        let apart: HashSet<usize> = faults.iter().map(|patch| groups[*patch]).collect();
+        let before = joints.pairs.len();
+        joints.pairs.retain(|[(first, _), _]| !apart.contains(&groups[*first]));
+        joints.touching += 2 * (before - joints.pairs.len());
+        Self::joined(patches, &joints).0
     }
 
-    /// The topology of these joints, or a patch where they make one of what is not.
-    fn joined(patches: &[SplinePatch], joints: &Joints) -> Result<Self, usize> {
+    /// The topology of these joints, and patches where they make one of what is not.
+    fn joined(patches: &[SplinePatch], joints: &Joints) -> (Self, Vec<usize>) {
         let dimension = patches.first().map_or(1, SplinePatch::dimension);
         let (corners, limit) = (1_usize << dimension, same_limit(patches));
         let mut vertices = Union::new(patches.len() * corners);
@@ -55,7 +50,7 @@ impl Topology {
             }
         }
         let mut topology = Self { apart: joints.touching, ..Self::default() };
-        let mut numbers: HashMap<usize, usize> = HashMap::new();
+        let (mut numbers, mut faults): (HashMap<usize, usize>, _) = (HashMap::new(), Vec::new());
         for patch in 0..patches.len() {
             let of_corner = |corner| {
                 let root = vertices.root(patch * corners + corner);
@@ -64,18 +59,18 @@ impl Topology {
             };
             let element: Vec<usize> = (0..corners).map(of_corner).collect();
             if element.iter().collect::<HashSet<_>>().len() < corners {
-                return Err(patch);
+                faults.push(patch);
             }
             topology.elements.push(element);
         }
         topology.vertices = numbers.len();
-        topology.add_boundary(dimension, joints)?;
-        topology.add_edges(patches, dimension, limit)?;
-        Ok(topology)
+        topology.add_boundary(dimension, joints, &mut faults);
+        topology.add_edges(patches, dimension, limit, &mut faults);
+        (topology, faults)
     }
 
     /// Sides with the same corners are one in MFEM: they have to be joints.
-    fn add_boundary(&mut self, dimension: usize, joints: &Joints) -> Result<(), usize> {
+    fn add_boundary(&mut self, dimension: usize, joints: &Joints, faults: &mut Vec<usize>) {
         let joined: HashSet<Side> = joints.pairs.iter().flatten().copied().collect();
         let mut seen: HashMap<Vec<usize>, usize> = HashMap::new();
         for (patch, element) in self.elements.iter().enumerate() {
@@ -86,18 +81,17 @@ impl Topology {
                 let count = seen.entry(key).or_insert(0);
                 *count += 1;
                 if *count > if joined.contains(&(patch, side)) { 2 } else { 1 } {
-                    return Err(patch);
+                    faults.push(patch);
                 }
                 if !joined.contains(&(patch, side)) {
                     self.boundary.push(((patch, side), outward(side, dimension, own)));
                 }
             }
         }
-        Ok(())
     }
 
     /// Edges with the same corners are one: with the same control points, running the same way.
-    fn add_edges(&mut self, patches: &[SplinePatch], dimension: usize, limit: f64) -> Result<(), usize> {
+    fn add_edges(&mut self, patches: &[SplinePatch], dimension: usize, limit: f64, faults: &mut Vec<usize>) {
         let mut seen: HashMap<[usize; 2], (usize, Vec<Node>)> = HashMap::new();
         let mut knots = Union::new(patches.len() * dimension);
         let mut edges: Vec<[usize; 3]> = Vec::new();
@@ -107,7 +101,7 @@ impl Topology {
                 for from in (0..element.len()).filter(|corner| corner >> axis & 1 == 0) {
                     let ends = [element[from], element[from | 1 << axis]];
                     if dimension > 1 && seen.contains_key(&[ends[1], ends[0]]) {
-                        return Err(patch);
+                        faults.push(patch);
                     }
                     let nodes = edge(&patches[patch], axis, from);
                     match seen.get(&ends) {
@@ -119,7 +113,7 @@ impl Topology {
                             knots.join(class, *other)
                         }
                         Some(_) if dimension == 1 => edges.push([class, ends[0], ends[1]]),
-                        Some(_) => return Err(patch),
+                        Some(_) => faults.push(patch),
                     }
                 }
             }
@@ -134,11 +128,10 @@ impl Topology {
             let root = knots.root(class);
             if patches[class / dimension].knots[class % dimension] != patches[root / dimension].knots[root % dimension]
             {
-                return Err(class / dimension);
+                faults.push(class / dimension);
             }
         }
         self.edges = edges;
-        Ok(())
     }
 }
 
