@@ -1,6 +1,6 @@
 //! What is reported of motions.
 
-use cyclide::{Motion, MotionJet, MovingBody, Schedule, SpeedPeak, Vec3};
+use cyclide::{Motion, MotionJet, MovingBody, Schedule, SpeedPeak, TimeLaw, Vec3};
 use serde::Serialize;
 
 use super::RangeReport;
@@ -8,6 +8,8 @@ use super::text::{Line, plural, short};
 
 /// Where a law gives no velocity at a joint, that so far beside it is taken, in parts of the span: nearer to it the terms of accelerations cancel.
 const BESIDE: f64 = 1e-4;
+/// So many times of poses are in the text; all of them are in JSON.
+const POSES_SHOWN: usize = 12;
 /// Turns up to this, in radians, close a motion.
 const CLOSES: f64 = 1e-9;
 
@@ -32,6 +34,9 @@ pub struct MotionReport {
     pub spans: usize,
     /// How long it takes.
     pub duration: f64,
+    /// When it passes its poses, seconds from the start, where a law or a duration changes that.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub pose_times: Option<Vec<f64>>,
     /// Length of the way of the tool.
     pub length: f64,
     /// The angle by which the body turns in all, radians.
@@ -95,6 +100,7 @@ impl MotionReport {
             degree,
             spans,
             duration: body.duration(),
+            pose_times: None,
             length: motion.way(body.tool()),
             turn: motion.turn(),
             closing_turn: motion.closing_turn(),
@@ -110,6 +116,10 @@ impl MotionReport {
         // The body was measured when it was made: what it cannot be measured by was refused.
         if let Ok(schedule) = body.schedule() {
             report.measure(&schedule);
+            let [first, last] = motion.domain();
+            let as_given = body.law() == TimeLaw::AsGiven && (last - first - body.duration()).abs() <= 0.0;
+            let times = || schedule.timing().joints().iter().map(|share| share * body.duration()).collect();
+            report.pose_times = (!as_given && spans > 1).then(times);
         }
         report
     }
@@ -152,6 +162,11 @@ impl MotionReport {
 
     pub(super) fn lines(&self, units: &str, line: Line<'_>) -> std::fmt::Result {
         line("duration", format!("{} s", short(self.duration)))?;
+        if let Some(times) = &self.pose_times {
+            let shown: Vec<String> = times.iter().take(POSES_SHOWN).map(|t| short(*t)).collect();
+            let more = if times.len() > POSES_SHOWN { ", …" } else { "" };
+            line("poses", format!("passed at {}{more} s", shown.join(", ")))?;
+        }
         line("way", format!("{} {units}, turns by {} rad", short(self.length), short(self.turn)))?;
         if let Some(turn) = self.closing_turn {
             let (word, text) = match turn {

@@ -406,3 +406,20 @@ fn a_point_at_rest_has_no_path() {
     }
     assert!(build(&format!(r#"{turn}, "t": {{"type": "trajectory", "of": "m", "point": [1e-9, 0, 7]}}"#)).is_ok());
 }
+
+/// A law says when each pose is passed; the times of the poses as given need not be said again.
+#[test]
+fn the_report_says_when_poses_are_passed() {
+    let table = "name,t,x,y,z\nhome,0,0,0,0\npick,1,30,0,0\nplace,4,120,0,0\n";
+    let report = |fields: &str| {
+        let all = build_all(&motion(&format!(r#""poses": {{"csv": "poses.csv"}}, "kind": "sclerp"{fields}"#)), table);
+        match cyclide_io::ObjectReport::new(&all.unwrap()[0], None).geometry {
+            GeometryReport::Motion(found) => found.pose_times,
+            _ => None,
+        }
+    };
+    assert_eq!(report(""), None);
+    let steady = report(r#", "law": "constant-speed", "duration": 8"#).unwrap();
+    assert!(steady.len() == 3 && (steady[1] - 2.0).abs() < 1e-9 && (steady[2] - 8.0).abs() < 1e-12, "{steady:?}");
+    assert_eq!(report(r#", "duration": 8"#).unwrap(), [0.0, 2.0, 8.0]);
+}

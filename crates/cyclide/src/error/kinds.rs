@@ -825,13 +825,13 @@ pub enum Error {
         /// The distance that it must be beyond.
         needed: f64,
     },
-    /// Two branches of a tee, or their blends, meet.
+    /// Two branches of a tee, or their blends, meet, or stand beside each other along the main pipe.
     TeeBranchesMeet {
         /// The first branch, from 0.
         first: usize,
         /// The second.
         second: usize,
-        /// Their distance.
+        /// From the blend of one to that of the other; below 0 if both are beside the same part of the main pipe.
         distance: f64,
         /// The distance that they need.
         needed: f64,

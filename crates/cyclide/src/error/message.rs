@@ -250,6 +250,13 @@ impl std::fmt::Display for Error {
                 ShortNumber(*end),
                 ShortNumber(*needed)
             ),
+            Self::TeeBranchesMeet { first, second, distance, needed } if *distance < 0.0 => write!(
+                f,
+                "branches {first} and {second}, with their blends, overlap by {} along the main pipe: wherever they stand round it, one has to be behind the other, \
+                 by {} at least (`at` moves a branch)",
+                ShortNumber(-*distance),
+                ShortNumber(*needed)
+            ),
             Self::TeeBranchesMeet { first, second, distance, needed } => write!(
                 f,
                 "branches {first} and {second} meet, or their blends do: their distance is {}, which must be above {}",

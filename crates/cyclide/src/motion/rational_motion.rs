@@ -5,6 +5,7 @@
 //! (`docs/math/motions.md#fibre-projection`).
 
 use super::dual_quat::DualQuat;
+use super::fibre_spline::Swings;
 use super::motion_jet::MotionJet;
 use super::pose::Pose;
 use super::span_of;
@@ -45,6 +46,8 @@ pub struct RationalMotion {
     unit: f64,
     /// What its poses are off, in their size, to be of the kind that they were taken for; 0 if nothing was left out.
     left_out: f64,
+    /// Of a spline through poses: where it runs beyond them.
+    swings: Option<Swings>,
 }
 
 /// The Bernstein coefficients of one span: real part, then dual part.
@@ -54,7 +57,12 @@ pub(super) struct MotionSpan(pub(super) Vec<[f64; 8]>);
 impl RationalMotion {
     /// The motion of these spans, about a centre and in a unit. Real parts vanish nowhere.
     pub(super) fn of_spans(times: Vec<f64>, spans: Vec<MotionSpan>, centre: Vec3, unit: f64) -> Self {
-        Self { times, spans, centre, unit, left_out: 0.0 }
+        Self { times, spans, centre, unit, left_out: 0.0, swings: None }
+    }
+
+    /// The same, a spline that swings there.
+    pub(super) fn swinging(self, swings: Option<Swings>) -> Self {
+        Self { swings, ..self }
     }
 
     /// The same, with what was left out of the poses for rounding.
@@ -63,11 +71,11 @@ impl RationalMotion {
     }
 
     /// What should be known of it: that its poses are planar, spherical, translated or of one motion of degree 2 but for the digits they are
-    /// written with, and were taken for that (`poses-rounded`).
+    /// written with, and were taken for that (`poses-rounded`); or that a spline swings out between its poses (`motion-swings`).
     #[must_use]
     pub fn warnings(&self) -> Vec<Warning> {
         let rounded = (self.left_out > 0.0).then_some(Warning::PosesRounded { off: self.left_out, limit: ROUNDED });
-        rounded.into_iter().collect()
+        rounded.into_iter().chain(self.swings.map(Swings::warning)).collect()
     }
 
     /// The times at which spans start, and the end.

@@ -105,6 +105,17 @@ pub enum Warning {
         /// Ratios above this are reported.
         limit: f64,
     },
+    /// A spline motion starts or ends a span much faster than it goes there on average: it runs beyond the poses and back in between.
+    MotionSwings {
+        /// The span where it is most so, from 0.
+        span: usize,
+        /// How many spans there are of which that is true.
+        count: usize,
+        /// How many times as fast.
+        ratio: f64,
+        /// Ratios above this are reported.
+        limit: f64,
+    },
     /// Poses that are planar, spherical, translated or of one motion of degree 2 but for the digits they are written with were taken for that.
     PosesRounded {
         /// What they are off, in their size.

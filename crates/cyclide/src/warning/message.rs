@@ -87,6 +87,12 @@ impl std::fmt::Display for Warning {
                 if *turning { "turns" } else { "runs" },
                 ShortNumber(*ratio)
             ),
+            Self::MotionSwings { span, count, ratio, .. } => write!(
+                f,
+                "in {count} span(s) the motion runs beyond its poses and back, most from pose {span} to the next, where it starts or ends {} times as fast as it goes on \
+                 average: give times that fit the ways, or a pose more (the same pose twice is a rest)",
+                ShortNumber(*ratio)
+            ),
             Self::PosesRounded { off, limit } => write!(
                 f,
                 "but for {} of their size the poses are planar, spherical, moved without a turn or of one motion of degree 2, and are taken for that (Study \

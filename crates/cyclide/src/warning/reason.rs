@@ -18,6 +18,7 @@ impl Warning {
             Self::SpikeNearPoint { .. } => "spike-near-point",
             Self::LargeExcursion { .. } => "large-excursion",
             Self::SpeedSpike { .. } => "speed-spike",
+            Self::MotionSwings { .. } => "motion-swings",
             Self::PosesRounded { .. } => "poses-rounded",
             Self::CuspInside { .. } => "cusp",
             Self::CornerKept { .. } => "corner-kept",
@@ -94,7 +95,7 @@ impl Warning {
             Self::KinksAtJoints { joint, .. } => Some(joint),
             Self::SweptSurfaceFolds { face, .. } => Some(face),
             Self::NormalFacesBackward { triangle, .. } | Self::FoldsBack { triangle, .. } => Some(triangle),
-            Self::SpeedSpike { span, .. } => Some(span),
+            Self::SpeedSpike { span, .. } | Self::MotionSwings { span, .. } => Some(span),
             Self::LargeExcursion { .. }
             | Self::PosesRounded { .. }
             | Self::CuspInside { .. }

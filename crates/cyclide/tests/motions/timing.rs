@@ -141,3 +141,35 @@ fn spans_at_rest_take_no_time() {
     }
     assert!((motion.turn() - 1.5).abs() < 1e-13 && (motion.way(Point3::ORIGIN) - 4.0).abs() < 1e-13);
 }
+
+/// A body that is held between two poses stays there, also with neighbours at other speeds; what swings is told of.
+#[test]
+fn held_poses_are_held() {
+    let at = |time: f64, x: f64| TimedPose {
+        time,
+        pose: Pose::new(Quat::new(1.0, 0.2, 0.0, 0.1), Vec3::new(x, 7.0, -3.0)).unwrap(),
+    };
+    let reasons = |motion: &RationalMotion| motion.warnings().iter().map(|w| w.reason()).collect::<Vec<_>>();
+    let held = RationalMotion::spline(&[at(0.0, 0.0), at(1.0, 100.0), at(10.0, 100.0), at(11.0, 200.0)]).unwrap();
+    for k in 0..=90 {
+        let pose = held.pose(1.0 + 0.1 * f64::from(k));
+        // Rounding of a translation of 100.
+        assert!((pose.translation() - Vec3::new(100.0, 7.0, -3.0)).length() < 1e-13);
+    }
+    // It comes to the pose and leaves it without running beyond it.
+    let x = |t: f64| held.pose(t).translation().x;
+    assert!((0..100).all(|k| x(f64::from(k) * 0.01) < x(f64::from(k + 1) * 0.01)), "it comes forward");
+    assert!((0..100).all(|k| x(10.0 + f64::from(k) * 0.01) < x(10.0 + f64::from(k + 1) * 0.01)), "it leaves forward");
+    assert_eq!(reasons(&held), [""; 0]);
+    // The same at both ends, and with two poses alone.
+    let ends = RationalMotion::spline(&[at(0.0, 5.0), at(4.0, 5.0), at(5.0, 9.0), at(7.0, 9.0)]).unwrap();
+    assert!(
+        (ends.pose(2.0).translation().x - 5.0).abs() < 1e-14 && (ends.pose(6.0).translation().x - 9.0).abs() < 1e-14
+    );
+    // Nearly held: it swings.
+    let swings = RationalMotion::spline(&[at(0.0, 0.0), at(1.0, 100.0), at(10.0, 101.0), at(11.0, 201.0)]).unwrap();
+    let most = (0..=90).map(|k| swings.pose(1.0 + 0.1 * f64::from(k)).translation().x).fold(0.0, f64::max);
+    assert!(most > 150.0 && reasons(&swings) == ["motion-swings"]);
+    let even = RationalMotion::spline(&[at(0.0, 0.0), at(1.0, 100.0), at(2.0, 150.0), at(3.0, 260.0)]).unwrap();
+    assert_eq!(reasons(&even), [""; 0]);
+}

@@ -39,6 +39,8 @@ enum Meaning {
     Angle(usize, f64),
     /// An entry of the matrix, by row and column from 0; our own tables have it beside the quaternion.
     Matrix(usize, usize),
+    /// What people call the pose, or say of it.
+    Label,
 }
 
 const POSITION: [&str; 3] = ["x", "y", "z"];
@@ -49,6 +51,13 @@ const DEGREES: [&str; 3] = ["roll_deg", "pitch_deg", "yaw_deg"];
 /// The names, for messages.
 pub(super) const NAMES: &str = "t or time, x, y, z, and qw, qx, qy, qz or roll, pitch, yaw (radians), or m11 to m34 (a matrix, row by row), with a unit as in `x_mm`, `time [s]`, `roll_deg`";
 
+/// What columns are called that say something about a pose and not where it is.
+const LABELS: [&str; 8] = ["name", "label", "id", "comment", "remark", "note", "pose", "index"];
+/// Names of angles that controllers mean different things by.
+const AMBIGUOUS: [&str; 6] = ["rx", "ry", "rz", "a", "b", "c"];
+const MEANT: &str = "; controllers mean different angles by `rx, ry, rz` and by `A, B, C`: name them roll, pitch, yaw if the body is turned about the fixed axes x, y, z \
+                     in this order (then `A, B, C` of the order z, y, x are yaw, pitch, roll), with _deg for degrees, or give quaternions";
+
 const DEGREE: f64 = std::f64::consts::PI / 180.0;
 
 impl PoseColumns {
@@ -58,7 +67,9 @@ impl PoseColumns {
         if let Some(other) = meanings.iter().position(Option::is_none) {
             let field = &table.header[other];
             let known = ["t", "time"].into_iter().chain(POSITION).chain(QUATERNION).chain(ANGLES).chain(DEGREES);
-            let hint = did_you_mean(field.text, known);
+            let (words, _) = words_of(field.text);
+            let ambiguous = words.first().is_some_and(|word| AMBIGUOUS.contains(&word.as_str()));
+            let hint = if ambiguous { MEANT.to_owned() } else { did_you_mean(field.text, known) };
             let message = format!("`{}` is no column of poses, which are {NAMES}{hint}", quoted(field.text));
             return Err(field.refused(source, message));
         }
@@ -172,6 +183,9 @@ fn meaning(field: &Field<'_>) -> Option<Meaning> {
             _ => None,
         };
     }
+    if words.len() == 1 && LABELS.contains(first) {
+        return Some(Meaning::Label);
+    }
     let quaternion = match words.as_slice() {
         [only] => QUATERNION.iter().position(|name| name == only),
         ["q" | "quat" | "quaternion", letter] => ["w", "x", "y", "z"].iter().position(|name| name == letter),
@@ -215,6 +229,9 @@ mod tests {
             ("m34", Some(Meaning::Matrix(2, 3))),
             ("m44", Some(Meaning::Matrix(3, 3))),
             ("m54", None),
+            ("Name", Some(Meaning::Label)),
+            ("rx", None),
+            ("A", None),
             ("x_left", None),
             ("x_deg", None),
             ("speed", None),
