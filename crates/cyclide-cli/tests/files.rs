@@ -312,3 +312,35 @@ fn input_of_any_size_is_refused_within_a_second() {
     fs::File::create(folder.path("hole.csv")).unwrap().set_len(1 << 33).unwrap();
     assert!(folder.fails(3, "curve hole.csv -o o.step").contains("it has 8589934592 bytes, more than 536870912"));
 }
+
+#[test]
+fn each_object_has_a_file_of_its_own() {
+    let circle = |x: u32| format!(r#"{{"type": "circle", "center": [{x}, 0], "radius": 1}}"#);
+    let document =
+        |a: &str, b: &str| format!(r#"{{"cyclide": 1, "objects": {{"{a}": {}, "{b}": {}}}}}"#, circle(0), circle(5));
+    let folder = Folder::with(&[("m.json", &document("left side", "right"))]);
+    let report = folder.json("build m.json -o o.vtu -o o.dxf --per-object --json");
+    let files: Vec<&str> = report["files"].as_array().unwrap().iter().map(|f| f["path"].as_str().unwrap()).collect();
+    assert_eq!(files, ["o-left_side.vtu", "o-left_side.dxf", "o-right.vtu", "o-right.dxf"]);
+    // As the document with that object alone.
+    folder.write("one.json", &format!(r#"{{"cyclide": 1, "objects": {{"right": {}}}}}"#, circle(5)));
+    folder.ok("build one.json -o one.vtu");
+    assert_eq!(folder.read("one.vtu"), folder.read("o-right.vtu"));
+    let index = String::from_utf8(folder.read("o.vtm")).unwrap();
+    assert!(index.contains(r#"<DataSet index="0" name="left side" file="o-left_side.vtu"/>"#), "{index}");
+    assert!(!folder.path("o.vtu").exists() && !folder.path("o.dxf").exists());
+    // Nothing is written where two would be one, or to standard output.
+    folder.write("two.json", &document("a b", "A_B"));
+    let run = folder.run("build two.json -o p.vtu --per-object");
+    assert!(
+        run.code == 1 && run.stderr.contains("the files of `a b` and of `A_B` would have the same names"),
+        "{}",
+        run.stderr
+    );
+    assert!(!folder.path("p.vtm").exists() && !folder.path("p-a_b.vtu").exists());
+    assert_eq!(folder.run("build m.json -o - --format vtu --per-object").code, 2);
+    // A file that is read is not written over, whatever its name comes from.
+    folder.write("o-right.json", &document("left", "right"));
+    let run = folder.run("build o-right.json -o o.json --per-object");
+    assert!(run.code == 2 && run.stderr.contains("will not be written over"), "{}", run.stderr);
+}

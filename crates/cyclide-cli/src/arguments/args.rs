@@ -201,6 +201,9 @@ pub struct OutputArgs {
     /// The format of files whose names do not say it.
     #[arg(long, value_name = "FORMAT", value_parser = format_word())]
     pub format: Option<Format>,
+    /// A file for each object, FILE-NAME with the object's name; for VTU also FILE.vtm, which ParaView opens with the objects as blocks.
+    #[arg(long)]
+    pub per_object: bool,
     #[command(flatten)]
     pub write: WriteArgs,
     /// Print the report as JSON (docs/report.md explains its words).

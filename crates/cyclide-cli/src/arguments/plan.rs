@@ -47,6 +47,8 @@ pub struct MakePlan {
     pub input: Input,
     /// Files and their formats; the name `-`, alone, is standard output.
     pub outputs: Vec<(PathBuf, Format)>,
+    /// Each object has files of its own, named after it.
+    pub per_object: bool,
     pub options: ExportOptions,
     pub write: WriteOptions,
     /// The tolerance is that of an arc fit, not of the files alone.
@@ -133,6 +135,9 @@ impl OutputArgs {
         if self.output.len() > 1 && self.output.iter().any(|path| is_standard_output(path)) {
             return Err(Failure::Usage("standard output takes one file: `-o -` stands alone".to_owned()));
         }
+        if self.per_object && self.output.iter().any(|path| is_standard_output(path)) {
+            return Err(Failure::Usage("--per-object writes several files: standard output takes one".to_owned()));
+        }
         for path in &self.output {
             let format = format_of(path, self.format)?;
             if let Some((other, _)) = outputs.iter().find(|(other, _)| same_file(other, path)) {
@@ -167,6 +172,7 @@ impl OutputArgs {
         Ok(MakePlan {
             input,
             outputs,
+            per_object: self.per_object,
             options,
             write,
             fit_tolerance: false,

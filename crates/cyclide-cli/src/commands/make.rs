@@ -1,12 +1,16 @@
 //! `build` and `curve`: all files are made and checked before the first is written.
 
+use std::path::PathBuf;
+
 use cyclide_io::{
-    CheckError, ExportError, Exporter, GeometryReport, NO_EFFECT, ObjectReport, Report, TIGHTER_THAN_RADIUS,
+    CheckError, ExportError, ExportOptions, Exporter, GeometryReport, NO_EFFECT, ObjectReport, Report,
+    TIGHTER_THAN_RADIUS,
 };
 
 use crate::arguments::effect;
 use crate::arguments::plan::{Input, MakePlan, refuse_overwriting};
 use crate::commands::load::{self, Inputs, Loaded};
+use crate::commands::per_object::{self, Part};
 use crate::output::failure::Failure;
 use crate::output::files;
 use crate::output::progress::Progress;
@@ -16,15 +20,14 @@ use crate::output::terminal;
 /// Carries the plan out.
 pub fn run(plan: &MakePlan) -> Result<(), Failure> {
     let (loaded, progress) = load(plan)?;
-    for (path, _) in &plan.outputs {
-        for input in &loaded.input_files {
-            refuse_overwriting(Some(path), input)?;
-        }
-    }
     progress.doing("measuring".to_owned());
     let report = Report::new(loaded.units, &loaded.objects, plan.options.tolerance);
     let mut report = with_tight_places(report, &loaded, plan.min_radius)?;
     progress.done();
+    let mut input_files = loaded.input_files.clone();
+    if let Input::File(path) = &plan.input {
+        input_files.push(path.clone());
+    }
     let (model, provenance) = loaded.into_model();
     let mut options = plan.options.clone();
     if let (None, Input::File(path)) = (&options.title, &plan.input)
@@ -32,31 +35,28 @@ pub fn run(plan: &MakePlan) -> Result<(), Failure> {
     {
         // One object gives its name to the file, several have that of their document.
         let stem = || path.file_stem().map(|stem| stem.to_string_lossy().into_owned());
-        options.title = if model.items.len() == 1 { None } else { stem() };
+        options.title = if model.items.len() == 1 || plan.per_object { None } else { stem() };
     }
-    let mut files = Vec::with_capacity(plan.outputs.len());
-    let mut exporter = None;
-    for (path, format) in &plan.outputs {
-        progress.doing(path.display().to_string());
-        let exporter = match &mut exporter {
-            Some(exporter) => exporter,
-            none => {
-                let formats = plan.outputs.iter().map(|(_, format)| *format);
-                let ready = Exporter::with_provenance(&model, &provenance).map_err(|error| refused(path, &error))?;
-                none.insert(ready.expecting(formats, &options))
-            }
-        };
-        let exported = exporter.export(*format, &options).map_err(|error| refused(path, &error))?;
-        let checked = exporter.check(path, *format, &exported);
-        report.files.push(checked.map_err(|error| match error {
-            CheckError::TooFewDigits { .. } => Failure::Refused(format!("{error} [too-few-digits]")),
-            CheckError::BendsTooSharply { .. } => Failure::Refused(format!("{error} [bends-too-sharply]")),
-            fault => Failure::Check(fault.to_string()),
-        })?);
-        files.push((path.clone(), exported.bytes));
-        progress.done();
+    // Of nothing there are no files, which is refused below.
+    let parts = if plan.per_object && !model.items.is_empty() {
+        per_object::split(model, provenance, &plan.outputs)?
+    } else {
+        vec![Part { model, provenance, outputs: plan.outputs.clone() }]
+    };
+    let paths = parts.iter().flat_map(|part| &part.outputs).map(|(path, _)| path);
+    let indices = if plan.per_object { per_object::indices(&parts, &plan.outputs) } else { Vec::new() };
+    for path in paths.chain(indices.iter().map(|(path, _)| path)) {
+        for input in &input_files {
+            refuse_overwriting(Some(path), input)?;
+        }
     }
+    let mut files = Vec::new();
+    for part in &parts {
+        push_files(part, &options, &progress, &mut files, &mut report)?;
+    }
+    files.extend(indices);
     drop(progress);
+    let model = per_object::joined(parts);
     for message in effect::without_effect(plan, &model, &report) {
         terminal::warning(&message);
     }
@@ -68,6 +68,39 @@ pub fn run(plan: &MakePlan) -> Result<(), Failure> {
         return terminal::print_bytes(bytes);
     }
     files::write(&files, plan.write, &report)
+}
+
+/// Makes and checks the files of a model.
+fn push_files(
+    part: &Part,
+    options: &ExportOptions,
+    progress: &Progress,
+    files: &mut Vec<(PathBuf, Vec<u8>)>,
+    report: &mut Report,
+) -> Result<(), Failure> {
+    let mut exporter = None;
+    for (path, format) in &part.outputs {
+        progress.doing(path.display().to_string());
+        let exporter = match &mut exporter {
+            Some(exporter) => exporter,
+            none => {
+                let formats = part.outputs.iter().map(|(_, format)| *format);
+                let ready =
+                    Exporter::with_provenance(&part.model, &part.provenance).map_err(|error| refused(path, &error))?;
+                none.insert(ready.expecting(formats, options))
+            }
+        };
+        let exported = exporter.export(*format, options).map_err(|error| refused(path, &error))?;
+        let checked = exporter.check(path, *format, &exported);
+        report.files.push(checked.map_err(|error| match error {
+            CheckError::TooFewDigits { .. } => Failure::Refused(format!("{error} [too-few-digits]")),
+            CheckError::BendsTooSharply { .. } => Failure::Refused(format!("{error} [bends-too-sharply]")),
+            fault => Failure::Check(fault.to_string()),
+        })?);
+        files.push((path.clone(), exported.bytes));
+        progress.done();
+    }
+    Ok(())
 }
 
 /// Builds the objects; the document and what was read for it are not needed any more then.

@@ -6,5 +6,6 @@ pub mod inspect;
 mod load;
 pub mod make;
 pub mod manuals;
+mod per_object;
 pub mod sample;
 pub mod start;

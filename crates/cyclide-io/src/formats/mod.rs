@@ -33,6 +33,7 @@ pub(crate) use mesh_format::ReadMesh;
 pub use obj::{ObjGrid, read_quad_grid};
 pub(crate) use read_back::deviations_of;
 pub use read_back::{file_deviation, read_back};
+pub use vtu::vtk_multi_block;
 
 /// The list: each format with its module, which holds its entry.
 macro_rules! formats {

@@ -127,6 +127,16 @@ impl Builder<'_> {
         for (curve, _) in &made {
             check_in_place(curve).map_err(|e| self.refused(&e, None))?;
         }
+        // What comes to a stand by its data; blends and arcs do not.
+        let field = match self.spec {
+            ObjectSpec::Nurbs(_) => "control_points",
+            ObjectSpec::QbInterpolation(_) => "points",
+            ObjectSpec::Trajectory(_) => "of",
+            _ => return Ok(made),
+        };
+        for (contour, (curve, _)) in made.iter().enumerate() {
+            self.warn_of_cusps(field, (made.len() > 1).then_some(contour), curve.as_curve());
+        }
         Ok(made)
     }
 

@@ -1,6 +1,6 @@
 //! Rational B-splines of documents.
 
-use cyclide::{CurveCusp, CurveObject, NurbsCurve, Point3, ShortNumber, Warning, cusps};
+use cyclide::{CurveCusp, CurveObject, NurbsCurve, ParamCurve, Point3, ShortNumber, Warning, cusps};
 
 use super::Builder;
 use super::refuse::Blame;
@@ -28,12 +28,16 @@ impl Builder<'_> {
             let place = self.place_of([Step::from("knots")]);
             self.remark("knots-clamped", None, None, place, message);
         }
-        let found = cusps(&curve);
+        Ok(curve.into())
+    }
+
+    /// Warns where the velocity of a curve vanishes and its direction jumps.
+    pub(super) fn warn_of_cusps(&mut self, field: &str, contour: Option<usize>, curve: &dyn ParamCurve) {
+        let found = cusps(curve);
         if let Some(&CurveCusp { t, point, angle, .. }) = found.first() {
             let cusp = Warning::CuspInside { count: found.len(), t, at: point.to_array(), angle };
-            self.warn_at("control_points", None, cusp);
+            self.warn_at(field, contour, cusp);
         }
-        Ok(curve.into())
     }
 }
 

@@ -6,6 +6,7 @@
 
 mod arrays;
 mod linear;
+mod multi_block;
 mod order;
 mod quality;
 mod reader;
@@ -26,6 +27,7 @@ use crate::export::ready::ReadyModel;
 use crate::formats::entry::{Entry, Reading};
 use arrays::{Arrays, Number};
 use cyclide::{ChainPiece, CurveChain, DEFAULT_PIECE_ANGLE, Lowered, NurbsCurve, ParamCurve as _, RationalBezier};
+pub use multi_block::vtk_multi_block;
 use order::nodes;
 use quality::{NAMES, qualities};
 use reader::{Cells, TAGS, read};

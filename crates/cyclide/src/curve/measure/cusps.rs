@@ -55,11 +55,46 @@ pub fn cusps(curve: &dyn ParamCurve) -> Vec<CurveCusp> {
     let mut found = Vec::new();
     let mut before: Option<End> = None;
     for piece in 0..n {
+        let Some(own) = OfPiece::new(curve, piece) else {
+            before = None;
+            continue;
+        };
+        if let (Some(End { stands: true, way: Some(a) }), End { stands: true, way: Some(b) }) = (before, own.ends[0]) {
+            let angle = a.angle(b);
+            if angle > CORNER.max(2.0 * BESIDE) {
+                found.push(CurveCusp { t: piece as f64 / n as f64, point: curve.piece_point(piece, 0.0), angle });
+            }
+        }
+        let place = |&(s, angle): &(f64, f64)| CurveCusp {
+            t: (piece as f64 + s) / n as f64,
+            point: curve.piece_point(piece, s),
+            angle,
+        };
+        found.extend(own.inside.iter().map(place));
+        before = Some(own.ends[1]);
+    }
+    found
+}
+
+/// True if a piece comes to a stand at an end, or turns at a stand inside.
+pub(super) fn has_cusp(curve: &dyn ParamCurve, piece: usize) -> bool {
+    OfPiece::new(curve, piece).is_some_and(|own| !own.inside.is_empty() || own.ends.iter().any(|end| end.stands))
+}
+
+/// Where a piece comes to a stand.
+struct OfPiece {
+    /// Cusps inside: parameter of the piece, and turn.
+    inside: Vec<(f64, f64)>,
+    ends: [End; 2],
+}
+
+impl OfPiece {
+    /// `None` if the speeds follow rounding.
+    fn new(curve: &dyn ParamCurve, piece: usize) -> Option<Self> {
         let mut speed = |s: f64| curve.piece_speed(piece, s);
         let cells = quadrature::cells(&mut speed, 0.0, 1.0);
         if cells.len() > MOST_CELLS {
-            before = None;
-            continue;
+            return None;
         }
         let part = |k: usize| k as f64 / PARTS as f64;
         let places: Vec<f64> =
@@ -71,27 +106,20 @@ pub fn cusps(curve: &dyn ParamCurve) -> Vec<CurveCusp> {
             let way = curve.piece_jet(piece, inside).d1.unit();
             End { stands: speeds[end] <= AT_JOINT * largest, way }
         });
-        if let (Some(End { stands: true, way: Some(a) }), End { stands: true, way: Some(b) }) = (before, ends[0]) {
-            let angle = a.angle(b);
-            if angle > CORNER.max(2.0 * BESIDE) {
-                found.push(CurveCusp { t: piece as f64 / n as f64, point: curve.piece_point(piece, 0.0), angle });
-            }
-        }
+        let mut inside: Vec<(f64, f64)> = Vec::new();
         for k in 1..places.len() - 1 {
             if speeds[k] <= speeds[k - 1] && speeds[k] <= speeds[k + 1] {
                 let bracket = [places[k - 1], places[k + 1]];
                 if let Some((s, angle)) = cusp_between(curve, piece, bracket, &mut speed) {
                     // Two places that are equally slow have the same one between them.
-                    let t = (piece as f64 + s) / n as f64;
-                    if found.last().is_none_or(|last| t - last.t > 2.0 * LEAST_STEP / n as f64) {
-                        found.push(CurveCusp { t, point: curve.piece_point(piece, s), angle });
+                    if inside.last().is_none_or(|(last, _)| s - last > 2.0 * LEAST_STEP) {
+                        inside.push((s, angle));
                     }
                 }
             }
         }
-        before = Some(ends[1]);
+        Some(Self { inside, ends })
     }
-    found
 }
 
 /// How a piece ends, seen inside.

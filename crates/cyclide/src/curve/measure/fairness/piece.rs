@@ -1,5 +1,6 @@
 //! The curvature along one smooth piece, in units of the curve's length.
 
+use super::super::cusps::has_cusp;
 use super::{NOISE, Swing};
 use crate::base::jet::CurveJet;
 use crate::base::vector::{Point3, Vec3};
@@ -13,6 +14,8 @@ const DEPTH: u32 = 12;
 const CUBIC_LIMIT: f64 = 0.02;
 /// Disagreement of two rules for the variation, relative to the piece's own or the mean one.
 const AGREEMENT: f64 = 1e-4;
+/// Pieces whose slowest sample is slower than this part of the fastest may have a cusp.
+const SUSPICIOUS: f64 = 0.25;
 /// Rounding of a node by this part of the coordinates.
 pub(super) const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
@@ -23,6 +26,8 @@ struct Bend {
     k: f64,
     slope: f64,
     speed: f64,
+    /// What rounding of the second derivative makes of the curvature: much where a piece is slow against the rest of it.
+    noise: f64,
 }
 
 /// What a curve is measured with.
@@ -64,6 +69,8 @@ enum Form {
 struct Cell {
     start: f64,
     width: f64,
+    /// Roundings are so many times those of the piece about its own middle.
+    off: f64,
     samples: [Bend; SAMPLES + 1],
 }
 
@@ -105,6 +112,7 @@ impl Piece {
             Form::Constant(value) => push(Swing { value: *value, floor }),
             Form::Free(cells) => {
                 for cell in cells {
+                    let floor = floor.max(cell.noise());
                     push(Swing { value: cell.samples[0].k, floor });
                     for pair in cell.samples.windows(2) {
                         for value in turning_values(pair[0], pair[1], cell.step()) {
@@ -129,7 +137,8 @@ impl Measure<'_> {
             return None;
         }
         let size = first.point.to_vec().max_abs().max(last.point.to_vec().max_abs());
-        let rounding = ROUNDING * (1.0 + size / chord) * (self.length / chord);
+        let off = 1.0 + size / chord;
+        let rounding = ROUNDING * off * (self.length / chord);
         let end = |jet: &CurveJet| {
             let curvature = jet.curvature_vector().filter(|k| k.is_finite())? * self.length;
             Some(End { point: jet.point, tangent: jet.tangent()?, curvature })
@@ -140,15 +149,22 @@ impl Measure<'_> {
         };
         let form = match self.curve.piece_form(index) {
             PieceForm::Arc(_) | PieceForm::Circle(_) => Form::Constant(self.bend(&first).k),
-            PieceForm::Free => self.cells(index, rounding).map_or(Form::Cusp, Form::Free),
+            PieceForm::Free => self.cells(index, rounding, off).map_or(Form::Cusp, Form::Free),
         };
         Some(Piece { index, ends: [start, stop], chord, rounding, form })
     }
 
     /// Cuts a piece until the curvature looks like a cubic everywhere; `None` if it has no bound.
-    fn cells(&self, index: usize, rounding: f64) -> Option<Vec<Cell>> {
+    fn cells(&self, index: usize, rounding: f64, off: f64) -> Option<Vec<Cell>> {
         let mut cells = Vec::with_capacity(1);
-        let mut open = vec![(self.cell(index, 0.0, 1.0), DEPTH)];
+        let whole = self.cell(index, 0.0, 1.0, off);
+        // A cusp halves the speed of the places beside it at least; a search is dear.
+        let speeds = whole.samples.iter().map(|b| b.speed);
+        let (least, most) = (speeds.clone().fold(f64::INFINITY, f64::min), speeds.fold(0.0, f64::max));
+        if !(least > SUSPICIOUS * most) && has_cusp(self.curve, index) {
+            return None;
+        }
+        let mut open = vec![(whole, DEPTH)];
         while let Some((cell, depth)) = open.pop() {
             if !cell.samples.iter().all(|b| b.k.is_finite() && b.slope.is_finite()) {
                 return None;
@@ -166,9 +182,9 @@ impl Measure<'_> {
         Some(cells)
     }
 
-    fn cell(&self, index: usize, start: f64, width: f64) -> Cell {
+    fn cell(&self, index: usize, start: f64, width: f64, off: f64) -> Cell {
         let at = |i: usize| self.at(index, start + width * i as f64 / SAMPLES as f64);
-        Cell { start, width, samples: std::array::from_fn(at) }
+        Cell { start, width, off, samples: std::array::from_fn(at) }
     }
 
     fn halves(&self, index: usize, cell: &Cell) -> [Cell; 2] {
@@ -179,7 +195,7 @@ impl Measure<'_> {
                 0 => cell.samples[half * SAMPLES / 2 + i / 2],
                 _ => self.at(index, start + width * i as f64 / SAMPLES as f64),
             };
-            Cell { start, width, samples: std::array::from_fn(sample) }
+            Cell { start, width, off: cell.off, samples: std::array::from_fn(sample) }
         })
     }
 
@@ -197,7 +213,7 @@ impl Measure<'_> {
         let cube = speed * speed * speed;
         let k = binormal.dot(normal) / cube;
         let slope = (d1.cross(d3).dot(normal) / cube - 3.0 * k * d1.dot(d2) / (speed * speed)) / speed;
-        Bend { k, slope, speed }
+        Bend { k, slope, speed, noise: ROUNDING * d2.length() / (speed * speed) }
     }
 
     /// `∫ k'² ds` over all pieces, which without jumps is the variation of the whole curve. Swings that do not count
@@ -207,7 +223,10 @@ impl Measure<'_> {
             pieces.iter().flat_map(|piece| {
                 let floor = piece.rounding.max(NOISE * largest);
                 let cells: &[Cell] = if let Form::Free(cells) = &piece.form { cells } else { &[] };
-                cells.iter().filter(move |cell| cell.swing() > floor).map(move |cell| (piece.index, cell))
+                cells
+                    .iter()
+                    .filter(move |cell| cell.swing() > floor.max(cell.noise()))
+                    .map(move |cell| (piece.index, cell))
             })
         };
         let mean = cells().map(|(_, cell)| cell.boole().0).sum::<f64>() / pieces.len().max(1) as f64;
@@ -242,8 +261,13 @@ impl Cell {
             let (da, db) = (a.slope * a.speed * step, b.slope * b.speed * step);
             let middle = 0.5 * (a.k + b.k) + 0.125 * (da - db);
             let range = (b.k - a.k).abs().max(da.abs()).max(db.abs());
-            (m.k - middle).abs() <= CUBIC_LIMIT * range + rounding
+            (m.k - middle).abs() <= CUBIC_LIMIT * range + rounding + self.off * a.noise.max(m.noise).max(b.noise)
         })
+    }
+
+    /// What rounding makes of its curvatures.
+    fn noise(&self) -> f64 {
+        self.off * self.samples.iter().map(|b| b.noise).fold(0.0, f64::max)
     }
 
     /// Difference of the largest and the smallest sample.

@@ -1,0 +1,87 @@
+//! Files for each object of a model, named after it, and for VTU an index of them.
+
+use std::collections::HashMap;
+use std::ffi::OsString;
+use std::path::{Path, PathBuf};
+
+use cyclide::{Model, Units};
+use cyclide_io::{Format, Provenance, vtk_multi_block};
+
+use crate::output::failure::Failure;
+
+/// A model and the files that it goes into.
+pub struct Part {
+    pub model: Model,
+    pub provenance: Vec<Provenance>,
+    pub outputs: Vec<(PathBuf, Format)>,
+}
+
+/// The objects of a model as models of their own, each with its files.
+///
+/// # Errors
+/// Two objects whose files would have the same name.
+pub fn split(model: Model, provenance: Vec<Provenance>, outputs: &[(PathBuf, Format)]) -> Result<Vec<Part>, Failure> {
+    let Model { units, items } = model;
+    let mut names: HashMap<String, String> = HashMap::new();
+    let mut parts = Vec::with_capacity(items.len());
+    for (item, provenance) in items.into_iter().zip(provenance) {
+        let name = in_file_names(&item.name);
+        // Some systems know no capitals in the names of files.
+        if let Some(other) = names.insert(name.to_lowercase(), item.name.clone()) {
+            let message = format!("the files of `{other}` and of `{}` would have the same names", item.name);
+            return Err(Failure::Refused(message));
+        }
+        let outputs = outputs.iter().map(|(path, format)| (of_object(path, &name), *format)).collect();
+        parts.push(Part { model: Model { units, items: vec![item] }, provenance: vec![provenance], outputs });
+    }
+    Ok(parts)
+}
+
+/// The whole model again.
+pub fn joined(parts: Vec<Part>) -> Model {
+    let units = parts.first().map_or(Units::default(), |part| part.model.units);
+    Model { units, items: parts.into_iter().flat_map(|part| part.model.items).collect() }
+}
+
+/// For each VTU output the file that names those of the objects as blocks.
+pub fn indices(parts: &[Part], outputs: &[(PathBuf, Format)]) -> Vec<(PathBuf, Vec<u8>)> {
+    let vtu = outputs.iter().enumerate().filter(|(_, (_, format))| *format == Format::Vtu);
+    let index = |(number, (path, _)): (usize, &(PathBuf, Format))| {
+        let block = |part: &Part| {
+            let file = part.outputs.get(number)?.0.file_name()?.to_string_lossy().into_owned();
+            Some((part.model.items.first()?.name.clone(), file))
+        };
+        let blocks: Vec<(String, String)> = parts.iter().filter_map(block).collect();
+        (path.with_extension("vtm"), vtk_multi_block(&blocks))
+    };
+    vtu.map(index).collect()
+}
+
+/// The name of an object as part of the name of a file: letters, digits, `-`, `_` and `.`, anything else as `_`.
+fn in_file_names(name: &str) -> String {
+    name.chars().map(|c| if c.is_alphanumeric() || "-_.".contains(c) { c } else { '_' }).collect()
+}
+
+/// `part.step` of `lid` is `part-lid.step`.
+fn of_object(path: &Path, name: &str) -> PathBuf {
+    let mut file = OsString::from(path.file_stem().unwrap_or_default());
+    file.push("-");
+    file.push(name);
+    if let Some(suffix) = path.extension() {
+        file.push(".");
+        file.push(suffix);
+    }
+    path.with_file_name(file)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_of_objects_are_names_of_files() {
+        assert_eq!(of_object(Path::new("out/part.step"), "lid"), Path::new("out/part-lid.step"));
+        assert_eq!(of_object(Path::new("part"), "lid.2"), Path::new("part-lid.2"));
+        assert_eq!(in_file_names("Dach/Süd 1:2.a-b_c"), "Dach_Süd_1_2.a-b_c");
+    }
+}
