@@ -34,7 +34,7 @@ pub struct MotionReport {
     pub spans: usize,
     /// How long it takes.
     pub duration: f64,
-    /// When it passes its poses, seconds from the start, where a law or a duration changes that.
+    /// When it passes its poses, seconds from the start, where a law, a duration or a motion of one span may have changed that.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub pose_times: Option<Vec<f64>>,
     /// Length of the way of the tool.
@@ -118,8 +118,12 @@ impl MotionReport {
             report.measure(&schedule);
             let [first, last] = motion.domain();
             let as_given = body.law() == TimeLaw::AsGiven && (last - first - body.duration()).abs() <= 0.0;
-            let times = || schedule.timing().joints().iter().map(|share| share * body.duration()).collect();
-            report.pose_times = (!as_given && spans > 1).then(times);
+            let times = motion.pose_times();
+            // One span through more than its ends may have chosen their times itself.
+            if times.len() > 2 && (!as_given || spans == 1) {
+                let passed = |time: &f64| schedule.timing().fraction_at(*time) * body.duration();
+                report.pose_times = Some(times.iter().map(passed).collect());
+            }
         }
         report
     }

@@ -423,3 +423,38 @@ fn the_report_says_when_poses_are_passed() {
     assert!(steady.len() == 3 && (steady[1] - 2.0).abs() < 1e-9 && (steady[2] - 8.0).abs() < 1e-12, "{steady:?}");
     assert_eq!(report(r#", "duration": 8"#).unwrap(), [0.0, 2.0, 8.0]);
 }
+
+/// What `cyclide sample --frames` writes of a curve is a table of poses: x along the tangent.
+#[test]
+fn frames_of_curves_are_poses() {
+    let table = "t,x,y,z,tangent_x,tangent_y,tangent_z,curvature,station,signed_curvature,torsion,normal_x,normal_y,normal_z,binormal_x,binormal_y,binormal_z\n\
+                 0,0,0,0,1,0,0,0.1,0,0.1,0,0,1,0,0,0,1\n1,5,6,7,0,1,0,0.1,9,,,-1,0,0,0,0,1\n";
+    let built = build_all(&motion(r#""poses": {"csv": "poses.csv"}"#), table).unwrap();
+    let pose = end(&built[0]);
+    assert!((pose.translation() - Vec3::new(5.0, 6.0, 7.0)).length() < 1e-14);
+    assert!((pose.rotation().rotate(Vec3::X) - Vec3::Y).length() < 1e-14);
+    let refused = build_all(&motion(r#""poses": {"csv": "poses.csv"}"#), "x,y,z,rx,ry,rz\n0,0,0,0,0,0\n1,0,0,0,0,90\n")
+        .unwrap_err();
+    assert!(refused.contains("controllers mean different angles by `rx, ry, rz`"), "{refused}");
+}
+
+/// The report has the times that a cubic chose; coordinates are bounded as those of curves are.
+#[test]
+fn times_of_cubics_and_far_poses() {
+    let poses = r#"[{"position": [0, 1, 0], "quaternion": [1, 0.3, 0, 0.1]}, {"position": [1, 1, 0.2], "quaternion": [1, 0.3, 0.5, 0.1]},
+        {"position": [2.2, 1, 1], "quaternion": [0.8, 0.3, 0.9, 0.1]}, {"position": [3, 1, 1], "quaternion": [0.4, 0.3, 1.2, 0.1]}]"#;
+    let built = build(&motion(&format!(r#""kind": "cubic", "poses": {poses}, "duration": 6"#))).unwrap();
+    let GeometryReport::Motion(found) = cyclide_io::ObjectReport::new(&built, None).geometry else {
+        panic!("a motion")
+    };
+    let times = found.pose_times.unwrap();
+    assert!(times.len() == 4 && times[0] == 0.0 && (times[3] - 6.0).abs() < 1e-14);
+    let schedule = built.item.motion().unwrap().schedule().unwrap();
+    for (time, x) in times.iter().zip([0.0, 1.0, 2.2, 3.0]) {
+        assert!((schedule.pose(time / 6.0).translation().x - x).abs() < 1e-12);
+    }
+    let far = build(&motion(r#""poses": [{"position": [0, 0, 1e200]}, {"position": [1, 0, 0]}]"#)).unwrap_err();
+    assert!(far.contains("[parameter-out-of-range]"), "{far}");
+    let armed = build(&motion(&format!(r#"{TWO}, "arm": 3"#))).unwrap();
+    assert!(armed.remarks.iter().any(|r| r.reason == "no-effect" && r.message.starts_with("`arm` has no effect")));
+}

@@ -105,6 +105,23 @@ impl Motion {
         comes_back.then(|| first.angle_to(last))
     }
 
+    /// The times at which it takes the poses that it was made through, rising; none along a curve.
+    ///
+    /// ```
+    /// use cyclide::{Motion, Pose, Quat, RationalMotion, TimedPose, Vec3};
+    /// let at = |time: f64, x: f64| TimedPose { time, pose: Pose::new(Quat::new(1.0, 0.0, 0.0, time), Vec3::X * x).unwrap() };
+    /// let motion = Motion::from(RationalMotion::conic(&[at(0.0, 0.0), at(1.0, 2.0), at(3.0, 3.0)])?);
+    /// assert_eq!(motion.pose_times(), [0.0, 1.0, 3.0]);
+    /// # Ok::<(), cyclide::Error>(())
+    /// ```
+    #[must_use]
+    pub fn pose_times(&self) -> &[f64] {
+        match self {
+            Self::Rational(motion) => motion.pose_times(),
+            Self::Screw(motion) => motion.times(),
+        }
+    }
+
     /// What should be known of it, as where poses were taken for planar ones (`poses-rounded`).
     #[must_use]
     pub fn warnings(&self) -> Vec<Warning> {

@@ -37,9 +37,10 @@ impl RationalMotion {
             })
             .collect();
         spans.iter().enumerate().try_for_each(|(i, span)| span.check_length(i))?;
-        let times = poses.iter().map(|p| p.time).collect();
+        let times: Vec<f64> = poses.iter().map(|p| p.time).collect();
         let swings = Swings::of(&spans);
-        Ok(Self::of_spans(times, spans, prepared.centre, prepared.unit).swinging(swings))
+        let pose_times = Vec::clone(&times);
+        Ok(Self::of_spans(times, spans, prepared.centre, prepared.unit).through(pose_times).swinging(swings))
     }
 }
 

@@ -103,7 +103,9 @@ impl Prepared {
         if let Some((index, share)) = first_missed(&span.0, &self.poses, &self.places, limit) {
             return Err(Error::UnattainablePose { index, share, limit });
         }
-        Ok(RationalMotion::of_spans(self.domain.to_vec(), vec![span], self.centre, self.unit))
+        let [first, last] = self.domain;
+        let times = self.places.iter().map(|place| first + (last - first) * place).collect();
+        Ok(RationalMotion::of_spans(self.domain.to_vec(), vec![span], self.centre, self.unit).through(times))
     }
 
     /// The conic motion that five poses are on, with the matrix of rank 2 of their forms: through three of them. What those are off carries

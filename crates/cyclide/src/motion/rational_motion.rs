@@ -46,6 +46,8 @@ pub struct RationalMotion {
     unit: f64,
     /// What its poses are off, in their size, to be of the kind that they were taken for; 0 if nothing was left out.
     left_out: f64,
+    /// When it takes the poses that it was made through, rising.
+    pose_times: Vec<f64>,
     /// Of a spline through poses: where it runs beyond them.
     swings: Option<Swings>,
 }
@@ -57,7 +59,13 @@ pub(super) struct MotionSpan(pub(super) Vec<[f64; 8]>);
 impl RationalMotion {
     /// The motion of these spans, about a centre and in a unit. Real parts vanish nowhere.
     pub(super) fn of_spans(times: Vec<f64>, spans: Vec<MotionSpan>, centre: Vec3, unit: f64) -> Self {
-        Self { times, spans, centre, unit, left_out: 0.0, swings: None }
+        Self { times, spans, centre, unit, left_out: 0.0, pose_times: Vec::new(), swings: None }
+    }
+
+    /// The same, made through poses at these times.
+    pub(super) fn through(self, mut pose_times: Vec<f64>) -> Self {
+        pose_times.sort_by(f64::total_cmp);
+        Self { pose_times, ..self }
     }
 
     /// The same, a spline that swings there.
@@ -82,6 +90,13 @@ impl RationalMotion {
     #[must_use]
     pub fn times(&self) -> &[f64] {
         &self.times
+    }
+
+    /// The times at which it takes the poses that it was made through, rising: those given, but for the two in the middle of a cubic. None along a
+    /// curve.
+    #[must_use]
+    pub fn pose_times(&self) -> &[f64] {
+        &self.pose_times
     }
 
     /// Degree of the dual quaternion; trajectories have twice that.
@@ -181,7 +196,7 @@ impl RationalMotion {
                 times.push(end);
             });
         }
-        Self { times, spans, ..*self }
+        Self { times, spans, pose_times: self.pose_times.clone(), ..*self }
     }
 
     /// Over each span the homogeneous path, of twice the degree, of a point of the body in homogeneous coordinates `[wx, wy, wz, w]`.

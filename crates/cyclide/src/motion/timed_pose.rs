@@ -4,6 +4,7 @@ use super::dual_quat::DualQuat;
 use super::pose::Pose;
 use super::study_form::{rounding, vanished};
 use crate::base::quat::Quat;
+use crate::base::range::MAX_COORDINATE;
 use crate::base::vector::Vec3;
 use crate::error::{Error, ErrorItem, Result};
 
@@ -66,6 +67,11 @@ impl Prepared {
         }
         let times = || given.iter().map(|p| p.time);
         let domain = [times().fold(f64::INFINITY, f64::min), times().fold(f64::NEG_INFINITY, f64::max)];
+        // Products of coordinates stay finite.
+        if let Some(far) = given.iter().map(|p| p.pose.translation().max_abs()).find(|value| *value > MAX_COORDINATE) {
+            let (value, min, max) = (far, -MAX_COORDINATE, MAX_COORDINATE);
+            return Err(Error::ParameterOutOfRange { name: ErrorItem::Translation, value, min, max });
+        }
         let range = domain[1] - domain[0];
         if !range.is_finite() {
             return Err(Error::NotFinite { what: ErrorItem::Time, index: given.len() - 1 });

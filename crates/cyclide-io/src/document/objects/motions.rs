@@ -2,10 +2,10 @@
 
 use cyclide::{
     BodyMesh, CubicMotions, CurveObject, Motion, MovingBody, Pose, Quat, RationalMotion, ScrewMotion, ShortNumber,
-    SurfaceObject, SweptSurface, TimedPose, Vec3, bounds,
+    SurfaceObject, SweptSurface, TimeLaw, TimedPose, Vec3, bounds,
 };
 
-use super::Builder;
+use super::{Builder, NO_EFFECT};
 use crate::document::angle::Angle;
 use crate::document::coordinates::Coordinates;
 use crate::document::locate::Step;
@@ -66,7 +66,7 @@ impl Builder<'_> {
         };
         let Some(chain) = contour.to_qb_spline() else {
             let message = format!(
-                "`{curve}` does not turn a body: a motion runs along arcs and segments, a `moebius-spline`, a `qb-interpolation`, a `fair-spline` of tension 0 without straight parts (`\"straight\": \"off\"`), or a rational `circle-spline` of order 1"
+                "`{curve}` does not turn a body: a motion runs along arcs and segments, a `moebius-spline`, a `qb-interpolation`, a `fair-spline` of tension 0 without straight parts (`\"straight\": \"off\"`) that was not relaxed, or a rational `circle-spline` of order 1"
             );
             return Err(Error::Input(self.diagnostic(["along".into()], &message)));
         };
@@ -108,7 +108,7 @@ impl Builder<'_> {
             self.remark("cubic-chosen", None, None, self.place_of([Step::from("kind")]), message.to_owned());
         }
         if timed {
-            let message = "a cubic sets the times of the two poses in the middle: those given for them are left aside";
+            let message = "a cubic sets the times of the two poses in the middle, which the report has: those given for them are left aside";
             self.remark("times-not-taken", None, None, self.place_of([Step::from("poses")]), message.to_owned());
         }
         self.body(spec, motion.into(), ends[1] - ends[0])
@@ -120,6 +120,10 @@ impl Builder<'_> {
         let made = MovingBody::new(motion).with_tool(tool, spec.arm.unwrap_or(0.0));
         let made = made.and_then(|body| body.with_law(spec.law, spec.duration.unwrap_or(duration)));
         let made = made.map_err(|e| self.refused(&e, None))?;
+        if spec.arm.is_some_and(|arm| arm > 0.0) && spec.law == TimeLaw::AsGiven {
+            let message = "`arm` has no effect: without a `law` that goes by the way the times are those of the poses";
+            self.remark(NO_EFFECT, None, None, self.place_of([Step::from("arm")]), message.to_owned());
+        }
         for warning in made.warnings() {
             self.warn_at(if spec.along.is_some() { "along" } else { "poses" }, None, warning);
         }

@@ -248,7 +248,7 @@ pub struct RotationSpec {
 /// # Ok::<(), cyclide_io::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, expecting = "an object with a `factor`, as in {\"factor\": 2}")]
 #[non_exhaustive]
 pub struct ScaleSpec {
     /// Factor of all lengths.

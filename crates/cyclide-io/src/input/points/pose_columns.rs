@@ -53,6 +53,9 @@ pub(super) const NAMES: &str = "t or time, x, y, z, and qw, qx, qy, qz or roll, 
 
 /// What columns are called that say something about a pose and not where it is.
 const LABELS: [&str; 8] = ["name", "label", "id", "comment", "remark", "note", "pose", "index"];
+/// What our own tables of curves have beside points and frames.
+const MEASURES: [&str; 4] = ["station", "curvature", "signed_curvature", "torsion"];
+const AXES: [&str; 3] = ["tangent", "normal", "binormal"];
 /// Names of angles that controllers mean different things by.
 const AMBIGUOUS: [&str; 6] = ["rx", "ry", "rz", "a", "b", "c"];
 const MEANT: &str = "; controllers mean different angles by `rx, ry, rz` and by `A, B, C`: name them roll, pitch, yaw if the body is turned about the fixed axes x, y, z \
@@ -183,8 +186,15 @@ fn meaning(field: &Field<'_>) -> Option<Meaning> {
             _ => None,
         };
     }
-    if words.len() == 1 && LABELS.contains(first) {
+    if words.len() == 1 && LABELS.contains(first) || MEASURES.contains(&words.join("_").as_str()) {
         return Some(Meaning::Label);
+    }
+    // The frames of curves in our own tables: the axes of the body, which are the columns of its matrix.
+    if let [axis, letter] = words.as_slice()
+        && let Some(column) = AXES.iter().position(|name| name == axis)
+        && let Some(row) = POSITION.iter().position(|name| name == letter)
+    {
+        return Some(Meaning::Matrix(row, column));
     }
     let quaternion = match words.as_slice() {
         [only] => QUATERNION.iter().position(|name| name == only),
@@ -231,6 +241,9 @@ mod tests {
             ("m54", None),
             ("Name", Some(Meaning::Label)),
             ("rx", None),
+            ("signed_curvature", Some(Meaning::Label)),
+            ("normal_y", Some(Meaning::Matrix(1, 1))),
+            ("binormal_x", Some(Meaning::Matrix(0, 2))),
             ("A", None),
             ("x_left", None),
             ("x_deg", None),
