@@ -116,6 +116,8 @@ impl<'a> Exporter<'a> {
     }
 }
 
+const ONLY_MOTIONS: &str = "motions: write GLB, or add a `trajectory` or a `swept-surface` of it, which have a form";
+
 /// Refuses surfaces without an exact form where the format holds exact ones only.
 fn check_exact_form(bodies: &[BodyOf<'_>], format: &Entry) -> Result<(), ExportError> {
     match bodies.iter().find(|body| body.body.triangles().is_some()) {
@@ -149,7 +151,8 @@ fn left_out(model: &Model, format: &Entry) -> Result<Option<String>, ExportError
         Geometry::Motion(_) => false,
     };
     if !model.items.iter().any(|item| what(item).is_none() && !is_empty(item)) {
-        return Err(ExportError::NotInFormat { object: first.to_owned(), format: format.title, detail: first_kind });
+        let detail = if first_kind == "motions" { ONLY_MOTIONS } else { first_kind };
+        return Err(ExportError::NotInFormat { object: first.to_owned(), format: format.title, detail });
     }
     let of_kind =
         |kind: &str| lost.iter().filter(|(own, _)| *own == kind).map(|(_, name)| *name).collect::<Vec<_>>().join(", ");

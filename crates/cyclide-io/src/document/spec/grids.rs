@@ -137,6 +137,9 @@ impl<'de> Deserialize<'de> for CellsSpec {
             fn visit_u64<E: serde::de::Error>(self, count: u64) -> Result<CellsSpec, E> {
                 count_of(count).map(CellsSpec::Count)
             }
+            fn visit_map<A: serde::de::MapAccess<'de>>(self, _: A) -> Result<CellsSpec, A::Error> {
+                Err(serde::de::Error::custom("one law alone: `cells` along s, t and u are a list of three, as in [8, 8, {\"count\": 20, \"first\": 0.01}]"))
+            }
             fn visit_seq<A: serde::de::SeqAccess<'de>>(self, seq: A) -> Result<CellsSpec, A::Error> {
                 let seq = serde::de::value::SeqAccessDeserializer::new(seq);
                 <[CellsAlongSpec; 3]>::deserialize(seq).map(|along| CellsSpec::Along(Box::new(along)))

@@ -39,7 +39,7 @@ pub(super) static ENTRY: Entry = Entry {
     reading: Some(Reading { read, compare, rounds_by_model: false }),
 };
 
-const OPEN: &str = "an open surface has no inside to be printed: make a solid of it (`offset` with `\"thick\": true`, a `wall`), leave it out with \
+const OPEN: &str = "an open surface has no inside to be printed: make a solid of it (a net or patch by `offset` with `\"thick\": true`, pipes by a `wall`), leave it out with \
                     `\"construction\": true`, or write STL, PLY, OBJ or GLB";
 const TORN: &str =
     "rounding to single precision leaves holes in it: move the model to the origin or allow a smaller tolerance";
