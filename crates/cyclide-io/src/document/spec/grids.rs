@@ -138,7 +138,9 @@ impl<'de> Deserialize<'de> for CellsSpec {
                 count_of(count).map(CellsSpec::Count)
             }
             fn visit_map<A: serde::de::MapAccess<'de>>(self, _: A) -> Result<CellsSpec, A::Error> {
-                Err(serde::de::Error::custom("one law alone: `cells` along s, t and u are a list of three, as in [8, 8, {\"count\": 20, \"first\": 0.01}]"))
+                Err(serde::de::Error::custom(
+                    "one law alone: `cells` along s, t and u are a list of three, as in [8, 8, {\"count\": 20, \"first\": 0.01}]",
+                ))
             }
             fn visit_seq<A: serde::de::SeqAccess<'de>>(self, seq: A) -> Result<CellsSpec, A::Error> {
                 let seq = serde::de::value::SeqAccessDeserializer::new(seq);
