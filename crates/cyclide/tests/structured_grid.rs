@@ -232,6 +232,20 @@ fn a_face_that_is_a_line_has_the_nodes_of_a_side() {
     }
 }
 
+#[test]
+fn rounding_at_points_is_no_fold() {
+    // The inner skin has one node, in which sides across the tube are one point.
+    let outer = DupinCyclide::new(4.0, 1.0, 2.0).unwrap();
+    let blocks: Vec<_> = CyclideGrid::of_cyclide(&outer, [4, 4], &[-1.0, 0.0]).unwrap().blocks().collect();
+    for cells in 1..=9 {
+        let quality = StructuredGrid::new(&blocks, [uniform(cells), uniform(cells), uniform(cells)]).unwrap().quality();
+        assert!(
+            quality.inverted == 0 && quality.collapsed > 0 && quality.scaled_jacobian > 0.3,
+            "{cells}: {quality:?}"
+        );
+    }
+}
+
 /// A horn torus and a torus inside it: where the hole is a point the blocks end in the plane of the ring.
 #[test]
 fn sides_that_shrink_to_the_middle_of_a_horn_torus_are_no_edges() {

@@ -3,8 +3,8 @@
 use crate::damage::Damage;
 use crate::models::{annulus, curve_and_surfaces, mixed, octant, space_chain, splines, surfaces, tilted, torus_part};
 use cyclide::{
-    CurveObject, CyclideGrid, CyclideVolume, DupinCyclide, Geometry, Grading, Item, Model, Point3,
-    RationalBezierSurface, Shell, SphericalCube, Units, Vec3, VolumeFrame,
+    CurveObject, CyclideGrid, CyclidePatch, CyclideVolume, CyclidicNet, DupinCyclide, Geometry,
+    Grading, Item, Model, Point3, RationalBezierSurface, Shell, SphericalCube, Units, Vec3, VolumeFrame,
 };
 use cyclide_io::{
     ExportOptions, Exporter, Format, Provenance, VtuCells, VtuEncoding, export, file_deviation, read_back,
@@ -108,6 +108,31 @@ fn neighbours_are_joined_and_what_differs_is_said() {
     for (format, words) in [(Format::Mfem, "are not joined to them"), (Format::Gismo, "are no interfaces")] {
         let (_, note) = text(&turned, format);
         assert!(note.starts_with("2 sides of patches touch others") && note.contains(words), "{note}");
+    }
+}
+
+/// A wedge, as at the pole of a sphere: the corners where its lines are points are left out of the quality.
+#[test]
+fn collapsed_corners_have_no_quality() {
+    let corners = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [0.0, 0.0, 1.0]].map(Point3::from);
+    let octant = CyclidePatch::from_corners_and_frame(corners, Vec3::Y, Vec3::Z).unwrap();
+    let layers = CyclideGrid::layers(&CyclidicNet::from(octant), &[0.0, 0.1]).unwrap();
+    let model = of_block(layers.block([0, 0, 0]));
+    let places = Grading::Uniform.places(4).unwrap();
+    let places = Some([places.clone(), places.clone(), places]);
+    let divided = [Provenance { kind: "layers", places, ..Provenance::default() }];
+    let exporter = Exporter::with_provenance(&model, &divided).unwrap();
+    for (cells, points) in [(VtuCells::Linear, "\"105\""), (VtuCells::Bezier, "\"1728\"")] {
+        let options = ExportOptions { vtu_cells: cells, ..ExportOptions::default() };
+        let text = String::from_utf8(exporter.export(Format::Vtu, &options).unwrap().bytes).unwrap();
+        assert!(text.contains(&format!("NumberOfPoints={points}")), "{}", &text[..400]);
+        let values = |name: &str| -> Vec<f64> {
+            let rest = text.split_once(&format!("Name=\"{name}\"")).unwrap().1.split_once('>').unwrap().1;
+            rest.split_once('<').unwrap().0.split_whitespace().map(|word| word.parse().unwrap()).collect()
+        };
+        assert!(values("scaled_jacobian").iter().all(|v| *v > 0.95), "{cells:?}");
+        // A cell is an eighth of a quarter turn long at least and a fortieth high.
+        assert!(values("aspect_ratio").iter().all(|v| *v < 30.0), "{cells:?} {:?}", values("aspect_ratio"));
     }
 }
 
