@@ -271,6 +271,16 @@ fn sides_that_shrink_to_the_middle_of_a_horn_torus_are_no_edges() {
 }
 
 #[test]
+fn what_folds_bounds_no_solid() {
+    let cube = SphericalCube::cuboid(Point3::ORIGIN, [Vec3::X * 2.0, Vec3::Y * 3.0, Vec3::Z]).unwrap();
+    let block = |frame| CyclideVolume::new(&cube, frame).unwrap();
+    let folded = block(VolumeFrame::First(Vec3::Y, Vec3::Z));
+    let error = CyclideVolume::outer_bodies(&[block(VolumeFrame::Auto), folded]).unwrap_err();
+    assert_eq!(error.reason(), "folded-volume");
+    assert!(error.to_string().starts_with("block 1: lines run backwards near s = "), "{error}");
+}
+
+#[test]
 fn the_outer_boundary_of_a_wall_is_two_skins() {
     let blocks = wall();
     let exact: f64 = blocks.iter().map(|block| block.measure().volume).sum();

@@ -126,3 +126,16 @@ fn cells_have_a_law_that_fits() {
         assert!(message.contains(word), "{cells}: {message}");
     }
 }
+
+/// A frame far from the sides: what folds has no outer boundary, and no object is empty.
+#[test]
+fn the_outer_boundary_of_a_fold_is_refused() {
+    let corners = "[[0,0,0], [2,0,0], [0,3,0], [2,3,0], [0,0,1], [2,0,1], [0,3,1]]";
+    let block = format!(r#""b": {{"type": "cyclide-volume", "corners": {corners}, "frame": [[0,1,0], [0,0,1]]}}"#);
+    let (reason, message) =
+        refused(&format!(r#"{block}, "o": {{"type": "coordinate-surfaces", "of": "b", "outer": true}}"#));
+    assert!(
+        reason.as_deref() == Some("folded-volume") && message.contains("block 0: lines run backwards"),
+        "{message}"
+    );
+}

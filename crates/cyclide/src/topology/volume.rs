@@ -1,8 +1,8 @@
 //! The block of a volume as a solid: six patches with shared edges; the outer boundary of many.
 
 use super::{Body, Sewing, Shell};
-use crate::error::Result;
-use crate::volume::{CyclideVolume, StructuredGrid};
+use crate::error::{Error, ErrorItem, Result};
+use crate::volume::{CyclideVolume, FoldVerdict, StructuredGrid};
 use std::collections::HashMap;
 
 /// Halves in every direction: the middles of sides and faces are nodes, by which these are told.
@@ -31,9 +31,14 @@ impl CyclideVolume {
     /// ```
     ///
     /// # Errors
-    /// As [`Shell::new`]; `too-few-points` if there is no block.
+    /// As [`Shell::new`]; `too-few-points` if there is no block, `folded-volume` with the block if one [folds](Self::folds).
     pub fn outer_bodies(blocks: &[Self]) -> Result<Vec<Body>> {
-        sewn(blocks, true)?.finish_apart().map(solids)
+        for (index, block) in blocks.iter().enumerate() {
+            if let FoldVerdict::Folded { at } = block.folds() {
+                return Err(Error::FoldedVolume { at }.in_block(index));
+            }
+        }
+        solids(sewn(blocks, true)?.finish_apart()?)
     }
 }
 
@@ -128,7 +133,7 @@ fn middle_of_face(face: usize) -> usize {
 }
 
 /// Shells as bodies: faces are outward of the blocks, so those with a negative volume are hollows, each of the smallest solid around it.
-fn solids(shells: Vec<Shell>) -> Vec<Body> {
+fn solids(shells: Vec<Shell>) -> Result<Vec<Body>> {
     let (hollows, outers): (Vec<Shell>, Vec<Shell>) =
         shells.into_iter().partition(|shell| shell.is_closed() && shell.volume() < 0.0);
     let mut bodies: Vec<Body> = outers.into_iter().map(|outer| Body { outer, voids: Vec::new() }).collect();
@@ -138,9 +143,9 @@ fn solids(shells: Vec<Shell>) -> Vec<Body> {
             .iter_mut()
             .filter(|body| body.outer.bounds().contains(inside))
             .min_by(|a, b| a.outer.volume().total_cmp(&b.outer.volume()));
-        if let Some(body) = around {
-            body.voids.push(hollow);
-        }
+        let detail = "its faces look inwards, and no shell is around it";
+        let body = around.ok_or(Error::NotAShell { item: ErrorItem::Face, index: 0, detail })?;
+        body.voids.push(hollow);
     }
-    bodies
+    Ok(bodies)
 }

@@ -1,5 +1,6 @@
 //! From objects of a document to the kernel's curves and surfaces; what the kernel refuses is shown at its place.
 
+mod block_checks;
 #[cfg(feature = "circular-mesh")]
 mod circular;
 mod contact_blends;
