@@ -3,8 +3,8 @@
 use crate::damage::Damage;
 use crate::models::{annulus, curve_and_surfaces, mixed, octant, space_chain, splines, surfaces, tilted, torus_part};
 use cyclide::{
-    CurveObject, CyclideGrid, CyclidePatch, CyclideVolume, CyclidicNet, DupinCyclide, Geometry,
-    Grading, Item, Model, Point3, RationalBezierSurface, Shell, SphericalCube, Units, Vec3, VolumeFrame,
+    Conformal as _, CurveObject, CyclideGrid, CyclidePatch, CyclideVolume, CyclidicNet, DupinCyclide, Geometry,
+    Grading, Item, Mobius, Model, Point3, RationalBezierSurface, Shell, SphericalCube, Units, Vec3, VolumeFrame,
 };
 use cyclide_io::{
     ExportOptions, Exporter, Format, Provenance, VtuCells, VtuEncoding, export, file_deviation, read_back,
@@ -109,6 +109,43 @@ fn neighbours_are_joined_and_what_differs_is_said() {
         let (_, note) = text(&turned, format);
         assert!(note.starts_with("2 sides of patches touch others") && note.contains(words), "{note}");
     }
+}
+
+/// A unit box beside the centre of an inversion, in units of whose distance it reaches far.
+fn inverted(center: [f64; 3]) -> CyclideVolume {
+    let cube = SphericalCube::cuboid(Point3::ORIGIN, [Vec3::X, Vec3::Y, Vec3::Z]).unwrap();
+    let block = CyclideVolume::new(&cube, VolumeFrame::Auto).unwrap();
+    block.transformed(&Mobius::inversion(Point3::from(center), 1.0).unwrap()).unwrap()
+}
+
+/// Where a block comes near infinity its parts are small there only, and share whole faces all the same.
+#[test]
+fn uneven_blocks_have_no_cracks() {
+    for distance in [0.2, 0.02, 0.005] {
+        let model = of_block(inverted([0.37, 0.61, -distance]));
+        let file = export(&model, Format::Mfem, &ExportOptions::default()).unwrap();
+        assert!(file.notes.is_empty(), "{:?}", file.notes);
+        let text = String::from_utf8(file.bytes).unwrap();
+        let count = |word: &str| -> usize {
+            text.split_once(&format!("\n{word}\n")).unwrap().1.lines().next().unwrap().parse().unwrap()
+        };
+        let (parts, sides, corners) = (count("elements"), count("boundary"), count("vertices"));
+        let sizes = (1..60_usize).flat_map(|m| (1..60_usize).map(move |n| [m, n]));
+        let is_box = |[m, n]: [usize; 2]| {
+            let l = parts / (m * n);
+            l * m * n == parts && sides == 2 * (m * n + m * l + n * l) && corners == (m + 1) * (n + 1) * (l + 1)
+        };
+        assert!(parts < 10_000 && sizes.into_iter().any(is_box), "{distance}: {parts} {sides} {corners}");
+        let cells = export(&model, Format::Gismo, &ExportOptions::default()).unwrap();
+        assert!(file_deviation(&model, Format::Gismo, &cells).unwrap() < 1e-9 / distance);
+    }
+    // What builds is exact in VTU, and in few parts; of many blocks there would be too many.
+    let near = inverted([0.37, 0.61, -1e-5]);
+    assert!(export(&of_block(near), Format::Vtu, &ExportOptions::default()).unwrap().exact);
+    let many = Item::new("many", Geometry::Volumes(vec![near; 16]));
+    let many = Model { items: vec![many], units: Units::Inch };
+    let error = export(&many, Format::Mfem, &ExportOptions::default()).map(|file| file.bytes.len()).unwrap_err();
+    assert_eq!(error.reason(), "too-many-pieces", "{error}");
 }
 
 /// A wedge, as at the pole of a sphere: the corners where its lines are points are left out of the quality.
