@@ -1,5 +1,6 @@
 //! Volumes: grids of blocks, layers, cells, the outer boundary, and what is refused of them.
 
+use cyclide::ParamVolume as _;
 use cyclide_io::{GeometryReport, ObjectReport, VolumeReport, sample_cells};
 
 use super::build;
@@ -74,7 +75,7 @@ fn whole_cyclides_close_and_their_skin_is_one_solid() {
     assert!(moved.nodes == cells.nodes && (moved.shortest_side - 2.0 * cells.shortest_side).abs() < 1e-12);
     let falling = whole.replace("[1.2, 1.5, 2]", "[1.2, 1.7, 1.5]");
     assert_eq!(refused(&falling).0.as_deref(), Some("parameters-not-increasing"));
-    let folded = whole.replace("[1.2, 1.5, 2]", "[0.5, 2]");
+    let folded = whole.replace("[1.2, 1.5, 2]", "[0.5, 4.5]");
     assert_eq!(refused(&folded).0.as_deref(), Some("offset-not-regular"));
 }
 
@@ -124,6 +125,47 @@ fn cells_have_a_law_that_fits() {
     ] {
         let message = refused(&wall(cells)).1;
         assert!(message.contains(word), "{cells}: {message}");
+    }
+}
+
+/// Of a horn the first mu is the base: along its outer part all of them are regular.
+#[test]
+fn horns_have_blocks_along_their_outer_part() {
+    for (mu, kind) in [([0.3, 0.45], "horns"), ([0.3, 0.7], "a horn and a ring"), ([0.0, 0.3], "two arcs and a horn")] {
+        let whole = format!(r#""w": {{"type": "cyclide-grid", "whole": {{"a": 1, "c": 0.5, "mu": {mu:?}}}}}"#);
+        let built = build(&whole).unwrap();
+        for block in built.item.volumes() {
+            assert_eq!(block.folds(), cyclide::FoldVerdict::Regular, "{kind}");
+            for (u, mu) in [0.0, 1.0].into_iter().zip(mu) {
+                for at in [[0.1, 0.3, u], [0.6, 0.9, u], [1.0, 0.5, u]] {
+                    let [x, y, z] = block.point(at).to_array();
+                    let (b, left) = (0.75, x * x + y * y + z * z + 0.75 - mu * mu);
+                    let right = 4.0 * (x - 0.5 * mu).powi(2) + 4.0 * b * y * y;
+                    assert!((left * left - right).abs() < 1e-13, "{kind}: {left} {right}");
+                }
+            }
+        }
+        let skin = format!(r#"{whole}, "skin": {{"type": "coordinate-surfaces", "of": "w", "outer": true}}"#);
+        let [body] = build(&skin).unwrap().bodies.try_into().unwrap();
+        let volume: f64 = body.shells().map(cyclide::Shell::volume).sum();
+        assert!((volume - report(&whole).volume).abs() < 1e-8 * volume, "{kind}");
+    }
+}
+
+#[test]
+fn what_is_said_of_parallel_cyclides_is_said_of_mu() {
+    let whole = |a: f64, c: f64, mu: [f64; 2]| {
+        refused(&format!(r#""w": {{"type": "cyclide-grid", "whole": {{"a": {a}, "c": {c}, "mu": {mu:?}}}}}"#))
+    };
+    for ([a, c], mu, reason, words) in [
+        ([4.0, 1.0], [0.5, 4.5], "offset-not-regular", "w.whole.mu[1]: mu = 4.5: between it and mu = 0.5 "),
+        ([1.0, 0.5], [0.3, 1.5], "offset-not-regular", "w.whole.mu[1]: mu = 1.5: between it and mu = 0.3 "),
+        ([3.0, 0.0], [0.0, 1.0], "offset-not-regular", "w.whole.mu[0]: mu = 0: between it and mu = 1 "),
+        ([3.0, 0.0], [2.0, 1.0], "parameters-not-increasing", "w.whole.mu[1]: "),
+    ] {
+        let (found, message) = whole(a, c, mu);
+        assert!(found.as_deref() == Some(reason) && message.contains(words), "{message}");
+        assert!(!message.contains("distance"), "{message}");
     }
 }
 
