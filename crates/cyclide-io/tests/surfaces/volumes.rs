@@ -169,6 +169,25 @@ fn what_is_said_of_parallel_cyclides_is_said_of_mu() {
     }
 }
 
+#[test]
+fn more_blocks_than_memory_holds_are_refused_before_they_are_made() {
+    let ring = r#""r": {"type": "cyclide", "a": 4, "c": 1, "mu": 2, "segments": [64, 32]}"#;
+    let layers = |fields: &str| format!(r#"{ring}, "l": {{"type": "layers", "of": "r", {fields}}}"#);
+    let mu: Vec<f64> = (0..42).map(|k| 1.1 + 0.05 * f64::from(k)).collect();
+    let many = [
+        layers(r#""first": 1e-4, "count": 4096"#),
+        layers(&format!(r#""distances": {:?}"#, (0..60).collect::<Vec<_>>())),
+        format!(
+            r#""w": {{"type": "cyclide-grid", "whole": {{"a": 4, "c": 1, "mu": {mu:?}, "segments": [700, 700]}}}}"#
+        ),
+    ];
+    for (objects, needed) in many.iter().zip(["8388608", "120832", "2.01e7"]) {
+        let (reason, message) = refused(objects);
+        assert_eq!(reason.as_deref(), Some("too-many-pieces"), "{message}");
+        assert!(message.contains(&format!("needs {needed} pieces, at most 100000 are made")), "{message}");
+    }
+}
+
 /// A frame far from the sides: what folds has no outer boundary, and no object is empty.
 #[test]
 fn the_outer_boundary_of_a_fold_is_refused() {

@@ -254,6 +254,7 @@ impl Builder<'_> {
     fn build(mut self) -> Result<BuiltObject> {
         let (curves, contours) = self.curves()?.into_iter().unzip();
         let surfaces = self.surfaces()?;
+        self.check_block_count()?;
         let volumes = self.volumes()?;
         let places = self.places(&volumes)?;
         let moving = self.moving_body()?;
