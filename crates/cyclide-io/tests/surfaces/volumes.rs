@@ -188,6 +188,25 @@ fn more_blocks_than_memory_holds_are_refused_before_they_are_made() {
     }
 }
 
+#[test]
+fn numbers_that_ask_for_nothing_are_named() {
+    let wall = r#""w": {"type": "cyclide", "a": 4, "c": 1, "mu": 2}"#;
+    let none = refused(&format!(r#"{wall}, "l": {{"type": "layers", "of": "w", "first": 0.1, "count": 0}}"#));
+    assert!(none.0.as_deref() == Some("parameter-out-of-range") && none.1.contains("l.count: 0 layers"), "{}", none.1);
+    let one = r#""w": {"type": "cyclide-grid", "whole": {"a": 3, "mu": [0.5, 1]}, "cells": [1, 1, {"count": 1, "first": 0.5}]}"#;
+    assert!(refused(one).1.contains("one cell is as long as its block"), "{}", refused(one).1);
+    let twice = format!(
+        r#"{wall}, "l": {{"type": "layers", "of": "w", "distances": [0, 0.1]}}, "s": {{"type": "coordinate-surfaces", "of": "l", "t": [0.2, 0.5, 0.2]}}"#
+    );
+    let (reason, message) = refused(&twice);
+    assert!(
+        reason.as_deref() == Some("parameters-not-increasing") && message.contains("s.t[2]: t[2] = 0.2 is t[0] again"),
+        "{message}"
+    );
+    // Falling values are other surfaces.
+    assert_eq!(build(&twice.replace("0.5, 0.2]", "0.1]")).unwrap().item.surfaces().len(), 32);
+}
+
 /// A frame far from the sides: what folds has no outer boundary, and no object is empty.
 #[test]
 fn the_outer_boundary_of_a_fold_is_refused() {

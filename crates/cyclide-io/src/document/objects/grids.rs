@@ -146,6 +146,10 @@ impl Builder<'_> {
     /// The law of the cells along a direction.
     fn law(&self, volumes: &[CyclideVolume], axis: usize, spec: &GradedCellsSpec) -> Result<Grading> {
         let (count, fine) = (spec.count as usize, spec.fine);
+        if count == 1 && spec.first.is_some() {
+            let message = "one cell is as long as its block: leave out `first`, or give more cells";
+            return Err(Error::Input(self.diagnostic(place_of(axis), message)));
+        }
         let refused = |e: cyclide::Error| self.refused_at(place_of(axis), &e);
         let by = |first: f64, law: fn(f64, usize, FineEnd) -> cyclide::Result<Grading>| {
             let share = share(volumes, axis, first, fine)?;
