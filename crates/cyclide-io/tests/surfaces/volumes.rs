@@ -219,3 +219,15 @@ fn the_outer_boundary_of_a_fold_is_refused() {
         "{message}"
     );
 }
+
+/// An eighth of a shell: what is one point at the pole is left out, and told.
+#[test]
+fn sides_of_one_point_are_counted_and_not_measured() {
+    let pole = r#""p": {"type": "cyclide-patch", "corners": [[1,0,0], [0,1,0], [0,0,1], [0,0,1]], "frame": [[0,1,0], [0,0,1]]}"#;
+    let found = report(&format!(r#"{pole}, "w": {{"type": "layers", "of": "p", "distances": [0, 0.1], "cells": 4}}"#));
+    assert!(found.point_sides == 2 && (found.shortest_side - 0.1).abs() < 1e-14, "{found:?}");
+    // Beside the pole a line round it, an eighth of the range away, is a hundredth of one across the shell, or a line along a meridian.
+    assert!(found.aspect_ratio < 100.0, "{}", found.aspect_ratio);
+    let cells = found.cells.unwrap();
+    assert_eq!((cells.nodes, cells.inverted, cells.collapsed), (105, 0, 16));
+}
