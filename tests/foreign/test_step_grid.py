@@ -33,19 +33,24 @@ def volume(shape):
     return properties.Mass()
 
 
-@pytest.fixture(scope="module", params=["blocks", "outer"])
-def grid(request, program, tmp_path_factory):
-    folder = tmp_path_factory.mktemp("grid")
-    objects = {"grid": GRID}
-    if request.param == "outer":
-        objects = {"grid": {**GRID, "construction": True}, "skin": {"type": "coordinate-surfaces", "of": "grid", "outer": True}}
+def read(program, folder, objects, outer):
+    """The shape of the STEP file of an object of blocks named `grid`, or of its outer boundary."""
+    if outer:
+        grid = {**objects["grid"], "construction": True}
+        objects = {**objects, "grid": grid, "skin": {"type": "coordinate-surfaces", "of": "grid", "outer": True}}
     (folder / "m.json").write_text(json.dumps({"cyclide": 1, "units": "mm", "objects": objects}))
     program("build", folder / "m.json", "-o", folder / "m.step")
     reader = STEPControl_Reader()
     with modelling.quiet():
         reader.ReadFile(str(folder / "m.step"))
         reader.TransferRoots()
-    return request.param, reader.OneShape()
+    return reader.OneShape()
+
+
+@pytest.fixture(scope="module", params=["blocks", "outer"])
+def grid(request, program, tmp_path_factory):
+    kind = request.param
+    return kind, read(program, tmp_path_factory.mktemp("grid"), {"grid": GRID}, kind == "outer")
 
 
 def test_solids_are_valid_and_have_the_volume(grid):
@@ -61,3 +66,31 @@ def test_the_outer_boundary_has_two_shells(grid):
         assert count(shape, TopAbs_SHELL) == 2 and count(shape, TopAbs_FACE) == 32
     else:
         assert count(shape, TopAbs_FACE) == 32 * 6
+
+
+def whole(a, c, mu):
+    return {"grid": {"type": "cyclide-grid", "whole": {"a": a, "c": c, "mu": mu}}}
+
+
+POLE = {"type": "cyclide-patch", "construction": True, "corners": [[10, 0, 0], [0, 10, 0], [0, 0, 10], [0, 0, 10]], "frame": [[0, 1, 0], [0, 0, 1]]}
+# A wedge at the pole of a sphere, whose face there is a line; grids whose skins have nodes, at which sides are points.
+COLLAPSED = {
+    "wedge": ({"pole": POLE, "grid": {"type": "layers", "of": "pole", "distances": [0, 1]}}, np.pi / 6 * (11**3 - 10**3)),
+    "horn torus": (whole(40, 0, [20, 40]), 2 * np.pi**2 * 40 * (40**2 - 20**2)),
+    "node": (whole(40, 10, [10, 20]), None),
+    "spindle": (whole(40, 10, [30, 45]), None),
+    "horn": (whole(40, 20, [12, 18]), None),
+}
+
+
+@pytest.mark.parametrize("name", COLLAPSED)
+def test_blocks_with_sides_of_one_point_are_valid_solids(name, program, tmp_path):
+    objects, exact = COLLAPSED[name]
+    blocks, outer = (read(program, tmp_path, objects, kind) for kind in [False, True])
+    report = json.loads(program("report", tmp_path / "m.json", "--json"))["objects"]["grid"]
+    assert BRepCheck_Analyzer(blocks).IsValid() and count(blocks, TopAbs_SOLID) == report["blocks"]
+    # OpenCASCADE integrates to about 1e-8 where a side is a point.
+    assert abs(volume(blocks) / report["volume"] - 1) < 1e-6
+    assert BRepCheck_Analyzer(outer).IsValid() and count(outer, TopAbs_SOLID) == 1
+    assert abs(volume(outer) / report["volume"] - 1) < 1e-6
+    assert exact is None or abs(report["volume"] / exact - 1) < 1e-9

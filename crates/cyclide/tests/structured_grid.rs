@@ -3,8 +3,8 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
 use cyclide::{
-    CyclideGrid, CyclideVolume, DupinCyclide, FineEnd, Grading, ParamVolume, Point3, SphericalCube, StructuredGrid,
-    Vec3, VolumeFrame,
+    CyclideGrid, CyclidePatch, CyclideVolume, CyclidicNet, DupinCyclide, FineEnd, Grading, ParamVolume, Point3,
+    SphericalCube, StructuredGrid, Vec3, VolumeFrame,
 };
 use cyclide_testkit::volumes::{cube, deterministic};
 use proptest::prelude::*;
@@ -201,6 +201,83 @@ fn sides_of_one_point_are_one_node() {
     // A hollow that touches the skin in its two nodes.
     let volume = bodies[0].shells().map(cyclide::Shell::volume).sum::<f64>();
     assert!((volume - exact).abs() < 1e-9 * exact, "{volume} {exact}"); // quadratures of both
+}
+
+/// An eighth of a shell about the origin, whose face at the pole of the sphere is a line, with its directions in this order.
+fn wedge(order: [usize; 3]) -> CyclideVolume {
+    let corners = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [0.0, 0.0, 1.0]].map(Point3::from);
+    let octant = CyclidePatch::from_corners_and_frame(corners, Vec3::Y, Vec3::Z).unwrap();
+    let layer = CyclideGrid::layers(&CyclidicNet::from(octant), &[0.0, 0.1]).unwrap();
+    layer.block([0, 0, 0]).permuted(order).unwrap()
+}
+
+#[test]
+fn a_face_that_is_a_line_has_the_nodes_of_a_side() {
+    let exact = (1.1_f64.powi(3) - 1.0) * std::f64::consts::PI / 6.0; // of an eighth of a ball
+    for order in [[0, 1, 2], [1, 0, 2], [2, 0, 1], [1, 2, 0], [0, 2, 1], [2, 1, 0]] {
+        let block = wedge(order);
+        let grid = StructuredGrid::new(&[block], [uniform(4), uniform(4), uniform(4)]).unwrap();
+        let quality = grid.quality();
+        // 5 x 5 x 5 nodes, but of five along the line one each; the cells along it are collapsed.
+        assert_eq!((grid.nodes().len(), quality.inverted, quality.collapsed), (105, 0, 16), "{order:?}");
+        // Angles of triangles at the pole: half of 180 less 22.5 degrees, and the bend.
+        assert!(quality.scaled_jacobian > 0.95 && quality.aspect_ratio < 20.0, "{quality:?}");
+        // Five faces, nine sides, and the axis once.
+        let body = block.to_body().unwrap();
+        let counts = (body.outer.faces().len(), body.outer.edges().len(), body.outer.vertices().len());
+        assert!(counts == (5, 9, 6) && body.is_solid(), "{counts:?}");
+        assert!((body.outer.volume() - exact).abs() < 1e-9 * exact, "quadrature of the faces");
+        let outer = CyclideVolume::outer_bodies(&[block]).unwrap();
+        assert!(outer.len() == 1 && outer[0].is_solid() && outer[0].outer.faces().len() == 5);
+    }
+}
+
+#[test]
+fn rounding_at_points_is_no_fold() {
+    // The inner skin has one node, in which sides across the tube are one point.
+    let outer = DupinCyclide::new(4.0, 1.0, 2.0).unwrap();
+    let blocks: Vec<_> = CyclideGrid::of_cyclide(&outer, [4, 4], &[-1.0, 0.0]).unwrap().blocks().collect();
+    for cells in 1..=9 {
+        let quality = StructuredGrid::new(&blocks, [uniform(cells), uniform(cells), uniform(cells)]).unwrap().quality();
+        assert!(
+            quality.inverted == 0 && quality.collapsed > 0 && quality.scaled_jacobian > 0.3,
+            "{cells}: {quality:?}"
+        );
+    }
+}
+
+/// A horn torus and a torus inside it: where the hole is a point the blocks end in the plane of the ring.
+#[test]
+fn sides_that_shrink_to_the_middle_of_a_horn_torus_are_no_edges() {
+    let horn = DupinCyclide::new(4.0, 0.0, 4.0).unwrap();
+    let blocks: Vec<_> = CyclideGrid::of_cyclide(&horn, [4, 4], &[-2.0, 0.0]).unwrap().blocks().collect();
+    let exact = 2.0 * std::f64::consts::PI.powi(2) * 4.0 * (16.0 - 4.0);
+    let volume: f64 = blocks.iter().map(|block| block.to_body().unwrap().outer.volume()).sum();
+    assert!((volume - exact).abs() < 1e-9 * exact, "{volume} {exact}");
+    let skin = CyclideVolume::outer_bodies(&blocks).unwrap();
+    let volume: f64 = skin.iter().flat_map(|body| body.shells()).map(cyclide::Shell::volume).sum();
+    assert!(skin.len() == 1 && skin[0].voids.len() == 1 && (volume - exact).abs() < 1e-9 * exact, "{volume}");
+    // A spindle: of the blocks at its nodes one side is a point.
+    let spindle = DupinCyclide::new(4.0, 1.0, 4.5).unwrap();
+    let blocks: Vec<_> = CyclideGrid::of_cyclide(&spindle, [4, 4], &[-1.5, 0.0]).unwrap().blocks().collect();
+    let bodies: Vec<_> = blocks.iter().map(|block| block.to_body().unwrap().outer).collect();
+    assert!(bodies.iter().any(|shell| shell.vertices().len() == 7));
+    for (shell, block) in bodies.iter().zip(&blocks) {
+        assert!(shell.is_closed() && shell.edges().len() == shell.vertices().len() + 4); // Euler: six faces
+        assert!(shell.edges().iter().all(|edge| edge.curve.start().distance(edge.curve.end()) > 0.1));
+        let volume = block.measure().volume;
+        assert!((shell.volume() - volume).abs() < 1e-8 * volume, "{} {volume}", shell.volume());
+    }
+}
+
+#[test]
+fn what_folds_bounds_no_solid() {
+    let cube = SphericalCube::cuboid(Point3::ORIGIN, [Vec3::X * 2.0, Vec3::Y * 3.0, Vec3::Z]).unwrap();
+    let block = |frame| CyclideVolume::new(&cube, frame).unwrap();
+    let folded = block(VolumeFrame::First(Vec3::Y, Vec3::Z));
+    let error = CyclideVolume::outer_bodies(&[block(VolumeFrame::Auto), folded]).unwrap_err();
+    assert_eq!(error.reason(), "folded-volume");
+    assert!(error.to_string().starts_with("block 1: lines run backwards near s = "), "{error}");
 }
 
 #[test]

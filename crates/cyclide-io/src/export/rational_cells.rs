@@ -6,8 +6,8 @@ use crate::export::face_plan::ShellPlan;
 use crate::export::job::Job;
 use crate::export::parts::BodyOf;
 use cyclide::{
-    CutShell, CyclideVolume, FaceGeometry as _, Model, RationalBezier, RationalBezierSurface, RationalBezierVolume,
-    Shell,
+    CutShell, CyclideVolume, FaceGeometry as _, Item, Model, RationalBezier, RationalBezierSurface,
+    RationalBezierVolume, Shell,
 };
 
 /// A cell's degrees along its parameters; the third is 0 of a face, the last two of a curve.
@@ -16,8 +16,8 @@ pub(crate) type Degrees = [usize; 3];
 /// A control point and its weight.
 pub(crate) type Node = ([f64; 3], f64);
 
-/// Blocks of one object are halved at most this often where all are halved alike.
-const MOST_HALVINGS: u32 = 4;
+/// Parts of all blocks of an object at most, where all are cut alike: some two kilobytes of text each.
+const MOST_PARTS: usize = 1 << 17;
 
 /// What a cell belongs to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -94,7 +94,7 @@ impl RationalCell {
 pub(crate) enum Halving {
     /// Each as often as it needs.
     WhereNeeded,
-    /// All blocks of an object alike, so that their parts share whole faces.
+    /// All blocks of an object alike, through all of them, so that their parts share whole faces.
     Evenly,
 }
 
@@ -114,16 +114,19 @@ pub(crate) fn push_bodies(
     cells: &mut Vec<RationalCell>,
     written: &mut Written,
 ) -> Result<(), ExportError> {
-    let depths: Vec<Option<u32>> = job.model.items.iter().map(|item| even_depth(item.volumes(), halving)).collect();
+    let cuts = match halving {
+        Halving::WhereNeeded => Vec::new(),
+        Halving::Evenly => job.model.items.iter().map(even_cuts).collect::<Result<Vec<_>, _>>()?,
+    };
     for body in job.bodies {
         let (mut shells, mut volumes) = (Vec::new(), Vec::new());
         match block_of(job.model, body) {
             Some(block) if only.is_none_or(|d| d == 3) => {
-                let division = match halving {
-                    Halving::WhereNeeded => Division::Cells(cells_of(job, body)),
-                    Halving::Evenly => Division::Halves(depths.get(body.item).copied().flatten()),
+                let ends = match halving {
+                    Halving::WhereNeeded => cells_of(job, body),
+                    Halving::Evenly => cuts.get(body.item).cloned(),
                 };
-                let pushed = push_block(cells, body, block, division);
+                let pushed = push_block(cells, body, block, ends.unwrap_or(WHOLE.map(Vec::from)));
                 volumes = pushed.map_err(|source| body.unfit(source))?;
             }
             None if only.is_none_or(|d| d == 2) => {
@@ -160,43 +163,35 @@ pub(crate) fn cells_of(job: &Job<'_>, body: &BodyOf<'_>) -> Option<[Vec<f64>; 3]
     Some(if block.is_right_handed() { [s, t, u] } else { [t, s, u] })
 }
 
-/// Into which parts a block goes.
-enum Division {
-    /// Its cells, if it has some, each with as many halvings as it needs.
-    Cells(Option<[Vec<f64>; 3]>),
-    /// All of one depth; without one, as many as it needs.
-    Halves(Option<u32>),
-}
+/// The ends of a block that is not divided.
+const WHOLE: [[f64; 2]; 3] = [[0.0, 1.0]; 3];
 
-/// Adds a block, right-handed, in parts with positive weights.
+/// Adds a block, right-handed, between these parameters, in parts with positive weights.
 fn push_block(
     cells: &mut Vec<RationalCell>,
     body: &BodyOf<'_>,
     block: &CyclideVolume,
-    division: Division,
+    ends: [Vec<f64>; 3],
 ) -> cyclide::Result<Vec<[[f64; 2]; 3]>> {
     let tags = Tags { object: body.item, part: body.index, shell: 0, flag: 1 };
-    let block = block.right_handed();
+    let right_handed = block.right_handed();
     let mut parts = Vec::new();
-    let mut push = |place, part: &RationalBezierVolume| {
-        cells.push(RationalCell::of_volume(part, tags));
-        parts.push(place);
-    };
-    match division {
-        Division::Halves(Some(depth)) => {
-            for place in octants(depth) {
-                push(place, &block.restricted(place)?.to_rational());
+    for cell in boxes_between(&ends) {
+        let in_block = |own: [f64; 3]| std::array::from_fn(|axis| between(cell[axis], own[axis]));
+        // Places are told as those of the block as it is.
+        let told = |error| match error {
+            cyclide::Error::VolumeThroughInfinity { at } => {
+                let [s, t, u] = in_block(at);
+                let at = if block.is_right_handed() { [s, t, u] } else { [t, s, u] };
+                cyclide::Error::VolumeThroughInfinity { at }
             }
-        }
-        Division::Halves(None) | Division::Cells(None) => {
-            block.to_rational_parts()?.iter().for_each(|(place, part)| push(*place, part));
-        }
-        Division::Cells(Some(ends)) => {
-            for cell in boxes_between(&ends) {
-                for (own, part) in block.restricted(cell)?.to_rational_parts()? {
-                    push(std::array::from_fn(|axis| own[axis].map(|x| between(cell[axis], x))), &part);
-                }
-            }
+            other => other,
+        };
+        let own_parts = right_handed.restricted(cell).and_then(|part| part.to_rational_parts()).map_err(told)?;
+        for (own, part) in own_parts {
+            cells.push(RationalCell::of_volume(&part, tags));
+            let [from, to] = [0, 1].map(|end| in_block(own.map(|range| range[end])));
+            parts.push(std::array::from_fn(|axis| [from[axis], to[axis]]));
         }
     }
     Ok(parts)
@@ -214,18 +209,42 @@ pub(crate) fn boxes_between(ends: &[Vec<f64>; 3]) -> impl Iterator<Item = [[f64;
     (0..m * n * l).map(move |k| [range(0, k % m), range(1, k / m % n), range(2, k / (m * n))])
 }
 
-/// How often all blocks are to be halved so that every part has positive weights.
-fn even_depth(blocks: &[CyclideVolume], halving: Halving) -> Option<u32> {
-    let is_positive = |block: &CyclideVolume, place| {
-        block.restricted(place).is_ok_and(|part| part.to_rational().has_positive_weights())
-    };
-    let suffices = |depth: &u32| blocks.iter().all(|block| octants(*depth).all(|place| is_positive(block, place)));
-    (halving == Halving::Evenly && !blocks.is_empty()).then(|| (0..=MOST_HALVINGS).find(suffices)).flatten()
-}
-
-/// The places of the parts of a block that was halved so often in all directions, s fastest.
-fn octants(depth: u32) -> impl Iterator<Item = [[f64; 2]; 3]> {
-    let n = 1_usize << depth;
-    let range = move |k: usize| [k as f64 / n as f64, (k + 1) as f64 / n as f64];
-    (0..n.pow(3)).map(move |k| [range(k % n), range(k / n % n), range(k / n / n)])
+/// The parameters along s, t and u at which all blocks of an object, as right-handed ones, are cut so that every part has positive weights: in halves, and
+/// halves of these, through all of a block and all blocks, wherever one part of one needs it. So parts share whole faces.
+///
+/// # Errors
+/// [`ExportError::Surface`] with `too-many-pieces`.
+fn even_cuts(item: &Item) -> Result<[Vec<f64>; 3], ExportError> {
+    let blocks = item.volumes();
+    let mut cuts = WHOLE.map(Vec::from);
+    loop {
+        let mut more = [Vec::new(), Vec::new(), Vec::new()];
+        for block in blocks {
+            let block = block.right_handed();
+            for part in boxes_between(&cuts) {
+                if !block.restricted(part).is_ok_and(|part| part.to_rational().has_positive_weights()) {
+                    more.iter_mut().zip(part).for_each(|(more, [from, to])| more.push(0.5 * (from + to)));
+                }
+            }
+        }
+        if more.iter().all(Vec::is_empty) {
+            return Ok(cuts);
+        }
+        for (cuts, more) in cuts.iter_mut().zip(&mut more) {
+            cuts.append(more);
+            cuts.sort_by(f64::total_cmp);
+            cuts.dedup();
+        }
+        let parts = cuts.iter().map(|cuts| (cuts.len() - 1) as f64).product::<f64>() * blocks.len() as f64;
+        if parts > MOST_PARTS as f64 {
+            let source = cyclide::Error::TooManyPieces {
+                what: "the grid of parts with positive weights that share whole faces",
+                segment: None,
+                needed: parts,
+                cap: MOST_PARTS,
+                remedy: "take a block that does not come so near to infinity, or write VTU or STEP",
+            };
+            return Err(ExportError::Surface { object: item.name.clone(), surface: 0, source });
+        }
+    }
 }

@@ -38,10 +38,12 @@ pub struct VolumeReport {
     pub jacobian: RangeReport,
     /// Largest cosine between two parameter lines at these places: zero, up to rounding.
     pub orthogonality: f64,
-    /// Largest quotient of the speeds of two parameter lines at these places.
+    /// Largest quotient of the speeds of two parameter lines at these places, but for those where a line is one point.
     pub aspect_ratio: f64,
-    /// Length of the shortest side of a block.
+    /// Length of the shortest side of a block that is no point.
     pub shortest_side: f64,
+    /// Sides of blocks that are one point, as at the poles of spheres.
+    pub point_sides: usize,
     /// The 27 real weights of every block, before blocks are cut so that all are positive.
     pub weights: RangeReport,
     /// The cells that blocks are divided into, if they are.
@@ -229,6 +231,7 @@ impl VolumeReport {
             orthogonality: 0.0,
             aspect_ratio: 1.0,
             shortest_side: f64::INFINITY,
+            point_sides: 0,
             weights: RangeReport::EMPTY,
             cells: places.and_then(|places| CellsReport::new(volumes, places)),
             parts: Some(0),
@@ -263,14 +266,22 @@ impl VolumeReport {
             self.jacobian = self.jacobian.with(jacobian, jacobian);
             self.orthogonality = self.orthogonality.max(jet.orthogonality());
             self.residual = self.residual.max(volume.real_residual(at));
+            if volume.standing_lines(at).contains(&true) {
+                continue;
+            }
             let speeds = jet.first.map(Vec3::length);
             let (least, most) = speeds.iter().fold((f64::INFINITY, 0.0_f64), |(lo, hi), v| (lo.min(*v), hi.max(*v)));
             self.aspect_ratio = self.aspect_ratio.max(most / least);
         }
         let ends = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [1.0, 1.0]];
         let sides = (0..3).flat_map(|axis| ends.map(|at| volume.line(axis, at)));
-        let lengths = sides.map(|side| side.map_or(0.0, |arc| arc.length()));
-        self.shortest_side = lengths.fold(self.shortest_side, f64::min);
+        for length in sides.map(|side| side.map_or(0.0, |arc| arc.length())) {
+            if length > 0.0 {
+                self.shortest_side = self.shortest_side.min(length);
+            } else {
+                self.point_sides += 1;
+            }
+        }
     }
 
     pub(super) fn facts(&self, facts: &mut Vec<String>) {
@@ -284,7 +295,12 @@ impl VolumeReport {
         line("folds", self.folds.text())?;
         line("cells", format!("Jacobian {}, aspect ratio up to {}", range(&self.jacobian), short(self.aspect_ratio)))?;
         line("lines", format!("cross at right angles to {} (cosine)", short(self.orthogonality)))?;
-        line("sides", format!("from {} {units}", short(self.shortest_side)))?;
+        let points = match self.point_sides {
+            0 => String::new(),
+            1 => ", 1 of one point".to_owned(),
+            count => format!(", {count} of one point each"),
+        };
+        line("sides", format!("from {} {units}{points}", short(self.shortest_side)))?;
         if let Some(cells) = &self.cells {
             cells.lines(units, line)?;
         }

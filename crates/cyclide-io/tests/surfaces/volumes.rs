@@ -1,5 +1,6 @@
 //! Volumes: grids of blocks, layers, cells, the outer boundary, and what is refused of them.
 
+use cyclide::ParamVolume as _;
 use cyclide_io::{GeometryReport, ObjectReport, VolumeReport, sample_cells};
 
 use super::build;
@@ -74,7 +75,7 @@ fn whole_cyclides_close_and_their_skin_is_one_solid() {
     assert!(moved.nodes == cells.nodes && (moved.shortest_side - 2.0 * cells.shortest_side).abs() < 1e-12);
     let falling = whole.replace("[1.2, 1.5, 2]", "[1.2, 1.7, 1.5]");
     assert_eq!(refused(&falling).0.as_deref(), Some("parameters-not-increasing"));
-    let folded = whole.replace("[1.2, 1.5, 2]", "[0.5, 2]");
+    let folded = whole.replace("[1.2, 1.5, 2]", "[0.5, 4.5]");
     assert_eq!(refused(&folded).0.as_deref(), Some("offset-not-regular"));
 }
 
@@ -125,4 +126,108 @@ fn cells_have_a_law_that_fits() {
         let message = refused(&wall(cells)).1;
         assert!(message.contains(word), "{cells}: {message}");
     }
+}
+
+/// Of a horn the first mu is the base: along its outer part all of them are regular.
+#[test]
+fn horns_have_blocks_along_their_outer_part() {
+    for (mu, kind) in [([0.3, 0.45], "horns"), ([0.3, 0.7], "a horn and a ring"), ([0.0, 0.3], "two arcs and a horn")] {
+        let whole = format!(r#""w": {{"type": "cyclide-grid", "whole": {{"a": 1, "c": 0.5, "mu": {mu:?}}}}}"#);
+        let built = build(&whole).unwrap();
+        for block in built.item.volumes() {
+            assert_eq!(block.folds(), cyclide::FoldVerdict::Regular, "{kind}");
+            for (u, mu) in [0.0, 1.0].into_iter().zip(mu) {
+                for at in [[0.1, 0.3, u], [0.6, 0.9, u], [1.0, 0.5, u]] {
+                    let [x, y, z] = block.point(at).to_array();
+                    let (b, left) = (0.75, x * x + y * y + z * z + 0.75 - mu * mu);
+                    let right = 4.0 * (x - 0.5 * mu).powi(2) + 4.0 * b * y * y;
+                    assert!((left * left - right).abs() < 1e-13, "{kind}: {left} {right}");
+                }
+            }
+        }
+        let skin = format!(r#"{whole}, "skin": {{"type": "coordinate-surfaces", "of": "w", "outer": true}}"#);
+        let [body] = build(&skin).unwrap().bodies.try_into().unwrap();
+        let volume: f64 = body.shells().map(cyclide::Shell::volume).sum();
+        assert!((volume - report(&whole).volume).abs() < 1e-8 * volume, "{kind}");
+    }
+}
+
+#[test]
+fn what_is_said_of_parallel_cyclides_is_said_of_mu() {
+    let whole = |a: f64, c: f64, mu: [f64; 2]| {
+        refused(&format!(r#""w": {{"type": "cyclide-grid", "whole": {{"a": {a}, "c": {c}, "mu": {mu:?}}}}}"#))
+    };
+    for ([a, c], mu, reason, words) in [
+        ([4.0, 1.0], [0.5, 4.5], "offset-not-regular", "w.whole.mu[1]: mu = 4.5: between it and mu = 0.5 "),
+        ([1.0, 0.5], [0.3, 1.5], "offset-not-regular", "w.whole.mu[1]: mu = 1.5: between it and mu = 0.3 "),
+        ([3.0, 0.0], [0.0, 1.0], "offset-not-regular", "w.whole.mu[0]: mu = 0: between it and mu = 1 "),
+        ([3.0, 0.0], [2.0, 1.0], "parameters-not-increasing", "w.whole.mu[1]: "),
+    ] {
+        let (found, message) = whole(a, c, mu);
+        assert!(found.as_deref() == Some(reason) && message.contains(words), "{message}");
+        assert!(!message.contains("distance"), "{message}");
+    }
+}
+
+#[test]
+fn more_blocks_than_memory_holds_are_refused_before_they_are_made() {
+    let ring = r#""r": {"type": "cyclide", "a": 4, "c": 1, "mu": 2, "segments": [64, 32]}"#;
+    let layers = |fields: &str| format!(r#"{ring}, "l": {{"type": "layers", "of": "r", {fields}}}"#);
+    let mu: Vec<f64> = (0..42).map(|k| 1.1 + 0.05 * f64::from(k)).collect();
+    let many = [
+        layers(r#""first": 1e-4, "count": 4096"#),
+        layers(&format!(r#""distances": {:?}"#, (0..60).collect::<Vec<_>>())),
+        format!(
+            r#""w": {{"type": "cyclide-grid", "whole": {{"a": 4, "c": 1, "mu": {mu:?}, "segments": [700, 700]}}}}"#
+        ),
+    ];
+    for (objects, needed) in many.iter().zip(["8388608", "120832", "2.01e7"]) {
+        let (reason, message) = refused(objects);
+        assert_eq!(reason.as_deref(), Some("too-many-pieces"), "{message}");
+        assert!(message.contains(&format!("needs {needed} pieces, at most 100000 are made")), "{message}");
+    }
+}
+
+#[test]
+fn numbers_that_ask_for_nothing_are_named() {
+    let wall = r#""w": {"type": "cyclide", "a": 4, "c": 1, "mu": 2}"#;
+    let none = refused(&format!(r#"{wall}, "l": {{"type": "layers", "of": "w", "first": 0.1, "count": 0}}"#));
+    assert!(none.0.as_deref() == Some("parameter-out-of-range") && none.1.contains("l.count: 0 layers"), "{}", none.1);
+    let one = r#""w": {"type": "cyclide-grid", "whole": {"a": 3, "mu": [0.5, 1]}, "cells": [1, 1, {"count": 1, "first": 0.5}]}"#;
+    assert!(refused(one).1.contains("one cell is as long as its block"), "{}", refused(one).1);
+    let twice = format!(
+        r#"{wall}, "l": {{"type": "layers", "of": "w", "distances": [0, 0.1]}}, "s": {{"type": "coordinate-surfaces", "of": "l", "t": [0.2, 0.5, 0.2]}}"#
+    );
+    let (reason, message) = refused(&twice);
+    assert!(
+        reason.as_deref() == Some("parameters-not-increasing") && message.contains("s.t[2]: t[2] = 0.2 is t[0] again"),
+        "{message}"
+    );
+    // Falling values are other surfaces.
+    assert_eq!(build(&twice.replace("0.5, 0.2]", "0.1]")).unwrap().item.surfaces().len(), 32);
+}
+
+/// A frame far from the sides: what folds has no outer boundary, and no object is empty.
+#[test]
+fn the_outer_boundary_of_a_fold_is_refused() {
+    let corners = "[[0,0,0], [2,0,0], [0,3,0], [2,3,0], [0,0,1], [2,0,1], [0,3,1]]";
+    let block = format!(r#""b": {{"type": "cyclide-volume", "corners": {corners}, "frame": [[0,1,0], [0,0,1]]}}"#);
+    let (reason, message) =
+        refused(&format!(r#"{block}, "o": {{"type": "coordinate-surfaces", "of": "b", "outer": true}}"#));
+    assert!(
+        reason.as_deref() == Some("folded-volume") && message.contains("block 0: lines run backwards"),
+        "{message}"
+    );
+}
+
+/// An eighth of a shell: what is one point at the pole is left out, and told.
+#[test]
+fn sides_of_one_point_are_counted_and_not_measured() {
+    let pole = r#""p": {"type": "cyclide-patch", "corners": [[1,0,0], [0,1,0], [0,0,1], [0,0,1]], "frame": [[0,1,0], [0,0,1]]}"#;
+    let found = report(&format!(r#"{pole}, "w": {{"type": "layers", "of": "p", "distances": [0, 0.1], "cells": 4}}"#));
+    assert!(found.point_sides == 2 && (found.shortest_side - 0.1).abs() < 1e-14, "{found:?}");
+    // Beside the pole a line round it, an eighth of the range away, is a hundredth of one across the shell, or a line along a meridian.
+    assert!(found.aspect_ratio < 100.0, "{}", found.aspect_ratio);
+    let cells = found.cells.unwrap();
+    assert_eq!((cells.nodes, cells.inverted, cells.collapsed), (105, 0, 16));
 }

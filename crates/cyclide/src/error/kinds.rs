@@ -1284,6 +1284,11 @@ pub enum Error {
         /// Where: s, t, u.
         at: [f64; 3],
     },
+    /// Lines of a volume run backwards in a part of it, where that is asked for which must not.
+    FoldedVolume {
+        /// Where: s, t, u.
+        at: [f64; 3],
+    },
     // What failed in a part of the input.
     /// One block of a grid failed; the cause says why.
     InBlock {

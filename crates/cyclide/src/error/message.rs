@@ -787,6 +787,7 @@ impl std::fmt::Display for Error {
             Self::ConcircularCube { .. }
             | Self::CrossingFace { .. }
             | Self::VolumeThroughInfinity { .. }
+            | Self::FoldedVolume { .. }
             | Self::InBlock { .. }
             | Self::InFaceOfVolume { .. } => f.write_str(&of_volume(self)),
         }

@@ -133,6 +133,7 @@ impl Error {
             Self::ConcircularCube { .. } => "concircular-cube",
             Self::CrossingFace { .. } => "crossing-face",
             Self::VolumeThroughInfinity { .. } => "volume-through-infinity",
+            Self::FoldedVolume { .. } => "folded-volume",
             Self::InQuad { cause, .. }
             | Self::InBlock { cause, .. }
             | Self::InFaceOfVolume { cause, .. }

@@ -29,6 +29,12 @@ pub(super) fn of_volume(error: &Error) -> String {
             ShortNumber(*t),
             ShortNumber(*u)
         ),
+        Error::FoldedVolume { at: [s, t, u] } => format!(
+            "lines run backwards near s = {}, t = {}, u = {}: what folds bounds no solid; take a frame nearer to the sides, or none",
+            ShortNumber(*s),
+            ShortNumber(*t),
+            ShortNumber(*u)
+        ),
         Error::InBlock { block, cause } => format!("block {block}: {cause}"),
         Error::InFaceOfVolume { axis, end, cause } => format!("the face at {} = {end}: {cause}", parameters(*axis)[0]),
         _ => String::new(),

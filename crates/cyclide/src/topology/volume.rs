@@ -1,43 +1,21 @@
 //! The block of a volume as a solid: six patches with shared edges; the outer boundary of many.
 
 use super::{Body, Sewing, Shell};
-use crate::error::Result;
-use crate::volume::{CyclideVolume, StructuredGrid};
+use crate::error::{Error, ErrorItem, Result};
+use crate::volume::{CyclideVolume, FoldVerdict, StructuredGrid};
 use std::collections::HashMap;
 
 /// Halves in every direction: the middles of sides and faces are nodes, by which these are told.
 const HALVES: [f64; 3] = [0.0, 0.5, 1.0];
 
 impl CyclideVolume {
-    /// The block as a solid of its six [faces](Self::faces): s = 0, s = 1, t = 0, t = 1, u = 0, u = 1, outside outwards.
+    /// The block as a solid of its six [faces](Self::faces): s = 0, s = 1, t = 0, t = 1, u = 0, u = 1, outside outwards. Faces that are a line, of a wedge,
+    /// are none of it.
     ///
     /// # Errors
-    /// As [`Shell::new`](super::Shell::new); `coincident-points` where a side is one point.
+    /// As [`Shell::new`](super::Shell::new).
     pub fn to_body(&self) -> Result<Body> {
-        let mut sewing = Sewing::default();
-        let vertices = self.corners().map(|p| sewing.vertex(p));
-        // Sides along s, t, u, each by its start in the two other directions, binary order.
-        let mut sides = [[0; 4]; 3];
-        for (axis, sides) in sides.iter_mut().enumerate() {
-            for (k, side) in sides.iter_mut().enumerate() {
-                let place = [(k & 1) as f64, (k >> 1) as f64];
-                let (start, step) = (Self::corner_of(axis, 0, k), 1 << axis);
-                *side = sewing.edge(vertices[start], vertices[start + step], self.line(axis, place)?);
-            }
-        }
-        for (k, face) in self.faces().into_iter().enumerate() {
-            let (axis, end) = (k / 2, k % 2);
-            // The directions of the face, and its sides at t = 0, t = 1, s = 0, s = 1.
-            let edges = match axis {
-                0 => [sides[1][end], sides[1][end + 2], sides[2][end], sides[2][end + 2]],
-                1 => [sides[0][end], sides[0][end + 2], sides[2][2 * end], sides[2][2 * end + 1]],
-                _ => [sides[0][2 * end], sides[0][2 * end + 1], sides[1][2 * end], sides[1][2 * end + 1]],
-            };
-            // Of the second direction the face's normal s x u runs against it.
-            let along = (axis != 1) == self.is_right_handed();
-            sewing.face(face, edges.map(Some), along == (end == 1));
-        }
-        sewing.finish_body()
+        sewn(std::slice::from_ref(self), false)?.finish_body()
     }
 
     /// The outer boundary of blocks that share faces, as bodies: the faces that belong to one block only, sewn along their sides. A solid for everything
@@ -53,47 +31,60 @@ impl CyclideVolume {
     /// ```
     ///
     /// # Errors
-    /// As [`Shell::new`]; `too-few-points` if there is no block.
+    /// As [`Shell::new`]; `too-few-points` if there is no block, `folded-volume` with the block if one [folds](Self::folds).
     pub fn outer_bodies(blocks: &[Self]) -> Result<Vec<Body>> {
-        let grid = StructuredGrid::new(blocks, [HALVES.to_vec(), HALVES.to_vec(), HALVES.to_vec()])?;
-        let nodes: Vec<Vec<usize>> = (0..blocks.len()).map(|block| grid.block_nodes(block).collect()).collect();
-        let mut count: HashMap<usize, usize> = HashMap::new();
-        for middle in nodes.iter().flat_map(|nodes| (0..6).map(|face| nodes[middle_of_face(face)])) {
-            *count.entry(middle).or_default() += 1;
-        }
-        let mut sewing = Sewing::default();
-        let (mut vertices, mut edges) = (HashMap::new(), HashMap::new());
-        for (block, nodes) in blocks.iter().zip(&nodes) {
-            for (face, patch) in block.faces().into_iter().enumerate() {
-                if count.get(&nodes[middle_of_face(face)]) != Some(&1) {
-                    continue;
-                }
-                let (axis, end) = (face / 2, face % 2);
-                let mut sides = [None; 4];
-                for (side, edge) in sides.iter_mut().zip(sides_of_face(axis, end)) {
-                    let [from, to] = edge.ends().map(|at| nodes[at]);
-                    let middle = nodes[edge.middle()];
-                    if from == to && middle == from {
-                        continue;
-                    }
-                    let place = |node: usize, sewing: &mut Sewing| sewing.vertex(grid.nodes()[node]);
-                    let from = *vertices.entry(from).or_insert_with(|| place(from, &mut sewing));
-                    let to = *vertices.entry(to).or_insert_with(|| place(to, &mut sewing));
-                    *side = Some(match edges.get(&middle) {
-                        Some(&edge) => edge,
-                        None => {
-                            let made = sewing.edge(from, to, block.line(edge.axis, edge.at.map(|x| 0.5 * x as f64))?);
-                            edges.insert(middle, made);
-                            made
-                        }
-                    });
-                }
-                let along = (axis != 1) == block.is_right_handed();
-                sewing.face(patch, sides, along == (end == 1));
+        for (index, block) in blocks.iter().enumerate() {
+            if let FoldVerdict::Folded { at } = block.folds() {
+                return Err(Error::FoldedVolume { at }.in_block(index));
             }
         }
-        sewing.finish_apart().map(solids)
+        solids(sewn(blocks, true)?.finish_apart()?)
     }
+}
+
+/// The faces of blocks with their sides, each once; or only those faces that one block has alone.
+fn sewn(blocks: &[CyclideVolume], alone: bool) -> Result<Sewing> {
+    let grid = StructuredGrid::new(blocks, [HALVES.to_vec(), HALVES.to_vec(), HALVES.to_vec()])?;
+    let nodes: Vec<Vec<usize>> = (0..blocks.len()).map(|block| grid.block_nodes(block).collect()).collect();
+    let mut count: HashMap<usize, usize> = HashMap::new();
+    for middle in nodes.iter().flat_map(|nodes| (0..6).map(|face| nodes[middle_of_face(face)])) {
+        *count.entry(middle).or_default() += 1;
+    }
+    let mut sewing = Sewing::default();
+    let (mut vertices, mut edges) = (HashMap::new(), HashMap::new());
+    for (block, nodes) in blocks.iter().zip(&nodes) {
+        for (face, patch) in block.faces().into_iter().enumerate() {
+            let (axis, end) = (face / 2, face % 2);
+            let (middle, around) = (nodes[middle_of_face(face)], sides_of_face(axis, end));
+            // The middle of a face that is a line is that of a side.
+            let is_line = around.iter().any(|side| nodes[side.middle()] == middle);
+            if is_line || alone && count.get(&middle) != Some(&1) {
+                continue;
+            }
+            let mut sides = [None; 4];
+            for (side, edge) in sides.iter_mut().zip(around) {
+                let [from, to] = edge.ends().map(|at| nodes[at]);
+                let middle = nodes[edge.middle()];
+                if from == to && middle == from {
+                    continue;
+                }
+                let place = |node: usize, sewing: &mut Sewing| sewing.vertex(grid.nodes()[node]);
+                let from = *vertices.entry(from).or_insert_with(|| place(from, &mut sewing));
+                let to = *vertices.entry(to).or_insert_with(|| place(to, &mut sewing));
+                *side = Some(match edges.get(&middle) {
+                    Some(&edge) => edge,
+                    None => {
+                        let made = sewing.edge(from, to, block.line(edge.axis, edge.at.map(|x| 0.5 * x as f64))?);
+                        edges.insert(middle, made);
+                        made
+                    }
+                });
+            }
+            let along = (axis != 1) == block.is_right_handed();
+            sewing.face(patch, sides, along == (end == 1));
+        }
+    }
+    Ok(sewing)
 }
 
 /// A side of a block: its direction, and its places in the two other ones, in order, as nodes 0 or 2 of three.
@@ -142,7 +133,7 @@ fn middle_of_face(face: usize) -> usize {
 }
 
 /// Shells as bodies: faces are outward of the blocks, so those with a negative volume are hollows, each of the smallest solid around it.
-fn solids(shells: Vec<Shell>) -> Vec<Body> {
+fn solids(shells: Vec<Shell>) -> Result<Vec<Body>> {
     let (hollows, outers): (Vec<Shell>, Vec<Shell>) =
         shells.into_iter().partition(|shell| shell.is_closed() && shell.volume() < 0.0);
     let mut bodies: Vec<Body> = outers.into_iter().map(|outer| Body { outer, voids: Vec::new() }).collect();
@@ -152,9 +143,9 @@ fn solids(shells: Vec<Shell>) -> Vec<Body> {
             .iter_mut()
             .filter(|body| body.outer.bounds().contains(inside))
             .min_by(|a, b| a.outer.volume().total_cmp(&b.outer.volume()));
-        if let Some(body) = around {
-            body.voids.push(hollow);
-        }
+        let detail = "its faces look inwards, and no shell is around it";
+        let body = around.ok_or(Error::NotAShell { item: ErrorItem::Face, index: 0, detail })?;
+        body.voids.push(hollow);
     }
-    bodies
+    Ok(bodies)
 }

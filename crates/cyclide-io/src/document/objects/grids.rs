@@ -13,6 +13,8 @@ use crate::document::spec::{
 };
 use crate::error::{Error, Result};
 
+/// With `mu` less below `c` than this part of `a` a cyclide has one node.
+const ONE_NODE: f64 = 1e-12;
 /// Points of two planes that are one may be so far apart, relative to the size of the grid.
 const ONE_POINT: f64 = 1e-9;
 
@@ -29,17 +31,35 @@ impl Builder<'_> {
     }
 
     fn grid_of_cyclide(&self, spec: &WholeCyclideSpec) -> Result<CyclideGrid> {
-        let [.., outer] = *spec.mu.as_slice() else {
+        let mu = spec.mu.as_slice();
+        let [first, .., outer] = *mu else {
             return Err(self.unfit("`mu` of `whole` has the radii of two tubes at least"));
         };
+        let place = |k: usize| [Step::from("whole"), Step::from("mu"), Step::from(k)];
+        if let Some(k) = (1..mu.len()).find(|&k| !(mu[k] > mu[k - 1])) {
+            let error = cyclide::Error::ParametersNotIncreasing { index: k, value: mu[k], before: mu[k - 1] };
+            return Err(self.refused_at(place(k), &error));
+        }
+        // Outwards the outer part of a horn gets longer: what is common to all is that of the first. That of a spindle gets shorter.
+        let of_horn = spec.c - first > ONE_NODE * spec.a;
+        let base = if of_horn { first } else { outer };
         let made = || {
             let frame = frame_of_axes(spec.center, spec.axis, spec.x_direction)?;
             let segments = spec.segments.unwrap_or(SEGMENTS).map(|n| n as usize);
-            let cyclide = DupinCyclide::new(spec.a, spec.c, outer)?.placed(frame);
-            let distances: Vec<f64> = spec.mu.iter().map(|mu| mu - outer).collect();
+            let cyclide = DupinCyclide::new(spec.a, spec.c, base)?.placed(frame);
+            let distances: Vec<f64> = mu.iter().map(|mu| mu - base).collect();
             CyclideGrid::of_cyclide(&cyclide, segments, &distances)
         };
-        made().map_err(|e| self.refused_at([Step::from("whole")], &e))
+        made().map_err(|e| {
+            let Some(distance) = folding_offset(&e) else { return self.refused_at([Step::from("whole")], &e) };
+            let off = |k: &usize| (mu[*k] - base - distance).abs();
+            let k = (0..mu.len()).min_by(|j, k| off(j).total_cmp(&off(k))).unwrap_or_default();
+            let words = format!(
+                "mu = {}: between it and mu = {base} are centres of curvature, at which blocks would fold; they lie at mu from 0 to c = {} and from a = {} on",
+                mu[k], spec.c, spec.a
+            );
+            self.refused_in_words(place(k), e.reason(), words)
+        })
     }
 
     fn grid_of_planes(&self, planes: &CoordinatePlanesSpec, frame: FrameSpec) -> Result<CyclideGrid> {
@@ -126,6 +146,10 @@ impl Builder<'_> {
     /// The law of the cells along a direction.
     fn law(&self, volumes: &[CyclideVolume], axis: usize, spec: &GradedCellsSpec) -> Result<Grading> {
         let (count, fine) = (spec.count as usize, spec.fine);
+        if count == 1 && spec.first.is_some() {
+            let message = "one cell is as long as its block: leave out `first`, or give more cells";
+            return Err(Error::Input(self.diagnostic(place_of(axis), message)));
+        }
         let refused = |e: cyclide::Error| self.refused_at(place_of(axis), &e);
         let by = |first: f64, law: fn(f64, usize, FineEnd) -> cyclide::Result<Grading>| {
             let share = share(volumes, axis, first, fine)?;
@@ -145,6 +169,15 @@ impl Builder<'_> {
                 Err(Error::Input(self.diagnostic(place_of(axis), message)))
             }
         }
+    }
+}
+
+/// The distance of an offset that is refused since layers fold there.
+fn folding_offset(error: &cyclide::Error) -> Option<f64> {
+    match error {
+        cyclide::Error::InQuad { cause, .. } => folding_offset(cause),
+        cyclide::Error::OffsetNotRegular { distance, .. } => Some(*distance),
+        _ => None,
     }
 }
 

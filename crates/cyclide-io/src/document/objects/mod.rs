@@ -1,5 +1,6 @@
 //! From objects of a document to the kernel's curves and surfaces; what the kernel refuses is shown at its place.
 
+mod block_checks;
 #[cfg(feature = "circular-mesh")]
 mod circular;
 mod contact_blends;
@@ -253,6 +254,7 @@ impl Builder<'_> {
     fn build(mut self) -> Result<BuiltObject> {
         let (curves, contours) = self.curves()?.into_iter().unzip();
         let surfaces = self.surfaces()?;
+        self.check_block_count()?;
         let volumes = self.volumes()?;
         let places = self.places(&volumes)?;
         let moving = self.moving_body()?;

@@ -31,7 +31,10 @@ impl Builder<'_> {
             ObjectSpec::Ruled(_) => self.ruled(),
             ObjectSpec::TorusSeam(spec) => self.torus_seam(spec),
             ObjectSpec::SweptSurface(spec) => self.swept_surface(spec),
-            ObjectSpec::CoordinateSurfaces(spec) => self.coordinate_surfaces(spec),
+            ObjectSpec::CoordinateSurfaces(spec) => {
+                self.check_surfaces_differ(spec)?;
+                self.coordinate_surfaces(spec)
+            }
             _ => Ok(Vec::new()),
         }
     }

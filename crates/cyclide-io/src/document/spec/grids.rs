@@ -89,8 +89,8 @@ pub struct WholeCyclideSpec {
     #[serde(default)]
     #[schemars(range(min = 0.0))]
     pub c: f64,
-    /// Mean radii of the tubes between which there are blocks, rising: u grows outwards. A ring has c < mu < a; of a horn or a spindle the last one is, blocks lie
-    /// along its outer part, from node to node.
+    /// Mean radii of the tubes between which there are blocks, rising: u grows outwards. A ring has c < mu < a. Where the last one is a spindle (mu > a), or the first
+    /// one a horn (mu < c), blocks lie along its outer part, from node to node.
     #[schemars(length(min = 2), inner(range(min = 0.0)))]
     pub mu: Vec<f64>,
     /// Where the centre is. Default: the origin.

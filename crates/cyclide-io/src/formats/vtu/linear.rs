@@ -1,9 +1,9 @@
 //! Blocks as plain hexahedra with straight sides, for readers that have no Bézier cells: cells of type 12, whose nodes are points of the blocks and are shared.
 
 use super::arrays::{Arrays, Number};
+use super::linear_distance::LinearDistance;
 use super::quality::NAMES;
 use super::reader;
-use crate::check::deviation::larger;
 use crate::check::file_content::{FileContent, ReadError};
 use crate::check::made::Made;
 use crate::export::error::ExportError;
@@ -11,7 +11,7 @@ use crate::export::exported::{Exported, Promise, Written};
 use crate::export::job::Job;
 use crate::export::provenance::Provenances;
 use crate::export::rational_cells::block_of;
-use cyclide::{CellQuality, Model, ParamVolume as _, Point3, StructuredGrid, Vec3};
+use cyclide::{CellQuality, Model, Point3, StructuredGrid};
 use std::collections::HashMap;
 
 /// VTK's number for plain hexahedra, and their corners in binary order.
@@ -20,11 +20,6 @@ pub(super) const ORDER: [usize; 8] = [0, 1, 3, 2, 4, 5, 7, 6];
 
 const NO_BLOCKS: &str = "plain cells are those of blocks, and there are none: write Bézier cells";
 const NOT_DIVIDED: &str = "its blocks are not divided into cells: give it `cells`, or write Bézier cells";
-/// Between the places that are measured a quarter more.
-const RESERVE: f64 = 1.25;
-/// Places along each parameter of a cell, between whose corners it is measured.
-const PLACES: usize = 3;
-
 /// The grids of all objects with blocks, with the number of each object.
 fn grids(model: &Model, provenances: &Provenances<'_>) -> Result<Vec<(usize, StructuredGrid)>, ExportError> {
     let mut grids = Vec::new();
@@ -52,8 +47,9 @@ pub(super) fn write(job: &Job<'_>) -> Result<Exported, ExportError> {
         written.bodies.push(own.map_or(Promise::EXACT, |(_, grid)| {
             let [m, n, l] = grid.divisions();
             let first = body.surface * m * n * l;
-            let off = (first..first + m * n * l).map(|cell| off_by(grid, cell, &corners(grid, cell)));
-            Promise::sampled(RESERVE * off.fold(0.0, f64::max))
+            let mut distance = LinearDistance::default();
+            (first..first + m * n * l).for_each(|cell| add(&mut distance, grid, cell, &corners(grid, cell)));
+            Promise::proved(distance.bound())
         }));
     }
     let others = job.model.items.iter().filter(|item| !item.curves().is_empty() || !item.surfaces().is_empty());
@@ -111,28 +107,14 @@ fn corners(grid: &StructuredGrid, cell: usize) -> [Point3; 8] {
     grid.cell(cell).map(|node| grid.nodes()[node])
 }
 
-/// How far a hexahedron with these corners is from its cell of the block, at places of equal parameters.
-fn off_by(grid: &StructuredGrid, cell: usize, corners: &[Point3; 8]) -> f64 {
+/// Adds a cell of a grid, and a hexahedron with these corners.
+fn add(distance: &mut LinearDistance, grid: &StructuredGrid, cell: usize, corners: &[Point3; 8]) {
     let (block, at) = grid.cell_place(cell);
     let block = &grid.blocks()[block];
-    let mut largest = 0.0_f64;
-    for k in 0..PLACES.pow(3) {
-        let own = [k % PLACES, k / PLACES % PLACES, k / PLACES / PLACES].map(|k| k as f64 / (PLACES - 1) as f64);
-        // Of a left-handed block s and t are exchanged.
-        let [a, b, c] = own;
-        let along = if block.is_right_handed() { own } else { [b, a, c] };
-        let place = std::array::from_fn(|axis| {
-            let places = &grid.places()[axis];
-            places[at[axis]] + (places[at[axis] + 1] - places[at[axis]]) * along[axis]
-        });
-        let weight = |corner: usize| {
-            (0..3).map(|axis| if corner >> axis & 1 == 0 { 1.0 - own[axis] } else { own[axis] }).product::<f64>()
-        };
-        let way =
-            (0..8).map(|corner| (corners[corner] - corners[0]) * weight(corner)).fold(Vec3::ZERO, |sum, v| sum + v);
-        largest = largest.max((corners[0] + way).distance(block.point(place)));
-    }
-    largest
+    let [s, t, u] = std::array::from_fn(|axis| [grid.places()[axis][at[axis]], grid.places()[axis][at[axis] + 1]]);
+    // Of a left-handed block s and t are exchanged.
+    let ranges = if block.is_right_handed() { [s, t, u] } else { [t, s, u] };
+    distance.add(&block.right_handed(), ranges, corners);
 }
 
 /// Holds what was read against the model: the distance of each body.
@@ -149,7 +131,7 @@ pub(super) fn deviations(made: &Made<'_>, content: &FileContent, read: &reader::
     }
     let of_blocks: HashMap<(usize, usize), usize> =
         bodies.iter().enumerate().map(|(index, body)| ((body.item, body.surface), index)).collect();
-    let mut deviations = vec![0.0; bodies.len()];
+    let mut distances = vec![LinearDistance::default(); bodies.len()];
     let mut first = 0;
     for (item, grid) in &grids {
         for cell in 0..grid.cell_count() {
@@ -166,12 +148,11 @@ pub(super) fn deviations(made: &Made<'_>, content: &FileContent, read: &reader::
                 let [x, y, z, _] = rows[(k & 1) << 2 | (k & 2) | k >> 2];
                 Point3::new(x, y, z)
             };
-            let off = off_by(grid, cell, &std::array::from_fn(corner));
             if let Some(body) = of_blocks.get(&(*item, block)) {
-                deviations[*body] = larger(deviations[*body], off);
+                add(&mut distances[*body], grid, cell, &std::array::from_fn(corner));
             }
         }
         first += grid.cell_count();
     }
-    Ok(deviations)
+    Ok(distances.into_iter().map(LinearDistance::bound).collect())
 }

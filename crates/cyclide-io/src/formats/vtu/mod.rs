@@ -6,6 +6,7 @@
 
 mod arrays;
 mod linear;
+mod linear_distance;
 mod multi_block;
 mod order;
 mod quality;

@@ -11,7 +11,8 @@ pub(super) const NAMES: [&str; 3] = ["orthogonality", "scaled_jacobian", "aspect
 const PLACES: usize = 3;
 
 /// The quality of all parts of blocks, in file order: the largest cosine between parameter lines, the least Jacobian over the product of the lengths of
-/// the three derivatives (1 where lines cross at right angles, negative beyond a fold), and the largest ratio of two of these lengths at one place.
+/// the three derivatives (1 where lines cross at right angles, negative beyond a fold), and the largest ratio of two of these lengths at one place. Places
+/// where a line is one point are left out of the last two, as of plain cells; where all are, they are 0 and 1.
 pub(super) fn qualities(model: &Model, bodies: &[BodyOf<'_>], parts: &[Vec<[[f64; 2]; 3]>]) -> Vec<[f64; 3]> {
     let of_body = |(body, parts): (&BodyOf<'_>, &Vec<[[f64; 2]; 3]>)| {
         let block = block_of(model, body).map(CyclideVolume::right_handed);
@@ -27,6 +28,10 @@ fn quality(block: &CyclideVolume, part: &[[f64; 2]; 3]) -> [f64; 3] {
         let own = [step(k % PLACES), step(k / PLACES % PLACES), step(k / PLACES / PLACES)];
         let at = std::array::from_fn(|axis| part[axis][0] + (part[axis][1] - part[axis][0]) * own[axis]);
         let jet = block.jet(at);
+        found[0] = found[0].max(jet.orthogonality());
+        if block.standing_lines(at).contains(&true) {
+            continue;
+        }
         let sides: [Vec3; 3] = std::array::from_fn(|axis| jet.first[axis] * (part[axis][1] - part[axis][0]));
         let lengths = sides.map(Vec3::length);
         let (least, most) = lengths.iter().fold((f64::INFINITY, 0.0_f64), |(lo, hi), v| (lo.min(*v), hi.max(*v)));
@@ -35,7 +40,10 @@ fn quality(block: &CyclideVolume, part: &[[f64; 2]; 3]) -> [f64; 3] {
             _ => 0.0,
         };
         let ratio = if least > 0.0 { (most / least).min(f64::MAX) } else { f64::MAX };
-        found = [found[0].max(jet.orthogonality()), found[1].min(scaled), found[2].max(ratio)];
+        found = [found[0], found[1].min(scaled), found[2].max(ratio)];
+    }
+    if found[1].is_infinite() {
+        found[1] = 0.0;
     }
     // Numbers of a file are finite.
     found.map(|v| if v.is_finite() { v } else { f64::MAX })

@@ -32,3 +32,13 @@
 //! assert_eq!(block.transformed(&map).unwrap_err().reason(), "volume-through-infinity");
 //! # Ok::<(), cyclide::Error>(())
 //! ```
+//!
+//! # `folded-volume`
+//! The outer boundary of a block whose frame is far from its sides.
+//! ```
+//! use cyclide::{CyclideVolume, Point3, SphericalCube, Vec3, VolumeFrame};
+//! let cube = SphericalCube::cuboid(Point3::ORIGIN, [Vec3::X * 2.0, Vec3::Y * 3.0, Vec3::Z])?;
+//! let block = CyclideVolume::new(&cube, VolumeFrame::First(Vec3::Y, Vec3::Z))?;
+//! assert_eq!(CyclideVolume::outer_bodies(&[block]).unwrap_err().reason(), "folded-volume");
+//! # Ok::<(), cyclide::Error>(())
+//! ```

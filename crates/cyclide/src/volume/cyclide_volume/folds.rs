@@ -42,6 +42,24 @@ impl CyclideVolume {
         }
     }
 
+    /// The directions whose lines stand still at a place, up to rounding: their speed, which is one along the whole line, is zero there. So are lines on
+    /// which a side, or a face of a wedge, is one point.
+    ///
+    /// ```
+    /// use cyclide::{CyclideGrid, CyclidePatch, CyclidicNet, Point3, Vec3};
+    /// let corners = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [0.0, 0.0, 1.0]].map(Point3::from);
+    /// let octant = CyclidicNet::from(CyclidePatch::from_corners_and_frame(corners, Vec3::Y, Vec3::Z)?); // its pole at t = 1
+    /// let wedge = CyclideGrid::layers(&octant, &[0.0, 0.1])?.block([0, 0, 0]);
+    /// assert_eq!(wedge.standing_lines([0.3, 1.0, 0.5]), [true, false, false]);
+    /// assert_eq!(wedge.standing_lines([0.3, 0.9, 0.5]), [false; 3]);
+    /// # Ok::<(), cyclide::Error>(())
+    /// ```
+    #[must_use]
+    pub fn standing_lines(&self, at: [f64; 3]) -> [bool; 3] {
+        let rounding = self.speed_rounding();
+        self.speeds_at(at).map(|speed| speed.abs() <= rounding)
+    }
+
     /// Rounding of the speeds: of the products `~w_i (a_j - a_i) w_j`, of rounded corners and weights.
     pub(super) fn speed_rounding(&self) -> f64 {
         let weight = self.weights.iter().map(|w| w.norm_squared()).fold(0.0, f64::max);

@@ -47,11 +47,6 @@ impl CyclideVolume {
         })
     }
 
-    /// The corner at `end` of direction `axis`, at place `k` of the two other directions in binary order.
-    pub(crate) fn corner_of(axis: usize, end: usize, k: usize) -> usize {
-        corners_at_start(axis)[k] | (end << axis)
-    }
-
     /// The parameter line in direction `axis` through the places `x`, `y` of the two other directions in order, as an arc with the same
     /// parameter.
     ///

@@ -5,8 +5,8 @@ use super::{CyclideVolume, trilinear};
 use crate::base::quat::Quat;
 use crate::error::{Error, Result};
 
-/// Cells are halved in all directions this often before their centre is called a pole.
-const HALVINGS: u32 = 16;
+/// Cells are halved in all directions this often before their centre is called a pole: what is taken goes into so small parts with positive weights.
+pub(super) const HALVINGS: u32 = 16;
 
 impl CyclideVolume {
     /// Refuses a volume that passes through infinity: `|D|²` is triquadratic and has no zero where all its 27 Bernstein coefficients are

@@ -1,13 +1,11 @@
 //! The exact rational triquadratic form (`docs/math/volumes.md#exact-rational-form`).
 
-use super::{CyclideVolume, pole};
+use super::CyclideVolume;
+use super::pole::{self, HALVINGS};
 use crate::base::multilinear::triquadratic;
 use crate::base::quat::Quat;
 use crate::error::{Error, Result};
 use crate::rational::RationalBezierVolume;
-
-/// Parts of a volume with positive weights are at most this often halved out of it.
-const HALVINGS: u32 = 8;
 
 /// The 27 real weights: Bernstein coefficients of `|D|²`.
 pub(super) fn real_weights(w: &[Quat; 8]) -> [f64; 27] {
@@ -31,7 +29,7 @@ impl CyclideVolume {
     /// possible, otherwise those of halves in all directions.
     ///
     /// # Errors
-    /// `volume-through-infinity` where parts of a 256th of the range are not small enough.
+    /// `volume-through-infinity` where parts of a 65536th of the range are not small enough: only of what is [`unbounded`](Self::unbounded).
     pub fn to_rational_parts(&self) -> Result<Vec<([[f64; 2]; 3], RationalBezierVolume)>> {
         let mut parts = Vec::new();
         self.add_positive(&self.weights, [0.0; 3], HALVINGS, &mut parts)?;

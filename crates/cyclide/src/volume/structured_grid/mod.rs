@@ -92,12 +92,19 @@ impl StructuredGrid {
         let [s, t, u] = &self.places;
         let mut points = Vec::with_capacity(s.len() * t.len() * u.len());
         let mut lanes = vec![0.0; 4 * s.len()];
+        let sense = if block.is_right_handed() { 1.0 } else { -1.0 };
         for u in u {
             for t in t {
                 let (x, rest) = lanes.split_at_mut(s.len());
                 let (y, rest) = rest.split_at_mut(s.len());
                 let (z, jacobians) = rest.split_at_mut(s.len());
                 block.row([*t, *u]).points_and_jacobians(s, [&mut *x, &mut *y, &mut *z], jacobians);
+                // What is zero but for rounding, as at sides of one point, is no fold.
+                for (s, jacobian) in s.iter().zip(&mut *jacobians) {
+                    if !(*jacobian * sense > 0.0) && block.standing_lines([*s, *t, *u]).contains(&true) {
+                        *jacobian = 0.0;
+                    }
+                }
                 points.extend((0..s.len()).map(|k| Point3::new(x[k], y[k], z[k])));
                 self.jacobians.extend_from_slice(jacobians);
             }
@@ -175,7 +182,8 @@ impl StructuredGrid {
         (cell / (m * n * l), [cell % m, cell / m % n, cell / (m * n) % l])
     }
 
-    /// The exact Jacobian of a block by its parameters at its nodes, s fastest: negative where the block is left-handed or folds.
+    /// The exact Jacobian of a block by its parameters at its nodes, s fastest: negative where the block is left-handed or folds; what is of the other sign
+    /// by rounding only is 0.
     ///
     /// # Panics
     /// If there is no such block.

@@ -34,7 +34,7 @@ pub struct CellQuality {
     pub aspect_ratio: f64,
     /// The shortest side that is no point; 0 if all are.
     pub shortest_side: f64,
-    /// Least exact Jacobian of the block at the eight nodes, positive where it does not fold.
+    /// Least exact Jacobian of the block at the eight nodes, negative where it folds; 0 where it is zero up to rounding.
     pub jacobian: f64,
 }
 
@@ -60,7 +60,8 @@ pub struct GridQuality {
     pub aspect_ratio: f64,
     /// The shortest side of a cell that is no point.
     pub shortest_side: f64,
-    /// Cells whose scaled Jacobian or exact Jacobian is not positive.
+    /// Cells whose scaled Jacobian is not positive, or whose exact Jacobian is negative at a node, beyond rounding. At sides of one point it is zero, and at
+    /// a centre of curvature.
     pub inverted: usize,
     /// The first of these.
     pub first_inverted: Option<usize>,
@@ -116,8 +117,7 @@ impl StructuredGrid {
             let nodes = self.cell(number);
             let collapsed = SIDES.iter().any(|&[a, b]| nodes[a] == nodes[b]);
             all.collapsed += usize::from(collapsed);
-            // At a side of one point the exact Jacobian is zero.
-            if cell.scaled_jacobian <= 0.0 || cell.jacobian < 0.0 || (cell.jacobian == 0.0 && !collapsed) {
+            if cell.scaled_jacobian <= 0.0 || cell.jacobian < 0.0 {
                 all.inverted += 1;
                 all.first_inverted = all.first_inverted.or(Some(number));
             }

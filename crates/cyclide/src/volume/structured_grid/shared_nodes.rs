@@ -2,7 +2,8 @@
 //!
 //! A side is known by its direction and its two corners, a face by the direction across and its four, in order: two blocks that have them
 //! run over them with the same parameters, if they are the same at all. Two arcs may have the same ends (a ring of two blocks), so a place inside is
-//! compared as well, within the rounding that blocks differ by.
+//! compared as well, within the rounding that blocks differ by. A side that is one point has one node, a face that is a line (of a wedge, as at the pole of
+//! a sphere) those of a side.
 
 use crate::base::vector::Point3;
 use crate::volume::ParamVolume as _;
@@ -73,14 +74,15 @@ impl SharedNodes {
         let reach = block.corners().iter().map(|p| p.to_vec().max_abs()).fold(0.0, f64::max);
         let near = SAME * block.size() + ROUNDINGS * f64::EPSILON * reach;
         // Sides: the bits of the two other directions are those of an end.
+        let at_ends =
+            |axis: usize, k: usize, x: f64| std::array::from_fn(|d| if d == axis { x } else { (k >> d & 1) as f64 });
         for axis in 0..3 {
             for k in (0..8).filter(|k| k >> axis & 1 == 0) {
                 let ends = [corners[k], corners[k | 1 << axis]];
                 let inner =
                     |x: usize| place(std::array::from_fn(|d| if d == axis { x } else { (k >> d & 1) * last[d] }));
                 let places: Vec<usize> = (1..last[axis]).map(inner).collect();
-                let inside =
-                    block.point(std::array::from_fn(|d| if d == axis { INSIDE[0] } else { (k >> d & 1) as f64 }));
+                let inside = block.point(at_ends(axis, k, INSIDE[0]));
                 let one = ends[0] == ends[1] && inside.distance(block.corners()[k]) <= near;
                 let met = self.sides.entry((axis, ends)).or_default();
                 let run = found(met, inside, near).unwrap_or_else(|| {
@@ -90,20 +92,37 @@ impl SharedNodes {
                 });
                 places.iter().enumerate().for_each(|(k, at)| index[start + at] = run.node(k));
             }
+        }
+        for axis in 0..3 {
             // Faces across this direction.
             let [i, j] = [[1, 2], [0, 2], [0, 1]][axis];
             for end in 0..2 {
                 let around = [0, 1 << i, 1 << j, 1 << i | 1 << j].map(|k: usize| corners[k | end << axis]);
-                let inner = |(x, y): (usize, usize)| {
+                let at = |x: usize, y: usize| {
                     let mut at = [end * last[axis]; 3];
                     (at[i], at[j]) = (x, y);
                     place(at)
                 };
-                let places: Vec<usize> =
-                    (1..last[j]).flat_map(|y| (1..last[i]).map(move |x| (x, y))).map(inner).collect();
+                let inner = || (1..last[j]).flat_map(|y| (1..last[i]).map(move |x| (x, y)));
                 let mut inside = [end as f64; 3];
                 (inside[i], inside[j]) = (INSIDE[0], INSIDE[1]);
                 let inside = block.point(inside);
+                // A face that is a line has the nodes of its sides along it.
+                let on_side =
+                    |along: usize, x: f64| inside.distance(block.point(at_ends(along, end << axis, x))) <= near;
+                let [a, b, c, d] = around;
+                let of_side = |side: &dyn Fn(usize, usize) -> usize, index: &mut Vec<u32>| {
+                    inner().for_each(|(x, y)| index[start + at(x, y)] = index[start + side(x, y)]);
+                };
+                if a == b && c == d && on_side(j, INSIDE[1]) {
+                    of_side(&|_, y| at(0, y), index);
+                    continue;
+                }
+                if a == c && b == d && on_side(i, INSIDE[0]) {
+                    of_side(&|x, _| at(x, 0), index);
+                    continue;
+                }
+                let places: Vec<usize> = inner().map(|(x, y)| at(x, y)).collect();
                 let met = self.faces.entry((axis, around)).or_default();
                 let run = found(met, inside, near).unwrap_or_else(|| {
                     let run = new_run(nodes, points, &places);
