@@ -2,7 +2,7 @@
 
 use super::arrays::{Arrays, Number};
 use super::linear_distance::LinearDistance;
-use super::quality::NAMES;
+use super::quality::{NAMES, Quality};
 use super::reader;
 use crate::check::file_content::{FileContent, ReadError};
 use crate::check::made::Made;
@@ -97,8 +97,11 @@ fn connectivity(grids: &[(usize, StructuredGrid)]) -> Vec<usize> {
 }
 
 /// As of Bézier cells.
-fn qualities(grids: &[(usize, StructuredGrid)]) -> Vec<[f64; 3]> {
-    let of = |quality: CellQuality| [quality.orthogonality, quality.scaled_jacobian, quality.aspect_ratio];
+fn qualities(grids: &[(usize, StructuredGrid)]) -> Vec<Quality> {
+    let of = |quality: CellQuality| {
+        let CellQuality { orthogonality, scaled_jacobian, aspect_ratio, shortest_side, jacobian, .. } = quality;
+        [orthogonality, scaled_jacobian, aspect_ratio, shortest_side, jacobian]
+    };
     grids.iter().flat_map(|(_, grid)| grid.cell_qualities()).map(of).collect()
 }
 

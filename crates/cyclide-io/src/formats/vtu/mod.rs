@@ -30,7 +30,7 @@ use arrays::{Arrays, Number};
 use cyclide::{ChainPiece, CurveChain, DEFAULT_PIECE_ANGLE, Lowered, NurbsCurve, ParamCurve as _, RationalBezier};
 pub use multi_block::vtk_multi_block;
 use order::nodes;
-use quality::{NAMES, qualities};
+use quality::{NAMES, Quality, qualities};
 use reader::{Cells, TAGS, read};
 
 /// VTK's numbers for Bézier curves, quadrilaterals and hexahedra.
@@ -110,7 +110,7 @@ fn head(job: &Job<'_>, points: usize, cells: usize) -> String {
 }
 
 /// The file but for what is appended.
-fn text(arrays: &mut Arrays, cells: &[RationalCell], of_blocks: &[[f64; 3]], job: &Job<'_>) -> String {
+fn text(arrays: &mut Arrays, cells: &[RationalCell], of_blocks: &[Quality], job: &Job<'_>) -> String {
     let points: usize = cells.iter().map(|cell| cell.nodes.len()).sum();
     let mut out = head(job, points, cells.len());
     out.reserve(arrays.text_of(points));

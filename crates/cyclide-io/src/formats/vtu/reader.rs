@@ -3,7 +3,7 @@
 use super::arrays::{Number, appended as appended_at};
 use super::linear::{KIND, ORDER};
 use super::order::nodes;
-use super::quality::NAMES;
+use super::quality::{NAMES, Quality};
 use super::{KINDS, spline_of};
 use crate::check::bodies::FileVolume;
 use crate::check::file_content::{FileContent, ReadError};
@@ -39,7 +39,7 @@ const MOST_DEGREE: usize = 1000;
 /// What the cells of a file say besides their geometry.
 pub(super) enum Cells {
     /// The qualities of blocks.
-    Bezier(Vec<[f64; 3]>),
+    Bezier(Vec<Quality>),
     Plain(Plain),
 }
 
@@ -47,7 +47,7 @@ pub(super) enum Cells {
 pub(super) struct Plain {
     /// Their nodes in VTK's order.
     pub(super) connectivity: Vec<usize>,
-    pub(super) qualities: Vec<[f64; 3]>,
+    pub(super) qualities: Vec<Quality>,
     /// Object and block of each.
     pub(super) tags: Vec<[usize; 2]>,
 }
@@ -99,13 +99,12 @@ fn plain(arrays: &HashMap<&str, Vec<f64>>, labels: FileLabels) -> Result<(FileCo
     let connectivity = whole(arrays, CONNECTIVITY)?;
     let (points, ends) = (array(arrays, POINTS)?, whole(arrays, OFFSETS)?);
     let (objects, parts) = (whole(arrays, OBJECT)?, whole(arrays, PART)?);
-    let qualities = NAMES.map(|name| array(arrays, name));
-    let [Ok(first), Ok(second), Ok(third)] = qualities else {
-        return Err(ReadError::syntax("CellData", "expected the quality of the cells"));
-    };
+    let columns = NAMES.into_iter().map(|name| array(arrays, name)).collect::<Result<Vec<_>, _>>();
+    let columns = columns.map_err(|_| ReadError::syntax("CellData", "expected the quality of the cells"))?;
     let count = ends.len();
-    let lengths = [objects.len(), parts.len(), first.len(), second.len(), third.len(), connectivity.len() / 8];
-    if lengths.iter().any(|own| *own != count) || !ends.iter().enumerate().all(|(k, end)| *end == 8 * (k + 1)) {
+    let mut lengths =
+        [objects.len(), parts.len(), connectivity.len() / 8].into_iter().chain(columns.iter().map(|own| own.len()));
+    if lengths.any(|own| own != count) || !ends.iter().enumerate().all(|(k, end)| *end == 8 * (k + 1)) {
         return Err(ReadError::syntax(TYPES, "arrays of cells differ in length"));
     }
     let mut content = FileContent { labels, ..FileContent::default() };
@@ -127,14 +126,14 @@ fn plain(arrays: &HashMap<&str, Vec<f64>>, labels: FileLabels) -> Result<(FileCo
         }
         content.volumes.push(FileVolume { body: met.len() - 1, volume });
     }
-    let qualities = (0..count).map(|k| [first[k], second[k], third[k]]).collect();
+    let qualities = (0..count).map(|k| std::array::from_fn(|column| columns[column][k])).collect();
     Ok((content, Cells::Plain(Plain { connectivity, qualities, tags })))
 }
 
 /// The qualities of the hexahedra; those of other cells are 0.
-fn qualities(arrays: &HashMap<&str, Vec<f64>>, cells: &[RationalCell]) -> Result<Vec<[f64; 3]>, ReadError> {
+fn qualities(arrays: &HashMap<&str, Vec<f64>>, cells: &[RationalCell]) -> Result<Vec<Quality>, ReadError> {
     let blocks = cells.iter().filter(|cell| cell.dimension() == 3).count();
-    let mut qualities = vec![[0.0; 3]; blocks];
+    let mut qualities = vec![Quality::default(); blocks];
     for (k, name) in NAMES.into_iter().enumerate().filter(|_| blocks > 0) {
         let values = array(arrays, name)?;
         if values.len() != cells.len() {
