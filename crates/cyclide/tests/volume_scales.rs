@@ -196,3 +196,31 @@ fn thin_boxes_have_their_last_corner() {
         }
     }
 }
+
+/// The integral of the Jacobian is the flux through the faces, by quadrature of their own; or it is not known.
+#[test]
+fn volumes_of_thin_blocks_and_near_infinity_are_right_or_not_known() {
+    let inside = [1.0; 3];
+    let corners = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 0.01]].map(Point3::from);
+    let thin =
+        CyclideVolume::new(&SphericalCube::from_barycentric(corners, inside, 0.5).unwrap(), VolumeFrame::Auto).unwrap();
+    let cube = SphericalCube::cuboid(Point3::ORIGIN, [Vec3::X, Vec3::Y, Vec3::Z]).unwrap();
+    let cuboid = CyclideVolume::new(&cube, VolumeFrame::Auto).unwrap();
+    let near = |x: f64, y: f64, above: f64| {
+        cuboid.transformed(&Mobius::inversion(Point3::new(x, y, -above), 1.0).unwrap()).unwrap()
+    };
+    for (block, limit) in [(thin, 1e-11), (near(0.37, 0.61, 0.1), 1e-11), (near(-1e-3, -1e-3, 1e-3), 1e-11)] {
+        let measure = block.measure().known().unwrap();
+        let faces = block.to_body().unwrap().outer.known_volume().unwrap();
+        assert!((measure.volume / faces - 1.0).abs() < limit, "{} {faces}", measure.volume);
+    }
+    // A ball of diameter 1000, but for its cap of angle 1e-3 and eight corners of the size 1: all of it is within 1e-3 of one place of a face.
+    let ball = near(0.37, 0.61, 1e-3).measure().known().unwrap();
+    let radius = 500.0_f64;
+    let whole = 4.0 / 3.0 * std::f64::consts::PI * radius.powi(3);
+    assert!((ball.volume / whole - 1.0).abs() < 1e-6, "{}", ball.volume);
+    assert!(ball.centroid.distance(Point3::new(0.37, 0.61, radius - 1e-3)) < 1e-3 * radius);
+    // Through infinity there is no volume.
+    let backwards = CyclideVolume::unbounded(&cube, VolumeFrame::First(Vec3::Y, Vec3::X)).unwrap();
+    assert_eq!(backwards.measure().known().unwrap_err().reason(), "too-many-pieces");
+}

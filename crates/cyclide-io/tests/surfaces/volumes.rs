@@ -47,6 +47,36 @@ fn grids_come_from_three_planes() {
     assert!(refused(&both).1.contains("either `planes` or `whole`"));
 }
 
+fn block(corners: &[[f64; 3]], fields: &str) -> String {
+    format!(r#""b": {{"type": "cyclide-volume", "corners": {corners:?}{fields}}}"#)
+}
+
+/// The corners of a box, turned and moved: as many as are asked for, four of them the first and its neighbours.
+fn turned_box(sides: [f64; 3], place: [f64; 3], count: usize) -> Vec<[f64; 3]> {
+    // Rows of an orthonormal matrix, in thirds.
+    let ways = [[2.0, -1.0, 2.0], [2.0, 2.0, -1.0], [-1.0, 2.0, 2.0]];
+    let at = |k: usize| {
+        std::array::from_fn(|x| {
+            place[x] + (0..3).map(|axis| (k >> axis & 1) as f64 * sides[axis] * ways[axis][x] / 3.0).sum::<f64>()
+        })
+    };
+    let places = if count == 4 { vec![0, 1, 2, 4] } else { (0..count).collect() };
+    places.into_iter().map(at).collect()
+}
+
+#[test]
+fn what_comes_too_near_infinity_is_right_or_not_known() {
+    let unit = block(&turned_box([1.0; 3], [0.0; 3], 7), "");
+    // Below the middle of a face by a thousandth.
+    let [x, y, z] = [2.0 / 3.0 + 1e-3 / 3.0, 1.0 / 6.0 - 2e-3 / 3.0, 1.0 / 6.0 - 2e-3 / 3.0];
+    let steps = format!(r#"[{{"inversion": {{"center": [{x}, {y}, {z}], "radius": 1}}}}]"#);
+    let near = format!(r#"{unit}, "i": {{"type": "transform", "of": "b", "steps": {steps}}}"#);
+    let found = report(&near);
+    // A ball of diameter 1000 but for what five faces of the box are.
+    assert!((found.volume / (std::f64::consts::PI / 6.0 * 1e9) - 1.0).abs() < 1e-7, "{}", found.volume);
+    assert!(found.not_known.is_empty());
+}
+
 #[test]
 fn planes_agree_on_their_common_lines() {
     let text = planes(0.0).replace(r#""tu": [[[0.0, 0.0, 0.0]"#, r#""tu": [[[0.0, 0.1, 0.0]"#);
