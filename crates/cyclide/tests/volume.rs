@@ -421,3 +421,31 @@ fn noisy_boxes_with_short_sides_are_regular() {
     let volume = CyclideVolume::new(&cube, VolumeFrame::Auto).unwrap().measure().volume;
     assert!((volume / 1e-8 - 1.0).abs() < 1e-6, "{volume:e}"); // four roundings of 2e-15 over 1e-8
 }
+
+#[test]
+fn left_handed_corners_take_the_directions_of_their_sides() {
+    let mirrored = |p: Point3| Point3::new(-p.x, p.y, p.z);
+    let corners = [[0.0, 0.0, 0.0], [1.0, 0.2, -0.1], [-0.2, 1.0, 0.1], [0.1, -0.1, 0.9]].map(Point3::from);
+    let block = |corners: [Point3; 4], [v1, v2]: [Vec3; 2]| {
+        let cube = SphericalCube::from_barycentric(corners, [1.0, 0.8, 1.3], 0.4).unwrap();
+        CyclideVolume::new(&cube, VolumeFrame::First(v1, v2)).unwrap()
+    };
+    let frame = [Vec3::new(1.0, 0.2, 0.0), Vec3::new(-0.2, 1.0, 0.0)];
+    let plain = block(corners, frame);
+    let image = block(corners.map(mirrored), frame.map(|v| Vec3::new(-v.x, v.y, v.z)));
+    assert!(plain.is_right_handed() && !image.is_right_handed());
+    for at in places() {
+        assert!(image.point(at).distance(mirrored(plain.point(at))) < 1e-14);
+    }
+    // A box with s and t exchanged, and a grid of such.
+    let cube = SphericalCube::cuboid(Point3::ORIGIN, [Vec3::Y, Vec3::X, Vec3::Z]).unwrap();
+    let exchanged = CyclideVolume::new(&cube, VolumeFrame::First(Vec3::Y, Vec3::X)).unwrap();
+    assert!(exchanged.point([0.2, 0.7, 0.1]).distance(Point3::new(0.7, 0.2, 0.1)) < 1e-15);
+    let at = |[i, j, k]: [usize; 3]| Point3::new(j as f64, i as f64, k as f64);
+    let grid = CyclideGrid::from_coordinate_planes([2; 3], at, VolumeFrame::First(Vec3::Y, Vec3::X)).unwrap();
+    assert!((grid.blocks().map(|block| block.measure().volume).sum::<f64>() - 8.0).abs() < 1e-13);
+    // Sides of half a turn are neither with their direction nor against it: that is the cross product.
+    let half = SphericalCube::new(bend([40.0, 60.0], std::f64::consts::PI, 20.0, 1)).unwrap();
+    let half = CyclideVolume::new(&half, VolumeFrame::First(Vec3::Z, Vec3::X)).unwrap();
+    assert!(half.is_right_handed() && half.point([0.0, 0.0, 0.5]).distance(Point3::new(0.0, 40.0, 0.0)) < 1e-13);
+}

@@ -65,6 +65,21 @@ fn turned_box(sides: [f64; 3], place: [f64; 3], count: usize) -> Vec<[f64; 3]> {
 }
 
 #[test]
+fn directions_of_two_sides_are_a_frame_of_left_handed_corners_too() {
+    let corners = [
+        [0.0; 3],
+        [-2.0, 0.0, 0.0],
+        [0.0, 3.0, 0.0],
+        [-2.0, 3.0, 0.0],
+        [0.0, 0.0, 1.0],
+        [-2.0, 0.0, 1.0],
+        [0.0, 3.0, 1.0],
+    ];
+    let found = report(&block(&corners, r#", "frame": [[-1, 0, 0], [0, 1, 0]]"#));
+    assert!((found.volume - 6.0).abs() < 1e-13 && found.jacobian.max < 0.0, "{}", found.volume);
+}
+
+#[test]
 fn what_comes_too_near_infinity_is_right_or_not_known() {
     let unit = block(&turned_box([1.0; 3], [0.0; 3], 7), "");
     // Below the middle of a face by a thousandth.

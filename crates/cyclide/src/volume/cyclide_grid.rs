@@ -3,7 +3,7 @@
 //! A vertex with point `a` and weight `w` stands for the pair `(a w, w)`, as of a [net](crate::CyclidicNet); a block is that of its eight pairs
 //! (`docs/math/volumes.md#grids`).
 
-use super::cyclide_volume::{CyclideVolume, VolumeFrame, frame_at};
+use super::cyclide_volume::{CyclideVolume, VolumeFrame, frame_at, runs_against};
 use super::spherical_cube::SphericalCube;
 use crate::base::quat::Quat;
 use crate::base::range;
@@ -89,7 +89,8 @@ impl CyclideGrid {
 
     /// The grid of its three coordinate planes and the frame at its first vertex: `point(i, j, k)` is asked where one of the indices is 0, from 0 to
     /// `size` in each direction, and there quads have circles; all other vertices follow, each as the last corner of a [cube](crate::SphericalCube).
-    /// [`VolumeFrame::Auto`] is that of the first block.
+    /// [`VolumeFrame::Auto`] is that of the first block; the third direction of [`VolumeFrame::First`] is turned round where the third side runs against
+    /// it, unless the grid would be refused then.
     ///
     /// # Errors
     /// `too-few-points` (a direction without a block), `not-finite`, `frame-not-orthonormal`, `ambiguous-frame`; what [`SphericalCube::new`](crate::SphericalCube::new) refuses,
@@ -114,6 +115,11 @@ impl CyclideGrid {
         grid.check_following()?;
         let first = SphericalCube::new(grid.before([1; 3])).map_err(|e| e.in_block(0))?;
         let v = frame_at(&first, frame)?;
+        if runs_against(&first, frame, v)
+            && let Ok(turned) = grid.with_frame([v[0], v[1], -v[2]])
+        {
+            return Ok(turned);
+        }
         grid.with_frame(v)
     }
 

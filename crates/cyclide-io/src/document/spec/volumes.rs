@@ -43,7 +43,8 @@ pub struct CyclideVolumeSpec {
     /// With four corners: how far the corners between the neighbours are turned, from 0 to 1. Default 0.5.
     #[schemars(range(min = 0.0, max = 1.0))]
     pub turn: Option<f64>,
-    /// The directions of growing s and t at the first corner, perpendicular and of any length; that of u is their cross product. `"auto"`, the default, takes the frame nearest to the three sides, the more so the shorter they are, or one that makes more sides straight.
+    /// The directions of growing s and t at the first corner, perpendicular and of any length; that of u is perpendicular to both, on the side of the
+    /// third side. `"auto"`, the default, takes the frame nearest to the three sides, the more so the shorter they are, or one that makes more sides straight.
     #[serde(default)]
     pub frame: FrameSpec,
     /// How the block is divided into cells: for VTU of cells, `report` and `sample`.

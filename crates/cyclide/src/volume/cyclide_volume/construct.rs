@@ -1,20 +1,39 @@
 //! The volume of a spherical cube and a frame (`001`, (11); `docs/math/volumes.md#weights`).
 
 use super::super::spherical_cube::SphericalCube;
-use super::frame::{VolumeFrame, frame_at};
-use super::CyclideVolume;
+use super::frame::{VolumeFrame, frame_at, runs_against};
+use super::{CyclideVolume, FoldVerdict};
 use crate::base::quat::Quat;
 use crate::base::vector::Vec3;
 use crate::error::{Error, Result};
 
 impl CyclideVolume {
-    /// The volume of a spherical cube and a frame at its first corner. Whether it folds is told by [`folds`](Self::folds).
+    /// The volume of a spherical cube and a frame at its first corner. Whether it folds is told by [`folds`](Self::folds). Where the third side at
+    /// the first corner runs against the third direction of [`VolumeFrame::First`] this is turned round, unless the volume would be refused then, or
+    /// fold: left-handed corners with the directions of two sides are those of a left-handed block.
+    ///
+    /// ```
+    /// use cyclide::{CyclideVolume, Point3, SphericalCube, Vec3, VolumeFrame};
+    /// let mirrored = SphericalCube::cuboid(Point3::ORIGIN, [-Vec3::X, Vec3::Y, Vec3::Z])?;
+    /// let block = CyclideVolume::new(&mirrored, VolumeFrame::First(-Vec3::X, Vec3::Y))?;
+    /// assert!(!block.is_right_handed() && (block.measure().volume - 1.0).abs() < 1e-14);
+    /// # Ok::<(), cyclide::Error>(())
+    /// ```
     ///
     /// # Errors
     /// `not-finite`, `frame-not-orthonormal`; `ambiguous-frame` if the sides at the first corner give none for [`VolumeFrame::Auto`];
     /// `crossing-face` if a face crosses itself, `volume-through-infinity`.
     pub fn new(cube: &SphericalCube, frame: VolumeFrame) -> Result<Self> {
-        Self::of_frame(cube, frame_at(cube, frame)?).checked()
+        let v = frame_at(cube, frame)?;
+        let given = Self::of_frame(cube, v).checked();
+        if !runs_against(cube, frame, v) {
+            return given;
+        }
+        let is_regular = |volume: &Self| volume.folds() == FoldVerdict::Regular;
+        match Self::of_frame(cube, [v[0], v[1], -v[2]]).checked() {
+            Ok(turned) if is_regular(&turned) || !given.as_ref().is_ok_and(is_regular) => Ok(turned),
+            _ => given,
+        }
     }
 
     /// The volume, unless it is refused.
@@ -24,7 +43,8 @@ impl CyclideVolume {
         Ok(self)
     }
 
-    /// As [`new`](Self::new), also if the volume passes through infinity: there it has no points.
+    /// As [`new`](Self::new), also if the volume passes through infinity: there it has no points. The third direction of
+    /// [`VolumeFrame::First`] is the cross product always.
     ///
     /// # Errors
     /// As [`new`](Self::new), but for `volume-through-infinity`.

@@ -32,7 +32,8 @@ pub enum VolumeFrame {
     /// all four, and the block regular: a bend of straight sides and arcs has a corner at which its arcs do not run along their chords.
     #[default]
     Auto,
-    /// The directions of growing s and t, perpendicular to each other and of any length; the third is their cross product.
+    /// The directions of growing s and t, perpendicular to each other and of any length; the third is their cross product, or against it
+    /// where the third side is: see [`CyclideVolume::new`].
     First(Vec3, Vec3),
 }
 
@@ -70,6 +71,15 @@ pub(in crate::volume) fn frame_at(cube: &SphericalCube, frame: VolumeFrame) -> R
             Ok(best)
         }
     }
+}
+
+/// True if the third side at the first corner is against the third direction of [`VolumeFrame::First`]; a side of half a circle, perpendicular
+/// to it, is not.
+pub(in crate::volume) fn runs_against(cube: &SphericalCube, frame: VolumeFrame, v: [Vec3; 3]) -> bool {
+    let corners = cube.corners();
+    let side = corners[4] - corners[0];
+    let limit = EXACT * side.length() + rounding(&corners.map(|p| p.to_vec()));
+    matches!(frame, VolumeFrame::First(..)) && v[2].dot(side) < -limit
 }
 
 /// The three sides at the first corner.

@@ -27,7 +27,7 @@ use crate::base::vector::{Point3, Vec3};
 use crate::base::volume_jet::VolumeJet;
 
 pub use frame::VolumeFrame;
-pub(super) use frame::frame_at;
+pub(super) use frame::{frame_at, runs_against};
 pub use locate::VolumeLocation;
 pub use measure::VolumeMeasure;
 pub use rows::VolumeRow;
