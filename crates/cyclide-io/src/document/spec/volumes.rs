@@ -37,7 +37,8 @@ pub struct CyclideVolumeSpec {
     /// four of each face on one circle. Or four: the first and its neighbours along s, t and u; the others are then found.
     #[schemars(length(min = 4, max = 8))]
     pub corners: Vec<Coordinates>,
-    /// With four corners: where the last one is among the three neighbours of the first, as positive weights of these. Default `[1, 1, 1]`.
+    /// With four corners: where the last one is among the three neighbours of the first, as positive weights of these. Default: the squared lengths of the three
+    /// sides, which give a cuboid where these are perpendicular.
     #[schemars(inner(range(min = 0.0)))]
     pub inside: Option<[f64; 3]>,
     /// With four corners: how far the corners between the neighbours are turned, from 0 to 1. Default 0.5.
