@@ -352,3 +352,100 @@ fn grids_follow_from_their_coordinate_planes() {
     assert_eq!(CyclideGrid::layers(&ring, &[0.0]).unwrap_err().reason(), "too-few-points");
     assert_eq!(CyclideGrid::layers(&ring, &[0.0, 0.0]).unwrap_err().reason(), "parameters-not-increasing");
 }
+
+/// The corners of a bend between two radii, by height: of the box of radius, angle and height in another order.
+fn bend([from, to]: [f64; 2], angle: f64, height: f64, order: usize) -> [Point3; 7] {
+    std::array::from_fn(|k| {
+        let bit = |axis: usize| (k >> ((axis + order) % 3) & 1) as f64;
+        let (radius, angle) = (from + (to - from) * bit(0), angle * bit(1));
+        Point3::new(radius * angle.cos(), radius * angle.sin(), height * bit(2))
+    })
+}
+
+#[test]
+fn bends_and_shells_have_straight_sides_without_a_frame() {
+    for (radii, degrees, height) in
+        [([40.0, 60.0], 90.0_f64, 20.0), ([40.0, 60.0], 180.0, 0.2), ([1.0, 100.0], 30.0, 7.0)]
+    {
+        let angle = degrees.to_radians();
+        let volume = 0.5 * angle * (radii[1] * radii[1] - radii[0] * radii[0]) * height;
+        for order in 0..3 {
+            let cube = SphericalCube::new(bend(radii, angle, height, order)).unwrap();
+            let block = CyclideVolume::new(&cube, VolumeFrame::Auto).unwrap();
+            assert_eq!(block.folds(), FoldVerdict::Regular);
+            assert!((block.measure().volume / volume - 1.0).abs() < 1e-12, "{degrees} {order}"); // corners of 1e2, rounded, over sides of 0.2
+        }
+    }
+    // Of a part of the shell of a sphere only the radii are straight: longitudes and latitudes 0 to 0.8.
+    let cube = SphericalCube::new(std::array::from_fn(|k| {
+        let bit = |axis: usize| (k >> axis & 1) as f64;
+        let (long, lat, radius) = (0.8 * bit(0), 0.8 * bit(1), 1.0 + bit(2));
+        Point3::new(radius * lat.cos() * long.cos(), radius * lat.cos() * long.sin(), radius * lat.sin())
+    }));
+    let block = CyclideVolume::new(&cube.unwrap(), VolumeFrame::Auto).unwrap();
+    assert!((block.measure().volume - 7.0 / 3.0 * 0.8 * 0.8_f64.sin()).abs() < 1e-13);
+}
+
+/// Of thin boxes the short sides decide: where the frame is off these by an angle, it bends them by that over their length.
+#[test]
+fn noisy_boxes_with_short_sides_are_regular() {
+    let mut seed = 1_u64;
+    let mut random = || {
+        seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (seed >> 11) as f64 / (1_u64 << 53) as f64
+    };
+    let (mut made, mut regular) = (0, 0);
+    while made < 200 {
+        let mut corners = [Point3::ORIGIN; 4];
+        for (k, axis) in [Vec3::X, Vec3::Y, Vec3::Z].into_iter().enumerate() {
+            let length = 10f64.powf(-3.0 * random());
+            // Sums of three, of the variance 1/16.
+            let mut noise = || 0.25 * 2.0 * (random() + random() + random() - 1.5);
+            corners[k + 1] = Point3::ORIGIN + (axis + Vec3::new(noise(), noise(), noise())) * length;
+        }
+        let ways = [1, 2, 3].map(|k| corners[k] - corners[0]);
+        if ways[0].cross(ways[1]).dot(ways[2]) <= 0.0 {
+            continue;
+        }
+        made += 1;
+        let cube = SphericalCube::from_barycentric(corners, ways.map(Vec3::length_squared), 0.5).unwrap();
+        let block = CyclideVolume::new(&cube, VolumeFrame::Auto);
+        regular += usize::from(block.is_ok_and(|block| block.folds() == FoldVerdict::Regular));
+    }
+    // With the unit directions of the sides little more than half of them were.
+    assert!(regular >= 197, "{regular} of {made}");
+    // A thin box, its corners rounded ten sizes from the origin: the thin side has its direction to 1e-7.
+    let turn = Quat::from_axis_angle(Vec3::new(1.0, 2.0, -0.7).unit().unwrap(), 1.1);
+    let sides = [Vec3::X, Vec3::Y, Vec3::Z * 1e-8].map(|side| turn.rotate(side));
+    let cube = SphericalCube::cuboid(Point3::new(10.0, 10.0, 10.0), sides).unwrap();
+    let volume = CyclideVolume::new(&cube, VolumeFrame::Auto).unwrap().measure().volume;
+    assert!((volume / 1e-8 - 1.0).abs() < 1e-6, "{volume:e}"); // four roundings of 2e-15 over 1e-8
+}
+
+#[test]
+fn left_handed_corners_take_the_directions_of_their_sides() {
+    let mirrored = |p: Point3| Point3::new(-p.x, p.y, p.z);
+    let corners = [[0.0, 0.0, 0.0], [1.0, 0.2, -0.1], [-0.2, 1.0, 0.1], [0.1, -0.1, 0.9]].map(Point3::from);
+    let block = |corners: [Point3; 4], [v1, v2]: [Vec3; 2]| {
+        let cube = SphericalCube::from_barycentric(corners, [1.0, 0.8, 1.3], 0.4).unwrap();
+        CyclideVolume::new(&cube, VolumeFrame::First(v1, v2)).unwrap()
+    };
+    let frame = [Vec3::new(1.0, 0.2, 0.0), Vec3::new(-0.2, 1.0, 0.0)];
+    let plain = block(corners, frame);
+    let image = block(corners.map(mirrored), frame.map(|v| Vec3::new(-v.x, v.y, v.z)));
+    assert!(plain.is_right_handed() && !image.is_right_handed());
+    for at in places() {
+        assert!(image.point(at).distance(mirrored(plain.point(at))) < 1e-14);
+    }
+    // A box with s and t exchanged, and a grid of such.
+    let cube = SphericalCube::cuboid(Point3::ORIGIN, [Vec3::Y, Vec3::X, Vec3::Z]).unwrap();
+    let exchanged = CyclideVolume::new(&cube, VolumeFrame::First(Vec3::Y, Vec3::X)).unwrap();
+    assert!(exchanged.point([0.2, 0.7, 0.1]).distance(Point3::new(0.7, 0.2, 0.1)) < 1e-15);
+    let at = |[i, j, k]: [usize; 3]| Point3::new(j as f64, i as f64, k as f64);
+    let grid = CyclideGrid::from_coordinate_planes([2; 3], at, VolumeFrame::First(Vec3::Y, Vec3::X)).unwrap();
+    assert!((grid.blocks().map(|block| block.measure().volume).sum::<f64>() - 8.0).abs() < 1e-13);
+    // Sides of half a turn are neither with their direction nor against it: that is the cross product.
+    let half = SphericalCube::new(bend([40.0, 60.0], std::f64::consts::PI, 20.0, 1)).unwrap();
+    let half = CyclideVolume::new(&half, VolumeFrame::First(Vec3::Z, Vec3::X)).unwrap();
+    assert!(half.is_right_handed() && half.point([0.0, 0.0, 0.5]).distance(Point3::new(0.0, 40.0, 0.0)) < 1e-13);
+}

@@ -5,8 +5,8 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
 use cyclide::{
-    Conformal, CyclideVolume, Error, FoldVerdict, Mobius, ParamSurface, ParamVolume, Point3, Quat, SphericalCube, Vec3,
-    VolumeFrame, miquel_point,
+    Conformal, CyclideGrid, CyclideVolume, Error, FoldVerdict, Mobius, ParamSurface, ParamVolume, Point3, Quat,
+    SphericalCube, Vec3, VolumeFrame, miquel_point,
 };
 use cyclide_testkit::volumes::{awkward_cube, cube, deterministic, vector};
 use proptest::prelude::*;
@@ -132,4 +132,95 @@ fn boxes_are_trilinear_at_any_scale() {
             }
         }
     }
+}
+
+/// A rotation along no axis.
+fn rotation() -> Quat {
+    Quat::from_axis_angle(Vec3::new(1.0, 2.0, -0.7).unit().unwrap(), 1.1)
+}
+
+/// Every vertex is the last corner of a cube of computed ones: their rounding must not grow from cube to cube.
+#[test]
+fn grids_of_many_cubes_keep_their_digits() {
+    let inversion = Mobius::inversion(Point3::new(-1.0, -1.2, -0.7), 1.0).unwrap();
+    let turned = |v: Vec3| Point3::ORIGIN + rotation().rotate(v);
+    let eleven_digits = |p: Point3| {
+        let rounded = |x: f64| (x * 1e11).round() / 1e11;
+        Point3::new(rounded(p.x), rounded(p.y), rounded(p.z))
+    };
+    type Place<'a> = Box<dyn Fn(Vec3) -> Point3 + 'a>;
+    // The limits: roundings of coordinates up to 2 of rows of 24 cubes; of 1e6; and what was rounded away, times the reach of three planes.
+    let cases: [(usize, Place<'_>, f64); 5] = [
+        (24, Box::new(|v| Point3::ORIGIN + v), 1e-14),
+        (24, Box::new(turned), 2e-14),
+        (24, Box::new(|v| inversion.map_point(turned(v)).unwrap()), 2e-14),
+        (8, Box::new(|v| turned(v) + Vec3::new(1e6, -3e5, 2e5)), 1e-8),
+        (8, Box::new(|v| eleven_digits(turned(v))), 1e-10),
+    ];
+    for (case, (n, place, limit)) in cases.into_iter().enumerate() {
+        let at = |[i, j, k]: [usize; 3]| place(Vec3::new(i as f64, j as f64, k as f64) / n as f64);
+        let grid = CyclideGrid::from_coordinate_planes([n; 3], at, VolumeFrame::Auto).unwrap();
+        let m = n + 1;
+        for (number, p) in grid.points().iter().enumerate() {
+            let off = p.distance(at([number % m, number / m % m, number / m / m]));
+            assert!(off < limit, "{case}: {number} is off by {off:e}");
+        }
+        for block in grid.blocks() {
+            assert!(block.real_residual([0.4, 0.5, 0.7]) < limit, "{case}");
+        }
+    }
+    // Layers that grow by a third: cells of 1e-3 of the side.
+    let height = |k: usize| (1.3_f64.powi(k as i32) - 1.0) / (1.3_f64.powi(19) - 1.0);
+    let at = |[i, j, k]: [usize; 3]| turned(Vec3::new(i as f64 / 19.0, j as f64 / 19.0, height(k)));
+    let grid = CyclideGrid::from_coordinate_planes([19; 3], at, VolumeFrame::Auto).unwrap();
+    for (number, p) in grid.points().iter().enumerate() {
+        assert!(p.distance(at([number % 20, number / 20 % 20, number / 400])) < 2e-14);
+    }
+}
+
+/// Whichever side is the thin one, the last corner is known to the rounding of the others.
+#[test]
+fn thin_boxes_have_their_last_corner() {
+    for thin in [1e-2, 1e-4, 1e-6, 1e-8] {
+        for axis in 0..3 {
+            let mut sides = [Vec3::X, Vec3::Y, Vec3::Z];
+            sides[axis] = sides[axis] * thin;
+            let [s, t, u] = sides.map(|side| rotation().rotate(side));
+            let cube = SphericalCube::cuboid(Point3::ORIGIN, [s, t, u]).unwrap();
+            let off = cube.corners()[7].distance(Point3::ORIGIN + s + t + u);
+            assert!(off < 4e-15, "{thin:e} along {axis}: {off:e}"); // roundings of six corners of size 1
+            let block = CyclideVolume::new(&cube, VolumeFrame::Auto).unwrap();
+            assert_eq!(block.folds(), FoldVerdict::Regular, "{thin:e} along {axis}");
+            // Corners are rounded to 2^-53 of 1: of the thin side that part is lost.
+            assert!((block.measure().volume / thin - 1.0).abs() < 1e-15 / thin + 1e-13, "{thin:e} along {axis}");
+        }
+    }
+}
+
+/// The integral of the Jacobian is the flux through the faces, by quadrature of their own; or it is not known.
+#[test]
+fn volumes_of_thin_blocks_and_near_infinity_are_right_or_not_known() {
+    let inside = [1.0; 3];
+    let corners = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 0.01]].map(Point3::from);
+    let thin =
+        CyclideVolume::new(&SphericalCube::from_barycentric(corners, inside, 0.5).unwrap(), VolumeFrame::Auto).unwrap();
+    let cube = SphericalCube::cuboid(Point3::ORIGIN, [Vec3::X, Vec3::Y, Vec3::Z]).unwrap();
+    let cuboid = CyclideVolume::new(&cube, VolumeFrame::Auto).unwrap();
+    let near = |x: f64, y: f64, above: f64| {
+        cuboid.transformed(&Mobius::inversion(Point3::new(x, y, -above), 1.0).unwrap()).unwrap()
+    };
+    for (block, limit) in [(thin, 1e-11), (near(0.37, 0.61, 0.1), 1e-11), (near(-1e-3, -1e-3, 1e-3), 1e-11)] {
+        let measure = block.measure().known().unwrap();
+        let faces = block.to_body().unwrap().outer.known_volume().unwrap();
+        assert!((measure.volume / faces - 1.0).abs() < limit, "{} {faces}", measure.volume);
+    }
+    // A ball of diameter 1000, but for its cap of angle 1e-3 and eight corners of the size 1: all of it is within 1e-3 of one place of a face.
+    let ball = near(0.37, 0.61, 1e-3).measure().known().unwrap();
+    let radius = 500.0_f64;
+    let whole = 4.0 / 3.0 * std::f64::consts::PI * radius.powi(3);
+    assert!((ball.volume / whole - 1.0).abs() < 1e-6, "{}", ball.volume);
+    assert!(ball.centroid.distance(Point3::new(0.37, 0.61, radius - 1e-3)) < 1e-3 * radius);
+    // Through infinity there is no volume.
+    let backwards = CyclideVolume::unbounded(&cube, VolumeFrame::First(Vec3::Y, Vec3::X)).unwrap();
+    assert_eq!(backwards.measure().known().unwrap_err().reason(), "too-many-pieces");
 }

@@ -19,9 +19,11 @@ import numpy as np
 
 PLACES = 40
 CORNERS = [[0, 0, 0], [60, 8, -6], [-10, 50, 4], [5, -6, 45]]
+# The rotation nearest to the unit directions of its sides.
+FRAME = [[0.981816640315856, 0.1666945364060334, -0.09082409554332212], [-0.15634230490022683, 0.9814245325342454, 0.11118889620111176]]
 HALF_RING = [[10, 0, 0], [-10, 0, 0], [10, 0, 5], [-10, 0, 5], [20, 0, 0], [-20, 0, 0], [20, 0, 5]]
 DOCUMENTS = {
-    "block": {"b": {"type": "cyclide-volume", "corners": CORNERS, "inside": [1, 1.3, 0.8]}},
+    "block": {"b": {"type": "cyclide-volume", "corners": CORNERS, "inside": [1, 1.3, 0.8], "frame": FRAME}},
     # Sides of half a circle: four parts, which share faces.
     "half ring": {"ring": {"type": "cyclide-volume", "corners": HALF_RING, "frame": [[0, 1, 0], [0, 0, 1]]}},
     # Closed round and round: every block has neighbours on four sides.

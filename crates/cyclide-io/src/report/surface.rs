@@ -135,7 +135,7 @@ impl PartReport {
 }
 
 /// What was measured; not a number if it is not known, with the reason noted once.
-fn number(measured: cyclide::Result<f64>, not_known: &mut Vec<String>) -> f64 {
+pub(super) fn number(measured: cyclide::Result<f64>, not_known: &mut Vec<String>) -> f64 {
     measured.unwrap_or_else(|error| {
         let reason = error.to_string();
         if !not_known.contains(&reason) {

@@ -4,6 +4,7 @@ use cyclide::{CyclideVolume, FoldVerdict, ParamVolume as _, Point3, Shell, Struc
 use serde::Serialize;
 
 use super::RangeReport;
+use super::surface::number;
 use super::text::{Line, measure, plural, range, short};
 
 /// Places per direction at which cells are measured.
@@ -26,12 +27,15 @@ const PLACES: usize = 9;
 pub struct VolumeReport {
     /// Blocks.
     pub blocks: usize,
-    /// Volume of all blocks together: of one that folds, parts that run backwards count too.
+    /// Volume of all blocks together: of one that folds, what its parts that run backwards cover is subtracted.
     pub volume: f64,
     /// Centroid of all blocks together.
     pub centroid: [f64; 3],
-    /// Area of all faces of all blocks.
+    /// Area of the faces of all blocks: those between two blocks count twice.
     pub area: f64,
+    /// Why volume and centroid or the area are not known: they are not numbers then, in JSON null.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub not_known: Vec<String>,
     /// Whether blocks fold: the worst of them.
     pub folds: FoldsReport,
     /// The determinant of the derivatives by the parameters, at 9 x 9 x 9 places of each block: negative where it is left-handed or folds.
@@ -226,6 +230,7 @@ impl VolumeReport {
             volume: 0.0,
             centroid: origin.to_array(),
             area: 0.0,
+            not_known: Vec::new(),
             folds: FoldsReport::new(volumes),
             jacobian: RangeReport::EMPTY,
             orthogonality: 0.0,
@@ -240,10 +245,12 @@ impl VolumeReport {
         let mut moment = Vec3::ZERO;
         for volume in volumes {
             let measured = volume.measure();
-            report.volume += measured.volume;
+            report.volume += number(measured.known().map(|known| known.volume), &mut report.not_known);
             moment += (measured.centroid - origin) * measured.volume;
-            let shells = volume.faces().into_iter().filter_map(|face| Shell::from_surface(face).ok());
-            report.area += shells.map(|shell| shell.area()).sum::<f64>();
+            // Faces of no extent, of which there is no shell, have no area.
+            for shell in volume.faces().into_iter().filter_map(|face| Shell::from_surface(face).ok()) {
+                report.area += number(shell.known_area(), &mut report.not_known);
+            }
             report.measure_cells(volume);
             for row in volume.to_rational().rows() {
                 report.weights = report.weights.with(row[3], row[3]);
@@ -251,7 +258,8 @@ impl VolumeReport {
             let parts = volume.to_rational_parts().ok().map(|parts| parts.len());
             report.parts = report.parts.zip(parts).map(|(sum, parts)| sum + parts);
         }
-        if report.volume > 0.0 {
+        // Of no volume, and so of one that is not known, there is none.
+        if report.volume != 0.0 {
             report.centroid = (origin + moment / report.volume).to_array();
         }
         report
@@ -291,7 +299,12 @@ impl VolumeReport {
     pub(super) fn lines(&self, units: &str, line: Line<'_>) -> std::fmt::Result {
         line("volume", measure(self.volume, units, "³"))?;
         line("area", measure(self.area, units, "²"))?;
-        line("centroid", self.centroid.map(short).join(", "))?;
+        if self.volume.is_finite() {
+            line("centroid", self.centroid.map(short).join(", "))?;
+        }
+        for reason in &self.not_known {
+            line("not known", reason.clone())?;
+        }
         line("folds", self.folds.text())?;
         line("cells", format!("Jacobian {}, aspect ratio up to {}", range(&self.jacobian), short(self.aspect_ratio)))?;
         line("lines", format!("cross at right angles to {} (cosine)", short(self.orthogonality)))?;

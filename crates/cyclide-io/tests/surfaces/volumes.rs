@@ -48,6 +48,88 @@ fn grids_come_from_three_planes() {
     assert!(refused(&both).1.contains("either `planes` or `whole`"));
 }
 
+fn block(corners: &[[f64; 3]], fields: &str) -> String {
+    format!(r#""b": {{"type": "cyclide-volume", "corners": {corners:?}{fields}}}"#)
+}
+
+/// The corners of a box, turned and moved: as many as are asked for, four of them the first and its neighbours.
+fn turned_box(sides: [f64; 3], place: [f64; 3], count: usize) -> Vec<[f64; 3]> {
+    // Rows of an orthonormal matrix, in thirds.
+    let ways = [[2.0, -1.0, 2.0], [2.0, 2.0, -1.0], [-1.0, 2.0, 2.0]];
+    let at = |k: usize| {
+        std::array::from_fn(|x| {
+            place[x] + (0..3).map(|axis| (k >> axis & 1) as f64 * sides[axis] * ways[axis][x] / 3.0).sum::<f64>()
+        })
+    };
+    let places = if count == 4 { vec![0, 1, 2, 4] } else { (0..count).collect() };
+    places.into_iter().map(at).collect()
+}
+
+#[test]
+fn four_corners_of_a_cuboid_are_a_cuboid() {
+    for sides in [[1.0, 1.0, 1.0], [1.0, 1.0, 0.01], [10.0, 1.0, 1.0], [3e6, 4e2, 5.0], [2e-7, 3e-7, 1e-9]] {
+        let found = report(&block(&turned_box(sides, [0.0; 3], 4), ""));
+        let [a, b, c] = sides;
+        // Corners are rounded to 2^-53 of the longest side.
+        let limit = 1e-13 + 4.0 * f64::EPSILON * a.max(b).max(c) / a.min(b).min(c);
+        assert!((found.volume / (a * b * c) - 1.0).abs() < limit, "{sides:?}: {}", found.volume);
+        assert!((found.area / (2.0 * (a * b + b * c + c * a)) - 1.0).abs() < limit, "{sides:?}: {}", found.area);
+    }
+    // Equal weights are not those of a flat one.
+    let flat = report(&block(&turned_box([1.0, 1.0, 0.01], [0.0; 3], 4), r#", "inside": [1, 1, 1]"#));
+    assert!((flat.volume - 0.450_840_256_24).abs() < 1e-11, "{}", flat.volume); // by the flux through its faces
+    // Corners that coincide are named.
+    let one = block(&[[0.0; 3], [0.0; 3], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]], "");
+    assert_eq!(refused(&one).0.as_deref(), Some("coincident-points"));
+}
+
+#[test]
+fn the_eighth_corner_may_be_rounded_where_it_is() {
+    let far = [1e7, -3e7, 2e7];
+    let cases = [([1.0, 1.0, 1.0], far), ([1.0, 1e-3, 1e-3], [1e4, 2e4, -3e4]), ([1.0, 1.0, 1e-4], [5e4, 0.0, 0.0])];
+    for (sides, place) in cases {
+        let [a, b, c] = sides;
+        for count in [7, 8] {
+            let found = report(&block(&turned_box(sides, place, count), ""));
+            // Roundings of coordinates over the shortest side.
+            let size = place.into_iter().fold(0.0_f64, |size, x| size.max(x.abs()));
+            let limit = 10.0 * f64::EPSILON * size / a.min(b).min(c);
+            assert!((found.volume / (a * b * c) - 1.0).abs() < limit, "{sides:?} {count}: {}", found.volume);
+        }
+        let mut off = turned_box(sides, place, 8);
+        off[7][0] += 1e-4 * a;
+        assert_eq!(refused(&block(&off, "")).0.as_deref(), Some("not-concircular"), "{sides:?}");
+    }
+}
+
+#[test]
+fn directions_of_two_sides_are_a_frame_of_left_handed_corners_too() {
+    let corners = [
+        [0.0; 3],
+        [-2.0, 0.0, 0.0],
+        [0.0, 3.0, 0.0],
+        [-2.0, 3.0, 0.0],
+        [0.0, 0.0, 1.0],
+        [-2.0, 0.0, 1.0],
+        [0.0, 3.0, 1.0],
+    ];
+    let found = report(&block(&corners, r#", "frame": [[-1, 0, 0], [0, 1, 0]]"#));
+    assert!((found.volume - 6.0).abs() < 1e-13 && found.jacobian.max < 0.0, "{}", found.volume);
+}
+
+#[test]
+fn what_comes_too_near_infinity_is_right_or_not_known() {
+    let unit = block(&turned_box([1.0; 3], [0.0; 3], 7), "");
+    // Below the middle of a face by a thousandth.
+    let [x, y, z] = [2.0 / 3.0 + 1e-3 / 3.0, 1.0 / 6.0 - 2e-3 / 3.0, 1.0 / 6.0 - 2e-3 / 3.0];
+    let steps = format!(r#"[{{"inversion": {{"center": [{x}, {y}, {z}], "radius": 1}}}}]"#);
+    let near = format!(r#"{unit}, "i": {{"type": "transform", "of": "b", "steps": {steps}}}"#);
+    let found = report(&near);
+    // A ball of diameter 1000 but for what five faces of the box are.
+    assert!((found.volume / (std::f64::consts::PI / 6.0 * 1e9) - 1.0).abs() < 1e-7, "{}", found.volume);
+    assert!(found.not_known.is_empty());
+}
+
 #[test]
 fn planes_agree_on_their_common_lines() {
     let text = planes(0.0).replace(r#""tu": [[[0.0, 0.0, 0.0]"#, r#""tu": [[[0.0, 0.1, 0.0]"#);

@@ -24,7 +24,7 @@ pub(crate) use net::SameVertices;
 pub use net::{CyclidicNet, NetFrame, SingularPatch};
 pub use param_surface::ParamSurface;
 pub use patch::{CyclidePatch, ImplicitForm, PatchKind, PatchLocation, PatchRow};
-pub(crate) use patch::{on_corner_circle, orthonormal};
+pub(crate) use patch::{check_following_quad, on_corner_circle, orthonormal};
 pub use quad_grid::QuadGrid;
 pub use seam::{Seam, SeamMeasure};
 pub use smooth::{

@@ -3,13 +3,13 @@
 //! A vertex with point `a` and weight `w` stands for the pair `(a w, w)`, as of a [net](crate::CyclidicNet); a block is that of its eight pairs
 //! (`docs/math/volumes.md#grids`).
 
-use super::cyclide_volume::{CyclideVolume, VolumeFrame, frame_at};
-use super::spherical_cube::{SphericalCube, miquel_point};
+use super::cyclide_volume::{CyclideVolume, VolumeFrame, frame_at, runs_against};
+use super::spherical_cube::SphericalCube;
 use crate::base::quat::Quat;
 use crate::base::range;
 use crate::base::vector::{Point3, Vec3};
 use crate::error::{Error, ErrorItem, Result};
-use crate::surface::{CyclidicNet, DupinCyclide};
+use crate::surface::{CyclidicNet, DupinCyclide, check_following_quad, on_corner_circle};
 
 /// Blocks in a regular grid, whose coordinate surfaces run on smoothly from block to block.
 ///
@@ -89,7 +89,8 @@ impl CyclideGrid {
 
     /// The grid of its three coordinate planes and the frame at its first vertex: `point(i, j, k)` is asked where one of the indices is 0, from 0 to
     /// `size` in each direction, and there quads have circles; all other vertices follow, each as the last corner of a [cube](crate::SphericalCube).
-    /// [`VolumeFrame::Auto`] is the frame nearest to the sides there.
+    /// [`VolumeFrame::Auto`] is that of the first block; the third direction of [`VolumeFrame::First`] is turned round where the third side runs against
+    /// it, unless the grid would be refused then.
     ///
     /// # Errors
     /// `too-few-points` (a direction without a block), `not-finite`, `frame-not-orthonormal`, `ambiguous-frame`; what [`SphericalCube::new`](crate::SphericalCube::new) refuses,
@@ -104,20 +105,27 @@ impl CyclideGrid {
         }
         let mut grid = Self { size, points: Vec::new(), weights: Vec::new(), v: [Vec3::ZERO; 3] };
         for at in grid.vertices() {
-            let made = if at.contains(&0) {
-                point(at)
-            } else {
-                let before =
-                    |bits: usize| grid.points[grid.index(std::array::from_fn(|d| at[d] - 1 + (bits >> d & 1)))];
-                miquel_point(std::array::from_fn(before))
-                    .map_err(|e| e.in_block(grid.block_index(at.map(|x| x - 1))))?
-            };
+            let made = if at.contains(&0) { point(at) } else { grid.last_of_cube(at)?.corners()[7] };
             range::check_point(grid.points.len(), made.to_vec())?;
             grid.points.push(made);
+            if at.contains(&0) {
+                grid.check_given(at)?;
+            }
         }
-        let corner = |bits: usize| grid.points[grid.index(std::array::from_fn(|d| bits >> d & 1))];
-        let first = SphericalCube::new(std::array::from_fn(corner)).map_err(|e| e.in_block(0))?;
-        grid.v = frame_at(&first, frame)?;
+        grid.check_following()?;
+        let first = SphericalCube::new(grid.before([1; 3])).map_err(|e| e.in_block(0))?;
+        let v = frame_at(&first, frame)?;
+        if runs_against(&first, frame, v)
+            && let Ok(turned) = grid.with_frame([v[0], v[1], -v[2]])
+        {
+            return Ok(turned);
+        }
+        grid.with_frame(v)
+    }
+
+    /// The grid with its points and this frame at the first one.
+    fn with_frame(&self, v: [Vec3; 3]) -> Result<Self> {
+        let mut grid = Self { weights: Vec::with_capacity(self.points.len()), v, ..self.clone() };
         for at in grid.vertices() {
             let weight = grid.next_weight(at)?;
             grid.weights.push(weight);
@@ -128,6 +136,54 @@ impl CyclideGrid {
         grid.checked()
     }
 
+    /// The seven vertices before one, in binary order.
+    fn before(&self, at: [usize; 3]) -> [Point3; 7] {
+        std::array::from_fn(|bits| self.points[self.index(std::array::from_fn(|d| at[d] - 1 + (bits >> d & 1)))])
+    }
+
+    /// The cube whose last corner is this vertex.
+    fn last_of_cube(&self, at: [usize; 3]) -> Result<SphericalCube> {
+        SphericalCube::of_computed(self.before(at)).map_err(|e| e.in_block(self.block_index(at.map(|x| x - 1))))
+    }
+
+    /// Refuses the given quad that ends at a vertex of the coordinate planes, if there is one.
+    fn check_given(&self, at: [usize; 3]) -> Result<()> {
+        for axis in (0..3).filter(|&axis| at[axis] == 0) {
+            let Some(quad) = self.quad_before(at, axis) else { continue };
+            let block = self.block_index(at.map(|x| x.saturating_sub(1)));
+            on_corner_circle(&quad).map_err(|e| e.in_face_of_volume(axis, 0).in_block(block))?;
+        }
+        Ok(())
+    }
+
+    /// Refuses vertices that follow from given ones, but not as those of a grid: their faces are on circles as well as the given ones are.
+    fn check_following(&self) -> Result<()> {
+        let whole = self.points.iter().map(|p| p.distance(self.points[0])).fold(0.0, f64::max);
+        for at in self.vertices().filter(|at| !at.contains(&0)) {
+            let [i, j, k] = at;
+            let given = i * j + i * k + j * k;
+            for axis in 0..3 {
+                let Some(quad) = self.quad_before(at, axis) else { continue };
+                let block = self.block_index(at.map(|x| x - 1));
+                check_following_quad(&quad, given, whole).map_err(|e| e.in_face_of_volume(axis, 1).in_block(block))?;
+            }
+        }
+        Ok(())
+    }
+
+    /// The four vertices of the face across a direction that ends at this one, in binary order.
+    fn quad_before(&self, at: [usize; 3], axis: usize) -> Option<[Point3; 4]> {
+        let others: Vec<usize> = (0..3).filter(|&other| other != axis).collect();
+        let corner = |k: usize| {
+            let mut place = at;
+            for (bit, &other) in others.iter().enumerate() {
+                place[other] = (at[other] + (k >> bit & 1)).checked_sub(1)?;
+            }
+            Some(self.points[self.index(place)])
+        };
+        Some([corner(0)?, corner(1)?, corner(2)?, corner(3)?])
+    }
+
     /// The weight of a vertex from those before it: along a side for the direction, over a face for the length.
     fn next_weight(&self, at: [usize; 3]) -> Result<Quat> {
         let back = |axis: usize| {
@@ -135,9 +191,11 @@ impl CyclideGrid {
             before[axis] -= 1;
             before
         };
-        let axes: Vec<usize> = (0..3).filter(|&axis| at[axis] > 0).collect();
         let known = |at: [usize; 3]| (self.points[self.index(at)], self.weights[self.index(at)]);
         let here = self.points[self.index(at)];
+        // The longest side has its direction to the most digits.
+        let mut axes: Vec<usize> = (0..3).filter(|&axis| at[axis] > 0).collect();
+        axes.sort_by(|&x, &y| here.distance(known(back(y)).0).total_cmp(&here.distance(known(back(x)).0)));
         let [axis, ..] = *axes else { return Ok(Quat::ONE) };
         let (a1, w1) = known(back(axis));
         let chord = (here - a1).unit().ok_or(Error::CoincidentPoints {

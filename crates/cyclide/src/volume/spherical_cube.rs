@@ -6,6 +6,9 @@
 //! ```text
 //! W = -(b12 (b1 - b2) + b23 (b2 - b3) + b13 (b3 - b1)),   N = b1 W - (b1 - b2)(b13 - b12)(b1 - b3),   a123 = a0 + W N^-1
 //! ```
+//!
+//! It is also where the planes of the three circles through it meet, which keeps the digits of a grid of cubes; the formula serves where
+//! these planes are nearly the same (`docs/math/volumes.md#rounding-of-the-last-corner`).
 
 use crate::base::quat::Quat;
 use crate::base::range;
@@ -15,6 +18,13 @@ use crate::surface::on_corner_circle;
 
 /// Twice the area of the triangle of the inverted corners below this part of its largest side squared: they are on a line.
 const FLAT: f64 = 1e-12;
+
+/// The planes of the three circles give the last corner where rounding of the seven others moves it by no more than so many times itself: of a
+/// box by 3, and of others with this limit by less than the pair does, or hardly more.
+const MAGNIFIED: f64 = 30.0;
+
+/// The circles through the last corner, each by the three other corners of its face, the neighbour of the first one in front.
+const LAST_CIRCLES: [[usize; 3]; 3] = [[1, 3, 5], [2, 3, 6], [4, 5, 6]];
 
 /// The faces at the first corner, as corners in binary order, with the axis across.
 const FIRST_FACES: [([usize; 4], usize); 3] = [([0, 1, 2, 3], 2), ([0, 1, 4, 5], 1), ([0, 2, 4, 6], 0)];
@@ -62,19 +72,33 @@ impl SphericalCube {
         Self::of_concircular(seven)
     }
 
+    /// As [`new`](Self::new), with faces that are concircular as far as the points are known: of a grid, last corners of other cubes. None is moved.
+    ///
+    /// # Errors
+    /// `not-finite`, `parameter-out-of-range`, `below-rounding-of-place`, `coincident-points`, `concircular-cube`, `point-at-infinity`.
+    pub(super) fn of_computed(seven: [Point3; 7]) -> Result<Self> {
+        range::check_place(ErrorItem::Volume, &seven)?;
+        let [a0, a1, a2, _, a3, ..] = seven;
+        check_determined(&inverted(&[a0, a1, a2, a3])?.0)?;
+        Self::of_concircular(seven)
+    }
+
     /// As [`new`](Self::new), with faces that are known to be concircular.
     fn of_concircular(seven: [Point3; 7]) -> Result<Self> {
         let scale = seven.iter().map(|p| p.distance(seven[0])).fold(0.0, f64::max);
         range::check_distance(scale)?;
-        let inverse = |p: Point3| {
-            let x = (p - seven[0]) / scale;
-            x / -x.length_squared()
+        let inverse = |x: Vec3| x / -x.length_squared();
+        let inverses =
+            std::array::from_fn(|k| if k == 0 { Vec3::ZERO } else { inverse((seven[k] - seven[0]) / scale) });
+        let [way, weight] = last_pair(&inverses);
+        // A power of two, which rounds nothing: boxes along the axes stay exact.
+        let unit = 2f64.powi(scale.log2() as i32);
+        let (corner, last) = match on_planes(&seven.map(|p| (p - seven[0]) / unit)) {
+            // The weight follows from the point: they belong together.
+            Some(x) => (Some(x * unit), [way, Quat::from(inverse(x * (unit / scale))) * way]),
+            None => (weight.inverse().map(|inverse| (way * inverse).vector() * scale), [way, weight]),
         };
-        let inverses = std::array::from_fn(|k| if k == 0 { Vec3::ZERO } else { inverse(seven[k]) });
-        let last = last_pair(&inverses);
-        let [way, weight] = last;
-        let way = weight.inverse().map(|inverse| (way * inverse).vector() * scale);
-        let corner = way.filter(|way| way.max_abs() <= range::MAX_COORDINATE);
+        let corner = corner.filter(|way| way.max_abs() <= range::MAX_COORDINATE);
         let corner = seven[0] + corner.ok_or_else(|| Error::at_infinity(ErrorItem::Corner, 7))?;
         let corners = std::array::from_fn(|k| if k == 7 { corner } else { seven[k] });
         Ok(Self { corners, scale, inverses, last })
@@ -99,6 +123,7 @@ impl SphericalCube {
     /// A cube all of whose faces are embedded: with the last corner at the barycentric coordinates `inside` (all positive, of any sum)
     /// of the triangle of the three neighbours of the first corner, seen from that by inversion, and the other three corners turned by `turn`, from
     /// 0 to 1, within the range in which they stay between their neighbours; 0.5 is its middle. The range is never empty.
+    /// Squared lengths of perpendicular sides as `inside`, and 0.5, give their cuboid.
     ///
     /// # Errors
     /// As [`new`](Self::new), and `parameter-out-of-range` unless the coordinates are positive and the turn is from 0 to 1.
@@ -113,29 +138,32 @@ impl SphericalCube {
             return Err(Error::ParameterOutOfRange { name: ErrorItem::Turn, value: turn, min: 0.0, max: 1.0 });
         }
         let (b, scale) = inverted(&corners)?;
-        let last = b[0] * (inside[0] / sum) + b[1] * (inside[1] / sum) + b[2] * (inside[2] / sum);
+        let weights = inside.map(|weight| weight / sum);
+        // The way to the last point from a vertex: of a vertex near to it in a few steps of its own size.
+        let way_from = |i: usize| (0..3).fold(Vec3::ZERO, |way, k| way + (b[k] - b[i]) * weights[k]);
         // From the foot of the last point on a side, the height times the tangent of one angle along the side: the corners on the three
-        // sides and the last one are then concircular with the vertices.
-        let side = |i: usize, j: usize| {
-            let (way, length) = (b[j] - b[i], (b[j] - b[i]).length());
-            let foot = (last - b[i]).dot(way) / (length * length);
-            let height = (last - b[i] - way * foot).length();
-            (foot, height / length)
+        // sides and the last one are then concircular with the vertices. Counted from the shorter end, which keeps its digits.
+        let side = |(i, j): (usize, usize)| {
+            let is_first = b[i].length_squared() <= b[j].length_squared();
+            let (from, to) = if is_first { (i, j) } else { (j, i) };
+            let (way, length) = (b[to] - b[from], (b[to] - b[from]).length());
+            let foot = way_from(from).dot(way) / (length * length);
+            let height = (way_from(from) - way * foot).length() / length;
+            (is_first, b[from], way, foot, height)
         };
         // Cyclic sides 12, 23, 31.
-        let sides = [(0, 1), (1, 2), (2, 0)];
-        let bounds = sides.map(|(i, j)| {
-            let (foot, height) = side(i, j);
-            [(-foot / height).atan(), ((1.0 - foot) / height).atan()]
+        let sides = [(0, 1), (1, 2), (2, 0)].map(side);
+        let bounds = sides.map(|(is_first, _, _, foot, height)| {
+            let [low, high] = if is_first { [-foot, 1.0 - foot] } else { [foot - 1.0, foot] };
+            [(low / height).atan(), (high / height).atan()]
         });
         let low = bounds.iter().map(|b| b[0]).fold(f64::NEG_INFINITY, f64::max);
         let high = bounds.iter().map(|b| b[1]).fold(f64::INFINITY, f64::min);
         let tangent = (low + (high - low) * (0.5 + (turn - 0.5) * INSIDE)).tan();
-        let at = |(i, j): (usize, usize)| {
-            let (foot, height) = side(i, j);
-            b[i] + (b[j] - b[i]) * (foot + height * tangent)
-        };
-        Self::of_inverted(corners, b, scale, [at(sides[0]), at(sides[2]), at(sides[1])])
+        let [b12, b23, b13] = sides.map(|(is_first, from, way, foot, height)| {
+            from + way * (if is_first { foot + height * tangent } else { foot - height * tangent })
+        });
+        Self::of_inverted(corners, b, scale, [b12, b13, b23])
     }
 
     /// The cuboid with a corner at `origin` and these three sides, perpendicular to each other.
@@ -232,7 +260,8 @@ fn inverted(corners: &[Point3; 4]) -> Result<([Vec3; 3], f64)> {
 /// ```
 /// use cyclide::{Point3, miquel_point};
 /// let seven = [[0., 0., 0.], [2., 0., 0.], [0., 3., 0.], [2., 3., 0.], [0., 0., 1.], [2., 0., 1.], [0., 3., 1.]];
-/// assert!(miquel_point(seven.map(Point3::from))?.distance(Point3::new(2.0, 3.0, 1.0)) < 1e-15);
+/// // To the roundings of 3 by which corners are moved onto their circles.
+/// assert!(miquel_point(seven.map(Point3::from))?.distance(Point3::new(2.0, 3.0, 1.0)) < 3e-15);
 /// # Ok::<(), cyclide::Error>(())
 /// ```
 ///
@@ -253,10 +282,40 @@ fn check_determined([b1, b2, b3]: &[Vec3; 3]) -> Result<()> {
     if measured > limit { Ok(()) } else { Err(Error::ConcircularCube { measured, limit }) }
 }
 
-/// `W` and `N` of the module's formula: `|W|` is at least twice the area of the triangle of the neighbours.
+/// `W` and `N` of the module's formula: `|W|` is at least twice the area of the triangle of the neighbours. The corners may change places in
+/// cyclic order, which changes neither: the farthest neighbour in the place of the first loses no digits of thin cubes.
 fn last_pair(b: &[Vec3; 7]) -> [Quat; 2] {
     let [_, b1, b2, b12, b3, b13, b23] = *b;
     let q = Quat::from;
     let w = -(q(b12) * q(b1 - b2) + q(b23) * q(b2 - b3) + q(b13) * q(b3 - b1));
+    let orders = [[b1, b2, b3, b12, b13], [b2, b3, b1, b23, b12], [b3, b1, b2, b13, b23]];
+    let farthest = orders.into_iter().min_by(|x, y| x[0].length_squared().total_cmp(&y[0].length_squared()));
+    let [b1, b2, b3, b12, b13] = farthest.unwrap_or(orders[0]);
     [w, q(b1) * w - q(b1 - b2) * q(b13 - b12) * q(b1 - b3)]
+}
+
+/// The last corner as the common point of the planes of its [circles](LAST_CIRCLES), from the ways of the seven others from the first; none where
+/// they are too near to each other, or the three points of one too near to a line ([`MAGNIFIED`]).
+fn on_planes(ways: &[Vec3; 7]) -> Option<Vec3> {
+    let circles = LAST_CIRCLES.map(|circle| circle.map(|k| ways[k]));
+    let mut normals = [Vec3::ZERO; 3];
+    for (normal, [p, q, r]) in normals.iter_mut().zip(circles) {
+        *normal = (q - p).cross(r - p).unit()?;
+    }
+    let [n1, n2, n3] = normals;
+    let volume = n1.dot(n2.cross(n3));
+    // Of a parallelepiped the place: heights are small from there.
+    let place = ways[3] + ways[5] - ways[1];
+    let height = |k: usize| normals[k].dot(circles[k][0] - place);
+    let x = place + (n2.cross(n3) * height(0) + n3.cross(n1) * height(1) + n1.cross(n2) * height(2)) / volume;
+    // Barycentric coordinates in the three points of each plane: what their heights are multiplied with.
+    let magnified = |[p, q, r]: [Vec3; 3]| {
+        let (along, across, way) = (q - p, r - p, x - p);
+        let normal = along.cross(across);
+        let (l, m) = (way.cross(across).dot(normal), along.cross(way).dot(normal));
+        let whole = normal.length_squared();
+        ((whole - l - m).abs() + l.abs() + m.abs()) / whole
+    };
+    let is_good = |circle: [Vec3; 3]| magnified(circle) <= MAGNIFIED * volume.abs();
+    (circles.into_iter().all(is_good) && x.length_squared() > 0.0).then_some(x)
 }

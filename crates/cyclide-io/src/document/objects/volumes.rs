@@ -15,6 +15,8 @@ use crate::error::Result;
 
 /// How far a last corner that is given may be from the one that follows, relative to the size.
 const LAST_CORNER: f64 = 1e-9;
+/// Rounding of the eight corners together, relative to the largest coordinate: a side turns by that over its length, and what follows with it.
+const CORNERS_ROUNDING: f64 = 8.0 * f64::EPSILON;
 
 impl Builder<'_> {
     /// The blocks of an object that has some.
@@ -42,7 +44,11 @@ impl Builder<'_> {
         let refused = |e: cyclide::Error| self.refused(&e, None);
         let cube = match *corners.as_slice() {
             [a0, a1, a2, a3] => {
-                let (inside, turn) = (spec.inside.unwrap_or([1.0; 3]), spec.turn.unwrap_or(0.5));
+                // Those of the last corner of a cuboid, if the sides are those of one.
+                let squared = |a: Point3| Some((a - a0).length_squared()).filter(|squared| *squared > 0.0);
+                // Points that coincide are named by the constructor.
+                let of_cuboid = || [a1, a2, a3].map(|a| squared(a).unwrap_or(1.0));
+                let (inside, turn) = (spec.inside.unwrap_or_else(of_cuboid), spec.turn.unwrap_or(0.5));
                 SphericalCube::from_barycentric([a0, a1, a2, a3], inside, turn).map_err(refused)?
             }
             [a, b, c, d, e, f, g] => SphericalCube::new([a, b, c, d, e, f, g]).map_err(refused)?,
@@ -51,7 +57,7 @@ impl Builder<'_> {
                 let follows = cube.corners()[7];
                 let size = cube.corners().iter().map(|p| p.distance(a)).fold(0.0, f64::max);
                 let distance = follows.distance(last);
-                if !(distance <= LAST_CORNER * size) {
+                if !(distance <= LAST_CORNER * size + rounding_of_last(&cube, size)) {
                     let [x, y, z] = follows.to_array();
                     let words = format!(
                         "the last corner is {distance:.3e} from ({x}, {y}, {z}), the only one that is on the circles of its three faces: leave it out"
@@ -159,4 +165,15 @@ impl Builder<'_> {
         }
         self.mapped(spec, 0..spec.steps.len(), volumes, |volume, step| volume.transformed(&map_of(step)?), "")
     }
+}
+
+/// How far rounding of the corners moves the last one.
+fn rounding_of_last(cube: &SphericalCube, size: f64) -> f64 {
+    let corners = cube.corners();
+    let place = corners.iter().map(|p| p.to_vec().max_abs()).fold(0.0, f64::max);
+    let sides = (0..3).flat_map(|axis| (0..8).filter(move |k| k >> axis & 1 == 0).map(move |k| (k, k | 1 << axis)));
+    let lengths = sides.map(|(from, to)| corners[from].distance(corners[to]));
+    // Sides of one point turn nothing.
+    let shortest = lengths.filter(|length| *length > LAST_CORNER * size).fold(size, f64::min);
+    CORNERS_ROUNDING * place * (size / shortest)
 }

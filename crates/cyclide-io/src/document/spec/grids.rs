@@ -34,8 +34,9 @@ pub struct CyclideGridSpec {
     pub construction: bool,
     /// Points on three coordinate planes. Or `whole`.
     pub planes: Option<CoordinatePlanesSpec>,
-    /// With `planes`: the directions of growing s and t at the first vertex, perpendicular and of any length; that of u is their cross product. `"auto"`, the
-    /// default, takes the frame nearest to the three sides there.
+    /// With `planes`: the directions of growing s and t at the first vertex, perpendicular and of any length; that of u is perpendicular to both, on the
+    /// side of the third side. `"auto"`, the
+    /// default, takes the frame of a `cyclide-volume` there.
     pub frame: Option<FrameSpec>,
     /// The space between parallel cyclides.
     pub whole: Option<WholeCyclideSpec>,

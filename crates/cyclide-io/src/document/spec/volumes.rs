@@ -37,14 +37,15 @@ pub struct CyclideVolumeSpec {
     /// four of each face on one circle. Or four: the first and its neighbours along s, t and u; the others are then found.
     #[schemars(length(min = 4, max = 8))]
     pub corners: Vec<Coordinates>,
-    /// With four corners: where the last one is among the three neighbours of the first, as positive weights of these. Default `[1, 1, 1]`.
+    /// With four corners: where the last one is among the three neighbours of the first, as positive weights of these. Default: the squared lengths of the three
+    /// sides, which give a cuboid where these are perpendicular.
     #[schemars(inner(range(min = 0.0)))]
     pub inside: Option<[f64; 3]>,
     /// With four corners: how far the corners between the neighbours are turned, from 0 to 1. Default 0.5.
     #[schemars(range(min = 0.0, max = 1.0))]
     pub turn: Option<f64>,
-    /// The directions of growing s and t at the first corner, perpendicular and of any length; that of u is their cross product. `"auto"`, the
-    /// default, takes the frame nearest to the three sides.
+    /// The directions of growing s and t at the first corner, perpendicular and of any length; that of u is perpendicular to both, on the side of the
+    /// third side. `"auto"`, the default, takes the frame nearest to the three sides, the more so the shorter they are, or one that makes more sides straight.
     #[serde(default)]
     pub frame: FrameSpec,
     /// How the block is divided into cells: for VTU of cells, `report` and `sample`.

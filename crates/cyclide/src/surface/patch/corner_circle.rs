@@ -39,32 +39,30 @@ pub(super) fn distinct(corners: &[Point3; 4]) -> Result<f64> {
     Ok(scale)
 }
 
-/// The corners on their circle, if they are in the order a0, a1, a3, a2 on one
-/// (`docs/math/patches.md#admissible-input`).
-///
-/// # Errors
-/// `not-concircular`, `crossing-quad`.
-pub(super) fn corner_circle(corners: &[Point3; 4], scale: f64) -> Result<CornerCircle> {
-    let coincide = |i: usize| corners[i].distance(corners[3]) <= COINCIDENT_LIMIT * scale;
+/// The foot of the last corner on the circle of the others.
+struct Foot {
+    /// Inverses of the corners 1 and 2, and of the foot.
+    inverses: [Vec3; 3],
+    corner: Point3,
+    /// On the inverted arc: 0 at corner 1, 1 at corner 2.
+    position: f64,
+    /// Distance of the last corner from it, and how far rounding of the others turns the circle there, both relative to the size.
+    measured: f64,
+    rounding: f64,
+}
+
+fn foot(corners: &[Point3; 4], scale: f64) -> Foot {
     // b_k = (a_k - a0)^-1 = -x/|x|², imaginary.
     let inverse = |k: usize| {
         let x = (corners[k] - corners[0]) / scale;
         x / -x.length_squared()
     };
     let (b1, b2) = (inverse(1), inverse(2));
-    let at_1 = |position| CornerCircle { inverses: [b1, b2, b1], corner: corners[1], position };
-    let at_2 = |position| CornerCircle { inverses: [b1, b2, b2], corner: corners[2], position };
-    if coincide(1) {
-        return Ok(at_1(0.0));
-    }
-    if coincide(2) {
-        return Ok(at_2(1.0));
-    }
     // The foot of b3 on the line b1 b2, counted from the shorter of the two: the other one, of a corner close to the
     // first, would leave no more digits than the distance between these has.
     let side = b2 - b1;
     let part_from = |b: Vec3| (inverse(3) - b).dot(side) / side.length_squared();
-    let (x, b3) = if b1.length_squared() <= b2.length_squared() {
+    let (position, b3) = if b1.length_squared() <= b2.length_squared() {
         let x = part_from(b1);
         (x, b1 + side * x)
     } else {
@@ -73,9 +71,33 @@ pub(super) fn corner_circle(corners: &[Point3; 4], scale: f64) -> Result<CornerC
     };
     let corner = corners[0] + b3 * (-scale / b3.length_squared());
     // Rounding of the ends turns the circle about the first corner by itself over the distance to them.
-    let rounding = CORNER_ROUNDING * corners.iter().map(|a| a.to_vec().max_abs()).fold(0.0, f64::max);
     let nearest = corners[0].distance(corners[1]).min(corners[0].distance(corners[2]));
-    let (measured, limit) = (corner.distance(corners[3]) / scale, CONCIRCULAR_LIMIT + rounding / nearest);
+    let (measured, rounding) = (corner.distance(corners[3]) / scale, rounding_of(corners) / nearest);
+    Foot { inverses: [b1, b2, b3], corner, position, measured, rounding }
+}
+
+/// Rounding of the corners, a length.
+fn rounding_of(corners: &[Point3; 4]) -> f64 {
+    CORNER_ROUNDING * corners.iter().map(|a| a.to_vec().max_abs()).fold(0.0, f64::max)
+}
+
+/// The corners on their circle, if they are in the order a0, a1, a3, a2 on one
+/// (`docs/math/patches.md#admissible-input`).
+///
+/// # Errors
+/// `not-concircular`, `crossing-quad`.
+pub(super) fn corner_circle(corners: &[Point3; 4], scale: f64) -> Result<CornerCircle> {
+    let coincide = |i: usize| corners[i].distance(corners[3]) <= COINCIDENT_LIMIT * scale;
+    let Foot { inverses: [b1, b2, b3], corner, position: x, measured, rounding } = foot(corners, scale);
+    let at_1 = |position| CornerCircle { inverses: [b1, b2, b1], corner: corners[1], position };
+    let at_2 = |position| CornerCircle { inverses: [b1, b2, b2], corner: corners[2], position };
+    if coincide(1) {
+        return Ok(at_1(0.0));
+    }
+    if coincide(2) {
+        return Ok(at_2(1.0));
+    }
+    let limit = CONCIRCULAR_LIMIT + rounding;
     if !(measured <= limit) {
         return Err(Error::NotConcircular { measured, limit });
     }
@@ -84,7 +106,7 @@ pub(super) fn corner_circle(corners: &[Point3; 4], scale: f64) -> Result<CornerC
     }
     // Beyond an end of the arc, as far as is seen in space: the inversion makes what is near a short side near.
     let (end, snapped) = if x < 0.0 { (corners[1], at_1(x)) } else { (corners[2], at_2(x)) };
-    if corner.distance(end) <= CONCIRCULAR_LIMIT * scale + rounding {
+    if corner.distance(end) <= CONCIRCULAR_LIMIT * scale + rounding_of(corners) {
         Ok(snapped)
     } else {
         Err(Error::CrossingQuad { position: x })
@@ -97,6 +119,20 @@ pub(super) fn corner_circle(corners: &[Point3; 4], scale: f64) -> Result<CornerC
 /// `parameter-out-of-range`, `coincident-points`, `not-concircular`, `crossing-quad`.
 pub(crate) fn on_corner_circle(corners: &[Point3; 4]) -> Result<Point3> {
     Ok(corner_circle(corners, distinct(corners)?)?.corner)
+}
+
+/// Refuses a quad whose corners follow from `given` others, of faces up to the size `whole`: each of these may be off its circle by what
+/// is allowed of a quad, which adds up.
+///
+/// # Errors
+/// `parameter-out-of-range`, `coincident-points`, `not-concircular`.
+pub(crate) fn check_following_quad(corners: &[Point3; 4], given: usize, whole: f64) -> Result<()> {
+    let scale = distinct(corners)?;
+    let Foot { measured, rounding, .. } = foot(corners, scale);
+    let limit = given as f64 * (CONCIRCULAR_LIMIT * (whole / scale) + rounding);
+    // A corner on a neighbour is on any circle through it.
+    let collapsed = [1, 2].into_iter().any(|k| corners[k].distance(corners[3]) <= COINCIDENT_LIMIT * scale);
+    if measured <= limit || collapsed { Ok(()) } else { Err(Error::NotConcircular { measured, limit }) }
 }
 
 /// Refuses a quad of a net unless its corners are distinct and on one circle, strictly in order.

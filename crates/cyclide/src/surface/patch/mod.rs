@@ -29,7 +29,7 @@ mod transform;
 
 pub(crate) use construct::orthonormal;
 pub(super) use corner_circle::check_quad;
-pub(crate) use corner_circle::on_corner_circle;
+pub(crate) use corner_circle::{check_following_quad, on_corner_circle};
 
 use super::param_surface::ParamSurface;
 use crate::base::quat::Quat;

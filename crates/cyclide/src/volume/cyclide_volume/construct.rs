@@ -1,57 +1,61 @@
 //! The volume of a spherical cube and a frame (`001`, (11); `docs/math/volumes.md#weights`).
 
 use super::super::spherical_cube::SphericalCube;
-use super::CyclideVolume;
+use super::frame::{VolumeFrame, frame_at, runs_against};
+use super::{CyclideVolume, FoldVerdict};
 use crate::base::quat::Quat;
-use crate::base::svd3;
 use crate::base::vector::Vec3;
-use crate::error::{Error, ErrorItem, Result};
-use crate::surface::orthonormal;
-
-/// The frame of a volume at its first corner.
-///
-/// ```
-/// use cyclide::{CyclideVolume, Point3, SphericalCube, Vec3, VolumeFrame};
-/// let cube = SphericalCube::cuboid(Point3::ORIGIN, [Vec3::X, Vec3::Y, Vec3::Z])?;
-/// let [v1, v2, v3] = CyclideVolume::new(&cube, VolumeFrame::Auto)?.moving_frame([0.0; 3]);
-/// assert!((v1 - Vec3::X).length() + (v2 - Vec3::Y).length() + (v3 - Vec3::Z).length() < 1e-15);
-/// # Ok::<(), cyclide::Error>(())
-/// ```
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-#[non_exhaustive]
-pub enum VolumeFrame {
-    /// The frame nearest to the directions of the three sides there (least squares of the angles' sines and cosines), as right- or
-    /// left-handed as they are.
-    #[default]
-    Auto,
-    /// The directions of growing s and t, perpendicular to each other and of any length; the third is their cross product.
-    First(Vec3, Vec3),
-}
+use crate::error::{Error, Result};
 
 impl CyclideVolume {
-    /// The volume of a spherical cube and a frame at its first corner. Whether it folds is told by [`folds`](Self::folds).
+    /// The volume of a spherical cube and a frame at its first corner. Whether it folds is told by [`folds`](Self::folds). Where the third side at
+    /// the first corner runs against the third direction of [`VolumeFrame::First`] this is turned round, unless the volume would be refused then, or
+    /// fold: left-handed corners with the directions of two sides are those of a left-handed block.
+    ///
+    /// ```
+    /// use cyclide::{CyclideVolume, Point3, SphericalCube, Vec3, VolumeFrame};
+    /// let mirrored = SphericalCube::cuboid(Point3::ORIGIN, [-Vec3::X, Vec3::Y, Vec3::Z])?;
+    /// let block = CyclideVolume::new(&mirrored, VolumeFrame::First(-Vec3::X, Vec3::Y))?;
+    /// assert!(!block.is_right_handed() && (block.measure().volume - 1.0).abs() < 1e-14);
+    /// # Ok::<(), cyclide::Error>(())
+    /// ```
     ///
     /// # Errors
     /// `not-finite`, `frame-not-orthonormal`; `ambiguous-frame` if the sides at the first corner give none for [`VolumeFrame::Auto`];
     /// `crossing-face` if a face crosses itself, `volume-through-infinity`.
     pub fn new(cube: &SphericalCube, frame: VolumeFrame) -> Result<Self> {
-        let volume = Self::unbounded(cube, frame)?;
-        volume.check_no_pole()?;
-        Ok(volume)
+        let v = frame_at(cube, frame)?;
+        let given = Self::of_frame(cube, v).checked();
+        if !runs_against(cube, frame, v) {
+            return given;
+        }
+        let is_regular = |volume: &Self| volume.folds() == FoldVerdict::Regular;
+        match Self::of_frame(cube, [v[0], v[1], -v[2]]).checked() {
+            Ok(turned) if is_regular(&turned) || !given.as_ref().is_ok_and(is_regular) => Ok(turned),
+            _ => given,
+        }
     }
 
-    /// As [`new`](Self::new), also if the volume passes through infinity: there it has no points.
+    /// The volume, unless it is refused.
+    pub(super) fn checked(self) -> Result<Self> {
+        self.check_sides()?;
+        self.check_no_pole()?;
+        Ok(self)
+    }
+
+    /// As [`new`](Self::new), also if the volume passes through infinity: there it has no points. The third direction of
+    /// [`VolumeFrame::First`] is the cross product always.
     ///
     /// # Errors
     /// As [`new`](Self::new), but for `volume-through-infinity`.
     pub fn unbounded(cube: &SphericalCube, frame: VolumeFrame) -> Result<Self> {
-        let volume = Self::of_frame(cube, frame)?;
+        let volume = Self::of_frame(cube, frame_at(cube, frame)?);
         volume.check_sides()?;
         Ok(volume)
     }
 
-    fn of_frame(cube: &SphericalCube, frame: VolumeFrame) -> Result<Self> {
-        let v = frame_at(cube, frame)?;
+    /// The volume of a cube and an orthonormal frame, which may fold, pass through infinity or have sides that run backwards.
+    pub(super) fn of_frame(cube: &SphericalCube, v: [Vec3; 3]) -> Self {
         let (b, last) = cube.inverted();
         let q = Quat::from;
         let [v1, v2, v3] = v.map(Quat::from);
@@ -73,7 +77,7 @@ impl CyclideVolume {
         let lengths = [1, 2, 4].map(|k| corners[0].distance(corners[k]) / cube.scale());
         let factor = |k: usize| (0..3).filter(|axis| k >> axis & 1 == 1).map(|axis| lengths[axis]).product::<f64>();
         let weights = std::array::from_fn(|k| weights[k] * factor(k));
-        Ok(Self::from_weights_unchecked(corners, weights, v))
+        Self::from_weights_unchecked(corners, weights, v)
     }
 
     /// Refuses a volume of which a side runs backwards: the two faces that share it cross themselves.
@@ -89,35 +93,4 @@ impl CyclideVolume {
         }
         Ok(())
     }
-}
-
-/// The frame at the first corner, orthonormal.
-///
-/// # Errors
-/// As [`CyclideVolume::new`].
-pub(in crate::volume) fn frame_at(cube: &SphericalCube, frame: VolumeFrame) -> Result<[Vec3; 3]> {
-    match frame {
-        VolumeFrame::First(v1, v2) => {
-            for (index, v) in [v1, v2].into_iter().enumerate() {
-                if !v.is_finite() {
-                    return Err(Error::NotFinite { what: ErrorItem::FrameVector, index });
-                }
-            }
-            let (v1, v2) = orthonormal(v1, v2)?;
-            Ok([v1, v2, v1.cross(v2)])
-        }
-        VolumeFrame::Auto => nearest_frame(cube),
-    }
-}
-
-/// The orthonormal frame nearest to the directions of the sides at the first corner.
-fn nearest_frame(cube: &SphericalCube) -> Result<[Vec3; 3]> {
-    let corners = cube.corners();
-    let ambiguous = |measured| Error::AmbiguousFrame { measured, limit: svd3::UNIQUE };
-    let side = |k: usize| (corners[k] - corners[0]).unit().ok_or_else(|| ambiguous(0.0));
-    let [a, b, c] = [side(1)?, side(2)?, side(4)?];
-    // A left-handed corner is the mirror image of a right-handed one: its third direction is turned round, and back.
-    let sense = 1.0_f64.copysign(a.cross(b).dot(c));
-    let [v1, v2, v3] = svd3::nearest_rotation([a, b, c * sense]).map_err(ambiguous)?;
-    Ok([v1, v2, v3 * sense])
 }

@@ -9,6 +9,7 @@
 
 mod construct;
 mod folds;
+mod frame;
 mod locate;
 mod measure;
 mod parts;
@@ -17,6 +18,7 @@ mod rational;
 mod rows;
 mod transform;
 
+use super::fold::FoldVerdict;
 use super::param_volume::ParamVolume;
 use crate::base::multilinear::biquadratic;
 use crate::base::quadratic;
@@ -24,8 +26,8 @@ use crate::base::quat::Quat;
 use crate::base::vector::{Point3, Vec3};
 use crate::base::volume_jet::VolumeJet;
 
-pub use construct::VolumeFrame;
-pub(super) use construct::frame_at;
+pub use frame::VolumeFrame;
+pub(super) use frame::{frame_at, runs_against};
 pub use locate::VolumeLocation;
 pub use measure::VolumeMeasure;
 pub use rows::VolumeRow;
