@@ -73,15 +73,14 @@ fn root(first: &mut [usize], mut face: usize) -> usize {
 #[allow(clippy::unwrap_used, reason = "what cannot be made fails the test")]
 mod tests {
     use super::*;
-    use crate::Document;
+    use cyclide::{PipeTee, TeeBranch, TeeMain};
 
     /// Of a rounded tee the blend is drawn with its arcs and both borders, and round each end; nothing on the pipes themselves.
     #[test]
     fn strips_of_a_pipe_are_no_lines() {
-        let tee = r#"{"type": "pipe-tee", "main": {"radius": 30, "ends": [-90, 90]}, "branches": [{"radius": 18, "length": 80, "blend": 5}]}"#;
-        let document: Document = format!(r#"{{"cyclide": 1, "objects": {{"tee": {tee}}}}}"#).parse().unwrap();
-        let built = document.build().unwrap();
-        let body = &built[0].item.surfaces()[0].to_bodies().unwrap()[0];
+        let main = TeeMain { radius: 30.0, ends: [-90.0, 90.0] };
+        let made = PipeTee::new(main, vec![TeeBranch::upright(18.0, 80.0, 5.0)]).unwrap().made().unwrap();
+        let body = made.body;
         let shell = body.shells().next().unwrap();
         let drawn = drawn_edges(shell);
         let along = shell.faces_along_edges();

@@ -244,7 +244,10 @@ fn qualities_are_those_of_the_blocks() {
     );
     // Layers of 0.4 and 0.1; sides round the axis are a quarter of 2 pi (3 - 1) and more.
     let sides = values("shortest_side");
-    assert!(sides.iter().enumerate().all(|(k, side)| (side - if k < 16 { 0.4 } else { 0.1 }).abs() < 1e-14), "{sides:?}");
+    assert!(
+        sides.iter().enumerate().all(|(k, side)| (side - if k < 16 { 0.4 } else { 0.1 }).abs() < 1e-14),
+        "{sides:?}"
+    );
     assert!(values("jacobian").iter().all(|v| *v > 0.0));
     // Faces and curves have none.
     let mixed = curve_and_surfaces().with_volume("block", box_of(Point3::ORIGIN));
