@@ -249,6 +249,13 @@ fn seams_are_solids_and_say_where_they_meet() {
         let error = seam(fields).unwrap_err();
         assert!(error.contains(place) && error.contains(reason), "{place} {reason}: {error}");
     }
+    let once_round = |rest: &str| {
+        let angles = "[[0, 0], [6.283185307179586, 0]]";
+        build(&format!(r#""w": {{"type": "torus-spline", {HERE}, "angles": {angles}{rest}}}"#))
+    };
+    let error = once_round("").unwrap_err();
+    assert!(error.contains("`winding`") && error.contains("[coincident-points]"), "{error}");
+    assert!(once_round(r#", "winding": [[1, 0]]"#).is_ok());
     let error = build(r#""c": {"type": "circle", "center": [0, 0], "radius": 1}, "s": {"type": "torus-seam", "of": "c", "width": 1, "height": [0, 1]}"#).unwrap_err();
     assert!(error.contains("`c` is of type `circle`: only a `torus-spline`"), "{error}");
 }
