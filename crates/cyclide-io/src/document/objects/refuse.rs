@@ -214,6 +214,9 @@ fn blame(spec: &ObjectSpec, error: &cyclide::Error) -> Blame {
     let is_qb = matches!(spec, ObjectSpec::QbInterpolation(_));
     let is_patch = matches!(spec, ObjectSpec::CyclidePatch(_));
     match *error {
+        E::ParameterOutOfRange { name: I::Distance, .. } if matches!(spec, ObjectSpec::Offset(_)) => {
+            Blame::Field(I::Distance.word())
+        }
         _ if matches!(spec, ObjectSpec::Offset(_)) && is_of_distance(error) => Blame::Field("distance"),
         _ if matches!(
             spec,
