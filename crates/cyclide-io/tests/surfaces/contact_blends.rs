@@ -80,6 +80,19 @@ fn blends_that_are_none_are_refused_in_their_place() {
             "[contact-loop-open]",
         ),
         (r#""tube": {"radius": 10, "length": 40}, "sphere": 40, "blend": 6"#, "tube", "[contact-tube-too-short]"),
+        (r#""tube": {"radius": 10, "length": 90}, "sphere": 40, "blend": -1"#, ".blend:", "[radius-not-positive]"),
+        (r#""tube": {"radius": 10, "length": 90}, "sphere": -40, "blend": 1"#, ".sphere:", "[radius-not-positive]"),
+        (r#""tube": {"radius": -10, "length": 90}, "sphere": 40, "blend": 1"#, ".tube:", "[radius-not-positive]"),
+        (
+            r#""tube": {"radius": 10, "taper": 0.2, "length": 90}, "sphere": 40, "blend": 3"#,
+            ".tube:",
+            "apex at 49.332 along its axis, and is needed as far as 90",
+        ),
+        (
+            r#""tube": {"through": [0, 35], "radius": 10, "length": 90}, "sphere": 40, "blend": 6"#,
+            ".tube:",
+            "nearer to the centre of the sphere",
+        ),
         (
             r#""tube": {"radius": 10, "direction": [1, 0, 0], "length": 40}, "plate": [90, 90], "blend": 6"#,
             "tube",

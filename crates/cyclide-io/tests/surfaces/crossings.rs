@@ -92,6 +92,7 @@ fn pipes_with_a_taper_are_cones() {
     for (first, second, rest, place, reason) in [
         (r#"{"degrees": 13}"#, "0", rest, "pipes[0]", "[radius-not-positive]"),
         ("0.1", "0.1", r#""distance": 24, "blend": 4, "wall": 9"#, "pipes[0]", "[radius-not-positive]"),
+        (r#"{"degrees": 13}"#, "0", rest, "pipes[0]", "apex at 64."),
         ("0", r#"{"degrees": 100}"#, rest, "pipes[1]", "[radius-not-positive]"),
         ("0.1", "0.1", r#""distance": 24, "blend": 4, "angle": {"degrees": 11}"#, "angle", "[angle-out-of-range]"),
         ("0.1", "0", r#""distance": 24, "blend": 4, "side": "mixed""#, "side", "[crossing-needs-cylinders]"),

@@ -58,7 +58,7 @@ fn what_is_refused_is_shown_at_its_place() {
         (
             with(r#""a": {"type": "offset", "of": "c", "distance": 1}"#),
             "\"c\"",
-            "objects.a.of: `c` is of type `circle`: only surfaces",
+            "objects.a.of: `c` is of type `circle`: only a `torus-spline`",
         ),
         (
             with(r#""a": {"type": "offset", "of": "a", "distance": 1}"#),

@@ -46,6 +46,12 @@ fn tees_that_are_none_are_refused_in_their_place() {
     for (branches, place, reason) in [
         (r#"{"radius": 8, "length": 40, "blend": -1}"#, "branches[0].blend", "[radius-not-positive]"),
         (r#"{"radius": -8, "length": 40, "blend": 1}"#, "branches[0].radius", "[radius-not-positive]"),
+        (
+            r#"{"radius": 8, "taper": {"degrees": 89}, "length": 40, "blend": 1}"#,
+            "branches[0].taper",
+            "[parameter-out-of-range]",
+        ),
+        (r#"{"radius": 8, "taper": 0.4, "length": 40, "blend": 1}"#, "branches[0].taper", "apex at 18.9"),
         (r#"{"radius": 8, "length": 40, "angle": 90, "blend": 1}"#, "branches[0].angle", "[angle-out-of-range]"),
         (r#"{"radius": 8, "length": 40, "offset": 15, "blend": 1}"#, "branches[0]", "`pipe-crossing`"),
         (

@@ -213,6 +213,28 @@ fn samples_have_the_normals_of_the_torus() {
     }
 }
 
+/// A curve at a distance along the normal of its torus: of the outer equator the circle that is so much larger.
+#[test]
+fn curves_of_a_torus_have_parallel_curves() {
+    let offset = |turns: &str, fields: &str| {
+        let knot = format!(r#""k": {{"type": "torus-knot", "torus": "ring", "turns": {turns}}}"#);
+        build(&format!(r#"{RING}, {knot}, "o": {{"type": "offset", "of": "k", {fields}}}"#))
+    };
+    for (distance, radius) in [("2", 54.0), ("-3.5", 48.5)] {
+        let made = offset("[1, 0]", &format!(r#""distance": {distance}"#)).unwrap();
+        let told = report(&made);
+        assert!(made.bodies.is_empty() && told.closed && told.contours == 1);
+        assert!((told.length / (std::f64::consts::TAU * radius) - 1.0).abs() < 1e-9, "{}", told.length);
+    }
+    assert!(report(&offset("[2, 3]", r#""distance": 2"#).unwrap()).closed);
+    let error = offset("[2, 3]", r#""distance": -12"#).unwrap_err();
+    assert!(error.contains("objects.o.distance") && error.contains("[parameter-out-of-range]"), "{error}");
+    assert!(offset("[2, 3]", r#""distance": 2, "thick": true"#).unwrap_err().contains("objects.o.thick"));
+    let line =
+        r#""l": {"type": "polyline", "points": [[0, 0], [1, 0]]}, "o": {"type": "offset", "of": "l", "distance": 1}"#;
+    assert!(build(line).unwrap_err().contains("has a parallel curve"));
+}
+
 #[test]
 fn seams_are_solids_and_say_where_they_meet() {
     let curve = r#""m": {"type": "torus-spline", "torus": "ring", "angles": {"degrees": [[60, 0], [90, 50], [120, 0], [90, -50]]}, "closed": true}"#;
@@ -249,6 +271,13 @@ fn seams_are_solids_and_say_where_they_meet() {
         let error = seam(fields).unwrap_err();
         assert!(error.contains(place) && error.contains(reason), "{place} {reason}: {error}");
     }
+    let once_round = |rest: &str| {
+        let angles = "[[0, 0], [6.283185307179586, 0]]";
+        build(&format!(r#""w": {{"type": "torus-spline", {HERE}, "angles": {angles}{rest}}}"#))
+    };
+    let error = once_round("").unwrap_err();
+    assert!(error.contains("`winding`") && error.contains("[coincident-points]"), "{error}");
+    assert!(once_round(r#", "winding": [[1, 0]]"#).is_ok());
     let error = build(r#""c": {"type": "circle", "center": [0, 0], "radius": 1}, "s": {"type": "torus-seam", "of": "c", "width": 1, "height": [0, 1]}"#).unwrap_err();
     assert!(error.contains("`c` is of type `circle`: only a `torus-spline`"), "{error}");
 }

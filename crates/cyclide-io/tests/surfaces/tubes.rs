@@ -50,6 +50,36 @@ fn tubes_along_splines_are_proved() {
     assert!(error.contains("[too-many-pieces]") && error.contains("use a larger tolerance"), "{error}");
 }
 
+/// Directions of arcs in map coordinates are known to what their coordinates are rounded by; joints that turn by less are no corners.
+#[test]
+fn tubes_and_pipes_along_splines_are_made_in_map_coordinates() {
+    let points = [[0.0, 0.0, 0.0], [60.0, 0.0, 0.0], [95.0, 35.0, 10.0], [70.0, 75.0, 30.0], [20.0, 70.0, 45.0]];
+    let volume = |place: [f64; 3], kind: &str, body: &str| {
+        let moved = points.map(|[x, y, z]| format!("[{}, {}, {}]", x + place[0], y + place[1], z + place[2])).join(",");
+        let way = format!(r#""w": {{"type": "{kind}", "points": [{moved}]}}"#);
+        let made = surface(&build(&format!(r#"{way}, "t": {{"of": "w", "tolerance": 0.01, {body}}}"#)).unwrap());
+        assert!(made.closed, "{kind} {body}");
+        made.volume.unwrap()
+    };
+    for kind in ["fair-spline", "circle-spline"] {
+        for body in
+            [r#""type": "tube", "radius": 4"#, r#""type": "tube", "radius": [4, 5]"#, r#""type": "pipe", "radius": 4"#]
+        {
+            let here = volume([0.0; 3], kind, body);
+            for place in [[5e5, 5.4e6, 300.0], [3.5e6, 5.4e6, 300.0]] {
+                // The tolerance, of which there may be other uses, moves the skin by 0.01 of 4 at most.
+                assert!((volume(place, kind, body) / here - 1.0).abs() < 5e-3, "{kind} {body}");
+            }
+        }
+    }
+    // A corner that is one is told of there too.
+    let corner = "[[500000, 5400000], [500060, 5400000], [500060, 5400001]]";
+    let bent = format!(
+        r#""w": {{"type": "polyline", "points": {corner}}}, "t": {{"type": "tube", "of": "w", "radius": 0.1}}"#
+    );
+    assert!(build(&bent).unwrap_err().contains("[corner-not-mitred]"));
+}
+
 #[test]
 fn tubes_that_are_none_are_refused_in_their_place() {
     for (fields, place, reason) in [

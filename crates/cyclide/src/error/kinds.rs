@@ -1,6 +1,6 @@
 //! The reasons for which input is refused, in the order of the pages with their examples ([`reasons`](super::reasons)).
 
-use super::ErrorItem;
+use super::{ErrorItem, FoldRemedy};
 use crate::shape_change::ShapeChange;
 
 /// Why a piece of input was refused: the item at fault, what was measured of it, and the limit that it broke.
@@ -119,6 +119,13 @@ pub enum Error {
     RadiusNotPositive {
         /// The value given.
         radius: f64,
+    },
+    /// A cone has its apex before the last place where something of it is needed: its radius there would not be positive.
+    ConeReachesApex {
+        /// Where the apex is along its axis; within a wall, that of the bore.
+        apex: f64,
+        /// The place along its axis that it is needed as far as.
+        reached: f64,
     },
     /// The factor of a similarity is zero, negative or not a number.
     ScaleNotPositive {
@@ -798,6 +805,8 @@ pub enum Error {
         angle: f64,
         /// What is left of its width there, in parts of that on a straight way.
         left: f64,
+        /// What helps.
+        remedy: FoldRemedy,
     },
     /// At some angle round a tube no ball of the radius touches it and the plane or sphere that it is blended with.
     ContactLoopOpen {

@@ -66,6 +66,12 @@ impl std::fmt::Display for Error {
             Self::ZeroRadius { radius, .. } => write!(f, "the radius {} is zero", ShortNumber(*radius)),
             Self::ScaleNotPositive { factor } => write!(f, "the scale factor {} is not positive", ShortNumber(*factor)),
             Self::RadiusNotPositive { radius } => write!(f, "the radius {} is not positive", ShortNumber(*radius)),
+            Self::ConeReachesApex { apex, reached } => write!(
+                f,
+                "the cone, within its wall if it has one, comes to its apex at {} along its axis, and is needed as far as {}; take a smaller taper, a larger radius, or a shorter pipe",
+                ShortNumber(*apex),
+                ShortNumber(*reached)
+            ),
             Self::BallDoesNotFit { radius, limit } => write!(
                 f,
                 "a ball of radius {} does not fit into the pipe or the hole: its radius must be below {}",
@@ -221,15 +227,16 @@ impl std::fmt::Display for Error {
                 "the border of the hole in pipe {pipe} turns back at {} along it; take a smaller ball, move the axes apart, or turn them nearer to a right angle",
                 ShortNumber(*along)
             ),
-            Self::CrossingFolds { angle, left } => write!(
+            Self::CrossingFolds { angle, left, remedy } => write!(
                 f,
-                "the blend runs through itself where its ball is at {} radians from the first axis: its width there is {} of that on a straight way, which must be positive; take a smaller ball, a thinner wall, or move the axes",
+                "the blend runs through itself where its ball is at {} radians from the first axis: its width there is {} of that on a straight way, which must be positive; {}",
                 ShortNumber(*angle),
-                ShortNumber(*left)
+                ShortNumber(*left),
+                remedy.advice()
             ),
             Self::ContactLoopOpen { angle, measured } => write!(
                 f,
-                "no ball of this radius touches both at {} radians round the tube: what must be positive there is {}; the tube has to meet the plane or the sphere all round, with room for the ball",
+                "no ball of this radius touches both at {} radians round the tube: what must be positive there is {}; the tube has to meet the plane or the sphere all round, with room for the ball: move its axis nearer to the centre of the sphere, turn it nearer to the normal of the plane, or take a thinner tube",
                 ShortNumber(*angle),
                 ShortNumber(*measured)
             ),

@@ -3,6 +3,7 @@
 //! Every variant says which item is at fault, what was measured and the limit it broke (`kinds.rs`). [`Error::reason`] gives
 //! the stable kebab-case name that the reference data, the reports and the documentation use.
 
+mod fold_remedy;
 mod item;
 mod kinds;
 mod message;
@@ -12,6 +13,7 @@ pub mod reasons;
 mod volume_message;
 mod words;
 
+pub use fold_remedy::FoldRemedy;
 pub use item::ErrorItem;
 pub use kinds::Error;
 

@@ -29,7 +29,7 @@ impl Error {
             Self::ZeroAxis { .. } => "zero-axis",
             Self::ZeroRadius { .. } => "zero-radius",
             Self::ScaleNotPositive { .. } => "scale-not-positive",
-            Self::RadiusNotPositive { .. } => "radius-not-positive",
+            Self::RadiusNotPositive { .. } | Self::ConeReachesApex { .. } => "radius-not-positive",
             Self::BallDoesNotFit { .. } => "ball-does-not-fit",
             Self::NeckFolds { .. } => "neck-folds",
             Self::PlateTooSmall { .. } => "plate-too-small",

@@ -250,10 +250,11 @@ fn cones_that_are_no_crossing_are_refused_with_their_measures() {
     let refused = |cones: Cones, blend: f64| cones.whole(blend).made().map(|_| ()).expect_err("no crossing");
     let (cones, blend) = CASES[0];
     // A cone that comes to its apex before its end: 2 less 7 tan 0.3.
-    let Error::RadiusNotPositive { radius } = refused(Cones { pipes: [[2.0, 0.3], [2.0, 0.0]], ..cones }, blend) else {
+    let Error::ConeReachesApex { apex, reached } = refused(Cones { pipes: [[2.0, 0.3], [2.0, 0.0]], ..cones }, blend)
+    else {
         panic!("an apex")
     };
-    assert!((radius - (2.0 - 7.0 * 0.3_f64.tan())).abs() < 1e-14);
+    assert!((apex - 2.0 / 0.3_f64.tan()).abs() < 1e-13 && (reached - 7.0).abs() < 1e-15, "{apex} {reached}");
     // Axes at an angle that the tapers fill.
     let tapers = Cones { pipes: [[2.0, 0.1], [2.0, 0.12]], degrees: 12.0, ..cones };
     assert!(matches!(refused(tapers, blend), Error::AngleOutOfRange { min, .. } if (min - 0.22).abs() < 1e-15));

@@ -1,7 +1,7 @@
 //! Torus knots.
 
 use crate::data::{reach, tori};
-use cyclide::{CircleFamily, ParamCurve, Point2, QuarticType, TorusSpline, joints, length};
+use cyclide::{CircleFamily, ParamCurve, Point2, QuarticType, Torus, TorusSpline, joints, length};
 use cyclide_testkit::torus_splines::{faults, winding};
 
 #[test]
@@ -34,6 +34,52 @@ fn simple_knots_are_circles() {
         assert!((length(&knot) - length(&circle)).abs() < 1e-12 * length(&circle), "{turns:?}");
         assert!((0..50).all(|k| circle.closest_point(knot.point(f64::from(k) / 50.0)).distance < 1e-13 * reach(torus)));
     }
+}
+
+/// Each point moved along the normal, at the same parameter: exact for all types, in degree 4 and two more for each kind of Villarceau circles.
+#[test]
+fn parallel_curves_are_the_points_moved_along_the_normal() {
+    let mut compared = 0;
+    for torus in tori() {
+        let (a, b) = (torus.major_radius(), torus.minor_radius());
+        let room = b.min(a - b);
+        for turns in [[2, 3], [-3, 5], [7, -4], [1, 0], [0, -1], [1, 1], [1, 9]] {
+            let knot = TorusSpline::knot(&torus, turns, Point2::new(0.3, -0.2)).unwrap();
+            for distance in [0.1 * room, -0.4 * b, 0.5 * (a - b)] {
+                let parallel = knot.parallel(distance).unwrap();
+                assert!(parallel.is_closed() && parallel.degree() <= 8 && parallel.weights().iter().all(|w| *w > 0.0));
+                // Where a weight would not be positive a piece is halved, and parameters are others.
+                if parallel.piece_count() != knot.piece_count() {
+                    let tube = Torus::new(torus.frame(), a, b + distance).unwrap();
+                    let off = (0..500).map(|k| tube.distance(parallel.point(f64::from(k) / 500.0)).abs());
+                    assert!(off.fold(0.0, f64::max) < 1e-12 * reach(&torus), "{turns:?} {distance}");
+                    continue;
+                }
+                compared += 1;
+                for (piece, own) in knot.pieces().iter().enumerate() {
+                    for s in [0.0, 0.2, 0.5, 0.9, 1.0] {
+                        let expected = knot.piece_point(piece, s) + torus.unit_normal(own.place(s)) * distance;
+                        let off = parallel.piece_point(piece, s).distance(expected);
+                        assert!(off < 1e-12 * reach(&torus), "{turns:?} {distance} {piece} {s}: {off:e}");
+                    }
+                }
+            }
+            let reason = |distance: f64| knot.parallel(distance).unwrap_err().reason();
+            assert_eq!([reason(-b), reason(a - b), reason(f64::NAN)], ["parameter-out-of-range"; 3]);
+        }
+        for kind in QuarticType::ALL {
+            let quartic = TorusSpline::closed_quartic(&torus, kind, Point2::new(0.1, 0.4), 2.0).unwrap();
+            let villarceau = [CircleFamily::Villarceau, CircleFamily::MirrorVillarceau];
+            let more = kind.families().iter().filter(|family| villarceau.contains(family)).count();
+            let parallel = quartic.parallel(0.2 * room).unwrap();
+            assert_eq!(parallel.degree(), 4 + 2 * more, "{kind:?}");
+            let thicker = Torus::new(torus.frame(), a, b + 0.2 * room).unwrap();
+            assert!(
+                (0..97).all(|k| thicker.distance(parallel.point(f64::from(k) / 97.0)).abs() < 1e-12 * reach(&torus))
+            );
+        }
+    }
+    assert!(compared >= 7 * tori().len(), "{compared}");
 }
 
 /// Equal pieces are turned into each other by the longitude, and stay near the straight line of the plane.

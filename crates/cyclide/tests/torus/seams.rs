@@ -27,6 +27,33 @@ fn seams_along_circles_have_the_volume_of_their_turn() {
     }
 }
 
+/// What is too deep round the tube is the height, whatever the width.
+#[test]
+fn seams_that_fold_by_their_height_are_refused_for_it() {
+    let torus = Torus::new(Frame::WORLD, 40.0, 15.0).unwrap();
+    let round = TorusSpline::knot(&torus, [0, 1], Point2::default()).unwrap();
+    let error = TorusSeam::new(3.0, [-14.9, 1.0]).unwrap().body(&round, 1e-2).unwrap_err();
+    let Error::ParameterOutOfRange { name: ErrorItem::Height, value, min, max } = error else { panic!("{error}") };
+    // A twentieth of the speed of the curve is left at 0.95 of the radius.
+    assert!((value + 14.9).abs() < 1e-15 && (min + 0.95 * 15.0).abs() < 1e-9 && max <= 25.0, "{min} {max}");
+    assert!(TorusSeam::new(3.0, [min + 0.1, 1.0]).unwrap().body(&round, 1e-2).is_ok());
+}
+
+/// A seam that is high and thin has hundreds of sections within its own height; what meets it is found all the same: seams along two parallels, which come
+/// nearer to each other below the torus.
+#[test]
+fn high_and_thin_seams_meet_others_where_they_do() {
+    let torus = Torus::new(Frame::WORLD, 40.0, 15.0).unwrap();
+    let parallels = [-0.01, 0.01].map(|up| TorusSpline::knot(&torus, [1, 0], Point2::new(0.0, up)).unwrap());
+    let meets = |width: f64| TorusSeam::new(width, [-2.0, 2.0]).unwrap().first_meeting(&parallels, 1e-5).unwrap();
+    // Their middles are this far apart 2 below the torus.
+    let apart = parallels[0].point(0.0).distance(parallels[1].point(0.0)) * 13.0 / 15.0;
+    assert!(meets(0.97 * apart).is_none());
+    let (seams, place) = meets(1.03 * apart).unwrap();
+    let deep = torus.frame().origin().distance(place);
+    assert!(seams == [0, 1] && (deep - 53.0).abs() < 0.05, "{deep}");
+}
+
 /// The corners of a seam are half its width and its heights away from the curve, along the torus and its normal.
 #[test]
 fn edges_of_a_seam_are_where_they_should_be() {

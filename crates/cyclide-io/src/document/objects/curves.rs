@@ -162,6 +162,7 @@ impl Builder<'_> {
             ObjectSpec::TorusSpline(s) => self.torus_spline(s),
             ObjectSpec::Trajectory(s) => single(self.trajectory(s)?),
             ObjectSpec::TorusKnot(s) => single(CurveObject::TorusSpline(self.torus_knot(s)?)),
+            ObjectSpec::Offset(s) if self.is_of_curves() => self.parallel_curves(s),
             ObjectSpec::TorusQuartic(s) => single(CurveObject::TorusSpline(self.torus_quartic(s)?)),
             ObjectSpec::TorusCircle(s) => self.torus_circle(s).map(|made| vec![made]),
             ObjectSpec::Unrolled(s) => Ok(without_facts(self.unrolled(s)?)),

@@ -157,6 +157,11 @@ impl Builder<'_> {
         }
     }
 
+    /// Whether what it is made from is curves.
+    pub(super) fn is_of_curves(&self) -> bool {
+        self.sources.first().is_some_and(|source| !source.item.curves().is_empty())
+    }
+
     /// The message that the source is of the wrong kind.
     pub(super) fn wrong_source(&self, needed: &str) -> Error {
         self.wrong_source_at([Step::from("of")], needed)

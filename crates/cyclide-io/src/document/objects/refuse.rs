@@ -52,6 +52,14 @@ impl Builder<'_> {
             (cyclide::Error::ZeroTangent { index }, ObjectSpec::TorusSpline(spec)) if is_given(spec, *index) => {
                 format!("tangent {index} is normal to the torus there: nothing of it runs along the torus")
             }
+            // Angles a whole turn apart are one place.
+            (cyclide::Error::CoincidentPoints { .. }, ObjectSpec::TorusSpline(spec))
+                if !spec.closed && spec.winding.is_none() && spec.angles.is_some() =>
+            {
+                format!(
+                    "{error}; from a place once round to the same place leads a `winding`, as `[[1, 0]]`, or `closed`"
+                )
+            }
             // What is the normal of a frame to the kernel.
             (cyclide::Error::ZeroAxis { .. }, ObjectSpec::Cyclide(_)) => "the axis is zero".to_owned(),
             (cyclide::Error::CoincidentPoints { distance, limit, .. }, ObjectSpec::EllipseBridge(_)) => format!(
@@ -206,6 +214,9 @@ fn blame(spec: &ObjectSpec, error: &cyclide::Error) -> Blame {
     let is_qb = matches!(spec, ObjectSpec::QbInterpolation(_));
     let is_patch = matches!(spec, ObjectSpec::CyclidePatch(_));
     match *error {
+        E::ParameterOutOfRange { name: I::Distance, .. } if matches!(spec, ObjectSpec::Offset(_)) => {
+            Blame::Field(I::Distance.word())
+        }
         _ if matches!(spec, ObjectSpec::Offset(_)) && is_of_distance(error) => Blame::Field("distance"),
         _ if matches!(
             spec,
@@ -313,10 +324,12 @@ fn blame_crossing(spec: &PipeCrossingSpec, error: &cyclide::Error) -> Blame {
         | E::BelowRoundingOfPlace { .. }
         | E::CrossingFolds { .. }
         | E::NotFinite { what: I::Radius, .. } => Blame::Field("blend"),
-        E::RadiusNotPositive { .. } => match spec.pipes.iter().position(|pipe| !pipe.is_round_throughout(spec.wall)) {
-            Some(pipe) => Blame::Entry("pipes", pipe),
-            None => Blame::Field("blend"),
-        },
+        E::RadiusNotPositive { .. } | E::ConeReachesApex { .. } => {
+            match spec.pipes.iter().position(|pipe| !pipe.is_round_throughout(spec.wall)) {
+                Some(pipe) => Blame::Entry("pipes", pipe),
+                None => Blame::Field("blend"),
+            }
+        }
         E::CrossingAxesTooNear { .. }
         | E::CrossingPipesApart { .. }
         | E::NotTimelikePair { .. }
@@ -333,6 +346,15 @@ fn blame_contact(spec: &ContactBlendSpec, error: &cyclide::Error) -> Blame {
     match error {
         E::NotFinite { what: I::Radius, index: 1 } | E::ContactBlendFolds { .. } | E::BallDoesNotFit { .. } => {
             Blame::Field("blend")
+        }
+        E::RadiusNotPositive { .. } if spec.tube.as_ref().is_none_or(|tube| tube.radius > 0.0) && spec.blend <= 0.0 => {
+            Blame::Field("blend")
+        }
+        E::RadiusNotPositive { .. }
+            if spec.tube.as_ref().is_none_or(|tube| tube.radius > 0.0)
+                && spec.sphere.is_some_and(|sphere| sphere <= 0.0) =>
+        {
+            Blame::Field("sphere")
         }
         E::PlateTooSmall { .. } | E::RulingsCross { .. } => Blame::Field("plate"),
         E::ToleranceNotPositive { .. } | E::TooManyPieces { .. } => Blame::Field("tolerance"),

@@ -17,6 +17,7 @@ impl Builder<'_> {
             ObjectSpec::SmoothPolyhedron(spec) => self.smooth_polyhedron(spec),
             ObjectSpec::SmoothMesh(spec) => self.smooth_mesh(spec),
             ObjectSpec::SphereBlend(spec) => self.sphere_blend(spec),
+            ObjectSpec::Offset(_) if self.is_of_curves() => Ok(Vec::new()),
             ObjectSpec::Offset(spec) => self.offset(spec),
             ObjectSpec::Transform(spec) => self.mapped_surfaces(spec),
             ObjectSpec::Revolution(spec) => self.revolution(spec),

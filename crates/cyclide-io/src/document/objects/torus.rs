@@ -15,8 +15,8 @@ use crate::document::construct::{Contour, ContourFacts, Made};
 use crate::document::coordinates::Coordinates;
 use crate::document::locate::Step;
 use crate::document::spec::{
-    CyclideSpec, FreeOr, ObjectSpec, TorusCircleSpec, TorusKnotSpec, TorusMethod, TorusQuarticSpec, TorusSeamSpec,
-    TorusSource, TorusSplineSpec, UnrolledSpec, WindingSpec,
+    CyclideSpec, FreeOr, ObjectSpec, OffsetSpec, TorusCircleSpec, TorusKnotSpec, TorusMethod, TorusQuarticSpec,
+    TorusSeamSpec, TorusSource, TorusSplineSpec, UnrolledSpec, WindingSpec,
 };
 use crate::error::{Error, Result};
 use crate::input::points::PointList;
@@ -220,6 +220,21 @@ impl Builder<'_> {
             return Err(self.wrong_source(&message));
         }
         Ok(splines)
+    }
+
+    /// The curves at a distance along the normal of the torus of the source.
+    pub(super) fn parallel_curves(&self, spec: &OffsetSpec) -> Result<Vec<(CurveObject, ContourFacts)>> {
+        if spec.thick {
+            return Err(
+                self.wrong_source_at([Step::from("thick")], "only surfaces have a solid between them and their offset")
+            );
+        }
+        let splines = self.splines_of_source("has a parallel curve, and only surfaces have an offset")?;
+        let parallels = splines.iter().map(|spline| {
+            let curve = spline.parallel(spec.distance).map_err(|e| self.refused(&e, None))?;
+            Ok((CurveObject::Nurbs(curve), ContourFacts::default()))
+        });
+        parallels.collect()
     }
 
     /// Raised or sunk seams.

@@ -9,7 +9,7 @@ use super::comment::Comment;
 use crate::document::angle::Angle;
 use crate::document::coordinates::Coordinates;
 
-/// A parallel surface of another object, exact, or the solid between both.
+/// A parallel surface of another object, exact, or the solid between both; of a curve on a torus the parallel curve along the normal of the torus.
 ///
 /// ```
 /// use cyclide_io::Document;
@@ -31,7 +31,7 @@ pub struct OffsetSpec {
     /// Construction geometry: built and reported, not written to files.
     #[serde(default)]
     pub construction: bool,
-    /// Name of the surface.
+    /// Name of the surface, or of a `torus-spline`, `torus-knot`, `torus-quartic` or `torus-circle`.
     pub of: String,
     /// Distance along the normal; negative to the other side. The normal of a whole cyclide is outward, that of other
     /// surfaces along `f_s x f_t`. An offset keeps the normal of its surface, so that distances add up: beyond a focal

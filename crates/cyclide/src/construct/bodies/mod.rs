@@ -24,6 +24,7 @@ mod ring_blend;
 mod rotated_rows;
 mod ruled;
 mod rulings;
+mod smooth_joint;
 mod swept;
 mod tee;
 mod tight_place;

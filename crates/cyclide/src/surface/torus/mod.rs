@@ -16,6 +16,7 @@ mod crossing;
 mod family;
 mod junction;
 mod locate;
+mod parallel;
 mod piece;
 pub(in crate::surface) mod rows;
 mod spline;

@@ -44,7 +44,7 @@ pub(super) fn check_tube(setup: &Setup, balls: &BallLoop, depth: f64) -> Result<
             let radius = setup.radius_at(0.0, height);
             let rest = setup.radius_at(depth, height);
             if !(radius > 0.0 && rest > 0.0) {
-                return Err(Error::RadiusNotPositive { radius: radius.min(rest) });
+                return Err(setup.beyond_apex(depth.max(0.0), height));
             }
             // How far on this side of the axis the centre is.
             let measured = radius - setup.ball * setup.cos;
@@ -69,8 +69,8 @@ pub(super) fn check_end(setup: &Setup, balls: &BallLoop, depth: f64, short: f64)
     if !(setup.end > needed) {
         return Err(Error::ContactTubeTooShort { end: setup.end - setup.shift, needed: needed - setup.shift });
     }
-    let radius = setup.radius_at(depth, setup.end - short);
-    if radius > 0.0 { Ok(()) } else { Err(Error::RadiusNotPositive { radius }) }
+    let last = setup.end - short;
+    if setup.radius_at(depth, last) > 0.0 { Ok(()) } else { Err(setup.beyond_apex(depth, last)) }
 }
 
 /// Refuses contacts with a sphere that turn back seen from the pole to which the rest of it goes: great circles to it would cross.

@@ -90,8 +90,7 @@ impl Setup {
     /// `contact-loop-open` where no such ball touches both, `radius-not-positive` where it does beyond the apex.
     pub(super) fn height(&self, angle: f64) -> Result<[f64; 2]> {
         let height = self.height_on_lines(angle)?;
-        let radius = self.radius_at(0.0, height[0]);
-        if radius > 0.0 { Ok(height) } else { Err(Error::RadiusNotPositive { radius }) }
+        if self.radius_at(0.0, height[0]) > 0.0 { Ok(height) } else { Err(self.beyond_apex(0.0, height[0])) }
     }
 
     /// The same on lines that go on beyond the apex.
@@ -141,6 +140,16 @@ impl Setup {
     /// The radius of the tube at a depth below its surface and a height.
     pub(super) fn radius_at(&self, depth: f64, height: f64) -> f64 {
         self.rho + height * self.tan - depth / self.cos
+    }
+
+    /// What is said of a height at which the radius at a depth is not positive. Of a cylinder it is that radius: a wall as thick as it.
+    pub(super) fn beyond_apex(&self, depth: f64, height: f64) -> Error {
+        let apex = (depth / self.cos - self.rho) / self.tan;
+        if apex.is_finite() {
+            Error::ConeReachesApex { apex: apex - self.shift, reached: height - self.shift }
+        } else {
+            Error::RadiusNotPositive { radius: self.radius_at(depth, height) }
+        }
     }
 
     /// The sphere at a depth: its signed radius along the normals of contacts.

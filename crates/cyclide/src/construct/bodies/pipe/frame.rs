@@ -4,12 +4,13 @@
 use crate::base::quat::Quat;
 use crate::base::vector::{Point3, Vec3};
 use crate::construct::bodies::LARGEST_ARC;
+use crate::construct::bodies::smooth_joint::{largest_smooth_turn, rounding_of_direction};
 use crate::curve::{Arc, ArcPath, ParamCurve as _};
 use crate::error::{Error, Result};
 use std::f64::consts::FRAC_PI_2;
 
-/// Joints that turn by less are smooth.
-pub(super) const SMOOTH: f64 = 1e-10;
+/// A closed spine that comes back turned about itself by less is not twisted.
+const NOT_TWISTED: f64 = 1e-10;
 /// Largest turn of a corner that is mitred: the mitre is ten times as long as the radius.
 const LARGEST_TURN: f64 = 2.942;
 /// The radius of a pipe is below that of its arcs by at least this part.
@@ -114,7 +115,8 @@ impl Spine {
             }
             across = (across - behind * across.dot(behind)).unit().unwrap_or(across);
             let point = if k < n { piece(k).arc.start() } else { piece(n - 1).arc.end() };
-            let mitred = before.angle(behind) > SMOOTH;
+            let smooth = largest_smooth_turn(&piece(k + n - 1).arc, &piece(k).arc);
+            let mitred = before.angle(behind) > smooth;
             self.stations.push(Station { point, ways: [before, behind], across, mitred });
         }
         if self.closed {
@@ -140,7 +142,8 @@ impl Spine {
         let piece = longest(true).or_else(|| longest(false)).unwrap_or(0);
         // Quarter k at the end of the last piece is the quarter k - quarters at the first station.
         let quarters = (-quarters).rem_euclid(4.0) as usize;
-        let twisted = angle.abs() > SMOOTH;
+        let rounding: f64 = self.pieces.iter().map(|piece| rounding_of_direction(&piece.arc)).sum();
+        let twisted = angle.abs() > NOT_TWISTED + rounding;
         self.twist = Some(Twist { piece, angle: if twisted { angle } else { 0.0 }, quarters });
         if twisted {
             for k in piece + 1..self.stations.len() {
@@ -157,8 +160,9 @@ impl Spine {
             let turn = before.angle(behind);
             let neighbours = [&self.pieces[(k + n - 1) % n], &self.pieces[k % n]];
             if turn > LARGEST_TURN || neighbours.iter().any(|piece| !piece.arc.is_straight()) {
-                let joint = neighbours[1].source;
-                return Err(Error::CornerNotMitred { joint, turn, smooth: SMOOTH, limit: LARGEST_TURN });
+                let (joint, smooth) =
+                    (neighbours[1].source, largest_smooth_turn(&neighbours[0].arc, &neighbours[1].arc));
+                return Err(Error::CornerNotMitred { joint, turn, smooth, limit: LARGEST_TURN });
             }
         }
         for (k, piece) in self.pieces.iter().enumerate() {

@@ -3,6 +3,7 @@
 
 use super::CrossingSide;
 use super::corners::Corners;
+use super::law_fold::LawFold;
 use super::mixed::{MixedPair, MixedPiece};
 use super::torus_pair::TorusPair;
 use crate::base::frame::Frame;
@@ -19,6 +20,8 @@ const HALVING: Halving =
     Halving { what: "the blend", cap: 2048, least: 1e-6, remedy: "use a larger tolerance, or a law that changes less" };
 /// A blend keeps to its law to this part of the radius where no tolerance is given.
 const DEFAULT_TOLERANCE: f64 = 1e-3;
+/// The size of a loop is as the root of what its radius is off that at which it shrinks to a point: within this part of that it keeps its shape.
+const PART_OF_ROOM: f64 = 0.1;
 /// Places of a piece at which its radius is compared with the law.
 const PLACES: u32 = 8;
 /// Halvings of pieces at most, until as many are on both sides beside each hole.
@@ -208,6 +211,10 @@ pub(super) struct Balls<'a> {
     pub(super) law: &'a Law,
     pub(super) tolerance: Option<f64>,
     pub(super) side: CrossingSide,
+    /// The radius at which the loop shrinks to a point.
+    pub(super) limit: f64,
+    /// What the width of the blend has to be near to.
+    pub(super) fold: Option<LawFold>,
 }
 
 /// Pieces between two angles, with the bounds of their radius and what it is off the law.
@@ -220,7 +227,11 @@ struct Span {
 impl Balls<'_> {
     /// Where the ball in a direction touches both pipes.
     pub(super) fn contacts(&self, angle: f64) -> Result<Contacts> {
-        let asked = self.law.at(angle);
+        self.contacts_of(self.law.at(angle), angle)
+    }
+
+    /// The same of the ball with this radius and slope.
+    pub(super) fn contacts_of(&self, asked: [f64; 2], angle: f64) -> Result<Contacts> {
         if let Some(mixed) = &self.mixed {
             return mixed.towards(asked, angle);
         }
@@ -229,7 +240,8 @@ impl Balls<'_> {
 
     /// What the radius may be off one that is asked for.
     fn allowed(&self, radius: f64) -> f64 {
-        self.tolerance.unwrap_or(DEFAULT_TOLERANCE * radius)
+        let tolerance = self.tolerance.unwrap_or(DEFAULT_TOLERANCE * radius);
+        tolerance.min(PART_OF_ROOM * (radius - self.limit).abs())
     }
 
     /// What pieces between two angles are made from, with balls and directions of the law at both.
@@ -258,7 +270,7 @@ impl Balls<'_> {
         Ok(LoopPiece::upright(way, forms))
     }
 
-    /// The pieces between two angles, no value of the law between them, if the radius keeps to the law and weights are positive.
+    /// The pieces between two angles, no value of the law between them, if radius and width keep to the law and weights are positive.
     fn span(&self, ends: [f64; 2]) -> Result<Option<Span>> {
         let Some(ways) = self.ways(ends)? else { return Ok(None) };
         let asked = ends.map(|angle| self.law.at(angle)[0]);
@@ -284,6 +296,12 @@ impl Balls<'_> {
             }
             span.radii = [span.radii[0].min(least), span.radii[1].max(most)];
             span.pieces.push(made);
+        }
+        if let Some(fold) = &self.fold {
+            let left = span.pieces.iter().map(|piece| fold.of_piece(&piece.patch)).fold(f64::INFINITY, f64::min);
+            if !fold.is_met(self, ends, left) {
+                return Ok(None);
+            }
         }
         Ok(Some(span))
     }

@@ -1,6 +1,7 @@
 //! What is refused of a crossing: blends that fold, holes that go too far round a pipe.
 
 use super::ball_loop::{BallLoop, Balls};
+use super::law_fold::LawFold;
 use crate::construct::bodies::pierced::Node;
 use crate::construct::bodies::tight_place::TightPlace;
 use crate::error::{Error, Result};
@@ -19,7 +20,7 @@ const FARTHEST: f64 = 2.6;
 ///
 /// # Errors
 /// `crossing-folds`.
-pub(super) fn check_folds(balls: &BallLoop, depth: f64) -> Result<TightPlace> {
+pub(super) fn check_folds(asked: &Balls<'_>, balls: &BallLoop, depth: f64) -> Result<TightPlace> {
     let tightest = balls.pieces.iter().fold(TightPlace::NONE, |tightest, piece| {
         let canal = piece.patch.offset(depth);
         let angle = |s: f64| {
@@ -31,7 +32,8 @@ pub(super) fn check_folds(balls: &BallLoop, depth: f64) -> Result<TightPlace> {
     if tightest.left > 0.0 {
         Ok(tightest)
     } else {
-        Err(Error::CrossingFolds { angle: tightest.angle, left: tightest.left })
+        let remedy = LawFold::remedy(asked.fold.as_ref(), asked, depth);
+        Err(Error::CrossingFolds { angle: tightest.angle, left: tightest.left, remedy })
     }
 }
 

@@ -8,6 +8,7 @@ mod ball_loop;
 mod check;
 mod cones;
 mod corners;
+mod law_fold;
 mod mixed;
 mod skin;
 mod torus_pair;
@@ -21,6 +22,7 @@ use crate::error::{Error, ErrorItem, Result};
 use crate::surface::SkewCylinders;
 use crate::topology::{Body, Sewing};
 use ball_loop::{BallLoop, Balls};
+use law_fold::LawFold;
 use mixed::MixedPair;
 use torus_pair::TorusPair;
 
@@ -257,14 +259,17 @@ impl PipeCrossing {
         let place = ends.fold(2.0 * self.axes.half_gap(), |most, end| most.max(end.abs()));
         let [least, most] = self.law.range();
         range::check_size_in_place(ErrorItem::Blend, least, place, range::SMALLEST_IN_PLACE)?;
-        let limit = pair.smallest_radius();
+        let smallest = pair.smallest_radius();
         let depth = self.wall.unwrap_or(0.0);
         let mixed = match (self.side, &pair) {
             (CrossingSide::Mixed, TorusPair::Cylinders(pair)) => Some(MixedPair::new(pair)?),
             _ => None,
         };
+        let limit = match self.side {
+            CrossingSide::Outside => smallest,
+            _ => mixed.as_ref().map_or(-smallest, MixedPair::largest_radius),
+        };
         if self.side.is_in_material() {
-            let limit = mixed.as_ref().map_or(-limit, MixedPair::largest_radius);
             if !(most < limit) {
                 return Err(Error::CrossingBallTooLarge { radius: most, limit });
             }
@@ -274,15 +279,17 @@ impl PipeCrossing {
         } else if !(least > limit) {
             return Err(Error::RadiusTooSmall { radius: least, limit });
         }
-        let balls = Balls { pair, mantles, mixed, law: &self.law, tolerance: self.tolerance, side: self.side };
-        check::check_reach_round(&balls)?;
-        let balls = BallLoop::new(&balls)?;
+        // The larger balls are those of the inner skin, in the material those of the outer one.
+        let larger = if self.side.is_in_material() { 0.0 } else { depth };
+        let (law, tolerance, side) = (&self.law, self.tolerance, self.side);
+        let asked = Balls { pair, mantles, mixed, law, tolerance, side, limit, fold: None };
+        check::check_reach_round(&asked)?;
+        let asked = Balls { fold: LawFold::new(&asked, larger), ..asked };
+        let balls = BallLoop::new(&asked)?;
         for pipe in 0..2 {
             if self.side.leaves(pipe) { check::check_hole(&balls, pipe)? } else { check::check_cap(&balls, pipe)? }
         }
-        // The larger balls are those of the inner skin, in the material those of the outer one.
-        let larger = if self.side.is_in_material() { 0.0 } else { depth };
-        let tight = check::check_folds(&balls, larger)?;
+        let tight = check::check_folds(&asked, &balls, larger)?;
         self.check_room(&balls)?;
         let blend = TeeBlendFacts {
             radii: balls.radii,
@@ -372,9 +379,17 @@ impl PipeCrossing {
         let depth = self.wall.unwrap_or(0.0);
         for CrossingPipe { radius, taper, ends } in self.pipes {
             let (sin, cos) = taper.sin_cos();
-            let thinnest = ends.map(|end| radius - (end * sin + depth) / cos).into_iter().fold(radius, f64::min);
-            if !(cos > 0.0 && thinnest > 0.0) {
-                return Err(Error::RadiusNotPositive { radius: thinnest });
+            let radius_at = |end: f64| radius - (end * sin + depth) / cos;
+            if !(cos > 0.0) {
+                return Err(Error::RadiusNotPositive { radius: radius_at(ends[1]) });
+            }
+            if let Some(reached) = ends.into_iter().find(|end| !(radius_at(*end) > 0.0)) {
+                let apex = (radius * cos - depth) / sin;
+                return Err(if apex.is_finite() {
+                    Error::ConeReachesApex { apex, reached }
+                } else {
+                    Error::RadiusNotPositive { radius: radius_at(reached) }
+                });
             }
         }
         Ok(())

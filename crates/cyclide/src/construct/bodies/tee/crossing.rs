@@ -11,7 +11,7 @@ use crate::base::vector::{Point3, Vec3};
 use crate::construct::bodies::pierced::Mantle;
 use crate::error::{Error, ErrorItem, Result};
 use crate::rational::{Polynomial, PolynomialRow};
-use std::f64::consts::{FRAC_PI_4, PI, TAU};
+use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI, TAU};
 
 /// Smallest sine of the angle between a line of a branch and its main pipe.
 const SMALLEST_SINE: f64 = 0.05;
@@ -116,11 +116,21 @@ impl Crossing {
         let (sin, cos) = branch.angle.sin_cos();
         let taper_cos = branch.taper.cos();
         let least = SMALLEST_SINE.asin() + branch.taper.abs();
+        if least > FRAC_PI_2 {
+            // No angle is far enough from both directions of the main pipe.
+            let max = FRAC_PI_2 - SMALLEST_SINE.asin();
+            let error = Error::ParameterOutOfRange { name: ErrorItem::Taper, value: branch.taper, min: -max, max };
+            return Err(error.in_branch(index, ErrorItem::Taper));
+        }
         if !(branch.angle >= least && branch.angle <= PI - least) {
             let error = Error::AngleOutOfRange { angle: branch.angle, min: least, max: PI - least };
             return Err(error.in_branch(index, ErrorItem::Angle));
         }
         let end = branch.radius - branch.length * branch.taper.tan() - wall / taper_cos;
+        if !(end > 0.0) && branch.taper > 0.0 && wall < branch.radius * taper_cos {
+            let apex = (branch.radius - wall / taper_cos) / branch.taper.tan();
+            return Err(Error::ConeReachesApex { apex, reached: branch.length }.in_branch(index, ErrorItem::Taper));
+        }
         if !(end > 0.0) {
             return Err(Error::RadiusNotPositive { radius: end }.in_branch(index, ErrorItem::Taper));
         }

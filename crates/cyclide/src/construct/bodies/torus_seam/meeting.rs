@@ -1,13 +1,13 @@
-//! Whether seams run into themselves or each other: points of the sections along them, looked up by cubes, so that time is linear in
-//! the length (`docs/math/torus-splines.md#seams`).
+//! Whether seams run into themselves or each other: points of the sections along them, held against the runs of sections near them
+//! (`docs/math/torus-splines.md#seams`).
 
 use super::TorusSeam;
 use super::moving::Moving;
-use crate::base::vector::Point3;
+use super::runs::Runs;
+use crate::base::vector::{Point3, Vec3};
 use crate::curve::{ParamCurve as _, length};
 use crate::error::{Error, Result};
 use crate::surface::TorusSpline;
-use std::collections::HashMap;
 use std::f64::consts::FRAC_PI_2;
 
 /// Sections along a width of the curve, and how many there are of all curves at most: where there are more they are farther apart.
@@ -23,14 +23,14 @@ const SLACK: f64 = 0.05;
 const REFINEMENTS: usize = 4;
 
 /// A section with the way of the curve before it.
-struct Place {
-    spline: usize,
+pub(super) struct Place {
+    pub(super) spline: usize,
     piece: usize,
     s: f64,
     /// Of the parameter of its piece, to the next.
     step: f64,
     way: f64,
-    moving: Moving,
+    pub(super) moving: Moving,
 }
 
 /// A point inside two seams, or inside one at two places of its curve.
@@ -43,7 +43,7 @@ pub(super) struct Meeting {
 }
 
 /// The region of the sections: as far as points have to be inside it.
-struct Inside {
+pub(super) struct Inside {
     half: f64,
     heights: [f64; 2],
     margin: f64,
@@ -88,24 +88,29 @@ pub(super) fn first(
     let half = 0.5 * seam.width;
     let margin = tolerance.min(0.125 * (high - low)).min(0.25 * half);
     let inside = Inside { half, heights: seam.heights, margin };
-    // Sections that share a point are not farther apart than this.
-    let reach = 2.0 * half.hypot(low.abs().max(high.abs())) + spacing;
-    let cube = |p: Point3| p.to_array().map(|v| (v / reach).floor() as i64);
-    let mut cubes: HashMap<[i64; 3], Vec<usize>> = HashMap::new();
-    for (k, place) in places.iter().enumerate() {
-        cubes.entry(cube(place.moving.point)).or_default().push(k);
-    }
+    // A section that holds a point has its middle within this.
+    let slack = SLACK * half;
+    let reach = (half + slack).hypot(low.abs().max(high.abs()) + slack) + NEAR_STEPS * spacing;
+    let runs = Runs::new(&places, reach, spacing);
+    let mut near = Vec::new();
     for place in &places {
-        let [x, y, z] = cube(place.moving.point);
-        let near = (0..27).map(|k: i64| [x + k % 3 - 1, y + k / 3 % 3 - 1, z + k / 9 - 1]);
-        let others = near.filter_map(|at| cubes.get(&at)).flatten().map(|&k| &places[k]);
-        for other in others.filter(|other| (other.spline != place.spline) == different) {
-            let apart = different || !are_neighbours(place, other, &lengths, splines, half, spacing);
-            if !apart || place.moving.point.distance(other.moving.point) > reach {
-                continue;
-            }
-            if let Some(found) = meeting(place, other, splines, &inside, spacing)? {
-                return Ok(Some(found));
+        runs.gather(place.moving.point, &mut near);
+        near.retain(|run| (places[run.sections.start].spline != place.spline) == different);
+        for point in inside.points(&place.moving) {
+            for run in near.iter().filter(|run| run.may_hold(point)) {
+                let mut from = run.sections.start;
+                while let Some(k) = run.next_holding(&places, from, point, &inside, spacing) {
+                    let other = &places[k];
+                    from = k + 1;
+                    if !different && are_neighbours(place, other, &lengths, splines, half, spacing) {
+                        continue;
+                    }
+                    if let Some(own) = inside.holds(point, other, splines[other.spline])? {
+                        let (splines, pieces) = ([place.spline, other.spline], [place.piece, other.piece]);
+                        let distance = place.moving.point.distance(own.point);
+                        return Ok(Some(Meeting { splines, pieces, point, distance }));
+                    }
+                }
             }
         }
     }
@@ -120,43 +125,24 @@ fn are_neighbours(a: &Place, b: &Place, lengths: &[f64], splines: &[&TorusSpline
     way < FRAC_PI_2 * 2.0 * half + 2.0 * spacing
 }
 
-/// A point of a section that is inside the seam at another place of the curve.
-fn meeting(
-    place: &Place,
-    other: &Place,
-    splines: &[&TorusSpline],
-    inside: &Inside,
-    spacing: f64,
-) -> Result<Option<Meeting>> {
-    let [low, high] = inside.heights;
-    for height in [low, 0.5 * (low + high), high] {
-        for k in -ACROSS..=ACROSS {
-            let side = inside.half * f64::from(k) / f64::from(ACROSS);
-            let Moving { point, across, normal, .. } = place.moving;
-            let point = point + across * side + normal * height;
-            if inside.may_hold(point, &other.moving, spacing)
-                && let Some(own) = inside.holds(point, other, splines[other.spline])?
-            {
-                let (splines, pieces) = ([place.spline, other.spline], [place.piece, other.piece]);
-                let distance = place.moving.point.distance(own.point);
-                return Ok(Some(Meeting { splines, pieces, point, distance }));
-            }
-        }
-    }
-    Ok(None)
-}
-
 impl Inside {
-    /// False where the nearest section cannot hold a point, by the frame of a section near it.
-    fn may_hold(&self, point: Point3, moving: &Moving, spacing: f64) -> bool {
-        let v = point - moving.point;
+    /// The points of a section that are looked at.
+    fn points(&self, &Moving { point, across, normal, .. }: &Moving) -> impl Iterator<Item = Point3> {
+        let ([low, high], half) = (self.heights, self.half);
+        [low, 0.5 * (low + high), high].into_iter().flat_map(move |height| {
+            let side = move |k: i32| half * f64::from(k) / f64::from(ACROSS);
+            (-ACROSS..=ACROSS).map(move |k| point + across * side(k) + normal * height)
+        })
+    }
+
+    /// What a way from the middle of a section goes beyond it, by its frame, along the curve, across and along the normal: 0 where it does not go beyond.
+    pub(super) fn beyond(&self, v: Vec3, moving: &Moving, spacing: f64) -> [f64; 3] {
         let slack = SLACK * self.half;
         let [low, high] = self.heights;
-        let (side, height) = (v.dot(moving.across), v.dot(moving.normal));
-        v.dot(moving.tangent).abs() <= NEAR_STEPS * spacing
-            && side.abs() <= self.half + slack
-            && height >= low - slack
-            && height <= high + slack
+        let height = v.dot(moving.normal);
+        let along = v.dot(moving.tangent).abs() - NEAR_STEPS * spacing;
+        let across = v.dot(moving.across).abs() - self.half - slack;
+        [along, across, (low - slack - height).max(height - high - slack)].map(|beyond| beyond.max(0.0))
     }
 
     /// The frame of the section near a place that holds a point, if one does.

@@ -11,6 +11,7 @@
 
 mod meeting;
 mod moving;
+mod runs;
 
 use crate::base::vector::{Point3, Vec3};
 use crate::curve::ParamCurve as _;
@@ -76,7 +77,7 @@ impl TorusSeam {
     /// The solid along a spline, closed round if the spline is; the ends of an open one are plane.
     ///
     /// # Errors
-    /// `tolerance-not-positive`; `parameter-out-of-range` (a height that reaches the middle of the tube or the axis; a width with which the
+    /// `tolerance-not-positive`; `parameter-out-of-range` (a height that reaches the middle of the tube or the axis, or at which the seam folds; a width with which the
     /// seam folds, with the largest that does not); `seam-meets-itself` (parts of it that are no neighbours share space, by more than the
     /// tolerance, with the place: looked for at sections an eighth of the width apart); `too-many-pieces`, `zero-tangent` (a stop of the
     /// curve); as [`Shell::new`](crate::Shell::new).
@@ -163,14 +164,20 @@ impl TorusSeam {
         Ok(true)
     }
 
-    /// Refuses a width with which the seam folds at one of many places of the curve, with the largest with which it folds at none.
+    /// Refuses a height or a width with which the seam folds at one of many places of the curve, with the limits within which it folds at none.
     fn check_width(&self, spline: &TorusSpline) -> Result<()> {
-        let mut widest = f64::INFINITY;
+        let (a, b) = (spline.torus().major_radius(), spline.torus().minor_radius());
+        let (mut widest, mut range) = (f64::INFINITY, [-b, a - b]);
         for piece in 0..spline.piece_count() {
             for k in 0..=2 * PLACES {
                 let moving = Moving::at(spline, piece, f64::from(k) / f64::from(2 * PLACES))?;
                 widest = widest.min(moving.widest(self.heights));
+                let [low, high] = moving.heights();
+                range = [range[0].max(low), range[1].min(high)];
             }
+        }
+        if let Some(height) = self.heights.into_iter().find(|height| !(*height > range[0] && *height < range[1])) {
+            return Err(out_of_range(ErrorItem::Height, height, range));
         }
         if self.width <= widest { Ok(()) } else { Err(out_of_range(ErrorItem::Width, self.width, [0.0, widest])) }
     }

@@ -42,6 +42,20 @@ impl Moving {
         Ok(Self { point: jet.point, velocity: jet.d1, tangent, normal, normal_rate, across, across_rate })
     }
 
+    /// The heights between which the middle of the seam goes faster than the slowest.
+    pub(super) fn heights(&self) -> [f64; 2] {
+        let speed = self.velocity.length();
+        let growth = self.normal_rate.dot(self.tangent) / speed;
+        let end = (SLOWEST - 1.0) / growth;
+        if growth > 0.0 {
+            [end, f64::MAX]
+        } else if growth < 0.0 {
+            [f64::MIN, end]
+        } else {
+            [f64::MIN, f64::MAX]
+        }
+    }
+
     /// The largest width with which no corner between these heights falls below the slowest speed along the curve.
     pub(super) fn widest(&self, heights: [f64; 2]) -> f64 {
         let speed = self.velocity.length();

@@ -5,11 +5,10 @@ use super::ball::{Ball, Way};
 use super::ball_arc::BallArc;
 use super::radius_law::RadiusLaw;
 use crate::construct::bodies::LARGEST_ARC;
+use crate::construct::bodies::smooth_joint::largest_smooth_turn;
 use crate::curve::{Arc, ArcPath, ParamCurve as _};
 use crate::error::{Error, Result};
 
-/// Joints that turn by less are smooth.
-const SMOOTH: f64 = 1e-10;
 /// A radius that grows by less than this, for each length, away from linear is linear: rounding.
 const LINEAR: f64 = 1e-13;
 /// Halvings of a part of the spine at most.
@@ -76,13 +75,13 @@ fn check_joints(path: &ArcPath) -> Result<()> {
         if joint == 0 && !path.is_closed() {
             continue;
         }
-        let (Some(before), Some(behind)) = (arcs[(joint + n - 1) % n].end_tangent(), arcs[joint].start_tangent())
-        else {
+        let (arc_before, arc_behind) = (&arcs[(joint + n - 1) % n], &arcs[joint]);
+        let (Some(before), Some(behind)) = (arc_before.end_tangent(), arc_behind.start_tangent()) else {
             return Err(Error::ZeroTangent { index: joint });
         };
-        let turn = before.angle(behind);
-        if turn > SMOOTH {
-            return Err(Error::CornerNotMitred { joint, turn, smooth: SMOOTH, limit: SMOOTH });
+        let (turn, smooth) = (before.angle(behind), largest_smooth_turn(arc_before, arc_behind));
+        if turn > smooth {
+            return Err(Error::CornerNotMitred { joint, turn, smooth, limit: smooth });
         }
     }
     Ok(())

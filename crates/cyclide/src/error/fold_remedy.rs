@@ -1,0 +1,34 @@
+//! What helps against a blend that runs through itself.
+
+/// What helps against a blend that runs through itself.
+///
+/// ```
+/// use cyclide::{CrossingPipe, Error, FoldRemedy, PipeCrossing};
+/// let pipe = CrossingPipe { radius: 2.0, taper: 0.0, ends: [-9.0, 9.0] };
+/// // A bridge over a gap of 1: the ball hardly fits through, and turns round on the spot.
+/// let Err(Error::CrossingFolds { remedy, .. }) = PipeCrossing::new([pipe, pipe], 5.0, 0.51)?.made() else {
+///     panic!("it folds")
+/// };
+/// assert_eq!(remedy, FoldRemedy::LargerBall);
+/// # Ok::<(), cyclide::Error>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum FoldRemedy {
+    /// A larger ball turns less sharply.
+    LargerBall,
+    /// A smaller ball needs less room.
+    SmallerBall,
+    /// The blend that is asked for does not fold, only what is within the tolerance of it.
+    FinerTolerance,
+}
+
+impl FoldRemedy {
+    /// The advice in words.
+    pub(super) fn advice(self) -> &'static str {
+        match self {
+            Self::LargerBall => "take a larger ball, a thinner wall, or move the axes",
+            Self::SmallerBall => "take a smaller ball, a thinner wall, or move the axes",
+            Self::FinerTolerance => "the blend itself does not: take a finer tolerance",
+        }
+    }
+}
