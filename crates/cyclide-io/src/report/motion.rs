@@ -121,7 +121,10 @@ impl MotionReport {
             let times = motion.pose_times();
             // One span through more than its ends may have chosen their times itself.
             if times.len() > 2 && (!as_given || spans == 1) {
-                let passed = |time: &f64| schedule.timing().fraction_at(*time) * body.duration();
+                // The inverse of a law that begins at rest is off by a rounding there.
+                let passed = |time: &f64| {
+                    if *time <= first { 0.0 } else { schedule.timing().fraction_at(*time) * body.duration() }
+                };
                 report.pose_times = Some(times.iter().map(passed).collect());
             }
         }

@@ -22,6 +22,10 @@ const NO_SPEED: f64 = 1e-6;
 const AT_JOINT: f64 = 1e-9;
 /// Tangents at a joint that differ by more than this, in radians, are a corner.
 const CORNER: f64 = 1e-6;
+/// A curvature that is so many times as large ten times nearer to an end grows without bound: as the root of the distance falls, it is 3.2 times.
+const GROWS: f64 = 2.0;
+/// Bends of a chord by less than this, in radians, are rounding beside an end at which the curve stands.
+const STRAIGHT: f64 = 1e-3;
 /// Cells beyond this many follow rounding.
 const MOST_CELLS: usize = 512;
 
@@ -76,9 +80,17 @@ pub fn cusps(curve: &dyn ParamCurve) -> Vec<CurveCusp> {
     found
 }
 
-/// True if a piece comes to a stand at an end, or turns at a stand inside.
+/// True if a piece comes to a stand at an end at which it bends without bound, or turns at a stand inside.
 pub(super) fn has_cusp(curve: &dyn ParamCurve, piece: usize) -> bool {
-    OfPiece::new(curve, piece).is_some_and(|own| !own.inside.is_empty() || own.ends.iter().any(|end| end.stands))
+    let size = curve.piece_point(piece, 0.0).distance(curve.piece_point(piece, 1.0));
+    let bends = |end: usize| {
+        let at = |off: f64| if end == 0 { off } else { 1.0 - off };
+        let bend = |off: f64| curve.piece_jet(piece, at(off)).curvature().unwrap_or(0.0);
+        let [far, near] = [BESIDE, 0.1 * BESIDE].map(bend);
+        near > GROWS * far && near * size > STRAIGHT
+    };
+    OfPiece::new(curve, piece)
+        .is_some_and(|own| !own.inside.is_empty() || own.ends.iter().enumerate().any(|(k, end)| end.stands && bends(k)))
 }
 
 /// Where a piece comes to a stand.
@@ -156,6 +168,25 @@ mod tests {
         let points: Vec<Point3> = points.iter().map(|[x, y]| Point3::new(*x, *y, 0.0)).collect();
         let weights = vec![1.0; points.len()];
         cusps(&NurbsCurve::new(degree, knots.to_vec(), points, weights).unwrap())
+    }
+
+    #[test]
+    fn ends_that_stand_are_cusps_where_they_bend() {
+        let curve = |points: &[[f64; 2]]| {
+            let points: Vec<Point3> = points.iter().map(|[x, y]| Point3::new(*x, *y, 0.0)).collect();
+            let knots = vec![0.0, 0.0, 0.0, 0.0, 1.0, 1.0, 1.0, 1.0];
+            NurbsCurve::new(3, knots, points, vec![1.0; 4]).unwrap()
+        };
+        // It starts along x, at rest, and bends as one over the parameter.
+        let bent = curve(&[[0.0, 0.0], [0.0, 0.0], [1.0, 0.0], [2.0, 1.0]]);
+        assert!(has_cusp(&bent, 0) && crate::fairness(&bent).variation.is_none());
+        assert!(crate::extreme_curvature(&bent).max.is_infinite());
+        // On a line nothing bends, wherever it stands.
+        for line in [[[0.0, 0.0], [0.0, 0.0], [1.0, 0.3], [2.0, 0.6]], [[5.0, 1.0], [5.1, 1.1], [5.7, 1.7], [5.7, 1.7]]]
+        {
+            let line = curve(&line);
+            assert!(!has_cusp(&line, 0));
+        }
     }
 
     #[test]
