@@ -161,6 +161,7 @@ fn cusp_between(
 
 #[cfg(test)]
 mod tests {
+    use super::super::{curvature::extreme_curvature, fairness::fairness};
     use super::*;
     use crate::rational::NurbsCurve;
 
@@ -179,8 +180,8 @@ mod tests {
         };
         // It starts along x, at rest, and bends as one over the parameter.
         let bent = curve(&[[0.0, 0.0], [0.0, 0.0], [1.0, 0.0], [2.0, 1.0]]);
-        assert!(has_cusp(&bent, 0) && crate::fairness(&bent).variation.is_none());
-        assert!(crate::extreme_curvature(&bent).max.is_infinite());
+        assert!(has_cusp(&bent, 0) && fairness(&bent).variation.is_none());
+        assert!(extreme_curvature(&bent).max.is_infinite());
         // On a line nothing bends, wherever it stands.
         for line in [[[0.0, 0.0], [0.0, 0.0], [1.0, 0.3], [2.0, 0.6]], [[5.0, 1.0], [5.1, 1.1], [5.7, 1.7], [5.7, 1.7]]]
         {
