@@ -51,22 +51,21 @@ impl SplinePatch {
         Self { knots: vec![Knots { degree: curve.degree(), knots: curve.knots().to_vec() }], net }
     }
 
-    /// A Bézier patch with more knots, rising, between the ends of each parameter: the same points.
-    fn divided(cell: RationalCell, inner: &[Vec<f64>; 3]) -> Self {
+    /// A Bézier patch with more knots, rising, between the ends of each parameter: the same points. The control point between knots is the blossom at the
+    /// n knots inside its own n + 2 (L. Ramshaw, *Blossoms are polar forms*, 1989).
+    fn divided(cell: RationalCell, inner: &[Vec<f64>; 3]) -> cyclide::Result<Self> {
         let (mut degrees, mut rows, dimension) = (cell.degrees, cell.rows(), cell.dimension());
         let mut knots = Vec::new();
         for (axis, inner) in inner.iter().enumerate().take(dimension) {
             let own = Knots::divided(degrees[axis], inner);
-            // The control point between knots is the blossom at the n knots inside its own n + 2.
             let with_knots = |row: &[[f64; 4]]| {
                 let points = own.knots.windows(own.degree).skip(1).take(own.degree + inner.len() + 1);
                 Ok(points.map(|at| blossom(row, at)).collect())
             };
-            // A blossom of numbers is one.
-            (degrees, rows) = along(degrees, &rows, axis, with_knots).unwrap_or((degrees, rows));
+            (degrees, rows) = along(degrees, &rows, axis, with_knots)?;
             knots.push(own);
         }
-        Self { knots, net: RationalCell::of_rows(degrees, &rows, cell.tags) }
+        Ok(Self { knots, net: RationalCell::of_rows(degrees, &rows, cell.tags) })
     }
 
     /// The Bézier patches between its knots, the first parameter fastest.
@@ -186,7 +185,8 @@ pub(crate) fn push_surfaces_and_volumes(
                 ends[axis].iter().copied().filter(move |x| *x > from && *x < to)
             };
             let local = |axis: usize| inside(axis).map(move |x| (x - half[axis][0]) / (half[axis][1] - half[axis][0]));
-            patches.push(SplinePatch::divided(cell, &std::array::from_fn(|axis| local(axis).collect())));
+            let divided = SplinePatch::divided(cell, &std::array::from_fn(|axis| local(axis).collect()));
+            patches.push(divided.map_err(|source| body.unfit(source))?);
             let with_ends = |axis: usize| [half[axis][0]].into_iter().chain(inside(axis)).chain([half[axis][1]]);
             parts.extend(boxes_between(&std::array::from_fn(|axis| with_ends(axis).collect())));
         }
