@@ -267,6 +267,28 @@ proptest! {
     }
 }
 
+/// The first axis is at the target, the normal in its plane with up and on that side, at every place and distance.
+#[test]
+fn frames_look_at_a_point() {
+    let helix = Helix { radius: 2.0, rise: 0.7, turns: 2 };
+    for (target, up) in
+        [([0.3, -0.2, 5.0], [0.0, 0.0, 2.0]), ([4e6, 1.0, -3e5], [0.0, 1.0, 0.0]), ([2.1, 0.1, 0.0], [1.0, 1.0, 1.0])]
+    {
+        let (target, up) = (Point3::from(target), Vec3::from(up));
+        let frames = CurveFrames::new(&helix, &FrameRule::LookAt { target, up }).unwrap();
+        for t in [0.0, 0.21, 0.5, 0.83, 1.0] {
+            let frame = frames.at(t).unwrap();
+            let way = target - frame.point;
+            assert!((frame.axis * way.length() - way).length() <= 1e-15 * way.length());
+            assert!((frame.axis.cross(frame.normal) - frame.binormal).length() < 1e-15);
+            assert!(frame.normal.dot(frame.axis).abs() < 1e-15 && frame.binormal.dot(up).abs() < 1e-15 * up.length());
+            assert!(frame.normal.dot(up) > 0.0);
+            let tangent = helix.jet(t).tangent().unwrap();
+            assert!((frame.tangent - tangent).length() < 1e-15, "that of the curve as ever");
+        }
+    }
+}
+
 #[test]
 fn frames_that_do_not_exist_are_refused_by_name() {
     let line = Arc::segment(Point3::ORIGIN, Point3::new(0.0, 0.0, 4.0)).unwrap();
@@ -275,7 +297,7 @@ fn frames_that_do_not_exist_are_refused_by_name() {
         other => panic!("{other:?}"),
     };
     assert_eq!(reason(&FrameRule::Frenet), ("the curvature", 0.25));
-    let sine = "the sine of the angle between the direction and the tangent";
+    let sine = "the sine of the angle between the direction and the first axis of the frame";
     assert_eq!(reason(&FrameRule::Up(Vec3::Z)), (sine, 0.25));
     assert_eq!(reason(&FrameRule::Toward(Point3::new(0.0, 0.0, 9.0))), (sine, 0.25));
     let along = FrameRule::RotationMinimizing { start: Some(Vec3::Z), closed: ClosedTwist::Leave, tolerance: 1e-9 };
@@ -287,6 +309,11 @@ fn frames_that_do_not_exist_are_refused_by_name() {
     let refused = |rule: &FrameRule| CurveFrames::new(&line, rule).unwrap_err().reason();
     assert_eq!(refused(&FrameRule::Up(Vec3::ZERO)), "zero-axis");
     assert_eq!(refused(&FrameRule::Up(Vec3::new(f64::NAN, 0.0, 0.0))), "not-finite");
+    let look = |target: [f64; 3], up: [f64; 3]| FrameRule::LookAt { target: target.into(), up: up.into() };
+    assert_eq!(refused(&look([0.0, f64::NAN, 0.0], [0.0, 0.0, 1.0])), "not-finite");
+    assert_eq!(refused(&look([0.0; 3], [0.0; 3])), "zero-axis");
+    assert_eq!(reason(&look([0.0, 0.0, 1.0], [1.0, 0.0, 0.0])), ("the distance from what is looked at", 0.25));
+    assert_eq!(reason(&look([0.0, 0.0, 9.0], [0.0, 0.0, 1.0])), (sine, 0.25));
     assert_eq!(refused(&FrameRule::Toward(Point3::new(f64::INFINITY, 0.0, 0.0))), "not-finite");
     assert_eq!(refused(&minimizing(0.0, ClosedTwist::Leave)), "tolerance-not-positive");
     // There and back again.

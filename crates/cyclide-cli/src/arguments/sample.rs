@@ -16,12 +16,13 @@ Examples:
   cyclide sample logo.json --count 500 > logo.csv
   cyclide sample cable.json --object cable --count 200 --equal-length -o cable.csv
   cyclide sample road.json --step 5 --frames up -o road.csv
+  cyclide sample dolly.json --count 240 --equal-length --frames look-at --toward 0,0,1.6 -o camera.csv
   cyclide sample cable.json --object cable --step 10 --frames rotation-minimizing -o cable-frames.json
   cyclide sample roof.json --object 'outer skin' --count 8 -o roof.csv
   cyclide sample gripper.json --object gripper --count 101 -o poses.csv
 
 Curves: columns t,x,y,z,tangent_x,tangent_y,tangent_z,curvature,station,signed_curvature,torsion, with --frames also normal_x to
-normal_z and binormal_x to binormal_z, with a column 'contour' in front if the object has several. The station is the arc length
+normal_z and binormal_x to binormal_z, before them of look-at look_x to look_z, with a column 'contour' in front if the object has several. The station is the arc length
 from the start; signed curvature is positive to the left, of plane curves only. Each contour gets its own samples, both ends included.
 Surfaces: columns patch,s,t,x,y,z,normal_x,normal_y,normal_z,curvature_s,curvature_t on a grid of N by N places of every
 patch, edges included, with a column 'body' in front if the object has several.
@@ -51,11 +52,11 @@ pub struct SampleArgs {
     /// Curves: a frame at each place, normal and binormal (tangent x normal) beside the tangent.
     #[arg(long, value_name = "KIND", value_enum)]
     pub frames: Option<FrameKind>,
-    /// Frames: the direction that is up, or of rotation-minimizing frames the direction of the first normal [default: 0,0,1].
+    /// Frames: the direction that is up, of up and look-at, or of rotation-minimizing frames the direction of the first normal [default: 0,0,1].
     #[arg(long, value_name = "X,Y,Z", value_parser = triple, allow_hyphen_values = true)]
     pub up: Option<[f64; 3]>,
-    /// Frames: the point that normals look at.
-    #[arg(long, value_name = "X,Y,Z", value_parser = triple, allow_hyphen_values = true, required_if_eq("frames", "toward"))]
+    /// Frames: the point, of toward and look-at.
+    #[arg(long, value_name = "X,Y,Z", value_parser = triple, allow_hyphen_values = true, required_if_eq_any([("frames", "toward"), ("frames", "look-at")]))]
     pub toward: Option<[f64; 3]>,
     /// Frames, rotation-minimizing: spread over a closed curve what its frame comes back turned by, so that it closes.
     #[arg(long)]
@@ -77,6 +78,8 @@ pub enum FrameKind {
     Up,
     /// As near to a point (--toward) as they can be.
     Toward,
+    /// A first axis exactly at a point (--toward) in place of the tangent, normals as far up (--up) as they can be: cameras, tools.
+    LookAt,
     /// To the centre of curvature; none where the curve is straight.
     Frenet,
     /// Carried along without turning about the tangent.
@@ -121,13 +124,17 @@ impl SampleArgs {
             if given { Err(Failure::Usage(message)) } else { Ok(()) }
         };
         let minimal = self.frames == Some(FrameKind::RotationMinimizing);
-        idle(self.up.is_some() && !minimal && self.frames != Some(FrameKind::Up), "--up", "up or rotation-minimizing")?;
-        idle(self.toward.is_some() && self.frames != Some(FrameKind::Toward), "--toward", "toward")?;
+        let has_up = minimal || matches!(self.frames, Some(FrameKind::Up | FrameKind::LookAt));
+        let has_point = matches!(self.frames, Some(FrameKind::Toward | FrameKind::LookAt));
+        idle(self.up.is_some() && !has_up, "--up", "up, look-at or rotation-minimizing")?;
+        idle(self.toward.is_some() && !has_point, "--toward", "toward or look-at")?;
         idle(self.spread_twist && !minimal, "--spread-twist", "rotation-minimizing")?;
         let closed = if self.spread_twist { ClosedTwist::Spread } else { ClosedTwist::Leave };
+        let (up, point) = (self.up.map_or(Vec3::Z, Vec3::from), self.toward.map_or(Point3::ORIGIN, Point3::from));
         Ok(self.frames.map(|kind| match kind {
-            FrameKind::Up => FrameRule::Up(self.up.map_or(Vec3::Z, Vec3::from)),
-            FrameKind::Toward => FrameRule::Toward(self.toward.map_or(Point3::ORIGIN, Point3::from)),
+            FrameKind::Up => FrameRule::Up(up),
+            FrameKind::Toward => FrameRule::Toward(point),
+            FrameKind::LookAt => FrameRule::LookAt { target: point, up },
             FrameKind::Frenet => FrameRule::Frenet,
             FrameKind::RotationMinimizing => match FrameRule::rotation_minimizing() {
                 FrameRule::RotationMinimizing { tolerance, .. } => {

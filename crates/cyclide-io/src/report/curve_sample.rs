@@ -11,6 +11,9 @@ use crate::check::file_sample::FileSample;
 use crate::document::BuiltObject;
 use crate::formats::push_sample;
 
+/// The word of frames that look at a point.
+const LOOK_AT: &str = "look-at";
+
 /// Where the samples of a curve lie; both ends of each contour are among them.
 ///
 /// ```
@@ -89,7 +92,7 @@ pub struct SampleOptions {
 pub struct CurveSamples {
     /// The object's name.
     pub object: String,
-    /// What its frames are, if it has some: `up`, `toward`, `frenet`, `rotation-minimizing`, or `torus`, the normal of the torus that
+    /// What its frames are, if it has some: `up`, `toward`, `look-at`, `frenet`, `rotation-minimizing`, or `torus`, the normal of the torus that
     /// the curve lies on.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub frames: Option<&'static str>,
@@ -156,10 +159,13 @@ pub struct CurveSample {
     pub signed_curvature: Option<f64>,
     /// Torsion, positive for a right-handed helix; none where the curvature vanishes.
     pub torsion: Option<f64>,
+    /// Of a frame that looks at a point the unit direction to that, which is its first axis; of others this is the tangent.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub look: Option<[f64; 3]>,
     /// Unit normal of the frame.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub normal: Option<[f64; 3]>,
-    /// Unit binormal of the frame, tangent × normal.
+    /// Unit binormal of the frame, tangent × normal or look × normal.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub binormal: Option<[f64; 3]>,
 }
@@ -183,6 +189,7 @@ impl CurveSamples {
             None => (on_torus && !curves.is_empty()).then_some("torus"),
             Some(FrameRule::Up(_)) => Some("up"),
             Some(FrameRule::Toward(_)) => Some("toward"),
+            Some(FrameRule::LookAt { .. }) => Some(LOOK_AT),
             Some(FrameRule::Frenet) => Some("frenet"),
             Some(FrameRule::RotationMinimizing { .. }) => Some("rotation-minimizing"),
         };
@@ -193,7 +200,7 @@ impl CurveSamples {
     }
 
     /// As CSV: columns `t,x,y,z,tangent_x,tangent_y,tangent_z,curvature,station,signed_curvature,torsion`, with frames
-    /// `normal_x,normal_y,normal_z` and `binormal_x,binormal_y,binormal_z` too, and with a column `contour` (from 0) in front if there
+    /// `normal_x,normal_y,normal_z` and `binormal_x,binormal_y,binormal_z` too, before them of frames that look at a point `look_x,look_y,look_z`, and with a column `contour` (from 0) in front if there
     /// are several contours. Splines on a torus have the outward unit normal of the torus as their normal if no other frames are asked
     /// for: with the tangent it is the frame along a seam. Fields are empty where a value does not exist.
     #[must_use]
@@ -201,6 +208,10 @@ impl CurveSamples {
         let several = self.contours.len() > 1;
         let mut out = if several { "contour,".to_owned() } else { String::new() };
         out += "t,x,y,z,tangent_x,tangent_y,tangent_z,curvature,station,signed_curvature,torsion";
+        let looks = self.frames == Some(LOOK_AT);
+        if looks {
+            out += ",look_x,look_y,look_z";
+        }
         if self.frames.is_some() {
             out += ",normal_x,normal_y,normal_z,binormal_x,binormal_y,binormal_z";
         }
@@ -210,7 +221,7 @@ impl CurveSamples {
                 if several {
                     out += &format!("{contour},");
                 }
-                sample.push(&mut out, self.frames.is_some());
+                sample.push(&mut out, looks, self.frames.is_some());
             }
         }
         out
@@ -280,9 +291,10 @@ impl ContourSamples {
             (Some(frames), _) => frames.at(t).ok(),
             _ => None,
         };
+        let looks = matches!(options.frames, Some(FrameRule::LookAt { .. }));
         let sample = |t: f64| {
             let normal = torus.and_then(|spline| spline.seam_frame(t)).map(|frame| frame.z());
-            CurveSample::new(curve, t, lengths.station(t), plane, frame_at(t), normal)
+            CurveSample::new(curve, t, lengths.station(t), plane, (looks, frame_at(t)), normal)
         };
         let samples = options.places.parameters(lengths).into_iter().map(sample).collect();
         Ok(Self {
@@ -302,38 +314,39 @@ impl CurveSample {
         t: f64,
         station: f64,
         plane: Option<Vec3>,
-        frame: Option<CurveFrame>,
+        (looks, frame): (bool, Option<CurveFrame>),
         normal: Option<Vec3>,
     ) -> Self {
         let jet = curve.jet(t);
         let plain = FileSample::new(t, &jet);
         let normal = normal.or_else(|| frame.map(|frame| frame.normal));
-        let binormal = normal.zip(jet.tangent()).map(|(normal, tangent)| tangent.cross(normal));
+        let axis = frame.map(|frame| frame.axis);
+        let binormal = normal.zip(axis.or(jet.tangent())).map(|(normal, axis)| axis.cross(normal));
         Self {
             t,
             station,
             point: curve.point(t).to_array(),
-            tangent: plain.tangent,
+            tangent: plain.tangent.or(frame.map(|frame| frame.tangent.to_array())),
             curvature: plain.curvature,
             signed_curvature: plane.and_then(|n| jet.signed_curvature(n)).filter(|k| k.is_finite()),
             torsion: if plane.is_some() { jet.curvature().filter(|k| *k > 0.0).map(|_| 0.0) } else { jet.torsion() },
+            look: axis.filter(|_| looks).map(Vec3::to_array),
             normal: normal.map(Vec3::to_array),
             binormal: binormal.map(Vec3::to_array),
         }
     }
 
     /// A line of the table.
-    fn push(&self, out: &mut String, frames: bool) {
+    fn push(&self, out: &mut String, looks: bool, frames: bool) {
         let Self { t, tangent, curvature, .. } = *self;
         push_sample(out, self.point.into(), &FileSample { t, tangent, curvature });
         out.pop();
         for value in [Some(self.station), self.signed_curvature, self.torsion] {
             push_field(out, value);
         }
-        if frames {
-            for vector in [self.normal, self.binormal] {
-                (0..3).for_each(|k| push_field(out, vector.map(|v| v[k])));
-            }
+        let axes = [(looks, self.look), (frames, self.normal), (frames, self.binormal)];
+        for (_, vector) in axes.into_iter().filter(|(asked, _)| *asked) {
+            (0..3).for_each(|k| push_field(out, vector.map(|v| v[k])));
         }
         out.push('\n');
     }

@@ -433,6 +433,11 @@ fn frames_of_curves_are_poses() {
     let pose = end(&built[0]);
     assert!((pose.translation() - Vec3::new(5.0, 6.0, 7.0)).length() < 1e-14);
     assert!((pose.rotation().rotate(Vec3::X) - Vec3::Y).length() < 1e-14);
+    // Frames that look at a point have that way for their x axis.
+    let table = "t,x,y,z,tangent_x,tangent_y,tangent_z,curvature,station,signed_curvature,torsion,look_x,look_y,look_z,normal_x,normal_y,normal_z,binormal_x,binormal_y,binormal_z\n\
+                 0,0,0,0,1,0,0,0.1,0,0.1,0,0,1,0,-1,0,0,0,0,1\n1,5,6,7,1,0,0,0.1,9,,,0,0,1,1,0,0,0,1,0\n";
+    let pose = end(&build_all(&motion(r#""poses": {"csv": "poses.csv"}"#), table).unwrap()[0]);
+    assert!((pose.rotation().rotate(Vec3::X) - Vec3::Z).length() < 1e-14);
     let refused = build_all(&motion(r#""poses": {"csv": "poses.csv"}"#), "x,y,z,rx,ry,rz\n0,0,0,0,0,0\n1,0,0,0,0,90\n")
         .unwrap_err();
     assert!(refused.contains("controllers mean different angles by `rx, ry, rz`"), "{refused}");

@@ -56,6 +56,8 @@ const LABELS: [&str; 8] = ["name", "label", "id", "comment", "remark", "note", "
 /// What our own tables of curves have beside points and frames.
 const MEASURES: [&str; 4] = ["station", "curvature", "signed_curvature", "torsion"];
 const AXES: [&str; 3] = ["tangent", "normal", "binormal"];
+/// The first axis of frames that look at a point, which have a tangent beside it.
+const LOOK: &str = "look";
 /// Names of angles that controllers mean different things by.
 const AMBIGUOUS: [&str; 6] = ["rx", "ry", "rz", "a", "b", "c"];
 const MEANT: &str = "; controllers mean different angles by `rx, ry, rz` and by `A, B, C`: name them roll, pitch, yaw if the body is turned about the fixed axes x, y, z \
@@ -65,7 +67,8 @@ const DEGREE: f64 = std::f64::consts::PI / 180.0;
 
 impl PoseColumns {
     pub(super) fn new(source: Source<'_>, table: &Table<'_>) -> Result<Self, Box<Diagnostic>> {
-        let meanings: Vec<Option<Meaning>> = table.header.iter().map(meaning).collect();
+        let mut meanings: Vec<Option<Meaning>> = table.header.iter().map(meaning).collect();
+        leave_tangents(table, &mut meanings);
         // What is not read could be what was meant.
         if let Some(other) = meanings.iter().position(Option::is_none) {
             let field = &table.header[other];
@@ -158,6 +161,18 @@ impl PoseColumns {
     }
 }
 
+/// Where frames look at a point, their tangent is no axis of the body.
+fn leave_tangents(table: &Table<'_>, meanings: &mut [Option<Meaning>]) {
+    let is_of = |field: &Field<'_>, axis: &str| words_of(field.text).0.first().is_some_and(|word| word == axis);
+    if table.header.iter().any(|field| is_of(field, LOOK)) {
+        for (field, meaning) in table.header.iter().zip(meanings) {
+            if is_of(field, AXES[0]) {
+                *meaning = Some(Meaning::Label);
+            }
+        }
+    }
+}
+
 /// What a column is, by its name.
 fn meaning(field: &Field<'_>) -> Option<Meaning> {
     // `x_left` may be anything.
@@ -191,7 +206,7 @@ fn meaning(field: &Field<'_>) -> Option<Meaning> {
     }
     // The frames of curves in our own tables: the axes of the body, which are the columns of its matrix.
     if let [axis, letter] = words.as_slice()
-        && let Some(column) = AXES.iter().position(|name| name == axis)
+        && let Some(column) = AXES.iter().position(|name| name == axis).or((*axis == LOOK).then_some(0))
         && let Some(row) = POSITION.iter().position(|name| name == letter)
     {
         return Some(Meaning::Matrix(row, column));
@@ -244,6 +259,7 @@ mod tests {
             ("signed_curvature", Some(Meaning::Label)),
             ("normal_y", Some(Meaning::Matrix(1, 1))),
             ("binormal_x", Some(Meaning::Matrix(0, 2))),
+            ("look_y", Some(Meaning::Matrix(1, 0))),
             ("A", None),
             ("x_left", None),
             ("x_deg", None),

@@ -2,6 +2,7 @@
 //!
 //! ```text
 //! up, toward             normal: the part of a given direction, or of the direction to a point, across the tangent
+//! look at                first axis: the direction to a point, in place of the tangent; normal: the part of a given direction across it
 //! Frenet                 normal: to the centre of curvature; none where the curve is straight
 //! rotation-minimizing    normal: carried along without turning about the tangent
 //! ```
@@ -39,8 +40,15 @@ const TOLERANCE: f64 = 1e-9;
 pub enum FrameRule {
     /// Toward a fixed direction of any length: what is up for a road or a camera.
     Up(Vec3),
-    /// Toward a point: what a camera looks at.
+    /// Toward a point, as near as the tangent allows.
     Toward(Point3),
+    /// The first axis exactly at a point: a camera or a tool that is carried along the curve and looks there. The curve's tangent plays no part.
+    LookAt {
+        /// What it looks at.
+        target: Point3,
+        /// The direction of any length that the normal is as near to as it can be.
+        up: Vec3,
+    },
     /// To the centre of curvature.
     Frenet,
     /// Carried along without turning about the tangent: double reflection (Wang, Jüttler, Zheng, Liu 2008) with steps that are
@@ -80,7 +88,7 @@ pub enum ClosedTwist {
     Spread,
 }
 
-/// A frame at a place of a curve: right-handed, tangent × normal = binormal.
+/// A frame at a place of a curve: right-handed, first axis × normal = binormal.
 ///
 /// ```
 /// use cyclide::{Circle, CurveFrames, FrameRule, Point3, Vec3};
@@ -98,7 +106,9 @@ pub struct CurveFrame {
     pub point: Point3,
     /// Unit tangent, in the direction of travel; at a joint that of the piece that starts there.
     pub tangent: Vec3,
-    /// Unit normal.
+    /// The first axis: the tangent, or of a frame that looks at a point the unit direction to that.
+    pub axis: Vec3,
+    /// Unit normal, across the first axis.
     pub normal: Vec3,
     /// Unit binormal.
     pub binormal: Vec3,
@@ -142,6 +152,12 @@ impl<'a> CurveFrames<'a> {
                 finite(target.is_finite(), ErrorItem::Point)?;
                 None
             }
+            FrameRule::LookAt { target, up } => {
+                finite(target.is_finite(), ErrorItem::Point)?;
+                finite(up.is_finite(), ErrorItem::Direction)?;
+                up.unit().ok_or(Error::zero_axis(ErrorItem::Direction))?;
+                None
+            }
             FrameRule::Frenet => None,
             FrameRule::RotationMinimizing { start, tolerance, .. } => {
                 finite(start.is_none_or(Vec3::is_finite), ErrorItem::Direction)?;
@@ -176,7 +192,7 @@ impl<'a> CurveFrames<'a> {
     /// The frame at a global parameter (clamped to `[0, 1]`).
     ///
     /// # Errors
-    /// `no-frame` where there is no tangent, where the direction of the rule is along it (sine below 1e-9), or, of a
+    /// `no-frame` where there is no tangent, where the direction of the rule is along the first axis (sine below 1e-9), at the point that frames look at, or, of a
     /// Frenet frame, where the curvature is below 1e-9 of one over the length of the curve, or rounding.
     pub fn at(&self, t: f64) -> Result<CurveFrame> {
         let t = t.clamp(0.0, 1.0);
@@ -184,9 +200,18 @@ impl<'a> CurveFrames<'a> {
         let jet = self.curve.piece_jet(piece, s);
         let side = if s < 1.0 { 1.0 } else { -1.0 };
         let tangent = jet.limit_tangent(side).ok_or_else(|| no_frame("the velocity", t, 0.0, 0.0))?;
-        let toward = |direction: Vec3| across(direction, tangent, t);
+        let axis = match self.rule {
+            FrameRule::LookAt { target, .. } => {
+                let (way, limit) = (target - jet.point, ROUNDINGS * target.to_vec().max_abs());
+                let distance = way.length();
+                let seen = way.unit().filter(|_| distance > limit);
+                seen.ok_or_else(|| no_frame("the distance from what is looked at", t, distance, limit))?
+            }
+            _ => tangent,
+        };
+        let toward = |direction: Vec3| across(direction, axis, t);
         let normal = match self.rule {
-            FrameRule::Up(up) => toward(up)?,
+            FrameRule::Up(up) | FrameRule::LookAt { up, .. } => toward(up)?,
             FrameRule::Toward(target) => toward(target - jet.point)?,
             FrameRule::Frenet => self.principal_normal(&jet, t)?,
             FrameRule::RotationMinimizing { closed, .. } => match &self.transport {
@@ -195,7 +220,7 @@ impl<'a> CurveFrames<'a> {
                 None => toward(Vec3::Z)?,
             },
         };
-        Ok(CurveFrame { t, point: jet.point, tangent, normal, binormal: tangent.cross(normal) })
+        Ok(CurveFrame { t, point: jet.point, tangent, axis, normal, binormal: axis.cross(normal) })
     }
 
     fn principal_normal(&self, jet: &CurveJet, t: f64) -> Result<Vec3> {
@@ -227,15 +252,15 @@ impl<'a> CurveFrames<'a> {
     }
 }
 
-/// The unit part of a direction across a tangent.
-fn across(direction: Vec3, tangent: Vec3, t: f64) -> Result<Vec3> {
+/// The unit part of a direction across an axis.
+fn across(direction: Vec3, axis: Vec3, t: f64) -> Result<Vec3> {
     let unit = direction.unit().unwrap_or(Vec3::ZERO);
-    let part = unit - tangent * unit.dot(tangent);
+    let part = unit - axis * unit.dot(axis);
     let measured = part.length();
-    let what = "the sine of the angle between the direction and the tangent";
+    let what = "the sine of the angle between the direction and the first axis of the frame";
     let normal = part.unit().filter(|_| measured > ALONG).ok_or_else(|| no_frame(what, t, measured, ALONG))?;
-    // Once more: the first difference has lost digits where the direction was nearly the tangent.
-    Ok((normal - tangent * normal.dot(tangent)).unit().unwrap_or(normal))
+    // Once more: the first difference has lost digits where the direction was nearly the axis.
+    Ok((normal - axis * normal.dot(axis)).unit().unwrap_or(normal))
 }
 
 fn no_frame(what: &'static str, t: f64, measured: f64, limit: f64) -> Error {
