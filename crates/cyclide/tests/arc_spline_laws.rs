@@ -204,7 +204,7 @@ proptest! {
                 }
             }
             Err(error) => {
-                let named = ["no-finite-biarc", "coincident-points", "cusp", "parameter-out-of-range"];
+                let named = ["no-finite-biarc", "coincident-points", "tangent-undefined", "parameter-out-of-range"];
                 prop_assert!(named.contains(&error.reason()), "{error}");
                 prop_assert!(error.index().is_some() || error.reason() == "parameter-out-of-range", "{error}");
             }

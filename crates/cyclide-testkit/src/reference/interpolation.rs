@@ -29,8 +29,6 @@ pub(super) fn reason(construct: &str, error: &Error) -> &'static str {
     match error.reason() {
         "not-finite" if is_here(construct) => "non-finite",
         "count-differs" if is_here(construct) => "length-mismatch",
-        "empty-interval" if is_here(construct) => "parameters-not-increasing",
-        "cusp" if is_here(construct) => "tangent-undefined",
         other => other,
     }
 }

@@ -130,7 +130,7 @@ fn splines_name_what_is_wrong() {
     assert_eq!(reason(&[], &MoebiusSplineOptions::default()), "too-few-points");
     let knots = |knots: Vec<f64>| MoebiusSplineOptions { knots: NodeParameters::Given(knots), ..Default::default() };
     assert_eq!(reason(&points, &knots(vec![0.0, 1.0])), "count-differs");
-    assert_eq!(reason(&points, &knots(vec![0.0, 1.0, 1.0, 2.0, 3.0])), "empty-interval");
+    assert_eq!(reason(&points, &knots(vec![0.0, 1.0, 1.0, 2.0, 3.0])), "parameters-not-increasing");
     assert_eq!(reason(&points, &knots(vec![0.0, 1.0, f64::NAN, 2.0, 3.0])), "not-finite");
     let tangents = |tangents: Vec<Option<Vec3>>| MoebiusSplineOptions { tangents, ..Default::default() };
     assert_eq!(reason(&points, &tangents(vec![None])), "count-differs");

@@ -44,7 +44,7 @@ impl ArcPath {
     ///
     /// # Errors
     /// `too-few-points` (fewer than 2, or 3 if closed), `not-finite`, `coincident-points` (neighbours, equal
-    /// doubles; closed: last and first too), `cusp` (only for estimated tangents: the points turn back on
+    /// doubles; closed: last and first too), `tangent-undefined` (only for estimated tangents: the points turn back on
     /// themselves), `count-differs`; a span without a biarc gives the biarc's reason with the index of the span.
     pub fn spline(points: &[Point3], options: &ArcSplineOptions) -> Result<Self> {
         check_points(points, options.closed)?;
@@ -110,7 +110,7 @@ impl ArcPath {
 /// ```
 ///
 /// # Errors
-/// `too-few-points` (fewer than 2, or 3 if closed), `not-finite`, `coincident-points` (neighbours); `cusp` where the
+/// `too-few-points` (fewer than 2, or 3 if closed), `not-finite`, `coincident-points` (neighbours); `tangent-undefined` where the
 /// points turn back on themselves (sum of the unit chords at most 1e-9): split the points there.
 pub fn estimate_tangents(points: &[Point3], closed: bool) -> Result<Vec<Vec3>> {
     check_points(points, closed)?;
@@ -258,7 +258,7 @@ mod tests {
         assert_eq!(spline(&[a, b, point(f64::NAN, 0.0)], false), ("not-finite", Some(2)));
         // Turning back, by the same and by another length.
         for x in [0.0, 0.5] {
-            assert_eq!(spline(&[a, b, point(x, 0.0), c], false), ("cusp", Some(1)));
+            assert_eq!(spline(&[a, b, point(x, 0.0), c], false), ("tangent-undefined", Some(1)));
         }
         let options = |tangents| ArcSplineOptions { tangents: Some(tangents), ..Default::default() };
         let e = ArcPath::spline(&[a, b, c], &options(vec![Vec3::X])).unwrap_err();

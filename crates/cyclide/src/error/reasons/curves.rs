@@ -58,13 +58,13 @@
 //! assert_eq!(error.reason(), "no-finite-biarc");
 //! ```
 //!
-//! # `cusp`
+//! # `tangent-undefined`
 //! Points turn back on themselves, where no tangent can be estimated.
 //! ```
 //! use cyclide::{ArcPath, ArcSplineOptions, Point3};
 //! let points = [[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [1.0, 0.0, 0.0]].map(Point3::from);
 //! let error = ArcPath::spline(&points, &ArcSplineOptions::default()).unwrap_err();
-//! assert_eq!(error.reason(), "cusp");
+//! assert_eq!(error.reason(), "tangent-undefined");
 //! ```
 //!
 //! # `arc-through-infinity`

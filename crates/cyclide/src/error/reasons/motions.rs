@@ -31,8 +31,9 @@
 //! ```
 //!
 //! # `parameters-not-increasing`
-//! A spline goes from pose to pose, and time does not run backwards: a pose is not after the one before it, whose times are told. Of
-//! curves it is an interval that is at fault, [`empty-interval`](super::tori#empty-interval); where poses may come in any order, only
+//! A spline goes from pose to pose, and time does not run backwards: a pose is not after the one before it, whose times are told. So of the
+//! knots of a Moebius spline; of
+//! other curves it is an interval that is at fault, [`empty-interval`](super::tori#empty-interval); where poses may come in any order, only
 //! `repeated-parameter`.
 //! ```
 //! use cyclide::{Pose, RationalMotion, TimedPose};

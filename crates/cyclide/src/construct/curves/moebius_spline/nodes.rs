@@ -49,7 +49,11 @@ impl<'a> Nodes<'a> {
         let chords = match (chords_between(points, closed), steps.iter().position(|h| !(*h > 0.0))) {
             // Of both faults that of the knots is told first, unless there are no points at all.
             (Ok(_) | Err(Error::CoincidentPoints { .. }), Some(index)) => {
-                return Err(Error::EmptyInterval { index, length: steps[index], limit: 0.0 });
+                return Err(Error::ParametersNotIncreasing {
+                    index: index + 1,
+                    value: knots[index + 1],
+                    before: knots[index],
+                });
             }
             (chords, _) => chords?,
         };
@@ -135,8 +139,8 @@ fn across(a: &Chord, b: &Chord) -> f64 {
 /// ```
 ///
 /// # Errors
-/// `count-differs` (knots), `too-few-points` (2 open, 3 closed), `not-finite`, `empty-interval` (knots that do not increase),
-/// `coincident-points`, `cusp` (a point at which the polygon turns right back).
+/// `count-differs` (knots), `too-few-points` (2 open, 3 closed), `not-finite`, `parameters-not-increasing` (knots),
+/// `coincident-points`, `tangent-undefined` (a point at which the polygon turns right back).
 pub fn circle_tangents(points: &[Point3], knots: &[f64], closed: bool) -> Result<Vec<Vec3>> {
     let nodes = Nodes::new(points, knots, closed, &[])?;
     let tangent = |index: usize| {

@@ -41,7 +41,7 @@ impl QbSpline {
     /// a span the long way round.
     ///
     /// # Errors
-    /// `count-differs` (knots, tangents), `too-few-points` (2 open, 3 closed), `not-finite`, `empty-interval` (knots that do not
+    /// `count-differs` (knots, tangents), `too-few-points` (2 open, 3 closed), `not-finite`, `parameters-not-increasing` (knots that do not
     /// increase), `coincident-points` (neighbours closer than 1e-12 of the bounding box's diagonal), `parameter-out-of-range` (a corner that is
     /// no point), `zero-tangent`, `arc-through-infinity`, `ambiguous-half-turn`, `curve-through-infinity`.
     pub fn through_points(points: &[Point3], options: &MoebiusSplineOptions) -> Result<Self> {
