@@ -18,7 +18,7 @@
 //! | patches and nets | [`CyclidePatchSpec`], [`CyclideSpec`], [`CyclidicNetSpec`] ([`GridSource`], [`MeshFile`], [`FrameSpec`]), [`MakeCircularSpec`] ([`MakeCircularOptions`], [`BorderSpec`], [`BorderWord`], [`BorderCurves`]), [`OffsetSpec`], [`SupportStructureSpec`] |
 //! | surfaces over triangles, polyhedra | [`SmoothMeshSpec`] ([`NormalsSpec`], [`PolygonMeshFile`]), [`SphereBlendSpec`], [`SmoothPolyhedronSpec`] |
 //! | bodies made from curves | [`RevolutionSpec`], [`PipeSpec`], [`TubeSpec`] ([`RadiusLawSpec`]), [`PlateWithNeckSpec`] ([`PlateSpec`], [`DiskSpec`]), [`EllipseBridgeSpec`] ([`BridgeArcs`]), [`CircularSurfaceSpec`], [`RuledSpec`] |
-//! | tees and crossings | [`PipeTeeSpec`] ([`TeeMainSpec`], [`TeeBranchSpec`], [`TeeBlendSpec`], [`TeeLawSpec`], [`TeeRadiusSpec`]), [`PipeCrossingSpec`] ([`CrossingPipeSpec`], [`CrossingBlendSpec`], [`CrossingLawSpec`]), [`ContactBlendSpec`] ([`BlendTubeSpec`], [`BlendRingSpec`]) |
+//! | tees and crossings | [`PipeTeeSpec`] ([`TeeMainSpec`], [`TeeBranchSpec`], [`TeeBlendSpec`], [`TeeLawSpec`], [`TeeRadiusSpec`]), [`PipeCrossingSpec`] ([`CrossingPipeSpec`], [`CrossingBlendSpec`], [`CrossingLawSpec`]), [`ContactBlendSpec`] ([`BlendTubeSpec`], [`BlendRingSpec`]), [`BallCentersSpec`], [`CenterSurfaceSpec`] |
 //! | motions of bodies | [`MotionSpec`] ([`MotionKind`], [`PoseSource`], [`PoseFile`], [`PoseSpec`], [`StartSpec`]), [`TrajectorySpec`], [`SweptSurfaceSpec`], [`MotionReport`] ([`PeakReport`]), [`sample_poses`] |
 //! | maps | [`TransformSpec`], [`RotationSpec`], [`ScaleSpec`], [`SphereSpec`], [`PlaneSpec`] |
 //! | lists of points | [`read_points`] ([`PointTable`], [`PointList`], [`PointRemark`], [`PointColumns`], [`ColumnUnit`], [`unit_of_columns`]) |
@@ -51,22 +51,22 @@ pub use check::file_sample::FileSample;
 pub use check::labels::{FileLabels, FileName};
 pub use compare::{ComparedKind, Comparison, CurveMeasures};
 pub use document::{
-    Angle, AnglePairs, ArcFitSpec, ArcSpec, ArcSplineSpec, BiarcSpec, BlendRingSpec, BlendTubeSpec, BorderCurves,
-    BorderSpec, BorderWord, BridgeArcs, BuiltObject, CellLaw, CellsAlongSpec, CellsSpec, CircleSpec, CircleSplineSpec,
-    CircularSurfaceSpec, ClampedEnds, Comment, ContactBlendSpec, ContourFacts, CoordinatePlanesSpec,
-    CoordinateSurfacesSpec, Coordinates, CrossingBlendSpec, CrossingLawSpec, CrossingPipeSpec, CutSpec,
-    CyclideGridSpec, CyclidePatchSpec, CyclideSpec, CyclideVolumeSpec, CyclidicNetSpec, DOCUMENT_VERSION, Directions,
-    DiskSpec, Document, EllipseBridgeSpec, EndsSpec, FairEndPair, FairEndSpec, FairEndWord, FairEndsSpec, FairFitSpec,
-    FairSplineSpec, FamilySpec, Fitted, FrameSpec, FreeOr, GradedCellsSpec, GridSource, LayersSpec, Lists,
-    MakeCircularOptions, MakeCircularSpec, MeshFile, ModelBuilder, MotionKind, MotionSpec, NO_EFFECT, NormalsSpec,
-    NurbsSpec, ObjectSpec, OffsetSpec, PipeCrossingSpec, PipeSpec, PipeTeeSpec, PlaneSpec, PlateSpec,
-    PlateWithNeckSpec, PointFile, PointSource, PolygonMeshFile, PolylineSpec, PoseFile, PoseSource, PoseSpec,
-    RadiiSpec, RadiusLawSpec, RatePairs, Remark, RevolutionSpec, RotationSpec, RoundedPolyhedron, RuledSpec, ScaleSpec,
-    SmoothChoice, SmoothMeshSpec, SmoothPolyhedronSpec, SphereBlendSpec, SphereSpec, StartSpec, StepSpec, StraightWord,
-    SupportStructureSpec, SweptSurfaceSpec, TeeBlendSpec, TeeBranchSpec, TeeLawSpec, TeeMainSpec, TeeRadiusSpec,
-    TorusCircleSpec, TorusKnotSpec, TorusMethod, TorusQuarticSpec, TorusSeamSpec, TorusSource, TorusSpec,
-    TorusSplineSpec, TrajectorySpec, TransformSpec, TubeFacts, TubeSpec, TypeWord, UnrolledPlane, UnrolledSpec,
-    WholeCyclideSpec, WindingSpec, document_schema,
+    Angle, AnglePairs, ArcFitSpec, ArcSpec, ArcSplineSpec, BallCentersSpec, BiarcSpec, BlendRingSpec, BlendTubeSpec,
+    BorderCurves, BorderSpec, BorderWord, BridgeArcs, BuiltObject, CellLaw, CellsAlongSpec, CellsSpec,
+    CenterSurfaceSpec, CircleSpec, CircleSplineSpec, CircularSurfaceSpec, ClampedEnds, Comment, ContactBlendSpec,
+    ContourFacts, CoordinatePlanesSpec, CoordinateSurfacesSpec, Coordinates, CrossingBlendSpec, CrossingLawSpec,
+    CrossingPipeSpec, CutSpec, CyclideGridSpec, CyclidePatchSpec, CyclideSpec, CyclideVolumeSpec, CyclidicNetSpec,
+    DOCUMENT_VERSION, Directions, DiskSpec, Document, EllipseBridgeSpec, EndsSpec, FairEndPair, FairEndSpec,
+    FairEndWord, FairEndsSpec, FairFitSpec, FairSplineSpec, FamilySpec, Fitted, FrameSpec, FreeOr, GradedCellsSpec,
+    GridSource, LayersSpec, Lists, MakeCircularOptions, MakeCircularSpec, MeshFile, ModelBuilder, MotionKind,
+    MotionSpec, NO_EFFECT, NormalsSpec, NurbsSpec, ObjectSpec, OffsetSpec, PipeCrossingSpec, PipeSpec, PipeTeeSpec,
+    PlaneSpec, PlateSpec, PlateWithNeckSpec, PointFile, PointSource, PolygonMeshFile, PolylineSpec, PoseFile,
+    PoseSource, PoseSpec, RadiiSpec, RadiusLawSpec, RatePairs, Remark, RevolutionSpec, RotationSpec, RoundedPolyhedron,
+    RuledSpec, ScaleSpec, SmoothChoice, SmoothMeshSpec, SmoothPolyhedronSpec, SphereBlendSpec, SphereSpec, StartSpec,
+    StepSpec, StraightWord, SupportStructureSpec, SweptSurfaceSpec, TeeBlendSpec, TeeBranchSpec, TeeLawSpec,
+    TeeMainSpec, TeeRadiusSpec, TorusCircleSpec, TorusKnotSpec, TorusMethod, TorusQuarticSpec, TorusSeamSpec,
+    TorusSource, TorusSpec, TorusSplineSpec, TrajectorySpec, TransformSpec, TubeFacts, TubeSpec, TypeWord,
+    UnrolledPlane, UnrolledSpec, WholeCyclideSpec, WindingSpec, document_schema,
 };
 pub use document::{
     InterpolationFacts, MoebiusContinuity, MoebiusSplineSpec, ParameterRule, ParametersSpec, QbInterpolationSpec,

@@ -393,3 +393,26 @@ proptest! {
         }
     }
 }
+
+/// Centres are a ball's radius from the tube, and from the sphere or the plane.
+#[test]
+fn centres_are_a_path() {
+    let strut = |through, direction: [f64; 3]| tube(through, direction, 1.0, 0.0);
+    for (tube, base) in [
+        (strut([0.0, 1.5, 0.0], [0.0, 0.0, 1.0]), SPHERE),
+        (strut([0.4, 1.5, 0.0], [0.2, 0.1, 1.0]), PLATE),
+        (strut([0.0; 3], [0.0, 0.0, 1.0]), SPHERE),
+    ] {
+        let made = ContactBlend::new(tube, base, 0.5).unwrap().made().unwrap();
+        let [path] = made.centers.paths() else { panic!("one path") };
+        let axis = tube.direction.unit().unwrap();
+        for k in 0..40 {
+            let m = path.point_at_knot(f64::from(k) / 40.0);
+            let way = m - tube.through;
+            let ball = (way - axis * way.dot(axis)).length() - 1.0;
+            let other = if base == SPHERE { m.to_vec().length() - 5.0 } else { m.z };
+            assert!((ball - other).abs() < 1e-12 && (ball - 0.5).abs() <= 5.1e-4, "{ball} {other}");
+        }
+        assert!(path.point_at_knot(0.0).distance(path.point_at_knot(1.0)) < 1e-13);
+    }
+}

@@ -156,3 +156,16 @@ proptest! {
         }
     }
 }
+
+#[test]
+fn centres_are_two_circles() {
+    let made = on_plate(ring(30.0, 8.0, 5.0), 4.0).unwrap();
+    let [inner, outer] = made.centers.paths() else { unreachable!("two circles") };
+    for k in 0..16 {
+        for (path, side) in [(inner, -1.0), (outer, 1.0)] {
+            let m = path.point_at_knot(f64::from(k) / 16.0);
+            let out = m.x.hypot(m.y) - 30.0;
+            assert!((m.z - 4.0).abs() < 1e-14 && out * side > 0.0 && (out.hypot(m.z - 5.0) - 12.0).abs() < 1e-13);
+        }
+    }
+}

@@ -475,3 +475,34 @@ fn equal_pipes_have_an_exact_blend_that_vanishes_at_the_flanks() {
     let error = made(MAIN, vec![TeeBranch { blend: law(), ..TeeBranch::upright(3.0, 14.0, 1.0) }], None, TeeEnds::Flat);
     assert_eq!(error.expect_err("a law").reason(), "tee-law-on-equal-pipes");
 }
+
+/// The way of the centres is as far from both axes as the radius of a ball on it, one curve for each branch, in their order.
+#[test]
+fn centres_are_a_path_for_each_branch() {
+    let lateral = TeeBranch { angle: 0.9, at: 6.0, azimuth: PI, blend: law(), ..branch() };
+    let made = solid(vec![TeeBranch { at: -5.0, offset: 0.4, ..branch() }, lateral]);
+    let paths = made.centers.paths();
+    assert_eq!(paths.len(), 2);
+    let axis = Vec3::new(0.9_f64.cos(), 0.0, -0.9_f64.sin());
+    for (path, (foot, axis), radii) in [
+        (&paths[0], (Point3::new(-5.0, 0.4, 0.0), Vec3::Z), made.blends[0].radii),
+        (&paths[1], (Point3::new(6.0, 0.0, 0.0), axis), made.blends[1].radii),
+    ] {
+        for k in 0..40 {
+            let m = path.point_at_knot(f64::from(k) / 40.0);
+            let way = m - foot;
+            let [ball, other] = [m.y.hypot(m.z) - 3.0, (way - axis * way.dot(axis)).length() - 2.0];
+            assert!(
+                (ball - other).abs() < 1e-12 && radii[0] - 1e-12 < ball && ball < radii[1] + 1e-12,
+                "{ball} {other}"
+            );
+        }
+        let breaks = path.breaks();
+        let velocity = |span: usize, s: f64| path.span_jet(span, s).d1 * (1.0 / (breaks[span + 1] - breaks[span]));
+        let count = path.span_count();
+        for span in 0..count {
+            let [before, after] = [velocity(span, 1.0), velocity((span + 1) % count, 0.0)];
+            assert!((before - after).length() <= 1e-8 * before.length(), "C1 at {span}");
+        }
+    }
+}

@@ -10,7 +10,7 @@ pub use bodies::{
     NeckSide, NeckVariant, Pipe, PipeCrossing, PipeEnds, PipeTee, PlateShape, PolyhedronEdge, RadiusLaw, RailSurface,
     Revolution, SphericalPolygon, SweptSurface, TeeBlend, TeeBlendFacts, TeeBranch, TeeEnds, TeeMain, TorusSeam, Tube,
 };
-pub use bodies::{BlendBase, BlendRing, BlendTube, ContactBlend, MadeContactBlend, RingBlend};
+pub use bodies::{BallCenters, BlendBase, BlendRing, BlendTube, ContactBlend, MadeContactBlend, RingBlend};
 #[cfg(feature = "circular-mesh")]
 pub use circular_mesh::{
     Border, CircularMesh, CircularMeshOptions, CircularMeshReport, CircularMeshStep, LineAngles, VertexMoves,

@@ -76,6 +76,7 @@ items! {
     LargestBarycentricCoordinate => "largest barycentric coordinate",
     Levels => "levels",
     MainPipe => "main pipe",
+    Margin => "margin",
     MatrixEntry => "matrix entry",
     MaxAngle => "max_angle",
     MaxSteps => "max_steps",

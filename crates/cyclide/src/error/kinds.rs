@@ -774,6 +774,8 @@ pub enum Error {
         /// The taper, in radians.
         taper: f64,
     },
+    /// The centres of the balls of a blend are on no surface with a patch of its own: two pipes that pass each other have one, balls outside both or inside both.
+    NoCenterSurface,
     /// A pipe of a crossing ends within the blend.
     CrossingPipeTooShort {
         /// Which pipe, from 0.

@@ -210,6 +210,10 @@ impl std::fmt::Display for Error {
                 ShortNumber(*taper),
                 what.word()
             ),
+            Self::NoCenterSurface => write!(
+                f,
+                "the centres of these balls have no surface of their own: only pipes that pass each other have one, with balls outside both or inside both"
+            ),
             Self::CrossingPipeTooShort { pipe, end, needed } => write!(
                 f,
                 "pipe {pipe} ends within the blend: at {}, which must be beyond {}",

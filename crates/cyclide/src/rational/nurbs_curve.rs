@@ -89,7 +89,7 @@ impl NurbsCurve {
     }
 
     /// The same curve with its end in its start, of which it is rounding away.
-    pub(super) fn closed_by_rounding(mut self) -> Self {
+    pub(crate) fn closed_by_rounding(mut self) -> Self {
         let first = self.points[0];
         if let (Some(point), Some(row)) = (self.points.last_mut(), self.span_rows.last_mut()) {
             let w = row[3];

@@ -146,7 +146,7 @@ fn check_joints(body: &Body, cones: &Cones) {
 #[test]
 fn every_circle_of_the_blend_is_on_one_ball_that_touches_both_cones() {
     for (cones, blend) in CASES {
-        let MadeCrossing { body, blend: facts } =
+        let MadeCrossing { body, blend: facts, .. } =
             cones.whole(blend).made().unwrap_or_else(|e| panic!("{cones:?}: {e}"));
         assert!(body.is_solid());
         check_joints(&body, &cones);

@@ -185,6 +185,15 @@ pub const ENTRIES: &[Entry] = &[
         camera: "0,35",
     },
     Entry {
+        name: "ball_centers",
+        title: "Centres of balls",
+        text: "The surface of the centres of all balls that touch two pipes, a closed spline on it, and the blend that its balls make. Exact: a patch of degree (2, 2), a curve of degree 4, canals of degree (12, 2).",
+        document: example!("ball_centers.json"),
+        inputs: &[],
+        formats: SURFACES,
+        camera: "35,45",
+    },
+    Entry {
         name: "contact_blend",
         title: "Tubes and a ring on a sphere and on plates",
         text: "Blended by a ball of one radius: a hollow strut off the centre of a spherical node, a cone that leans on a plate, a ring on a round plate, and a dished head with its knuckle, whose rim is rounded inside. Exact envelopes of balls, one solid each.",

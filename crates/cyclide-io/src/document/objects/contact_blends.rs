@@ -21,6 +21,7 @@ impl Builder<'_> {
         };
         let made = made.map_err(|e| self.refused(&e, None))?;
         self.tee_blends = vec![made.blend];
+        self.ball_centers = Some(Box::new(made.centers));
         Ok(vec![SurfaceObject::Body(made.body)])
     }
 

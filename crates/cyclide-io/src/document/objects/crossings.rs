@@ -19,6 +19,7 @@ impl Builder<'_> {
         let values = self.crossing_radii(spec)?;
         let made = crossing(spec, &values).and_then(|crossing| crossing.made()).map_err(|e| self.refused(&e, None))?;
         self.tee_blends = vec![made.blend];
+        self.ball_centers = Some(Box::new(made.centers));
         Ok(vec![SurfaceObject::Body(made.body)])
     }
 

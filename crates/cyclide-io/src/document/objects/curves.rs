@@ -161,6 +161,7 @@ impl Builder<'_> {
             ObjectSpec::QbInterpolation(s) => self.each_contour(&s.points, false, |at| qb_interpolation(s, at)),
             ObjectSpec::TorusSpline(s) => self.torus_spline(s),
             ObjectSpec::Trajectory(s) => single(self.trajectory(s)?),
+            ObjectSpec::BallCenters(_) => Ok(without_facts(self.ball_centers()?)),
             ObjectSpec::TorusKnot(s) => single(CurveObject::TorusSpline(self.torus_knot(s)?)),
             ObjectSpec::Offset(s) if self.is_of_curves() => self.parallel_curves(s),
             ObjectSpec::TorusQuartic(s) => single(CurveObject::TorusSpline(self.torus_quartic(s)?)),

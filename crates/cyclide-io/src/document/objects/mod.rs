@@ -1,5 +1,6 @@
 //! From objects of a document to the kernel's curves and surfaces; what the kernel refuses is shown at its place.
 
+mod ball_centers;
 mod block_checks;
 #[cfg(feature = "circular-mesh")]
 mod circular;
@@ -34,7 +35,7 @@ use std::path::{Path, PathBuf};
 
 #[cfg(feature = "circular-mesh")]
 use cyclide::CircularMeshReport;
-use cyclide::{Body, CyclideVolume, Geometry, Item, Point3, Seam, SurfaceObject, TeeBlendFacts};
+use cyclide::{BallCenters, Body, CyclideVolume, Geometry, Item, Point3, Seam, SurfaceObject, TeeBlendFacts};
 
 use super::Document;
 use super::construct::ContourFacts;
@@ -81,6 +82,8 @@ pub struct BuiltObject {
     pub polyhedron: Option<Box<RoundedPolyhedron>>,
     /// The blends of a tee.
     pub tee_blends: Vec<TeeBlendFacts>,
+    /// Where the balls of these are.
+    pub ball_centers: Option<Box<BallCenters>>,
     /// What is known of tubes, one for each body.
     pub tubes: Vec<TubeFacts>,
     /// What was chosen for a smooth mesh.
@@ -172,6 +175,7 @@ impl<'a> ModelBuilder<'a> {
                     seams: Vec::new(),
                     polyhedron: None,
                     tee_blends: Vec::new(),
+                    ball_centers: None,
                     tubes: Vec::new(),
                     smooth: None,
                     unrolled: None,
@@ -239,6 +243,7 @@ struct Builder<'a> {
     polyhedron: Option<Box<RoundedPolyhedron>>,
     /// The blends of the tee that it is.
     tee_blends: Vec<TeeBlendFacts>,
+    ball_centers: Option<Box<BallCenters>>,
     /// What is known of the tubes that it is.
     tubes: Vec<TubeFacts>,
     /// What was chosen for the smooth mesh that it is.
@@ -285,7 +290,7 @@ impl Builder<'_> {
         };
         let item = Item::new(self.name, geometry);
         let construction = self.spec.is_construction();
-        let Self { data, seams, polyhedron, tee_blends, tubes, smooth, unrolled, remarks, .. } = self;
+        let Self { data, seams, polyhedron, tee_blends, ball_centers, tubes, smooth, unrolled, remarks, .. } = self;
         let provenance = Provenance { kind: self.spec.type_word(), data, places };
         Ok(BuiltObject {
             item,
@@ -297,6 +302,7 @@ impl Builder<'_> {
             seams,
             polyhedron,
             tee_blends,
+            ball_centers,
             tubes,
             smooth,
             unrolled,

@@ -149,6 +149,8 @@ impl ObjectSpec {
             Self::TorusCircle(s) => torus(&s.torus),
             Self::SupportStructure(s) => of(s.of.as_str()),
             Self::Motion(s) => s.along.iter().map(|name| (vec![Step::from("along")], name.as_str())).collect(),
+            Self::BallCenters(s) => of(s.of.as_str()),
+            Self::CenterSurface(s) => of(s.of.as_str()),
             Self::Trajectory(s) => of(s.of.as_str()),
             Self::SweptSurface(s) => {
                 vec![(vec![Step::from("of")], s.of.as_str()), (vec![Step::from("profile")], s.profile.as_str())]

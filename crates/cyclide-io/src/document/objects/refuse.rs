@@ -230,7 +230,7 @@ fn blame(spec: &ObjectSpec, error: &cyclide::Error) -> Blame {
         }
         _ if matches!(spec, ObjectSpec::Nurbs(_)) => blame_nurbs(error),
         E::RepeatedParameter { second, .. } => Blame::Entry("parameters", second),
-        E::EmptyInterval { index, .. } if is_moebius => Blame::Entry("knots", index + 1),
+        E::ParametersNotIncreasing { index, .. } if is_moebius => Blame::Entry("knots", index),
         E::NotFinite { what: I::Knot, index } if is_moebius => Blame::Entry("knots", index),
         E::NotFinite { what: I::Parameter, index } => Blame::Entry("parameters", index),
         E::CountDiffers { what: I::Knot, .. } if is_moebius => Blame::Field("knots"),

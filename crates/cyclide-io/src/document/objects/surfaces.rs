@@ -26,6 +26,7 @@ impl Builder<'_> {
             ObjectSpec::PipeTee(spec) => self.pipe_tee(spec),
             ObjectSpec::ContactBlend(spec) => self.contact_blend(spec),
             ObjectSpec::PipeCrossing(spec) => self.pipe_crossing(spec),
+            ObjectSpec::CenterSurface(spec) => self.center_surface(spec),
             ObjectSpec::PlateWithNeck(spec) => self.plate_with_neck(spec),
             ObjectSpec::EllipseBridge(spec) => self.ellipse_bridge(spec),
             ObjectSpec::CircularSurface(spec) => self.circular_surface(spec),

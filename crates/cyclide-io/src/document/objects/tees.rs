@@ -25,6 +25,7 @@ impl Builder<'_> {
         };
         let made = tee.made().map_err(|e| self.refused(&e, None))?;
         self.tee_blends = made.blends;
+        self.ball_centers = Some(Box::new(made.centers));
         Ok(vec![SurfaceObject::Body(made.body)])
     }
 

@@ -1,5 +1,6 @@
 //! The types of object a document may hold, field by field. Their doc comments are the published schema's text.
 
+mod ball_centers;
 mod circular;
 mod comment;
 mod contact_blends;
@@ -31,6 +32,7 @@ use cyclide::Units;
 use schemars::JsonSchema;
 use serde::Deserialize;
 
+pub use ball_centers::{BallCentersSpec, CenterSurfaceSpec};
 pub use circular::{BorderCurves, BorderSpec, BorderWord, MakeCircularOptions, MakeCircularSpec};
 pub use comment::Comment;
 pub use contact_blends::{BlendRingSpec, BlendTubeSpec, ContactBlendSpec};
@@ -176,6 +178,10 @@ pub enum ObjectSpec {
     PipeCrossing(PipeCrossingSpec),
     /// A cylinder or cone blended with a sphere or a plate.
     ContactBlend(ContactBlendSpec),
+    /// The ways of the centres of the balls of blends.
+    BallCenters(BallCentersSpec),
+    /// The surface of the centres of the balls between two pipes.
+    CenterSurface(CenterSurfaceSpec),
     /// A pipe on a plate with a rounded neck.
     PlateWithNeck(PlateWithNeckSpec),
     /// Half circles between two ellipses.
@@ -301,6 +307,8 @@ object_types! {
     "pipe-tee" => PipeTee,
     "pipe-crossing" => PipeCrossing,
     "contact-blend" => ContactBlend,
+    "ball-centers" => BallCenters,
+    "center-surface" => CenterSurface,
     "plate-with-neck" => PlateWithNeck,
     "ellipse-bridge" => EllipseBridge,
     "circular-surface" => CircularSurface,

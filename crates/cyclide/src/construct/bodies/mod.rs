@@ -1,6 +1,7 @@
 //! Bodies and sheets: revolutions, pipes, necks, bridges, surfaces between two curves, rounded polyhedra.
 
 mod angle_law;
+mod ball_centers;
 mod bands;
 mod circular_surface;
 mod contact_blend;
@@ -32,6 +33,7 @@ mod torus_seam;
 mod tube;
 mod turned_patch;
 
+pub use ball_centers::BallCenters;
 pub use contact_blend::{BlendBase, BlendTube, ContactBlend, MadeContactBlend};
 pub use ellipse_bridge::EllipseBridge;
 pub use neck::{NeckBlend, NeckBody, NeckSide, NeckVariant, PlateShape};

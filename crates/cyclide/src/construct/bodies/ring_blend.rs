@@ -3,10 +3,11 @@
 //! A plane through the axis cuts all of it in circles and lines. The centres of the balls of one radius that touch both are where a circle about that of the ring's tube meets
 //! a line or a circle about the centre of the sphere: two places, the corner round the ring and that in its hole.
 
+use super::ball_centers::BallCenters;
 use super::{MadeContactBlend, Revolution, TeeBlendFacts};
 use crate::base::range;
 use crate::base::vector::{Point3, Vec3};
-use crate::curve::Arc;
+use crate::curve::{Arc, Circle};
 use crate::error::{Error, ErrorItem, Result};
 use crate::topology::EdgeCurve;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
@@ -127,7 +128,12 @@ impl RingBlend {
         let profile = self.profile(corners)?;
         let body = Revolution::new(Point3::ORIGIN, Vec3::Z, TAU)?.body(&profile, false)?;
         let blend = TeeBlendFacts { radii: [self.ball; 2], deviation: 0.0, pieces: 8, tightest, tightest_at: 0.0 };
-        Ok(MadeContactBlend { body, blend })
+        let circle = |ball: [f64; 2]| {
+            let middle = Point3::new(0.0, 0.0, ball[1]);
+            Circle::from_center(middle, Vec3::Z, point(ball))?.to_nurbs()
+        };
+        let paths = balls.into_iter().map(circle).collect::<Result<Vec<_>>>()?;
+        Ok(MadeContactBlend { body, blend, centers: BallCenters::new(paths, None) })
     }
 
     /// The middle of the tube in the half plane `(distance from the axis, height)`.

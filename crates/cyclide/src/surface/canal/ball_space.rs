@@ -87,6 +87,11 @@ impl BallMotion {
         e1 * v.center.x + e2 * v.center.y + e3 * v.center.z + g * v.radius
     }
 
+    /// The image of a ball that has this factor, with the factor for its weight.
+    pub(super) fn weighted(&self, ball: BallVector, weight: f64) -> BallVector {
+        self.vector(ball) + self.origin * weight
+    }
+
     /// The image of a unit normal.
     pub(crate) fn normal(&self, n: Vec3) -> Vec3 {
         let null = self.vector(BallVector { center: n, radius: 1.0 });

@@ -2,6 +2,7 @@
 
 mod ball;
 mod ball_space;
+mod center_surface;
 mod contact;
 mod contact_patch;
 mod moved_cylinders;

@@ -10,10 +10,12 @@
 //! ```
 
 use super::ball_space::{BallMotion, BallVector};
+use super::center_surface::{WeightedBall, rational};
 use super::{CanalPatch, NaturalQuadric, RollingBall, SkewCylinders};
 use crate::base::planar::{Point2, Vec2};
 use crate::base::vector::Vec3;
 use crate::error::{Error, Result};
+use crate::rational::RationalBezierSurface;
 use crate::surface::TorusPiece;
 use std::f64::consts::PI;
 
@@ -113,6 +115,23 @@ impl MovedCylinders {
 
     pub(super) fn ball(&self, place: Point2) -> Result<RollingBall> {
         Ok(self.motion.ball(&self.still.ball(place)?))
+    }
+
+    /// Coefficients of the balls at the places with `B - A` and `B + A` between these angles.
+    ///
+    /// # Errors
+    /// As [`SkewCylinders::center_surface`].
+    pub(super) fn weighted_balls(&self, u: [f64; 2], v: [f64; 2]) -> Result<Vec<WeightedBall>> {
+        let moved = |(ball, weight)| (self.motion.weighted(ball, weight), weight);
+        Ok(self.still.weighted_balls(u, v)?.into_iter().map(moved).collect())
+    }
+
+    /// The centres of the same.
+    ///
+    /// # Errors
+    /// As [`SkewCylinders::center_surface`].
+    pub(crate) fn center_surface(&self, u: [f64; 2], v: [f64; 2]) -> Result<RationalBezierSurface> {
+        rational(self.weighted_balls(u, v)?)
     }
 
     /// The canal along a piece, and the same before the motion.

@@ -159,7 +159,7 @@ impl QuadricPair {
         Ok(self.moved()?.radius_loop(radius)?.place(theta))
     }
 
-    fn moved(&self) -> Result<MovedCylinders> {
+    pub(super) fn moved(&self) -> Result<MovedCylinders> {
         self.moved.ok_or(Error::NotTimelikePair { measured: self.norm_ratio, limit: 0.0 })
     }
 }

@@ -13,6 +13,7 @@ mod plate;
 mod setup;
 mod skin;
 
+use super::ball_centers::{BallCenters, closed_path};
 use super::tee::{TeeBlendFacts, TeeEnds};
 use super::{NeckSide, PlateShape};
 use crate::base::quat::Quat;
@@ -113,6 +114,8 @@ pub struct MadeContactBlend {
     pub body: Body,
     /// What is known of the blend; angles are those round the tube, from the side on which the plane rises towards it or the centre of the sphere lies.
     pub blend: TeeBlendFacts,
+    /// Where the centres of its balls are; round a ring in two circles, that in its hole first.
+    pub centers: BallCenters,
 }
 
 impl ContactBlend {
@@ -231,7 +234,8 @@ impl ContactBlend {
             tightest: tight.left,
             tightest_at: tight.angle,
         };
-        Ok(MadeContactBlend { body, blend })
+        let path = closed_path(balls.pieces.iter().map(|piece| piece.canal.center()))?;
+        Ok(MadeContactBlend { body, blend, centers: BallCenters::new(vec![path], None) })
     }
 }
 

@@ -7,7 +7,9 @@ use super::law_fold::LawFold;
 use super::mixed::{MixedPair, MixedPiece};
 use super::torus_pair::TorusPair;
 use crate::base::frame::Frame;
+use crate::base::vector::Vec3;
 use crate::construct::bodies::angle_law::Law;
+use crate::construct::bodies::ball_centers::{BallCenters, CenterTorus, closed_path, reach_of_places};
 use crate::construct::bodies::halving::Halving;
 use crate::construct::bodies::pierced::{HolePiece, Mantle, Node};
 use crate::construct::curves::{TorusSplineOptions, TorusTangent};
@@ -192,6 +194,23 @@ impl BallLoop {
         let from_first = |corner: usize| if ahead { corner + count - first } else { first + count - corner } % count;
         let [_, front, back, rear] = corners.map(from_first);
         HoleOrder { nodes, pieces, ahead, sides: [0, front, back, rear, count] }
+    }
+
+    /// The way of the centres, which are counted from the middle of the common normal, this far up.
+    ///
+    /// # Errors
+    /// As [`closed_path`].
+    pub(super) fn centers(&self, pair: &TorusPair, height: f64) -> Result<BallCenters> {
+        let rows: Vec<_> =
+            self.pieces.iter().map(|piece| piece.patch.center().clone().moved(Vec3::Z * height)).collect();
+        // All of one way or none.
+        let places = self.pieces.iter().filter_map(|piece| match &piece.way {
+            Way::Torus(piece) => Some((0..=PLACES).map(|k| piece.place(f64::from(k) / f64::from(PLACES)))),
+            Way::Mixed(_) => None,
+        });
+        let places: Vec<_> = places.flatten().collect();
+        let torus = CenterTorus { pair: pair.of_centers(), reach: reach_of_places(places.iter().copied()), height };
+        Ok(BallCenters::new(vec![closed_path(rows.iter())?], (!places.is_empty()).then_some(torus)))
     }
 
     /// How far the contact with a pipe reaches along it.

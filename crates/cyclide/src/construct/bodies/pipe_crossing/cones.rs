@@ -58,6 +58,10 @@ impl ConePair {
         Ok(Self { moved, smallest_radius, along, halves })
     }
 
+    pub(super) fn moved(&self) -> &MovedCylinders {
+        &self.moved
+    }
+
     pub(super) fn smallest_radius(&self) -> f64 {
         self.smallest_radius
     }

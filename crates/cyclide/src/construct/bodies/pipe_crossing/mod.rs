@@ -14,6 +14,7 @@ mod skin;
 mod torus_pair;
 
 use super::angle_law::Law;
+use super::ball_centers::BallCenters;
 use super::pierced::{Mantle, Ring, Skin};
 use super::tee::{TeeBlendFacts, TeeEnds};
 use crate::base::range;
@@ -144,6 +145,8 @@ pub struct MadeCrossing {
     pub body: Body,
     /// What is known of the blend; angles are those of its balls about the common normal of the axes, from the first axis on.
     pub blend: TeeBlendFacts,
+    /// Where the centres of its balls are.
+    pub centers: BallCenters,
 }
 
 impl PipeCrossing {
@@ -298,7 +301,8 @@ impl PipeCrossing {
             tightest: tight.left,
             tightest_at: tight.angle,
         };
-        Ok(MadeCrossing { body: self.sewn(&mantles, &balls)?, blend })
+        let centers = balls.centers(&asked.pair, self.axes.half_gap())?;
+        Ok(MadeCrossing { body: self.sewn(&mantles, &balls)?, blend, centers })
     }
 
     /// The faces of all skins, closed as asked.

@@ -4,6 +4,7 @@ use super::CrossingPipe;
 use super::ball_loop::{Contacts, PieceForms};
 use super::cones::ConePair;
 use crate::base::planar::{Point2, Vec2};
+use crate::construct::bodies::ball_centers::CenterPair;
 use crate::construct::bodies::pierced::Mantle;
 use crate::error::{Error, Result};
 use crate::rational::Polynomial;
@@ -31,6 +32,14 @@ impl TorusPair {
             return Err(Error::CrossingAxesTooNear { distance, limit });
         }
         Ok(Self::Cylinders(axes.with_radii(radii)?))
+    }
+
+    /// Both, for the surface of the centres.
+    pub(super) fn of_centers(&self) -> CenterPair {
+        match self {
+            Self::Cylinders(pair) => CenterPair::Cylinders(*pair),
+            Self::Cones(pair) => CenterPair::Cones(*pair.moved()),
+        }
     }
 
     /// The radius of the smallest ball outside both; negative where they overlap.

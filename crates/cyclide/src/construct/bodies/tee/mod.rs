@@ -27,10 +27,13 @@ pub(super) use loop_piece::LoopPiece;
 use radius_law::Loop;
 pub use radius_law::TeeBlend;
 
+use super::ball_centers::{BallCenters, closed_path};
 use crate::base::range;
 use crate::base::vector::{Point3, Vec3};
 use crate::construct::bodies::pierced::{Ring, Skin};
 use crate::error::{Error, ErrorItem, Result};
+use crate::rational::NurbsCurve;
+use crate::surface::CanalPatch;
 use crate::topology::{Body, Sewing};
 use partition::Partition;
 use skin::{Branch, Rings};
@@ -150,6 +153,8 @@ pub struct MadeTee {
     pub body: Body,
     /// What is known of the blends, in the order of the branches.
     pub blends: Vec<TeeBlendFacts>,
+    /// Where the centres of their balls are, in the same order.
+    pub centers: BallCenters,
 }
 
 /// What is known of a blend.
@@ -196,6 +201,12 @@ struct Placed {
 }
 
 impl Placed {
+    /// The way of the centres of its balls.
+    fn path(&self) -> Result<NurbsCurve> {
+        let pieces = self.partition.pieces.iter().map(|piece| Canal::new(&self.crossing, piece, 0.0).into_patch());
+        closed_path(pieces.collect::<Vec<_>>().iter().map(CanalPatch::center))
+    }
+
     /// The middle of its end.
     fn end(&self) -> Point3 {
         self.crossing.foot + self.crossing.axes[2] * self.length
@@ -273,8 +284,10 @@ impl PipeTee {
         order.sort_by(|&a, &b| placed[a].reach[0].total_cmp(&placed[b].reach[0]));
         self.check_room(&placed, &order)?;
         let blends = placed.iter().map(|branch| branch.facts).collect();
+        let paths = placed.iter().map(Placed::path).collect::<Result<Vec<_>>>()?;
+        let centers = BallCenters::new(paths, None);
         placed.sort_by(|a, b| a.reach[0].total_cmp(&b.reach[0]));
-        Ok(MadeTee { body: self.sewn(&placed)?, blends })
+        Ok(MadeTee { body: self.sewn(&placed)?, blends, centers })
     }
 
     fn placed(&self, index: usize, branch: &TeeBranch) -> Result<Placed> {
