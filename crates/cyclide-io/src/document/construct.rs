@@ -3,7 +3,7 @@
 use cyclide::{
     ArcFit, ArcFitOptions, ArcPath, ArcSplineOptions, CircleSpline, CircleSplineOptions, CurveObject, ErrorItem,
     FairEnd, FairFit, FairFitCertificate, FairFitOptions, FairSplineOptions, Fairness, FitCertificate, Point3,
-    RoundedTurns, SplineEnds, Vec3, Warning, corners_by_angle, fairness, wavering,
+    RoundedTurns, SplineEnds, Torus, Vec3, Warning, corners_by_angle, fairness, wavering,
 };
 
 use super::angle::Angle;
@@ -34,6 +34,8 @@ pub struct ContourFacts {
     pub fairness: Option<Fairness>,
     /// The largest distance by which points were moved onto the torus that the curve lies on.
     pub moved: Option<f64>,
+    /// The torus whose normals go with it, of a curve parallel to one of a torus: that on which it lies.
+    pub torus: Option<Torus>,
     /// What is known of a curve of lowest degree through points.
     pub interpolation: Option<InterpolationFacts>,
 }
@@ -189,7 +191,7 @@ pub(super) fn circle_spline(spec: &CircleSplineSpec, at: &Contour<'_>) -> Made {
 
 impl Contour<'_> {
     pub(super) fn facts(&self, fit: Option<Fitted>) -> ContourFacts {
-        ContourFacts { points: self.list.points.len(), fit, fairness: None, moved: None, interpolation: None }
+        ContourFacts { points: self.list.points.len(), fit, ..ContourFacts::default() }
     }
 }
 

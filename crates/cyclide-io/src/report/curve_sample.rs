@@ -1,18 +1,20 @@
 //! Samples along curves: points, stations, curvatures and frames, as CSV or JSON.
 
 use cyclide::{
-    ArcLength, CurveFrame, CurveFrames, CurveObject, FrameRule, ParamCurve, ShortNumber, TorusSpline, Vec3,
+    ArcLength, CurveFrame, CurveFrames, CurveObject, FrameRule, ParamCurve, ShortNumber, Torus, TorusSpline, Vec3,
     plane_normal,
 };
 use serde::Serialize;
 
 use super::sample::{Spacing, fractions, push_field};
 use crate::check::file_sample::FileSample;
-use crate::document::BuiltObject;
+use crate::document::{BuiltObject, ContourFacts};
 use crate::formats::push_sample;
 
 /// The word of frames that look at a point.
 const LOOK_AT: &str = "look-at";
+/// A parallel curve is on its torus to rounding, which is far less than this part of the torus.
+const NEAR: f64 = 1e-6;
 
 /// Where the samples of a curve lie; both ends of each contour are among them.
 ///
@@ -177,13 +179,13 @@ impl CurveSamples {
     /// As [`CurveFrames::new`].
     pub fn new(built: &BuiltObject, options: &SampleOptions) -> cyclide::Result<Self> {
         let curves = built.item.curves();
-        let on_torus = options.frames.is_none() && curves.iter().all(|c| matches!(c, CurveObject::TorusSpline(_)));
-        let contour = |curve: &CurveObject| {
-            let torus = match curve {
-                CurveObject::TorusSpline(spline) if on_torus => Some(spline),
-                _ => None,
-            };
-            ContourSamples::new(curve.as_curve(), torus, options)
+        let normals = |(index, curve)| TorusNormals::new(curve, built.contours.get(index));
+        let of_torus: Option<Vec<TorusNormals<'_>>> = curves.iter().enumerate().map(normals).collect();
+        let of_torus = of_torus.filter(|_| options.frames.is_none());
+        let on_torus = of_torus.is_some();
+        let contour = |(index, curve): (usize, &CurveObject)| {
+            let normals = of_torus.as_ref().map(|all| &all[index]);
+            ContourSamples::new(curve.as_curve(), normals, options)
         };
         let frames = match options.frames {
             None => (on_torus && !curves.is_empty()).then_some("torus"),
@@ -193,7 +195,7 @@ impl CurveSamples {
             Some(FrameRule::Frenet) => Some("frenet"),
             Some(FrameRule::RotationMinimizing { .. }) => Some("rotation-minimizing"),
         };
-        let contours = curves.iter().map(contour).collect::<cyclide::Result<_>>()?;
+        let contours = curves.iter().enumerate().map(contour).collect::<cyclide::Result<_>>()?;
         let spread =
             matches!(options.frames, Some(FrameRule::RotationMinimizing { closed: cyclide::ClosedTwist::Spread, .. }));
         Ok(Self { object: built.item.name.clone(), frames, contours, spread })
@@ -201,7 +203,7 @@ impl CurveSamples {
 
     /// As CSV: columns `t,x,y,z,tangent_x,tangent_y,tangent_z,curvature,station,signed_curvature,torsion`, with frames
     /// `normal_x,normal_y,normal_z` and `binormal_x,binormal_y,binormal_z` too, before them of frames that look at a point `look_x,look_y,look_z`, and with a column `contour` (from 0) in front if there
-    /// are several contours. Splines on a torus have the outward unit normal of the torus as their normal if no other frames are asked
+    /// are several contours. Splines on a torus and curves parallel to them have the outward unit normal of the torus as their normal if no other frames are asked
     /// for: with the tangent it is the frame along a seam. Fields are empty where a value does not exist.
     #[must_use]
     pub fn csv(&self) -> String {
@@ -275,8 +277,36 @@ impl CurveSamples {
     }
 }
 
+/// Where the normals of a curve come from that has a torus.
+enum TorusNormals<'a> {
+    /// It lies on it.
+    Along(&'a TorusSpline),
+    /// It is parallel to one that does, on this one.
+    Beside(Torus),
+}
+
+impl<'a> TorusNormals<'a> {
+    fn new(curve: &'a CurveObject, facts: Option<&ContourFacts>) -> Option<Self> {
+        match curve {
+            CurveObject::TorusSpline(spline) => Some(Self::Along(spline)),
+            _ => facts.and_then(|facts| facts.torus).map(Self::Beside),
+        }
+    }
+
+    /// The outward normal of the torus.
+    fn at(&self, curve: &dyn ParamCurve, t: f64) -> Option<Vec3> {
+        match self {
+            Self::Along(spline) => spline.seam_frame(t).map(|frame| frame.z()),
+            Self::Beside(torus) => {
+                let place = torus.locate(curve.point(t), NEAR * torus.major_radius());
+                place.ok().map(|place| torus.unit_normal(place))
+            }
+        }
+    }
+}
+
 impl ContourSamples {
-    fn new(curve: &dyn ParamCurve, torus: Option<&TorusSpline>, options: &SampleOptions) -> cyclide::Result<Self> {
+    fn new(curve: &dyn ParamCurve, torus: Option<&TorusNormals<'_>>, options: &SampleOptions) -> cyclide::Result<Self> {
         let frames = options.frames.map(|rule| CurveFrames::new(curve, &rule)).transpose()?;
         let own;
         let lengths = match &frames {
@@ -293,7 +323,7 @@ impl ContourSamples {
         };
         let looks = matches!(options.frames, Some(FrameRule::LookAt { .. }));
         let sample = |t: f64| {
-            let normal = torus.and_then(|spline| spline.seam_frame(t)).map(|frame| frame.z());
+            let normal = torus.and_then(|normals| normals.at(curve, t));
             CurveSample::new(curve, t, lengths.station(t), plane, (looks, frame_at(t)), normal)
         };
         let samples = options.places.parameters(lengths).into_iter().map(sample).collect();

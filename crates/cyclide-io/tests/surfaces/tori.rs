@@ -1,6 +1,6 @@
 //! Curves on tori, and what is made of them.
 
-use cyclide::{Aabb, CurveObject, ParamCurve, Point3, Torus, TorusSpline};
+use cyclide::{Aabb, CurveObject, ParamCurve, Point3, Torus, TorusSpline, Vec3};
 use cyclide_io::{BuiltObject, CurvesReport, GeometryReport, Report, Spacing, sample};
 
 use super::{build, surface};
@@ -74,9 +74,9 @@ fn directions_knots_and_turns_reach_the_kernel() {
     let one = splines(&rates)[0];
     // At the longitude 0 on the outer side: 52 round the axis for each radian.
     let start = one.jet_at_knot(0.0).d1;
-    assert!((start - cyclide::Vec3::new(0.0, 52.0 * std::f64::consts::FRAC_PI_2, 0.0)).length() < 1e-12, "{start:?}");
+    assert!((start - Vec3::new(0.0, 52.0 * std::f64::consts::FRAC_PI_2, 0.0)).length() < 1e-12, "{start:?}");
     let end = one.jet_at_knot(3.0).d1;
-    assert!((end - cyclide::Vec3::new(0.0, 0.0, 12.0 * std::f64::consts::FRAC_PI_4)).length() < 1e-11, "{end:?}");
+    assert!((end - Vec3::new(0.0, 0.0, 12.0 * std::f64::consts::FRAC_PI_4)).length() < 1e-11, "{end:?}");
     let tangents = with(&format!(
         r#""tangents": [[5, {}, 0], "free", [0, 0, {}]], "knots": [0, 2, 3]"#,
         52.0 * std::f64::consts::FRAC_PI_2,
@@ -171,6 +171,26 @@ fn curves_are_laid_flat_with_what_became_of_them() {
     ))
     .unwrap();
     assert_eq!(report(&elsewhere).unrolled.unwrap().map, "conformal");
+}
+
+/// A torch that stands off a seam: the same normals, two further out.
+#[test]
+fn samples_of_parallel_curves_have_the_normals_of_the_torus() {
+    let made = build(&format!(
+        r#""k": {{"type": "torus-knot", {HERE}, "turns": [2, 3]}}, "off": {{"type": "offset", "of": "k", "distance": 2}}"#
+    ))
+    .unwrap();
+    let table = sample(&made, 41, Spacing::Parameter);
+    let knot = build(&format!(r#""k": {{"type": "torus-knot", {HERE}, "turns": [2, 3]}}"#)).unwrap();
+    let torus = splines(&knot)[0].torus();
+    assert!(table.starts_with("t,x,y,z,tangent_x") && table.lines().count() == 42);
+    for line in table.lines().skip(1) {
+        let row: Vec<f64> = line.split(',').map(|f| f.parse().unwrap_or(f64::NAN)).collect();
+        let (p, n) = (Point3::new(row[1], row[2], row[3]), Vec3::new(row[11], row[12], row[13]));
+        assert!((torus.distance(p) - 2.0).abs() < 1e-11 && torus.distance(p - n * 2.0).abs() < 1e-11);
+        let t = Vec3::new(row[4], row[5], row[6]);
+        assert!(n.dot(t).abs() < 1e-11 && (t.cross(n) - Vec3::new(row[14], row[15], row[16])).length() < 1e-11);
+    }
 }
 
 /// The frames along a seam: normals of the torus, at even distances along the curve.

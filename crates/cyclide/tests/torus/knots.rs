@@ -97,6 +97,45 @@ fn knots_are_nearly_straight_in_the_plane() {
     assert!(joints(&knot).iter().all(|joint| joint.gap == 0.0 && joint.angle < 1e-13));
 }
 
+/// All parallels are crossed at one angle, to 4e-3, and curvature is that of the line: on thin tori and fat ones, with few turns and many.
+#[test]
+fn knots_cross_parallels_at_one_angle() {
+    for (minor, turns) in [
+        (15.0, [2, 3]),
+        (4.0, [1, 9]),
+        (39.0, [5, -7]),
+        (15.0, [1, 2]),
+        (30.0, [-3, 1]),
+        (0.5, [1, 200]),
+        (39.9, [200, 1]),
+        (12.0, [99, 100]),
+    ] {
+        let torus = Torus::new(cyclide::Frame::WORLD, 40.0, minor).unwrap();
+        let knot = TorusSpline::knot(&torus, turns, Point2::default()).unwrap();
+        let [p, q] = turns.map(f64::from);
+        let expected = (q * minor).atan2(p * ((40.0 - minor) * (40.0 + minor)).sqrt());
+        for piece in 0..knot.piece_count().min(60) {
+            for k in 0..=8 {
+                let jet = knot.piece_jet(piece, f64::from(k) / 8.0);
+                let (x, y) = (jet.point.x, jet.point.y);
+                let along = (jet.d1.y * x - jet.d1.x * y) / x.hypot(y);
+                let across = (jet.d1.length_squared() - along * along).max(0.0).sqrt() * q.signum();
+                // The meridian angle rises with q.
+                let angle = across.atan2(along);
+                assert!((angle - expected).abs() < 4e-3, "{minor} {turns:?}: {angle} for {expected}");
+            }
+        }
+    }
+    // Equal steps of both coordinates: exact.
+    let torus = Torus::new(cyclide::Frame::WORLD, 40.0, 15.0).unwrap();
+    let knot = TorusSpline::knot(&torus, [1, 2], Point2::default()).unwrap();
+    assert!(knot.piece_count() <= 7, "{}", knot.piece_count());
+    assert!((0..50).all(|k| {
+        let place = knot.unrolled_place(k / 10 % 7, f64::from(k as u32 % 10) / 10.0);
+        (place.y - 2.0 * place.x).abs() < 1e-14
+    }));
+}
+
 /// Closed quartics of all types are C1 curves of degree 4 of one type, and wind as their coordinates do: half a turn each.
 #[test]
 fn closed_quartics_of_all_types() {

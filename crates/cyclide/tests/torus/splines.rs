@@ -94,6 +94,16 @@ fn loops_where_they_are_asked_for() {
             assert!(bounds(&spline).diagonal() > 0.1);
         }
     }
+    // Directions that differ by less than an arc that is worth making, by as much, and by more.
+    for k in 0..60 {
+        let turn = 1e-4 * 1.1_f64.powi(k);
+        for sign in [1.0, -1.0] {
+            let rates = [Vec2::new(1.0, sign * turn), Vec2::new(1.0, 0.0)].map(TorusTangent::Rate);
+            let options = TorusSplineOptions { loops: true, tangents: rates.to_vec(), ..Default::default() };
+            let spline = TorusSpline::through_places(torus, &twice, &options).unwrap();
+            assert_eq!(faults(&spline), Vec::<String>::new(), "{turn}");
+        }
+    }
 }
 
 #[test]

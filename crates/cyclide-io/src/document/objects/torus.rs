@@ -231,8 +231,12 @@ impl Builder<'_> {
         }
         let splines = self.splines_of_source("has a parallel curve, and only surfaces have an offset")?;
         let parallels = splines.iter().map(|spline| {
-            let curve = spline.parallel(spec.distance).map_err(|e| self.refused(&e, None))?;
-            Ok((CurveObject::Nurbs(curve), ContourFacts::default()))
+            let torus = spline.torus();
+            let made = spline.parallel(spec.distance).and_then(|curve| {
+                let thicker = Torus::new(torus.frame(), torus.major_radius(), torus.minor_radius() + spec.distance)?;
+                Ok((CurveObject::Nurbs(curve), ContourFacts { torus: Some(thicker), ..ContourFacts::default() }))
+            });
+            made.map_err(|e| self.refused(&e, None))
         });
         parallels.collect()
     }

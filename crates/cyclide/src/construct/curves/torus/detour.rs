@@ -74,7 +74,11 @@ fn legs(start: f64, end: f64, step: Vec2, radius: f64) -> Vec<Leg> {
             Part::Line(length) => append_line(&mut legs, heading, length * radius),
         }
     }
-    if legs.is_empty() {
+    // Where both arcs are left out, the line between their ends comes back to its start: there is no step, but there is a loop.
+    let turns = parts.iter().any(|part| matches!(part, Part::Arc(turn) if !is_left_out(*turn)));
+    if legs.is_empty() || (step.length() == 0.0 && !turns) {
+        legs.clear();
+        heading = start;
         append_arc(&mut legs, &mut heading, TAU, radius);
     }
     legs

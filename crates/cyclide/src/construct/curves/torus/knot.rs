@@ -1,21 +1,25 @@
 //! Torus knots: closed curves that run evenly round the axis and round the tube.
 //!
-//! In the plane of the torus they are straight lines. A piece whose coordinates run along chords of the unit circle, from `1` to
+//! In the plane of the torus they are straight lines, which cross all parallels at one angle. A piece whose coordinates run along chords of the unit circle, from `1` to
 //! `e^(iD)`, has the same speed at both ends, so that equal pieces join C1; all pieces of a knot are one piece turned
 //! (`docs/math/torus-splines.md#torus-knots`).
 
 use super::projective_biarc::within;
 use super::spline_data::check_angles;
-use super::spline_span::best_type;
 use crate::base::complex::Complex;
 use crate::base::planar::{Point2, Vec2};
 use crate::error::{Error, ErrorItem, Result};
-use crate::surface::{CircleFamily, Course, SegmentMethod, Torus, TorusChain, TorusPiece, TorusSpline};
+use crate::surface::{CircleFamily, Course, QuarticType, SegmentMethod, Torus, TorusChain, TorusPiece, TorusSpline};
 use std::f64::consts::PI;
 
-/// Largest step of a coordinate over one piece, radians: the speed varies by 6 % over it, and the curve is off the straight line in
-/// its plane by less than 2e-3 radians.
+/// Largest step of a coordinate over one piece, radians: the speed varies by 6 % over it.
 const STEP: f64 = 0.5;
+
+/// The angle at which the curve crosses parallels changes by no more, radians.
+const WOBBLE: f64 = 4e-3;
+
+/// Rounds in which pieces become more; one or two are needed.
+const ROUNDS: usize = 30;
 
 /// Most turns of either kind.
 const MOST_TURNS: u32 = 10_000;
@@ -38,11 +42,7 @@ impl TorusSpline {
     pub fn knot(torus: &Torus, turns: [i32; 2], start: Point2) -> Result<Self> {
         check(turns, start)?;
         let whole = Vec2::new(PI * f64::from(turns[0]), PI * f64::from(turns[1]));
-        // The type does not depend on the length of the step, as long as it is short.
-        let small = whole * (0.1 / whole.length());
-        let (kind, _) = best_type(small, [small; 2]).ok_or(Error::NotCoprime { turns, divisor: 0 })?;
-        let largest = kind.local(whole).into_iter().fold(0.0, |m: f64, x| m.max(x.abs()));
-        let n = (largest / STEP).ceil();
+        let Even { kind, pieces: n } = Even::best(torus, whole);
         let step = whole * (1.0 / n);
         let course = |step: f64| {
             if step == 0.0 { Course::STILL } else { Course { step, ratio: Complex::at_angle(step) } }
@@ -83,6 +83,54 @@ impl TorusSpline {
         };
         Self::knot(torus, turns, place)
     }
+}
+
+/// A type, and how many equal pieces of it run evenly enough.
+struct Even {
+    kind: QuarticType,
+    pieces: f64,
+}
+
+impl Even {
+    /// An arc of a circle where a coordinate stands still; else the type that needs the fewest pieces, of these the one that wobbles less.
+    fn best(torus: &Torus, whole: Vec2) -> Self {
+        let rated = QuarticType::ALL.map(|kind| {
+            let stands = kind.local(whole).contains(&0.0);
+            let pieces = Self::pieces(torus, kind, whole);
+            (!stands, pieces, wobble(torus, kind, whole * (1.0 / pieces)), Self { kind, pieces })
+        });
+        let [first, rest @ ..] = rated;
+        let better = |a: &(bool, f64, f64, Self), b: &(bool, f64, f64, Self)| {
+            a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)).then(a.2.total_cmp(&b.2)).is_lt()
+        };
+        rest.into_iter().fold(first, |best, next| if better(&next, &best) { next } else { best }).3
+    }
+
+    /// The least number of pieces of a type, nearly: the wobble is as the square of the step.
+    fn pieces(torus: &Torus, kind: QuarticType, whole: Vec2) -> f64 {
+        let largest = kind.local(whole).into_iter().fold(0.0, |m: f64, x| m.max(x.abs()));
+        let mut pieces = (largest / STEP).ceil();
+        for _ in 0..ROUNDS {
+            let wobble = wobble(torus, kind, whole * (1.0 / pieces));
+            if wobble <= WOBBLE {
+                break;
+            }
+            pieces = (pieces * (wobble / WOBBLE).sqrt()).ceil().max(pieces + 1.0);
+        }
+        pieces
+    }
+}
+
+/// How far the directions at the ends and in the middle of a piece are apart on the torus, where the curve turns to one side and back: its coordinates have the
+/// speeds `sin D` there, and `2 tan D/2` here.
+fn wobble(torus: &Torus, kind: QuarticType, step: Vec2) -> f64 {
+    let local = kind.local(step);
+    let (a, b) = (torus.major_radius(), torus.minor_radius());
+    let upright = b / ((a - b) * (a + b)).sqrt();
+    let on_torus = |rate: Vec2| Vec2::new(rate.x, rate.y * upright);
+    let end = on_torus(kind.back(local.map(f64::sin)));
+    let middle = on_torus(kind.back(local.map(|d| 2.0 * (0.5 * d).tan())));
+    end.cross(middle).atan2(end.dot(middle)).abs()
 }
 
 fn check(turns: [i32; 2], start: Point2) -> Result<()> {
