@@ -137,6 +137,54 @@ fn splines_and_fits_run_on_every_contour() {
     assert!((length(curve(&built)) - 20.0 * PI).abs() < 0.1);
 }
 
+/// Arcs within the tolerance of a curve, both ways, and of all its contours; corners stay.
+#[test]
+fn arcs_are_fitted_to_curves() {
+    let of = |source: &str, fields: &str| -> Result<BuiltObject, String> {
+        let text = format!(r#"{{"cyclide": 1, "objects": {{"c": {{{source}}}, "f": {{"type": "arc-fit"{fields}}}}}}}"#);
+        let document: Document = text.parse().map_err(|e: Error| e.to_string())?;
+        document.build().map(|mut all| all.remove(1)).map_err(|e| e.to_string())
+    };
+    let nurbs = r#""type": "nurbs", "degree": 3, "knots": [0, 0, 0, 0, 1, 2, 3, 3, 3, 3], "control_points": [[0, 0], [20, 40], [60, 50], [90, -30], [130, 10], [150, 60]]"#;
+    let fair = r#""type": "fair-spline", "points": [[0, 0, 0], [20, 30, 10], [50, 20, 20], [60, -10, 5], [30, -30, 0]], "closed": true"#;
+    let mut counts = Vec::new();
+    for source in [nurbs, fair] {
+        for tolerance in [1.0, 0.1, 0.01] {
+            let fitted = of(source, &format!(r#", "of": "c", "tolerance": {tolerance}"#)).unwrap();
+            let Some(Fitted::Arcs(certificate)) = fitted.contours[0].fit else { panic!("an arc fit") };
+            assert!(certificate.deviation <= tolerance && fitted.tolerance == Some(tolerance));
+            let text = format!(r#"{{"cyclide": 1, "objects": {{"c": {{{source}}}}}}}"#);
+            let given = text.parse::<Document>().unwrap().build().unwrap().remove(0);
+            let (arcs, given) = (curve(&fitted), given.item.curves()[0].as_curve());
+            assert_eq!(arcs.is_closed(), given.is_closed());
+            for k in 0..=400 {
+                let t = f64::from(k) / 400.0;
+                for (from, to) in [(arcs, given), (given, arcs)] {
+                    let off = cyclide::closest_point(to, from.point(t)).distance;
+                    assert!(off <= tolerance * (1.0 + 1e-9), "{tolerance}: {off}");
+                }
+            }
+            counts.push(arcs.piece_count());
+        }
+    }
+    // Of a cubic arcs are as the third root of the tolerance.
+    assert!(counts[2] <= 24 && counts[0] < counts[1] && counts[1] < counts[2], "{counts:?}");
+    let square = r#""type": "polyline", "points": [[0, 0], [30, 0], [30, 20], [0, 20]], "closed": true"#;
+    let kept = of(square, r#", "of": "c", "tolerance": 0.1"#).unwrap();
+    assert_eq!(curve(&kept).piece_count(), 4);
+    assert_eq!(kept.remarks.iter().map(|r| r.reason).collect::<Vec<_>>(), ["corner-kept"]);
+    assert!(kept.remarks[0].message.starts_with("4 corners"), "{}", kept.remarks[0].message);
+    for (fields, words) in [
+        (r#", "tolerance": 1"#, "one of both"),
+        (r#", "of": "c", "points": [[0, 0], [1, 1]], "tolerance": 1"#, "one of both"),
+        (r#", "of": "c", "closed": true, "tolerance": 1"#, "go with `points`"),
+        (r#", "of": "c", "tolerance": 0"#, "tolerance"),
+    ] {
+        let refused = of(nurbs, fields).unwrap_err();
+        assert!(refused.contains(words), "{refused}");
+    }
+}
+
 #[test]
 fn fair_fits_take_their_options_and_keep_their_certificate() {
     // Half a circle of 41 points, each moved by 0.02 in or out.
@@ -296,7 +344,7 @@ fn what_the_kernel_refuses_in_a_file_is_shown_there() {
     // The repeated point is merged, so the place counts lines of the file, not points left.
     let message = build_with(fields, "x,y\n0,0\n0,0\n1,0\n0,0\n").unwrap_err();
     assert!(message.starts_with("dir/p.csv:4:1: objects.a: "), "{message}");
-    assert!(message.contains("[cusp]") && message.contains("4 | 1,0\n"), "{message}");
+    assert!(message.contains("[tangent-undefined]") && message.contains("4 | 1,0\n"), "{message}");
     let message = build_with(fields, "0,0\n1,0\n\n7,7\n").unwrap_err();
     assert!(message.starts_with("dir/p.csv:4:1: objects.a: too few points: 1 given"), "{message}");
     let message = build_with(fields, "0,0\n1,x\n").unwrap_err();

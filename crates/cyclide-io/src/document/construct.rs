@@ -2,8 +2,8 @@
 
 use cyclide::{
     ArcFit, ArcFitOptions, ArcPath, ArcSplineOptions, CircleSpline, CircleSplineOptions, CurveObject, ErrorItem,
-    FairEnd, FairFit, FairFitCertificate, FairFitOptions, FairSplineOptions, Fairness, FitCertificate, Point3,
-    RoundedTurns, SplineEnds, Torus, Vec3, Warning, corners_by_angle, fairness, wavering,
+    FairEnd, FairFit, FairFitCertificate, FairFitOptions, FairSplineOptions, Fairness, FitCertificate, FitTarget,
+    Point3, RoundedTurns, SplineEnds, Torus, Vec3, Warning, corners_by_angle, fairness, flatten_within, wavering,
 };
 
 use super::angle::Angle;
@@ -105,12 +105,45 @@ pub(super) fn arc_spline(spec: &ArcSplineSpec, at: &Contour<'_>) -> Made {
     Ok((CurveObject::ArcPath(path), at.facts(None), Vec::new()))
 }
 
-pub(super) fn arc_fit(spec: &ArcFitSpec, at: &Contour<'_>) -> Made {
+/// The part of the tolerance by which a polyline may leave the curve that arcs are fitted to.
+const POLYLINE_SHARE: f64 = 0.1;
+/// Vertices of this polyline at most.
+const MOST_VERTICES: usize = 200_000;
+
+fn fit_options(spec: &ArcFitSpec) -> ArcFitOptions {
     let mut options = ArcFitOptions::new(spec.tolerance);
     options.closed = spec.closed;
     options.target = spec.target;
     options.effort = spec.effort;
     options.corner_angle = spec.corner_angle.map_or(options.corner_angle, Angle::radians);
+    options
+}
+
+/// Arcs within the tolerance of a curve, by way of a polyline that is ten times as near.
+pub(super) fn arc_fit_of_curve(spec: &ArcFitSpec, curve: &CurveObject) -> Made {
+    let within = POLYLINE_SHARE * spec.tolerance;
+    let mut options = fit_options(spec);
+    options.closed = curve.as_curve().is_closed();
+    options.target = FitTarget::Polyline;
+    options.tolerance -= within;
+    let mut points: Vec<Point3> =
+        flatten_within(curve.as_curve(), within, MOST_VERTICES)?.into_iter().map(|(_, point)| point).collect();
+    if options.closed {
+        points.pop();
+    }
+    let fit = ArcFit::new(&points, &options)?;
+    let mut certificate = *fit.certificate();
+    for deviation in
+        [&mut certificate.deviation, &mut certificate.vertex_deviation, &mut certificate.polyline_deviation]
+    {
+        *deviation += within;
+    }
+    let facts = ContourFacts { fit: Some(Fitted::Arcs(certificate)), ..ContourFacts::default() };
+    Ok((CurveObject::ArcPath(fit.path().clone()), facts, fit.warnings().to_vec()))
+}
+
+pub(super) fn arc_fit(spec: &ArcFitSpec, at: &Contour<'_>) -> Made {
+    let mut options = fit_options(spec);
     options.corners.clone_from(&at.list.corners);
     let fit = ArcFit::new(&at.list.points, &options)?;
     Ok((

@@ -1,17 +1,17 @@
 //! Curves: from fields and lists of points to the kernel's constructions.
 
-use cyclide::{Arc, Biarc, BlendSegment, Circle, CurveObject, ErrorItem, Quat, Vec3, Warning, bounds};
+use cyclide::{Arc, Biarc, BlendSegment, Circle, CurveObject, ErrorItem, FitTarget, Quat, Vec3, Warning, bounds};
 
 use super::idle::{Idle, idle_fields};
 use super::{Builder, Remark};
 use crate::document::angle::Angle;
 use crate::document::construct::{
-    Contour, ContourFacts, Made, arc_fit, arc_spline, circle_spline, fair_fit, fair_spline, polyline,
+    Contour, ContourFacts, Made, arc_fit, arc_fit_of_curve, arc_spline, circle_spline, fair_fit, fair_spline, polyline,
 };
 use crate::document::coordinates::{Coordinates, Lists, PointFile, PointSource};
 use crate::document::interpolate::{moebius_spline, qb_interpolation};
 use crate::document::locate::{Step, path_text};
-use crate::document::spec::{ArcSpec, CircleSpec, ObjectSpec};
+use crate::document::spec::{ArcFitSpec, ArcSpec, CircleSpec, ObjectSpec};
 use crate::error::{Error, Result};
 use crate::formats::InputKind;
 use crate::input::points::{Merged, PointColumns, PointList, merge_repeated, read_points};
@@ -39,7 +39,7 @@ impl ObjectSpec {
         match self {
             Self::Polyline(s) => Some(&s.points),
             Self::ArcSpline(s) => Some(&s.points),
-            Self::ArcFit(s) => Some(&s.points),
+            Self::ArcFit(s) => s.points.as_ref(),
             Self::FairSpline(s) => Some(&s.points),
             Self::FairFit(s) => Some(&s.points),
             Self::CircleSpline(s) => Some(&s.points),
@@ -152,7 +152,7 @@ impl Builder<'_> {
             }
             ObjectSpec::Polyline(s) => self.each_contour(&s.points, s.closed, |at| polyline(s, at)),
             ObjectSpec::ArcSpline(s) => self.each_contour(&s.points, s.closed, |at| arc_spline(s, at)),
-            ObjectSpec::ArcFit(s) => self.each_contour(&s.points, s.closed, |at| arc_fit(s, at)),
+            ObjectSpec::ArcFit(s) => self.arc_fit(s),
             ObjectSpec::FairSpline(s) => self.each_contour(&s.points, s.closed, |at| fair_spline(s, at)),
             ObjectSpec::FairFit(s) => self.each_contour(&s.points, s.closed, |at| fair_fit(s, at)),
             ObjectSpec::CircleSpline(s) => self.each_contour(&s.points, s.closed, |at| circle_spline(s, at)),
@@ -171,6 +171,55 @@ impl Builder<'_> {
             ObjectSpec::SupportStructure(_) => Ok(without_facts(self.support_structure()?)),
             _ => Ok(Vec::new()),
         }
+    }
+
+    fn arc_fit(&mut self, spec: &ArcFitSpec) -> Result<Vec<(CurveObject, ContourFacts)>> {
+        match (&spec.points, &spec.of) {
+            (Some(points), None) => self.each_contour(points, spec.closed, |at| arc_fit(spec, at)),
+            (None, Some(of)) => self.arc_fit_of(spec, of),
+            _ => Err(self.unfit("an arc-fit has `points`, or a curve that it is `of`: one of both")),
+        }
+    }
+
+    /// Arcs near the contours of another object.
+    fn arc_fit_of(&mut self, spec: &ArcFitSpec, of: &str) -> Result<Vec<(CurveObject, ContourFacts)>> {
+        if spec.closed || spec.target != FitTarget::default() {
+            return Err(self.unfit(
+                "`closed` and `target` go with `points`: a curve is closed or not, and arcs keep to all of it",
+            ));
+        }
+        let curves = self.sources.first().map_or(&[][..], |source| source.item.curves()).to_vec();
+        if curves.is_empty() {
+            return Err(self.wrong_source(&format!("`{of}` has no curve, and arcs are fitted to points or to a curve")));
+        }
+        let several = curves.len() > 1;
+        let mut made = Vec::with_capacity(curves.len());
+        for (contour, curve) in curves.iter().enumerate() {
+            let (path, facts, warnings) = arc_fit_of_curve(spec, curve).map_err(|e| match e {
+                // The places of its own polyline say nothing to anybody.
+                cyclide::Error::NoG1SplineInTube { .. } => self.refused_at(["tolerance".into()], &e),
+                e => self.refused_at(["of".into()], &e),
+            })?;
+            let of_contour = several.then_some(contour);
+            // Numbers of vertices are of a polyline that nobody has seen.
+            let (corners, others): (Vec<_>, Vec<_>) =
+                warnings.into_iter().partition(|warning| matches!(warning, Warning::CornerKept { .. }));
+            if let Some(first) = corners.first() {
+                let message = match corners.len() {
+                    1 => "a corner of the curve is kept".to_owned(),
+                    count => format!("{count} corners of the curve are kept"),
+                };
+                let place = self.place_of([Step::from("of")]);
+                self.remark(first.reason(), of_contour, None, place, message);
+            }
+            // Its long edges are where the curve is straight.
+            let others = others.into_iter().filter(|warning| !matches!(warning, Warning::SamplesTooCoarse { .. }));
+            for warning in others {
+                self.warn_at("of", of_contour, warning);
+            }
+            made.push((path, facts));
+        }
+        Ok(made)
     }
 
     fn arc(&self, spec: &ArcSpec) -> Result<Arc> {

@@ -149,6 +149,7 @@ impl ObjectSpec {
             Self::TorusCircle(s) => torus(&s.torus),
             Self::SupportStructure(s) => of(s.of.as_str()),
             Self::Motion(s) => s.along.iter().map(|name| (vec![Step::from("along")], name.as_str())).collect(),
+            Self::ArcFit(s) => s.of.as_deref().map(of).unwrap_or_default(),
             Self::BallCenters(s) => of(s.of.as_str()),
             Self::CenterSurface(s) => of(s.of.as_str()),
             Self::Trajectory(s) => of(s.of.as_str()),

@@ -214,6 +214,11 @@ pub struct PolylineSpec {
 /// ```
 #[derive(Debug, Clone, PartialEq, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
+#[schemars(
+    extend("oneOf" = [{"required": ["points"]}, {"required": ["of"]}]),
+    extend("if" = {"required": ["of"]}),
+    extend("then" = {"properties": {"closed": false, "target": false}})
+)]
 pub struct ArcFitSpec {
     /// The word `arc-fit`.
     #[schemars(with = "String", extend("const" = "arc-fit"))]
@@ -225,7 +230,9 @@ pub struct ArcFitSpec {
     #[serde(default)]
     pub construction: bool,
     /// The points.
-    pub points: PointSource,
+    pub points: Option<PointSource>,
+    /// Name of a curve of any kind, in place of points; it may be construction geometry. The arcs are within the tolerance of it, both ways.
+    pub of: Option<String>,
     /// The last point joins the first.
     #[serde(default)]
     pub closed: bool,
