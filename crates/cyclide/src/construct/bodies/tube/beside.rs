@@ -8,8 +8,6 @@ use crate::error::Result;
 const CHORDS: [usize; 2] = [8, 1 << 14];
 /// The part of the limit that may be left open between places.
 const OPEN: f64 = 0.1;
-/// Feet go back by no more than this part of an arc: rounding of their parameters.
-const PLACE_ROUNDING: f64 = 1e-9;
 
 /// What is proved of a chain of arcs and a curve: to each point of one belongs a point of the other, in order along both.
 #[derive(Debug, Clone, Copy)]
@@ -76,7 +74,7 @@ pub(super) fn beside(
         ways = [ways[0] + lengths[0], ways[1] + lengths[1]];
         if !(found.distance <= limit) {
             // No need to look farther.
-            return Ok(Beside { distance: f64::INFINITY, lag: f64::INFINITY });
+            return Ok(found);
         }
     }
     Ok(found)
@@ -126,11 +124,8 @@ impl Walk<'_> {
                 let s = [at(k - 1), if k == self.chords { part.to } else { at(k) }];
                 let point = part.curve.piece_point(part.piece, s[1]);
                 let is_end = number + 1 == self.stretch.len() && k == self.chords;
-                let next = if is_end { self.arcs.len() as f64 } else { self.foot(point) };
-                if next < place - PLACE_ROUNDING {
-                    return Ok(UNPROVED);
-                }
-                let next = next.max(place);
+                // Points belong together in any order that rises; a foot that goes back, by rounding at a joint, costs distance.
+                let next = if is_end { self.arcs.len() as f64 } else { self.foot(point).max(place) };
                 let next_foot = if is_end { last.end() } else { self.point(next) };
                 let bends = [part.bend(s, [before, point], hull, limit)?, self.bend([place, next], [foot, next_foot])];
                 walked.measured = walked.measured.max(point.distance(next_foot));
