@@ -298,7 +298,7 @@ fn blame_tee(error: &cyclide::Error) -> Blame {
         | E::PipeEndsReversed { .. }
         | E::RadiusNotPositive { .. }
         | E::NotFinite { what: I::Radius, .. } => Blame::Field("main"),
-        E::TeeBranchesMeet { second, .. } => Blame::Entry("branches", *second),
+        E::TeeBranchesMeet { second, .. } | E::TeeNoFreeLine { second, .. } => Blame::Entry("branches", *second),
         E::NotFinite { index, .. } => Blame::Entry("branches", *index),
         E::ParameterOutOfRange { name: name @ I::Wall, .. } => Blame::Field(name.word()),
         _ => Blame::Field("branches"),

@@ -386,6 +386,18 @@
 //! # Ok::<(), cyclide::Error>(())
 //! ```
 //!
+//! # `tee-no-free-line`
+//! Two branches of a tee are apart, but others between them leave no line along the main pipe free.
+//! ```
+//! use cyclide::{PipeTee, TeeBranch, TeeMain};
+//! let main = TeeMain { radius: 3.0, ends: [-12.0, 12.0] };
+//! let branch = |radius, at, azimuth| TeeBranch { at, azimuth, ..TeeBranch::upright(radius, 10.0, 0.3) };
+//! // The third reaches across all that is between the first two; the fourth is beside all of them.
+//! let branches = vec![branch(1.5, 0.0, 0.0), branch(1.5, 0.0, 2.1), branch(1.5, 5.0, 1.0), branch(2.2, 2.5, 4.2)];
+//! assert_eq!(PipeTee::new(main, branches)?.made().unwrap_err().reason(), "tee-no-free-line");
+//! # Ok::<(), cyclide::Error>(())
+//! ```
+//!
 //! # `ellipses-cross`
 //! There is no solid between two ellipses that cross.
 //! ```

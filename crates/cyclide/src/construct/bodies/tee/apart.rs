@@ -3,6 +3,7 @@
 //!
 //! What two branches add to the main pipe meets only if its faces do: neither holds the other, as their holes in the main pipe are apart.
 
+use super::arrangement::are_halves;
 use super::canal::Canal;
 use super::{PipeTee, Placed};
 use crate::base::bounds::Aabb;
@@ -132,10 +133,15 @@ impl PipeTee {
         let faces = placed.iter().map(parts).collect::<Result<Vec<_>>>()?;
         for second in 1..placed.len() {
             for first in 0..second {
+                if are_halves(&placed[first], &placed[second]) {
+                    continue;
+                }
                 let [(axis, radius), (other, beside)] = [first, second].map(|k| spine(&placed[k]));
                 let walls_apart = distance(axis, other) > radius + beside + needed;
                 if let Some(distance) = nearer_than(needed, [&faces[first], &faces[second]], walls_apart) {
-                    return Err(Error::TeeBranchesMeet { first, second, distance, needed });
+                    let [first, second] = [first, second].map(|k| placed[k].crossing.branch);
+                    let (first, second) = (first.min(second), first.max(second));
+                    return Err(Error::TeeBranchesMeet { first, second, distance, needed, round: 0.0 });
                 }
             }
         }

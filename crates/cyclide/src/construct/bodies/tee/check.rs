@@ -1,5 +1,6 @@
 //! What is refused of a tee: balls without a radius, blends that fold, pipes that end within a blend, branches that meet.
 
+use super::arrangement::{self, Group};
 use super::canal::Canal;
 use super::crossing::Crossing;
 use super::loop_piece::LoopPiece;
@@ -10,7 +11,7 @@ use crate::construct::bodies::tight_place::TightPlace;
 use crate::error::{Error, ErrorItem, Result};
 
 /// A part of a pipe beyond a blend is longer than this part of its radius.
-const LEAST_REST: f64 = 1e-3;
+pub(super) const LEAST_REST: f64 = 1e-3;
 
 /// Refuses a blend that folds. With centres m, radii R and the unit normal N of the canal towards the outside of the balls, the derivative along the loop
 /// across the circles has, up to a positive factor, the part `|m'|² - R'² - R R'' - R N·m''`: it must stay positive.
@@ -37,12 +38,17 @@ pub(super) fn check_folds(crossing: &Crossing, pieces: &[LoopPiece], depth: f64)
     Err(Error::TeeBlendFolds { branch: crossing.branch, angle: tightest.angle, left: tightest.left })
 }
 
-/// The places along the main pipe between which the contact of the blend is, from places of its pieces close together.
-pub(super) fn reach_along(crossing: &Crossing, partition: &Partition) -> [f64; 2] {
-    let mut reach = [f64::INFINITY, f64::NEG_INFINITY];
+/// The places along the main pipe and the angles round it between which the contact of the blend is, from places of its pieces close together.
+pub(super) fn reach_on_main(crossing: &Crossing, partition: &Partition) -> [[f64; 2]; 2] {
+    let mut reach = [[f64::INFINITY, f64::NEG_INFINITY]; 2];
     for piece in &partition.pieces {
-        for place in quotients(&crossing.forms(piece).along, &crossing.forms(piece).weight) {
-            reach = [reach[0].min(place + crossing.at), reach[1].max(place + crossing.at)];
+        let forms = crossing.forms(piece);
+        let places = quotients(&forms.along, &forms.weight).into_iter().map(|place| place + crossing.at);
+        // A hole is less than half a turn to both sides.
+        let [c, s] = &forms.on_main;
+        let angles = quotients(s, c).into_iter().map(|slope| 2.0 * slope.atan());
+        for (k, value) in places.map(|place| (0, place)).chain(angles.map(|angle| (1, angle))) {
+            reach[k] = [reach[k][0].min(value), reach[k][1].max(value)];
         }
     }
     reach
@@ -66,11 +72,11 @@ fn quotients(above: &crate::rational::Polynomial, below: &crate::rational::Polyn
 }
 
 impl PipeTee {
-    /// Refuses pipes that end within a blend, and branches that meet.
+    /// Refuses pipes that end within a blend.
     ///
     /// # Errors
-    /// `tee-pipe-too-short`, `tee-branches-meet`.
-    pub(super) fn check_room(&self, placed: &[Placed], order: &[usize]) -> Result<()> {
+    /// `tee-pipe-too-short`.
+    pub(super) fn check_room(&self, placed: &[Placed]) -> Result<()> {
         let short = if self.ends == super::TeeEnds::Closed { self.wall.unwrap_or(0.0) } else { 0.0 };
         let rest = LEAST_REST * self.main.radius;
         for (index, branch) in placed.iter().enumerate() {
@@ -95,14 +101,17 @@ impl PipeTee {
                 }
             }
         }
-        for pair in order.windows(2) {
-            let [first, second] = [pair[0], pair[1]];
-            let distance = placed[second].reach[0] - placed[first].reach[1];
-            if !(distance > 3.0 * rest) {
-                let (first, second) = (first.min(second), first.max(second));
-                return Err(Error::TeeBranchesMeet { first, second, distance, needed: 3.0 * rest });
-            }
-        }
-        Self::check_apart(placed, rest)
+        Ok(())
+    }
+
+    /// How the branches stand on the main pipe, in the order of their places.
+    ///
+    /// # Errors
+    /// `tee-branches-meet`, `tee-no-free-line`.
+    pub(super) fn groups(&self, placed: &[Placed]) -> Result<Vec<Group>> {
+        let rest = LEAST_REST * self.main.radius;
+        let groups = arrangement::groups(placed, rest)?;
+        Self::check_apart(placed, rest)?;
+        Ok(groups)
     }
 }

@@ -10,15 +10,16 @@
 //! A wall has the same loop inside: radii of pipes less by its thickness, radii of balls larger by it, the centres stay.
 
 mod apart;
+mod arrangement;
 mod boost;
 mod canal;
 mod check;
 mod crossing;
 mod equal;
-mod join;
 mod loop_piece;
 mod partition;
 mod radius_law;
+mod sewn;
 mod skin;
 
 pub(super) use canal::Canal;
@@ -28,12 +29,10 @@ use radius_law::Loop;
 pub use radius_law::TeeBlend;
 
 use crate::base::range;
-use crate::base::vector::{Point3, Vec3};
-use crate::construct::bodies::pierced::{Ring, Skin};
+use crate::base::vector::Point3;
 use crate::error::{Error, ErrorItem, Result};
-use crate::topology::{Body, Sewing};
+use crate::topology::Body;
 use partition::Partition;
-use skin::{Branch, Rings};
 
 /// The main pipe of a tee, about the x axis.
 ///
@@ -192,6 +191,8 @@ struct Placed {
     length: f64,
     /// The places along the main pipe between which the blend is.
     reach: [f64; 2],
+    /// The angles round the main pipe between which it is, in the axes of the branch.
+    breadth: [f64; 2],
     facts: TeeBlendFacts,
 }
 
@@ -261,7 +262,7 @@ impl PipeTee {
     ///
     /// # Errors
     /// `tee-branch-too-wide`, `angle-out-of-range`, as [`TeeBlend`] `radius-not-positive`, `tolerance-not-positive`, `tee-blend-too-large`, `tee-law-on-equal-pipes`, `too-many-pieces`, `coincident-points`, `below-rounding-of-place`;
-    /// `tee-pipe-too-short`, `tee-blend-folds`, `tee-hole-folds`, `tee-branches-meet`.
+    /// `tee-pipe-too-short`, `tee-blend-folds`, `tee-hole-folds`, `tee-branches-meet`, `tee-no-free-line`.
     pub fn made(&self) -> Result<MadeTee> {
         let mut placed = self
             .branches
@@ -269,12 +270,11 @@ impl PipeTee {
             .enumerate()
             .map(|(index, branch)| self.placed(index, branch))
             .collect::<Result<Vec<_>>>()?;
-        let mut order: Vec<usize> = (0..placed.len()).collect();
-        order.sort_by(|&a, &b| placed[a].reach[0].total_cmp(&placed[b].reach[0]));
-        self.check_room(&placed, &order)?;
         let blends = placed.iter().map(|branch| branch.facts).collect();
+        self.check_room(&placed)?;
         placed.sort_by(|a, b| a.reach[0].total_cmp(&b.reach[0]));
-        Ok(MadeTee { body: self.sewn(&placed)?, blends })
+        let groups = self.groups(&placed)?;
+        Ok(MadeTee { body: self.sewn(&placed, &groups)?, blends })
     }
 
     fn placed(&self, index: usize, branch: &TeeBranch) -> Result<Placed> {
@@ -292,7 +292,7 @@ impl PipeTee {
         let place = self.main.ends.into_iter().fold(branch.at.abs() + branch.length, |most, end| most.max(end.abs()));
         let smallest = radii[0].min(branch.radius);
         range::check_size_in_place(ErrorItem::Radius, smallest, place, range::SMALLEST_IN_PLACE).map_err(in_blend)?;
-        let reach = check::reach_along(&crossing, &partition);
+        let [reach, breadth] = check::reach_on_main(&crossing, &partition);
         let facts = TeeBlendFacts {
             radii,
             deviation,
@@ -300,87 +300,6 @@ impl PipeTee {
             tightest: tight.left,
             tightest_at: tight.angle,
         };
-        Ok(Placed { crossing, partition, length: branch.length, reach, facts })
-    }
-
-    /// The faces of all skins.
-    fn sewn(&self, placed: &[Placed]) -> Result<Body> {
-        let mut sewing = Sewing::default();
-        let outer = self.skin(&mut sewing, placed, 0.0, 0.0)?;
-        let Some(wall) = self.wall else {
-            if self.ends == TeeEnds::Open {
-                return Ok(Body { outer: sewing.finish()?, voids: Vec::new() });
-            }
-            self.disks(&mut sewing, placed, &outer, 0.0)?;
-            return Ok(Body { outer: sewing.finish()?, voids: Vec::new() });
-        };
-        if self.ends == TeeEnds::Closed {
-            self.disks(&mut sewing, placed, &outer, 0.0)?;
-            let mut inside = Sewing::default();
-            let inner = self.skin(&mut inside, placed, wall, wall)?;
-            self.disks(&mut inside, placed, &inner, wall)?;
-            return Ok(Body { outer: sewing.finish()?, voids: vec![inside.finish()?] });
-        }
-        let inner = self.skin(&mut sewing, placed, wall, 0.0)?;
-        let mut skin = Skin { sewing: &mut sewing, depth: 0.0, inner: false };
-        for ((outer, inner), (_, outwards)) in outer.iter().zip(&inner).zip(self.openings(placed, 0.0)) {
-            skin.between_rings(outer, inner, outwards)?;
-        }
-        Ok(Body { outer: sewing.finish()?, voids: Vec::new() })
-    }
-
-    /// The centres of all ends and the directions out of them, as rings of skins are ordered: both ends of the main pipe, then the branches.
-    fn openings(&self, placed: &[Placed], short: f64) -> Vec<(Point3, Vec3)> {
-        let main = [(self.main.ends[0] + short, -1.0), (self.main.ends[1] - short, 1.0)];
-        let branches = placed.iter().map(|branch| {
-            let axis = branch.crossing.axes[2];
-            (branch.crossing.foot + axis * (branch.length - short), axis)
-        });
-        main.into_iter().map(|(at, way)| (Point3::new(at, 0.0, 0.0), Vec3::X * way)).chain(branches).collect()
-    }
-
-    fn disks(&self, sewing: &mut Sewing, placed: &[Placed], rings: &[Ring], depth: f64) -> Result<()> {
-        let mut skin = Skin { sewing, depth, inner: depth > 0.0 };
-        for (ring, (centre, outwards)) in rings.iter().zip(self.openings(placed, depth)) {
-            skin.disk(ring, centre, if depth > 0.0 { -outwards } else { outwards })?;
-        }
-        Ok(())
-    }
-
-    /// The faces of a skin, and its rings in the order of [`openings`](Self::openings).
-    fn skin(&self, sewing: &mut Sewing, placed: &[Placed], depth: f64, short: f64) -> Result<Vec<Ring>> {
-        let mut skin = Skin { sewing, depth, inner: depth > 0.0 };
-        let mut rings: Vec<Rings> = Vec::new();
-        for (k, branch) in placed.iter().enumerate() {
-            // Between two branches a third of the way is left for what joins their rings.
-            let before = match k.checked_sub(1).and_then(|j| placed.get(j)) {
-                Some(other) => branch.reach[0] - (branch.reach[0] - other.reach[1]) / 3.0,
-                None => self.main.ends[0] + short,
-            };
-            let behind = match placed.get(k + 1) {
-                Some(other) => branch.reach[1] + (other.reach[0] - branch.reach[1]) / 3.0,
-                None => self.main.ends[1] - short,
-            };
-            let Placed { crossing, partition, length, .. } = branch;
-            rings.push(skin.branch(&Branch {
-                crossing,
-                partition,
-                length: length - short,
-                stretch: [before, behind],
-            })?);
-        }
-        for k in 1..rings.len() {
-            let (at, beyond) = (&rings[k - 1].main[1], &rings[k].main[0]);
-            skin.join([&placed[k - 1].crossing, &placed[k].crossing], [at, beyond])?;
-        }
-        let mut open = Vec::new();
-        let (mut first, mut last, mut branches) = (None, None, Vec::new());
-        for Rings { branch, main: [start, end] } in rings {
-            first = first.or(Some(start));
-            last = Some(end);
-            branches.push(branch);
-        }
-        open.extend(first.into_iter().chain(last).chain(branches));
-        Ok(open)
+        Ok(Placed { crossing, partition, length: branch.length, reach, breadth, facts })
     }
 }

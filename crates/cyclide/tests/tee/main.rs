@@ -2,6 +2,8 @@
 
 #![allow(clippy::expect_used, clippy::panic, reason = "a test fails by panicking")]
 
+mod crosses;
+
 use cyclide::{
     Body, Error, FaceSurface, MadeTee, PipeTee, Point3, RationalBezierSurface, ShellFace, TeeBlend, TeeBranch, TeeEnds,
     TeeMain, Vec3, surface_joints,
@@ -28,14 +30,14 @@ fn solid(branches: Vec<TeeBranch>) -> MadeTee {
     made(MAIN, branches, None, TeeEnds::Flat).expect("a tee")
 }
 
-/// The canals of a body: the faces of degree (12, 2).
+/// The canals of a body: the faces of degree (12, 2), of equal pipes (8, 2).
 fn canals(body: &Body) -> Vec<(&RationalBezierSurface, &ShellFace)> {
     let faces = body.shells().flat_map(|shell| shell.faces());
     let rational = faces.filter_map(|face| match &face.surface {
         FaceSurface::Rational(surface) => Some((surface, face)),
         FaceSurface::Cyclide(_) => None,
     });
-    rational.filter(|(surface, _)| surface.degrees() == [12, 2]).collect()
+    rational.filter(|(surface, _)| [[12, 2], [8, 2]].contains(&surface.degrees())).collect()
 }
 
 /// Point and direction of the axis of a branch.
@@ -87,25 +89,40 @@ fn every_circle_of_the_blend_is_on_one_ball_that_touches_both_pipes() {
         TeeBranch { radius: 1.0, taper: 0.06, angle: 2.0, offset: -0.3, blend: TeeBlend::Least(0.4), ..branch() },
     ];
     for variant in variants {
-        let tee = solid(vec![variant.clone()]);
-        let [least, most] = tee.blends[0].radii;
-        for (surface, face) in canals(&tee.body) {
-            for s in [0.1, 0.55, 0.9] {
-                let found = [0.15, 0.5, 0.85].map(|t| {
-                    let (p, n) = (surface.point(s, t), normal(surface, face, s, t));
-                    let radius = ball(p, n, MAIN.radius, 4.0 * most);
-                    (p + n * radius, radius)
-                });
-                for (centre, radius) in found {
-                    // Coordinates up to 16 and quotients of degree 12, and the slow way of the gap near its zero.
-                    assert!(centre.distance(found[0].0) < 1e-10 && (radius - found[0].1).abs() < 1e-10);
-                    let touching = off_branch(centre, &variant) - radius;
-                    assert!(touching.abs() < 1e-10, "{touching}");
-                    assert!(radius > least - 1e-10 && radius < most + 1e-10, "{radius}");
-                }
+        check_balls(&solid(vec![variant.clone()]), &[variant]);
+    }
+}
+
+/// Every circle of the blends of a solid tee is on one ball that touches the main pipe and a branch, and is as large as is said.
+fn check_balls(tee: &MadeTee, branches: &[TeeBranch]) {
+    let most = tee.blends.iter().fold(0.0, |most: f64, blend| most.max(blend.radii[1]));
+    let mut seen = vec![0; branches.len()];
+    for (surface, face) in canals(&tee.body) {
+        for s in [0.1, 0.55, 0.9] {
+            let found = [0.15, 0.5, 0.85].map(|t| {
+                let (p, n) = (surface.point(s, t), normal(surface, face, s, t));
+                let radius = ball(p, n, MAIN.radius, 4.0 * most);
+                (p + n * radius, radius)
+            });
+            // Branches opposite each other have one axis.
+            let off = |k: usize| {
+                let ((sin, cos), centre) = (branches[k].azimuth.sin_cos(), found[1].0);
+                let on_side = centre.z * cos - centre.y * sin > 0.0;
+                if on_side { (off_branch(centre, &branches[k]) - found[1].1).abs() } else { f64::INFINITY }
+            };
+            let nearest = (1..branches.len()).fold(0, |best, k| if off(k) < off(best) { k } else { best });
+            seen[nearest] += 1;
+            let [least, most] = tee.blends[nearest].radii;
+            for (centre, radius) in found {
+                // Coordinates up to 16 and quotients of degree 12, and the slow way of the gap near its zero.
+                assert!(centre.distance(found[0].0) < 1e-10 && (radius - found[0].1).abs() < 1e-10);
+                let touching = off_branch(centre, &branches[nearest]) - radius;
+                assert!(touching.abs() < 1e-10, "{touching}");
+                assert!(radius > least - 1e-10 && radius < most + 1e-10, "{radius}");
             }
         }
     }
+    assert!(seen.iter().zip(&tee.blends).all(|(seen, blend)| *seen == 3 * blend.pieces), "{seen:?}");
 }
 
 #[test]
@@ -419,7 +436,7 @@ fn branches_that_run_into_each_other_are_refused() {
     // The lying branch goes through the blend of the stub, and through its wall.
     for (blend, offset) in [(25.0, 4.5), (2.0, -10.0)] {
         let error = made(main, vec![stub(blend), lying(600.0, offset)], None, TeeEnds::Flat).expect_err("meet");
-        let Error::TeeBranchesMeet { first: 0, second: 1, distance, needed } = error else { panic!("{error}") };
+        let Error::TeeBranchesMeet { first: 0, second: 1, distance, needed, .. } = error else { panic!("{error}") };
         assert!(distance <= needed, "{distance}");
     }
     // Long branches whose axes meet far out.
