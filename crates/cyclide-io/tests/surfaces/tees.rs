@@ -69,4 +69,24 @@ fn tees_that_are_none_are_refused_in_their_place() {
     let both = format!("{BRANCH}, {}", BRANCH.replacen('{', r#"{"at": 20, "#, 1));
     let error = tee(&both, "").unwrap_err();
     assert!(error.contains("branches[1]") && error.contains("[tee-branches-meet]"), "{error}");
+    let beside = format!("{BRANCH}, {}", BRANCH.replacen('{', r#"{"azimuth": {"degrees": 60}, "#, 1));
+    let error = tee(&beside, "").unwrap_err();
+    assert!(error.contains("branches[1]") && error.contains("radians round it"), "{error}");
+}
+
+#[test]
+fn crosses_are_solids_that_add_up() {
+    let opposite = |branch: &str| format!("{branch}, {}", branch.replacen('{', r#"{"azimuth": {"degrees": 180}, "#, 1));
+    let equal = r#"{"radius": 12, "length": 40, "blend": 2}"#;
+    for branch in [BRANCH, equal] {
+        for rest in ["", r#", "wall": 1, "ends": "closed""#] {
+            let [one, both] =
+                [branch.to_owned(), opposite(branch)].map(|branches| surface(&tee(&branches, rest).unwrap()));
+            assert!(both.closed && both.blends.len() == 2);
+            let pipe = |radius: f64, length: f64| std::f64::consts::PI * radius * radius * length;
+            let bare = pipe(12.0, 110.0) - if rest.is_empty() { 0.0 } else { pipe(11.0, 108.0) };
+            let expected = bare + 2.0 * (one.volume.unwrap() - bare);
+            assert!((both.volume.unwrap() / expected - 1.0).abs() < 1e-10, "{expected}");
+        }
+    }
 }

@@ -38,7 +38,7 @@ pub struct PipeTeeSpec {
     pub construction: bool,
     /// The main pipe.
     pub main: TeeMainSpec,
-    /// The branches, at least one, each in a stretch of the main pipe of its own.
+    /// The branches, at least one, behind or beside each other on the main pipe.
     #[schemars(length(min = 1))]
     pub branches: Vec<TeeBranchSpec>,
     /// Thickness of the wall of all pipes, also within the blends. Default: the tee is filled.
