@@ -52,6 +52,13 @@ TEES = {
         ],
         {},
     ),
+    "reducer": (
+        [
+            {"radius": 16, "length": 90, "angle": {"degrees": 65}, "offset": 5, "taper": {"degrees": 3}, "blend": LAW},
+            {"radius": 10, "length": 80, "angle": {"degrees": 105}, "azimuth": {"degrees": 180}, "offset": -4, "blend": 4},
+        ],
+        {"main": {"radius": 30, "taper": {"degrees": 4}, "ends": [-90, 110]}, "wall": 2, "ends": "closed"},
+    ),
     "equal cross": ([{"radius": 30, "length": 90, "blend": 5}, {"radius": 30, "length": 90, "azimuth": {"degrees": 180}, "blend": 8}], {}),
     "equal laterals": (
         [
@@ -62,7 +69,7 @@ TEES = {
     ),
 }
 # Branches beside each other.
-CROSSES = ["cross", "row", "equal cross"]
+CROSSES = ["cross", "row", "reducer", "equal cross"]
 
 
 @pytest.fixture(scope="module", params=TEES)
@@ -85,7 +92,7 @@ def radians(value, default):
 
 def axes(spec):
     """Point, direction, radius and taper of the main pipe and of every branch."""
-    found = [(np.zeros(3), np.array([1.0, 0, 0]), spec["main"]["radius"], 0.0)]
+    found = [(np.zeros(3), np.array([1.0, 0, 0]), spec["main"]["radius"], radians(spec["main"].get("taper"), 0.0))]
     for branch in spec["branches"]:
         lean, turn = radians(branch.get("angle"), math.pi / 2), radians(branch.get("azimuth"), 0.0)
         up = np.array([0, -math.sin(turn), math.cos(turn)])
@@ -112,7 +119,7 @@ def test_tees_are_one_closed_solid_and_tangent_along_contacts(tee):
     _, users = structure(step, closed=True)
     assert len(step.solids) == 1 and step.exactly_valid
     # All but the blends is planes, cylinders and cones, with curves in the parameters that are off by rounding.
-    tapered = any("taper" in branch for branch in spec["branches"])
+    tapered = any("taper" in pipe for pipe in [spec["main"], *spec["branches"]])
     kinds = {face.kind for face in step.faces if not is_blend(face)}
     assert {"plane", "cylinder"} <= kinds and kinds - {"plane", "cylinder"} == ({"cone"} if tapered else set())
     assert max(gap for gap, _ in modelling.departures(step)) <= 1e-12 * step.size()

@@ -90,3 +90,19 @@ fn crosses_are_solids_that_add_up() {
         }
     }
 }
+
+#[test]
+fn main_pipes_may_be_cones() {
+    let on_cone = |taper: &str| {
+        build(&format!(
+            r#""t": {{"type": "pipe-tee", "main": {{"radius": 12, "taper": {taper}, "ends": [-50, 60]}}, "branches": [{BRANCH}]}}"#
+        ))
+    };
+    let built = surface(&on_cone(r#"{"degrees": 4}"#).unwrap());
+    // More than the cone alone, from 12 + 50 tan 4° to 12 - 60 tan 4°.
+    let [a, b] = [-50.0, 60.0].map(|x: f64| 12.0 - x * 4_f64.to_radians().tan());
+    let frustum = std::f64::consts::PI / 3.0 * 110.0 * (a * a + a * b + b * b);
+    assert!(built.closed && built.volume.unwrap() > frustum + 4000.0);
+    let error = on_cone("0.3").unwrap_err();
+    assert!(error.contains("t.main") && error.contains("apex at 38.79"), "{error}");
+}

@@ -64,9 +64,11 @@ pub struct PipeTeeSpec {
 #[schemars(rename = "TeeMain")]
 #[non_exhaustive]
 pub struct TeeMainSpec {
-    /// Its outer radius.
+    /// Its outer radius; with a `taper` that where x is 0.
     #[schemars(extend("exclusiveMinimum" = 0))]
     pub radius: f64,
+    /// The angle between its axis and its lines: above zero it grows thinner along x, below wider. Default 0, a cylinder.
+    pub taper: Option<Angle>,
     /// The places on the x axis where it ends, the lower one first.
     pub ends: [f64; 2],
 }

@@ -5,10 +5,11 @@ use super::canal::Canal;
 use super::crossing::Crossing;
 use super::loop_piece::LoopPiece;
 use super::partition::Partition;
-use super::{PipeTee, Placed};
+use super::{PipeTee, Placed, TeeMain};
 use crate::base::bernstein;
 use crate::construct::bodies::tight_place::TightPlace;
 use crate::error::{Error, ErrorItem, Result};
+use std::f64::consts::FRAC_PI_2;
 
 /// A part of a pipe beyond a blend is longer than this part of its radius.
 pub(super) const LEAST_REST: f64 = 1e-3;
@@ -72,6 +73,24 @@ fn quotients(above: &crate::rational::Polynomial, below: &crate::rational::Polyn
 }
 
 impl PipeTee {
+    /// Refuses a main pipe that comes to an end before its own.
+    ///
+    /// # Errors
+    /// `parameter-out-of-range`, `radius-not-positive`.
+    pub(super) fn check_main(&self) -> Result<()> {
+        let TeeMain { radius, taper, ends } = self.main;
+        if !(taper.abs() < FRAC_PI_2) {
+            let (name, max) = (ErrorItem::Taper, FRAC_PI_2);
+            return Err(Error::ParameterOutOfRange { name, value: taper, min: -max, max });
+        }
+        let inside = radius - self.wall.unwrap_or(0.0) / taper.cos();
+        match ends.into_iter().find(|end| !(inside - end * taper.tan() > 0.0)) {
+            Some(reached) if inside > 0.0 => Err(Error::ConeReachesApex { apex: inside / taper.tan(), reached }),
+            Some(_) => Err(Error::RadiusNotPositive { radius: inside }),
+            None => Ok(()),
+        }
+    }
+
     /// Refuses pipes that end within a blend.
     ///
     /// # Errors
@@ -92,6 +111,8 @@ impl PipeTee {
                     needed,
                 });
             }
+            // The hole of the inner skin is moved along a cone.
+            let rest = rest + self.wall.unwrap_or(0.0) * self.main.taper.sin().abs();
             let [low, high] = [branch.reach[0] - rest - short, branch.reach[1] + rest + short];
             for (end, needed, fits) in
                 [(self.main.ends[0], low, self.main.ends[0] < low), (self.main.ends[1], high, self.main.ends[1] > high)]

@@ -5,7 +5,7 @@
 //! every law of the radius has its loop. The canal of a piece of the loop is rational of degree (12, 2), and so are, exactly, what is left of
 //! both pipes: all faces have four sides and share edges.
 //!
-//! A branch as wide as the main pipe, its axis meeting the other, has its balls on two half ellipses (`docs/math/pipe-tees.md#equal-pipes`).
+//! Both may be cones. A branch as wide as the main pipe, its axis meeting the other, has its balls on two half ellipses (`docs/math/pipe-tees.md#equal-pipes`).
 //!
 //! A wall has the same loop inside: radii of pipes less by its thickness, radii of balls larger by it, the centres stay.
 
@@ -38,13 +38,15 @@ use partition::Partition;
 ///
 /// ```
 /// use cyclide::TeeMain;
-/// let main = TeeMain { radius: 30.0, ends: [-100.0, 100.0] };
+/// let main = TeeMain { radius: 30.0, taper: 0.0, ends: [-100.0, 100.0] };
 /// assert!(main.ends[0] < main.ends[1]);
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TeeMain {
-    /// Its outer radius.
+    /// Its outer radius; with a taper that where x is zero.
     pub radius: f64,
+    /// Half the angle of the cone that it is: above zero it grows thinner along x, below wider, 0 is a cylinder.
+    pub taper: f64,
     /// The places on the x axis where it ends.
     pub ends: [f64; 2],
 }
@@ -58,7 +60,7 @@ pub struct TeeMain {
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct TeeBranch {
-    /// Its outer radius, below that of the main pipe, or equal to it with no offset and no taper; with a taper that at the place nearest to the axis of the main pipe.
+    /// Its outer radius, below that of the main pipe there, or equal to it with no offset and no tapers; with a taper that at the place nearest to the axis of the main pipe.
     pub radius: f64,
     /// Half the angle of the cone that it is: above zero it grows thinner towards its end, below wider, 0 is a cylinder.
     pub taper: f64,
@@ -97,7 +99,7 @@ impl TeeBranch {
 ///
 /// ```
 /// use cyclide::{PipeTee, TeeBranch, TeeEnds, TeeMain};
-/// let main = TeeMain { radius: 3.0, ends: [-12.0, 12.0] };
+/// let main = TeeMain { radius: 3.0, taper: 0.0, ends: [-12.0, 12.0] };
 /// let tee = PipeTee::new(main, vec![TeeBranch::upright(2.0, 10.0, 0.5)])?.with_wall(0.2)?;
 /// assert!(tee.made()?.body.voids.is_empty());
 /// assert_eq!(tee.with_ends(TeeEnds::Closed).made()?.body.voids.len(), 1);
@@ -120,7 +122,7 @@ pub enum TeeEnds {
 ///
 /// ```
 /// use cyclide::{PipeTee, TeeBranch, TeeMain};
-/// let main = TeeMain { radius: 30.0, ends: [-100.0, 100.0] };
+/// let main = TeeMain { radius: 30.0, taper: 0.0, ends: [-100.0, 100.0] };
 /// let tee = PipeTee::new(main, vec![TeeBranch::upright(20.0, 100.0, 6.0)])?.with_wall(3.0)?;
 /// let made = tee.made()?;
 /// assert!(made.body.is_solid() && (made.blends[0].radii[1] - 6.0).abs() < 0.006);
@@ -138,7 +140,7 @@ pub struct PipeTee {
 ///
 /// ```
 /// use cyclide::{PipeTee, TeeBranch, TeeMain};
-/// let main = TeeMain { radius: 3.0, ends: [-12.0, 12.0] };
+/// let main = TeeMain { radius: 3.0, taper: 0.0, ends: [-12.0, 12.0] };
 /// let made = PipeTee::new(main, vec![TeeBranch::upright(2.0, 10.0, 0.5)])?.made()?;
 /// assert!(made.body.is_solid() && made.blends.len() == 1);
 /// # Ok::<(), cyclide::Error>(())
@@ -155,7 +157,7 @@ pub struct MadeTee {
 ///
 /// ```
 /// use cyclide::{PipeTee, TeeBranch, TeeMain};
-/// let main = TeeMain { radius: 3.0, ends: [-12.0, 12.0] };
+/// let main = TeeMain { radius: 3.0, taper: 0.0, ends: [-12.0, 12.0] };
 /// let facts = PipeTee::new(main, vec![TeeBranch::upright(2.0, 10.0, 0.5)])?.made()?.blends[0];
 /// assert!(facts.radii[0] >= 0.4995 && facts.radii[1] <= 0.5005 && facts.tightest > 0.7);
 /// # Ok::<(), cyclide::Error>(())
@@ -216,6 +218,9 @@ impl PipeTee {
         if let Some(index) = main.ends.iter().position(|end| !end.is_finite()) {
             return Err(Error::NotFinite { what: ErrorItem::Coordinate, index });
         }
+        if !main.taper.is_finite() {
+            return Err(Error::NotFinite { what: ErrorItem::Taper, index: 0 });
+        }
         if let [start, end] = main.ends
             && start >= end
         {
@@ -261,9 +266,10 @@ impl PipeTee {
     /// The body, with what is known of its blends.
     ///
     /// # Errors
-    /// `tee-branch-too-wide`, `angle-out-of-range`, as [`TeeBlend`] `radius-not-positive`, `tolerance-not-positive`, `tee-blend-too-large`, `tee-law-on-equal-pipes`, `too-many-pieces`, `coincident-points`, `below-rounding-of-place`;
+    /// `parameter-out-of-range` and `radius-not-positive` (a main pipe that is no cone, or comes to an end before its own), `tee-branch-too-wide`, `angle-out-of-range`, as [`TeeBlend`] `radius-not-positive`, `tolerance-not-positive`, `tee-blend-too-large`, `tee-law-on-equal-pipes`, `too-many-pieces`, `coincident-points`, `below-rounding-of-place`;
     /// `tee-pipe-too-short`, `tee-blend-folds`, `tee-hole-folds`, `tee-branches-meet`, `tee-no-free-line`.
     pub fn made(&self) -> Result<MadeTee> {
+        self.check_main()?;
         let mut placed = self
             .branches
             .iter()
@@ -278,7 +284,7 @@ impl PipeTee {
     }
 
     fn placed(&self, index: usize, branch: &TeeBranch) -> Result<Placed> {
-        let crossing = Crossing::new(index, self.main.radius, branch, self.wall.unwrap_or(0.0))?;
+        let crossing = Crossing::new(index, &self.main, branch, self.wall.unwrap_or(0.0))?;
         let in_blend = |error: Error| error.in_branch(index, ErrorItem::Blend);
         let Loop { pieces, deviation } = branch.blend.pieces(&crossing).map_err(in_blend)?;
         let depth = self.wall.unwrap_or(0.0);

@@ -62,6 +62,8 @@ impl PipeTee {
         depth: f64,
         short: f64,
     ) -> Result<Vec<Ring>> {
+        // Places on a skin of a cone below are counted from a moved origin.
+        let ends = self.main.ends.map(|end| end + depth * self.main.taper.sin());
         let mut skin = Skin { sewing, depth, inner: depth > 0.0 };
         let mut branches: Vec<Option<Ring>> = placed.iter().map(|_| None).collect();
         let mut stretches: Vec<(usize, [Ring; 2])> = Vec::new();
@@ -69,11 +71,11 @@ impl PipeTee {
             // Between two groups a third of the way is left for what joins their rings.
             let start = match k.checked_sub(1).and_then(|j| groups.get(j)) {
                 Some(before) => between(before.reach[1], group.reach[0])[1],
-                None => self.main.ends[0] + short,
+                None => ends[0] + short,
             };
             let end = match groups.get(k + 1) {
                 Some(next) => between(group.reach[1], next.reach[0])[0],
-                None => self.main.ends[1] - short,
+                None => ends[1] - short,
             };
             let mut branch = |skin: &mut Skin, k: usize, stretch: [f64; 2], flanks: Option<[usize; 2]>| {
                 let Placed { crossing, partition, length, .. } = &placed[k];
