@@ -159,7 +159,7 @@ fn scale_and_place_change_no_cross() {
 
 #[test]
 fn branches_without_room_beside_each_other_are_refused() {
-    let refused = |branches| made(MAIN, branches, None, TeeEnds::Flat).err().expect("no room");
+    let refused = |branches| made(MAIN, branches, None, TeeEnds::Flat).expect_err("no room");
     let Error::TeeBranchesMeet { first: 0, second: 1, distance, round, .. } =
         refused(vec![on_side(60.0, TeeBranch { at: 1.0, ..branch() }), branch()])
     else {
