@@ -177,6 +177,13 @@ fn branches_without_room_beside_each_other_are_refused() {
     assert_eq!(refused(four(2.5)), Error::TeeNoFreeLine { first: 0, second: 1 });
     // Beside the pair only it is fine.
     assert!(made(MAIN, four(-1.0), None, TeeEnds::Flat).is_ok_and(|tee| tee.body.is_solid()));
+    // A row of two that reaches far round: the line beyond the first would be 169 degrees from the middle of the second.
+    let far = vec![
+        on_side(-93.0, TeeBranch { at: -2.3, ..TeeBranch::upright(2.4, 10.0, 0.3) }),
+        TeeBranch { at: 2.7, ..TeeBranch::upright(1.8, 10.0, 0.3) },
+        on_side(125.0, TeeBranch { at: 0.5, ..TeeBranch::upright(1.0, 10.0, 0.3) }),
+    ];
+    assert_eq!(refused(far), Error::TeeNoFreeLine { first: 0, second: 1 });
     // Equal pipes are opposite each other exactly, or apart.
     let equal = || TeeBranch::upright(3.0, 14.0, 0.5);
     for other in [on_side(179.0, equal()), on_side(180.0, TeeBranch { at: 0.01, ..equal() })] {
